@@ -2,7 +2,8 @@
 
 use divan::{Bencher, counter::BytesCount};
 use probewright_core::dialect::Dialect;
-use probewright_core::program::{calls, read};
+use probewright_core::program::calls;
+use probewright_core::syntax::read;
 
 fn main() {
     divan::main();

@@ -17,6 +17,7 @@ pub mod json;
 pub mod machine;
 pub mod message;
 pub mod own;
+mod problem;
 pub mod program;
 pub mod range;
 #[cfg(feature = "cli")]
@@ -24,6 +25,7 @@ pub mod report;
 pub mod run;
 pub mod scan;
 pub mod support;
+pub mod syntax;
 #[cfg(feature = "cli")]
 pub mod words;
 pub mod workpiece;

@@ -239,7 +239,7 @@ mod tests {
     // oracle: self (those of a run begin behind)
     #[test]
     fn no_number_is_one_of_a_run() {
-        let first = crate::run::problem::FIRST;
+        let first = crate::problem::FIRST;
         assert!(ALL.iter().all(|one| one.number < first));
     }
 }

@@ -8,8 +8,8 @@ use probewright_core::control::Plane;
 use probewright_core::dialect::Dialect;
 use probewright_core::machine::trace::Step;
 use probewright_core::machine::{Setup, Stop};
-use probewright_core::program::read;
 use probewright_core::run::{Limits, Outcome, Session, run};
+use probewright_core::syntax::read;
 use probewright_core::workpiece::Shape;
 use running::{clean_on, go_on, machine};
 

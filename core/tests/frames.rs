@@ -8,8 +8,8 @@ use probewright_core::diagnostic::Code;
 use probewright_core::dialect::Dialect;
 use probewright_core::machine::trace::Step;
 use probewright_core::machine::{Setup, Stop};
-use probewright_core::program::read;
 use probewright_core::run::{Limits, Outcome, run};
+use probewright_core::syntax::read;
 
 /// How far the measured face stands beside its set position, mm.
 const SHIFT: f64 = 0.3;

@@ -7,9 +7,9 @@ use probewright_core::dialect::Dialect;
 use probewright_core::machine::sim::TRACE_LIMIT;
 use probewright_core::machine::{Setup, Stop};
 use probewright_core::message::Arg;
-use probewright_core::program::position::Positions;
-use probewright_core::program::read;
 use probewright_core::run::{Limits, Outcome, run};
+use probewright_core::syntax::position::Positions;
+use probewright_core::syntax::read;
 use probewright_core::workpiece::{PartErrors, Shape, Solid};
 
 /// A calibrated probe 20 mm above the middle of a block of 100 mm.

@@ -6,8 +6,8 @@ use probewright_core::control::{Frame, Plane};
 use probewright_core::dialect::Dialect;
 use probewright_core::machine::trace::{MotionKind, Step};
 use probewright_core::machine::{Setup, Stop};
-use probewright_core::program;
 use probewright_core::run::{Limits, Outcome, run};
+use probewright_core::syntax;
 use probewright_core::workpiece::{PartErrors, Shape, Solid};
 
 /// Repaired where the scan is not readable: program number and comments.
@@ -47,7 +47,7 @@ fn setup(shift: [f64; 3], size: f64) -> Setup {
 }
 
 fn go(text: &str, setup: &Setup) -> Outcome {
-    let program = program::read(Dialect::Nct, text.as_bytes());
+    let program = syntax::read(Dialect::Nct, text.as_bytes());
     run(&program, setup, Limits::default())
 }
 

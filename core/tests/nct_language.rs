@@ -8,9 +8,9 @@ use probewright_core::machine::trace::Step;
 use probewright_core::machine::{Setup, Stop};
 use probewright_core::message::Message;
 use probewright_core::program::calls::calls;
-use probewright_core::program::position::Positions;
-use probewright_core::program::read;
 use probewright_core::run::{Limits, Outcome, run};
+use probewright_core::syntax::position::Positions;
+use probewright_core::syntax::read;
 use probewright_core::workpiece::{PartErrors, Shape, Solid};
 
 fn go(text: &str) -> Outcome {

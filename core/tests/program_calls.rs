@@ -8,7 +8,7 @@ use probewright_core::dialect::Dialect;
 use probewright_core::program::calls::{CallSite, calls};
 use probewright_core::program::change::{apply, change};
 use probewright_core::program::write::snippet;
-use probewright_core::program::{Program, read};
+use probewright_core::syntax::{Program, read};
 use proptest::prelude::*;
 
 fn sinumerik(text: &str) -> (Program, Vec<CallSite>) {

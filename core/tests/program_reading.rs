@@ -3,8 +3,8 @@
 
 use probewright_core::diagnostic::Span;
 use probewright_core::dialect::Dialect;
-use probewright_core::program::tree::WordKind;
-use probewright_core::program::{Program, read};
+use probewright_core::syntax::tree::WordKind;
+use probewright_core::syntax::{Program, read};
 use proptest::prelude::*;
 use std::path::{Path, PathBuf};
 

@@ -3,8 +3,8 @@
 
 use probewright_core::diagnostic::Span;
 use probewright_core::dialect::Dialect;
-use probewright_core::program::tree::{Expr, ExprId, Operator, WordKind};
-use probewright_core::program::{Program, read};
+use probewright_core::syntax::tree::{Expr, ExprId, Operator, WordKind};
+use probewright_core::syntax::{Program, read};
 
 /// An expression with every bracket that its tree implies.
 fn show(program: &Program, id: ExprId) -> String {

@@ -6,8 +6,8 @@ use probewright_core::check::{Typed, check};
 use probewright_core::control::Plane;
 use probewright_core::dialect::Dialect;
 use probewright_core::machine::Setup;
-use probewright_core::program::read;
 use probewright_core::run::{Limits, Outcome, run};
+use probewright_core::syntax::read;
 
 /// A run of two measurements of a surface, with these programs behind the main program.
 fn outcome(programs: &str) -> Outcome {

@@ -5,7 +5,8 @@ use probewright_core::diagnostic::Code;
 use probewright_core::dialect::Dialect;
 use probewright_core::program::calls::{CallSite, calls};
 use probewright_core::program::change::{apply, change};
-use probewright_core::program::{Program, arrivals, findings, read};
+use probewright_core::program::{arrivals, findings};
+use probewright_core::syntax::{Program, read};
 use probewright_core::words::Words;
 
 const BEGIN: &str = "%_N_MAIN_MPF\nG17 G40 G54 T9 D1\n";

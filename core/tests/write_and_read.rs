@@ -7,9 +7,9 @@ use probewright_core::control::{Control, Plane, Units, delivery};
 use probewright_core::dialect::Dialect;
 use probewright_core::program::calls::{CallSite, calls};
 use probewright_core::program::change::{apply, change};
-use probewright_core::program::read;
-use probewright_core::program::tree::Program;
 use probewright_core::program::write::{Words, snippet};
+use probewright_core::syntax::Program;
+use probewright_core::syntax::read;
 use proptest::prelude::*;
 
 /// How one value is chosen and typed.

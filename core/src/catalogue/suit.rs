@@ -129,9 +129,9 @@ impl Setup {
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]
-    use crate::control::Transverse;
     use super::*;
     use crate::catalogue::find;
+    use crate::control::Transverse;
 
     #[test]
     fn a_turning_machine_keeps_what_it_says_of_itself() {

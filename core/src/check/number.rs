@@ -1,6 +1,6 @@
 //! Numbers as people and programs write them.
 
-use crate::program::is_value;
+use crate::syntax::is_value;
 
 /// What a text is.
 #[derive(Clone, Copy, Debug, PartialEq)]

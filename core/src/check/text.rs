@@ -1,6 +1,6 @@
 //! Texts as people and programs write them.
 
-use crate::program::is_value;
+use crate::syntax::is_value;
 
 /// What stands for a text.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,7 +5,6 @@
 
 use super::{Control, Value};
 use crate::geometry::{V3, rigid};
-use crate::workpiece::{PartErrors, Solid};
 use nalgebra::Rotation3;
 
 /// Names by index.
@@ -55,26 +54,8 @@ impl Control {
         (rigid::rotation(carrying).inverse() * own).into()
     }
 
-    /// A part as it stands now; as it is given it is clamped with all rotary axes at 0.
-    pub fn on_table(&self, solid: &Solid) -> Solid {
-        if self.rotary == [0.0; 3] {
-            return solid.clone();
-        }
-        let turn = self.table_turn();
-        let centre = V3::from(self.rotary_centre);
-        let errors = &solid.errors;
-        let at = V3::from(solid.at) + V3::from(errors.shift) - centre;
-        let clamped = rigid::rotation(errors.tilt) * rigid::rotation(solid.rotation);
-        Solid {
-            shape: solid.shape.clone(),
-            at: (centre + turn * at).into(),
-            rotation: rigid::angles(&(turn * clamped)),
-            errors: PartErrors { shift: [0.0; 3], tilt: [0.0; 3], ..*errors },
-        }
-    }
-
     /// How the table is turned, in machine coordinates.
-    fn table_turn(&self) -> Rotation3<f64> {
+    pub(crate) fn table_turn(&self) -> Rotation3<f64> {
         rigid::rotation(self.rotary).inverse()
     }
 
@@ -100,7 +81,6 @@ mod tests {
     use super::*;
     use crate::control::delivery;
     use crate::dialect::Dialect;
-    use crate::workpiece::Shape;
 
     #[test]
     fn the_fourth_axis_is_a_table_as_delivered() {
@@ -114,27 +94,6 @@ mod tests {
         assert_eq!(control.rotary_axis("A"), None);
         control.set("MD30300[3]", 0.0);
         assert_eq!(control.rotary_axis("C"), None);
-    }
-
-    #[test]
-    fn a_positive_angle_turns_the_table_clockwise() {
-        let mut control = delivery(Dialect::Sinumerik);
-        control.rotary_centre = [10.0, 0.0, 0.0];
-        control.rotary[2] = 90.0;
-        let solid = Solid {
-            shape: Shape::Sphere { diameter: 5.0 },
-            at: [30.0, 0.0, 7.0],
-            rotation: [0.0; 3],
-            errors: PartErrors { shift: [1.0, 0.0, 0.0], tilt: [0.0, 0.0, 30.0], ..PartErrors::default() },
-        };
-        let turned = control.on_table(&solid);
-        // oracle: manual B:627, hand: 21 mm from the centre along X, then along minus Y
-        let wanted = [10.0, -21.0, 7.0];
-        for (found, wanted) in turned.at.iter().zip(wanted) {
-            assert!((found - wanted).abs() < 1e-12);
-        }
-        assert!((turned.rotation[2] + 60.0).abs() < 1e-12);
-        assert_eq!(turned.errors, PartErrors::default());
     }
 
     #[test]

@@ -13,13 +13,15 @@ use crate::machine::trace::Step;
 use crate::message::Message;
 use crate::program::calls::{CallSite, calls_told};
 use crate::program::change::{Edit, apply};
-use crate::program::position::Positions;
 use crate::program::revise::revise;
 use crate::program::touched::{Line, cured_elsewhere};
-use crate::program::{self, tree::Program};
+use crate::program::{self};
 use crate::run::left::{CallAt, Left};
 use crate::run::outcome::{Outcome, PassedOver};
 use crate::run::{Limits, Session};
+use crate::syntax;
+use crate::syntax::Program;
+use crate::syntax::position::Positions;
 use serde::Deserialize;
 use serde_json::Value;
 use std::collections::BTreeSet;
@@ -78,7 +80,7 @@ pub fn read_told(request: &str, told: &mut dyn FnMut(f64)) -> Result<Value, Erro
     let dialect = dialect(&request.control)?;
     let [text, calls] = SHARES;
     let source = request.text.as_bytes();
-    let program = program::read_told(dialect, source, &mut |share| told(share * text));
+    let program = syntax::read_told(dialect, source, &mut |share| told(share * text));
     let mut found = |share: f64| told(text + share * (calls - text));
     let control = start(dialect, request.setup)?.setup.control;
     Ok(view(&program, control, &mut found))
@@ -172,7 +174,7 @@ fn placed(found: &Diagnostic, positions: &Positions) -> Value {
 pub fn change(request: &str) -> Result<Value, Error> {
     let request: ChangeRequest = super::request(request)?;
     let dialect = dialect(&request.control)?;
-    let mut program = program::read(dialect, request.text.as_bytes());
+    let mut program = syntax::read(dialect, request.text.as_bytes());
     let control = start(dialect, request.setup)?.setup.control;
     let done = revise(&program, request.call, &request.name, &request.value, &control);
     let done = done.ok_or_else(|| Error::Unknown { what: "call", name: request.call.to_string() })?;
@@ -181,7 +183,7 @@ pub fn change(request: &str) -> Result<Value, Error> {
         let positions = Positions::new(&program.source);
         let placed = edits.iter().map(|edit| placed_edit(edit, &positions));
         steps.push(placed.collect());
-        program = program::read(dialect, &apply(&program.source, edits));
+        program = syntax::read(dialect, &apply(&program.source, edits));
     }
     Ok(object([
         ("steps", steps.into()),
@@ -215,7 +217,7 @@ fn placed_edit(edit: &Edit, positions: &Positions) -> Value {
 pub fn convert(request: &str) -> Result<Value, Error> {
     let request: ConvertRequest = super::request(request)?;
     let dialect = dialect(&request.control)?;
-    let program = program::read(dialect, request.text.as_bytes());
+    let program = syntax::read(dialect, request.text.as_bytes());
     let style = super::style(&request.style)?;
     let control = start(dialect, request.setup)?.setup.control;
     let done = program::convert::convert(&program, request.call, style, &control);
@@ -238,7 +240,7 @@ impl Run {
         let request: RunRequest = super::request(request)?;
         let dialect = dialect(&request.control)?;
         let setup = start(dialect, request.setup)?.setup;
-        let program = program::read(dialect, request.text.as_bytes());
+        let program = syntax::read(dialect, request.text.as_bytes());
         Ok(Run { session: Session::new(program, &setup, Limits::default()), setup, source: request.text.into_bytes() })
     }
 

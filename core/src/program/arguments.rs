@@ -3,10 +3,11 @@
 
 use super::calls::CallSite;
 use super::change::Edit;
-use super::tree::{Program, WordKind};
 use super::values::{Value, opposite};
 use crate::catalogue::{Arg, ArgumentList, Cycle, Kind, Style, list};
 use crate::diagnostic::Span;
+use crate::syntax::Program;
+use crate::syntax::tree::WordKind;
 
 /// Place of each argument of the call at `span`, blanks around it left out; an empty place where one is omitted.
 pub(super) fn places(program: &Program, span: Span) -> Vec<Span> {

@@ -1,9 +1,9 @@
 //! What a form says beside the values that other programs of the text give to a call, or several ways to it.
 
 use super::calls::{CallSite, Origin};
-use super::tree::Program;
 use crate::diagnostic::Diagnostic;
 use crate::own;
+use crate::syntax::Program;
 
 /// Notes at the fields of a call. They say how the program works, and nothing against it.
 pub fn arrivals(program: &Program, site: &CallSite) -> Vec<Diagnostic> {

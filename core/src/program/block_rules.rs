@@ -1,10 +1,12 @@
 //! What a block of SINUMERIK may not say although each of its words is understood.
 
-use super::fold::{self, Nothing};
-use super::tree::{Program, Word, WordKind};
 use crate::check::listed::{count, unmatched};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::own::{self, Own};
+use crate::syntax::Program;
+use crate::syntax::fold;
+use crate::syntax::fold::Nothing;
+use crate::syntax::tree::{Word, WordKind};
 
 /// Addresses that a block takes once, so that it says one thing: all that are no function, no block number, no
 /// parameter and no repetition. With an extension (`S1=500`) they are others.
@@ -61,7 +63,7 @@ fn at(sentence: &Own, program: &Program, name: Span, span: Span) -> Diagnostic {
 mod tests {
     use super::*;
     use crate::dialect::Dialect;
-    use crate::program::read;
+    use crate::syntax::read;
 
     // oracle: hand (the control takes an address once a block, functions and extended addresses as often as they say
     // something else; a variable has no name of an axis)

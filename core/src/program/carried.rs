@@ -3,12 +3,13 @@
 
 use super::arguments;
 use super::calls::CallSite;
-use super::tree::{Program, Word, WordKind};
 use crate::catalogue::{Arg, list};
 use crate::check::parse;
 use crate::diagnostic::{Diagnostic, Span};
 use crate::own;
-use crate::run::programs::{Programs, programs};
+use crate::syntax::Program;
+use crate::syntax::programs::{Programs, programs};
+use crate::syntax::tree::{Word, WordKind};
 use std::collections::BTreeSet;
 
 /// Why the call cannot be written in another way without losing an expression among its own arguments; none: it can.

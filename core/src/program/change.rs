@@ -2,7 +2,6 @@
 
 use super::arguments;
 use super::calls::CallSite;
-use super::tree::{Block, Program, Word, WordKind};
 use super::write;
 use crate::catalogue::{Arg, Kind, Style, names};
 use crate::check::{Text, newer, parse_text};
@@ -10,6 +9,8 @@ use crate::control::delivery;
 pub use crate::diagnostic::Edit;
 use crate::diagnostic::Span;
 use crate::dialect::Dialect;
+use crate::syntax::Program;
+use crate::syntax::tree::{Block, Word, WordKind};
 
 /// Gives a parameter of a call this value, as typed; an empty one takes the parameter away.
 /// A value that an earlier call or another parameter shares is left alone: the call gets an assignment of its own.

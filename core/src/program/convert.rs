@@ -4,15 +4,17 @@ use super::calls::{CallSite, calls_on};
 use super::change::{Edit, apply, behind_label, line_end};
 use super::marked::mark_before;
 use super::own_words::{Lines, emptied, own_words, without_comment};
-use super::tree::{Program, WordKind};
 use super::write::{Values, Written, snippet_of};
-use super::{arguments, carried, read};
+use super::{arguments, carried};
 use crate::catalogue::{ArgumentList, Param, Style, list};
 use crate::check::{self, Parsed, Typed, newer, parse};
 use crate::control::Control;
 use crate::diagnostic::{Diagnostic, Span};
 use crate::own;
 use crate::support::Mark;
+use crate::syntax::Program;
+use crate::syntax::read;
+use crate::syntax::tree::WordKind;
 
 /// Edits that turn a call into another way of writing, and what has to be said about it.
 pub struct Converted {

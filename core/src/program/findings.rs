@@ -4,12 +4,13 @@ use super::advice::advice;
 use super::block_rules::block_rules;
 use super::calls::macros::of_another_control;
 use super::calls::{CallSite, calls_on};
-use super::tree::{Program, SyntaxError};
 use crate::control::{Control, delivery};
 use crate::diagnostic::{Cure, Diagnostic, Edit, Severity, Span};
 use crate::dialect::Dialect;
 use crate::message::Message;
 use crate::own;
+use crate::syntax::Program;
+use crate::syntax::tree::SyntaxError;
 
 /// Everything that reading and checking found, in the order of the text, the worst of a place first. The
 /// control is a metric one as delivered.

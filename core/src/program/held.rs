@@ -1,8 +1,8 @@
 //! What variables hold at a place of a program: a map that is copied in one step and shares what did not change, since
 //! each branch and each call of a program goes on with a copy of its own.
 
-use super::fold::Known;
 use super::values::Value;
+use crate::syntax::fold::Known;
 use std::collections::HashMap;
 use std::rc::Rc;
 

@@ -1,9 +1,10 @@
 //! The comment with the settings that belongs to a call.
 
 use super::calls::CallSite;
-use super::tree::{Block, Program, Word, WordKind};
 use crate::diagnostic::Span;
 use crate::support::{BITS, Mark};
+use crate::syntax::Program;
+use crate::syntax::tree::{Block, Word, WordKind};
 
 /// The comment with the settings and its place, on the line before the call's first; lines that set nothing but bits
 /// for it may stand between.

@@ -2,10 +2,11 @@
 
 use super::calls::CallSite;
 use super::change::Edit;
-use super::tree::{Program, Word, WordKind};
 use super::values::{Spread, spread};
 use crate::catalogue::list;
 use crate::diagnostic::Span;
+use crate::syntax::Program;
+use crate::syntax::tree::{Word, WordKind};
 use std::collections::BTreeMap;
 
 /// Words of a program by their line.

@@ -1,16 +1,18 @@
 //! A value changed in a form: edits of the program, and what else they concern.
 
+use super::arguments;
 use super::calls::{CallSite, calls_on};
 use super::change::{Edit, apply, change};
 use super::own_words::{emptied, own_words};
 use super::touched::{Line, elsewhere};
-use super::tree::{Program, WordKind};
-use super::{arguments, read};
 use crate::catalogue::Param;
 use crate::check::{self, Typed, variants};
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
 use crate::own;
+use crate::syntax::Program;
+use crate::syntax::read;
+use crate::syntax::tree::WordKind;
 
 /// What a new value of a call does to the program.
 #[derive(Debug, Default)]

@@ -2,8 +2,8 @@
 
 use super::calls::CallSite;
 use super::change::{Edit, apply};
-use super::tree::Program;
 use crate::diagnostic::{Diagnostic, Span};
+use crate::syntax::Program;
 
 /// A line that is another one after edits.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -1,10 +1,12 @@
 //! Right sides as text for a form: as written where they are a number or a text, worked out where they are constant,
 //! else the expression itself.
 
-use super::fold::{self, Known};
-use super::tree::{Expr, ExprId, Operator, Program};
 use crate::check::{Parsed, Sort, parse, typed_text};
 use crate::diagnostic::Span;
+use crate::syntax::Program;
+use crate::syntax::fold;
+use crate::syntax::fold::Known;
+use crate::syntax::tree::{Expr, ExprId, Operator};
 
 /// A value as text, and its place; inside the quotes for a text.
 #[derive(Clone, Debug, PartialEq)]

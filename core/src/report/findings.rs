@@ -3,7 +3,7 @@
 
 use crate::message::Message;
 use crate::own;
-use crate::run::problem;
+use crate::problem;
 use crate::words::Words;
 
 /// What a finding means and what helps, for each sentence that it may say. Empty: there is none of this name.

@@ -5,8 +5,8 @@ use crate::control::gud::{self, Block, Element, Gud, Initial, Kind, Subject, Sys
 use crate::control::machine_data::{MACHINE_DATA, MachineDatum};
 use crate::control::nct_data;
 use crate::message::Message;
+use crate::program::user_programs;
 use crate::range::Range;
-use crate::run::user_program;
 use crate::support;
 use crate::words::Words;
 
@@ -204,7 +204,7 @@ fn machine_cells(datum: &MachineDatum, words: &Words) -> [String; 10] {
 fn user_programs(text: &mut String, words: &Words) {
     let columns = ["name", "called", "source"];
     heading(text, &words.key("machine-user-programs"), &columns);
-    for program in user_program::ALL {
+    for program in user_programs::ALL {
         let cells = [format!("`{}`", program.name), meaning(program.key, &[], words), program.source.to_owned()];
         row(text, &cells);
     }

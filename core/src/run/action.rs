@@ -1,18 +1,26 @@
 //! What the words of a block do together: functions first, then tool, motion, calls, and the end.
 
 use super::interpret::{Interpreter, Next};
-use super::problem::Problem;
 use super::statement::{self, Call, Words};
 use super::{
-    addresses, cycle, environment, frame, gcode, listed, macro_call, manner, motion, programs, repeat, set_alarm,
-    subprogram, swivel, tool, unread, user_program, words,
+    addresses, cycle, environment, frame, gcode, listed, macro_call, manner, motion, repeat, set_alarm, subprogram,
+    swivel, tool, unread, words,
 };
 use crate::catalogue::{self, nct};
 use crate::diagnostic::Severity;
 use crate::dialect::Dialect;
 use crate::machine::trace::Step;
 use crate::machine::{Machine, Stop};
-use crate::program::flow::is_word;
+use crate::problem::Problem;
+use crate::program::of_control::SET_ALARM;
+use crate::program::of_control::STORE_ENVIRONMENT;
+use crate::program::of_control::SWIVEL;
+use crate::program::of_control::is_frame;
+use crate::program::of_control::machines;
+use crate::program::user_programs::delivered;
+use crate::program::words::beyond;
+use crate::program::words::known;
+use crate::syntax::language::is_word;
 use std::rc::Rc;
 
 /// Carries out a block whose words were collected.
@@ -177,51 +185,29 @@ fn carry_out(run: &mut Interpreter, at: usize, call: &Call, passes: u32) -> Resu
     }
     if name == "MSG" {
         statement::message(run, &call.args);
-    } else if name == environment::NAME {
+    } else if name == STORE_ENVIRONMENT {
         environment::store(run, &call.args, call.span).map_err(|problem| run.fail(problem))?;
-    } else if name == set_alarm::NAME {
+    } else if name == SET_ALARM {
         set_alarm::call(run, call)?;
-    } else if name == swivel::NAME {
+    } else if name == SWIVEL {
         swivel::call(run, call)?;
     } else if let Some(cycle) = catalogue::find(Dialect::Sinumerik, name) {
         cycle::data(run, cycle, call.span)?;
     } else if let Some(unit) = run.programs.named(name).cloned() {
         let entered = subprogram::enter(run, at, call, &unit, passes);
         return entered.map(Some).map_err(|problem| run.fail(problem));
-    } else if user_program::delivered(name) {
+    } else if delivered(name) {
         // empty as delivered
     } else if run.programs.external.contains(name) {
-        programs::not_here(run, name, call.span);
-    } else if words::beyond(name) {
+        subprogram::not_here(run, name, call.span);
+    } else if beyond(name) {
         return Err(run.fail(Problem::new("run-not-simulated", call.span, name)));
-    } else if words::known(name) || frame::is_frame(name) {
+    } else if known(name) || is_frame(name) {
         // done, or nothing to do
     } else if is_word(name) || machines(name) || run.programs.macros.contains(name) {
         run.tell(Severity::Warning, &Problem::new("run-not-simulated", call.span, name));
     } else {
-        programs::not_here(run, name, call.span);
+        subprogram::not_here(run, name, call.span);
     }
     Ok(None)
-}
-
-/// Whether a word without value belongs to the control: its language and its cycles, not a program of the user.
-pub fn is_of_control(name: &str) -> bool {
-    machines(name)
-        || name.starts_with("CYCLE_") // the parameterizing calls
-        || catalogue::find(Dialect::Sinumerik, name).is_some()
-        || ["MSG", environment::NAME, set_alarm::NAME].contains(&name)
-        || user_program::delivered(name)
-        || words::known(name)
-        || words::beyond(name)
-        || frame::is_frame(name)
-}
-
-/// Numbers of cycles that drill, mill, turn and swivel, and those that belong to the measuring cycles themselves
-/// (B:2384-2393).
-const OF_CONTROL: [std::ops::RangeInclusive<u32>; 4] = [60..=199, 800..=899, 930..=959, 4071..=4079];
-
-/// Whether a name is that of a cycle of the control that does something which is not simulated: `CYCLE83`.
-fn machines(name: &str) -> bool {
-    let number = name.strip_prefix("CYCLE").and_then(|digits| digits.parse().ok());
-    number.is_some_and(|number| OF_CONTROL.iter().any(|numbers| numbers.contains(&number)))
 }

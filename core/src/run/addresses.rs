@@ -4,12 +4,12 @@ use super::datum::Datum;
 use super::interpret::Interpreter;
 use super::motion;
 use super::path::{Coordinate, Path};
-use super::problem::Problem;
 use super::statement::Address;
 use crate::control::variables::AXES;
 use crate::diagnostic::Severity;
 use crate::dialect::Dialect;
 use crate::machine::Machine;
+use crate::problem::Problem;
 
 /// Takes an address into the path of the block or the modal data.
 pub fn take(run: &mut Interpreter, address: &Address, path: &mut Path) -> Result<(), Problem> {

@@ -2,13 +2,13 @@
 
 use super::datum::Datum;
 use super::expression::{self, evaluate};
-use super::flow::{Link, canonical};
 use super::interpret::{Interpreter, Next};
-use super::problem::Problem;
 use super::statement::Words;
 use super::{locals, names};
 use crate::diagnostic::Span;
-use crate::program::tree::{Expr, ExprId, WordKind};
+use crate::problem::Problem;
+use crate::syntax::links::{Link, canonical};
+use crate::syntax::tree::{Expr, ExprId, WordKind};
 use std::rc::Rc;
 
 /// The last word that belongs to a control structure in a block that is left by a jump behind it.

@@ -1,7 +1,6 @@
 //! A measuring call of a program: values as written in data or addresses, checked like typed ones, then carried out.
 
 use super::interpret::Interpreter;
-use super::problem::Problem;
 use super::statement::Words;
 use super::{call, contour, unread, user_program};
 use crate::catalogue::sinumerik::{results, upkeep};
@@ -11,6 +10,9 @@ use crate::control::Value;
 use crate::diagnostic::{Code, Severity, Span};
 use crate::machine::Stop;
 use crate::message::Message;
+use crate::problem::Problem;
+use crate::program::user_programs::BEFORE;
+use crate::program::user_programs::BEHIND;
 
 /// SINUMERIK: the parameters are user data and keep their values from call to call (B:1696).
 pub fn data(run: &mut Interpreter, cycle: &'static Cycle, span: Span) -> Result<(), Stop> {
@@ -96,9 +98,9 @@ pub fn carry_out(run: &mut Interpreter, cycle: &'static Cycle, checked: Checked,
         }
         contour::leave(run)?;
         count(run, span)?;
-        user_program::around(run, &user_program::BEFORE, cycle, span)?;
+        user_program::around(run, &BEFORE, cycle, span)?;
         call::perform(&mut run.sim, inputs).map_err(|stop| run.stopped(stop, span))?;
-        return user_program::around(run, &user_program::BEHIND, cycle, span);
+        return user_program::around(run, &BEHIND, cycle, span);
     }
     match code {
         Some(code) => {

@@ -4,12 +4,12 @@ use super::expression;
 use super::interpret::Interpreter;
 use super::locals::{Local, Variable};
 use super::names;
-use super::problem::Problem;
 use super::types::Type;
 use crate::control::variables::AXES;
 use crate::diagnostic::{Severity, Span};
 use crate::dialect::Dialect;
-use crate::program::tree::ExprId;
+use crate::problem::Problem;
+use crate::syntax::tree::ExprId;
 
 /// What the words of a declaration have said so far.
 #[derive(Clone, Copy, Debug, Default)]

@@ -3,12 +3,10 @@
 use super::datum::Datum;
 use super::expression::evaluate;
 use super::interpret::Interpreter;
-use super::problem::Problem;
 use crate::diagnostic::Span;
-use crate::program::tree::{Expr, ExprId};
-
-/// Name of the function.
-pub const NAME: &str = "TOOLENV";
+use crate::problem::Problem;
+use crate::program::of_control::STORE_ENVIRONMENT;
+use crate::syntax::tree::{Expr, ExprId};
 
 /// Longest name of an environment, characters (B:2078).
 const LONGEST: usize = 32;
@@ -23,7 +21,7 @@ pub fn store(run: &mut Interpreter, args: &[Option<Datum>], place: Span) -> Resu
             run.sim.control.store_environment(name);
             Ok(STORED)
         }
-        _ => Err(Problem::new("run-function", place, NAME)),
+        _ => Err(Problem::new("run-function", place, STORE_ENVIRONMENT)),
     }
 }
 
@@ -33,7 +31,7 @@ pub fn assigned(run: &mut Interpreter, value: ExprId) -> Result<Option<Datum>, P
     let Some(Expr::Call(name, args)) = program.expr(value) else {
         return Ok(None);
     };
-    if !program.is(*name, NAME) {
+    if !program.is(*name, STORE_ENVIRONMENT) {
         return Ok(None);
     }
     let args = args.iter().map(|arg| evaluate(run, *arg).map(Some)).collect::<Result<Vec<_>, _>>()?;

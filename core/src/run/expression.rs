@@ -2,11 +2,11 @@
 
 use super::datum::Datum;
 use super::interpret::Interpreter;
-use super::problem::Problem;
 use super::{function, macro_variables, names};
 use crate::diagnostic::Span;
 use crate::dialect::Dialect;
-use crate::program::tree::{Expr, ExprId, Operator};
+use crate::problem::Problem;
+use crate::syntax::tree::{Expr, ExprId, Operator};
 
 /// Value of an expression.
 pub fn evaluate(run: &Interpreter, id: ExprId) -> Result<Datum, Problem> {

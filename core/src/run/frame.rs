@@ -2,15 +2,11 @@
 //! Angles and factors are no lengths: the unit of the axis words is taken out again.
 
 use super::interpret::Interpreter;
-use super::problem::Problem;
 use super::statement::{Call, Words};
 use crate::control::Frame;
 use crate::machine::Stop;
-
-/// Whether a word begins a frame instruction.
-pub fn is_frame(name: &str) -> bool {
-    matches!(name, "TRANS" | "ATRANS" | "ROT" | "AROT" | "MIRROR" | "AMIRROR" | "SCALE" | "ASCALE")
-}
+use crate::problem::Problem;
+use crate::program::of_control::is_frame;
 
 /// Carries out the frame instruction of a block with its axis words; false: there is none.
 pub fn applied(run: &mut Interpreter, found: &Words) -> Result<bool, Stop> {

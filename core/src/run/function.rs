@@ -3,14 +3,14 @@
 use super::datum::Datum;
 use super::expression::{evaluate, list};
 use super::interpret::Interpreter;
-use super::problem::Problem;
 use super::texts;
 use crate::control::Frame;
 use crate::control::rotary::ROTARY;
 use crate::control::variables::set_component;
 use crate::diagnostic::Span;
 use crate::dialect::Dialect;
-use crate::program::tree::ExprId;
+use crate::problem::Problem;
+use crate::syntax::tree::ExprId;
 
 /// Value of a function call.
 pub fn call(run: &Interpreter, place: Span, args: &[ExprId]) -> Result<Datum, Problem> {

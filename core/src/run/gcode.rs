@@ -4,13 +4,13 @@ use super::contour::Outside;
 use super::interpret::Interpreter;
 use super::modal::{Compensation, FeedType, Motion};
 use super::path::{Measure, Pole, Suppress};
-use super::problem::Problem;
 use super::statement::Words;
 use super::{motion, unread};
 use crate::control::Plane;
 use crate::diagnostic::Severity;
 use crate::dialect::Dialect;
 use crate::machine::Stop;
+use crate::problem::Problem;
 
 /// Applies the G functions of a block.
 pub fn apply(run: &mut Interpreter, found: &mut Words) -> Result<(), Stop> {

@@ -3,12 +3,12 @@
 
 use super::datum::Datum;
 use super::interpret::Interpreter;
-use super::problem::Problem;
 use super::statement::Call;
 use super::{call, cycle, names};
 use crate::catalogue::{Arg, ArgumentList, Cycle};
 use crate::check::{self, Typed};
 use crate::machine::Stop;
+use crate::problem::Problem;
 
 /// Whether the arguments of a list are variables of the program.
 pub fn takes_variables(list: &ArgumentList) -> bool {

@@ -4,11 +4,11 @@ use super::datum::Datum;
 use super::expression::evaluate;
 use super::interpret::Interpreter;
 use super::locals;
-use super::problem::Problem;
 use super::statement::{Address, Words};
 use crate::control::variables::AXES;
 use crate::diagnostic::{Severity, Span};
-use crate::program::tree::{Expr, ExprId};
+use crate::problem::Problem;
+use crate::syntax::tree::{Expr, ExprId};
 
 /// How a position may be meant.
 const MODES: [&str; 7] = ["AC", "IC", "DC", "ACP", "ACN", "CAC", "CIC"];

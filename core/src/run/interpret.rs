@@ -2,13 +2,10 @@
 
 use super::contour::{self, Contour};
 use super::endless::{self, Watch};
-use super::flow::{self, Link, Links};
 use super::level::Level;
 use super::locals::Locals;
 use super::modal::Modal;
 use super::outcome::PassedOver;
-use super::problem::{self, Problem};
-use super::programs::{self, Programs};
 use super::unread::{self, Unread};
 use super::{Outcome, motion, repeat, statement, subprogram};
 use crate::catalogue::alarms;
@@ -17,7 +14,13 @@ use crate::machine::sim::Sim;
 use crate::machine::trace::Step;
 use crate::machine::{Setup, Stop};
 use crate::message::Message;
-use crate::program::tree::Program;
+use crate::problem;
+use crate::problem::Problem;
+use crate::syntax::Program;
+use crate::syntax::links as flow;
+use crate::syntax::links::{Link, Links};
+use crate::syntax::programs;
+use crate::syntax::programs::Programs;
 use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;

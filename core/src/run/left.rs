@@ -101,8 +101,8 @@ mod tests {
     use crate::control::Plane;
     use crate::dialect::Dialect;
     use crate::machine::Setup;
-    use crate::program::read;
     use crate::run::{Limits, run};
+    use crate::syntax::read;
 
     // oracle: hand
     #[test]

@@ -3,12 +3,12 @@
 use super::interpret::Interpreter;
 use super::locals::Locals;
 use super::modal::Modal;
-use super::problem::Problem;
 use super::repeat::Repetition;
 use super::statement::Call;
 use crate::control::{Frame, Plane, Units};
 use crate::diagnostic::Span;
 use crate::message::Message;
+use crate::problem::Problem;
 use std::ops::Range;
 
 /// A program that is being carried out.

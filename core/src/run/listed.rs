@@ -2,7 +2,6 @@
 
 use super::datum::Datum;
 use super::interpret::Interpreter;
-use super::problem::Problem;
 use super::statement::Call;
 use super::{cycle, helper, unread};
 use crate::catalogue::{self, Arg, ArgumentList, CYCLES, Cycle, Kind, Param, Style, list};
@@ -11,6 +10,7 @@ use crate::control::Value;
 use crate::diagnostic::{Diagnostic, Severity, Span};
 use crate::dialect::Dialect;
 use crate::machine::Stop;
+use crate::problem::Problem;
 use crate::program::arguments;
 
 /// Carries out a call with arguments; false: it is none of these.

@@ -3,10 +3,10 @@
 
 use super::datum::Datum;
 use super::interpret::Interpreter;
-use super::problem::Problem;
 use super::types::Type;
 use crate::control::{arrays, variables};
 use crate::diagnostic::Span;
+use crate::problem::Problem;
 use std::collections::BTreeMap;
 
 /// A variable with its values.

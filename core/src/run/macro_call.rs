@@ -4,10 +4,11 @@ use super::interpret::{Interpreter, Next};
 use super::level::Variables;
 use super::locals::Locals;
 use super::macro_variables::{holding, local};
-use super::problem::Problem;
 use super::statement::{Address, Call, Words};
-use super::{branch, programs, repeat, subprogram};
+use super::{branch, repeat, subprogram};
 use crate::diagnostic::{Severity, Span};
+use crate::problem::Problem;
+use crate::syntax::programs;
 
 /// Local variable that an address of `G65` fills.
 const ARGUMENTS: [(&str, u32); 21] = [
@@ -83,7 +84,7 @@ fn call(run: &mut Interpreter, at: usize, found: &Words) -> Result<Next, Problem
     let unit = name.as_ref().and_then(|name| run.programs.named(name));
     let Some(unit) = unit.cloned() else {
         let name = name.unwrap_or_else(|| format!("P{}", address.value.shown()));
-        programs::not_here(run, &name, address.span);
+        subprogram::not_here(run, &name, address.span);
         return Ok(Next::Block);
     };
     let call = Call { name: name.unwrap_or_default(), args: Vec::new(), places: Vec::new(), span: address.span };

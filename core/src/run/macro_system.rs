@@ -6,13 +6,13 @@ use super::datum::Datum;
 use super::interpret::Interpreter;
 use super::macro_variables::local;
 use super::modal::{Compensation, FeedType, Motion};
-use super::problem::Problem;
 use crate::catalogue::nct::correct;
 use crate::control::variables::nct_offset;
 use crate::control::{Control, Plane, Units};
 use crate::diagnostic::Span;
 use crate::machine::trace::Step;
 use crate::message::Message;
+use crate::problem::Problem;
 
 /// Stops with an alarm of the program, whose text is the comment of the block.
 const ALARM: u32 = 3000;

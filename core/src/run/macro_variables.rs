@@ -6,10 +6,10 @@ use super::datum::Datum;
 use super::interpret::Interpreter;
 use super::locals::{Local, Variable};
 use super::macro_system;
-use super::problem::Problem;
 use super::types::Type;
 use crate::diagnostic::Span;
-use crate::program::tree::Operator;
+use crate::problem::Problem;
+use crate::syntax::tree::Operator;
 
 /// What a number stands for.
 enum Kind {

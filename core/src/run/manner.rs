@@ -1,19 +1,10 @@
 //! How a block calls a program: by its name, by a text that names it, or again after each motion (`MCALL`).
 
 use super::interpret::Interpreter;
-use super::problem::Problem;
+use super::names;
 use super::statement::{Call, Words};
-use super::{names, statement};
-
-/// `MCALL NAME(…)`: from now on after each block of this program that moves; alone: no longer.
-const MODAL: &str = "MCALL";
-/// `PCALL NAME`: as by its name; reading steps over the folders of a path.
-const BY_PATH: &str = "PCALL";
-
-/// `EXTCALL("NAME")`: from another memory, where that text has it.
-const FROM_OUTSIDE: &str = "EXTCALL";
-/// What is followed by a text that names the program.
-pub const BY_TEXT: [&str; 2] = [statement::CALL, FROM_OUTSIDE];
+use crate::problem::Problem;
+use crate::syntax::language::{BY_PATH, CALL, FROM_OUTSIDE, MODAL};
 
 /// The calls of a block that are carried out now.
 pub fn calls(run: &mut Interpreter, found: &Words) -> Result<Vec<Call>, Problem> {
@@ -21,7 +12,7 @@ pub fn calls(run: &mut Interpreter, found: &Words) -> Result<Vec<Call>, Problem>
         return Ok(Vec::new());
     };
     match first.name.as_str() {
-        statement::CALL | FROM_OUTSIDE => Ok(vec![named_by_text(run, first, rest)?]),
+        CALL | FROM_OUTSIDE => Ok(vec![named_by_text(run, first, rest)?]),
         BY_PATH => Ok(rest.to_vec()),
         MODAL => {
             if let Some(level) = run.levels.last_mut() {

@@ -4,7 +4,6 @@ use super::arcs::Arc;
 use super::interpret::Interpreter;
 use super::modal::{Compensation, FeedType, Motion};
 use super::path::{Coordinate, Measure, Path, Suppress};
-use super::problem::Problem;
 use super::statement::Address;
 use super::{addresses, contour, polar};
 use crate::control::variables::AXES;
@@ -15,6 +14,7 @@ use crate::machine::Stop;
 use crate::machine::route::{Route, add};
 use crate::machine::sim::Sim;
 use crate::machine::trace::MotionKind;
+use crate::problem::Problem;
 use std::f64::consts::TAU;
 
 /// Axes that differ by less have not moved, mm.

@@ -4,14 +4,14 @@ use super::datum::Datum;
 use super::expression::evaluate;
 use super::interpret::Interpreter;
 use super::locals::{self, Home, indices, stem};
-use super::problem::Problem;
 use super::{macro_variables, system, unread};
 use crate::catalogue::CYCLES;
 use crate::control::rotary::is_angle;
 use crate::control::{Frame, Value, arrays, gud, machine_data};
 use crate::diagnostic::{Severity, Span};
 use crate::dialect::Dialect;
-use crate::program::tree::{ExprId, WordKind};
+use crate::problem::Problem;
+use crate::syntax::tree::{ExprId, WordKind};
 use std::collections::BTreeMap;
 
 /// Words that stand for themselves: axes, and the parts of a frame.

@@ -2,10 +2,10 @@
 
 use super::expression;
 use super::interpret::{Interpreter, Next};
-use super::problem::Problem;
 use super::{branch, level};
 use crate::diagnostic::Span;
-use crate::program::tree::{ExprId, Word, WordKind};
+use crate::problem::Problem;
+use crate::syntax::tree::{ExprId, Word, WordKind};
 
 /// Most repetitions that `P` may ask for.
 const MOST: f64 = 9999.0;

@@ -2,16 +2,14 @@
 
 use super::datum::Datum;
 use super::interpret::Interpreter;
-use super::problem::Problem;
 use super::statement::Call;
 use crate::catalogue::alarms;
 use crate::diagnostic::Code;
 use crate::machine::Stop;
 use crate::machine::trace::Step;
 use crate::message::Message;
-
-/// Name of the instruction.
-pub const NAME: &str = "SETAL";
+use crate::problem::Problem;
+use crate::program::of_control::SET_ALARM;
 
 /// Numbers that a program may raise: those of cycles, and of users from 65000.
 const NUMBERS: std::ops::RangeInclusive<u32> = 60_000..=69_999;
@@ -22,7 +20,7 @@ pub fn call(run: &mut Interpreter, call: &Call) -> Result<(), Stop> {
     let (number, text) = match &call.args[..] {
         [Some(Datum::Number(number))] => (*number, ""),
         [Some(Datum::Number(number)), Some(Datum::Text(text))] => (*number, text.as_str()),
-        _ => return Err(run.fail(Problem::new("run-function", call.span, NAME))),
+        _ => return Err(run.fail(Problem::new("run-function", call.span, SET_ALARM))),
     };
     let whole = number as u32;
     if number.fract() != 0.0 || !NUMBERS.contains(&whole) {

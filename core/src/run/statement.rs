@@ -3,16 +3,19 @@
 use super::datum::Datum;
 use super::declare::{self, Declaring};
 use super::expression::evaluate;
-use super::flow::Link;
 use super::interpret::{Interpreter, Next};
 use super::path::{Measure, Path};
-use super::problem::Problem;
-use super::{action, branch, contour, environment, indexed, locals, manner, names, repeat, unread, words};
+use super::{action, branch, contour, environment, indexed, locals, names, repeat, unread};
 use crate::diagnostic::{Severity, Span};
 use crate::dialect::Dialect;
 use crate::machine::Stop;
 use crate::machine::trace::Step;
-use crate::program::tree::{Block, Expr, ExprId, Word, WordKind};
+use crate::problem::Problem;
+use crate::program;
+use crate::program::words::ignores_arguments;
+use crate::syntax::language::BY_TEXT;
+use crate::syntax::links::Link;
+use crate::syntax::tree::{Block, Expr, ExprId, Word, WordKind};
 use std::rc::Rc;
 
 /// A call in a block.
@@ -71,9 +74,6 @@ pub struct Words {
     /// A word of the block could not be read.
     pub unread: bool,
 }
-
-/// `CALL "NAME"`: calls the program that a text names.
-pub const CALL: &str = "CALL";
 
 /// Carries out a block.
 pub fn block(run: &mut Interpreter, at: usize) -> Result<Next, Stop> {
@@ -213,14 +213,14 @@ fn word_of(run: &mut Interpreter, at: usize, word: &Word, found: &mut Words) -> 
             let value = evaluate(run, *value)?;
             match (&found.case, found.calls.last_mut()) {
                 (Some(case), _) => found.armed = Some(*case == value),
-                (None, Some(call)) if manner::BY_TEXT.contains(&call.name.as_str()) => call.args.push(Some(value)),
+                (None, Some(call)) if BY_TEXT.contains(&call.name.as_str()) => call.args.push(Some(value)),
                 _ => return Err(Problem::new("run-unknown-word", word.span, value.shown())),
             }
         }
         WordKind::Call { name, args, .. } => {
             let word_name = run.program.name(*name);
             let own = run.programs.named(&word_name).is_some();
-            let args = match !own && words::ignores_arguments(&word_name) {
+            let args = match !own && ignores_arguments(&word_name) {
                 true => &[],
                 false => &args[..],
             };
@@ -243,8 +243,8 @@ fn left_alone(run: &mut Interpreter, name: &str, span: Span) -> bool {
     if run.program.dialect == Dialect::Nct || locals::declared(run, name) {
         return false;
     }
-    let value = words::value(name);
-    if value == Some(words::Value::Told) {
+    let value = program::words::value(name);
+    if value == Some(program::words::Value::Told) {
         let problem = Problem::new("run-not-simulated", span, name);
         run.tell(Severity::Warning, &problem);
     }

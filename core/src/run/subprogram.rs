@@ -6,12 +6,14 @@ use super::expression;
 use super::interpret::{Interpreter, Next};
 use super::level::{self, Level, Variables};
 use super::locals::{self, Home, Local, Locals, Variable};
-use super::problem::Problem;
-use super::programs::Unit;
 use super::repeat;
 use super::statement::Call;
+use crate::diagnostic::Severity;
 use crate::diagnostic::Span;
-use crate::program::tree::{Expr, ExprId, Word, WordKind};
+use crate::problem::Problem;
+use crate::syntax::programs::Unit;
+use crate::syntax::programs::bare;
+use crate::syntax::tree::{Expr, ExprId, Word, WordKind};
 use std::rc::Rc;
 
 /// Begins a program: its parameters, its level.
@@ -163,4 +165,12 @@ fn sized(run: &mut Interpreter, parameter: &Parameter, place: Option<&String>) -
         .map(|variable| variable.sizes.clone())
         .unwrap_or_default();
     Ok(Variable::new(parameter.kind, sizes, parameter.name))
+}
+
+/// A program is called that is not in the text: the run goes on without it, which is told at the first call.
+pub fn not_here(run: &mut Interpreter, name: &str, span: Span) {
+    let name = bare(name);
+    if !run.passes_over(name) {
+        run.tell(Severity::Note, &Problem::new("run-subprogram", span, name));
+    }
 }

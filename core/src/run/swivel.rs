@@ -4,15 +4,13 @@
 use super::contour;
 use super::datum::Datum;
 use super::interpret::Interpreter;
-use super::problem::Problem;
 use super::statement::Call;
 use crate::control::Frame;
 use crate::geometry::V3;
 use crate::geometry::rigid::{angles, rotation};
 use crate::machine::Stop;
-
-/// Name of the cycle.
-pub const NAME: &str = "CYCLE800";
+use crate::problem::Problem;
+use crate::program::of_control::SWIVEL;
 
 /// Argument with the name of the swivel data set, and the name by which none is meant.
 const DATA_SET: usize = 1;
@@ -53,11 +51,11 @@ fn planned(run: &mut Interpreter, call: &Call) -> Result<([f64; 3], Frame), Prob
     let mut offsets = offsets.filter(|(place, _)| OFFSETS.contains(place));
     let shifted = offsets.any(|(_, value)| !matches!(value, None | Some(Datum::Number(0.0))));
     if shifted || call.args.len() < 4 {
-        return Err(Problem::new("run-swivel", call.span, NAME));
+        return Err(Problem::new("run-swivel", call.span, SWIVEL));
     }
     let control = &mut run.sim.control;
     control.part_frame = Frame::default();
-    let total = control.total_frame().ok_or_else(|| Problem::new("run-shear", call.span, NAME))?;
+    let total = control.total_frame().ok_or_else(|| Problem::new("run-shear", call.span, SWIVEL))?;
     let turn = rotation(total.rotation).inverse();
     let centre = V3::from(control.rotary_centre);
     let table = Frame { coarse: (centre - turn * centre).into(), rotation: angles(&turn), ..Frame::default() };

@@ -4,7 +4,6 @@ use super::datum::Datum;
 use super::interpret::Interpreter;
 use super::locals::{indices, stem};
 use super::modal::{Compensation, Motion};
-use super::problem::Problem;
 use super::{contour, names, tool as tools};
 use crate::control::frames::joined;
 use crate::control::frames::{CHANNEL_MASK, GLOBAL_MASK};
@@ -13,6 +12,7 @@ use crate::control::variables::{AXES, component};
 use crate::control::{Frame, Plane, Tool, Transverse, Units, Value};
 use crate::diagnostic::Span;
 use crate::machine::Machine;
+use crate::problem::Problem;
 
 /// All frames in effect as one.
 const TOTAL: &str = "$P_ACTFRAME";

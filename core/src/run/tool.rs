@@ -2,7 +2,6 @@
 
 use super::datum::Datum;
 use super::interpret::Interpreter;
-use super::problem::Problem;
 use super::statement::{Address, Words};
 use super::{addresses, contour};
 use crate::control::Edge;
@@ -10,6 +9,7 @@ use crate::diagnostic::Span;
 use crate::dialect::Dialect;
 use crate::machine::Stop;
 use crate::machine::trace::Step;
+use crate::problem::Problem;
 
 /// Applies T, D, M6 (NCT: T, H, D) of a block.
 pub fn apply(run: &mut Interpreter, found: &Words) -> Result<(), Stop> {

@@ -4,7 +4,6 @@
 use super::interpret::Interpreter;
 use super::locals::stem;
 use super::outcome::PassedOver;
-use super::problem::Problem;
 use super::statement::{Address, Words};
 use crate::catalogue::{CYCLES, Cycle, nct};
 use crate::check::{self, Typed};
@@ -12,8 +11,10 @@ use crate::control::{gud, nct_data};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::dialect::Dialect;
 use crate::message::printable;
+use crate::problem::Problem;
 use crate::program::not_understood;
-use crate::program::tree::{Program, Word, WordKind};
+use crate::syntax::Program;
+use crate::syntax::tree::{Word, WordKind};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 

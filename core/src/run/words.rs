@@ -1,182 +1,13 @@
-//! Words without a value: settings of a block, modal functions, and those that change nothing that is simulated.
+//! Words without a value that set something.
 
 use super::interpret::Interpreter;
 use super::modal::Motion;
 use super::path::Suppress;
-use super::problem::Problem;
 use super::statement::Words;
-use crate::control::Transverse;
 use crate::diagnostic::Severity;
 use crate::dialect::Dialect;
-use crate::program::flow::is_word;
-
-/// Words that change nothing that is simulated: how the axes accelerate, blend and look ahead, how a corner is
-/// approached, how an orientation is interpolated, which channel has an axis, what the screen shows and how the editor
-/// groups blocks, what a subprogram may be interrupted by.
-const WITHOUT_EFFECT: &[&str] = &[
-    "STOPRE",
-    "BRISK",
-    "SOFT",
-    "DRIVE",
-    "BRISKA",
-    "SOFTA",
-    "DRIVEA",
-    "FFWON",
-    "FFWOF",
-    "CFC",
-    "CFIN",
-    "CFTCP",
-    "NORM",
-    "CUT2D",
-    "CUT2DF",
-    "CDON",
-    "CDOF",
-    "CDOF2",
-    "SAVE",
-    "DISPLOF",
-    "DISPLON",
-    "SBLOF",
-    "SBLON",
-    "DELDTG",
-    "STARTFIFO",
-    "STOPFIFO",
-    "FIFOCTRL",
-    "WALIMON",
-    "WALIMOF",
-    "RTLION",
-    "RTLIOF",
-    "COMPOF",
-    "COMPON",
-    "COMPCAD",
-    "COMPCURV",
-    "CPRECON",
-    "CPRECOF",
-    "UPATH",
-    "SPATH",
-    "FNORM",
-    "CUTCONOF",
-    "BNAT",
-    "ENAT",
-    "CORROF",
-    "DRFOF",
-    "DYNNORM",
-    "DYNPOS",
-    "DYNROUGH",
-    "DYNSEMIFIN",
-    "DYNFINISH",
-    "CYCLE832",
-    "ORIWKS",
-    "ORIMKS",
-    "ORIAXES",
-    "ORIVECT",
-    "ORIEULER",
-    "ORIRPY",
-    "TRAFOOF",
-    "TOROTOF",
-    "PAROTOF",
-    "TOFFOF",
-    "TOWSTD",
-    "FGROUP",
-    "SPCON",
-    "SPCOF",
-    "WAITP",
-    "WAITS",
-    "GET",
-    "GETD",
-    "RELEASE",
-    "AXTOCHAN",
-    "GROUP_BEGIN",
-    "GROUP_END",
-    "WORKPIECE",
-];
-
-/// Words behind which nobody knows where the axes stand or in which coordinates they move: they stop the run.
-const BEYOND: &[&str] = &[
-    "TRANSMIT",
-    "TRACYL",
-    "TRAANG",
-    "TRACON",
-    "PRESETON",
-    "PRESETONS",
-    "ROTS",
-    "AROTS",
-    "TOFRAME",
-    "TOROT",
-    "PAROT",
-    "TOFFON",
-    "GEOAX",
-    "POLY",
-    "SPLINEPATH",
-    "EXECSTRING",
-    "GOTOS",
-];
-
-/// Names with a value, perhaps of an axis (`ACC[X]=50`), that change nothing that is simulated: acceleration, blending,
-/// limits and overrides of speeds, the speed of a positioning axis, priorities.
-const VALUES_WITHOUT_EFFECT: &[&str] = &[
-    "ADIS", "ADISPOS", "ACC", "ACCLIMA", "JERKLIM", "JERKLIMA", "VELOLIM", "VELOLIMA", "FGREF", "FL", "FA", "FP",
-    "OVR", "OVRA", "OVRRAP", "POLF",
-];
-
-/// Names with a value that do something which is not simulated; the axes go on without it.
-const VALUES_TOLD: &[&str] = &["TCARR", "ID"];
-
-/// What becomes of a name with a value that is no variable.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Value {
-    /// It changes nothing that is simulated.
-    Passed,
-    /// It is told and left out.
-    Told,
-}
-
-/// What becomes of `ADIS=0.5`, `ACC[X]=50`; none: it is another name.
-pub fn value(name: &str) -> Option<Value> {
-    if VALUES_WITHOUT_EFFECT.contains(&name) {
-        Some(Value::Passed)
-    } else {
-        VALUES_TOLD.contains(&name).then_some(Value::Told)
-    }
-}
-
-/// Whether [`apply`] takes a word, or it changes nothing that is simulated.
-pub fn known(name: &str) -> bool {
-    WITHOUT_EFFECT.contains(&name) || setting(name).is_some()
-}
-
-/// Whether a word stops the run, as what comes behind it cannot be simulated.
-pub fn beyond(name: &str) -> bool {
-    BEYOND.contains(&name)
-}
-
-/// Whether nothing is made of the arguments of a word, so that they may name axes and channels that are not here.
-pub fn ignores_arguments(name: &str) -> bool {
-    WITHOUT_EFFECT.contains(&name) || beyond(name) || is_word(name)
-}
-
-/// What a word sets.
-enum Setting {
-    Suppress,
-    Transverse(Transverse),
-    Motion(Motion),
-    EndOfSpline,
-    /// How a contour is approached other than by NORM.
-    Approach,
-}
-
-fn setting(name: &str) -> Option<Setting> {
-    Some(match name {
-        "SUPA" => Setting::Suppress,
-        "DIAMOF" => Setting::Transverse(Transverse::Radius),
-        "DIAMON" => Setting::Transverse(Transverse::Diameter),
-        "DIAM90" => Setting::Transverse(Transverse::AbsoluteDiameter),
-        "CIP" => Setting::Motion(Motion::Through),
-        "ASPLINE" | "BSPLINE" | "CSPLINE" => Setting::Motion(Motion::Spline),
-        "KONT" | "KONTT" | "KONTC" => Setting::Approach,
-        "BAUTO" | "BTAN" | "EAUTO" | "ETAN" => Setting::EndOfSpline,
-        _ => return None,
-    })
-}
+use crate::problem::Problem;
+use crate::program::words::{Setting, setting};
 
 /// Takes the settings of a block.
 pub fn apply(run: &mut Interpreter, found: &mut Words) {
@@ -187,12 +18,10 @@ pub fn apply(run: &mut Interpreter, found: &mut Words) {
         match setting(&call.name) {
             Some(Setting::Suppress) => found.path.suppress = Suppress::All,
             Some(Setting::Transverse(transverse)) => run.sim.control.transverse = transverse,
-            Some(Setting::Motion(motion)) => {
-                run.modal.motion = motion;
-                if motion == Motion::Spline {
-                    let problem = Problem::new("run-spline", call.span, &*call.name);
-                    run.tell(Severity::Warning, &problem);
-                }
+            Some(Setting::Through) => run.modal.motion = Motion::Through,
+            Some(Setting::Spline) => {
+                run.modal.motion = Motion::Spline;
+                run.tell(Severity::Warning, &Problem::new("run-spline", call.span, &*call.name));
             }
             Some(Setting::Approach) => {
                 let problem = Problem::new("run-contour-approach", call.span, &*call.name);

@@ -15,6 +15,7 @@ pub mod probe;
 mod probe_tests;
 mod reach;
 pub mod seen;
+mod table;
 pub mod tool;
 pub mod tool_probe;
 #[cfg(test)]

@@ -9,7 +9,8 @@ use probewright_core::control::{Control, Edge, Plane, Tool, delivery};
 use probewright_core::diagnostic::{Code, Diagnostic};
 use probewright_core::dialect::Dialect;
 use probewright_core::json::code;
-use probewright_core::program::{Program, findings, findings_on, read};
+use probewright_core::program::{findings, findings_on};
+use probewright_core::syntax::{Program, read};
 use std::collections::BTreeSet;
 
 /// Alarms that nothing raises, with the reason. One that a check or a simulation begins to raise leaves this list and

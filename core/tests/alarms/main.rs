@@ -30,8 +30,8 @@ use probewright_core::catalogue::alarms::stops;
 use probewright_core::catalogue::{CYCLES, Cycle};
 use probewright_core::diagnostic::Code;
 use probewright_core::machine::{Setup, Stop};
-use probewright_core::program::read;
 use probewright_core::run::{Limits, Outcome, run};
+use probewright_core::syntax::read;
 use table::{Case, Table};
 
 /// The cases of a cycle.

@@ -12,8 +12,8 @@ use probewright_core::diagnostic::Code;
 use probewright_core::dialect::Dialect;
 use probewright_core::machine::trace::{MotionKind, Step};
 use probewright_core::machine::{Setup, Stop};
-use probewright_core::program;
 use probewright_core::run::{Limits, Outcome, run};
+use probewright_core::syntax;
 use serde_json::{Map, Value};
 use std::path::{Path, PathBuf};
 
@@ -99,7 +99,7 @@ fn cases(folder: &Path, file: &Value, source: &str) -> usize {
             assert!(source.contains(old), "{name}: {old} is not in the program");
             source = source.replace(old, new);
         }
-        let program = program::read(dialect(file), source.as_bytes());
+        let program = syntax::read(dialect(file), source.as_bytes());
         let outcome = run(&program, &setup(file, case), Limits::default());
         expect(&name, &case["expect"], &outcome);
     }

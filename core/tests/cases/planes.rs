@@ -7,8 +7,8 @@ use probewright_core::control::Plane;
 use probewright_core::dialect::Dialect;
 use probewright_core::geometry::rigid;
 use probewright_core::machine::Setup;
-use probewright_core::program;
 use probewright_core::run::{Limits, run};
+use probewright_core::syntax;
 use serde_json::{Map, Value};
 
 /// The letter of an axis, or the function of a plane, after a turn.
@@ -103,7 +103,7 @@ fn programs_of_nct_hold_in_all_planes() {
                 source = text(&source);
                 machine_now = machine(&machine_now);
                 expectation = expected(&expectation);
-                let program = program::read(Dialect::Nct, source.as_bytes());
+                let program = syntax::read(Dialect::Nct, source.as_bytes());
                 let outcome = run(&program, &machine_now, Limits::default());
                 let name = format!("{} {} {turns}", folder.display(), case["id"]);
                 expect(&name, &expectation, &outcome);

@@ -7,8 +7,8 @@ use probewright_core::dialect::Dialect;
 use probewright_core::machine::Setup;
 use probewright_core::machine::route::Route;
 use probewright_core::machine::trace::{MotionKind, Step};
-use probewright_core::program::read;
 use probewright_core::run::{Limits, run};
+use probewright_core::syntax::read;
 use probewright_core::workpiece::PartErrors;
 
 /// Radius of the mill as it is, mm; the tool memory says 10.

@@ -11,7 +11,8 @@ mod ways;
 use probewright_core::diagnostic::Code::{self, Own};
 use probewright_core::diagnostic::Diagnostic;
 use probewright_core::dialect::Dialect;
-use probewright_core::program::{findings, read};
+use probewright_core::program::findings;
+use probewright_core::syntax::read;
 
 /// A hole that is only measured, and its call.
 const HOLE: &str = "_MVAR=1 _SETVAL=132 _KNUM=0 _PRNUM=1 _FA=2 _TSA=2\nCYCLE977\n";

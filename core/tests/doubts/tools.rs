@@ -5,7 +5,8 @@ use probewright_core::control::delivery;
 use probewright_core::diagnostic::Code::{self, Alarm};
 use probewright_core::diagnostic::{Diagnostic, Severity};
 use probewright_core::dialect::Dialect;
-use probewright_core::program::{findings_on, read};
+use probewright_core::program::findings_on;
+use probewright_core::syntax::read;
 
 // oracle: manual A:15848, A:15855, B:4147-4152 (types of probes and of tools)
 #[test]

@@ -5,7 +5,8 @@ use probewright_core::control::{Control, Edge, delivery};
 use probewright_core::diagnostic::Code;
 use probewright_core::dialect::Dialect;
 use probewright_core::program::change::apply;
-use probewright_core::program::{findings_on, read};
+use probewright_core::program::findings_on;
+use probewright_core::syntax::read;
 
 /// The program mended by the cure of the first finding with this code.
 fn mended(text: &str, control: &Control, code: Code) -> String {

@@ -7,8 +7,8 @@ use probewright_core::control::{Tool, Value};
 use probewright_core::dialect::Dialect;
 use probewright_core::machine::Stop;
 use probewright_core::machine::trace::Step;
-use probewright_core::program::read;
 use probewright_core::run::{Limits, Outcome, run};
+use probewright_core::syntax::read;
 use std::path::{Path, PathBuf};
 
 /// Names that the other interpreter knows without a declaration; on the control it is an alarm.

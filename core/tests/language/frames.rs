@@ -6,8 +6,8 @@ use probewright_core::dialect::Dialect;
 use probewright_core::geometry::rigid::rotation;
 use probewright_core::machine::Setup;
 use probewright_core::machine::trace::Step;
-use probewright_core::program::read;
 use probewright_core::run::{Limits, run};
+use probewright_core::syntax::read;
 use probewright_core::workpiece::{PartErrors, Shape, Solid};
 
 // oracle: hand

@@ -3,8 +3,8 @@
 
 use super::{near, number, setup};
 use probewright_core::dialect::Dialect;
-use probewright_core::program::read;
 use probewright_core::run::{Limits, Session, run};
+use probewright_core::syntax::read;
 use proptest::prelude::*;
 
 /// An expression as text, with what f64 makes of it.

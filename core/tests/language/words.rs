@@ -3,8 +3,8 @@
 use super::{at, clean, fault, findings, go, messages, near, number, setup};
 use probewright_core::dialect::Dialect;
 use probewright_core::machine::trace::Step;
-use probewright_core::program::read;
 use probewright_core::run::{Limits, run};
+use probewright_core::syntax::read;
 
 // oracle: hand
 #[test]

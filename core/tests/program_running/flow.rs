@@ -4,8 +4,8 @@ use super::running::machine;
 use super::{go, near, number};
 use probewright_core::dialect::Dialect;
 use probewright_core::machine::Stop;
-use probewright_core::program::read;
 use probewright_core::run::{Limits, run};
+use probewright_core::syntax::read;
 
 #[test]
 fn flow_goes_its_way() {

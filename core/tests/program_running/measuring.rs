@@ -7,8 +7,8 @@ use probewright_core::diagnostic::Code;
 use probewright_core::dialect::Dialect;
 use probewright_core::machine::Stop;
 use probewright_core::machine::trace::Step;
-use probewright_core::program::read;
 use probewright_core::run::{Limits, run};
+use probewright_core::syntax::read;
 
 #[test]
 fn the_test_of_a_probe_runs_as_printed() {

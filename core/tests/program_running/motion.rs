@@ -5,8 +5,8 @@ use super::{clean, go, near};
 use probewright_core::dialect::Dialect;
 use probewright_core::machine::Stop;
 use probewright_core::machine::trace::{MotionKind, Step};
-use probewright_core::program::read;
 use probewright_core::run::{Limits, run};
+use probewright_core::syntax::read;
 
 #[test]
 fn motion_ends_where_it_says() {

@@ -6,8 +6,8 @@ use probewright_core::control::{Control, Plane};
 use probewright_core::diagnostic::Code;
 use probewright_core::dialect::Dialect;
 use probewright_core::machine::{Setup, Stop};
-use probewright_core::program::read;
 use probewright_core::run::{Limits, run};
+use probewright_core::syntax::read;
 use probewright_core::workpiece::{PartErrors, Shape, Solid};
 
 fn edge(control: &Control, number: i64) -> f64 {

@@ -5,8 +5,9 @@ use probewright_core::diagnostic::Severity;
 use probewright_core::dialect::Dialect::Sinumerik;
 use probewright_core::machine::Stop;
 use probewright_core::program::change::apply;
-use probewright_core::program::{findings, read};
+use probewright_core::program::findings;
 use probewright_core::run::Outcome;
+use probewright_core::syntax::read;
 use probewright_core::words::Words;
 use proptest::prelude::*;
 

@@ -4,8 +4,8 @@ use super::block_setup;
 use probewright_core::control::Plane;
 use probewright_core::dialect::Dialect;
 use probewright_core::machine::Setup;
-use probewright_core::program::read;
 use probewright_core::run::{Limits, run};
+use probewright_core::syntax::read;
 use proptest::prelude::*;
 
 /// Pieces of programs, put together at random: far more of them run deep than of random bytes.

@@ -5,8 +5,8 @@ mod mill;
 use probewright_core::control::Plane;
 use probewright_core::dialect::Dialect;
 use probewright_core::machine::Setup;
-use probewright_core::program::read;
 use probewright_core::run::{Limits, Outcome, run};
+use probewright_core::syntax::read;
 use probewright_core::workpiece::{PartErrors, Shape, Solid};
 
 /// T9 is the probe, T20 an end mill with radius 10 and length 80.

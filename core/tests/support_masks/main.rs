@@ -14,9 +14,10 @@ use probewright_core::control::{Control, delivery};
 use probewright_core::diagnostic::{Code, Diagnostic};
 use probewright_core::dialect::Dialect;
 use probewright_core::form::{Entry, fields};
+use probewright_core::program::findings_on;
 use probewright_core::program::write::{Written, snippet};
-use probewright_core::program::{findings_on, read};
 use probewright_core::support::{self, Support};
+use probewright_core::syntax::read;
 
 /// As delivered (B:12501-12539).
 const DELIVERED: [u8; 8] = [1, 0, 0, 0, 0, 0, 0, 0];

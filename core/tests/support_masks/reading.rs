@@ -10,9 +10,9 @@ use probewright_core::dialect::Dialect;
 use probewright_core::form::fields;
 use probewright_core::program::calls::calls_on;
 use probewright_core::program::change::apply;
-use probewright_core::program::read;
 use probewright_core::program::write::snippet;
 use probewright_core::support::{self, Support};
+use probewright_core::syntax::read;
 use proptest::prelude::*;
 
 // oracle: hand (nothing changes for who did not choose it)

@@ -5,9 +5,9 @@ use super::{Errors, Physical};
 use probewright_core::catalogue::{Cycle, Style};
 use probewright_core::check::{Typed, check, factor};
 use probewright_core::control::{Control, Units};
-use probewright_core::program;
 use probewright_core::program::write::snippet;
 use probewright_core::run::{Limits, Outcome, run};
+use probewright_core::syntax;
 
 /// Physical values as a form takes them on this control.
 fn typed(cycle: &Cycle, values: &Physical, control: &Control) -> Typed {
@@ -43,7 +43,7 @@ pub fn measure(cycle: &'static Cycle, values: &Physical, basic: Units, code: u16
     }
     setup.position = setup.control.to_machine(proposal.start);
     let text = format!("G{code}\n{}M30\n", snippet(cycle, &typed, &at_call, Style::Direct, None).text);
-    let outcome = run(&program::read(cycle.dialect, text.as_bytes()), &setup, Limits::default());
+    let outcome = run(&syntax::read(cycle.dialect, text.as_bytes()), &setup, Limits::default());
     assert_eq!(outcome.stop, None, "{text}{:?}", outcome.diagnostics);
     outcome
 }

@@ -8,8 +8,8 @@ use probewright_core::check::unit_name;
 use probewright_core::control::Units;
 use probewright_core::dialect::Dialect;
 use probewright_core::machine::trace::Step;
-use probewright_core::program;
 use probewright_core::run::{Limits, Outcome, run};
+use probewright_core::syntax;
 
 // oracle: manual B:2164-2170: 150 mm/min or 5.9055 inch/min with _FA = 1, 300 mm/min or 11.811 inch/min above;
 // _FA is mm on both machines (B:2241-2245)
@@ -59,7 +59,7 @@ fn fields_name_the_unit_in_which_they_count() {
 
 fn go(text: &str, basic: Units) -> Outcome {
     let setup = machine(Dialect::Sinumerik, basic);
-    let outcome = run(&program::read(Dialect::Sinumerik, text.as_bytes()), &setup, Limits::default());
+    let outcome = run(&syntax::read(Dialect::Sinumerik, text.as_bytes()), &setup, Limits::default());
     assert_eq!((&outcome.stop, &outcome.diagnostics[..]), (&None, &[][..]), "{text}");
     outcome
 }

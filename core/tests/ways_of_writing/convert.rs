@@ -7,9 +7,9 @@ use probewright_core::dialect::Dialect;
 use probewright_core::program::calls::calls_on;
 use probewright_core::program::change::apply;
 use probewright_core::program::convert::convert;
-use probewright_core::program::read;
 use probewright_core::program::write::snippet;
 use probewright_core::support;
+use probewright_core::syntax::read;
 
 /// The program with one call written in another way on a control as delivered, and the keys of what is said.
 pub fn converted(text: &str, index: usize, style: Style) -> (String, Vec<String>) {

@@ -14,8 +14,8 @@ use probewright_core::control::delivery;
 use probewright_core::dialect::Dialect;
 use probewright_core::program::calls::{CallSite, calls};
 use probewright_core::program::change::{apply, change};
-use probewright_core::program::read;
 use probewright_core::program::write::{Written, snippet};
+use probewright_core::syntax::read;
 
 fn typed(pairs: &[(&str, &str)]) -> Typed {
     let owned = |(name, value): &(&str, &str)| ((*name).to_owned(), (*value).to_owned());

@@ -8,9 +8,9 @@ use probewright_core::control::delivery;
 use probewright_core::dialect::Dialect;
 use probewright_core::program::calls::{CallSite, calls};
 use probewright_core::program::change::{apply, change};
-use probewright_core::program::read;
-use probewright_core::program::tree::Program;
 use probewright_core::program::write::snippet;
+use probewright_core::syntax::Program;
+use probewright_core::syntax::read;
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseResult;
 

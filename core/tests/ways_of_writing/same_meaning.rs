@@ -9,9 +9,9 @@ use probewright_core::control::{Control, Plane};
 use probewright_core::dialect::Dialect;
 use probewright_core::machine::setup::Setup;
 use probewright_core::message;
-use probewright_core::program::read;
 use probewright_core::program::write::Written;
 use probewright_core::run::{self, Limits};
+use probewright_core::syntax::read;
 use std::collections::BTreeSet;
 
 /// Number of the variant that these values choose.

@@ -7,8 +7,8 @@ use probewright_core::control::Plane;
 use probewright_core::diagnostic::Severity;
 use probewright_core::dialect::Dialect;
 use probewright_core::machine::setup::Setup;
-use probewright_core::program::read;
 use probewright_core::run::{self, Limits};
+use probewright_core::syntax::read;
 
 /// Keys of the errors of a run of this program on a machine with a calibrated probe.
 fn errors_of_run(text: &str) -> Vec<String> {

@@ -4,7 +4,8 @@ use crate::file::{self, Control, Problem};
 use probewright_core::diagnostic::{Diagnostic, Severity};
 use probewright_core::json;
 use probewright_core::program;
-use probewright_core::program::position::Positions;
+use probewright_core::syntax;
+use probewright_core::syntax::position::Positions;
 use probewright_core::words::Words;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -32,10 +33,10 @@ pub fn check(
         };
         let found = match &machine {
             Some(setup) => {
-                let program = program::read(setup.control.dialect, &source);
+                let program = syntax::read(setup.control.dialect, &source);
                 program::findings_on(&program, setup.control.clone())
             }
-            None => program::findings(&program::read(file::dialect(control, &source), &source)),
+            None => program::findings(&syntax::read(file::dialect(control, &source), &source)),
         };
         errors += print_all(path, &source, &found, words, out)?;
     }

@@ -3,8 +3,8 @@
 use crate::file::{self, Control, Problem};
 use probewright_core::json;
 use probewright_core::message::printable;
-use probewright_core::program;
 use probewright_core::program::calls::calls;
+use probewright_core::syntax;
 use probewright_core::words::Words;
 use std::io::Write;
 use std::path::Path;
@@ -19,7 +19,7 @@ pub fn read(
     out: &mut dyn Write,
 ) -> Result<ExitCode, Problem> {
     let source = file::program(path, words)?;
-    let program = program::read(file::dialect(control, &source), &source);
+    let program = syntax::read(file::dialect(control, &source), &source);
     if as_json {
         let text = serde_json::to_string_pretty(&json::calls(&program))?;
         writeln!(out, "{text}")?;

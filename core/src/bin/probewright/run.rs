@@ -10,10 +10,10 @@ use probewright_core::diagnostic::{Code, Diagnostic, Severity};
 use probewright_core::json;
 use probewright_core::machine::trace::Step;
 use probewright_core::message::{Message, printable};
-use probewright_core::program;
 use probewright_core::run::left::CallAt;
 use probewright_core::run::outcome::Outcome;
 use probewright_core::run::{self, Limits};
+use probewright_core::syntax;
 use probewright_core::words::{Words, rounded};
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -43,7 +43,7 @@ pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
     let source = file::program(path, words)?;
     let mut setup = file::setup(&arguments.setup)?;
     arguments.scan.put_surface(&mut setup)?;
-    let program = program::read(setup.control.dialect, &source);
+    let program = syntax::read(setup.control.dialect, &source);
     let outcome = run::run(&program, &setup, Limits::default());
     if arguments.json {
         let view = json::run_outcome(&setup, &outcome, &source);

@@ -6,8 +6,8 @@ use crate::catalogue::sinumerik::testing::random_parts;
 use crate::control::Plane;
 use crate::dialect::Dialect;
 use crate::machine::Setup;
-use crate::program::read;
 use crate::run::{Limits, Outcome, run};
+use crate::syntax::read;
 use proptest::prelude::*;
 
 /// Runs a call with these contents of the array; R1 to R3 are centre and radius, R4 the status, R5 the alarm number.

@@ -8,8 +8,8 @@ use crate::check::{Typed, check};
 use crate::control::delivery;
 use crate::form::draw;
 use crate::program::calls::calls;
-use crate::program::read;
 use crate::program::write::snippet;
+use crate::syntax::read;
 
 fn typed(changes: &[(&str, &str)]) -> Typed {
     let mut typed = example(&CYCLE116, &CYCLE116.variants[0]);

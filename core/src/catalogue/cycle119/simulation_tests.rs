@@ -7,8 +7,8 @@ use crate::control::{Control, Frame, Plane};
 use crate::dialect::Dialect;
 use crate::geometry::{V3, rigid};
 use crate::machine::Setup;
-use crate::program::read;
 use crate::run::{Limits, Outcome, run};
+use crate::syntax::read;
 use proptest::prelude::*;
 
 type Triangle = [[f64; 3]; 3];

@@ -11,8 +11,8 @@ use crate::form::draw;
 use crate::form::picture::ShapeKind;
 use crate::own;
 use crate::program::calls::calls;
-use crate::program::read;
 use crate::program::write::snippet;
+use crate::syntax::read;
 
 fn typed(changes: &[(&str, &str)]) -> Typed {
     let mut typed = example(&CYCLE119, &CYCLE119.variants[0]);

@@ -12,9 +12,10 @@ use crate::dialect::Dialect;
 use crate::form::picture::ShapeKind;
 use crate::form::{Entry, fields};
 use crate::program::calls::calls;
+use crate::program::change;
 use crate::program::convert::convert;
 use crate::program::write::snippet;
-use crate::program::{change, read};
+use crate::syntax::read;
 
 /// The worked example of the variant that is chosen, else of an outside corner with any angle, with some values
 /// changed.

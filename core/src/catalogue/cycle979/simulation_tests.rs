@@ -13,8 +13,8 @@ use crate::geometry::rigid::sin_cos;
 use crate::machine::Setup;
 use crate::machine::sim::Sim;
 use crate::machine::trace::{MotionKind, Step};
-use crate::program::read;
 use crate::run::Limits;
+use crate::syntax::read;
 use crate::workpiece::Solid;
 use proptest::prelude::*;
 

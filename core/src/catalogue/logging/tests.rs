@@ -18,9 +18,9 @@ use crate::machine::Setup;
 use crate::own;
 use crate::program::calls::calls;
 use crate::program::change::{apply, change};
-use crate::program::read;
 use crate::program::write::snippet;
 use crate::run::{Limits, run};
+use crate::syntax::read;
 
 fn typed(cycle: &'static Cycle, changes: &[(&str, &str)]) -> Typed {
     let mut typed = example(cycle, &cycle.variants[0]);

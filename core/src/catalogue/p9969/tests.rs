@@ -219,7 +219,7 @@ fn the_program_that_is_sent_runs_through_the_points() {
     let form = crate::scan::text::Form::Program;
     let text = crate::scan::text::piece(session.cloud(), session.layout(), form, 0..all);
     assert!(text.starts_with("%\nO1234\n"), "{text}");
-    let program = crate::program::read(crate::dialect::Dialect::Nct, text.as_bytes());
+    let program = crate::syntax::read(crate::dialect::Dialect::Nct, text.as_bytes());
     let mut empty = setup.clone();
     empty.workpiece.solids.clear();
     let run = crate::run::run(&program, &empty, crate::run::Limits::default());

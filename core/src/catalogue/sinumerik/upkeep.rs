@@ -134,8 +134,8 @@ mod tests {
     use crate::diagnostic::{Code, Severity};
     use crate::machine::Setup;
     use crate::program::calls::calls_on;
-    use crate::program::read;
     use crate::run::{Limits, Outcome, run};
+    use crate::syntax::read;
     use crate::workpiece::{PartErrors, Shape, Solid};
 
     /// A hole, measured twice.

@@ -12,7 +12,8 @@ use crate::diagnostic::{Code, Diagnostic, Severity};
 use crate::message::Message;
 use crate::own;
 use crate::program::tools::ToolInUse;
-use crate::program::tree::{Program, Word, WordKind};
+use crate::syntax::Program;
+use crate::syntax::tree::{Word, WordKind};
 use std::collections::BTreeSet;
 use std::ops::RangeInclusive;
 

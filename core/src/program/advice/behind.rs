@@ -8,11 +8,13 @@ use crate::evaluate::knum::{self, ZeroCode};
 use crate::own;
 use crate::program::calls::CallSite;
 use crate::program::flow::{self, Entry, Follow, Mode};
-use crate::program::fold::{self, Nothing};
-use crate::program::tree::{Program, Word, WordKind};
-use crate::run::frame::is_frame;
-use crate::run::programs::Programs;
-use crate::run::swivel;
+use crate::program::of_control::SWIVEL;
+use crate::program::of_control::is_frame;
+use crate::syntax::Program;
+use crate::syntax::fold;
+use crate::syntax::fold::Nothing;
+use crate::syntax::programs::Programs;
+use crate::syntax::tree::{Word, WordKind};
 use std::collections::BTreeMap;
 
 /// A frame that a call corrects where it is stored, and the one in force there.
@@ -259,5 +261,5 @@ fn sets_frame(program: &Program, word: &Word) -> bool {
 /// Whether a call that measures nothing moves the axes: `CYCLE81` and so on, not the cycles that only swivel or set.
 fn is_machining(name: &str) -> bool {
     let digits = name.strip_prefix("CYCLE").unwrap_or_default();
-    digits.starts_with(|first: char| first.is_ascii_digit()) && ![swivel::NAME, "CYCLE832"].contains(&name)
+    digits.starts_with(|first: char| first.is_ascii_digit()) && ![SWIVEL, "CYCLE832"].contains(&name)
 }

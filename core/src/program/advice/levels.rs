@@ -5,8 +5,8 @@ use crate::diagnostic::Diagnostic;
 use crate::own;
 use crate::program::calls::CallSite;
 use crate::program::flow::{LEVELS, callers};
-use crate::program::tree::Program;
-use crate::run::programs::Programs;
+use crate::syntax::Program;
+use crate::syntax::programs::Programs;
 
 /// Deepest level of a call.
 const DEEPEST: usize = 5;

@@ -15,7 +15,6 @@ use super::calls::{CallSite, Way};
 use super::change::{line_at_begin, line_before, line_end};
 use super::flow::{State, changes};
 use super::tools::ToolInUse;
-use super::tree::{Program, Word, WordKind};
 use crate::catalogue::Style;
 use crate::check::{self, Inputs, Typed, newer};
 use crate::control::Control;
@@ -23,7 +22,9 @@ use crate::diagnostic::{Code, Cure, Diagnostic, Edit, Severity, Span};
 use crate::dialect::Dialect;
 use crate::message::Message;
 use crate::own;
-use crate::run::programs::{Programs, programs};
+use crate::syntax::Program;
+use crate::syntax::programs::{Programs, programs};
+use crate::syntax::tree::{Word, WordKind};
 
 /// What the rules look at: a call, what is in force there, what it means.
 struct Seen<'a> {

@@ -3,8 +3,8 @@
 use super::at;
 use crate::diagnostic::Diagnostic;
 use crate::own;
-use crate::program::tree::Program;
-use crate::run::programs::{Programs, misnamed};
+use crate::syntax::Program;
+use crate::syntax::programs::{Programs, misnamed};
 
 /// Each of them, at the name behind `PROC`.
 pub fn look(program: &Program, programs: &Programs, found: &mut Vec<Diagnostic>) {

@@ -4,10 +4,11 @@
 use crate::catalogue::nct;
 use crate::diagnostic::{Diagnostic, Severity, Span};
 use crate::dialect::Dialect;
+use crate::problem::Problem;
 use crate::program::flow::named_outside;
-use crate::program::tree::{Block, Expr, Program, WordKind};
-use crate::run::problem::Problem;
-use crate::run::programs::{Programs, bare, numbered};
+use crate::syntax::Program;
+use crate::syntax::programs::{Programs, bare, numbered};
+use crate::syntax::tree::{Block, Expr, WordKind};
 
 /// Most names that are told.
 const NAMES: usize = 8;

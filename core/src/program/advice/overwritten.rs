@@ -7,7 +7,7 @@ use crate::message::Message;
 use crate::own;
 use crate::program::calls::CallSite;
 use crate::program::change::line_at_begin;
-use crate::program::tree::Program;
+use crate::syntax::Program;
 
 /// Each assignment that does not reach its call.
 pub fn look(program: &Program, sites: &[CallSite], found: &mut Vec<Diagnostic>) {

@@ -11,8 +11,8 @@ use crate::own;
 use crate::program::calls::CallSite;
 use crate::program::change::{change, line_before};
 use crate::program::marked::mark_before;
-use crate::program::tree::Program;
 use crate::support::{self, Changed, Mark, Support};
+use crate::syntax::Program;
 
 /// Numbers that differ by less are the same one, rounded.
 const ROUNDED: f64 = 0.001;

@@ -3,10 +3,11 @@
 use super::{Place, Walk};
 use crate::control::arrays;
 use crate::diagnostic::Span;
+use crate::program::arguments;
 use crate::program::held::{FirstNumbers, Held, Numbers};
-use crate::program::tree::{Expr, ExprId, Word, WordKind};
 use crate::program::values::{self, Spread, Value, spread};
-use crate::program::{arguments, fold};
+use crate::syntax::fold;
+use crate::syntax::tree::{Expr, ExprId, Word, WordKind};
 use std::rc::Rc;
 
 /// Most elements of an array that a program declares.

@@ -7,8 +7,8 @@ use crate::check::listed::{count, refused};
 use crate::diagnostic::Span;
 use crate::program::arguments;
 use crate::program::held::Held;
-use crate::program::tree::ExprId;
 use crate::program::values::Value;
+use crate::syntax::tree::ExprId;
 use std::rc::Rc;
 
 /// Values of a call by the names of its parameters.

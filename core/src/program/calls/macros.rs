@@ -5,10 +5,11 @@ use super::{Place, Walk};
 use crate::catalogue::{self, Cycle, nct};
 use crate::control::{Control, Plane};
 use crate::diagnostic::{Diagnostic, Span};
-use crate::program::fold;
 use crate::program::held::Held;
-use crate::program::tree::{Block, Expr, Program, WordKind};
 use crate::program::values;
+use crate::syntax::Program;
+use crate::syntax::fold;
+use crate::syntax::tree::{Block, Expr, WordKind};
 use std::rc::Rc;
 
 impl Walk<'_> {

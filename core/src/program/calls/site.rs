@@ -10,9 +10,9 @@ use crate::control::Control;
 use crate::diagnostic::{Diagnostic, Span};
 use crate::dialect::Dialect;
 use crate::own;
-use crate::program::tree::Program;
 use crate::program::values::Value;
 use crate::support::BITS;
+use crate::syntax::Program;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::rc::Rc;
 

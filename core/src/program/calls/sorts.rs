@@ -5,8 +5,9 @@ use crate::catalogue::{Cycle, Kind};
 use crate::check::Sort;
 use crate::check::listed::sort;
 use crate::diagnostic::Diagnostic;
-use crate::program::tree::{Program, Word, WordKind};
 use crate::program::values::Value;
+use crate::syntax::Program;
+use crate::syntax::tree::{Word, WordKind};
 
 /// Texts where numbers belong, and the reverse; names of variables that are none.
 pub(super) fn of_wrong_sort(program: &Program, cycle: &'static Cycle, given: &Given) -> Vec<Diagnostic> {

@@ -5,11 +5,12 @@ use super::{Place, Walk};
 use crate::diagnostic::Span;
 use crate::program::arguments;
 use crate::program::flow::{Called, Entry, LEVELS, called};
-use crate::program::fold;
 use crate::program::held::{Held, Names, Values, stem};
-use crate::program::tree::{Expr, ExprId, Program, WordKind};
 use crate::program::values::{self, Value};
-use crate::run::programs::{Programs, Unit};
+use crate::syntax::Program;
+use crate::syntax::fold;
+use crate::syntax::programs::{Programs, Unit};
+use crate::syntax::tree::{Expr, ExprId, WordKind};
 use std::collections::{BTreeSet, HashMap};
 use std::rc::Rc;
 

@@ -3,8 +3,9 @@
 use crate::catalogue::{self, list};
 use crate::program::flow::{Called, called, callers};
 use crate::program::held::stem;
-use crate::program::tree::{Block, Expr, ExprId, Program, Word, WordKind};
-use crate::run::programs::Programs;
+use crate::syntax::Program;
+use crate::syntax::programs::Programs;
+use crate::syntax::tree::{Block, Expr, ExprId, Word, WordKind};
 use std::collections::BTreeSet;
 
 /// The variables of one program, by their names without index.

@@ -1,17 +1,12 @@
 //! Which programs a block calls: `L5`, `L5 P3`, `NAME(1)`, `PCALL NAME(1)`, `MCALL NAME`, `CALL "NAME"`,
 //! `EXTCALL("NAME")`.
 
-use super::language::is_word;
 use crate::diagnostic::Span;
-use crate::program::tree::{Expr, ExprId, Program, Word, WordKind};
-use crate::run::programs::{Programs, bare};
-use crate::run::{action, manner, statement};
-
-/// Words before the name of a program that say how it is called.
-const MANNERS: [&str; 4] = [statement::CALL, "PCALL", "MCALL", FROM_OUTSIDE];
-
-/// What calls a program of another memory.
-const FROM_OUTSIDE: &str = "EXTCALL";
+use crate::program::of_control::is_of_control;
+use crate::syntax::Program;
+use crate::syntax::language::{BY_TEXT, FROM_OUTSIDE, MANNERS, is_word};
+use crate::syntax::programs::{Programs, bare};
+use crate::syntax::tree::{Expr, ExprId, Word, WordKind};
 
 /// What a word calls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,7 +43,7 @@ pub fn called(program: &Program, programs: &Programs, words: &[Word], at: usize)
     }
     let manner = MANNERS.contains(&name.as_str());
     let known = !certain && (manner || is_word(&name));
-    let of_control = action::is_of_control(bare(&name));
+    let of_control = is_of_control(bare(&name));
     (!known && !of_control).then_some(Called::Elsewhere)
 }
 
@@ -102,7 +97,7 @@ pub fn named_outside(program: &Program, programs: &Programs, words: &[Word], at:
 /// Whether a text, or a variable that holds one, says behind this word what is called.
 fn takes_text(program: &Program, word: &Word) -> bool {
     match &word.kind {
-        WordKind::Call { name, .. } => manner::BY_TEXT.iter().any(|one| program.is(*name, one)),
+        WordKind::Call { name, .. } => BY_TEXT.iter().any(|one| program.is(*name, one)),
         _ => false,
     }
 }

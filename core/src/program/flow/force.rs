@@ -3,8 +3,10 @@
 use super::state::{Mode, State, Tool};
 use crate::control::Transverse;
 use crate::diagnostic::Span;
-use crate::program::fold::{self, Known, Nothing};
-use crate::program::tree::{Expr, ExprId, Program, Word, WordKind};
+use crate::syntax::Program;
+use crate::syntax::fold;
+use crate::syntax::fold::{Known, Nothing};
+use crate::syntax::tree::{Expr, ExprId, Word, WordKind};
 
 /// How the words of one program count.
 pub struct Forces<'a> {

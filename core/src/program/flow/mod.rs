@@ -4,19 +4,18 @@
 
 mod called;
 mod force;
-mod language;
 mod passes;
 mod state;
 mod structure;
 
 pub use called::{Called, called, callers, named_outside};
 pub use force::{Forces, changes};
-pub use language::is_word;
 pub use state::{Mode, State, Tool};
 
-use super::tree::{Block, Program, Word};
 use crate::dialect::Dialect;
-use crate::run::programs::Programs;
+use crate::syntax::Program;
+use crate::syntax::programs::Programs;
+use crate::syntax::tree::{Block, Word};
 use passes::Passes;
 use std::collections::HashMap;
 use std::ops::Range;

@@ -3,9 +3,11 @@
 
 use super::ENTRIES;
 use super::structure::{Branches, Open, target};
-use crate::program::fold::{self, Nothing};
-use crate::program::tree::{Program, Word, WordKind};
-use crate::run::flow::{canonical, structural};
+use crate::syntax::Program;
+use crate::syntax::fold;
+use crate::syntax::fold::Nothing;
+use crate::syntax::links::{canonical, structural};
+use crate::syntax::tree::{Word, WordKind};
 use std::collections::{BTreeSet, HashMap};
 use std::ops::Range;
 

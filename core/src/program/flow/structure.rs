@@ -1,8 +1,10 @@
 //! Ways through one program: `IF` to `ENDIF`, loops that may not run, jumps forward, ends.
 
-use crate::program::fold::{self, Nothing};
-use crate::program::tree::{Block, Expr, Program, Word, WordKind};
-use crate::run::flow::{canonical, structural};
+use crate::syntax::Program;
+use crate::syntax::fold;
+use crate::syntax::fold::Nothing;
+use crate::syntax::links::{canonical, structural};
+use crate::syntax::tree::{Block, Expr, Word, WordKind};
 use std::collections::HashMap;
 
 /// The state on the present way, and on the ways that meet it later.

@@ -15,13 +15,13 @@ pub use corner::Outside;
 
 use super::interpret::Interpreter;
 use super::modal::Compensation;
-use super::problem::Problem;
 use crate::diagnostic::Span;
 use crate::dialect::Dialect;
 use crate::machine::Stop;
 use crate::machine::route::{Route, add};
 use crate::machine::trace::MotionKind;
 use crate::message::Message;
+use crate::problem::Problem;
 use corner::{Beside, Corner, corner};
 use drive::{Manner, Piece, Waiting, Way};
 use element::{Element, Point, Round};

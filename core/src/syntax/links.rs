@@ -1,8 +1,8 @@
 //! Where a program goes on: jumps, branches, loops. Structure is found once, before the run.
 
 use super::programs::Programs;
+use super::tree::{Expr, Program, Word, WordKind};
 use crate::dialect::Dialect;
-use crate::program::tree::{Expr, Program, Word, WordKind};
 use std::collections::BTreeMap;
 
 /// What stands at a block with a control structure, with the blocks that belong to it.

@@ -11,7 +11,7 @@ pub trait Known {
 }
 
 /// No variable is known: what does not depend on the place in the program.
-pub(super) struct Nothing;
+pub(crate) struct Nothing;
 
 impl Known for Nothing {
     fn number(&self, _: &str) -> Option<f64> {
@@ -20,7 +20,7 @@ impl Known for Nothing {
 }
 
 /// A variable's name with its index in digits: `_SETV[R1]` is `_SETV[2]` while R1 is 2. None: the index is not known.
-pub(super) fn name(program: &Program, name: Span, index: &[ExprId], known: &impl Known) -> Option<String> {
+pub(crate) fn name(program: &Program, name: Span, index: &[ExprId], known: &impl Known) -> Option<String> {
     let mut text = program.name(name);
     if index.is_empty() {
         return Some(text);
@@ -49,7 +49,7 @@ fn whole(program: &Program, id: ExprId, known: &impl Known) -> Option<i64> {
 }
 
 /// Value of an expression made of numbers, known variables and arithmetic.
-pub(super) fn number(program: &Program, id: ExprId, known: &impl Known) -> Option<f64> {
+pub(crate) fn number(program: &Program, id: ExprId, known: &impl Known) -> Option<f64> {
     let value = match program.expr(id)? {
         Expr::Number(value, _) => *value,
         Expr::Name { name: place, index } => known.number(&name(program, *place, index, known)?)?,
@@ -76,7 +76,7 @@ fn binary(left: f64, operator: Operator, right: f64) -> Option<f64> {
 }
 
 /// How often each variable is assigned, if the program can run a line twice; else nothing.
-pub(super) fn unsteady(program: &Program) -> HashMap<String, u32> {
+pub(crate) fn unsteady(program: &Program) -> HashMap<String, u32> {
     const BACK: [&str; 7] = ["FOR", "WHILE", "DO", "REPEAT", "LOOP", "GOTOB", "GOTO"];
     let repeats = |word: &Word| match word.kind {
         WordKind::Keyword { name, .. } => BACK.iter().any(|keyword| program.is(name, keyword)),

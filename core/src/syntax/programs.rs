@@ -1,11 +1,9 @@
 //! The programs of a text: `%_N_NAME_SPF` begins one, and so does a `PROC` behind another program's blocks; on NCT
 //! `O0110`, while a `%` alone is the begin or end of the tape.
 
-use super::interpret::Interpreter;
-use super::problem::Problem;
-use crate::diagnostic::{Severity, Span};
+use super::tree::{Block, Program, WordKind};
+use crate::diagnostic::Span;
 use crate::dialect::Dialect;
-use crate::program::tree::{Block, Program, WordKind};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
@@ -136,14 +134,6 @@ fn defined(program: &Program, block: &Block) -> Option<String> {
     calls.next()?.map(|name| program.name(name))
 }
 
-/// A program is called that is not in the text: the run goes on without it, which is told at the first call.
-pub fn not_here(run: &mut Interpreter, name: &str, span: Span) {
-    let name = bare(name);
-    if !run.passes_over(name) {
-        run.tell(Severity::Note, &Problem::new("run-subprogram", span, name));
-    }
-}
-
 /// Programs whose `PROC` has another name than their file, by which a call finds them: both names, and the place of the
 /// second.
 pub fn misnamed(program: &Program, programs: &Programs) -> Vec<(String, String, Span)> {
@@ -177,7 +167,7 @@ pub fn bare(path: &str) -> &str {
 mod tests {
     use super::*;
     use crate::dialect::Dialect::Sinumerik;
-    use crate::program::read;
+    use crate::syntax::read;
 
     fn ranges(text: &str) -> Vec<(usize, usize)> {
         let found = programs(&read(Sinumerik, text.as_bytes()));

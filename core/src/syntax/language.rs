@@ -241,3 +241,16 @@ fn words_are_sorted() {
     assert!(WORDS.is_sorted());
     assert!(is_word("CUT2D") && !is_word("MEASURE"));
 }
+
+/// `CALL "NAME"`: calls the program that a text names.
+pub const CALL: &str = "CALL";
+/// `MCALL NAME(…)`: from now on after each block of this program that moves; alone: no longer.
+pub const MODAL: &str = "MCALL";
+/// `PCALL NAME`: as by its name; reading steps over the folders of a path.
+pub const BY_PATH: &str = "PCALL";
+/// `EXTCALL("NAME")`: from another memory, where that text has it.
+pub const FROM_OUTSIDE: &str = "EXTCALL";
+/// What is followed by a text that names the program.
+pub const BY_TEXT: [&str; 2] = [CALL, FROM_OUTSIDE];
+/// Words before the name of a program that say how it is called.
+pub const MANNERS: [&str; 4] = [CALL, BY_PATH, MODAL, FROM_OUTSIDE];

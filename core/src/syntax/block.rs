@@ -15,7 +15,7 @@ pub(super) const BYTE_ORDER_MARK: &[u8] = "\u{feff}".as_bytes();
 const END_OF_FILE: u8 = 0x1A;
 
 /// Lines between two tellings of how far the work is.
-pub(super) const BETWEEN: usize = 8192;
+pub(crate) const BETWEEN: usize = 8192;
 
 /// Reads a program. Never fails: what is not understood is marked in the tree.
 pub fn read(dialect: Dialect, source: &[u8]) -> Program {

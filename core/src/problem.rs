@@ -141,7 +141,7 @@ mod tests {
     // oracle: self (the table against the words)
     #[test]
     fn every_problem_has_words() {
-        let words = [include_str!("../../messages/en/run.ftl"), include_str!("../../messages/en/digitizing.ftl")];
+        let words = [include_str!("../messages/en/run.ftl"), include_str!("../messages/en/digitizing.ftl")];
         for key in KEYS {
             let line = format!("\n{key} = ");
             assert!(words.iter().any(|file| file.contains(&line)), "{key}");
