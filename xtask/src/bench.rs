@@ -1,6 +1,8 @@
 //! `cargo xtask bench`: speed native and in Chromium, and sizes over the wire.
 
-use crate::tools::{cargo, command, root, run, step};
+use crate::steps::Steps;
+use crate::tools::{cargo, command, root, run};
+use crate::wasm::Make;
 use crate::{browser, dist, serve};
 use anyhow::{Context, Result};
 use flate2::{Compression, write::GzEncoder};
@@ -10,11 +12,12 @@ use std::path::{Path, PathBuf};
 
 /// Measures; nothing fails when a goal is missed, the table says so.
 pub fn bench() -> Result<()> {
-    dist::build()?;
+    let mut steps = Steps::of(dist::STEPS + 2);
+    dist::build(&mut steps, Make::Small)?;
     let browser = browser::browser()?;
-    step("native", || run(&mut cargo("bench --locked -p probewright-core --all-features --benches")))?;
+    steps.run("native", || run(&mut cargo("bench --locked -p probewright-core --all-features --benches")))?;
     let address = serve::in_background()?;
-    step("in Chromium", || {
+    steps.run("in Chromium", || {
         run(command("node")
             .arg("tests/e2e/bench.mjs")
             .env("CHROME", &browser.chrome)

@@ -1,10 +1,10 @@
 //! Counting: what the test programs say in their closing lines.
 
+use crate::steps::Steps;
 use crate::tools::shown;
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 use std::io::{BufRead, BufReader};
 use std::process::{Command, Stdio};
-use std::time::Instant;
 
 /// Tests and checks so far.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -13,39 +13,64 @@ pub struct Counts {
     pub failed: u32,
 }
 
-/// A check is one test: it passes when the work succeeds.
-pub fn check(counts: &mut Counts, name: &str, work: impl FnOnce() -> Result<()>) -> bool {
-    match crate::tools::step(name, work) {
-        Ok(()) => {
-            counts.passed += 1;
-            true
+/// The steps of a run of tests, and what they counted.
+pub struct Tally {
+    pub steps: Steps,
+    pub counts: Counts,
+}
+
+impl Tally {
+    /// A run of so many steps begins now.
+    pub fn of(steps: usize) -> Tally {
+        Tally { steps: Steps::of(steps), counts: Counts::default() }
+    }
+
+    /// A check is one test: it passes when the work succeeds.
+    pub fn check(&mut self, name: &str, work: impl FnOnce() -> Result<()>) {
+        let outcome = self.steps.run(name, work);
+        self.one(outcome);
+    }
+
+    /// Counts work of several steps as one test; whether it succeeded.
+    pub fn one(&mut self, outcome: Result<()>) -> bool {
+        match &outcome {
+            Ok(()) => self.counts.passed += 1,
+            Err(error) => {
+                eprintln!("error: {error:#}");
+                self.counts.failed += 1;
+            }
         }
-        Err(error) => {
+        outcome.is_ok()
+    }
+
+    /// Runs a test program, shows what it prints and counts its tests. A program that fails without naming a failed
+    /// test (it did not compile, say), or that ran none, is one failure.
+    pub fn suite(&mut self, name: &str, command: &mut Command) {
+        let mut found = Counts::default();
+        let outcome = self.steps.run(name, || {
+            if !watched(command, &mut found)? {
+                bail!("{} failed", shown(command));
+            }
+            if found == Counts::default() {
+                bail!("{} ran no test", shown(command));
+            }
+            Ok(())
+        });
+        if let Err(error) = outcome {
             eprintln!("error: {error:#}");
-            counts.failed += 1;
-            false
+            found.failed = found.failed.max(1);
         }
+        eprintln!("  {}", found.line());
+        self.counts.passed += found.passed;
+        self.counts.failed += found.failed;
     }
 }
 
-/// Runs a test program, shows what it prints and counts its tests. A program that fails without naming a failed
-/// test (it did not compile, say), or that ran none, is one failure.
-pub fn suite(counts: &mut Counts, name: &str, command: &mut Command) {
-    eprintln!("▸ {name}");
-    let start = Instant::now();
-    let mut found = Counts::default();
-    let succeeded = watched(command, &mut found).unwrap_or_else(|error| {
-        eprintln!("error: {error:#}");
-        false
-    });
-    if (!succeeded && found.failed == 0) || found == Counts::default() {
-        found.failed += 1;
+impl Counts {
+    /// `12 passed, 0 failed`.
+    pub fn line(self) -> String {
+        format!("{} passed, {} failed", self.passed, self.failed)
     }
-    counts.passed += found.passed;
-    counts.failed += found.failed;
-    let mark = if found.failed == 0 { "✓" } else { "✗" };
-    let seconds = start.elapsed().as_secs_f64();
-    eprintln!("{mark} {name}: {} passed, {} failed  {seconds:.1} s", found.passed, found.failed);
 }
 
 fn watched(command: &mut Command, found: &mut Counts) -> Result<bool> {
@@ -107,8 +132,8 @@ mod tests {
     // oracle: hand
     #[test]
     fn a_program_that_does_not_start_is_a_failure() {
-        let mut counts = Counts::default();
-        suite(&mut counts, "absent", &mut Command::new("no-such-program-anywhere"));
-        assert_eq!(counts, Counts { passed: 0, failed: 1 });
+        let mut tally = Tally::of(1);
+        tally.suite("absent", &mut Command::new("no-such-program-anywhere"));
+        assert_eq!(tally.counts, Counts { passed: 0, failed: 1 });
     }
 }

@@ -1,19 +1,26 @@
 //! The whole page as a folder of files.
 
-use crate::{page, tools, wasm};
+use crate::steps::Steps;
+use crate::wasm::{self, Make};
+use crate::{page, tools};
 use anyhow::Result;
 
+/// Of how many steps [`build`] is.
+pub const STEPS: usize = 2 + wasm::STEPS;
+
 /// Gets what is missing and builds `dist/`.
-pub fn build() -> Result<()> {
-    tools::wasm_target()?;
-    page::packages()?;
-    wasm::build()?;
-    page::build()
+pub fn build(steps: &mut Steps, make: Make) -> Result<()> {
+    steps.run("what is missing", || {
+        tools::wasm_target()?;
+        page::packages()
+    })?;
+    wasm::build(steps, make)?;
+    steps.run("page", page::build)
 }
 
 /// `cargo xtask dist`.
 pub fn dist() -> Result<()> {
-    build()?;
+    build(&mut Steps::of(STEPS), Make::Small)?;
     println!("{} is ready for any static file server", tools::root().join("dist").display());
     Ok(())
 }

@@ -7,6 +7,7 @@ mod dist;
 mod fuzz;
 mod page;
 mod serve;
+mod steps;
 mod test;
 mod tools;
 mod wasm;

@@ -22,7 +22,7 @@ pub fn packages() -> Result<()> {
 
 /// Builds `dist/` from `www/` and `pkg/`.
 pub fn build() -> Result<()> {
-    step("page", || run(&mut script("vite/bin/vite.js", &["build", "--logLevel", "warn"])))
+    run(&mut script("vite/bin/vite.js", &["build", "--logLevel", "warn"]))
 }
 
 /// Checks the types of the page's sources.

@@ -1,5 +1,7 @@
 //! A small static file server for `dist/`, on this machine only.
 
+use crate::steps::Steps;
+use crate::wasm::Make;
 use crate::{dist, tools};
 use anyhow::{Context, Result, bail};
 use std::fs;
@@ -23,7 +25,7 @@ pub struct Options {
 /// `cargo xtask serve`.
 pub fn serve(options: &Options) -> Result<()> {
     if !options.no_build {
-        dist::build()?;
+        dist::build(&mut Steps::of(dist::STEPS), Make::Quick)?;
     }
     let folder = tools::root().join("dist");
     if !folder.join("index.html").is_file() {

@@ -1,10 +1,12 @@
 //! `cargo xtask test`: every check and every test, counted.
 
-use crate::counts::{Counts, check, suite};
+use crate::counts::Tally;
 use crate::tools::{WASM, cargo, command, component, root, run, wasm_target};
+use crate::wasm::Make;
 use crate::{browser, dist, page, serve};
 use anyhow::{Context, Result};
 use std::path::PathBuf;
+use std::process::Command;
 
 /// Options of `cargo xtask test`.
 #[derive(clap::Args)]
@@ -24,6 +26,8 @@ enum Part {
     Fmt,
     /// Clippy, native and wasm, warnings as errors
     Clippy,
+    /// `cargo doc`, warnings as errors
+    Doc,
     /// Rust tests on this machine
     Native,
     /// Rust tests in headless Chromium
@@ -35,49 +39,71 @@ enum Part {
 /// Packages that run in the browser.
 const IN_THE_BROWSER: [&str; 2] = ["probewright-web", "probewright-preview"];
 
-/// Runs the parts; true when nothing failed. The last line is the sum.
+impl Part {
+    /// All of them.
+    const ALL: [Part; 6] = [Part::Fmt, Part::Clippy, Part::Doc, Part::Native, Part::Wasm, Part::Page];
+
+    /// Of how many steps it is.
+    fn steps(self, built: bool) -> usize {
+        match self {
+            Part::Fmt | Part::Doc | Part::Wasm => 1,
+            Part::Clippy => 3,
+            Part::Native => 2,
+            Part::Page => 2 + if built { 0 } else { dist::STEPS },
+        }
+    }
+}
+
+/// Runs the parts; true when nothing failed. At the end stands how long each step took; the last line is the sum.
 pub fn test(options: &Options) -> Result<bool> {
-    let wanted = |part| options.only.is_empty() || options.only.contains(&part);
+    let wanted = Part::ALL.into_iter().filter(|part| options.only.is_empty() || options.only.contains(part));
+    let wanted: Vec<Part> = wanted.collect();
     wasm_target()?;
     let runner = runner()?; // now: building the tests of this program may replace its file
-    let mut counts = Counts::default();
-    if wanted(Part::Fmt) {
-        formatting(&mut counts)?;
+    let mut tally = Tally::of(wanted.iter().map(|part| part.steps(options.no_build)).sum());
+    for part in wanted {
+        match part {
+            Part::Fmt => formatting(&mut tally)?,
+            Part::Clippy => clippy(&mut tally)?,
+            Part::Doc => documentation(&mut tally),
+            Part::Native => native(&mut tally),
+            Part::Wasm => wasm(&mut tally, &runner)?,
+            Part::Page => in_the_page(&mut tally, options.no_build)?,
+        }
     }
-    if wanted(Part::Clippy) {
-        clippy(&mut counts)?;
-    }
-    if wanted(Part::Native) {
-        native(&mut counts);
-    }
-    if wanted(Part::Wasm) {
-        wasm(&mut counts, &runner)?;
-    }
-    if wanted(Part::Page) {
-        in_the_page(&mut counts, options.no_build)?;
-    }
-    println!("{} passed, {} failed", counts.passed, counts.failed);
-    Ok(counts.failed == 0)
+    println!("{}", tally.steps.times());
+    println!("{}", tally.counts.line());
+    Ok(tally.counts.failed == 0)
 }
 
-fn formatting(counts: &mut Counts) -> Result<()> {
+fn formatting(tally: &mut Tally) -> Result<()> {
     component("rustfmt", "fmt")?;
-    check(counts, "formatting", || run(&mut cargo("fmt --all --check")));
+    tally.check("formatting", || run(&mut cargo("fmt --all --check")));
     Ok(())
 }
 
-fn clippy(counts: &mut Counts) -> Result<()> {
+/// The task program is looked at in the profile in which it was built, and apart: with its dependencies beside them the
+/// other packages would be built with other features than for their tests, and so twice.
+fn clippy(tally: &mut Tally) -> Result<()> {
     component("clippy", "clippy")?;
-    check(counts, "clippy", || {
-        let all = "clippy --locked --workspace --all-targets --all-features -- -D warnings";
-        run(&mut cargo(all))
-    });
-    check(counts, "clippy for wasm", || {
+    let strict = |mut clippy: Command| run(clippy.args(["--", "-D", "warnings"]));
+    let all = "clippy --locked --workspace --exclude xtask --all-targets --all-features";
+    tally.check("clippy", || strict(cargo(all)));
+    tally.check("clippy of xtask", || strict(cargo("clippy --locked --profile xtask -p xtask --all-targets")));
+    tally.check("clippy for wasm", || {
         let mut clippy = cargo("clippy --locked --all-targets --all-features --target");
         clippy.arg(WASM).args(in_the_browser());
-        run(clippy.args(["--", "-D", "warnings"]))
+        strict(clippy)
     });
     Ok(())
+}
+
+/// The documentation of the core, as a stranger reads it.
+fn documentation(tally: &mut Tally) {
+    tally.check("documentation", || {
+        let mut doc = cargo("doc --locked --no-deps -p probewright-core --lib --all-features");
+        run(doc.env("RUSTDOCFLAGS", "-D warnings"))
+    });
 }
 
 /// The packages that run in the browser, as arguments of cargo.
@@ -86,19 +112,20 @@ fn in_the_browser() -> impl Iterator<Item = &'static str> {
 }
 
 /// The task program itself is tested in the profile in which it was built, so that it is not built twice.
-fn native(counts: &mut Counts) {
+fn native(tally: &mut Tally) {
     let all = "test --locked --workspace --exclude xtask --all-features --no-fail-fast -- -q";
-    suite(counts, "native tests", &mut cargo(all));
+    tally.suite("native tests", &mut cargo(all));
     let own = "test --locked --profile xtask -p xtask -- -q";
-    suite(counts, "tests of xtask", &mut cargo(own));
+    tally.suite("tests of xtask", &mut cargo(own));
 }
 
-fn wasm(counts: &mut Counts, runner: &str) -> Result<()> {
+/// Of the bindings: the preview has no tests here, and building its graphics library for none takes minutes.
+fn wasm(tally: &mut Tally, runner: &str) -> Result<()> {
     let surroundings = browser::surroundings(&browser::browser()?)?;
-    let mut tests = cargo("test --locked --all-features --no-fail-fast --target");
-    tests.arg(WASM).args(in_the_browser());
+    let mut tests = cargo("test --locked --all-features --no-fail-fast -p probewright-web --target");
+    tests.arg(WASM);
     tests.envs(surroundings).env("CARGO_PROFILE_DEV_DEBUG", "0").env(runner_variable(), runner);
-    suite(counts, "wasm tests in Chromium", &mut tests);
+    tally.suite("wasm tests in Chromium", &mut tests);
     Ok(())
 }
 
@@ -113,18 +140,21 @@ fn runner() -> Result<String> {
     Ok(format!("{program} test-runner"))
 }
 
-fn in_the_page(counts: &mut Counts, built: bool) -> Result<()> {
+fn in_the_page(tally: &mut Tally, built: bool) -> Result<()> {
     let browser = browser::browser()?;
-    if !built && !check(counts, "build", dist::build) {
-        return Ok(());
+    if !built {
+        let outcome = dist::build(&mut tally.steps, Make::Small);
+        if !tally.one(outcome) {
+            return Ok(());
+        }
     }
     page::packages()?;
-    check(counts, "types of the page", page::types);
+    tally.check("types of the page", page::types);
     let address = serve::in_background()?;
     let mut node = command("node");
     node.args(["--test", "--test-reporter=spec", "--test-concurrency=1"]).args(specs()?);
     node.env("CHROME", browser.chrome).env("PROBEWRIGHT_URL", format!("http://{address}/"));
-    suite(counts, "the page in Chromium", &mut node);
+    tally.suite("the page in Chromium", &mut node);
     Ok(())
 }
 

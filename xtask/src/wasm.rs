@@ -1,8 +1,18 @@
 //! Rust → wasm → modules in `pkg/` that the page imports.
 
-use crate::tools::{WASM, cargo, command, root, run, step};
+use crate::steps::Steps;
+use crate::tools::{WASM, cargo, command, root, run};
 use anyhow::{Result, anyhow};
 use std::path::{Path, PathBuf};
+
+/// How the modules are made.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Make {
+    /// In a few minutes, to look at the page while one works on it.
+    Quick,
+    /// As small and fast as they get: what is handed out.
+    Small,
+}
 
 /// One wasm module of the page.
 struct Module {
@@ -11,7 +21,7 @@ struct Module {
     /// Base name of its files.
     name: &'static str,
     package: &'static str,
-    /// Cargo profile it is built with.
+    /// Cargo profile it is handed out in.
     profile: &'static str,
     features: &'static str,
     /// Level of `wasm-opt` where it is worth its time (it barely helps the large WebGL module).
@@ -53,6 +63,9 @@ const MODULES: [Module; 4] = [
     },
 ];
 
+/// The cargo profile of modules that are made quickly.
+const QUICK: &str = "quick";
+
 /// What Rust's compiler emits for the target by default; nothing newer may be introduced.
 const WASM_FEATURES: [&str; 6] = [
     "--enable-bulk-memory",
@@ -63,33 +76,37 @@ const WASM_FEATURES: [&str; 6] = [
     "--enable-sign-ext",
 ];
 
+/// Of how many steps [`build`] is.
+pub const STEPS: usize = MODULES.len();
+
 /// Builds all modules. Needs the wasm target and the npm packages.
-pub fn build() -> Result<()> {
-    MODULES.iter().try_for_each(|module| step(&format!("wasm {}", module.folder), || build_module(module)))
+pub fn build(steps: &mut Steps, make: Make) -> Result<()> {
+    MODULES.iter().try_for_each(|module| steps.run(&format!("wasm {}", module.folder), || build_module(module, make)))
 }
 
-fn build_module(module: &Module) -> Result<()> {
-    compile(module)?;
+fn build_module(module: &Module, make: Make) -> Result<()> {
+    let profile = if make == Make::Quick { QUICK } else { module.profile };
+    compile(module, profile)?;
     let out = root().join("pkg").join(module.folder);
-    bind(&compiled(module), &out, module.name)?;
+    bind(&compiled(module, profile), &out, module.name)?;
     match module.optimise {
-        Some(level) => optimise(&out.join(format!("{}_bg.wasm", module.name)), level),
-        None => Ok(()),
+        Some(level) if make == Make::Small => optimise(&out.join(format!("{}_bg.wasm", module.name)), level),
+        _ => Ok(()),
     }
 }
 
 /// As `cdylib` only: with an `rlib` beside it, link-time optimisation is silently off.
-fn compile(module: &Module) -> Result<()> {
+fn compile(module: &Module, profile: &str) -> Result<()> {
     let mut cargo = cargo("rustc --locked --lib --crate-type cdylib --no-default-features");
     cargo.args(["--target", WASM]);
-    cargo.args(["-p", module.package, "--profile", module.profile]);
+    cargo.args(["-p", module.package, "--profile", profile]);
     cargo.args(["--features", module.features]);
     run(&mut cargo)
 }
 
 /// Where cargo puts the compiled module.
-fn compiled(module: &Module) -> PathBuf {
-    target().join(WASM).join(module.profile).join(format!("{}.wasm", module.package.replace('-', "_")))
+fn compiled(module: &Module, profile: &str) -> PathBuf {
+    target().join(WASM).join(profile).join(format!("{}.wasm", module.package.replace('-', "_")))
 }
 
 /// Cargo's folder for what it builds.
