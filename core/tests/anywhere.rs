@@ -4,12 +4,14 @@
 // oracle: self (a rigid motion of everything is only another choice of coordinates)
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+use probewright_core::catalogue::CYCLES;
 use probewright_core::catalogue::example::example;
-use probewright_core::catalogue::{CYCLES, Cycle, ProbeUse, Variant};
-use probewright_core::check::{Inputs, Typed, check};
+use probewright_core::check::check;
 use probewright_core::control::MachineSort;
 use probewright_core::control::{Control, Frame, Plane};
 use probewright_core::dialect::Dialect;
+use probewright_core::entry::{Cycle, ProbeUse, Variant};
+use probewright_core::entry::{Inputs, Typed};
 use probewright_core::machine::Setup;
 use probewright_core::run::{Outcome, predict};
 use probewright_core::workpiece::PartErrors;

@@ -1,11 +1,13 @@
 //! The forms of all cycles are held against what the machine has.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use probewright_core::catalogue::{CYCLES, Cycle};
-use probewright_core::check::{Typed, check};
+use probewright_core::catalogue::CYCLES;
+use probewright_core::check::check;
 use probewright_core::control::{Control, delivery};
 use probewright_core::diagnostic::Severity;
 use probewright_core::dialect::Dialect;
+use probewright_core::entry::Cycle;
+use probewright_core::entry::Typed;
 
 /// Parameter that numbers something, and the data that tell how many there are.
 type Numbered = (&'static str, &'static [&'static str]);

@@ -2,11 +2,13 @@
 #![cfg(feature = "cli")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use probewright_core::catalogue::{CYCLES, Kind, find};
-use probewright_core::check::{Typed, check};
+use probewright_core::catalogue::{CYCLES, find};
+use probewright_core::check::check;
 use probewright_core::control::{Control, Units, delivery};
 use probewright_core::diagnostic::{Diagnostic, Severity};
 use probewright_core::dialect::Dialect;
+use probewright_core::entry::Kind;
+use probewright_core::entry::Typed;
 use probewright_core::form::{Choice, Entry, fields};
 use probewright_core::words::{LANGUAGES, Words};
 use proptest::prelude::*;

@@ -1,10 +1,11 @@
 //! Measuring calls read from programs, and changes of one value.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use probewright_core::catalogue::{Arg, CYCLES, Kind, Style, find};
-use probewright_core::check::Typed;
+use probewright_core::catalogue::{CYCLES, find};
 use probewright_core::control::delivery;
 use probewright_core::dialect::Dialect;
+use probewright_core::entry::Typed;
+use probewright_core::entry::{Arg, Kind, Style};
 use probewright_core::program::calls::{CallSite, calls};
 use probewright_core::program::change::{apply, change};
 use probewright_core::program::write::snippet;

@@ -2,9 +2,10 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use probewright_core::catalogue::find;
-use probewright_core::check::{Typed, check};
+use probewright_core::check::check;
 use probewright_core::control::Plane;
 use probewright_core::dialect::Dialect;
+use probewright_core::entry::Typed;
 use probewright_core::machine::Setup;
 use probewright_core::run::{Limits, Outcome, run};
 use probewright_core::syntax::read;

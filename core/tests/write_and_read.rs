@@ -1,10 +1,12 @@
 //! Writing and reading are inverse, for every variant with values in range; and a change touches its own place only.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use probewright_core::catalogue::{CYCLES, Cycle, Kind, Param, Style, When};
-use probewright_core::check::{self, Parsed, Typed, parse};
+use probewright_core::catalogue::CYCLES;
+use probewright_core::check::{self, Parsed, parse};
 use probewright_core::control::{Control, Plane, Units, delivery};
 use probewright_core::dialect::Dialect;
+use probewright_core::entry::Typed;
+use probewright_core::entry::{Cycle, Kind, Param, Style, When};
 use probewright_core::program::calls::{CallSite, calls};
 use probewright_core::program::change::{apply, change};
 use probewright_core::program::write::{Words, snippet};

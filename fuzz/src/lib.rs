@@ -1,8 +1,8 @@
 //! What must hold for any bytes whatever. A function panics when it does not.
 
-use probewright_core::catalogue::Style;
 use probewright_core::control::{Edge, Plane, Tool, delivery};
 use probewright_core::dialect::Dialect;
+use probewright_core::entry::Style;
 use probewright_core::machine::Setup;
 use probewright_core::machine::trace::Step;
 use probewright_core::program::calls::{CallSite, calls};

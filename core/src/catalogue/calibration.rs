@@ -1,9 +1,11 @@
 //! Checks that the cycles which calibrate a workpiece probe share (CYCLE973, CYCLE976).
 
-use super::{names, place};
-use crate::check::{Inputs, error};
+use super::place;
+use crate::check::error;
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
+use crate::entry::Inputs;
+use crate::entry::names;
 use crate::message::Message;
 use crate::own;
 

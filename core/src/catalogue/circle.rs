@@ -1,10 +1,11 @@
 //! Points that lie on a circle, and checks for them, at a starting angle and steps of an indexing angle: CYCLE979,
 //! CYCLE997.
 
-use super::names;
-use crate::check::{Inputs, error};
+use crate::check::error;
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic, Severity};
+use crate::entry::Inputs;
+use crate::entry::names;
 use crate::evaluate::spread::{Circle, circle};
 use crate::message::Message;
 use crate::own;

@@ -2,11 +2,11 @@
 //! measuring cycle adds a block of values.
 
 use super::common::{optional, required};
-use super::help::{HelpLine, before, measures, order, wrong};
 use super::logging::params::{self, log_params};
 use super::logging::{self, CONTENT_ALARMS, FILE_ALARMS, log_example, names};
-use super::{Cycle, Drawing, Help, Param, Variant, When};
 use crate::dialect::Dialect;
+use crate::entry::{Cycle, Drawing, Help, Param, Variant, When};
+use crate::entry::{HelpLine, before, measures, order, wrong};
 
 /// The cycle.
 pub static CYCLE100: Cycle = Cycle {

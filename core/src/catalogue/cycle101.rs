@@ -1,8 +1,9 @@
 //! CYCLE101: the log is switched off (B:11231-11233).
 
-use super::help::{HelpLine, before, corrects, measures, order, wrong};
-use super::{Cycle, Drawing, Help, Variant, When, logging};
+use super::logging;
 use crate::dialect::Dialect;
+use crate::entry::{Cycle, Drawing, Help, Variant, When};
+use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
 
 /// The cycle.
 pub static CYCLE101: Cycle = Cycle {

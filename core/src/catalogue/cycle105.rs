@@ -2,12 +2,12 @@
 //! numbers the other way round (A:12553).
 
 use super::common::{ALWAYS_REQUIRED, PARAM, optional};
-use super::help::{HelpLine, before, corrects, measures, wrong};
 use super::logging::names::{self, JOB};
 use super::logging::params::{self, log_params};
 use super::logging::{self, CONTENT_ALARMS, log_example};
-use super::{Arg, ArgumentList, Cycle, Drawing, Help, Kind, Param, Style, Variant, When};
 use crate::dialect::Dialect;
+use crate::entry::{Arg, ArgumentList, Cycle, Drawing, Help, Kind, Param, Style, Variant, When};
+use crate::entry::{HelpLine, before, corrects, measures, wrong};
 
 /// The cycle.
 pub static CYCLE105: Cycle = Cycle {

@@ -1,13 +1,14 @@
 //! CYCLE113(PAR1,PAR2): reads date or time of the control as a text (B:11255-11260).
 
 use super::common::{ALWAYS_REQUIRED, PARAM, integer};
-use super::help::{HelpLine, before, corrects, measures, order, wrong};
+use super::logging;
 use super::logging::cells::cells;
 use super::logging::names::JOB;
-use super::{Arg, ArgumentList, Cycle, Drawing, Help, Kind, Param, Style, Variant, When, logging};
-use crate::check::Inputs;
 use crate::dialect::Dialect;
-use crate::form::picture::{Picture, View};
+use crate::entry::Inputs;
+use crate::entry::{Arg, ArgumentList, Cycle, Drawing, Help, Kind, Param, Style, Variant, When};
+use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
+use crate::picture::{Picture, View};
 
 /// The cycle.
 pub static CYCLE113: Cycle = Cycle {

@@ -2,13 +2,14 @@
 //! number, or of up to ten that stand in consecutive R parameters.
 
 use super::common::{ALWAYS_REQUIRED, PARAM, alarms, integer, optional, required};
-use super::help::{HelpLine, before, corrects, measures, order, wrong};
+use super::logging;
 use super::logging::cells::{CELL, ROW, cells, left};
-use super::{Arg, ArgumentList, Cycle, Drawing, Help, Kind, Param, Style, Variant, When, logging};
-use crate::check::Inputs;
 use crate::dialect::Dialect;
-use crate::form::figures::{dimension, line};
-use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
+use crate::entry::Inputs;
+use crate::entry::{Arg, ArgumentList, Cycle, Drawing, Help, Kind, Param, Style, Variant, When};
+use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
+use crate::picture::figures::{dimension, line};
+use crate::picture::{Picture, PictureShape, ShapeKind, View};
 use crate::range::Range;
 
 /// The number.

@@ -1,8 +1,9 @@
 //! The worked measurement of each variant.
 
-use super::{Cycle, Variant};
-use crate::check::{self, Typed};
+use crate::check::{self};
 use crate::control::{Plane, delivery};
+use crate::entry::Typed;
+use crate::entry::{Cycle, Variant};
 
 /// Values as typed: of the cycle's example what the variant knows, what chooses the variant, and what it needs beside
 /// that.
@@ -39,14 +40,14 @@ fn known(cycle: &'static Cycle, values: &mut Typed) {
 /// Values, as typed, that choose a variant: its number, or the address whose presence makes it.
 /// An address that does so in one plane only stands in the plane of a control as delivered.
 pub fn choosing(cycle: &'static Cycle, number: i64) -> Typed {
-    let first = |param: &super::Param| {
+    let first = |param: &crate::entry::Param| {
         let typed = param.chooses.first()?.typed;
         Some((param.name.to_owned(), typed.to_owned()))
     };
     let given = one_by_one(cycle.params.iter().filter_map(first));
     let given = check::read(cycle, &given, &delivery(cycle.dialect), &mut Vec::new());
-    let value = |param: &super::Param| {
-        if matches!(param.kind, super::Kind::Variant(_)) {
+    let value = |param: &crate::entry::Param| {
+        if matches!(param.kind, crate::entry::Kind::Variant(_)) {
             return Some((param.name.to_owned(), number.to_string()));
         }
         let mut choices = param.chooses.iter().filter(|one| one.when.holds(&given));

@@ -3,17 +3,17 @@
 use super::common::{PARAM, optional};
 use super::nct::surface::{BALL, FACE};
 use super::nct::{self, part};
-use super::{Cycle, Drawing, Help, Kind, Param, Proposal, Purpose, Simulation, Unit, Variant, When, Work};
-use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
-use crate::check::Inputs;
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
 use crate::dialect::Dialect;
-use crate::form::figures::{circle, dimension, line, rectangle};
-use crate::form::picture::{Picture, ShapeKind, View};
+use crate::entry::Inputs;
+use crate::entry::{Cycle, Drawing, Help, Kind, Param, Proposal, Purpose, Simulation, Unit, Variant, When, Work};
+use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
 use crate::machine::trace::MotionKind;
 use crate::machine::{Machine, Stop};
 use crate::own;
+use crate::picture::figures::{circle, dimension, line, rectangle};
+use crate::picture::{Picture, ShapeKind, View};
 use crate::range::Range;
 use crate::workpiece::{Shape, Workpiece};
 

@@ -8,10 +8,10 @@
 use super::nct::ring::{self, D};
 use super::nct::walls::home;
 use super::nct::{self, correct};
-use super::{Cycle, Drawing, Help, Param, Purpose, Simulation, Variant, When, Work};
-use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
-use crate::check::Inputs;
 use crate::dialect::Dialect;
+use crate::entry::Inputs;
+use crate::entry::{Cycle, Drawing, Help, Param, Purpose, Simulation, Variant, When, Work};
+use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
 use crate::machine::trace::Step;
 use crate::machine::{Machine, Stop};
 use crate::message::Message;

@@ -10,11 +10,11 @@ use super::nct::ring::{self, D};
 use super::nct::touch::Calibration;
 use super::nct::walls::{home, travel};
 use super::nct::{self, correct};
-use super::task::{Meaning, Task};
-use super::{Cycle, Drawing, Help, Param, Purpose, Simulation, Variant, When, Work};
-use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
-use crate::check::Inputs;
 use crate::dialect::Dialect;
+use crate::entry::Inputs;
+use crate::entry::{Cycle, Drawing, Help, Param, Purpose, Simulation, Variant, When, Work};
+use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
+use crate::entry::{Meaning, Task};
 use crate::machine::{Machine, Stop};
 use crate::range::Range;
 

@@ -7,11 +7,11 @@
 use super::common::ALWAYS_REQUIRED;
 use super::nct::walls::home;
 use super::nct::{self, REGISTER, axis_name, correct, overtravel, params, surface};
-use super::task::{Meaning, Task};
-use super::{Cycle, Drawing, Help, Param, Purpose, Simulation, Variant, When, Work};
-use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
-use crate::check::Inputs;
 use crate::dialect::Dialect;
+use crate::entry::Inputs;
+use crate::entry::{Cycle, Drawing, Help, Param, Purpose, Simulation, Variant, When, Work};
+use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
+use crate::entry::{Meaning, Task};
 use crate::machine::{Machine, Stop};
 
 /// Height of the surface in the tool axis; T is the register of the stylus itself.

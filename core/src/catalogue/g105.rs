@@ -6,16 +6,16 @@ use super::nct::plane_axis::{depth, index, needs, nominal};
 use super::nct::surface::{self, BALL, FACE, Wall, drawn, limits, spindle_at, touch_wall};
 use super::nct::walls::{home, travel};
 use super::nct::{self, FORMAT_ERROR, checks, params, part, plane_axis, print};
-use super::{Cycle, Drawing, Help, Param, Proposal, Purpose, Simulation, Unit, Variant, When, Work};
-use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
-use crate::catalogue::task::Task;
-use crate::check::Inputs;
 use crate::control::{Control, Plane};
 use crate::diagnostic::Diagnostic;
 use crate::dialect::Dialect;
-use crate::form::figures::{circle, corners, dimension, line, rectangle};
-use crate::form::picture::{Picture, ShapeKind, View};
+use crate::entry::Inputs;
+use crate::entry::Task;
+use crate::entry::{Cycle, Drawing, Help, Param, Proposal, Purpose, Simulation, Unit, Variant, When, Work};
+use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
 use crate::machine::{Machine, Stop};
+use crate::picture::figures::{circle, corners, dimension, line, rectangle};
+use crate::picture::{Picture, ShapeKind, View};
 use crate::workpiece::{Shape, Workpiece};
 
 /// One of X, Y, Z.

@@ -6,11 +6,11 @@
 use super::nct::correct::{self, Found, Part};
 use super::nct::walls::home;
 use super::nct::{self, axis_name, checks, params, print, surface};
-use super::{Cycle, Drawing, Help, Param, Purpose, Simulation, Variant, When, Work};
-use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
-use crate::catalogue::task::Task;
-use crate::check::Inputs;
 use crate::dialect::Dialect;
+use crate::entry::Inputs;
+use crate::entry::Task;
+use crate::entry::{Cycle, Drawing, Help, Param, Purpose, Simulation, Variant, When, Work};
+use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
 use crate::machine::{Machine, Stop};
 
 /// The macro.

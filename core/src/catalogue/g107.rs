@@ -1,10 +1,10 @@
 //! G107: internal corner of two walls along the axes of the plane (C:696-781).
 
-use super::help::{HelpLine, before, corrects, measures, order, wrong};
 use super::nct::{self, corner, params};
-use super::task::Task;
-use super::{Cycle, Drawing, Help, Param, Purpose, Simulation, Variant, When, Work};
 use crate::dialect::Dialect;
+use crate::entry::Task;
+use crate::entry::{Cycle, Drawing, Help, Param, Purpose, Simulation, Variant, When, Work};
+use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
 
 /// The macro.
 pub static G107: Cycle = Cycle {

@@ -6,17 +6,18 @@ use super::nct::plane_axis::{depth, index, needs, nominal};
 use super::nct::surface::{BALL, FACE, drawn, limits};
 use super::nct::walls::{Outside, Walls, chord, home};
 use super::nct::{self, FORMAT_ERROR, checks, params, part, plane_axis, print};
-use super::{Chooses, Cycle, Drawing, Help, Param, Proposal, Purpose, Simulation, Unit, Variant, When, Work};
-use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
-use crate::catalogue::task::Task;
-use crate::check::{Inputs, error};
+use crate::check::error;
 use crate::control::{Control, Plane};
 use crate::diagnostic::Diagnostic;
 use crate::dialect::Dialect;
-use crate::form::figures::{circle, corners, dimension, line, rectangle};
-use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
+use crate::entry::Inputs;
+use crate::entry::Task;
+use crate::entry::{Chooses, Cycle, Drawing, Help, Param, Proposal, Purpose, Simulation, Unit, Variant, When, Work};
+use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
 use crate::machine::{Machine, Stop};
 use crate::message::Message;
+use crate::picture::figures::{circle, corners, dimension, line, rectangle};
+use crate::picture::{Picture, PictureShape, ShapeKind, View};
 use crate::workpiece::{Shape, Workpiece};
 
 /// The stylus stands between the walls.

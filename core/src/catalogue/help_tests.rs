@@ -2,8 +2,9 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::CYCLES;
-use super::help::{HelpPage, SECTIONS, Section};
-use crate::check::Inputs;
+use super::help::HelpPage;
+use crate::entry::Inputs;
+use crate::entry::{SECTIONS, Section};
 use crate::words::{LANGUAGES, Words};
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,138 +1,10 @@
-//! Calls with arguments in brackets, beside the assignments that every cycle takes.
+//! Which cycle a call with arguments means.
 
-use super::{CYCLES, Cycle, When};
-use crate::check::Inputs;
+use super::CYCLES;
+use crate::check::listed::{selection, too_many};
+use crate::diagnostic::Diagnostic;
 use crate::dialect::Dialect;
-
-/// A way to write a call.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Style {
-    /// Assignments, then the call (from SW 6.2, B:12497); NCT: one block of addresses.
-    Direct,
-    /// `CYCLE_PARA(…)` and a parameterizing call (up to SW 5.4, B:11640-12133).
-    Indirect,
-    /// Parameter list of newer 840D sl controls (SINUMERIK Operate); see [`super::newer`].
-    Operate,
-}
-
-/// An argument list that calls a cycle.
-pub struct ArgumentList {
-    /// The way of writing it belongs to; [`Style::Direct`]: arguments that the cycle takes beside the assignments.
-    pub style: Style,
-    /// Name as called.
-    pub name: &'static str,
-    /// Calls that it can express; of a list that is only read none ([`super::NEVER`]).
-    pub when: When,
-    /// Number of the variant to which the arguments [`Arg::Select`] add; counts where the list has no `_MVAR`.
-    pub base: i64,
-    /// The arguments in order.
-    pub args: &'static [Arg],
-    /// Where the order is from.
-    pub source: &'static str,
-}
-
-/// One argument.
-pub enum Arg {
-    /// The value of this parameter.
-    Param(&'static str),
-    /// The value of this parameter, which leads down, without its sign.
-    Down(&'static str),
-    /// A selection: number written, what it adds to the number of the variant.
-    Select(&'static [(i64, i64)]),
-    /// Tells which cycle is meant: this number stands there.
-    Is(i64),
-    /// A variable of the program; the parameters `NAME[…]` of the entry are its elements.
-    Variable(&'static str),
-    /// A variable of the program that takes a result.
-    Output(&'static str),
-    /// Has no counterpart among our parameters, or its meaning is not known.
-    Open,
-    /// The same in the list of a newer control, by its name there.
-    Newer(&'static str),
-}
-
-/// `CYCLE_PARA`: parameters that count for all cycles; 0 leaves the datum as it is (B:11734-11753).
-pub const AUXILIARY: &str = "CYCLE_PARA";
-/// Its arguments in order.
-pub const AUXILIARY_ARGS: &[&str] = &[
-    "_FA", "_VMS", "_NMSP", "_RF", "_PRNUM", "_CORA", "_TZL", "_TMV", "_TUL", "_TLL", "_TSA", "_EVNUM", "_K", "_TDIF",
-];
-
-impl ArgumentList {
-    /// Whether calls are written with it, or only read.
-    pub fn is_written(&self) -> bool {
-        !matches!(self.when, When::Any([]))
-    }
-
-    /// Whether the variant is an argument of its own.
-    pub fn has_variant(&self, cycle: &Cycle) -> bool {
-        let variant = cycle.variant_param();
-        variant.is_some_and(|name| self.position(name).is_some())
-    }
-
-    /// Which argument takes this parameter.
-    pub fn position(&self, name: &str) -> Option<usize> {
-        let takes = |arg: &Arg| matches!(arg, Arg::Param(param) | Arg::Down(param) if *param == name);
-        self.args.iter().position(takes)
-    }
-
-    /// Whether this parameter is an argument or an element of one.
-    pub fn gives(&self, name: &str) -> bool {
-        let element = |arg: &Arg| matches!(arg, Arg::Variable(array) if name.strip_prefix(array).is_some_and(|rest| rest.starts_with('[')));
-        self.position(name).is_some() || self.args.iter().any(element)
-    }
-
-    /// The parameter that takes the variant, and the variant that the selections make, where it has no argument of its
-    /// own; `number` tells what stands at an argument, an omitted one is 0.
-    pub fn composed(&self, cycle: &Cycle, number: impl Fn(usize) -> Option<f64>) -> Option<(&'static str, i64)> {
-        let name = cycle.variant_param()?;
-        let own = self.has_variant(cycle);
-        (!own).then(|| Some((name, self.selected(number)?)))?
-    }
-
-    /// What to write for each [`Arg::Select`], in order, so that this variant comes out.
-    pub fn selections(&self, variant: i64) -> Option<Vec<i64>> {
-        let choices: Vec<_> = self
-            .args
-            .iter()
-            .filter_map(|arg| match arg {
-                Arg::Select(choices) => Some(*choices),
-                _ => None,
-            })
-            .collect();
-        select(&choices, variant - self.base)
-    }
-
-    /// The variant that the selections make; an omitted argument is 0. None: a selection that is not known.
-    fn selected(&self, number: impl Fn(usize) -> Option<f64>) -> Option<i64> {
-        let mut variant = self.base;
-        for (index, arg) in self.args.iter().enumerate() {
-            if let Arg::Select(choices) = arg {
-                let written = number(index)?;
-                variant += choices.iter().find(|choice| choice.0 as f64 == written)?.1;
-            }
-        }
-        Some(variant)
-    }
-
-    /// The first selection that tells no variant: a number that is none of its choices, or one that is not known.
-    pub fn unselected(&self, number: impl Fn(usize) -> Option<f64>) -> Option<(usize, &'static [(i64, i64)])> {
-        let mut all = self.args.iter().enumerate();
-        all.find_map(|(index, arg)| match arg {
-            Arg::Select(choices) => {
-                let written = number(index);
-                let chosen = choices.iter().any(|one| Some(one.0 as f64) == written);
-                (!chosen).then_some((index, *choices))
-            }
-            _ => None,
-        })
-    }
-
-    /// Whether it can express a call with these values.
-    pub fn fits(&self, inputs: &Inputs) -> bool {
-        self.when.holds(inputs) && (self.has_variant(inputs.cycle) || self.selections(inputs.variant).is_some())
-    }
-}
+use crate::entry::{AUXILIARY, AUXILIARY_ARGS, Arg, ArgumentList, Cycle};
 
 /// The cycle and the list that a call with so many arguments means; `number` tells what stands at an argument, where it
 /// is known. The name of a cycle without arguments is no such call: it takes the data as they are.
@@ -167,21 +39,24 @@ pub fn told_by(name: &str) -> Option<(usize, Vec<i64>)> {
     Some((*index, told.iter().map(|(_, number)| *number).collect()))
 }
 
-/// One number of each list of choices so that what they add is `rest`.
-fn select(choices: &[&[(i64, i64)]], rest: i64) -> Option<Vec<i64>> {
-    let Some((first, others)) = choices.split_first() else {
-        return (rest == 0).then(Vec::new);
-    };
-    first.iter().find_map(|(written, adds)| {
-        let mut chosen = vec![*written];
-        chosen.extend(select(others, rest - adds)?);
-        Some(chosen)
-    })
+/// What is wrong with arguments that no cycle is found for: those of `CYCLE_PARA`, and of a parameterizing call for two
+/// cycles whose first argument names neither (B:11767, B:11784, B:11908).
+pub fn unmatched(name: &str, count: usize, number: impl Fn(usize) -> Option<f64>) -> Option<Diagnostic> {
+    if name == AUXILIARY {
+        return too_many(name, AUXILIARY_ARGS.len(), count);
+    }
+    let (index, numbers) = told_by(name)?;
+    let written = number(index)?;
+    let known: Vec<(i64, i64)> = numbers.into_iter().map(|one| (one, 0)).collect();
+    let wrong = known.iter().all(|one| one.0 as f64 != written);
+    wrong.then(|| selection(name, index, written, known.iter()))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::entry::Style;
+    use crate::entry::When;
 
     #[test]
     fn selections_add_up_to_the_variant() {

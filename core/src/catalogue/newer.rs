@@ -6,8 +6,8 @@
 //! there:
 //! the measuring direction counts differently (1 plus, 2 minus), and the tool target has an argument of its own.
 
-use super::Arg::{Newer, Param};
-use super::{ArgumentList, NEVER, Style, When, names};
+use crate::entry::Arg::{Newer, Param};
+use crate::entry::{ArgumentList, NEVER, Style, When, names};
 
 /// The measuring variants of CYCLE977 that are evidenced: hole, shaft, groove, web and both rectangles; measured, or
 /// with correction of a zero offset; with a protection zone or without.
@@ -16,7 +16,7 @@ const ELEMENTS: When = When::Variant(&[
     1106,
 ]);
 
-const fn list(name: &'static str, when: When, args: &'static [super::Arg]) -> ArgumentList {
+const fn list(name: &'static str, when: When, args: &'static [crate::entry::Arg]) -> ArgumentList {
     ArgumentList {
         style: Style::Operate,
         name,

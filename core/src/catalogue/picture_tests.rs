@@ -2,11 +2,17 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::*;
-use crate::check::{Typed, check, read};
+use crate::check::{check, read};
 use crate::control::delivery;
 use crate::dialect::Dialect;
-use crate::form::picture::Picture;
+use crate::entry::Cycle;
+use crate::entry::Param;
+use crate::entry::Typed;
+use crate::entry::Unit;
+use crate::entry::Variant;
+use crate::entry::names;
 use crate::form::{draw, fields};
+use crate::picture::Picture;
 
 /// The worked example in this variant, with every other value that it asks for.
 fn typed(cycle: &'static Cycle, variant: &Variant, number: &str) -> Typed {

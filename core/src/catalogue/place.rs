@@ -1,8 +1,8 @@
 //! Nominal parts and the probe in the active plane: what proposals and checks of the milling cycles share.
 
-use super::{ProposedTool, names};
-use crate::check::Inputs;
 use crate::control::{Control, Edge};
+use crate::entry::Inputs;
+use crate::entry::{ProposedTool, names};
 use crate::evaluate::knum;
 use crate::geometry::rigid::angles;
 use crate::workpiece::{PartErrors, Shape, Solid};
@@ -13,7 +13,7 @@ use nalgebra::{Matrix3, Rotation3, Vector3};
 pub fn ball_radius(inputs: &Inputs, control: &Control) -> f64 {
     let index = inputs.integer(names::PRNUM) % 100 - 1;
     let stored = control.number(&format!("_WP[{index},0]")) / 2.0;
-    let per = crate::check::factor(super::Unit::BasicLength, control);
+    let per = crate::entry::factor(crate::entry::Unit::BasicLength, control);
     let active = control.edge_of(control.tool, control.edge).map_or(0.0, |edge| edge.radius);
     [stored * per, active, 3.0].into_iter().find(|radius| *radius > 0.0).unwrap_or(3.0)
 }

@@ -1,10 +1,12 @@
 //! From the proposed start every variant measures the proposed part, and finds what is wrong with it.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use super::{Cycle, find};
-use crate::check::{Typed, check};
+use super::find;
+use crate::check::check;
 use crate::control::{Frame, Plane};
 use crate::dialect::Dialect;
+use crate::entry::Cycle;
+use crate::entry::Typed;
 use crate::machine::setup::Setup;
 use crate::run::predict;
 

@@ -3,9 +3,12 @@
 
 use super::example::example;
 use super::*;
-use crate::check::{Inputs, check};
+use crate::check::check;
 use crate::control::{Control, Plane};
 use crate::dialect::Dialect;
+use crate::entry::Cycle;
+use crate::entry::Inputs;
+use crate::entry::Variant;
 use crate::machine::Setup;
 use crate::machine::trace::Step;
 use crate::message::Arg;

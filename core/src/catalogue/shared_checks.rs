@@ -1,10 +1,12 @@
 //! Checks over several parameters that the SINUMERIK workpiece cycles share.
 
 use super::common::MONO;
-use super::{When, names, place};
-use crate::check::{Inputs, error};
+use super::place;
+use crate::check::error;
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
+use crate::entry::Inputs;
+use crate::entry::{When, names};
 use crate::evaluate::knum::{self, ZeroCode};
 use crate::message::Message;
 use crate::own::{self, Own};

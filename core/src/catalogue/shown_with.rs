@@ -2,7 +2,7 @@
 //! what is measured, the mean value at the tolerances.
 
 use super::logging::names as log;
-use super::names;
+use crate::entry::names;
 
 /// Groups of parameters in whose figures a picture shows a parameter that has none of its own. The first group of which
 /// anything is drawn counts.

@@ -1,14 +1,16 @@
 //! The same measurement on the other control: what a call means is taken from its values and written with those of the
 //! entry that has the task there.
 
+use super::CYCLES;
 use super::example::example;
-use super::task::{Meaning, Shared, Task};
 use super::twin_place::{self, has_depth};
-use super::{CYCLES, Cycle, Level, Param, Variant};
-use crate::check::{self, Inputs, Typed, factor};
+use crate::check::{self};
 use crate::control::variables::AXES;
 use crate::control::{Control, delivery_in};
 use crate::dialect::Dialect;
+use crate::entry::{Cycle, Level, Param, Variant};
+use crate::entry::{Inputs, Typed, factor};
+use crate::entry::{Meaning, Shared, Task};
 use crate::message::Message;
 
 /// What a measurement is, whatever a control calls it. Lengths in mm.

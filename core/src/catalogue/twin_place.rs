@@ -1,10 +1,10 @@
 //! Places that the controls tell in different ways: the depth at which a boss or web is touched, and what a corner is
 //! to become. Lengths in mm.
 
-use super::task::{Meaning, Shared, Task};
 use super::twin::part_of;
-use crate::check::Inputs;
 use crate::control::{Control, Units};
+use crate::entry::Inputs;
+use crate::entry::{Meaning, Shared, Task};
 
 /// Height of the start in the axis of the tool for which a depth is reckoned: 20 mm or 0.8 inch. A call of NCT tells
 /// the depth as a coordinate, one of SINUMERIK the way there from the start, which neither tells.

@@ -2,13 +2,15 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::example::example;
-use super::task::TASKS;
 use super::twin::{Measurement, Twin, measured, other, twin};
-use super::{CYCLES, Cycle, find};
-use crate::check::{self, Typed};
+use super::{CYCLES, find};
+use crate::check::{self};
 use crate::control::{Control, Plane, Units, delivery_in};
 use crate::diagnostic::Severity;
 use crate::dialect::Dialect;
+use crate::entry::Cycle;
+use crate::entry::TASKS;
+use crate::entry::Typed;
 use crate::message::Arg;
 use proptest::prelude::*;
 use std::collections::BTreeSet;

@@ -3,6 +3,7 @@
 
 use super::*;
 use crate::diagnostic::Code;
+use crate::entry::Kind;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 

@@ -1,7 +1,7 @@
 //! Arguments of a call as such: of the wrong sort, too many, a selection that tells no variant.
 
-use crate::catalogue::{ArgumentList, Cycle, Kind, Param, Style, list};
 use crate::diagnostic::Diagnostic;
+use crate::entry::{ArgumentList, Cycle, Kind, Param, Style};
 use crate::own;
 
 /// What sort of value a program writes.
@@ -67,20 +67,13 @@ pub fn refused(
     Some(selection(list.name, index, number(index)?, choices.iter()))
 }
 
-/// What is wrong with arguments that no cycle is found for: those of `CYCLE_PARA`, and of a parameterizing call for two
-/// cycles whose first argument names neither (B:11767, B:11784, B:11908).
-pub fn unmatched(name: &str, count: usize, number: impl Fn(usize) -> Option<f64>) -> Option<Diagnostic> {
-    if name == list::AUXILIARY {
-        return too_many(name, list::AUXILIARY_ARGS.len(), count);
-    }
-    let (index, numbers) = list::told_by(name)?;
-    let written = number(index)?;
-    let known: Vec<(i64, i64)> = numbers.into_iter().map(|one| (one, 0)).collect();
-    let wrong = known.iter().all(|one| one.0 as f64 != written);
-    wrong.then(|| selection(name, index, written, known.iter()))
-}
-
-fn selection<'a>(name: &str, index: usize, value: f64, choices: impl Iterator<Item = &'a (i64, i64)>) -> Diagnostic {
+/// An argument that selects nothing.
+pub fn selection<'a>(
+    name: &str,
+    index: usize,
+    value: f64,
+    choices: impl Iterator<Item = &'a (i64, i64)>,
+) -> Diagnostic {
     let choices: Vec<String> = choices.map(|(written, _)| written.to_string()).collect();
     let finding = own::SELECTION.finding().number("place", index as f64 + 1.0);
     let finding = finding.text("name", name).number("value", value);

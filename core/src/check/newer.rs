@@ -4,10 +4,11 @@
 //! written otherwise.
 //! An argument that is omitted is 0 there.
 
-use super::{Checked, Inputs, Parsed, Target, Typed, check, error, parse, target, typed, variants};
-use crate::catalogue::{ArgumentList, Cycle, ProbeUse, names};
+use super::{Checked, Parsed, Target, check, error, parse, target, typed, variants};
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic, Severity};
+use crate::entry::{ArgumentList, Cycle, ProbeUse, names};
+use crate::entry::{Inputs, Typed};
 use crate::message::Message;
 use crate::own::{self, Own};
 

@@ -1,9 +1,10 @@
 //! `_KNUM` against the variant and the control: what it means, and which alarm a wrong one raises (B:1894-2029).
 
-use super::{Inputs, error};
-use crate::catalogue::{Param, When};
+use super::error;
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
+use crate::entry::Inputs;
+use crate::entry::{Param, When};
 use crate::evaluate::knum::{self, ZeroCode};
 use crate::evaluate::{tool_offset, zero_offset};
 use crate::message::Message;

@@ -1,12 +1,13 @@
 //! From typed values to inputs, parameter by parameter.
 
 use super::text::{self, Text};
-use super::{Inputs, Parsed, Typed, error, factor, parse, targets, unit_behind, variants};
-use crate::catalogue::sinumerik::upkeep;
-use crate::catalogue::{Cycle, Kind, Level, Param, Unit};
+use super::{Parsed, error, parse, targets, variants};
+use crate::check::upkeep;
 use crate::control::tools::side;
 use crate::control::{Control, Edge, Transverse};
 use crate::diagnostic::{Code, Diagnostic, Severity};
+use crate::entry::{Cycle, Kind, Level, Param, Unit};
+use crate::entry::{Inputs, Typed, factor, unit_behind};
 use crate::evaluate::knum;
 use crate::message::Message;
 use crate::own::{self, Own};

@@ -1,8 +1,9 @@
 //! The measuring variant that values choose, and what is said about a number that is none.
 
-use super::{Parsed, Typed};
-use crate::catalogue::{Cycle, DigitGroup, Kind, Param};
+use super::Parsed;
 use crate::control::Control;
+use crate::entry::Typed;
+use crate::entry::{Cycle, DigitGroup, Kind, Param};
 use crate::message::Message;
 
 /// Why there is no such variant: two choices that are right alone and not together, where its digits show them.

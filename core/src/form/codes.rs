@@ -1,9 +1,10 @@
 //! Numbers whose digits are choices: `_MVAR`, `_PRNUM`, `_EVNUM`, and `_KNUM` by what it corrects.
 
 use super::fields::{Choice, Entry, Group};
-use crate::catalogue::{Cycle, DigitGroup, Param};
-use crate::check::{Inputs, Target, target};
+use crate::check::{Target, target};
 use crate::control::Control;
+use crate::entry::Inputs;
+use crate::entry::{Cycle, DigitGroup, Param};
 use crate::evaluate::knum;
 use crate::message::Message;
 

@@ -1,10 +1,11 @@
 //! The drawing of a form, also while it is incomplete.
 
-use super::picture::Picture;
 use crate::catalogue::shown_with::shown_with;
-use crate::catalogue::{Cycle, Kind};
-use crate::check::{self, Parsed, Typed, parse};
+use crate::check::{self, Parsed, parse};
 use crate::control::Control;
+use crate::entry::Typed;
+use crate::entry::{Cycle, Kind};
+use crate::picture::Picture;
 
 /// Draws the values; what is missing or wrong is taken from the cycle's worked example. None in a build that does not
 /// draw.

@@ -1,9 +1,10 @@
 //! The fields of a form, in the order in which they are shown.
 
 use super::{codes, masks, variant};
-use crate::catalogue::{Cycle, Kind, Level, Param};
-use crate::check::{self, Inputs, Typed, factor, unit_name};
+use crate::check::{self};
 use crate::control::Control;
+use crate::entry::{Cycle, Kind, Level, Param};
+use crate::entry::{Inputs, Typed, factor, unit_name};
 use crate::message::Message;
 use crate::range::Range;
 use crate::support::Support;

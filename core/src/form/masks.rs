@@ -2,8 +2,8 @@
 
 use super::codes::{EDGE, KIND};
 use super::fields::{Choice, Entry, Group};
-use crate::catalogue::common::PROBE_TYPE;
-use crate::check::Inputs;
+use crate::entry::Inputs;
+use crate::entry::PROBE_TYPE;
 use crate::evaluate::knum::Quantity;
 use crate::support::{PROBE, Support, TARGETS, usual, usual_zero};
 

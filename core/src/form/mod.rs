@@ -3,10 +3,8 @@
 mod codes;
 mod draw;
 mod fields;
-pub mod figures;
 pub mod machine;
 mod masks;
-pub mod picture;
 mod variant;
 
 pub use draw::draw;

@@ -3,7 +3,7 @@
 
 use super::codes;
 use super::fields::Group;
-use crate::catalogue::{Cycle, DigitGroup};
+use crate::entry::{Cycle, DigitGroup};
 
 /// Groups of digits with what they are in this number. In a variant each group offers what goes with the groups before
 /// it; one that offers a single value is left out. A number that is no variant shows everything, so that it can be
@@ -51,7 +51,8 @@ mod tests {
     #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
     use super::*;
-    use crate::catalogue::{CYCLES, Kind};
+    use crate::catalogue::CYCLES;
+    use crate::entry::Kind;
 
     /// The groups of a cycle for a number.
     fn of(cycle: &Cycle, number: i64) -> Vec<Group> {

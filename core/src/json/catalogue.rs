@@ -2,11 +2,12 @@
 
 use super::setup_write::plane_name;
 use super::{code, dialect_name, object, style_name, typed};
+use crate::catalogue::CYCLES;
 use crate::catalogue::example::{choosing, example, turned};
-use crate::catalogue::{CYCLES, Cycle, Param, ProbeUse, ResultField, Style, Unit, Variant};
 use crate::check;
 use crate::control::MachineSort;
 use crate::control::{Plane, delivery};
+use crate::entry::{Cycle, Param, ProbeUse, ResultField, Style, Unit, Variant};
 use crate::workpiece::free::EXAMPLES;
 use serde_json::Value;
 

@@ -1,8 +1,10 @@
 //! The help page of a variant as JSON.
 
 use super::{Error, alarm, dialect, key, object};
-use crate::catalogue::help::{HelpLine, HelpPage, SECTIONS, Section};
-use crate::catalogue::{ResultField, alarms};
+use crate::catalogue::alarms;
+use crate::catalogue::help::HelpPage;
+use crate::entry::ResultField;
+use crate::entry::{HelpLine, SECTIONS, Section};
 use serde::Deserialize;
 use serde_json::Value;
 

@@ -3,8 +3,8 @@
 use super::setup_active::{UnitsName, units, units_of};
 use super::start::{Start, start};
 use super::{Error, dialect, message, object, put};
-use crate::check::Typed;
 use crate::control::{Control, Units, Value as Datum, delivery_in, rebuilt};
+use crate::entry::Typed;
 use crate::form::machine::{Entry, Group, Refusal, Setting, accept, groups};
 use crate::message::Message;
 use crate::program::write::machine::{assignments, definitions};

@@ -42,10 +42,10 @@ pub use setup::schema as setup_schema;
 pub use setup_write::to_json as setup_to_json;
 pub use trace::outcome;
 
-use crate::catalogue::{Cycle, Style};
-use crate::check::Typed;
 use crate::diagnostic::{Code, Diagnostic, Severity};
 use crate::dialect::Dialect;
+use crate::entry::Typed;
+use crate::entry::{Cycle, Style};
 use crate::message::{Arg, Message};
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};

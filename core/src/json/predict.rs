@@ -3,9 +3,9 @@
 use super::setup_limits::{exists, solid};
 use super::start::Start;
 use super::{Error, object, put};
-use crate::catalogue::{ProbeUse, Work};
-use crate::check::Inputs;
 use crate::control::Plane;
+use crate::entry::Inputs;
+use crate::entry::{ProbeUse, Work};
 use crate::geometry::{V3, rigid};
 use crate::machine::Stop;
 use crate::machine::setup::Setup;

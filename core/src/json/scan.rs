@@ -3,7 +3,8 @@
 use super::setup_active::{PlaneName, choose_units, plane};
 use super::{Error, dialect, object, setup_surface};
 use crate::catalogue;
-use crate::check::{self, Typed};
+use crate::check::{self};
+use crate::entry::Typed;
 use crate::machine::{Setup, Stop};
 use crate::run::scanning::Deviation;
 use crate::run::scanning::Session;

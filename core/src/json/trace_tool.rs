@@ -2,10 +2,11 @@
 
 use super::object;
 use super::setup_write::solids;
-use crate::catalogue::{ProbeUse, find};
+use crate::catalogue::find;
 use crate::control::Edge;
 use crate::control::probe::upright;
 use crate::control::tools::LATHE_PROBE;
+use crate::entry::ProbeUse;
 use crate::geometry::V3;
 use crate::machine::in_use::InUse;
 use crate::machine::setup::Setup;

@@ -2,8 +2,9 @@
 
 use super::object;
 use super::trace::{UNITS, system};
-use crate::catalogue::{ProbeUse, find};
+use crate::catalogue::find;
 use crate::control::{Control, Transverse};
+use crate::entry::ProbeUse;
 use crate::geometry::{V3, rigid};
 use crate::machine::setup::Setup;
 use crate::machine::trace::{Step, Trace};

@@ -1,11 +1,11 @@
 //! The same task on the other control as JSON, beside the form.
 
 use super::{dialect_name, message, object};
-use crate::catalogue::Cycle;
 use crate::catalogue::twin::{Measurement, other, twin};
-use crate::catalogue::{Style, task::Task};
-use crate::check::Typed;
 use crate::control::{Control, delivery_in};
+use crate::entry::Cycle;
+use crate::entry::Typed;
+use crate::entry::{Style, Task};
 use crate::message::Message;
 use crate::program::write::snippet;
 use serde_json::Value;

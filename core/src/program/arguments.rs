@@ -4,8 +4,9 @@
 use super::calls::CallSite;
 use super::change::Edit;
 use super::values::{Value, opposite};
-use crate::catalogue::{Arg, ArgumentList, Cycle, Kind, Style, list};
 use crate::diagnostic::Span;
+use crate::entry::AUXILIARY;
+use crate::entry::{Arg, ArgumentList, Cycle, Kind, Style};
 use crate::syntax::Program;
 use crate::syntax::tree::WordKind;
 
@@ -56,7 +57,7 @@ pub(super) fn is_argument(program: &Program, place: Span) -> bool {
 /// Whether a place is an argument of `CYCLE_PARA`, where 0 says nothing.
 pub(super) fn is_auxiliary(program: &Program, place: Span) -> bool {
     program.word_at(place).is_some_and(|word| match word.kind {
-        WordKind::Call { name, .. } => program.is(name, list::AUXILIARY),
+        WordKind::Call { name, .. } => program.is(name, AUXILIARY),
         _ => false,
     })
 }

@@ -1,6 +1,7 @@
 //! What a block of SINUMERIK may not say although each of its words is understood.
 
-use crate::check::listed::{count, unmatched};
+use crate::catalogue::list::unmatched;
+use crate::check::listed::count;
 use crate::diagnostic::{Diagnostic, Span};
 use crate::own::{self, Own};
 use crate::syntax::Program;

@@ -3,9 +3,10 @@
 
 use super::arguments;
 use super::calls::CallSite;
-use crate::catalogue::{Arg, list};
 use crate::check::parse;
 use crate::diagnostic::{Diagnostic, Span};
+use crate::entry::AUXILIARY;
+use crate::entry::Arg;
 use crate::own;
 use crate::syntax::Program;
 use crate::syntax::programs::{Programs, programs};
@@ -156,7 +157,7 @@ fn leaves(program: &Program, word: &Word, site: &CallSite, reads: &Reads) -> boo
             !reads.names.contains(&name) && (reads.plain || for_call)
         }
         WordKind::Address { .. } => reads.plain,
-        WordKind::Call { name, .. } => program.is(*name, list::AUXILIARY),
+        WordKind::Call { name, .. } => program.is(*name, AUXILIARY),
         _ => false,
     }
 }

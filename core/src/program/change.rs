@@ -3,12 +3,12 @@
 use super::arguments;
 use super::calls::CallSite;
 use super::write;
-use crate::catalogue::{Arg, Kind, Style, names};
 use crate::check::{Text, newer, parse_text};
 use crate::control::delivery;
 pub use crate::diagnostic::Edit;
 use crate::diagnostic::Span;
 use crate::dialect::Dialect;
+use crate::entry::{Arg, Kind, Style, names};
 use crate::syntax::Program;
 use crate::syntax::tree::{Block, Word, WordKind};
 

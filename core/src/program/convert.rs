@@ -6,10 +6,12 @@ use super::marked::mark_before;
 use super::own_words::{Lines, emptied, own_words, without_comment};
 use super::write::{Values, Written, snippet_of};
 use super::{arguments, carried};
-use crate::catalogue::{ArgumentList, Param, Style, list};
-use crate::check::{self, Parsed, Typed, newer, parse};
+use crate::check::{self, Parsed, newer, parse};
 use crate::control::Control;
 use crate::diagnostic::{Diagnostic, Span};
+use crate::entry::AUXILIARY_ARGS;
+use crate::entry::Typed;
+use crate::entry::{ArgumentList, Param, Style};
 use crate::own;
 use crate::support::Mark;
 use crate::syntax::Program;
@@ -166,7 +168,7 @@ fn kept(program: &Program, site: &CallSite, own: &Lines, said: &[&'static str]) 
             continue;
         }
         let places = arguments::places(program, word.span);
-        for (name, place) in list::AUXILIARY_ARGS.iter().zip(places) {
+        for (name, place) in AUXILIARY_ARGS.iter().zip(places) {
             let text = String::from_utf8_lossy(program.text(place)).into_owned();
             let says = !text.is_empty() && text.parse() != Ok(0.0);
             if says && site.cycle.param(name).is_none() {

@@ -3,8 +3,8 @@
 use super::calls::CallSite;
 use super::change::Edit;
 use super::values::{Spread, spread};
-use crate::catalogue::list;
 use crate::diagnostic::Span;
+use crate::entry::AUXILIARY;
 use crate::syntax::Program;
 use crate::syntax::tree::{Word, WordKind};
 use std::collections::BTreeMap;
@@ -33,7 +33,7 @@ pub(super) fn own_words<'a>(
         };
         let single = match &word.kind {
             WordKind::Assign { value, .. } => matches!(spread(program, *value), Spread::One),
-            WordKind::Call { name, .. } => program.is(*name, list::AUXILIARY),
+            WordKind::Call { name, .. } => program.is(*name, AUXILIARY),
             _ => false,
         };
         let line = found.entry(program.line_of(word.span.start)).or_default();

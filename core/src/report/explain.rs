@@ -1,7 +1,8 @@
 //! Answers to somebody who asks from a terminal, plain text: a cycle, one of its variants, a parameter, a result, a
 //! datum of the machine.
 
-use crate::catalogue::{CYCLES, Cycle, Variant};
+use crate::catalogue::CYCLES;
+use crate::entry::{Cycle, Variant};
 use crate::message::Message;
 use crate::report::{help, machine};
 use crate::words::Words;

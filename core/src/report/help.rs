@@ -1,8 +1,9 @@
 //! The help of a cycle in `docs/cycles/`: first what is true of every variant, then what each says beside it; variants
 //! that say the same stand together. For the terminal the page of one variant, plain.
 
-use crate::catalogue::help::{HelpPage, SECTIONS, Section};
-use crate::catalogue::{Cycle, Variant};
+use crate::catalogue::help::HelpPage;
+use crate::entry::{Cycle, Variant};
+use crate::entry::{SECTIONS, Section};
 use crate::json::code;
 use crate::message::{Arg, Message};
 use crate::report::markdown::line;

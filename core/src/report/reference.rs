@@ -1,8 +1,8 @@
 //! The cycle reference in `docs/cycles/`: one page a cycle, written from the catalogue and the message files.
 
 use crate::catalogue::alarms;
-use crate::catalogue::{Cycle, Kind, Level, Param, ProbeUse, Unit, When};
 use crate::diagnostic::Code;
+use crate::entry::{Cycle, Kind, Level, Param, ProbeUse, Unit, When};
 use crate::json::code;
 use crate::message::Message;
 use crate::range::Range;

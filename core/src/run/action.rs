@@ -9,6 +9,7 @@ use super::{
 use crate::catalogue::{self, nct};
 use crate::diagnostic::Severity;
 use crate::dialect::Dialect;
+use crate::entry;
 use crate::machine::trace::Step;
 use crate::machine::{Machine, Stop};
 use crate::problem::Problem;
@@ -122,7 +123,7 @@ fn passes(found: &Words) -> Result<u32, Problem> {
 }
 
 /// The NCT macro that a block calls with `G110` or `G65 P9019` (parameters 9041.. give G101.. to O9010.., C:58).
-fn measuring_macro(run: &Interpreter, found: &Words) -> Option<&'static catalogue::Cycle> {
+fn measuring_macro(run: &Interpreter, found: &Words) -> Option<&'static entry::Cycle> {
     if run.program.dialect != Dialect::Nct {
         return None;
     }
@@ -140,7 +141,7 @@ fn measuring_macro(run: &Interpreter, found: &Words) -> Option<&'static catalogu
 }
 
 /// Whether the G function of a macro stands there for something else, that of another control.
-fn is_foreign(cycle: &'static catalogue::Cycle, found: &Words) -> bool {
+fn is_foreign(cycle: &'static entry::Cycle, found: &Words) -> bool {
     let names = found.addresses.iter().map(|address| address.name.as_str());
     macro_call::function(found, "G", 65.0).is_none() && nct::foreign(cycle, names)
 }

@@ -1,9 +1,10 @@
 //! One measuring call on the machine, with its begin, its end and the alarm that stops it.
 
-use crate::catalogue::ProbeUse;
-use crate::catalogue::sinumerik::{results, upkeep};
-use crate::check::Inputs;
+use crate::catalogue::sinumerik::results;
+use crate::check::upkeep;
 use crate::diagnostic::Code;
+use crate::entry::Inputs;
+use crate::entry::ProbeUse;
 use crate::machine::Stop;
 use crate::machine::sim::Sim;
 use crate::machine::trace::Step;

@@ -3,11 +3,14 @@
 use super::interpret::Interpreter;
 use super::statement::Words;
 use super::{call, contour, unread, user_program};
-use crate::catalogue::sinumerik::{results, upkeep};
-use crate::catalogue::{Cycle, Kind, ProbeUse, nct};
-use crate::check::{self, Checked, Typed};
+use crate::catalogue::nct;
+use crate::catalogue::sinumerik::results;
+use crate::check::upkeep;
+use crate::check::{self, Checked};
 use crate::control::Value;
 use crate::diagnostic::{Code, Severity, Span};
+use crate::entry::Typed;
+use crate::entry::{Cycle, Kind, ProbeUse};
 use crate::machine::Stop;
 use crate::message::Message;
 use crate::problem::Problem;

@@ -5,8 +5,9 @@ use super::datum::Datum;
 use super::interpret::Interpreter;
 use super::statement::Call;
 use super::{call, cycle, names};
-use crate::catalogue::{Arg, ArgumentList, Cycle};
-use crate::check::{self, Typed};
+use crate::check::{self};
+use crate::entry::Typed;
+use crate::entry::{Arg, ArgumentList, Cycle};
 use crate::machine::Stop;
 use crate::problem::Problem;
 

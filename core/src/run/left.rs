@@ -1,9 +1,10 @@
 //! What the measuring calls of a program left in their result data.
 
 use super::outcome::Outcome;
-use crate::catalogue::{self, Cycle, ResultField};
-use crate::check::Inputs;
+use crate::catalogue::{self};
 use crate::control::Control;
+use crate::entry::Inputs;
+use crate::entry::{Cycle, ResultField};
 use crate::machine::trace::{Entry, Step};
 use std::collections::{BTreeMap, BTreeSet};
 

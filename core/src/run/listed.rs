@@ -4,18 +4,22 @@ use super::datum::Datum;
 use super::interpret::Interpreter;
 use super::statement::Call;
 use super::{cycle, helper, unread};
-use crate::catalogue::{self, Arg, ArgumentList, CYCLES, Cycle, Kind, Param, Style, list};
-use crate::check::{Sort, Typed, listed, newer};
+use crate::catalogue::{self, CYCLES, list};
+use crate::check::{Sort, listed, newer};
 use crate::control::Value;
 use crate::diagnostic::{Diagnostic, Severity, Span};
 use crate::dialect::Dialect;
+use crate::entry::AUXILIARY;
+use crate::entry::AUXILIARY_ARGS;
+use crate::entry::Typed;
+use crate::entry::{Arg, ArgumentList, Cycle, Kind, Param, Style};
 use crate::machine::Stop;
 use crate::problem::Problem;
 use crate::program::arguments;
 
 /// Carries out a call with arguments; false: it is none of these.
 pub fn call(run: &mut Interpreter, call: &Call) -> Result<bool, Stop> {
-    if call.name == list::AUXILIARY {
+    if call.name == AUXILIARY {
         return auxiliary(run, call);
     }
     let number = |index: usize| call.args.get(index)?.as_ref()?.number();
@@ -60,7 +64,7 @@ fn without(run: &mut Interpreter, call: &Call) -> Result<bool, Stop> {
     let cycle = catalogue::find(Dialect::Sinumerik, &call.name);
     let many = cycle.and_then(|cycle| refused(cycle, None, call));
     let count = listed::count(&call.args);
-    let finding = many.or_else(|| listed::unmatched(&call.name, count, number));
+    let finding = many.or_else(|| catalogue::list::unmatched(&call.name, count, number));
     match finding {
         Some(finding) => Err(stopped(run, call, &call.name, finding)),
         None => Ok(false),
@@ -126,13 +130,13 @@ fn newer_list(
 fn auxiliary(run: &mut Interpreter, call: &Call) -> Result<bool, Stop> {
     let cycles = CYCLES.iter();
     let param = |name: &str| cycles.clone().find_map(|cycle| cycle.param(name));
-    let names = list::AUXILIARY_ARGS.iter().enumerate();
+    let names = AUXILIARY_ARGS.iter().enumerate();
     let wrong = names.clone().find_map(|(index, name)| wrong(param(name)?, at(call, index)?));
-    let many = listed::unmatched(&call.name, listed::count(&call.args), |_| None);
+    let many = catalogue::list::unmatched(&call.name, listed::count(&call.args), |_| None);
     if let Some(finding) = many.or(wrong) {
         return Err(stopped(run, call, &call.name, finding));
     }
-    for (name, value) in list::AUXILIARY_ARGS.iter().zip(&call.args) {
+    for (name, value) in AUXILIARY_ARGS.iter().zip(&call.args) {
         let number = value.as_ref().and_then(Datum::number);
         if let Some(number) = number.filter(|number| *number != 0.0) {
             unread::written(run, name);

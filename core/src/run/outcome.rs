@@ -1,9 +1,9 @@
 //! What came out of a run, put the way a page or a terminal shows it.
 
-use crate::catalogue::{Cycle, ResultField};
 use crate::control::{Control, Value, gud, nct_data};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::dialect::Dialect;
+use crate::entry::{Cycle, ResultField};
 use crate::geometry::TOLERANCE;
 use crate::machine::Stop;
 use crate::machine::setup::Setup;

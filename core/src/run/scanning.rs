@@ -1,7 +1,7 @@
 //! A scan in pieces, so that whoever waits for it can be told how far it is, and leave it; then the comparison of what
 //! was scanned with the true surface.
 
-use crate::check::Inputs;
+use crate::entry::Inputs;
 use crate::machine::sim::Sim;
 use crate::machine::{Machine, Scanner, Setup, Stop, too_many};
 use crate::scan::{Cloud, Layout, POINTS};

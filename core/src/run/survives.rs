@@ -1,7 +1,7 @@
 //! How wrong a part may be before its measurement does not come to its end any more.
 
 use super::predict;
-use crate::check::Inputs;
+use crate::entry::Inputs;
 use crate::machine::Setup;
 
 /// An error that is survived up to here counts as one without limit, mm.

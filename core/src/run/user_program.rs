@@ -4,9 +4,9 @@
 use super::interpret::{self, Interpreter};
 use super::statement::Call;
 use super::subprogram;
-use crate::catalogue::Cycle;
 use crate::diagnostic::Span;
 use crate::dialect::Dialect;
+use crate::entry::Cycle;
 use crate::machine::Stop;
 use crate::program::user_programs::UserProgram;
 use crate::syntax::links::canonical;

@@ -10,9 +10,9 @@ pub use mark::{Changed, Mark};
 pub use target::{Offer, finding, offer, usual, usual_zero};
 pub use values::{BITS, Before, Entered, MEAN_BIT, SPEEDS_BIT, decimal, restore};
 
-use crate::catalogue::{ArgumentList, Cycle, ProbeUse, Style};
 use crate::control::Control;
 use crate::dialect::Dialect;
+use crate::entry::{ArgumentList, Cycle, ProbeUse, Style};
 
 /// Setting of ours, kept beside the data of the machine: 1 lets `_MZ_MASK` decide. No program can write a variable of
 /// this name.

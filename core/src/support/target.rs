@@ -1,10 +1,11 @@
 //! The correction targets that are offered: the usual ones, or all (B:12503-12504).
 
 use super::{Support, TARGETS, name};
-use crate::catalogue::{Kind, Param};
-use crate::check::{Inputs, Target, target};
+use crate::check::{Target, target};
 use crate::control::MachineSort;
 use crate::diagnostic::Diagnostic;
+use crate::entry::Inputs;
+use crate::entry::{Kind, Param};
 use crate::evaluate::knum::{self, Quantity, ToolCode, ZeroCode};
 use crate::own;
 

@@ -1,9 +1,11 @@
 //! Parameters without a field, and what is written for them (B:12505-12539).
 
 use super::{EMPIRICAL, FEED, MEAN, Offer, PROBE, SPEEDS, Support, offer};
-use crate::catalogue::{Cycle, Kind, Param, ProbeUse, common, names};
-use crate::check::{self, Inputs, Parsed, Typed, parse};
+use crate::check::{self, Parsed, parse};
 use crate::control::{Control, Value, gud};
+use crate::entry::PROBE_TYPE;
+use crate::entry::{Cycle, Kind, Param, ProbeUse, names};
+use crate::entry::{Inputs, Typed};
 
 /// The bit for the mean value (B:12518-12532).
 pub const MEAN_BIT: &str = "_CHBIT[4]";
@@ -123,8 +125,8 @@ impl Support {
     fn probe(&self, param: &Param, inputs: &Inputs) -> Option<String> {
         let typed = inputs.cycle.purpose.probe == ProbeUse::Workpiece && has_probe_type(param);
         let number = inputs.given(param.name).filter(|_| typed)? as i64;
-        let mono = i64::from(self.entry(PROBE)) * common::PROBE_TYPE.place;
-        let right = number % common::PROBE_TYPE.place + mono;
+        let mono = i64::from(self.entry(PROBE)) * PROBE_TYPE.place;
+        let right = number % PROBE_TYPE.place + mono;
         (right != number).then(|| right.to_string())
     }
 
@@ -147,7 +149,7 @@ fn mean_value(inputs: &Inputs) -> bool {
 }
 
 fn has_probe_type(param: &Param) -> bool {
-    let is_type = |group: &crate::catalogue::DigitGroup| group.key == common::PROBE_TYPE.key;
+    let is_type = |group: &crate::entry::DigitGroup| group.key == PROBE_TYPE.key;
     matches!(&param.kind, Kind::Digits(groups) if groups.iter().any(is_type))
 }
 

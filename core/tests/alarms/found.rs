@@ -3,11 +3,13 @@
 
 use super::{simulated, table};
 use probewright_core::catalogue::alarms::{ALARMS, Found};
-use probewright_core::catalogue::{CYCLES, Cycle, example};
-use probewright_core::check::{Typed, check};
+use probewright_core::catalogue::{CYCLES, example};
+use probewright_core::check::check;
 use probewright_core::control::{Control, Edge, Plane, Tool, delivery};
 use probewright_core::diagnostic::{Code, Diagnostic};
 use probewright_core::dialect::Dialect;
+use probewright_core::entry::Cycle;
+use probewright_core::entry::Typed;
 use probewright_core::json::code;
 use probewright_core::program::{findings, findings_on};
 use probewright_core::syntax::{Program, read};

@@ -26,9 +26,10 @@ mod turning;
 mod turning_tool;
 mod workpiece;
 
+use probewright_core::catalogue::CYCLES;
 use probewright_core::catalogue::alarms::stops;
-use probewright_core::catalogue::{CYCLES, Cycle};
 use probewright_core::diagnostic::Code;
+use probewright_core::entry::Cycle;
 use probewright_core::machine::{Setup, Stop};
 use probewright_core::run::{Limits, Outcome, run};
 use probewright_core::syntax::read;

@@ -1,9 +1,11 @@
 //! Calls one after the other on one machine.
 
-use probewright_core::catalogue::{Cycle, Unit, find};
-use probewright_core::check::{Inputs, Typed, check};
+use probewright_core::catalogue::find;
+use probewright_core::check::check;
 use probewright_core::control::Plane;
 use probewright_core::dialect::Dialect;
+use probewright_core::entry::{Cycle, Unit};
+use probewright_core::entry::{Inputs, Typed};
 use probewright_core::machine::Setup;
 use probewright_core::run::{Outcome, predict};
 use probewright_core::workpiece::PartErrors;

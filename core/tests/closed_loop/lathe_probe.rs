@@ -6,11 +6,13 @@
 
 use super::bench::at;
 use probewright_core::catalogue::example::example;
-use probewright_core::catalogue::{Cycle, Variant, find};
-use probewright_core::check::{Inputs, Typed, check};
+use probewright_core::catalogue::find;
+use probewright_core::check::check;
 use probewright_core::control::{Edge, Frame, Plane, Transverse};
 use probewright_core::diagnostic::Code;
 use probewright_core::dialect::Dialect;
+use probewright_core::entry::{Cycle, Variant};
+use probewright_core::entry::{Inputs, Typed};
 use probewright_core::machine::trace::Step;
 use probewright_core::machine::{Setup, Stop};
 use probewright_core::run::{Outcome, predict};

@@ -2,10 +2,11 @@
 
 use super::bench::{Values, inputs, place, result, run, with};
 use probewright_core::catalogue::find;
-use probewright_core::check::{Typed, check};
+use probewright_core::check::check;
 use probewright_core::control::Plane;
 use probewright_core::diagnostic::Code;
 use probewright_core::dialect::Dialect;
+use probewright_core::entry::Typed;
 use probewright_core::evaluate::spread;
 use probewright_core::machine::Setup;
 use probewright_core::message::Arg;

@@ -6,8 +6,8 @@
 
 use super::bench::{Values, inputs_with, near, place, result, run, with};
 use super::zero_offset::{Call, TARGETS, closed};
-use probewright_core::check::Inputs;
 use probewright_core::control::{Edge, Environment, Frame, Plane, Tool, Transverse, Units};
+use probewright_core::entry::Inputs;
 use probewright_core::machine::Setup;
 use probewright_core::workpiece::PartErrors;
 

@@ -44,9 +44,10 @@ fn a_value_that_means_something_else_at_a_later_call_is_doubted() {
 // oracle: self (every example of the catalogue, written in full after every other one, inherits nothing)
 #[test]
 fn a_call_that_is_written_in_full_inherits_nothing() {
-    use probewright_core::catalogue::{CYCLES, Style};
-    use probewright_core::check::Typed;
+    use probewright_core::catalogue::CYCLES;
     use probewright_core::control::delivery;
+    use probewright_core::entry::Style;
+    use probewright_core::entry::Typed;
     use probewright_core::program::write::snippet;
     let control = delivery(Dialect::Sinumerik);
     let examples = CYCLES.iter().filter(|cycle| cycle.dialect == Dialect::Sinumerik);

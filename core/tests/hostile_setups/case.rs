@@ -2,9 +2,10 @@
 
 use crate::draw::Draw;
 use crate::setup::{datum, spoil};
+use probewright_core::catalogue::CYCLES;
 use probewright_core::catalogue::example::example;
-use probewright_core::catalogue::{CYCLES, Cycle, Variant};
 use probewright_core::dialect::Dialect;
+use probewright_core::entry::{Cycle, Variant};
 use probewright_core::json;
 use serde_json::{Map, Value, json as document};
 

@@ -2,8 +2,8 @@
 
 use super::draw::{Drawn, hold, is_milling, measuring, milling};
 use super::stand::{Stand, stand};
-use probewright_core::catalogue::ProbeUse;
-use probewright_core::check::Inputs;
+use probewright_core::entry::Inputs;
+use probewright_core::entry::ProbeUse;
 use probewright_core::run::Outcome;
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseError;

@@ -3,8 +3,8 @@
 
 use super::draw::{Drawn, hold, measuring};
 use super::stand::stand;
-use probewright_core::catalogue::ProbeUse;
 use probewright_core::control::{Control, Value};
+use probewright_core::entry::ProbeUse;
 use probewright_core::machine::trace::Step;
 use probewright_core::run::Outcome;
 use proptest::prelude::*;
@@ -48,7 +48,7 @@ fn may_change(drawn: &Drawn, values: &dyn Fn(&str) -> i64, before: &Control, nam
     let probe = (values("_PRNUM") % 100 - 1).max(0);
     let memory = values("_EVNUM") - 1;
     let remembered = [format!("_MV[{memory}]"), format!("_EV[{memory}]")];
-    let calibrates = cycle.purpose.calibrates.holds(&probewright_core::check::Inputs::new(cycle, drawn.variant));
+    let calibrates = cycle.purpose.calibrates.holds(&probewright_core::entry::Inputs::new(cycle, drawn.variant));
     let calibrated = [format!("_WP[{probe},"), format!("_TP[{probe},"), format!("_TPW[{probe},")];
     let knum = values("_KNUM");
     let frame = [frame(knum, before)];

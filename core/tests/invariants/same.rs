@@ -3,8 +3,8 @@
 use super::draw::{Drawn, Passed, hold, measuring, milling};
 use super::stand::{Stand, stand, stand_in};
 use super::view::{View, differs};
-use probewright_core::check::factor;
 use probewright_core::control::Units;
+use probewright_core::entry::factor;
 use probewright_core::machine::trace::Step;
 use probewright_core::run::Outcome;
 use proptest::prelude::*;

@@ -3,10 +3,11 @@
 use super::draw::{Drawn, Machine, PLANES, Placed};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use probewright_core::catalogue::example::example;
-use probewright_core::catalogue::{Cycle, ProbeUse, Unit};
-use probewright_core::check::{Inputs, Typed, check, factor, read};
+use probewright_core::check::{check, read};
 use probewright_core::control::MachineSort;
 use probewright_core::control::{Control, Frame, Plane, Units};
+use probewright_core::entry::{Cycle, ProbeUse, Unit};
+use probewright_core::entry::{Inputs, Typed, factor};
 use probewright_core::geometry::rigid::{angles, rotation};
 use probewright_core::machine::Setup;
 use probewright_core::machine::setup::PROBE_TOOL;

@@ -8,11 +8,12 @@ mod samples;
 mod targets;
 
 use probewright_core::catalogue::example::example;
-use probewright_core::catalogue::{Cycle, Style, find};
-use probewright_core::check::Typed;
+use probewright_core::catalogue::find;
 use probewright_core::control::{Control, delivery};
 use probewright_core::diagnostic::{Code, Diagnostic};
 use probewright_core::dialect::Dialect;
+use probewright_core::entry::Typed;
+use probewright_core::entry::{Cycle, Style};
 use probewright_core::form::{Entry, fields};
 use probewright_core::program::findings_on;
 use probewright_core::program::write::{Written, snippet};

@@ -1,12 +1,13 @@
 //! What is said when a program is read back, and what is left alone.
 
 use super::{DELIVERED, code, codes, machine, said, typed, values, with};
+use probewright_core::catalogue::CYCLES;
 use probewright_core::catalogue::example::example;
-use probewright_core::catalogue::{CYCLES, Cycle, ProbeUse, Style};
 use probewright_core::check::{self, Parsed, parse};
 use probewright_core::control::delivery;
 use probewright_core::diagnostic::Code;
 use probewright_core::dialect::Dialect;
+use probewright_core::entry::{Cycle, ProbeUse, Style};
 use probewright_core::form::fields;
 use probewright_core::program::calls::calls_on;
 use probewright_core::program::change::apply;

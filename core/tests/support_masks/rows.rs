@@ -1,7 +1,7 @@
 //! Each entry of the mask: the fields and the code that it decides.
 
 use super::{DELIVERED, code, cycle, has, machine, shown, typed, values, with, written};
-use probewright_core::catalogue::Style;
+use probewright_core::entry::Style;
 use probewright_core::support::Support;
 
 /// A row of the manual's table: cycle and variant, entry, its value, fields that are there, fields that are not, words

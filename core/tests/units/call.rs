@@ -2,9 +2,10 @@
 
 use super::machines::machine_for;
 use super::{Errors, Physical};
-use probewright_core::catalogue::{Cycle, Style};
-use probewright_core::check::{Typed, check, factor};
+use probewright_core::check::check;
 use probewright_core::control::{Control, Units};
+use probewright_core::entry::{Cycle, Style};
+use probewright_core::entry::{Typed, factor};
 use probewright_core::program::write::snippet;
 use probewright_core::run::{Limits, Outcome, run};
 use probewright_core::syntax;

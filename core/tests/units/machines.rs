@@ -1,10 +1,10 @@
 //! Machines on which the cycles measure, in both basic systems.
 
 use super::{Physical, turning};
-use probewright_core::catalogue::{Cycle, ProbeUse};
 use probewright_core::control::MachineSort;
 use probewright_core::control::{Edge, Frame, Plane, Tool, Units};
 use probewright_core::dialect::Dialect;
+use probewright_core::entry::{Cycle, ProbeUse};
 use probewright_core::machine::Setup;
 
 /// A machine with something in every place that a measurement reads or corrects; all lengths the same in mm.

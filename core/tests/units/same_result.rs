@@ -2,10 +2,11 @@
 
 use super::call::measure;
 use super::{BASIC, Errors, Physical};
-use probewright_core::catalogue::{Cycle, find};
-use probewright_core::check::factor;
+use probewright_core::catalogue::find;
 use probewright_core::control::Units;
 use probewright_core::dialect::Dialect;
+use probewright_core::entry::Cycle;
+use probewright_core::entry::factor;
 use probewright_core::machine::trace::Step;
 use probewright_core::run::Outcome;
 use proptest::prelude::*;

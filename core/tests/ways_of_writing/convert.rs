@@ -1,9 +1,9 @@
 //! A call is turned into another way of writing, in its place.
 
 use super::{cycle, first_example, sites};
-use probewright_core::catalogue::Style;
 use probewright_core::control::{Control, Units, delivery, delivery_in};
 use probewright_core::dialect::Dialect;
+use probewright_core::entry::Style;
 use probewright_core::program::calls::calls_on;
 use probewright_core::program::change::apply;
 use probewright_core::program::convert::convert;

@@ -3,10 +3,12 @@
 
 use super::convert::converted;
 use super::sites;
-use probewright_core::catalogue::{CYCLES, Cycle, Kind, Style};
-use probewright_core::check::{Typed, parse};
+use probewright_core::catalogue::CYCLES;
+use probewright_core::check::parse;
 use probewright_core::control::{Control, delivery};
 use probewright_core::dialect::Dialect;
+use probewright_core::entry::Typed;
+use probewright_core::entry::{Cycle, Kind, Style};
 use probewright_core::program::calls::CallSite;
 use probewright_core::program::change::{apply, change};
 use probewright_core::program::findings;

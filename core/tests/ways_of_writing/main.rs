@@ -8,10 +8,11 @@ mod round_trip;
 mod same_meaning;
 mod wrong_arguments;
 
-use probewright_core::catalogue::{Cycle, Style, find};
-use probewright_core::check::Typed;
+use probewright_core::catalogue::find;
 use probewright_core::control::delivery;
 use probewright_core::dialect::Dialect;
+use probewright_core::entry::Typed;
+use probewright_core::entry::{Cycle, Style};
 use probewright_core::program::calls::{CallSite, calls};
 use probewright_core::program::change::{apply, change};
 use probewright_core::program::write::{Written, snippet};

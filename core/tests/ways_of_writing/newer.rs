@@ -2,12 +2,14 @@
 
 use super::convert::converted;
 use super::{cycle, sites, typed, written};
+use probewright_core::catalogue::CYCLES;
 use probewright_core::catalogue::example::example;
-use probewright_core::catalogue::{Arg, ArgumentList, CYCLES, Cycle, Style};
-use probewright_core::check::{self, Typed};
+use probewright_core::check::{self};
 use probewright_core::control::delivery;
 use probewright_core::diagnostic::{Code, Severity};
 use probewright_core::dialect::Dialect;
+use probewright_core::entry::Typed;
+use probewright_core::entry::{Arg, ArgumentList, Cycle, Style};
 use probewright_core::program::calls::calls;
 use probewright_core::program::change::change;
 use probewright_core::program::findings;

@@ -2,10 +2,12 @@
 
 use super::convert::converted;
 use super::sites;
-use probewright_core::catalogue::{Arg, CYCLES, Cycle, Kind, Param, Style};
-use probewright_core::check::{self, Typed};
+use probewright_core::catalogue::CYCLES;
+use probewright_core::check::{self};
 use probewright_core::control::delivery;
 use probewright_core::dialect::Dialect;
+use probewright_core::entry::Typed;
+use probewright_core::entry::{Arg, Cycle, Kind, Param, Style};
 use probewright_core::program::calls::{CallSite, calls};
 use probewright_core::program::change::{apply, change};
 use probewright_core::program::write::snippet;

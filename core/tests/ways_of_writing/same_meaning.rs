@@ -1,12 +1,14 @@
 //! The control does the same, whichever way a call is written.
 
 use super::written;
+use probewright_core::catalogue::CYCLES;
 use probewright_core::catalogue::example::example;
-use probewright_core::catalogue::{CYCLES, Cycle, Style};
-use probewright_core::check::{Typed, check};
+use probewright_core::check::check;
 use probewright_core::control::MachineSort;
 use probewright_core::control::{Control, Plane};
 use probewright_core::dialect::Dialect;
+use probewright_core::entry::Typed;
+use probewright_core::entry::{Cycle, Style};
 use probewright_core::machine::setup::Setup;
 use probewright_core::message;
 use probewright_core::program::write::Written;

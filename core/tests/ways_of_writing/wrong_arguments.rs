@@ -2,10 +2,11 @@
 
 use super::convert::converted;
 use super::newer::of_calls;
-use probewright_core::catalogue::{CYCLES, Style};
+use probewright_core::catalogue::CYCLES;
 use probewright_core::control::Plane;
 use probewright_core::diagnostic::Severity;
 use probewright_core::dialect::Dialect;
+use probewright_core::entry::Style;
 use probewright_core::machine::setup::Setup;
 use probewright_core::run::{self, Limits};
 use probewright_core::syntax::read;

@@ -2,7 +2,8 @@
 
 use crate::alarms;
 use crate::file::Problem;
-use probewright_core::catalogue::{CYCLES, Cycle};
+use probewright_core::catalogue::CYCLES;
+use probewright_core::entry::Cycle;
 use probewright_core::report::explain::{cycle, datum, variant};
 use probewright_core::report::findings::finding;
 use probewright_core::words::Words;

@@ -3,10 +3,10 @@
 use crate::check::print_all;
 use crate::file::{self, Problem};
 use crate::scan;
-use probewright_core::catalogue::Unit;
 use probewright_core::catalogue::alarms;
-use probewright_core::check::unit_behind;
 use probewright_core::diagnostic::{Code, Diagnostic, Severity};
+use probewright_core::entry::Unit;
+use probewright_core::entry::unit_behind;
 use probewright_core::json;
 use probewright_core::machine::trace::Step;
 use probewright_core::message::{Message, printable};

@@ -2,11 +2,13 @@
 
 use crate::check::one_line;
 use crate::file::{Problem, complain};
-use probewright_core::catalogue::{self, Cycle};
-use probewright_core::check::{self, Typed};
+use probewright_core::catalogue::{self};
+use probewright_core::check::{self};
 use probewright_core::control::Plane;
 use probewright_core::diagnostic::Severity;
 use probewright_core::dialect::Dialect;
+use probewright_core::entry::Cycle;
+use probewright_core::entry::Typed;
 use probewright_core::json;
 use probewright_core::machine::setup::Setup;
 use probewright_core::message::printable;

@@ -1,8 +1,8 @@
 //! Tolerances and memories: when something is corrected, and by how much.
 
 use super::{ALWAYS_OPTIONAL, PARAM};
-use crate::catalogue::{DigitGroup, Kind, Param, Unit, names};
 use crate::diagnostic::Code;
+use crate::entry::{DigitGroup, Kind, Param, Unit, names};
 use crate::range::Range;
 
 /// Halves of `_EVNUM` (B:2325-2342).

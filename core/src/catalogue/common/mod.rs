@@ -6,14 +6,15 @@ mod place;
 mod results;
 mod target;
 
+use crate::entry::PROBE_TYPE;
 pub use limits::{EVNUM, K, MEMORY_DIGITS, TDIF, TLL, TMV, TSA, TUL, TZL};
 pub use place::{CORA, CPA, CPO, ID, INCA, MA, MD, RF, SETV0, SETV1, SETVAL, STA1, SZA, SZO};
 pub use results::{angle, integer, length};
 pub use target::{DLNUM, KNUM, KNUM_KIND, OFFSET_DLNUM, OFFSET_TENV, OFFSET_TNAME, OFFSET_TNUM, TENV, TNAME, TNUM};
 
-use super::names;
-use super::{DigitGroup, Kind, Need, Param, Unit, When};
 use crate::diagnostic::Code;
+use crate::entry::names;
+use crate::entry::{DigitGroup, Kind, Need, Param, Unit, When};
 use crate::range::Range;
 
 /// What every parameter starts from: a real number without a unit that nobody needs.
@@ -36,17 +37,13 @@ pub const PARAM: Param = Param {
 
 /// Needed under this condition, for this reason.
 pub const fn required(when: When, reason: &'static str) -> Need {
-    Need { when, level: super::Level::Required, reason }
+    Need { when, level: crate::entry::Level::Required, reason }
 }
 
 /// Allowed under this condition, for this reason.
 pub const fn optional(when: When, reason: &'static str) -> Need {
-    Need { when, level: super::Level::Optional, reason }
+    Need { when, level: crate::entry::Level::Optional, reason }
 }
-
-/// Third digit of `_PRNUM`.
-pub const PROBE_TYPE: DigitGroup =
-    DigitGroup { key: "prnum-type", place: 100, digits: 1, choices: &[(0, "prnum-multi"), (1, "prnum-mono")] };
 
 /// First and second digit of `_PRNUM`.
 pub const PROBE_NUMBER: DigitGroup = DigitGroup { key: "prnum-number", place: 1, digits: 2, choices: &[] };

@@ -1,8 +1,8 @@
 //! Set values, axes and places that are touched.
 
 use super::{MONO, PARAM, required};
-use crate::catalogue::{Kind, Param, Unit, names};
 use crate::diagnostic::Code;
+use crate::entry::{Kind, Param, Unit, names};
 use crate::range::Range;
 
 /// `_SETVAL`; a cycle adds range and label.

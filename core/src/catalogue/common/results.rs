@@ -1,6 +1,6 @@
 //! Data that a cycle leaves.
 
-use crate::catalogue::{ResultField, Unit, When};
+use crate::entry::{ResultField, Unit, When};
 
 /// A length in `_OVR[]`.
 pub const fn length(name: &'static str, key: &'static str, when: When, source: &'static str) -> ResultField {

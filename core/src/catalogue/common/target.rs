@@ -1,8 +1,8 @@
 //! What is corrected: `_KNUM` and the tool that it means.
 
 use super::{ALWAYS_REQUIRED, PARAM, TOOL_OFFSET, optional, required};
-use crate::catalogue::{Kind, Param, When, names};
 use crate::diagnostic::Code;
+use crate::entry::{Kind, Param, When, names};
 use crate::range::Range;
 
 /// The digit of `_KNUM` that tells length/radius from setup/additive offsets and `_TENV` (7th, or 9th with 5-digit D).

@@ -10,20 +10,22 @@ mod simulation_tests;
 mod tests;
 
 use super::common::{alarms, integer};
-use super::{
-    Arg, ArgumentList, Cycle, Drawing, Help, NEVER, ProbeUse, Purpose, ResultField, Simulation, Style, Unit, Variant,
-    When, Work, spread,
-};
-use crate::check::{Inputs, error};
+use super::spread;
+use crate::check::error;
 use crate::control::Control;
 use crate::control::MachineSort;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::dialect::Dialect;
+use crate::entry::Inputs;
+use crate::entry::{
+    Arg, ArgumentList, Cycle, Drawing, Help, NEVER, ProbeUse, Purpose, ResultField, Simulation, Style, Unit, Variant,
+    When, Work,
+};
 use crate::evaluate;
-use crate::form::figures::{circle, dimension};
-use crate::form::picture::{Picture, ShapeKind, View};
 use crate::geometry::fit;
 use crate::message::Message;
+use crate::picture::figures::{circle, dimension};
+use crate::picture::{Picture, ShapeKind, View};
 use params::{COUNT, POINTS};
 
 /// The cycle.

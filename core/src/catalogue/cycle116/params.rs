@@ -1,8 +1,8 @@
 //! The elements of the array that the program hands over (B:2430-2438).
 
 use crate::catalogue::common::{PARAM, required};
-use crate::catalogue::{Kind, Param, Unit, When};
 use crate::diagnostic::Code;
+use crate::entry::{Kind, Param, Unit, When};
 
 /// Number of points.
 pub const COUNT: &str = "_DATE[0]";

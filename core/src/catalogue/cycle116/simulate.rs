@@ -2,10 +2,10 @@
 
 use super::params::COUNT;
 use super::points;
-use crate::catalogue::Proposal;
 use crate::catalogue::sinumerik::results;
-use crate::check::Inputs;
 use crate::control::Control;
+use crate::entry::Inputs;
+use crate::entry::Proposal;
 use crate::geometry::fit;
 use crate::machine::{Machine, Stop};
 

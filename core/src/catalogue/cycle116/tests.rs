@@ -4,8 +4,9 @@
 
 use super::*;
 use crate::catalogue::example::example;
-use crate::check::{Typed, check};
+use crate::check::check;
 use crate::control::delivery;
+use crate::entry::Typed;
 use crate::form::draw;
 use crate::program::calls::calls;
 use crate::program::write::snippet;

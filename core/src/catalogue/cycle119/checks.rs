@@ -2,9 +2,10 @@
 
 use super::params::{MEASURED, Names, SET, TARGET};
 use crate::catalogue::{shared_checks, spread};
-use crate::check::{Inputs, error};
+use crate::check::error;
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
+use crate::entry::Inputs;
 use crate::geometry::{V3, fit};
 use crate::message::Message;
 

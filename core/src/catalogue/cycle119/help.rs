@@ -1,7 +1,7 @@
 //! The lines of the help page of CYCLE119 (B:8541-8592).
 
-use crate::catalogue::When;
-use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
+use crate::entry::When;
+use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
 
 /// Section by section, in the order in which they are read.
 pub const LINES: &[HelpLine] = &[

@@ -13,12 +13,12 @@ mod simulation_tests;
 mod tests;
 
 use super::common::{alarms, integer};
-use super::{
+use crate::control::MachineSort;
+use crate::dialect::Dialect;
+use crate::entry::{
     Arg, ArgumentList, Cycle, Drawing, Help, NEVER, ProbeUse, Purpose, ResultField, Simulation, Style, Unit, Variant,
     When, Work,
 };
-use crate::control::MachineSort;
-use crate::dialect::Dialect;
 
 /// The cycle.
 pub static CYCLE119: Cycle = Cycle {

@@ -1,7 +1,7 @@
 //! The arrays that the program hands over, and what is to be done with the frame (B:8560-8576).
 
 use crate::catalogue::common::{ALWAYS_REQUIRED, KNUM, PARAM, required};
-use crate::catalogue::{Param, Unit, When, names};
+use crate::entry::{Param, Unit, When, names};
 use crate::range::Range;
 
 /// Frame to be corrected, as `_KNUM` of a zero offset.

@@ -2,11 +2,11 @@
 
 use super::checks::points;
 use super::params::{LIMIT, MEASURED, SET, TARGET};
-use crate::catalogue::Proposal;
 use crate::catalogue::sinumerik::{correct, results};
-use crate::check::Inputs;
 use crate::control::Control;
 use crate::control::variables::AXES;
+use crate::entry::Inputs;
+use crate::entry::Proposal;
 use crate::evaluate::position::{NO_FRAME, Position, correctable, position};
 use crate::evaluate::zero_offset::{self, Target};
 use crate::geometry::rigid::angles;

@@ -4,12 +4,13 @@
 
 use super::*;
 use crate::catalogue::example::example;
-use crate::check::{Typed, check};
+use crate::check::check;
 use crate::control::delivery;
 use crate::diagnostic::Code;
+use crate::entry::Typed;
 use crate::form::draw;
-use crate::form::picture::ShapeKind;
 use crate::own;
+use crate::picture::ShapeKind;
 use crate::program::calls::calls;
 use crate::program::write::snippet;
 use crate::syntax::read;

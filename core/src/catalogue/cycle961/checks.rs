@@ -4,10 +4,12 @@ use super::corner::PARALLEL;
 use super::lines::{Point, away, shares};
 use super::params::{DISTANCES, PASSES, PLACES, POINTS, RECTANGLE};
 use super::propose::touched;
-use crate::catalogue::{names, place, shared_checks, spread};
-use crate::check::{Inputs, error};
+use crate::catalogue::{place, shared_checks, spread};
+use crate::check::error;
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic, Severity};
+use crate::entry::Inputs;
+use crate::entry::names;
 use crate::message::Message;
 use crate::own;
 

@@ -1,7 +1,8 @@
 //! CYCLE961 as a call with arguments.
 
 use super::params::{DISTANCES, POINTS};
-use crate::catalogue::{Arg, ArgumentList, Style, names, newer};
+use crate::catalogue::newer;
+use crate::entry::{Arg, ArgumentList, Style, names};
 
 /// The parameterizing calls: one for distances and angles, one for points (B:12027-12078). The infeed of the second has
 /// no sign there. And the list of newer controls.

@@ -4,10 +4,10 @@
 use super::lines::{Point, across, along, away, unit};
 use super::params::{PASSES, PLACES, POINTS, RECTANGLE};
 use super::scene::{Scene, from_distances, from_points};
-use crate::catalogue::{When, names};
-use crate::check::Inputs;
-use crate::form::figures::{arc, arrow, circle, corners, dimension, frame, line, polygon};
-use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
+use crate::entry::Inputs;
+use crate::entry::{When, names};
+use crate::picture::figures::{arc, arrow, circle, corners, dimension, frame, line, polygon};
+use crate::picture::{Picture, PictureShape, ShapeKind, View};
 
 /// The probe is led over the corner, not around it (B:8006-8012).
 const RISES: When = When::Given(names::ID);

@@ -6,9 +6,10 @@ use super::bench::{PLANES, close_angle, done};
 use super::params::POINTS;
 use super::{CYCLE961, VARIANTS};
 use crate::catalogue::example::example;
-use crate::catalogue::names;
 use crate::catalogue::sinumerik::testing::{at, call, close, setup};
-use crate::check::{Inputs, check};
+use crate::check::check;
+use crate::entry::Inputs;
+use crate::entry::names;
 use crate::machine::Setup;
 
 #[test]

@@ -3,9 +3,10 @@
 use super::lines::{Point, across, along, away, direction, shares, unit};
 use super::params::{OUTSIDE, PASSES, POINTS};
 use super::touches::{TOLERANCE, Touch, edges, touches};
-use crate::catalogue::{Proposal, names, place};
-use crate::check::Inputs;
+use crate::catalogue::place;
 use crate::control::Control;
+use crate::entry::Inputs;
+use crate::entry::{Proposal, names};
 use crate::evaluate::spread::Touched;
 use crate::workpiece::{Shape, Workpiece};
 

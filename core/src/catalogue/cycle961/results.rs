@@ -2,7 +2,7 @@
 //! appendix has them right (B:16033-16057).
 
 use crate::catalogue::common::{angle, integer, length};
-use crate::catalogue::{ResultField, When};
+use crate::entry::{ResultField, When};
 
 const ALWAYS: When = When::Always;
 

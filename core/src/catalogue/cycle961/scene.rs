@@ -2,8 +2,8 @@
 
 use super::lines::{Point, across, along, away, direction, meeting, unit};
 use super::params::{OUTSIDE, PLACES, RECTANGLE};
-use crate::catalogue::names;
-use crate::check::Inputs;
+use crate::entry::Inputs;
+use crate::entry::names;
 
 /// What is drawn, mm.
 pub struct Scene {

@@ -4,13 +4,14 @@
 
 use super::{CYCLE961, VARIANTS};
 use crate::catalogue::example::example;
-use crate::catalogue::{Style, Variant};
-use crate::check::{Typed, check};
+use crate::check::check;
 use crate::control::{Control, Units, delivery};
 use crate::diagnostic::{Code, Severity};
 use crate::dialect::Dialect;
-use crate::form::picture::ShapeKind;
+use crate::entry::Typed;
+use crate::entry::{Style, Variant};
 use crate::form::{Entry, fields};
+use crate::picture::ShapeKind;
 use crate::program::calls::calls;
 use crate::program::change;
 use crate::program::convert::convert;

@@ -4,8 +4,8 @@
 
 use super::CYCLE971;
 use crate::catalogue::sinumerik::testing;
-use crate::check::Inputs;
 use crate::control::{Plane, Units};
+use crate::entry::Inputs;
 use crate::machine::Setup;
 use crate::machine::sim::Sim;
 use crate::workpiece::noise::Noise;

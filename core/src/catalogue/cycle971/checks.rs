@@ -3,10 +3,11 @@
 use super::params::{APPLICATE, AUTOMATIC, CALIBRATE, IN_PLANE, INCREMENTAL, MEASURE, ROTATING, WORKPIECE};
 use super::rotating;
 use crate::catalogue::tool_probe::{self, ProbeData};
-use crate::catalogue::{When, names};
-use crate::check::{Inputs, error};
+use crate::check::error;
 use crate::control::{Control, Edge, Plane};
 use crate::diagnostic::{Code, Diagnostic, Severity};
+use crate::entry::Inputs;
+use crate::entry::{When, names};
 use crate::message::Message;
 use crate::own;
 

@@ -1,8 +1,8 @@
 //! The lines of the help page of CYCLE971 (B:4157-5029).
 
 use super::params::{AUTOMATIC, CALIBRATE, INCREMENTAL, MEASURE, ROTATING};
-use crate::catalogue::When;
-use crate::catalogue::help::{HelpLine, before, corrects, measures, mvar, order, wrong};
+use crate::entry::When;
+use crate::entry::{HelpLine, before, corrects, measures, mvar, order, wrong};
 
 const TRAVELS: When = When::Not(&INCREMENTAL);
 const STILL: When = mvar(1, &[1]);

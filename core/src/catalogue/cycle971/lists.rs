@@ -1,7 +1,8 @@
 //! CYCLE971 as a call with arguments.
 
 use super::params::MEASURE;
-use crate::catalogue::{Arg, ArgumentList, Style, When, names, newer};
+use crate::catalogue::newer;
+use crate::entry::{Arg, ArgumentList, Style, When, names};
 
 /// The parameterizing calls (B:11755-11772, B:11856-11879): calibration in the machine, and measuring. The speeds and
 /// feeds `_MFS[]` are printed the other way round than the data are defined (B:13515-13520),

@@ -3,9 +3,9 @@
 use super::params::{APPLICATE, ROTATING};
 use super::place::Task;
 use super::spindle;
-use crate::catalogue::names;
 use crate::catalogue::sinumerik::measuring_block::Point;
 use crate::catalogue::tool_probe::correct::{Measured, active};
+use crate::entry::names;
 use crate::evaluate::tool_offset::RADIUS;
 use crate::machine::{Machine, Stop};
 

@@ -26,9 +26,10 @@ mod spindle;
 mod tests;
 
 use crate::catalogue::common::alarms;
-use crate::catalogue::{Cycle, Drawing, Help, ProbeUse, Purpose, Simulation, Variant, Work, tool_probe};
+use crate::catalogue::tool_probe;
 use crate::control::MachineSort;
 use crate::dialect::Dialect;
+use crate::entry::{Cycle, Drawing, Help, ProbeUse, Purpose, Simulation, Variant, Work};
 use crate::support;
 
 /// Measuring variants (B:4186-4196, B:4621-4628).

@@ -13,7 +13,7 @@ use crate::workpiece::tool::Cutter;
 
 /// The machine with the probe of the manual's examples, at feeds that tell axes apart; the tool at a position of the
 /// plane.
-fn machine(inputs: &crate::check::Inputs, from: [f64; 3]) -> Setup {
+fn machine(inputs: &crate::entry::Inputs, from: [f64; 3]) -> Setup {
     let mut setup = setup(inputs);
     setup.control.set("_SPEED[1]", PLANE_FEED);
     setup.control.set("_SPEED[2]", DEPTH_FEED);

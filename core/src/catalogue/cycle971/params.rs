@@ -2,7 +2,7 @@
 
 use crate::catalogue::common::{self, optional, required};
 use crate::catalogue::tool_probe::params as tool_probe;
-use crate::catalogue::{DigitGroup, Kind, Need, Param, Unit, When, names};
+use crate::entry::{DigitGroup, Kind, Need, Param, Unit, When, names};
 use crate::range::Range;
 use crate::support;
 

@@ -2,11 +2,11 @@
 //! tool stand for any size; short distances are drawn longer than they are.
 
 use super::params::{APPLICATE, AUTOMATIC, CALIBRATE, INCREMENTAL, MEASURE, ROTATING, WORKPIECE};
-use crate::catalogue::names;
 use crate::catalogue::tool_probe::figures::bands;
-use crate::check::Inputs;
-use crate::form::figures::{circle, corners, dimension, line, polygon, rectangle};
-use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
+use crate::entry::Inputs;
+use crate::entry::names;
+use crate::picture::figures::{circle, corners, dimension, line, polygon, rectangle};
+use crate::picture::{Picture, PictureShape, ShapeKind, View};
 
 /// Half the edge length of the probe, mm.
 const PROBE: f64 = 10.0;

@@ -3,13 +3,13 @@
 //! Axes count 0 abscissa, 1 ordinate, 2 applicate; directions are +1 and -1.
 
 use super::params::{MEASURE, WORKPIECE};
-use crate::catalogue::names;
 use crate::catalogue::sinumerik::alarm;
 use crate::catalogue::sinumerik::measuring_block::{Block, Point};
 use crate::catalogue::tool_probe::ProbeData;
 use crate::catalogue::tool_probe::store::Trigger;
-use crate::check::Inputs;
 use crate::control::{Control, Edge};
+use crate::entry::Inputs;
+use crate::entry::names;
 use crate::machine::{Machine, Stop};
 
 /// Edge length or diameter of the upper side in `_TP[k,i]` (B:13363).

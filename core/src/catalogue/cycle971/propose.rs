@@ -2,9 +2,10 @@
 
 use super::params::{APPLICATE, AUTOMATIC, INCREMENTAL, MEASURE, WORKPIECE};
 use super::place::Place;
-use crate::catalogue::{Proposal, names, place};
-use crate::check::Inputs;
+use crate::catalogue::place;
 use crate::control::Control;
+use crate::entry::Inputs;
+use crate::entry::{Proposal, names};
 use crate::workpiece::Shape;
 use crate::workpiece::tool_probe::ToolProbe;
 

@@ -4,8 +4,8 @@
 
 use super::params::{ABSCISSA, APPLICATE, AUTOMATIC, CALIBRATE, IN_PLANE, MEASURE, ORDINATE};
 use crate::catalogue::common::{integer, length};
-use crate::catalogue::{ResultField, When};
 use crate::control::Plane;
+use crate::entry::{ResultField, When};
 
 const G17: When = When::Plane(Plane::G17);
 const G18: When = When::Plane(Plane::G18);

@@ -1,10 +1,11 @@
 //! Speed, feed and compensation of a measurement with rotating spindle (B:4334-4387, B:4776-4807).
 
 use super::params::IN_PLANE;
-use crate::catalogue::names;
-use crate::check::{Inputs, error};
+use crate::check::error;
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
+use crate::entry::Inputs;
+use crate::entry::names;
 use crate::message::Message;
 use crate::own::{self, Own};
 

@@ -5,7 +5,7 @@ use super::place::Task;
 use super::{calibrate, measure};
 use crate::catalogue::sinumerik::Next;
 use crate::catalogue::tool_probe::{correct, store};
-use crate::check::Inputs;
+use crate::entry::Inputs;
 use crate::machine::{Machine, Stop};
 
 /// Runs the cycle from the present position, from which the probe can be reached.

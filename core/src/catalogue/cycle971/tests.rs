@@ -3,10 +3,11 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::CYCLE971;
-use crate::check::{Typed, check};
+use crate::check::check;
 use crate::control::{Control, Edge, Plane, delivery};
 use crate::diagnostic::{Code, Severity};
 use crate::dialect::Dialect;
+use crate::entry::Typed;
 
 /// Probe 1 in the machine and in the workpiece system; T3 D1 in the spindle, an end mill of 36 mm.
 fn control() -> Control {

@@ -3,9 +3,9 @@
 use super::params::CALIBRATE;
 use crate::catalogue::shared_checks;
 use crate::catalogue::tool_probe::{ProbeData, checks as shared, turning};
-use crate::check::Inputs;
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
+use crate::entry::Inputs;
 
 /// All of them.
 pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {

@@ -1,7 +1,7 @@
 //! CYCLE972 as a call with arguments.
 
 use super::params::{CALIBRATE, MEASURE};
-use crate::catalogue::{Arg, ArgumentList, Style, names};
+use crate::entry::{Arg, ArgumentList, Style, names};
 
 /// The parameterizing calls (B:11755-11772, B:11881-11888). In the list of newer controls CYCLE972 is not known to us.
 pub const LISTS: &[ArgumentList] = &[

@@ -13,10 +13,11 @@ mod tests;
 use crate::catalogue::common::alarms;
 use crate::catalogue::cycle982::{propose, simulate as measuring};
 use crate::catalogue::sinumerik::alarm;
-use crate::catalogue::{Cycle, Drawing, Help, ProbeUse, Purpose, Simulation, Variant, Work, tool_probe};
-use crate::check::Inputs;
+use crate::catalogue::tool_probe;
 use crate::control::MachineSort;
 use crate::dialect::Dialect;
+use crate::entry::Inputs;
+use crate::entry::{Cycle, Drawing, Help, ProbeUse, Purpose, Simulation, Variant, Work};
 use crate::machine::{Machine, Stop};
 
 /// Measuring variants (B:8766-8771).

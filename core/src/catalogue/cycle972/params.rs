@@ -2,7 +2,7 @@
 
 use crate::catalogue::common::{self, optional};
 use crate::catalogue::tool_probe::params as tool_probe;
-use crate::catalogue::{Kind, Param, When, names};
+use crate::entry::{Kind, Param, When, names};
 
 /// The probe is calibrated.
 pub const CALIBRATE: When = When::Variant(&[0]);

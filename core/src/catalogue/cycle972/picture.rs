@@ -3,11 +3,11 @@
 //! size; short distances are drawn longer than they are.
 
 use super::params::{ABSCISSA, CALIBRATE};
-use crate::catalogue::names;
 use crate::catalogue::tool_probe::figures::{self, LENGTH, bands};
-use crate::check::Inputs;
-use crate::form::figures::{circle, dimension, line, rectangle};
-use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
+use crate::entry::Inputs;
+use crate::entry::names;
+use crate::picture::figures::{circle, dimension, line, rectangle};
+use crate::picture::{Picture, PictureShape, ShapeKind, View};
 
 /// Half the edge length of the probe, mm.
 const PROBE: f64 = 10.0;

@@ -3,7 +3,7 @@
 
 use super::params::{ABSCISSA, CALIBRATE, MEASURE, ORDINATE};
 use crate::catalogue::common::{integer, length};
-use crate::catalogue::{ResultField, When};
+use crate::entry::{ResultField, When};
 
 const CALIBRATED_ABSCISSA: When = When::All(&[CALIBRATE, ABSCISSA]);
 const CALIBRATED_ORDINATE: When = When::All(&[CALIBRATE, ORDINATE]);

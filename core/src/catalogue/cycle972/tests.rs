@@ -3,10 +3,11 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::CYCLE972;
-use crate::check::{Typed, check};
+use crate::check::check;
 use crate::control::{Control, Edge, Plane, delivery};
 use crate::diagnostic::{Code, Severity};
 use crate::dialect::Dialect;
+use crate::entry::Typed;
 
 /// Probe 1; the turning tool T3 D1 in use, in the plane of a lathe.
 fn control() -> Control {

@@ -2,10 +2,12 @@
 
 use super::groove::Groove;
 use super::params::{GROOVE, TWO};
-use crate::catalogue::{calibration, lathe, names, shared_checks};
-use crate::check::{Inputs, error};
+use crate::catalogue::{calibration, lathe, shared_checks};
+use crate::check::error;
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
+use crate::entry::Inputs;
+use crate::entry::names;
 use crate::message::Message;
 use crate::own;
 

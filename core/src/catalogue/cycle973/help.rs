@@ -1,8 +1,8 @@
 //! The lines of the help page of CYCLE973 (B:10127-10451).
 
 use super::params::{BALL, GROOVE, ONE, SKEW, SURFACE, TWO};
-use crate::catalogue::When;
-use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
+use crate::entry::When;
+use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
 
 /// Section by section, in the order in which they are read.
 pub const LINES: &[HelpLine] = &[

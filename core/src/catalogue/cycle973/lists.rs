@@ -1,7 +1,8 @@
 //! CYCLE973 as a call with arguments.
 
 use super::params::{GROOVE, SURFACE};
-use crate::catalogue::{Arg, ArgumentList, Style, names, newer};
+use crate::catalogue::newer;
+use crate::entry::{Arg, ArgumentList, Style, names};
 
 /// The parameterizing calls: surfaces share one with CYCLE976, the groove is put together from selections, of which the
 /// number of directions is always written (B:11784-11821). And the list of newer controls.

@@ -17,8 +17,9 @@ mod tests;
 pub use results::RESULTS;
 
 use crate::catalogue::sinumerik;
-use crate::catalogue::{Cycle, Drawing, Help, Purpose, Simulation, Variant, When, Work, common, lathe};
+use crate::catalogue::{common, lathe};
 use crate::dialect::Dialect;
+use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, When, Work};
 
 /// Measuring variants (B:10163-10177). 13 stands in the programs only, with axis and direction: it is 1013 (A:11504).
 pub const VARIANTS: &[Variant] = &[

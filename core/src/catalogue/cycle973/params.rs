@@ -2,8 +2,8 @@
 
 use crate::catalogue::common::{self, required};
 use crate::catalogue::lathe::params as lathe;
-use crate::catalogue::{DigitGroup, Kind, Param, When, names};
 use crate::diagnostic::Code;
+use crate::entry::{DigitGroup, Kind, Param, When, names};
 use crate::range::Range;
 
 /// On a surface of the workpiece system.

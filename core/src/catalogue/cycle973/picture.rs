@@ -5,10 +5,10 @@
 use super::params::{BALL as DIAMETER, SKEW, SURFACE, TWO};
 use crate::catalogue::lathe::figures::{self, BALL, Bands, Touch};
 use crate::catalogue::lathe::params::DIAMETER as ACROSS;
-use crate::catalogue::names;
-use crate::check::Inputs;
-use crate::form::figures::{arrow, circle, dimension, line, polygon, rectangle};
-use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
+use crate::entry::Inputs;
+use crate::entry::names;
+use crate::picture::figures::{arrow, circle, dimension, line, polygon, rectangle};
+use crate::picture::{Picture, PictureShape, ShapeKind, View};
 
 /// Bands of the trigger value.
 const BANDS: Bands = &[(names::TSA, -2.6, 2.6), (names::TZL, -1.2, 1.2)];

@@ -3,9 +3,10 @@
 use super::groove::Groove;
 use super::params::GROOVE;
 use crate::catalogue::lathe::{measure, place};
-use crate::catalogue::{Proposal, names, place as plane};
-use crate::check::Inputs;
+use crate::catalogue::place as plane;
 use crate::control::Control;
+use crate::entry::Inputs;
+use crate::entry::{Proposal, names};
 use crate::workpiece::Workpiece;
 
 /// How much further from the surface than the first block the probe starts, mm.

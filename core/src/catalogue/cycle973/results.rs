@@ -4,7 +4,7 @@
 use super::params::{BALL, ONE, SKEW, SURFACE, TWO};
 use crate::catalogue::common::{integer, length};
 use crate::catalogue::lathe::params::{ABSCISSA, APPLICATE, ORDINATE};
-use crate::catalogue::{ResultField, When, names};
+use crate::entry::{ResultField, When, names};
 
 const fn direction(is: &'static [i64]) -> When {
     When::Digit { param: names::MD, place: 1, is }

@@ -3,11 +3,11 @@
 use super::groove::{Groove, Place};
 use super::params::{BALL, GROOVE, SKEW, TWO};
 use crate::catalogue::lathe::measure;
-use crate::catalogue::names;
 use crate::catalogue::sinumerik::calibration::{Calibration, Trigger, store};
 use crate::catalogue::sinumerik::measuring_block::{Block, Point};
 use crate::catalogue::sinumerik::{Next, alarm, results};
-use crate::check::Inputs;
+use crate::entry::Inputs;
+use crate::entry::names;
 use crate::machine::{Machine, Stop};
 
 /// Runs the cycle from the present position: above the groove, or opposite the surface.

@@ -5,8 +5,8 @@
 use crate::catalogue::lathe::testing::{inputs, placed, setup};
 use crate::catalogue::sinumerik::motion_testing::{MEASURING_FEED, PLANE_FEED};
 use crate::catalogue::sinumerik::testing::{at, close, motions, run, same, stopped};
-use crate::check::Inputs;
 use crate::control::{Frame, Plane, Transverse, Units};
+use crate::entry::Inputs;
 use crate::machine::Setup;
 use crate::machine::sim::Sim;
 use crate::machine::trace::MotionKind::{Measuring, Positioning, Retract};

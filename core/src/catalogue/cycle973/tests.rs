@@ -4,10 +4,10 @@
 
 use super::CYCLE973;
 use crate::catalogue::lathe::testing::{call, found, lathe};
-use crate::catalogue::{Style, names};
-use crate::check::Inputs;
 use crate::control::Control;
 use crate::diagnostic::{Code, Severity};
+use crate::entry::Inputs;
+use crate::entry::{Style, names};
 use crate::form::draw;
 use crate::program::write::snippet;
 

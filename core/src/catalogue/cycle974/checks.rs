@@ -1,10 +1,12 @@
 //! What several values of CYCLE974 say together.
 
 use super::params::REVERSAL;
-use crate::catalogue::{lathe, names};
-use crate::check::{Inputs, error};
+use crate::catalogue::lathe;
+use crate::check::error;
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
+use crate::entry::Inputs;
+use crate::entry::names;
 use crate::message::Message;
 
 /// All of them.

@@ -1,9 +1,9 @@
 //! The lines of the help page of CYCLE974 (B:10452-10905).
 
 use super::params::REVERSAL;
-use crate::catalogue::When;
 use crate::catalogue::common::{TOOL_OFFSET, ZERO_OFFSET};
-use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
+use crate::entry::When;
+use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
 
 /// Section by section, in the order in which they are read.
 pub const LINES: &[HelpLine] = &[

@@ -1,6 +1,7 @@
 //! CYCLE974 as a call with arguments.
 
-use crate::catalogue::{Arg, ArgumentList, Style, When, names, newer};
+use crate::catalogue::newer;
+use crate::entry::{Arg, ArgumentList, Style, When, names};
 
 /// The parameterizing call (B:12084-12098). And the list of newer controls.
 pub const LISTS: &[ArgumentList] = &[

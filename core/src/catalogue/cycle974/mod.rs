@@ -16,8 +16,9 @@ mod tests;
 pub use results::RESULTS;
 
 use crate::catalogue::sinumerik;
-use crate::catalogue::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work, common, lathe};
+use crate::catalogue::{common, lathe};
 use crate::dialect::Dialect;
+use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work};
 
 /// Measuring variants (B:10455-10459).
 pub const VARIANTS: &[Variant] = &[

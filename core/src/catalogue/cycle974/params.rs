@@ -2,7 +2,7 @@
 
 use crate::catalogue::common::{self, required};
 use crate::catalogue::lathe::params as lathe;
-use crate::catalogue::{DigitGroup, Kind, Param, When, names};
+use crate::entry::{DigitGroup, Kind, Param, When, names};
 use crate::range::Range;
 
 /// At two places of the turned part, 180 degree apart.

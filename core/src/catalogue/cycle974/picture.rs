@@ -4,10 +4,10 @@
 use super::params::REVERSAL;
 use crate::catalogue::lathe::figures::{self, BALL, ENDS, MEASURED, RADIUS, Touch};
 use crate::catalogue::lathe::params::{DIAMETER, ZERO};
-use crate::catalogue::names;
-use crate::check::Inputs;
-use crate::form::figures::{arc, arrow, circle, dimension, line};
-use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
+use crate::entry::Inputs;
+use crate::entry::names;
+use crate::picture::figures::{arc, arrow, circle, dimension, line};
+use crate::picture::{Picture, PictureShape, ShapeKind, View};
 
 /// Centre of the end that is drawn beside the part.
 const END_VIEW: [f64; 2] = [92.0, 0.0];

@@ -1,9 +1,10 @@
 //! A nominal part for CYCLE974: a turned part about the zero point, whose end face or outside is measured.
 
 use crate::catalogue::lathe::{measure, place};
-use crate::catalogue::{Proposal, names, place as plane};
-use crate::check::Inputs;
+use crate::catalogue::place as plane;
 use crate::control::Control;
+use crate::entry::Inputs;
+use crate::entry::{Proposal, names};
 use crate::workpiece::Workpiece;
 
 /// How much further from the surface than the first block the probe starts, mm.

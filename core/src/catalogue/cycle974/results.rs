@@ -3,7 +3,7 @@
 
 use crate::catalogue::common::{integer, length};
 use crate::catalogue::lathe::params::{ABSCISSA, APPLICATE, ORDINATE, TOOL, ZERO};
-use crate::catalogue::{ResultField, When};
+use crate::entry::{ResultField, When};
 
 /// In the order of the arrays.
 pub const RESULTS: &[ResultField] = &[

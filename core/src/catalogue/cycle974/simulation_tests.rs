@@ -5,8 +5,8 @@
 use crate::catalogue::lathe::testing::{inputs, placed, setup};
 use crate::catalogue::sinumerik::motion_testing::{MEASURING_FEED, PLANE_FEED};
 use crate::catalogue::sinumerik::testing::{self, Motion, called, close, motions, run, same, stopped};
-use crate::check::Inputs;
 use crate::control::{Plane, Transverse, Units};
+use crate::entry::Inputs;
 use crate::machine::sim::Sim;
 use crate::machine::trace::MotionKind;
 use crate::machine::{Setup, Stop};

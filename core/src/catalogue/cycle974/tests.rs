@@ -6,8 +6,8 @@ use super::CYCLE974;
 use crate::catalogue::lathe::testing::{self, call, found, lathe};
 use crate::control::{Control, Frame, Plane, Transverse};
 use crate::diagnostic::{Code, Severity};
-use crate::form::picture::{Picture, ShapeKind};
 use crate::form::{draw, fields};
+use crate::picture::{Picture, ShapeKind};
 use crate::workpiece::Shape;
 
 const ERROR: Severity = Severity::Error;

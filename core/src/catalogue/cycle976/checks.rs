@@ -1,10 +1,12 @@
 //! What several values of CYCLE976 say together.
 
 use super::params::{HOLE, LENGTH, SKEW, SURFACE, UNKNOWN};
-use crate::catalogue::{Unit, calibration, names, place, shared_checks};
-use crate::check::{Inputs, error, factor, unit_behind};
+use crate::catalogue::{calibration, place, shared_checks};
+use crate::check::error;
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
+use crate::entry::{Inputs, factor, unit_behind};
+use crate::entry::{Unit, names};
 use crate::message::Message;
 use crate::own;
 

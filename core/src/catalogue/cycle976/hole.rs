@@ -6,10 +6,10 @@
 
 use super::directions::{Direction, angle, directions, in_plane, turned};
 use super::params::{BALL, SKEW, UNKNOWN};
-use crate::catalogue::names;
 use crate::catalogue::sinumerik::calibration::{self, Calibration, Trigger};
 use crate::catalogue::sinumerik::measuring_block::{Block, Ray};
-use crate::check::Inputs;
+use crate::entry::Inputs;
+use crate::entry::names;
 use crate::machine::{Machine, Stop};
 
 /// A hole to be touched.

@@ -1,7 +1,8 @@
 //! CYCLE976 as a call with arguments.
 
 use super::params::{HOLE, LENGTH, SURFACE};
-use crate::catalogue::{Arg, ArgumentList, Style, When, names, newer};
+use crate::catalogue::newer;
+use crate::entry::{Arg, ArgumentList, Style, When, names};
 
 /// The parameterizing calls: holes are put together from selections, surfaces name their variant (B:11784-11854).
 /// And the list of newer controls.

@@ -26,8 +26,8 @@ pub use variants::VARIANTS;
 
 use crate::catalogue::common;
 use crate::catalogue::sinumerik;
-use crate::catalogue::{Cycle, Drawing, Help, Purpose, Simulation, When, Work};
 use crate::dialect::Dialect;
+use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, When, Work};
 
 /// The entry. Example: the ring of B:5168-5188.
 pub static CYCLE976: Cycle = Cycle {

@@ -8,8 +8,8 @@ use super::params::{HOLE, LENGTH, ONE, TWO, UNKNOWN};
 use super::simulate_tests::{inputs, ready};
 use crate::catalogue::sinumerik::motion_testing::{DEPTH_FEED, MEASURING_FEED, PLANE_FEED, expand};
 use crate::catalogue::sinumerik::testing::{Motion, motions, run, same, turns};
-use crate::check::Inputs;
 use crate::control::Plane;
+use crate::entry::Inputs;
 use crate::machine::sim::Sim;
 use crate::machine::trace::MotionKind;
 

@@ -4,11 +4,11 @@
 
 use super::directions::{Direction, angle, directions};
 use super::params::{ANGLE, BALL, FOUR, HOLE, LENGTH, ONE, SKEW, UNKNOWN};
-use crate::catalogue::names;
-use crate::check::Inputs;
 use crate::control::variables::AXES;
-use crate::form::figures::{arc, arrow, circle, corners, dimension, frame, line, polygon, round};
-use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
+use crate::entry::Inputs;
+use crate::entry::names;
+use crate::picture::figures::{arc, arrow, circle, corners, dimension, frame, line, polygon, round};
+use crate::picture::{Picture, PictureShape, ShapeKind, View};
 
 /// The picture.
 pub fn picture(inputs: &Inputs) -> Picture {

@@ -2,9 +2,10 @@
 //! position.
 
 use super::params::{HOLE, LENGTH};
-use crate::catalogue::{Proposal, calibration, names, place};
-use crate::check::Inputs;
+use crate::catalogue::{calibration, place};
 use crate::control::Control;
+use crate::entry::Inputs;
+use crate::entry::{Proposal, names};
 use crate::workpiece::{Shape, Workpiece};
 
 /// How deep in the ring the ball centre stands, mm.

@@ -3,7 +3,7 @@
 
 use super::params::{BALL, FOUR, LENGTH, ONE, SKEW, SURFACE, TWO, UNKNOWN};
 use crate::catalogue::common::{angle, integer, length};
-use crate::catalogue::{ResultField, When, names};
+use crate::entry::{ResultField, When, names};
 
 const fn axis(is: &'static [i64]) -> When {
     When::Digit { param: names::MA, place: 1, is }

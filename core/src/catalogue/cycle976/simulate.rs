@@ -3,11 +3,11 @@
 use super::directions::angle;
 use super::hole;
 use super::params::{HOLE, LENGTH, UNKNOWN};
-use crate::catalogue::names;
 use crate::catalogue::sinumerik::calibration::{Calibration, Trigger, store};
 use crate::catalogue::sinumerik::measuring_block::{Block, Point, turnable};
 use crate::catalogue::sinumerik::{Next, alarm, results};
-use crate::check::Inputs;
+use crate::entry::Inputs;
+use crate::entry::names;
 use crate::machine::{Machine, Stop};
 
 /// Runs the cycle from the present position: in the hole, or opposite the surface.

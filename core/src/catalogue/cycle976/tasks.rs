@@ -1,8 +1,8 @@
 //! What of CYCLE976 the other control can do too.
 
-use crate::catalogue::When;
-use crate::catalogue::names;
-use crate::catalogue::task::{Meaning, Shared, Task};
+use crate::entry::When;
+use crate::entry::names;
+use crate::entry::{Meaning, Shared, Task};
 
 /// All of them.
 pub const TASKS: &[Shared] = &[

@@ -3,9 +3,10 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::CYCLE976;
-use crate::check::{Typed, check};
+use crate::check::check;
 use crate::control::{Control, delivery};
 use crate::diagnostic::{Code, Severity};
+use crate::entry::Typed;
 use crate::form::fields;
 
 /// The worked example with some values changed.
@@ -111,7 +112,7 @@ fn fields_follow_the_variant() {
 
 /// Indices of the trigger values that a call leaves.
 fn triggers(variant: i64, axis: f64, direction: f64) -> Vec<usize> {
-    let mut inputs = crate::check::Inputs::new(&CYCLE976, variant);
+    let mut inputs = crate::entry::Inputs::new(&CYCLE976, variant);
     inputs.numbers.extend([("_MA", axis), ("_MD", direction)]);
     let set = |index: &usize| {
         let name = format!("_OVR[{index}]");

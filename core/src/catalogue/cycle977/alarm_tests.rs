@@ -4,8 +4,8 @@
 
 use super::tests::{CENTRE, SIZE, hole, inputs, part, ready};
 use crate::catalogue::sinumerik::testing::{alarms, called, close, motions, stopped};
-use crate::check::Inputs;
 use crate::control::Plane;
+use crate::entry::Inputs;
 use crate::machine::Setup;
 use crate::machine::trace::{MotionKind, Step};
 

@@ -1,10 +1,12 @@
 //! What several values of CYCLE977 say together.
 
 use super::params::{OUTSIDE, RECTANGLE, ZONE};
-use crate::catalogue::{names, place, shared_checks};
-use crate::check::{Inputs, error};
+use crate::catalogue::{place, shared_checks};
+use crate::check::error;
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
+use crate::entry::Inputs;
+use crate::entry::names;
 use crate::message::Message;
 use crate::own;
 

@@ -1,7 +1,7 @@
 //! What a call of CYCLE977 measures, read from variant and sizes.
 
 use crate::catalogue::sinumerik::measuring_block::Block;
-use crate::check::Inputs;
+use crate::entry::Inputs;
 
 /// The element. Axes count 0 abscissa, 1 ordinate; lengths in mm.
 #[derive(Clone, Debug, PartialEq)]

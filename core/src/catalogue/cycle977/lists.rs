@@ -1,6 +1,7 @@
 //! CYCLE977 as a call with arguments.
 
-use crate::catalogue::{Arg, ArgumentList, Style, When, names, newer};
+use crate::catalogue::newer;
+use crate::entry::{Arg, ArgumentList, Style, When, names};
 
 const fn elements(is: &'static [i64]) -> When {
     When::Digit { param: names::MVAR, place: 1, is }

@@ -24,9 +24,10 @@ mod variants;
 pub use results::RESULTS;
 pub use variants::VARIANTS;
 
+use crate::catalogue::common;
 use crate::catalogue::sinumerik;
-use crate::catalogue::{Cycle, Drawing, Help, Purpose, Simulation, Work, common};
 use crate::dialect::Dialect;
+use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Work};
 
 /// The entry. Example: the hole of B:6050-6137.
 pub static CYCLE977: Cycle = Cycle {

@@ -6,8 +6,8 @@ use super::VARIANTS;
 use super::tests::{CENTRE, inputs, part, ready};
 use crate::catalogue::sinumerik::motion_testing::{DEPTH_FEED, PLANE_FEED, expand};
 use crate::catalogue::sinumerik::testing::{Motion, at, motions, run, same};
-use crate::check::Inputs;
 use crate::control::Plane;
+use crate::entry::Inputs;
 use crate::machine::sim::Sim;
 
 /// Ways as [`expand`] reads them, from the set centre.

@@ -1,7 +1,7 @@
 //! Parameters of CYCLE977 in the order of the manual's tables (B:5989-6024, B:6181-6205).
 
 use crate::catalogue::common::{self, optional, required};
-use crate::catalogue::{DigitGroup, Kind, Need, Param, When, names};
+use crate::entry::{DigitGroup, Kind, Need, Param, When, names};
 use crate::range::Range;
 
 /// The element in the first digit of `_MVAR` is one of these.

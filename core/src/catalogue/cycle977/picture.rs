@@ -3,11 +3,11 @@
 //! are, so that they can be seen beside the element.
 
 use super::params::{OUTSIDE, RECTANGLE, TOOL, WIDTH, ZONE};
-use crate::catalogue::names;
-use crate::check::Inputs;
 use crate::control::variables::AXES;
-use crate::form::figures::{circle, corners, dimension, frame, line, polygon, rectangle, round};
-use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
+use crate::entry::Inputs;
+use crate::entry::names;
+use crate::picture::figures::{circle, corners, dimension, frame, line, polygon, rectangle, round};
+use crate::picture::{Picture, PictureShape, ShapeKind, View};
 
 /// How wide a forbidden area around an element is drawn, as a share of the whole.
 const WALL: f64 = 0.08;

@@ -2,9 +2,10 @@
 
 use super::params::{OUTSIDE, RECTANGLE, ZONE};
 use super::protection::Protected;
-use crate::catalogue::{Proposal, names, place};
-use crate::check::Inputs;
+use crate::catalogue::place;
 use crate::control::Control;
+use crate::entry::Inputs;
+use crate::entry::{Proposal, names};
 use crate::workpiece::{Shape, Workpiece};
 
 /// Measuring depth of the ball centre where `_ID` does not decide it, mm.

@@ -3,7 +3,7 @@
 
 use super::params::{RECTANGLE, SINGLE, TOOL, ZERO};
 use crate::catalogue::common::{integer, length};
-use crate::catalogue::{ResultField, When};
+use crate::entry::{ResultField, When};
 
 const SINGLE_TOOL: When = When::All(&[SINGLE, TOOL]);
 const RECTANGLE_TOOL: When = When::All(&[RECTANGLE, TOOL]);

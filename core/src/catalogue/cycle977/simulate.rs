@@ -5,8 +5,8 @@ use crate::catalogue::sinumerik::centred::{self, Found, Pair};
 use crate::catalogue::sinumerik::measuring_block::{Block, Point, all_calibrated};
 use crate::catalogue::sinumerik::target::Target;
 use crate::catalogue::sinumerik::{Next, alarm, results};
-use crate::check::Inputs;
 use crate::diagnostic::Code;
+use crate::entry::Inputs;
 use crate::machine::{Machine, Stop};
 
 /// Runs the cycle from the present position, which is the set centre.

@@ -6,8 +6,8 @@ use super::VARIANTS;
 use crate::catalogue::sinumerik::testing::{
     WIDE_BANDS, at, call, called, close, element, random_parts, run, setup, solid, touches,
 };
-use crate::check::Inputs;
 use crate::control::{Frame, Plane};
+use crate::entry::Inputs;
 use crate::machine::Setup;
 use crate::machine::sim::Sim;
 use crate::workpiece::Solid;

@@ -1,7 +1,7 @@
 //! Measuring variants of CYCLE977 (B:5641-5667; 1106 stands in B:6192 only).
 
 use super::params::{OUTSIDE, RECTANGLE, WIDTH, ZERO, ZONE};
-use crate::catalogue::{Variant, When};
+use crate::entry::{Variant, When};
 
 /// In the manual's order.
 pub const VARIANTS: &[Variant] = &[

@@ -1,10 +1,12 @@
 //! What several values of CYCLE978 say together.
 
 use super::params::DIFFERENTIAL;
-use crate::catalogue::{names, shared_checks};
-use crate::check::{Inputs, error};
+use crate::catalogue::shared_checks;
+use crate::check::error;
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
+use crate::entry::Inputs;
+use crate::entry::names;
 use crate::message::Message;
 
 /// All of them.

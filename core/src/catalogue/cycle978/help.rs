@@ -1,8 +1,8 @@
 //! The lines of the help page of CYCLE978 (B:6286-6730).
 
 use super::params::{TOOL, ZERO};
-use crate::catalogue::When;
-use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
+use crate::entry::When;
+use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
 
 /// Section by section, in the order in which they are read.
 pub const LINES: &[HelpLine] = &[

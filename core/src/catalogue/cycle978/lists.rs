@@ -1,6 +1,7 @@
 //! CYCLE978 as a call with arguments.
 
-use crate::catalogue::{Arg, ArgumentList, Style, When, names, newer};
+use crate::catalogue::newer;
+use crate::entry::{Arg, ArgumentList, Style, When, names};
 
 /// The parameterizing call (B:11987-11996) and the list of newer controls. There the measuring direction is an argument
 /// of its own, which programs leave out too; here the side on which the probe stands tells it.

@@ -12,9 +12,10 @@ mod tasks;
 #[cfg(test)]
 mod tests;
 
+use crate::catalogue::common;
 use crate::catalogue::sinumerik;
-use crate::catalogue::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work, common};
 use crate::dialect::Dialect;
+use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work};
 
 /// Measuring variants (B:6323-6328).
 pub const VARIANTS: &[Variant] = &[

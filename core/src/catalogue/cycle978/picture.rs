@@ -2,10 +2,10 @@
 //! the drawing has room; short distances are drawn longer than they are.
 
 use super::params::{DIFFERENTIAL, TOOL};
-use crate::catalogue::names;
-use crate::check::Inputs;
-use crate::form::figures::{circle, dimension, line, polygon};
-use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
+use crate::entry::Inputs;
+use crate::entry::names;
+use crate::picture::figures::{circle, dimension, line, polygon};
+use crate::picture::{Picture, PictureShape, ShapeKind, View};
 
 /// Half the length of the drawn face, mm.
 const FACE: f64 = 30.0;

@@ -1,8 +1,9 @@
 //! A nominal part for CYCLE978: a block whose face stands at the set position.
 
-use crate::catalogue::{Proposal, names, place};
-use crate::check::Inputs;
+use crate::catalogue::place;
 use crate::control::Control;
+use crate::entry::Inputs;
+use crate::entry::{Proposal, names};
 use crate::workpiece::Workpiece;
 
 /// Part and start: opposite the surface, further away than `_FA` (B:6376-6384); from the minus side in the plane,

@@ -3,7 +3,7 @@
 
 use super::params::{TOOL, ZERO};
 use crate::catalogue::common::{integer, length};
-use crate::catalogue::{ResultField, When, names};
+use crate::entry::{ResultField, When, names};
 
 const AXIS_1: When = When::Digit { param: names::MA, place: 1, is: &[1] };
 const AXIS_2: When = When::Digit { param: names::MA, place: 1, is: &[2] };

@@ -5,7 +5,7 @@ use crate::catalogue::sinumerik::measuring_block::{Block, all_calibrated, turnab
 use crate::catalogue::sinumerik::one_point::{self, OnePoint};
 use crate::catalogue::sinumerik::target::Target;
 use crate::catalogue::sinumerik::{Next, alarm, results};
-use crate::check::Inputs;
+use crate::entry::Inputs;
 use crate::machine::{Machine, Stop};
 
 /// Runs the cycle from the present position, which is opposite the surface.

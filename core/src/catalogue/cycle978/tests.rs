@@ -5,8 +5,8 @@
 use crate::catalogue::sinumerik::testing::{
     WIDE_BANDS, at, call, called, close, motions, random_parts, run, setup, solid, stopped, touches, turns,
 };
-use crate::check::Inputs;
 use crate::control::Plane;
+use crate::entry::Inputs;
 use crate::machine::sim::Sim;
 use crate::machine::trace::MotionKind;
 use crate::machine::{Setup, Stop};

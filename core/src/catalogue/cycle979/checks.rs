@@ -1,10 +1,11 @@
 //! What several values of CYCLE979 say together.
 
 use super::params::{FOUR_POINTS, OUTSIDE, ROUND, WEB};
-use crate::catalogue::{circle, names, place, shared_checks, spread};
-use crate::check::Inputs;
+use crate::catalogue::{circle, place, shared_checks, spread};
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
+use crate::entry::Inputs;
+use crate::entry::names;
 use crate::own;
 
 /// All of them.

@@ -1,8 +1,8 @@
 //! The lines of the help page of CYCLE979 (B:6732-7246).
 
 use super::params::{ROUND, TOOL, WEB, WIDTH, ZERO, element};
-use crate::catalogue::When;
-use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
+use crate::entry::When;
+use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
 
 /// Section by section, in the order in which they are read.
 pub const LINES: &[HelpLine] = &[

@@ -1,7 +1,8 @@
 //! CYCLE979 as a call with arguments.
 
 use super::params::{ROUND, WIDTH};
-use crate::catalogue::{Arg, ArgumentList, Style, names, newer};
+use crate::catalogue::newer;
+use crate::entry::{Arg, ArgumentList, Style, names};
 
 /// The parameterizing calls that it shares with CYCLE977 (B:11894-11951), and the list of newer controls.
 pub const LISTS: &[ArgumentList] = &[

@@ -1,7 +1,8 @@
 //! Parameters of CYCLE979 in the order of the manual's tables (B:6975-7004, B:7157-7174).
 
 use crate::catalogue::common::{self, TOOL_OFFSET, ZERO_OFFSET, optional, required};
-use crate::catalogue::{DigitGroup, Kind, Need, Param, When, names};
+use crate::entry::PROBE_TYPE;
+use crate::entry::{DigitGroup, Kind, Need, Param, When, names};
 use crate::range::Range;
 
 /// The element in the first digit of `_MVAR` is one of these.
@@ -42,7 +43,7 @@ const MVAR_DIGITS: &[DigitGroup] = &[
 /// Points, type and number of the probe (B:6744-6752).
 const PRNUM_DIGITS: &[DigitGroup] = &[
     DigitGroup { key: "prnum-points", place: 1000, digits: 1, choices: &[(0, "prnum-three"), (1, "prnum-four")] },
-    common::PROBE_TYPE,
+    PROBE_TYPE,
     common::PROBE_NUMBER,
 ];
 

@@ -5,10 +5,10 @@
 
 use super::params::{FOUR_POINTS, OUTSIDE, ROUND, TOOL, WEB};
 use crate::catalogue::circle::points;
-use crate::catalogue::names;
-use crate::check::Inputs;
-use crate::form::figures::{arc, circle, corners, dimension, frame, line, polar, polygon, round, swept};
-use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
+use crate::entry::Inputs;
+use crate::entry::names;
+use crate::picture::figures::{arc, circle, corners, dimension, frame, line, polar, polygon, round, swept};
+use crate::picture::{Picture, PictureShape, ShapeKind, View};
 
 /// What is drawn, mm and degree.
 struct Scene {

@@ -1,9 +1,10 @@
 //! A nominal part for CYCLE979 about its set centre, its upper face at applicate 0.
 
 use super::params::{OUTSIDE, ROUND};
-use crate::catalogue::{Proposal, names, place};
-use crate::check::Inputs;
+use crate::catalogue::place;
 use crate::control::Control;
+use crate::entry::Inputs;
+use crate::entry::{Proposal, names};
 use crate::geometry::rigid::sin_cos;
 use crate::workpiece::Workpiece;
 

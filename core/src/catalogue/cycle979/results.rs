@@ -3,7 +3,7 @@
 
 use super::params::{TOOL, ZERO};
 use crate::catalogue::common::{integer, length};
-use crate::catalogue::{ResultField, When};
+use crate::entry::{ResultField, When};
 
 /// In the order of the arrays. The safe area stands there with a zero offset too, which it watches (B:7178; the
 /// footnote of B:6799 would leave it out).

@@ -1,12 +1,13 @@
 //! What CYCLE979 does: points at angles about the set centre, the ways between them, what follows (B:6835-6945).
 
 use super::params::{FOUR_POINTS, OUTSIDE, ROUND};
+use crate::catalogue::circle;
 use crate::catalogue::sinumerik::centred::{self, Found, Pair};
 use crate::catalogue::sinumerik::measuring_block::{Block, Ray, ball_known};
 use crate::catalogue::sinumerik::target::Target;
 use crate::catalogue::sinumerik::{Next, alarm, results};
-use crate::catalogue::{circle, names};
-use crate::check::Inputs;
+use crate::entry::Inputs;
+use crate::entry::names;
 use crate::geometry::fit;
 use crate::geometry::rigid::sin_cos;
 use crate::machine::{Machine, Stop};

@@ -6,9 +6,9 @@ use super::VARIANTS;
 use crate::catalogue::sinumerik::testing::{
     WIDE_BANDS, alarms, at, call, called, close, element, random_parts, run, setup, solid, stopped, turns,
 };
-use crate::check::Inputs;
 use crate::control::{Frame, Plane};
 use crate::dialect::Dialect;
+use crate::entry::Inputs;
 use crate::geometry::rigid::sin_cos;
 use crate::machine::Setup;
 use crate::machine::sim::Sim;

@@ -3,9 +3,10 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::CYCLE979;
-use crate::check::{Typed, check};
+use crate::check::check;
 use crate::control::{Control, delivery};
 use crate::diagnostic::{Code, Severity};
+use crate::entry::Typed;
 
 /// Everything found in the worked example with some values changed, on a control that was changed.
 fn found(changes: &[(&str, &str)], prepare: impl Fn(&mut Control)) -> Vec<(Severity, Code, &'static str)> {

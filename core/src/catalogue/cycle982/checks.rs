@@ -4,11 +4,13 @@ use super::cutters;
 use super::params::{
     ABSCISSA, CALIBRATE, DRILL, IN_WORKPIECE, INCREMENTAL, MEASURE, MILLING, POSITIONED, TURNING, WORKPIECE,
 };
+use crate::catalogue::shared_checks;
 use crate::catalogue::tool_probe::{ProbeData, checks as shared, turning};
-use crate::catalogue::{names, shared_checks};
-use crate::check::{Inputs, error};
+use crate::check::error;
 use crate::control::{Control, Edge};
 use crate::diagnostic::{Code, Diagnostic};
+use crate::entry::Inputs;
+use crate::entry::names;
 use crate::message::Message;
 use crate::own;
 

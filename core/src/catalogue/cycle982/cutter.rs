@@ -7,7 +7,7 @@ use super::params::{AUTOMATIC, BOTH, DRILL, INCREMENTAL, OPPOSITE, RADIAL, RADIU
 use super::stand::{Stand, found, part};
 use crate::catalogue::sinumerik::alarm;
 use crate::catalogue::tool_probe::correct::{Measured, active};
-use crate::check::Inputs;
+use crate::entry::Inputs;
 use crate::evaluate::tool_offset;
 use crate::machine::{Machine, Stop};
 

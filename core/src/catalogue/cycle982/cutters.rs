@@ -4,12 +4,13 @@ use super::params::{
     ABSCISSA, AUTOMATIC, BOTH, DRILL, DRILL_ALONG_APPLICATE, MILLING, ORDINATE, RADIAL, RADIUS, REVERSAL,
     SPINDLE_AS_IT_IS, UPPER, WITH_RADIUS,
 };
-use crate::catalogue::{When, names};
-use crate::check::{Inputs, error};
+use crate::check::error;
 use crate::control::machine_data::TOOL_LENGTH_TYPE;
 use crate::control::tools::AS_TURNING_TOOL;
 use crate::control::{Control, Edge, Plane};
 use crate::diagnostic::{Code, Diagnostic};
+use crate::entry::Inputs;
+use crate::entry::{When, names};
 use crate::message::Message;
 use crate::own;
 

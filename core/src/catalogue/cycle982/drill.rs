@@ -7,8 +7,8 @@ use crate::catalogue::sinumerik::alarm;
 use crate::catalogue::sinumerik::measuring_block::Block;
 use crate::catalogue::tool_probe::ProbeData;
 use crate::catalogue::tool_probe::correct::{Measured, active};
-use crate::check::Inputs;
 use crate::control::Plane;
+use crate::entry::Inputs;
 use crate::geometry::TOLERANCE;
 use crate::machine::{Machine, Stop};
 

@@ -2,10 +2,10 @@
 
 use super::params::{DRILL, REVERSAL, SPINDLE_AS_IT_IS};
 use super::stand::Stand;
-use crate::catalogue::names;
 use crate::catalogue::sinumerik::alarm;
 use crate::catalogue::sinumerik::measuring_block::turnable;
-use crate::check::Inputs;
+use crate::entry::Inputs;
+use crate::entry::names;
 use crate::machine::{Machine, Stop};
 
 /// Turn from one edge to the one opposite, degree.

@@ -4,8 +4,8 @@ use super::params::{
     AUTOMATIC, BOTH, CALIBRATE, INCREMENTAL, MEASURE, OPPOSITE, POSITIONED, RADIAL, RADIUS, REVERSAL, UPPER,
     WITH_RADIUS,
 };
-use crate::catalogue::When;
-use crate::catalogue::help::{HelpLine, before, corrects, measures, mvar, order, wrong};
+use crate::entry::When;
+use crate::entry::{HelpLine, before, corrects, measures, mvar, order, wrong};
 
 const CALIBRATES_KNOWN: When = When::All(&[CALIBRATE, POSITIONED]);
 const MEASURES_KNOWN: When = When::All(&[MEASURE, POSITIONED]);

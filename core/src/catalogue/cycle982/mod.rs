@@ -31,10 +31,11 @@ mod tests;
 mod variants;
 
 use crate::catalogue::common::alarms;
-use crate::catalogue::{Cycle, Drawing, Examples, Help, ProbeUse, Purpose, Simulation, When, Work, newer, tool_probe};
+use crate::catalogue::{newer, tool_probe};
 use crate::control::MachineSort;
 use crate::control::machine_data::TOOL_LENGTH_TYPE;
 use crate::dialect::Dialect;
+use crate::entry::{Cycle, Drawing, Examples, Help, ProbeUse, Purpose, Simulation, When, Work};
 
 /// What the worked measurement of a variant has beside the example.
 const EXAMPLES: Examples = &[

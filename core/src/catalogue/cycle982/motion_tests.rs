@@ -3,8 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::testing::{Real, inputs, machine, mount, place};
-use crate::check::Inputs;
 use crate::control::Units;
+use crate::entry::Inputs;
 use crate::machine::Setup;
 use crate::machine::sim::Sim;
 use crate::machine::trace::{MotionKind, Step};

@@ -2,12 +2,12 @@
 
 use super::params::{AUTOMATIC, CALIBRATE, INCREMENTAL};
 use super::stand::{Stand, found, part};
-use crate::catalogue::names;
 use crate::catalogue::sinumerik::alarm;
 use crate::catalogue::tool_probe::correct::Measured;
 use crate::catalogue::tool_probe::store::Trigger;
-use crate::check::Inputs;
 use crate::control::tools::side;
+use crate::entry::Inputs;
+use crate::entry::names;
 use crate::machine::{Machine, Stop};
 
 /// Cutting edge position of the calibration tool (B:8839).

@@ -3,8 +3,8 @@
 
 use crate::catalogue::common::{self, optional, required};
 use crate::catalogue::tool_probe::params as tool_probe;
-use crate::catalogue::{DigitGroup, Kind, Param, When, names};
 use crate::control::machine_data::TOOL_LENGTH_TYPE;
+use crate::entry::{DigitGroup, Kind, Param, When, names};
 use crate::range::Range;
 
 const fn digit(place: i64, is: &'static [i64]) -> When {

@@ -5,11 +5,12 @@
 
 use super::CYCLE982;
 use crate::catalogue::cycle972::CYCLE972;
-use crate::catalogue::{Cycle, names};
-use crate::check::{Typed, check};
+use crate::check::check;
 use crate::control::{Edge, Plane, delivery};
 use crate::dialect::Dialect;
-use crate::form::picture::{PictureShape, ShapeKind};
+use crate::entry::Typed;
+use crate::entry::{Cycle, names};
+use crate::picture::{PictureShape, ShapeKind};
 
 /// Direction in which the tips of cutting edge positions 1 to 8 point, abscissa and ordinate (B:4152, B:9441,
 /// B:13474-13481).

@@ -4,11 +4,12 @@ use super::params::{
     ABSCISSA, AUTOMATIC, BOTH, CALIBRATE, DRILL_ALONG_APPLICATE, IN_WORKPIECE, INCREMENTAL, OPPOSITE, RADIAL, RADIUS,
     TURNING, UPPER, WORKPIECE,
 };
+use crate::catalogue::place;
 use crate::catalogue::tool_probe::ProbeData;
-use crate::catalogue::{Proposal, ProposedTool, names, place};
-use crate::check::Inputs;
 use crate::control::tools::side;
 use crate::control::{Control, Edge, Plane};
+use crate::entry::Inputs;
+use crate::entry::{Proposal, ProposedTool, names};
 use crate::workpiece::Shape;
 use crate::workpiece::tool::{Cut, Tool};
 use crate::workpiece::tool_probe::ToolProbe;

@@ -6,7 +6,7 @@ use super::params::{
     TURNING, WITH_RADIUS,
 };
 use crate::catalogue::common::{integer, length};
-use crate::catalogue::{ResultField, When, names};
+use crate::entry::{ResultField, When, names};
 
 /// `_MD` of the incremental variants names the one direction that is touched; otherwise the start position decides.
 const fn direction(md: &'static [f64]) -> When {

@@ -6,12 +6,12 @@ use super::params::{
 };
 use super::stand::Stand;
 use super::{cutter, drill, nose};
-use crate::catalogue::names;
 use crate::catalogue::sinumerik::measuring_block::Block;
 use crate::catalogue::sinumerik::{Next, alarm, results};
 use crate::catalogue::tool_probe::correct::Measured;
 use crate::catalogue::tool_probe::{correct, store};
-use crate::check::Inputs;
+use crate::entry::Inputs;
+use crate::entry::names;
 use crate::machine::{Machine, Stop};
 
 /// Runs the cycle from the present position, beside the probe.

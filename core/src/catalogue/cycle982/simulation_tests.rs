@@ -5,9 +5,9 @@
 use super::CYCLE982;
 use super::testing::{PROBE, Real, SHIFT, digit, inputs, machine, mount, place};
 use crate::catalogue::sinumerik::testing::random_parts;
-use crate::check::Inputs;
 use crate::control::Units;
 use crate::control::tools::side;
+use crate::entry::Inputs;
 use crate::evaluate::tool_offset::RADIUS;
 use crate::machine::sim::Sim;
 use crate::machine::{Setup, Stop};

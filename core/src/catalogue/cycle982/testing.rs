@@ -3,11 +3,11 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use crate::catalogue::sinumerik::testing::call;
-use crate::check::Inputs;
 use crate::control::tools::AS_TURNING_TOOL;
 use crate::control::tools::side;
 use crate::control::{Edge, Frame, Plane, Transverse, Units};
 use crate::dialect::Dialect;
+use crate::entry::Inputs;
 use crate::machine::Setup;
 use crate::workpiece::tool::{Cut, Cutter, Nose, Tool};
 use crate::workpiece::tool_probe::ToolProbe;

@@ -3,10 +3,11 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::CYCLE982;
-use crate::check::{Typed, check};
+use crate::check::check;
 use crate::control::{Control, Edge, Plane, delivery};
 use crate::diagnostic::{Code, Severity};
 use crate::dialect::Dialect;
+use crate::entry::Typed;
 
 type Values = &'static [(&'static str, &'static str)];
 type Found = Vec<(Severity, Code)>;

@@ -1,7 +1,7 @@
 //! Measuring variants of CYCLE982 (B:9224-9279, its lost lines from A:10287-10319): the combinations of the digits that
 //! exist, calibration first, then one measurement, automatic measurement, incremental measurement.
 
-use crate::catalogue::Variant;
+use crate::entry::Variant;
 
 /// All 68.
 pub const VARIANTS: &[Variant] = &[

@@ -3,10 +3,12 @@
 use super::ZONE;
 use super::params::INSIDE_ZONE;
 use crate::catalogue::lathe::{self, measure};
-use crate::catalogue::{names, place, shared_checks};
-use crate::check::{Inputs, error, warning};
+use crate::catalogue::{place, shared_checks};
+use crate::check::{error, warning};
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
+use crate::entry::Inputs;
+use crate::entry::names;
 use crate::message::Message;
 use crate::own;
 

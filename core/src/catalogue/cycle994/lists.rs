@@ -1,6 +1,7 @@
 //! CYCLE994 as a call with arguments.
 
-use crate::catalogue::{Arg, ArgumentList, Style, When, names, newer};
+use crate::catalogue::newer;
+use crate::entry::{Arg, ArgumentList, Style, When, names};
 
 /// The parameterizing call (B:12108-12121). And the list of newer controls.
 pub const LISTS: &[ArgumentList] = &[

@@ -16,9 +16,10 @@ mod tests;
 pub use results::RESULTS;
 
 use crate::catalogue::sinumerik;
-use crate::catalogue::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work, common, lathe};
+use crate::catalogue::{common, lathe};
 use crate::diagnostic::Code;
 use crate::dialect::Dialect;
+use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work};
 
 /// Measuring variants (B:10930-10933). What A:12201 says about the second is a slip: there the zone counts outside.
 pub const VARIANTS: &[Variant] = &[

@@ -2,7 +2,7 @@
 
 use crate::catalogue::common::{self, optional, required};
 use crate::catalogue::lathe::params as lathe;
-use crate::catalogue::{Need, Param, When};
+use crate::entry::{Need, Param, When};
 use crate::range::Range;
 
 /// Inside, around a protection zone.

@@ -4,10 +4,10 @@
 use super::params::INSIDE_ZONE;
 use crate::catalogue::lathe::figures::{self, ENDS, MEASURED, RADIUS, Touch};
 use crate::catalogue::lathe::params::DIAMETER;
-use crate::catalogue::names;
-use crate::check::Inputs;
-use crate::form::figures::{arrow, dimension, line, rectangle};
-use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
+use crate::entry::Inputs;
+use crate::entry::names;
+use crate::picture::figures::{arrow, dimension, line, rectangle};
+use crate::picture::{Picture, PictureShape, ShapeKind, View};
 
 /// Where both points lie along the part, mm.
 const PLACE: f64 = -14.0;

@@ -3,13 +3,13 @@
 
 use super::params::INSIDE_ZONE;
 use crate::catalogue::lathe::measure;
-use crate::catalogue::names;
 use crate::catalogue::sinumerik::measuring_block::{Block, Point};
 use crate::catalogue::sinumerik::one_point::{self, OnePoint};
 use crate::catalogue::sinumerik::target::Target;
 use crate::catalogue::sinumerik::{Next, alarm};
-use crate::check::Inputs;
 use crate::control::Control;
+use crate::entry::Inputs;
+use crate::entry::names;
 use crate::machine::{Machine, Stop};
 
 /// The border on which the ball's centre passes from one side to the other (B:10891, B:10986-11001).

@@ -7,7 +7,7 @@ use crate::catalogue::lathe::testing::{call, found, lathe};
 use crate::control::Transverse;
 use crate::diagnostic::{Code, Severity};
 use crate::form::draw;
-use crate::form::picture::ShapeKind;
+use crate::picture::ShapeKind;
 
 const ERROR: Severity = Severity::Error;
 const WARNING: Severity = Severity::Warning;

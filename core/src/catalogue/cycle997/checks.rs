@@ -2,10 +2,12 @@
 
 use super::params::{ANGLE, DIAMETER, FOUR_POINTS, THREE, TURNED};
 use super::points::{centres, sides};
-use crate::catalogue::{circle, names, place, shared_checks, spread};
-use crate::check::{Inputs, error};
+use crate::catalogue::{circle, place, shared_checks, spread};
+use crate::check::error;
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
+use crate::entry::Inputs;
+use crate::entry::names;
 use crate::evaluate::spread::Circle;
 use crate::geometry::fit;
 use crate::geometry::rigid::sin_cos;

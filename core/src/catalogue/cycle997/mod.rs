@@ -23,9 +23,10 @@ pub use results::RESULTS;
 pub use variants::VARIANTS;
 
 use crate::catalogue::common;
+use crate::catalogue::newer;
 use crate::catalogue::sinumerik;
-use crate::catalogue::{Cycle, Drawing, Help, Purpose, Simulation, Work, newer};
 use crate::dialect::Dialect;
+use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Work};
 
 /// The entry. Example: the three spheres of B:8480-8529. Its program writes `_KNUM` = 99999, which does not exist;
 /// meant is the active frame, there G54, which a form without a program has to name.

@@ -1,7 +1,7 @@
 //! Parameters of CYCLE997 in the order of the manual's tables (B:8309-8337).
 
 use crate::catalogue::common::{self, optional, required};
-use crate::catalogue::{DigitGroup, Kind, Need, Param, Unit, When, names};
+use crate::entry::{DigitGroup, Kind, Need, Param, Unit, When, names};
 use crate::range::Range;
 
 const fn digit(place: i64, is: &'static [i64]) -> When {

@@ -5,10 +5,10 @@
 
 use super::params::{ANGLE, DIAMETER, REPEATED, THREE};
 use super::points::{DIAMETER_SIDE, centres, directions};
-use crate::catalogue::names;
-use crate::check::Inputs;
-use crate::form::figures::{arc, arrow, circle, corners, dimension, line, polar, polygon, round, swept};
-use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
+use crate::entry::Inputs;
+use crate::entry::names;
+use crate::picture::figures::{arc, arrow, circle, corners, dimension, line, polar, polygon, round, swept};
+use crate::picture::{Picture, PictureShape, ShapeKind, View};
 
 /// What is drawn, mm and degree.
 struct Scene {

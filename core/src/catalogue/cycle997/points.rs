@@ -1,8 +1,9 @@
 //! Where CYCLE997 touches a sphere, seen from above.
 
 use super::params::{ANGLE, DIAMETER, FOUR_POINTS, ONE};
-use crate::catalogue::{circle, names};
-use crate::check::Inputs;
+use crate::catalogue::circle;
+use crate::entry::Inputs;
+use crate::entry::names;
 
 /// Direction of the additional point for the diameter: approached in plus direction, so on the minus side, degree
 /// (B:8371).

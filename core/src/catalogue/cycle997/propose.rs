@@ -1,9 +1,10 @@
 //! Nominal spheres for CYCLE997 at their set centres, each on a post.
 
 use super::points::centres;
-use crate::catalogue::{Proposal, names, place};
-use crate::check::Inputs;
+use crate::catalogue::place;
 use crate::control::Control;
+use crate::entry::Inputs;
+use crate::entry::{Proposal, names};
 use crate::workpiece::{Shape, Solid, Workpiece};
 
 /// Diameter of a post as a part of that of the sphere.

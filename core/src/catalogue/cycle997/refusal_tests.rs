@@ -4,8 +4,8 @@
 
 use super::simulation_tests::{corrected, ready, written};
 use crate::catalogue::sinumerik::testing::{alarms, called, stopped};
-use crate::check::Inputs;
 use crate::control::Plane;
+use crate::entry::Inputs;
 use crate::machine::sim::Sim;
 use crate::machine::trace::Step;
 use crate::machine::{Setup, Stop};

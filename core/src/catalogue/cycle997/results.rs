@@ -3,7 +3,7 @@
 
 use super::params::THREE;
 use crate::catalogue::common::{integer, length};
-use crate::catalogue::{ResultField, When};
+use crate::entry::{ResultField, When};
 
 /// In the order of the arrays.
 pub const RESULTS: &[ResultField] = &[

@@ -3,11 +3,11 @@
 use super::params::{ANGLE, DIAMETER, THREE};
 use super::points::centres;
 use super::sphere::{Plan, Sphere};
-use crate::catalogue::names;
 use crate::catalogue::place::in_plane;
 use crate::catalogue::sinumerik::measuring_block::{Block, all_calibrated, ball_known};
 use crate::catalogue::sinumerik::{Next, alarm, correct, results, tolerance};
-use crate::check::Inputs;
+use crate::entry::Inputs;
+use crate::entry::names;
 use crate::evaluate::position::{correctable, position};
 use crate::evaluate::zero_offset::{Measured, Target};
 use crate::geometry::V3;

@@ -5,9 +5,10 @@
 use super::VARIANTS;
 use crate::catalogue::find;
 use crate::catalogue::sinumerik::testing::{at, call, random_parts, run, setup, solid};
-use crate::check::{Inputs, Typed, check};
+use crate::check::check;
 use crate::control::{Frame, Plane, Units};
 use crate::dialect::Dialect;
+use crate::entry::{Inputs, Typed};
 use crate::geometry::{V3, fit, rigid};
 use crate::machine::Setup;
 use crate::machine::sim::Sim;

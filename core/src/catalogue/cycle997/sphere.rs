@@ -3,9 +3,9 @@
 use super::params::{ANGLE, DIAMETER, REPEATED};
 use super::points;
 use super::simulate::failed;
-use crate::catalogue::names;
 use crate::catalogue::sinumerik::measuring_block::{Block, Point, Ray};
-use crate::check::Inputs;
+use crate::entry::Inputs;
+use crate::entry::names;
 use crate::geometry::fit;
 use crate::geometry::rigid::sin_cos;
 use crate::machine::{Machine, Stop};

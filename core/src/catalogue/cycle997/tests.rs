@@ -3,9 +3,10 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::{CYCLE997, points};
-use crate::check::{Inputs, Typed, check};
+use crate::check::check;
 use crate::control::{Control, delivery};
 use crate::diagnostic::{Code, Severity};
+use crate::entry::{Inputs, Typed};
 use crate::form::fields;
 
 /// The worked example with some values changed.

@@ -1,6 +1,6 @@
 //! Measuring variants of CYCLE997 (B:8242-8259, B:15850).
 
-use crate::catalogue::Variant;
+use crate::entry::Variant;
 
 /// Where all of them stand. Four points at an angle with the diameter follow from the digits; the text names the digits
 /// of three points only (B:8371).

@@ -3,9 +3,9 @@
 //! Axes count 0 abscissa, 1 ordinate, 2 applicate. Angles are right-handed about an axis of the plane, degree.
 
 use super::params::ONE;
-use crate::catalogue::names;
-use crate::check::Inputs;
 use crate::control::Control;
+use crate::entry::Inputs;
+use crate::entry::names;
 use nalgebra::Vector3;
 
 /// A way from the first point to another one.

@@ -2,10 +2,12 @@
 
 use super::angles::Surface;
 use super::params::{AT_ANGLE, DIFFERENTIAL, ONE};
-use crate::catalogue::{names, shared_checks, spread};
-use crate::check::{Inputs, error};
+use crate::catalogue::{shared_checks, spread};
+use crate::check::error;
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
+use crate::entry::Inputs;
+use crate::entry::names;
 use crate::evaluate::spread::Touched;
 use crate::message::Message;
 use crate::own;

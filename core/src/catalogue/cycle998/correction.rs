@@ -3,10 +3,10 @@
 
 use super::angles::{Surface, normal};
 use super::params::ONE;
-use crate::catalogue::names;
 use crate::catalogue::sinumerik::{alarm, correct, results};
-use crate::check::Inputs;
 use crate::control::Control;
+use crate::entry::Inputs;
+use crate::entry::names;
 use crate::evaluate::zero_offset::{self, Target};
 use crate::geometry::rigid;
 use crate::machine::{Machine, Stop};

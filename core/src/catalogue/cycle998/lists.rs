@@ -1,6 +1,7 @@
 //! CYCLE998 as a call with arguments.
 
-use crate::catalogue::{Arg, ArgumentList, Style, When, names, newer};
+use crate::catalogue::newer;
+use crate::entry::{Arg, ArgumentList, Style, When, names};
 
 /// The parameterizing call (B:12008-12015) and the list of newer controls, of which only one angle with positioning at
 /// an angle is known.

@@ -23,8 +23,8 @@ pub use results::RESULTS;
 
 use crate::catalogue::common;
 use crate::catalogue::sinumerik;
-use crate::catalogue::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work};
 use crate::dialect::Dialect;
+use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work};
 
 /// Measuring variants (B:7318-7324).
 pub const VARIANTS: &[Variant] = &[

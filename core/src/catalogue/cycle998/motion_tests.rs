@@ -4,8 +4,8 @@
 
 use crate::catalogue::sinumerik::motion_testing::{DEPTH_FEED, Lettered, PLANE_FEED, lettered, same_lettered};
 use crate::catalogue::sinumerik::testing::{at, call, run, setup, solid, touches, turns};
-use crate::check::Inputs;
 use crate::control::Plane;
+use crate::entry::Inputs;
 use crate::machine::sim::Sim;
 use crate::workpiece::Shape;
 

@@ -1,8 +1,8 @@
 //! Parameters of CYCLE998 in the order of the manual's tables (B:7395-7422, B:7602-7620).
 
 use crate::catalogue::common::{self, optional, required};
-use crate::catalogue::{DigitGroup, Kind, Param, Unit, When, names};
 use crate::diagnostic::Code;
+use crate::entry::{DigitGroup, Kind, Param, Unit, When, names};
 use crate::range::Range;
 
 const fn digit(place: i64, is: &'static [i64]) -> When {

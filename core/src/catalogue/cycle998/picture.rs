@@ -3,10 +3,10 @@
 //! the drawing has room.
 
 use super::params::{AT_ANGLE, DIFFERENTIAL, TWO};
-use crate::catalogue::names;
-use crate::check::Inputs;
-use crate::form::figures::{arc, arrow, circle, dimension, line, polygon};
-use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
+use crate::entry::Inputs;
+use crate::entry::names;
+use crate::picture::figures::{arc, arrow, circle, dimension, line, polygon};
+use crate::picture::{Picture, PictureShape, ShapeKind, View};
 
 /// Steepest angle that is drawn, degree.
 const STEEP: f64 = 45.0;

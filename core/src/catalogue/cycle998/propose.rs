@@ -2,9 +2,10 @@
 
 use super::angles::{Surface, normal};
 use super::params::AT_ANGLE;
-use crate::catalogue::{Proposal, names, place};
-use crate::check::Inputs;
+use crate::catalogue::place;
 use crate::control::Control;
+use crate::entry::Inputs;
+use crate::entry::{Proposal, names};
 use crate::geometry::V3;
 use crate::workpiece::{Shape, Workpiece};
 

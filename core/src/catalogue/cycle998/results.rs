@@ -3,7 +3,7 @@
 
 use super::params::{ONE, TWO};
 use crate::catalogue::common::{angle, integer};
-use crate::catalogue::{ResultField, When};
+use crate::entry::{ResultField, When};
 
 /// In the order of the arrays.
 pub const RESULTS: &[ResultField] = &[

@@ -4,11 +4,11 @@
 use super::angles::{Leg, Surface};
 use super::correction::Correction;
 use super::params::{AT_ANGLE, DIFFERENTIAL};
-use crate::catalogue::names;
 use crate::catalogue::sinumerik::differential::twice;
 use crate::catalogue::sinumerik::measuring_block::{Block, Point, same_calibration, turnable};
 use crate::catalogue::sinumerik::{Next, alarm, results, tolerance};
-use crate::check::Inputs;
+use crate::entry::Inputs;
+use crate::entry::names;
 use crate::evaluate::mean;
 use crate::machine::{Machine, Stop};
 

@@ -4,8 +4,8 @@
 
 use super::angles::{Surface, normal};
 use crate::catalogue::sinumerik::testing::{at, call, called, close, random_parts, run, setup, stopped, touches};
-use crate::check::Inputs;
 use crate::control::{Control, Frame, Plane};
+use crate::entry::Inputs;
 use crate::geometry::V3;
 use crate::geometry::rigid::{angles, rotation};
 use crate::machine::sim::Sim;

@@ -3,10 +3,11 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::CYCLE998;
-use crate::catalogue::Style;
-use crate::check::{Typed, check};
+use crate::check::check;
 use crate::control::{Control, delivery};
 use crate::diagnostic::{Code, Severity};
+use crate::entry::Style;
+use crate::entry::Typed;
 use crate::form::fields;
 use crate::program::write::snippet;
 

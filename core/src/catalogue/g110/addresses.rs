@@ -2,8 +2,8 @@
 
 use crate::catalogue::common::{ALWAYS_REQUIRED, PARAM, optional};
 use crate::catalogue::nct::{FORMAT_ERROR, params};
-use crate::catalogue::{Chooses, Need, Param, Unit, When};
 use crate::control::Plane;
+use crate::entry::{Chooses, Need, Param, Unit, When};
 use crate::range::Range;
 
 /// The address of the tool axis makes it a boss, whatever its value (C:1076).

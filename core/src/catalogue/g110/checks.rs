@@ -2,9 +2,9 @@
 
 use super::BORE;
 use crate::catalogue::nct::checks;
-use crate::check::Inputs;
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
+use crate::entry::Inputs;
 
 /// What goes wrong with the corrections, and a ball without a way to the wall of a bore.
 pub fn checks(inputs: &Inputs, control: &Control, findings: &mut Vec<Diagnostic>) {

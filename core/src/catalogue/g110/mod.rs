@@ -8,12 +8,12 @@ mod simulate;
 mod tests;
 
 use super::nct::{self, params, part};
-use super::{Cycle, Drawing, Help, Proposal, Purpose, ResultField, Simulation, Variant, When, Work};
-use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
-use crate::catalogue::task::Task;
-use crate::check::Inputs;
 use crate::control::Control;
 use crate::dialect::Dialect;
+use crate::entry::Inputs;
+use crate::entry::Task;
+use crate::entry::{Cycle, Drawing, Help, Proposal, Purpose, ResultField, Simulation, Variant, When, Work};
+use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
 use crate::workpiece::{Shape, Workpiece};
 
 /// The stylus stands in the bore.

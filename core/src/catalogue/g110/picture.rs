@@ -1,9 +1,9 @@
 //! Bore or boss from above, with clearance, overtravel and tolerance. The limits are drawn wider than they are.
 
 use super::BOSS;
-use crate::check::Inputs;
-use crate::form::figures::{circle, corners, dimension, frame, line, polygon, ring, round};
-use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
+use crate::entry::Inputs;
+use crate::picture::figures::{circle, corners, dimension, frame, line, polygon, ring, round};
+use crate::picture::{Picture, PictureShape, ShapeKind, View};
 
 const CENTRE: [f64; 2] = [0.0; 2];
 /// Ways to the four walls.

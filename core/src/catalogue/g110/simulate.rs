@@ -9,7 +9,7 @@ use crate::catalogue::nct::correct::{self, Found, Part};
 use crate::catalogue::nct::touch::Calibration;
 use crate::catalogue::nct::walls::{Chord, Outside, Walls, chord, home, travel};
 use crate::catalogue::nct::{self, axis_name, print};
-use crate::check::Inputs;
+use crate::entry::Inputs;
 use crate::machine::{Machine, Stop};
 
 /// What was measured, mm.

@@ -1,11 +1,13 @@
 //! Checks about the probe in use and the coordinate system.
 
 use super::TIPS;
-use crate::catalogue::{names, shared_checks};
-use crate::check::{Inputs, error, warning};
+use crate::catalogue::shared_checks;
+use crate::check::{error, warning};
 use crate::control::Control;
 use crate::control::probe::Unfit;
 use crate::diagnostic::{Code, Diagnostic};
+use crate::entry::Inputs;
+use crate::entry::names;
 use crate::message::Message;
 
 /// What every call that measures a workpiece is checked for.

@@ -1,11 +1,11 @@
 //! Figures of turned parts and of the probe that touches them: abscissa (G18: Z) to the right, ordinate (X) up. Parts
 //! are drawn in one size; short distances are drawn longer than they are.
 
-use crate::catalogue::names;
-use crate::check::Inputs;
 use crate::control::variables::AXES;
-use crate::form::figures::{circle, dimension, line, polygon, rectangle};
-use crate::form::picture::{PictureShape, ShapeKind};
+use crate::entry::Inputs;
+use crate::entry::names;
+use crate::picture::figures::{circle, dimension, line, polygon, rectangle};
+use crate::picture::{PictureShape, ShapeKind};
 
 /// Radius of the drawn part, mm.
 pub const RADIUS: f64 = 22.0;

@@ -1,7 +1,7 @@
 //! What the help pages of the cycles with the probe of a turning machine have in common.
 
-use crate::catalogue::When;
-use crate::catalogue::help::{HelpLine, before, wrong};
+use crate::entry::When;
+use crate::entry::{HelpLine, before, wrong};
 
 /// What every cycle with the probe of a turning machine asks for.
 pub const PROBE: &[HelpLine] = &[

@@ -1,10 +1,10 @@
 //! What a measuring call of a turning machine means: its axis, and whether its dimensions are diameters.
 
 use super::params::{APPLICATE, TRANSVERSE};
-use crate::catalogue::names;
 use crate::catalogue::sinumerik::{alarm, results};
-use crate::check::Inputs;
 use crate::control::{Control, Plane};
+use crate::entry::Inputs;
+use crate::entry::names;
 use crate::machine::{Machine, Stop};
 
 /// Results that every call of these cycles begins with (B:16014-16022).

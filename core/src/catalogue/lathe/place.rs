@@ -1,8 +1,9 @@
 //! Nominal turned parts about the Z axis of the workpiece system, and the tools that a call corrects there.
 
-use crate::catalogue::{ProposedTool, place};
-use crate::check::Inputs;
+use crate::catalogue::place;
 use crate::control::{Control, Edge};
+use crate::entry::Inputs;
+use crate::entry::ProposedTool;
 use crate::geometry::{V3, rigid};
 use crate::workpiece::{PartErrors, Shape, Solid};
 

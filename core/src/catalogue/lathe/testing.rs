@@ -2,13 +2,14 @@
 
 #![allow(clippy::unwrap_used)]
 
-use crate::catalogue::Cycle;
 use crate::catalogue::sinumerik;
-use crate::check::Inputs;
-use crate::check::{Typed, check};
+use crate::check::check;
 use crate::control::{Control, Edge, Frame, Plane, Tool, Transverse, delivery};
 use crate::diagnostic::{Code, Severity};
 use crate::dialect::Dialect;
+use crate::entry::Cycle;
+use crate::entry::Inputs;
+use crate::entry::Typed;
 use crate::machine::Setup;
 
 /// The control in G18 with mean value memory and the probe of the manual's examples in use (B:10695-10709): T9, type

@@ -3,9 +3,10 @@
 use super::line::{Field, fields, widths};
 use super::names::{COLUMN, FILE, LINE, TITLES, VALUES};
 use super::params::LONGEST_LINE;
-use crate::check::{Inputs, error, warning};
+use crate::check::{error, warning};
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
+use crate::entry::Inputs;
 use crate::message::Message;
 use crate::own;
 

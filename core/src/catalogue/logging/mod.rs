@@ -15,9 +15,9 @@ pub use checks::checks;
 pub use picture::{closed, picture};
 
 use super::common::alarms;
-use super::{NEVER, ProbeUse, Purpose};
 use crate::control::MachineSort;
 use crate::diagnostic::Code;
+use crate::entry::{NEVER, ProbeUse, Purpose};
 
 /// All cycles of the log.
 pub const PURPOSE: Purpose = Purpose { probe: ProbeUse::Log, machine: MachineSort::Any, calibrates: NEVER, tasks: &[] };

@@ -3,7 +3,7 @@
 
 use super::names;
 use crate::catalogue::common::{PARAM, alarms, optional};
-use crate::catalogue::{Kind, Need, Param, When};
+use crate::entry::{Kind, Need, Param, When};
 use crate::range::Range;
 
 /// Longest line of a log, characters (A:15947).

@@ -4,9 +4,9 @@
 use super::line::widths;
 use super::names::{COLUMN, FILE, HEADLINES, LINE, PROGRAM, SEPARATOR, TITLES, VALUES};
 use super::params::LONGEST_LINE;
-use crate::check::Inputs;
-use crate::form::figures::{dimension, line, rectangle};
-use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
+use crate::entry::Inputs;
+use crate::picture::figures::{dimension, line, rectangle};
+use crate::picture::{Picture, PictureShape, ShapeKind, View};
 
 /// Height of a line beside the width of a character.
 const HEIGHT: f64 = 4.0;

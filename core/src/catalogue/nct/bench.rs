@@ -2,11 +2,12 @@
 //! What the tests of the macros share.
 
 use super::part;
-use crate::catalogue::Cycle;
-use crate::check::{Typed, check};
+use crate::check::check;
 use crate::control::{Frame, Plane, Units};
 use crate::diagnostic::{Code, Severity};
 use crate::dialect::Dialect;
+use crate::entry::Cycle;
+use crate::entry::Typed;
 use crate::machine::Setup;
 use crate::run::{Outcome, predict};
 use crate::workpiece::{PartErrors, Shape};

@@ -27,7 +27,7 @@ fn ring(plane: Plane, inch: bool, off: [f64; 2]) -> Setup {
 }
 
 /// Carries out a calibration in the ring, which ends where it began.
-fn calibrate(cycle: &'static crate::catalogue::Cycle, diameter: f64, setup: &Setup) -> Setup {
+fn calibrate(cycle: &'static crate::entry::Cycle, diameter: f64, setup: &Setup) -> Setup {
     let outcome = call(cycle, &[("D", &length(setup, diameter))], setup);
     assert_eq!(outcome.stop, None, "{}", cycle.name);
     assert_eq!(outcome.position, setup.position, "{}", cycle.name);

@@ -1,9 +1,10 @@
 //! Checks over several addresses that macros share.
 
 use super::{FORMAT_ERROR, NO_MOVEMENT};
-use crate::check::{Inputs, error};
+use crate::check::error;
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
+use crate::entry::Inputs;
 use crate::message::Message;
 use crate::own;
 

@@ -9,12 +9,12 @@ use super::surface::{BALL, FACE, Wall, direction, touch_wall};
 use super::walls::{home, travel};
 use super::{FORMAT_ERROR, axis_name, part, ready_to_measure};
 use crate::catalogue::common::{PARAM, required};
-use crate::catalogue::{Need, Param, Proposal, ResultField, Unit, When};
-use crate::check::Inputs;
 use crate::control::{Control, Plane};
-use crate::form::figures::{circle, dimension, line, polygon};
-use crate::form::picture::{Picture, ShapeKind, View};
+use crate::entry::Inputs;
+use crate::entry::{Need, Param, Proposal, ResultField, Unit, When};
 use crate::machine::{Machine, Stop};
+use crate::picture::figures::{circle, dimension, line, polygon};
+use crate::picture::{Picture, ShapeKind, View};
 use crate::workpiece::{Shape, Workpiece};
 
 const fn in_planes(planes: &'static [When]) -> [Need; 1] {

@@ -1,9 +1,9 @@
 //! What the measuring macros do with a deviation: results, operator messages, M, T and S (C:481-501, C:1079-1099).
 
 use super::{OUT_OF_TOLERANCE, TOOL_TOO_LARGE, UPPER_TOLERANCE, axis_name};
-use crate::check::Inputs;
 use crate::control::Control;
 use crate::control::variables::nct_offset;
+use crate::entry::Inputs;
 use crate::evaluate::tolerance::exceeds;
 use crate::machine::Machine;
 use crate::machine::trace::Step;

@@ -4,7 +4,6 @@
 
 use super::bench::{PLANES, after, call, codes, length, machine, near, put, stand};
 use super::{TOOL_AXIS, axis_name};
-use crate::catalogue::Cycle;
 use crate::catalogue::g102::{G102, INDEX};
 use crate::catalogue::g103::G103;
 use crate::catalogue::g104::G104;
@@ -16,6 +15,7 @@ use crate::catalogue::g109::{G109, POCKET, WEB};
 use crate::catalogue::nct;
 use crate::check::check;
 use crate::control::{Control, Frame, Plane};
+use crate::entry::Cycle;
 use crate::machine::Setup;
 use crate::run::Outcome;
 use crate::workpiece::Shape;

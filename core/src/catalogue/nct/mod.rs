@@ -26,11 +26,11 @@ mod proposal_tests;
 pub use crate::machine::{FALSE_TRIGGER, PATH_OBSTRUCTED};
 
 use super::common::{PARAM, optional};
-use super::{Cycle, Kind, Need, Param, Unit, When};
 use crate::catalogue;
 use crate::control::{Control, Units};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::dialect::Dialect;
+use crate::entry::{Cycle, Kind, Need, Param, Unit, When};
 use crate::machine::{Machine, Stop};
 use crate::own;
 use crate::range::Range;

@@ -2,10 +2,11 @@
 
 use super::{FORMAT_ERROR, axis_name};
 use crate::catalogue::common::optional;
-use crate::catalogue::{Need, When};
-use crate::check::{Inputs, error};
+use crate::check::error;
 use crate::control::{Control, Plane};
 use crate::diagnostic::Diagnostic;
+use crate::entry::Inputs;
+use crate::entry::{Need, When};
 use crate::message::Message;
 
 const fn need(plane: Plane, reason: &'static str) -> Need {

@@ -2,11 +2,12 @@
 //! The worked measurement of every macro runs on its own part, and finds what is wrong with it.
 
 use super::bench::{along, machine, near};
+use crate::catalogue::CYCLES;
 use crate::catalogue::example::{example, turned};
-use crate::catalogue::{CYCLES, Cycle, ProbeUse, Variant};
 use crate::check::{check, read};
 use crate::control::{Control, Plane};
 use crate::dialect::Dialect;
+use crate::entry::{Cycle, ProbeUse, Variant};
 use crate::form::draw;
 use crate::run::predict;
 

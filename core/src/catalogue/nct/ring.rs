@@ -3,13 +3,13 @@
 use super::walls::{across, travel};
 use super::{FORMAT_ERROR, OVERTRAVEL, checks, overtravel, part};
 use crate::catalogue::common::{ALWAYS_REQUIRED, PARAM};
-use crate::catalogue::{Param, Proposal, ResultField, Unit, When};
-use crate::check::Inputs;
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
-use crate::form::figures::{circle, corners, dimension, frame, line, polygon, ring, round};
-use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
+use crate::entry::Inputs;
+use crate::entry::{Param, Proposal, ResultField, Unit, When};
 use crate::machine::{Machine, Stop};
+use crate::picture::figures::{circle, corners, dimension, frame, line, polygon, ring, round};
+use crate::picture::{Picture, PictureShape, ShapeKind, View};
 use crate::range::Range;
 use crate::workpiece::{Shape, Workpiece};
 

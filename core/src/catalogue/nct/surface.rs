@@ -4,12 +4,12 @@ use super::axis_name;
 use super::touch::{Calibration, touch};
 use super::{FORMAT_ERROR, NO_MOVEMENT, part};
 use crate::catalogue::common::{PARAM, required};
-use crate::catalogue::{Need, Param, Proposal, Unit, When};
-use crate::check::Inputs;
 use crate::control::{Control, Plane};
-use crate::form::figures::{circle, corners, dimension, line, polygon, rectangle};
-use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
+use crate::entry::Inputs;
+use crate::entry::{Need, Param, Proposal, Unit, When};
 use crate::machine::{Machine, Stop};
+use crate::picture::figures::{circle, corners, dimension, line, polygon, rectangle};
+use crate::picture::{Picture, PictureShape, ShapeKind, View};
 use crate::workpiece::{Shape, Workpiece};
 
 /// Height of a surface across the tool axis: X, in the plane of which it is that axis. Key and place in the manual are

@@ -1,7 +1,7 @@
 //! What the other control can do too of the macros that measure.
 
-use crate::catalogue::When;
-use crate::catalogue::task::{Meaning, Shared, Task};
+use crate::entry::When;
+use crate::entry::{Meaning, Shared, Task};
 
 /// S, T, H, U and Q mean the same in all of them (C:475-501).
 const LIMITS: [(&str, Meaning); 5] =

@@ -2,9 +2,9 @@
 
 use super::{CALIBRATE, DIAMETER};
 use crate::catalogue::tool_probe::checks::radius;
-use crate::check::Inputs;
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
+use crate::entry::Inputs;
 use crate::own;
 
 /// All of them.

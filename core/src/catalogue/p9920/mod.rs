@@ -12,10 +12,10 @@ mod simulate;
 mod tests;
 mod touch;
 
-use super::{Cycle, Drawing, Help, ProbeUse, Purpose, Simulation, Variant, When, Work};
 use crate::control::MachineSort;
 use crate::diagnostic::Code;
 use crate::dialect::Dialect;
+use crate::entry::{Cycle, Drawing, Help, ProbeUse, Purpose, Simulation, Variant, When, Work};
 
 /// A reference tool calibrates the probe: T0.
 pub const CALIBRATE: i64 = 0;

@@ -3,7 +3,7 @@
 use super::{CALIBRATE, DIAMETER, LENGTH};
 use crate::catalogue::common::{ALWAYS_REQUIRED, PARAM, optional, required};
 use crate::catalogue::nct::NUMBER;
-use crate::catalogue::{Chooses, Kind, Param, Unit, When};
+use crate::entry::{Chooses, Kind, Param, Unit, When};
 use crate::range::Range;
 
 const AT_CALIBRATION: When = When::Variant(&[CALIBRATE]);

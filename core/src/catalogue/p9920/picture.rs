@@ -1,9 +1,9 @@
 //! G65 P9920 drawn: at the left the disk from above, at the right from the side. Disk and tool stand for any size.
 
 use super::{CALIBRATE, DIAMETER};
-use crate::check::Inputs;
-use crate::form::figures::{arrow, circle, dimension, line, rectangle, swept};
-use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
+use crate::entry::Inputs;
+use crate::picture::figures::{arrow, circle, dimension, line, rectangle, swept};
+use crate::picture::{Picture, PictureShape, ShapeKind, View};
 
 /// Radius of the disk, mm.
 const DISK: f64 = 13.0;

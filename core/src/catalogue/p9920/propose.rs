@@ -2,9 +2,9 @@
 
 use super::CALIBRATE;
 use super::checks::diameter;
-use crate::catalogue::{Proposal, ProposedTool};
-use crate::check::Inputs;
 use crate::control::{Control, Edge};
+use crate::entry::Inputs;
+use crate::entry::{Proposal, ProposedTool};
 use crate::workpiece::tool_probe::ToolProbe;
 use crate::workpiece::{PartErrors, Shape, Solid};
 

@@ -2,7 +2,7 @@
 
 use super::{CALIBRATE, DIAMETER, LENGTH};
 use crate::catalogue::nct::{params, ring};
-use crate::catalogue::{ResultField, When};
+use crate::entry::{ResultField, When};
 
 /// All of them.
 pub const RESULTS: &[ResultField] = &[

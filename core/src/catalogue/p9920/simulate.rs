@@ -6,8 +6,8 @@ use super::checks::diameter;
 use super::touch::{Feeds, feed_and_speed, leave, nose, sink, touch, travel};
 use super::{CALIBRATE, DEPRESSED, DIAMETER, MEASURING_DEVICE};
 use crate::catalogue::nct::correct;
-use crate::check::Inputs;
 use crate::control::{Control, Plane, Value};
+use crate::entry::Inputs;
 use crate::machine::{Machine, Stop};
 use crate::message::Message;
 

@@ -3,7 +3,7 @@
 
 use super::{INCORRECT, TOO_SMALL};
 use crate::catalogue::nct::touch::{BACK, MEDIUM, POSITIONING, SLOW};
-use crate::check::Inputs;
+use crate::entry::Inputs;
 use crate::machine::trace::MotionKind;
 use crate::machine::{Machine, Stop};
 

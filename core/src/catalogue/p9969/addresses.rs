@@ -2,8 +2,8 @@
 
 use crate::catalogue::common::{ALWAYS_REQUIRED, PARAM, optional};
 use crate::catalogue::nct::{FORMAT_ERROR, LENGTH, NUMBER};
-use crate::catalogue::{Param, Unit, When};
 use crate::control::Plane;
+use crate::entry::{Param, Unit, When};
 use crate::range::Range;
 
 /// End of the rectangle, or the deepest position in the plane of which it is the tool axis.
@@ -73,7 +73,7 @@ pub const PARAMS: &[Param] = &[
 
 /// The address that is given, of the two that step along an axis of the plane, with the axis of the lines and the axis
 /// from line to line; none where not exactly one is.
-pub fn spacing(inputs: &crate::check::Inputs) -> Option<(f64, usize, usize)> {
+pub fn spacing(inputs: &crate::entry::Inputs) -> Option<(f64, usize, usize)> {
     let [first, second, _] = inputs.plane.axes();
     let given = [second, first].map(|axis| inputs.given(letter(axis)));
     match given {

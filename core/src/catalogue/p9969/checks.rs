@@ -2,9 +2,10 @@
 
 use super::addresses::{letter, spacing};
 use crate::catalogue::nct::FORMAT_ERROR;
-use crate::check::{Inputs, error};
+use crate::check::error;
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
+use crate::entry::Inputs;
 use crate::message::Message;
 
 /// Both line spacings of the plane (C:1330-1332), or none: then nothing says which axis is scanned along.

@@ -9,8 +9,8 @@ use crate::catalogue::nct::{
     self, FALSE_TRIGGER, FORMAT_ERROR, OUT_OF_POSITION, PATH_OBSTRUCTED, SCANNING_FAIL, SCANNING_OBSTRUCTED,
     STYLUS_IN_CONTACT, axis_name,
 };
-use crate::check::Inputs;
 use crate::diagnostic::Code;
+use crate::entry::Inputs;
 use crate::machine::Scanner;
 use crate::machine::trace::MotionKind;
 use crate::machine::{Machine, Stop};

@@ -1,7 +1,7 @@
 //! The help page of G65 P9969.
 
-use crate::catalogue::When;
-use crate::catalogue::help::{HelpLine, before, corrects, measures, order, wrong};
+use crate::entry::When;
+use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
 
 /// The lines of the help page.
 pub const HELP: &[HelpLine] = &[

@@ -10,10 +10,10 @@ mod simulate;
 mod tests;
 
 use super::nct::{self, params, part};
-use super::{Cycle, Drawing, Help, Proposal, Purpose, ResultField, Simulation, Unit, Variant, Work};
-use crate::check::Inputs;
 use crate::control::Control;
 use crate::dialect::Dialect;
+use crate::entry::Inputs;
+use crate::entry::{Cycle, Drawing, Help, Proposal, Purpose, ResultField, Simulation, Unit, Variant, Work};
 use crate::workpiece::free::Example;
 use crate::workpiece::{Shape, Workpiece};
 use std::sync::Arc;

@@ -3,9 +3,9 @@
 
 use super::addresses::{letter, spacing};
 use crate::catalogue::nct::axis_name;
-use crate::check::Inputs;
-use crate::form::figures::{circle, dimension, line, polygon};
-use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
+use crate::entry::Inputs;
+use crate::picture::figures::{circle, dimension, line, polygon};
+use crate::picture::{Picture, PictureShape, ShapeKind, View};
 
 /// Longer side of the drawn rectangle, mm.
 const LONG: f64 = 64.0;

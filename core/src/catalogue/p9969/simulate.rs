@@ -2,7 +2,7 @@
 
 use super::follow;
 use crate::catalogue::nct::correct;
-use crate::check::Inputs;
+use crate::entry::Inputs;
 use crate::machine::Scanner;
 use crate::machine::too_many;
 use crate::machine::trace::Step;

@@ -4,10 +4,10 @@
 
 use super::results;
 use crate::catalogue::common::MONO;
-use crate::catalogue::names;
-use crate::check::Inputs;
 use crate::control::MachineSort;
 use crate::control::{Control, Plane};
+use crate::entry::Inputs;
+use crate::entry::names;
 use crate::machine::Machine;
 
 /// Notes in the data field of the probe how a call calibrates it.

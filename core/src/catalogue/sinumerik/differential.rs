@@ -3,7 +3,7 @@
 
 use super::measuring_block::{Block, Point};
 use super::{alarm, results};
-use crate::check::Inputs;
+use crate::entry::Inputs;
 use crate::machine::{Machine, Stop};
 
 /// What the two touches tell.

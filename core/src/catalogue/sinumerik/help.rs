@@ -1,8 +1,8 @@
 //! What the help pages of the SINUMERIK workpiece cycles have in common, in groups.
 
-use crate::catalogue::When;
 use crate::catalogue::common::{TOOL_OFFSET, ZERO_OFFSET};
-use crate::catalogue::help::{HelpLine, before, corrects, mvar, order, wrong};
+use crate::entry::When;
+use crate::entry::{HelpLine, before, corrects, mvar, order, wrong};
 
 const TURNED_OVER: When = mvar(1000, &[1]);
 

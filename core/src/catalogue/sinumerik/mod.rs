@@ -16,7 +16,6 @@ pub mod target;
 #[cfg(test)]
 pub mod testing;
 pub mod tolerance;
-pub mod upkeep;
 
 use crate::diagnostic::Code;
 use crate::machine::{Machine, Stop};

@@ -4,7 +4,7 @@
 use super::target::Target;
 use super::tolerance::{self, Sizes};
 use super::{Next, correct, results};
-use crate::check::Inputs;
+use crate::entry::Inputs;
 use crate::evaluate::{mean, tool_offset, zero_offset};
 use crate::machine::{Machine, Stop};
 

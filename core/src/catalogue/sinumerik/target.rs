@@ -1,7 +1,7 @@
 //! What a measurement corrects: a tool or a zero offset, as the hundreds of `_MVAR` say.
 
 use super::{correct, tolerance};
-use crate::check::Inputs;
+use crate::entry::Inputs;
 use crate::evaluate::{tool_offset, zero_offset};
 use crate::machine::{Machine, Stop};
 

@@ -2,11 +2,12 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use crate::catalogue::{ProbeUse, find, place};
-use crate::check::Inputs;
+use crate::catalogue::{find, place};
 use crate::control::Plane;
 use crate::diagnostic::Code;
 use crate::dialect::Dialect;
+use crate::entry::Inputs;
+use crate::entry::ProbeUse;
 use crate::machine::sim::Sim;
 use crate::machine::trace::{MotionKind, Step};
 use crate::machine::{Setup, Stop};

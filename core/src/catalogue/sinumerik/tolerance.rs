@@ -1,9 +1,9 @@
 //! Safe area, tolerance chain and repetition as the workpiece cycles use them (B:1286-1390, B:6123-6137).
 
 use super::{Next, alarm, correct, results};
-use crate::check::Inputs;
 use crate::control::Control;
 use crate::diagnostic::Code;
+use crate::entry::Inputs;
 use crate::evaluate::symmetry::{Symmetric, symmetric};
 use crate::evaluate::tolerance::{Bands, Branch, Decision, chain, exceeds};
 use crate::evaluate::{mean, tool_offset};

@@ -2,9 +2,10 @@
 
 use super::common_rows;
 use crate::catalogue::alarms::{ALARMS, stops};
-use crate::catalogue::{CYCLES, Cycle, find, nct};
+use crate::catalogue::{CYCLES, find, nct};
 use crate::diagnostic::Code;
 use crate::dialect::Dialect;
+use crate::entry::Cycle;
 use std::collections::BTreeSet;
 
 /// Alarms that an entry names beyond the manual, with the reason in DESIGN.md.

@@ -1,7 +1,7 @@
 //! What the tables say behind `required-if:`, as values that make it true.
 
-use super::super::{Cycle, Level, names};
-use crate::check::Inputs;
+use crate::entry::Inputs;
+use crate::entry::{Cycle, Level, names};
 
 /// Inputs of this variant for which the condition holds, one for each way; none where the condition is about the
 /// variant and this one does not meet it.

@@ -1,8 +1,8 @@
 //! Variants and combinations that the tables call invalid are refused, with the alarm named there.
 
-use super::super::{Cycle, names};
 use super::{covers, refused, rows, rows_of, sinumerik};
 use crate::diagnostic::Code;
+use crate::entry::{Cycle, names};
 
 #[test]
 fn invalid_variants_are_refused() {

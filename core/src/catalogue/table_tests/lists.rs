@@ -3,6 +3,11 @@
 use super::super::*;
 use super::common_rows;
 use crate::dialect::Dialect;
+use crate::entry::AUXILIARY;
+use crate::entry::AUXILIARY_ARGS;
+use crate::entry::Arg;
+use crate::entry::Cycle;
+use crate::entry::Style;
 use std::collections::BTreeMap;
 
 #[test]
@@ -15,7 +20,7 @@ fn parameterizing_calls_are_those_of_the_table() {
     if table.is_empty() {
         return;
     }
-    assert_eq!(table[list::AUXILIARY], list::AUXILIARY_ARGS);
+    assert_eq!(table[AUXILIARY], AUXILIARY_ARGS);
     for cycle in CYCLES {
         for list in cycle.lists.iter().filter(|list| list.style == Style::Indirect) {
             let rows = &table[list.name];

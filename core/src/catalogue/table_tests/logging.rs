@@ -2,6 +2,9 @@
 
 use super::super::*;
 use super::{common_rows, sinumerik};
+use crate::entry::Arg;
+use crate::entry::Cycle;
+use crate::entry::ProbeUse;
 use std::collections::BTreeSet;
 use std::path::Path;
 

@@ -14,10 +14,15 @@ mod params;
 mod results;
 
 use super::*;
-use crate::check::{Typed, check};
+use crate::check::check;
 use crate::control::delivery;
 use crate::diagnostic::{Code, Severity};
 use crate::dialect::Dialect;
+use crate::entry::Cycle;
+use crate::entry::Param;
+use crate::entry::ProbeUse;
+use crate::entry::Typed;
+use crate::entry::names;
 use cells::covers;
 use std::collections::BTreeSet;
 use std::path::Path;

@@ -1,11 +1,12 @@
 //! The macros against the tables of the NCT manual.
 
 use super::common_rows;
-use crate::catalogue::{CYCLES, Cycle, Param, nct};
-use crate::check::Inputs;
+use crate::catalogue::{CYCLES, nct};
 use crate::control::Plane;
 use crate::diagnostic::Code;
 use crate::dialect::Dialect;
+use crate::entry::Inputs;
+use crate::entry::{Cycle, Param};
 use std::collections::BTreeSet;
 
 /// Variants, addresses and results of each macro, by name.

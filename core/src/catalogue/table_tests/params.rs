@@ -1,12 +1,19 @@
 //! Parameters: which variant needs which, unit and default.
 
-use super::super::*;
 use super::cells::with_condition;
 use super::conditions::{level, met};
 use super::results::row_name;
 use super::{allowed, covers, of_the_call, refused, rows, tabled};
-use crate::check::Inputs;
 use crate::diagnostic::Code;
+use crate::entry::Cycle;
+use crate::entry::Inputs;
+use crate::entry::Kind;
+use crate::entry::Level;
+use crate::entry::Param;
+use crate::entry::ProbeUse;
+use crate::entry::Unit;
+use crate::entry::Variant;
+use crate::entry::names;
 use std::collections::BTreeSet;
 
 #[test]

@@ -1,8 +1,11 @@
 //! Results: which variant sets which.
 
-use super::super::*;
 use super::{covers, rows, tabled};
-use crate::check::Inputs;
+use crate::entry::Cycle;
+use crate::entry::Inputs;
+use crate::entry::ResultField;
+use crate::entry::Variant;
+use crate::entry::names;
 use std::collections::BTreeSet;
 
 #[test]

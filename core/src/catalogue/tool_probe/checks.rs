@@ -1,10 +1,11 @@
 //! Checks that the cycles at a tool probe share.
 
 use super::ProbeData;
-use crate::catalogue::names;
-use crate::check::{Inputs, error, warning};
+use crate::check::{error, warning};
 use crate::control::{Control, Edge};
 use crate::diagnostic::{Code, Diagnostic};
+use crate::entry::Inputs;
+use crate::entry::names;
 use crate::message::Message;
 use crate::own;
 

@@ -1,9 +1,9 @@
 //! What measuring a tool found: the results, the limits, the correction of the edge in use (B:4310-4326).
 
-use crate::catalogue::names;
 use crate::catalogue::sinumerik::{Next, alarm, correct, results, tolerance};
-use crate::check::Inputs;
 use crate::control::Control;
+use crate::entry::Inputs;
+use crate::entry::names;
 use crate::evaluate::tolerance::{RESOLUTION, exceeds};
 use crate::evaluate::{mean, tool_offset};
 use crate::machine::trace::Step;

@@ -1,8 +1,8 @@
 //! The data of a tool probe in `_TP[k,i]` (machine) or `_TPW[k,i]` (workpiece), B:13354-13421.
 
-use crate::catalogue::names;
-use crate::check::Inputs;
 use crate::control::Control;
+use crate::entry::Inputs;
+use crate::entry::names;
 
 /// One tool probe of a control.
 pub struct ProbeData<'a> {

@@ -1,10 +1,10 @@
 //! What the pictures of the cycles at a tool probe share. A turning tool is drawn as with cutting edge position 3,
 //! which touches the plus sides; at the end the figures are mirrored to the position of the tool in use.
 
-use crate::catalogue::names;
-use crate::check::Inputs;
-use crate::form::figures::{circle, polygon};
-use crate::form::picture::{PictureShape, ShapeKind};
+use crate::entry::Inputs;
+use crate::entry::names;
+use crate::picture::figures::{circle, polygon};
+use crate::picture::{PictureShape, ShapeKind};
 
 /// The limits of the difference that the call uses, as bands on both sides of a touched face, wide ones first. `out`:
 /// direction in which the face is left, of length 1. Much wider than they are, so that they can be seen.

@@ -1,7 +1,7 @@
 //! What the help pages of the cycles at a tool probe have in common.
 
-use crate::catalogue::When;
-use crate::catalogue::help::{HelpLine, before, wrong};
+use crate::entry::When;
+use crate::entry::{HelpLine, before, wrong};
 
 /// What all cycles at a tool probe have in common.
 pub const ALL: &[HelpLine] =

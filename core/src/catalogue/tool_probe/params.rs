@@ -1,7 +1,7 @@
 //! Parameters of the cycles at a tool probe. A cycle fills in when it needs them.
 
 use crate::catalogue::common;
-use crate::catalogue::{DigitGroup, Kind, Param};
+use crate::entry::{DigitGroup, Kind, Param};
 use crate::range::Range;
 
 /// Second digit of `_MVAR`: whether the probe stands in the machine (`_TP`) or in the active workpiece system (`_TPW`)

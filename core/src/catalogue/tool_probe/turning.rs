@@ -1,9 +1,10 @@
 //! Checks about the turning tool with which a tool probe is calibrated, or that is measured there.
 
-use crate::catalogue::names;
-use crate::check::{Inputs, error};
+use crate::check::error;
 use crate::control::Edge;
 use crate::diagnostic::{Code, Diagnostic};
+use crate::entry::Inputs;
+use crate::entry::names;
 use crate::message::Message;
 
 /// Types of turning tools (B:8838, B:9001).

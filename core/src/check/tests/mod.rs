@@ -3,11 +3,13 @@
 
 mod random;
 
-use super::{Checked, Typed, check};
-use crate::catalogue::{Cycle, find};
+use super::{Checked, check};
+use crate::catalogue::find;
 use crate::control::{Control, Units, delivery};
 use crate::diagnostic::{Code, Severity};
 use crate::dialect::Dialect;
+use crate::entry::Cycle;
+use crate::entry::Typed;
 use crate::message::Message;
 
 fn typed(values: &[(&str, &str)]) -> Typed {

@@ -1,8 +1,9 @@
 //! Values at random.
 
 use super::{control, cycle, found, typed};
-use crate::check::{Typed, check};
+use crate::check::check;
 use crate::diagnostic::Severity;
+use crate::entry::Typed;
 
 /// Deterministic numbers for properties (xorshift).
 struct Random(u64);

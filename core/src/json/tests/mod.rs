@@ -7,16 +7,16 @@ mod machine;
 mod outcome;
 mod setup;
 
-use crate::check::Typed;
+use crate::entry::Typed;
 use crate::json::*;
 use serde_json::json;
 
-fn request(cycle: &crate::catalogue::Cycle) -> String {
+fn request(cycle: &crate::entry::Cycle) -> String {
     let values = cycle.example.iter();
     asked(cycle, &values.map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect())
 }
 
-fn asked(cycle: &crate::catalogue::Cycle, values: &Typed) -> String {
+fn asked(cycle: &crate::entry::Cycle, values: &Typed) -> String {
     json!({
         "control": dialect_name(cycle.dialect),
         "cycle": cycle.name,

@@ -1,8 +1,8 @@
 //! What a form foretells: the run, the scene, the largest errors.
 
 use super::{asked, request};
-use crate::catalogue::ProbeUse;
 use crate::control::Plane;
+use crate::entry::ProbeUse;
 use crate::json::*;
 use crate::machine::setup::Setup;
 use serde_json::json;
@@ -69,7 +69,7 @@ fn every_worked_example_is_complete_and_reaches_its_end() {
     }
 }
 
-fn reaches_its_end(cycle: &'static crate::catalogue::Cycle, variant: &crate::catalogue::Variant) {
+fn reaches_its_end(cycle: &'static crate::entry::Cycle, variant: &crate::entry::Variant) {
     let what = format!("{} {}", cycle.name, variant.number);
     let values = crate::catalogue::example::example(cycle, variant);
     let view = form(&asked(cycle, &values)).unwrap();

@@ -1,7 +1,6 @@
 //! What has to be in force at a call.
 
 use super::{Seen, at, inherited, unsaid, with_line};
-use crate::catalogue::{ProbeUse, Style, names};
 use crate::check::{self, error, warning};
 use crate::control::MachineSort;
 use crate::control::machine_data::TOOL_LENGTH_TYPE;
@@ -9,6 +8,7 @@ use crate::control::probe::Unfit;
 use crate::control::tools::TURNING;
 use crate::control::{Control, delivery_in};
 use crate::diagnostic::{Code, Diagnostic, Severity};
+use crate::entry::{ProbeUse, Style, names};
 use crate::message::Message;
 use crate::own;
 use crate::program::tools::ToolInUse;

@@ -1,9 +1,9 @@
 //! What happens behind a call: a corrected frame that is only stored counts when it is programmed again (B:1965).
 
 use super::{Seen, at, behind_call};
-use crate::catalogue::{Kind, ProbeUse, names};
 use crate::check::{Target, target};
 use crate::diagnostic::Diagnostic;
+use crate::entry::{Kind, ProbeUse, names};
 use crate::evaluate::knum::{self, ZeroCode};
 use crate::own;
 use crate::program::calls::CallSite;

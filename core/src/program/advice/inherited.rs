@@ -2,10 +2,11 @@
 //! persist until they are overwritten (`_TSA` in mm reaching a cycle that takes it as degrees).
 
 use super::Seen;
-use crate::catalogue::{Kind, Level, Param, Unit};
-use crate::check::{self, Inputs};
+use crate::check::{self};
 use crate::control::Transverse;
 use crate::diagnostic::{Cure, Diagnostic};
+use crate::entry::Inputs;
+use crate::entry::{Kind, Level, Param, Unit};
 use crate::message::Message;
 use crate::own;
 use crate::program::calls::CallSite;

@@ -2,10 +2,10 @@
 //! their changes go into the program (B:12549-12558).
 
 use super::{Seen, at};
-use crate::catalogue::{Param, Style, names};
 use crate::check::{self, Parsed, parse};
 use crate::control::Control;
 use crate::diagnostic::{Cure, Diagnostic, Edit, Span};
+use crate::entry::{Param, Style, names};
 use crate::message::Message;
 use crate::own;
 use crate::program::calls::CallSite;

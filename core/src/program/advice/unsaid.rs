@@ -2,11 +2,12 @@
 //! once a program.
 
 use super::{Seen, at_call, between, with_line};
-use crate::catalogue::{ProbeUse, lathe, names};
+use crate::catalogue::lathe;
 use crate::control::MachineSort;
 use crate::control::Transverse;
 use crate::control::tools::TURNING;
 use crate::diagnostic::Diagnostic;
+use crate::entry::{ProbeUse, names};
 use crate::own;
 use crate::program::flow::Mode;
 

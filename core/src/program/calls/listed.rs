@@ -2,9 +2,12 @@
 
 use super::site::Called;
 use super::{Place, Walk};
-use crate::catalogue::{self, Arg, ArgumentList, Cycle, Style, list};
+use crate::catalogue::{self, list};
 use crate::check::listed::{count, refused};
 use crate::diagnostic::Span;
+use crate::entry::AUXILIARY;
+use crate::entry::AUXILIARY_ARGS;
+use crate::entry::{Arg, ArgumentList, Cycle, Style};
 use crate::program::arguments;
 use crate::program::held::Held;
 use crate::program::values::Value;
@@ -26,7 +29,7 @@ impl Walk<'_> {
                 Some(self.value(place, id, at))
             })
             .collect();
-        if name == list::AUXILIARY {
+        if name == AUXILIARY {
             return self.auxiliary(place, arguments);
         }
         let number = |index: usize| arguments.get(index)?.as_ref()?.number;
@@ -52,7 +55,7 @@ impl Walk<'_> {
 
     /// `CYCLE_PARA`: what is not 0 goes into the data (B:11734).
     fn auxiliary(&mut self, place: &mut Place, arguments: Vec<Option<Value>>) {
-        for (name, value) in list::AUXILIARY_ARGS.iter().zip(arguments) {
+        for (name, value) in AUXILIARY_ARGS.iter().zip(arguments) {
             if let Some(value) = value.filter(|value| value.number != Some(0.0)) {
                 self.assign(place, name, value);
             }

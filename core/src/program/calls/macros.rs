@@ -2,9 +2,10 @@
 
 use super::site::Called;
 use super::{Place, Walk};
-use crate::catalogue::{self, Cycle, nct};
+use crate::catalogue::{self, nct};
 use crate::control::{Control, Plane};
 use crate::diagnostic::{Diagnostic, Span};
+use crate::entry::Cycle;
 use crate::program::held::Held;
 use crate::program::values;
 use crate::syntax::Program;

@@ -1,10 +1,10 @@
 //! Values of a call that are of the wrong sort, whichever way they come to it.
 
 use super::listed::Given;
-use crate::catalogue::{Cycle, Kind};
 use crate::check::Sort;
 use crate::check::listed::sort;
 use crate::diagnostic::Diagnostic;
+use crate::entry::{Cycle, Kind};
 use crate::program::values::Value;
 use crate::syntax::Program;
 use crate::syntax::tree::{Word, WordKind};

@@ -1,6 +1,7 @@
 //! What one program of a text names, declares and calls.
 
-use crate::catalogue::{self, list};
+use crate::catalogue;
+use crate::entry::AUXILIARY;
 use crate::program::flow::{Called, called, callers};
 use crate::program::held::stem;
 use crate::syntax::Program;
@@ -37,7 +38,7 @@ pub(super) fn is_cycle(program: &Program, word: &Word) -> bool {
     };
     let text = program.text(*name);
     let cycle = text.get(..5).is_some_and(|start| start.eq_ignore_ascii_case(b"CYCLE"));
-    cycle && !program.is(*name, list::AUXILIARY)
+    cycle && !program.is(*name, AUXILIARY)
 }
 
 /// The programs that measure, or call one that does.

@@ -1,9 +1,12 @@
 //! SINUMERIK: assignments and the call, with the arguments that its way of writing takes.
 
 use super::{Source, Written, assignments, is_expression, word};
-use crate::catalogue::{Arg, ArgumentList, Param, Style, list, names};
-use crate::check::{Parsed, Target, Typed, newer, parse, target};
+use crate::check::{Parsed, Target, newer, parse, target};
 use crate::diagnostic::Diagnostic;
+use crate::entry::AUXILIARY;
+use crate::entry::AUXILIARY_ARGS;
+use crate::entry::Typed;
+use crate::entry::{Arg, ArgumentList, Param, Style, names};
 use crate::own;
 use crate::program::values::opposite;
 
@@ -109,8 +112,8 @@ fn listed(source: &Source, list: &ArgumentList) -> Written {
             let of_name = auxiliary.iter().find(|(param, _)| param.name == *name);
             of_name.map_or(String::new(), |(_, text)| text.clone())
         };
-        let arguments = list::AUXILIARY_ARGS.iter().map(value).collect();
-        text.push_str(&call(list::AUXILIARY, arguments));
+        let arguments = AUXILIARY_ARGS.iter().map(value).collect();
+        text.push_str(&call(AUXILIARY, arguments));
     }
     text.push_str(&call(list.name, arguments(source, list)));
     Written { text, said, findings }
@@ -126,7 +129,7 @@ fn takes(source: &Source, list: &ArgumentList, param: &Param) -> bool {
 /// one.
 fn is_auxiliary(param: &Param, text: &str) -> bool {
     let may_be_zero = parse(text) == Parsed::Number(0.0) || is_expression(param, text);
-    list::AUXILIARY_ARGS.contains(&param.name) && !may_be_zero
+    AUXILIARY_ARGS.contains(&param.name) && !may_be_zero
 }
 
 fn is_default(source: &Source, param: &Param, text: &str) -> bool {
@@ -134,7 +137,7 @@ fn is_default(source: &Source, param: &Param, text: &str) -> bool {
 }
 
 fn beside(param: &Param, text: &str) -> Diagnostic {
-    let auxiliary = list::AUXILIARY_ARGS.contains(&param.name);
+    let auxiliary = AUXILIARY_ARGS.contains(&param.name);
     let sentence = match (auxiliary, is_expression(param, text)) {
         (true, true) => own::WRITE_EXPRESSION,
         (true, false) => own::WRITE_ZERO,

@@ -4,11 +4,12 @@ mod list;
 pub mod machine;
 mod support;
 
-use crate::catalogue::{Cycle, Kind, Param, Style};
-use crate::check::{self, Inputs, Parsed, Text, Typed, parse, parse_text};
+use crate::check::{self, Parsed, Text, parse, parse_text};
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
 use crate::dialect::Dialect;
+use crate::entry::{Cycle, Kind, Param, Style};
+use crate::entry::{Inputs, Typed};
 use crate::support::Support;
 
 /// Widest line of assignments, as in the programs of the manual.

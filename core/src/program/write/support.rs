@@ -2,9 +2,9 @@
 //! what was set for it.
 
 use super::{Source, assignments, value, word};
-use crate::catalogue::{Cycle, Style, names};
-use crate::check::Typed;
 use crate::control::Control;
+use crate::entry::Typed;
+use crate::entry::{Cycle, Style, names};
 use crate::support::{MEAN_BIT, Mark, SPEEDS_BIT, Support, decimal};
 
 /// Order of the first block. The example measures a hole; what other forms have beside its fields stands behind the

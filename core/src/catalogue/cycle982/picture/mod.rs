@@ -11,12 +11,12 @@ use super::params::{
     ABSCISSA, AUTOMATIC, BOTH, CALIBRATE, DRILL, DRILL_ALONG_APPLICATE, INCREMENTAL, MEASURE, MILLING, OPPOSITE,
     RADIAL, RADIUS, REVERSAL, UPPER, WITH_RADIUS, WORKPIECE,
 };
-use crate::catalogue::names;
 use crate::catalogue::tool_probe::figures::{self, bands};
-use crate::check::Inputs;
 use crate::control::Plane;
-use crate::form::figures::{arrow, circle, dimension, line, rectangle};
-use crate::form::picture::{Picture, PictureShape, ShapeKind, View};
+use crate::entry::Inputs;
+use crate::entry::names;
+use crate::picture::figures::{arrow, circle, dimension, line, rectangle};
+use crate::picture::{Picture, PictureShape, ShapeKind, View};
 
 /// Half the edge length of the probe, mm.
 const PROBE: f64 = 10.0;

@@ -1,11 +1,11 @@
 //! The tool before the first side that it touches.
 
 use super::{PROBE, Scene, Tool, Touch, at};
-use crate::catalogue::names;
 use crate::catalogue::tool_probe::figures::{self, LENGTH, nose_radius};
-use crate::check::Inputs;
-use crate::form::figures::{dimension, polygon};
-use crate::form::picture::{PictureShape, ShapeKind};
+use crate::entry::Inputs;
+use crate::entry::names;
+use crate::picture::figures::{dimension, polygon};
+use crate::picture::{PictureShape, ShapeKind};
 
 /// Radius of milling tool and drill, mm.
 const CUTTER: f64 = 6.0;

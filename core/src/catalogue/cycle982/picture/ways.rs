@@ -2,10 +2,10 @@
 
 use super::super::params::{OPPOSITE, UPPER};
 use super::{PROBE, Scene, Tool, Touch, at};
-use crate::catalogue::names;
-use crate::check::Inputs;
-use crate::form::figures::{circle, line};
-use crate::form::picture::{PictureShape, ShapeKind};
+use crate::entry::Inputs;
+use crate::entry::names;
+use crate::picture::figures::{circle, line};
+use crate::picture::{PictureShape, ShapeKind};
 
 /// Distance of the start position from the centre of the probe in both axes, mm.
 const FAR: f64 = 34.0;

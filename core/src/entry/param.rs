@@ -115,3 +115,7 @@ pub enum Level {
     /// May be given.
     Optional,
 }
+
+/// Third digit of `_PRNUM`.
+pub const PROBE_TYPE: DigitGroup =
+    DigitGroup { key: "prnum-type", place: 100, digits: 1, choices: &[(0, "prnum-multi"), (1, "prnum-mono")] };

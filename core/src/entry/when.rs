@@ -1,8 +1,8 @@
 //! A condition on the values of a call, and whether it holds.
 
 use super::{Kind, Level, Param, Unit};
-use crate::check::{Inputs, delivered_factor};
 use crate::control::{Control, Units, gud};
+use crate::entry::{Inputs, delivered_factor};
 
 /// A condition on the values of a call. Data, so that docs can print it.
 pub enum When {

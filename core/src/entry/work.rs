@@ -2,10 +2,10 @@
 
 use super::When;
 use crate::SIMULATES;
-use crate::check::Inputs;
 use crate::control::Control;
-use crate::form::picture::Picture;
+use crate::entry::Inputs;
 use crate::machine::{Machine, Stop};
+use crate::picture::Picture;
 use crate::workpiece::tool::Tool;
 use crate::workpiece::tool_probe::ToolProbe;
 use crate::workpiece::{Solid, Workpiece};

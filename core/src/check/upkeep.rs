@@ -1,12 +1,12 @@
 //! What a measuring call does with the data of the control before anything else: arrays that stand in the other basic
 //! system are converted (B:13594-13598, B:14059-14061), and arrays are erased on demand (B:13644).
 
-use crate::catalogue::Cycle;
 use crate::control::delivery::{factor, scaled};
 use crate::control::gud::{self, Block, Element, Gud};
 use crate::control::{Control, Units, Value};
 use crate::diagnostic::Diagnostic;
 use crate::dialect::Dialect;
+use crate::entry::Cycle;
 use crate::machine::Machine;
 use crate::machine::trace::Step;
 use crate::message::Message;
@@ -129,9 +129,10 @@ fn erase(control: &Control) -> Due {
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
-    use crate::check::{Checked, Typed, check};
+    use crate::check::{Checked, check};
     use crate::control::{Plane, rebuilt};
     use crate::diagnostic::{Code, Severity};
+    use crate::entry::Typed;
     use crate::machine::Setup;
     use crate::program::calls::calls_on;
     use crate::run::{Limits, Outcome, run};

@@ -1,6 +1,8 @@
 //! What the values of a form mean, drawn: plain figures in mm of the working plane (or of a section through it),
 //! each with the parameter that it explains. The page draws them; no colour and no pixel is decided here.
 
+pub mod figures;
+
 /// From where the drawing is seen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum View {

@@ -1,10 +1,10 @@
 //! The shape of a catalogue entry. Plain data, read by form, check, program, docs and run.
 
 use super::{Drawing, Kind, NEVER, Param, Scan, Simulation, Unit, When, Work};
-use crate::check::Inputs;
 use crate::control::{Control, MachineSort};
 use crate::diagnostic::Code;
 use crate::dialect::Dialect;
+use crate::entry::Inputs;
 
 /// One measuring cycle or macro.
 pub struct Cycle {

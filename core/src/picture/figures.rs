@@ -1,6 +1,6 @@
 //! Figures of a picture, put together.
 
-use super::picture::{PictureShape, ShapeKind};
+use super::{PictureShape, ShapeKind};
 
 /// Corners of a drawn circle; enough to look round.
 const CORNERS: u32 = 72;

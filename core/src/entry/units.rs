@@ -1,8 +1,8 @@
 //! The one place where typed values become mm, degree and mm/min, and where units get their names.
 
-use crate::catalogue::Unit;
 use crate::control::{Control, Units};
 use crate::dialect::Dialect;
+use crate::entry::Unit;
 
 /// System in which a value of this rule counts; none: it has the same unit on every control. B:1787-1795; NCT has one
 /// active system only.

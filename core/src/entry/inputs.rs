@@ -1,0 +1,98 @@
+//! The values of a call: as typed, and as checked.
+
+use super::Cycle;
+use crate::control::Plane;
+use crate::control::tools::REVERSED;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// What was typed, per parameter name, nothing decided. Decimal comma allowed.
+pub type Typed = BTreeMap<String, String>;
+
+/// What the call means: every used parameter has a value, lengths in mm, angles in degree, feeds in mm/min.
+#[derive(Clone)]
+pub struct Inputs {
+    /// The cycle.
+    pub cycle: &'static Cycle,
+    /// Number of the measuring variant.
+    pub variant: i64,
+    /// Numbers by parameter name, defaults filled in.
+    pub numbers: BTreeMap<&'static str, f64>,
+    /// Parameters that the program or the form gives; the others have their defaults.
+    pub written: BTreeSet<&'static str>,
+    /// Texts by parameter name.
+    pub texts: BTreeMap<&'static str, String>,
+    /// Whether D numbers take five digits, so that all other digits of `_KNUM` move up by two (B:2009-2029).
+    pub five_digit_edges: bool,
+    /// Working plane of the control at the call.
+    pub plane: Plane,
+    /// Whether positions of X are diameters at the call.
+    pub diameters: bool,
+    /// Data of the machine that the cycle's entry names, as the control has them.
+    pub settings: BTreeMap<&'static str, f64>,
+    /// Type of the tool in use (`$TC_DP1`); 0 without one.
+    pub tool_type: i64,
+    /// Where the body of a turning machine's probe lies from its ball, abscissa and ordinate; none of another tool, and
+    /// where no tool is in use. See [`crate::control::Edge::body`].
+    pub body: Option<[f64; 2]>,
+    /// From the centre of the nose of the turning tool in use to its tip, abscissa and ordinate, in nose radii; none of
+    /// another tool, of a button, and where no tool is in use. See [`crate::control::tools::side`].
+    pub nose: Option<[f64; 2]>,
+}
+
+impl Inputs {
+    /// A call without values.
+    pub fn new(cycle: &'static Cycle, variant: i64) -> Self {
+        Self {
+            cycle,
+            variant,
+            numbers: BTreeMap::new(),
+            written: BTreeSet::new(),
+            texts: BTreeMap::new(),
+            five_digit_edges: false,
+            plane: Plane::G17,
+            diameters: false,
+            settings: BTreeMap::new(),
+            tool_type: 0,
+            body: None,
+            nose: None,
+        }
+    }
+
+    /// Number of a parameter; 0 where the variant does not use it.
+    pub fn number(&self, name: &str) -> f64 {
+        self.numbers.get(name).copied().unwrap_or(0.0)
+    }
+
+    /// Number of a parameter where there is one.
+    pub fn given(&self, name: &str) -> Option<f64> {
+        self.numbers.get(name).copied()
+    }
+
+    /// Whether the call uses this parameter.
+    pub fn uses(&self, name: &str) -> bool {
+        let param = self.cycle.params.iter().find(|param| param.name == name);
+        param.is_some_and(|param| param.need(self).is_some())
+    }
+
+    /// Number of a parameter where it is given and above 0, else another one: what a picture can draw.
+    pub fn positive(&self, name: &str, otherwise: f64) -> f64 {
+        let given = self.given(name).filter(|value| *value > 0.0);
+        given.unwrap_or(otherwise)
+    }
+
+    /// Whether the cycle takes cutting edge positions the other way round in the ordinate: only the one whose entry
+    /// names the switch does (B:13882).
+    pub fn recodes(&self) -> bool {
+        self.settings.get(REVERSED) == Some(&1.0)
+    }
+
+    /// Number of an integer parameter.
+    pub fn integer(&self, name: &str) -> i64 {
+        self.number(name) as i64
+    }
+
+    /// Text of a parameter; empty where not given.
+    pub fn text(&self, name: &str) -> &str {
+        self.texts.get(name).map_or("", String::as_str)
+    }
+}

@@ -1,0 +1,22 @@
+//! The shape of an entry of the catalogue: plain data that form, check, program, run and the documents read.
+
+mod cycle;
+mod help;
+mod inputs;
+mod list;
+pub mod names;
+mod param;
+mod task;
+mod units;
+mod when;
+mod work;
+
+pub use cycle::*;
+pub use help::*;
+pub use inputs::{Inputs, Typed};
+pub use list::*;
+pub use param::*;
+pub use task::*;
+pub use units::*;
+pub use when::*;
+pub use work::*;
