@@ -32,6 +32,7 @@ fn main() {
     let texts = ["program", "points", "surface"].map(|form| scan.text(form, 0, points).map_or(0, |text| text.len()));
     let all = begun.elapsed().as_secs_f64();
     println!(
-        "{points} points: scanned and compared in {scanned:.2} s; with three texts of {texts:?} bytes {all:.2} s; goal {GOAL} s"
+        "{points} points: scanned and compared in {scanned:.2} s; \
+         with three texts of {texts:?} bytes {all:.2} s; goal {GOAL} s"
     );
 }

@@ -120,7 +120,8 @@ fn no_basic_frame_is_an_alarm() {
 #[test]
 fn stored_frames_wait_and_active_ones_count_at_once() {
     let text = "G0 X0\nR1=$AA_IM[X]\n$P_CHBFR[0]=CTRANS(X,11)\n$P_NCBFR[0,X,TR]=42\n$P_SETFR=CTRANS(X,100)\nG0 X0\n\
-        R2=$AA_IM[X]\nG500\nG0 X0\nR3=$AA_IM[X]\n$P_CHBFRAME[0]=CTRANS(X,0)\n$P_NCBFRAME[0,X,TR]=0\n$P_SETFRAME[X,TR]=0\n\
+        R2=$AA_IM[X]\nG500\nG0 X0\nR3=$AA_IM[X]\n$P_CHBFRAME[0]=CTRANS(X,0)\n$P_NCBFRAME[0,X,TR]=0\n\
+        $P_SETFRAME[X,TR]=0\n\
         G0 X0\nR4=$AA_IM[X]\nR5=$P_CHBFRMASK\n$P_NCBFRMASK=0\n$P_CHBFRMASK=1\nG500\nG0 X0\nR6=$AA_IM[X]\nM30\n";
     let outcome = clean(run(&read(Dialect::Sinumerik, text.as_bytes()), &machine(), Limits::default()));
     for (name, expected) in [("R1", 70.0), ("R2", 70.0), ("R3", 173.0), ("R4", 20.0), ("R5", 3.0), ("R6", 111.0)] {

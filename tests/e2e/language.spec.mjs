@@ -43,9 +43,10 @@ describe("language", () => {
     await page.waitForFunction(() => document.querySelector(".editor").shadowRoot.textContent.includes("=x "));
     const typed = await content.innerText();
     assert.match(typed, /^G17 .*=x /);
-    const scrolled = await page
-      .locator(".panel-form > .scroll")
-      .evaluate(node => ((node.scrollTop = 120), node.scrollTop));
+    const scrolled = await page.locator(".panel-form > .scroll").evaluate(node => {
+      node.scrollTop = 120;
+      return node.scrollTop;
+    });
 
     await speak(page, "zh");
     for (const selector of [

@@ -41,7 +41,7 @@ describe("a turning machine", () => {
   });
 
   // oracle: hand
-  test("has no such button where nothing turns, and says what the sliders are where a tool touches its probe", async () => {
+  test("has no such button where nothing turns, and says what the sliders are for a tool at its probe", async () => {
     const { context, page, problems } = await chosen(chrome.browser, "CYCLE971");
     await page.getByLabel("Length L1", { exact: true }).waitFor({ state: "attached" });
     assert.equal(await page.getByRole("button", { name: "Diameters" }).count(), 0);

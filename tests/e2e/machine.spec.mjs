@@ -6,7 +6,8 @@ import { open, packages, shared } from "./browser.mjs";
 const axe = packages.resolve("axe-core/axe.min.js");
 
 const PROGRAM =
-  "G17 G54 G40 D1\nT1 D1\nM5\n_MVAR=1 _SETVAL=132 _TUL=0.03 _TLL=-0.03 _TNUM=20 _KNUM=2001 _TSA=1 _PRNUM=1 _VMS=200 _FA=2\nCYCLE977\n";
+  "G17 G54 G40 D1\nT1 D1\nM5\n" +
+  "_MVAR=1 _SETVAL=132 _TUL=0.03 _TLL=-0.03 _TNUM=20 _KNUM=2001 _TSA=1 _PRNUM=1 _VMS=200 _FA=2\nCYCLE977\n";
 
 /** The dialog, opened from the header; where that is narrow, from its menu. */
 async function dialog(page) {
@@ -64,7 +65,7 @@ describe("machine data", () => {
   });
 
   // oracle: manual B:12501-12506, B:12518-12532, B:12549-12553
-  test("forms are those of the control where that is chosen: the mask decides fields and code, and a change of it is told", async () => {
+  test("forms are those of the control where chosen: the mask decides them, its change is told", async () => {
     const { context, page, problems } = await open(chrome.browser);
     const field = name => page.locator(`.field[data-field="${name}"]`);
     const snippet = page.locator(".snippet");

@@ -322,7 +322,8 @@ describe("program", () => {
       .locator('.field:has(.unit:text-is("mm")):has([aria-required="true"])')
       .first()
       .getAttribute("data-field");
-    const text = `; Kopf   mit Umlaut \u00e4\r\n\r\n${programs[control].trimEnd().replaceAll("\n", "\r\n")}\r\nM30  ; end\r\n`;
+    const body = programs[control].trimEnd().replaceAll("\n", "\r\n");
+    const text = `; Kopf   mit Umlaut \u00e4\r\n\r\n${body}\r\nM30  ; end\r\n`;
     await withProgram(page, text);
     await page.locator(".call-row").first().click();
     await page.locator(".opened").waitFor();

@@ -9,8 +9,9 @@ async function unreadable() {
     new Promise(resolve => {
       requestAnimationFrame(() => requestAnimationFrame(resolve));
     });
-  for (let closed; (closed = document.querySelector('.tree-item[aria-expanded="false"]')); ) {
-    closed.click();
+  const closed = () => document.querySelector('.tree-item[aria-expanded="false"]');
+  while (closed()) {
+    closed().click();
     await drawn();
   }
   const found = [];

@@ -18,7 +18,8 @@ after(() => sources.close());
 const view = { width: 800, height: 600 };
 const near = (actual, expected, tolerance = 1e-9) => {
   assert.equal(actual.length, expected.length);
-  actual.forEach((value, i) => assert.ok(Math.abs(value - expected[i]) <= tolerance, `${actual} is not ${expected}`));
+  for (const [i, value] of actual.entries())
+    assert.ok(Math.abs(value - expected[i]) <= tolerance, `${actual} is not ${expected}`);
 };
 
 // oracle: hand (X to the right and Z up seen from the front, Y up from the top, Y to the right from +X)

@@ -122,7 +122,9 @@ describe("3D view after a loss", () => {
   });
 
   test("a lost WebGPU device is replaced by WebGL2", async () => {
-    await replaced("webgpu", "webgl2", () => window.devices.forEach(device => device.destroy()));
+    await replaced("webgpu", "webgl2", () => {
+      for (const device of window.devices) device.destroy();
+    });
   });
 
   async function replaced(from, to, lose) {

@@ -66,8 +66,10 @@ describe("scanning a surface", () => {
     const { context, page, problems } = await start(chrome);
     const white = new PNG({ width: 8, height: 6 });
     white.data.fill(255);
-    const facet = corners =>
-      `facet normal 0 0 1\nouter loop\n${corners.map(corner => `vertex ${corner.join(" ")}\n`).join("")}endloop\nendfacet\n`;
+    const facet = corners => {
+      const vertices = corners.map(corner => `vertex ${corner.join(" ")}\n`);
+      return `facet normal 0 0 1\nouter loop\n${vertices.join("")}endloop\nendfacet\n`;
+    };
     const stl = `solid flat\n${facet([
       [-200, -200, 3],
       [200, -200, 3],

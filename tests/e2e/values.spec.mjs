@@ -93,7 +93,8 @@ describe("an expression of the program", () => {
 
 describe("a change that lands in another line", () => {
   const chrome = shared("neither", { before, after });
-  const text = `%_N_MAIN_MPF\nG17 G40 G54 T9 D1\nHOLE(40) ; ring\nM30\n%_N_HOLE_SPF\nPROC HOLE(REAL _D)\n_MVAR=1 _SETVAL=_D ${REST}\nCYCLE977\nM17\n`;
+  const hole = `%_N_HOLE_SPF\nPROC HOLE(REAL _D)\n_MVAR=1 _SETVAL=_D ${REST}\nCYCLE977\nM17\n`;
+  const text = `%_N_MAIN_MPF\nG17 G40 G54 T9 D1\nHOLE(40) ; ring\nM30\n${hole}`;
   const asks = page => page.locator(".asks");
 
   // oracle: hand

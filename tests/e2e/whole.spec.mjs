@@ -19,7 +19,8 @@ async function programWhen(page, wanted) {
 }
 
 const VALUES =
-  "_MVAR=1 _SETVAL=132 _TUL=0.03 _TLL=-0.03 _TNUM=20 _KNUM=2001 _EVNUM=0 _TZL=0.01 _TSA=1 _PRNUM=1 _VMS=0 _NMSP=1 _FA=2";
+  "_MVAR=1 _SETVAL=132 _TUL=0.03 _TLL=-0.03 _TNUM=20 _KNUM=2001 _EVNUM=0 " +
+  "_TZL=0.01 _TSA=1 _PRNUM=1 _VMS=0 _NMSP=1 _FA=2";
 const GOOD = `G17 G54 G40 D1\nT1 D1\nM5\n${VALUES}\nCYCLE977\n`;
 const rows = page => page.locator(".call-row");
 

@@ -67,8 +67,8 @@ export function createAside(module: () => WebAssembly.Module | undefined, ready:
       if (running) end({ question: running.question, ...reply });
     };
     const hear = (reply: Reply): void => {
-      if (!("share" in reply)) return finish(reply);
-      if (running) running = { ...running, share: reply.share };
+      if (!("share" in reply)) finish(reply);
+      else if (running) running = { ...running, share: reply.share };
     };
     made.onmessage = ({ data }: MessageEvent<Reply>) => hear(data);
     made.onerror = event => finish({ problem: event.message });

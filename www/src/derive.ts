@@ -48,7 +48,7 @@ export interface Derived {
 function memo<A extends unknown[], R>(make: (...args: A) => R): (...args: A) => R {
   let last: { args: A; result: R } | null = null;
   return (...args) => {
-    if (last && last.args.every((value, index) => value === args[index])) return last.result;
+    if (last?.args.every((value, index) => value === args[index])) return last.result;
     last = { args, result: make(...args) };
     return last.result;
   };

@@ -4,8 +4,8 @@ import { el } from "./dom";
 import { decode, type Encoding } from "./encoding";
 import { type Pace, within } from "./pace";
 import type { ProgramCore } from "./program";
-import type { State } from "./state";
 import { say, t } from "./texts";
+import type { Dialect } from "./wire";
 
 /** `opened`: when, ms; what is not opened from a file has none. */
 export interface ProgramFile {
@@ -14,8 +14,11 @@ export interface ProgramFile {
   opened?: number;
 }
 
+/** Where the programs come from. */
+export type Files = Partial<Record<Dialect, ProgramFile>>;
+
 /** Where the program that is shown comes from; what comes from nowhere is saved under the usual name. */
-export function fileOf({ control, files }: Pick<State, "control" | "files">): ProgramFile {
+export function fileOf({ control, files }: { control: Dialect; files: Files }): ProgramFile {
   return files[control] ?? { name: t(`program-file-${control}`), encoding: "utf-8" };
 }
 

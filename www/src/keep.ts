@@ -61,8 +61,9 @@ export async function load(): Promise<Partial<State> | null> {
     const stored = newest();
     for (const control of stored?.apart ?? []) {
       const text: unknown = await inPrograms("readonly", programs => programs.get(control));
-      if (stored && typeof text === "string")
-        stored.programs = { ...stored.programs, [control]: (lying[control] = text) };
+      if (!stored || typeof text !== "string") continue;
+      lying[control] = text;
+      stored.programs = { ...stored.programs, [control]: text };
     }
     return stored;
   } catch (problem) {

@@ -2,8 +2,8 @@
 // so views and computations compare by identity.
 
 import { ENCODINGS } from "./encoding";
-import type { ProgramFile, Refusal } from "./files";
-import type { Scanned } from "./scan/scanner";
+import type { Files, ProgramFile, Refusal } from "./files";
+import type { Scanned } from "./scan/scanned";
 import type {
   BasicSystem,
   CallView,
@@ -79,7 +79,7 @@ export interface State {
   values: Record<string, string>; // as typed
   remembered: Record<string, Record<string, string>>; // last values of the other cycles, by "control/cycle"
   programs: Partial<Record<Dialect, string>>;
-  files: Partial<Record<Dialect, ProgramFile>>; // where a program came from
+  files: Files;
   sets: Record<string, Record<string, Record<string, string>>>; // named values, by "control/cycle" and name
   open: number | null; // where in the program the call begins that the form edits
   pending: readonly Pending[]; // typed in the form, not yet in the program

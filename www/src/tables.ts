@@ -15,7 +15,7 @@ const LINE = 0x0a; // no part of a character in any of them
 function points(label: string, sequences: readonly number[][]): number[] {
   const width = (sequences[0]?.length ?? 0) + 1;
   const bytes = new Uint8Array(sequences.length * width);
-  sequences.forEach((sequence, index) => bytes.set([...sequence, LINE], index * width));
+  for (const [index, sequence] of sequences.entries()) bytes.set([...sequence, LINE], index * width);
   const lines = new TextDecoder(label).decode(bytes).split("\n");
   return sequences.map((_, index) => {
     const [only, more] = [...(lines[index] ?? "")];

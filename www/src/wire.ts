@@ -226,7 +226,9 @@ export type Step =
   | { step: "call"; cycle: string; variant: number }
   | { step: "return" };
 // ball.stylus: radius above the ball; body: what holds it, where that is known, and the distance of its lower face.
-// tools: whatever was in use; inUse: which of them from which entry on, absent: a ball that stands upright. zones: walls of protection zones, as shaft, web or island; shown, not touched. limits: the part with the largest errors on both sides.
+// tools: whatever was in use; inUse: which of them from which entry on, absent: a ball that stands upright.
+// zones: walls of protection zones, as shaft, web or island; shown, not touched.
+// limits: the part with the largest errors on both sides.
 /** A coordinate system, by the name of its zero offset; `moved`: by a correction. */
 export interface FrameView {
   name: string;

@@ -40,7 +40,8 @@ pub fn browser() -> Result<Browser> {
     }
     if !(Path::new("/etc/debian_version").exists() && is_root()) {
         bail!(
-            "a browser is missing: install Chromium (or Chrome) and chromedriver, or set CHROME and CHROMEDRIVER to them"
+            "a browser is missing: install Chromium (or Chrome) and chromedriver, \
+             or set CHROME and CHROMEDRIVER to them"
         );
     }
     step("chromium", || {

@@ -30,6 +30,11 @@ pub fn types() -> Result<()> {
     run(&mut script("typescript/bin/tsc", &["--noEmit"]))
 }
 
+/// Checks form and sense of TypeScript, CSS and JSON; `biome.jsonc` says by which rules.
+pub fn lint() -> Result<()> {
+    run(&mut script("@biomejs/biome/bin/biome", &["ci", "--error-on-warnings", ".."]))
+}
+
 /// A program of an npm package, run in `www/`.
 fn script(path: &str, arguments: &[&str]) -> Command {
     let mut node = command("node");

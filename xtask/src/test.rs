@@ -24,6 +24,8 @@ pub struct Options {
 enum Part {
     /// Formatting
     Fmt,
+    /// Biome over TypeScript, CSS and JSON, warnings as errors
+    Biome,
     /// Clippy, native and wasm, warnings as errors
     Clippy,
     /// `cargo doc`, warnings as errors
@@ -41,12 +43,12 @@ const IN_THE_BROWSER: [&str; 2] = ["probewright-web", "probewright-preview"];
 
 impl Part {
     /// All of them.
-    const ALL: [Part; 6] = [Part::Fmt, Part::Clippy, Part::Doc, Part::Native, Part::Wasm, Part::Page];
+    const ALL: [Part; 7] = [Part::Fmt, Part::Biome, Part::Clippy, Part::Doc, Part::Native, Part::Wasm, Part::Page];
 
     /// Of how many steps it is.
     fn steps(self, built: bool) -> usize {
         match self {
-            Part::Fmt | Part::Doc | Part::Wasm => 1,
+            Part::Fmt | Part::Biome | Part::Doc | Part::Wasm => 1,
             Part::Clippy => 3,
             Part::Native => 2,
             Part::Page => 2 + if built { 0 } else { dist::STEPS },
@@ -64,6 +66,7 @@ pub fn test(options: &Options) -> Result<bool> {
     for part in wanted {
         match part {
             Part::Fmt => formatting(&mut tally)?,
+            Part::Biome => biome(&mut tally),
             Part::Clippy => clippy(&mut tally)?,
             Part::Doc => documentation(&mut tally),
             Part::Native => native(&mut tally),
@@ -80,6 +83,13 @@ fn formatting(tally: &mut Tally) -> Result<()> {
     component("rustfmt", "fmt")?;
     tally.check("formatting", || run(&mut cargo("fmt --all --check")));
     Ok(())
+}
+
+fn biome(tally: &mut Tally) {
+    tally.check("biome", || {
+        page::packages()?;
+        page::lint()
+    });
 }
 
 /// The task program is looked at in the profile in which it was built, and apart: with its dependencies beside them the

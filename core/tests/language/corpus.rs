@@ -138,7 +138,8 @@ fn programs_of_another_interpreter_go_the_same_way() {
 /// Z of its blocks that move, reckoned by hand.
 const OWN: [(&str, &[[f64; 3]]); 7] = [
     (
-        "DEF REAL STEP=2.5, TOP=6\nG1 X0 Y0 Z0 F500\nREPEAT\nZ=IC(STEP)\nUNTIL $AA_IW[Z]>=TOP-0.01\nTRANS Z20\nY=$AA_IW[Z]",
+        "DEF REAL STEP=2.5, TOP=6\nG1 X0 Y0 Z0 F500\nREPEAT\nZ=IC(STEP)\nUNTIL $AA_IW[Z]>=TOP-0.01\nTRANS Z20\n\
+            Y=$AA_IW[Z]",
         &[[0.0, 0.0, 0.0], [0.0, 0.0, 2.5], [0.0, 0.0, 5.0], [0.0, 0.0, 7.5], [0.0, -12.5, 7.5]],
     ),
     (
@@ -150,15 +151,18 @@ const OWN: [(&str, &[[f64; 3]]); 7] = [
         &[[0.0, 0.0, 0.0], [30.0, 0.0, 0.0], [20.0, 0.0, 0.0], [10.0, 0.0, 0.0], [10.0, 7.0, 0.0]],
     ),
     (
-        "DEF INT GRID[2,3]=SET(1,2,3,4,5,6), ROW, COLUMN\nG1 X0 Y0 Z0 F500\nFOR ROW=0 TO 1\nFOR COLUMN=1 TO 2\nX=GRID[ROW,COLUMN]\nENDFOR\nENDFOR",
+        "DEF INT GRID[2,3]=SET(1,2,3,4,5,6), ROW, COLUMN\nG1 X0 Y0 Z0 F500\nFOR ROW=0 TO 1\nFOR COLUMN=1 TO 2\n\
+            X=GRID[ROW,COLUMN]\nENDFOR\nENDFOR",
         &[[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [3.0, 0.0, 0.0], [5.0, 0.0, 0.0], [6.0, 0.0, 0.0]],
     ),
     (
-        "DEF INT WHICH=8\nG1 X0 Y0 Z0 F500\nCASE(WHICH+1) OF 7 GOTOF ONE 9 GOTOF TWO DEFAULT GOTOF THREE\nONE: X1\nTWO: X2\nTHREE: X3",
+        "DEF INT WHICH=8\nG1 X0 Y0 Z0 F500\nCASE(WHICH+1) OF 7 GOTOF ONE 9 GOTOF TWO DEFAULT GOTOF THREE\nONE: X1\n\
+            TWO: X2\nTHREE: X3",
         &[[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [3.0, 0.0, 0.0]],
     ),
     (
-        "DEF STRING[9] NAME=\"A-1\"\nG1 X0 Y0 Z0 F500\nIF (NAME==\"A-1\") AND NOT (2>3)\nX=7 DIV 2\nELSE\nX=9\nENDIF\nY=17 MOD 5 Z=2*-3",
+        "DEF STRING[9] NAME=\"A-1\"\nG1 X0 Y0 Z0 F500\nIF (NAME==\"A-1\") AND NOT (2>3)\nX=7 DIV 2\nELSE\nX=9\nENDIF\n\
+            Y=17 MOD 5 Z=2*-3",
         &[[0.0, 0.0, 0.0], [3.0, 0.0, 0.0], [3.0, 2.0, -6.0]],
     ),
     (

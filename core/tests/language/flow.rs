@@ -48,7 +48,8 @@ fn jumps_look_where_they_should() {
 fn a_case_may_compare_texts_and_fall_through() {
     let case = |value: &str| {
         format!(
-            "DEF STRING[4] T={value}\nCASE(T) OF \"A\" GOTOF ONE \"B\" GOTOF TWO\nR1=3\nM30\nONE: R1=1\nM30\nTWO: R1=2\nM30"
+            "DEF STRING[4] T={value}\nCASE(T) OF \"A\" GOTOF ONE \"B\" GOTOF TWO\nR1=3\nM30\nONE: R1=1\nM30\n\
+                TWO: R1=2\nM30"
         )
     };
     for (value, expected) in [("\"A\"", 1.0), ("\"B\"", 2.0), ("\"C\"", 3.0)] {
@@ -98,7 +99,8 @@ fn a_block_calls_before_it_ends() {
 // oracle: hand
 #[test]
 fn loops_nest() {
-    let text = "DEF INT I,J\nFOR I=1 TO 3\nFOR J=I TO 3\nR1=R1+1\nENDFOR\nENDFOR\nWHILE R2<4\nR2=R2+1\nREPEAT\nR3=R3+1\nUNTIL R3>=R2\nENDWHILE\nM30";
+    let text = "DEF INT I,J\nFOR I=1 TO 3\nFOR J=I TO 3\nR1=R1+1\nENDFOR\nENDFOR\nWHILE R2<4\nR2=R2+1\nREPEAT\n\
+        R3=R3+1\nUNTIL R3>=R2\nENDWHILE\nM30";
     assert_eq!(number(text, "R1"), 6.0);
     assert_eq!(number(text, "R3"), 4.0);
 }

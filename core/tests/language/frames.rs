@@ -79,7 +79,8 @@ fn the_swivel_cycle_turns_the_part_level() {
     });
     setup.position = [0.0, 0.0, 300.0];
     let text = "$P_UIFR[4]=CTRANS(Y,5,Z,3):CROT(X,30)\nG57\nG0 X0 Y0 Z100\n\
-        CYCLE800(1,\"\",0,57,0,0,0,0,0,0,0,0,0,-1)\nR1=$P_ACTFRAME[X,RT]\nG0 X5 Y6 Z50\nMEAS=1 G1 Z-5 F300\nR2=$AA_MW[Z]\nR3=$AC_MEA[1]\n\
+        CYCLE800(1,\"\",0,57,0,0,0,0,0,0,0,0,0,-1)\nR1=$P_ACTFRAME[X,RT]\nG0 X5 Y6 Z50\nMEAS=1 G1 Z-5 F300\n\
+        R2=$AA_MW[Z]\nR3=$AC_MEA[1]\n\
         G0 Z50\nCYCLE800(1,\"\",0,57,0,0,0,0,0,0,0,0,0,-1)\nG500\nCYCLE800(1,\"\",0,57)\n";
     let program = read(Dialect::Sinumerik, text.as_bytes());
     let outcome = run(&program, &setup, Limits::default());
@@ -129,7 +130,8 @@ fn units_reach_frames_and_feeds_as_they_should() {
 fn the_swivel_cycle_gives_the_plane_up() {
     for up in ["CYCLE800()", "CYCLE800", "CYCLE800(1,\"0\",0,57)"] {
         let text = format!(
-            "$P_UIFR[1]=CTRANS(X,5):CROT(Z,90)\nG54\nCYCLE800(1,\"\",0,57)\nR1=$P_PARTFRAME[Z,RT]\nG500\n{up}\nG0 X7 Y3\nR2=$P_PARTFRAME[Z,RT]"
+            "$P_UIFR[1]=CTRANS(X,5):CROT(Z,90)\nG54\nCYCLE800(1,\"\",0,57)\nR1=$P_PARTFRAME[Z,RT]\nG500\n{up}\n\
+                G0 X7 Y3\nR2=$P_PARTFRAME[Z,RT]"
         );
         let outcome = clean(&text);
         assert_eq!(outcome.position, [7.0, 3.0, 0.0], "{up}");
@@ -189,7 +191,8 @@ fn an_oblique_part_is_set_up_with_the_swivel_cycle() {
     let text = "G56 G17 G90 G1 F500\nCYCLE800(1,\"\",0,57,0,0,0,0,0,0,0,0,0,-1)\n$P_UIFR[4]=$P_UIFR[3]\nX20 Y25\nZ40\n\
         _PRNUM=1 _VMS=0 _NMSP=1 _TSA=20 _EVNUM=0\n\
         _FA=40 _STA1=0 _INCA=0 _MVAR=100106 _MD=1 _ID=50 _SETV[0]=35 _SETVAL=0 _KNUM=4\nCYCLE998\nG57\n\
-        CYCLE800(1,\"\",0,57,0,0,0,0,0,0,0,0,0,-1)\nX20 Y25\nZ20\n_MVAR=100 _SETVAL=0 _MA=3 _TSA=10 _FA=20\nCYCLE978\nG57\n\
+        CYCLE800(1,\"\",0,57,0,0,0,0,0,0,0,0,0,-1)\nX20 Y25\nZ20\n_MVAR=100 _SETVAL=0 _MA=3 _TSA=10 _FA=20\nCYCLE978\n\
+        G57\n\
         Z20\nX25 Y-20\nZ-10\n_MVAR=105 _MA=102 _SETVAL=0 _RA=0 _STA1=0\nCYCLE998\nG57\n\
         X25 Y-20\nZ-10\n_MVAR=100 _MA=2 _FA=10\nCYCLE978\nG57\nX-20 Y-20\nY25\n_MA=1\nCYCLE978\nG57\nZ20";
     let program = read(Dialect::Sinumerik, text.as_bytes());

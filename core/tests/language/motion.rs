@@ -114,7 +114,8 @@ fn measuring_blocks_latch_and_stop_or_go_on() {
         setup.position = [-100.0, 0.0, -10.0];
         setup.workpiece.solids.push(block());
         let text = format!(
-            "TRANS X5\n{word}=1 G1 X-50 F300\nSTOPRE\nR1=$AC_MEA[1] R2=$AA_MW[X] R3=$AA_MM[Z] R4=$AA_IB[X]\nG0 X=IC(-50)\nG0 Z20"
+            "TRANS X5\n{word}=1 G1 X-50 F300\nSTOPRE\nR1=$AC_MEA[1] R2=$AA_MW[X] R3=$AA_MM[Z] R4=$AA_IB[X]\n\
+                G0 X=IC(-50)\nG0 Z20"
         );
         let outcome = go_on(&setup, &text);
         assert_eq!(outcome.stop, None, "{word}");

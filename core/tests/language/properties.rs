@@ -233,7 +233,9 @@ proptest! {
     // oracle: counted while the text is made. A counter that two nested loops share may make them longer or shorter.
     #[test]
     fn structures_come_to_their_end(structure in structure()) {
-        let counters: Vec<&str> = structure.text.match_indices("FOR R").chain(structure.text.match_indices("WHILE R")).chain(structure.text.match_indices("UNTIL R"))
+        let counters: Vec<&str> = ["FOR R", "WHILE R", "UNTIL R"]
+            .into_iter()
+            .flat_map(|word| structure.text.match_indices(word))
             .filter_map(|(at, word)| structure.text[at + word.len()..].split(|c: char| !c.is_ascii_digit()).next())
             .collect();
         let own = counters.iter().collect::<std::collections::BTreeSet<_>>().len();

@@ -53,7 +53,8 @@ fn whole_arrays_are_parameters() {
         let by_value = format!("DEF REAL F[3]=(1,2,3)\nREAD(F)\nM30\nPROC READ(REAL G{size})\nR1=G[0]+G[2]\nRET");
         assert_eq!(number(&by_value, "R1"), 4.0, "{size}");
     }
-    let by_value = "DEF REAL F[2,2]=(1,2,3,4)\nREAD(F)\nR2=F[1,1]\nM30\n%_N_READ_SPF\nPROC READ(REAL G[2,2])\nR1=G[1,0]\nG[1,1]=0\nRET";
+    let by_value = "DEF REAL F[2,2]=(1,2,3,4)\nREAD(F)\nR2=F[1,1]\nM30\n%_N_READ_SPF\nPROC READ(REAL G[2,2])\n\
+        R1=G[1,0]\nG[1,1]=0\nRET";
     assert_eq!((number(by_value, "R1"), number(by_value, "R2")), (3.0, 4.0));
 }
 

@@ -120,7 +120,8 @@ fn texts_are_joined_and_searched() {
     ] {
         assert_eq!(number(&format!("R1={expression}"), "R1"), expected, "{expression}");
     }
-    let text = "DEF STRING[9] T=\"ABC\"\nDEF CHAR C='!'\nT[1]='X'\nMSG(\"<\"<<T<<\">\"<<T[0]<<C<<1.50<<\" \"<<0.1+0.2<<\" \"<<AXNAME(\"Y\"))";
+    let text = "DEF STRING[9] T=\"ABC\"\nDEF CHAR C='!'\nT[1]='X'\n\
+        MSG(\"<\"<<T<<\">\"<<T[0]<<C<<1.50<<\" \"<<0.1+0.2<<\" \"<<AXNAME(\"Y\"))";
     assert_eq!(messages(text), ["<AXC>A!1.5 0.3 Y"]);
 }
 
@@ -181,7 +182,8 @@ fn names_do_not_know_upper_and_lower_case() {
 // oracle: manual B:828, B:974-985 (L1 along the applicate; with 2 along the ordinate)
 #[test]
 fn a_program_chooses_how_long_its_tools_are() {
-    let text = "T20 M6 D1\nR1=$SC_TOOL_LENGTH_TYPE\nR2=$AA_IB[Y]\n$SC_TOOL_LENGTH_TYPE=2\nR3=$SC_TOOL_LENGTH_TYPE\nR4=$AA_IB[Y]";
+    let text = "T20 M6 D1\nR1=$SC_TOOL_LENGTH_TYPE\nR2=$AA_IB[Y]\n$SC_TOOL_LENGTH_TYPE=2\nR3=$SC_TOOL_LENGTH_TYPE\n\
+        R4=$AA_IB[Y]";
     let control = clean(text).control;
     let read = |name: &str| control.number(name);
     assert_eq!((read("R1"), read("R3")), (0.0, 2.0));

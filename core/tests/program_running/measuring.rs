@@ -13,7 +13,9 @@ use probewright_core::syntax::read;
 #[test]
 fn the_test_of_a_probe_runs_as_printed() {
     // oracle: manual B:12790-12856: switched: position in R1 and stop; not switched: operator text
-    let text = "N05 DEF INT MTSIGNAL\nN10 DEF INT ME_NR=1\nN30 G17 T9 D1\nN40 G0 G90 Z20 F150\nN50 MEAS=ME_NR G1 Z=-5\nN60 STOPRE\nN70 MTSIGNAL=$AC_MEA[ME_NR]\nN80 IF MTSIGNAL == 0 GOTOF _FEHL1\nN90 R1=$AA_MW[Z]\nN95 M0\nN100 M2\nN110 _FEHL1: MSG (\"Probe not switching!\")\nN120 M0\nN130 M2";
+    let text = "N05 DEF INT MTSIGNAL\nN10 DEF INT ME_NR=1\nN30 G17 T9 D1\nN40 G0 G90 Z20 F150\nN50 MEAS=ME_NR G1 Z=-5\n\
+        N60 STOPRE\nN70 MTSIGNAL=$AC_MEA[ME_NR]\nN80 IF MTSIGNAL == 0 GOTOF _FEHL1\nN90 R1=$AA_MW[Z]\nN95 M0\nN100 M2\n\
+        N110 _FEHL1: MSG (\"Probe not switching!\")\nN120 M0\nN130 M2";
     let program = read(Dialect::Sinumerik, text.as_bytes());
     let outcome = run(&program, &block_setup(), Limits::default());
     assert_eq!(outcome.stop, None);
@@ -45,7 +47,9 @@ fn a_surface_is_measured_and_its_frame_corrected() {
     let mut setup = block_setup();
     setup.workpiece.solids[0].at = [0.5, 0.0, 0.0];
     setup.control.frames.insert(1, Frame::translation([-50.0, 0.0, 0.0]));
-    let text = "N10 G54 G17 G90 T9 D1\nN20 M6\nN30 G0 X-20 Y0\nN40 Z-10\nN50 _TSA=6 _FA=4 _MVAR=100 _SETVAL=0 _MA=1 _KNUM=1 _EVNUM=0 _PRNUM=1 _VMS=0 _NMSP=1\nN60 CYCLE978\nN70 G54\nM30";
+    let text = "N10 G54 G17 G90 T9 D1\nN20 M6\nN30 G0 X-20 Y0\nN40 Z-10\n\
+        N50 _TSA=6 _FA=4 _MVAR=100 _SETVAL=0 _MA=1 _KNUM=1 _EVNUM=0 _PRNUM=1 _VMS=0 _NMSP=1\nN60 CYCLE978\nN70 G54\n\
+        M30";
     let program = read(Dialect::Sinumerik, text.as_bytes());
     let outcome = run(&program, &setup, Limits::default());
     assert_eq!(outcome.stop, None, "{:?}", outcome.diagnostics);
@@ -81,7 +85,8 @@ fn a_face_is_milled_and_measured_on_a_turning_machine() {
     {
         assert!(setup.control.set_variable(name, value));
     }
-    let text = "N10 G500 G17 G90 DIAMON T9 D1\nN20 SPOS=90\nN30 G0 X-140 Y0\nN40 Z-10\nN50 _TSA=6 _FA=4 _MVAR=0 _SETVAL=-50 _MA=1 _KNUM=0 _EVNUM=0 _PRNUM=1 _VMS=0 _NMSP=1\nN60 CYCLE978\nM30";
+    let text = "N10 G500 G17 G90 DIAMON T9 D1\nN20 SPOS=90\nN30 G0 X-140 Y0\nN40 Z-10\n\
+        N50 _TSA=6 _FA=4 _MVAR=0 _SETVAL=-50 _MA=1 _KNUM=0 _EVNUM=0 _PRNUM=1 _VMS=0 _NMSP=1\nN60 CYCLE978\nM30";
     let program = read(Dialect::Sinumerik, text.as_bytes());
     let outcome = run(&program, &setup, Limits::default());
     assert_eq!(outcome.stop, None, "{:?}", outcome.diagnostics);

@@ -17,7 +17,8 @@ fn edge(control: &Control, number: i64) -> f64 {
 #[test]
 fn nct_words_are_understood() {
     let setup = Setup::calibrated(Dialect::Nct, Plane::G17);
-    let text = "%O0001 (TEST)\nG17 G90 G40 G55 G21\n#100=0\nWHILE [#100 LT 3] DO1\n#100=#100+1\nEND1\nIF [#100 EQ 3] GOTO 50\n#101=9\nN50 G0 X[#100*2] Y5.\nG43 Z20. H98\nM30\n%";
+    let text = "%O0001 (TEST)\nG17 G90 G40 G55 G21\n#100=0\nWHILE [#100 LT 3] DO1\n#100=#100+1\nEND1\n\
+        IF [#100 EQ 3] GOTO 50\n#101=9\nN50 G0 X[#100*2] Y5.\nG43 Z20. H98\nM30\n%";
     let outcome = run(&read(Dialect::Nct, text.as_bytes()), &setup, Limits::default());
     assert_eq!((outcome.stop.clone(), &outcome.diagnostics[..]), (None, &[][..]));
     // oracle: hand
@@ -41,7 +42,8 @@ fn bore(diameter: f64, at: [f64; 3]) -> Setup {
 }
 
 /// The bore of the manual of the other control (C:1159-1183), written anew: finds the centre for G59.
-const BORE: &str = "%O0110 (BORE)\nG59 G18 G90 G40\nM19\nT98\nG43 Y100 H98\nG101 X120 Z200\nG101 Y-10\nG110 D50 S6\nG0 Y100\nG41 D1\nG40\nM30\n%";
+const BORE: &str = "%O0110 (BORE)\nG59 G18 G90 G40\nM19\nT98\nG43 Y100 H98\nG101 X120 Z200\nG101 Y-10\nG110 D50 S6\n\
+    G0 Y100\nG41 D1\nG40\nM30\n%";
 
 #[test]
 fn a_bore_moves_its_work_offset() {

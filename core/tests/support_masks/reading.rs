@@ -124,7 +124,9 @@ proptest! {
         let (cycle, variant) = all[which % all.len()];
         let control = machine(mask.map(u8::from));
         let mut typed = values(cycle.name, variant);
-        typed.extend(self::typed(&format!("_VMS={feed} _TUL=0.{tolerance:02} _TLL=-0.{tolerance:02} _EVNUM={memory} _PRNUM={}", 1 + 100 * u32::from(mono))));
+        let probe = 1 + 100 * u32::from(mono);
+        let band = format!("_TUL=0.{tolerance:02} _TLL=-0.{tolerance:02}");
+        typed.extend(self::typed(&format!("_VMS={feed} {band} _EVNUM={memory} _PRNUM={probe}")));
         let style = if indirect { Style::Indirect } else { Style::Direct };
         let text = snippet(cycle, &typed, &control, style, None).text;
         prop_assume!(!text.is_empty());

@@ -28,7 +28,8 @@ fn converted_on(control: &Control, text: &str, index: usize, style: Style) -> (S
 // oracle: hand
 #[test]
 fn a_call_is_converted_in_place() {
-    let text = "N10 G17 ; start\r\nN20 _MVAR=0 _SETVAL=100 _MA=1\r\n_KNUM=0 _FA=3 G0 X5 ; go\r\nN40 CYCLE978 ; measure\r\nN50 M30\r\n";
+    let text = "N10 G17 ; start\r\nN20 _MVAR=0 _SETVAL=100 _MA=1\r\n_KNUM=0 _FA=3 G0 X5 ; go\r\n\
+        N40 CYCLE978 ; measure\r\nN50 M30\r\n";
     let (indirect, findings) = converted(text, 0, Style::Indirect);
     assert_eq!(
         indirect,

@@ -77,7 +77,8 @@ fn a_call_stays_where_an_expression_cannot_go_along() {
 // oracle: hand: the caller's 40 is not the subprogram's number
 #[test]
 fn a_subprogram_keeps_what_its_caller_gives() {
-    let text = "%_N_MAIN_MPF\nMEASURE(40)\nM30\n%_N_MEASURE_SPF\nPROC MEASURE(REAL _D)\n_MVAR=1 _SETVAL=_D _PRNUM=1 _FA=2\nCYCLE977\nM17\n";
+    let text = "%_N_MAIN_MPF\nMEASURE(40)\nM30\n%_N_MEASURE_SPF\nPROC MEASURE(REAL _D)\n\
+        _MVAR=1 _SETVAL=_D _PRNUM=1 _FA=2\nCYCLE977\nM17\n";
     let (indirect, _) = converted(text, 0, Style::Indirect);
     let call = indirect.lines().find(|line| line.starts_with("CYCLE_9"));
     assert!(call.unwrap().contains(",_D"), "{indirect}");
@@ -256,7 +257,8 @@ fn revised(text: &str, name: &str, value: &str) -> (String, Vec<&'static str>, V
 // oracle: manual B:5641-5667 (with a zero offset there is no tool, and no tolerance band)
 #[test]
 fn what_another_variant_does_not_know_leaves_the_call() {
-    let text = "_MVAR=1 _KNUM=2001 _PRNUM=1 _SETVAL=132 _FA=2 _TSA=1\n_TNUM=20 _TZL=0.01 _TDIF=0.06 _TUL=0.03 _TLL=-0.03 _TMV=0.02 _K=3 ; tool\nG0 X1 _EVNUM=2\nCYCLE977\n";
+    let text = "_MVAR=1 _KNUM=2001 _PRNUM=1 _SETVAL=132 _FA=2 _TSA=1\n\
+        _TNUM=20 _TZL=0.01 _TDIF=0.06 _TUL=0.03 _TLL=-0.03 _TMV=0.02 _K=3 ; tool\nG0 X1 _EVNUM=2\nCYCLE977\n";
     let (after, taken, said) = revised(text, "_MVAR", "101");
     assert_eq!(after, "_MVAR=101 _KNUM=2001 _PRNUM=1 _SETVAL=132 _FA=2 _TSA=1\n; tool\nG0 X1\nCYCLE977\n",);
     assert!(taken.contains(&"_TNUM") && taken.contains(&"_TMV"), "{taken:?}");
@@ -279,7 +281,8 @@ fn what_another_variant_does_not_know_leaves_the_call() {
 // oracle: hand
 #[test]
 fn arguments_that_another_variant_does_not_know_are_emptied() {
-    let direct = "_MVAR=1 _KNUM=2001 _PRNUM=1 _SETVAL=132 _FA=2 _TSA=1 _TNUM=20 _TZL=0.01 _TDIF=0.06 _TUL=0.03 _TLL=-0.03 _TMV=0.02 _K=3 _EVNUM=2\nCYCLE977\n";
+    let direct = "_MVAR=1 _KNUM=2001 _PRNUM=1 _SETVAL=132 _FA=2 _TSA=1 _TNUM=20 _TZL=0.01 _TDIF=0.06 _TUL=0.03 \
+        _TLL=-0.03 _TMV=0.02 _K=3 _EVNUM=2\nCYCLE977\n";
     let (indirect, _) = converted(direct, 0, Style::Indirect);
     let (after, taken, _) = revised(&indirect, "_MVAR", "101");
     assert!(taken.contains(&"_TZL"), "{taken:?}\n{indirect}");
@@ -292,7 +295,8 @@ fn arguments_that_another_variant_does_not_know_are_emptied() {
 // oracle: hand
 #[test]
 fn a_change_says_which_lines_of_others_it_touches() {
-    let text = "%_N_MAIN_MPF\nMEASURE(40) ; ring\nM30\n%_N_MEASURE_SPF\nPROC MEASURE(REAL _D)\n_MVAR=1 _SETVAL=_D _PRNUM=1 _FA=2\nCYCLE977\nM17\n";
+    let text = "%_N_MAIN_MPF\nMEASURE(40) ; ring\nM30\n%_N_MEASURE_SPF\nPROC MEASURE(REAL _D)\n\
+        _MVAR=1 _SETVAL=_D _PRNUM=1 _FA=2\nCYCLE977\nM17\n";
     let program = read(Dialect::Sinumerik, text.as_bytes());
     let lines = revise(&program, 0, "_SETVAL", "41", &control()).unwrap().elsewhere;
     let lines: Vec<_> = lines.iter().map(|one| (one.line, &*one.before, &*one.after)).collect();

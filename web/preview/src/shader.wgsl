@@ -20,7 +20,12 @@ struct Surface {
 }
 
 @vertex
-fn mesh_vertex(@location(0) at: vec3<f32>, @location(1) normal: vec3<f32>, @location(2) colour: vec4<f32>, @location(3) moves: f32) -> Surface {
+fn mesh_vertex(
+    @location(0) at: vec3<f32>,
+    @location(1) normal: vec3<f32>,
+    @location(2) colour: vec4<f32>,
+    @location(3) moves: f32,
+) -> Surface {
     let clip = view.matrix * vec4<f32>(at + moves * view.probe.xyz, 1.0);
     return Surface(clip, normal, colour);
 }

@@ -3,9 +3,10 @@
 import { StreamLanguage, type StreamParser } from "@codemirror/language";
 
 const CONTROL = new Set(
-  "IF ELSE ENDIF FOR TO ENDFOR WHILE ENDWHILE REPEAT UNTIL LOOP ENDLOOP GOTO GOTOF GOTOB CASE OF DEFAULT PROC RET EXTERN".split(
-    " ",
-  ),
+  [
+    "IF ELSE ENDIF FOR TO ENDFOR WHILE ENDWHILE REPEAT UNTIL LOOP ENDLOOP",
+    "GOTO GOTOF GOTOB CASE OF DEFAULT PROC RET EXTERN",
+  ].flatMap(line => line.split(" ")),
 );
 const TYPES = new Set("DEF REAL INT BOOL CHAR STRING AXIS FRAME".split(" "));
 const OPERATORS = new Set("AND OR NOT XOR B_AND B_OR B_NOT B_XOR DIV MOD".split(" "));

@@ -44,18 +44,19 @@ export function createPoints(renderer: PointRenderer, { again, thinned }: Pick<H
   let before: number | null = null;
   const look = (begun: number): void => {
     looking = requestAnimationFrame(() => {
-      if (!renderer.is_drawn()) return look(begun);
       looking = 0;
-      judge(Math.min(performance.now() - begun, before ?? Infinity));
+      if (renderer.is_drawn()) judge(Math.min(performance.now() - begun, before ?? Infinity));
+      else look(begun);
     });
   };
   const judge = (took: number): void => {
     const sure = took < QUICK || before !== null;
     before = sure ? null : took;
     const next = sure ? howMany(drawn, all(), took) : drawn;
-    if (sure && next === drawn) return thinned(drawn);
+    const settled = sure && next === drawn;
     drawn = next;
-    again();
+    if (settled) thinned(drawn);
+    else again();
   };
   const end = (): void => {
     cancelAnimationFrame(looking);

@@ -34,7 +34,7 @@ export async function createShow(stage: HTMLElement, options: ShowOptions): Prom
     replaced: adopt,
     again: painter.soon,
     thinned(drawn) {
-      stage.dataset["drawn"] = String(drawn);
+      stage.dataset.drawn = String(drawn);
       options.onThinned?.(drawn);
     },
   });
@@ -56,7 +56,7 @@ export async function createShow(stage: HTMLElement, options: ShowOptions): Prom
     fill(ways.backend.element);
     build();
     ways.backend.setCloud(cloud);
-    stage.dataset["backend"] = ways.backend.name;
+    stage.dataset.backend = ways.backend.name;
     options.onBackend?.(ways.backend.name, ways.refused);
     painter.soon();
   }
@@ -79,7 +79,7 @@ export async function createShow(stage: HTMLElement, options: ShowOptions): Prom
     setCloud(next) {
       if (next === cloud) return;
       cloud = next;
-      delete stage.dataset["drawn"];
+      delete stage.dataset.drawn;
       ways.backend.setCloud(cloud);
       painter.now();
     },

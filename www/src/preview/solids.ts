@@ -1,33 +1,11 @@
 // Parts of the trace as triangles and edges, errors included.
 import type { Solid, Vec3 } from "../wire";
 import type { Rgba } from "./colours";
-import {
-  append,
-  band,
-  fan,
-  flat,
-  type Line,
-  type Mesh,
-  mesh,
-  type Paint,
-  quad,
-  type Style,
-  VERTEX_FLOATS,
-} from "./mesh";
+import { append, band, fan, flat, type Line, type Mesh, mesh, quad, VERTEX_FLOATS } from "./mesh";
 import { border, CIRCLE_POINTS, circle, normals, type Outline, rectangle, type Vec2 } from "./outline";
+import type { Look, Part } from "./part";
 import { surface } from "./surface";
 import { add, apply, product, radians, rpy, times, unit } from "./vec";
-
-export interface Part {
-  mesh: Mesh;
-  edges: Line[];
-}
-/** `pieces`: into how many a long face is cut. */
-export interface Look {
-  paint: Paint;
-  edge: Style;
-  pieces: number;
-}
 
 /**
  * Enough for faces that are drawn one over the other in the order of their distance: long ones have no one distance.

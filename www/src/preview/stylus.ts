@@ -118,7 +118,10 @@ function makeStylus(ball: Ball, axis: Vec3, colours: ToolColours, reach: number)
 }
 
 function addPiece(into: Mesh, piece: ToolPiece, paint: Paint): void {
-  if ("corners" in piece) return plate(into, piece.corners, piece.thick, paint);
+  if ("corners" in piece) {
+    plate(into, piece.corners, piece.thick, paint);
+    return;
+  }
   const frame = fromZ(unit(piece.axis));
   const direction = (p: Vec3) => apply(frame, p);
   turned(into, piece.outline, p => add(piece.at, direction(p)), paint, direction);

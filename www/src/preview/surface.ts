@@ -1,7 +1,7 @@
 // Free surfaces: heights over a grid, or triangles.
 import type { Surface, Vec3 } from "../wire";
 import { type Line, mesh, triangle } from "./mesh";
-import type { Look, Part } from "./solids";
+import type { Look, Part } from "./part";
 import { cross, sub, unit } from "./vec";
 
 export function surface(shape: Surface, look: Look): Part {

@@ -4,17 +4,8 @@
 import type { State } from "../state";
 import type { Store } from "../store";
 import type { ScanRequest, ScanText, ScanView } from "../wire";
-import type { ScanAsk, ScanReply, Shown } from "./worker";
-
-export type { Shown } from "./worker";
-/** `shown`: which points are chosen; drawn are those of `of`, as soon as they are there. */
-export interface Scanned {
-  request: ScanRequest;
-  view: ScanView;
-  clouds: Partial<Record<Shown, Float32Array>>;
-  of: Shown;
-  shown: Shown;
-}
+import type { Scanned, Shown } from "./scanned";
+import type { ScanAsk, ScanReply } from "./worker";
 
 /** `taking`: points are made ready to be drawn; `writing`: a file. */
 export type Work = "scanning" | "taking" | "writing";
@@ -98,7 +89,8 @@ export function createScanner(module: () => WebAssembly.Module | undefined, stor
       if (!compiled) return;
       drop();
       store.update({ scan: null, scanProblem: "" });
-      const made = (worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" }));
+      const made = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
+      worker = made;
       made.onmessage = ({ data }: MessageEvent<ScanReply>) => hear(request, data);
       made.onerror = event => fail(event.message);
       made.postMessage(compiled);

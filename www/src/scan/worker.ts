@@ -3,9 +3,8 @@
 
 import { initSync, Scan } from "@pkg/program/program.js";
 import type { ScanText } from "../wire";
+import type { Shown } from "./scanned";
 
-/** Which points: those that are sent, or those of the surface under the ball. */
-export type Shown = "sent" | "surface";
 export type ScanAsk = { begin: string; file: Uint8Array } | { cloud: Shown } | { text: ScanText } | "nothing";
 export type ScanReply =
   | { share: number }
@@ -25,7 +24,8 @@ let turns: Uint32Array = new Uint32Array(); // of each point, when they are draw
 let newest = 0; // number of what was asked last
 
 function scanAll(begin: string, file: Uint8Array): void {
-  const made = (scan = new Scan(begin, file));
+  const made = new Scan(begin, file);
+  scan = made;
   for (let over = false; !over; ) {
     const until = performance.now() + SLICE;
     while (!over && performance.now() < until) over = made.advance(PIECE);
@@ -53,9 +53,8 @@ async function cloud(asked: number, of: Shown): Promise<void> {
   const numbers = new Float32Array(NUMBERS * turns.length);
   const done = await inPieces(asked, (scan, from, to) => {
     const piece = scan.cloud(of === "surface", from, to);
-    turns
-      .subarray(from, to)
-      .forEach((turn, i) => numbers.set(piece.subarray(NUMBERS * i, NUMBERS * (i + 1)), NUMBERS * turn));
+    for (const [i, turn] of turns.subarray(from, to).entries())
+      numbers.set(piece.subarray(NUMBERS * i, NUMBERS * (i + 1)), NUMBERS * turn);
   });
   if (done) tell({ cloud: numbers, of }, [numbers.buffer]);
 }

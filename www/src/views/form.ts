@@ -8,6 +8,7 @@ import type { Store } from "../store";
 import { optional, t } from "../texts";
 import type { Diagnostic, Field } from "../wire";
 import { createAsks } from "./asks";
+import { copyText } from "./copy";
 import { createExplain } from "./explain";
 import { createField, type FieldView, fieldId, problemItem, updateProblem } from "./field";
 import { createPicture } from "./picture";
@@ -42,15 +43,6 @@ function resetNotes({ resets, values }: State): Diagnostic[] {
     param,
     message: { key: "field-reset", args: { value, before } },
   }));
-}
-
-export async function copyText(text: string, store: Store, notice: string): Promise<void> {
-  try {
-    await navigator.clipboard.writeText(text);
-    store.update({ notice });
-  } catch {
-    store.update({ notice: "notice-no-clipboard" });
-  }
 }
 
 export function createForm(

@@ -56,10 +56,11 @@ export function createFound(
   const pick = ({ entry }: Hit): void => {
     const { kind, code, key, variant, cycles, others } = entry;
     const [cycle] = cycles;
-    if (kind === "result" || kind === "alarm") return actions.card({ kind, code, key, cycles, others });
-    if (kind === "parameter") return cycle && goToField(cycle.control, code);
-    if (cycle) actions.chooseCycle(cycle, variant);
-    actions.panel("form");
+    if (kind === "result" || kind === "alarm") actions.card({ kind, code, key, cycles, others });
+    else if (kind !== "parameter") {
+      if (cycle) actions.chooseCycle(cycle, variant);
+      actions.panel("form");
+    } else if (cycle) goToField(cycle.control, code);
   };
   const section = ({ kind, hits }: Group): HTMLElement => {
     const title = el("h3", {}, t(`found-${kind}`, { count: hits.length }));
@@ -69,7 +70,7 @@ export function createFound(
   const buttons = (): HTMLElement[] => [...list.querySelectorAll<HTMLElement>(".hit")];
   on(list, "keydown", event => {
     const all = buttons();
-    const at = all.findIndex(one => one === document.activeElement);
+    const at = all.indexOf(document.activeElement as HTMLElement);
     const next: Record<string, HTMLElement | undefined> = {
       ArrowDown: all[at + 1],
       ArrowUp: all[at - 1],

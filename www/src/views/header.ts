@@ -13,7 +13,7 @@ import type { Store } from "../store";
 import { language, languages, t } from "../texts";
 import type { Setup } from "../wire";
 import { createAbout } from "./about";
-import { copyText } from "./form";
+import { copyText } from "./copy";
 import { createMachine } from "./machine";
 import { createMachineData } from "./machine-data";
 

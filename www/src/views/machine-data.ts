@@ -8,8 +8,8 @@ import { machine, type State } from "../state";
 import type { Store } from "../store";
 import { optional, say, t } from "../texts";
 import type { BasicSystem, MachineField, MachineGroup, MachineRequest, MachineView } from "../wire";
+import { copyText } from "./copy";
 import { rangeText } from "./field";
-import { copyText } from "./form";
 
 /** A row of a group: the title of a field of data, or a datum. */
 type Row = { title: string; datum: null } | { title: null; datum: MachineField };
@@ -259,7 +259,10 @@ function createRow(
     );
   };
   const update = (node: HTMLElement, { title, datum }: Row): void => {
-    if (!datum) return setText(node, title);
+    if (!datum) {
+      setText(node, title);
+      return;
+    }
     const [head, line, help, problem] = node.children as unknown as [
       HTMLElement,
       HTMLElement,

@@ -236,7 +236,7 @@ export function createPicture(
     const figures = sorted.map(shape => {
       const value =
         shape.kind === "dimension" && shape.field === shape.text ? (values[shape.field ?? ""] ?? "").trim() : "";
-      return figure(shape, place, scale, size, value);
+      return { shape, ...figure(shape, place, scale, size, value) };
     });
     spread(
       figures.flatMap(({ captions }) => captions),
@@ -245,14 +245,13 @@ export function createPicture(
     );
     drawInto(
       shapes,
-      figures.map(({ lines, captions }, index): Drawn => {
-        const { kind, field, also } = sorted[index]!;
-        return {
+      figures.map(
+        ({ shape: { kind, field, also }, lines, captions }): Drawn => ({
           tag: "g",
           attributes: { class: `shape ${kind}`, "data-field": field, "data-also": also?.join(" ") },
           children: [...lines, ...captions.map(written)],
-        };
-      }),
+        }),
+      ),
     );
   };
   const light = (): void => {
@@ -274,7 +273,10 @@ export function createPicture(
   return (picture, focus, values) => {
     show(root, picture.shapes.length > 0);
     lit = focus;
-    if (picture !== drawn?.picture || values !== drawn.values) draw((drawn = { picture, values }));
+    if (picture !== drawn?.picture || values !== drawn.values) {
+      drawn = { picture, values };
+      draw(drawn);
+    }
     setAttribute(drawing, "aria-label", t(`picture-${picture.view}`));
     light();
   };

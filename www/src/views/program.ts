@@ -12,7 +12,7 @@ import { fileOf, saveFile } from "../files";
 import { programOf, type State } from "../state";
 import type { Store } from "../store";
 import { say, t } from "../texts";
-import { copyText } from "./form";
+import { copyText } from "./copy";
 import { createOrigin } from "./origin";
 import { createOutline } from "./outline";
 
@@ -98,7 +98,8 @@ export function createProgram(
         insert: one.insert.replaceAll("\n", eol),
       }));
       actions.editProgram(edits);
-      return (text = programOf(store.state));
+      text = programOf(store.state);
+      return text;
     },
     moved: (offset, line) => actions.cursor(toProgram(text, offset), line),
   };

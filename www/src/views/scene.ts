@@ -4,7 +4,7 @@ import type { Derived } from "../derive";
 import { el, on, setAttribute, setText, show } from "../dom";
 import type { Cloud } from "../preview/backend";
 import type { Preview, ViewName } from "../preview/view";
-import type { Scanned } from "../scan/scanner";
+import type { Scanned } from "../scan/scanned";
 import { AT_END, type State } from "../state";
 import type { Store } from "../store";
 import { t } from "../texts";

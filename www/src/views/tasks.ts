@@ -181,7 +181,10 @@ export function createTasks(
   };
 
   return (state, derived) => {
-    if (cycles !== derived.catalogue.cycles) all = nodes((cycles = derived.catalogue.cycles));
+    if (cycles !== derived.catalogue.cycles) {
+      cycles = derived.catalogue.cycles;
+      all = nodes(cycles);
+    }
     const variant = variantOf(derived);
     const chosen = all.find(node => node.cycle === derived.cycle && node.variant && node.variant === variant);
     const parent = all.find(node => !node.variant && node.cycle === derived.cycle);

@@ -85,7 +85,8 @@ export function createTimeline(
   return (state, derived) => {
     const entries = derived.trace?.entries ?? [];
     count = entries.length;
-    const step = (current = derived.step);
+    const { step } = derived;
+    current = step;
     const entry = entries[step];
     setAttribute(scrub, "max", Math.max(0, count - 1));
     if (Number(scrub.value) !== step) scrub.value = String(step);

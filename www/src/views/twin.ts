@@ -7,7 +7,7 @@ import type { State } from "../state";
 import type { Store } from "../store";
 import { say, t } from "../texts";
 import type { TwinView } from "../wire";
-import { copyText } from "./form";
+import { copyText } from "./copy";
 
 function column(): { root: HTMLElement; name: HTMLElement; code: HTMLElement } {
   const name = el("h4", {});
@@ -59,8 +59,9 @@ export function createTwin(store: Store): { root: HTMLElement; draw(state: State
       one => one.label.key,
       () => el("div", {}, el("dt", {}), el("dd", {})),
       (node, one) => {
-        setText(node.children[0]!, say(one.label));
-        setText(node.children[1]!, plain(one.value));
+        const [label, value] = node.children as unknown as [HTMLElement, HTMLElement];
+        setText(label, say(one.label));
+        setText(value, plain(one.value));
       },
     );
     keyed(

@@ -20,7 +20,7 @@ if (host) {
     label: "3D view",
     colours,
     onBackend: name => {
-      document.documentElement.dataset["backend"] = name;
+      document.documentElement.dataset.backend = name;
     },
   });
   preview.setTrace(query.get("scene") === "shapes" ? shapes : hole);

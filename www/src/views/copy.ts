@@ -1,0 +1,13 @@
+// To the clipboard, where the browser lets it.
+
+import type { Store } from "../store";
+
+/** Copies a text and confirms it with `notice`, the key of a message. */
+export async function copyText(text: string, store: Store, notice: string): Promise<void> {
+  try {
+    await navigator.clipboard.writeText(text);
+    store.update({ notice });
+  } catch {
+    store.update({ notice: "notice-no-clipboard" });
+  }
+}
