@@ -28,6 +28,8 @@ pub mod run;
 pub mod scan;
 pub mod support;
 pub mod syntax;
+#[cfg(test)]
+mod test_data;
 #[cfg(feature = "cli")]
 pub mod words;
 pub mod workpiece;

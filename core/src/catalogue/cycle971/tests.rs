@@ -71,7 +71,7 @@ fn the_calls_of_the_manual_are_right() {
 
 #[test]
 fn variants_and_axes_that_do_not_exist_are_refused() {
-    // oracle: manual B:1854, B:4420, B:4842-4846; spec/turning/variants.tsv, rows INVALID (61325 is proposed there)
+    // oracle: manual B:1854, B:4420, B:4842-4846; tests/data/variants_invalid.tsv (61325 is proposed there)
     for number in ["3", "20", "100", "10001", "10002", "20000", "100001", "110000", "-1"] {
         assert_eq!(found(&[("_MVAR", number)], |_| ()), alarm(61307), "{number}");
     }

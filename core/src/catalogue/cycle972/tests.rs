@@ -54,7 +54,7 @@ fn the_calls_of_the_manual_are_right() {
 
 #[test]
 fn variants_and_axes_that_do_not_exist_are_refused() {
-    // oracle: manual B:1854, B:8766-8771; spec/turning/variants.tsv, row INVALID; A:15866
+    // oracle: manual B:1854, B:8766-8771; tests/data/variants_invalid.tsv; A:15866
     for number in ["2", "10", "11", "100000", "100001", "-1"] {
         assert_eq!(found(&[("_MVAR", number)], |_| ()), alarm(61307), "{number}");
     }

@@ -107,7 +107,7 @@ fn every_variant_measures_a_milling_tool_but_calibration() {
 
 #[test]
 fn combinations_of_digits_that_do_not_exist_are_refused() {
-    // oracle: manual B:9273, A:10287-10316; spec/turning/variants.tsv, rows INVALID
+    // oracle: manual B:9273, A:10287-10316; tests/data/variants_invalid.tsv
     let automatic_in_increments = [100_002, 100_012, 110_102, 103_002];
     let length_and_radius_in_increments = [102_001, 112_011, 102_101];
     let automatic_of_one = [1002, 2002, 11_112, 12_102];
@@ -196,7 +196,7 @@ fn a_tool_touching_with_its_side_needs_its_radius() {
 
 #[test]
 fn drills_with_their_length_along_the_applicate() {
-    // oracle: manual B:10096-10122; spec/turning/variants.tsv, row DRILL SPECIAL; 61314 is ours
+    // oracle: manual B:10096-10122; 61314 is ours
     for (plane, possible) in [(Plane::G17, true), (Plane::G18, false), (Plane::G19, true)] {
         for variant in CYCLE982.variants.iter().map(|one| one.number) {
             let special = |control: &mut Control| {

@@ -1,4 +1,4 @@
-//! The catalogue against the tables of the manual, row by row in both directions, where that folder is there.
+//! The catalogue against the tables of the manual (`tests/data/`), row by row in both directions.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod alarms;
@@ -23,26 +23,9 @@ use crate::entry::Param;
 use crate::entry::ProbeUse;
 use crate::entry::Typed;
 use crate::entry::names;
+use crate::test_data::{Row, data, rows};
 use cells::covers;
 use std::collections::BTreeSet;
-use std::path::Path;
-
-/// Rows of the milling and of the turning table of this name; empty where the folder is not present.
-fn rows(table: &str) -> Vec<Vec<String>> {
-    [rows_of("milling", table), rows_of("turning", table)].concat()
-}
-
-/// Rows of a table that belongs to no sort of machine.
-fn common_rows(table: &str) -> Vec<Vec<String>> {
-    rows_of("common", table)
-}
-
-fn rows_of(folder: &str, table: &str) -> Vec<Vec<String>> {
-    let spec = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/spec");
-    let text = std::fs::read_to_string(spec.join(folder).join(table)).unwrap_or_default();
-    let cells = |line: &str| line.split('\t').map(str::to_owned).collect();
-    text.lines().skip(1).map(cells).collect()
-}
 
 fn sinumerik() -> impl Iterator<Item = &'static Cycle> {
     CYCLES.iter().copied().filter(|cycle| cycle.dialect == Dialect::Sinumerik)
@@ -97,7 +80,7 @@ fn of_the_call(cycle: &Cycle) -> impl Iterator<Item = &Param> {
 
 #[test]
 fn counts() {
-    // oracle: manual, spec/*/variants.tsv, params.tsv, results.tsv counted by hand; a frame by its components
+    // oracle: manual, tests/data/variants.tsv, parameters.tsv, results.tsv counted by hand; a frame by its components
     let mut ours: Vec<(&str, usize, usize, usize)> = sinumerik()
         .map(|cycle| {
             let params = of_the_call(cycle).count();
@@ -125,15 +108,11 @@ fn names_stand_once() {
 
 #[test]
 fn variants_are_those_of_the_table() {
-    // oracle: manual, spec/milling/variants.tsv, spec/turning/variants.tsv
-    let rows = rows("variants.tsv");
-    for cycle in tabled().filter(|_| !rows.is_empty()) {
+    // oracle: manual, tests/data/variants.tsv; a cycle without variants has the number 0 alone
+    let rows = rows(data!("variants.tsv"));
+    for cycle in tabled() {
         let of_cycle = rows.iter().filter(|row| row[0] == cycle.name);
-        // A cycle without variants has one row, named `-`; further rows describe what is not valid, in words.
-        let number = |cell: &str| {
-            if cell == "-" { Some(0) } else { cell.parse().ok() }
-        };
-        let table: BTreeSet<i64> = of_cycle.filter_map(|row| number(&row[1])).collect();
+        let table: BTreeSet<i64> = of_cycle.flat_map(|row| invalid::numbers(row[1])).collect();
         let ours: BTreeSet<i64> = cycle.variants.iter().map(|one| one.number).collect();
         assert_eq!(ours, table, "{}", cycle.name);
     }

@@ -1,12 +1,12 @@
 //! The macros against the tables of the NCT manual.
 
-use super::common_rows;
 use crate::catalogue::{CYCLES, nct};
 use crate::control::Plane;
 use crate::diagnostic::Code;
 use crate::dialect::Dialect;
 use crate::entry::Inputs;
 use crate::entry::{Cycle, Param};
+use crate::test_data::{Row, data, rows};
 use std::collections::BTreeSet;
 
 /// Variants, addresses and results of each macro, by name.
@@ -32,7 +32,7 @@ fn macros() -> impl Iterator<Item = &'static Cycle> {
 
 #[test]
 fn counts() {
-    // oracle: manual, spec/common/nct_params.tsv counted by hand; an axis that depends on the plane stands three times
+    // oracle: manual, tests/data/nct_addresses.tsv counted by hand; an axis that depends on the plane stands three times
     let ours: Vec<(&str, usize, usize, usize)> = macros()
         .map(|one| {
             let sizes = (one.variants.len(), one.params.len(), one.results.len());
@@ -53,27 +53,27 @@ fn addresses(cell: &str) -> BTreeSet<&str> {
 }
 
 /// Rows of the table for a macro.
-fn of<'a>(rows: &'a [Vec<String>], cycle: &Cycle) -> Vec<&'a Vec<String>> {
+fn of<'a>(rows: &'a [Row], cycle: &Cycle) -> Vec<&'a Row> {
     rows.iter().filter(|row| belongs(row, cycle)).collect()
 }
 
 /// Whether a row is of a macro, or of one way to call it: `G65 P9920 T0`.
-pub fn belongs(row: &[String], cycle: &Cycle) -> bool {
+pub fn belongs(row: &Row, cycle: &Cycle) -> bool {
     let rest = row[0].strip_prefix(cycle.name);
     rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(" T"))
 }
 
-fn macro_of(row: &[String]) -> Option<&'static Cycle> {
+fn macro_of(row: &Row) -> Option<&'static Cycle> {
     macros().find(|cycle| belongs(row, cycle))
 }
 
 #[test]
 fn addresses_are_those_of_the_table() {
-    // oracle: manual, spec/common/nct_params.tsv (C:114-1101), both directions
-    let rows = common_rows("nct_params.tsv");
-    for cycle in macros().filter(|_| !rows.is_empty()) {
+    // oracle: manual, tests/data/nct_addresses.tsv (C:114-1101), both directions
+    let rows = rows(data!("nct_addresses.tsv"));
+    for cycle in macros() {
         let rows = of(&rows, cycle);
-        let table: BTreeSet<&str> = rows.iter().flat_map(|row| addresses(&row[1])).collect();
+        let table: BTreeSet<&str> = rows.iter().flat_map(|row| addresses(row[1])).collect();
         let ours: BTreeSet<&str> = cycle.params.iter().map(|param| param.name).collect();
         assert_eq!(ours, table, "{}", cycle.name);
     }
@@ -81,32 +81,32 @@ fn addresses_are_those_of_the_table() {
 
 #[test]
 fn defaults_are_those_of_the_table() {
-    // oracle: manual, spec/common/nct_params.tsv: `5 mm`, `0.2 inch`, `1500 mm/min`
+    // oracle: manual, tests/data/nct_addresses.tsv: `5 mm`, `0.2 inch`, `1500 mm/min`
     let number = |cell: &str| cell.split(' ').next()?.parse::<f64>().ok();
     let mut seen = 0;
-    for row in common_rows("nct_params.tsv") {
+    for row in rows(data!("nct_addresses.tsv")) {
         let Some(cycle) = macro_of(&row) else {
             continue;
         };
-        for name in addresses(&row[1]) {
+        for name in addresses(row[1]) {
             let param = cycle.param(name).unwrap();
-            assert_eq!(param.default, number(&row[3]), "{row:?}");
-            assert_eq!(param.default_inch, number(&row[4]), "{row:?}");
+            assert_eq!(param.default, number(row[3]), "{row:?}");
+            assert_eq!(param.default_inch, number(row[4]), "{row:?}");
             seen += 1;
         }
     }
-    assert!(seen == 0 || seen == 100, "{seen}");
+    assert_eq!(seen, 100);
 }
 
 #[test]
 fn what_has_to_be_given_is_a_format_error_otherwise() {
-    // oracle: manual, spec/common/nct_params.tsv, column mandatory
+    // oracle: manual, tests/data/nct_addresses.tsv, column mandatory
     let mut seen = 0;
-    for row in common_rows("nct_params.tsv") {
+    for row in rows(data!("nct_addresses.tsv")) {
         let Some(cycle) = macro_of(&row) else {
             continue;
         };
-        if !row[2].starts_with("yes") || !cycle.alarms().contains(&nct::FORMAT_ERROR) {
+        if row[2] != "yes" || !cycle.alarms().contains(&nct::FORMAT_ERROR) {
             continue;
         }
         for plane in [Plane::G17, Plane::G18, Plane::G19] {
@@ -114,7 +114,7 @@ fn what_has_to_be_given_is_a_format_error_otherwise() {
             seen += 1;
         }
     }
-    assert!(seen == 0 || seen >= 15, "{seen}");
+    assert!(seen >= 15, "{seen}");
 }
 
 fn nothing_given(cycle: &'static Cycle, plane: Plane) -> Vec<Code> {
@@ -123,7 +123,7 @@ fn nothing_given(cycle: &'static Cycle, plane: Plane) -> Vec<Code> {
 
 #[test]
 fn a_register_and_an_offset_have_their_range() {
-    // oracle: manual, spec/common/nct_params.tsv: S 0 to 6; T and M up to 99 (the lower end printed as 6 is 1:
+    // oracle: manual, tests/data/nct_addresses.tsv: S 0 to 6; T and M up to 99 (the lower end printed as 6 is 1:
     // examples)
     let ranged = |name: &str, min: f64, max: f64| {
         let refusing = |cycle: &&Cycle| cycle.name.starts_with("G1"); // others mean something else by these letters
@@ -143,8 +143,8 @@ fn a_register_and_an_offset_have_their_range() {
 
 #[test]
 fn programs_call_their_macros() {
-    // oracle: manual, spec/common/nct_macros.tsv (C:58): O9010 is G101
-    for row in common_rows("nct_macros.tsv") {
+    // oracle: manual, tests/data/nct_macros.tsv (C:58): O9010 is G101
+    for row in rows(data!("nct_macros.tsv")) {
         let Some(number) = row[1].strip_prefix('O').and_then(|text| text.parse().ok()) else {
             continue;
         };
@@ -156,8 +156,8 @@ fn programs_call_their_macros() {
 
 #[test]
 fn the_address_of_the_tool_axis_belongs_to_its_plane() {
-    // oracle: manual, spec/common/nct_params.tsv: `Z (G17) / Y (G18) / X (G19)`
-    for row in common_rows("nct_params.tsv") {
+    // oracle: manual, tests/data/nct_addresses.tsv: `Z (G17) / Y (G18) / X (G19)`
+    for row in rows(data!("nct_addresses.tsv")) {
         let Some(cycle) = macro_of(&row) else {
             continue;
         };

@@ -3,8 +3,7 @@
 use super::cells::with_condition;
 use super::conditions::{level, met};
 use super::results::row_name;
-use super::{allowed, covers, of_the_call, refused, rows, tabled};
-use crate::diagnostic::Code;
+use super::{Row, allowed, covers, data, of_the_call, refused, rows, tabled};
 use crate::entry::Cycle;
 use crate::entry::Inputs;
 use crate::entry::Kind;
@@ -18,12 +17,12 @@ use std::collections::BTreeSet;
 
 #[test]
 fn parameters_are_those_of_the_table() {
-    // oracle: manual, spec/milling/params.tsv, spec/turning/params.tsv
-    let rows = rows("params.tsv");
-    for cycle in tabled().filter(|_| !rows.is_empty()) {
+    // oracle: manual, tests/data/parameters.tsv
+    let rows = rows(data!("parameters.tsv"));
+    for cycle in tabled() {
         let (mut used, mut settings) = (BTreeSet::new(), BTreeSet::new());
         for row in rows.iter().filter(|row| row[0] == cycle.name) {
-            for name in names_of(&row[1]) {
+            for name in names_of(row[1]) {
                 if is_result(cycle, &name) {
                     continue;
                 }
@@ -46,11 +45,11 @@ fn parameters_are_those_of_the_table() {
 }
 
 /// A variant that no row names does not use the parameter.
-fn unused_elsewhere(cycle: &'static Cycle, param: &Param, rows: &[Vec<String>]) {
-    let names = |row: &&Vec<String>| row[0] == cycle.name && names_of(&row[1]).iter().any(|name| name == param.name);
-    let rows: Vec<&Vec<String>> = rows.iter().filter(names).collect();
+fn unused_elsewhere(cycle: &'static Cycle, param: &Param, rows: &[Row]) {
+    let names = |row: &&Row| row[0] == cycle.name && names_of(row[1]).iter().any(|name| name == param.name);
+    let rows: Vec<&Row> = rows.iter().filter(names).collect();
     for variant in cycle.variants {
-        let named = |row: &&Vec<String>| covers(with_condition(&row[2]).0, variant.number);
+        let named = |row: &&Row| covers(with_condition(row[2]).0, variant.number);
         if !rows.iter().any(named) {
             let need = param.need(&Inputs::new(cycle, variant.number));
             // `2 outside`, `2 inside`: the start position decides, which a form does not know (B:11136).
@@ -119,9 +118,9 @@ fn setting(name: &str) -> Option<String> {
 }
 
 /// One parameter of one row; collects the names that any row lets be used.
-fn compare(cycle: &'static Cycle, name: &str, row: &[String], used: &mut BTreeSet<&'static str>) {
-    let (variants, of_cell) = with_condition(&row[2]);
-    let (requirement, of_row) = row[3].split_once(':').unwrap_or((&row[3], ""));
+fn compare(cycle: &'static Cycle, name: &str, row: &Row, used: &mut BTreeSet<&'static str>) {
+    let (variants, of_cell) = with_condition(row[2]);
+    let (requirement, of_row) = row[3].split_once(':').unwrap_or((row[3], ""));
     let condition = if of_cell.is_empty() { of_row } else { of_cell };
     let Some(param) = cycle.params.iter().find(|param| param.name == name) else {
         assert_eq!(requirement, "unused", "{} {name}", cycle.name);
@@ -131,7 +130,7 @@ fn compare(cycle: &'static Cycle, name: &str, row: &[String], used: &mut BTreeSe
     if level.is_some() {
         used.insert(param.name);
         default(cycle, param, row);
-        kind(cycle, param, &row[4]);
+        kind(cycle, param, row[4]);
     }
     let covered = |one: &&Variant| covers(variants, one.number);
     for variant in cycle.variants.iter().filter(covered) {
@@ -150,15 +149,15 @@ fn compare(cycle: &'static Cycle, name: &str, row: &[String], used: &mut BTreeSe
         }
         if level.is_some() {
             for inputs in &ways {
-                compare_allowed(cycle, param, inputs, &row[5]);
+                compare_allowed(cycle, param, inputs, row[5]);
             }
         }
     }
 }
 
 /// Unit of a row.
-fn unit(param: &Param, row: &[String]) -> Unit {
-    match row[6].as_str() {
+fn unit(param: &Param, row: &Row) -> Unit {
+    match row[6] {
         "active-unit" => Unit::ActiveLength,
         "basic-unit" if [names::VMS, names::RF].contains(&param.name) => Unit::BasicFeed,
         "basic-unit" => Unit::BasicLength,
@@ -168,7 +167,7 @@ fn unit(param: &Param, row: &[String]) -> Unit {
     }
 }
 
-fn default(cycle: &Cycle, param: &Param, row: &[String]) {
+fn default(cycle: &Cycle, param: &Param, row: &Row) {
     // A delivered value that the cycle refuses (_RF=0) is none.
     let delivered = row[7].parse().ok();
     let default = delivered.filter(|value| param.range.contains(*value));
@@ -188,7 +187,7 @@ fn kind(cycle: &Cycle, param: &Param, cell: &str) {
 /// Values at the end of what is allowed and beside it, and the alarm for the latter where the table names one.
 fn compare_allowed(cycle: &'static Cycle, param: &Param, inputs: &Inputs, cell: &str) {
     // How many probes there are the data of the machine say.
-    let Some(allowed) = allowed::allowed(cell).filter(|_| param.name != names::PRNUM) else {
+    let Some((allowed, alarm)) = allowed::allowed(cell).filter(|_| param.name != names::PRNUM) else {
         return;
     };
     let others: Vec<(&str, String)> = inputs
@@ -213,12 +212,10 @@ fn compare_allowed(cycle: &'static Cycle, param: &Param, inputs: &Inputs, cell: 
             assert_eq!(codes(value), [], "{}", what(value));
         }
     }
-    let alarm = cell.split(|c: char| !c.is_ascii_digit()).find(|text| text.len() == 5 && text.starts_with('6'));
     for value in allowed.wrong() {
         let codes = codes(value);
         assert!(!codes.is_empty(), "{}", what(value));
         if let Some(alarm) = alarm {
-            let alarm = Code::Alarm(alarm.parse().unwrap());
             assert!(codes.contains(&alarm), "{} {codes:?}", what(value));
         }
     }

@@ -1,6 +1,6 @@
 //! Results: which variant sets which.
 
-use super::{covers, rows, tabled};
+use super::{Row, covers, data, rows, tabled};
 use crate::entry::Cycle;
 use crate::entry::Inputs;
 use crate::entry::ResultField;
@@ -10,29 +10,26 @@ use std::collections::BTreeSet;
 
 #[test]
 fn results_are_those_of_the_table() {
-    // oracle: manual, spec/milling/results.tsv, spec/turning/results.tsv
-    let rows = rows("results.tsv");
-    for cycle in tabled().filter(|_| !rows.is_empty()) {
-        let counts = |row: &&Vec<String>| {
-            row[0].split(", ").any(|name| name == cycle.name) && !row[5].contains("not a result of")
-        };
-        let of_cycle = || rows.iter().filter(counts);
-        let table: BTreeSet<&str> = of_cycle().map(|row| row[2].as_str()).collect();
+    // oracle: manual, tests/data/results.tsv
+    let rows = rows(data!("results.tsv"));
+    for cycle in tabled() {
+        let of_cycle = || rows.iter().filter(|row| row[0].split(", ").any(|name| name == cycle.name));
+        let table: BTreeSet<&str> = of_cycle().map(|row| row[2]).collect();
         let ours: BTreeSet<&str> = cycle.results.iter().map(row_name).collect();
         assert_eq!(ours, table, "{}", cycle.name);
         for field in cycle.results {
             unset_elsewhere(cycle, field, of_cycle());
         }
         for row in of_cycle() {
-            let covered = |one: &&Variant| covers(&row[1], one.number);
+            let covered = |one: &&Variant| covers(row[1], one.number);
             for variant in cycle.variants.iter().filter(covered) {
                 let what = format!("{} {} {}", cycle.name, variant.number, row[2]);
                 let ways = ways(cycle, variant.number);
                 let mut some = false;
                 for inputs in &ways {
-                    let set = is_set(cycle, &row[2], inputs);
+                    let set = is_set(cycle, row[2], inputs);
                     some |= set;
-                    if let Some(expected) = by_axis(&row[5], inputs) {
+                    if let Some(expected) = by_axis(row[3], inputs) {
                         assert_eq!(set, expected, "{what} {}", inputs.number(names::MA));
                     }
                 }
@@ -43,16 +40,12 @@ fn results_are_those_of_the_table() {
 }
 
 /// A variant that no row names does not set the result.
-fn unset_elsewhere<'a>(
-    cycle: &'static Cycle,
-    field: &'static ResultField,
-    rows: impl Iterator<Item = &'a Vec<String>>,
-) {
-    let rows: Vec<&Vec<String>> = rows.filter(|row| row[2] == row_name(field)).collect();
+fn unset_elsewhere<'a>(cycle: &'static Cycle, field: &'static ResultField, rows: impl Iterator<Item = &'a Row>) {
+    let rows: Vec<&Row> = rows.filter(|row| row[2] == row_name(field)).collect();
     for variant in cycle.variants.iter().map(|variant| variant.number) {
         // B:7356 leaves one angle out, which corrects a frame just as well; DESIGN.md.
         let chosen = (cycle.name, field.name) == ("CYCLE998", "_OVI[11]");
-        if !chosen && !rows.iter().any(|row| covers(&row[1], variant)) {
+        if !chosen && !rows.iter().any(|row| covers(row[1], variant)) {
             let ways = ways(cycle, variant);
             let set = ways.iter().find(|inputs| field.when.holds(inputs));
             assert!(set.is_none(), "{} {variant} {}", cycle.name, field.name);
@@ -78,46 +71,38 @@ fn is_set(cycle: &Cycle, name: &str, inputs: &Inputs) -> bool {
 /// Whether a row counts for these values, where its condition is about the measuring axis.
 fn by_axis(condition: &str, inputs: &Inputs) -> Option<bool> {
     let axis = inputs.integer(names::MA) % 10;
-    if let Some(rest) = condition.strip_prefix("only _MA=") {
-        return rest.get(..1)?.parse().ok().map(|only: i64| only == axis);
+    if let Some(rest) = condition.strip_prefix("_MA=") {
+        return rest.parse().ok().map(|only: i64| only == axis);
     }
     let automatic = inputs.variant % 10 == 2;
     if inputs.cycle.name == "CYCLE982" && radius_alone(inputs.variant) {
-        return None; // `when … is determined` comes first
+        return None; // whether it is determined comes first
     }
     match condition {
-        "only length measurement" | "only length measurement (MA=3,103,203)" => Some(axis == 3),
-        "only radius measurement" | "only radius measurement (MA=1,2)" => Some(axis != 3),
-        "when L1 is determined (MA=2 or automatic)" => Some(axis == 2 || automatic),
-        "when L2 is determined (MA=1 or automatic)" => Some(axis == 1 || automatic),
+        "length" => Some(axis == 3),
+        "radius" => Some(axis != 3),
+        "L1" => Some(axis == 2 || automatic),
+        "L2" => Some(axis == 1 || automatic),
         _ => None,
     }
 }
 
 /// Whether a row counts for a variant, by the condition that stands in it.
-fn expected(row: &[String], variant: i64) -> bool {
+fn expected(row: &Row, variant: i64) -> bool {
     let zero = variant / 100 % 10 == 1;
-    if row[5].starts_with("1) tool offset only") {
-        return !zero;
-    }
     if row[0] == "CYCLE982" && row[1].starts_with("all measuring") {
-        return match row[2].as_str() {
+        return match row[2] {
             "_OVR[8]" | "_OVR[9]" | "_OVR[10]" | "_OVR[11]" => !radius_alone(variant),
             "_OVR[12]" | "_OVR[13]" => variant % 10 == 2 || variant / 1000 % 10 > 0,
             _ => true,
         };
     }
-    match row[5].as_str() {
-        "footnote 1: only with tool offset" => !zero,
-        "footnote 2: only with ZO correction" => zero,
-        "2) ZO correction only (_MVAR 100); values not defined" => zero,
+    match row[3] {
+        "tool" => !zero,
+        "zero" => zero,
         // CYCLE976: holes in the plane, the surface in any axis, the length in the applicate
-        "only the directions actually calibrated are defined; others: not stated" => {
-            match (row[4].ends_with("applicate"), variant) {
-                (true, variant) => variant % 10 == 0,
-                (false, variant) => variant != 10_000,
-            }
-        }
+        "directions of the applicate" => variant % 10 == 0,
+        "directions" => variant != 10_000,
         _ => true,
     }
 }

@@ -71,7 +71,7 @@ fn values(random: &mut Random, name: &str, variant: i64) -> Typed {
 
 #[test]
 fn values_in_range_have_no_errors() {
-    // oracle: self, ranges of spec/milling/params.tsv
+    // oracle: self, ranges of tests/data/parameters.tsv
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
     for cycle in ["CYCLE977", "CYCLE978"].map(cycle) {
         for variant in cycle.variants {

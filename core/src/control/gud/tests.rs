@@ -1,4 +1,4 @@
-//! The table against the manual's lists, row by row in both directions where these are there.
+//! The table against the manual's lists (`tests/data/`), row by row in both directions.
 #![allow(clippy::unwrap_used)]
 use super::*;
 use crate::catalogue::CYCLES;
@@ -6,15 +6,8 @@ use crate::control::machine_data::{self, MACHINE_DATA, MachineDatum};
 use crate::control::{delivery, delivery::factor};
 use crate::dialect::Dialect;
 use crate::message::Message;
+use crate::test_data::{Row, data, rows};
 use crate::words::Words;
-
-/// Rows of a list; none where the folder is not present.
-fn rows(file: &str) -> Vec<Vec<String>> {
-    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/spec/common");
-    let text = std::fs::read_to_string(folder.join(file)).unwrap_or_default();
-    let cells = |line: &str| line.split('\t').map(str::to_owned).collect();
-    text.lines().skip(1).map(cells).collect()
-}
 
 fn elements() -> impl Iterator<Item = (&'static Gud, &'static Element)> {
     all().flat_map(|gud| gud.elements.iter().map(move |element| (gud, element)))
@@ -43,27 +36,24 @@ fn nothing_is_lost() {
     assert_eq!(MACHINE_DATA.len(), 42);
 }
 
-// oracle: manual, through the list of user data
+// oracle: manual, tests/data/user_data.tsv
 #[test]
 fn every_element_is_in_the_list_and_the_other_way_round() {
-    let rows = rows("gud.tsv");
-    if rows.is_empty() {
-        return;
-    }
+    let rows = rows(data!("user_data.tsv"));
     let mut names: Vec<String> = elements().map(|(gud, one)| printed(gud, one)).collect();
-    let mut wanted: Vec<&str> = rows.iter().map(|row| listed(&row[0])).collect();
+    let mut wanted: Vec<&str> = rows.iter().map(|row| listed(row[0])).collect();
     names.sort();
     wanted.sort_unstable();
     assert_eq!(names, wanted);
     for row in &rows {
-        let (gud, element) = elements().find(|(gud, one)| printed(gud, one) == listed(&row[0])).unwrap();
+        let (gud, element) = elements().find(|(gud, one)| printed(gud, one) == listed(row[0])).unwrap();
         agrees(gud, element, row);
     }
 }
 
 /// Block, scope, type, size, unit, default and place of a row.
-fn agrees(gud: &Gud, element: &Element, row: &[String]) {
-    let name = &row[0];
+fn agrees(gud: &Gud, element: &Element, row: &Row) {
+    let name = row[0];
     let block = match gud.block {
         Block::Gud5 => "GUD5",
         Block::Gud6 => "GUD6",
@@ -80,12 +70,12 @@ fn agrees(gud: &Gud, element: &Element, row: &[String]) {
         Kind::Frame => &["FRAME"],
     };
     assert!(kind.iter().any(|kind| row[3].starts_with(kind)), "{name}");
-    size_agrees(gud, &row[4], name);
-    assert!(units(element.unit).contains(&unit(&row[6])), "{name}: {}", row[6]);
+    size_agrees(gud, row[4], name);
+    assert!(units(element.unit).contains(&row[6]), "{name}: {}", row[6]);
     if gud.block != Block::Gud5 {
         default_agrees(gud, element, row);
     }
-    assert_eq!(row[8].split(';').next(), Some(element.source), "{name}");
+    assert_eq!(row[9].split(';').next(), Some(element.source), "{name}");
 }
 
 /// Numbers in the list's size: those of the table, or fewer where fields are counted or an appendix says more.
@@ -101,11 +91,6 @@ fn size_agrees(gud: &Gud, text: &str, name: &str) {
         let larger = dimension == 0 && (!gud.counted.is_empty() || gud.name == "_CBIT");
         assert!(size == most || larger && size < most, "{name}: {text}");
     }
-}
-
-/// First words of the list's unit.
-fn unit(text: &str) -> &str {
-    text.split(" (").next().unwrap()
 }
 
 fn units(unit: Unit) -> &'static [&'static str] {
@@ -124,12 +109,12 @@ fn units(unit: Unit) -> &'static [&'static str] {
     }
 }
 
-fn default_agrees(gud: &Gud, element: &Element, row: &[String]) {
+fn default_agrees(gud: &Gud, element: &Element, row: &Row) {
     let printed = row[5].split([',', ' ']).next().unwrap();
     match element.initial {
-        // A probe is delivered calibrated: appendix A.1, which the list's notes have (B:16259-16265).
+        // A probe is delivered calibrated: appendix A.1 (B:16259-16265).
         Initial::Number(value) if gud.name == "_WP" && value != 0.0 => {
-            assert!(row[9].contains(&format!("as-delivered {value} ")), "{}", row[0]);
+            assert_eq!(row[8].parse(), Ok(value), "{}", row[0]);
         }
         Initial::Number(value) => {
             assert_eq!(printed.parse().unwrap_or(0.0), value, "{}", row[0]);
@@ -138,18 +123,15 @@ fn default_agrees(gud: &Gud, element: &Element, row: &[String]) {
     }
 }
 
-// oracle: manual, through the list of machine data
+// oracle: manual, tests/data/machine_data.tsv
 #[test]
 fn every_machine_datum_is_in_the_list_and_the_other_way_round() {
-    let rows = rows("machine_data.tsv");
-    if rows.is_empty() {
-        return;
-    }
+    let rows = rows(data!("machine_data.tsv"));
     let numbers: Vec<&str> = MACHINE_DATA.iter().map(|datum| datum.number).collect();
     let wanted: Vec<String> = rows
         .iter()
         .map(|row| match row[0].strip_prefix("SD") {
-            Some(_) => row[0].clone(),
+            Some(_) => row[0].to_owned(),
             None => format!("MD{}", row[0]),
         })
         .collect();
@@ -159,9 +141,9 @@ fn every_machine_datum_is_in_the_list_and_the_other_way_round() {
     }
 }
 
-fn machine_datum_agrees(datum: &MachineDatum, row: &[String]) {
-    let cell = |column: usize| match row[column].split(" (").next().unwrap() {
-        "-" | "" => "",
+fn machine_datum_agrees(datum: &MachineDatum, row: &Row) {
+    let cell = |column: usize| match row[column] {
+        "-" => "",
         text => text,
     };
     let name = row[1].split('[').next().unwrap();
@@ -178,9 +160,9 @@ fn machine_datum_agrees(datum: &MachineDatum, row: &[String]) {
         datum.effective,
         datum.unit,
     ];
-    let wanted = [name, cell(2), cell(3), cell(4), cell(5), cell(6), cell(7), cell(8), cell(10)];
+    let wanted = [name, cell(2), cell(3), cell(4), cell(5), cell(6), cell(7), cell(8), cell(9)];
     assert_eq!(found, wanted, "{}", datum.number);
-    assert_eq!(row[14].split(';').next(), datum.source.split(';').next());
+    assert_eq!(row[10].split(';').next(), datum.source.split(';').next());
 }
 
 // oracle: self

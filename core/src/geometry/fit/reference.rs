@@ -1,5 +1,5 @@
-//! The fits against reference pairs: those of NIST where the folder with the work of others is present, and sets whose
-//! nearest element is known without reckoning it.
+//! The fits against reference pairs: those of NIST (`tests/data/nist_fits.tsv`), and sets whose nearest element is known
+//! without reckoning it.
 //!
 //! The latter are points of an element, each moved off it by an amount. Where the sum of these amounts is 0, and the
 //! sums of amounts times every way in which the element can be moved, nothing is left to move (the derivative of the
@@ -8,6 +8,7 @@
 
 use super::{circle, line, nearest, plane};
 use crate::geometry::V3;
+use crate::test_data::{Row, data, rows};
 use nalgebra::{Isometry3, Rotation3};
 
 /// Digits of a coordinate: four times the last one that f64 holds at a metre.
@@ -15,16 +16,12 @@ const PLACE: f64 = 1e-12;
 /// Digits of a direction.
 const DIRECTION: f64 = 1e-14;
 
-/// Numbers of a reference pair of NIST: the points, and the fit. None: the folder is not there.
-fn reference(name: &str) -> Option<(Vec<V3>, Vec<f64>)> {
-    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/corpus/nist");
-    let numbers = |ending: &str| -> Option<Vec<f64>> {
-        let text = std::fs::read_to_string(folder.join(format!("{name}.{ending}"))).ok()?;
-        Some(text.split_whitespace().map(|word| word.parse().unwrap()).collect())
-    };
-    let (points, fit) = (numbers("ds")?, numbers("fit")?);
-    let points: Vec<V3> = points[1..].chunks(3).map(V3::from_column_slice).collect();
-    Some((points, fit))
+/// Points and fit of the reference pairs of NIST for an element, with their names.
+fn references(element: &str) -> Vec<(&'static str, Vec<V3>, Vec<f64>)> {
+    let numbers = |cell: &str| -> Vec<f64> { cell.split(' ').map(|word| word.parse().unwrap()).collect() };
+    let rows: Vec<Row> = rows(data!("nist_fits.tsv")).into_iter().filter(|row| row[1] == element).collect();
+    assert!(!rows.is_empty(), "{element}");
+    rows.iter().map(|row| (row[0], numbers(row[3]).chunks(3).map(vector).collect(), numbers(row[2]))).collect()
 }
 
 fn vector(numbers: &[f64]) -> V3 {
@@ -42,22 +39,18 @@ fn same(name: &str, found: (V3, V3), point: V3, direction: V3) {
 // oracle: NIST reference pairs for least-squares fits (point, direction or normal)
 #[test]
 fn lines_and_planes_are_those_of_the_reference_pairs() {
-    for (name, fit) in [("lin2d1", line as fn(&[V3]) -> Option<(V3, V3)>), ("pla7", plane)] {
-        let Some((points, wanted)) = reference(name) else {
-            return;
-        };
-        let found = fit(&points).unwrap();
-        same(name, found, vector(&wanted[..3]), vector(&wanted[3..]));
+    for (element, fit) in [("line", line as fn(&[V3]) -> Option<(V3, V3)>), ("plane", plane)] {
+        for (name, points, wanted) in references(element) {
+            let found = fit(&points).unwrap();
+            same(name, found, vector(&wanted[..3]), vector(&wanted[3..]));
+        }
     }
 }
 
 // oracle: NIST reference pairs for least-squares fits (centre, normal of the plane, diameter)
 #[test]
 fn circles_are_those_of_the_reference_pairs() {
-    for name in ["cir7", "cir10"] {
-        let Some((points, fit)) = reference(name) else {
-            return;
-        };
+    for (name, points, fit) in references("circle") {
         let (centre, normal) = (vector(&fit[..3]), vector(&fit[3..6]));
         let along = normal.cross(&V3::y()).normalize();
         let across = normal.cross(&along).normalize();
@@ -72,12 +65,11 @@ fn circles_are_those_of_the_reference_pairs() {
 // oracle: NIST reference pairs for least-squares fits (centre, diameter)
 #[test]
 fn the_sphere_is_that_of_the_reference_pair() {
-    let Some((points, fit)) = reference("sph11") else {
-        return;
-    };
-    let (centre, radius) = nearest(&points, false).unwrap();
-    assert!((centre - vector(&fit[..3])).norm() < PLACE, "{centre}");
-    assert!((2.0 * radius - fit[3]).abs() < PLACE, "{radius}");
+    for (name, points, fit) in references("sphere") {
+        let (centre, radius) = nearest(&points, false).unwrap();
+        assert!((centre - vector(&fit[..3])).norm() < PLACE, "{name}: {centre}");
+        assert!((2.0 * radius - fit[3]).abs() < PLACE, "{name}: {radius}");
+    }
 }
 
 /// Where the sets stand: near, and as far from the zero of a machine as its axes reach, turned by every angle.
