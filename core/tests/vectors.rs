@@ -5,9 +5,9 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use probewright_core::catalogue::find;
-use probewright_core::check::Typed;
 use probewright_core::control::delivery;
 use probewright_core::dialect::Dialect;
+use probewright_core::entry::Typed;
 use probewright_core::evaluate::tolerance::{Bands, chain};
 use probewright_core::evaluate::{knum, mean, symmetry};
 use probewright_core::form;
