@@ -223,7 +223,29 @@ struct BodyFile {
 /// JSON Schema of the setup file. `Serialize` writes the default values into it.
 #[cfg(feature = "cli")]
 pub fn schema() -> serde_json::Value {
-    schemars::schema_for!(SetupFile).to_value()
+    let mut schema = schemars::schema_for!(SetupFile).to_value();
+    unwrapped(&mut schema);
+    schema
+}
+
+/// Descriptions in whole lines: a doc comment breaks where the code does, a reader's window elsewhere.
+#[cfg(feature = "cli")]
+fn unwrapped(value: &mut serde_json::Value) {
+    match value {
+        serde_json::Value::Object(members) => {
+            for (name, member) in members {
+                match member {
+                    serde_json::Value::String(text) if name == "description" => {
+                        let paragraphs: Vec<String> = text.split("\n\n").map(|one| one.replace('\n', " ")).collect();
+                        *text = paragraphs.join("\n\n");
+                    }
+                    member => unwrapped(member),
+                }
+            }
+        }
+        serde_json::Value::Array(all) => all.iter_mut().for_each(unwrapped),
+        _ => {}
+    }
 }
 
 /// Reads a setup file: delivery values of the control, then what the file says.
