@@ -77,7 +77,8 @@ impl ArgumentList {
 
     /// Whether this parameter is an argument or an element of one.
     pub fn gives(&self, name: &str) -> bool {
-        let element = |arg: &Arg| matches!(arg, Arg::Variable(array) if name.strip_prefix(array).is_some_and(|rest| rest.starts_with('[')));
+        let indexed = |array: &str| name.strip_prefix(array).is_some_and(|rest| rest.starts_with('['));
+        let element = |arg: &Arg| matches!(arg, Arg::Variable(array) if indexed(array));
         self.position(name).is_some() || self.args.iter().any(element)
     }
 

@@ -16,7 +16,9 @@ pub fn page(words: &Words) -> String {
     line(&mut text, "# Data of the machine");
     line(
         &mut text,
-        "SINUMERIK: user data of the blocks GUD5, GUD6 and GUD7 and the machine data that measuring cycles depend on. NCT, at the end: the variables and parameters of the probing macros. Generated from the tables in `core/src/control`; do not edit.",
+        "SINUMERIK: user data of the blocks GUD5, GUD6 and GUD7 and the machine data that measuring cycles depend on. \
+         NCT, at the end: the variables and parameters of the probing macros. \
+         Generated from the tables in `core/src/control`; do not edit.",
     );
     for subject in gud::SUBJECTS {
         user_data(&mut text, subject, words);

@@ -108,7 +108,8 @@ mod tests {
     // oracle: hand
     #[test]
     fn a_step_belongs_to_the_call_in_which_it_happened() {
-        let text = "_SETV[0]=SET(3,0,0,1,0,2,0)\nMSG(\"A\")\nDEF REAL P[13]\nDEF INT FAULT\nCYCLE116(P,FAULT)\nMSG(\"B\")\nM30\n";
+        let text = "_SETV[0]=SET(3,0,0,1,0,2,0)\nMSG(\"A\")\nDEF REAL P[13]\nDEF INT FAULT\nCYCLE116(P,FAULT)\n\
+            MSG(\"B\")\nM30\n";
         let setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
         let program = read(Dialect::Sinumerik, text.as_bytes());
         let outcome = run(&program, &setup, Limits::default());
@@ -126,7 +127,8 @@ mod tests {
     fn what_each_call_left_last_is_told_with_its_meaning() {
         // oracle: hand (circles of radius 1 to 3 by the same call, then a 4th point that makes no circle with the
         // others)
-        let text = "DEF INT FAULT\nDEF REAL P[13]\nFOR R1=1 TO 3\nP[0]=SET(3,R1,0,0,R1,-R1,0)\nCYCLE116(P,FAULT)\nENDFOR\n\
+        let text = "DEF INT FAULT\nDEF REAL P[13]\nFOR R1=1 TO 3\nP[0]=SET(3,R1,0,0,R1,-R1,0)\nCYCLE116(P,FAULT)\n\
+            ENDFOR\n\
             P[0]=SET(3,0,0,1,0,2,0)\nCYCLE116(P,FAULT)\nM30\n";
         let setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
         let program = read(Dialect::Sinumerik, text.as_bytes());

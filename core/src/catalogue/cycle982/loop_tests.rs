@@ -114,7 +114,8 @@ proptest! {
                 0.0 => middle(axis),
                 towards => before(axis, towards),
             });
-            let found: Vec<usize> = [0, 1].into_iter().filter(|axis| sides[*axis] != 0.0).map(|axis| 1 - axis).collect();
+            let crossed = [0, 1].into_iter().filter(|axis| sides[*axis] != 0.0);
+            let found: Vec<usize> = crossed.map(|axis| 1 - axis).collect();
             measured(&mut setup, start, (2 + system, 0), (real, &found));
         }
         for (variant, whole) in CUTTERS {

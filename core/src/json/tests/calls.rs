@@ -26,7 +26,8 @@ fn a_call_says_in_which_units_and_plane_it_stands() {
 fn a_call_says_whether_its_setpoint_is_a_diameter() {
     let with = |function: &str, set: &str| {
         let text = format!(
-            "G18 {function}\n_MVAR=1 _MA=2 _SETVAL={set} _SZA=60 _SZO={set}/2 _KNUM=0 _FA=2 _TSA=1 _PRNUM=1\nCYCLE994\nM30\n"
+            "G18 {function}\n_MVAR=1 _MA=2 _SETVAL={set} _SZA=60 _SZO={set}/2 _KNUM=0 _FA=2 _TSA=1 _PRNUM=1\nCYCLE994\n\
+                M30\n"
         );
         let text = text.replace(&format!("{set}/2"), if set == "45" { "30" } else { "15" });
         let read = json!({ "control": "sinumerik", "text": text });

@@ -249,7 +249,8 @@ fn results_of_a_program_name_the_call_that_left_them() {
 #[test]
 fn what_an_earlier_call_left_is_told_as_that_of_its_line() {
     let text = "G17 G54 G90 T9 D1\nM6\n_PRNUM=1 _FA=4 _TSA=2 _TZL=0 _NMSP=1 _VMS=0 _SETVAL=79.98 _TNUM=20\n\
-        _MVAR=1 _TUL=0.01 _TLL=-0.01 _TDIF=1 _K=1 _EVNUM=0 _TMV=0.5 _KNUM=2001 CYCLE977\n_MVAR=101 _KNUM=1\nCYCLE977\nM30\n";
+        _MVAR=1 _TUL=0.01 _TLL=-0.01 _TDIF=1 _K=1 _EVNUM=0 _TMV=0.5 _KNUM=2001 CYCLE977\n_MVAR=101 _KNUM=1\nCYCLE977\n\
+        M30\n";
     let mut setup = two_calls();
     setup["tools"]["20"] = json!({ "edges": { "1": { "type": 120, "length": [60, 0, 0], "radius": 8 } } });
     let view = done(&json!({ "control": "sinumerik", "text": text, "setup": setup }));

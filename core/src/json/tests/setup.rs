@@ -51,7 +51,8 @@ fn a_slip_in_a_setup_is_told() {
             "G12",
         ),
         (
-            "{\"control\":\"nct\",\"probe\":{\"radius\":3,\"length\":50},\"workpiece\":[{\"shape\":\"hole\",\"size\":[1],\"at\":[0,0,0]}]}",
+            "{\"control\":\"nct\",\"probe\":{\"radius\":3,\"length\":50},\
+             \"workpiece\":[{\"shape\":\"hole\",\"size\":[1],\"at\":[0,0,0]}]}",
             "Hole",
         ),
     ] {

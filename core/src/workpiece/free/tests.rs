@@ -2,7 +2,8 @@
 use super::*;
 use proptest::prelude::*;
 
-const TEXT: &str = "solid part\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1e1 0 -2.5\nVERTEX 0 10 0\nendloop\nendfacet\nendsolid";
+const TEXT: &str = "solid part\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1e1 0 -2.5\nVERTEX 0 10 0\n\
+    endloop\nendfacet\nendsolid";
 
 fn binary(triangles: &[[[f32; 3]; 3]]) -> Vec<u8> {
     let mut file = b"solid, though it is binary".to_vec();
