@@ -37,6 +37,32 @@ describe("without the part of the core that simulates", () => {
   });
 });
 
+describe("what the first form waits for", () => {
+  const chrome = shared("neither", { before, after });
+
+  // oracle: hand (names of cycles stand in a module as they are written)
+  test("is a module that knows one cycle, the other knows them all", async () => {
+    const { context, page } = await open(chrome.browser, { serviceWorkers: "block" });
+    const modules = {};
+    page.on("request", request => {
+      const module = /\/(core|program)_bg-[^/]*\.wasm$/.exec(request.url())?.[1];
+      if (module) modules[module] = request.url();
+    });
+    await page.reload();
+    await page.waitForLoadState("networkidle");
+    const named = { core: await names(modules.core), program: await names(modules.program) };
+    assert.deepEqual([named.core.size, [...named.core].every(name => named.program.has(name))], [1, true]);
+    assert.ok(named.program.size > 30, `${[...named.program]}`);
+    await context.close();
+  });
+});
+
+/** Names of measuring cycles and macros in the bytes of a module. */
+async function names(module) {
+  const bytes = Buffer.from(await (await fetch(module)).arrayBuffer());
+  return new Set(bytes.toString("latin1").match(/CYCLE(?:9\d\d|1[01]\d)(?!\d)|G1(?:0[1-9]|10)(?!\d)|G65 P99\d\d/g));
+}
+
 describe("the set-ups are what they say", () => {
   // oracle: browser (the interfaces that it offers)
   test("WebGPU and WebGL2 are there or not", async () => {

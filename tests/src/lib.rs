@@ -1,5 +1,7 @@
 //! What several tests need: where things are in the repository.
 
+pub mod rust;
+
 use std::path::{Path, PathBuf};
 
 /// The root of the repository.
