@@ -26,6 +26,7 @@ pub mod range;
 pub mod report;
 pub mod run;
 pub mod scan;
+pub mod scene;
 pub mod support;
 pub mod syntax;
 #[cfg(test)]

@@ -169,6 +169,12 @@ export interface Picture {
   view: "plane" | "section";
   shapes: PictureShape[];
 }
+/** Centre and radius, mm. */
+export interface Circle {
+  x: number;
+  y: number;
+  r: number;
+}
 export interface PictureShape {
   kind:
     | "material"
@@ -183,7 +189,9 @@ export interface PictureShape {
     | "axis"
     | "touch";
   points: [number, number][]; // polygon or polyline; dimension: its two ends
-  circle?: { x: number; y: number; r: number };
+  circle?: Circle;
+  /** A round opening in it. */
+  opening?: Circle;
   closed?: boolean;
   text?: string; // name of a parameter or a number
   field?: string; // parameter it explains

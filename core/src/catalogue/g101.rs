@@ -1,7 +1,6 @@
 //! G101: protected positioning of the stylus (C:106-144).
 
 use super::common::{PARAM, optional};
-use super::nct::surface::{BALL, FACE};
 use super::nct::{self, part};
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
@@ -115,7 +114,11 @@ fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     Proposal { workpiece: Workpiece { solids: vec![block] }, start, ..Proposal::default() }
 }
 
-/// From the side: an axis of the plane to the right, the tool axis up; the way goes over what lies below. An axis
+/// Ball radius of the drawing, and half the length of the part, mm.
+const BALL: f64 = 3.0;
+const FACE: f64 = 30.0;
+
+/// Of its own, as nothing is touched. From the side: an axis of the plane to the right, the tool axis up; the way goes over what lies below. An axis
 /// without an address keeps its position.
 fn picture(inputs: &Inputs) -> Picture {
     let axes = inputs.plane.axes();

@@ -35,7 +35,7 @@ pub static G102: Cycle = Cycle {
     alarms: &[nct::MEASURING],
     checks: ring::check,
     help: Help::new(&[HELP, nct::help::MEASURING, nct::help::CALIBRATING]),
-    picture: Drawing::new(ring::picture),
+    picture: Drawing::staged(ring::stage, ring::marks),
     example: &[("D", "25")],
     simulation: Some(Simulation::new(Work { propose: ring::propose, simulate }, &[])),
     source: "C:150-278",

@@ -41,7 +41,7 @@ pub static G103: Cycle = Cycle {
     alarms: &[nct::MEASURING],
     checks: ring::check,
     help: Help::new(&[HELP, nct::help::MEASURING, nct::help::CALIBRATING]),
-    picture: Drawing::new(ring::picture),
+    picture: Drawing::staged(ring::stage, ring::marks),
     example: &[("D", "50")],
     simulation: Some(Simulation::new(Work { propose: ring::propose, simulate }, &[])),
     source: "C:282-370",

@@ -44,7 +44,7 @@ pub static G104: Cycle = Cycle {
     alarms: &[nct::MEASURING],
     checks: |_, _, _| {},
     help: Help::new(&[HELP, nct::help::MEASURING, nct::help::CALIBRATING]),
-    picture: Drawing::new(surface::axial_picture),
+    picture: Drawing::staged(surface::stage_axially, surface::marks_axially),
     example: &[("Z", "0"), ("T", "98")],
     simulation: Some(Simulation::new(Work { propose: surface::propose_axially, simulate }, &[])),
     source: "C:351-427",

@@ -3,19 +3,19 @@
 use super::common::PARAM;
 use super::nct::correct::{self, Found, Part};
 use super::nct::plane_axis::{depth, index, needs, nominal};
-use super::nct::surface::{self, BALL, FACE, Wall, drawn, limits, spindle_at, touch_wall};
+use super::nct::surface::{self, Wall, spindle_at, touch_wall};
 use super::nct::walls::{home, travel};
-use super::nct::{self, FORMAT_ERROR, checks, params, part, plane_axis, print};
+use super::nct::{self, FORMAT_ERROR, checks, figures, params, part, plane_axis, print};
 use crate::control::{Control, Plane};
 use crate::diagnostic::Diagnostic;
 use crate::dialect::Dialect;
 use crate::entry::Inputs;
 use crate::entry::Task;
+use crate::entry::stage::{Look, Seen, Staging};
 use crate::entry::{Cycle, Drawing, Help, Param, Proposal, Purpose, Simulation, Unit, Variant, When, Work};
 use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
 use crate::machine::{Machine, Stop};
-use crate::picture::figures::{circle, corners, dimension, line, rectangle};
-use crate::picture::{Picture, ShapeKind, View};
+use crate::picture::PictureShape;
 use crate::workpiece::{Shape, Workpiece};
 
 /// One of X, Y, Z.
@@ -57,7 +57,7 @@ pub static G105: Cycle = Cycle {
     ],
     checks,
     help: Help::new(&[HELP, nct::help::MEASURING, nct::help::SHIFTS]),
-    picture: Drawing::new(picture),
+    picture: Drawing::staged(stage, marks),
     example: &[("X", "50"), ("Z", "-10"), ("S", "1"), ("H", "0.2"), ("W", "2")],
     simulation: Some(Simulation::new(Work { propose, simulate }, &[])),
     source: "C:430-560",
@@ -123,37 +123,32 @@ fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     }
 }
 
+/// From the zero point to the drawn wall, and depth of the touch, mm.
+const SET: [f64; 2] = [75.0, -30.0];
+
 /// The wall from the side: the measured axis to the right, the tool axis up.
-fn picture(inputs: &Inputs) -> Picture {
-    let (name, _) = nominal(inputs);
-    let (axial, depth) = depth(inputs);
-    let (clearance, past) = (drawn(inputs.number("R")), drawn(inputs.number("Q")));
-    let (zero, above, beside) = (-44.0, FACE * 0.8, -BALL - clearance);
-    let mut shapes = vec![
-        rectangle(ShapeKind::Cut, [FACE / 2.0, -FACE / 2.0], [FACE, FACE]),
-        rectangle(ShapeKind::Zone, [past / 2.0, -FACE / 2.0], [past, FACE]).of("Q"),
-        line(ShapeKind::Edge, vec![[0.0, -FACE], [0.0, 0.0]]).of(name),
-        line(ShapeKind::Axis, vec![[zero, -FACE * 1.2], [zero, FACE]]).text("0"),
-        circle(ShapeKind::Touch, [0.0, -FACE / 2.0], BALL * 0.3),
-        dimension(name, [zero, -FACE * 0.9], [0.0, -FACE * 0.9]),
-        dimension("Q", [0.0, -FACE * 0.25], [past, -FACE * 0.25]),
-    ];
-    let measured = [-BALL, -FACE / 2.0];
-    let (way, start) = if depth.is_some() {
-        let start = [beside * 1.6, above];
-        shapes.push(dimension("R", [beside, BALL * 2.0], [-BALL, BALL * 2.0]));
-        shapes.push(dimension(axial, [zero * 0.8, 0.0], [zero * 0.8, -FACE / 2.0]));
-        let corner = [beside, -FACE / 2.0];
-        (vec![start, [beside, above], corner, measured], start)
-    } else {
-        let start = [beside, -FACE / 2.0];
-        (vec![start, measured], start)
+fn stage(inputs: &Inputs) -> Staging {
+    let axis = index(inputs).unwrap_or(0);
+    let (name, set) = nominal(inputs);
+    let look = Look::section(axis).ways("R");
+    let stage = figures::stage(inputs, look, &[]).with(name, SET[0].copysign(set));
+    match depth(inputs) {
+        (axial, Some(_)) => stage.with(axial, SET[1]),
+        _ => stage,
+    }
+}
+
+/// Its coordinate, the depth and the limits.
+fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
+    let [seen] = looks else {
+        return Vec::new();
     };
-    shapes.push(line(ShapeKind::Path, way));
-    shapes.push(circle(ShapeKind::Probe, start, BALL));
-    let band = |half: f64| corners([0.0, -FACE / 2.0], [2.0 * half, FACE]);
-    shapes.extend(limits(inputs, band));
-    Picture { view: View::Section, shapes }
+    let mut shapes = figures::limits(inputs, seen);
+    shapes.extend(seen.position(nominal(inputs).0, 0, None));
+    if let (axial, Some(_)) = depth(inputs) {
+        shapes.extend(seen.depth(axial));
+    }
+    shapes
 }
 
 /// The lines of the help page.

@@ -41,7 +41,7 @@ pub static G106: Cycle = Cycle {
     alarms: &[nct::MEASURING, &[nct::OUT_OF_TOLERANCE, nct::UPPER_TOLERANCE]],
     checks: |inputs, _, findings| checks::corrections(inputs, findings),
     help: Help::new(&[HELP, nct::help::MEASURING, nct::help::SHIFTS]),
-    picture: Drawing::new(surface::axial_picture),
+    picture: Drawing::staged(surface::stage_axially, surface::marks_axially),
     example: &[("Z", "0"), ("S", "1"), ("H", "0.2"), ("W", "2")],
     simulation: Some(Simulation::new(Work { propose: surface::propose_axially, simulate }, &[])),
     source: "C:562-694",

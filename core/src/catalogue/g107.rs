@@ -26,7 +26,7 @@ pub static G107: Cycle = Cycle {
     alarms: &[nct::MEASURING],
     checks: |_, _, _| {},
     help: Help::new(&[HELP, nct::help::MEASURING]),
-    picture: Drawing::new(|inputs| corner::picture(inputs, false)),
+    picture: Drawing::staged(corner::stage, corner::marks),
     example: &[("X", "100"), ("Y", "80"), ("S", "1")],
     simulation: Some(Simulation::new(
         Work {

@@ -29,7 +29,7 @@ pub static G108: Cycle = Cycle {
     ],
     checks: |_, _, _| {},
     help: Help::new(&[HELP, nct::help::MEASURING]),
-    picture: Drawing::new(|inputs| corner::picture(inputs, true)),
+    picture: Drawing::staged(corner::stage, corner::marks),
     example: &[("X", "100"), ("Y", "80"), ("S", "1")],
     simulation: Some(Simulation::new(
         Work {

@@ -3,21 +3,20 @@
 use super::common::{PARAM, optional};
 use super::nct::correct::{self, Found, Part};
 use super::nct::plane_axis::{depth, index, needs, nominal};
-use super::nct::surface::{BALL, FACE, drawn, limits};
 use super::nct::walls::{Outside, Walls, chord, home};
-use super::nct::{self, FORMAT_ERROR, checks, params, part, plane_axis, print};
+use super::nct::{self, FORMAT_ERROR, checks, figures, params, part, plane_axis, print};
 use crate::check::error;
 use crate::control::{Control, Plane};
 use crate::diagnostic::Diagnostic;
 use crate::dialect::Dialect;
 use crate::entry::Inputs;
 use crate::entry::Task;
+use crate::entry::stage::{Look, Seen, Staging};
 use crate::entry::{Chooses, Cycle, Drawing, Help, Param, Proposal, Purpose, Simulation, Unit, Variant, When, Work};
 use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
 use crate::machine::{Machine, Stop};
 use crate::message::Message;
-use crate::picture::figures::{circle, corners, dimension, line, rectangle};
-use crate::picture::{Picture, PictureShape, ShapeKind, View};
+use crate::picture::PictureShape;
 use crate::workpiece::{Shape, Workpiece};
 
 /// The stylus stands between the walls.
@@ -100,7 +99,7 @@ pub static G109: Cycle = Cycle {
     ],
     checks,
     help: Help::new(&[HELP, nct::help::MEASURING, nct::help::SHIFTS]),
-    picture: Drawing::new(picture),
+    picture: Drawing::staged(stage, marks),
     example: &[("X", "80"), ("S", "1"), ("H", "0.02"), ("V", "2"), ("W", "2")],
     simulation: Some(Simulation::new(Work { propose, simulate }, &[])),
     source: "C:868-1028",
@@ -188,51 +187,30 @@ fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     }
 }
 
+/// Depth at which a drawn web is touched, mm.
+const DEPTH: f64 = -30.0;
+
 /// The walls from the side: the measured axis to the right, the tool axis up.
-fn picture(inputs: &Inputs) -> Picture {
-    let (name, _) = nominal(inputs);
-    let web = inputs.variant == WEB;
-    let (half, down) = (FACE, -FACE / 2.0);
-    let mut shapes = material(web, half);
-    let past = drawn(inputs.number("Q"));
-    for side in [1.0, -1.0] {
-        let into = if web { -side } else { side };
-        let zone = [side * half + into * past / 2.0, down];
-        shapes.push(rectangle(ShapeKind::Zone, zone, [past, FACE]).of("Q"));
-        let wall = vec![[side * half, -FACE], [side * half, 0.0]];
-        shapes.push(line(ShapeKind::Edge, wall).of(name));
-        let contact = [side * half - into * BALL, down];
-        let way = if web {
-            let beside = contact[0] + side * drawn(inputs.number("R"));
-            vec![[0.0, half], [beside, half], [beside, down], contact]
-        } else {
-            vec![[0.0, down], contact]
-        };
-        shapes.push(line(ShapeKind::Path, way));
-        shapes.push(circle(ShapeKind::Touch, [side * half, down], BALL * 0.3));
-        let band = |wide: f64| corners([side * half, down], [2.0 * wide, FACE]);
-        shapes.extend(limits(inputs, band));
+fn stage(inputs: &Inputs) -> Staging {
+    let look = Look::section(index(inputs).unwrap_or(0)).ways("R");
+    let stage = figures::stage(inputs, look, &[]).sized(inputs, &[nominal(inputs).0]);
+    match depth(inputs) {
+        (axial, Some(_)) => stage.with(axial, DEPTH),
+        _ => stage,
     }
-    let start = if web { half } else { down };
-    shapes.push(circle(ShapeKind::Probe, [0.0, start], BALL));
-    shapes.push(dimension(name, [-half, -FACE * 0.85], [half, -FACE * 0.85]));
-    let into = if web { -past } else { past };
-    shapes.push(dimension("Q", [half, -FACE * 0.2], [half + into, -FACE * 0.2]));
-    if web {
-        let (axial, _) = depth(inputs);
-        let beside = half + BALL + drawn(inputs.number("R"));
-        shapes.push(dimension("R", [half + BALL, BALL * 2.0], [beside, BALL * 2.0]));
-        shapes.push(dimension(axial, [-half * 1.6, 0.0], [-half * 1.6, down]));
-    }
-    Picture { view: View::Section, shapes }
 }
 
-/// What is cut: the web, or the material on both sides of the pocket.
-fn material(web: bool, half: f64) -> Vec<PictureShape> {
-    if web {
-        return vec![rectangle(ShapeKind::Cut, [0.0, -FACE / 2.0], [2.0 * half, FACE])];
+/// Width, depth and limits.
+fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
+    let [seen] = looks else {
+        return Vec::new();
+    };
+    let mut shapes = figures::limits(inputs, seen);
+    shapes.push(seen.size(nominal(inputs).0, 0));
+    if let (axial, Some(_)) = depth(inputs) {
+        shapes.extend(seen.depth(axial));
     }
-    [1.0, -1.0].map(|side| rectangle(ShapeKind::Cut, [side * half * 1.5, -FACE / 2.0], [half, FACE])).into()
+    shapes
 }
 
 /// The lines of the help page.

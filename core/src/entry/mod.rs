@@ -6,6 +6,7 @@ mod inputs;
 mod list;
 pub mod names;
 mod param;
+pub mod stage;
 mod task;
 mod units;
 mod when;

@@ -1,11 +1,12 @@
 //! What an entry has for a build that simulates: the cycle at work, its picture, the part that it proposes.
 
+use super::Inputs;
 use super::When;
+use super::stage::{Seen, Staging};
 use crate::SIMULATES;
 use crate::control::Control;
-use crate::entry::Inputs;
 use crate::machine::{Machine, Stop};
-use crate::picture::Picture;
+use crate::picture::{Picture, PictureShape};
 use crate::workpiece::tool::Tool;
 use crate::workpiece::tool_probe::ToolProbe;
 use crate::workpiece::{Solid, Workpiece};
@@ -61,19 +62,41 @@ pub type Examples = &'static [(When, &'static [(&'static str, &'static str)])];
 
 /// How a cycle is drawn.
 pub struct Drawing {
-    draw: Option<fn(&Inputs) -> Picture>,
+    how: Option<How>,
+}
+
+/// How the figures of a picture come about.
+pub enum How {
+    /// The cycle at work, with marks at it.
+    Staged(Staged),
+    /// Of its own.
+    Own(fn(&Inputs) -> Picture),
+}
+
+/// A cycle at work as a picture shows it.
+pub struct Staged {
+    /// What is carried out for these values.
+    pub stage: fn(&Inputs) -> Staging,
+    /// Dimensions and other marks on its views.
+    pub marks: fn(&Inputs, &[Seen]) -> Vec<PictureShape>,
 }
 
 impl Drawing {
     /// A build that does not simulate links no drawing either: the page's first module is the form alone.
     pub const fn new(draw: fn(&Inputs) -> Picture) -> Drawing {
-        let draw = if SIMULATES { Some(draw) } else { None };
-        Drawing { draw }
+        let how = if SIMULATES { Some(How::Own(draw)) } else { None };
+        Drawing { how }
     }
 
-    /// The picture for these values; none in a build that does not draw.
-    pub fn draw(&self, inputs: &Inputs) -> Option<Picture> {
-        Some(self.draw?(inputs))
+    /// The same for a picture that follows from the work of the cycle.
+    pub const fn staged(stage: fn(&Inputs) -> Staging, marks: fn(&Inputs, &[Seen]) -> Vec<PictureShape>) -> Drawing {
+        let how = if SIMULATES { Some(How::Staged(Staged { stage, marks })) } else { None };
+        Drawing { how }
+    }
+
+    /// How it is drawn; none in a build that does not draw.
+    pub fn how(&self) -> Option<&How> {
+        self.how.as_ref()
     }
 }
 

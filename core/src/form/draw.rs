@@ -3,8 +3,7 @@
 use crate::catalogue::shown_with::shown_with;
 use crate::check::{self, Parsed, parse};
 use crate::control::Control;
-use crate::entry::Typed;
-use crate::entry::{Cycle, Kind};
+use crate::entry::{Cycle, How, Kind, Typed};
 use crate::picture::Picture;
 
 /// Draws the values; what is missing or wrong is taken from the cycle's worked example. None in a build that does not
@@ -26,7 +25,10 @@ pub fn draw(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Option<P
         }
     }
     let inputs = check::read(cycle, &values, control, &mut Vec::new());
-    let mut picture = cycle.picture.draw(&inputs)?;
+    let mut picture = match cycle.picture.how()? {
+        How::Staged(staged) => crate::scene::plan::draw(&inputs, staged),
+        How::Own(draw) => draw(&inputs),
+    };
     let used = cycle.params.iter().filter(|param| param.need(&inputs).is_some());
     for param in used {
         place(param.name, &mut picture);

@@ -238,6 +238,10 @@ fn shape(shape: &PictureShape, parts: f64) -> Value {
         let circle = [("x", x.into()), ("y", y.into()), ("r", near(r).into())];
         put(&mut view, "circle", object(circle));
     }
+    if let Some((at, r)) = shape.opening {
+        let [x, y] = at.map(near);
+        put(&mut view, "opening", object([("x", x.into()), ("y", y.into()), ("r", near(r).into())]));
+    }
     if shape.closed {
         put(&mut view, "closed", true);
     }

@@ -7,7 +7,7 @@ const CORNERS: u32 = 72;
 
 /// A polyline.
 pub fn line(kind: ShapeKind, points: Vec<[f64; 2]>) -> PictureShape {
-    PictureShape { kind, points, circle: None, closed: false, text: None, field: None, also: Vec::new() }
+    PictureShape { kind, points, circle: None, opening: None, closed: false, text: None, field: None, also: Vec::new() }
 }
 
 /// A polygon.
@@ -92,6 +92,15 @@ pub fn ring(kind: ShapeKind, centre: [f64; 2], inner: f64, outer: f64) -> Pictur
 }
 
 impl PictureShape {
+    /// Moves it.
+    pub fn shift(&mut self, by: [f64; 2]) {
+        let circles = self.circle.iter_mut().chain(&mut self.opening).map(|(centre, _)| centre);
+        for [x, y] in self.points.iter_mut().chain(circles) {
+            *x += by[0];
+            *y += by[1];
+        }
+    }
+
     /// The same with a text.
     pub fn text(mut self, text: impl Into<String>) -> Self {
         self.text = Some(text.into());

@@ -48,6 +48,8 @@ pub struct PictureShape {
     pub points: Vec<[f64; 2]>,
     /// Circle: centre and radius, mm.
     pub circle: Option<([f64; 2], f64)>,
+    /// A round opening in it: centre and radius, mm.
+    pub opening: Option<([f64; 2], f64)>,
     /// Whether the last point joins the first.
     pub closed: bool,
     /// Name of a parameter or a number; never a sentence.

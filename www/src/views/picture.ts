@@ -3,7 +3,7 @@
 import { setAttribute, show, svg } from "../dom";
 import { type Drawn, drawInto } from "../draw";
 import { t } from "../texts";
-import type { Picture, PictureShape } from "../wire";
+import type { Circle, Picture, PictureShape } from "../wire";
 import { type Caption, type Obstacle, type Point, type Size, spread, widthOf } from "./captions";
 
 const MARGIN = { x: 30, y: 22 }; // CSS pixels around the figures, for captions
@@ -93,10 +93,10 @@ function obstacles(shape: PictureShape, place: Place, scale: number): Obstacle[]
   const points = shape.points.map(place);
   const lines = rings(points).map((ring): Point[] => (shape.closed && ring[0] ? [...ring, ring[0]] : ring));
   const dots = shape.kind === "touch" && !shape.circle ? points.map(point => round(point, 4)) : [];
-  const circle = shape.circle
-    ? [round(place([shape.circle.x, shape.circle.y]), Math.max(shape.circle.r * scale, 4))]
-    : [];
-  return [...lines, ...dots, ...circle].flatMap(line =>
+  const circles = [shape.circle, shape.opening].flatMap(circle =>
+    circle ? [round(place([circle.x, circle.y]), Math.max(circle.r * scale, 4))] : [],
+  );
+  return [...lines, ...dots, ...circles].flatMap(line =>
     line.slice(1).map((to, index) => ({ from: line[index] ?? to, to, weight })),
   );
 }
@@ -106,6 +106,14 @@ function round([x, y]: Point, radius: number): Point[] {
     const angle = (index / CORNERS) * 2 * Math.PI;
     return [x + radius * Math.cos(angle), y + radius * Math.sin(angle)];
   });
+}
+
+/** A whole circle as a path. */
+function circled({ x, y, r: radius }: Circle, place: Place, scale: number): string {
+  const [cx, cy] = place([x, y]);
+  const long = r(radius * scale);
+  const half = (to: number): string => `A${long} ${long} 0 0 0 ${r(to)} ${r(cy)}`;
+  return `M${r(cx - radius * scale)} ${r(cy)}${half(cx + radius * scale)}${half(cx - radius * scale)}Z`;
 }
 
 /** A caption that stays inside the picture. */
@@ -175,7 +183,10 @@ function figure(shape: PictureShape, place: Place, scale: number, size: Size, va
     at: place([shape.circle.x, shape.circle.y]),
     r: Math.max(shape.circle.r * scale, 2.5),
   };
-  if (circle) lines.push({ tag: "circle", attributes: { cx: r(circle.at[0]), cy: r(circle.at[1]), r: r(circle.r) } });
+  const opening = shape.opening ? circled(shape.opening, place, scale) : "";
+  const open = opening ? { "fill-rule": "evenodd" } : {};
+  if (shape.circle && opening) lines.push(path(circled(shape.circle, place, scale) + opening, open));
+  else if (circle) lines.push({ tag: "circle", attributes: { cx: r(circle.at[0]), cy: r(circle.at[1]), r: r(circle.r) } });
   if (shape.kind === "touch" && !shape.circle)
     for (const [x, y] of points) lines.push(path(`M${r(x - 4)} ${r(y)}h8M${r(x)} ${r(y - 4)}v8`));
   else if (points.length > 1)
@@ -184,8 +195,9 @@ function figure(shape: PictureShape, place: Place, scale: number, size: Size, va
         shape.closed
           ? rings(points)
               .map(ring => outline(ring, true))
-              .join("")
+              .join("") + opening
           : outline(points, false),
+        open,
       ),
     );
   const below = shape.kind === "touch";

@@ -10,6 +10,7 @@ use crate::control::{Edge, Plane, delivery};
 use crate::dialect::Dialect;
 use crate::entry::Typed;
 use crate::entry::{Cycle, names};
+use crate::form::draw;
 use crate::picture::{PictureShape, ShapeKind};
 
 /// Direction in which the tips of cutting edge positions 1 to 8 point, abscissa and ordinate (B:4152, B:9441,
@@ -31,8 +32,8 @@ fn drawn(cycle: &'static Cycle, position: i64, mirrored: bool, values: &[(&str, 
     let example = cycle.example.iter().chain(values);
     let typed: Typed = example.map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect();
     let inputs = check(cycle, &typed, &control).inputs;
-    let inputs = inputs.unwrap_or_else(|| panic!("{} {position} {values:?}", cycle.name));
-    cycle.picture.draw(&inputs).expect("drawn").shapes
+    assert!(inputs.is_some(), "{} {position} {values:?}", cycle.name);
+    draw(cycle, &typed, &control).expect("drawn").shapes
 }
 
 /// The touched points in their order.

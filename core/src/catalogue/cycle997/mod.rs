@@ -56,7 +56,7 @@ pub static CYCLE997: Cycle = Cycle {
         sinumerik::help::AGAIN,
         sinumerik::help::MEASURING,
     ]),
-    picture: Drawing::new(picture::picture),
+    picture: Drawing::staged(picture::stage, picture::marks),
     example: &[
         ("_MVAR", "10109"),
         ("_SETVAL", "50"),

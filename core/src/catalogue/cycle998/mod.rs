@@ -62,7 +62,7 @@ pub static CYCLE998: Cycle = Cycle {
         sinumerik::help::AGAIN,
         sinumerik::help::MEASURING,
     ]),
-    picture: Drawing::new(picture::picture),
+    picture: Drawing::staged(picture::stage, picture::marks),
     example: &[
         ("_MVAR", "105"),
         ("_SETVAL", "-18"),

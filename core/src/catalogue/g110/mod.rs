@@ -59,7 +59,7 @@ pub static G110: Cycle = Cycle {
     ],
     checks: checks::checks,
     help: Help::new(&[HELP, nct::help::MEASURING, nct::help::SHIFTS]),
-    picture: Drawing::new(picture::picture),
+    picture: Drawing::staged(picture::stage, picture::marks),
     example: &[("D", "50"), ("S", "1"), ("H", "0.02"), ("V", "2"), ("W", "2")],
     simulation: Some(Simulation::new(Work { propose, simulate: simulate::simulate }, &[])),
     source: "C:1036-1183",

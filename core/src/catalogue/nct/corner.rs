@@ -5,16 +5,16 @@
 //! start is put decides where the walls are touched.
 
 use super::correct::{move_offset, results};
-use super::surface::{BALL, FACE, Wall, direction, touch_wall};
+use super::surface::{Wall, direction, touch_wall};
 use super::walls::{home, travel};
-use super::{FORMAT_ERROR, axis_name, part, ready_to_measure};
+use super::{FORMAT_ERROR, axis_name, figures, part, ready_to_measure};
 use crate::catalogue::common::{PARAM, required};
 use crate::control::{Control, Plane};
 use crate::entry::Inputs;
+use crate::entry::stage::{Look, Seen, Staging};
 use crate::entry::{Need, Param, Proposal, ResultField, Unit, When};
 use crate::machine::{Machine, Stop};
-use crate::picture::figures::{circle, dimension, line, polygon};
-use crate::picture::{Picture, ShapeKind, View};
+use crate::picture::PictureShape;
 use crate::workpiece::{Shape, Workpiece};
 
 const fn in_planes(planes: &'static [When]) -> [Need; 1] {
@@ -97,36 +97,27 @@ pub fn propose(inputs: &Inputs, control: &Control, outside: bool) -> Proposal {
     Proposal { workpiece: Workpiece { solids: vec![part::in_plane(shape, at, control)] }, start, ..Proposal::default() }
 }
 
+/// From the zero point to the drawn corner in both axes, mm.
+const SET: f64 = 50.0;
+
 /// The corner from above, with the ways to its walls.
-pub fn picture(inputs: &Inputs, outside: bool) -> Picture {
-    let [first, second, _] = inputs.plane.axes().map(axis_name);
-    let (near, zero) = (-FACE * 0.6, -FACE * 1.5);
-    let past = super::surface::drawn(inputs.number("Q"));
-    let material = if outside {
-        vec![[0.0, 0.0], [FACE, 0.0], [FACE, FACE], [0.0, FACE]]
-    } else {
-        let (low, high) = (-FACE, FACE * 0.6);
-        vec![[0.0, low], [high, low], [high, high], [low, high], [low, 0.0], [0.0, 0.0]]
+pub fn stage(inputs: &Inputs) -> Staging {
+    let stage = figures::stage(inputs, Look::ABOVE.ways("Q"), &[]);
+    [0, 1].into_iter().fold(stage, |stage, axis| {
+        let name = figures::address(inputs, axis);
+        stage.with(name, SET.copysign(inputs.number(name)))
+    })
+}
+
+/// Its coordinates and the limits.
+pub fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
+    let [above] = looks else {
+        return Vec::new();
     };
-    let end = if outside { FACE } else { -FACE };
-    let beyond = if outside { -near } else { near };
-    let mut shapes = vec![
-        polygon(ShapeKind::Material, material),
-        line(ShapeKind::Edge, vec![[0.0, 0.0], [0.0, end]]).of(first),
-        line(ShapeKind::Edge, vec![[0.0, 0.0], [end, 0.0]]).of(second),
-        line(ShapeKind::Axis, vec![[zero, zero], [FACE, zero]]),
-        line(ShapeKind::Axis, vec![[zero, zero], [zero, FACE]]),
-        dimension(first, [zero, zero], [0.0, zero]),
-        dimension(second, [zero, zero], [zero, 0.0]),
-        dimension("Q", [0.0, end * 0.85], [past, end * 0.85]),
-    ];
-    let mirrored = |[x, y]: [f64; 2]| [y, x];
-    let way = vec![[near, near], [near, beyond], [-BALL, beyond]];
-    shapes.push(line(ShapeKind::Path, way.iter().copied().map(mirrored).collect()));
-    shapes.push(line(ShapeKind::Path, way));
-    for touch in [[0.0, beyond], [beyond, 0.0]] {
-        shapes.push(circle(ShapeKind::Touch, touch, BALL * 0.3));
+    let fields = [0, 1].map(|axis| figures::address(inputs, axis));
+    let mut shapes = figures::limits(inputs, above);
+    if let [first, second] = above.touches[..] {
+        shapes.extend(above.centre([first.at[0], second.at[1]], fields, None));
     }
-    shapes.push(circle(ShapeKind::Probe, [near, near], BALL));
-    Picture { view: View::Plane, shapes }
+    shapes
 }

@@ -5,6 +5,7 @@ pub(crate) mod bench;
 pub mod checks;
 pub mod corner;
 pub mod correct;
+pub mod figures;
 pub mod help;
 pub mod params;
 pub mod part;

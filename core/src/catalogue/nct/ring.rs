@@ -6,10 +6,10 @@ use crate::catalogue::common::{ALWAYS_REQUIRED, PARAM};
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
 use crate::entry::Inputs;
+use crate::entry::stage::{Fields, Look, Seen, Staging};
 use crate::entry::{Param, Proposal, ResultField, Unit, When};
 use crate::machine::{Machine, Stop};
-use crate::picture::figures::{circle, corners, dimension, frame, line, polygon, ring, round};
-use crate::picture::{Picture, PictureShape, ShapeKind, View};
+use crate::picture::{PictureShape, ShapeKind};
 use crate::range::Range;
 use crate::workpiece::{Shape, Workpiece};
 
@@ -70,28 +70,18 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     }
 }
 
-/// The ring with the ways to its walls and the limit of the search.
-pub fn picture(inputs: &Inputs) -> Picture {
-    let radius = inputs.given("D").unwrap_or(50.0).abs().max(1.0) / 2.0;
-    let ball = radius * 0.11;
-    let wall = round([0.0; 2], radius);
-    let material = frame(corners([0.0; 2], [radius * 3.4; 2]), wall.clone());
-    let limit = radius + OVERTRAVEL[0].min(radius * 0.5);
-    let mut shapes = vec![
-        polygon(ShapeKind::Material, material),
-        polygon(ShapeKind::Edge, wall).of("D"),
-        ring(ShapeKind::Zone, [0.0; 2], radius, limit),
-        circle(ShapeKind::Probe, [0.0; 2], ball),
-    ];
-    for way in [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]] {
-        shapes.extend(touched(way, radius, ball));
-    }
-    let below = -radius * 0.45;
-    shapes.push(dimension("D", [-radius, below], [radius, below]));
-    Picture { view: View::Plane, shapes }
+/// The ring in the size of the picture.
+pub fn stage(inputs: &Inputs) -> Staging {
+    Staging::new(Look::ABOVE, Fields { path: Some("D"), ..Fields::MACRO }).sized(inputs, &["D"])
 }
 
-fn touched(way: [f64; 2], radius: f64, ball: f64) -> [PictureShape; 2] {
-    let at = |distance: f64| way.map(|part| part * distance);
-    [line(ShapeKind::Path, vec![[0.0; 2], at(radius - ball)]), circle(ShapeKind::Touch, at(radius), ball * 0.3)]
+/// Its diameter, and the limit of the search behind the walls.
+pub fn marks(_: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
+    let [above] = looks else {
+        return Vec::new();
+    };
+    let mut shapes = above.axes(above.middle(), [None; 2]).to_vec();
+    shapes.extend(above.bands(ShapeKind::Zone, &[("D", -OVERTRAVEL[0], 0.0)]));
+    shapes.push(above.size("D", 0));
+    shapes
 }

@@ -2,14 +2,14 @@
 
 use super::axis_name;
 use super::touch::{Calibration, touch};
-use super::{FORMAT_ERROR, NO_MOVEMENT, part};
+use super::{FORMAT_ERROR, NO_MOVEMENT, figures, part};
 use crate::catalogue::common::{PARAM, required};
 use crate::control::{Control, Plane};
 use crate::entry::Inputs;
+use crate::entry::stage::{Look, Seen, Staging};
 use crate::entry::{Need, Param, Proposal, Unit, When};
 use crate::machine::{Machine, Stop};
-use crate::picture::figures::{circle, corners, dimension, line, polygon, rectangle};
-use crate::picture::{Picture, PictureShape, ShapeKind, View};
+use crate::picture::PictureShape;
 use crate::workpiece::{Shape, Workpiece};
 
 /// Height of a surface across the tool axis: X, in the plane of which it is that axis. Key and place in the manual are
@@ -87,46 +87,22 @@ pub fn propose_axially(inputs: &Inputs, control: &Control) -> Proposal {
     }
 }
 
-/// Ball radius of the drawings, mm.
-pub const BALL: f64 = 3.0;
-/// Half the length of a drawn face, and thickness behind it, mm.
-pub const FACE: f64 = 30.0;
-/// Where the zero of the axis is drawn, mm in front of the face.
-const ZERO: f64 = 44.0;
+/// From the zero point to a drawn surface, mm.
+const SET: f64 = 75.0;
 
-/// A distance as drawn: short ones longer than they are.
-pub fn drawn(length: f64) -> f64 {
-    length.abs().clamp(6.0, 20.0)
+/// A surface below the stylus on its side of the zero point, as a section along the first axis of the plane.
+pub fn stage_axially(inputs: &Inputs) -> Staging {
+    let name = figures::address(inputs, 2);
+    let stage = figures::stage(inputs, Look::section(0), &[]);
+    stage.with(name, SET.copysign(inputs.number(name)))
 }
 
-/// A surface below the stylus, as a section along the first axis of the plane.
-pub fn axial_picture(inputs: &Inputs) -> Picture {
-    let [.., applicate] = inputs.plane.axes();
-    let name = axis_name(applicate);
-    let above = ZERO * 0.6;
-    let mut shapes = vec![
-        rectangle(ShapeKind::Cut, [0.0, -FACE / 2.0], [2.0 * FACE, FACE]),
-        line(ShapeKind::Edge, vec![[-FACE, 0.0], [FACE, 0.0]]).of(name),
-        line(ShapeKind::Axis, vec![[-FACE, -ZERO], [FACE, -ZERO]]).text("0"),
-        line(ShapeKind::Path, vec![[0.0, above], [0.0, BALL]]),
-        circle(ShapeKind::Probe, [0.0, above], BALL),
-        circle(ShapeKind::Touch, [0.0; 2], BALL * 0.3),
-        dimension(name, [-FACE * 0.7, -ZERO], [-FACE * 0.7, 0.0]),
-    ];
-    if let Some(past) = inputs.given("Q").map(drawn) {
-        shapes.push(rectangle(ShapeKind::Zone, [0.0, -past / 2.0], [2.0 * FACE, past]).of("Q"));
-        shapes.push(dimension("Q", [FACE * 0.7, 0.0], [FACE * 0.7, -past]));
-    }
-    let band = |half: f64| corners([0.0; 2], [2.0 * FACE, 2.0 * half]);
-    shapes.extend(limits(inputs, band));
-    Picture { view: View::Section, shapes }
-}
-
-/// Bands of H and U, where they are given; wider than they are.
-pub fn limits(inputs: &Inputs, band: impl Fn(f64) -> Vec<[f64; 2]>) -> Vec<PictureShape> {
-    [("U", 3.2), ("H", 1.6)]
-        .into_iter()
-        .filter(|(name, _)| inputs.given(name).is_some())
-        .map(|(name, half)| polygon(ShapeKind::Tolerance, band(half)).of(name))
-        .collect()
+/// Its height and limits.
+pub fn marks_axially(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
+    let [seen] = looks else {
+        return Vec::new();
+    };
+    let mut shapes = figures::limits(inputs, seen);
+    shapes.extend(seen.position(figures::address(inputs, 2), 1, None));
+    shapes
 }

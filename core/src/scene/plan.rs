@@ -1,0 +1,426 @@
+//! A help picture as the projection of a cycle at work: the proposed part, the touches and the ways of the simulation
+//! on it, carried out with values that can be drawn, seen onto the plane and in sections beside that.
+
+use super::plan_solid::{Cut, meets, outline};
+use crate::catalogue::example::example;
+use crate::check;
+use crate::control::variables::AXES;
+use crate::control::{Control, Transverse};
+use crate::dialect::Dialect;
+use crate::entry::stage::{Look, SIZE, Seen, Staging, Touched, add, distance, ring};
+use crate::entry::{Cycle, Inputs, Proposal, Staged, names};
+use crate::geometry::V3;
+use crate::geometry::arc::Around;
+use crate::machine::Setup;
+use crate::machine::setup::PROBE_REGISTER;
+use crate::machine::trace::{MotionKind, Step};
+use crate::picture::figures::{circle, frame, line, polygon};
+use crate::picture::{Picture, PictureShape, ShapeKind, View};
+use crate::run;
+use crate::workpiece::Solid;
+
+/// Pieces in which an arc is drawn.
+const PIECES: u32 = 48;
+/// Free paper between two views, mm.
+const GAP: f64 = 0.24 * SIZE;
+/// Thickness of a forbidden area around an element, mm.
+const WALL: f64 = 0.12 * SIZE;
+/// Values that no picture shows and that no nominal part needs: nothing is corrected, and each place is touched once.
+const NEUTRAL: [(&str, f64); 14] = [
+    (names::KNUM, 0.0),
+    (names::TNUM, 0.0),
+    (names::DLNUM, 0.0),
+    (names::EVNUM, 0.0),
+    (names::K, 1.0),
+    (names::PRNUM, 1.0),
+    (names::NMSP, 1.0),
+    (names::VMS, 0.0),
+    (names::TSA, 50.0),
+    (names::TDIF, 50.0),
+    (names::TUL, 50.0),
+    (names::TLL, -50.0),
+    (names::TZL, 0.0),
+    (names::TMV, 0.1),
+];
+
+/// What a macro corrects and allows.
+const CORRECTIONS: [&str; 7] = ["S", "T", "M", "H", "U", "V", "W"];
+
+/// The picture of a call; where the cycle stops at its values, that of the worked example.
+pub fn draw(inputs: &Inputs, staged: &Staged) -> Picture {
+    let work = Performed::of(inputs, staged);
+    if work.complete {
+        return work.drawn(inputs, staged);
+    }
+    let example = worked(inputs);
+    Performed::of(&example, staged).drawn(&example, staged)
+}
+
+/// The worked example of the variant in this plane.
+fn worked(inputs: &Inputs) -> Inputs {
+    let cycle = inputs.cycle;
+    let variants = cycle.variants.iter();
+    let variant = variants.clone().find(|one| one.number == inputs.variant).or(variants.clone().next());
+    let typed = variant.map(|variant| example(cycle, variant)).unwrap_or_default();
+    let control = crate::control::delivery(cycle.dialect);
+    let Inputs { plane, diameters, body, nose, tool_type, .. } = *inputs;
+    Inputs { plane, diameters, body, nose, tool_type, ..check::read(cycle, &typed, &control, &mut Vec::new()) }
+}
+
+/// A way that is not measured, machine coordinates, and after how many touches it comes.
+struct Way {
+    points: Vec<[f64; 3]>,
+    round: bool,
+    after: usize,
+}
+
+/// A touch, machine coordinates: point, centre of the ball there and where its measuring block begins.
+struct Touch {
+    at: [f64; 3],
+    ball: [f64; 3],
+    start: [f64; 3],
+}
+
+/// The work that is drawn.
+struct Performed {
+    proposal: Proposal,
+    staging: Staging,
+    ways: Vec<Way>,
+    touches: Vec<Touch>,
+    start: [f64; 3],
+    axes: [usize; 3],
+    complete: bool,
+}
+
+impl Performed {
+    fn of(inputs: &Inputs, staged: &Staged) -> Performed {
+        let staging = (staged.stage)(inputs);
+        let mut drawn = inputs.clone();
+        let known = |name: &&str| inputs.cycle.param(name).is_some();
+        drawn.numbers.extend(NEUTRAL.into_iter().filter(|(name, _)| known(name)));
+        drawn.numbers.extend(staging.values.iter().copied());
+        drawn.numbers.retain(|name, _| !CORRECTIONS.contains(name));
+        drawn.texts.clear();
+        drawn.variant = staging.variant.unwrap_or(inputs.variant);
+        let mut setup = machine(inputs, staging.ball);
+        let proposal = inputs.cycle.work().map(|work| (work.propose)(&drawn, &setup.control)).unwrap_or_default();
+        setup.workpiece = proposal.workpiece.clone();
+        setup.tool_probes.clone_from(&proposal.tool_probes);
+        setup.position = setup.control.to_machine(proposal.start);
+        let outcome = run::predict(inputs.cycle, &drawn, &setup);
+        let steps: Vec<&Step> = outcome.trace.entries.iter().map(|entry| &entry.step).collect();
+        let to_ball = to_ball(&steps);
+        let (ways, touches) = motions(&steps, to_ball);
+        Performed {
+            complete: outcome.stop.is_none(),
+            start: moved(setup.position, to_ball),
+            axes: inputs.plane.axes(),
+            proposal,
+            staging,
+            ways,
+            touches,
+        }
+    }
+
+    fn drawn(&self, inputs: &Inputs, staged: &Staged) -> Picture {
+        let mut shapes = Vec::new();
+        let mut seen: Vec<Seen> = Vec::new();
+        for look in &self.staging.looks {
+            let (mut figures, mut view) = self.view(look);
+            if let (Some(first), Some(before)) = (seen.first(), seen.last()) {
+                let middle = |extent: [[f64; 2]; 2]| (extent[0][1] + extent[1][1]) / 2.0;
+                let by = match look.below {
+                    true => [first.middle()[0] - view.middle()[0], first.extent[0][1] - GAP - view.extent[1][1]],
+                    false => {
+                        [before.extent[1][0] + GAP - view.extent[0][0], middle(first.extent) - middle(view.extent)]
+                    }
+                };
+                figures.iter_mut().for_each(|figure| figure.shift(by));
+                view.shift(by);
+            }
+            shapes.extend(figures);
+            seen.push(view);
+        }
+        shapes.extend((staged.marks)(inputs, &seen));
+        let view = if self.staging.looks.first().is_some_and(|look| look.cut) { View::Section } else { View::Plane };
+        Picture { view, shapes }
+    }
+
+    /// A machine position or direction on the paper.
+    fn seen(&self, look: &Look, point: [f64; 3]) -> [f64; 2] {
+        [look.right, look.up].map(|way| {
+            let parts = self.axes.iter().zip(way).map(|(axis, part)| point[*axis] * part);
+            (parts.sum::<f64>() * 1e6).round() / 1e6
+        })
+    }
+
+    fn view(&self, look: &Look) -> (Vec<PictureShape>, Seen) {
+        let fields = &self.staging.fields;
+        let place = |point| self.seen(look, point);
+        let ball = self.staging.ball;
+        let touches: Vec<Touched> = self
+            .touches
+            .iter()
+            .enumerate()
+            .take(look.until())
+            .filter(|(index, _)| look.shows(*index))
+            .map(|(index, touch)| Touched {
+                number: index + 1,
+                at: place(touch.at),
+                ball: place(touch.ball),
+                start: place(touch.start),
+            })
+            .filter(|touch| distance(touch.at, touch.ball) > ball / 2.0)
+            .collect();
+        let mut shapes = self.part(look);
+        let edges = self.edges(look, &touches);
+        shapes.extend(edges.iter().cloned());
+        let zones = self.zones(look, &touches, &mut shapes);
+        self.ways(look, &mut shapes);
+        let with = |shape: PictureShape, field: Option<&'static str>| PictureShape { field, ..shape };
+        let mut starts: Vec<[f64; 2]> = Vec::new();
+        for touch in &touches {
+            shapes.push(with(line(ShapeKind::Path, vec![touch.start, touch.ball]), fields.path));
+            if !starts.iter().any(|start| distance(*start, touch.start) < 1e-3) {
+                shapes.push(with(circle(ShapeKind::Probe, touch.start, ball), fields.probe));
+                starts.push(touch.start);
+            }
+            let point = with(circle(ShapeKind::Touch, touch.at, ball * 0.3), fields.touch);
+            let name = fields.marks.get(touch.number - 1).map(|name| (*name).to_owned());
+            let text = name.or_else(|| Some(format!("{}{}", fields.mark?, touch.number)));
+            shapes.push(PictureShape { text, ..point });
+        }
+        let start = place(self.start);
+        if touches.iter().all(|touch| distance(touch.start, start) > 2.5 * ball) {
+            shapes.push(with(circle(ShapeKind::Probe, start, ball), fields.probe));
+        }
+        let extent = extent(&shapes);
+        let letters = look.axes.map(|axis| AXES[self.axes[axis]]);
+        let part = self::extent(&edges);
+        let seen = Seen { touches, edges, part, zones, start, zero: place([0.0; 3]), extent, ball, letters };
+        (shapes, seen)
+    }
+
+    fn solids(&self) -> impl Iterator<Item = &Solid> {
+        let probes = self.proposal.tool_probes.iter().map(|probe| &probe.solid);
+        self.proposal.workpiece.solids.iter().chain(probes)
+    }
+
+    fn part(&self, look: &Look) -> Vec<PictureShape> {
+        let kind = if look.cut { ShapeKind::Cut } else { ShapeKind::Material };
+        let cut = self.cut(look);
+        let solids: Vec<&Solid> = self.solids().collect();
+        let touches = self.touches.iter().take(look.until());
+        let touched: Vec<&Solid> = touches.filter_map(|touch| nearest(&solids, touch.at)).collect();
+        let shown = solids.iter().copied().filter(|solid| touched.is_empty() || touched.contains(solid));
+        let holds = self.proposal.fixture.iter().filter(|_| look.held);
+        let holds = holds.filter(|holds| nearest(&solids, holds.at).is_some_and(|part| touched.contains(&part)));
+        let all = holds.map(|solid| (solid, ShapeKind::Material)).chain(shown.map(|solid| (solid, kind)));
+        let outlines = all.filter_map(|(solid, kind)| outline(solid, kind, cut, |point| self.seen(look, point.into())));
+        outlines.map(|outline| outline.body).collect()
+    }
+
+    /// The plane of a section: through its first touch.
+    fn cut(&self, look: &Look) -> Option<Cut> {
+        let touch = self.touches.iter().enumerate().find(|(index, _)| look.shows(*index))?.1;
+        let [right, up] = [look.right, look.up].map(|way| {
+            let mut vector = V3::zeros();
+            (0..3).for_each(|part| vector[self.axes[part]] = way[part]);
+            vector
+        });
+        look.cut.then(|| Cut { at: touch.at.into(), normal: right.cross(&up) })
+    }
+
+    /// The boundary lines that are touched, in the order of the touches.
+    fn edges(&self, look: &Look, touches: &[Touched]) -> Vec<PictureShape> {
+        let place = |point: V3| self.seen(look, point.into());
+        let cut = self.cut(look);
+        let lines = self.solids().filter_map(|solid| outline(solid, ShapeKind::Edge, cut, place));
+        let lines: Vec<PictureShape> = lines.flat_map(|outline| outline.lines).collect();
+        let mut edges: Vec<PictureShape> = Vec::new();
+        for touch in touches {
+            let touched = lines.iter().find(|line| meets(line, touch.at));
+            edges.extend(
+                touched
+                    .filter(|line| !edges.iter().any(|edge| edge.points == line.points && edge.circle == line.circle))
+                    .cloned(),
+            );
+        }
+        let fields = self.staging.fields.edges;
+        for (index, edge) in edges.iter_mut().enumerate() {
+            edge.field = fields.get(index).or(fields.last()).copied();
+        }
+        edges
+    }
+
+    /// The zones; one that holds what is touched is drawn around it, as what lies beyond is forbidden.
+    fn zones(&self, look: &Look, touches: &[Touched], shapes: &mut Vec<PictureShape>) -> Vec<[[f64; 2]; 2]> {
+        let mut corners = Vec::new();
+        for zone in &self.proposal.zones {
+            let Some(outline) = outline(zone, ShapeKind::Zone, None, |point| self.seen(look, point.into())) else {
+                continue;
+            };
+            let body = outline.body;
+            let around @ [low, high] = extent(std::slice::from_ref(&body));
+            let inside =
+                |touch: &Touched| (0..2).all(|axis| low[axis] <= touch.at[axis] && touch.at[axis] <= high[axis]);
+            let figure = |points| polygon(ShapeKind::Zone, points);
+            let figures = match (touches.iter().any(inside), body.circle, look.cut) {
+                (false, ..) => vec![body],
+                (true, Some((centre, radius)), _) => vec![ring(ShapeKind::Zone, centre, radius, radius + WALL)],
+                (true, None, false) => {
+                    let wide = body.points.iter().map(|point| {
+                        [0, 1].map(|axis| point[axis] + WALL * (point[axis] - (low[axis] + high[axis]) / 2.0).signum())
+                    });
+                    vec![figure(frame(wide.collect(), body.points.clone()))]
+                }
+                (true, None, true) => [[low[0] - WALL, low[0]], [high[0], high[0] + WALL]]
+                    .map(|[from, to]| figure(vec![[from, low[1]], [to, low[1]], [to, high[1]], [from, high[1]]]))
+                    .to_vec(),
+            };
+            let field = self.staging.fields.zone;
+            shapes.extend(figures.into_iter().map(|shape| PictureShape { field, ..shape }));
+            corners.push(around);
+        }
+        corners
+    }
+
+    /// The ways between the touches, each place once.
+    fn ways(&self, look: &Look, shapes: &mut Vec<PictureShape>) {
+        let mut drawn: Vec<[[f64; 2]; 2]> = Vec::new();
+        let arc = self.staging.fields.arc.filter(|_| look.way.is_none());
+        for way in self.ways.iter().filter(|way| way.after < look.until()) {
+            let Some(field) = (if way.round { look.way.or(arc) } else { look.way }) else {
+                continue;
+            };
+            let mut points: Vec<[f64; 2]> = way.points.iter().map(|point| self.seen(look, *point)).collect();
+            points.dedup();
+            let (Some(from), Some(to)) = (points.first().copied(), points.last().copied()) else {
+                continue;
+            };
+            if points.len() < 2 || !way.round && (drawn.contains(&[from, to]) || drawn.contains(&[to, from])) {
+                continue;
+            }
+            drawn.push([from, to]);
+            shapes.push(line(ShapeKind::Path, points).of(field));
+        }
+    }
+}
+
+impl Seen {
+    fn shift(&mut self, by: [f64; 2]) {
+        for touch in &mut self.touches {
+            for place in [&mut touch.at, &mut touch.ball, &mut touch.start] {
+                *place = add(*place, by);
+            }
+        }
+        self.edges.iter_mut().for_each(|edge| edge.shift(by));
+        for place in self
+            .zones
+            .iter_mut()
+            .flatten()
+            .chain(&mut self.part)
+            .chain(&mut self.extent)
+            .chain([&mut self.start, &mut self.zero])
+        {
+            *place = add(*place, by);
+        }
+    }
+}
+
+/// The solid whose origin is nearest to a point.
+fn nearest<'a>(solids: &[&'a Solid], point: [f64; 3]) -> Option<&'a Solid> {
+    let away = |solid: &Solid| (V3::from(solid.at) - V3::from(point)).norm();
+    solids.iter().copied().min_by(|one, other| away(one).total_cmp(&away(other)))
+}
+
+/// The core's own machine for the cycle, with a ball of this radius.
+fn machine(inputs: &Inputs, ball: f64) -> Setup {
+    let mut setup = Setup::for_variant(inputs.cycle, inputs.variant, inputs.plane);
+    setup.control.transverse = if inputs.diameters { Transverse::Diameter } else { Transverse::Radius };
+    setup.probe.radius = ball;
+    setup.probe.stylus = Some(0.0); // out of the way
+    calibrate(&mut setup.control, inputs.cycle, ball);
+    setup
+}
+
+/// Makes the ball and its trigger values known to the control.
+fn calibrate(control: &mut Control, cycle: &Cycle, ball: f64) {
+    match cycle.dialect {
+        Dialect::Sinumerik => {
+            control.set("_WP[0,0]", 2.0 * ball);
+            for index in 1..=6 {
+                control.set(format!("_WP[0,{index}]"), if index % 2 == 1 { ball } else { -ball });
+            }
+            let (tool, edge) = (control.tool, control.edge);
+            if let Some(edge) = control.edge_of_mut(tool, edge) {
+                edge.radius = ball;
+            }
+        }
+        Dialect::Nct => {
+            let register = control.register_mut(PROBE_REGISTER);
+            register.length[0] += ball - register.radius;
+            register.radius = ball;
+            for name in ["#500", "#501", "#502", "#503"] {
+                control.set(name, ball);
+            }
+        }
+    }
+}
+
+fn moved(point: [f64; 3], by: [f64; 3]) -> [f64; 3] {
+    [0, 1, 2].map(|axis| point[axis] + by[axis])
+}
+
+/// From the point to which the tool length refers to the centre of the ball, as the first touch shows it.
+fn to_ball(steps: &[&Step]) -> [f64; 3] {
+    let touch = steps.windows(2).find_map(|pair| match pair {
+        [Step::Motion { to, .. }, Step::Touch { ball, .. }] => Some([0, 1, 2].map(|axis| ball[axis] - to[axis])),
+        _ => None,
+    });
+    touch.unwrap_or_default()
+}
+
+/// Ways and touches of a trace, each place touched once.
+fn motions(steps: &[&Step], to_ball: [f64; 3]) -> (Vec<Way>, Vec<Touch>) {
+    let (mut ways, mut touches): (Vec<Way>, Vec<Touch>) = (Vec::new(), Vec::new());
+    let mut measured = None;
+    for step in steps {
+        match step {
+            Step::Motion { kind: MotionKind::Measuring, from, .. } => measured = Some(moved(*from, to_ball)),
+            Step::Motion { kind, from, to, around, .. } if *kind != MotionKind::Retract => {
+                let points = course(*from, *to, around.as_ref());
+                let points = points.into_iter().map(|point| moved(point, to_ball)).collect();
+                ways.push(Way { points, round: around.is_some(), after: touches.len() });
+            }
+            Step::Touch { point, ball, .. } => {
+                let near = |touch: &Touch| (V3::from(touch.at) - V3::from(*point)).norm() < 1e-3;
+                if let (Some(start), false) = (measured, touches.iter().any(near)) {
+                    touches.push(Touch { at: *point, ball: *ball, start });
+                }
+            }
+            _ => {}
+        }
+    }
+    (ways, touches)
+}
+
+fn course(from: [f64; 3], to: [f64; 3], around: Option<&Around>) -> Vec<[f64; 3]> {
+    match around {
+        Some(around) => (0..=PIECES).map(|piece| around.at(from, to, f64::from(piece) / f64::from(PIECES))).collect(),
+        None => vec![from, to],
+    }
+}
+
+/// Lower left and upper right corner of figures.
+fn extent(shapes: &[PictureShape]) -> [[f64; 2]; 2] {
+    let corners = |shape: &PictureShape| {
+        let circle = shape.circle.map(|(centre, radius)| [-radius, radius].map(|by| centre.map(|part| part + by)));
+        shape.points.iter().copied().chain(circle.into_iter().flatten()).collect::<Vec<_>>()
+    };
+    let all = shapes.iter().flat_map(corners);
+    let [low, high] = all.fold([[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]], |[low, high], point| {
+        [[0, 1].map(|axis| low[axis].min(point[axis])), [0, 1].map(|axis| high[axis].max(point[axis]))]
+    });
+    if low[0] > high[0] { [[0.0; 2]; 2] } else { [low, high] }
+}
