@@ -8,7 +8,7 @@ const here = (path: string): string => fileURLToPath(new URL(path, import.meta.u
 // What is asked for only when the form stands comes in a part of its own: help, cures, search words and results of the
 // core, and all that measuring, running, alarms and machine data say. The page's own words stand from the start.
 const LATER_WORDS = /^([a-z0-9-]+-(help|hint|words)|result-[a-z0-9-]+) =/;
-const LATER_FILES = /\/core\/messages\/[^/]+\/(advice|alarms|changes|datum|evaluate|lists|run|syntax|twin)\.ftl$/;
+const LATER_FILES = /\/core\/messages\/[^/]+\/(advice|alarms|changes|datum|evaluate|lists|run|setup|syntax|twin)\.ftl$/;
 
 /** The messages of a file (`?first`, `?later`), each with its attributes. */
 function partsOfWords(): Plugin {

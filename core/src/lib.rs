@@ -22,6 +22,7 @@ pub mod picture;
 mod problem;
 pub mod program;
 pub mod range;
+pub mod refused;
 #[cfg(feature = "cli")]
 pub mod report;
 pub mod run;

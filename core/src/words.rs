@@ -41,6 +41,7 @@ const ENGLISH: &[(&str, &str)] = &[
     ("nct.ftl", include_str!("../messages/en/nct.ftl")),
     ("params.ftl", include_str!("../messages/en/params.ftl")),
     ("run.ftl", include_str!("../messages/en/run.ftl")),
+    ("setup.ftl", include_str!("../messages/en/setup.ftl")),
     ("syntax.ftl", include_str!("../messages/en/syntax.ftl")),
     ("tool-probe.ftl", include_str!("../messages/en/tool-probe.ftl")),
     ("twin.ftl", include_str!("../messages/en/twin.ftl")),
@@ -105,6 +106,7 @@ pub const LANGUAGES: &[Language] = &[
         "nct.ftl"
         "params.ftl"
         "run.ftl"
+        "setup.ftl"
         "syntax.ftl"
         "tool-probe.ftl"
         "twin.ftl"

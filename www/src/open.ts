@@ -8,6 +8,7 @@ import { type Job, within } from "./pace";
 import type { ProgramCore } from "./program";
 import { programOf } from "./state";
 import type { Store } from "./store";
+import { sayProblem } from "./texts";
 
 function refuse(store: Store, place: "program" | "setup", why: Refusal): void {
   store.update({ refused: { ...why, place } });
@@ -62,6 +63,7 @@ export async function openSetupFile(
   const text = await readSetup(file);
   if (typeof text !== "string") return refuse(store, "setup", text);
   const setup = (await core()).setup(text);
-  if ("why" in setup) refuse(store, "setup", { key: "refused-setup", args: { name: file.name, why: setup.why } });
+  if ("why" in setup)
+    refuse(store, "setup", { key: "refused-setup", args: { name: file.name, why: sayProblem(setup.why) } });
   else actions.openSetup(setup);
 }

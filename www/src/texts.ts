@@ -171,6 +171,14 @@ export function say(message: Message): string {
   return t(message.key, args);
 }
 
+/** Why the core refused something: a message as JSON, with its place; what anybody else says stays as it is. */
+export function sayProblem(problem: string): string {
+  if (!problem.startsWith('{"args"')) return problem;
+  const refused = JSON.parse(problem) as Message & { line?: number; column?: number };
+  const { line, column = 1 } = refused;
+  return line === undefined ? say(refused) : t("refused-place", { line, column, text: say(refused) });
+}
+
 function spoken(value: string): string {
   return /^[a-z][a-z0-9]*(-[a-z0-9]+)+(\.[a-z]+)?$/.test(value) ? (find(value, NONE) ?? value) : value;
 }

@@ -2,9 +2,32 @@
 //!
 //! A control is copied at every keystroke and holds some hundred data as delivered; these are made once and shared.
 
-use super::{Units, Value, delivery};
+use super::{Units, Value, delivery, gud, nct_data};
 use crate::dialect::Dialect;
 use std::collections::BTreeMap;
+
+/// Setting of ours, kept beside the data of the machine: 1 lets `_MZ_MASK` decide over forms and code. No program can
+/// write a variable of this name.
+pub const FORMS: &str = "PW-FORMS";
+
+/// Whether a control has user data, an R parameter, a machine datum or a variable with this name for such a value.
+pub fn knows(dialect: Dialect, name: &str, value: &Value) -> bool {
+    let numbered = |letter: char, most: usize| {
+        let number = name.strip_prefix(letter).and_then(|digits| digits.parse::<usize>().ok());
+        number.is_some_and(|number| number < most)
+    };
+    let text = matches!(value, Value::Text(_));
+    match dialect {
+        Dialect::Nct => (numbered('#', 10_000) || nct_data::find(name).is_some()) && !text,
+        Dialect::Sinumerik if name.starts_with('_') || name.starts_with("E_") => {
+            gud::named(name).is_some_and(|gud| gud.text() == text)
+        }
+        Dialect::Sinumerik if name == FORMS => !text,
+        Dialect::Sinumerik => {
+            numbered('R', 1000) && !text || ["MD", "SD", "TOOLENV["].iter().any(|start| name.starts_with(start))
+        }
+    }
+}
 
 /// Data by name; see [`super::Control::data`].
 #[derive(Clone, Debug, Default)]

@@ -4,6 +4,7 @@
 //! Lengths in mm, angles in degree.
 
 use super::{BasicFrames, Control, Frame, Value};
+use crate::dialect::Dialect;
 use std::collections::BTreeSet;
 
 /// Which channel basic frames are in the chain: bit 0 is `$P_CHBFR[0]`.
@@ -21,6 +22,27 @@ pub struct InEffect {
 }
 
 impl Control {
+    /// Number of a settable frame by its name: G54..G57 1..4, G505..G599 5..99; NCT G54..G59 1..6 and `COMMON` 0.
+    pub fn settable_named(&self, name: &str) -> Option<usize> {
+        let number: usize = if name == "COMMON" { 0 } else { name.strip_prefix('G')?.parse().ok()? };
+        match (self.dialect, number) {
+            (_, 0) => Some(0),
+            (Dialect::Nct, 54..=59) | (_, 54..=57) => Some(number - 53),
+            (Dialect::Sinumerik, 500..=599) => Some(number - 500),
+            _ => None,
+        }
+    }
+
+    /// Name of a settable frame, see [`Control::settable_named`].
+    pub fn settable_name(&self, number: usize) -> String {
+        match (self.dialect, number) {
+            (Dialect::Nct, 0) => "COMMON".to_owned(),
+            (Dialect::Sinumerik, 0) => "G500".to_owned(),
+            (Dialect::Nct, _) | (_, 1..=4) => format!("G{}", number + 53),
+            _ => format!("G{}", number + 500),
+        }
+    }
+
     /// Frames in effect between machine and the settable frame, outermost first: table, system, global basic, channel
     /// basic.
     pub fn basic_chain(&self) -> Vec<Frame> {

@@ -17,7 +17,7 @@ pub mod tools;
 pub mod units;
 pub mod variables;
 
-pub use data::Data;
+pub use data::{Data, FORMS, knows};
 pub use delivery::{delivery, delivery_in, rebuilt};
 pub use environments::Environment;
 pub use frame::Frame;

@@ -1,7 +1,6 @@
 //! What is different after a run, with words for the names that a program would use.
 
 use super::setup_active::units_of;
-use super::setup_frame::settable_name;
 use super::{message, object};
 use crate::control::rotary::is_angle;
 use crate::control::{Control, gud, nct_data};
@@ -43,7 +42,7 @@ fn label(control: &Control, name: &str) -> Message {
         ("_EV", [memory]) => memory_label("change-empirical", memory),
         ("_WP", [probe, field]) => probe_label(probe, field),
         ("$P_UIFR", [frame, axis, part]) => {
-            frame.parse().ok().and_then(|number| frame_label(settable_name(control, number), axis, part))
+            frame.parse().ok().and_then(|number| frame_label(control.settable_name(number), axis, part))
         }
         ("$P_SETFR", [axis, part]) => frame_label(stem.to_owned(), axis, part),
         (_, [frame, axis, part]) => frame_label(format!("{stem}[{frame}]"), axis, part),

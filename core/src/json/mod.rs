@@ -15,19 +15,21 @@ mod scan;
 mod setup;
 mod setup_active;
 mod setup_frame;
-mod setup_limits;
 mod setup_solid;
 mod setup_surface;
 mod setup_tool;
 mod setup_write;
+mod shape;
 mod start;
 #[cfg(test)]
 mod tests;
+mod text;
 mod trace;
 mod trace_tool;
 mod trace_turned;
 mod twin;
 
+pub use crate::refused::Refused as Error;
 pub use alarms::{alarm, alarms, operator_message};
 pub use catalogue::{catalogue, cycles};
 pub use encoding::recognised;
@@ -47,40 +49,9 @@ use crate::dialect::Dialect;
 use crate::entry::Typed;
 use crate::entry::{Cycle, Style};
 use crate::message::{Arg, Message};
+use crate::refused::Path;
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
-
-/// Why a document is refused.
-#[derive(Debug, thiserror::Error)]
-pub enum Error {
-    /// No JSON, or not of the shape that is asked for.
-    #[error("not the expected JSON: {0}")]
-    Shape(#[from] serde_json::Error),
-    /// A name that the catalogue does not have.
-    #[error("unknown {what}: {name}")]
-    Unknown {
-        /// Kind of thing.
-        what: &'static str,
-        /// As given.
-        name: String,
-    },
-    /// The question describes a machine; this build has the core's own only (no feature `simulation`).
-    #[error("described machines cannot be read here")]
-    NoSetup,
-    /// A surface that cannot be touched.
-    #[error("{0}")]
-    Surface(#[from] crate::workpiece::free::Refused),
-    /// A number with which nothing can be simulated.
-    #[error("{what} is {value}; allowed: {allowed}")]
-    Bound {
-        /// Member of the document.
-        what: String,
-        /// As given.
-        value: f64,
-        /// What would be right.
-        allowed: &'static str,
-    },
-}
 
 /// A document as text. (Its `to_string` gives the same by way of a formatter, for a third of the time of a keystroke.)
 pub fn text(document: &Value) -> String {
@@ -100,13 +71,13 @@ pub fn dialect(name: &str) -> Result<Dialect, Error> {
     match name {
         "sinumerik" => Ok(Dialect::Sinumerik),
         "nct" => Ok(Dialect::Nct),
-        _ => Err(Error::Unknown { what: "control", name: name.to_owned() }),
+        _ => Err(unknown("document-control", name)),
     }
 }
 
 /// The cycle of a control with this name.
 fn cycle(dialect: Dialect, name: &str) -> Result<&'static Cycle, Error> {
-    crate::catalogue::find(dialect, name).ok_or_else(|| Error::Unknown { what: "cycle", name: name.to_owned() })
+    crate::catalogue::find(dialect, name).ok_or_else(|| unknown("document-cycle", name))
 }
 
 /// Ways of writing by their name on the wire.
@@ -116,7 +87,7 @@ const STYLES: [(&str, Style); 3] =
 /// The way of writing with this name.
 pub fn style(name: &str) -> Result<Style, Error> {
     let known = STYLES.iter().find(|(known, _)| *known == name);
-    known.map(|(_, style)| *style).ok_or_else(|| Error::Unknown { what: "style", name: name.to_owned() })
+    known.map(|(_, style)| *style).ok_or_else(|| unknown("document-style", name))
 }
 
 /// Name of a way of writing.
@@ -125,11 +96,34 @@ pub fn style_name(style: Style) -> &'static str {
     known.map_or("direct", |(name, _)| name)
 }
 
+/// A name that nothing has.
+fn unknown(key: &'static str, name: &str) -> Error {
+    Error::new(key, Path::default()).text("name", name)
+}
+
+/// Why a document is refused, with its line and column where its text is known.
+pub fn refused(error: &Error) -> Value {
+    let mut view = message(&error.message);
+    if let Some((line, column)) = error.position {
+        put(&mut view, "line", line);
+        put(&mut view, "column", column);
+    }
+    view
+}
+
+/// As whoever knows a language takes it: its message as JSON.
+impl std::fmt::Display for Error {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&text(&refused(self)))
+    }
+}
+
+impl std::error::Error for Error {}
+
 /// Reads a document that the page sent. The shape is read from the parsed document, as the machine in it is: one
 /// reading code for both keeps the page's module small.
 fn request<T: DeserializeOwned>(text: &str) -> Result<T, Error> {
-    let document: Value = serde_json::from_str(text)?;
-    Ok(serde_json::from_value(document)?)
+    shape::read(text::parse(text)?)
 }
 
 /// An object of these members. A number that is not finite becomes null, as JSON has none.

@@ -1,15 +1,14 @@
 //! What a call would do, on a part and with a probe that have the errors of the page's sliders.
 
-use super::setup_limits::{exists, solid};
 use super::start::Start;
-use super::{Error, object, put};
+use super::{Error, object, put, shape};
 use crate::control::Plane;
 use crate::entry::Inputs;
 use crate::entry::{ProbeUse, Work};
 use crate::geometry::{V3, rigid};
-use crate::machine::Stop;
-use crate::machine::setup::Setup;
+use crate::machine::{Setup, Stop, possible};
 use crate::message::Message;
+use crate::refused::Path;
 use crate::run::{Outcome, survives};
 use crate::workpiece::tool::{Cut, Tool};
 use crate::workpiece::{PartErrors, Probe, Solid};
@@ -54,7 +53,7 @@ pub(super) fn predict(
     errors: Option<Value>,
     limits: bool,
 ) -> Result<(Value, Setup), Error> {
-    let errors = errors.map_or(Ok(Errors::default()), serde_json::from_value)?;
+    let errors = errors.map_or(Ok(Errors::default()), shape::read)?;
     let Start { mut setup, described } = start;
     let limits = limits.then(|| survived(work, inputs, &setup, &errors, described));
     let zones = prepare(&mut setup, work, inputs, &errors, described);
@@ -74,7 +73,7 @@ pub(super) fn predict(
 /// is simulated, and drawn is what can exist.
 fn carried_out(inputs: &Inputs, setup: &mut Setup) -> Outcome {
     let somewhere = setup.position.iter().all(|value| value.is_finite());
-    let problem = match exists(setup).is_ok() {
+    let problem = match setup.exists().is_ok() {
         true if somewhere => return crate::run::predict(inputs.cycle, inputs, setup),
         true => "run-not-finite",
         false => "run-errors",
@@ -82,8 +81,8 @@ fn carried_out(inputs: &Inputs, setup: &mut Setup) -> Outcome {
     if !somewhere {
         setup.position = [0.0; 3];
     }
-    setup.workpiece.solids.retain(|one| solid("", one).is_ok());
-    setup.tool_probes.retain(|one| solid("", &one.solid).is_ok());
+    setup.workpiece.solids.retain(|one| possible::solid(&Path::default(), one).is_ok());
+    setup.tool_probes.retain(|one| possible::solid(&Path::default(), &one.solid).is_ok());
     Outcome { stop: Some(Stop::Fault(Message::new(problem))), ..Outcome::new(setup) }
 }
 
@@ -111,7 +110,7 @@ fn survived(work: &Work, inputs: &Inputs, setup: &Setup, errors: &Errors, descri
     let mut limits = Vec::new();
     let mut solids = Vec::new();
     for slider in SLIDERS {
-        let possible = |error| Some(with(slider, error)).filter(|setup| exists(setup).is_ok());
+        let possible = |error| Some(with(slider, error)).filter(|setup| setup.exists().is_ok());
         let Some(found) = survives::survived(inputs, possible) else {
             continue;
         };

@@ -178,7 +178,7 @@ pub fn change(request: &str) -> Result<Value, Error> {
     let mut program = syntax::read(dialect, request.text.as_bytes());
     let control = start(dialect, request.setup)?.setup.control;
     let done = revise(&program, request.call, &request.name, &request.value, &control);
-    let done = done.ok_or_else(|| Error::Unknown { what: "call", name: request.call.to_string() })?;
+    let done = done.ok_or_else(|| super::unknown("document-call", &request.call.to_string()))?;
     let mut steps: Vec<Value> = Vec::new();
     for edits in &done.steps {
         let positions = Positions::new(&program.source);

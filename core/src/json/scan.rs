@@ -6,6 +6,7 @@ use crate::catalogue;
 use crate::check::{self};
 use crate::entry::Typed;
 use crate::machine::{Setup, Stop};
+use crate::refused::Path;
 use crate::run::scanning::Deviation;
 use crate::run::scanning::Session;
 use crate::scan::text::{FORMS, piece};
@@ -59,7 +60,7 @@ impl Scan {
     pub fn new(request: &str, file: &[u8]) -> Result<Scan, Error> {
         let request: Request = super::request(request)?;
         let dialect = dialect(&request.control)?;
-        let unknown = || Error::Unknown { what: "cycle that scans", name: request.cycle.clone() };
+        let unknown = || super::unknown("document-scan", &request.cycle);
         let cycle = catalogue::find(dialect, &request.cycle).ok_or_else(unknown)?;
         let mut setup = super::start::start(dialect, Some(request.setup))?.setup;
         if let Some(name) = &request.units {
@@ -72,9 +73,7 @@ impl Scan {
             put_surface(&mut setup, name, file)?;
         }
         let checked = check::check(cycle, &request.values, &setup.control);
-        let inputs = checked
-            .inputs
-            .ok_or(Error::Unknown { what: "call that can be carried out", name: request.cycle.clone() })?;
+        let inputs = checked.inputs.ok_or_else(|| super::unknown("document-scan-values", &request.cycle))?;
         Ok(Scan { session: Session::new(&inputs, &setup).ok_or_else(unknown)?, part: setup.workpiece.solids })
     }
 
@@ -151,7 +150,7 @@ impl Scan {
     /// The text of these points in the form of this name; pieces one behind the other are the whole text.
     pub fn text(&self, form: &str, from: usize, to: usize) -> Result<String, Error> {
         let known = FORMS.iter().find(|(name, _)| *name == form);
-        let (_, form) = known.ok_or_else(|| Error::Unknown { what: "form", name: crate::message::printable(form) })?;
+        let (_, form) = known.ok_or_else(|| super::unknown("document-form", form))?;
         let Ok(session) = &self.session else {
             return Ok(String::new());
         };
@@ -192,7 +191,7 @@ fn instead(before: &FreeSurface, name: &SurfaceName, file: &[u8]) -> Result<Free
     let [low, high] = before.bounds();
     let [x, y, height] = [0, 1, 2].map(|axis| (high[axis] - low[axis]).max(1e-3));
     match name {
-        SurfaceName::Example(name) => setup_surface::example(name, [x, y, height]),
+        SurfaceName::Example(name) => setup_surface::example(&Path::of(&["surface"]), name, [x, y, height]),
         SurfaceName::Picture(columns) => Ok(Heights::from_greys(file, *columns, [x, y], height)?.surface()?),
         SurfaceName::Stl => {
             let mut triangles = stl_triangles(file)?;

@@ -1,17 +1,20 @@
 //! The setup file: machine, probe and part. Its schema is `docs/setup.schema.json`.
 
-use super::Error;
 use super::setup_active::{ActiveFile, PlaneName, UnitsName, activate, plane, units};
 use super::setup_frame::{EnvironmentFile, FrameFile, environment, place_frame};
 use super::setup_solid::{SolidFile, solid};
-use super::setup_tool::{RealFile, ToolProbeFile};
+use super::setup_tool::{RealFile, ToolProbeFile, real_tools, tool_probe};
+use super::{Error, shape, text};
 use crate::control::{Control, Edge, Limits, Tool, Value, delivery, delivery_in};
 use crate::dialect::Dialect;
 use crate::machine::setup::Setup;
+use crate::refused::Path;
 use crate::workpiece::seen::Turret;
 use crate::workpiece::{Probe, ProbeBody, Workpiece};
 use serde::Deserialize;
+use serde::de::{Deserializer, Visitor};
 use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::{self, Formatter};
 
 /// Machine, probe and part that a program runs on. Lengths in mm, angles in degree, feeds in mm/min, except in `data`,
 /// where a number means what it means on the control: on an inch machine most lengths are inches. Unknown members are
@@ -167,12 +170,44 @@ pub(super) struct EdgeFile {
     pub(super) real: Option<RealFile>,
 }
 
-#[derive(Deserialize)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
-#[serde(untagged)]
+#[cfg_attr(feature = "cli", serde(untagged))]
 pub(super) enum DatumFile {
     Number(f64),
     Text(String),
+}
+
+impl<'de> Deserialize<'de> for DatumFile {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<DatumFile, D::Error> {
+        deserializer.deserialize_any(DatumReader)
+    }
+}
+
+/// Reads a number or a text.
+struct DatumReader;
+
+impl Visitor<'_> for DatumReader {
+    type Value = DatumFile;
+
+    fn expecting(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        f.write_str("document-number-or-text")
+    }
+
+    fn visit_f64<E>(self, value: f64) -> Result<DatumFile, E> {
+        Ok(DatumFile::Number(value))
+    }
+
+    fn visit_i64<E>(self, value: i64) -> Result<DatumFile, E> {
+        Ok(DatumFile::Number(value as f64))
+    }
+
+    fn visit_u64<E>(self, value: u64) -> Result<DatumFile, E> {
+        Ok(DatumFile::Number(value as f64))
+    }
+
+    fn visit_str<E>(self, text: &str) -> Result<DatumFile, E> {
+        Ok(DatumFile::Text(text.to_owned()))
+    }
 }
 
 /// The probe as it really is.
@@ -250,12 +285,13 @@ fn unwrapped(value: &mut serde_json::Value) {
 
 /// Reads a setup file: delivery values of the control, then what the file says.
 pub fn from_json(text: &str) -> Result<Setup, Error> {
-    setup(serde_json::from_str(text)?)
+    let document = text::parse(text)?;
+    from_value(document).map_err(|refused| text::positioned(refused, text))
 }
 
 /// The same from a parsed document.
 pub(super) fn from_value(value: serde_json::Value) -> Result<Setup, Error> {
-    setup(serde_json::from_value(value)?)
+    setup(shape::read(value)?)
 }
 
 fn setup(mut file: SetupFile) -> Result<Setup, Error> {
@@ -268,7 +304,7 @@ fn setup(mut file: SetupFile) -> Result<Setup, Error> {
     control.limits = Limits { minus: file.machine.limits_minus, plus: file.machine.limits_plus };
     control.spindle_positions = file.machine.spindle_positions;
     control.rotary_centre = file.machine.rotary_centre;
-    let real_tools = super::setup_tool::real_tools(&mut file.tools);
+    let real_tools = real_tools(&mut file.tools);
     for (number, tool) in file.tools {
         control.tools.insert(number, read_tool(tool));
     }
@@ -280,9 +316,8 @@ fn setup(mut file: SetupFile) -> Result<Setup, Error> {
     }
     read_data(&mut control, file.data);
     activate(&mut control, &file.active)?;
-    let solids = file.workpiece.into_iter().map(solid).collect::<Result<_, _>>()?;
-    let tool_probes = file.tool_probes.into_iter();
-    let tool_probes = tool_probes.map(super::setup_tool::tool_probe).collect::<Result<_, _>>()?;
+    let solids = each("workpiece", file.workpiece, solid)?;
+    let tool_probes = each("toolProbes", file.tool_probes, tool_probe)?;
     let TurretFile { diameter, width } = file.machine.turret;
     let setup = Setup {
         control,
@@ -294,8 +329,14 @@ fn setup(mut file: SetupFile) -> Result<Setup, Error> {
         position: file.position,
         skip: file.skip,
     };
-    super::setup_limits::check(&setup)?;
+    setup.possible()?;
     Ok(setup)
+}
+
+/// What the elements of a list stand for.
+fn each<F, T>(name: &str, list: Vec<F>, read: impl Fn(&Path, F) -> Result<T, Error>) -> Result<Vec<T>, Error> {
+    let path = Path::of(&[name]);
+    list.into_iter().enumerate().map(|(index, one)| read(&path.element(index), one)).collect()
 }
 
 pub(super) fn read_data(control: &mut Control, data: BTreeMap<String, DatumFile>) {

@@ -1,8 +1,8 @@
 //! What is in force at the start, in the setup file: plane, units, tool, frame, diameters.
 
 use super::Error;
-use super::setup_frame::settable;
 use crate::control::{Control, Plane, Transverse, Units};
+use crate::refused::Path;
 use serde::Deserialize;
 
 #[derive(Clone, Copy, Default, Deserialize)]
@@ -64,8 +64,8 @@ pub(super) fn activate(control: &mut Control, file: &ActiveFile) -> Result<(), E
     control.spindle = file.spindle;
     control.rotary = file.rotary;
     if !file.frame.is_empty() {
-        let unknown = || Error::Unknown { what: "frame", name: file.frame.clone() };
-        control.settable = settable(control, &file.frame).ok_or_else(unknown)?;
+        let unknown = || Error::new("setup-frame", Path::of(&["active", "frame"])).text("name", &file.frame);
+        control.settable = control.settable_named(&file.frame).ok_or_else(unknown)?;
     }
     control.activate(control.settable);
     if !file.units.is_empty() {
@@ -80,7 +80,7 @@ pub(super) fn choose_units(control: &mut Control, name: &str) -> Result<(), Erro
     if number.is_some_and(|number| control.choose_units(number)) {
         return Ok(());
     }
-    Err(Error::Unknown { what: "G function of units", name: name.to_owned() })
+    Err(Error::new("setup-units", Path::of(&["active", "units"])).text("name", name))
 }
 
 /// Name of a G function of units, see [`choose_units`].

@@ -1,9 +1,9 @@
-//! Frames and tool environments in the setup file, and the names of settable frames.
+//! Frames and tool environments in the setup file.
 
 use super::Error;
 use super::setup_active::{PlaneName, plane};
 use crate::control::{Control, Environment, Frame};
-use crate::dialect::Dialect;
+use crate::refused::Path;
 use serde::Deserialize;
 
 /// A stored tool environment.
@@ -68,7 +68,6 @@ pub(super) fn place_frame(control: &mut Control, name: &str, file: &FrameFile) -
         scale: file.scale,
         mirror: file.mirror,
     };
-    let unknown = || Error::Unknown { what: "frame", name: name.to_owned() };
     let index = |prefix: &str| -> Option<usize> { name.strip_prefix(prefix)?.strip_suffix(']')?.parse().ok() };
     if name == "$P_SETFR" {
         control.system = frame;
@@ -77,28 +76,8 @@ pub(super) fn place_frame(control: &mut Control, name: &str, file: &FrameFile) -
     } else if let Some(number) = index("$P_NCBFR[") {
         control.global_basic.insert(number, frame);
     } else {
-        control.frames.insert(settable(control, name).ok_or_else(unknown)?, frame);
+        let unknown = || Error::new("setup-frame", Path::of(&["frames", name])).text("name", name);
+        control.frames.insert(control.settable_named(name).ok_or_else(unknown)?, frame);
     }
     Ok(())
-}
-
-/// Number of a settable frame by its name: G54..G57 1..4, G505..G599 5..99; NCT G54..G59 1..6 and `COMMON` 0.
-pub(super) fn settable(control: &Control, name: &str) -> Option<usize> {
-    let number: usize = if name == "COMMON" { 0 } else { name.strip_prefix('G')?.parse().ok()? };
-    match (control.dialect, number) {
-        (_, 0) => Some(0),
-        (Dialect::Nct, 54..=59) | (_, 54..=57) => Some(number - 53),
-        (Dialect::Sinumerik, 500..=599) => Some(number - 500),
-        _ => None,
-    }
-}
-
-/// Name of a settable frame, see [`settable`].
-pub(super) fn settable_name(control: &Control, number: usize) -> String {
-    match (control.dialect, number) {
-        (Dialect::Nct, 0) => "COMMON".to_owned(),
-        (Dialect::Sinumerik, 0) => "G500".to_owned(),
-        (Dialect::Nct, _) | (_, 1..=4) => format!("G{}", number + 53),
-        _ => format!("G{}", number + 500),
-    }
 }

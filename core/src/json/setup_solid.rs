@@ -2,6 +2,7 @@
 
 use super::Error;
 use super::setup_surface::{self, SurfaceFile};
+use crate::refused::Path;
 use crate::workpiece::{PartErrors, Shape, Solid};
 use serde::Deserialize;
 
@@ -51,6 +52,34 @@ enum ShapeName {
     Surface,
 }
 
+impl ShapeName {
+    /// Key of its name, and how many sizes it takes.
+    fn told(self) -> (&'static str, usize) {
+        match self {
+            ShapeName::Hole => ("setup-shape-hole", 2),
+            ShapeName::Shaft => ("setup-shape-shaft", 2),
+            ShapeName::Groove => ("setup-shape-groove", 3),
+            ShapeName::Web => ("setup-shape-web", 3),
+            ShapeName::Pocket => ("setup-shape-pocket", 3),
+            ShapeName::Island => ("setup-shape-island", 3),
+            ShapeName::Block => ("setup-shape-block", 3),
+            ShapeName::Turned => ("setup-shape-turned", 4),
+            ShapeName::Chuck => ("setup-shape-chuck", 3),
+            ShapeName::Sphere => ("setup-shape-sphere", 1),
+            ShapeName::OuterCorner => ("setup-shape-outer-corner", 4),
+            ShapeName::InnerCorner => ("setup-shape-inner-corner", 4),
+            ShapeName::Surface => ("setup-shape-surface", 0),
+        }
+    }
+
+    /// It cannot have so many sizes.
+    fn refused(self, key: &'static str, path: &Path, count: usize) -> Error {
+        let (name, wanted) = self.told();
+        let refused = Error::new(key, path.member("size")).text("shape", name);
+        refused.number("count", count as f64).number("wanted", wanted as f64)
+    }
+}
+
 /// Errors of a solid. All zero: none.
 #[derive(Default, Deserialize)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
@@ -68,16 +97,16 @@ struct ErrorsFile {
     out_of_round: (f64, u32),
 }
 
-pub(super) fn solid(file: SolidFile) -> Result<Solid, Error> {
+/// A solid that stands at this place of the file.
+pub(super) fn solid(path: &Path, file: SolidFile) -> Result<Solid, Error> {
     let shape = match (file.shape, file.surface) {
-        (ShapeName::Surface, Some(surface)) if file.size.is_empty() => setup_surface::shape(surface)?,
-        (ShapeName::Surface, _) | (_, Some(_)) => {
-            return Err(Error::Unknown {
-                what: "shape",
-                name: format!("{:?} with {} sizes", file.shape, file.size.len()),
-            });
+        (ShapeName::Surface, Some(surface)) if file.size.is_empty() => {
+            setup_surface::shape(&path.member("surface"), surface)?
         }
-        (shape, None) => sized(shape, &file.size)?,
+        (ShapeName::Surface, _) | (_, Some(_)) => {
+            return Err(file.shape.refused("setup-surface", path, file.size.len()));
+        }
+        (shape, None) => sized(path, shape, &file.size)?,
     };
     let errors = PartErrors {
         shift: file.errors.shift,
@@ -90,7 +119,7 @@ pub(super) fn solid(file: SolidFile) -> Result<Solid, Error> {
 }
 
 /// A shape that its sizes tell.
-fn sized(shape: ShapeName, size: &[f64]) -> Result<Shape, Error> {
+fn sized(path: &Path, shape: ShapeName, size: &[f64]) -> Result<Shape, Error> {
     Ok(match (shape, size) {
         (ShapeName::Hole, &[diameter, depth]) => Shape::Hole { diameter, depth },
         (ShapeName::Shaft, &[diameter, height]) => Shape::Shaft { diameter, height },
@@ -107,7 +136,7 @@ fn sized(shape: ShapeName, size: &[f64]) -> Result<Shape, Error> {
         (ShapeName::Chuck, &[diameter, length, grip]) => Shape::Chuck { diameter, length, grip },
         (ShapeName::Sphere, &[diameter]) => Shape::Sphere { diameter },
         (shape, size) => {
-            return Err(Error::Unknown { what: "shape", name: format!("{shape:?} with {} sizes", size.len()) });
+            return Err(shape.refused("setup-shape", path, size.len()));
         }
     })
 }

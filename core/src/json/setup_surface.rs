@@ -1,6 +1,7 @@
 //! Free surfaces in the setup file.
 
 use super::{Error, object};
+use crate::refused::Path;
 use crate::workpiece::Shape;
 use crate::workpiece::free::{EXAMPLES, FreeSurface, Heights, LARGEST};
 use serde::Deserialize;
@@ -33,24 +34,26 @@ pub(super) enum SurfaceFile {
 }
 
 /// The surface as something that can be touched.
-pub(super) fn shape(file: SurfaceFile) -> Result<Shape, Error> {
+pub(super) fn shape(path: &Path, file: SurfaceFile) -> Result<Shape, Error> {
     let surface = match file {
-        SurfaceFile::Example { name, size } => example(&name, size)?,
-        SurfaceFile::Heights { columns, step, values } => Heights { columns, step, values }.surface()?,
-        SurfaceFile::Triangles(triangles) => FreeSurface::from_triangles(&triangles)?,
-    };
+        SurfaceFile::Example { name, size } => Ok(example(path, &name, size)?),
+        SurfaceFile::Heights { columns, step, values } => Heights { columns, step, values }.surface(),
+        SurfaceFile::Triangles(triangles) => FreeSurface::from_triangles(&triangles),
+    }
+    .map_err(|refused| Error { path: path.clone(), ..refused.into() })?;
     Ok(Shape::Free(Arc::new(surface)))
 }
 
 /// One of our surfaces.
-pub(super) fn example(name: &str, size: [f64; 3]) -> Result<FreeSurface, Error> {
+pub(super) fn example(path: &Path, name: &str, size: [f64; 3]) -> Result<FreeSurface, Error> {
     let known = EXAMPLES.iter().find(|(known, _)| *known == name);
-    let (_, example) =
-        known.ok_or_else(|| Error::Unknown { what: "surface", name: crate::message::printable(name) })?;
+    let unknown = || Error::new("surface-example", path.clone()).text("name", name);
+    let (_, example) = known.ok_or_else(unknown)?;
     let [x, y, height] = size;
     for value in size {
         if !(value > 0.0 && value <= LARGEST) {
-            return Err(Error::Bound { what: "surface.size".into(), value, allowed: "more than 0" });
+            let refused = Error::new("setup-above", path.member("size")).number("value", value);
+            return Err(refused.number("min", 0.0).number("max", LARGEST));
         }
     }
     Ok(example.heights([x, y], height).surface()?)

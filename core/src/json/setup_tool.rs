@@ -1,11 +1,9 @@
 //! Tool probes and tools as they really are in the setup file, read and written.
 
 use super::setup::ToolFile;
-use super::setup_limits::{bound, small, solid as limits};
 use super::setup_solid::{SolidFile, solid};
 use super::{Error, object, setup_write};
-use crate::machine::Setup;
-use crate::workpiece::Shape;
+use crate::refused::Path;
 use crate::workpiece::tool::{Cut, Cutter, Nose, Tool};
 use crate::workpiece::tool_probe::ToolProbe;
 use serde::Deserialize;
@@ -104,9 +102,10 @@ struct NoseFile {
     side: [f64; 2],
 }
 
-pub(super) fn tool_probe(file: ToolProbeFile) -> Result<ToolProbe, Error> {
+/// A tool probe that stands at this place of the file.
+pub(super) fn tool_probe(path: &Path, file: ToolProbeFile) -> Result<ToolProbe, Error> {
     Ok(ToolProbe {
-        solid: solid(file.solid)?,
+        solid: solid(&path.member("solid"), file.solid)?,
         pre_travel: file.pre_travel,
         delay: file.delay,
         repeatability: file.repeatability,
@@ -142,57 +141,6 @@ fn read(file: &RealFile) -> Tool {
         }),
     };
     Tool { length: file.length, cut }
-}
-
-/// Most teeth of a cutter and most tool probes; every motion is held against each tooth and each probe.
-const MOST: usize = 100;
-
-/// Refuses what cannot be; the first thing found is named with its value.
-pub(super) fn check(setup: &Setup) -> Result<(), Error> {
-    let count = setup.tool_probes.len();
-    bound("toolProbes", count as f64, count <= MOST, "at most 100")?;
-    for (number, probe) in setup.tool_probes.iter().enumerate() {
-        let name = format!("toolProbes[{number}]");
-        limits(&name, &probe.solid)?;
-        let cap = match probe.solid.shape {
-            Shape::Block { .. } => true,
-            Shape::Turned { bore: [bore, _], .. } => bore == 0.0,
-            _ => false,
-        };
-        if !cap {
-            return Err(Error::Unknown { what: "cap of a tool probe, other than block or turned without bore,", name });
-        }
-        let (deviation, _) = probe.repeatability;
-        small(&name, &[probe.pre_travel, probe.delay, deviation])?;
-    }
-    let mut tools = setup.real_tools.iter();
-    tools.try_for_each(|((tool, edge), real)| check_tool(&format!("tools {tool}, edge {edge}: real"), real))
-}
-
-fn check_tool(name: &str, tool: &Tool) -> Result<(), Error> {
-    small(name, &tool.length)?;
-    let positive = |value: f64| bound(name, value, (0.0..=1e6).contains(&value), "0 to 1000000");
-    match &tool.cut {
-        Cut::Nose(nose) => {
-            positive(nose.radius)?;
-            let mut sides = nose.side.iter();
-            sides.try_for_each(|side| bound(name, *side, [-1.0, 0.0, 1.0].contains(side), "-1, 0 or 1"))
-        }
-        Cut::Cutter(cutter) => {
-            let [inside, above] = cutter.chamfer;
-            positive(cutter.radius)?;
-            positive(cutter.corner)?;
-            positive(inside)?;
-            positive(above)?;
-            positive(cutter.disc)?;
-            let teeth = cutter.teeth as usize;
-            bound(name, teeth as f64, teeth <= MOST, "at most 100 teeth")?;
-            bound(name, cutter.axis as f64, cutter.axis < 3, "axes 0 to 2")?;
-            let least = cutter.radius - cutter.corner - inside;
-            bound(name, least, least >= 0.0, "a radius that holds corner and chamfer")?;
-            small(name, &[cutter.angle, cutter.runout[0], cutter.runout[1], cutter.runout_angle])
-        }
-    }
 }
 
 /// Tool probes as the setup file has them.

@@ -1,7 +1,6 @@
 //! Writes the setup file, member by member as `setup` reads it; a test holds that it reads back to the same setup.
 
 use super::setup_active::{units_name, units_of};
-use super::setup_frame::settable_name;
 use super::{dialect_name, object, put, setup_surface, setup_tool};
 use crate::control::{Control, Edge, Frame, Plane, Tool, Transverse, Value as Datum, delivery};
 use crate::machine::setup::Setup;
@@ -110,7 +109,7 @@ fn active(control: &Control) -> Value {
         ("spindle", control.spindle.into()),
         ("rotary", control.rotary.into()),
     ]);
-    put(&mut active, "frame", settable_name(control, control.settable));
+    put(&mut active, "frame", control.settable_name(control.settable));
     active
 }
 
@@ -194,7 +193,7 @@ pub(super) fn put_body(view: &mut Value, probe: &Probe) {
 fn frames(control: &Control) -> Value {
     let mut frames = object([]);
     for (number, one) in &control.frames {
-        put(&mut frames, &settable_name(control, *number), frame(one));
+        put(&mut frames, &control.settable_name(*number), frame(one));
     }
     for (number, one) in &control.channel_basic {
         put(&mut frames, &format!("$P_CHBFR[{number}]"), frame(one));

@@ -1,11 +1,12 @@
 //! The machine of a request: the core's own, or one that the user described.
 
-use super::Error;
 use super::setup::{DatumFile, from_value, read_data};
 use super::setup_active::{PlaneName, UnitsName, choose_units, plane, units};
+use super::{Error, shape};
 use crate::SIMULATES;
 use crate::dialect::Dialect;
 use crate::machine::setup::Setup;
+use crate::refused::Path;
 use serde::Deserialize;
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -37,7 +38,7 @@ pub(super) struct Start {
 pub(super) fn start(dialect: Dialect, machine: Option<Value>) -> Result<Start, Error> {
     let own = match machine {
         Some(mut machine) => match machine.get_mut("own") {
-            Some(own) => serde_json::from_value(own.take())?,
+            Some(own) => shape::read(own.take())?,
             None => return described(machine),
         },
         None => OwnMachine::default(),
@@ -47,14 +48,14 @@ pub(super) fn start(dialect: Dialect, machine: Option<Value>) -> Result<Start, E
         choose_units(&mut setup.control, name)?;
     }
     read_data(&mut setup.control, own.data);
-    super::setup_limits::check(&setup)?;
+    setup.possible()?;
     Ok(Start { setup, described: false })
 }
 
 /// What it takes to read a description is only in builds that also simulate on it.
 fn described(machine: Value) -> Result<Start, Error> {
     if !SIMULATES {
-        return Err(Error::NoSetup);
+        return Err(Error::new("document-no-setup", Path::default()));
     }
     Ok(Start { setup: from_value(machine)?, described: true })
 }

@@ -1,6 +1,5 @@
 //! Outcome and trace as JSON.
 
-use super::setup_frame::settable_name;
 use super::setup_write::{put_body, solids};
 use super::{code, message, object, put, trace_tool, trace_turned};
 use crate::catalogue;
@@ -230,7 +229,7 @@ fn frames(before: &Control, after: &Control) -> Vec<Value> {
     }
     let corner = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     for number in shown(before, after) {
-        let name = settable_name(before, number);
+        let name = before.settable_name(number);
         let (mut old, mut new) = (before.clone(), after.clone());
         if number != before.settable {
             old.activate(number);

@@ -1,6 +1,7 @@
 //! The simulated machine: what a cycle may do on it, what it starts from, what it records.
 
 pub mod in_use;
+pub mod possible;
 pub mod route;
 #[cfg(test)]
 mod route_tests;

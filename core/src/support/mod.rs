@@ -10,13 +10,12 @@ pub use mark::{Changed, Mark};
 pub use target::{Offer, finding, offer, usual, usual_zero};
 pub use values::{BITS, Before, Entered, MEAN_BIT, SPEEDS_BIT, decimal, restore};
 
+pub use crate::control::FORMS;
+
 use crate::control::Control;
 use crate::dialect::Dialect;
 use crate::entry::{ArgumentList, Cycle, ProbeUse, Style};
 
-/// Setting of ours, kept beside the data of the machine: 1 lets `_MZ_MASK` decide. No program can write a variable of
-/// this name.
-pub const FORMS: &str = "PW-FORMS";
 /// Key of its words.
 pub const FORMS_KEY: &str = "datum-pw-forms";
 

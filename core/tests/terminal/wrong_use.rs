@@ -87,3 +87,18 @@ fn a_closed_pipe_ends_the_output_quietly() {
     let output = child.wait_with_output().unwrap();
     assert_eq!((output.status.code(), err(&output)), (Some(0), String::new()));
 }
+
+// oracle: hand
+#[test]
+fn a_wrong_setup_is_told_with_its_place_in_the_language_asked() {
+    let program = file("for_wrong_setup.mpf", b"M30\n");
+    let setup = file("wrong.json", b"{\n\"control\": \"nct\",\n\"probe\": {\"radius\": 0, \"length\": 50}\n}");
+    for (language, told) in [
+        ("en", ":3:21: probe.radius is 0; allowed: more than 0, at most 1000000."),
+        ("zh", ":3:21: probe.radius 为 0；允许：大于 0，不超过 1000000。"),
+    ] {
+        let output = probewright(&["--lang", language, "run", &program, "--setup", &setup]);
+        assert_eq!(output.status.code(), Some(2));
+        assert!(err(&output).contains(&format!("{setup}{told}")), "{}", err(&output));
+    }
+}

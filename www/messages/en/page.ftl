@@ -357,7 +357,8 @@ refused-setup-size = { $name } was not opened: it has { $size } MB, a setup has 
 refused-no-program = { $name } was not opened: { $why }. Your program is unchanged.
 refused-unreadable = { $name } was not opened: the browser cannot read it. It may have been moved or changed meanwhile.
 refused-folder = { $name } was not opened: it is a folder. Drop the file itself.
-refused-setup = { $name } was not opened, it is no setup: { $why }. “Save setup” writes one to compare. Your setup is unchanged.
+refused-setup = { $name } was not opened, it is no setup: { $why } “Save setup” writes one to compare. Your setup is unchanged.
+refused-place = line { $line } column { $column }: { $text }
 refused-close = Close
 
 sets-open = Value sets …

@@ -353,7 +353,8 @@ refused-setup-size = 未打开 { $name }：文件为 { $size } MB，设置最大
 refused-no-program = 未打开 { $name }：{ $why }。您的程序没有改变。
 refused-unreadable = 未打开 { $name }：浏览器无法读取。文件可能已被移动或更改。
 refused-folder = 未打开 { $name }：它是文件夹。请拖放文件本身。
-refused-setup = 未打开 { $name }：它不是设置文件：{ $why }。可用“保存设置”生成一个作对照。您的设置没有改变。
+refused-setup = 未打开 { $name }：它不是设置文件：{ $why }可用“保存设置”生成一个作对照。您的设置没有改变。
+refused-place = 第 { $line } 行第 { $column } 列：{ $text }
 refused-close = 关闭
 
 sets-open = 数值组…

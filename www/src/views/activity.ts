@@ -4,7 +4,7 @@
 import { el, on, setAttribute, setText, show } from "../dom";
 import { plain } from "../numbers";
 import { programOf, type State, type Stopped } from "../state";
-import { t } from "../texts";
+import { sayProblem, t } from "../texts";
 
 const QUIET = 300; // ms of work that are not worth a word
 const TICK = 250; // ms
@@ -54,7 +54,11 @@ export function createActivity(name: string, work: Activity): { root: HTMLElemen
     const size = (busy?.size ?? programOf(state).length) / 1e6;
     const long = size < SHORT ? "working" : "working-on";
     if (working) setText(what, t(`${name}-${halted ? "halted" : long}`, { size: plain(size, 1) }));
-    else setText(what, stopped ? t(stopped.why ? `${name}-failed` : `${name}-stopped`, { why: stopped.why }) : "");
+    else
+      setText(
+        what,
+        stopped ? t(stopped.why ? `${name}-failed` : `${name}-stopped`, { why: sayProblem(stopped.why) }) : "",
+      );
     setAttribute(bar, "value", busy?.share);
     const parts = [t("activity-seconds", { seconds: (passed / 1000).toFixed(1) })];
     if (busy?.share !== undefined) parts.unshift(t("activity-share", { percent: Math.floor(busy.share * 100) }));

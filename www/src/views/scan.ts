@@ -9,7 +9,7 @@ import type { Scanner, Work } from "../scan/scanner";
 import { NotTaken, readSurface, type SurfaceFile } from "../scan/surface";
 import type { State } from "../state";
 import type { Store } from "../store";
-import { t } from "../texts";
+import { sayProblem, t } from "../texts";
 import type { ScanRequest, ScanText, Setup } from "../wire";
 import { createActivity } from "./activity";
 import { problemItem, updateProblem } from "./field";
@@ -141,7 +141,7 @@ function doing(scanner: Scanner, work: Work): ReturnType<Scanner["busy"]> {
 }
 
 function said(state: State, derived: Derived, scan: Scanned | null): string {
-  if (state.scanProblem) return t("scan-failed", { problem: state.scanProblem });
+  if (state.scanProblem) return t("scan-failed", { problem: sayProblem(state.scanProblem) });
   if (!derived.view.complete) return t("scan-incomplete");
   if (!scan) return t("scan-none");
   const figures = t("scan-done", { points: scan.view.points, lines: scan.view.lines });

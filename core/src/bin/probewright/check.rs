@@ -20,7 +20,7 @@ pub fn check(
     words: &Words,
     out: &mut dyn Write,
 ) -> Result<ExitCode, Problem> {
-    let machine = setup.map(file::setup).transpose()?;
+    let machine = setup.map(|path| file::setup(path, words)).transpose()?;
     let (mut errors, mut unread) = (0, false);
     for path in files {
         let source = match file::program(path, words) {

@@ -83,10 +83,13 @@ pub fn text(path: &Path) -> Result<String, Problem> {
     Ok(text.trim_start_matches('\u{feff}').to_owned())
 }
 
-/// The machine of a setup file; the error names the file.
-pub fn setup(path: &Path) -> Result<Setup, Problem> {
+/// The machine of a setup file; the error names the file, and the line and column in it.
+pub fn setup(path: &Path, words: &Words) -> Result<Setup, Problem> {
     let setup = json::setup_from_json(&text(path)?);
-    Ok(setup.map_err(|error| format!("{}: {error}", path.display()))?)
+    Ok(setup.map_err(|refused| {
+        let place = refused.position.map_or(String::new(), |(line, column)| format!("{line}:{column}:"));
+        format!("{}:{place} {}", path.display(), words.text(&refused.message))
+    })?)
 }
 
 /// The control that was asked for, else the one that the program is written for: NCT programs begin with `%O` or `O`

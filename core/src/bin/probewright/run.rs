@@ -41,8 +41,8 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
     let path = &arguments.file;
     let source = file::program(path, words)?;
-    let mut setup = file::setup(&arguments.setup)?;
-    arguments.scan.put_surface(&mut setup)?;
+    let mut setup = file::setup(&arguments.setup, words)?;
+    arguments.scan.put_surface(&mut setup, words)?;
     let program = syntax::read(setup.control.dialect, &source);
     let outcome = run::run(&program, &setup, Limits::default());
     if arguments.json {

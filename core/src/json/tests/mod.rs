@@ -6,6 +6,7 @@ mod form;
 mod machine;
 mod outcome;
 mod setup;
+mod setup_limits;
 
 use crate::entry::Typed;
 use crate::json::*;

@@ -1,6 +1,7 @@
 //! The setup file: written, read, and its schema.
 
 use crate::json::*;
+use crate::words::Words;
 use std::path::PathBuf;
 
 fn docs(name: &str) -> PathBuf {
@@ -56,8 +57,70 @@ fn a_slip_in_a_setup_is_told() {
             "Hole",
         ),
     ] {
-        let told = setup_from_json(text).unwrap_err().to_string();
+        let told = Words::english().text(&setup_from_json(text).unwrap_err().message);
         assert!(told.contains(part), "{told}");
+    }
+}
+
+/// A setup file with an error in line 3.
+fn wrong(line: &str) -> String {
+    format!("{{\n\"control\": \"nct\",\n{line}\n\"probe\": {{\"radius\": 3, \"length\": 50}}\n}}")
+}
+
+// oracle: hand
+#[test]
+fn an_error_of_a_setup_names_the_member_and_its_place() {
+    for (line, path, column, english, chinese) in [
+        (
+            r#""position": [0, "x", 0],"#,
+            "position[1]",
+            17,
+            "a number is expected here, not a text",
+            "应为数字，而不是文本",
+        ),
+        (r#""position": [0, 0],"#, "position", 13, "has 2 values", "有 2 个值"),
+        (r#""prope": 1,"#, "prope", 10, "no member prope; known here: control, units", "没有成员 prope"),
+        (r#""tools": {"0": {"edges": {}}, "x": {}},"#, "tools.x", 36, "named by whole numbers", "以整数命名"),
+        (r#""tools": {"0": {"edges": {"1": {}}}},"#, "tools.0.edges.1.type", 32, "is missing", "缺少"),
+        (
+            r#""tools": {"0": {"edges": {"1": {"type": 1.5}}}},"#,
+            "tools.0.edges.1.type",
+            41,
+            "a whole number",
+            "应为整数",
+        ),
+        (r#""skip": [1, 300],"#, "skip[1]", 13, "cannot be 300", "不能是 300"),
+        (r#""plane": "G20","#, "plane", 10, "“G20”; allowed: G17, G18, G19", "允许：G17, G18, G19"),
+        (r##""data": {"#500": true},"##, "data.#500", 18, "a number or a text", "数字或文本"),
+        (
+            r#""workpiece": [{"shape": "web", "size": [1, 2], "at": [0, 0, 0]}],"#,
+            "workpiece[0].size",
+            40,
+            "Web takes 3",
+            "凸台需要 3",
+        ),
+        (
+            r#""position": [0, 2e6, 0],"#,
+            "position",
+            13,
+            "2000000; allowed: -1000000 to 1000000",
+            "允许：-1000000 至 1000000",
+        ),
+        (r#""units": "mm", "名": 1, "units": "mm","#, "units", 30, "stands there twice", "出现了两次"),
+    ] {
+        let refused = setup_from_json(&wrong(line)).unwrap_err();
+        assert_eq!((refused.path.to_string().as_str(), refused.position), (path, Some((3, column))), "{line}");
+        for (code, part) in [("en", english), ("zh", chinese)] {
+            let told = Words::of(code).unwrap().text(&refused.message);
+            assert!(told.contains(part) && told.contains(path), "{told}");
+        }
+    }
+    for (text, position, part) in
+        [("{\n", (2, 1), "ends"), ("{\"control\": nct}", (1, 14), "no JSON"), ("[]", (1, 1), "an object")]
+    {
+        let refused = setup_from_json(text).unwrap_err();
+        assert_eq!(refused.position, Some(position), "{text}");
+        assert!(Words::english().text(&refused.message).contains(part), "{refused}");
     }
 }
 

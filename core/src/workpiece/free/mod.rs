@@ -11,6 +11,7 @@ pub use stl::triangles as stl_triangles;
 
 use crate::geometry::V3;
 use crate::geometry::mesh::Mesh;
+use crate::refused;
 use std::collections::HashMap;
 
 /// Most triangles of a surface.
@@ -19,23 +20,33 @@ pub const TRIANGLES: usize = 500_000;
 pub const LARGEST: f64 = 1e6;
 
 /// Why a surface is refused.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Refused {
     /// It has no triangle with an area.
-    #[error("the surface has no triangles")]
     Empty,
     /// More than [`TRIANGLES`].
-    #[error("the surface has {0} triangles; allowed: at most {TRIANGLES}")]
     TooMany(usize),
     /// A number that is none, or larger than [`LARGEST`].
-    #[error("a coordinate of the surface is no number from -1000000 to 1000000")]
     NoNumber,
     /// Heights that are no grid.
-    #[error("a grid has at least 2 columns and 2 rows, a step greater than 0 and a height for each")]
     NoGrid,
-    /// A file that is no STL.
-    #[error("no STL file: {0}")]
+    /// A file that is no STL, and the key of why.
     NoStl(&'static str),
+}
+
+impl From<Refused> for refused::Refused {
+    fn from(why: Refused) -> refused::Refused {
+        let told = |key: &'static str| refused::Refused::new(key, refused::Path::default());
+        match why {
+            Refused::Empty => told("surface-empty"),
+            Refused::TooMany(count) => {
+                told("surface-triangles").number("count", count as f64).number("most", TRIANGLES as f64)
+            }
+            Refused::NoNumber => told("surface-number").number("min", -LARGEST).number("max", LARGEST),
+            Refused::NoGrid => told("surface-grid"),
+            Refused::NoStl(why) => told("surface-stl").text("why", why),
+        }
+    }
 }
 
 /// A surface that can be touched from both sides. Its own frame: X and Y along the part, Z up.

@@ -40,10 +40,10 @@ fn binary(file: &[u8]) -> Vec<[[f64; 3]; 3]> {
 }
 
 fn text(file: &[u8]) -> Result<Vec<[[f64; 3]; 3]>, Refused> {
-    let text = std::str::from_utf8(file).map_err(|_| Refused::NoStl("neither text nor binary"))?;
+    let text = std::str::from_utf8(file).map_err(|_| Refused::NoStl("stl-neither"))?;
     let mut words = text.split_ascii_whitespace();
     if !words.next().is_some_and(|word| word.eq_ignore_ascii_case("solid")) {
-        return Err(Refused::NoStl("it does not begin with \"solid\""));
+        return Err(Refused::NoStl("stl-begin"));
     }
     let mut corners = Vec::new();
     while let Some(word) = words.next() {
@@ -52,10 +52,10 @@ fn text(file: &[u8]) -> Result<Vec<[[f64; 3]; 3]>, Refused> {
         }
         let mut number = || words.next()?.parse::<f64>().ok();
         let (Some(x), Some(y), Some(z)) = (number(), number(), number()) else {
-            return Err(Refused::NoStl("a vertex has three numbers"));
+            return Err(Refused::NoStl("stl-vertex"));
         };
         corners.push([x, y, z]);
     }
     let (triangles, rest) = corners.as_chunks::<3>();
-    if rest.is_empty() { Ok(triangles.to_vec()) } else { Err(Refused::NoStl("a triangle has three vertices")) }
+    if rest.is_empty() { Ok(triangles.to_vec()) } else { Err(Refused::NoStl("stl-triangle")) }
 }
