@@ -1,10 +1,11 @@
 //! Worked measurements of the manual, run as programs: every folder of `tests/cases` that has a `case.json`.
-//! The truth of each case stands in its `oracle`. Where the folder `../shared` is present, the programs as printed
-//! in the manual have to give the same.
+//! The truth of each case stands in its `oracle`. Written in the manner in which manuals print programs they have to give
+//! the same.
 
 #![cfg(feature = "json")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+mod manner;
 mod planes;
 
 use probewright_core::catalogue::alarms;
@@ -33,8 +34,8 @@ fn folders() -> Vec<PathBuf> {
     folders
 }
 
-#[test]
-fn own_programs() {
+/// Runs the cases of every folder with its program after a change of its text; how many there were.
+fn every_case(change: impl Fn(Dialect, &str, &str) -> String) -> usize {
     let mut count = 0;
     for folder in folders() {
         let file = read(&folder);
@@ -43,27 +44,23 @@ fn own_programs() {
             Dialect::Nct => "program.nc",
         };
         let source = std::fs::read_to_string(folder.join(program)).unwrap();
-        count += cases(&folder, &file, &source);
+        let name = folder.file_name().unwrap().to_string_lossy();
+        count += cases(&folder, &file, &source, |text| change(dialect(&file), &name, text));
     }
-    assert!(count >= 48, "only {count} cases found");
+    count
 }
 
 #[test]
-fn printed_programs() {
-    let spec = root().join("../shared/spec");
-    if !spec.exists() {
-        return;
-    }
-    let chapters = ["milling/examples", "turning/examples", "common/nct_examples"];
-    let chapters = chapters.map(|chapter| spec.join(chapter));
-    for folder in folders() {
-        let file = read(&folder);
-        if let Some(name) = file["printed"].as_str() {
-            let mut places = chapters.iter().map(|chapter| chapter.join(name));
-            let place = places.find(|place| place.exists()).expect(name);
-            cases(&folder, &file, &std::fs::read_to_string(place).unwrap());
-        }
-    }
+fn own_programs() {
+    let count = every_case(|_, _, source| source.to_owned());
+    assert!(count >= 48, "only {count} cases found");
+}
+
+// oracle: the cases themselves; manuals print their programs in this manner
+#[test]
+fn programs_as_manuals_print_them() {
+    let count = every_case(manner::printed);
+    assert!(count >= 48, "only {count} cases found");
 }
 
 fn read(folder: &Path) -> Value {
@@ -87,8 +84,8 @@ fn code(value: &Value) -> Code {
     }
 }
 
-/// Runs every case of a folder; how many there were.
-fn cases(folder: &Path, file: &Value, source: &str) -> usize {
+/// Runs every case of a folder, its program written with `change`; how many there were.
+fn cases(folder: &Path, file: &Value, source: &str, change: impl Fn(&str) -> String) -> usize {
     let cases = file["cases"].as_array().unwrap();
     for case in cases {
         let name = format!("{} {}", folder.file_name().unwrap().display(), case["id"]);
@@ -99,7 +96,7 @@ fn cases(folder: &Path, file: &Value, source: &str) -> usize {
             assert!(source.contains(old), "{name}: {old} is not in the program");
             source = source.replace(old, new);
         }
-        let program = syntax::read(dialect(file), source.as_bytes());
+        let program = syntax::read(dialect(file), change(&source).as_bytes());
         let outcome = run(&program, &setup(file, case), Limits::default());
         expect(&name, &case["expect"], &outcome);
     }

@@ -4,11 +4,11 @@
 
 mod contour;
 mod contour_properties;
-mod corpus;
 mod flow;
 mod frames;
 mod motion;
 mod polar;
+mod programs;
 mod properties;
 #[path = "../running/mod.rs"]
 mod running;

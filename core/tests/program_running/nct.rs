@@ -56,15 +56,11 @@ fn a_bore_moves_its_work_offset() {
 }
 
 #[test]
-fn the_printed_bore_runs() {
-    let path =
-        std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/spec/common/nct_examples/G110_bore.nc");
-    let Ok(printed) = std::fs::read(path) else {
-        return;
-    };
+fn a_bore_corrects_its_tool_behind_its_work_offset() {
     // oracle: manual C:1159-1183: the second call compares with H 0.3 and corrects register 1
     let setup = bore(50.2, [120.4, 0.0, 199.7]);
-    let outcome = run(&read(Dialect::Nct, &printed), &setup, Limits::default());
+    let program = include_bytes!("../../../tests/cases/nct_bore/program.nc");
+    let outcome = run(&read(Dialect::Nct, program), &setup, Limits::default());
     assert_eq!(outcome.stop, None, "{:?}", outcome.diagnostics);
     near(outcome.control.frames[&6].coarse, [0.4, 0.0, -0.3]);
     let before = outcome.before.register(1);
@@ -74,26 +70,18 @@ fn the_printed_bore_runs() {
 }
 
 #[test]
-fn printed_programs_hold_no_unknown_word() {
-    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/spec/milling/examples");
-    let names = [
-        "DRILL_MEASURE",
-        "WEB_MEASURE",
-        "ZO_RECTANGLE",
-        "ZO_DETERMINING_1",
-        "ONE_POINT_MEASURE",
-        "EXTRA_HOLE_PROTECTION",
-    ];
+fn measuring_programs_hold_no_unknown_word() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/cases");
+    let names =
+        ["drill_measure", "web_measure", "zo_rectangle", "zo_determining", "one_point_measure", "hole_protection"];
     for name in names {
-        let Ok(printed) = std::fs::read(folder.join(format!("{name}.mpf"))) else {
-            return;
-        };
+        let program = std::fs::read(folder.join(name).join("program.mpf")).unwrap();
         let mut setup = machine();
         for tool in [1, 7] {
             let like = setup.control.tools[&if tool == 1 { 20 } else { 9 }].clone();
             setup.control.tools.insert(tool, like);
         }
-        let outcome = run(&read(Dialect::Sinumerik, &printed), &setup, Limits::default());
+        let outcome = run(&read(Dialect::Sinumerik, &program), &setup, Limits::default());
         // oracle: hand: nothing to touch, so the first measurement finds no surface (B:13999)
         assert_eq!(outcome.stop, Some(Stop::Alarm(Code::Alarm(61301))), "{name}: {:?}", outcome.diagnostics);
         let unknown = outcome.diagnostics.iter().find(|found| found.message.key == "run-unknown-word");
