@@ -33,6 +33,17 @@ pub enum Code {
     Own(u16),
 }
 
+/// `61307`, `FORMAT ERROR`, `PW012`.
+impl std::fmt::Display for Code {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Code::Alarm(number) => number.fmt(f),
+            Code::Nct(text) => text.fmt(f),
+            Code::Own(number) => write!(f, "PW{number:03}"),
+        }
+    }
+}
+
 /// One finding.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Diagnostic {

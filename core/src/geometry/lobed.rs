@@ -25,6 +25,22 @@ impl Lobes {
         self.at_angle(p.y.atan2(p.x)) - self.slope * p.z
     }
 
+    /// Point of the curve at an angle, radian, and a height, mm.
+    pub fn point(&self, angle: f64, z: f64) -> V3 {
+        let out = self.at_angle(angle) - self.slope * z;
+        let (sine, cosine) = angle.sin_cos();
+        V3::new(out * cosine, out * sine, z)
+    }
+
+    /// Unit normal there of the wall that the curve makes, away from the axis.
+    pub fn normal(&self, angle: f64, z: f64) -> V3 {
+        let count = f64::from(self.count);
+        let growth = -self.amplitude * count * (count * angle).sin();
+        let (sine, cosine) = angle.sin_cos();
+        let aside = growth / (self.at_angle(angle) - self.slope * z);
+        V3::new(cosine + aside * sine, sine - aside * cosine, self.slope).normalize()
+    }
+
     fn at_angle(&self, angle: f64) -> f64 {
         self.radius + self.amplitude * (f64::from(self.count) * angle).cos()
     }

@@ -10,7 +10,6 @@ use super::lobed::{LobedWall, Lobes};
 use super::quad::{Quad, Trim};
 use super::segment::Segment;
 use super::stretch::Stretch;
-use super::wall::Wall;
 use super::{Feature, TOLERANCE, V3};
 use nalgebra::IsometryMatrix3;
 
@@ -43,7 +42,7 @@ impl Swept {
     pub fn clears(&self, feature: &Feature) -> bool {
         match feature {
             Feature::Quad(quad) => self.clears_face(quad),
-            Feature::Wall(wall) => self.profile().clears_wall(&wall_lobes(wall), wall.depth),
+            Feature::Wall(wall) => self.profile().clears_wall(&wall.lobes(), wall.depth),
             Feature::Lobed(wall) => {
                 let LobedWall { lobes, depth } = wall;
                 self.profile().clears_wall(lobes, *depth) || self.is_far_from(&wall.foot(&self.middle()))
@@ -171,10 +170,6 @@ impl Swept {
 fn reach(curve: &Lobes, z: f64) -> [f64; 2] {
     let (mean, by) = (curve.radius - curve.slope * z, curve.amplitude.abs());
     [mean - by, mean + by]
-}
-
-fn wall_lobes(wall: &Wall) -> Lobes {
-    Lobes { radius: wall.radius, slope: wall.slope, amplitude: 0.0, count: 0 }
 }
 
 /// A rectangle of distances from the Z axis and heights, and how thick the line about it is; mm.

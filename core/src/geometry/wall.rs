@@ -1,6 +1,7 @@
 //! Ball against a round wall about the Z axis from Z = 0 downwards: cylinder or cone, from inside or outside.
 
 use super::circle::radial;
+use super::lobed::Lobes;
 use super::{Path, V3, roots};
 
 /// A cylinder or cone between Z = 0 and Z = −depth.
@@ -17,6 +18,11 @@ pub struct Wall {
 }
 
 impl Wall {
+    /// The curve at its upper end.
+    pub fn lobes(&self) -> Lobes {
+        Lobes { radius: self.radius, slope: self.slope, amplitude: 0.0, count: 0 }
+    }
+
     fn side(&self) -> f64 {
         if self.inner { -1.0 } else { 1.0 }
     }

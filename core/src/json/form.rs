@@ -16,6 +16,7 @@ use crate::own;
 use crate::picture::{Picture, PictureShape, ShapeKind, View};
 use crate::program::write::{Values, snippet_of};
 use crate::range::Range;
+use crate::scene::Source;
 use crate::support::{self, Before, Support};
 use serde::Deserialize;
 use serde_json::Value;
@@ -67,6 +68,11 @@ struct Request {
 
 /// Answers a `FormRequest` with a `FormView`.
 pub fn form(request: &str) -> Result<Value, Error> {
+    Ok(form_seen(request)?.0)
+}
+
+/// The same, and what is to be seen of a call that was carried out.
+pub fn form_seen(request: &str) -> Result<(Value, Option<Source>), Error> {
     let request: Request = super::request(request)?;
     let cycle = super::cycle(dialect(&request.control)?, &request.cycle)?;
     let mut start = super::start::start(cycle.dialect, request.setup)?;
@@ -117,6 +123,7 @@ pub fn form(request: &str) -> Result<Value, Error> {
         let there = super::twin::view(cycle, &values, &start.setup.control);
         put(&mut view, "twin", there);
     }
+    let mut seen = None;
     if request.predict && SIMULATES {
         if !request.assumed.is_empty() {
             let mut values = values;
@@ -128,9 +135,9 @@ pub fn form(request: &str) -> Result<Value, Error> {
         }
         let mut setup = match (cycle.work(), &checked.inputs) {
             (Some(work), Some(inputs)) => {
-                let (outcome, setup) = predict(work, inputs, start, request.errors, request.limits)?;
+                let (outcome, source) = predict(work, inputs, start, request.errors, request.limits)?;
                 put(&mut view, "outcome", outcome);
-                setup
+                seen.insert(source).setup.clone()
             }
             _ => start.setup,
         };
@@ -138,7 +145,7 @@ pub fn form(request: &str) -> Result<Value, Error> {
         support::restore(&mut setup.control, before);
         put(&mut view, "setup", super::setup_to_json(&setup));
     }
-    Ok(view)
+    Ok((view, seen))
 }
 
 /// The list of a newer control, where the call that the form shows is written in it.

@@ -33,7 +33,7 @@ pub use crate::refused::Refused as Error;
 pub use alarms::{alarm, alarms, operator_message};
 pub use catalogue::{catalogue, cycles};
 pub use encoding::recognised;
-pub use form::form;
+pub use form::{form, form_seen};
 pub use help::help;
 pub use machine::machine;
 pub use program::{Run, calls, change, convert, read, read_told, run_outcome};
@@ -160,11 +160,7 @@ fn key(key: &'static str) -> Value {
 
 /// `61307`, `FORMAT ERROR`, `PW012`.
 pub fn code(code: Code) -> String {
-    match code {
-        Code::Alarm(number) => number.to_string(),
-        Code::Nct(text) => text.to_owned(),
-        Code::Own(number) => format!("PW{number:03}"),
-    }
+    code.to_string()
 }
 
 fn severity(severity: Severity) -> &'static str {

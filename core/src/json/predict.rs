@@ -10,6 +10,7 @@ use crate::machine::{Setup, Stop, possible};
 use crate::message::Message;
 use crate::refused::Path;
 use crate::run::{Outcome, survives};
+use crate::scene::Source;
 use crate::workpiece::tool::{Cut, Tool};
 use crate::workpiece::{PartErrors, Probe, Solid};
 use serde::Deserialize;
@@ -45,28 +46,28 @@ struct ProbeSliders {
     repeatability: f64,
 }
 
-/// Carries out the call on the proposed part: an `Outcome`, and the setup that it was carried out on.
+/// Carries out the call on the proposed part: an `Outcome`, and what is to be seen of it.
 pub(super) fn predict(
     work: &Work,
     inputs: &Inputs,
     start: Start,
     errors: Option<Value>,
     limits: bool,
-) -> Result<(Value, Setup), Error> {
+) -> Result<(Value, Source), Error> {
     let errors = errors.map_or(Ok(Errors::default()), shape::read)?;
     let Start { mut setup, described } = start;
     let limits = limits.then(|| survived(work, inputs, &setup, &errors, described));
     let zones = prepare(&mut setup, work, inputs, &errors, described);
     let outcome = carried_out(inputs, &mut setup);
-    let mut outcome = super::outcome(inputs, &setup, &outcome);
-    let zones = super::setup_write::solids(&zones);
-    put(&mut outcome["trace"], "zones", zones);
+    let mut view = super::outcome(inputs, &setup, &outcome);
+    put(&mut view["trace"], "zones", super::setup_write::solids(&zones));
+    let mut source = Source { setup, outcome, zones, limits: Vec::new() };
     if let Some((limits, solids)) = limits {
-        put(&mut outcome, "limits", limits);
-        let solids = super::setup_write::solids(&solids);
-        put(&mut outcome["trace"], "limits", solids);
+        put(&mut view, "limits", limits);
+        put(&mut view["trace"], "limits", super::setup_write::solids(&solids));
+        source.limits = solids;
     }
-    Ok((outcome, setup))
+    Ok((view, source))
 }
 
 /// What the call does. With errors as large as what they change, and from a place that is beyond all numbers, nothing

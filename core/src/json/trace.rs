@@ -13,10 +13,10 @@ use crate::machine::setup::Setup;
 use crate::machine::trace::{Entry, MotionKind, Step};
 use crate::message::Message;
 use crate::run::outcome::Outcome;
+use crate::scene::{self, frames::Frame};
 use crate::workpiece::Solid;
 use crate::workpiece::feeler::Touching;
 use serde_json::Value;
-use std::collections::BTreeSet;
 
 /// What a call does: results, decisions, alarms, changes, log and trace.
 pub fn outcome(inputs: &Inputs, setup: &Setup, outcome: &Outcome) -> Value {
@@ -95,7 +95,7 @@ pub(super) fn trace(setup: &Setup, outcome: &Outcome) -> Value {
         ("turning", turning.into()),
         ("solids", solids(&clamped(setup))),
         ("toolProbes", trace_tool::probes(setup)),
-        ("frames", frames(&outcome.before, &outcome.control).into()),
+        ("frames", frames(&outcome.before, &outcome.control)),
     ]);
     if turning {
         put(&mut view, "drawing", trace_turned::drawing(setup, outcome));
@@ -212,61 +212,13 @@ fn kind_name(kind: MotionKind) -> &'static str {
     }
 }
 
-/// The machine's coordinate system where it is another one, the active workpiece coordinate system by the name of its
-/// zero offset, and what a correction moved: `before` and `after`.
-fn frames(before: &Control, after: &Control) -> Vec<Value> {
-    let drawn = |name: &str, control: &Control, moved: Option<&str>| {
-        let (at, axes) = system(control)?;
-        let mut view = object([("name", name.into()), ("at", at.into()), ("axes", axes.into())]);
-        if let Some(when) = moved {
+fn frames(before: &Control, after: &Control) -> Value {
+    let frame = |one: Frame| {
+        let mut view = object([("name", one.name.into()), ("at", one.at.into()), ("axes", one.axes.into())]);
+        if let Some(when) = one.moved {
             put(&mut view, "moved", when);
         }
-        Some(view)
+        view
     };
-    let mut list = Vec::new();
-    if before.to_machine([0.0; 3]) != [0.0; 3] {
-        list.push(object([("name", "MCS".into()), ("at", [0.0; 3].into()), ("axes", UNITS.into())]));
-    }
-    let corner = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-    for number in shown(before, after) {
-        let name = before.settable_name(number);
-        let (mut old, mut new) = (before.clone(), after.clone());
-        if number != before.settable {
-            old.activate(number);
-        }
-        new.activate(number);
-        let moves = |point: &[f64; 3]| new.to_machine(*point) != old.to_machine(*point);
-        let moved = corner.iter().any(moves);
-        if moved || [before.settable, after.settable].contains(&number) {
-            list.extend(drawn(&name, &old, moved.then_some("before")));
-        }
-        if moved {
-            list.extend(drawn(&name, &new, Some("after")));
-        }
-    }
-    list
-}
-
-/// The directions of the machine.
-pub(super) const UNITS: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-
-/// Zero and directions of the active WCS, machine coordinates; none where its frames are beyond all numbers.
-pub(super) fn system(control: &Control) -> Option<([f64; 3], [[f64; 3]; 3])> {
-    let at = control.to_machine([0.0; 3]);
-    let axes = UNITS.map(|direction| {
-        let end = control.to_machine(direction);
-        [0, 1, 2].map(|i| end[i] - at[i])
-    });
-    let mut values = axes.iter().flatten().chain(&at);
-    values.all(|value| value.is_finite()).then_some((at, axes))
-}
-
-/// The zero offset in force before, then those that are in force after or were corrected.
-fn shown(before: &Control, after: &Control) -> Vec<usize> {
-    let corrected =
-        after.frames.iter().filter(|(number, frame)| before.frames.get(number).copied().unwrap_or_default() != **frame);
-    let mut others: BTreeSet<usize> = corrected.map(|(number, _)| *number).collect();
-    others.insert(after.settable);
-    others.remove(&before.settable);
-    std::iter::once(before.settable).chain(others).collect()
+    scene::frames::frames(before, after).into_iter().map(frame).collect()
 }

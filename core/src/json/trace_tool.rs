@@ -1,20 +1,13 @@
-//! The tools and the probe by the steps in which they are in use, and the tool probes, as the view draws them.
+//! The tools and the probe by the steps in which they are in use, and the tool probes, as JSON.
 
-use super::object;
 use super::setup_write::solids;
-use crate::catalogue::find;
-use crate::control::Edge;
-use crate::control::probe::upright;
-use crate::control::tools::LATHE_PROBE;
-use crate::entry::ProbeUse;
+use super::{object, put};
 use crate::geometry::V3;
-use crate::machine::in_use::InUse;
 use crate::machine::setup::Setup;
-use crate::machine::trace::Step;
 use crate::run::outcome::Outcome;
-use crate::workpiece::seen::{self, Drawn};
+use crate::scene::tool::{self, Tool};
+use crate::workpiece::seen::Drawn;
 use serde_json::Value;
-use std::collections::BTreeSet;
 
 /// The caps of the tool probes.
 pub(super) fn probes(setup: &Setup) -> Value {
@@ -24,104 +17,33 @@ pub(super) fn probes(setup: &Setup) -> Value {
 
 /// Whatever was in use, each once, and from which entry on which of them.
 pub(super) fn tools(setup: &Setup, outcome: &Outcome) -> (Value, Value) {
-    let measuring = called(outcome, ProbeUse::Workpiece);
-    let measured = called(outcome, ProbeUse::Tool);
-    let trace = &outcome.trace;
-    let view = |used: &InUse| {
-        let measures = |tool: &InUse| measured.iter().any(|(number, _)| *number == tool.place.0);
-        let lent = uncorrected(used, &trace.in_use).filter(|tool| measures(tool) && !measuring.contains(&used.place));
-        let used = lent.as_ref().unwrap_or(used);
-        tool(setup, used, measuring.contains(&used.place))
-    };
-    let mut from: Vec<[usize; 2]> = Vec::new();
-    for (index, entry) in trace.entries.iter().enumerate() {
-        if from.last().is_none_or(|[_, last]| *last != entry.in_use) {
-            from.push([index, entry.in_use]);
-        }
+    let (tools, in_use) = tool::tools(setup, outcome);
+    (tools.iter().map(view).collect(), in_use.into_iter().map(|[at, used]| Value::from(vec![at, used])).collect())
+}
+
+/// The ball, or the pieces of a tool; on a turning machine also what carries it.
+fn view(tool: &Tool) -> Value {
+    let mut view = object([
+        ("length", tool.length.into()),
+        ("tip", vector(tool.tip)),
+        ("pieces", drawn(&tool.pieces)),
+        ("carrier", drawn(&tool.carrier)),
+    ]);
+    if let Some(axis) = tool.ball {
+        put(&mut view, "ball", vector(axis));
     }
-    let in_use = from.into_iter().map(|[at, used]| Value::from(vec![at, used]));
-    (trace.in_use.iter().map(view).collect(), in_use.collect())
+    view
 }
 
-/// What was in use at the calls of cycles that work with this probe, by T and D number. With what a part was measured
-/// was the probe, whatever its data say.
-fn called(outcome: &Outcome, probe: ProbeUse) -> BTreeSet<(i64, i64)> {
-    let trace = &outcome.trace;
-    let calls = trace.entries.iter().filter(|entry| match entry.step {
-        Step::CallBegin { cycle, .. } => {
-            find(outcome.before.dialect, cycle).is_some_and(|cycle| cycle.purpose.probe == probe)
-        }
-        _ => false,
-    });
-    let used = calls.filter_map(|entry| trace.in_use.get(entry.in_use));
-    used.map(|used| used.place).collect()
-}
-
-/// A tool whose correction is not in effect, before and after a macro of NCT that measures it: it hangs from the
-/// spindle nose as while its register counted. None where a correction is in effect, or nothing tells of the tool.
-fn uncorrected(used: &InUse, all: &[InUse]) -> Option<InUse> {
-    let same = |one: &&InUse| one.place.0 == used.place.0 && one.tool.is_some();
-    let known = all.iter().find(same).filter(|_| used.edge.is_none())?;
-    let place = V3::from(known.tip) - V3::from(known.length) + V3::from(used.length);
-    Some(InUse { length: used.length, tip: place.into(), ..known.clone() })
-}
-
-/// What is drawn: the ball, or the pieces of a tool; on a turning machine also what carries it. `tip`: from the
-/// position of the machine to the end of the tool.
-fn tool(setup: &Setup, used: &InUse, measured: bool) -> Value {
-    let is_probe = |edge: &Edge| measured || [710, LATHE_PROBE].contains(&edge.kind);
-    let probe = used.edge.as_ref().is_none_or(is_probe);
-    let Some(tool) = used.tool.as_ref().filter(|_| !probe) else {
-        return ball(setup, used);
-    };
-    let tip = V3::from(used.tip);
-    let carrier = V3::from(used.length) - tip;
-    let (pieces, along) = seen::tool(tool, carrier, used.plane, used.spindle);
-    let holder = held(setup, used, carrier, along);
-    object([
-        ("length", used.length.into()),
-        ("tip", vector(tip)),
-        ("pieces", drawn(&pieces, tip)),
-        ("carrier", drawn(&holder, tip)),
-    ])
-}
-
-/// Ball and stylus. The axis points from the ball to what holds it, in machine coordinates: along the applicate of the
-/// plane in which was measured, on a turning machine as the cutting edge position says.
-fn ball(setup: &Setup, used: &InUse) -> Value {
-    let carrier = V3::from(used.length);
-    let turning = used.edge.as_ref().and_then(Edge::stands);
-    let axis = V3::from(turning.unwrap_or_else(|| upright(used.plane)));
-    let holder = held(setup, used, carrier, axis);
-    let turret = used.turns.then_some(setup.probe.length);
-    let adapter = turret.and_then(|length| seen::adapter(length, carrier, axis));
-    object([
-        ("length", used.length.into()),
-        ("ball", vector(axis)),
-        ("tip", vector(V3::zeros())),
-        ("pieces", drawn(adapter.as_slice(), V3::zeros())),
-        ("carrier", drawn(&holder, V3::zeros())),
-    ])
-}
-
-/// Holder and turret of a turning machine.
-fn held(setup: &Setup, used: &InUse, carrier: V3, along: V3) -> Vec<Drawn> {
-    match used.turns {
-        true => seen::turret(&setup.turret, carrier, along),
-        false => Vec::new(),
-    }
-}
-
-/// Pieces that begin at the end of a tool, from the position of the machine on.
-fn drawn(pieces: &[Drawn], tip: V3) -> Value {
+fn drawn(pieces: &[Drawn]) -> Value {
     let piece = |piece: &Drawn| match piece {
         Drawn::Round { outline, axis, at } => object([
             ("outline", outline.iter().copied().map(Value::from).collect()),
             ("axis", vector(*axis)),
-            ("at", vector(at + tip)),
+            ("at", vector(*at)),
         ]),
         Drawn::Plate { corners, thick, cuts } => object([
-            ("corners", corners.iter().map(|at| vector(at + tip)).collect()),
+            ("corners", corners.iter().copied().map(vector).collect()),
             ("thick", vector(*thick)),
             ("cuts", (*cuts).into()),
         ]),

@@ -1,4 +1,507 @@
-//! What a setup and its trace look like.
+//! What is to be seen of a setup and what happened on it, as plain figures in mm: triangles with the normals of the exact
+//! surface, edges, paths, touches, coordinate systems. Colours, widths and pixels are decided by who draws it; words
+//! too, of which only the figures stand here.
+//!
+//! What belongs together lies in flat arrays, so that it can be handed over as it is. A solid is drawn in its own frame,
+//! f32; [`View`] says what each part of the arrays is, where it stands and when it is there.
 
+pub mod fit;
+pub mod frames;
+pub mod mesh;
+pub mod paths;
 pub mod plan;
 mod plan_solid;
+pub mod solid;
+#[cfg(test)]
+mod tests;
+pub mod tool;
+pub mod turned;
+
+use crate::geometry::V3;
+use crate::geometry::extent::Extent;
+use crate::machine::setup::Setup;
+use crate::machine::trace::{Entry, MotionKind, Step};
+use crate::run::outcome::Outcome;
+use crate::workpiece::{Shape, Solid};
+use frames::Frame;
+use mesh::Mesh;
+use nalgebra::IsometryMatrix3;
+use paths::{Collision, Touch, TouchSort, Way};
+use solid::Figure;
+use tool::Tool;
+use turned::{Dimension, Drawing};
+
+/// What a piece of the triangles is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "json", derive(serde::Serialize), serde(rename_all = "camelCase"))]
+pub enum Matter {
+    /// The part, or a tool probe.
+    Part,
+    /// Faces where a part is cut open.
+    Cut,
+    /// A chuck.
+    Chuck,
+    /// The ball of the probe, or what cuts.
+    Ball,
+    /// The stylus and its body, or the rest of a tool.
+    Stylus,
+    /// The body of a probe of which nothing is known.
+    Body,
+    /// What carries a tool.
+    Carrier,
+    /// A protection zone.
+    Zone,
+}
+
+/// What a group of lines is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "json", derive(serde::Serialize), serde(rename_all = "camelCase"))]
+pub enum LineKind {
+    /// Grid below everything.
+    Grid,
+    /// Edges of a part.
+    Edge,
+    /// Edges of a protection zone.
+    Zone,
+    /// Edges of a part with the largest errors that a call survives.
+    Limit,
+    /// Axis X, Y or Z of a coordinate system.
+    AxisX,
+    /// Y, of the same.
+    AxisY,
+    /// Y, of the same.
+    AxisZ,
+    /// The same before a correction moved it.
+    BeforeX,
+    /// Y, of the same.
+    BeforeY,
+    /// Y, of the same.
+    BeforeZ,
+    /// Dimensions of a drawing.
+    Dimension,
+}
+
+/// A part of the triangles.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "json", derive(serde::Serialize), serde(rename_all = "camelCase"))]
+pub struct Piece {
+    /// What it is.
+    pub matter: Matter,
+    /// Its part of [`Scene::corners`], from and to (excluded).
+    pub corners: [usize; 2],
+    /// Its part of the vertices.
+    pub vertices: [usize; 2],
+    /// Where it stands, by index in [`Standing::places`]; none: from the position of the machine on.
+    #[cfg_attr(feature = "json", serde(skip_serializing_if = "Option::is_none"))]
+    pub place: Option<usize>,
+    /// With which of [`View::tools`] it is there; none: always.
+    #[cfg_attr(feature = "json", serde(skip_serializing_if = "Option::is_none"))]
+    pub tool: Option<usize>,
+}
+
+/// A part of the lines.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "json", derive(serde::Serialize), serde(rename_all = "camelCase"))]
+pub struct LineGroup {
+    /// What it is.
+    pub kind: LineKind,
+    /// Its part of [`Scene::lines`], from and to (excluded), in lines.
+    pub lines: [usize; 2],
+    /// Where it stands, by index in [`Standing::places`]; none: machine coordinates.
+    #[cfg_attr(feature = "json", serde(skip_serializing_if = "Option::is_none"))]
+    pub place: Option<usize>,
+    /// In which of [`View::standings`] it is there; none: in all.
+    #[cfg_attr(feature = "json", serde(skip_serializing_if = "Option::is_none"))]
+    pub standing: Option<usize>,
+}
+
+/// Where the zero of a frame lies, machine coordinates, mm, and its directions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
+pub struct Place {
+    /// Zero.
+    pub at: [f64; 3],
+    /// Directions X Y Z.
+    pub axes: [[f64; 3]; 3],
+}
+
+/// How everything stands from an entry of the trace on: rotary axes turn the part.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
+pub struct Standing {
+    /// From when this one is done on.
+    pub entry: usize,
+    /// Where each solid stands: those of the part, then what stays.
+    pub places: Vec<Place>,
+    /// What is to be seen whole, without the tool: least and greatest coordinates.
+    pub whole: [[f64; 3]; 2],
+}
+
+/// What is in use.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "json", derive(serde::Serialize), serde(rename_all = "camelCase"))]
+pub struct ToolView {
+    /// Direction from the ball to what holds it; none: no probe.
+    #[cfg_attr(feature = "json", serde(skip_serializing_if = "Option::is_none"))]
+    pub ball: Option<[f64; 3]>,
+    /// Its end, from the position of the machine on.
+    pub tip: [f64; 3],
+    /// Box around a tool without what carries it, from the position of the machine on; none for a probe, of which the
+    /// stylus may be cut off.
+    #[cfg_attr(feature = "json", serde(skip_serializing_if = "Option::is_none"))]
+    pub extent: Option<[[f64; 3]; 2]>,
+    /// Whether a turret is drawn that carries it.
+    pub carried: bool,
+}
+
+/// Sizes of the probe as it is drawn, mm.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
+pub struct Probe {
+    /// Radius of the ball.
+    pub ball: f64,
+    /// Radius of the stylus.
+    pub stylus: f64,
+    /// From the centre of the ball to the end of the stylus.
+    pub reach: f64,
+}
+
+/// Diameter at a touched point, until that point is touched again.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
+pub struct TouchedDiameter {
+    /// The point, machine coordinates, mm.
+    pub at: [f64; 3],
+    /// Diameter as the control reads it, mm.
+    pub diameter: f64,
+    /// Entry of the touch.
+    pub from: usize,
+    /// Entry of the next one at the same place.
+    #[cfg_attr(feature = "json", serde(skip_serializing_if = "Option::is_none"))]
+    pub to: Option<usize>,
+}
+
+/// A drawing of a turned part: its dimensions, the diameters at touched points, how the control counts.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
+pub struct DrawingView {
+    /// Dimensions; their lines are of the kind [`LineKind::Dimension`].
+    pub dimensions: Vec<Dimension>,
+    /// Touched points.
+    pub touched: Vec<TouchedDiameter>,
+    /// How the control counts.
+    pub reading: turned::Reading,
+}
+
+/// What the arrays of a [`Scene`] hold.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "json", derive(serde::Serialize), serde(rename_all = "camelCase"))]
+pub struct View {
+    /// Parts of the triangles: what hides, then what is seen through.
+    pub pieces: Vec<Piece>,
+    /// Parts of the lines.
+    pub groups: Vec<LineGroup>,
+    /// How everything stands, from which entry on; at least one.
+    pub standings: Vec<Standing>,
+    /// Whatever was in use, each once.
+    pub tools: Vec<ToolView>,
+    /// From which entry on, on which of them.
+    pub in_use: Vec<[usize; 2]>,
+    /// The probe.
+    pub probe: Probe,
+    /// Diagonal of what is to be seen, mm.
+    pub size: f64,
+    /// Length of the normal at a touch, mm.
+    pub normal: f64,
+    /// Length of the axes of a coordinate system, mm.
+    pub axis: f64,
+    /// Coordinate systems.
+    pub frames: Vec<Frame>,
+    /// What must not touch and did.
+    pub collisions: Vec<Collision>,
+    /// Of a part of a turning machine.
+    #[cfg_attr(feature = "json", serde(skip_serializing_if = "Option::is_none"))]
+    pub drawing: Option<DrawingView>,
+    /// Whether it is a turning machine.
+    pub turning: bool,
+}
+
+/// Everything that is to be seen.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Scene {
+    /// Six numbers a vertex: place in the frame of its piece, mm, and outward unit normal.
+    pub vertices: Vec<f32>,
+    /// Three vertices a triangle, counter-clockwise seen from outside.
+    pub corners: Vec<u32>,
+    /// Six numbers a line, mm: from and to, in the frame of its group.
+    pub lines: Vec<f64>,
+    /// Eight numbers a straight piece of a motion: from, to, machine coordinates, mm, and between which parts of the
+    /// motion it is travelled. In their order.
+    pub ways: Vec<f64>,
+    /// The entry of each.
+    pub way_entries: Vec<u32>,
+    /// The kind of each: 0 rapid, 1 positioning, 2 measuring, 3 retract.
+    pub way_kinds: Vec<u8>,
+    /// Six numbers a touch: point, machine coordinates, mm, and outward unit normal.
+    pub touches: Vec<f64>,
+    /// The entry of each.
+    pub touch_entries: Vec<u32>,
+    /// The sort of each: 0 of the ball, 1 of stylus or body, 2 a crash.
+    pub touch_sorts: Vec<u8>,
+    /// Three numbers an entry: where the centre of the ball is when it is done, machine coordinates, mm. None where
+    /// nothing moves.
+    pub stands: Vec<f64>,
+    /// What all this is.
+    pub view: View,
+}
+
+/// What a scene is made of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Source {
+    /// On what it happened.
+    pub setup: Setup,
+    /// What happened.
+    pub outcome: Outcome,
+    /// Walls of protection zones, as shaft, web or island.
+    pub zones: Vec<Solid>,
+    /// The part with the largest errors that a call survives, on both sides.
+    pub limits: Vec<Solid>,
+}
+
+/// Lengths of the normal at a touch, in radii of the ball at least, in sizes of the scene, and in sizes of a solid at
+/// most.
+const NORMAL: [f64; 3] = [2.5, 0.07, 0.5];
+/// Length of the axes of a coordinate system, and of a stylus of which nothing is known at most; sizes of the scene.
+const AXIS: f64 = 0.14;
+const REACH: f64 = 0.3;
+/// Touches that are nearer to each other, mm, are at the same place.
+const SAME: f64 = 1.0;
+
+impl Scene {
+    /// What is to be seen of a run.
+    pub fn of(source: &Source) -> Scene {
+        let Source { setup, outcome, zones, limits } = source;
+        let entries = &outcome.trace.entries;
+        let clamped = |solid: &Solid| setup.control.on_table(solid);
+        let part: Vec<Solid> = setup.workpiece.solids.iter().map(clamped).collect();
+        let turning = outcome.before.turns() || outcome.control.turns();
+        let frames = frames::frames(&outcome.before, &outcome.control);
+        let mut scene = Scene { view: View { frames, turning, ..View::default() }, ..Scene::default() };
+        let probes: Vec<Solid> = setup.tool_probes.iter().map(|probe| probe.solid.clone()).collect();
+        let ways = paths::ways(entries);
+        scene.add_paths(entries, &ways);
+        let ways = fit::ways(&ways, setup.probe.radius);
+        let smallest = scene.add_solids(&part, &probes, [zones, limits], entries, &ways);
+        let size = scene.view.size;
+        let [radii, shown, own] = NORMAL;
+        scene.view.normal = (radii * setup.probe.radius).max((shown * size).min(own * smallest));
+        scene.view.axis = AXIS * size;
+        scene.add_tools(setup, outcome);
+        scene.add_zones(zones, part.len() + probes.len());
+        scene.add_frames();
+        if turning {
+            scene.add_drawing(&turned::drawing(setup, outcome));
+        }
+        scene
+    }
+
+    /// What is to be seen of solids on which nothing happens; `radius`: of the ball, mm.
+    pub fn still(solids: &[Solid], radius: f64) -> Scene {
+        let mut scene = Scene::default();
+        scene.add_solids(solids, &[], [&[], &[]], &[], &Extent::empty());
+        scene.view.probe.ball = radius;
+        scene
+    }
+
+    fn add_paths(&mut self, entries: &[Entry], ways: &[Way]) {
+        for Way { entry, kind, ends, during } in ways {
+            self.ways.extend(ends.as_flattened());
+            self.ways.extend(during);
+            self.way_entries.push(*entry as u32);
+            self.way_kinds.push(match kind {
+                MotionKind::Rapid => 0,
+                MotionKind::Positioning => 1,
+                MotionKind::Measuring => 2,
+                MotionKind::Retract => 3,
+            });
+        }
+        for Touch { entry, sort, point, normal } in paths::touches(entries) {
+            self.touches.extend(point.iter().chain(&normal));
+            self.touch_entries.push(entry as u32);
+            self.touch_sorts.push(match sort {
+                TouchSort::Ball => 0,
+                TouchSort::Other => 1,
+                TouchSort::Crash => 2,
+            });
+        }
+        self.view.collisions = paths::collisions(entries);
+    }
+
+    /// Parts and tool probes, and how they stand from when on; gives the size of the smallest solid of the part, mm.
+    fn add_solids(
+        &mut self,
+        part: &[Solid],
+        probes: &[Solid],
+        [zones, limits]: [&[Solid]; 2],
+        entries: &[Entry],
+        ways: &Extent,
+    ) -> f64 {
+        let mut own = Vec::new();
+        for (place, solid) in part.iter().chain(probes).enumerate() {
+            let figure = solid::figure(solid);
+            let matter = if matches!(solid.shape, Shape::Chuck { .. }) { Matter::Chuck } else { Matter::Part };
+            self.add_mesh(&figure.mesh, matter, Some(place), None);
+            self.add_mesh(&figure.cut, Matter::Cut, Some(place), None);
+            self.add_lines(&figure.edges, LineKind::Edge, Some(place), None);
+            own.push(extent(&figure));
+        }
+        let first = own.len() + zones.len();
+        for (place, limit) in limits.iter().enumerate() {
+            self.add_lines(&solid::figure(limit).edges, LineKind::Limit, Some(first + place), None);
+        }
+        let stays: Vec<Place> = probes.iter().chain(zones).chain(limits).map(|solid| place(&solid.place())).collect();
+        let turned = entries.iter().enumerate().filter_map(|(entry, one)| match &one.step {
+            Step::Table { solids, .. } => Some((entry, solids.as_slice())),
+            _ => None,
+        });
+        for (entry, part) in std::iter::once((0, part)).chain(turned) {
+            let placed = part.iter().chain(probes).zip(&own);
+            let solids = placed.fold(Extent::empty(), |all, (solid, own)| all.with(&seen(own, &solid.place())));
+            let whole = fit::around(&solids, ways, &self.view.frames);
+            let standing = self.view.standings.len();
+            let below = if fit::is_some(&solids) { &solids } else { &whole };
+            self.add_lines(&fit::grid(below, self.view.turning), LineKind::Grid, None, Some(standing));
+            let places = part.iter().map(|solid| place(&solid.place())).chain(stays.iter().copied()).collect();
+            if standing == 0 {
+                self.view.size = fit::size(&whole);
+            }
+            self.view.standings.push(Standing { entry, places, whole: corners(&whole) });
+        }
+        own.iter().take(part.len()).map(|one| (one.high - one.low).max()).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Whatever is in use, where something moves.
+    fn add_tools(&mut self, setup: &Setup, outcome: &Outcome) {
+        let (tools, in_use) = tool::tools(setup, outcome);
+        self.stands = paths::stands(&outcome.trace.entries, &tools).into_flattened();
+        let reach = tool::stylus_reach(&setup.probe, REACH * self.view.size);
+        let stylus = tool::stylus_radius(&setup.probe);
+        self.view.probe = Probe { ball: setup.probe.radius, stylus, reach };
+        self.view.in_use = in_use;
+        let mut clear = Vec::new();
+        for (index, one) in tools.iter().enumerate() {
+            let mut extent = Extent::empty();
+            for (matter, mesh) in tool::meshes(one, &setup.probe, reach) {
+                if matter != Matter::Carrier {
+                    extent = extent.with(&Extent::of(mesh.vertices.iter().map(|[at, _]| *at)));
+                }
+                match matter {
+                    _ if self.stands.is_empty() => {}
+                    Matter::Body | Matter::Carrier => clear.push((mesh, matter, index)),
+                    _ => self.add_mesh(&mesh, matter, None, Some(index)),
+                }
+            }
+            let Tool { ball, tip, carrier, .. } = one;
+            self.view.tools.push(ToolView {
+                ball: ball.map(Into::into),
+                tip: (*tip).into(),
+                extent: ball.is_none().then(|| corners(&extent)),
+                carried: !carrier.is_empty(),
+            });
+        }
+        for (mesh, matter, index) in clear {
+            self.add_mesh(&mesh, matter, None, Some(index));
+        }
+    }
+
+    /// Behind what hides; `first`: place of the first zone.
+    fn add_zones(&mut self, zones: &[Solid], first: usize) {
+        for (place, zone) in zones.iter().enumerate() {
+            let figure = solid::zone(zone);
+            self.add_mesh(&figure.mesh, Matter::Zone, Some(first + place), None);
+            self.add_lines(&figure.edges, LineKind::Zone, Some(first + place), None);
+        }
+    }
+
+    fn add_frames(&mut self) {
+        const KINDS: [[LineKind; 3]; 2] = [
+            [LineKind::AxisX, LineKind::AxisY, LineKind::AxisZ],
+            [LineKind::BeforeX, LineKind::BeforeY, LineKind::BeforeZ],
+        ];
+        for Frame { at, axes, moved, .. } in self.view.frames.clone() {
+            let at = V3::from(at);
+            for (direction, kind) in axes.into_iter().zip(KINDS[usize::from(moved == Some("before"))]) {
+                self.add_lines(&[[at, at + V3::from(direction) * self.view.axis]], kind, None, None);
+            }
+        }
+    }
+
+    fn add_drawing(&mut self, drawing: &Drawing) {
+        let mut dimensions = Vec::new();
+        for (dimension, lines) in turned::dimensions(&drawing.diameters, self.view.size) {
+            dimensions.push(dimension);
+            self.add_lines(&lines, LineKind::Dimension, None, None);
+        }
+        let point = |entry: usize| {
+            let place = self.touch_entries.binary_search(&(entry as u32)).ok()?;
+            let point = self.touches.get(6 * place..6 * place + 3)?;
+            <[f64; 3]>::try_from(point).ok()
+        };
+        let near = |a: [f64; 3], b: [f64; 3]| (V3::from(a) - V3::from(b)).norm() < SAME;
+        let touched = drawing.touched.iter().enumerate().filter_map(|(i, touched)| {
+            let at = point(touched.entry)?;
+            let mut later = drawing.touched[i + 1..].iter();
+            let again = later.find(|later| point(later.entry).is_some_and(|point| near(at, point)));
+            let to = again.map(|again| again.entry);
+            Some(TouchedDiameter { at, diameter: touched.diameter, from: touched.entry, to })
+        });
+        let touched = touched.collect();
+        self.view.drawing = Some(DrawingView { dimensions, touched, reading: drawing.reading });
+    }
+
+    fn add_mesh(&mut self, mesh: &Mesh, matter: Matter, place: Option<usize>, tool: Option<usize>) {
+        if mesh.corners.is_empty() {
+            return;
+        }
+        let (vertex, corner) = (self.vertices.len() / 6, self.corners.len());
+        self.vertices.extend(mesh.vertices.iter().flatten().flat_map(|one| one.iter().map(|value| *value as f32)));
+        self.corners.extend(mesh.corners.iter().flatten().map(|corner| vertex as u32 + corner));
+        let piece = Piece {
+            matter,
+            corners: [corner, self.corners.len()],
+            vertices: [vertex, self.vertices.len() / 6],
+            place,
+            tool,
+        };
+        self.view.pieces.push(piece);
+    }
+
+    fn add_lines(&mut self, lines: &[[V3; 2]], kind: LineKind, place: Option<usize>, standing: Option<usize>) {
+        if lines.is_empty() {
+            return;
+        }
+        let first = self.lines.len() / 6;
+        self.lines.extend(lines.iter().flatten().flat_map(|point| point.iter().copied()));
+        self.view.groups.push(LineGroup { kind, lines: [first, self.lines.len() / 6], place, standing });
+    }
+}
+
+fn place(own: &IsometryMatrix3<f64>) -> Place {
+    let axes = [V3::x(), V3::y(), V3::z()].map(|axis| (own.rotation * axis).into());
+    Place { at: own.translation.vector.into(), axes }
+}
+
+fn corners(extent: &Extent) -> [[f64; 3]; 2] {
+    [extent.low.into(), extent.high.into()]
+}
+
+fn extent(figure: &Figure) -> Extent {
+    Extent::of(figure.mesh.vertices.iter().chain(&figure.cut.vertices).map(|[at, _]| *at))
+}
+
+/// A box in another frame.
+fn seen(own: &Extent, place: &IsometryMatrix3<f64>) -> Extent {
+    let ends = [own.low, own.high];
+    let corner = |i: usize| V3::new(ends[i & 1].x, ends[(i >> 1) & 1].y, ends[i >> 2].z);
+    Extent::of((0..8).map(|i| place.transform_point(&corner(i).into()).coords))
+}

@@ -12,7 +12,7 @@ use crate::geometry::lobed::{LobedWall, Lobes};
 use crate::geometry::quad::{Quad, Trim};
 use crate::geometry::segment::Segment;
 use crate::geometry::wall::Wall;
-use crate::geometry::{Feature, V3, rigid};
+use crate::geometry::{Feature, V3};
 use nalgebra::IsometryMatrix3;
 use std::sync::Arc;
 
@@ -23,7 +23,7 @@ const FLOOR: f64 = 10.0;
 
 /// Boundary and inside of a solid.
 #[derive(Clone, Debug)]
-pub(super) struct Body {
+pub(crate) struct Body {
     /// Own frame → machine.
     pub place: IsometryMatrix3<f64>,
     /// Boundary.
@@ -51,10 +51,8 @@ enum Piece {
 impl Body {
     /// Takes a solid apart, its errors applied.
     pub fn new(solid: &Solid) -> Body {
-        let errors = &solid.errors;
-        let turn = rigid::rotation(errors.tilt) * rigid::rotation(solid.rotation);
         let mut body = Body {
-            place: rigid::placed(V3::from(solid.at) + V3::from(errors.shift), turn),
+            place: solid.place(),
             features: Vec::new(),
             free: None,
             bounds: Vec::new(),
@@ -63,7 +61,7 @@ impl Body {
             material: Vec::new(),
             cavity: None,
         };
-        body.make(&solid.shape, errors);
+        body.make(&solid.shape, &solid.errors);
         body.bounds = body.features.iter().map(Bound::around).collect();
         body.extents = body.features.iter().map(Extent::around).collect();
         body.extent = match &body.free {
@@ -121,7 +119,7 @@ impl Body {
 
     fn hole(&mut self, diameter: f64, depth: f64, errors: &PartErrors) {
         let lobes = lobes(diameter, errors);
-        let half = diameter + MARGIN;
+        let half = widest(&lobes, depth) + MARGIN;
         let block = Frustum::upright([half, half], 0.0, -depth - FLOOR);
         let mut lid = block.lid();
         lid.trim = Trim::Outside(lobes);
@@ -137,13 +135,14 @@ impl Body {
 
     fn shaft(&mut self, diameter: f64, height: f64, errors: &PartErrors) {
         let lobes = lobes(diameter, errors);
-        let half = diameter + MARGIN;
+        let half = widest(&lobes, height) + MARGIN;
         let mut lid = Frustum::upright([half, half], 0.0, -height).lid();
         lid.trim = Trim::Within(lobes);
         self.add(&[lid], false);
         self.round(lobes, height, false);
         self.material.push(Piece::Round { lobes, depth: height });
-        self.plate([half, half], -height);
+        let plate = self.plate([half, half], -height);
+        self.add(&[Quad { trim: Trim::Outside(lobes), ..plate.lid() }], false);
     }
 
     fn turned(&mut self, diameter: f64, length: f64, [bore, depth]: [f64; 2], errors: &PartErrors) {
@@ -193,14 +192,17 @@ impl Body {
         let half = [0, 1].map(|i| block.above[i].max(block.below[i]) + MARGIN);
         let bottom = block.bottom;
         self.material.push(Piece::Frustum(block));
-        self.plate(half, bottom);
+        let plate = self.plate(half, bottom);
+        self.add(&between(plate.ring(true), block.ring(false)), false);
     }
 
-    fn plate(&mut self, half: [f64; 2], top: f64) {
+    /// A plate but for its upper face, of which what stands on it leaves a part.
+    fn plate(&mut self, half: [f64; 2], top: f64) -> Frustum {
         let plate = Frustum::upright(half, top, top - FLOOR);
         self.add(&plate.walls(), true);
-        self.add(&[plate.lid(), plate.base()], false);
+        self.add(&[plate.base()], false);
         self.material.push(Piece::Frustum(plate));
+        plate
     }
 
     fn block(&mut self, block: Frustum) {
@@ -211,13 +213,10 @@ impl Body {
 
     fn pocket(&mut self, cavity: Frustum) {
         let block = cavity.around(MARGIN, FLOOR);
-        let [a, b, c, d] = block.ring(true);
-        let [i, j, k, l] = cavity.ring(true);
-        let lids = [[a, b, j, i], [b, c, k, j], [c, d, l, k], [d, a, i, l]].map(quad);
         self.add(&block.walls(), true);
         self.add(&[block.base()], false);
         self.add(&cavity.walls().map(reversed), true);
-        self.add(&lids, false);
+        self.add(&between(block.ring(true), cavity.ring(true)), false);
         self.add(&[quad(cavity.ring(false))], false);
         self.material.push(Piece::Frustum(block));
         self.cavity = Some(Piece::Frustum(cavity));
@@ -293,4 +292,14 @@ impl Piece {
 fn lobes(diameter: f64, errors: &PartErrors) -> Lobes {
     let (amplitude, count) = errors.out_of_round;
     Lobes { radius: (diameter + errors.size) / 2.0, slope: errors.taper / 2.0, amplitude, count }
+}
+
+/// Greatest radius of a wall, mm.
+fn widest(lobes: &Lobes, depth: f64) -> f64 {
+    lobes.radius + (lobes.slope * depth).max(0.0) + lobes.amplitude.abs()
+}
+
+/// The upper face between an outer and an inner ring of corners.
+fn between([a, b, c, d]: [V3; 4], [i, j, k, l]: [V3; 4]) -> [Quad; 4] {
+    [[a, b, j, i], [b, c, k, j], [c, d, l, k], [d, a, i, l]].map(quad)
 }

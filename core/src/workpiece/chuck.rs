@@ -23,6 +23,31 @@ pub fn turned(solid: &Solid, angle: f64) -> Solid {
     }
 }
 
+/// Number of jaws, and their width in diameters of the chuck.
+const JAWS: u32 = 3;
+const JAW_WIDTH: f64 = 0.28;
+
+/// What is seen of a chuck, in its own frame: jaws over the first third of its length, the body behind them. What can be
+/// touched is what they sweep.
+pub fn seen(solid: &Solid) -> Vec<Solid> {
+    let Shape::Chuck { diameter, length, grip } = solid.shape else {
+        return Vec::new();
+    };
+    let high = length / 3.0;
+    let part = |shape, at, turned| Solid { shape, at, rotation: [0.0, 0.0, turned], errors: PartErrors::default() };
+    let body = Shape::Turned { diameter: diameter + solid.errors.size, length: length - high, bore: [0.0; 2] };
+    let radius = diameter / 2.0;
+    let reach = 0.94 * radius - grip / 2.0;
+    let jaw = |jaw: u32| {
+        let turned = 360.0 * f64::from(jaw) / f64::from(JAWS);
+        let (sine, cosine) = rigid::sin_cos(turned);
+        let out = (grip + reach) / 2.0;
+        part(Shape::Block { size: [reach, JAW_WIDTH * diameter, high] }, [out * cosine, out * sine, 0.0], turned)
+    };
+    let jaws = (0..if reach > 0.0 { JAWS } else { 0 }).map(jaw);
+    std::iter::once(part(body, [0.0, 0.0, -high], 0.0)).chain(jaws).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,6 +1,6 @@
 //! Parametric parts with their errors, and the probe that touches them.
 
-mod body;
+pub(crate) mod body;
 pub mod chuck;
 pub mod contact;
 #[cfg(test)]
@@ -21,7 +21,9 @@ pub mod tool_probe;
 #[cfg(test)]
 mod tool_tests;
 
+use crate::geometry::{V3, rigid};
 use free::FreeSurface;
+use nalgebra::IsometryMatrix3;
 use std::sync::Arc;
 
 /// What can be touched. Nominal sizes in mm, in the part's own frame.
@@ -153,6 +155,14 @@ pub struct Solid {
     pub rotation: [f64; 3],
     /// What is wrong with it.
     pub errors: PartErrors,
+}
+
+impl Solid {
+    /// Its own frame → machine, displacement and tilt included.
+    pub fn place(&self) -> IsometryMatrix3<f64> {
+        let turn = rigid::rotation(self.errors.tilt) * rigid::rotation(self.rotation);
+        rigid::placed(V3::from(self.at) + V3::from(self.errors.shift), turn)
+    }
 }
 
 /// The part: every solid can be touched.

@@ -1,0 +1,82 @@
+//! What is to be seen whole, and the grid below it.
+
+use super::frames::Frame;
+use super::paths::Way;
+use crate::geometry::V3;
+use crate::geometry::extent::Extent;
+
+/// In which paths are shown whole around parts: share of their size, and at least so many mm.
+const ROOM: f64 = 0.4;
+const LEAST_ROOM: f64 = 50.0;
+/// Distance of a coordinate system that is shown whole, share of the size of what is there.
+const NEAR: f64 = 1.4;
+/// Room around coordinate systems where there is nothing else, mm.
+const ALONE: f64 = 20.0;
+
+/// Whether there is anything in it.
+pub fn is_some(extent: &Extent) -> bool {
+    extent.low.x <= extent.high.x
+}
+
+/// Diagonal, mm.
+pub fn size(extent: &Extent) -> f64 {
+    (extent.high - extent.low).norm()
+}
+
+/// All ways of a ball of this radius.
+pub fn ways(ways: &[Way], radius: f64) -> Extent {
+    let ends = Extent::of(ways.iter().flat_map(|way| way.ends.map(V3::from)));
+    if is_some(&ends) { ends.wider(radius) } else { ends }
+}
+
+/// Parts, the paths near them and the origins of coordinate systems near those; all of these where nothing else is
+/// there. Of a way that comes from far above, the part would be small.
+pub fn around(solids: &Extent, ways: &Extent, frames: &[Frame]) -> Extent {
+    let mut seen = if is_some(ways) && is_some(solids) {
+        let room = solids.wider(LEAST_ROOM.max(ROOM * size(solids)));
+        let inside = |point: V3| point.sup(&room.low).inf(&room.high);
+        solids.with(&Extent::of([ways.low, ways.high].map(inside)))
+    } else {
+        solids.with(ways)
+    };
+    let zeros = || frames.iter().map(|frame| V3::from(frame.at));
+    if !is_some(&seen) {
+        let seen = Extent::of(zeros());
+        return if is_some(&seen) { seen } else { Extent::of([V3::zeros()]) }.wider(ALONE);
+    }
+    for zero in zeros() {
+        if (zero - (seen.low + seen.high) / 2.0).norm() < NEAR * size(&seen) {
+            seen = seen.with(&Extent::of([zero]));
+        }
+    }
+    seen
+}
+
+/// Spacing of a grid for a length, mm: 1, 2 or 5 times a power of ten.
+pub fn grid_spacing(length: f64) -> f64 {
+    let rough = length.max(1e-6) / 10.0;
+    let power = 10_f64.powf(rough.log10().floor());
+    power * [1.0, 2.0, 5.0].into_iter().find(|step| step * power >= rough).unwrap_or(10.0)
+}
+
+/// Grid below what is there, in the X-Y plane of the machine, lines on round coordinates; of a turning machine in the
+/// Z-Y plane.
+pub fn grid(below: &Extent, turning: bool) -> Vec<[V3; 2]> {
+    let (across, along, up) = if turning { (2, 1, 0) } else { (0, 1, 2) };
+    let size = (below.high - below.low)[across].max((below.high - below.low)[along]);
+    let spacing = grid_spacing(size);
+    let range = |axis: usize| {
+        let low = (below.low[axis] / spacing).floor() - 2.0;
+        let high = (below.high[axis] / spacing).ceil() + 2.0;
+        (low * spacing, high * spacing, (high - low) as usize)
+    };
+    let (first, second) = (range(across), range(along));
+    let at = |x: f64, y: f64| {
+        let mut point = V3::zeros();
+        (point[across], point[along], point[up]) = (x, y, below.low[up]);
+        point
+    };
+    let columns = (0..=first.2).map(|i| first.0 + i as f64 * spacing).map(|x| [at(x, second.0), at(x, second.1)]);
+    let rows = (0..=second.2).map(|i| second.0 + i as f64 * spacing).map(|y| [at(first.0, y), at(first.1, y)]);
+    columns.chain(rows).collect()
+}

@@ -1,0 +1,74 @@
+//! Coordinate systems.
+
+use crate::control::Control;
+use std::collections::BTreeSet;
+
+/// A coordinate system, machine coordinates.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "json", derive(serde::Serialize), serde(rename_all = "camelCase"))]
+pub struct Frame {
+    /// `MCS`, or the name of its zero offset.
+    pub name: String,
+    /// Its zero, mm.
+    pub at: [f64; 3],
+    /// Its directions.
+    pub axes: [[f64; 3]; 3],
+    /// `before` and `after` of one that a correction moved.
+    #[cfg_attr(feature = "json", serde(skip_serializing_if = "Option::is_none"))]
+    pub moved: Option<&'static str>,
+}
+
+/// The directions of the machine.
+pub const UNITS: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+/// The machine's coordinate system where it is another one, the active workpiece coordinate system by the name of its
+/// zero offset, and what a correction moved.
+pub fn frames(before: &Control, after: &Control) -> Vec<Frame> {
+    let drawn = |name: &str, control: &Control, moved: Option<&'static str>| {
+        let (at, axes) = system(control)?;
+        Some(Frame { name: name.to_owned(), at, axes, moved })
+    };
+    let mut list = Vec::new();
+    if before.to_machine([0.0; 3]) != [0.0; 3] {
+        list.push(Frame { name: "MCS".to_owned(), at: [0.0; 3], axes: UNITS, moved: None });
+    }
+    let corner = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    for number in shown(before, after) {
+        let name = before.settable_name(number);
+        let (mut old, mut new) = (before.clone(), after.clone());
+        if number != before.settable {
+            old.activate(number);
+        }
+        new.activate(number);
+        let moves = |point: &[f64; 3]| new.to_machine(*point) != old.to_machine(*point);
+        let moved = corner.iter().any(moves);
+        if moved || [before.settable, after.settable].contains(&number) {
+            list.extend(drawn(&name, &old, moved.then_some("before")));
+        }
+        if moved {
+            list.extend(drawn(&name, &new, Some("after")));
+        }
+    }
+    list
+}
+
+/// Zero and directions of the active WCS, machine coordinates; none where its frames are beyond all numbers.
+pub fn system(control: &Control) -> Option<([f64; 3], [[f64; 3]; 3])> {
+    let at = control.to_machine([0.0; 3]);
+    let axes = UNITS.map(|direction| {
+        let end = control.to_machine(direction);
+        [0, 1, 2].map(|i| end[i] - at[i])
+    });
+    let mut values = axes.iter().flatten().chain(&at);
+    values.all(|value| value.is_finite()).then_some((at, axes))
+}
+
+/// The zero offset in force before, then those that are in force after or were corrected.
+fn shown(before: &Control, after: &Control) -> Vec<usize> {
+    let corrected =
+        after.frames.iter().filter(|(number, frame)| before.frames.get(number).copied().unwrap_or_default() != **frame);
+    let mut others: BTreeSet<usize> = corrected.map(|(number, _)| *number).collect();
+    others.insert(after.settable);
+    others.remove(&before.settable);
+    std::iter::once(before.settable).chain(others).collect()
+}

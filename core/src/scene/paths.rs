@@ -1,0 +1,158 @@
+//! Motions as straight pieces, touches, where the probe stands, and what must not touch and did.
+
+use super::tool::Tool;
+use crate::geometry::V3;
+use crate::geometry::arc::Around;
+use crate::machine::trace::{Entry, MotionKind, Step};
+use crate::workpiece::feeler::Touching;
+
+/// Most degrees of an arc that are one straight piece.
+const PIECE: f64 = 3.0;
+
+/// A straight piece of a motion, machine coordinates, mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Way {
+    /// Place of its motion in the trace.
+    pub entry: usize,
+    /// Kind of that motion.
+    pub kind: MotionKind,
+    /// From and to.
+    pub ends: [[f64; 3]; 2],
+    /// Between which parts of its motion it is travelled, 0 to 1.
+    pub during: [f64; 2],
+}
+
+/// Where something touched.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Touch {
+    /// Its place in the trace.
+    pub entry: usize,
+    /// As the ball should, or otherwise.
+    pub sort: TouchSort,
+    /// Point, machine coordinates, mm.
+    pub point: [f64; 3],
+    /// Outward unit normal of the part there.
+    pub normal: [f64; 3],
+}
+
+/// How something touched.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TouchSort {
+    /// The ball gave its signal.
+    Ball,
+    /// Stylus or body touched while somebody watched.
+    Other,
+    /// Nobody watched, or no signal came.
+    Crash,
+}
+
+/// All motions in pieces.
+pub fn ways(entries: &[Entry]) -> Vec<Way> {
+    let mut ways = Vec::new();
+    for (entry, one) in entries.iter().enumerate() {
+        let Step::Motion { kind, from, to, around, .. } = &one.step else {
+            continue;
+        };
+        let count = around.map_or(1, |around| (around.degrees.abs() / PIECE).ceil().max(1.0) as usize);
+        let mut begin = (0.0, *from);
+        for piece in 1..=count {
+            let part = piece as f64 / count as f64;
+            let end = along(*from, *to, around.as_ref(), part);
+            ways.push(Way { entry, kind: *kind, ends: [begin.1, end], during: [begin.0, part] });
+            begin = (part, end);
+        }
+    }
+    ways
+}
+
+/// The place after a part of the way, 0 to 1.
+fn along(from: [f64; 3], to: [f64; 3], around: Option<&Around>, part: f64) -> [f64; 3] {
+    match around {
+        Some(around) => around.at(from, to, part),
+        None => V3::from(from).lerp(&V3::from(to), part).into(),
+    }
+}
+
+/// All touches.
+pub fn touches(entries: &[Entry]) -> Vec<Touch> {
+    let found = entries.iter().enumerate().filter_map(|(entry, one)| match &one.step {
+        Step::Touch { point, normal, by, .. } => {
+            let sort = if *by == Touching::Ball { TouchSort::Ball } else { TouchSort::Other };
+            Some(Touch { entry, sort, point: *point, normal: *normal })
+        }
+        Step::Crash { point, normal, .. } => {
+            Some(Touch { entry, sort: TouchSort::Crash, point: *point, normal: *normal })
+        }
+        _ => None,
+    });
+    found.collect()
+}
+
+/// Where the centre of the ball is when each entry is done; none where nothing moves. Another length in effect since
+/// the last motion is another position, as the axes stand still.
+pub fn stands(entries: &[Entry], tools: &[Tool]) -> Vec<[f64; 3]> {
+    let length = |entry: &Entry| tools.get(entry.in_use).map_or_else(V3::zeros, |tool| V3::from(tool.length));
+    let first = entries.iter().find_map(|entry| match &entry.step {
+        Step::Motion { from, .. } => Some((V3::from(*from), length(entry))),
+        _ => None,
+    });
+    let Some((mut at, mut with)) = first else {
+        return Vec::new();
+    };
+    let stand = |entry: &Entry| {
+        if let Step::Motion { to, .. } = &entry.step {
+            (at, with) = (V3::from(*to), length(entry));
+        }
+        (at + with - length(entry)).into()
+    };
+    entries.iter().map(stand).collect()
+}
+
+/// What must not touch and did.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "json", derive(serde::Serialize), serde(rename_all = "camelCase"))]
+pub struct Collision {
+    /// Its place in the trace.
+    pub entry: usize,
+    /// Point, machine coordinates, mm.
+    pub at: [f64; 3],
+    /// `ball`, `stylus` or `body`.
+    pub by: &'static str,
+    /// Nobody watched, or no signal came.
+    pub crash: bool,
+    /// Code of the alarm that followed, where the probe was watched.
+    #[cfg_attr(feature = "json", serde(skip_serializing_if = "Option::is_none"))]
+    pub alarm: Option<String>,
+}
+
+/// Crashes, touches of stylus or body, and touches that end in an alarm; other touches of the ball are none.
+pub fn collisions(entries: &[Entry]) -> Vec<Collision> {
+    let found = entries.iter().enumerate().filter_map(|(entry, one)| match &one.step {
+        Step::Crash { point, by, .. } => Some(Collision { entry, at: *point, by: name(*by), crash: true, alarm: None }),
+        Step::Touch { point, by, .. } => {
+            let alarm = raised(&entries[entry + 1..]);
+            let told = *by != Touching::Ball || alarm.is_some();
+            told.then(|| Collision { entry, at: *point, by: name(*by), crash: false, alarm })
+        }
+        _ => None,
+    });
+    found.collect()
+}
+
+fn name(by: Touching) -> &'static str {
+    match by {
+        Touching::Ball => "ball",
+        Touching::Stylus => "stylus",
+        Touching::Body => "body",
+    }
+}
+
+/// Code of the alarm that comes before anything moves again.
+fn raised(later: &[Entry]) -> Option<String> {
+    let next =
+        later.iter().find(|one| matches!(one.step, Step::Alarm(_) | Step::Motion { .. } | Step::CallBegin { .. }))?;
+    match next.step {
+        Step::Alarm(code) => Some(code.to_string()),
+        _ => None,
+    }
+}

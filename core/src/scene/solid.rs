@@ -1,0 +1,291 @@
+//! A solid as triangles and edges: each piece of the boundary that can be touched, in the solid's own frame.
+
+use super::mesh::{Mesh, Vertex};
+use crate::geometry::lobed::{LobedWall, Lobes};
+use crate::geometry::quad::{Quad, Trim};
+use crate::geometry::segment::Segment;
+use crate::geometry::{Feature, V3};
+use crate::workpiece::body::Body;
+use crate::workpiece::free::{FreeSurface, Heights};
+use crate::workpiece::{Shape, Solid, chuck};
+use std::f64::consts::TAU;
+
+/// How far a triangle lies from the surface that it stands for at most, mm. Its corners lie on it.
+pub const CHORD: f64 = 0.02;
+
+/// Into how many pieces the longest face of a body is cut: faces that are drawn one over the other in the order of their
+/// distance are small ones, as long ones have no one distance.
+const PIECES: f64 = 8.0;
+
+/// What is drawn of a solid, in its own frame.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Figure {
+    /// Its boundary.
+    pub mesh: Mesh,
+    /// Faces where it is cut open to show what is inside; nothing touches them.
+    pub cut: Mesh,
+    /// Its edges, from and to.
+    pub edges: Vec<[V3; 2]>,
+}
+
+/// How many straight pieces stand for a whole turn about an axis where the curve bends like a circle of this radius, mm:
+/// a multiple of 8, so that the corners of a square around it lie on rays through points of it.
+pub fn turns(bend: f64, chord: f64) -> usize {
+    let least = TAU * (bend / (8.0 * chord)).sqrt();
+    (8 * (least / 8.0).ceil() as usize).clamp(24, 1024)
+}
+
+/// A solid. A turned part with a bore is drawn in half section, the half on the side of +Y taken away, so that the bore
+/// is seen; of a chuck the jaws, which sweep what can be touched of it.
+pub fn figure(solid: &Solid) -> Figure {
+    if let Shape::Chuck { .. } = solid.shape {
+        return together(&chuck::seen(solid));
+    }
+    let halved = matches!(solid.shape, Shape::Turned { bore: [bore, _], .. } if bore > 0.0);
+    draw(&Body::new(solid), halved, |_| true)
+}
+
+/// The walls of a protection zone alone, as a shaft, web or island has them, with their edges.
+pub fn zone(solid: &Solid) -> Figure {
+    let size = match solid.shape {
+        Shape::Web { width, height, length } => [width, length, height],
+        Shape::Island { length: [x, y], height } => [x, y, height],
+        _ => return draw(&Body::new(solid), false, |one| matches!(one, Feature::Wall(_) | Feature::Lobed(_))),
+    };
+    let block = Solid { shape: Shape::Block { size }, ..solid.clone() };
+    draw(&Body::new(&block), false, |one| match one {
+        Feature::Quad(quad) => quad.normal().z.abs() < 0.5,
+        other => matches!(other, Feature::Segment(_)),
+    })
+}
+
+/// Solids that stand in the frame of another one.
+fn together(solids: &[Solid]) -> Figure {
+    let mut all = Figure::default();
+    for solid in solids {
+        let (own, place) = (figure(solid), solid.place());
+        let point = |at: V3| place.transform_point(&at.into()).coords;
+        all.mesh.append(&own.mesh, |[at, normal]| [point(*at), place.rotation * normal]);
+        all.edges.extend(own.edges.iter().map(|ends| ends.map(point)));
+    }
+    all
+}
+
+fn draw(body: &Body, halved: bool, shown: impl Fn(&Feature) -> bool) -> Figure {
+    if let Some(free) = &body.free {
+        return surface(free);
+    }
+    let mut drawn = Drawing::of(body, halved);
+    for feature in body.features.iter().filter(|feature| shown(feature)) {
+        match feature {
+            Feature::Quad(quad) => drawn.face(quad),
+            Feature::Wall(wall) => drawn.wall(wall.lobes(), wall.depth),
+            Feature::Lobed(LobedWall { lobes, depth }) => drawn.wall(*lobes, *depth),
+            Feature::Segment(Segment { a, b }) => drawn.figure.edges.push([*a, *b]),
+            Feature::Sphere(radius) => drawn.ball(*radius),
+            Feature::Circle(_) | Feature::Point(_) => {} // a wall brings its rims
+        }
+    }
+    if halved {
+        drawn.section();
+    }
+    drawn.figure
+}
+
+/// What is being drawn of a body.
+struct Drawing<'a> {
+    body: &'a Body,
+    /// Angles about its axis, radian: all around, or those of a half section.
+    angles: Vec<f64>,
+    closed: bool,
+    /// Length of a piece of a face, mm.
+    piece: f64,
+    /// Round walls so far: curve, depth, whether the material is outside.
+    walls: Vec<(Lobes, f64, bool)>,
+    figure: Figure,
+}
+
+impl Drawing<'_> {
+    fn of(body: &Body, halved: bool) -> Drawing<'_> {
+        let count = body.features.iter().map(bend).fold(0, |most, bend| most.max(turns(bend, CHORD)));
+        let shown = if halved { count / 2..=count } else { 0..=count - 1 };
+        let angles = shown.map(|i| TAU * i as f64 / count as f64).collect();
+        let piece = (body.extent.high - body.extent.low).max() / PIECES;
+        Drawing { body, angles, closed: !halved, piece, walls: Vec::new(), figure: Figure::default() }
+    }
+
+    /// How many pieces a length has.
+    fn pieces(&self, length: f64) -> usize {
+        ((length / self.piece).ceil() as usize).clamp(1, PIECES as usize)
+    }
+
+    fn curve(&self, curve: &Lobes, z: f64) -> Vec<V3> {
+        self.angles.iter().map(|angle| curve.point(*angle, z)).collect()
+    }
+
+    /// A cylinder or cone, round or not, from Z = 0 downwards, with its rims.
+    fn wall(&mut self, lobes: Lobes, depth: f64) {
+        let angle = self.angles[0] + 1e-3;
+        let beside = lobes.point(angle, -depth / 2.0) + lobes.normal(angle, -depth / 2.0) * 1e-6;
+        let inner = self.body.inside(&beside);
+        let side = if inner { -1.0 } else { 1.0 };
+        let pieces = self.pieces(depth);
+        let row = |piece: usize| {
+            let z = -depth * piece as f64 / pieces as f64;
+            let vertex = |angle: &f64| [lobes.point(*angle, z), lobes.normal(*angle, z) * side];
+            self.angles.iter().map(vertex).collect()
+        };
+        let rows: Vec<Vec<Vertex>> = (0..=pieces).map(row).collect();
+        self.figure.mesh.sheet(&rows, self.closed);
+        for z in [0.0, -depth] {
+            let rim = self.curve(&lobes, z);
+            self.chain(&rim);
+        }
+        self.walls.push((lobes, depth, inner));
+    }
+
+    /// Edges from point to point.
+    fn chain(&mut self, points: &[V3]) {
+        self.figure.edges.extend(points.windows(2).map(|ends| [ends[0], ends[1]]));
+        if let ([first, .., last], true) = (points, self.closed) {
+            self.figure.edges.push([*last, *first]);
+        }
+    }
+
+    fn face(&mut self, quad: &Quad) {
+        let [a, b, c, d] = quad.corners;
+        let z = a.z;
+        let rows = match &quad.trim {
+            Trim::Whole => return self.whole(quad),
+            Trim::Within(curve) => vec![vec![V3::new(0.0, 0.0, z); self.angles.len()], self.curve(curve, z)],
+            Trim::Between(inner, outer) => vec![self.curve(inner, z), self.curve(outer, z)],
+            Trim::Outside(curve) => {
+                let half = a.sup(&b).sup(&c).sup(&d);
+                let rim = self.curve(curve, z);
+                let border = rim.iter().map(|point| {
+                    let out = (half.x / point.x.abs().max(1e-12)).min(half.y / point.y.abs().max(1e-12));
+                    V3::new(point.x * out, point.y * out, z)
+                });
+                vec![rim.clone(), border.collect()]
+            }
+        };
+        let normal = quad.normal();
+        let rows: Vec<Vec<Vertex>> = rows.iter().map(|row| row.iter().map(|at| [*at, normal]).collect()).collect();
+        self.figure.mesh.sheet(&rows, self.closed);
+    }
+
+    /// A face in pieces.
+    fn whole(&mut self, quad: &Quad) {
+        let [a, b, c, d] = quad.corners;
+        let normal = quad.normal();
+        let across = self.pieces((b - a).norm().max((c - d).norm()));
+        let along = self.pieces((d - a).norm().max((c - b).norm()));
+        let row = |piece: usize| {
+            let part = piece as f64 / along as f64;
+            let (from, to) = (a.lerp(&d, part), b.lerp(&c, part));
+            (0..=across).map(|piece| [from.lerp(&to, piece as f64 / across as f64), normal]).collect()
+        };
+        let rows: Vec<Vec<Vertex>> = (0..=along).map(row).collect();
+        self.figure.mesh.sheet(&rows, false);
+    }
+
+    /// A sphere about the origin, with its equator as edge.
+    fn ball(&mut self, radius: f64) {
+        let equator = self.curve(&Lobes { radius, slope: 0.0, amplitude: 0.0, count: 0 }, 0.0);
+        self.figure.mesh.sheet(&ball(radius, self.angles.len()), true);
+        self.chain(&equator);
+    }
+
+    /// The faces of a half section, on both sides of the axis: from the bore to the outside, behind it from the axis.
+    fn section(&mut self) {
+        let find = |wanted: bool| self.walls.iter().find(|(_, _, inner)| *inner == wanted).copied();
+        let (Some((outer, length, _)), Some((bore, depth, _))) = (find(false), find(true)) else {
+            return;
+        };
+        for angle in [self.angles.first(), self.angles.last()].into_iter().flatten().copied() {
+            let out = |z: f64| outer.point(angle, z);
+            let within = |z: f64| if z >= -depth { bore.point(angle, z) } else { V3::new(0.0, 0.0, z) };
+            for (from, to) in [(0.0, -depth), (-depth, -length)] {
+                let pieces = self.pieces(from - to);
+                let row = |piece: usize| {
+                    let z = from + (to - from) * piece as f64 / pieces as f64;
+                    let axis = V3::new(0.0, 0.0, z);
+                    let begin = if from < 0.0 { axis } else { within(z) };
+                    vec![[begin, V3::y()], [out(z), V3::y()]]
+                };
+                let rows: Vec<Vec<Vertex>> = (0..=pieces).map(row).collect();
+                self.figure.cut.sheet(&rows, false);
+            }
+            let axis = |z: f64| V3::new(0.0, 0.0, z);
+            let edges = [[within(0.0), out(0.0)], [out(0.0), out(-length)], [out(-length), axis(-length)]];
+            self.figure.edges.extend(edges);
+            self.figure.edges.extend([[axis(-depth), within(-depth)], [within(-depth), within(0.0)]]);
+        }
+    }
+}
+
+/// The radius of the circle that bends as much as a piece of a boundary, mm; a straight one 0. A ball bends along and
+/// across.
+fn bend(feature: &Feature) -> f64 {
+    let round = |lobes: &Lobes, depth: f64| {
+        let waves = f64::from(lobes.count) + 1.0;
+        lobes.radius + (lobes.slope * depth).max(0.0) + lobes.amplitude.abs() * waves * waves
+    };
+    match feature {
+        Feature::Wall(wall) => round(&wall.lobes(), wall.depth),
+        Feature::Lobed(LobedWall { lobes, depth }) => round(lobes, *depth),
+        Feature::Sphere(radius) => 2.0 * radius,
+        _ => 0.0,
+    }
+}
+
+/// Rows of a ball about the origin from its upper to its lower pole.
+pub fn ball(radius: f64, around: usize) -> Vec<Vec<Vertex>> {
+    let rows = around / 2;
+    let row = |row: usize| {
+        let down = TAU * row as f64 / around as f64;
+        let (out, up) = if row % rows == 0 { (0.0, down.cos()) } else { down.sin_cos() };
+        let vertex = |column: usize| {
+            let (sine, cosine) = (TAU * column as f64 / around as f64).sin_cos();
+            let normal = V3::new(out * cosine, out * sine, up);
+            [normal * radius, normal]
+        };
+        (0..around).map(vertex).collect()
+    };
+    (0..=rows).map(row).collect()
+}
+
+/// A free surface: heights over a grid shaded smoothly, with their border; else each triangle flat.
+fn surface(free: &FreeSurface) -> Figure {
+    let mut drawn = Figure::default();
+    let corners = free.mesh.corners();
+    let Some(heights) = &free.heights else {
+        for triangle in free.triangles() {
+            let corners = triangle.map(V3::from);
+            let [a, b, c] = corners;
+            drawn.mesh.flat(&corners, (b - a).cross(&(c - a)).normalize());
+        }
+        return drawn;
+    };
+    let Heights { columns, step, values } = heights;
+    let rows = corners.len() / columns;
+    let height = |column: usize, row: usize| values[row.min(rows - 1) * columns + column.min(columns - 1)];
+    let normal = |index: usize| {
+        let (column, row) = (index % columns, index / columns);
+        let along = height(column.saturating_sub(1), row) - height(column + 1, row);
+        let up = height(column, row.saturating_sub(1)) - height(column, row + 1);
+        V3::new(along / (2.0 * step[0]), up / (2.0 * step[1]), 1.0).normalize()
+    };
+    drawn.mesh.vertices = corners.iter().enumerate().map(|(index, at)| [*at, normal(index)]).collect();
+    drawn.mesh.corners = free.mesh.triangles().to_vec();
+    let mut chain = |places: Vec<usize>| {
+        drawn.edges.extend(places.windows(2).map(|ends| [corners[ends[0]], corners[ends[1]]]));
+    };
+    for row in [0, rows - 1] {
+        chain((0..*columns).map(|column| row * columns + column).collect());
+    }
+    for column in [0, columns - 1] {
+        chain((0..rows).map(|row| row * columns + column).collect());
+    }
+    drawn
+}

@@ -1,0 +1,234 @@
+//! The tools and the probe by the steps in which they are in use.
+
+use super::Matter;
+use super::mesh::{Mesh, Vertex};
+use super::solid::{self, CHORD};
+use crate::catalogue::find;
+use crate::control::Edge;
+use crate::control::probe::upright;
+use crate::control::tools::LATHE_PROBE;
+use crate::entry::ProbeUse;
+use crate::geometry::V3;
+use crate::machine::in_use::InUse;
+use crate::machine::setup::Setup;
+use crate::machine::trace::Step;
+use crate::run::outcome::Outcome;
+use crate::workpiece::Probe;
+use crate::workpiece::seen::{self, Drawn};
+use nalgebra::{Matrix3, Rotation3};
+use std::collections::BTreeSet;
+use std::f64::consts::TAU;
+
+/// What is drawn of what is in use, from the position of the machine on: the ball of the probe or the pieces of a tool;
+/// on a turning machine also what carries it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tool {
+    /// Length in effect along X Y Z, mm: where it changes, the axes stand still.
+    pub length: [f64; 3],
+    /// Direction from the ball to what holds it; none: no probe.
+    pub ball: Option<V3>,
+    /// Its pieces.
+    pub pieces: Vec<Drawn>,
+    /// What holds it on a turning machine.
+    pub carrier: Vec<Drawn>,
+    /// Its end.
+    pub tip: V3,
+}
+
+/// Whatever was in use, each once, and from which entry on which of them.
+pub fn tools(setup: &Setup, outcome: &Outcome) -> (Vec<Tool>, Vec<[usize; 2]>) {
+    let measuring = called(outcome, ProbeUse::Workpiece);
+    let measured = called(outcome, ProbeUse::Tool);
+    let trace = &outcome.trace;
+    let view = |used: &InUse| {
+        let measures = |tool: &InUse| measured.iter().any(|(number, _)| *number == tool.place.0);
+        let lent = uncorrected(used, &trace.in_use).filter(|tool| measures(tool) && !measuring.contains(&used.place));
+        let used = lent.as_ref().unwrap_or(used);
+        tool(setup, used, measuring.contains(&used.place))
+    };
+    let mut from: Vec<[usize; 2]> = Vec::new();
+    for (index, entry) in trace.entries.iter().enumerate() {
+        if from.last().is_none_or(|[_, last]| *last != entry.in_use) {
+            from.push([index, entry.in_use]);
+        }
+    }
+    (trace.in_use.iter().map(view).collect(), from)
+}
+
+/// What was in use at the calls of cycles that work with this probe, by T and D number. With what a part was measured
+/// was the probe, whatever its data say.
+fn called(outcome: &Outcome, probe: ProbeUse) -> BTreeSet<(i64, i64)> {
+    let trace = &outcome.trace;
+    let calls = trace.entries.iter().filter(|entry| match entry.step {
+        Step::CallBegin { cycle, .. } => {
+            find(outcome.before.dialect, cycle).is_some_and(|cycle| cycle.purpose.probe == probe)
+        }
+        _ => false,
+    });
+    let used = calls.filter_map(|entry| trace.in_use.get(entry.in_use));
+    used.map(|used| used.place).collect()
+}
+
+/// A tool whose correction is not in effect, before and after a macro of NCT that measures it: it hangs from the
+/// spindle nose as while its register counted. None where a correction is in effect, or nothing tells of the tool.
+fn uncorrected(used: &InUse, all: &[InUse]) -> Option<InUse> {
+    let same = |one: &&InUse| one.place.0 == used.place.0 && one.tool.is_some();
+    let known = all.iter().find(same).filter(|_| used.edge.is_none())?;
+    let place = V3::from(known.tip) - V3::from(known.length) + V3::from(used.length);
+    Some(InUse { length: used.length, tip: place.into(), ..known.clone() })
+}
+
+fn tool(setup: &Setup, used: &InUse, measured: bool) -> Tool {
+    let is_probe = |edge: &Edge| measured || [710, LATHE_PROBE].contains(&edge.kind);
+    let probe = used.edge.as_ref().is_none_or(is_probe);
+    let Some(tool) = used.tool.as_ref().filter(|_| !probe) else {
+        return ball(setup, used);
+    };
+    let tip = V3::from(used.tip);
+    let carrier = V3::from(used.length) - tip;
+    let (pieces, along) = seen::tool(tool, carrier, used.plane, used.spindle);
+    let holder = held(setup, used, carrier, along);
+    Tool { length: used.length, ball: None, tip, pieces: moved(pieces, tip), carrier: moved(holder, tip) }
+}
+
+/// Ball and stylus. The axis points from the ball to what holds it, in machine coordinates: along the applicate of the
+/// plane in which was measured, on a turning machine as the cutting edge position says.
+fn ball(setup: &Setup, used: &InUse) -> Tool {
+    let carrier = V3::from(used.length);
+    let turning = used.edge.as_ref().and_then(Edge::stands);
+    let axis = V3::from(turning.unwrap_or_else(|| upright(used.plane)));
+    let turret = used.turns.then_some(setup.probe.length);
+    let adapter = turret.and_then(|length| seen::adapter(length, carrier, axis));
+    Tool {
+        length: used.length,
+        ball: Some(axis),
+        tip: V3::zeros(),
+        pieces: adapter.into_iter().collect(),
+        carrier: held(setup, used, carrier, axis),
+    }
+}
+
+/// Holder and turret of a turning machine.
+fn held(setup: &Setup, used: &InUse, carrier: V3, along: V3) -> Vec<Drawn> {
+    match used.turns {
+        true => seen::turret(&setup.turret, carrier, along),
+        false => Vec::new(),
+    }
+}
+
+/// Pieces that begin at the end of a tool, from the position of the machine on.
+fn moved(pieces: Vec<Drawn>, tip: V3) -> Vec<Drawn> {
+    let piece = |piece| match piece {
+        Drawn::Round { outline, axis, at } => Drawn::Round { outline, axis, at: at + tip },
+        Drawn::Plate { corners, thick, cuts } => {
+            Drawn::Plate { corners: corners.into_iter().map(|at| at + tip).collect(), thick, cuts }
+        }
+    };
+    pieces.into_iter().map(piece).collect()
+}
+
+/// Radius of the body of a probe where nothing is told of it, and of a stylus, in radii of the ball.
+const BODY: f64 = 5.0;
+const USUAL: f64 = 0.45;
+
+/// Of the stylus as it is drawn, mm.
+pub fn stylus_radius(probe: &Probe) -> f64 {
+    match probe.stylus_radius() {
+        0.0 => USUAL * probe.radius,
+        radius => radius,
+    }
+}
+
+/// From the centre of the ball to where the stylus is drawn to end, mm. `longest`: where nothing is told of the body.
+pub fn stylus_reach(probe: &Probe, longest: f64) -> f64 {
+    let usual = || probe.length.min(longest.max(10.0 * probe.radius));
+    probe.body.map_or_else(usual, |body| body.distance)
+}
+
+/// What is drawn of a tool, solid pieces first: of what each is, and its triangles.
+pub fn meshes(tool: &Tool, probe: &Probe, reach: f64) -> Vec<(Matter, Mesh)> {
+    let pieces = tool.pieces.iter().map(|piece| {
+        let cuts = matches!(piece, Drawn::Plate { cuts: true, .. });
+        (if cuts { Matter::Ball } else { Matter::Stylus }, drawn(piece))
+    });
+    let stylus = tool.ball.iter().flat_map(|axis| stylus(probe, *axis, reach));
+    let carrier = tool.carrier.iter().map(|piece| (Matter::Carrier, drawn(piece)));
+    pieces.chain(stylus).chain(carrier).collect()
+}
+
+/// Ball and stylus, then the body. One of which nothing is known is seen through, and nothing touches it.
+fn stylus(probe: &Probe, axis: V3, reach: f64) -> Vec<(Matter, Mesh)> {
+    let (r, thin) = (probe.radius, stylus_radius(probe));
+    let round = |outline: &[[f64; 2]]| revolved(outline, axis, V3::zeros());
+    let mut ball = Mesh::default();
+    let own = along(axis);
+    let mut rows = solid::ball(r, solid::turns(2.0 * r, CHORD));
+    rows.iter_mut().flatten().for_each(|vertex| *vertex = vertex.map(|one| own * one));
+    ball.sheet(&rows, true);
+    let ball = (Matter::Ball, ball);
+    if let Some(body) = probe.body {
+        let end = probe.length.max(body.distance + body.radius);
+        let (radius, distance) = (body.radius, body.distance);
+        let outline = [[thin, distance.min(0.8 * r)], [thin, distance], [radius, distance], [radius, end], [0.0, end]];
+        return vec![ball, (Matter::Stylus, round(&outline))];
+    }
+    let end = (reach + 6.0 * r).min(probe.length.max(4.0 * r)).max(reach + 9.0 * r);
+    let body = [[thin, reach], [BODY * r, reach + 3.0 * r], [BODY * r, end], [0.0, end]];
+    vec![ball, (Matter::Stylus, round(&[[thin, 0.8 * r], [thin, reach]])), (Matter::Body, round(&body))]
+}
+
+fn drawn(piece: &Drawn) -> Mesh {
+    match piece {
+        Drawn::Round { outline, axis, at } => revolved(outline, axis.normalize(), *at),
+        Drawn::Plate { corners, thick, .. } => plate(corners, *thick),
+    }
+}
+
+/// The rotation that takes +Z to a unit vector.
+fn along(axis: V3) -> Rotation3<f64> {
+    let aside = if axis.x.abs() < 0.9 { V3::x() } else { V3::y() };
+    let side = aside.cross(&axis).normalize();
+    Rotation3::from_matrix_unchecked(Matrix3::from_columns(&[side.cross(&axis), side, axis]))
+}
+
+/// Half of a section turned about an axis: distance from it and height over `at`.
+fn revolved(outline: &[[f64; 2]], axis: V3, at: V3) -> Mesh {
+    let own = along(axis);
+    let widest = outline.iter().fold(0.0_f64, |most, [r, _]| most.max(*r));
+    let around = solid::turns(widest, CHORD);
+    let mut mesh = Mesh::default();
+    for ends in outline.windows(2) {
+        let ([r0, z0], [r1, z1]) = (ends[0], ends[1]);
+        let row = |[r, z]: [f64; 2]| -> Vec<Vertex> {
+            let vertex = |i: usize| {
+                let (sine, cosine) = (TAU * i as f64 / around as f64).sin_cos();
+                let slope = V3::new((z1 - z0) * cosine, (z1 - z0) * sine, r0 - r1);
+                let normal = slope.try_normalize(0.0).unwrap_or_else(V3::z);
+                [at + own * V3::new(r * cosine, r * sine, z), own * normal]
+            };
+            (0..around).map(vertex).collect()
+        };
+        mesh.sheet(&[row(ends[0]), row(ends[1])], true);
+    }
+    mesh
+}
+
+/// Both faces of a flat piece, and its border.
+fn plate(corners: &[V3], thick: V3) -> Mesh {
+    let mut mesh = Mesh::default();
+    let out = thick.try_normalize(0.0).unwrap_or_else(V3::z);
+    let middle = corners.iter().sum::<V3>() / corners.len().max(1) as f64;
+    let far: Vec<V3> = corners.iter().map(|corner| corner + thick).collect();
+    mesh.flat(corners, -out);
+    mesh.flat(&far, out);
+    for (i, corner) in corners.iter().enumerate() {
+        let next = corners[(i + 1) % corners.len()];
+        let border = (next - corner).cross(&thick);
+        let Some(normal) = border.try_normalize(0.0) else {
+            continue;
+        };
+        let side = if normal.dot(&(corner - middle)) < 0.0 { -normal } else { normal };
+        mesh.flat(&[*corner, next, next + thick, corner + thick], side);
+    }
+    mesh
+}

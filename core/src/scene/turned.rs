@@ -1,0 +1,193 @@
+//! A turned part as a drawing has it: its diameters as they are and as they should be, and those where it was touched.
+
+use super::frames::{UNITS, system};
+use crate::catalogue::find;
+use crate::control::{Control, Transverse};
+use crate::entry::ProbeUse;
+use crate::geometry::{V3, rigid};
+use crate::machine::setup::Setup;
+use crate::machine::trace::{Step, Trace};
+use crate::run::outcome::Outcome;
+use crate::workpiece::feeler::Touching;
+use crate::workpiece::{Shape, Solid};
+
+/// Axis of the machine in which diameters count.
+const TRANSVERSE: usize = 0;
+/// Axis of the machine along which its spindle lies.
+const SPINDLE: usize = 2;
+/// Least part of a direction that counts as along an axis.
+const ALONG: f64 = 0.7;
+
+/// What a drawing of the part of a turning machine shows.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "json", derive(serde::Serialize), serde(rename_all = "camelCase"))]
+pub struct Drawing {
+    /// Diameters of the part.
+    pub diameters: Vec<Diameter>,
+    /// Those at which it was touched.
+    pub touched: Vec<Touched>,
+    /// How the control counts.
+    pub reading: Reading,
+}
+
+/// A diameter, mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "json", derive(serde::Serialize), serde(rename_all = "camelCase"))]
+pub struct Diameter {
+    /// Both ends as it is, machine coordinates.
+    pub ends: [[f64; 3]; 2],
+    /// Along the axis, away from the part.
+    pub out: [f64; 3],
+    /// As it should be.
+    pub set: f64,
+    /// As it is.
+    pub real: f64,
+}
+
+/// A diameter as the control reads it, mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "json", derive(serde::Serialize), serde(rename_all = "camelCase"))]
+pub struct Touched {
+    /// Place of the touch in the trace.
+    pub entry: usize,
+    /// Diameter.
+    pub diameter: f64,
+}
+
+/// Where positions count from, machine coordinates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "json", derive(serde::Serialize), serde(rename_all = "camelCase"))]
+pub struct Reading {
+    /// Zero, mm.
+    pub at: [f64; 3],
+    /// Directions.
+    pub axes: [[f64; 3]; 3],
+    /// Whether X counts as a diameter.
+    pub diameter: bool,
+}
+
+/// What a drawing of the part of a turning machine shows. A program says itself how it counts, so that what is in force
+/// at its end tells.
+pub fn drawing(setup: &Setup, outcome: &Outcome) -> Drawing {
+    let diameters: Vec<Diameter> = setup.workpiece.solids.iter().flat_map(diameters).collect();
+    let touched = match diameters.is_empty() {
+        true => Vec::new(),
+        false => touched(&outcome.control, &outcome.trace),
+    };
+    Drawing { diameters, touched, reading: reading(&outcome.control) }
+}
+
+/// From the zero of the machine where frames are beyond all numbers.
+fn reading(control: &Control) -> Reading {
+    let (at, axes) = system(control).unwrap_or(([0.0; 3], UNITS));
+    Reading { at, axes, diameter: control.transverse != Transverse::Radius }
+}
+
+/// Outside and bore at the front, and at the other end where they differ there.
+fn diameters(solid: &Solid) -> Vec<Diameter> {
+    let Shape::Turned { diameter, length, bore: [bore, depth] } = solid.shape else {
+        return Vec::new();
+    };
+    let errors = &solid.errors;
+    let turn = rigid::rotation(errors.tilt) * rigid::rotation(solid.rotation);
+    let axis = turn * V3::z();
+    if axis[SPINDLE].abs() < ALONG {
+        return Vec::new();
+    }
+    let front = V3::from(solid.at) + V3::from(errors.shift);
+    let mut across = V3::zeros();
+    across[TRANSVERSE] = 1.0;
+    let across = (across - axis * axis[TRANSVERSE]).try_normalize(0.0).unwrap_or_else(V3::x);
+    let dimension = |set: f64, deep: f64| {
+        let real = set + errors.size + errors.taper * deep;
+        let ends = [-0.5, 0.5].map(|half| (front - axis * deep + across * (real * half)).into());
+        Diameter { ends, out: axis.into(), set, real }
+    };
+    let mut found = Vec::new();
+    for (set, end) in [(diameter, length), (bore, depth)] {
+        if set <= 0.0 {
+            continue;
+        }
+        found.push(dimension(set, 0.0));
+        if errors.taper != 0.0 {
+            found.push(dimension(set, end));
+        }
+    }
+    found
+}
+
+/// Diameters at which a part was touched across its axis, by entry: where the control was when the signal came, and the
+/// ball as it is.
+fn touched(control: &Control, trace: &Trace) -> Vec<Touched> {
+    let mut found = Vec::new();
+    let mut of_tool = false;
+    for (index, entry) in trace.entries.iter().enumerate() {
+        match &entry.step {
+            Step::CallBegin { cycle, .. } => {
+                let cycle = find(control.dialect, cycle);
+                of_tool = cycle.is_some_and(|cycle| cycle.purpose.probe == ProbeUse::Tool);
+            }
+            Step::CallEnd => of_tool = false,
+            Step::Touch { latched, ball, point, normal, by: Touching::Ball }
+                if !of_tool && normal[TRANSVERSE].abs() > ALONG =>
+            {
+                let seen = V3::from(*latched) + V3::from(*point) - V3::from(*ball);
+                let diameter = 2.0 * control.to_workpiece(seen.into())[TRANSVERSE].abs();
+                found.push(Touched { entry: index, diameter });
+            }
+            _ => {}
+        }
+    }
+    found
+}
+
+/// From the front to the first dimension line, from one to the next, and what the lines at its ends stand out beyond it,
+/// which is also the length of an arrow: shares of the size of the scene.
+const FIRST: f64 = 0.14;
+const NEXT: f64 = 0.12;
+const OVER: f64 = 0.02;
+/// Half of the width of an arrow, share of its length.
+const ARROW: f64 = 0.3;
+
+/// A diameter with its dimension line before the front of the part.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "json", derive(serde::Serialize), serde(rename_all = "camelCase"))]
+pub struct Dimension {
+    /// Where its words stand, machine coordinates.
+    pub at: [f64; 3],
+    /// Whether that is the upper end: neighbours have their words at different ends.
+    pub upper: bool,
+    /// As it should be, mm.
+    pub set: f64,
+    /// As it is, mm.
+    pub real: f64,
+}
+
+/// Small diameters next to the part, each with its lines: from both ends of it to its dimension line, then this with its
+/// arrows.
+pub fn dimensions(diameters: &[Diameter], size: f64) -> Vec<(Dimension, [[V3; 2]; 7])> {
+    let level = |diameter: &Diameter| diameter.ends.map(|end| V3::from(end).dot(&V3::from(diameter.out)));
+    let front = diameters.iter().flat_map(level).fold(f64::NEG_INFINITY, f64::max);
+    let mut sorted = diameters.to_vec();
+    sorted.sort_by(|a, b| a.real.total_cmp(&b.real));
+    let mut found = Vec::new();
+    for (i, Diameter { ends, out, set, real }) in sorted.into_iter().enumerate() {
+        let place = front + (FIRST + i as f64 * NEXT) * size;
+        let (ends, out, over) = (ends.map(V3::from), V3::from(out), OVER * size);
+        let [low, high] = ends.map(|end| end + out * (place - end.dot(&out)));
+        let along = (high - low).try_normalize(0.0).unwrap_or_else(V3::x);
+        let arrow = |tip: V3, back: V3, aside: f64| [tip, tip + back * over + out * (aside * over)];
+        let lines = [
+            [ends[0], low + out * over],
+            [ends[1], high + out * over],
+            [low, high],
+            arrow(high, -along, ARROW),
+            arrow(high, -along, -ARROW),
+            arrow(low, along, ARROW),
+            arrow(low, along, -ARROW),
+        ];
+        let upper = i % 2 == 0;
+        found.push((Dimension { at: (if upper { high } else { low }).into(), upper, set, real }, lines));
+    }
+    found
+}
