@@ -4,50 +4,6 @@ use crate::message::{Arg, Message};
 use fluent_bundle::concurrent::FluentBundle;
 use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
 
-/// The English message files; a test holds this list against the folder.
-const ENGLISH: &[(&str, &str)] = &[
-    ("advice.ftl", include_str!("../messages/en/advice.ftl")),
-    ("alarms.ftl", include_str!("../messages/en/alarms.ftl")),
-    ("changes.ftl", include_str!("../messages/en/changes.ftl")),
-    ("check.ftl", include_str!("../messages/en/check.ftl")),
-    ("cycle116.ftl", include_str!("../messages/en/cycle116.ftl")),
-    ("cycle119.ftl", include_str!("../messages/en/cycle119.ftl")),
-    ("cycle961.ftl", include_str!("../messages/en/cycle961.ftl")),
-    ("cycle971.ftl", include_str!("../messages/en/cycle971.ftl")),
-    ("cycle972.ftl", include_str!("../messages/en/cycle972.ftl")),
-    ("cycle973.ftl", include_str!("../messages/en/cycle973.ftl")),
-    ("cycle974.ftl", include_str!("../messages/en/cycle974.ftl")),
-    ("cycle976.ftl", include_str!("../messages/en/cycle976.ftl")),
-    ("cycle977.ftl", include_str!("../messages/en/cycle977.ftl")),
-    ("cycle978.ftl", include_str!("../messages/en/cycle978.ftl")),
-    ("cycle979.ftl", include_str!("../messages/en/cycle979.ftl")),
-    ("cycle982.ftl", include_str!("../messages/en/cycle982.ftl")),
-    ("cycle994.ftl", include_str!("../messages/en/cycle994.ftl")),
-    ("cycle997.ftl", include_str!("../messages/en/cycle997.ftl")),
-    ("cycle998.ftl", include_str!("../messages/en/cycle998.ftl")),
-    ("datum.ftl", include_str!("../messages/en/datum.ftl")),
-    ("digitizing.ftl", include_str!("../messages/en/digitizing.ftl")),
-    ("evaluate.ftl", include_str!("../messages/en/evaluate.ftl")),
-    ("help-calibrate.ftl", include_str!("../messages/en/help-calibrate.ftl")),
-    ("help-helper.ftl", include_str!("../messages/en/help-helper.ftl")),
-    ("help-nct.ftl", include_str!("../messages/en/help-nct.ftl")),
-    ("help-tool.ftl", include_str!("../messages/en/help-tool.ftl")),
-    ("help-turning.ftl", include_str!("../messages/en/help-turning.ftl")),
-    ("help-workpiece.ftl", include_str!("../messages/en/help-workpiece.ftl")),
-    ("help.ftl", include_str!("../messages/en/help.ftl")),
-    ("lathe.ftl", include_str!("../messages/en/lathe.ftl")),
-    ("lists.ftl", include_str!("../messages/en/lists.ftl")),
-    ("logging.ftl", include_str!("../messages/en/logging.ftl")),
-    ("nct.ftl", include_str!("../messages/en/nct.ftl")),
-    ("params.ftl", include_str!("../messages/en/params.ftl")),
-    ("run.ftl", include_str!("../messages/en/run.ftl")),
-    ("setup.ftl", include_str!("../messages/en/setup.ftl")),
-    ("syntax.ftl", include_str!("../messages/en/syntax.ftl")),
-    ("tool-probe.ftl", include_str!("../messages/en/tool-probe.ftl")),
-    ("twin.ftl", include_str!("../messages/en/twin.ftl")),
-    ("write.ftl", include_str!("../messages/en/write.ftl")),
-];
-
 /// A language: its code, which is also its folder, and its message files. English has every message; the others are
 /// held against it by a test.
 pub struct Language {
@@ -57,62 +13,13 @@ pub struct Language {
     pub files: &'static [(&'static str, &'static str)],
 }
 
-/// A language with the same files as English.
-macro_rules! language {
-    ($code:literal: $($name:literal)*) => {
-        Language {
-            code: $code,
-            files: &[$(($name, include_str!(concat!("../messages/", $code, "/", $name)))),*],
-        }
-    };
-}
+/// The languages: the folders of `messages/`, as the build script finds them.
+pub const LANGUAGES: &[Language] = include!(concat!(env!("OUT_DIR"), "/languages.rs"));
 
-/// The languages; a test holds each against its folder.
-pub const LANGUAGES: &[Language] = &[
-    Language { code: "en", files: ENGLISH },
-    language!("zh":
-        "advice.ftl"
-        "alarms.ftl"
-        "changes.ftl"
-        "check.ftl"
-        "cycle116.ftl"
-        "cycle119.ftl"
-        "cycle961.ftl"
-        "cycle971.ftl"
-        "cycle972.ftl"
-        "cycle973.ftl"
-        "cycle974.ftl"
-        "cycle976.ftl"
-        "cycle977.ftl"
-        "cycle978.ftl"
-        "cycle979.ftl"
-        "cycle982.ftl"
-        "cycle994.ftl"
-        "cycle997.ftl"
-        "cycle998.ftl"
-        "datum.ftl"
-        "digitizing.ftl"
-        "evaluate.ftl"
-        "help-calibrate.ftl"
-        "help-helper.ftl"
-        "help-nct.ftl"
-        "help-tool.ftl"
-        "help-turning.ftl"
-        "help-workpiece.ftl"
-        "help.ftl"
-        "lathe.ftl"
-        "lists.ftl"
-        "logging.ftl"
-        "nct.ftl"
-        "params.ftl"
-        "run.ftl"
-        "setup.ftl"
-        "syntax.ftl"
-        "tool-probe.ftl"
-        "twin.ftl"
-        "write.ftl"
-    ),
-];
+/// The files of English.
+fn english() -> &'static [(&'static str, &'static str)] {
+    LANGUAGES.iter().find(|language| language.code == "en").map_or(&[], |language| language.files)
+}
 
 /// Words of one language.
 pub struct Words {
@@ -122,7 +29,7 @@ pub struct Words {
 impl Words {
     /// English.
     pub fn english() -> Words {
-        Words::new(unic_langid::langid!("en"), ENGLISH)
+        Words::new(unic_langid::langid!("en"), english())
     }
 
     /// A language by its code, as in `zh` or `zh_CN.UTF-8`.
@@ -228,7 +135,7 @@ mod tests {
     // oracle: self
     #[test]
     fn every_message_file_is_read_and_understood() {
-        let listed: Vec<&str> = ENGLISH.iter().map(|(name, _)| *name).collect();
+        let listed: Vec<&str> = english().iter().map(|(name, _)| *name).collect();
         assert_eq!(listed, folder());
         for (name, text) in LANGUAGES.iter().flat_map(|language| language.files) {
             if let Err((_, errors)) = FluentResource::try_new((*text).to_owned()) {
@@ -241,7 +148,7 @@ mod tests {
     #[test]
     fn a_key_stands_in_one_file_only() {
         let mut seen = std::collections::BTreeMap::new();
-        for (name, text) in ENGLISH {
+        for (name, text) in english() {
             for line in text.lines() {
                 let Some((key, _)) = line.split_once(" =") else {
                     continue;

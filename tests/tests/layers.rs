@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 /// those to its left.
 fn rooms() -> Vec<String> {
     let text = std::fs::read_to_string(root().join("ARCHITECTURE.md")).unwrap();
-    let section = text.split("\n## ").find(|section| section.starts_with("Layers")).expect("a section `Layers`");
+    let section = text.split("\n## ").find(|section| section.starts_with("Layers\n")).expect("a section `Layers`");
     let drawing = section.split("```").nth(1).expect("a drawing");
     let lines = drawing.lines().rev().filter_map(|line| line.split_once("  "));
     lines.flat_map(|(_, rooms)| rooms.split_whitespace()).map(str::to_owned).collect()
