@@ -22,8 +22,12 @@ pub struct Look {
     pub cut: bool,
     /// The touches that are shown, a bit each, the first one the lowest. The ways end with the last of them.
     pub touches: u32,
+    /// After how many touches the ways begin.
+    pub since: usize,
     /// Whether it stands below the first view instead of beside the last.
     pub below: bool,
+    /// Whether the ball is shown where it stands at the call.
+    pub called: bool,
     /// Whether what holds the part is shown too.
     pub held: bool,
     /// Parameter that the ways between the touches explain; none: the ways are left out.
@@ -39,7 +43,9 @@ impl Look {
         up: [0.0, 1.0, 0.0],
         cut: false,
         touches: u32::MAX,
+        since: 0,
         below: false,
+        called: true,
         held: false,
         way: None,
         axes: [0, 1],
@@ -85,8 +91,12 @@ pub struct Fields {
     pub probe: Option<&'static str>,
     /// Touched point.
     pub touch: Option<&'static str>,
-    /// Protection zone.
+    /// Protection zone; none: it is not drawn.
     pub zone: Option<&'static str>,
+    /// Whether the room beyond the zone is forbidden, not that in it.
+    pub beyond: bool,
+    /// Whether the names of the touches stand at the start of their measuring blocks instead of at the points.
+    pub at_start: bool,
     /// Names of the touches in their order; what stands before the number of any other one; none: no name.
     pub marks: &'static [&'static str],
     /// What stands before the number of a touch without a name; none: nothing is written.
@@ -102,12 +112,24 @@ impl Fields {
         probe: Some(names::PRNUM),
         touch: Some(names::NMSP),
         zone: Some(names::SZA),
+        beyond: false,
+        at_start: false,
         marks: &[],
         mark: Some(""),
     };
     /// Of a macro on NCT.
-    pub const MACRO: Fields =
-        Fields { edges: &["D"], path: None, arc: None, probe: None, touch: None, zone: None, marks: &[], mark: None };
+    pub const MACRO: Fields = Fields {
+        edges: &["D"],
+        path: None,
+        arc: None,
+        probe: None,
+        touch: None,
+        zone: None,
+        beyond: false,
+        at_start: false,
+        marks: &[],
+        mark: None,
+    };
 }
 
 /// What is carried out for a picture.
@@ -117,6 +139,14 @@ pub struct Staging {
     pub values: Vec<(&'static str, f64)>,
     /// Variant that is carried out instead of the one called; none: that one.
     pub variant: Option<i64>,
+    /// Variant whose part is proposed; none: that one too.
+    pub proposed: Option<i64>,
+    /// Cutting edge position of a turning machine's probe; none: that of the one in use.
+    pub tip: Option<i64>,
+    /// Data of the control that differ, lengths in mm.
+    pub data: &'static [(&'static str, f64)],
+    /// What is carried out besides; its views stand beside the others.
+    pub then: Option<Box<Staging>>,
     /// mm of the picture for a mm of the call.
     pub scale: f64,
     /// Ball radius, mm.
@@ -130,7 +160,18 @@ pub struct Staging {
 impl Staging {
     /// With the values of the call.
     pub fn new(look: Look, fields: Fields) -> Staging {
-        Staging { values: Vec::new(), variant: None, scale: 1.0, ball: BALL, looks: vec![look], fields }
+        Staging {
+            values: Vec::new(),
+            variant: None,
+            proposed: None,
+            tip: None,
+            then: None,
+            data: &[],
+            scale: 1.0,
+            ball: BALL,
+            looks: vec![look],
+            fields,
+        }
     }
 
     /// With another value of a parameter.
@@ -198,7 +239,8 @@ impl Touched {
     }
 }
 
-fn unit(from: [f64; 2], to: [f64; 2]) -> [f64; 2] {
+/// Direction from a point to another, of length 1.
+pub fn unit(from: [f64; 2], to: [f64; 2]) -> [f64; 2] {
     let [x, y] = [to[0] - from[0], to[1] - from[1]];
     let length = x.hypot(y).max(1e-9);
     [x / length, y / length]

@@ -5,7 +5,7 @@ use super::plan_solid::{Cut, meets, outline};
 use crate::catalogue::example::example;
 use crate::check;
 use crate::control::variables::AXES;
-use crate::control::{Control, Transverse};
+use crate::control::{Control, Edge, MachineSort, Plane, Transverse};
 use crate::dialect::Dialect;
 use crate::entry::stage::{Look, SIZE, Seen, Staging, Touched, add, distance, ring};
 use crate::entry::{Cycle, Inputs, Proposal, Staged, names};
@@ -17,7 +17,7 @@ use crate::machine::trace::{MotionKind, Step};
 use crate::picture::figures::{circle, frame, line, polygon};
 use crate::picture::{Picture, PictureShape, ShapeKind, View};
 use crate::run;
-use crate::workpiece::Solid;
+use crate::workpiece::{Shape, Solid};
 
 /// Pieces in which an arc is drawn.
 const PIECES: u32 = 48;
@@ -48,12 +48,47 @@ const CORRECTIONS: [&str; 7] = ["S", "T", "M", "H", "U", "V", "W"];
 
 /// The picture of a call; where the cycle stops at its values, that of the worked example.
 pub fn draw(inputs: &Inputs, staged: &Staged) -> Picture {
-    let work = Performed::of(inputs, staged);
-    if work.complete {
-        return work.drawn(inputs, staged);
+    let all = performed(inputs, staged);
+    if all.iter().all(|one| one.complete) {
+        return drawn(&all, inputs, staged);
     }
     let example = worked(inputs);
-    Performed::of(&example, staged).drawn(&example, staged)
+    drawn(&performed(&example, staged), &example, staged)
+}
+
+/// All that is carried out for a call.
+fn performed(inputs: &Inputs, staged: &Staged) -> Vec<Performed> {
+    let mut all = Vec::new();
+    let mut next = Some((staged.stage)(inputs));
+    while let Some(mut staging) = next {
+        next = staging.then.take().map(|staging| *staging);
+        all.push(Performed::of(inputs, staging));
+    }
+    all
+}
+
+/// All views of it, one beside the other, with their marks.
+fn drawn(all: &[Performed], inputs: &Inputs, staged: &Staged) -> Picture {
+    let mut shapes = Vec::new();
+    let mut seen: Vec<Seen> = Vec::new();
+    let looks = all.iter().flat_map(|one| one.staging.looks.iter().map(move |look| (one, look)));
+    for (one, look) in looks.clone() {
+        let (mut figures, mut view) = one.view(look);
+        if let (Some(first), Some(before)) = (seen.first(), seen.last()) {
+            let middle = |extent: [[f64; 2]; 2]| (extent[0][1] + extent[1][1]) / 2.0;
+            let by = match look.below {
+                true => [first.middle()[0] - view.middle()[0], first.extent[0][1] - GAP - view.extent[1][1]],
+                false => [before.extent[1][0] + GAP - view.extent[0][0], middle(first.extent) - middle(view.extent)],
+            };
+            figures.iter_mut().for_each(|figure| figure.shift(by));
+            view.shift(by);
+        }
+        shapes.extend(figures);
+        seen.push(view);
+    }
+    shapes.extend((staged.marks)(inputs, &seen));
+    let upright = looks.clone().next().is_some_and(|(_, look)| look.up[2] != 0.0);
+    Picture { view: if upright { View::Section } else { View::Plane }, shapes }
 }
 
 /// The worked example of the variant in this plane.
@@ -89,21 +124,23 @@ struct Performed {
     touches: Vec<Touch>,
     start: [f64; 3],
     axes: [usize; 3],
+    letters: [&'static str; 3],
     complete: bool,
 }
 
 impl Performed {
-    fn of(inputs: &Inputs, staged: &Staged) -> Performed {
-        let staging = (staged.stage)(inputs);
+    fn of(inputs: &Inputs, staging: Staging) -> Performed {
         let mut drawn = inputs.clone();
         let known = |name: &&str| inputs.cycle.param(name).is_some();
         drawn.numbers.extend(NEUTRAL.into_iter().filter(|(name, _)| known(name)));
         drawn.numbers.extend(staging.values.iter().copied());
         drawn.numbers.retain(|name, _| !CORRECTIONS.contains(name));
         drawn.texts.clear();
-        drawn.variant = staging.variant.unwrap_or(inputs.variant);
-        let mut setup = machine(inputs, staging.ball);
+        drawn.plane = plane(inputs);
+        let mut setup = machine(inputs, &staging);
+        vary(&mut drawn, staging.proposed.or(staging.variant));
         let proposal = inputs.cycle.work().map(|work| (work.propose)(&drawn, &setup.control)).unwrap_or_default();
+        vary(&mut drawn, Some(staging.variant.unwrap_or(inputs.variant)));
         setup.workpiece = proposal.workpiece.clone();
         setup.tool_probes.clone_from(&proposal.tool_probes);
         setup.position = setup.control.to_machine(proposal.start);
@@ -114,36 +151,13 @@ impl Performed {
         Performed {
             complete: outcome.stop.is_none(),
             start: moved(setup.position, to_ball),
-            axes: inputs.plane.axes(),
+            axes: drawn.plane.axes(),
+            letters: inputs.plane.axes().map(|axis| AXES[axis]),
             proposal,
             staging,
             ways,
             touches,
         }
-    }
-
-    fn drawn(&self, inputs: &Inputs, staged: &Staged) -> Picture {
-        let mut shapes = Vec::new();
-        let mut seen: Vec<Seen> = Vec::new();
-        for look in &self.staging.looks {
-            let (mut figures, mut view) = self.view(look);
-            if let (Some(first), Some(before)) = (seen.first(), seen.last()) {
-                let middle = |extent: [[f64; 2]; 2]| (extent[0][1] + extent[1][1]) / 2.0;
-                let by = match look.below {
-                    true => [first.middle()[0] - view.middle()[0], first.extent[0][1] - GAP - view.extent[1][1]],
-                    false => {
-                        [before.extent[1][0] + GAP - view.extent[0][0], middle(first.extent) - middle(view.extent)]
-                    }
-                };
-                figures.iter_mut().for_each(|figure| figure.shift(by));
-                view.shift(by);
-            }
-            shapes.extend(figures);
-            seen.push(view);
-        }
-        shapes.extend((staged.marks)(inputs, &seen));
-        let view = if self.staging.looks.first().is_some_and(|look| look.cut) { View::Section } else { View::Plane };
-        Picture { view, shapes }
     }
 
     /// A machine position or direction on the paper.
@@ -175,12 +189,13 @@ impl Performed {
         let mut shapes = self.part(look);
         let edges = self.edges(look, &touches);
         shapes.extend(edges.iter().cloned());
-        let zones = self.zones(look, &touches, &mut shapes);
+        let zones = self.zones(look, &mut shapes);
         self.ways(look, &mut shapes);
         let with = |shape: PictureShape, field: Option<&'static str>| PictureShape { field, ..shape };
         let mut starts: Vec<[f64; 2]> = Vec::new();
         for touch in &touches {
             shapes.push(with(line(ShapeKind::Path, vec![touch.start, touch.ball]), fields.path));
+            let before = shapes.len();
             if !starts.iter().any(|start| distance(*start, touch.start) < 1e-3) {
                 shapes.push(with(circle(ShapeKind::Probe, touch.start, ball), fields.probe));
                 starts.push(touch.start);
@@ -188,14 +203,18 @@ impl Performed {
             let point = with(circle(ShapeKind::Touch, touch.at, ball * 0.3), fields.touch);
             let name = fields.marks.get(touch.number - 1).map(|name| (*name).to_owned());
             let text = name.or_else(|| Some(format!("{}{}", fields.mark?, touch.number)));
-            shapes.push(PictureShape { text, ..point });
+            shapes.push(point);
+            let names = if fields.at_start { before } else { shapes.len() - 1 };
+            if let Some(named) = shapes.get_mut(names) {
+                named.text = text;
+            }
         }
         let start = place(self.start);
-        if touches.iter().all(|touch| distance(touch.start, start) > 2.5 * ball) {
+        if look.called && touches.iter().all(|touch| distance(touch.start, start) > 2.5 * ball) {
             shapes.push(with(circle(ShapeKind::Probe, start, ball), fields.probe));
         }
         let extent = extent(&shapes);
-        let letters = look.axes.map(|axis| AXES[self.axes[axis]]);
+        let letters = look.axes.map(|axis| self.letters[axis]);
         let part = self::extent(&edges);
         let seen = Seen { touches, edges, part, zones, start, zero: place([0.0; 3]), extent, ball, letters };
         (shapes, seen)
@@ -215,7 +234,11 @@ impl Performed {
         let shown = solids.iter().copied().filter(|solid| touched.is_empty() || touched.contains(solid));
         let holds = self.proposal.fixture.iter().filter(|_| look.held);
         let holds = holds.filter(|holds| nearest(&solids, holds.at).is_some_and(|part| touched.contains(&part)));
-        let all = holds.map(|solid| (solid, ShapeKind::Material)).chain(shown.map(|solid| (solid, kind)));
+        let of = |solid: &Solid| match solid.shape {
+            Shape::Chuck { .. } => ShapeKind::Cut,
+            _ => ShapeKind::Material,
+        };
+        let all = holds.map(|solid| (solid, of(solid))).chain(shown.map(|solid| (solid, kind)));
         let outlines = all.filter_map(|(solid, kind)| outline(solid, kind, cut, |point| self.seen(look, point.into())));
         outlines.map(|outline| outline.body).collect()
     }
@@ -253,19 +276,18 @@ impl Performed {
         edges
     }
 
-    /// The zones; one that holds what is touched is drawn around it, as what lies beyond is forbidden.
-    fn zones(&self, look: &Look, touches: &[Touched], shapes: &mut Vec<PictureShape>) -> Vec<[[f64; 2]; 2]> {
+    /// The zones; where what lies beyond is forbidden, that is drawn.
+    fn zones(&self, look: &Look, shapes: &mut Vec<PictureShape>) -> Vec<[[f64; 2]; 2]> {
+        let fields = &self.staging.fields;
         let mut corners = Vec::new();
-        for zone in &self.proposal.zones {
+        for zone in self.proposal.zones.iter().filter(|_| fields.zone.is_some()) {
             let Some(outline) = outline(zone, ShapeKind::Zone, None, |point| self.seen(look, point.into())) else {
                 continue;
             };
             let body = outline.body;
             let around @ [low, high] = extent(std::slice::from_ref(&body));
-            let inside =
-                |touch: &Touched| (0..2).all(|axis| low[axis] <= touch.at[axis] && touch.at[axis] <= high[axis]);
             let figure = |points| polygon(ShapeKind::Zone, points);
-            let figures = match (touches.iter().any(inside), body.circle, look.cut) {
+            let figures = match (fields.beyond, body.circle, look.cut) {
                 (false, ..) => vec![body],
                 (true, Some((centre, radius)), _) => vec![ring(ShapeKind::Zone, centre, radius, radius + WALL)],
                 (true, None, false) => {
@@ -278,8 +300,7 @@ impl Performed {
                     .map(|[from, to]| figure(vec![[from, low[1]], [to, low[1]], [to, high[1]], [from, high[1]]]))
                     .to_vec(),
             };
-            let field = self.staging.fields.zone;
-            shapes.extend(figures.into_iter().map(|shape| PictureShape { field, ..shape }));
+            shapes.extend(figures.into_iter().map(|shape| PictureShape { field: fields.zone, ..shape }));
             corners.push(around);
         }
         corners
@@ -289,7 +310,7 @@ impl Performed {
     fn ways(&self, look: &Look, shapes: &mut Vec<PictureShape>) {
         let mut drawn: Vec<[[f64; 2]; 2]> = Vec::new();
         let arc = self.staging.fields.arc.filter(|_| look.way.is_none());
-        for way in self.ways.iter().filter(|way| way.after < look.until()) {
+        for way in self.ways.iter().filter(|way| (look.since..look.until()).contains(&way.after)) {
             let Some(field) = (if way.round { look.way.or(arc) } else { look.way }) else {
                 continue;
             };
@@ -334,13 +355,39 @@ fn nearest<'a>(solids: &[&'a Solid], point: [f64; 3]) -> Option<&'a Solid> {
     solids.iter().copied().min_by(|one, other| away(one).total_cmp(&away(other)))
 }
 
-/// The core's own machine for the cycle, with a ball of this radius.
-fn machine(inputs: &Inputs, ball: f64) -> Setup {
-    let mut setup = Setup::for_variant(inputs.cycle, inputs.variant, inputs.plane);
+/// The plane in which it is carried out: that of the machine, where the cycle has one of its own.
+fn plane(inputs: &Inputs) -> Plane {
+    match inputs.cycle.purpose.machine {
+        MachineSort::Turning => Plane::G18,
+        _ => inputs.plane,
+    }
+}
+
+/// Makes it a call of another variant.
+fn vary(inputs: &mut Inputs, variant: Option<i64>) {
+    let Some(variant) = variant else {
+        return;
+    };
+    inputs.variant = variant;
+    inputs.numbers.extend(inputs.cycle.variant_param().map(|name| (name, variant as f64)));
+}
+
+/// The core's own machine for the cycle, with the probe of the picture.
+fn machine(inputs: &Inputs, staging: &Staging) -> Setup {
+    let ball = staging.ball;
+    let mut setup = Setup::for_variant(inputs.cycle, inputs.variant, plane(inputs));
+    for (name, value) in staging.data {
+        setup.control.set(*name, *value);
+    }
     setup.control.transverse = if inputs.diameters { Transverse::Diameter } else { Transverse::Radius };
     setup.probe.radius = ball;
     setup.probe.stylus = Some(0.0); // out of the way
     calibrate(&mut setup.control, inputs.cycle, ball);
+    let (tool, edge) = (setup.control.tool, setup.control.edge);
+    if let Some(edge) = setup.control.edge_of_mut(tool, edge) {
+        let lies = |tip: &i64| Edge { tip: *tip, ..edge.clone() }.body() == inputs.body;
+        edge.tip = staging.tip.or_else(|| (5..=8).find(lies).filter(|_| inputs.body.is_some())).unwrap_or(edge.tip);
+    }
     setup
 }
 

@@ -127,7 +127,9 @@ pub fn outline(solid: &Solid, kind: ShapeKind, cut: Option<Cut>, seen: impl Fn(V
         return Some(Outline { body: ball(kind), lines: vec![ball(ShapeKind::Edge)] });
     }
     let prism = prism(&solid.shape)?;
-    if let (Some(cut), Profile::Corners(corners)) = (cut.filter(|_| frame.leans()), &prism.outer) {
+    if let (Some(cut), Profile::Corners(corners)) =
+        (cut.filter(|_| frame.leans() || prism.opening.is_none()), &prism.outer)
+    {
         let place = |[x, y]: [f64; 2], z: f64| V3::from(solid.at) + turn * V3::new(x, y, z);
         let rings = [0.0, prism.low].map(|z| corners.iter().map(|corner| place(*corner, z)).collect::<Vec<_>>());
         let body = figures::polygon(kind, section(&rings, cut).into_iter().map(seen).collect());

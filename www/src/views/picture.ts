@@ -186,7 +186,8 @@ function figure(shape: PictureShape, place: Place, scale: number, size: Size, va
   const opening = shape.opening ? circled(shape.opening, place, scale) : "";
   const open = opening ? { "fill-rule": "evenodd" } : {};
   if (shape.circle && opening) lines.push(path(circled(shape.circle, place, scale) + opening, open));
-  else if (circle) lines.push({ tag: "circle", attributes: { cx: r(circle.at[0]), cy: r(circle.at[1]), r: r(circle.r) } });
+  else if (circle)
+    lines.push({ tag: "circle", attributes: { cx: r(circle.at[0]), cy: r(circle.at[1]), r: r(circle.r) } });
   if (shape.kind === "touch" && !shape.circle)
     for (const [x, y] of points) lines.push(path(`M${r(x - 4)} ${r(y)}h8M${r(x)} ${r(y - 4)}v8`));
   else if (points.length > 1)

@@ -39,9 +39,3 @@ pub fn shares([a, b]: [Point; 2], [u, v]: [Point; 2], least: f64) -> Option<[f64
     let between = away(a, b);
     (!parallel).then(|| [across(between, v) / turn, across(between, u) / turn])
 }
-
-/// Where two lines meet that are far enough from parallel to be drawn.
-pub fn meeting(points: [Point; 2], directions: [Point; 2]) -> Option<Point> {
-    let [share, _] = shares(points, directions, 0.05)?;
-    Some(along(points[0], directions[0], share))
-}

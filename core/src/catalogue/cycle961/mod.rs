@@ -15,7 +15,6 @@ mod picture;
 mod proposal_tests;
 mod propose;
 mod results;
-mod scene;
 mod simulate;
 #[cfg(test)]
 mod simulation_tests;
@@ -67,7 +66,7 @@ pub static CYCLE961: Cycle = Cycle {
         sinumerik::help::AGAIN,
         sinumerik::help::MEASURING,
     ]),
-    picture: Drawing::new(picture::picture),
+    picture: Drawing::staged(picture::stage, picture::marks),
     example: &[
         ("_MVAR", "108"),
         ("_STA1", "-35"),

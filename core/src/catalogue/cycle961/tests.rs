@@ -10,7 +10,7 @@ use crate::diagnostic::{Code, Severity};
 use crate::dialect::Dialect;
 use crate::entry::Typed;
 use crate::entry::{Style, Variant};
-use crate::form::{Entry, fields};
+use crate::form::{Entry, draw, fields};
 use crate::picture::ShapeKind;
 use crate::program::calls::calls;
 use crate::program::change;
@@ -141,8 +141,9 @@ fn drawn(places: [[f64; 2]; 4]) -> Vec<[[f64; 2]; 2]> {
             values.insert(name.to_owned(), value.to_string());
         }
     }
-    let inputs = check(&CYCLE961, &values, &delivery(CYCLE961.dialect)).inputs;
-    let shapes = super::picture::picture(&inputs.unwrap()).shapes;
+    let control = delivery(CYCLE961.dialect);
+    assert!(check(&CYCLE961, &values, &control).inputs.is_some());
+    let shapes = draw(&CYCLE961, &values, &control).unwrap().shapes;
     let places = |field: Option<&str>| field.is_some_and(|field| field.starts_with("_SETV["));
     shapes
         .into_iter()

@@ -63,7 +63,7 @@ pub static CYCLE973: Cycle = Cycle {
     ],
     checks: checks::checks,
     help: Help::new(&[sinumerik::help::STORED, help::LINES, sinumerik::help::BLOCK, lathe::help::PROBE]),
-    picture: Drawing::new(picture::picture),
+    picture: Drawing::staged(picture::stage, picture::marks),
     example: &[
         ("_MVAR", "0"),
         ("_SETVAL", "-18"),

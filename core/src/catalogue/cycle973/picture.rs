@@ -3,196 +3,106 @@
 //! probe in use: of 7 the walls lie in the ordinate, of 8 in the abscissa (B:13473-13482).
 
 use super::params::{BALL as DIAMETER, SKEW, SURFACE, TWO};
-use crate::catalogue::lathe::figures::{self, BALL, Bands, Touch};
-use crate::catalogue::lathe::params::DIAMETER as ACROSS;
-use crate::entry::Inputs;
-use crate::entry::names;
-use crate::picture::figures::{arrow, circle, dimension, line, polygon, rectangle};
-use crate::picture::{Picture, PictureShape, ShapeKind, View};
+use crate::catalogue::lathe::figures::{self, axis, named, per};
+use crate::entry::stage::{Fields, Look, Seen, Staging, add};
+use crate::entry::{Inputs, names};
+use crate::picture::figures::{arrow, circle, line, rectangle};
+use crate::picture::{PictureShape, ShapeKind};
 
-/// Bands of the trigger value.
-const BANDS: Bands = &[(names::TSA, -2.6, 2.6), (names::TZL, -1.2, 1.2)];
-/// Half the width of the drawn groove, mm.
-const HALF: f64 = 16.0;
-/// Where its base and its opening lie, and how deep the ball goes for the walls, mm.
-const BASE: f64 = -10.0;
-const OPEN: f64 = 26.0;
-const DEEP: f64 = 8.0;
-/// Half the length of the drawn surface, mm.
-const FACE: f64 = 30.0;
+/// Bands of the trigger value, mm.
+const BANDS: [(&str, f64, f64); 2] = [(names::TSA, -2.6, 2.6), (names::TZL, -1.2, 1.2)];
+/// The grooves of both cutting edge positions: walls, base, and the upper face, mm.
+const GROOVES: [(&str, f64); 7] = [
+    ("_KB[0,0]", 18.0),
+    ("_KB[0,1]", -18.0),
+    ("_KB[0,2]", -20.0),
+    ("_KB[0,3]", 18.0),
+    ("_KB[0,4]", -18.0),
+    ("_KB[0,5]", 20.0),
+    ("_KB[0,6]", -20.0),
+];
+/// From the zero point to a surface, mm.
+const SET: f64 = 40.0;
 
-/// The picture.
-pub fn picture(inputs: &Inputs) -> Picture {
+/// The surface on its side of the zero point, or the first pair of grooves.
+pub fn stage(inputs: &Inputs) -> Staging {
     if SURFACE.holds(inputs) {
-        return surface(inputs);
+        let look = if axis(inputs) == 2 { Look::section(0) } else { Look { held: true, ..Look::ABOVE } };
+        let set = (SET * per(inputs)).copysign(inputs.number(names::SETVAL));
+        return figures::stage(inputs, look).with(names::SETVAL, set);
     }
-    let mut shapes = groove(inputs);
-    shapes.extend(stylus(inputs));
-    Picture { view: View::Plane, shapes }
-}
-
-/// Direction of touching: plus 1, minus -1.
-fn direction(inputs: &Inputs) -> f64 {
-    if inputs.given(names::MD) == Some(0.0) { 1.0 } else { -1.0 }
-}
-
-/// Way and arrow of one touch, with its ball.
-fn touched(touch: &Touch, path: f64) -> Vec<PictureShape> {
-    let mut shapes = figures::touch(touch, path).to_vec();
-    let (start, end) = (touch.start(path), touch.before(BALL));
-    shapes.push(arrow(ShapeKind::Path, start, end, 3.0).of(names::MD));
-    shapes
-}
-
-/// A surface across the measuring axis.
-fn surface(inputs: &Inputs) -> Picture {
-    let axis = inputs.integer(names::MA).clamp(1, 3);
-    let along: [f64; 2] = if axis == 1 { [1.0, 0.0] } else { [0.0, 1.0] };
-    let away = -direction(inputs);
-    let touch = Touch { at: [0.0; 2], out: along.map(|part| part * away), number: 1 };
-    let path = figures::path(inputs);
-    let place =
-        |forward: f64, beside: f64| [along[0] * forward + along[1] * beside, along[1] * forward + along[0] * beside];
-    let size = place(24.0, 2.0 * FACE);
-    let block = rectangle(ShapeKind::Material, place(-away * 12.0, 0.0), size);
-    let face = [place(0.0, -FACE), place(0.0, FACE)];
-    let mut shapes = vec![block, line(ShapeKind::Edge, face.to_vec()).of(names::SETVAL)];
-    shapes.extend(figures::bands(inputs, BANDS, face, touch.out));
-    let ends = [place(-48.0, 0.0), place(48.0, 0.0)];
-    let [measured, letter] = figures::axis(inputs, axis as usize - 1, ends);
-    shapes.extend([measured.of(names::MA), letter]);
-    shapes.extend(set_position(inputs, place));
-    shapes.extend(touched(&touch, path));
-    shapes.push(figures::path_dimension(&touch, path));
-    if axis != 3 {
-        shapes.extend(figures::probe(inputs, touch.start(path)));
-    }
-    Picture { view: if axis == 3 { View::Section } else { View::Plane }, shapes }
-}
-
-/// The zero point on its side of the surface, and the distance from it; a diameter counts from beyond it.
-fn set_position(inputs: &Inputs, place: impl Fn(f64, f64) -> [f64; 2]) -> [PictureShape; 2] {
-    let side = if inputs.number(names::SETVAL) < 0.0 { 1.0 } else { -1.0 };
-    let zero = side * 40.0;
-    let from = if ACROSS.holds(inputs) { 2.0 * zero } else { zero };
-    let line_of_zero = vec![place(zero, FACE), place(zero, -FACE * 1.3)];
-    [
-        line(ShapeKind::Axis, line_of_zero).text("0"),
-        dimension(names::SETVAL, place(from, -FACE * 1.15), place(0.0, -FACE * 1.15)),
-    ]
+    let look = Look { cut: true, ..Look::ABOVE.ways(names::MVAR) };
+    let stage = figures::stage(inputs, look).ball(3.0).with(names::FA, 7.0).with(names::CALNUM, 1.0);
+    let fields = Fields { edges: &[names::CALNUM], ..Fields::CYCLE };
+    Staging { tip: Some(if turned(inputs) { 8 } else { 7 }), fields, data: &GROOVES, ..stage }
 }
 
 /// Whether the groove is that of cutting edge position 8: the axis of both walls says it, else the probe in use.
-fn lies_along_ordinate(inputs: &Inputs) -> bool {
+fn turned(inputs: &Inputs) -> bool {
     if TWO.holds(inputs) {
         return inputs.integer(names::MA) == 1;
     }
     inputs.body.is_some_and(|[abscissa, _]| abscissa == 0.0)
 }
 
-/// The groove with its touches.
-fn groove(inputs: &Inputs) -> Vec<PictureShape> {
-    let two = TWO.holds(inputs);
-    let turned = lies_along_ordinate(inputs);
-    let walls = two || inputs.integer(names::MA) == if turned { 1 } else { 2 };
-    let path = figures::path(inputs).min(8.0);
-    let touches = touches(inputs, walls, two);
-    let mut shapes = walls_and_base(inputs);
-    shapes.extend(axes(inputs, turned));
-    for touch in &touches {
-        let face = if walls { [[BASE, touch.at[1]], [OPEN, touch.at[1]]] } else { [[BASE, -HALF], [BASE, HALF]] };
-        shapes.extend(figures::bands(inputs, BANDS, face, touch.out));
-        shapes.extend(touched(touch, path));
-    }
-    if let Some(first) = touches.first() {
-        let start = first.start(path);
-        shapes.push(figures::path_dimension(first, path));
-        shapes.extend(figures::stylus(start, [1.0, 0.0]));
-        let way_in = vec![[58.0, 0.0], [start[0], 0.0], start];
-        shapes.push(line(ShapeKind::Path, way_in).of(names::MVAR));
-    }
-    let tip = if turned { "SL 8" } else { "SL 7" };
-    let label = line(ShapeKind::Label, vec![[50.0, 16.0]]);
-    shapes.push(label.text(tip).of(names::PRNUM));
-    if turned {
-        shapes.iter_mut().for_each(exchange_axes);
-    }
-    shapes
-}
-
-/// What is touched: both walls, plus first, or one of them; or the base.
-fn touches(inputs: &Inputs, walls: bool, two: bool) -> Vec<Touch> {
-    let wall = |number, side: f64| Touch { at: [DEEP, side * HALF], out: [0.0, -side], number };
-    match (walls, two) {
-        (true, true) => vec![wall(1, 1.0), wall(2, -1.0)],
-        (true, false) => vec![wall(1, direction(inputs))],
-        (false, _) => vec![Touch { at: [BASE, 0.0], out: [1.0, 0.0], number: 1 }],
-    }
-}
-
-/// The block that is cut, and the faces that `_KB` describes.
-fn walls_and_base(inputs: &Inputs) -> Vec<PictureShape> {
-    let faces = vec![[OPEN, HALF], [BASE, HALF], [BASE, -HALF], [OPEN, -HALF]];
-    let mut block = vec![[OPEN, -34.0], [-32.0, -34.0], [-32.0, 34.0], [OPEN, 34.0]];
-    block.extend(&faces);
-    let pair = (inputs.number(names::CALNUM) - 1.0).max(0.0);
-    let label = line(ShapeKind::Label, vec![[-21.0, 24.0]]);
-    vec![
-        polygon(ShapeKind::Cut, block),
-        line(ShapeKind::Edge, faces).of(names::CALNUM),
-        label.text(format!("_KB[{pair}]")).of(names::CALNUM),
-    ]
-}
-
-/// Both axes of the plane; that of the measurement belongs to its field.
-fn axes(inputs: &Inputs, turned: bool) -> Vec<PictureShape> {
-    let lines = [[[-42.0, 0.0], [62.0, 0.0]], [[DEEP, -42.0], [DEEP, 42.0]]];
-    let mut shapes = Vec::new();
-    for (index, ends) in lines.into_iter().enumerate() {
-        let axis = if turned { 1 - index } else { index };
-        let [mut drawn, letter] = figures::axis(inputs, axis, ends);
-        if inputs.integer(names::MA) == axis as i64 + 1 {
-            drawn = drawn.of(names::MA);
-        }
-        shapes.extend([drawn, letter]);
-    }
-    shapes
-}
-
-/// Lays a figure so that the walls of the groove lie in the abscissa.
-fn exchange_axes(shape: &mut PictureShape) {
-    for [x, y] in &mut shape.points {
-        std::mem::swap(x, y);
-    }
-    if let Some(([x, y], _)) = &mut shape.circle {
-        std::mem::swap(x, y);
-    }
-}
-
-/// The stylus by itself, where something is determined about it: ball diameter, and the place of the ball beside the
-/// middle of the probe.
-fn stylus(inputs: &Inputs) -> Vec<PictureShape> {
-    let (skewed, diameter) = (SKEW.holds(inputs), DIAMETER.holds(inputs));
-    if !skewed && !diameter {
+/// Setpoint or groove, direction, limits, and what is determined.
+pub fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
+    let ([seen], paper) = (looks, usize::from(axis(inputs) != 0)) else {
         return Vec::new();
+    };
+    let used: Vec<_> = BANDS.into_iter().filter(|(name, ..)| inputs.uses(name)).collect();
+    let mut shapes = seen.bands(ShapeKind::Tolerance, &used);
+    for touch in &seen.touches {
+        shapes.push(arrow(ShapeKind::Path, touch.start, touch.ball, 3.0).of(names::MD));
     }
-    let (middle, radius) = (104.0, 8.0);
-    let centre = [middle + if skewed { 7.0 } else { 0.0 }, -16.0];
+    shapes.extend(seen.path(names::FA, 0, 2.5));
+    let Some(touch) = seen.touches.first() else {
+        return shapes;
+    };
+    let axes = [0, 1].map(|axis| (axis == paper).then_some(names::MA));
+    if SURFACE.holds(inputs) {
+        let [low, _] = seen.extent;
+        shapes.extend(seen.position(names::SETVAL, paper, None).into_iter().take(1));
+        shapes.extend(figures::set(inputs, seen, paper, low[1 - paper] - 4.0));
+        shapes.extend(seen.axes(touch.at, axes).into_iter().nth(paper));
+        if axis(inputs) != 2 {
+            shapes.extend(figures::probe(inputs, touch.start));
+        }
+        return shapes;
+    }
+    shapes.extend(seen.axes(seen.middle(), axes));
+    let turned = turned(inputs);
+    let back = if turned { [0.0, 1.0] } else { [1.0, 0.0] };
+    shapes.extend(figures::stylus(touch.start, back));
+    let pair = (inputs.number(names::CALNUM) - 1.0).max(0.0);
+    let [low, high] = seen.extent;
+    let tip = line(ShapeKind::Label, vec![[high[0] + 12.0, high[1] - 4.0]]).text(if turned { "SL 8" } else { "SL 7" });
+    let data = line(ShapeKind::Label, vec![[low[0] + 12.0, low[1] + 4.0]]).text(format!("_KB[{pair}]"));
+    shapes.extend([tip.of(names::PRNUM), data.of(names::CALNUM)]);
+    if SKEW.holds(inputs) || DIAMETER.holds(inputs) {
+        shapes.extend(stylus(inputs, [high[0] + 52.0, seen.middle()[1]]));
+    }
+    shapes
+}
+
+/// The stylus by itself: ball diameter, and the place of the ball beside the middle of the probe. Of its own, as the
+/// probe of the picture has no skew.
+fn stylus(inputs: &Inputs, at: [f64; 2]) -> Vec<PictureShape> {
+    let (skewed, radius) = (SKEW.holds(inputs), 8.0);
+    let place = |x: f64, y: f64| add(at, [x, y]);
+    let aside = if skewed { 7.0 } else { 0.0 };
     let mut shapes = vec![
-        rectangle(ShapeKind::Probe, [middle, 30.0], [22.0, 12.0]).of(names::PRNUM),
-        line(ShapeKind::Probe, vec![[middle, 24.0], centre]).of(names::PRNUM),
-        circle(ShapeKind::Probe, centre, radius).of(names::PRNUM),
-        line(ShapeKind::Axis, vec![[middle, 40.0], [middle, -38.0]]).of(names::MVAR),
+        rectangle(ShapeKind::Probe, place(0.0, 30.0), [22.0, 12.0]).of(names::PRNUM),
+        line(ShapeKind::Probe, vec![place(0.0, 24.0), place(aside, -16.0)]).of(names::PRNUM),
+        circle(ShapeKind::Probe, place(aside, -16.0), radius).of(names::PRNUM),
+        line(ShapeKind::Axis, vec![place(0.0, 40.0), place(0.0, -38.0)]).of(names::MVAR),
     ];
     if skewed {
-        let ends = vec![[middle, -34.0], [centre[0], -34.0]];
-        shapes.push(line(ShapeKind::Dimension, ends).text("s").of(names::MVAR));
-        let drop = vec![centre, [centre[0], -38.0]];
-        shapes.push(line(ShapeKind::Axis, drop).of(names::MVAR));
+        shapes.push(named("s", place(0.0, -34.0), place(aside, -34.0)));
+        shapes.push(line(ShapeKind::Axis, vec![place(aside, -16.0), place(aside, -38.0)]).of(names::MVAR));
     }
-    if diameter {
-        let ends = vec![[centre[0] - radius, -3.0], [centre[0] + radius, -3.0]];
-        shapes.push(line(ShapeKind::Dimension, ends).text("Ø").of(names::MVAR));
+    if DIAMETER.holds(inputs) {
+        shapes.push(named("Ø", place(aside - radius, -3.0), place(aside + radius, -3.0)));
     }
     shapes
 }

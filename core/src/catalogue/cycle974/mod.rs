@@ -75,7 +75,7 @@ pub static CYCLE974: Cycle = Cycle {
         sinumerik::help::AGAIN,
         sinumerik::help::MEASURING,
     ]),
-    picture: Drawing::new(picture::picture),
+    picture: Drawing::staged(picture::stage, picture::marks),
     example: &[
         ("_MVAR", "0"),
         ("_SETVAL", "45"),

@@ -48,7 +48,7 @@ pub static CYCLE976: Cycle = Cycle {
     ],
     checks: checks::checks,
     help: Help::new(&[sinumerik::help::STORED, help::LINES, sinumerik::help::PROBE]),
-    picture: Drawing::new(picture::picture),
+    picture: Drawing::staged(picture::stage, picture::marks),
     example: &[
         ("_MVAR", "10101"),
         ("_SETVAL", "110.246"),

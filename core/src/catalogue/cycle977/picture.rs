@@ -22,7 +22,7 @@ pub fn stage(inputs: &Inputs) -> Staging {
         false => (&[names::SETVAL], &[names::SETVAL]),
     };
     let section = Look::section(first(inputs)).ways(names::ID).touching(1);
-    let stage = Staging::new(Look::ABOVE, Fields { edges, ..Fields::CYCLE })
+    let stage = Staging::new(Look::ABOVE, Fields { edges, beyond: outside, ..Fields::CYCLE })
         .sized(inputs, sizes)
         .short(inputs, names::FA, if zone { [0.06 * SIZE; 2] } else { [0.1 * SIZE, 0.25 * SIZE] })
         .with(names::ID, INFEED)

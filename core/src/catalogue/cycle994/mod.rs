@@ -78,7 +78,7 @@ pub static CYCLE994: Cycle = Cycle {
         sinumerik::help::AGAIN,
         sinumerik::help::MEASURING,
     ]),
-    picture: Drawing::new(picture::picture),
+    picture: Drawing::staged(picture::stage, picture::marks),
     example: &[
         ("_MVAR", "2"),
         ("_SETVAL", "45"),
