@@ -3,6 +3,7 @@
 use crate::message::{Arg, Message};
 use fluent_bundle::concurrent::FluentBundle;
 use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
+use serde_json::{Map, Value};
 
 /// A language: its code, which is also its folder, and its message files. English has every message; the others are
 /// held against it by a test.
@@ -61,35 +62,70 @@ impl Words {
 
     /// The text of a message, if there is one.
     pub fn find(&self, message: &Message) -> Option<String> {
-        let (id, attribute) = match message.key.split_once('.') {
+        let mut args = FluentArgs::new();
+        for (name, arg) in &message.args {
+            args.set(
+                *name,
+                match arg {
+                    Arg::Number(number) => FluentValue::from(rounded(*number)),
+                    Arg::Text(text) => self.argument(text),
+                },
+            );
+        }
+        self.format(&message.key, &args)
+    }
+
+    fn format(&self, key: &str, args: &FluentArgs) -> Option<String> {
+        let (id, attribute) = match key.split_once('.') {
             Some((id, attribute)) => (id, Some(attribute)),
-            None => (message.key.as_ref(), None),
+            None => (key, None),
         };
         let entry = self.bundle.get_message(id)?;
         let pattern = match attribute {
             Some(name) => entry.get_attribute(name)?.value(),
             None => entry.value()?,
         };
-        let args = self.arguments(message);
         let mut errors = Vec::new();
-        let text = self.bundle.format_pattern(pattern, Some(&args), &mut errors);
+        let text = self.bundle.format_pattern(pattern, Some(args), &mut errors);
         Some(text.into_owned())
     }
 
-    /// The arguments of a message; a text that is itself a key is put into words first, as in the page.
-    fn arguments<'a>(&self, message: &'a Message) -> FluentArgs<'a> {
-        let mut args = FluentArgs::new();
-        for (name, arg) in &message.args {
-            let value = match arg {
-                Arg::Number(number) => FluentValue::from(rounded(*number)),
-                Arg::Text(text) => match self.spoken(text) {
-                    Some(words) => FluentValue::from(words),
-                    None => FluentValue::from(text.as_str()),
-                },
-            };
-            args.set(*name, value);
+    /// A text as an argument; one that is itself a key is put into words first, as in the page.
+    fn argument<'a>(&self, text: &'a str) -> FluentValue<'a> {
+        self.spoken(text).map_or_else(|| FluentValue::from(text), FluentValue::from)
+    }
+
+    /// Adds to everything in a document that has a key what it says: `text`, of an alarm `cause` and `cure` too.
+    pub fn speak(&self, document: &mut Value) {
+        match document {
+            Value::Array(list) => list.iter_mut().for_each(|one| self.speak(one)),
+            Value::Object(members) => {
+                members.values_mut().for_each(|one| self.speak(one));
+                for (name, said) in self.said(members) {
+                    members.entry(name).or_insert(said.into());
+                }
+            }
+            _ => {}
         }
-        args
+    }
+
+    /// What an object with a key says.
+    fn said(&self, members: &Map<String, Value>) -> Vec<(&'static str, String)> {
+        let Some(key) = members.get("key").and_then(Value::as_str) else {
+            return Vec::new();
+        };
+        let mut args = FluentArgs::new();
+        let given = members.get("args").and_then(Value::as_object);
+        for (name, value) in given.into_iter().flatten() {
+            let number = value.as_f64().map(|number| FluentValue::from(rounded(number)));
+            let text = || self.argument(value.as_str().unwrap_or_default());
+            args.set(name.as_str(), number.unwrap_or_else(text));
+        }
+        let find = |key: &str| self.format(key, &args);
+        // a cycle and a parameter have the stems of their keys
+        let text = find(key).or_else(|| find(&format!("{key}-title"))).or_else(|| find(&format!("param-{key}")));
+        let parts = [("text", text), ("cause", find(&format!("{key}.cause"))), ("cure", find(&format!("{key}.cure")))];
+        parts.into_iter().filter_map(|(name, text)| Some((name, text?))).collect()
     }
 
     /// The words of a text that is a key.

@@ -8,11 +8,11 @@ import type { Message } from "./wire";
 const FALLBACK = "en";
 // English comes in two parts, split by the build (vite.config.ts): what the first form says, and what comes behind it.
 const english = import.meta.glob<string>(
-  ["../../core/messages/en/*.ftl", "../messages/en/*.ftl", "!../../core/messages/en/help*.ftl"],
+  ["../../core/messages/en/*.ftl", "../messages/en/*.ftl", "!../../core/messages/en/{help*,report}.ftl"],
   { query: "?first", import: "default", eager: true },
 );
 const later = Object.values(
-  import.meta.glob<string>(["../../core/messages/en/*.ftl", "!../../core/messages/en/help*.ftl"], {
+  import.meta.glob<string>(["../../core/messages/en/*.ftl", "!../../core/messages/en/{help*,report}.ftl"], {
     query: "?later",
     import: "default",
   }),
@@ -24,7 +24,7 @@ const others = import.meta.glob<string>(
     "../messages/*/*.ftl",
     "!../../core/messages/en/*.ftl",
     "!../messages/en/*.ftl",
-    "!../../core/messages/*/help*.ftl",
+    "!../../core/messages/*/{help*,report}.ftl",
   ],
   { query: "?raw", import: "default" },
 );

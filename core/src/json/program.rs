@@ -154,6 +154,11 @@ fn findings(list: &[Diagnostic], positions: &Positions) -> Vec<Value> {
     list.iter().map(|found| placed(found, positions)).collect()
 }
 
+/// What is wrong with a program, with the places in its text.
+pub fn diagnostics(list: &[Diagnostic], source: &[u8]) -> Value {
+    findings(list, &Positions::new(source)).into()
+}
+
 fn placed(found: &Diagnostic, positions: &Positions) -> Value {
     let mut value = diagnostic(found);
     if let Some(span) = found.span {

@@ -13,11 +13,13 @@ pub(super) fn parse(text: &str) -> Result<Value, Refused> {
     serde_json::from_str(text).map(|Document(value)| value).map_err(|error| {
         let refused = |key| Refused::new(key, Path::default());
         let said = error.to_string();
-        let end = format!(" at line {} column {}", error.line(), error.column());
         Refused {
             position: Some((error.line(), column(text, &error))),
             ..match error.classify() {
-                Category::Data => Refused::new("document-twice", Path::of(&[said.strip_suffix(&end).unwrap_or(&said)])),
+                Category::Data => Refused::new(
+                    "document-twice",
+                    Path::of(&[said.rsplit_once(" at line ").map_or(said.as_str(), |(name, _)| name)]),
+                ),
                 Category::Eof => refused("document-ends"),
                 Category::Syntax | Category::Io => refused("document-syntax"),
             }

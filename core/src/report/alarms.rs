@@ -90,9 +90,9 @@ fn sources(alarm: &Alarm, words: &Words) -> String {
 /// The page of all alarms, Markdown: a section each.
 pub fn page(words: &Words) -> String {
     let mut text = String::new();
-    line(&mut text, "# Alarms and messages");
+    line(&mut text, &format!("# {}", words.key("report-alarms")));
     line(&mut text, &words.key("alarms-intro"));
-    line(&mut text, "Generated from the catalogue; do not edit.");
+    line(&mut text, &words.key("report-generated"));
     for alarm in ALARMS {
         section(&mut text, told(alarm, words), alarm.source);
     }

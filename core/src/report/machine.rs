@@ -13,13 +13,8 @@ use crate::words::Words;
 /// The page, Markdown.
 pub fn page(words: &Words) -> String {
     let mut text = String::new();
-    line(&mut text, "# Data of the machine");
-    line(
-        &mut text,
-        "SINUMERIK: user data of the blocks GUD5, GUD6 and GUD7 and the machine data that measuring cycles depend on. \
-         NCT, at the end: the variables and parameters of the probing macros. \
-         Generated from the tables in `core/src/control`; do not edit.",
-    );
+    line(&mut text, &format!("# {}", words.key("report-machine")));
+    line(&mut text, &words.key("report-machine-intro"));
     for subject in gud::SUBJECTS {
         user_data(&mut text, subject, words);
     }
@@ -51,8 +46,8 @@ fn user_data(text: &mut String, subject: &Subject, words: &Words) {
 
 /// The setting of ours that lets the masks count.
 fn forms(words: &Words) -> [String; 8] {
-    let plain = ["none: a setting of Probewright", "", "0", "", "", ""].map(str::to_owned);
-    let [block, kind, delivered, unit, allowed, source] = plain;
+    let [kind, delivered, unit, allowed, source] = ["", "0", "", "", ""].map(str::to_owned);
+    let block = words.key("report-own-setting");
     let name = format!("`{}`", support::FORMS);
     let meaning = meaning(support::FORMS_KEY, &[0, 1], words);
     [name, meaning, block, kind, delivered, unit, allowed, source]
@@ -65,7 +60,7 @@ fn cells(gud: &Gud, element: &Element, words: &Words) -> [String; 8] {
         block(gud).to_owned(),
         kind(gud.kind).to_owned(),
         initial(gud, element),
-        unit(element.unit).to_owned(),
+        unit(element.unit, words),
         range(element.range),
         element.source.to_owned(),
     ]
@@ -147,20 +142,21 @@ fn initial(gud: &Gud, element: &Element) -> String {
     }
 }
 
-fn unit(unit: Unit) -> &'static str {
-    match unit {
+fn unit(unit: Unit, words: &Words) -> String {
+    let key = match unit {
         Unit::None => "",
-        Unit::Length(System::Active) => "mm or inch, active",
-        Unit::Length(System::Basic) => "mm or inch, basic",
+        Unit::Length(System::Active) => "report-unit-active",
+        Unit::Length(System::Basic) => "report-unit-basic",
         Unit::Length(System::Metric) => "mm",
         Unit::Feed(System::Metric) => "mm/min",
-        Unit::Feed(_) => "mm/min or inch/min, basic",
+        Unit::Feed(_) => "report-feed-basic",
         Unit::Speed(System::Metric) => "m/min",
-        Unit::Speed(_) => "m/min or feet/min, basic",
+        Unit::Speed(_) => "report-speed-basic",
         Unit::Degree => "degree",
         Unit::Rpm => "1/min",
         Unit::Percent => "%",
-    }
+    };
+    words.key(key) // signs of units have no words and show themselves
 }
 
 fn range(range: Range) -> String {
@@ -223,7 +219,7 @@ fn nct_subject(text: &mut String, subject: &nct_data::Subject, words: &Words) {
             format!("`{}`", datum.name),
             meaning(&datum.key(), datum.choices, words),
             datum.initial.unwrap_or(0.0).to_string(),
-            unit(datum.unit).to_owned(),
+            unit(datum.unit, words),
             range(datum.range),
             datum.source.to_owned(),
         ];

@@ -15,8 +15,8 @@ pub fn page(cycle: &'static Cycle, words: &Words) -> String {
     let mut text = String::new();
     line(&mut text, &format!("# {}: {}", cycle.name, words.key(format!("{}-title", cycle.key))));
     line(&mut text, &words.key(format!("{}-help", cycle.key)));
-    line(&mut text, known(cycle));
-    line(&mut text, &format!("Source: {}. Generated from the catalogue; do not edit.", cycle.source));
+    line(&mut text, &words.key(known(cycle)));
+    line(&mut text, &format!("Source: {}. {}", cycle.source, words.key("report-generated")));
     variants(&mut text, cycle, words);
     help(&mut text, cycle, words);
     parameters(&mut text, cycle, words);
@@ -28,14 +28,12 @@ pub fn page(cycle: &'static Cycle, words: &Words) -> String {
     text
 }
 
-/// How much of the cycle Probewright knows.
+/// Key of how much of the cycle Probewright knows.
 fn known(cycle: &Cycle) -> &'static str {
     match cycle.simulation {
-        Some(_) => "Form, checks, program text and simulation.",
-        None if cycle.purpose.probe == ProbeUse::Log => {
-            "Form, checks and program text; not simulated, so a run goes on without it."
-        }
-        None => "Form, checks and program text; not simulated, so a run stops at the call.",
+        Some(_) => "report-known-simulated",
+        None if cycle.purpose.probe == ProbeUse::Log => "report-known-passed",
+        None => "report-known-stops",
     }
 }
 
@@ -61,7 +59,7 @@ fn parameters(text: &mut String, cycle: &Cycle, words: &Words) {
 fn parameter(param: &Param, words: &Words) -> [String; 7] {
     let default = match param.default {
         Some(number) => number.to_string(),
-        None if param.is_machine_datum() => "as on the machine".to_owned(),
+        None if param.is_machine_datum() => words.key("report-default-machine"),
         None => String::new(),
     };
     [

@@ -8,11 +8,12 @@ use crate::catalogue::sinumerik::results;
 use crate::check::upkeep;
 use crate::check::{self, Checked};
 use crate::control::Value;
-use crate::diagnostic::{Code, Severity, Span};
+use crate::diagnostic::{Code, Diagnostic, Severity, Span};
 use crate::entry::Typed;
 use crate::entry::{Cycle, Kind, ProbeUse};
 use crate::machine::Stop;
 use crate::message::Message;
+use crate::own;
 use crate::problem::Problem;
 use crate::program::user_programs::BEFORE;
 use crate::program::user_programs::BEHIND;
@@ -31,7 +32,28 @@ pub fn data(run: &mut Interpreter, cycle: &'static Cycle, span: Span) -> Result<
         typed.insert(param.name.to_owned(), text);
     }
     unread::takes(run, cycle, &typed, span).map_err(|problem| run.fail(problem))?;
-    checked(run, cycle, &typed, span)
+    let checked = with_zeros(run, cycle, typed);
+    carry_out(run, cycle, checked, span)
+}
+
+/// A required datum that was never written holds 0 on the control, and the cycle takes that or raises its alarm. That
+/// it is missing is told beside.
+fn with_zeros(run: &Interpreter, cycle: &'static Cycle, mut typed: Typed) -> Checked {
+    let mut missing: Vec<Diagnostic> = Vec::new();
+    loop {
+        let mut checked = check::check(cycle, &typed, &run.sim.control);
+        let never = |one: &&Diagnostic| one.message.key == own::MISSING.cause;
+        let found: Vec<Diagnostic> = checked.diagnostics.iter().filter(never).cloned().collect();
+        let names = found.iter().filter_map(|one| cycle.param(one.param?));
+        let zeros: Vec<_> =
+            names.filter(|param| !matches!(param.kind, Kind::Text(_))).map(|param| param.name).collect();
+        if zeros.is_empty() {
+            checked.diagnostics.splice(0..0, missing);
+            return checked;
+        }
+        typed.extend(zeros.into_iter().map(|name| (name.to_owned(), "0".to_owned())));
+        missing.extend(found.into_iter().map(|one| one.under(own::MISSING.code())));
+    }
 }
 
 /// NCT: every address of the block is an argument.

@@ -2,12 +2,14 @@
 
 use super::running::machine;
 use super::{block_setup, go, near};
+use probewright_core::catalogue::example::example;
+use probewright_core::catalogue::find;
 use probewright_core::control::Frame;
 use probewright_core::diagnostic::Code;
 use probewright_core::dialect::Dialect;
 use probewright_core::machine::Stop;
 use probewright_core::machine::trace::Step;
-use probewright_core::run::{Limits, run};
+use probewright_core::run::{Limits, Outcome, run};
 use probewright_core::syntax::read;
 
 #[test]
@@ -91,4 +93,61 @@ fn a_face_is_milled_and_measured_on_a_turning_machine() {
     let outcome = run(&program, &setup, Limits::default());
     assert_eq!(outcome.stop, None, "{:?}", outcome.diagnostics);
     assert!((outcome.control.number("_OVR[16]") - 0.5).abs() < 1e-9);
+}
+
+/// The program of a worked call, without some of its values.
+fn without(name: &str, variant: i64, left_out: &[&str]) -> String {
+    let cycle = find(Dialect::Sinumerik, name).unwrap();
+    let variant = cycle.variants.iter().find(|one| one.number == variant).unwrap();
+    let values = example(cycle, variant);
+    let written = values.iter().filter(|(name, _)| !left_out.contains(&name.as_str()));
+    let written: Vec<String> = written.map(|(name, value)| format!("{name}={value}")).collect();
+    format!("{}\n{name}\nM30\n", written.join("\n"))
+}
+
+/// Names of the parameters that are told to be missing.
+fn missing(outcome: &Outcome) -> Vec<&'static str> {
+    let found = outcome.diagnostics.iter().filter(|one| one.code == Code::Own(1) && one.message.key == "check-missing");
+    found.filter_map(|one| one.param).collect()
+}
+
+#[test]
+fn a_datum_that_is_never_written_counts_as_0_and_the_alarm_of_that_comes() {
+    // oracle: manual A:15889 (61346: _SETV[0], _SETV[1] at most 0), A:15890 (61347: _INCA is 0), B:1854 and A:15846
+    // (61307: a variant that there is not)
+    for (name, variant, left_out, alarm) in [
+        ("CYCLE961", 105, "_SETV[0]", 61346),
+        ("CYCLE961", 107, "_SETV[1]", 61346),
+        ("CYCLE961", 105, "_INCA", 61347),
+        ("CYCLE961", 105, "_MVAR", 61307),
+    ] {
+        let outcome = go(&without(name, variant, &[left_out]));
+        assert_eq!(outcome.stop, Some(Stop::Alarm(Code::Alarm(alarm))), "{left_out}");
+        assert!(missing(&outcome).contains(&left_out), "{left_out}: {:?}", outcome.diagnostics);
+        let written = go(&without(name, variant, &[left_out]).replacen("CYCLE", &format!("{left_out}=0\nCYCLE"), 1));
+        assert_eq!(written.stop, outcome.stop, "{left_out}");
+        assert!(!missing(&written).contains(&left_out));
+    }
+    // oracle: hand: the face of the block stands at 0, where _SETVAL points that nobody wrote
+    let mut setup = block_setup();
+    setup.control.frames.insert(1, Frame::translation([-50.0, 0.0, 0.0]));
+    let text = "N10 G54 G17 G90 T9 D1\nN20 M6\nN30 G0 X-20 Y0\nN40 Z-10\n\
+        N50 _TSA=6 _FA=4 _MVAR=100 _MA=1 _KNUM=1 _EVNUM=0 _PRNUM=1 _VMS=0 _NMSP=1\nN60 CYCLE978\nM30";
+    let outcome = run(&read(Dialect::Sinumerik, text.as_bytes()), &setup, Limits::default());
+    assert_eq!((missing(&outcome), &outcome.stop), (vec!["_SETVAL"], &None));
+    assert_eq!((outcome.control.number("_OVR[0]"), outcome.alarms()), (0.0, Vec::new()));
+    assert!(outcome.control.number("_OVR[16]").abs() < 1e-9);
+}
+
+#[test]
+fn data_of_a_call_stay_for_the_next_one() {
+    // oracle: manual B:1696 (global user data keep their values), hand: the second call measures where the first did,
+    // on the other axis, and nothing is missing
+    let text = "N10 G54 G17 G90 T9 D1\nN20 M6\nN30 G0 X-70 Y0\nN40 Z-10\n\
+        N50 _TSA=6 _FA=4 _MVAR=100 _SETVAL=-50 _MA=1 _KNUM=0 _EVNUM=0 _PRNUM=1 _VMS=0 _NMSP=1\nN60 CYCLE978\n\
+        N70 G0 X-70 Y-70\nN80 X0\nN90 _MA=2\nN100 CYCLE978\nM30";
+    let outcome = run(&read(Dialect::Sinumerik, text.as_bytes()), &block_setup(), Limits::default());
+    assert_eq!((missing(&outcome), &outcome.stop), (Vec::new(), &None), "{:?}", outcome.diagnostics);
+    assert_eq!(outcome.control.number("_SETVAL"), -50.0);
+    assert!((outcome.control.number("_OVR[6]") + 50.0).abs() < 1e-9);
 }

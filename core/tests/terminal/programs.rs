@@ -163,3 +163,54 @@ fn a_program_says_the_same_in_every_encoding() {
     assert_eq!(told.replace("gbk.mpf", "utf8.mpf"), wanted);
     assert!(wanted.contains("utf8.mpf:1:"));
 }
+
+/// Every object with a key, wherever it stands.
+fn keyed(document: &serde_json::Value, found: &mut Vec<serde_json::Value>) {
+    match document {
+        serde_json::Value::Array(list) => list.iter().for_each(|one| keyed(one, found)),
+        serde_json::Value::Object(members) => {
+            members.values().for_each(|one| keyed(one, found));
+            found.extend(members.contains_key("key").then(|| document.clone()));
+        }
+        _ => {}
+    }
+}
+
+// oracle: hand (a sentence is what stands under the key in the message files of the language)
+#[test]
+fn json_carries_the_sentence_beside_every_key() {
+    let wrong = file("spoken.mpf", b"_MVAR=7 _SETVAL=10\nCYCLE977\nM30\n");
+    let right = file("spoken_run.mpf", HOLE.as_bytes());
+    let setup = example_setup();
+    let broken = file("spoken.json", b"{ \"control\": \"nct\" }");
+    for (arguments, least) in [
+        (&["cycles", "--json"][..], 1000),
+        (&["alarms", "--json"], 100),
+        (&["alarms", "61341", "--json"], 1),
+        (&["read", &wrong, "--json"], 1),
+        (&["check", &wrong, "--json"], 1),
+        (&["run", &right, "--setup", &setup, "--json"], 10),
+        (&["run", &right, "--setup", &broken, "--json"], 1),
+    ] {
+        for language in ["en", "zh"] {
+            let output = probewright(&[arguments, &["--lang", language]].concat());
+            let view: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+            let mut found = Vec::new();
+            keyed(&view, &mut found);
+            assert!(found.len() >= least, "{arguments:?}: {}", found.len());
+            for one in found {
+                let text = one["text"].as_str().unwrap_or_else(|| panic!("{arguments:?}: {one}"));
+                assert!(text != one["key"] && !text.contains("{$"), "{one}");
+            }
+        }
+    }
+    let view: serde_json::Value = serde_json::from_str(&out(&probewright(&["check", &wrong, "--json"]))).unwrap();
+    let finding = &view[0]["diagnostics"][0];
+    assert_eq!((finding["code"].as_str(), finding["line"].as_u64()), (Some("61307"), Some(1)));
+    assert_eq!(finding["message"]["text"], "CYCLE977 has no measuring variant 7.");
+    let chinese = out(&probewright(&["run", &right, "--setup", &broken, "--json", "--lang", "zh"]));
+    let view: serde_json::Value = serde_json::from_str(&chinese).unwrap();
+    assert_eq!((&view["refused"]["text"], &view["refused"]["line"]), (&"缺少 probe。".into(), &1.into()));
+    let alarm = out(&probewright(&["alarms", "61341", "--json"]));
+    assert!(alarm.contains("\"cure\": \"Calibrate"), "{alarm}");
+}

@@ -1,6 +1,6 @@
 //! `probewright alarms`.
 
-use crate::file::Problem;
+use crate::file::{Problem, print_json};
 use probewright_core::catalogue::alarms::{self, ALARMS};
 use probewright_core::catalogue::operator_messages::{self, MESSAGES};
 use probewright_core::json;
@@ -13,7 +13,7 @@ use std::process::ExitCode;
 pub fn alarms(number: Option<&str>, as_json: bool, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
     match number {
         Some(text) => one(text, as_json, words, out)?,
-        None if as_json => writeln!(out, "{}", serde_json::to_string_pretty(&json::alarms())?)?,
+        None if as_json => print_json(json::alarms(), words, out)?,
         None => list(words, out)?,
     }
     Ok(ExitCode::SUCCESS)
@@ -38,7 +38,7 @@ fn one(text: &str, as_json: bool, words: &Words, out: &mut dyn Write) -> Result<
         (None, None) => return Err(format!("no such alarm: {text}").into()),
     };
     if as_json {
-        writeln!(out, "{}", serde_json::to_string_pretty(&view)?)?;
+        print_json(view, words, out)?;
     } else {
         explain(&told, source, out)?;
     }

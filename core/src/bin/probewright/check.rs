@@ -17,11 +17,13 @@ pub fn check(
     files: &[PathBuf],
     control: Option<Control>,
     setup: Option<&Path>,
+    as_json: bool,
     words: &Words,
     out: &mut dyn Write,
 ) -> Result<ExitCode, Problem> {
-    let machine = setup.map(|path| file::setup(path, words)).transpose()?;
+    let machine = setup.map(|path| file::setup(path, as_json, words, out)).transpose()?;
     let (mut errors, mut unread) = (0, false);
+    let mut views = Vec::new();
     for path in files {
         let source = match file::program(path, words) {
             Ok(source) => source,
@@ -38,7 +40,16 @@ pub fn check(
             }
             None => program::findings(&syntax::read(file::dialect(control, &source), &source)),
         };
-        errors += print_all(path, &source, &found, words, out)?;
+        if as_json {
+            errors += found.iter().filter(|finding| finding.severity == Severity::Error).count();
+            let name = path.display().to_string();
+            views.push(serde_json::json!({ "file": name, "diagnostics": json::diagnostics(&found, &source) }));
+        } else {
+            errors += print_all(path, &source, &found, words, out)?;
+        }
+    }
+    if as_json {
+        file::print_json(views.into(), words, out)?;
     }
     Ok(match (unread, errors) {
         (true, _) => ExitCode::from(2),

@@ -1,6 +1,6 @@
 //! `probewright cycles`.
 
-use crate::file::Problem;
+use crate::file::{Problem, print_json};
 use probewright_core::catalogue::CYCLES;
 use probewright_core::json;
 use probewright_core::words::Words;
@@ -10,7 +10,7 @@ use std::process::ExitCode;
 /// Lists the catalogue.
 pub fn cycles(as_json: bool, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
     if as_json {
-        writeln!(out, "{}", serde_json::to_string_pretty(&json::cycles())?)?;
+        print_json(json::cycles(), words, out)?;
         return Ok(ExitCode::SUCCESS);
     }
     for cycle in CYCLES {

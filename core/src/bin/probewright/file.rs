@@ -6,6 +6,7 @@ use probewright_core::encoding::{Encoding, recognise};
 use probewright_core::json;
 use probewright_core::machine::setup::Setup;
 use probewright_core::words::Words;
+use serde_json::Value;
 use std::io::{BufWriter, Read, Write};
 use std::path::Path;
 
@@ -72,6 +73,12 @@ pub fn write(path: &Path, texts: impl Iterator<Item = String>) -> Result<(), Pro
     Ok(written.map_err(|error| format!("{}: {error}", path.display()))?)
 }
 
+/// Writes a document, with the sentence beside every key.
+pub fn print_json(mut document: Value, words: &Words, out: &mut dyn Write) -> Result<(), Problem> {
+    words.speak(&mut document);
+    Ok(writeln!(out, "{}", serde_json::to_string_pretty(&document)?)?)
+}
+
 /// A line on standard error; where that is closed, nobody can be told.
 pub fn complain(line: &str) {
     drop(writeln!(std::io::stderr(), "{line}"));
@@ -83,13 +90,20 @@ pub fn text(path: &Path) -> Result<String, Problem> {
     Ok(text.trim_start_matches('\u{feff}').to_owned())
 }
 
-/// The machine of a setup file; the error names the file, and the line and column in it.
-pub fn setup(path: &Path, words: &Words) -> Result<Setup, Problem> {
-    let setup = json::setup_from_json(&text(path)?);
-    Ok(setup.map_err(|refused| {
-        let place = refused.position.map_or(String::new(), |(line, column)| format!("{line}:{column}:"));
-        format!("{}:{place} {}", path.display(), words.text(&refused.message))
-    })?)
+/// The machine of a setup file. The error names the file, and the line and column in it; who reads JSON gets it as a
+/// document too.
+pub fn setup(path: &Path, as_json: bool, words: &Words, out: &mut dyn Write) -> Result<Setup, Problem> {
+    let refused = match json::setup_from_json(&text(path)?) {
+        Ok(setup) => return Ok(setup),
+        Err(refused) => refused,
+    };
+    if as_json {
+        let file = path.display().to_string();
+        print_json(serde_json::json!({ "file": file, "refused": json::refused(&refused) }), words, out)?;
+        out.flush()?;
+    }
+    let place = refused.position.map_or(String::new(), |(line, column)| format!("{line}:{column}:"));
+    Err(format!("{}:{place} {}", path.display(), words.text(&refused.message)).into())
 }
 
 /// The control that was asked for, else the one that the program is written for: NCT programs begin with `%O` or `O`

@@ -62,6 +62,9 @@ enum Command {
         /// Setup file of the machine they are for, with its tools and data; otherwise one as delivered
         #[arg(long)]
         setup: Option<PathBuf>,
+        /// As JSON: the findings of each file
+        #[arg(long)]
+        json: bool,
     },
     /// Write the program text of one call to standard output
     Write {
@@ -128,7 +131,9 @@ fn run_command(command: Command, words: &Words, out: &mut dyn Write) -> Result<E
         Command::Alarms { number, json } => alarms::alarms(number.as_deref(), json, words, out),
         Command::Explain { name, variant } => explain::explain(&name, variant, words, out),
         Command::Cycles { json } => cycles::cycles(json, words, out),
-        Command::Check { files, control, setup } => check::check(&files, control, setup.as_deref(), words, out),
+        Command::Check { files, control, setup, json } => {
+            check::check(&files, control, setup.as_deref(), json, words, out)
+        }
         Command::Write { cycle, values, comments, style } => {
             write::write(&cycle, &values, &style, comments, words, out)
         }

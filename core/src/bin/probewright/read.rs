@@ -21,8 +21,7 @@ pub fn read(
     let source = file::program(path, words)?;
     let program = syntax::read(file::dialect(control, &source), &source);
     if as_json {
-        let text = serde_json::to_string_pretty(&json::calls(&program))?;
-        writeln!(out, "{text}")?;
+        file::print_json(json::calls(&program), words, out)?;
         return Ok(ExitCode::SUCCESS);
     }
     for call in calls(&program) {

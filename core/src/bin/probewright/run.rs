@@ -41,13 +41,13 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
     let path = &arguments.file;
     let source = file::program(path, words)?;
-    let mut setup = file::setup(&arguments.setup, words)?;
+    let mut setup = file::setup(&arguments.setup, arguments.json, words, out)?;
     arguments.scan.put_surface(&mut setup, words)?;
     let program = syntax::read(setup.control.dialect, &source);
     let outcome = run::run(&program, &setup, Limits::default());
     if arguments.json {
         let view = json::run_outcome(&setup, &outcome, &source);
-        writeln!(out, "{}", serde_json::to_string_pretty(&view)?)?;
+        file::print_json(view, words, out)?;
     } else {
         print_all(path, &source, &outcome.diagnostics, words, out)?;
         print_outcome(path, &outcome, words, out)?;
