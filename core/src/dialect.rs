@@ -8,3 +8,17 @@ pub enum Dialect {
     /// NCT milling controls.
     Nct,
 }
+
+impl Dialect {
+    /// The control that a program is written for: NCT programs begin with `%O` or `O` and a number (C:1159), everything
+    /// else is taken for SINUMERIK.
+    #[must_use]
+    pub fn of(source: &[u8]) -> Dialect {
+        let rest = source.strip_prefix(b"\xef\xbb\xbf").unwrap_or(source).trim_ascii_start();
+        let rest = rest.strip_prefix(b"%").unwrap_or(rest).trim_ascii_start();
+        match rest {
+            [b'O' | b'o', digit, ..] if digit.is_ascii_digit() => Dialect::Nct,
+            _ => Dialect::Sinumerik,
+        }
+    }
+}

@@ -1,7 +1,8 @@
-//! `cargo xtask serve | test | dist | bench | fuzz`: gets what is missing, builds, serves, tests.
+//! `cargo xtask serve | test | dist | bench | fuzz | corpus`: gets what is missing, builds, serves, tests.
 
 mod bench;
 mod browser;
+mod corpus;
 mod counts;
 mod dist;
 mod fuzz;
@@ -34,6 +35,8 @@ enum Task {
     Bench,
     /// Look for a program that breaks the reader or the interpreter
     Fuzz(fuzz::Options),
+    /// Read, check and run the programs of a folder, and print what came of them
+    Corpus(corpus::Options),
     /// Run one wasm test program in headless Chromium (cargo calls this)
     #[command(hide = true)]
     TestRunner {
@@ -55,6 +58,7 @@ fn main() -> ExitCode {
         Task::Dist => dist::dist().map(|()| true),
         Task::Bench => bench::bench().map(|()| true),
         Task::Fuzz(options) => fuzz::fuzz(&options).map(|()| true),
+        Task::Corpus(options) => corpus::corpus(&options).map(|()| true),
         Task::TestRunner { arguments } => browser::run_wasm_tests(&arguments),
         Task::RunWasmTests { arguments } => browser::wasm_tests(arguments).map(|()| true),
     };

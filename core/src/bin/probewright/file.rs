@@ -106,20 +106,11 @@ pub fn setup(path: &Path, as_json: bool, words: &Words, out: &mut dyn Write) -> 
     Err(format!("{}:{place} {}", path.display(), words.text(&refused.message)).into())
 }
 
-/// The control that was asked for, else the one that the program is written for: NCT programs begin with `%O` or `O`
-/// and a number (C:1159), everything else is taken for SINUMERIK.
+/// The control that was asked for, else the one that the program is written for.
 pub fn dialect(control: Option<Control>, source: &[u8]) -> Dialect {
     match control {
         Some(Control::Sinumerik) => Dialect::Sinumerik,
         Some(Control::Nct) => Dialect::Nct,
-        None if names_nct_program(source) => Dialect::Nct,
-        None => Dialect::Sinumerik,
+        None => Dialect::of(source),
     }
-}
-
-fn names_nct_program(source: &[u8]) -> bool {
-    let rest = source.strip_prefix(b"\xef\xbb\xbf").unwrap_or(source);
-    let rest = rest.trim_ascii_start();
-    let rest = rest.strip_prefix(b"%").unwrap_or(rest).trim_ascii_start();
-    matches!(rest, [b'O' | b'o', digit, ..] if digit.is_ascii_digit())
 }
