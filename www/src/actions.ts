@@ -1,7 +1,9 @@
 // Everything that can happen. Views call these; only these change what is kept.
 
 import { type Derived, findCycle } from "./derive";
-import { isCurrent, isRead, mended, opened, typedIn, withEdits } from "./desk";
+import { opened } from "./desk/calls";
+import { isCurrent, isRead, withEdits } from "./desk/program";
+import { mended, typedIn } from "./desk/typing";
 import type { Encoding } from "./encoding";
 import { lineBreak, type Splice } from "./eol";
 import { fileOf, type ProgramFile } from "./files";
@@ -17,16 +19,18 @@ import {
   openCall,
   ownMachine,
   type Panel,
+  type Patch,
   PLANES,
+  patched,
   planeOf,
   programOf,
   remember,
   type State,
   setsOf,
   unitsIn,
-  work,
 } from "./state";
 import type { Store } from "./store";
+import { work } from "./stored";
 import type {
   Catalogue,
   CycleInfo,
@@ -57,7 +61,7 @@ export interface Actions {
   openCall(index: number): void;
   closeCall(): void;
   /** Way of writing of the snippet; empty: as the machine has it. */
-  style(style: State["style"]): void;
+  style(style: State["snippet"]["style"]): void;
   /** The call in the form, in the program, in another way of writing. */
   convert(style: Style): void;
   /** The edits that a finding of the present program proposes. */
@@ -102,11 +106,16 @@ export function inPlane(variant: Variant, plane: Plane): Variant {
  * The core's own machine becomes one of the other sort with its usual plane, where the task is for another sort than
  * the last one on its control.
  */
-function planeFor(state: State, { control, purpose: { plane } }: CycleInfo): Partial<State> {
+function planeFor(state: State, { control, purpose: { plane } }: CycleInfo): Patch {
   const [usual] = PLANES;
-  if (!plane || (state.suits[control] ?? usual) === plane) return {};
-  const own = ownMachine({ ...state, control });
-  return { suits: { ...state.suits, [control]: plane }, own: { ...state.own, [control]: { own: { ...own, plane } } } };
+  if (!plane || (state.machine.suits[control] ?? usual) === plane) return {};
+  const own = ownMachine(patched(state, { form: { control } }));
+  return {
+    machine: {
+      suits: { ...state.machine.suits, [control]: plane },
+      own: { ...state.machine.own, [control]: { own: { ...own, plane } } },
+    },
+  };
 }
 
 /** The worked measurement of the cycle, with the addresses of the plane. */
@@ -125,8 +134,9 @@ export function isExample(cycle: CycleInfo, values: Record<string, string>, plan
 }
 
 /** The worked measurement with the addresses of another plane, where the form holds one as it is. */
-function turned(cycle: CycleInfo | undefined, state: State, plane: Plane): Partial<State> {
-  const { values, open, sought } = state;
+function turned(cycle: CycleInfo | undefined, state: State, plane: Plane): Patch {
+  const { values, open } = state.form;
+  const { sought } = state.desk;
   const filled = (all: Record<string, string>): string =>
     JSON.stringify(
       Object.entries(all)
@@ -134,184 +144,198 @@ function turned(cycle: CycleInfo | undefined, state: State, plane: Plane): Parti
         .sort(),
     );
   const held = cycle?.variants.find(one => filled(inPlane(one, planeOf(state)).example) === filled(values));
-  return held && open === null && sought === null ? { values: inPlane(held, plane).example } : {};
+  return held && open === null && sought === null ? { form: { values: inPlane(held, plane).example } } : {};
 }
 
 export function createActions(store: Store, catalogue: Catalogue): Actions {
   const now = (): State => store.state;
 
   /** A change that takes work away; until the next edit it can be undone. */
-  const replace = (notice: string, patch: Partial<State>): void => {
-    store.update({ ...patch, notice, undo: work(now()) });
+  const replace = (notice: string, ...patches: Patch[]): void => {
+    store.update(...patches, { page: { notice, undo: work(now()) } });
     store.flush(); // editor and form have to hold it before the next key
   };
 
-  const edits = (pairs: [string, string][]): void => store.update(state => ({ ...typedIn(state, pairs), undo: null }));
+  const edits = (pairs: [string, string][]): void =>
+    store.update(state => patched(typedIn(state, pairs), { page: { undo: null } }));
 
-  const withSets = (sets: Record<string, Record<string, string>>): Partial<State> => ({
-    sets: { ...now().sets, [memoryKey(now())]: sets },
+  const withSets = (sets: Record<string, Record<string, string>>): Patch => ({
+    form: { sets: { ...now().form.sets, [memoryKey(now().form)]: sets } },
   });
 
   return {
     chooseCycle(cycle, chosen) {
       const state = now();
-      const same = cycle.control === state.control && cycle.cycle === state.cycle;
+      const same = cycle.control === state.form.control && cycle.cycle === state.form.cycle;
       const suited = planeFor(state, cycle);
-      const plane = planeOf(same ? state : { ...state, ...suited, control: cycle.control, open: null });
+      const plane = planeOf(same ? state : patched(state, suited, { form: { control: cycle.control, open: null } }));
       const variant = chosen && inPlane(chosen, plane);
       if (same && variant)
-        return edits(Object.entries(isExample(cycle, state.values, plane) ? variant.example : variant.values));
+        return edits(Object.entries(isExample(cycle, state.form.values, plane) ? variant.example : variant.values));
       const values = same
-        ? state.values
-        : (state.remembered[memoryKey(cycle)] ?? variant?.example ?? exampleOf(cycle, plane));
-      store.update({
-        ...remember(now()),
-        ...suited,
-        resets: {},
-        control: cycle.control,
-        cycle: cycle.cycle,
-        values: { ...values, ...variant?.values },
-        open: same ? state.open : null,
-        sought: null,
-        step: AT_END,
-        source: "form",
-        touched: {},
-        checked: false,
-        undo: null,
+        ? state.form.values
+        : (state.form.remembered[memoryKey(cycle)] ?? variant?.example ?? exampleOf(cycle, plane));
+      store.update(remember(state), suited, {
+        form: {
+          control: cycle.control,
+          cycle: cycle.cycle,
+          values: { ...values, ...variant?.values },
+          open: same ? state.form.open : null,
+          resets: {},
+          touched: {},
+          checked: false,
+        },
+        desk: { sought: null },
+        view: { step: AT_END, source: "form" },
+        page: { undo: null },
       });
     },
     edit: (name, value) => edits([[name, value]]),
     touch(name) {
-      if (!now().touched[name]) store.update({ touched: { ...now().touched, [name]: true } });
+      if (!now().form.touched[name]) store.update({ form: { touched: { ...now().form.touched, [name]: true } } });
     },
-    check: () => store.update({ checked: true }),
+    check: () => store.update({ form: { checked: true } }),
     example(variant) {
-      const cycle = findCycle(catalogue, now().control, now().cycle);
+      const cycle = findCycle(catalogue, now().form.control, now().form.cycle);
       if (cycle)
         replace("notice-example", {
-          values: variant ? inPlane(variant, planeOf(now())).example : exampleOf(cycle, planeOf(now())),
-          open: null,
-          sought: null,
-          resets: {},
-          step: AT_END,
-          touched: {},
-          checked: false,
+          form: {
+            values: variant ? inPlane(variant, planeOf(now())).example : exampleOf(cycle, planeOf(now())),
+            open: null,
+            resets: {},
+            touched: {},
+            checked: false,
+          },
+          desk: { sought: null },
+          view: { step: AT_END },
         });
     },
-    editProgram: edits => store.update(state => ({ ...withEdits(state, edits), follow: "text", undo: null })),
+    editProgram: edits =>
+      store.update(state => patched(withEdits(state, edits), { desk: { follow: "text" }, page: { undo: null } })),
     openProgram(text, file) {
-      const { control, programs, files, pending } = now();
+      const { control } = now().form;
+      const { texts: programs, files } = now().program;
+      const { pending } = now().desk;
       replace("notice-opened", {
-        programs: { ...programs, [control]: text },
-        files: { ...files, [control]: file },
-        pending: pending.filter(one => one.control !== control),
-        open: null,
-        sought: null,
-        reading: null,
-        ran: null,
-        cursor: 0,
-        cursorLine: 1,
-        refused: null,
+        program: {
+          texts: { ...programs, [control]: text },
+          files: { ...files, [control]: file },
+          reading: null,
+          cursor: 0,
+          line: 1,
+        },
+        desk: { pending: pending.filter(one => one.control !== control), sought: null },
+        form: { open: null },
+        run: { done: null },
+        page: { refused: null },
       });
     },
     encoding: encoding =>
       store.update(state => ({
-        files: { ...state.files, [state.control]: { ...fileOf(state), encoding } },
-        undo: null,
+        program: { files: { ...state.program.files, [state.form.control]: { ...fileOf(state), encoding } } },
+        page: { undo: null },
       })),
     openSetup(setup) {
-      const { control, remembered } = now();
+      const { control, remembered } = now().form;
       const cycle = catalogue.cycles.find(one => one.control === setup?.control);
-      const other =
-        setup && cycle && setup.control !== control
+      const values = cycle && (remembered[memoryKey(cycle)] ?? cycle.example);
+      const other: Patch =
+        setup && cycle && values && setup.control !== control
           ? {
-              control: setup.control,
-              cycle: cycle.cycle,
-              values: remembered[memoryKey(cycle)] ?? cycle.example,
-              open: null,
-              sought: null,
-              touched: {},
+              form: { control: setup.control, cycle: cycle.cycle, values, open: null, touched: {} },
+              desk: { sought: null },
             }
           : {};
-      replace(setup ? "notice-setup" : "notice-own-setup", {
-        ...remember(now()),
-        ...other,
-        setup,
-        ...(setup ? { errors: errorsOf(setup) } : {}),
-        step: AT_END,
-        refused: null,
+      replace(setup ? "notice-setup" : "notice-own-setup", remember(now()), other, {
+        machine: { setup },
+        ...(setup ? { part: { errors: errorsOf(setup) } } : {}),
+        view: { step: AT_END },
+        page: { refused: null },
       });
     },
-    cursor: (cursor, cursorLine) => store.update(state => ({ cursor, cursorLine, follow: state.follow ?? "cursor" })),
+    cursor: (cursor, cursorLine) =>
+      store.update(state => ({
+        program: { cursor, line: cursorLine },
+        desk: { follow: state.desk.follow ?? "cursor" },
+      })),
     openCall(index) {
       const state = now();
-      const call = isRead(state) ? state.reading?.view.calls[index] : undefined;
-      store.update(call ? opened(state, call) : { sought: { call: index } });
+      const call = isRead(state) ? state.program.reading?.view.calls[index] : undefined;
+      store.update(call ? opened(state, call) : { desk: { sought: { call: index } } });
     },
     closeCall: () =>
       store.update(state => {
-        const cycle = findCycle(catalogue, state.control, state.cycle);
-        const pending = state.pending.filter(one => !one.asks);
+        const cycle = findCycle(catalogue, state.form.control, state.form.cycle);
+        const pending = state.desk.pending.filter(one => !one.asks);
         return {
+          form: { values: asWritten(state), open: null },
+          desk: { sought: null, pending },
           ...(cycle ? planeFor(state, cycle) : {}),
-          values: asWritten(state),
-          open: null,
-          sought: null,
-          pending,
         };
       }),
-    style: style => store.update({ style }),
-    convert: style => store.update(state => (state.open === null ? {} : { converting: { at: state.open, style } })),
+    style: style => store.update({ snippet: { style } }),
+    convert: style =>
+      store.update(state => (state.form.open === null ? {} : { desk: { converting: { at: state.form.open, style } } })),
     cure(edits, elsewhere = []) {
       const state = now();
       if (!isRead(state)) return;
-      const { control } = state;
+      const { control } = state.form;
       if (!elsewhere.length) return store.update(mended(state, edits, "notice-mended"));
       store.update({
-        curing: { control, text: programOf(state), edits, lines: elsewhere },
-        panel: "form",
-        left: "form",
+        desk: { curing: { control, text: programOf(state), edits, lines: elsewhere } },
+        panels: { panel: "form", left: "form" },
       });
     },
     agree: () =>
       store.update(state => {
-        const { curing } = state;
-        const pending = state.pending.map(({ asks, ...one }) => (asks ? { ...one, agreed: true } : one));
-        const next = { ...state, pending, curing: null };
+        const { curing } = state.desk;
+        const pending = state.desk.pending.map(({ asks, ...one }) => (asks ? { ...one, agreed: true } : one));
+        const next = patched(state, { desk: { pending, curing: null } });
         return curing && isCurrent(curing, state) ? mended(next, curing.edits, "notice-applied") : next;
       }),
     refuse: () =>
       store.update(state => {
         const call = openCall(state);
-        const gone = state.pending.filter(one => one.asks);
-        const names = gone.filter(one => one.control === state.control && one.at === call?.from).map(one => one.name);
+        const gone = state.desk.pending.filter(one => one.asks);
+        const names = gone
+          .filter(one => one.control === state.form.control && one.at === call?.from)
+          .map(one => one.name);
         const back = Object.fromEntries(names.map(name => [name, call?.values[name] ?? ""]));
-        return { pending: state.pending.filter(one => !one.asks), values: { ...state.values, ...back }, curing: null };
+        return {
+          desk: { pending: state.desk.pending.filter(one => !one.asks), curing: null },
+          form: { values: { ...state.form.values, ...back } },
+        };
       }),
-    card: card => store.update({ card }),
+    card: card => store.update({ page: { card } }),
     insert(snippet) {
       const state = now();
-      const place = insertion(programOf(state), state.cursor, snippet);
+      const place = insertion(programOf(state), state.program.cursor, snippet);
       const to = place.from + place.insert.length;
-      store.update({
-        ...withEdits(state, [place]),
-        cursor: to,
-        open: null,
-        sought: { from: place.from, to },
-        notice: "notice-inserted",
-        undo: null,
-      });
+      store.update(
+        patched(withEdits(state, [place]), {
+          program: { cursor: to },
+          form: { open: null },
+          desk: { sought: { from: place.from, to } },
+          page: { notice: "notice-inserted", undo: null },
+        }),
+      );
       store.flush(); // the editor has to hold it before the next key
     },
     error(group, name, value) {
-      const errors = now().errors;
-      store.update({ errors: { ...errors, [group]: { ...errors[group], [name]: value } }, step: AT_END, undo: null });
+      const errors = now().part.errors;
+      store.update({
+        part: { errors: { ...errors, [group]: { ...errors[group], [name]: value } } },
+        view: { step: AT_END },
+        page: { undo: null },
+      });
     },
-    noErrors: () => replace("notice-no-errors", { errors: NO_ERRORS, step: AT_END }),
+    noErrors: () => replace("notice-no-errors", { part: { errors: NO_ERRORS }, view: { step: AT_END } }),
     help() {
-      const closes = now().right === "help";
+      const closes = now().panels.right === "help";
       store.update(
-        closes ? { panel: "form", left: "form", right: firstState().right } : { panel: "help", right: "help" },
+        closes
+          ? { panels: { panel: "form", left: "form", right: firstState().panels.right } }
+          : { panels: { panel: "help", right: "help" } },
       );
       store.flush(); // the focus goes there
     },
@@ -319,7 +343,7 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
       const sets = setsOf(now());
       const next = withSets({ ...sets, [name]: asWritten(now()) });
       if (sets[name]) replace("notice-set-replaced", next);
-      else store.update({ ...next, notice: "notice-set-saved" });
+      else store.update(next, { page: { notice: "notice-set-saved" } });
     },
     loadSet(name) {
       const values = asWritten(now());
@@ -328,7 +352,7 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
       const changes = names
         .filter(one => (values[one] ?? "") !== (set[one] ?? ""))
         .map((one): [string, string] => [one, set[one] ?? ""]);
-      replace("notice-set-loaded", { ...typedIn(now(), changes), touched: {}, checked: false });
+      replace("notice-set-loaded", patched(typedIn(now(), changes), { form: { touched: {}, checked: false } }));
     },
     renameSet(name, next) {
       const sets = setsOf(now());
@@ -343,40 +367,39 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
       replace("notice-set-deleted", withSets(rest));
     },
     undo() {
-      const before = now().undo;
-      if (before) replace("notice-undone", { ...before, sought: null, follow: null, step: AT_END });
+      const before = now().page.undo;
+      if (before) replace("notice-undone", before, { desk: { sought: null, follow: null }, view: { step: AT_END } });
     },
     speak(language) {
       speak(language).then(
-        () => store.update({ language }),
-        () => store.update({ notice: "notice-no-language" }),
+        () => store.update({ page: { language } }),
+        () => store.update({ page: { notice: "notice-no-language" } }),
       );
     },
     begin(own) {
-      const { control, setup } = now();
-      const described =
+      const { control } = now().form;
+      const { setup } = now().machine;
+      const described: Patch["machine"] =
         setup?.control === control
           ? { setup: { ...setup, plane: own.plane, active: { ...setup.active, units: own.units } } }
-          : { own: { ...now().own, [control]: { own: { ...ownMachine(now()), ...own } } } };
-      store.update({
-        ...described,
-        ...turned(findCycle(catalogue, control, now().cycle), now(), own.plane),
-        step: AT_END,
-      });
+          : { own: { ...now().machine.own, [control]: { own: { ...ownMachine(now()), ...own } } } };
+      const cycle = findCycle(catalogue, control, now().form.cycle);
+      store.update({ machine: described }, turned(cycle, now(), own.plane), { view: { step: AT_END } });
     },
     data({ basic, data }) {
-      const { control, setup, own } = now();
+      const { control } = now().form;
+      const { setup, own } = now().machine;
       const before = beginning(now());
       // rebuilt, it begins in the new system
       const units = basic === (before.basic ?? "mm") ? before.units : unitsIn(control, before.units, basic);
-      const described =
+      const described: Patch["machine"] =
         setup?.control === control
           ? { setup: { ...setup, units: basic, active: { ...setup.active, units }, data } }
           : { own: { ...own, [control]: { own: { ...before, basic, units, data } } } };
-      store.update({ ...described, step: AT_END });
+      store.update({ machine: described, view: { step: AT_END } });
     },
     panel(panel) {
-      store.update({ panel, ...(LEFT.includes(panel) ? { left: panel } : { right: panel }) });
+      store.update({ panels: { panel, [LEFT.includes(panel) ? "left" : "right"]: panel } });
       store.flush(); // who shows a panel goes on in it, mostly with the focus
     },
   };

@@ -5,7 +5,8 @@ import { type Answered, type Aside, createAside } from "./aside";
 import { type Bench, createBench } from "./bench";
 import type { Core, FormCore } from "./core";
 import { createDerive, type Derived, findCycle } from "./derive";
-import { createDesk, isCurrent } from "./desk";
+import { createDesk } from "./desk/desk";
+import { isCurrent } from "./desk/program";
 import { createEditorPlace } from "./editor/place";
 import type { Encoding } from "./encoding";
 import { createGoToField, type Shows } from "./goto";
@@ -18,8 +19,9 @@ import { createJob } from "./pace";
 import { keepPlaces } from "./places";
 import type { ProgramCore } from "./program";
 import { createScanner } from "./scan/scanner";
-import { firstState, machine, merge, NO_ERRORS, remember, type State } from "./state";
+import { firstState, machine, NO_ERRORS, type Patch, patched, remember, type State } from "./state";
 import { createStore, type Store } from "./store";
+import { type Flat, merge } from "./stored";
 import { language, laterWords } from "./texts";
 import { showBroken } from "./views/broken";
 import { acceptDrops } from "./views/drop";
@@ -48,22 +50,19 @@ function firstVisit(core: Core, catalogue: Catalogue): State {
   if (!cycle) return state;
   const errors = { ...NO_ERRORS, part: { ...NO_ERRORS.part, size: FIRST_OVERSIZE } };
   const { snippet } = core.form({ control: cycle.control, cycle: cycle.cycle, values: cycle.example, errors });
-  return {
-    ...state,
-    control: cycle.control,
-    cycle: cycle.cycle,
-    values: cycle.example,
-    errors,
-    programs: { [cycle.control]: snippet },
-    sought: { from: 0, to: snippet.length },
-  };
+  return patched(state, {
+    form: { control: cycle.control, cycle: cycle.cycle, values: cycle.example },
+    part: { errors },
+    program: { texts: { [cycle.control]: snippet } },
+    desk: { sought: { from: 0, to: snippet.length } },
+  });
 }
 
 async function startState(
   core: Core,
   full: () => Promise<ProgramCore>,
   catalogue: Catalogue,
-  stored: Partial<State> | null,
+  stored: Flat | null,
 ): Promise<State> {
   let state = stored ? merge(firstState(), stored) : firstVisit(core, catalogue);
   const packed = /^#s=(.+)$/.exec(location.hash)?.[1];
@@ -71,15 +70,17 @@ async function startState(
     state = merge(state, await unpack(packed));
     history.replaceState(null, "", location.pathname + location.search);
   }
-  const known = (): boolean => !!findCycle(catalogue, state.control, state.cycle);
+  const known = (): boolean => !!findCycle(catalogue, state.form.control, state.form.cycle);
   if (!known()) await full().catch(console.error); // the first module knows the cycle of the first visit alone
-  if (!known()) state = { ...state, ...remember(state), ...pickFirst(catalogue) };
-  if (!state.setup) return state;
-  return setupFits(await full(), state) ? state : { ...state, setup: null, notice: "notice-setup-outdated" };
+  if (!known()) state = patched(state, remember(state), pickFirst(catalogue));
+  if (!state.machine.setup) return state;
+  return setupFits(await full(), state)
+    ? state
+    : patched(state, { machine: { setup: null }, page: { notice: "notice-setup-outdated" } });
 }
 
 /** A kept setup may come from an earlier version. */
-function setupFits(core: ProgramCore, { control, cycle, setup }: State): boolean {
+function setupFits(core: ProgramCore, { form: { control, cycle }, machine: { setup } }: State): boolean {
   if (setup?.control !== control) return true;
   try {
     core.form({ control, cycle, values: {}, setup });
@@ -89,9 +90,9 @@ function setupFits(core: ProgramCore, { control, cycle, setup }: State): boolean
   }
 }
 
-function pickFirst(catalogue: Catalogue): Partial<State> {
+function pickFirst(catalogue: Catalogue): Patch {
   const cycle = firstCycle(catalogue);
-  return cycle ? { control: cycle.control, cycle: cycle.cycle, values: cycle.example, open: null } : {};
+  return cycle ? { form: { control: cycle.control, cycle: cycle.cycle, values: cycle.example, open: null } } : {};
 }
 
 /** Keeps the work and says so when something below breaks; every way into the core passes here. */
@@ -109,7 +110,7 @@ function guard<A extends unknown[], R>(store: () => Store, run: (...args: A) => 
 }
 
 /** `stored`: what was kept the last time. */
-export async function startApp(core: Core, stored: Partial<State> | null): Promise<void> {
+export async function startApp(core: Core, stored: Flat | null): Promise<void> {
   const catalogue = core.catalogue();
   let programCore: ProgramCore | null = null;
   let forms: FormCore = core;
@@ -155,7 +156,7 @@ export async function startApp(core: Core, stored: Partial<State> | null): Promi
     // the form goes on without
     console.error(problem);
     forms = { ...core, simulates: "no" };
-    store.update({ notice: "outcome-absent" });
+    store.update({ page: { notice: "outcome-absent" } });
   };
   const shows: Shows = (cycle, values, name) =>
     forms
@@ -163,7 +164,7 @@ export async function startApp(core: Core, stored: Partial<State> | null): Promi
         control: cycle.control,
         cycle: cycle.cycle,
         values,
-        ...machine({ ...store.state, control: cycle.control }),
+        ...machine(patched(store.state, { form: { control: cycle.control } })),
       })
       .fields.some(field => field.name === name);
   const [opening, laying] = [createJob(() => store.update({})), createJob(() => store.update({}))];
@@ -217,7 +218,7 @@ export async function startApp(core: Core, stored: Partial<State> | null): Promi
   const keep = async (): Promise<void> => {
     if ((await save(store.state)) || warned) return;
     warned = true;
-    store.update({ notice: "notice-not-kept" });
+    store.update({ page: { notice: "notice-not-kept" } });
   };
   draw = () => {
     let state = store.settle(withRun(runner.take(), settle(store.state)));
@@ -234,10 +235,14 @@ export async function startApp(core: Core, stored: Partial<State> | null): Promi
     const back = bench.language === language() ? null : remade();
     bench.draw(state, derived);
     back?.();
-    if (state.notice === noticed) return;
-    noticed = state.notice;
+    if (state.page.notice === noticed) return;
+    noticed = state.page.notice;
     clearTimeout(hiding);
-    if (noticed) hiding = window.setTimeout(() => store.update({ notice: "" }), state.undo ? UNDO_SHOWN : NOTICE_SHOWN);
+    if (noticed)
+      hiding = window.setTimeout(
+        () => store.update({ page: { notice: "" } }),
+        state.page.undo ? UNDO_SHOWN : NOTICE_SHOWN,
+      );
   };
   addEventListener("pagehide", () => void save(store.state));
   store.update({});
@@ -252,9 +257,10 @@ export async function startApp(core: Core, stored: Partial<State> | null): Promi
 
 /** Lets the program run on the opened machine, else on that of the form, while its motions are shown. */
 function run(runner: Aside, state: State, { view, program: text }: Derived): void {
-  const { control, ran, stoppedRun } = state;
-  if (state.source !== "program") return;
-  const opened = state.setup?.control === control ? state.setup : undefined;
+  const { control } = state.form;
+  const { done: ran, stopped: stoppedRun } = state.run;
+  if (state.view.source !== "program") return;
+  const opened = state.machine.setup?.control === control ? state.machine.setup : undefined;
   const setup = opened ?? view.setup ?? machine(state).setup;
   const done = isCurrent(ran, state) && ran?.setup === setup;
   if (!done && !isCurrent(stoppedRun, state)) runner.want({ ask: "run", control, text, ...(setup ? { setup } : {}) });
@@ -267,6 +273,6 @@ function withRun(answered: Answered | null, state: State): State {
     json,
     problem,
   } = answered;
-  if (json === undefined) return { ...state, stoppedRun: { control, text, why: problem ?? "" } };
-  return { ...state, ran: { control, text, setup, view: JSON.parse(json) as RunView } };
+  if (json === undefined) return patched(state, { run: { stopped: { control, text, why: problem ?? "" } } });
+  return patched(state, { run: { done: { control, text, setup, view: JSON.parse(json) as RunView } } });
 }

@@ -4,7 +4,7 @@
 import type { Actions } from "./actions";
 import type { Aside } from "./aside";
 import type { Derived } from "./derive";
-import { isCurrent } from "./desk";
+import { isCurrent } from "./desk/program";
 import { el, setText, show } from "./dom";
 import type { EditorPlace } from "./editor/place";
 import type { Encoding } from "./encoding";
@@ -12,7 +12,7 @@ import { createLayout } from "./layout";
 import type { Job } from "./pace";
 import type { ProgramCore } from "./program";
 import type { Scanner } from "./scan/scanner";
-import { programOf, type State, type Stopped } from "./state";
+import { type Patch, programOf, type State, type Stopped } from "./state";
 import type { Store } from "./store";
 import { language, t } from "./texts";
 import { type Activity, createActivity } from "./views/activity";
@@ -83,9 +83,9 @@ export function createBench({
   const program = createProgram(panels.program, store, actions, open, editor);
   const activities = [
     fetching(store, opening),
-    ofProgram(store, "laying", "stoppedLaying", laying),
-    ofProgram(store, "reading", "stoppedReading", { busy: reader.busy, stop: reader.stop }), // only a run can wait
-    ofProgram(store, "running", "stoppedRun", runner, state => state.source === "program"),
+    ofProgram(store, "laying", LAYING, laying),
+    ofProgram(store, "reading", READING, { busy: reader.busy, stop: reader.stop }), // only a run can wait
+    ofProgram(store, "running", RUN, runner, state => state.view.source === "program"),
   ] as const;
   const refusals = [createRefusal(store, "program"), createRefusal(store, "setup")] as const;
   const sets = createSets(actions);
@@ -117,8 +117,8 @@ export function createBench({
       layout.draw(state);
       for (const view of views) view(state, derived);
       for (const part of [...activities, ...refusals]) part.draw(state);
-      setText(layout.notice, state.notice ? t(state.notice) : "");
-      show(layout.undo, !!state.notice && !!state.undo);
+      setText(layout.notice, state.page.notice ? t(state.page.notice) : "");
+      show(layout.undo, !!state.page.notice && !!state.page.undo);
     },
     end() {
       stop.abort();
@@ -127,7 +127,7 @@ export function createBench({
   };
 }
 
-const stopped = (state: State): Stopped => ({ control: state.control, text: programOf(state), why: "" });
+const stopped = (state: State): Stopped => ({ control: state.form.control, text: programOf(state), why: "" });
 
 /** A file that is stopped on the way was never there. */
 function fetching(store: Store, opening: Job) {
@@ -138,21 +138,35 @@ function fetching(store: Store, opening: Job) {
   return createActivity("opening", { busy: opening.busy, stopped: () => null, stop, again: stop });
 }
 
+/** Where it is kept that something was stopped. */
+const LAYING = {
+  of: (state: State) => state.program.stoppedLaying,
+  put: (stoppedLaying: Stopped | null): Patch => ({ program: { stoppedLaying } }),
+};
+const READING = {
+  of: (state: State) => state.program.stoppedReading,
+  put: (stoppedReading: Stopped | null): Patch => ({ program: { stoppedReading } }),
+};
+const RUN = {
+  of: (state: State) => state.run.stopped,
+  put: (stopped: Stopped | null): Patch => ({ run: { stopped } }),
+};
+
 /** Work on the text of the program. Once it is stopped nothing is asked about that text any more. */
 function ofProgram(
   store: Store,
   name: string,
-  kept: "stoppedLaying" | "stoppedReading" | "stoppedRun",
+  kept: { of(state: State): Stopped | null; put(stopped: Stopped | null): Patch },
   work: Pick<Activity, "busy" | "stop" | "halt">,
   counts = (_: State): boolean => true,
 ) {
   return createActivity(name, {
     ...work,
-    stopped: state => (counts(state) && isCurrent(state[kept], state) ? state[kept] : null),
+    stopped: state => (counts(state) && isCurrent(kept.of(state), state) ? kept.of(state) : null),
     stop: () => {
       work.stop();
-      store.update(state => ({ [kept]: stopped(state) }));
+      store.update(state => kept.put(stopped(state)));
     },
-    again: () => store.update({ [kept]: null }),
+    again: () => store.update(kept.put(null)),
   });
 }

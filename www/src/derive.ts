@@ -3,9 +3,9 @@
 // there.
 
 import type { FormCore } from "./core";
-import { isRead } from "./desk";
+import { isRead } from "./desk/program";
 import { severities } from "./outline";
-import { machine, programOf, type State } from "./state";
+import { type FormState, machine, type PartState, programOf, type State } from "./state";
 import { language, say } from "./texts";
 import type {
   CallView,
@@ -81,7 +81,7 @@ const NOTHING_READ: ReadView = { calls: [], diagnostics: [] };
 const NOTHING_ASSUMED: CallView["first"] = {};
 
 /** What arrives first at the opened call, of the values that nobody has typed over. */
-function assumptions(opened: CallView | null, values: State["values"]): CallView["first"] {
+function assumptions(opened: CallView | null, values: FormState["values"]): CallView["first"] {
   const open = Object.entries(opened?.first ?? {}).filter(([name]) => values[name] === opened?.values[name]);
   return open.length ? Object.fromEntries(open) : NOTHING_ASSUMED;
 }
@@ -95,8 +95,8 @@ function stillOf({ solids, radius }: ScanView): Trace {
  *  and all values with what these are worth. */
 function worth(
   opened: CallView | null,
-  values: State["values"],
-): { values: State["values"]; expressions: Record<string, string> } {
+  values: FormState["values"],
+): { values: FormState["values"]; expressions: Record<string, string> } {
   const still = Object.entries(opened?.expressions ?? {}).filter(
     ([name, text]) => values[name] === opened?.values[name] || values[name]?.trim() === text,
   );
@@ -127,9 +127,9 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
     (
       core: FormCore,
       cycle: CycleInfo,
-      values: State["values"],
+      values: FormState["values"],
       expressions: Record<string, string>,
-      errors: State["errors"],
+      errors: PartState["errors"],
       comments: string | null,
       style: Style | null,
       twin: boolean,
@@ -173,23 +173,23 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
   const states = memo(severities);
 
   return state => {
-    const cycle = findCycle(catalogue, state.control, state.cycle) ?? first;
-    const reading = state.reading?.control === cycle.control ? state.reading.view : NOTHING_READ;
-    const opened = reading.calls.find(call => call.from === state.open) ?? null;
-    const style = cycle.styles.find(one => one === state.style) ?? null;
+    const cycle = findCycle(catalogue, state.form.control, state.form.cycle) ?? first;
+    const reading = state.program.reading?.control === cycle.control ? state.program.reading.view : NOTHING_READ;
+    const opened = reading.calls.find(call => call.from === state.form.open) ?? null;
+    const style = cycle.styles.find(one => one === state.snippet.style) ?? null;
     const core = forms();
-    const assumed = assume(opened, state.values);
-    const { values, expressions } = known(opened, state.values);
+    const assumed = assume(opened, state.form.values);
+    const { values, expressions } = known(opened, state.form.values);
     const view = form(
       core,
       cycle,
       values,
       expressions,
-      state.errors,
-      state.comments ? language() : null,
+      state.part.errors,
+      state.snippet.comments ? language() : null,
       style,
-      state.twin && cycle.twins,
-      state.limits,
+      state.snippet.twin && cycle.twins,
+      state.part.limits,
       assumed,
       machine(state).setup,
       opened?.plane,
@@ -198,10 +198,12 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
       opened?.style,
     );
     const all = problems(reading);
-    const ran = state.source === "program" && state.ran?.control === cycle.control ? state.ran.view : null;
-    const scanned = state.source === "scan" && state.scan?.request.cycle === cycle.cycle ? state.scan : null;
+    const ran =
+      state.view.source === "program" && state.run.done?.control === cycle.control ? state.run.done.view : null;
+    const scanned =
+      state.view.source === "scan" && state.scan.made?.request.cycle === cycle.cycle ? state.scan.made : null;
     const trace =
-      (state.source === "program" ? ran?.trace : scanned ? still(scanned.view) : view.outcome?.trace) ?? null;
+      (state.view.source === "program" ? ran?.trace : scanned ? still(scanned.view) : view.outcome?.trace) ?? null;
     return {
       catalogue,
       cycle,
@@ -216,7 +218,7 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
       style: style ?? view.preset,
       run: ran,
       trace,
-      step: Math.max(0, Math.min(state.step, (trace?.entries.length ?? 0) - 1)),
+      step: Math.max(0, Math.min(state.view.step, (trace?.entries.length ?? 0) - 1)),
       problems: all,
     };
   };

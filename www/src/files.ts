@@ -18,8 +18,9 @@ export interface ProgramFile {
 export type Files = Partial<Record<Dialect, ProgramFile>>;
 
 /** Where the program that is shown comes from; what comes from nowhere is saved under the usual name. */
-export function fileOf({ control, files }: { control: Dialect; files: Files }): ProgramFile {
-  return files[control] ?? { name: t(`program-file-${control}`), encoding: "utf-8" };
+export function fileOf(state: { form: { control: Dialect }; program: { files: Files } }): ProgramFile {
+  const { control } = state.form;
+  return state.program.files[control] ?? { name: t(`program-file-${control}`), encoding: "utf-8" };
 }
 
 /** A file that is not taken: why, as a key with arguments. Nothing else changes. */

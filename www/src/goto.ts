@@ -16,14 +16,14 @@ interface Place {
 
 /** null: the present form has it, or none does. */
 function place(catalogue: Catalogue, shows: Shows, state: State, control: Dialect, name: string): Place | null {
-  const present = findCycle(catalogue, state.control, state.cycle);
+  const present = findCycle(catalogue, state.form.control, state.form.cycle);
   const here = present?.control === control ? present : undefined;
-  if (here && shows(here, state.values, name)) return null;
+  if (here && shows(here, state.form.values, name)) return null;
   const having = catalogue.cycles.filter(
     cycle => cycle.control === control && cycle.parameters.some(one => one.name === name),
   );
   for (const cycle of having.sort((a, b) => Number(b === here) - Number(a === here))) {
-    const given = cycle === here ? state.values : {};
+    const given = cycle === here ? state.form.values : {};
     const plane = planeOf(state);
     const variant = cycle.variants.find(one => {
       const { example, values } = inPlane(one, plane);

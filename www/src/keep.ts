@@ -2,7 +2,8 @@
 // program lies in a database beside it. Where the page is open twice, the newest work of all is what a new tab begins
 // with, and each tab comes back to its own, which session storage holds; of long programs there is only the newest.
 
-import { kept, type State } from "./state";
+import type { State } from "./state";
+import { type Flat, kept } from "./stored";
 import type { Dialect } from "./wire";
 
 const STORE = "probewright-1";
@@ -10,7 +11,8 @@ const PROGRAMS = "programs";
 const LONG = 200_000; // characters of a program that no longer goes into local storage
 
 /** `by`: which visit of the page wrote it. */
-interface Stored extends Partial<State> {
+interface Stored extends Flat {
+  programs?: Partial<Record<Dialect, string>>;
   apart?: Dialect[];
   by?: string;
 }
@@ -56,7 +58,7 @@ function newest(): Stored | null {
   return own && last?.by !== own.by ? own : last;
 }
 
-export async function load(): Promise<Partial<State> | null> {
+export async function load(): Promise<Flat | null> {
   try {
     const stored = newest();
     for (const control of stored?.apart ?? []) {
@@ -74,7 +76,7 @@ export async function load(): Promise<Partial<State> | null> {
 
 /** false: the browser keeps nothing here (private window) or no more. What goes into local storage is there at once. */
 export async function save(state: State): Promise<boolean> {
-  const programs = Object.entries(state.programs) as [Dialect, string][];
+  const programs = Object.entries(state.program.texts) as [Dialect, string][];
   const apart = programs.filter(([, text]) => text.length > LONG);
   const short = Object.fromEntries(programs.filter(([, text]) => text.length <= LONG));
   try {

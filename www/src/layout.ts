@@ -98,15 +98,15 @@ export function createLayout(actions: Actions, end: AbortSignal): Layout {
     notice,
     undo,
     draw(state) {
-      if (last !== null && last !== state.panel && scrollY > bar.offsetTop)
+      if (last !== null && last !== state.panels.panel && scrollY > bar.offsetTop)
         scrollTo({ top: bar.offsetTop, behavior: "instant" }); // where the page scrolls as a whole
-      last = state.panel;
-      for (const name of COVERED) setAttribute(panels[name], "inert", state.right === "help");
+      last = state.panels.panel;
+      for (const name of COVERED) setAttribute(panels[name], "inert", state.panels.right === "help");
       for (const [name, button] of buttons) {
-        setAttribute(button, "aria-current", name === state.panel ? "true" : null);
-        setAttribute(button, "data-shown", name === state.left || name === state.right ? "" : null);
-        setAttribute(panels[name], "data-active", name === state.panel ? "" : null);
-        setAttribute(panels[name], "data-shown", name === state.left || name === state.right ? "" : null);
+        setAttribute(button, "aria-current", name === state.panels.panel ? "true" : null);
+        setAttribute(button, "data-shown", name === state.panels.left || name === state.panels.right ? "" : null);
+        setAttribute(panels[name], "data-active", name === state.panels.panel ? "" : null);
+        setAttribute(panels[name], "data-shown", name === state.panels.left || name === state.panels.right ? "" : null);
       }
     },
   };

@@ -3,13 +3,14 @@ import { startApp } from "./app";
 import { loadCore } from "./core";
 import { load } from "./keep";
 import { speak } from "./language";
-import { firstState, merge } from "./state";
+import { firstState } from "./state";
+import { merge } from "./stored";
 import { showBroken } from "./views/broken";
 
 addEventListener("probewright-panic", event => showBroken(String((event as CustomEvent).detail)));
 try {
   const [stored, core] = [await load(), loadCore()];
-  await speak(merge(firstState(), stored).language).catch(console.warn); // words that cannot be fetched: English
+  await speak(merge(firstState(), stored).page.language).catch(console.warn); // words that cannot be fetched: English
   await startApp(await core, stored);
 } catch (problem) {
   console.error(problem);

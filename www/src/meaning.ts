@@ -3,9 +3,9 @@
 
 import { isExample } from "./actions";
 import type { Derived } from "./derive";
-import { typedIn } from "./desk";
+import { typedIn } from "./desk/typing";
 import { parseNumber } from "./numbers";
-import { planeOf, type State } from "./state";
+import { patched, planeOf, type State } from "./state";
 
 export interface Seen {
   state: State;
@@ -25,13 +25,13 @@ export function meant(before: Seen | null, { state, derived }: Seen): State {
     was.mvar === null ||
     is.mvar === null ||
     was.mvar === is.mvar ||
-    isExample(derived.cycle, state.values, planeOf(state))
+    isExample(derived.cycle, state.form.values, planeOf(state))
   )
     return state;
   const stale = is.fields.flatMap(({ name, code, expression }) => {
     const old = was.fields.find(field => field.name === name);
-    const value = state.values[name] ?? "";
-    const kept = value === before.state.values[name] && (parseNumber(value) ?? 0) !== 0;
+    const value = state.form.values[name] ?? "";
+    const kept = value === before.state.form.values[name] && (parseNumber(value) ?? 0) !== 0;
     return kept && !expression && old?.code && code && old.code !== code
       ? [{ name, value, before: old.label.key }]
       : [];
@@ -41,8 +41,7 @@ export function meant(before: Seen | null, { state, derived }: Seen): State {
     state,
     stale.map(({ name }) => [name, ""]),
   );
-  return {
-    ...next,
-    resets: { ...next.resets, ...Object.fromEntries(stale.map(({ name, ...reset }) => [name, reset])) },
-  };
+  return patched(next, {
+    form: { resets: { ...next.form.resets, ...Object.fromEntries(stale.map(({ name, ...reset }) => [name, reset])) } },
+  });
 }

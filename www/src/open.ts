@@ -11,7 +11,7 @@ import type { Store } from "./store";
 import { sayProblem } from "./texts";
 
 function refuse(store: Store, place: "program" | "setup", why: Refusal): void {
-  store.update({ refused: { ...why, place } });
+  store.update({ page: { refused: { ...why, place } } });
 }
 
 export function refuseFolder(name: string, store: Store): void {

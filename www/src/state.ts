@@ -1,8 +1,7 @@
 // The one state of the page. Values in it are never changed in place: a part that changed is a new object,
 // so views and computations compare by identity.
 
-import { ENCODINGS } from "./encoding";
-import type { Files, ProgramFile, Refusal } from "./files";
+import type { Files, Refusal } from "./files";
 import type { Scanned } from "./scan/scanned";
 import type {
   BasicSystem,
@@ -73,65 +72,128 @@ export interface Stopped {
   why: string;
 }
 
-export interface State {
+/** What is in the form. */
+export interface FormState {
   control: Dialect;
   cycle: string;
   values: Record<string, string>; // as typed
   remembered: Record<string, Record<string, string>>; // last values of the other cycles, by "control/cycle"
-  programs: Partial<Record<Dialect, string>>;
-  files: Files;
   sets: Record<string, Record<string, Record<string, string>>>; // named values, by "control/cycle" and name
   open: number | null; // where in the program the call begins that the form edits
-  pending: readonly Pending[]; // typed in the form, not yet in the program
-  errors: ErrorSliders;
-  comments: boolean;
-  twin: boolean; // the same task on the other control is shown
-  style: Style | ""; // way of writing of the snippet, where the cycle has it; empty: as the machine has it
-  setup: Setup | null; // imported machine; null: the core's own
-  own: Partial<Record<Dialect, OwnMachine>>; // how the core's own begins, where that was chosen
-  // the usual plane of the sort of machine that the core's own last was for a form
-  suits: Partial<Record<Dialect, Plane>>;
+  resets: Record<string, Reset>; // values that were taken away since they were codes of something else, by parameter
   checked: boolean; // problems are shown at every field
   touched: Record<string, true>; // fields whose problems are shown
-  source: "form" | "program" | "scan"; // whose motions the 3D view shows, or the points of the scan
+  focus: string | null;
+}
 
+/** How the form becomes a piece of program. */
+export interface SnippetState {
+  comments: boolean;
+  twin: boolean; // the same task on the other control is shown
+  style: Style | ""; // way of writing, where the cycle has it; empty: as the machine has it
+}
+
+/** The part that is measured. */
+export interface PartState {
+  errors: ErrorSliders;
+  limits: boolean; // the largest errors that the call survives are looked for
+}
+
+export interface ProgramState {
+  texts: Partial<Record<Dialect, string>>;
+  files: Files;
+  cursor: number;
+  line: number; // of the cursor, from 1
+  reading: Reading | null;
+  stoppedReading: Stopped | null;
+  stoppedLaying: Stopped | null; // the program is not put into the editor
+}
+
+/** What is on its way between the form and the program (desk.ts). */
+export interface DeskState {
+  pending: readonly Pending[]; // typed in the form, not yet in the program
+  sought: Sought | null;
+  // the form follows the cursor, what was typed in the program, or edits of its call
+  follow: "cursor" | "text" | "edits" | null;
+  mended: string | null; // the program as a cure or a conversion has left it: one step of the editor
+  converting: { at: number; style: Style } | null; // the call that begins there is to be written in another way
+  converted: ConvertedCall | null;
+  curing: Curing | null;
+}
+
+export interface MachineState {
+  setup: Setup | null; // imported machine; null: the core's own
+  own: Partial<Record<Dialect, OwnMachine>>; // how the core's own begins, where that was chosen
+  suits: Partial<Record<Dialect, Plane>>; // the usual plane of the sort of machine that it last was for a form
+}
+
+/** The 3D view and the motions in it. */
+export interface ViewState {
+  source: "form" | "program" | "scan"; // whose motions are shown, or the points of the scan
+  step: number;
+  playing: boolean;
+  speed: number; // of playing
   diameters: boolean; // of a turned part, as on a drawing
+}
+
+/** The run of the program. */
+export interface RunState {
+  done: Ran | null;
+  stopped: Stopped | null;
+}
+
+export interface ScanState {
+  made: Scanned | null; // the last one, while the page is open
+  problem: string; // why the last one could not be made
+}
+
+/** What of the page is shown where. */
+export interface PanelState {
   panel: Panel;
   left: Panel;
   right: Panel;
   tab: ResultTab;
-  theme: "system" | "light" | "dark";
-  language: string; // its code; empty: what the browser wants
   unfolded: Record<string, boolean>; // branches of the task tree that were opened or closed by hand
   outline: boolean; // the list of calls stands beside the program
+}
 
-  search: string; // from here on: not kept
-  limits: boolean; // the largest errors that the call survives are looked for
+export interface PageState {
+  theme: "system" | "light" | "dark";
+  language: string; // its code; empty: what the browser wants
+  search: string;
   card: Card | null;
-  converting: { at: number; style: Style } | null; // the call that begins there is to be written in another way
-  converted: ConvertedCall | null;
-  curing: Curing | null;
-  resets: Record<string, Reset>; // values that were taken away since they were codes of something else, by parameter
-  mended: string | null; // the program as a cure or a conversion has left it: one step of the editor
-  focus: string | null;
-  step: number;
-  playing: boolean;
-  speed: number; // of playing
-  cursor: number; // in the program
-  cursorLine: number; // from 1
   notice: string; // key of a short confirmation
-  reading: Reading | null;
-  ran: Ran | null;
-  sought: Sought | null;
-  // the form follows the cursor, what was typed in the program, or edits of its call
-  follow: "cursor" | "text" | "edits" | null;
-  stoppedLaying: Stopped | null; // the program is not put into the editor
-  stoppedReading: Stopped | null;
-  stoppedRun: Stopped | null;
   refused: (Refusal & { place: "program" | "setup" }) | null; // a file that could not be opened
-  scan: Scanned | null; // the last one, while the page is open
-  scanProblem: string; // why the last one could not be made
-  undo: Partial<State> | null; // what the last replacement of work has replaced
+  undo: Patch | null; // what the last replacement of work has replaced
+}
+
+export interface State {
+  form: FormState;
+  snippet: SnippetState;
+  part: PartState;
+  program: ProgramState;
+  desk: DeskState;
+  machine: MachineState;
+  view: ViewState;
+  run: RunState;
+  scan: ScanState;
+  panels: PanelState;
+  page: PageState;
+}
+
+/** What changes of a state, by subject. */
+export type Patch = { [G in keyof State]?: Partial<State[G]> };
+
+function patchGroup<G extends keyof State>(into: State, group: G, change: Partial<State[G]> | undefined): void {
+  if (change && change !== into[group]) into[group] = { ...into[group], ...change };
+}
+
+/** The state with these changes, one after the other; what did not change is the same object. */
+export function patched(state: State, ...patches: Patch[]): State {
+  const next = { ...state };
+  for (const patch of patches)
+    for (const group of Object.keys(patch) as (keyof State)[]) patchGroup(next, group, patch[group]);
+  return next;
 }
 
 export const NO_ERRORS: ErrorSliders = {
@@ -147,210 +209,85 @@ export const SPEEDS = [0.5, 1, 2, 5, 20, 100];
 
 export function firstState(): State {
   return {
-    control: "sinumerik",
-    cycle: "",
-    values: {},
-    remembered: {},
-    programs: {},
-    files: {},
-    sets: {},
-    open: null,
-    pending: [],
-    errors: NO_ERRORS,
-    comments: true,
-    twin: false,
-    style: "",
-    setup: null,
-    own: {},
-    suits: {},
-    checked: false,
-    touched: {},
-    source: "form",
-    diameters: false,
-    panel: "form",
-    left: "form",
-    right: "results",
-    tab: "outcome",
-    theme: "system",
-    language: "",
-    unfolded: {},
-    outline: true,
-    search: "",
-    limits: false,
-    card: null,
-    converting: null,
-    converted: null,
-    curing: null,
-    resets: {},
-    mended: null,
-    focus: null,
-    step: AT_END,
-    playing: false,
-    speed: 1,
-    cursor: 0,
-    cursorLine: 1,
-    notice: "",
-    reading: null,
-    ran: null,
-    sought: null,
-    follow: null,
-    stoppedLaying: null,
-    stoppedReading: null,
-    stoppedRun: null,
-    refused: null,
-    scan: null,
-    scanProblem: "",
-    undo: null,
+    form: {
+      control: "sinumerik",
+      cycle: "",
+      values: {},
+      remembered: {},
+      sets: {},
+      open: null,
+      resets: {},
+      checked: false,
+      touched: {},
+      focus: null,
+    },
+    snippet: { comments: true, twin: false, style: "" },
+    part: { errors: NO_ERRORS, limits: false },
+    program: { texts: {}, files: {}, cursor: 0, line: 1, reading: null, stoppedReading: null, stoppedLaying: null },
+    desk: {
+      pending: [],
+      sought: null,
+      follow: null,
+      mended: null,
+      converting: null,
+      converted: null,
+      curing: null,
+    },
+    machine: { setup: null, own: {}, suits: {} },
+    view: { source: "form", step: AT_END, playing: false, speed: 1, diameters: false },
+    run: { done: null, stopped: null },
+    scan: { made: null, problem: "" },
+    panels: { panel: "form", left: "form", right: "results", tab: "outcome", unfolded: {}, outline: true },
+    page: { theme: "system", language: "", search: "", card: null, notice: "", refused: null, undo: null },
   };
 }
 
-const NOT_KEPT = [
-  "search",
-  "limits",
-  "card",
-  "converting",
-  "converted",
-  "curing",
-  "resets",
-  "mended",
-  "focus",
-  "step",
-  "playing",
-  "speed",
-  "cursor",
-  "cursorLine",
-  "notice",
-  "reading",
-  "ran",
-  "sought",
-  "follow",
-  "stoppedLaying",
-  "stoppedReading",
-  "stoppedRun",
-  "refused",
-  "scan",
-  "scanProblem",
-  "undo",
-] as const satisfies (keyof State)[];
-/** What a replacement of work can take away. */
-const WORK = [
-  "control",
-  "cycle",
-  "values",
-  "remembered",
-  "programs",
-  "files",
-  "sets",
-  "open",
-  "pending",
-  "errors",
-  "setup",
-  "own",
-  "suits",
-  "checked",
-  "touched",
-] as const satisfies (keyof State)[];
-const IN_LINK = [
-  "control",
-  "cycle",
-  "values",
-  "programs",
-  "files",
-  "open",
-  "errors",
-  "comments",
-  "style",
-  "setup",
-  "own",
-  "suits",
-  "checked",
-  "source",
-] as const satisfies (keyof State)[];
-
 /** Under what the values and value sets of a cycle are kept. */
-export function memoryKey({ control, cycle }: Pick<State, "control" | "cycle">): string {
+export function memoryKey({ control, cycle }: Pick<FormState, "control" | "cycle">): string {
   return `${control}/${cycle}`;
 }
 
 /** The call of the program that the form edits, as it was read last. */
-export function openCall({ reading, control, open }: State): CallView | undefined {
+export function openCall({ program: { reading }, form: { control, open } }: State): CallView | undefined {
   return reading?.control === control ? reading.view.calls.find(one => one.from === open) : undefined;
 }
 
 /** The values in the form as the program has them: an expression, and not what it is worth today. */
 export function asWritten(state: State): Record<string, string> {
   const call = openCall(state);
-  if (!call) return state.values;
+  const { values } = state.form;
+  if (!call) return values;
   const one = (name: string, value: string): string =>
     value === call.values[name] ? (call.expressions[name] ?? value) : value;
-  return Object.fromEntries(Object.entries(state.values).map(([name, value]) => [name, one(name, value)]));
+  return Object.fromEntries(Object.entries(values).map(([name, value]) => [name, one(name, value)]));
 }
 
 /** The values in the form among those that are kept. */
-export function remember(state: State): Pick<State, "remembered"> {
-  return { remembered: { ...state.remembered, [memoryKey(state)]: asWritten(state) } };
+export function remember(state: State): { form: Pick<FormState, "remembered"> } {
+  return { form: { remembered: { ...state.form.remembered, [memoryKey(state.form)]: asWritten(state) } } };
 }
 
 /** The program of the control that the form is for. */
 export function programOf(state: State): string {
-  return state.programs[state.control] ?? "";
+  return state.program.texts[state.form.control] ?? "";
 }
 
 /** The imported machine, for a control that it has; else the core's own with what was chosen for it. */
 export function machine(state: State): { setup?: Setup | OwnMachine } {
-  const { control, setup, own } = state;
+  const { control } = state.form;
+  const { setup, own } = state.machine;
   if (setup?.control === control) return { setup };
   const chosen = own[control];
   return chosen ? { setup: chosen } : {};
 }
 
-export function kept(state: State): Partial<State> {
-  const copy: Partial<State> = { ...state };
-  for (const name of NOT_KEPT) delete copy[name];
-  return copy;
-}
-
-/** The work as it is, to come back to it. */
-export function work(state: State): Partial<State> {
-  return Object.fromEntries(WORK.map(name => [name, state[name]]));
-}
-
 /** The named values of the chosen cycle. */
 export function setsOf(state: State): Record<string, Record<string, string>> {
-  return state.sets[memoryKey(state)] ?? {};
+  return state.form.sets[memoryKey(state.form)] ?? {};
 }
-
-export function shared(state: State): Partial<State> {
-  return Object.fromEntries(IN_LINK.map(name => [name, state[name]]));
-}
-
-function plainObject(value: unknown): value is Record<string, unknown> {
-  return typeof value === "object" && value !== null && !Array.isArray(value);
-}
-
-const texts = (value: unknown): Record<string, string> =>
-  plainObject(value)
-    ? Object.fromEntries(Object.entries(value).filter((pair): pair is [string, string] => typeof pair[1] === "string"))
-    : {};
-
-function numbers<T extends Record<string, number>>(value: unknown, shape: T): T {
-  const given = plainObject(value) ? value : {};
-  return Object.fromEntries(
-    Object.entries(shape).map(([name, zero]) => [name, Number.isFinite(given[name]) ? given[name] : zero]),
-  ) as T;
-}
-
-const isFile = (value: unknown): value is ProgramFile =>
-  plainObject(value) && typeof value.name === "string" && ENCODINGS.some(one => one === value.encoding);
-const isPending = (value: unknown): value is Pending =>
-  plainObject(value) &&
-  ["control", "name", "value"].every(name => typeof value[name] === "string") &&
-  Number.isInteger(value.at);
-
-const STYLES: Style[] = ["direct", "indirect", "operate"];
 
 /** How the core's own machine begins now. */
-export function ownMachine({ control, own }: State): OwnMachine["own"] {
+export function ownMachine({ form: { control }, machine: { own } }: State): OwnMachine["own"] {
   const [plane = "G17"] = PLANES;
   const [units = "G71"] = UNITS[control];
   return own[control]?.own ?? { plane, units };
@@ -358,7 +295,8 @@ export function ownMachine({ control, own }: State): OwnMachine["own"] {
 
 /** How the machine that counts begins: the opened one, else the core's own. */
 export function beginning(state: State): OwnMachine["own"] {
-  const { control, setup } = state;
+  const { control } = state.form;
+  const { setup } = state.machine;
   const own = ownMachine(state);
   if (setup?.control !== control) return own;
   return {
@@ -387,68 +325,3 @@ export const UNITS: Record<Dialect, UnitFunction[]> = {
   nct: ["G21", "G20"],
 };
 export const INCH: UnitFunction[] = ["G70", "G700", "G20"];
-
-function data(value: unknown): Setup["data"] {
-  const known = (pair: [string, unknown]): pair is [string, number | string] =>
-    Number.isFinite(pair[1]) || typeof pair[1] === "string";
-  return plainObject(value) ? Object.fromEntries(Object.entries(value).filter(known)) : {};
-}
-
-function ownMachines(value: unknown): State["own"] {
-  const given = plainObject(value) ? value : {};
-  const pairs = Object.entries(UNITS).flatMap(([control, known]) => {
-    const one = plainObject(given[control]) ? given[control].own : null;
-    const fits = plainObject(one) && PLANES.includes(one.plane as Plane) && known.includes(one.units as UnitFunction);
-    const basic = plainObject(one) && one.basic === "inch" ? { basic: one.basic } : {};
-    return fits ? [[control, { own: { ...basic, plane: one.plane, units: one.units, data: data(one.data) } }]] : [];
-  });
-  return Object.fromEntries(pairs) as State["own"];
-}
-
-/** A stored state or one out of a link may be old, cut or hand-made: only what has the right shape is taken. */
-export function merge(state: State, data: unknown): State {
-  if (!plainObject(data)) return state;
-  const next = { ...state };
-  for (const [name, first] of Object.entries(firstState())) {
-    const value = data[name];
-    if (value !== undefined && typeof value === typeof first && first !== null) Object.assign(next, { [name]: value });
-  }
-  if (plainObject(data.values)) next.values = texts(data.values);
-  if (plainObject(data.programs)) next.programs = texts(data.programs);
-  if (plainObject(data.remembered))
-    next.remembered = Object.fromEntries(
-      Object.entries(data.remembered).map(([name, values]) => [name, texts(values)]),
-    );
-  if (plainObject(data.sets))
-    next.sets = Object.fromEntries(
-      Object.entries(data.sets).map(([cycle, sets]) => [
-        cycle,
-        plainObject(sets)
-          ? Object.fromEntries(Object.entries(sets).map(([name, values]) => [name, texts(values)]))
-          : {},
-      ]),
-    );
-  if (plainObject(data.files))
-    next.files = Object.fromEntries(Object.entries(data.files).filter(([, file]) => isFile(file)));
-  if (plainObject(data.errors))
-    next.errors = {
-      part: numbers(data.errors.part, NO_ERRORS.part),
-      probe: numbers(data.errors.probe, NO_ERRORS.probe),
-    };
-  if (Number.isInteger(data.open)) next.open = data.open as number;
-  if (data.open === null) next.open = null;
-  if (next.style && !STYLES.includes(next.style)) next.style = state.style;
-  next.unfolded = Object.fromEntries(Object.entries(next.unfolded).filter(([, open]) => typeof open === "boolean"));
-  next.pending = Array.isArray(data.pending)
-    ? data.pending.filter(isPending).map(({ control, at, name, value }) => ({ control, at, name, value }))
-    : [];
-  if (data.own !== undefined) next.own = ownMachines(data.own);
-  const planes = plainObject(data.suits)
-    ? data.suits
-    : Object.fromEntries(Object.entries(next.own).map(([control, { own }]) => [control, own.plane]));
-  next.suits = Object.fromEntries(
-    Object.entries(planes).filter(([, plane]) => PLANES.includes(plane as Plane)),
-  ) as State["suits"];
-  if (plainObject(data.setup)) next.setup = data.setup as unknown as Setup;
-  return next;
-}

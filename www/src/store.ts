@@ -1,10 +1,11 @@
 // One state, one listener for drawing, at most one redraw a frame.
 
-import type { State } from "./state";
+import { type Patch, patched, type State } from "./state";
 
 export interface Store {
   readonly state: State;
-  update(patch: Partial<State> | ((state: State) => Partial<State>)): void;
+  /** Changes the state, one change after the other, and draws with the next frame. */
+  update(...changes: (Patch | ((state: State) => Patch))[]): void;
   /**
    * Draws what is still to be drawn, now: for whoever goes on with what the redraw shows, as moving the focus there.
    */
@@ -24,12 +25,14 @@ export function createStore(first: State, draw: () => void): Store {
     get state() {
       return state;
     },
-    update(patch) {
-      const change = typeof patch === "function" ? patch(state) : patch;
-      state = { ...state, ...change };
+    update(...changes) {
+      for (const change of changes) state = patched(state, typeof change === "function" ? change(state) : change);
       waiting ||= requestAnimationFrame(frame);
     },
-    settle: next => (state = next),
+    settle(next) {
+      state = next;
+      return state;
+    },
     flush() {
       if (!waiting) return;
       cancelAnimationFrame(waiting);

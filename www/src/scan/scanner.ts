@@ -35,9 +35,9 @@ export function createScanner(module: () => WebAssembly.Module | undefined, stor
   let written: { form: ScanText; then: (text: Blob) => void } | null = null;
 
   const change = (to: (scan: Scanned) => Scanned): void =>
-    store.update(({ scan }: State) => (scan ? { scan: to(scan) } : {}));
+    store.update(({ scan: { made: scan } }: State) => (scan ? { scan: { made: to(scan) } } : {}));
   const begin = (work: Work, ask: ScanAsk): void => {
-    doing = { work, since: performance.now(), share: 0, size: store.state.scan?.view.points ?? 0 };
+    doing = { work, since: performance.now(), share: 0, size: store.state.scan.made?.view.points ?? 0 };
     worker?.postMessage(ask);
     store.update({});
   };
@@ -53,19 +53,17 @@ export function createScanner(module: () => WebAssembly.Module | undefined, stor
   };
   const fail = (why: string): void => {
     drop();
-    store.update({ scan: null, scanProblem: why });
+    store.update({ scan: { made: null, problem: why } });
   };
   const scanned = (request: ScanRequest, view: ScanView): void => {
     store.update({
-      scan: { request, view, clouds: {}, of: "sent", shown: "sent" },
-      source: "scan",
-      step: 0,
-      playing: false,
+      scan: { made: { request, view, clouds: {}, of: "sent", shown: "sent" } },
+      view: { source: "scan", step: 0, playing: false },
     });
     begin("taking", { cloud: "sent" });
   };
   const taken = (of: Shown, cloud: Float32Array): void => {
-    if (doing?.work === "taking" && store.state.scan?.shown === of) doing = null;
+    if (doing?.work === "taking" && store.state.scan.made?.shown === of) doing = null;
     change(scan => ({ ...scan, clouds: { ...scan.clouds, [of]: cloud }, of: scan.shown === of ? of : scan.of }));
   };
   const wrote = (form: ScanText, text: Blob): void => {
@@ -88,7 +86,7 @@ export function createScanner(module: () => WebAssembly.Module | undefined, stor
       const compiled = module();
       if (!compiled) return;
       drop();
-      store.update({ scan: null, scanProblem: "" });
+      store.update({ scan: { made: null, problem: "" } });
       const made = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
       worker = made;
       made.onmessage = ({ data }: MessageEvent<ScanReply>) => hear(request, data);
@@ -99,12 +97,12 @@ export function createScanner(module: () => WebAssembly.Module | undefined, stor
     stop() {
       if (doing?.work !== "scanning") return rest();
       drop();
-      store.update({ scan: null });
+      store.update({ scan: { made: null } });
     },
     show(shown) {
       rest();
       change(scan => ({ ...scan, shown, of: scan.clouds[shown] ? shown : scan.of }));
-      if (!store.state.scan?.clouds[shown]) begin("taking", { cloud: shown });
+      if (!store.state.scan.made?.clouds[shown]) begin("taking", { cloud: shown });
     },
     text(form, then) {
       rest();

@@ -2,7 +2,7 @@
 // before it is agreed to.
 
 import type { Actions } from "../actions";
-import { isCurrent } from "../desk";
+import { isCurrent } from "../desk/program";
 import { el, keyed, on, setText, show } from "../dom";
 import { programOf, type State } from "../state";
 import { t } from "../texts";
@@ -19,8 +19,8 @@ export interface Asks {
 /** Each line once; of several changes the last one that concerns it counts. */
 function lines(state: State): TouchedLine[] {
   const text = programOf(state);
-  const typed = state.pending.filter(one => one.control === state.control && one.asks?.text === text);
-  const cured = state.curing && isCurrent(state.curing, state) ? state.curing.lines : [];
+  const typed = state.desk.pending.filter(one => one.control === state.form.control && one.asks?.text === text);
+  const cured = state.desk.curing && isCurrent(state.desk.curing, state) ? state.desk.curing.lines : [];
   const all = [...typed.flatMap(one => one.asks?.lines ?? []), ...cured];
   return [...new Map(all.map(one => [one.line, one])).values()].sort((a, b) => a.line - b.line);
 }

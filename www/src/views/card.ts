@@ -47,7 +47,7 @@ export function createCard(actions: Actions): CardView {
   );
   on(close, "click", () => dialog.close());
   on(dialog, "close", () => actions.card(null));
-  let drawn: State["card"] = null;
+  let drawn: State["page"]["card"] = null;
 
   const entry = (cycle: CycleInfo): HTMLElement => {
     const open = el(
@@ -76,7 +76,7 @@ export function createCard(actions: Actions): CardView {
   };
   return {
     dialog,
-    draw({ card }) {
+    draw({ page: { card } }) {
       if (card === drawn) return;
       drawn = card;
       if (!card) return;

@@ -6,8 +6,8 @@ import type { Store } from "../store";
 export async function copyText(text: string, store: Store, notice: string): Promise<void> {
   try {
     await navigator.clipboard.writeText(text);
-    store.update({ notice });
+    store.update({ page: { notice } });
   } catch {
-    store.update({ notice: "notice-no-clipboard" });
+    store.update({ page: { notice: "notice-no-clipboard" } });
   }
 }

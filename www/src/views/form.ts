@@ -23,19 +23,19 @@ export function shownProblems(state: State, all: Diagnostic[]): Diagnostic[] {
   return all.filter(
     one =>
       whole ||
-      state.checked ||
+      state.form.checked ||
       one.severity === "note" ||
-      (one.param !== undefined && (state.touched[one.param] || isCarried(state, one.param))),
+      (one.param !== undefined && (state.form.touched[one.param] || isCarried(state, one.param))),
   );
 }
 
 /** Whether a field holds a value, and nobody is typing into it. */
-function isCarried({ values, focus }: State, name: string): boolean {
+function isCarried({ form: { values, focus } }: State, name: string): boolean {
   return focus !== name && (values[name] ?? "").trim() !== "";
 }
 
 /** What is said at a field whose value was taken away with the variant. */
-function resetNotes({ resets, values }: State): Diagnostic[] {
+function resetNotes({ form: { resets, values } }: State): Diagnostic[] {
   const gone = Object.entries(resets).filter(([name]) => !values[name]);
   return gone.map(([param, { value, before }]) => ({
     severity: "note",
@@ -119,7 +119,7 @@ export function createForm(
 
   const views = new WeakMap<Element, FieldView>();
   const focused = (name: string | null): void => {
-    if (store.state.focus !== name) store.update({ focus: name });
+    if (store.state.form.focus !== name) store.update({ form: { focus: name } });
   };
   const focusField = (name: string): void => document.getElementById(fieldId(name))?.focus();
   const drawPicture = createPicture(pictureBox, focusField);
@@ -136,11 +136,11 @@ export function createForm(
   on(detach, "click", () => actions.closeCall());
   on(help, "click", () => {
     actions.help();
-    if (store.state.right === "help") document.getElementById("panel-help")?.focus();
+    if (store.state.panels.right === "help") document.getElementById("panel-help")?.focus();
   });
   on(example, "click", () => actions.example(chosen));
   on(sets, "click", showSets);
-  on(comments, "change", () => store.update({ comments: comments.checked }));
+  on(comments, "change", () => store.update({ snippet: { comments: comments.checked } }));
   on(copy, "click", () => void copyText(snippetText, store, "notice-copied"));
   on(insert, "click", () => {
     actions.insert(snippetText);
@@ -162,10 +162,10 @@ export function createForm(
     const { view, cycle } = derived;
     chosen = variantOf(derived);
     setText(title, t(`${cycle.key}-title`));
-    setAttribute(help, "aria-expanded", String(state.right === "help"));
+    setAttribute(help, "aria-expanded", String(state.panels.right === "help"));
     explain.draw(
       optional(`${cycle.key}-help`),
-      view.fields.find(field => field.name === state.focus),
+      view.fields.find(field => field.name === state.form.focus),
     );
     show(opened, !!derived.opened);
     if (derived.opened)
@@ -181,7 +181,7 @@ export function createForm(
       (node, field) =>
         views.get(node)?.update(
           field,
-          state.values[field.name] ?? "",
+          state.form.values[field.name] ?? "",
           problems.filter(one => one.param === field.name),
         ),
     );
@@ -192,14 +192,14 @@ export function createForm(
       problemItem,
       updateProblem,
     );
-    if (view.picture) drawPicture(view.picture, state.focus, state.values);
+    if (view.picture) drawPicture(view.picture, state.form.focus, state.form.values);
     renderCount(count, state, view.diagnostics, view.complete);
-    if (comments.checked !== state.comments) comments.checked = state.comments;
+    if (comments.checked !== state.snippet.comments) comments.checked = state.snippet.comments;
     snippetText = view.snippet;
     setText(snippet, view.snippet);
     setAttribute(snippet, "data-style", derived.style);
     show(snippet, view.snippet !== "");
-    const inProgram = state.open !== null || state.sought !== null;
+    const inProgram = state.form.open !== null || state.desk.sought !== null;
     show(insert, !inProgram);
     show(placed, inProgram);
     if (derived.opened) setText(placed, t("form-placed", { line: derived.opened.lastLine }));

@@ -95,7 +95,7 @@ export function createFound(
     root,
     load,
     focusFirst: () => buttons()[0]?.focus(),
-    draw({ search: text, control }) {
+    draw({ page: { search: text }, form: { control } }) {
       const asked = text.trim();
       show(root, asked !== "");
       if (asked) load();

@@ -8,8 +8,9 @@ import { nameOf } from "../language";
 import { pack } from "../link";
 import { plain } from "../numbers";
 import type { ProgramCore } from "../program";
-import { type State, shared } from "../state";
+import type { State } from "../state";
 import type { Store } from "../store";
+import { shared } from "../stored";
 import { language, languages, t } from "../texts";
 import type { Setup } from "../wire";
 import { createAbout } from "./about";
@@ -18,7 +19,7 @@ import { createMachine } from "./machine";
 import { createMachineData } from "./machine-data";
 
 const MM_PER_INCH = 25.4;
-const THEMES: State["theme"][] = ["system", "light", "dark"];
+const THEMES: State["page"]["theme"][] = ["system", "light", "dark"];
 
 /** Control, tool and probe as they count now. */
 export function facts(control: string, setup: Setup | undefined): { name: string; text: string }[] {
@@ -53,7 +54,7 @@ const LONGEST_LINK = 200_000; // characters that every browser takes
 
 async function copyLink(store: Store): Promise<void> {
   const packed = await pack(shared(store.state));
-  if (packed.length > LONGEST_LINK) return store.update({ notice: "notice-link-long" });
+  if (packed.length > LONGEST_LINK) return store.update({ page: { notice: "notice-link-long" } });
   const address = `${location.href.split("#")[0]}#s=${packed}`;
   history.replaceState(null, "", address);
   await copyText(address, store, "notice-link");
@@ -136,15 +137,15 @@ export function createHeader(
     file.value = "";
   });
   const theme = quiet("theme-system", () => {
-    const next = THEMES[(THEMES.indexOf(store.state.theme) + 1) % THEMES.length] ?? "system";
-    store.update({ theme: next });
+    const next = THEMES[(THEMES.indexOf(store.state.page.theme) + 1) % THEMES.length] ?? "system";
+    store.update({ page: { theme: next } });
   });
   theme.id = "theme";
   const own = quiet("setup-own", () => actions.openSetup(null));
   const save = (): void => {
-    const saved = setup ?? store.state.setup;
+    const saved = setup ?? store.state.machine.setup;
     if (saved) saveFile(JSON.stringify(saved, null, 2), "setup.json", "application/json");
-    else store.update({ notice: "notice-nothing-to-save" });
+    else store.update({ page: { notice: "notice-nothing-to-save" } });
   };
   const actionsBox = el(
     "div",
@@ -187,8 +188,8 @@ export function createHeader(
         setText(text, one.text);
       },
     );
-    show(own, !!state.setup);
-    setText(theme, t(`theme-${state.theme}`));
-    setAttribute(document.documentElement, "data-theme", state.theme === "system" ? null : state.theme);
+    show(own, !!state.machine.setup);
+    setText(theme, t(`theme-${state.page.theme}`));
+    setAttribute(document.documentElement, "data-theme", state.page.theme === "system" ? null : state.page.theme);
   };
 }

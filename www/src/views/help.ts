@@ -57,7 +57,7 @@ export function createHelp(
   let drawn = "";
   return (state, derived) => {
     const { cycle } = derived;
-    if (state.right !== "help") {
+    if (state.panels.right !== "help") {
       failed = false; // opened again, it tries again
       return;
     }

@@ -120,7 +120,7 @@ export function createMachineData(store: Store, actions: Actions, core: () => Pr
 
   const ask = (change: Partial<MachineRequest> = {}): MachineView | null => {
     const { state } = store;
-    return core()?.machine({ control: state.control, ...machine(state), values: {}, ...change }) ?? null;
+    return core()?.machine({ control: state.form.control, ...machine(state), values: {}, ...change }) ?? null;
   };
   const edit = (name: string, value: string): void => {
     const answer = ask({ values: { [name]: value } });

@@ -42,7 +42,7 @@ export function createMachine(actions: Actions): { root: HTMLElement; draw(state
     draw(state, { opened }) {
       const now = beginning(state);
       options(plane, PLANES, value => `${value} · ${t(`plane-${value.toLowerCase()}`)}`);
-      options(units, UNITS[state.control], value => unitText(state.control, value as UnitFunction));
+      options(units, UNITS[state.form.control], value => unitText(state.form.control, value as UnitFunction));
       if (plane.value !== now.plane) plane.value = now.plane;
       if (units.value !== now.units) units.value = now.units;
       const other = [opened?.plane !== now.plane && opened?.plane, opened?.units !== now.units && opened?.units].filter(

@@ -88,7 +88,7 @@ export function createOutline(openCall: (index: number) => void): {
         index: from + offset,
         state: said ?? "ok",
         variant: key ? t(key) : t("call-variant-unknown"),
-        open: state.open === call.from,
+        open: state.form.open === call.from,
       };
     });
   };
@@ -152,22 +152,22 @@ export function createOutline(openCall: (index: number) => void): {
     root: list,
     draw(state, derived) {
       const before = shown;
-      const visible = state.outline && derived.read.calls.length > 0;
+      const visible = state.panels.outline && derived.read.calls.length > 0;
       show(list, visible);
       if (visible) names ??= variantNames(derived.catalogue); // what reads programs knows all cycles
       const same =
         before?.derived.read === derived.read &&
         before.derived.states === derived.states &&
-        before.state.open === state.open &&
-        before.state.outline === state.outline;
+        before.state.form.open === state.form.open &&
+        before.state.panels.outline === state.panels.outline;
       shown = { state, derived };
       if (!visible || same) return;
-      const index = derived.read.calls.findIndex(call => call.from === state.open);
-      if (index >= 0 && state.open !== opened) {
+      const index = derived.read.calls.findIndex(call => call.from === state.form.open);
+      if (index >= 0 && state.form.open !== opened) {
         current = index;
         bring(index);
       }
-      opened = state.open;
+      opened = state.form.open;
       render();
     },
   };

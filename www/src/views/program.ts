@@ -2,7 +2,7 @@
 
 import type { Actions } from "../actions";
 import type { Derived } from "../derive";
-import { isCurrent } from "../desk";
+import { isCurrent } from "../desk/program";
 import { el, on, setAttribute, setText, show } from "../dom";
 import type { EditorHost, LineMarks, Shown } from "../editor/editor";
 import type { EditorPlace } from "../editor/place";
@@ -81,7 +81,7 @@ export function createProgram(
 
   on(copy, "click", () => void copyText(text, store, "notice-copied"));
   on(open, "click", () => file.click());
-  on(calls, "click", () => store.update(state => ({ outline: !state.outline })));
+  on(calls, "click", () => store.update(state => ({ panels: { outline: !state.panels.outline } })));
   on(file, "change", () => {
     const chosen = file.files?.[0];
     if (chosen) opening.program(chosen);
@@ -120,7 +120,7 @@ export function createProgram(
     const count = derived.read.calls.length;
     show(calls, count > 0);
     setText(calls, t("program-call-count", { count }));
-    setAttribute(calls, "aria-expanded", String(state.outline));
+    setAttribute(calls, "aria-expanded", String(state.panels.outline));
     setText(name, count > 0 || !derived.fresh ? "" : t("program-no-call"));
     outline.draw(state, derived);
   };
@@ -128,10 +128,14 @@ export function createProgram(
   /** Calls, step and problems. Until the program is read again the editor moves the old ones along by itself. */
   const marked = (state: State, derived: Derived): Pick<Shown, "marks" | "problems"> => {
     if (!derived.fresh) return {};
-    const step = state.source === "program" ? (derived.trace?.entries[derived.step]?.line ?? null) : null;
+    const step = state.view.source === "program" ? (derived.trace?.entries[derived.step]?.line ?? null) : null;
     const next: LineMarks = {
       step,
-      calls: derived.read.calls.map(call => ({ from: call.line, to: call.lastLine, open: call.from === state.open })),
+      calls: derived.read.calls.map(call => ({
+        from: call.line,
+        to: call.lastLine,
+        open: call.from === state.form.open,
+      })),
     };
     const [before, known] = [lines, told];
     lines = JSON.stringify(next);
@@ -143,11 +147,11 @@ export function createProgram(
   };
 
   const edit = (state: State, derived: Derived): void => {
-    place.editor?.setDialect(state.control);
+    place.editor?.setDialect(state.form.control);
     place.editor?.set({
       text,
-      origin: `${state.control} ${state.files[state.control]?.opened ?? ""}`,
-      apart: text === state.mended,
+      origin: `${state.form.control} ${state.program.files[state.form.control]?.opened ?? ""}`,
+      apart: text === state.desk.mended,
       ...marked(state, derived),
     });
   };
@@ -160,7 +164,7 @@ export function createProgram(
       laid = place.takes(text);
       if (laid) edit(state, derived);
       else if (!place.editor) place.fetch();
-      else if (!isCurrent(state.stoppedLaying, state)) place.lay(text);
+      else if (!isCurrent(state.program.stoppedLaying, state)) place.lay(text);
       show(waiting, !place.editor);
       show(place.box, laid || !place.editor);
       if (laid && target !== null) select(target);

@@ -12,11 +12,11 @@ export function createRefusal(
   const text = el("p", { class: "problem", "data-severity": "error", role: "alert" });
   const close = el("button", { type: "button", class: "quiet" }, t("refused-close"));
   const root = el("div", { class: "refusal", hidden: true }, text, close);
-  on(close, "click", () => store.update({ refused: null }));
+  on(close, "click", () => store.update({ page: { refused: null } }));
   return {
     root,
     draw(state) {
-      const refused = state.refused?.place === place ? state.refused : null;
+      const refused = state.page.refused?.place === place ? state.page.refused : null;
       show(root, !!refused);
       setText(text, refused ? t(refused.key, refused.args) : "");
     },

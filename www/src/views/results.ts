@@ -95,7 +95,7 @@ function createOutcome(root: HTMLElement): Draw {
       none,
       outcome
         ? ""
-        : state.source === "program" && derived.simulates === "yes"
+        : state.view.source === "program" && derived.simulates === "yes"
           ? t("outcome-running")
           : missing(derived),
     );
@@ -241,7 +241,7 @@ function alarmItem(): HTMLLIElement {
 function keptOutcome(): (state: State, derived: Derived) => Shown | null {
   let made: { of: unknown[]; shown: Shown | null } | null = null;
   return (state, derived) => {
-    const of = [state.source === "program", derived.run, derived.cycle, derived.view.outcome];
+    const of = [state.view.source === "program", derived.run, derived.cycle, derived.view.outcome];
     if (!made?.of.every((one, index) => one === of[index])) made = { of, shown: shownOutcome(state, derived) };
     return made.shown;
   };
@@ -250,7 +250,7 @@ function keptOutcome(): (state: State, derived: Derived) => Shown | null {
 /** Of the form's call, or of the whole program while that is shown. */
 function shownOutcome(state: State, derived: Derived): Shown | null {
   const run = derived.run;
-  if (state.source === "program") {
+  if (state.view.source === "program") {
     if (!run) return null;
     const results = run.results.map(one => ({ ...one, label: one.label ? say(one.label) : "", unit: one.unit ?? "" }));
     return { ...run, results };
@@ -295,7 +295,7 @@ function createProblems(root: HTMLElement, actions: Actions, goTo: (offset: numb
     return item;
   };
   return (state, derived) => {
-    if (state.tab !== "problems") return;
+    if (state.panels.tab !== "problems") return;
     const all = located(state, derived, actions, goTo);
     show(none, all.length === 0);
     show(rest, all.length > LISTED);
@@ -368,11 +368,11 @@ function createMotions(root: HTMLElement, store: Store): Draw {
   let first = 0;
   const make = (): HTMLLIElement => {
     const item = el("li", {}, el("button", { type: "button", class: "motion" }));
-    on(item, "click", () => store.update({ step: Number(item.dataset.step), playing: false }));
+    on(item, "click", () => store.update({ view: { step: Number(item.dataset.step), playing: false } }));
     return item;
   };
   return (state, derived) => {
-    if (state.tab !== "motions") return;
+    if (state.panels.tab !== "motions") return;
     const { trace, step } = derived;
     const from = Math.floor(step / BLOCK) * BLOCK;
     show(none, !trace?.entries.length);
@@ -403,7 +403,7 @@ function createMotions(root: HTMLElement, store: Store): Draw {
       if (node !== current) node.removeAttribute("aria-current");
     if (current && current.getAttribute("aria-current") !== "step") {
       setAttribute(current, "aria-current", "step");
-      if (state.tab === "motions") current.scrollIntoView({ block: "nearest" });
+      if (state.panels.tab === "motions") current.scrollIntoView({ block: "nearest" });
     }
   };
 }
@@ -448,7 +448,7 @@ export function createResults(
       class: "scroll",
       tabindex: "0",
     });
-    on(button, "click", () => store.update({ tab: name }));
+    on(button, "click", () => store.update({ panels: { tab: name } }));
     bar.append(button);
     root.append(page);
     tabs.set(name, { button, page });
@@ -457,8 +457,8 @@ export function createResults(
     const move = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
     if (!move) return;
     const there = TABS.filter(name => !tabs.get(name)?.button.hidden);
-    const next = there[(there.indexOf(store.state.tab) + move + there.length) % there.length] ?? "outcome";
-    store.update({ tab: next });
+    const next = there[(there.indexOf(store.state.panels.tab) + move + there.length) % there.length] ?? "outcome";
+    store.update({ panels: { tab: next } });
     tabs.get(next)?.button.focus();
   });
   const page = (name: ResultTab): HTMLElement => tabs.get(name)?.page ?? root;
@@ -472,7 +472,8 @@ export function createResults(
   return (state, derived) => {
     const problems = located(state, derived, actions, goTo).length;
     for (const [name, { button, page: body }] of tabs) {
-      const chosen = name === (state.tab === "scan" && !derived.cycle.surfaces.length ? "outcome" : state.tab);
+      const chosen =
+        name === (state.panels.tab === "scan" && !derived.cycle.surfaces.length ? "outcome" : state.panels.tab);
       show(button, name !== "scan" || derived.cycle.surfaces.length > 0);
       setText(
         button,

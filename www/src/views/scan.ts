@@ -26,7 +26,9 @@ const TEXTS: [ScanText, string][] = [
 /** Whether what the form says now is what was scanned. */
 function isOf({ request }: Scanned, state: State, derived: Derived): boolean {
   return (
-    request.cycle === derived.cycle.cycle && request.setup === derived.view.setup && request.values === state.values
+    request.cycle === derived.cycle.cycle &&
+    request.setup === derived.view.setup &&
+    request.values === state.form.values
   );
 }
 
@@ -57,10 +59,10 @@ export function createScan(
       setText(mine, own.name);
       show(mine, true);
       choice.value = OWN;
-      store.update({ scanProblem: "" });
+      store.update({ scan: { problem: "" } });
     } catch (problem) {
       store.update({
-        scanProblem: problem instanceof NotTaken ? t(problem.message, { name: picked.name }) : String(problem),
+        scan: { problem: problem instanceof NotTaken ? t(problem.message, { name: picked.name }) : String(problem) },
       });
     }
   };
@@ -117,7 +119,7 @@ export function createScan(
     if (!own && choice.value === OWN) choice.selectedIndex = 0; // the examples came after it
     now = { state, derived };
     const scanning = !!doing(scanner, "scanning");
-    const scan = state.scan?.request.cycle === derived.cycle.cycle ? state.scan : null;
+    const scan = state.scan.made?.request.cycle === derived.cycle.cycle ? state.scan.made : null;
     setAttribute(begin, "disabled", scanning || !derived.view.complete || !derived.view.setup);
     for (const one of working) one.draw(state);
     setText(status, scanning ? "" : said(state, derived, scan));
@@ -141,7 +143,7 @@ function doing(scanner: Scanner, work: Work): ReturnType<Scanner["busy"]> {
 }
 
 function said(state: State, derived: Derived, scan: Scanned | null): string {
-  if (state.scanProblem) return t("scan-failed", { problem: sayProblem(state.scanProblem) });
+  if (state.scan.problem) return t("scan-failed", { problem: sayProblem(state.scan.problem) });
   if (!derived.view.complete) return t("scan-incomplete");
   if (!scan) return t("scan-none");
   const figures = t("scan-done", { points: scan.view.points, lines: scan.view.lines });
@@ -153,7 +155,7 @@ function request(state: State, { cycle, opened }: Derived, setup: Setup, surface
   return {
     control: cycle.control,
     cycle: cycle.cycle,
-    values: state.values,
+    values: state.form.values,
     setup,
     ...modal,
     ...(surface ? { surface } : {}),

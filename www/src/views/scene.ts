@@ -28,7 +28,7 @@ export function createScene(
   const segments = el("div", { class: "segments", role: "group", "aria-label": t("view-source") });
   const buttons = SOURCES.map(source => {
     const button = el("button", { type: "button" }, t(`view-${source}`));
-    on(button, "click", () => store.update({ source, step: AT_END, playing: false }));
+    on(button, "click", () => store.update({ view: { source, step: AT_END, playing: false } }));
     segments.append(button);
     return { source, button };
   });
@@ -49,8 +49,8 @@ export function createScene(
     t("view-diameters"),
   );
   on(drawing, "click", () => {
-    const diameters = !store.state.diameters;
-    store.update({ diameters });
+    const diameters = !store.state.view.diameters;
+    store.update({ view: { diameters } });
     if (diameters) stage.preview?.setView("front"); // as a drawing has it
   });
   const drawTimeline = createTimeline(timeline, store, goToLine);
@@ -72,8 +72,8 @@ export function createScene(
   };
 
   return (state, derived) => {
-    const scan = state.scan?.request.cycle === derived.cycle.cycle ? state.scan : null;
-    const source = state.source === "scan" && !scan ? "form" : state.source;
+    const scan = state.scan.made?.request.cycle === derived.cycle.cycle ? state.scan.made : null;
+    const source = state.view.source === "scan" && !scan ? "form" : state.view.source;
     for (const one of buttons) {
       setAttribute(one.button, "aria-pressed", String(one.source === source));
       show(one.button, one.source !== "scan" || !!scan);
@@ -111,12 +111,14 @@ export function createScene(
       move(
         preview,
         step,
-        state.playing && derived.trace?.entries[step]?.step === "motion" && !still.matches ? paceAt(state.speed) : 0,
+        state.view.playing && derived.trace?.entries[step]?.step === "motion" && !still.matches
+          ? paceAt(state.view.speed)
+          : 0,
       );
     preview.setCloud(points);
-    preview.setDrawing(state.diameters);
+    preview.setDrawing(state.view.diameters);
     show(drawing, !!derived.trace?.drawing);
-    setAttribute(drawing, "aria-pressed", String(state.diameters));
+    setAttribute(drawing, "aria-pressed", String(state.view.diameters));
     shown = { trace: derived.trace, dark: night, step, drawn };
   };
 }

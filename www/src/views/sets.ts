@@ -89,9 +89,9 @@ export function createSets(actions: Actions): Sets {
         make,
         () => undefined,
       );
-      setText(said, state.undo && state.notice ? t(state.notice) : "");
-      show(undo, !!state.undo);
-      setAttribute(undo, "disabled", !state.undo);
+      setText(said, state.page.undo && state.page.notice ? t(state.page.notice) : "");
+      show(undo, !!state.page.undo);
+      setAttribute(undo, "disabled", !state.page.undo);
     },
   };
 }

@@ -38,7 +38,8 @@ function heading(state: State, derived: Derived): HTMLElement {
 }
 
 function view(stage: Stage, state: State, derived: Derived, { drawStill }: Draw): HTMLElement | null {
-  const scan = state.source === "scan" && state.scan?.request.cycle === derived.cycle.cycle ? state.scan : null;
+  const scan =
+    state.view.source === "scan" && state.scan.made?.request.cycle === derived.cycle.cycle ? state.scan.made : null;
   const { trace, step } = derived;
   if (!trace || !(trace.entries.length || scan)) return null;
   const picture = el("div", { class: "sheet-picture" });
@@ -48,7 +49,7 @@ function view(stage: Stage, state: State, derived: Derived, { drawStill }: Draw)
       trace,
       step,
       cloud: scan && cloudOf(scan),
-      drawing: state.diameters,
+      drawing: state.view.diameters,
       camera: stage.preview?.camera ?? null,
       words: WORDS,
     },

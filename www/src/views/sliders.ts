@@ -118,7 +118,7 @@ export function createSliders(
   const reset = el("button", { type: "button", class: "quiet" }, t("sliders-reset"));
   on(reset, "click", actions.noErrors);
   const limits = el("button", { type: "button", class: "quiet", title: t("sliders-limits-help") }, t("sliders-limits"));
-  on(limits, "click", () => store.update({ limits: !store.state.limits }));
+  on(limits, "click", () => store.update({ part: { limits: !store.state.part.limits } }));
   const title = el("h3", {});
   root.append(el("div", { class: "sliders-head" }, title, limits, reset));
   const updates: ((errors: ErrorSliders, survived: Limit[], probe: Purpose["probe"], solids: Solid[]) => void)[] = [];
@@ -150,8 +150,8 @@ export function createSliders(
   return (state, { cycle, view }) => {
     show(root, cycle.simulated && TOUCHING.includes(cycle.purpose.probe)); // elsewhere nothing would come of them
     setText(title, t("sliders-title"));
-    setAttribute(limits, "aria-pressed", String(state.limits));
+    setAttribute(limits, "aria-pressed", String(state.part.limits));
     for (const update of updates)
-      update(state.errors, view.outcome?.limits ?? [], cycle.purpose.probe, view.outcome?.trace.solids ?? []);
+      update(state.part.errors, view.outcome?.limits ?? [], cycle.purpose.probe, view.outcome?.trace.solids ?? []);
   };
 }

@@ -27,7 +27,7 @@ const dark = matchMedia("(prefers-color-scheme: dark)");
 
 /** The stage takes its colours from the tokens that count now. */
 export function isDark(state: State): boolean {
-  return state.theme === "dark" || (state.theme === "system" && dark.matches);
+  return state.page.theme === "dark" || (state.page.theme === "system" && dark.matches);
 }
 
 /** What must not touch and did, in a few words. */
@@ -71,7 +71,7 @@ export function createStage(store: Store): Stage {
         ...WORDS,
         onThinned,
       });
-      preview.onPick(entry => store.update({ step: entry, playing: false }));
+      preview.onPick(entry => store.update({ view: { step: entry, playing: false } }));
     } catch (problem) {
       failed = problem instanceof Error ? problem.message : String(problem);
     }

@@ -107,13 +107,13 @@ export function createTasks(
   let holding = new Set<string>(); // the branches that hold the choice
 
   /** As it was set by hand; else open around the choice. */
-  const isOpen = (id: string): boolean => store.state.unfolded[id] ?? holding.has(id);
+  const isOpen = (id: string): boolean => store.state.panels.unfolded[id] ?? holding.has(id);
   const unfold = (id: string, open: boolean): void =>
-    store.update({ unfolded: { ...store.state.unfolded, [id]: open } });
+    store.update({ panels: { unfolded: { ...store.state.panels.unfolded, [id]: open } } });
   /** Around the old choice, so that nothing moves away under the pointer. */
   const keepOpen = (): void =>
-    store.update(({ unfolded }) => ({
-      unfolded: { ...Object.fromEntries([...holding].map(id => [id, true])), ...unfolded },
+    store.update(({ panels: { unfolded } }) => ({
+      panels: { unfolded: { ...Object.fromEntries([...holding].map(id => [id, true])), ...unfolded } },
     }));
   const pick = (node: Node): void => {
     active = node.id;
@@ -155,17 +155,17 @@ export function createTasks(
   };
   on(tree, "keydown", key);
   on(input, "focus", () => found.load());
-  on(input, "input", () => store.update({ search: input.value }));
+  on(input, "input", () => store.update({ page: { search: input.value } }));
   on(input, "keydown", event => {
     if (event.key === "ArrowDown") {
       event.preventDefault();
       store.flush();
-      if (store.state.search) found.focusFirst();
+      if (store.state.page.search) found.focusFirst();
       else focus(shown.find(node => node.variant) ?? shown[0]);
     }
     if (event.key === "Escape") {
       input.value = "";
-      store.update({ search: "" });
+      store.update({ page: { search: "" } });
     }
   });
 
@@ -211,8 +211,8 @@ export function createTasks(
       },
     );
     still();
-    if (input.value !== state.search) input.value = state.search;
-    const searching = state.search.trim() !== "";
+    if (input.value !== state.page.search) input.value = state.page.search;
+    const searching = state.page.search.trim() !== "";
     show(tree, !searching);
     show(others, !searching && derived.simulates !== "yes");
     setText(

@@ -43,14 +43,14 @@ export function createTimeline(
   let timer = 0;
   let line: number | null = null;
   const go = (step: number, playing = false): void =>
-    store.update({ step: Math.max(0, Math.min(count - 1, step)), playing });
+    store.update({ view: { step: Math.max(0, Math.min(count - 1, step)), playing } });
   const button = (sign: string, label: string, run: () => void): HTMLButtonElement => {
     const node = el("button", { type: "button", class: "transport", "aria-label": label, title: label }, sign);
     on(node, "click", run);
     return node;
   };
   const play = button("▶", t("timeline-play"), () => {
-    const { playing } = store.state;
+    const { playing } = store.state.view;
     go(!playing && current >= count - 1 ? 0 : current, !playing);
   });
   const scrub = el("input", { type: "range", min: 0, step: 1, "aria-label": t("timeline-scrub") });
@@ -66,7 +66,7 @@ export function createTimeline(
     { class: "speed", "aria-label": t("timeline-speed"), title: t("timeline-speed") },
     ...SPEEDS.map(times => el("option", { value: times }, t("timeline-times", { times: plain(times) }))),
   );
-  on(speed, "change", () => store.update({ speed: Number(speed.value) }));
+  on(speed, "change", () => store.update({ view: { speed: Number(speed.value) } }));
   root.append(
     el(
       "div",
@@ -93,21 +93,21 @@ export function createTimeline(
     setText(where, count ? `${step + 1} / ${count}` : "–");
     setText(what, entry ? describe(entry) : t("motions-none"));
     setAttribute(scrub, "aria-valuetext", entry ? describe(entry) : null);
-    line = state.source === "program" ? (entry?.line ?? null) : (derived.opened?.lastLine ?? null);
+    line = state.view.source === "program" ? (entry?.line ?? null) : (derived.opened?.lastLine ?? null);
     setText(place, line === null ? "" : t("motions-line", { line }));
     place.hidden = line === null;
-    setText(play, state.playing ? "❚❚" : "▶");
+    setText(play, state.view.playing ? "❚❚" : "▶");
     for (const name of ["aria-label", "title"])
-      setAttribute(play, name, t(state.playing ? "timeline-pause" : "timeline-play"));
-    speed.value = String(state.speed);
+      setAttribute(play, name, t(state.view.playing ? "timeline-pause" : "timeline-play"));
+    speed.value = String(state.view.speed);
     clearTimeout(timer);
-    if (!state.playing) return;
+    if (!state.view.playing) return;
     const began = performance.now();
     const tick = (): void => {
-      if (!store.state.playing) return;
-      const next = reached(entries, step, Math.min(LATE, performance.now() - began), state.speed);
+      if (!store.state.view.playing) return;
+      const next = reached(entries, step, Math.min(LATE, performance.now() - began), state.view.speed);
       go(next, next < count - 1);
     };
-    timer = window.setTimeout(tick, Math.max(FRAME, paceOf(entries, step) / state.speed));
+    timer = window.setTimeout(tick, Math.max(FRAME, paceOf(entries, step) / state.view.speed));
   };
 }

@@ -42,7 +42,7 @@ export function createTwin(store: Store): { root: HTMLElement; draw(state: State
   // The browser tells an unfolding only later: what is drawn meanwhile would fold it again.
   on(head, "click", event => {
     event.preventDefault();
-    store.update(state => ({ twin: !state.twin }));
+    store.update(state => ({ snippet: { twin: !state.snippet.twin } }));
   });
   on(copy, "click", () => void copyText(text, store, "notice-copied"));
 
@@ -78,7 +78,7 @@ export function createTwin(store: Store): { root: HTMLElement; draw(state: State
     draw(state, derived) {
       const { cycle, view } = derived;
       show(root, cycle.twins && derived.simulates === "yes");
-      if (root.open !== state.twin) root.open = state.twin;
+      if (root.open !== state.snippet.twin) root.open = state.snippet.twin;
       show(found, !!view.twin);
       show(none, view.twin === null);
       if (view.twin) fill(view.twin, derived);

@@ -78,8 +78,8 @@ export function createCallWays(actions: Actions): View {
   return {
     root,
     draw(state, { cycle, opened }) {
-      const { converted } = state;
-      const current = converted?.control === state.control && converted.text === programOf(state);
+      const { converted } = state.desk;
+      const current = converted?.control === state.form.control && converted.text === programOf(state);
       const all = current && converted ? converted.findings : [];
       show(line, cycle.styles.length > 1);
       show(root, !!opened && (cycle.styles.length > 1 || all.length > 0));

@@ -1,0 +1,183 @@
+// How program and form stand to each other, and what of the state is kept: plain functions of the page, in Node.
+import assert from "node:assert/strict";
+import { after, before, describe, test } from "node:test";
+import { modules } from "./sources.mjs";
+
+let sources, desk, state, stored;
+before(async () => {
+  sources = await modules();
+  [desk, state, stored] = await Promise.all(
+    ["desk/desk", "state", "stored"].map(name => sources.load(`/src/${name}.ts`)),
+  );
+});
+after(() => sources.close());
+
+const TEXT = "_SETVAL=40\nCYCLE977\n_SETVAL=30\nCYCLE977\n";
+/** A call as the core reads it; `line` is its first, `from` and `to` are places in the text. */
+const call = (from, to, line, values) => ({
+  from,
+  to,
+  line,
+  lastLine: line + 1,
+  cycle: "CYCLE977",
+  values,
+  expressions: {},
+  first: {},
+  diagnostics: [],
+});
+const CALLS = [call(0, 19, 1, { _SETVAL: "40" }), call(20, 39, 3, { _SETVAL: "30" })];
+const reading = text => ({ control: "sinumerik", text, view: { calls: CALLS, diagnostics: [] } });
+
+/** A state with this program, read, with the first call in the form. */
+const read = (...patches) =>
+  state.patched(
+    state.firstState(),
+    { program: { texts: { sinumerik: TEXT }, reading: reading(TEXT) } },
+    { form: { cycle: "CYCLE977", open: 0, values: { _SETVAL: "40" } } },
+    ...patches,
+  );
+const typed = (at, value) => ({ control: "sinumerik", at, name: "_SETVAL", value });
+const none = () => assert.fail("nothing is to be asked");
+const LONG = "G0 X1\n".repeat(2000);
+
+// oracle: hand (the ways and their transitions as they are defined)
+describe("a state", () => {
+  test("is unread as long as nobody knows what the program holds now", () => {
+    for (const reading of [null, { ...read().program.reading, text: "M30\n" }]) {
+      const standing = desk.standing(read({ program: { reading } }));
+      assert.equal(standing.is, "unread");
+      assert.deepEqual(standing.question, { ask: "read", control: "sinumerik", text: TEXT });
+    }
+    const setup = { control: "sinumerik" };
+    assert.equal(desk.standing(read({ machine: { setup } })).question.setup, setup, "read on another machine");
+  });
+
+  test("is stopped where a long program is not to be read; a short one is read all the same", () => {
+    const stoppedReading = text => ({ control: "sinumerik", text, why: "" });
+    const of = text =>
+      desk.standing(
+        read({ program: { texts: { sinumerik: text }, reading: null, stoppedReading: stoppedReading(text) } }),
+      ).is;
+    assert.deepEqual([of(LONG), of(TEXT)], ["stopped", "unread"]);
+    assert.equal(
+      desk.next(read({ program: { texts: { sinumerik: LONG }, reading: null } }), () => null),
+      null,
+    );
+  });
+
+  test("that is read shows the call that was looked for", () => {
+    const looking = read({ desk: { sought: { call: 1 } } });
+    assert.equal(desk.standing(looking).is, "looking");
+    const next = desk.next(looking, none);
+    assert.deepEqual([next.form.open, next.form.values, next.desk.sought], [20, { _SETVAL: "30" }, null]);
+    assert.equal(desk.standing(next).is, "settled");
+  });
+
+  test("that is read follows the cursor into another call, and out of the calls keeps the form", () => {
+    const at = line => desk.next(read({ desk: { follow: "cursor" }, program: { line } }), none);
+    assert.deepEqual([at(4).form.open, at(4).form.values], [20, { _SETVAL: "30" }]);
+    assert.deepEqual([at(9).form.open, at(9).form.values], [0, { _SETVAL: "40" }]);
+    assert.equal(at(4).desk.follow, null);
+  });
+
+  test("forgets what was typed for a call that is gone", () => {
+    const next = desk.next(read({ desk: { follow: "text", pending: [typed(5, "1"), typed(20, "2")] } }), none);
+    assert.deepEqual(next.desk.pending, [typed(20, "2")]);
+  });
+
+  test("is typed while the form is ahead of the program, and its edits move what points into it", () => {
+    const ahead = read({ desk: { pending: [typed(0, "41.5")] }, form: { open: 20 } });
+    const standing = desk.standing(ahead);
+    assert.equal(standing.is, "typed");
+    const { ask, call, at } = standing.question;
+    assert.deepEqual({ ask, call, at }, { ask: "change", call: 0, at: 0 });
+    const edit = { from: 8, to: 10, insert: "41.5" };
+    const answer = { steps: [[edit]], elsewhere: [], findings: [], taken: [] };
+    const next = desk.next(ahead, () => [answer]);
+    assert.equal(state.programOf(next), TEXT.replace("40", "41.5"));
+    assert.deepEqual([next.desk.pending, next.form.open], [[], 22]);
+    assert.equal(desk.standing(next).is, "unread");
+  });
+
+  test("keeps what was typed back while it would change lines elsewhere", () => {
+    const elsewhere = [{ line: 3, before: "_SETVAL=30", after: "_SETVAL=41" }];
+    const next = desk.next(read({ desk: { pending: [typed(0, "41")] } }), () => [
+      { steps: [[]], elsewhere, findings: [], taken: [] },
+    ]);
+    assert.deepEqual(next.desk.pending, [{ ...typed(0, "41"), asks: { text: TEXT, lines: elsewhere } }]);
+    assert.equal(state.programOf(next), TEXT);
+    assert.equal(desk.standing(next).is, "settled");
+  });
+
+  test("is rewriting while a call is to be written in another way, and astray when that call is gone", () => {
+    const style = "indirect";
+    const rewriting = read({ desk: { converting: { at: 20, style } } });
+    assert.equal(desk.standing(rewriting).is, "rewriting");
+    assert.deepEqual([desk.standing(rewriting).question.call, desk.standing(rewriting).question.style], [1, style]);
+    const edits = [{ from: 20, to: 39, insert: "CYCLE_977(1)" }];
+    const next = desk.next(rewriting, () => ({ edits, findings: [] }));
+    assert.equal(state.programOf(next), `${TEXT.slice(0, 20)}CYCLE_977(1)${TEXT.slice(39)}`);
+    assert.deepEqual([next.desk.converting, next.desk.mended], [null, state.programOf(next)]);
+
+    const astray = read({ desk: { converting: { at: 7, style } } });
+    assert.equal(desk.standing(astray).is, "astray");
+    assert.equal(desk.next(astray, none).desk.converting, null);
+  });
+
+  test("that got no answer asks nothing more about its text", () => {
+    const ahead = read({ desk: { pending: [typed(0, "41")] } });
+    const next = desk.failed(ahead, desk.standing(ahead).question, "broken");
+    assert.deepEqual(next.desk.pending, []);
+    assert.deepEqual(next.program.stoppedReading, { control: "sinumerik", text: TEXT, why: "broken" });
+  });
+
+  test("of which a part changed keeps the other parts as they are", () => {
+    const before = read();
+    const after = state.patched(before, { view: { step: 3 } }, { form: before.form });
+    assert.equal(after.form, before.form);
+    assert.equal(after.view.step, 3);
+    assert.equal(before.view.step, state.AT_END);
+  });
+});
+
+// oracle: hand (the names are those of version 0.1: what is stored and what was sent must open)
+describe("what is kept", () => {
+  test("is flat, under names that stay", () => {
+    const kept = stored.kept(read());
+    assert.deepEqual(
+      [kept.control, kept.cycle, kept.values, kept.programs, kept.open, kept.pending, kept.style, kept.right],
+      ["sinumerik", "CYCLE977", { _SETVAL: "40" }, { sinumerik: TEXT }, 0, [], "", "results"],
+    );
+    assert.ok(!("reading" in kept) && !("form" in kept));
+    assert.deepEqual(stored.kept(stored.merge(state.firstState(), JSON.parse(JSON.stringify(kept)))), kept);
+  });
+
+  test("is taken as far as it has the right shape", () => {
+    const bad = {
+      control: 5,
+      values: { _SETVAL: 40, _FA: "2" },
+      files: { sinumerik: { name: "a.mpf", encoding: "none" } },
+      open: "3",
+      pending: [{ name: "x" }],
+      errors: { part: { dx: "1", dy: 2 } },
+      style: "odd",
+      suits: { sinumerik: "G20" },
+      touched: null,
+      unfolded: { a: true, b: 1 },
+    };
+    const next = stored.merge(read(), bad);
+    assert.deepEqual(next.form.values, { _FA: "2" });
+    assert.deepEqual([next.form.control, next.form.open, next.form.touched], ["sinumerik", 0, {}]);
+    assert.deepEqual([next.program.files, next.desk.pending, next.machine.suits], [{}, [], {}]);
+    assert.deepEqual([next.snippet.style, next.panels.unfolded], ["", { a: true }]);
+    assert.deepEqual(next.part.errors.part, { ...state.NO_ERRORS.part, dy: 2 });
+    assert.equal(stored.merge(read(), null).form.open, 0);
+  });
+
+  test("comes back with undo, and nothing else does", () => {
+    const before = read();
+    const after = state.patched(before, { form: { values: {}, open: null }, view: { step: 1 } });
+    const undone = state.patched(after, stored.work(before));
+    assert.deepEqual([undone.form.values, undone.form.open, undone.view.step], [{ _SETVAL: "40" }, 0, 1]);
+  });
+});

@@ -1,0 +1,125 @@
+// What follows from a change of the program or of the form before it is drawn: the program is read, what the form
+// changed is written into it, the form follows the cursor. Short programs at once, long ones by a worker.
+//
+// A state stands in one of a few ways, and each way has one transition to the next; the desk goes through them until
+// the state is settled, or waits for an answer.
+
+import type { Answered, Aside } from "../aside";
+import type { AtOnce, ProgramCore } from "../program";
+import { machine, patched, programOf, type Reading, type State } from "../state";
+import type { Changed, Converted, ReadView } from "../wire";
+import { arrived } from "./calls";
+import { isCurrent, isRead } from "./program";
+import { change, changed, conversion, converted } from "./typing";
+
+/** Of a program that is read between two keystrokes, in characters. */
+const SHORT = 8_000;
+
+export type Answer = ReadView | Changed[] | Converted;
+
+/** How program and form stand to each other; the first that is so counts. */
+export type Standing =
+  | { is: "stopped" } // nothing is asked any more about this long text
+  | { is: "unread"; question: AtOnce } // it is not known what the program holds: it is read
+  | { is: "looking"; reading: Reading } // the form is to show another call: it does
+  | { is: "typed"; question: AtOnce } // the form is ahead of the program: it is written into it
+  | { is: "rewriting"; question: AtOnce } // a call is to be written in another way: it is
+  | { is: "astray" } // that call is gone: nobody waits for it any more
+  | { is: "settled" };
+
+export function standing(state: State): Standing {
+  const { control } = state.form;
+  const { follow, sought, converting } = state.desk;
+  const { reading, stoppedReading } = state.program;
+  if (!reading || !isRead(state)) {
+    if (isLong(state) && isCurrent(stoppedReading, state)) return { is: "stopped" };
+    return { is: "unread", question: { ask: "read", control, text: programOf(state), ...machine(state) } };
+  }
+  if (follow || sought) return { is: "looking", reading };
+  const typed = change(state);
+  if (typed) return { is: "typed", question: { ask: "change", ...typed } };
+  const rewritten = conversion(state);
+  if (rewritten) return { is: "rewriting", question: { ask: "convert", ...rewritten } };
+  return { is: converting ? "astray" : "settled" };
+}
+
+/** The state with an answer. The question was about its program as it is. */
+export function answered(state: State, question: AtOnce, answer: Answer): State {
+  switch (question.ask) {
+    case "read": {
+      const { ask: _, ...about } = question;
+      return arrived(state, { ...about, view: answer as ReadView });
+    }
+    case "change":
+      return changed(state, question, answer as Changed[]);
+    case "convert":
+      return state.desk.converting ? converted(state, answer as Converted) : state;
+  }
+}
+
+/** The state without an answer: nothing is asked about this text any more. */
+export function failed(state: State, { ask, control, text }: AtOnce, why: string): State {
+  return patched(state, {
+    desk: { converting: null, pending: ask === "change" ? [] : state.desk.pending },
+    program: { stoppedReading: { control, text, why } },
+  });
+}
+
+/** The next state; null: there is none, or not before an answer. */
+export function next(state: State, answer: (question: AtOnce) => Answer | null): State | null {
+  const now = standing(state);
+  switch (now.is) {
+    case "unread":
+    case "typed":
+    case "rewriting": {
+      const found = answer(now.question);
+      return found && answered(state, now.question, found);
+    }
+    case "looking":
+      return arrived(state, now.reading);
+    case "astray":
+      return patched(state, { desk: { converting: null } });
+    case "stopped":
+    case "settled":
+      return null;
+  }
+}
+
+function isLong(state: State): boolean {
+  return programOf(state).length > SHORT;
+}
+
+function atOnce(core: ProgramCore, question: AtOnce): Answer {
+  switch (question.ask) {
+    case "read":
+      return core.read(question);
+    case "change":
+      return core.change(question);
+    case "convert":
+      return core.convert(question);
+  }
+}
+
+/** What the worker has answered, if it is about the program as it is. */
+function taken(state: State, answer: Answered | null): State {
+  if (!answer || answer.question.ask === "run" || !isCurrent(answer.question, state)) return state;
+  const { question, json, problem } = answer;
+  return json === undefined
+    ? failed(state, question, problem ?? "")
+    : answered(state, question, JSON.parse(json) as Answer);
+}
+
+/** Until the part of the core that reads is there, nothing is settled. */
+export function createDesk(programCore: () => ProgramCore | null, reader: Aside): (state: State) => State {
+  return state => {
+    const core = programCore();
+    let settled = taken(state, reader.take());
+    const answer = (question: AtOnce): Answer | null => {
+      if (core && !isLong(settled)) return atOnce(core, question);
+      reader.want(question);
+      return null;
+    };
+    for (let after = core && next(settled, answer); after; after = next(settled, answer)) settled = after;
+    return settled;
+  };
+}

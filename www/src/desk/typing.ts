@@ -1,0 +1,110 @@
+// What was typed in the form on its way into the program, and edits that the core proposes.
+
+import { asked, hasToAsk, isWaiting } from "../pending";
+import type { ChangeRequest, ConvertRequest } from "../program";
+import { AT_END, machine, patched, programOf, type State } from "../state";
+import { work } from "../stored";
+import type { Changed, Converted, Edit, Pending } from "../wire";
+import { isCurrent, SOUGHT, withEdits } from "./program";
+
+/** The form with these values typed; where it edits a call of the program, they are on their way there. */
+export function typedIn(state: State, pairs: [string, string][]): State {
+  const { control, open } = state.form;
+  const at = state.desk.sought ? SOUGHT : open;
+  const names = new Set(pairs.map(([name]) => name));
+  const others = state.desk.pending.filter(one => one.control !== control || one.at !== at || !names.has(one.name));
+  const pending =
+    at === null ? state.desk.pending : [...others, ...pairs.map(([name, value]) => ({ control, at, name, value }))];
+  const resets = Object.fromEntries(Object.entries(state.form.resets).filter(([name]) => !names.has(name)));
+  return patched(state, {
+    form: { values: { ...state.form.values, ...Object.fromEntries(pairs) }, resets },
+    view: { step: AT_END },
+    desk: { pending },
+  });
+}
+
+/** What the form typed, for the first call that waits for it. */
+export function change(state: State): ChangeRequest | null {
+  const { control } = state.form;
+  const { pending } = state.desk;
+  const text = programOf(state);
+  const first = pending.find(one => one.control === control && !isWaiting(one, text));
+  const call = state.program.reading?.view.calls.findIndex(one => one.from === first?.at) ?? -1;
+  return first && call >= 0 ? { control, text, call, at: first.at, pending, ...machine(state) } : null;
+}
+
+/** The program with what the form typed, unless something else was typed meanwhile: then that is asked anew. What would
+ *  change lines outside of the call waits for a word. */
+export function changed(state: State, request: ChangeRequest, answers: Changed[]): State {
+  if (state.desk.pending !== request.pending) return state;
+  const { text } = request;
+  const mine = asked(request.pending, request);
+  const waits = mine.flatMap((one, index): Pending[] => {
+    const answer = answers[index];
+    return answer && hasToAsk(one, answer) ? [{ ...one, asks: { text, lines: answer.elsewhere } }] : [];
+  });
+  const done = answers.filter((answer, index) => !hasToAsk(mine[index] as Pending, answer));
+  const pending = [...state.desk.pending.filter(one => !mine.includes(one)), ...waits];
+  const next = done.flatMap(({ steps }) => steps).reduce(withEdits, patched(state, { desk: { pending } }));
+  const after = mine.every(one => one.value === "" && state.form.resets[one.name]) ? stillTold(state, next) : next;
+  const agreed = mine.some(one => one.agreed);
+  return told(state, after, request, agreed, done);
+}
+
+/** What was said of a new variant is said on while the values go that were codes of something else before. */
+function stillTold(before: State, after: State): State {
+  const { converted } = before.desk;
+  return converted && isCurrent(converted, before)
+    ? patched(after, { desk: { converted: { ...converted, text: programOf(after) } } })
+    : after;
+}
+
+/** What a change did beside the value: it is said, and can be taken back. */
+function told(
+  before: State,
+  after: State,
+  { at, call: index, pending }: ChangeRequest,
+  agreed: boolean,
+  done: Changed[],
+): State {
+  const taken = done.flatMap(one => one.taken);
+  const findings = done.flatMap(one => one.findings);
+  if (!agreed && !findings.length) return after;
+  const call = before.program.reading?.view.calls[index];
+  const inForm = before.form.open === at;
+  const left = before.desk.pending.filter(one => !pending.includes(one));
+  const restored = call && inForm ? { form: { values: call.values } } : {};
+  const undo = work(patched(before, { desk: { pending: left } }, restored));
+  const kept = Object.entries(after.form.values).filter(([name]) => !inForm || !taken.includes(name));
+  const text = programOf(after);
+  return patched(after, {
+    form: inForm ? { values: Object.fromEntries(kept) } : {},
+    page: { undo, notice: agreed ? "notice-applied" : "notice-revised" },
+    desk: {
+      ...(agreed ? { mended: text } : {}),
+      ...(findings.length ? { converted: { control: after.form.control, text, findings } } : {}),
+    },
+  });
+}
+
+/** Edits that the core proposes, made at once: one step in the editor, and undone as one. */
+export function mended(state: State, edits: readonly Edit[], notice: string): State {
+  const next = withEdits(state, edits);
+  return patched(next, { desk: { mended: programOf(next), follow: "edits" }, page: { notice, undo: work(state) } });
+}
+
+/** The call that is to be written in another way; null: none is, or it is gone. */
+export function conversion(state: State): ConvertRequest | null {
+  const { control } = state.form;
+  const { converting } = state.desk;
+  const call = state.program.reading?.view.calls.findIndex(one => one.from === converting?.at) ?? -1;
+  return converting && call >= 0
+    ? { control, text: programOf(state), call, style: converting.style, ...machine(state) }
+    : null;
+}
+
+export function converted(state: State, { edits, findings }: Converted): State {
+  const rest = patched(state, { desk: { converting: null } });
+  const next = edits.length ? mended(rest, edits, "notice-converted") : rest;
+  return patched(next, { desk: { converted: { control: next.form.control, text: programOf(next), findings } } });
+}
