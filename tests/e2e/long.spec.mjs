@@ -173,6 +173,7 @@ describe("a long program", () => {
   // oracle: hand
   test("is read in a worker that needs no second download of the core", async () => {
     const { context, page, problems } = await open(chrome.browser, { serviceWorkers: "block" });
+    await page.waitForLoadState("networkidle"); // what the first visit still fetches does not count
     const fetched = [];
     page.on("request", request => fetched.push(new URL(request.url()).pathname));
     await page.reload();
