@@ -3,6 +3,7 @@
 //! the usual ones report no 99th percentile.
 
 use probewright_core::catalogue::CYCLES;
+use probewright_core::catalogue::example::worked;
 use probewright_core::json;
 use serde_json::{Value, json as object};
 use std::hint::black_box;
@@ -17,20 +18,12 @@ fn main() {
     println!("{:<44} {:>9} {:>9} {:>9}  goal  99 % / goal", "ms", "50 %", "95 %", "99 %");
     for cycle in CYCLES {
         let control = json::dialect_name(cycle.dialect);
-        let form = object!({ "control": control, "cycle": cycle.name, "values": example(cycle.example) });
+        let form = object!({ "control": control, "cycle": cycle.name, "values": worked(cycle) });
         measure(&format!("{} form, check, write", cycle.name), &form, FORM_GOAL);
         let mut predict = form;
         predict["predict"] = Value::Bool(true);
         measure(&format!("{} the same and simulate", cycle.name), &predict, PREDICT_GOAL);
     }
-}
-
-fn example(values: &[(&str, &str)]) -> Value {
-    values
-        .iter()
-        .map(|(name, value)| ((*name).to_owned(), Value::from(*value)))
-        .collect::<serde_json::Map<_, _>>()
-        .into()
 }
 
 fn measure(name: &str, request: &Value, goal: f64) {

@@ -1,6 +1,7 @@
 //! A surface scanned with a million points: the time of the scan, of the comparison with the true surface, and of the
 //! texts. Printed once; a mean of several would say no more.
 
+use probewright_core::catalogue::example::worked;
 use probewright_core::catalogue::p9969::P9969;
 use probewright_core::json;
 use serde_json::{Value, json as object};
@@ -12,12 +13,12 @@ const GOAL: f64 = 20.0;
 const PIECE: usize = 1000;
 
 fn main() {
-    let mut values: Value = P9969.example.iter().map(|(n, v)| (*n, *v)).collect();
+    let mut values: Value = worked(&P9969).into_iter().collect();
     values["Q"] = "1".into();
     values["R"] = "0.06".into();
     values["J"] = "0.04".into();
     let form = object!({ "control": "nct", "cycle": P9969.name,
-        "values": P9969.example.iter().copied().collect::<Value>(), "predict": true });
+        "values": worked(&P9969).into_iter().collect::<Value>(), "predict": true });
     let Ok(view) = json::form(&form.to_string()) else {
         return;
     };

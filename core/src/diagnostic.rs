@@ -1,6 +1,7 @@
 //! What is wrong, where, and how to mend it.
 
 use crate::message::Message;
+use crate::name::Name;
 
 /// Half-open byte range of a program's source.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -56,7 +57,7 @@ pub struct Diagnostic {
     /// Cure.
     pub hint: Option<Message>,
     /// Parameter it belongs to, as the manual writes it (`_SETV[0]`).
-    pub param: Option<&'static str>,
+    pub param: Option<Name>,
     /// Place in the program.
     pub span: Option<Span>,
     /// Edits of the program that mend it, with what they do in words.
@@ -76,7 +77,7 @@ impl Diagnostic {
     }
 
     /// At this parameter.
-    pub fn at(mut self, param: &'static str) -> Self {
+    pub fn at(mut self, param: Name) -> Self {
         self.param = Some(param);
         self
     }

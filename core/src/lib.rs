@@ -17,6 +17,7 @@ pub mod geometry;
 pub mod json;
 pub mod machine;
 pub mod message;
+pub mod name;
 pub mod own;
 pub mod picture;
 mod problem;

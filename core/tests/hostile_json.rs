@@ -33,7 +33,7 @@ fn absurd_values_of_every_variant_give_a_form() {
                     .iter()
                     .map(|param| {
                         let chosen = if param.name == "_MVAR" { variant.number.to_string() } else { value.to_owned() };
-                        (param.name.to_owned(), document!(chosen))
+                        (param.name.to_string(), document!(chosen))
                     })
                     .collect();
                 let control = json::dialect_name(cycle.dialect);

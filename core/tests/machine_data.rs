@@ -2,12 +2,12 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use probewright_core::catalogue::CYCLES;
+use probewright_core::catalogue::example::worked;
 use probewright_core::check::check;
 use probewright_core::control::{Control, delivery};
 use probewright_core::diagnostic::Severity;
 use probewright_core::dialect::Dialect;
 use probewright_core::entry::Cycle;
-use probewright_core::entry::Typed;
 
 /// Parameter that numbers something, and the data that tell how many there are.
 type Numbered = (&'static str, &'static [&'static str]);
@@ -21,13 +21,12 @@ const NUMBERED: [Numbered; 3] = [
 
 /// How many of its variants refuse this number of the parameter.
 fn refusing(cycle: &'static Cycle, param: &str, number: &str, control: &Control) -> usize {
-    let pair = |(name, value): &(&str, &str)| ((*name).to_owned(), (*value).to_owned());
     let refuses = |variant: i64| {
-        let mut typed: Typed = cycle.example.iter().map(pair).collect();
+        let mut typed = worked(cycle);
         typed.insert("_MVAR".to_owned(), variant.to_string());
         typed.insert(param.to_owned(), number.to_owned());
         let found = check(cycle, &typed, control).diagnostics;
-        found.iter().any(|one| one.severity == Severity::Error && one.param == Some(param))
+        found.iter().any(|one| one.severity == Severity::Error && one.param.is_some_and(|at| at == param))
     };
     let variants = cycle.variants.iter();
     variants.filter(|one| refuses(one.number)).count()

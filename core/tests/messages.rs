@@ -2,6 +2,7 @@
 #![cfg(feature = "cli")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+use probewright_core::catalogue::example::worked;
 use probewright_core::catalogue::{CYCLES, find};
 use probewright_core::check::check;
 use probewright_core::control::{Control, Units, delivery};
@@ -15,9 +16,8 @@ use proptest::prelude::*;
 
 fn findings(name: &str, values: &[(&str, &str)], control: &Control) -> Vec<Diagnostic> {
     let cycle = find(Dialect::Sinumerik, name).unwrap();
-    let pair = |(name, value): &(&str, &str)| ((*name).to_owned(), (*value).to_owned());
-    let mut typed: Typed = cycle.example.iter().map(pair).collect();
-    typed.extend(values.iter().map(pair));
+    let mut typed = worked(cycle);
+    typed.extend(values.iter().map(|(name, value)| (name.to_string(), value.to_string())));
     check(cycle, &typed, control).diagnostics
 }
 
@@ -25,7 +25,7 @@ fn findings(name: &str, values: &[(&str, &str)], control: &Control) -> Vec<Diagn
 fn told(values: &[(&str, &str)], param: &str, control: &Control) -> String {
     let words = Words::english();
     let found = findings("CYCLE977", values, control);
-    let these = found.iter().filter(|finding| finding.param == Some(param));
+    let these = found.iter().filter(|finding| finding.param.is_some_and(|at| at == param));
     these
         .map(|finding| {
             let hint = finding.hint.as_ref().map_or(String::new(), |hint| words.text(hint));
@@ -157,10 +157,9 @@ fn the_name_of_a_choice_does_not_repeat_its_number() {
         let words = Words::of(language.code).unwrap();
         for cycle in CYCLES {
             for variant in cycle.variants {
-                let pair = |(name, value): &(&str, &str)| ((*name).to_owned(), (*value).to_owned());
-                let mut typed: Typed = cycle.example.iter().map(pair).collect();
+                let mut typed = worked(cycle);
                 if let Some(name) = cycle.variant_param() {
-                    typed.insert(name.to_owned(), variant.number.to_string());
+                    typed.insert(name.to_string(), variant.number.to_string());
                 }
                 let fields = fields(cycle, &typed, &delivery(cycle.dialect));
                 for choice in fields.into_iter().flat_map(|field| choices(field.entry)) {

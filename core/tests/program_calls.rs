@@ -131,7 +131,10 @@ fn calls_that_are_skipped_or_wrong_are_listed_with_places() {
     assert!(!sites[0].diagnostics.is_empty());
     for finding in &sites[0].diagnostics {
         let place = program.text(finding.span.unwrap());
-        assert!(place == b"CYCLE977" || finding.param.is_some_and(|name| value(&sites[0], name).as_bytes() == place));
+        assert!(
+            place == b"CYCLE977"
+                || finding.param.is_some_and(|name| value(&sites[0], name.as_str()).as_bytes() == place)
+        );
     }
 }
 
@@ -228,23 +231,23 @@ proptest! {
         if cycle.dialect == Dialect::Sinumerik {
             let arguments = sites[0].list.map_or(0, |list| {
                 let args = list.args.iter();
-                args.filter(|arg| matches!(arg, Arg::Param(name) if sites[0].values.contains_key(*name))).count()
+                args.filter(|arg| matches!(arg, Arg::Param(name) if sites[0].values.contains_key(name.as_str()))).count()
             });
             prop_assert_eq!(written, text.matches('=').count() + arguments, "every value is read: {}", text);
         }
         for param in cycle.params.iter().filter(|param| !matches!(param.kind, Kind::Text(_))) {
-            let edits = change(&program, &sites[0], param.name, &other.to_string());
+            let edits = change(&program, &sites[0], param.name.as_str(), &other.to_string());
             let after = read(cycle.dialect, &apply(text.as_bytes(), &edits));
             let again = calls(&after);
-            let had = sites[0].values.contains_key(param.name);
+            let had = sites[0].values.contains_key(param.name.as_str());
             prop_assert_eq!(again.len(), 1);
-            prop_assert_eq!(value(&again[0], param.name), other.to_string());
+            prop_assert_eq!(value(&again[0], param.name.as_str()), other.to_string());
             prop_assert_eq!(again[0].values.len(), written + usize::from(!had));
-            for (name, read) in sites[0].values.iter().filter(|(name, _)| *name != param.name) {
+            for (name, read) in sites[0].values.iter().filter(|(name, _)| param.name != name.as_str()) {
                 prop_assert_eq!(value(&again[0], name), read);
             }
             if let (true, [edit]) = (had, &edits[..]) {
-                prop_assert_eq!(edit.span, sites[0].places[param.name], "only the value's place");
+                prop_assert_eq!(edit.span, sites[0].places[param.name.as_str()], "only the value's place");
             }
         }
     }

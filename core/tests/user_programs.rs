@@ -1,11 +1,11 @@
 //! CYCLE198 and CYCLE199: the user's programs before and after each measurement.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+use probewright_core::catalogue::example::worked;
 use probewright_core::catalogue::find;
 use probewright_core::check::check;
 use probewright_core::control::Plane;
 use probewright_core::dialect::Dialect;
-use probewright_core::entry::Typed;
 use probewright_core::machine::Setup;
 use probewright_core::run::{Limits, Outcome, run};
 use probewright_core::syntax::read;
@@ -13,8 +13,7 @@ use probewright_core::syntax::read;
 /// A run of two measurements of a surface, with these programs behind the main program.
 fn outcome(programs: &str) -> Outcome {
     let cycle = find(Dialect::Sinumerik, "CYCLE978").unwrap();
-    let pair = |(name, value): &(&str, &str)| ((*name).to_owned(), (*value).to_owned());
-    let mut typed: Typed = cycle.example.iter().map(pair).collect();
+    let mut typed = worked(cycle);
     typed.insert("_KNUM".into(), "0".into());
     let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
     let checked = check(cycle, &typed, &setup.control);

@@ -3,6 +3,7 @@
 
 use probewright_core::diagnostic::Code;
 use probewright_core::dialect::Dialect;
+use probewright_core::entry::names;
 use probewright_core::program::calls::{CallSite, calls};
 use probewright_core::program::change::{apply, change};
 use probewright_core::program::{arrivals, findings};
@@ -26,7 +27,7 @@ fn setpoint(site: &CallSite) -> &str {
 fn said(text: &str, call: usize) -> String {
     let (program, sites) = sites(text);
     let notes = arrivals(&program, &sites[call]);
-    let note = notes.into_iter().find(|note| note.param == Some("_SETVAL"));
+    let note = notes.into_iter().find(|note| note.param == Some(names::SETVAL));
     note.map_or(String::new(), |note| Words::english().text(&note.message))
 }
 
@@ -211,7 +212,7 @@ fn a_wrong_value_of_one_call_is_told_where_it_is_written() {
     let text = whole("MEASURE(40)\nMEASURE(-5)\n", &[("MEASURE", MEASURE)]);
     let program = read(Dialect::Sinumerik, text.as_bytes());
     let all = findings(&program);
-    let wrong = all.iter().filter(|one| one.param == Some("_SETVAL"));
+    let wrong = all.iter().filter(|one| one.param == Some(names::SETVAL));
     let places: Vec<&[u8]> = wrong.map(|one| program.text(one.span.unwrap())).collect();
     assert_eq!(places, [b"-5"]);
 }

@@ -45,7 +45,7 @@ fn typed_as(value: f64, comma: bool) -> String {
 fn values(cycle: &Cycle, variant: &[(String, String)], choices: &[Choice]) -> Typed {
     let mut typed: Typed = variant.iter().cloned().collect();
     for (param, (given, part, comma)) in cycle.params.iter().zip(choices) {
-        if !given || typed.contains_key(param.name) {
+        if !given || typed.contains_key(param.name.as_str()) {
             continue;
         }
         let text = match param.kind {
@@ -65,7 +65,7 @@ fn choosing(cycle: &Cycle, index: usize, part: f64) -> Vec<(String, String)> {
         Some(param) => Some((param.name, variant.number.to_string())),
         None => return by_address(cycle, variant.number, part),
     };
-    chosen.into_iter().map(|(name, value)| (name.to_owned(), value)).collect()
+    chosen.into_iter().map(|(name, value)| (name.to_string(), value)).collect()
 }
 
 /// The addresses that choose a variant; one whose value is free gets any.
@@ -77,7 +77,7 @@ fn by_address(cycle: &Cycle, variant: i64, part: f64) -> Vec<(String, String)> {
             true => number(param, part).to_string(),
             false => one.typed.to_owned(),
         };
-        Some((param.name.to_owned(), value))
+        Some((param.name.to_string(), value))
     });
     match cycle.params.iter().any(|param| param.chooses.len() > 1) {
         true => chosen.collect(),
@@ -150,11 +150,11 @@ proptest! {
                 let mut none = Vec::new();
                 let inputs = check::read(cycle, &typed, &control, &mut none);
                 for param in cycle.params {
-                    let given = typed.get(param.name).filter(|text| {
+                    let given = typed.get(param.name.as_str()).filter(|text| {
                         let set = param.is_machine_datum() && parse(text) != Parsed::Number(0.0);
                         set || param.need(&inputs).is_some()
                     });
-                    let read = site.values.get(param.name);
+                    let read = site.values.get(param.name.as_str());
                     let back = match (given, read) {
                         (Some(given), Some(read)) => same(given, read),
                         (None, None) => true,
@@ -183,7 +183,7 @@ proptest! {
                     text += &format!("N{} ", 10 * line + 10);
                 }
                 text += ["", " ", "\t ", "G0 X1 ", "R1=2 ", "/", "MSG(\"_FA=7\") "][*before];
-                let param = cycle.params.iter().find(|param| param.name == name).unwrap();
+                let param = cycle.param(name).unwrap();
                 let quoted = matches!(param.kind, Kind::Text(_));
                 let value = if quoted { format!("\"{value}\"") } else { value.replace(',', ".") };
                 let equals = if *behind == 1 { " = " } else { "=" };
@@ -199,18 +199,18 @@ proptest! {
                 continue; // CYCLE101 takes no values
             }
             let name = names[target.index(names.len())];
-            let place = site.places[name];
+            let place = site.places[name.as_str()];
             let new = format!("{}", f64::from(value) / 1000.0);
-            let edits = change(&program, &site, name, &new);
+            let edits = change(&program, &site, name.as_str(), &new);
             let changed = String::from_utf8(apply(&program.source, &edits)).unwrap();
             let (start, end) = (place.start as usize, place.end as usize);
-            let kept = same(&new, &site.values[name]);
+            let kept = same(&new, &site.values[name.as_str()]);
             let expected = format!("{}{new}{}", &text[..start], &text[end..]);
             prop_assert!(changed == expected || (kept && changed == text), "{} {}", name, changed);
             let (_, again) = only(Dialect::Sinumerik, &changed);
-            prop_assert!(same(&new, &again.values[name]), "{} {}", name, changed);
+            prop_assert!(same(&new, &again.values[name.as_str()]), "{} {}", name, changed);
             for other in names.iter().filter(|other| **other != name) {
-                prop_assert_eq!(&again.values[*other], &site.values[*other]);
+                prop_assert_eq!(&again.values[other.as_str()], &site.values[other.as_str()]);
             }
         }
     }

@@ -38,7 +38,7 @@ pub fn read(bytes: &[u8]) {
 fn written_anew(program: &Program, site: &CallSite, index: usize) {
     arrivals(program, site);
     for param in site.cycle.params {
-        let edits = change::change(program, site, param.name, "1");
+        let edits = change::change(program, site, &param.name, "1");
         change::apply(&program.source, &edits);
     }
     for style in STYLES.into_iter().filter(|_| index < CONVERTED) {

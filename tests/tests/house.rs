@@ -21,7 +21,7 @@ fn stems() -> BTreeSet<&'static str> {
 /// Names of parameters that are no mere letter.
 fn parameters() -> BTreeSet<&'static str> {
     let all = CYCLES.iter().flat_map(|cycle| cycle.params);
-    all.map(|param| param.name).filter(|name| name.len() > 2).collect()
+    all.map(|param| param.name.as_str()).filter(|name| name.len() > 2).collect()
 }
 
 /// The words of a text, names with their underscores.

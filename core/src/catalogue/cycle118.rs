@@ -8,18 +8,19 @@ use crate::dialect::Dialect;
 use crate::entry::Inputs;
 use crate::entry::{Arg, ArgumentList, Cycle, Drawing, Help, Kind, Param, Style, Variant, When};
 use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
+use crate::name::Name;
 use crate::picture::figures::{dimension, line};
 use crate::picture::{Picture, PictureShape, ShapeKind, View};
 use crate::range::Range;
 
 /// The number.
-const NUMBER: &str = "PAR1";
+const NUMBER: Name = Name::new("PAR1");
 /// Digits behind the point.
-const DECIMALS: &str = "PAR2";
+const DECIMALS: Name = Name::new("PAR2");
 /// How many numbers.
-const COUNT: &str = "PAR4";
+const COUNT: Name = Name::new("PAR4");
 /// The first of several R parameters.
-const REGISTER: &str = "PAR5";
+const REGISTER: Name = Name::new("PAR5");
 /// More than one number.
 const MANY: When = When::Above { param: COUNT, than: 1.0 };
 /// Most numbers of a call (A:15904).

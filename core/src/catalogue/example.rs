@@ -4,11 +4,12 @@ use crate::check::{self};
 use crate::control::{Plane, delivery};
 use crate::entry::Typed;
 use crate::entry::{Cycle, Variant};
+use crate::name::Name;
 
 /// Values as typed: of the cycle's example what the variant knows, what chooses the variant, and what it needs beside
 /// that.
 pub fn example(cycle: &'static Cycle, variant: &Variant) -> Typed {
-    let mut values = typed(cycle.example);
+    let mut values = worked(cycle);
     values.extend(choosing(cycle, variant.number));
     let inputs = check::read(cycle, &values, &delivery(cycle.dialect), &mut Vec::new());
     let more = cycle.simulation.as_ref().map_or(&[][..], |simulation| simulation.examples);
@@ -42,19 +43,19 @@ fn known(cycle: &'static Cycle, values: &mut Typed) {
 pub fn choosing(cycle: &'static Cycle, number: i64) -> Typed {
     let first = |param: &crate::entry::Param| {
         let typed = param.chooses.first()?.typed;
-        Some((param.name.to_owned(), typed.to_owned()))
+        Some((param.name.to_string(), typed.to_owned()))
     };
     let given = one_by_one(cycle.params.iter().filter_map(first));
     let given = check::read(cycle, &given, &delivery(cycle.dialect), &mut Vec::new());
     let value = |param: &crate::entry::Param| {
         if matches!(param.kind, crate::entry::Kind::Variant(_)) {
-            return Some((param.name.to_owned(), number.to_string()));
+            return Some((param.name.to_string(), number.to_string()));
         }
         let mut choices = param.chooses.iter().filter(|one| one.when.holds(&given));
         choices.clone().next()?;
         let chosen = choices.find(|one| one.variant == number);
         let typed = chosen.map_or("", |one| one.typed);
-        Some((param.name.to_owned(), typed.to_owned()))
+        Some((param.name.to_string(), typed.to_owned()))
     };
     one_by_one(cycle.params.iter().filter_map(value))
 }
@@ -70,15 +71,28 @@ pub fn turned(cycle: &Cycle, values: &Typed, plane: Plane) -> Typed {
         };
         same(["X", "Y", "Z"]).or_else(|| same(["I", "J", "K"])).unwrap_or_else(|| name.to_owned())
     };
-    let has = |name: &String| cycle.params.iter().any(|param| param.name == name);
+    let has = |name: &String| cycle.params.iter().any(|param| param.name == name.as_str());
     if !values.keys().all(|name| has(&turn(name))) {
         return values.clone();
     }
     one_by_one(values.iter().map(|(name, value)| (turn(name), value.clone())))
 }
 
-fn typed(pairs: &[(&str, &str)]) -> Typed {
-    let pair = |(name, value): &(&str, &str)| ((*name).to_owned(), (*value).to_owned());
+/// The worked measurement as it stands in the entry.
+pub fn worked(cycle: &Cycle) -> Typed {
+    typed(cycle.example)
+}
+
+/// The same with some values changed, for tests.
+#[cfg(test)]
+pub fn changed(cycle: &Cycle, changes: &[(&str, &str)]) -> Typed {
+    let mut values = worked(cycle);
+    values.extend(changes.iter().map(|(name, value)| (name.to_string(), value.to_string())));
+    values
+}
+
+fn typed(pairs: &[(Name, &str)]) -> Typed {
+    let pair = |(name, value): &(Name, &str)| (name.to_string(), (*value).to_owned());
     one_by_one(pairs.iter().map(pair))
 }
 

@@ -6,6 +6,7 @@ use crate::control::Control;
 use crate::diagnostic::Diagnostic;
 use crate::dialect::Dialect;
 use crate::entry::Inputs;
+use crate::entry::address;
 use crate::entry::{Cycle, Drawing, Help, Kind, Param, Proposal, Purpose, Simulation, Unit, Variant, When, Work};
 use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
 use crate::machine::trace::MotionKind;
@@ -34,11 +35,11 @@ pub static G101: Cycle = Cycle {
     lists: &[],
     settings: &[],
     params: &[
-        Param { name: "X", key: "g101-x", ..TARGET },
-        Param { name: "Y", key: "g101-y", ..TARGET },
-        Param { name: "Z", key: "g101-z", ..TARGET },
+        Param { name: address::X, key: "g101-x", ..TARGET },
+        Param { name: address::Y, key: "g101-y", ..TARGET },
+        Param { name: address::Z, key: "g101-z", ..TARGET },
         Param {
-            name: "F",
+            name: address::F,
             key: "g101-f",
             default: Some(1500.0),
             default_inch: Some(60.0),
@@ -61,15 +62,15 @@ pub static G101: Cycle = Cycle {
     checks,
     help: Help::new(&[HELP]),
     picture: Drawing::new(picture),
-    example: &[("X", "120"), ("Z", "200")],
+    example: &[(address::X, "120"), (address::Z, "200")],
     simulation: Some(Simulation::new(Work { propose, simulate }, &[])),
     source: "C:106-144",
 };
 
 fn target(inputs: &Inputs, from: [f64; 3], incremental: bool) -> [f64; 3] {
-    std::array::from_fn(|axis| match inputs.numbers.get(nct::axis_name(axis)) {
+    std::array::from_fn(|axis| match inputs.given(nct::axis_name(axis)) {
         Some(way) if incremental => from[axis] + way,
-        Some(position) => *position,
+        Some(position) => position,
         None => from[axis],
     })
 }
@@ -78,7 +79,7 @@ fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     nct::ready(machine)?;
     let incremental = machine.control().bit(nct::INCREMENTAL);
     let to = target(inputs, machine.position(), incremental);
-    let outcome = go(machine, to, inputs.number("F"));
+    let outcome = go(machine, to, inputs.number(address::F));
     let lost = if outcome.is_ok() { 0.0 } else { 1.0 };
     machine.control().set(nct::POSITION_LOST, lost);
     outcome
@@ -97,7 +98,7 @@ fn go(machine: &mut dyn Machine, to: [f64; 3], feed: f64) -> Result<(), Stop> {
 }
 
 fn checks(inputs: &Inputs, _: &Control, findings: &mut Vec<Diagnostic>) {
-    if !["X", "Y", "Z"].iter().any(|name| inputs.numbers.contains_key(name)) {
+    if address::AXES.iter().all(|axis| inputs.given(*axis).is_none()) {
         findings.push(own::G101_NO_TARGET.finding());
     }
 }
@@ -122,7 +123,7 @@ const FACE: f64 = 30.0;
 /// without an address keeps its position.
 fn picture(inputs: &Inputs) -> Picture {
     let axes = inputs.plane.axes();
-    let given = |axis: usize| inputs.numbers.contains_key(nct::axis_name(axis));
+    let given = |axis: usize| inputs.given(nct::axis_name(axis)).is_some();
     let [abscissa, ordinate, applicate] = axes;
     let start = [-FACE, FACE / 2.0];
     let across = given(abscissa) || given(ordinate);
@@ -132,7 +133,7 @@ fn picture(inputs: &Inputs) -> Picture {
         line(ShapeKind::Axis, vec![zero, [zero[0], FACE]]),
         line(ShapeKind::Axis, vec![zero, [1.5 * FACE, zero[1]]]).text("0"),
         rectangle(ShapeKind::Cut, [0.0, -FACE / 2.0], [FACE, FACE]),
-        line(ShapeKind::Path, vec![start, end]).of("F"),
+        line(ShapeKind::Path, vec![start, end]).of(address::F),
         circle(ShapeKind::Path, start, BALL),
         circle(ShapeKind::Probe, end, BALL),
     ];

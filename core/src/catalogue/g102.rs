@@ -10,6 +10,7 @@ use super::nct::walls::home;
 use super::nct::{self, correct};
 use crate::dialect::Dialect;
 use crate::entry::Inputs;
+use crate::entry::address;
 use crate::entry::{Cycle, Drawing, Help, Param, Purpose, Simulation, Variant, When, Work};
 use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
 use crate::machine::trace::Step;
@@ -36,7 +37,7 @@ pub static G102: Cycle = Cycle {
     checks: ring::check,
     help: Help::new(&[HELP, nct::help::MEASURING, nct::help::CALIBRATING]),
     picture: Drawing::staged(ring::stage, ring::marks),
-    example: &[("D", "25")],
+    example: &[(address::D, "25")],
     simulation: Some(Simulation::new(Work { propose: ring::propose, simulate }, &[])),
     source: "C:150-278",
 };

@@ -12,6 +12,7 @@ use super::nct::walls::{home, travel};
 use super::nct::{self, correct};
 use crate::dialect::Dialect;
 use crate::entry::Inputs;
+use crate::entry::address;
 use crate::entry::{Cycle, Drawing, Help, Param, Purpose, Simulation, Variant, When, Work};
 use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
 use crate::entry::{Meaning, Task};
@@ -26,7 +27,7 @@ pub static G103: Cycle = Cycle {
     variants: &[Variant { number: 0, key: "g103-radius", source: "C:309" }],
     purpose: Purpose {
         calibrates: When::Always,
-        tasks: &[nct::tasks::task(Task::Ball, &[0], 0, &[("D", Meaning::Nominal)])],
+        tasks: &[nct::tasks::task(Task::Ball, &[0], 0, &[(address::D, Meaning::Nominal)])],
         ..Purpose::MILLING
     },
     lists: &[],
@@ -42,7 +43,7 @@ pub static G103: Cycle = Cycle {
     checks: ring::check,
     help: Help::new(&[HELP, nct::help::MEASURING, nct::help::CALIBRATING]),
     picture: Drawing::staged(ring::stage, ring::marks),
-    example: &[("D", "50")],
+    example: &[(address::D, "50")],
     simulation: Some(Simulation::new(Work { propose: ring::propose, simulate }, &[])),
     source: "C:282-370",
 };
@@ -58,7 +59,7 @@ fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
         let offset = Calibration::of(machine, index).offset;
         let centre = spindle[index] + offset;
         let [upper, lower] = ring::walls(machine, inputs, axis)?.map(|at| at + offset);
-        let radius = inputs.number("D") / 2.0;
+        let radius = inputs.number(address::D) / 2.0;
         radii[2 * index] = radius - (upper - centre);
         radii[2 * index + 1] = radius - (centre - lower);
     }

@@ -9,14 +9,16 @@ use super::nct::walls::home;
 use super::nct::{self, REGISTER, axis_name, correct, overtravel, params, surface};
 use crate::dialect::Dialect;
 use crate::entry::Inputs;
+use crate::entry::address;
 use crate::entry::{Cycle, Drawing, Help, Param, Purpose, Simulation, Variant, When, Work};
 use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
 use crate::entry::{Meaning, Task};
 use crate::machine::{Machine, Stop};
+use crate::name::Name;
 
 /// Height of the surface in the tool axis; T is the register of the stylus itself.
-const LENGTH_VALUES: &[(&str, Meaning)] =
-    &[("X", Meaning::NominalInAxis), ("Y", Meaning::NominalInAxis), ("Z", Meaning::NominalInAxis)];
+const LENGTH_VALUES: &[(Name, Meaning)] =
+    &[(address::X, Meaning::NominalInAxis), (address::Y, Meaning::NominalInAxis), (address::Z, Meaning::NominalInAxis)];
 
 /// The macro.
 pub static G104: Cycle = Cycle {
@@ -35,7 +37,7 @@ pub static G104: Cycle = Cycle {
         Param { key: "g104-surface", source: "C:391-393", ..surface::X },
         Param { key: "g104-surface", source: "C:391-393", ..surface::Y },
         Param { key: "g104-surface", source: "C:391-393", ..surface::Z },
-        Param { name: "T", key: "g104-t", needs: ALWAYS_REQUIRED, source: "C:393", ..REGISTER },
+        Param { name: address::T, key: "g104-t", needs: ALWAYS_REQUIRED, source: "C:393", ..REGISTER },
     ],
     results: &[
         params::length("LENGTH", "result-g104-length", "C:383-393"),
@@ -45,7 +47,7 @@ pub static G104: Cycle = Cycle {
     checks: |_, _, _| {},
     help: Help::new(&[HELP, nct::help::MEASURING, nct::help::CALIBRATING]),
     picture: Drawing::staged(surface::stage_axially, surface::marks_axially),
-    example: &[("Z", "0"), ("T", "98")],
+    example: &[(address::Z, "0"), (address::T, "98")],
     simulation: Some(Simulation::new(Work { propose: surface::propose_axially, simulate }, &[])),
     source: "C:351-427",
 };
@@ -60,7 +62,7 @@ fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     home(machine, start)?;
     let length = machine.control().active_length()[applicate] + found - nominal;
     correct::results(machine, &[("LENGTH", length), ("DEVIATION", found - nominal)]);
-    let register = inputs.integer("T");
+    let register = inputs.integer(address::T);
     let wear = machine.control().register(register).length_wear[0];
     correct::write(machine, format!("H{register}"), length - wear);
     Ok(())

@@ -11,6 +11,7 @@ use crate::diagnostic::Diagnostic;
 use crate::dialect::Dialect;
 use crate::entry::Inputs;
 use crate::entry::Task;
+use crate::entry::address;
 use crate::entry::stage::{Look, Seen, Staging};
 use crate::entry::{Cycle, Drawing, Help, Param, Proposal, Purpose, Simulation, Unit, Variant, When, Work};
 use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
@@ -31,9 +32,24 @@ pub static G105: Cycle = Cycle {
     lists: &[],
     settings: &[],
     params: &[
-        Param { name: "X", needs: &needs(Plane::G19), labels: &[(When::Plane(Plane::G19), "nct-depth")], ..AXIS },
-        Param { name: "Y", needs: &needs(Plane::G18), labels: &[(When::Plane(Plane::G18), "nct-depth")], ..AXIS },
-        Param { name: "Z", needs: &needs(Plane::G17), labels: &[(When::Plane(Plane::G17), "nct-depth")], ..AXIS },
+        Param {
+            name: address::X,
+            needs: &needs(Plane::G19),
+            labels: &[(When::Plane(Plane::G19), "nct-depth")],
+            ..AXIS
+        },
+        Param {
+            name: address::Y,
+            needs: &needs(Plane::G18),
+            labels: &[(When::Plane(Plane::G18), "nct-depth")],
+            ..AXIS
+        },
+        Param {
+            name: address::Z,
+            needs: &needs(Plane::G17),
+            labels: &[(When::Plane(Plane::G17), "nct-depth")],
+            ..AXIS
+        },
         Param { source: "C:474", ..params::R },
         Param { source: "C:475", ..params::Q },
         Param { source: "C:481", ..params::S },
@@ -58,7 +74,7 @@ pub static G105: Cycle = Cycle {
     checks,
     help: Help::new(&[HELP, nct::help::MEASURING, nct::help::SHIFTS]),
     picture: Drawing::staged(stage, marks),
-    example: &[("X", "50"), ("Z", "-10"), ("S", "1"), ("H", "0.2"), ("W", "2")],
+    example: &[(address::X, "50"), (address::Z, "-10"), (address::S, "1"), (address::H, "0.2"), (address::W, "2")],
     simulation: Some(Simulation::new(Work { propose, simulate }, &[])),
     source: "C:430-560",
 };
@@ -78,11 +94,11 @@ fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     if let (_, Some(depth)) = depth(inputs) {
         let direction = surface::direction(machine, axis, index, nominal)?;
         let contact = spindle_at(machine, index, nominal, direction);
-        travel(machine, axis, contact - direction * inputs.number("R"))?;
+        travel(machine, axis, contact - direction * inputs.number(address::R))?;
         travel(machine, applicate, depth)?;
     }
     let beside = machine.position()[axis];
-    let wall = touch_wall(machine, index, nominal, inputs.number("Q"))?;
+    let wall = touch_wall(machine, index, nominal, inputs.number(address::Q))?;
     travel(machine, axis, beside)?;
     home(machine, start)?;
     finish(machine, inputs, axis, &wall);
@@ -130,7 +146,7 @@ const SET: [f64; 2] = [75.0, -30.0];
 fn stage(inputs: &Inputs) -> Staging {
     let axis = index(inputs).unwrap_or(0);
     let (name, set) = nominal(inputs);
-    let look = Look::section(axis).ways("R");
+    let look = Look::section(axis).ways(address::R);
     let stage = figures::stage(inputs, look, &[]).with(name, SET[0].copysign(set));
     match depth(inputs) {
         (axial, Some(_)) => stage.with(axial, SET[1]),

@@ -9,6 +9,7 @@ use super::nct::{self, axis_name, checks, params, print, surface};
 use crate::dialect::Dialect;
 use crate::entry::Inputs;
 use crate::entry::Task;
+use crate::entry::address;
 use crate::entry::{Cycle, Drawing, Help, Param, Purpose, Simulation, Variant, When, Work};
 use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
 use crate::machine::{Machine, Stop};
@@ -42,7 +43,7 @@ pub static G106: Cycle = Cycle {
     checks: |inputs, _, findings| checks::corrections(inputs, findings),
     help: Help::new(&[HELP, nct::help::MEASURING, nct::help::SHIFTS]),
     picture: Drawing::staged(surface::stage_axially, surface::marks_axially),
-    example: &[("Z", "0"), ("S", "1"), ("H", "0.2"), ("W", "2")],
+    example: &[(address::Z, "0"), (address::S, "1"), (address::H, "0.2"), (address::W, "2")],
     simulation: Some(Simulation::new(Work { propose: surface::propose_axially, simulate }, &[])),
     source: "C:562-694",
 };
@@ -52,7 +53,7 @@ fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     let start = machine.position();
     let [.., applicate] = machine.control().plane.axes();
     let nominal = inputs.number(axis_name(applicate));
-    let position = surface::touch_axially(machine, applicate, nominal, inputs.number("Q"))?;
+    let position = surface::touch_axially(machine, applicate, nominal, inputs.number(address::Q))?;
     home(machine, start)?;
     let deviation = position - nominal;
     correct::results(machine, &[("POSITION", position), ("DEVIATION", deviation)]);

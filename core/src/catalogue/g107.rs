@@ -3,6 +3,7 @@
 use super::nct::{self, corner, params};
 use crate::dialect::Dialect;
 use crate::entry::Task;
+use crate::entry::address;
 use crate::entry::{Cycle, Drawing, Help, Param, Purpose, Simulation, Variant, When, Work};
 use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
 
@@ -27,7 +28,7 @@ pub static G107: Cycle = Cycle {
     checks: |_, _, _| {},
     help: Help::new(&[HELP, nct::help::MEASURING]),
     picture: Drawing::staged(corner::stage, corner::marks),
-    example: &[("X", "100"), ("Y", "80"), ("S", "1")],
+    example: &[(address::X, "100"), (address::Y, "80"), (address::S, "1")],
     simulation: Some(Simulation::new(
         Work {
             propose: |inputs, control| corner::propose(inputs, control, false),

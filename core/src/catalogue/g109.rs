@@ -11,6 +11,7 @@ use crate::diagnostic::Diagnostic;
 use crate::dialect::Dialect;
 use crate::entry::Inputs;
 use crate::entry::Task;
+use crate::entry::address;
 use crate::entry::stage::{Look, Seen, Staging};
 use crate::entry::{Chooses, Cycle, Drawing, Help, Param, Proposal, Purpose, Simulation, Unit, Variant, When, Work};
 use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
@@ -52,21 +53,21 @@ pub static G109: Cycle = Cycle {
     settings: &[],
     params: &[
         Param {
-            name: "X",
+            name: address::X,
             needs: &needs(Plane::G19),
             chooses: &[web_in(Plane::G19)],
             labels: &[(When::Plane(Plane::G19), "g109-depth")],
             ..AXIS
         },
         Param {
-            name: "Y",
+            name: address::Y,
             needs: &needs(Plane::G18),
             chooses: &[web_in(Plane::G18)],
             labels: &[(When::Plane(Plane::G18), "g109-depth")],
             ..AXIS
         },
         Param {
-            name: "Z",
+            name: address::Z,
             needs: &needs(Plane::G17),
             chooses: &[web_in(Plane::G17)],
             labels: &[(When::Plane(Plane::G17), "g109-depth")],
@@ -100,7 +101,7 @@ pub static G109: Cycle = Cycle {
     checks,
     help: Help::new(&[HELP, nct::help::MEASURING, nct::help::SHIFTS]),
     picture: Drawing::staged(stage, marks),
-    example: &[("X", "80"), ("S", "1"), ("H", "0.02"), ("V", "2"), ("W", "2")],
+    example: &[(address::X, "80"), (address::S, "1"), (address::H, "0.02"), (address::V, "2"), (address::W, "2")],
     simulation: Some(Simulation::new(Work { propose, simulate }, &[])),
     source: "C:868-1028",
 };
@@ -153,9 +154,9 @@ fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
 fn walls(machine: &mut dyn Machine, inputs: &Inputs) -> Walls {
     let (_, depth) = depth(inputs);
     Walls {
-        outside: depth.map(|depth| Outside { depth, clearance: inputs.number("R") }),
+        outside: depth.map(|depth| Outside { depth, clearance: inputs.number(address::R) }),
         size: nominal(inputs).1,
-        overtravel: inputs.number("Q"),
+        overtravel: inputs.number(address::Q),
         start: machine.position(),
         axes: machine.control().plane.axes(),
     }
@@ -192,7 +193,7 @@ const DEPTH: f64 = -30.0;
 
 /// The walls from the side: the measured axis to the right, the tool axis up.
 fn stage(inputs: &Inputs) -> Staging {
-    let look = Look::section(index(inputs).unwrap_or(0)).ways("R");
+    let look = Look::section(index(inputs).unwrap_or(0)).ways(address::R);
     let stage = figures::stage(inputs, look, &[]).sized(inputs, &[nominal(inputs).0]);
     match depth(inputs) {
         (axial, Some(_)) => stage.with(axial, DEPTH),

@@ -5,13 +5,14 @@ use super::CYCLES;
 use super::common::{TOOL_OFFSET, ZERO_OFFSET};
 use crate::diagnostic::Code;
 use crate::entry::{Cycle, HelpLine, Inputs, Kind, Level, Need, Param, ResultField, Section, When, names};
+use crate::name::Name;
 
 /// What the help page of one variant says.
 pub struct HelpPage {
     /// Lines, section by section.
     pub lines: Vec<&'static HelpLine>,
     /// Names of the parameters that every call of this variant has to give, that of the variant aside.
-    pub required: Vec<&'static str>,
+    pub required: Vec<Name>,
     /// Results that a call can leave.
     pub results: Vec<&'static ResultField>,
     /// Alarms that can come.
@@ -60,7 +61,7 @@ fn used(param: &Param, inputs: &Inputs) -> bool {
 
 /// Alarms about parameters beside those that stand with a parameter: about the safe area, the tolerances, the tool or
 /// the frame that is corrected. They come in variants that use the parameter and for which the condition holds.
-const ABOUT: &[(&str, When, &[u32])] = &[
+const ABOUT: &[(Name, When, &[u32])] = &[
     (names::TSA, When::Always, &[61303, 62303]),
     (names::TDIF, When::Always, &[61306, 62306]),
     (names::TUL, When::Always, &[62304, 62305]),
@@ -72,8 +73,8 @@ const ABOUT: &[(&str, When, &[u32])] = &[
 /// Whether a call of the variant can raise an alarm of the entry: not one about a parameter that the variant does not
 /// use.
 fn can_come(alarm: Code, inputs: &Inputs) -> bool {
-    let is_used = |name: &str| {
-        let param = inputs.cycle.param(name);
+    let is_used = |name: Name| {
+        let param = inputs.cycle.param(name.as_str());
         param.is_some_and(|param| used(param, inputs))
     };
     let params = CYCLES.iter().flat_map(|cycle| cycle.params);
@@ -83,5 +84,5 @@ fn can_come(alarm: Code, inputs: &Inputs) -> bool {
     }
     let mut about =
         ABOUT.iter().filter(|(_, _, alarms)| alarms.iter().any(|number| Code::Alarm(*number) == alarm)).peekable();
-    about.peek().is_none() || about.any(|(name, when, _)| when.of_variant(inputs) == Some(true) && is_used(name))
+    about.peek().is_none() || about.any(|(name, when, _)| when.of_variant(inputs) == Some(true) && is_used(*name))
 }

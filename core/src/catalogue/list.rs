@@ -57,6 +57,7 @@ mod tests {
     use super::*;
     use crate::entry::Style;
     use crate::entry::When;
+    use crate::entry::names;
 
     #[test]
     fn selections_add_up_to_the_variant() {
@@ -68,7 +69,7 @@ mod tests {
             base: 1,
             args: &[
                 Arg::Select(&[(0, 0), (1, 100_000)]),
-                Arg::Param("_MA"),
+                Arg::Param(names::MA),
                 Arg::Select(&[(4, 0), (1, 1000), (2, 2000)]),
             ],
             source: "",

@@ -12,13 +12,14 @@ use crate::entry::Unit;
 use crate::entry::Variant;
 use crate::entry::names;
 use crate::form::{draw, fields};
+use crate::name::Name;
 use crate::picture::Picture;
 
 /// The worked example in this variant, with every other value that it asks for.
 fn typed(cycle: &'static Cycle, variant: &Variant, number: &str) -> Typed {
     let control = delivery(cycle.dialect);
     let of_example = cycle.example.iter();
-    let mut typed: Typed = of_example.map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect();
+    let mut typed: Typed = of_example.map(|(name, value)| (name.to_string(), (*value).to_owned())).collect();
     typed.extend(example::choosing(cycle, variant.number));
     let inputs = read(cycle, &typed, &control, &mut Vec::new());
     for param in cycle.params.iter().filter(|param| param.need(&inputs).is_some()) {
@@ -26,7 +27,7 @@ fn typed(cycle: &'static Cycle, variant: &Variant, number: &str) -> Typed {
             Some([(first, _), ..]) => first.to_string(),
             _ => number.to_owned(),
         };
-        typed.entry(param.name.to_owned()).or_insert(value);
+        typed.entry(param.name.to_string()).or_insert(value);
     }
     typed
 }
@@ -70,7 +71,7 @@ fn pictures_follow_every_field() {
             let control = delivery(cycle.dialect);
             for typed in [typed(cycle, variant, "7"), example::example(cycle, variant)] {
                 let picture = draw(cycle, &typed, &control).unwrap();
-                let also: Vec<&str> = picture.shapes.iter().flat_map(|one| one.also.clone()).collect();
+                let also: Vec<Name> = picture.shapes.iter().flat_map(|one| one.also.clone()).collect();
                 for field in fields(cycle, &typed, &control) {
                     let shown = picture.explains(field.name) || also.contains(&field.name);
                     assert!(shown, "{} {} {}", cycle.name, variant.number, field.name);
@@ -114,7 +115,7 @@ fn pictures_stay_on_the_paper() {
             for number in ["0", "-1", "1e-9", "1e9", "-1e9", "x"] {
                 let mut values = typed(cycle, variant, number);
                 for param in cycle.params.iter().filter(|param| geometric(param)) {
-                    values.insert(param.name.to_owned(), number.to_owned());
+                    values.insert(param.name.to_string(), number.to_owned());
                 }
                 check(cycle, &values, &control);
                 let shapes = draw(cycle, &values, &control).unwrap().shapes;

@@ -9,6 +9,7 @@ use crate::entry::Inputs;
 use crate::entry::{When, names};
 use crate::evaluate::knum::{self, ZeroCode};
 use crate::message::Message;
+use crate::name::Name;
 use crate::own::{self, Own};
 
 /// Probe number beyond the data fields `_WP[]` (`_CVAL[1]`, B:13346) or a type other than multi and mono.
@@ -80,14 +81,14 @@ pub fn tolerances(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
         order(low, given(names::TMV), own::ZERO_MEAN, names::TMV, found);
     }
     // that delivered with the control is nobody's wish
-    let wished = inputs.written.contains(names::TDIF);
+    let wished = inputs.written.contains(names::TDIF.as_str());
     if let Some(difference) = given(names::TDIF).filter(|_| wished) {
         order(difference, given(names::TSA), own::DIFFERENCE_SAFE, names::TSA, found);
     }
 }
 
 /// A doubt when the second is smaller than the first.
-fn order(small: f64, large: Option<f64>, sentence: Own, at: &'static str, found: &mut Vec<Diagnostic>) {
+fn order(small: f64, large: Option<f64>, sentence: Own, at: Name, found: &mut Vec<Diagnostic>) {
     if let Some(large) = large.filter(|large| *large < small) {
         let finding = sentence.finding().number("small", small);
         found.push(finding.number("large", large).at(at));
@@ -95,7 +96,7 @@ fn order(small: f64, large: Option<f64>, sentence: Own, at: &'static str, found:
 }
 
 /// Whether the ball fits between the walls of a hole, groove or pocket of this size, mm; says so where it does not.
-pub fn fits(name: &'static str, size: f64, ball: f64, found: &mut Vec<Diagnostic>) -> bool {
+pub fn fits(name: Name, size: f64, ball: f64, found: &mut Vec<Diagnostic>) -> bool {
     let room = size > 2.0 * ball;
     if !room {
         found.push(own::BALL.finding().text("param", name).number("ball", 2.0 * ball).at(name));
@@ -104,7 +105,7 @@ pub fn fits(name: &'static str, size: f64, ball: f64, found: &mut Vec<Diagnostic
 }
 
 /// Between two walls the start of the measuring block must not lie in the opposite wall (B:13743-13763).
-pub fn across(inputs: &Inputs, name: &'static str, size: f64, ball: f64, found: &mut Vec<Diagnostic>) {
+pub fn across(inputs: &Inputs, name: Name, size: f64, ball: f64, found: &mut Vec<Diagnostic>) {
     let free = size - 2.0 * ball;
     if inputs.given(names::FA).is_some_and(|path| path >= free) {
         let message = Message::new("check-path-long").text("param", name).number("free", free);
@@ -181,7 +182,7 @@ pub fn rotation_target(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
 }
 
 /// Global basic frames, named by this parameter, cannot take a rotation (B:1971).
-pub fn takes_rotation(name: &'static str, inputs: &Inputs, found: &mut Vec<Diagnostic>) {
+pub fn takes_rotation(name: Name, inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     let code = inputs.integer(name);
     if let Ok(Some(ZeroCode::GlobalBasic(_))) = knum::zero(code) {
         let message = Message::new("check-knum-rotation").number("code", code as f64);

@@ -2,26 +2,28 @@
 //! what is measured, the mean value at the tolerances.
 
 use super::logging::names as log;
+use crate::entry::address;
 use crate::entry::names;
+use crate::name::Name;
 
 /// Groups of parameters in whose figures a picture shows a parameter that has none of its own. The first group of which
 /// anything is drawn counts.
-pub fn shown_with(name: &str) -> &'static [&'static [&'static str]] {
+pub fn shown_with(name: Name) -> &'static [&'static [Name]] {
     let row = TABLE.iter().find(|(names, _)| names.contains(&name));
     row.map_or(&[], |(_, groups)| groups)
 }
 
-type Row = (&'static [&'static str], &'static [&'static [&'static str]]);
+type Row = (&'static [Name], &'static [&'static [Name]]);
 
 /// Limits of the correction.
-const TOLERANCES: &[&str] = &[names::TUL, names::TLL];
+const TOLERANCES: &[Name] = &[names::TUL, names::TLL];
 /// What is measured and corrected, and the variant that says so.
-const TARGET: &[&str] = &[names::MVAR, names::KNUM, names::TNUM, names::TNAME, names::DLNUM, names::TENV];
+const TARGET: &[Name] = &[names::MVAR, names::KNUM, names::TNUM, names::TNAME, names::DLNUM, names::TENV];
 /// Axes that turn, a size or a position, a length in two axes, an angle, the work of a variant.
-const MEASURED: &[&[&str]] =
+const MEASURED: &[&[Name]] =
     &[&[names::RA], &[names::SETVAL], &[names::SETV0, names::SETV1], &[names::STA1], &[names::MVAR]];
 /// What an NCT macro moves to and measures.
-const ADDRESSES: &[&[&str]] = &[&["D"], &["X", "Y", "Z"]];
+const ADDRESSES: &[&[Name]] = &[&[address::D], &address::AXES];
 
 const TABLE: &[Row] = &[
     (TARGET, MEASURED),
@@ -29,12 +31,28 @@ const TABLE: &[Row] = &[
     (&[names::TZL, names::TMV, names::K, names::EVNUM], &[TOLERANCES, &[names::TDIF], &[names::TSA], &[names::SETVAL]]),
     (&[names::TSA], &[&[names::SETVAL]]),
     (LOG_FORMAT, &[&[log::LINE]]),
-    (&[log::JOB], &[&[log::LINE], &["PAR5"]]),
+    (&[log::JOB], &[&[log::LINE], &[Name::new("PAR5")]]),
     (LOG_VALUES, &[&[log::VALUES[0]], &[log::LINE]]),
-    (&["X", "Y", "Z", "F", "I", "K", "M", "S", "T", "U", "V", "W"], ADDRESSES),
+    (
+        &[
+            address::X,
+            address::Y,
+            address::Z,
+            address::F,
+            address::I,
+            address::K,
+            address::M,
+            address::S,
+            address::T,
+            address::U,
+            address::V,
+            address::W,
+        ],
+        ADDRESSES,
+    ),
 ];
 
 /// Of the whole page, or of a part that this call does not print.
-const LOG_FORMAT: &[&str] = &[log::PAGE, log::FIRST_PAGE, log::HEAD_LINES];
+const LOG_FORMAT: &[Name] = &[log::PAGE, log::FIRST_PAGE, log::HEAD_LINES];
 /// Of a block of values.
-const LOG_VALUES: &[&str] = &[log::VALUE_LINES, log::MARK, log::DIGITS, log::TITLES[0]];
+const LOG_VALUES: &[Name] = &[log::VALUE_LINES, log::MARK, log::DIGITS, log::TITLES[0]];

@@ -3,10 +3,11 @@
 use crate::diagnostic::Diagnostic;
 use crate::evaluate::spread::{self, Circle, DOUBTED, LENGTH, Touched, told};
 use crate::geometry::V3;
+use crate::name::Name;
 use crate::own;
 
 /// A circle through points, said at this parameter.
-pub fn circle(circle: Circle, at: &'static str) -> Option<Diagnostic> {
+pub fn circle(circle: Circle, at: Name) -> Option<Diagnostic> {
     let finding = own::SPREAD_CIRCLE.finding();
     let finding = finding.number("diameter", told(circle.diameter));
     let finding = finding.number("centre", told(circle.worse())).at(at);
@@ -14,14 +15,14 @@ pub fn circle(circle: Circle, at: &'static str) -> Option<Diagnostic> {
 }
 
 /// The same where its centre alone counts.
-pub fn centre(circle: Circle, at: &'static str) -> Option<Diagnostic> {
+pub fn centre(circle: Circle, at: Name) -> Option<Diagnostic> {
     let finding = own::SPREAD_CENTRE.finding();
     let finding = finding.number("centre", told(circle.worse())).at(at);
     (circle.worse() > DOUBTED).then_some(finding)
 }
 
 /// The angle of a line through two points.
-pub fn angle(touched: [Touched; 2], at: &'static str) -> Option<Diagnostic> {
+pub fn angle(touched: [Touched; 2], at: Name) -> Option<Diagnostic> {
     let factor = spread::line(touched)?;
     let [x, y] = [0, 1].map(|i| touched[1].at[i] - touched[0].at[i]);
     // tenths of a millimetre are enough for a reader, and what is advised must be enough as well
@@ -32,7 +33,7 @@ pub fn angle(touched: [Touched; 2], at: &'static str) -> Option<Diagnostic> {
 }
 
 /// The corner where two lines meet.
-pub fn corner(touched: &[Touched], at: &'static str) -> Option<Diagnostic> {
+pub fn corner(touched: &[Touched], at: Name) -> Option<Diagnostic> {
     let factor = spread::corner(touched)?;
     let finding = own::SPREAD_CORNER.finding();
     let finding = finding.number("factor", told(factor)).at(at);
@@ -40,7 +41,7 @@ pub fn corner(touched: &[Touched], at: &'static str) -> Option<Diagnostic> {
 }
 
 /// The position of three points in space.
-pub fn triangle(points: [V3; 3], at: &'static str) -> Option<Diagnostic> {
+pub fn triangle(points: [V3; 3], at: Name) -> Option<Diagnostic> {
     let factor = spread::turn(points)?;
     let finding = own::SPREAD_TRIANGLE.finding();
     let finding = finding.number("factor", told(factor)).number("length", LENGTH);

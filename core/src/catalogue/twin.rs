@@ -12,6 +12,7 @@ use crate::entry::{Cycle, Level, Param, Variant};
 use crate::entry::{Inputs, Typed, factor};
 use crate::entry::{Meaning, Shared, Task};
 use crate::message::Message;
+use crate::name::Name;
 
 /// What a measurement is, whatever a control calls it. Lengths in mm.
 #[derive(Clone, Debug, PartialEq)]
@@ -86,7 +87,7 @@ pub fn measured(inputs: &Inputs, control: &Control) -> Option<(&'static Shared, 
     let given = |wanted: Meaning| {
         let mut values = shared.values.iter();
         let (name, _) = values.find(|(_, meaning)| *meaning == wanted)?;
-        inputs.given(name)
+        inputs.given(*name)
     };
     let (in_axis, nominal) = match in_axis(inputs, shared) {
         Some((axis, value)) => (Some(axis), Some(value)),
@@ -118,14 +119,14 @@ pub fn measured(inputs: &Inputs, control: &Control) -> Option<(&'static Shared, 
 fn in_axis(inputs: &Inputs, shared: &Shared) -> Option<(usize, f64)> {
     let mut named = shared.values.iter();
     named.find_map(|(name, meaning)| {
-        let part = part_of(*meaning, name, inputs).filter(|_| *meaning == Meaning::NominalInAxis)?;
+        let part = part_of(*meaning, *name, inputs).filter(|_| *meaning == Meaning::NominalInAxis)?;
         let counts = (part == 2) == along_tool(shared.task);
-        Some((part, inputs.given(name).filter(|_| counts)?))
+        Some((part, inputs.given(*name).filter(|_| counts)?))
     })
 }
 
 /// Part of the plane to which the axis belongs that an address names.
-pub fn part_of(meaning: Meaning, name: &str, inputs: &Inputs) -> Option<usize> {
+pub fn part_of(meaning: Meaning, name: Name, inputs: &Inputs) -> Option<usize> {
     let axis = AXES.iter().position(|axis| *axis == name)?;
     let axes = inputs.plane.axes();
     let part = axes.iter().position(|of_plane| *of_plane == axis);
@@ -154,7 +155,7 @@ fn entry(dialect: Dialect, wanted: &Measurement) -> Option<(&'static Cycle, &'st
 struct Values {
     all: Typed,
     /// Those that the worked measurement gives, because the call needs them.
-    of_example: Vec<&'static str>,
+    of_example: Vec<Name>,
 }
 
 /// The values that say the same there, and from the worked measurement what is needed beside them.
@@ -166,12 +167,12 @@ fn written(cycle: &'static Cycle, shared: &Shared, wanted: &Measurement, control
         let Some(param) = cycle.param(name) else {
             continue;
         };
-        if let Some(value) = value_of(*meaning, name, wanted, &inputs, control) {
+        if let Some(value) = value_of(*meaning, *name, wanted, &inputs, control) {
             let value = match meaning {
                 Meaning::ZeroAtCorner => value, // a choice, though its parameter is a length elsewhere
                 _ => value / factor(param.unit, control),
             };
-            all.insert(param.name.to_owned(), plain(value));
+            all.insert(param.name.to_string(), plain(value));
         }
     }
     let read = check::read(cycle, &all, control, &mut Vec::new());
@@ -183,9 +184,9 @@ fn written(cycle: &'static Cycle, shared: &Shared, wanted: &Measurement, control
         .unwrap_or_default();
     let mut of_example = Vec::new();
     for param in cycle.params {
-        let missing = required(param, &read, control) && !all.contains_key(param.name);
-        if let Some(value) = worked.get(param.name).filter(|_| missing) {
-            all.insert(param.name.to_owned(), value.clone());
+        let missing = required(param, &read, control) && !all.contains_key(param.name.as_str());
+        if let Some(value) = worked.get(param.name.as_str()).filter(|_| missing) {
+            all.insert(param.name.to_string(), value.clone());
             of_example.push(param.name);
         }
     }
@@ -201,20 +202,20 @@ fn required(param: &Param, read: &Inputs, control: &Control) -> bool {
 fn choosing(cycle: &Cycle, variant: i64, inputs: &Inputs) -> Typed {
     let mut typed = Typed::new();
     if let Some(name) = cycle.variant_param() {
-        typed.insert(name.to_owned(), variant.to_string());
+        typed.insert(name.to_string(), variant.to_string());
     }
     for param in cycle.params {
         let mut choices = param.chooses.iter();
         let chosen = choices.find(|one| one.variant == variant && one.when.holds(inputs));
         if let Some(chosen) = chosen {
-            typed.insert(param.name.to_owned(), chosen.typed.to_owned());
+            typed.insert(param.name.to_string(), chosen.typed.to_owned());
         }
     }
     typed
 }
 
 /// The value in mm that a parameter with this meaning gets.
-fn value_of(meaning: Meaning, name: &str, wanted: &Measurement, inputs: &Inputs, control: &Control) -> Option<f64> {
+fn value_of(meaning: Meaning, name: Name, wanted: &Measurement, inputs: &Inputs, control: &Control) -> Option<f64> {
     match meaning {
         Meaning::NominalInAxis if has_depth(wanted.task) && part_of(meaning, name, inputs) == Some(2) => wanted.depth,
         // the walls of NCT lie along the axes
@@ -252,7 +253,7 @@ fn told(inputs: &Inputs, shared: &Shared, measurement: &Measurement, control: &C
     let has = |meaning: Meaning| {
         let mut named = shared.values.iter();
         let (name, _) = named.find(|(_, other)| *other == meaning)?;
-        inputs.given(name)
+        inputs.given(*name)
     };
     let limits = has(Meaning::Upper).zip(has(Meaning::Lower));
     if limits.is_some_and(|(upper, lower)| upper + lower != 0.0) {
@@ -286,7 +287,7 @@ fn told(inputs: &Inputs, shared: &Shared, measurement: &Measurement, control: &C
 
 /// What only one of the two calls says.
 fn one_sided(inputs: &Inputs, shared: [&Shared; 2], there: &'static Cycle, values: &Values) -> Vec<Message> {
-    let listed = |key: &'static str, names: Vec<&str>, cycle: &Cycle| {
+    let listed = |key: &'static str, names: Vec<Name>, cycle: &Cycle| {
         let message = Message::new(key).text("names", names.join(", "));
         (!names.is_empty()).then(|| message.text("cycle", cycle.name))
     };
@@ -296,8 +297,8 @@ fn one_sided(inputs: &Inputs, shared: [&Shared; 2], there: &'static Cycle, value
 }
 
 /// Parameters that count in this call and have no counterpart.
-fn only_here(inputs: &Inputs, [here, there]: [&Shared; 2]) -> Vec<&'static str> {
-    let means = |name: &str| {
+fn only_here(inputs: &Inputs, [here, there]: [&Shared; 2]) -> Vec<Name> {
+    let means = |name: Name| {
         let mut values = here.values.iter();
         let found = values.find(|(known, _)| *known == name);
         found.is_some_and(|(_, meaning)| has(there, *meaning))

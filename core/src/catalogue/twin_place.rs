@@ -5,6 +5,7 @@ use super::twin::part_of;
 use crate::control::{Control, Units};
 use crate::entry::Inputs;
 use crate::entry::{Meaning, Shared, Task};
+use crate::name::Name;
 
 /// Height of the start in the axis of the tool for which a depth is reckoned: 20 mm or 0.8 inch. A call of NCT tells
 /// the depth as a coordinate, one of SINUMERIK the way there from the start, which neither tells.
@@ -24,8 +25,8 @@ pub fn has_depth(task: Task) -> bool {
 pub fn depth(inputs: &Inputs, shared: &Shared, control: &Control) -> Option<f64> {
     let mut values = shared.values.iter().filter(|_| has_depth(shared.task));
     values.find_map(|(name, meaning)| match meaning {
-        Meaning::Infeed => Some(start(control.active_units) - inputs.given(name)?.abs()),
-        _ if part_of(*meaning, name, inputs) == Some(2) => inputs.given(name),
+        Meaning::Infeed => Some(start(control.active_units) - inputs.given(*name)?.abs()),
+        _ if part_of(*meaning, *name, inputs) == Some(2) => inputs.given(*name),
         _ => None,
     })
 }
@@ -43,12 +44,12 @@ pub fn corner(inputs: &Inputs, shared: &Shared) -> Option<[f64; 2]> {
     let named = |wanted: Meaning| {
         let mut values = shared.values.iter();
         let (name, _) = values.find(|(_, meaning)| *meaning == wanted)?;
-        inputs.given(name)
+        inputs.given(*name)
     };
     let [first, second] = [0, 1].map(|part| {
         let mut values = shared.values.iter();
-        let found = values.find(|(name, meaning)| in_plane(*meaning, name, inputs) == Some(part));
-        found.map(|(name, _)| inputs.given(name))
+        let found = values.find(|(name, meaning)| in_plane(*meaning, *name, inputs) == Some(part));
+        found.map(|(name, _)| inputs.given(*name))
     });
     if let (Some(first), Some(second)) = (first, second) {
         return Some([first?, second?]);
@@ -64,7 +65,7 @@ pub fn corner(inputs: &Inputs, shared: &Shared) -> Option<[f64; 2]> {
 }
 
 /// What a parameter says of a corner with these coordinates.
-pub fn of_corner(meaning: Meaning, name: &str, at: [f64; 2], inputs: &Inputs) -> Option<f64> {
+pub fn of_corner(meaning: Meaning, name: Name, at: [f64; 2], inputs: &Inputs) -> Option<f64> {
     let itself = at == [0.0; 2];
     match meaning {
         Meaning::CornerInAxis => at.get(in_plane(meaning, name, inputs)?).copied(),
@@ -76,6 +77,6 @@ pub fn of_corner(meaning: Meaning, name: &str, at: [f64; 2], inputs: &Inputs) ->
 }
 
 /// Part of the plane of the axis whose address is a coordinate of a corner.
-fn in_plane(meaning: Meaning, name: &str, inputs: &Inputs) -> Option<usize> {
+fn in_plane(meaning: Meaning, name: Name, inputs: &Inputs) -> Option<usize> {
     part_of(meaning, name, inputs).filter(|part| meaning == Meaning::CornerInAxis && *part < 2)
 }

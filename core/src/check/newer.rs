@@ -10,6 +10,7 @@ use crate::diagnostic::{Code, Diagnostic, Severity};
 use crate::entry::{ArgumentList, Cycle, ProbeUse, names};
 use crate::entry::{Inputs, Typed};
 use crate::message::Message;
+use crate::name::Name;
 use crate::own::{self, Own};
 
 /// Highest number of a workpiece probe (61313).
@@ -23,7 +24,7 @@ const SAME: [Own; 6] =
 const SAME_ALARMS: [u32; 2] = [61308, 61334];
 
 /// Doubts about two values that hold where both are written: what counts for an omitted one is another datum there.
-const ORDERS: [(Own, &[&str]); 4] = [
+const ORDERS: [(Own, &[Name]); 4] = [
     (own::TOLERANCE_ORDER, &[names::TUL, names::TLL]),
     (own::BAND_DIFFERENCE, &[names::TUL, names::TLL, names::TDIF]),
     (own::ZERO_MEAN, &[names::TZL, names::TMV]),
@@ -31,7 +32,7 @@ const ORDERS: [(Own, &[&str]); 4] = [
 ];
 
 /// What says what is measured: each published program gives it.
-const NEEDED: [&str; 4] = [names::SETVAL, names::SETV0, names::SETV1, names::MA];
+const NEEDED: [Name; 4] = [names::SETVAL, names::SETV0, names::SETV1, names::MA];
 
 /// Checks the values of a list.
 pub fn check_listed(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed, control: &Control) -> Checked {
@@ -42,20 +43,15 @@ pub fn check_listed(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed, c
 }
 
 /// The first parameter whose value means something else on the older control, or whose meaning is not known.
-pub fn foreign(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed, control: &Control) -> Option<&'static str> {
+pub fn foreign(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed, control: &Control) -> Option<Name> {
     let typed = with_omitted(cycle, typed);
     judged(cycle, list, &typed, control).foreign.first().copied()
 }
 
 /// The same of the values that are to be written.
-pub fn foreign_of(
-    cycle: &'static Cycle,
-    list: &ArgumentList,
-    typed: &Typed,
-    control: &Control,
-) -> Option<&'static str> {
+pub fn foreign_of(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed, control: &Control) -> Option<Name> {
     let foreign = judged(cycle, list, &with_omitted(cycle, typed), control).foreign;
-    foreign.into_iter().find(|name| typed.contains_key(*name))
+    foreign.into_iter().find(|name| typed.contains_key(name.as_str()))
 }
 
 /// Whether nothing is known of the variant.
@@ -69,9 +65,9 @@ pub fn is_open(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed, contro
 pub fn with_omitted(cycle: &Cycle, typed: &Typed) -> Typed {
     let mut typed = typed.clone();
     for name in cycle.variant_param().into_iter().chain([names::KNUM]) {
-        let nothing = typed.get(name).is_none_or(|text| text.trim().is_empty());
-        if nothing && cycle.param(name).is_some() {
-            typed.insert(name.to_owned(), "0".to_owned());
+        let nothing = typed.get(name.as_str()).is_none_or(|text| text.trim().is_empty());
+        if nothing && cycle.param(name.as_str()).is_some() {
+            typed.insert(name.to_string(), "0".to_owned());
         }
     }
     typed
@@ -97,7 +93,7 @@ fn is_newer_zero(code: f64) -> bool {
 /// What is said about a list, and what of it the older control cannot say.
 struct Judged {
     found: Vec<Diagnostic>,
-    foreign: Vec<&'static str>,
+    foreign: Vec<Name>,
     inputs: Option<Inputs>,
 }
 
@@ -130,7 +126,7 @@ fn unknown(cycle: &'static Cycle, typed: &Typed, control: &Control, said: Vec<Di
     }
     judged.found.extend(unread);
     let inputs = super::read(cycle, typed, control, &mut Vec::new());
-    let path = cycle.param(names::FA).filter(|param| typed.contains_key(param.name));
+    let path = cycle.param(names::FA.as_str()).filter(|param| typed.contains_key(param.name.as_str()));
     let path = path.and_then(|param| typed::judge(param, &inputs, control));
     judged.found.extend(path);
 }
@@ -150,7 +146,7 @@ fn correction(
     let code = inputs.given(names::KNUM);
     if target == Target::Tool && !is_nothing(typed, names::KNUM) {
         rest.retain(|one| one.param.is_none_or(|name| !OF_TOOL.contains(&name)));
-        let text = typed.get(names::KNUM).map_or("", String::as_str);
+        let text = typed.get(names::KNUM.as_str()).map_or("", String::as_str);
         let finding = own::NEWER_TARGET.finding().text("value", text);
         judged.found.push(finding.at(names::KNUM));
         judged.foreign.push(names::KNUM);
@@ -164,14 +160,14 @@ fn correction(
 }
 
 /// What is needed of a tool that is corrected.
-const OF_TOOL: [&str; 5] = [names::KNUM, names::TNUM, names::TNAME, names::DLNUM, names::TENV];
+const OF_TOOL: [Name; 5] = [names::KNUM, names::TNUM, names::TNAME, names::DLNUM, names::TENV];
 
 /// A finding of the older control, as far as it counts.
 fn keep(one: Diagnostic, typed: &Typed, judged: &mut Judged) {
     if one.param == Some(names::PRNUM) && one.severity == Severity::Error {
         return judged.foreign.push(names::PRNUM); // what is wrong with it, `probe` says
     }
-    let written = |name: &&str| typed.get(*name).is_some_and(|text| !text.trim().is_empty());
+    let written = |name: &Name| typed.get(name.as_str()).is_some_and(|text| !text.trim().is_empty());
     let missing = one.code == own::MISSING.code();
     let order = ORDERS.iter().find(|(sentence, _)| sentence.code() == one.code);
     let counts = match order {
@@ -198,7 +194,7 @@ fn keep(one: Diagnostic, typed: &Typed, judged: &mut Judged) {
 
 /// The number of a workpiece probe.
 fn probe(cycle: &Cycle, typed: &Typed, judged: &mut Judged) {
-    let number = typed.get(names::PRNUM).map(|text| parse(text));
+    let number = typed.get(names::PRNUM.as_str()).map(|text| parse(text));
     let Some(Parsed::Number(number)) = number else {
         return;
     };
@@ -213,20 +209,20 @@ fn probe(cycle: &Cycle, typed: &Typed, judged: &mut Judged) {
 }
 
 /// A value whose meaning is not known.
-fn open(name: &'static str, typed: &Typed) -> Diagnostic {
-    let text = typed.get(name).map_or("", String::as_str);
+fn open(name: Name, typed: &Typed) -> Diagnostic {
+    let text = typed.get(name.as_str()).map_or("", String::as_str);
     let finding = own::NEWER_OPEN.finding().text("param", name);
     finding.text("value", text).at(name)
 }
 
 /// Which sort of target `_KNUM` names; none where the cycle has no target.
 fn corrects(cycle: &'static Cycle, inputs: &Inputs) -> Option<Target> {
-    let param = cycle.param(names::KNUM)?;
+    let param = cycle.param(names::KNUM.as_str())?;
     Some(target(param, inputs))
 }
 
-fn is_nothing(typed: &Typed, name: &str) -> bool {
-    let text = typed.get(name).map_or("", String::as_str);
+fn is_nothing(typed: &Typed, name: Name) -> bool {
+    let text = typed.get(name.as_str()).map_or("", String::as_str);
     matches!(parse(text), Parsed::Empty | Parsed::Number(0.0))
 }
 

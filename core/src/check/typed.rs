@@ -10,6 +10,7 @@ use crate::entry::{Cycle, Kind, Level, Param, Unit};
 use crate::entry::{Inputs, Typed, factor, unit_behind};
 use crate::evaluate::knum;
 use crate::message::Message;
+use crate::name::Name;
 use crate::own::{self, Own};
 use crate::range::Range;
 
@@ -54,8 +55,8 @@ fn checked(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Checked {
     for param in cycle.params {
         let Some((level, reason)) = param.need(&whole) else {
             diagnostics.retain(|other| other.param != Some(param.name));
-            inputs.numbers.remove(param.name);
-            inputs.texts.remove(param.name);
+            inputs.numbers.remove(&param.name);
+            inputs.texts.remove(&param.name);
             continue;
         };
         let machine = !whole.text(param.name).is_empty();
@@ -63,7 +64,7 @@ fn checked(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Checked {
             absent(param, level, reason, control, &mut diagnostics);
         } else if let Some(finding) = judge(param, &whole, control) {
             if finding.severity == Severity::Error {
-                inputs.numbers.remove(param.name);
+                inputs.numbers.remove(&param.name);
             }
             diagnostics.push(finding);
         }
@@ -90,11 +91,11 @@ pub fn read(cycle: &'static Cycle, typed: &Typed, control: &Control, diagnostics
     let nose = turning.map(|edge| side(edge.tip, inputs.recodes()));
     inputs.nose = nose.filter(|sides| *sides != [0.0; 2]);
     for param in cycle.params {
-        let text = typed.get(param.name).map_or("", |text| text.trim());
+        let text = typed.get(param.name.as_str()).map_or("", |text| text.trim());
         if let Kind::Text(most) = param.kind {
             match written_text(text, most) {
                 Ok("") if param.is_machine_datum() => {
-                    let text = control.text(param.name);
+                    let text = control.text(param.name.as_str());
                     inputs.texts.insert(param.name, text.into());
                 }
                 Ok("") => {}
@@ -206,7 +207,7 @@ fn chosen(cycle: &'static Cycle, inputs: &Inputs) -> i64 {
 
 /// Whether nothing was typed.
 fn empty(typed: &Typed, param: &Param) -> bool {
-    typed.get(param.name).is_none_or(|text| text.trim().is_empty())
+    typed.get(param.name.as_str()).is_none_or(|text| text.trim().is_empty())
 }
 
 /// The value is missing; `reason` says when it is needed.
@@ -261,7 +262,7 @@ pub(super) fn judge(param: &Param, inputs: &Inputs, control: &Control) -> Option
     })
 }
 
-fn outside(sentence: Own, param: &'static str, (shown, unit): (f64, Unit), control: &Control) -> Diagnostic {
+fn outside(sentence: Own, param: Name, (shown, unit): (f64, Unit), control: &Control) -> Diagnostic {
     let finding = sentence.finding().text("param", param);
     let finding = finding.number("value", shown);
     finding.text("unit", unit_behind(unit, control)).at(param)

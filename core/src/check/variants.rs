@@ -27,7 +27,7 @@ pub fn cause(cycle: &Cycle, param: &Param, number: f64) -> Message {
 pub fn chosen(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Option<i64> {
     let number = super::read(cycle, typed, control, &mut Vec::new()).variant;
     let name = cycle.variant_param();
-    let given = name.and_then(|name| typed.get(name));
+    let given = name.and_then(|name| typed.get(name.as_str()));
     let meant = |text: &String| matches!(super::parse(text), Parsed::Number(one) if one == number as f64);
     let known = cycle.variants.iter().any(|one| one.number == number);
     (known && given.is_none_or(meant)).then_some(number)

@@ -5,6 +5,7 @@ use crate::control::{Control, MachineSort};
 use crate::diagnostic::Code;
 use crate::dialect::Dialect;
 use crate::entry::Inputs;
+use crate::name::Name;
 
 /// One measuring cycle or macro.
 pub struct Cycle {
@@ -36,7 +37,7 @@ pub struct Cycle {
     /// What the values mean, drawn.
     pub picture: Drawing,
     /// A worked measurement: values as typed, by parameter name.
-    pub example: &'static [(&'static str, &'static str)],
+    pub example: &'static [(Name, &'static str)],
     /// What happens at the call; none while only form, checks and text are known. See [`Cycle::work`].
     pub simulation: Option<Simulation>,
     /// Place in the manual.
@@ -59,7 +60,7 @@ impl Cycle {
     }
 
     /// Name of the parameter that takes the number of the variant.
-    pub fn variant_param(&self) -> Option<&'static str> {
+    pub fn variant_param(&self) -> Option<Name> {
         self.params.iter().find(|param| matches!(param.kind, Kind::Variant(_))).map(|param| param.name)
     }
 

@@ -3,6 +3,7 @@
 use super::Cycle;
 use crate::control::Plane;
 use crate::control::tools::REVERSED;
+use crate::name::Name;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What was typed, per parameter name, nothing decided. Decimal comma allowed.
@@ -16,11 +17,11 @@ pub struct Inputs {
     /// Number of the measuring variant.
     pub variant: i64,
     /// Numbers by parameter name, defaults filled in.
-    pub numbers: BTreeMap<&'static str, f64>,
+    pub numbers: BTreeMap<Name, f64>,
     /// Parameters that the program or the form gives; the others have their defaults.
-    pub written: BTreeSet<&'static str>,
+    pub written: BTreeSet<Name>,
     /// Texts by parameter name.
-    pub texts: BTreeMap<&'static str, String>,
+    pub texts: BTreeMap<Name, String>,
     /// Whether D numbers take five digits, so that all other digits of `_KNUM` move up by two (B:2009-2029).
     pub five_digit_edges: bool,
     /// Working plane of the control at the call.
@@ -59,23 +60,23 @@ impl Inputs {
     }
 
     /// Number of a parameter; 0 where the variant does not use it.
-    pub fn number(&self, name: &str) -> f64 {
-        self.numbers.get(name).copied().unwrap_or(0.0)
+    pub fn number(&self, name: Name) -> f64 {
+        self.numbers.get(&name).copied().unwrap_or(0.0)
     }
 
     /// Number of a parameter where there is one.
-    pub fn given(&self, name: &str) -> Option<f64> {
-        self.numbers.get(name).copied()
+    pub fn given(&self, name: Name) -> Option<f64> {
+        self.numbers.get(&name).copied()
     }
 
     /// Whether the call uses this parameter.
-    pub fn uses(&self, name: &str) -> bool {
+    pub fn uses(&self, name: Name) -> bool {
         let param = self.cycle.params.iter().find(|param| param.name == name);
         param.is_some_and(|param| param.need(self).is_some())
     }
 
     /// Number of a parameter where it is given and above 0, else another one: what a picture can draw.
-    pub fn positive(&self, name: &str, otherwise: f64) -> f64 {
+    pub fn positive(&self, name: Name, otherwise: f64) -> f64 {
         let given = self.given(name).filter(|value| *value > 0.0);
         given.unwrap_or(otherwise)
     }
@@ -87,12 +88,12 @@ impl Inputs {
     }
 
     /// Number of an integer parameter.
-    pub fn integer(&self, name: &str) -> i64 {
+    pub fn integer(&self, name: Name) -> i64 {
         self.number(name) as i64
     }
 
     /// Text of a parameter; empty where not given.
-    pub fn text(&self, name: &str) -> &str {
-        self.texts.get(name).map_or("", String::as_str)
+    pub fn text(&self, name: Name) -> &str {
+        self.texts.get(&name).map_or("", String::as_str)
     }
 }

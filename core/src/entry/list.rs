@@ -1,7 +1,8 @@
 //! Calls with arguments in brackets, beside the assignments that every cycle takes.
 
-use super::{Cycle, When};
+use super::{Cycle, When, names};
 use crate::entry::Inputs;
+use crate::name::Name;
 
 /// A way to write a call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,9 +34,9 @@ pub struct ArgumentList {
 /// One argument.
 pub enum Arg {
     /// The value of this parameter.
-    Param(&'static str),
+    Param(Name),
     /// The value of this parameter, which leads down, without its sign.
-    Down(&'static str),
+    Down(Name),
     /// A selection: number written, what it adds to the number of the variant.
     Select(&'static [(i64, i64)]),
     /// Tells which cycle is meant: this number stands there.
@@ -53,8 +54,21 @@ pub enum Arg {
 /// `CYCLE_PARA`: parameters that count for all cycles; 0 leaves the datum as it is (B:11734-11753).
 pub const AUXILIARY: &str = "CYCLE_PARA";
 /// Its arguments in order.
-pub const AUXILIARY_ARGS: &[&str] = &[
-    "_FA", "_VMS", "_NMSP", "_RF", "_PRNUM", "_CORA", "_TZL", "_TMV", "_TUL", "_TLL", "_TSA", "_EVNUM", "_K", "_TDIF",
+pub const AUXILIARY_ARGS: &[Name] = &[
+    names::FA,
+    names::VMS,
+    names::NMSP,
+    names::RF,
+    names::PRNUM,
+    names::CORA,
+    names::TZL,
+    names::TMV,
+    names::TUL,
+    names::TLL,
+    names::TSA,
+    names::EVNUM,
+    names::K,
+    names::TDIF,
 ];
 
 impl ArgumentList {
@@ -70,13 +84,13 @@ impl ArgumentList {
     }
 
     /// Which argument takes this parameter.
-    pub fn position(&self, name: &str) -> Option<usize> {
+    pub fn position(&self, name: Name) -> Option<usize> {
         let takes = |arg: &Arg| matches!(arg, Arg::Param(param) | Arg::Down(param) if *param == name);
         self.args.iter().position(takes)
     }
 
     /// Whether this parameter is an argument or an element of one.
-    pub fn gives(&self, name: &str) -> bool {
+    pub fn gives(&self, name: Name) -> bool {
         let indexed = |array: &str| name.strip_prefix(array).is_some_and(|rest| rest.starts_with('['));
         let element = |arg: &Arg| matches!(arg, Arg::Variable(array) if indexed(array));
         self.position(name).is_some() || self.args.iter().any(element)
@@ -84,7 +98,7 @@ impl ArgumentList {
 
     /// The parameter that takes the variant, and the variant that the selections make, where it has no argument of its
     /// own; `number` tells what stands at an argument, an omitted one is 0.
-    pub fn composed(&self, cycle: &Cycle, number: impl Fn(usize) -> Option<f64>) -> Option<(&'static str, i64)> {
+    pub fn composed(&self, cycle: &Cycle, number: impl Fn(usize) -> Option<f64>) -> Option<(Name, i64)> {
         let name = cycle.variant_param()?;
         let own = self.has_variant(cycle);
         (!own).then(|| Some((name, self.selected(number)?)))?

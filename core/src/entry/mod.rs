@@ -1,5 +1,6 @@
 //! The shape of an entry of the catalogue: plain data that form, check, program, run and the documents read.
 
+pub mod address;
 mod cycle;
 mod help;
 mod inputs;

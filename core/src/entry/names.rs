@@ -1,88 +1,99 @@
-//! Names of parameters, so that a slip does not compile.
+//! Names of parameters that entries share.
+
+use crate::name::Name;
 
 /// Measuring variant.
-pub const MVAR: &str = "_MVAR";
+pub const MVAR: Name = Name::new("_MVAR");
 /// Set size or set position.
-pub const SETVAL: &str = "_SETVAL";
+pub const SETVAL: Name = Name::new("_SETVAL");
 /// Set length of a rectangle in the abscissa.
-pub const SETV0: &str = "_SETV[0]";
+pub const SETV0: Name = Name::new("_SETV[0]");
 /// Set length of a rectangle in the ordinate.
-pub const SETV1: &str = "_SETV[1]";
+pub const SETV1: Name = Name::new("_SETV[1]");
 /// Set centre of sphere 1, applicate; or corner: offset of the zero point or P2, abscissa.
-pub const SETV2: &str = "_SETV[2]";
+pub const SETV2: Name = Name::new("_SETV[2]");
 /// Set centre of sphere 2, abscissa; or corner: offset of the zero point or P2, ordinate.
-pub const SETV3: &str = "_SETV[3]";
+pub const SETV3: Name = Name::new("_SETV[3]");
 /// Set centre of sphere 2, ordinate; or corner: selection of the offset, or P3, abscissa.
-pub const SETV4: &str = "_SETV[4]";
+pub const SETV4: Name = Name::new("_SETV[4]");
 /// Set centre of sphere 2, applicate; or corner: P3, ordinate.
-pub const SETV5: &str = "_SETV[5]";
+pub const SETV5: Name = Name::new("_SETV[5]");
 /// Set centre of sphere 3, abscissa; or corner: P4, abscissa.
-pub const SETV6: &str = "_SETV[6]";
+pub const SETV6: Name = Name::new("_SETV[6]");
 /// Set centre of sphere 3, ordinate; or corner: P4, ordinate.
-pub const SETV7: &str = "_SETV[7]";
+pub const SETV7: Name = Name::new("_SETV[7]");
 /// Set centre of sphere 3, applicate.
-pub const SETV8: &str = "_SETV[8]";
+pub const SETV8: Name = Name::new("_SETV[8]");
 /// Infeed from the start height to the measuring height, signed.
-pub const ID: &str = "_ID";
+pub const ID: Name = Name::new("_ID");
 /// Protection zone: diameter, width or length in the abscissa.
-pub const SZA: &str = "_SZA";
+pub const SZA: Name = Name::new("_SZA");
 /// Protection zone: length in the ordinate.
-pub const SZO: &str = "_SZO";
+pub const SZO: Name = Name::new("_SZO");
 /// Measuring axis.
-pub const MA: &str = "_MA";
+pub const MA: Name = Name::new("_MA");
 /// Measuring direction.
-pub const MD: &str = "_MD";
+pub const MD: Name = Name::new("_MD");
 /// What is corrected.
-pub const KNUM: &str = "_KNUM";
+pub const KNUM: Name = Name::new("_KNUM");
 /// The same in CYCLE119.
-pub const COR: &str = "_COR";
+pub const COR: Name = Name::new("_COR");
 /// T number of the tool to be corrected.
-pub const TNUM: &str = "_TNUM";
+pub const TNUM: Name = Name::new("_TNUM");
 /// Name of the tool to be corrected.
-pub const TNAME: &str = "_TNAME";
+pub const TNAME: Name = Name::new("_TNAME");
 /// DL number of the setup or additive offset.
-pub const DLNUM: &str = "_DLNUM";
+pub const DLNUM: Name = Name::new("_DLNUM");
 /// Tool environment.
-pub const TENV: &str = "_TENV";
+pub const TENV: Name = Name::new("_TENV");
 /// Probe type and number.
-pub const PRNUM: &str = "_PRNUM";
+pub const PRNUM: Name = Name::new("_PRNUM");
 /// Measuring path.
-pub const FA: &str = "_FA";
+pub const FA: Name = Name::new("_FA");
 /// Safe area.
-pub const TSA: &str = "_TSA";
+pub const TSA: Name = Name::new("_TSA");
 /// Measuring feed.
-pub const VMS: &str = "_VMS";
+pub const VMS: Name = Name::new("_VMS");
 /// Measurements at the same place.
-pub const NMSP: &str = "_NMSP";
+pub const NMSP: Name = Name::new("_NMSP");
 /// Spindle offset of a mono probe.
-pub const CORA: &str = "_CORA";
+pub const CORA: Name = Name::new("_CORA");
 /// Zero offset area.
-pub const TZL: &str = "_TZL";
+pub const TZL: Name = Name::new("_TZL");
 /// Limit of mean value formation.
-pub const TMV: &str = "_TMV";
+pub const TMV: Name = Name::new("_TMV");
 /// Upper tolerance.
-pub const TUL: &str = "_TUL";
+pub const TUL: Name = Name::new("_TUL");
 /// Lower tolerance.
-pub const TLL: &str = "_TLL";
+pub const TLL: Name = Name::new("_TLL");
 /// Permissible dimensional difference.
-pub const TDIF: &str = "_TDIF";
+pub const TDIF: Name = Name::new("_TDIF");
 /// Memories of empirical and mean value.
-pub const EVNUM: &str = "_EVNUM";
+pub const EVNUM: Name = Name::new("_EVNUM");
 /// Weighting factor of the mean value.
-pub const K: &str = "_K";
+pub const K: Name = Name::new("_K");
 /// Set centre in the abscissa.
-pub const CPA: &str = "_CPA";
+pub const CPA: Name = Name::new("_CPA");
 /// Set centre in the ordinate.
-pub const CPO: &str = "_CPO";
+pub const CPO: Name = Name::new("_CPO");
 /// Starting angle.
-pub const STA1: &str = "_STA1";
+pub const STA1: Name = Name::new("_STA1");
 /// Indexing angle.
-pub const INCA: &str = "_INCA";
+pub const INCA: Name = Name::new("_INCA");
 /// Feed along circular paths.
-pub const RF: &str = "_RF";
+pub const RF: Name = Name::new("_RF");
 /// Rotary axis that takes the angle.
-pub const RA: &str = "_RA";
+pub const RA: Name = Name::new("_RA");
 /// Number of the reference groove or gauging block.
-pub const CALNUM: &str = "_CALNUM";
+pub const CALNUM: Name = Name::new("_CALNUM");
 /// Limit of the distortion of a triangle of spheres.
-pub const TNVL: &str = "_TNVL";
+pub const TNVL: Name = Name::new("_TNVL");
+/// Speed and feed of each probing with a rotating tool (B:13515-13520).
+pub const MFS: [Name; 6] = [
+    Name::new("_MFS[0]"),
+    Name::new("_MFS[1]"),
+    Name::new("_MFS[2]"),
+    Name::new("_MFS[3]"),
+    Name::new("_MFS[4]"),
+    Name::new("_MFS[5]"),
+];

@@ -1,12 +1,13 @@
 //! A parameter of an entry: what can be entered, in which unit and range, when it is needed.
 
 use super::When;
+use crate::name::Name;
 use crate::range::Range;
 
 /// A parameter of a cycle.
 pub struct Param {
     /// As the manual writes it: `_SETVAL`, `_SETV[0]`, `D`.
-    pub name: &'static str,
+    pub name: Name,
     /// Stem of its message keys: `setval` → `param-setval` and `param-setval-help`; see [`Param::labels`].
     pub key: &'static str,
     /// What can be entered.

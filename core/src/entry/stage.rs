@@ -3,6 +3,8 @@
 //! with values that are drawn well, and all that is drawn follows from that.
 
 use super::{Inputs, names};
+use crate::entry::address;
+use crate::name::Name;
 use crate::picture::figures::{self, circle, dimension, line, polygon, rectangle};
 use crate::picture::{PictureShape, ShapeKind};
 
@@ -31,7 +33,7 @@ pub struct Look {
     /// Whether what holds the part is shown too.
     pub held: bool,
     /// Parameter that the ways between the touches explain; none: the ways are left out.
-    pub way: Option<&'static str>,
+    pub way: Option<Name>,
     /// Letters at the ends of both axes of the paper where they are drawn.
     pub axes: [usize; 2],
 }
@@ -58,7 +60,7 @@ impl Look {
     }
 
     /// The same with the ways, which explain this parameter.
-    pub const fn ways(self, field: &'static str) -> Look {
+    pub const fn ways(self, field: Name) -> Look {
         Look { way: Some(field), ..self }
     }
 
@@ -82,17 +84,17 @@ impl Look {
 #[derive(Clone, Debug)]
 pub struct Fields {
     /// The touched edges, in the order in which they are touched; the last one counts for the rest.
-    pub edges: &'static [&'static str],
+    pub edges: &'static [Name],
     /// Way of a measuring block.
-    pub path: Option<&'static str>,
+    pub path: Option<Name>,
     /// Way on a circle.
-    pub arc: Option<&'static str>,
+    pub arc: Option<Name>,
     /// Ball at the start of a measuring block.
-    pub probe: Option<&'static str>,
+    pub probe: Option<Name>,
     /// Touched point.
-    pub touch: Option<&'static str>,
+    pub touch: Option<Name>,
     /// Protection zone; none: it is not drawn.
-    pub zone: Option<&'static str>,
+    pub zone: Option<Name>,
     /// Whether the room beyond the zone is forbidden, not that in it.
     pub beyond: bool,
     /// Whether the names of the touches stand at the start of their measuring blocks instead of at the points.
@@ -119,7 +121,7 @@ impl Fields {
     };
     /// Of a macro on NCT.
     pub const MACRO: Fields = Fields {
-        edges: &["D"],
+        edges: &[address::D],
         path: None,
         arc: None,
         probe: None,
@@ -136,7 +138,7 @@ impl Fields {
 #[derive(Clone, Debug)]
 pub struct Staging {
     /// Values in place of those of the call; mm and degree.
-    pub values: Vec<(&'static str, f64)>,
+    pub values: Vec<(Name, f64)>,
     /// Variant that is carried out instead of the one called; none: that one.
     pub variant: Option<i64>,
     /// Variant whose part is proposed; none: that one too.
@@ -175,14 +177,14 @@ impl Staging {
     }
 
     /// With another value of a parameter.
-    pub fn with(mut self, name: &'static str, value: f64) -> Staging {
+    pub fn with(mut self, name: Name, value: f64) -> Staging {
         self.values.push((name, value));
         self
     }
 
     /// With these sizes of the call, the longest as long as the picture has it, none too short for the ball.
-    pub fn sized(mut self, inputs: &Inputs, names: &[&'static str]) -> Staging {
-        let sizes = names.iter().map(|name| (*name, inputs.number(name).abs()));
+    pub fn sized(mut self, inputs: &Inputs, names: &[Name]) -> Staging {
+        let sizes = names.iter().map(|name| (*name, inputs.number(*name).abs()));
         let longest = sizes.clone().fold(0.0_f64, |longest, (_, size)| longest.max(size));
         self.scale = if longest > 0.0 { SIZE / longest } else { 1.0 };
         let scale = self.scale;
@@ -191,7 +193,7 @@ impl Staging {
     }
 
     /// With a short way of the call so long that it can be seen: least and most, mm.
-    pub fn short(self, inputs: &Inputs, name: &'static str, [least, most]: [f64; 2]) -> Staging {
+    pub fn short(self, inputs: &Inputs, name: Name, [least, most]: [f64; 2]) -> Staging {
         let way = inputs.number(name);
         let length = (way.abs() * self.scale).clamp(least, most);
         self.with(name, length.copysign(way))
@@ -203,12 +205,12 @@ impl Staging {
     }
 
     /// With the angle of a parameter, less than a whole turn.
-    pub fn angle(self, inputs: &Inputs, name: &'static str) -> Staging {
+    pub fn angle(self, inputs: &Inputs, name: Name) -> Staging {
         self.with(name, inputs.number(name) % 360.0)
     }
 
     /// The value that is drawn.
-    pub fn value(&self, name: &str) -> f64 {
+    pub fn value(&self, name: Name) -> f64 {
         self.values.iter().rev().find(|(known, _)| *known == name).map_or(0.0, |(_, value)| *value)
     }
 
@@ -271,13 +273,13 @@ pub struct Seen {
 
 impl Seen {
     /// A dimension between two touched points, moved aside.
-    pub fn between(&self, field: &'static str, touches: [usize; 2], aside: [f64; 2]) -> Option<PictureShape> {
+    pub fn between(&self, field: Name, touches: [usize; 2], aside: [f64; 2]) -> Option<PictureShape> {
         let [from, to] = touches.map(|index| self.touches.get(index).map(|touch| add(touch.at, aside)));
         Some(dimension(field, from?, to?))
     }
 
     /// The measuring path of a touch as a dimension above or to the right of it, so many ball radii away.
-    pub fn path(&self, field: &'static str, touch: usize, away: f64) -> Option<PictureShape> {
+    pub fn path(&self, field: Name, touch: usize, away: f64) -> Option<PictureShape> {
         let touch = self.touches.get(touch)?;
         let [x, y] = touch.out().map(|part| part * away * self.ball);
         let aside = if x > 0.0 || x == 0.0 && y < 0.0 { [-y, x] } else { [y, -x] };
@@ -298,7 +300,7 @@ impl Seen {
     }
 
     /// The size of what is touched along an axis of the paper: below or to the left of it, inside of an opening.
-    pub fn size(&self, field: &'static str, axis: usize) -> PictureShape {
+    pub fn size(&self, field: Name, axis: usize) -> PictureShape {
         let [low, high] = self.part;
         let across = 1 - axis;
         let at = match self.outside() {
@@ -309,7 +311,7 @@ impl Seen {
     }
 
     /// The way up or down from the call to the first measuring block, beside that.
-    pub fn infeed(&self, field: &'static str) -> Option<PictureShape> {
+    pub fn infeed(&self, field: Name) -> Option<PictureShape> {
         let touch = self.touches.first()?;
         let side = (touch.start[0] - touch.ball[0]).signum();
         Some(self.along(field, 1, [self.start, touch.start], touch.start[0] + 2.2 * side * self.ball))
@@ -324,13 +326,13 @@ impl Seen {
         }
         let bands =
             [(names::TSA, -2.6, 2.6), (names::TDIF, -1.8, 1.8), (names::TUL, 0.0, 1.0), (names::TLL, -1.0, 0.0)];
-        let used = bands.into_iter().filter(|(name, ..)| inputs.uses(name));
+        let used = bands.into_iter().filter(|(name, ..)| inputs.uses(*name));
         let used: Vec<_> = used.map(|(name, from, to)| (name, from * unit, to * unit)).collect();
         self.bands(ShapeKind::Tolerance, &used)
     }
 
     /// A length behind a touched point as a dimension, beside the way of the ball.
-    pub fn behind(&self, field: &'static str, touch: usize, length: f64) -> Option<PictureShape> {
+    pub fn behind(&self, field: Name, touch: usize, length: f64) -> Option<PictureShape> {
         let touch = self.touches.get(touch)?;
         let [x, y] = touch.out();
         let from = add(touch.at, [-y * 4.0 * self.ball, x * 4.0 * self.ball]);
@@ -338,10 +340,10 @@ impl Seen {
     }
 
     /// Bands about the touched edges: parameter, and how far it is drawn into the material (negative) and out of it.
-    pub fn bands(&self, kind: ShapeKind, bands: &[(&'static str, f64, f64)]) -> Vec<PictureShape> {
+    pub fn bands(&self, kind: ShapeKind, bands: &[(Name, f64, f64)]) -> Vec<PictureShape> {
         let edges = |band| self.edges.iter().enumerate().map(move |(index, edge)| (index, edge, band));
         let all = bands.iter().flat_map(edges);
-        all.filter_map(|(index, edge, (field, from, to))| Some(self.band(kind, index, edge, [*from, *to])?.of(field)))
+        all.filter_map(|(index, edge, (field, from, to))| Some(self.band(kind, index, edge, [*from, *to])?.of(*field)))
             .collect()
     }
 
@@ -365,7 +367,7 @@ impl Seen {
 
     /// The axes of the paper through a point, over the whole view and a little more, with their letters, and what
     /// they explain.
-    pub fn axes(&self, through: [f64; 2], fields: [Option<&'static str>; 2]) -> [PictureShape; 2] {
+    pub fn axes(&self, through: [f64; 2], fields: [Option<Name>; 2]) -> [PictureShape; 2] {
         [0, 1].map(|axis| {
             let [mut low, mut high] = [through; 2];
             let beyond = 0.06 * SIZE;
@@ -376,7 +378,7 @@ impl Seen {
     }
 
     /// A set position: the line of zero across an axis of the paper, and the dimension from there to the first touch.
-    pub fn position(&self, field: &'static str, axis: usize, zero: Option<&'static str>) -> Vec<PictureShape> {
+    pub fn position(&self, field: Name, axis: usize, zero: Option<Name>) -> Vec<PictureShape> {
         let Some(touch) = self.touches.first() else {
             return Vec::new();
         };
@@ -392,7 +394,7 @@ impl Seen {
     }
 
     /// The axis of the paper through the first touch, from zero over the part.
-    pub fn measuring_axis(&self, field: &'static str, axis: usize) -> Option<PictureShape> {
+    pub fn measuring_axis(&self, field: Name, axis: usize) -> Option<PictureShape> {
         let through = self.touches.first()?.at;
         let (mut low, mut high) = (through, through);
         low[axis] = self.extent[0][axis].min(self.zero[axis]);
@@ -401,7 +403,7 @@ impl Seen {
     }
 
     /// Both axes from the zero point, with their dimensions to a centre.
-    pub fn centre(&self, centre: [f64; 2], fields: [&'static str; 2], zero: Option<&'static str>) -> Vec<PictureShape> {
+    pub fn centre(&self, centre: [f64; 2], fields: [Name; 2], zero: Option<Name>) -> Vec<PictureShape> {
         let [_, high] = self.extent;
         let mut shapes = Vec::new();
         for (axis, field) in fields.into_iter().enumerate() {
@@ -423,7 +425,7 @@ impl Seen {
     }
 
     /// An angle about a point, from one direction to another, degree: its arc with its name.
-    pub fn angle(&self, field: &'static str, about: [f64; 2], radius: f64, [from, to]: [f64; 2]) -> [PictureShape; 2] {
+    pub fn angle(&self, field: Name, about: [f64; 2], radius: f64, [from, to]: [f64; 2]) -> [PictureShape; 2] {
         figures::swept(field, radius, from, to).map(|mut shape| {
             shape.shift(about);
             shape
@@ -431,7 +433,7 @@ impl Seen {
     }
 
     /// The height of the touches in a section, from the line of zero, to the left of all.
-    pub fn depth(&self, field: &'static str) -> Vec<PictureShape> {
+    pub fn depth(&self, field: Name) -> Vec<PictureShape> {
         let ([low, high], Some(touch)) = (self.extent, self.touches.first()) else {
             return Vec::new();
         };
@@ -443,7 +445,7 @@ impl Seen {
     }
 
     /// A dimension along an axis of the paper (0 right, 1 up) between the places of two points, at `at` of the other.
-    pub fn along(&self, field: &'static str, axis: usize, ends: [[f64; 2]; 2], at: f64) -> PictureShape {
+    pub fn along(&self, field: Name, axis: usize, ends: [[f64; 2]; 2], at: f64) -> PictureShape {
         let [from, to] = ends.map(|mut end| {
             end[1 - axis] = at;
             end

@@ -1,6 +1,7 @@
 //! What is measured, whatever a control calls it: by these tasks a call of one control is found again on the other.
 
 use super::When;
+use crate::name::Name;
 
 /// A task that both controls have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -103,5 +104,5 @@ pub struct Shared {
     /// Whether these variants correct a tool; none: the values decide.
     pub tool: Option<bool>,
     /// What its parameters mean.
-    pub values: &'static [(&'static str, Meaning)],
+    pub values: &'static [(Name, Meaning)],
 }

@@ -3,6 +3,7 @@
 use super::{Kind, Level, Param, Unit};
 use crate::control::{Control, Units, gud};
 use crate::entry::{Inputs, delivered_factor};
+use crate::name::Name;
 
 /// A condition on the values of a call. Data, so that docs can print it.
 pub enum When {
@@ -13,25 +14,25 @@ pub enum When {
     /// The number of this parameter, divided by `place` (whole), modulo 10, is one of these.
     Digit {
         /// Parameter.
-        param: &'static str,
+        param: Name,
         /// 1, 10, 100, …
         place: i64,
         /// Accepted digits.
         is: &'static [i64],
     },
     /// The parameter is given and not zero (a text: not empty).
-    Given(&'static str),
+    Given(Name),
     /// The number of this parameter is one of these.
     Number {
         /// Parameter.
-        param: &'static str,
+        param: Name,
         /// Accepted numbers.
         is: &'static [f64],
     },
     /// The number of this parameter is larger.
     Above {
         /// Parameter.
-        param: &'static str,
+        param: Name,
         /// Than this.
         than: f64,
     },
@@ -65,10 +66,10 @@ impl When {
         match self {
             When::Always => true,
             When::Variant(numbers) => numbers.contains(&inputs.variant),
-            When::Digit { param, place, is } => is.contains(&digit(inputs, param, *place)),
-            When::Given(param) => inputs.number(param) != 0.0 || !inputs.text(param).is_empty(),
-            When::Number { param, is } => is.contains(&inputs.number(param)),
-            When::Above { param, than } => inputs.number(param) > *than,
+            When::Digit { param, place, is } => is.contains(&digit(inputs, *param, *place)),
+            When::Given(param) => inputs.number(*param) != 0.0 || !inputs.text(*param).is_empty(),
+            When::Number { param, is } => is.contains(&inputs.number(*param)),
+            When::Above { param, than } => inputs.number(*param) > *than,
             When::Setting { name, is } => is.contains(&inputs.settings.get(name).copied().unwrap_or(0.0)),
             When::ToolType(from, to) => (*from..=*to).contains(&inputs.tool_type),
             When::Plane(plane) => inputs.plane == *plane,
@@ -108,7 +109,7 @@ fn decided(conditions: &[When], inputs: &Inputs, decisive: bool) -> Option<bool>
 }
 
 /// One digit; those of `_KNUM` above its D number move by two where D numbers take five digits (B:2009).
-fn digit(inputs: &Inputs, name: &str, place: i64) -> i64 {
+fn digit(inputs: &Inputs, name: Name, place: i64) -> i64 {
     let kind = inputs.cycle.params.iter().find(|param| param.name == name).map(|param| &param.kind);
     match kind {
         Some(Kind::Variant(_)) => inputs.variant / place % 10,
@@ -148,14 +149,14 @@ impl Param {
 
     /// Whether it stands in the data of the machine, and a call may write it there (`_MFS[0]`).
     pub fn is_machine_datum(&self) -> bool {
-        gud::named(self.name).is_some_and(gud::Gud::of_machine)
+        gud::named(self.name.as_str()).is_some_and(gud::Gud::of_machine)
     }
 
     /// Value when it is not written, as it would be typed on this control.
     pub fn fallback(&self, control: &Control) -> Option<f64> {
         let number = !matches!(self.kind, Kind::Text(_));
         if number && self.default.is_none() && self.is_machine_datum() {
-            return Some(control.number(self.name));
+            return Some(control.number(self.name.as_str()));
         }
         if control.active_units == Units::Inch && self.default_inch.is_some() {
             return self.default_inch;

@@ -6,6 +6,7 @@ use super::stage::{Seen, Staging};
 use crate::SIMULATES;
 use crate::control::Control;
 use crate::machine::{Machine, Stop};
+use crate::name::Name;
 use crate::picture::{Picture, PictureShape};
 use crate::workpiece::tool::Tool;
 use crate::workpiece::tool_probe::ToolProbe;
@@ -58,7 +59,7 @@ pub struct Work {
 pub type Scan = fn(&mut dyn Machine, &Inputs) -> Result<Box<dyn crate::machine::Scanner>, Stop>;
 
 /// Values as typed where the condition holds, later ones win.
-pub type Examples = &'static [(When, &'static [(&'static str, &'static str)])];
+pub type Examples = &'static [(When, &'static [(Name, &'static str)])];
 
 /// How a cycle is drawn.
 pub struct Drawing {

@@ -4,6 +4,7 @@ use crate::catalogue::shown_with::shown_with;
 use crate::check::{self, Parsed, parse};
 use crate::control::Control;
 use crate::entry::{Cycle, How, Kind, Typed};
+use crate::name::Name;
 use crate::picture::Picture;
 
 /// Draws the values; what is missing or wrong is taken from the cycle's worked example. None in a build that does not
@@ -20,8 +21,8 @@ pub fn draw(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Option<P
             Parsed::Wrong => text,
             _ => true,
         };
-        if !values.get(*name).is_some_and(usable) {
-            values.insert((*name).to_owned(), (*example).to_owned());
+        if !values.get(name.as_str()).is_some_and(usable) {
+            values.insert((*name).to_string(), (*example).to_owned());
         }
     }
     let inputs = check::read(cycle, &values, control, &mut Vec::new());
@@ -37,12 +38,12 @@ pub fn draw(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Option<P
 }
 
 /// A parameter without a figure is shown in those of others, as the catalogue says.
-fn place(name: &'static str, picture: &mut Picture) {
+fn place(name: Name, picture: &mut Picture) {
     if picture.explains(name) {
         return;
     }
     let mut groups = shown_with(name).iter();
-    let Some(group) = groups.find(|group| group.iter().any(|one| picture.explains(one))) else {
+    let Some(group) = groups.find(|group| group.iter().any(|one| picture.explains(*one))) else {
         return;
     };
     for shape in &mut picture.shapes {

@@ -6,6 +6,7 @@ use crate::control::Control;
 use crate::entry::{Cycle, Kind, Level, Param};
 use crate::entry::{Inputs, Typed, factor, unit_name};
 use crate::message::Message;
+use crate::name::Name;
 use crate::range::Range;
 use crate::support::Support;
 
@@ -13,7 +14,7 @@ use crate::support::Support;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Field {
     /// As the manual writes it.
-    pub name: &'static str,
+    pub name: Name,
     /// Its name in words.
     pub label: Message,
     /// What it means.
@@ -99,7 +100,7 @@ fn field(param: &'static Param, inputs: &Inputs, typed: &Typed, control: &Contro
         label: Message::new(format!("param-{stem}")),
         help: Message::new(format!("param-{stem}-help")),
         entry: entry(param, inputs, control),
-        value: typed.get(param.name).cloned().unwrap_or_default(),
+        value: typed.get(param.name.as_str()).cloned().unwrap_or_default(),
         chooses: matches!(param.kind, Kind::Variant(_)),
         code: matches!(param.kind, Kind::Knum).then_some(stem),
         fallback: param.fallback(control),

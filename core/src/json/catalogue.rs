@@ -35,7 +35,7 @@ fn entry(cycle: &'static Cycle) -> Value {
         ("parameters", cycle.params.iter().map(param).collect()),
         ("results", cycle.results.iter().map(result).collect()),
         ("alarms", cycle.alarms().into_iter().map(code).collect()),
-        ("example", object(example.map(|(name, value)| (*name, (*value).into())))),
+        ("example", object(example.map(|(name, value)| (name.as_str(), (*value).into())))),
         ("twins", (!cycle.purpose.tasks.is_empty()).into()),
         ("simulated", cycle.simulation.is_some().into()),
         ("surfaces", surfaces(cycle)),

@@ -77,8 +77,8 @@ pub fn form_seen(request: &str) -> Result<(Value, Option<Source>), Error> {
     let cycle = super::cycle(dialect(&request.control)?, &request.cycle)?;
     let mut start = super::start::start(cycle.dialect, request.setup)?;
     if !start.described {
-        let assumed = request.assumed.get(names::MVAR);
-        let variant = assumed.or_else(|| request.values.get(names::MVAR));
+        let assumed = request.assumed.get(names::MVAR.as_str());
+        let variant = assumed.or_else(|| request.values.get(names::MVAR.as_str()));
         let variant = variant.and_then(|text| text.trim().parse().ok());
         // which probe a machine brings may depend on the plane at the call
         let own = start.setup.control.plane;
@@ -206,7 +206,10 @@ fn view(
     let typed = values.typed;
     let expression = |name: &str| values.expressions.get(name).map(String::as_str);
     let mut view = object([
-        ("fields", form::fields(cycle, typed, control).iter().map(|one| field(one, expression(one.name))).collect()),
+        (
+            "fields",
+            form::fields(cycle, typed, control).iter().map(|one| field(one, expression(one.name.as_str()))).collect(),
+        ),
         ("diagnostics", checked.diagnostics.iter().map(diagnostic).collect()),
         ("snippet", written.text.into()),
         ("snippetFindings", written.findings.iter().map(diagnostic).collect()),

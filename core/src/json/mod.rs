@@ -49,6 +49,7 @@ use crate::dialect::Dialect;
 use crate::entry::Typed;
 use crate::entry::{Cycle, Style};
 use crate::message::{Arg, Message};
+use crate::name::Name;
 use crate::refused::Path;
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
@@ -184,4 +185,10 @@ fn diagnostic(found: &Diagnostic) -> Value {
         put(&mut view, "param", param);
     }
     view
+}
+
+impl From<Name> for Value {
+    fn from(name: Name) -> Value {
+        name.as_str().into()
+    }
 }

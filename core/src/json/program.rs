@@ -137,7 +137,7 @@ fn first(program: &Program, site: &CallSite) -> Value {
     let members = site.first.iter().map(|(name, origin)| {
         let line = program.line_of(origin.place.start) + 1;
         let value = [("value", origin.text.as_str().into()), ("line", line.into())];
-        (*name, object(value))
+        (name.as_str(), object(value))
     });
     object(members)
 }

@@ -231,7 +231,7 @@ mod tests {
     /// A request for the example of the form, on the machine that the form makes.
     fn request(surface: Value) -> String {
         let cycle = &crate::catalogue::p9969::P9969;
-        let values: Typed = cycle.example.iter().map(|(n, v)| ((*n).into(), (*v).into())).collect();
+        let values = crate::catalogue::example::worked(cycle);
         let form = json!({ "control": "nct", "cycle": cycle.name, "values": values, "predict": true });
         let view = crate::json::form(&form.to_string()).unwrap();
         let asked = json!({

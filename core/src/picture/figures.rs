@@ -1,6 +1,7 @@
 //! Figures of a picture, put together.
 
 use super::{PictureShape, ShapeKind};
+use crate::name::Name;
 
 /// Corners of a drawn circle; enough to look round.
 const CORNERS: u32 = 72;
@@ -57,7 +58,7 @@ pub fn polar(angle: f64, distance: f64) -> [f64; 2] {
 }
 
 /// An angle of a parameter as an arc about the origin, with its name beside it; radius in mm, from and to in degree.
-pub fn swept(field: &'static str, radius: f64, from: f64, to: f64) -> [PictureShape; 2] {
+pub fn swept(field: Name, radius: f64, from: f64, to: f64) -> [PictureShape; 2] {
     let at = polar((from + to) / 2.0, radius * 1.12);
     [
         line(ShapeKind::Path, arc([0.0; 2], radius, from, to)).of(field),
@@ -108,13 +109,13 @@ impl PictureShape {
     }
 
     /// The same for a parameter.
-    pub fn of(mut self, field: &'static str) -> Self {
+    pub fn of(mut self, field: Name) -> Self {
         self.field = Some(field);
         self
     }
 }
 
 /// A dimension line of a parameter, with its name.
-pub fn dimension(field: &'static str, from: [f64; 2], to: [f64; 2]) -> PictureShape {
+pub fn dimension(field: Name, from: [f64; 2], to: [f64; 2]) -> PictureShape {
     line(ShapeKind::Dimension, vec![from, to]).text(field).of(field)
 }

@@ -3,6 +3,7 @@
 
 pub mod figures;
 
+use crate::name::Name;
 /// From where the drawing is seen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum View {
@@ -55,9 +56,9 @@ pub struct PictureShape {
     /// Name of a parameter or a number; never a sentence.
     pub text: Option<String>,
     /// Parameter that it explains.
-    pub field: Option<&'static str>,
+    pub field: Option<Name>,
     /// Parameters without a figure of their own that are shown here too.
-    pub also: Vec<&'static str>,
+    pub also: Vec<Name>,
 }
 
 /// A drawing.
@@ -71,7 +72,7 @@ pub struct Picture {
 
 impl Picture {
     /// Whether any figure explains the parameter.
-    pub fn explains(&self, name: &str) -> bool {
+    pub fn explains(&self, name: Name) -> bool {
         self.shapes.iter().any(|shape| shape.field == Some(name))
     }
 }

@@ -7,6 +7,7 @@ use super::values::{Value, opposite};
 use crate::diagnostic::Span;
 use crate::entry::AUXILIARY;
 use crate::entry::{Arg, ArgumentList, Cycle, Kind, Style};
+use crate::name::Name;
 use crate::syntax::Program;
 use crate::syntax::tree::WordKind;
 
@@ -83,10 +84,10 @@ const USUAL: [(&str, &str); 2] = [("_DMODE", "1"), ("_AMODE", "1")];
 /// Edits that give an argument of the call's own list this text (empty: omitted). None: the list has no such argument.
 pub(super) fn change(program: &Program, site: &CallSite, name: &str, text: &str) -> Option<Vec<Edit>> {
     let list = site.list?;
-    if site.cycle.variant_param() == Some(name) && !list.has_variant(site.cycle) {
+    if site.cycle.variant_param().is_some_and(|own| own == name) && !list.has_variant(site.cycle) {
         return Some(select(program, site, list, text).unwrap_or_default());
     }
-    let index = list.position(name)?;
+    let index = list.position(site.cycle.param(name)?.name)?;
     let text = match list.args[index] {
         Arg::Down(_) => opposite(text),
         _ => text.to_owned(),
@@ -114,7 +115,7 @@ fn select(program: &Program, site: &CallSite, list: &ArgumentList, text: &str) -
     let selections = |text: &str| list.selections(text.trim().parse().ok()?);
     let mut wanted = selections(text)?.into_iter();
     let now = site.cycle.variant_param();
-    let now = now.and_then(|name| selections(site.values.get(name)?));
+    let now = now.and_then(|name| selections(site.values.get(name.as_str())?));
     let mut now = now.unwrap_or_default().into_iter();
     let places = places(program, site.span);
     let mut edits = Vec::new();
@@ -145,7 +146,7 @@ pub(super) fn open_variant<'a>(
     cycle: &'static Cycle,
     list: &ArgumentList,
     arguments: &'a [Option<Value>],
-) -> Option<(&'static str, &'a Value)> {
+) -> Option<(Name, &'a Value)> {
     let at = |index: usize| arguments.get(index).and_then(Option::as_ref);
     let number = |index| at(index).map_or(Some(0.0), |value| value.number);
     let (index, _) = list.unselected(number)?;
@@ -160,7 +161,7 @@ pub(super) fn given(
     list: &ArgumentList,
     span: Span,
     arguments: &[Option<Value>],
-) -> Vec<(&'static str, Value)> {
+) -> Vec<(Name, Value)> {
     let mut found = Vec::new();
     let at = |index: usize| arguments.get(index).and_then(Option::as_ref);
     for (index, arg) in list.args.iter().enumerate() {

@@ -27,7 +27,7 @@ pub fn arrivals(program: &Program, site: &CallSite) -> Vec<Diagnostic> {
             };
             sentence.finding().text("lines", listed(lines, many))
         };
-        notes.push(finding.at(name));
+        notes.push(finding.at(*name));
     }
     notes
 }

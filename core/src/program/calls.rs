@@ -18,6 +18,7 @@ use crate::diagnostic::{Diagnostic, Span};
 use crate::dialect::Dialect;
 use crate::entry::Typed;
 use crate::entry::{ArgumentList, Cycle};
+use crate::name::Name;
 use crate::syntax::BETWEEN;
 use crate::syntax::Program;
 use crate::syntax::fold;
@@ -44,13 +45,13 @@ pub struct CallSite {
     pub expressions: Typed,
     /// Place of each value, its newest assignment. Values of earlier calls count until they are overwritten. None where
     /// several assignments come here.
-    pub places: BTreeMap<&'static str, Span>,
+    pub places: BTreeMap<Name, Span>,
     /// Where the values were written that come from other programs of the text, or on more ways than one.
-    pub origins: BTreeMap<&'static str, Vec<Origin>>,
+    pub origins: BTreeMap<Name, Vec<Origin>>,
     /// Of the values that differ by the way or from pass to pass, those that arrive first.
-    pub first: BTreeMap<&'static str, Origin>,
+    pub first: BTreeMap<Name, Origin>,
     /// Parameters whose place gives a value to others too (`REP`), so that it cannot be changed for one of them.
-    pub shared: BTreeSet<&'static str>,
+    pub shared: BTreeSet<Name>,
     /// The argument list that was called; none: the bare name, or a block of addresses.
     pub list: Option<&'static ArgumentList>,
     /// Places before this byte belong to an earlier call as well.
@@ -68,7 +69,7 @@ pub struct CallSite {
     /// The ways on which a program comes to it that differ in what is in force, or in values.
     pub ways: Vec<Way>,
     /// Assignments for this call that do not reach it, since a called program writes the same: name, place, that call.
-    pub overwritten: Vec<(&'static str, Span, Span)>,
+    pub overwritten: Vec<(Name, Span, Span)>,
     /// Findings with their places.
     pub diagnostics: Vec<Diagnostic>,
 }

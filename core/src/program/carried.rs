@@ -7,6 +7,7 @@ use crate::check::parse;
 use crate::diagnostic::{Diagnostic, Span};
 use crate::entry::AUXILIARY;
 use crate::entry::Arg;
+use crate::name::Name;
 use crate::own;
 use crate::syntax::Program;
 use crate::syntax::programs::{Programs, programs};
@@ -33,17 +34,17 @@ fn is_literal(text: &str) -> bool {
 
 /// The first of these values that is an expression and may be worth something else directly before the call than where
 /// it is written. What is known of its worth is compared afterwards, see [`differs`].
-pub(super) fn moves(program: &Program, site: &CallSite, said: &[&'static str]) -> Option<Diagnostic> {
+pub(super) fn moves(program: &Program, site: &CallSite, said: &[Name]) -> Option<Diagnostic> {
     let name = said.iter().copied().find(|name| {
-        let expression = site.expression(name);
+        let expression = site.expression(&name);
         expression.is_some_and(|text| text != *name && !stays(program, site, name, text))
     })?;
     Some(changing(site, name))
 }
 
 /// The expression of a value is not worth the same at the call.
-pub(super) fn changing(site: &CallSite, name: &'static str) -> Diagnostic {
-    let value = site.expression(name).unwrap_or_default();
+pub(super) fn changing(site: &CallSite, name: Name) -> Diagnostic {
+    let value = site.expression(name.as_str()).unwrap_or_default();
     let finding = own::CONVERT_EXPRESSION.finding().text("name", name);
     let finding = finding.text("value", value).hint_text("name", name);
     finding.hint_text("value", value)
@@ -153,7 +154,7 @@ fn leaves(program: &Program, word: &Word, site: &CallSite, reads: &Reads) -> boo
         WordKind::Assign { name, .. } => {
             let name = program.name(*name);
             let of_call = |param: &str| param.split('[').next() == Some(&name);
-            let for_call = site.cycle.params.iter().any(|param| of_call(param.name));
+            let for_call = site.cycle.params.iter().any(|param| of_call(param.name.as_str()));
             !reads.names.contains(&name) && (reads.plain || for_call)
         }
         WordKind::Address { .. } => reads.plain,
@@ -163,13 +164,13 @@ fn leaves(program: &Program, word: &Word, site: &CallSite, reads: &Reads) -> boo
 }
 
 /// The first of these values that is another expression, or worth something else, at the call as it is written now.
-pub(super) fn differs(site: &CallSite, after: &CallSite, said: &[&'static str]) -> Option<&'static str> {
+pub(super) fn differs(site: &CallSite, after: &CallSite, said: &[Name]) -> Option<Name> {
     said.iter().copied().find(|name| {
         let Some(text) = site.expression(name) else {
             return false;
         };
         let now = after.expression(name);
-        let known = |site: &CallSite| site.values.get(*name).map(|text| parse(text));
+        let known = |site: &CallSite| site.values.get(name.as_str()).map(|text| parse(text));
         now.is_none_or(|now| plain(now) != plain(text)) || known(site) != known(after)
     })
 }

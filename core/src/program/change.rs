@@ -28,27 +28,27 @@ pub fn change(program: &Program, site: &CallSite, name: &str, value: &str) -> Ve
     if param.name == names::KNUM && takes_no_tool(program, site, &value) {
         return Vec::new();
     }
-    if let Some(edits) = arguments::change(program, site, param.name, &value) {
+    if let Some(edits) = arguments::change(program, site, param.name.as_str(), &value) {
         return edits;
     }
     if site.list.is_some_and(|list| list.style == Style::Operate) {
         return Vec::new();
     }
-    if let Some(edits) = elsewhere(program, site, param.name, &value) {
+    if let Some(edits) = elsewhere(program, site, param.name.as_str(), &value) {
         return edits;
     }
-    match site.own_place(param.name) {
+    match site.own_place(param.name.as_str()) {
         Some(place) if program.text(around(program, place)) == value.as_bytes() => Vec::new(),
         Some(place) if arguments::is_auxiliary(program, place) && nothing(&value) => {
             let mut edits = vec![Edit { span: place, insert: String::new() }];
-            let anew = add(program, site, param.name, &value);
+            let anew = add(program, site, param.name.as_str(), &value);
             edits.extend(anew.filter(|_| !value.is_empty()));
             edits
         }
         Some(place) if value.is_empty() => vec![remove(program, place)],
         Some(place) => vec![replace(program, place, value)],
         None if value.is_empty() => Vec::new(),
-        None => add(program, site, param.name, &value).into_iter().collect(),
+        None => add(program, site, param.name.as_str(), &value).into_iter().collect(),
     }
 }
 
@@ -58,7 +58,7 @@ fn takes_no_tool(program: &Program, site: &CallSite, value: &str) -> bool {
         return false;
     }
     let mut values = site.values.clone();
-    values.insert(names::KNUM.to_owned(), value.to_owned());
+    values.insert(names::KNUM.to_string(), value.to_owned());
     newer::has_tool_target(site.cycle, &values, &delivery(program.dialect))
 }
 

@@ -12,6 +12,7 @@ use crate::diagnostic::{Diagnostic, Span};
 use crate::entry::AUXILIARY_ARGS;
 use crate::entry::Typed;
 use crate::entry::{ArgumentList, Param, Style};
+use crate::name::Name;
 use crate::own;
 use crate::support::Mark;
 use crate::syntax::Program;
@@ -74,9 +75,9 @@ fn foreign(program: &Program, site: &CallSite, control: &Control) -> Option<Diag
     let list = site.list?;
     let value = |name: &str| site.values.get(name).map_or("", String::as_str);
     let variant = site.cycle.variant_param()?;
-    if !list.has_variant(site.cycle) && parse(value(variant)) == Parsed::Expression {
+    if !list.has_variant(site.cycle) && parse(value(variant.as_str())) == Parsed::Expression {
         let finding = own::WRITE_VARIANT_OPEN.finding();
-        return Some(finding.text("value", value(variant)));
+        return Some(finding.text("value", value(variant.as_str())));
     }
     let list = of_newer(site)?;
     let said = |name: &str, value: &str| {
@@ -88,7 +89,7 @@ fn foreign(program: &Program, site: &CallSite, control: &Control) -> Option<Diag
         return Some(said(name, text));
     }
     let name = newer::foreign(site.cycle, list, &site.values, control)?;
-    Some(said(name, value(name)).at(name))
+    Some(said(name.as_str(), value(name.as_str())).at(name))
 }
 
 /// The argument of newer controls for the tool that is corrected.
@@ -103,9 +104,9 @@ fn explicit(site: &CallSite, control: &Control) -> Typed {
     let mut values = newer::with_omitted(site.cycle, &site.values);
     let inputs = check::read(site.cycle, &values, control, &mut Vec::new());
     for param in site.cycle.params {
-        let counts = param.need(&inputs).is_some() && !values.contains_key(param.name);
+        let counts = param.need(&inputs).is_some() && !values.contains_key(param.name.as_str());
         if let Some(number) = param.fallback(control).filter(|_| counts) {
-            values.insert(param.name.to_owned(), number.to_string());
+            values.insert(param.name.to_string(), number.to_string());
         }
     }
     values
@@ -129,7 +130,7 @@ fn rewritten(program: &Program, site: &CallSite, written: &Written) -> Vec<Edit>
     let marks = text.lines().next().and_then(Mark::read).is_some();
     // an expression that the new text does not need stays where it is
     let goes = |name: &str| {
-        let said = written.said.contains(&name);
+        let said = written.said.iter().any(|one| *one == name);
         said || site.expression(name).is_none() || is_auxiliary(program, site, name)
     };
     let own = own_words(program, site, marks, goes);
@@ -161,7 +162,7 @@ fn is_auxiliary(program: &Program, site: &CallSite, name: &str) -> bool {
 
 /// What goes with the words of the call and is no value of its own text, but counts for others or is an expression: it
 /// stays as assignments.
-fn kept(program: &Program, site: &CallSite, own: &Lines, said: &[&'static str]) -> Vec<String> {
+fn kept(program: &Program, site: &CallSite, own: &Lines, said: &[Name]) -> Vec<String> {
     let mut lines = Vec::new();
     for word in own.values().flatten() {
         if !matches!(word.kind, WordKind::Call { .. }) {

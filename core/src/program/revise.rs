@@ -10,6 +10,7 @@ use crate::control::Control;
 use crate::diagnostic::Diagnostic;
 use crate::entry::Param;
 use crate::entry::Typed;
+use crate::name::Name;
 use crate::own;
 use crate::syntax::Program;
 use crate::syntax::read;
@@ -23,7 +24,7 @@ pub struct Revision {
     /// The lines outside of the call's own that they change.
     pub elsewhere: Vec<Line>,
     /// Parameters that another variant does not know: their values are taken out of the call.
-    pub taken: Vec<&'static str>,
+    pub taken: Vec<Name>,
     /// What that means: which of them went, and which stay since their values are expressions.
     pub findings: Vec<Diagnostic>,
 }
@@ -65,9 +66,9 @@ pub fn revise(program: &Program, index: usize, name: &str, value: &str, control:
 }
 
 /// The parameters that the call uses now, and does not know any more as the variant that this value chooses.
-fn idle(site: &CallSite, name: &str, value: &str, control: &Control) -> Vec<&'static str> {
+fn idle(site: &CallSite, name: &str, value: &str, control: &Control) -> Vec<Name> {
     let cycle = site.cycle;
-    if cycle.variant_param() != Some(name) {
+    if cycle.variant_param().is_none_or(|own| own != name) {
         return Vec::new();
     }
     let mut control = control.clone();
@@ -89,13 +90,13 @@ fn idle(site: &CallSite, name: &str, value: &str, control: &Control) -> Vec<&'st
 }
 
 /// Edits that take these values out of the words and arguments that are the call's own.
-fn without(program: &Program, site: &CallSite, names: &[&'static str]) -> Option<Vec<Edit>> {
+fn without(program: &Program, site: &CallSite, names: &[Name]) -> Option<Vec<Edit>> {
     let is_word = |name: &str| {
         let place = site.own_place(name).filter(|place| *place != site.span);
         let word = place.and_then(|place| program.word_at(place));
         word.is_some_and(|word| matches!(word.kind, WordKind::Assign { .. }))
     };
-    let words = own_words(program, site, false, |name| names.contains(&name) && is_word(name));
+    let words = own_words(program, site, false, |name| names.iter().any(|one| *one == name) && is_word(name));
     let mut edits = emptied(program, &words, site.line);
     for name in names.iter().filter(|name| !is_word(name)) {
         let place = site.own_place(name);

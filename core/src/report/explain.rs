@@ -46,10 +46,10 @@ pub fn datum(asked: &str, words: &Words) -> String {
         None => told.push((meaning, vec![whose])),
     };
     for cycle in CYCLES {
-        for param in cycle.params.iter().filter(|one| means(asked, one.name)) {
+        for param in cycle.params.iter().filter(|one| means(asked, one.name.as_str())) {
             let labels = param.labels.iter().map(|(_, key)| *key);
             for key in [param.key].into_iter().chain(labels) {
-                tell(meaning(param.name, &format!("param-{key}"), words), cycle.name);
+                tell(meaning(param.name.as_str(), &format!("param-{key}"), words), cycle.name);
             }
         }
         for field in cycle.results.iter().filter(|one| means(asked, one.name)) {

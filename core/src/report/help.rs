@@ -55,7 +55,7 @@ fn said(cycle: &'static Cycle, variant: &Variant, words: &Words) -> Vec<Said> {
     let sentence = |key, source| format!("{} ({source})", words.key(key));
     let lines = page.lines.iter();
     let lines = lines.map(|line| Said::Line(line.section, sentence(line.key, line.source)));
-    let values = page.required.iter().map(|name| Said::Value(name));
+    let values = page.required.iter().map(|name| Said::Value(name.as_str()));
     let alarms = page.alarms.iter().map(|alarm| Said::Alarm(code(*alarm)));
     lines.chain(values).chain(alarms).collect()
 }

@@ -22,14 +22,14 @@ use crate::program::user_programs::BEHIND;
 pub fn data(run: &mut Interpreter, cycle: &'static Cycle, span: Span) -> Result<(), Stop> {
     let mut typed = Typed::new();
     for param in cycle.params {
-        let text = match run.sim.control.data.get(param.name) {
+        let text = match run.sim.control.data.get(param.name.as_str()) {
             Some(Value::Number(value)) if !matches!(param.kind, Kind::Text(_)) => {
                 format!("{value}")
             }
             Some(Value::Text(text)) if !text.is_empty() => check::typed_text(text),
             _ => continue,
         };
-        typed.insert(param.name.to_owned(), text);
+        typed.insert(param.name.to_string(), text);
     }
     unread::takes(run, cycle, &typed, span).map_err(|problem| run.fail(problem))?;
     let checked = with_zeros(run, cycle, typed);
@@ -44,14 +44,14 @@ fn with_zeros(run: &Interpreter, cycle: &'static Cycle, mut typed: Typed) -> Che
         let mut checked = check::check(cycle, &typed, &run.sim.control);
         let never = |one: &&Diagnostic| one.message.key == own::MISSING.cause;
         let found: Vec<Diagnostic> = checked.diagnostics.iter().filter(never).cloned().collect();
-        let names = found.iter().filter_map(|one| cycle.param(one.param?));
+        let names = found.iter().filter_map(|one| cycle.param(&one.param?));
         let zeros: Vec<_> =
             names.filter(|param| !matches!(param.kind, Kind::Text(_))).map(|param| param.name).collect();
         if zeros.is_empty() {
             checked.diagnostics.splice(0..0, missing);
             return checked;
         }
-        typed.extend(zeros.into_iter().map(|name| (name.to_owned(), "0".to_owned())));
+        typed.extend(zeros.into_iter().map(|name| (name.to_string(), "0".to_owned())));
         missing.extend(found.into_iter().map(|one| one.under(own::MISSING.code())));
     }
 }

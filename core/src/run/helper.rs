@@ -36,14 +36,14 @@ fn values(run: &Interpreter, cycle: &'static Cycle, list: &ArgumentList, call: &
         match arg {
             Arg::Variable(array) => {
                 let variable = variable(call, index, array)?;
-                for (name, rest) in elements(cycle.params.iter().map(|one| one.name), array) {
+                for (name, rest) in elements(cycle.params.iter().map(|one| one.name.as_str()), array) {
                     let value = names::read(run, &format!("{variable}{rest}"), call.span)?;
                     typed.insert(name.to_owned(), value.exact());
                 }
             }
             Arg::Param(name) => {
                 let value = call.args.get(index).and_then(Option::as_ref);
-                typed.extend(value.map(|value| ((*name).to_owned(), value.exact())));
+                typed.extend(value.map(|value| (name.to_string(), value.exact())));
             }
             _ => {}
         }

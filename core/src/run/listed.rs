@@ -14,6 +14,7 @@ use crate::entry::AUXILIARY_ARGS;
 use crate::entry::Typed;
 use crate::entry::{Arg, ArgumentList, Cycle, Kind, Param, Style};
 use crate::machine::Stop;
+use crate::name::Name;
 use crate::problem::Problem;
 use crate::program::arguments;
 
@@ -38,19 +39,19 @@ pub fn call(run: &mut Interpreter, call: &Call) -> Result<bool, Stop> {
     if list.style == Style::Operate {
         let typed: Typed = values
             .iter()
-            .filter_map(|(name, value)| Some(((*name).to_owned(), Datum::from(value.as_ref()?).exact())))
+            .filter_map(|(name, value)| Some((name.to_string(), Datum::from(value.as_ref()?).exact())))
             .collect();
         newer_list(run, cycle, list, &typed, call.span)?;
         return Ok(true);
     }
     for (name, value) in values {
-        unread::written(run, name);
+        unread::written(run, name.as_str());
         let data = &mut run.sim.control.data;
         match value {
-            None if list.style == Style::Direct => drop(data.remove(name)),
+            None if list.style == Style::Direct => drop(data.remove(name.as_str())),
             value => {
-                let value = value.unwrap_or_else(|| omitted(cycle, name));
-                data.insert(name.to_owned(), value);
+                let value = value.unwrap_or_else(|| omitted(cycle, name.as_str()));
+                data.insert(name.to_string(), value);
             }
         }
     }
@@ -147,7 +148,7 @@ fn auxiliary(run: &mut Interpreter, call: &Call) -> Result<bool, Stop> {
 }
 
 /// The parameters of the list with what stands there, the variant put together from its selections.
-fn values(cycle: &'static Cycle, list: &ArgumentList, call: &Call) -> Vec<(&'static str, Option<Value>)> {
+fn values(cycle: &'static Cycle, list: &ArgumentList, call: &Call) -> Vec<(Name, Option<Value>)> {
     let at = |index: usize| call.args.get(index).and_then(Option::as_ref);
     let params = list.args.iter().enumerate().filter_map(|(index, arg)| match arg {
         Arg::Param(name) => Some((*name, at(index).and_then(Datum::value))),

@@ -58,13 +58,14 @@ mod tests {
     use super::*;
     use crate::catalogue::sinumerik::testing::{WIDE_BANDS, call, setup, solid};
     use crate::control::Plane;
+    use crate::entry::names;
     use crate::workpiece::Shape;
 
     /// A hole of 60 mm that is measured with this path and safe area.
     fn hole(path: f64, safe: f64) -> Survived {
         let values = [("_SETVAL", 60.0), ("_FA", path), ("_KNUM", 0.0), ("_TNUM", 20.0)];
         let mut inputs = call("CYCLE977", 1, &[&values[..], &WIDE_BANDS].concat());
-        inputs.numbers.insert("_TSA", safe);
+        inputs.numbers.insert(names::TSA, safe);
         let with = |size: f64| {
             let mut machine = setup(Plane::G17);
             machine.position = [0.0, 0.0, -10.0];

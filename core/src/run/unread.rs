@@ -211,7 +211,7 @@ fn of_machine(run: &Interpreter, name: &str) -> bool {
     }
     let stem = stem(name);
     let own = |cycle: &&'static Cycle| {
-        let params = cycle.params.iter().map(|param| param.name);
+        let params = cycle.params.iter().map(|param| param.name.as_str());
         let results = cycle.results.iter().map(|result| result.name);
         params.chain(results).any(|known| self::stem(known) == stem)
     };
@@ -226,7 +226,7 @@ pub fn takes(run: &Interpreter, cycle: &'static Cycle, typed: &Typed, place: Spa
     }
     let inputs = check::read(cycle, typed, &run.sim.control, &mut Vec::new());
     let mut used = cycle.params.iter().filter(|param| inputs.uses(param.name));
-    used.try_for_each(|param| known(run, param.name, place))
+    used.try_for_each(|param| known(run, param.name.as_str(), place))
 }
 
 /// An address of the block itself that calls a macro could not be read.

@@ -7,6 +7,7 @@ use crate::check;
 use crate::control::variables::AXES;
 use crate::control::{Control, Edge, MachineSort, Plane, Transverse};
 use crate::dialect::Dialect;
+use crate::entry::address;
 use crate::entry::stage::{Look, SIZE, Seen, Staging, Touched, add, distance, ring};
 use crate::entry::{Cycle, Inputs, Proposal, Staged, names};
 use crate::geometry::V3;
@@ -14,6 +15,7 @@ use crate::geometry::arc::Around;
 use crate::machine::Setup;
 use crate::machine::setup::PROBE_REGISTER;
 use crate::machine::trace::{MotionKind, Step};
+use crate::name::Name;
 use crate::picture::figures::{circle, frame, line, polygon};
 use crate::picture::{Picture, PictureShape, ShapeKind, View};
 use crate::run;
@@ -26,7 +28,7 @@ const GAP: f64 = 0.24 * SIZE;
 /// Thickness of a forbidden area around an element, mm.
 const WALL: f64 = 0.12 * SIZE;
 /// Values that no picture shows and that no nominal part needs: nothing is corrected, and each place is touched once.
-const NEUTRAL: [(&str, f64); 14] = [
+const NEUTRAL: [(Name, f64); 14] = [
     (names::KNUM, 0.0),
     (names::TNUM, 0.0),
     (names::DLNUM, 0.0),
@@ -44,7 +46,7 @@ const NEUTRAL: [(&str, f64); 14] = [
 ];
 
 /// What a macro corrects and allows.
-const CORRECTIONS: [&str; 7] = ["S", "T", "M", "H", "U", "V", "W"];
+const CORRECTIONS: [Name; 7] = [address::S, address::T, address::M, address::H, address::U, address::V, address::W];
 
 /// The picture of a call; where the cycle stops at its values, that of the worked example.
 pub fn draw(inputs: &Inputs, staged: &Staged) -> Picture {
@@ -131,7 +133,7 @@ struct Performed {
 impl Performed {
     fn of(inputs: &Inputs, staging: Staging) -> Performed {
         let mut drawn = inputs.clone();
-        let known = |name: &&str| inputs.cycle.param(name).is_some();
+        let known = |name: &Name| inputs.cycle.param(name).is_some();
         drawn.numbers.extend(NEUTRAL.into_iter().filter(|(name, _)| known(name)));
         drawn.numbers.extend(staging.values.iter().copied());
         drawn.numbers.retain(|name, _| !CORRECTIONS.contains(name));
@@ -191,7 +193,7 @@ impl Performed {
         shapes.extend(edges.iter().cloned());
         let zones = self.zones(look, &mut shapes);
         self.ways(look, &mut shapes);
-        let with = |shape: PictureShape, field: Option<&'static str>| PictureShape { field, ..shape };
+        let with = |shape: PictureShape, field: Option<Name>| PictureShape { field, ..shape };
         let mut starts: Vec<[f64; 2]> = Vec::new();
         for touch in &touches {
             shapes.push(with(line(ShapeKind::Path, vec![touch.start, touch.ball]), fields.path));

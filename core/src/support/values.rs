@@ -6,6 +6,7 @@ use crate::control::{Control, Value, gud};
 use crate::entry::PROBE_TYPE;
 use crate::entry::{Cycle, Kind, Param, ProbeUse, names};
 use crate::entry::{Inputs, Typed};
+use crate::name::Name;
 
 /// The bit for the mean value (B:12518-12532).
 pub const MEAN_BIT: &str = "_CHBIT[4]";
@@ -16,7 +17,7 @@ pub const BITS: [&str; 2] = [MEAN_BIT, SPEEDS_BIT];
 
 /// A parameter that has a field only where one of these entries is 1.
 struct Rule {
-    param: &'static str,
+    param: Name,
     entries: &'static [usize],
     value: Instead,
 }
@@ -98,7 +99,7 @@ impl Support {
                 continue;
             }
             if let Some(text) = self.forced(param, &inputs, typed, control) {
-                values.insert(param.name.to_owned(), text);
+                values.insert(param.name.to_string(), text);
             }
         }
         Entered { bits: self.bits(&inputs), values }
@@ -166,7 +167,7 @@ fn third_of_tolerance(cycle: &Cycle, typed: &Typed, control: &Control) -> Option
             known => Some(known),
         }
     };
-    match (limit(names::TUL)?, limit(names::TLL)?) {
+    match (limit(names::TUL.as_str())?, limit(names::TLL.as_str())?) {
         (Parsed::Number(upper), Parsed::Number(lower)) => Some(decimal((upper - lower).abs() / 3.0)),
         _ => Some(format!("ABS({}-{})/3", names::TUL, names::TLL)),
     }

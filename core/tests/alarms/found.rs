@@ -134,7 +134,7 @@ fn walk(cycle: &'static Cycle, add: &mut impl FnMut(Vec<Diagnostic>)) {
         let values = cycle.params.iter().flat_map(|param| ODD.map(|odd| (param.name, odd)));
         for (name, value) in values {
             let mut typed: Typed = usual.clone();
-            typed.insert(name.to_owned(), value.to_owned());
+            typed.insert(name.to_string(), value.to_owned());
             for control in &machines[..2] {
                 add(check(cycle, &typed, control).diagnostics);
             }

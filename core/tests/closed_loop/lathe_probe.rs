@@ -11,6 +11,7 @@ use probewright_core::check::check;
 use probewright_core::control::{Edge, Frame, Plane, Transverse};
 use probewright_core::diagnostic::Code;
 use probewright_core::dialect::Dialect;
+use probewright_core::entry::names;
 use probewright_core::entry::{Cycle, Variant};
 use probewright_core::entry::{Inputs, Typed};
 use probewright_core::machine::trace::Step;
@@ -190,7 +191,7 @@ fn the_probe_of_a_turning_machine_measures_as_the_one_in_a_spindle() {
             let mut ended = 0;
             for variant in cycle.variants {
                 let of_one_axis = inputs(&ready[0], cycle, variant, &[]);
-                let of_one_axis = of_one_axis.is_none_or(|inputs| inputs.uses("_MA"));
+                let of_one_axis = of_one_axis.is_none_or(|inputs| inputs.uses(names::MA));
                 let [first, second, third] = axes(name);
                 for (axis, probe) in [(first, "1"), (first, "101"), (second, "1"), (third, "1")] {
                     if axis != first && !of_one_axis {
@@ -235,7 +236,7 @@ fn a_probe_from_the_minus_side_measures_the_same_in_the_plane() {
                 let measured = inputs(&turret(plane, above), cycle, variant, &[]);
                 let [first, second, _] = axes(name);
                 for axis in [first, second] {
-                    if axis != first && measured.as_ref().is_some_and(|inputs| !inputs.uses("_MA")) {
+                    if axis != first && measured.as_ref().is_some_and(|inputs| !inputs.uses(names::MA)) {
                         continue;
                     }
                     let what = format!("{name} {} {axis} {plane:?}", variant.number);

@@ -7,7 +7,7 @@ use probewright_core::dialect::Dialect;
 fn inherited(text: &str) -> Vec<&'static str> {
     let all = found(text);
     let doubts = all.iter().filter(|finding| finding.code == INHERITED);
-    doubts.filter_map(|finding| finding.param).collect()
+    doubts.filter_map(|finding| finding.param.map(|name| name.as_str())).collect()
 }
 
 // oracle: hand (labels, units and choices of both calls)
@@ -45,19 +45,18 @@ fn a_value_that_means_something_else_at_a_later_call_is_doubted() {
 #[test]
 fn a_call_that_is_written_in_full_inherits_nothing() {
     use probewright_core::catalogue::CYCLES;
+    use probewright_core::catalogue::example::worked;
     use probewright_core::control::delivery;
     use probewright_core::entry::Style;
-    use probewright_core::entry::Typed;
     use probewright_core::program::write::snippet;
     let control = delivery(Dialect::Sinumerik);
     let examples = CYCLES.iter().filter(|cycle| cycle.dialect == Dialect::Sinumerik);
     let texts: Vec<String> = examples
         .map(|cycle| {
-            let mut typed: Typed =
-                cycle.example.iter().map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect();
+            let mut typed = worked(cycle);
             for param in cycle.params {
                 let delivered = param.fallback(&control).map(|value| value.to_string());
-                typed.entry(param.name.to_owned()).or_insert(delivered.unwrap_or_default());
+                typed.entry(param.name.to_string()).or_insert(delivered.unwrap_or_default());
             }
             snippet(cycle, &typed, &control, Style::Direct, None).text
         })

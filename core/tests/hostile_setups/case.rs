@@ -102,9 +102,9 @@ fn asked(cycle: &'static Cycle, variant: &Variant, draw: &mut Draw) -> Value {
     let count = if cycle.params.is_empty() { 0 } else { draw.of(&[0, 0, 1, 2, 5]) };
     for _ in 0..count {
         let param = &cycle.params[draw.below(cycle.params.len())];
-        let before = values.get(param.name).and_then(|text| text.parse().ok());
+        let before = values.get(param.name.as_str()).and_then(|text| text.parse().ok());
         let number = draw.number(before.unwrap_or(1.0));
-        values.insert(param.name.to_owned(), format!("{number:?}"));
+        values.insert(param.name.to_string(), format!("{number:?}"));
     }
     request["values"] = document!(values);
     request["errors"] = errors(draw);

@@ -4,6 +4,8 @@ use super::draw::{Drawn, hold, is_milling, measuring, milling};
 use super::stand::{Stand, stand};
 use probewright_core::entry::Inputs;
 use probewright_core::entry::ProbeUse;
+use probewright_core::entry::names;
+use probewright_core::name::Name;
 use probewright_core::run::Outcome;
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseError;
@@ -17,7 +19,7 @@ fn after(stand: &Stand, outcome: &Outcome) -> Stand {
     let mut again = stand.clone();
     let start = stand.setup.control.to_workpiece(stand.setup.position);
     again.setup.control = outcome.control.clone();
-    let settable = match stand.inputs.integer("_KNUM") {
+    let settable = match stand.inputs.integer(names::KNUM) {
         number @ 1..=99 => number as usize,
         1000 => 0,
         _ => again.setup.control.settable,
@@ -37,13 +39,13 @@ fn after(stand: &Stand, outcome: &Outcome) -> Stand {
 fn same_places(stand: &Stand, start: [f64; 3], again: &mut Stand) {
     let [abscissa, ordinate, _] = stand.setup.control.plane.axes();
     let names = stand.inputs.cycle.params.iter().map(|param| param.name);
-    let names: Vec<&str> = names.filter(|name| name.starts_with("_SETV[")).collect();
+    let names: Vec<Name> = names.filter(|name| name.starts_with("_SETV[")).collect();
     for pair in names.chunks_exact(2) {
         let mut place = start;
         (place[abscissa], place[ordinate]) = (stand.inputs.number(pair[0]), stand.inputs.number(pair[1]));
         let place = again.setup.control.to_workpiece(stand.setup.control.to_machine(place));
         for (name, axis) in pair.iter().zip([abscissa, ordinate]) {
-            again.inputs.numbers.entry(name).and_modify(|value| *value = place[axis]);
+            again.inputs.numbers.entry(*name).and_modify(|value| *value = place[axis]);
         }
     }
 }
@@ -55,7 +57,7 @@ fn settles(drawn: &Drawn, inputs: &Inputs) -> bool {
     let zero = cycle
         .param("_KNUM")
         .is_some_and(|param| probewright_core::check::target(param, inputs) == probewright_core::check::Target::Zero);
-    itself || zero && inputs.integer("_KNUM") != 0
+    itself || zero && inputs.integer(names::KNUM) != 0
 }
 
 /// A probe beside the spindle axis is calibrated for one turn of the coordinates; only a spindle that follows them

@@ -99,7 +99,7 @@ fn nothing_else_changes() {
         };
         let outcome = stand.run();
         let before = &stand.setup.control;
-        let values = |name: &str| stand.inputs.integer(name);
+        let values = |name: &str| stand.inputs.cycle.param(name).map_or(0, |param| stand.inputs.integer(param.name));
         let told = told(&outcome);
         for name in changed(before, &outcome.control) {
             prop_assert!(may_change(drawn, &values, before, &name), "{} changes: {:?}", name, drawn);

@@ -201,12 +201,12 @@ pub fn typed(drawn: &Drawn, control: &Control) -> Typed {
     let mut values = example(cycle, variant);
     let worked = read(cycle, &values, control, &mut Vec::new());
     for param in cycle.params {
-        let shown = values.get(param.name).and_then(|text| text.parse::<f64>().ok());
+        let shown = values.get(param.name.as_str()).and_then(|text| text.parse::<f64>().ok());
         let unit = param.unit_with(&worked);
-        let Some(value) = drawn_value(drawn, param.name, unit, shown) else {
+        let Some(value) = drawn_value(drawn, param.name.as_str(), unit, shown) else {
             continue;
         };
-        values.insert(param.name.to_owned(), format!("{}", value / factor(unit, control)));
+        values.insert(param.name.to_string(), format!("{}", value / factor(unit, control)));
     }
     values
 }

@@ -108,7 +108,7 @@ fn without(name: &str, variant: i64, left_out: &[&str]) -> String {
 /// Names of the parameters that are told to be missing.
 fn missing(outcome: &Outcome) -> Vec<&'static str> {
     let found = outcome.diagnostics.iter().filter(|one| one.code == Code::Own(1) && one.message.key == "check-missing");
-    found.filter_map(|one| one.param).collect()
+    found.filter_map(|one| one.param.map(|name| name.as_str())).collect()
 }
 
 #[test]

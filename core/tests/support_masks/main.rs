@@ -85,7 +85,7 @@ fn shown(name: &str, values: &Typed, control: &Control) -> Vec<&'static str> {
         fields(cycle(name), &entered.values, &control)
     });
     let fields = entered.unwrap_or_else(|| fields(cycle(name), values, control));
-    fields.iter().map(|field| field.name).collect()
+    fields.iter().map(|field| field.name.as_str()).collect()
 }
 
 fn entry(name: &str, values: &Typed, control: &Control, field: &str) -> Entry {

@@ -137,8 +137,8 @@ proptest! {
         let entered = support.entered(cycle, &typed, &control);
         let inputs = check::read(cycle, &entered.values, &control, &mut Vec::new());
         for param in cycle.params.iter().filter(|param| param.need(&inputs).is_some()) {
-            let Some(value) = entered.values.get(param.name).filter(|text| !text.is_empty()) else { continue };
-            let back = sites[0].values.get(param.name).map_or("", String::as_str);
+            let Some(value) = entered.values.get(param.name.as_str()).filter(|text| !text.is_empty()) else { continue };
+            let back = sites[0].values.get(param.name.as_str()).map_or("", String::as_str);
             prop_assert!(same(value, back), "{} {} {value} {back}\n{text}", cycle.name, param.name);
         }
         for (name, on) in &entered.bits {

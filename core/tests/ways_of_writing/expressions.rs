@@ -208,11 +208,11 @@ fn survives_all(cycle: &'static Cycle, text: &str, style: Style) -> TestCaseResu
         is_kept(text, &back, "converted back")?;
     }
     let program = read(Dialect::Sinumerik, text.as_bytes());
-    for param in cycle.params.iter().filter(|param| found[0].expression(param.name).is_none()) {
+    for param in cycle.params.iter().filter(|param| found[0].expression(param.name.as_str()).is_none()) {
         let value = if matches!(param.kind, Kind::Text(_)) { "A" } else { "3" };
-        let edits = change(&program, &found[0], param.name, value);
+        let edits = change(&program, &found[0], param.name.as_str(), value);
         let after = String::from_utf8(apply(text.as_bytes(), &edits)).unwrap();
-        is_kept(text, &after, param.name)?;
+        is_kept(text, &after, param.name.as_str())?;
     }
     for one in findings(&program) {
         let edits = one.cure.map(|cure| cure.edits).unwrap_or_default();
@@ -251,7 +251,7 @@ fn revised(text: &str, name: &str, value: &str) -> (String, Vec<&'static str>, V
     let done = revise(&program, 0, name, value, &control()).unwrap();
     let after = done.steps.iter().fold(text.as_bytes().to_vec(), |text, edits| apply(&text, edits));
     let said = done.findings.iter().map(|one| one.message.key.to_string());
-    (String::from_utf8(after).unwrap(), done.taken, said.collect())
+    (String::from_utf8(after).unwrap(), done.taken.iter().map(|name| name.as_str()).collect(), said.collect())
 }
 
 // oracle: manual B:5641-5667 (with a zero offset there is no tool, and no tolerance band)

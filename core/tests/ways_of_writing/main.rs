@@ -8,6 +8,7 @@ mod round_trip;
 mod same_meaning;
 mod wrong_arguments;
 
+use probewright_core::catalogue::example::worked;
 use probewright_core::catalogue::find;
 use probewright_core::control::delivery;
 use probewright_core::dialect::Dialect;
@@ -28,7 +29,7 @@ fn cycle(name: &str) -> &'static Cycle {
 }
 
 fn first_example(name: &str) -> Typed {
-    typed(cycle(name).example)
+    worked(cycle(name))
 }
 
 fn written(name: &str, values: &Typed, style: Style) -> Written {

@@ -1,7 +1,7 @@
 //! Calls in the lists of newer controls: what is written, read, checked, changed and converted.
 
 use super::convert::converted;
-use super::{cycle, sites, typed, written};
+use super::{cycle, first_example, sites, written};
 use probewright_core::catalogue::CYCLES;
 use probewright_core::catalogue::example::example;
 use probewright_core::check::{self};
@@ -10,6 +10,7 @@ use probewright_core::diagnostic::{Code, Severity};
 use probewright_core::dialect::Dialect;
 use probewright_core::entry::Typed;
 use probewright_core::entry::{Arg, ArgumentList, Cycle, Style};
+use probewright_core::name::Name;
 use probewright_core::program::calls::calls;
 use probewright_core::program::change::change;
 use probewright_core::program::findings;
@@ -83,7 +84,7 @@ fn argument_1_of_each_list_is_the_variant() {
 #[test]
 fn a_tool_target_is_never_written_into_argument_2() {
     for name in ["CYCLE977", "CYCLE978"] {
-        let mut values = typed(cycle(name).example);
+        let mut values = first_example(name);
         let refused = written(name, &values, Style::Operate);
         assert_eq!((refused.text.as_str(), keys(&refused)), ("", vec!["write-newer-tool".to_owned()]));
         for open in ["R5", "_DNUM"] {
@@ -108,7 +109,7 @@ fn a_tool_target_is_never_written_into_argument_2() {
     }
 }
 
-fn assigned(values: &[(&str, &str)]) -> String {
+fn assigned(values: &[(Name, &str)]) -> String {
     let all = values.iter().map(|(name, value)| format!("{name}={value}\n"));
     all.collect()
 }
@@ -116,7 +117,7 @@ fn assigned(values: &[(&str, &str)]) -> String {
 // oracle: peer (numbers of zero offsets that published programs write: 1 to 99, and 9999 for the active one)
 #[test]
 fn a_zero_offset_is_written_where_its_number_means_the_same() {
-    let mut values = typed(cycle("CYCLE978").example);
+    let mut values = first_example("CYCLE978");
     values.insert("_MVAR".into(), "100".into());
     for (code, fits) in [("1", true), ("99", true), ("9999", true), ("1011", false), ("2000", false)] {
         values.insert("_KNUM".into(), code.into());
@@ -137,7 +138,7 @@ fn a_zero_offset_is_written_where_its_number_means_the_same() {
 // probe from 1 to 12)
 #[test]
 fn what_means_something_else_there_is_not_written() {
-    let mut values = typed(cycle("CYCLE977").example);
+    let mut values = first_example("CYCLE977");
     for (name, value) in [("_MVAR", "102"), ("_KNUM", "1"), ("_ID", "-20")] {
         values.insert(name.into(), value.into());
     }
@@ -210,11 +211,16 @@ fn valid(cycle: &'static Cycle, variant: i64, numbers: &Numbers) -> Typed {
     values
 }
 
+/// Whether an argument takes the parameter of this name.
+fn takes(list: &ArgumentList, name: &str) -> bool {
+    list.args.iter().any(|arg| matches!(arg, Arg::Param(param) | Arg::Down(param) if *param == name))
+}
+
 /// What the list takes of values is read back from the text.
 fn reads_back(text: &str, list: &ArgumentList, values: &Typed) -> TestCaseResult {
     let found = calls(&read(Dialect::Sinumerik, text.as_bytes()));
     prop_assert_eq!(found.len(), 1, "{}", text);
-    for (name, value) in values.iter().filter(|(name, _)| list.position(name).is_some()) {
+    for (name, value) in values.iter().filter(|(name, _)| takes(list, name)) {
         prop_assert_eq!(found[0].values.get(name), Some(value), "{} of {}", name, text);
     }
     Ok(())
@@ -233,7 +239,7 @@ fn no_error_of_the_older_control(text: &str) -> TestCaseResult {
 /// A list whose arguments are these values, whatever their variant means there.
 fn as_list(list: &ArgumentList, values: &Typed) -> String {
     let argument = |arg: &Arg| match arg {
-        Arg::Param(name) => values.get(*name).cloned().unwrap_or_default(),
+        Arg::Param(name) => values.get(name.as_str()).cloned().unwrap_or_default(),
         _ => String::new(),
     };
     let all: Vec<String> = list.args.iter().map(argument).collect();
@@ -255,7 +261,7 @@ proptest! {
                     no_error_of_the_older_control(&there.text)?;
                     let inputs = check::read(cycle, &values, &control, &mut Vec::new());
                     let mut used = values.clone();
-                    used.retain(|name, _| inputs.uses(name));
+                    used.retain(|name, _| cycle.param(name).is_some_and(|param| inputs.uses(param.name)));
                     reads_back(&there.text, list, &used)?;
                 } else {
                     prop_assert!(["write-no-list", "write-no-list-variant"].contains(&keys(&there)[0].as_str()));
@@ -294,7 +300,7 @@ proptest! {
                     let mean = |typed: &Typed| {
                         let inputs = check::read(cycle, typed, &control, &mut Vec::new());
                         let named = list.args.iter().filter_map(|arg| match arg {
-                            Arg::Param(name) if inputs.uses(name) => Some((*name, inputs.number(name))),
+                            Arg::Param(name) if inputs.uses(*name) => Some((*name, inputs.number(*name))),
                             _ => None,
                         });
                         named.collect::<BTreeMap<_, _>>()

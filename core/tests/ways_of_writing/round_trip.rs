@@ -50,7 +50,7 @@ fn used(cycle: &'static Cycle, typed: &Typed) -> impl Iterator<Item = &'static P
 fn says(site: &CallSite, style: Style, name: &str) -> bool {
     let named = |arg: &Arg| matches!(arg, Arg::Param(param) if *param == name);
     style != Style::Operate
-        || site.cycle.variant_param() == Some(name)
+        || site.cycle.variant_param().is_some_and(|own| own == name)
         || site.list.is_some_and(|list| list.args.iter().any(named))
 }
 
@@ -65,9 +65,9 @@ fn only(program: &Program) -> Result<CallSite, TestCaseError> {
 /// Each value that was written is read.
 fn reads_back(site: &CallSite, typed: &Typed, style: Style, text: &str) -> TestCaseResult {
     for param in used(site.cycle, typed) {
-        let said = typed.get(param.name).filter(|_| says(site, style, param.name));
+        let said = typed.get(param.name.as_str()).filter(|_| says(site, style, param.name.as_str()));
         if let Some(value) = said {
-            let read = site.values.get(param.name);
+            let read = site.values.get(param.name.as_str());
             prop_assert_eq!(read, Some(value), "{} in {}", param.name, text);
         }
     }
@@ -80,9 +80,9 @@ fn survives(site: &CallSite, typed: &Typed, other: Style, text: &str) -> TestCas
     let again = sites(&after);
     prop_assert_eq!(again.len(), 1, "{}", &after);
     for param in used(site.cycle, typed) {
-        let before = site.values.get(param.name);
+        let before = site.values.get(param.name.as_str());
         if let Some(before) = before.filter(|value| !value.is_empty()) {
-            let value = again[0].values.get(param.name);
+            let value = again[0].values.get(param.name.as_str());
             prop_assert_eq!(value, Some(before), "{} of\n{}\n{}", param.name, text, &after);
         }
     }
@@ -125,8 +125,8 @@ fn there_and_back(
     }
     let reals = cycle.params.iter();
     let reals = reals.filter(|param| matches!(param.kind, Kind::Real));
-    for param in reals.filter(|param| says(&site, style, param.name)) {
-        changes_alone(&program, &site, param.name, &other.to_string())?;
+    for param in reals.filter(|param| says(&site, style, param.name.as_str())) {
+        changes_alone(&program, &site, param.name.as_str(), &other.to_string())?;
     }
     Ok(())
 }

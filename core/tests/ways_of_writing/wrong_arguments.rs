@@ -7,6 +7,7 @@ use probewright_core::control::Plane;
 use probewright_core::diagnostic::Severity;
 use probewright_core::dialect::Dialect;
 use probewright_core::entry::Style;
+use probewright_core::entry::names;
 use probewright_core::machine::setup::Setup;
 use probewright_core::run::{self, Limits};
 use probewright_core::syntax::read;
@@ -56,9 +57,9 @@ fn check_and_run_say_the_same_of_a_wrong_argument() {
     let with_name = CYCLES
         .iter()
         .flat_map(|cycle| cycle.lists)
-        .filter(|list| list.style != Style::Direct && list.position("_TNAME").is_some());
+        .filter(|list| list.style != Style::Direct && list.position(names::TNAME).is_some());
     for list in with_name {
-        let commas = ",".repeat(list.position("_TNAME").unwrap());
+        let commas = ",".repeat(list.position(names::TNAME).unwrap());
         let text = format!("{}(977{commas}12)\nM30\n", list.name);
         let told = of_calls(&text);
         assert!(told.contains(&(Severity::Error, "list-text-wanted".to_owned())), "{text} {told:?}");

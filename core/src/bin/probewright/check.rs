@@ -95,8 +95,8 @@ pub fn one_line(finding: &Diagnostic, words: &Words) -> String {
     };
     let mut line = format!("{severity}[{}]: ", json::code(finding.code));
     let cause = words.text(&finding.message);
-    if let Some(param) = finding.param.filter(|param| !cause.starts_with(param)) {
-        line.push_str(param);
+    if let Some(param) = finding.param.filter(|param| !cause.starts_with(param.as_str())) {
+        line.push_str(&param);
         line.push_str(": ");
     }
     line.push_str(&cause);

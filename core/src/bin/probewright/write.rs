@@ -61,7 +61,7 @@ fn typed(cycle: &Cycle, values: &[String]) -> Result<Typed, Problem> {
             .iter()
             .find(|param| param.name.eq_ignore_ascii_case(name))
             .ok_or_else(|| format!("{} has no parameter {}", cycle.name, printable(name)))?;
-        if typed.insert(param.name.to_owned(), value.to_owned()).is_some() {
+        if typed.insert(param.name.to_string(), value.to_owned()).is_some() {
             return Err(format!("{} is given twice", param.name).into());
         }
     }

@@ -15,11 +15,12 @@ pub use target::{DLNUM, KNUM, KNUM_KIND, OFFSET_DLNUM, OFFSET_TENV, OFFSET_TNAME
 use crate::diagnostic::Code;
 use crate::entry::names;
 use crate::entry::{DigitGroup, Kind, Need, Param, Unit, When};
+use crate::name::Name;
 use crate::range::Range;
 
 /// What every parameter starts from: a real number without a unit that nobody needs.
 pub const PARAM: Param = Param {
-    name: "",
+    name: Name::new(""),
     key: "",
     kind: Kind::Real,
     unit: Unit::None,

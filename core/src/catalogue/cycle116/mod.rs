@@ -24,6 +24,7 @@ use crate::entry::{
 use crate::evaluate;
 use crate::geometry::fit;
 use crate::message::Message;
+use crate::name::Name;
 use crate::picture::figures::{circle, dimension};
 use crate::picture::{Picture, ShapeKind, View};
 use params::{COUNT, POINTS};
@@ -58,13 +59,13 @@ pub static CYCLE116: Cycle = Cycle {
     picture: Drawing::new(picture),
     // the example of the manual, B:2456-2466
     example: &[
-        ("_DATE[0]", "3"),
-        ("_DATE[1]", "0"),
-        ("_DATE[2]", "10"),
-        ("_DATE[3]", "-10"),
-        ("_DATE[4]", "0"),
-        ("_DATE[5]", "0"),
-        ("_DATE[6]", "-10"),
+        (params::COUNT, "3"),
+        (params::POINTS[0][0], "0"),
+        (params::POINTS[0][1], "10"),
+        (params::POINTS[1][0], "-10"),
+        (params::POINTS[1][1], "0"),
+        (params::POINTS[2][0], "0"),
+        (params::POINTS[2][1], "-10"),
     ],
     simulation: Some(Simulation::new(Work { propose: simulate::propose, simulate: simulate::simulate }, &[])),
     source: "B:2408-2469",
@@ -75,9 +76,9 @@ const fn length(name: &'static str, key: &'static str, source: &'static str) -> 
 }
 
 /// The points that are given completely, with the names of their coordinates.
-fn points(inputs: &Inputs) -> Vec<([&'static str; 2], [f64; 2])> {
+fn points(inputs: &Inputs) -> Vec<([Name; 2], [f64; 2])> {
     let count = inputs.integer(COUNT).clamp(3, 4) as usize;
-    let given = |names: &[&'static str; 2]| {
+    let given = |names: &[Name; 2]| {
         let [x, y] = names.map(|name| inputs.given(name));
         Some((*names, [x?, y?]))
     };

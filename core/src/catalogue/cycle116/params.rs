@@ -3,12 +3,17 @@
 use crate::catalogue::common::{PARAM, required};
 use crate::diagnostic::Code;
 use crate::entry::{Kind, Param, Unit, When};
+use crate::name::Name;
 
 /// Number of points.
-pub const COUNT: &str = "_DATE[0]";
+pub const COUNT: Name = Name::new("_DATE[0]");
 /// Abscissa and ordinate of each point.
-pub const POINTS: [[&str; 2]; 4] =
-    [["_DATE[1]", "_DATE[2]"], ["_DATE[3]", "_DATE[4]"], ["_DATE[5]", "_DATE[6]"], ["_DATE[7]", "_DATE[8]"]];
+pub const POINTS: [[Name; 2]; 4] = [
+    [Name::new("_DATE[1]"), Name::new("_DATE[2]")],
+    [Name::new("_DATE[3]"), Name::new("_DATE[4]")],
+    [Name::new("_DATE[5]"), Name::new("_DATE[6]")],
+    [Name::new("_DATE[7]"), Name::new("_DATE[8]")],
+];
 
 const FOUR: When = When::Number { param: COUNT, is: &[4.0] };
 

@@ -8,6 +8,7 @@ use crate::diagnostic::{Code, Diagnostic};
 use crate::entry::Inputs;
 use crate::geometry::{V3, fit};
 use crate::message::Message;
+use crate::name::Name;
 
 /// Points that make no triangle determine no frame: the cycle hands 61411 back. A corrected frame has to take a
 /// rotation.
@@ -29,7 +30,7 @@ pub fn checks(inputs: &Inputs, _: &Control, found: &mut Vec<Diagnostic>) {
 
 /// The three points where all of their coordinates are known, mm.
 pub fn points(inputs: &Inputs, names: Names) -> Option<[V3; 3]> {
-    let point = |[x, y, z]: [&str; 3]| Some(V3::new(inputs.given(x)?, inputs.given(y)?, inputs.given(z)?));
+    let point = |[x, y, z]: [Name; 3]| Some(V3::new(inputs.given(x)?, inputs.given(y)?, inputs.given(z)?));
     let [a, b, c] = names.map(point);
     Some([a?, b?, c?])
 }

@@ -2,27 +2,28 @@
 
 use crate::catalogue::common::{ALWAYS_REQUIRED, KNUM, PARAM, required};
 use crate::entry::{Param, Unit, When, names};
+use crate::name::Name;
 use crate::range::Range;
 
 /// Frame to be corrected, as `_KNUM` of a zero offset.
-pub const TARGET: &str = names::COR;
+pub const TARGET: Name = names::COR;
 /// Limit of the distortion.
-pub const LIMIT: &str = "_RESLIM";
+pub const LIMIT: Name = Name::new("_RESLIM");
 
 /// Coordinates of three points along the geometry axes.
-pub type Names = [[&'static str; 3]; 3];
+pub type Names = [[Name; 3]; 3];
 
 /// The reference triangle.
 pub const SET: Names = [
-    ["_SETPOINT[0,0]", "_SETPOINT[0,1]", "_SETPOINT[0,2]"],
-    ["_SETPOINT[1,0]", "_SETPOINT[1,1]", "_SETPOINT[1,2]"],
-    ["_SETPOINT[2,0]", "_SETPOINT[2,1]", "_SETPOINT[2,2]"],
+    [Name::new("_SETPOINT[0,0]"), Name::new("_SETPOINT[0,1]"), Name::new("_SETPOINT[0,2]")],
+    [Name::new("_SETPOINT[1,0]"), Name::new("_SETPOINT[1,1]"), Name::new("_SETPOINT[1,2]")],
+    [Name::new("_SETPOINT[2,0]"), Name::new("_SETPOINT[2,1]"), Name::new("_SETPOINT[2,2]")],
 ];
 /// The same points as measured.
 pub const MEASURED: Names = [
-    ["_MEASPOINT[0,0]", "_MEASPOINT[0,1]", "_MEASPOINT[0,2]"],
-    ["_MEASPOINT[1,0]", "_MEASPOINT[1,1]", "_MEASPOINT[1,2]"],
-    ["_MEASPOINT[2,0]", "_MEASPOINT[2,1]", "_MEASPOINT[2,2]"],
+    [Name::new("_MEASPOINT[0,0]"), Name::new("_MEASPOINT[0,1]"), Name::new("_MEASPOINT[0,2]")],
+    [Name::new("_MEASPOINT[1,0]"), Name::new("_MEASPOINT[1,1]"), Name::new("_MEASPOINT[1,2]")],
+    [Name::new("_MEASPOINT[2,0]"), Name::new("_MEASPOINT[2,1]"), Name::new("_MEASPOINT[2,2]")],
 ];
 
 /// Set points, measured points, correction.

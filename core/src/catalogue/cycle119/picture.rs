@@ -2,6 +2,7 @@
 
 use super::params::{LIMIT, MEASURED, Names, SET, TARGET};
 use crate::entry::Inputs;
+use crate::name::Name;
 use crate::picture::figures::{circle, line, polygon};
 use crate::picture::{Picture, PictureShape, ShapeKind, View};
 
@@ -41,7 +42,7 @@ fn seen([x, y, z]: [f64; 3]) -> [f64; 2] {
 }
 
 /// The way from the zero point along X, then Y, then Z, a leg each.
-fn legs(names: [&'static str; 3], [x, y, z]: [f64; 3]) -> [PictureShape; 3] {
+fn legs(names: [Name; 3], [x, y, z]: [f64; 3]) -> [PictureShape; 3] {
     let places = [[0.0; 3], [x, 0.0, 0.0], [x, y, 0.0], [x, y, z]].map(seen);
     [0, 1, 2].map(|leg| {
         let ends = vec![places[leg], places[leg + 1]];

@@ -9,6 +9,7 @@ use crate::control::delivery;
 use crate::diagnostic::Code;
 use crate::entry::Typed;
 use crate::form::draw;
+use crate::name::Name;
 use crate::own;
 use crate::picture::ShapeKind;
 use crate::program::calls::calls;
@@ -24,7 +25,7 @@ fn typed(changes: &[(&str, &str)]) -> Typed {
 
 fn found(changes: &[(&str, &str)]) -> Vec<(Code, Option<&'static str>)> {
     let found = check(&CYCLE119, &typed(changes), &delivery(Dialect::Sinumerik)).diagnostics;
-    found.iter().map(|one| (one.code, one.param)).collect()
+    found.iter().map(|one| (one.code, one.param.map(Name::as_str))).collect()
 }
 
 // oracle: manual A:15930 (61411), B:8566-8573, B:1971 (global basic frames take no rotation)

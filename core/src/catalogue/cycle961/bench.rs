@@ -111,7 +111,7 @@ impl Case {
                 PLACES
                     .into_iter()
                     .zip(self.places())
-                    .flat_map(|(names, place)| [(names[0], place[0]), (names[1], place[1])]),
+                    .flat_map(|(names, place)| [(names[0].as_str(), place[0]), (names[1].as_str(), place[1])]),
             );
         }
         call("CYCLE961", self.variant, &values)

@@ -11,6 +11,7 @@ use crate::diagnostic::{Code, Diagnostic, Severity};
 use crate::entry::Inputs;
 use crate::entry::names;
 use crate::message::Message;
+use crate::name::Name;
 use crate::own;
 
 /// How exactly the angles have to be known, degree (B:7923-7924).
@@ -39,12 +40,12 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
 
 /// Edges that are touched in places too near to each other, or too far from the corner, for what follows from them.
 fn spreads(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
-    let (needed, second): (&[&str], _) = match DISTANCES.holds(inputs) {
+    let (needed, second): (&[Name], _) = match DISTANCES.holds(inputs) {
         true => (&[names::STA1, names::INCA, names::SETV0, names::SETV1], names::SETV0),
         false => (PLACES.as_flattened(), names::SETV2),
     };
     let wrong = found.iter().any(|one| one.severity == Severity::Error);
-    if wrong || needed.iter().any(|name| inputs.given(name).is_none()) {
+    if wrong || needed.iter().any(|name| inputs.given(*name).is_none()) {
         return;
     }
     let touched = touched(inputs, control);
@@ -90,7 +91,7 @@ fn passing(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
 
 /// The points P1 to P4 where all are given.
 fn given(inputs: &Inputs) -> Option<[Point; 4]> {
-    let point = |[abscissa, ordinate]: [&str; 2]| Some([inputs.given(abscissa)?, inputs.given(ordinate)?]);
+    let point = |[abscissa, ordinate]: [Name; 2]| Some([inputs.given(abscissa)?, inputs.given(ordinate)?]);
     let [p1, p2, p3, p4] = PLACES;
     Some([point(p1)?, point(p2)?, point(p3)?, point(p4)?])
 }

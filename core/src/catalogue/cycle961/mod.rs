@@ -28,6 +28,7 @@ pub use results::RESULTS;
 use crate::catalogue::common;
 use crate::catalogue::sinumerik;
 use crate::dialect::Dialect;
+use crate::entry::names;
 use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work};
 
 /// Measuring variants (B:7862-7869).
@@ -68,35 +69,35 @@ pub static CYCLE961: Cycle = Cycle {
     ]),
     picture: Drawing::staged(picture::stage, picture::marks),
     example: &[
-        ("_MVAR", "108"),
-        ("_STA1", "-35"),
-        ("_INCA", "80"),
-        ("_SETV[0]", "100"),
-        ("_SETV[1]", "100"),
-        ("_ID", "30"),
-        ("_KNUM", "2"),
-        ("_PRNUM", "1"),
-        ("_FA", "20"),
-        ("_VMS", "0"),
-        ("_NMSP", "1"),
+        (names::MVAR, "108"),
+        (names::STA1, "-35"),
+        (names::INCA, "80"),
+        (names::SETV0, "100"),
+        (names::SETV1, "100"),
+        (names::ID, "30"),
+        (names::KNUM, "2"),
+        (names::PRNUM, "1"),
+        (names::FA, "20"),
+        (names::VMS, "0"),
+        (names::NMSP, "1"),
     ],
     simulation: Some(Simulation::new(
         Work { propose: propose::propose, simulate: simulate::simulate },
         &[
-            (params::RECTANGLE, &[("_INCA", "90"), ("_SETV[4]", "1")]),
+            (params::RECTANGLE, &[(names::INCA, "90"), (names::SETV4, "1")]),
             // the points of B:8090-8124
             (
                 params::POINTS,
                 &[
-                    ("_SETV[0]", "50"),
-                    ("_SETV[1]", "20"),
-                    ("_SETV[2]", "150"),
-                    ("_SETV[3]", "20"),
-                    ("_SETV[4]", "15"),
-                    ("_SETV[5]", "40"),
-                    ("_SETV[6]", "15"),
-                    ("_SETV[7]", "80"),
-                    ("_ID", "-60"),
+                    (names::SETV0, "50"),
+                    (names::SETV1, "20"),
+                    (names::SETV2, "150"),
+                    (names::SETV3, "20"),
+                    (names::SETV4, "15"),
+                    (names::SETV5, "40"),
+                    (names::SETV6, "15"),
+                    (names::SETV7, "80"),
+                    (names::ID, "-60"),
                 ],
             ),
         ],

@@ -98,7 +98,7 @@ fn variants_with_points_move_as_their_tables_say() {
             }
             let mut values = vec![("_ID", height - over)];
             for (names, place) in super::params::PLACES.into_iter().zip(places) {
-                values.extend([(names[0], place[0]), (names[1], place[1])]);
+                values.extend([(names[0].as_str(), place[0]), (names[1].as_str(), place[1])]);
             }
             let found = motions(plane, variant, &values, [30.0, 50.0, over]);
             same_lettered(&found, &wanted, &format!("{variant} {plane:?}"));
@@ -119,7 +119,7 @@ fn the_path_is_at_least_twenty_millimetres_before_and_behind() {
         let places = [[60.0, out], [90.0, out], [out, 65.0], [out, 90.0]];
         let mut values = vec![("_ID", -30.0), ("_FA", 2.0)];
         for (names, place) in super::params::PLACES.into_iter().zip(places) {
-            values.extend([(names[0], place[0]), (names[1], place[1])]);
+            values.extend([(names[0].as_str(), place[0]), (names[1].as_str(), place[1])]);
         }
         run(&mut Sim::new(&setup), &call("CYCLE961", 118, &values)).is_ok()
     };

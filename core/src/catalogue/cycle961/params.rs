@@ -2,6 +2,7 @@
 
 use crate::catalogue::common::{self, required};
 use crate::entry::{Kind, Need, Param, When, names};
+use crate::name::Name;
 use crate::range::Range;
 
 /// Directions and distances are given, the points follow from them.
@@ -16,7 +17,7 @@ pub const POINTS: When = When::Variant(&[117, 118]);
 pub const OUTSIDE: When = When::Variant(&[106, 108, 118]);
 
 /// Names of the coordinates of P1 to P4 (B:8059-8066).
-pub const PLACES: [[&str; 2]; 4] = [
+pub const PLACES: [[Name; 2]; 4] = [
     [names::SETV0, names::SETV1],
     [names::SETV2, names::SETV3],
     [names::SETV4, names::SETV5],

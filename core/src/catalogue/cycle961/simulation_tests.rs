@@ -5,11 +5,14 @@
 use super::bench::{Case, Real, cases, close_angle, done};
 use super::lines::Point;
 use super::params::PLACES;
+use crate::catalogue::sinumerik::testing::put;
 use crate::catalogue::sinumerik::testing::{at, called, close, random_parts, stopped};
 use crate::control::{Frame, Plane, Units};
 use crate::entry::Inputs;
+use crate::entry::names;
 use crate::machine::sim::Sim;
 use crate::machine::{Setup, Stop};
+use crate::name::Name;
 use crate::workpiece::Shape;
 use proptest::prelude::*;
 
@@ -72,9 +75,9 @@ proptest! {
             rotation: at(case.plane, [0.0, 0.0, 50.0]),
             ..Frame::default()
         });
-        inputs.numbers.insert("_KNUM", f64::from(target));
+        inputs.numbers.insert(names::KNUM, f64::from(target));
         if case.variant <= 106 {
-            inputs.numbers.insert("_SETV[4]", f64::from(beside));
+            inputs.numbers.insert(names::SETV4, f64::from(beside));
         }
         let wanted = match (case.variant <= 106, beside) {
             (true, 2) => [-7.0, 0.0],
@@ -139,7 +142,7 @@ fn corner(change: impl Fn(&mut Setup, &mut Inputs)) -> (Sim, Result<(), Stop>) {
 #[test]
 fn without_a_target_nothing_is_corrected() {
     // oracle: manual B:7842
-    let (sim, outcome) = corner(|_, inputs| _ = inputs.numbers.insert("_KNUM", 0.0));
+    let (sim, outcome) = corner(|_, inputs| _ = inputs.numbers.insert(names::KNUM, 0.0));
     assert_eq!(outcome, Ok(()));
     assert_eq!(sim.control.frames[&1], Frame::default());
     close(&sim, "_OVR[5]", 20.0);
@@ -163,13 +166,13 @@ fn an_inch_machine_finds_the_same_corner() {
 #[test]
 fn alarms_stop() {
     // oracle: manual A:15842-15922
-    let value = |name: &'static str, value: f64| stopped(corner(|_, inputs| _ = inputs.numbers.insert(name, value)).1);
-    assert_eq!(value("_KNUM", 100.0), 61321);
-    assert_eq!(value("_FA", 0.0), 61308);
+    let value = |name: Name, value: f64| stopped(corner(|_, inputs| put(inputs, name.as_str(), value)).1);
+    assert_eq!(value(names::KNUM, 100.0), 61321);
+    assert_eq!(value(names::FA, 0.0), 61308);
     // the way to P2 leads into the part
-    assert_eq!(value("_STA1", 5.0), 61302);
+    assert_eq!(value(names::STA1, 5.0), 61302);
     // P4 lies beyond the end of the part
-    assert_eq!(value("_SETV[1]", 900.0), 61301);
+    assert_eq!(value(names::SETV1, 900.0), 61301);
     let limited = corner(|setup, _| setup.control.limits.plus[1] = Some(-40.0));
     assert_eq!(stopped(limited.1), 61401);
 }
@@ -190,7 +193,7 @@ fn a_measured_corner_may_be_none_though_the_points_make_one() {
                 setup.workpiece.solids = blocks.iter().map(block).collect();
                 setup.position = [0.0, -20.0, 25.0];
                 inputs.variant = variant;
-                inputs.numbers.insert("_ID", -40.0);
+                inputs.numbers.insert(names::ID, -40.0);
                 for (names, place) in PLACES.into_iter().zip(places) {
                     inputs.numbers.extend([(names[0], place[0]), (names[1], place[1])]);
                 }

@@ -3,6 +3,7 @@
 use crate::entry::When;
 use crate::entry::names;
 use crate::entry::{Meaning, Shared, Task};
+use crate::name::Name;
 
 /// All of them, first those whose corner is one of a rectangle: there the zero may lie beside it.
 pub const TASKS: &[Shared] = &[
@@ -12,9 +13,9 @@ pub const TASKS: &[Shared] = &[
     corner(Task::OuterCorner, 108, &[108, 118], ITSELF),
 ];
 
-const ZERO: (&str, Meaning) = (names::KNUM, Meaning::Zero);
-const ITSELF: &[(&str, Meaning)] = &[ZERO];
-const BESIDE: &[(&str, Meaning)] = &[
+const ZERO: (Name, Meaning) = (names::KNUM, Meaning::Zero);
+const ITSELF: &[(Name, Meaning)] = &[ZERO];
+const BESIDE: &[(Name, Meaning)] = &[
     (names::STA1, Meaning::EdgeAngle),
     (names::SETV4, Meaning::ZeroAtCorner),
     (names::SETV2, Meaning::ZeroAbscissa),
@@ -22,6 +23,6 @@ const BESIDE: &[(&str, Meaning)] = &[
     ZERO,
 ];
 
-const fn corner(task: Task, variant: i64, all: &'static [i64], values: &'static [(&'static str, Meaning)]) -> Shared {
+const fn corner(task: Task, variant: i64, all: &'static [i64], values: &'static [(Name, Meaning)]) -> Shared {
     Shared { task, when: When::Variant(all), variant, tool: Some(false), values }
 }

@@ -9,8 +9,10 @@ use crate::control::{Control, Units, delivery};
 use crate::diagnostic::{Code, Severity};
 use crate::dialect::Dialect;
 use crate::entry::Typed;
+use crate::entry::names;
 use crate::entry::{Style, Variant};
 use crate::form::{Entry, draw, fields};
+use crate::name::Name;
 use crate::picture::ShapeKind;
 use crate::program::calls::calls;
 use crate::program::change;
@@ -34,7 +36,7 @@ fn typed(changes: &[(&str, &str)]) -> Typed {
 /// Everything found in the worked example with some values changed.
 fn found(changes: &[(&str, &str)]) -> Vec<(Severity, Code, &'static str)> {
     let found = check(&CYCLE961, &typed(changes), &delivery(CYCLE961.dialect)).diagnostics;
-    found.into_iter().map(|one| (one.severity, one.code, one.param.unwrap())).collect()
+    found.into_iter().map(|one| (one.severity, one.code, one.param.unwrap().as_str())).collect()
 }
 
 /// The four places of B:8090-8124.
@@ -114,7 +116,7 @@ fn a_selection_has_no_unit_but_a_coordinate_has() {
     assert_eq!(entry(&[]), None);
     let value = |changes: &[(&str, &str)]| {
         let inputs = check(&CYCLE961, &typed(changes), &control).inputs;
-        inputs.unwrap().number("_SETV[4]")
+        inputs.unwrap().number(names::SETV4)
     };
     assert_eq!(value(&with(RECTANGLE, &[("_SETV[4]", "4"), ("_SETV[3]", "1")])), 4.0);
     assert_eq!(value(&with(POINTS, &[("_ID", "-2")])), 15.0 * 25.4);
@@ -125,7 +127,7 @@ fn places_are_asked_for_in_their_order() {
     // oracle: manual B:8059-8066, B:7929-7935
     for changes in [POINTS, RECTANGLE] {
         let fields = fields(&CYCLE961, &typed(changes), &delivery(CYCLE961.dialect));
-        let names: Vec<&str> = fields.iter().map(|field| field.name).collect();
+        let names: Vec<&str> = fields.iter().map(|field| field.name.as_str()).collect();
         let setpoints: Vec<&str> = names.into_iter().filter(|name| name.starts_with("_SETV[")).collect();
         let mut sorted = setpoints.clone();
         sorted.sort_unstable();
@@ -138,13 +140,13 @@ fn drawn(places: [[f64; 2]; 4]) -> Vec<[[f64; 2]; 2]> {
     let mut values = typed(POINTS);
     for (names, place) in super::params::PLACES.into_iter().zip(places) {
         for (name, value) in names.into_iter().zip(place) {
-            values.insert(name.to_owned(), value.to_string());
+            values.insert(name.to_string(), value.to_string());
         }
     }
     let control = delivery(CYCLE961.dialect);
     assert!(check(&CYCLE961, &values, &control).inputs.is_some());
     let shapes = draw(&CYCLE961, &values, &control).unwrap().shapes;
-    let places = |field: Option<&str>| field.is_some_and(|field| field.starts_with("_SETV["));
+    let places = |field: Option<Name>| field.is_some_and(|field| field.starts_with("_SETV["));
     shapes
         .into_iter()
         .filter(|shape| shape.kind == ShapeKind::Dimension && places(shape.field))

@@ -29,6 +29,7 @@ use crate::catalogue::common::alarms;
 use crate::catalogue::tool_probe;
 use crate::control::MachineSort;
 use crate::dialect::Dialect;
+use crate::entry::names;
 use crate::entry::{Cycle, Drawing, Help, ProbeUse, Purpose, Simulation, Variant, Work};
 use crate::support;
 
@@ -96,22 +97,22 @@ pub static CYCLE971: Cycle = Cycle {
     help: Help::new(&[help::LINES, tool_probe::help::ALL]),
     picture: Drawing::new(picture::picture),
     example: &[
-        ("_MVAR", "1"),
-        ("_MA", "103"),
-        ("_ID", "2.2"),
-        ("_PRNUM", "1"),
-        ("_FA", "3"),
-        ("_TSA", "2"),
-        ("_VMS", "0"),
-        ("_NMSP", "1"),
-        ("_EVNUM", "0"),
-        ("_TZL", "0.04"),
-        ("_TDIF", "1.6"),
+        (names::MVAR, "1"),
+        (names::MA, "103"),
+        (names::ID, "2.2"),
+        (names::PRNUM, "1"),
+        (names::FA, "3"),
+        (names::TSA, "2"),
+        (names::VMS, "0"),
+        (names::NMSP, "1"),
+        (names::EVNUM, "0"),
+        (names::TZL, "0.04"),
+        (names::TDIF, "1.6"),
     ],
     simulation: Some(Simulation::new(
         Work { propose: propose::propose, simulate: simulate::simulate },
         // a side, as every variant but the automatic one can touch it
-        &[(params::CALIBRATE, &[("_MA", "1")]), (params::INCREMENTAL, &[("_FA", "-3")])],
+        &[(params::CALIBRATE, &[(names::MA, "1")]), (params::INCREMENTAL, &[(names::FA, "-3")])],
     )),
     source: "B:4157-5029",
 };

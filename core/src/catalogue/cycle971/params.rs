@@ -3,6 +3,7 @@
 use crate::catalogue::common::{self, optional, required};
 use crate::catalogue::tool_probe::params as tool_probe;
 use crate::entry::{DigitGroup, Kind, Need, Param, Unit, When, names};
+use crate::name::Name;
 use crate::range::Range;
 use crate::support;
 
@@ -80,12 +81,12 @@ const OWN_SPEEDS: &[Need] = &[optional(
 pub const SPEEDS_IN_FORM: &str = "_MZ_MASK[7]";
 
 /// Speed of one probing, 1/min; 0 ends the probings (B:13515-13520).
-const fn speed(name: &'static str, key: &'static str, source: &'static str) -> Param {
+const fn speed(name: Name, key: &'static str, source: &'static str) -> Param {
     Param { name, key, range: Range::NOT_NEGATIVE, needs: OWN_SPEEDS, source: crate::cited(source), ..common::PARAM }
 }
 
 /// Feed of one probing.
-const fn feed(name: &'static str, key: &'static str, source: &'static str) -> Param {
+const fn feed(name: Name, key: &'static str, source: &'static str) -> Param {
     Param { unit: Unit::BasicFeed, ..speed(name, key, source) }
 }
 
@@ -136,12 +137,12 @@ pub const PARAMS: &[Param] = &[
         ..common::VMS
     },
     tool_probe::NMSP,
-    speed("_MFS[0]", "mfs-speed-1", "B:13515"),
-    feed("_MFS[1]", "mfs-feed-1", "B:13516"),
-    speed("_MFS[2]", "mfs-speed-2", "B:13517"),
-    feed("_MFS[3]", "mfs-feed-2", "B:13518"),
-    speed("_MFS[4]", "mfs-speed-3", "B:13519"),
-    feed("_MFS[5]", "mfs-feed-3", "B:13520"),
+    speed(names::MFS[0], "mfs-speed-1", "B:13515"),
+    feed(names::MFS[1], "mfs-feed-1", "B:13516"),
+    speed(names::MFS[2], "mfs-speed-2", "B:13517"),
+    feed(names::MFS[3], "mfs-feed-2", "B:13518"),
+    speed(names::MFS[4], "mfs-speed-3", "B:13519"),
+    feed(names::MFS[5], "mfs-feed-3", "B:13520"),
     Param { needs: &[optional(MEASURE, "need-memory-empirical")], ..tool_probe::EVNUM },
     Param { needs: &[optional(When::Not(&INCREMENTAL), "need-default")], ..tool_probe::TZL },
     Param { needs: &[optional(MEASURE, "need-default")], ..tool_probe::TDIF },

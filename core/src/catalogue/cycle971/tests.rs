@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::CYCLE971;
+use crate::catalogue::example::changed;
 use crate::check::check;
 use crate::control::{Control, Edge, Plane, delivery};
 use crate::diagnostic::{Code, Severity};
@@ -28,8 +29,7 @@ fn edge(control: &mut Control) -> &mut Edge {
 
 /// Findings of a call like the example's with these values.
 fn found(values: &[(&str, &str)], change: impl Fn(&mut Control)) -> Vec<(Severity, Code)> {
-    let mut typed: Typed =
-        CYCLE971.example.iter().chain(values).map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect();
+    let mut typed: Typed = changed(&CYCLE971, values);
     typed.retain(|_, value| value != "-");
     let mut control = control();
     change(&mut control);

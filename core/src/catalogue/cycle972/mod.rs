@@ -17,6 +17,7 @@ use crate::catalogue::tool_probe;
 use crate::control::MachineSort;
 use crate::dialect::Dialect;
 use crate::entry::Inputs;
+use crate::entry::names;
 use crate::entry::{Cycle, Drawing, Help, ProbeUse, Purpose, Simulation, Variant, Work};
 use crate::machine::{Machine, Stop};
 
@@ -61,16 +62,16 @@ pub static CYCLE972: Cycle = Cycle {
     help: Help::new(&[help::LINES, tool_probe::help::ALL]),
     picture: Drawing::new(picture::picture),
     example: &[
-        ("_MVAR", "1"),
-        ("_MA", "2"),
-        ("_PRNUM", "1"),
-        ("_FA", "1"),
-        ("_TSA", "1"),
-        ("_VMS", "0"),
-        ("_NMSP", "1"),
-        ("_EVNUM", "0"),
-        ("_TZL", "0.001"),
-        ("_TDIF", "0.8"),
+        (names::MVAR, "1"),
+        (names::MA, "2"),
+        (names::PRNUM, "1"),
+        (names::FA, "1"),
+        (names::TSA, "1"),
+        (names::VMS, "0"),
+        (names::NMSP, "1"),
+        (names::EVNUM, "0"),
+        (names::TZL, "0.001"),
+        (names::TDIF, "0.8"),
     ],
     simulation: Some(Simulation::new(Work { propose: propose::propose, simulate }, &[]).with_tool(propose::tool)),
     source: "B:8736-9090",

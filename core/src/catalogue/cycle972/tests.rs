@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::CYCLE972;
+use crate::catalogue::example::changed;
 use crate::check::check;
 use crate::control::{Control, Edge, Plane, delivery};
 use crate::diagnostic::{Code, Severity};
@@ -24,8 +25,7 @@ fn control() -> Control {
 
 /// Findings of a call like the example's with these values.
 fn found(values: &[(&str, &str)], change: impl Fn(&mut Control)) -> Vec<(Severity, Code)> {
-    let typed: Typed =
-        CYCLE972.example.iter().chain(values).map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect();
+    let typed: Typed = changed(&CYCLE972, values);
     let mut control = control();
     change(&mut control);
     let found = check(&CYCLE972, &typed, &control).diagnostics;

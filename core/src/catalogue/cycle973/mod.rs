@@ -19,6 +19,7 @@ pub use results::RESULTS;
 use crate::catalogue::sinumerik;
 use crate::catalogue::{common, lathe};
 use crate::dialect::Dialect;
+use crate::entry::names;
 use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, When, Work};
 
 /// Measuring variants (B:10163-10177). 13 stands in the programs only, with axis and direction: it is 1013 (A:11504).
@@ -65,21 +66,21 @@ pub static CYCLE973: Cycle = Cycle {
     help: Help::new(&[sinumerik::help::STORED, help::LINES, sinumerik::help::BLOCK, lathe::help::PROBE]),
     picture: Drawing::staged(picture::stage, picture::marks),
     example: &[
-        ("_MVAR", "0"),
-        ("_SETVAL", "-18"),
-        ("_MA", "1"),
-        ("_MD", "1"),
-        ("_PRNUM", "1"),
-        ("_FA", "3"),
-        ("_TSA", "1"),
-        ("_VMS", "0"),
-        ("_NMSP", "1"),
-        ("_TZL", "0"),
+        (names::MVAR, "0"),
+        (names::SETVAL, "-18"),
+        (names::MA, "1"),
+        (names::MD, "1"),
+        (names::PRNUM, "1"),
+        (names::FA, "3"),
+        (names::TSA, "1"),
+        (names::VMS, "0"),
+        (names::NMSP, "1"),
+        (names::TZL, "0"),
     ],
     simulation: Some(Simulation::new(
         Work { propose: propose::propose, simulate: simulate::simulate },
         // across the groove of position 7
-        &[(params::GROOVE, &[("_CALNUM", "1"), ("_MA", "2")])],
+        &[(params::GROOVE, &[(names::CALNUM, "1"), (names::MA, "2")])],
     )),
     source: "B:10128-10407",
 };

@@ -6,11 +6,12 @@ use super::params::{BALL as DIAMETER, SKEW, SURFACE, TWO};
 use crate::catalogue::lathe::figures::{self, axis, named, per};
 use crate::entry::stage::{Fields, Look, Seen, Staging, add};
 use crate::entry::{Inputs, names};
+use crate::name::Name;
 use crate::picture::figures::{arrow, circle, line, rectangle};
 use crate::picture::{PictureShape, ShapeKind};
 
 /// Bands of the trigger value, mm.
-const BANDS: [(&str, f64, f64); 2] = [(names::TSA, -2.6, 2.6), (names::TZL, -1.2, 1.2)];
+const BANDS: [(Name, f64, f64); 2] = [(names::TSA, -2.6, 2.6), (names::TZL, -1.2, 1.2)];
 /// The grooves of both cutting edge positions: walls, base, and the upper face, mm.
 const GROOVES: [(&str, f64); 7] = [
     ("_KB[0,0]", 18.0),
@@ -50,7 +51,7 @@ pub fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
     let ([seen], paper) = (looks, usize::from(axis(inputs) != 0)) else {
         return Vec::new();
     };
-    let used: Vec<_> = BANDS.into_iter().filter(|(name, ..)| inputs.uses(name)).collect();
+    let used: Vec<_> = BANDS.into_iter().filter(|(name, ..)| inputs.uses(*name)).collect();
     let mut shapes = seen.bands(ShapeKind::Tolerance, &used);
     for touch in &seen.touches {
         shapes.push(arrow(ShapeKind::Path, touch.start, touch.ball, 3.0).of(names::MD));

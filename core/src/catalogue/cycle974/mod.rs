@@ -18,6 +18,7 @@ pub use results::RESULTS;
 use crate::catalogue::sinumerik;
 use crate::catalogue::{common, lathe};
 use crate::dialect::Dialect;
+use crate::entry::names;
 use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work};
 
 /// Measuring variants (B:10455-10459).
@@ -77,27 +78,27 @@ pub static CYCLE974: Cycle = Cycle {
     ]),
     picture: Drawing::staged(picture::stage, picture::marks),
     example: &[
-        ("_MVAR", "0"),
-        ("_SETVAL", "45"),
-        ("_MA", "2"),
-        ("_KNUM", "1"),
-        ("_TNUM", "7"),
-        ("_PRNUM", "1"),
-        ("_FA", "1"),
-        ("_TSA", "0.5"),
-        ("_VMS", "0"),
-        ("_NMSP", "1"),
-        ("_EVNUM", "13"),
-        ("_K", "2"),
-        ("_TZL", "0.002"),
-        ("_TMV", "0.005"),
-        ("_TUL", "0"),
-        ("_TLL", "-0.01"),
-        ("_TDIF", "0.04"),
+        (names::MVAR, "0"),
+        (names::SETVAL, "45"),
+        (names::MA, "2"),
+        (names::KNUM, "1"),
+        (names::TNUM, "7"),
+        (names::PRNUM, "1"),
+        (names::FA, "1"),
+        (names::TSA, "0.5"),
+        (names::VMS, "0"),
+        (names::NMSP, "1"),
+        (names::EVNUM, "13"),
+        (names::K, "2"),
+        (names::TZL, "0.002"),
+        (names::TMV, "0.005"),
+        (names::TUL, "0"),
+        (names::TLL, "-0.01"),
+        (names::TDIF, "0.04"),
     ],
     simulation: Some(Simulation::new(
         Work { propose: propose::propose, simulate: simulate::simulate },
-        &[(params::REVERSAL, &[("_STA1", "0")])],
+        &[(params::REVERSAL, &[(names::STA1, "0")])],
     )),
     source: "B:10409-10872",
 };

@@ -7,6 +7,7 @@ use crate::catalogue::sinumerik::motion_testing::{MEASURING_FEED, PLANE_FEED};
 use crate::catalogue::sinumerik::testing::{self, Motion, called, close, motions, run, same, stopped};
 use crate::control::{Plane, Transverse, Units};
 use crate::entry::Inputs;
+use crate::entry::names;
 use crate::machine::sim::Sim;
 use crate::machine::trace::MotionKind;
 use crate::machine::{Setup, Stop};
@@ -43,7 +44,7 @@ fn only_the_measuring_axis_moves() {
         [(0.0, 1.0, &[][..]), (0.0, 3.0, &[]), (100.0, 1.0, &[]), (1000.0, 2.0, &[30.0, 210.0])]
     {
         let mut call = call(plane, variant, 1, 45.0);
-        call.numbers.extend([("_NMSP", repeats), ("_STA1", 30.0)]);
+        call.numbers.extend([(names::NMSP, repeats), (names::STA1, 30.0)]);
         let mut setup = placed(setup(plane, Transverse::Diameter), &call);
         setup.control.set("_SPEED[1]", PLANE_FEED);
         let mut sim = Sim::new(&setup);
@@ -76,7 +77,7 @@ fn measured(
 ) -> (Sim, Result<(), Stop>) {
     let dimension = set * per(plane, transverse, axis);
     let mut call = call(plane, variant, axis, dimension);
-    call.numbers.insert("_STA1", 0.0);
+    call.numbers.insert(names::STA1, 0.0);
     let mut setup = placed(setup(plane, transverse), &call);
     let part = &mut setup.workpiece.solids[0];
     part.errors.shift[plane.axes()[axis]] = shift;
@@ -197,7 +198,7 @@ fn empirical_value_and_radius() {
     // oracle: manual B:1302, B:13924-13926; a radius outside grows smaller (sign as in milling)
     let plane = Plane::G18;
     let mut call = call(plane, 0.0, 1, 60.0);
-    call.numbers.extend([("_EVNUM", 1.0), ("_KNUM", 2001.0)]);
+    call.numbers.extend([(names::EVNUM, 1.0), (names::KNUM, 2001.0)]);
     let mut setup = placed(setup(plane, Transverse::Diameter), &call);
     setup.control.set("_EV[0]", 0.1);
     setup.workpiece.solids[0].errors.size = 0.5;
@@ -251,7 +252,7 @@ fn what_cannot_be_measured_is_refused() {
     let refused = |variant: f64, axis: f64, change: fn(&mut Setup)| {
         let mut call = call(plane, variant, 1, 60.0);
         let mut setup = placed(setup(plane, Transverse::Diameter), &call);
-        call.numbers.insert("_MA", axis);
+        call.numbers.insert(names::MA, axis);
         change(&mut setup);
         stopped(run(&mut Sim::new(&setup), &call))
     };

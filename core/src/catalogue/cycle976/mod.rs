@@ -27,6 +27,7 @@ pub use variants::VARIANTS;
 use crate::catalogue::common;
 use crate::catalogue::sinumerik;
 use crate::dialect::Dialect;
+use crate::entry::names;
 use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, When, Work};
 
 /// The entry. Example: the ring of B:5168-5188.
@@ -50,14 +51,14 @@ pub static CYCLE976: Cycle = Cycle {
     help: Help::new(&[sinumerik::help::STORED, help::LINES, sinumerik::help::PROBE]),
     picture: Drawing::staged(picture::stage, picture::marks),
     example: &[
-        ("_MVAR", "10101"),
-        ("_SETVAL", "110.246"),
-        ("_PRNUM", "3"),
-        ("_FA", "1"),
-        ("_TSA", "1"),
-        ("_VMS", "0"),
-        ("_NMSP", "1"),
-        ("_TZL", "0"),
+        (names::MVAR, "10101"),
+        (names::SETVAL, "110.246"),
+        (names::PRNUM, "3"),
+        (names::FA, "1"),
+        (names::TSA, "1"),
+        (names::VMS, "0"),
+        (names::NMSP, "1"),
+        (names::TZL, "0"),
     ],
     simulation: Some(Simulation::new(
         Work { propose: propose::propose, simulate: simulate::simulate },

@@ -10,6 +10,7 @@ use crate::catalogue::sinumerik::motion_testing::{DEPTH_FEED, MEASURING_FEED, PL
 use crate::catalogue::sinumerik::testing::{Motion, motions, run, same, turns};
 use crate::control::Plane;
 use crate::entry::Inputs;
+use crate::entry::names;
 use crate::machine::sim::Sim;
 use crate::machine::trace::MotionKind;
 
@@ -34,7 +35,7 @@ fn moved(plane: Plane, inputs: &Inputs) -> Moved {
 
 /// Ways in a hole of 60 mm in the axes of calibration; ball of radius 3, `_FA` 5: 60/2 - 3 = 27, and 5 before it.
 fn table(inputs: &Inputs) -> &'static str {
-    let (second, minus) = (inputs.integer("_MA") == 2, inputs.integer("_MD") == 1);
+    let (second, minus) = (inputs.integer(names::MA) == 2, inputs.integer(names::MD) == 1);
     let four = "x22 [27] x-22 [-27] x0 y22 [27] y-22 [-27] y0";
     match (ONE.holds(inputs), TWO.holds(inputs), second, minus) {
         (true, _, false, false) => "x22 [27] x0",
@@ -83,12 +84,12 @@ fn a_mono_probe_is_turned_into_each_direction() {
         (8, &[0.0, 180.0, 270.0, 90.0, 0.0, 180.0, 270.0, 90.0]),
     ] {
         let mut inputs = inputs(variant, 1.0, 0.0);
-        inputs.numbers.insert("_PRNUM", 101.0);
-        inputs.numbers.insert("_STA1", 30.0);
+        inputs.numbers.insert(names::PRNUM, 101.0);
+        inputs.numbers.insert(names::STA1, 30.0);
         assert_eq!(moved(Plane::G17, &inputs).1, expected, "{variant}");
     }
     let mut face = inputs(0, 2.0, 1.0);
-    face.numbers.extend([("_PRNUM", 101.0), ("_CORA", 7.0)]);
+    face.numbers.extend([(names::PRNUM, 101.0), (names::CORA, 7.0)]);
     assert_eq!(moved(Plane::G17, &face).1, [97.0]);
 }
 
@@ -136,7 +137,7 @@ fn a_surface_is_touched_once() {
 #[test]
 fn measurements_at_the_same_place_start_anew() {
     let mut inputs = inputs(1001, 1.0, 0.0);
-    inputs.numbers.insert("_NMSP", 3.0);
+    inputs.numbers.insert(names::NMSP, 3.0);
     let expected = "x22 [27] x22 [27] x22 [27] x0";
     let repeated = expand(expected, 0.0);
     // going to where the probe stands already is no motion

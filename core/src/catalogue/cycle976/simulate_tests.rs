@@ -5,10 +5,12 @@
 use super::directions::{angle, directions, in_plane, turned};
 use super::params::{BALL, HOLE, SKEW, UNKNOWN};
 use super::{VARIANTS, propose};
+use crate::catalogue::sinumerik::testing::put;
 use crate::catalogue::sinumerik::testing::{at, call, called, random_parts, run, stopped};
 use crate::control::{Control, Frame, Plane, Units};
 use crate::dialect::Dialect;
 use crate::entry::Inputs;
+use crate::entry::names;
 use crate::machine::sim::Sim;
 use crate::machine::{Setup, Stop};
 use proptest::prelude::*;
@@ -95,7 +97,7 @@ impl Case {
     fn inputs(&self, variant: i64) -> Inputs {
         let minus = f64::from(u8::from(self.minus));
         let mut inputs = inputs(variant, self.axis as f64 + 1.0, minus);
-        inputs.numbers.insert("_STA1", self.start_angle);
+        inputs.numbers.insert(names::STA1, self.start_angle);
         inputs
     }
 
@@ -242,7 +244,7 @@ fn a_skew_that_is_not_known_leaves_the_chord() {
 fn the_skew_of_a_mono_probe_lies_in_its_trigger_values() {
     // oracle: hand: the ball stands 0.2 further in every direction of probing, so that it seems larger by that
     let (sim, outcome) = ring(10_101, |setup, inputs| {
-        inputs.numbers.insert("_PRNUM", 101.0);
+        inputs.numbers.insert(names::PRNUM, 101.0);
         setup.probe.skew = [0.2, 0.0];
     });
     assert_eq!(outcome, Ok(()));
@@ -271,7 +273,7 @@ fn lobes_of_the_probe_show_in_each_direction() {
 fn what_cannot_be_is_an_alarm() {
     // oracle: manual A:15842-15920, B:5241
     let changed = |variant: i64, name: &'static str, value: f64| {
-        let change = |_: &mut Setup, inputs: &mut Inputs| _ = inputs.numbers.insert(name, value);
+        let change = |_: &mut Setup, inputs: &mut Inputs| put(inputs, name, value);
         stopped(ring(variant, change).1)
     };
     assert_eq!(changed(1, "_FA", 0.0), 61308);
@@ -284,14 +286,14 @@ fn what_cannot_be_is_an_alarm() {
         stopped(
             ring(variant, |setup, inputs| {
                 setup.control.spindle_positions = false;
-                inputs.numbers.insert("_PRNUM", probe);
+                inputs.numbers.insert(names::PRNUM, probe);
             })
             .1,
         )
     };
     assert_eq!((fixed(8, 1.0), fixed(8, 101.0)), (61372, 61373));
     let far = ring(10_000, |setup, inputs| {
-        inputs.numbers.extend([("_MA", 3.0), ("_MD", 1.0)]);
+        inputs.numbers.extend([(names::MA, 3.0), (names::MD, 1.0)]);
         setup.position[2] += 5.5;
     });
     assert_eq!(stopped(far.1), 61301);

@@ -8,6 +8,7 @@ use super::{CYCLE976, VARIANTS};
 use crate::catalogue::sinumerik::testing::{alarms, run, stopped};
 use crate::control::Plane;
 use crate::entry::Inputs;
+use crate::entry::names;
 use crate::machine::Setup;
 use crate::machine::sim::Sim;
 use crate::machine::trace::{Entry, Step};
@@ -19,14 +20,14 @@ fn only_what_lies_between_the_limits_is_stored() {
     let worn = |setup: &mut Setup, _: &mut Inputs| setup.probe.radius = 2.95;
     let (sim, outcome) = ring(101, |setup, inputs| {
         worn(setup, inputs);
-        inputs.numbers.insert("_TSA", 0.04);
+        inputs.numbers.insert(names::TSA, 0.04);
     });
     assert_eq!(stopped(outcome), 61303);
     assert_eq!((mm(&sim.control, 0), mm(&sim.control, 1)), (6.0, 3.0));
     close(sim.control.number("_OVR[9]"), -0.05, "told all the same");
     let (sim, outcome) = ring(101, |setup, inputs| {
         worn(setup, inputs);
-        inputs.numbers.insert("_TZL", 0.06);
+        inputs.numbers.insert(names::TZL, 0.06);
     });
     assert_eq!(outcome, Ok(()));
     assert_eq!(mm(&sim.control, 1), 3.0);
@@ -38,7 +39,7 @@ fn only_what_lies_between_the_limits_is_stored() {
     let first = |area: f64| {
         ring(101, |setup, inputs| {
             (0..9).for_each(|field| setup.control.set(format!("_WP[0,{field}]"), 0.0));
-            inputs.numbers.insert("_TSA", area);
+            inputs.numbers.insert(names::TSA, area);
         })
     };
     assert_eq!(stopped(first(2.9).1), 61303);
@@ -54,7 +55,7 @@ fn a_violated_safe_area_is_measured_again() {
         setup.control.set("_CBIT[0]", 1.0);
         setup.control.set("_CBIT[1]", 1.0);
         setup.probe.radius = 2.5;
-        inputs.numbers.insert("_TSA", 0.1);
+        inputs.numbers.insert(names::TSA, 0.1);
     });
     assert_eq!(stopped(outcome), 61303);
     assert_eq!(alarms(&sim), [62303; 4]);
@@ -110,7 +111,7 @@ fn a_calibration_says_how_it_was_made() {
     for (plane, number) in [(Plane::G17, 17.0), (Plane::G18, 18.0), (Plane::G19, 19.0)] {
         for (probe, kind) in [(1.0, 0.0), (101.0, 100.0)] {
             let mut inputs = inputs(1, 1.0, 0.0);
-            inputs.numbers.insert("_PRNUM", probe);
+            inputs.numbers.insert(names::PRNUM, probe);
             let mut sim = Sim::new(&ready(plane, &inputs));
             assert_eq!(run(&mut sim, &inputs), Ok(()));
             let noted = [9, 10].map(|field| sim.control.number(&format!("_WP[0,{field}]")));
@@ -119,7 +120,7 @@ fn a_calibration_says_how_it_was_made() {
     }
     let (sim, outcome) = ring(1, |setup, inputs| {
         setup.probe.radius = 2.5;
-        inputs.numbers.insert("_TSA", 0.1);
+        inputs.numbers.insert(names::TSA, 0.1);
     });
     assert_eq!(stopped(outcome), 61303);
     assert_eq!(sim.control.number("_WP[0,9]"), 0.0, "nothing was stored");
@@ -133,7 +134,7 @@ fn the_tool_keeps_its_radius_where_the_diameter_is_kept() {
         let (sim, outcome) = ring(101, |setup, inputs| {
             setup.control.set("_CBIT[15]", 1.0);
             setup.probe.radius = 2.97;
-            inputs.numbers.insert("_TZL", zone);
+            inputs.numbers.insert(names::TZL, zone);
         });
         assert_eq!(outcome, Ok(()));
         close(mm(&sim.control, 0), 2.0 * radius, "diameter");

@@ -3,16 +3,17 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::CYCLE976;
+use crate::catalogue::example::changed;
 use crate::check::check;
 use crate::control::{Control, delivery};
 use crate::diagnostic::{Code, Severity};
 use crate::entry::Typed;
+use crate::entry::names;
 use crate::form::fields;
 
 /// The worked example with some values changed.
 fn values(changes: &[(&str, &str)]) -> Typed {
-    let all = CYCLE976.example.iter().chain(changes);
-    all.map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect()
+    changed(&CYCLE976, changes)
 }
 
 /// Everything found, on a control that was changed.
@@ -20,7 +21,7 @@ fn found(changes: &[(&str, &str)], prepare: impl Fn(&mut Control)) -> Vec<(Sever
     let mut control = delivery(CYCLE976.dialect);
     prepare(&mut control);
     let found = check(&CYCLE976, &values(changes), &control).diagnostics;
-    found.into_iter().map(|one| (one.severity, one.code, one.param.unwrap())).collect()
+    found.into_iter().map(|one| (one.severity, one.code, one.param.unwrap().as_str())).collect()
 }
 
 #[test]
@@ -113,7 +114,7 @@ fn fields_follow_the_variant() {
 /// Indices of the trigger values that a call leaves.
 fn triggers(variant: i64, axis: f64, direction: f64) -> Vec<usize> {
     let mut inputs = crate::entry::Inputs::new(&CYCLE976, variant);
-    inputs.numbers.extend([("_MA", axis), ("_MD", direction)]);
+    inputs.numbers.extend([(names::MA, axis), (names::MD, direction)]);
     let set = |index: &usize| {
         let name = format!("_OVR[{index}]");
         let mut fields = CYCLE976.results.iter();

@@ -1,7 +1,9 @@
 //! Measuring variants of CYCLE976 (B:5060-5084; the surface stands in A:5796-5799 and B:15595).
 
 use super::params::{ANGLE, LENGTH, ONE, SURFACE, TWO, UNKNOWN};
+use crate::entry::names;
 use crate::entry::{Variant, When};
+use crate::name::Name;
 
 /// Holes with a known centre, holes with an unknown one, surfaces; in each the digits count up.
 pub const VARIANTS: &[Variant] = &[
@@ -45,13 +47,20 @@ pub const VARIANTS: &[Variant] = &[
 
 /// What the variants calibrate beside the ring: the surface of B:5423-5432, the length of B:5564-5569, and an unknown
 /// centre that the path bridges (B:5282-5289).
-pub const EXAMPLES: &[(When, &[(&str, &str)])] = &[
-    (When::Any(&[ONE, TWO]), &[("_MA", "1"), ("_MD", "0")]),
-    (ANGLE, &[("_STA1", "30")]),
-    (UNKNOWN, &[("_PRNUM", "2"), ("_FA", "55.123")]),
+pub const EXAMPLES: &[(When, &[(Name, &str)])] = &[
+    (When::Any(&[ONE, TWO]), &[(names::MA, "1"), (names::MD, "0")]),
+    (ANGLE, &[(names::STA1, "30")]),
+    (UNKNOWN, &[(names::PRNUM, "2"), (names::FA, "55.123")]),
     (
         When::Any(&[SURFACE, LENGTH]),
-        &[("_SETVAL", "20"), ("_MA", "3"), ("_MD", "1"), ("_PRNUM", "1"), ("_TSA", "4"), ("_FA", "2")],
+        &[
+            (names::SETVAL, "20"),
+            (names::MA, "3"),
+            (names::MD, "1"),
+            (names::PRNUM, "1"),
+            (names::TSA, "4"),
+            (names::FA, "2"),
+        ],
     ),
-    (LENGTH, &[("_TSA", "25"), ("_FA", "12")]),
+    (LENGTH, &[(names::TSA, "25"), (names::FA, "12")]),
 ];

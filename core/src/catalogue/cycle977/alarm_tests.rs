@@ -3,9 +3,11 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::tests::{CENTRE, SIZE, hole, inputs, part, ready};
+use crate::catalogue::sinumerik::testing::put;
 use crate::catalogue::sinumerik::testing::{alarms, called, close, motions, stopped};
 use crate::control::Plane;
 use crate::entry::Inputs;
+use crate::entry::names;
 use crate::machine::Setup;
 use crate::machine::trace::{MotionKind, Step};
 
@@ -22,7 +24,7 @@ fn alarms_before_the_first_motion() {
     };
     let value = |name: &'static str, value: f64| {
         alarm(&move |_, inputs| {
-            inputs.numbers.insert(name, value);
+            put(inputs, name, value);
         })
     };
     let datum = |name: &'static str, value: f64| alarm(&move |setup, _| setup.control.set(name, value));
@@ -47,8 +49,8 @@ fn alarms_before_the_first_motion() {
     assert_eq!(alarm(&|setup, _| assert!(setup.control.set_variable("$TC_DP1[9,1]", 500.0))), 61309);
     let tool = |number: f64, name: &'static str| {
         alarm(&move |_, inputs| {
-            inputs.numbers.extend([("_KNUM", 2001.0), ("_TNUM", number)]);
-            inputs.texts.insert("_TNAME", name.to_string());
+            inputs.numbers.extend([(names::KNUM, 2001.0), (names::TNUM, number)]);
+            inputs.texts.insert(names::TNAME, name.to_string());
         })
     };
     assert_eq!(tool(0.0, ""), 61320);
@@ -56,7 +58,7 @@ fn alarms_before_the_first_motion() {
     let zero = |number: f64| {
         alarm(&move |_, inputs| {
             inputs.variant = 101;
-            inputs.numbers.insert("_KNUM", number);
+            inputs.numbers.insert(names::KNUM, number);
         })
     };
     assert_eq!(zero(100.0), 61321);
@@ -64,7 +66,7 @@ fn alarms_before_the_first_motion() {
     let zone = |size: f64| {
         alarm(&move |_, inputs| {
             inputs.variant = 1001;
-            inputs.numbers.insert("_SZA", size);
+            inputs.numbers.insert(names::SZA, size);
         })
     };
     assert_eq!(zone(50.0), 61334);
@@ -89,7 +91,7 @@ fn no_signal_is_tried_five_times_or_once() {
 fn a_probe_that_touches_on_its_way_alarms() {
     // oracle: manual B:13743-13763 (the hole is 12 mm smaller than _FA allows)
     let (sim, outcome) = hole(|_, inputs| {
-        inputs.numbers.insert("_SETVAL", 80.0);
+        inputs.numbers.insert(names::SETVAL, 80.0);
     });
     assert_eq!(stopped(outcome), 61302);
     assert_eq!(sim.control.number("_OVI[9]"), 61302.0);
@@ -131,7 +133,7 @@ fn limits_are_told_and_repeated() {
         let (sim, outcome) = hole(move |setup, inputs| {
             setup.workpiece.solids[0].errors.size = grown;
             bits.iter().for_each(|bit| setup.control.set(*bit, 1.0));
-            inputs.numbers.extend([("_TUL", 0.5), ("_TLL", -0.5), ("_TDIF", 1.0)]);
+            inputs.numbers.extend([(names::TUL, 0.5), (names::TLL, -0.5), (names::TDIF, 1.0)]);
         });
         (alarms(&sim), outcome, sim)
     };

@@ -8,6 +8,7 @@ use crate::diagnostic::{Code, Diagnostic};
 use crate::entry::Inputs;
 use crate::entry::names;
 use crate::message::Message;
+use crate::name::Name;
 use crate::own;
 
 /// All of them.
@@ -27,9 +28,9 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
 
 /// One measured size with the protection zone in its direction, mm.
 struct Size {
-    name: &'static str,
+    name: Name,
     size: f64,
-    zone: Option<(&'static str, f64)>,
+    zone: Option<(Name, f64)>,
 }
 
 fn sizes(inputs: &Inputs) -> Vec<Size> {
@@ -61,7 +62,7 @@ fn room(inputs: &Inputs, size: &Size, ball: f64, found: &mut Vec<Diagnostic>) {
 /// Beside a zone the path is shortened until the ball fits; where it cannot, the cycle stops with 61334.
 fn beside_zone(
     inputs: &Inputs,
-    (name, zone): (&'static str, f64),
+    (name, zone): (Name, f64),
     size: f64,
     ball: f64,
     outside: bool,

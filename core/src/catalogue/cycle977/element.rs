@@ -2,6 +2,7 @@
 
 use crate::catalogue::sinumerik::measuring_block::Block;
 use crate::entry::Inputs;
+use crate::entry::names;
 
 /// The element. Axes count 0 abscissa, 1 ordinate; lengths in mm.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,8 +32,8 @@ impl Element {
         let inside = kind % 2 == 1;
         let pair = |one: f64, two: f64| if rectangle { [one, two] } else { [one; 2] };
         let size = match rectangle {
-            true => [inputs.number("_SETV[0]"), inputs.number("_SETV[1]")],
-            false => [inputs.number("_SETVAL"); 2],
+            true => [inputs.number(names::SETV0), inputs.number(names::SETV1)],
+            false => [inputs.number(names::SETVAL); 2],
         };
         let zoned = digit(1000) == 1;
         Element {
@@ -40,9 +41,9 @@ impl Element {
             rectangle,
             inside,
             size,
-            zone: zoned.then(|| pair(inputs.number("_SZA"), inputs.number("_SZO"))),
-            infeed: if inside && !zoned { 0.0 } else { inputs.number("_ID") },
-            axis: if inputs.integer("_MA") == 2 { 1 } else { 0 },
+            zone: zoned.then(|| pair(inputs.number(names::SZA), inputs.number(names::SZO))),
+            infeed: if inside && !zoned { 0.0 } else { inputs.number(names::ID) },
+            axis: if inputs.integer(names::MA) == 2 { 1 } else { 0 },
         }
     }
 

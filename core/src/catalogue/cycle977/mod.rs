@@ -27,6 +27,7 @@ pub use variants::VARIANTS;
 use crate::catalogue::common;
 use crate::catalogue::sinumerik;
 use crate::dialect::Dialect;
+use crate::entry::names;
 use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Work};
 
 /// The entry. Example: the hole of B:6050-6137.
@@ -59,22 +60,22 @@ pub static CYCLE977: Cycle = Cycle {
     ]),
     picture: Drawing::staged(picture::stage, picture::marks),
     example: &[
-        ("_MVAR", "1"),
-        ("_SETVAL", "132"),
-        ("_KNUM", "2001"),
-        ("_TNUM", "20"),
-        ("_PRNUM", "1"),
-        ("_FA", "1"),
-        ("_TSA", "1"),
-        ("_VMS", "0"),
-        ("_NMSP", "1"),
-        ("_EVNUM", "10"),
-        ("_K", "3"),
-        ("_TZL", "0.01"),
-        ("_TMV", "0.02"),
-        ("_TUL", "0.03"),
-        ("_TLL", "-0.03"),
-        ("_TDIF", "0.06"),
+        (names::MVAR, "1"),
+        (names::SETVAL, "132"),
+        (names::KNUM, "2001"),
+        (names::TNUM, "20"),
+        (names::PRNUM, "1"),
+        (names::FA, "1"),
+        (names::TSA, "1"),
+        (names::VMS, "0"),
+        (names::NMSP, "1"),
+        (names::EVNUM, "10"),
+        (names::K, "3"),
+        (names::TZL, "0.01"),
+        (names::TMV, "0.02"),
+        (names::TUL, "0.03"),
+        (names::TLL, "-0.03"),
+        (names::TDIF, "0.06"),
     ],
     simulation: Some(Simulation::new(
         Work { propose: propose::propose, simulate: simulate::simulate },

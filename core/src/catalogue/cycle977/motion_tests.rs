@@ -8,6 +8,7 @@ use crate::catalogue::sinumerik::motion_testing::{DEPTH_FEED, PLANE_FEED, expand
 use crate::catalogue::sinumerik::testing::{Motion, at, motions, run, same};
 use crate::control::Plane;
 use crate::entry::Inputs;
+use crate::entry::names;
 use crate::machine::sim::Sim;
 
 /// Ways as [`expand`] reads them, from the set centre.
@@ -71,8 +72,8 @@ fn a_narrow_zone_shortens_the_path_before_and_behind_the_surface() {
         (1006, [80.0, 58.0], "x37 [33] x-37 [-33] x0 y26 [25] y-26 [-25] y0"),
     ] {
         let mut inputs = inputs(variant, 1.0);
-        inputs.numbers.insert("_SZA", zone[0]);
-        inputs.numbers.insert("_SZO", zone[1]);
+        inputs.numbers.insert(names::SZA, zone[0]);
+        inputs.numbers.insert(names::SZO, zone[1]);
         let found = driven(Plane::G17, variant, &inputs, false);
         same(&found, &expand(table, -20.0), &variant.to_string());
     }

@@ -5,6 +5,7 @@
 use super::tests::{CENTRE, hole};
 use crate::catalogue::sinumerik::testing::{at, close, motions, stopped, turns};
 use crate::control::Plane;
+use crate::entry::names;
 use crate::machine::trace::{MotionKind, Step};
 use crate::machine::{Setup, Stop};
 
@@ -27,7 +28,7 @@ fn skewed(setup: &mut Setup) {
 fn a_mono_probe_is_turned_before_each_touch() {
     // oracle: manual B:864-871, B:13624-13626; the ordinate is 270 degree of the spindle (B:13985)
     let (sim, outcome) = hole(|_, inputs| {
-        inputs.numbers.extend([("_PRNUM", 101.0), ("_CORA", 0.5)]);
+        inputs.numbers.extend([(names::PRNUM, 101.0), (names::CORA, 0.5)]);
     });
     assert_eq!(outcome, Ok(()));
     assert_eq!(turns(&sim), [0.5, 180.5, 270.5, 90.5]);
@@ -100,7 +101,7 @@ fn a_mono_probe_looks_along_turned_coordinates() {
     // oracle: hand: it switches in the direction of the motion only, which the frame turns by 30 degree
     let (sim, outcome) = hole(|setup, inputs| {
         turned(setup, 30.0);
-        inputs.numbers.insert("_PRNUM", 101.0);
+        inputs.numbers.insert(names::PRNUM, 101.0);
     });
     assert_eq!(outcome, Ok(()));
     for (found, wanted) in turns(&sim).iter().zip([330.0, 150.0, 240.0, 60.0]) {
@@ -163,7 +164,7 @@ fn without_monitoring_a_collision_is_a_crash() {
     // oracle: manual B:13766 (the user must ensure that collisions are ruled out)
     let (sim, outcome) = hole(|setup, inputs| {
         setup.control.set("_CHBIT[2]", 0.0);
-        inputs.numbers.insert("_SETVAL", 80.0);
+        inputs.numbers.insert(names::SETVAL, 80.0);
     });
     assert!(matches!(outcome, Err(Stop::Fault(_))));
     let crash = |step: &Step| matches!(step, Step::Crash { .. });
@@ -200,7 +201,7 @@ fn the_coarse_part_takes_the_fine_one_in() {
             setup.workpiece.solids[0].errors.shift = [0.6, 0.0, 0.0];
             setup.position = at(Plane::G17, [CENTRE[0] + 0.1, CENTRE[1], -10.0]);
             inputs.variant = 101;
-            inputs.numbers.insert("_KNUM", 1.0);
+            inputs.numbers.insert(names::KNUM, 1.0);
         });
         assert_eq!(outcome, Ok(()));
         close(&sim, "_OVR[17]", 0.5);
@@ -217,7 +218,7 @@ fn a_programmed_stop_follows_an_alarm_that_informs() {
         let (sim, outcome) = hole(|setup, inputs| {
             setup.control.set("_CBIT[2]", bit);
             setup.workpiece.solids[0].errors.size = 0.7;
-            inputs.numbers.extend([("_TUL", 0.5), ("_TLL", -0.5)]);
+            inputs.numbers.extend([(names::TUL, 0.5), (names::TLL, -0.5)]);
         });
         assert_eq!(outcome, Ok(()));
         let halt = |step: &Step| matches!(step, Step::Decision(message) if message.key == "evaluate-halt");
@@ -255,7 +256,7 @@ fn a_mono_probe_looks_where_a_mirrored_axis_goes() {
     // oracle: hand: plus abscissa is minus on the machine
     let (sim, outcome) = hole(|setup, inputs| {
         mirrored(setup, [true, false, false]);
-        inputs.numbers.insert("_PRNUM", 101.0);
+        inputs.numbers.insert(names::PRNUM, 101.0);
     });
     assert_eq!(outcome, Ok(()));
     assert_eq!(turns(&sim), [180.0, 0.0, 270.0, 90.0]);

@@ -3,6 +3,7 @@
 use crate::entry::When;
 use crate::entry::names;
 use crate::entry::{Meaning, Shared, Task};
+use crate::name::Name;
 
 /// All of them, first those that correct a zero offset.
 pub const TASKS: &[Shared] = &[
@@ -16,31 +17,31 @@ pub const TASKS: &[Shared] = &[
     tool(Task::Web, 4, &[4, 1004], WEB_TOOL),
 ];
 
-const AXIS: (&str, Meaning) = (names::MA, Meaning::Axis);
-const SET: (&str, Meaning) = (names::SETVAL, Meaning::Nominal);
-const DOWN: (&str, Meaning) = (names::ID, Meaning::Infeed);
-const REACH: (&str, Meaning) = (names::FA, Meaning::Reach);
-const SAFE: (&str, Meaning) = (names::TSA, Meaning::Limit);
-const ZERO: (&str, Meaning) = (names::KNUM, Meaning::Zero);
-const UPPER: (&str, Meaning) = (names::TUL, Meaning::Upper);
-const LOWER: (&str, Meaning) = (names::TLL, Meaning::Lower);
-const MOST: (&str, Meaning) = (names::TDIF, Meaning::Limit);
-const TOOL: (&str, Meaning) = (names::TNUM, Meaning::Tool);
+const AXIS: (Name, Meaning) = (names::MA, Meaning::Axis);
+const SET: (Name, Meaning) = (names::SETVAL, Meaning::Nominal);
+const DOWN: (Name, Meaning) = (names::ID, Meaning::Infeed);
+const REACH: (Name, Meaning) = (names::FA, Meaning::Reach);
+const SAFE: (Name, Meaning) = (names::TSA, Meaning::Limit);
+const ZERO: (Name, Meaning) = (names::KNUM, Meaning::Zero);
+const UPPER: (Name, Meaning) = (names::TUL, Meaning::Upper);
+const LOWER: (Name, Meaning) = (names::TLL, Meaning::Lower);
+const MOST: (Name, Meaning) = (names::TDIF, Meaning::Limit);
+const TOOL: (Name, Meaning) = (names::TNUM, Meaning::Tool);
 
-const ROUND_ZERO: &[(&str, Meaning)] = &[SET, REACH, SAFE, ZERO];
-const STRAIGHT_ZERO: &[(&str, Meaning)] = &[SET, AXIS, REACH, SAFE, ZERO];
-const ROUND_TOOL: &[(&str, Meaning)] = &[SET, REACH, UPPER, LOWER, MOST, TOOL];
-const STRAIGHT_TOOL: &[(&str, Meaning)] = &[SET, AXIS, REACH, UPPER, LOWER, MOST, TOOL];
+const ROUND_ZERO: &[(Name, Meaning)] = &[SET, REACH, SAFE, ZERO];
+const STRAIGHT_ZERO: &[(Name, Meaning)] = &[SET, AXIS, REACH, SAFE, ZERO];
+const ROUND_TOOL: &[(Name, Meaning)] = &[SET, REACH, UPPER, LOWER, MOST, TOOL];
+const STRAIGHT_TOOL: &[(Name, Meaning)] = &[SET, AXIS, REACH, UPPER, LOWER, MOST, TOOL];
 
-const BOSS_ZERO: &[(&str, Meaning)] = &[SET, DOWN, REACH, SAFE, ZERO];
-const WEB_ZERO: &[(&str, Meaning)] = &[SET, AXIS, DOWN, REACH, SAFE, ZERO];
-const BOSS_TOOL: &[(&str, Meaning)] = &[SET, DOWN, REACH, UPPER, LOWER, MOST, TOOL];
-const WEB_TOOL: &[(&str, Meaning)] = &[SET, AXIS, DOWN, REACH, UPPER, LOWER, MOST, TOOL];
+const BOSS_ZERO: &[(Name, Meaning)] = &[SET, DOWN, REACH, SAFE, ZERO];
+const WEB_ZERO: &[(Name, Meaning)] = &[SET, AXIS, DOWN, REACH, SAFE, ZERO];
+const BOSS_TOOL: &[(Name, Meaning)] = &[SET, DOWN, REACH, UPPER, LOWER, MOST, TOOL];
+const WEB_TOOL: &[(Name, Meaning)] = &[SET, AXIS, DOWN, REACH, UPPER, LOWER, MOST, TOOL];
 
-const fn zero(task: Task, variant: i64, all: &'static [i64], values: &'static [(&'static str, Meaning)]) -> Shared {
+const fn zero(task: Task, variant: i64, all: &'static [i64], values: &'static [(Name, Meaning)]) -> Shared {
     Shared { task, when: When::Variant(all), variant, tool: Some(false), values }
 }
 
-const fn tool(task: Task, variant: i64, all: &'static [i64], values: &'static [(&'static str, Meaning)]) -> Shared {
+const fn tool(task: Task, variant: i64, all: &'static [i64], values: &'static [(Name, Meaning)]) -> Shared {
     Shared { tool: Some(true), ..zero(task, variant, all, values) }
 }

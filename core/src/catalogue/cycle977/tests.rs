@@ -8,6 +8,7 @@ use crate::catalogue::sinumerik::testing::{
 };
 use crate::control::{Frame, Plane};
 use crate::entry::Inputs;
+use crate::entry::names;
 use crate::machine::Setup;
 use crate::machine::sim::Sim;
 use crate::workpiece::Solid;
@@ -159,7 +160,7 @@ proptest! {
             solid.at = setup.control.to_machine(solid.at);
             setup.workpiece.solids.push(solid);
             let mut inputs = inputs(variant, 1.0);
-            inputs.numbers.insert("_KNUM", [1.0, 9999.0, 1011.0, 2000.0][code]);
+            inputs.numbers.insert(names::KNUM, [1.0, 9999.0, 1011.0, 2000.0][code]);
             let mut sim = Sim::new(&setup);
             prop_assert_eq!(run(&mut sim, &inputs), Ok(()));
             sim.control.activate(1);
@@ -176,7 +177,7 @@ proptest! {
     fn the_tool_offset_loop_converges(wrong in -0.9..0.9_f64) {
         for variant in [1, 2, 3, 4, 5, 6, 1001, 1006] {
             let mut inputs = inputs(variant, 1.0);
-            inputs.numbers.insert("_KNUM", 2001.0);
+            inputs.numbers.insert(names::KNUM, 2001.0);
             let mut setup = ready(Plane::G17, variant);
             for round in 0..3 {
                 // The part grows (hole) or shrinks (shaft) when the mill is really thinner or thicker than believed.

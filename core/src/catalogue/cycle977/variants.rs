@@ -1,7 +1,9 @@
 //! Measuring variants of CYCLE977 (B:5641-5667; 1106 stands in B:6192 only).
 
 use super::params::{OUTSIDE, RECTANGLE, WIDTH, ZERO, ZONE};
+use crate::entry::names;
 use crate::entry::{Variant, When};
+use crate::name::Name;
 
 /// In the manual's order.
 pub const VARIANTS: &[Variant] = &[
@@ -32,10 +34,10 @@ pub const VARIANTS: &[Variant] = &[
 ];
 
 /// What the variants measure: the rectangle and the protection zones of about the size of the hole in the example.
-pub const EXAMPLES: &[(When, &[(&str, &str)])] = &[
-    (ZERO, &[("_KNUM", "1")]),
-    (WIDTH, &[("_MA", "1")]),
-    (RECTANGLE, &[("_SETV[0]", "100"), ("_SETV[1]", "80")]),
-    (OUTSIDE, &[("_ID", "-20"), ("_SZA", "180"), ("_SZO", "160")]),
-    (When::All(&[ZONE, When::Not(&OUTSIDE)]), &[("_ID", "-20"), ("_SZA", "50"), ("_SZO", "40")]),
+pub const EXAMPLES: &[(When, &[(Name, &str)])] = &[
+    (ZERO, &[(names::KNUM, "1")]),
+    (WIDTH, &[(names::MA, "1")]),
+    (RECTANGLE, &[(names::SETV0, "100"), (names::SETV1, "80")]),
+    (OUTSIDE, &[(names::ID, "-20"), (names::SZA, "180"), (names::SZO, "160")]),
+    (When::All(&[ZONE, When::Not(&OUTSIDE)]), &[(names::ID, "-20"), (names::SZA, "50"), (names::SZO, "40")]),
 ];

@@ -15,6 +15,7 @@ mod tests;
 use crate::catalogue::common;
 use crate::catalogue::sinumerik;
 use crate::dialect::Dialect;
+use crate::entry::names;
 use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work};
 
 /// Measuring variants (B:6323-6328).
@@ -57,27 +58,27 @@ pub static CYCLE978: Cycle = Cycle {
     ]),
     picture: Drawing::staged(picture::stage, picture::marks),
     example: &[
-        ("_MVAR", "0"),
-        ("_SETVAL", "100"),
-        ("_MA", "1"),
-        ("_KNUM", "2001"),
-        ("_TNUM", "20"),
-        ("_PRNUM", "1"),
-        ("_FA", "2"),
-        ("_TSA", "1"),
-        ("_VMS", "0"),
-        ("_NMSP", "1"),
-        ("_EVNUM", "20"),
-        ("_K", "3"),
-        ("_TZL", "0.01"),
-        ("_TMV", "0.02"),
-        ("_TUL", "0.03"),
-        ("_TLL", "-0.03"),
-        ("_TDIF", "0.06"),
+        (names::MVAR, "0"),
+        (names::SETVAL, "100"),
+        (names::MA, "1"),
+        (names::KNUM, "2001"),
+        (names::TNUM, "20"),
+        (names::PRNUM, "1"),
+        (names::FA, "2"),
+        (names::TSA, "1"),
+        (names::VMS, "0"),
+        (names::NMSP, "1"),
+        (names::EVNUM, "20"),
+        (names::K, "3"),
+        (names::TZL, "0.01"),
+        (names::TMV, "0.02"),
+        (names::TUL, "0.03"),
+        (names::TLL, "-0.03"),
+        (names::TDIF, "0.06"),
     ],
     simulation: Some(Simulation::new(
         Work { propose: propose::propose, simulate: simulate::simulate },
-        &[(params::ZERO, &[("_KNUM", "1")])],
+        &[(params::ZERO, &[(names::KNUM, "1")])],
     )),
     source: "B:6287-6735",
 };

@@ -6,13 +6,14 @@ use crate::catalogue::sinumerik::one_point::{self, OnePoint};
 use crate::catalogue::sinumerik::target::Target;
 use crate::catalogue::sinumerik::{Next, alarm, results};
 use crate::entry::Inputs;
+use crate::entry::names;
 use crate::machine::{Machine, Stop};
 
 /// Runs the cycle from the present position, which is opposite the surface.
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     results::begin(machine, inputs, 978);
     let block = Block::prepare(machine, inputs)?;
-    let axis = match inputs.integer("_MA") {
+    let axis = match inputs.integer(names::MA) {
         axis @ 1..=3 => axis as usize - 1,
         _ => return Err(alarm(machine, 61325)),
     };
@@ -21,7 +22,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
         turnable(machine)?;
     }
     let start = machine.position();
-    let set = inputs.number("_SETVAL");
+    let set = inputs.number(names::SETVAL);
     let direction = if set < start[block.axes[axis]] { -1.0 } else { 1.0 };
     if !differential {
         all_calibrated(machine, &block, &[(axis, direction)])?;

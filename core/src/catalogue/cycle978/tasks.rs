@@ -3,6 +3,7 @@
 use crate::entry::When;
 use crate::entry::names;
 use crate::entry::{Meaning, Shared, Task};
+use crate::name::Name;
 
 /// All of them, first those that correct a zero offset.
 pub const TASKS: &[Shared] = &[
@@ -38,14 +39,14 @@ pub const TASKS: &[Shared] = &[
 
 const IN_PLANE: When = When::Number { param: names::MA, is: &[1.0, 2.0] };
 const ALONG_TOOL: When = When::Number { param: names::MA, is: &[3.0] };
-const ZERO: &[(&str, Meaning)] = &[
+const ZERO: &[(Name, Meaning)] = &[
     (names::SETVAL, Meaning::Nominal),
     (names::MA, Meaning::Axis),
     (names::FA, Meaning::Reach),
     (names::TSA, Meaning::Limit),
     (names::KNUM, Meaning::Zero),
 ];
-const TOOL: &[(&str, Meaning)] = &[
+const TOOL: &[(Name, Meaning)] = &[
     (names::SETVAL, Meaning::Nominal),
     (names::MA, Meaning::Axis),
     (names::FA, Meaning::Reach),

@@ -2,14 +2,17 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+use crate::catalogue::sinumerik::testing::put;
 use crate::catalogue::sinumerik::testing::{
     WIDE_BANDS, at, call, called, close, motions, random_parts, run, setup, solid, stopped, touches, turns,
 };
 use crate::control::Plane;
 use crate::entry::Inputs;
+use crate::entry::names;
 use crate::machine::sim::Sim;
 use crate::machine::trace::MotionKind;
 use crate::machine::{Setup, Stop};
+use crate::name::Name;
 use crate::workpiece::Shape;
 use proptest::prelude::*;
 
@@ -50,13 +53,13 @@ proptest! {
                 let inputs = inputs(variant, axis, side);
                 prop_assert_eq!(run(&mut sim, &inputs), Ok(()));
                 // oracle: hand (the part as it was made)
-                let actual = inputs.number("_SETVAL") + error;
+                let actual = inputs.number(names::SETVAL) + error;
                 close(&sim, "_OVR[4]", actual);
                 close(&sim, &format!("_OVR[{}]", 5 + axis), actual);
                 close(&sim, &format!("_OVR[{}]", 17 + axis), error);
                 // End: the ball _FA before the set surface.
                 let out = if axis == 2 { 1.0 } else { side };
-                let end = inputs.number("_SETVAL") + out * 7.0;
+                let end = inputs.number(names::SETVAL) + out * 7.0;
                 prop_assert!((sim.position[plane.axes()[axis]] - end).abs() < 1e-9);
             }
         }
@@ -93,7 +96,7 @@ proptest! {
         let setup = ready(PLANES[plane], axis, -1.0, error);
         let mut sim = Sim::new(&setup);
         let mut inputs = inputs(100, axis, -1.0);
-        inputs.numbers.insert("_KNUM", 1.0);
+        inputs.numbers.insert(names::KNUM, 1.0);
         prop_assert_eq!(run(&mut sim, &inputs), Ok(()));
         sim.control.activate(1);
         sim.position = sim.control.to_machine(setup.position);
@@ -129,7 +132,7 @@ proptest! {
         let side = if plus || axis == 2 { 1.0 } else { -1.0 };
         let mut inputs = inputs(0, axis, side);
         // A face is milled by the radius; the upper face by the length L1.
-        inputs.numbers.insert("_KNUM", if axis == 2 { 1.0 } else { 2001.0 });
+        inputs.numbers.insert(names::KNUM, if axis == 2 { 1.0 } else { 2001.0 });
         let mut setup = ready(Plane::G17, axis, side, 0.0);
         for round in 0..2 {
             let edge = setup.control.edge_of(20, 1).unwrap();
@@ -157,12 +160,11 @@ fn surface(error: f64, change: impl Fn(&mut Setup, &mut Inputs)) -> (Sim, Result
 #[test]
 fn every_alarm() {
     // oracle: manual A:15842-15944, B:6436-6440
-    let value =
-        |name: &'static str, value: f64| stopped(surface(0.0, |_, inputs| _ = inputs.numbers.insert(name, value)).1);
-    assert_eq!(value("_MA", 4.0), 61325);
-    assert_eq!(value("_K", 0.0), 61318);
-    assert_eq!(value("_FA", -1.0), 61308);
-    assert_eq!(value("_KNUM", 5001.0), 61322);
+    let value = |name: Name, value: f64| stopped(surface(0.0, |_, inputs| put(inputs, name.as_str(), value)).1);
+    assert_eq!(value(names::MA, 4.0), 61325);
+    assert_eq!(value(names::K, 0.0), 61318);
+    assert_eq!(value(names::FA, -1.0), 61308);
+    assert_eq!(value(names::KNUM, 5001.0), 61322);
     assert_eq!(stopped(surface(-4.5, |_, _| ()).1), 61301);
     assert_eq!(stopped(surface(4.5, |_, _| ()).1), 61302);
     assert_eq!(stopped(surface(3.5, |_, _| ()).1), 61303);
@@ -172,7 +174,7 @@ fn every_alarm() {
     }
     let third = surface(0.0, |_, inputs| {
         inputs.variant = 1000;
-        inputs.numbers.insert("_MA", 3.0);
+        inputs.numbers.insert(names::MA, 3.0);
     });
     assert_eq!(stopped(third.1), 61325);
 }
@@ -187,7 +189,7 @@ fn the_empirical_value_counts_with_either_sign() {
     for (bit, change) in [(0.0, 0.48), (1.0, 0.52)] {
         let (sim, outcome) = surface(0.5, |setup, inputs| {
             inputs.variant = 100;
-            inputs.numbers.extend([("_KNUM", 1.0), ("_EVNUM", 10.0)]);
+            inputs.numbers.extend([(names::KNUM, 1.0), (names::EVNUM, 10.0)]);
             setup.control.set("_EV[9]", 0.02);
             setup.control.set("_CHBIT[5]", bit);
         });
@@ -202,7 +204,7 @@ fn the_empirical_value_counts_with_either_sign() {
 fn measurements_at_the_same_place_are_averaged() {
     // oracle: hand (the touches of the trace)
     let (sim, outcome) = surface(0.5, |setup, inputs| {
-        inputs.numbers.insert("_NMSP", 4.0);
+        inputs.numbers.insert(names::NMSP, 4.0);
         setup.probe.repeatability = (0.01, 7);
     });
     assert_eq!(outcome, Ok(()));
@@ -280,7 +282,7 @@ fn a_mono_probe_is_known_by_its_triggers() {
             setup.control.set(format!("_WP[0,{i}]"), value);
         }
         let mut inputs = inputs(0, axis, side);
-        inputs.numbers.insert("_PRNUM", 101.0);
+        inputs.numbers.insert(names::PRNUM, 101.0);
         let mut sim = Sim::new(&setup);
         assert_eq!(run(&mut sim, &inputs), Ok(()));
         close(&sim, "_OVR[16]", 0.5);

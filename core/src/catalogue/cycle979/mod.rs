@@ -20,6 +20,7 @@ pub use results::RESULTS;
 use crate::catalogue::common;
 use crate::catalogue::sinumerik;
 use crate::dialect::Dialect;
+use crate::entry::names;
 use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work};
 
 /// Measuring variants (B:6764-6773).
@@ -66,32 +67,36 @@ pub static CYCLE979: Cycle = Cycle {
     ]),
     picture: Drawing::staged(picture::stage, picture::marks),
     example: &[
-        ("_MVAR", "1"),
-        ("_SETVAL", "130"),
-        ("_CPA", "180"),
-        ("_CPO", "0"),
-        ("_STA1", "15"),
-        ("_INCA", "80"),
-        ("_RF", "900"),
-        ("_KNUM", "2001"),
-        ("_TNUM", "20"),
-        ("_PRNUM", "1"),
-        ("_FA", "2"),
-        ("_TSA", "1"),
-        ("_VMS", "0"),
-        ("_NMSP", "1"),
-        ("_EVNUM", "20"),
-        ("_K", "3"),
-        ("_TZL", "0.01"),
-        ("_TMV", "0.02"),
-        ("_TUL", "0.03"),
-        ("_TLL", "-0.03"),
-        ("_TDIF", "0.06"),
+        (names::MVAR, "1"),
+        (names::SETVAL, "130"),
+        (names::CPA, "180"),
+        (names::CPO, "0"),
+        (names::STA1, "15"),
+        (names::INCA, "80"),
+        (names::RF, "900"),
+        (names::KNUM, "2001"),
+        (names::TNUM, "20"),
+        (names::PRNUM, "1"),
+        (names::FA, "2"),
+        (names::TSA, "1"),
+        (names::VMS, "0"),
+        (names::NMSP, "1"),
+        (names::EVNUM, "20"),
+        (names::K, "3"),
+        (names::TZL, "0.01"),
+        (names::TMV, "0.02"),
+        (names::TUL, "0.03"),
+        (names::TLL, "-0.03"),
+        (names::TDIF, "0.06"),
     ],
     simulation: Some(Simulation::new(
         Work { propose: propose::propose, simulate: simulate::simulate },
         // B:7205-7246 for the groove; a web is crossed 20 mm above the measuring height
-        &[(params::ZERO, &[("_KNUM", "2")]), (params::WIDTH, &[("_STA1", "70")]), (params::WEB, &[("_ID", "20")])],
+        &[
+            (params::ZERO, &[(names::KNUM, "2")]),
+            (params::WIDTH, &[(names::STA1, "70")]),
+            (params::WEB, &[(names::ID, "20")]),
+        ],
     )),
     source: "B:6736-7250",
 };

@@ -3,12 +3,14 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::VARIANTS;
+use crate::catalogue::sinumerik::testing::put;
 use crate::catalogue::sinumerik::testing::{
     WIDE_BANDS, alarms, at, call, called, close, element, random_parts, run, setup, solid, stopped, turns,
 };
 use crate::control::{Frame, Plane};
 use crate::dialect::Dialect;
 use crate::entry::Inputs;
+use crate::entry::names;
 use crate::geometry::rigid::sin_cos;
 use crate::machine::Setup;
 use crate::machine::sim::Sim;
@@ -135,7 +137,7 @@ proptest! {
             part.errors.shift = at(plane, [shift[0], shift[1], 0.0]);
             setup.workpiece.solids.push(part);
             let mut inputs = inputs(variant, 30.0, 80.0, false);
-            inputs.numbers.insert("_KNUM", [1.0, 9999.0, 1011.0, 2000.0][code]);
+            inputs.numbers.insert(names::KNUM, [1.0, 9999.0, 1011.0, 2000.0][code]);
             let mut sim = Sim::new(&setup);
             prop_assert_eq!(run(&mut sim, &inputs), Ok(()));
             prop_assert_eq!(sim.control.number("_OVI[11]"), 1.0);
@@ -152,7 +154,7 @@ proptest! {
     fn the_next_part_gets_to_size(wrong in -0.9..0.9_f64) {
         for variant in [1, 2, 3, 4] {
             let mut inputs = inputs(variant, 30.0, 80.0, false);
-            inputs.numbers.insert("_KNUM", 2001.0);
+            inputs.numbers.insert(names::KNUM, 2001.0);
             let mut setup = ready(Plane::G17, variant, 30.0);
             for part_number in 0..2 {
                 let believed = setup.control.edge_of(20, 1).unwrap().total_radius();
@@ -190,7 +192,7 @@ fn what_cannot_be_measured_is_refused_before_it_moves() {
     };
     let value = |variant: i64, name: &'static str, value: f64| {
         alarm(variant, &move |_, inputs| {
-            inputs.numbers.insert(name, value);
+            put(inputs, name, value);
         })
     };
     assert_eq!(alarm(3, &|setup, _| setup.control.set("_WP[0,0]", 0.0)), 61341);
@@ -206,7 +208,7 @@ fn what_cannot_be_measured_is_refused_before_it_moves() {
 fn points_upon_each_other_make_no_circle() {
     // oracle: manual A:15857
     let (_, outcome) = changed(1, |_, inputs| {
-        inputs.numbers.insert("_INCA", 360.0);
+        inputs.numbers.insert(names::INCA, 360.0);
     });
     assert_eq!(stopped(outcome), 61316);
 }
@@ -221,7 +223,7 @@ fn a_measurement_is_repeated_from_its_first_point() {
             setup.control.set("_CBIT[1]", 1.0);
             setup.workpiece.solids[0].errors.shift = [0.4, 0.2, 0.0];
             setup.workpiece.solids[0].errors.size = 1.0;
-            inputs.numbers.extend([("_TSA", 0.3), ("_TDIF", 0.3), ("_TUL", 0.2), ("_TLL", -0.2)]);
+            inputs.numbers.extend([(names::TSA, 0.3), (names::TDIF, 0.3), (names::TUL, 0.2), (names::TLL, -0.2)]);
         });
         assert_eq!(stopped(outcome), 61303, "{variant}");
         assert_eq!(alarms(&sim), [62303; 4]);
@@ -238,7 +240,7 @@ fn a_mono_probe_looks_at_the_wall() {
     let turned = |variant: i64, probe: f64| {
         let (sim, outcome) = changed(variant, |setup, inputs| {
             setup.control.set("_CBIT[8]", 1.0);
-            inputs.numbers.extend([("_PRNUM", probe), ("_CORA", 5.0)]);
+            inputs.numbers.extend([(names::PRNUM, probe), (names::CORA, 5.0)]);
         });
         assert_eq!(outcome, Ok(()));
         turns(&sim)
@@ -258,7 +260,7 @@ fn a_multi_probe_turns_with_the_coordinates_however_many_points() {
         let (sim, _) = changed(1, |setup, inputs| {
             setup.control.active.rotation = [0.0, 0.0, 90.0];
             setup.control.set("_CHBIT[13]", 1.0);
-            inputs.numbers.insert("_PRNUM", probe);
+            inputs.numbers.insert(names::PRNUM, probe);
         });
         assert_eq!(turns(&sim), [270.0], "{probe}");
     }
@@ -271,7 +273,7 @@ fn a_mono_probe_is_known_by_its_active_ball() {
     let (sim, outcome) = changed(1, |setup, inputs| {
         setup.probe.skew = [0.2, 0.0];
         [(0, 6.4), (7, 9.0)].iter().for_each(|(i, value)| setup.control.set(format!("_WP[0,{i}]"), *value));
-        inputs.numbers.insert("_PRNUM", 101.0);
+        inputs.numbers.insert(names::PRNUM, 101.0);
     });
     assert_eq!(outcome, Ok(()));
     for (name, value) in [("_OVR[4]", SIZE), ("_OVR[5]", CENTRE[0]), ("_OVR[6]", CENTRE[1])] {

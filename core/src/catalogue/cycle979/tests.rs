@@ -3,20 +3,19 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::CYCLE979;
+use crate::catalogue::example::changed;
 use crate::check::check;
 use crate::control::{Control, delivery};
 use crate::diagnostic::{Code, Severity};
-use crate::entry::Typed;
 
 /// Everything found in the worked example with some values changed, on a control that was changed.
 fn found(changes: &[(&str, &str)], prepare: impl Fn(&mut Control)) -> Vec<(Severity, Code, &'static str)> {
     let mut control = delivery(CYCLE979.dialect);
     control.set("_CHBIT[4]", 1.0); // as in the example, B:7085
     prepare(&mut control);
-    let all = CYCLE979.example.iter().chain(changes);
-    let values: Typed = all.map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect();
+    let values = changed(&CYCLE979, changes);
     let found = check(&CYCLE979, &values, &control).diagnostics;
-    found.into_iter().map(|one| (one.severity, one.code, one.param.unwrap())).collect()
+    found.into_iter().map(|one| (one.severity, one.code, one.param.unwrap().as_str())).collect()
 }
 
 #[test]

@@ -35,14 +35,15 @@ use crate::catalogue::{newer, tool_probe};
 use crate::control::MachineSort;
 use crate::control::machine_data::TOOL_LENGTH_TYPE;
 use crate::dialect::Dialect;
+use crate::entry::names;
 use crate::entry::{Cycle, Drawing, Examples, Help, ProbeUse, Purpose, Simulation, When, Work};
 
 /// What the worked measurement of a variant has beside the example.
 const EXAMPLES: Examples = &[
-    (params::REVERSAL, &[("_CORA", "0")]),
-    (params::INCREMENTAL, &[("_MD", "1")]),
-    (params::CALIBRATE, &[("_MA", "2")]),
-    (When::All(&[When::Any(&[params::RADIUS, params::BOTH]), When::Not(&params::RADIAL)]), &[("_MA", "2")]),
+    (params::REVERSAL, &[(names::CORA, "0")]),
+    (params::INCREMENTAL, &[(names::MD, "1")]),
+    (params::CALIBRATE, &[(names::MA, "2")]),
+    (When::All(&[When::Any(&[params::RADIUS, params::BOTH]), When::Not(&params::RADIAL)]), &[(names::MA, "2")]),
 ];
 
 /// The entry. Example: the milling cutter T3 in radial position of B:9526-9580, length L2 and radius.
@@ -89,17 +90,17 @@ pub static CYCLE982: Cycle = Cycle {
     help: Help::new(&[help::LINES, tool_probe::help::ALL]),
     picture: Drawing::new(picture::picture),
     example: &[
-        ("_MVAR", "12001"),
-        ("_MA", "1"),
-        ("_STA1", "15"),
-        ("_PRNUM", "1"),
-        ("_FA", "3"),
-        ("_TSA", "3"),
-        ("_VMS", "0"),
-        ("_NMSP", "1"),
-        ("_EVNUM", "0"),
-        ("_TZL", "0.001"),
-        ("_TDIF", "2.5"),
+        (names::MVAR, "12001"),
+        (names::MA, "1"),
+        (names::STA1, "15"),
+        (names::PRNUM, "1"),
+        (names::FA, "3"),
+        (names::TSA, "3"),
+        (names::VMS, "0"),
+        (names::NMSP, "1"),
+        (names::EVNUM, "0"),
+        (names::TZL, "0.001"),
+        (names::TDIF, "2.5"),
     ],
     simulation: Some(
         Simulation::new(Work { propose: propose::propose, simulate: simulate::simulate }, EXAMPLES)

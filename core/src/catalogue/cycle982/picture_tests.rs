@@ -5,10 +5,10 @@
 
 use super::CYCLE982;
 use crate::catalogue::cycle972::CYCLE972;
+use crate::catalogue::example::changed;
 use crate::check::check;
 use crate::control::{Edge, Plane, delivery};
 use crate::dialect::Dialect;
-use crate::entry::Typed;
 use crate::entry::{Cycle, names};
 use crate::form::draw;
 use crate::picture::{PictureShape, ShapeKind};
@@ -29,8 +29,7 @@ fn drawn(cycle: &'static Cycle, position: i64, mirrored: bool, values: &[(&str, 
     let edge = Edge { kind: 500, tip: position, length: [60.0, 40.0, 0.0], radius: 0.8, ..Edge::default() };
     control.tools.entry(3).or_default().edges.insert(1, edge);
     (control.tool, control.edge) = (3, 1);
-    let example = cycle.example.iter().chain(values);
-    let typed: Typed = example.map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect();
+    let typed = changed(cycle, values);
     let inputs = check(cycle, &typed, &control).inputs;
     assert!(inputs.is_some(), "{} {position} {values:?}", cycle.name);
     draw(cycle, &typed, &control).expect("drawn").shapes
@@ -73,9 +72,9 @@ fn the_side_that_faces_the_tip_is_touched_and_the_tool_stands_behind_it() {
                     _ => turned,
                 };
                 let ma = (axis + 1).to_string();
-                let mut values = vec![(names::MVAR, variant), (names::MA, &*ma)];
+                let mut values = vec![("_MVAR", variant), ("_MA", &*ma)];
                 if variant == "100001" {
-                    values.push((names::MD, towards));
+                    values.push(("_MD", towards));
                 }
                 let shapes = drawn(cycle, position, mirrored, &values);
                 let told = format!("{} {position} {mirrored} {variant} {axis}", cycle.name);
@@ -98,7 +97,7 @@ fn automatic_measurement_touches_where_there_is_a_tip() {
     // oracle: manual B:9702, B:9738: abscissa first; positions 5 and 7 have L2 only, 6 and 8 L1 only
     for position in 1..=8 {
         let tip = TIPS[usize::try_from(position - 1).unwrap()];
-        let shapes = drawn(&CYCLE982, position, false, &[(names::MVAR, "2")]);
+        let shapes = drawn(&CYCLE982, position, false, &[(names::MVAR.as_str(), "2")]);
         let wanted: Vec<[f64; 2]> = [[1.0, 0.0], [0.0, 1.0]]
             .into_iter()
             .zip(tip)

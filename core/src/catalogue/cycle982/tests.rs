@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::CYCLE982;
+use crate::catalogue::example::changed;
 use crate::check::check;
 use crate::control::{Control, Edge, Plane, delivery};
 use crate::diagnostic::{Code, Severity};
@@ -45,8 +46,7 @@ fn spindle_stays(control: &mut Control) {
 
 /// Findings of a call like the example's with these values.
 fn found(values: &[(&str, &str)], change: impl Fn(&mut Control)) -> Found {
-    let typed: Typed =
-        CYCLE982.example.iter().chain(values).map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect();
+    let typed: Typed = changed(&CYCLE982, values);
     let mut control = control();
     change(&mut control);
     let found = check(&CYCLE982, &typed, &control).diagnostics;

@@ -10,6 +10,7 @@ use crate::diagnostic::Diagnostic;
 use crate::entry::Inputs;
 use crate::entry::names;
 use crate::message::Message;
+use crate::name::Name;
 use crate::own;
 
 /// All of them.
@@ -43,7 +44,7 @@ fn ball_diameter(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>
 }
 
 /// The zone in the direction of the measuring axis: `_SZA` in the abscissa, else `_SZO` (B:10986-11001).
-fn across(inputs: &Inputs) -> (&'static str, Option<f64>) {
+fn across(inputs: &Inputs) -> (Name, Option<f64>) {
     let name = if inputs.integer(names::MA) == 1 { names::SZA } else { names::SZO };
     (name, inputs.given(name))
 }

@@ -19,6 +19,7 @@ use crate::catalogue::sinumerik;
 use crate::catalogue::{common, lathe};
 use crate::diagnostic::Code;
 use crate::dialect::Dialect;
+use crate::entry::names;
 use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work};
 
 /// Measuring variants (B:10930-10933). What A:12201 says about the second is a slip: there the zone counts outside.
@@ -80,30 +81,30 @@ pub static CYCLE994: Cycle = Cycle {
     ]),
     picture: Drawing::staged(picture::stage, picture::marks),
     example: &[
-        ("_MVAR", "2"),
-        ("_SETVAL", "45"),
-        ("_MA", "2"),
-        ("_SZA", "55"),
-        ("_SZO", "55"),
-        ("_KNUM", "1"),
-        ("_TNUM", "8"),
-        ("_PRNUM", "1"),
-        ("_FA", "1"),
-        ("_TSA", "0.5"),
-        ("_VMS", "0"),
-        ("_NMSP", "1"),
-        ("_EVNUM", "3"),
-        ("_K", "3"),
-        ("_TZL", "0.002"),
-        ("_TMV", "0.005"),
-        ("_TUL", "0"),
-        ("_TLL", "-0.01"),
-        ("_TDIF", "0.04"),
+        (names::MVAR, "2"),
+        (names::SETVAL, "45"),
+        (names::MA, "2"),
+        (names::SZA, "55"),
+        (names::SZO, "55"),
+        (names::KNUM, "1"),
+        (names::TNUM, "8"),
+        (names::PRNUM, "1"),
+        (names::FA, "1"),
+        (names::TSA, "0.5"),
+        (names::VMS, "0"),
+        (names::NMSP, "1"),
+        (names::EVNUM, "3"),
+        (names::K, "3"),
+        (names::TZL, "0.002"),
+        (names::TMV, "0.005"),
+        (names::TUL, "0"),
+        (names::TLL, "-0.01"),
+        (names::TDIF, "0.04"),
     ],
     simulation: Some(Simulation::new(
         Work { propose: propose::propose, simulate: simulate::simulate },
         // inside the zone has to be smaller than the bore
-        &[(params::INSIDE_ZONE, &[("_SZO", "30")])],
+        &[(params::INSIDE_ZONE, &[(names::SZO, "30")])],
     )),
     source: "B:10873-11146",
 };

@@ -5,6 +5,7 @@ use super::params::INSIDE_ZONE;
 use crate::catalogue::lathe::figures::{self, RADIUS, axis, per};
 use crate::entry::stage::{Fields, Look, Seen, Staging};
 use crate::entry::{Inputs, names};
+use crate::name::Name;
 use crate::picture::PictureShape;
 
 /// The variant that measures inside.
@@ -13,7 +14,7 @@ const INSIDE: i64 = 1;
 const ZONE: [f64; 3] = [48.0, 18.0, 36.0];
 
 /// Parameters of the zone: in the measuring axis, and along the part (B:10986-11001).
-fn fields(inputs: &Inputs) -> [&'static str; 2] {
+fn fields(inputs: &Inputs) -> [Name; 2] {
     if axis(inputs) == 0 { [names::SZA, names::SZO] } else { [names::SZO, names::SZA] }
 }
 

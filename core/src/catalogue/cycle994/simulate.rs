@@ -11,6 +11,7 @@ use crate::control::Control;
 use crate::entry::Inputs;
 use crate::entry::names;
 use crate::machine::{Machine, Stop};
+use crate::name::Name;
 
 /// The border on which the ball's centre passes from one side to the other (B:10891, B:10986-11001).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,7 +25,7 @@ pub struct Zone {
 impl Zone {
     /// The zone of a call: `_SZA` in the abscissa, `_SZO` in the ordinate or, where it is measured, in the applicate.
     pub fn of(control: &Control, inputs: &Inputs, axis: usize) -> Zone {
-        let border = |axis: usize, name: &str| {
+        let border = |axis: usize, name: Name| {
             let size = inputs.number(name).abs();
             (axis, size / measure::per_axis(control, inputs, axis))
         };

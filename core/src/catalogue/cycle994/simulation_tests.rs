@@ -7,6 +7,7 @@ use crate::catalogue::sinumerik::motion_testing::{MEASURING_FEED, PLANE_FEED};
 use crate::catalogue::sinumerik::testing::{alarms, close, motions, run, same, stopped};
 use crate::control::{Plane, Transverse, Units};
 use crate::entry::Inputs;
+use crate::entry::names;
 use crate::machine::Setup;
 use crate::machine::sim::Sim;
 use crate::machine::trace::MotionKind::{Measuring, Positioning, Retract};
@@ -201,7 +202,7 @@ fn a_radius_grows_inside_and_shrinks_outside() {
     for inside in [false, true] {
         let case = Case { inside, ..DIAMETER };
         let (setup, mut call) = case.ready(true, 0.4, 0.0);
-        call.numbers.insert("_KNUM", 2001.0);
+        call.numbers.insert(names::KNUM, 2001.0);
         let mut sim = Sim::new(&setup);
         assert_eq!(run(&mut sim, &call), Ok(()));
         let grown = sim.control.variable("$TC_DP15[7,1]").unwrap();
@@ -250,7 +251,7 @@ fn what_leaves_no_way_is_refused() {
     assert_eq!(stopped(run(&mut Sim::new(&setup), &DIAMETER.call(1.0))), 61307);
     for (case, zone) in [(DIAMETER, 65.0), (inner, 55.0)] {
         let (setup, mut call) = case.ready(true, 0.0, 0.0);
-        call.numbers.insert("_SZO", zone);
+        call.numbers.insert(names::SZO, zone);
         assert_eq!(stopped(run(&mut Sim::new(&setup), &call)), 61334);
     }
 }
@@ -264,7 +265,7 @@ fn y_is_measured_with_the_call_of_x() {
             let x = Case { transverse, inside, ..DIAMETER };
             let like_x = |axis: usize| {
                 let mut call = x.call(if inside { 1.0 } else { 2.0 });
-                call.numbers.insert("_MA", axis as f64 + 1.0);
+                call.numbers.insert(names::MA, axis as f64 + 1.0);
                 call.settings.insert("_CHBIT[19]", 1.0);
                 let mut setup = setup(x.plane, transverse);
                 setup.control.set("_CHBIT[19]", 1.0);

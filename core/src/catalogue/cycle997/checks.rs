@@ -12,6 +12,7 @@ use crate::evaluate::spread::Circle;
 use crate::geometry::fit;
 use crate::geometry::rigid::sin_cos;
 use crate::message::Message;
+use crate::name::Name;
 use crate::own;
 use nalgebra::Vector3;
 
@@ -63,14 +64,14 @@ fn around(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
 struct Sphere {
     number: f64,
     centre: Vector3<f64>,
-    field: &'static str,
+    field: Name,
 }
 
 fn spheres(inputs: &Inputs) -> Vec<Sphere> {
     let all = centres(inputs).iter().zip([1.0, 2.0, 3.0]);
     all.filter_map(|([x, y, z], number)| {
-        let centre = Vector3::new(inputs.given(x)?, inputs.given(y)?, inputs.given(z)?);
-        Some(Sphere { number, centre, field: x })
+        let centre = Vector3::new(inputs.given(*x)?, inputs.given(*y)?, inputs.given(*z)?);
+        Some(Sphere { number, centre, field: *x })
     })
     .collect()
 }

@@ -26,6 +26,7 @@ use crate::catalogue::common;
 use crate::catalogue::newer;
 use crate::catalogue::sinumerik;
 use crate::dialect::Dialect;
+use crate::entry::names;
 use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Work};
 
 /// The entry. Example: the three spheres of B:8480-8529. Its program writes `_KNUM` = 99999, which does not exist;
@@ -58,27 +59,27 @@ pub static CYCLE997: Cycle = Cycle {
     ]),
     picture: Drawing::staged(picture::stage, picture::marks),
     example: &[
-        ("_MVAR", "10109"),
-        ("_SETVAL", "50"),
-        ("_SETV[0]", "100"),
-        ("_SETV[1]", "100"),
-        ("_SETV[2]", "100"),
-        ("_SETV[3]", "600"),
-        ("_SETV[4]", "100"),
-        ("_SETV[5]", "100"),
-        ("_SETV[6]", "1100"),
-        ("_SETV[7]", "1100"),
-        ("_SETV[8]", "100"),
-        ("_KNUM", "1"),
-        ("_TNVL", "1.2"),
-        ("_PRNUM", "1"),
-        ("_FA", "5"),
-        ("_VMS", "200"),
-        ("_NMSP", "1"),
+        (names::MVAR, "10109"),
+        (names::SETVAL, "50"),
+        (names::SETV0, "100"),
+        (names::SETV1, "100"),
+        (names::SETV2, "100"),
+        (names::SETV3, "600"),
+        (names::SETV4, "100"),
+        (names::SETV5, "100"),
+        (names::SETV6, "1100"),
+        (names::SETV7, "1100"),
+        (names::SETV8, "100"),
+        (names::KNUM, "1"),
+        (names::TNVL, "1.2"),
+        (names::PRNUM, "1"),
+        (names::FA, "5"),
+        (names::VMS, "200"),
+        (names::NMSP, "1"),
     ],
     simulation: Some(Simulation::new(
         Work { propose: propose::propose, simulate: simulate::simulate },
-        &[(params::ANGLE, &[("_STA1", "0"), ("_INCA", "90"), ("_RF", "1000")])],
+        &[(params::ANGLE, &[(names::STA1, "0"), (names::INCA, "90"), (names::RF, "1000")])],
     )),
     source: "B:8178-8539",
 };

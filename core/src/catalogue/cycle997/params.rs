@@ -2,6 +2,7 @@
 
 use crate::catalogue::common::{self, optional, required};
 use crate::entry::{DigitGroup, Kind, Need, Param, Unit, When, names};
+use crate::name::Name;
 use crate::range::Range;
 
 const fn digit(place: i64, is: &'static [i64]) -> When {
@@ -58,7 +59,7 @@ const MVAR_DIGITS: &[DigitGroup] = &[
 const OTHERS: &[Need] = &[required(THREE, "need-spheres")];
 
 /// A coordinate of a set centre.
-const fn centre(name: &'static str, key: &'static str, needs: &'static [Need], source: &'static str) -> Param {
+const fn centre(name: Name, key: &'static str, needs: &'static [Need], source: &'static str) -> Param {
     Param { name, key, needs, source, ..common::SETVAL }
 }
 

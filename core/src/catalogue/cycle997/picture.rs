@@ -6,13 +6,14 @@ use super::points::{DIAMETER_SIDE, centres, directions};
 use crate::entry::Inputs;
 use crate::entry::names;
 use crate::entry::stage::{Fields, Look, SIZE, Seen, Staging, add};
+use crate::name::Name;
 use crate::picture::figures::{arrow, circle, dimension, line, polar, polygon};
 use crate::picture::{PictureShape, ShapeKind};
 
 /// From the zero point to the centre of the first sphere, mm.
 const CENTRE: f64 = 1.05 * SIZE;
 /// Where the other spheres stand, so far away that they are not in the way, mm.
-const OTHERS: [(&str, f64); 6] = [
+const OTHERS: [(Name, f64); 6] = [
     (names::SETV3, 6.0 * SIZE),
     (names::SETV4, CENTRE),
     (names::SETV5, CENTRE),
@@ -100,7 +101,7 @@ fn diameter(above: &Seen, middle: [f64; 2]) -> [PictureShape; 3] {
 /// work can show it: the spheres are too small beside their distances.
 fn triangle(inputs: &Inputs, zero: [f64; 2]) -> Vec<PictureShape> {
     let fields = centres(inputs);
-    let set: Vec<[f64; 2]> = fields.iter().map(|[x, y, _]| [inputs.number(x), inputs.number(y)]).collect();
+    let set: Vec<[f64; 2]> = fields.iter().map(|[x, y, _]| [inputs.number(*x), inputs.number(*y)]).collect();
     let places = fitted(&set, zero.map(|value| value + 0.8 * SIZE), [3.0 * SIZE, 1.6 * SIZE]);
     let mut shapes = vec![polygon(ShapeKind::Axis, places.clone()).of(names::TNVL)];
     for pair in places.windows(2) {
@@ -112,11 +113,11 @@ fn triangle(inputs: &Inputs, zero: [f64; 2]) -> Vec<PictureShape> {
     shapes.push(line(ShapeKind::Axis, vec![zero, [zero[0], top]]).of(names::KNUM));
     for (index, ([u, v], [x, y, z])) in places.into_iter().zip(fields).enumerate() {
         let under = zero[1] - SIZE * (0.05 + 0.42 * (index + 1) as f64);
-        shapes.push(dimension(x, [zero[0], under], [u, under]));
-        shapes.push(line(ShapeKind::Axis, vec![[u, under], [u, zero[1]]]).of(x));
-        shapes.push(dimension(y, [u, zero[1]], [u, v]));
-        shapes.push(circle(ShapeKind::Edge, [u, v], 0.12 * SIZE).text((index + 1).to_string()).of(x));
-        shapes.push(line(ShapeKind::Label, vec![[u, v + 0.3 * SIZE]]).text(*z).of(z));
+        shapes.push(dimension(*x, [zero[0], under], [u, under]));
+        shapes.push(line(ShapeKind::Axis, vec![[u, under], [u, zero[1]]]).of(*x));
+        shapes.push(dimension(*y, [u, zero[1]], [u, v]));
+        shapes.push(circle(ShapeKind::Edge, [u, v], 0.12 * SIZE).text((index + 1).to_string()).of(*x));
+        shapes.push(line(ShapeKind::Label, vec![[u, v + 0.3 * SIZE]]).text(*z).of(*z));
     }
     shapes
 }

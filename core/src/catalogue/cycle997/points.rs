@@ -4,6 +4,7 @@ use super::params::{ANGLE, DIAMETER, FOUR_POINTS, ONE};
 use crate::catalogue::circle;
 use crate::entry::Inputs;
 use crate::entry::names;
+use crate::name::Name;
 
 /// Direction of the additional point for the diameter: approached in plus direction, so on the minus side, degree
 /// (B:8371).
@@ -30,14 +31,14 @@ pub fn sides(inputs: &Inputs) -> Vec<f64> {
 }
 
 /// Names of the set centre of each sphere: abscissa, ordinate, applicate.
-const CENTRES: &[[&str; 3]] = &[
+const CENTRES: &[[Name; 3]] = &[
     [names::SETV0, names::SETV1, names::SETV2],
     [names::SETV3, names::SETV4, names::SETV5],
     [names::SETV6, names::SETV7, names::SETV8],
 ];
 
 /// Those of the spheres that are measured, in their order.
-pub fn centres(inputs: &Inputs) -> &'static [[&'static str; 3]] {
+pub fn centres(inputs: &Inputs) -> &'static [[Name; 3]] {
     let measured = if ONE.holds(inputs) { 1 } else { 3 };
     &CENTRES[..measured]
 }

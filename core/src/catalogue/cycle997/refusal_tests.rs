@@ -6,6 +6,7 @@ use super::simulation_tests::{corrected, ready, written};
 use crate::catalogue::sinumerik::testing::{alarms, called, stopped};
 use crate::control::Plane;
 use crate::entry::Inputs;
+use crate::entry::names;
 use crate::machine::sim::Sim;
 use crate::machine::trace::Step;
 use crate::machine::{Setup, Stop};
@@ -27,7 +28,7 @@ fn a_distorted_triangle_is_not_corrected() {
         changed(10_109, 1.0, move |setup, inputs| {
             let [dx, dy] = [160.0, 30.0].map(|way| way / 160.0_f64.hypot(30.0));
             setup.workpiece.solids[1].errors.shift = [dx, dy, 0.0];
-            inputs.numbers.insert("_TNVL", limit);
+            inputs.numbers.insert(names::TNVL, limit);
         })
     };
     let (sim, outcome) = longer(0.9);
@@ -74,7 +75,7 @@ fn every_difference_is_watched_and_the_sphere_repeated() {
     {
         for repeated in [false, true] {
             let (sim, outcome) = changed(variant, 1.0, |setup, inputs| {
-                inputs.numbers.insert("_TSA", 0.8);
+                inputs.numbers.insert(names::TSA, 0.8);
                 let sphere = &mut setup.workpiece.solids[1].errors;
                 if size == 0.0 {
                     sphere.shift[axis] = 1.0;
@@ -114,7 +115,7 @@ fn a_mirrored_frame_is_not_turned() {
 fn points_on_no_circle_are_told() {
     // oracle: manual A:15857: the third point lies upon the first one
     let (sim, outcome) = changed(1109, 1.0, |_, inputs| {
-        inputs.numbers.insert("_INCA", 180.0);
+        inputs.numbers.insert(names::INCA, 180.0);
     });
     assert_eq!(stopped(outcome), 61316);
     assert_eq!(sim.control.number("_OVI[12]"), 61316.0);

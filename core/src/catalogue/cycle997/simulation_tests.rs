@@ -8,11 +8,13 @@ use crate::catalogue::sinumerik::testing::{at, call, random_parts, run, setup, s
 use crate::check::check;
 use crate::control::{Frame, Plane, Units};
 use crate::dialect::Dialect;
+use crate::entry::names;
 use crate::entry::{Inputs, Typed};
 use crate::geometry::{V3, fit, rigid};
 use crate::machine::Setup;
 use crate::machine::sim::Sim;
 use crate::machine::trace::Step;
+use crate::name::Name;
 use crate::workpiece::Shape;
 use proptest::prelude::*;
 
@@ -37,7 +39,7 @@ pub(super) fn inputs(variant: i64) -> Inputs {
 /// The same with a target.
 pub(super) fn corrected(variant: i64, target: f64) -> Inputs {
     let mut inputs = inputs(variant);
-    inputs.numbers.insert("_KNUM", target);
+    inputs.numbers.insert(names::KNUM, target);
     inputs
 }
 
@@ -110,7 +112,7 @@ proptest! {
                 solid.errors.size = grown;
             }
             let mut inputs = inputs(variant);
-            inputs.numbers.extend([("_STA1", first), ("_INCA", step)]);
+            inputs.numbers.extend([(names::STA1, first), (names::INCA, step)]);
             let mut sim = Sim::new(&setup);
             prop_assert_eq!(run(&mut sim, &inputs), Ok(()), "variant {}", variant);
             // oracle: hand (the spheres as they were made)
@@ -305,9 +307,9 @@ fn typed_in(units: Units, variant: i64) -> (Vec<f64>, Frame) {
     }
     let inputs = corrected(variant, 1.0);
     let lengths = |name: &str| name.starts_with("_SETV") || ["_TSA", "_TNVL", "_RF"].contains(&name);
-    let text = |(name, value): (&&str, &f64)| {
+    let text = |(name, value): (&Name, &f64)| {
         let value = if lengths(name) { value / unit } else { *value };
-        ((*name).to_owned(), value.to_string())
+        (name.to_string(), value.to_string())
     };
     let mut typed: Typed = inputs.numbers.iter().map(text).collect();
     typed.insert("_MVAR".into(), variant.to_string());

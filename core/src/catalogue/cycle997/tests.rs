@@ -3,16 +3,17 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::{CYCLE997, points};
+use crate::catalogue::example::changed;
 use crate::check::check;
 use crate::control::{Control, delivery};
 use crate::diagnostic::{Code, Severity};
+use crate::entry::names;
 use crate::entry::{Inputs, Typed};
 use crate::form::fields;
 
 /// The worked example with some values changed.
 fn values(changes: &[(&str, &str)]) -> Typed {
-    let all = CYCLE997.example.iter().chain(changes);
-    all.map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect()
+    changed(&CYCLE997, changes)
 }
 
 /// Everything found, on a control that was changed.
@@ -20,7 +21,7 @@ fn found(changes: &[(&str, &str)], prepare: impl Fn(&mut Control)) -> Vec<(Sever
     let mut control = delivery(CYCLE997.dialect);
     prepare(&mut control);
     let found = check(&CYCLE997, &values(changes), &control).diagnostics;
-    found.into_iter().map(|one| (one.severity, one.code, one.param.unwrap())).collect()
+    found.into_iter().map(|one| (one.severity, one.code, one.param.unwrap().as_str())).collect()
 }
 
 /// One sphere at an angle: number of the variant, indexing angle.
@@ -83,7 +84,7 @@ fn at_an_angle_the_ball_diameter_has_to_be_known() {
 /// Names of the fields of a form.
 fn form(changes: &[(&str, &str)]) -> Vec<&'static str> {
     let all = fields(&CYCLE997, &values(changes), &delivery(CYCLE997.dialect));
-    all.into_iter().map(|field| field.name).collect()
+    all.into_iter().map(|field| field.name.as_str()).collect()
 }
 
 #[test]
@@ -105,7 +106,7 @@ fn points_lie_where_the_variant_says() {
     // oracle: manual B:8371, B:8437-8457
     let of = |variant: i64| {
         let mut inputs = Inputs::new(&CYCLE997, variant);
-        inputs.numbers.extend([("_STA1", 10.0), ("_INCA", -60.0)]);
+        inputs.numbers.extend([(names::STA1, 10.0), (names::INCA, -60.0)]);
         points::sides(&inputs)
     };
     assert_eq!(of(109), [0.0, 180.0, 90.0, 270.0]);

@@ -10,6 +10,7 @@ use crate::entry::Inputs;
 use crate::entry::names;
 use crate::evaluate::spread::Touched;
 use crate::message::Message;
+use crate::name::Name;
 use crate::own;
 
 /// Cosine of 1 degree: a rotary axis that is no nearer to the direction about which the angle turns cannot take it.
@@ -39,8 +40,8 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
 /// A way from the first point to another one.
 struct Leg {
     /// Names of the angle that the surface should have along it, and of the distance.
-    name: &'static str,
-    by: &'static str,
+    name: Name,
+    by: Name,
     /// That angle without its sign, degree.
     angle: f64,
     /// Distance of the points, mm.
@@ -56,13 +57,13 @@ impl Leg {
 
 /// The ways of this variant whose values are known (B:7506-7520, B:7796-7806).
 fn legs(inputs: &Inputs) -> Vec<Leg> {
-    let pairs: &[(&'static str, &'static str)] = if ONE.holds(inputs) {
+    let pairs: &[(Name, Name)] = if ONE.holds(inputs) {
         &[(names::STA1, names::ID)]
     } else {
         &[(names::INCA, names::ID), (names::STA1, names::SETV0)]
     };
-    let leg = |(name, distance): &(&'static str, &'static str)| {
-        Some(Leg { name, by: distance, angle: inputs.given(name)?.abs(), distance: inputs.given(distance)? })
+    let leg = |(name, distance): &(Name, Name)| {
+        Some(Leg { name: *name, by: *distance, angle: inputs.given(*name)?.abs(), distance: inputs.given(*distance)? })
     };
     pairs.iter().filter_map(leg).collect()
 }

@@ -24,6 +24,7 @@ pub use results::RESULTS;
 use crate::catalogue::common;
 use crate::catalogue::sinumerik;
 use crate::dialect::Dialect;
+use crate::entry::names;
 use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work};
 
 /// Measuring variants (B:7318-7324).
@@ -64,28 +65,35 @@ pub static CYCLE998: Cycle = Cycle {
     ]),
     picture: Drawing::staged(picture::stage, picture::marks),
     example: &[
-        ("_MVAR", "105"),
-        ("_SETVAL", "-18"),
-        ("_MA", "102"),
-        ("_ID", "40"),
-        ("_STA1", "0"),
-        ("_RA", "4"),
-        ("_KNUM", "1"),
-        ("_PRNUM", "1"),
-        ("_FA", "8"),
-        ("_TSA", "5"),
-        ("_VMS", "0"),
-        ("_NMSP", "1"),
-        ("_EVNUM", "0"),
+        (names::MVAR, "105"),
+        (names::SETVAL, "-18"),
+        (names::MA, "102"),
+        (names::ID, "40"),
+        (names::STA1, "0"),
+        (names::RA, "4"),
+        (names::KNUM, "1"),
+        (names::PRNUM, "1"),
+        (names::FA, "8"),
+        (names::TSA, "5"),
+        (names::VMS, "0"),
+        (names::NMSP, "1"),
+        (names::EVNUM, "0"),
     ],
     simulation: Some(Simulation::new(
         Work { propose: propose::propose, simulate: simulate::simulate },
         &[
-            (params::PARAXIAL, &[("_MD", "0")]),
+            (params::PARAXIAL, &[(names::MD, "0")]),
             // the oblique plane of B:7624-7694
             (
                 params::TWO,
-                &[("_SETVAL", "30"), ("_MD", "1"), ("_SETV[0]", "30"), ("_STA1", "8"), ("_INCA", "12"), ("_FA", "10")],
+                &[
+                    (names::SETVAL, "30"),
+                    (names::MD, "1"),
+                    (names::SETV0, "30"),
+                    (names::STA1, "8"),
+                    (names::INCA, "12"),
+                    (names::FA, "10"),
+                ],
             ),
         ],
     )),

@@ -6,6 +6,7 @@ use crate::catalogue::sinumerik::motion_testing::{DEPTH_FEED, Lettered, PLANE_FE
 use crate::catalogue::sinumerik::testing::{at, call, run, setup, solid, touches, turns};
 use crate::control::Plane;
 use crate::entry::Inputs;
+use crate::entry::names;
 use crate::machine::sim::Sim;
 use crate::workpiece::Shape;
 
@@ -186,7 +187,7 @@ fn every_variant_moves_as_its_table_says() {
 fn measurements_at_the_same_place_are_repeated_at_each_point() {
     // oracle: manual B:2348-2356
     let mut inputs = inputs(106, 103, [0.0; 2]);
-    inputs.numbers.insert("_NMSP", 3.0);
+    inputs.numbers.insert(names::NMSP, 3.0);
     let mut sim = machine(Plane::G17, [20.0, 20.0, 30.0]);
     assert_eq!(run(&mut sim, &inputs), Ok(()));
     assert_eq!(touches(&sim).len(), 9);
@@ -202,7 +203,7 @@ fn a_mono_probe_is_turned_and_a_differential_one_turns_back() {
         turns(&sim)
     };
     let mut mono = inputs(105, 102, [0.0; 2]);
-    mono.numbers.insert("_PRNUM", 101.0);
+    mono.numbers.insert(names::PRNUM, 101.0);
     assert_eq!(turned(&mono), [270.0, 270.0]);
     assert_eq!(turned(&inputs(1105, 102, [0.0; 2])), [210.0, 30.0]);
 }

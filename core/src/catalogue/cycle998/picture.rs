@@ -5,6 +5,7 @@ use super::params::{AT_ANGLE, DIFFERENTIAL, TWO};
 use crate::entry::Inputs;
 use crate::entry::names;
 use crate::entry::stage::{Fields, Look, SIZE, Seen, Staging, Touched, add};
+use crate::name::Name;
 use crate::picture::figures::{arc, arrow, circle, dimension, line, polar, polygon};
 use crate::picture::{PictureShape, ShapeKind};
 
@@ -88,7 +89,7 @@ pub fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
 }
 
 /// A way from the first point to the other one, along an axis of the paper: its angle with the safe area, its length.
-fn leg(inputs: &Inputs, seen: &Seen, along: usize, [angle, distance]: [&'static str; 2]) -> Vec<PictureShape> {
+fn leg(inputs: &Inputs, seen: &Seen, along: usize, [angle, distance]: [Name; 2]) -> Vec<PictureShape> {
     let [first, second] = seen.touches[..] else {
         return Vec::new();
     };

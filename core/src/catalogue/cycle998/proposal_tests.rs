@@ -5,6 +5,7 @@
 use super::angles::Surface;
 use super::simulation_tests::{AXES, ONE, PLANES, TWO, done, inputs};
 use crate::catalogue::sinumerik::testing::{close, setup};
+use crate::entry::names;
 
 #[test]
 fn the_proposed_part_is_measured_from_the_proposed_start() {
@@ -17,7 +18,7 @@ fn the_proposed_part_is_measured_from_the_proposed_start() {
             .filter(|(variant, axes)| (*variant, axes % 10) != (1105, 3))
         {
             let mut inputs = inputs(variant, axes, [7.0, 0.0]);
-            inputs.numbers.extend([("_SETVAL", 12.0), ("_FA", 8.0), ("_TSA", 3.0)]);
+            inputs.numbers.extend([(names::SETVAL, 12.0), (names::FA, 8.0), (names::TSA, 3.0)]);
             let mut setup = setup(plane);
             setup.probe.stylus = Some(0.0); // faces lean over here by more than a straight one bears
             let proposal = (inputs.cycle.work().unwrap().propose)(&inputs, &setup.control);

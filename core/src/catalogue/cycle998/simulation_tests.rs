@@ -3,13 +3,16 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::angles::{Surface, normal};
+use crate::catalogue::sinumerik::testing::put;
 use crate::catalogue::sinumerik::testing::{at, call, called, close, random_parts, run, setup, stopped, touches};
 use crate::control::{Control, Frame, Plane};
 use crate::entry::Inputs;
+use crate::entry::names;
 use crate::geometry::V3;
 use crate::geometry::rigid::{angles, rotation};
 use crate::machine::sim::Sim;
 use crate::machine::{Setup, Stop};
+use crate::name::Name;
 use crate::workpiece::{PartErrors, Shape, Solid};
 use nalgebra::{Matrix3, Rotation3};
 use proptest::prelude::*;
@@ -193,7 +196,7 @@ proptest! {
                 continue;
             }
             let mut inputs = inputs(variant, AXES[axes], set);
-            inputs.numbers.insert("_KNUM", f64::from(target));
+            inputs.numbers.insert(names::KNUM, f64::from(target));
             let actual = match variant % 10 {
                 5 => vec![set[0] + wrong[0]],
                 _ => vec![set[1] + wrong[1], set[0] + wrong[0]],
@@ -218,7 +221,7 @@ proptest! {
     fn a_corrected_rotary_axis_measures_zero(set in -20.0..20.0_f64, wrong in -9.0..9.0_f64, across in any::<bool>(),
     fine in 0..2_u8) {
         let mut inputs = inputs(105, if across { 201 } else { 102 }, [set, 0.0]);
-        inputs.numbers.insert("_RA", 4.0);
+        inputs.numbers.insert(names::RA, 4.0);
         let mut setup = ready(Plane::G17, &inputs, [0.0; 3], &[set + wrong]);
         setup.control.set("MD18600", f64::from(fine));
         setup.control.rotary_centre = setup.workpiece.solids[0].at;
@@ -241,7 +244,7 @@ proptest! {
     fn the_table_turns_right_in_reversed_coordinates(wrong in -9.0..9.0_f64, mirror in 0..2_usize,
     upside in any::<bool>()) {
         let mut inputs = inputs(105, 102, [0.0; 2]);
-        inputs.numbers.insert("_RA", 4.0);
+        inputs.numbers.insert(names::RA, 4.0);
         let turned = [if upside { 180.0 } else { 0.0 }, 0.0, 0.0];
         let mut mirrors = [false; 3];
         mirrors[0] = mirror == 1;
@@ -257,7 +260,7 @@ proptest! {
     #[test]
     fn a_carried_table_turns_right(wrong in -9.0..9.0_f64, upside in any::<bool>()) {
         let mut inputs = inputs(105, 102, [0.0; 2]);
-        inputs.numbers.insert("_RA", 4.0);
+        inputs.numbers.insert(names::RA, 4.0);
         let mut setup = ready(Plane::G17, &inputs, [0.0; 3], &[wrong]);
         setup.control.rotary_centre = setup.workpiece.solids[0].at;
         let under = if upside { 180.0 } else { 0.0 };
@@ -298,7 +301,7 @@ fn edge(change: impl Fn(&mut Setup, &mut Inputs)) -> (Sim, Result<(), Stop>) {
 fn another_frame_is_corrected_to_the_same_angle() {
     // oracle: manual B:7371, hand: G55 is turned by 5 degree less than G54, and the edge by 2 degree more
     let (sim, outcome) = edge(|setup, inputs| {
-        inputs.numbers.insert("_KNUM", 2.0);
+        inputs.numbers.insert(names::KNUM, 2.0);
         let turned = Frame { rotation: [0.0, 0.0, -5.0], ..Frame::default() };
         setup.control.frames.insert(2, turned);
     });
@@ -315,7 +318,7 @@ fn the_empirical_value_counts_with_either_sign() {
     // oracle: manual B:7286, B:13924-13926
     for (bit, turn) in [(0.0, 1.7), (1.0, 2.3)] {
         let (sim, outcome) = edge(|setup, inputs| {
-            inputs.numbers.insert("_EVNUM", 10.0);
+            inputs.numbers.insert(names::EVNUM, 10.0);
             setup.control.set("_EV[9]", 0.3);
             setup.control.set("_CHBIT[5]", bit);
         });
@@ -331,7 +334,7 @@ fn the_empirical_value_counts_with_either_sign() {
 #[test]
 fn without_a_target_nothing_is_corrected() {
     // oracle: manual B:7694
-    let (sim, outcome) = edge(|_, inputs| _ = inputs.numbers.insert("_KNUM", 0.0));
+    let (sim, outcome) = edge(|_, inputs| _ = inputs.numbers.insert(names::KNUM, 0.0));
     assert_eq!(outcome, Ok(()));
     close(&sim, "_OVI[11]", 0.0);
     close(&sim, "_OVR[20]", 2.0);
@@ -342,7 +345,7 @@ fn without_a_target_nothing_is_corrected() {
 fn nothing_is_told_of_a_frame_that_is_right() {
     // oracle: hand
     let decisions = |angle: f64| {
-        let (sim, outcome) = edge(|_, inputs| _ = inputs.numbers.insert("_STA1", angle));
+        let (sim, outcome) = edge(|_, inputs| _ = inputs.numbers.insert(names::STA1, angle));
         assert_eq!(outcome, Ok(()));
         let steps = sim.trace.entries.iter();
         steps.filter(|entry| matches!(entry.step, crate::machine::trace::Step::Decision(_))).count()
@@ -353,16 +356,16 @@ fn nothing_is_told_of_a_frame_that_is_right() {
 #[test]
 fn alarms_stop() {
     // oracle: manual A:15842-15872, B:7546
-    let value = |name: &'static str, value: f64| stopped(edge(|_, inputs| _ = inputs.numbers.insert(name, value)).1);
-    assert_eq!(value("_MA", 101.0), 61325);
-    assert_eq!(value("_MA", 402.0), 61325);
-    assert_eq!(value("_RA", 5.0), 61329);
-    assert_eq!(value("_KNUM", 100.0), 61321);
-    assert_eq!(value("_TSA", 1.9), 61303);
-    assert_eq!(value("_FA", 2.0), 61301);
+    let value = |name: Name, value: f64| stopped(edge(|_, inputs| put(inputs, name.as_str(), value)).1);
+    assert_eq!(value(names::MA, 101.0), 61325);
+    assert_eq!(value(names::MA, 402.0), 61325);
+    assert_eq!(value(names::RA, 5.0), 61329);
+    assert_eq!(value(names::KNUM, 100.0), 61321);
+    assert_eq!(value(names::TSA, 1.9), 61303);
+    assert_eq!(value(names::FA, 2.0), 61301);
     let skewed = edge(|_, inputs| {
         inputs.variant = 1105;
-        inputs.numbers.extend([("_MA", 103.0), ("_SETVAL", -30.0)]);
+        inputs.numbers.extend([(names::MA, 103.0), (names::SETVAL, -30.0)]);
     });
     assert_eq!(stopped(skewed.1), 61325);
 }
@@ -371,7 +374,7 @@ fn alarms_stop() {
 fn a_violated_safe_area_is_measured_again() {
     // oracle: manual B:13572-13580
     let (sim, outcome) = edge(|setup, inputs| {
-        inputs.numbers.insert("_TSA", 1.0);
+        inputs.numbers.insert(names::TSA, 1.0);
         setup.control.set("_CBIT[0]", 1.0);
     });
     assert_eq!(stopped(outcome), 61303);

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::CYCLE998;
+use crate::catalogue::example::changed;
 use crate::check::check;
 use crate::control::{Control, delivery};
 use crate::diagnostic::{Code, Severity};
@@ -13,8 +14,7 @@ use crate::program::write::snippet;
 
 /// The worked example with some values changed.
 fn values(changes: &[(&str, &str)]) -> Typed {
-    let all = CYCLE998.example.iter().chain(changes);
-    all.map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect()
+    changed(&CYCLE998, changes)
 }
 
 /// Everything found, on a control that was changed.
@@ -22,7 +22,7 @@ fn found(changes: &[(&str, &str)], prepare: impl Fn(&mut Control)) -> Vec<(Sever
     let mut control = delivery(CYCLE998.dialect);
     prepare(&mut control);
     let found = check(&CYCLE998, &values(changes), &control).diagnostics;
-    found.into_iter().map(|one| (one.severity, one.code, one.param.unwrap())).collect()
+    found.into_iter().map(|one| (one.severity, one.code, one.param.unwrap().as_str())).collect()
 }
 
 /// The oblique plane of B:7624-7694, whose program leaves the set position to an earlier call.
@@ -149,7 +149,7 @@ fn the_oblique_plane_of_the_manual() {
     assert_eq!(found(PLANE, |_| ()), [doubt]);
     let typed = values(PLANE);
     let shown: Vec<&str> =
-        fields(&CYCLE998, &typed, &delivery(CYCLE998.dialect)).into_iter().map(|field| field.name).collect();
+        fields(&CYCLE998, &typed, &delivery(CYCLE998.dialect)).into_iter().map(|field| field.name.as_str()).collect();
     assert_eq!(
         shown,
         [

@@ -3,6 +3,7 @@
 use crate::catalogue::common::{ALWAYS_REQUIRED, PARAM, optional};
 use crate::catalogue::nct::{FORMAT_ERROR, params};
 use crate::control::Plane;
+use crate::entry::address;
 use crate::entry::{Chooses, Need, Param, Unit, When};
 use crate::range::Range;
 
@@ -20,7 +21,7 @@ const fn boss_in(plane: Plane) -> Chooses {
 /// In the order of the block format.
 pub const PARAMS: &[Param] = &[
     Param {
-        name: "D",
+        name: address::D,
         key: "g110-d",
         unit: Unit::ActiveLength,
         range: Range::POSITIVE,
@@ -30,9 +31,9 @@ pub const PARAMS: &[Param] = &[
         source: "C:1075",
         ..PARAM
     },
-    Param { name: "X", needs: &[in_plane(Plane::G19)], chooses: &[boss_in(Plane::G19)], ..AXIS },
-    Param { name: "Y", needs: &[in_plane(Plane::G18)], chooses: &[boss_in(Plane::G18)], ..AXIS },
-    Param { name: "Z", needs: &[in_plane(Plane::G17)], chooses: &[boss_in(Plane::G17)], ..AXIS },
+    Param { name: address::X, needs: &[in_plane(Plane::G19)], chooses: &[boss_in(Plane::G19)], ..AXIS },
+    Param { name: address::Y, needs: &[in_plane(Plane::G18)], chooses: &[boss_in(Plane::G18)], ..AXIS },
+    Param { name: address::Z, needs: &[in_plane(Plane::G17)], chooses: &[boss_in(Plane::G17)], ..AXIS },
     Param { needs: &[optional(When::Variant(&[super::BOSS]), "need-nct-optional")], source: "C:1077", ..params::R },
     Param { source: "C:1078", ..params::Q },
     Param { source: "C:1079", ..params::S },

@@ -5,11 +5,12 @@ use crate::catalogue::nct::checks;
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
 use crate::entry::Inputs;
+use crate::entry::address;
 
 /// What goes wrong with the corrections, and a ball without a way to the wall of a bore.
 pub fn checks(inputs: &Inputs, control: &Control, findings: &mut Vec<Diagnostic>) {
     checks::corrections(inputs, findings);
     if inputs.variant == BORE {
-        checks::room(inputs, "D", control, findings);
+        checks::room(inputs, address::D, control, findings);
     }
 }

@@ -12,6 +12,7 @@ use crate::control::Control;
 use crate::dialect::Dialect;
 use crate::entry::Inputs;
 use crate::entry::Task;
+use crate::entry::address;
 use crate::entry::{Cycle, Drawing, Help, Proposal, Purpose, ResultField, Simulation, Variant, When, Work};
 use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
 use crate::workpiece::{Shape, Workpiece};
@@ -60,7 +61,7 @@ pub static G110: Cycle = Cycle {
     checks: checks::checks,
     help: Help::new(&[HELP, nct::help::MEASURING, nct::help::SHIFTS]),
     picture: Drawing::staged(picture::stage, picture::marks),
-    example: &[("D", "50"), ("S", "1"), ("H", "0.02"), ("V", "2"), ("W", "2")],
+    example: &[(address::D, "50"), (address::S, "1"), (address::H, "0.02"), (address::V, "2"), (address::W, "2")],
     simulation: Some(Simulation::new(Work { propose, simulate: simulate::simulate }, &[])),
     source: "C:1036-1183",
 };
@@ -72,13 +73,13 @@ const fn length(name: &'static str, key: &'static str) -> ResultField {
 /// Coordinate of the tool axis to which a boss is measured, mm.
 fn depth(inputs: &Inputs) -> Option<f64> {
     let [.., applicate] = inputs.plane.axes();
-    inputs.numbers.get(nct::axis_name(applicate)).copied()
+    inputs.given(nct::axis_name(applicate))
 }
 
 /// A bore whose upper face is the zero of the WCS, the stylus inside it; or a boss, the stylus above it.
 fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let [.., applicate] = control.plane.axes();
-    let diameter = inputs.numbers.get("D").copied().filter(|d| *d > 0.0).unwrap_or(50.0);
+    let diameter = inputs.positive(address::D, 50.0);
     let (mut top, mut start) = ([0.0; 3], [0.0; 3]);
     let shape = match depth(inputs) {
         Some(depth) if inputs.variant == BOSS => {

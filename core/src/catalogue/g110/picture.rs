@@ -2,6 +2,7 @@
 
 use crate::catalogue::nct::figures::{address, limits, stage as macro_stage};
 use crate::entry::Inputs;
+use crate::entry::address;
 use crate::entry::stage::{Look, Seen, Staging};
 use crate::picture::PictureShape;
 
@@ -10,7 +11,7 @@ const DEPTH: f64 = -20.0;
 
 /// The element in the size of the picture.
 pub fn stage(inputs: &Inputs) -> Staging {
-    macro_stage(inputs, Look::ABOVE, &["D"]).sized(inputs, &["D"]).with(address(inputs, 2), DEPTH)
+    macro_stage(inputs, Look::ABOVE, &[address::D]).sized(inputs, &[address::D]).with(address(inputs, 2), DEPTH)
 }
 
 /// Size and limits.
@@ -20,6 +21,6 @@ pub fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
     };
     let mut shapes = above.axes(above.middle(), [None; 2]).to_vec();
     shapes.extend(limits(inputs, above));
-    shapes.push(above.size("D", 0));
+    shapes.push(above.size(address::D, 0));
     shapes
 }

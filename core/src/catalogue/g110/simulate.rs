@@ -10,6 +10,7 @@ use crate::catalogue::nct::touch::Calibration;
 use crate::catalogue::nct::walls::{Chord, Outside, Walls, chord, home, travel};
 use crate::catalogue::nct::{self, axis_name, print};
 use crate::entry::Inputs;
+use crate::entry::address;
 use crate::machine::{Machine, Stop};
 
 /// What was measured, mm.
@@ -49,9 +50,9 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
 fn walls(machine: &mut dyn Machine, inputs: &Inputs) -> Walls {
     let outside = depth(inputs).filter(|_| inputs.variant == BOSS);
     Walls {
-        outside: outside.map(|depth| Outside { depth, clearance: inputs.number("R") }),
-        size: inputs.number("D"),
-        overtravel: inputs.number("Q"),
+        outside: outside.map(|depth| Outside { depth, clearance: inputs.number(address::R) }),
+        size: inputs.number(address::D),
+        overtravel: inputs.number(address::Q),
         start: machine.position(),
         axes: machine.control().plane.axes(),
     }
@@ -88,7 +89,7 @@ fn found(walls: &Walls, measured: &Measured) -> Found {
 fn printed(walls: &Walls, measured: &Measured) -> print::Values {
     let position = |i: usize| {
         let axis = walls.axes[i];
-        (axis_name(axis), walls.start[axis], measured.shift[i])
+        (axis_name(axis).as_str(), walls.start[axis], measured.shift[i])
     };
     print::Values { dimension: Some((walls.size, measured.deviation)), positions: [0, 1].map(position).into() }
 }

@@ -2,7 +2,8 @@
 
 #![allow(clippy::unwrap_used)]
 
-use crate::catalogue::sinumerik;
+use crate::catalogue::example::changed;
+use crate::catalogue::{find, sinumerik};
 use crate::check::check;
 use crate::control::{Control, Edge, Frame, Plane, Tool, Transverse, delivery};
 use crate::diagnostic::{Code, Severity};
@@ -11,6 +12,7 @@ use crate::entry::Cycle;
 use crate::entry::Inputs;
 use crate::entry::Typed;
 use crate::machine::Setup;
+use crate::name::Name;
 
 /// The control in G18 with mean value memory and the probe of the manual's examples in use (B:10695-10709): T9, type
 /// 580, position 7.
@@ -28,8 +30,7 @@ pub fn lathe() -> Control {
 
 /// The worked example with some values changed.
 pub fn call(cycle: &Cycle, changes: &[(&str, &str)]) -> Typed {
-    let all = cycle.example.iter().chain(changes);
-    all.map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect()
+    changed(cycle, changes)
 }
 
 /// Everything that is found in a call on a changed turning machine; the last is the parameter, empty where there is
@@ -43,7 +44,7 @@ pub fn found(
     prepare(&mut control);
     let found = check(cycle, &call(cycle, changes), &control).diagnostics;
     let short = found.into_iter();
-    short.map(|one| (one.severity, one.code, one.param.unwrap_or_default())).collect()
+    short.map(|one| (one.severity, one.code, one.param.map_or("", Name::as_str))).collect()
 }
 
 /// T number of the turning tool that the calls of [`measured`] correct.
@@ -71,6 +72,8 @@ pub fn inputs(name: &str, plane: Plane, values: &[(&'static str, f64)]) -> Input
     let variant = variant.map_or(0, |(_, value)| *value as i64);
     let mut all = vec![("_KNUM", 1.0), ("_TNUM", TURNING_TOOL as f64), ("_FA", 5.0)];
     all.extend(sinumerik::testing::WIDE_BANDS);
+    let cycle = find(Dialect::Sinumerik, name).unwrap();
+    all.retain(|(name, _)| cycle.param(name).is_some()); // one that calibrates corrects nothing
     all.extend(values);
     let mut inputs = sinumerik::testing::call(name, variant, &all);
     inputs.plane = plane;

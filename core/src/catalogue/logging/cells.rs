@@ -1,5 +1,6 @@
 //! A text as it stands in its variable: one cell a character.
 
+use crate::name::Name;
 use crate::picture::figures::{line, rectangle};
 use crate::picture::{PictureShape, ShapeKind};
 
@@ -14,7 +15,7 @@ pub fn left(index: usize) -> f64 {
 }
 
 /// A variable of so many characters, centred at this height, with the text that it holds.
-pub fn cells(text: &str, count: usize, y: f64, field: &'static str) -> Vec<PictureShape> {
+pub fn cells(text: &str, count: usize, y: f64, field: Name) -> Vec<PictureShape> {
     let width = left(count);
     let mut shapes = vec![rectangle(ShapeKind::Material, [width / 2.0, y], [width, CELL]).of(field)];
     let borders = (1..count).map(|index| {

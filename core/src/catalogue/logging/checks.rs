@@ -8,6 +8,7 @@ use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::entry::Inputs;
 use crate::message::Message;
+use crate::name::Name;
 use crate::own;
 
 /// Width of a column where the titles give none, characters (A:15945).
@@ -45,14 +46,14 @@ fn file(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
 }
 
 /// Whether a program gives this text at run time.
-fn open(name: &str, found: &[Diagnostic]) -> bool {
+fn open(name: Name, found: &[Diagnostic]) -> bool {
     found.iter().any(|finding| finding.param == Some(name))
 }
 
 /// Nothing is to be printed (A:15914).
 fn empty(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     let mut all = TITLES.iter().chain(&VALUES);
-    let given = all.any(|name| !inputs.text(name).is_empty() || open(name, found));
+    let given = all.any(|name| !inputs.text(*name).is_empty() || open(*name, found));
     if !given {
         let at = if inputs.uses(VALUES[0]) { VALUES[0] } else { TITLES[0] };
         found.push(
@@ -78,7 +79,7 @@ fn columns(inputs: &Inputs, found: &mut Vec<Diagnostic>) -> Vec<usize> {
 }
 
 /// One line of values: what cannot be shown, what does not fit.
-fn values(inputs: &Inputs, name: &'static str, widths: &[usize], found: &mut Vec<Diagnostic>) {
+fn values(inputs: &Inputs, name: Name, widths: &[usize], found: &mut Vec<Diagnostic>) {
     let line = inputs.text(name);
     for field in fields(line) {
         if let Field::Unknown(word) = field {
@@ -109,7 +110,7 @@ fn values(inputs: &Inputs, name: &'static str, widths: &[usize], found: &mut Vec
 }
 
 /// A line that is longer than allowed: by the cycles (A:15915), by the program (A:15944).
-fn long(inputs: &Inputs, name: &'static str, total: f64, found: &mut Vec<Diagnostic>) {
+fn long(inputs: &Inputs, name: Name, total: f64, found: &mut Vec<Diagnostic>) {
     let message = |key, most| Message::new(key).number("total", total).number("most", most);
     if total > LONGEST_LINE {
         found.push(

@@ -1,43 +1,46 @@
-//! Names of the data of the log, so that a slip does not compile.
+//! Names of the data of the log.
+
+use crate::name::Name;
 
 /// Program that the log is about, printed in the header.
-pub const PROGRAM: &str = "_PROTNAME[0]";
+pub const PROGRAM: Name = Name::new("_PROTNAME[0]");
 /// Name of the log file.
-pub const FILE: &str = "_PROTNAME[1]";
+pub const FILE: Name = Name::new("_PROTNAME[1]");
 /// Texts of the user in the header.
-pub const HEADLINES: [&str; 10] = [
-    "_HEADLINE[0]",
-    "_HEADLINE[1]",
-    "_HEADLINE[2]",
-    "_HEADLINE[3]",
-    "_HEADLINE[4]",
-    "_HEADLINE[5]",
-    "_HEADLINE[6]",
-    "_HEADLINE[7]",
-    "_HEADLINE[8]",
-    "_HEADLINE[9]",
+pub const HEADLINES: [Name; 10] = [
+    Name::new("_HEADLINE[0]"),
+    Name::new("_HEADLINE[1]"),
+    Name::new("_HEADLINE[2]"),
+    Name::new("_HEADLINE[3]"),
+    Name::new("_HEADLINE[4]"),
+    Name::new("_HEADLINE[5]"),
+    Name::new("_HEADLINE[6]"),
+    Name::new("_HEADLINE[7]"),
+    Name::new("_HEADLINE[8]"),
+    Name::new("_HEADLINE[9]"),
 ];
 /// Lines of a page.
-pub const PAGE: &str = "_PROTFORM[0]";
+pub const PAGE: Name = Name::new("_PROTFORM[0]");
 /// Characters of a line.
-pub const LINE: &str = "_PROTFORM[1]";
+pub const LINE: Name = Name::new("_PROTFORM[1]");
 /// Number of the first page.
-pub const FIRST_PAGE: &str = "_PROTFORM[2]";
+pub const FIRST_PAGE: Name = Name::new("_PROTFORM[2]");
 /// How many of the texts of the user are printed.
-pub const HEAD_LINES: &str = "_PROTFORM[3]";
+pub const HEAD_LINES: Name = Name::new("_PROTFORM[3]");
 /// Lines of a block of values.
-pub const VALUE_LINES: &str = "_PROTFORM[4]";
+pub const VALUE_LINES: Name = Name::new("_PROTFORM[4]");
 /// Characters of a column; 0: as in the first title line.
-pub const COLUMN: &str = "_PROTFORM[5]";
+pub const COLUMN: Name = Name::new("_PROTFORM[5]");
 /// Between two values.
-pub const SEPARATOR: &str = "_PROTSYM[0]";
+pub const SEPARATOR: Name = Name::new("_PROTSYM[0]");
 /// Behind a value out of tolerance.
-pub const MARK: &str = "_PROTSYM[1]";
+pub const MARK: Name = Name::new("_PROTSYM[1]");
 /// Decimals.
-pub const DIGITS: &str = "_DIGIT";
+pub const DIGITS: Name = Name::new("_DIGIT");
 /// Title lines.
-pub const TITLES: [&str; 2] = ["_PROTVAL[0]", "_PROTVAL[1]"];
+pub const TITLES: [Name; 2] = [Name::new("_PROTVAL[0]"), Name::new("_PROTVAL[1]")];
 /// What the lines of a block of values show.
-pub const VALUES: [&str; 4] = ["_PROTVAL[2]", "_PROTVAL[3]", "_PROTVAL[4]", "_PROTVAL[5]"];
+pub const VALUES: [Name; 4] =
+    [Name::new("_PROTVAL[2]"), Name::new("_PROTVAL[3]"), Name::new("_PROTVAL[4]"), Name::new("_PROTVAL[5]")];
 /// First parameter of the calls with arguments.
-pub const JOB: &str = "PAR1";
+pub const JOB: Name = Name::new("PAR1");

@@ -5,6 +5,7 @@ use super::line::widths;
 use super::names::{COLUMN, FILE, HEADLINES, LINE, PROGRAM, SEPARATOR, TITLES, VALUES};
 use super::params::LONGEST_LINE;
 use crate::entry::Inputs;
+use crate::name::Name;
 use crate::picture::figures::{dimension, line, rectangle};
 use crate::picture::{Picture, PictureShape, ShapeKind, View};
 
@@ -36,7 +37,7 @@ impl Page {
     }
 
     /// A text over the whole line.
-    fn text(&mut self, name: &'static str) {
+    fn text(&mut self, name: Name) {
         let at = [self.width / 2.0, self.y() - BASE];
         self.shapes.push(line(ShapeKind::Label, vec![at]).text(name).of(name));
         self.lines += 1;
@@ -50,7 +51,7 @@ impl Page {
     }
 
     /// A line of fields below each other's columns.
-    fn fields(&mut self, name: &'static str, text: &str) {
+    fn fields(&mut self, name: Name, text: &str) {
         let y = self.y();
         let mut left = 0.0;
         let fields: Vec<&str> = text.split(',').collect();
@@ -75,8 +76,8 @@ pub fn picture(inputs: &Inputs) -> Picture {
     let width = inputs.positive(LINE, WIDTHS.1).clamp(WIDTHS.0, WIDTHS.1);
     let mut page = Page { width, columns: columns(inputs, width), lines: 0, shapes: Vec::new() };
     for name in [PROGRAM].iter().chain(&HEADLINES) {
-        if inputs.uses(name) {
-            page.text(name);
+        if inputs.uses(*name) {
+            page.text(*name);
         }
     }
     if inputs.uses(TITLES[1]) {
@@ -133,7 +134,7 @@ pub fn closed(_: &Inputs) -> Picture {
 /// Widths of the columns; where the number is 0, those of the first title line.
 fn columns(inputs: &Inputs, most: f64) -> Vec<f64> {
     let fixed = inputs.positive(COLUMN, 12.0).clamp(1.0, most);
-    let count = TITLES.iter().chain(&VALUES).map(|name| inputs.text(name).split(',').count()).max().unwrap_or(1);
+    let count = TITLES.iter().chain(&VALUES).map(|name| inputs.text(*name).split(',').count()).max().unwrap_or(1);
     let title = inputs.text(TITLES[0]);
     if inputs.number(COLUMN) == 0.0 && !title.is_empty() {
         let wide = |width: usize| (width as f64).clamp(1.0, most);

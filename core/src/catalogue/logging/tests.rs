@@ -16,6 +16,7 @@ use crate::dialect::Dialect;
 use crate::entry::Typed;
 use crate::entry::{Cycle, Style};
 use crate::machine::Setup;
+use crate::name::Name;
 use crate::own;
 use crate::program::calls::calls;
 use crate::program::change::{apply, change};
@@ -23,14 +24,14 @@ use crate::program::write::snippet;
 use crate::run::{Limits, run};
 use crate::syntax::read;
 
-fn typed(cycle: &'static Cycle, changes: &[(&str, &str)]) -> Typed {
+fn typed(cycle: &'static Cycle, changes: &[(Name, &str)]) -> Typed {
     let mut typed = example(cycle, &cycle.variants[0]);
-    let pair = |(name, value): &(&str, &str)| ((*name).to_owned(), (*value).to_owned());
+    let pair = |(name, value): &(Name, &str)| (name.to_string(), (*value).to_owned());
     typed.extend(changes.iter().map(pair));
     typed
 }
 
-fn found(cycle: &'static Cycle, changes: &[(&str, &str)]) -> Vec<(Code, Option<&'static str>)> {
+fn found(cycle: &'static Cycle, changes: &[(Name, &str)]) -> Vec<(Code, Option<Name>)> {
     let control = delivery(Dialect::Sinumerik);
     let found = check(cycle, &typed(cycle, changes), &control).diagnostics;
     found.iter().map(|one| (one.code, one.param)).collect()
@@ -69,8 +70,11 @@ fn header_and_values_have_their_numbers() {
     assert_eq!(found(&CYCLE105, &[(JOB, "2")]), [(own::RANGE.code(), Some(JOB))]);
     assert_eq!(found(&CYCLE106, &[(JOB, "2")]), []);
     assert_eq!(found(&CYCLE106, &[(JOB, "0")]), [(Code::Alarm(61360), Some(JOB))]);
-    assert_eq!(found(&CYCLE118, &[("PAR4", "11"), ("PAR5", "1")]), [(Code::Alarm(61362), Some("PAR4"))]);
-    assert_eq!(found(&CYCLE118, &[("PAR4", "3")]), [(own::MISSING.code(), Some("PAR5"))]);
+    assert_eq!(
+        found(&CYCLE118, &[(Name::new("PAR4"), "11"), (Name::new("PAR5"), "1")]),
+        [(Code::Alarm(61362), Some(Name::new("PAR4")))]
+    );
+    assert_eq!(found(&CYCLE118, &[(Name::new("PAR4"), "3")]), [(own::MISSING.code(), Some(Name::new("PAR5")))]);
 }
 
 // oracle: hand (what the machine has counts where nothing is written)
@@ -93,18 +97,18 @@ fn texts_of_a_program_are_read_as_they_stand() {
         _HEADLINE[0]=\"Part number: \"<<PARTNUM\n_PROTVAL[2]=\"_TXT[0],_AXIS,_TIME\"\nCYCLE100\n";
     let program = read(Dialect::Sinumerik, text.as_bytes());
     let site = &calls(&program)[0];
-    assert_eq!(site.values[TITLES[1]], "\"  \"");
-    assert_eq!(site.values[HEADLINES[0]], "\"Part number: \"<<PARTNUM");
+    assert_eq!(site.values[TITLES[1].as_str()], "\"  \"");
+    assert_eq!(site.values[HEADLINES[0].as_str()], "\"Part number: \"<<PARTNUM");
     let codes: Vec<Code> = site.diagnostics.iter().map(|one| one.code).collect();
     assert_eq!(codes, [Code::Own(3)], "known at run time only");
     let changed = |name, value| {
         let edits = change(&program, site, name, value);
         String::from_utf8(apply(text.as_bytes(), &edits)).unwrap()
     };
-    assert_eq!(changed(FILE, "LOG_2"), text.replace("LOG_1", "LOG_2"));
-    assert_eq!(changed(TITLES[1], "\" \""), text.replace("\"  \"", "\" \""));
-    assert_eq!(changed(FILE, "\"L_\"<<R1"), text.replace("\"LOG_1\"", "\"L_\"<<R1"));
-    assert_eq!(changed(HEADLINES[0], "Part 7"), text.replace("\"Part number: \"<<PARTNUM", "\"Part 7\""));
+    assert_eq!(changed(FILE.as_str(), "LOG_2"), text.replace("LOG_1", "LOG_2"));
+    assert_eq!(changed(TITLES[1].as_str(), "\" \""), text.replace("\"  \"", "\" \""));
+    assert_eq!(changed(FILE.as_str(), "\"L_\"<<R1"), text.replace("\"LOG_1\"", "\"L_\"<<R1"));
+    assert_eq!(changed(HEADLINES[0].as_str(), "Part 7"), text.replace("\"Part number: \"<<PARTNUM", "\"Part 7\""));
     let control = delivery(Dialect::Sinumerik);
     let written = snippet(&CYCLE100, &site.values, &control, Style::Direct, None).text;
     let again = calls(&read(Dialect::Sinumerik, written.as_bytes()));
@@ -117,7 +121,8 @@ fn an_argument_and_data_make_one_call() {
     let text = "_PROTVAL[2]=\"_OVR[4]\"\nCYCLE105(0)\n_PROTVAL[2]=\"R27\"\nCYCLE105(0)\n";
     let program = read(Dialect::Sinumerik, text.as_bytes());
     let sites = calls(&program);
-    let shown: Vec<_> = sites.iter().map(|one| (&*one.values[VALUES[0]], &*one.values[JOB])).collect();
+    let shown: Vec<_> =
+        sites.iter().map(|one| (&*one.values[VALUES[0].as_str()], &*one.values[JOB.as_str()])).collect();
     assert_eq!(shown, [("_OVR[4]", "0"), ("R27", "0")]);
     assert_eq!((sites[1].first_line, sites[1].line), (2, 3));
 }
@@ -153,7 +158,7 @@ fn a_run_goes_on_without_the_log() {
 // oracle: manual B:11258-11260 (eight characters in a variable of ten), B:11296-11308 (31.830988618 becomes 31.83)
 #[test]
 fn texts_are_drawn_in_their_variables() {
-    let written = |cycle: &'static Cycle, changes: &[(&str, &str)]| {
+    let written = |cycle: &'static Cycle, changes: &[(Name, &str)]| {
         let control = delivery(cycle.dialect);
         let picture = crate::form::draw(cycle, &typed(cycle, changes), &control).unwrap();
         let cells = picture.shapes.into_iter();
@@ -163,6 +168,6 @@ fn texts_are_drawn_in_their_variables() {
     assert_eq!(written(&CYCLE113, &[]), "06/12/31");
     assert_eq!(written(&CYCLE113, &[(JOB, "2")]), "23:59:00");
     assert_eq!(written(&CYCLE118, &[]), "31.8331.830988618PAR2");
-    let many = written(&CYCLE118, &[("PAR4", "2"), ("PAR5", "11")]);
+    let many = written(&CYCLE118, &[(Name::new("PAR4"), "2"), (Name::new("PAR5"), "11")]);
     assert_eq!(many, "R110.00_TXT[0]R120.00_TXT[1]PAR2");
 }

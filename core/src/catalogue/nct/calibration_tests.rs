@@ -100,7 +100,7 @@ fn block(plane: Plane, inch: bool, wrong: f64) -> Setup {
 
 fn calibrate_length(setup: &Setup) -> Setup {
     let applicate = setup.control.plane.axes()[2];
-    let values = [(axis_name(applicate), &*length(setup, 20.0)), ("T", "98")];
+    let values = [(axis_name(applicate).as_str(), &*length(setup, 20.0)), ("T", "98")];
     let outcome = call(&G104, &values, setup);
     assert_eq!(outcome.stop, None);
     after(setup, outcome)
@@ -140,7 +140,7 @@ fn the_length_is_found_as_a_work_offset() {
         setup.position[applicate] -= offset + 2.0; // the spindle stands where it stood
         let calibrated = calibrate_length(&setup);
         near(calibrated.control.register(98).length[0], 53.0 + offset);
-        let again = call(&G104, &[(axis_name(applicate), "20"), ("T", "98")], &calibrated);
+        let again = call(&G104, &[(axis_name(applicate).as_str(), "20"), ("T", "98")], &calibrated);
         near(again.control.number("DEVIATION"), 0.0);
     }
 }

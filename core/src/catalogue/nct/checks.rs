@@ -5,28 +5,30 @@ use crate::check::error;
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
 use crate::entry::Inputs;
+use crate::entry::address;
 use crate::message::Message;
+use crate::name::Name;
 use crate::own;
 
 /// S with T (C:1089), limits that make no sense together, M and T the same register.
 pub fn corrections(inputs: &Inputs, findings: &mut Vec<Diagnostic>) {
-    if inputs.given("S").is_some() && inputs.given("T").is_some() {
+    if inputs.given(address::S).is_some() && inputs.given(address::T).is_some() {
         let message = Message::new("nct-offset-and-tool");
-        findings.push(error(FORMAT_ERROR, message).hint(Message::new("nct-offset-and-tool-hint")).at("T"));
+        findings.push(error(FORMAT_ERROR, message).hint(Message::new("nct-offset-and-tool-hint")).at(address::T));
     }
-    if let (Some(tolerance), Some(limit)) = (inputs.given("H"), inputs.given("U"))
+    if let (Some(tolerance), Some(limit)) = (inputs.given(address::H), inputs.given(address::U))
         && limit <= tolerance
     {
         // the message about the tolerance would never come alone
-        findings.push(own::NCT_LIMITS.finding().at("U"));
+        findings.push(own::NCT_LIMITS.finding().at(address::U));
     }
-    if inputs.given("M").is_some() && inputs.given("M") == inputs.given("T") {
-        findings.push(own::NCT_SAME_REGISTER.finding().at("M"));
+    if inputs.given(address::M).is_some() && inputs.given(address::M) == inputs.given(address::T) {
+        findings.push(own::NCT_SAME_REGISTER.finding().at(address::M));
     }
 }
 
 /// A ball that has no way to the walls between which it stands (C:1133). `param` gives their distance.
-pub fn room(inputs: &Inputs, param: &'static str, control: &Control, findings: &mut Vec<Diagnostic>) {
+pub fn room(inputs: &Inputs, param: Name, control: &Control, findings: &mut Vec<Diagnostic>) {
     let balls = ["#500", "#501", "#502", "#503"].map(|name| control.basic_length(name));
     let ball = 2.0 * balls.into_iter().fold(0.0, f64::max);
     let Some(size) = inputs.given(param).filter(|size| *size <= ball) else {

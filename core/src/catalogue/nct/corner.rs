@@ -11,6 +11,7 @@ use super::{FORMAT_ERROR, axis_name, figures, part, ready_to_measure};
 use crate::catalogue::common::{PARAM, required};
 use crate::control::{Control, Plane};
 use crate::entry::Inputs;
+use crate::entry::address;
 use crate::entry::stage::{Look, Seen, Staging};
 use crate::entry::{Need, Param, Proposal, ResultField, Unit, When};
 use crate::machine::{Machine, Stop};
@@ -25,13 +26,13 @@ const fn in_planes(planes: &'static [When]) -> [Need; 1] {
 const AXIS: Param = Param { key: "nct-corner", unit: Unit::ActiveLength, alarm: Some(FORMAT_ERROR), ..PARAM };
 /// X, in G17 and G18.
 pub const X: Param =
-    Param { name: "X", needs: &in_planes(&[When::Plane(Plane::G17), When::Plane(Plane::G18)]), ..AXIS };
+    Param { name: address::X, needs: &in_planes(&[When::Plane(Plane::G17), When::Plane(Plane::G18)]), ..AXIS };
 /// Y, in G17 and G19.
 pub const Y: Param =
-    Param { name: "Y", needs: &in_planes(&[When::Plane(Plane::G17), When::Plane(Plane::G19)]), ..AXIS };
+    Param { name: address::Y, needs: &in_planes(&[When::Plane(Plane::G17), When::Plane(Plane::G19)]), ..AXIS };
 /// Z, in G18 and G19.
 pub const Z: Param =
-    Param { name: "Z", needs: &in_planes(&[When::Plane(Plane::G18), When::Plane(Plane::G19)]), ..AXIS };
+    Param { name: address::Z, needs: &in_planes(&[When::Plane(Plane::G18), When::Plane(Plane::G19)]), ..AXIS };
 /// Work offset; the one in use where it is not given (C:733).
 pub const S: Param = Param { key: "nct-s-corner", ..super::params::S };
 
@@ -64,7 +65,7 @@ pub fn measure(machine: &mut dyn Machine, inputs: &Inputs, outside: bool) -> Res
         if outside {
             travel(machine, other, 2.0 * nominal[1 - index] - start[other])?;
         }
-        let Wall { position, .. } = touch_wall(machine, index, nominal[index], inputs.number("Q"))?;
+        let Wall { position, .. } = touch_wall(machine, index, nominal[index], inputs.number(address::Q))?;
         *found = position;
         travel(machine, axes[index], start[axes[index]])?;
         travel(machine, other, start[other])?;
@@ -75,7 +76,7 @@ pub fn measure(machine: &mut dyn Machine, inputs: &Inputs, outside: bool) -> Res
     (moved[axes[0]], moved[axes[1]]) = (Some(shift[0]), Some(shift[1]));
     results(machine, &[("CORNER_1", corner[0]), ("CORNER_2", corner[1]), ("SHIFT_1", shift[0]), ("SHIFT_2", shift[1])]);
     let active = machine.control().settable;
-    let offset = inputs.given("S").map_or(active, |number| number as usize);
+    let offset = inputs.given(address::S).map_or(active, |number| number as usize);
     move_offset(machine, offset, moved);
     Ok(())
 }
@@ -102,7 +103,7 @@ const SET: f64 = 50.0;
 
 /// The corner from above, with the ways to its walls.
 pub fn stage(inputs: &Inputs) -> Staging {
-    let stage = figures::stage(inputs, Look::ABOVE.ways("Q"), &[]);
+    let stage = figures::stage(inputs, Look::ABOVE.ways(address::Q), &[]);
     [0, 1].into_iter().fold(stage, |stage, axis| {
         let name = figures::address(inputs, axis);
         stage.with(name, SET.copysign(inputs.number(name)))

@@ -4,10 +4,12 @@ use super::{OUT_OF_TOLERANCE, TOOL_TOO_LARGE, UPPER_TOLERANCE, axis_name};
 use crate::control::Control;
 use crate::control::variables::nct_offset;
 use crate::entry::Inputs;
+use crate::entry::address;
 use crate::evaluate::tolerance::exceeds;
 use crate::machine::Machine;
 use crate::machine::trace::Step;
 use crate::message::Message;
+use crate::name::Name;
 
 /// Part of a register that M and T mean.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,26 +38,26 @@ pub struct Found {
 
 /// Messages first, then M, and unless U is exceeded T or S (C:1083-1099).
 pub fn correct(machine: &mut dyn Machine, inputs: &Inputs, found: &Found) {
-    let beyond = |name: &str| inputs.given(name).is_some_and(|limit| exceeds(found.deviation.abs(), limit));
-    if beyond("H") {
+    let beyond = |name: Name| inputs.given(name).is_some_and(|limit| exceeds(found.deviation.abs(), limit));
+    if beyond(address::H) {
         machine.record(Step::Alarm(OUT_OF_TOLERANCE));
     }
-    if let Some(register) = inputs.given("M") {
+    if let Some(register) = inputs.given(address::M) {
         let name = match found.part {
             Part::Radius => format!("D{register}"),
             Part::Length => format!("H{register}"),
         };
         write(machine, name, found.excess);
     }
-    if beyond("U") {
+    if beyond(address::U) {
         machine.record(Step::Alarm(UPPER_TOLERANCE));
         machine.record(Step::Decision(Message::new("decision-nct-no-update")));
         return;
     }
-    if let Some(register) = inputs.given("T") {
+    if let Some(register) = inputs.given(address::T) {
         correct_tool(machine, register as i64, found);
     }
-    if let Some(offset) = inputs.given("S") {
+    if let Some(offset) = inputs.given(address::S) {
         move_offset(machine, offset as usize, found.shift);
     }
 }

@@ -2,34 +2,36 @@
 
 use super::axis_name;
 use crate::entry::Inputs;
+use crate::entry::address;
 use crate::entry::stage::{Fields, Look, Seen, Staging};
+use crate::name::Name;
 use crate::picture::{PictureShape, ShapeKind};
 
 /// Shortest and longest clearance or overtravel that is drawn, mm.
 const SHORT: [f64; 2] = [10.0, 20.0];
 
 /// The call with its short lengths so long that they can be seen.
-pub fn stage(inputs: &Inputs, look: Look, edges: &'static [&'static str]) -> Staging {
+pub fn stage(inputs: &Inputs, look: Look, edges: &'static [Name]) -> Staging {
     let fields = Fields { edges, ..Fields::MACRO };
-    Staging::new(look, fields).short(inputs, "R", SHORT).short(inputs, "Q", SHORT)
+    Staging::new(look, fields).short(inputs, address::R, SHORT).short(inputs, address::Q, SHORT)
 }
 
 /// Address of an axis of the plane: 0 abscissa, 1 ordinate, 2 applicate.
-pub fn address(inputs: &Inputs, axis: usize) -> &'static str {
+pub fn address(inputs: &Inputs, axis: usize) -> Name {
     axis_name(inputs.plane.axes()[axis.min(2)])
 }
 
 /// Overtravel, clearance, tolerance and upper limit, as far as they are given.
 pub fn limits(inputs: &Inputs, seen: &Seen) -> Vec<PictureShape> {
     let mut shapes = Vec::new();
-    if let Some(past) = inputs.given("Q").map(|past| past.abs().clamp(SHORT[0], SHORT[1])) {
-        shapes.extend(seen.bands(ShapeKind::Zone, &[("Q", -past, 0.0)]));
-        shapes.extend(seen.behind("Q", 0, past));
+    if let Some(past) = inputs.given(address::Q).map(|past| past.abs().clamp(SHORT[0], SHORT[1])) {
+        shapes.extend(seen.bands(ShapeKind::Zone, &[(address::Q, -past, 0.0)]));
+        shapes.extend(seen.behind(address::Q, 0, past));
     }
-    if inputs.given("R").is_some() && seen.outside() {
-        shapes.extend(seen.path("R", 0, 2.2));
+    if inputs.given(address::R).is_some() && seen.outside() {
+        shapes.extend(seen.path(address::R, 0, 2.2));
     }
-    let limits = [("U", 3.2), ("H", 1.6)].into_iter().filter(|(name, _)| inputs.given(name).is_some());
+    let limits = [(address::U, 3.2), (address::H, 1.6)].into_iter().filter(|(name, _)| inputs.given(*name).is_some());
     let limits: Vec<_> = limits.map(|(name, half)| (name, -half, half)).collect();
     shapes.extend(seen.bands(ShapeKind::Tolerance, &limits));
     shapes

@@ -38,7 +38,7 @@ fn calibrated(plane: Plane, inch: bool, skew: [f64; 2]) -> Setup {
     put(&mut setup, Shape::Block { size }, [0.0; 3], [0.0; 3], 0.0);
     stand(&mut setup, [0.0, 0.0, 50.0]);
     let applicate = axis_name(plane.axes()[2]);
-    setup = go(&setup, &G104, &[(applicate, 0.0)], &[("T", "98")]).0;
+    setup = go(&setup, &G104, &[(applicate.as_str(), 0.0)], &[("T", "98")]).0;
     setup.workpiece.solids.clear();
     setup
 }
@@ -82,7 +82,7 @@ fn wall(setup: &Setup, index: usize, shift: f64) -> (Setup, &'static str, [f64; 
     at[index] = 75.0;
     stand(&mut setup, at);
     let name = axis_name(setup.control.plane.axes()[index]);
-    (setup, name, at)
+    (setup, name.as_str(), at)
 }
 
 proptest! {
@@ -96,7 +96,7 @@ proptest! {
         let setup = calibrated(PLANES[plane], inch, skew);
         let (setup, name, at) = wall(&setup, index, shift);
         let depth = axis_name(PLANES[plane].axes()[2]);
-        let lengths = [(name, 50.0), (depth, -10.0)];
+        let lengths = [(name, 50.0), (depth.as_str(), -10.0)];
         let (first, outcome) = go(&setup, &G105, &lengths, &[("S", "1"), ("M", "7")]);
         near(result(&outcome.control, "DEVIATION"), shift);
         near(result(&outcome.control, "POSITION"), 50.0 + shift);
@@ -115,12 +115,12 @@ proptest! {
         put(&mut setup, BLOCK, [0.0, 0.0, 5.0], [0.0, 0.0, shift], 0.0);
         stand(&mut setup, [0.0, 0.0, 40.0]);
         let name = axis_name(PLANES[plane].axes()[2]);
-        let (first, outcome) = go(&setup, &G106, &[(name, 5.0)], &[("S", "0"), ("M", "7")]);
+        let (first, outcome) = go(&setup, &G106, &[(name.as_str(), 5.0)], &[("S", "0"), ("M", "7")]);
         near(result(&outcome.control, "DEVIATION"), shift);
         near(outcome.control.variable("H7").unwrap(), shift);
         let common = outcome.control.variable(&format!("COMMON {name}")).unwrap();
         near(common, shift);
-        let (_, second) = go(&again(&first, [0.0, 0.0, 40.0]), &G106, &[(name, 5.0)], &[]);
+        let (_, second) = go(&again(&first, [0.0, 0.0, 40.0]), &G106, &[(name.as_str(), 5.0)], &[]);
         near(result(&second.control, "DEVIATION"), 0.0);
     }
 
@@ -140,7 +140,7 @@ proptest! {
         put(&mut setup, shape, at, [shift[0], shift[1], 0.0], 0.0);
         let start = [80.0, 60.0, -10.0];
         stand(&mut setup, start);
-        let [first, second, _] = PLANES[plane].axes().map(axis_name);
+        let [first, second, _] = PLANES[plane].axes().map(|axis| axis_name(axis).as_str());
         let lengths = [(first, 100.0), (second, 80.0)];
         let (corrected, outcome) = go(&setup, cycle, &lengths, &[]);
         near(result(&outcome.control, "CORNER_1"), 100.0 + shift[0]);
@@ -162,7 +162,7 @@ proptest! {
         lengths[index] = 80.0;
         let mut off = [0.0; 3];
         off[index] = shift;
-        let axes = PLANES[plane].axes().map(axis_name);
+        let axes = PLANES[plane].axes().map(|axis| axis_name(axis).as_str());
         let mut values = vec![(axes[index], 80.0)];
         let (shape, start) = if web {
             values.push((axes[2], -10.0));
@@ -194,7 +194,7 @@ fn another_work_offset_than_the_one_in_use_takes_the_nominal_place() {
             let other = Frame::translation([100.0, 200.0, 300.0]);
             setup.control.frames.insert(2, other);
             let depth = axis_name(plane.axes()[2]);
-            let lengths = [(name, 50.0), (depth, -10.0)];
+            let lengths = [(name, 50.0), (depth.as_str(), -10.0)];
             let (mut corrected, outcome) = go(&setup, &G105, &lengths, &[("S", "2")]);
             for axis in 0..3 {
                 let at = |system: &str| {
@@ -283,7 +283,7 @@ fn print_out() {
 fn format_errors() {
     let wrong = [nct::FORMAT_ERROR];
     for (plane, depth) in TOOL_AXIS {
-        let [first, second, _] = plane.axes().map(axis_name);
+        let [first, second, _] = plane.axes().map(|axis| axis_name(axis).as_str());
         for cycle in [&G105, &G109] {
             assert_eq!(codes(cycle, &[(depth, "-10")], plane), wrong);
             assert_eq!(codes(cycle, &[(first, "50"), (second, "50")], plane), wrong);
@@ -317,8 +317,8 @@ fn the_tool_axis_makes_a_web() {
             check(&G109, &typed, &control).inputs.unwrap().variant
         };
         let name = axis_name(plane.axes()[0]);
-        assert_eq!(variant(&[(name, "50")]), POCKET);
-        assert_eq!(variant(&[(name, "50"), (depth, "0")]), WEB);
+        assert_eq!(variant(&[(name.as_str(), "50")]), POCKET);
+        assert_eq!(variant(&[(name.as_str(), "50"), (depth, "0")]), WEB);
     }
 }
 

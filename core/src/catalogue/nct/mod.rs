@@ -31,8 +31,10 @@ use crate::catalogue;
 use crate::control::{Control, Units};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::dialect::Dialect;
+use crate::entry::address;
 use crate::entry::{Cycle, Kind, Need, Param, Unit, When};
 use crate::machine::{Machine, Stop};
+use crate::name::Name;
 use crate::own;
 use crate::range::Range;
 
@@ -103,8 +105,8 @@ pub const TOOL_AXIS: [(crate::control::Plane, &str); 3] = {
 };
 
 /// Name of an axis.
-pub const fn axis_name(axis: usize) -> &'static str {
-    ["X", "Y", "Z"][axis]
+pub const fn axis_name(axis: usize) -> Name {
+    address::AXES[axis]
 }
 
 /// The macro that `G65 P…` calls by its program number: O9010 to O9019 are G101 to G110 as delivered (parameters 9041

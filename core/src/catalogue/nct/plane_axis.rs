@@ -8,6 +8,7 @@ use crate::diagnostic::Diagnostic;
 use crate::entry::Inputs;
 use crate::entry::{Need, When};
 use crate::message::Message;
+use crate::name::Name;
 
 const fn need(plane: Plane, reason: &'static str) -> Need {
     optional(When::Plane(plane), reason)
@@ -30,13 +31,13 @@ pub fn index(inputs: &Inputs) -> Option<usize> {
 }
 
 /// Address and value of that axis; 0 where there is none.
-pub fn nominal(inputs: &Inputs) -> (&'static str, f64) {
+pub fn nominal(inputs: &Inputs) -> (Name, f64) {
     let name = axis_name(inputs.plane.axes()[index(inputs).unwrap_or(0)]);
     (name, inputs.number(name))
 }
 
 /// Address of the tool axis, and the depth where it is given, mm.
-pub fn depth(inputs: &Inputs) -> (&'static str, Option<f64>) {
+pub fn depth(inputs: &Inputs) -> (Name, Option<f64>) {
     let [.., applicate] = inputs.plane.axes();
     let name = axis_name(applicate);
     (name, inputs.given(name))

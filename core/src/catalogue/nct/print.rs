@@ -2,8 +2,10 @@
 
 use super::PRINT_ENABLED;
 use crate::entry::Inputs;
+use crate::entry::address;
 use crate::machine::Machine;
 use crate::machine::trace::Step;
+use crate::name::Name;
 
 /// Four decimals, no zero before the point, a blank after the minus sign: `.7810`, `- 15.0000`.
 pub fn number(value: f64) -> String {
@@ -55,23 +57,24 @@ pub fn print(machine: &mut dyn Machine, inputs: &Inputs, values: &Values) {
 }
 
 fn lines(inputs: &Inputs, values: &Values, per: f64) -> Vec<String> {
-    let whole = |name: &str| inputs.given(name).map(|number| number as i64);
+    let whole = |name: Name| inputs.given(name).map(|number| number as i64);
     let mut lines: Vec<String> = Vec::new();
     if let Some((nominal, deviation)) = values.dimension {
-        if whole("V") == Some(2) {
+        if whole(address::V) == Some(2) {
             lines.extend(DIMENSION_HEADER.map(String::from));
         }
-        if inputs.integer("V") > 0 {
-            let tolerance = inputs.given("H").map(|limit| limit / per);
-            lines.push(dimension(whole("T"), nominal / per, tolerance, deviation / per));
+        if inputs.integer(address::V) > 0 {
+            let tolerance = inputs.given(address::H).map(|limit| limit / per);
+            lines.push(dimension(whole(address::T), nominal / per, tolerance, deviation / per));
         }
     }
-    if whole("W") == Some(2) {
+    if whole(address::W) == Some(2) {
         lines.extend(POSITION_HEADER.map(String::from));
     }
-    if inputs.integer("W") > 0 {
-        let line =
-            |(axis, nominal, deviation): &(&str, f64, f64)| position(whole("S"), axis, nominal / per, deviation / per);
+    if inputs.integer(address::W) > 0 {
+        let line = |(axis, nominal, deviation): &(&str, f64, f64)| {
+            position(whole(address::S), axis, nominal / per, deviation / per)
+        };
         lines.extend(values.positions.iter().map(line));
     }
     lines

@@ -85,12 +85,12 @@ fn pictures_show_the_call_and_stay_on_the_paper() {
                 .filter(|(name, value)| !value.is_empty() && !["S", "T", "M", "V", "W"].contains(&name.as_str()));
             for (name, _) in lengths.filter(|_| cycle.name != "G101") {
                 let mut fields = picture.shapes.iter().filter_map(|shape| shape.field);
-                let axial = name == super::axis_name(plane.axes()[2]) && cycle.name == "G110";
-                assert!(axial || fields.any(|field| field == name), "{} {name}", cycle.name);
+                let axial = super::axis_name(plane.axes()[2]) == name.as_str() && cycle.name == "G110";
+                assert!(axial || fields.any(|field| field == name.as_str()), "{} {name}", cycle.name);
             }
             for number in ["0", "-1", "1e-9", "1e6", "-1e6", "x"] {
                 let values = inputs.numbers.keys();
-                let values = values.map(|name| ((*name).to_owned(), number.to_owned()));
+                let values = values.map(|name| (name.to_string(), number.to_owned()));
                 let shapes = draw(cycle, &values.collect(), &control).unwrap().shapes;
                 let points = shapes.iter().flat_map(|shape| &shape.points);
                 let centres = shapes.iter().filter_map(|shape| shape.circle.as_ref());

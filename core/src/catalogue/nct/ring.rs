@@ -6,6 +6,7 @@ use crate::catalogue::common::{ALWAYS_REQUIRED, PARAM};
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
 use crate::entry::Inputs;
+use crate::entry::address;
 use crate::entry::stage::{Fields, Look, Seen, Staging};
 use crate::entry::{Param, Proposal, ResultField, Unit, When};
 use crate::machine::{Machine, Stop};
@@ -15,7 +16,7 @@ use crate::workpiece::{Shape, Workpiece};
 
 /// Diameter of the ring; a macro adds label, usual range and source.
 pub const D: Param = Param {
-    name: "D",
+    name: address::D,
     unit: Unit::ActiveLength,
     range: Range::POSITIVE,
     alarm: Some(FORMAT_ERROR),
@@ -30,7 +31,7 @@ pub const fn value(name: &'static str, key: &'static str, source: &'static str) 
 
 /// A ring without room for the ball.
 pub fn check(inputs: &Inputs, control: &Control, findings: &mut Vec<Diagnostic>) {
-    checks::room(inputs, "D", control, findings);
+    checks::room(inputs, address::D, control, findings);
 }
 
 /// Coordinates of the spindle where the stylus is in the centre: middle between the walls in the first axis, and on
@@ -47,7 +48,7 @@ pub fn centre(machine: &mut dyn Machine, inputs: &Inputs) -> Result<[f64; 2], St
 /// each side, so that a start as far off the centre as the manual allows (C:299) still reaches every wall; and for the
 /// spindle, because the ball radius is not known yet.
 pub fn walls(machine: &mut dyn Machine, inputs: &Inputs, axis: usize) -> Result<[f64; 2], Stop> {
-    let reach = inputs.number("D") / 2.0 + overtravel(machine.control());
+    let reach = inputs.number(address::D) / 2.0 + overtravel(machine.control());
     let from = machine.position()[axis];
     across(machine, axis, [from + reach, from - reach])
 }
@@ -59,7 +60,7 @@ fn middle([upper, lower]: [f64; 2]) -> f64 {
 /// A ring whose upper face is the zero of the WCS, the stylus 10 mm deep in it.
 pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let [.., applicate] = control.plane.axes();
-    let diameter = inputs.given("D").filter(|d| *d > 0.0).unwrap_or(50.0);
+    let diameter = inputs.given(address::D).filter(|d| *d > 0.0).unwrap_or(50.0);
     let mut start = [0.0; 3];
     start[applicate] = -10.0;
     let shape = Shape::Hole { diameter, depth: 30.0 };
@@ -72,7 +73,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
 
 /// The ring in the size of the picture.
 pub fn stage(inputs: &Inputs) -> Staging {
-    Staging::new(Look::ABOVE, Fields { path: Some("D"), ..Fields::MACRO }).sized(inputs, &["D"])
+    Staging::new(Look::ABOVE, Fields { path: Some(address::D), ..Fields::MACRO }).sized(inputs, &[address::D])
 }
 
 /// Its diameter, and the limit of the search behind the walls.
@@ -81,7 +82,7 @@ pub fn marks(_: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
         return Vec::new();
     };
     let mut shapes = above.axes(above.middle(), [None; 2]).to_vec();
-    shapes.extend(above.bands(ShapeKind::Zone, &[("D", -OVERTRAVEL[0], 0.0)]));
-    shapes.push(above.size("D", 0));
+    shapes.extend(above.bands(ShapeKind::Zone, &[(address::D, -OVERTRAVEL[0], 0.0)]));
+    shapes.push(above.size(address::D, 0));
     shapes
 }

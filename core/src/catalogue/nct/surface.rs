@@ -6,6 +6,7 @@ use super::{FORMAT_ERROR, NO_MOVEMENT, figures, part};
 use crate::catalogue::common::{PARAM, required};
 use crate::control::{Control, Plane};
 use crate::entry::Inputs;
+use crate::entry::address;
 use crate::entry::stage::{Look, Seen, Staging};
 use crate::entry::{Need, Param, Proposal, Unit, When};
 use crate::machine::{Machine, Stop};
@@ -14,11 +15,11 @@ use crate::workpiece::{Shape, Workpiece};
 
 /// Height of a surface across the tool axis: X, in the plane of which it is that axis. Key and place in the manual are
 /// those of the macro.
-pub const X: Param = Param { name: "X", needs: &[along_tool(Plane::G19)], ..HEIGHT };
+pub const X: Param = Param { name: address::X, needs: &[along_tool(Plane::G19)], ..HEIGHT };
 /// The same for Y.
-pub const Y: Param = Param { name: "Y", needs: &[along_tool(Plane::G18)], ..HEIGHT };
+pub const Y: Param = Param { name: address::Y, needs: &[along_tool(Plane::G18)], ..HEIGHT };
 /// The same for Z.
-pub const Z: Param = Param { name: "Z", needs: &[along_tool(Plane::G17)], ..HEIGHT };
+pub const Z: Param = Param { name: address::Z, needs: &[along_tool(Plane::G17)], ..HEIGHT };
 
 const HEIGHT: Param = Param { unit: Unit::ActiveLength, alarm: Some(FORMAT_ERROR), ..PARAM };
 

@@ -15,6 +15,7 @@ mod touch;
 use crate::control::MachineSort;
 use crate::diagnostic::Code;
 use crate::dialect::Dialect;
+use crate::entry::address;
 use crate::entry::{Cycle, Drawing, Help, ProbeUse, Purpose, Simulation, Variant, When, Work};
 
 /// A reference tool calibrates the probe: T0.
@@ -57,7 +58,7 @@ pub static P9920: Cycle = Cycle {
     checks: checks::checks,
     help: Help::new(&[help::LINES]),
     picture: Drawing::new(picture::picture),
-    example: &[("Z", "-8"), ("D", "12"), ("T", "1")],
+    example: &[(address::Z, "-8"), (address::D, "12"), (address::T, "1")],
     simulation: Some(Simulation::new(Work { propose: propose::propose, simulate: simulate::simulate }, &[])),
     source: "C:1185-1258",
 };

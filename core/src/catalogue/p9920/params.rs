@@ -3,6 +3,7 @@
 use super::{CALIBRATE, DIAMETER, LENGTH};
 use crate::catalogue::common::{ALWAYS_REQUIRED, PARAM, optional, required};
 use crate::catalogue::nct::NUMBER;
+use crate::entry::address;
 use crate::entry::{Chooses, Kind, Param, Unit, When};
 use crate::range::Range;
 
@@ -18,8 +19,8 @@ const LENGTH_GIVEN: Param =
 
 /// T says what is done: 0 calibrates, a register is measured into (C:1219, C:1239).
 const BY_REGISTER: &[Chooses] = &[
-    Chooses { when: When::All(&[When::Given("T"), When::Given("K")]), variant: DIAMETER, typed: "1" },
-    Chooses { when: When::Given("T"), variant: LENGTH, typed: "1" },
+    Chooses { when: When::All(&[When::Given(address::T), When::Given(address::K)]), variant: DIAMETER, typed: "1" },
+    Chooses { when: When::Given(address::T), variant: LENGTH, typed: "1" },
     Chooses { when: When::Always, variant: CALIBRATE, typed: "0" },
 ];
 
@@ -35,7 +36,7 @@ const TURNS: &[(i64, &str)] = &[
 /// All of them.
 pub const PARAMS: &[Param] = &[
     Param {
-        name: "Z",
+        name: address::Z,
         key: "p9920-z",
         unit: Unit::ActiveLength,
         range: Range { max: 0.0, ..Range::ANY },
@@ -44,17 +45,17 @@ pub const PARAMS: &[Param] = &[
         ..PARAM
     },
     Param {
-        name: "K",
+        name: address::K,
         key: "p9920-k",
         range: Range::POSITIVE,
         usual: Range::closed(2.0, 30.0), // "about 2 mm" at least, C:1252
         needs: &[optional(AT_MEASUREMENT, "need-p9920-k")],
-        chooses: &[Chooses { when: When::Given("T"), variant: DIAMETER, typed: "5" }],
+        chooses: &[Chooses { when: When::Given(address::T), variant: DIAMETER, typed: "5" }],
         source: "C:1237;C:1252",
         ..LENGTH_GIVEN
     },
     Param {
-        name: "D",
+        name: address::D,
         key: "p9920-d",
         range: Range::NOT_NEGATIVE,
         needs: &[required(AT_CALIBRATION, "need-p9920-reference"), optional(When::Always, "need-p9920-d")],
@@ -63,7 +64,7 @@ pub const PARAMS: &[Param] = &[
         ..LENGTH_GIVEN
     },
     Param {
-        name: "H",
+        name: address::H,
         key: "p9920-h",
         default: Some(0.0),
         range: Range::NOT_NEGATIVE,
@@ -72,7 +73,7 @@ pub const PARAMS: &[Param] = &[
         ..LENGTH_GIVEN
     },
     Param {
-        name: "T",
+        name: address::T,
         key: "p9920-t",
         range: Range::closed(0.0, 99.0),
         needs: ALWAYS_REQUIRED,
@@ -81,7 +82,7 @@ pub const PARAMS: &[Param] = &[
         ..NUMBER
     },
     Param {
-        name: "M",
+        name: address::M,
         key: "p9920-m",
         kind: Kind::Choice(TURNS),
         needs: &[optional(AT_MEASUREMENT, "need-nct-optional")],
@@ -89,7 +90,7 @@ pub const PARAMS: &[Param] = &[
         ..PARAM
     },
     Param {
-        name: "E",
+        name: address::E,
         key: "p9920-e",
         default: Some(2.0),
         range: Range::NOT_NEGATIVE,
@@ -98,12 +99,12 @@ pub const PARAMS: &[Param] = &[
         ..LENGTH_GIVEN
     },
     Param {
-        name: "F",
+        name: address::F,
         key: "p9920-f",
         unit: Unit::BasicFeed,
         range: Range::POSITIVE,
         source: "C:1221;C:1242",
         ..LENGTH_GIVEN
     },
-    Param { name: "S", key: "p9920-s", range: Range::POSITIVE, source: "C:1222;C:1243", ..NUMBER },
+    Param { name: address::S, key: "p9920-s", range: Range::POSITIVE, source: "C:1222;C:1243", ..NUMBER },
 ];

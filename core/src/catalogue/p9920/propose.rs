@@ -4,6 +4,7 @@ use super::CALIBRATE;
 use super::checks::diameter;
 use crate::control::{Control, Edge};
 use crate::entry::Inputs;
+use crate::entry::address;
 use crate::entry::{Proposal, ProposedTool};
 use crate::workpiece::tool_probe::ToolProbe;
 use crate::workpiece::{PartErrors, Shape, Solid};
@@ -18,16 +19,16 @@ const MILL: i64 = 120;
 /// Disk, tool and start.
 pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let calibration = inputs.variant == CALIBRATE;
-    let register = if calibration { control.edge } else { inputs.integer("T") };
+    let register = if calibration { control.edge } else { inputs.integer(address::T) };
     let wide = diameter(inputs, control);
-    let assumed = match inputs.given("H") {
+    let assumed = match inputs.given(address::H) {
         Some(length) if calibration && length > 0.0 => length,
         _ => LENGTH,
     };
     let known = control.edge_of(0, register);
     let length = known.map_or(assumed, |edge| edge.total_length(0));
     let [top, x, y] = place(control);
-    let above = inputs.number("Z").abs() / 2.0;
+    let above = inputs.number(address::Z).abs() / 2.0;
     let mut point = [x, y, top + above];
     if !calibration {
         // at the call the length of another register may be in force

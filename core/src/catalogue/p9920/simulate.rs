@@ -8,6 +8,7 @@ use super::{CALIBRATE, DEPRESSED, DIAMETER, MEASURING_DEVICE};
 use crate::catalogue::nct::correct;
 use crate::control::{Control, Plane, Value};
 use crate::entry::Inputs;
+use crate::entry::address;
 use crate::machine::{Machine, Stop};
 use crate::message::Message;
 
@@ -16,7 +17,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     ready(machine.control())?;
     let register = match inputs.variant {
         CALIBRATE => reference(machine.control())?,
-        _ => inputs.integer("T"),
+        _ => inputs.integer(address::T),
     };
     keep(machine, inputs);
     let plane = machine.control().plane;
@@ -58,10 +59,10 @@ fn reference(control: &Control) -> Result<i64, Stop> {
 
 /// Given values of feed and speed stay for the next calls (C:1202).
 fn keep(machine: &mut dyn Machine, inputs: &Inputs) {
-    if let Some(feed) = inputs.given("F") {
+    if let Some(feed) = inputs.given(address::F) {
         correct::calibration(machine, &[("#512", feed)]);
     }
-    if let Some(speed) = inputs.given("S") {
+    if let Some(speed) = inputs.given(address::S) {
         correct::datum(machine, "#511", speed);
     }
 }
@@ -83,7 +84,7 @@ fn calibrate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     let second = across(machine, inputs, 1, over, feeds)?;
     over[1] = second.middle;
     leave(machine, over)?;
-    let height = touch(machine, 2, start[2] + inputs.number("Z"), feeds, start)?;
+    let height = touch(machine, 2, start[2] + inputs.number(address::Z), feeds, start)?;
     leave(machine, over)?;
     // the first pair was touched beside the centre by what the second has found
     let beside = start[1] - second.middle;
@@ -94,8 +95,8 @@ fn calibrate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
             ("#506", height),
             ("#507", first.middle),
             ("#508", second.middle),
-            ("#509", wide - inputs.number("D")),
-            ("#513", inputs.number("H")),
+            ("#509", wide - inputs.number(address::D)),
+            ("#513", inputs.number(address::H)),
         ],
     );
     Ok(())
@@ -109,8 +110,8 @@ fn across(
     over: [f64; 3],
     feeds: Feeds,
 ) -> Result<Across, Stop> {
-    let way = beside(machine.control(), inputs.number("D"), inputs.number("E"));
-    let depth = over[2] + inputs.number("Z");
+    let way = beside(machine.control(), inputs.number(address::D), inputs.number(address::E));
+    let depth = over[2] + inputs.number(address::Z);
     let mut contacts = [0.0; 2];
     for (side, contact) in [1.0, -1.0].into_iter().zip(&mut contacts) {
         let mut out = over;
@@ -136,13 +137,13 @@ fn measure(machine: &mut dyn Machine, inputs: &Inputs, register: i64) -> Result<
     let reference = control.basic_length("#513");
     travel(machine, [x + wide / 2.0, y, start[2]])?;
     let feeds = turned(machine, inputs, false);
-    let height = touch(machine, 2, start[2] + inputs.number("Z"), feeds, start)?;
+    let height = touch(machine, 2, start[2] + inputs.number(address::Z), feeds, start)?;
     let length = height - z + reference;
     let mut results = vec![("LENGTH", length)];
     let mut radius = None;
     if inputs.variant == DIAMETER {
-        let lift = inputs.number("K");
-        let out = x + beside(machine.control(), wide, inputs.number("E"));
+        let lift = inputs.number(address::K);
+        let out = x + beside(machine.control(), wide, inputs.number(address::E));
         let mut above = nose(machine);
         above[2] = height + lift;
         leave(machine, above)?;
@@ -163,7 +164,7 @@ fn measure(machine: &mut dyn Machine, inputs: &Inputs, register: i64) -> Result<
 /// Lets the tool turn where M asks for it (C:1240, C:1251); the feeds that go with it.
 fn turned(machine: &mut dyn Machine, inputs: &Inputs, rim: bool) -> Feeds {
     let (feed, speed) = feed_and_speed(machine, inputs);
-    let direction = match (inputs.integer("M"), rim) {
+    let direction = match (inputs.integer(address::M), rim) {
         (3, _) | (13, true) => 1.0,
         (4, _) | (14, true) => -1.0,
         _ => 0.0,

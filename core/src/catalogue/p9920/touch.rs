@@ -4,6 +4,7 @@
 use super::{INCORRECT, TOO_SMALL};
 use crate::catalogue::nct::touch::{BACK, MEDIUM, POSITIONING, SLOW};
 use crate::entry::Inputs;
+use crate::entry::address;
 use crate::machine::trace::MotionKind;
 use crate::machine::{Machine, Stop};
 
@@ -22,8 +23,8 @@ pub struct Feeds {
 /// Feed F or #512 and speed S or #511: mm/min, 1/min (C:1202).
 pub fn feed_and_speed(machine: &mut dyn Machine, inputs: &Inputs) -> (f64, f64) {
     let control = machine.control();
-    let feed = inputs.given("F");
-    let speed = inputs.given("S");
+    let feed = inputs.given(address::F);
+    let speed = inputs.given(address::S);
     (feed.unwrap_or_else(|| control.basic_length("#512")), speed.unwrap_or_else(|| control.number("#511")))
 }
 

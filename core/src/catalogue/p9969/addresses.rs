@@ -3,7 +3,9 @@
 use crate::catalogue::common::{ALWAYS_REQUIRED, PARAM, optional};
 use crate::catalogue::nct::{FORMAT_ERROR, LENGTH, NUMBER};
 use crate::control::Plane;
+use crate::entry::address;
 use crate::entry::{Param, Unit, When};
+use crate::name::Name;
 use crate::range::Range;
 
 /// End of the rectangle, or the deepest position in the plane of which it is the tool axis.
@@ -35,31 +37,31 @@ const REQUIRED_LENGTH: Param = Param {
 
 /// In the order of the block format.
 pub const PARAMS: &[Param] = &[
-    Param { name: "X", labels: &[(When::Plane(Plane::G19), "p9969-deepest")], ..END },
-    Param { name: "Y", labels: &[(When::Plane(Plane::G18), "p9969-deepest")], ..END },
-    Param { name: "Z", labels: &[(When::Plane(Plane::G17), "p9969-deepest")], ..END },
+    Param { name: address::X, labels: &[(When::Plane(Plane::G19), "p9969-deepest")], ..END },
+    Param { name: address::Y, labels: &[(When::Plane(Plane::G18), "p9969-deepest")], ..END },
+    Param { name: address::Z, labels: &[(When::Plane(Plane::G17), "p9969-deepest")], ..END },
     Param {
-        name: "I",
+        name: address::I,
         needs: &[optional(When::Any(&[When::Plane(Plane::G17), When::Plane(Plane::G18)]), "need-p9969-spacing")],
         source: "C:1289-1295",
         ..SPACING
     },
     Param {
-        name: "J",
+        name: address::J,
         needs: &[optional(When::Any(&[When::Plane(Plane::G17), When::Plane(Plane::G19)]), "need-p9969-spacing")],
         source: "C:1286-1307",
         ..SPACING
     },
     Param {
-        name: "K",
+        name: address::K,
         needs: &[optional(When::Any(&[When::Plane(Plane::G18), When::Plane(Plane::G19)]), "need-p9969-spacing")],
         source: "C:1298-1304",
         ..SPACING
     },
-    Param { name: "R", key: "p9969-r", usual: Range::closed(0.01, 5.0), source: "C:1316", ..REQUIRED_LENGTH },
-    Param { name: "Q", key: "p9969-q", usual: Range::closed(0.1, 20.0), source: "C:1317", ..REQUIRED_LENGTH },
+    Param { name: address::R, key: "p9969-r", usual: Range::closed(0.01, 5.0), source: "C:1316", ..REQUIRED_LENGTH },
+    Param { name: address::Q, key: "p9969-q", usual: Range::closed(0.1, 20.0), source: "C:1317", ..REQUIRED_LENGTH },
     Param {
-        name: "F",
+        name: address::F,
         key: "p9969-f",
         unit: Unit::BasicFeed,
         range: Range::POSITIVE,
@@ -68,7 +70,7 @@ pub const PARAMS: &[Param] = &[
         source: "C:1318-1321",
         ..PARAM
     },
-    Param { name: "S", key: "p9969-s", range: Range::closed(1.0, 9999.0), source: "C:1322", ..NUMBER },
+    Param { name: address::S, key: "p9969-s", range: Range::closed(1.0, 9999.0), source: "C:1322", ..NUMBER },
 ];
 
 /// The address that is given, of the two that step along an axis of the plane, with the axis of the lines and the axis
@@ -84,6 +86,6 @@ pub fn spacing(inputs: &crate::entry::Inputs) -> Option<(f64, usize, usize)> {
 }
 
 /// Address of the line spacing along an axis.
-pub const fn letter(axis: usize) -> &'static str {
-    ["I", "J", "K"][axis]
+pub const fn letter(axis: usize) -> Name {
+    [address::I, address::J, address::K][axis]
 }

@@ -11,6 +11,7 @@ use crate::catalogue::nct::{
 };
 use crate::diagnostic::Code;
 use crate::entry::Inputs;
+use crate::entry::address;
 use crate::machine::Scanner;
 use crate::machine::trace::MotionKind;
 use crate::machine::{Machine, Stop};
@@ -80,9 +81,9 @@ pub fn scanner(machine: &mut dyn Machine, inputs: &Inputs) -> Result<Box<dyn Sca
         return Err(format);
     }
     layout.height = start[axial];
-    layout.rate = inputs.given("F").unwrap_or(RATE);
+    layout.rate = inputs.given(address::F).unwrap_or(RATE);
     layout.accuracy = layout.rate * ACCURACY;
-    layout.number = inputs.given("S").map(|number| number as i64);
+    layout.number = inputs.given(address::S).map(|number| number as i64);
     let calibrations = [0, 1].map(|index| Calibration::of(machine, index));
     layout.radius = calibrations.iter().map(|one| one.plus + one.minus).sum::<f64>() / 4.0;
     let mut offset = [0.0; 3];
@@ -102,8 +103,8 @@ pub fn scanner(machine: &mut dyn Machine, inputs: &Inputs) -> Result<Box<dyn Sca
         end,
         deepest,
         spacing,
-        raster: inputs.number("R"),
-        retract: inputs.number("Q"),
+        raster: inputs.number(address::R),
+        retract: inputs.number(address::Q),
         line: 0,
         state: State::Above,
         last: None,

@@ -13,6 +13,7 @@ use super::nct::{self, params, part};
 use crate::control::Control;
 use crate::dialect::Dialect;
 use crate::entry::Inputs;
+use crate::entry::address;
 use crate::entry::{Cycle, Drawing, Help, Proposal, Purpose, ResultField, Simulation, Unit, Variant, Work};
 use crate::workpiece::free::Example;
 use crate::workpiece::{Shape, Workpiece};
@@ -45,7 +46,16 @@ pub static P9969: Cycle = Cycle {
     checks: checks::checks,
     help: Help::new(&[help::HELP]),
     picture: Drawing::new(picture::picture),
-    example: &[("X", "60"), ("Y", "40"), ("Z", "-12"), ("J", "8"), ("R", "3"), ("Q", "4"), ("F", "120"), ("S", "1000")],
+    example: &[
+        (address::X, "60"),
+        (address::Y, "40"),
+        (address::Z, "-12"),
+        (address::J, "8"),
+        (address::R, "3"),
+        (address::Q, "4"),
+        (address::F, "120"),
+        (address::S, "1000"),
+    ],
     simulation: Some(Simulation::scanning(Work { propose, simulate: simulate::simulate }, &[], follow::scanner)),
     source: "C:1276-1355",
 };

@@ -4,6 +4,8 @@
 use super::addresses::{letter, spacing};
 use crate::catalogue::nct::axis_name;
 use crate::entry::Inputs;
+use crate::entry::address;
+use crate::name::Name;
 use crate::picture::figures::{circle, dimension, line, polygon};
 use crate::picture::{Picture, PictureShape, ShapeKind, View};
 
@@ -58,8 +60,8 @@ fn above(inputs: &Inputs) -> Vec<PictureShape> {
 /// A step: up by Q, on by R, down; and how deep is looked for the surface.
 fn beside(inputs: &Inputs) -> Vec<PictureShape> {
     let [.., axial] = inputs.plane.axes();
-    let drawn = |name: &str| inputs.given(name).unwrap_or(1.0).abs();
-    let (raster, retract) = (drawn("R"), drawn("Q"));
+    let drawn = |name: Name| inputs.given(name).unwrap_or(1.0).abs();
+    let (raster, retract) = (drawn(address::R), drawn(address::Q));
     let larger = raster.max(retract).max(1e-9);
     let [raster, retract] = [raster, retract].map(|size| (size / larger * 14.0).max(6.0));
     let surface = |x: f64| GROUND + 4.0 * (x / 14.0).sin();
@@ -80,8 +82,8 @@ fn beside(inputs: &Inputs) -> Vec<PictureShape> {
         circle(ShapeKind::Probe, [from, above], BALL),
         circle(ShapeKind::Touch, [from, surface(from)], BALL * 0.3),
         circle(ShapeKind::Touch, [to, surface(to)], BALL * 0.3),
-        line(ShapeKind::Path, step).of("F"),
-        dimension("Q", [from - 7.0, above], [from - 7.0, top]),
-        dimension("R", [from, top + 5.0], [to, top + 5.0]),
+        line(ShapeKind::Path, step).of(address::F),
+        dimension(address::Q, [from - 7.0, above], [from - 7.0, top]),
+        dimension(address::R, [from, top + 5.0], [to, top + 5.0]),
     ]
 }

@@ -39,10 +39,10 @@ fn relief(height: impl Fn(f64, f64) -> f64) -> FreeSurface {
 fn rectangle(plane: Plane, feed: &str, extra: &[(&str, &str)]) -> Vec<(String, String)> {
     let axes = plane.axes();
     let mut values = vec![
-        (nct::axis_name(axes[0]).to_owned(), "30".to_owned()),
-        (nct::axis_name(axes[1]).to_owned(), "12".to_owned()),
-        (nct::axis_name(axes[2]).to_owned(), "-30".to_owned()),
-        (super::addresses::letter(axes[1]).to_owned(), "3".to_owned()),
+        (nct::axis_name(axes[0]).to_string(), "30".to_owned()),
+        (nct::axis_name(axes[1]).to_string(), "12".to_owned()),
+        (nct::axis_name(axes[2]).to_string(), "-30".to_owned()),
+        (super::addresses::letter(axes[1]).to_string(), "3".to_owned()),
     ];
     let others = [("R", "1.5"), ("Q", "2"), ("F", feed)];
     values.extend(others.iter().chain(extra).map(|(name, value)| ((*name).into(), (*value).into())));

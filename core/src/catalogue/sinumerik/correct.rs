@@ -3,6 +3,7 @@
 use super::tolerance::Sizes;
 use super::{alarm, results};
 use crate::entry::Inputs;
+use crate::entry::names;
 use crate::evaluate::{Write, tool_offset, zero_offset};
 use crate::machine::trace::Step;
 use crate::machine::{Machine, Stop};
@@ -16,11 +17,11 @@ pub fn tool_target(
     axis: Option<usize>,
 ) -> Result<Option<tool_offset::Target>, Stop> {
     let names = tool_offset::Names {
-        code: inputs.integer("_KNUM"),
-        tool: inputs.integer("_TNUM"),
-        tool_name: inputs.text("_TNAME"),
-        location: inputs.integer("_DLNUM"),
-        environment: inputs.text("_TENV"),
+        code: inputs.integer(names::KNUM),
+        tool: inputs.integer(names::TNUM),
+        tool_name: inputs.text(names::TNAME),
+        location: inputs.integer(names::DLNUM),
+        environment: inputs.text(names::TENV),
         axis,
     };
     let found = tool_offset::target(machine.control(), &names);
@@ -29,7 +30,7 @@ pub fn tool_target(
 
 /// Finds the frame that a zero offset corrects. None: `_KNUM` = 0.
 pub fn zero_target(machine: &mut dyn Machine, inputs: &Inputs) -> Result<Option<zero_offset::Target>, Stop> {
-    let found = zero_offset::target(machine.control(), inputs.integer("_KNUM"));
+    let found = zero_offset::target(machine.control(), inputs.integer(names::KNUM));
     found.map_err(|number| alarm(machine, number))
 }
 

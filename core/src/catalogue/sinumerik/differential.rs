@@ -4,6 +4,7 @@
 use super::measuring_block::{Block, Point};
 use super::{alarm, results};
 use crate::entry::Inputs;
+use crate::entry::names;
 use crate::machine::{Machine, Stop};
 
 /// What the two touches tell.
@@ -41,7 +42,7 @@ pub fn twice(machine: &mut dyn Machine, inputs: &Inputs, block: &Block, point: &
 /// is
 /// -1 where a frame mirrors the axis.
 fn store(machine: &mut dyn Machine, inputs: &Inputs, point: &Point, sense: f64, [value, skew]: [f64; 2]) {
-    let probe = inputs.integer("_PRNUM") % 100 - 1;
+    let probe = inputs.integer(names::PRNUM) % 100 - 1;
     let factor = machine.control().basic_factor();
     let plus = point.direction * sense > 0.0;
     let trigger = 2 * point.axis + if plus { 2 } else { 1 };

@@ -5,6 +5,7 @@ use super::target::Target;
 use super::tolerance::{self, Sizes};
 use super::{Next, correct, results};
 use crate::entry::Inputs;
+use crate::entry::names;
 use crate::evaluate::{mean, tool_offset, zero_offset};
 use crate::machine::{Machine, Stop};
 
@@ -77,7 +78,7 @@ fn by_zero(
     report(machine, found, found.set);
     tolerance::report_empirical(machine, inputs);
     results::begin_zero(machine, inputs);
-    let memories = mean::memories(inputs.integer("_EVNUM"));
+    let memories = mean::memories(inputs.integer(names::EVNUM));
     results::integer(machine, 7, memories.empirical);
     let counted = found.actual - tolerance::empirical(machine.control(), inputs);
     let next = tolerance::safe(machine, inputs, &[counted - found.set], repetition)?;

@@ -70,24 +70,24 @@ pub fn screen(machine: &mut dyn Machine, cycle: &Cycle) {
 /// What every measurement tells about itself: cycle, probe, no alarm yet, safe area (B:5688-5699).
 pub fn begin(machine: &mut dyn Machine, inputs: &Inputs, cycle: i64) {
     integer(machine, 2, cycle);
-    integer(machine, 5, inputs.integer("_PRNUM") % 100);
+    integer(machine, 5, inputs.integer(names::PRNUM) % 100);
     integer(machine, 9, 0);
     if watches_angle(inputs) {
         angle(machine, 28, inputs.number(names::TSA));
-    } else if inputs.cycle.param(names::TSA).is_some() {
+    } else if inputs.cycle.param(names::TSA.as_str()).is_some() {
         length(machine, 28, inputs.number(names::TSA));
     }
 }
 
 /// Whether the safe area of the cycle is an angle (B:15921).
 pub fn watches_angle(inputs: &Inputs) -> bool {
-    let area = inputs.cycle.param(names::TSA);
+    let area = inputs.cycle.param(names::TSA.as_str());
     area.is_some_and(|param| param.unit == Unit::Degree)
 }
 
 /// What a measurement with zero offset tells beside: the frame, no tool, nothing written yet (B:5692-5701).
 pub fn begin_zero(machine: &mut dyn Machine, inputs: &Inputs) {
-    integer(machine, 0, inputs.integer("_KNUM"));
+    integer(machine, 0, inputs.integer(names::KNUM));
     integer(machine, 8, 0);
     integer(machine, 11, 0);
 }

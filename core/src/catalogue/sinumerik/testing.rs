@@ -95,8 +95,16 @@ pub fn call(name: &str, variant: i64, values: &[(&'static str, f64)]) -> Inputs 
             inputs.numbers.insert(param.name, default);
         }
     }
-    inputs.numbers.extend(values.iter().copied());
+    for (name, value) in values {
+        put(&mut inputs, name, *value);
+    }
     inputs
+}
+
+/// Gives a parameter, which the cycle has to have, this number.
+pub fn put(inputs: &mut Inputs, name: &str, value: f64) {
+    let param = inputs.cycle.param(name).unwrap_or_else(|| panic!("{} {name}", inputs.cycle.name));
+    inputs.numbers.insert(param.name, value);
 }
 
 /// Runs a call on a machine as it is.

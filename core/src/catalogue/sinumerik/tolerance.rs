@@ -4,6 +4,7 @@ use super::{Next, alarm, correct, results};
 use crate::control::Control;
 use crate::diagnostic::Code;
 use crate::entry::Inputs;
+use crate::entry::names;
 use crate::evaluate::symmetry::{Symmetric, symmetric};
 use crate::evaluate::tolerance::{Bands, Branch, Decision, chain, exceeds};
 use crate::evaluate::{mean, tool_offset};
@@ -27,7 +28,7 @@ pub struct Sizes<'a> {
 
 /// Setpoint in the middle of the tolerance band (B:2203-2211).
 pub fn middle(inputs: &Inputs, setpoint: f64) -> Symmetric {
-    symmetric(setpoint, inputs.number("_TUL"), inputs.number("_TLL"))
+    symmetric(setpoint, inputs.number(names::TUL), inputs.number(names::TLL))
 }
 
 /// Empirical value with its sign as subtracted from the actual value, mm (B:13924-13926).
@@ -41,7 +42,7 @@ pub fn empirical_angle(control: &Control, inputs: &Inputs) -> f64 {
 }
 
 fn memorized(control: &Control, inputs: &Inputs, read: impl Fn(&str) -> f64) -> f64 {
-    let number = mean::memories(inputs.integer("_EVNUM")).empirical;
+    let number = mean::memories(inputs.integer(names::EVNUM)).empirical;
     if number == 0 {
         return 0.0;
     }
@@ -51,7 +52,7 @@ fn memorized(control: &Control, inputs: &Inputs, read: impl Fn(&str) -> f64) -> 
 
 /// Name of the mean value memory in use: none without `_EVNUM` or with `_CHBIT[4]` = 0 (B:13917-13920).
 fn memory(control: &Control, inputs: &Inputs) -> Option<String> {
-    let number = mean::memories(inputs.integer("_EVNUM")).mean;
+    let number = mean::memories(inputs.integer(names::EVNUM)).mean;
     (number > 0 && control.bit("_CHBIT[4]")).then(|| format!("_MV[{}]", number - 1))
 }
 
@@ -61,7 +62,7 @@ pub fn prepare(
     inputs: &Inputs,
     axis: Option<usize>,
 ) -> Result<Option<tool_offset::Target>, Stop> {
-    if inputs.number("_K") == 0.0 {
+    if inputs.number(names::K) == 0.0 {
         return Err(alarm(machine, 61318));
     }
     correct::tool_target(machine, inputs, axis)
@@ -111,26 +112,26 @@ pub fn decide(
 fn bands(inputs: &Inputs) -> Bands {
     let Symmetric { upper, lower, .. } = middle(inputs, 0.0);
     Bands {
-        safe_area: inputs.number("_TSA"),
-        difference: inputs.number("_TDIF"),
+        safe_area: inputs.number(names::TSA),
+        difference: inputs.number(names::TDIF),
         upper,
         lower,
-        mean: inputs.number("_TMV"),
-        zero_offset: inputs.number("_TZL"),
-        weight: inputs.number("_K"),
+        mean: inputs.number(names::TMV),
+        zero_offset: inputs.number(names::TZL),
+        weight: inputs.number(names::K),
     }
 }
 
 /// Results that exist only with tool offset (footnote 1 of B:5675-5701).
 fn report(machine: &mut dyn Machine, inputs: &Inputs, target: Option<&tool_offset::Target>, decision: &Decision) {
-    let memories = mean::memories(inputs.integer("_EVNUM"));
+    let memories = mean::memories(inputs.integer(names::EVNUM));
     results::length(machine, 20, 0.0);
-    results::length(machine, 27, inputs.number("_TZL"));
-    results::length(machine, 29, inputs.number("_TDIF"));
+    results::length(machine, 27, inputs.number(names::TZL));
+    results::length(machine, 29, inputs.number(names::TDIF));
     report_empirical(machine, inputs);
     results::length(machine, 31, decision.mean);
     results::integer(machine, 0, target.map_or(0, |target| target.edge));
-    results::integer(machine, 4, inputs.integer("_K"));
+    results::integer(machine, 4, inputs.integer(names::K));
     results::integer(machine, 6, memories.mean);
     results::integer(machine, 7, memories.empirical);
     results::integer(machine, 8, target.map_or(0, |target| target.tool));
@@ -191,7 +192,7 @@ fn explain(decision: &Decision, differences: &[f64]) -> Message {
 
 /// Zero offset variants watch only the safe area, each difference for itself (B:6221, B:6276).
 pub fn safe(machine: &mut dyn Machine, inputs: &Inputs, differences: &[f64], repetition: u32) -> Result<Next, Stop> {
-    let limit = inputs.number("_TSA");
+    let limit = inputs.number(names::TSA);
     let Some(worst) = differences.iter().copied().find(|difference| exceeds(difference.abs(), limit)) else {
         return Ok(Next::Done);
     };

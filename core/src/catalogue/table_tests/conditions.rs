@@ -17,15 +17,15 @@ pub fn met(condition: &str, cycle: &'static Cycle, variant: i64) -> Vec<Inputs> 
     };
     match condition {
         "" => vec![plain],
-        "mono probe" => vec![with(names::PRNUM, 101.0)],
+        "mono probe" => vec![with(names::PRNUM.as_str(), 101.0)],
         "_KNUM>0 and no _TNAME/_TENV"
         | "_KNUM>0 (0 only with _TENV/_TNAME or flat D numbers)"
-        | "tool management and _TNUM=0" => vec![with(names::KNUM, 2001.0)],
+        | "tool management and _TNUM=0" => vec![with(names::KNUM.as_str(), 2001.0)],
         "7th (9th) digit of _KNUM is 1 or 3"
         | "7th (9th) digit of _KNUM is 2 or 3"
         | "7th digit of _KNUM is 1 or 3"
-        | "7th digit of _KNUM is 2 or 3" => vec![with(names::KNUM, 3_002_001.0)],
-        "MA=3|103|203 and 2R>_TP[k,6]" => vec![with(names::MA, 3.0)],
+        | "7th digit of _KNUM is 2 or 3" => vec![with(names::KNUM.as_str(), 3_002_001.0)],
+        "MA=3|103|203 and 2R>_TP[k,6]" => vec![with(names::MA.as_str(), 3.0)],
         "d3=1 (reversal) and milling tool" if variant / 100 % 10 != 1 => vec![],
         "d3=1 (reversal) and milling tool" | "milling tool and spindle stationary and _CHBIT[20]=0" => vec![plain],
         other => match other.strip_suffix(">0") {

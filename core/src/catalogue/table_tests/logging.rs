@@ -15,7 +15,8 @@ fn of_log() -> impl Iterator<Item = &'static Cycle> {
 /// `CYCLE113(PAR1,PAR2)`, `CYCLE100`.
 fn call(cycle: &Cycle) -> String {
     let name = |arg: &Arg| match arg {
-        Arg::Param(name) | Arg::Output(name) => *name,
+        Arg::Param(name) => name.as_str(),
+        Arg::Output(name) => *name,
         _ => panic!("{}", cycle.name),
     };
     match cycle.lists {
@@ -48,7 +49,7 @@ fn data_are_those_of_the_table() {
     let spread = |row: &Row| super::params::names_of(row[0]);
     let table: BTreeSet<String> = rows.iter().filter(of_log_data).flat_map(spread).collect();
     let own = |cycle: &'static Cycle| cycle.params.iter().filter(|param| param.is_machine_datum());
-    let names = |cycle| own(cycle).map(|param| param.name.to_owned()).collect();
+    let names = |cycle| own(cycle).map(|param| param.name.to_string()).collect();
     let ours: BTreeSet<String> = names(&cycle100::CYCLE100);
     assert_eq!(ours, table);
     for cycle in of_log() {

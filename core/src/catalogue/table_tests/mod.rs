@@ -23,6 +23,7 @@ use crate::entry::Param;
 use crate::entry::ProbeUse;
 use crate::entry::Typed;
 use crate::entry::names;
+use crate::name::Name;
 use crate::test_data::{Row, data, rows};
 use cells::covers;
 use std::collections::BTreeSet;
@@ -39,11 +40,12 @@ fn tabled() -> impl Iterator<Item = &'static Cycle> {
 /// Codes of the errors that a call of this variant raises because of the last of these values.
 fn refused(cycle: &'static Cycle, variant: i64, values: &[(&str, &str)]) -> Vec<Code> {
     let number = variant.to_string();
-    let mut typed: Typed = [(names::MVAR.to_owned(), number)].into();
+    let mut typed: Typed = [(names::MVAR.to_string(), number)].into();
     typed.extend(values.iter().map(|(name, value)| ((*name).to_owned(), (*value).to_owned())));
-    let at = values.last().map_or(names::MVAR, |(name, _)| name);
+    let at = values.last().map_or(names::MVAR.as_str(), |(name, _)| name);
     let found = check(cycle, &typed, &delivery(Dialect::Sinumerik)).diagnostics;
-    let errors = found.iter().filter(|one| one.severity == Severity::Error && one.param == Some(at));
+    let errors =
+        found.iter().filter(|one| one.severity == Severity::Error && one.param.is_some_and(|param| param == at));
     errors.map(|one| one.code).collect()
 }
 
@@ -96,7 +98,7 @@ fn counts() {
 fn names_stand_once() {
     // oracle: self
     for cycle in CYCLES {
-        let names: BTreeSet<&str> = cycle.params.iter().map(|param| param.name).collect();
+        let names: BTreeSet<Name> = cycle.params.iter().map(|param| param.name).collect();
         assert_eq!(names.len(), cycle.params.len(), "{}", cycle.name);
         let numbers: BTreeSet<i64> = cycle.variants.iter().map(|one| one.number).collect();
         assert_eq!(numbers.len(), cycle.variants.len(), "{}", cycle.name);

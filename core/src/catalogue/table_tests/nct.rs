@@ -74,7 +74,7 @@ fn addresses_are_those_of_the_table() {
     for cycle in macros() {
         let rows = of(&rows, cycle);
         let table: BTreeSet<&str> = rows.iter().flat_map(|row| addresses(row[1])).collect();
-        let ours: BTreeSet<&str> = cycle.params.iter().map(|param| param.name).collect();
+        let ours: BTreeSet<&str> = cycle.params.iter().map(|param| param.name.as_str()).collect();
         assert_eq!(ours, table, "{}", cycle.name);
     }
 }

@@ -33,7 +33,7 @@ fn parameters_are_those_of_the_table() {
                 }
             }
         }
-        let ours: BTreeSet<&str> = of_the_call(cycle).map(|param| param.name).collect();
+        let ours: BTreeSet<&str> = of_the_call(cycle).map(|param| param.name.as_str()).collect();
         assert_eq!(ours, used, "{}", cycle.name);
         for param in of_the_call(cycle) {
             unused_elsewhere(cycle, param, &rows);
@@ -46,7 +46,7 @@ fn parameters_are_those_of_the_table() {
 
 /// A variant that no row names does not use the parameter.
 fn unused_elsewhere(cycle: &'static Cycle, param: &Param, rows: &[Row]) {
-    let names = |row: &&Row| row[0] == cycle.name && names_of(row[1]).iter().any(|name| name == param.name);
+    let names = |row: &&Row| row[0] == cycle.name && names_of(row[1]).iter().any(|name| param.name == name.as_str());
     let rows: Vec<&Row> = rows.iter().filter(names).collect();
     for variant in cycle.variants {
         let named = |row: &&Row| covers(with_condition(row[2]).0, variant.number);
@@ -128,7 +128,7 @@ fn compare(cycle: &'static Cycle, name: &str, row: &Row, used: &mut BTreeSet<&'s
     };
     let level = level(name, requirement, condition);
     if level.is_some() {
-        used.insert(param.name);
+        used.insert(param.name.as_str());
         default(cycle, param, row);
         kind(cycle, param, row[4]);
     }
@@ -194,12 +194,12 @@ fn compare_allowed(cycle: &'static Cycle, param: &Param, inputs: &Inputs, cell: 
         .numbers
         .iter()
         .filter(|(name, _)| **name != param.name)
-        .map(|(name, value)| (*name, value.to_string()))
+        .map(|(name, value)| (name.as_str(), value.to_string()))
         .collect();
     let codes = |value: f64| {
         let value = value.to_string();
         let mut values: Vec<(&str, &str)> = others.iter().map(|(name, value)| (*name, value.as_str())).collect();
-        values.push((param.name, &value));
+        values.push((param.name.as_str(), &value));
         refused(cycle, inputs.variant, &values)
     };
     let what = |value| format!("{} {} {} {value} {cell}", cycle.name, param.name, inputs.variant);

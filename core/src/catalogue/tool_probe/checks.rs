@@ -46,7 +46,7 @@ pub fn memory(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
 /// `_TSA` lies beyond both (B:4324-4326).
 pub fn limits(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     // that delivered with the control is nobody's wish: only one that was written is doubted where it is too large
-    let written = inputs.written.contains(names::TDIF) || inputs.given(names::TSA) > inputs.given(names::TDIF);
+    let written = inputs.written.contains(names::TDIF.as_str()) || inputs.given(names::TSA) > inputs.given(names::TDIF);
     let given = [names::TZL, names::TDIF, names::TSA]
         .into_iter()
         .filter(|name| *name != names::TDIF || written)
@@ -64,7 +64,7 @@ pub fn limits(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
                     .number("low", *low)
                     .text("large", *large)
                     .number("high", *high)
-                    .at(large),
+                    .at(*large),
             );
         }
     }

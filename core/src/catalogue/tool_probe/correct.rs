@@ -9,6 +9,7 @@ use crate::evaluate::{mean, tool_offset};
 use crate::machine::trace::Step;
 use crate::machine::{Machine, Stop};
 use crate::message::Message;
+use crate::name::Name;
 
 /// A length or the radius of the tool in use.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -80,7 +81,7 @@ fn report_call(machine: &mut dyn Machine, inputs: &Inputs) {
 }
 
 fn verdict(inputs: &Inputs, difference: f64) -> Verdict {
-    let reaches = |limit: &str| difference.abs() >= inputs.number(limit) - RESOLUTION;
+    let reaches = |limit: Name| difference.abs() >= inputs.number(limit) - RESOLUTION;
     if reaches(names::TSA) {
         Verdict::SafeArea
     } else if reaches(names::TDIF) {

@@ -3,6 +3,7 @@
 
 use crate::entry::Inputs;
 use crate::entry::names;
+use crate::name::Name;
 use crate::picture::figures::{circle, polygon};
 use crate::picture::{PictureShape, ShapeKind};
 
@@ -10,13 +11,13 @@ use crate::picture::{PictureShape, ShapeKind};
 /// direction in which the face is left, of length 1. Much wider than they are, so that they can be seen.
 pub fn bands(inputs: &Inputs, face: [[f64; 2]; 2], out: [f64; 2]) -> Vec<PictureShape> {
     let widths = [(names::TSA, 3.0), (names::TDIF, 1.8), (names::TZL, 0.8)];
-    let band = |(name, width): (&'static str, f64)| {
+    let band = |(name, width): (Name, f64)| {
         let [a, b] = face;
         let beside = |[x, y]: [f64; 2], side: f64| [x + side * width * out[0], y + side * width * out[1]];
         let corners = vec![beside(a, -1.0), beside(b, -1.0), beside(b, 1.0), beside(a, 1.0)];
         polygon(ShapeKind::Tolerance, corners).of(name)
     };
-    let used = widths.into_iter().filter(|(name, _)| inputs.uses(name));
+    let used = widths.into_iter().filter(|(name, _)| inputs.uses(*name));
     used.map(band).collect()
 }
 

@@ -4,13 +4,16 @@
 mod random;
 
 use super::{Checked, check};
+use crate::catalogue::example::worked;
 use crate::catalogue::find;
 use crate::control::{Control, Units, delivery};
 use crate::diagnostic::{Code, Severity};
 use crate::dialect::Dialect;
 use crate::entry::Cycle;
 use crate::entry::Typed;
+use crate::entry::names;
 use crate::message::Message;
+use crate::name::Name;
 
 fn typed(values: &[(&str, &str)]) -> Typed {
     values.iter().map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect()
@@ -26,14 +29,14 @@ fn control() -> Control {
 
 /// The worked example of a cycle with some values changed; an empty one is taken out.
 fn changed(name: &str, changes: &[(&str, &str)]) -> Checked {
-    let mut values = typed(cycle(name).example);
+    let mut values = worked(cycle(name));
     values.extend(typed(changes));
     check(cycle(name), &values, &control())
 }
 
 fn found(checked: &Checked, severity: Severity) -> Vec<(Code, &'static str)> {
     let these = checked.diagnostics.iter().filter(|other| other.severity == severity);
-    these.map(|other| (other.code, other.param.unwrap_or(""))).collect()
+    these.map(|other| (other.code, other.param.map_or("", Name::as_str))).collect()
 }
 
 #[test]
@@ -116,7 +119,7 @@ fn what_the_machine_lacks_is_told_at_the_field() {
     let case = |name: &str, changes: &[(&str, &str)], lack: fn(&mut Control)| {
         let mut control = control();
         lack(&mut control);
-        let mut values = typed(cycle(name).example);
+        let mut values = worked(cycle(name));
         values.extend(typed(changes));
         found(&check(cycle(name), &values, &control), Severity::Error)
     };
@@ -154,7 +157,7 @@ fn a_safe_area_beyond_the_measuring_path_switches_the_monitoring_off() {
             assert_eq!(found(&checked, severity), [], "{name} {area}");
         }
         let inputs = checked.inputs.unwrap();
-        assert_eq!(inputs.number("_TSA"), area.parse::<f64>().unwrap());
+        assert_eq!(inputs.number(names::TSA), area.parse::<f64>().unwrap());
     }
     // what is driven stays within the machine
     let checked = changed("CYCLE977", &[("_FA", "9999999999")]);
@@ -198,13 +201,13 @@ fn units_are_converted_once() {
     control.set("_WP[0,0]", 0.25); // ball, inch
     let values = typed(&[("_MVAR", "1"), ("_SETVAL", "2"), ("_KNUM", "0"), ("_FA", "3"), ("_VMS", "10")]);
     let inputs = check(cycle("CYCLE977"), &values, &control).inputs.unwrap();
-    assert_eq!(inputs.number("_SETVAL"), 50.8);
-    assert_eq!(inputs.number("_FA"), 3.0);
-    assert_eq!(inputs.number("_VMS"), 254.0);
+    assert_eq!(inputs.number(names::SETVAL), 50.8);
+    assert_eq!(inputs.number(names::FA), 3.0);
+    assert_eq!(inputs.number(names::VMS), 254.0);
     control.basic_units = Units::Metric;
     let inputs = check(cycle("CYCLE977"), &values, &control).inputs.unwrap();
-    assert_eq!(inputs.number("_VMS"), 10.0);
-    assert_eq!(inputs.number("_SETVAL"), 50.8);
+    assert_eq!(inputs.number(names::VMS), 10.0);
+    assert_eq!(inputs.number(names::SETVAL), 50.8);
 }
 
 #[test]

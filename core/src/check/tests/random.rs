@@ -1,6 +1,7 @@
 //! Values at random.
 
-use super::{control, cycle, found, typed};
+use super::{control, cycle, found};
+use crate::catalogue::example::worked;
 use crate::check::check;
 use crate::diagnostic::Severity;
 use crate::entry::Typed;
@@ -97,7 +98,7 @@ fn nothing_typed_breaks_a_check() {
     for param in cycle.params {
         for text in strange {
             for variant in ["1", "106", "1001", "1105"] {
-                let mut values = typed(cycle.example);
+                let mut values = worked(cycle);
                 values.insert("_MVAR".into(), variant.into());
                 values.insert(param.name.into(), text.into());
                 let checked = check(cycle, &values, &control());

@@ -234,7 +234,7 @@ fn the_catalogue_speaks_of_these_data() {
         // What a helper is called with are variables of the program.
         .filter(|cycle| cycle.purpose.probe.measures())
     {
-        let params = cycle.params.iter().map(|param| param.name);
+        let params = cycle.params.iter().map(|param| param.name.as_str());
         for name in params.chain(cycle.results.iter().map(|result| result.name)) {
             let own = name.starts_with('_');
             assert!(!own || named(name).is_some(), "{} {name}", cycle.name);

@@ -14,7 +14,7 @@ use serde_json::json;
 
 fn request(cycle: &crate::entry::Cycle) -> String {
     let values = cycle.example.iter();
-    asked(cycle, &values.map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect())
+    asked(cycle, &values.map(|(name, value)| (name.to_string(), (*value).to_owned())).collect())
 }
 
 fn asked(cycle: &crate::entry::Cycle, values: &Typed) -> String {

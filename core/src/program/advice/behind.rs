@@ -40,7 +40,7 @@ impl Corrected {
 
 /// What the call corrects; none where nothing is, or where it counts at once (`_KNUM` = 9999).
 pub fn corrected(seen: &Seen) -> Option<Corrected> {
-    let param = seen.site.cycle.param(names::KNUM)?;
+    let param = seen.site.cycle.param(names::KNUM.as_str())?;
     param.need(&seen.inputs)?;
     if !matches!(param.kind, Kind::Knum) || target(param, &seen.inputs) != Target::Zero {
         return None;

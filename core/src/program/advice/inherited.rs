@@ -70,7 +70,7 @@ pub fn look(seen: &Seen, found: &mut Vec<Diagnostic>) {
         let Some((level, _)) = param.need(&seen.inputs) else {
             continue;
         };
-        let Some(index) = owner(seen, param.name) else {
+        let Some(index) = owner(seen, param.name.as_str()) else {
             continue;
         };
         let Some(site) = seen.sites.get(index) else {
@@ -91,10 +91,10 @@ pub fn look(seen: &Seen, found: &mut Vec<Diagnostic>) {
 }
 
 fn doubt(seen: &Seen, param: &'static Param, level: Level, site: &CallSite, there: &Inputs) -> Option<Diagnostic> {
-    let written = site.cycle.param(param.name)?;
+    let written = site.cycle.param(param.name.as_str())?;
     written.need(there)?;
     let (before, now) = (Meaning::of(written, there), Meaning::of(param, &seen.inputs));
-    let value = seen.values.get(param.name)?.as_str();
+    let value = seen.values.get(param.name.as_str())?.as_str();
     if before == now || !counts(seen, param, site, (&before, &now)) {
         return None;
     }
@@ -118,7 +118,7 @@ fn doubt(seen: &Seen, param: &'static Param, level: Level, site: &CallSite, ther
     finding.span = Some(seen.site.span);
     finding.cure = param.fallback(seen.control).map(|value| Cure {
         label: Message::new("advice-write").text("name", param.name).text("value", value.to_string()),
-        edits: change(seen.program, seen.site, param.name, &value.to_string()),
+        edits: change(seen.program, seen.site, param.name.as_str(), &value.to_string()),
     });
     Some(finding)
 }
@@ -168,7 +168,7 @@ mod tests {
             for stem in stems {
                 let label = words.find(&Message::new(format!("param-{stem}")));
                 let label = label.unwrap_or_else(|| stem.to_owned());
-                labels.entry((param.name, label)).or_default().insert(stem);
+                labels.entry((param.name.as_str(), label)).or_default().insert(stem);
             }
         }
         let groups: Vec<BTreeSet<&str>> = labels.into_values().filter(|same| same.len() > 1).collect();

@@ -95,7 +95,7 @@ fn taken_over(seen: &Seen, support: Support, control: &Control, marked: Option<&
     let used = site.cycle.params.iter();
     let used = used.filter(|param| param.need(&inputs).is_some());
     let values = used.filter_map(|param| {
-        let after = entered.values.get(param.name)?;
+        let after = entered.values.get(param.name.as_str())?;
         value(site, param, after, control)
     });
     let values: Vec<Change> = values.collect();
@@ -126,12 +126,12 @@ fn taken_over(seen: &Seen, support: Support, control: &Control, marked: Option<&
 
 /// What the program does not say counts as delivered; without a mean value the limit of its formation counts nothing.
 fn value(site: &CallSite, param: &Param, after: &str, control: &Control) -> Option<Change> {
-    let before = match site.values.get(param.name) {
+    let before = match site.values.get(param.name.as_str()) {
         Some(text) => text.clone(),
         None if param.name == names::TMV => return None,
         None => param.fallback(control)?.to_string(),
     };
-    different(param.name, before, after)
+    different(param.name.as_str(), before, after)
 }
 
 fn bit(site: &CallSite, name: &'static str, on: bool, control: &Control) -> Option<Change> {

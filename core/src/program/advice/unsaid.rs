@@ -129,9 +129,9 @@ fn radius(seen: &Seen) -> Option<Diagnostic> {
     if !transverse || seen.force.transverse.is() != Some(&Transverse::Radius) {
         return None;
     }
-    let param = seen.site.cycle.param(names::SETVAL)?;
+    let param = seen.site.cycle.param(names::SETVAL.as_str())?;
     param.need(&seen.inputs)?;
-    let set: f64 = seen.values.get(names::SETVAL)?.trim().parse().ok()?;
+    let set: f64 = seen.values.get(names::SETVAL.as_str())?.trim().parse().ok()?;
     let finding = own::ADVICE_RADIUS.finding().number("value", set).number("diameter", 2.0 * set);
     let finding = finding.at(names::SETVAL);
     Some(between(finding, seen, "DIAMON", "DIAMOF"))

@@ -8,6 +8,7 @@ use crate::diagnostic::Span;
 use crate::entry::AUXILIARY;
 use crate::entry::AUXILIARY_ARGS;
 use crate::entry::{Arg, ArgumentList, Cycle, Style};
+use crate::name::Name;
 use crate::program::arguments;
 use crate::program::held::Held;
 use crate::program::values::Value;
@@ -15,7 +16,7 @@ use crate::syntax::tree::ExprId;
 use std::rc::Rc;
 
 /// Values of a call by the names of its parameters.
-pub(super) type Given = Vec<(&'static str, Held)>;
+pub(super) type Given = Vec<(Name, Held)>;
 
 impl Walk<'_> {
     /// A call of any cycle.
@@ -74,7 +75,7 @@ impl Walk<'_> {
         if list.style == Style::Indirect {
             // The called program puts every argument into the data, also those that are omitted.
             for (name, value) in values {
-                self.assign(place, name, value);
+                self.assign(place, name.as_str(), value);
             }
             let assigned = self.assigned(place, cycle);
             return self.meet_call(place, cycle, span, called, assigned);
@@ -90,7 +91,7 @@ impl Walk<'_> {
         }
         if list.style == Style::Direct {
             let beside = self.assigned(place, cycle).into_iter();
-            given.extend(beside.filter(|(name, _)| !list.gives(name)));
+            given.extend(beside.filter(|(name, _)| !list.gives(*name)));
         }
         self.meet_call(place, cycle, span, called, given);
     }
@@ -107,7 +108,7 @@ impl Walk<'_> {
     /// The values that the data of a cycle hold.
     fn assigned(&self, place: &Place, cycle: &'static Cycle) -> Given {
         let params = cycle.params.iter();
-        params.filter_map(|param| Some((param.name, self.newest(place, param.name)?))).collect()
+        params.filter_map(|param| Some((param.name, self.newest(place, param.name.as_str())?))).collect()
     }
 
     pub(super) fn newest(&self, place: &Place, name: &str) -> Option<Held> {

@@ -64,7 +64,7 @@ impl Walk<'_> {
                 continue;
             };
             let mut params = cycle.params.iter();
-            if let Some(param) = params.find(|param| self.program.is(*name, param.name)) {
+            if let Some(param) = params.find(|param| self.program.is(*name, param.name.as_str())) {
                 let at = Span { start: name.end, end: word.span.end };
                 let value = values::value(self.program, *value, at, &self.numbers(place));
                 given.push((param.name, Held::One(Rc::new(value))));

@@ -51,7 +51,7 @@ impl Walk<'_> {
     ) {
         let values = given.iter();
         let values: Typed =
-            values.map(|(name, held)| ((*name).to_owned(), shown(self.program, name, held.all()))).collect();
+            values.map(|(name, held)| (name.to_string(), shown(self.program, name, held.all()))).collect();
         if self.around.several() {
             let all = given.iter().flat_map(|(_, held)| held.all());
             for value in all {
@@ -103,13 +103,13 @@ impl Walk<'_> {
         let unit = self.around.unit(span);
         for (name, held) in given {
             if let Some(at) = one_place(held.all()) {
-                site.places.insert(name, at);
+                site.places.insert(*name, at);
                 if at.start >= site.own_from && at.start < unit.end {
                     site.first_line = site.first_line.min(self.program.line_of(at.start));
                 }
             }
             if held.all().iter().any(|value| value.shared) {
-                site.shared.insert(name);
+                site.shared.insert(*name);
             }
         }
         overwritten(&mut site, given, unit);
@@ -232,7 +232,7 @@ impl Walk<'_> {
                 let first = arrives_first(all, &self.first_numbers, origin);
                 let mut origins: Vec<Origin> = all.iter().map(origin).collect();
                 site.first.extend(first.map(|first| (*name, first)));
-                let written = expression(all).map(|text| ((*name).to_owned(), text));
+                let written = expression(all).map(|text| (name.to_string(), text));
                 site.expressions.extend(written);
                 let elsewhere = |value: &Rc<Value>| !inside(unit, value.source());
                 if all.len() < 2 && !all.iter().any(elsewhere) {
@@ -240,16 +240,16 @@ impl Walk<'_> {
                 }
                 if all.len() > 1 {
                     let text = shown(self.program, name, all);
-                    if site.values.get(*name) != Some(&text) {
+                    if site.values.get(name.as_str()) != Some(&text) {
                         keep(&mut site);
-                        site.values.insert((*name).to_owned(), text);
+                        site.values.insert((*name).to_string(), text);
                     }
                     if one_place(all).is_none() {
                         site.places.remove(name);
                     }
                 }
                 origins.sort_by_key(|origin| origin.place.start);
-                site.origins.insert(name, origins);
+                site.origins.insert(*name, origins);
             }
             finished.push(site);
         }
@@ -336,13 +336,13 @@ fn checked(
     for (name, held) in given.iter().filter(|(_, held)| held.all().len() > 1) {
         let all = held.all();
         if all.iter().all(|value| value.number.is_some()) {
-            found.retain(|one| one.code != own::EXPRESSION.code() || one.param != Some(name));
+            found.retain(|one| one.code != own::EXPRESSION.code() || one.param != Some(*name));
         }
         for value in all {
             let mut values = values.clone();
-            values.insert((*name).to_owned(), value.text.clone());
+            values.insert((*name).to_string(), value.text.clone());
             let alone = findings(&values).into_iter();
-            let alone = alone.filter(|one| one.param == Some(name) && one.code != own::EXPRESSION.code());
+            let alone = alone.filter(|one| one.param == Some(*name) && one.code != own::EXPRESSION.code());
             found.extend(alone.map(|one| Diagnostic { span: Some(value.written_at()), ..one }));
         }
     }
@@ -358,7 +358,7 @@ fn overwritten(site: &mut CallSite, given: &Given, unit: Span) {
             };
             let known = site.overwritten.iter().any(|(other, ..)| other == name);
             if inside(unit, before) && before.end <= site.span.start && !known {
-                site.overwritten.push((name, before, call));
+                site.overwritten.push((*name, before, call));
             }
         }
     }

@@ -106,7 +106,7 @@ impl Uses {
                 args.for_each(|id| self.expression(program, *id));
                 let cycle = catalogue::find(program.dialect, &program.name(*name));
                 let params = cycle.map_or(&[][..], |cycle| cycle.params).iter();
-                self.names.extend(params.map(|param| stem(param.name).to_owned()));
+                self.names.extend(params.map(|param| stem(param.name.as_str()).to_owned()));
             }
             _ => {}
         }

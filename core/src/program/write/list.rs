@@ -7,6 +7,7 @@ use crate::entry::AUXILIARY;
 use crate::entry::AUXILIARY_ARGS;
 use crate::entry::Typed;
 use crate::entry::{Arg, ArgumentList, Param, Style, names};
+use crate::name::Name;
 use crate::own;
 use crate::program::values::opposite;
 
@@ -56,10 +57,10 @@ fn open_variant<'a>(source: &'a Source) -> Option<&'a str> {
 /// A value that means something else in the list of newer controls.
 fn foreign(source: &Source, list: &ArgumentList) -> Option<Diagnostic> {
     let values = source.values.iter();
-    let values: Typed = values.map(|(param, text)| (param.name.to_owned(), text.clone())).collect();
+    let values: Typed = values.map(|(param, text)| (param.name.to_string(), text.clone())).collect();
     let name = newer::foreign_of(source.cycle, list, &values, source.control)?;
     let finding = own::WRITE_NEWER.finding().text("param", name);
-    Some(finding.text("value", values.get(name)?.as_str()).at(name))
+    Some(finding.text("value", values.get(name.as_str())?.as_str()).at(name))
 }
 
 /// A target that the list of newer controls takes in another argument, or under a number that is not known.
@@ -79,24 +80,24 @@ fn target_elsewhere(source: &Source) -> Option<Diagnostic> {
 
 fn all(source: &Source) -> String {
     let words = source.values.iter();
-    let words = words.filter(|(param, value)| value != param.name);
-    let words: Vec<String> = words.map(|(param, value)| word(param.name, value)).collect();
+    let words = words.filter(|(param, value)| param.name != value.as_str());
+    let words: Vec<String> = words.map(|(param, value)| word(param.name.as_str(), value)).collect();
     assignments(&words)
 }
 
 fn listed(source: &Source, list: &ArgumentList) -> Written {
     let (mut before, mut auxiliary, mut findings) = (Vec::new(), Vec::new(), Vec::new());
-    let mut said: Vec<&str> = source.values.iter().map(|(param, _)| param.name).collect();
+    let mut said: Vec<Name> = source.values.iter().map(|(param, _)| param.name).collect();
     for value in source.values.iter().filter(|(param, _)| !takes(source, list, param)) {
         let (param, text) = value;
         match list.style {
             // the datum holds it already, on whichever way it came there
-            Style::Direct | Style::Indirect if text == param.name => {}
-            Style::Direct => before.push(word(param.name, text)),
+            Style::Direct | Style::Indirect if param.name == text.as_str() => {}
+            Style::Direct => before.push(word(param.name.as_str(), text)),
             Style::Indirect if is_auxiliary(param, text) => auxiliary.push(value),
             Style::Indirect => {
                 findings.push(beside(param, text));
-                before.push(word(param.name, text));
+                before.push(word(param.name.as_str(), text));
             }
             // what it is worth at the call only the run tells
             Style::Operate if is_expression(param, text) => return nothing(no_place(param, text)),
@@ -108,7 +109,7 @@ fn listed(source: &Source, list: &ArgumentList) -> Written {
     }
     let mut text = assignments(&before);
     if !auxiliary.is_empty() {
-        let value = |name: &&str| {
+        let value = |name: &Name| {
             let of_name = auxiliary.iter().find(|(param, _)| param.name == *name);
             of_name.map_or(String::new(), |(_, text)| text.clone())
         };

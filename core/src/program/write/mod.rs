@@ -10,6 +10,7 @@ use crate::diagnostic::Diagnostic;
 use crate::dialect::Dialect;
 use crate::entry::{Cycle, Kind, Param, Style};
 use crate::entry::{Inputs, Typed};
+use crate::name::Name;
 use crate::support::Support;
 
 /// Widest line of assignments, as in the programs of the manual.
@@ -23,7 +24,7 @@ pub struct Written {
     /// Lines ended by LF; empty where the call cannot be written in this way.
     pub text: String,
     /// The parameters whose values stand in it.
-    pub said: Vec<&'static str>,
+    pub said: Vec<Name>,
     /// What this way of writing cannot say.
     pub findings: Vec<Diagnostic>,
 }
@@ -94,7 +95,7 @@ impl Source<'_> {
     /// Writes values as these expressions, also where the settings of the machine would give another value.
     fn write(&mut self, expressions: &Typed) {
         for (param, text) in &mut self.values {
-            if let Some(expression) = expressions.get(param.name) {
+            if let Some(expression) = expressions.get(param.name.as_str()) {
                 expression.trim().clone_into(text);
             }
         }
@@ -114,7 +115,7 @@ pub(super) fn is_expression(param: &Param, text: &str) -> bool {
 fn source<'a>(cycle: &'static Cycle, typed: &Typed, control: &'a Control) -> Source<'a> {
     let inputs = check::read(cycle, typed, control, &mut Vec::new());
     let written = cycle.params.iter().filter_map(|param| {
-        let text = value(param, typed.get(param.name)?)?;
+        let text = value(param, typed.get(param.name.as_str())?)?;
         let set = || param.is_machine_datum() && parse(&text) != Parsed::Number(0.0);
         (param.need(&inputs).is_some() || set()).then_some((param, text))
     });
@@ -126,7 +127,7 @@ fn addresses(source: &Source) -> String {
     let mut text = source.cycle.name.to_owned();
     for (param, value) in &source.values {
         text.push(' ');
-        text.push_str(param.name);
+        text.push_str(param.name.as_str());
         text.push_str(value);
     }
     text.push('\n');
@@ -179,7 +180,7 @@ fn assignments(words: &[String]) -> String {
 fn comments(source: &Source, words: Words) -> String {
     let mut text = String::new();
     for (param, value) in &source.values {
-        let label = words(param.name, &format!("param-{}", param.label(&source.inputs)));
+        let label = words(param.name.as_str(), &format!("param-{}", param.label(&source.inputs)));
         if label.is_empty() {
             continue; // a value without a field
         }

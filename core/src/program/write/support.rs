@@ -10,34 +10,34 @@ use crate::support::{MEAN_BIT, Mark, SPEEDS_BIT, Support, decimal};
 /// Order of the first block. The example measures a hole; what other forms have beside its fields stands behind the
 /// set size.
 const FIRST: [&str; 13] = [
-    names::MVAR,
+    names::MVAR.as_str(),
     OTHERS,
-    names::PRNUM,
-    names::KNUM,
-    names::FA,
-    names::TSA,
-    names::VMS,
-    names::NMSP,
-    names::ID,
-    names::SZA,
-    names::SZO,
-    names::CORA,
+    names::PRNUM.as_str(),
+    names::KNUM.as_str(),
+    names::FA.as_str(),
+    names::TSA.as_str(),
+    names::VMS.as_str(),
+    names::NMSP.as_str(),
+    names::ID.as_str(),
+    names::SZA.as_str(),
+    names::SZO.as_str(),
+    names::CORA.as_str(),
     SPEEDS_BIT,
 ];
 /// Order of the second: tolerances, memories and the tool.
 const SECOND: [&str; 12] = [
-    names::TZL,
-    names::TDIF,
-    names::TUL,
-    names::TLL,
+    names::TZL.as_str(),
+    names::TDIF.as_str(),
+    names::TUL.as_str(),
+    names::TLL.as_str(),
     MEAN_BIT,
-    names::TMV,
-    names::K,
-    names::EVNUM,
-    names::TNUM,
-    names::TNAME,
-    names::DLNUM,
-    names::TENV,
+    names::TMV.as_str(),
+    names::K.as_str(),
+    names::EVNUM.as_str(),
+    names::TNUM.as_str(),
+    names::TNAME.as_str(),
+    names::DLNUM.as_str(),
+    names::TENV.as_str(),
 ];
 /// Where everything else stands.
 const OTHERS: &str = "";
@@ -62,7 +62,7 @@ pub(super) fn source<'a>(
     let used = used.filter(|param| param.need(&source.inputs).is_some());
     source.values = used
         .filter_map(|param| {
-            let typed = entered.values.get(param.name).map_or("", |text| text.trim());
+            let typed = entered.values.get(param.name.as_str()).map_or("", |text| text.trim());
             let text = match typed {
                 "" => param.fallback(control).map(decimal),
                 typed => value(param, typed),
@@ -76,7 +76,7 @@ pub(super) fn source<'a>(
 /// Assignments in two blocks and the call in one of its own.
 pub(super) fn blocks(source: &Source) -> String {
     let values = source.values.iter();
-    let values = values.map(|(param, value)| (param.name, word(param.name, value)));
+    let values = values.map(|(param, value)| (param.name.as_str(), word(param.name.as_str(), value)));
     let bits = source.bits.iter();
     let bits = bits.map(|(name, on)| (*name, bit(name, *on)));
     let mut words: Vec<(&str, String)> = values.chain(bits).collect();

@@ -15,6 +15,7 @@ use crate::catalogue::tool_probe::figures::{self, bands};
 use crate::control::Plane;
 use crate::entry::Inputs;
 use crate::entry::names;
+use crate::name::Name;
 use crate::picture::figures::{arrow, circle, dimension, line, rectangle};
 use crate::picture::{Picture, PictureShape, ShapeKind, View};
 
@@ -212,7 +213,7 @@ fn spindle(inputs: &Inputs, shapes: &mut Vec<PictureShape>) {
         let (sin, cos) = (degrees % 360.0).to_radians().sin_cos();
         [x + SPINDLE_RADIUS * cos, y + SPINDLE_RADIUS * sin]
     };
-    let angle = |name: &'static str, degrees: f64| {
+    let angle = |name: Name, degrees: f64| {
         [
             line(ShapeKind::Edge, vec![SPINDLE, edge(degrees)]).of(name),
             circle(ShapeKind::Touch, edge(degrees), 0.8).of(name),

@@ -6,6 +6,7 @@ use crate::catalogue::sinumerik::{alarm, calibrated_as, state};
 use crate::control::MachineSort;
 use crate::control::{Control, Frame};
 use crate::entry::Inputs;
+use crate::entry::names;
 use crate::geometry::{TOLERANCE, V3, rigid};
 use crate::machine::{Machine, Stop};
 
@@ -24,8 +25,9 @@ impl Block {
     /// the spindle is left alone. The path has no sign.
     pub fn for_tool(machine: &mut dyn Machine, inputs: &Inputs) -> Result<Block, Stop> {
         let control = machine.control();
-        let block =
-            state::with_edge(control).map(|_| ()).and_then(|()| common(control, inputs, inputs.number("_FA").abs()));
+        let block = state::with_edge(control)
+            .map(|_| ())
+            .and_then(|()| common(control, inputs, inputs.number(names::FA).abs()));
         block.map_err(|number| alarm(machine, number))
     }
 }
@@ -46,10 +48,10 @@ fn common(control: &Control, inputs: &Inputs, path: f64) -> Result<Block, u32> {
         skew: [0.0; 2],
         ball: 0.0,
         other: false,
-        feed: measuring_feed(inputs.number("_VMS"), path),
+        feed: measuring_feed(inputs.number(names::VMS), path),
         fast: (control.bit("_CHBIT[17]") && path > 1.0).then(|| control.basic_length("_SPEED[3]")),
         attempts: if control.bit("_CHBIT[15]") { 1 } else { 5 },
-        repeats: u32::try_from(inputs.integer("_NMSP")).unwrap_or(1).max(1),
+        repeats: u32::try_from(inputs.integer(names::NMSP)).unwrap_or(1).max(1),
         monitored,
         feed_plane,
         feed_depth,
@@ -64,7 +66,7 @@ fn read(control: &Control, inputs: &Inputs) -> Result<Block, u32> {
         return Err(number);
     }
     let (index, mono) = probe(control, inputs)?;
-    let common = common(control, inputs, inputs.number("_FA"))?;
+    let common = common(control, inputs, inputs.number(names::FA))?;
     let data = |i: usize| control.basic_length(&format!("_WP[{index},{i}]"));
     // The data were found in machine directions: in a mirrored axis plus is their minus.
     let sense = common.axes.map(|axis| if control.mirrored(axis) { -1.0 } else { 1.0 });
@@ -78,7 +80,7 @@ fn read(control: &Control, inputs: &Inputs) -> Result<Block, u32> {
     let spindle = match (mono, control.bit("_CBIT[8]")) {
         (false, _) => Spindle::Stays,
         (true, false) => Spindle::Follows(0.0),
-        (true, true) => Spindle::Follows(inputs.number("_CORA")),
+        (true, true) => Spindle::Follows(inputs.number(names::CORA)),
     };
     Ok(Block {
         centre: if control.bit("_CBIT[14]") && !turning(inputs) { common.radius * sense[2] } else { 0.0 },
@@ -97,7 +99,7 @@ fn read(control: &Control, inputs: &Inputs) -> Result<Block, u32> {
 
 /// Index of the probe's data field `_WP[]`, and whether it is a mono probe, which has to be turned (A:15852, A:15917).
 fn probe(control: &Control, inputs: &Inputs) -> Result<(i64, bool), u32> {
-    let number = inputs.integer("_PRNUM");
+    let number = inputs.integer(names::PRNUM);
     // In a turret a mono probe is used as a multi probe (B:2277).
     let (mono, field) = (MONO.holds(inputs) && !turning(inputs), number % 100);
     if field < 1 || field as f64 > control.number("_CVAL[1]") {
