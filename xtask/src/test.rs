@@ -39,7 +39,7 @@ enum Part {
 }
 
 /// Packages that run in the browser.
-const IN_THE_BROWSER: [&str; 2] = ["probewright-web", "probewright-preview"];
+const IN_THE_BROWSER: [&str; 3] = ["probewright-web", "probewright-preview", "probewright-seam"];
 
 impl Part {
     /// All of them.
@@ -97,7 +97,7 @@ fn biome(tally: &mut Tally) {
 fn clippy(tally: &mut Tally) -> Result<()> {
     component("clippy", "clippy")?;
     let strict = |mut clippy: Command| run(clippy.args(["--", "-D", "warnings"]));
-    let all = "clippy --locked --workspace --exclude xtask --all-targets --all-features";
+    let all = "clippy --locked --workspace --exclude xtask --exclude probewright-seam --all-targets --all-features";
     tally.check("clippy", || strict(cargo(all)));
     tally.check("clippy of xtask", || strict(cargo("clippy --locked --profile xtask -p xtask --all-targets")));
     tally.check("clippy for wasm", || {
@@ -123,7 +123,8 @@ fn in_the_browser() -> impl Iterator<Item = &'static str> {
 
 /// The task program itself is tested in the profile in which it was built, so that it is not built twice.
 fn native(tally: &mut Tally) {
-    let all = "test --locked --workspace --exclude xtask --all-features --no-fail-fast -- -q";
+    let all =
+        "test --locked --workspace --exclude xtask --exclude probewright-seam --all-features --no-fail-fast -- -q";
     tally.suite("native tests", &mut cargo(all));
     let own = "test --locked --profile xtask -p xtask -- -q";
     tally.suite("tests of xtask", &mut cargo(own));
@@ -132,9 +133,13 @@ fn native(tally: &mut Tally) {
 /// Of the bindings: the preview has no tests here, and building its graphics library for none takes minutes.
 fn wasm(tally: &mut Tally, runner: &str) -> Result<()> {
     let surroundings = browser::surroundings(&browser::browser()?)?;
-    let mut tests = cargo("test --locked --all-features --no-fail-fast -p probewright-web --target");
+    let mut tests = cargo("test --locked --no-fail-fast -p probewright-seam --target");
     tests.arg(WASM);
-    tests.envs(surroundings).env("CARGO_PROFILE_DEV_DEBUG", "0").env(runner_variable(), runner);
+    tests
+        .envs(surroundings)
+        .env("CARGO_PROFILE_DEV_DEBUG", "0")
+        .env("CARGO_PROFILE_DEV_OPT_LEVEL", "1")
+        .env(runner_variable(), runner);
     tally.suite("wasm tests in Chromium", &mut tests);
     Ok(())
 }

@@ -1,0 +1,61 @@
+//! Asks the core as it runs natively, and keeps what it says for the tests in the browser.
+#![allow(clippy::unwrap_used)] // a build that cannot write its output ends
+
+#[path = "src/ask.rs"]
+mod ask;
+
+use ask::{Answers, Scanned, Seam, beside, cycles, of_cycle};
+use probewright_core::{encoding, json};
+use std::path::Path;
+
+macro_rules! answered {
+    ($function:path) => {
+        |question| $function(question).map(|view| json::text(&view)).map_err(|error| error.to_string())
+    };
+}
+
+const CORE: Seam = Seam {
+    catalogue: || json::text(&json::catalogue()),
+    alarms: || json::text(&json::alarms()),
+    form: answered!(json::form),
+    help: answered!(json::help),
+    machine: answered!(json::machine),
+    read: answered!(json::read),
+    change: answered!(json::change),
+    convert: answered!(json::convert),
+    run: |question| {
+        let mut run = json::Run::new(question).map_err(|error| error.to_string())?;
+        while !run.advance(500) {}
+        Ok(json::text(&run.view()))
+    },
+    setup: |text| {
+        let setup = json::setup_from_json(text).map_err(|error| error.to_string())?;
+        Ok(json::text(&json::setup_to_json(&setup)))
+    },
+    recognise: |bytes| {
+        let mut recogniser = encoding::Recogniser::default();
+        recogniser.take(bytes);
+        json::text(&json::recognised(recogniser.finish()))
+    },
+    scan: |question, file| {
+        let mut scan = json::Scan::new(question, file).map_err(|error| error.to_string())?;
+        while !scan.advance(500) {}
+        let points = scan.turns().len();
+        Ok(Scanned {
+            view: json::text(&scan.view()),
+            cloud: scan.cloud(false, 0..points),
+            turns: scan.turns(),
+            program: scan.text("program", 0, points).map_err(|error| error.to_string())?,
+        })
+    },
+};
+
+fn main() {
+    println!("cargo::rerun-if-changed=src/ask.rs");
+    let mut told = Answers::new();
+    beside(&CORE, &mut told);
+    cycles(&CORE).iter().for_each(|cycle| of_cycle(&CORE, cycle, &mut told));
+    let told = serde_json::Value::Object(told);
+    let out = std::env::var("OUT_DIR").unwrap();
+    std::fs::write(Path::new(&out).join("native.json"), told.to_string()).unwrap();
+}

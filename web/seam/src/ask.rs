@@ -1,0 +1,205 @@
+//! The questions: JSON text in, JSON text out.
+
+use serde_json::{Map, Value, json};
+
+/// The answer to a question: JSON text, or the sentence of an error.
+pub type Told = Result<String, String>;
+
+/// One who answers: the core itself, or its bindings.
+pub struct Seam {
+    /// `Catalogue`.
+    pub catalogue: fn() -> String,
+    /// `AlarmInfo[]`.
+    pub alarms: fn() -> String,
+    /// `FormRequest` → `FormView`.
+    pub form: fn(&str) -> Told,
+    /// `HelpRequest` → `HelpView`.
+    pub help: fn(&str) -> Told,
+    /// `MachineRequest` → `MachineView`.
+    pub machine: fn(&str) -> Told,
+    /// `ReadRequest` → `ReadView`.
+    pub read: fn(&str) -> Told,
+    /// `ChangeRequest` → `Changed`.
+    pub change: fn(&str) -> Told,
+    /// `ConvertRequest` → `Converted`.
+    pub convert: fn(&str) -> Told,
+    /// `RunRequest` → `RunView`.
+    pub run: fn(&str) -> Told,
+    /// Text of a setup file → `Setup`.
+    pub setup: fn(&str) -> Told,
+    /// Bytes of a file → `Recognised`.
+    pub recognise: fn(&[u8]) -> String,
+    /// `ScanRequest` and the bytes of a file → `ScanView`, the points sent, their turns, and the program.
+    pub scan: fn(&str, &[u8]) -> Result<Scanned, String>,
+}
+
+/// What a scan hands over, the points as typed arrays.
+pub struct Scanned {
+    /// `ScanView`.
+    pub view: String,
+    /// Four numbers a point.
+    pub cloud: Vec<f32>,
+    /// The turn of each point.
+    pub turns: Vec<u32>,
+    /// The program that is sent.
+    pub program: String,
+}
+
+/// What came back, by name of the question.
+pub type Answers = Map<String, Value>;
+
+/// The cycles of the catalogue.
+pub fn cycles(seam: &Seam) -> Vec<Value> {
+    let catalogue = read_value(Ok((seam.catalogue)()));
+    catalogue["cycles"].as_array().cloned().unwrap_or_default()
+}
+
+/// What is asked about no cycle.
+pub fn beside(seam: &Seam, told: &mut Answers) {
+    told.insert("catalogue".into(), read_value(Ok((seam.catalogue)())));
+    told.insert("alarms".into(), read_value(Ok((seam.alarms)())));
+    wrong(seam, told);
+    bytes(seam, told);
+}
+
+/// Of each variant the form and its help, then the way of a call: read back, written otherwise, changed, run.
+pub fn of_cycle(seam: &Seam, cycle: &Value, told: &mut Answers) {
+    let (control, name) = (&cycle["control"], cycle["cycle"].as_str().unwrap_or_default());
+    for variant in cycle["variants"].as_array().into_iter().flatten() {
+        let mut values = variant["values"].as_object().cloned().unwrap_or_default();
+        values.extend(variant["example"].as_object().cloned().unwrap_or_default());
+        let mvar = &variant["mvar"];
+        let mut keep = |what: &str, answer: Value| {
+            told.insert(format!("{name} {mvar} {what}"), answer);
+        };
+        let plane = cycle["purpose"]["plane"].as_str().filter(|_| control == "sinumerik").unwrap_or("G17");
+        let form = json!({ "control": control, "cycle": name, "values": values, "plane": plane, "predict": true,
+            "twin": true });
+        let form = read_value((seam.form)(&form.to_string()));
+        keep("help", read_value((seam.help)(&json!({ "control": control, "cycle": name, "mvar": mvar }).to_string())));
+        let end = if control == "nct" { "M30\n%\n" } else { "M30\n" };
+        let begin = if control == "nct" { "%\n" } else { "" };
+        let text = format!("{begin}{plane}\n{}{end}", form["snippet"].as_str().unwrap_or_default());
+        let setup = form["setup"].clone();
+        keep("form", form);
+        if cycle["surfaces"].as_array().is_some_and(|surfaces| !surfaces.is_empty()) {
+            let question = json!({ "control": control, "cycle": name, "values": values, "setup": setup });
+            keep("scan", scanned(seam, &question));
+        }
+        for (what, answer) in of_program(seam, control, text, setup) {
+            keep(what, answer);
+        }
+    }
+}
+
+/// A program with one call: what is read in it, what it is in another way of writing, how its first number is changed,
+/// and what it does then.
+fn of_program(seam: &Seam, control: &Value, text: String, setup: Value) -> Vec<(&'static str, Value)> {
+    let question = |more: Value| {
+        let mut question = json!({ "control": control, "text": text, "setup": setup });
+        if let (Some(all), Value::Object(more)) = (question.as_object_mut(), more) {
+            all.extend(more);
+        }
+        question.to_string()
+    };
+    let read = read_value((seam.read)(&question(json!({}))));
+    let convert = read_value((seam.convert)(&question(json!({ "call": 0, "style": "direct" }))));
+    let values = read["calls"][0]["values"].as_object();
+    let number = values.into_iter().flatten().find_map(|(name, value)| {
+        let number: f64 = value.as_str()?.parse().ok().filter(|number: &f64| number.fract() != 0.0)?;
+        Some((name, number))
+    });
+    let (name, value) = number.map_or(("_FA", "4".to_owned()), |(name, number)| (name, format!("{}", number + 0.125)));
+    let change = read_value((seam.change)(&question(json!({ "call": 0, "name": name, "value": value }))));
+    let changed = changed(&text, &change);
+    let run = json!({ "control": control, "text": changed, "setup": setup });
+    let run = read_value((seam.run)(&run.to_string()));
+    vec![("read", read), ("convert", convert), ("change", change), ("text", changed.into()), ("run", run)]
+}
+
+/// The text behind the steps of a change. All of it is ASCII here, so that units of UTF-16 are bytes.
+fn changed(text: &str, change: &Value) -> String {
+    let mut text = text.to_owned();
+    for step in change["steps"].as_array().into_iter().flatten() {
+        let mut edits: Vec<&Value> = step.as_array().into_iter().flatten().collect();
+        edits.sort_by_key(|edit| std::cmp::Reverse(edit["from"].as_u64()));
+        for edit in edits {
+            let place = |name: &str| edit[name].as_u64().map_or(0, |at| at as usize).min(text.len());
+            text.replace_range(place("from")..place("to"), edit["insert"].as_str().unwrap_or_default());
+        }
+    }
+    text
+}
+
+/// Questions of the wrong shape, about what is not there, and with numbers that are none: each answer is a sentence or
+/// a document, never a broken module.
+fn wrong(seam: &Seam, told: &mut Answers) {
+    let asked: [(&str, fn(&str) -> Told); 8] = [
+        ("form", seam.form),
+        ("help", seam.help),
+        ("machine", seam.machine),
+        ("read", seam.read),
+        ("change", seam.change),
+        ("convert", seam.convert),
+        ("run", seam.run),
+        ("setup", seam.setup),
+    ];
+    let questions = [
+        String::new(),
+        "{".to_owned(),
+        "[]".to_owned(),
+        "{}".to_owned(),
+        "\u{0}\u{fffd}".to_owned(),
+        json!({ "control": "fanuc", "cycle": "CYCLE977", "values": {}, "text": "", "mvar": 1, "call": 0 }).to_string(),
+        json!({ "control": "sinumerik", "cycle": "CYCLE1", "values": {}, "text": "\u{7}", "mvar": -1, "call": 9,
+            "name": "?", "value": "", "style": "?" })
+        .to_string(),
+        json!({ "control": "sinumerik", "cycle": "CYCLE977", "values": { "_MVAR": "1e999", "_SETVAL": "-0" },
+            "text": "_MVAR=1e99 CYCLE977", "mvar": 1, "call": 0, "name": "_SETVAL", "value": "1e999",
+            "style": "direct", "predict": true })
+        .to_string(),
+        json!({ "control": "nct", "cycle": "G101", "values": { "X": "=" }, "text": "%\nG101 X1E9 R=", "mvar": 0,
+            "call": 0, "name": "X", "value": "0", "style": "direct", "setup": { "control": "nct", "probe": 1 } })
+        .to_string(),
+    ];
+    for (name, function) in asked {
+        for (index, question) in questions.iter().enumerate() {
+            told.insert(format!("{name} of wrong question {index}"), read_value(function(question)));
+        }
+    }
+}
+
+/// What goes in as bytes or comes back as numbers.
+fn bytes(seam: &Seam, told: &mut Answers) {
+    let files: [&[u8]; 5] = [
+        b"",
+        b"%_N_A_MPF\nG0 X1\n",
+        b"\xef\xbb\xbfG0 ; \xc3\xa4\n",
+        b"; Gr\xf6\xdfe\nG0 X1\n",
+        b"PK\x03\x04\x00\x00\xff",
+    ];
+    for (index, file) in files.into_iter().enumerate() {
+        told.insert(format!("recognised {index}"), read_value(Ok((seam.recognise)(file))));
+    }
+    let file = r#"{ "control": "nct", "probe": { "radius": 3, "length": 50 } }"#;
+    told.insert("setup".into(), read_value((seam.setup)(file)));
+    let refused = (seam.scan)("{", b"solid").map(|scanned| scanned.view);
+    told.insert("scan of a wrong question".into(), read_value(refused));
+}
+
+/// What a scan hands over: its view, and the points as typed arrays.
+fn scanned(seam: &Seam, question: &Value) -> Value {
+    let scanned = (seam.scan)(&question.to_string(), b"").map(|scanned| {
+        let view = read_value(Ok(scanned.view));
+        json!({ "view": view, "cloud": scanned.cloud, "turns": scanned.turns, "program": scanned.program }).to_string()
+    });
+    read_value(scanned)
+}
+
+/// An answer as a document; an error as `{ "error": sentence }`.
+fn read_value(told: Told) -> Value {
+    match told {
+        Ok(text) => serde_json::from_str(&text).unwrap_or_else(|error| json!({ "no JSON": error.to_string() })),
+        Err(error) => json!({ "error": error }),
+    }
+}

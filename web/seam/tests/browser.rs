@@ -1,0 +1,118 @@
+//! Runs in headless Chromium: what the module answers there is what the core answers natively.
+#![cfg(target_arch = "wasm32")]
+#![allow(clippy::unwrap_used)]
+
+use probewright_seam::ask::{Answers, Scanned, Seam, Told, beside, cycles, of_cycle};
+use probewright_seam::same::difference;
+use probewright_web as web;
+use serde_json::Value;
+use wasm_bindgen::{JsCast, JsError, JsValue};
+use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
+
+wasm_bindgen_test_configure!(run_in_browser);
+
+/// The sentence of an exception.
+fn sentence(error: JsError) -> String {
+    js_sys::Error::from(JsValue::from(error)).message().into()
+}
+
+macro_rules! answered {
+    ($function:path) => {
+        |question| -> Told { $function(question).map_err(sentence) }
+    };
+}
+
+const BROWSER: Seam = Seam {
+    catalogue: web::catalogue,
+    alarms: web::alarms,
+    form: answered!(web::form),
+    help: answered!(web::help),
+    machine: answered!(web::machine),
+    read: answered!(web::read),
+    change: answered!(web::change),
+    convert: answered!(web::convert),
+    run: |question| {
+        let mut run = web::Run::new(question).map_err(sentence)?;
+        while !run.advance(500) {}
+        Ok(run.view())
+    },
+    setup: answered!(web::setup),
+    recognise: |bytes| {
+        let mut recogniser = web::Recogniser::new();
+        recogniser.take(bytes);
+        recogniser.finish()
+    },
+    scan: |question, file| {
+        let mut scan = web::Scan::new(question, file).map_err(sentence)?;
+        while !scan.advance(500) {}
+        let turns = scan.turns();
+        let points = turns.len() as u32;
+        let program = scan.text("program", 0, points).map_err(sentence)?;
+        Ok(Scanned { view: scan.view(), cloud: scan.cloud(false, 0, points), turns, program })
+    },
+};
+
+// oracle: self (Cargo.toml)
+#[wasm_bindgen_test]
+fn version_is_that_of_the_workspace() {
+    assert_eq!(web::version(), env!("CARGO_PKG_VERSION"));
+}
+
+/// Everything that is asked, with turns for the browser in between.
+async fn asked() -> Answers {
+    let mut told = Answers::new();
+    beside(&BROWSER, &mut told);
+    for cycle in cycles(&BROWSER) {
+        let turn = js_sys::Promise::new(&mut |resolve, _| {
+            let scope = js_sys::global().unchecked_into::<web_sys::Window>();
+            scope.set_timeout_with_callback(&resolve).unwrap();
+        });
+        wasm_bindgen_futures::JsFuture::from(turn).await.unwrap();
+        of_cycle(&BROWSER, &cycle, &mut told);
+    }
+    told
+}
+
+// oracle: peer (the same questions to the core as it runs natively, asked when this test was built)
+#[wasm_bindgen_test]
+async fn the_browser_is_told_what_the_core_says() {
+    let native: Value = serde_json::from_str(include_str!(concat!(env!("OUT_DIR"), "/native.json"))).unwrap();
+    let native = native.as_object().unwrap();
+    let told = asked().await;
+    assert_eq!(native.keys().collect::<Vec<_>>(), told.keys().collect::<Vec<_>>());
+    let differs = |(name, answer): (&String, &Value)| difference(answer, &told[name], name);
+    let differences: Vec<String> = native.iter().filter_map(differs).take(5).collect();
+    assert!(differences.is_empty(), "{differences:#?}");
+    calls_come_back(&told);
+    wrong_questions_are_refused(&told);
+}
+
+/// A snippet is a call of its cycle, which can be changed and runs; a scan hands over its points.
+fn calls_come_back(told: &Answers) {
+    let named = |end: &'static str| told.iter().filter(move |(name, _)| name.ends_with(end));
+    assert!(named(" run").count() > 100, "{} variants", named(" run").count());
+    for (name, read) in named(" read") {
+        let calls = read["calls"].as_array().unwrap().iter();
+        let called: Vec<&str> = calls.filter_map(|call| call["cycle"].as_str()).collect();
+        assert!(matches!(called[..], [cycle] if name.starts_with(&format!("{cycle} "))), "{name}: {called:?}");
+    }
+    for (name, change) in named(" change") {
+        assert!(change["steps"].is_array(), "{name}: {change}");
+    }
+    for (name, run) in named(" run") {
+        assert!(run["trace"].is_object(), "{name}: {run}");
+    }
+    for (name, scan) in named(" scan") {
+        let (points, cloud) = (scan["turns"].as_array().unwrap(), scan["cloud"].as_array().unwrap());
+        assert_eq!(cloud.len(), 4 * points.len(), "{name}");
+        assert!(points.len() > 20, "{name}: {} points", points.len());
+    }
+}
+
+fn wrong_questions_are_refused(told: &Answers) {
+    let refused =
+        told.iter().filter(|(name, _)| name.ends_with("wrong question 1") || name.ends_with("a wrong question"));
+    for (name, answer) in refused {
+        assert!(answer["error"].as_str().is_some_and(|sentence| sentence.len() > 8), "{name}: {answer}");
+    }
+}
