@@ -14,6 +14,8 @@ pub struct Sources {
     pub paths: Vec<Found>,
     /// Texts in quotes, as written; documentation is none.
     pub texts: Vec<Found>,
+    /// Modules of the root.
+    pub rooms: BTreeSet<String>,
     /// What the root declares beside modules.
     pub root_items: BTreeSet<String>,
 }
@@ -116,6 +118,9 @@ impl Sources {
     /// `mod name;` in a file of its own, or `mod name { … }`.
     fn submodule(&mut self, name: &Ident, body: &TokenTree, place: &Place) -> Result<()> {
         let name = name.to_string();
+        if place.module.is_empty() {
+            self.rooms.insert(name.clone());
+        }
         let module = [&place.module[..], std::slice::from_ref(&name)].concat();
         let mut inner = Place { file: place.file.clone(), folder: place.folder.join(name), module };
         if let TokenTree::Group(group) = body {

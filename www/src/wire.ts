@@ -34,13 +34,14 @@ export interface Catalogue {
 export interface CycleInfo {
   control: Dialect;
   cycle: string; // "CYCLE977"
-  key: string; // "cycle977": messages cycle977-title, cycle977-words, cycle977-help
+  key: string; // "cycle977": messages cycle977-title, cycle977-words, cycle977-each-words, cycle977-help
   purpose: Purpose;
   styles: Style[]; // the ways of writing that its call has, direct first
   variants: {
     mvar: number;
     key: string;
     source: string;
+    choices: string[]; // keys of what the digits of its number choose
     values: Record<string, string>;
     example: Record<string, string>;
     planes: Partial<Record<Plane, { values: Record<string, string>; example: Record<string, string> }>>;

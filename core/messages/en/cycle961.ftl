@@ -5,17 +5,17 @@ cycle961-help = Finds where two edges of a part or pocket meet and how the first
 cycle961-words = measure workpiece corner vertex edge edges set up setup zero point origin rectangle vice angle rotation rotate align inside outside internal external three points four points zero offset ZO frame G54
 
 cycle961-inside-rectangle = Inside corner of a rectangle, three points
-cycle961-inside-rectangle-words = inside internal corner pocket rectangle square right angle three points distance zero offset ZO
+cycle961-inside-rectangle-words = internal pocket square right angle distance zero offset ZO
 cycle961-outside-rectangle = Outside corner of a rectangle, three points
-cycle961-outside-rectangle-words = outside external corner block plate rectangle square right angle three points distance zero offset ZO
+cycle961-outside-rectangle-words = external block plate square right angle distance zero offset ZO
 cycle961-inside-any = Inside corner of any angle, four points
-cycle961-inside-any-words = inside internal corner pocket oblique angle four points distance zero offset ZO
+cycle961-inside-any-words = internal pocket oblique distance zero offset ZO
 cycle961-outside-any = Outside corner of any angle, four points
-cycle961-outside-any-words = outside external corner part oblique angle four points distance zero offset ZO
+cycle961-outside-any-words = external part oblique distance zero offset ZO
 cycle961-inside-points = Inside corner, four given points
-cycle961-inside-points-words = inside internal corner pocket coordinates given points zero offset ZO
+cycle961-inside-points-words = internal pocket coordinates zero offset ZO
 cycle961-outside-points = Outside corner, four given points
-cycle961-outside-points-words = outside external corner part coordinates given points zero offset ZO
+cycle961-outside-points-words = external part coordinates zero offset ZO
 
 param-sta1-reference = Direction of the reference edge
 param-sta1-reference-help = About, to 10° exactly: angle from the plus direction of the abscissa to the reference edge, minus clockwise. It counts in the machine coordinate system.

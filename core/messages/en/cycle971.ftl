@@ -3,27 +3,18 @@
 cycle971-title = Tool probe in milling: calibrate, measure tools
 cycle971-help = Measures length L1 or radius of the milling tool or drill in the spindle at a tool probe, or calibrates this probe with a tool of known size.
 cycle971-words = measure tool setter tool setting preset tool probe touch probe laser cube disc disk calibrate calibration length L1 radius diameter cutter end mill face mill drill wear geometry breakage spindle rotating standing edge trigger point
+cycle971-each-words = measure tool probe
 
 cycle971-calibrate = Calibrate the tool probe
-cycle971-calibrate-words = calibrate tool probe trigger point machine _TP calibration tool side top
 cycle971-calibrate-workpiece = Calibrate the tool probe in the workpiece system
-cycle971-calibrate-workpiece-words = calibrate tool probe trigger point workpiece WCS frame _TPW calibration tool
 cycle971-still = Measure a tool, spindle standing
-cycle971-still-words = measure tool length radius motionless standing spindle drill end mill edge machine
 cycle971-rotating = Measure a tool, spindle turning
-cycle971-rotating-words = measure tool length radius rotating turning spindle largest edge cutter face mill speed feed machine
 cycle971-still-workpiece = Measure a tool in the workpiece system, spindle standing
-cycle971-still-workpiece-words = measure tool length radius motionless standing spindle workpiece WCS frame
 cycle971-rotating-workpiece = Measure a tool in the workpiece system, spindle turning
-cycle971-rotating-workpiece-words = measure tool length radius rotating turning spindle workpiece WCS frame speed feed
 cycle971-incremental = Calibrate the tool probe incrementally
-cycle971-incremental-words = calibrate tool probe incremental signed path unknown position first time
 cycle971-incremental-workpiece = Calibrate the tool probe incrementally in the workpiece system
-cycle971-incremental-workpiece-words = calibrate tool probe incremental signed path unknown position workpiece WCS frame
 cycle971-automatic = Calibrate all sides of the tool probe
-cycle971-automatic-words = calibrate tool probe automatic all axes sides directions centre
 cycle971-automatic-workpiece = Calibrate all sides of the tool probe in the workpiece system
-cycle971-automatic-workpiece-words = calibrate tool probe automatic all axes sides directions centre workpiece WCS frame
 
 ma-abscissa-centred = Abscissa (G17: X), centred in the ordinate
 ma-ordinate-centred = Ordinate (G17: Y), centred in the abscissa

@@ -5,6 +5,6 @@ cycle972-help = Measures length L1 or L2 of a turning tool with cutting edge pos
 cycle972-words = measure tool setter tool setting preset lathe turning tool probe cube calibrate calibration length L1 L2 insert nose tip cutting edge position wear geometry trigger point
 
 cycle972-calibrate = Calibrate the tool probe
-cycle972-calibrate-words = calibrate tool probe lathe turning trigger point machine _TP calibration tool side
+cycle972-calibrate-words = lathe turning trigger point machine _TP calibration side
 cycle972-measure = Measure a turning tool
-cycle972-measure-words = measure turning tool lathe length L1 L2 insert wear geometry machine
+cycle972-measure-words = lathe length L1 L2 insert wear geometry machine

@@ -3,24 +3,20 @@
 cycle973-title = Calibrate workpiece probe in turning
 cycle973-help = Finds where the probe of a turning machine switches, and stores it in the probe's data _WP, from where every later measurement takes it.
 cycle973-words = calibrate calibration workpiece probe turning lathe reference groove gauging block surface face trigger point values ball diameter skew position deviation
+cycle973-each-words = turning lathe trigger point
 
 cycle973-surface = Surface: one direction
-cycle973-surface-words = turning lathe surface face one direction trigger point workpiece
 cycle973-groove-short = Reference groove: 1 direction, short number
-cycle973-groove-short-words = turning lathe reference groove gauging block one direction trigger point 13
 cycle973-groove-one = Reference groove: 1 direction
-cycle973-groove-one-words = turning lathe reference groove gauging block one direction trigger point
 cycle973-groove-two = Reference groove: 2 directions of one axis
-cycle973-groove-two-words = turning lathe reference groove gauging block two directions trigger point
 cycle973-groove-two-ball = Reference groove: 2 directions of one axis, ball diameter
-cycle973-groove-two-ball-words = turning lathe reference groove gauging block two directions ball diameter stylus trigger point
 cycle973-groove-two-skew = Reference groove: 2 directions of one axis, skew
-cycle973-groove-two-skew-words = turning lathe reference groove gauging block two directions skew position deviation trigger point
 cycle973-groove-two-skew-ball = Reference groove: 2 directions of one axis, skew, ball diameter
-cycle973-groove-two-skew-ball-words = turning lathe reference groove gauging block two directions skew position deviation ball diameter stylus trigger point
 
 calibrate-groove = Reference groove
+calibrate-groove-words = gauging block
 calibrate-one-short = Not told: one direction, as 1
+calibrate-one-short-words = one 13
 calibrate-position = Position deviation (skew)
 
 param-setval-surface-diameter = Diameter at the surface

@@ -3,17 +3,16 @@
 cycle974-title = Turned part: one point
 cycle974-help = Measures one point of a turned part, outside or inside, on a diameter, an end face or in the third axis, against the setpoint from the drawing.
 cycle974-words = measure workpiece turning lathe turned part diameter outside inside shoulder end face length one point single X Z Y facing axis reversal runout spindle tool offset wear zero offset ZO
+cycle974-each-words = turning lathe diameter face length L1 L2
 
 cycle974-tool = One point: correct a tool
-cycle974-tool-words = turning lathe diameter face length one point tool offset wear L1 L2
 cycle974-zero = One point: correct a zero offset
-cycle974-zero-words = turning lathe face length one point zero offset ZO frame origin G54
 cycle974-reversal = One point with reversal: correct a tool
-cycle974-reversal-words = turning lathe diameter one point reversal spindle 180 degree runout eccentricity opposite tool offset wear
 
 mvar-reversal = Reversal
 reversal-without = Without
 reversal-with = With: measured again after the part has turned by 180°
+reversal-with-words = reversal spindle 180 degree runout eccentricity opposite
 
 param-setval-turned-diameter = Set diameter
 param-setval-turned-diameter-help = From the drawing. With DIAMON it is the diameter, with DIAMOF the radius.

@@ -3,12 +3,9 @@
 cycle978-title = Surface
 cycle978-help = Measures one point of a surface that lies across an axis. The probe stands opposite, further away than the measuring path; the side on which it stands decides the direction.
 cycle978-words = measure workpiece surface face edge plane wall point position single touch tool offset wear zero offset ZO paraxial differential
+cycle978-each-words = one point edge face
 
 cycle978-tool = Surface: correct a tool
-cycle978-tool-words = surface face edge one point tool offset wear length radius
 cycle978-zero = Surface: correct a zero offset
-cycle978-zero-words = surface face edge one point zero offset ZO frame origin G54
 cycle978-differential-tool = Surface, differential: correct a tool
-cycle978-differential-tool-words = surface face edge differential spindle 180 degree uncalibrated multi probe tool offset wear
 cycle978-differential-zero = Surface, differential: correct a zero offset
-cycle978-differential-zero-words = surface face edge differential spindle 180 degree uncalibrated multi probe zero offset ZO frame

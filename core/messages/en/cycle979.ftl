@@ -3,23 +3,16 @@
 cycle979-title = Hole, shaft, groove, web at an angle
 cycle979-help = Measures a size and its centre where the axes cannot be followed: a hole or shaft, also a segment of one, at three or four points on a circle; a groove or web across an oblique line.
 cycle979-words = measure workpiece hole bore shaft boss groove slot web rib segment arc angle oblique inclined diameter width centre center three four points inside outside tool offset wear zero offset ZO
+cycle979-each-words = angle oblique segment arc
 
 cycle979-hole-tool = Hole at an angle: correct a tool
-cycle979-hole-tool-words = hole bore inside circle diameter segment arc angle tool offset wear radius length
 cycle979-shaft-tool = Shaft at an angle: correct a tool
-cycle979-shaft-tool-words = shaft spigot boss pin outside circle diameter segment arc angle tool offset wear radius length
 cycle979-groove-tool = Groove at an angle: correct a tool
-cycle979-groove-tool-words = groove slot channel width inside oblique angle tool offset wear radius length
 cycle979-web-tool = Web at an angle: correct a tool
-cycle979-web-tool-words = web ridge rib width outside oblique angle tool offset wear radius length
 cycle979-hole-zero = Hole at an angle: correct a zero offset
-cycle979-hole-zero-words = hole bore inside circle diameter segment arc angle zero offset ZO frame origin centre G54
 cycle979-shaft-zero = Shaft at an angle: correct a zero offset
-cycle979-shaft-zero-words = shaft spigot boss pin outside circle diameter segment arc angle zero offset ZO frame origin centre G54
 cycle979-groove-zero = Groove at an angle: correct a zero offset
-cycle979-groove-zero-words = groove slot channel width inside oblique angle zero offset ZO frame origin centre G54
 cycle979-web-zero = Web at an angle: correct a zero offset
-cycle979-web-zero-words = web ridge rib width outside oblique angle zero offset ZO frame origin centre G54
 
 prnum-points = Points of a circle
 prnum-three = Three points

@@ -5,9 +5,9 @@ cycle994-help = Measures a diameter of a turned part by two opposite points that
 cycle994-words = measure workpiece turning lathe turned part diameter bore shaft outside inside two points opposite safety zone protection zone X Y facing axis tool offset wear
 
 cycle994-inside-zone = Inside, around a protection zone
-cycle994-inside-zone-words = turning lathe bore inside diameter two points protection zone safety zone obstacle stud tool offset wear
+cycle994-inside-zone-words = turning lathe bore diameter two points safety obstacle stud tool offset wear
 cycle994-outside-inside = Outside around a zone, or inside without one
-cycle994-outside-inside-words = turning lathe diameter outside shaft inside bore two points protection zone safety zone tool offset wear
+cycle994-outside-inside-words = turning lathe diameter shaft bore two points protection safety tool offset wear
 
 param-setval-two-diameter = Set diameter
 param-setval-two-diameter-help = From the drawing. With DIAMON it is the diameter, with DIAMOF the radius; both points lie about the workpiece zero.

@@ -3,24 +3,23 @@
 cycle998-title = Angle of a surface
 cycle998-help = Measures how a clamped part is turned: one angle from two points on a straight edge or surface, or two angles of an oblique plane from three points.
 cycle998-words = measure workpiece angle align alignment skew rotate rotation orientation edge surface face plane oblique inclined tilt clamped crooked rotary table C axis zero offset ZO frame G54 two points three points
+cycle998-each-words = two angle
 
 cycle998-one = One angle, travel along the set angle
-cycle998-one-words = edge angle align rotation rotary table two points set position safe area zero offset ZO
 cycle998-one-differential = One angle, differential measurement
-cycle998-one-differential-words = edge angle align rotation uncalibrated probe differential spindle reversal 180 degree zero offset ZO
 cycle998-one-paraxial = One angle, travel along the axis
-cycle998-one-paraxial-words = edge angle align rotation two points paraxial axis parallel direction without setpoint zero offset ZO
 cycle998-two = Two angles, travel along the set angles
-cycle998-two-words = oblique plane in space tilt inclination three points two angles swivel CYCLE800 zero offset ZO
 cycle998-two-paraxial = Two angles, travel along the axes
-cycle998-two-paraxial-words = oblique plane in space tilt inclination three points two angles paraxial axis parallel swivel CYCLE800 zero offset ZO
 
 mvar-angles = Angles
 angles-one = One, from two points
+angles-one-words = edge align rotation rotary table two points safe area set position
 angles-two = Two, from three points
+angles-two-words = oblique plane in space tilt inclination three points swivel CYCLE800
 mvar-positioning = Travel between the points
 positioning-angle = Along the set angle, away from the surface
 positioning-paraxial = Along the axis
+positioning-paraxial-words = axis paraxial parallel direction without setpoint
 
 param-setval-point = Set position of P1
 param-setval-point-help = Where the surface is expected at the first point, in the measuring axis. The side on which the probe stands decides the measuring direction. A position differing by more than the measuring path is not found.

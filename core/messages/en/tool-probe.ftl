@@ -2,17 +2,24 @@
 
 mvar-task = Task
 task-calibrate = Calibrate the probe
+task-calibrate-words = calibrate calibration tool probe trigger point side top
 task-still = Measure a tool, spindle standing
+task-still-words = length radius motionless drill end mill edge
 task-rotating = Measure a tool, spindle turning
+task-rotating-words = length radius rotating largest edge cutter face mill speed feed
 mvar-reference = Probe stands in
 reference-machine = the machine (_TP)
+reference-machine-words = machine _TP
 reference-workpiece = the active workpiece system (_TPW)
+reference-workpiece-words = workpiece WCS frame _TPW
 ma-lathe-l2 = L2, touched in the abscissa (G18: Z)
 ma-lathe-l1 = L1, touched in the ordinate (G18: X)
 mvar-approach = Way to the probe
 approach-normal = Positioned by the cycle
 approach-incremental = Incremental: only the measuring motion
+approach-incremental-words = incremental signed path unknown position first time geometry JOG
 approach-automatic = Automatic: all sides
+approach-automatic-words = automatic all axes directions centre
 
 param-prnum-tool = Tool probe
 param-prnum-tool-help = Number of the tool probe: its data are _TP[n-1,…], measured in the workpiece system _TPW[n-1,…].

@@ -5,17 +5,17 @@ cycle961-help = 求工件或型腔两条边的交点以及第一条边转过的�
 cycle961-words = 测量 工件 拐角 顶点 边 设定 零点 原点 矩形 虎钳 角度 旋转 找正 内 外 三点 四点 零点偏移 零偏 坐标框架 G54
 
 cycle961-inside-rectangle = 矩形内拐角，三点
-cycle961-inside-rectangle-words = 内 拐角 型腔 矩形 方 直角 三点 距离 零点偏移 零偏
+cycle961-inside-rectangle-words = 型腔 方 直角 距离 零点偏移 零偏
 cycle961-outside-rectangle = 矩形外拐角，三点
-cycle961-outside-rectangle-words = 外 拐角 方块 板 矩形 方 直角 三点 距离 零点偏移 零偏
+cycle961-outside-rectangle-words = 方块 板 方 直角 距离 零点偏移 零偏
 cycle961-inside-any = 任意角度的内拐角，四点
-cycle961-inside-any-words = 内 拐角 型腔 斜 角度 四点 距离 零点偏移 零偏
+cycle961-inside-any-words = 型腔 斜 距离 零点偏移 零偏
 cycle961-outside-any = 任意角度的外拐角，四点
-cycle961-outside-any-words = 外 拐角 工件 斜 角度 四点 距离 零点偏移 零偏
+cycle961-outside-any-words = 工件 斜 距离 零点偏移 零偏
 cycle961-inside-points = 内拐角，四个给定点
-cycle961-inside-points-words = 内 拐角 型腔 坐标 给定点 零点偏移 零偏
+cycle961-inside-points-words = 型腔 坐标 零点偏移 零偏
 cycle961-outside-points = 外拐角，四个给定点
-cycle961-outside-points-words = 外 拐角 工件 坐标 给定点 零点偏移 零偏
+cycle961-outside-points-words = 工件 坐标 零点偏移 零偏
 
 param-sta1-reference = 基准边的方向
 param-sta1-reference-help = 约值，准确到 10°：从横坐标正方向到基准边的角度，顺时针为负。按机床坐标系计。

@@ -3,27 +3,18 @@
 cycle971-title = 铣床刀具测量头：校准、测量刀具
 cycle971-help = 在刀具测量头上测量主轴中铣刀或钻头的长度 L1 或半径，或用尺寸已知的刀具校准该测量头。
 cycle971-words = 测量 刀具 对刀仪 对刀 设定 预调 测量头 触碰 激光 方块 圆盘 校准 长度 L1 半径 直径 铣刀 端面 钻头 磨损 主轴 旋转 静止 边 触发 点
+cycle971-each-words = 测量 刀具
 
 cycle971-calibrate = 校准刀具测量头
-cycle971-calibrate-words = 校准 刀具 测量头 触发 点 机床 _TP
 cycle971-calibrate-workpiece = 在工件坐标系中校准刀具测量头
-cycle971-calibrate-workpiece-words = 校准 刀具 测量头 触发 点 工件 WCS 坐标框架 _TPW
 cycle971-still = 测量刀具，主轴静止
-cycle971-still-words = 测量 刀具 长度 半径 静止 主轴 钻头 边 机床
 cycle971-rotating = 测量刀具，主轴旋转
-cycle971-rotating-words = 测量 刀具 长度 半径 旋转 主轴 边 铣刀 端面 转速 机床
 cycle971-still-workpiece = 在工件坐标系中测量刀具，主轴静止
-cycle971-still-workpiece-words = 测量 刀具 长度 半径 静止 主轴 工件 WCS 坐标框架
 cycle971-rotating-workpiece = 在工件坐标系中测量刀具，主轴旋转
-cycle971-rotating-workpiece-words = 测量 刀具 长度 半径 旋转 主轴 工件 WCS 坐标框架 转速
 cycle971-incremental = 增量校准刀具测量头
-cycle971-incremental-words = 校准 刀具 测量头 增量 未知 位置
 cycle971-incremental-workpiece = 在工件坐标系中增量校准刀具测量头
-cycle971-incremental-workpiece-words = 校准 刀具 测量头 增量 未知 位置 工件 WCS 坐标框架
 cycle971-automatic = 校准刀具测量头的各面
-cycle971-automatic-words = 校准 刀具 测量头 自动 全部 轴 面 方向 中心
 cycle971-automatic-workpiece = 在工件坐标系中校准刀具测量头的各面
-cycle971-automatic-workpiece-words = 校准 刀具 测量头 自动 全部 轴 面 方向 中心 工件 WCS 坐标框架
 
 ma-abscissa-centred = 横坐标（G17：X），先在纵坐标求中心
 ma-ordinate-centred = 纵坐标（G17：Y），先在横坐标求中心

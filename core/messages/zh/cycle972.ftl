@@ -5,6 +5,6 @@ cycle972-help = 在各面平行于机床轴的刀具测量头上，测量刀沿�
 cycle972-words = 测量 刀具 车床 车削 测量头 校准 长度 L1 L2 边 位置 磨损 触发 点
 
 cycle972-calibrate = 校准刀具测量头
-cycle972-calibrate-words = 校准 刀具 测量头 车床 车削 触发 点 _TP
+cycle972-calibrate-words = 车床 车削 触发 点 _TP
 cycle972-measure = 测量车刀
-cycle972-measure-words = 测量 车削 刀具 车床 长度 L1 L2 磨损
+cycle972-measure-words = 车削 刀具 车床 长度 L1 L2 磨损

@@ -3,24 +3,20 @@
 cycle973-title = 校准车床工件测量头
 cycle973-help = 求出车床测量头在哪里触发，并存入测量头数据 _WP，以后的测量都从那里取用。
 cycle973-words = 校准 工件 测量头 车削 基准 槽 方块 表面 端面 触发 点 值 测球 直径 偏斜 位置 偏差
+cycle973-each-words = 车削 触发 点
 
 cycle973-surface = 表面：一个方向
-cycle973-surface-words = 车削 表面 端面 一个 方向 触发 点 工件
 cycle973-groove-short = 基准槽：1 个方向，短写法
-cycle973-groove-short-words = 车削 基准 槽 方块 一个 方向 触发 点 13
 cycle973-groove-one = 基准槽：1 个方向
-cycle973-groove-one-words = 车削 基准 槽 方块 一个 方向 触发 点
 cycle973-groove-two = 基准槽：一个轴的 2 个方向
-cycle973-groove-two-words = 车削 基准 槽 方块 两 方向 触发 点
 cycle973-groove-two-ball = 基准槽：一个轴的 2 个方向，测球直径
-cycle973-groove-two-ball-words = 车削 基准 槽 方块 两 方向 测球 直径 测针 触发 点
 cycle973-groove-two-skew = 基准槽：一个轴的 2 个方向，偏斜
-cycle973-groove-two-skew-words = 车削 基准 槽 方块 两 方向 偏斜 位置 偏差 触发 点
 cycle973-groove-two-skew-ball = 基准槽：一个轴的 2 个方向，偏斜，测球直径
-cycle973-groove-two-skew-ball-words = 车削 基准 槽 方块 两 方向 偏斜 位置 偏差 测球 直径 测针 触发 点
 
 calibrate-groove = 基准槽
+calibrate-groove-words = 方块
 calibrate-one-short = 未说明：一个方向，同 1
+calibrate-one-short-words = 一 13
 calibrate-position = 位置偏差（偏斜）
 
 param-setval-surface-diameter = 表面处的直径

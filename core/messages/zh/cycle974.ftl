@@ -3,17 +3,16 @@
 cycle974-title = 车削工件：一点
 cycle974-help = 对照图纸的设定值，测量车削工件外或内、直径、端面或第三轴上的一点。
 cycle974-words = 测量 工件 车削 车床 直径 外 内 端 端面 长度 一个 点 单点 X Z Y 轴 反转 跳动 主轴 刀具 补偿 磨损 零点 零偏
+cycle974-each-words = 车削 车床 直径 端面 长度 L1 L2 个
 
 cycle974-tool = 一点：补偿刀具
-cycle974-tool-words = 车削 车床 直径 端面 长度 一个 点 刀具 补偿 磨损 L1 L2
 cycle974-zero = 一点：补偿零点偏移
-cycle974-zero-words = 车削 车床 端面 长度 一个 点 零点 补偿 零偏 坐标框架 原点 G54
 cycle974-reversal = 一点，带反转：补偿刀具
-cycle974-reversal-words = 车削 车床 直径 一个 点 反转 主轴 180 度 跳动 偏心 相对 刀具 补偿 磨损
 
 mvar-reversal = 反转
 reversal-without = 无
 reversal-with = 有：工件转过 180° 后再测一次
+reversal-with-words = 反转 主轴 180 度 跳动 偏心 相对
 
 param-setval-turned-diameter = 设定直径
 param-setval-turned-diameter-help = 取自图纸。DIAMON 时为直径，DIAMOF 时为半径。

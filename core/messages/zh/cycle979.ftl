@@ -3,23 +3,16 @@
 cycle979-title = 斜向的孔、轴、槽、凸台
 cycle979-help = 在不能沿轴测量时测量尺寸及其中心：孔或轴（也可只是一段圆弧）在圆周上测三点或四点；槽或凸台横过一条斜线测量。
 cycle979-words = 测量 工件 孔 镗孔 轴 圆凸台 槽 键槽 凸台 筋 圆弧段 圆弧 角度 倾斜 直径 宽度 中心 三 四 点 内 外 刀具 补偿 磨损 零点 零偏
+cycle979-each-words = 角度 倾斜 圆弧段
 
 cycle979-hole-tool = 斜向孔：补偿刀具
-cycle979-hole-tool-words = 孔 镗孔 内 圆 直径 圆弧段 圆弧 角度 刀具 补偿 磨损 半径 长度
 cycle979-shaft-tool = 斜向轴：补偿刀具
-cycle979-shaft-tool-words = 轴 凸台 圆凸台 销 外 圆 直径 圆弧段 圆弧 角度 刀具 补偿 磨损 半径 长度
 cycle979-groove-tool = 斜向槽：补偿刀具
-cycle979-groove-tool-words = 槽 键槽 宽度 内 倾斜 角度 刀具 补偿 磨损 半径 长度
 cycle979-web-tool = 斜向凸台：补偿刀具
-cycle979-web-tool-words = 凸台 筋 宽度 外 倾斜 角度 刀具 补偿 磨损 半径 长度
 cycle979-hole-zero = 斜向孔：补偿零点偏移
-cycle979-hole-zero-words = 孔 镗孔 内 圆 直径 圆弧段 圆弧 角度 零点 补偿 零偏 坐标框架 原点 中心 G54
 cycle979-shaft-zero = 斜向轴：补偿零点偏移
-cycle979-shaft-zero-words = 轴 凸台 圆凸台 销 外 圆 直径 圆弧段 圆弧 角度 零点 补偿 零偏 坐标框架 原点 中心 G54
 cycle979-groove-zero = 斜向槽：补偿零点偏移
-cycle979-groove-zero-words = 槽 键槽 宽度 内 倾斜 角度 零点 补偿 零偏 坐标框架 原点 中心 G54
 cycle979-web-zero = 斜向凸台：补偿零点偏移
-cycle979-web-zero-words = 凸台 筋 宽度 外 倾斜 角度 零点 补偿 零偏 坐标框架 原点 中心 G54
 
 prnum-points = 圆周的点数
 prnum-three = 三点

@@ -5,9 +5,9 @@ cycle994-help = 以工件零点两侧正负设定值处相对的两点，测量�
 cycle994-words = 测量 工件 车削 车床 直径 镗孔 轴 外 内 两 点 相对 安全 区 保护 X Y 刀具 补偿 磨损
 
 cycle994-inside-zone = 测内，绕过保护区
-cycle994-inside-zone-words = 车削 车床 镗孔 内 直径 两 点 保护 区 安全 障碍 销 刀具 补偿 磨损
+cycle994-inside-zone-words = 车削 车床 镗孔 直径 两 点 安全 障碍 销 刀具 补偿 磨损
 cycle994-outside-inside = 绕过保护区测外，或无保护区测内
-cycle994-outside-inside-words = 车削 车床 直径 外 轴 内 镗孔 两 点 保护 区 安全 刀具 补偿 磨损
+cycle994-outside-inside-words = 车削 车床 直径 轴 镗孔 两 点 安全 刀具 补偿 磨损
 
 param-setval-two-diameter = 设定直径
 param-setval-two-diameter-help = 取自图纸。DIAMON 时为直径，DIAMOF 时为半径；两点位于工件零点两侧。

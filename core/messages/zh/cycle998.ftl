@@ -3,24 +3,23 @@
 cycle998-title = 表面的角度
 cycle998-help = 测量装夹的工件转了多少：由直边或表面上两点求一个角度，或由斜面上三点求两个角度。
 cycle998-words = 测量 工件 角度 找正 偏斜 边 表面 端面 平面 倾斜 装夹 回转 工作台 C 轴 零点 补偿 零偏 坐标框架 G54 两 点 三
+cycle998-each-words = 两 角度
 
 cycle998-one = 一个角度，沿设定角度移动
-cycle998-one-words = 边 角度 找正 回转 工作台 两 点 位置 零点 补偿 零偏
 cycle998-one-differential = 一个角度，差分测量
-cycle998-one-differential-words = 边 角度 找正 未校准 测量头 差分 主轴 反转 180 度 零点 补偿 零偏
 cycle998-one-paraxial = 一个角度，沿轴移动
-cycle998-one-paraxial-words = 边 角度 找正 两 点 平行于轴 轴 方向 零点 补偿 零偏
 cycle998-two = 两个角度，沿设定角度移动
-cycle998-two-words = 倾斜 平面 三 点 两 CYCLE800 零点 补偿 零偏
 cycle998-two-paraxial = 两个角度，沿轴移动
-cycle998-two-paraxial-words = 倾斜 平面 三 点 两 平行于轴 轴 CYCLE800 零点 补偿 零偏
 
 mvar-angles = 角度
 angles-one = 一个，由两点
+angles-one-words = 找正 边 回转工作台 设定 位置
 angles-two = 两个，由三点
+angles-two-words = 平面 倾斜 三点 CYCLE800
 mvar-positioning = 点与点之间的移动
 positioning-angle = 沿设定角度，从表面让开
 positioning-paraxial = 沿轴
+positioning-paraxial-words = 平行于轴 方向
 
 param-setval-point = P1 的设定位置
 param-setval-point-help = 测量轴上第一点处表面的预期位置。测量头所在的一侧决定测量方向。相差超过测量行程的位置找不到。

@@ -2,17 +2,24 @@
 
 mvar-task = 任务
 task-calibrate = 校准测量头
+task-calibrate-words = 校准 测量头 对刀仪 触发 点 边 面
 task-still = 测量刀具，主轴静止
+task-still-words = 长度 半径 钻头 立铣刀 边
 task-rotating = 测量刀具，主轴旋转
+task-rotating-words = 长度 半径 旋转 最大 边 铣刀 端面 转速 进给 速度
 mvar-reference = 测量头位于
 reference-machine = 机床（_TP）
+reference-machine-words = 机床 _TP
 reference-workpiece = 有效工件坐标系（_TPW）
+reference-workpiece-words = 工件 WCS 坐标框架 _TPW
 ma-lathe-l2 = L2，在横坐标触碰（G18：Z）
 ma-lathe-l1 = L1，在纵坐标触碰（G18：X）
 mvar-approach = 到测量头的路径
 approach-normal = 由循环定位
 approach-incremental = 增量：只有测量运动
+approach-incremental-words = 未知 位置 首次 几何 JOG
 approach-automatic = 自动：各面
+approach-automatic-words = 自动 全部 轴 方向 中心
 
 param-prnum-tool = 刀具测量头
 param-prnum-tool-help = 刀具测量头的号：数据在 _TP[n-1,…]，在工件坐标系中测量时在 _TPW[n-1,…]。

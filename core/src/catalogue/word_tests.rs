@@ -4,7 +4,7 @@
 use super::*;
 use crate::diagnostic::Code;
 use crate::entry::Kind;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 fn root() -> PathBuf {
@@ -62,6 +62,22 @@ fn every_key_of_the_catalogue_has_words() {
             }
         }
     }
+}
+
+// oracle: self: a cycle, its variants together, one of them, a choice that a number makes
+#[test]
+fn search_words_belong_to_something_that_is_found_by_them() {
+    let of = |cycle: &'static Cycle| {
+        let variants = cycle.variants.iter();
+        let keys = variants.flat_map(|variant| cycle.choices(variant.number).chain([variant.key]));
+        keys.map(str::to_owned).chain([cycle.key.to_owned(), format!("{}-each", cycle.key)])
+    };
+    let known: BTreeSet<String> = CYCLES.iter().flat_map(|cycle| of(cycle)).collect();
+    let words = words();
+    let there: Vec<&str> = words.keys().filter_map(|key| key.strip_suffix("-words")).collect();
+    assert!(there.len() > 90, "{}", there.len());
+    let idle: Vec<&&str> = there.iter().filter(|key| !known.contains(**key)).collect();
+    assert!(idle.is_empty(), "{idle:?}");
 }
 
 #[test]

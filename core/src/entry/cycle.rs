@@ -64,6 +64,15 @@ impl Cycle {
         self.params.iter().find(|param| matches!(param.kind, Kind::Variant(_))).map(|param| param.name)
     }
 
+    /// What the digits of a variant's number choose: keys of the choices, the lowest place first.
+    pub fn choices(&self, number: i64) -> impl Iterator<Item = &'static str> + '_ {
+        let groups = self.params.iter().flat_map(|param| match param.kind {
+            Kind::Variant(groups) => groups,
+            _ => &[],
+        });
+        groups.filter_map(move |group| group.choice(number))
+    }
+
     /// The cycle at work; none where it is not simulated, or not in this build (feature `simulation`).
     pub fn work(&self) -> Option<&Work> {
         let simulation = self.simulation.as_ref().filter(|_| crate::SIMULATES)?;

@@ -81,6 +81,19 @@ pub struct DigitGroup {
     pub choices: &'static [(i64, &'static str)],
 }
 
+impl DigitGroup {
+    /// What the group is in a number.
+    pub fn value(&self, number: i64) -> i64 {
+        number / self.place % 10_i64.pow(self.digits)
+    }
+
+    /// Key of the choice that it is there; none where no choice has a name.
+    pub fn choice(&self, number: i64) -> Option<&'static str> {
+        let value = self.value(number);
+        self.choices.iter().find(|(choice, _)| *choice == value).map(|(_, key)| *key)
+    }
+}
+
 /// Unit of a parameter and the system it counts in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unit {

@@ -28,7 +28,7 @@ fn read(group: &DigitGroup, place: i64, number: i64) -> Group {
         label: Message::new(group.key),
         place,
         digits: group.digits,
-        value: number / place % 10_i64.pow(group.digits),
+        value: DigitGroup { place, ..*group }.value(number),
         choices: choices(group.choices),
         leads: Vec::new(),
     }

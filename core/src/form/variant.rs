@@ -15,7 +15,7 @@ pub fn groups(cycle: &Cycle, groups: &[DigitGroup], number: i64) -> Vec<Group> {
     for (index, mut group) in codes::groups(groups, number).into_iter().enumerate() {
         if is_variant {
             let going = numbers.iter().filter(|other| agree(&groups[..index], number, **other));
-            let offered: Vec<i64> = going.map(|other| digit(&groups[index], *other)).collect();
+            let offered: Vec<i64> = going.map(|other| groups[index].value(*other)).collect();
             group.choices.retain(|choice| offered.contains(&choice.value));
             if group.choices.len() == 1 {
                 continue;
@@ -28,20 +28,16 @@ pub fn groups(cycle: &Cycle, groups: &[DigitGroup], number: i64) -> Vec<Group> {
     shown
 }
 
-fn digit(group: &DigitGroup, number: i64) -> i64 {
-    number / group.place % 10_i64.pow(group.digits)
-}
-
 fn agree(groups: &[DigitGroup], one: i64, other: i64) -> bool {
-    groups.iter().all(|group| digit(group, one) == digit(group, other))
+    groups.iter().all(|group| group.value(one) == group.value(other))
 }
 
 /// The variant with this digit in the group at `index` that keeps as much of the number as can be, rather its earlier
 /// groups than its later ones.
 fn nearest(numbers: &[i64], groups: &[DigitGroup], index: usize, value: i64, number: i64) -> Option<i64> {
-    let with = numbers.iter().copied().filter(|other| digit(&groups[index], *other) == value);
+    let with = numbers.iter().copied().filter(|other| groups[index].value(*other) == value);
     with.min_by_key(|other| {
-        let changed = groups.iter().map(|group| digit(group, *other) != digit(group, number));
+        let changed = groups.iter().map(|group| group.value(*other) != group.value(number));
         changed.collect::<Vec<bool>>()
     })
 }

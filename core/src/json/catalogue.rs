@@ -91,6 +91,7 @@ fn variant(cycle: &'static Cycle, variant: &Variant) -> Value {
         ("mvar", variant.number.into()),
         ("key", variant.key.into()),
         ("source", variant.source.into()),
+        ("choices", cycle.choices(variant.number).collect()),
         ("values", typed(&choosing(cycle, variant.number))),
         ("example", typed(&example(cycle, variant))),
         ("planes", planes(cycle, variant)),

@@ -6,4 +6,6 @@ pub mod findings;
 mod help;
 pub mod machine;
 mod markdown;
+#[cfg(test)]
+mod readme_tests;
 pub mod reference;

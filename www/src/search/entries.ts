@@ -36,7 +36,7 @@ function measurements(cycle: CycleInfo): Found[] {
   const own: Found = {
     ...of,
     title,
-    words: `${digits(cycle.cycle)} ${t(`control-${cycle.control}`)} ${said(`${cycle.key}-words`)}`,
+    words: `${digits(cycle.cycle)} ${t(`control-${cycle.control}`)} ${searched(cycle.key)}`,
   };
   return [
     own,
@@ -46,15 +46,18 @@ function measurements(cycle: CycleInfo): Found[] {
         variant,
         code: `${cycle.cycle} ${variant.mvar}`,
         title: t(variant.key),
-        words: `${digits(cycle.cycle)} ${said(`${variant.key}-words`)}`,
+        words: [digits(cycle.cycle), ...[`${cycle.key}-each`, ...variant.choices, variant.key].map(searched)].join(" "),
       }),
     ),
   ];
 }
 
-/** In the page's language and in English: many know the English word. */
-function said(key: string): string {
-  return [...new Set([optional(key), inEnglish(key)])].join(" ");
+/**
+ * Search words: of a cycle, of each of its variants, of what a digit of a variant's number chooses, of what a variant
+ * alone adds. In the page's language and in English: many know the English word.
+ */
+function searched(key: string): string {
+  return [...new Set([optional(`${key}-words`), inEnglish(`${key}-words`)])].join(" ");
 }
 
 /** The number in a name, by which people look for it. */

@@ -1,6 +1,8 @@
 //! The cycles of the log against the table of their calls and the table of their data.
 
 use super::super::*;
+use super::invalid::numbers;
+use super::params::names_of;
 use super::sinumerik;
 use crate::entry::Arg;
 use crate::entry::Cycle;
@@ -36,6 +38,14 @@ fn calls_are_those_of_the_table() {
     let table: BTreeSet<&str> = rows.iter().map(|row| row[0]).collect();
     let ours: Vec<String> = of_log().map(call).collect();
     assert_eq!(ours.iter().map(String::as_str).collect::<BTreeSet<_>>(), table);
+    for cycle in of_log() {
+        let row = rows.iter().find(|row| row[0] == call(cycle)).unwrap();
+        let variants: Vec<i64> = cycle.variants.iter().map(|variant| variant.number).collect();
+        assert_eq!(variants, numbers(row[1]).collect::<Vec<_>>(), "{}", cycle.name);
+        let results: Vec<&str> = cycle.results.iter().map(|field| field.name).collect();
+        let table = if row[2] == "-" { Vec::new() } else { names_of(row[2]) };
+        assert_eq!(results, table, "{}", cycle.name);
+    }
 }
 
 #[test]
@@ -46,7 +56,7 @@ fn data_are_those_of_the_table() {
         let stems = ["_PROT", "_HEADLINE", "_DIGIT"];
         stems.iter().any(|stem| row[0].starts_with(stem)) && row[7] != "internal"
     };
-    let spread = |row: &Row| super::params::names_of(row[0]);
+    let spread = |row: &Row| names_of(row[0]);
     let table: BTreeSet<String> = rows.iter().filter(of_log_data).flat_map(spread).collect();
     let own = |cycle: &'static Cycle| cycle.params.iter().filter(|param| param.is_machine_datum());
     let names = |cycle| own(cycle).map(|param| param.name.to_string()).collect();

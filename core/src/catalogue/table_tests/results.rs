@@ -17,6 +17,10 @@ fn results_are_those_of_the_table() {
         let table: BTreeSet<&str> = of_cycle().map(|row| row[2]).collect();
         let ours: BTreeSet<&str> = cycle.results.iter().map(row_name).collect();
         assert_eq!(ours, table, "{}", cycle.name);
+        for frame in table.iter().filter(|name| !cycle.results.iter().any(|field| field.name == **name)) {
+            let components = cycle.results.iter().filter(|field| row_name(field) == *frame);
+            assert_eq!(components.count(), 6, "{} {frame}: a translation and a rotation an axis", cycle.name);
+        }
         for field in cycle.results {
             unset_elsewhere(cycle, field, of_cycle());
         }
