@@ -1,55 +1,30 @@
-// Words come from Fluent files: core/messages/<language>/ for what the core says, www/messages/<language>/ for the
-// page. Nothing here knows which languages there are. English comes with the page and is what a missing word falls back
-// to; another language is fetched when it is chosen.
+// Words by key, in the language that is chosen. They come as the build cuts them (words.ts): English with the page and
+// behind its first form, it is what a missing word falls back to; another language when it is chosen; help pages are long
+// and read by few, and come when one is opened. Nothing here knows which languages there are.
 
+import { first, help, later, whole } from "words:all";
 import { FluentBundle, FluentNumber, FluentResource } from "@fluent/bundle";
 import type { Message } from "./wire";
 
 const FALLBACK = "en";
-// English comes in two parts, split by the build (vite.config.ts): what the first form says, and what comes behind it.
-const english = import.meta.glob<string>(
-  ["../../core/messages/en/*.ftl", "../messages/en/*.ftl", "!../../core/messages/en/{help*,report}.ftl"],
-  { query: "?first", import: "default", eager: true },
-);
-const later = Object.values(
-  import.meta.glob<string>(["../../core/messages/en/*.ftl", "!../../core/messages/en/{help*,report}.ftl"], {
-    query: "?later",
-    import: "default",
-  }),
-);
 let complete = false; // whether all of English is here
-const others = import.meta.glob<string>(
-  [
-    "../../core/messages/*/*.ftl",
-    "../messages/*/*.ftl",
-    "!../../core/messages/en/*.ftl",
-    "!../messages/en/*.ftl",
-    "!../../core/messages/*/{help*,report}.ftl",
-  ],
-  { query: "?raw", import: "default" },
-);
-// Help pages are long and read by few: their words come when one is opened.
-const help = import.meta.glob<string>("../../core/messages/*/help*.ftl", { query: "?raw", import: "default" });
-
-const languageOf = (path: string): string => path.split("/").at(-2) ?? FALLBACK;
-const bundles = new Map<string, FluentBundle>([[FALLBACK, bundle(FALLBACK, Object.values(english))]]);
+const bundles = new Map<string, FluentBundle>([
+  [FALLBACK, add(new FluentBundle(FALLBACK, { useIsolating: false }), first)],
+]);
 const missing = new Set<string>();
 let order: string[] = [FALLBACK];
 const helped = new Set<string>(); // languages whose words of help are here
 
-function bundle(language: string, sources: string[]): FluentBundle {
-  const made = new FluentBundle(language, { useIsolating: false });
-  for (const source of sources)
-    for (const problem of made.addResource(new FluentResource(source)))
-      console.error(`messages: ${language}: ${problem.message}`);
-  return made;
+function add(bundle: FluentBundle, words: string): FluentBundle {
+  for (const problem of bundle.addResource(new FluentResource(words))) console.error(`messages: ${problem.message}`);
+  return bundle;
 }
 
 /** The English words that the first form does without. */
 export async function laterWords(): Promise<void> {
-  const sources = await Promise.all(later.map(fetch => fetch()));
+  const words = await later();
   const made = bundles.get(FALLBACK);
-  for (const source of sources) made?.addResource(new FluentResource(source));
+  if (made) add(made, words);
   complete = true;
 }
 
@@ -64,9 +39,9 @@ export async function helpWords(): Promise<void> {
     order
       .filter(one => !helped.has(one))
       .map(async one => {
-        const files = Object.entries(help).filter(([path]) => languageOf(path) === one);
-        for (const source of await Promise.all(files.map(([, fetch]) => fetch())))
-          bundles.get(one)?.addResource(new FluentResource(source));
+        const words = await help[one]?.();
+        const made = bundles.get(one);
+        if (made && words !== undefined) add(made, words);
         helped.add(one);
       }),
   );
@@ -79,7 +54,7 @@ export function hasHelp(): boolean {
 
 /** Codes of the languages that there are. */
 export function languages(): string[] {
-  return [...new Set([FALLBACK, ...Object.keys(others).map(languageOf)])].sort();
+  return [FALLBACK, ...Object.keys(whole)].sort();
 }
 
 /** The one whose words are shown. */
@@ -93,10 +68,8 @@ export async function choose(wanted: readonly string[]): Promise<string> {
   const found =
     wanted.map(one => (there.includes(one) ? one : (one.split("-")[0] ?? one))).find(one => there.includes(one)) ??
     FALLBACK;
-  if (!bundles.has(found)) {
-    const files = Object.entries(others).filter(([path]) => languageOf(path) === found);
-    bundles.set(found, bundle(found, await Promise.all(files.map(([, fetch]) => fetch()))));
-  }
+  const words = bundles.has(found) ? undefined : await whole[found]?.();
+  if (words !== undefined) bundles.set(found, add(new FluentBundle(found, { useIsolating: false }), words));
   order = [...new Set([found, FALLBACK])];
   return found;
 }

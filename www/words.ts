@@ -1,0 +1,76 @@
+// The words of the page out of the Fluent files of the core and of the page: a module for each language and part, so
+// that a visit fetches what it shows. `words:all` names them; nobody else knows which languages and files there are.
+import { readdirSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import type { Plugin } from "vite";
+
+const FALLBACK = "en"; // comes with the page, in two parts; another language comes whole when it is chosen
+
+// What is asked for only when the form stands: cures, search words and results of the core, and all that measuring,
+// running, alarms and machine data say. The page's own words stand from the start.
+const LATER_WORDS = /^([a-z0-9-]+-(help|hint|words)|result-[a-z0-9-]+) =/;
+const LATER_FILES = /^(advice|alarms|changes|datum|evaluate|lists|run|setup|syntax|twin)\.ftl$/;
+const TERMINAL = "report.ftl"; // never shown in the page
+
+type Part = "first" | "later" | "help";
+
+/** Where a message of the core belongs; help pages are long and read by few. */
+function partOf(file: string, message: string): Part | null {
+  if (file === TERMINAL) return null;
+  if (message.startsWith("help-")) return "help";
+  return LATER_FILES.test(file) || LATER_WORDS.test(message) ? "later" : "first";
+}
+
+/** Messages of a text, each with its attributes. */
+function messages(text: string): string[] {
+  return text.split(/\n(?=[a-z#]|$)/).filter(message => /^[a-z]/.test(message));
+}
+
+export function words(core: string, page: string): Plugin {
+  const languages = readdirSync(core);
+  const others = languages.filter(one => one !== FALLBACK);
+  const files = (folder: string): string[] => readdirSync(folder).filter(name => name.endsWith(".ftl"));
+
+  function text(language: string, wanted: Part[]): string {
+    const said = (folder: string, belongs: (file: string, message: string) => Part | null): string[] =>
+      files(join(folder, language)).flatMap(file =>
+        messages(readFileSync(join(folder, language, file), "utf8")).filter(message => {
+          const part = belongs(file, message);
+          return part !== null && wanted.includes(part);
+        }),
+      );
+    return [...said(core, partOf), ...said(page, () => "first")].join("\n");
+  }
+
+  const fetched = (of: string[], part: string): string =>
+    `{ ${of.map(one => `${JSON.stringify(one)}: () => import("words:${one}/${part}").then(made => made.default)`)} }`;
+
+  return {
+    name: "words",
+    resolveId: id => (id.startsWith("words:") ? `\0${id}` : null),
+    load(id) {
+      const name = /^\0words:(.+)$/.exec(id)?.[1];
+      if (name === undefined) return null;
+      if (name === "all")
+        return [
+          `export { default as first } from "words:${FALLBACK}/first";`,
+          `export const later = ${fetched([FALLBACK], "later")}[${JSON.stringify(FALLBACK)}];`,
+          `export const whole = ${fetched(others, "whole")};`,
+          `export const help = ${fetched(languages, "help")};`,
+        ].join("\n");
+      const [language = "", part = ""] = name.split("/");
+      for (const folder of [core, page])
+        for (const file of files(join(folder, language))) this.addWatchFile(join(folder, language, file));
+      const wanted: Part[] = part === "whole" ? ["first", "later"] : [part as Part];
+      return `export default ${JSON.stringify(text(language, wanted))}`;
+    },
+  };
+}
+
+/** The file in which a module of words comes: one for each language and part, but for what comes with the page. */
+export function chunkOfWords(id: string): string | undefined {
+  const [, language, part] = /^\0words:([^/]+)\/(\w+)$/.exec(id) ?? [];
+  if (part === "help") return `help-${language}`;
+  if (part === "later") return `words-${language}-later`;
+  return part === "whole" ? `words-${language}` : undefined;
+}
