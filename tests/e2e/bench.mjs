@@ -416,6 +416,7 @@ const PARTS = [
   ["editor", /\/(editor|document)-/],
   ["preview", /\/(preview|view)[-_]/],
   ["programs", /\/(program|worker|words-en-later)[-_]/],
+  ["results, help, machine data", /\/later-/],
 ];
 
 // Everything that the page fetches on its first visit, gzipped.
@@ -427,7 +428,7 @@ async function wire(browser) {
   await page.goto(process.env.PROBEWRIGHT_URL, { waitUntil: "load" });
   await page.locator(".field").first().waitFor();
   await page.waitForLoadState("networkidle");
-  const sums = { "first usable form": 0, programs: 0, editor: 0, preview: 0 };
+  const sums = Object.fromEntries(["first usable form", ...PARTS.map(([name]) => name)].map(name => [name, 0]));
   for (const response of fetched) {
     const name = new URL(response.url()).pathname;
     const part = PARTS.find(([, files]) => files.test(name))?.[0] ?? "first usable form";

@@ -5,6 +5,7 @@ import { el, keyed, on, setAttribute, setText, show } from "../dom";
 import { parseNumber, plain } from "../numbers";
 import { allWords, say, t } from "../texts";
 import type { Diagnostic, Field } from "../wire";
+import { listProblems } from "./problem";
 
 export interface FieldView {
   root: HTMLElement;
@@ -152,7 +153,7 @@ export function createField(first: Field, actions: Actions, focused: (name: stri
       root.classList.toggle("needed", field.required);
       setText(limits, limitsText(field));
       setText(why, ` ${needText(field)}`);
-      updateProblems(list, problems);
+      listProblems(list, problems);
       const wrong = problems.some(one => one.severity === "error");
       setAttribute(input, "aria-invalid", wrong ? "true" : null);
       root.classList.toggle("wrong", wrong);
@@ -225,41 +226,4 @@ function updateGroup(node: HTMLElement, group: DigitGroup, id: string): void {
   const value = String(group.value);
   if (named && select.value !== (known ? value : "")) select.value = known ? value : "";
   if (!named && number.value !== value && document.activeElement !== number) number.value = value;
-}
-
-function updateProblems(list: HTMLElement, problems: Diagnostic[]): void {
-  keyed(
-    list,
-    problems,
-    one => `${one.code}/${one.message.key}/${one.param ?? ""}`,
-    () => problemItem(),
-    updateProblem,
-  );
-}
-
-/** A problem with its mark, number, cause and cure; also used by the list of all problems. */
-export function problemItem(): HTMLLIElement {
-  return el(
-    "li",
-    { class: "problem" },
-    el("span", { class: "mark", "aria-hidden": "true" }),
-    el("span", { class: "problem-text" }),
-    el("code", { class: "problem-code" }),
-    el("span", { class: "hint" }),
-  );
-}
-
-const MARKS = { error: "✕", warning: "!", note: "i" };
-
-export function updateProblem(
-  node: HTMLElement,
-  one: Pick<Diagnostic, "severity" | "code" | "message" | "hint">,
-): void {
-  const [mark, text, code, hint] = node.children as unknown as [HTMLElement, HTMLElement, HTMLElement, HTMLElement];
-  setAttribute(node, "data-severity", one.severity);
-  setText(mark, MARKS[one.severity]);
-  setText(text, `${t(`severity-${one.severity}`)}: ${say(one.message)}`);
-  setText(code, one.code);
-  setText(hint, one.hint ? say(one.hint) : "");
-  show(hint, !!one.hint);
 }

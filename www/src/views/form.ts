@@ -10,8 +10,9 @@ import type { Diagnostic, Field } from "../wire";
 import { createAsks } from "./asks";
 import { copyText } from "./copy";
 import { createExplain } from "./explain";
-import { createField, type FieldView, fieldId, problemItem, updateProblem } from "./field";
+import { createField, type FieldView, fieldId } from "./field";
 import { createPicture } from "./picture";
+import { listProblems } from "./problem";
 import { createTwin } from "./twin";
 import { createCallWays, createSnippetWays } from "./ways";
 
@@ -185,12 +186,9 @@ export function createForm(
           problems.filter(one => one.param === field.name),
         ),
     );
-    keyed(
+    listProblems(
       loose,
       problems.filter(one => one.param === undefined || !names.has(one.param)),
-      one => `${one.code}/${one.message.key}`,
-      problemItem,
-      updateProblem,
     );
     if (view.picture) drawPicture(view.picture, state.form.focus, state.form.values);
     renderCount(count, state, view.diagnostics, view.complete);

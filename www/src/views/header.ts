@@ -16,7 +16,7 @@ import type { Setup } from "../wire";
 import { createAbout } from "./about";
 import { copyText } from "./copy";
 import { createMachine } from "./machine";
-import { createMachineData } from "./machine-data";
+import type { MachineData } from "./machine-data";
 
 const MM_PER_INCH = 25.4;
 const THEMES: State["page"]["theme"][] = ["system", "light", "dark"];
@@ -113,10 +113,12 @@ export function createHeader(
   actions: Actions,
   openSetup: (file: File) => void,
   core: () => ProgramCore | null,
+  machineData: () => MachineData | null,
 ): (state: State, derived: Derived) => void {
   const about = createAbout();
   const machine = createMachine(actions);
-  const machineData = createMachineData(store, actions, core);
+  const data = el("button", { type: "button", class: "quiet", "aria-haspopup": "dialog" }, t("machine-data-open"));
+  on(data, "click", () => machineData()?.open());
   const list = el("dl", { class: "facts", "aria-label": t("facts") });
   const quiet = (key: string, run: () => void): HTMLButtonElement => {
     const node = el("button", { type: "button", class: "quiet" }, t(key));
@@ -150,7 +152,7 @@ export function createHeader(
   const actionsBox = el(
     "div",
     { class: "head-actions", id: "page-actions" },
-    machineData.open,
+    data,
     quiet("setup-import", () => file.click()),
     file,
     quiet("setup-export", save),
@@ -175,7 +177,7 @@ export function createHeader(
   document.body.append(about);
   return (state, derived) => {
     machine.draw(state, derived);
-    machineData.draw(state);
+    setAttribute(data, "disabled", core() === null || !machineData());
     setup = derived.view.setup ?? (setup?.control === derived.cycle.control ? setup : undefined);
     keyed(
       list,

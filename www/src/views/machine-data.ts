@@ -1,10 +1,13 @@
 // What is set once per machine: user and machine data by subject, with search. Which there are says the core.
 
+import { html, nothing, render, type TemplateResult } from "lit-html";
+import { live } from "lit-html/directives/live.js";
+import { repeat } from "lit-html/directives/repeat.js";
 import type { Actions } from "../actions";
-import { el, keyed, on, setAttribute, setText, show } from "../dom";
+import { el, on, setText } from "../dom";
 import { plain } from "../numbers";
 import type { ProgramCore } from "../program";
-import { machine, type State } from "../state";
+import { machine } from "../state";
 import type { Store } from "../store";
 import { optional, say, t } from "../texts";
 import type { BasicSystem, MachineField, MachineGroup, MachineRequest, MachineView } from "../wire";
@@ -15,8 +18,8 @@ import { rangeText } from "./field";
 type Row = { title: string; datum: null } | { title: null; datum: MachineField };
 
 export interface MachineData {
-  open: HTMLButtonElement;
-  draw(state: State): void;
+  /** Shows the dialog. */
+  open(): void;
 }
 
 const BASIC: BasicSystem[] = ["mm", "inch"];
@@ -70,7 +73,6 @@ function citedText({ name, key, set, source }: MachineField): string {
 const choiceText = (key: string, value: number): string => `${plain(value)} · ${optional(`${key}.v${value}`)}`;
 
 export function createMachineData(store: Store, actions: Actions, core: () => ProgramCore | null): MachineData {
-  const open = el("button", { type: "button", class: "quiet", "aria-haspopup": "dialog" }, t("machine-data-open"));
   const search = el("input", {
     type: "search",
     id: "machine-data-search",
@@ -86,7 +88,6 @@ export function createMachineData(store: Store, actions: Actions, core: () => Pr
   const count = el("p", { class: "machine-data-count", role: "status" });
   const list = el("div", { class: "machine-data-list scroll" });
   const cited = el("p", { class: "datum-cited", id: "machine-data-cited", "aria-live": "polite" });
-  const none = el("p", { class: "empty" });
   const close = el("button", { type: "button", class: "primary" }, t("machine-data-close"));
   const assignments = el("button", { type: "button" }, t("machine-data-assignments"));
   const definitions = el("button", { type: "button" }, t("machine-data-definitions"));
@@ -138,12 +139,6 @@ export function createMachineData(store: Store, actions: Actions, core: () => Pr
     view = answer;
     drawAll();
   };
-  const row = createRow(
-    () => view,
-    name => typed[name],
-    edit,
-  );
-
   /** `unfold`: what was looked for is shown at once, whatever was folded. */
   function drawAll(unfold = false): void {
     if (!view || !dialog.open) return;
@@ -158,54 +153,48 @@ export function createMachineData(store: Store, actions: Actions, core: () => Pr
       .filter(group => group.fields.length > 0);
     if (basic.value !== view.basic) basic.value = view.basic;
     setText(count, t("machine-data-count", { changed: all.filter(differs).length, all: all.length }));
-    setText(none, t(all.length === 0 ? "machine-data-nothing" : "machine-data-none"));
-    keyed(
-      list,
-      shown,
-      group => group.label.key,
-      createGroup,
-      (node, group) => updateGroup(node, group, opening),
-    );
-    if (shown.length === 0) list.append(none);
-    else none.remove();
+    if (opening) for (const group of shown) opened.add(group.label.key);
+    const empty = html`<p class="empty">${t(all.length === 0 ? "machine-data-nothing" : "machine-data-none")}</p>`;
+    render(shown.length ? repeat(shown, group => group.label.key, groupOf) : empty, list);
     reset.disabled = all.every(field => !isChanged(field));
     assignments.disabled = view.assignments === "";
     definitions.disabled = view.definitions === "";
   }
   const isChanged = (field: MachineField): boolean => differs(field) || field.name in typed;
 
-  function createGroup(group: MachineGroup): HTMLDetailsElement {
-    const node = el(
-      "details",
-      { class: "machine-group" },
-      el("summary", {}, el("span", {}), el("span", { class: "count" })),
-      el("div", {}),
-    );
-    on(node, "toggle", () => {
-      if (node.open) opened.add(group.label.key);
-      else opened.delete(group.label.key);
+  function groupOf({ label, fields }: MachineGroup): TemplateResult {
+    const unfolded = opened.has(label.key);
+    const changed = fields.filter(differs).length;
+    const toggle = ({ target }: Event): void => {
+      const { open } = target as HTMLDetailsElement;
+      if (open === opened.has(label.key)) return;
+      if (open) opened.add(label.key);
+      else opened.delete(label.key);
       drawAll();
-    });
-    return node;
+    };
+    return html`<details class="machine-group" .open=${unfolded} @toggle=${toggle}>
+      <summary
+        ><span>${say(label)}</span
+        ><span class="count">${changed ? t("machine-data-group-changed", { changed }) : fields.length}</span></summary
+      >
+      <div>
+        ${repeat(
+          unfolded ? rows(fields) : [],
+          one => one.title ?? one.datum.name,
+          one => (one.datum ? datumOf(one.datum) : html`<h3 class="machine-set">${one.title}</h3>`),
+        )}
+      </div>
+    </details>`;
   }
 
-  function updateGroup(node: HTMLDetailsElement, group: MachineGroup, opening: boolean): void {
-    const [summary, body] = node.children as unknown as [HTMLElement, HTMLElement];
-    const [title, note] = summary.children as unknown as [HTMLElement, HTMLElement];
-    setText(title, say(group.label));
-    const changed = group.fields.filter(differs).length;
-    setText(note, changed ? t("machine-data-group-changed", { changed }) : String(group.fields.length));
-    if (opening) node.open = true;
-    keyed(body, node.open ? rows(group.fields) : [], one => one.title ?? one.datum?.name ?? "", row.create, row.update);
+  function datumOf(datum: MachineField): TemplateResult {
+    const wrong = view?.problems.find(one => one.name === datum.name);
+    const value = typed[datum.name] ?? (datum.value || (datum.kind === "choice" ? datum.fallback : ""));
+    return datumRow(datum, value, wrong ? `${say(wrong.message)} ${say(wrong.hint)}` : "", text =>
+      edit(datum.name, text),
+    );
   }
 
-  on(open, "click", () => {
-    view = ask();
-    if (!view) return; // the module is still on its way
-    typed = {};
-    dialog.showModal();
-    drawAll(true);
-  });
   list.addEventListener("focusin", ({ target }) => {
     const datum = view?.groups
       .flatMap(group => group.fields)
@@ -223,87 +212,58 @@ export function createMachineData(store: Store, actions: Actions, core: () => Pr
     take(ask({ values: Object.fromEntries(names.map(name => [name, ""])) }));
   });
   return {
-    open,
-    draw: () => setAttribute(open, "disabled", core() === null),
+    open() {
+      view = ask();
+      if (!view) return; // the module is still on its way
+      typed = {};
+      dialog.showModal();
+      drawAll(true);
+    },
   };
 }
 
-function createRow(
-  view: () => MachineView | null,
-  typed: (name: string) => string | undefined,
-  edit: (name: string, value: string) => void,
-) {
-  const create = ({ title, datum }: Row): HTMLElement => {
-    if (!datum) return el("h3", { class: "machine-set" }, title);
-    const id = entryId(datum.name);
-    const entry =
-      datum.kind === "choice"
-        ? el("select", { id, class: "choice", "aria-describedby": `${id}-help ${id}-problem` })
-        : el("input", {
-            id,
-            class: "figure",
-            type: "text",
-            autocomplete: "off",
-            spellcheck: "false",
-            inputmode: datum.kind === "text" ? "text" : "decimal",
-            "aria-describedby": `${id}-help ${id}-problem`,
-          });
-    on(entry, "change", () => edit(datum.name, entry.value));
-    return el(
-      "div",
-      { class: `datum kind-${datum.kind}` },
-      el("div", { class: "datum-head" }, el("label", { for: id }), el("code", { class: "field-name" }, datum.name)),
-      el("div", { class: "entry-line" }, entry, el("span", { class: "unit" }), el("span", { class: "meta" })),
-      el("p", { class: "datum-help", id: `${id}-help` }),
-      el("p", { class: "datum-problem", id: `${id}-problem`, role: "alert" }),
-    );
-  };
-  const update = (node: HTMLElement, { title, datum }: Row): void => {
-    if (!datum) {
-      setText(node, title);
-      return;
-    }
-    const [head, line, help, problem] = node.children as unknown as [
-      HTMLElement,
-      HTMLElement,
-      HTMLElement,
-      HTMLElement,
-    ];
-    const [entry, unit, meta] = line.children as unknown as [
-      HTMLInputElement | HTMLSelectElement,
-      HTMLElement,
-      HTMLElement,
-    ];
-    setText(head.firstElementChild ?? head, t(datum.key));
-    setText(help, optional(`${datum.key}.help`));
-    setText(unit, unitText(datum.unit));
-    setText(meta, limitsText(datum));
-    if (entry instanceof HTMLSelectElement) updateChoices(entry, datum);
-    const value = typed(datum.name) ?? (datum.value || (datum.kind === "choice" ? datum.fallback : ""));
-    if (entry.value !== value) entry.value = value;
-    if (entry instanceof HTMLInputElement) setAttribute(entry, "placeholder", datum.fallback);
-    const wrong = view()?.problems.find(one => one.name === datum.name);
-    setText(problem, wrong ? `${say(wrong.message)} ${say(wrong.hint)}` : "");
-    show(problem, !!wrong);
-    setAttribute(entry, "aria-invalid", wrong ? "true" : null);
-    node.classList.toggle("changed", differs(datum));
-  };
-  return { create, update };
+/** `problem`: why `value` is not taken; empty where it is. */
+function datumRow(datum: MachineField, value: string, problem: string, edit: (value: string) => void): TemplateResult {
+  const id = entryId(datum.name);
+  const taken = ({ target }: Event): void => edit((target as HTMLInputElement | HTMLSelectElement).value);
+  const wrong = problem ? "true" : nothing;
+  const about = `${id}-help ${id}-problem`;
+  const entry =
+    datum.kind === "choice"
+      ? html`<select id=${id} class="choice" aria-describedby=${about} aria-invalid=${wrong} @change=${taken}>
+          ${choices(datum, value)}
+        </select>`
+      : html`<input
+          id=${id}
+          class="figure"
+          type="text"
+          autocomplete="off"
+          spellcheck="false"
+          inputmode=${datum.kind === "text" ? "text" : "decimal"}
+          placeholder=${datum.fallback}
+          aria-describedby=${about}
+          aria-invalid=${wrong}
+          .value=${live(value)}
+          @change=${taken}
+        />`;
+  return html`<div class=${`datum kind-${datum.kind}${differs(datum) ? " changed" : ""}`}>
+    <div class="datum-head"><label for=${id}>${t(datum.key)}</label><code class="field-name">${datum.name}</code></div>
+    <div class="entry-line">
+      ${entry}<span class="unit">${unitText(datum.unit)}</span><span class="meta">${limitsText(datum)}</span>
+    </div>
+    <p class="datum-help" id=${`${id}-help`}>${optional(`${datum.key}.help`)}</p>
+    <p class="datum-problem" id=${`${id}-problem`} role="alert" ?hidden=${!problem}>${problem}</p>
+  </div>`;
 }
 
-function updateChoices(select: HTMLSelectElement, datum: MachineField): void {
-  const known = datum.choices ?? [];
+function choices(datum: MachineField, value: string): TemplateResult[] {
+  const known = (datum.choices ?? []).map(String);
   const now = datum.value || datum.fallback;
-  const values = known.map(String).includes(now) ? known.map(String) : [...known.map(String), now];
   const text = (value: string): string => {
     const shown = choiceText(datum.key, Number(value));
     return value === datum.fallback ? t("machine-data-delivered", { value: shown }) : shown;
   };
-  keyed(
-    select,
-    values,
-    value => value,
-    value => el("option", { value }),
-    (node, value) => setText(node, text(value)),
+  return (known.includes(now) ? known : [...known, now]).map(
+    one => html`<option value=${one} .selected=${live(one === value)}>${text(one)}</option>`,
   );
 }

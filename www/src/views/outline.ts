@@ -1,8 +1,10 @@
 // The measuring calls of the program: line, cycle, variant, and what is said about them. Only the rows in sight exist,
 // so that a thousand calls cost as much as ten.
 
+import { html, render } from "lit-html";
+import { repeat } from "lit-html/directives/repeat.js";
 import type { Derived } from "../derive";
-import { el, keyed, on, setAttribute, setText, show } from "../dom";
+import { el, on, setAttribute, show } from "../dom";
 import type { State } from "../state";
 import { t } from "../texts";
 import type { CallView, Catalogue, Severity } from "../wire";
@@ -27,38 +29,24 @@ function variantNames({ cycles }: Catalogue): Map<string, string> {
   );
 }
 
-function row(): HTMLElement {
-  return el(
-    "div",
-    { role: "option", class: "call-row" },
-    el("span", { class: "call-mark", "aria-hidden": "true" }),
-    el("code", {}),
-    el("span", { class: "call-line" }),
-    el("span", { class: "call-variant" }),
-    el("span", { class: "visually-hidden" }),
-  );
-}
-
-function fill(node: HTMLElement, { call, index, state, variant, open }: Row, count: number, current: boolean): void {
-  const [mark, cycle, line, name, said] = node.children as unknown as [
-    HTMLElement,
-    HTMLElement,
-    HTMLElement,
-    HTMLElement,
-    HTMLElement,
-  ];
-  node.dataset.call = String(index);
-  node.id = `call-${index}`;
-  setAttribute(node, "data-state", state);
-  setAttribute(node, "aria-selected", String(open));
-  setAttribute(node, "aria-setsize", count);
-  setAttribute(node, "aria-posinset", index + 1);
-  node.classList.toggle("current", current);
-  setText(mark, MARKS[state]);
-  setText(cycle, call.cycle);
-  setText(line, t("program-call-line", { line: call.lastLine }));
-  setText(name, variant);
-  setText(said, t(`call-state-${state}`));
+function row({ call, index, state, variant, open }: Row, count: number, current: boolean, tall: number) {
+  return html`<div
+    role="option"
+    class=${current ? "call-row current" : "call-row"}
+    id=${`call-${index}`}
+    data-call=${index}
+    data-state=${state}
+    aria-selected=${String(open)}
+    aria-setsize=${count}
+    aria-posinset=${index + 1}
+    .style=${`top: ${index * tall}px`}
+  >
+    <span class="call-mark" aria-hidden="true">${MARKS[state]}</span>
+    <code>${call.cycle}</code>
+    <span class="call-line">${t("program-call-line", { line: call.lastLine })}</span>
+    <span class="call-variant">${variant}</span>
+    <span class="visually-hidden">${t(`call-state-${state}`)}</span>
+  </div>`;
 }
 
 export function createOutline(openCall: (index: number) => void): {
@@ -92,22 +80,20 @@ export function createOutline(openCall: (index: number) => void): {
       };
     });
   };
-  const render = (): void => {
+  const draw = (): void => {
     const count = shown?.derived.read.calls.length ?? 0;
     const tall = height();
     current = Math.max(0, Math.min(current, count - 1));
     const first = Math.max(0, Math.floor(list.scrollTop / tall) - BEYOND);
     const last = Math.min(count, Math.ceil((list.scrollTop + list.clientHeight) / tall) + BEYOND);
     space.style.height = `${count * tall}px`;
-    keyed(
+    render(
+      repeat(
+        rows(first, last),
+        one => one.index,
+        one => row(one, count, one.index === current, tall),
+      ),
       space,
-      rows(first, last),
-      one => String(one.index),
-      row,
-      (node, one) => {
-        node.style.top = `${one.index * tall}px`;
-        fill(node, one, count, one.index === current);
-      },
     );
     setAttribute(list, "aria-activedescendant", current >= first && current < last ? `call-${current}` : null);
   };
@@ -120,9 +106,9 @@ export function createOutline(openCall: (index: number) => void): {
   const go = (index: number): void => {
     current = Math.max(0, Math.min(index, (shown?.derived.read.calls.length ?? 1) - 1));
     bring(current);
-    render();
+    draw();
   };
-  on(list, "scroll", render);
+  on(list, "scroll", draw);
   on(list, "click", event => {
     const index = (event.target as Element).closest<HTMLElement>("[data-call]")?.dataset.call;
     if (index === undefined) return;
@@ -146,7 +132,7 @@ export function createOutline(openCall: (index: number) => void): {
     event.preventDefault();
     move();
   });
-  new ResizeObserver(render).observe(list);
+  new ResizeObserver(draw).observe(list);
 
   return {
     root: list,
@@ -168,7 +154,7 @@ export function createOutline(openCall: (index: number) => void): {
         bring(index);
       }
       opened = state.form.open;
-      render();
+      draw();
     },
   };
 }

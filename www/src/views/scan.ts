@@ -12,7 +12,7 @@ import type { Store } from "../store";
 import { sayProblem, t } from "../texts";
 import type { ScanRequest, ScanText, Setup } from "../wire";
 import { createActivity } from "./activity";
-import { problemItem, updateProblem } from "./field";
+import { listProblems } from "./problem";
 
 const OWN = "own"; // value of the choice that stands for the user's file
 const SHOWN: Shown[] = ["sent", "surface"];
@@ -124,12 +124,10 @@ export function createScan(
     for (const one of working) one.draw(state);
     setText(status, scanning ? "" : said(state, derived, scan));
     show(status, !scanning);
-    keyed(
+    const raised = scan?.view.alarms ?? [];
+    listProblems(
       alarms,
-      scan?.view.alarms ?? [],
-      (one, index) => `${index}/${one.code}`,
-      problemItem,
-      (node, one) => updateProblem(node, { ...one, severity: "error" }),
+      raised.map(one => ({ ...one, severity: "error" as const })),
     );
     show(alarms, !!scan?.view.alarms.length);
     result.draw(scan);

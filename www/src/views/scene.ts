@@ -9,7 +9,7 @@ import { AT_END, type State } from "../state";
 import type { Store } from "../store";
 import { t } from "../texts";
 import { createLegend, type Thinned } from "./legend";
-import { missing } from "./results";
+import { missing } from "./missing";
 import { isDark, type Stage } from "./stage";
 import { createTimeline, paceAt } from "./timeline";
 

@@ -6,7 +6,7 @@ import { el, keyed, on, setAttribute, setText, show } from "../dom";
 import { programOf, type State } from "../state";
 import { t } from "../texts";
 import type { Diagnostic, Style } from "../wire";
-import { problemItem, updateProblem } from "./field";
+import { listProblems } from "./problem";
 
 interface View {
   root: HTMLElement;
@@ -14,7 +14,7 @@ interface View {
 }
 
 function findings(list: HTMLElement, all: readonly Diagnostic[]): void {
-  keyed(list, all, (one, index) => `${index}/${one.code}`, problemItem, updateProblem);
+  listProblems(list, all);
   show(list, all.length > 0);
 }
 

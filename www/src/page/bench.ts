@@ -16,17 +16,15 @@ import { type Patch, programOf, type State, type Stopped } from "./state";
 import type { Store } from "./store";
 import { language, t } from "./texts";
 import { type Activity, createActivity } from "./views/activity";
+import { behind } from "./views/behind";
 import { createCard } from "./views/card";
 import { createForm } from "./views/form";
 import { createFound } from "./views/found";
 import { createHeader } from "./views/header";
-import { createHelp } from "./views/help";
 import { createProgram } from "./views/program";
 import { createRefusal } from "./views/refusal";
-import { createResults } from "./views/results";
 import { createScene } from "./views/scene";
 import { createSets } from "./views/sets";
-import { createSheet } from "./views/sheet";
 import { createSliders } from "./views/sliders";
 import type { Stage } from "./views/stage";
 import { createTasks } from "./views/tasks";
@@ -96,20 +94,31 @@ export function createBench({
   program.head.after(refusals[0].root, file.root, text.root, calls.root);
   layout.header.after(refusals[1].root);
   panels.view.append(motions.root);
+  let shown: { state: State; derived: Derived } | null = null;
+  const later = behind(
+    pieces => {
+      pieces.createSheet(stage, () => shown, stop.signal);
+      return {
+        drawResults: pieces.createResults(results, store, actions, scanner, program.goTo),
+        drawHelp: pieces.createHelp(panels.help, store, actions, core),
+        machineData: pieces.createMachineData(store, actions, core),
+      };
+    },
+    () => store.update({}),
+    stop.signal,
+  );
   const views = [
-    createHeader(layout.header, store, actions, open.setup, core),
+    createHeader(layout.header, store, actions, open.setup, core, () => later()?.machineData ?? null),
     createTasks(panels.tasks, store, actions, found),
     createForm(panels.form, store, actions, () => sets.dialog.showModal()),
     createScene(panels.view, store, program.goToLine, stage),
-    createResults(results, store, actions, scanner, program.goTo),
+    (state: State, derived: Derived): void => later()?.drawResults(state, derived),
     createSliders(sliders, store, actions),
-    createHelp(panels.help, store, actions, core),
+    (state: State, derived: Derived): void => later()?.drawHelp(state, derived),
     sets.draw,
     card.draw,
     program.draw, // last: the editor asks for the selection, and that lays out the page
   ];
-  let shown: { state: State; derived: Derived } | null = null;
-  createSheet(stage, () => shown, stop.signal);
   return {
     language: language(),
     draw(state, derived) {

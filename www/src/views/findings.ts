@@ -1,0 +1,94 @@
+// What is wrong with form and program, each with the way to its place and its cure.
+
+import { html, render } from "lit-html";
+import type { Actions } from "../actions";
+import type { Derived } from "../derive";
+import type { State } from "../state";
+import { say, t } from "../texts";
+import type { Diagnostic } from "../wire";
+import { fieldId } from "./field";
+import { shownProblems } from "./form";
+import { problem } from "./problem";
+
+const LISTED = 200; // problems; the others stand in the editor, and come here when these are mended
+
+interface Located {
+  problem: Diagnostic;
+  place: string;
+  go: () => void;
+  cure?: () => void;
+}
+
+/**
+ * Of the form and of the program. What both say stands once: with the place in the form, unless only the program mends
+ * it.
+ */
+export function located(state: State, derived: Derived, actions: Actions, goTo: (offset: number) => void): Located[] {
+  const same = (one: Diagnostic): string => `${one.code}/${one.param}`;
+  const opened = derived.opened;
+  const ofOpened = (one: Diagnostic): boolean =>
+    !!opened && (one.line ?? 0) >= opened.line && (one.line ?? 0) <= opened.lastLine;
+  const told = new Set(derived.problems.filter(one => one.cure && ofOpened(one)).map(same));
+  const form = shownProblems(state, derived.view.diagnostics).filter(one => !told.has(same(one)));
+  const inForm = new Set(opened ? form.map(same) : []);
+  const cured = (problem: Diagnostic): Partial<Located> =>
+    problem.cure && derived.fresh ? { cure: () => actions.cure(problem.cure?.edits ?? [], problem.elsewhere) } : {};
+  const place = (problem: Diagnostic): Located => ({
+    problem,
+    place: t("problem-place", { line: problem.line ?? 0, column: problem.column ?? 1 }),
+    go: () => goTo(problem.from ?? 0),
+  });
+  return [
+    ...form.map(
+      (problem): Located => ({
+        problem,
+        place: problem.param ?? t("panel-form"),
+        go: () => {
+          actions.panel("form");
+          document.getElementById(fieldId(problem.param ?? ""))?.focus();
+        },
+      }),
+    ),
+    ...derived.problems
+      .filter(one => !inForm.has(same(one)) || !ofOpened(one))
+      .map(problem => ({ ...place(problem), ...cured(problem) })),
+    ...(derived.run?.diagnostics ?? [])
+      .filter(one => !derived.problems.some(known => known.code === one.code && known.from === one.from))
+      .map(place),
+  ];
+}
+
+export function createFindings(
+  root: HTMLElement,
+  actions: Actions,
+  goTo: (offset: number) => void,
+): (state: State, derived: Derived) => void {
+  const item = ({ problem: one, place, go, cure }: Located) => {
+    const mend = (): void => {
+      cure?.();
+      root.focus(); // the button goes with its finding: the focus stays in the list
+    };
+    return problem(
+      one,
+      html`<span class="problem-actions"
+        ><button type="button" class="quiet place" @click=${go}>${place}</button
+        ><button type="button" class="cure" ?hidden=${!cure} @click=${mend}>
+          ${one.cure ? say(one.cure.label) : ""}
+        </button></span
+      >`,
+    );
+  };
+  return (state, derived) => {
+    if (state.panels.tab !== "problems") return;
+    const all = located(state, derived, actions, goTo);
+    const rest = all.length - LISTED;
+    render(
+      html`<p class="empty" ?hidden=${all.length > 0}>${t("problems-none")}</p>
+        <ul class="problem-list">
+          ${all.slice(0, LISTED).map(item)}
+        </ul>
+        <p class="empty" ?hidden=${rest <= 0}>${t("problems-more", { count: rest })}</p>`,
+      root,
+    );
+  };
+}

@@ -1,0 +1,19 @@
+// What the form still lacks.
+
+import type { Derived } from "../derive";
+import { t } from "../texts";
+
+/** Why there is no outcome yet: by name, what the form still lacks. */
+export function missing(derived: Derived): string {
+  if (!derived.cycle.simulated) return t("outcome-not-simulated", { cycle: derived.cycle.cycle });
+  if (derived.simulates === "no") return t("outcome-absent");
+  if (derived.opened?.style === "operate" && derived.view.complete && !derived.view.unknown?.length)
+    return t("outcome-newer");
+  if (derived.simulates === "coming" && derived.view.complete) return t("outcome-coming");
+  const names = [
+    ...new Set(derived.view.diagnostics.filter(one => one.severity === "error" && one.param).map(one => one.param)),
+  ];
+  if (names.length) return t("outcome-missing", { names: names.join(", ") });
+  const { unknown = [] } = derived.view;
+  return unknown.length ? t("outcome-unknown", { names: unknown.join(", ") }) : t("outcome-incomplete");
+}
