@@ -295,11 +295,11 @@ async function standstill(page, doing) {
   return page.evaluate(() => globalThis.longest);
 }
 
-/** ms without a frame. Below it a page that works is felt as slow, not as hanging: a key repeated ten times a second
- * loses one
- *  place, a click shows its outcome within the time of a glance. A dozen lost frames are what one copy of 30 MB with
- * the
- *  clearing up behind it may need on the slowest machine that is meant, two cores without a graphics card. */
+/**
+ * ms without a frame. Below it a page that works is felt as slow, not as hanging: a key repeated ten times a second
+ * loses one place, a click shows its outcome within the time of a glance. A dozen lost frames are what one copy of 30
+ * MB with the clearing up behind it may need on the slowest machine that is meant, two cores without a graphics card.
+ */
 const STANDSTILL = 200;
 
 // A program of a million lines: how long the page stands still while it is opened and read, looked at and changed.

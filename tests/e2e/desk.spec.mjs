@@ -7,7 +7,7 @@ let sources, desk, state, stored;
 before(async () => {
   sources = await modules();
   [desk, state, stored] = await Promise.all(
-    ["desk/desk", "state", "stored"].map(name => sources.load(`/src/${name}.ts`)),
+    ["desk/desk", "state/state", "state/stored"].map(name => sources.load(`/src/${name}.ts`)),
   );
 });
 after(() => sources.close());

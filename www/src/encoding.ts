@@ -5,9 +5,10 @@
 import type { Pace } from "./pace";
 import { doubleByte, gb18030, gbk, singleByte, type Table } from "./tables";
 
-/** Labels of the WHATWG encoding standard. `-marked`: with a byte order mark, which is no part of the text: an editor
- * drops
- *  that character. `latin-1`: every byte the character of that number. */
+/**
+ * Labels of the WHATWG encoding standard. `-marked`: with a byte order mark, which is no part of the text: an editor
+ * drops that character. `latin-1`: every byte the character of that number.
+ */
 export const ENCODINGS = [
   "utf-8",
   "utf-8-marked",

@@ -4,8 +4,8 @@
 
 import init, * as wasm from "@pkg/core/core.js";
 import address from "@pkg/core/core_bg.wasm?url";
+import type { Catalogue, FormRequest, FormView } from "../wire";
 import { call, compile } from "./module";
-import type { Catalogue, FormRequest, FormView } from "./wire";
 
 export interface FormCore {
   /** Whether `predict` is answered and a setup that the user described is read; else whether that will come. */

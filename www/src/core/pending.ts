@@ -1,6 +1,6 @@
 // Values that were typed in the form and are not in the program yet.
 
-import type { Changed, Dialect, Pending } from "./wire";
+import type { Changed, Dialect, Pending } from "../wire";
 
 /** Whether a value waits for a word: in this text it would change lines outside of its call. */
 export function isWaiting({ asks }: Pending, text: string): boolean {

@@ -3,10 +3,7 @@
 
 import init, * as wasm from "@pkg/program/program.js";
 import address from "@pkg/program/program_bg.wasm?url";
-import type { FormCore } from "./core";
-import { splice } from "./eol";
-import { call, compile } from "./module";
-import { asked, hasToAsk } from "./pending";
+import { splice } from "../eol";
 import type {
   AlarmInfo,
   Catalogue,
@@ -24,7 +21,10 @@ import type {
   RunRequest,
   Setup,
   Style,
-} from "./wire";
+} from "../wire";
+import type { FormCore } from "./core";
+import { call, compile } from "./module";
+import { asked, hasToAsk } from "./pending";
 
 /**
  * All values of one call that were changed in the form: `pending` of `control` at `at`, the call being number `call`.

@@ -1,13 +1,9 @@
 // Everything that can happen. Views call these; only these change what is kept.
 
-import { type Derived, findCycle } from "./derive";
-import { opened } from "./desk/calls";
-import { isCurrent, isRead, withEdits } from "./desk/program";
-import { mended, typedIn } from "./desk/typing";
-import type { Encoding } from "./encoding";
-import { lineBreak, type Splice } from "./eol";
-import { fileOf, type ProgramFile } from "./files";
-import { speak } from "./language";
+import type { Encoding } from "../encoding";
+import { lineBreak, type Splice } from "../eol";
+import { speak } from "../language";
+import { fileOf, type ProgramFile } from "../state/files";
 import {
   AT_END,
   asWritten,
@@ -28,9 +24,9 @@ import {
   type State,
   setsOf,
   unitsIn,
-} from "./state";
-import type { Store } from "./store";
-import { work } from "./stored";
+} from "../state/state";
+import type { Store } from "../state/store";
+import { work } from "../state/stored";
 import type {
   Catalogue,
   CycleInfo,
@@ -42,7 +38,11 @@ import type {
   Setup,
   Style,
   TouchedLine,
-} from "./wire";
+} from "../wire";
+import { opened } from "./calls";
+import { type Derived, findCycle } from "./derive";
+import { isCurrent, isRead, withEdits } from "./program";
+import { mended, typedIn } from "./typing";
 
 export type Variant = CycleInfo["variants"][number];
 

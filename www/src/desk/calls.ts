@@ -1,6 +1,6 @@
 // Which call of the program the form edits, once the program is read.
 
-import { AT_END, patched, type Reading, remember, type State } from "../state";
+import { AT_END, patched, type Reading, remember, type State } from "../state/state";
 import type { CallView } from "../wire";
 import { SOUGHT } from "./program";
 

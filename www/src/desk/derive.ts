@@ -2,11 +2,9 @@
 // it depends on is another object. Of the program it shows what was read last (desk.ts), until the next reading is
 // there.
 
-import type { FormCore } from "./core";
-import { isRead } from "./desk/program";
-import { severities } from "./outline";
-import { type FormState, machine, type PartState, programOf, type State } from "./state";
-import { language, say } from "./texts";
+import type { FormCore } from "../core/core";
+import { type FormState, machine, type PartState, programOf, type State } from "../state/state";
+import { language, say } from "../texts";
 import type {
   CallView,
   Catalogue,
@@ -24,7 +22,9 @@ import type {
   Trace,
   Transverse,
   UnitFunction,
-} from "./wire";
+} from "../wire";
+import { isRead } from "./program";
+import { severities } from "./severity";
 
 export interface Derived {
   catalogue: Catalogue;
@@ -91,8 +91,10 @@ function stillOf({ solids, radius }: ScanView): Trace {
   return { entries: [], ball: { radius, length: radius }, solids, frames: [] };
 }
 
-/** The values of the opened call that are the worth of an expression and stand there as they were read, or as written;
- *  and all values with what these are worth. */
+/**
+ * The values of the opened call that are the worth of an expression and stand there as they were read, or as written;
+ * and all values with what these are worth.
+ */
 function worth(
   opened: CallView | null,
   values: FormState["values"],

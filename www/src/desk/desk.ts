@@ -4,9 +4,9 @@
 // A state stands in one of a few ways, and each way has one transition to the next; the desk goes through them until
 // the state is settled, or waits for an answer.
 
-import type { Answered, Aside } from "../aside";
-import type { AtOnce, ProgramCore } from "../program";
-import { machine, patched, programOf, type Reading, type State } from "../state";
+import type { Answered, Aside } from "../core/aside";
+import type { AtOnce, ProgramCore } from "../core/program";
+import { machine, patched, programOf, type Reading, type State } from "../state/state";
 import type { Changed, Converted, ReadView } from "../wire";
 import { arrived } from "./calls";
 import { isCurrent, isRead } from "./program";

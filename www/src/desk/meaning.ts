@@ -1,11 +1,11 @@
 // Numbers that are codes mean something else in another variant (D1 of a tool, and the first settable zero offset):
 // such a number is taken out of its field when the variant changes, and a note there says what it was.
 
+import { parseNumber } from "../numbers";
+import { patched, planeOf, type State } from "../state/state";
 import { isExample } from "./actions";
 import type { Derived } from "./derive";
-import { typedIn } from "./desk/typing";
-import { parseNumber } from "./numbers";
-import { patched, planeOf, type State } from "./state";
+import { typedIn } from "./typing";
 
 export interface Seen {
   state: State;

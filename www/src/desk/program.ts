@@ -1,7 +1,7 @@
 // The program in the state: whether what was said is about it as it is now, and how it is edited.
 
 import { carried, type Splice, splice } from "../eol";
-import { machine, patched, programOf, type State } from "../state";
+import { machine, patched, programOf, type State } from "../state/state";
 
 /** Place of what was typed in the form while the call that it belongs to is still sought. */
 export const SOUGHT = -1;

@@ -1,6 +1,6 @@
 // What the outline of a program tells about each measuring call.
 
-import type { CallView, Diagnostic, Severity } from "./wire";
+import type { CallView, Diagnostic, Severity } from "../wire";
 
 const WORST: Severity[] = ["error", "warning"];
 

@@ -1,9 +1,9 @@
 // What was typed in the form on its way into the program, and edits that the core proposes.
 
-import { asked, hasToAsk, isWaiting } from "../pending";
-import type { ChangeRequest, ConvertRequest } from "../program";
-import { AT_END, machine, patched, programOf, type State } from "../state";
-import { work } from "../stored";
+import { asked, hasToAsk, isWaiting } from "../core/pending";
+import type { ChangeRequest, ConvertRequest } from "../core/program";
+import { AT_END, machine, patched, programOf, type State } from "../state/state";
+import { work } from "../state/stored";
 import type { Changed, Converted, Edit, Pending } from "../wire";
 import { isCurrent, SOUGHT, withEdits } from "./program";
 
@@ -33,8 +33,10 @@ export function change(state: State): ChangeRequest | null {
   return first && call >= 0 ? { control, text, call, at: first.at, pending, ...machine(state) } : null;
 }
 
-/** The program with what the form typed, unless something else was typed meanwhile: then that is asked anew. What would
- *  change lines outside of the call waits for a word. */
+/**
+ * The program with what the form typed, unless something else was typed meanwhile: then that is asked anew. What would
+ * change lines outside of the call waits for a word.
+ */
 export function changed(state: State, request: ChangeRequest, answers: Changed[]): State {
   if (state.desk.pending !== request.pending) return state;
   const { text } = request;

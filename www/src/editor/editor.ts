@@ -52,9 +52,10 @@ export interface EditorWords {
   label: string;
   phrases: Record<string, string>;
 }
-/** `origin`: where the program comes from; of another one nothing can be undone that was before. `apart`: a step of its
- * own to undo,
- *  however soon it follows. Places are those in the text as it is then. */
+/**
+ * `origin`: where the program comes from; of another one nothing can be undone that was before. `apart`: a step of its
+ * own to undo, however soon it follows. Places are those in the text as it is then.
+ */
 export interface Shown {
   text: string;
   origin: unknown;
@@ -202,9 +203,10 @@ export function createEditor(box: HTMLElement, words: EditorWords, host: EditorH
       ours = false;
     }
   };
-  /** A view that is hidden or out of sight takes all that is new for what is seen, and would lay out every line: of a
-   * state
-   *  that is set it lays out a piece only. */
+  /**
+   * A view that is hidden or out of sight takes all that is new for what is seen, and would lay out every line: of a
+   * state that is set it lays out a piece only.
+   */
   const show = (step: Transaction, change: Change | null | undefined): void => {
     if (change && change.insert.length > MUCH) view.setState(step.state);
     else view.dispatch(step);

@@ -1,32 +1,32 @@
 // Puts the parts together: one state, one draw.
 
-import { type Actions, createActions } from "./actions";
-import { type Answered, type Aside, createAside } from "./aside";
+import { type Answered, type Aside, createAside } from "../core/aside";
+import type { Core, FormCore } from "../core/core";
+import { Broken } from "../core/module";
+import type { ProgramCore } from "../core/program";
+import { type Actions, createActions } from "../desk/actions";
+import { createDerive, type Derived, findCycle } from "../desk/derive";
+import { createDesk } from "../desk/desk";
+import { meant, type Seen } from "../desk/meaning";
+import { isCurrent } from "../desk/program";
+import { createEditorPlace } from "../editor/place";
+import type { Encoding } from "../encoding";
+import { unpack } from "../link";
+import { createJob } from "../pace";
+import { createScanner } from "../scan/scanner";
+import { save } from "../state/keep";
+import { firstState, machine, NO_ERRORS, type Patch, patched, remember, type State } from "../state/state";
+import { createStore, type Store } from "../state/store";
+import { type Flat, merge } from "../state/stored";
+import { language, laterWords } from "../texts";
+import { showBroken } from "../views/broken";
+import { acceptDrops } from "../views/drop";
+import { createStage } from "../views/stage";
+import type { Catalogue, CycleInfo, RunView } from "../wire";
 import { type Bench, createBench } from "./bench";
-import type { Core, FormCore } from "./core";
-import { createDerive, type Derived, findCycle } from "./derive";
-import { createDesk } from "./desk/desk";
-import { isCurrent } from "./desk/program";
-import { createEditorPlace } from "./editor/place";
-import type { Encoding } from "./encoding";
 import { createGoToField, type Shows } from "./goto";
-import { save } from "./keep";
-import { unpack } from "./link";
-import { meant, type Seen } from "./meaning";
-import { Broken } from "./module";
 import { openProgramFile, openSetupFile, readAgain, refuseFolder } from "./open";
-import { createJob } from "./pace";
 import { keepPlaces } from "./places";
-import type { ProgramCore } from "./program";
-import { createScanner } from "./scan/scanner";
-import { firstState, machine, NO_ERRORS, type Patch, patched, remember, type State } from "./state";
-import { createStore, type Store } from "./store";
-import { type Flat, merge } from "./stored";
-import { language, laterWords } from "./texts";
-import { showBroken } from "./views/broken";
-import { acceptDrops } from "./views/drop";
-import { createStage } from "./views/stage";
-import type { Catalogue, CycleInfo, RunView } from "./wire";
 
 const FIRST_OVERSIZE = 0.03; // mm: the part of the first visit is this much too big
 const SAVE_AFTER = 200; // ms without a change
@@ -120,7 +120,10 @@ export async function startApp(core: Core, stored: Flat | null): Promise<void> {
   });
   let fetching: Promise<ProgramCore> | null = null;
   const fetched = async (): Promise<ProgramCore> => {
-    const [part] = await Promise.all([import("./program").then(module => module.loadProgramCore()), laterWords()]);
+    const [part] = await Promise.all([
+      import("../core/program").then(module => module.loadProgramCore()),
+      laterWords(),
+    ]);
     forms = programCore = part;
     catalogue.cycles = part.catalogue().cycles;
     came(programCore);

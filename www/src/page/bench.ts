@@ -1,34 +1,34 @@
 // Everything to be seen, in the language that counts when it is made. Another language: another bench, from the same
 // state.
 
-import type { Actions } from "./actions";
-import type { Aside } from "./aside";
-import type { Derived } from "./derive";
-import { isCurrent } from "./desk/program";
-import { el, setText, show } from "./dom";
-import type { EditorPlace } from "./editor/place";
-import type { Encoding } from "./encoding";
+import type { Aside } from "../core/aside";
+import type { ProgramCore } from "../core/program";
+import type { Actions } from "../desk/actions";
+import type { Derived } from "../desk/derive";
+import { isCurrent } from "../desk/program";
+import { el, setText, show } from "../dom";
+import type { EditorPlace } from "../editor/place";
+import type { Encoding } from "../encoding";
+import type { Job } from "../pace";
+import type { Scanner } from "../scan/scanner";
+import { type Patch, programOf, type State, type Stopped } from "../state/state";
+import type { Store } from "../state/store";
+import { language, t } from "../texts";
+import { type Activity, createActivity } from "../views/activity";
+import { behind } from "../views/behind";
+import { createCard } from "../views/card";
+import { createForm } from "../views/form";
+import { createFound } from "../views/found";
+import { createHeader } from "../views/header";
+import { createProgram } from "../views/program";
+import { createRefusal } from "../views/refusal";
+import { createScene } from "../views/scene";
+import { createSets } from "../views/sets";
+import { createSliders } from "../views/sliders";
+import type { Stage } from "../views/stage";
+import { createTasks } from "../views/tasks";
+import type { AlarmInfo, Catalogue, Dialect } from "../wire";
 import { createLayout } from "./layout";
-import type { Job } from "./pace";
-import type { ProgramCore } from "./program";
-import type { Scanner } from "./scan/scanner";
-import { type Patch, programOf, type State, type Stopped } from "./state";
-import type { Store } from "./store";
-import { language, t } from "./texts";
-import { type Activity, createActivity } from "./views/activity";
-import { behind } from "./views/behind";
-import { createCard } from "./views/card";
-import { createForm } from "./views/form";
-import { createFound } from "./views/found";
-import { createHeader } from "./views/header";
-import { createProgram } from "./views/program";
-import { createRefusal } from "./views/refusal";
-import { createScene } from "./views/scene";
-import { createSets } from "./views/sets";
-import { createSliders } from "./views/sliders";
-import type { Stage } from "./views/stage";
-import { createTasks } from "./views/tasks";
-import type { AlarmInfo, Catalogue, Dialect } from "./wire";
 
 /** What outlives a bench. */
 export interface Parts {

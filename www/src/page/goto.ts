@@ -1,11 +1,11 @@
 // The way to a field from anywhere: the present form where it has the field, else the first cycle and variant that do.
 
-import { type Actions, inPlane, type Variant } from "./actions";
-import { findCycle } from "./derive";
-import { planeOf, type State } from "./state";
-import type { Store } from "./store";
-import { fieldId } from "./views/field";
-import type { Catalogue, CycleInfo, Dialect } from "./wire";
+import { type Actions, inPlane, type Variant } from "../desk/actions";
+import { findCycle } from "../desk/derive";
+import { planeOf, type State } from "../state/state";
+import type { Store } from "../state/store";
+import { fieldId } from "../views/field";
+import type { Catalogue, CycleInfo, Dialect } from "../wire";
 
 /** Whether a form with these values has this field. */
 export type Shows = (cycle: CycleInfo, values: Record<string, string>, name: string) => boolean | undefined;

@@ -1,9 +1,9 @@
 // The panels, the bar that chooses among them on small screens, skip links, and F6 from panel to panel.
 
-import type { Actions } from "./actions";
-import { el, on, setAttribute } from "./dom";
-import type { Panel, State } from "./state";
-import { t } from "./texts";
+import type { Actions } from "../desk/actions";
+import { el, on, setAttribute } from "../dom";
+import type { Panel, State } from "../state/state";
+import { t } from "../texts";
 
 const PANELS: Panel[] = ["tasks", "form", "program", "view", "results", "help"];
 /** The panels that help covers where all panels stand side by side. */

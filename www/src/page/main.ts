@@ -1,11 +1,11 @@
-import "./styles/main.css";
+import "../styles/main.css";
+import { loadCore } from "../core/core";
+import { speak } from "../language";
+import { load } from "../state/keep";
+import { firstState } from "../state/state";
+import { merge } from "../state/stored";
+import { showBroken } from "../views/broken";
 import { startApp } from "./app";
-import { loadCore } from "./core";
-import { load } from "./keep";
-import { speak } from "./language";
-import { firstState } from "./state";
-import { merge } from "./stored";
-import { showBroken } from "./views/broken";
 
 addEventListener("probewright-panic", event => showBroken(String((event as CustomEvent).detail)));
 try {

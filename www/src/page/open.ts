@@ -1,14 +1,14 @@
 // Opening files: what cannot be taken is told at the place where it was to be opened, and nothing is lost.
 
-import type { Actions } from "./actions";
-import type { EditorPlace } from "./editor/place";
-import { asMarked, decode, type Encoding, encode } from "./encoding";
-import { fileOf, type Refusal, readProgram, readSetup } from "./files";
-import { type Job, within } from "./pace";
-import type { ProgramCore } from "./program";
-import { programOf } from "./state";
-import type { Store } from "./store";
-import { sayProblem } from "./texts";
+import type { ProgramCore } from "../core/program";
+import type { Actions } from "../desk/actions";
+import type { EditorPlace } from "../editor/place";
+import { asMarked, decode, type Encoding, encode } from "../encoding";
+import { type Job, within } from "../pace";
+import { fileOf, type Refusal, readProgram, readSetup } from "../state/files";
+import { programOf } from "../state/state";
+import type { Store } from "../state/store";
+import { sayProblem } from "../texts";
 
 function refuse(store: Store, place: "program" | "setup", why: Refusal): void {
   store.update({ page: { refused: { ...why, place } } });

@@ -14,9 +14,10 @@ export interface Frame {
   probe: Vec3 | null; // centre of the ball
 }
 
-/** Scanned points: four numbers each, X Y Z from the origin and the deviation, mm; the first ones are spread evenly
- * over all.
- *  `full`: deviation of full colour, mm. */
+/**
+ * Scanned points: four numbers each, X Y Z from the origin and the deviation, mm; the first ones are spread evenly over
+ * all. `full`: deviation of full colour, mm.
+ */
 export interface Cloud {
   points: Float32Array;
   origin: Vec3;

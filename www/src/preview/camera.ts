@@ -101,9 +101,10 @@ export function zoom(camera: Camera, view: Viewport, factor: number, x = view.wi
   return { ...camera, scale, target: add(camera.target, moved) };
 }
 
-/** `held`: the direction from the ball to what holds it. A probe that comes along Y (G18) is looked at obliquely from
- * its
- *  own side; from the front the part would hide it. */
+/**
+ * `held`: the direction from the ball to what holds it. A probe that comes along Y (G18) is looked at obliquely from
+ * its own side; from the front the part would hide it.
+ */
 export function turn(camera: Camera, name: ViewName, held?: Vec3): Camera {
   const [yaw, pitch] = VIEWS[name];
   const behind = name === "iso" && !camera.turning && held !== undefined && held[1] > 0.5;

@@ -1,10 +1,10 @@
 // Scans a surface beside the page: one scan at a time. What came out lies in the state; the worker keeps the points, so
 // that they can be shown in either way and saved.
 
-import type { State } from "../state";
-import type { Store } from "../store";
+import type { Scanned, Shown } from "../state/scanned";
+import type { State } from "../state/state";
+import type { Store } from "../state/store";
 import type { ScanRequest, ScanText, ScanView } from "../wire";
-import type { Scanned, Shown } from "./scanned";
 import type { ScanAsk, ScanReply } from "./worker";
 
 /** `taking`: points are made ready to be drawn; `writing`: a file. */

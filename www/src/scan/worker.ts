@@ -2,8 +2,8 @@
 // points and texts are asked for when somebody wants them. Only what was asked last is gone on with.
 
 import { initSync, Scan } from "@pkg/program/program.js";
+import type { Shown } from "../state/scanned";
 import type { ScanText } from "../wire";
-import type { Shown } from "./scanned";
 
 export type ScanAsk = { begin: string; file: Uint8Array } | { cloud: Shown } | { text: ScanText } | "nothing";
 export type ScanReply =

@@ -1,11 +1,11 @@
 // Files in and out. What a file is the core tells by its bytes.
 
-import { el } from "./dom";
-import { decode, type Encoding } from "./encoding";
-import { type Pace, within } from "./pace";
-import type { ProgramCore } from "./program";
-import { say, t } from "./texts";
-import type { Dialect } from "./wire";
+import type { ProgramCore } from "../core/program";
+import { el } from "../dom";
+import { decode, type Encoding } from "../encoding";
+import { type Pace, within } from "../pace";
+import { say, t } from "../texts";
+import type { Dialect } from "../wire";
 
 /** `opened`: when, ms; what is not opened from a file has none. */
 export interface ProgramFile {

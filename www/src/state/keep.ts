@@ -2,9 +2,9 @@
 // program lies in a database beside it. Where the page is open twice, the newest work of all is what a new tab begins
 // with, and each tab comes back to its own, which session storage holds; of long programs there is only the newest.
 
+import type { Dialect } from "../wire";
 import type { State } from "./state";
 import { type Flat, kept } from "./stored";
-import type { Dialect } from "./wire";
 
 const STORE = "probewright-1";
 const PROGRAMS = "programs";

@@ -1,8 +1,6 @@
 // The one state of the page. Values in it are never changed in place: a part that changed is a new object,
 // so views and computations compare by identity.
 
-import type { Files, Refusal } from "./files";
-import type { Scanned } from "./scan/scanned";
 import type {
   BasicSystem,
   CallView,
@@ -20,7 +18,9 @@ import type {
   Style,
   TouchedLine,
   UnitFunction,
-} from "./wire";
+} from "../wire";
+import type { Files, Refusal } from "./files";
+import type { Scanned } from "./scanned";
 
 export type Panel = "tasks" | "form" | "program" | "view" | "results" | "help";
 export type ResultTab = "outcome" | "problems" | "motions" | "log" | "scan";

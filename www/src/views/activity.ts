@@ -3,7 +3,7 @@
 
 import { el, on, setAttribute, setText, show } from "../dom";
 import { plain } from "../numbers";
-import { programOf, type State, type Stopped } from "../state";
+import { programOf, type State, type Stopped } from "../state/state";
 import { sayProblem, t } from "../texts";
 
 const QUIET = 300; // ms of work that are not worth a word

@@ -1,10 +1,10 @@
 // What would change lines elsewhere in the program: which ones, as they are and as they would be. Nothing is done
 // before it is agreed to.
 
-import type { Actions } from "../actions";
+import type { Actions } from "../desk/actions";
 import { isCurrent } from "../desk/program";
 import { el, keyed, on, setText, show } from "../dom";
-import { programOf, type State } from "../state";
+import { programOf, type State } from "../state/state";
 import { t } from "../texts";
 import type { TouchedLine } from "../wire";
 

@@ -1,8 +1,8 @@
 // A card about one thing that was looked up: what a result or an alarm means, what helps, which cycles have it.
 
-import type { Actions } from "../actions";
+import type { Actions } from "../desk/actions";
 import { el, on, setText, show } from "../dom";
-import type { Card, State } from "../state";
+import type { Card, State } from "../state/state";
 import { optional, t } from "../texts";
 import type { CycleInfo } from "../wire";
 

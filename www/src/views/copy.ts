@@ -1,6 +1,6 @@
 // To the clipboard, where the browser lets it.
 
-import type { Store } from "../store";
+import type { Store } from "../state/store";
 
 /** Copies a text and confirms it with `notice`, the key of a message. */
 export async function copyText(text: string, store: Store, notice: string): Promise<void> {

@@ -1,6 +1,6 @@
 // One field: name as in the manual, label, entry, unit, what is allowed and why, its problems.
 
-import type { Actions } from "../actions";
+import type { Actions } from "../desk/actions";
 import { el, keyed, on, setAttribute, setText, show } from "../dom";
 import { parseNumber, plain } from "../numbers";
 import { allWords, say, t } from "../texts";

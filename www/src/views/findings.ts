@@ -1,9 +1,9 @@
 // What is wrong with form and program, each with the way to its place and its cure.
 
 import { html, render } from "lit-html";
-import type { Actions } from "../actions";
-import type { Derived } from "../derive";
-import type { State } from "../state";
+import type { Actions } from "../desk/actions";
+import type { Derived } from "../desk/derive";
+import type { State } from "../state/state";
 import { say, t } from "../texts";
 import type { Diagnostic } from "../wire";
 import { fieldId } from "./field";

@@ -1,10 +1,10 @@
 // The form of the chosen cycle: status line, picture, fields, what to do with the snippet.
 
-import { type Actions, type Variant, variantOf } from "../actions";
-import type { Derived } from "../derive";
+import { type Actions, type Variant, variantOf } from "../desk/actions";
+import type { Derived } from "../desk/derive";
 import { el, keyed, on, setAttribute, setText, show } from "../dom";
-import type { State } from "../state";
-import type { Store } from "../store";
+import type { State } from "../state/state";
+import type { Store } from "../state/store";
 import { optional, t } from "../texts";
 import type { Diagnostic, Field } from "../wire";
 import { createAsks } from "./asks";
@@ -16,9 +16,10 @@ import { listProblems } from "./problem";
 import { createTwin } from "./twin";
 import { createCallWays, createSnippetWays } from "./ways";
 
-/** Problems of a field are shown once it was typed into, or after "check"; a value that came there otherwise is marked
- * at once; doubts about a call in which nothing is wrong or
- *  missing at once, as data of the machine may be behind them. */
+/**
+ * Problems of a field are shown once it was typed into, or after "check"; a value that came there otherwise is marked
+ * at once; doubts about a call in which nothing is wrong or missing at once, as data of the machine may be behind them.
+ */
 export function shownProblems(state: State, all: Diagnostic[]): Diagnostic[] {
   const whole = all.every(one => one.severity !== "error");
   return all.filter(

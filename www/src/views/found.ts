@@ -1,12 +1,12 @@
 // What the search finds, in groups: measurements, parameters, results, alarms. The search itself comes when it is first
 // needed.
 
-import type { Actions } from "../actions";
+import type { Actions } from "../desk/actions";
 import { el, on, setAttribute, setText, show } from "../dom";
 import type { Group, Hit, Search } from "../search";
 import { pieces } from "../search/words";
-import type { State } from "../state";
-import type { Store } from "../store";
+import type { State } from "../state/state";
+import type { Store } from "../state/store";
 import { t } from "../texts";
 import type { AlarmInfo, Catalogue, Dialect } from "../wire";
 

@@ -1,16 +1,16 @@
 // The line above everything: what is measured on which machine, and the page's own actions.
 
-import type { Actions } from "../actions";
-import type { Derived } from "../derive";
+import type { ProgramCore } from "../core/program";
+import type { Actions } from "../desk/actions";
+import type { Derived } from "../desk/derive";
 import { el, keyed, on, setAttribute, setText, show } from "../dom";
-import { saveFile } from "../files";
 import { nameOf } from "../language";
 import { pack } from "../link";
 import { plain } from "../numbers";
-import type { ProgramCore } from "../program";
-import type { State } from "../state";
-import type { Store } from "../store";
-import { shared } from "../stored";
+import { saveFile } from "../state/files";
+import type { State } from "../state/state";
+import type { Store } from "../state/store";
+import { shared } from "../state/stored";
 import { language, languages, t } from "../texts";
 import type { Setup } from "../wire";
 import { createAbout } from "./about";

@@ -1,12 +1,12 @@
 // The help page of the variant in the form: what it measures, where the probe stands before, what happens in order,
 // what it corrects, what goes wrong. It stands beside the form, in the place of program, view and results.
 
-import { type Actions, variantOf } from "../actions";
-import type { Derived } from "../derive";
+import type { ProgramCore } from "../core/program";
+import { type Actions, variantOf } from "../desk/actions";
+import type { Derived } from "../desk/derive";
 import { el, on, setText, show } from "../dom";
-import type { ProgramCore } from "../program";
-import type { State } from "../state";
-import type { Store } from "../store";
+import type { State } from "../state/state";
+import type { Store } from "../state/store";
 import { hasHelp, helpWords, language, optional, say, t } from "../texts";
 import type { AlarmInfo, HelpView } from "../wire";
 import { fieldId } from "./field";

@@ -3,12 +3,12 @@
 import { html, nothing, render, type TemplateResult } from "lit-html";
 import { live } from "lit-html/directives/live.js";
 import { repeat } from "lit-html/directives/repeat.js";
-import type { Actions } from "../actions";
+import type { ProgramCore } from "../core/program";
+import type { Actions } from "../desk/actions";
 import { el, on, setText } from "../dom";
 import { plain } from "../numbers";
-import type { ProgramCore } from "../program";
-import { machine } from "../state";
-import type { Store } from "../store";
+import { machine } from "../state/state";
+import type { Store } from "../state/store";
 import { optional, say, t } from "../texts";
 import type { BasicSystem, MachineField, MachineGroup, MachineRequest, MachineView } from "../wire";
 import { copyText } from "./copy";

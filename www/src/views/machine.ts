@@ -1,9 +1,9 @@
 // In which plane and with which units the machine begins. What a program says before a call counts there instead.
 
-import type { Actions } from "../actions";
-import type { Derived } from "../derive";
+import type { Actions } from "../desk/actions";
+import type { Derived } from "../desk/derive";
 import { el, keyed, on, setAttribute, setText } from "../dom";
-import { beginning, INCH, PLANES, type State, UNITS } from "../state";
+import { beginning, INCH, PLANES, type State, UNITS } from "../state/state";
 import { t } from "../texts";
 import type { Dialect, OwnMachine, UnitFunction } from "../wire";
 

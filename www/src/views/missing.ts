@@ -1,6 +1,6 @@
 // What the form still lacks.
 
-import type { Derived } from "../derive";
+import type { Derived } from "../desk/derive";
 import { t } from "../texts";
 
 /** Why there is no outcome yet: by name, what the form still lacks. */

@@ -1,10 +1,10 @@
 // The steps of the motions that are shown, and the one at which the probe stands.
 
 import { html, render } from "lit-html";
-import type { Derived } from "../derive";
+import type { Derived } from "../desk/derive";
 import { setAttribute } from "../dom";
-import type { State } from "../state";
-import type { Store } from "../store";
+import type { State } from "../state/state";
+import type { Store } from "../state/store";
 import { t } from "../texts";
 import type { Step, Trace } from "../wire";
 import { describe } from "./steps";

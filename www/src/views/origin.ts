@@ -1,11 +1,11 @@
 // The file that the program comes from: its name, its encoding to be chosen, and what stands in the way of saving it
 // so.
 
-import type { Actions } from "../actions";
+import type { Actions } from "../desk/actions";
 import { difference } from "../difference";
 import { el, on, setAttribute, setText, show } from "../dom";
 import { ENCODINGS, type Encoding, hasAll, lacking } from "../encoding";
-import type { ProgramFile } from "../files";
+import type { ProgramFile } from "../state/files";
 import { t } from "../texts";
 
 export interface Origin {

@@ -2,9 +2,9 @@
 
 import { html, nothing, render, type TemplateResult } from "lit-html";
 import { guard } from "lit-html/directives/guard.js";
-import type { Derived } from "../derive";
+import type { Derived } from "../desk/derive";
 import { fixed, plain, signed } from "../numbers";
-import type { State } from "../state";
+import type { State } from "../state/state";
 import { say, t } from "../texts";
 import type { OfCall, Outcome } from "../wire";
 import { missing } from "./missing";

@@ -3,9 +3,9 @@
 
 import { html, render } from "lit-html";
 import { repeat } from "lit-html/directives/repeat.js";
-import type { Derived } from "../derive";
+import type { Derived } from "../desk/derive";
 import { el, on, setAttribute, show } from "../dom";
-import type { State } from "../state";
+import type { State } from "../state/state";
 import { t } from "../texts";
 import type { CallView, Catalogue, Severity } from "../wire";
 

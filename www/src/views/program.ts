@@ -1,16 +1,16 @@
 // The program: editor with the calls marked, its buttons, and where the form edits.
 
-import type { Actions } from "../actions";
-import type { Derived } from "../derive";
+import type { Actions } from "../desk/actions";
+import type { Derived } from "../desk/derive";
 import { isCurrent } from "../desk/program";
 import { el, on, setAttribute, setText, show } from "../dom";
 import type { EditorHost, LineMarks, Shown } from "../editor/editor";
 import type { EditorPlace } from "../editor/place";
 import { type Encoding, encode } from "../encoding";
 import { lineBreak, toEditor, toProgram } from "../eol";
-import { fileOf, saveFile } from "../files";
-import { programOf, type State } from "../state";
-import type { Store } from "../store";
+import { fileOf, saveFile } from "../state/files";
+import { programOf, type State } from "../state/state";
+import type { Store } from "../state/store";
 import { say, t } from "../texts";
 import { copyText } from "./copy";
 import { createOrigin } from "./origin";

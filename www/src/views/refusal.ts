@@ -1,8 +1,8 @@
 // Where a file was to be opened: why it was not.
 
 import { el, on, setText, show } from "../dom";
-import type { State } from "../state";
-import type { Store } from "../store";
+import type { State } from "../state/state";
+import type { Store } from "../state/store";
 import { t } from "../texts";
 
 export function createRefusal(

@@ -1,13 +1,13 @@
 // What would it do: results, decisions, changes, alarms; beside them problems, motions and the log.
 
 import { html, render } from "lit-html";
-import type { Actions } from "../actions";
-import type { Derived } from "../derive";
+import type { Actions } from "../desk/actions";
+import type { Derived } from "../desk/derive";
 import { el, on, setAttribute, setText, show } from "../dom";
-import { saveFile } from "../files";
 import type { Scanner } from "../scan/scanner";
-import type { ResultTab, State } from "../state";
-import type { Store } from "../store";
+import { saveFile } from "../state/files";
+import type { ResultTab, State } from "../state/state";
+import type { Store } from "../state/store";
 import { t } from "../texts";
 import { createFindings, located } from "./findings";
 import { createMotions } from "./motions";

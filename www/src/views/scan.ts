@@ -1,14 +1,14 @@
 // Scanning a surface: which one, how far it is, how far the points lie from it, and the files.
 
-import type { Derived } from "../derive";
+import type { Derived } from "../desk/derive";
 import { el, keyed, on, setAttribute, setText, show } from "../dom";
-import { saveFile } from "../files";
 import { fixed } from "../numbers";
-import type { Scanned, Shown } from "../scan/scanned";
 import type { Scanner, Work } from "../scan/scanner";
 import { NotTaken, readSurface, type SurfaceFile } from "../scan/surface";
-import type { State } from "../state";
-import type { Store } from "../store";
+import { saveFile } from "../state/files";
+import type { Scanned, Shown } from "../state/scanned";
+import type { State } from "../state/state";
+import type { Store } from "../state/store";
 import { sayProblem, t } from "../texts";
 import type { ScanRequest, ScanText, Setup } from "../wire";
 import { createActivity } from "./activity";

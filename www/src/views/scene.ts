@@ -1,12 +1,12 @@
 // The 3D view with its timeline. The drawing itself is loaded when it is first shown.
 
-import type { Derived } from "../derive";
+import type { Derived } from "../desk/derive";
 import { el, on, setAttribute, setText, show } from "../dom";
 import type { Cloud } from "../preview/backend";
 import type { Preview, ViewName } from "../preview/view";
-import type { Scanned } from "../scan/scanned";
-import { AT_END, type State } from "../state";
-import type { Store } from "../store";
+import type { Scanned } from "../state/scanned";
+import { AT_END, type State } from "../state/state";
+import type { Store } from "../state/store";
 import { t } from "../texts";
 import { createLegend, type Thinned } from "./legend";
 import { missing } from "./missing";

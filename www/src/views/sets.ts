@@ -1,9 +1,9 @@
 // Named sets of values of the chosen cycle: save, load, rename, delete.
 
-import type { Actions } from "../actions";
-import type { Derived } from "../derive";
+import type { Actions } from "../desk/actions";
+import type { Derived } from "../desk/derive";
 import { el, keyed, on, setAttribute, setText, show } from "../dom";
-import { type State, setsOf } from "../state";
+import { type State, setsOf } from "../state/state";
 import { t } from "../texts";
 
 export interface Sets {

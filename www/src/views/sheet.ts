@@ -2,10 +2,10 @@
 // the whole program, of which the editor holds the lines in sight alone. Made when somebody prints, and taken away
 // again.
 
-import type { Derived } from "../derive";
+import type { Derived } from "../desk/derive";
 import { el } from "../dom";
-import { fileOf } from "../files";
-import type { State } from "../state";
+import { fileOf } from "../state/files";
+import type { State } from "../state/state";
 import { language, t } from "../texts";
 import { facts } from "./header";
 import { createLegend } from "./legend";

@@ -1,11 +1,11 @@
 // What is wrong with the part and with the probe. Each error is a slider and a figure.
 
-import type { Actions } from "../actions";
-import type { Derived } from "../derive";
+import type { Actions } from "../desk/actions";
+import type { Derived } from "../desk/derive";
 import { el, on, setAttribute, setText, show } from "../dom";
 import { parseNumber, plain } from "../numbers";
-import type { State } from "../state";
-import type { Store } from "../store";
+import type { State } from "../state/state";
+import type { Store } from "../state/store";
 import { t } from "../texts";
 import type { ErrorSliders, Outcome, Purpose, Solid } from "../wire";
 

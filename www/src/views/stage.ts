@@ -2,8 +2,8 @@
 
 import { el } from "../dom";
 import type { Collision, Preview } from "../preview/view";
-import type { State } from "../state";
-import type { Store } from "../store";
+import type { State } from "../state/state";
+import type { Store } from "../state/store";
 import { t } from "../texts";
 import type { FrameView } from "../wire";
 

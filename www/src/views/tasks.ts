@@ -1,11 +1,11 @@
 // What to measure: a tree of what is measured on which machine, cycles and variants; a search over everything.
 
-import type { Actions, Variant } from "../actions";
-import { variantOf } from "../actions";
-import type { Derived } from "../derive";
+import type { Actions, Variant } from "../desk/actions";
+import { variantOf } from "../desk/actions";
+import type { Derived } from "../desk/derive";
 import { el, keyed, on, setAttribute, setText, show } from "../dom";
-import type { State } from "../state";
-import type { Store } from "../store";
+import type { State } from "../state/state";
+import type { Store } from "../state/store";
 import { t } from "../texts";
 import type { CycleInfo, Purpose } from "../wire";
 import type { Found } from "./found";

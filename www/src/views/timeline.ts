@@ -1,10 +1,10 @@
 // Stepping through the motions: first, back, play, on, last, a scrubber, and how fast it plays.
 
-import type { Derived } from "../derive";
+import type { Derived } from "../desk/derive";
 import { el, on, setAttribute, setText } from "../dom";
 import { plain } from "../numbers";
-import { SPEEDS, type State } from "../state";
-import type { Store } from "../store";
+import { SPEEDS, type State } from "../state/state";
+import type { Store } from "../state/store";
 import { t } from "../texts";
 import type { Trace } from "../wire";
 import { describe } from "./steps";

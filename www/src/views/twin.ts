@@ -1,11 +1,11 @@
 // The same task on the other control, folded under the snippet: both calls side by side, what they share, what differs.
 
 import { html, render } from "lit-html";
-import type { Derived } from "../derive";
+import type { Derived } from "../desk/derive";
 import { el, on, show } from "../dom";
 import { plain } from "../numbers";
-import type { State } from "../state";
-import type { Store } from "../store";
+import type { State } from "../state/state";
+import type { Store } from "../state/store";
 import { say, t } from "../texts";
 import type { TwinView } from "../wire";
 import { copyText } from "./copy";

@@ -1,9 +1,9 @@
 // Ways of writing a call: chosen for the snippet, and for the call of the program that the form edits.
 
-import type { Actions } from "../actions";
-import type { Derived } from "../derive";
+import type { Actions } from "../desk/actions";
+import type { Derived } from "../desk/derive";
 import { el, keyed, on, setAttribute, setText, show } from "../dom";
-import { programOf, type State } from "../state";
+import { programOf, type State } from "../state/state";
 import { t } from "../texts";
 import type { Diagnostic, Style } from "../wire";
 import { listProblems } from "./problem";
