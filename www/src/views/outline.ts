@@ -40,13 +40,12 @@ function row({ call, index, state, variant, open }: Row, count: number, current:
     aria-setsize=${count}
     aria-posinset=${index + 1}
     .style=${`top: ${index * tall}px`}
-  >
-    <span class="call-mark" aria-hidden="true">${MARKS[state]}</span>
-    <code>${call.cycle}</code>
-    <span class="call-line">${t("program-call-line", { line: call.lastLine })}</span>
-    <span class="call-variant">${variant}</span>
-    <span class="visually-hidden">${t(`call-state-${state}`)}</span>
-  </div>`;
+    ><span class="call-mark" aria-hidden="true">${MARKS[state]}</span
+    ><code>${call.cycle}</code
+    ><span class="call-line">${t("program-call-line", { line: call.lastLine })}</span
+    ><span class="call-variant">${variant}</span
+    ><span class="visually-hidden">${t(`call-state-${state}`)}</span
+  ></div>`; // no gaps: so it is copied
 }
 
 export function createOutline(openCall: (index: number) => void): {
