@@ -74,3 +74,15 @@ run-ended = The program ran to its end.
 run-ended-without = The program ran to its end, but without: { $words }. The line stands in brackets.
 run-ended-early = The program stopped in line { $line }.
 run-ended-early-without = The program stopped in line { $line }; passed over before: { $words }. The line stands in brackets.
+
+assumed-machine = No machine was given. Assumed is { $sort } as delivered, metric, in { $plane }, all zero offsets at 0, with an ideal, calibrated probe. It starts at X{ $x } Y{ $y } Z{ $z }.
+assumed-milling = a milling machine with a SINUMERIK control
+assumed-turning = a turning machine with a SINUMERIK control
+assumed-nct = a machine with an NCT control
+assumed-tool = { $tool } was not known. Assumed is { $sort }: L1 { $length } mm, radius { $radius } mm.
+assumed-probe = a calibrated probe
+assumed-mill = an end mill
+assumed-turning-tool = a turning tool
+assumed-tool-probe = Line { $line }, { $cycle }: a tool probe stands at X{ $x } Y{ $y } Z{ $z }, where the control believes it.
+assumed-part = Line { $line }, { $cycle }: the part that the values describe stands at X{ $x } Y{ $y } Z{ $z }, without errors.
+assumed-no-part = Line { $line }, { $cycle }: from where the probe stands the part that the values describe cannot be measured. It stands at X{ $x } Y{ $y } Z{ $z }.

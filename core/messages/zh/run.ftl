@@ -74,3 +74,15 @@ run-ended = 程序运行到了结尾。
 run-ended-without = 程序运行到了结尾，但跳过了：{ $words }。括号中为行号。
 run-ended-early = 程序在第 { $line } 行停止。
 run-ended-early-without = 程序在第 { $line } 行停止；此前跳过了：{ $words }。括号中为行号。
+
+assumed-machine = 未给出机床。假定为{ $sort }，数据为出厂值，公制，平面 { $plane }，所有零点偏移为 0，测量头理想且已校准。起始位置 X{ $x } Y{ $y } Z{ $z }。
+assumed-milling = 带 SINUMERIK 数控系统的铣床
+assumed-turning = 带 SINUMERIK 数控系统的车床
+assumed-nct = 带 NCT 数控系统的机床
+assumed-tool = { $tool } 未知。假定为{ $sort }：L1 { $length } mm，半径 { $radius } mm。
+assumed-probe = 已校准的测量头
+assumed-mill = 立铣刀
+assumed-turning-tool = 车刀
+assumed-tool-probe = 第 { $line } 行，{ $cycle }：刀具测量头位于 X{ $x } Y{ $y } Z{ $z }，即数控系统所认为的位置。
+assumed-part = 第 { $line } 行，{ $cycle }：各值所描述的工件位于 X{ $x } Y{ $y } Z{ $z }，没有误差。
+assumed-no-part = 第 { $line } 行，{ $cycle }：从测量头所在位置无法测量各值所描述的工件。工件位于 X{ $x } Y{ $y } Z{ $z }。

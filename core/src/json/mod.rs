@@ -36,7 +36,7 @@ pub use encoding::recognised;
 pub use form::{form, form_seen};
 pub use help::help;
 pub use machine::machine;
-pub use program::{Run, calls, change, convert, diagnostics, read, read_told, run_outcome};
+pub use program::{Run, assumed, calls, change, convert, diagnostics, read, read_told, run_outcome};
 pub use scan::{Scan, SurfaceName, put_surface};
 pub use setup::from_json as setup_from_json;
 #[cfg(feature = "cli")]

@@ -334,6 +334,12 @@ fn alarms(outcome: &Outcome) -> Vec<Value> {
     alarms
 }
 
+/// What was assumed for a program that came without a machine, in words and as a setup file.
+pub fn assumed(told: &[Message], setup: &Setup) -> Value {
+    let messages = told.iter().map(message);
+    object([("messages", messages.collect()), ("setup", super::setup_to_json(setup))])
+}
+
 /// What a program did, as a `RunView`.
 pub fn run_outcome(setup: &Setup, outcome: &Outcome, source: &[u8]) -> Value {
     object([

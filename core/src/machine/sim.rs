@@ -1,7 +1,7 @@
 //! The simulated machine: moves the probe among the solids and records what happens.
 
 use super::in_use::InUse;
-use super::route::{LOOK, Route, add};
+use super::route::{LOOK, Obstacle, Route, add};
 use super::trace::{Entry, MotionKind, Step, Trace};
 use super::{Machine, Setup, Stop};
 use crate::control::Control;
@@ -63,6 +63,10 @@ pub struct Sim {
     tool_noise: Noise,
     /// Where the last measuring motion ended, at its signal or without one; WCS of that moment, mm.
     pub skipped: Option<[f64; 3]>,
+    /// Whether part and tool probes are assumed; see [`Sim::equip`].
+    gives_way: bool,
+    /// Whether a measuring cycle is running.
+    pub in_cycle: bool,
     /// Way so far with the signal of the probe watched, mm.
     watched: f64,
     /// Whether the last signal came from a contact.
@@ -102,6 +106,8 @@ impl Sim {
             told_tools: setup.real_tools.keys().copied().collect(),
             recoded: false,
             skipped: None,
+            gives_way: false,
+            in_cycle: false,
             watched: 0.0,
             touching: true,
             stylus_touched: false,
@@ -120,10 +126,11 @@ impl Sim {
     ) -> Result<(), Stop> {
         let way = Route { from: self.position, to, around };
         self.admit(&way)?;
-        let hit = match self.has_probe() {
-            true => self.obstacle(&way),
-            false => self.tool_obstacle(&way),
-        };
+        let mut hit = self.in_the_way(&way);
+        if hit.is_some() && self.gives_way && !monitored && !self.in_cycle {
+            self.equip(Workpiece::default(), Vec::new(), None);
+            hit = None;
+        }
         let free = hit.map_or(way, |hit| way.until(hit.part, hit.stop));
         if monitored && let Some((part, stop)) = self.false_signal(&free) {
             self.go(&free.until(part, stop), kind, feed);
@@ -156,6 +163,27 @@ impl Sim {
     /// Goes on behind a signal to the end of the motion: the stylus gives way (`MEAW`).
     pub fn press_on(&mut self, to: [f64; 3], feed: f64) {
         self.go(&Route::straight(self.position, to), MotionKind::Measuring, feed);
+    }
+
+    /// Puts another part (given as while the rotary axes stand at 0), other tool probes and the tool in use as it lies.
+    /// They are assumed: a motion that nobody watches goes through them, and they are gone.
+    pub fn equip(&mut self, part: Workpiece, tool_probes: Vec<ToolProbe>, real_tool: Option<Tool>) {
+        self.clamped = part;
+        self.stands();
+        self.tool_noise = self::tool::noise(&tool_probes);
+        self.tool_probes = tool_probes;
+        self.gives_way = true;
+        if let Some(tool) = real_tool {
+            self.real_tools.entry(self.control.active_place()).or_insert(tool);
+        }
+    }
+
+    /// What is in the way of a motion of the probe or of another tool.
+    fn in_the_way(&mut self, way: &Route) -> Option<Obstacle> {
+        match self.has_probe() {
+            true => self.obstacle(way),
+            false => self.tool_obstacle(way),
+        }
     }
 
     /// The part as rotary axes and spindle have turned it, which from now on is what can be touched.

@@ -21,7 +21,9 @@ pub fn perform(sim: &mut Sim, inputs: &Inputs) -> Result<(), Stop> {
     };
     let purpose = &inputs.cycle.purpose;
     sim.measuring = (purpose.probe == ProbeUse::Workpiece).then_some(purpose.machine);
+    sim.in_cycle = true;
     let outcome = (work.simulate)(sim, inputs);
+    sim.in_cycle = false;
     sim.measuring = None;
     sim.recode(false);
     let outcome = outcome.and_then(|()| numbers(sim));

@@ -32,6 +32,7 @@ pub fn data(run: &mut Interpreter, cycle: &'static Cycle, span: Span) -> Result<
         typed.insert(param.name.to_string(), text);
     }
     unread::takes(run, cycle, &typed, span).map_err(|problem| run.fail(problem))?;
+    run.fit(cycle, &typed);
     let checked = with_zeros(run, cycle, typed);
     carry_out(run, cycle, checked, span)
 }
@@ -98,6 +99,7 @@ fn count(run: &mut Interpreter, span: Span) -> Result<(), Stop> {
 
 /// The alarm of the first error stops the program, as on the control; other errors are a fault.
 pub fn checked(run: &mut Interpreter, cycle: &'static Cycle, typed: &Typed, span: Span) -> Result<(), Stop> {
+    run.fit(cycle, typed);
     let checked = check::check(cycle, typed, &run.sim.control);
     carry_out(run, cycle, checked, span)
 }
@@ -124,6 +126,7 @@ pub fn carry_out(run: &mut Interpreter, cycle: &'static Cycle, checked: Checked,
         contour::leave(run)?;
         count(run, span)?;
         user_program::around(run, &BEFORE, cycle, span)?;
+        run.put_part(inputs);
         call::perform(&mut run.sim, inputs).map_err(|stop| run.stopped(stop, span))?;
         return user_program::around(run, &BEHIND, cycle, span);
     }

@@ -1,5 +1,6 @@
 //! Runs a program block by block. A program that never ends is stopped by limits.
 
+use super::assumed::Made;
 use super::contour::{self, Contour};
 use super::endless::{self, Watch};
 use super::level::Level;
@@ -98,6 +99,8 @@ pub struct Interpreter {
     pub unread: Unread,
     /// What reading found in the blocks.
     pub errors: unread::Errors,
+    /// What is made for a program that came without a machine.
+    pub(super) assumed: Option<Made>,
     seen: BTreeSet<(u32, String)>,
     passed: Vec<PassedOver>,
 }
@@ -141,6 +144,19 @@ impl Session {
     /// A run before its first block.
     pub fn new(program: Program, setup: &Setup, limits: Limits) -> Session {
         Session { run: Interpreter::new(program, setup, limits), before: setup.clone(), furthest: 0.0, ended: None }
+    }
+
+    /// The same for a program that came without a machine: what it needs beyond the setup is made.
+    pub(super) fn assuming(program: Program, setup: &Setup, limits: Limits) -> Session {
+        let mut session = Session::new(program, setup, limits);
+        session.run.assumed = Some(Made::default());
+        session
+    }
+
+    /// What came out, and what was made.
+    pub(super) fn assumed(mut self) -> (Outcome, Made) {
+        let made = self.run.assumed.take().unwrap_or_default();
+        (self.outcome(), made)
     }
 
     /// Carries out about this much work; true: the run is over.
@@ -275,6 +291,7 @@ impl Interpreter {
             limit: limits.steps,
             unread: Unread::new(),
             errors: unread::errors(&program),
+            assumed: None,
             seen: BTreeSet::new(),
             passed: Vec::new(),
             program: Rc::new(program),

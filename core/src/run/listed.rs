@@ -117,6 +117,7 @@ fn newer_list(
     typed: &Typed,
     span: Span,
 ) -> Result<(), Stop> {
+    run.fit(cycle, typed);
     let checked = newer::check_listed(cycle, list, typed, &run.sim.control);
     if checked.inputs.is_some() {
         for (name, _) in arguments::only_newer(&run.program, list, span) {

@@ -3,6 +3,7 @@
 pub mod action;
 pub mod addresses;
 pub mod arcs;
+pub mod assumed;
 pub mod branch;
 pub mod call;
 pub mod contour;

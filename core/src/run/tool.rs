@@ -50,7 +50,9 @@ fn of_main_spindle(address: &Address) -> bool {
 
 fn sinumerik(run: &mut Interpreter, found: &Words) -> Result<(), Problem> {
     if let Some(address) = last(found, "T") {
-        run.modal.prepared = Some(number(run, address)?);
+        let tool = number(run, address)?;
+        run.make_tool(tool, 1);
+        run.modal.prepared = Some(tool);
         run.modal.waiting_edge = None;
     }
     if let Some(address) = last(found, "D") {
@@ -97,13 +99,12 @@ fn location(run: &mut Interpreter, address: &Address) -> Result<(), Problem> {
     Ok(())
 }
 
-fn number(run: &Interpreter, address: &Address) -> Result<i64, Problem> {
+fn number(run: &mut Interpreter, address: &Address) -> Result<i64, Problem> {
     match &address.value {
         Datum::Number(number) => Ok(*number as i64),
         other => {
             let name = other.shown();
-            let found = run.sim.control.tool_named(&name);
-            found.ok_or_else(|| Problem::new("run-no-tool", address.span, name))
+            run.tool_named(&name).ok_or_else(|| Problem::new("run-no-tool", address.span, name))
         }
     }
 }
@@ -115,6 +116,7 @@ pub fn no_edge(tool: i64, edge: i64, place: Span) -> Problem {
 }
 
 fn select(run: &mut Interpreter, tool: i64, edge: i64, address: &Address) -> Result<(), Problem> {
+    run.make_tool(tool, edge);
     let there = match edge {
         0 => tool == 0 || run.sim.control.tools.contains_key(&tool),
         _ if tool == 0 => true,

@@ -214,3 +214,57 @@ fn json_carries_the_sentence_beside_every_key() {
     let alarm = out(&probewright(&["alarms", "61341", "--json"]));
     assert!(alarm.contains("\"cure\": \"Calibrate"), "{alarm}");
 }
+
+// oracle: hand: the probe stands in the middle of a hole of 132 mm at X180 Y130 when the call comes; what was assumed is
+// a setup file with which the same comes out
+#[test]
+fn a_program_runs_without_a_setup_and_what_is_assumed_is_told() {
+    let text = HOLE.replace("T9 D1", "T=\"TASTER\" D1");
+    let path = file("assumed.mpf", text.as_bytes());
+    let output = probewright(&["run", &path]);
+    assert!(output.status.success(), "{}{}", out(&output), err(&output));
+    for part in [
+        "No machine was given. Assumed is a milling machine with a SINUMERIK control",
+        "T1 \"TASTER\" D1 was not known. Assumed is a calibrated probe: L1 50 mm, radius 3 mm.",
+        "T20 D1 was not known. Assumed is an end mill",
+        "Line 8, CYCLE977: the part that the values describe stands at X180 Y130 Z",
+        "_OVR[4] = 132 mm",
+    ] {
+        assert!(out(&output).contains(part), "{part}: {}", out(&output));
+    }
+    let chinese = out(&probewright(&["run", &path, "--lang", "zh"]));
+    assert!(chinese.starts_with("未给出机床。假定为带 SINUMERIK 数控系统的铣床"), "{chinese}");
+    let view: serde_json::Value = serde_json::from_str(&out(&probewright(&["run", &path, "--json"]))).unwrap();
+    let told = view["assumed"]["messages"].as_array().unwrap();
+    assert_eq!(told.len(), 4);
+    assert!(told.iter().all(|one| one["text"].is_string() && one["key"].as_str().unwrap().starts_with("assumed-")));
+    let setup = file("assumed.json", view["assumed"]["setup"].to_string().as_bytes());
+    let again = probewright(&["run", &path, "--setup", &setup, "--json"]);
+    let again: serde_json::Value = serde_json::from_slice(&again.stdout).unwrap();
+    assert_eq!(again["results"], view["results"]);
+    assert!(again["assumed"].is_null());
+}
+
+// oracle: hand: parts of two calls that overlap do not get into each other's way, a face is measured from either side, a
+// tool probe stands where the control believes it, and a register of NCT holds the probe
+#[test]
+fn what_is_assumed_fits_every_call() {
+    let face = "_MVAR=100 _MA=1 _SETVAL=100 _KNUM=0 _PRNUM=1 _FA=2 _TSA=1\nCYCLE978\n";
+    let hole = "_MVAR=101 _SETVAL=40 _KNUM=0 _PRNUM=1 _FA=2 _TSA=1\nCYCLE977\n";
+    let program = format!(
+        "G17 G54 G90 T5 D1 M6\nG0 X120 Y10\nZ-10\n{face}G0 Z50\nX80\nZ-10\n{face}G0 Z50\nX0 Y0\nZ-10\n{hole}G0 Z50\nX30\n\
+         Z-10\n{hole}G0 Z50\nT=\"MILL_10\" D1 M6\nG0 Z200\n_MVAR=1 _MA=3 _PRNUM=1 _FA=5 _TSA=3\nG0 X39 Y31 Z110\nM30\n"
+    );
+    let sinumerik = file("fits.mpf", program.as_bytes());
+    let nct = file("fits.nc", b"O1\nG54 G17 G90\nT5\nG43 Z100 H5\nG101 Z-10 F1000\nG110 D50. Q2\nM30\n");
+    for (path, parts) in [(&sinumerik, 4), (&nct, 1)] {
+        let output = probewright(&["run", path]);
+        assert!(output.status.success(), "{}{}", out(&output), err(&output));
+        assert_eq!(
+            out(&output).matches("the part that the values describe stands at").count(),
+            parts,
+            "{}",
+            out(&output)
+        );
+    }
+}

@@ -10,6 +10,7 @@ use probewright_core::entry::unit_behind;
 use probewright_core::json;
 use probewright_core::machine::trace::Step;
 use probewright_core::message::{Message, printable};
+use probewright_core::run::assumed::{self, Assumed};
 use probewright_core::run::left::CallAt;
 use probewright_core::run::outcome::Outcome;
 use probewright_core::run::{self, Limits};
@@ -24,9 +25,13 @@ use std::process::ExitCode;
 pub struct Arguments {
     /// Part program
     file: PathBuf,
-    /// Setup file, see docs/setup.schema.json
+    /// Setup file, see docs/setup.schema.json; otherwise a machine that fits the program is assumed, and what was
+    /// assumed is told
     #[arg(long)]
-    setup: PathBuf,
+    setup: Option<PathBuf>,
+    /// Control of the assumed machine; otherwise told by the program
+    #[arg(long, conflicts_with = "setup")]
+    control: Option<file::Control>,
     /// As JSON
     #[arg(long)]
     json: bool,
@@ -41,14 +46,28 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
     let path = &arguments.file;
     let source = file::program(path, words)?;
-    let mut setup = file::setup(&arguments.setup, arguments.json, words, out)?;
-    arguments.scan.put_surface(&mut setup, words)?;
-    let program = syntax::read(setup.control.dialect, &source);
-    let outcome = run::run(&program, &setup, Limits::default());
+    let Assumed { setup, outcome, told } = match &arguments.setup {
+        Some(setup) => {
+            let mut setup = file::setup(setup, arguments.json, words, out)?;
+            arguments.scan.put_surface(&mut setup, words)?;
+            let program = syntax::read(setup.control.dialect, &source);
+            Assumed { outcome: run::run(&program, &setup, Limits::default()), setup, told: Vec::new() }
+        }
+        None => {
+            let program = syntax::read(file::dialect(arguments.control, &source), &source);
+            assumed::run(&program, Limits::default())
+        }
+    };
     if arguments.json {
-        let view = json::run_outcome(&setup, &outcome, &source);
+        let mut view = json::run_outcome(&setup, &outcome, &source);
+        if arguments.setup.is_none() {
+            view["assumed"] = json::assumed(&told, &setup);
+        }
         file::print_json(view, words, out)?;
     } else {
+        for assumption in &told {
+            writeln!(out, "{}", words.text(assumption))?;
+        }
         print_all(path, &source, &outcome.diagnostics, words, out)?;
         print_outcome(path, &outcome, words, out)?;
     }

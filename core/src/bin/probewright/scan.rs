@@ -20,7 +20,7 @@ const BRIGHTNESS: [f64; 3] = [0.299, 0.587, 0.114];
 pub struct Files {
     /// Surface in place of that in the setup file, as large as that one: a PNG picture (white is highest), one of ours
     /// (dome, waves, saddle, step), or an STL file, which keeps its size
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", requires = "setup")]
     surface: Option<PathBuf>,
     /// Write what digitizing sends to a file: the NC program
     #[arg(long, value_name = "FILE")]

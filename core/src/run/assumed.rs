@@ -1,0 +1,355 @@
+//! A run on a machine that nobody described. It fits the program as well as it can be known: its sort and plane follow
+//! from the calls, a tool is made when it is selected and becomes a probe when a call measures with it, and at each call
+//! stands the part that its values describe. What was assumed is told.
+
+use super::interpret::{Interpreter, Limits, Session};
+use super::{Outcome, call};
+use crate::check::variants;
+use crate::control::machine_data::TOOL_LENGTH_TYPE;
+use crate::control::tools::{AS_TURNING_TOOL, LATHE_PROBE};
+use crate::control::{Edge, MachineSort, Plane, Tool};
+use crate::dialect::Dialect;
+use crate::entry::{Cycle, Inputs, ProbeUse, Proposal, Typed};
+use crate::geometry::V3;
+use crate::geometry::rigid::{self, angles};
+use crate::machine::setup::{PROBE_REGISTER, PROBE_TOOL};
+use crate::machine::trace::Step;
+use crate::machine::{Setup, Sim};
+use crate::message::Message;
+use crate::program::calls::calls;
+use crate::syntax::tree::Program;
+use crate::workpiece::tool::Tool as RealTool;
+use crate::workpiece::tool_probe::ToolProbe;
+use crate::workpiece::{Solid, Workpiece};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Type of a 3D probe (B:4147).
+const PROBE: i64 = 710;
+/// Type of an end mill.
+const MILL: i64 = 120;
+/// Type of a turning tool.
+const TURNING_TOOL: i64 = 500;
+/// Most solids of the part that is shown.
+const SHOWN: usize = 50;
+/// A difference that is none, mm.
+const NONE: f64 = 1e-6;
+
+/// What a program came with and what was assumed for it.
+pub struct Assumed {
+    /// The machine before the first block, with every tool and every part that was made.
+    pub setup: Setup,
+    /// What the program did.
+    pub outcome: Outcome,
+    /// What was assumed.
+    pub told: Vec<Message>,
+}
+
+/// Runs a program on a machine that fits it.
+pub fn run(program: &Program, limits: Limits) -> Assumed {
+    let mut setup = start(program);
+    let mut session = Session::assuming(program.clone(), &setup, limits);
+    while !session.advance(usize::MAX) {}
+    let (mut outcome, made) = session.assumed();
+    let mut told = vec![machine(&setup)];
+    told.extend(made.tools.iter().map(|((tool, edge), data)| made.told_tool((*tool, *edge), data, &outcome)));
+    told.extend(made.told);
+    for ((tool, edge), data) in made.tools {
+        let name = outcome.control.tools.get(&tool).map_or(String::new(), |tool| tool.name.clone());
+        for control in [&mut setup.control, &mut outcome.before] {
+            let tool = control.tools.entry(tool).or_default();
+            tool.name.clone_from(&name);
+            tool.edges.insert(edge, data.clone());
+        }
+    }
+    setup.workpiece.solids = made.parts;
+    setup.workpiece.solids.truncate(SHOWN);
+    setup.tool_probes = made.tool_probes;
+    Assumed { setup, outcome, told }
+}
+
+/// The machine that the calls need, before its first block.
+fn start(program: &Program) -> Setup {
+    let sites = calls(program);
+    let turning = sites.iter().find(|site| site.cycle.purpose.machine == MachineSort::Turning);
+    let plane = turning.and_then(|site| site.cycle.purpose.machine.plane());
+    let mut setup = Setup::calibrated(program.dialect, plane.unwrap_or(Plane::G17));
+    for site in sites.iter().rev() {
+        let variant = variants::chosen(site.cycle, &site.values, &setup.control);
+        setup.suit(site.cycle, variant.unwrap_or(0));
+    }
+    if turning.is_some() {
+        setup.position = [250.0, 0.0, 250.0]; // no program of a lathe moves along Y
+    }
+    let first = sites.iter().find(|site| site.cycle.purpose.probe != ProbeUse::None);
+    if first.is_some_and(|site| site.cycle.purpose.probe == ProbeUse::Workpiece) {
+        (setup.control.tool, setup.control.edge) = match program.dialect {
+            Dialect::Sinumerik => (PROBE_TOOL, 1),
+            Dialect::Nct => (0, PROBE_REGISTER),
+        };
+    }
+    setup
+}
+
+/// What is said of the machine as a whole.
+fn machine(setup: &Setup) -> Message {
+    let turning = setup.control.number(TOOL_LENGTH_TYPE) == AS_TURNING_TOOL;
+    let sort = match (setup.control.dialect, turning) {
+        (Dialect::Nct, _) => "assumed-nct",
+        (_, true) => "assumed-turning",
+        (_, false) => "assumed-milling",
+    };
+    let plane = match setup.control.plane {
+        Plane::G17 => "G17",
+        Plane::G18 => "G18",
+        Plane::G19 => "G19",
+    };
+    placed(Message::new("assumed-machine").text("sort", sort).text("plane", plane), setup.position)
+}
+
+/// With a position, to a thousandth.
+fn placed(message: Message, at: [f64; 3]) -> Message {
+    let names = ["x", "y", "z"].into_iter().zip(at);
+    names.fold(message, |message, (name, value)| message.number(name, (value * 1e3).round() / 1e3))
+}
+
+/// What was made on the way.
+#[derive(Default)]
+pub(super) struct Made {
+    /// Edges of tools, by T and D number (NCT: 0 and the register).
+    tools: BTreeMap<(i64, i64), Edge>,
+    /// The parts of the calls, machine coordinates.
+    parts: Vec<Solid>,
+    tool_probes: Vec<ToolProbe>,
+    told: Vec<Message>,
+    lines: BTreeSet<u32>,
+}
+
+impl Made {
+    fn told_tool(&self, (tool, edge): (i64, i64), data: &Edge, outcome: &Outcome) -> Message {
+        let name = outcome.control.tools.get(&tool).map_or("", |tool| tool.name.as_str());
+        let place = match (tool, name) {
+            (0, _) => format!("H{edge}"),
+            (_, "") => format!("T{tool} D{edge}"),
+            _ => format!("T{tool} \"{name}\" D{edge}"),
+        };
+        let sort = match data.kind {
+            PROBE | LATHE_PROBE => "assumed-probe",
+            500..=599 => "assumed-turning-tool",
+            _ => "assumed-mill",
+        };
+        let told = Message::new("assumed-tool").text("tool", place).text("sort", sort);
+        told.number("length", data.length[0]).number("radius", data.radius)
+    }
+
+    /// Puts the part of a call where it can be measured, with the tools and tool probes that it needs.
+    fn part(&mut self, sim: &mut Sim, inputs: &Inputs) {
+        let Some(work) = inputs.cycle.work() else {
+            return;
+        };
+        let proposal = (work.propose)(inputs, &sim.control);
+        for tool in &proposal.tools {
+            let there = sim.control.tools.entry(tool.tool).or_default();
+            if there.name.is_empty() {
+                there.name.clone_from(&tool.name);
+            }
+            if !there.edges.contains_key(&tool.edge) {
+                there.edges.insert(tool.edge, tool.data.clone());
+                self.tools.insert((tool.tool, tool.edge), tool.data.clone());
+            }
+        }
+        let line = sim.line.unwrap_or(0);
+        let recorded = std::mem::take(&mut sim.trace);
+        let found = place(sim, inputs, &proposal);
+        sim.trace = recorded;
+        let Some((stand, measures)) = found else {
+            return;
+        };
+        let shown = stand.tool_probes.first().map(|probe| probe.solid.at);
+        let at = stand.part.first().map(|solid| solid.at).or(shown).unwrap_or_default();
+        let new = stand.part.iter().filter(|solid| !self.parts.contains(solid));
+        self.parts.extend(new.cloned().collect::<Vec<_>>());
+        self.tool_probes.clone_from(&stand.tool_probes);
+        stand.put(sim);
+        if self.lines.insert(line) {
+            let key = match (measures, shown) {
+                (false, _) => "assumed-no-part",
+                (true, None) => "assumed-part",
+                (true, Some(_)) => "assumed-tool-probe",
+            };
+            let told = Message::new(key).number("line", f64::from(line + 1));
+            self.told.push(placed(told.text("cycle", inputs.cycle.name), at));
+        }
+    }
+}
+
+/// What stands on the machine at a call.
+#[derive(Clone)]
+struct Stand {
+    part: Vec<Solid>,
+    tool_probes: Vec<ToolProbe>,
+    real_tool: Option<RealTool>,
+    /// Where the proposal lets the call begin, machine coordinates.
+    start: V3,
+}
+
+impl Stand {
+    fn put(self, sim: &mut Sim) {
+        sim.equip(Workpiece { solids: self.part }, self.tool_probes, self.real_tool);
+    }
+
+    fn solids(&mut self) -> impl Iterator<Item = &mut Solid> {
+        self.part.iter_mut().chain(self.tool_probes.iter_mut().map(|probe| &mut probe.solid))
+    }
+
+    /// The same turned half about the applicate where its first solid stands, for who comes from the other side.
+    fn turned(mut self, sim: &Sim) -> Stand {
+        let [_, _, applicate] = sim.control.plane.axes();
+        let mut about = [0.0; 3];
+        about[applicate] = 180.0;
+        let turn = rigid::rotation(about);
+        let Some(centre) = self.solids().next().map(|solid| V3::from(solid.at)) else {
+            return self;
+        };
+        self.start = centre + turn * (self.start - centre);
+        for solid in self.solids() {
+            solid.at = (centre + turn * (V3::from(solid.at) - centre)).into();
+            solid.rotation = angles(&(turn * rigid::rotation(solid.rotation)));
+        }
+        self
+    }
+
+    fn moved(mut self, way: V3) -> Stand {
+        self.solids().for_each(|solid| solid.at = (V3::from(solid.at) + way).into());
+        self
+    }
+}
+
+/// How a call ends: first whether it does, then without alarms, then with the least difference from its setpoints.
+#[derive(Clone, Copy, PartialEq, PartialOrd)]
+struct Grade(usize, f64);
+
+/// What a call measures, moved to where the probe (or the tool) stands along those axes along which the call then finds
+/// what it was told; none: it finds that already on what stands there, or measures nothing.
+fn place(sim: &Sim, inputs: &Inputs, proposal: &Proposal) -> Option<(Stand, bool)> {
+    let proposed = Stand {
+        part: proposal.workpiece.solids.iter().chain(&proposal.fixture).cloned().collect(),
+        tool_probes: proposal.tool_probes.clone(),
+        real_tool: proposal.real_tool.clone(),
+        start: sim.control.to_machine(proposal.start).into(),
+    };
+    let empty = proposed.part.is_empty() && proposed.tool_probes.is_empty();
+    if empty || grade(sim.clone(), inputs) <= Grade(0, NONE) {
+        return None;
+    }
+    let mut best: Option<(Grade, Stand)> = None;
+    for stand in [proposed.clone(), proposed.turned(sim)] {
+        let away = V3::from(sim.position) - stand.start;
+        // along all axes first, along none last
+        for axes in [7, 3, 5, 6, 1, 2, 4, 0] {
+            let way = V3::from_fn(|axis, _| if axes >> axis & 1 == 1 { away[axis] } else { 0.0 });
+            let stand = stand.clone().moved(way);
+            let mut tried = sim.clone();
+            stand.clone().put(&mut tried);
+            let grade = grade(tried, inputs);
+            let better = |known: Grade| grade.0 < known.0 || grade.0 == known.0 && grade.1 < known.1 - NONE;
+            if best.as_ref().is_none_or(|(known, _)| better(*known)) {
+                best = Some((grade, stand));
+            }
+        }
+    }
+    best.map(|(grade, stand)| (stand, grade.0 < 2))
+}
+
+fn grade(mut sim: Sim, inputs: &Inputs) -> Grade {
+    let ended = call::perform(&mut sim, inputs).is_ok();
+    let steps = || sim.trace.entries.iter().map(|entry| &entry.step);
+    let alarms = steps().any(|step| matches!(step, Step::Alarm(_)));
+    let tells = |name: &str| {
+        let field = inputs.cycle.results.iter().find(|field| field.name == name);
+        field.is_some_and(|field| {
+            field.key.starts_with("result-") && field.key.contains("difference") && !field.key.contains("dimensional")
+        })
+    };
+    let differences = steps().filter_map(|step| match step {
+        Step::Set { name, after, .. } if tells(name) => Some(after.abs()),
+        _ => None,
+    });
+    Grade(if !ended { 2 } else { usize::from(alarms) }, differences.sum())
+}
+
+impl Interpreter {
+    /// The number of a tool that is called by name; one that is not there is made, where tools are.
+    pub(super) fn tool_named(&mut self, name: &str) -> Option<i64> {
+        let control = &mut self.sim.control;
+        if let (None, Some(_)) = (control.tool_named(name), &self.assumed) {
+            let free = (1..).find(|number| !control.tools.contains_key(number))?;
+            control.tools.insert(free, Tool { name: name.to_owned(), edges: BTreeMap::new() });
+        }
+        control.tool_named(name)
+    }
+
+    /// Makes the edge of a tool that is selected, where tools are made: as long as the probe, which it may become.
+    pub(super) fn make_tool(&mut self, tool: i64, edge: i64) {
+        let Some(made) = self.assumed.as_mut().filter(|_| tool > 0) else {
+            return;
+        };
+        let turning = self.sim.control.number(TOOL_LENGTH_TYPE) == AS_TURNING_TOOL;
+        let edges = &mut self.sim.control.tools.entry(tool).or_default().edges;
+        if edge > 0 && !edges.contains_key(&edge) {
+            let data = match turning {
+                true => Edge { kind: TURNING_TOOL, tip: 3, radius: 0.8, ..probe(turning) },
+                false => Edge { kind: MILL, radius: 5.0, ..probe(turning) },
+            };
+            edges.insert(edge, data.clone());
+            made.tools.insert((tool, edge), data);
+        }
+    }
+
+    /// Makes what is in use what a cycle needs there, where tools are made: the probe, or a tool that it measures.
+    pub(super) fn fit(&mut self, cycle: &'static Cycle, typed: &Typed) {
+        let control = &mut self.sim.control;
+        let Some(made) = self.assumed.as_mut().filter(|_| control.edge > 0) else {
+            return;
+        };
+        let (tool, number) = control.active_place();
+        let edge = control.edge_of(tool, number).cloned().unwrap_or_default();
+        let is_probe = [PROBE, LATHE_PROBE].contains(&edge.kind);
+        let turning = control.number(TOOL_LENGTH_TYPE) == AS_TURNING_TOOL;
+        let data = match (control.dialect, cycle.purpose.probe) {
+            (Dialect::Nct, ProbeUse::Workpiece) if edge.length == [0.0; 3] => {
+                Edge { length: [53.0, 0.0, 0.0], ..probe(false) }
+            }
+            (Dialect::Sinumerik, ProbeUse::Workpiece) if !is_probe => probe(turning),
+            (Dialect::Sinumerik, ProbeUse::Tool) if is_probe || made.tools.contains_key(&(tool, number)) => {
+                let variant = variants::chosen(cycle, typed, control).unwrap_or(0);
+                let needed = cycle.simulation.as_ref().and_then(|simulation| simulation.tool(variant));
+                let mill = Edge { kind: MILL, radius: 5.0, ..probe(turning) };
+                let needed = needed.map_or(mill, |needed| needed.data);
+                if needed.kind == edge.kind {
+                    return; // it may have been corrected since
+                }
+                needed
+            }
+            _ => return,
+        };
+        self.sim.with_length(|control| {
+            control.tools.entry(tool).or_default().edges.insert(number, data.clone());
+        });
+        made.tools.insert((tool, number), data);
+    }
+
+    /// Puts the part that a call describes where it is measured, where parts are made.
+    pub(super) fn put_part(&mut self, inputs: &Inputs) {
+        if let Some(made) = &mut self.assumed {
+            made.part(&mut self.sim, inputs);
+        }
+    }
+}
+
+/// The probe that measures: in the spindle, or in a turret.
+fn probe(turning: bool) -> Edge {
+    match turning {
+        true => Edge { kind: LATHE_PROBE, tip: 7, length: [40.123, 100.456, 0.0], radius: 3.0, ..Edge::default() },
+        false => Edge { kind: PROBE, length: [50.0, 0.0, 0.0], radius: 3.0, ..Edge::default() },
+    }
+}
