@@ -4,7 +4,7 @@
 
 use probewright_core::catalogue::CYCLES;
 use probewright_core::catalogue::example::worked;
-use probewright_core::json;
+use probewright_core::{app, json};
 use serde_json::{Value, json as object};
 use std::hint::black_box;
 use std::time::Instant;
@@ -17,7 +17,7 @@ const PREDICT_GOAL: f64 = 5.0;
 fn main() {
     println!("{:<44} {:>9} {:>9} {:>9}  goal  99 % / goal", "ms", "50 %", "95 %", "99 %");
     for cycle in CYCLES {
-        let control = json::dialect_name(cycle.dialect);
+        let control = cycle.dialect;
         let form = object!({ "control": control, "cycle": cycle.name, "values": worked(cycle) });
         measure(&format!("{} form, check, write", cycle.name), &form, FORM_GOAL);
         let mut predict = form;
@@ -31,7 +31,7 @@ fn measure(name: &str, request: &Value, goal: f64) {
     let mut times: Vec<f64> = (0..RUNS)
         .map(|_| {
             let start = Instant::now();
-            black_box(json::form(black_box(&request)).map(|view| json::text(&view)).ok());
+            black_box(json::answer(black_box(&request), app::form).ok());
             start.elapsed().as_secs_f64() * 1e3
         })
         .collect();

@@ -3,7 +3,7 @@
 
 use probewright_core::catalogue::example::worked;
 use probewright_core::catalogue::p9969::P9969;
-use probewright_core::json;
+use probewright_core::{app, json};
 use serde_json::{Value, json as object};
 use std::time::Instant;
 
@@ -19,17 +19,21 @@ fn main() {
     values["J"] = "0.04".into();
     let form = object!({ "control": "nct", "cycle": P9969.name,
         "values": worked(&P9969).into_iter().collect::<Value>(), "predict": true });
-    let Ok(view) = json::form(&form.to_string()) else {
+    let Ok(view) = json::answer(&form.to_string(), app::form) else {
         return;
     };
+    let view: Value = serde_json::from_str(&view).unwrap_or_default();
     let request = object!({ "control": "nct", "cycle": P9969.name, "values": values, "setup": view["setup"] });
     let begun = Instant::now();
-    let Ok(mut scan) = json::Scan::new(&request.to_string(), &[]) else {
+    let Ok(asked) = json::question(&request.to_string()) else {
+        return;
+    };
+    let Ok(mut scan) = app::Scan::new(asked, &[]) else {
         return;
     };
     while !scan.advance(PIECE) {}
     let scanned = begun.elapsed().as_secs_f64();
-    let points = scan.view()["points"].as_u64().unwrap_or(0) as usize;
+    let points = scan.view().points;
     let texts = ["program", "points", "surface"].map(|form| scan.text(form, 0, points).map_or(0, |text| text.len()));
     let all = begun.elapsed().as_secs_f64();
     println!(

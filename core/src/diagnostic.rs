@@ -2,6 +2,8 @@
 
 use crate::message::Message;
 use crate::name::Name;
+use serde::{Serialize, Serializer};
+use std::fmt;
 
 /// Half-open byte range of a program's source.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -13,7 +15,9 @@ pub struct Span {
 }
 
 /// How bad it is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "lowercase")]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub enum Severity {
     /// The control would stop, or the result would be wrong.
     Error,
@@ -25,6 +29,7 @@ pub enum Severity {
 
 /// Where a problem is named.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(as = "String"))]
 pub enum Code {
     /// Alarm of the SINUMERIK measuring cycles, 61000..62999 (61xxx stops, 62xxx informs).
     Alarm(u32),
@@ -35,13 +40,19 @@ pub enum Code {
 }
 
 /// `61307`, `FORMAT ERROR`, `PW012`.
-impl std::fmt::Display for Code {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl fmt::Display for Code {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         match self {
-            Code::Alarm(number) => number.fmt(f),
-            Code::Nct(text) => text.fmt(f),
-            Code::Own(number) => write!(f, "PW{number:03}"),
+            Code::Alarm(number) => write!(to, "{number}"),
+            Code::Nct(text) => to.write_str(text),
+            Code::Own(number) => write!(to, "PW{number:03}"),
         }
+    }
+}
+
+impl Serialize for Code {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        to.collect_str(self)
     }
 }
 

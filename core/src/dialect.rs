@@ -1,7 +1,10 @@
 //! The languages of part programs.
 
 /// The language of the part program, and with it the control.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "lowercase")]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema), schemars(rename = "ControlName"))]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub enum Dialect {
     /// SINUMERIK 840D/840Di/810D.
     Sinumerik,

@@ -3,6 +3,8 @@
 //!
 //! Inside: millimetre, degree, mm/min. See ARCHITECTURE.md for the invariants.
 
+#[cfg(feature = "json")]
+pub mod app;
 pub mod catalogue;
 pub mod check;
 pub mod control;

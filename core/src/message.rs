@@ -1,9 +1,12 @@
 //! A text by its key. The words live in `core/messages/<language>/*.ftl` (Fluent); the core never holds a sentence.
 
+use serde::{Serialize, Serializer};
 use std::borrow::Cow;
 
 /// One argument of a message.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub enum Arg {
     /// A number; the reader of the message formats it.
     Number(f64),
@@ -12,12 +15,19 @@ pub enum Arg {
 }
 
 /// A text to be shown: key of the message files, with its arguments.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Message {
     /// Key in the message files, for example `check-out-of-range`; stems of the catalogue make others (`alarm-61307`).
     pub key: Cow<'static, str>,
     /// Named arguments, in no particular order.
+    #[serde(serialize_with = "by_name")]
+    #[cfg_attr(test, ts(as = "std::collections::BTreeMap<String, Arg>"))]
     pub args: Vec<(&'static str, Arg)>,
+}
+
+fn by_name<S: Serializer>(args: &[(&'static str, Arg)], to: S) -> Result<S::Ok, S::Error> {
+    to.collect_map(args.iter().map(|(name, arg)| (name, arg)))
 }
 
 impl Message {

@@ -1,16 +1,26 @@
 //! Ranges of numbers.
 
 /// Range of a number. `f64::NEG_INFINITY`/`INFINITY` for an open end.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+#[serde(rename_all = "camelCase")]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Range {
     /// Lower end.
+    #[serde(skip_serializing_if = "open")]
+    #[cfg_attr(test, ts(optional, as = "Option<f64>"))]
     pub min: f64,
     /// Whether `min` itself is allowed.
     pub min_included: bool,
     /// Upper end.
+    #[serde(skip_serializing_if = "open")]
+    #[cfg_attr(test, ts(optional, as = "Option<f64>"))]
     pub max: f64,
     /// Whether `max` itself is allowed.
     pub max_included: bool,
+}
+
+fn open(end: &f64) -> bool {
+    end.is_infinite()
 }
 
 impl Range {

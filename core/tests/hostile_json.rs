@@ -3,22 +3,38 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use probewright_core::catalogue::CYCLES;
-use probewright_core::json;
+use probewright_core::{app, json};
 use serde_json::{Value, json as document};
+
+fn form(question: &str) -> Result<String, json::Error> {
+    json::answer(question, app::form)
+}
+
+fn read(question: &str) -> Result<String, json::Error> {
+    json::answer(question, |asked| app::read(asked, &mut |_| {}))
+}
+
+fn change(question: &str) -> Result<String, json::Error> {
+    json::answer(question, app::change)
+}
+
+fn run(question: &str) -> Result<app::Run, json::Error> {
+    Ok(app::Run::new(json::question(question)?)?)
+}
 
 // oracle: hand
 #[test]
 fn a_question_of_another_shape_is_an_error() {
     for question in ["", "{", "null", "[]", "7", "\"form\"", "{}", "{\"control\":7}", &"[".repeat(100_000)] {
-        assert!(json::form(question).is_err(), "form");
-        assert!(json::read(question).is_err(), "read");
-        assert!(json::change(question).is_err(), "change");
-        assert!(json::Run::new(question).is_err(), "run");
+        assert!(form(question).is_err(), "form");
+        assert!(read(question).is_err(), "read");
+        assert!(change(question).is_err(), "change");
+        assert!(run(question).is_err(), "run");
     }
     let unknown = document!({ "control": "fanuc", "cycle": "CYCLE977", "text": "", "values": {} }).to_string();
-    assert!(json::form(&unknown).is_err() && json::read(&unknown).is_err() && json::Run::new(&unknown).is_err());
+    assert!(form(&unknown).is_err() && read(&unknown).is_err() && run(&unknown).is_err());
     let call = document!({ "control": "sinumerik", "text": "M30", "call": 3, "name": "_FA", "value": "1" });
-    assert!(json::change(&call.to_string()).is_err());
+    assert!(change(&call.to_string()).is_err());
 }
 
 // oracle: hand (whatever is typed into every field of every variant, the form has its fields and its picture)
@@ -36,9 +52,9 @@ fn absurd_values_of_every_variant_give_a_form() {
                         (param.name.to_string(), document!(chosen))
                     })
                     .collect();
-                let control = json::dialect_name(cycle.dialect);
+                let control = cycle.dialect;
                 let question = document!({ "control": control, "cycle": cycle.name, "values": typed, "predict": true });
-                let answer = json::form(&question.to_string());
+                let answer = form(&question.to_string());
                 let view = answer.unwrap_or_else(|error| panic!("{} {value}: {error}", cycle.name));
                 let view: Value = serde_json::from_str(&view.to_string()).unwrap();
                 assert!(view["fields"].is_array(), "{}", cycle.name);

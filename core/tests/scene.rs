@@ -4,11 +4,11 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use probewright_core::geometry::V3;
-use probewright_core::json;
 use probewright_core::scene::solid::CHORD;
 use probewright_core::scene::{Matter, Piece, Place, Scene, Source};
 use probewright_core::workpiece::contact::Boundary;
 use probewright_core::workpiece::{Shape, Solid, Workpiece};
+use probewright_core::{app, json};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngSeed, TestRunner};
@@ -36,7 +36,7 @@ fn variants() -> Vec<(String, Source)> {
     let config = Config { rng_seed: RngSeed::Fixed(seed), failure_persistence: None, ..Config::default() };
     let mut runner = TestRunner::new(config);
     let mut found = Vec::new();
-    let catalogue = json::catalogue();
+    let catalogue = json::document(&app::catalogue());
     for cycle in catalogue["cycles"].as_array().unwrap() {
         for variant in cycle["variants"].as_array().unwrap() {
             let plane = cycle["purpose"]["plane"].as_str().unwrap_or("G17");
@@ -47,7 +47,9 @@ fn variants() -> Vec<(String, Source)> {
                 "setup": { "own": { "plane": plane, "units": if cycle["control"] == "nct" { "G21" } else { "G71" } } },
             });
             let name = format!("{} {}", cycle["cycle"], variant["mvar"]);
-            let (_, source) = json::form_seen(&request.to_string()).unwrap_or_else(|why| panic!("{name}: {why:?}"));
+            let asked = json::question(&request.to_string());
+            let view = asked.and_then(app::form).unwrap_or_else(|why| panic!("{name}: {why:?}"));
+            let source = view.outcome.map(|outcome| outcome.trace);
             found.extend(source.map(|source| (name, source)));
         }
     }

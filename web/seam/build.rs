@@ -5,40 +5,42 @@
 mod ask;
 
 use ask::{Answers, Scanned, Seam, beside, cycles, of_cycle};
-use probewright_core::{encoding, json};
+use probewright_core::{app, encoding, json};
 use std::path::Path;
 
 macro_rules! answered {
-    ($function:path) => {
-        |question| $function(question).map(|view| json::text(&view)).map_err(|error| error.to_string())
+    ($ask:expr) => {
+        |question| json::answer(question, $ask).map_err(|error| error.to_string())
     };
 }
 
 const CORE: Seam = Seam {
-    catalogue: || json::text(&json::catalogue()),
-    alarms: || json::text(&json::alarms()),
-    form: answered!(json::form),
-    help: answered!(json::help),
-    machine: answered!(json::machine),
-    read: answered!(json::read),
-    change: answered!(json::change),
-    convert: answered!(json::convert),
+    catalogue: || json::text(&app::catalogue()),
+    alarms: || json::text(&app::alarms()),
+    form: answered!(app::form),
+    help: answered!(app::help),
+    machine: answered!(app::machine),
+    read: answered!(|asked| app::read(asked, &mut |_| {})),
+    change: answered!(app::change),
+    convert: answered!(app::convert),
     run: |question| {
-        let mut run = json::Run::new(question).map_err(|error| error.to_string())?;
+        let mut run = json::question(question).and_then(app::Run::new).map_err(|error| error.to_string())?;
         while !run.advance(500) {}
         Ok(json::text(&run.view()))
     },
     setup: |text| {
         let setup = json::setup_from_json(text).map_err(|error| error.to_string())?;
-        Ok(json::text(&json::setup_to_json(&setup)))
+        Ok(json::text(&setup))
     },
     recognise: |bytes| {
         let mut recogniser = encoding::Recogniser::default();
         recogniser.take(bytes);
-        json::text(&json::recognised(recogniser.finish()))
+        json::text(&app::Recognised::from(recogniser.finish()))
     },
     scan: |question, file| {
-        let mut scan = json::Scan::new(question, file).map_err(|error| error.to_string())?;
+        let mut scan = json::question(question)
+            .and_then(|asked| app::Scan::new(asked, file))
+            .map_err(|error| error.to_string())?;
         while !scan.advance(500) {}
         let points = scan.turns().len();
         Ok(Scanned {

@@ -1,6 +1,6 @@
 //! The form: both modules answer it, the first without picture and prediction.
 
-use probewright_core::json;
+use probewright_core::{app, json};
 use wasm_bindgen::JsError;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -10,5 +10,5 @@ use wasm_bindgen::prelude::wasm_bindgen;
 /// A request of the wrong shape or an unknown cycle.
 #[wasm_bindgen]
 pub fn form(request: &str) -> Result<String, JsError> {
-    Ok(json::text(&json::form(request)?))
+    Ok(json::answer(request, app::form)?)
 }

@@ -1,7 +1,6 @@
 //! What programs need.
 
-use probewright_core::encoding;
-use probewright_core::json;
+use probewright_core::{app, encoding, json};
 use wasm_bindgen::JsError;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -9,7 +8,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 #[wasm_bindgen]
 #[must_use]
 pub fn alarms() -> String {
-    json::text(&json::alarms())
+    json::text(&app::alarms())
 }
 
 /// `HelpRequest` → `HelpView`.
@@ -18,7 +17,7 @@ pub fn alarms() -> String {
 /// A request of the wrong shape or an unknown cycle.
 #[wasm_bindgen]
 pub fn help(request: &str) -> Result<String, JsError> {
-    Ok(json::text(&json::help(request)?))
+    Ok(json::answer(request, app::help)?)
 }
 
 #[wasm_bindgen(inline_js = "
@@ -36,16 +35,16 @@ extern "C" {
 /// A request of the wrong shape.
 #[wasm_bindgen]
 pub fn read(request: &str) -> Result<String, JsError> {
-    Ok(json::text(&json::read_told(request, &mut |share| tell(share))?))
+    Ok(json::answer(request, |asked| app::read(asked, &mut |share| tell(share)))?)
 }
 
-/// `ChangeRequest` → `Edit[]`.
+/// `ChangeRequest` → `Changed`.
 ///
 /// # Errors
 /// A request of the wrong shape or a call that is not there.
 #[wasm_bindgen]
 pub fn change(request: &str) -> Result<String, JsError> {
-    Ok(json::text(&json::change(request)?))
+    Ok(json::answer(request, app::change)?)
 }
 
 /// `ConvertRequest` → `Converted`.
@@ -54,13 +53,13 @@ pub fn change(request: &str) -> Result<String, JsError> {
 /// A request of the wrong shape.
 #[wasm_bindgen]
 pub fn convert(request: &str) -> Result<String, JsError> {
-    Ok(json::text(&json::convert(request)?))
+    Ok(json::answer(request, app::convert)?)
 }
 
 /// A `RunRequest` that is answered in pieces with a `RunView`, so that a worker can hear between them that it should
 /// wait.
 #[wasm_bindgen]
-pub struct Run(json::Run);
+pub struct Run(app::Run);
 
 #[wasm_bindgen]
 impl Run {
@@ -70,7 +69,7 @@ impl Run {
     /// A request or a setup of the wrong shape.
     #[wasm_bindgen(constructor)]
     pub fn new(request: &str) -> Result<Run, JsError> {
-        Ok(Run(json::Run::new(request)?))
+        Ok(Run(app::Run::new(json::question(request)?)?))
     }
 
     /// Carries out about so many blocks; true: the run is over.
@@ -98,7 +97,7 @@ impl Run {
 #[wasm_bindgen]
 pub fn setup(text: &str) -> Result<String, JsError> {
     let setup = json::setup_from_json(text)?;
-    Ok(json::text(&json::setup_to_json(&setup)))
+    Ok(json::text(&setup))
 }
 
 /// `MachineRequest` → `MachineView`.
@@ -107,7 +106,7 @@ pub fn setup(text: &str) -> Result<String, JsError> {
 /// A request or a setup of the wrong shape.
 #[wasm_bindgen]
 pub fn machine(request: &str) -> Result<String, JsError> {
-    Ok(json::text(&json::machine(request)?))
+    Ok(json::answer(request, app::machine)?)
 }
 
 /// Tells by its bytes, which come in pieces, whether a file is a part program and how it is encoded.
@@ -132,6 +131,6 @@ impl Recogniser {
     /// What all of them are, as a `Recognised`.
     #[must_use]
     pub fn finish(self) -> String {
-        json::text(&json::recognised(self.0.finish()))
+        json::text(&app::Recognised::from(self.0.finish()))
     }
 }

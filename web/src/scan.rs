@@ -1,12 +1,12 @@
 //! Scanning a surface.
 
-use probewright_core::json;
+use probewright_core::{app, json};
 use wasm_bindgen::JsError;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// A `ScanRequest` that is answered in pieces, so that a worker can tell between them how far it is.
 #[wasm_bindgen]
-pub struct Scan(json::Scan);
+pub struct Scan(app::Scan);
 
 #[wasm_bindgen]
 impl Scan {
@@ -16,7 +16,7 @@ impl Scan {
     /// A request, a setup or a file of the wrong shape.
     #[wasm_bindgen(constructor)]
     pub fn new(request: &str, file: &[u8]) -> Result<Scan, JsError> {
-        Ok(Scan(json::Scan::new(request, file)?))
+        Ok(Scan(app::Scan::new(json::question(request)?, file)?))
     }
 
     /// Goes on by about so many points; true: it is over.

@@ -18,7 +18,9 @@ pub struct Alarm {
 }
 
 /// Where Probewright finds what raises an alarm.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub enum Found {
     /// While the call is written or the program is checked.
     Check,

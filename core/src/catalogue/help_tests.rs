@@ -267,10 +267,10 @@ fn a_page_counts_the_touches_that_happen_and_says_where_they_end() {
             let page = HelpPage::of(cycle, variant.number);
             let values = super::example::example(cycle, variant);
             let request = serde_json::json!({
-                "control": crate::json::dialect_name(cycle.dialect),
+                "control": cycle.dialect,
                 "cycle": cycle.name, "values": values, "predict": true,
             });
-            let view = crate::json::form(&request.to_string()).unwrap();
+            let view = crate::json::asked::form(&request.to_string()).unwrap();
             let entries = view["outcome"]["trace"]["entries"].as_array().unwrap();
             let of = |step: &str| {
                 let all = entries.iter().filter(|entry| entry["step"] == step);

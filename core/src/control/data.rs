@@ -4,7 +4,9 @@
 
 use super::{Units, Value, delivery, gud, nct_data};
 use crate::dialect::Dialect;
+use serde::de::{Deserialize, Deserializer, Visitor};
 use std::collections::BTreeMap;
+use std::fmt::{self, Formatter};
 
 /// Setting of ours, kept beside the data of the machine: 1 lets `_MZ_MASK` decide over forms and code. No program can
 /// write a variable of this name.
@@ -26,6 +28,39 @@ pub fn knows(dialect: Dialect, name: &str, value: &Value) -> bool {
         Dialect::Sinumerik => {
             numbered('R', 1000) && !text || ["MD", "SD", "TOOLENV["].iter().any(|start| name.starts_with(start))
         }
+    }
+}
+
+impl<'de> Deserialize<'de> for Value {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Value, D::Error> {
+        deserializer.deserialize_any(Reader)
+    }
+}
+
+/// Reads a number or a text.
+struct Reader;
+
+impl Visitor<'_> for Reader {
+    type Value = super::Value;
+
+    fn expecting(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        f.write_str("document-number-or-text")
+    }
+
+    fn visit_f64<E>(self, value: f64) -> Result<Value, E> {
+        Ok(Value::Number(value))
+    }
+
+    fn visit_i64<E>(self, value: i64) -> Result<Value, E> {
+        Ok(Value::Number(value as f64))
+    }
+
+    fn visit_u64<E>(self, value: u64) -> Result<Value, E> {
+        Ok(Value::Number(value as f64))
+    }
+
+    fn visit_str<E>(self, text: &str) -> Result<Value, E> {
+        Ok(Value::Text(text.to_owned()))
     }
 }
 

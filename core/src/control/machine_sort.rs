@@ -3,7 +3,9 @@
 use super::Plane;
 
 /// Sort of machine that a cycle is made for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub enum MachineSort {
     /// Milling machines and machining centres.
     Milling,

@@ -23,12 +23,15 @@ pub use environments::Environment;
 pub use frame::Frame;
 pub use limits::Limits;
 pub use machine_sort::MachineSort;
+pub use units::UnitFunction;
 
 use crate::dialect::Dialect;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// Working plane.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub enum Plane {
     /// X abscissa, Y ordinate, Z applicate.
     G17,
@@ -60,13 +63,17 @@ impl Plane {
 }
 
 /// How the program gives positions of the transverse axis X of a lathe.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub enum Transverse {
     /// DIAMOF: radii.
+    #[serde(rename = "DIAMOF")]
     Radius,
     /// DIAMON: diameters.
+    #[serde(rename = "DIAMON")]
     Diameter,
     /// DIAM90: diameters where the position is absolute.
+    #[serde(rename = "DIAM90")]
     AbsoluteDiameter,
 }
 
@@ -81,11 +88,14 @@ impl Transverse {
 }
 
 /// System of units.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "BasicSystem"))]
 pub enum Units {
     /// mm.
+    #[serde(rename = "mm")]
     Metric,
     /// inch.
+    #[serde(rename = "inch")]
     Inch,
 }
 
@@ -134,7 +144,10 @@ pub struct Tool {
 }
 
 /// A value of user data.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema), schemars(rename = "DatumFile"))]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Datum"))]
 pub enum Value {
     /// Number (REAL, INT, BOOL).
     Number(f64),

@@ -14,6 +14,14 @@ impl Units {
             Units::Inch => INCH,
         }
     }
+
+    /// Its unit of length.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Units::Metric => "mm",
+            Units::Inch => "inch",
+        }
+    }
 }
 
 impl Control {
@@ -36,6 +44,19 @@ impl Control {
     pub fn basic_length(&self, name: &str) -> f64 {
         self.number(name) * self.basic_factor()
     }
+}
+
+/// G function that chooses the system of units; those below 70 are of NCT.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[allow(missing_docs)]
+pub enum UnitFunction {
+    G20 = 20,
+    G21 = 21,
+    G70 = 70,
+    G71 = 71,
+    G700 = 700,
+    G710 = 710,
 }
 
 /// A choice of the unit system by a G function: which system, and whether feeds and data follow it.
@@ -69,15 +90,15 @@ impl Control {
         true
     }
 
-    /// Number of the G function whose choice is in force.
-    pub fn unit_function(&self) -> u16 {
+    /// The G function whose choice is in force.
+    pub fn unit_function(&self) -> UnitFunction {
         match (self.dialect, self.active_units, self.data_follow) {
-            (Dialect::Sinumerik, Units::Inch, false) => 70,
-            (Dialect::Sinumerik, Units::Metric, false) => 71,
-            (Dialect::Sinumerik, Units::Inch, true) => 700,
-            (Dialect::Sinumerik, Units::Metric, true) => 710,
-            (Dialect::Nct, Units::Inch, _) => 20,
-            (Dialect::Nct, Units::Metric, _) => 21,
+            (Dialect::Sinumerik, Units::Inch, false) => UnitFunction::G70,
+            (Dialect::Sinumerik, Units::Metric, false) => UnitFunction::G71,
+            (Dialect::Sinumerik, Units::Inch, true) => UnitFunction::G700,
+            (Dialect::Sinumerik, Units::Metric, true) => UnitFunction::G710,
+            (Dialect::Nct, Units::Inch, _) => UnitFunction::G20,
+            (Dialect::Nct, Units::Metric, _) => UnitFunction::G21,
         }
     }
 }
@@ -94,7 +115,7 @@ mod tests {
             let mut control = delivery(dialect);
             for number in numbers {
                 assert!(control.choose_units(*number));
-                assert_eq!(control.unit_function(), *number);
+                assert_eq!(control.unit_function() as u16, *number);
             }
             assert!(!control.choose_units(17));
         }

@@ -11,7 +11,8 @@ use double::{Gb18030, ShiftJis, Utf8};
 use units::Units;
 
 /// What is recognised. Whoever shows the text may know more, to be chosen by hand.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[serde(into = "&'static str")]
 pub enum Encoding {
     /// Also what is ASCII alone.
     Utf8,
@@ -51,6 +52,12 @@ impl Encoding {
             Encoding::ShiftJis => "shift_jis",
             Encoding::Windows1252 => "windows-1252",
         }
+    }
+}
+
+impl From<Encoding> for &'static str {
+    fn from(encoding: Encoding) -> &'static str {
+        encoding.name()
     }
 }
 

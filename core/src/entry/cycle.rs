@@ -103,7 +103,9 @@ pub struct Purpose {
 }
 
 /// The probe that a cycle uses.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub enum ProbeUse {
     /// The workpiece probe is in the spindle or turret and touches the part or a gauge.
     Workpiece,

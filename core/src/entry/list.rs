@@ -5,7 +5,9 @@ use crate::entry::Inputs;
 use crate::name::Name;
 
 /// A way to write a call.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "lowercase")]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub enum Style {
     /// Assignments, then the call (from SW 6.2, B:12497); NCT: one block of addresses.
     Direct,

@@ -95,19 +95,26 @@ impl DigitGroup {
 }
 
 /// Unit of a parameter and the system it counts in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub enum Unit {
     /// No unit.
+    #[serde(rename = "")]
     None,
     /// mm or inch by the active G70/G71/G700/G710 (NCT: G20/G21).
+    #[serde(rename = "active length")]
     ActiveLength,
     /// mm or inch by the basic system of the machine.
+    #[serde(rename = "basic length")]
     BasicLength,
     /// Always mm, also on an inch machine (`_FA`).
+    #[serde(rename = "mm")]
     Millimetre,
     /// Degree.
+    #[serde(rename = "deg")]
     Degree,
     /// mm/min or inch/min by the basic system (NCT: active system).
+    #[serde(rename = "basic feed")]
     BasicFeed,
 }
 

@@ -43,6 +43,22 @@ pub const TASKS: [Task; 10] = [
 ];
 
 impl Task {
+    /// Key of its name.
+    pub fn key(self) -> &'static str {
+        match self {
+            Task::Bore => "task-bore",
+            Task::Boss => "task-boss",
+            Task::Pocket => "task-pocket",
+            Task::Web => "task-web",
+            Task::Wall => "task-wall",
+            Task::Face => "task-face",
+            Task::InnerCorner => "task-inner-corner",
+            Task::OuterCorner => "task-outer-corner",
+            Task::Ball => "task-ball",
+            Task::Length => "task-length",
+        }
+    }
+
     /// Keys of what the controls do differently in it, whatever the values are.
     pub fn differences(self) -> &'static [&'static str] {
         match self {

@@ -57,7 +57,8 @@ pub enum Entry {
 }
 
 /// A number with its name.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Choice {
     /// Number as it is written.
     pub value: i64,
@@ -66,7 +67,8 @@ pub struct Choice {
 }
 
 /// Digits that mean something of their own.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "DigitGroup"))]
 pub struct Group {
     /// What they mean.
     pub label: Message,
@@ -79,6 +81,8 @@ pub struct Group {
     /// Named values; empty: any number of that many digits.
     pub choices: Vec<Choice>,
     /// The whole number to which each choice leads; empty: the digits alone change.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(test, ts(optional, as = "Option<Vec<i64>>"))]
     pub leads: Vec<i64>,
 }
 

@@ -5,26 +5,24 @@ use super::setup_frame::{EnvironmentFile, FrameFile, environment, place_frame};
 use super::setup_solid::{SolidFile, solid};
 use super::setup_tool::{RealFile, ToolProbeFile, real_tools, tool_probe};
 use super::{Error, shape, text};
-use crate::control::{Control, Edge, Limits, Tool, Value, delivery, delivery_in};
+use crate::control::{Edge, Limits, Tool, Value, delivery, delivery_in};
 use crate::dialect::Dialect;
 use crate::machine::setup::Setup;
 use crate::refused::Path;
 use crate::workpiece::seen::Turret;
 use crate::workpiece::{Probe, ProbeBody, Workpiece};
 use serde::Deserialize;
-use serde::de::{Deserializer, Visitor};
 use std::collections::{BTreeMap, BTreeSet};
-use std::fmt::{self, Formatter};
 
 /// Machine, probe and part that a program runs on. Lengths in mm, angles in degree, feeds in mm/min, except in `data`,
 /// where a number means what it means on the control: on an inch machine most lengths are inches. Unknown members are
 /// refused, so that a slip is told and not ignored.
-#[derive(Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 #[serde(deny_unknown_fields, rename_all = "camelCase")]
-struct SetupFile {
+pub struct SetupFile {
     /// Control.
-    control: ControlName,
+    control: Dialect,
     /// Basic system of units of the machine.
     #[serde(default)]
     units: UnitsName,
@@ -49,7 +47,7 @@ struct SetupFile {
     /// What differs from delivery in user data, R parameters, machine data, # variables: `_WP[0,1]`, `_CHBIT[4]`,
     /// `R10`, `MD18600`, `#500`; and `PW-FORMS`, 1 where `_MZ_MASK` decides forms and code.
     #[serde(default)]
-    data: BTreeMap<String, DatumFile>,
+    data: BTreeMap<String, Value>,
     /// The probe as it really is, not as the control believes.
     probe: ProbeFile,
     /// The tool probes of the machine as they really are, not as `_TP` and `_TPW` in `data` believe.
@@ -66,16 +64,8 @@ struct SetupFile {
     skip: BTreeSet<u8>,
 }
 
-#[derive(Clone, Copy, Deserialize)]
-#[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
-#[serde(rename_all = "lowercase")]
-enum ControlName {
-    Sinumerik,
-    Nct,
-}
-
 /// What the machine can do.
-#[derive(Clone, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 #[serde(deny_unknown_fields, rename_all = "camelCase", default)]
 struct MachineFile {
@@ -93,7 +83,7 @@ struct MachineFile {
 }
 
 /// The disc that carries the tools of a turning machine, its axis parallel to Z. It is shown, and nothing meets it.
-#[derive(Clone, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 #[serde(deny_unknown_fields, default)]
 struct TurretFile {
@@ -124,7 +114,7 @@ impl Default for MachineFile {
 }
 
 /// A tool.
-#[derive(Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 #[serde(deny_unknown_fields)]
 pub(super) struct ToolFile {
@@ -136,7 +126,7 @@ pub(super) struct ToolFile {
 }
 
 /// Data of a cutting edge.
-#[derive(Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 #[serde(deny_unknown_fields, rename_all = "camelCase")]
 pub(super) struct EdgeFile {
@@ -170,48 +160,8 @@ pub(super) struct EdgeFile {
     pub(super) real: Option<RealFile>,
 }
 
-#[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
-#[cfg_attr(feature = "cli", serde(untagged))]
-pub(super) enum DatumFile {
-    Number(f64),
-    Text(String),
-}
-
-impl<'de> Deserialize<'de> for DatumFile {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<DatumFile, D::Error> {
-        deserializer.deserialize_any(DatumReader)
-    }
-}
-
-/// Reads a number or a text.
-struct DatumReader;
-
-impl Visitor<'_> for DatumReader {
-    type Value = DatumFile;
-
-    fn expecting(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        f.write_str("document-number-or-text")
-    }
-
-    fn visit_f64<E>(self, value: f64) -> Result<DatumFile, E> {
-        Ok(DatumFile::Number(value))
-    }
-
-    fn visit_i64<E>(self, value: i64) -> Result<DatumFile, E> {
-        Ok(DatumFile::Number(value as f64))
-    }
-
-    fn visit_u64<E>(self, value: u64) -> Result<DatumFile, E> {
-        Ok(DatumFile::Number(value as f64))
-    }
-
-    fn visit_str<E>(self, text: &str) -> Result<DatumFile, E> {
-        Ok(DatumFile::Text(text.to_owned()))
-    }
-}
-
 /// The probe as it really is.
-#[derive(Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 #[serde(deny_unknown_fields, rename_all = "camelCase")]
 struct ProbeFile {
@@ -245,7 +195,7 @@ struct ProbeFile {
 }
 
 /// The body of the probe, a cylinder as far as the spindle.
-#[derive(Clone, Copy, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 #[serde(deny_unknown_fields)]
 struct BodyFile {
@@ -286,19 +236,15 @@ fn unwrapped(value: &mut serde_json::Value) {
 /// Reads a setup file: delivery values of the control, then what the file says.
 pub fn from_json(text: &str) -> Result<Setup, Error> {
     let document = text::parse(text)?;
-    from_value(document).map_err(|refused| text::positioned(refused, text))
+    shape::read(document).and_then(setup).map_err(|refused| text::positioned(refused, text))
 }
 
-/// The same from a parsed document.
-pub(super) fn from_value(value: serde_json::Value) -> Result<Setup, Error> {
-    setup(shape::read(value)?)
-}
-
-fn setup(mut file: SetupFile) -> Result<Setup, Error> {
-    let dialect = match file.control {
-        ControlName::Sinumerik => Dialect::Sinumerik,
-        ControlName::Nct => Dialect::Nct,
-    };
+/// The machine that a file describes.
+///
+/// # Errors
+/// What it describes cannot be.
+pub fn setup(mut file: SetupFile) -> Result<Setup, Error> {
+    let dialect = file.control;
     let mut control = delivery_in(dialect, units(file.units));
     control.plane = plane(file.plane);
     control.limits = Limits { minus: file.machine.limits_minus, plus: file.machine.limits_plus };
@@ -314,7 +260,9 @@ fn setup(mut file: SetupFile) -> Result<Setup, Error> {
     for (name, stored) in file.environments {
         control.environments.insert(name, environment(&stored));
     }
-    read_data(&mut control, file.data);
+    for (name, value) in file.data {
+        control.data.insert(name, value);
+    }
     activate(&mut control, &file.active)?;
     let solids = each("workpiece", file.workpiece, solid)?;
     let tool_probes = each("toolProbes", file.tool_probes, tool_probe)?;
@@ -337,16 +285,6 @@ fn setup(mut file: SetupFile) -> Result<Setup, Error> {
 fn each<F, T>(name: &str, list: Vec<F>, read: impl Fn(&Path, F) -> Result<T, Error>) -> Result<Vec<T>, Error> {
     let path = Path::of(&[name]);
     list.into_iter().enumerate().map(|(index, one)| read(&path.element(index), one)).collect()
-}
-
-pub(super) fn read_data(control: &mut Control, data: BTreeMap<String, DatumFile>) {
-    for (name, datum) in data {
-        let value = match datum {
-            DatumFile::Number(value) => Value::Number(value),
-            DatumFile::Text(text) => Value::Text(text),
-        };
-        control.data.insert(name, value);
-    }
 }
 
 fn read_tool(file: ToolFile) -> Tool {

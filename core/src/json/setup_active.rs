@@ -5,7 +5,7 @@ use crate::control::{Control, Plane, Transverse, Units};
 use crate::refused::Path;
 use serde::Deserialize;
 
-#[derive(Clone, Copy, Default, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 pub(super) enum UnitsName {
     #[default]
@@ -16,7 +16,7 @@ pub(super) enum UnitsName {
 }
 
 /// Working plane.
-#[derive(Clone, Copy, Default, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 pub(super) enum PlaneName {
     #[default]
@@ -26,7 +26,7 @@ pub(super) enum PlaneName {
 }
 
 /// What is in force at the start.
-#[derive(Clone, Default, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 #[serde(deny_unknown_fields, default)]
 pub(super) struct ActiveFile {
@@ -47,7 +47,7 @@ pub(super) struct ActiveFile {
 }
 
 /// How positions of the transverse axis X of a lathe are given: radii, diameters, diameters where they are absolute.
-#[derive(Clone, Copy, Default, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 #[serde(rename_all = "UPPERCASE")]
 pub(super) enum TransverseName {
@@ -81,11 +81,6 @@ pub(super) fn choose_units(control: &mut Control, name: &str) -> Result<(), Erro
         return Ok(());
     }
     Err(Error::new("setup-units", Path::of(&["active", "units"])).text("name", name))
-}
-
-/// Name of a G function of units, see [`choose_units`].
-pub(super) fn units_name(number: u16) -> String {
-    format!("G{number}")
 }
 
 /// The basic system with this name.

@@ -7,7 +7,7 @@ use crate::refused::Path;
 use serde::Deserialize;
 
 /// A stored tool environment.
-#[derive(Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 #[serde(deny_unknown_fields)]
 pub(super) struct EnvironmentFile {
@@ -24,7 +24,7 @@ pub(super) struct EnvironmentFile {
 }
 
 /// A frame.
-#[derive(Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 #[serde(deny_unknown_fields, rename_all = "camelCase")]
 pub(super) struct FrameFile {

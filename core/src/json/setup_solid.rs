@@ -7,7 +7,7 @@ use crate::workpiece::{PartErrors, Shape, Solid};
 use serde::Deserialize;
 
 /// A solid.
-#[derive(Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 #[serde(deny_unknown_fields)]
 pub(super) struct SolidFile {
@@ -33,7 +33,7 @@ pub(super) struct SolidFile {
     errors: ErrorsFile,
 }
 
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 #[serde(rename_all = "camelCase")]
 enum ShapeName {
@@ -81,7 +81,7 @@ impl ShapeName {
 }
 
 /// Errors of a solid. All zero: none.
-#[derive(Default, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 #[serde(deny_unknown_fields, rename_all = "camelCase", default)]
 struct ErrorsFile {

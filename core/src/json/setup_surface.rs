@@ -9,7 +9,7 @@ use serde_json::Value;
 use std::sync::Arc;
 
 /// Free surface of a solid; its own X and Y along the part, Z up, lengths in mm.
-#[derive(Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema, serde::Serialize))]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
 pub(super) enum SurfaceFile {
@@ -45,7 +45,7 @@ pub(super) fn shape(path: &Path, file: SurfaceFile) -> Result<Shape, Error> {
 }
 
 /// One of our surfaces.
-pub(super) fn example(path: &Path, name: &str, size: [f64; 3]) -> Result<FreeSurface, Error> {
+pub(crate) fn example(path: &Path, name: &str, size: [f64; 3]) -> Result<FreeSurface, Error> {
     let known = EXAMPLES.iter().find(|(known, _)| *known == name);
     let unknown = || Error::new("surface-example", path.clone()).text("name", name);
     let (_, example) = known.ok_or_else(unknown)?;

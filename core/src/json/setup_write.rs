@@ -1,19 +1,34 @@
 //! Writes the setup file, member by member as `setup` reads it; a test holds that it reads back to the same setup.
 
-use super::setup_active::{units_name, units_of};
-use super::{dialect_name, object, put, setup_surface, setup_tool};
+use super::setup_active::units_of;
+use super::{document, object, put, setup_surface, setup_tool};
 use crate::control::{Control, Edge, Frame, Plane, Tool, Transverse, Value as Datum, delivery};
 use crate::machine::setup::Setup;
 use crate::workpiece::seen::Turret;
 use crate::workpiece::{PartErrors, Probe, Shape, Solid};
+use serde::{Serialize, Serializer};
 use serde_json::Value;
 use std::collections::BTreeMap;
+
+/// As the setup file has it.
+impl Serialize for Setup {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        to_json(self).serialize(to)
+    }
+}
+
+/// As the setup file has it.
+impl Serialize for Solid {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        solid(self).serialize(to)
+    }
+}
 
 /// Writes a setup file that reads back to the same setup.
 pub fn to_json(setup: &Setup) -> Value {
     let control = &setup.control;
     let mut setup_file = object([
-        ("control", dialect_name(control.dialect).into()),
+        ("control", document(&control.dialect)),
         ("units", units_of(control.basic_units).into()),
         ("plane", plane_name(control.plane).into()),
         ("active", active(control)),
@@ -104,7 +119,7 @@ fn active(control: &Control) -> Value {
     let mut active = object([
         ("tool", control.tool.into()),
         ("edge", control.edge.into()),
-        ("units", units_name(control.unit_function()).into()),
+        ("units", document(&control.unit_function())),
         ("transverse", transverse_name(control.transverse).into()),
         ("spindle", control.spindle.into()),
         ("rotary", control.rotary.into()),

@@ -1,89 +1,33 @@
 //! Outcome and trace as JSON.
 
 use super::setup_write::{put_body, solids};
-use super::{code, message, object, put, trace_tool, trace_turned};
+use super::{document, object, put, trace_tool, trace_turned};
 use crate::catalogue;
 use crate::control::Control;
 use crate::control::rotary::ROTARY;
 use crate::diagnostic::Code;
-use crate::entry::{Inputs, unit_name};
 use crate::geometry::arc::Around;
-use crate::machine::Stop;
 use crate::machine::setup::Setup;
 use crate::machine::trace::{Entry, MotionKind, Step};
 use crate::message::Message;
 use crate::run::outcome::Outcome;
-use crate::scene::{self, frames::Frame};
+use crate::scene::{self, Source, frames::Frame};
 use crate::workpiece::Solid;
 use crate::workpiece::feeler::Touching;
+use serde::{Serialize, Serializer};
 use serde_json::Value;
 
-/// What a call does: results, decisions, alarms, changes, log and trace.
-pub fn outcome(inputs: &Inputs, setup: &Setup, outcome: &Outcome) -> Value {
-    object([
-        ("results", results(inputs, outcome).into()),
-        ("decisions", outcome.decisions().into_iter().map(message).collect()),
-        ("alarms", alarms(outcome).into()),
-        ("changes", super::changes::changes(outcome).into()),
-        ("log", outcome.log().into()),
-        ("trace", trace(setup, outcome)),
-    ])
-}
-
-/// What the call wrote, and what it would have written but left as it was, which is marked.
-fn results(inputs: &Inputs, outcome: &Outcome) -> Vec<Value> {
-    let unwritten = outcome.unwritten(inputs.cycle);
-    outcome
-        .results(inputs.cycle)
-        .into_iter()
-        .filter(|(field, _)| field.when.holds(inputs))
-        .map(|(field, value)| {
-            let mut result = object([
-                ("name", field.name.into()),
-                ("label", super::key(field.key)),
-                ("value", value.into()),
-                ("unit", unit_name(field.unit, &outcome.control).into()),
-            ]);
-            if unwritten.contains(field.name) {
-                put(&mut result, "earlier", 0);
-            }
-            result
-        })
-        .collect()
-}
-
-/// Alarms raised, the one that stopped the run last, a fault of the simulation after them.
-pub(super) fn alarms(outcome: &Outcome) -> Vec<Value> {
-    let mut list: Vec<Value> = outcome.alarms().into_iter().map(alarm).collect();
-    if let Some(stop @ Stop::Fault(_)) = &outcome.stop {
-        list.push(stopped(stop));
+impl Serialize for Source {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        let mut view = trace(&self.setup, &self.outcome);
+        put(&mut view, "zones", solids(&self.zones));
+        put(&mut view, "limits", solids(&self.limits));
+        view.serialize(to)
     }
-    list
-}
-
-/// Why something did not go on.
-pub(super) fn stopped(stop: &Stop) -> Value {
-    match stop {
-        Stop::Alarm(code) => alarm(*code),
-        Stop::Fault(text) => object([("code", "".into()), ("message", message(text)), ("stops", true.into())]),
-    }
-}
-
-/// An alarm that was raised.
-fn alarm(alarm: Code) -> Value {
-    let stops = catalogue::alarms::stops(alarm);
-    let key = catalogue::alarms::key(alarm);
-    let hint = message(&Message::new(format!("{key}.cure")));
-    object([
-        ("code", code(alarm).into()),
-        ("message", message(&Message::new(key))),
-        ("hint", hint),
-        ("stops", stops.into()),
-    ])
 }
 
 /// Everything that happened, with what is needed to draw it.
-pub(super) fn trace(setup: &Setup, outcome: &Outcome) -> Value {
+fn trace(setup: &Setup, outcome: &Outcome) -> Value {
     let (tools, in_use) = trace_tool::tools(setup, outcome);
     // a program may begin without a tool that tells
     let turning = outcome.before.turns() || outcome.control.turns();
@@ -133,6 +77,17 @@ fn entry(entry: &Entry) -> Value {
     view
 }
 
+/// An alarm that was raised.
+fn alarm(code: Code) -> Value {
+    let key = catalogue::alarms::key(code);
+    object([
+        ("code", document(&code)),
+        ("hint", document(&Message::new(format!("{key}.cure")))),
+        ("message", document(&Message::new(key))),
+        ("stops", catalogue::alarms::stops(code).into()),
+    ])
+}
+
 fn step(step: &Step) -> Value {
     match step {
         Step::Motion { kind, from, to, around, feed } => {
@@ -178,7 +133,7 @@ fn step(step: &Step) -> Value {
             ("before", (*before).into()),
             ("after", (*after).into()),
         ]),
-        Step::Decision(text) => object([("step", "decision".into()), ("message", message(text))]),
+        Step::Decision(text) => object([("step", "decision".into()), ("message", document(text))]),
         Step::Alarm(code) => {
             let mut value = alarm(*code);
             put(&mut value, "step", "alarm");

@@ -58,7 +58,7 @@ fn vector(vector: V3) -> Value {
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]
-    use crate::json::form;
+    use crate::json::asked::{self, form};
     use serde_json::{Value, json};
 
     /// What is drawn of a call of CYCLE971 with these errors of the sliders.
@@ -76,9 +76,7 @@ mod tests {
     /// The trace of a program on this machine.
     fn run(text: &str, setup: Value) -> Value {
         let asked = json!({ "control": "sinumerik", "text": text, "setup": setup });
-        let mut run = crate::json::Run::new(&asked.to_string()).unwrap();
-        while !run.advance(100) {}
-        run.view()["trace"].clone()
+        asked::run(&asked.to_string()).unwrap()["trace"].clone()
     }
 
     /// What is drawn at each motion of a trace.

@@ -24,7 +24,7 @@ pub(super) fn drawing(setup: &Setup, outcome: &Outcome) -> Value {
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]
-    use crate::json::form;
+    use crate::json::asked::form;
     use serde_json::{Value, json};
 
     /// The drawing of a call of CYCLE974 about a part of 45 mm with these errors of the sliders.

@@ -13,7 +13,7 @@ use super::flow::{Entry, Follow, Forces, State, follow};
 use super::held::{ALTERNATIVES, Names, Numbers, Values};
 use super::tools::{ToolInUse, Tools};
 use super::write::is_expression;
-use crate::control::{Control, Plane, Transverse, delivery};
+use crate::control::{Control, Plane, Transverse, UnitFunction, delivery};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::dialect::Dialect;
 use crate::entry::Typed;
@@ -65,7 +65,7 @@ pub struct CallSite {
     /// How X is given at the call; diameters where the text does not tell.
     pub transverse: Transverse,
     /// Number of the G function of units in force at the call: 70, 71, 700, 710 (NCT 20, 21).
-    pub unit_function: u16,
+    pub unit_function: UnitFunction,
     /// The ways on which a program comes to it that differ in what is in force, or in values.
     pub ways: Vec<Way>,
     /// Assignments for this call that do not reach it, since a called program writes the same: name, place, that call.

@@ -38,7 +38,7 @@ pub fn convert(program: &Program, index: usize, style: Style, control: &Control)
     }
     let mut at_call = control.clone();
     at_call.plane = site.plane;
-    at_call.choose_units(site.unit_function);
+    at_call.choose_units(site.unit_function as u16);
     if let Some(finding) = foreign(program, site, &at_call) {
         return refused(vec![finding]);
     }

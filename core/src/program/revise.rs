@@ -73,7 +73,7 @@ fn idle(site: &CallSite, name: &str, value: &str, control: &Control) -> Vec<Name
     }
     let mut control = control.clone();
     control.plane = site.plane;
-    control.choose_units(site.unit_function);
+    control.choose_units(site.unit_function as u16);
     let mut values: Typed = site.values.clone();
     values.insert(name.to_owned(), value.to_owned());
     let chosen = |values| variants::chosen(cycle, values, &control);

@@ -47,7 +47,7 @@ impl Tools {
         Tools {
             start: (control.tool, control.edge),
             plane: control.plane,
-            units: control.unit_function(),
+            units: control.unit_function() as u16,
             known: edges.collect(),
         }
     }

@@ -4,7 +4,6 @@ use crate::catalogue::CYCLES;
 use crate::catalogue::alarms::{ALARMS, Alarm, Found, key, raised_by, stops};
 use crate::catalogue::operator_messages::{MESSAGES, OperatorMessage, Sender, shown_by};
 use crate::dialect::Dialect;
-use crate::json::code;
 use crate::message::Message;
 use crate::report::markdown::line;
 use crate::words::Words;
@@ -31,7 +30,7 @@ pub struct Told {
 pub fn told(alarm: &Alarm, words: &Words) -> Told {
     let key = key(alarm.code);
     Told {
-        code: code(alarm.code),
+        code: alarm.code.to_string(),
         meaning: words.key(key.clone()),
         cause: words.find(&Message::new(format!("{key}.cause"))),
         cure: words.key(format!("{key}.cure")),

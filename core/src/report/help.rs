@@ -4,7 +4,6 @@
 use crate::catalogue::help::HelpPage;
 use crate::entry::{Cycle, Variant};
 use crate::entry::{SECTIONS, Section};
-use crate::json::code;
 use crate::message::{Arg, Message};
 use crate::report::markdown::line;
 use crate::words::Words;
@@ -56,7 +55,7 @@ fn said(cycle: &'static Cycle, variant: &Variant, words: &Words) -> Vec<Said> {
     let lines = page.lines.iter();
     let lines = lines.map(|line| Said::Line(line.section, sentence(line.key, line.source)));
     let values = page.required.iter().map(|name| Said::Value(name.as_str()));
-    let alarms = page.alarms.iter().map(|alarm| Said::Alarm(code(*alarm)));
+    let alarms = page.alarms.iter().map(|alarm| Said::Alarm(alarm.to_string()));
     lines.chain(values).chain(alarms).collect()
 }
 

@@ -3,7 +3,6 @@
 use crate::catalogue::alarms;
 use crate::diagnostic::Code;
 use crate::entry::{Cycle, Kind, Level, Param, ProbeUse, Unit, When};
-use crate::json::code;
 use crate::message::Message;
 use crate::range::Range;
 use crate::report::help::help;
@@ -183,7 +182,7 @@ fn alarms(text: &mut String, cycle: &Cycle, words: &Words) {
 fn alarm_cells(alarm: Code, words: &Words) -> [String; 3] {
     let key = alarms::key(alarm);
     let cure = words.find(&Message::new(format!("{key}.cure"))).unwrap_or_default();
-    [code(alarm), words.key(key), cure]
+    [alarm.to_string(), words.key(key), cure]
 }
 
 #[cfg(test)]

@@ -39,7 +39,8 @@ pub struct Outcome {
 const NAMED: usize = 20;
 
 /// A word or call that the run went on without.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct PassedOver {
     /// As it stands in the program.
     pub word: String,

@@ -10,7 +10,8 @@ use crate::scan::{Cloud, Layout, POINTS};
 const SCANNING: f64 = 0.75;
 
 /// How far points are from the true surface, mm.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Deviation {
     /// Greatest.
     pub greatest: f64,

@@ -9,7 +9,7 @@ use crate::control::frames::joined;
 use crate::control::frames::{CHANNEL_MASK, GLOBAL_MASK};
 use crate::control::machine_data;
 use crate::control::variables::{AXES, component};
-use crate::control::{Frame, Plane, Tool, Transverse, Units, Value};
+use crate::control::{Frame, Plane, Tool, Transverse, UnitFunction, Units, Value};
 use crate::diagnostic::Span;
 use crate::machine::Machine;
 use crate::problem::Problem;
@@ -232,9 +232,9 @@ fn group(run: &Interpreter, key: &str) -> Option<f64> {
             Plane::G19 => 3.0,
         },
         "13" => match control.unit_function() {
-            70 => 1.0,
-            71 => 2.0,
-            700 => 3.0,
+            UnitFunction::G70 => 1.0,
+            UnitFunction::G71 => 2.0,
+            UnitFunction::G700 => 3.0,
             _ => 4.0,
         },
         "14" => {

@@ -10,7 +10,6 @@ use probewright_core::diagnostic::{Code, Diagnostic};
 use probewright_core::dialect::Dialect;
 use probewright_core::entry::Cycle;
 use probewright_core::entry::Typed;
-use probewright_core::json::code;
 use probewright_core::program::{findings, findings_on};
 use probewright_core::syntax::{Program, read};
 use std::collections::BTreeSet;
@@ -58,7 +57,7 @@ fn the_table_says_where_each_alarm_is_found() {
     // oracle: self (cases, programs and calls that raise them)
     let (check, run) = (found_by_check(), found_in_a_run());
     for alarm in ALARMS {
-        let name = code(alarm.code);
+        let name = alarm.code.to_string();
         let found = match (check.contains(&name), run.contains(&name)) {
             (true, true) => Found::Both,
             (true, false) => Found::Check,
@@ -82,12 +81,12 @@ fn alarms_that_nothing_raises_are_known_by_name() {
 /// Every case of a simulated cycle raises its alarm (tested beside this).
 fn found_in_a_run() -> BTreeSet<String> {
     let cases = simulated().flat_map(|cycle| table(cycle.name).cases);
-    cases.map(|case| code(case.code)).collect()
+    cases.map(|case| case.code.to_string()).collect()
 }
 
 fn found_by_check() -> BTreeSet<String> {
     let mut found = BTreeSet::new();
-    let mut add = |list: Vec<Diagnostic>| found.extend(list.iter().map(|one| code(one.code)));
+    let mut add = |list: Vec<Diagnostic>| found.extend(list.iter().map(|one| one.code.to_string()));
     for (program, control) in case_programs() {
         add(findings_on(&program, control));
     }

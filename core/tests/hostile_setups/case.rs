@@ -6,7 +6,7 @@ use probewright_core::catalogue::CYCLES;
 use probewright_core::catalogue::example::example;
 use probewright_core::dialect::Dialect;
 use probewright_core::entry::{Cycle, Variant};
-use probewright_core::json;
+use probewright_core::{app, json};
 use serde_json::{Map, Value, json as document};
 
 /// A question.
@@ -69,12 +69,16 @@ impl Case {
     pub fn answer(&self) -> Result<Value, json::Error> {
         let request = self.request.to_string();
         if !self.run {
-            return json::form(&request);
+            return form(&request);
         }
-        let mut run = json::Run::new(&request)?;
+        let mut run = app::Run::new(json::question(&request)?)?;
         while !run.advance(1000) {}
-        Ok(run.view())
+        Ok(json::document(&run.view()))
     }
+}
+
+fn form(request: &str) -> Result<Value, json::Error> {
+    Ok(json::document(&app::form(json::question(request)?)?))
 }
 
 /// A radius that a body has which has little room in what is measured.
@@ -88,7 +92,7 @@ fn nearly_fits(values: &Value, draw: &mut Draw) -> f64 {
 
 /// The worked measurement of a variant, some of its values others, with errors and on a machine.
 fn asked(cycle: &'static Cycle, variant: &Variant, draw: &mut Draw) -> Value {
-    let control = json::dialect_name(cycle.dialect);
+    let control = cycle.dialect;
     let mut values = example(cycle, variant);
     let plane = draw.of(&["G17", "G17", "G18", "G19"]);
     let mut request = document!({ "control": control, "cycle": cycle.name, "values": values, "predict": true });
@@ -119,7 +123,7 @@ fn asked(cycle: &'static Cycle, variant: &Variant, draw: &mut Draw) -> Value {
 fn machine(request: &Value, plane: &str) -> Value {
     let mut request = request.clone();
     request["setup"] = document!({ "own": { "plane": plane } });
-    let view = json::form(&request.to_string()).unwrap_or_default();
+    let view = form(&request.to_string()).unwrap_or_default();
     view["setup"].clone()
 }
 
@@ -151,7 +155,7 @@ fn errors(draw: &mut Draw) -> Value {
 
 /// A program with the call of a form, and before it what spoils it.
 fn program(cycle: &Cycle, form: &Value, draw: &mut Draw) -> Value {
-    let snippet = json::form(&form.to_string()).unwrap_or_default();
+    let snippet = self::form(&form.to_string()).unwrap_or_default();
     let snippet = snippet["snippet"].as_str().unwrap_or_default().to_owned();
     let before: String = (0..draw.below(6)).map(|_| line(cycle.dialect, draw)).collect();
     let behind = line(cycle.dialect, draw);

@@ -1,6 +1,7 @@
 //! `probewright alarms`.
 
 use crate::file::{Problem, print_json};
+use probewright_core::app::{self, AlarmInfo};
 use probewright_core::catalogue::alarms::{self, ALARMS};
 use probewright_core::catalogue::operator_messages::{self, MESSAGES};
 use probewright_core::json;
@@ -13,7 +14,7 @@ use std::process::ExitCode;
 pub fn alarms(number: Option<&str>, as_json: bool, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
     match number {
         Some(text) => one(text, as_json, words, out)?,
-        None if as_json => print_json(json::alarms(), words, out)?,
+        None if as_json => print_json(json::document(&app::alarms()), words, out)?,
         None => list(words, out)?,
     }
     Ok(ExitCode::SUCCESS)
@@ -30,15 +31,15 @@ fn list(words: &Words, out: &mut dyn Write) -> std::io::Result<()> {
 
 fn one(text: &str, as_json: bool, words: &Words, out: &mut dyn Write) -> Result<(), Problem> {
     let (view, told, source) = match (alarms::find(text), operator_messages::find(text)) {
-        (Some(alarm), _) => (json::alarm(alarm), told(alarm, words), alarm.source),
+        (Some(alarm), _) => (AlarmInfo::of(alarm), told(alarm, words), alarm.source),
         (None, Some(message)) => {
             let told = told_message(message, words);
-            (json::operator_message(message), told, message.source)
+            (AlarmInfo::of_message(message), told, message.source)
         }
         (None, None) => return Err(format!("no such alarm: {text}").into()),
     };
     if as_json {
-        print_json(view, words, out)?;
+        print_json(json::document(&view), words, out)?;
     } else {
         explain(&told, source, out)?;
     }

@@ -1,8 +1,8 @@
 //! `probewright check`, and how findings are printed.
 
 use crate::file::{self, Control, Problem};
+use probewright_core::app;
 use probewright_core::diagnostic::{Diagnostic, Severity};
-use probewright_core::json;
 use probewright_core::program;
 use probewright_core::syntax;
 use probewright_core::syntax::position::Positions;
@@ -43,7 +43,7 @@ pub fn check(
         if as_json {
             errors += found.iter().filter(|finding| finding.severity == Severity::Error).count();
             let name = path.display().to_string();
-            views.push(serde_json::json!({ "file": name, "diagnostics": json::diagnostics(&found, &source) }));
+            views.push(serde_json::json!({ "file": name, "diagnostics": app::findings(&found, &source) }));
         } else {
             errors += print_all(path, &source, &found, words, out)?;
         }
@@ -93,7 +93,7 @@ pub fn one_line(finding: &Diagnostic, words: &Words) -> String {
         Severity::Warning => "warning",
         Severity::Note => "note",
     };
-    let mut line = format!("{severity}[{}]: ", json::code(finding.code));
+    let mut line = format!("{severity}[{}]: ", finding.code);
     let cause = words.text(&finding.message);
     if let Some(param) = finding.param.filter(|param| !cause.starts_with(param.as_str())) {
         line.push_str(&param);

@@ -1,6 +1,7 @@
 //! `probewright cycles`.
 
 use crate::file::{Problem, print_json};
+use probewright_core::app;
 use probewright_core::catalogue::CYCLES;
 use probewright_core::json;
 use probewright_core::words::Words;
@@ -10,7 +11,7 @@ use std::process::ExitCode;
 /// Lists the catalogue.
 pub fn cycles(as_json: bool, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
     if as_json {
-        print_json(json::cycles(), words, out)?;
+        print_json(json::document(&app::catalogue().cycles), words, out)?;
         return Ok(ExitCode::SUCCESS);
     }
     for cycle in CYCLES {

@@ -1,11 +1,11 @@
 //! `probewright read`.
 
 use crate::file::{self, Control, Problem};
-use probewright_core::json;
 use probewright_core::message::printable;
 use probewright_core::program::calls::calls;
 use probewright_core::syntax;
 use probewright_core::words::Words;
+use probewright_core::{app, json};
 use std::io::Write;
 use std::path::Path;
 use std::process::ExitCode;
@@ -21,7 +21,7 @@ pub fn read(
     let source = file::program(path, words)?;
     let program = syntax::read(file::dialect(control, &source), &source);
     if as_json {
-        file::print_json(json::calls(&program), words, out)?;
+        file::print_json(json::document(&app::calls(&program)), words, out)?;
         return Ok(ExitCode::SUCCESS);
     }
     for call in calls(&program) {

@@ -3,6 +3,7 @@
 use crate::check::print_all;
 use crate::file::{self, Problem};
 use crate::scan;
+use probewright_core::app::{RunAssumed, RunView};
 use probewright_core::catalogue::alarms;
 use probewright_core::diagnostic::{Code, Diagnostic, Severity};
 use probewright_core::entry::Unit;
@@ -59,11 +60,11 @@ pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
         }
     };
     if arguments.json {
-        let mut view = json::run_outcome(&setup, &outcome, &source);
+        let mut view = RunView::new(setup.clone(), outcome.clone(), &source);
         if arguments.setup.is_none() {
-            view["assumed"] = json::assumed(&told, &setup);
+            view.assumed = Some(RunAssumed { messages: told, setup });
         }
-        file::print_json(view, words, out)?;
+        file::print_json(json::document(&view), words, out)?;
     } else {
         for assumption in &told {
             writeln!(out, "{}", words.text(assumption))?;
@@ -132,5 +133,5 @@ fn print_results(path: &Path, outcome: &Outcome, words: &Words, out: &mut dyn Wr
 
 fn alarm_line(alarm: Code, words: &Words) -> String {
     let key = alarms::key(alarm);
-    format!("alarm {}: {}", json::code(alarm), words.text(&Message::new(key)))
+    format!("alarm {alarm}: {}", words.text(&Message::new(key)))
 }

@@ -1,7 +1,7 @@
 //! Digitizing in a run: the surface that is scanned, and the files for what is sent.
 
 use crate::file::{self, Problem};
-use probewright_core::json::{self, SurfaceName};
+use probewright_core::app::{SurfaceChoice, put_surface};
 use probewright_core::machine::setup::Setup;
 use probewright_core::scan::Sent;
 use probewright_core::scan::text::{Form, piece};
@@ -41,7 +41,7 @@ impl Files {
         };
         let refused = |why: &str| format!("{}: {why}", path.display());
         let (name, bytes) = surface(path)?;
-        match json::put_surface(setup, &name, &bytes).map_err(|error| refused(&words.text(&error.message)))? {
+        match put_surface(setup, &name, &bytes).map_err(|error| refused(&words.text(&error.message)))? {
             true => Ok(()),
             false => Err(refused("the setup has no free surface that it could replace").into()),
         }
@@ -67,18 +67,18 @@ fn text(Sent { cloud, layout }: &Sent, form: Form) -> impl Iterator<Item = Strin
 }
 
 /// What is named: one of ours, an STL file, else a picture.
-fn surface(path: &Path) -> Result<(SurfaceName, Vec<u8>), Problem> {
+fn surface(path: &Path) -> Result<(SurfaceChoice, Vec<u8>), Problem> {
     let known = EXAMPLES.iter().find(|(name, _)| path == Path::new(name));
     if let Some((name, _)) = known {
-        return Ok((SurfaceName::Example((*name).to_owned()), Vec::new()));
+        return Ok((SurfaceChoice::Example((*name).to_owned()), Vec::new()));
     }
     let bytes = file::bytes(path)?;
     let ending = path.extension().and_then(OsStr::to_str).unwrap_or_default();
     if ending.eq_ignore_ascii_case("stl") {
-        return Ok((SurfaceName::Stl, bytes));
+        return Ok((SurfaceChoice::Stl, bytes));
     }
     let (columns, greys) = greys(&bytes).map_err(|error| format!("{}: {error}", path.display()))?;
-    Ok((SurfaceName::Picture(columns), greys))
+    Ok((SurfaceChoice::Picture(columns), greys))
 }
 
 /// Pixels a row and grey values of a PNG picture; what is clear lies on white.

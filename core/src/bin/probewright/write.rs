@@ -9,7 +9,6 @@ use probewright_core::diagnostic::Severity;
 use probewright_core::dialect::Dialect;
 use probewright_core::entry::Cycle;
 use probewright_core::entry::Typed;
-use probewright_core::json;
 use probewright_core::machine::setup::Setup;
 use probewright_core::message::printable;
 use probewright_core::program::write::snippet;
@@ -33,7 +32,8 @@ pub fn write(
     let checked = check::check(cycle, &typed, &control);
     let label = |_: &str, key: &str| words.key(key.to_owned());
     let comments = comments.then_some(&label as &dyn Fn(&str, &str) -> String);
-    let written = snippet(cycle, &typed, &control, json::style(style)?, comments);
+    let style = serde_json::from_value(style.into())?;
+    let written = snippet(cycle, &typed, &control, style, comments);
     let mut findings = checked.diagnostics.iter().chain(&written.findings);
     for finding in findings.clone() {
         complain(&one_line(finding, words));

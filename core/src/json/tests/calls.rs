@@ -1,6 +1,7 @@
 //! Calls of a program, the catalogue, the help of a variant.
 
 use super::inch_machine;
+use crate::json::asked::*;
 use crate::json::*;
 use serde_json::json;
 

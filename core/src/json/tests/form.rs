@@ -1,6 +1,8 @@
 //! A form: fields, picture, units, the control's own support, the other control.
 
 use super::request;
+use crate::dialect::Dialect;
+use crate::json::asked::*;
 use crate::json::*;
 use serde_json::json;
 
@@ -8,7 +10,7 @@ use serde_json::json;
 #[test]
 fn a_form_without_values_has_fields_and_a_picture() {
     for cycle in crate::catalogue::CYCLES {
-        let request = json!({ "control": dialect_name(cycle.dialect), "cycle": cycle.name }).to_string();
+        let request = json!({ "control": cycle.dialect, "cycle": cycle.name }).to_string();
         let view = form(&request).unwrap();
         let blank = view["fields"].as_array().unwrap().is_empty();
         assert_eq!(blank, cycle.params.is_empty(), "{}", cycle.name);
@@ -107,8 +109,8 @@ fn the_same_task_on_the_other_control_stands_beside_the_form() {
 // does any depth of a web
 #[test]
 fn examples_of_macros_fit_their_plane() {
-    let cycles = super::catalogue::cycles();
-    let cycles = cycles.as_array().unwrap().iter();
+    let catalogue = catalogue();
+    let cycles = catalogue["cycles"].as_array().unwrap().iter();
     for cycle in cycles.filter(|one| one["control"] == "nct" && one["purpose"]["probe"] == "workpiece") {
         for variant in cycle["variants"].as_array().unwrap() {
             for plane in ["G17", "G18", "G19"] {

@@ -1,6 +1,7 @@
 //! Machines of their own: inches.
 
 use super::inch_machine;
+use crate::json::asked::*;
 use crate::json::*;
 use serde_json::json;
 
@@ -9,11 +10,11 @@ use serde_json::json;
 fn an_inch_machine_goes_over_the_wire() {
     let setup = setup_from_json(&inch_machine().to_string()).unwrap();
     assert_eq!(setup.control.basic_length("_WP[0,0]"), 6.0);
-    assert_eq!(setup.control.unit_function(), 70);
+    assert_eq!(setup.control.unit_function() as u16, 70);
     let written = setup_to_json(&setup);
     assert_eq!((&written["units"], &written["active"]["units"]), (&json!("inch"), &json!("G70")));
     let again = setup_from_json(&written.to_string()).unwrap().control;
-    assert_eq!((again.basic_units, again.unit_function()), (setup.control.basic_units, 70));
+    assert_eq!((again.basic_units, again.unit_function() as u16), (setup.control.basic_units, 70));
     assert_eq!(again.environments, setup.control.environments);
     assert_eq!(again.environments["ROUGH"].tool, 20);
     for (name, value) in setup.control.data.iter() {

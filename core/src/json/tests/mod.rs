@@ -9,6 +9,7 @@ mod setup;
 mod setup_limits;
 
 use crate::entry::Typed;
+use crate::json::asked::*;
 use crate::json::*;
 use serde_json::json;
 
@@ -19,7 +20,7 @@ fn request(cycle: &crate::entry::Cycle) -> String {
 
 fn asked(cycle: &crate::entry::Cycle, values: &Typed) -> String {
     json!({
-        "control": dialect_name(cycle.dialect),
+        "control": cycle.dialect,
         "cycle": cycle.name,
         "values": values,
         "predict": true,

@@ -2,7 +2,9 @@
 
 use super::{asked, request};
 use crate::control::Plane;
+use crate::dialect::Dialect;
 use crate::entry::ProbeUse;
+use crate::json::asked::*;
 use crate::json::*;
 use crate::machine::setup::Setup;
 use serde_json::json;
@@ -196,9 +198,7 @@ fn the_largest_errors_are_those_that_still_come_to_an_end() {
 
 /// A program carried out to its end.
 fn done(request: &Value) -> Value {
-    let mut run = Run::new(&request.to_string()).unwrap();
-    while !run.advance(usize::MAX) {}
-    run.view()
+    run(&request.to_string()).unwrap()
 }
 
 /// A ring that is calibrated in, and a hole that is measured, on one machine.

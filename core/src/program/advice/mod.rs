@@ -76,7 +76,7 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
     for (index, site, way) in in_order(sites) {
         at_call.plane = way.state.plane.is().copied().unwrap_or(site.plane);
         at_call.transverse = way.state.transverse.is().copied().unwrap_or(site.transverse);
-        at_call.choose_units(site.unit_function);
+        at_call.choose_units(site.unit_function as u16);
         let values = site.values_on(way);
         if let Some(list) = site.list.filter(|list| list.style == Style::Operate)
             && newer::is_open(site.cycle, list, values, &at_call)

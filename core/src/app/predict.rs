@@ -1,7 +1,7 @@
 //! What a call would do, on a part and with a probe that have the errors of the page's sliders.
 
+use super::outcome::Outcome;
 use super::start::Start;
-use super::{Error, object, put, shape};
 use crate::control::Plane;
 use crate::entry::Inputs;
 use crate::entry::{ProbeUse, Work};
@@ -9,73 +9,91 @@ use crate::geometry::{V3, rigid};
 use crate::machine::{Setup, Stop, possible};
 use crate::message::Message;
 use crate::refused::Path;
-use crate::run::{Outcome, survives};
+use crate::run::{self, survives};
 use crate::scene::Source;
 use crate::workpiece::tool::{Cut, Tool};
 use crate::workpiece::{PartErrors, Probe, Solid};
-use serde::Deserialize;
-use serde_json::Value;
+use serde::{Deserialize, Serialize};
 
 /// What is wrong with part and probe, as the sliders of the page set it.
-#[derive(Clone, Copy, Default, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
 #[serde(default)]
-struct Errors {
-    part: PartSliders,
-    probe: ProbeSliders,
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct ErrorSliders {
+    /// The part; a tool probe in its place.
+    pub part: PartSliders,
+    /// The workpiece probe; of a tool at a tool probe the tool.
+    pub probe: ProbeSliders,
 }
 
-#[derive(Clone, Copy, Default, Deserialize)]
+/// What is wrong with a part, mm and degree.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
 #[serde(default, rename_all = "camelCase")]
-struct PartSliders {
-    dx: f64,
-    dy: f64,
-    dz: f64,
-    size: f64,
-    tilt: f64,
-    taper: f64,
-    out_of_round: f64,
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct PartSliders {
+    /// Displacement along X of the machine.
+    pub dx: f64,
+    /// Along Y.
+    pub dy: f64,
+    /// Along Z.
+    pub dz: f64,
+    /// Added to every diameter, width and length.
+    pub size: f64,
+    /// Turned about the applicate, degree.
+    pub tilt: f64,
+    /// Growth of the diameter per mm of depth.
+    pub taper: f64,
+    /// Amplitude of the three lobes of the radius.
+    pub out_of_round: f64,
 }
 
-#[derive(Clone, Copy, Default, Deserialize)]
+/// What is wrong with a probe, mm.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
 #[serde(default, rename_all = "camelCase")]
-struct ProbeSliders {
-    skew_x: f64,
-    skew_y: f64,
-    radius: f64,
-    pre_travel: f64,
-    repeatability: f64,
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct ProbeSliders {
+    /// Centre of the ball off the axis, along X; of a tool its length L1.
+    pub skew_x: f64,
+    /// Along Y; of a tool its length L2.
+    pub skew_y: f64,
+    /// Added to the radius of the ball, or of the tool.
+    pub radius: f64,
+    /// Travel after contact until the signal.
+    pub pre_travel: f64,
+    /// Standard deviation of the switching point.
+    pub repeatability: f64,
 }
 
-/// Carries out the call on the proposed part: an `Outcome`, and what is to be seen of it.
-pub(super) fn predict(
-    work: &Work,
-    inputs: &Inputs,
-    start: Start,
-    errors: Option<Value>,
-    limits: bool,
-) -> Result<(Value, Source), Error> {
-    let errors = errors.map_or(Ok(Errors::default()), shape::read)?;
+/// Up to which errors of the part a call comes to its end, the others being as they are.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct ErrorLimit {
+    /// Name of the error among those of the part.
+    #[cfg_attr(test, ts(type = "keyof PartSliders"))]
+    pub error: &'static str,
+    /// The smallest; none: any.
+    pub low: Option<f64>,
+    /// The largest; none: any.
+    pub high: Option<f64>,
+}
+
+/// Carries out the call on the proposed part: what it does, with what is to be seen of it.
+pub(super) fn predict(work: &Work, inputs: &Inputs, start: Start, errors: &ErrorSliders, limits: bool) -> Outcome {
     let Start { mut setup, described } = start;
-    let limits = limits.then(|| survived(work, inputs, &setup, &errors, described));
-    let zones = prepare(&mut setup, work, inputs, &errors, described);
+    let limits = limits.then(|| survived(work, inputs, &setup, errors, described));
+    let zones = prepare(&mut setup, work, inputs, errors, described);
     let outcome = carried_out(inputs, &mut setup);
-    let mut view = super::outcome(inputs, &setup, &outcome);
-    put(&mut view["trace"], "zones", super::setup_write::solids(&zones));
-    let mut source = Source { setup, outcome, zones, limits: Vec::new() };
-    if let Some((limits, solids)) = limits {
-        put(&mut view, "limits", limits);
-        put(&mut view["trace"], "limits", super::setup_write::solids(&solids));
-        source.limits = solids;
-    }
-    Ok((view, source))
+    let (limits, solids) = limits.unzip();
+    let source = Source { setup, outcome, zones, limits: solids.unwrap_or_default() };
+    Outcome::new(inputs, source, limits)
 }
 
 /// What the call does. With errors as large as what they change, and from a place that is beyond all numbers, nothing
 /// is simulated, and drawn is what can exist.
-fn carried_out(inputs: &Inputs, setup: &mut Setup) -> Outcome {
+fn carried_out(inputs: &Inputs, setup: &mut Setup) -> run::Outcome {
     let somewhere = setup.position.iter().all(|value| value.is_finite());
     let problem = match setup.exists().is_ok() {
-        true if somewhere => return crate::run::predict(inputs.cycle, inputs, setup),
+        true if somewhere => return run::predict(inputs.cycle, inputs, setup),
         true => "run-not-finite",
         false => "run-errors",
     };
@@ -84,7 +102,7 @@ fn carried_out(inputs: &Inputs, setup: &mut Setup) -> Outcome {
     }
     setup.workpiece.solids.retain(|one| possible::solid(&Path::default(), one).is_ok());
     setup.tool_probes.retain(|one| possible::solid(&Path::default(), &one.solid).is_ok());
-    Outcome { stop: Some(Stop::Fault(Message::new(problem))), ..Outcome::new(setup) }
+    run::Outcome { stop: Some(Stop::Fault(Message::new(problem))), ..run::Outcome::new(setup) }
 }
 
 /// An error of the part by the name of its slider.
@@ -100,7 +118,13 @@ const SLIDERS: [Slider; 4] = [
 
 /// The largest errors that the call survives, the others being as they are, and the part with the first of them that is
 /// limited: as it is on both sides.
-fn survived(work: &Work, inputs: &Inputs, setup: &Setup, errors: &Errors, described: bool) -> (Value, Vec<Solid>) {
+fn survived(
+    work: &Work,
+    inputs: &Inputs,
+    setup: &Setup,
+    errors: &ErrorSliders,
+    described: bool,
+) -> (Vec<ErrorLimit>, Vec<Solid>) {
     let with = |(_, slider): Slider, error: f64| {
         let mut setup = setup.clone();
         let mut errors = *errors;
@@ -115,18 +139,18 @@ fn survived(work: &Work, inputs: &Inputs, setup: &Setup, errors: &Errors, descri
         let Some(found) = survives::survived(inputs, possible) else {
             continue;
         };
-        limits.push(object([("error", slider.0.into()), ("low", found.low.into()), ("high", found.high.into())]));
+        limits.push(ErrorLimit { error: slider.0, low: found.low, high: found.high });
         if solids.is_empty() {
             let sides = [found.low, found.high].into_iter().flatten();
             solids.extend(sides.flat_map(|error| with(slider, error).workpiece.solids));
         }
     }
-    (limits.into(), solids)
+    (limits, solids)
 }
 
 /// Puts the proposed part with its errors and the probe with its own into the setup, and the probe before it.
 /// A machine that the user described keeps the tools it has. Gives the protection zones.
-fn prepare(setup: &mut Setup, work: &Work, inputs: &Inputs, errors: &Errors, described: bool) -> Vec<Solid> {
+fn prepare(setup: &mut Setup, work: &Work, inputs: &Inputs, errors: &ErrorSliders, described: bool) -> Vec<Solid> {
     let proposal = (work.propose)(inputs, &setup.control);
     setup.workpiece = proposal.workpiece;
     let part = part_errors(&errors.part, setup.control.plane);
@@ -155,7 +179,7 @@ fn prepare(setup: &mut Setup, work: &Work, inputs: &Inputs, errors: &Errors, des
 
 /// Gives a tool probe the errors of part and probe, and the tool before it those of ball and skew: so much wider and,
 /// in L1 and L2, longer it is than the control believes.
-fn tool_errors(setup: &mut Setup, inputs: &Inputs, errors: &Errors) {
+fn tool_errors(setup: &mut Setup, inputs: &Inputs, errors: &ErrorSliders) {
     let part = part_errors(&errors.part, setup.control.plane);
     for tool_probe in &mut setup.tool_probes {
         spoil(std::slice::from_mut(&mut tool_probe.solid), &part);

@@ -1,52 +1,82 @@
 //! A scan of a surface in pieces: asked for once, answered with figures, points and texts.
 
-use super::setup_active::{PlaneName, choose_units, plane};
-use super::{Error, dialect, object, setup_surface};
+use super::outcome::Raised;
+use super::start::{Machine, start};
+use super::{Error, choose_units, unknown};
 use crate::catalogue;
-use crate::check::{self};
+use crate::check;
+use crate::control::{Plane, UnitFunction};
+use crate::dialect::Dialect;
 use crate::entry::Typed;
+use crate::json::example_surface;
 use crate::machine::{Setup, Stop};
 use crate::refused::Path;
-use crate::run::scanning::Deviation;
-use crate::run::scanning::Session;
+use crate::run::scanning::{Deviation, Session};
 use crate::scan::text::{FORMS, piece};
 use crate::scan::{Layout, turns};
 use crate::workpiece::free::{FreeSurface, Heights, stl_triangles};
 use crate::workpiece::{Shape, Solid};
-use serde::Deserialize;
-use serde_json::Value;
+use serde::{Deserialize, Serialize};
 use std::ops::Range;
 use std::sync::Arc;
 
 /// Most triangles of a surface that is only looked at.
 const DRAWN: usize = 30_000;
 
-#[derive(Deserialize)]
-struct Request {
-    control: String,
-    cycle: String,
-    values: Typed,
-    /// The machine, with a surface as its part.
-    setup: Value,
-    #[serde(default)]
-    plane: Option<PlaneName>,
-    #[serde(default)]
-    units: Option<String>,
-    /// Another surface in its place; absent: that of the setup.
-    #[serde(default)]
-    surface: Option<SurfaceName>,
+/// Which surface is scanned, and how.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
+pub struct ScanRequest {
+    /// Control.
+    pub control: Dialect,
+    /// A cycle that scans.
+    pub cycle: String,
+    /// Values as typed, by parameter.
+    pub values: Typed,
+    /// Machine, with a surface as its part: that of a form.
+    pub setup: Machine,
+    /// Working plane at the call, where it is not that of the machine.
+    pub plane: Option<Plane>,
+    /// G function of units at the call, likewise.
+    pub units: Option<UnitFunction>,
+    /// Another surface in its place, as large; absent: that of the machine.
+    pub surface: Option<SurfaceChoice>,
 }
 
-/// What stands in the place of the surface of the setup, as large as that.
-#[derive(Deserialize)]
+/// What stands in the place of a surface, as large as that.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub enum SurfaceName {
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub enum SurfaceChoice {
     /// One of ours.
     Example(String),
     /// The file is one of grey values, row by row from above, with so many in a row.
     Picture(usize),
     /// The file is an STL file; its upper side lies where that of the other surface does, and it keeps its size.
     Stl,
+}
+
+/// What came out of a scan.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct ScanView {
+    /// How many points were scanned.
+    pub points: usize,
+    /// In how many lines.
+    pub lines: usize,
+    /// Why it did not come to its end.
+    pub alarms: Vec<Raised>,
+    /// How far the points as sent are from the true surface.
+    pub sent: Deviation,
+    /// The same with the ball taken out.
+    pub surface: Deviation,
+    /// The part.
+    #[cfg_attr(test, ts(type = "Solid[]"))]
+    pub solids: Vec<Solid>,
+    /// Radius of the ball, mm.
+    pub radius: f64,
+    /// From where the points count, machine coordinates, mm.
+    pub origin: [f64; 3],
 }
 
 /// A scan that is answered in pieces.
@@ -57,24 +87,23 @@ pub struct Scan {
 
 impl Scan {
     /// A scan before its first point. `file`: the bytes that the request speaks of.
-    pub fn new(request: &str, file: &[u8]) -> Result<Scan, Error> {
-        let request: Request = super::request(request)?;
-        let dialect = dialect(&request.control)?;
-        let unknown = || super::unknown("document-scan", &request.cycle);
-        let cycle = catalogue::find(dialect, &request.cycle).ok_or_else(unknown)?;
-        let mut setup = super::start::start(dialect, Some(request.setup))?.setup;
-        if let Some(name) = &request.units {
-            choose_units(&mut setup.control, name)?;
+    ///
+    /// # Errors
+    /// A cycle that does not scan, a call with errors, or a surface that cannot be touched.
+    pub fn new(asked: ScanRequest, file: &[u8]) -> Result<Scan, Error> {
+        let scans = || unknown("document-scan", &asked.cycle);
+        let cycle = catalogue::find(asked.control, &asked.cycle).ok_or_else(scans)?;
+        let mut setup = start(asked.control, Some(asked.setup))?.setup;
+        if let Some(function) = asked.units {
+            choose_units(&mut setup.control, function)?;
         }
-        if let Some(name) = request.plane {
-            setup.control.plane = plane(name);
+        setup.control.plane = asked.plane.unwrap_or(setup.control.plane);
+        if let Some(choice) = &asked.surface {
+            put_surface(&mut setup, choice, file)?;
         }
-        if let Some(name) = &request.surface {
-            put_surface(&mut setup, name, file)?;
-        }
-        let checked = check::check(cycle, &request.values, &setup.control);
-        let inputs = checked.inputs.ok_or_else(|| super::unknown("document-scan-values", &request.cycle))?;
-        Ok(Scan { session: Session::new(&inputs, &setup).ok_or_else(unknown)?, part: setup.workpiece.solids })
+        let checked = check::check(cycle, &asked.values, &setup.control);
+        let inputs = checked.inputs.ok_or_else(|| unknown("document-scan-values", &asked.cycle))?;
+        Ok(Scan { session: Session::new(&inputs, &setup).ok_or_else(scans)?, part: setup.workpiece.solids })
     }
 
     /// Goes on by about so many points; true: it is over.
@@ -90,25 +119,25 @@ impl Scan {
         self.session.as_ref().map_or(1.0, Session::share)
     }
 
-    /// What came out, as a `ScanView`.
-    pub fn view(&self) -> Value {
+    /// What came out.
+    pub fn view(&self) -> ScanView {
         let stop = match &self.session {
             Ok(session) => session.stop(),
             Err(stop) => Some(stop),
         };
         let session = self.session.as_ref().ok();
         let cloud = session.map(Session::cloud);
-        let which = |which: usize| deviation(session.map_or(Deviation::default(), |one| one.deviation(which)));
-        object([
-            ("points", cloud.map_or(0, |cloud| cloud.points().len()).into()),
-            ("lines", cloud.map_or(0, |cloud| cloud.lines()).into()),
-            ("alarms", stop.map(super::trace::stopped).into_iter().collect()),
-            ("sent", which(0)),
-            ("surface", which(1)),
-            ("solids", super::setup_write::solids(&drawn(&self.part))),
-            ("radius", session.map_or(0.0, |session| session.layout().radius).into()),
-            ("origin", self.origin().into()),
-        ])
+        let deviation = |which: usize| session.map_or(Deviation::default(), |one| one.deviation(which));
+        ScanView {
+            points: cloud.map_or(0, |cloud| cloud.points().len()),
+            lines: cloud.map_or(0, |cloud| cloud.lines()),
+            alarms: stop.map(Raised::stop).into_iter().collect(),
+            sent: deviation(0),
+            surface: deviation(1),
+            solids: drawn(&self.part),
+            radius: session.map_or(0.0, |session| session.layout().radius),
+            origin: self.origin(),
+        }
     }
 
     /// Of these points, in the order of the scan, four numbers each: X Y Z from the origin in machine coordinates, and
@@ -150,7 +179,7 @@ impl Scan {
     /// The text of these points in the form of this name; pieces one behind the other are the whole text.
     pub fn text(&self, form: &str, from: usize, to: usize) -> Result<String, Error> {
         let known = FORMS.iter().find(|(name, _)| *name == form);
-        let (_, form) = known.ok_or_else(|| super::unknown("document-form", form))?;
+        let (_, form) = known.ok_or_else(|| unknown("document-form", form))?;
         let Ok(session) = &self.session else {
             return Ok(String::new());
         };
@@ -169,13 +198,9 @@ impl Scan {
     }
 }
 
-fn deviation(found: Deviation) -> Value {
-    object([("greatest", found.greatest.into()), ("mean", found.mean.into())])
-}
-
 /// Puts another surface in the place of that of the part; false: the part has none. `file`: the bytes of which the name
 /// speaks.
-pub fn put_surface(setup: &mut Setup, name: &SurfaceName, file: &[u8]) -> Result<bool, Error> {
+pub fn put_surface(setup: &mut Setup, name: &SurfaceChoice, file: &[u8]) -> Result<bool, Error> {
     let mut put = false;
     for solid in &mut setup.workpiece.solids {
         if let Shape::Free(before) = &solid.shape {
@@ -187,13 +212,13 @@ pub fn put_surface(setup: &mut Setup, name: &SurfaceName, file: &[u8]) -> Result
     Ok(put)
 }
 
-fn instead(before: &FreeSurface, name: &SurfaceName, file: &[u8]) -> Result<FreeSurface, Error> {
+fn instead(before: &FreeSurface, name: &SurfaceChoice, file: &[u8]) -> Result<FreeSurface, Error> {
     let [low, high] = before.bounds();
     let [x, y, height] = [0, 1, 2].map(|axis| (high[axis] - low[axis]).max(1e-3));
     match name {
-        SurfaceName::Example(name) => setup_surface::example(&Path::of(&["surface"]), name, [x, y, height]),
-        SurfaceName::Picture(columns) => Ok(Heights::from_greys(file, *columns, [x, y], height)?.surface()?),
-        SurfaceName::Stl => {
+        SurfaceChoice::Example(name) => example_surface(&Path::of(&["surface"]), name, [x, y, height]),
+        SurfaceChoice::Picture(columns) => Ok(Heights::from_greys(file, *columns, [x, y], height)?.surface()?),
+        SurfaceChoice::Stl => {
             let mut triangles = stl_triangles(file)?;
             let [low, high] = FreeSurface::from_triangles(&triangles)?.bounds();
             let middle = [0, 1].map(|axis| (low[axis] + high[axis]) / 2.0);
@@ -226,14 +251,14 @@ fn drawn(part: &[Solid]) -> Vec<Solid> {
 mod tests {
     #![allow(clippy::unwrap_used, clippy::panic)]
     use super::*;
-    use serde_json::json;
+    use serde_json::{Value, json};
 
     /// A request for the example of the form, on the machine that the form makes.
     fn request(surface: Value) -> String {
         let cycle = &crate::catalogue::p9969::P9969;
         let values = crate::catalogue::example::worked(cycle);
         let form = json!({ "control": "nct", "cycle": cycle.name, "values": values, "predict": true });
-        let view = crate::json::form(&form.to_string()).unwrap();
+        let view = crate::json::asked::form(&form.to_string()).unwrap();
         let asked = json!({
             "control": "nct", "cycle": cycle.name, "values": values,
             "setup": view["setup"], "surface": surface,
@@ -241,8 +266,12 @@ mod tests {
         asked.to_string()
     }
 
+    fn begun(request: &str, file: &[u8]) -> Result<Scan, crate::json::Error> {
+        Ok(Scan::new(crate::json::question(request)?, file)?)
+    }
+
     fn scanned(surface: Value, file: &[u8]) -> Scan {
-        let mut scan = Scan::new(&request(surface), file).unwrap();
+        let mut scan = begun(&request(surface), file).unwrap();
         while !scan.advance(50) {}
         assert_eq!(scan.share(), 1.0);
         scan
@@ -260,7 +289,7 @@ mod tests {
             (json!("stl"), BOX.as_bytes().to_vec(), true),
         ] {
             let scan = scanned(surface.clone(), &file);
-            let view = scan.view();
+            let view = crate::json::document(&scan.view());
             assert_eq!(view["alarms"], json!([]), "{surface}");
             assert_eq!(view["lines"], 6, "{surface}");
             let points = view["points"].as_u64().unwrap() as usize;
@@ -292,10 +321,10 @@ mod tests {
             (json!("stl"), b"solid".to_vec()),
             (json!("stl"), vec![0xff; 200]),
         ] {
-            assert!(Scan::new(&request(surface.clone()), &file).is_err(), "{surface}");
+            assert!(begun(&request(surface.clone()), &file).is_err(), "{surface}");
         }
-        assert!(Scan::new("{}", &[]).is_err());
+        assert!(begun("{}", &[]).is_err());
         let other = request(json!(null)).replace("G65 P9969", "G110");
-        assert!(Scan::new(&other, &[]).is_err());
+        assert!(begun(&other, &[]).is_err());
     }
 }

@@ -1,31 +1,45 @@
 //! What is different after a run, with words for the names that a program would use.
 
-use super::setup_active::units_of;
-use super::{message, object};
 use crate::control::rotary::is_angle;
 use crate::control::{Control, gud, nct_data};
 use crate::message::Message;
-use crate::run::outcome::{Change, Outcome};
-use serde_json::Value;
+use crate::run;
+use serde::Serialize;
 
-/// Tools, frames and memories before and after; lengths in the basic system of the machine, rotations in degree.
-pub fn changes(outcome: &Outcome) -> Vec<Value> {
+/// A quantity that is different after a run.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct Change {
+    /// As a program would name it: `$TC_DP15[20,1]`, `$P_UIFR[1,X,FI]`, `_MV[9]`.
+    pub name: String,
+    /// In words.
+    pub label: Message,
+    /// Before, in its unit.
+    pub before: f64,
+    /// After.
+    pub after: f64,
+    /// A length has that of the basic system of the machine.
+    pub unit: &'static str,
+}
+
+/// Tools, frames and memories before and after.
+pub(super) fn changes(outcome: &run::Outcome) -> Vec<Change> {
     let basic = outcome.control.basic_units;
-    let value = |change: Change| {
+    let change = |change: run::outcome::Change| {
         let (factor, unit) = match is_angle(&change.name) {
             true => (1.0, "deg"),
             false if is_factor(&change.name) => (1.0, ""),
-            false => (basic.factor(), units_of(basic)),
+            false => (basic.factor(), basic.name()),
         };
-        object([
-            ("name", change.name.as_str().into()),
-            ("label", message(&label(&outcome.control, &change.name))),
-            ("before", (change.before / factor).into()),
-            ("after", (change.after / factor).into()),
-            ("unit", unit.into()),
-        ])
+        Change {
+            label: label(&outcome.control, &change.name),
+            before: change.before / factor,
+            after: change.after / factor,
+            unit,
+            name: change.name,
+        }
     };
-    outcome.changes().into_iter().map(value).collect()
+    outcome.changes().into_iter().map(change).collect()
 }
 
 /// Whether a name is a scale factor or a mirror of a frame.

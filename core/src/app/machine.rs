@@ -1,50 +1,136 @@
 //! The machine as a form: its data with what they mean, and what was typed written into them.
 
-use super::setup_active::{UnitsName, units, units_of};
-use super::start::{Start, start};
-use super::{Error, dialect, message, object, put};
-use crate::control::{Control, Units, Value as Datum, delivery_in, rebuilt};
+use super::Error;
+use super::start::{Machine, start};
+use crate::control::{Control, Units, Value, delivery_in, rebuilt};
+use crate::dialect::Dialect;
 use crate::entry::Typed;
 use crate::form::machine::{Entry, Group, Refusal, Setting, accept, groups};
 use crate::message::Message;
 use crate::program::write::machine::{assignments, definitions};
-use serde::Deserialize;
-use serde_json::Value;
+use crate::range::Range;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
-#[derive(Deserialize)]
-struct Request {
-    control: String,
-    #[serde(default)]
-    setup: Option<Value>,
-    /// Basic system that the machine is to be built for from now on.
-    #[serde(default)]
-    basic: Option<UnitsName>,
+/// Which machine, and what is typed into its form.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
+pub struct MachineRequest {
+    /// Control.
+    pub control: Dialect,
+    /// Machine; absent: the core's own as it is.
+    pub setup: Option<Machine>,
+    /// Basic system that it is to be built for from now on; the data keep their sizes.
+    pub basic: Option<Units>,
     /// Typed values by name; an empty one goes back to what is delivered.
     #[serde(default)]
-    values: Typed,
+    pub values: Typed,
 }
 
-/// Answers a `MachineRequest` with a `MachineView`.
-pub fn machine(request: &str) -> Result<Value, Error> {
-    let request: Request = super::request(request)?;
-    let dialect = dialect(&request.control)?;
-    let Start { setup, .. } = start(dialect, request.setup)?;
-    let asked = request.basic.map(units).or_else(|| chosen(&request.values));
-    let mut control = match asked {
+/// What is set once per machine.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct MachineView {
+    /// Its data by subject.
+    pub groups: Vec<MachineGroup>,
+    /// Its basic system now.
+    pub basic: Units,
+    /// What differs from delivery now, for the setup.
+    pub data: BTreeMap<String, Value>,
+    /// Values that were not taken.
+    pub problems: Vec<MachineProblem>,
+    /// What differs, as blocks of a part program.
+    pub assignments: String,
+    /// The same as lines of the definition file.
+    pub definitions: String,
+}
+
+/// A typed value that is not taken.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct MachineProblem {
+    /// Name of the datum.
+    pub name: String,
+    /// What is wrong.
+    pub message: Message,
+    /// The cure.
+    pub hint: Message,
+}
+
+/// Data of one subject.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct MachineGroup {
+    /// The subject.
+    pub label: Message,
+    /// Its data.
+    pub fields: Vec<MachineField>,
+}
+
+/// A datum of the machine.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
+pub struct MachineField {
+    /// As a program writes it: `_WP[0,1]`, `MD18600`.
+    pub name: String,
+    /// Key of its name; `.help`, and `.v0`, `.v1`, … of a choice, may stand behind it.
+    pub key: String,
+    /// Which field of data it belongs to.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub set: Option<Message>,
+    /// How it is entered.
+    pub kind: MachineKind,
+    /// As typed; empty: as delivered.
+    pub value: String,
+    /// As delivered; empty: not known.
+    pub fallback: String,
+    /// Unit on this machine.
+    pub unit: &'static str,
+    /// What is allowed.
+    pub range: Range,
+    /// The numbers of a choice.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub choices: Option<&'static [i64]>,
+    /// Place in the manual.
+    pub source: &'static str,
+}
+
+/// How a datum of the machine is entered.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub enum MachineKind {
+    /// A number.
+    Real,
+    /// A whole number.
+    Integer,
+    /// One of its choices.
+    Choice,
+    /// A text.
+    Text,
+}
+
+/// The machine with what was typed.
+///
+/// # Errors
+/// The machine has no such G function of units.
+pub fn machine(asked: MachineRequest) -> Result<MachineView, Error> {
+    let setup = start(asked.control, asked.setup)?.setup;
+    let basic = asked.basic.or_else(|| chosen(&asked.values));
+    let mut control = match basic {
         Some(basic) if basic != setup.control.basic_units => rebuilt(&setup.control, basic),
         _ => setup.control,
     };
-    let delivered = delivery_in(dialect, control.basic_units);
-    let problems = write(&mut control, &delivered, &request.values);
-    let groups = groups(&control);
-    Ok(object([
-        ("groups", groups.iter().map(|one| group(one, &control, &delivered)).collect()),
-        ("basic", units_of(control.basic_units).into()),
-        ("data", data(&control, &delivered)),
-        ("problems", problems.into()),
-        ("assignments", assignments(&control, &delivered).into()),
-        ("definitions", definitions(&control, &delivered).into()),
-    ]))
+    let delivered = delivery_in(asked.control, control.basic_units);
+    let problems = write(&mut control, &delivered, &asked.values);
+    Ok(MachineView {
+        groups: groups(&control).into_iter().map(|one| group(one, &control, &delivered)).collect(),
+        basic: control.basic_units,
+        data: data(&control, &delivered),
+        problems,
+        assignments: assignments(&control, &delivered),
+        definitions: definitions(&control, &delivered),
+    })
 }
 
 /// The basic system that a typed MD10240 stands for (B:13594): 1 metric, 0 inch.
@@ -57,7 +143,7 @@ fn chosen(typed: &Typed) -> Option<Units> {
 }
 
 /// Writes what was typed; gives what cannot be taken.
-fn write(control: &mut Control, delivered: &Control, typed: &Typed) -> Vec<Value> {
+fn write(control: &mut Control, delivered: &Control, typed: &Typed) -> Vec<MachineProblem> {
     let settings: Vec<Setting> = groups(control).into_iter().flat_map(|group| group.settings).collect();
     let mut problems = Vec::new();
     for (name, text) in typed {
@@ -69,10 +155,8 @@ fn write(control: &mut Control, delivered: &Control, typed: &Typed) -> Vec<Value
             continue;
         }
         match accept(setting, text) {
-            Ok(value) => {
-                control.data.insert(name.clone(), value);
-            }
-            Err(refusal) => problems.push(problem(name, refusal)),
+            Ok(value) => drop(control.data.insert(name.clone(), value)),
+            Err(Refusal { message, hint }) => problems.push(MachineProblem { name: name.clone(), message, hint }),
         }
     }
     problems
@@ -85,21 +169,16 @@ fn reset(control: &mut Control, delivered: &Control, name: &str) {
     };
 }
 
-/// A finding at a datum.
-fn problem(name: &str, refusal: Refusal) -> Value {
-    object([("name", name.into()), ("message", message(&refusal.message)), ("hint", message(&refusal.hint))])
-}
-
 /// What differs from delivery, as the setup file has it.
-fn data(control: &Control, delivered: &Control) -> Value {
+fn data(control: &Control, delivered: &Control) -> BTreeMap<String, Value> {
     let differs = control.data.iter().filter(|(name, value)| {
-        let zero = **value == Datum::Number(0.0);
-        match delivered.data.get(name) {
+        let zero = **value == Value::Number(0.0);
+        match delivered.data.get(*name) {
             Some(other) => other != *value,
             None => !zero || without_delivery(name),
         }
     });
-    object(differs.map(|(name, value)| (name.as_str(), super::setup_write::datum(value))))
+    differs.map(|(name, value)| (name.clone(), value.clone())).collect()
 }
 
 /// Whether a datum that the core does not deliver stands for "not known" until it is typed: machine and setting data.
@@ -107,49 +186,42 @@ fn without_delivery(name: &str) -> bool {
     name.starts_with("MD") || name.starts_with("SD")
 }
 
-fn group(group: &Group, control: &Control, delivered: &Control) -> Value {
-    let fields = group.settings.iter();
-    object([
-        ("label", message(&Message::new(group.key.clone()))),
-        ("fields", fields.map(|one| field(one, control, delivered)).collect()),
-    ])
+fn group(group: Group, control: &Control, delivered: &Control) -> MachineGroup {
+    let fields = group.settings.into_iter();
+    MachineGroup { label: Message::new(group.key), fields: fields.map(|one| field(one, control, delivered)).collect() }
 }
 
-fn field(setting: &Setting, control: &Control, delivered: &Control) -> Value {
-    let fallback = shown(delivered, setting);
-    let value = shown(control, setting);
-    let mut view = object([
-        ("name", setting.name.as_str().into()),
-        ("key", setting.key.as_str().into()),
-        ("value", if value == fallback { "" } else { &value }.into()),
-        ("fallback", fallback.as_str().into()),
-        ("unit", setting.unit.into()),
-        ("range", super::form::range(setting.range)),
-        ("source", setting.source.into()),
-    ]);
-    if let Some((array, number)) = setting.field {
+fn field(setting: Setting, control: &Control, delivered: &Control) -> MachineField {
+    let (fallback, value) = (shown(delivered, &setting), shown(control, &setting));
+    let set = setting.field.map(|(array, number)| {
         let key = array.trim_matches('_').to_lowercase().replace('_', "-");
-        let title = Message::new(format!("machine-field-{key}")).number("number", number as f64);
-        put(&mut view, "set", message(&title));
-    }
-    let kind = match setting.entry {
-        Entry::Real => "real",
-        Entry::Integer => "integer",
-        Entry::Text => "text",
-        Entry::Choice(choices) => {
-            put(&mut view, "choices", choices.to_vec());
-            "choice"
-        }
+        Message::new(format!("machine-field-{key}")).number("number", number as f64)
+    });
+    let (kind, choices) = match setting.entry {
+        Entry::Real => (MachineKind::Real, None),
+        Entry::Integer => (MachineKind::Integer, None),
+        Entry::Text => (MachineKind::Text, None),
+        Entry::Choice(choices) => (MachineKind::Choice, Some(choices)),
     };
-    put(&mut view, "kind", kind);
-    view
+    MachineField {
+        name: setting.name,
+        key: setting.key,
+        set,
+        kind,
+        value: if value == fallback { String::new() } else { value },
+        fallback,
+        unit: setting.unit,
+        range: setting.range,
+        choices,
+        source: setting.source,
+    }
 }
 
 /// A datum as it would be typed; empty where nothing is known of it.
 fn shown(control: &Control, setting: &Setting) -> String {
     match control.data.get(&setting.name) {
-        Some(Datum::Number(value)) => value.to_string(),
-        Some(Datum::Text(text)) => text.clone(),
+        Some(Value::Number(value)) => value.to_string(),
+        Some(Value::Text(text)) => text.clone(),
         None if setting.entry == Entry::Text || without_delivery(&setting.name) => String::new(),
         None => "0".to_owned(),
     }
@@ -158,9 +230,10 @@ fn shown(control: &Control, setting: &Setting) -> String {
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]
-    use super::*;
+    use crate::json::asked::machine;
+    use crate::message::Message;
     use crate::words::Words;
-    use serde_json::json;
+    use serde_json::{Value, json};
 
     fn ask(setup: &Value, values: &Value) -> Value {
         let request = json!({ "control": "sinumerik", "setup": setup, "values": values });

@@ -1,0 +1,200 @@
+//! What can be measured.
+
+use crate::catalogue::CYCLES;
+use crate::catalogue::example::{choosing, example, turned, worked};
+use crate::check;
+use crate::control::MachineSort;
+use crate::control::{Plane, delivery};
+use crate::diagnostic::Code;
+use crate::dialect::Dialect;
+use crate::entry::Typed;
+use crate::entry::{self, Cycle, Param, ProbeUse, Style, Unit};
+use crate::name::Name;
+use crate::workpiece::free::EXAMPLES;
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// Everything that can be measured.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct Catalogue {
+    /// In the order in which they are offered.
+    pub cycles: Vec<CycleInfo>,
+}
+
+/// A measuring cycle or macro.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct CycleInfo {
+    /// Control that has it.
+    pub control: Dialect,
+    /// Its name: `CYCLE977`.
+    pub cycle: &'static str,
+    /// Stem of its messages: `cycle977` of `cycle977-title`, `cycle977-words`, `cycle977-help`.
+    pub key: &'static str,
+    /// Where it belongs.
+    pub purpose: Purpose,
+    /// The ways of writing that its call has, direct first.
+    pub styles: Vec<Style>,
+    /// Its measuring variants.
+    pub variants: Vec<VariantInfo>,
+    /// Its parameters, in the order in which they are written.
+    pub parameters: Vec<ParameterInfo>,
+    /// What it leaves in the result data.
+    pub results: Vec<ResultInfo>,
+    /// Names of its alarms: `61303`, `PROBE FAIL`.
+    pub alarms: Vec<Code>,
+    /// Values of a worked measurement, as typed.
+    pub example: Typed,
+    /// Whether the other control has some of its tasks too.
+    pub twins: bool,
+    /// Whether it is simulated; else there are form, checks and text only, and a form has no outcome.
+    pub simulated: bool,
+    /// Names of our surfaces where it scans one, which a scan answers in pieces; else none.
+    pub surfaces: Vec<&'static str>,
+    /// Place in the manual.
+    pub source: &'static str,
+}
+
+/// Where a cycle belongs.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct Purpose {
+    /// Sort of machine.
+    pub machine: MachineSort,
+    /// In which plane such a machine works unless told otherwise.
+    pub plane: Option<Plane>,
+    /// The probe that it uses.
+    pub probe: ProbeUse,
+    /// Whether calibrating is all that it does.
+    pub calibrates: bool,
+}
+
+/// A measuring variant. Its values, as typed, choose it; its example is a worked measurement.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct VariantInfo {
+    /// Its number.
+    pub mvar: i64,
+    /// Key of its name.
+    pub key: &'static str,
+    /// Place in the manual.
+    pub source: &'static str,
+    /// Keys of what the digits of its number choose, the lowest place first.
+    pub choices: Vec<&'static str>,
+    /// In G17.
+    #[serde(flatten)]
+    pub usual: Values,
+    /// In the planes in which other addresses name the axes.
+    pub planes: BTreeMap<Plane, Values>,
+}
+
+/// Values of a variant as typed, by parameter name.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct Values {
+    /// Those that choose it.
+    pub values: Typed,
+    /// Those of its worked measurement.
+    pub example: Typed,
+}
+
+/// A parameter.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct ParameterInfo {
+    /// As the manual writes it: `_SETVAL`.
+    pub name: Name,
+    /// Stem of its messages: `setval` of `param-setval`.
+    pub key: &'static str,
+    /// Rule of its unit.
+    pub unit: Unit,
+    /// What counts while it is not written; none: it has to be.
+    pub default: Option<f64>,
+    /// Place in the manual.
+    pub source: &'static str,
+}
+
+/// A datum that a cycle leaves.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct ResultInfo {
+    /// `_OVR[4]`; of NCT a name of ours.
+    pub name: &'static str,
+    /// Key of its meaning.
+    pub key: &'static str,
+    /// Rule of its unit.
+    pub unit: Unit,
+    /// Place in the manual.
+    pub source: &'static str,
+}
+
+/// Everything that can be measured.
+pub fn catalogue() -> Catalogue {
+    Catalogue { cycles: CYCLES.iter().map(|cycle| entry(cycle)).collect() }
+}
+
+fn entry(cycle: &'static Cycle) -> CycleInfo {
+    let result = |field: &entry::ResultField| ResultInfo {
+        name: field.name,
+        key: field.key,
+        unit: field.unit,
+        source: field.source,
+    };
+    CycleInfo {
+        control: cycle.dialect,
+        cycle: cycle.name,
+        key: cycle.key,
+        purpose: purpose(cycle),
+        styles: styles(cycle),
+        variants: cycle.variants.iter().map(|one| variant(cycle, one)).collect(),
+        parameters: cycle.params.iter().map(parameter).collect(),
+        results: cycle.results.iter().map(result).collect(),
+        alarms: cycle.alarms(),
+        example: worked(cycle),
+        twins: !cycle.purpose.tasks.is_empty(),
+        simulated: cycle.simulation.is_some(),
+        surfaces: EXAMPLES.iter().filter(|_| cycle.scan().is_some()).map(|(name, _)| *name).collect(),
+        source: cycle.source,
+    }
+}
+
+fn purpose(cycle: &'static Cycle) -> Purpose {
+    let control = delivery(cycle.dialect);
+    let calibrates = |variant: &entry::Variant| {
+        let typed = choosing(cycle, variant.number);
+        let inputs = check::read(cycle, &typed, &control, &mut Vec::new());
+        cycle.purpose.calibrates.holds(&inputs)
+    };
+    Purpose {
+        machine: cycle.purpose.machine,
+        plane: cycle.purpose.machine.plane(),
+        probe: cycle.purpose.probe,
+        calibrates: cycle.variants.iter().all(calibrates),
+    }
+}
+
+fn styles(cycle: &Cycle) -> Vec<Style> {
+    let has = |style: &Style| {
+        *style == Style::Direct || cycle.lists.iter().any(|list| list.style == *style && list.is_written())
+    };
+    [Style::Direct, Style::Indirect, Style::Operate].into_iter().filter(has).collect()
+}
+
+fn variant(cycle: &'static Cycle, variant: &entry::Variant) -> VariantInfo {
+    let usual = Values { values: choosing(cycle, variant.number), example: example(cycle, variant) };
+    let choices = cycle.choices(variant.number).collect();
+    let mut planes = BTreeMap::new();
+    for plane in [Plane::G18, Plane::G19] {
+        let there = |values: &Typed| turned(cycle, values, plane);
+        let there = Values { values: there(&usual.values), example: there(&usual.example) };
+        if there != usual {
+            planes.insert(plane, there);
+        }
+    }
+    VariantInfo { mvar: variant.number, key: variant.key, source: variant.source, choices, usual, planes }
+}
+
+fn parameter(param: &Param) -> ParameterInfo {
+    ParameterInfo { name: param.name, key: param.key, unit: param.unit, default: param.default, source: param.source }
+}

@@ -1,0 +1,106 @@
+//! Edits of a program: a value changed in a form, a call in another way of writing.
+
+use super::finding::{Edit, Finding, TouchedLine, edits, placed, touched};
+use super::start::{Machine, start};
+use super::{Error, unknown};
+use crate::dialect::Dialect;
+use crate::entry::Style;
+use crate::name::Name;
+use crate::program::change::apply;
+use crate::program::convert as converting;
+use crate::program::revise::revise;
+use crate::syntax;
+use crate::syntax::position::Positions;
+use serde::{Deserialize, Serialize};
+
+/// A new value of a call.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
+pub struct ChangeRequest {
+    /// Control.
+    pub control: Dialect,
+    /// Text of the program.
+    pub text: String,
+    /// Which of its calls, from 0.
+    pub call: usize,
+    /// Parameter.
+    pub name: String,
+    /// Its new value, as typed; empty: it goes.
+    pub value: String,
+    /// Machine on which the program starts; absent: the core's own as it is.
+    pub setup: Option<Machine>,
+}
+
+/// What a new value does to a program.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct Changed {
+    /// Lists of edits, each for the text after the ones before it; the only places that change.
+    pub steps: Vec<Vec<Edit>>,
+    /// Lines outside of the call's own that they change.
+    pub elsewhere: Vec<TouchedLine>,
+    /// Parameters that the new variant does not know, taken out of the call.
+    pub taken: Vec<Name>,
+    /// What that means.
+    pub findings: Vec<Finding>,
+}
+
+/// A call in another way of writing.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
+pub struct ConvertRequest {
+    /// Control.
+    pub control: Dialect,
+    /// Text of the program.
+    pub text: String,
+    /// Which of its calls, from 0.
+    pub call: usize,
+    /// The way of writing.
+    pub style: Style,
+    /// Machine on which the program starts; absent: the core's own as it is.
+    pub setup: Option<Machine>,
+}
+
+/// Edits that write a call in another way.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct Converted {
+    /// The only places of the text that change; none: it is not possible, see the findings.
+    pub edits: Vec<Edit>,
+    /// What has to be said about it.
+    pub findings: Vec<Finding>,
+}
+
+/// Gives a parameter of a call another value.
+///
+/// # Errors
+/// There is no such call.
+pub fn change(asked: ChangeRequest) -> Result<Changed, Error> {
+    let mut program = syntax::read(asked.control, asked.text.as_bytes());
+    let control = start(asked.control, asked.setup)?.setup.control;
+    let done = revise(&program, asked.call, &asked.name, &asked.value, &control);
+    let done = done.ok_or_else(|| unknown("document-call", &asked.call.to_string()))?;
+    let mut steps = Vec::new();
+    for step in &done.steps {
+        steps.push(edits(step, &Positions::new(&program.source)));
+        program = syntax::read(asked.control, &apply(&program.source, step));
+    }
+    Ok(Changed {
+        steps,
+        elsewhere: touched(done.elsewhere),
+        taken: done.taken,
+        findings: placed(&done.findings, &Positions::new(b"")),
+    })
+}
+
+/// Writes a call in another way.
+///
+/// # Errors
+/// The machine has no such G function of units.
+pub fn convert(asked: ConvertRequest) -> Result<Converted, Error> {
+    let program = syntax::read(asked.control, asked.text.as_bytes());
+    let control = start(asked.control, asked.setup)?.setup.control;
+    let done = converting::convert(&program, asked.call, asked.style, &control);
+    let positions = Positions::new(&program.source);
+    Ok(Converted { edits: edits(&done.edits, &positions), findings: placed(&done.findings, &positions) })
+}

@@ -1,0 +1,32 @@
+//! What a file is, by its bytes.
+
+use crate::encoding::{Encoding, NoProgram};
+use crate::message::Message;
+use serde::Serialize;
+
+/// What a file is, by its bytes.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub enum Recognised {
+    /// A program.
+    Program {
+        /// How it is encoded.
+        #[cfg_attr(test, ts(type = "import(\"./encoding\").Encoding"))]
+        encoding: Encoding,
+    },
+    /// No program.
+    Other {
+        /// What it is instead.
+        why: Message,
+    },
+}
+
+impl From<Result<Encoding, NoProgram>> for Recognised {
+    fn from(found: Result<Encoding, NoProgram>) -> Recognised {
+        match found {
+            Ok(encoding) => Recognised::Program { encoding },
+            Err(what) => Recognised::Other { why: what.message() },
+        }
+    }
+}

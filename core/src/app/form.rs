@@ -1,0 +1,262 @@
+//! A form at every keystroke: fields, findings, snippet, picture, and what the call would do.
+
+use super::field::Field;
+use super::finding::Finding;
+use super::outcome::Outcome;
+use super::predict::{ErrorSliders, predict};
+use super::start::{Machine, start};
+use super::twin::{TwinView, twin};
+use super::{Error, choose_units, cycle};
+use crate::SIMULATES;
+use crate::check::{self, Checked, newer, variants};
+use crate::control::MachineSort;
+use crate::control::{Control, Plane, Transverse, UnitFunction, Units};
+use crate::diagnostic::{Diagnostic, Severity};
+use crate::dialect::Dialect;
+use crate::entry::Typed;
+use crate::entry::{ArgumentList, Cycle, Style, names};
+use crate::form;
+use crate::machine::setup::Setup;
+use crate::name::Name;
+use crate::own;
+use crate::picture::Picture;
+use crate::program::write::{Values, snippet_of};
+use crate::support::{self, Before, Support};
+use serde::{Deserialize, Serialize};
+
+/// What a form is asked for.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
+pub struct FormRequest {
+    /// Control.
+    pub control: Dialect,
+    /// Cycle.
+    pub cycle: String,
+    /// Values as typed, by parameter; absent: never typed.
+    #[serde(default)]
+    pub values: Typed,
+    /// Of the values that are the worth of an expression of the program: as it is written. The snippet carries it.
+    #[serde(default)]
+    #[cfg_attr(test, ts(optional, as = "Option<Typed>"))]
+    pub expressions: Typed,
+    /// Values that an outcome counts with instead of those of the form, which depend on the way to the call.
+    #[serde(default)]
+    #[cfg_attr(test, ts(optional, as = "Option<Typed>"))]
+    pub assumed: Typed,
+    /// Machine; absent: the core's own as it is.
+    pub setup: Option<Machine>,
+    /// G function of units in force at the call, where it is not that of the machine.
+    pub units: Option<UnitFunction>,
+    /// Working plane at the call, where it is not that of the machine.
+    pub plane: Option<Plane>,
+    /// How X is given at the call; absent: as diameters in a turning cycle.
+    pub transverse: Option<Transverse>,
+    /// What is wrong with part and probe; absent: nothing.
+    pub errors: Option<ErrorSliders>,
+    /// Words by parameter for a comment line each in the snippet.
+    pub comments: Option<Typed>,
+    /// Way of writing of the call of a program that the form shows: a list of newer controls has rules of its own.
+    pub written: Option<Style>,
+    /// Way of writing of the snippet; absent: as the machine's forms have it, else direct.
+    pub style: Option<Style>,
+    /// Whether to simulate.
+    #[serde(default)]
+    #[cfg_attr(test, ts(optional, as = "Option<bool>"))]
+    pub predict: bool,
+    /// Whether to look for the largest errors of the part that the call survives: takes a hundred runs.
+    #[serde(default)]
+    #[cfg_attr(test, ts(optional, as = "Option<bool>"))]
+    pub limits: bool,
+    /// Whether to look for the same task on the other control.
+    #[serde(default)]
+    #[cfg_attr(test, ts(optional, as = "Option<bool>"))]
+    pub twin: bool,
+}
+
+/// A form.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
+pub struct FormView {
+    /// Fields in the order in which they are shown; hidden ones are left out.
+    pub fields: Vec<Field>,
+    /// All findings; those of a field name its parameter.
+    pub diagnostics: Vec<Finding>,
+    /// Text of the program, also for incomplete values as far as it can be written; empty: not in this way.
+    pub snippet: String,
+    /// What this way of writing cannot say.
+    pub snippet_findings: Vec<Finding>,
+    /// Way of writing that counts until another is chosen: the machine may say so.
+    pub preset: Style,
+    /// Whether there is no error.
+    pub complete: bool,
+    /// The variant that the values choose.
+    #[cfg_attr(test, ts(optional = false))]
+    pub mvar: Option<i64>,
+    /// What the values mean, drawn; only from a build that simulates.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub picture: Option<Picture>,
+    /// When asked for: the same task on the other control; null where that has none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub twin: Option<Option<TwinView>>,
+    /// When simulating was asked for and there is no outcome: parameters whose values only a run tells.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unknown: Option<Vec<Name>>,
+    /// When simulating was asked for, of a complete form of a cycle that is simulated.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub outcome: Option<Outcome>,
+    /// When simulating was asked for: the machine, for an outcome with the proposed part, its errors and the start.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(type = "Setup"))]
+    pub setup: Option<Setup>,
+}
+
+/// Answers what is asked at every keystroke.
+///
+/// # Errors
+/// A cycle or a G function of units that the control does not have.
+pub fn form(mut asked: FormRequest) -> Result<FormView, Error> {
+    let cycle = cycle(asked.control, &asked.cycle)?;
+    let mut start = start(cycle.dialect, asked.setup.take())?;
+    if !start.described {
+        suit(&mut start.setup, cycle, &asked);
+    }
+    let at_start = modal(&start.setup.control);
+    at_call(&mut start.setup.control, cycle, &asked)?;
+    let control = &mut start.setup.control;
+    let support = Support::of(cycle, control);
+    let preset = support.map_or(Style::Direct, |support| support.style(cycle));
+    let newer = newer_list(cycle, asked.written);
+    let support = support.filter(|_| newer.is_none());
+    let (values, before) = entered(support, cycle, asked.values, control);
+    let judge = |values: &Typed, control: &Control| match newer {
+        Some(list) => newer::check_listed(cycle, list, values, control),
+        None => check::check(cycle, values, control),
+    };
+    let mut checked = judge(&values, control);
+    if let (Some(support), Some(inputs)) = (support, &checked.inputs) {
+        let params = cycle.params.iter();
+        let found = params.filter_map(|param| support::finding(support, param, inputs));
+        checked.diagnostics.extend(found);
+    }
+    let values_of = Values { typed: &values, expressions: &asked.expressions };
+    let style = asked.style.unwrap_or(preset);
+    let mut view = view(cycle, &values_of, &start.setup, &checked, style, asked.comments.as_ref());
+    view.preset = preset;
+    view.twin = (asked.twin && SIMULATES).then(|| twin(cycle, &values, &start.setup.control));
+    if !asked.predict || !SIMULATES {
+        return Ok(view);
+    }
+    if !asked.assumed.is_empty() {
+        let mut values = values;
+        values.extend(asked.assumed);
+        checked.inputs = judge(&values, &start.setup.control).inputs;
+    }
+    view.unknown = checked.inputs.is_none().then(|| unknown(&checked));
+    let mut setup = match (cycle.work(), &checked.inputs) {
+        (Some(work), Some(inputs)) => {
+            let outcome = predict(work, inputs, start, &asked.errors.unwrap_or_default(), asked.limits);
+            view.outcome.insert(outcome).trace.setup.clone()
+        }
+        _ => start.setup,
+    };
+    set_modal(&mut setup.control, at_start);
+    support::restore(&mut setup.control, before);
+    view.setup = Some(setup);
+    Ok(view)
+}
+
+/// Brings to the core's own machine what the cycle needs: which probe that is may depend on the plane at the call.
+fn suit(setup: &mut Setup, cycle: &'static Cycle, asked: &FormRequest) {
+    let variant = asked.assumed.get(names::MVAR.as_str()).or_else(|| asked.values.get(names::MVAR.as_str()));
+    let variant = variant.and_then(|text| text.trim().parse().ok());
+    let own = setup.control.plane;
+    setup.control.plane = asked.plane.unwrap_or(own);
+    setup.suit(cycle, variant.unwrap_or(0));
+    setup.control.plane = own;
+}
+
+/// What is in force at the call. A form has no DIAMON before its call; it asks for diameters (B:10623).
+fn at_call(control: &mut Control, cycle: &Cycle, asked: &FormRequest) -> Result<(), Error> {
+    if cycle.purpose.machine == MachineSort::Turning {
+        control.transverse = asked.transverse.unwrap_or(Transverse::Diameter);
+    }
+    if let Some(function) = asked.units {
+        choose_units(control, function)?;
+    }
+    control.plane = asked.plane.unwrap_or(control.plane);
+    Ok(())
+}
+
+/// The list of a newer control, where the call that the form shows is written in it.
+fn newer_list(cycle: &Cycle, written: Option<Style>) -> Option<&'static ArgumentList> {
+    let of_newer = |list: &&ArgumentList| list.style == Style::Operate;
+    cycle.lists.iter().find(of_newer).filter(|_| written == Some(Style::Operate))
+}
+
+/// The parameters whose values are known at run time only.
+fn unknown(checked: &Checked) -> Vec<Name> {
+    let found = checked.diagnostics.iter();
+    let found = found.filter(|one| one.code == own::EXPRESSION.code());
+    found.filter_map(|one| one.param).collect()
+}
+
+/// The values of the form, those included that the settings of the machine give; the control gets what they write into
+/// its data.
+fn entered(support: Option<Support>, cycle: &'static Cycle, typed: Typed, control: &mut Control) -> (Typed, Before) {
+    let Some(support) = support else {
+        return (typed, Before::new());
+    };
+    let entered = support.entered(cycle, &typed, control);
+    let before = entered.write(control);
+    (entered.values, before)
+}
+
+/// Plane, diameters and units of a control: what a program begins with is not what counts at one of its calls.
+type Modal = (Plane, Transverse, Units, bool);
+
+fn modal(control: &Control) -> Modal {
+    let Control { plane, transverse, active_units, data_follow, .. } = *control;
+    (plane, transverse, active_units, data_follow)
+}
+
+fn set_modal(control: &mut Control, (plane, transverse, units, data_follow): Modal) {
+    control.plane = plane;
+    control.transverse = transverse;
+    control.active_units = units;
+    control.data_follow = data_follow;
+}
+
+/// The form without what is simulated.
+fn view(
+    cycle: &'static Cycle,
+    values: &Values,
+    setup: &Setup,
+    checked: &Checked,
+    style: Style,
+    comments: Option<&Typed>,
+) -> FormView {
+    let word = |name: &str, _: &str| comments.and_then(|words| words.get(name)).cloned().unwrap_or_default();
+    let control = &setup.control;
+    let words = comments.map(|_| &word as &dyn Fn(&str, &str) -> String);
+    let written = snippet_of(cycle, values, control, style, words);
+    let field = |field: form::Field| {
+        let expression = values.expressions.get(field.name.as_str()).cloned();
+        Field::new(field, expression)
+    };
+    let findings = |list: &[Diagnostic]| list.iter().map(Finding::of).collect();
+    FormView {
+        fields: form::fields(cycle, values.typed, control).into_iter().map(field).collect(),
+        diagnostics: findings(&checked.diagnostics),
+        snippet: written.text,
+        snippet_findings: findings(&written.findings),
+        preset: style,
+        complete: checked.diagnostics.iter().all(|found| found.severity != Severity::Error),
+        mvar: variants::chosen(cycle, values.typed, control),
+        picture: form::draw(cycle, values.typed, control).map(Picture::rounded),
+        twin: None,
+        unknown: None,
+        outcome: None,
+        setup: None,
+    }
+}

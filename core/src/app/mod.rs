@@ -1,0 +1,63 @@
+//! What can be asked: questions and answers as plain data, a function each. Page, terminal program and tests ask the
+//! same; `json` only writes them down.
+
+mod alarms;
+mod catalogue;
+mod changes;
+mod edit;
+mod encoding;
+mod field;
+mod finding;
+mod form;
+mod help;
+mod machine;
+mod outcome;
+mod predict;
+mod program;
+mod run;
+mod scan;
+mod start;
+mod twin;
+
+pub use crate::refused::Refused as Error;
+pub use alarms::{AlarmInfo, alarm, alarms};
+pub use catalogue::{Catalogue, CycleInfo, ParameterInfo, Purpose, ResultInfo, Values, VariantInfo, catalogue};
+pub use changes::Change;
+pub use edit::{ChangeRequest, Changed, ConvertRequest, Converted, change, convert};
+pub use encoding::Recognised;
+pub use field::{Field, FieldKind};
+pub use finding::{Cure, Edit, Finding, TouchedLine, findings};
+pub use form::{FormRequest, FormView, form};
+pub use help::{HelpRequest, HelpResult, HelpSection, HelpText, HelpView, help};
+pub use machine::{MachineField, MachineGroup, MachineKind, MachineProblem, MachineRequest, MachineView, machine};
+pub use outcome::{Measured, Outcome, Raised};
+pub use predict::{ErrorLimit, ErrorSliders, PartSliders, ProbeSliders};
+pub use program::{Arrival, CallView, ReadRequest, ReadView, calls, read};
+pub use run::{OfCall, Run, RunAlarm, RunAssumed, RunDecision, RunRequest, RunResult, RunView};
+pub use scan::{Scan, ScanRequest, ScanView, SurfaceChoice, put_surface};
+pub use start::{Machine, OwnMachine};
+pub use twin::{Shared, TwinView};
+
+use crate::control::{Control, UnitFunction};
+use crate::dialect::Dialect;
+use crate::entry::Cycle;
+use crate::refused::Path;
+
+/// The cycle of a control with this name.
+fn cycle(dialect: Dialect, name: &str) -> Result<&'static Cycle, Error> {
+    crate::catalogue::find(dialect, name).ok_or_else(|| unknown("document-cycle", name))
+}
+
+/// Makes a G function of units the one in force, where the control has it.
+fn choose_units(control: &mut Control, function: UnitFunction) -> Result<(), Error> {
+    if control.choose_units(function as u16) {
+        return Ok(());
+    }
+    let path = Path::of(&["units"]);
+    Err(Error::new("setup-units", path).text("name", format!("{function:?}")))
+}
+
+/// A name that nothing has.
+fn unknown(key: &'static str, name: &str) -> Error {
+    Error::new(key, Path::default()).text("name", name)
+}

@@ -1,0 +1,162 @@
+//! The measuring calls of a program, and what is wrong with it.
+
+use super::Error;
+use super::finding::{Finding, placed, touched};
+use super::start::{Machine, start};
+use crate::check::variants;
+use crate::control::{Control, Plane, Transverse, UnitFunction, delivery};
+use crate::dialect::Dialect;
+use crate::entry::Style;
+use crate::entry::Typed;
+use crate::name::Name;
+use crate::program;
+use crate::program::calls::{CallSite, calls_told};
+use crate::program::touched::cured_elsewhere;
+use crate::syntax::position::Positions;
+use crate::syntax::{self, Program};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+/// Which program is read.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
+pub struct ReadRequest {
+    /// Control.
+    pub control: Dialect,
+    /// Its text.
+    pub text: String,
+    /// Machine on which it starts; absent: the core's own as it is.
+    pub setup: Option<Machine>,
+}
+
+/// A program.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct ReadView {
+    /// Its measuring calls in order.
+    pub calls: Vec<CallView>,
+    /// What is wrong with it.
+    pub diagnostics: Vec<Finding>,
+}
+
+/// A measuring call of a program.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct CallView {
+    /// Control.
+    pub control: Dialect,
+    /// Cycle.
+    pub cycle: &'static str,
+    /// Stem of its messages.
+    pub key: &'static str,
+    /// Number of the variant, where it is known.
+    pub mvar: Option<i64>,
+    /// First line with an assignment that belongs to it, from 1.
+    pub line: u32,
+    /// Line of the call itself.
+    pub last_line: u32,
+    /// Where the call itself begins in the text, UTF-16 units.
+    pub from: u32,
+    /// One past its end.
+    pub to: u32,
+    /// How it is written.
+    pub style: Style,
+    /// Values that arrive at it, as a form wants them.
+    pub values: Typed,
+    /// Of those that are the worth of an expression: as it is written.
+    pub expressions: Typed,
+    /// Of the values that differ by the way or from pass to pass: those that arrive first.
+    pub first: BTreeMap<Name, Arrival>,
+    /// Working plane there.
+    pub plane: Plane,
+    /// How X is given there.
+    pub transverse: Transverse,
+    /// G function of units in force there.
+    pub units: UnitFunction,
+    /// What is wrong with it.
+    pub diagnostics: Vec<Finding>,
+    /// Notes at values that come from other programs of the text, or differ by the way to the call.
+    pub arrivals: Vec<Finding>,
+}
+
+/// A value that arrives at a call.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct Arrival {
+    /// As it is written.
+    pub value: String,
+    /// Its line, from 1.
+    pub line: u32,
+}
+
+/// Of reading: until the text is read, and until its calls are found. What is left are doubts about the whole.
+const SHARES: [f64; 2] = [0.6, 0.9];
+
+/// Findings that travel: with more of them it is another sort of file, not a program with mistakes.
+const MOST_FINDINGS: usize = 10_000;
+
+/// Reads a program, telling from time to time which share of the work is done; short programs are done at once.
+///
+/// # Errors
+/// The machine has no such G function of units.
+pub fn read(asked: ReadRequest, told: &mut dyn FnMut(f64)) -> Result<ReadView, Error> {
+    let [text, calls] = SHARES;
+    let program = syntax::read_told(asked.control, asked.text.as_bytes(), &mut |share| told(share * text));
+    let control = start(asked.control, asked.setup)?.setup.control;
+    Ok(view(&program, control, &mut |share| told(text + share * (calls - text))))
+}
+
+/// The measuring calls of a program on a metric control as delivered.
+pub fn calls(program: &Program) -> ReadView {
+    view(program, delivery(program.dialect), &mut |_| {})
+}
+
+fn view(program: &Program, control: Control, told: &mut dyn FnMut(f64)) -> ReadView {
+    let positions = Positions::new(&program.source);
+    let sites = calls_told(program, control.clone(), told);
+    let mut found = program::findings_of(program, &sites, &control);
+    found.truncate(MOST_FINDINGS);
+    let finding = |one| {
+        let lines = cured_elsewhere(program, &sites, one);
+        let elsewhere = (!lines.is_empty()).then(|| touched(lines));
+        Finding { elsewhere, ..Finding::placed(one, &positions) }
+    };
+    ReadView {
+        diagnostics: found.iter().map(finding).collect(),
+        calls: sites.iter().map(|site| call(program, site, &positions)).collect(),
+    }
+}
+
+fn call(program: &Program, site: &CallSite, positions: &Positions) -> CallView {
+    let arrival = |origin: &program::calls::Origin| Arrival {
+        value: origin.text.clone(),
+        line: program.line_of(origin.place.start) + 1,
+    };
+    CallView {
+        control: program.dialect,
+        cycle: site.cycle.name,
+        key: site.cycle.key,
+        mvar: variant(site),
+        line: site.first_line + 1,
+        last_line: site.line + 1,
+        from: positions.utf16(site.span.start),
+        to: positions.utf16(site.span.end),
+        style: site.list.map_or(Style::Direct, |list| list.style),
+        values: site.values.clone(),
+        expressions: site.expressions.clone(),
+        first: site.first.iter().map(|(name, origin)| (*name, arrival(origin))).collect(),
+        plane: site.plane,
+        transverse: site.transverse,
+        units: site.unit_function,
+        diagnostics: placed(&site.diagnostics, positions),
+        arrivals: placed(&program::arrivals(program, site), positions),
+    }
+}
+
+/// Number of the measuring variant, where it is known.
+fn variant(site: &CallSite) -> Option<i64> {
+    let mut control = delivery(site.cycle.dialect);
+    control.plane = site.plane;
+    variants::chosen(site.cycle, &site.values, &control)
+}

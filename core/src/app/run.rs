@@ -1,0 +1,229 @@
+//! A program carried out.
+
+use super::Error;
+use super::changes::{Change, changes};
+use super::finding::{Finding, placed};
+use super::outcome::{Raised, alarms};
+use super::start::{Machine, start};
+use crate::dialect::Dialect;
+use crate::entry::unit_name;
+use crate::machine::setup::Setup;
+use crate::machine::trace::Step;
+use crate::message::Message;
+use crate::run::left::{CallAt, Left};
+use crate::run::outcome::{Outcome, PassedOver};
+use crate::run::{Limits, Session};
+use crate::scene::Source;
+use crate::syntax;
+use crate::syntax::position::Positions;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
+
+/// What is run.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
+pub struct RunRequest {
+    /// Control.
+    pub control: Dialect,
+    /// Text of the program.
+    pub text: String,
+    /// Machine; absent: the core's own as it is.
+    pub setup: Option<Machine>,
+}
+
+/// What a program did.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
+pub struct RunView {
+    /// Everything that happened.
+    #[cfg_attr(test, ts(type = "Trace"))]
+    pub trace: Source,
+    /// What was found on the way.
+    pub diagnostics: Vec<Finding>,
+    /// The results of each call; behind them what the program wrote beside them.
+    pub results: Vec<RunResult>,
+    /// What the cycles decided, in order.
+    pub decisions: Vec<RunDecision>,
+    /// What is different afterwards.
+    pub changes: Vec<Change>,
+    /// The alarms in order.
+    pub alarms: Vec<RunAlarm>,
+    /// Lines of the log, and blocks that were sent.
+    pub log: Vec<String>,
+    /// Whether it reached its end.
+    pub finished: bool,
+    /// What it went on without.
+    pub passed_over: Vec<PassedOver>,
+    /// How it ended.
+    pub ending: Message,
+    /// Of a program that came without a machine: what was assumed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub assumed: Option<RunAssumed>,
+}
+
+/// What was assumed for a program that came without a machine.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct RunAssumed {
+    /// In words.
+    pub messages: Vec<Message>,
+    /// The machine on which it ran.
+    #[cfg_attr(test, ts(type = "Setup"))]
+    pub setup: Setup,
+}
+
+/// The call of a program to which something belongs; absent: none.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
+pub struct OfCall {
+    /// Its line, from 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub line: Option<u32>,
+    /// Its cycle.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cycle: Option<&'static str>,
+}
+
+/// A result of a run.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
+pub struct RunResult {
+    /// `_OVR[4]`.
+    pub name: String,
+    /// Its value.
+    pub value: f64,
+    /// Its meaning, where a call left it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub label: Option<Message>,
+    /// Its unit, where a call left it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unit: Option<&'static str>,
+    /// That call.
+    #[serde(flatten)]
+    pub call: OfCall,
+}
+
+/// A decision of a cycle.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct RunDecision {
+    /// What was decided.
+    pub message: Message,
+    /// By which call.
+    #[serde(flatten)]
+    pub call: OfCall,
+}
+
+/// An alarm of a run.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct RunAlarm {
+    /// The alarm.
+    #[serde(flatten)]
+    pub raised: Raised,
+    /// By which call.
+    #[serde(flatten)]
+    pub call: OfCall,
+}
+
+impl OfCall {
+    fn new(call: Option<CallAt>) -> OfCall {
+        OfCall { line: call.map(|call| call.line + 1), cycle: call.map(|call| call.cycle) }
+    }
+}
+
+/// A run in pieces, so that whoever waits for it can be told how far it is, halt it and leave it.
+pub struct Run {
+    session: Session,
+    setup: Setup,
+    source: Vec<u8>,
+}
+
+impl Run {
+    /// A run before its first block.
+    ///
+    /// # Errors
+    /// The machine has no such G function of units.
+    pub fn new(asked: RunRequest) -> Result<Run, Error> {
+        let setup = start(asked.control, asked.setup)?.setup;
+        let program = syntax::read(asked.control, asked.text.as_bytes());
+        Ok(Run { session: Session::new(program, &setup, Limits::default()), setup, source: asked.text.into_bytes() })
+    }
+
+    /// Carries out about so many blocks; true: the run is over.
+    pub fn advance(&mut self, blocks: usize) -> bool {
+        self.session.advance(blocks)
+    }
+
+    /// How much of the main program is done, 0 to 1.
+    pub fn share(&self) -> f64 {
+        self.session.share()
+    }
+
+    /// What it did so far.
+    pub fn view(self) -> RunView {
+        RunView::new(self.setup, self.session.outcome(), &self.source)
+    }
+}
+
+impl RunView {
+    /// What a program of this text did on a machine.
+    pub fn new(setup: Setup, outcome: Outcome, source: &[u8]) -> RunView {
+        RunView {
+            diagnostics: placed(&outcome.diagnostics, &Positions::new(source)),
+            results: results(&outcome),
+            decisions: decisions(&outcome),
+            changes: changes(&outcome),
+            alarms: raised(&outcome),
+            log: outcome.log().into_iter().map(str::to_owned).collect(),
+            finished: outcome.finished(),
+            passed_over: outcome.passed_over.clone(),
+            ending: outcome.ending(),
+            assumed: None,
+            trace: Source { setup, outcome, zones: Vec::new(), limits: Vec::new() },
+        }
+    }
+}
+
+fn results(outcome: &Outcome) -> Vec<RunResult> {
+    let mut all = Vec::new();
+    let mut told = BTreeSet::new();
+    for Left { line, cycle, results } in outcome.left() {
+        for (field, value) in results {
+            told.insert(field.name);
+            all.push(RunResult {
+                name: field.name.to_owned(),
+                value,
+                label: Some(Message::new(field.key)),
+                unit: Some(unit_name(field.unit, &outcome.control)),
+                call: OfCall::new(Some(CallAt { line, cycle })),
+            });
+        }
+    }
+    let rest = outcome.written().into_iter().filter(|(name, _)| !told.contains(name));
+    all.extend(rest.map(|(name, value)| RunResult {
+        name: name.to_owned(),
+        value,
+        label: None,
+        unit: None,
+        call: OfCall::default(),
+    }));
+    all
+}
+
+fn decisions(outcome: &Outcome) -> Vec<RunDecision> {
+    let decisions = outcome.by_call().filter_map(|(call, step)| match step {
+        Step::Decision(message) => Some(RunDecision { message: message.clone(), call: OfCall::new(call) }),
+        _ => None,
+    });
+    decisions.collect()
+}
+
+fn raised(outcome: &Outcome) -> Vec<RunAlarm> {
+    let steps = outcome.by_call();
+    let calls = steps.filter_map(|(call, step)| matches!(step, Step::Alarm(_)).then_some(call));
+    let last = outcome.by_call().last().and_then(|(call, _)| call);
+    let calls = calls.chain(std::iter::repeat(last)).map(OfCall::new);
+    alarms(outcome).into_iter().zip(calls).map(|(raised, call)| RunAlarm { raised, call }).collect()
+}

@@ -1,0 +1,124 @@
+//! The machine of a question: the core's own, or one that the user described.
+
+use super::Error;
+use crate::SIMULATES;
+use crate::control::{Plane, UnitFunction, Units, Value};
+use crate::dialect::Dialect;
+use crate::json::{self, SetupFile};
+use crate::machine::setup::Setup;
+use serde::de::value::{MapAccessDeserializer, StringDeserializer};
+use serde::de::{DeserializeSeed, Error as _, IntoDeserializer, MapAccess, Visitor};
+use serde::{Deserialize, Deserializer};
+use std::collections::BTreeMap;
+use std::fmt;
+
+/// The machine of a question.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(untagged))]
+pub enum Machine {
+    /// The core's own, with what is chosen for it.
+    Own {
+        /// What it begins with.
+        own: OwnMachine,
+    },
+    /// One that the user described.
+    #[cfg_attr(test, ts(skip))]
+    Described(Box<Setup>),
+    /// One that a setup file describes.
+    File(#[cfg_attr(test, ts(type = "Setup"))] Box<SetupFile>),
+}
+
+/// What the core's own machine begins with.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
+pub struct OwnMachine {
+    /// Basic system of units; none: metric.
+    pub basic: Option<Units>,
+    /// Working plane; none: G17.
+    pub plane: Option<Plane>,
+    /// G function of units; none: that of the basic system.
+    pub units: Option<UnitFunction>,
+    /// User and machine data that differ.
+    #[cfg_attr(test, ts(optional, as = "Option<BTreeMap<String, Value>>"))]
+    pub data: BTreeMap<String, Value>,
+}
+
+impl<'de> Deserialize<'de> for Machine {
+    fn deserialize<D: Deserializer<'de>>(document: D) -> Result<Machine, D::Error> {
+        document.deserialize_map(Either)
+    }
+}
+
+/// Its first member tells which machine a document is.
+struct Either;
+
+impl<'de> Visitor<'de> for Either {
+    type Value = Machine;
+
+    fn expecting(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        to.write_str("document-object")
+    }
+
+    fn visit_map<M: MapAccess<'de>>(self, mut members: M) -> Result<Machine, M::Error> {
+        let first: Option<String> = members.next_key()?;
+        if first.as_deref() == Some("own") {
+            return Ok(Machine::Own { own: members.next_value()? });
+        }
+        if !SIMULATES {
+            return Err(M::Error::custom("document-no-setup"));
+        }
+        let all = MapAccessDeserializer::new(Again { first, rest: members });
+        Ok(Machine::File(Box::new(SetupFile::deserialize(all)?)))
+    }
+}
+
+/// The members of a document whose first name was read already.
+struct Again<M> {
+    first: Option<String>,
+    rest: M,
+}
+
+impl<'de, M: MapAccess<'de>> MapAccess<'de> for Again<M> {
+    type Error = M::Error;
+
+    fn next_key_seed<K: DeserializeSeed<'de>>(&mut self, seed: K) -> Result<Option<K::Value>, M::Error> {
+        let Some(first) = self.first.take() else {
+            return self.rest.next_key_seed(seed);
+        };
+        let first: StringDeserializer<M::Error> = first.into_deserializer();
+        seed.deserialize(first).map(Some)
+    }
+
+    fn next_value_seed<V: DeserializeSeed<'de>>(&mut self, seed: V) -> Result<V::Value, M::Error> {
+        self.rest.next_value_seed(seed)
+    }
+}
+
+/// What a question starts from.
+pub(super) struct Start {
+    /// What is there.
+    pub setup: Setup,
+    /// Whether the user described it; else it is the core's own.
+    pub described: bool,
+}
+
+/// The machine of a question; none: the core's own as it is.
+pub(super) fn start(dialect: Dialect, machine: Option<Machine>) -> Result<Start, Error> {
+    let own = match machine {
+        Some(Machine::File(file)) => return Ok(Start { setup: json::setup(*file)?, described: true }),
+        Some(Machine::Described(setup)) => return Ok(Start { setup: *setup, described: true }),
+        Some(Machine::Own { own }) => own,
+        None => OwnMachine::default(),
+    };
+    let basic = own.basic.unwrap_or(Units::Metric);
+    let mut setup = Setup::calibrated_in(dialect, own.plane.unwrap_or(Plane::G17), basic);
+    if let Some(function) = own.units {
+        super::choose_units(&mut setup.control, function)?;
+    }
+    for (name, value) in own.data {
+        setup.control.data.insert(name, value);
+    }
+    setup.possible()?;
+    Ok(Start { setup, described: false })
+}
