@@ -1,5 +1,5 @@
-//! Reads, checks and runs every program below a folder and prints what came of it: `cargo xtask corpus FOLDER`. A look at
-//! programs that others wrote, which are no part of the tests.
+//! Reads, checks and runs every program below a folder and prints what came of it: `cargo xtask corpus FOLDER`. A look
+//! at programs that others wrote, which are no part of the tests.
 #![allow(missing_docs)]
 
 use probewright_core::control::{Edge, Plane, Tool, delivery};

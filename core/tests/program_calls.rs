@@ -230,8 +230,8 @@ proptest! {
         let written = sites[0].values.len();
         if cycle.dialect == Dialect::Sinumerik {
             let arguments = sites[0].list.map_or(0, |list| {
-                let args = list.args.iter();
-                args.filter(|arg| matches!(arg, Arg::Param(name) if sites[0].values.contains_key(name.as_str()))).count()
+                let written = |name: &str| sites[0].values.contains_key(name);
+                list.args.iter().filter(|arg| matches!(arg, Arg::Param(name) if written(name.as_str()))).count()
             });
             prop_assert_eq!(written, text.matches('=').count() + arguments, "every value is read: {}", text);
         }

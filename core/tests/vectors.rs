@@ -169,12 +169,13 @@ fn tool_probe(probe: usize, tool: Value, data: &[(&str, f64)]) -> Value {
     let mut all: serde_json::Map<String, Value> =
         (0..).zip(triggers).map(|(index, value)| (format!("_TP[{},{index}]", probe - 1), json!(value))).collect();
     all.extend(data.iter().map(|(name, value)| ((*name).to_owned(), json!(value))));
+    let block = json!({ "shape": "block", "size": [22, 22, 20], "at": [39, 31, 79.99] });
     json!({
         "control": "sinumerik",
         "tools": { "4": { "edges": { "1": tool } } },
         "data": all,
         "probe": { "radius": 3, "length": 50 },
-        "toolProbes": vec![json!({ "solid": { "shape": "block", "size": [22, 22, 20], "at": [39, 31, 79.99] } }); probe],
+        "toolProbes": vec![json!({ "solid": block }); probe],
         "position": [0, 0, 400],
     })
 }

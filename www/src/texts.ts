@@ -1,6 +1,6 @@
 // Words by key, in the language that is chosen. They come as the build cuts them (words.ts): English with the page and
-// behind its first form, it is what a missing word falls back to; another language when it is chosen; help pages are long
-// and read by few, and come when one is opened. Nothing here knows which languages there are.
+// behind its first form, it is what a missing word falls back to; another language when it is chosen; help pages are
+// long and read by few, and come when one is opened. Nothing here knows which languages there are.
 
 import { first, help, later, whole } from "words:all";
 import { FluentBundle, FluentNumber, FluentResource } from "@fluent/bundle";

@@ -119,8 +119,8 @@ fn propose(inputs: &Inputs, control: &Control) -> Proposal {
 const BALL: f64 = 3.0;
 const FACE: f64 = 30.0;
 
-/// Of its own, as nothing is touched. From the side: an axis of the plane to the right, the tool axis up; the way goes over what lies below. An axis
-/// without an address keeps its position.
+/// Of its own, as nothing is touched. From the side: an axis of the plane to the right, the tool axis up; the way goes
+/// over what lies below. An axis without an address keeps its position.
 fn picture(inputs: &Inputs) -> Picture {
     let axes = inputs.plane.axes();
     let given = |axis: usize| inputs.given(nct::axis_name(axis)).is_some();

@@ -1,6 +1,6 @@
 //! A run on a machine that nobody described. It fits the program as well as it can be known: its sort and plane follow
-//! from the calls, a tool is made when it is selected and becomes a probe when a call measures with it, and at each call
-//! stands the part that its values describe. What was assumed is told.
+//! from the calls, a tool is made when it is selected and becomes a probe when a call measures with it, and at each
+//! call stands the part that its values describe. What was assumed is told.
 
 use super::interpret::{Interpreter, Limits, Session};
 use super::{Outcome, call};

@@ -1,9 +1,9 @@
-//! What is to be seen of a setup and what happened on it, as plain figures in mm: triangles with the normals of the exact
-//! surface, edges, paths, touches, coordinate systems. Colours, widths and pixels are decided by who draws it; words
-//! too, of which only the figures stand here.
+//! What is to be seen of a setup and what happened on it, as plain figures in mm: triangles with the normals of the
+//! exact surface, edges, paths, touches, coordinate systems. Colours, widths and pixels are decided by who draws it;
+//! words too, of which only the figures stand here.
 //!
-//! What belongs together lies in flat arrays, so that it can be handed over as it is. A solid is drawn in its own frame,
-//! f32; [`View`] says what each part of the arrays is, where it stands and when it is there.
+//! What belongs together lies in flat arrays, so that it can be handed over as it is. A solid is drawn in its own
+//! frame, f32; [`View`] says what each part of the arrays is, where it stands and when it is there.
 
 pub mod fit;
 pub mod frames;

@@ -13,8 +13,8 @@ use std::f64::consts::TAU;
 /// How far a triangle lies from the surface that it stands for at most, mm. Its corners lie on it.
 pub const CHORD: f64 = 0.02;
 
-/// Into how many pieces the longest face of a body is cut: faces that are drawn one over the other in the order of their
-/// distance are small ones, as long ones have no one distance.
+/// Into how many pieces the longest face of a body is cut: faces that are drawn one over the other in the order of
+/// their distance are small ones, as long ones have no one distance.
 const PIECES: f64 = 8.0;
 
 /// What is drawn of a solid, in its own frame.
@@ -28,8 +28,8 @@ pub struct Figure {
     pub edges: Vec<[V3; 2]>,
 }
 
-/// How many straight pieces stand for a whole turn about an axis where the curve bends like a circle of this radius, mm:
-/// a multiple of 8, so that the corners of a square around it lie on rays through points of it.
+/// How many straight pieces stand for a whole turn about an axis where the curve bends like a circle of this radius,
+/// mm: a multiple of 8, so that the corners of a square around it lie on rays through points of it.
 pub fn turns(bend: f64, chord: f64) -> usize {
     let least = TAU * (bend / (8.0 * chord)).sqrt();
     (8 * (least / 8.0).ceil() as usize).clamp(24, 1024)

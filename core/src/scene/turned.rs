@@ -141,8 +141,8 @@ fn touched(control: &Control, trace: &Trace) -> Vec<Touched> {
     found
 }
 
-/// From the front to the first dimension line, from one to the next, and what the lines at its ends stand out beyond it,
-/// which is also the length of an arrow: shares of the size of the scene.
+/// From the front to the first dimension line, from one to the next, and what the lines at its ends stand out beyond
+/// it, which is also the length of an arrow: shares of the size of the scene.
 const FIRST: f64 = 0.14;
 const NEXT: f64 = 0.12;
 const OVER: f64 = 0.02;
@@ -163,8 +163,8 @@ pub struct Dimension {
     pub real: f64,
 }
 
-/// Small diameters next to the part, each with its lines: from both ends of it to its dimension line, then this with its
-/// arrows.
+/// Small diameters next to the part, each with its lines: from both ends of it to its dimension line, then this with
+/// its arrows.
 pub fn dimensions(diameters: &[Diameter], size: f64) -> Vec<(Dimension, [[V3; 2]; 7])> {
     let level = |diameter: &Diameter| diameter.ends.map(|end| V3::from(end).dot(&V3::from(diameter.out)));
     let front = diameters.iter().flat_map(level).fold(f64::NEG_INFINITY, f64::max);

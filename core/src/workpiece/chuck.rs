@@ -27,8 +27,8 @@ pub fn turned(solid: &Solid, angle: f64) -> Solid {
 const JAWS: u32 = 3;
 const JAW_WIDTH: f64 = 0.28;
 
-/// What is seen of a chuck, in its own frame: jaws over the first third of its length, the body behind them. What can be
-/// touched is what they sweep.
+/// What is seen of a chuck, in its own frame: jaws over the first third of its length, the body behind them. What can
+/// be touched is what they sweep.
 pub fn seen(solid: &Solid) -> Vec<Solid> {
     let Shape::Chuck { diameter, length, grip } = solid.shape else {
         return Vec::new();

@@ -1,6 +1,6 @@
 //! Worked measurements of the manual, run as programs: every folder of `tests/cases` that has a `case.json`.
-//! The truth of each case stands in its `oracle`. Written in the manner in which manuals print programs they have to give
-//! the same.
+//! The truth of each case stands in its `oracle`. Written in the manner in which manuals print programs they have to
+//! give the same.
 
 #![cfg(feature = "json")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]

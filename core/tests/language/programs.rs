@@ -1,6 +1,6 @@
-//! Whole programs of the language, `programs/*.mpf`, each with what it does behind it: the positions that its blocks reach,
-//! `;= X Y Z` and A where it turns, or the key of the fault that stops it, `;! run-arc`. They use what programs use that
-//! were written for another interpreter, with the values of its examples.
+//! Whole programs of the language, `programs/*.mpf`, each with what it does behind it: the positions that its blocks
+//! reach, `;= X Y Z` and A where it turns, or the key of the fault that stops it, `;! run-arc`. They use what programs
+//! use that were written for another interpreter, with the values of its examples.
 
 use super::{near, setup};
 use probewright_core::control::{Tool, Value};
@@ -11,8 +11,8 @@ use probewright_core::run::{Limits, Outcome, run};
 use probewright_core::syntax::read;
 use std::path::Path;
 
-/// What the programs together use, as it stands in a block without blanks; a line a subject: numbers and words, names and
-/// texts, arrays, reckoning, truth, flow, motions, frames and tools.
+/// What the programs together use, as it stands in a block without blanks; a line a subject: numbers and words, names
+/// and texts, arrays, reckoning, truth, flow, motions, frames and tools.
 const CONSTRUCTS: &str = r#"
 X1.5 Y-2. C=90. B=-1.5 x100 N20 F=( S8000 M103M2M3M4M5 X1X=3
 DEFREAL DEFINT DEFSTRING[28] ="" R0=0 DEFINTbb,aa=12 lIFT Lift

@@ -215,8 +215,8 @@ fn json_carries_the_sentence_beside_every_key() {
     assert!(alarm.contains("\"cure\": \"Calibrate"), "{alarm}");
 }
 
-// oracle: hand: the probe stands in the middle of a hole of 132 mm at X180 Y130 when the call comes; what was assumed is
-// a setup file with which the same comes out
+// oracle: hand: the probe stands in the middle of a hole of 132 mm at X180 Y130 when the call comes; what was assumed
+// is a setup file with which the same comes out
 #[test]
 fn a_program_runs_without_a_setup_and_what_is_assumed_is_told() {
     let text = HOLE.replace("T9 D1", "T=\"TASTER\" D1");
@@ -245,14 +245,15 @@ fn a_program_runs_without_a_setup_and_what_is_assumed_is_told() {
     assert!(again["assumed"].is_null());
 }
 
-// oracle: hand: parts of two calls that overlap do not get into each other's way, a face is measured from either side, a
-// tool probe stands where the control believes it, and a register of NCT holds the probe
+// oracle: hand: parts of two calls that overlap do not get into each other's way, a face is measured from either side,
+// a tool probe stands where the control believes it, and a register of NCT holds the probe
 #[test]
 fn what_is_assumed_fits_every_call() {
     let face = "_MVAR=100 _MA=1 _SETVAL=100 _KNUM=0 _PRNUM=1 _FA=2 _TSA=1\nCYCLE978\n";
     let hole = "_MVAR=101 _SETVAL=40 _KNUM=0 _PRNUM=1 _FA=2 _TSA=1\nCYCLE977\n";
     let program = format!(
-        "G17 G54 G90 T5 D1 M6\nG0 X120 Y10\nZ-10\n{face}G0 Z50\nX80\nZ-10\n{face}G0 Z50\nX0 Y0\nZ-10\n{hole}G0 Z50\nX30\n\
+        "G17 G54 G90 T5 D1 M6\nG0 X120 Y10\nZ-10\n{face}G0 Z50\nX80\nZ-10\n{face}G0 Z50\nX0 Y0\nZ-10\n{hole}G0 Z50\n\
+            X30\n\
          Z-10\n{hole}G0 Z50\nT=\"MILL_10\" D1 M6\nG0 Z200\n_MVAR=1 _MA=3 _PRNUM=1 _FA=5 _TSA=3\nG0 X39 Y31 Z110\nM30\n"
     );
     let sinumerik = file("fits.mpf", program.as_bytes());

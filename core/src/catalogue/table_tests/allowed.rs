@@ -1,5 +1,5 @@
-//! The language in which the tables say what is allowed: `>0`, `0..359.5`, `1,2,3`, `0,1..99,1000`; behind it in brackets
-//! the alarm for what is not.
+//! The language in which the tables say what is allowed: `>0`, `0..359.5`, `1,2,3`, `0,1..99,1000`; behind it in
+//! brackets the alarm for what is not.
 
 use crate::diagnostic::Code;
 

@@ -6,7 +6,8 @@ use crate::entry::Cycle;
 
 #[test]
 fn invalid_variants_are_refused() {
-    // oracle: manual, tests/data/variants_invalid.tsv; where no alarm is named (DESIGN.md) the table has what was chosen
+    // oracle: manual, tests/data/variants_invalid.tsv; where no alarm is named (DESIGN.md) the table has what was
+    // chosen
     let rows = rows(data!("variants_invalid.tsv"));
     for row in rows.iter().filter(|row| row[1] != OTHERS) {
         let cycle = sinumerik().find(|cycle| cycle.name == row[0]).unwrap();
@@ -23,8 +24,8 @@ const OTHERS: &str = "others";
 
 #[test]
 fn invalid_variants_in_turning_are_refused() {
-    // oracle: manual, rows `others` of tests/data/variants_invalid.tsv (B:1854, B:10177, A:11372). Combinations with the
-    // tool in use stand in the tests of their cycles.
+    // oracle: manual, rows `others` of tests/data/variants_invalid.tsv (B:1854, B:10177, A:11372). Combinations with
+    // the tool in use stand in the tests of their cycles.
     let rows = rows(data!("variants_invalid.tsv"));
     for row in rows.iter().filter(|row| row[1] == OTHERS) {
         let cycle = sinumerik().find(|cycle| cycle.name == row[0]).unwrap();
