@@ -28,6 +28,10 @@ pub struct Look {
     pub since: usize,
     /// Whether it stands below the first view instead of beside the last.
     pub below: bool,
+    /// Whether the balls are shown.
+    pub balls: bool,
+    /// Whether touches along the line of sight are shown.
+    pub flat: bool,
     /// Whether the ball is shown where it stands at the call.
     pub called: bool,
     /// Whether what holds the part is shown too.
@@ -47,6 +51,8 @@ impl Look {
         touches: u32::MAX,
         since: 0,
         below: false,
+        balls: true,
+        flat: false,
         called: true,
         held: false,
         way: None,

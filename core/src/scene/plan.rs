@@ -25,6 +25,8 @@ use crate::workpiece::{Shape, Solid};
 const PIECES: u32 = 48;
 /// Free paper between two views, mm.
 const GAP: f64 = 0.24 * SIZE;
+/// Largest radius of a touched point, mm.
+const TOUCH: f64 = 1.4;
 /// Thickness of a forbidden area around an element, mm.
 const WALL: f64 = 0.12 * SIZE;
 /// Values that no picture shows and that no nominal part needs: nothing is corrected, and each place is touched once.
@@ -186,10 +188,10 @@ impl Performed {
                 ball: place(touch.ball),
                 start: place(touch.start),
             })
-            .filter(|touch| distance(touch.at, touch.ball) > ball / 2.0)
+            .filter(|touch| look.flat || distance(touch.start, touch.ball) > ball / 20.0)
             .collect();
-        let mut shapes = self.part(look);
-        let edges = self.edges(look, &touches);
+        let (mut shapes, lines) = self.part(look);
+        let edges = self.edges(look, &lines, &touches);
         shapes.extend(edges.iter().cloned());
         let zones = self.zones(look, &mut shapes);
         self.ways(look, &mut shapes);
@@ -198,11 +200,11 @@ impl Performed {
         for touch in &touches {
             shapes.push(with(line(ShapeKind::Path, vec![touch.start, touch.ball]), fields.path));
             let before = shapes.len();
-            if !starts.iter().any(|start| distance(*start, touch.start) < 1e-3) {
+            if look.balls && !starts.iter().any(|start| distance(*start, touch.start) < 1e-3) {
                 shapes.push(with(circle(ShapeKind::Probe, touch.start, ball), fields.probe));
                 starts.push(touch.start);
             }
-            let point = with(circle(ShapeKind::Touch, touch.at, ball * 0.3), fields.touch);
+            let point = with(circle(ShapeKind::Touch, touch.at, (ball * 0.3).min(TOUCH)), fields.touch);
             let name = fields.marks.get(touch.number - 1).map(|name| (*name).to_owned());
             let text = name.or_else(|| Some(format!("{}{}", fields.mark?, touch.number)));
             shapes.push(point);
@@ -227,22 +229,30 @@ impl Performed {
         self.proposal.workpiece.solids.iter().chain(probes)
     }
 
-    fn part(&self, look: &Look) -> Vec<PictureShape> {
+    /// Part and tool probe with what holds them, as bodies, and the boundary lines that can be touched.
+    fn part(&self, look: &Look) -> (Vec<PictureShape>, Vec<PictureShape>) {
         let kind = if look.cut { ShapeKind::Cut } else { ShapeKind::Material };
         let cut = self.cut(look);
+        let seen = |solid, kind| outline(solid, kind, cut, |point| self.seen(look, point.into()));
         let solids: Vec<&Solid> = self.solids().collect();
         let touches = self.touches.iter().take(look.until());
         let touched: Vec<&Solid> = touches.filter_map(|touch| nearest(&solids, touch.at)).collect();
-        let shown = solids.iter().copied().filter(|solid| touched.is_empty() || touched.contains(solid));
         let holds = self.proposal.fixture.iter().filter(|_| look.held);
         let holds = holds.filter(|holds| nearest(&solids, holds.at).is_some_and(|part| touched.contains(&part)));
-        let of = |solid: &Solid| match solid.shape {
-            Shape::Chuck { .. } => ShapeKind::Cut,
-            _ => ShapeKind::Material,
-        };
-        let all = holds.map(|solid| (solid, of(solid))).chain(shown.map(|solid| (solid, kind)));
-        let outlines = all.filter_map(|(solid, kind)| outline(solid, kind, cut, |point| self.seen(look, point.into())));
-        outlines.map(|outline| outline.body).collect()
+        let mut bodies = Vec::new();
+        for holds in holds {
+            let of = if matches!(holds.shape, Shape::Chuck { .. }) { ShapeKind::Cut } else { ShapeKind::Material };
+            bodies.extend(seen(holds, of).map(|outline| outline.body));
+        }
+        let mut lines = Vec::new();
+        for solid in solids.iter().filter(|solid| touched.is_empty() || touched.contains(solid)) {
+            let Some(outline) = seen(solid, kind) else {
+                continue;
+            };
+            bodies.push(outline.body);
+            lines.extend(outline.lines);
+        }
+        (bodies, lines)
     }
 
     /// The plane of a section: through its first touch.
@@ -256,20 +266,14 @@ impl Performed {
         look.cut.then(|| Cut { at: touch.at.into(), normal: right.cross(&up) })
     }
 
-    /// The boundary lines that are touched, in the order of the touches.
-    fn edges(&self, look: &Look, touches: &[Touched]) -> Vec<PictureShape> {
-        let place = |point: V3| self.seen(look, point.into());
-        let cut = self.cut(look);
-        let lines = self.solids().filter_map(|solid| outline(solid, ShapeKind::Edge, cut, place));
-        let lines: Vec<PictureShape> = lines.flat_map(|outline| outline.lines).collect();
+    /// The boundary lines that are touched, in the order of the touches; of a side that is seen from before all of them.
+    fn edges(&self, look: &Look, lines: &[PictureShape], touches: &[Touched]) -> Vec<PictureShape> {
         let mut edges: Vec<PictureShape> = Vec::new();
         for touch in touches {
-            let touched = lines.iter().find(|line| meets(line, touch.at));
-            edges.extend(
-                touched
-                    .filter(|line| !edges.iter().any(|edge| edge.points == line.points && edge.circle == line.circle))
-                    .cloned(),
-            );
+            let all = lines.iter().find(|line| meets(line, touch.at)).map_or(lines, std::slice::from_ref);
+            let shown = all.iter().filter(|line| all.len() == 1 || look.flat && line.circle.is_none());
+            let fresh = shown.filter(|line| !edges.contains(line)).cloned().collect::<Vec<_>>();
+            edges.extend(fresh);
         }
         let fields = self.staging.fields.edges;
         for (index, edge) in edges.iter_mut().enumerate() {

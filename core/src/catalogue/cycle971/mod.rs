@@ -95,7 +95,7 @@ pub static CYCLE971: Cycle = Cycle {
     ],
     checks: checks::checks,
     help: Help::new(&[help::LINES, tool_probe::help::ALL]),
-    picture: Drawing::new(picture::picture),
+    picture: Drawing::staged(picture::stage, picture::marks),
     example: &[
         (names::MVAR, "1"),
         (names::MA, "103"),

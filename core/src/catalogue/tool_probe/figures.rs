@@ -3,9 +3,47 @@
 
 use crate::entry::Inputs;
 use crate::entry::names;
+use crate::entry::stage::Seen;
 use crate::name::Name;
 use crate::picture::figures::{circle, polygon};
 use crate::picture::{PictureShape, ShapeKind};
+
+/// Half the edge length of a drawn probe, mm.
+pub const HALF: f64 = 10.0;
+/// Its data: a cube about the zero point, touched on all sides; how deep a tool is measured beside it.
+pub const CUBE: [(&str, f64); 18] = [
+    ("_TP[0,0]", HALF),
+    ("_TP[0,1]", -HALF),
+    ("_TP[0,2]", HALF),
+    ("_TP[0,3]", -HALF),
+    ("_TP[0,4]", HALF),
+    ("_TP[0,5]", -HALF),
+    ("_TP[0,6]", 2.0 * HALF),
+    ("_TP[0,7]", 333.0),
+    ("_TP[0,9]", 4.0),
+    ("_TPW[0,0]", HALF),
+    ("_TPW[0,1]", -HALF),
+    ("_TPW[0,2]", HALF),
+    ("_TPW[0,3]", -HALF),
+    ("_TPW[0,4]", HALF),
+    ("_TPW[0,5]", -HALF),
+    ("_TPW[0,6]", 2.0 * HALF),
+    ("_TPW[0,7]", 333.0),
+    ("_TPW[0,9]", 4.0),
+];
+
+/// Index of the data of the probe.
+pub fn number(inputs: &Inputs) -> i64 {
+    inputs.integer(names::PRNUM).clamp(1, 99) - 1
+}
+
+/// The limits of the difference that the call uses about the touched sides, wide ones first, wider than they are.
+pub fn limits(inputs: &Inputs, seen: &Seen) -> Vec<PictureShape> {
+    let widths = [(names::TSA, 3.0), (names::TDIF, 1.8), (names::TZL, 0.8)];
+    let used = widths.into_iter().filter(|(name, _)| inputs.uses(name));
+    let used: Vec<_> = used.map(|(name, width)| (name, -width, width)).collect();
+    seen.bands(ShapeKind::Tolerance, &used)
+}
 
 /// The limits of the difference that the call uses, as bands on both sides of a touched face, wide ones first. `out`:
 /// direction in which the face is left, of length 1. Much wider than they are, so that they can be seen.
