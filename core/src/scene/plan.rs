@@ -14,13 +14,16 @@ use crate::geometry::V3;
 use crate::geometry::arc::Around;
 use crate::machine::Setup;
 use crate::machine::setup::PROBE_REGISTER;
+use crate::machine::sim::Sim;
 use crate::machine::trace::{MotionKind, Step};
 use crate::name::Name;
 use crate::picture::figures::{circle, frame, line, polygon};
 use crate::picture::{Picture, PictureShape, ShapeKind, View};
-use crate::run;
+use crate::run::call::perform;
 use crate::workpiece::{Shape, Solid};
 
+/// Entries of a trace after which nothing more is carried out.
+const STEPS: usize = 1000;
 /// Pieces in which an arc is drawn.
 const PIECES: u32 = 48;
 /// Free paper between two views, mm.
@@ -148,12 +151,14 @@ impl Performed {
         setup.workpiece = proposal.workpiece.clone();
         setup.tool_probes.clone_from(&proposal.tool_probes);
         setup.position = setup.control.to_machine(proposal.start);
-        let outcome = run::predict(inputs.cycle, &drawn, &setup);
-        let steps: Vec<&Step> = outcome.trace.entries.iter().map(|entry| &entry.step).collect();
+        let mut sim = Sim::new(&setup);
+        sim.trace_limit = STEPS;
+        let stop = perform(&mut sim, &drawn).err();
+        let steps: Vec<&Step> = sim.trace.entries.iter().map(|entry| &entry.step).collect();
         let to_ball = to_ball(&steps);
         let (ways, touches) = motions(&steps, to_ball);
         Performed {
-            complete: outcome.stop.is_none(),
+            complete: stop.is_none(),
             start: moved(setup.position, to_ball),
             axes: drawn.plane.axes(),
             letters: inputs.plane.axes().map(|axis| AXES[axis]),
@@ -477,3 +482,7 @@ fn extent(shapes: &[PictureShape]) -> [[f64; 2]; 2] {
     });
     if low[0] > high[0] { [[0.0; 2]; 2] } else { [low, high] }
 }
+
+#[cfg(test)]
+#[path = "plan_tests.rs"]
+mod tests;

@@ -37,10 +37,12 @@ pub fn number(inputs: &Inputs) -> i64 {
     inputs.integer(names::PRNUM).clamp(1, 99) - 1
 }
 
+/// Limits of the difference, and half the widths of their bands, mm.
+const WIDTHS: [(Name, f64); 3] = [(names::TSA, 3.0), (names::TDIF, 1.8), (names::TZL, 0.8)];
+
 /// The limits of the difference that the call uses about the touched sides, wide ones first, wider than they are.
 pub fn limits(inputs: &Inputs, seen: &Seen) -> Vec<PictureShape> {
-    let widths = [(names::TSA, 3.0), (names::TDIF, 1.8), (names::TZL, 0.8)];
-    let used = widths.into_iter().filter(|(name, _)| inputs.uses(name));
+    let used = WIDTHS.into_iter().filter(|(name, _)| inputs.uses(*name));
     let used: Vec<_> = used.map(|(name, width)| (name, -width, width)).collect();
     seen.bands(ShapeKind::Tolerance, &used)
 }
@@ -48,14 +50,13 @@ pub fn limits(inputs: &Inputs, seen: &Seen) -> Vec<PictureShape> {
 /// The limits of the difference that the call uses, as bands on both sides of a touched face, wide ones first. `out`:
 /// direction in which the face is left, of length 1. Much wider than they are, so that they can be seen.
 pub fn bands(inputs: &Inputs, face: [[f64; 2]; 2], out: [f64; 2]) -> Vec<PictureShape> {
-    let widths = [(names::TSA, 3.0), (names::TDIF, 1.8), (names::TZL, 0.8)];
     let band = |(name, width): (Name, f64)| {
         let [a, b] = face;
         let beside = |[x, y]: [f64; 2], side: f64| [x + side * width * out[0], y + side * width * out[1]];
         let corners = vec![beside(a, -1.0), beside(b, -1.0), beside(b, 1.0), beside(a, 1.0)];
         polygon(ShapeKind::Tolerance, corners).of(name)
     };
-    let used = widths.into_iter().filter(|(name, _)| inputs.uses(*name));
+    let used = WIDTHS.into_iter().filter(|(name, _)| inputs.uses(*name));
     used.map(band).collect()
 }
 
