@@ -74,6 +74,14 @@ const FIRST: &[&Cycle] = &[&cycle977::CYCLE977];
 /// Every entry, as the build script finds them.
 const ALL: &[&Cycle] = include!(concat!(env!("OUT_DIR"), "/cycles.rs"));
 
+const _: () = {
+    let mut index = 0;
+    while index < ALL.len() {
+        ALL[index].names_its_own();
+        index += 1;
+    }
+};
+
 /// The entry with this name on this control (`CYCLE977`, `G110`; case does not matter).
 pub fn find(dialect: Dialect, name: &str) -> Option<&'static Cycle> {
     CYCLES.iter().copied().find(|cycle| cycle.dialect == dialect && cycle.name.eq_ignore_ascii_case(name))

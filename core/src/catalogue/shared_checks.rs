@@ -39,7 +39,7 @@ pub fn probe(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
                 .at(names::PRNUM),
         );
     }
-    let offset = inputs.given(names::CORA).unwrap_or(0.0);
+    let offset = inputs.any(names::CORA).unwrap_or(0.0);
     if kind == 1 && offset != 0.0 && !control.bit("_CBIT[8]") {
         found.push(own::CORA_OFF.finding().at(names::CORA));
     }

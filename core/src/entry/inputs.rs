@@ -59,23 +59,32 @@ impl Inputs {
         }
     }
 
-    /// Number of a parameter; 0 where the variant does not use it.
+    /// Number of a parameter that the entry has; 0 where the call does not use it or leaves it open.
+    #[track_caller]
     pub fn number(&self, name: Name) -> f64 {
-        self.numbers.get(&name).copied().unwrap_or(0.0)
+        self.given(name).unwrap_or(0.0)
     }
 
-    /// Number of a parameter where there is one.
+    /// Number of a parameter that the entry has; none where the call does not use it or leaves it open.
+    #[track_caller]
     pub fn given(&self, name: Name) -> Option<f64> {
+        self.has(name);
         self.numbers.get(&name).copied()
     }
 
-    /// Whether the call uses this parameter.
+    /// The same in what cycles share, of a parameter that not each of them has.
+    pub fn any(&self, name: Name) -> Option<f64> {
+        self.numbers.get(&name).copied()
+    }
+
+    /// Whether the call uses this parameter; one that the entry does not have, none does.
     pub fn uses(&self, name: Name) -> bool {
         let param = self.cycle.params.iter().find(|param| param.name == name);
         param.is_some_and(|param| param.need(self).is_some())
     }
 
     /// Number of a parameter where it is given and above 0, else another one: what a picture can draw.
+    #[track_caller]
     pub fn positive(&self, name: Name, otherwise: f64) -> f64 {
         let given = self.given(name).filter(|value| *value > 0.0);
         given.unwrap_or(otherwise)
@@ -87,13 +96,22 @@ impl Inputs {
         self.settings.get(REVERSED) == Some(&1.0)
     }
 
-    /// Number of an integer parameter.
+    /// Number of an integer parameter that the entry has; 0 as of [`Inputs::number`].
+    #[track_caller]
     pub fn integer(&self, name: Name) -> i64 {
         self.number(name) as i64
     }
 
-    /// Text of a parameter; empty where not given.
+    /// Text of a parameter that the entry has; empty where not given.
+    #[track_caller]
     pub fn text(&self, name: Name) -> &str {
+        self.has(name);
         self.texts.get(&name).map_or("", String::as_str)
+    }
+
+    /// A slip that no test run overlooks: a cycle reads the parameters of its own entry.
+    #[track_caller]
+    fn has(&self, name: Name) {
+        debug_assert!(self.cycle.param(&name).is_some(), "{} has no {name}", self.cycle.name);
     }
 }

@@ -5,6 +5,7 @@ mod cycle;
 mod help;
 mod inputs;
 mod list;
+mod named;
 pub mod names;
 mod param;
 pub mod stage;

@@ -200,7 +200,7 @@ impl Staging {
 
     /// With a short way of the call so long that it can be seen: least and most, mm.
     pub fn short(self, inputs: &Inputs, name: Name, [least, most]: [f64; 2]) -> Staging {
-        let way = inputs.number(name);
+        let way = inputs.any(name).unwrap_or(0.0);
         let length = (way.abs() * self.scale).clamp(least, most);
         self.with(name, length.copysign(way))
     }

@@ -52,7 +52,7 @@ pub const PARAMS: &[Param] = &[
     Param { kind: Kind::Variant(MVAR_DIGITS), source: "B:10163-10177;B:15498-15500", ..common::MVAR },
     Param {
         needs: &[required(SURFACE, "need-surface-position")],
-        labels: &[(lathe::DIAMETER, "setval-surface-diameter"), (When::Always, "setval-surface")],
+        labels: &[(lathe::DIAMETER_IN_X, "setval-surface-diameter"), (When::Always, "setval-surface")],
         source: "B:10350;A:16313",
         ..common::SETVAL
     },

@@ -15,17 +15,22 @@ pub const ORDINATE: When = axis(&[2]);
 /// Measured in the applicate.
 pub const APPLICATE: When = axis(&[3]);
 
-/// Measured in the transverse axis X, where dimensions are diameters with DIAMON (B:10623, B:10975); `_CHBIT[19]` = 1
-/// lets Y count like it in G18 (B:14023-14027).
-pub const TRANSVERSE: When = When::Any(&[
+/// Measured in the transverse axis X, where dimensions are diameters with DIAMON (B:10623, B:10975).
+const IN_X: When = When::Any(&[
     When::All(&[When::Plane(Plane::G18), ORDINATE]),
     When::All(&[When::Plane(Plane::G17), ABSCISSA]),
     When::All(&[When::Plane(Plane::G19), APPLICATE]),
+]);
+/// The same in CYCLE974 and CYCLE994, where `_CHBIT[19]` = 1 lets Y count like X in G18 (B:14023-14027).
+pub const TRANSVERSE: When = When::Any(&[
+    IN_X,
     When::All(&[When::Plane(Plane::G18), APPLICATE, When::Setting { name: "_CHBIT[19]", is: &[1.0] }]),
 ]);
 
 /// The setpoint is a diameter.
 pub const DIAMETER: When = When::All(&[TRANSVERSE, When::Diameters]);
+/// The same in a cycle to which Y is never X.
+pub const DIAMETER_IN_X: When = When::All(&[IN_X, When::Diameters]);
 
 /// With tool offset.
 pub const TOOL: When = When::Digit { param: names::MVAR, place: 100, is: &[0] };

@@ -16,7 +16,9 @@ const FIXED: usize = 12;
 
 /// All of them.
 pub fn checks(inputs: &Inputs, _: &Control, found: &mut Vec<Diagnostic>) {
-    file(inputs, found);
+    if inputs.uses(FILE) {
+        file(inputs, found);
+    }
     if inputs.number(LINE) > LONGEST_LINE {
         let message = Message::new("check-log-line").number("most", LONGEST_LINE);
         let hint = Message::new("check-log-line-hint").number("most", LONGEST_LINE);

@@ -24,14 +24,14 @@ pub fn address(inputs: &Inputs, axis: usize) -> Name {
 /// Overtravel, clearance, tolerance and upper limit, as far as they are given.
 pub fn limits(inputs: &Inputs, seen: &Seen) -> Vec<PictureShape> {
     let mut shapes = Vec::new();
-    if let Some(past) = inputs.given(address::Q).map(|past| past.abs().clamp(SHORT[0], SHORT[1])) {
+    if let Some(past) = inputs.any(address::Q).map(|past| past.abs().clamp(SHORT[0], SHORT[1])) {
         shapes.extend(seen.bands(ShapeKind::Zone, &[(address::Q, -past, 0.0)]));
         shapes.extend(seen.behind(address::Q, 0, past));
     }
-    if inputs.given(address::R).is_some() && seen.outside() {
+    if inputs.any(address::R).is_some() && seen.outside() {
         shapes.extend(seen.path(address::R, 0, 2.2));
     }
-    let limits = [(address::U, 3.2), (address::H, 1.6)].into_iter().filter(|(name, _)| inputs.given(*name).is_some());
+    let limits = [(address::U, 3.2), (address::H, 1.6)].into_iter().filter(|(name, _)| inputs.any(*name).is_some());
     let limits: Vec<_> = limits.map(|(name, half)| (name, -half, half)).collect();
     shapes.extend(seen.bands(ShapeKind::Tolerance, &limits));
     shapes

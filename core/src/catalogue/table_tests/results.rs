@@ -74,7 +74,7 @@ fn is_set(cycle: &Cycle, name: &str, inputs: &Inputs) -> bool {
 
 /// Whether a row counts for these values, where its condition is about the measuring axis.
 fn by_axis(condition: &str, inputs: &Inputs) -> Option<bool> {
-    let axis = inputs.integer(names::MA) % 10;
+    let axis = inputs.any(names::MA).unwrap_or(0.0) as i64 % 10;
     if let Some(rest) = condition.strip_prefix("_MA=") {
         return rest.parse().ok().map(|only: i64| only == axis);
     }
