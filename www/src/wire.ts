@@ -1,224 +1,984 @@
-// What the core says to the page and back: the JSON of probewright-web (core/src/json). Numbers in mm, degree, mm/min.
-// Texts never travel: a Message is a key of core/messages/<language>/*.ftl with arguments.
+// Questions and answers of the core. Written from core/src/app by a test of the core (json/tests/wire.rs) when it runs
+// with PROBEWRIGHT_UPDATE=1; not by hand.
 
-import type { Encoding } from "./encoding";
+/** Everything that can be measured. */
+export type Catalogue = {
+  /** In the order in which they are offered. */
+  cycles: Array<CycleInfo>,
+};
 
-export type Dialect = "sinumerik" | "nct";
-export interface Message {
-  key: string;
-  args: Record<string, number | string>;
-}
-export type Style = "direct" | "indirect" | "operate";
-export type Severity = "error" | "warning" | "note";
-export interface Diagnostic {
-  severity: Severity;
-  code: string; // "61307", "FORMAT ERROR", "PW012"
-  message: Message;
-  hint?: Message;
-  param?: string;
-  from?: number;
-  to?: number; // UTF-16 offsets into the program text
-  line?: number;
-  column?: number; // from 1
-  cure?: { label: Message; edits: Edit[] }; // one click mends it
-  elsewhere?: TouchedLine[]; // lines that the cure changes elsewhere than where it is told
-}
+/** A measuring cycle or macro. */
+export type CycleInfo = {
+  /** Control that has it. */
+  control: Dialect,
+  /** Its name: `CYCLE977`. */
+  cycle: string,
+  /** Stem of its messages: `cycle977` of `cycle977-title`, `cycle977-words`, `cycle977-help`. */
+  key: string,
+  /** Where it belongs. */
+  purpose: Purpose,
+  /** The ways of writing that its call has, direct first. */
+  styles: Array<Style>,
+  /** Its measuring variants. */
+  variants: Array<VariantInfo>,
+  /** Its parameters, in the order in which they are written. */
+  parameters: Array<ParameterInfo>,
+  /** What it leaves in the result data. */
+  results: Array<ResultInfo>,
+  /** Names of its alarms: `61303`, `PROBE FAIL`. */
+  alarms: Array<Code>,
+  /** Values of a worked measurement, as typed. */
+  example: { [key in string]: string },
+  /** Whether the other control has some of its tasks too. */
+  twins: boolean,
+  /** Whether it is simulated; else there are form, checks and text only, and a form has no outcome. */
+  simulated: boolean,
+  /** Names of our surfaces where it scans one, which a scan answers in pieces; else none. */
+  surfaces: Array<string>,
+  /** Place in the manual. */
+  source: string,
+};
 
-/** What a file is, by its bytes: a program, or why it is none. */
-export type Recognised = { encoding: Encoding } | { why: Message };
+/** Where a problem is named. */
+export type Code = string;
 
-// catalogue() -> Catalogue
-export interface Catalogue {
-  cycles: CycleInfo[];
-}
-export interface CycleInfo {
-  control: Dialect;
-  cycle: string; // "CYCLE977"
-  key: string; // "cycle977": messages cycle977-title, cycle977-words, cycle977-each-words, cycle977-help
-  purpose: Purpose;
-  styles: Style[]; // the ways of writing that its call has, direct first
-  variants: {
-    mvar: number;
-    key: string;
-    source: string;
-    choices: string[]; // keys of what the digits of its number choose
-    values: Record<string, string>;
-    example: Record<string, string>;
-    planes: Partial<Record<Plane, { values: Record<string, string>; example: Record<string, string> }>>;
-  }[]; // values: as typed, they choose this variant; planes: where other addresses name the axes
-  parameters: { name: string; key: string; unit: string; default: number | null; source: string }[];
-  results: { name: string; key: string; unit: string; source: string }[];
-  alarms: string[];
-  example: Record<string, string>; // values of a worked measurement, as typed
-  twins: boolean; // the other control has some of its tasks too
-  surfaces: string[]; // names of our surfaces, where it scans one, which a Scan answers in pieces; else none
-  simulated: boolean; // false: form, checks and text only; a FormView has no outcome
-  source: string;
-}
+/** A datum that a cycle leaves. */
+export type ResultInfo = {
+  /** `_OVR[4]`; of NCT a name of ours. */
+  name: string,
+  /** Key of its meaning. */
+  key: string,
+  /** Rule of its unit. */
+  unit: Unit,
+  /** Place in the manual. */
+  source: string,
+};
 
-// alarms() -> AlarmInfo[]
-export interface AlarmInfo {
-  code: string; // "61303", "PROBE FAIL"
-  key: string; // messages KEY, KEY.cause (where it says more), KEY.cure
-  stops: boolean;
-  cycles: string[]; // who raises it: cycles of the catalogue, then other programs
-  found: "check" | "run" | "both" | "nowhere"; // where Probewright finds what raises it
-  source: string;
-}
+/** Unit of a parameter and the system it counts in. */
+export type Unit = "" | "active length" | "basic length" | "mm" | "deg" | "basic feed";
+
+/** A parameter. */
+export type ParameterInfo = {
+  /** As the manual writes it: `_SETVAL`. */
+  name: Name,
+  /** Stem of its messages: `setval` of `param-setval`. */
+  key: string,
+  /** Rule of its unit. */
+  unit: Unit,
+  /** What counts while it is not written; none: it has to be. */
+  default: number | null,
+  /** Place in the manual. */
+  source: string,
+};
 
 /**
- * Where a cycle belongs. plane: in which such a machine works unless told otherwise. calibrates: it does nothing else.
+ * Name of a parameter, as the manual writes it: `_SETVAL`, `_SETV[0]`, `D`. An entry and what reads
+ * it use one constant.
  */
-export interface Purpose {
-  machine: "milling" | "turning" | "any";
-  plane: Plane | null;
-  probe: "workpiece" | "tool" | "none" | "log";
-  calibrates: boolean;
-}
+export type Name = string;
 
+/** A way to write a call. */
+export type Style = "direct" | "indirect" | "operate";
+
+/** Where a cycle belongs. */
+export type Purpose = {
+  /** Sort of machine. */
+  machine: MachineSort,
+  /** In which plane such a machine works unless told otherwise. */
+  plane: Plane | null,
+  /** The probe that it uses. */
+  probe: ProbeUse,
+  /** Whether calibrating is all that it does. */
+  calibrates: boolean,
+};
+
+/** Working plane. */
 export type Plane = "G17" | "G18" | "G19";
-/** How positions of the transverse axis X are given: radii, diameters, diameters where they are absolute. */
-export type Transverse = "DIAMOF" | "DIAMON" | "DIAM90";
-export type UnitFunction = "G70" | "G71" | "G700" | "G710" | "G20" | "G21";
 
-/** What a machine is built for: its data and, with some G functions, its feeds and lengths count in it. */
+/** Sort of machine that a cycle is made for. */
+export type MachineSort = "milling" | "turning" | "any";
+
+/** The probe that a cycle uses. */
+export type ProbeUse = "workpiece" | "tool" | "none" | "log";
+
+/** A measuring variant. Its values, as typed, choose it; its example is a worked measurement. */
+export type VariantInfo = {
+  /** Its number. */
+  mvar: number,
+  /** Key of its name. */
+  key: string,
+  /** Place in the manual. */
+  source: string,
+  /** Keys of what the digits of its number choose, the lowest place first. */
+  choices: Array<string>,
+  /** In the planes in which other addresses name the axes. */
+  planes: { [key in Plane]?: Values },
+  /** Those that choose it. */
+  values: { [key in string]: string },
+  /** Those of its worked measurement. */
+  example: { [key in string]: string },
+};
+
+/** Values of a variant as typed, by parameter name. */
+export type Values = {
+  /** Those that choose it. */
+  values: { [key in string]: string },
+  /** Those of its worked measurement. */
+  example: { [key in string]: string },
+};
+
+/** The language of the part program, and with it the control. */
+export type Dialect = "sinumerik" | "nct";
+
+/** An alarm, or a text for the operator. */
+export type AlarmInfo = {
+  /** Its name: `61303`, `PROBE FAIL`; of a text for the operator the text itself. */
+  code: string,
+  /** Key of its words; `.cause` (where it says more) and `.cure` stand behind it. */
+  key: string,
+  /** Whether the program stops. */
+  stops: boolean,
+  /** Who raises it: cycles of the catalogue, then other programs. */
+  cycles: Array<string>,
+  /** Where what raises it is found. */
+  found: Found,
+  /** Place in the manual. */
+  source: string,
+};
+
+/** Where Probewright finds what raises an alarm. */
+export type Found = "check" | "run" | "both" | "nowhere";
+
+/** What a form is asked for. */
+export type FormRequest = {
+  /** Control. */
+  control: Dialect,
+  /** Cycle. */
+  cycle: string,
+  /** Values as typed, by parameter; absent: never typed. */
+  values: { [key in string]: string },
+  /** Of the values that are the worth of an expression of the program: as it is written. The snippet carries it. */
+  expressions?: { [key in string]: string },
+  /** Values that an outcome counts with instead of those of the form, which depend on the way to the call. */
+  assumed?: { [key in string]: string },
+  /** Machine; absent: the core's own as it is. */
+  setup?: Machine,
+  /** G function of units in force at the call, where it is not that of the machine. */
+  units?: UnitFunction,
+  /** Working plane at the call, where it is not that of the machine. */
+  plane?: Plane,
+  /** How X is given at the call; absent: as diameters in a turning cycle. */
+  transverse?: Transverse,
+  /** What is wrong with part and probe; absent: nothing. */
+  errors?: ErrorSliders,
+  /** Words by parameter for a comment line each in the snippet. */
+  comments?: { [key in string]: string },
+  /** Way of writing of the call of a program that the form shows: a list of newer controls has rules of its own. */
+  written?: Style,
+  /** Way of writing of the snippet; absent: as the machine's forms have it, else direct. */
+  style?: Style,
+  /** Whether to simulate. */
+  predict?: boolean,
+  /** Whether to look for the largest errors of the part that the call survives: takes a hundred runs. */
+  limits?: boolean,
+  /** Whether to look for the same task on the other control. */
+  twin?: boolean,
+};
+
+/** G function that chooses the system of units; those below 70 are of NCT. */
+export type UnitFunction = "G20" | "G21" | "G70" | "G71" | "G700" | "G710";
+
+/** The machine of a question. */
+export type Machine = OwnMachine | Setup;
+
+/** The core's own machine. */
+export type OwnMachine = {
+  /** What it begins with. */
+  own: Beginning,
+};
+
+/** What the core's own machine begins with. */
+export type Beginning = {
+  /** Basic system of units; none: metric. */
+  basic?: BasicSystem,
+  /** Working plane; absent: G17. */
+  plane: Plane,
+  /** G function of units; none: that of the basic system. */
+  units: UnitFunction,
+  /** User and machine data that differ. */
+  data?: { [key in string]: Datum },
+};
+
+/** A value of user data. */
+export type Datum = number | string;
+
+/** System of units. */
 export type BasicSystem = "mm" | "inch";
 
-/** The core's own machine with this basic system (absent: mm), beginning in this plane and with these units. */
-export interface OwnMachine {
-  own: { basic?: BasicSystem; plane: Plane; units: UnitFunction; data?: Setup["data"] };
-}
+/** How the program gives positions of the transverse axis X of a lathe. */
+export type Transverse = "DIAMOF" | "DIAMON" | "DIAM90";
 
-// form(FormRequest) -> FormView. Called at every keystroke.
-export interface FormRequest {
-  control: Dialect;
-  cycle: string;
-  values: Record<string, string>; // as typed, per parameter name; absent: never typed
-  // of the values that are the worth of one: as the program has it, and the snippet carries it
-  expressions?: Record<string, string>;
-  assumed?: Record<string, string>; // an outcome counts with these instead
-  setup?: Setup | OwnMachine; // absent: the core's own machine as it is
-  plane?: Plane; // at the call, where it is not that of the setup
-  transverse?: Transverse; // at the call; absent: diameters in a turning cycle
-  units?: UnitFunction; // likewise
-  errors?: ErrorSliders;
-  limits?: boolean; // also look for the largest errors that the call survives: takes a hundred runs
-  comments?: Record<string, string>; // words by parameter name: a comment line each in the snippet
-  style?: Style; // way of writing of the snippet; absent: preset
-  written?: Style; // of the call of the program that the form shows: a list of newer controls has rules of its own
-  predict?: boolean; // also simulate
-  twin?: boolean; // also the same task on the other control
-}
-export interface ErrorSliders {
-  part: { dx: number; dy: number; dz: number; size: number; tilt: number; taper: number; outOfRound: number };
-  probe: { skewX: number; skewY: number; radius: number; preTravel: number; repeatability: number };
-}
-export interface FormView {
-  fields: Field[]; // in the order to show; hidden ones are left out
-  diagnostics: Diagnostic[]; // all, those of a field carry `param`
-  snippet: string; // program text, LF; also for incomplete values as far as it can be written; empty: not in this way
-  snippetFindings: Diagnostic[]; // what this way of writing cannot say
-  preset: Style; // way of writing that counts until another is chosen: the machine may say so
-  complete: boolean; // no error
-  mvar: number | null; // the variant that the values choose
-  picture?: Picture; // only from the full module, which comes after the first form
-  // when asked for, from the full module; null: the other control has no such task for these values
-  twin?: TwinView | null;
-  unknown?: string[]; // when predict and there is no outcome: parameters whose values only a run tells
-  outcome?: Outcome; // when predict and complete, of a cycle that is simulated
-  // when predict: the machine, for an outcome with the proposed part, its errors and the start; exported, and what a
-  // program runs on
-  setup?: Setup;
-}
-export interface TwinView {
-  control: Dialect;
-  cycle: string;
-  key: string; // messages KEY-title, …
-  task: Message; // what both measure
-  values: Record<string, string>; // as typed there
-  snippet: string;
-  shared: { label: Message; value: number }[]; // what both say; lengths in the active unit
-  differences: Message[];
-}
-export interface Field {
-  name: string; // "_SETVAL"
-  label: Message;
-  help: Message;
-  kind: "real" | "integer" | "choice" | "digits" | "text";
-  value: string; // as typed, else ""
-  expression?: string; // of the program, of which the value is the worth
-  chooses?: boolean; // it chooses the variant, on which the other fields depend
-  code?: string; // what the number is a code of, where that is not the same in all variants
-  fallback?: number; // default that counts when empty
-  unit: "" | "mm" | "inch" | "deg" | "mm/min" | "inch/min";
-  required: boolean;
-  reason: Message; // why it is required or optional
-  range?: { min?: number; minIncluded: boolean; max?: number; maxIncluded: boolean };
-  choices?: { value: number; label: Message }[];
-  digits?: {
-    label: Message;
-    place: number;
-    digits: number;
-    value: number;
-    choices: { value: number; label: Message }[];
-    leads?: number[];
-  }[]; // leads: the whole number of each choice, where it is more than this digit
-  source: string; // place in the manual
-}
-// Drawn as SVG, millimetres of the working plane; `field` is highlighted while that field has the focus.
-export interface Picture {
-  view: "plane" | "section";
-  shapes: PictureShape[];
-}
+/** What is wrong with part and probe, as the sliders of the page set it. */
+export type ErrorSliders = {
+  /** The part; a tool probe in its place. */
+  part: PartSliders,
+  /** The workpiece probe; of a tool at a tool probe the tool. */
+  probe: ProbeSliders,
+};
+
+/** What is wrong with a probe, mm. */
+export type ProbeSliders = {
+  /** Centre of the ball off the axis, along X; of a tool its length L1. */
+  skewX: number,
+  /** Along Y; of a tool its length L2. */
+  skewY: number,
+  /** Added to the radius of the ball, or of the tool. */
+  radius: number,
+  /** Travel after contact until the signal. */
+  preTravel: number,
+  /** Standard deviation of the switching point. */
+  repeatability: number,
+};
+
+/** What is wrong with a part, mm and degree. */
+export type PartSliders = {
+  /** Displacement along X of the machine. */
+  dx: number,
+  /** Along Y. */
+  dy: number,
+  /** Along Z. */
+  dz: number,
+  /** Added to every diameter, width and length. */
+  size: number,
+  /** Turned about the applicate, degree. */
+  tilt: number,
+  /** Growth of the diameter per mm of depth. */
+  taper: number,
+  /** Amplitude of the three lobes of the radius. */
+  outOfRound: number,
+};
+
+/** A form. */
+export type FormView = {
+  /** Fields in the order in which they are shown; hidden ones are left out. */
+  fields: Array<Field>,
+  /** All findings; those of a field name its parameter. */
+  diagnostics: Array<Diagnostic>,
+  /** Text of the program, also for incomplete values as far as it can be written; empty: not in this way. */
+  snippet: string,
+  /** What this way of writing cannot say. */
+  snippetFindings: Array<Diagnostic>,
+  /** Way of writing that counts until another is chosen: the machine may say so. */
+  preset: Style,
+  /** Whether there is no error. */
+  complete: boolean,
+  /** The variant that the values choose. */
+  mvar: number | null,
+  /** What the values mean, drawn; only from a build that simulates. */
+  picture?: Picture,
+  /** When asked for: the same task on the other control; null where that has none. */
+  twin?: TwinView | null,
+  /** When simulating was asked for and there is no outcome: parameters whose values only a run tells. */
+  unknown?: Array<Name>,
+  /** When simulating was asked for, of a complete form of a cycle that is simulated. */
+  outcome?: Outcome,
+  /** When simulating was asked for: the machine, for an outcome with the proposed part, its errors and the start. */
+  setup: Setup,
+};
+
+/** What is wrong, where, and how to mend it. */
+export type Diagnostic = {
+  /** How bad. */
+  severity: Severity,
+  /** Its name: `61307`, `FORMAT ERROR`, `PW012`. */
+  code: Code,
+  /** Cause. */
+  message: Message,
+  /** What helps. */
+  hint?: Message,
+  /** Parameter to which it belongs. */
+  param?: Name,
+  /** Where it begins in the text of the program, UTF-16 units. */
+  from?: number,
+  /** One past its end, UTF-16 units. */
+  to?: number,
+  /** Line in which it begins, from 1. */
+  line?: number,
+  /** Character of that line, from 1. */
+  column?: number,
+  /** Mends it at once. */
+  cure?: Cure,
+  /** Lines that the cure changes elsewhere than where the finding is told. */
+  elsewhere?: Array<TouchedLine>,
+};
+
+/** How bad it is. */
+export type Severity = "error" | "warning" | "note";
+
+/** Edits that mend a finding. */
+export type Cure = {
+  /** What they do. */
+  label: Message,
+  /** The only places of the text that change. */
+  edits: Array<Edit>,
+};
+
+/** A text to be shown: key of the message files, with its arguments. */
+export type Message = {
+  /** Key in the message files, for example `check-out-of-range`; stems of the catalogue make others (`alarm-61307`). */
+  key: string,
+  /** Named arguments, in no particular order. */
+  args: { [key in string]: Arg },
+};
+
+/** One argument of a message. */
+export type Arg = number | string;
+
+/** Replaces a place of the text; places count in UTF-16 units. */
+export type Edit = {
+  /** First unit that goes. */
+  from: number,
+  /** One past the last; the same: nothing goes. */
+  to: number,
+  /** What comes. */
+  insert: string,
+};
+
+/** A line that would be another one. */
+export type TouchedLine = {
+  /** Its number, from 1. */
+  line: number,
+  /** As it is. */
+  before: string,
+  /** As it would be; empty where it goes. */
+  after: string,
+};
+
+/** A field of a form. Numbers of `fallback` and `range` are in its unit. */
+export type Field = {
+  /** Parameter, as the manual writes it: `_SETVAL`. */
+  name: Name,
+  /** Its name in words. */
+  label: Message,
+  /** What it means. */
+  help: Message,
+  /** How it is entered. */
+  kind: FieldKind,
+  /** As typed; empty: nothing is. */
+  value: string,
+  /** The expression of the program of which the value is the worth. */
+  expression?: string,
+  /** There where it chooses the variant, on which the other fields depend. */
+  chooses?: boolean,
+  /** What the number is a code of, where that is not the same in all variants. */
+  code?: string,
+  /** What counts while nothing is typed. */
+  fallback?: number,
+  /** `mm`, `inch`, `deg`, `mm/min`, `inch/min` or nothing. */
+  unit: string,
+  /** Whether it has to be given. */
+  required: boolean,
+  /** Why it is required or optional. */
+  reason: Message,
+  /** What the control takes, of a number. */
+  range?: Range,
+  /** What can be chosen, of a choice. */
+  choices?: Array<Choice>,
+  /** Digits that mean something of their own, of a number that is put together from such. */
+  digits?: Array<DigitGroup>,
+  /** Place in the manual. */
+  source: string,
+};
+
+/** Range of a number. `f64::NEG_INFINITY`/`INFINITY` for an open end. */
+export type Range = {
+  /** Lower end. */
+  min?: number,
+  /** Whether `min` itself is allowed. */
+  minIncluded: boolean,
+  /** Upper end. */
+  max?: number,
+  /** Whether `max` itself is allowed. */
+  maxIncluded: boolean,
+};
+
+/** Digits that mean something of their own. */
+export type DigitGroup = {
+  /** What they mean. */
+  label: Message,
+  /** Value of the lowest digit: 1, 10, 100, … */
+  place: number,
+  /** How many. */
+  digits: number,
+  /** What they are now. */
+  value: number,
+  /** Named values; empty: any number of that many digits. */
+  choices: Array<Choice>,
+  /** The whole number to which each choice leads; empty: the digits alone change. */
+  leads?: Array<number>,
+};
+
+/** A number with its name. */
+export type Choice = {
+  /** Number as it is written. */
+  value: number,
+  /** Its name. */
+  label: Message,
+};
+
+/** How a field is entered. */
+export type FieldKind = "real" | "integer" | "choice" | "digits" | "text";
+
+/** The same task on the other control. */
+export type TwinView = {
+  /** That control. */
+  control: Dialect,
+  /** Its cycle. */
+  cycle: string,
+  /** Stem of its messages. */
+  key: string,
+  /** What both measure. */
+  task: Message,
+  /** Values as typed there. */
+  values: { [key in string]: string },
+  /** Text of the program there. */
+  snippet: string,
+  /** What both say. */
+  shared: Array<Shared>,
+  /** What is different there. */
+  differences: Array<Message>,
+};
+
+/** What both calls say. */
+export type Shared = {
+  /** What it is. */
+  label: Message,
+  /** Its value; a length in the active unit. */
+  value: number,
+};
+
+/** What a call does. */
+export type Outcome = {
+  /** What it wrote, and what it would have written but left as it was. */
+  results: Array<Measured>,
+  /** Decisions of the tolerance chain in order, the branch taken last. */
+  decisions: Array<Message>,
+  /** Alarms raised, the one that stopped it last. */
+  alarms: Array<Raised>,
+  /** Tool wear, zero offsets, memories, … */
+  changes: Array<Change>,
+  /** Lines of the log, and blocks that were sent. */
+  log: Array<string>,
+  /** Everything that happened. */
+  trace: Trace,
+  /** Where asked for: up to which errors it comes to its end. */
+  limits?: Array<ErrorLimit>,
+};
+
+/** Up to which errors of the part a call comes to its end, the others being as they are. */
+export type ErrorLimit = {
+  /** Name of the error among those of the part. */
+  error: keyof PartSliders,
+  /** The smallest; none: any. */
+  low: number | null,
+  /** The largest; none: any. */
+  high: number | null,
+};
+
+/** A result of a call. */
+export type Measured = {
+  /** `_OVR[4]`. */
+  name: string,
+  /** Its meaning. */
+  label: Message,
+  /** Its value. */
+  value: number,
+  /** Unit on this machine. */
+  unit: string,
+  /** There where this call did not write it. */
+  earlier: 0,
+};
+
+/** A quantity that is different after a run. */
+export type Change = {
+  /** As a program would name it: `$TC_DP15[20,1]`, `$P_UIFR[1,X,FI]`, `_MV[9]`. */
+  name: string,
+  /** In words. */
+  label: Message,
+  /** Before, in its unit. */
+  before: number,
+  /** After. */
+  after: number,
+  /** A length has that of the basic system of the machine. */
+  unit: string,
+};
+
+/** An alarm that was raised, or why a simulation went no further. */
+export type Raised = {
+  /** Its name; empty: none of the control. */
+  code: string,
+  /** What it says. */
+  message: Message,
+  /** What helps. */
+  hint?: Message,
+  /** Whether it stops the program. */
+  stops: boolean,
+};
+
+/** A drawing. */
+export type Picture = {
+  /** From where. */
+  view: View,
+  /** Figures, those in front last. */
+  shapes: Array<PictureShape>,
+};
+
+/** One figure. */
+export type PictureShape = {
+  /** What it stands for. */
+  kind: ShapeKind,
+  /** Polyline, or polygon when `closed`, mm; a dimension: its two ends. */
+  points: Array<[number, number]>,
+  /** Circle: centre and radius, mm. */
+  circle?: Circle,
+  /** A round opening in it: centre and radius, mm. */
+  opening?: Circle,
+  /** Whether the last point joins the first. */
+  closed?: boolean,
+  /** Name of a parameter or a number; never a sentence. */
+  text?: string,
+  /** Parameter that it explains. */
+  field?: Name,
+  /** Parameters without a figure of their own that are shown here too. */
+  also?: Array<Name>,
+};
+
+/** What a figure stands for. */
+export type ShapeKind = "material" | "cut" | "edge" | "zone" | "probe" | "path" | "dimension" | "label" | "tolerance" | "axis" | "touch";
+
+/** From where the drawing is seen. */
+export type View = "plane" | "section";
+
+/** Which page. */
+export type HelpRequest = {
+  /** Control. */
+  control: Dialect,
+  /** Cycle. */
+  cycle: string,
+  /** Number of the variant. */
+  mvar: number,
+};
+
+/** The help page of a variant. */
+export type HelpView = {
+  /** Its sections, in order; none is empty. */
+  sections: Array<HelpSection>,
+  /** Parameters that every call of the variant gives. */
+  required: Array<Name>,
+  /** Results that a call can leave. */
+  results: Array<HelpResult>,
+  /** Alarms that can come. */
+  alarms: Array<AlarmInfo>,
+};
+
+/** A result by its name and the key of its meaning. */
+export type HelpResult = {
+  /** `_OVR[4]`. */
+  name: string,
+  /** Key of its meaning. */
+  key: string,
+};
+
+/** A section of a help page. */
+export type HelpSection = {
+  /** Its heading. */
+  label: Message,
+  /** What it says. */
+  lines: Array<HelpText>,
+};
+
+/** A line of a help page. */
+export type HelpText = {
+  /** What it says. */
+  message: Message,
+  /** Place in the manual. */
+  source: string,
+};
+
+/** Which machine, and what is typed into its form. */
+export type MachineRequest = {
+  /** Control. */
+  control: Dialect,
+  /** Machine; absent: the core's own as it is. */
+  setup?: Machine,
+  /** Basic system that it is to be built for from now on; the data keep their sizes. */
+  basic?: BasicSystem,
+  /** Typed values by name; an empty one goes back to what is delivered. */
+  values: { [key in string]: string },
+};
+
+/** What is set once per machine. */
+export type MachineView = {
+  /** Its data by subject. */
+  groups: Array<MachineGroup>,
+  /** Its basic system now. */
+  basic: BasicSystem,
+  /** What differs from delivery now, for the setup. */
+  data: { [key in string]: Datum },
+  /** Values that were not taken. */
+  problems: Array<MachineProblem>,
+  /** What differs, as blocks of a part program. */
+  assignments: string,
+  /** The same as lines of the definition file. */
+  definitions: string,
+};
+
+/** Data of one subject. */
+export type MachineGroup = {
+  /** The subject. */
+  label: Message,
+  /** Its data. */
+  fields: Array<MachineField>,
+};
+
+/** A datum of the machine. */
+export type MachineField = {
+  /** As a program writes it: `_WP[0,1]`, `MD18600`. */
+  name: string,
+  /** Key of its name; `.help`, and `.v0`, `.v1`, … of a choice, may stand behind it. */
+  key: string,
+  /** Which field of data it belongs to. */
+  set?: Message,
+  /** How it is entered. */
+  kind: MachineKind,
+  /** As typed; empty: as delivered. */
+  value: string,
+  /** As delivered; empty: not known. */
+  fallback: string,
+  /** Unit on this machine. */
+  unit: string,
+  /** What is allowed. */
+  range: Range,
+  /** The numbers of a choice. */
+  choices?: Array<number>,
+  /** Place in the manual. */
+  source: string,
+};
+
+/** How a datum of the machine is entered. */
+export type MachineKind = "real" | "integer" | "choice" | "text";
+
+/** A typed value that is not taken. */
+export type MachineProblem = {
+  /** Name of the datum. */
+  name: string,
+  /** What is wrong. */
+  message: Message,
+  /** The cure. */
+  hint: Message,
+};
+
+/** Which program is read. */
+export type ReadRequest = {
+  /** Control. */
+  control: Dialect,
+  /** Its text. */
+  text: string,
+  /** Machine on which it starts; absent: the core's own as it is. */
+  setup?: Machine,
+};
+
+/** A program. */
+export type ReadView = {
+  /** Its measuring calls in order. */
+  calls: Array<CallView>,
+  /** What is wrong with it. */
+  diagnostics: Array<Diagnostic>,
+};
+
+/** A measuring call of a program. */
+export type CallView = {
+  /** Control. */
+  control: Dialect,
+  /** Cycle. */
+  cycle: string,
+  /** Stem of its messages. */
+  key: string,
+  /** Number of the variant, where it is known. */
+  mvar: number | null,
+  /** First line with an assignment that belongs to it, from 1. */
+  line: number,
+  /** Line of the call itself. */
+  lastLine: number,
+  /** Where the call itself begins in the text, UTF-16 units. */
+  from: number,
+  /** One past its end. */
+  to: number,
+  /** How it is written. */
+  style: Style,
+  /** Values that arrive at it, as a form wants them. */
+  values: { [key in string]: string },
+  /** Of those that are the worth of an expression: as it is written. */
+  expressions: { [key in string]: string },
+  /** Of the values that differ by the way or from pass to pass: those that arrive first. */
+  first: { [key in Name]: Arrival },
+  /** Working plane there. */
+  plane: Plane,
+  /** How X is given there. */
+  transverse: Transverse,
+  /** G function of units in force there. */
+  units: UnitFunction,
+  /** What is wrong with it. */
+  diagnostics: Array<Diagnostic>,
+  /** Notes at values that come from other programs of the text, or differ by the way to the call. */
+  arrivals: Array<Diagnostic>,
+};
+
+/** A value that arrives at a call. */
+export type Arrival = {
+  /** As it is written. */
+  value: string,
+  /** Its line, from 1. */
+  line: number,
+};
+
+/** A new value of a call. */
+export type ChangeRequest = {
+  /** Control. */
+  control: Dialect,
+  /** Text of the program. */
+  text: string,
+  /** Which of its calls, from 0. */
+  call: number,
+  /** Parameter. */
+  name: string,
+  /** Its new value, as typed; empty: it goes. */
+  value: string,
+  /** Machine on which the program starts; absent: the core's own as it is. */
+  setup?: Machine,
+};
+
+/** What a new value does to a program. */
+export type Changed = {
+  /** Lists of edits, each for the text after the ones before it; the only places that change. */
+  steps: Array<Array<Edit>>,
+  /** Lines outside of the call's own that they change. */
+  elsewhere: Array<TouchedLine>,
+  /** Parameters that the new variant does not know, taken out of the call. */
+  taken: Array<Name>,
+  /** What that means. */
+  findings: Array<Diagnostic>,
+};
+
+/** A call in another way of writing. */
+export type ConvertRequest = {
+  /** Control. */
+  control: Dialect,
+  /** Text of the program. */
+  text: string,
+  /** Which of its calls, from 0. */
+  call: number,
+  /** The way of writing. */
+  style: Style,
+  /** Machine on which the program starts; absent: the core's own as it is. */
+  setup?: Machine,
+};
+
+/** Edits that write a call in another way. */
+export type Converted = {
+  /** The only places of the text that change; none: it is not possible, see the findings. */
+  edits: Array<Edit>,
+  /** What has to be said about it. */
+  findings: Array<Diagnostic>,
+};
+
+/** What is run. */
+export type RunRequest = {
+  /** Control. */
+  control: Dialect,
+  /** Text of the program. */
+  text: string,
+  /** Machine; absent: the core's own as it is. */
+  setup?: Machine,
+};
+
+/** What a program did. */
+export type RunView = {
+  /** Everything that happened. */
+  trace: Trace,
+  /** What was found on the way. */
+  diagnostics: Array<Diagnostic>,
+  /** The results of each call; behind them what the program wrote beside them. */
+  results: Array<RunResult>,
+  /** What the cycles decided, in order. */
+  decisions: Array<RunDecision>,
+  /** What is different afterwards. */
+  changes: Array<Change>,
+  /** The alarms in order. */
+  alarms: Array<RunAlarm>,
+  /** Lines of the log, and blocks that were sent. */
+  log: Array<string>,
+  /** Whether it reached its end. */
+  finished: boolean,
+  /** What it went on without. */
+  passedOver: Array<PassedOver>,
+  /** How it ended. */
+  ending: Message,
+  /** Of a program that came without a machine: what was assumed. */
+  assumed?: RunAssumed,
+};
+
+/** A decision of a cycle. */
+export type RunDecision = {
+  /** What was decided. */
+  message: Message,
+  /** Its line, from 1. */
+  line?: number,
+  /** Its cycle. */
+  cycle?: string,
+};
+
+/** What was assumed for a program that came without a machine. */
+export type RunAssumed = {
+  /** In words. */
+  messages: Array<Message>,
+  /** The machine on which it ran. */
+  setup: Setup,
+};
+
+/** An alarm of a run. */
+export type RunAlarm = {
+  /** Its name; empty: none of the control. */
+  code: string,
+  /** What it says. */
+  message: Message,
+  /** What helps. */
+  hint?: Message,
+  /** Whether it stops the program. */
+  stops: boolean,
+  /** Its line, from 1. */
+  line?: number,
+  /** Its cycle. */
+  cycle?: string,
+};
+
+/** A word or call that the run went on without. */
+export type PassedOver = {
+  /** As it stands in the program. */
+  word: string,
+  /** Its line, from 1. */
+  line: number,
+};
+
+/** A result of a run. */
+export type RunResult = {
+  /** `_OVR[4]`. */
+  name: string,
+  /** Its value. */
+  value: number,
+  /** Its meaning, where a call left it. */
+  label?: Message,
+  /** Its unit, where a call left it. */
+  unit?: string,
+  /** Its line, from 1. */
+  line?: number,
+  /** Its cycle. */
+  cycle?: string,
+};
+
+/** The call of a program to which something belongs; absent: none. */
+export type OfCall = {
+  /** Its line, from 1. */
+  line?: number,
+  /** Its cycle. */
+  cycle?: string,
+};
+
+/** Which surface is scanned, and how. */
+export type ScanRequest = {
+  /** Control. */
+  control: Dialect,
+  /** A cycle that scans. */
+  cycle: string,
+  /** Values as typed, by parameter. */
+  values: { [key in string]: string },
+  /** Machine, with a surface as its part: that of a form. */
+  setup: Machine,
+  /** Working plane at the call, where it is not that of the machine. */
+  plane?: Plane,
+  /** G function of units at the call, likewise. */
+  units?: UnitFunction,
+  /** Another surface in its place, as large; absent: that of the machine. */
+  surface?: SurfaceChoice,
+};
+
+/** What stands in the place of a surface, as large as that. */
+export type SurfaceChoice = { "example": string } | { "picture": number } | "stl";
+
+/** What came out of a scan. */
+export type ScanView = {
+  /** How many points were scanned. */
+  points: number,
+  /** In how many lines. */
+  lines: number,
+  /** Why it did not come to its end. */
+  alarms: Array<Raised>,
+  /** How far the points as sent are from the true surface. */
+  sent: Deviation,
+  /** The same with the ball taken out. */
+  surface: Deviation,
+  /** The part. */
+  solids: Solid[],
+  /** Radius of the ball, mm. */
+  radius: number,
+  /** From where the points count, machine coordinates, mm. */
+  origin: [number, number, number],
+};
+
+/** How far points are from the true surface, mm. */
+export type Deviation = {
+  /** Greatest. */
+  greatest: number,
+  /** Root of the mean square. */
+  mean: number,
+};
+
+/** A way to write a scan. */
+export type ScanText = "program" | "points" | "surface";
+
+/** What a file is, by its bytes. */
+export type Recognised = {
+  /** How it is encoded. */
+  encoding: import("./encoding").Encoding,
+} | {
+  /** What it is instead. */
+  why: Message,
+};
+
+// What is drawn of a run, and the setup file: described by hand (core/src/json/tests/drawn.ts), as they are written by
+// hand.
+
+export type Vec3 = [number, number, number];
+
 /** Centre and radius, mm. */
 export interface Circle {
   x: number;
   y: number;
   r: number;
 }
-export interface PictureShape {
-  kind:
-    | "material"
-    | "cut"
-    | "edge"
-    | "zone"
-    | "probe"
-    | "path"
-    | "dimension"
-    | "label"
-    | "tolerance"
-    | "axis"
-    | "touch";
-  points: [number, number][]; // polygon or polyline; dimension: its two ends
-  circle?: Circle;
-  /** A round opening in it. */
-  opening?: Circle;
-  closed?: boolean;
-  text?: string; // name of a parameter or a number
-  field?: string; // parameter it explains
-  also?: string[]; // parameters without a figure of their own that are shown here too
-}
-export interface Outcome {
-  // earlier: not written by this call
-  results: { name: string; label: Message; value: number; unit: string; earlier?: 0 }[];
-  decisions: Message[]; // tolerance chain, in order, the branch taken last
-  alarms: { code: string; message: Message; hint?: Message; stops: boolean }[];
-  changes: { name: string; label: Message; before: number; after: number; unit: string }[]; // tool wear, zero offset, …
-  log: string[];
-  trace: Trace;
-  // up to which errors it comes to its end; null: any
-  limits?: { error: keyof ErrorSliders["part"]; low: number | null; high: number | null }[];
-}
-export type Vec3 = [number, number, number];
+
 export type MotionKind = "rapid" | "positioning" | "measuring" | "retract";
+
 /** A way round an axis, right-handed; absent: straight. Between different heights it climbs evenly. */
 export interface Around {
   centre: Vec3;
   axis: Vec3;
   degrees: number;
 }
+
 /** What of the probe touches; where it is left out, the ball. */
 export type Touching = "ball" | "stylus" | "body";
+
 export type Step =
   | { step: "motion"; kind: MotionKind; from: Vec3; to: Vec3; feed: number; around?: Around }
   | { step: "touch"; latched: Vec3; ball: Vec3; point: Vec3; normal: Vec3; by?: Touching }
@@ -234,6 +994,7 @@ export type Step =
   | { step: "log"; text: string }
   | { step: "call"; cycle: string; variant: number }
   | { step: "return" };
+
 // ball.stylus: radius above the ball; body: what holds it, where that is known, and the distance of its lower face.
 // tools: whatever was in use; inUse: which of them from which entry on, absent: a ball that stands upright.
 // zones: walls of protection zones, as shaft, web or island; shown, not touched.
@@ -245,6 +1006,7 @@ export interface FrameView {
   axes: [Vec3, Vec3, Vec3];
   moved?: "before" | "after";
 }
+
 export interface Trace {
   entries: (Step & { line?: number })[];
   ball: Ball;
@@ -258,12 +1020,14 @@ export interface Trace {
   limits?: Solid[];
   frames: FrameView[];
 }
+
 export interface Ball {
   radius: number;
   length: number;
   stylus?: number;
   body?: { radius: number; distance: number };
 }
+
 /** What is in use, from the position of the machine on: the ball of the probe or the pieces of a tool. */
 export interface ToolView {
   length: Vec3; // in effect, along X Y Z: where it changes, the axes stand still
@@ -272,6 +1036,7 @@ export interface ToolView {
   carrier: ToolPiece[]; // what holds it on a turning machine
   tip: Vec3; // its end
 }
+
 /**
  * Half of a section turned about an axis: distance from it and height; or a convex flat piece, with its thickness.
  * cuts: an insert.
@@ -280,6 +1045,7 @@ export type ToolPiece = { cuts?: boolean } & (
   | { outline: [number, number][]; axis: Vec3; at: Vec3 }
   | { corners: Vec3[]; thick: Vec3 }
 );
+
 /**
  * A turned part as on a drawing. ends: of a diameter as it is; out: along the axis, away from the part; touched:
  * diameters as the control reads them.
@@ -290,6 +1056,7 @@ export interface Drawing {
   // where positions count from, and whether X is a diameter
   reading: { at: Vec3; axes: [Vec3, Vec3, Vec3]; diameter: boolean };
 }
+
 export interface Solid {
   shape:
     | "hole"
@@ -393,102 +1160,6 @@ export interface RealTool {
     | { nose: { radius: number; side: [number, number] } };
 }
 
-// help(HelpRequest) -> HelpView: the help page of a variant
-export interface HelpRequest {
-  control: Dialect;
-  cycle: string;
-  mvar: number;
-}
-export interface HelpView {
-  sections: { label: Message; lines: { message: Message; source: string }[] }[];
-  required: string[]; // parameters that every call of the variant gives
-  results: { name: string; key: string }[]; // that a call can leave
-  alarms: AlarmInfo[]; // that can come
-}
-
-// machine(MachineRequest) -> MachineView: what is set once per machine
-export interface MachineRequest {
-  control: Dialect;
-  setup?: Setup | OwnMachine;
-  basic?: BasicSystem; // the machine is to be built for it from now on; the data keep their sizes
-  values: Record<string, string>; // typed; empty: as delivered
-}
-export interface MachineView {
-  groups: MachineGroup[];
-  basic: BasicSystem; // now
-  data: Setup["data"]; // what differs from delivery now, for the setup
-  problems: { name: string; message: Message; hint: Message }[]; // of values that were not taken
-  assignments: string; // the same as blocks of a part program
-  definitions: string; // and as lines of the definition file
-}
-export interface MachineGroup {
-  label: Message;
-  fields: MachineField[];
-}
-export interface MachineField {
-  name: string; // "_WP[0,1]", "MD18600"
-  key: string; // its name; .help and .v0, .v1, … of a choice may be there
-  set?: Message; // which field of data it belongs to
-  kind: "real" | "integer" | "choice" | "text";
-  value: string; // "": as delivered
-  fallback: string; // as delivered; "": not known
-  unit: string;
-  range: NonNullable<Field["range"]>;
-  choices?: number[];
-  source: string;
-}
-
-// read(ReadRequest) -> ReadView
-export interface ReadRequest {
-  control: Dialect;
-  text: string;
-  setup?: Setup | OwnMachine;
-} // absent: the core's own machine as it is
-export interface ReadView {
-  calls: CallView[];
-  diagnostics: Diagnostic[];
-}
-export interface CallView {
-  control: Dialect;
-  cycle: string;
-  mvar: number | null;
-  key: string;
-  line: number;
-  lastLine: number; // from 1: first assignment line that belongs to it, line of the call
-  style: Style;
-  from: number;
-  to: number; // UTF-16 offsets of the call itself
-  values: Record<string, string>; // as the form wants them
-  expressions: Record<string, string>; // of the values that are the worth of one: as it is written
-  // of the values that differ by the way or from pass to pass, those that arrive first; line from 1
-  first: Record<string, { value: string; line: number }>;
-  plane: Plane;
-  units: UnitFunction;
-  transverse: Transverse; // in force at the call
-  diagnostics: Diagnostic[];
-  // notes at the values that come from other programs of the text, or differ by the way to the call
-  arrivals: Diagnostic[];
-}
-// change({control, text, setup?, call: index, name, value}) -> Changed; the only bytes that change
-export interface Edit {
-  from: number;
-  to: number;
-  insert: string;
-}
-/** A line that would be another one; from 1. */
-export interface TouchedLine {
-  line: number;
-  before: string;
-  after: string;
-}
-// steps: lists of edits, each for the text after the ones before it. elsewhere: lines outside of the call's own. taken:
-// parameters that the new variant does not know, taken out of the call.
-export interface Changed {
-  steps: Edit[][];
-  elsewhere: TouchedLine[];
-  taken: string[];
-  findings: Diagnostic[];
-}
 // A value changed in the form and not yet in the program: of the call that begins at UTF-16 offset `at` there. asks: it
 // would change these lines of that text outside of its call, and waits for a word; agreed: that was given.
 export interface Pending {
@@ -498,63 +1169,4 @@ export interface Pending {
   value: string;
   asks?: { text: string; lines: TouchedLine[] };
   agreed?: boolean;
-}
-// convert({control, text, setup?, call: index, style}) -> Converted: the call in another way of writing; no edits: not
-// possible, see findings
-export interface Converted {
-  edits: Edit[];
-  findings: Diagnostic[];
-}
-// run(RunRequest) -> RunView
-/** The call of a program to which something belongs; absent: none. Line from 1. */
-export interface OfCall {
-  line?: number;
-  cycle?: string;
-}
-export interface RunRequest {
-  control: Dialect;
-  text: string;
-  setup?: Setup | OwnMachine;
-} // absent: the core's own machine as it is
-export interface RunView {
-  trace: Trace;
-  diagnostics: Diagnostic[];
-  results: ({ name: string; label?: Message; value: number; unit?: string } & OfCall)[];
-  decisions: ({ message: Message } & OfCall)[];
-  changes: Outcome["changes"];
-  alarms: (Outcome["alarms"][number] & OfCall)[];
-  log: string[];
-  finished: boolean;
-  passedOver: { word: string; line: number }[];
-  ending: Message;
-}
-
-// Scan(ScanRequest, bytes): a surface scanned in pieces. setup: that of the FormView; its surface, or another one as
-// large.
-export interface ScanRequest {
-  control: Dialect;
-  cycle: string;
-  values: Record<string, string>;
-  setup: Setup;
-  plane?: Plane;
-  units?: UnitFunction;
-  surface?: SurfaceChoice;
-}
-/** One of ours by name; a picture whose rows have so many grey values, or an STL file: of both the bytes go along. */
-export type SurfaceChoice = { example: string } | { picture: number } | "stl";
-export type ScanText = "program" | "points" | "surface";
-/** mm; of the points as sent, and with the ball taken out. origin: of the points, machine coordinates. */
-export interface ScanView {
-  points: number;
-  lines: number;
-  alarms: Outcome["alarms"];
-  sent: Deviation;
-  surface: Deviation;
-  solids: Solid[];
-  radius: number;
-  origin: Vec3;
-}
-export interface Deviation {
-  greatest: number;
-  mean: number;
 }

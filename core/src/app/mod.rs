@@ -35,7 +35,7 @@ pub use predict::{ErrorLimit, ErrorSliders, PartSliders, ProbeSliders};
 pub use program::{Arrival, CallView, ReadRequest, ReadView, calls, read};
 pub use run::{OfCall, Run, RunAlarm, RunAssumed, RunDecision, RunRequest, RunResult, RunView};
 pub use scan::{Scan, ScanRequest, ScanView, SurfaceChoice, put_surface};
-pub use start::{Machine, OwnMachine};
+pub use start::{Beginning, Machine, OwnMachine};
 pub use twin::{Shared, TwinView};
 
 use crate::control::{Control, UnitFunction};

@@ -17,10 +17,7 @@ use std::fmt;
 #[cfg_attr(test, derive(ts_rs::TS), ts(untagged))]
 pub enum Machine {
     /// The core's own, with what is chosen for it.
-    Own {
-        /// What it begins with.
-        own: OwnMachine,
-    },
+    Own(OwnMachine),
     /// One that the user described.
     #[cfg_attr(test, ts(skip))]
     Described(Box<Setup>),
@@ -28,16 +25,26 @@ pub enum Machine {
     File(#[cfg_attr(test, ts(type = "Setup"))] Box<SetupFile>),
 }
 
+/// The core's own machine.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct OwnMachine {
+    /// What it begins with.
+    pub own: Beginning,
+}
+
 /// What the core's own machine begins with.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
-pub struct OwnMachine {
+pub struct Beginning {
     /// Basic system of units; none: metric.
     pub basic: Option<Units>,
-    /// Working plane; none: G17.
+    /// Working plane; absent: G17.
+    #[cfg_attr(test, ts(optional = false, as = "Plane"))]
     pub plane: Option<Plane>,
     /// G function of units; none: that of the basic system.
+    #[cfg_attr(test, ts(optional = false, as = "UnitFunction"))]
     pub units: Option<UnitFunction>,
     /// User and machine data that differ.
     #[cfg_attr(test, ts(optional, as = "Option<BTreeMap<String, Value>>"))]
@@ -63,7 +70,7 @@ impl<'de> Visitor<'de> for Either {
     fn visit_map<M: MapAccess<'de>>(self, mut members: M) -> Result<Machine, M::Error> {
         let first: Option<String> = members.next_key()?;
         if first.as_deref() == Some("own") {
-            return Ok(Machine::Own { own: members.next_value()? });
+            return Ok(Machine::Own(OwnMachine { own: members.next_value()? }));
         }
         if !SIMULATES {
             return Err(M::Error::custom("document-no-setup"));
@@ -108,8 +115,8 @@ pub(super) fn start(dialect: Dialect, machine: Option<Machine>) -> Result<Start,
     let own = match machine {
         Some(Machine::File(file)) => return Ok(Start { setup: json::setup(*file)?, described: true }),
         Some(Machine::Described(setup)) => return Ok(Start { setup: *setup, described: true }),
-        Some(Machine::Own { own }) => own,
-        None => OwnMachine::default(),
+        Some(Machine::Own(OwnMachine { own })) => own,
+        None => Beginning::default(),
     };
     let basic = own.basic.unwrap_or(Units::Metric);
     let mut setup = Setup::calibrated_in(dialect, own.plane.unwrap_or(Plane::G17), basic);

@@ -7,6 +7,7 @@ use std::ops::Range;
 
 /// A way to write a scan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "ScanText", rename_all = "lowercase"))]
 pub enum Form {
     /// Program of the control, in the units in force at the call.
     Program,

@@ -7,6 +7,7 @@ mod machine;
 mod outcome;
 mod setup;
 mod setup_limits;
+mod wire;
 
 use crate::entry::Typed;
 use crate::json::asked::*;

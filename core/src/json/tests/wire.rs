@@ -1,0 +1,133 @@
+//! `www/src/wire.ts`: the types of questions and answers as the page sees them, with what is said of them here.
+
+use crate::app::*;
+use crate::scan::text::Form;
+use std::path::PathBuf;
+use ts_rs::{Config, TS, TypeVisitor};
+
+/// Before the types.
+const HEAD: &str = "\
+// Questions and answers of the core. Written from core/src/app by a test of the core (json/tests/wire.rs) when it runs
+// with PROBEWRIGHT_UPDATE=1; not by hand.
+";
+
+/// What is drawn of a run, and the setup file: documents that are written by hand.
+const DRAWN: &str = include_str!("drawn.ts");
+
+/// Each type once, those on which it rests behind it.
+struct Types {
+    config: Config,
+    names: Vec<String>,
+    text: String,
+}
+
+impl TypeVisitor for Types {
+    fn visit<T: TS + 'static + ?Sized>(&mut self) {
+        let name = T::name(&self.config);
+        if T::output_path().is_some() && !self.names.contains(&name) {
+            self.names.push(name);
+            let docs = T::docs().map_or(String::new(), |docs| comment(&docs, ""));
+            self.text += &format!("\n{docs}export {};\n", laid_out(T::decl(&self.config).trim_end_matches(';')));
+            T::visit_dependencies(self);
+        } else {
+            T::visit_generics(self);
+        }
+    }
+}
+
+/// A comment of these lines.
+fn comment(docs: &str, indent: &str) -> String {
+    let lines = docs.lines().map(|line| line.trim().trim_start_matches("/**").trim_start_matches("*/"));
+    let lines = lines.map(|line| line.trim_start_matches('*').trim()).filter(|line| !line.is_empty());
+    let lines: Vec<&str> = lines.collect();
+    match &lines[..] {
+        [line] => format!("{indent}/** {line} */\n"),
+        lines => format!("{indent}/**\n{indent} * {}\n{indent} */\n", lines.join(&format!("\n{indent} * "))),
+    }
+}
+
+/// A declaration with a line for each member that has a comment.
+fn laid_out(declaration: &str) -> String {
+    let (mut text, mut depth, mut rest) = (String::new(), 0, declaration);
+    let indent = |depth: usize| "  ".repeat(depth);
+    let mut open: Vec<bool> = Vec::new();
+    while let Some(first) = rest.chars().next() {
+        let wide = open.last() == Some(&true);
+        if let Some(end) = rest.starts_with("/**").then(|| rest.find("*/")).flatten() {
+            let said = comment(&rest[..end + 2], &indent(depth));
+            text = format!("{}\n{said}{}", text.trim_end(), indent(depth));
+            rest = rest[end + 2..].trim_start();
+            continue;
+        }
+        rest = &rest[first.len_utf8()..];
+        match first {
+            '{' => {
+                open.push(rest.trim_start().starts_with("/**") || documented(rest));
+                depth += usize::from(open.last() == Some(&true));
+                text.push('{');
+            }
+            '}' => {
+                open.pop();
+                text.truncate(text.trim_end().trim_end_matches(',').len());
+                depth -= usize::from(wide);
+                text += &if wide { format!(",\n{}}}", indent(depth)) } else { " }".to_owned() };
+            }
+            '\n' => {}
+            ' ' if text.ends_with(' ') => {}
+            _ => text.push(first),
+        }
+    }
+    text
+}
+
+/// Whether a member of the object that begins here has a comment.
+fn documented(inside: &str) -> bool {
+    let mut depth = 1;
+    for (at, c) in inside.char_indices() {
+        match c {
+            '{' => depth += 1,
+            '}' => depth -= 1,
+            '/' if depth == 1 && inside[at..].starts_with("/**") => return true,
+            _ => {}
+        }
+        if depth == 0 {
+            return false;
+        }
+    }
+    false
+}
+
+// oracle: self
+#[test]
+fn the_types_of_the_page_are_those_of_the_core() {
+    let config = Config::new().with_large_int("number").with_array_tuple_limit(4);
+    let mut types = Types { config, names: Vec::new(), text: HEAD.to_owned() };
+    types.visit::<Catalogue>();
+    types.visit::<AlarmInfo>();
+    types.visit::<FormRequest>();
+    types.visit::<FormView>();
+    types.visit::<HelpRequest>();
+    types.visit::<HelpView>();
+    types.visit::<MachineRequest>();
+    types.visit::<MachineView>();
+    types.visit::<ReadRequest>();
+    types.visit::<ReadView>();
+    types.visit::<ChangeRequest>();
+    types.visit::<Changed>();
+    types.visit::<ConvertRequest>();
+    types.visit::<Converted>();
+    types.visit::<RunRequest>();
+    types.visit::<RunView>();
+    types.visit::<OfCall>();
+    types.visit::<ScanRequest>();
+    types.visit::<ScanView>();
+    types.visit::<Form>();
+    types.visit::<Recognised>();
+    types.text += DRAWN;
+    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../www/src/wire.ts");
+    if std::env::var_os("PROBEWRIGHT_UPDATE").is_some() {
+        std::fs::write(&path, &types.text).unwrap();
+    }
+    let written = std::fs::read_to_string(&path).unwrap();
+    assert!(written == types.text, "www/src/wire.ts is not of these types: PROBEWRIGHT_UPDATE=1 writes it");
+}
