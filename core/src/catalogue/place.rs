@@ -102,7 +102,7 @@ pub fn above(infeed: f64, ball: f64) -> (f64, f64) {
 /// The tool that `_KNUM` and `_TNUM` or `_TNAME` name, as an end mill of 20 mm; none without a tool offset.
 pub fn corrected_tools(inputs: &Inputs) -> Vec<ProposedTool> {
     let code = knum::tool(inputs.integer(names::KNUM), inputs.five_digit_edges);
-    let (number, name) = (inputs.integer(names::TNUM), inputs.text(names::TNAME));
+    let (number, name) = (inputs.or_zero(names::TNUM) as i64, inputs.text(names::TNAME));
     let tool = match (number, name) {
         (0, "") => return Vec::new(),
         (0, _) => NAMED,

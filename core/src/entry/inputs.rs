@@ -59,9 +59,15 @@ impl Inputs {
         }
     }
 
-    /// Number of a parameter that the entry has; 0 where the call does not use it or leaves it open.
+    /// Number of a parameter that the call uses; 0 where it is left open.
     #[track_caller]
     pub fn number(&self, name: Name) -> f64 {
+        self.or_zero(name)
+    }
+
+    /// Number of a parameter that the entry has; 0 also where this variant does not use it.
+    #[track_caller]
+    pub fn or_zero(&self, name: Name) -> f64 {
         self.given(name).unwrap_or(0.0)
     }
 
@@ -96,7 +102,7 @@ impl Inputs {
         self.settings.get(REVERSED) == Some(&1.0)
     }
 
-    /// Number of an integer parameter that the entry has; 0 as of [`Inputs::number`].
+    /// Number of an integer parameter that the call uses; 0 as of [`Inputs::number`].
     #[track_caller]
     pub fn integer(&self, name: Name) -> i64 {
         self.number(name) as i64

@@ -36,7 +36,7 @@ fn is_literal(text: &str) -> bool {
 /// it is written. What is known of its worth is compared afterwards, see [`differs`].
 pub(super) fn moves(program: &Program, site: &CallSite, said: &[Name]) -> Option<Diagnostic> {
     let name = said.iter().copied().find(|name| {
-        let expression = site.expression(&name);
+        let expression = site.expression(name);
         expression.is_some_and(|text| text != *name && !stays(program, site, name, text))
     })?;
     Some(changing(site, name))

@@ -106,7 +106,7 @@ fn first_start(inputs: &Inputs, block: &Block, start: [f64; 3], axis: usize, dir
 }
 
 fn set_point(inputs: &Inputs, block: &Block, axis: usize, direction: f64) -> Point {
-    block.point(axis, direction, inputs.number(names::SETVAL))
+    block.point(axis, direction, inputs.or_zero(names::SETVAL))
 }
 
 /// Coordinate of the surface at the first point, and what the skew of an uncalibrated probe adds at the others, mm.

@@ -18,9 +18,9 @@ pub fn tool_target(
 ) -> Result<Option<tool_offset::Target>, Stop> {
     let names = tool_offset::Names {
         code: inputs.integer(names::KNUM),
-        tool: inputs.integer(names::TNUM),
+        tool: inputs.or_zero(names::TNUM) as i64,
         tool_name: inputs.text(names::TNAME),
-        location: inputs.integer(names::DLNUM),
+        location: inputs.or_zero(names::DLNUM) as i64,
         environment: inputs.text(names::TENV),
         axis,
     };
