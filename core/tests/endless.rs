@@ -6,6 +6,7 @@ mod running;
 
 use probewright_core::control::Plane;
 use probewright_core::dialect::Dialect;
+use probewright_core::geometry::Mcs;
 use probewright_core::machine::trace::Step;
 use probewright_core::machine::{Setup, Stop};
 use probewright_core::run::{Limits, Outcome, Session, run};
@@ -19,7 +20,7 @@ const CALL: &str = "_MVAR=100 _KNUM=0 _MA=3 _SETVAL=0 _FA=5 _TSA=4 _TUL=3 _TLL=-
 fn measuring() -> Setup {
     let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
     setup.workpiece.solids.push(running::block());
-    setup.position = [0.0, 0.0, 5.0];
+    setup.position = Mcs([0.0, 0.0, 5.0]);
     setup
 }
 
@@ -134,7 +135,7 @@ fn leaning() -> Setup {
     hole.shape = Shape::Hole { diameter: 40.0, depth: 30.0 };
     hole.errors.tilt = [0.1, 0.0, 0.0];
     setup.workpiece.solids = vec![hole];
-    setup.position = [16.9, 0.0, -10.0];
+    setup.position = Mcs([16.9, 0.0, -10.0]);
     setup
 }
 

@@ -4,6 +4,7 @@
 
 use probewright_core::control::{Plane, Value};
 use probewright_core::dialect::Dialect;
+use probewright_core::geometry::Mcs;
 use probewright_core::machine::sim::TRACE_LIMIT;
 use probewright_core::machine::{Setup, Stop};
 use probewright_core::message::Arg;
@@ -21,7 +22,7 @@ fn go(text: &str) -> Outcome {
         rotation: [0.0; 3],
         errors: PartErrors::default(),
     });
-    setup.position = [0.0, 0.0, 20.0];
+    setup.position = Mcs([0.0, 0.0, 20.0]);
     let program = read(Dialect::Sinumerik, text.as_bytes());
     run(&program, &setup, Limits::default())
 }

@@ -4,6 +4,8 @@
 use probewright_core::control::Plane;
 use probewright_core::diagnostic::Severity;
 use probewright_core::dialect::Dialect;
+use probewright_core::geometry::Mcs;
+use probewright_core::geometry::Wcs;
 use probewright_core::machine::trace::Step;
 use probewright_core::machine::{Setup, Stop};
 use probewright_core::message::Message;
@@ -298,11 +300,11 @@ fn over_a_block() -> Setup {
     let size = [60.0, 60.0, 20.0];
     setup.workpiece.solids.push(Solid {
         shape: Shape::Block { size },
-        at: setup.control.to_machine([0.0; 3]),
+        at: setup.control.to_machine(Wcs([0.0; 3])).0,
         rotation: [0.0; 3],
         errors: PartErrors::default(),
     });
-    setup.position = setup.control.to_machine([0.0, 0.0, 20.0]);
+    setup.position = setup.control.to_machine(Wcs([0.0, 0.0, 20.0]));
     setup
 }
 
@@ -378,7 +380,7 @@ fn the_radius_is_that_of_the_register() {
     let mut setup = Setup::calibrated(Dialect::Nct, Plane::G17);
     setup.control.register_mut(1).radius = 5.0;
     setup.control.register_mut(2).radius_wear = 4.0;
-    setup.position = [0.0; 3];
+    setup.position = Mcs([0.0; 3]);
     let text = "G17 G90 G41 D1 G1 X20. Y0 F100\nX40.\nX60. D2\nX80.\nG40 X100.\nM30";
     let program = read(Dialect::Nct, text.as_bytes());
     let outcome = run(&program, &setup, Limits::default());

@@ -5,6 +5,7 @@ use super::start::Start;
 use crate::control::Plane;
 use crate::entry::Inputs;
 use crate::entry::{ProbeUse, Work};
+use crate::geometry::Mcs;
 use crate::geometry::{V3, rigid};
 use crate::machine::{Setup, Stop, possible};
 use crate::message::Message;
@@ -98,7 +99,7 @@ fn carried_out(inputs: &Inputs, setup: &mut Setup) -> run::Outcome {
         false => "run-errors",
     };
     if !somewhere {
-        setup.position = [0.0; 3];
+        setup.position = Mcs([0.0; 3]);
     }
     setup.workpiece.solids.retain(|one| possible::solid(&Path::default(), one).is_ok());
     setup.tool_probes.retain(|one| possible::solid(&Path::default(), &one.solid).is_ok());

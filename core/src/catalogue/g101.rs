@@ -9,6 +9,7 @@ use crate::entry::Inputs;
 use crate::entry::address;
 use crate::entry::{Cycle, Drawing, Help, Kind, Param, Proposal, Purpose, Simulation, Unit, Variant, When, Work};
 use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
+use crate::geometry::Wcs;
 use crate::machine::trace::MotionKind;
 use crate::machine::{Machine, Stop};
 use crate::own;
@@ -78,15 +79,15 @@ fn target(inputs: &Inputs, from: [f64; 3], incremental: bool) -> [f64; 3] {
 fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     nct::ready(machine)?;
     let incremental = machine.control().bit(nct::INCREMENTAL);
-    let to = target(inputs, machine.position(), incremental);
-    let outcome = go(machine, to, inputs.number(address::F));
+    let to = target(inputs, machine.position().0, incremental);
+    let outcome = go(machine, Wcs(to), inputs.number(address::F));
     let lost = if outcome.is_ok() { 0.0 } else { 1.0 };
     machine.control().set(nct::POSITION_LOST, lost);
     outcome
 }
 
 /// To the target, or as far as the limits of the axes let it: then it is not reached (C:121-123, C:132).
-fn go(machine: &mut dyn Machine, to: [f64; 3], feed: f64) -> Result<(), Stop> {
+fn go(machine: &mut dyn Machine, to: Wcs, feed: f64) -> Result<(), Stop> {
     let from = machine.position();
     let limited = machine.control().limited(from, to);
     let end = limited.unwrap_or(to);
@@ -112,7 +113,7 @@ fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let block = part::in_plane(Shape::Block { size: [100.0, 100.0, 20.0] }, top, control);
     let mut start = [0.0; 3];
     start[applicate] = end[applicate].max(0.0) + 50.0;
-    Proposal { workpiece: Workpiece { solids: vec![block] }, start, ..Proposal::default() }
+    Proposal { workpiece: Workpiece { solids: vec![block] }, start: Wcs(start), ..Proposal::default() }
 }
 
 /// Ball radius of the drawing, and half the length of the part, mm.

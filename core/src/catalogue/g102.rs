@@ -13,6 +13,7 @@ use crate::entry::Inputs;
 use crate::entry::address;
 use crate::entry::{Cycle, Drawing, Help, Param, Purpose, Simulation, Variant, When, Work};
 use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
+use crate::geometry::Wcs;
 use crate::machine::trace::Step;
 use crate::machine::{Machine, Stop};
 use crate::message::Message;
@@ -46,11 +47,11 @@ fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     nct::ready_to_measure(machine)?;
     let start = machine.position();
     let [abscissa, ordinate, _] = machine.control().plane.axes();
-    let first = centre(machine, inputs, start)?;
+    let first = centre(machine, inputs, start.0)?;
     let indexed = ![0.0, 1.0].contains(&machine.control().number(INDEX));
     let offset = if indexed {
         turn(machine);
-        let second = centre(machine, inputs, start)?;
+        let second = centre(machine, inputs, start.0)?;
         turn(machine);
         [0, 1].map(|i| (second[i] - first[i]) / 2.0)
     } else {
@@ -64,7 +65,7 @@ fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
 /// Where the spindle stands with the ball in the middle of the ring; then back to the start.
 fn centre(machine: &mut dyn Machine, inputs: &Inputs, start: [f64; 3]) -> Result<[f64; 2], Stop> {
     let centre = ring::centre(machine, inputs)?;
-    home(machine, start)?;
+    home(machine, Wcs(start))?;
     Ok(centre)
 }
 

@@ -15,6 +15,7 @@ use crate::entry::address;
 use crate::entry::stage::{Look, Seen, Staging};
 use crate::entry::{Cycle, Drawing, Help, Param, Proposal, Purpose, Simulation, Unit, Variant, When, Work};
 use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
+use crate::geometry::Wcs;
 use crate::machine::{Machine, Stop};
 use crate::picture::PictureShape;
 use crate::workpiece::{Shape, Workpiece};
@@ -134,7 +135,7 @@ fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     start[applicate] = top[applicate] + if depth.is_some() { 20.0 } else { -10.0 };
     Proposal {
         workpiece: Workpiece { solids: vec![part::in_plane(Shape::Block { size }, top, control)] },
-        start,
+        start: Wcs(start),
         ..Proposal::default()
     }
 }

@@ -15,6 +15,7 @@ use crate::entry::address;
 use crate::entry::stage::{Look, Seen, Staging};
 use crate::entry::{Chooses, Cycle, Drawing, Help, Param, Proposal, Purpose, Simulation, Unit, Variant, When, Work};
 use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
+use crate::geometry::Wcs;
 use crate::machine::{Machine, Stop};
 use crate::message::Message;
 use crate::picture::PictureShape;
@@ -125,7 +126,7 @@ fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     let walls = walls(machine, inputs);
     let axis = walls.axes[index];
     let found = chord(machine, &walls, index)?;
-    home(machine, walls.start)?;
+    home(machine, Wcs(walls.start))?;
     let width = 2.0 * (found.half - walls.material() * found.ball);
     let deviation = width - walls.size;
     let along = found.middle - walls.start[axis];
@@ -157,7 +158,7 @@ fn walls(machine: &mut dyn Machine, inputs: &Inputs) -> Walls {
         outside: depth.map(|depth| Outside { depth, clearance: inputs.number(address::R) }),
         size: nominal(inputs).1,
         overtravel: inputs.number(address::Q),
-        start: machine.position(),
+        start: machine.position().0,
         axes: machine.control().plane.axes(),
     }
 }
@@ -183,7 +184,7 @@ fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     };
     Proposal {
         workpiece: Workpiece { solids: vec![part::in_plane(shape, top, control)] },
-        start,
+        start: Wcs(start),
         ..Proposal::default()
     }
 }

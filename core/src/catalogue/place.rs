@@ -4,6 +4,7 @@ use crate::control::{Control, Edge};
 use crate::entry::Inputs;
 use crate::entry::{ProposedTool, names};
 use crate::evaluate::knum;
+use crate::geometry::Wcs;
 use crate::geometry::rigid::angles;
 use crate::workpiece::{PartErrors, Shape, Solid};
 use nalgebra::{Matrix3, Rotation3, Vector3};
@@ -46,7 +47,7 @@ pub fn solid(control: &Control, shape: Shape, at: [f64; 3], x: [f64; 3], z: [f64
     let columns = Matrix3::from_columns(&[x, z.cross(&x), z]);
     Solid {
         shape,
-        at: control.to_machine(in_plane(control, at)),
+        at: control.to_machine(Wcs(in_plane(control, at))).0,
         rotation: angles(&Rotation3::from_matrix_unchecked(columns)),
         errors: PartErrors::default(),
     }

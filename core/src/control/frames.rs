@@ -5,6 +5,7 @@
 
 use super::{BasicFrames, Control, Frame, Value};
 use crate::dialect::Dialect;
+use crate::geometry::{Mcs, Wcs};
 use std::collections::BTreeSet;
 
 /// Which channel basic frames are in the chain: bit 0 is `$P_CHBFR[0]`.
@@ -109,13 +110,13 @@ impl Control {
     }
 
     /// A point of the WCS in machine coordinates.
-    pub fn to_machine(&self, point: [f64; 3]) -> [f64; 3] {
-        self.links().rev().fold(point, |point, frame| frame.outward(point))
+    pub fn to_machine(&self, point: Wcs) -> Mcs {
+        Mcs(self.links().rev().fold(point.0, |point, frame| frame.outward(point)))
     }
 
     /// A point in machine coordinates in the WCS.
-    pub fn to_workpiece(&self, point: [f64; 3]) -> [f64; 3] {
-        self.links().fold(point, |point, frame| frame.inward(point))
+    pub fn to_workpiece(&self, point: Mcs) -> Wcs {
+        Wcs(self.links().fold(point.0, |point, frame| frame.inward(point)))
     }
 
     /// A direction of the WCS in machine coordinates.
@@ -159,6 +160,7 @@ mod tests {
     use crate::control::delivery::delivery;
     use crate::control::frame::tests::near;
     use crate::dialect::Dialect;
+    use crate::geometry::{Mcs, Wcs};
 
     #[test]
     fn the_chain_goes_both_ways() {
@@ -169,14 +171,14 @@ mod tests {
         control.frames.insert(1, Frame { coarse: [5.0, 0.0, 0.0], fine: [0.5, 0.0, 0.0], ..Frame::default() });
         control.activate(1);
         // oracle: hand: (1,0,0) -> settable (6.5,0,0) -> turned (0,6.5,0) -> +10 in Y -> +100 in X
-        near(control.to_machine([1.0, 0.0, 0.0]), [100.0, 16.5, 0.0]);
-        near(control.to_workpiece([100.0, 16.5, 0.0]), [1.0, 0.0, 0.0]);
+        near(control.to_machine(Wcs([1.0, 0.0, 0.0])).0, [100.0, 16.5, 0.0]);
+        near(control.to_workpiece(Mcs([100.0, 16.5, 0.0])).0, [1.0, 0.0, 0.0]);
     }
 
     #[test]
     fn basic_frames_wait_for_the_next_activation() {
         let mut control = delivery(Dialect::Sinumerik);
-        let shifted = |control: &Control| control.to_machine([0.0; 3])[0];
+        let shifted = |control: &Control| control.to_machine(Wcs([0.0; 3]))[0];
         // oracle: manual B:1965 (G500, G54.. make them active), B:1944 (only those of the mask)
         control.system = Frame::translation([1.0, 0.0, 0.0]);
         control.global_basic.insert(3, Frame::translation([10.0, 0.0, 0.0]));

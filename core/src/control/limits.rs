@@ -1,7 +1,9 @@
 //! Software limit switches (MD36100, MD36110): positions of the machine axes that are never passed.
 
 use super::Control;
+use crate::geometry::Mcs;
 use crate::geometry::TOLERANCE;
+use crate::geometry::Wcs;
 
 /// Smallest and largest position of the machine axes X Y Z, mm; none: the axis has no limit there.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -42,20 +44,19 @@ impl Limits {
 }
 
 impl Control {
-    /// Whether the point to which the tool length refers may stand there; machine coordinates, mm.
-    pub fn within_limits(&self, position: [f64; 3]) -> bool {
-        self.limits.contain(self.axes(position))
+    /// Whether the point to which the tool length refers may stand there.
+    pub fn within_limits(&self, position: Mcs) -> bool {
+        self.limits.contain(self.axes(position.0))
     }
 
     /// Where a straight way from one point of the WCS to another is ended by a limit switch; none: it is not.
-    pub fn limited(&self, from: [f64; 3], to: [f64; 3]) -> Option<[f64; 3]> {
-        let (start, end) = (self.to_machine(from), self.to_machine(to));
-        let (start, end) = (self.axes(start), self.axes(end));
+    pub fn limited(&self, from: Wcs, to: Wcs) -> Option<Wcs> {
+        let [start, end] = [from, to].map(|point| self.axes(self.to_machine(point).0));
         if self.limits.contain(end) {
             return None;
         }
         let part = self.limits.part(start, end);
-        Some(std::array::from_fn(|i| from[i] + part * (to[i] - from[i])))
+        Some(Wcs(std::array::from_fn(|i| from[i] + part * (to[i] - from[i]))))
     }
 
     /// Positions of the machine axes: the spindle nose stands above the point by the tool length.
@@ -81,13 +82,13 @@ mod tests {
         control.limits.plus[0] = Some(150.0);
         control.limits.minus[2] = Some(40.0);
         // oracle: hand: X50 of the WCS is X150 of the machine; the nose is 50 mm above the ball, so Z-10 is the lowest
-        assert_eq!(control.limited([0.0; 3], [50.0, 0.0, -10.0]), None);
-        let cut = control.limited([0.0; 3], [100.0, 8.0, 0.0]).unwrap();
+        assert_eq!(control.limited(Wcs([0.0; 3]), Wcs([50.0, 0.0, -10.0])), None);
+        let cut = control.limited(Wcs([0.0; 3]), Wcs([100.0, 8.0, 0.0])).unwrap();
         assert_eq!(cut, [50.0, 4.0, 0.0]);
-        let cut = control.limited([0.0; 3], [0.0, 0.0, -20.0]).unwrap();
+        let cut = control.limited(Wcs([0.0; 3]), Wcs([0.0, 0.0, -20.0])).unwrap();
         assert_eq!(cut, [0.0, 0.0, -10.0]);
-        assert!(control.within_limits([150.0, 0.0, -10.0]));
-        assert!(!control.within_limits([150.1, 0.0, 0.0]));
+        assert!(control.within_limits(Mcs([150.0, 0.0, -10.0])));
+        assert!(!control.within_limits(Mcs([150.1, 0.0, 0.0])));
     }
 
     #[test]

@@ -5,6 +5,7 @@ use super::When;
 use super::stage::{Seen, Staging};
 use crate::SIMULATES;
 use crate::control::Control;
+use crate::geometry::Wcs;
 use crate::machine::{Machine, Stop};
 use crate::name::Name;
 use crate::picture::{Picture, PictureShape};
@@ -112,7 +113,7 @@ pub struct Proposal {
     /// part where the probe may go from where it may not.
     pub zones: Vec<Solid>,
     /// Position of the ball centre in the active WCS at the call, X Y Z, mm.
-    pub start: [f64; 3],
+    pub start: Wcs,
     /// Tools that the call corrects, for a machine that has none yet.
     pub tools: Vec<ProposedTool>,
     /// Tool probes, machine coordinates, for a machine that has none yet; errors are added by the caller.

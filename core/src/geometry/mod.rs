@@ -11,6 +11,7 @@ pub mod fit;
 pub mod lobed;
 pub mod mesh;
 pub mod path;
+pub mod place;
 pub mod point;
 pub mod quad;
 pub mod rigid;
@@ -24,6 +25,7 @@ pub mod wall;
 
 pub use feature::{Feature, Foot};
 pub use path::Path;
+pub use place::{Mcs, Wcs};
 
 /// A point or direction X Y Z.
 pub type V3 = nalgebra::Vector3<f64>;

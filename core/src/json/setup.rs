@@ -7,6 +7,7 @@ use super::setup_tool::{RealFile, ToolProbeFile, real_tools, tool_probe};
 use super::{Error, shape, text};
 use crate::control::{Edge, Limits, Tool, Value, delivery, delivery_in};
 use crate::dialect::Dialect;
+use crate::geometry::Mcs;
 use crate::machine::setup::Setup;
 use crate::refused::Path;
 use crate::workpiece::seen::Turret;
@@ -274,7 +275,7 @@ pub fn setup(mut file: SetupFile) -> Result<Setup, Error> {
         tool_probes,
         real_tools,
         turret: Turret { diameter, width },
-        position: file.position,
+        position: Mcs(file.position),
         skip: file.skip,
     };
     setup.possible()?;

@@ -38,7 +38,7 @@ pub fn to_json(setup: &Setup) -> Value {
         ("probe", probe(&setup.probe)),
         ("toolProbes", setup_tool::tool_probes(&setup.tool_probes)),
         ("workpiece", solids(&setup.workpiece.solids)),
-        ("position", setup.position.into()),
+        ("position", setup.position.0.into()),
     ]);
     for ((tool, edge), real) in &setup.real_tools {
         let edge = &mut setup_file["tools"][tool.to_string()]["edges"][edge.to_string()];

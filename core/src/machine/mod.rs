@@ -14,6 +14,7 @@ pub use sim::Sim;
 
 use crate::control::Control;
 use crate::diagnostic::Code;
+use crate::geometry::Wcs;
 use crate::geometry::arc::Around;
 use crate::message::Message;
 use crate::scan::{Layout, Scanned, Sent};
@@ -34,21 +35,21 @@ pub enum Stop {
     Fault(Message),
 }
 
-/// What a measuring cycle may do on the machine. Positions are X Y Z of the active WCS in mm,
-/// tool length included (the point to which L1 refers); feeds in mm/min.
+/// What a measuring cycle may do on the machine. Positions include the tool length (the point to which L1 refers); feeds
+/// in mm/min.
 pub trait Machine {
     /// State of the control; a cycle writes results and corrections here.
     fn control(&mut self) -> &mut Control;
     /// Present position.
-    fn position(&self) -> [f64; 3];
+    fn position(&self) -> Wcs;
     /// Straight positioning. With `monitored`, a probe signal on the way is alarm 61302 (NCT: PATH OBSTRUCTED, or
     /// FALSE TRIGGER where nothing is touched); without, contact is recorded as a crash. A target beyond a software
     /// limit switch is refused.
-    fn travel(&mut self, to: [f64; 3], kind: MotionKind, feed: f64, monitored: bool) -> Result<(), Stop>;
+    fn travel(&mut self, to: Wcs, kind: MotionKind, feed: f64, monitored: bool) -> Result<(), Stop>;
     /// The same round an axis of the WCS.
     fn travel_around(
         &mut self,
-        to: [f64; 3],
+        to: Wcs,
         around: &Around,
         kind: MotionKind,
         feed: f64,
@@ -57,7 +58,7 @@ pub trait Machine {
     /// Straight measuring motion of what is in use: the probe towards the part, any other tool towards the tool probes,
     /// with its highest edge where the spindle turns. Some: position latched at switching (delete distance-to-go);
     /// None: no signal up to `to`.
-    fn probe(&mut self, to: [f64; 3], feed: f64) -> Result<Option<[f64; 3]>, Stop>;
+    fn probe(&mut self, to: Wcs, feed: f64) -> Result<Option<Wcs>, Stop>;
     /// Whether the stylus is deflected where the machine stands (NCT looks at this before it moves).
     fn in_contact(&self) -> bool {
         false

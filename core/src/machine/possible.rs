@@ -31,7 +31,7 @@ impl Setup {
     /// What cannot be.
     pub fn possible(&self) -> Result<(), Refused> {
         control(&self.control)?;
-        small(&Path::of(&["position"]), &self.position)?;
+        small(&Path::of(&["position"]), &self.position.0)?;
         let Turret { diameter, width } = self.turret;
         for (name, size) in [("diameter", diameter), ("width", width)] {
             within(&Path::of(&["machine", "turret", name]), size, [0.0, LIMIT])?;

@@ -1,6 +1,7 @@
 //! The way of one motion, straight or round an axis, and what stops the probe on it. Machine coordinates, mm.
 
 use crate::control::Control;
+use crate::geometry::Mcs;
 use crate::geometry::arc::Around;
 use crate::geometry::stretch::Stretch;
 use crate::geometry::{FARTHEST, TOLERANCE, V3, roots};
@@ -105,12 +106,12 @@ impl Route {
             return true;
         }
         if self.around.is_none() {
-            return control.within_limits(self.to);
+            return control.within_limits(Mcs(self.to));
         }
         let stretch = self.stretch([0.0, 1.0], [0.0; 3]);
         let bounds = [V3::x(), V3::y(), V3::z()].map(|axis| stretch.along(&axis));
         let corner = |side: usize| bounds.map(|bounds| bounds[side]);
-        control.within_limits(corner(0)) && control.within_limits(corner(1))
+        control.within_limits(Mcs(corner(0))) && control.within_limits(Mcs(corner(1)))
     }
 
     /// The first part of it, as far as this place.

@@ -4,6 +4,7 @@ use crate::control::machine_data::TOOL_LENGTH_TYPE;
 use crate::control::tools::{AS_TURNING_TOOL, LATHE_PROBE};
 use crate::control::{Control, Edge, Plane, Transverse, Units, delivery_in};
 use crate::dialect::Dialect;
+use crate::geometry::Mcs;
 use crate::workpiece::seen::Turret;
 use crate::workpiece::tool::Tool;
 use crate::workpiece::tool_probe::ToolProbe;
@@ -25,8 +26,8 @@ pub struct Setup {
     pub real_tools: BTreeMap<(i64, i64), Tool>,
     /// What carries the tools of a turning machine.
     pub turret: Turret,
-    /// Where the point to which the tool length refers stands, machine (basic) coordinates X Y Z, mm.
-    pub position: [f64; 3],
+    /// Where the point to which the tool length refers stands.
+    pub position: Mcs,
     /// Skip levels 0 to 9 that are switched on at the panel: blocks with `/`, `/1` to `/9` are left out.
     pub skip: BTreeSet<u8>,
 }
@@ -80,7 +81,7 @@ impl Setup {
             tool_probes: Vec::new(),
             real_tools: BTreeMap::new(),
             turret: Turret::default(),
-            position,
+            position: Mcs(position),
             skip: BTreeSet::new(),
         }
     }

@@ -6,8 +6,8 @@ use super::trace::{Entry, MotionKind, Step, Trace};
 use super::{Machine, Setup, Stop};
 use crate::control::Control;
 use crate::control::MachineSort;
-use crate::geometry::FARTHEST;
 use crate::geometry::arc::Around;
+use crate::geometry::{FARTHEST, Mcs, Wcs};
 use crate::message::Message;
 use crate::scan::{FORM_POINTS, FORM_POINTS_WITH_BODY, Sent};
 use crate::workpiece::contact::{Boundary, Contact};
@@ -27,7 +27,7 @@ pub struct Sim {
     /// State of the control.
     pub control: Control,
     /// Where the point to which the tool length refers stands, machine coordinates, mm.
-    pub position: [f64; 3],
+    pub position: Mcs,
     /// What happened so far.
     pub trace: Trace,
     /// What was scanned so far.
@@ -62,7 +62,7 @@ pub struct Sim {
     recoded: bool,
     tool_noise: Noise,
     /// Where the last measuring motion ended, at its signal or without one; WCS of that moment, mm.
-    pub skipped: Option<[f64; 3]>,
+    pub skipped: Option<Wcs>,
     /// Whether part and tool probes are assumed; see [`Sim::equip`].
     gives_way: bool,
     /// Whether a measuring cycle is running.
@@ -118,13 +118,13 @@ impl Sim {
     /// Motion to a machine position, straight or round an axis; see [`Machine::travel`].
     pub fn travel_machine(
         &mut self,
-        to: [f64; 3],
+        to: Mcs,
         around: Option<Around>,
         kind: MotionKind,
         feed: f64,
         monitored: bool,
     ) -> Result<(), Stop> {
-        let way = Route { from: self.position, to, around };
+        let way = Route { from: self.position.0, to: to.0, around };
         self.admit(&way)?;
         let mut hit = self.in_the_way(&way);
         if hit.is_some() && self.gives_way && !monitored && !self.in_cycle {
@@ -149,9 +149,9 @@ impl Sim {
     }
 
     /// Straight measuring motion to a machine position; see [`Machine::probe`].
-    pub fn probe_machine(&mut self, to: [f64; 3], feed: f64) -> Result<Option<[f64; 3]>, Stop> {
-        let latched = self.seek(to, feed)?;
-        self.skipped = Some(self.control.to_workpiece(latched.unwrap_or(to)));
+    pub fn probe_machine(&mut self, to: Mcs, feed: f64) -> Result<Option<Mcs>, Stop> {
+        let latched = self.seek(to.0, feed)?.map(Mcs);
+        self.skipped = Some(Wcs(self.control.to_workpiece(latched.unwrap_or(to)).0));
         Ok(latched)
     }
 
@@ -161,8 +161,8 @@ impl Sim {
     }
 
     /// Goes on behind a signal to the end of the motion: the stylus gives way (`MEAW`).
-    pub fn press_on(&mut self, to: [f64; 3], feed: f64) {
-        self.go(&Route::straight(self.position, to), MotionKind::Measuring, feed);
+    pub fn press_on(&mut self, to: Mcs, feed: f64) {
+        self.go(&Route::straight(self.position.0, to.0), MotionKind::Measuring, feed);
     }
 
     /// Puts another part (given as while the rotary axes stand at 0), other tool probes and the tool in use as it lies.
@@ -195,7 +195,7 @@ impl Sim {
 
     /// Moves and records it.
     fn go(&mut self, way: &Route, kind: MotionKind, feed: f64) {
-        self.position = way.to;
+        self.position = Mcs(way.to);
         self.note(Step::Motion { kind, from: way.from, to: way.to, around: way.around, feed });
     }
 
@@ -204,7 +204,7 @@ impl Sim {
         let before = self.control.active_length();
         let outcome = change(&mut self.control);
         let after = self.control.active_length();
-        self.position = add(self.position, add(before, after, -1.0), 1.0);
+        self.position = Mcs(add(self.position.0, add(before, after, -1.0), 1.0));
         outcome
     }
 
@@ -276,35 +276,35 @@ impl Machine for Sim {
         &mut self.control
     }
 
-    fn position(&self) -> [f64; 3] {
+    fn position(&self) -> Wcs {
         self.control.to_workpiece(self.position)
     }
 
-    fn travel(&mut self, to: [f64; 3], kind: MotionKind, feed: f64, monitored: bool) -> Result<(), Stop> {
+    fn travel(&mut self, to: Wcs, kind: MotionKind, feed: f64, monitored: bool) -> Result<(), Stop> {
         self.travel_machine(self.control.to_machine(to), None, kind, feed, monitored)
     }
 
     fn travel_around(
         &mut self,
-        to: [f64; 3],
+        to: Wcs,
         around: &Around,
         kind: MotionKind,
         feed: f64,
         monitored: bool,
     ) -> Result<(), Stop> {
-        let on_machine = around.mapped(|point| self.control.to_machine(point));
+        let on_machine = around.mapped(|point| self.control.to_machine(Wcs(point)).0);
         let around = on_machine.ok_or_else(|| Stop::Fault(Message::new("run-arc")))?;
         let to = self.control.to_machine(to);
         self.travel_machine(to, Some(around), kind, feed, monitored)
     }
 
-    fn probe(&mut self, to: [f64; 3], feed: f64) -> Result<Option<[f64; 3]>, Stop> {
+    fn probe(&mut self, to: Wcs, feed: f64) -> Result<Option<Wcs>, Stop> {
         let latched = self.probe_machine(self.control.to_machine(to), feed)?;
         Ok(latched.map(|position| self.control.to_workpiece(position)))
     }
 
     fn in_contact(&self) -> bool {
-        let ball = add(self.position, self.ball(), 1.0);
+        let ball = add(self.position.0, self.ball(), 1.0);
         let contact = self.part.first(self.probe.radius, ball, ball);
         matches!(contact, Contact::Already { .. })
     }

@@ -10,6 +10,7 @@ use crate::control::tools::{AS_TURNING_TOOL, LATHE_PROBE};
 use crate::control::{Edge, MachineSort, Plane, Tool};
 use crate::dialect::Dialect;
 use crate::entry::{Cycle, Inputs, ProbeUse, Proposal, Typed};
+use crate::geometry::Mcs;
 use crate::geometry::V3;
 use crate::geometry::rigid::{self, angles};
 use crate::machine::setup::{PROBE_REGISTER, PROBE_TOOL};
@@ -78,7 +79,7 @@ fn start(program: &Program) -> Setup {
         setup.suit(site.cycle, variant.unwrap_or(0));
     }
     if turning.is_some() {
-        setup.position = [250.0, 0.0, 250.0]; // no program of a lathe moves along Y
+        setup.position = Mcs([250.0, 0.0, 250.0]); // no program of a lathe moves along Y
     }
     let first = sites.iter().find(|site| site.cycle.purpose.probe != ProbeUse::None);
     if first.is_some_and(|site| site.cycle.purpose.probe == ProbeUse::Workpiece) {
@@ -103,7 +104,7 @@ fn machine(setup: &Setup) -> Message {
         Plane::G18 => "G18",
         Plane::G19 => "G19",
     };
-    placed(Message::new("assumed-machine").text("sort", sort).text("plane", plane), setup.position)
+    placed(Message::new("assumed-machine").text("sort", sort).text("plane", plane), setup.position.0)
 }
 
 /// With a position, to a thousandth.
@@ -235,7 +236,7 @@ fn place(sim: &Sim, inputs: &Inputs, proposal: &Proposal) -> Option<(Stand, bool
         part: proposal.workpiece.solids.iter().chain(&proposal.fixture).cloned().collect(),
         tool_probes: proposal.tool_probes.clone(),
         real_tool: proposal.real_tool.clone(),
-        start: sim.control.to_machine(proposal.start).into(),
+        start: sim.control.to_machine(proposal.start).0.into(),
     };
     let empty = proposed.part.is_empty() && proposed.tool_probes.is_empty();
     if empty || grade(sim.clone(), inputs) <= Grade(0, NONE) {
@@ -243,7 +244,7 @@ fn place(sim: &Sim, inputs: &Inputs, proposal: &Proposal) -> Option<(Stand, bool
     }
     let mut best: Option<(Grade, Stand)> = None;
     for stand in [proposed.clone(), proposed.turned(sim)] {
-        let away = V3::from(sim.position) - stand.start;
+        let away = V3::from(sim.position.0) - stand.start;
         // along all axes first, along none last
         for axes in [7, 3, 5, 6, 1, 2, 4, 0] {
             let way = V3::from_fn(|axis, _| if axes >> axis & 1 == 1 { away[axis] } else { 0.0 });

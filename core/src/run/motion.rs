@@ -9,6 +9,8 @@ use super::{addresses, contour, polar};
 use crate::control::variables::AXES;
 use crate::control::{Transverse, Units};
 use crate::diagnostic::Severity;
+use crate::geometry::Mcs;
+use crate::geometry::Wcs;
 use crate::geometry::arc::{self, Around};
 use crate::machine::Stop;
 use crate::machine::route::{Route, add};
@@ -45,7 +47,7 @@ pub fn go(run: &mut Interpreter, path: &Path) -> Result<(), Stop> {
         }),
         None => driven(run, path, [from, to], feed),
     };
-    run.programmed = (nose(run), run.sim.control.to_workpiece(contour::stands(run)));
+    run.programmed = (nose(run), run.sim.control.to_workpiece(Mcs(contour::stands(run))).0);
     outcome
 }
 
@@ -81,7 +83,7 @@ fn driven(run: &mut Interpreter, path: &Path, [from, to]: [[f64; 3]; 2], feed: f
         return contour::follow(run, &motion);
     }
     uncompensated(run, path)?;
-    let driven = run.sim.travel_machine(way.to, way.around, kind, feed, false);
+    let driven = run.sim.travel_machine(Mcs(way.to), way.around, kind, feed, false);
     driven.map_err(|stop| run.stopped(stop, path.span))
 }
 
@@ -113,8 +115,8 @@ fn nose(run: &Interpreter) -> [f64; 3] {
 
 /// Where a machine stands before its first motion: the spindle nose, and the position in the WCS.
 pub fn standing(sim: &Sim) -> ([f64; 3], [f64; 3]) {
-    let nose = add(sim.position, sim.control.active_length(), 1.0);
-    (nose, sim.control.to_workpiece(sim.position))
+    let nose = add(sim.position.0, sim.control.active_length(), 1.0);
+    (nose, sim.control.to_workpiece(sim.position).0)
 }
 
 /// From where incremental positions count: the end of the last motion as it was programmed, also where a frame or a
@@ -190,16 +192,16 @@ fn radius_of(run: &Interpreter, axis: usize, absolute: bool) -> f64 {
 fn position(run: &Interpreter, suppress: Suppress) -> [f64; 3] {
     let basic = run.sim.control.basic_chain();
     match suppress {
-        Suppress::Nothing => run.sim.control.to_workpiece(contour::stands(run)),
-        Suppress::Settable => basic.iter().fold(run.sim.position, |point, frame| frame.inward(point)),
-        Suppress::All => run.sim.position,
+        Suppress::Nothing => run.sim.control.to_workpiece(Mcs(contour::stands(run))).0,
+        Suppress::Settable => basic.iter().fold(run.sim.position.0, |point, frame| frame.inward(point)),
+        Suppress::All => run.sim.position.0,
     }
 }
 
 fn machine(run: &Interpreter, suppress: Suppress, point: [f64; 3]) -> [f64; 3] {
     let basic = run.sim.control.basic_chain();
     match suppress {
-        Suppress::Nothing => run.sim.control.to_machine(point),
+        Suppress::Nothing => run.sim.control.to_machine(Wcs(point)).0,
         Suppress::Settable => basic.iter().rev().fold(point, |point, frame| frame.outward(point)),
         Suppress::All => point,
     }
@@ -224,11 +226,11 @@ fn around(run: &Interpreter, path: &Path, from: [f64; 3], arc: Option<([f64; 3],
 fn measured(run: &mut Interpreter, path: &Path, measure: Measure, to: [f64; 3], feed: f64) -> Result<(), Stop> {
     let to = machine(run, path.suppress, to);
     let latched = if run.sim.has_probe() {
-        run.sim.probe_machine(to, feed)?
+        run.sim.probe_machine(Mcs(to), feed)?
     } else {
-        run.sim.travel_machine(to, None, MotionKind::Measuring, feed, false)?;
+        run.sim.travel_machine(Mcs(to), None, MotionKind::Measuring, feed, false)?;
         let end = run.sim.position;
-        run.sim.skipped = Some(run.sim.control.to_workpiece(end));
+        run.sim.skipped = Some(Wcs(run.sim.control.to_workpiece(end).0));
         None
     };
     let input = measure.input.abs();
@@ -248,7 +250,7 @@ fn measured(run: &mut Interpreter, path: &Path, measure: Measure, to: [f64; 3], 
         }
     }
     if measure.goes_on {
-        run.sim.press_on(to, feed);
+        run.sim.press_on(Mcs(to), feed);
     }
     Ok(())
 }

@@ -4,6 +4,7 @@ use crate::control::{Control, Value, gud, nct_data};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::dialect::Dialect;
 use crate::entry::{Cycle, ResultField};
+use crate::geometry::Mcs;
 use crate::geometry::TOLERANCE;
 use crate::machine::Stop;
 use crate::machine::setup::Setup;
@@ -20,7 +21,7 @@ pub struct Outcome {
     /// State after.
     pub control: Control,
     /// Position after, machine (basic) coordinates of the point to which the tool length refers, mm.
-    pub position: [f64; 3],
+    pub position: Mcs,
     /// What happened.
     pub trace: Trace,
     /// What was scanned, whole: of a long scan the trace holds the beginning only.
@@ -177,7 +178,7 @@ impl Outcome {
 
     /// Position after, in the WCS that is active now, mm.
     pub fn end(&self) -> [f64; 3] {
-        self.control.to_workpiece(self.position)
+        self.control.to_workpiece(self.position).0
     }
 
     /// An outcome where nothing has happened yet.

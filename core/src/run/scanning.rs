@@ -2,6 +2,7 @@
 //! was scanned with the true surface.
 
 use crate::entry::Inputs;
+use crate::geometry::Wcs;
 use crate::machine::sim::Sim;
 use crate::machine::{Machine, Scanner, Setup, Stop, too_many};
 use crate::scan::{Cloud, Layout, POINTS};
@@ -80,7 +81,7 @@ impl Session {
         let index = self.deviations.len();
         let sent = self.cloud.points().get(index).copied().unwrap_or_default();
         let surface = self.cloud.surface(self.scanner.layout(), index);
-        let away = |p: [f64; 3]| self.sim.distance(self.sim.control.to_machine(p)) as f32;
+        let away = |p: [f64; 3]| self.sim.distance(self.sim.control.to_machine(Wcs(p)).0) as f32;
         self.deviations.push([away(sent), away(surface.into())]);
     }
 
@@ -127,6 +128,6 @@ impl Session {
 
     /// A point of the WCS in machine coordinates.
     pub fn to_machine(&self, point: [f64; 3]) -> [f64; 3] {
-        self.sim.control.to_machine(point)
+        self.sim.control.to_machine(Wcs(point)).0
     }
 }

@@ -59,6 +59,7 @@ mod tests {
     use crate::catalogue::sinumerik::testing::{WIDE_BANDS, call, setup, solid};
     use crate::control::Plane;
     use crate::entry::names;
+    use crate::geometry::Mcs;
     use crate::workpiece::Shape;
 
     /// A hole of 60 mm that is measured with this path and safe area.
@@ -68,7 +69,7 @@ mod tests {
         inputs.numbers.insert(names::TSA, safe);
         let with = |size: f64| {
             let mut machine = setup(Plane::G17);
-            machine.position = [0.0, 0.0, -10.0];
+            machine.position = Mcs([0.0, 0.0, -10.0]);
             let shape = Shape::Hole { diameter: 60.0, depth: 40.0 };
             let mut part = solid(Plane::G17, shape, [0.0; 3], false);
             part.errors.size = size;

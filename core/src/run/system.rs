@@ -11,6 +11,7 @@ use crate::control::machine_data;
 use crate::control::variables::{AXES, component};
 use crate::control::{Frame, Plane, Tool, Transverse, UnitFunction, Units, Value};
 use crate::diagnostic::Span;
+use crate::geometry::Mcs;
 use crate::machine::Machine;
 use crate::problem::Problem;
 
@@ -145,7 +146,7 @@ fn position(run: &Interpreter, key: &str) -> Option<f64> {
     let shown = if axis == 0 { control.transverse.shown() } else { 1.0 };
     let value = match stem {
         "$AA_IW" => control.to_workpiece(at)[axis] * shown,
-        "$P_EP" => control.to_workpiece(contour::stands(run))[axis] * shown,
+        "$P_EP" => control.to_workpiece(Mcs(contour::stands(run)))[axis] * shown,
         "$AA_IB" => at[axis],
         "$AA_IM" => at[axis] + control.active_length()[axis],
         _ => return None,

@@ -1,6 +1,7 @@
 //! Coordinate systems.
 
 use crate::control::Control;
+use crate::geometry::Wcs;
 use std::collections::BTreeSet;
 
 /// A coordinate system, machine coordinates.
@@ -29,7 +30,7 @@ pub fn frames(before: &Control, after: &Control) -> Vec<Frame> {
         Some(Frame { name: name.to_owned(), at, axes, moved })
     };
     let mut list = Vec::new();
-    if before.to_machine([0.0; 3]) != [0.0; 3] {
+    if before.to_machine(Wcs([0.0; 3])) != [0.0; 3] {
         list.push(Frame { name: "MCS".to_owned(), at: [0.0; 3], axes: UNITS, moved: None });
     }
     let corner = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
@@ -40,7 +41,7 @@ pub fn frames(before: &Control, after: &Control) -> Vec<Frame> {
             old.activate(number);
         }
         new.activate(number);
-        let moves = |point: &[f64; 3]| new.to_machine(*point) != old.to_machine(*point);
+        let moves = |point: &[f64; 3]| new.to_machine(Wcs(*point)) != old.to_machine(Wcs(*point));
         let moved = corner.iter().any(moves);
         if moved || [before.settable, after.settable].contains(&number) {
             list.extend(drawn(&name, &old, moved.then_some("before")));
@@ -54,9 +55,9 @@ pub fn frames(before: &Control, after: &Control) -> Vec<Frame> {
 
 /// Zero and directions of the active WCS, machine coordinates; none where its frames are beyond all numbers.
 pub fn system(control: &Control) -> Option<([f64; 3], [[f64; 3]; 3])> {
-    let at = control.to_machine([0.0; 3]);
+    let at = control.to_machine(Wcs([0.0; 3])).0;
     let axes = UNITS.map(|direction| {
-        let end = control.to_machine(direction);
+        let end = control.to_machine(Wcs(direction));
         [0, 1, 2].map(|i| end[i] - at[i])
     });
     let mut values = axes.iter().flatten().chain(&at);

@@ -159,7 +159,7 @@ impl Performed {
         let (ways, touches) = motions(&steps, to_ball);
         Performed {
             complete: stop.is_none(),
-            start: moved(setup.position, to_ball),
+            start: moved(setup.position.0, to_ball),
             axes: drawn.plane.axes(),
             letters: inputs.plane.axes().map(|axis| AXES[axis]),
             proposal,

@@ -4,6 +4,7 @@ use super::frames::{UNITS, system};
 use crate::catalogue::find;
 use crate::control::{Control, Transverse};
 use crate::entry::ProbeUse;
+use crate::geometry::Mcs;
 use crate::geometry::{V3, rigid};
 use crate::machine::setup::Setup;
 use crate::machine::trace::{Step, Trace};
@@ -132,7 +133,7 @@ fn touched(control: &Control, trace: &Trace) -> Vec<Touched> {
                 if !of_tool && normal[TRANSVERSE].abs() > ALONG =>
             {
                 let seen = V3::from(*latched) + V3::from(*point) - V3::from(*ball);
-                let diameter = 2.0 * control.to_workpiece(seen.into())[TRANSVERSE].abs();
+                let diameter = 2.0 * control.to_workpiece(Mcs(seen.into()))[TRANSVERSE].abs();
                 found.push(Touched { entry: index, diameter });
             }
             _ => {}

@@ -5,6 +5,7 @@ use super::workpiece;
 use probewright_core::catalogue::find;
 use probewright_core::control::Plane;
 use probewright_core::dialect::Dialect;
+use probewright_core::geometry::Mcs;
 use probewright_core::machine::Setup;
 use probewright_core::workpiece::tool::{Cut, Cutter, Tool};
 use probewright_core::workpiece::tool_probe::ToolProbe;
@@ -66,6 +67,6 @@ fn setup() -> Setup {
         rotation: [0.0; 3],
         errors: PartErrors::default(),
     })];
-    setup.position = [70.0, 90.0, 120.0];
+    setup.position = Mcs([70.0, 90.0, 120.0]);
     setup
 }

@@ -3,6 +3,7 @@
 use super::table::{Case, program};
 use super::{turning, workpiece};
 use probewright_core::control::Plane;
+use probewright_core::geometry::Mcs;
 use probewright_core::machine::Setup;
 use probewright_core::workpiece::{PartErrors, Shape, Solid};
 
@@ -15,7 +16,7 @@ pub const NOT_TURNED: (u32, &str) = (61372, "the cycle turns neither part nor pr
 pub fn setup(position: [f64; 3]) -> Setup {
     let mut setup = Setup::turning(Plane::G18);
     setup.control.tools.insert(20, turning::tool(0.0));
-    setup.position = position;
+    setup.position = Mcs(position);
     setup.workpiece.solids = vec![Solid {
         shape: Shape::Turned { diameter: 60.0, length: 80.0, bore: [0.0; 2] },
         at: [0.0, 0.0, 20.0],

@@ -4,6 +4,7 @@ use super::table::{Case, Table, case_of};
 use probewright_core::catalogue::nct;
 use probewright_core::control::Plane;
 use probewright_core::dialect::Dialect;
+use probewright_core::geometry::Mcs;
 use probewright_core::machine::Setup;
 use probewright_core::workpiece::{PartErrors, Shape, Solid};
 
@@ -73,14 +74,14 @@ pub fn g107() -> Table {
 
 pub fn g108() -> Table {
     let cases = measuring("G108 X-20 Y-20", "G108 X-20", "G108 X-40 Y-20", |setup| {
-        setup.position = [-21.0, 0.0, -10.0];
+        setup.position = Mcs([-21.0, 0.0, -10.0]);
     });
     let mut table = Table {
         usual: "G108 X-20 Y-20",
         setup: || {
             let mut setup = setup();
             setup.workpiece.solids[0].shape = Shape::Island { length: [40.0, 40.0], height: 30.0 };
-            setup.position = [-40.0, -40.0, -10.0];
+            setup.position = Mcs([-40.0, -40.0, -10.0]);
             setup
         },
         cases,
@@ -88,7 +89,7 @@ pub fn g108() -> Table {
     };
     // the stylus starts before the second wall, not before the corner
     table.cases.push(case_of(nct::PATH_OBSTRUCTED, "G108 X-20 Y-20", |setup| {
-        setup.position = [0.0, -40.0, -10.0];
+        setup.position = Mcs([0.0, -40.0, -10.0]);
     }));
     table
 }
@@ -124,7 +125,7 @@ pub fn p9969() -> Table {
             ..setup.workpiece.solids[0].clone()
         };
         setup.workpiece.solids.push(roof);
-        setup.position = [0.0, 0.0, -16.0];
+        setup.position = Mcs([0.0, 0.0, -16.0]);
     };
     Table {
         program: PROGRAM,
@@ -146,7 +147,7 @@ pub fn p9969() -> Table {
                 setup.control.limits.plus[0] = Some(5.0);
             }),
             case_of(nct::STYLUS_IN_CONTACT, USUAL, |setup| {
-                setup.position = [0.0, 0.0, -21.0];
+                setup.position = Mcs([0.0, 0.0, -21.0]);
             }),
             case_of(nct::SCANNING_OBSTRUCTED, "G65 P9969 X30 Y4 Z-24 J2 R2 Q9", roof),
             case_of(nct::SCANNING_FAIL, USUAL, |setup| {
@@ -187,7 +188,7 @@ fn measuring(
 
 fn setup() -> Setup {
     let mut setup = Setup::calibrated(Dialect::Nct, Plane::G17);
-    setup.position = [0.0, 0.0, -10.0];
+    setup.position = Mcs([0.0, 0.0, -10.0]);
     setup.workpiece.solids = vec![Solid {
         shape: Shape::Hole { diameter: 50.0, depth: 30.0 },
         at: [0.0; 3],
@@ -200,7 +201,7 @@ fn setup() -> Setup {
 /// A block with its face at 0, the stylus 50 mm above.
 fn above() -> Setup {
     let mut setup = setup();
-    setup.position = [0.0, 0.0, 50.0];
+    setup.position = Mcs([0.0, 0.0, 50.0]);
     setup.workpiece.solids[0].shape = Shape::Block { size: [100.0, 100.0, 60.0] };
     setup
 }

@@ -3,6 +3,7 @@
 use super::table::{Table, case_of};
 use probewright_core::catalogue::p9920::{DEPRESSED, INCORRECT, MEASURING_DEVICE, P9920, TOO_SMALL};
 use probewright_core::control::{Edge, Plane};
+use probewright_core::geometry::Mcs;
 use probewright_core::machine::Setup;
 use probewright_core::workpiece::tool_probe::ToolProbe;
 use probewright_core::workpiece::{PartErrors, Shape, Solid};
@@ -38,6 +39,6 @@ fn setup() -> Setup {
         rotation: [0.0; 3],
         errors: PartErrors::default(),
     }));
-    setup.position = [0.0, 0.0, 4.0];
+    setup.position = Mcs([0.0, 0.0, 4.0]);
     setup
 }

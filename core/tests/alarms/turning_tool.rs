@@ -3,6 +3,7 @@
 use super::table::{Case, Table, case, program};
 use super::{turning, workpiece};
 use probewright_core::control::{Plane, Transverse};
+use probewright_core::geometry::Mcs;
 use probewright_core::machine::Setup;
 use probewright_core::workpiece::tool;
 use probewright_core::workpiece::tool_probe::ToolProbe;
@@ -78,7 +79,7 @@ fn setup() -> Setup {
         rotation: [0.0; 3],
         errors: PartErrors::default(),
     })];
-    setup.position = [430.0, 0.0, 250.0];
+    setup.position = Mcs([430.0, 0.0, 250.0]);
     setup
 }
 

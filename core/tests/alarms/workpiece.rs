@@ -4,6 +4,7 @@ use super::table::{Case, case, program};
 use probewright_core::control::Plane;
 use probewright_core::diagnostic::Code;
 use probewright_core::dialect::Dialect;
+use probewright_core::geometry::Mcs;
 use probewright_core::machine::Setup;
 use probewright_core::workpiece::{PartErrors, Shape, Solid};
 
@@ -56,7 +57,7 @@ pub fn diameters() -> Vec<Case> {
 pub fn setup(shape: Shape, position: [f64; 3]) -> Setup {
     let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
     setup.control.tools.insert(20, crate::mill::tool(&[1]));
-    setup.position = position;
+    setup.position = Mcs(position);
     setup.workpiece.solids = vec![Solid { shape, at: [0.0; 3], rotation: [0.0; 3], errors: PartErrors::default() }];
     setup
 }

@@ -5,6 +5,7 @@ use super::{dialect, expect, folders, read, setup};
 use nalgebra::Rotation3;
 use probewright_core::control::Plane;
 use probewright_core::dialect::Dialect;
+use probewright_core::geometry::Mcs;
 use probewright_core::geometry::rigid;
 use probewright_core::machine::Setup;
 use probewright_core::run::{Limits, run};
@@ -54,7 +55,7 @@ fn machine(setup: &Setup) -> Setup {
     }
     let settable = control.settable;
     control.activate(settable);
-    turned.position = along(turned.position);
+    turned.position = Mcs(along(turned.position.0));
     let turn = nalgebra::Matrix3::new(0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0);
     for solid in &mut turned.workpiece.solids {
         solid.at = along(solid.at);

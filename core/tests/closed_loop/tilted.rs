@@ -4,6 +4,7 @@
 use super::bench::{PLANES, Values, at, inputs, near, place, result, run, with};
 use probewright_core::control::{Control, Frame, Plane, Units};
 use probewright_core::dialect::Dialect;
+use probewright_core::geometry::Mcs;
 use probewright_core::machine::Setup;
 use probewright_core::machine::trace::Step;
 use probewright_core::run::Outcome;
@@ -154,11 +155,11 @@ fn balls(outcome: &Outcome) -> [f64; 3] {
 /// What was measured, machine: where the ball stood, in the measured axes what the cycle found. Read in the WCS that
 /// was active.
 fn found(setup: &Setup, call: &Call, control: &Control, outcome: &Outcome) -> [f64; 3] {
-    let mut point = control.to_workpiece(balls(outcome));
+    let mut point = control.to_workpiece(Mcs(balls(outcome)));
     for (axis, actual, _) in &call.measured {
         point[setup.control.plane.axes()[*axis]] = result(setup, *actual);
     }
-    control.to_machine(point)
+    control.to_machine(point).0
 }
 
 fn what(plane: Plane, mirror: [bool; 3], code: f64, call: &Call) -> String {
@@ -185,7 +186,7 @@ fn the_measured_point_has_the_set_coordinates_in_any_frame() {
                     _ => call.measured.iter().map(|(_, _, set)| result(&setup, *set)).collect(),
                 };
                 setup.control.activate(settable);
-                let seen = setup.control.to_workpiece(point);
+                let seen = setup.control.to_workpiece(Mcs(point));
                 for ((axis, ..), set) in call.measured.iter().zip(sets) {
                     near(seen[plane.axes()[*axis]], set, 1e-9, &what);
                 }
@@ -208,7 +209,7 @@ fn measured_again_in_the_tilted_frame_nothing_is_wrong() {
                 let point = found(&setup, call, &control, &outcome);
                 setup.control.activate(settable);
                 let axes = plane.axes();
-                let mut start = setup.control.to_workpiece(point);
+                let mut start = setup.control.to_workpiece(Mcs(point));
                 for (axis, _, set) in &call.measured {
                     near(start[axes[*axis]], result(&setup, *set), 1e-9, &what);
                 }
@@ -253,7 +254,7 @@ fn on_a_lathe_the_place_of_the_ball_counts_as_well() {
         let outcome = corrected(&mut setup, &call, 2.0);
         let geometry = Plane::G18.axes()[axis as usize - 1];
         let per = if geometry == 0 { 2.0 } else { 1.0 };
-        let mut point = control.to_workpiece(balls(&outcome));
+        let mut point = control.to_workpiece(Mcs(balls(&outcome)));
         point[geometry] = result(&setup, 4) / per;
         assert!(result(&setup, 16).abs() > 0.1, "nothing was wrong");
         let point = control.to_machine(point);
@@ -273,7 +274,7 @@ fn the_height_of_the_touches_counts_not_that_of_the_start() {
     let values = [("_MVAR", 102.0), ("_SETVAL", 60.0), ("_ID", -40.0), ("_FA", 5.0), ("_KNUM", 2.0)];
     let inputs = inputs(&setup, "CYCLE977", &values);
     place(&mut setup, &inputs, PartErrors::default());
-    setup.position = [0.0, 0.0, 30.0];
+    setup.position = Mcs([0.0, 0.0, 30.0]);
     run(&mut setup, &inputs);
     let origin = |axis: usize| setup.control.frames[&2].origin()[axis];
     let (sine, cosine) = 10_f64.to_radians().sin_cos();

@@ -5,6 +5,7 @@ use super::stand::{Stand, stand};
 use probewright_core::entry::Inputs;
 use probewright_core::entry::ProbeUse;
 use probewright_core::entry::names;
+use probewright_core::geometry::Wcs;
 use probewright_core::name::Name;
 use probewright_core::run::Outcome;
 use proptest::prelude::*;
@@ -30,7 +31,7 @@ fn after(stand: &Stand, outcome: &Outcome) -> Stand {
     if stand.inputs.cycle.name != "CYCLE961" {
         again.setup.position = again.setup.control.to_machine(start);
     } else if stand.inputs.variant > 110 {
-        same_places(stand, start, &mut again);
+        same_places(stand, start.0, &mut again);
     }
     again
 }
@@ -43,7 +44,7 @@ fn same_places(stand: &Stand, start: [f64; 3], again: &mut Stand) {
     for pair in names.chunks_exact(2) {
         let mut place = start;
         (place[abscissa], place[ordinate]) = (stand.inputs.number(pair[0]), stand.inputs.number(pair[1]));
-        let place = again.setup.control.to_workpiece(stand.setup.control.to_machine(place));
+        let place = again.setup.control.to_workpiece(stand.setup.control.to_machine(Wcs(place)));
         for (name, axis) in pair.iter().zip([abscissa, ordinate]) {
             again.inputs.numbers.entry(*name).and_modify(|value| *value = place[axis]);
         }

@@ -4,6 +4,7 @@
 use super::stand::Stand;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use probewright_core::control::{BasicFrames, Control, Frame, Plane, Value};
+use probewright_core::geometry::Mcs;
 use probewright_core::geometry::rigid::{angles, rotation};
 use probewright_core::machine::Setup;
 use probewright_core::machine::setup::PROBE_TOOL;
@@ -143,7 +144,7 @@ impl View {
         let Stand { setup, inputs } = stand;
         let mut seen = setup.clone();
         seen.control = self.control(&setup.control);
-        seen.position = self.point(setup.position);
+        seen.position = Mcs(self.point(setup.position.0));
         for solid in &mut seen.workpiece.solids {
             *solid = self.solid(solid);
         }

@@ -3,6 +3,7 @@
 use super::{at, clean, fault, go, near, number, setup};
 use probewright_core::diagnostic::Severity;
 use probewright_core::dialect::Dialect;
+use probewright_core::geometry::Mcs;
 use probewright_core::geometry::rigid::rotation;
 use probewright_core::machine::Setup;
 use probewright_core::machine::trace::Step;
@@ -77,7 +78,7 @@ fn the_swivel_cycle_turns_the_part_level() {
         rotation: [30.0, 0.0, 0.0],
         errors: PartErrors::default(),
     });
-    setup.position = [0.0, 0.0, 300.0];
+    setup.position = Mcs([0.0, 0.0, 300.0]);
     let text = "$P_UIFR[4]=CTRANS(Y,5,Z,3):CROT(X,30)\nG57\nG0 X0 Y0 Z100\n\
         CYCLE800(1,\"\",0,57,0,0,0,0,0,0,0,0,0,-1)\nR1=$P_ACTFRAME[X,RT]\nG0 X5 Y6 Z50\nMEAS=1 G1 Z-5 F300\n\
         R2=$AA_MW[Z]\nR3=$AC_MEA[1]\n\
@@ -180,7 +181,7 @@ fn askew() -> Setup {
         errors: PartErrors::default(),
     });
     setup.control.rotary_centre = [30.0, 30.0, -80.0];
-    setup.position = [0.0, 0.0, 60.0];
+    setup.position = Mcs([0.0, 0.0, 60.0]);
     setup
 }
 

@@ -18,6 +18,7 @@ mod turning;
 mod values;
 mod words;
 
+use probewright_core::geometry::Mcs;
 use probewright_core::machine::trace::Step;
 use probewright_core::machine::{Setup, Stop};
 use probewright_core::run::Outcome;
@@ -26,7 +27,7 @@ use running::{clean_on, go_on, machine};
 /// The machine of these tests at its zero.
 fn setup() -> Setup {
     let mut setup = machine();
-    setup.position = [0.0; 3];
+    setup.position = Mcs([0.0; 3]);
     setup
 }
 
@@ -73,7 +74,7 @@ fn messages(text: &str) -> Vec<String> {
 
 /// Where the machine stands at the end of a clean run, machine coordinates.
 fn end(text: &str) -> [f64; 3] {
-    clean(text).position
+    clean(text).position.0
 }
 
 /// Feed of the last motion of a clean run, mm/min.

@@ -2,6 +2,7 @@
 
 use super::running::{block, go_on};
 use super::{at, clean, fault, feed, findings, go, near, number, setup};
+use probewright_core::geometry::Mcs;
 use probewright_core::machine::Stop;
 use probewright_core::machine::route::Route;
 use probewright_core::machine::trace::{MotionKind, Step};
@@ -111,7 +112,7 @@ fn a_spline_passes_its_points_and_says_that_it_is_none() {
 fn measuring_blocks_latch_and_stop_or_go_on() {
     for (word, stands) in [("MEAS", -53.0), ("MEAW", -45.0)] {
         let mut setup = setup();
-        setup.position = [-100.0, 0.0, -10.0];
+        setup.position = Mcs([-100.0, 0.0, -10.0]);
         setup.workpiece.solids.push(block());
         let text = format!(
             "TRANS X5\n{word}=1 G1 X-50 F300\nSTOPRE\nR1=$AC_MEA[1] R2=$AA_MW[X] R3=$AA_MM[Z] R4=$AA_IB[X]\n\
@@ -137,7 +138,7 @@ fn a_table_that_turns_the_part_into_the_probe_crashes() {
         setup.workpiece.solids.push(block());
         setup.control.rotary_centre = setup.workpiece.solids[0].at;
         let [x, y, _] = setup.control.rotary_centre;
-        setup.position = [x, y - 60.0, 40.0];
+        setup.position = Mcs([x, y - 60.0, 40.0]);
         go_on(&setup, way)
     };
     let outcome = run("G0 Z-10\nC90\nX0");

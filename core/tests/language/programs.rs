@@ -5,6 +5,7 @@
 use super::{near, setup};
 use probewright_core::control::{Tool, Value};
 use probewright_core::dialect::Dialect;
+use probewright_core::geometry::Mcs;
 use probewright_core::machine::Stop;
 use probewright_core::machine::trace::Step;
 use probewright_core::run::{Limits, Outcome, run};
@@ -35,7 +36,7 @@ fn programs() -> Vec<(String, String)> {
 /// Starts at X1600 Y900 Z0, with a rotary axis A and nothing in the spindle.
 fn go(text: &str) -> Outcome {
     let mut setup = setup();
-    setup.position = [1600.0, 900.0, 0.0];
+    setup.position = Mcs([1600.0, 900.0, 0.0]);
     let control = &mut setup.control;
     (control.tool, control.edge) = (0, 0);
     let axis = Value::Text("A".into());

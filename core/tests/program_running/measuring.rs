@@ -40,7 +40,7 @@ fn a_crash_ends_the_run_where_it_happens() {
     let program = read(Dialect::Sinumerik, b"G0 Z10\nG0 Z-5\nG0 Z50");
     let outcome = run(&program, &block_setup(), Limits::default());
     assert!(matches!(&outcome.stop, Some(Stop::Fault(message)) if message.key == "run-crash"));
-    near(outcome.position, [0.0, 0.0, 3.0]);
+    near(outcome.position.0, [0.0, 0.0, 3.0]);
     assert_eq!(outcome.trace.entries.last().unwrap().line, Some(1));
 }
 

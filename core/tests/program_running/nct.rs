@@ -5,6 +5,7 @@ use super::running::machine;
 use probewright_core::control::{Control, Plane};
 use probewright_core::diagnostic::Code;
 use probewright_core::dialect::Dialect;
+use probewright_core::geometry::Mcs;
 use probewright_core::machine::{Setup, Stop};
 use probewright_core::run::{Limits, run};
 use probewright_core::syntax::read;
@@ -37,7 +38,7 @@ fn bore(diameter: f64, at: [f64; 3]) -> Setup {
         rotation: [-90.0, 0.0, 0.0],
         errors: PartErrors::default(),
     });
-    setup.position = [120.0, 300.0, 200.0];
+    setup.position = Mcs([120.0, 300.0, 200.0]);
     setup
 }
 

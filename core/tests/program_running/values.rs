@@ -9,13 +9,13 @@ fn tools_change_with_m6() {
     let outcome = clean("N10 T20 D2\nN20 M6");
     assert_eq!((outcome.control.tool, outcome.control.edge), (20, 2));
     // oracle: hand: the mill is 30 mm longer, the spindle stays, so its tip is 30 mm lower
-    near(outcome.position, [0.0, 0.0, 470.0]);
+    near(outcome.position.0, [0.0, 0.0, 470.0]);
     assert!(outcome.trace.entries.iter().any(|entry| entry.step == Step::Tool(20, 2)));
     let outcome = clean("T20 M6");
     assert_eq!((outcome.control.tool, outcome.control.edge), (20, 1));
     let outcome = clean("T=\"MILL\" M6\nD0");
     assert_eq!((outcome.control.tool, outcome.control.edge), (20, 0));
-    near(outcome.position, [0.0, 0.0, 550.0]);
+    near(outcome.position.0, [0.0, 0.0, 550.0]);
     let outcome = go("T77 M6");
     assert!(matches!(outcome.stop, Some(Stop::Fault(message)) if message.key == "run-no-tool"));
 }

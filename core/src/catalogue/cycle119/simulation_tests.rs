@@ -5,6 +5,7 @@
 use crate::catalogue::sinumerik::testing::random_parts;
 use crate::control::{Control, Frame, Plane};
 use crate::dialect::Dialect;
+use crate::geometry::Wcs;
 use crate::geometry::{V3, rigid};
 use crate::machine::Setup;
 use crate::run::{Limits, Outcome, run};
@@ -57,7 +58,7 @@ fn moved(at: [f64; 3], turn: [f64; 3]) -> Triangle {
 /// Whether measured points have the set coordinates in the frame of this control.
 fn stands_right(before: &Control, after: &Control, measured: &Triangle) -> Result<(), TestCaseError> {
     for (set, point) in SET.iter().zip(measured) {
-        let seen = after.to_workpiece(before.to_machine(*point));
+        let seen = after.to_workpiece(before.to_machine(Wcs(*point)));
         for axis in 0..3 {
             prop_assert!((seen[axis] - set[axis]).abs() < 1e-9, "{:?} {:?}", seen, set);
         }

@@ -8,6 +8,7 @@ use crate::catalogue::place;
 use crate::catalogue::sinumerik::testing::{at, call, run, setup};
 use crate::control::{Control, Frame, Plane};
 use crate::entry::Inputs;
+use crate::geometry::Wcs;
 use crate::machine::Setup;
 use crate::machine::sim::Sim;
 use crate::workpiece::{Shape, Solid};
@@ -61,7 +62,7 @@ impl Case {
         let [x, y] = along(self.real.corner, middle, if self.outside() { -way } else { way });
         let height = if self.by_points() { 25.0 } else { -15.0 };
         let start = place::in_plane(&setup.control, [x, y, height]);
-        setup.position = setup.control.to_machine(start);
+        setup.position = setup.control.to_machine(Wcs(start));
         (setup, inputs)
     }
 

@@ -5,6 +5,7 @@
 use crate::catalogue::sinumerik::motion_testing::{DEPTH_FEED, Lettered, PLANE_FEED, lettered, same_lettered};
 use crate::catalogue::sinumerik::testing::{at, call, run, setup, solid};
 use crate::control::Plane;
+use crate::geometry::Mcs;
 use crate::machine::sim::Sim;
 use crate::workpiece::Shape;
 
@@ -19,7 +20,7 @@ fn motions(plane: Plane, variant: i64, values: &[(&'static str, f64)], start: [f
     setup.workpiece.solids.push(solid(plane, shape, [0.0; 3], false));
     setup.control.set("_SPEED[1]", PLANE_FEED);
     setup.control.set("_SPEED[2]", DEPTH_FEED);
-    setup.position = at(plane, start);
+    setup.position = Mcs(at(plane, start));
     let mut sim = Sim::new(&setup);
     assert_eq!(run(&mut sim, &call("CYCLE961", variant, values)), Ok(()), "{variant} {plane:?}");
     lettered(&sim, plane)
@@ -114,7 +115,7 @@ fn the_path_is_at_least_twenty_millimetres_before_and_behind() {
         let (angle, length) = (90.0, [200.0; 2]);
         let shape = Shape::OuterCorner { angle, length, height: 50.0 };
         setup.workpiece.solids.push(solid(Plane::G17, shape, [0.0; 3], false));
-        setup.position = [30.0, 50.0, 20.0];
+        setup.position = Mcs([30.0, 50.0, 20.0]);
         let out = -away - 3.0;
         let places = [[60.0, out], [90.0, out], [out, 65.0], [out, 90.0]];
         let mut values = vec![("_ID", -30.0), ("_FA", 2.0)];

@@ -8,6 +8,7 @@ use crate::control::Control;
 use crate::entry::Inputs;
 use crate::entry::{Proposal, names};
 use crate::evaluate::spread::Touched;
+use crate::geometry::Wcs;
 use crate::workpiece::{Shape, Workpiece};
 
 /// Measuring depth of the ball centre below the face where `_ID` does not decide it, mm.
@@ -39,7 +40,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let part = solid(inputs, control, &nominal, &touches, depth + 2.0 * ball + 10.0);
     Proposal {
         workpiece: Workpiece { solids: vec![part] },
-        start: place::in_plane(control, [start[0], start[1], height * place::side(control)]),
+        start: Wcs(place::in_plane(control, [start[0], start[1], height * place::side(control)])),
         ..Proposal::default()
     }
 }

@@ -11,6 +11,7 @@ use crate::control::Control;
 use crate::entry::Inputs;
 use crate::entry::names;
 use crate::evaluate::zero_offset::{self, Measured, Target};
+use crate::geometry::Wcs;
 use crate::geometry::rigid;
 use crate::machine::{Machine, Stop};
 
@@ -29,10 +30,10 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     let sides = touches.iter().map(|touch| (touch.axis, touch.direction));
     all_calibrated(machine, &block, &sides.collect::<Vec<_>>())?;
     let target = correct::zero_target(machine, inputs)?;
-    let centres = measure(machine, inputs, &block, &touches, start)?;
+    let centres = measure(machine, inputs, &block, &touches, start.0)?;
     let found = corner(&touches, &centres, radius(&block));
     let corner = found.map_err(|number| alarm(machine, number))?;
-    let height = height(inputs, &block, start);
+    let height = height(inputs, &block, start.0);
     report(machine, &corner, height);
     if let Some(target) = target {
         write(machine, inputs, &target, &corner, height);
@@ -70,17 +71,17 @@ fn measure(
             pass(machine, inputs, block, touch, start)?;
         }
         let over = place(block, touch.at, start);
-        block.travel(machine, over)?;
+        block.travel(machine, Wcs(over))?;
         if by_points {
-            block.travel(machine, raised(block, over, inputs.number(names::ID)))?;
+            block.travel(machine, Wcs(raised(block, over, inputs.number(names::ID))))?;
         }
         centres[index] = ball(machine, block, touch)?;
         if by_points {
-            block.travel(machine, over)?;
+            block.travel(machine, Wcs(over))?;
         }
     }
     if !by_points {
-        block.travel(machine, start)?;
+        block.travel(machine, Wcs(start))?;
     }
     Ok(centres)
 }
@@ -93,12 +94,12 @@ fn pass(machine: &mut dyn Machine, inputs: &Inputs, block: &Block, next: &Touch,
     }
     let lift = inputs.number(names::ID);
     if lift == 0.0 {
-        return block.travel(machine, start);
+        return block.travel(machine, Wcs(start));
     }
     let here = machine.position();
-    block.travel(machine, raised(block, here, lift))?;
+    block.travel(machine, Wcs(raised(block, here.0, lift)))?;
     let over = raised(block, place(block, next.at, start), lift);
-    block.travel(machine, over)
+    block.travel(machine, Wcs(over))
 }
 
 /// A place in the plane at the height of the start, X Y Z.
@@ -133,8 +134,8 @@ fn report(machine: &mut dyn Machine, corner: &Corner, height: [f64; 3]) {
     let edge = vector(control, corner.edge);
     let point = point(control, corner.point, height);
     let machine_edge = control.direction_to_machine(edge);
-    let machine_point = control.to_machine(point);
-    for (first, edge, point) in [(4, edge, point), (20, machine_edge, machine_point)] {
+    let machine_point = control.to_machine(Wcs(point));
+    for (first, edge, point) in [(4, edge, point), (20, machine_edge, machine_point.0)] {
         let angle = edge[axes[1]].atan2(edge[axes[0]]).to_degrees();
         results::angle(machine, first, angle);
         results::length(machine, first + 1, point[axes[0]]);

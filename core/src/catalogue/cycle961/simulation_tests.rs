@@ -10,6 +10,7 @@ use crate::catalogue::sinumerik::testing::{at, called, close, random_parts, stop
 use crate::control::{Frame, Plane, Units};
 use crate::entry::Inputs;
 use crate::entry::names;
+use crate::geometry::Mcs;
 use crate::machine::sim::Sim;
 use crate::machine::{Setup, Stop};
 use crate::name::Name;
@@ -91,7 +92,7 @@ proptest! {
         if target != 9999 {
             setup.control.activate(if target == 2 { 2 } else { 1 });
         }
-        let seen = setup.control.to_workpiece(setup.workpiece.solids[0].at);
+        let seen = setup.control.to_workpiece(Mcs(setup.workpiece.solids[0].at));
         let found = case.plane.axes().map(|axis| seen[axis]);
         prop_assert!((found[0] - wanted[0]).abs() < 1e-9 && (found[1] - wanted[1]).abs() < 1e-9, "{:?}", found);
         if let Some(before) = frames.get(&(target as usize)) {
@@ -191,7 +192,7 @@ fn a_measured_corner_may_be_none_though_the_points_make_one() {
                     ..solid.clone()
                 };
                 setup.workpiece.solids = blocks.iter().map(block).collect();
-                setup.position = [0.0, -20.0, 25.0];
+                setup.position = Mcs([0.0, -20.0, 25.0]);
                 inputs.variant = variant;
                 inputs.numbers.insert(names::ID, -40.0);
                 for (names, place) in PLACES.into_iter().zip(places) {

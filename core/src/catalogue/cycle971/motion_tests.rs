@@ -6,6 +6,7 @@ use super::bench::{call, measured, real, setup};
 use crate::catalogue::sinumerik::motion_testing::{DEPTH_FEED, MEASURING_FEED, PLANE_FEED, lettered, same_lettered};
 use crate::catalogue::sinumerik::testing::{at, called, close, motions, stopped};
 use crate::control::Plane;
+use crate::geometry::Mcs;
 use crate::machine::Setup;
 use crate::machine::sim::Sim;
 use crate::machine::trace::{MotionKind, Step};
@@ -17,7 +18,7 @@ fn machine(inputs: &crate::entry::Inputs, from: [f64; 3]) -> Setup {
     let mut setup = setup(inputs);
     setup.control.set("_SPEED[1]", PLANE_FEED);
     setup.control.set("_SPEED[2]", DEPTH_FEED);
-    setup.position = at(inputs.plane, from);
+    setup.position = Mcs(at(inputs.plane, from));
     setup
 }
 

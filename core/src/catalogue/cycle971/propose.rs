@@ -6,6 +6,7 @@ use crate::catalogue::place;
 use crate::control::Control;
 use crate::entry::Inputs;
 use crate::entry::{Proposal, names};
+use crate::geometry::Wcs;
 use crate::workpiece::Shape;
 use crate::workpiece::tool_probe::ToolProbe;
 
@@ -26,7 +27,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let start = place::in_plane(&own, start(inputs, &own, &place));
     Proposal {
         tool_probes: cap(&own, &place).into_iter().collect(),
-        start: control.to_workpiece(own.to_machine(start)),
+        start: control.to_workpiece(own.to_machine(Wcs(start))),
         ..Proposal::default()
     }
 }

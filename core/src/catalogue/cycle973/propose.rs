@@ -7,6 +7,8 @@ use crate::catalogue::place as plane;
 use crate::control::Control;
 use crate::entry::Inputs;
 use crate::entry::{Proposal, names};
+use crate::geometry::Mcs;
+use crate::geometry::Wcs;
 use crate::workpiece::Workpiece;
 
 /// How much further from the surface than the first block the probe starts, mm.
@@ -33,7 +35,7 @@ fn surface(inputs: &Inputs, control: &Control, away: f64) -> Proposal {
     Proposal {
         fixture: place::chuck(&part).into_iter().collect(),
         workpiece: Workpiece { solids: vec![part] },
-        start,
+        start: Wcs(start),
         ..Proposal::default()
     }
 }
@@ -64,7 +66,7 @@ fn groove(inputs: &Inputs, control: &Control, away: f64) -> Option<Proposal> {
     let groove = place::standing(&machine, shape, at, unit(walls), unit(base));
     Some(Proposal {
         workpiece: Workpiece { solids: vec![groove] },
-        start: control.to_workpiece(start),
+        start: control.to_workpiece(Mcs(start)),
         ..Proposal::default()
     })
 }

@@ -5,6 +5,7 @@ use crate::catalogue::place as plane;
 use crate::control::Control;
 use crate::entry::Inputs;
 use crate::entry::{Proposal, names};
+use crate::geometry::Wcs;
 use crate::workpiece::Workpiece;
 
 /// How much further from the surface than the first block the probe starts, mm.
@@ -21,7 +22,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     Proposal {
         fixture: place::chuck(&part).into_iter().collect(),
         workpiece: Workpiece { solids: vec![part] },
-        start,
+        start: Wcs(start),
         tools: place::corrected_tools(inputs),
         ..Proposal::default()
     }

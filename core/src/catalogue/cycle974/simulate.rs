@@ -36,7 +36,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
             axis,
             corrected,
             direction,
-            ball: block.ball_at(machine.position()),
+            ball: block.ball_at(machine.position().0),
             set,
             actual: surface * per,
             per,

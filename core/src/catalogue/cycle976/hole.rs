@@ -10,6 +10,7 @@ use crate::catalogue::sinumerik::calibration::{self, Calibration, Trigger};
 use crate::catalogue::sinumerik::measuring_block::{Block, Ray};
 use crate::entry::Inputs;
 use crate::entry::names;
+use crate::geometry::Wcs;
 use crate::machine::{Machine, Stop};
 
 /// A hole to be touched.
@@ -51,7 +52,7 @@ pub fn measure(
     };
     let (touches, centre) =
         if UNKNOWN.holds(inputs) { hole.reversed(machine)? } else { (hole.run(machine, [0.0; 2])?, [0.0; 2]) };
-    hole.block.travel(machine, hole.position(centre))?;
+    hole.block.travel(machine, Wcs(hole.position(centre)))?;
     Ok(hole.evaluate(machine, &touches, centre))
 }
 
@@ -96,7 +97,7 @@ impl Hole<'_> {
                 centre = self.middle_of(&touches, centre);
             }
             if index == 0 || turn {
-                self.block.travel(machine, self.position(centre))?;
+                self.block.travel(machine, Wcs(self.position(centre)))?;
             }
             touches.push(self.touch(machine, *direction, centre)?);
         }

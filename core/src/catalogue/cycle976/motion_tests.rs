@@ -26,7 +26,7 @@ fn moved(plane: Plane, inputs: &Inputs) -> Moved {
     let start = setup.position;
     let mut sim = Sim::new(&setup);
     assert_eq!(run(&mut sim, inputs), Ok(()), "{}", inputs.variant);
-    let mut found = motions(&sim, plane, start);
+    let mut found = motions(&sim, plane, start.0);
     for (_, [abscissa, ordinate, _], _) in &mut found {
         [*abscissa, *ordinate] = turned([*abscissa, *ordinate], angle(inputs));
     }

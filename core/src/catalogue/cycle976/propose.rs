@@ -6,6 +6,7 @@ use crate::catalogue::{calibration, place};
 use crate::control::Control;
 use crate::entry::Inputs;
 use crate::entry::{Proposal, names};
+use crate::geometry::Wcs;
 use crate::workpiece::{Shape, Workpiece};
 
 /// How deep in the ring the ball centre stands, mm.
@@ -27,5 +28,5 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
         let away = inputs.number(names::FA) + ball + beyond;
         place::face(control, axis, inputs.number(names::SETVAL), side, away)
     };
-    Proposal { workpiece: Workpiece { solids: vec![part] }, start, ..Proposal::default() }
+    Proposal { workpiece: Workpiece { solids: vec![part] }, start: Wcs(start), ..Proposal::default() }
 }

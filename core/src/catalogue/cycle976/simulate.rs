@@ -8,6 +8,7 @@ use crate::catalogue::sinumerik::measuring_block::{Block, Point, turnable};
 use crate::catalogue::sinumerik::{Next, alarm, results};
 use crate::entry::Inputs;
 use crate::entry::names;
+use crate::geometry::Wcs;
 use crate::machine::{Machine, Stop};
 
 /// Runs the cycle from the present position: in the hole, or opposite the surface.
@@ -23,9 +24,9 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     let start = machine.position();
     for repetition in 0.. {
         let found = if HOLE.holds(inputs) {
-            hole::measure(machine, inputs, &block, start)?
+            hole::measure(machine, inputs, &block, start.0)?
         } else {
-            surface(machine, inputs, &block, start)?
+            surface(machine, inputs, &block, start.0)?
         };
         if store(machine, inputs, &found, repetition)? == Next::Done {
             break;
@@ -47,7 +48,7 @@ fn surface(machine: &mut dyn Machine, inputs: &Inputs, block: &Block, start: [f6
     let with_length = LENGTH.holds(inputs);
     let position = if with_length { block.latch_from_here(machine, &point)? } else { block.latch(machine, &point)? };
     if point.axis < 2 {
-        block.travel(machine, start)?; // B:5449-5455: along the applicate it stays before the surface
+        block.travel(machine, Wcs(start))?; // B:5449-5455: along the applicate it stays before the surface
     }
     let found = position - point.set;
     let ideal = block.trigger(point.axis, point.direction);

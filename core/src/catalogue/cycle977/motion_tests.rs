@@ -35,7 +35,7 @@ fn driven(plane: Plane, variant: i64, inputs: &Inputs, across: bool) -> Vec<Moti
     setup.control.set("_SPEED[2]", DEPTH_FEED);
     let mut sim = Sim::new(&setup);
     assert_eq!(run(&mut sim, inputs), Ok(()), "{variant}");
-    motions(&sim, plane, setup.position)
+    motions(&sim, plane, setup.position.0)
 }
 
 /// The infeed of [`inputs`] counts outside and with a protection zone.

@@ -6,14 +6,16 @@ use super::tests::{CENTRE, hole};
 use crate::catalogue::sinumerik::testing::{at, close, motions, stopped, turns};
 use crate::control::Plane;
 use crate::entry::names;
+use crate::geometry::Mcs;
+use crate::geometry::Wcs;
 use crate::machine::trace::{MotionKind, Step};
 use crate::machine::{Setup, Stop};
 
 /// The hole in coordinates that are turned by an angle about the tool axis.
 fn turned(setup: &mut Setup, angle: f64) {
     setup.control.active.rotation = [0.0, 0.0, angle];
-    setup.position = setup.control.to_machine([CENTRE[0], CENTRE[1], -10.0]);
-    setup.workpiece.solids[0].at = setup.control.to_machine([CENTRE[0], CENTRE[1], 0.0]);
+    setup.position = setup.control.to_machine(Wcs([CENTRE[0], CENTRE[1], -10.0]));
+    setup.workpiece.solids[0].at = setup.control.to_machine(Wcs([CENTRE[0], CENTRE[1], 0.0])).0;
 }
 
 /// A multi probe whose ball stands beside the spindle axis, calibrated with the spindle at 0
@@ -199,7 +201,7 @@ fn the_coarse_part_takes_the_fine_one_in() {
             setup.control.set("MD18600", 1.0);
             setup.control.set("_CHBIT[21]", bit);
             setup.workpiece.solids[0].errors.shift = [0.6, 0.0, 0.0];
-            setup.position = at(Plane::G17, [CENTRE[0] + 0.1, CENTRE[1], -10.0]);
+            setup.position = Mcs(at(Plane::G17, [CENTRE[0] + 0.1, CENTRE[1], -10.0]));
             inputs.variant = 101;
             inputs.numbers.insert(names::KNUM, 1.0);
         });
@@ -230,8 +232,8 @@ fn a_programmed_stop_follows_an_alarm_that_informs() {
 /// The hole in coordinates of which some axes are mirrored.
 fn mirrored(setup: &mut Setup, axes: [bool; 3]) {
     setup.control.active.mirror = axes;
-    setup.position = setup.control.to_machine([CENTRE[0], CENTRE[1], -10.0]);
-    setup.workpiece.solids[0].at = setup.control.to_machine([CENTRE[0], CENTRE[1], 0.0]);
+    setup.position = setup.control.to_machine(Wcs([CENTRE[0], CENTRE[1], -10.0]));
+    setup.workpiece.solids[0].at = setup.control.to_machine(Wcs([CENTRE[0], CENTRE[1], 0.0])).0;
 }
 
 #[test]

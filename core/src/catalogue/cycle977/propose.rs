@@ -6,6 +6,7 @@ use crate::catalogue::place;
 use crate::control::Control;
 use crate::entry::Inputs;
 use crate::entry::{Proposal, names};
+use crate::geometry::Wcs;
 use crate::workpiece::{Shape, Workpiece};
 
 /// Measuring depth of the ball centre where `_ID` does not decide it, mm.
@@ -28,7 +29,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
         workpiece: Workpiece { solids: vec![part] },
         fixture: protected.iter().flat_map(|zone| zone.obstacles(control)).collect(),
         zones: protected.iter().map(|zone| zone.walls(control)).collect(),
-        start: place::in_plane(control, out.map(|part| part * start)),
+        start: Wcs(place::in_plane(control, out.map(|part| part * start))),
         tools: place::corrected_tools(inputs),
         ..Proposal::default()
     }

@@ -7,6 +7,7 @@ use crate::catalogue::sinumerik::target::Target;
 use crate::catalogue::sinumerik::{Next, alarm, results};
 use crate::diagnostic::Code;
 use crate::entry::Inputs;
+use crate::geometry::Wcs;
 use crate::machine::{Machine, Stop};
 
 /// Runs the cycle from the present position, which is the set centre.
@@ -23,7 +24,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     let target = Target::of(machine, inputs, axis)?;
     let start = machine.position();
     for repetition in 0.. {
-        let found = measure(machine, &block, &element, paths, start)?;
+        let found = measure(machine, &block, &element, paths, start.0)?;
         if centred::finish(machine, inputs, &found, &target, repetition)? == Next::Done {
             break;
         }
@@ -88,15 +89,15 @@ fn touch(
     block.travel(machine, onto)?;
     beside[block.axes[point.axis]] = block.start(point);
     let shortened = if element.inside {
-        block.travel(machine, beside)?;
+        block.travel(machine, Wcs(beside))?;
         false
     } else {
-        block.travel_as_far(machine, beside)?
+        block.travel_as_far(machine, Wcs(beside))?
     };
     let beside = machine.position();
     let mut deep = beside;
     deep[applicate] += element.infeed;
-    down(machine, block, deep, shortened)?;
+    down(machine, block, deep.0, shortened)?;
     let coordinate = block.measure(machine, point)?;
     block.travel(machine, beside)?;
     Ok(coordinate)
@@ -104,7 +105,7 @@ fn touch(
 
 /// The infeed. A collision after a way in the plane that a software limit switch shortened is 61402 (A:15921).
 fn down(machine: &mut dyn Machine, block: &Block, deep: [f64; 3], shortened: bool) -> Result<(), Stop> {
-    match block.travel(machine, deep) {
+    match block.travel(machine, Wcs(deep)) {
         Err(Stop::Alarm(Code::Alarm(61302))) if shortened => Err(alarm(machine, 61402)),
         outcome => outcome,
     }
@@ -115,5 +116,5 @@ fn above(machine: &mut dyn Machine, block: &Block, start: [f64; 3], centre: [f64
     let mut to = start;
     to[block.axes[0]] = centre[0];
     to[block.axes[1]] = centre[1];
-    block.travel(machine, to)
+    block.travel(machine, Wcs(to))
 }

@@ -9,6 +9,8 @@ use crate::catalogue::sinumerik::testing::{
 use crate::control::{Frame, Plane};
 use crate::entry::Inputs;
 use crate::entry::names;
+use crate::geometry::Mcs;
+use crate::geometry::Wcs;
 use crate::machine::Setup;
 use crate::machine::sim::Sim;
 use crate::workpiece::Solid;
@@ -48,7 +50,7 @@ pub(super) fn inputs(variant: i64, axis: f64) -> Inputs {
 pub(super) fn ready(plane: Plane, variant: i64) -> Setup {
     let mut setup = setup(plane);
     let inside = variant % 2 == 1 && variant < 1000;
-    setup.position = at(plane, [CENTRE[0], CENTRE[1], if inside { -10.0 } else { 10.0 }]);
+    setup.position = Mcs(at(plane, [CENTRE[0], CENTRE[1], if inside { -10.0 } else { 10.0 }]));
     setup
 }
 
@@ -91,7 +93,7 @@ proptest! {
             let mut end = setup.position;
             end[plane.axes()[0]] = centre[0];
             end[plane.axes()[1]] = centre[1];
-            for (is, wanted) in sim.position.iter().zip(end) {
+            for (is, wanted) in sim.position.iter().zip(end.0) {
                 prop_assert!((is - wanted).abs() < 1e-9, "{:?}", sim.position);
             }
         }
@@ -153,11 +155,11 @@ proptest! {
             setup.control.frames.insert(1, Frame::translation([3.0, -2.0, 1.0]));
             setup.control.channel_basic.insert(0, Frame::translation([1.0, 1.0, 1.0]));
             setup.control.activate(1);
-            let start = setup.position;
+            let start = Wcs(setup.position.0);
             setup.position = setup.control.to_machine(start);
             let mut solid = part(plane, variant, false);
             solid.errors.shift = at(plane, [dx, dy, 0.0]);
-            solid.at = setup.control.to_machine(solid.at);
+            solid.at = setup.control.to_machine(Wcs(solid.at)).0;
             setup.workpiece.solids.push(solid);
             let mut inputs = inputs(variant, 1.0);
             inputs.numbers.insert(names::KNUM, [1.0, 9999.0, 1011.0, 2000.0][code]);

@@ -4,6 +4,7 @@ use crate::catalogue::place;
 use crate::control::Control;
 use crate::entry::Inputs;
 use crate::entry::{Proposal, names};
+use crate::geometry::Wcs;
 use crate::workpiece::Workpiece;
 
 /// Part and start: opposite the surface, further away than `_FA` (B:6376-6384); from the minus side in the plane,
@@ -16,7 +17,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let (part, start) = place::face(control, axis, set, side, away);
     Proposal {
         workpiece: Workpiece { solids: vec![part] },
-        start,
+        start: Wcs(start),
         tools: place::corrected_tools(inputs),
         ..Proposal::default()
     }

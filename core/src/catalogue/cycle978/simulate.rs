@@ -41,7 +41,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
             axis,
             corrected: axis,
             direction,
-            ball: reckoned.ball_at(machine.position()),
+            ball: reckoned.ball_at(machine.position().0),
             set,
             actual,
             per: 1.0,

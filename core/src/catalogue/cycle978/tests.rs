@@ -9,6 +9,8 @@ use crate::catalogue::sinumerik::testing::{
 use crate::control::Plane;
 use crate::entry::Inputs;
 use crate::entry::names;
+use crate::geometry::Mcs;
+use crate::geometry::Wcs;
 use crate::machine::sim::Sim;
 use crate::machine::trace::MotionKind;
 use crate::machine::{Setup, Stop};
@@ -29,7 +31,7 @@ fn ready(plane: Plane, axis: usize, side: f64, error: f64) -> Setup {
     position[axis] = if axis == 2 { 20.0 } else { side * 70.0 };
     block.errors.shift = at(plane, shift);
     setup.workpiece.solids.push(block);
-    setup.position = at(plane, position);
+    setup.position = Mcs(at(plane, position));
     setup
 }
 
@@ -99,7 +101,7 @@ proptest! {
         inputs.numbers.insert(names::KNUM, 1.0);
         prop_assert_eq!(run(&mut sim, &inputs), Ok(()));
         sim.control.activate(1);
-        sim.position = sim.control.to_machine(setup.position);
+        sim.position = sim.control.to_machine(Wcs(setup.position.0));
         prop_assert_eq!(run(&mut sim, &inputs), Ok(()));
         close(&sim, "_OVR[16]", 0.0);
     }

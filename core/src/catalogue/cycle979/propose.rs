@@ -5,6 +5,7 @@ use crate::catalogue::place;
 use crate::control::Control;
 use crate::entry::Inputs;
 use crate::entry::{Proposal, names};
+use crate::geometry::Wcs;
 use crate::geometry::rigid::sin_cos;
 use crate::workpiece::Workpiece;
 
@@ -35,7 +36,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let part = place::solid(control, shape, at, x, place::outward(control));
     Proposal {
         workpiece: Workpiece { solids: vec![part] },
-        start: place::in_plane(control, start),
+        start: Wcs(place::in_plane(control, start)),
         tools: place::corrected_tools(inputs),
         ..Proposal::default()
     }

@@ -94,7 +94,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
             back(machine, &block, &element)?;
         }
         let balls = measure(machine, &block, &element)?;
-        let height = block.ball_at(machine.position())[block.axes[2]];
+        let height = block.ball_at(machine.position().0)[block.axes[2]];
         let Some(found) = element.evaluate(&balls, block.ball, height) else {
             return Err(alarm(machine, 61316));
         };

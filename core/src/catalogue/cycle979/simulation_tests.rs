@@ -11,6 +11,8 @@ use crate::control::{Frame, Plane};
 use crate::dialect::Dialect;
 use crate::entry::Inputs;
 use crate::entry::names;
+use crate::geometry::Mcs;
+use crate::geometry::Wcs;
 use crate::geometry::rigid::sin_cos;
 use crate::machine::Setup;
 use crate::machine::sim::Sim;
@@ -63,7 +65,7 @@ pub(super) fn ready(plane: Plane, variant: i64, angle: f64) -> Setup {
     let (sine, cosine) = sin_cos(angle);
     let away = if variant % 2 == 1 { 3.0 } else { SIZE / 2.0 + 15.0 };
     let place = [CENTRE[0] + away * cosine, CENTRE[1] + away * sine, HEIGHT];
-    setup.position = at(plane, place);
+    setup.position = Mcs(at(plane, place));
     setup
 }
 
@@ -130,10 +132,10 @@ proptest! {
             setup.control.frames.insert(1, turned);
             setup.control.channel_basic.insert(0, Frame::translation([1.0, 1.0, 1.0]));
             setup.control.activate(1);
-            let start = setup.position;
+            let start = Wcs(setup.position.0);
             setup.position = setup.control.to_machine(start);
             let mut part = part(plane, variant, angle + turn);
-            part.at = setup.control.to_machine(part.at);
+            part.at = setup.control.to_machine(Wcs(part.at)).0;
             part.errors.shift = at(plane, [shift[0], shift[1], 0.0]);
             setup.workpiece.solids.push(part);
             let mut inputs = inputs(variant, 30.0, 80.0, false);

@@ -10,6 +10,7 @@ use crate::control::tools::side;
 use crate::control::{Control, Edge, Plane};
 use crate::entry::Inputs;
 use crate::entry::{Proposal, ProposedTool, names};
+use crate::geometry::Wcs;
 use crate::workpiece::Shape;
 use crate::workpiece::tool::{Cut, Tool};
 use crate::workpiece::tool_probe::ToolProbe;
@@ -54,7 +55,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     Proposal {
         tool_probes: field.cap().into_iter().collect(),
         real_tool: lying(inputs, control),
-        start: control.to_workpiece(own.to_machine(start)),
+        start: control.to_workpiece(own.to_machine(Wcs(start))),
         ..Proposal::default()
     }
 }

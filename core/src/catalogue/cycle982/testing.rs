@@ -8,6 +8,7 @@ use crate::control::tools::side;
 use crate::control::{Edge, Frame, Plane, Transverse, Units};
 use crate::dialect::Dialect;
 use crate::entry::Inputs;
+use crate::geometry::Mcs;
 use crate::machine::Setup;
 use crate::workpiece::tool::{Cut, Cutter, Nose, Tool};
 use crate::workpiece::tool_probe::ToolProbe;
@@ -114,5 +115,5 @@ pub fn inputs(setup: &Setup, variant: i64, values: &[(&'static str, f64)]) -> In
 
 /// Machine position for the point of the tool from abscissa and ordinate, mm.
 pub fn place(setup: &mut Setup, [abscissa, ordinate]: [f64; 2]) {
-    setup.position = [ordinate, 0.0, abscissa];
+    setup.position = Mcs([ordinate, 0.0, abscissa]);
 }

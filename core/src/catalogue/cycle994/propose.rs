@@ -8,6 +8,7 @@ use crate::catalogue::place as plane;
 use crate::control::Control;
 use crate::entry::Inputs;
 use crate::entry::{Proposal, names};
+use crate::geometry::Wcs;
 use crate::workpiece::{Shape, Solid, Workpiece};
 
 /// How much further from the surface than the first block the probe starts, mm.
@@ -59,7 +60,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
         fixture: pin.into_iter().chain(place::chuck(&part)).collect(),
         workpiece: Workpiece { solids: vec![part] },
         zones: vec![element.shown()],
-        start,
+        start: Wcs(start),
         tools: place::corrected_tools(inputs),
         ..Proposal::default()
     }

@@ -71,7 +71,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
             axis,
             corrected,
             direction: point(1.0).direction,
-            ball: block.ball_at(machine.position()),
+            ball: block.ball_at(machine.position().0),
             set,
             actual: (plus - minus) / 2.0 * per,
             per,

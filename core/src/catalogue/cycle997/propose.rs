@@ -5,6 +5,7 @@ use crate::catalogue::place;
 use crate::control::Control;
 use crate::entry::Inputs;
 use crate::entry::{Proposal, names};
+use crate::geometry::Wcs;
 use crate::workpiece::{Shape, Solid, Workpiece};
 
 /// Diameter of a post as a part of that of the sphere.
@@ -30,7 +31,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     Proposal {
         workpiece: Workpiece { solids: places.iter().map(sphere).collect() },
         fixture: places.iter().map(post).collect(),
-        start: place::in_plane(control, [x, y, highest + above + ROOM]),
+        start: Wcs(place::in_plane(control, [x, y, highest + above + ROOM])),
         ..Proposal::default()
     }
 }

@@ -10,6 +10,8 @@ use crate::control::{Frame, Plane, Units};
 use crate::dialect::Dialect;
 use crate::entry::names;
 use crate::entry::{Inputs, Typed};
+use crate::geometry::Mcs;
+use crate::geometry::Wcs;
 use crate::geometry::{V3, fit, rigid};
 use crate::machine::Setup;
 use crate::machine::sim::Sim;
@@ -56,7 +58,7 @@ pub(super) fn ready(plane: Plane, variant: i64) -> Setup {
 fn spheres(mut setup: Setup, plane: Plane, variant: i64) -> Setup {
     for centre in &CENTRES[..count(variant)] {
         let mut sphere = solid(plane, Shape::Sphere { diameter: SIZE }, *centre, false);
-        sphere.at = setup.control.to_machine(sphere.at);
+        sphere.at = setup.control.to_machine(Wcs(sphere.at)).0;
         setup.workpiece.solids.push(sphere);
     }
     setup.probe.stylus = Some(0.0); // frames are turned in space here, and the tool stays upright
@@ -66,7 +68,7 @@ fn spheres(mut setup: Setup, plane: Plane, variant: i64) -> Setup {
 
 fn start(setup: &mut Setup, plane: Plane) {
     let [x, y, z] = CENTRES[0];
-    setup.position = setup.control.to_machine(at(plane, [x, y, z + 60.0]));
+    setup.position = setup.control.to_machine(Wcs(at(plane, [x, y, z + 60.0])));
 }
 
 fn close(sim: &Sim, name: &str, value: f64) -> Result<(), TestCaseError> {
@@ -227,7 +229,7 @@ fn touched(sim: &Sim, variant: i64, plane: Plane) -> Result<(), TestCaseError> {
     let steps = sim.trace.entries.iter();
     let points: Vec<V3> = steps
         .filter_map(|entry| match entry.step {
-            Step::Touch { point, .. } => Some(V3::from(sim.control.to_workpiece(point))),
+            Step::Touch { point, .. } => Some(V3::from(sim.control.to_workpiece(Mcs(point)).0)),
             _ => None,
         })
         .collect();

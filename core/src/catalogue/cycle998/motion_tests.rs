@@ -7,6 +7,7 @@ use crate::catalogue::sinumerik::testing::{at, call, run, setup, solid, touches,
 use crate::control::Plane;
 use crate::entry::Inputs;
 use crate::entry::names;
+use crate::geometry::Mcs;
 use crate::machine::sim::Sim;
 use crate::workpiece::Shape;
 
@@ -18,7 +19,7 @@ fn machine(plane: Plane, start: [f64; 3]) -> Sim {
     setup.workpiece.solids.push(solid(plane, shape, [50.0, 50.0, 0.0], false));
     setup.control.set("_SPEED[1]", PLANE_FEED);
     setup.control.set("_SPEED[2]", DEPTH_FEED);
-    setup.position = at(plane, start);
+    setup.position = Mcs(at(plane, start));
     Sim::new(&setup)
 }
 

@@ -7,6 +7,7 @@ use crate::control::Control;
 use crate::entry::Inputs;
 use crate::entry::{Proposal, names};
 use crate::geometry::V3;
+use crate::geometry::Wcs;
 use crate::workpiece::{Shape, Workpiece};
 
 /// Face beyond the points, mm.
@@ -40,7 +41,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let part = place::solid(control, Shape::Block { size }, middle.into(), along.into(), outward.into());
     Proposal {
         workpiece: Workpiece { solids: vec![part] },
-        start: place::in_plane(control, from),
+        start: Wcs(place::in_plane(control, from)),
         ..Proposal::default()
     }
 }

@@ -10,6 +10,7 @@ use crate::catalogue::sinumerik::{Next, alarm, results, tolerance};
 use crate::entry::Inputs;
 use crate::entry::names;
 use crate::evaluate::mean;
+use crate::geometry::Wcs;
 use crate::machine::{Machine, Stop};
 
 /// Runs the cycle from the present position, which is opposite the first point.
@@ -28,7 +29,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     begin(machine, inputs);
     let start = machine.position();
     for repetition in 0.. {
-        let rises = measure(machine, inputs, &block, &surface, start)?;
+        let rises = measure(machine, inputs, &block, &surface, start.0)?;
         let angles = report(machine, &surface, &rises);
         let offset = tolerance::empirical_angle(machine.control(), inputs);
         let wrong: Vec<f64> = surface.legs.iter().zip(&angles).map(|(leg, angle)| angle - offset - leg.set).collect();
@@ -65,7 +66,7 @@ fn measure(
     let axis = surface.measuring;
     let at_angle = AT_ANGLE.holds(inputs);
     let direction = direction(inputs, start[block.axes[axis]]);
-    block.travel(machine, first_start(inputs, block, start, axis, direction))?;
+    block.travel(machine, Wcs(first_start(inputs, block, start, axis, direction)))?;
     let (first, skew) = first_point(machine, inputs, block, axis, direction)?;
     let from = machine.position();
     let mut rises = Vec::new();

@@ -8,7 +8,9 @@ use crate::catalogue::sinumerik::testing::{at, call, called, close, random_parts
 use crate::control::{Control, Frame, Plane};
 use crate::entry::Inputs;
 use crate::entry::names;
+use crate::geometry::Mcs;
 use crate::geometry::V3;
+use crate::geometry::Wcs;
 use crate::geometry::rigid::{angles, rotation};
 use crate::machine::sim::Sim;
 use crate::machine::{Setup, Stop};
@@ -43,7 +45,7 @@ fn face(control: &Control, inputs: &Inputs, actual: &[f64]) -> Solid {
     let columns = Matrix3::from_columns(&[x, z.cross(&x), z]);
     Solid {
         shape: Shape::Block { size: [400.0, 400.0, 50.0] },
-        at: control.to_machine([0.0; 3]),
+        at: control.to_machine(Wcs([0.0; 3])).0,
         rotation: angles(&Rotation3::from_matrix_unchecked(columns)),
         errors: PartErrors::default(),
     }
@@ -101,7 +103,7 @@ fn stand(setup: &mut Setup, inputs: &Inputs) {
     let mut start = [0.0; 3];
     let away = if inputs.variant > 100_000 { 28.0 } else { 35.0 };
     start[measuring] = if measuring == 2 { away } else { -away };
-    setup.position = setup.control.to_machine(at(setup.control.plane, start));
+    setup.position = setup.control.to_machine(Wcs(at(setup.control.plane, start)));
 }
 
 /// Turns the table C with the probe out of the way.
@@ -207,8 +209,8 @@ proptest! {
                 setup.control.activate(1);
             }
             // the rotation of a basic frame carries the settable one along
-            let zero = setup.control.to_workpiece(setup.workpiece.solids[0].at);
-            setup.control.program_frame = Frame::translation(zero);
+            let zero = setup.control.to_workpiece(Mcs(setup.workpiece.solids[0].at));
+            setup.control.program_frame = Frame::translation(zero.0);
             stand(&mut setup, &inputs);
             let sim = done(&setup, &inputs);
             close(&sim, "_OVR[16]", 0.0);

@@ -15,6 +15,7 @@ use crate::entry::Task;
 use crate::entry::address;
 use crate::entry::{Cycle, Drawing, Help, Proposal, Purpose, ResultField, Simulation, Variant, When, Work};
 use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
+use crate::geometry::Wcs;
 use crate::workpiece::{Shape, Workpiece};
 
 /// The stylus stands in the bore.
@@ -94,7 +95,7 @@ fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     };
     Proposal {
         workpiece: Workpiece { solids: vec![part::in_plane(shape, top, control)] },
-        start,
+        start: Wcs(start),
         ..Proposal::default()
     }
 }

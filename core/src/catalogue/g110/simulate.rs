@@ -11,6 +11,7 @@ use crate::catalogue::nct::walls::{Chord, Outside, Walls, chord, home, travel};
 use crate::catalogue::nct::{self, axis_name, print};
 use crate::entry::Inputs;
 use crate::entry::address;
+use crate::geometry::Wcs;
 use crate::machine::{Machine, Stop};
 
 /// What was measured, mm.
@@ -29,7 +30,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     let middle = first.middle - Calibration::of(machine, 0).offset;
     travel(machine, walls.axes[0], middle)?;
     let second = chord(machine, &walls, 1)?;
-    home(machine, walls.start)?;
+    home(machine, Wcs(walls.start))?;
     let measured = evaluate(machine, &walls, &first, &second);
     correct::results(
         machine,
@@ -53,7 +54,7 @@ fn walls(machine: &mut dyn Machine, inputs: &Inputs) -> Walls {
         outside: outside.map(|depth| Outside { depth, clearance: inputs.number(address::R) }),
         size: inputs.number(address::D),
         overtravel: inputs.number(address::Q),
-        start: machine.position(),
+        start: machine.position().0,
         axes: machine.control().plane.axes(),
     }
 }

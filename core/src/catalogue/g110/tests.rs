@@ -9,6 +9,7 @@ use crate::check::check;
 use crate::control::{Frame, Plane};
 use crate::diagnostic::Code;
 use crate::dialect::Dialect;
+use crate::geometry::Wcs;
 use crate::machine::{Setup, Stop};
 use crate::workpiece::{PartErrors, Shape, Solid};
 use proptest::prelude::*;
@@ -22,9 +23,9 @@ fn example(errors: PartErrors, shape: Shape, height: f64) -> Setup {
     let mut setup = Setup::calibrated(Dialect::Nct, Plane::G18);
     setup.control.frames.insert(6, Frame::translation([11.0, 22.0, 33.0]));
     setup.control.activate(6);
-    let at = setup.control.to_machine([120.0, 0.0, 200.0]);
-    setup.workpiece.solids = vec![Solid { shape, at, rotation: [0.0, -90.0, -90.0], errors }];
-    setup.position = setup.control.to_machine([120.0, height, 200.0]);
+    let at = setup.control.to_machine(Wcs([120.0, 0.0, 200.0]));
+    setup.workpiece.solids = vec![Solid { shape, at: at.0, rotation: [0.0, -90.0, -90.0], errors }];
+    setup.position = setup.control.to_machine(Wcs([120.0, height, 200.0]));
     setup
 }
 
@@ -45,7 +46,7 @@ fn bore_sets_the_work_offset() {
     near(outcome.control.number("SHIFT_1"), -0.4); // first axis of G18 is Z
     assert_eq!(outcome.position, setup.position);
     let mut again = Setup { control: outcome.control, ..setup };
-    again.position = again.control.to_machine([120.0, -10.0, 200.0]);
+    again.position = again.control.to_machine(Wcs([120.0, -10.0, 200.0]));
     let second = call(&G110, &[("D", "50"), ("S", "6")], &again);
     near(second.control.number("SHIFT_1"), 0.0);
     near(second.control.number("SHIFT_2"), 0.0);

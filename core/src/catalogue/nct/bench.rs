@@ -8,6 +8,7 @@ use crate::diagnostic::{Code, Severity};
 use crate::dialect::Dialect;
 use crate::entry::Cycle;
 use crate::entry::Typed;
+use crate::geometry::Wcs;
 use crate::machine::Setup;
 use crate::run::{Outcome, predict};
 use crate::workpiece::{PartErrors, Shape};
@@ -67,7 +68,7 @@ pub fn put(setup: &mut Setup, shape: Shape, at: [f64; 3], shift: [f64; 3], size:
 /// Sends the machine there, along the axes of the plane in the active WCS.
 pub fn stand(setup: &mut Setup, at: [f64; 3]) {
     let point = along(setup.control.plane, at);
-    setup.position = setup.control.to_machine(point);
+    setup.position = setup.control.to_machine(Wcs(point));
 }
 
 /// The same machine after a call.

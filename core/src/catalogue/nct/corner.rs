@@ -14,6 +14,7 @@ use crate::entry::Inputs;
 use crate::entry::address;
 use crate::entry::stage::{Look, Seen, Staging};
 use crate::entry::{Need, Param, Proposal, ResultField, Unit, When};
+use crate::geometry::Wcs;
 use crate::machine::{Machine, Stop};
 use crate::picture::PictureShape;
 use crate::workpiece::{Shape, Workpiece};
@@ -95,7 +96,11 @@ pub fn propose(inputs: &Inputs, control: &Control, outside: bool) -> Proposal {
     start[axes[2]] = -10.0;
     let length = [SIDE; 2];
     let shape = if outside { Shape::Island { length, height: 30.0 } } else { Shape::Pocket { length, depth: 30.0 } };
-    Proposal { workpiece: Workpiece { solids: vec![part::in_plane(shape, at, control)] }, start, ..Proposal::default() }
+    Proposal {
+        workpiece: Workpiece { solids: vec![part::in_plane(shape, at, control)] },
+        start: Wcs(start),
+        ..Proposal::default()
+    }
 }
 
 /// From the zero point to the drawn corner in both axes, mm.

@@ -1,6 +1,7 @@
 //! Parts that stand in the working plane.
 
 use crate::control::Control;
+use crate::geometry::Wcs;
 use crate::geometry::rigid::angles;
 use crate::workpiece::{PartErrors, Shape, Solid};
 use nalgebra::{Matrix3, Rotation3, Vector3};
@@ -13,7 +14,7 @@ pub fn in_plane(shape: Shape, at: [f64; 3], control: &Control) -> Solid {
         Vector3::from(control.direction_to_machine(unit))
     });
     let turn = Rotation3::from_matrix_unchecked(Matrix3::from_columns(&columns));
-    Solid { shape, at: control.to_machine(at), rotation: angles(&turn), errors: PartErrors::default() }
+    Solid { shape, at: control.to_machine(Wcs(at)).0, rotation: angles(&turn), errors: PartErrors::default() }
 }
 
 #[cfg(test)]

@@ -9,6 +9,7 @@ use crate::entry::Inputs;
 use crate::entry::address;
 use crate::entry::stage::{Fields, Look, Seen, Staging};
 use crate::entry::{Param, Proposal, ResultField, Unit, When};
+use crate::geometry::Wcs;
 use crate::machine::{Machine, Stop};
 use crate::picture::{PictureShape, ShapeKind};
 use crate::range::Range;
@@ -66,7 +67,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let shape = Shape::Hole { diameter, depth: 30.0 };
     Proposal {
         workpiece: Workpiece { solids: vec![part::in_plane(shape, [0.0; 3], control)] },
-        start,
+        start: Wcs(start),
         ..Proposal::default()
     }
 }

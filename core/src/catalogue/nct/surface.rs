@@ -9,6 +9,7 @@ use crate::entry::Inputs;
 use crate::entry::address;
 use crate::entry::stage::{Look, Seen, Staging};
 use crate::entry::{Need, Param, Proposal, Unit, When};
+use crate::geometry::Wcs;
 use crate::machine::{Machine, Stop};
 use crate::picture::PictureShape;
 use crate::workpiece::{Shape, Workpiece};
@@ -83,7 +84,7 @@ pub fn propose_axially(inputs: &Inputs, control: &Control) -> Proposal {
     let size = [100.0, 100.0, 60.0];
     Proposal {
         workpiece: Workpiece { solids: vec![part::in_plane(Shape::Block { size }, top, control)] },
-        start,
+        start: Wcs(start),
         ..Proposal::default()
     }
 }

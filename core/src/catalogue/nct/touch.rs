@@ -3,6 +3,7 @@
 //! naming: at 30 mm/min a delay of 1 ms makes 0.0005 mm.
 
 use super::{FALSE_TRIGGER, NO_MOVEMENT, PROBE_FAIL};
+use crate::geometry::Wcs;
 use crate::machine::trace::MotionKind;
 use crate::machine::{Machine, Stop};
 
@@ -57,17 +58,17 @@ pub fn touch(machine: &mut dyn Machine, axis: usize, end: f64) -> Result<f64, St
     if way == 0.0 {
         return Err(Stop::Alarm(NO_MOVEMENT));
     }
-    let fast = signal(machine, with(end), FAST)?;
+    let fast = signal(machine, with(end).0, FAST)?;
     let back = BACK.min((fast[axis] - start[axis]).abs()).copysign(way);
     machine.travel(with(fast[axis] - back), MotionKind::Retract, MEDIUM, true)?;
-    Ok(signal(machine, with(end), SLOW)?[axis])
+    Ok(signal(machine, with(end).0, SLOW)?[axis])
 }
 
 /// Probes; where the signal came. No signal is PROBE FAIL; one that is gone when the stylus stands is FALSE TRIGGER.
 fn signal(machine: &mut dyn Machine, to: [f64; 3], feed: f64) -> Result<[f64; 3], Stop> {
-    match machine.probe(to, feed)? {
+    match machine.probe(Wcs(to), feed)? {
         None => Err(Stop::Alarm(PROBE_FAIL)),
         Some(_) if !machine.signal_stands() => Err(Stop::Alarm(FALSE_TRIGGER)),
-        Some(position) => Ok(position),
+        Some(position) => Ok(position.0),
     }
 }

@@ -1,6 +1,7 @@
 //! Walls on both sides of a centre, in one axis of the plane: pocket, web, bore, boss, and the ring of calibration.
 
 use super::touch::{Calibration, POSITIONING, touch};
+use crate::geometry::Wcs;
 use crate::machine::trace::MotionKind;
 use crate::machine::{Machine, Stop};
 
@@ -113,8 +114,8 @@ pub fn travel(machine: &mut dyn Machine, axis: usize, to: f64) -> Result<(), Sto
 }
 
 /// Back to the start: along the tool axis first, then in the plane.
-pub fn home(machine: &mut dyn Machine, start: [f64; 3]) -> Result<(), Stop> {
+pub fn home(machine: &mut dyn Machine, start: Wcs) -> Result<(), Stop> {
     let [.., applicate] = machine.control().plane.axes();
     travel(machine, applicate, start[applicate])?;
-    machine.travel(start, MotionKind::Positioning, POSITIONING, true)
+    machine.travel(Wcs(start.0), MotionKind::Positioning, POSITIONING, true)
 }

@@ -6,6 +6,7 @@ use crate::control::{Control, Edge};
 use crate::entry::Inputs;
 use crate::entry::address;
 use crate::entry::{Proposal, ProposedTool};
+use crate::geometry::Mcs;
 use crate::workpiece::tool_probe::ToolProbe;
 use crate::workpiece::{PartErrors, Shape, Solid};
 
@@ -35,7 +36,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
         point[2] += length - control.active_length()[2];
     }
     Proposal {
-        start: control.to_workpiece(point),
+        start: control.to_workpiece(Mcs(point)),
         tools: vec![ProposedTool {
             tool: 0,
             name: String::new(),

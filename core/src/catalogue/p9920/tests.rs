@@ -5,6 +5,7 @@ use super::{CALIBRATE, DEPRESSED, DIAMETER, INCORRECT, LENGTH, MEASURING_DEVICE,
 use crate::catalogue::nct::bench::{PLANES, call, length, near};
 use crate::control::{Edge, Plane, Units};
 use crate::diagnostic::Code;
+use crate::geometry::Mcs;
 use crate::machine::trace::{MotionKind, Step};
 use crate::machine::{Setup, Stop};
 use crate::run::Outcome;
@@ -42,7 +43,7 @@ fn over(setup: &mut Setup, register: i64, long: f64, aside: [f64; 2]) {
     setup.control.edge = register;
     let length = setup.control.active_length();
     let nose = [DISK[0] + aside[0], DISK[1] + aside[1], DISK[2] + 4.0 + long];
-    setup.position = std::array::from_fn(|i| nose[i] - length[i]);
+    setup.position = Mcs(std::array::from_fn(|i| nose[i] - length[i]));
 }
 
 /// The machine afterwards, which stands in G49.

@@ -5,6 +5,8 @@ use super::{INCORRECT, TOO_SMALL};
 use crate::catalogue::nct::touch::{BACK, MEDIUM, POSITIONING, SLOW};
 use crate::entry::Inputs;
 use crate::entry::address;
+use crate::geometry::Mcs;
+use crate::geometry::Wcs;
 use crate::machine::trace::MotionKind;
 use crate::machine::{Machine, Stop};
 
@@ -50,13 +52,13 @@ pub fn nose(machine: &mut dyn Machine) -> [f64; 3] {
 fn position(machine: &mut dyn Machine, nose: [f64; 3]) -> [f64; 3] {
     let control = machine.control();
     let length = control.active_length();
-    control.to_workpiece(std::array::from_fn(|i| nose[i] - length[i]))
+    (control.to_workpiece(Mcs(std::array::from_fn(|i| nose[i] - length[i])))).0
 }
 
 /// Positions beside the disk or above it, where nothing is in the way.
 pub fn travel(machine: &mut dyn Machine, nose: [f64; 3]) -> Result<(), Stop> {
     let to = position(machine, nose);
-    machine.travel(to, MotionKind::Positioning, POSITIONING, false)
+    machine.travel(Wcs(to), MotionKind::Positioning, POSITIONING, false)
 }
 
 /// Up to this height, then straight to this place.
@@ -64,7 +66,7 @@ pub fn leave(machine: &mut dyn Machine, to: [f64; 3]) -> Result<(), Stop> {
     let mut up = nose(machine);
     up[2] = to[2];
     let up = position(machine, up);
-    machine.travel(up, MotionKind::Retract, POSITIONING, false)?;
+    machine.travel(Wcs(up), MotionKind::Retract, POSITIONING, false)?;
     travel(machine, to)
 }
 
@@ -73,7 +75,7 @@ pub fn sink(machine: &mut dyn Machine, height: f64, start: [f64; 3]) -> Result<(
     let mut down = nose(machine);
     down[2] = height;
     let down = position(machine, down);
-    match machine.travel(down, MotionKind::Positioning, POSITIONING, true) {
+    match machine.travel(Wcs(down), MotionKind::Positioning, POSITIONING, true) {
         Err(Stop::Alarm(_)) => {
             leave(machine, start)?;
             Err(Stop::Alarm(TOO_SMALL))
@@ -89,11 +91,11 @@ pub fn touch(machine: &mut dyn Machine, axis: usize, end: f64, feeds: Feeds, sta
     let mut to = from;
     to[axis] = end;
     let target = position(machine, to);
-    let Some(_) = machine.probe(target, feeds.fast)? else {
+    let Some(_) = machine.probe(Wcs(target), feeds.fast)? else {
         return missed(machine, start);
     };
     retract(machine, axis, from)?;
-    let Some(_) = machine.probe(target, feeds.slow)? else {
+    let Some(_) = machine.probe(Wcs(target), feeds.slow)? else {
         return missed(machine, start);
     };
     let contact = nose(machine)[axis];
@@ -112,5 +114,5 @@ fn retract(machine: &mut dyn Machine, axis: usize, from: [f64; 3]) -> Result<(),
     let back = from[axis] - to[axis];
     to[axis] += BACK.min(back.abs()).copysign(back);
     let to = position(machine, to);
-    machine.travel(to, MotionKind::Retract, MEDIUM, false)
+    machine.travel(Wcs(to), MotionKind::Retract, MEDIUM, false)
 }

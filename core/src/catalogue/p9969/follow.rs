@@ -12,6 +12,7 @@ use crate::catalogue::nct::{
 use crate::diagnostic::Code;
 use crate::entry::Inputs;
 use crate::entry::address;
+use crate::geometry::Wcs;
 use crate::machine::Scanner;
 use crate::machine::trace::MotionKind;
 use crate::machine::{Machine, Stop};
@@ -49,8 +50,8 @@ struct Follow {
     /// Ball centre minus spindle axis (#504, #505).
     offset: [f64; 3],
     /// Start and end of the rectangle, WCS.
-    start: [f64; 3],
-    end: [f64; 3],
+    start: Wcs,
+    end: Wcs,
     deepest: f64,
     spacing: f64,
     raster: f64,
@@ -289,7 +290,7 @@ impl Follow {
 
     /// What the control reads: it looks at the signal in fixed times, so that the axis has gone on by a part of the way
     /// of one of them (C:1318-1321). With the ball where it is, not the spindle.
-    fn sampled(&self, from: [f64; 3], at: [f64; 3], axis: usize) -> [f64; 3] {
+    fn sampled(&self, from: Wcs, at: Wcs, axis: usize) -> [f64; 3] {
         let between = self.layout.accuracy;
         let way = at[axis] - from[axis];
         let read = (way.abs() / between - 1e-6).ceil() * between;

@@ -15,6 +15,7 @@ use crate::dialect::Dialect;
 use crate::entry::Inputs;
 use crate::entry::address;
 use crate::entry::{Cycle, Drawing, Help, Proposal, Purpose, ResultField, Simulation, Unit, Variant, Work};
+use crate::geometry::Wcs;
 use crate::workpiece::free::Example;
 use crate::workpiece::{Shape, Workpiece};
 use std::sync::Arc;
@@ -86,7 +87,7 @@ fn propose(inputs: &Inputs, control: &Control) -> Proposal {
         workpiece: Workpiece {
             solids: solids.into_iter().collect(), // none where the rectangle is larger than anything can be
         },
-        start,
+        start: Wcs(start),
         ..Proposal::default()
     }
 }

@@ -7,6 +7,7 @@ use crate::catalogue::nct::{self, part};
 use crate::check::check;
 use crate::control::Plane;
 use crate::diagnostic::Code;
+use crate::geometry::Mcs;
 use crate::machine::trace::Step;
 use crate::machine::{Setup, Stop};
 use crate::run::Outcome;
@@ -229,7 +230,7 @@ fn the_program_that_is_sent_runs_through_the_points() {
         .entries
         .iter()
         .filter_map(|entry| match entry.step {
-            Step::Motion { to, feed, .. } if feed > 0.0 => Some(setup.control.to_workpiece(to)),
+            Step::Motion { to, feed, .. } if feed > 0.0 => Some(setup.control.to_workpiece(Mcs(to)).0),
             _ => None,
         })
         .collect();

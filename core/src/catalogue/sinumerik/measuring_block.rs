@@ -11,6 +11,7 @@ pub use ray::Ray;
 
 use super::alarm;
 use crate::control::Control;
+use crate::geometry::Wcs;
 use crate::geometry::rigid::sin_cos;
 use crate::machine::trace::MotionKind;
 use crate::machine::{Machine, Stop};
@@ -74,10 +75,10 @@ pub struct Point {
 /// The way of a measuring block.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Way {
-    /// Start X Y Z of the WCS, mm.
-    start: [f64; 3],
-    /// End, mm.
-    end: [f64; 3],
+    /// Start.
+    start: Wcs,
+    /// End.
+    end: Wcs,
     /// Unit vector from start to end.
     direction: [f64; 3],
 }
@@ -191,18 +192,18 @@ impl Block {
     }
 
     /// Mean position of `_NMSP` measurements (B:2348-2356); the probe stands at the start and returns there.
-    fn mean(&self, machine: &mut dyn Machine, way: &Way) -> Result<[f64; 3], Stop> {
+    fn mean(&self, machine: &mut dyn Machine, way: &Way) -> Result<Wcs, Stop> {
         let mut sum = [0.0; 3];
         for _ in 0..self.repeats {
             let position = self.attempt(machine, way)?;
             (0..3).for_each(|axis| sum[axis] += position[axis]);
         }
-        Ok(sum.map(|sum| sum / f64::from(self.repeats)))
+        Ok(Wcs(sum.map(|sum| sum / f64::from(self.repeats))))
     }
 
     /// Probes up to five times until the probe switches (B:13999-14001); each attempt begins at the start. Where a
     /// software limit switch ends the way before the probe switches, it is 61401 instead of 61301 (A:15920).
-    fn attempt(&self, machine: &mut dyn Machine, way: &Way) -> Result<[f64; 3], Stop> {
+    fn attempt(&self, machine: &mut dyn Machine, way: &Way) -> Result<Wcs, Stop> {
         let limited = machine.control().limited(way.start, way.end);
         let reached = Way { end: limited.unwrap_or(way.end), ..*way };
         for _ in 0..self.attempts {
@@ -217,21 +218,21 @@ impl Block {
     }
 
     /// Towards the surface; with `_CHBIT[17]` fast, back by 2 mm (not behind the start) and slowly again.
-    fn touch(&self, machine: &mut dyn Machine, way: &Way) -> Result<Option<[f64; 3]>, Stop> {
+    fn touch(&self, machine: &mut dyn Machine, way: &Way) -> Result<Option<Wcs>, Stop> {
         if let Some(fast) = self.fast {
             let Some(first) = machine.probe(way.end, fast)? else {
                 return Ok(None);
             };
             let gone = |axis: usize| (first[axis] - way.start[axis]) * way.direction[axis];
             let room = (0..3).map(gone).sum::<f64>().min(PULL_BACK);
-            let pulled = std::array::from_fn(|axis| first[axis] - way.direction[axis] * room);
+            let pulled = Wcs(std::array::from_fn(|axis| first[axis] - way.direction[axis] * room));
             self.back(machine, pulled)?;
         }
         machine.probe(way.end, self.feed)
     }
 
     /// Away from the surface (B:1121, B:14005-14007).
-    fn back(&self, machine: &mut dyn Machine, to: [f64; 3]) -> Result<(), Stop> {
+    fn back(&self, machine: &mut dyn Machine, to: Wcs) -> Result<(), Stop> {
         let feed = match self.rapid_retract || !self.monitored {
             true => 0.0,
             false => self.positioning_feed(machine.position(), to),

@@ -12,6 +12,7 @@ use super::knum::{self, ZeroCode};
 use crate::control::frames::{CHANNEL_MASK, GLOBAL_MASK};
 use crate::control::variables::AXES;
 use crate::control::{Control, Frame, Value};
+use crate::geometry::Wcs;
 
 /// Two values of a frame closer than this, mm or degree, are the same: what sums, sines and cosines leave over is no
 /// correction.
@@ -116,8 +117,8 @@ pub fn writes(control: &Control, target: &Target, measured: &Measured) -> Vec<Wr
 
 /// What has to be added to the translation of a frame, so that the point gets its set coordinates.
 fn missing(control: &Control, (before, frame, after): (&[Frame], &Frame, &[Frame]), measured: &Measured) -> [f64; 3] {
-    let machine = control.to_machine(measured.actual);
-    let seen = before.iter().chain([frame]).chain(after).fold(machine, |point, frame| frame.inward(point));
+    let machine = control.to_machine(Wcs(measured.actual));
+    let seen = before.iter().chain([frame]).chain(after).fold(machine.0, |point, frame| frame.inward(point));
     let wrong = std::array::from_fn(|axis| if measured.axes[axis] { seen[axis] - measured.set[axis] } else { 0.0 });
     let turned = after.iter().rev().fold(wrong, |direction, frame| frame.turn(direction));
     frame.turn(turned)

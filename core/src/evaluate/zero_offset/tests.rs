@@ -4,6 +4,7 @@
 use super::*;
 use crate::control::delivery;
 use crate::dialect::Dialect;
+use crate::geometry::Wcs;
 
 fn control() -> Control {
     let mut control = delivery(Dialect::Sinumerik);
@@ -75,7 +76,7 @@ fn afterwards_the_point_has_the_set_coordinates() {
             let mut control = chained();
             control.set("_CHBIT[21]", coarse);
             let measured = Measured { actual: [31.0, 42.0, 5.0], set: [30.5, 41.7, 5.3], axes: [true; 3] };
-            let machine = control.to_machine(measured.actual);
+            let machine = control.to_machine(Wcs(measured.actual));
             correct(&mut control, code, &measured);
             control.activate(1);
             let seen = control.to_workpiece(machine);
@@ -91,7 +92,7 @@ fn another_settable_frame_keeps_its_rotation() {
     // oracle: self (B:6147, B:6153)
     let mut control = chained();
     let measured = Measured { actual: [31.0, 42.0, 5.0], set: [0.0, 0.0, 0.0], axes: [true; 3] };
-    let machine = control.to_machine(measured.actual);
+    let machine = control.to_machine(Wcs(measured.actual));
     correct(&mut control, 2, &measured);
     assert_eq!(control.frames[&2].rotation, [0.0, 0.0, -75.0]);
     control.activate(2);
@@ -105,7 +106,7 @@ fn the_last_basic_frame_is_reckoned_without_a_settable_one() {
     let own = Frame { fine: [0.02, -0.01, 0.0], rotation: [0.0, 0.0, 8.0], ..Frame::translation([6.0, -7.0, 8.0]) };
     control.frames.insert(0, own);
     let measured = Measured { actual: [31.0, 42.0, 5.0], set: [1.0, 2.0, 3.0], axes: [true; 3] };
-    let machine = control.to_machine(measured.actual);
+    let machine = control.to_machine(Wcs(measured.actual));
     let names = correct(&mut control, 1000, &measured);
     assert!(names.iter().all(|name| name.starts_with("$P_CHBFR[1,")), "{names:?}");
     control.activate(0);
@@ -204,7 +205,7 @@ fn afterwards_a_turned_part_stands_right() {
         let mut control = mirrored_in(mirrored);
         let (turn, measured) = turned_part();
         let target = target(&control, code).unwrap().unwrap();
-        let machine = control.to_machine(measured.actual);
+        let machine = control.to_machine(Wcs(measured.actual));
         let actual = (turn * nalgebra::Vector3::from(set)).into();
         let direction = control.direction_to_machine(actual);
         let seen = seen_turn(&control, &target, &turn);

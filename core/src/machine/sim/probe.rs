@@ -85,7 +85,7 @@ impl Sim {
     /// A straight measuring motion; where the probe switched, if it did.
     pub(super) fn seek(&mut self, to: [f64; 3], feed: f64) -> Result<Option<[f64; 3]>, Stop> {
         let from = self.position;
-        self.admit(&Route::straight(from, to))?;
+        self.admit(&Route::straight(from.0, to))?;
         if !self.has_probe() {
             return Ok(self.probe_with_tool(to, feed));
         }
@@ -94,13 +94,13 @@ impl Sim {
             &self.part,
             &self.probe,
             &self.stand(),
-            add(from, height, 1.0),
+            add(from.0, height, 1.0),
             add(to, height, 1.0),
             feed,
             &mut self.noise,
         );
         let end = signal.map_or(to, |touch| add(touch.latched, height, -1.0));
-        let way = Route::straight(from, end);
+        let way = Route::straight(from.0, end);
         if let Some((part, stop)) = self.false_signal(&way) {
             self.go(&way.until(part, stop), MotionKind::Measuring, feed);
             self.note(Step::Decision(Message::new("run-false-signal")));

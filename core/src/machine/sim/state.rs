@@ -2,6 +2,8 @@
 
 use super::Sim;
 use crate::control::Control;
+use crate::geometry::Mcs;
+use crate::geometry::Wcs;
 use crate::workpiece::noise::Noise;
 use crate::workpiece::tool::Tool;
 use std::collections::BTreeMap;
@@ -10,7 +12,7 @@ use std::collections::BTreeMap;
 /// never changes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State {
-    position: [f64; 3],
+    position: Mcs,
     control: Control,
     turned: f64,
     noise: [Noise; 2],
@@ -18,7 +20,7 @@ pub struct State {
     /// Way with the signal watched, as long as a false one is still to come.
     watched: Option<f64>,
     touching: bool,
-    skipped: Option<[f64; 3]>,
+    skipped: Option<Wcs>,
 }
 
 impl Sim {

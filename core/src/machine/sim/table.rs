@@ -46,7 +46,7 @@ impl Sim {
         if !self.has_probe() || turn.degrees == 0.0 {
             return None;
         }
-        let ball = add(self.position, self.ball(), 1.0);
+        let ball = add(self.position.0, self.ball(), 1.0);
         let feeler = self.feeler();
         let stylus = feeler.rods().flat_map(|(by, rod)| balls(rod, by, ball));
         let pieces = std::iter::once((ball, feeler.radius, Touching::Ball)).chain(stylus);

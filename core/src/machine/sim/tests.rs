@@ -4,6 +4,8 @@ use super::*;
 use crate::control::{Frame, Plane};
 use crate::diagnostic::Code;
 use crate::dialect::Dialect;
+use crate::geometry::Mcs;
+use crate::geometry::Wcs;
 use crate::workpiece::{PartErrors, ProbeBody, Shape, Solid};
 
 /// A cube of 100 mm whose upper face is Z = 0 of the machine.
@@ -12,7 +14,7 @@ fn sim() -> Sim {
     let block = Shape::Block { size: [100.0, 100.0, 100.0] };
     let solid = Solid { shape: block, at: [0.0; 3], rotation: [0.0; 3], errors: PartErrors::default() };
     setup.workpiece.solids.push(solid);
-    setup.position = [0.0, 0.0, 20.0];
+    setup.position = Mcs([0.0, 0.0, 20.0]);
     Sim::new(&setup)
 }
 
@@ -22,10 +24,10 @@ fn probing_latches_at_the_surface() {
     sim.control.frames.insert(1, Frame::translation([0.0, 0.0, -5.0]));
     sim.control.activate(1);
     // oracle: hand: the ball centre stops 3 mm above the face; WCS is 5 mm below the machine zero
-    let latched = sim.probe([0.0, 0.0, -10.0], 150.0).unwrap().unwrap();
+    let latched = sim.probe(Wcs([0.0, 0.0, -10.0]), 150.0).unwrap().unwrap();
     assert!((latched[2] - 8.0).abs() < 1e-9, "{latched:?}");
     assert!((sim.position[2] - 3.0).abs() < 1e-9);
-    assert!(sim.travel([0.0, 0.0, 20.0], MotionKind::Retract, 1000.0, true).is_ok());
+    assert!(sim.travel(Wcs([0.0, 0.0, 20.0]), MotionKind::Retract, 1000.0, true).is_ok());
 }
 
 #[test]
@@ -33,7 +35,7 @@ fn a_longer_probe_switches_earlier() {
     let mut sim = sim();
     sim.probe.length = 50.2;
     // oracle: hand
-    let latched = sim.probe([0.0, 0.0, -10.0], 150.0).unwrap().unwrap();
+    let latched = sim.probe(Wcs([0.0, 0.0, -10.0]), 150.0).unwrap().unwrap();
     assert!((latched[2] - 3.2).abs() < 1e-9, "{latched:?}");
 }
 
@@ -41,15 +43,15 @@ fn a_longer_probe_switches_earlier() {
 fn a_late_signal_lets_the_probe_go_back() {
     let mut sim = sim();
     sim.probe.pre_travel = (0.02, 0.0);
-    let latched = sim.probe([0.0, 0.0, -10.0], 150.0).unwrap().unwrap();
+    let latched = sim.probe(Wcs([0.0, 0.0, -10.0]), 150.0).unwrap().unwrap();
     assert!((latched[2] - 2.98).abs() < 1e-9, "{latched:?}");
-    assert!(sim.travel([0.0, 0.0, 20.0], MotionKind::Retract, 1000.0, true).is_ok());
+    assert!(sim.travel(Wcs([0.0, 0.0, 20.0]), MotionKind::Retract, 1000.0, true).is_ok());
 }
 
 #[test]
 fn a_watched_motion_stops_with_an_alarm() {
     let mut sim = sim();
-    let stop = sim.travel([0.0, 0.0, -1.0], MotionKind::Positioning, 1000.0, true);
+    let stop = sim.travel(Wcs([0.0, 0.0, -1.0]), MotionKind::Positioning, 1000.0, true);
     // oracle: manual B:13743-13763
     assert_eq!(stop, Err(Stop::Alarm(Code::Alarm(61302))));
     assert!((sim.position[2] - 3.0).abs() < 1e-9);
@@ -59,13 +61,13 @@ fn a_watched_motion_stops_with_an_alarm() {
 fn a_false_signal_comes_once_where_it_was_set() {
     let mut sim = sim();
     sim.probe.false_signal = Some(15.0);
-    let mut watched = |to: f64| sim.travel([0.0, 0.0, to], MotionKind::Positioning, 1000.0, true);
+    let mut watched = |to: f64| sim.travel(Wcs([0.0, 0.0, to]), MotionKind::Positioning, 1000.0, true);
     // oracle: hand: 10 mm down, then after 5 mm of the next watched way
     assert_eq!(watched(10.0), Ok(()));
     assert_eq!(watched(20.0), Err(Stop::Alarm(Code::Alarm(61302))));
     assert_eq!(sim.position, [0.0, 0.0, 15.0]);
     assert!(!sim.signal_stands());
-    let latched = sim.probe([0.0, 0.0, -10.0], 150.0);
+    let latched = sim.probe(Wcs([0.0, 0.0, -10.0]), 150.0);
     assert!((latched.unwrap().unwrap()[2] - 3.0).abs() < 1e-9);
     assert!(sim.signal_stands());
 }
@@ -75,16 +77,16 @@ fn no_axis_goes_beyond_its_limit() {
     let mut sim = sim();
     sim.control.limits.plus[0] = Some(10.0);
     // oracle: hand
-    let stop = sim.travel([10.5, 0.0, 20.0], MotionKind::Rapid, 0.0, false);
+    let stop = sim.travel(Wcs([10.5, 0.0, 20.0]), MotionKind::Rapid, 0.0, false);
     assert!(matches!(stop, Err(Stop::Fault(message)) if message.key == "run-limit"));
     assert_eq!(sim.position, [0.0, 0.0, 20.0]);
-    assert!(sim.probe([10.0, 0.0, 20.0], 150.0).is_ok());
+    assert!(sim.probe(Wcs([10.0, 0.0, 20.0]), 150.0).is_ok());
 }
 
 #[test]
 fn an_unwatched_motion_crashes() {
     let mut sim = sim();
-    let stop = sim.travel([0.0, 0.0, -1.0], MotionKind::Rapid, 0.0, false);
+    let stop = sim.travel(Wcs([0.0, 0.0, -1.0]), MotionKind::Rapid, 0.0, false);
     assert!(matches!(stop, Err(Stop::Fault(message)) if message.key == "run-crash"));
     let last = sim.trace.entries.last().unwrap();
     let Step::Crash { point, .. } = last.step else { panic!("{last:?}") };
@@ -95,22 +97,22 @@ fn an_unwatched_motion_crashes() {
 fn other_tools_are_not_felt() {
     let mut sim = sim();
     sim.control.edge = 0;
-    assert!(sim.travel([0.0, 0.0, -1.0], MotionKind::Rapid, 0.0, false).is_ok());
+    assert!(sim.travel(Wcs([0.0, 0.0, -1.0]), MotionKind::Rapid, 0.0, false).is_ok());
 }
 
 #[test]
 fn a_full_trace_ends_the_run() {
     let mut sim = sim();
     sim.trace_limit = 1;
-    assert!(sim.travel([0.0, 0.0, 30.0], MotionKind::Rapid, 0.0, false).is_ok());
-    let stop = sim.travel([0.0, 0.0, 20.0], MotionKind::Rapid, 0.0, false);
+    assert!(sim.travel(Wcs([0.0, 0.0, 30.0]), MotionKind::Rapid, 0.0, false).is_ok());
+    let stop = sim.travel(Wcs([0.0, 0.0, 20.0]), MotionKind::Rapid, 0.0, false);
     assert!(matches!(stop, Err(Stop::Fault(message)) if message.key == "run-trace-limit"));
 }
 
 /// Turns the table C by 90 degree with the ball here: how it ended, and where the table stands then.
 fn turned(ball: [f64; 3]) -> (Sim, Result<(), Stop>) {
     let mut sim = sim();
-    sim.position = ball;
+    sim.position = Mcs(ball);
     let outcome = sim.turn_table(2, 90.0);
     (sim, outcome)
 }
@@ -161,7 +163,7 @@ fn under_a_plate(body: Option<ProbeBody>) -> Sim {
         errors: PartErrors::default(),
     });
     setup.probe.body = body;
-    setup.position = [0.0, 0.0, -20.0];
+    setup.position = Mcs([0.0, 0.0, -20.0]);
     Sim::new(&setup)
 }
 
@@ -170,7 +172,7 @@ fn under_a_plate(body: Option<ProbeBody>) -> Sim {
 #[test]
 fn a_stylus_that_touches_switches_the_probe() {
     let mut sim = under_a_plate(None);
-    let latched = sim.probe([60.0, 0.0, -20.0], 150.0).unwrap().unwrap();
+    let latched = sim.probe(Wcs([60.0, 0.0, -20.0]), 150.0).unwrap().unwrap();
     assert!((latched[0] - 18.65).abs() < 1e-9, "{latched:?}");
     let [.., touch, told] = &sim.trace.entries[..] else {
         panic!("{:?}", sim.trace);
@@ -182,7 +184,7 @@ fn a_stylus_that_touches_switches_the_probe() {
     assert!((point[0] - 20.0).abs() < 1e-9);
     assert_eq!(told.step, Step::Decision(Message::new("run-stylus")));
     assert!(sim.stylus_touched() && !sim.stylus_touched());
-    let back = sim.travel([0.0, 0.0, -20.0], MotionKind::Retract, 1000.0, true);
+    let back = sim.travel(Wcs([0.0, 0.0, -20.0]), MotionKind::Retract, 1000.0, true);
     assert_eq!(back, Ok(()));
 }
 
@@ -191,20 +193,20 @@ fn a_stylus_that_touches_switches_the_probe() {
 fn a_stylus_on_its_way_is_an_alarm_or_a_crash() {
     let to = [60.0, 0.0, -20.0];
     let mut watched = under_a_plate(None);
-    let stop = watched.travel(to, MotionKind::Positioning, 1000.0, true);
+    let stop = watched.travel(Wcs(to), MotionKind::Positioning, 1000.0, true);
     assert_eq!(stop, Err(Stop::Alarm(Code::Alarm(61302))));
     assert!((watched.position[0] - 18.65).abs() < 1e-9);
     assert!(!watched.stylus_touched(), "no measurement is spoilt");
     let mut unwatched = under_a_plate(None);
-    let stop = unwatched.travel(to, MotionKind::Rapid, 0.0, false);
+    let stop = unwatched.travel(Wcs(to), MotionKind::Rapid, 0.0, false);
     let crash = Message::new("run-crash-stylus");
     assert_eq!(stop, Err(Stop::Fault(crash)));
     // a quarter of a circle about [-30, 0]: the stylus meets the edge where X is 18.65
     let mut round = under_a_plate(None);
-    round.position = [-30.0, -50.0, -20.0];
+    round.position = Mcs([-30.0, -50.0, -20.0]);
     let around = Around { centre: [-30.0, 0.0, -20.0], axis: [0.0, 0.0, 1.0], degrees: 90.0 };
     let end = [20.0, 0.0, -20.0];
-    let stop = round.travel_around(end, &around, MotionKind::Positioning, 1000.0, true);
+    let stop = round.travel_around(Wcs(end), &around, MotionKind::Positioning, 1000.0, true);
     assert_eq!(stop, Err(Stop::Alarm(Code::Alarm(61302))));
     assert!((round.position[0] - 18.65).abs() < 1e-5, "{:?}", round.position);
 }
@@ -217,10 +219,10 @@ fn a_body_gives_no_signal() {
     let crash = || Err(Stop::Fault(Message::new("run-crash-body")));
     let to = [60.0, 0.0, -20.0];
     let mut watched = under_a_plate(Some(body));
-    assert_eq!(watched.travel(to, MotionKind::Positioning, 1000.0, true), crash());
+    assert_eq!(watched.travel(Wcs(to), MotionKind::Positioning, 1000.0, true), crash());
     assert!((watched.position[0] - 1.0).abs() < 1e-6, "{:?}", watched.position);
     let mut measuring = under_a_plate(Some(body));
-    assert_eq!(measuring.probe(to, 150.0).map(|_| ()), crash());
+    assert_eq!(measuring.probe(Wcs(to), 150.0).map(|_| ()), crash());
     assert!((measuring.position[0] - 1.0).abs() < 1e-6);
     let [.., last] = &measuring.trace.entries[..] else {
         panic!("{:?}", measuring.trace);
@@ -245,11 +247,11 @@ fn a_stylus_like_a_hair_is_looked_at_in_a_thousand_places() {
 fn nothing_is_driven_beyond_what_can_be_computed() {
     for to in [[0.0, 0.0, 1.1e6], [1e300, 0.0, 20.0]] {
         let far = Err(Stop::Fault(Message::new("run-far").number("limit", 1e6)));
-        assert_eq!(sim().travel(to, MotionKind::Rapid, 0.0, false), far);
-        assert_eq!(sim().probe(to, 150.0).map(|_| ()), far);
+        assert_eq!(sim().travel(Wcs(to), MotionKind::Rapid, 0.0, false), far);
+        assert_eq!(sim().probe(Wcs(to), 150.0).map(|_| ()), far);
     }
     let mut long = sim();
     long.correct("$TC_DP3[9,1]", 1e300);
-    let stop = long.travel([0.0; 3], MotionKind::Rapid, 0.0, false);
+    let stop = long.travel(Wcs([0.0; 3]), MotionKind::Rapid, 0.0, false);
     assert!(matches!(stop, Err(Stop::Fault(message)) if message.key == "run-far"));
 }

@@ -85,7 +85,7 @@ impl Sim {
 
     /// Moves the tool in use until a tool probe switches; the position then.
     pub(super) fn probe_with_tool(&mut self, to: [f64; 3], feed: f64) -> Option<[f64; 3]> {
-        let way = Route::straight(self.position, to);
+        let way = Route::straight(self.position.0, to);
         let tool = self.take_up().and_then(|()| self.tool_at(way.from));
         let touched = tool.and_then(|(tool, error)| {
             let noise = &mut self.tool_noise;
@@ -133,6 +133,8 @@ mod tests {
     use crate::control::{Edge, Plane};
     use crate::diagnostic::Code;
     use crate::dialect::Dialect;
+    use crate::geometry::Mcs;
+    use crate::geometry::Wcs;
     use crate::geometry::arc::Around;
     use crate::machine::{Machine, Setup, Stop};
     use crate::workpiece::tool::{Cut, Cutter};
@@ -154,7 +156,7 @@ mod tests {
             rotation: [0.0; 3],
             errors: PartErrors::default(),
         }));
-        setup.position = [0.0, 0.0, 30.0];
+        setup.position = Mcs([0.0, 0.0, 30.0]);
         Sim::new(&setup)
     }
 
@@ -162,11 +164,11 @@ mod tests {
     fn a_longer_tool_switches_earlier_whatever_is_corrected_meanwhile() {
         // oracle: hand: the position of the control is that of a tool of 70 mm, later of one of 70.5 mm
         let mut sim = sim();
-        let latched = sim.probe([0.0, 0.0, -10.0], 150.0).unwrap().unwrap();
+        let latched = sim.probe(Wcs([0.0, 0.0, -10.0]), 150.0).unwrap().unwrap();
         assert!((latched[2] - 0.5).abs() < 1e-9, "{latched:?}");
-        sim.travel([0.0, 0.0, 30.0], MotionKind::Retract, 1000.0, false).unwrap();
+        sim.travel(Wcs([0.0, 0.0, 30.0]), MotionKind::Retract, 1000.0, false).unwrap();
         sim.correct("$TC_DP3[3,1]", 70.5);
-        let latched = sim.probe([0.0, 0.0, -10.0], 150.0).unwrap().unwrap();
+        let latched = sim.probe(Wcs([0.0, 0.0, -10.0]), 150.0).unwrap().unwrap();
         assert!(latched[2].abs() < 1e-9, "{latched:?}");
     }
 
@@ -177,8 +179,8 @@ mod tests {
             let mut sim = sim();
             sim.orient(60.0);
             sim.spin(speed);
-            sim.position = [40.0, 0.0, -5.0];
-            let latched = sim.probe([0.0, 0.0, -5.0], 150.0).unwrap().unwrap();
+            sim.position = Mcs([40.0, 0.0, -5.0]);
+            let latched = sim.probe(Wcs([0.0, 0.0, -5.0]), 150.0).unwrap().unwrap();
             assert!((latched[0] - 10.0 - reach).abs() < 1e-9, "{latched:?}");
         }
     }
@@ -187,10 +189,10 @@ mod tests {
     fn a_tool_that_runs_into_the_probe_is_a_collision() {
         // oracle: manual B:13743-13763
         let mut sim = sim();
-        let stop = sim.travel([0.0, 0.0, -5.0], MotionKind::Positioning, 1000.0, true);
+        let stop = sim.travel(Wcs([0.0, 0.0, -5.0]), MotionKind::Positioning, 1000.0, true);
         assert_eq!(stop, Err(Stop::Alarm(Code::Alarm(61302))));
         assert!((sim.position[2] - 0.5).abs() < 1e-9);
-        let away = sim.travel([0.0, 0.0, 20.0], MotionKind::Retract, 1000.0, true);
+        let away = sim.travel(Wcs([0.0, 0.0, 20.0]), MotionKind::Retract, 1000.0, true);
         assert!(away.is_ok());
     }
 
@@ -200,21 +202,21 @@ mod tests {
         // from it, 12.58 degree before the direction to the edge as it turns
         let mut sim = sim();
         sim.spin(500.0);
-        sim.position = [30.0, -40.0, -5.0];
+        sim.position = Mcs([30.0, -40.0, -5.0]);
         let around = Around { centre: [30.0, -20.0, -5.0], axis: [0.0, 0.0, 1.0], degrees: -180.0 };
         let to = [30.0, 0.0, -5.0];
-        let stop = sim.travel_around(to, &around, MotionKind::Positioning, 1000.0, true);
+        let stop = sim.travel_around(Wcs(to), &around, MotionKind::Positioning, 1000.0, true);
         assert_eq!(stop, Err(Stop::Alarm(Code::Alarm(61302))));
-        let [x, y, _] = sim.position;
+        let [x, y, _] = sim.position.0;
         assert!(((x - 10.0).hypot(y + 10.0) - 5.2).abs() < 1e-4, "{x} {y}");
         let angle = (y + 20.0).atan2(x - 30.0).to_degrees();
         assert!((angle - 153.435 - 12.58).abs() < 0.01, "{angle}");
         let mut sim = self::sim();
         sim.spin(500.0);
-        sim.position = [30.0, -45.0, -5.0];
+        sim.position = Mcs([30.0, -45.0, -5.0]);
         let beside = Around { centre: [35.0, -25.0, -5.0], ..around };
-        let to = beside.end(sim.position, 0.0);
-        let free = sim.travel_around(to, &beside, MotionKind::Positioning, 1000.0, true);
+        let to = beside.end(sim.position.0, 0.0);
+        let free = sim.travel_around(Wcs(to), &beside, MotionKind::Positioning, 1000.0, true);
         assert_eq!(free, Ok(()));
     }
 }

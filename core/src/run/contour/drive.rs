@@ -7,6 +7,7 @@ use super::element::{Point, Round};
 use super::plane::Plane;
 use crate::control::tools::side;
 use crate::diagnostic::Span;
+use crate::geometry::Mcs;
 use crate::geometry::arc::Around;
 use crate::machine::Stop;
 use crate::machine::route::add;
@@ -135,12 +136,12 @@ fn one(run: &mut Interpreter, plane: &Plane, way: &Way) -> Result<(), Stop> {
     let Manner { kind, feed, length, tip, .. } = way.manner;
     // the position is told as the tool length of that time has it
     let since = add(run.sim.control.active_length(), length, -1.0);
-    run.sim.position = add(run.sim.position, since, 1.0);
+    run.sim.position = Mcs(add(run.sim.position.0, since, 1.0));
     let to = match way.at {
         Some(at) => add(add(plane.place(at, way.height), tip, 1.0), length, -1.0),
         None => {
-            let (_, height) = plane.split(add(run.sim.position, length, 1.0));
-            add(run.sim.position, plane.up(), way.height - height)
+            let (_, height) = plane.split(add(run.sim.position.0, length, 1.0));
+            add(run.sim.position.0, plane.up(), way.height - height)
         }
     };
     let around = way.round.map(|round| Around {
@@ -150,8 +151,8 @@ fn one(run: &mut Interpreter, plane: &Plane, way: &Way) -> Result<(), Stop> {
     });
     let still = around.is_none() && (0..3).all(|i| (to[i] - run.sim.position[i]).abs() < 1e-9);
     if !still {
-        run.sim.travel_machine(to, around, kind, feed, false)?;
+        run.sim.travel_machine(Mcs(to), around, kind, feed, false)?;
     }
-    run.sim.position = add(run.sim.position, since, -1.0);
+    run.sim.position = Mcs(add(run.sim.position.0, since, -1.0));
     Ok(())
 }

@@ -59,7 +59,7 @@ pub fn stands(run: &Interpreter) -> [f64; 3] {
     let length = run.sim.control.active_length();
     match &run.contour {
         Some(contour) => add(contour.programmed, length, -1.0),
-        None => run.sim.position,
+        None => run.sim.position.0,
     }
 }
 

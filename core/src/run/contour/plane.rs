@@ -3,6 +3,7 @@
 use super::element::{Element, Point, Round};
 use crate::control::Control;
 use crate::geometry::V3;
+use crate::geometry::Wcs;
 use crate::machine::route::Route;
 
 /// Unit vectors that differ by less are the same.
@@ -21,11 +22,11 @@ pub struct Plane {
 impl Plane {
     /// That of the active WCS.
     pub fn of(control: &Control) -> Plane {
-        let zero = V3::from(control.to_machine([0.0; 3]));
+        let zero = V3::from(control.to_machine(Wcs([0.0; 3])).0);
         let seen = control.plane.axes().map(|axis| {
             let mut unit = [0.0; 3];
             unit[axis] = 1.0;
-            (V3::from(control.to_machine(unit)) - zero).normalize()
+            (V3::from(control.to_machine(Wcs(unit)).0) - zero).normalize()
         });
         let [abscissa, ordinate, up] = seen;
         let across = up.cross(&abscissa);

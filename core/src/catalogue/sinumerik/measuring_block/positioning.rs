@@ -4,6 +4,7 @@ use super::Block;
 use crate::catalogue::sinumerik::alarm;
 use crate::diagnostic::Code;
 use crate::geometry::TOLERANCE;
+use crate::geometry::Wcs;
 use crate::geometry::arc::Around;
 use crate::machine::route::Route;
 use crate::machine::trace::MotionKind;
@@ -15,15 +16,15 @@ fn apart(one: f64, other: f64) -> bool {
 }
 
 impl Block {
-    /// Intermediate positioning to X Y Z of the WCS, mm. A target beyond a software limit switch is alarm 61401: what
+    /// Intermediate positioning to a place. A target beyond a software limit switch is alarm 61401: what
     /// the setpoint asks for cannot be reached (A:15920).
-    pub fn travel(&self, machine: &mut dyn Machine, to: [f64; 3]) -> Result<(), Stop> {
+    pub fn travel(&self, machine: &mut dyn Machine, to: Wcs) -> Result<(), Stop> {
         reachable(machine, to)?;
         self.go(machine, to)
     }
 
     /// Intermediate positioning that ends at a software limit switch; whether it did (A:15921).
-    pub fn travel_as_far(&self, machine: &mut dyn Machine, to: [f64; 3]) -> Result<bool, Stop> {
+    pub fn travel_as_far(&self, machine: &mut dyn Machine, to: Wcs) -> Result<bool, Stop> {
         let from = machine.position();
         let limited = machine.control().limited(from, to);
         self.go(machine, limited.unwrap_or(to))?;
@@ -41,26 +42,26 @@ impl Block {
     ) -> Result<(), Stop> {
         let [abscissa, ordinate, applicate] = self.axes;
         let from = machine.position();
-        let mut around = Around { centre: from, axis: [0.0; 3], degrees };
+        let mut around = Around { centre: from.0, axis: [0.0; 3], degrees };
         around.centre[abscissa] = centre[0] - self.skew[0];
         around.centre[ordinate] = centre[1] - self.skew[1];
         around.axis[applicate] = 1.0;
-        let to = around.end(from, 0.0);
+        let to = around.end(from.0, 0.0);
         let control = machine.control();
         let on_machine = Route {
-            from: control.to_machine(from),
-            to: control.to_machine(to),
-            around: around.mapped(|point| control.to_machine(point)),
+            from: control.to_machine(from).0,
+            to: control.to_machine(Wcs(to)).0,
+            around: around.mapped(|point| control.to_machine(Wcs(point)).0),
         };
         if !on_machine.within_limits(control) {
             return Err(alarm(machine, 61401)); // A:15920
         }
         let kind = MotionKind::Positioning;
-        told(machine, |machine| machine.travel_around(to, &around, kind, feed, self.monitored))
+        told(machine, |machine| machine.travel_around(Wcs(to), &around, kind, feed, self.monitored))
     }
 
     /// Monitored: `_SPEED[1]` in the plane, `_SPEED[2]` in the applicate; else rapid traverse (B:13743-13763).
-    fn go(&self, machine: &mut dyn Machine, to: [f64; 3]) -> Result<(), Stop> {
+    fn go(&self, machine: &mut dyn Machine, to: Wcs) -> Result<(), Stop> {
         let from = machine.position();
         if (0..3).all(|axis| !apart(from[axis], to[axis])) {
             return Ok(());
@@ -72,12 +73,12 @@ impl Block {
     }
 
     /// Positioning at a feed, watched if positioning is.
-    pub(super) fn position(&self, machine: &mut dyn Machine, to: [f64; 3], feed: f64) -> Result<(), Stop> {
+    pub(super) fn position(&self, machine: &mut dyn Machine, to: Wcs, feed: f64) -> Result<(), Stop> {
         told(machine, |machine| machine.travel(to, MotionKind::Positioning, feed, self.monitored))
     }
 
     /// Feed between two places, mm/min.
-    pub(super) fn positioning_feed(&self, from: [f64; 3], to: [f64; 3]) -> f64 {
+    pub(super) fn positioning_feed(&self, from: Wcs, to: Wcs) -> f64 {
         let [abscissa, ordinate, _] = self.axes;
         let moves = |axis: usize| apart(from[axis], to[axis]);
         if moves(abscissa) || moves(ordinate) { self.feed_plane } else { self.feed_depth }
@@ -93,7 +94,7 @@ fn told(machine: &mut dyn Machine, travel: impl FnOnce(&mut dyn Machine) -> Resu
 }
 
 /// Refuses a target beyond a software limit switch (A:15920).
-fn reachable(machine: &mut dyn Machine, to: [f64; 3]) -> Result<(), Stop> {
+fn reachable(machine: &mut dyn Machine, to: Wcs) -> Result<(), Stop> {
     let from = machine.position();
     match machine.control().limited(from, to) {
         Some(_) => Err(alarm(machine, 61401)),

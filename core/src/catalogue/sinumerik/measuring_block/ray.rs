@@ -5,6 +5,7 @@
 //! is stored with the skew in it.
 
 use super::{Block, Way};
+use crate::geometry::Wcs;
 use crate::geometry::rigid::sin_cos;
 use crate::machine::{Machine, Stop};
 
@@ -59,8 +60,8 @@ impl Block {
         };
         let here = machine.position();
         let way = Way {
-            start: place(here, self.start_along(ray)),
-            end: place(here, self.on(ray, ray.path)),
+            start: Wcs(place(here.0, self.start_along(ray))),
+            end: Wcs(place(here.0, self.on(ray, ray.path))),
             direction: place([0.0; 3], ray.direction()),
         };
         self.travel(machine, way.start)?;
@@ -77,6 +78,7 @@ mod tests {
     use crate::catalogue::sinumerik::testing::{at, call, setup, solid, stopped};
     use crate::control::MachineSort;
     use crate::control::Plane;
+    use crate::geometry::Mcs;
     use crate::machine::Setup;
     use crate::machine::sim::Sim;
     use crate::machine::trace::{MotionKind, Step};
@@ -106,7 +108,7 @@ mod tests {
         setup.workpiece.solids.push(web);
         let (sine, cosine) = sin_cos(angle);
         let far = WIDTH / 2.0 + 20.0;
-        setup.position = at(plane, [MIDDLE[0] + cosine * far, MIDDLE[1] + sine * far, -10.0]);
+        setup.position = Mcs(at(plane, [MIDDLE[0] + cosine * far, MIDDLE[1] + sine * far, -10.0]));
         setup
     }
 
@@ -240,7 +242,7 @@ mod tests {
             [(7, 0.4), (8, 0.3)].iter().for_each(|(i, value)| {
                 setup.control.set(format!("_WP[0,{i}]"), *value);
             });
-            setup.position = at(plane, [19.6, -0.3, -10.0]);
+            setup.position = Mcs(at(plane, [19.6, -0.3, -10.0]));
             let mut sim = Sim::new(&setup);
             let block = block(&mut sim, &[]);
             block.travel_around(&mut sim, [0.0; 2], -90.0, 900.0).unwrap();
