@@ -1,17 +1,17 @@
 // Camera, parts and picking of the 3D view: plain functions, no browser.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { modules } from "./sources.mjs";
+import { modules, program } from "./sources.mjs";
 
-let sources, camera, scene, demo, colours, pick, paths, vec, outline, mesh, drawing, points;
+let sources, camera, scene, hole, colours, pick, motion, vec, arrays, labels, points;
 before(async () => {
   sources = await modules();
-  const load = name => sources.load(`/src/preview/${name}.ts`);
-  [camera, scene, demo, colours, pick, paths, vec, outline, mesh, drawing, points] = await Promise.all(
-    ["camera", "scene", "demo/trace", "colours", "pick", "paths", "vec", "outline", "mesh", "drawing", "points"].map(
-      load,
-    ),
+  const load = name => sources.load(new URL(`${name}.ts`, "file:///src/preview/").pathname);
+  let demo;
+  [camera, scene, demo, colours, pick, motion, vec, arrays, labels, points] = await Promise.all(
+    ["camera", "scene", "demo/scenes", "colours", "pick", "motion", "vec", "../core/scene", "labels", "points"].map(load),
   );
+  hole = demo.hole(await program());
 });
 after(() => sources.close());
 
@@ -83,97 +83,30 @@ for (const covered of [0, 150])
     near([Math.max((right - left) / (view.width - covered), (bottom - top) / view.height)], [0.8], 1e-9);
   });
 
-// oracle: hand (a closed surface has no net area in any direction; the divergence theorem gives its volume)
-test("every part is closed, faces outwards and has its volume", () => {
-  const circle = r => (96 / 2) * r * r * Math.sin((2 * Math.PI) / 96);
-  // 24 slices of a ball, each a frustum over a polygon of 48 sides
-  const ball = r =>
-    Array.from({ length: 24 }, (_, i) => {
-      const [a, b] = [i, i + 1].map(row => r * Math.sin((row * Math.PI) / 24));
-      const height = r * (Math.cos((i * Math.PI) / 24) - Math.cos(((i + 1) * Math.PI) / 24));
-      return 24 * Math.sin((2 * Math.PI) / 48) * (height / 3) * (a * a + a * b + b * b);
-    }).reduce((sum, slice) => sum + slice);
-  // Blocks are larger than the element by max(8 mm, 0.45 × half its larger length) on every side.
-  const expected = {
-    hole: 46 ** 2 * (18 + 4.5) - circle(15) * 18,
-    shaft: circle(15) * 18 + 46 ** 2 * 3.6,
-    groove: 46 * (36 * (14 + 4) - 20 * 14),
-    web: 46 * (16 * 14 + 32 * 3),
-    pocket: (34 + 16) * (24 + 16) * (12 + 4) - 34 * 24 * 12,
-    island: 34 * 24 * 12 + (34 + 16) * (24 + 16) * 3,
-    block: 46 * 46 * 16,
-    turned: (circle(20) * 50 - circle(10) * 30) / 2, // half section
-    chuck: circle(30) * 16 + 3 * (0.94 * 30 - 15) * (0.56 * 30) * 8, // body, and three jaws over the first third
-    sphere: ball(15),
-    // askew by the sine of the angle between the edges
-    outerCorner: 30 * 24 * 16 * Math.sin(Math.PI / 3),
-    innerCorner: ((34 + 16) * (24 + 16) * (12 + 4) - 34 * 24 * 12) * Math.sin((110 * Math.PI) / 180),
-  };
-  for (const solid of demo.shapes.solids.slice(0, -1)) {
-    const { mesh } = scene.buildScene({ ...demo.shapes, solids: [solid] }, colours.LIGHT);
-    const { area, volume } = measured(mesh);
-    near(area, [0, 0, 0], 1e-6);
-    near([volume], [expected[solid.shape]], 1e-6 * volume);
-  }
+// A scene that holds this besides nothing.
+const made = ({ view, ...filled }) => ({ ...arrays.NOTHING, ...filled, view: { ...arrays.NOTHING.view, ...view } });
+// Straight motions, as the core puts them down: entry, from, to.
+const moving = motions => ({
+  ways: Float64Array.from(motions.flatMap(([, from, to]) => [...from, ...to, 0, 1])),
+  wayEntries: Uint32Array.from(motions.map(([entry]) => entry)),
+  wayKinds: Uint8Array.from(motions.map(() => 1)),
 });
-
-function measured({ vertices, corners }) {
-  const at = corner => vertices.slice(11 * corner, 11 * corner + 3);
-  let [area, volume] = [[0, 0, 0], 0];
-  for (let i = 0; i < corners.length; i += 3) {
-    const [a, b, c] = corners.slice(i, i + 3).map(at);
-    const face = vec.cross(vec.sub(b, a), vec.sub(c, a));
-    area = vec.add(area, vec.times(face, 0.5));
-    volume += vec.dot(a, face) / 6;
-  }
-  return { area, volume };
-}
 
 // oracle: hand
 test("a part stands as the last rotary axis before left it", () => {
-  const turned = [{ ...demo.shapes.solids[0], at: [1, 2, 3] }];
-  const entries = [
-    { step: "orient", angle: 0 },
-    { step: "table", axis: "C", from: 0, to: 9, solids: turned },
-    { step: "return" },
-  ];
-  const trace = { ...demo.shapes, entries };
+  const [before, turned] = [0, 1].map(entry => ({ entry, places: [], whole: [[], []] }));
+  const data = made({ view: { standings: [before, turned] } });
   assert.deepEqual(
-    [-1, 0, 1, 2, 9].map(index => scene.standing(trace, index) === turned),
+    [-1, 0, 1, 2, 9].map(index => motion.standingAt(data, index).standing === turned),
     [false, false, true, true, true],
   );
 });
 
-// oracle: hand (nothing is touched and nothing moves: both origins with 20 mm around them)
-test("coordinate systems alone are seen whole", () => {
-  const axes = [
-    [1, 0, 0],
-    [0, 1, 0],
-    [0, 0, 1],
-  ];
-  const frames = [
-    { name: "MCS", at: [0, 0, 0], axes },
-    { name: "G54", at: [300, -40, 5], axes },
-  ];
-  const { box } = scene.buildScene({ ...demo.shapes, solids: [], frames }, colours.LIGHT);
-  near(box.min, [-20, -60, -20]);
-  near(box.max, [320, 20, 25]);
-  near(scene.buildScene({ ...demo.shapes, solids: [], frames: [] }, colours.LIGHT).box.max, [20, 20, 20]);
-});
-
-// oracle: hand (diameter 40 + 0.2 + 0.01 × depth 10 = 40.3; lobe amplitude 0.5 at the angle 0)
-test("errors of a part are where they belong", () => {
-  const errors = { shift: [0, 0, 0], size: 0.2, tilt: [0, 0, 0], taper: 0.01, outOfRound: [0.5, 3] };
-  near(outline.circle(40, errors).at(10)[0], [20.15 + 0.5, 0]);
-  near(outline.rectangle(40, 20, errors).at(0)[0], [20.1, -10.1]);
-});
-
-// oracle: hand (entries 3 to 6 of the fixed trace: measuring, touch, retract, back)
+// oracle: hand (entries 3 to 6 of the fixed scene: measuring, touch, retract, back)
 test("picking finds the entry under the pointer and nothing far from all paths", () => {
-  const built = scene.buildScene(demo.hole, colours.LIGHT);
+  const built = scene.buildScene(hole, colours.LIGHT);
   const looking = camera.fit(camera.turn(camera.initial(), "top"), view, built.box);
-  const { from, to } = demo.hole.entries[3];
-  const { x, y } = camera.projector(looking, view)(vec.mix(from, to, 0.5));
+  const { x, y } = camera.projector(looking, view)(motion.probeAt(hole, 3, 0.5));
   const found = pick.pick(built.lines, looking, view, x, y);
   assert.ok([3, 5].includes(found), `${found}`); // measuring and retract lie on each other
   assert.equal(pick.pick(built.lines, looking, view, 5, 5), null);
@@ -181,61 +114,36 @@ test("picking finds the entry under the pointer and nothing far from all paths",
 
 // oracle: hand
 test("the probe is on its motion and stays where the last motion ended", () => {
-  const entries = [
-    { step: "motion", kind: "rapid", from: [0, 0, 0], to: [10, 0, 0], feed: 0 },
-    { step: "message", text: "" },
-    { step: "motion", kind: "measuring", from: [10, 0, 0], to: [10, 8, 0], feed: 300 },
+  const motions = [
+    [0, [0, 0, 0], [10, 0, 0]],
+    [2, [10, 0, 0], [10, 8, 0]],
   ];
-  const at = (index, fraction) => paths.probeAt({ entries }, index, fraction);
+  const data = made({ ...moving(motions), stands: Float64Array.of(10, 0, 0, 10, 0, 0, 10, 8, 0) });
+  const at = (index, fraction) => motion.probeAt(data, index, fraction);
   near(at(0, 0.25), [2.5, 0, 0]);
   near(at(1, 0.5), [10, 0, 0]);
   near(at(2, 0.5), [10, 4, 0]);
-  assert.equal(paths.probeAt({ entries: [] }, 0, 0), null);
+  near(at(9, 0), [10, 8, 0]);
+  assert.equal(motion.probeAt(arrays.NOTHING, 0, 0), null);
 });
 
-// oracle: hand (a half turn and up by 4 about the axis X10, then a turn about an axis along X)
-test("an arc is drawn and travelled round its axis", () => {
-  const half = {
-    step: "motion",
-    kind: "positioning",
-    from: [0, 0, 0],
-    to: [20, 0, 4],
-    feed: 900,
-    around: { centre: [10, 0, 0], axis: [0, 0, 1], degrees: -180 },
-  };
-  const turn = {
-    step: "motion",
-    kind: "positioning",
-    from: [20, 0, 4],
-    to: [20, 0, 4],
-    feed: 900,
-    around: { centre: [20, 0, 0], axis: [1, 0, 0], degrees: 360 },
-  };
-  const entries = [half, turn];
-  near(paths.probeAt({ entries }, 0, 0.5), [10, 10, 2], 1e-9);
-  near(paths.probeAt({ entries }, 1, 0.25), [20, -4, 0], 1e-9);
-  near(paths.probeAt({ entries }, 1, 1), [20, 0, 4], 1e-9);
-  const lines = paths.pathLines(
-    { entries: [half], ball: { radius: 3, length: 50 }, solids: [], frames: [] },
-    colours.LIGHT,
-    1,
+// oracle: hand (a quarter of a circle of 10 mm in three pieces)
+test("an arc is travelled on its pieces", () => {
+  const on = part => [10 * Math.cos((part * Math.PI) / 2), 10 * Math.sin((part * Math.PI) / 2), 0];
+  const pieces = [0, 1, 2].map(i => [...on(i / 3), ...on((i + 1) / 3), i / 3, (i + 1) / 3]);
+  const data = made({
+    ways: Float64Array.from(pieces.flat()),
+    wayEntries: Uint32Array.of(4, 4, 4),
+    wayKinds: new Uint8Array(3),
+  });
+  for (const part of [0, 1 / 3, 2 / 3, 1]) near(motion.probeAt(data, 4, part), on(part), 1e-9);
+  near(motion.probeAt(data, 4, 1 / 6), vec.mix(on(0), on(1 / 3), 0.5), 1e-9);
+  const lines = scene.paths(data, 4, colours.LIGHT);
+  near(
+    lines.map(({ style: { entry, during } }) => entry + during[1] - during[0]),
+    [4 + 1 / 3, 4 + 1 / 3, 4 + 1 / 3],
+    1e-9,
   );
-  assert.equal(lines.length, 60);
-  for (const {
-    to: [x, y],
-    style: {
-      entry,
-      during: [begin, end],
-    },
-  } of lines) {
-    near([Math.hypot(x - 10, y), entry, end - begin], [10, 0, 1 / 60], 1e-9);
-  }
-  near(lines.at(-1).to, [20, 0, 4], 1e-9);
-});
-
-// oracle: hand
-test("grid lines are 1, 2 or 5 times a power of ten apart, about ten of them", () => {
-  near([0.9, 18, 58, 430, 1000].map(paths.gridSpacing), [0.1, 2, 10, 50, 100], 1e-12);
 });
 
 // oracle: hand (CSS colour notations)
@@ -245,206 +153,111 @@ test("colours are read in the notations of CSS", () => {
   near(colours.parse("rgb(51 102 153 / 0.5)"), [0.2, 0.4, 0.6, 0.5]);
 });
 
-// oracle: hand (in G18 the spindle stands along Y: above the ball there is nothing of the probe but along +Y)
-test("the stylus stands along the axis of the tool", () => {
-  const motion = { step: "motion", kind: "positioning", from: [0, 0, 0], to: [1, 0, 0], feed: 100 };
-  for (const [axis, along] of [
-    [[0, 0, 1], 2],
-    [[0, 1, 0], 1],
-    [[1, 0, 0], 0],
-  ]) {
-    const probe = { length: [0, 0, 0], ball: axis, pieces: [], carrier: [], tip: [0, 0, 0] };
-    const trace = {
-      entries: [motion],
-      ball: { radius: 3, length: 50 },
-      tools: [probe],
-      inUse: [[0, 0]],
-      solids: [],
-      frames: [],
-    };
-    const box = mesh.boxOf(scene.buildScene(trace, colours.LIGHT).mesh);
-    for (const other of [0, 1, 2]) {
-      assert.ok(Math.abs(box.min[other]) < 16, `${axis}: ${box.min}`);
-      assert.equal(box.max[other] > 20, other === along, `${axis}: ${box.max}`);
-    }
-  }
-});
-
-const INSERT = {
-  corners: [
-    [0, 0, 0],
-    [10, 0, 0],
-    [10, 0, 10],
-    [0, 0, 10],
-  ],
-  thick: [0, -4, 0],
-};
-const MILL = {
-  outline: [
-    [0, 0],
-    [5, 0],
-    [5, 50],
-    [0, 50],
-  ],
-  axis: [0, 0, 1],
-  at: [0, 0, 0],
-};
-const inUse = pieces => ({ length: [0, 0, 0], pieces, carrier: [], tip: [0, 0, 0] });
-
-// oracle: hand (a plate of 10 × 10 × 4 mm, and a cylinder of 24 sides)
-test("an insert and a mill are closed and face outwards", () => {
-  const motion = { step: "motion", kind: "positioning", from: [0, 0, 0], to: [1, 0, 0], feed: 100 };
-  for (const [piece, volume] of [
-    [INSERT, 400],
-    [MILL, 12 * 25 * Math.sin(Math.PI / 12) * 50],
-  ]) {
-    const trace = {
-      entries: [motion],
-      ball: { radius: 3, length: 50 },
-      tools: [inUse([piece])],
-      inUse: [[0, 0]],
-      solids: [],
-      frames: [],
-    };
-    const found = measured(scene.buildScene(trace, colours.LIGHT).mesh);
-    near(found.area, [0, 0, 0], 1e-9);
-    near([found.volume], [volume], 1e-6 * volume);
-  }
-});
-
 // oracle: hand (the probe until T3 is called at entry 1, then the mill, then the probe again)
 test("what is in use follows the tool changes, and the fit has room for it", () => {
-  const motion = (from, to) => ({ step: "motion", kind: "positioning", from, to, feed: 100 });
-  const entries = [
-    motion([0, 0, 0], [1, 0, 0]),
-    { step: "tool", tool: 3, edge: 1 },
-    motion([1, 0, 0], [0, 0, 0]),
-    { step: "tool", tool: 9, edge: 1 },
+  const motions = [
+    [0, [0, 0, 0], [1, 0, 0]],
+    [2, [1, 0, 0], [0, 0, 0]],
   ];
-  const tools = [{ ...inUse([]), ball: [0, 0, 1] }, inUse([MILL])];
-  const trace = {
-    entries,
-    ball: { radius: 3, length: 50 },
-    tools,
-    inUse: [
-      [0, 0],
-      [1, 1],
-      [3, 0],
-    ],
-    solids: [],
-    frames: [],
-  };
+  const extent = [
+    [-5, -5, 0],
+    [5, 5, 50],
+  ];
+  const tools = [
+    { ball: [0, 0, 1], tip: [0, 0, 0], carried: false },
+    { tip: [0, 0, 0], extent, carried: false },
+  ];
+  const whole = [
+    [-3, -3, -3],
+    [4, 3, 3],
+  ];
+  const standings = [{ entry: 0, places: [], whole }];
+  const using = inUse => made({ ...moving(motions), stands: new Float64Array(12), view: { tools, inUse, standings } });
+  const data = using([
+    [0, 0],
+    [1, 1],
+    [3, 0],
+  ]);
   assert.deepEqual(
-    [0, 1, 2, 3].map(index => tools.indexOf(paths.toolAt(trace, index))),
+    [0, 1, 2, 3].map(index => tools.indexOf(motion.toolAt(data, index))),
     [0, 1, 1, 0],
   );
-  assert.equal(paths.toolAt({ ...trace, tools: undefined, inUse: undefined }, 2), undefined);
-  const box = inUse => scene.buildScene({ ...trace, inUse }, colours.LIGHT).box;
-  near([box([[0, 1]]).max[2]], [50]);
-  near([box([[0, 1]]).max[0]], [5]);
+  assert.equal(motion.toolAt(using([]), 2), undefined);
+  const { max } = scene.buildScene(using([[0, 1]]), colours.LIGHT).box;
+  near(max, [5, 5, 50]);
 });
 
-// oracle: hand (the axes stand still: a tool that is 10 mm longer in Z ends 10 mm lower, where the last motion led)
-test("another length in effect is another position", () => {
-  const entries = [
-    { step: "motion", kind: "positioning", from: [0, 0, 0], to: [1, 0, 50], feed: 100 },
-    { step: "tool", tool: 3, edge: 1 },
-    { step: "return" },
-  ];
-  const tools = [inUse([]), { ...inUse([]), length: [0, 0, 10] }];
-  const trace = {
-    entries,
-    tools,
-    inUse: [
-      [0, 0],
-      [1, 1],
-    ],
-  };
-  near(paths.probeAt(trace, 0, 1), [1, 0, 50]);
-  near(paths.probeAt(trace, 1, 0), [1, 0, 40]);
-  near(paths.probeAt(trace, 2, 1), [1, 0, 40]);
-});
-
-// oracle: hand (a step of 40 mm that is 0.1 mm larger, its front at Z 10; X −20 from a zero at Z 4, as a diameter)
-test("a drawing has its diameters before the front, and the reading counts as on the control", () => {
-  const ends = [
-    [-20.05, 0, 10],
-    [20.05, 0, 10],
-  ];
+// oracle: hand (a step of 40 mm that is 0.1 mm larger; X −20 from a zero at Z 4, as a diameter)
+test("a drawing has its diameters in words, and the reading counts as on the control", () => {
   const axes = [
     [1, 0, 0],
     [0, 1, 0],
     [0, 0, 1],
   ];
   const reading = { at: [0, 0, 4], axes, diameter: true };
-  const touch = { step: "touch", latched: [23, 0, 0], ball: [23, 0, 0], point: [20, 0, 0], normal: [1, 0, 0] };
   const made = {
-    diameters: [{ ends, out: [0, 0, 1], set: 40, real: 40.1 }],
+    dimensions: [{ at: [20.05, 0, 24], upper: true, set: 40, real: 40.1 }],
     touched: [
-      { entry: 0, diameter: 40 },
-      { entry: 1, diameter: 40.1 },
+      { at: [20, 0, 0], diameter: 40, from: 0, to: 1 },
+      { at: [20, 0, 0], diameter: 40.1, from: 1 },
     ],
     reading,
   };
-  const { lines, labels } = drawing.dimensions({ entries: [touch, touch] }, made, colours.LIGHT, 100);
+  const found = labels.drawingLabels(made, colours.LIGHT);
   assert.deepEqual(
-    labels.map(({ text }) => text),
+    found.map(({ text }) => text),
     ["Ø40.000", "Ø40.100", "Ø40.100", "Ø40.000 +0.100"],
   );
   assert.deepEqual(
-    labels.map(({ during }) => during),
+    found.map(({ during }) => during),
     [[0, 1], [1, Infinity], undefined, undefined],
   );
-  near(lines[2].from, [-20.05, 0, 24]);
-  near(lines[2].to, [20.05, 0, 24]);
-  assert.equal(drawing.readingText(reading, [-20, 0, 14]), "X Ø−40.000  Z 10.000");
-  assert.equal(drawing.readingText({ ...reading, diameter: false }, [-20, 0, 14]), "X −20.000  Z 10.000");
+  assert.equal(labels.readingText(reading, [-20, 0, 14]), "X Ø−40.000  Z 10.000");
+  assert.equal(labels.readingText({ ...reading, diameter: false }, [-20, 0, 14]), "X −20.000  Z 10.000");
 });
 
-// oracle: hand (a zone is seen through and is not part of what hides lines)
-test("a protection zone is drawn through", () => {
-  const errors = { shift: [0, 0, 0], size: 0, tilt: [0, 0, 0], taper: 0, outOfRound: [0, 0] };
-  const solid = { shape: "shaft", size: [40, 20], at: [0, 0, 0], rotation: [0, 0, 0], errors };
-  const built = scene.buildScene(
-    { entries: [], ball: { radius: 3, length: 50 }, solids: [], zones: [solid], frames: [] },
-    colours.LIGHT,
-  );
-  assert.equal(built.solidCorners, 0);
-  assert.ok(built.mesh.corners.length > 0);
-  const box = mesh.boxOf(built.mesh);
-  near(box.min, [-20, -20, -20], 1e-9);
-  near(box.max, [20, 20, 0], 1e-9);
-});
-
-// oracle: hand: a touch of the ball in a measurement is none; a crash, a touch of the stylus and one that ends in an
-// alarm are
-test("what must not touch and did has its words from then on", async () => {
-  const { collisions, collisionLabels } = await sources.load("/src/preview/collisions.ts");
-  const touch = { step: "touch", latched: [0, 0, 0], ball: [0, 0, 0], point: [1, 2, 3], normal: [0, 0, 1] };
-  const move = { step: "motion", kind: "retract", from: [0, 0, 0], to: [0, 0, 1], feed: 0 };
-  const told = { step: "decision", message: { key: "run-stylus" } };
-  const alarm = { step: "alarm", code: "61302", message: { key: "alarm-61302" }, stops: true };
-  const trace = {
-    entries: [
-      touch,
-      move,
-      { ...touch, by: "stylus" },
-      told,
-      move,
-      touch,
-      told,
-      alarm,
-      { step: "crash", point: [4, 5, 6], normal: [1, 0, 0], by: "body" },
+// oracle: hand (a zone is seen through and is not part of what hides lines; what moves is left where the probe is)
+test("a protection zone is drawn through, and each piece where it stands", () => {
+  const place = {
+    at: [10, 20, 30],
+    axes: [
+      [0, 1, 0],
+      [-1, 0, 0],
+      [0, 0, 1],
     ],
   };
-  assert.deepEqual(collisions(trace), [
+  const standings = [
+    {
+      entry: 0,
+      places: [place],
+      whole: [
+        [0, 0, 0],
+        [1, 1, 1],
+      ],
+    },
+  ];
+  const piece = (matter, at) => ({ matter, corners: [3 * at, 3 * at + 3], vertices: [3 * at, 3 * at + 3] });
+  const corners = Uint32Array.of(0, 1, 2, 3, 4, 5);
+  const vertices = Float32Array.from([0, 1].flatMap(() => [0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 1]));
+  const pieces = [{ ...piece("zone", 0), place: 0 }, piece("ball", 1)];
+  const built = scene.buildScene(made({ corners, vertices, view: { pieces, standings } }), colours.LIGHT);
+  assert.equal(built.solidCorners, 3);
+  const vertex = i => [...built.mesh.vertices.slice(11 * i, 11 * i + 3), built.mesh.vertices[11 * i + 10]];
+  near([0, 1, 2].flatMap(vertex), [0, 0, 0, 1, 1, 0, 0, 1, 0, 1, 0, 1]); // the ball comes first, and moves
+  near([3, 4, 5].flatMap(vertex), [10, 20, 30, 0, 10, 21, 30, 0, 9, 20, 30, 0]);
+  assert.deepEqual([...built.mesh.corners], [0, 1, 2, 3, 4, 5]);
+});
+
+// oracle: hand
+test("what must not touch and did has its words from then on", () => {
+  const found = [
     { entry: 2, at: [1, 2, 3], by: "stylus", crash: false },
     { entry: 5, at: [1, 2, 3], by: "ball", crash: false, alarm: "61302" },
     { entry: 8, at: [4, 5, 6], by: "body", crash: true },
-  ]);
-  const labels = collisionLabels(trace, colours.LIGHT, ({ by }) => by);
+  ];
+  const words = labels.collisionLabels(found, colours.LIGHT, ({ by }) => by);
   assert.deepEqual(
-    labels.map(({ text, during }) => [text, during[0]]),
+    words.map(({ text, during }) => [text, during[0]]),
     [
       ["stylus", 2],
       ["ball", 5],

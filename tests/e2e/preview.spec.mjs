@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { launch, packages } from "./browser.mjs";
-import { modules, serve } from "./sources.mjs";
+import { modules, program, serve } from "./sources.mjs";
 
 const { PNG } = packages("pngjs");
 const size = { width: 900, height: 640 };
@@ -12,20 +12,19 @@ const expected = { webgpu: "webgpu", "webgpu-blank": "webgl2", webgl2: "webgl2",
 let site, sources, theme, topFace, inView;
 before(async () => {
   [site, sources] = await Promise.all([serve(), modules()]);
-  const [camera, colours, light, scene, demo, vec] = await Promise.all(
-    ["camera", "colours", "light", "scene", "demo/trace", "vec"].map(name => sources.load(`/src/preview/${name}.ts`)),
+  const [camera, colours, light, scene, demo, motion] = await Promise.all(
+    ["camera", "colours", "light", "scene", "demo/scenes", "motion"].map(name =>
+      sources.load(`/src/preview/${name}.ts`),
+    ),
   );
   theme = Object.fromEntries(Object.entries(colours.LIGHT).map(([name, css]) => [name, bytes(colours.parse(css))]));
   const lit = light.shader(camera.basis(camera.initial()));
   topFace = bytes(lit([0, 0, 1], colours.parse(colours.LIGHT.part)));
+  const hole = demo.hole(await program());
+  const { box } = scene.buildScene(hole, colours.LIGHT);
   inView = (name, entry, share) => {
-    const looking = camera.fit(
-      camera.turn(camera.initial(), name),
-      size,
-      scene.buildScene(demo.hole, colours.LIGHT).box,
-    );
-    const { from, to } = demo.hole.entries[entry];
-    return camera.projector(looking, size)(vec.mix(from, to, share));
+    const looking = camera.fit(camera.turn(camera.initial(), name), size, box);
+    return camera.projector(looking, size)(motion.probeAt(hole, entry, share));
   };
 });
 after(async () => {
@@ -94,7 +93,7 @@ for (const [setup, backend] of Object.entries(expected)) {
           all.set([0.4 * column, 0.4 * row, 0, column < 50 ? 0.2 : -0.2], 4 * i);
           return all;
         }, new Float32Array(40_000));
-        window.preview.setCloud({ points, origin: [100, 60, -30], full: 0.1 });
+        window.preview.setCloud({ points, origin: [300, 260, -30], full: 0.1 });
       });
       await page.waitForFunction(
         fewest => Number(document.querySelector("[role=application]").dataset.drawn) >= fewest,

@@ -1,5 +1,6 @@
 // The sources of the page without a build: served to a browser, and loaded into Node for tests of plain functions.
 
+import { readFile } from "node:fs/promises";
 import { join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 
@@ -30,4 +31,11 @@ export async function serve() {
 export async function modules() {
   const started = await server({ server: { middlewareMode: true, hmr: false, ws: false, watch: null } });
   return { load: path => started.ssrLoadModule(path), close: () => started.close() };
+}
+
+// The core as the page has it, in Node.
+export async function program() {
+  const module = await import(pathToFileURL(join(root, "pkg/program/program.js")).href);
+  module.initSync({ module: await readFile(join(root, "pkg/program/program_bg.wasm")) });
+  return module;
 }

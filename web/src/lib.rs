@@ -11,13 +11,17 @@ mod panic;
 mod program;
 #[cfg(feature = "program")]
 mod scan;
+#[cfg(feature = "program")]
+mod scene;
 
 pub use catalogue::catalogue;
 pub use form::form;
 #[cfg(feature = "program")]
-pub use program::{Recogniser, Run, alarms, change, convert, help, machine, read, setup};
+pub use program::{Answer, Recogniser, Run, alarms, change, convert, form_seen, help, machine, read, setup};
 #[cfg(feature = "program")]
 pub use scan::Scan;
+#[cfg(feature = "program")]
+pub use scene::Scene;
 
 use wasm_bindgen::prelude::wasm_bindgen;
 

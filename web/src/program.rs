@@ -1,5 +1,7 @@
 //! What programs need.
 
+use crate::scene::Scene;
+use probewright_core::scene::Source;
 use probewright_core::{app, encoding, json};
 use wasm_bindgen::JsError;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -56,6 +58,38 @@ pub fn convert(request: &str) -> Result<String, JsError> {
     Ok(json::answer(request, app::convert)?)
 }
 
+/// An answer, and what is to be seen of it.
+#[wasm_bindgen]
+pub struct Answer {
+    view: String,
+    seen: Option<Source>,
+}
+
+#[wasm_bindgen]
+impl Answer {
+    /// The answer as JSON; asked for once.
+    #[must_use]
+    pub fn view(&mut self) -> String {
+        std::mem::take(&mut self.view)
+    }
+
+    /// What is to be seen, where something was carried out; asked for once.
+    #[must_use]
+    pub fn scene(&mut self) -> Option<Scene> {
+        self.seen.take().map(|seen| probewright_core::scene::Scene::of(&seen).into())
+    }
+}
+
+/// `FormRequest` → `FormView`, and what is to be seen of the call.
+///
+/// # Errors
+/// A request of the wrong shape or an unknown cycle.
+#[wasm_bindgen]
+pub fn form_seen(request: &str) -> Result<Answer, JsError> {
+    let view = app::form(json::question(request)?)?;
+    Ok(Answer { view: json::text(&view), seen: view.outcome.map(|outcome| outcome.trace) })
+}
+
 /// A `RunRequest` that is answered in pieces with a `RunView`, so that a worker can hear between them that it should
 /// wait.
 #[wasm_bindgen]
@@ -87,6 +121,13 @@ impl Run {
     #[must_use]
     pub fn view(self) -> String {
         json::text(&self.0.view())
+    }
+
+    /// The same, and what is to be seen of it.
+    #[must_use]
+    pub fn finish(self) -> Answer {
+        let view = self.0.view();
+        Answer { view: json::text(&view), seen: Some(view.trace) }
     }
 }
 

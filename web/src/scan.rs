@@ -1,5 +1,6 @@
 //! Scanning a surface.
 
+use crate::scene::Scene;
 use probewright_core::{app, json};
 use wasm_bindgen::JsError;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -34,6 +35,12 @@ impl Scan {
     #[must_use]
     pub fn view(&self) -> String {
         json::text(&self.0.view())
+    }
+
+    /// The surface.
+    #[must_use]
+    pub fn scene(&self) -> Scene {
+        self.0.scene().into()
     }
 
     /// Of the points `from` to `to` (excluded), four numbers each: X Y Z from the origin of the view, and the deviation

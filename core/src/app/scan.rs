@@ -14,6 +14,7 @@ use crate::refused::Path;
 use crate::run::scanning::{Deviation, Session};
 use crate::scan::text::{FORMS, piece};
 use crate::scan::{Layout, turns};
+use crate::scene::Scene;
 use crate::workpiece::free::{FreeSurface, Heights, stl_triangles};
 use crate::workpiece::{Shape, Solid};
 use serde::{Deserialize, Serialize};
@@ -138,6 +139,12 @@ impl Scan {
             radius: session.map_or(0.0, |session| session.layout().radius),
             origin: self.origin(),
         }
+    }
+
+    /// The part as it is drawn.
+    pub fn scene(&self) -> Scene {
+        let radius = self.session.as_ref().map_or(0.0, |session| session.layout().radius);
+        Scene::still(&drawn(&self.part), radius)
     }
 
     /// Of these points, in the order of the scan, four numbers each: X Y Z from the origin in machine coordinates, and

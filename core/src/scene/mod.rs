@@ -160,6 +160,8 @@ pub struct ToolView {
 pub struct Probe {
     /// Radius of the ball.
     pub ball: f64,
+    /// From the centre of the ball to the spindle.
+    pub length: f64,
     /// Radius of the stylus.
     pub stylus: f64,
     /// From the centre of the ball to the end of the stylus.
@@ -224,6 +226,8 @@ pub struct View {
     pub drawing: Option<DrawingView>,
     /// Whether it is a turning machine.
     pub turning: bool,
+    /// How many entries the trace has.
+    pub entries: usize,
 }
 
 /// Everything that is to be seen.
@@ -286,7 +290,8 @@ impl Scene {
         let part: Vec<Solid> = setup.workpiece.solids.iter().map(clamped).collect();
         let turning = outcome.before.turns() || outcome.control.turns();
         let frames = frames::frames(&outcome.before, &outcome.control);
-        let mut scene = Scene { view: View { frames, turning, ..View::default() }, ..Scene::default() };
+        let mut scene =
+            Scene { view: View { frames, turning, entries: entries.len(), ..View::default() }, ..Scene::default() };
         let probes: Vec<Solid> = setup.tool_probes.iter().map(|probe| probe.solid.clone()).collect();
         let ways = paths::ways(entries);
         scene.add_paths(entries, &ways);
@@ -309,7 +314,7 @@ impl Scene {
     pub fn still(solids: &[Solid], radius: f64) -> Scene {
         let mut scene = Scene::default();
         scene.add_solids(solids, &[], [&[], &[]], &[], &Extent::empty());
-        scene.view.probe.ball = radius;
+        scene.view.probe = Probe { ball: radius, length: radius, ..Probe::default() };
         scene
     }
 
@@ -386,7 +391,7 @@ impl Scene {
         self.stands = paths::stands(&outcome.trace.entries, &tools).into_flattened();
         let reach = tool::stylus_reach(&setup.probe, REACH * self.view.size);
         let stylus = tool::stylus_radius(&setup.probe);
-        self.view.probe = Probe { ball: setup.probe.radius, stylus, reach };
+        self.view.probe = Probe { ball: setup.probe.radius, length: setup.probe.length, stylus, reach };
         self.view.in_use = in_use;
         let mut clear = Vec::new();
         for (index, one) in tools.iter().enumerate() {

@@ -2,11 +2,13 @@
 // ready until the next redraw takes it, so that nothing changes between two redraws.
 
 import type { Question } from "./program";
+import type { SceneData } from "./scene";
 import type { Reply, Wait } from "./worker";
 
 export interface Answered {
   question: Question;
   json?: string;
+  scene?: SceneData; // of a run
   problem?: string;
 }
 /** `since`: ms, as performance.now; `share`: how much is done, where that is told; `halted`: since when it waits. */

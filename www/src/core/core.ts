@@ -6,11 +6,17 @@ import init, * as wasm from "@pkg/core/core.js";
 import address from "@pkg/core/core_bg.wasm?url";
 import type { Catalogue, FormRequest, FormView } from "../wire";
 import { call, compile } from "./module";
+import type { SceneData } from "./scene";
+
+/** `scene`: what is to be seen of a call that was carried out, made when it is first asked for. */
+export interface Formed extends FormView {
+  scene?: () => SceneData;
+}
 
 export interface FormCore {
   /** Whether `predict` is answered and a setup that the user described is read; else whether that will come. */
   simulates: "yes" | "coming" | "no";
-  form(request: FormRequest): FormView;
+  form(request: FormRequest): Formed;
 }
 
 export interface Core extends FormCore {

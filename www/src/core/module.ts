@@ -3,7 +3,7 @@
 /** The core broke: a bug, never a wrong input. After it no call is safe. */
 export class Broken extends Error {}
 
-export function call(name: string, run: () => string): string {
+export function call<T>(name: string, run: () => T): T {
   try {
     return run();
   } catch (problem) {

@@ -9,6 +9,7 @@ import type {
   Catalogue,
   Changed,
   Converted,
+  FormRequest,
   FormView,
   HelpRequest,
   HelpView,
@@ -22,9 +23,10 @@ import type {
   Setup,
   Style,
 } from "../wire";
-import type { FormCore } from "./core";
+import type { FormCore, Formed } from "./core";
 import { call, compile } from "./module";
 import { asked, hasToAsk } from "./pending";
+import { NOTHING, type SceneData, takeScene } from "./scene";
 
 /**
  * All values of one call that were changed in the form: `pending` of `control` at `at`, the call being number `call`.
@@ -88,6 +90,25 @@ export function answer(question: AtOnce): string {
   return call(ask, () => wasm[ask](JSON.stringify(request)));
 }
 
+/** A form, and its scene once that is asked for: nobody does where the view is out of sight. */
+function formed(request: FormRequest): Formed {
+  const answer = call("form", () => wasm.form_seen(JSON.stringify(request)));
+  const view = JSON.parse(answer.view()) as FormView;
+  if (!view.outcome) {
+    answer.free();
+    return view;
+  }
+  let scene: SceneData | undefined;
+  return { ...view, scene: () => (scene ??= sceneIn(answer) ?? NOTHING) };
+}
+
+/** Takes the scene out of an answer, with which nothing else is done. */
+function sceneIn(answer: wasm.Answer): SceneData | undefined {
+  const scene = answer.scene();
+  answer.free();
+  return scene && takeScene(scene);
+}
+
 const PIECE = 500; // blocks between two looks at the clock
 const SLICE = 40; // ms between two messages of others
 
@@ -95,14 +116,15 @@ const SLICE = 40; // ms between two messages of others
 export async function runInPieces(
   { ask: _, ...request }: RunRequest & { ask: "run" },
   between: (share: number) => Promise<void>,
-): Promise<string> {
+): Promise<{ json: string; scene: SceneData }> {
   const run = new wasm.Run(JSON.stringify(request));
   for (let over = false; !over; ) {
     await between(run.share());
     const until = performance.now() + SLICE;
     while (!over && performance.now() < until) over = run.advance(PIECE);
   }
-  return run.view();
+  const answer = run.finish();
+  return { json: answer.view(), scene: sceneIn(answer) ?? NOTHING };
 }
 
 function setupOf(text: string): Setup | { why: string } {
@@ -127,7 +149,7 @@ export async function loadProgramCore(): Promise<ProgramCore> {
     setup: setupOf,
     change: changes,
     recogniser,
-    form: request => JSON.parse(call("form", () => wasm.form(JSON.stringify(request)))) as FormView,
+    form: formed,
     read: request => JSON.parse(answer({ ask: "read", ...request })) as ReadView,
     convert: request => JSON.parse(answer({ ask: "convert", ...request })) as Converted,
     help: request => JSON.parse(call("help", () => wasm.help(JSON.stringify(request)))) as HelpView,

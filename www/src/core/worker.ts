@@ -3,13 +3,15 @@
 
 import { initSync } from "@pkg/program/program.js";
 import { answer, type Question, runInPieces } from "./program";
+import { buffersOf, type SceneData } from "./scene";
 
-export type Reply = { json: string } | { problem: string } | { share: number };
+export type Reply = { json: string; scene?: SceneData } | { problem: string } | { share: number };
 export interface Wait {
   wait: boolean;
 }
 
-const tell = (reply: Reply): void => postMessage(reply);
+const tell = (reply: Reply): void =>
+  postMessage(reply, { transfer: "scene" in reply && reply.scene ? buffersOf(reply.scene) : [] });
 
 addEventListener("probewright-progress", event =>
   tell({ share: event instanceof CustomEvent ? Number(event.detail) : 0 }),
@@ -30,7 +32,7 @@ async function between(share: number): Promise<void> {
 
 async function reply(question: Question): Promise<Reply> {
   try {
-    return { json: question.ask === "run" ? await runInPieces(question, between) : answer(question) };
+    return question.ask === "run" ? await runInPieces(question, between) : { json: answer(question) };
   } catch (problem) {
     return { problem: problem instanceof Error ? problem.message : String(problem) };
   }

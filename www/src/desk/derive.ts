@@ -2,7 +2,8 @@
 // it depends on is another object. Of the program it shows what was read last (desk.ts), until the next reading is
 // there.
 
-import type { FormCore } from "../core/core";
+import type { FormCore, Formed } from "../core/core";
+import type { SceneData } from "../core/scene";
 import { type FormState, machine, type PartState, programOf, type State } from "../state/state";
 import { language, say } from "../texts";
 import type {
@@ -41,6 +42,7 @@ export interface Derived {
   style: Style; // of the snippet
   run: RunView | null; // only while the program's motions are shown
   trace: Trace | null;
+  scene: (() => SceneData) | null; // what is to be seen of it
   step: number; // of the trace, from 0; within it
   problems: Diagnostic[]; // of the program, by place
 }
@@ -142,7 +144,7 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
       units?: UnitFunction,
       transverse?: Transverse,
       written?: Style,
-    ): FormView => {
+    ): Formed => {
       const request = {
         control: cycle.control,
         cycle: cycle.cycle,
@@ -204,6 +206,7 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
       state.view.source === "program" && state.run.done?.control === cycle.control ? state.run.done.view : null;
     const scanned =
       state.view.source === "scan" && state.scan.made?.request.cycle === cycle.cycle ? state.scan.made : null;
+    const shown = scanned ?? (ran && state.run.done);
     const trace =
       (state.view.source === "program" ? ran?.trace : scanned ? still(scanned.view) : view.outcome?.trace) ?? null;
     return {
@@ -220,6 +223,7 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
       style: style ?? view.preset,
       run: ran,
       trace,
+      scene: shown ? () => shown.scene : state.view.source === "program" ? null : (view.scene ?? null),
       step: Math.max(0, Math.min(state.view.step, (trace?.entries.length ?? 0) - 1)),
       problems: all,
     };

@@ -274,8 +274,9 @@ function withRun(answered: Answered | null, state: State): State {
   const {
     question: { control, text, setup },
     json,
+    scene,
     problem,
   } = answered;
-  if (json === undefined) return patched(state, { run: { stopped: { control, text, why: problem ?? "" } } });
-  return patched(state, { run: { done: { control, text, setup, view: JSON.parse(json) as RunView } } });
+  if (json === undefined || !scene) return patched(state, { run: { stopped: { control, text, why: problem ?? "" } } });
+  return patched(state, { run: { done: { control, text, setup, view: JSON.parse(json) as RunView, scene } } });
 }

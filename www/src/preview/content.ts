@@ -1,14 +1,14 @@
-// What is shown: a trace up to a step, in colours. A value; the scene is made of it.
-import type { Trace } from "../wire";
-import type { BackendName } from "./backend";
-import { type Collision, collisionLabels } from "./collisions";
+// What is shown: a scene up to a step, in colours. A value; what is drawn is made of it.
+import { NOTHING, type SceneData } from "../core/scene";
 import type { Colours } from "./colours";
-import { blockOf, type FrameWords, toolAt } from "./paths";
-import { buildScene, type Scene, standing } from "./scene";
-import { SORTED_PIECES } from "./solids";
+import type { Words } from "./labels";
+import { blockOf, standingAt, toolIndexAt } from "./motion";
+import { buildScene, type Scene } from "./scene";
+
+export type { Words } from "./labels";
 
 export interface Content {
-  trace: Trace;
+  data: SceneData;
   colours: Colours;
   step: Step;
   drawing: boolean; // diameters of a turned part as on a drawing
@@ -18,36 +18,23 @@ export interface Step {
   index: number;
   fraction: number;
 }
-/** Words beside what is drawn. */
-export interface Words {
-  collision?(found: Collision): string; // beside what must not touch and did
-  frame?: FrameWords; // beside a coordinate system
-}
 
-export const EMPTY: Trace = { entries: [], ball: { radius: 3, length: 100 }, solids: [], frames: [] };
+export const EMPTY = NOTHING;
 
-/** The last step of a trace: everything done. */
-export function lastStep({ entries }: Trace): Step {
-  return { index: Math.max(0, entries.length - 1), fraction: 1 };
+/** The last step: everything done. */
+export function lastStep({ view: { entries } }: SceneData): Step {
+  return { index: Math.max(0, entries - 1), fraction: 1 };
 }
 
 /** One scene shows both steps: the same block, the part stands as it did, with the same tool. */
-export function sameScene(trace: Trace, a: Step, b: Step): boolean {
+export function sameScene(data: SceneData, a: Step, b: Step): boolean {
   return (
     blockOf(a.index) === blockOf(b.index) &&
-    standing(trace, a.index) === standing(trace, b.index) &&
-    toolAt(trace, a.index) === toolAt(trace, b.index)
+    standingAt(data, a.index).place === standingAt(data, b.index).place &&
+    toolIndexAt(data, a.index) === toolIndexAt(data, b.index)
   );
 }
 
-export function sceneOf({ trace, colours, step, drawing }: Content, words: Words, way: BackendName): Scene {
-  const scene = buildScene(trace, colours, {
-    solids: standing(trace, step.index),
-    pieces: way === "svg" ? SORTED_PIECES : 1,
-    index: step.index,
-    drawing,
-    ...(words.frame && { words: words.frame }),
-  });
-  const labels = collisionLabels(trace, colours, words.collision ?? (() => ""));
-  return { ...scene, labels: [...scene.labels, ...labels] };
+export function sceneOf({ data, colours, step, drawing }: Content, words: Words): Scene {
+  return buildScene(data, colours, { index: step.index, drawing, words });
 }

@@ -113,10 +113,9 @@ function backend(name: "webgpu" | "webgl2", canvas: HTMLCanvasElement, renderer:
       scene = next;
       const [r, g, b] = parse(next.colours.background);
       renderer.set_background(r, g, b);
-      const corners = Uint32Array.from(next.mesh.corners);
       renderer.set_scene(
         packVertices(next.mesh, next.origin),
-        corners,
+        next.mesh.corners,
         next.solidCorners,
         packLines(next.lines, next.origin, ratio),
       );

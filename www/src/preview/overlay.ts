@@ -5,7 +5,7 @@ import { type Drawn, drawInto } from "../draw";
 import type { Frame } from "./backend";
 import { basis, projector } from "./camera";
 import type { Colours } from "./colours";
-import { readingText } from "./drawing";
+import { readingText } from "./labels";
 import type { Scene } from "./scene";
 import { swept } from "./sweep";
 import { add } from "./vec";
@@ -55,16 +55,13 @@ function ring(scene: Scene, { camera, view, probe }: Frame): Drawn[] {
   return [circle(scene.colours.background, 3.5), circle(scene.colours.ball, 2)];
 }
 
-const ringRadius = ({ tool, trace: { ball } }: Scene, scale: number): number =>
-  tool && !tool.ball ? SMALLEST : Math.max(SMALLEST, ball.radius * scale + 1);
+const ringRadius = ({ tool, data: { view } }: Scene, scale: number): number =>
+  tool && !tool.ball ? SMALLEST : Math.max(SMALLEST, view.probe.ball * scale + 1);
 
 /** Where the control says that it stands, X as it counts there: above it, clear of what is touched below. */
 function reading(scene: Scene, { camera, view, probe }: Frame): Drawn[] {
-  const {
-    trace: { drawing },
-    colours,
-    drawing: shown,
-  } = scene;
+  const { data, colours, drawing: shown } = scene;
+  const { drawing } = data.view;
   if (!shown || !drawing || !probe) return [];
   const { x, y } = projector(camera, view)(probe);
   return [

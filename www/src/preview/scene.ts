@@ -1,173 +1,167 @@
-// What is to be seen, for all ways of drawing: triangles, lines and labels made from a trace.
-import type { Solid, ToolView, Trace, Vec3 } from "../wire";
-import { type Colours, parse } from "./colours";
-import { dimensions } from "./drawing";
-import { append, boxOf, type Line, type Mesh, mesh } from "./mesh";
-import { type FrameWords, frameLines, gridLines, type Label, pathLines, probeAt, toolAt } from "./paths";
-import { along, pieces } from "./route";
-import { part, zone } from "./solids";
-import { addInUse, stylusReach } from "./stylus";
-import { add, type Box, boxCorners, centre, include, length, sub } from "./vec";
+// What is to be seen at a step, for all ways of drawing: the core's figures where they stand, in colours.
+
+import {
+  firstFrom,
+  type LineGroup,
+  type Piece,
+  type Place,
+  type SceneData,
+  type Standing,
+  type Tool,
+  vec,
+} from "../core/scene";
+import type { Vec3 } from "../wire";
+import type { Colours } from "./colours";
+import { colourOf, isClear, lineStyle, rankOf, touchStyles, wayStyles } from "./ink";
+import { type Label, labelsOf, type Words } from "./labels";
+import { type Line, type Mesh, type Style, VERTEX_FLOATS } from "./mesh";
+import { drawnAround, probeAt, standingAt, toolIndexAt } from "./motion";
+import { add, type Box, boxCorners, centre, include, length, sub, times } from "./vec";
 
 export interface Scene {
-  trace: Trace;
+  data: SceneData;
   colours: Colours;
   mesh: Mesh; // solid parts first
   solidCorners: number;
   lines: Line[];
   labels: Label[];
-  tool: ToolView | undefined; // in use at this step
-  reach: number; // of the stylus as drawn, from the centre of the ball, mm
+  tool: Tool | undefined; // in use at this step
   drawing: boolean; // diameters are shown as on a drawing
   box: Box; // what `fit` shows
   origin: Vec3; // subtracted before anything becomes single precision
   radius: number; // everything lies within it around the origin, mm
 }
 
-interface Turned {
-  entry: number;
-  solids: Solid[];
-}
-const turns = new WeakMap<Trace, Turned[]>();
-
-/** Where rotary axes turn the part: looked for once, as the part is asked for in each frame. */
-function turnsOf(trace: Trace): Turned[] {
-  const known =
-    turns.get(trace) ??
-    trace.entries.flatMap((step, entry) => (step.step === "table" ? [{ entry, solids: step.solids }] : []));
-  turns.set(trace, known);
-  return known;
-}
-
-/** The part as it stands when entry `index` is done: a rotary axis turns it. */
-export function standing(trace: Trace, index: number): Solid[] {
-  return turnsOf(trace).findLast(({ entry }) => entry <= index)?.solids ?? trace.solids;
-}
-
-/** `solids`: the part as it stands. `pieces`: of a long face, for a way of drawing that needs it. `index`: the entry
- * around
- *  which paths are drawn. `drawing`: with the diameters of a turned part. `words`: of a coordinate system. */
+/** `index`: the entry around which paths are drawn. `drawing`: with the diameters of a turned part. */
 export interface Shown {
-  solids?: Solid[];
-  pieces?: number;
   index?: number;
   drawing?: boolean;
-  words?: FrameWords;
+  words?: Words;
 }
 
 export function buildScene(
-  trace: Trace,
+  data: SceneData,
   colours: Colours,
-  { solids = trace.solids, pieces = 1, index = 0, drawing = false, words = ({ name }) => name }: Shown = {},
+  { index = 0, drawing = false, words = {} }: Shown = {},
 ): Scene {
-  const parts = [...solids, ...(trace.toolProbes ?? [])].map(solid =>
-    part(solid, parse(solid.shape === "chuck" ? colours.stylus : colours.part), parse(colours.edge), pieces),
-  );
-  const all = mesh();
-  for (const { mesh: own } of parts) append(all, own);
-  const solidBox = boxOf(all);
-  const ways = around(trace, solidBox);
-  const size = length(sub(ways.max, ways.min));
-  const limits = (trace.limits ?? []).flatMap(
-    solid => part(solid, parse(colours.part), parse(colours.crash), pieces).edges,
-  );
-  const zones = (trace.zones ?? []).map(solid => zone(solid, parse(colours.zone), pieces));
-  const moves = trace.entries.some(entry => entry.step === "motion");
-  const touches = { ball: parse(colours.ball), stylus: parse(colours.stylus) };
-  const tool = toolAt(trace, index);
-  const first = all.used;
-  const reach = stylusReach(trace.ball, 0.3 * size);
-  const { solid: solidCorners, own } = moves
-    ? addInUse(all, trace.ball, tool, touches, reach)
-    : { solid: all.corners.length, own: first };
-  const box = withTool(ways, tool && !tool.ball ? boxOf(all, first, own) : null, probeAt(trace, 0, 0));
-  for (const { mesh: own } of zones) append(all, own);
-  const dimensioned =
-    drawing && trace.drawing ? dimensions(trace, trace.drawing, colours, size) : { lines: [], labels: [] };
-  const frames = frameLines(trace.frames, colours, 0.14 * size, words);
-  const normal = Math.max(
-    2.5 * trace.ball.radius,
-    Math.min(0.07 * size, ...solids.map(({ size }) => 0.5 * Math.max(...size))),
-  );
-  const lines: Line[] = [
-    ...gridLines(solidBox ?? box, colours.grid, trace.turning),
-    ...[...parts, ...zones].flatMap(({ edges }) => edges),
-    ...limits.map((line): Line => ({ ...line, style: { ...line.style, dash: 6, through: 0.7 } })),
-    ...frames.lines,
-    ...dimensioned.lines,
-    ...pathLines(trace, colours, normal, index),
-  ];
-  const shown = dimensioned.lines.flatMap(({ from, to }) => [from, to]).reduce(include, box);
+  const { view } = data;
+  const { standing, place } = standingAt(data, index);
+  const inUse = toolIndexAt(data, index);
+  const tool = inUse === undefined ? undefined : view.tools[inUse];
+  const pieces = view.pieces.filter(piece => piece.tool === undefined || piece.tool === inUse);
+  const solid = pieces.filter(({ matter }) => !isClear(matter));
+  const clear = pieces.filter(({ matter }) => isClear(matter));
+  const groups = view.groups
+    .filter(one => (one.standing ?? place) === place && (drawing || one.kind !== "dimension"))
+    .sort((a, b) => rankOf(a.kind) - rankOf(b.kind));
+  const lines = [...groups.flatMap(group => linesOf(data, group, standing, colours)), ...paths(data, index, colours)];
+  const box = boxOf(data, standing, tool, drawing);
   return {
-    trace,
+    data,
     colours,
-    mesh: all,
-    solidCorners,
+    mesh: assemble(data, [...solid, ...clear], standing, colours),
+    solidCorners: solid.reduce((sum, { corners: [from, to] }) => sum + to - from, 0),
     lines,
-    labels: [...frames.labels, ...dimensioned.labels],
+    labels: labelsOf(view, colours, words, drawing),
     tool,
-    reach,
     drawing,
-    box: shown,
-    origin: centre(shown),
-    radius: farthest(shown, lines, trace),
+    box,
+    origin: centre(box),
+    radius: farthest(box, lines, data),
   };
 }
 
-const ROOM = 0.4; // around parts, in which paths are shown whole; share of their size
-const LEAST_ROOM = 50; // mm
-const NEAR = 1.4; // distance of a coordinate system that is shown whole, share of the size of what is there
-const ALONE = 20; // room around coordinate systems where there is nothing else, mm
+/** A point or direction in the frame of a place. */
+const turned = ({ axes: [x, y, z] }: Place, [a, b, c]: Vec3): Vec3 => add(add(times(x, a), times(y, b)), times(z, c));
+const placed = (place: Place | undefined, point: Vec3): Vec3 => (place ? add(place.at, turned(place, point)) : point);
 
-/** Parts, the paths near them and the origins of coordinate systems near those; all of these where nothing else is
- * there. Of
- *  a way that comes from far above, the part would be small. */
-function around(trace: Trace, solids: Box | null): Box {
-  let box = solids;
-  const r = trace.ball.radius;
-  const room = solids ? Math.max(LEAST_ROOM, ROOM * length(sub(solids.max, solids.min))) : Infinity;
-  const inside = (p: Vec3): Vec3 =>
-    solids
-      ? (p.map((value, axis) => Math.min(solids.max[axis]! + room, Math.max(solids.min[axis]! - room, value))) as Vec3)
-      : p;
-  for (const entry of trace.entries) {
-    if (entry.step !== "motion") continue;
-    for (const [x, y, z] of [entry.from, ...pieces(entry).map(part => along(entry, part))]) {
-      box = include(include(box, inside([x - r, y - r, z - r])), inside([x + r, y + r, z + r]));
+/** The pieces one behind the other, each where it stands and in its colour. */
+function assemble({ vertices, corners }: SceneData, pieces: Piece[], standing: Standing, colours: Colours): Mesh {
+  const count = (span: "vertices" | "corners"): number =>
+    pieces.reduce((sum, { [span]: [from, to] }) => sum + to - from, 0);
+  const mesh: Mesh = {
+    vertices: new Float64Array(VERTEX_FLOATS * count("vertices")),
+    corners: new Uint32Array(count("corners")),
+  };
+  let [vertex, corner] = [0, 0];
+  for (const {
+    matter,
+    vertices: [from, to],
+    corners: [first, end],
+    place: index,
+  } of pieces) {
+    const place = index === undefined ? undefined : standing.places[index];
+    const colour = colourOf(matter, colours);
+    for (let i = first; i < end; i++) mesh.corners[corner++] = corners[i]! - from + vertex;
+    for (let i = from; i < to; i++, vertex++) {
+      const normal = vec(vertices, 6 * i + 3);
+      const at = placed(place, vec(vertices, 6 * i));
+      mesh.vertices.set(at, VERTEX_FLOATS * vertex);
+      mesh.vertices.set(place ? turned(place, normal) : normal, VERTEX_FLOATS * vertex + 3);
+      mesh.vertices.set(colour, VERTEX_FLOATS * vertex + 6);
+      mesh.vertices[VERTEX_FLOATS * vertex + 10] = place ? 0 : 1;
     }
   }
-  if (!box)
-    return (
-      trace.frames
-        .flatMap(({ at: [x, y, z] }): Vec3[] => [
-          [x - ALONE, y - ALONE, z - ALONE],
-          [x + ALONE, y + ALONE, z + ALONE],
-        ])
-        .reduce(include, null as Box | null) ?? { min: [-ALONE, -ALONE, -ALONE], max: [ALONE, ALONE, ALONE] }
-    );
-  for (const { at } of trace.frames) if (near(box, at)) box = include(box, at);
-  return box;
+  return mesh;
 }
 
-/** With a tool where the motions begin. What carries it may be cut off, and so may a stylus: the part is looked at. */
-function withTool(box: Box, tool: Box | null, begin: Vec3 | null): Box {
-  return tool && begin
-    ? boxCorners(tool)
-        .map(corner => add(corner, begin))
-        .reduce(include, box)
-    : box;
+function linesOf(
+  { lines }: SceneData,
+  { kind, lines: [from, to], place: index }: LineGroup,
+  standing: Standing,
+  colours: Colours,
+): Line[] {
+  const style = lineStyle(kind, colours);
+  const place = index === undefined ? undefined : standing.places[index];
+  return Array.from({ length: to - from }, (_, i) => {
+    const [begin, end] = [vec(lines, 6 * (from + i)), vec(lines, 6 * (from + i) + 3)];
+    return { from: placed(place, begin), to: placed(place, end), style };
+  });
 }
 
-/** Hardly farther away than the box is large. */
-function near(box: Box, at: Vec3): boolean {
-  return length(sub(at, centre(box))) < NEAR * length(sub(box.max, box.min));
+/**
+ * Motions and touches around an entry; every line knows its entry. What matters more lies over what matters less, points
+ * over all.
+ */
+export function paths(data: SceneData, index: number, colours: Colours): Line[] {
+  const { ways, wayEntries, wayKinds, touches, touchEntries, touchSorts, view } = data;
+  const [styles, marks] = [wayStyles(colours), touchStyles(colours)];
+  const [first, last] = drawnAround(index);
+  const lines: Line[] = [];
+  for (let i = firstFrom(wayEntries, first); i < wayEntries.length && wayEntries[i]! < last; i++) {
+    const during = [ways[8 * i + 6]!, ways[8 * i + 7]!] as const;
+    const style: Style = { ...styles[wayKinds[i]!]!, entry: wayEntries[i]!, during };
+    lines.push({ from: vec(ways, 8 * i), to: vec(ways, 8 * i + 3), style });
+  }
+  for (let i = firstFrom(touchEntries, first); i < touchEntries.length && touchEntries[i]! < last; i++) {
+    const { normal, points } = marks[touchSorts[i]!]!;
+    const [at, entry] = [vec(touches, 6 * i), touchEntries[i]!];
+    const tip = add(at, times(vec(touches, 6 * i + 3), view.normal));
+    lines.push({ from: at, to: tip, style: { ...normal, entry } });
+    for (const point of points) lines.push({ from: at, to: at, style: { ...point, entry } });
+  }
+  const rank = ({ from, to, style }: Line): number => (from === to ? Infinity : style.width);
+  return lines.sort((a, b) => (rank(a) === rank(b) ? 0 : rank(a) - rank(b)));
 }
 
-function farthest(box: Box, lines: Line[], trace: Trace): number {
+/** With a tool where the motions begin, and with a drawing's dimensions. What carries a tool may be cut off, and so may a
+ * stylus: the part is looked at. */
+function boxOf(data: SceneData, { whole: [min, max] }: Standing, tool: Tool | undefined, drawing: boolean): Box {
+  const begin = probeAt(data, 0, 0);
+  const corners = tool?.extent && begin ? boxCorners({ min: tool.extent[0], max: tool.extent[1] }) : [];
+  const groups = drawing ? data.view.groups.filter(({ kind }) => kind === "dimension") : [];
+  const dimensions = groups.flatMap(({ lines: [from, to] }) =>
+    Array.from({ length: 2 * (to - from) }, (_, i) => vec(data.lines, 6 * from + 3 * i)),
+  );
+  const points = [...corners.map(corner => add(corner, begin ?? [0, 0, 0])), ...dimensions];
+  return points.reduce<Box>(include, { min, max });
+}
+
+function farthest(box: Box, lines: Line[], { view: { probe } }: SceneData): number {
   const origin = centre(box);
   const last = lines.reduce(
     (most, { from, to }) => Math.max(most, length(sub(from, origin)), length(sub(to, origin))),
     0,
   );
-  return Math.max(last, length(sub(box.max, origin))) + trace.ball.length + 20 * trace.ball.radius;
+  return Math.max(last, length(sub(box.max, origin))) + probe.length + 20 * probe.ball;
 }

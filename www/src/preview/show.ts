@@ -2,9 +2,9 @@
 import type { BackendName, Cloud, Frame } from "./backend";
 import { type Colours, LIGHT } from "./colours";
 import { type Content, EMPTY, lastStep, sceneOf, type Words } from "./content";
+import { probeAt, toolAt } from "./motion";
 import { drawOverlay, overlay } from "./overlay";
 import { createPainter, type Painter } from "./painter";
-import { probeAt, toolAt } from "./paths";
 import type { Scene } from "./scene";
 import { createSight, type Sight } from "./sight";
 import { sizeOf } from "./stage";
@@ -38,17 +38,17 @@ export async function createShow(stage: HTMLElement, options: ShowOptions): Prom
       options.onThinned?.(drawn);
     },
   });
-  let content: Content = { trace: EMPTY, colours: options.colours ?? LIGHT, step: lastStep(EMPTY), drawing: false };
+  let content: Content = { data: EMPTY, colours: options.colours ?? LIGHT, step: lastStep(EMPTY), drawing: false };
   let scene: Scene;
   let cloud: Cloud | null = null;
   const sight = createSight(sizeOf(stage), {
     box: () => scene.box,
-    held: () => toolAt(content.trace, content.step.index)?.ball,
+    held: () => toolAt(content.data, content.step.index)?.ball,
     changed: painter.soon,
   });
 
   function build(): void {
-    scene = sceneOf(content, options, ways.backend.name);
+    scene = sceneOf(content, options);
     ways.backend.setScene(scene, devicePixelRatio);
   }
   /** Gives everything to a way of drawing that has nothing yet. */
@@ -94,7 +94,7 @@ function fill(element: Element & ElementCSSInlineStyle): void {
 
 function draw({ content, scene, ways, sight: { camera, view } }: Show, letters: SVGSVGElement): void {
   const { index, fraction } = content.step;
-  const probe = probeAt(content.trace, index, fraction);
+  const probe = probeAt(content.data, index, fraction);
   const frame: Frame = { camera, view, ratio: devicePixelRatio, time: index + fraction, probe };
   try {
     ways.backend.draw(frame);

@@ -103,7 +103,7 @@ function faces(scene: Scene, frame: Frame, from: number, to: number): Face[] {
   const lit = shader(directions);
   const found: Face[] = [];
   for (let i = from; i < to; i += 3) {
-    const corners = scene.mesh.corners.slice(i, i + 3);
+    const corners = [...scene.mesh.corners.subarray(i, i + 3)];
     const at = corners.map(corner => position(scene.mesh, corner, frame.probe)) as [Vec3, Vec3, Vec3];
     if (dot(cross(sub(at[1], at[0]), sub(at[2], at[0])), directions.back) <= 0) continue;
     const normal = unit(corners.map(corner => read(scene.mesh, corner, 3)).reduce(add));

@@ -1,29 +1,35 @@
 // What ball and stylus sweep on the way of the present step. In parallel projection that is a broad line and an area.
+
+import { firstFrom, type SceneData, vec } from "../core/scene";
 import type { Drawn } from "../draw";
-import type { Trace, Vec3 } from "../wire";
+import type { Vec3 } from "../wire";
 import type { Frame } from "./backend";
 import { projector } from "./camera";
-import { along, type Motion, pieces } from "./route";
+import { onPiece, piecesOf } from "./motion";
 import type { Scene } from "./scene";
-import { stylusAxis, stylusRadius } from "./stylus";
 import { add, times } from "./vec";
 
 const THROUGH = 0.24;
 
-/** The motion of an entry, or the one that ended in its touch or crash; and how much of it is done. */
-function wayOf({ entries }: Trace, time: number): { motion: Motion; part: number } | null {
+/** Places of the ball on the motion of the present entry up to where it is, or on all of the one that ended in its touch
+ * or crash. */
+function wayOf(data: SceneData, time: number): Vec3[] {
+  const { ways, wayEntries, touchEntries } = data;
   const index = Math.max(0, Math.ceil(time) - 1);
-  const kind = entries[index]?.step;
-  if (kind !== "motion" && kind !== "touch" && kind !== "crash") return null;
-  let last = index;
-  while (last > 0 && entries[last]?.step !== "motion") last--;
-  const motion = entries[last];
-  return motion?.step === "motion" ? { motion, part: kind === "motion" ? time - index : 1 } : null;
-}
-
-/** Places of the ball on its way, up to where it is. */
-function places(motion: Motion, part: number): Vec3[] {
-  return [0, ...pieces(motion).filter(one => one < part), part].map(one => along(motion, one));
+  let [from, to] = piecesOf(data, index);
+  let part = time - index;
+  if (from === to) {
+    const touched = touchEntries[firstFrom(touchEntries, index)] === index;
+    if (!touched || from === 0) return [];
+    [from, to] = piecesOf(data, wayEntries[from - 1]!);
+    part = 1;
+  }
+  const places = [vec(ways, 8 * from)];
+  for (let piece = from; piece < to; piece++) {
+    places.push(onPiece(data, piece, part));
+    if (ways[8 * piece + 7]! >= part) break;
+  }
+  return places;
 }
 
 type Point = { x: number; y: number };
@@ -35,12 +41,12 @@ function area([a, b, c, d]: [Point, Point, Point, Point]): string {
   return `${line(turns < 0 ? [a, d, c, b] : [a, b, c, d])}Z`;
 }
 
-export function swept({ trace, tool, reach, colours }: Scene, { camera, view, time }: Frame): Drawn[] {
-  const way = wayOf(trace, time);
-  const axis = stylusAxis(tool);
-  if (!way || !axis) return [];
+export function swept({ data, tool, colours }: Scene, { camera, view, time }: Frame): Drawn[] {
+  const balls = wayOf(data, time);
+  const axis = tool?.ball;
+  if (!balls.length || !axis) return [];
+  const { ball, stylus, reach } = data.view.probe;
   const project = projector(camera, view);
-  const balls = places(way.motion, way.part);
   const [low, high] = [balls.map(project), balls.map(place => project(add(place, times(axis, reach))))];
   const walls = low
     .slice(1)
@@ -58,8 +64,5 @@ export function swept({ trace, tool, reach, colours }: Scene, { camera, view, ti
       "stroke-linejoin": "round",
     },
   });
-  return [
-    band(walls, colours.stylus, stylusRadius(trace.ball), colours.stylus),
-    band(line(low), colours.ball, trace.ball.radius, "none"),
-  ];
+  return [band(walls, colours.stylus, stylus, colours.stylus), band(line(low), colours.ball, ball, "none")];
 }

@@ -1,5 +1,5 @@
 // The 3D view of a trace. Draws when something changed and never otherwise.
-import type { Trace } from "../wire";
+import type { SceneData } from "../core/scene";
 import type { BackendName, Cloud } from "./backend";
 import type { Camera, ViewName } from "./camera";
 import type { Colours } from "./colours";
@@ -10,9 +10,9 @@ import { createShow, type Show, type ShowOptions } from "./show";
 import { makeStage, watchSize } from "./stage";
 import type { Refusal } from "./ways";
 
+export type { Collision, Frame, SceneData } from "../core/scene";
 export type { BackendName } from "./backend";
 export type { ViewName } from "./camera";
-export type { Collision } from "./collisions";
 export { type Colours, coloursFrom, DARK, LIGHT } from "./colours";
 export type { Refusal } from "./ways";
 
@@ -25,7 +25,7 @@ export interface Preview {
   readonly refused: Refusal[];
   /** From where it is seen. */
   readonly camera: Camera;
-  setTrace(trace: Trace, colours?: Colours): void;
+  setScene(scene: SceneData, colours?: Colours): void;
   /** Entry `index` of the trace is done to `fraction` (0 … 1). */
   setStep(index: number, fraction: number): void;
   /** Scanned points, over whatever else is shown. */
@@ -90,16 +90,16 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
 }
 
 /** What may be shown otherwise, and what follows for the sight. */
-function changes(show: Show): Pick<Preview, "setTrace" | "setStep" | "setCloud" | "setColours" | "setDrawing"> {
+function changes(show: Show): Pick<Preview, "setScene" | "setStep" | "setCloud" | "setColours" | "setDrawing"> {
   return {
-    setTrace(trace, colours = show.content.colours) {
-      const first = show.content.trace === EMPTY;
-      show.change({ trace, colours, step: lastStep(trace) });
-      show.sight.turnTo(trace.turning ?? false, first);
+    setScene(data, colours = show.content.colours) {
+      const first = show.content.data === EMPTY;
+      show.change({ data, colours, step: lastStep(data) });
+      show.sight.turnTo(data.view.turning, first);
     },
     setStep(index, fraction) {
       const step = { index, fraction };
-      show.change({ step }, sameScene(show.content.trace, show.content.step, step));
+      show.change({ step }, sameScene(show.content.data, show.content.step, step));
     },
     setCloud: show.setCloud,
     setColours: colours => show.change({ colours }),

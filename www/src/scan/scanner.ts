@@ -1,6 +1,7 @@
 // Scans a surface beside the page: one scan at a time. What came out lies in the state; the worker keeps the points, so
 // that they can be shown in either way and saved.
 
+import type { SceneData } from "../core/scene";
 import type { Scanned, Shown } from "../state/scanned";
 import type { State } from "../state/state";
 import type { Store } from "../state/store";
@@ -55,9 +56,9 @@ export function createScanner(module: () => WebAssembly.Module | undefined, stor
     drop();
     store.update({ scan: { made: null, problem: why } });
   };
-  const scanned = (request: ScanRequest, view: ScanView): void => {
+  const scanned = (request: ScanRequest, view: ScanView, scene: SceneData): void => {
     store.update({
-      scan: { made: { request, view, clouds: {}, of: "sent", shown: "sent" } },
+      scan: { made: { request, view, scene, clouds: {}, of: "sent", shown: "sent" } },
       view: { source: "scan", step: 0, playing: false },
     });
     begin("taking", { cloud: "sent" });
@@ -75,7 +76,7 @@ export function createScanner(module: () => WebAssembly.Module | undefined, stor
   const hear = (request: ScanRequest, reply: ScanReply): void => {
     if ("problem" in reply) fail(reply.problem);
     else if ("share" in reply) doing = doing && { ...doing, share: reply.share };
-    else if ("view" in reply) scanned(request, JSON.parse(reply.view) as ScanView);
+    else if ("view" in reply) scanned(request, JSON.parse(reply.view) as ScanView, reply.scene);
     else if ("cloud" in reply) taken(reply.of, reply.cloud);
     else wrote(reply.of, reply.text);
   };

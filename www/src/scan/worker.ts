@@ -2,13 +2,14 @@
 // points and texts are asked for when somebody wants them. Only what was asked last is gone on with.
 
 import { initSync, Scan } from "@pkg/program/program.js";
+import { buffersOf, type SceneData, takeScene } from "../core/scene";
 import type { Shown } from "../state/scanned";
 import type { ScanText } from "../wire";
 
 export type ScanAsk = { begin: string; file: Uint8Array } | { cloud: Shown } | { text: ScanText } | "nothing";
 export type ScanReply =
   | { share: number }
-  | { view: string }
+  | { view: string; scene: SceneData }
   | { problem: string }
   | { cloud: Float32Array<ArrayBuffer>; of: Shown }
   | { text: Blob; of: ScanText };
@@ -32,7 +33,8 @@ function scanAll(begin: string, file: Uint8Array): void {
     tell({ share: made.share() });
   }
   turns = made.turns();
-  tell({ view: made.view() });
+  const scene = takeScene(made.scene());
+  tell({ view: made.view(), scene }, buffersOf(scene));
 }
 
 /** Goes through all points, and lets messages in meanwhile; false: something else was asked. */

@@ -1,6 +1,7 @@
 // The one state of the page. Values in it are never changed in place: a part that changed is a new object,
 // so views and computations compare by identity.
 
+import type { SceneData } from "../core/scene";
 import type {
   BasicSystem,
   CallView,
@@ -36,6 +37,7 @@ export interface Ran {
   text: string;
   setup?: Setup | OwnMachine;
   view: RunView;
+  scene: SceneData;
 }
 /** A call to open as soon as the program is read: by its number, or the first that begins in a range. */
 export type Sought = { call: number } | { from: number; to: number };

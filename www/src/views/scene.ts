@@ -1,5 +1,6 @@
 // The 3D view with its timeline. The drawing itself is loaded when it is first shown.
 
+import { NOTHING } from "../core/scene";
 import type { Derived } from "../desk/derive";
 import { el, on, setAttribute, setText, show } from "../dom";
 import type { Cloud } from "../preview/backend";
@@ -16,7 +17,6 @@ import { createTimeline, paceAt } from "./timeline";
 const SOURCES = ["form", "program", "scan"] as const;
 const FULL = 0.9; // of the greatest deviation: from there on a point has the full colour
 const VIEWS: ViewName[] = ["iso", "top", "front", "right"];
-const NOTHING = { entries: [], ball: { radius: 1, length: 1 }, solids: [], frames: [] };
 const still = matchMedia("(prefers-reduced-motion: reduce)");
 
 export function createScene(
@@ -105,7 +105,7 @@ export function createScene(
       legend.draw(derived.trace, colours, thinned(drawn, scan));
       preview.setCovered(legend.root.offsetWidth + legend.root.offsetLeft);
     }
-    if (fresh) preview.setTrace(derived.trace ?? NOTHING);
+    if (fresh) preview.setScene(derived.scene?.() ?? NOTHING);
     const { step } = derived;
     if (fresh || step !== shown.step)
       move(

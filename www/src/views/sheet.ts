@@ -40,13 +40,13 @@ function heading(state: State, derived: Derived): HTMLElement {
 function view(stage: Stage, state: State, derived: Derived, { drawStill }: Draw): HTMLElement | null {
   const scan =
     state.view.source === "scan" && state.scan.made?.request.cycle === derived.cycle.cycle ? state.scan.made : null;
-  const { trace, step } = derived;
-  if (!trace || !(trace.entries.length || scan)) return null;
+  const { trace, scene, step } = derived;
+  if (!trace || !scene || !(trace.entries.length || scan)) return null;
   const picture = el("div", { class: "sheet-picture" });
   const colours = drawStill(
     picture,
     {
-      trace,
+      data: scene(),
       step,
       cloud: scan && cloudOf(scan),
       drawing: state.view.diameters,

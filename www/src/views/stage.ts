@@ -1,11 +1,10 @@
 // The 3D view outlives the panel around it: when the language changes, it moves into the new panel with its camera.
 
 import { el } from "../dom";
-import type { Collision, Preview } from "../preview/view";
+import type { Collision, Frame, Preview } from "../preview/view";
 import type { State } from "../state/state";
 import type { Store } from "../state/store";
 import { t } from "../texts";
-import type { FrameView } from "../wire";
 
 type Colours = Parameters<Preview["setColours"]>[0];
 export interface Stage {
@@ -38,7 +37,7 @@ function collision({ by, crash, alarm }: Collision): string {
 }
 
 /** A coordinate system by its name, and whether it stands before or after a correction. */
-function frame({ name, moved }: FrameView): string {
+function frame({ name, moved }: Frame): string {
   return moved ? t(`frame-${moved}`, { name }) : name;
 }
 

@@ -1,7 +1,8 @@
-// Page for the browser test: shows a fixed trace and says which way of drawing came.
+// Page for the browser test: shows a fixed scene and says which way of drawing came.
 // ?scene=shapes: every shape. ?theme=dark. The test reads `window.preview` and `window.picked`.
+import init, * as program from "@pkg/program/program.js";
 import { createPreview, DARK, LIGHT, type Preview } from "../view";
-import { hole, shapes } from "./trace";
+import { hole, shapes } from "./scenes";
 
 declare global {
   interface Window {
@@ -23,7 +24,8 @@ if (host) {
       document.documentElement.dataset.backend = name;
     },
   });
-  preview.setTrace(query.get("scene") === "shapes" ? shapes : hole);
+  await init();
+  preview.setScene(query.get("scene") === "shapes" ? shapes(program) : hole(program));
   preview.onPick(entry => {
     window.picked = entry;
   });
