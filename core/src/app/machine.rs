@@ -173,7 +173,7 @@ fn reset(control: &mut Control, delivered: &Control, name: &str) {
 fn data(control: &Control, delivered: &Control) -> BTreeMap<String, Value> {
     let differs = control.data.iter().filter(|(name, value)| {
         let zero = **value == Value::Number(0.0);
-        match delivered.data.get(*name) {
+        match delivered.data.get(name) {
             Some(other) => other != *value,
             None => !zero || without_delivery(name),
         }

@@ -274,7 +274,7 @@ mod tests {
     }
 
     fn begun(request: &str, file: &[u8]) -> Result<Scan, crate::json::Error> {
-        Ok(Scan::new(crate::json::question(request)?, file)?)
+        Scan::new(crate::json::question(request)?, file)
     }
 
     fn scanned(surface: Value, file: &[u8]) -> Scan {
