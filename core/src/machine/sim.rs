@@ -151,7 +151,7 @@ impl Sim {
     /// Straight measuring motion to a machine position; see [`Machine::probe`].
     pub fn probe_machine(&mut self, to: Mcs, feed: f64) -> Result<Option<Mcs>, Stop> {
         let latched = self.seek(to.0, feed)?.map(Mcs);
-        self.skipped = Some(Wcs(self.control.to_workpiece(latched.unwrap_or(to)).0));
+        self.skipped = Some(self.control.to_workpiece(latched.unwrap_or(to)));
         Ok(latched)
     }
 

@@ -230,7 +230,7 @@ fn measured(run: &mut Interpreter, path: &Path, measure: Measure, to: [f64; 3], 
     } else {
         run.sim.travel_machine(Mcs(to), None, MotionKind::Measuring, feed, false)?;
         let end = run.sim.position;
-        run.sim.skipped = Some(Wcs(run.sim.control.to_workpiece(end).0));
+        run.sim.skipped = Some(run.sim.control.to_workpiece(end));
         None
     };
     let input = measure.input.abs();
