@@ -129,7 +129,7 @@ impl Summary {
 /// The most frequent first.
 fn by_count<T: Ord + Copy>(counted: &BTreeMap<String, T>) -> Vec<(&String, T)> {
     let mut all: Vec<(&String, T)> = counted.iter().map(|(name, count)| (name, *count)).collect();
-    all.sort_by(|one, other| other.1.cmp(&one.1));
+    all.sort_by_key(|one| std::cmp::Reverse(one.1));
     all
 }
 

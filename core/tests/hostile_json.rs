@@ -19,7 +19,7 @@ fn change(question: &str) -> Result<String, json::Error> {
 }
 
 fn run(question: &str) -> Result<app::Run, json::Error> {
-    Ok(app::Run::new(json::question(question)?)?)
+    app::Run::new(json::question(question)?)
 }
 
 // oracle: hand

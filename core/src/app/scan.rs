@@ -184,6 +184,9 @@ impl Scan {
     }
 
     /// The text of these points in the form of this name; pieces one behind the other are the whole text.
+    ///
+    /// # Errors
+    /// There is no form of this name.
     pub fn text(&self, form: &str, from: usize, to: usize) -> Result<String, Error> {
         let known = FORMS.iter().find(|(name, _)| *name == form);
         let (_, form) = known.ok_or_else(|| unknown("document-form", form))?;
@@ -207,6 +210,9 @@ impl Scan {
 
 /// Puts another surface in the place of that of the part; false: the part has none. `file`: the bytes of which the name
 /// speaks.
+///
+/// # Errors
+/// The surface cannot be made.
 pub fn put_surface(setup: &mut Setup, name: &SurfaceChoice, file: &[u8]) -> Result<bool, Error> {
     let mut put = false;
     for solid in &mut setup.workpiece.solids {

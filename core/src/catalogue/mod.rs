@@ -41,24 +41,24 @@ pub mod p9969;
 
 // What they share.
 pub mod alarms;
-pub mod calibration;
-pub mod circle;
-pub mod common;
+pub(crate) mod calibration;
+pub(crate) mod circle;
+pub(crate) mod common;
 pub mod example;
 pub mod help;
-pub mod lathe;
-pub mod list;
-pub mod logging;
+pub(crate) mod lathe;
+pub(crate) mod list;
+pub(crate) mod logging;
 pub mod nct;
-pub mod newer;
+pub(crate) mod newer;
 pub mod operator_messages;
-pub mod place;
-pub mod shared_checks;
-pub mod shown_with;
-pub mod sinumerik;
-pub mod spread;
+pub(crate) mod place;
+pub(crate) mod shared_checks;
+pub(crate) mod shown_with;
+pub(crate) mod sinumerik;
+pub(crate) mod spread;
 mod suit;
-pub mod tool_probe;
+pub(crate) mod tool_probe;
 pub mod twin;
 mod twin_place;
 

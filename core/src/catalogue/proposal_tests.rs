@@ -136,7 +136,7 @@ fn without_its_zone_the_probe_meets_the_obstacle() {
         setup.workpiece = proposal.workpiece;
         setup.workpiece.solids.extend(fixture);
         setup.position = setup.control.to_machine(proposal.start);
-        let stop = predict::predict(cycle, &plain, &setup).stop;
+        let stop = predict(cycle, &plain, &setup).stop;
         assert!(stop.is_some(), "{variant}");
     }
 }

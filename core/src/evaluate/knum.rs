@@ -65,6 +65,9 @@ pub fn digits(code: i64, five_digit_edges: bool) -> Digits {
 
 /// Reads a tool offset code. None: 0, nothing is corrected. Error: number of the alarm
 /// (61322 digit 4, 61323 digit 5, 61324 digit 6, 61407 digit 7 and above, 61328 D number 0).
+///
+/// # Errors
+/// The number of the alarm.
 pub fn tool(code: i64, five_digit_edges: bool) -> Result<Option<ToolCode>, u32> {
     if code == 0 {
         return Ok(None);
@@ -135,6 +138,9 @@ pub enum ZeroCode {
 }
 
 /// Reads a zero offset code. None: 0, nothing is corrected. Error: alarm 61321.
+///
+/// # Errors
+/// The number of the alarm.
 pub fn zero(code: i64) -> Result<Option<ZeroCode>, u32> {
     let index = |from: i64| usize::try_from(code - from).map_err(|_| 61321_u32);
     Ok(Some(match code {

@@ -23,6 +23,9 @@ pub struct Position {
 
 /// Refuses a frame that cannot be brought into position: a global basic frame, or one with a mirror or a scale factor,
 /// its own or of the frames in effect (B:8405-8415, B:8588). Error: number of the alarm.
+///
+/// # Errors
+/// The number of the alarm.
 pub fn correctable(control: &Control, target: &Target) -> Result<(), u32> {
     match target.store {
         Store::GlobalBasic(_) => Err(NO_ROTATION),
@@ -32,6 +35,9 @@ pub fn correctable(control: &Control, target: &Target) -> Result<(), u32> {
 }
 
 /// The nearest motion from set to measured points. Error: number of the alarm.
+///
+/// # Errors
+/// The number of the alarm.
 pub fn position(set: &[V3; 3], measured: &[V3; 3]) -> Result<Position, u32> {
     if fit::in_line(*set) || fit::in_line(*measured) {
         return Err(NO_FRAME);
@@ -43,6 +49,9 @@ pub fn position(set: &[V3; 3], measured: &[V3; 3]) -> Result<Position, u32> {
 
 impl Position {
     /// Refuses a distortion that is not below this limit, mm (B:8409, B:8573).
+    ///
+    /// # Errors
+    /// The number of the alarm.
     pub fn within(&self, limit: f64) -> Result<(), u32> {
         if self.distortion < limit {
             return Ok(());

@@ -185,6 +185,9 @@ pub struct Refusal {
 }
 
 /// The value that a typed text gives a setting; an empty one is answered by the caller with what is delivered.
+///
+/// # Errors
+/// Why the text is no value of the setting.
 pub fn accept(setting: &Setting, text: &str) -> Result<Value, Refusal> {
     if setting.entry == Entry::Text {
         return plain(text);

@@ -235,6 +235,9 @@ fn unwrapped(value: &mut serde_json::Value) {
 }
 
 /// Reads a setup file: delivery values of the control, then what the file says.
+///
+/// # Errors
+/// The text is no setup: why, with the place.
 pub fn from_json(text: &str) -> Result<Setup, Error> {
     let document = text::parse(text)?;
     shape::read(document).and_then(setup).map_err(|refused| text::positioned(refused, text))

@@ -45,8 +45,14 @@ pub trait Machine {
     /// Straight positioning. With `monitored`, a probe signal on the way is alarm 61302 (NCT: PATH OBSTRUCTED, or
     /// FALSE TRIGGER where nothing is touched); without, contact is recorded as a crash. A target beyond a software
     /// limit switch is refused.
+    ///
+    /// # Errors
+    /// What was hit or refused.
     fn travel(&mut self, to: Wcs, kind: MotionKind, feed: f64, monitored: bool) -> Result<(), Stop>;
     /// The same round an axis of the WCS.
+    ///
+    /// # Errors
+    /// What was hit or refused.
     fn travel_around(
         &mut self,
         to: Wcs,
@@ -58,6 +64,9 @@ pub trait Machine {
     /// Straight measuring motion of what is in use: the probe towards the part, any other tool towards the tool probes,
     /// with its highest edge where the spindle turns. Some: position latched at switching (delete distance-to-go);
     /// None: no signal up to `to`.
+    ///
+    /// # Errors
+    /// Why the motion was refused, or what was hit.
     fn probe(&mut self, to: Wcs, feed: f64) -> Result<Option<Wcs>, Stop>;
     /// Whether the stylus is deflected where the machine stands (NCT looks at this before it moves).
     fn in_contact(&self) -> bool {
@@ -90,6 +99,9 @@ pub trait Machine {
 /// A cycle that scans, on its way.
 pub trait Scanner {
     /// Goes to the next point; none: the scan is complete.
+    ///
+    /// # Errors
+    /// Why the scan does not go on.
     fn next(&mut self, machine: &mut dyn Machine) -> Result<Option<Scanned>, Stop>;
     /// Which part of the surface is done, 0 to 1.
     fn share(&self) -> f64;

@@ -116,6 +116,9 @@ impl Sim {
     }
 
     /// Motion to a machine position, straight or round an axis; see [`Machine::travel`].
+    ///
+    /// # Errors
+    /// What was hit or refused.
     pub fn travel_machine(
         &mut self,
         to: Mcs,
@@ -149,6 +152,9 @@ impl Sim {
     }
 
     /// Straight measuring motion to a machine position; see [`Machine::probe`].
+    ///
+    /// # Errors
+    /// Why the motion was refused, or what was hit.
     pub fn probe_machine(&mut self, to: Mcs, feed: f64) -> Result<Option<Mcs>, Stop> {
         let latched = self.seek(to.0, feed)?.map(Mcs);
         self.skipped = Some(self.control.to_workpiece(latched.unwrap_or(to)));
@@ -236,6 +242,9 @@ impl Sim {
     }
 
     /// Whether the trace takes more.
+    ///
+    /// # Errors
+    /// The trace is full.
     pub fn room(&self) -> Result<(), Stop> {
         if self.trace.entries.len() < self.trace_limit {
             return Ok(());

@@ -69,11 +69,6 @@ impl Arc {
     pub fn with_turns(self, turns: f64) -> Arc {
         Arc { sweep: self.sweep + TAU * turns * self.sweep.signum(), ..self }
     }
-
-    /// Radius, mm.
-    pub fn radius(&self) -> f64 {
-        distance(self.centre, self.start)
-    }
 }
 
 /// Angle from start to end, radian; a full circle where they are the same.

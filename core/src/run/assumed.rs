@@ -22,6 +22,7 @@ use crate::syntax::tree::Program;
 use crate::workpiece::tool::Tool as RealTool;
 use crate::workpiece::tool_probe::ToolProbe;
 use crate::workpiece::{Solid, Workpiece};
+use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Type of a 3D probe (B:4147).
@@ -153,8 +154,8 @@ impl Made {
             if there.name.is_empty() {
                 there.name.clone_from(&tool.name);
             }
-            if !there.edges.contains_key(&tool.edge) {
-                there.edges.insert(tool.edge, tool.data.clone());
+            if let Entry::Vacant(free) = there.edges.entry(tool.edge) {
+                free.insert(tool.data.clone());
                 self.tools.insert((tool.tool, tool.edge), tool.data.clone());
             }
         }

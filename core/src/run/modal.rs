@@ -78,13 +78,6 @@ pub enum Motion {
     Spline,
 }
 
-impl Motion {
-    /// Whether it is along a circle.
-    pub fn circular(self) -> bool {
-        matches!(self, Motion::Clockwise | Motion::Counter | Motion::Through)
-    }
-}
-
 /// What F means: G94 a way a minute, G95 (and G96, G97) a way a revolution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FeedType {

@@ -244,7 +244,7 @@ pub fn ball(radius: f64, around: usize) -> Vec<Vec<Vertex>> {
     let rows = around / 2;
     let row = |row: usize| {
         let down = TAU * row as f64 / around as f64;
-        let (out, up) = if row % rows == 0 { (0.0, down.cos()) } else { down.sin_cos() };
+        let (out, up) = if row.is_multiple_of(rows) { (0.0, down.cos()) } else { down.sin_cos() };
         let vertex = |column: usize| {
             let (sine, cosine) = (TAU * column as f64 / around as f64).sin_cos();
             let normal = V3::new(out * cosine, out * sine, up);

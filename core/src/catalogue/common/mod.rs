@@ -7,7 +7,7 @@ mod results;
 mod target;
 
 use crate::entry::PROBE_TYPE;
-pub use limits::{EVNUM, K, MEMORY_DIGITS, TDIF, TLL, TMV, TSA, TUL, TZL};
+pub use limits::{EVNUM, K, TDIF, TLL, TMV, TSA, TUL, TZL};
 pub use place::{CORA, CPA, CPO, ID, INCA, MA, MD, RF, SETV0, SETV1, SETVAL, STA1, SZA, SZO};
 pub use results::{angle, integer, length};
 pub use target::{DLNUM, KNUM, KNUM_KIND, OFFSET_DLNUM, OFFSET_TENV, OFFSET_TNAME, OFFSET_TNUM, TENV, TNAME, TNUM};

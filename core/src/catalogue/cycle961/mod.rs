@@ -9,7 +9,7 @@ mod lines;
 mod lists;
 #[cfg(test)]
 mod motion_tests;
-pub mod params;
+pub(crate) mod params;
 mod picture;
 #[cfg(test)]
 mod proposal_tests;

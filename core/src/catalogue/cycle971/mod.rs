@@ -12,7 +12,7 @@ mod lists;
 mod measure;
 #[cfg(test)]
 mod motion_tests;
-pub mod params;
+pub(crate) mod params;
 mod picture;
 mod place;
 mod propose;

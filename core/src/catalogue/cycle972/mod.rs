@@ -4,7 +4,7 @@
 mod checks;
 mod help;
 mod lists;
-pub mod params;
+pub(crate) mod params;
 mod picture;
 mod results;
 #[cfg(test)]

@@ -3,7 +3,7 @@
 mod checks;
 mod help;
 mod lists;
-pub mod params;
+pub(crate) mod params;
 mod picture;
 mod propose;
 mod results;

@@ -7,7 +7,7 @@ mod hole;
 mod lists;
 #[cfg(test)]
 mod motion_tests;
-pub mod params;
+pub(crate) mod params;
 mod picture;
 mod propose;
 mod results;

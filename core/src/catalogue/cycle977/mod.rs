@@ -8,14 +8,14 @@ mod help;
 mod lists;
 #[cfg(test)]
 mod motion_tests;
-pub mod params;
+pub(crate) mod params;
 mod picture;
 #[cfg(test)]
 mod probe_tests;
 mod propose;
 mod protection;
 mod results;
-pub mod simulate;
+pub(crate) mod simulate;
 mod tasks;
 #[cfg(test)]
 mod tests;

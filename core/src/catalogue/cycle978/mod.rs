@@ -3,11 +3,11 @@
 mod checks;
 mod help;
 mod lists;
-pub mod params;
+pub(crate) mod params;
 mod picture;
 mod propose;
 mod results;
-pub mod simulate;
+pub(crate) mod simulate;
 mod tasks;
 #[cfg(test)]
 mod tests;

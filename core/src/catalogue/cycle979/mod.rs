@@ -5,7 +5,7 @@ mod help;
 mod lists;
 #[cfg(test)]
 mod motion_tests;
-pub mod params;
+pub(crate) mod params;
 mod picture;
 mod propose;
 mod results;

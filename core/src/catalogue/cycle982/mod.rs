@@ -14,13 +14,13 @@ mod loop_tests;
 #[cfg(test)]
 mod motion_tests;
 mod nose;
-pub mod params;
+pub(crate) mod params;
 mod picture;
 #[cfg(test)]
 mod picture_tests;
-pub mod propose;
+pub(crate) mod propose;
 mod results;
-pub mod simulate;
+pub(crate) mod simulate;
 #[cfg(test)]
 mod simulation_tests;
 mod stand;

@@ -4,7 +4,7 @@ mod checks;
 mod help;
 #[cfg(test)]
 mod motion_tests;
-pub mod params;
+pub(crate) mod params;
 mod picture;
 mod points;
 mod propose;

@@ -2,20 +2,20 @@
 
 #[cfg(test)]
 pub(crate) mod bench;
-pub mod checks;
-pub mod corner;
-pub mod correct;
-pub mod figures;
-pub mod help;
-pub mod params;
-pub mod part;
-pub mod plane_axis;
-pub mod print;
-pub mod ring;
-pub mod surface;
-pub mod tasks;
-pub mod touch;
-pub mod walls;
+pub(crate) mod checks;
+pub(crate) mod corner;
+pub(crate) mod correct;
+pub(crate) mod figures;
+pub(crate) mod help;
+pub(crate) mod params;
+pub(crate) mod part;
+pub(crate) mod plane_axis;
+pub(crate) mod print;
+pub(crate) mod ring;
+pub(crate) mod surface;
+pub(crate) mod tasks;
+pub(crate) mod touch;
+pub(crate) mod walls;
 
 #[cfg(test)]
 mod calibration_tests;
@@ -133,6 +133,9 @@ pub fn foreign_finding(cycle: &Cycle) -> Diagnostic {
 }
 
 /// What every macro looks at first: a length is applied and the stylus is free (C:118-121).
+///
+/// # Errors
+/// The alarm of what is not so.
 pub fn ready(machine: &mut dyn Machine) -> Result<(), Stop> {
     if machine.control().active_edge().is_none() {
         return Err(Stop::Alarm(NO_TOOL_LENGTH));
@@ -144,6 +147,9 @@ pub fn ready(machine: &mut dyn Machine) -> Result<(), Stop> {
 }
 
 /// What a measuring macro looks at first; a failed G101 before it stops it (C:121-123).
+///
+/// # Errors
+/// The alarm of what is not so.
 pub fn ready_to_measure(machine: &mut dyn Machine) -> Result<(), Stop> {
     if machine.control().number(POSITION_LOST) == 1.0 {
         return Err(Stop::Alarm(OUT_OF_POSITION));

@@ -27,9 +27,6 @@ pub fn random_parts(each: usize) -> Config {
     }
 }
 
-/// T number of the tool to be corrected: an end mill with all lengths and a radius.
-pub const MILL: i64 = 20;
-
 /// A calibrated machine in this plane with a mill in the magazine; the probe stands 100 mm above the origin.
 pub fn setup(plane: Plane) -> Setup {
     let mut setup = Setup::calibrated(Dialect::Sinumerik, plane);

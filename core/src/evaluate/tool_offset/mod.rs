@@ -44,6 +44,9 @@ pub struct Target {
 pub const RADIUS: usize = 3;
 
 /// Finds the quantity. None: `_KNUM` is 0. Error: number of the alarm.
+///
+/// # Errors
+/// The number of the alarm.
 pub fn target(control: &Control, names: &Names) -> Result<Option<Target>, u32> {
     let Some(code) = knum::tool(names.code, knum::five_digit_edges(control))? else {
         return Ok(None);

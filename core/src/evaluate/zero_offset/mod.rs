@@ -43,6 +43,9 @@ pub struct Target {
 }
 
 /// Finds the frame. None: `_KNUM` is 0. Error: number of the alarm.
+///
+/// # Errors
+/// The number of the alarm.
 pub fn target(control: &Control, code: i64) -> Result<Option<Target>, u32> {
     let Some(code) = knum::zero(code)? else {
         return Ok(None);

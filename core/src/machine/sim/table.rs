@@ -14,6 +14,9 @@ use crate::workpiece::feeler::{Feeler, Touching};
 impl Sim {
     /// Turns a rotary axis (index A B C) to a position of the machine, degree; the part turns with it. Where it meets
     /// the probe it stands still and the run ends: no signal is watched on this way.
+    ///
+    /// # Errors
+    /// What the part hit.
     pub fn turn_table(&mut self, axis: usize, to: f64) -> Result<(), Stop> {
         let Some(from) = self.control.rotary.get(axis).copied() else {
             return Ok(());

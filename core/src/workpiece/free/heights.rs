@@ -31,6 +31,9 @@ impl Heights {
 
     /// Of the grey values of a picture, row by row from above, as a relief: white is 0, black lies `depth` mm deeper.
     /// The picture covers a rectangle X × Y, mm. A picture that is too large is taken at fewer places.
+    ///
+    /// # Errors
+    /// The heights are no grid.
     pub fn from_greys(greys: &[u8], columns: usize, size: [f64; 2], depth: f64) -> Result<Heights, Refused> {
         let rows = greys.len().checked_div(columns).unwrap_or(0);
         if columns < 2 || rows < 2 || greys.len() != columns * rows {
@@ -49,6 +52,9 @@ impl Heights {
     }
 
     /// A surface of them.
+    ///
+    /// # Errors
+    /// The heights are no grid, or not numbers.
     pub fn surface(self) -> Result<FreeSurface, Refused> {
         FreeSurface::from_heights(self)
     }

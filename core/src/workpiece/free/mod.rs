@@ -60,6 +60,9 @@ pub struct FreeSurface {
 
 impl FreeSurface {
     /// Of heights over a grid; each cell is halved from its first corner to the opposite one.
+    ///
+    /// # Errors
+    /// The heights are no grid, or not numbers.
     pub fn from_heights(heights: Heights) -> Result<FreeSurface, Refused> {
         heights.check()?;
         let mesh = Mesh::new(heights.corners(), heights.triangles());
@@ -67,6 +70,9 @@ impl FreeSurface {
     }
 
     /// Of single triangles. Corners at the same place become one.
+    ///
+    /// # Errors
+    /// There are none or too many triangles, or not numbers.
     pub fn from_triangles(triangles: &[[[f64; 3]; 3]]) -> Result<FreeSurface, Refused> {
         check_count(triangles.len())?;
         let mut corners = Vec::new();

@@ -8,6 +8,9 @@ const HEAD: usize = 84;
 const TRIANGLE: usize = 50;
 
 /// The triangles of a file, in its own coordinates, taken as mm.
+///
+/// # Errors
+/// The file is no STL file, or holds what is no surface.
 pub fn triangles(file: &[u8]) -> Result<Vec<[[f64; 3]; 3]>, Refused> {
     let triangles = match count(file) {
         Some(count) => {
