@@ -6,10 +6,21 @@ import { modules, program } from "./sources.mjs";
 let sources, camera, scene, hole, colours, pick, motion, vec, arrays, labels, points;
 before(async () => {
   sources = await modules();
-  const load = name => sources.load(new URL(`${name}.ts`, "file:///src/preview/").pathname);
+  const load = name => sources.load(`/src/${name}.ts`);
   let demo;
   [camera, scene, demo, colours, pick, motion, vec, arrays, labels, points] = await Promise.all(
-    ["camera", "scene", "demo/scenes", "colours", "pick", "motion", "vec", "../core/scene", "labels", "points"].map(load),
+    [
+      "preview/camera",
+      "preview/scene",
+      "preview/demo/scenes",
+      "preview/colours",
+      "preview/pick",
+      "preview/motion",
+      "preview/vec",
+      "core/scene",
+      "preview/labels",
+      "preview/points",
+    ].map(load),
   );
   hole = demo.hole(await program());
 });
