@@ -39,9 +39,6 @@ export type CycleInfo = {
   source: string,
 };
 
-/** Where a problem is named. */
-export type Code = string;
-
 /** A datum that a cycle leaves. */
 export type ResultInfo = {
   /** `_OVR[4]`; of NCT a name of ours. */
@@ -56,29 +53,6 @@ export type ResultInfo = {
 
 /** Unit of a parameter and the system it counts in. */
 export type Unit = "" | "active length" | "basic length" | "mm" | "deg" | "basic feed";
-
-/** A parameter. */
-export type ParameterInfo = {
-  /** As the manual writes it: `_SETVAL`. */
-  name: Name,
-  /** Stem of its messages: `setval` of `param-setval`. */
-  key: string,
-  /** Rule of its unit. */
-  unit: Unit,
-  /** What counts while it is not written; none: it has to be. */
-  default: number | null,
-  /** Place in the manual. */
-  source: string,
-};
-
-/**
- * Name of a parameter, as the manual writes it: `_SETVAL`, `_SETV[0]`, `D`. An entry and what reads
- * it use one constant.
- */
-export type Name = string;
-
-/** A way to write a call. */
-export type Style = "direct" | "indirect" | "operate";
 
 /** Where a cycle belongs. */
 export type Purpose = {
@@ -100,6 +74,12 @@ export type MachineSort = "milling" | "turning" | "any";
 
 /** The probe that a cycle uses. */
 export type ProbeUse = "workpiece" | "tool" | "none" | "log";
+
+/** A way to write a call. */
+export type Style = "direct" | "indirect" | "operate";
+
+/** Where a problem is named. */
+export type Code = string;
 
 /** A measuring variant. Its values, as typed, choose it; its example is a worked measurement. */
 export type VariantInfo = {
@@ -126,6 +106,26 @@ export type Values = {
   /** Those of its worked measurement. */
   example: { [key in string]: string },
 };
+
+/** A parameter. */
+export type ParameterInfo = {
+  /** As the manual writes it: `_SETVAL`. */
+  name: Name,
+  /** Stem of its messages: `setval` of `param-setval`. */
+  key: string,
+  /** Rule of its unit. */
+  unit: Unit,
+  /** What counts while it is not written; none: it has to be. */
+  default: number | null,
+  /** Place in the manual. */
+  source: string,
+};
+
+/**
+ * Name of a parameter, as the manual writes it: `_SETVAL`, `_SETV[0]`, `D`. An entry and what reads
+ * it use one constant.
+ */
+export type Name = string;
 
 /** The language of the part program, and with it the control. */
 export type Dialect = "sinumerik" | "nct";
@@ -185,39 +185,6 @@ export type FormRequest = {
   twin?: boolean,
 };
 
-/** G function that chooses the system of units; those below 70 are of NCT. */
-export type UnitFunction = "G20" | "G21" | "G70" | "G71" | "G700" | "G710";
-
-/** The machine of a question. */
-export type Machine = OwnMachine | Setup;
-
-/** The core's own machine. */
-export type OwnMachine = {
-  /** What it begins with. */
-  own: Beginning,
-};
-
-/** What the core's own machine begins with. */
-export type Beginning = {
-  /** Basic system of units; none: metric. */
-  basic?: BasicSystem,
-  /** Working plane; absent: G17. */
-  plane: Plane,
-  /** G function of units; none: that of the basic system. */
-  units: UnitFunction,
-  /** User and machine data that differ. */
-  data?: { [key in string]: Datum },
-};
-
-/** A value of user data. */
-export type Datum = number | string;
-
-/** System of units. */
-export type BasicSystem = "mm" | "inch";
-
-/** How the program gives positions of the transverse axis X of a lathe. */
-export type Transverse = "DIAMOF" | "DIAMON" | "DIAM90";
-
 /** What is wrong with part and probe, as the sliders of the page set it. */
 export type ErrorSliders = {
   /** The part; a tool probe in its place. */
@@ -258,6 +225,39 @@ export type PartSliders = {
   outOfRound: number,
 };
 
+/** How the program gives positions of the transverse axis X of a lathe. */
+export type Transverse = "DIAMOF" | "DIAMON" | "DIAM90";
+
+/** The machine of a question. */
+export type Machine = OwnMachine | Setup;
+
+/** The core's own machine. */
+export type OwnMachine = {
+  /** What it begins with. */
+  own: Beginning,
+};
+
+/** What the core's own machine begins with. */
+export type Beginning = {
+  /** Basic system of units; none: metric. */
+  basic?: BasicSystem,
+  /** Working plane; absent: G17. */
+  plane: Plane,
+  /** G function of units; none: that of the basic system. */
+  units: UnitFunction,
+  /** User and machine data that differ. */
+  data?: { [key in string]: Datum },
+};
+
+/** A value of user data. */
+export type Datum = number | string;
+
+/** G function that chooses the system of units; those below 70 are of NCT. */
+export type UnitFunction = "G20" | "G21" | "G70" | "G71" | "G700" | "G710";
+
+/** System of units. */
+export type BasicSystem = "mm" | "inch";
+
 /** A form. */
 export type FormView = {
   /** Fields in the order in which they are shown; hidden ones are left out. */
@@ -284,6 +284,45 @@ export type FormView = {
   outcome?: Outcome,
   /** When simulating was asked for: the machine, for an outcome with the proposed part, its errors and the start. */
   setup: Setup,
+};
+
+/** The same task on the other control. */
+export type TwinView = {
+  /** That control. */
+  control: Dialect,
+  /** Its cycle. */
+  cycle: string,
+  /** Stem of its messages. */
+  key: string,
+  /** What both measure. */
+  task: Message,
+  /** Values as typed there. */
+  values: { [key in string]: string },
+  /** Text of the program there. */
+  snippet: string,
+  /** What both say. */
+  shared: Array<Shared>,
+  /** What is different there. */
+  differences: Array<Message>,
+};
+
+/** A text to be shown: key of the message files, with its arguments. */
+export type Message = {
+  /** Key in the message files, for example `check-out-of-range`; stems of the catalogue make others (`alarm-61307`). */
+  key: string,
+  /** Named arguments, in no particular order. */
+  args: { [key in string]: Arg },
+};
+
+/** One argument of a message. */
+export type Arg = number | string;
+
+/** What both calls say. */
+export type Shared = {
+  /** What it is. */
+  label: Message,
+  /** Its value; a length in the active unit. */
+  value: number,
 };
 
 /** What is wrong, where, and how to mend it. */
@@ -315,35 +354,6 @@ export type Diagnostic = {
 /** How bad it is. */
 export type Severity = "error" | "warning" | "note";
 
-/** Edits that mend a finding. */
-export type Cure = {
-  /** What they do. */
-  label: Message,
-  /** The only places of the text that change. */
-  edits: Array<Edit>,
-};
-
-/** A text to be shown: key of the message files, with its arguments. */
-export type Message = {
-  /** Key in the message files, for example `check-out-of-range`; stems of the catalogue make others (`alarm-61307`). */
-  key: string,
-  /** Named arguments, in no particular order. */
-  args: { [key in string]: Arg },
-};
-
-/** One argument of a message. */
-export type Arg = number | string;
-
-/** Replaces a place of the text; places count in UTF-16 units. */
-export type Edit = {
-  /** First unit that goes. */
-  from: number,
-  /** One past the last; the same: nothing goes. */
-  to: number,
-  /** What comes. */
-  insert: string,
-};
-
 /** A line that would be another one. */
 export type TouchedLine = {
   /** Its number, from 1. */
@@ -354,107 +364,22 @@ export type TouchedLine = {
   after: string,
 };
 
-/** A field of a form. Numbers of `fallback` and `range` are in its unit. */
-export type Field = {
-  /** Parameter, as the manual writes it: `_SETVAL`. */
-  name: Name,
-  /** Its name in words. */
+/** Edits that mend a finding. */
+export type Cure = {
+  /** What they do. */
   label: Message,
-  /** What it means. */
-  help: Message,
-  /** How it is entered. */
-  kind: FieldKind,
-  /** As typed; empty: nothing is. */
-  value: string,
-  /** The expression of the program of which the value is the worth. */
-  expression?: string,
-  /** There where it chooses the variant, on which the other fields depend. */
-  chooses?: boolean,
-  /** What the number is a code of, where that is not the same in all variants. */
-  code?: string,
-  /** What counts while nothing is typed. */
-  fallback?: number,
-  /** `mm`, `inch`, `deg`, `mm/min`, `inch/min` or nothing. */
-  unit: string,
-  /** Whether it has to be given. */
-  required: boolean,
-  /** Why it is required or optional. */
-  reason: Message,
-  /** What the control takes, of a number. */
-  range?: Range,
-  /** What can be chosen, of a choice. */
-  choices?: Array<Choice>,
-  /** Digits that mean something of their own, of a number that is put together from such. */
-  digits?: Array<DigitGroup>,
-  /** Place in the manual. */
-  source: string,
+  /** The only places of the text that change. */
+  edits: Array<Edit>,
 };
 
-/** Range of a number. `f64::NEG_INFINITY`/`INFINITY` for an open end. */
-export type Range = {
-  /** Lower end. */
-  min?: number,
-  /** Whether `min` itself is allowed. */
-  minIncluded: boolean,
-  /** Upper end. */
-  max?: number,
-  /** Whether `max` itself is allowed. */
-  maxIncluded: boolean,
-};
-
-/** Digits that mean something of their own. */
-export type DigitGroup = {
-  /** What they mean. */
-  label: Message,
-  /** Value of the lowest digit: 1, 10, 100, … */
-  place: number,
-  /** How many. */
-  digits: number,
-  /** What they are now. */
-  value: number,
-  /** Named values; empty: any number of that many digits. */
-  choices: Array<Choice>,
-  /** The whole number to which each choice leads; empty: the digits alone change. */
-  leads?: Array<number>,
-};
-
-/** A number with its name. */
-export type Choice = {
-  /** Number as it is written. */
-  value: number,
-  /** Its name. */
-  label: Message,
-};
-
-/** How a field is entered. */
-export type FieldKind = "real" | "integer" | "choice" | "digits" | "text";
-
-/** The same task on the other control. */
-export type TwinView = {
-  /** That control. */
-  control: Dialect,
-  /** Its cycle. */
-  cycle: string,
-  /** Stem of its messages. */
-  key: string,
-  /** What both measure. */
-  task: Message,
-  /** Values as typed there. */
-  values: { [key in string]: string },
-  /** Text of the program there. */
-  snippet: string,
-  /** What both say. */
-  shared: Array<Shared>,
-  /** What is different there. */
-  differences: Array<Message>,
-};
-
-/** What both calls say. */
-export type Shared = {
-  /** What it is. */
-  label: Message,
-  /** Its value; a length in the active unit. */
-  value: number,
+/** Replaces a place of the text; places count in UTF-16 units. */
+export type Edit = {
+  /** First unit that goes. */
+  from: number,
+  /** One past the last; the same: nothing goes. */
+  to: number,
+  /** What comes. */
+  insert: string,
 };
 
 /** What a call does. */
@@ -499,6 +424,18 @@ export type Measured = {
   earlier: 0,
 };
 
+/** An alarm that was raised, or why a simulation went no further. */
+export type Raised = {
+  /** Its name; empty: none of the control. */
+  code: string,
+  /** What it says. */
+  message: Message,
+  /** What helps. */
+  hint?: Message,
+  /** Whether it stops the program. */
+  stops: boolean,
+};
+
 /** A quantity that is different after a run. */
 export type Change = {
   /** As a program would name it: `$TC_DP15[20,1]`, `$P_UIFR[1,X,FI]`, `_MV[9]`. */
@@ -513,16 +450,79 @@ export type Change = {
   unit: string,
 };
 
-/** An alarm that was raised, or why a simulation went no further. */
-export type Raised = {
-  /** Its name; empty: none of the control. */
-  code: string,
-  /** What it says. */
-  message: Message,
-  /** What helps. */
-  hint?: Message,
-  /** Whether it stops the program. */
-  stops: boolean,
+/** A field of a form. Numbers of `fallback` and `range` are in its unit. */
+export type Field = {
+  /** Parameter, as the manual writes it: `_SETVAL`. */
+  name: Name,
+  /** Its name in words. */
+  label: Message,
+  /** What it means. */
+  help: Message,
+  /** How it is entered. */
+  kind: FieldKind,
+  /** As typed; empty: nothing is. */
+  value: string,
+  /** The expression of the program of which the value is the worth. */
+  expression?: string,
+  /** There where it chooses the variant, on which the other fields depend. */
+  chooses?: boolean,
+  /** What the number is a code of, where that is not the same in all variants. */
+  code?: string,
+  /** What counts while nothing is typed. */
+  fallback?: number,
+  /** `mm`, `inch`, `deg`, `mm/min`, `inch/min` or nothing. */
+  unit: string,
+  /** Whether it has to be given. */
+  required: boolean,
+  /** Why it is required or optional. */
+  reason: Message,
+  /** What the control takes, of a number. */
+  range?: Range,
+  /** What can be chosen, of a choice. */
+  choices?: Array<Choice>,
+  /** Digits that mean something of their own, of a number that is put together from such. */
+  digits?: Array<DigitGroup>,
+  /** Place in the manual. */
+  source: string,
+};
+
+/** How a field is entered. */
+export type FieldKind = "real" | "integer" | "choice" | "digits" | "text";
+
+/** A number with its name. */
+export type Choice = {
+  /** Number as it is written. */
+  value: number,
+  /** Its name. */
+  label: Message,
+};
+
+/** Digits that mean something of their own. */
+export type DigitGroup = {
+  /** What they mean. */
+  label: Message,
+  /** Value of the lowest digit: 1, 10, 100, … */
+  place: number,
+  /** How many. */
+  digits: number,
+  /** What they are now. */
+  value: number,
+  /** Named values; empty: any number of that many digits. */
+  choices: Array<Choice>,
+  /** The whole number to which each choice leads; empty: the digits alone change. */
+  leads?: Array<number>,
+};
+
+/** Range of a number. `f64::NEG_INFINITY`/`INFINITY` for an open end. */
+export type Range = {
+  /** Lower end. */
+  min?: number,
+  /** Whether `min` itself is allowed. */
+  minIncluded: boolean,
+  /** Upper end. */
+  max?: number,
+  /** Whether `max` itself is allowed. */
+  maxIncluded: boolean,
 };
 
 /** A drawing. */
@@ -581,14 +581,6 @@ export type HelpView = {
   alarms: Array<AlarmInfo>,
 };
 
-/** A result by its name and the key of its meaning. */
-export type HelpResult = {
-  /** `_OVR[4]`. */
-  name: string,
-  /** Key of its meaning. */
-  key: string,
-};
-
 /** A section of a help page. */
 export type HelpSection = {
   /** Its heading. */
@@ -603,6 +595,14 @@ export type HelpText = {
   message: Message,
   /** Place in the manual. */
   source: string,
+};
+
+/** A result by its name and the key of its meaning. */
+export type HelpResult = {
+  /** `_OVR[4]`. */
+  name: string,
+  /** Key of its meaning. */
+  key: string,
 };
 
 /** Which machine, and what is typed into its form. */
@@ -838,14 +838,6 @@ export type RunDecision = {
   cycle?: string,
 };
 
-/** What was assumed for a program that came without a machine. */
-export type RunAssumed = {
-  /** In words. */
-  messages: Array<Message>,
-  /** The machine on which it ran. */
-  setup: Setup,
-};
-
 /** An alarm of a run. */
 export type RunAlarm = {
   /** Its name; empty: none of the control. */
@@ -884,6 +876,14 @@ export type RunResult = {
   line?: number,
   /** Its cycle. */
   cycle?: string,
+};
+
+/** What was assumed for a program that came without a machine. */
+export type RunAssumed = {
+  /** In words. */
+  messages: Array<Message>,
+  /** The machine on which it ran. */
+  setup: Setup,
 };
 
 /** The call of a program to which something belongs; absent: none. */
@@ -949,11 +949,14 @@ export type ScanText = "program" | "points" | "surface";
 /** What a file is, by its bytes. */
 export type Recognised = {
   /** How it is encoded. */
-  encoding: import("./encoding").Encoding,
+  encoding: Encoding,
 } | {
   /** What it is instead. */
   why: Message,
 };
+
+/** What is recognised. Whoever shows the text may know more, to be chosen by hand. */
+export type Encoding = "utf-8" | "utf-8-marked" | "utf-16le" | "utf-16le-marked" | "utf-16be" | "utf-16be-marked" | "gbk" | "gb18030" | "shift_jis" | "windows-1252";
 
 // What is drawn of a run, and the setup file: described by hand (core/src/json/tests/drawn.ts), as they are written by
 // hand.

@@ -6,6 +6,7 @@ mod corpus;
 mod counts;
 mod dist;
 mod fuzz;
+mod package;
 mod page;
 mod serve;
 mod steps;

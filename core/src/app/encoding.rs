@@ -12,7 +12,6 @@ pub enum Recognised {
     /// A program.
     Program {
         /// How it is encoded.
-        #[cfg_attr(test, ts(type = "import(\"./encoding\").Encoding"))]
         encoding: Encoding,
     },
     /// No program.
