@@ -8,8 +8,8 @@ use std::path::{Path, PathBuf};
 const WIDTH: usize = 120;
 /// The endings of what people write and read.
 const ENDINGS: [&str; 6] = ["rs", "ts", "mjs", "css", "jsonc", "wgsl"];
-/// Folders of what is built or fetched.
-const MADE: [&str; 5] = ["target", "node_modules", "dist", "pkg", ".git"];
+/// What is built, fetched or written by a test (json/tests/wire.rs holds the last).
+const MADE: [&str; 6] = ["target", "node_modules", "dist", "pkg", ".git", "wire.ts"];
 
 /// Every source file below a folder.
 fn sources(folder: &Path) -> Vec<PathBuf> {
@@ -18,7 +18,7 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
     let entries = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
     entries
         .flat_map(|path| match path.is_dir() {
-            true if made(&path) => vec![],
+            _ if made(&path) => vec![],
             true => sources(&path),
             false => vec![path],
         })

@@ -35,8 +35,8 @@ pub enum Stop {
     Fault(Message),
 }
 
-/// What a measuring cycle may do on the machine. Positions include the tool length (the point to which L1 refers); feeds
-/// in mm/min.
+/// What a measuring cycle may do on the machine. Positions include the tool length (the point to which L1 refers);
+/// feeds in mm/min.
 pub trait Machine {
     /// State of the control; a cycle writes results and corrections here.
     fn control(&mut self) -> &mut Control;

@@ -1,5 +1,5 @@
-// What the core says is to be seen: flat arrays, and what they hold (core/src/scene). Copied out of the module's memory,
-// which the next call into it may move; so they can also cross from a worker.
+// What the core says is to be seen: flat arrays, and what they hold (core/src/scene). Copied out of the module's
+// memory, which the next call into it may move; so they can also cross from a worker.
 import type { Vec3 } from "../wire";
 
 /** Pieces of the triangles: what they are. */
@@ -18,8 +18,10 @@ export type LineKind =
   | "dimension";
 type Span = [from: number, to: number]; // `to` excluded
 
-/** `place`: where it stands, by index in a standing's places; absent: from the position of the machine on. `tool`: with
- * which tool it is there; absent: always. */
+/**
+ * `place`: where it stands, by index in a standing's places; absent: from the position of the machine on. `tool`: with
+ * which tool it is there; absent: always.
+ */
 export interface Piece {
   matter: Matter;
   corners: Span;
@@ -44,7 +46,9 @@ export interface Standing {
   places: Place[];
   whole: [Vec3, Vec3];
 }
-/** `ball`: direction from it to what holds it, absent: no probe; `tip`, `extent`: from the position of the machine on. */
+/**
+ * `ball`: direction from it to what holds it, absent: no probe; `tip`, `extent`: from the position of the machine on.
+ */
 export interface Tool {
   ball?: Vec3;
   tip: Vec3;
@@ -97,8 +101,10 @@ export interface SceneView {
   entries: number;
 }
 
-/** vertices: 6 numbers each, place in the frame of the piece and normal; lines: 6; ways: 8, with the parts of the motion
- * between which they are travelled; touches: 6, point and normal; stands: 3 an entry, where it leaves the probe. */
+/**
+ * vertices: 6 numbers each, place in the frame of the piece and normal; lines: 6; ways: 8, with the parts of the motion
+ * between which they are travelled; touches: 6, point and normal; stands: 3 an entry, where it leaves the probe.
+ */
 export interface SceneData {
   view: SceneView;
   vertices: Float32Array;

@@ -6,9 +6,11 @@ import type { Vec3 } from "../wire";
 import type { Colours } from "./colours";
 import { add, dot, sub, times } from "./vec";
 
-/** `below`: under its point on the screen, `aside`: to the left of it as well; both clear of others. `raised`: so many
- * CSS pixels above. `beside`: it
- *  begins there instead of standing over it. `during`: entries of the trace between which it is shown. */
+/**
+ * `below`: under its point on the screen, `aside`: to the left of it as well; both clear of others. `raised`: so many
+ * CSS pixels above. `beside`: it begins there instead of standing over it. `during`: entries of the trace between which
+ * it is shown.
+ */
 export interface Label {
   at: Vec3;
   text: string;
@@ -66,8 +68,10 @@ function frameLabels({ frames, axis }: SceneView, colours: Colours, words: Frame
 
 const diameterText = (diameter: number): string => `Ø${fixed(diameter, 3)}`;
 
-/** Dimension lines with the diameter as it is, below it the set one and the deviation; the diameter at each touched
- * point, until that point is touched again. */
+/**
+ * Dimension lines with the diameter as it is, below it the set one and the deviation; the diameter at each touched
+ * point, until that point is touched again.
+ */
 export function drawingLabels({ dimensions, touched }: Drawing, colours: Colours): Label[] {
   const found = touched.map(
     ({ at, diameter, from, to = Infinity }): Label => ({

@@ -50,9 +50,10 @@ export function probeAt(data: SceneData, index: number, fraction: number): Vec3 
 
 const BLOCK = 300; // entries of a run
 
-/** Of a long run the block of entries in which `index` lies, with one before it and one behind: the paths of the rest
- * would
- *  hide them, and take seconds to draw where there is no graphics card. Of a short run all. */
+/**
+ * Of a long run the block of entries in which `index` lies, with one before it and one behind: the paths of the rest
+ * would hide them, and take seconds to draw where there is no graphics card. Of a short run all.
+ */
 export function blockOf(index: number): number {
   return Math.floor(index / BLOCK);
 }

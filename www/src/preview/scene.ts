@@ -120,8 +120,8 @@ function linesOf(
 }
 
 /**
- * Motions and touches around an entry; every line knows its entry. What matters more lies over what matters less, points
- * over all.
+ * Motions and touches around an entry; every line knows its entry. What matters more lies over what matters less,
+ * points over all.
  */
 export function paths(data: SceneData, index: number, colours: Colours): Line[] {
   const { ways, wayEntries, wayKinds, touches, touchEntries, touchSorts, view } = data;
@@ -144,8 +144,10 @@ export function paths(data: SceneData, index: number, colours: Colours): Line[] 
   return lines.sort((a, b) => (rank(a) === rank(b) ? 0 : rank(a) - rank(b)));
 }
 
-/** With a tool where the motions begin, and with a drawing's dimensions. What carries a tool may be cut off, and so may a
- * stylus: the part is looked at. */
+/**
+ * With a tool where the motions begin, and with a drawing's dimensions. What carries a tool may be cut off, and so may
+ * a stylus: the part is looked at.
+ */
 function boxOf(data: SceneData, { whole: [min, max] }: Standing, tool: Tool | undefined, drawing: boolean): Box {
   const begin = probeAt(data, 0, 0);
   const corners = tool?.extent && begin ? boxCorners({ min: tool.extent[0], max: tool.extent[1] }) : [];

@@ -11,8 +11,10 @@ import { add, times } from "./vec";
 
 const THROUGH = 0.24;
 
-/** Places of the ball on the motion of the present entry up to where it is, or on all of the one that ended in its touch
- * or crash. */
+/**
+ * Places of the ball on the motion of the present entry up to where it is, or on all of the one that ended in its touch
+ * or crash.
+ */
 function wayOf(data: SceneData, time: number): Vec3[] {
   const { ways, wayEntries, touchEntries } = data;
   const index = Math.max(0, Math.ceil(time) - 1);

@@ -54,8 +54,10 @@ export function createSearch(catalogue: Catalogue, alarms: readonly AlarmInfo[])
   };
 }
 
-/** The kind with the best hit first, if everything that was typed is in that; else in the order of the kinds, since a
-    chance word says little. */
+/**
+ * The kind with the best hit first, if everything that was typed is in that; else in the order of the kinds, since a
+ * chance word says little.
+ */
 function grouped(hits: Hit[]): Group[] {
   const best = ({ hits: [first] }: Group): number => (first?.complete ? first.score : 0);
   return KINDS.map((kind): Group => ({ kind, hits: hits.filter(hit => hit.entry.kind === kind) }))
