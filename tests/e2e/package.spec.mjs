@@ -63,9 +63,8 @@ describe("the npm package", () => {
       readFileSync(join(folder, "node_modules/probewright/README.md"), "utf8"),
     );
     const quiet = example.replaceAll("console.log", "void ");
-    const told = inNode(
-      `${quiet}\nconsole.log(JSON.stringify({ calls: calls.length, complete: form.complete, run: run.results.length }));`,
-    );
+    const figures = "{ calls: calls.length, complete: form.complete, run: run.results.length }";
+    const told = inNode(`${quiet}\nconsole.log(JSON.stringify(${figures}));`);
     assert.deepEqual([told.calls, told.complete], [1, true]);
     assert.ok(told.run > 5);
   });
@@ -76,7 +75,14 @@ describe("the npm package", () => {
     assert.match(types, /\/\*\* The measuring calls of a part program/);
     writeFileSync(
       join(folder, "typed.mts"),
-      'import { load } from "probewright";\nconst p = await load();\nconst n: number = p.form({ control: "nct", cycle: "G101", values: {} }).fields.length;\n// @ts-expect-error\np.form({ control: "fanuc" });\nexport { n };\n',
+      [
+        'import { load } from "probewright";',
+        "const p = await load();",
+        'const n: number = p.form({ control: "nct", cycle: "G101", values: {} }).fields.length;',
+        "// @ts-expect-error",
+        'p.form({ control: "fanuc" });',
+        "export { n };\n",
+      ].join("\n"),
     );
     const tsc = fileURLToPath(new URL("../../www/node_modules/typescript/bin/tsc", import.meta.url));
     const flags = [
