@@ -61,7 +61,7 @@ impl Message {
 /// Most characters of a text in a message.
 const SHOWN: usize = 100;
 
-/// A text on one line, at most [`SHOWN`] characters and three points.
+/// A text on one line, at most `SHOWN` characters and three points.
 pub fn printable(text: &str) -> String {
     let mut shown: String = text.chars().take(SHOWN).map(|c| if c.is_control() { ' ' } else { c }).collect();
     if text.chars().nth(SHOWN).is_some() {

@@ -1,10 +1,173 @@
 // Questions and answers of the core. Written from core/src/app by a test of the core (json/tests/wire.rs) when it runs
 // with PROBEWRIGHT_UPDATE=1; not by hand.
 
+/** An alarm, or a text for the operator. */
+export type AlarmInfo = {
+  /** Its name: `61303`, `PROBE FAIL`; of a text for the operator the text itself. */
+  code: string,
+  /** Key of its words; `.cause` (where it says more) and `.cure` stand behind it. */
+  key: string,
+  /** Whether the program stops. */
+  stops: boolean,
+  /** Who raises it: cycles of the catalogue, then other programs. */
+  cycles: Array<string>,
+  /** Where what raises it is found. */
+  found: Found,
+  /** Place in the manual. */
+  source: string,
+};
+
+/** One argument of a message. */
+export type Arg = number | string;
+
+/** A value that arrives at a call. */
+export type Arrival = {
+  /** As it is written. */
+  value: string,
+  /** Its line, from 1. */
+  line: number,
+};
+
+/** System of units. */
+export type BasicSystem = "mm" | "inch";
+
+/** What the core's own machine begins with. */
+export type Beginning = {
+  /** Basic system of units; none: metric. */
+  basic?: BasicSystem,
+  /** Working plane; absent: G17. */
+  plane: Plane,
+  /** G function of units; none: that of the basic system. */
+  units: UnitFunction,
+  /** User and machine data that differ. */
+  data?: { [key in string]: Datum },
+};
+
+/** A measuring call of a program. */
+export type CallView = {
+  /** Control. */
+  control: Dialect,
+  /** Cycle. */
+  cycle: string,
+  /** Stem of its messages. */
+  key: string,
+  /** Number of the variant, where it is known. */
+  mvar: number | null,
+  /** First line with an assignment that belongs to it, from 1. */
+  line: number,
+  /** Line of the call itself. */
+  lastLine: number,
+  /** Where the call itself begins in the text, UTF-16 units. */
+  from: number,
+  /** One past its end. */
+  to: number,
+  /** How it is written. */
+  style: Style,
+  /** Values that arrive at it, as a form wants them. */
+  values: { [key in string]: string },
+  /** Of those that are the worth of an expression: as it is written. */
+  expressions: { [key in string]: string },
+  /** Of the values that differ by the way or from pass to pass: those that arrive first. */
+  first: { [key in Name]: Arrival },
+  /** Working plane there. */
+  plane: Plane,
+  /** How X is given there. */
+  transverse: Transverse,
+  /** G function of units in force there. */
+  units: UnitFunction,
+  /** What is wrong with it. */
+  diagnostics: Array<Diagnostic>,
+  /** Notes at values that come from other programs of the text, or differ by the way to the call. */
+  arrivals: Array<Diagnostic>,
+};
+
 /** Everything that can be measured. */
 export type Catalogue = {
   /** In the order in which they are offered. */
   cycles: Array<CycleInfo>,
+};
+
+/** A quantity that is different after a run. */
+export type Change = {
+  /** As a program would name it: `$TC_DP15[20,1]`, `$P_UIFR[1,X,FI]`, `_MV[9]`. */
+  name: string,
+  /** In words. */
+  label: Message,
+  /** Before, in its unit. */
+  before: number,
+  /** After. */
+  after: number,
+  /** A length has that of the basic system of the machine. */
+  unit: string,
+};
+
+/** A new value of a call. */
+export type ChangeRequest = {
+  /** Control. */
+  control: Dialect,
+  /** Text of the program. */
+  text: string,
+  /** Which of its calls, from 0. */
+  call: number,
+  /** Parameter. */
+  name: string,
+  /** Its new value, as typed; empty: it goes. */
+  value: string,
+  /** Machine on which the program starts; absent: the core's own as it is. */
+  setup?: Machine,
+};
+
+/** What a new value does to a program. */
+export type Changed = {
+  /** Lists of edits, each for the text after the ones before it; the only places that change. */
+  steps: Array<Array<Edit>>,
+  /** Lines outside of the call's own that they change. */
+  elsewhere: Array<TouchedLine>,
+  /** Parameters that the new variant does not know, taken out of the call. */
+  taken: Array<Name>,
+  /** What that means. */
+  findings: Array<Diagnostic>,
+};
+
+/** A number with its name. */
+export type Choice = {
+  /** Number as it is written. */
+  value: number,
+  /** Its name. */
+  label: Message,
+};
+
+/** Where a problem is named. */
+export type Code = string;
+
+/** A call in another way of writing. */
+export type ConvertRequest = {
+  /** Control. */
+  control: Dialect,
+  /** Text of the program. */
+  text: string,
+  /** Which of its calls, from 0. */
+  call: number,
+  /** The way of writing. */
+  style: Style,
+  /** Machine on which the program starts; absent: the core's own as it is. */
+  setup?: Machine,
+};
+
+/** Edits that write a call in another way. */
+export type Converted = {
+  /** The only places of the text that change; none: it is not possible, see the findings. */
+  edits: Array<Edit>,
+  /** What has to be said about it. */
+  findings: Array<Diagnostic>,
+};
+
+/** Edits that mend a finding. */
+export type Cure = {
+  /** What they do. */
+  label: Message,
+  /** The only places of the text that change. */
+  edits: Array<Edit>,
 };
 
 /** A measuring cycle or macro. */
@@ -39,290 +202,15 @@ export type CycleInfo = {
   source: string,
 };
 
-/** A datum that a cycle leaves. */
-export type ResultInfo = {
-  /** `_OVR[4]`; of NCT a name of ours. */
-  name: string,
-  /** Key of its meaning. */
-  key: string,
-  /** Rule of its unit. */
-  unit: Unit,
-  /** Place in the manual. */
-  source: string,
-};
-
-/** Unit of a parameter and the system it counts in. */
-export type Unit = "" | "active length" | "basic length" | "mm" | "deg" | "basic feed";
-
-/** Where a cycle belongs. */
-export type Purpose = {
-  /** Sort of machine. */
-  machine: MachineSort,
-  /** In which plane such a machine works unless told otherwise. */
-  plane: Plane | null,
-  /** The probe that it uses. */
-  probe: ProbeUse,
-  /** Whether calibrating is all that it does. */
-  calibrates: boolean,
-};
-
-/** Working plane. */
-export type Plane = "G17" | "G18" | "G19";
-
-/** Sort of machine that a cycle is made for. */
-export type MachineSort = "milling" | "turning" | "any";
-
-/** The probe that a cycle uses. */
-export type ProbeUse = "workpiece" | "tool" | "none" | "log";
-
-/** A way to write a call. */
-export type Style = "direct" | "indirect" | "operate";
-
-/** Where a problem is named. */
-export type Code = string;
-
-/** A measuring variant. Its values, as typed, choose it; its example is a worked measurement. */
-export type VariantInfo = {
-  /** Its number. */
-  mvar: number,
-  /** Key of its name. */
-  key: string,
-  /** Place in the manual. */
-  source: string,
-  /** Keys of what the digits of its number choose, the lowest place first. */
-  choices: Array<string>,
-  /** In the planes in which other addresses name the axes. */
-  planes: { [key in Plane]?: Values },
-  /** Those that choose it. */
-  values: { [key in string]: string },
-  /** Those of its worked measurement. */
-  example: { [key in string]: string },
-};
-
-/** Values of a variant as typed, by parameter name. */
-export type Values = {
-  /** Those that choose it. */
-  values: { [key in string]: string },
-  /** Those of its worked measurement. */
-  example: { [key in string]: string },
-};
-
-/** A parameter. */
-export type ParameterInfo = {
-  /** As the manual writes it: `_SETVAL`. */
-  name: Name,
-  /** Stem of its messages: `setval` of `param-setval`. */
-  key: string,
-  /** Rule of its unit. */
-  unit: Unit,
-  /** What counts while it is not written; none: it has to be. */
-  default: number | null,
-  /** Place in the manual. */
-  source: string,
-};
-
-/**
- * Name of a parameter, as the manual writes it: `_SETVAL`, `_SETV[0]`, `D`. An entry and what reads
- * it use one constant.
- */
-export type Name = string;
-
-/** The language of the part program, and with it the control. */
-export type Dialect = "sinumerik" | "nct";
-
-/** An alarm, or a text for the operator. */
-export type AlarmInfo = {
-  /** Its name: `61303`, `PROBE FAIL`; of a text for the operator the text itself. */
-  code: string,
-  /** Key of its words; `.cause` (where it says more) and `.cure` stand behind it. */
-  key: string,
-  /** Whether the program stops. */
-  stops: boolean,
-  /** Who raises it: cycles of the catalogue, then other programs. */
-  cycles: Array<string>,
-  /** Where what raises it is found. */
-  found: Found,
-  /** Place in the manual. */
-  source: string,
-};
-
-/** Where Probewright finds what raises an alarm. */
-export type Found = "check" | "run" | "both" | "nowhere";
-
-/** What a form is asked for. */
-export type FormRequest = {
-  /** Control. */
-  control: Dialect,
-  /** Cycle. */
-  cycle: string,
-  /** Values as typed, by parameter; absent: never typed. */
-  values: { [key in string]: string },
-  /** Of the values that are the worth of an expression of the program: as it is written. The snippet carries it. */
-  expressions?: { [key in string]: string },
-  /** Values that an outcome counts with instead of those of the form, which depend on the way to the call. */
-  assumed?: { [key in string]: string },
-  /** Machine; absent: the core's own as it is. */
-  setup?: Machine,
-  /** G function of units in force at the call, where it is not that of the machine. */
-  units?: UnitFunction,
-  /** Working plane at the call, where it is not that of the machine. */
-  plane?: Plane,
-  /** How X is given at the call; absent: as diameters in a turning cycle. */
-  transverse?: Transverse,
-  /** What is wrong with part and probe; absent: nothing. */
-  errors?: ErrorSliders,
-  /** Words by parameter for a comment line each in the snippet. */
-  comments?: { [key in string]: string },
-  /** Way of writing of the call of a program that the form shows: a list of newer controls has rules of its own. */
-  written?: Style,
-  /** Way of writing of the snippet; absent: as the machine's forms have it, else direct. */
-  style?: Style,
-  /** Whether to simulate. */
-  predict?: boolean,
-  /** Whether to look for the largest errors of the part that the call survives: takes a hundred runs. */
-  limits?: boolean,
-  /** Whether to look for the same task on the other control. */
-  twin?: boolean,
-};
-
-/** What is wrong with part and probe, as the sliders of the page set it. */
-export type ErrorSliders = {
-  /** The part; a tool probe in its place. */
-  part: PartSliders,
-  /** The workpiece probe; of a tool at a tool probe the tool. */
-  probe: ProbeSliders,
-};
-
-/** What is wrong with a probe, mm. */
-export type ProbeSliders = {
-  /** Centre of the ball off the axis, along X; of a tool its length L1. */
-  skewX: number,
-  /** Along Y; of a tool its length L2. */
-  skewY: number,
-  /** Added to the radius of the ball, or of the tool. */
-  radius: number,
-  /** Travel after contact until the signal. */
-  preTravel: number,
-  /** Standard deviation of the switching point. */
-  repeatability: number,
-};
-
-/** What is wrong with a part, mm and degree. */
-export type PartSliders = {
-  /** Displacement along X of the machine. */
-  dx: number,
-  /** Along Y. */
-  dy: number,
-  /** Along Z. */
-  dz: number,
-  /** Added to every diameter, width and length. */
-  size: number,
-  /** Turned about the applicate, degree. */
-  tilt: number,
-  /** Growth of the diameter per mm of depth. */
-  taper: number,
-  /** Amplitude of the three lobes of the radius. */
-  outOfRound: number,
-};
-
-/** How the program gives positions of the transverse axis X of a lathe. */
-export type Transverse = "DIAMOF" | "DIAMON" | "DIAM90";
-
-/** The machine of a question. */
-export type Machine = OwnMachine | Setup;
-
-/** The core's own machine. */
-export type OwnMachine = {
-  /** What it begins with. */
-  own: Beginning,
-};
-
-/** What the core's own machine begins with. */
-export type Beginning = {
-  /** Basic system of units; none: metric. */
-  basic?: BasicSystem,
-  /** Working plane; absent: G17. */
-  plane: Plane,
-  /** G function of units; none: that of the basic system. */
-  units: UnitFunction,
-  /** User and machine data that differ. */
-  data?: { [key in string]: Datum },
-};
-
 /** A value of user data. */
 export type Datum = number | string;
 
-/** G function that chooses the system of units; those below 70 are of NCT. */
-export type UnitFunction = "G20" | "G21" | "G70" | "G71" | "G700" | "G710";
-
-/** System of units. */
-export type BasicSystem = "mm" | "inch";
-
-/** A form. */
-export type FormView = {
-  /** Fields in the order in which they are shown; hidden ones are left out. */
-  fields: Array<Field>,
-  /** All findings; those of a field name its parameter. */
-  diagnostics: Array<Diagnostic>,
-  /** Text of the program, also for incomplete values as far as it can be written; empty: not in this way. */
-  snippet: string,
-  /** What this way of writing cannot say. */
-  snippetFindings: Array<Diagnostic>,
-  /** Way of writing that counts until another is chosen: the machine may say so. */
-  preset: Style,
-  /** Whether there is no error. */
-  complete: boolean,
-  /** The variant that the values choose. */
-  mvar: number | null,
-  /** What the values mean, drawn; only from a build that simulates. */
-  picture?: Picture,
-  /** When asked for: the same task on the other control; null where that has none. */
-  twin?: TwinView | null,
-  /** When simulating was asked for and there is no outcome: parameters whose values only a run tells. */
-  unknown?: Array<Name>,
-  /** When simulating was asked for, of a complete form of a cycle that is simulated. */
-  outcome?: Outcome,
-  /** When simulating was asked for: the machine, for an outcome with the proposed part, its errors and the start. */
-  setup: Setup,
-};
-
-/** The same task on the other control. */
-export type TwinView = {
-  /** That control. */
-  control: Dialect,
-  /** Its cycle. */
-  cycle: string,
-  /** Stem of its messages. */
-  key: string,
-  /** What both measure. */
-  task: Message,
-  /** Values as typed there. */
-  values: { [key in string]: string },
-  /** Text of the program there. */
-  snippet: string,
-  /** What both say. */
-  shared: Array<Shared>,
-  /** What is different there. */
-  differences: Array<Message>,
-};
-
-/** A text to be shown: key of the message files, with its arguments. */
-export type Message = {
-  /** Key in the message files, for example `check-out-of-range`; stems of the catalogue make others (`alarm-61307`). */
-  key: string,
-  /** Named arguments, in no particular order. */
-  args: { [key in string]: Arg },
-};
-
-/** One argument of a message. */
-export type Arg = number | string;
-
-/** What both calls say. */
-export type Shared = {
-  /** What it is. */
-  label: Message,
-  /** Its value; a length in the active unit. */
-  value: number,
+/** How far points are from the true surface, mm. */
+export type Deviation = {
+  /** Greatest. */
+  greatest: number,
+  /** Root of the mean square. */
+  mean: number,
 };
 
 /** What is wrong, where, and how to mend it. */
@@ -351,25 +239,23 @@ export type Diagnostic = {
   elsewhere?: Array<TouchedLine>,
 };
 
-/** How bad it is. */
-export type Severity = "error" | "warning" | "note";
+/** The language of the part program, and with it the control. */
+export type Dialect = "sinumerik" | "nct";
 
-/** A line that would be another one. */
-export type TouchedLine = {
-  /** Its number, from 1. */
-  line: number,
-  /** As it is. */
-  before: string,
-  /** As it would be; empty where it goes. */
-  after: string,
-};
-
-/** Edits that mend a finding. */
-export type Cure = {
-  /** What they do. */
+/** Digits that mean something of their own. */
+export type DigitGroup = {
+  /** What they mean. */
   label: Message,
-  /** The only places of the text that change. */
-  edits: Array<Edit>,
+  /** Value of the lowest digit: 1, 10, 100, … */
+  place: number,
+  /** How many. */
+  digits: number,
+  /** What they are now. */
+  value: number,
+  /** Named values; empty: any number of that many digits. */
+  choices: Array<Choice>,
+  /** The whole number to which each choice leads; empty: the digits alone change. */
+  leads?: Array<number>,
 };
 
 /** Replaces a place of the text; places count in UTF-16 units. */
@@ -382,23 +268,8 @@ export type Edit = {
   insert: string,
 };
 
-/** What a call does. */
-export type Outcome = {
-  /** What it wrote, and what it would have written but left as it was. */
-  results: Array<Measured>,
-  /** Decisions of the tolerance chain in order, the branch taken last. */
-  decisions: Array<Message>,
-  /** Alarms raised, the one that stopped it last. */
-  alarms: Array<Raised>,
-  /** Tool wear, zero offsets, memories, … */
-  changes: Array<Change>,
-  /** Lines of the log, and blocks that were sent. */
-  log: Array<string>,
-  /** Everything that happened. */
-  trace: Trace,
-  /** Where asked for: up to which errors it comes to its end. */
-  limits?: Array<ErrorLimit>,
-};
+/** What is recognised. Whoever shows the text may know more, to be chosen by hand. */
+export type Encoding = "utf-8" | "utf-8-marked" | "utf-16le" | "utf-16le-marked" | "utf-16be" | "utf-16be-marked" | "gbk" | "gb18030" | "shift_jis" | "windows-1252";
 
 /** Up to which errors of the part a call comes to its end, the others being as they are. */
 export type ErrorLimit = {
@@ -410,44 +281,12 @@ export type ErrorLimit = {
   high: number | null,
 };
 
-/** A result of a call. */
-export type Measured = {
-  /** `_OVR[4]`. */
-  name: string,
-  /** Its meaning. */
-  label: Message,
-  /** Its value. */
-  value: number,
-  /** Unit on this machine. */
-  unit: string,
-  /** There where this call did not write it. */
-  earlier: 0,
-};
-
-/** An alarm that was raised, or why a simulation went no further. */
-export type Raised = {
-  /** Its name; empty: none of the control. */
-  code: string,
-  /** What it says. */
-  message: Message,
-  /** What helps. */
-  hint?: Message,
-  /** Whether it stops the program. */
-  stops: boolean,
-};
-
-/** A quantity that is different after a run. */
-export type Change = {
-  /** As a program would name it: `$TC_DP15[20,1]`, `$P_UIFR[1,X,FI]`, `_MV[9]`. */
-  name: string,
-  /** In words. */
-  label: Message,
-  /** Before, in its unit. */
-  before: number,
-  /** After. */
-  after: number,
-  /** A length has that of the basic system of the machine. */
-  unit: string,
+/** What is wrong with part and probe, as the sliders of the page set it. */
+export type ErrorSliders = {
+  /** The part; a tool probe in its place. */
+  part: PartSliders,
+  /** The workpiece probe; of a tool at a tool probe the tool. */
+  probe: ProbeSliders,
 };
 
 /** A field of a form. Numbers of `fallback` and `range` are in its unit. */
@@ -489,40 +328,296 @@ export type Field = {
 /** How a field is entered. */
 export type FieldKind = "real" | "integer" | "choice" | "digits" | "text";
 
-/** A number with its name. */
-export type Choice = {
-  /** Number as it is written. */
-  value: number,
-  /** Its name. */
-  label: Message,
+/** What a form is asked for. */
+export type FormRequest = {
+  /** Control. */
+  control: Dialect,
+  /** Cycle. */
+  cycle: string,
+  /** Values as typed, by parameter; absent: never typed. */
+  values: { [key in string]: string },
+  /** Of the values that are the worth of an expression of the program: as it is written. The snippet carries it. */
+  expressions?: { [key in string]: string },
+  /** Values that an outcome counts with instead of those of the form, which depend on the way to the call. */
+  assumed?: { [key in string]: string },
+  /** Machine; absent: the core's own as it is. */
+  setup?: Machine,
+  /** G function of units in force at the call, where it is not that of the machine. */
+  units?: UnitFunction,
+  /** Working plane at the call, where it is not that of the machine. */
+  plane?: Plane,
+  /** How X is given at the call; absent: as diameters in a turning cycle. */
+  transverse?: Transverse,
+  /** What is wrong with part and probe; absent: nothing. */
+  errors?: ErrorSliders,
+  /** Words by parameter for a comment line each in the snippet. */
+  comments?: { [key in string]: string },
+  /** Way of writing of the call of a program that the form shows: a list of newer controls has rules of its own. */
+  written?: Style,
+  /** Way of writing of the snippet; absent: as the machine's forms have it, else direct. */
+  style?: Style,
+  /** Whether to simulate. */
+  predict?: boolean,
+  /** Whether to look for the largest errors of the part that the call survives: takes a hundred runs. */
+  limits?: boolean,
+  /** Whether to look for the same task on the other control. */
+  twin?: boolean,
 };
 
-/** Digits that mean something of their own. */
-export type DigitGroup = {
-  /** What they mean. */
-  label: Message,
-  /** Value of the lowest digit: 1, 10, 100, … */
-  place: number,
-  /** How many. */
-  digits: number,
-  /** What they are now. */
-  value: number,
-  /** Named values; empty: any number of that many digits. */
-  choices: Array<Choice>,
-  /** The whole number to which each choice leads; empty: the digits alone change. */
-  leads?: Array<number>,
+/** A form. */
+export type FormView = {
+  /** Fields in the order in which they are shown; hidden ones are left out. */
+  fields: Array<Field>,
+  /** All findings; those of a field name its parameter. */
+  diagnostics: Array<Diagnostic>,
+  /** Text of the program, also for incomplete values as far as it can be written; empty: not in this way. */
+  snippet: string,
+  /** What this way of writing cannot say. */
+  snippetFindings: Array<Diagnostic>,
+  /** Way of writing that counts until another is chosen: the machine may say so. */
+  preset: Style,
+  /** Whether there is no error. */
+  complete: boolean,
+  /** The variant that the values choose. */
+  mvar: number | null,
+  /** What the values mean, drawn; only from a build that simulates. */
+  picture?: Picture,
+  /** When asked for: the same task on the other control; null where that has none. */
+  twin?: TwinView | null,
+  /** When simulating was asked for and there is no outcome: parameters whose values only a run tells. */
+  unknown?: Array<Name>,
+  /** When simulating was asked for, of a complete form of a cycle that is simulated. */
+  outcome?: Outcome,
+  /** When simulating was asked for: the machine, for an outcome with the proposed part, its errors and the start. */
+  setup: Setup,
 };
 
-/** Range of a number. `f64::NEG_INFINITY`/`INFINITY` for an open end. */
-export type Range = {
-  /** Lower end. */
-  min?: number,
-  /** Whether `min` itself is allowed. */
-  minIncluded: boolean,
-  /** Upper end. */
-  max?: number,
-  /** Whether `max` itself is allowed. */
-  maxIncluded: boolean,
+/** Where Probewright finds what raises an alarm. */
+export type Found = "check" | "run" | "both" | "nowhere";
+
+/** Which page. */
+export type HelpRequest = {
+  /** Control. */
+  control: Dialect,
+  /** Cycle. */
+  cycle: string,
+  /** Number of the variant. */
+  mvar: number,
+};
+
+/** A result by its name and the key of its meaning. */
+export type HelpResult = {
+  /** `_OVR[4]`. */
+  name: string,
+  /** Key of its meaning. */
+  key: string,
+};
+
+/** A section of a help page. */
+export type HelpSection = {
+  /** Its heading. */
+  label: Message,
+  /** What it says. */
+  lines: Array<HelpText>,
+};
+
+/** A line of a help page. */
+export type HelpText = {
+  /** What it says. */
+  message: Message,
+  /** Place in the manual. */
+  source: string,
+};
+
+/** The help page of a variant. */
+export type HelpView = {
+  /** Its sections, in order; none is empty. */
+  sections: Array<HelpSection>,
+  /** Parameters that every call of the variant gives. */
+  required: Array<Name>,
+  /** Results that a call can leave. */
+  results: Array<HelpResult>,
+  /** Alarms that can come. */
+  alarms: Array<AlarmInfo>,
+};
+
+/** The machine of a question. */
+export type Machine = OwnMachine | Setup;
+
+/** A datum of the machine. */
+export type MachineField = {
+  /** As a program writes it: `_WP[0,1]`, `MD18600`. */
+  name: string,
+  /** Key of its name; `.help`, and `.v0`, `.v1`, … of a choice, may stand behind it. */
+  key: string,
+  /** Which field of data it belongs to. */
+  set?: Message,
+  /** How it is entered. */
+  kind: MachineKind,
+  /** As typed; empty: as delivered. */
+  value: string,
+  /** As delivered; empty: not known. */
+  fallback: string,
+  /** Unit on this machine. */
+  unit: string,
+  /** What is allowed. */
+  range: Range,
+  /** The numbers of a choice. */
+  choices?: Array<number>,
+  /** Place in the manual. */
+  source: string,
+};
+
+/** Data of one subject. */
+export type MachineGroup = {
+  /** The subject. */
+  label: Message,
+  /** Its data. */
+  fields: Array<MachineField>,
+};
+
+/** How a datum of the machine is entered. */
+export type MachineKind = "real" | "integer" | "choice" | "text";
+
+/** A typed value that is not taken. */
+export type MachineProblem = {
+  /** Name of the datum. */
+  name: string,
+  /** What is wrong. */
+  message: Message,
+  /** The cure. */
+  hint: Message,
+};
+
+/** Which machine, and what is typed into its form. */
+export type MachineRequest = {
+  /** Control. */
+  control: Dialect,
+  /** Machine; absent: the core's own as it is. */
+  setup?: Machine,
+  /** Basic system that it is to be built for from now on; the data keep their sizes. */
+  basic?: BasicSystem,
+  /** Typed values by name; an empty one goes back to what is delivered. */
+  values: { [key in string]: string },
+};
+
+/** Sort of machine that a cycle is made for. */
+export type MachineSort = "milling" | "turning" | "any";
+
+/** What is set once per machine. */
+export type MachineView = {
+  /** Its data by subject. */
+  groups: Array<MachineGroup>,
+  /** Its basic system now. */
+  basic: BasicSystem,
+  /** What differs from delivery now, for the setup. */
+  data: { [key in string]: Datum },
+  /** Values that were not taken. */
+  problems: Array<MachineProblem>,
+  /** What differs, as blocks of a part program. */
+  assignments: string,
+  /** The same as lines of the definition file. */
+  definitions: string,
+};
+
+/** A result of a call. */
+export type Measured = {
+  /** `_OVR[4]`. */
+  name: string,
+  /** Its meaning. */
+  label: Message,
+  /** Its value. */
+  value: number,
+  /** Unit on this machine. */
+  unit: string,
+  /** There where this call did not write it. */
+  earlier: 0,
+};
+
+/** A text to be shown: key of the message files, with its arguments. */
+export type Message = {
+  /** Key in the message files, for example `check-out-of-range`; stems of the catalogue make others (`alarm-61307`). */
+  key: string,
+  /** Named arguments, in no particular order. */
+  args: { [key in string]: Arg },
+};
+
+/**
+ * Name of a parameter, as the manual writes it: `_SETVAL`, `_SETV[0]`, `D`. An entry and what reads
+ * it use one constant.
+ */
+export type Name = string;
+
+/** The call of a program to which something belongs; absent: none. */
+export type OfCall = {
+  /** Its line, from 1. */
+  line?: number,
+  /** Its cycle. */
+  cycle?: string,
+};
+
+/** What a call does. */
+export type Outcome = {
+  /** What it wrote, and what it would have written but left as it was. */
+  results: Array<Measured>,
+  /** Decisions of the tolerance chain in order, the branch taken last. */
+  decisions: Array<Message>,
+  /** Alarms raised, the one that stopped it last. */
+  alarms: Array<Raised>,
+  /** Tool wear, zero offsets, memories, … */
+  changes: Array<Change>,
+  /** Lines of the log, and blocks that were sent. */
+  log: Array<string>,
+  /** Everything that happened. */
+  trace: Trace,
+  /** Where asked for: up to which errors it comes to its end. */
+  limits?: Array<ErrorLimit>,
+};
+
+/** The core's own machine. */
+export type OwnMachine = {
+  /** What it begins with. */
+  own: Beginning,
+};
+
+/** A parameter. */
+export type ParameterInfo = {
+  /** As the manual writes it: `_SETVAL`. */
+  name: Name,
+  /** Stem of its messages: `setval` of `param-setval`. */
+  key: string,
+  /** Rule of its unit. */
+  unit: Unit,
+  /** What counts while it is not written; none: it has to be. */
+  default: number | null,
+  /** Place in the manual. */
+  source: string,
+};
+
+/** What is wrong with a part, mm and degree. */
+export type PartSliders = {
+  /** Displacement along X of the machine. */
+  dx: number,
+  /** Along Y. */
+  dy: number,
+  /** Along Z. */
+  dz: number,
+  /** Added to every diameter, width and length. */
+  size: number,
+  /** Turned about the applicate, degree. */
+  tilt: number,
+  /** Growth of the diameter per mm of depth. */
+  taper: number,
+  /** Amplitude of the three lobes of the radius. */
+  outOfRound: number,
+};
+
+/** A word or call that the run went on without. */
+export type PassedOver = {
+  /** As it stands in the program. */
+  word: string,
+  /** Its line, from 1. */
+  line: number,
 };
 
 /** A drawing. */
@@ -553,129 +648,60 @@ export type PictureShape = {
   also?: Array<Name>,
 };
 
-/** What a figure stands for. */
-export type ShapeKind = "material" | "cut" | "edge" | "zone" | "probe" | "path" | "dimension" | "label" | "tolerance" | "axis" | "touch";
+/** Working plane. */
+export type Plane = "G17" | "G18" | "G19";
 
-/** From where the drawing is seen. */
-export type View = "plane" | "section";
-
-/** Which page. */
-export type HelpRequest = {
-  /** Control. */
-  control: Dialect,
-  /** Cycle. */
-  cycle: string,
-  /** Number of the variant. */
-  mvar: number,
+/** What is wrong with a probe, mm. */
+export type ProbeSliders = {
+  /** Centre of the ball off the axis, along X; of a tool its length L1. */
+  skewX: number,
+  /** Along Y; of a tool its length L2. */
+  skewY: number,
+  /** Added to the radius of the ball, or of the tool. */
+  radius: number,
+  /** Travel after contact until the signal. */
+  preTravel: number,
+  /** Standard deviation of the switching point. */
+  repeatability: number,
 };
 
-/** The help page of a variant. */
-export type HelpView = {
-  /** Its sections, in order; none is empty. */
-  sections: Array<HelpSection>,
-  /** Parameters that every call of the variant gives. */
-  required: Array<Name>,
-  /** Results that a call can leave. */
-  results: Array<HelpResult>,
-  /** Alarms that can come. */
-  alarms: Array<AlarmInfo>,
+/** The probe that a cycle uses. */
+export type ProbeUse = "workpiece" | "tool" | "none" | "log";
+
+/** Where a cycle belongs. */
+export type Purpose = {
+  /** Sort of machine. */
+  machine: MachineSort,
+  /** In which plane such a machine works unless told otherwise. */
+  plane: Plane | null,
+  /** The probe that it uses. */
+  probe: ProbeUse,
+  /** Whether calibrating is all that it does. */
+  calibrates: boolean,
 };
 
-/** A section of a help page. */
-export type HelpSection = {
-  /** Its heading. */
-  label: Message,
-  /** What it says. */
-  lines: Array<HelpText>,
-};
-
-/** A line of a help page. */
-export type HelpText = {
+/** An alarm that was raised, or why a simulation went no further. */
+export type Raised = {
+  /** Its name; empty: none of the control. */
+  code: string,
   /** What it says. */
   message: Message,
-  /** Place in the manual. */
-  source: string,
+  /** What helps. */
+  hint?: Message,
+  /** Whether it stops the program. */
+  stops: boolean,
 };
 
-/** A result by its name and the key of its meaning. */
-export type HelpResult = {
-  /** `_OVR[4]`. */
-  name: string,
-  /** Key of its meaning. */
-  key: string,
-};
-
-/** Which machine, and what is typed into its form. */
-export type MachineRequest = {
-  /** Control. */
-  control: Dialect,
-  /** Machine; absent: the core's own as it is. */
-  setup?: Machine,
-  /** Basic system that it is to be built for from now on; the data keep their sizes. */
-  basic?: BasicSystem,
-  /** Typed values by name; an empty one goes back to what is delivered. */
-  values: { [key in string]: string },
-};
-
-/** What is set once per machine. */
-export type MachineView = {
-  /** Its data by subject. */
-  groups: Array<MachineGroup>,
-  /** Its basic system now. */
-  basic: BasicSystem,
-  /** What differs from delivery now, for the setup. */
-  data: { [key in string]: Datum },
-  /** Values that were not taken. */
-  problems: Array<MachineProblem>,
-  /** What differs, as blocks of a part program. */
-  assignments: string,
-  /** The same as lines of the definition file. */
-  definitions: string,
-};
-
-/** Data of one subject. */
-export type MachineGroup = {
-  /** The subject. */
-  label: Message,
-  /** Its data. */
-  fields: Array<MachineField>,
-};
-
-/** A datum of the machine. */
-export type MachineField = {
-  /** As a program writes it: `_WP[0,1]`, `MD18600`. */
-  name: string,
-  /** Key of its name; `.help`, and `.v0`, `.v1`, … of a choice, may stand behind it. */
-  key: string,
-  /** Which field of data it belongs to. */
-  set?: Message,
-  /** How it is entered. */
-  kind: MachineKind,
-  /** As typed; empty: as delivered. */
-  value: string,
-  /** As delivered; empty: not known. */
-  fallback: string,
-  /** Unit on this machine. */
-  unit: string,
-  /** What is allowed. */
-  range: Range,
-  /** The numbers of a choice. */
-  choices?: Array<number>,
-  /** Place in the manual. */
-  source: string,
-};
-
-/** How a datum of the machine is entered. */
-export type MachineKind = "real" | "integer" | "choice" | "text";
-
-/** A typed value that is not taken. */
-export type MachineProblem = {
-  /** Name of the datum. */
-  name: string,
-  /** What is wrong. */
-  message: Message,
-  /** The cure. */
-  hint: Message,
+/** Range of a number. `f64::NEG_INFINITY`/`INFINITY` for an open end. */
+export type Range = {
+  /** Lower end. */
+  min?: number,
+  /** Whether `min` itself is allowed. */
+  minIncluded: boolean,
+  /** Upper end. */
+  max?: number,
+  /** Whether `max` itself is allowed. */
+  maxIncluded: boolean,
 };
 
 /** Which program is read. */
@@ -696,100 +722,59 @@ export type ReadView = {
   diagnostics: Array<Diagnostic>,
 };
 
-/** A measuring call of a program. */
-export type CallView = {
-  /** Control. */
-  control: Dialect,
-  /** Cycle. */
-  cycle: string,
-  /** Stem of its messages. */
-  key: string,
-  /** Number of the variant, where it is known. */
-  mvar: number | null,
-  /** First line with an assignment that belongs to it, from 1. */
-  line: number,
-  /** Line of the call itself. */
-  lastLine: number,
-  /** Where the call itself begins in the text, UTF-16 units. */
-  from: number,
-  /** One past its end. */
-  to: number,
-  /** How it is written. */
-  style: Style,
-  /** Values that arrive at it, as a form wants them. */
-  values: { [key in string]: string },
-  /** Of those that are the worth of an expression: as it is written. */
-  expressions: { [key in string]: string },
-  /** Of the values that differ by the way or from pass to pass: those that arrive first. */
-  first: { [key in Name]: Arrival },
-  /** Working plane there. */
-  plane: Plane,
-  /** How X is given there. */
-  transverse: Transverse,
-  /** G function of units in force there. */
-  units: UnitFunction,
-  /** What is wrong with it. */
-  diagnostics: Array<Diagnostic>,
-  /** Notes at values that come from other programs of the text, or differ by the way to the call. */
-  arrivals: Array<Diagnostic>,
+/** What a file is, by its bytes. */
+export type Recognised = {
+  /** How it is encoded. */
+  encoding: Encoding,
+} | {
+  /** What it is instead. */
+  why: Message,
 };
 
-/** A value that arrives at a call. */
-export type Arrival = {
-  /** As it is written. */
-  value: string,
-  /** Its line, from 1. */
-  line: number,
-};
-
-/** A new value of a call. */
-export type ChangeRequest = {
-  /** Control. */
-  control: Dialect,
-  /** Text of the program. */
-  text: string,
-  /** Which of its calls, from 0. */
-  call: number,
-  /** Parameter. */
+/** A datum that a cycle leaves. */
+export type ResultInfo = {
+  /** `_OVR[4]`; of NCT a name of ours. */
   name: string,
-  /** Its new value, as typed; empty: it goes. */
-  value: string,
-  /** Machine on which the program starts; absent: the core's own as it is. */
-  setup?: Machine,
+  /** Key of its meaning. */
+  key: string,
+  /** Rule of its unit. */
+  unit: Unit,
+  /** Place in the manual. */
+  source: string,
 };
 
-/** What a new value does to a program. */
-export type Changed = {
-  /** Lists of edits, each for the text after the ones before it; the only places that change. */
-  steps: Array<Array<Edit>>,
-  /** Lines outside of the call's own that they change. */
-  elsewhere: Array<TouchedLine>,
-  /** Parameters that the new variant does not know, taken out of the call. */
-  taken: Array<Name>,
-  /** What that means. */
-  findings: Array<Diagnostic>,
+/** An alarm of a run. */
+export type RunAlarm = {
+  /** Its name; empty: none of the control. */
+  code: string,
+  /** What it says. */
+  message: Message,
+  /** What helps. */
+  hint?: Message,
+  /** Whether it stops the program. */
+  stops: boolean,
+  /** Its line, from 1. */
+  line?: number,
+  /** Its cycle. */
+  cycle?: string,
 };
 
-/** A call in another way of writing. */
-export type ConvertRequest = {
-  /** Control. */
-  control: Dialect,
-  /** Text of the program. */
-  text: string,
-  /** Which of its calls, from 0. */
-  call: number,
-  /** The way of writing. */
-  style: Style,
-  /** Machine on which the program starts; absent: the core's own as it is. */
-  setup?: Machine,
+/** What was assumed for a program that came without a machine. */
+export type RunAssumed = {
+  /** In words. */
+  messages: Array<Message>,
+  /** The machine on which it ran. */
+  setup: Setup,
 };
 
-/** Edits that write a call in another way. */
-export type Converted = {
-  /** The only places of the text that change; none: it is not possible, see the findings. */
-  edits: Array<Edit>,
-  /** What has to be said about it. */
-  findings: Array<Diagnostic>,
+/** A decision of a cycle. */
+export type RunDecision = {
+  /** What was decided. */
+  message: Message,
+  /** Its line, from 1. */
+  line?: number,
+  /** Its cycle. */
+  cycle?: string,
 };
 
 /** What is run. */
@@ -800,6 +785,22 @@ export type RunRequest = {
   text: string,
   /** Machine; absent: the core's own as it is. */
   setup?: Machine,
+};
+
+/** A result of a run. */
+export type RunResult = {
+  /** `_OVR[4]`. */
+  name: string,
+  /** Its value. */
+  value: number,
+  /** Its meaning, where a call left it. */
+  label?: Message,
+  /** Its unit, where a call left it. */
+  unit?: string,
+  /** Its line, from 1. */
+  line?: number,
+  /** Its cycle. */
+  cycle?: string,
 };
 
 /** What a program did. */
@@ -828,72 +829,6 @@ export type RunView = {
   assumed?: RunAssumed,
 };
 
-/** A decision of a cycle. */
-export type RunDecision = {
-  /** What was decided. */
-  message: Message,
-  /** Its line, from 1. */
-  line?: number,
-  /** Its cycle. */
-  cycle?: string,
-};
-
-/** An alarm of a run. */
-export type RunAlarm = {
-  /** Its name; empty: none of the control. */
-  code: string,
-  /** What it says. */
-  message: Message,
-  /** What helps. */
-  hint?: Message,
-  /** Whether it stops the program. */
-  stops: boolean,
-  /** Its line, from 1. */
-  line?: number,
-  /** Its cycle. */
-  cycle?: string,
-};
-
-/** A word or call that the run went on without. */
-export type PassedOver = {
-  /** As it stands in the program. */
-  word: string,
-  /** Its line, from 1. */
-  line: number,
-};
-
-/** A result of a run. */
-export type RunResult = {
-  /** `_OVR[4]`. */
-  name: string,
-  /** Its value. */
-  value: number,
-  /** Its meaning, where a call left it. */
-  label?: Message,
-  /** Its unit, where a call left it. */
-  unit?: string,
-  /** Its line, from 1. */
-  line?: number,
-  /** Its cycle. */
-  cycle?: string,
-};
-
-/** What was assumed for a program that came without a machine. */
-export type RunAssumed = {
-  /** In words. */
-  messages: Array<Message>,
-  /** The machine on which it ran. */
-  setup: Setup,
-};
-
-/** The call of a program to which something belongs; absent: none. */
-export type OfCall = {
-  /** Its line, from 1. */
-  line?: number,
-  /** Its cycle. */
-  cycle?: string,
-};
-
 /** Which surface is scanned, and how. */
 export type ScanRequest = {
   /** Control. */
@@ -912,8 +847,8 @@ export type ScanRequest = {
   surface?: SurfaceChoice,
 };
 
-/** What stands in the place of a surface, as large as that. */
-export type SurfaceChoice = { "example": string } | { "picture": number } | "stl";
+/** A way to write a scan. */
+export type ScanText = "program" | "points" | "surface";
 
 /** What came out of a scan. */
 export type ScanView = {
@@ -935,28 +870,93 @@ export type ScanView = {
   origin: [number, number, number],
 };
 
-/** How far points are from the true surface, mm. */
-export type Deviation = {
-  /** Greatest. */
-  greatest: number,
-  /** Root of the mean square. */
-  mean: number,
+/** How bad it is. */
+export type Severity = "error" | "warning" | "note";
+
+/** What a figure stands for. */
+export type ShapeKind = "material" | "cut" | "edge" | "zone" | "probe" | "path" | "dimension" | "label" | "tolerance" | "axis" | "touch";
+
+/** What both calls say. */
+export type Shared = {
+  /** What it is. */
+  label: Message,
+  /** Its value; a length in the active unit. */
+  value: number,
 };
 
-/** A way to write a scan. */
-export type ScanText = "program" | "points" | "surface";
+/** A way to write a call. */
+export type Style = "direct" | "indirect" | "operate";
 
-/** What a file is, by its bytes. */
-export type Recognised = {
-  /** How it is encoded. */
-  encoding: Encoding,
-} | {
-  /** What it is instead. */
-  why: Message,
+/** What stands in the place of a surface, as large as that. */
+export type SurfaceChoice = { "example": string } | { "picture": number } | "stl";
+
+/** A line that would be another one. */
+export type TouchedLine = {
+  /** Its number, from 1. */
+  line: number,
+  /** As it is. */
+  before: string,
+  /** As it would be; empty where it goes. */
+  after: string,
 };
 
-/** What is recognised. Whoever shows the text may know more, to be chosen by hand. */
-export type Encoding = "utf-8" | "utf-8-marked" | "utf-16le" | "utf-16le-marked" | "utf-16be" | "utf-16be-marked" | "gbk" | "gb18030" | "shift_jis" | "windows-1252";
+/** How the program gives positions of the transverse axis X of a lathe. */
+export type Transverse = "DIAMOF" | "DIAMON" | "DIAM90";
+
+/** The same task on the other control. */
+export type TwinView = {
+  /** That control. */
+  control: Dialect,
+  /** Its cycle. */
+  cycle: string,
+  /** Stem of its messages. */
+  key: string,
+  /** What both measure. */
+  task: Message,
+  /** Values as typed there. */
+  values: { [key in string]: string },
+  /** Text of the program there. */
+  snippet: string,
+  /** What both say. */
+  shared: Array<Shared>,
+  /** What is different there. */
+  differences: Array<Message>,
+};
+
+/** Unit of a parameter and the system it counts in. */
+export type Unit = "" | "active length" | "basic length" | "mm" | "deg" | "basic feed";
+
+/** G function that chooses the system of units; those below 70 are of NCT. */
+export type UnitFunction = "G20" | "G21" | "G70" | "G71" | "G700" | "G710";
+
+/** Values of a variant as typed, by parameter name. */
+export type Values = {
+  /** Those that choose it. */
+  values: { [key in string]: string },
+  /** Those of its worked measurement. */
+  example: { [key in string]: string },
+};
+
+/** A measuring variant. Its values, as typed, choose it; its example is a worked measurement. */
+export type VariantInfo = {
+  /** Its number. */
+  mvar: number,
+  /** Key of its name. */
+  key: string,
+  /** Place in the manual. */
+  source: string,
+  /** Keys of what the digits of its number choose, the lowest place first. */
+  choices: Array<string>,
+  /** In the planes in which other addresses name the axes. */
+  planes: { [key in Plane]?: Values },
+  /** Those that choose it. */
+  values: { [key in string]: string },
+  /** Those of its worked measurement. */
+  example: { [key in string]: string },
+};
+
+/** From where the drawing is seen. */
+export type View = "plane" | "section";
 
 // What is drawn of a run, and the setup file: described by hand (core/src/json/tests/drawn.ts), as they are written by
 // hand.

@@ -1,4 +1,4 @@
-//! Typed values → checked inputs and findings. The only way to [`Inputs`].
+//! Typed values → checked inputs and findings. The only way to [`Inputs`](crate::entry::Inputs).
 
 mod finding;
 pub mod listed;

@@ -156,7 +156,7 @@ pub enum Value {
 }
 
 /// The control.
-/// See [`delivery`] for a new one.
+/// See [`delivery()`] for a new one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Control {
     /// Which one.

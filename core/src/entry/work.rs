@@ -18,7 +18,7 @@ pub struct Simulation {
     pub(super) work: Option<Work>,
     pub(super) scan: Option<Scan>,
     tool: Option<fn(i64) -> ProposedTool>,
-    /// What a variant's worked measurement has beside [`Cycle::example`], or instead.
+    /// What a variant's worked measurement has beside [`Cycle::example`](super::Cycle::example), or instead.
     pub examples: Examples,
 }
 

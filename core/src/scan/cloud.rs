@@ -4,7 +4,7 @@
 //! their own with the same normals; these are reckoned from neighbours. Of three points the circle through them gives
 //! the direction at one of them; two such directions, along the line and across it, span the tangential plane. On a
 //! plane and on a sphere that is exact, elsewhere the error falls with the square of the distances. What is nearer than
-//! the accuracy of the points times [`FAR`] says nothing about directions and is passed over.
+//! the accuracy of the points times `FAR` says nothing about directions and is passed over.
 
 use super::{Layout, Scanned};
 use crate::geometry::V3;

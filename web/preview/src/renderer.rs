@@ -32,7 +32,10 @@ pub struct Renderer {
 
 #[wasm_bindgen(wasm_bindgen_futures = js_sys::futures)]
 impl Renderer {
-    /// Opens the canvas. Fails if the browser offers no working adapter.
+    /// Opens the canvas.
+    ///
+    /// # Errors
+    /// The browser offers no working adapter.
     pub async fn create(canvas: HtmlCanvasElement) -> Result<Renderer, String> {
         let gpu = gpu::open(canvas).await?;
         let uniforms = gpu.device.create_buffer_init(&BufferInitDescriptor {
@@ -58,6 +61,9 @@ impl Renderer {
 
     /// Replaces what is drawn. Layouts: see `layout.rs`. `solid_corners`: how many of the corners belong to parts
     /// that hide what is behind them; the rest is seen through.
+    ///
+    /// # Errors
+    /// More than the device holds.
     pub fn set_scene(
         &mut self,
         vertices: &[f32],
@@ -70,12 +76,18 @@ impl Renderer {
     }
 
     /// Replaces the cloud by room for so many points, 0 by none; it stays while the scene changes.
+    ///
+    /// # Errors
+    /// More than the device holds.
     pub fn reserve_cloud(&mut self, points: u32) -> Result<(), String> {
         self.cloud = cloud::reserve(&self.gpu.device, &self.bindings.cloud, points)?;
         Ok(())
     }
 
     /// Further points of the cloud, in the order in which they are drawn. Only the last ones may be no whole rows.
+    ///
+    /// # Errors
+    /// More points than there is room for.
     pub fn add_points(&mut self, points: &[f32]) -> Result<(), String> {
         match &mut self.cloud {
             Some(cloud) => cloud.add(&self.gpu.queue, points),
@@ -84,6 +96,9 @@ impl Renderer {
     }
 
     /// Camera, time and probe position as the uniform block of `layout.rs`.
+    ///
+    /// # Errors
+    /// A block of another size.
     pub fn set_view(&self, uniforms: &[f32]) -> Result<(), String> {
         if uniforms.len() != UNIFORM_FLOATS {
             return Err(format!("view: {} floats", uniforms.len()));
@@ -108,7 +123,10 @@ impl Renderer {
         self.target = target::attach(gpu);
     }
 
-    /// Draws one frame with the first `points` of the cloud. Fails once the device is lost.
+    /// Draws one frame with the first `points` of the cloud.
+    ///
+    /// # Errors
+    /// The device is lost.
     pub fn render(&self, points: u32) -> Result<(), String> {
         if let Some(reason) = self.gpu.fault.reason() {
             return Err(reason);

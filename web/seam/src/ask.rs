@@ -109,7 +109,7 @@ fn of_program(seam: &Seam, control: &Value, text: String, setup: Value) -> Vec<(
         let number: f64 = value.as_str()?.parse().ok().filter(|number: &f64| number.fract() != 0.0)?;
         Some((name, number))
     });
-    let (name, value) = number.map_or(("_FA", "4".to_owned()), |(name, number)| (name, format!("{}", number + 0.125)));
+    let (name, value) = number.map_or(("?", "4".to_owned()), |(name, number)| (name, format!("{}", number + 0.125)));
     let change = read_value((seam.change)(&question(json!({ "call": 0, "name": name, "value": value }))));
     let changed = changed(&text, &change);
     let run = json!({ "control": control, "text": changed, "setup": setup });
@@ -150,23 +150,34 @@ fn wrong(seam: &Seam, told: &mut Answers) {
         "[]".to_owned(),
         "{}".to_owned(),
         "\u{0}\u{fffd}".to_owned(),
-        json!({ "control": "fanuc", "cycle": "CYCLE977", "values": {}, "text": "", "mvar": 1, "call": 0 }).to_string(),
-        json!({ "control": "sinumerik", "cycle": "CYCLE1", "values": {}, "text": "\u{7}", "mvar": -1, "call": 9,
-            "name": "?", "value": "", "style": "?" })
+        json!({ "control": "fanuc", "cycle": "?", "values": {}, "text": "", "mvar": 1, "call": 0 }).to_string(),
+        json!({ "control": "sinumerik", "cycle": "?", "values": {}, "text": "\u{7}", "mvar": -1, "call": 9, "name": "?",
+            "value": "", "style": "?" })
         .to_string(),
-        json!({ "control": "sinumerik", "cycle": "CYCLE977", "values": { "_MVAR": "1e999", "_SETVAL": "-0" },
-            "text": "_MVAR=1e99 CYCLE977", "mvar": 1, "call": 0, "name": "_SETVAL", "value": "1e999",
-            "style": "direct", "predict": true })
-        .to_string(),
-        json!({ "control": "nct", "cycle": "G101", "values": { "X": "=" }, "text": "%\nG101 X1E9 R=", "mvar": 0,
-            "call": 0, "name": "X", "value": "0", "style": "direct", "setup": { "control": "nct", "probe": 1 } })
-        .to_string(),
+        odd(seam, "sinumerik", "1e999"),
+        odd(seam, "nct", "="),
     ];
     for (name, function) in asked {
         for (index, question) in questions.iter().enumerate() {
             told.insert(format!("{name} of wrong question {index}"), read_value(function(question)));
         }
     }
+}
+
+/// A question about the first cycle of a control with this text at each of its parameters, in the form and in a
+/// program, on a machine whose probe is none.
+fn odd(seam: &Seam, control: &str, value: &str) -> String {
+    let cycles = cycles(seam);
+    let cycle = cycles.iter().find(|cycle| cycle["control"] == control).unwrap_or(&Value::Null);
+    let params = cycle["parameters"].as_array().into_iter().flatten();
+    let names: Vec<&str> = params.filter_map(|param| param["name"].as_str()).collect();
+    let values: Map<String, Value> = names.iter().map(|name| ((*name).to_owned(), value.into())).collect();
+    let words: Vec<String> = names.iter().map(|name| format!("{name}={value}")).collect();
+    let text = format!("{} {}", words.join(" "), cycle["cycle"].as_str().unwrap_or_default());
+    json!({ "control": control, "cycle": cycle["cycle"], "values": values, "text": text, "mvar": 1, "call": 0,
+        "name": names.first(), "value": value, "style": "direct", "predict": true,
+        "setup": { "control": control, "probe": 1 } })
+    .to_string()
 }
 
 /// What goes in as bytes or comes back as numbers.

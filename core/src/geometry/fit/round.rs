@@ -146,7 +146,7 @@ impl Round {
     }
 }
 
-/// Whether three points lie on one line or upon each other: their triangle is lower than [`LOW`] of its longest side.
+/// Whether three points lie on one line or upon each other: their triangle is lower than `LOW` of its longest side.
 pub fn in_line(points: [V3; 3]) -> bool {
     height(points).is_none_or(|height| height <= LOW)
 }

@@ -2,6 +2,7 @@
 
 use crate::app::*;
 use crate::scan::text::Form;
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 use ts_rs::{Config, TS, TypeVisitor};
 
@@ -14,20 +15,19 @@ const HEAD: &str = "\
 /// What is drawn of a run, and the setup file: documents that are written by hand.
 const DRAWN: &str = include_str!("drawn.ts");
 
-/// Each type once, those on which it rests behind it.
+/// Each type once, in the order of their names: the one in which ts-rs finds them differs from build to build.
 struct Types {
     config: Config,
-    names: Vec<String>,
-    text: String,
+    texts: BTreeMap<String, String>,
 }
 
 impl TypeVisitor for Types {
     fn visit<T: TS + 'static + ?Sized>(&mut self) {
         let name = T::name(&self.config);
-        if T::output_path().is_some() && !self.names.contains(&name) {
-            self.names.push(name);
+        if T::output_path().is_some() && !self.texts.contains_key(&name) {
             let docs = T::docs().map_or(String::new(), |docs| comment(&docs, ""));
-            self.text += &format!("\n{docs}export {};\n", laid_out(T::decl(&self.config).trim_end_matches(';')));
+            let text = format!("\n{docs}export {};\n", laid_out(T::decl(&self.config).trim_end_matches(';')));
+            self.texts.insert(name, text);
             T::visit_dependencies(self);
         } else {
             T::visit_generics(self);
@@ -101,7 +101,7 @@ fn documented(inside: &str) -> bool {
 #[test]
 fn the_types_of_the_page_are_those_of_the_core() {
     let config = Config::new().with_large_int("number").with_array_tuple_limit(4);
-    let mut types = Types { config, names: Vec::new(), text: HEAD.to_owned() };
+    let mut types = Types { config, texts: BTreeMap::new() };
     types.visit::<Catalogue>();
     types.visit::<AlarmInfo>();
     types.visit::<FormRequest>();
@@ -123,11 +123,12 @@ fn the_types_of_the_page_are_those_of_the_core() {
     types.visit::<ScanView>();
     types.visit::<Form>();
     types.visit::<Recognised>();
-    types.text += DRAWN;
+    let texts: String = types.texts.into_values().collect();
+    let text = format!("{HEAD}{texts}{DRAWN}");
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../www/src/wire.ts");
     if std::env::var_os("PROBEWRIGHT_UPDATE").is_some() {
-        std::fs::write(&path, &types.text).unwrap();
+        std::fs::write(&path, &text).unwrap();
     }
     let written = std::fs::read_to_string(&path).unwrap();
-    assert!(written == types.text, "www/src/wire.ts is not of these types: PROBEWRIGHT_UPDATE=1 writes it");
+    assert!(written == text, "www/src/wire.ts is not of these types: PROBEWRIGHT_UPDATE=1 writes it");
 }
