@@ -20,7 +20,7 @@ fn after(stand: &Stand, outcome: &Outcome) -> Stand {
     let mut again = stand.clone();
     let start = stand.setup.control.to_workpiece(stand.setup.position);
     again.setup.control = outcome.control.clone();
-    let settable = match stand.inputs.integer(names::KNUM) {
+    let settable = match stand.inputs.any(names::KNUM).map_or(0, |number| number as i64) {
         number @ 1..=99 => number as usize,
         1000 => 0,
         _ => again.setup.control.settable,

@@ -74,7 +74,7 @@ fn start(inputs: &Inputs, control: &Control, place: &Place) -> [f64; 3] {
     }
     beside(axis);
     if !MEASURE.holds(inputs) && number > 100 {
-        beside(1 - axis);
+        beside(usize::from(axis == 0));
     }
     start
 }
