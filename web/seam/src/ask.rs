@@ -5,6 +5,9 @@ use serde_json::{Map, Value, json};
 /// The answer to a question: JSON text, or the sentence of an error.
 pub type Told = Result<String, String>;
 
+/// A function that takes a question.
+pub type Question = fn(&str) -> Told;
+
 /// One who answers: the core itself, or its bindings.
 pub struct Seam {
     /// `Catalogue`.
@@ -12,21 +15,21 @@ pub struct Seam {
     /// `AlarmInfo[]`.
     pub alarms: fn() -> String,
     /// `FormRequest` → `FormView`.
-    pub form: fn(&str) -> Told,
+    pub form: Question,
     /// `HelpRequest` → `HelpView`.
-    pub help: fn(&str) -> Told,
+    pub help: Question,
     /// `MachineRequest` → `MachineView`.
-    pub machine: fn(&str) -> Told,
+    pub machine: Question,
     /// `ReadRequest` → `ReadView`.
-    pub read: fn(&str) -> Told,
+    pub read: Question,
     /// `ChangeRequest` → `Changed`.
-    pub change: fn(&str) -> Told,
+    pub change: Question,
     /// `ConvertRequest` → `Converted`.
-    pub convert: fn(&str) -> Told,
+    pub convert: Question,
     /// `RunRequest` → `RunView`.
-    pub run: fn(&str) -> Told,
+    pub run: Question,
     /// Text of a setup file → `Setup`.
-    pub setup: fn(&str) -> Told,
+    pub setup: Question,
     /// Bytes of a file → `Recognised`.
     pub recognise: fn(&[u8]) -> String,
     /// `ScanRequest` and the bytes of a file → `ScanView`, the points sent, their turns, and the program.
@@ -134,7 +137,7 @@ fn changed(text: &str, change: &Value) -> String {
 /// Questions of the wrong shape, about what is not there, and with numbers that are none: each answer is a sentence or
 /// a document, never a broken module.
 fn wrong(seam: &Seam, told: &mut Answers) {
-    let asked: [(&str, fn(&str) -> Told); 8] = [
+    let asked: [(&str, Question); 8] = [
         ("form", seam.form),
         ("help", seam.help),
         ("machine", seam.machine),
