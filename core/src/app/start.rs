@@ -113,10 +113,10 @@ pub(super) struct Start {
 /// The machine of a question; none: the core's own as it is.
 pub(super) fn start(dialect: Dialect, machine: Option<Machine>) -> Result<Start, Error> {
     let own = match machine {
-        Some(Machine::File(file)) => return Ok(Start { setup: json::setup(*file)?, described: true }),
-        Some(Machine::Described(setup)) => return Ok(Start { setup: *setup, described: true }),
+        Some(Machine::File(file)) if SIMULATES => return Ok(Start { setup: json::setup(*file)?, described: true }),
+        Some(Machine::Described(setup)) if SIMULATES => return Ok(Start { setup: *setup, described: true }),
         Some(Machine::Own(OwnMachine { own })) => own,
-        None => Beginning::default(),
+        _ => Beginning::default(),
     };
     let basic = own.basic.unwrap_or(Units::Metric);
     let mut setup = Setup::calibrated_in(dialect, own.plane.unwrap_or(Plane::G17), basic);
@@ -126,6 +126,6 @@ pub(super) fn start(dialect: Dialect, machine: Option<Machine>) -> Result<Start,
     for (name, value) in own.data {
         setup.control.data.insert(name, value);
     }
-    setup.possible()?;
+    setup.governs()?;
     Ok(Start { setup, described: false })
 }

@@ -30,13 +30,21 @@ impl Setup {
     /// # Errors
     /// What cannot be.
     pub fn possible(&self) -> Result<(), Refused> {
-        control(&self.control)?;
+        self.governs()?;
         small(&Path::of(&["position"]), &self.position.0)?;
         let Turret { diameter, width } = self.turret;
         for (name, size) in [("diameter", diameter), ("width", width)] {
             within(&Path::of(&["machine", "turret", name]), size, [0.0, LIMIT])?;
         }
         self.exists()
+    }
+
+    /// Refuses frames and data with which a control cannot reckon.
+    ///
+    /// # Errors
+    /// What is impossible.
+    pub fn governs(&self) -> Result<(), Refused> {
+        control(&self.control)
     }
 
     /// Refuses a probe, tools, tool probes and a part that cannot exist.
