@@ -36,7 +36,8 @@ pub enum When {
         /// Than this.
         than: f64,
     },
-    /// A datum of the machine, one of [`Cycle::settings`](super::Cycle::settings), has one of these values; unset data are 0.
+    /// A datum of the machine, one of [`Cycle::settings`](super::Cycle::settings), has one of these values; unset data
+    /// are 0.
     Setting {
         /// Datum.
         name: &'static str,

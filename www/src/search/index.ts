@@ -23,6 +23,7 @@ export type Search = (text: string, control: Dialect) => Group[];
 const PREFIX_FROM = 4; // letters: shorter words stand for themselves, but the last, which is still being typed
 const OWN_CONTROL = 8; // times as much as another
 const CALIBRATES = 0.5; // who looks for a bore measures one more often than he calibrates in one, or says calibrate
+const WHOLE_CYCLE = 0.75; // of several variants that all could be meant, against the one that is
 const SLIP_FROM = 5; // letters: shorter words are too near to each other
 
 export function createSearch(catalogue: Catalogue, alarms: readonly AlarmInfo[]): Search {
@@ -41,11 +42,12 @@ export function createSearch(catalogue: Catalogue, alarms: readonly AlarmInfo[])
       const entry = all[found.id as number];
       const own = entry?.control === control ? OWN_CONTROL : 1;
       const sort = entry?.kind === "measurement" && entry.cycles[0]?.purpose.calibrates ? CALIBRATES : 1;
+      const whole = entry?.kind === "measurement" && !entry.variant && entry.cycles[0]?.variants[1] ? WHOLE_CYCLE : 1;
       return entry
         ? [
             {
               entry,
-              score: own * sort * found.score * found.queryTerms.length,
+              score: own * sort * whole * found.score * found.queryTerms.length,
               words: found.terms,
               complete: found.queryTerms.length >= asked,
             },
