@@ -42,7 +42,9 @@ export function createSearch(catalogue: Catalogue, alarms: readonly AlarmInfo[])
       const entry = all[found.id as number];
       const own = entry?.control === control ? OWN_CONTROL : 1;
       const sort = entry?.kind === "measurement" && entry.cycles[0]?.purpose.calibrates ? CALIBRATES : 1;
-      const whole = entry?.kind === "measurement" && !entry.variant && entry.cycles[0]?.variants[1] ? WHOLE_CYCLE : 1;
+      const named = Object.values(found.match).some(fields => fields.includes("code")); // who names it means the cycle
+      const several = entry?.kind === "measurement" && !entry.variant && entry.cycles[0]?.variants[1];
+      const whole = several && !named ? WHOLE_CYCLE : 1;
       return entry
         ? [
             {
