@@ -1,6 +1,7 @@
 //! Reading a program of 10 MB (goal: 40 MB/s native), and finding its measuring calls.
 
-use divan::{Bencher, counter::BytesCount};
+use divan::Bencher;
+use divan::counter::BytesCount;
 use probewright_core::dialect::Dialect;
 use probewright_core::program::calls;
 use probewright_core::syntax::read;

@@ -7,11 +7,9 @@
 use probewright_core::catalogue::CYCLES;
 use probewright_core::catalogue::example::example;
 use probewright_core::check::check;
-use probewright_core::control::MachineSort;
-use probewright_core::control::{Control, Frame, Plane};
+use probewright_core::control::{Control, Frame, MachineSort, Plane};
 use probewright_core::dialect::Dialect;
-use probewright_core::entry::{Cycle, ProbeUse, Variant};
-use probewright_core::entry::{Inputs, Typed};
+use probewright_core::entry::{Cycle, Inputs, ProbeUse, Typed, Variant};
 use probewright_core::machine::Setup;
 use probewright_core::run::{Outcome, predict};
 use probewright_core::workpiece::PartErrors;

@@ -4,8 +4,7 @@
 use probewright_core::control::Plane;
 use probewright_core::diagnostic::Severity;
 use probewright_core::dialect::Dialect;
-use probewright_core::geometry::Mcs;
-use probewright_core::geometry::Wcs;
+use probewright_core::geometry::{Mcs, Wcs};
 use probewright_core::machine::trace::Step;
 use probewright_core::machine::{Setup, Stop};
 use probewright_core::message::Message;

@@ -4,8 +4,7 @@
 use probewright_core::catalogue::{CYCLES, find};
 use probewright_core::control::delivery;
 use probewright_core::dialect::Dialect;
-use probewright_core::entry::Typed;
-use probewright_core::entry::{Arg, Kind, Style};
+use probewright_core::entry::{Arg, Kind, Style, Typed};
 use probewright_core::program::calls::{CallSite, calls};
 use probewright_core::program::change::{apply, change};
 use probewright_core::program::write::snippet;

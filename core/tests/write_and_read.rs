@@ -2,16 +2,15 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use probewright_core::catalogue::CYCLES;
-use probewright_core::check::{self, Parsed, parse};
+use probewright_core::check;
+use probewright_core::check::{Parsed, parse};
 use probewright_core::control::{Control, Plane, Units, delivery};
 use probewright_core::dialect::Dialect;
-use probewright_core::entry::Typed;
-use probewright_core::entry::{Cycle, Kind, Param, Style, When};
+use probewright_core::entry::{Cycle, Kind, Param, Style, Typed, When};
 use probewright_core::program::calls::{CallSite, calls};
 use probewright_core::program::change::{apply, change};
 use probewright_core::program::write::{Words, snippet};
-use probewright_core::syntax::Program;
-use probewright_core::syntax::read;
+use probewright_core::syntax::{Program, read};
 use proptest::prelude::*;
 
 /// How one value is chosen and typed.

@@ -8,8 +8,7 @@ use probewright_core::machine::trace::Step;
 use probewright_core::program::calls::{CallSite, calls};
 use probewright_core::program::{arrivals, change, convert, findings_of};
 use probewright_core::run::{Limits, Outcome, run as simulate};
-use probewright_core::syntax::Program;
-use probewright_core::syntax::read as parse;
+use probewright_core::syntax::{Program, read as parse};
 use probewright_core::workpiece::{PartErrors, Shape, Solid};
 
 const DIALECTS: [Dialect; 2] = [Dialect::Sinumerik, Dialect::Nct];

@@ -1,8 +1,8 @@
 //! The whole page as a folder of files.
 
 use crate::steps::Steps;
-use crate::wasm::{self, Make};
-use crate::{package, page, tools};
+use crate::wasm::Make;
+use crate::{package, page, tools, wasm};
 use anyhow::Result;
 
 /// Of how many steps [`build`] is.

@@ -4,12 +4,11 @@ use crate::steps::Steps;
 use crate::wasm::Make;
 use crate::{dist, tools};
 use anyhow::{Context, Result, bail};
-use std::fs;
 use std::io::{BufRead, BufReader, Write};
 use std::net::{SocketAddr, TcpListener, TcpStream};
 use std::path::{Path, PathBuf};
-use std::thread;
 use std::time::Duration;
+use std::{fs, thread};
 
 /// Options of `cargo xtask serve`.
 #[derive(clap::Args)]

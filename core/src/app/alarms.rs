@@ -1,7 +1,8 @@
 //! The tables of alarms and of texts for the operator: for search, and for a card that explains one.
 
-use crate::catalogue::alarms::{self, ALARMS, Found, key, raised_by, stops};
-use crate::catalogue::operator_messages::{self, MESSAGES, OperatorMessage, shown_by};
+use crate::catalogue::alarms::{ALARMS, Found, key, raised_by, stops};
+use crate::catalogue::operator_messages::{MESSAGES, OperatorMessage, shown_by};
+use crate::catalogue::{alarms, operator_messages};
 use serde::Serialize;
 
 /// An alarm, or a text for the operator.

@@ -2,15 +2,13 @@
 
 use crate::catalogue::CYCLES;
 use crate::catalogue::example::{choosing, example, turned, worked};
-use crate::check;
-use crate::control::MachineSort;
-use crate::control::{Plane, delivery};
+use crate::control::{MachineSort, Plane, delivery};
 use crate::diagnostic::Code;
 use crate::dialect::Dialect;
-use crate::entry::Typed;
-use crate::entry::{self, Cycle, Param, ProbeUse, Style, Unit};
+use crate::entry::{Cycle, Param, ProbeUse, Style, Typed, Unit};
 use crate::name::Name;
 use crate::workpiece::free::EXAMPLES;
+use crate::{check, entry};
 use serde::Serialize;
 use std::collections::BTreeMap;
 

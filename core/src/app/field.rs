@@ -1,6 +1,7 @@
 //! A field of a form as it is shown.
 
-use crate::form::{self, Choice, Entry, Group};
+use crate::form;
+use crate::form::{Choice, Entry, Group};
 use crate::message::Message;
 use crate::name::Name;
 use crate::range::Range;

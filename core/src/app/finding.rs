@@ -1,6 +1,7 @@
 //! Findings as they are shown, with their places in the text.
 
-use crate::diagnostic::{self, Code, Diagnostic, Severity};
+use crate::diagnostic;
+use crate::diagnostic::{Code, Diagnostic, Severity};
 use crate::message::Message;
 use crate::name::Name;
 use crate::program::touched::Line;

@@ -7,21 +7,17 @@ use super::predict::{ErrorSliders, predict};
 use super::start::{Machine, start};
 use super::twin::{TwinView, twin};
 use super::{Error, choose_units, cycle};
-use crate::SIMULATES;
-use crate::check::{self, Checked, newer, variants};
-use crate::control::MachineSort;
-use crate::control::{Control, Plane, Transverse, UnitFunction, Units};
+use crate::check::{Checked, newer, variants};
+use crate::control::{Control, MachineSort, Plane, Transverse, UnitFunction, Units};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::dialect::Dialect;
-use crate::entry::Typed;
-use crate::entry::{ArgumentList, Cycle, Style, names};
-use crate::form;
+use crate::entry::{ArgumentList, Cycle, Style, Typed, names};
 use crate::machine::setup::Setup;
 use crate::name::Name;
-use crate::own;
 use crate::picture::Picture;
 use crate::program::write::{Values, snippet_of};
-use crate::support::{self, Before, Support};
+use crate::support::{Before, Support};
+use crate::{SIMULATES, check, form, own, support};
 use serde::{Deserialize, Serialize};
 
 /// What a form is asked for.

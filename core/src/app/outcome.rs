@@ -2,13 +2,12 @@
 
 use super::changes::{Change, changes};
 use super::predict::ErrorLimit;
-use crate::catalogue;
 use crate::diagnostic::Code;
 use crate::entry::{Inputs, unit_name};
 use crate::machine::Stop;
 use crate::message::Message;
-use crate::run;
 use crate::scene::Source;
+use crate::{catalogue, run};
 use serde::Serialize;
 
 /// What a call does.

@@ -3,14 +3,13 @@
 use super::outcome::Outcome;
 use super::start::Start;
 use crate::control::Plane;
-use crate::entry::Inputs;
-use crate::entry::{ProbeUse, Work};
-use crate::geometry::Mcs;
-use crate::geometry::{V3, rigid};
+use crate::entry::{Inputs, ProbeUse, Work};
+use crate::geometry::{Mcs, V3, rigid};
 use crate::machine::{Setup, Stop, possible};
 use crate::message::Message;
 use crate::refused::Path;
-use crate::run::{self, survives};
+use crate::run;
+use crate::run::survives;
 use crate::scene::Source;
 use crate::workpiece::tool::{Cut, Tool};
 use crate::workpiece::{PartErrors, Probe, Solid};

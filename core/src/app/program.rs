@@ -6,14 +6,13 @@ use super::start::{Machine, start};
 use crate::check::variants;
 use crate::control::{Control, Plane, Transverse, UnitFunction, delivery};
 use crate::dialect::Dialect;
-use crate::entry::Style;
-use crate::entry::Typed;
+use crate::entry::{Style, Typed};
 use crate::name::Name;
-use crate::program;
 use crate::program::calls::{CallSite, calls_told};
 use crate::program::touched::cured_elsewhere;
+use crate::syntax::Program;
 use crate::syntax::position::Positions;
-use crate::syntax::{self, Program};
+use crate::{program, syntax};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 

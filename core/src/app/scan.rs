@@ -3,8 +3,6 @@
 use super::outcome::Raised;
 use super::start::{Machine, start};
 use super::{Error, choose_units, unknown};
-use crate::catalogue;
-use crate::check;
 use crate::control::{Plane, UnitFunction};
 use crate::dialect::Dialect;
 use crate::entry::Typed;
@@ -17,6 +15,7 @@ use crate::scan::{Layout, turns};
 use crate::scene::Scene;
 use crate::workpiece::free::{FreeSurface, Heights, stl_triangles};
 use crate::workpiece::{Shape, Solid};
+use crate::{catalogue, check};
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 use std::sync::Arc;

@@ -1,11 +1,11 @@
 //! The machine of a question: the core's own, or one that the user described.
 
 use super::Error;
-use crate::SIMULATES;
 use crate::control::{Plane, UnitFunction, Units, Value};
 use crate::dialect::Dialect;
-use crate::json::{self, SetupFile};
+use crate::json::SetupFile;
 use crate::machine::setup::Setup;
+use crate::{SIMULATES, json};
 use serde::de::value::{MapAccessDeserializer, StringDeserializer};
 use serde::de::{DeserializeSeed, Error as _, IntoDeserializer, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};

@@ -4,8 +4,7 @@
 use crate::check::error;
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic, Severity};
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 use crate::evaluate::spread::{Circle, circle};
 use crate::message::Message;
 use crate::own;

@@ -2,11 +2,11 @@
 //! measuring cycle adds a block of values.
 
 use super::common::{optional, required};
-use super::logging::params::{self, log_params};
-use super::logging::{self, CONTENT_ALARMS, FILE_ALARMS, log_example, names};
+use super::logging;
+use super::logging::params::log_params;
+use super::logging::{CONTENT_ALARMS, FILE_ALARMS, log_example, names, params};
 use crate::dialect::Dialect;
-use crate::entry::{Cycle, Drawing, Help, Param, Variant, When};
-use crate::entry::{HelpLine, before, measures, order, wrong};
+use crate::entry::{Cycle, Drawing, Help, HelpLine, Param, Variant, When, before, measures, order, wrong};
 
 /// The cycle.
 pub static CYCLE100: Cycle = Cycle {

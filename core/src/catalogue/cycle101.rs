@@ -2,8 +2,7 @@
 
 use super::logging;
 use crate::dialect::Dialect;
-use crate::entry::{Cycle, Drawing, Help, Variant, When};
-use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
+use crate::entry::{Cycle, Drawing, Help, HelpLine, Variant, When, before, corrects, measures, order, wrong};
 
 /// The cycle.
 pub static CYCLE101: Cycle = Cycle {

@@ -2,12 +2,15 @@
 //! numbers the other way round (A:12553).
 
 use super::common::{ALWAYS_REQUIRED, PARAM, optional};
-use super::logging::names::{self, JOB};
-use super::logging::params::{self, log_params};
-use super::logging::{self, CONTENT_ALARMS, log_example};
+use super::logging;
+use super::logging::names::JOB;
+use super::logging::params::log_params;
+use super::logging::{CONTENT_ALARMS, log_example, names, params};
 use crate::dialect::Dialect;
-use crate::entry::{Arg, ArgumentList, Cycle, Drawing, Help, Kind, Param, Style, Variant, When};
-use crate::entry::{HelpLine, before, corrects, measures, wrong};
+use crate::entry::{
+    Arg, ArgumentList, Cycle, Drawing, Help, HelpLine, Kind, Param, Style, Variant, When, before, corrects, measures,
+    wrong,
+};
 
 /// The cycle.
 pub static CYCLE105: Cycle = Cycle {

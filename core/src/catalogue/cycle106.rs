@@ -1,12 +1,15 @@
 //! CYCLE106(PAR1): keeps the log (B:11244-11253): old files, follow-up files, pages. CYCLE100 calls it by itself.
 
 use super::common::{ALWAYS_REQUIRED, PARAM, alarms, optional, required};
-use super::logging::names::{self, JOB};
-use super::logging::params::{self, log_params};
-use super::logging::{self, CONTENT_ALARMS, FILE_ALARMS, log_example};
+use super::logging;
+use super::logging::names::JOB;
+use super::logging::params::log_params;
+use super::logging::{CONTENT_ALARMS, FILE_ALARMS, log_example, names, params};
 use crate::dialect::Dialect;
-use crate::entry::{Arg, ArgumentList, Cycle, Drawing, Help, Kind, Param, Style, Variant, When};
-use crate::entry::{HelpLine, before, measures, order, wrong};
+use crate::entry::{
+    Arg, ArgumentList, Cycle, Drawing, Help, HelpLine, Kind, Param, Style, Variant, When, before, measures, order,
+    wrong,
+};
 
 /// The cycle.
 pub static CYCLE106: Cycle = Cycle {

@@ -5,9 +5,10 @@ use super::logging;
 use super::logging::cells::cells;
 use super::logging::names::JOB;
 use crate::dialect::Dialect;
-use crate::entry::Inputs;
-use crate::entry::{Arg, ArgumentList, Cycle, Drawing, Help, Kind, Param, Style, Variant, When};
-use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
+use crate::entry::{
+    Arg, ArgumentList, Cycle, Drawing, Help, HelpLine, Inputs, Kind, Param, Style, Variant, When, before, corrects,
+    measures, order, wrong,
+};
 use crate::picture::{Picture, View};
 
 /// The cycle.

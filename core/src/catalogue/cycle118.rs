@@ -5,9 +5,10 @@ use super::common::{ALWAYS_REQUIRED, PARAM, alarms, integer, optional, required}
 use super::logging;
 use super::logging::cells::{CELL, ROW, cells, left};
 use crate::dialect::Dialect;
-use crate::entry::Inputs;
-use crate::entry::{Arg, ArgumentList, Cycle, Drawing, Help, Kind, Param, Style, Variant, When};
-use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
+use crate::entry::{
+    Arg, ArgumentList, Cycle, Drawing, Help, HelpLine, Inputs, Kind, Param, Style, Variant, When, before, corrects,
+    measures, order, wrong,
+};
 use crate::name::Name;
 use crate::picture::figures::{dimension, line};
 use crate::picture::{Picture, PictureShape, ShapeKind, View};

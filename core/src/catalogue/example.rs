@@ -1,9 +1,8 @@
 //! The worked measurement of each variant.
 
-use crate::check::{self};
+use crate::check;
 use crate::control::{Plane, delivery};
-use crate::entry::Typed;
-use crate::entry::{Cycle, Variant};
+use crate::entry::{Cycle, Typed, Variant};
 use crate::name::Name;
 
 /// Values as typed: of the cycle's example what the variant knows, what chooses the variant, and what it needs beside

@@ -1,14 +1,15 @@
 //! G101: protected positioning of the stylus (C:106-144).
 
 use super::common::{PARAM, optional};
-use super::nct::{self, part};
+use super::nct;
+use super::nct::part;
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
 use crate::dialect::Dialect;
-use crate::entry::Inputs;
-use crate::entry::address;
-use crate::entry::{Cycle, Drawing, Help, Kind, Param, Proposal, Purpose, Simulation, Unit, Variant, When, Work};
-use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
+use crate::entry::{
+    Cycle, Drawing, Help, HelpLine, Inputs, Kind, Param, Proposal, Purpose, Simulation, Unit, Variant, When, Work,
+    address, before, corrects, measures, order, wrong,
+};
 use crate::geometry::Wcs;
 use crate::machine::trace::MotionKind;
 use crate::machine::{Machine, Stop};

@@ -5,14 +5,15 @@
 //! just bored: offset = start − middle of the contacts. Otherwise the middle is found at both positions of the spindle,
 //! and half of the difference is the offset, wherever the ring stands.
 
-use super::nct::ring::{self, D};
+use super::nct;
+use super::nct::ring::D;
 use super::nct::walls::home;
-use super::nct::{self, correct};
+use super::nct::{correct, ring};
 use crate::dialect::Dialect;
-use crate::entry::Inputs;
-use crate::entry::address;
-use crate::entry::{Cycle, Drawing, Help, Param, Purpose, Simulation, Variant, When, Work};
-use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
+use crate::entry::{
+    Cycle, Drawing, Help, HelpLine, Inputs, Param, Purpose, Simulation, Variant, When, Work, address, before, corrects,
+    measures, order, wrong,
+};
 use crate::geometry::Wcs;
 use crate::machine::trace::Step;
 use crate::machine::{Machine, Stop};

@@ -6,16 +6,16 @@
 //! shows the difference in the radial offset of G102; only offset and radius together are used, and their sum is right
 //! in every direction.
 
-use super::nct::ring::{self, D};
+use super::nct;
+use super::nct::ring::D;
 use super::nct::touch::Calibration;
 use super::nct::walls::{home, travel};
-use super::nct::{self, correct};
+use super::nct::{correct, ring};
 use crate::dialect::Dialect;
-use crate::entry::Inputs;
-use crate::entry::address;
-use crate::entry::{Cycle, Drawing, Help, Param, Purpose, Simulation, Variant, When, Work};
-use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
-use crate::entry::{Meaning, Task};
+use crate::entry::{
+    Cycle, Drawing, Help, HelpLine, Inputs, Meaning, Param, Purpose, Simulation, Task, Variant, When, Work, address,
+    before, corrects, measures, order, wrong,
+};
 use crate::machine::{Machine, Stop};
 use crate::range::Range;
 

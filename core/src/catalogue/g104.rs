@@ -5,14 +5,14 @@
 //! coordinate of a work offset, because either is subtracted from where the spindle stands.
 
 use super::common::ALWAYS_REQUIRED;
+use super::nct;
 use super::nct::walls::home;
-use super::nct::{self, REGISTER, axis_name, correct, overtravel, params, surface};
+use super::nct::{REGISTER, axis_name, correct, overtravel, params, surface};
 use crate::dialect::Dialect;
-use crate::entry::Inputs;
-use crate::entry::address;
-use crate::entry::{Cycle, Drawing, Help, Param, Purpose, Simulation, Variant, When, Work};
-use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
-use crate::entry::{Meaning, Task};
+use crate::entry::{
+    Cycle, Drawing, Help, HelpLine, Inputs, Meaning, Param, Purpose, Simulation, Task, Variant, When, Work, address,
+    before, corrects, measures, order, wrong,
+};
 use crate::machine::{Machine, Stop};
 use crate::name::Name;
 

@@ -3,15 +3,15 @@
 //! Touched downwards. The text of T and M is that of G105 (radius), but the example corrects a length (C:676-694):
 //! here both are the length.
 
-use super::nct::correct::{self, Found, Part};
+use super::nct;
+use super::nct::correct::{Found, Part};
 use super::nct::walls::home;
-use super::nct::{self, axis_name, checks, params, print, surface};
+use super::nct::{axis_name, checks, correct, params, print, surface};
 use crate::dialect::Dialect;
-use crate::entry::Inputs;
-use crate::entry::Task;
-use crate::entry::address;
-use crate::entry::{Cycle, Drawing, Help, Param, Purpose, Simulation, Variant, When, Work};
-use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
+use crate::entry::{
+    Cycle, Drawing, Help, HelpLine, Inputs, Param, Purpose, Simulation, Task, Variant, When, Work, address, before,
+    corrects, measures, order, wrong,
+};
 use crate::machine::{Machine, Stop};
 
 /// The macro.

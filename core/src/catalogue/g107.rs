@@ -1,11 +1,12 @@
 //! G107: internal corner of two walls along the axes of the plane (C:696-781).
 
-use super::nct::{self, corner, params};
+use super::nct;
+use super::nct::{corner, params};
 use crate::dialect::Dialect;
-use crate::entry::Task;
-use crate::entry::address;
-use crate::entry::{Cycle, Drawing, Help, Param, Purpose, Simulation, Variant, When, Work};
-use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
+use crate::entry::{
+    Cycle, Drawing, Help, HelpLine, Param, Purpose, Simulation, Task, Variant, When, Work, address, before, corrects,
+    measures, order, wrong,
+};
 
 /// The macro.
 pub static G107: Cycle = Cycle {

@@ -1,20 +1,20 @@
 //! G109: pocket or web along one axis of the plane (C:868-1028).
 
 use super::common::{PARAM, optional};
-use super::nct::correct::{self, Found, Part};
+use super::nct;
+use super::nct::correct::{Found, Part};
 use super::nct::plane_axis::{depth, index, needs, nominal};
 use super::nct::walls::{Outside, Walls, chord, home};
-use super::nct::{self, FORMAT_ERROR, checks, figures, params, part, plane_axis, print};
+use super::nct::{FORMAT_ERROR, checks, correct, figures, params, part, plane_axis, print};
 use crate::check::error;
 use crate::control::{Control, Plane};
 use crate::diagnostic::Diagnostic;
 use crate::dialect::Dialect;
-use crate::entry::Inputs;
-use crate::entry::Task;
-use crate::entry::address;
 use crate::entry::stage::{Look, Seen, Staging};
-use crate::entry::{Chooses, Cycle, Drawing, Help, Param, Proposal, Purpose, Simulation, Unit, Variant, When, Work};
-use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
+use crate::entry::{
+    Chooses, Cycle, Drawing, Help, HelpLine, Inputs, Param, Proposal, Purpose, Simulation, Task, Unit, Variant, When,
+    Work, address, before, corrects, measures, order, wrong,
+};
 use crate::geometry::Wcs;
 use crate::machine::{Machine, Stop};
 use crate::message::Message;

@@ -3,8 +3,7 @@
 
 use super::CYCLES;
 use super::help::HelpPage;
-use crate::entry::Inputs;
-use crate::entry::{SECTIONS, Section};
+use crate::entry::{Inputs, SECTIONS, Section};
 use crate::words::{LANGUAGES, Words};
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -55,9 +55,7 @@ pub fn unmatched(name: &str, count: usize, number: impl Fn(usize) -> Option<f64>
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::entry::Style;
-    use crate::entry::When;
-    use crate::entry::names;
+    use crate::entry::{Style, When, names};
 
     #[test]
     fn selections_add_up_to_the_variant() {

@@ -1,8 +1,7 @@
 //! Nominal parts and the probe in the active plane: what proposals and checks of the milling cycles share.
 
 use crate::control::{Control, Edge};
-use crate::entry::Inputs;
-use crate::entry::{ProposedTool, names};
+use crate::entry::{Inputs, ProposedTool, names};
 use crate::evaluate::knum;
 use crate::geometry::Wcs;
 use crate::geometry::rigid::angles;

@@ -5,8 +5,7 @@ use super::find;
 use crate::check::check;
 use crate::control::{Frame, Plane};
 use crate::dialect::Dialect;
-use crate::entry::Cycle;
-use crate::entry::Typed;
+use crate::entry::{Cycle, Typed};
 use crate::machine::setup::Setup;
 use crate::run::predict;
 

@@ -5,12 +5,13 @@ use super::place;
 use crate::check::error;
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
-use crate::entry::Inputs;
-use crate::entry::{When, names};
-use crate::evaluate::knum::{self, ZeroCode};
+use crate::entry::{Inputs, When, names};
+use crate::evaluate::knum;
+use crate::evaluate::knum::ZeroCode;
 use crate::message::Message;
 use crate::name::Name;
-use crate::own::{self, Own};
+use crate::own;
+use crate::own::Own;
 
 /// Probe number beyond the data fields `_WP[]` (`_CVAL[1]`, B:13346) or a type other than multi and mono.
 pub fn probe(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {

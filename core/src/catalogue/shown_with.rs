@@ -2,8 +2,7 @@
 //! what is measured, the mean value at the tolerances.
 
 use super::logging::names as log;
-use crate::entry::address;
-use crate::entry::names;
+use crate::entry::{address, names};
 use crate::name::Name;
 
 /// Groups of parameters in whose figures a picture shows a parameter that has none of its own. The first group of which

@@ -1,7 +1,8 @@
 //! Doubts about points that lie so that what follows from them is far more uncertain than each of them.
 
 use crate::diagnostic::Diagnostic;
-use crate::evaluate::spread::{self, Circle, DOUBTED, LENGTH, Touched, told};
+use crate::evaluate::spread;
+use crate::evaluate::spread::{Circle, DOUBTED, LENGTH, Touched, told};
 use crate::geometry::V3;
 use crate::name::Name;
 use crate::own;

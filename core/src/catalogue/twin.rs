@@ -1,16 +1,14 @@
 //! The same measurement on the other control: what a call means is taken from its values and written with those of the
 //! entry that has the task there.
 
-use super::CYCLES;
 use super::example::example;
-use super::twin_place::{self, has_depth};
-use crate::check::{self};
+use super::twin_place::has_depth;
+use super::{CYCLES, twin_place};
+use crate::check;
 use crate::control::variables::AXES;
 use crate::control::{Control, delivery_in};
 use crate::dialect::Dialect;
-use crate::entry::{Cycle, Level, Param, Variant};
-use crate::entry::{Inputs, Typed, factor};
-use crate::entry::{Meaning, Shared, Task};
+use crate::entry::{Cycle, Inputs, Level, Meaning, Param, Shared, Task, Typed, Variant, factor};
 use crate::message::Message;
 use crate::name::Name;
 
@@ -314,8 +312,10 @@ fn only_here(inputs: &Inputs, [here, there]: [&Shared; 2]) -> Vec<Name> {
 
 /// Whether a task has a place for a value with this meaning, in whichever form.
 fn has(shared: &Shared, meaning: Meaning) -> bool {
-    use Meaning::{Axis, Half, Infeed, Lower, Nominal, NominalInAxis, Upper};
-    use Meaning::{CornerInAxis, ZeroAbscissa, ZeroAtCorner, ZeroOrdinate};
+    use Meaning::{
+        Axis, CornerInAxis, Half, Infeed, Lower, Nominal, NominalInAxis, Upper, ZeroAbscissa, ZeroAtCorner,
+        ZeroOrdinate,
+    };
     let same: &[Meaning] = match meaning {
         Infeed => &[Infeed, NominalInAxis],
         CornerInAxis | ZeroAtCorner | ZeroAbscissa | ZeroOrdinate => &[CornerInAxis, ZeroAtCorner],

@@ -3,8 +3,7 @@
 
 use super::twin::part_of;
 use crate::control::{Control, Units};
-use crate::entry::Inputs;
-use crate::entry::{Meaning, Shared, Task};
+use crate::entry::{Inputs, Meaning, Shared, Task};
 use crate::name::Name;
 
 /// Height of the start in the axis of the tool for which a depth is reckoned: 20 mm or 0.8 inch. A call of NCT tells

@@ -4,13 +4,11 @@
 use super::example::example;
 use super::twin::{Measurement, Twin, measured, other, twin};
 use super::{CYCLES, find};
-use crate::check::{self};
+use crate::check;
 use crate::control::{Control, Plane, Units, delivery_in};
 use crate::diagnostic::Severity;
 use crate::dialect::Dialect;
-use crate::entry::Cycle;
-use crate::entry::TASKS;
-use crate::entry::Typed;
+use crate::entry::{Cycle, TASKS, Typed};
 use crate::message::Arg;
 use proptest::prelude::*;
 use std::collections::BTreeSet;

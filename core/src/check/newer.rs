@@ -7,11 +7,11 @@
 use super::{Checked, Parsed, Target, check, error, parse, target, typed, variants};
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic, Severity};
-use crate::entry::{ArgumentList, Cycle, ProbeUse, names};
-use crate::entry::{Inputs, Typed};
+use crate::entry::{ArgumentList, Cycle, Inputs, ProbeUse, Typed, names};
 use crate::message::Message;
 use crate::name::Name;
-use crate::own::{self, Own};
+use crate::own;
+use crate::own::Own;
 
 /// Highest number of a workpiece probe (61313).
 const PROBES: f64 = 12.0;

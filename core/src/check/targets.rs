@@ -3,10 +3,9 @@
 use super::error;
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
-use crate::entry::Inputs;
-use crate::entry::{Param, When};
-use crate::evaluate::knum::{self, ZeroCode};
-use crate::evaluate::{tool_offset, zero_offset};
+use crate::entry::{Inputs, Param, When};
+use crate::evaluate::knum::ZeroCode;
+use crate::evaluate::{knum, tool_offset, zero_offset};
 use crate::message::Message;
 
 /// Sort of target that a variant asks for.

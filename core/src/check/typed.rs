@@ -1,17 +1,17 @@
 //! From typed values to inputs, parameter by parameter.
 
-use super::text::{self, Text};
-use super::{Parsed, error, parse, targets, variants};
+use super::text::Text;
+use super::{Parsed, error, parse, targets, text, variants};
 use crate::check::upkeep;
 use crate::control::tools::side;
 use crate::control::{Control, Edge, Transverse};
 use crate::diagnostic::{Code, Diagnostic, Severity};
-use crate::entry::{Cycle, Kind, Level, Param, Unit};
-use crate::entry::{Inputs, Typed, factor, unit_behind};
+use crate::entry::{Cycle, Inputs, Kind, Level, Param, Typed, Unit, factor, unit_behind};
 use crate::evaluate::knum;
 use crate::message::Message;
 use crate::name::Name;
-use crate::own::{self, Own};
+use crate::own;
+use crate::own::Own;
 use crate::range::Range;
 
 /// Beyond this no length, angle or feed of a machine makes sense, and contact could not be computed to 1e-9 mm.

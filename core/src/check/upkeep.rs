@@ -2,8 +2,8 @@
 //! system are converted (B:13594-13598, B:14059-14061), and arrays are erased on demand (B:13644).
 
 use crate::control::delivery::{factor, scaled};
-use crate::control::gud::{self, Block, Element, Gud};
-use crate::control::{Control, Units, Value};
+use crate::control::gud::{Block, Element, Gud};
+use crate::control::{Control, Units, Value, gud};
 use crate::diagnostic::Diagnostic;
 use crate::dialect::Dialect;
 use crate::entry::Cycle;

@@ -2,8 +2,7 @@
 
 use super::Parsed;
 use crate::control::Control;
-use crate::entry::Typed;
-use crate::entry::{Cycle, DigitGroup, Kind, Param};
+use crate::entry::{Cycle, DigitGroup, Kind, Param, Typed};
 use crate::message::Message;
 
 /// Why there is no such variant: two choices that are right alone and not together, where its digits show them.

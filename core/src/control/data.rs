@@ -6,7 +6,8 @@ use super::{Units, Value, delivery, gud, nct_data};
 use crate::dialect::Dialect;
 use serde::de::{Deserialize, Deserializer, Visitor};
 use std::collections::BTreeMap;
-use std::fmt::{self, Formatter};
+use std::fmt;
+use std::fmt::Formatter;
 
 /// Setting of ours, kept beside the data of the machine: 1 lets `_MZ_MASK` decide over forms and code. No program can
 /// write a variable of this name.

@@ -3,8 +3,8 @@
 //! machine, as the manual says. Initial values of parameters (`_FA`, `_TSA`, …) are defaults of the catalogue and not
 //! repeated here: an unset datum means "as delivered".
 
-use super::gud::{self, Element, Initial, System};
-use super::{BasicFrames, Control, Data, Frame, Limits, Plane, Transverse, Units, Value, machine_data, nct_data};
+use super::gud::{Element, Initial, System};
+use super::{BasicFrames, Control, Data, Frame, Limits, Plane, Transverse, Units, Value, gud, machine_data, nct_data};
 use crate::dialect::Dialect;
 use std::collections::BTreeMap;
 use std::sync::OnceLock;

@@ -1,9 +1,7 @@
 //! Software limit switches (MD36100, MD36110): positions of the machine axes that are never passed.
 
 use super::Control;
-use crate::geometry::Mcs;
-use crate::geometry::TOLERANCE;
-use crate::geometry::Wcs;
+use crate::geometry::{Mcs, TOLERANCE, Wcs};
 
 /// Smallest and largest position of the machine axes X Y Z, mm; none: the axis has no limit there.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

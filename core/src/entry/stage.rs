@@ -5,8 +5,8 @@
 use super::{Inputs, names};
 use crate::entry::address;
 use crate::name::Name;
-use crate::picture::figures::{self, circle, dimension, line, polygon, rectangle};
-use crate::picture::{PictureShape, ShapeKind};
+use crate::picture::figures::{circle, dimension, line, polygon, rectangle};
+use crate::picture::{PictureShape, ShapeKind, figures};
 
 /// Longest size of what is measured, mm: sizes count in parts of it.
 pub const SIZE: f64 = 100.0;

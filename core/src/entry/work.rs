@@ -1,8 +1,7 @@
 //! What an entry has for a build that simulates: the cycle at work, its picture, the part that it proposes.
 
-use super::Inputs;
-use super::When;
 use super::stage::{Seen, Staging};
+use super::{Inputs, When};
 use crate::SIMULATES;
 use crate::control::Control;
 use crate::geometry::Wcs;

@@ -157,8 +157,7 @@ mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
     use crate::evaluate::position::position;
-    use crate::geometry::fit;
-    use crate::geometry::rigid;
+    use crate::geometry::{fit, rigid};
 
     /// By how much each result changes with each of the numbers from which it is reckoned, summed up as scatter is:
     /// central differences.

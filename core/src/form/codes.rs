@@ -3,8 +3,7 @@
 use super::fields::{Choice, Entry, Group};
 use crate::check::{Target, target};
 use crate::control::Control;
-use crate::entry::Inputs;
-use crate::entry::{Cycle, DigitGroup, Param};
+use crate::entry::{Cycle, DigitGroup, Inputs, Param};
 use crate::evaluate::knum;
 use crate::message::Message;
 

@@ -1,7 +1,8 @@
 //! The drawing of a form, also while it is incomplete.
 
 use crate::catalogue::shown_with::shown_with;
-use crate::check::{self, Parsed, parse};
+use crate::check;
+use crate::check::{Parsed, parse};
 use crate::control::Control;
 use crate::entry::{Cycle, How, Kind, Typed};
 use crate::name::Name;

@@ -1,10 +1,9 @@
 //! The fields of a form, in the order in which they are shown.
 
 use super::{codes, masks, variant};
-use crate::check::{self};
+use crate::check;
 use crate::control::Control;
-use crate::entry::{Cycle, Kind, Level, Param};
-use crate::entry::{Inputs, Typed, factor, unit_name};
+use crate::entry::{Cycle, Inputs, Kind, Level, Param, Typed, factor, unit_name};
 use crate::message::Message;
 use crate::name::Name;
 use crate::range::Range;

@@ -1,10 +1,10 @@
 //! The machine as a form: what is set once per machine, from the tables of user and machine data.
 
 use crate::check::{Parsed, parse};
-use crate::control::gud::{self, Element, Gud, System, Unit};
-use crate::control::machine_data::{self, MACHINE_DATA};
-use crate::control::nct_data::{self, NctDatum};
-use crate::control::{Control, Units, Value};
+use crate::control::gud::{Element, Gud, System, Unit};
+use crate::control::machine_data::MACHINE_DATA;
+use crate::control::nct_data::NctDatum;
+use crate::control::{Control, Units, Value, gud, machine_data, nct_data};
 use crate::dialect::Dialect;
 use crate::message::Message;
 use crate::range::Range;

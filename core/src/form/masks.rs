@@ -2,8 +2,7 @@
 
 use super::codes::{EDGE, KIND};
 use super::fields::{Choice, Entry, Group};
-use crate::entry::Inputs;
-use crate::entry::PROBE_TYPE;
+use crate::entry::{Inputs, PROBE_TYPE};
 use crate::evaluate::knum::Quantity;
 use crate::support::{PROBE, Support, TARGETS, usual, usual_zero};
 

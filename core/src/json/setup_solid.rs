@@ -1,7 +1,7 @@
 //! A solid of the part in the setup file.
 
-use super::Error;
-use super::setup_surface::{self, SurfaceFile};
+use super::setup_surface::SurfaceFile;
+use super::{Error, setup_surface};
 use crate::refused::Path;
 use crate::workpiece::{PartErrors, Shape, Solid};
 use serde::Deserialize;

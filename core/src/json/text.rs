@@ -3,8 +3,9 @@
 use crate::refused::{Path, Refused, Step};
 use crate::syntax::position::Positions;
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Visitor};
+use serde_json::error::Category;
 use serde_json::value::RawValue;
-use serde_json::{Map, Value, error::Category};
+use serde_json::{Map, Value};
 use std::collections::BTreeMap;
 use std::fmt;
 

@@ -2,8 +2,6 @@
 
 use super::setup_write::{put_body, solids};
 use super::{document, object, put, trace_tool, trace_turned};
-use crate::SIMULATES;
-use crate::catalogue;
 use crate::control::Control;
 use crate::control::rotary::ROTARY;
 use crate::diagnostic::Code;
@@ -12,9 +10,11 @@ use crate::machine::setup::Setup;
 use crate::machine::trace::{Entry, MotionKind, Step};
 use crate::message::Message;
 use crate::run::outcome::Outcome;
-use crate::scene::{self, Source, frames::Frame};
+use crate::scene::Source;
+use crate::scene::frames::Frame;
 use crate::workpiece::Solid;
 use crate::workpiece::feeler::Touching;
+use crate::{SIMULATES, catalogue, scene};
 use serde::{Serialize, Serializer};
 use serde_json::Value;
 

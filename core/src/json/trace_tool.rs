@@ -5,7 +5,8 @@ use super::{object, put};
 use crate::geometry::V3;
 use crate::machine::setup::Setup;
 use crate::run::outcome::Outcome;
-use crate::scene::tool::{self, Tool};
+use crate::scene::tool;
+use crate::scene::tool::Tool;
 use crate::workpiece::seen::Drawn;
 use serde_json::Value;
 
@@ -58,7 +59,8 @@ fn vector(vector: V3) -> Value {
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]
-    use crate::json::asked::{self, form};
+    use crate::json::asked;
+    use crate::json::asked::form;
     use serde_json::{Value, json};
 
     /// What is drawn of a call of CYCLE971 with these errors of the sliders.

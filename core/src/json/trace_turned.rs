@@ -3,7 +3,8 @@
 use super::object;
 use crate::machine::setup::Setup;
 use crate::run::outcome::Outcome;
-use crate::scene::turned::{self, Diameter, Drawing, Reading, Touched};
+use crate::scene::turned;
+use crate::scene::turned::{Diameter, Drawing, Reading, Touched};
 use serde_json::Value;
 
 pub(super) fn drawing(setup: &Setup, outcome: &Outcome) -> Value {

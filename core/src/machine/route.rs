@@ -1,10 +1,9 @@
 //! The way of one motion, straight or round an axis, and what stops the probe on it. Machine coordinates, mm.
 
 use crate::control::Control;
-use crate::geometry::Mcs;
 use crate::geometry::arc::Around;
 use crate::geometry::stretch::Stretch;
-use crate::geometry::{FARTHEST, TOLERANCE, V3, roots};
+use crate::geometry::{FARTHEST, Mcs, TOLERANCE, V3, roots};
 use crate::workpiece::contact::{Boundary, Contact};
 use crate::workpiece::feeler::{Feeler, Touching};
 

@@ -3,11 +3,11 @@
 use crate::catalogue::list::unmatched;
 use crate::check::listed::count;
 use crate::diagnostic::{Diagnostic, Span};
-use crate::own::{self, Own};
-use crate::syntax::Program;
-use crate::syntax::fold;
+use crate::own;
+use crate::own::Own;
 use crate::syntax::fold::Nothing;
 use crate::syntax::tree::{Word, WordKind};
+use crate::syntax::{Program, fold};
 
 /// Addresses that a block takes once, so that it says one thing: all that are no function, no block number, no
 /// parameter and no repetition. With an extension (`S1=500`) they are others.

@@ -1,8 +1,7 @@
 //! Changes of one value as edits of the text; every other byte stays.
 
-use super::arguments;
 use super::calls::CallSite;
-use super::write;
+use super::{arguments, write};
 use crate::check::{Text, newer, parse_text};
 use crate::control::delivery;
 pub use crate::diagnostic::Edit;

@@ -6,18 +6,15 @@ use super::marked::mark_before;
 use super::own_words::{Lines, emptied, own_words, without_comment};
 use super::write::{Values, Written, snippet_of};
 use super::{arguments, carried};
-use crate::check::{self, Parsed, newer, parse};
+use crate::check::{Parsed, newer, parse};
 use crate::control::Control;
 use crate::diagnostic::{Diagnostic, Span};
-use crate::entry::AUXILIARY_ARGS;
-use crate::entry::Typed;
-use crate::entry::{ArgumentList, Param, Style};
+use crate::entry::{AUXILIARY_ARGS, ArgumentList, Param, Style, Typed};
 use crate::name::Name;
-use crate::own;
 use crate::support::Mark;
-use crate::syntax::Program;
-use crate::syntax::read;
 use crate::syntax::tree::WordKind;
+use crate::syntax::{Program, read};
+use crate::{check, own};
 
 /// Edits that turn a call into another way of writing, and what has to be said about it.
 pub struct Converted {

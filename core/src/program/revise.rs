@@ -5,16 +5,14 @@ use super::calls::{CallSite, calls_on};
 use super::change::{Edit, apply, change};
 use super::own_words::{emptied, own_words};
 use super::touched::{Line, elsewhere};
-use crate::check::{self, variants};
+use crate::check::variants;
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
-use crate::entry::Param;
-use crate::entry::Typed;
+use crate::entry::{Param, Typed};
 use crate::name::Name;
-use crate::own;
-use crate::syntax::Program;
-use crate::syntax::read;
 use crate::syntax::tree::WordKind;
+use crate::syntax::{Program, read};
+use crate::{check, own};
 
 /// What a new value of a call does to the program.
 #[derive(Debug, Default)]

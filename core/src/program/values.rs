@@ -3,10 +3,9 @@
 
 use crate::check::{Parsed, Sort, parse, typed_text};
 use crate::diagnostic::Span;
-use crate::syntax::Program;
-use crate::syntax::fold;
 use crate::syntax::fold::Known;
 use crate::syntax::tree::{Expr, ExprId, Operator};
+use crate::syntax::{Program, fold};
 
 /// A value as text, and its place; inside the quotes for a text.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,9 +2,8 @@
 //! same words as the finding itself.
 
 use crate::message::Message;
-use crate::own;
-use crate::problem;
 use crate::words::Words;
+use crate::{own, problem};
 
 /// What a finding means and what helps, for each sentence that it may say. Empty: there is none of this name.
 pub fn finding(asked: &str, words: &Words) -> String {

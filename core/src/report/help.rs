@@ -2,8 +2,7 @@
 //! that say the same stand together. For the terminal the page of one variant, plain.
 
 use crate::catalogue::help::HelpPage;
-use crate::entry::{Cycle, Variant};
-use crate::entry::{SECTIONS, Section};
+use crate::entry::{Cycle, SECTIONS, Section, Variant};
 use crate::message::{Arg, Message};
 use crate::report::markdown::line;
 use crate::words::Words;

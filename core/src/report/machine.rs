@@ -1,9 +1,9 @@
 //! The reference of user and machine data in `docs/machine-data.md`, written from the tables and the message files.
 
 use super::markdown::{heading, line, row};
-use crate::control::gud::{self, Block, Element, Gud, Initial, Kind, Subject, System, Unit};
+use crate::control::gud::{Block, Element, Gud, Initial, Kind, Subject, System, Unit};
 use crate::control::machine_data::{MACHINE_DATA, MachineDatum};
-use crate::control::nct_data;
+use crate::control::{gud, nct_data};
 use crate::message::Message;
 use crate::program::user_programs;
 use crate::range::Range;

@@ -1,27 +1,22 @@
 //! What the words of a block do together: functions first, then tool, motion, calls, and the end.
 
 use super::interpret::{Interpreter, Next};
-use super::statement::{self, Call, Words};
+use super::statement::{Call, Words};
 use super::{
-    addresses, cycle, environment, frame, gcode, listed, macro_call, manner, motion, repeat, set_alarm, subprogram,
-    swivel, tool, unread, words,
+    addresses, cycle, environment, frame, gcode, listed, macro_call, manner, motion, repeat, set_alarm, statement,
+    subprogram, swivel, tool, unread, words,
 };
-use crate::catalogue::{self, nct};
+use crate::catalogue::nct;
 use crate::diagnostic::Severity;
 use crate::dialect::Dialect;
-use crate::entry;
 use crate::machine::trace::Step;
 use crate::machine::{Machine, Stop};
 use crate::problem::Problem;
-use crate::program::of_control::SET_ALARM;
-use crate::program::of_control::STORE_ENVIRONMENT;
-use crate::program::of_control::SWIVEL;
-use crate::program::of_control::is_frame;
-use crate::program::of_control::machines;
+use crate::program::of_control::{SET_ALARM, STORE_ENVIRONMENT, SWIVEL, is_frame, machines};
 use crate::program::user_programs::delivered;
-use crate::program::words::beyond;
-use crate::program::words::known;
+use crate::program::words::{beyond, known};
 use crate::syntax::language::is_word;
+use crate::{catalogue, entry};
 use std::rc::Rc;
 
 /// Carries out a block whose words were collected.

@@ -3,8 +3,7 @@
 use crate::catalogue::sinumerik::results;
 use crate::check::upkeep;
 use crate::diagnostic::Code;
-use crate::entry::Inputs;
-use crate::entry::ProbeUse;
+use crate::entry::{Inputs, ProbeUse};
 use crate::machine::Stop;
 use crate::machine::sim::Sim;
 use crate::machine::trace::Step;

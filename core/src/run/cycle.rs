@@ -5,18 +5,15 @@ use super::statement::Words;
 use super::{call, contour, unread, user_program};
 use crate::catalogue::nct;
 use crate::catalogue::sinumerik::results;
-use crate::check::upkeep;
-use crate::check::{self, Checked};
+use crate::check::{Checked, upkeep};
 use crate::control::Value;
 use crate::diagnostic::{Code, Diagnostic, Severity, Span};
-use crate::entry::Typed;
-use crate::entry::{Cycle, Kind, ProbeUse};
+use crate::entry::{Cycle, Kind, ProbeUse, Typed};
 use crate::machine::Stop;
 use crate::message::Message;
-use crate::own;
 use crate::problem::Problem;
-use crate::program::user_programs::BEFORE;
-use crate::program::user_programs::BEHIND;
+use crate::program::user_programs::{BEFORE, BEHIND};
+use crate::{check, own};
 
 /// SINUMERIK: the parameters are user data and keep their values from call to call (B:1696).
 pub fn data(run: &mut Interpreter, cycle: &'static Cycle, span: Span) -> Result<(), Stop> {

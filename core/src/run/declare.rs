@@ -1,10 +1,9 @@
 //! `DEF`: variables of a program with sizes and first values.
 
-use super::expression;
 use super::interpret::Interpreter;
 use super::locals::{Local, Variable};
-use super::names;
 use super::types::Type;
+use super::{expression, names};
 use crate::control::variables::AXES;
 use crate::diagnostic::{Severity, Span};
 use crate::dialect::Dialect;

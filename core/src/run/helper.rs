@@ -5,9 +5,8 @@ use super::datum::Datum;
 use super::interpret::Interpreter;
 use super::statement::Call;
 use super::{call, cycle, names};
-use crate::check::{self};
-use crate::entry::Typed;
-use crate::entry::{Arg, ArgumentList, Cycle};
+use crate::check;
+use crate::entry::{Arg, ArgumentList, Cycle, Typed};
 use crate::machine::Stop;
 use crate::problem::Problem;
 

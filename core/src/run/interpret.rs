@@ -1,14 +1,14 @@
 //! Runs a program block by block. A program that never ends is stopped by limits.
 
 use super::assumed::Made;
-use super::contour::{self, Contour};
-use super::endless::{self, Watch};
+use super::contour::Contour;
+use super::endless::Watch;
 use super::level::Level;
 use super::locals::Locals;
 use super::modal::Modal;
 use super::outcome::PassedOver;
-use super::unread::{self, Unread};
-use super::{Outcome, motion, repeat, statement, subprogram};
+use super::unread::Unread;
+use super::{Outcome, contour, endless, motion, repeat, statement, subprogram, unread};
 use crate::catalogue::alarms;
 use crate::diagnostic::{Diagnostic, Severity, Span};
 use crate::machine::sim::Sim;
@@ -17,11 +17,9 @@ use crate::machine::{Setup, Stop};
 use crate::message::Message;
 use crate::problem;
 use crate::problem::Problem;
-use crate::syntax::Program;
-use crate::syntax::links as flow;
 use crate::syntax::links::{Link, Links};
-use crate::syntax::programs;
 use crate::syntax::programs::Programs;
+use crate::syntax::{Program, links as flow, programs};
 use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;

@@ -1,10 +1,9 @@
 //! What the measuring calls of a program left in their result data.
 
 use super::outcome::Outcome;
-use crate::catalogue::{self};
+use crate::catalogue;
 use crate::control::Control;
-use crate::entry::Inputs;
-use crate::entry::{Cycle, ResultField};
+use crate::entry::{Cycle, Inputs, ResultField};
 use crate::machine::trace::{Entry, Step};
 use std::collections::{BTreeMap, BTreeSet};
 

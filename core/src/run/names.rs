@@ -3,8 +3,8 @@
 use super::datum::Datum;
 use super::expression::evaluate;
 use super::interpret::Interpreter;
-use super::locals::{self, Home, indices, stem};
-use super::{macro_variables, system, unread};
+use super::locals::{Home, indices, stem};
+use super::{locals, macro_variables, system, unread};
 use crate::catalogue::CYCLES;
 use crate::control::rotary::is_angle;
 use crate::control::{Frame, Value, arrays, gud, machine_data};

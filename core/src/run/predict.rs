@@ -1,8 +1,7 @@
 //! What would it do? One call, without a program, from where the machine stands.
 
 use super::{Outcome, call};
-use crate::entry::Cycle;
-use crate::entry::Inputs;
+use crate::entry::{Cycle, Inputs};
 use crate::machine::Setup;
 use crate::machine::sim::Sim;
 

@@ -1,8 +1,7 @@
 //! Repeated program parts: `REPEAT LABEL P=3`, `REPEAT FIRST LAST`, `REPEATB LABEL`, up to an `ENDLABEL` between them.
 
-use super::expression;
 use super::interpret::{Interpreter, Next};
-use super::{branch, level};
+use super::{branch, expression, level};
 use crate::diagnostic::Span;
 use crate::problem::Problem;
 use crate::syntax::tree::{ExprId, Word, WordKind};

@@ -1,11 +1,11 @@
 //! One block: words in order (assignments act at once), then functions, motion and calls together.
 
 use super::datum::Datum;
-use super::declare::{self, Declaring};
+use super::declare::Declaring;
 use super::expression::evaluate;
 use super::interpret::{Interpreter, Next};
 use super::path::{Measure, Path};
-use super::{action, branch, contour, environment, indexed, locals, names, repeat, unread};
+use super::{action, branch, contour, declare, environment, indexed, locals, names, repeat, unread};
 use crate::diagnostic::{Severity, Span};
 use crate::dialect::Dialect;
 use crate::machine::Stop;

@@ -1,18 +1,15 @@
 //! Calls of programs of the same text: parameters by value and by reference, passes, `SAVE`, the way back.
 
 use super::datum::Datum;
-use super::declare::{self, Declaring};
-use super::expression;
+use super::declare::Declaring;
 use super::interpret::{Interpreter, Next};
-use super::level::{self, Level, Variables};
-use super::locals::{self, Home, Local, Locals, Variable};
-use super::repeat;
+use super::level::{Level, Variables};
+use super::locals::{Home, Local, Locals, Variable};
 use super::statement::Call;
-use crate::diagnostic::Severity;
-use crate::diagnostic::Span;
+use super::{declare, expression, level, locals, repeat};
+use crate::diagnostic::{Severity, Span};
 use crate::problem::Problem;
-use crate::syntax::programs::Unit;
-use crate::syntax::programs::bare;
+use crate::syntax::programs::{Unit, bare};
 use crate::syntax::tree::{Expr, ExprId, Word, WordKind};
 use std::rc::Rc;
 

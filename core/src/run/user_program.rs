@@ -1,9 +1,9 @@
 //! Programs of the user around a measurement (B:2476-2530): CYCLE198 at the beginning of every measuring cycle,
 //! CYCLE199 when it is complete. As delivered both are empty but for a label a cycle; a text may hold its own.
 
-use super::interpret::{self, Interpreter};
+use super::interpret::Interpreter;
 use super::statement::Call;
-use super::subprogram;
+use super::{interpret, subprogram};
 use crate::diagnostic::Span;
 use crate::dialect::Dialect;
 use crate::entry::Cycle;

@@ -2,9 +2,8 @@
 
 use crate::entry::stage::distance;
 use crate::geometry::{V3, rigid};
-use crate::picture::figures;
 use crate::picture::figures::frame;
-use crate::picture::{PictureShape, ShapeKind};
+use crate::picture::{PictureShape, ShapeKind, figures};
 use crate::workpiece::{Shape, Solid};
 
 /// Material beside an opening, in sizes of the opening.

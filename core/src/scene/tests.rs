@@ -4,9 +4,9 @@
 use super::frames::{Frame, UNITS};
 use super::mesh::Mesh;
 use super::solid::{CHORD, figure, turns};
-use super::tool::{self, Tool};
+use super::tool::Tool;
 use super::turned::{Diameter, Drawing, Reading, Touched, dimensions};
-use super::{LineKind, Matter, Scene, Source, fit, paths};
+use super::{LineKind, Matter, Scene, Source, fit, paths, tool};
 use crate::control::Plane;
 use crate::dialect::Dialect;
 use crate::geometry::V3;

@@ -1,8 +1,8 @@
 //! The tools and the probe by the steps in which they are in use.
 
-use super::Matter;
 use super::mesh::{Mesh, Vertex};
-use super::solid::{self, CHORD};
+use super::solid::CHORD;
+use super::{Matter, solid};
 use crate::catalogue::find;
 use crate::control::Edge;
 use crate::control::probe::upright;
@@ -13,8 +13,8 @@ use crate::machine::in_use::InUse;
 use crate::machine::setup::Setup;
 use crate::machine::trace::Step;
 use crate::run::outcome::Outcome;
-use crate::workpiece::Probe;
-use crate::workpiece::seen::{self, Drawn};
+use crate::workpiece::seen::Drawn;
+use crate::workpiece::{Probe, seen};
 use nalgebra::{Matrix3, Rotation3};
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;

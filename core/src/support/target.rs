@@ -4,9 +4,9 @@ use super::{Support, TARGETS, name};
 use crate::check::{Target, target};
 use crate::control::MachineSort;
 use crate::diagnostic::Diagnostic;
-use crate::entry::Inputs;
-use crate::entry::{Kind, Param};
-use crate::evaluate::knum::{self, Quantity, ToolCode, ZeroCode};
+use crate::entry::{Inputs, Kind, Param};
+use crate::evaluate::knum;
+use crate::evaluate::knum::{Quantity, ToolCode, ZeroCode};
 use crate::own;
 
 /// What the settings make of a correction target.

@@ -1,11 +1,10 @@
 //! Parameters without a field, and what is written for them (B:12505-12539).
 
 use super::{EMPIRICAL, FEED, MEAN, Offer, PROBE, SPEEDS, Support, offer};
-use crate::check::{self, Parsed, parse};
+use crate::check;
+use crate::check::{Parsed, parse};
 use crate::control::{Control, Value, gud};
-use crate::entry::PROBE_TYPE;
-use crate::entry::{Cycle, Kind, Param, ProbeUse, names};
-use crate::entry::{Inputs, Typed};
+use crate::entry::{Cycle, Inputs, Kind, PROBE_TYPE, Param, ProbeUse, Typed, names};
 use crate::name::Name;
 
 /// The bit for the mean value (B:12518-12532).

@@ -4,7 +4,8 @@ use super::bytes::{in_name, is_blank};
 use super::tree::{Block, Expr, ExprId, Program, SyntaxError, Word, WordKind};
 use crate::diagnostic::Span;
 use crate::dialect::Dialect;
-use crate::own::{self, Own};
+use crate::own;
+use crate::own::Own;
 
 /// Deepest nesting of brackets, and tallest expression; bounds every recursion over a tree.
 pub(super) const DEPTH: u16 = 100;

@@ -2,11 +2,11 @@
 
 use super::bytes::{in_name, is_digit, is_letter, starts_name};
 use super::expression::expression;
-use super::keyword::{self, Keyword};
-use super::number;
+use super::keyword::Keyword;
 use super::reader::{Expect, Parsed, Reader};
 use super::sinumerik_expression::{arguments, foreign_exponent, index, text};
 use super::tree::{Expr, ExprId, WordKind};
+use super::{keyword, number};
 use crate::diagnostic::Span;
 use crate::dialect::Dialect::Sinumerik;
 use crate::own;

@@ -5,10 +5,10 @@
 
 use super::bytes::{is_digit, starts_name};
 use super::expression::{Strength, expression, unary};
-use super::keyword::{self, Keyword};
-use super::number;
+use super::keyword::Keyword;
 use super::reader::{Expect, Node, Parsed, Reader};
 use super::tree::{Expr, ExprId, Operator};
+use super::{keyword, number};
 use crate::dialect::Dialect::Sinumerik;
 use crate::own;
 

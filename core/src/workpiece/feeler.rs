@@ -3,10 +3,10 @@
 use super::Probe;
 use super::body::Body;
 use super::contact::{Boundary, Contact};
-use crate::geometry::rod::{self, Met, Rod, around, earliest};
+use crate::geometry::rod::{Met, Rod, around, earliest};
 use crate::geometry::stretch::Stretch;
 use crate::geometry::swept::Swept;
-use crate::geometry::{Path, V3};
+use crate::geometry::{Path, V3, rod};
 
 /// Rounding of the lower edge of a body, mm.
 const ROUNDED: f64 = 0.5;

@@ -4,9 +4,9 @@ use super::body::frustum::Frustum;
 use super::noise::Noise;
 use super::tool::Piece;
 use super::{Shape, Solid};
-use crate::geometry::convex::{self, Convex, Meeting};
+use crate::geometry::convex::{Convex, Meeting};
 use crate::geometry::stretch::Stretch;
-use crate::geometry::{Path, V3, rigid};
+use crate::geometry::{Path, V3, convex, rigid};
 use nalgebra::IsometryMatrix3;
 
 /// How far a probe gives way without harm, mm: a tool that stands in it deeper cannot be drawn out of it.

@@ -1,8 +1,7 @@
 //! The first reference groove, the ball over its middle.
 
-use super::lathe;
 use super::table::{Table, case, program};
-use super::workpiece;
+use super::{lathe, workpiece};
 use probewright_core::machine::Setup;
 use probewright_core::workpiece::{PartErrors, Shape, Solid};
 

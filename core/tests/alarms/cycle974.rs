@@ -1,8 +1,7 @@
 //! A turned part of 60 mm in diameter, the ball at X 100 (radius 50) beside it.
 
-use super::lathe;
 use super::table::{Table, case, program};
-use super::workpiece;
+use super::{lathe, workpiece};
 
 pub fn table() -> Table {
     let mut cases = lathe::cases();

@@ -5,9 +5,8 @@ use super::{turning, workpiece};
 use probewright_core::control::{Plane, Transverse};
 use probewright_core::geometry::Mcs;
 use probewright_core::machine::Setup;
-use probewright_core::workpiece::tool;
 use probewright_core::workpiece::tool_probe::ToolProbe;
-use probewright_core::workpiece::{PartErrors, Shape, Solid};
+use probewright_core::workpiece::{PartErrors, Shape, Solid, tool};
 
 const OWN_TOOL: &str = "the tool in use is corrected; no parameter names another one";
 

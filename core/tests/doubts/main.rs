@@ -8,8 +8,8 @@ mod tools;
 mod unsaid;
 mod ways;
 
-use probewright_core::diagnostic::Code::{self, Own};
-use probewright_core::diagnostic::Diagnostic;
+use probewright_core::diagnostic::Code::Own;
+use probewright_core::diagnostic::{Code, Diagnostic};
 use probewright_core::dialect::Dialect;
 use probewright_core::program::findings;
 use probewright_core::syntax::read;

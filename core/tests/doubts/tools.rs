@@ -2,8 +2,8 @@
 
 use super::{CALIBRATION, EDGE, HOLE, LENGTH, PLANE, TURNED, called, found, tells};
 use probewright_core::control::delivery;
-use probewright_core::diagnostic::Code::{self, Alarm};
-use probewright_core::diagnostic::{Diagnostic, Severity};
+use probewright_core::diagnostic::Code::Alarm;
+use probewright_core::diagnostic::{Code, Diagnostic, Severity};
 use probewright_core::dialect::Dialect;
 use probewright_core::program::findings_on;
 use probewright_core::syntax::read;

@@ -2,9 +2,7 @@
 
 use super::draw::{Drawn, hold, is_milling, measuring, milling};
 use super::stand::{Stand, stand};
-use probewright_core::entry::Inputs;
-use probewright_core::entry::ProbeUse;
-use probewright_core::entry::names;
+use probewright_core::entry::{Inputs, ProbeUse, names};
 use probewright_core::geometry::Wcs;
 use probewright_core::name::Name;
 use probewright_core::run::Outcome;

@@ -1,8 +1,7 @@
 //! What is drawn: machine, data, call and part. Plain figures, so that a failure shrinks to the ones that matter.
 
 use probewright_core::catalogue::{CYCLES, find};
-use probewright_core::control::MachineSort;
-use probewright_core::control::{Plane, Units};
+use probewright_core::control::{MachineSort, Plane, Units};
 use probewright_core::dialect::Dialect;
 use probewright_core::entry::{Cycle, ProbeUse};
 use proptest::prelude::*;

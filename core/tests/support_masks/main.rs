@@ -12,12 +12,12 @@ use probewright_core::catalogue::find;
 use probewright_core::control::{Control, delivery};
 use probewright_core::diagnostic::{Code, Diagnostic};
 use probewright_core::dialect::Dialect;
-use probewright_core::entry::Typed;
-use probewright_core::entry::{Cycle, Style};
+use probewright_core::entry::{Cycle, Style, Typed};
 use probewright_core::form::{Entry, fields};
 use probewright_core::program::findings_on;
 use probewright_core::program::write::{Written, snippet};
-use probewright_core::support::{self, Support};
+use probewright_core::support;
+use probewright_core::support::Support;
 use probewright_core::syntax::read;
 
 /// As delivered (B:12501-12539).

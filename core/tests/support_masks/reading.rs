@@ -3,7 +3,7 @@
 use super::{DELIVERED, code, codes, machine, said, typed, values, with};
 use probewright_core::catalogue::CYCLES;
 use probewright_core::catalogue::example::example;
-use probewright_core::check::{self, Parsed, parse};
+use probewright_core::check::{Parsed, parse};
 use probewright_core::control::delivery;
 use probewright_core::diagnostic::Code;
 use probewright_core::dialect::Dialect;
@@ -12,8 +12,9 @@ use probewright_core::form::fields;
 use probewright_core::program::calls::calls_on;
 use probewright_core::program::change::apply;
 use probewright_core::program::write::snippet;
-use probewright_core::support::{self, Support};
+use probewright_core::support::Support;
 use probewright_core::syntax::read;
+use probewright_core::{check, support};
 use proptest::prelude::*;
 
 // oracle: hand (nothing changes for who did not choose it)

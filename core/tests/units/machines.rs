@@ -1,8 +1,7 @@
 //! Machines on which the cycles measure, in both basic systems.
 
 use super::{Physical, turning};
-use probewright_core::control::MachineSort;
-use probewright_core::control::{Edge, Frame, Plane, Tool, Units};
+use probewright_core::control::{Edge, Frame, MachineSort, Plane, Tool, Units};
 use probewright_core::dialect::Dialect;
 use probewright_core::entry::{Cycle, ProbeUse};
 use probewright_core::machine::Setup;

@@ -3,16 +3,14 @@
 use super::convert::converted;
 use super::sites;
 use probewright_core::catalogue::CYCLES;
-use probewright_core::check::{self};
+use probewright_core::check;
 use probewright_core::control::delivery;
 use probewright_core::dialect::Dialect;
-use probewright_core::entry::Typed;
-use probewright_core::entry::{Arg, Cycle, Kind, Param, Style};
+use probewright_core::entry::{Arg, Cycle, Kind, Param, Style, Typed};
 use probewright_core::program::calls::{CallSite, calls};
 use probewright_core::program::change::{apply, change};
 use probewright_core::program::write::snippet;
-use probewright_core::syntax::Program;
-use probewright_core::syntax::read;
+use probewright_core::syntax::{Program, read};
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseResult;
 

@@ -4,16 +4,14 @@ use super::written;
 use probewright_core::catalogue::CYCLES;
 use probewright_core::catalogue::example::example;
 use probewright_core::check::check;
-use probewright_core::control::MachineSort;
-use probewright_core::control::{Control, Plane};
+use probewright_core::control::{Control, MachineSort, Plane};
 use probewright_core::dialect::Dialect;
-use probewright_core::entry::Typed;
-use probewright_core::entry::{Cycle, Style};
+use probewright_core::entry::{Cycle, Style, Typed};
 use probewright_core::machine::setup::Setup;
-use probewright_core::message;
 use probewright_core::program::write::Written;
-use probewright_core::run::{self, Limits};
+use probewright_core::run::Limits;
 use probewright_core::syntax::read;
+use probewright_core::{message, run};
 use std::collections::BTreeSet;
 
 /// Number of the variant that these values choose.

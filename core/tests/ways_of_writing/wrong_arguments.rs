@@ -6,10 +6,10 @@ use probewright_core::catalogue::CYCLES;
 use probewright_core::control::Plane;
 use probewright_core::diagnostic::Severity;
 use probewright_core::dialect::Dialect;
-use probewright_core::entry::Style;
-use probewright_core::entry::names;
+use probewright_core::entry::{Style, names};
 use probewright_core::machine::setup::Setup;
-use probewright_core::run::{self, Limits};
+use probewright_core::run;
+use probewright_core::run::Limits;
 use probewright_core::syntax::read;
 
 /// Keys of the errors of a run of this program on a machine with a calibrated probe.

@@ -8,12 +8,13 @@ use web_sys::HtmlCanvasElement;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{BindGroup, BindGroupLayout, Buffer, CurrentSurfaceTexture, Device, RenderPass};
 
-use crate::cloud::{self, Cloud};
-use crate::gpu::{self, Gpu};
+use crate::cloud::Cloud;
+use crate::gpu::Gpu;
 use crate::layout::UNIFORM_FLOATS;
-use crate::pipelines::{self, Bindings, Pipelines};
-use crate::scene::{self, Scene};
-use crate::target::{self, Target};
+use crate::pipelines::{Bindings, Pipelines};
+use crate::scene::Scene;
+use crate::target::Target;
+use crate::{cloud, gpu, pipelines, scene, target};
 
 /// Draws on one canvas. Every failure is a text; after one the page takes the next way of drawing.
 #[wasm_bindgen]

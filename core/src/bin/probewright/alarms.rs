@@ -1,12 +1,13 @@
 //! `probewright alarms`.
 
 use crate::file::{Problem, print_json};
-use probewright_core::app::{self, AlarmInfo};
-use probewright_core::catalogue::alarms::{self, ALARMS};
-use probewright_core::catalogue::operator_messages::{self, MESSAGES};
-use probewright_core::json;
+use probewright_core::app::AlarmInfo;
+use probewright_core::catalogue::alarms::ALARMS;
+use probewright_core::catalogue::operator_messages::MESSAGES;
+use probewright_core::catalogue::{alarms, operator_messages};
 use probewright_core::report::alarms::{Told, told, told_message};
 use probewright_core::words::Words;
+use probewright_core::{app, json};
 use std::io::Write;
 use std::process::ExitCode;
 

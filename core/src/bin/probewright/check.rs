@@ -1,12 +1,11 @@
 //! `probewright check`, and how findings are printed.
 
-use crate::file::{self, Control, Problem};
-use probewright_core::app;
+use crate::file;
+use crate::file::{Control, Problem};
 use probewright_core::diagnostic::{Diagnostic, Severity};
-use probewright_core::program;
-use probewright_core::syntax;
 use probewright_core::syntax::position::Positions;
 use probewright_core::words::Words;
+use probewright_core::{app, program, syntax};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;

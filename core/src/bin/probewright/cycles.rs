@@ -1,10 +1,9 @@
 //! `probewright cycles`.
 
 use crate::file::{Problem, print_json};
-use probewright_core::app;
 use probewright_core::catalogue::CYCLES;
-use probewright_core::json;
 use probewright_core::words::Words;
+use probewright_core::{app, json};
 use std::io::Write;
 use std::process::ExitCode;
 

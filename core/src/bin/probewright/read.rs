@@ -1,11 +1,11 @@
 //! `probewright read`.
 
-use crate::file::{self, Control, Problem};
+use crate::file;
+use crate::file::{Control, Problem};
 use probewright_core::message::printable;
 use probewright_core::program::calls::calls;
-use probewright_core::syntax;
 use probewright_core::words::Words;
-use probewright_core::{app, json};
+use probewright_core::{app, json, syntax};
 use std::io::Write;
 use std::path::Path;
 use std::process::ExitCode;

@@ -1,22 +1,20 @@
 //! `probewright run`.
 
 use crate::check::print_all;
-use crate::file::{self, Problem};
-use crate::scan;
+use crate::file::Problem;
+use crate::{file, scan};
 use probewright_core::app::{RunAssumed, RunView};
 use probewright_core::catalogue::alarms;
 use probewright_core::diagnostic::{Code, Diagnostic, Severity};
-use probewright_core::entry::Unit;
-use probewright_core::entry::unit_behind;
-use probewright_core::json;
+use probewright_core::entry::{Unit, unit_behind};
 use probewright_core::machine::trace::Step;
 use probewright_core::message::{Message, printable};
-use probewright_core::run::assumed::{self, Assumed};
+use probewright_core::run::assumed::Assumed;
 use probewright_core::run::left::CallAt;
 use probewright_core::run::outcome::Outcome;
-use probewright_core::run::{self, Limits};
-use probewright_core::syntax;
+use probewright_core::run::{Limits, assumed};
 use probewright_core::words::{Words, rounded};
+use probewright_core::{json, run, syntax};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;

@@ -1,6 +1,7 @@
 //! Digitizing in a run: the surface that is scanned, and the files for what is sent.
 
-use crate::file::{self, Problem};
+use crate::file;
+use crate::file::Problem;
 use probewright_core::app::{SurfaceChoice, put_surface};
 use probewright_core::machine::setup::Setup;
 use probewright_core::scan::Sent;

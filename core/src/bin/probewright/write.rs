@@ -2,17 +2,15 @@
 
 use crate::check::one_line;
 use crate::file::{Problem, complain};
-use probewright_core::catalogue::{self};
-use probewright_core::check::{self};
 use probewright_core::control::Plane;
 use probewright_core::diagnostic::Severity;
 use probewright_core::dialect::Dialect;
-use probewright_core::entry::Cycle;
-use probewright_core::entry::Typed;
+use probewright_core::entry::{Cycle, Typed};
 use probewright_core::machine::setup::Setup;
 use probewright_core::message::printable;
 use probewright_core::program::write::snippet;
 use probewright_core::words::Words;
+use probewright_core::{catalogue, check};
 use std::io::Write;
 use std::process::ExitCode;
 

@@ -13,8 +13,7 @@ pub use results::{angle, integer, length};
 pub use target::{DLNUM, KNUM, KNUM_KIND, OFFSET_DLNUM, OFFSET_TENV, OFFSET_TNAME, OFFSET_TNUM, TENV, TNAME, TNUM};
 
 use crate::diagnostic::Code;
-use crate::entry::names;
-use crate::entry::{DigitGroup, Kind, Need, Param, Unit, When};
+use crate::entry::{DigitGroup, Kind, Need, Param, Unit, When, names};
 use crate::name::Name;
 use crate::range::Range;
 

@@ -12,14 +12,12 @@ mod tests;
 use super::common::{alarms, integer};
 use super::spread;
 use crate::check::error;
-use crate::control::Control;
-use crate::control::MachineSort;
+use crate::control::{Control, MachineSort};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::dialect::Dialect;
-use crate::entry::Inputs;
 use crate::entry::{
-    Arg, ArgumentList, Cycle, Drawing, Help, NEVER, ProbeUse, Purpose, ResultField, Simulation, Style, Unit, Variant,
-    When, Work,
+    Arg, ArgumentList, Cycle, Drawing, Help, Inputs, NEVER, ProbeUse, Purpose, ResultField, Simulation, Style, Unit,
+    Variant, When, Work,
 };
 use crate::evaluate;
 use crate::geometry::fit;

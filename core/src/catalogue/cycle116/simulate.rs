@@ -4,8 +4,7 @@ use super::params::COUNT;
 use super::points;
 use crate::catalogue::sinumerik::results;
 use crate::control::Control;
-use crate::entry::Inputs;
-use crate::entry::Proposal;
+use crate::entry::{Inputs, Proposal};
 use crate::geometry::fit;
 use crate::machine::{Machine, Stop};
 

@@ -1,7 +1,6 @@
 //! The lines of the help page of CYCLE119 (B:8541-8592).
 
-use crate::entry::When;
-use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
+use crate::entry::{HelpLine, When, before, corrects, measures, order, wrong};
 
 /// Section by section, in the order in which they are read.
 pub const LINES: &[HelpLine] = &[

@@ -15,10 +15,9 @@ mod tests;
 use super::common::{alarms, integer};
 use crate::control::MachineSort;
 use crate::dialect::Dialect;
-use crate::entry::names;
 use crate::entry::{
     Arg, ArgumentList, Cycle, Drawing, Help, NEVER, ProbeUse, Purpose, ResultField, Simulation, Style, Unit, Variant,
-    When, Work,
+    When, Work, names,
 };
 
 /// The cycle.

@@ -5,10 +5,10 @@ use super::params::{LIMIT, MEASURED, SET, TARGET};
 use crate::catalogue::sinumerik::{correct, results};
 use crate::control::Control;
 use crate::control::variables::AXES;
-use crate::entry::Inputs;
-use crate::entry::Proposal;
+use crate::entry::{Inputs, Proposal};
 use crate::evaluate::position::{NO_FRAME, Position, correctable, position};
-use crate::evaluate::zero_offset::{self, Target};
+use crate::evaluate::zero_offset;
+use crate::evaluate::zero_offset::Target;
 use crate::geometry::rigid::angles;
 use crate::machine::{Machine, Stop};
 

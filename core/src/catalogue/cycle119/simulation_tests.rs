@@ -5,8 +5,7 @@
 use crate::catalogue::sinumerik::testing::random_parts;
 use crate::control::{Control, Frame, Plane};
 use crate::dialect::Dialect;
-use crate::geometry::Wcs;
-use crate::geometry::{V3, rigid};
+use crate::geometry::{V3, Wcs, rigid};
 use crate::machine::Setup;
 use crate::run::{Limits, Outcome, run};
 use crate::syntax::read;

@@ -1,8 +1,7 @@
 //! The lines of the help page of CYCLE961 (B:7815-8170).
 
 use super::params::{DISTANCES, OUTSIDE, PASSES, POINTS, RECTANGLE};
-use crate::entry::When;
-use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
+use crate::entry::{HelpLine, When, before, corrects, measures, order, wrong};
 
 const FREE: When = When::Variant(&[107, 108]);
 const PLANE_ONLY: When = When::Variant(&[105, 107]);

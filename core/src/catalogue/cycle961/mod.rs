@@ -25,11 +25,9 @@ mod touches;
 
 pub use results::RESULTS;
 
-use crate::catalogue::common;
-use crate::catalogue::sinumerik;
+use crate::catalogue::{common, sinumerik};
 use crate::dialect::Dialect;
-use crate::entry::names;
-use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work};
+use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work, names};
 
 /// Measuring variants (B:7862-7869).
 pub const VARIANTS: &[Variant] = &[

@@ -1,6 +1,7 @@
 //! Parameters of CYCLE961 in the order of the manual's tables (B:7915-7942, B:8052-8072).
 
-use crate::catalogue::common::{self, required};
+use crate::catalogue::common;
+use crate::catalogue::common::required;
 use crate::entry::{Kind, Need, Param, When, names};
 use crate::name::Name;
 use crate::range::Range;

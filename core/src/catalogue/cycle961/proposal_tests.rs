@@ -8,8 +8,7 @@ use super::{CYCLE961, VARIANTS};
 use crate::catalogue::example::example;
 use crate::catalogue::sinumerik::testing::{at, call, close, setup};
 use crate::check::check;
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 use crate::machine::Setup;
 
 #[test]

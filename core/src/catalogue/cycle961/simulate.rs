@@ -8,11 +8,10 @@ use super::touches::{Touch, touches};
 use crate::catalogue::sinumerik::measuring_block::{Block, all_calibrated};
 use crate::catalogue::sinumerik::{alarm, correct, results};
 use crate::control::Control;
-use crate::entry::Inputs;
-use crate::entry::names;
-use crate::evaluate::zero_offset::{self, Measured, Target};
-use crate::geometry::Wcs;
-use crate::geometry::rigid;
+use crate::entry::{Inputs, names};
+use crate::evaluate::zero_offset;
+use crate::evaluate::zero_offset::{Measured, Target};
+use crate::geometry::{Wcs, rigid};
 use crate::machine::{Machine, Stop};
 
 /// Order in which the points are touched: P2, P1, P3, P4 (B:7998, B:8166).

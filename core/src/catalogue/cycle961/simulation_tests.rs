@@ -5,11 +5,9 @@
 use super::bench::{Case, Real, cases, close_angle, done};
 use super::lines::Point;
 use super::params::PLACES;
-use crate::catalogue::sinumerik::testing::put;
-use crate::catalogue::sinumerik::testing::{at, called, close, random_parts, stopped};
+use crate::catalogue::sinumerik::testing::{at, called, close, put, random_parts, stopped};
 use crate::control::{Frame, Plane, Units};
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 use crate::geometry::Mcs;
 use crate::machine::sim::Sim;
 use crate::machine::{Setup, Stop};

@@ -1,8 +1,6 @@
 //! What of CYCLE961 the other control can do too.
 
-use crate::entry::When;
-use crate::entry::names;
-use crate::entry::{Meaning, Shared, Task};
+use crate::entry::{Meaning, Shared, Task, When, names};
 use crate::name::Name;
 
 /// All of them, first those whose corner is one of a rectangle: there the zero may lie beside it.

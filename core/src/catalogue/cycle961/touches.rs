@@ -5,8 +5,7 @@
 use super::lines::{Point, across, along, away, direction, unit};
 use super::params::{OUTSIDE, PLACES, POINTS, RECTANGLE};
 use crate::control::Control;
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 
 /// How exactly the angles are known: the way leads so much away from the edges, degree (B:7996).
 pub const TOLERANCE: f64 = 10.0;

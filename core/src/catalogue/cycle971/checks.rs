@@ -2,12 +2,12 @@
 
 use super::params::{APPLICATE, AUTOMATIC, CALIBRATE, IN_PLANE, INCREMENTAL, MEASURE, ROTATING, WORKPIECE};
 use super::rotating;
-use crate::catalogue::tool_probe::{self, ProbeData};
+use crate::catalogue::tool_probe;
+use crate::catalogue::tool_probe::ProbeData;
 use crate::check::error;
 use crate::control::{Control, Edge, Plane};
 use crate::diagnostic::{Code, Diagnostic, Severity};
-use crate::entry::Inputs;
-use crate::entry::{When, names};
+use crate::entry::{Inputs, When, names};
 use crate::message::Message;
 use crate::own;
 

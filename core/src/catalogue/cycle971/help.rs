@@ -1,8 +1,7 @@
 //! The lines of the help page of CYCLE971 (B:4157-5029).
 
 use super::params::{AUTOMATIC, CALIBRATE, INCREMENTAL, MEASURE, ROTATING};
-use crate::entry::When;
-use crate::entry::{HelpLine, before, corrects, measures, mvar, order, wrong};
+use crate::entry::{HelpLine, When, before, corrects, measures, mvar, order, wrong};
 
 const TRAVELS: When = When::Not(&INCREMENTAL);
 const STILL: When = mvar(1, &[1]);

@@ -29,8 +29,7 @@ use crate::catalogue::common::alarms;
 use crate::catalogue::tool_probe;
 use crate::control::MachineSort;
 use crate::dialect::Dialect;
-use crate::entry::names;
-use crate::entry::{Cycle, Drawing, Help, ProbeUse, Purpose, Simulation, Variant, Work};
+use crate::entry::{Cycle, Drawing, Help, ProbeUse, Purpose, Simulation, Variant, Work, names};
 use crate::support;
 
 /// Measuring variants (B:4186-4196, B:4621-4628).

@@ -8,8 +8,7 @@ use crate::catalogue::sinumerik::measuring_block::{Block, Point};
 use crate::catalogue::tool_probe::ProbeData;
 use crate::catalogue::tool_probe::store::Trigger;
 use crate::control::{Control, Edge};
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 use crate::machine::{Machine, Stop};
 
 /// Edge length or diameter of the upper side in `_TP[k,i]` (B:13363).

@@ -4,10 +4,10 @@ use super::params::IN_PLANE;
 use crate::check::error;
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 use crate::message::Message;
-use crate::own::{self, Own};
+use crate::own;
+use crate::own::Own;
 
 /// All checks about it.
 pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {

@@ -1,8 +1,7 @@
 //! The lines of the help page of CYCLE972 (B:8712-9211).
 
 use super::params::{CALIBRATE, MEASURE};
-use crate::entry::When;
-use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
+use crate::entry::{HelpLine, When, before, corrects, measures, order, wrong};
 
 /// Section by section, in the order in which they are read.
 pub const LINES: &[HelpLine] = &[

@@ -16,9 +16,7 @@ use crate::catalogue::sinumerik::alarm;
 use crate::catalogue::tool_probe;
 use crate::control::MachineSort;
 use crate::dialect::Dialect;
-use crate::entry::Inputs;
-use crate::entry::names;
-use crate::entry::{Cycle, Drawing, Help, ProbeUse, Purpose, Simulation, Variant, Work};
+use crate::entry::{Cycle, Drawing, Help, Inputs, ProbeUse, Purpose, Simulation, Variant, Work, names};
 use crate::machine::{Machine, Stop};
 
 /// Measuring variants (B:8766-8771).

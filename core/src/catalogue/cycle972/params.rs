@@ -1,6 +1,7 @@
 //! Parameters of CYCLE972 (B:8856-8862, B:9010-9018).
 
-use crate::catalogue::common::{self, optional};
+use crate::catalogue::common;
+use crate::catalogue::common::optional;
 use crate::catalogue::tool_probe::params as tool_probe;
 use crate::entry::{Kind, Param, When, names};
 

@@ -3,9 +3,9 @@
 //! size; short distances are drawn longer than they are.
 
 use super::params::{ABSCISSA, CALIBRATE};
-use crate::catalogue::tool_probe::figures::{self, LENGTH, bands};
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::catalogue::tool_probe::figures;
+use crate::catalogue::tool_probe::figures::{LENGTH, bands};
+use crate::entry::{Inputs, names};
 use crate::picture::figures::{circle, dimension, line, rectangle};
 use crate::picture::{Picture, PictureShape, ShapeKind, View};
 

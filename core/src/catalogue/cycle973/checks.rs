@@ -6,8 +6,7 @@ use crate::catalogue::{calibration, lathe, shared_checks};
 use crate::check::error;
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 use crate::message::Message;
 use crate::own;
 

@@ -1,8 +1,7 @@
 //! The lines of the help page of CYCLE973 (B:10127-10451).
 
 use super::params::{BALL, GROOVE, ONE, SKEW, SURFACE, TWO};
-use crate::entry::When;
-use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
+use crate::entry::{HelpLine, When, before, corrects, measures, order, wrong};
 
 /// Section by section, in the order in which they are read.
 pub const LINES: &[HelpLine] = &[

@@ -16,11 +16,9 @@ mod tests;
 
 pub use results::RESULTS;
 
-use crate::catalogue::sinumerik;
-use crate::catalogue::{common, lathe};
+use crate::catalogue::{common, lathe, sinumerik};
 use crate::dialect::Dialect;
-use crate::entry::names;
-use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, When, Work};
+use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, When, Work, names};
 
 /// Measuring variants (B:10163-10177). 13 stands in the programs only, with axis and direction: it is 1013 (A:11504).
 pub const VARIANTS: &[Variant] = &[

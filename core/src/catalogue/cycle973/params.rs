@@ -1,6 +1,7 @@
 //! Parameters of CYCLE973 in the order of the manual's tables (B:10239-10255, B:10347-10356).
 
-use crate::catalogue::common::{self, required};
+use crate::catalogue::common;
+use crate::catalogue::common::required;
 use crate::catalogue::lathe::params as lathe;
 use crate::diagnostic::Code;
 use crate::entry::{DigitGroup, Kind, Param, When, names};

@@ -3,7 +3,8 @@
 //! probe in use: of 7 the walls lie in the ordinate, of 8 in the abscissa (B:13473-13482).
 
 use super::params::{BALL as DIAMETER, SKEW, SURFACE, TWO};
-use crate::catalogue::lathe::figures::{self, axis, named, per};
+use crate::catalogue::lathe::figures;
+use crate::catalogue::lathe::figures::{axis, named, per};
 use crate::entry::stage::{Fields, Look, Seen, Staging, add};
 use crate::entry::{Inputs, names};
 use crate::name::Name;

@@ -5,10 +5,8 @@ use super::params::GROOVE;
 use crate::catalogue::lathe::{measure, place};
 use crate::catalogue::place as plane;
 use crate::control::Control;
-use crate::entry::Inputs;
-use crate::entry::{Proposal, names};
-use crate::geometry::Mcs;
-use crate::geometry::Wcs;
+use crate::entry::{Inputs, Proposal, names};
+use crate::geometry::{Mcs, Wcs};
 use crate::workpiece::Workpiece;
 
 /// How much further from the surface than the first block the probe starts, mm.

@@ -6,8 +6,7 @@ use crate::catalogue::lathe::measure;
 use crate::catalogue::sinumerik::calibration::{Calibration, Trigger, store};
 use crate::catalogue::sinumerik::measuring_block::{Block, Point};
 use crate::catalogue::sinumerik::{Next, alarm, results};
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 use crate::machine::{Machine, Stop};
 
 /// Runs the cycle from the present position: above the groove, or opposite the surface.

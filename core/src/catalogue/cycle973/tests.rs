@@ -6,8 +6,7 @@ use super::CYCLE973;
 use crate::catalogue::lathe::testing::{call, found, lathe};
 use crate::control::Control;
 use crate::diagnostic::{Code, Severity};
-use crate::entry::Inputs;
-use crate::entry::{Style, names};
+use crate::entry::{Inputs, Style, names};
 use crate::form::draw;
 use crate::program::write::snippet;
 

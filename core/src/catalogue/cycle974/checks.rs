@@ -5,8 +5,7 @@ use crate::catalogue::lathe;
 use crate::check::error;
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 use crate::message::Message;
 
 /// All of them.

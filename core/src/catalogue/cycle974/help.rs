@@ -2,8 +2,7 @@
 
 use super::params::REVERSAL;
 use crate::catalogue::common::{TOOL_OFFSET, ZERO_OFFSET};
-use crate::entry::When;
-use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
+use crate::entry::{HelpLine, When, before, corrects, measures, order, wrong};
 
 /// Section by section, in the order in which they are read.
 pub const LINES: &[HelpLine] = &[

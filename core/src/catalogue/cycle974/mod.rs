@@ -15,11 +15,9 @@ mod tests;
 
 pub use results::RESULTS;
 
-use crate::catalogue::sinumerik;
-use crate::catalogue::{common, lathe};
+use crate::catalogue::{common, lathe, sinumerik};
 use crate::dialect::Dialect;
-use crate::entry::names;
-use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work};
+use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work, names};
 
 /// Measuring variants (B:10455-10459).
 pub const VARIANTS: &[Variant] = &[

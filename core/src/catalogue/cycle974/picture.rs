@@ -2,7 +2,8 @@
 //! reversal its end is drawn beside it.
 
 use super::params::REVERSAL;
-use crate::catalogue::lathe::figures::{self, RADIUS, axis, per};
+use crate::catalogue::lathe::figures;
+use crate::catalogue::lathe::figures::{RADIUS, axis, per};
 use crate::catalogue::lathe::params::ZERO;
 use crate::entry::stage::{Look, Seen, Staging, add};
 use crate::entry::{Inputs, names};

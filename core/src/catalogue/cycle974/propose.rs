@@ -3,8 +3,7 @@
 use crate::catalogue::lathe::{measure, place};
 use crate::catalogue::place as plane;
 use crate::control::Control;
-use crate::entry::Inputs;
-use crate::entry::{Proposal, names};
+use crate::entry::{Inputs, Proposal, names};
 use crate::geometry::Wcs;
 use crate::workpiece::Workpiece;
 

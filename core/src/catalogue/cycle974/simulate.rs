@@ -2,12 +2,11 @@
 
 use super::params::REVERSAL;
 use crate::catalogue::lathe::measure;
-use crate::catalogue::sinumerik::Next;
 use crate::catalogue::sinumerik::measuring_block::{Block, Point, all_calibrated, turnable};
-use crate::catalogue::sinumerik::one_point::{self, OnePoint};
+use crate::catalogue::sinumerik::one_point::OnePoint;
 use crate::catalogue::sinumerik::target::Target;
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::catalogue::sinumerik::{Next, one_point};
+use crate::entry::{Inputs, names};
 use crate::machine::{Machine, Stop};
 
 /// Runs the cycle from the present position, which is opposite the point.

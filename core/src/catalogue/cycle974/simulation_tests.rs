@@ -4,10 +4,10 @@
 
 use crate::catalogue::lathe::testing::{inputs, placed, setup};
 use crate::catalogue::sinumerik::motion_testing::{MEASURING_FEED, PLANE_FEED};
-use crate::catalogue::sinumerik::testing::{self, Motion, called, close, motions, run, same, stopped};
+use crate::catalogue::sinumerik::testing;
+use crate::catalogue::sinumerik::testing::{Motion, called, close, motions, run, same, stopped};
 use crate::control::{Plane, Transverse, Units};
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 use crate::machine::sim::Sim;
 use crate::machine::trace::MotionKind;
 use crate::machine::{Setup, Stop};

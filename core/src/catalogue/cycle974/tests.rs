@@ -3,7 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::CYCLE974;
-use crate::catalogue::lathe::testing::{self, call, found, lathe};
+use crate::catalogue::lathe::testing;
+use crate::catalogue::lathe::testing::{call, found, lathe};
 use crate::control::{Control, Frame, Plane, Transverse};
 use crate::diagnostic::{Code, Severity};
 use crate::form::{draw, fields};

@@ -5,8 +5,7 @@ use crate::catalogue::{calibration, place, shared_checks};
 use crate::check::error;
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
-use crate::entry::{Inputs, factor, unit_behind};
-use crate::entry::{Unit, names};
+use crate::entry::{Inputs, Unit, factor, names, unit_behind};
 use crate::message::Message;
 use crate::own;
 

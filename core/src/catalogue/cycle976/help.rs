@@ -1,8 +1,7 @@
 //! The lines of the help page of CYCLE976 (B:5036-5593).
 
 use super::params::{ANGLE, BALL, FOUR, HOLE, LENGTH, ONE, SKEW, SURFACE, TWO, UNKNOWN};
-use crate::entry::When;
-use crate::entry::{HelpLine, before, corrects, measures, mvar, order, wrong};
+use crate::entry::{HelpLine, When, before, corrects, measures, mvar, order, wrong};
 
 const KNOWN: When = mvar(1, &[1]);
 /// Travels to the measuring block by itself.

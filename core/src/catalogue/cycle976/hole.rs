@@ -6,10 +6,10 @@
 
 use super::directions::{Direction, angle, directions, in_plane, turned};
 use super::params::{BALL, SKEW, UNKNOWN};
-use crate::catalogue::sinumerik::calibration::{self, Calibration, Trigger};
+use crate::catalogue::sinumerik::calibration;
+use crate::catalogue::sinumerik::calibration::{Calibration, Trigger};
 use crate::catalogue::sinumerik::measuring_block::{Block, Ray};
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 use crate::geometry::Wcs;
 use crate::machine::{Machine, Stop};
 

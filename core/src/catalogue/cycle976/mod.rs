@@ -24,11 +24,9 @@ mod variants;
 pub use results::RESULTS;
 pub use variants::VARIANTS;
 
-use crate::catalogue::common;
-use crate::catalogue::sinumerik;
+use crate::catalogue::{common, sinumerik};
 use crate::dialect::Dialect;
-use crate::entry::names;
-use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, When, Work};
+use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, When, Work, names};
 
 /// The entry. Example: the ring of B:5168-5188.
 pub static CYCLE976: Cycle = Cycle {

@@ -9,8 +9,7 @@ use super::simulate_tests::{inputs, ready};
 use crate::catalogue::sinumerik::motion_testing::{DEPTH_FEED, MEASURING_FEED, PLANE_FEED, expand};
 use crate::catalogue::sinumerik::testing::{Motion, motions, run, same, turns};
 use crate::control::Plane;
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 use crate::machine::sim::Sim;
 use crate::machine::trace::MotionKind;
 

@@ -1,6 +1,7 @@
 //! Parameters of CYCLE976 in the order of the manual's tables (B:5154-5166, B:5252-5260, B:5364-5373, B:5496-5509).
 
-use crate::catalogue::common::{self, required};
+use crate::catalogue::common;
+use crate::catalogue::common::required;
 use crate::entry::{DigitGroup, Kind, Param, When, names};
 use crate::range::Range;
 

@@ -6,8 +6,7 @@ use super::params::{HOLE, LENGTH, UNKNOWN};
 use crate::catalogue::sinumerik::calibration::{Calibration, Trigger, store};
 use crate::catalogue::sinumerik::measuring_block::{Block, Point, turnable};
 use crate::catalogue::sinumerik::{Next, alarm, results};
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 use crate::geometry::Wcs;
 use crate::machine::{Machine, Stop};
 

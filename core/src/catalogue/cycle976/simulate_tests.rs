@@ -5,12 +5,10 @@
 use super::directions::{angle, directions, in_plane, turned};
 use super::params::{BALL, HOLE, SKEW, UNKNOWN};
 use super::{VARIANTS, propose};
-use crate::catalogue::sinumerik::testing::put;
-use crate::catalogue::sinumerik::testing::{at, call, called, random_parts, run, stopped};
+use crate::catalogue::sinumerik::testing::{at, call, called, put, random_parts, run, stopped};
 use crate::control::{Control, Frame, Plane, Units};
 use crate::dialect::Dialect;
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 use crate::machine::sim::Sim;
 use crate::machine::{Setup, Stop};
 use proptest::prelude::*;

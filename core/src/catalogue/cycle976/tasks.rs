@@ -1,8 +1,6 @@
 //! What of CYCLE976 the other control can do too.
 
-use crate::entry::When;
-use crate::entry::names;
-use crate::entry::{Meaning, Shared, Task};
+use crate::entry::{Meaning, Shared, Task, When, names};
 
 /// All of them.
 pub const TASKS: &[Shared] = &[

@@ -1,8 +1,7 @@
 //! Measuring variants of CYCLE976 (B:5060-5084; the surface stands in A:5796-5799 and B:15595).
 
 use super::params::{ANGLE, LENGTH, ONE, SURFACE, TWO, UNKNOWN};
-use crate::entry::names;
-use crate::entry::{Variant, When};
+use crate::entry::{Variant, When, names};
 use crate::name::Name;
 
 /// Holes with a known centre, holes with an unknown one, surfaces; in each the digits count up.

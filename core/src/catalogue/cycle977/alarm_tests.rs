@@ -3,11 +3,9 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::tests::{CENTRE, SIZE, hole, inputs, part, ready};
-use crate::catalogue::sinumerik::testing::put;
-use crate::catalogue::sinumerik::testing::{alarms, called, close, motions, stopped};
+use crate::catalogue::sinumerik::testing::{alarms, called, close, motions, put, stopped};
 use crate::control::Plane;
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 use crate::machine::Setup;
 use crate::machine::trace::{MotionKind, Step};
 

@@ -1,8 +1,7 @@
 //! What a call of CYCLE977 measures, read from variant and sizes.
 
 use crate::catalogue::sinumerik::measuring_block::Block;
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 
 /// The element. Axes count 0 abscissa, 1 ordinate; lengths in mm.
 #[derive(Clone, Debug, PartialEq)]

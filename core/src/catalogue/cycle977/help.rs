@@ -1,8 +1,7 @@
 //! The lines of the help page of CYCLE977 (B:5600-6285).
 
 use super::params::{OUTSIDE, RECTANGLE, ROUND, TOOL, WIDTH, ZERO, ZONE, element};
-use crate::entry::When;
-use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
+use crate::entry::{HelpLine, When, before, corrects, measures, order, wrong};
 
 const INSIDE: When = When::Not(&OUTSIDE);
 const LEVEL: When = When::All(&[INSIDE, When::Not(&ZONE)]);

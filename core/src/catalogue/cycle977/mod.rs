@@ -24,11 +24,9 @@ mod variants;
 pub use results::RESULTS;
 pub use variants::VARIANTS;
 
-use crate::catalogue::common;
-use crate::catalogue::sinumerik;
+use crate::catalogue::{common, sinumerik};
 use crate::dialect::Dialect;
-use crate::entry::names;
-use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Work};
+use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Work, names};
 
 /// The entry. Example: the hole of B:6050-6137.
 pub static CYCLE977: Cycle = Cycle {

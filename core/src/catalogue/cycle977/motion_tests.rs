@@ -7,8 +7,7 @@ use super::tests::{CENTRE, inputs, part, ready};
 use crate::catalogue::sinumerik::motion_testing::{DEPTH_FEED, PLANE_FEED, expand};
 use crate::catalogue::sinumerik::testing::{Motion, at, motions, run, same};
 use crate::control::Plane;
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 use crate::machine::sim::Sim;
 
 /// Ways as [`expand`] reads them, from the set centre.

@@ -1,6 +1,7 @@
 //! Parameters of CYCLE977 in the order of the manual's tables (B:5989-6024, B:6181-6205).
 
-use crate::catalogue::common::{self, optional, required};
+use crate::catalogue::common;
+use crate::catalogue::common::{optional, required};
 use crate::entry::{DigitGroup, Kind, Need, Param, When, names};
 use crate::range::Range;
 

@@ -6,8 +6,7 @@ use super::tests::{CENTRE, hole};
 use crate::catalogue::sinumerik::testing::{at, close, motions, stopped, turns};
 use crate::control::Plane;
 use crate::entry::names;
-use crate::geometry::Mcs;
-use crate::geometry::Wcs;
+use crate::geometry::{Mcs, Wcs};
 use crate::machine::trace::{MotionKind, Step};
 use crate::machine::{Setup, Stop};
 

@@ -4,8 +4,7 @@ use super::params::{OUTSIDE, RECTANGLE, ZONE};
 use super::protection::Protected;
 use crate::catalogue::place;
 use crate::control::Control;
-use crate::entry::Inputs;
-use crate::entry::{Proposal, names};
+use crate::entry::{Inputs, Proposal, names};
 use crate::geometry::Wcs;
 use crate::workpiece::{Shape, Workpiece};
 

@@ -4,8 +4,7 @@
 use super::params::{OUTSIDE, RECTANGLE, WIDTH};
 use crate::catalogue::place;
 use crate::control::Control;
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 use crate::workpiece::{Shape, Solid};
 
 /// Distance of an obstacle from the wall of its zone, mm: more than a probe with errors needs.

@@ -1,10 +1,10 @@
 //! What CYCLE977 does: the order of probing, the ways between, what follows (B:5773-5809, B:5892-5957).
 
 use super::element::Element;
-use crate::catalogue::sinumerik::centred::{self, Found, Pair};
+use crate::catalogue::sinumerik::centred::{Found, Pair};
 use crate::catalogue::sinumerik::measuring_block::{Block, Point, all_calibrated};
 use crate::catalogue::sinumerik::target::Target;
-use crate::catalogue::sinumerik::{Next, alarm, results};
+use crate::catalogue::sinumerik::{Next, alarm, centred, results};
 use crate::diagnostic::Code;
 use crate::entry::Inputs;
 use crate::geometry::Wcs;

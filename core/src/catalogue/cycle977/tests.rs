@@ -7,10 +7,8 @@ use crate::catalogue::sinumerik::testing::{
     WIDE_BANDS, at, call, called, close, element, random_parts, run, setup, solid, touches,
 };
 use crate::control::{Frame, Plane};
-use crate::entry::Inputs;
-use crate::entry::names;
-use crate::geometry::Mcs;
-use crate::geometry::Wcs;
+use crate::entry::{Inputs, names};
+use crate::geometry::{Mcs, Wcs};
 use crate::machine::Setup;
 use crate::machine::sim::Sim;
 use crate::workpiece::Solid;

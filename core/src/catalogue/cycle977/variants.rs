@@ -1,8 +1,7 @@
 //! Measuring variants of CYCLE977 (B:5641-5667; 1106 stands in B:6192 only).
 
 use super::params::{OUTSIDE, RECTANGLE, WIDTH, ZERO, ZONE};
-use crate::entry::names;
-use crate::entry::{Variant, When};
+use crate::entry::{Variant, When, names};
 use crate::name::Name;
 
 /// In the manual's order.

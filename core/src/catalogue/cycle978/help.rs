@@ -1,8 +1,7 @@
 //! The lines of the help page of CYCLE978 (B:6286-6730).
 
 use super::params::{TOOL, ZERO};
-use crate::entry::When;
-use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
+use crate::entry::{HelpLine, When, before, corrects, measures, order, wrong};
 
 /// Section by section, in the order in which they are read.
 pub const LINES: &[HelpLine] = &[

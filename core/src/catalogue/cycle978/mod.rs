@@ -12,11 +12,9 @@ mod tasks;
 #[cfg(test)]
 mod tests;
 
-use crate::catalogue::common;
-use crate::catalogue::sinumerik;
+use crate::catalogue::{common, sinumerik};
 use crate::dialect::Dialect;
-use crate::entry::names;
-use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work};
+use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work, names};
 
 /// Measuring variants (B:6323-6328).
 pub const VARIANTS: &[Variant] = &[

@@ -1,6 +1,7 @@
 //! Parameters of CYCLE978 in the order of the manual's tables (B:6456-6468, B:6596-6612).
 
-use crate::catalogue::common::{self, optional, required};
+use crate::catalogue::common;
+use crate::catalogue::common::{optional, required};
 use crate::entry::{DigitGroup, Kind, Need, Param, When, names};
 
 /// With tool offset.

@@ -1,9 +1,8 @@
 //! CYCLE978 drawn: from above for the axes of the plane, as a section for the applicate.
 
 use super::params::{DIFFERENTIAL, TOOL};
-use crate::entry::Inputs;
-use crate::entry::names;
 use crate::entry::stage::{Fields, Look, Seen, Staging};
+use crate::entry::{Inputs, names};
 use crate::picture::figures::circle;
 use crate::picture::{PictureShape, ShapeKind};
 

@@ -2,8 +2,7 @@
 
 use crate::catalogue::place;
 use crate::control::Control;
-use crate::entry::Inputs;
-use crate::entry::{Proposal, names};
+use crate::entry::{Inputs, Proposal, names};
 use crate::geometry::Wcs;
 use crate::workpiece::Workpiece;
 

@@ -2,11 +2,10 @@
 
 use crate::catalogue::sinumerik::differential::twice;
 use crate::catalogue::sinumerik::measuring_block::{Block, all_calibrated, turnable};
-use crate::catalogue::sinumerik::one_point::{self, OnePoint};
+use crate::catalogue::sinumerik::one_point::OnePoint;
 use crate::catalogue::sinumerik::target::Target;
-use crate::catalogue::sinumerik::{Next, alarm, results};
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::catalogue::sinumerik::{Next, alarm, one_point, results};
+use crate::entry::{Inputs, names};
 use crate::machine::{Machine, Stop};
 
 /// Runs the cycle from the present position, which is opposite the surface.

@@ -2,15 +2,12 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use crate::catalogue::sinumerik::testing::put;
 use crate::catalogue::sinumerik::testing::{
-    WIDE_BANDS, at, call, called, close, motions, random_parts, run, setup, solid, stopped, touches, turns,
+    WIDE_BANDS, at, call, called, close, motions, put, random_parts, run, setup, solid, stopped, touches, turns,
 };
 use crate::control::Plane;
-use crate::entry::Inputs;
-use crate::entry::names;
-use crate::geometry::Mcs;
-use crate::geometry::Wcs;
+use crate::entry::{Inputs, names};
+use crate::geometry::{Mcs, Wcs};
 use crate::machine::sim::Sim;
 use crate::machine::trace::MotionKind;
 use crate::machine::{Setup, Stop};

@@ -4,8 +4,7 @@ use super::params::{FOUR_POINTS, OUTSIDE, ROUND, WEB};
 use crate::catalogue::{circle, place, shared_checks, spread};
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 use crate::own;
 
 /// All of them.

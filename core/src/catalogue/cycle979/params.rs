@@ -1,8 +1,8 @@
 //! Parameters of CYCLE979 in the order of the manual's tables (B:6975-7004, B:7157-7174).
 
-use crate::catalogue::common::{self, TOOL_OFFSET, ZERO_OFFSET, optional, required};
-use crate::entry::PROBE_TYPE;
-use crate::entry::{DigitGroup, Kind, Need, Param, When, names};
+use crate::catalogue::common;
+use crate::catalogue::common::{TOOL_OFFSET, ZERO_OFFSET, optional, required};
+use crate::entry::{DigitGroup, Kind, Need, PROBE_TYPE, Param, When, names};
 use crate::range::Range;
 
 /// The element in the first digit of `_MVAR` is one of these.

@@ -3,9 +3,8 @@
 
 use super::params::{FOUR_POINTS, ROUND, TOOL, WEB};
 use crate::catalogue::circle;
-use crate::entry::Inputs;
-use crate::entry::names;
 use crate::entry::stage::{Fields, Look, SIZE, Seen, Staging, add};
+use crate::entry::{Inputs, names};
 use crate::picture::figures::{dimension, line, polar};
 use crate::picture::{PictureShape, ShapeKind};
 

@@ -3,8 +3,7 @@
 use super::params::{OUTSIDE, ROUND};
 use crate::catalogue::place;
 use crate::control::Control;
-use crate::entry::Inputs;
-use crate::entry::{Proposal, names};
+use crate::entry::{Inputs, Proposal, names};
 use crate::geometry::Wcs;
 use crate::geometry::rigid::sin_cos;
 use crate::workpiece::Workpiece;

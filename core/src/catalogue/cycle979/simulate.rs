@@ -2,12 +2,11 @@
 
 use super::params::{FOUR_POINTS, OUTSIDE, ROUND};
 use crate::catalogue::circle;
-use crate::catalogue::sinumerik::centred::{self, Found, Pair};
+use crate::catalogue::sinumerik::centred::{Found, Pair};
 use crate::catalogue::sinumerik::measuring_block::{Block, Ray, ball_known};
 use crate::catalogue::sinumerik::target::Target;
-use crate::catalogue::sinumerik::{Next, alarm, results};
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::catalogue::sinumerik::{Next, alarm, centred, results};
+use crate::entry::{Inputs, names};
 use crate::geometry::fit;
 use crate::geometry::rigid::sin_cos;
 use crate::machine::{Machine, Stop};

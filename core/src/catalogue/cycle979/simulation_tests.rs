@@ -3,17 +3,14 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::VARIANTS;
-use crate::catalogue::sinumerik::testing::put;
 use crate::catalogue::sinumerik::testing::{
-    WIDE_BANDS, alarms, at, call, called, close, element, random_parts, run, setup, solid, stopped, turns,
+    WIDE_BANDS, alarms, at, call, called, close, element, put, random_parts, run, setup, solid, stopped, turns,
 };
 use crate::control::{Frame, Plane};
 use crate::dialect::Dialect;
-use crate::entry::Inputs;
-use crate::entry::names;
-use crate::geometry::Mcs;
-use crate::geometry::Wcs;
+use crate::entry::{Inputs, names};
 use crate::geometry::rigid::sin_cos;
+use crate::geometry::{Mcs, Wcs};
 use crate::machine::Setup;
 use crate::machine::sim::Sim;
 use crate::machine::trace::{MotionKind, Step};

@@ -9,8 +9,7 @@ use crate::catalogue::tool_probe::{ProbeData, checks as shared, turning};
 use crate::check::error;
 use crate::control::{Control, Edge};
 use crate::diagnostic::{Code, Diagnostic};
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 use crate::message::Message;
 use crate::own;
 

@@ -9,8 +9,7 @@ use crate::control::machine_data::TOOL_LENGTH_TYPE;
 use crate::control::tools::AS_TURNING_TOOL;
 use crate::control::{Control, Edge, Plane};
 use crate::diagnostic::{Code, Diagnostic};
-use crate::entry::Inputs;
-use crate::entry::{When, names};
+use crate::entry::{Inputs, When, names};
 use crate::message::Message;
 use crate::own;
 

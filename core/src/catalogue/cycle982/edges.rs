@@ -4,8 +4,7 @@ use super::params::{DRILL, REVERSAL, SPINDLE_AS_IT_IS};
 use super::stand::Stand;
 use crate::catalogue::sinumerik::alarm;
 use crate::catalogue::sinumerik::measuring_block::turnable;
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 use crate::machine::{Machine, Stop};
 
 /// Turn from one edge to the one opposite, degree.

@@ -4,8 +4,7 @@ use super::params::{
     AUTOMATIC, BOTH, CALIBRATE, INCREMENTAL, MEASURE, OPPOSITE, POSITIONED, RADIAL, RADIUS, REVERSAL, UPPER,
     WITH_RADIUS,
 };
-use crate::entry::When;
-use crate::entry::{HelpLine, before, corrects, measures, mvar, order, wrong};
+use crate::entry::{HelpLine, When, before, corrects, measures, mvar, order, wrong};
 
 const CALIBRATES_KNOWN: When = When::All(&[CALIBRATE, POSITIONED]);
 const MEASURES_KNOWN: When = When::All(&[MEASURE, POSITIONED]);

@@ -35,8 +35,7 @@ use crate::catalogue::{newer, tool_probe};
 use crate::control::MachineSort;
 use crate::control::machine_data::TOOL_LENGTH_TYPE;
 use crate::dialect::Dialect;
-use crate::entry::names;
-use crate::entry::{Cycle, Drawing, Examples, Help, ProbeUse, Purpose, Simulation, When, Work};
+use crate::entry::{Cycle, Drawing, Examples, Help, ProbeUse, Purpose, Simulation, When, Work, names};
 
 /// What the worked measurement of a variant has beside the example.
 const EXAMPLES: Examples = &[

@@ -6,8 +6,7 @@ use crate::catalogue::sinumerik::alarm;
 use crate::catalogue::tool_probe::correct::Measured;
 use crate::catalogue::tool_probe::store::Trigger;
 use crate::control::tools::side;
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 use crate::machine::{Machine, Stop};
 
 /// Cutting edge position of the calibration tool (B:8839).

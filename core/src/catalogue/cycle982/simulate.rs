@@ -10,8 +10,7 @@ use crate::catalogue::sinumerik::measuring_block::Block;
 use crate::catalogue::sinumerik::{Next, alarm, results};
 use crate::catalogue::tool_probe::correct::Measured;
 use crate::catalogue::tool_probe::{correct, store};
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 use crate::machine::{Machine, Stop};
 
 /// Runs the cycle from the present position, beside the probe.

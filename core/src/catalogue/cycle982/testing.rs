@@ -3,8 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use crate::catalogue::sinumerik::testing::call;
-use crate::control::tools::AS_TURNING_TOOL;
-use crate::control::tools::side;
+use crate::control::tools::{AS_TURNING_TOOL, side};
 use crate::control::{Edge, Frame, Plane, Transverse, Units};
 use crate::dialect::Dialect;
 use crate::entry::Inputs;

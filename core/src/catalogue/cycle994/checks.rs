@@ -2,13 +2,12 @@
 
 use super::ZONE;
 use super::params::INSIDE_ZONE;
-use crate::catalogue::lathe::{self, measure};
-use crate::catalogue::{place, shared_checks};
+use crate::catalogue::lathe::measure;
+use crate::catalogue::{lathe, place, shared_checks};
 use crate::check::{error, warning};
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 use crate::message::Message;
 use crate::name::Name;
 use crate::own;

@@ -1,8 +1,7 @@
 //! The lines of the help page of CYCLE994 (B:10906-11170).
 
 use super::params::INSIDE_ZONE;
-use crate::entry::When;
-use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
+use crate::entry::{HelpLine, When, before, corrects, measures, order, wrong};
 
 /// Outside, or inside without a zone: where the probe stands decides.
 const EITHER: When = When::Variant(&[2]);

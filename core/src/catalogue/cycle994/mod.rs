@@ -15,12 +15,10 @@ mod tests;
 
 pub use results::RESULTS;
 
-use crate::catalogue::sinumerik;
-use crate::catalogue::{common, lathe};
+use crate::catalogue::{common, lathe, sinumerik};
 use crate::diagnostic::Code;
 use crate::dialect::Dialect;
-use crate::entry::names;
-use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work};
+use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work, names};
 
 /// Measuring variants (B:10930-10933). What A:12201 says about the second is a slip: there the zone counts outside.
 pub const VARIANTS: &[Variant] = &[

@@ -2,7 +2,8 @@
 //! twice, outside with the zone and inside without it.
 
 use super::params::INSIDE_ZONE;
-use crate::catalogue::lathe::figures::{self, RADIUS, axis, per};
+use crate::catalogue::lathe::figures;
+use crate::catalogue::lathe::figures::{RADIUS, axis, per};
 use crate::entry::stage::{Fields, Look, Seen, Staging};
 use crate::entry::{Inputs, names};
 use crate::name::Name;

@@ -6,8 +6,7 @@ use super::simulate::Zone;
 use crate::catalogue::lathe::{measure, place};
 use crate::catalogue::place as plane;
 use crate::control::Control;
-use crate::entry::Inputs;
-use crate::entry::{Proposal, names};
+use crate::entry::{Inputs, Proposal, names};
 use crate::geometry::Wcs;
 use crate::workpiece::{Shape, Solid, Workpiece};
 

@@ -4,12 +4,11 @@
 use super::params::INSIDE_ZONE;
 use crate::catalogue::lathe::measure;
 use crate::catalogue::sinumerik::measuring_block::{Block, Point};
-use crate::catalogue::sinumerik::one_point::{self, OnePoint};
+use crate::catalogue::sinumerik::one_point::OnePoint;
 use crate::catalogue::sinumerik::target::Target;
-use crate::catalogue::sinumerik::{Next, alarm};
+use crate::catalogue::sinumerik::{Next, alarm, one_point};
 use crate::control::Control;
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 use crate::machine::{Machine, Stop};
 use crate::name::Name;
 

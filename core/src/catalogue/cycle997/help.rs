@@ -1,8 +1,7 @@
 //! The lines of the help page of CYCLE997 (B:8172-8530).
 
 use super::params::{ANGLE, DIAMETER, FOUR_POINTS, ONE, REPEATED, THREE};
-use crate::entry::When;
-use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
+use crate::entry::{HelpLine, When, before, corrects, measures, order, wrong};
 
 const ANGLE_THREE: When = When::All(&[ANGLE, When::Not(&FOUR_POINTS)]);
 const ANGLE_FOUR: When = When::All(&[ANGLE, FOUR_POINTS]);

@@ -22,12 +22,9 @@ mod variants;
 pub use results::RESULTS;
 pub use variants::VARIANTS;
 
-use crate::catalogue::common;
-use crate::catalogue::newer;
-use crate::catalogue::sinumerik;
+use crate::catalogue::{common, newer, sinumerik};
 use crate::dialect::Dialect;
-use crate::entry::names;
-use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Work};
+use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Work, names};
 
 /// The entry. Example: the three spheres of B:8480-8529. Its program writes `_KNUM` = 99999, which does not exist;
 /// meant is the active frame, there G54, which a form without a program has to name.

@@ -1,6 +1,7 @@
 //! Parameters of CYCLE997 in the order of the manual's tables (B:8309-8337).
 
-use crate::catalogue::common::{self, optional, required};
+use crate::catalogue::common;
+use crate::catalogue::common::{optional, required};
 use crate::entry::{DigitGroup, Kind, Need, Param, Unit, When, names};
 use crate::name::Name;
 use crate::range::Range;

@@ -3,9 +3,8 @@
 
 use super::params::{ANGLE, DIAMETER, REPEATED, THREE};
 use super::points::{DIAMETER_SIDE, centres, directions};
-use crate::entry::Inputs;
-use crate::entry::names;
 use crate::entry::stage::{Fields, Look, SIZE, Seen, Staging, add};
+use crate::entry::{Inputs, names};
 use crate::name::Name;
 use crate::picture::figures::{arrow, circle, dimension, line, polar, polygon};
 use crate::picture::{PictureShape, ShapeKind};

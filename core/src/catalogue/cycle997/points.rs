@@ -2,8 +2,7 @@
 
 use super::params::{ANGLE, DIAMETER, FOUR_POINTS, ONE};
 use crate::catalogue::circle;
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 use crate::name::Name;
 
 /// Direction of the additional point for the diameter: approached in plus direction, so on the minus side, degree

@@ -3,8 +3,7 @@
 use super::points::centres;
 use crate::catalogue::place;
 use crate::control::Control;
-use crate::entry::Inputs;
-use crate::entry::{Proposal, names};
+use crate::entry::{Inputs, Proposal, names};
 use crate::geometry::Wcs;
 use crate::workpiece::{Shape, Solid, Workpiece};
 

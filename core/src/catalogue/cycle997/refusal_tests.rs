@@ -5,8 +5,7 @@
 use super::simulation_tests::{corrected, ready, written};
 use crate::catalogue::sinumerik::testing::{alarms, called, stopped};
 use crate::control::Plane;
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 use crate::machine::sim::Sim;
 use crate::machine::trace::Step;
 use crate::machine::{Setup, Stop};

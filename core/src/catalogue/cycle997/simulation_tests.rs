@@ -8,11 +8,8 @@ use crate::catalogue::sinumerik::testing::{at, call, random_parts, run, setup, s
 use crate::check::check;
 use crate::control::{Frame, Plane, Units};
 use crate::dialect::Dialect;
-use crate::entry::names;
-use crate::entry::{Inputs, Typed};
-use crate::geometry::Mcs;
-use crate::geometry::Wcs;
-use crate::geometry::{V3, fit, rigid};
+use crate::entry::{Inputs, Typed, names};
+use crate::geometry::{Mcs, V3, Wcs, fit, rigid};
 use crate::machine::Setup;
 use crate::machine::sim::Sim;
 use crate::machine::trace::Step;

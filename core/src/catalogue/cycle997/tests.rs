@@ -7,8 +7,7 @@ use crate::catalogue::example::changed;
 use crate::check::check;
 use crate::control::{Control, delivery};
 use crate::diagnostic::{Code, Severity};
-use crate::entry::names;
-use crate::entry::{Inputs, Typed};
+use crate::entry::{Inputs, Typed, names};
 use crate::form::fields;
 
 /// The worked example with some values changed.

@@ -4,8 +4,7 @@
 
 use super::params::ONE;
 use crate::control::Control;
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 use nalgebra::Vector3;
 
 /// A way from the first point to another one.

@@ -1,8 +1,7 @@
 //! The lines of the help page of CYCLE998 (B:7248-7813).
 
 use super::params::{AT_ANGLE, ONE, PARAXIAL, TWO};
-use crate::entry::When;
-use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
+use crate::entry::{HelpLine, When, before, corrects, measures, order, wrong};
 
 const ONE_AT_ANGLE: When = When::All(&[ONE, AT_ANGLE]);
 const ONE_PARAXIAL: When = When::All(&[ONE, PARAXIAL]);

@@ -21,11 +21,9 @@ mod tests;
 
 pub use results::RESULTS;
 
-use crate::catalogue::common;
-use crate::catalogue::sinumerik;
+use crate::catalogue::{common, sinumerik};
 use crate::dialect::Dialect;
-use crate::entry::names;
-use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work};
+use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work, names};
 
 /// Measuring variants (B:7318-7324).
 pub const VARIANTS: &[Variant] = &[

@@ -5,8 +5,7 @@
 use crate::catalogue::sinumerik::motion_testing::{DEPTH_FEED, Lettered, PLANE_FEED, lettered, same_lettered};
 use crate::catalogue::sinumerik::testing::{at, call, run, setup, solid, touches, turns};
 use crate::control::Plane;
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 use crate::geometry::Mcs;
 use crate::machine::sim::Sim;
 use crate::workpiece::Shape;

@@ -1,6 +1,7 @@
 //! Parameters of CYCLE998 in the order of the manual's tables (B:7395-7422, B:7602-7620).
 
-use crate::catalogue::common::{self, optional, required};
+use crate::catalogue::common;
+use crate::catalogue::common::{optional, required};
 use crate::diagnostic::Code;
 use crate::entry::{DigitGroup, Kind, Param, Unit, When, names};
 use crate::range::Range;

@@ -2,9 +2,8 @@
 //! each other.
 
 use super::params::{AT_ANGLE, DIFFERENTIAL, TWO};
-use crate::entry::Inputs;
-use crate::entry::names;
 use crate::entry::stage::{Fields, Look, SIZE, Seen, Staging, Touched, add};
+use crate::entry::{Inputs, names};
 use crate::name::Name;
 use crate::picture::figures::{arc, arrow, circle, dimension, line, polar, polygon};
 use crate::picture::{PictureShape, ShapeKind};

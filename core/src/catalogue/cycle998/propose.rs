@@ -4,10 +4,8 @@ use super::angles::{Surface, normal};
 use super::params::AT_ANGLE;
 use crate::catalogue::place;
 use crate::control::Control;
-use crate::entry::Inputs;
-use crate::entry::{Proposal, names};
-use crate::geometry::V3;
-use crate::geometry::Wcs;
+use crate::entry::{Inputs, Proposal, names};
+use crate::geometry::{V3, Wcs};
 use crate::workpiece::{Shape, Workpiece};
 
 /// Face beyond the points, mm.

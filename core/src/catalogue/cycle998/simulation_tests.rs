@@ -3,15 +3,11 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::angles::{Surface, normal};
-use crate::catalogue::sinumerik::testing::put;
-use crate::catalogue::sinumerik::testing::{at, call, called, close, random_parts, run, setup, stopped, touches};
+use crate::catalogue::sinumerik::testing::{at, call, called, close, put, random_parts, run, setup, stopped, touches};
 use crate::control::{Control, Frame, Plane};
-use crate::entry::Inputs;
-use crate::entry::names;
-use crate::geometry::Mcs;
-use crate::geometry::V3;
-use crate::geometry::Wcs;
+use crate::entry::{Inputs, names};
 use crate::geometry::rigid::{angles, rotation};
+use crate::geometry::{Mcs, V3, Wcs};
 use crate::machine::sim::Sim;
 use crate::machine::{Setup, Stop};
 use crate::name::Name;

@@ -7,8 +7,7 @@ use crate::catalogue::example::changed;
 use crate::check::check;
 use crate::control::{Control, delivery};
 use crate::diagnostic::{Code, Severity};
-use crate::entry::Style;
-use crate::entry::Typed;
+use crate::entry::{Style, Typed};
 use crate::form::fields;
 use crate::program::write::snippet;
 

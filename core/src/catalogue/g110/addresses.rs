@@ -3,8 +3,7 @@
 use crate::catalogue::common::{ALWAYS_REQUIRED, PARAM, optional};
 use crate::catalogue::nct::{FORMAT_ERROR, params};
 use crate::control::Plane;
-use crate::entry::address;
-use crate::entry::{Chooses, Need, Param, Unit, When};
+use crate::entry::{Chooses, Need, Param, Unit, When, address};
 use crate::range::Range;
 
 /// The address of the tool axis makes it a boss, whatever its value (C:1076).

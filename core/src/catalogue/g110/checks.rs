@@ -4,8 +4,7 @@ use super::BORE;
 use crate::catalogue::nct::checks;
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
-use crate::entry::Inputs;
-use crate::entry::address;
+use crate::entry::{Inputs, address};
 
 /// What goes wrong with the corrections, and a ball without a way to the wall of a bore.
 pub fn checks(inputs: &Inputs, control: &Control, findings: &mut Vec<Diagnostic>) {

@@ -7,14 +7,14 @@ mod simulate;
 #[cfg(test)]
 mod tests;
 
-use super::nct::{self, params, part};
+use super::nct;
+use super::nct::{params, part};
 use crate::control::Control;
 use crate::dialect::Dialect;
-use crate::entry::Inputs;
-use crate::entry::Task;
-use crate::entry::address;
-use crate::entry::{Cycle, Drawing, Help, Proposal, Purpose, ResultField, Simulation, Variant, When, Work};
-use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
+use crate::entry::{
+    Cycle, Drawing, Help, HelpLine, Inputs, Proposal, Purpose, ResultField, Simulation, Task, Variant, When, Work,
+    address, before, corrects, measures, order, wrong,
+};
 use crate::geometry::Wcs;
 use crate::workpiece::{Shape, Workpiece};
 

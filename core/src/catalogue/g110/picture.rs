@@ -1,9 +1,8 @@
 //! Bore or boss from above, with clearance, overtravel and tolerance.
 
 use crate::catalogue::nct::figures::{address, limits, stage as macro_stage};
-use crate::entry::Inputs;
-use crate::entry::address;
 use crate::entry::stage::{Look, Seen, Staging};
+use crate::entry::{Inputs, address};
 use crate::picture::PictureShape;
 
 /// Depth at which a boss is measured, mm.

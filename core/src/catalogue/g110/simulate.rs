@@ -5,12 +5,12 @@
 //! that its diameter follows from the circle of the ball centre; the mean of both diameters counts.
 
 use super::{BOSS, depth};
-use crate::catalogue::nct::correct::{self, Found, Part};
+use crate::catalogue::nct;
+use crate::catalogue::nct::correct::{Found, Part};
 use crate::catalogue::nct::touch::Calibration;
 use crate::catalogue::nct::walls::{Chord, Outside, Walls, chord, home, travel};
-use crate::catalogue::nct::{self, axis_name, print};
-use crate::entry::Inputs;
-use crate::entry::address;
+use crate::catalogue::nct::{axis_name, correct, print};
+use crate::entry::{Inputs, address};
 use crate::geometry::Wcs;
 use crate::machine::{Machine, Stop};
 

@@ -4,7 +4,8 @@
 use super::{BORE, BOSS, G110};
 use crate::catalogue::g101::G101;
 use crate::catalogue::nct;
-use crate::catalogue::nct::bench::{self, call, near, typed};
+use crate::catalogue::nct::bench;
+use crate::catalogue::nct::bench::{call, near, typed};
 use crate::check::check;
 use crate::control::{Frame, Plane};
 use crate::diagnostic::Code;

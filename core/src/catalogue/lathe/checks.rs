@@ -6,8 +6,7 @@ use crate::check::{error, warning};
 use crate::control::Control;
 use crate::control::probe::Unfit;
 use crate::diagnostic::{Code, Diagnostic};
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 use crate::message::Message;
 
 /// What every call that measures a workpiece is checked for.

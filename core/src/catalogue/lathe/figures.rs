@@ -3,9 +3,8 @@
 use super::params::DIAMETER;
 use crate::entry::stage::{Fields, Look, Seen, Staging};
 use crate::entry::{Inputs, names};
-use crate::picture::PictureShape;
-use crate::picture::ShapeKind;
 use crate::picture::figures::{dimension, line, rectangle};
+use crate::picture::{PictureShape, ShapeKind};
 
 /// Ball radius, mm.
 pub const BALL: f64 = 3.5;

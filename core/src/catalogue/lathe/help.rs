@@ -1,7 +1,6 @@
 //! What the help pages of the cycles with the probe of a turning machine have in common.
 
-use crate::entry::When;
-use crate::entry::{HelpLine, before, wrong};
+use crate::entry::{HelpLine, When, before, wrong};
 
 /// What every cycle with the probe of a turning machine asks for.
 pub const PROBE: &[HelpLine] = &[

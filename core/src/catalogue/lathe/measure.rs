@@ -3,8 +3,7 @@
 use super::params::{APPLICATE, TRANSVERSE};
 use crate::catalogue::sinumerik::{alarm, results};
 use crate::control::{Control, Plane};
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 use crate::machine::{Machine, Stop};
 
 /// Results that every call of these cycles begins with (B:16014-16022).

@@ -1,6 +1,7 @@
 //! Parameters and conditions. Abscissa and ordinate of a turning machine are Z and X, as G18 makes them (B:8718).
 
-use crate::catalogue::common::{self, optional, required};
+use crate::catalogue::common;
+use crate::catalogue::common::{optional, required};
 use crate::control::Plane;
 use crate::entry::{Kind, Need, Param, When, names};
 use crate::range::Range;

@@ -2,8 +2,7 @@
 
 use crate::catalogue::place;
 use crate::control::{Control, Edge};
-use crate::entry::Inputs;
-use crate::entry::ProposedTool;
+use crate::entry::{Inputs, ProposedTool};
 use crate::geometry::{V3, rigid};
 use crate::workpiece::{PartErrors, Shape, Solid};
 

@@ -8,9 +8,7 @@ use crate::check::check;
 use crate::control::{Control, Edge, Frame, Plane, Tool, Transverse, delivery};
 use crate::diagnostic::{Code, Severity};
 use crate::dialect::Dialect;
-use crate::entry::Cycle;
-use crate::entry::Inputs;
-use crate::entry::Typed;
+use crate::entry::{Cycle, Inputs, Typed};
 use crate::machine::Setup;
 use crate::name::Name;
 

@@ -1,7 +1,6 @@
 //! What the help pages of CYCLE100, CYCLE105 and CYCLE106 have in common.
 
-use crate::entry::When;
-use crate::entry::{HelpLine, before, corrects, order, wrong};
+use crate::entry::{HelpLine, When, before, corrects, order, wrong};
 
 /// What is printed, and how.
 pub const FORMAT: &[HelpLine] = &[

@@ -3,8 +3,7 @@
 use super::{OUT_OF_TOLERANCE, TOOL_TOO_LARGE, UPPER_TOLERANCE, axis_name};
 use crate::control::Control;
 use crate::control::variables::nct_offset;
-use crate::entry::Inputs;
-use crate::entry::address;
+use crate::entry::{Inputs, address};
 use crate::evaluate::tolerance::exceeds;
 use crate::machine::Machine;
 use crate::machine::trace::Step;

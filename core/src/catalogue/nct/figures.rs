@@ -1,9 +1,8 @@
 //! What the pictures of the macros share. Clearance and overtravel are drawn longer than they are, limits wider.
 
 use super::axis_name;
-use crate::entry::Inputs;
-use crate::entry::address;
 use crate::entry::stage::{Fields, Look, Seen, Staging};
+use crate::entry::{Inputs, address};
 use crate::name::Name;
 use crate::picture::{PictureShape, ShapeKind};
 

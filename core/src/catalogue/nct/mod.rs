@@ -27,16 +27,14 @@ mod proposal_tests;
 pub use crate::machine::{FALSE_TRIGGER, PATH_OBSTRUCTED};
 
 use super::common::{PARAM, optional};
-use crate::catalogue;
 use crate::control::{Control, Units};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::dialect::Dialect;
-use crate::entry::address;
-use crate::entry::{Cycle, Kind, Need, Param, Unit, When};
+use crate::entry::{Cycle, Kind, Need, Param, Unit, When, address};
 use crate::machine::{Machine, Stop};
 use crate::name::Name;
-use crate::own;
 use crate::range::Range;
+use crate::{catalogue, own};
 
 /// A value is missing, out of range, or excludes another (C:1123-1137).
 pub const FORMAT_ERROR: Code = Code::Nct("FORMAT ERROR");

@@ -1,8 +1,7 @@
 //! Addresses that macros share. A macro takes one and says what differs: `Param { source: "C:475", ..params::Q }`.
 
 use super::{FORMAT_ERROR, LENGTH, NUMBER, PRINT, REGISTER};
-use crate::entry::address;
-use crate::entry::{Param, ResultField, Unit, When};
+use crate::entry::{Param, ResultField, Unit, When, address};
 use crate::range::Range;
 
 /// Clearance beside a wall: 5 mm or 0.2 inch (C:474).

@@ -5,8 +5,7 @@ use crate::catalogue::common::optional;
 use crate::check::error;
 use crate::control::{Control, Plane};
 use crate::diagnostic::Diagnostic;
-use crate::entry::Inputs;
-use crate::entry::{Need, When};
+use crate::entry::{Inputs, Need, When};
 use crate::message::Message;
 use crate::name::Name;
 

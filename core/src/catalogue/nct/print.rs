@@ -1,8 +1,7 @@
 //! Lines of the print-out, in the manual's columns (C:1103-1116).
 
 use super::PRINT_ENABLED;
-use crate::entry::Inputs;
-use crate::entry::address;
+use crate::entry::{Inputs, address};
 use crate::machine::Machine;
 use crate::machine::trace::Step;
 use crate::name::Name;

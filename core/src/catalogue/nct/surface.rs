@@ -1,14 +1,11 @@
 //! One surface: touched along the tool axis or across a wall, and drawn.
 
-use super::axis_name;
 use super::touch::{Calibration, touch};
-use super::{FORMAT_ERROR, NO_MOVEMENT, figures, part};
+use super::{FORMAT_ERROR, NO_MOVEMENT, axis_name, figures, part};
 use crate::catalogue::common::{PARAM, required};
 use crate::control::{Control, Plane};
-use crate::entry::Inputs;
-use crate::entry::address;
 use crate::entry::stage::{Look, Seen, Staging};
-use crate::entry::{Need, Param, Proposal, Unit, When};
+use crate::entry::{Inputs, Need, Param, Proposal, Unit, When, address};
 use crate::geometry::Wcs;
 use crate::machine::{Machine, Stop};
 use crate::picture::PictureShape;

@@ -1,8 +1,6 @@
 //! What the other control can do too of the macros that measure.
 
-use crate::entry::When;
-use crate::entry::address;
-use crate::entry::{Meaning, Shared, Task};
+use crate::entry::{Meaning, Shared, Task, When, address};
 use crate::name::Name;
 
 /// S, T, H, U and Q mean the same in all of them (C:475-501).

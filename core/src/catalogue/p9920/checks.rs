@@ -4,8 +4,7 @@ use super::{CALIBRATE, DIAMETER};
 use crate::catalogue::tool_probe::checks::radius;
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
-use crate::entry::Inputs;
-use crate::entry::address;
+use crate::entry::{Inputs, address};
 use crate::own;
 
 /// All of them.

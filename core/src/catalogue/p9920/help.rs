@@ -1,8 +1,7 @@
 //! The lines of the help page of G65 P9920.
 
 use super::{CALIBRATE, DIAMETER, LENGTH};
-use crate::entry::When;
-use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
+use crate::entry::{HelpLine, When, before, corrects, measures, order, wrong};
 
 const AT_CALIBRATION: When = When::Variant(&[CALIBRATE]);
 const AT_MEASUREMENT: When = When::Variant(&[LENGTH, DIAMETER]);

@@ -15,8 +15,7 @@ mod touch;
 use crate::control::MachineSort;
 use crate::diagnostic::Code;
 use crate::dialect::Dialect;
-use crate::entry::address;
-use crate::entry::{Cycle, Drawing, Help, ProbeUse, Purpose, Simulation, Variant, When, Work};
+use crate::entry::{Cycle, Drawing, Help, ProbeUse, Purpose, Simulation, Variant, When, Work, address};
 
 /// A reference tool calibrates the probe: T0.
 pub const CALIBRATE: i64 = 0;

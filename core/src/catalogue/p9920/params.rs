@@ -3,8 +3,7 @@
 use super::{CALIBRATE, DIAMETER, LENGTH};
 use crate::catalogue::common::{ALWAYS_REQUIRED, PARAM, optional, required};
 use crate::catalogue::nct::NUMBER;
-use crate::entry::address;
-use crate::entry::{Chooses, Kind, Param, Unit, When};
+use crate::entry::{Chooses, Kind, Param, Unit, When, address};
 use crate::range::Range;
 
 const AT_CALIBRATION: When = When::Variant(&[CALIBRATE]);

@@ -1,8 +1,7 @@
 //! G65 P9920 drawn: at the left the disk from above, at the right from the side. Disk and tool stand for any size.
 
 use super::{CALIBRATE, DIAMETER};
-use crate::entry::Inputs;
-use crate::entry::address;
+use crate::entry::{Inputs, address};
 use crate::name::Name;
 use crate::picture::figures::{arrow, circle, dimension, line, rectangle, swept};
 use crate::picture::{Picture, PictureShape, ShapeKind, View};

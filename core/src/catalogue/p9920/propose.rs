@@ -3,9 +3,7 @@
 use super::CALIBRATE;
 use super::checks::diameter;
 use crate::control::{Control, Edge};
-use crate::entry::Inputs;
-use crate::entry::address;
-use crate::entry::{Proposal, ProposedTool};
+use crate::entry::{Inputs, Proposal, ProposedTool, address};
 use crate::geometry::Mcs;
 use crate::workpiece::tool_probe::ToolProbe;
 use crate::workpiece::{PartErrors, Shape, Solid};

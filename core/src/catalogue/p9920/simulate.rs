@@ -7,8 +7,7 @@ use super::touch::{Feeds, feed_and_speed, leave, nose, sink, touch, travel};
 use super::{CALIBRATE, DEPRESSED, DIAMETER, MEASURING_DEVICE};
 use crate::catalogue::nct::correct;
 use crate::control::{Control, Plane, Value};
-use crate::entry::Inputs;
-use crate::entry::address;
+use crate::entry::{Inputs, address};
 use crate::machine::{Machine, Stop};
 use crate::message::Message;
 

@@ -3,10 +3,8 @@
 
 use super::{INCORRECT, TOO_SMALL};
 use crate::catalogue::nct::touch::{BACK, MEDIUM, POSITIONING, SLOW};
-use crate::entry::Inputs;
-use crate::entry::address;
-use crate::geometry::Mcs;
-use crate::geometry::Wcs;
+use crate::entry::{Inputs, address};
+use crate::geometry::{Mcs, Wcs};
 use crate::machine::trace::MotionKind;
 use crate::machine::{Machine, Stop};
 

@@ -3,8 +3,7 @@
 use crate::catalogue::common::{ALWAYS_REQUIRED, PARAM, optional};
 use crate::catalogue::nct::{FORMAT_ERROR, LENGTH, NUMBER};
 use crate::control::Plane;
-use crate::entry::address;
-use crate::entry::{Param, Unit, When};
+use crate::entry::{Param, Unit, When, address};
 use crate::name::Name;
 use crate::range::Range;
 

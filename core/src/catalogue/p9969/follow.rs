@@ -4,18 +4,17 @@
 //! AXIAL PROBE (O9967), RADIAL PROBE (O9968), PROBE STATUS (O9984), IN POSITION CHECK (O9985).
 
 use super::addresses::spacing;
+use crate::catalogue::nct;
 use crate::catalogue::nct::touch::{Calibration, POSITIONING};
 use crate::catalogue::nct::{
-    self, FALSE_TRIGGER, FORMAT_ERROR, OUT_OF_POSITION, PATH_OBSTRUCTED, SCANNING_FAIL, SCANNING_OBSTRUCTED,
+    FALSE_TRIGGER, FORMAT_ERROR, OUT_OF_POSITION, PATH_OBSTRUCTED, SCANNING_FAIL, SCANNING_OBSTRUCTED,
     STYLUS_IN_CONTACT, axis_name,
 };
 use crate::diagnostic::Code;
-use crate::entry::Inputs;
-use crate::entry::address;
+use crate::entry::{Inputs, address};
 use crate::geometry::Wcs;
-use crate::machine::Scanner;
 use crate::machine::trace::MotionKind;
-use crate::machine::{Machine, Stop};
+use crate::machine::{Machine, Scanner, Stop};
 use crate::scan::{Layout, Scanned};
 
 /// Feed where F is not given, mm/min: then the points are right to 0.01 mm (C:1320).

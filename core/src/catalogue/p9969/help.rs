@@ -1,7 +1,6 @@
 //! The help page of G65 P9969.
 
-use crate::entry::When;
-use crate::entry::{HelpLine, before, corrects, measures, order, wrong};
+use crate::entry::{HelpLine, When, before, corrects, measures, order, wrong};
 
 /// The lines of the help page.
 pub const HELP: &[HelpLine] = &[

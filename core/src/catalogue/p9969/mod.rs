@@ -9,12 +9,13 @@ mod simulate;
 #[cfg(test)]
 mod tests;
 
-use super::nct::{self, params, part};
+use super::nct;
+use super::nct::{params, part};
 use crate::control::Control;
 use crate::dialect::Dialect;
-use crate::entry::Inputs;
-use crate::entry::address;
-use crate::entry::{Cycle, Drawing, Help, Proposal, Purpose, ResultField, Simulation, Unit, Variant, Work};
+use crate::entry::{
+    Cycle, Drawing, Help, Inputs, Proposal, Purpose, ResultField, Simulation, Unit, Variant, Work, address,
+};
 use crate::geometry::Wcs;
 use crate::workpiece::free::Example;
 use crate::workpiece::{Shape, Workpiece};

@@ -3,8 +3,7 @@
 
 use super::addresses::{letter, spacing};
 use crate::catalogue::nct::axis_name;
-use crate::entry::Inputs;
-use crate::entry::address;
+use crate::entry::{Inputs, address};
 use crate::name::Name;
 use crate::picture::figures::{circle, dimension, line, polygon};
 use crate::picture::{Picture, PictureShape, ShapeKind, View};

@@ -3,10 +3,8 @@
 use super::follow;
 use crate::catalogue::nct::correct;
 use crate::entry::Inputs;
-use crate::machine::Scanner;
-use crate::machine::too_many;
 use crate::machine::trace::Step;
-use crate::machine::{Machine, Stop};
+use crate::machine::{Machine, Scanner, Stop, too_many};
 use crate::message::Message;
 use crate::scan::text::{Form, piece};
 use crate::scan::{Cloud, Layout, POINTS, Sent, TOLD};

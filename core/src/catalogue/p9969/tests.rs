@@ -2,8 +2,9 @@
 //! Surfaces whose shape is known: what is sent, what is reckoned of it, and how far the ball is from the part.
 
 use super::P9969;
+use crate::catalogue::nct;
 use crate::catalogue::nct::bench::{PLANES, along, call, codes, machine, near, stand};
-use crate::catalogue::nct::{self, part};
+use crate::catalogue::nct::part;
 use crate::check::check;
 use crate::control::Plane;
 use crate::diagnostic::Code;

@@ -4,10 +4,8 @@
 
 use super::results;
 use crate::catalogue::common::MONO;
-use crate::control::MachineSort;
-use crate::control::{Control, Plane};
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::control::{Control, MachineSort, Plane};
+use crate::entry::{Inputs, names};
 use crate::machine::Machine;
 
 /// Notes in the data field of the probe how a call calibrates it.

@@ -1,10 +1,8 @@
 //! What a calibration found: the results, the comparison with what is stored, the new data (B:5134, B:5090-5118).
 
 use super::{Next, calibrated_as, correct, results, tolerance};
-use crate::control::Control;
-use crate::control::MachineSort;
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::control::{Control, MachineSort};
+use crate::entry::{Inputs, names};
 use crate::evaluate::Write;
 use crate::evaluate::tolerance::exceeds;
 use crate::machine::trace::Step;

@@ -1,8 +1,8 @@
 //! Sizes and a centre, which CYCLE977 and CYCLE979 find: results, and what they correct (B:5675-5724, B:6779-6814).
 
 use super::target::Target;
-use super::tolerance::{self, Sizes};
-use super::{Next, correct, results};
+use super::tolerance::Sizes;
+use super::{Next, correct, results, tolerance};
 use crate::entry::Inputs;
 use crate::evaluate::{tool_offset, zero_offset};
 use crate::machine::{Machine, Stop};

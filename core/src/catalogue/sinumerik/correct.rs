@@ -2,8 +2,7 @@
 
 use super::tolerance::Sizes;
 use super::{alarm, results};
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 use crate::evaluate::{Write, tool_offset, zero_offset};
 use crate::machine::trace::Step;
 use crate::machine::{Machine, Stop};

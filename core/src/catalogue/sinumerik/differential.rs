@@ -3,8 +3,7 @@
 
 use super::measuring_block::{Block, Point};
 use super::{alarm, results};
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 use crate::machine::{Machine, Stop};
 
 /// What the two touches tell.

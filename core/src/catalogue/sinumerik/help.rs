@@ -1,8 +1,7 @@
 //! What the help pages of the SINUMERIK workpiece cycles have in common, in groups.
 
 use crate::catalogue::common::{TOOL_OFFSET, ZERO_OFFSET};
-use crate::entry::When;
-use crate::entry::{HelpLine, before, corrects, mvar, order, wrong};
+use crate::entry::{HelpLine, When, before, corrects, mvar, order, wrong};
 
 const TURNED_OVER: When = mvar(1000, &[1]);
 

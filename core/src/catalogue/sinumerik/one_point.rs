@@ -2,10 +2,9 @@
 //! B:10461-10505, B:10936-10975).
 
 use super::target::Target;
-use super::tolerance::{self, Sizes};
-use super::{Next, correct, results};
-use crate::entry::Inputs;
-use crate::entry::names;
+use super::tolerance::Sizes;
+use super::{Next, correct, results, tolerance};
+use crate::entry::{Inputs, names};
 use crate::evaluate::{mean, tool_offset, zero_offset};
 use crate::machine::{Machine, Stop};
 

@@ -1,8 +1,7 @@
 //! Result data `_OVR[]` and `_OVI[]`: written to the control and recorded.
 
 use crate::dialect::Dialect;
-use crate::entry::Inputs;
-use crate::entry::{Cycle, Unit, names};
+use crate::entry::{Cycle, Inputs, Unit, names};
 use crate::machine::Machine;
 use crate::machine::trace::Step;
 use crate::message::Message;

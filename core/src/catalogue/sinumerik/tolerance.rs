@@ -3,8 +3,7 @@
 use super::{Next, alarm, correct, results};
 use crate::control::Control;
 use crate::diagnostic::Code;
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 use crate::evaluate::symmetry::{Symmetric, symmetric};
 use crate::evaluate::tolerance::{Bands, Branch, Decision, chain, exceeds};
 use crate::evaluate::{mean, tool_offset};

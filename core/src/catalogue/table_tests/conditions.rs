@@ -1,7 +1,6 @@
 //! What the tables say behind `required-if:`, as values that make it true.
 
-use crate::entry::Inputs;
-use crate::entry::{Cycle, Level, names};
+use crate::entry::{Cycle, Inputs, Level, names};
 
 /// Inputs of this variant for which the condition holds, one for each way; none where the condition is about the
 /// variant and this one does not meet it.

@@ -2,11 +2,7 @@
 
 use super::super::*;
 use crate::dialect::Dialect;
-use crate::entry::AUXILIARY;
-use crate::entry::AUXILIARY_ARGS;
-use crate::entry::Arg;
-use crate::entry::Cycle;
-use crate::entry::Style;
+use crate::entry::{AUXILIARY, AUXILIARY_ARGS, Arg, Cycle, Style};
 use crate::test_data::{data, rows};
 use std::collections::BTreeMap;
 

@@ -4,9 +4,7 @@ use super::super::*;
 use super::invalid::numbers;
 use super::params::names_of;
 use super::sinumerik;
-use crate::entry::Arg;
-use crate::entry::Cycle;
-use crate::entry::ProbeUse;
+use crate::entry::{Arg, Cycle, ProbeUse};
 use crate::test_data::{Row, data, rows};
 use std::collections::BTreeSet;
 

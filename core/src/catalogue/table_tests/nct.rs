@@ -4,8 +4,7 @@ use crate::catalogue::{CYCLES, nct};
 use crate::control::Plane;
 use crate::diagnostic::Code;
 use crate::dialect::Dialect;
-use crate::entry::Inputs;
-use crate::entry::{Cycle, Param};
+use crate::entry::{Cycle, Inputs, Param};
 use crate::test_data::{Row, data, rows};
 use std::collections::BTreeSet;
 

@@ -4,15 +4,7 @@ use super::cells::with_condition;
 use super::conditions::{level, met};
 use super::results::row_name;
 use super::{Row, allowed, covers, data, of_the_call, refused, rows, tabled};
-use crate::entry::Cycle;
-use crate::entry::Inputs;
-use crate::entry::Kind;
-use crate::entry::Level;
-use crate::entry::Param;
-use crate::entry::ProbeUse;
-use crate::entry::Unit;
-use crate::entry::Variant;
-use crate::entry::names;
+use crate::entry::{Cycle, Inputs, Kind, Level, Param, ProbeUse, Unit, Variant, names};
 use std::collections::BTreeSet;
 
 #[test]

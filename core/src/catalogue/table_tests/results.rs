@@ -1,11 +1,7 @@
 //! Results: which variant sets which.
 
 use super::{Row, covers, data, rows, tabled};
-use crate::entry::Cycle;
-use crate::entry::Inputs;
-use crate::entry::ResultField;
-use crate::entry::Variant;
-use crate::entry::names;
+use crate::entry::{Cycle, Inputs, ResultField, Variant, names};
 use std::collections::BTreeSet;
 
 #[test]

@@ -4,8 +4,7 @@ use super::ProbeData;
 use crate::check::{error, warning};
 use crate::control::{Control, Edge};
 use crate::diagnostic::{Code, Diagnostic};
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 use crate::message::Message;
 use crate::own;
 

@@ -2,8 +2,7 @@
 
 use crate::catalogue::sinumerik::{Next, alarm, correct, results, tolerance};
 use crate::control::Control;
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 use crate::evaluate::tolerance::{RESOLUTION, exceeds};
 use crate::evaluate::{mean, tool_offset};
 use crate::machine::trace::Step;

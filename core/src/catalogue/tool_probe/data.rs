@@ -1,8 +1,7 @@
 //! The data of a tool probe in `_TP[k,i]` (machine) or `_TPW[k,i]` (workpiece), B:13354-13421.
 
 use crate::control::Control;
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 
 /// One tool probe of a control.
 pub struct ProbeData<'a> {

@@ -1,9 +1,8 @@
 //! What the pictures of the cycles at a tool probe share. A turning tool is drawn as with cutting edge position 3,
 //! which touches the plus sides; at the end the figures are mirrored to the position of the tool in use.
 
-use crate::entry::Inputs;
-use crate::entry::names;
 use crate::entry::stage::Seen;
+use crate::entry::{Inputs, names};
 use crate::name::Name;
 use crate::picture::figures::{circle, polygon};
 use crate::picture::{PictureShape, ShapeKind};

@@ -1,7 +1,6 @@
 //! What the help pages of the cycles at a tool probe have in common.
 
-use crate::entry::When;
-use crate::entry::{HelpLine, before, wrong};
+use crate::entry::{HelpLine, When, before, wrong};
 
 /// What all cycles at a tool probe have in common.
 pub const ALL: &[HelpLine] =

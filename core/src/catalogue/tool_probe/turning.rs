@@ -3,8 +3,7 @@
 use crate::check::error;
 use crate::control::Edge;
 use crate::diagnostic::{Code, Diagnostic};
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 use crate::message::Message;
 
 /// Types of turning tools (B:8838, B:9001).

@@ -9,9 +9,7 @@ use crate::catalogue::find;
 use crate::control::{Control, Units, delivery};
 use crate::diagnostic::{Code, Severity};
 use crate::dialect::Dialect;
-use crate::entry::Cycle;
-use crate::entry::Typed;
-use crate::entry::names;
+use crate::entry::{Cycle, Typed, names};
 use crate::message::Message;
 use crate::name::Name;
 

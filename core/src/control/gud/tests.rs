@@ -2,8 +2,9 @@
 #![allow(clippy::unwrap_used)]
 use super::*;
 use crate::catalogue::CYCLES;
-use crate::control::machine_data::{self, MACHINE_DATA, MachineDatum};
-use crate::control::{delivery, delivery::factor};
+use crate::control::delivery::factor;
+use crate::control::machine_data::{MACHINE_DATA, MachineDatum};
+use crate::control::{delivery, machine_data};
 use crate::dialect::Dialect;
 use crate::message::Message;
 use crate::test_data::{Row, data, rows};

@@ -3,8 +3,8 @@
 #[cfg(test)]
 mod tests;
 
-use super::Write;
-use super::knum::{self, Quantity, ToolCode};
+use super::knum::{Quantity, ToolCode};
+use super::{Write, knum};
 use crate::control::{Control, Edge, Environment};
 
 /// Who names the tool of a correction.

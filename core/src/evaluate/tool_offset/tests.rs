@@ -2,8 +2,7 @@
 
 #![allow(clippy::unwrap_used)]
 use super::*;
-use crate::control::Plane;
-use crate::control::delivery;
+use crate::control::{Plane, delivery};
 use crate::dialect::Dialect;
 
 fn control() -> Control {

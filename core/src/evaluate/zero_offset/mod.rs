@@ -7,8 +7,8 @@ mod turn;
 
 pub use turn::{moved, placed, rotary, rotation, seen, seen_turn, turned};
 
-use super::Write;
-use super::knum::{self, ZeroCode};
+use super::knum::ZeroCode;
+use super::{Write, knum};
 use crate::control::frames::{CHANNEL_MASK, GLOBAL_MASK};
 use crate::control::variables::AXES;
 use crate::control::{Control, Frame, Value};

@@ -6,8 +6,8 @@ mod face;
 mod tree;
 
 use super::extent::Extent;
-use super::rod::{self, Met, Rod};
-use super::{Path, TOLERANCE, V3};
+use super::rod::{Met, Rod};
+use super::{Path, TOLERANCE, V3, rod};
 use face::Face;
 use tree::Tree;
 

@@ -2,8 +2,7 @@
 
 use super::Sim;
 use crate::control::Control;
-use crate::geometry::Mcs;
-use crate::geometry::Wcs;
+use crate::geometry::{Mcs, Wcs};
 use crate::workpiece::noise::Noise;
 use crate::workpiece::tool::Tool;
 use std::collections::BTreeMap;

@@ -4,8 +4,7 @@ use super::*;
 use crate::control::{Frame, Plane};
 use crate::diagnostic::Code;
 use crate::dialect::Dialect;
-use crate::geometry::Mcs;
-use crate::geometry::Wcs;
+use crate::geometry::{Mcs, Wcs};
 use crate::workpiece::{PartErrors, ProbeBody, Shape, Solid};
 
 /// A cube of 100 mm whose upper face is Z = 0 of the machine.

@@ -9,7 +9,8 @@ use crate::machine::trace::{MotionKind, Step};
 use crate::workpiece::feeler::Touching;
 use crate::workpiece::noise::Noise;
 use crate::workpiece::tool::{Piece, Tool};
-use crate::workpiece::tool_probe::{self, Contact, ToolProbe};
+use crate::workpiece::tool_probe;
+use crate::workpiece::tool_probe::{Contact, ToolProbe};
 
 /// The scatter of all tool probes comes from the sequence of the first.
 pub(super) fn noise(probes: &[ToolProbe]) -> Noise {
@@ -133,9 +134,8 @@ mod tests {
     use crate::control::{Edge, Plane};
     use crate::diagnostic::Code;
     use crate::dialect::Dialect;
-    use crate::geometry::Mcs;
-    use crate::geometry::Wcs;
     use crate::geometry::arc::Around;
+    use crate::geometry::{Mcs, Wcs};
     use crate::machine::{Machine, Setup, Stop};
     use crate::workpiece::tool::{Cut, Cutter};
     use crate::workpiece::{PartErrors, Shape, Solid};

@@ -1,19 +1,18 @@
 //! What has to be in force at a call.
 
 use super::{Seen, at, inherited, unsaid, with_line};
-use crate::check::{self, error, warning};
-use crate::control::MachineSort;
+use crate::check::{error, warning};
 use crate::control::machine_data::TOOL_LENGTH_TYPE;
 use crate::control::probe::Unfit;
 use crate::control::tools::TURNING;
-use crate::control::{Control, delivery_in};
+use crate::control::{Control, MachineSort, delivery_in};
 use crate::diagnostic::{Code, Diagnostic, Severity};
 use crate::entry::{ProbeUse, Style, names};
 use crate::message::Message;
-use crate::own;
 use crate::program::tools::ToolInUse;
 use crate::syntax::Program;
 use crate::syntax::tree::{Word, WordKind};
+use crate::{check, own};
 use std::collections::BTreeSet;
 use std::ops::RangeInclusive;
 

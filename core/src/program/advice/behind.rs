@@ -4,17 +4,17 @@ use super::{Seen, at, behind_call};
 use crate::check::{Target, target};
 use crate::diagnostic::Diagnostic;
 use crate::entry::{Kind, ProbeUse, names};
-use crate::evaluate::knum::{self, ZeroCode};
+use crate::evaluate::knum;
+use crate::evaluate::knum::ZeroCode;
 use crate::own;
 use crate::program::calls::CallSite;
-use crate::program::flow::{self, Entry, Follow, Mode};
-use crate::program::of_control::SWIVEL;
-use crate::program::of_control::is_frame;
-use crate::syntax::Program;
-use crate::syntax::fold;
+use crate::program::flow;
+use crate::program::flow::{Entry, Follow, Mode};
+use crate::program::of_control::{SWIVEL, is_frame};
 use crate::syntax::fold::Nothing;
 use crate::syntax::programs::Programs;
 use crate::syntax::tree::{Word, WordKind};
+use crate::syntax::{Program, fold};
 use std::collections::BTreeMap;
 
 /// A frame that a call corrects where it is stored, and the one in force there.

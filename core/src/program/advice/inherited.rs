@@ -2,15 +2,13 @@
 //! persist until they are overwritten (`_TSA` in mm reaching a cycle that takes it as degrees).
 
 use super::Seen;
-use crate::check::{self};
 use crate::control::Transverse;
 use crate::diagnostic::{Cure, Diagnostic};
-use crate::entry::Inputs;
-use crate::entry::{Kind, Level, Param, Unit};
+use crate::entry::{Inputs, Kind, Level, Param, Unit};
 use crate::message::Message;
-use crate::own;
 use crate::program::calls::CallSite;
 use crate::program::change::change;
+use crate::{check, own};
 
 /// Labels of one parameter in the same words; where they differ is in their help. A test holds them against the words.
 const SAME: [&[&str]; 8] = [

@@ -15,17 +15,16 @@ use super::calls::{CallSite, Way};
 use super::change::{line_at_begin, line_before, line_end};
 use super::flow::{State, changes};
 use super::tools::ToolInUse;
-use crate::check::{self, newer};
+use crate::check::newer;
 use crate::control::Control;
 use crate::diagnostic::{Code, Cure, Diagnostic, Edit, Severity, Span};
 use crate::dialect::Dialect;
-use crate::entry::Style;
-use crate::entry::{Inputs, Typed};
+use crate::entry::{Inputs, Style, Typed};
 use crate::message::Message;
-use crate::own;
 use crate::syntax::Program;
 use crate::syntax::programs::{Programs, programs};
 use crate::syntax::tree::{Word, WordKind};
+use crate::{check, own};
 
 /// What the rules look at: a call, what is in force there, what it means.
 struct Seen<'a> {

@@ -2,17 +2,17 @@
 //! their changes go into the program (B:12549-12558).
 
 use super::{Seen, at};
-use crate::check::{self, Parsed, parse};
+use crate::check::{Parsed, parse};
 use crate::control::Control;
 use crate::diagnostic::{Cure, Diagnostic, Edit, Span};
 use crate::entry::{Param, Style, names};
 use crate::message::Message;
-use crate::own;
 use crate::program::calls::CallSite;
 use crate::program::change::{change, line_before};
 use crate::program::marked::mark_before;
-use crate::support::{self, Changed, Mark, Support};
+use crate::support::{Changed, Mark, Support};
 use crate::syntax::Program;
+use crate::{check, own, support};
 
 /// Numbers that differ by less are the same one, rounded.
 const ROUNDED: f64 = 0.001;

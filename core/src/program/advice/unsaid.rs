@@ -3,9 +3,8 @@
 
 use super::{Seen, at_call, between, with_line};
 use crate::catalogue::lathe;
-use crate::control::MachineSort;
-use crate::control::Transverse;
 use crate::control::tools::TURNING;
+use crate::control::{MachineSort, Transverse};
 use crate::diagnostic::Diagnostic;
 use crate::entry::{ProbeUse, names};
 use crate::own;

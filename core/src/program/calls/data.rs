@@ -3,9 +3,9 @@
 use super::{Place, Walk};
 use crate::control::arrays;
 use crate::diagnostic::Span;
-use crate::program::arguments;
 use crate::program::held::{FirstNumbers, Held, Numbers};
-use crate::program::values::{self, Spread, Value, spread};
+use crate::program::values::{Spread, Value, spread};
+use crate::program::{arguments, values};
 use crate::syntax::fold;
 use crate::syntax::tree::{Expr, ExprId, Word, WordKind};
 use std::rc::Rc;

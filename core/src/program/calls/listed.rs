@@ -2,12 +2,11 @@
 
 use super::site::Called;
 use super::{Place, Walk};
-use crate::catalogue::{self, list};
+use crate::catalogue;
+use crate::catalogue::list;
 use crate::check::listed::{count, refused};
 use crate::diagnostic::Span;
-use crate::entry::AUXILIARY;
-use crate::entry::AUXILIARY_ARGS;
-use crate::entry::{Arg, ArgumentList, Cycle, Style};
+use crate::entry::{AUXILIARY, AUXILIARY_ARGS, Arg, ArgumentList, Cycle, Style};
 use crate::name::Name;
 use crate::program::arguments;
 use crate::program::held::Held;

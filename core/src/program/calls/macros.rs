@@ -2,15 +2,15 @@
 
 use super::site::Called;
 use super::{Place, Walk};
-use crate::catalogue::{self, nct};
+use crate::catalogue;
+use crate::catalogue::nct;
 use crate::control::{Control, Plane};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::entry::Cycle;
 use crate::program::held::Held;
 use crate::program::values;
-use crate::syntax::Program;
-use crate::syntax::fold;
 use crate::syntax::tree::{Block, Expr, WordKind};
+use crate::syntax::{Program, fold};
 use std::rc::Rc;
 
 impl Walk<'_> {

@@ -3,13 +3,11 @@
 use super::listed::Given;
 use super::sorts::of_wrong_sort;
 use super::{CallSite, Origin, Place, Walk, Way};
-use crate::check::upkeep;
-use crate::check::{check, newer};
+use crate::check::{check, newer, upkeep};
 use crate::control::Control;
 use crate::diagnostic::{Diagnostic, Span};
 use crate::dialect::Dialect;
-use crate::entry::Typed;
-use crate::entry::{ArgumentList, Cycle, Style};
+use crate::entry::{ArgumentList, Cycle, Style, Typed};
 use crate::own;
 use crate::program::values::Value;
 use crate::support::BITS;

@@ -3,14 +3,13 @@
 use super::uses::{Uses, is_cycle, measuring, uses};
 use super::{Place, Walk};
 use crate::diagnostic::Span;
-use crate::program::arguments;
 use crate::program::flow::{Called, Entry, LEVELS, called};
 use crate::program::held::{Held, Names, Values, stem};
-use crate::program::values::{self, Value};
-use crate::syntax::Program;
-use crate::syntax::fold;
+use crate::program::values::Value;
+use crate::program::{arguments, values};
 use crate::syntax::programs::{Programs, Unit};
 use crate::syntax::tree::{Expr, ExprId, WordKind};
+use crate::syntax::{Program, fold};
 use std::collections::{BTreeSet, HashMap};
 use std::rc::Rc;
 

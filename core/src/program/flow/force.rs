@@ -3,10 +3,9 @@
 use super::state::{Mode, State, Tool};
 use crate::control::Transverse;
 use crate::diagnostic::Span;
-use crate::syntax::Program;
-use crate::syntax::fold;
 use crate::syntax::fold::{Known, Nothing};
 use crate::syntax::tree::{Expr, ExprId, Word, WordKind};
+use crate::syntax::{Program, fold};
 
 /// How the words of one program count.
 pub struct Forces<'a> {

@@ -3,11 +3,10 @@
 
 use super::ENTRIES;
 use super::structure::{Branches, Open, target};
-use crate::syntax::Program;
-use crate::syntax::fold;
 use crate::syntax::fold::Nothing;
 use crate::syntax::links::{canonical, structural};
 use crate::syntax::tree::{Word, WordKind};
+use crate::syntax::{Program, fold};
 use std::collections::{BTreeSet, HashMap};
 use std::ops::Range;
 

@@ -1,10 +1,9 @@
 //! Ways through one program: `IF` to `ENDIF`, loops that may not run, jumps forward, ends.
 
-use crate::syntax::Program;
-use crate::syntax::fold;
 use crate::syntax::fold::Nothing;
 use crate::syntax::links::{canonical, structural};
 use crate::syntax::tree::{Block, Expr, Word, WordKind};
+use crate::syntax::{Program, fold};
 use std::collections::HashMap;
 
 /// The state on the present way, and on the ways that meet it later.

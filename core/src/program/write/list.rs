@@ -3,10 +3,7 @@
 use super::{Source, Written, assignments, is_expression, word};
 use crate::check::{Parsed, Target, newer, parse, target};
 use crate::diagnostic::Diagnostic;
-use crate::entry::AUXILIARY;
-use crate::entry::AUXILIARY_ARGS;
-use crate::entry::Typed;
-use crate::entry::{Arg, ArgumentList, Param, Style, names};
+use crate::entry::{AUXILIARY, AUXILIARY_ARGS, Arg, ArgumentList, Param, Style, Typed, names};
 use crate::name::Name;
 use crate::own;
 use crate::program::values::opposite;

@@ -1,8 +1,8 @@
 //! The changed data of a machine as text: assignments for a part program, and lines of the definition file.
 
-use crate::control::gud::{self, Block, Gud, Kind};
-use crate::control::nct_data::{self, NctDatum};
-use crate::control::{Control, Value};
+use crate::control::gud::{Block, Gud, Kind};
+use crate::control::nct_data::NctDatum;
+use crate::control::{Control, Value, gud, nct_data};
 use std::fmt::Write;
 
 /// Whether it is a datum of the machine.

@@ -4,12 +4,12 @@ mod list;
 pub mod machine;
 mod support;
 
-use crate::check::{self, Parsed, Text, parse, parse_text};
+use crate::check;
+use crate::check::{Parsed, Text, parse, parse_text};
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
 use crate::dialect::Dialect;
-use crate::entry::{Cycle, Kind, Param, Style};
-use crate::entry::{Inputs, Typed};
+use crate::entry::{Cycle, Inputs, Kind, Param, Style, Typed};
 use crate::name::Name;
 use crate::support::Support;
 

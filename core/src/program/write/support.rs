@@ -3,8 +3,7 @@
 
 use super::{Source, assignments, value, word};
 use crate::control::Control;
-use crate::entry::Typed;
-use crate::entry::{Cycle, Style, names};
+use crate::entry::{Cycle, Style, Typed, names};
 use crate::support::{MEAN_BIT, Mark, SPEEDS_BIT, Support, decimal};
 
 /// Order of the first block. The example measures a hole; what other forms have beside its fields stands behind the

@@ -2,8 +2,7 @@
 
 use super::element::{Element, Point, Round};
 use crate::control::Control;
-use crate::geometry::V3;
-use crate::geometry::Wcs;
+use crate::geometry::{V3, Wcs};
 use crate::machine::route::Route;
 
 /// Unit vectors that differ by less are the same.

@@ -11,10 +11,10 @@ use super::params::{
     ABSCISSA, AUTOMATIC, BOTH, CALIBRATE, DRILL, DRILL_ALONG_APPLICATE, INCREMENTAL, MEASURE, MILLING, OPPOSITE,
     RADIAL, RADIUS, REVERSAL, UPPER, WITH_RADIUS, WORKPIECE,
 };
-use crate::catalogue::tool_probe::figures::{self, bands};
+use crate::catalogue::tool_probe::figures;
+use crate::catalogue::tool_probe::figures::bands;
 use crate::control::Plane;
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 use crate::name::Name;
 use crate::picture::figures::{arrow, circle, dimension, line, rectangle};
 use crate::picture::{Picture, PictureShape, ShapeKind, View};

@@ -1,9 +1,9 @@
 //! The tool before the first side that it touches.
 
 use super::{PROBE, Scene, Tool, Touch, at};
-use crate::catalogue::tool_probe::figures::{self, LENGTH, nose_radius};
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::catalogue::tool_probe::figures;
+use crate::catalogue::tool_probe::figures::{LENGTH, nose_radius};
+use crate::entry::{Inputs, names};
 use crate::picture::figures::{dimension, polygon};
 use crate::picture::{PictureShape, ShapeKind};
 

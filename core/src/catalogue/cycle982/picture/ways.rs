@@ -2,8 +2,7 @@
 
 use super::super::params::{OPPOSITE, UPPER};
 use super::{PROBE, Scene, Tool, Touch, at};
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::entry::{Inputs, names};
 use crate::picture::figures::{circle, line};
 use crate::picture::{PictureShape, ShapeKind};
 

@@ -3,9 +3,8 @@
 use super::Block;
 use crate::catalogue::sinumerik::alarm;
 use crate::diagnostic::Code;
-use crate::geometry::TOLERANCE;
-use crate::geometry::Wcs;
 use crate::geometry::arc::Around;
+use crate::geometry::{TOLERANCE, Wcs};
 use crate::machine::route::Route;
 use crate::machine::trace::MotionKind;
 use crate::machine::{Machine, Stop};

@@ -3,10 +3,8 @@
 use super::{Block, Spindle, on_machine, turnable};
 use crate::catalogue::common::MONO;
 use crate::catalogue::sinumerik::{alarm, calibrated_as, state};
-use crate::control::MachineSort;
-use crate::control::{Control, Frame};
-use crate::entry::Inputs;
-use crate::entry::names;
+use crate::control::{Control, Frame, MachineSort};
+use crate::entry::{Inputs, names};
 use crate::geometry::{TOLERANCE, V3, rigid};
 use crate::machine::{Machine, Stop};
 

@@ -76,8 +76,7 @@ mod tests {
 
     use super::*;
     use crate::catalogue::sinumerik::testing::{at, call, setup, solid, stopped};
-    use crate::control::MachineSort;
-    use crate::control::Plane;
+    use crate::control::{MachineSort, Plane};
     use crate::geometry::Mcs;
     use crate::machine::Setup;
     use crate::machine::sim::Sim;
