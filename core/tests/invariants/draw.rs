@@ -91,29 +91,9 @@ pub struct Part {
 /// Switches that the properties turn: all that a single call reads. `_CBIT[3]` and `_CHBIT[24]` convert data once, when
 /// they are entered, and `_CBIT[13]` erases them.
 pub const SWITCHES: [&str; 23] = [
-    "_CBIT[0]",
-    "_CBIT[1]",
-    "_CBIT[2]",
-    "_CBIT[5]",
-    "_CBIT[8]",
-    "_CBIT[12]",
-    "_CBIT[14]",
-    "_CBIT[15]",
-    "_CBIT[16]",
-    "_CHBIT[2]",
-    "_CHBIT[3]",
-    "_CHBIT[4]",
-    "_CHBIT[5]",
-    "_CHBIT[6]",
-    "_CHBIT[7]",
-    "_CHBIT[8]",
-    "_CHBIT[13]",
-    "_CHBIT[14]",
-    "_CHBIT[15]",
-    "_CHBIT[16]",
-    "_CHBIT[17]",
-    "_CHBIT[20]",
-    "_CHBIT[21]",
+    "_CBIT[0]", "_CBIT[1]", "_CBIT[2]", "_CBIT[5]", "_CBIT[8]", "_CBIT[12]", "_CBIT[14]", "_CBIT[15]", "_CBIT[16]",
+    "_CHBIT[2]", "_CHBIT[3]", "_CHBIT[4]", "_CHBIT[5]", "_CHBIT[6]", "_CHBIT[7]", "_CHBIT[8]", "_CHBIT[13]",
+    "_CHBIT[14]", "_CHBIT[15]", "_CHBIT[16]", "_CHBIT[17]", "_CHBIT[20]", "_CHBIT[21]",
 ];
 
 fn placed(range: f64, turn: f64) -> impl Strategy<Value = Placed> {

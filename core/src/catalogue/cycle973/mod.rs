@@ -42,15 +42,7 @@ pub static CYCLE973: Cycle = Cycle {
     lists: lists::LISTS,
     // B:13442-13482, B:13534-13572, B:13739-13773, B:13999-14014
     settings: &[
-        "_WP",
-        "_KB",
-        "_CVAL[2]",
-        "_CBIT[0]",
-        "_CBIT[1]",
-        "_CHBIT[2]",
-        "_CHBIT[15]",
-        "_CHBIT[16]",
-        "_CHBIT[17]",
+        "_WP", "_KB", "_CVAL[2]", "_CBIT[0]", "_CBIT[1]", "_CHBIT[2]", "_CHBIT[15]", "_CHBIT[16]", "_CHBIT[17]",
         "_SPEED",
     ],
     results: RESULTS,
