@@ -14,6 +14,13 @@ pub struct Span {
     pub end: u32,
 }
 
+impl Span {
+    /// Whether another place begins in it.
+    pub fn holds(self, place: Span) -> bool {
+        self.start <= place.start && place.start < self.end
+    }
+}
+
 /// How bad it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
@@ -87,6 +94,18 @@ impl Diagnostic {
         self
     }
 
+    /// At this place of the program.
+    pub fn on(mut self, span: Span) -> Self {
+        self.span = Some(span);
+        self
+    }
+
+    /// With one click that mends it, where there is anything to edit.
+    pub fn cured(mut self, label: Message, edits: Vec<Edit>) -> Self {
+        self.cure = (!edits.is_empty()).then_some(Cure { label, edits });
+        self
+    }
+
     /// At this parameter.
     pub fn at(mut self, param: Name) -> Self {
         self.param = Some(param);
@@ -140,4 +159,21 @@ pub struct Edit {
     pub span: Span,
     /// What comes.
     pub insert: String,
+}
+
+impl Edit {
+    /// This text instead of what stands at a place.
+    pub fn replace(span: Span, text: impl Into<String>) -> Edit {
+        Edit { span, insert: text.into() }
+    }
+
+    /// A text before this byte.
+    pub fn insert(at: u32, text: impl Into<String>) -> Edit {
+        Edit::replace(Span { start: at, end: at }, text)
+    }
+
+    /// Nothing from one byte to another one.
+    pub fn remove(start: u32, end: u32) -> Edit {
+        Edit::replace(Span { start, end }, "")
+    }
 }

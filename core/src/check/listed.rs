@@ -26,8 +26,7 @@ pub fn sort(param: &Param, value: &str, sort: Sort) -> Option<Diagnostic> {
         (_, Sort::Text) => own::NUMBER_WANTED,
         _ => return None,
     };
-    let finding = sentence.finding().text("param", param.name);
-    Some(finding.text("value", value).at(param.name))
+    Some(sentence.finding().text("param", param.name).text("value", value).at(param.name))
 }
 
 /// How many arguments a call has; omitted ones at its end say nothing.
@@ -40,9 +39,7 @@ pub fn count<T>(arguments: &[Option<T>]) -> usize {
 /// version.
 pub fn too_many(name: &str, most: usize, count: usize) -> Option<Diagnostic> {
     (count > most).then(|| {
-        let finding = own::ARGUMENTS_MANY.finding().text("name", name);
-        let finding = finding.number("most", most as f64);
-        finding.number("count", count as f64)
+        own::ARGUMENTS_MANY.finding().text("name", name).number("most", most as f64).number("count", count as f64)
     })
 }
 

@@ -147,8 +147,7 @@ fn correction(
     if target == Target::Tool && !is_nothing(typed, names::KNUM) {
         rest.retain(|one| one.param.is_none_or(|name| !OF_TOOL.contains(&name)));
         let text = typed.get(names::KNUM.as_str()).map_or("", String::as_str);
-        let finding = own::NEWER_TARGET.finding().text("value", text);
-        judged.found.push(finding.at(names::KNUM));
+        judged.found.push(own::NEWER_TARGET.finding().text("value", text).at(names::KNUM));
         judged.foreign.push(names::KNUM);
     } else if let Some(code) = code.filter(|code| !is_same_zero(*code)) {
         rest.retain(|one| one.param != Some(names::KNUM));
@@ -211,8 +210,7 @@ fn probe(cycle: &Cycle, typed: &Typed, judged: &mut Judged) {
 /// A value whose meaning is not known.
 fn open(name: Name, typed: &Typed) -> Diagnostic {
     let text = typed.get(name.as_str()).map_or("", String::as_str);
-    let finding = own::NEWER_OPEN.finding().text("param", name);
-    finding.text("value", text).at(name)
+    own::NEWER_OPEN.finding().text("param", name).text("value", text).at(name)
 }
 
 /// Which sort of target `_KNUM` names; none where the cycle has no target.

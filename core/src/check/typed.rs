@@ -159,8 +159,7 @@ fn written_text(text: &str, most: usize) -> Result<&str, Box<Diagnostic>> {
         Text::Expression => return Err(Box::new(expression(text))),
     };
     if inner.chars().count() > most {
-        let finding = own::TEXT_LONG.finding();
-        return Err(Box::new(finding.number("most", most as f64)));
+        return Err(Box::new(own::TEXT_LONG.finding().number("most", most as f64)));
     }
     if inner.chars().any(|c| c == '"' || c.is_control()) {
         return Err(Box::new(own::TEXT_CHARACTERS.finding()));
@@ -199,8 +198,7 @@ fn variant(cycle: &'static Cycle, inputs: &Inputs, said: &[Diagnostic]) -> Resul
 fn chosen(cycle: &'static Cycle, inputs: &Inputs) -> i64 {
     let by_address = cycle.params.iter().find_map(|param| {
         inputs.given(param.name)?;
-        let mut chosen = param.chooses.iter();
-        Some(chosen.find(|one| one.when.holds(inputs))?.variant)
+        Some(param.chooses.iter().find(|one| one.when.holds(inputs))?.variant)
     });
     by_address.unwrap_or(inputs.variant)
 }
@@ -212,8 +210,7 @@ fn empty(typed: &Typed, param: &Param) -> bool {
 
 /// The value is missing; `reason` says when it is needed.
 fn missing(param: &Param, reason: &'static str) -> Diagnostic {
-    let finding = own::MISSING.finding().text("param", param.name);
-    finding.hint(Message::new(reason)).at(param.name)
+    own::MISSING.finding().text("param", param.name).hint(Message::new(reason)).at(param.name)
 }
 
 /// Nothing was typed.
@@ -221,8 +218,7 @@ fn absent(param: &Param, level: Level, reason: &'static str, control: &Control, 
     match (level, param.fallback(control)) {
         (Level::Optional, _) => {}
         (Level::Required, Some(number)) => {
-            let finding = own::DELIVERED.finding().text("param", param.name);
-            let finding = finding.number("value", number);
+            let finding = own::DELIVERED.finding().text("param", param.name).number("value", number);
             let finding = finding.text("unit", unit_behind(param.unit, control));
             diagnostics.push(finding.hint(Message::new(reason)).at(param.name));
         }
@@ -263,9 +259,7 @@ pub(super) fn judge(param: &Param, inputs: &Inputs, control: &Control) -> Option
 }
 
 fn outside(sentence: Own, param: Name, (shown, unit): (f64, Unit), control: &Control) -> Diagnostic {
-    let finding = sentence.finding().text("param", param);
-    let finding = finding.number("value", shown);
-    finding.text("unit", unit_behind(unit, control)).at(param)
+    sentence.finding().text("param", param).number("value", shown).text("unit", unit_behind(unit, control)).at(param)
 }
 
 /// What is allowed, in words that fit the kind and the ends of the range.

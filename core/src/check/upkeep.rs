@@ -37,8 +37,7 @@ pub fn due(cycle: &Cycle, control: &Control) -> Vec<Due> {
         return Vec::new();
     }
     let metric = control.basic_units == Units::Metric;
-    let wrong = METRIC.into_iter();
-    let wrong = wrong.filter(|(bit, _)| control.bit(bit) != metric);
+    let wrong = METRIC.into_iter().filter(|(bit, _)| control.bit(bit) != metric);
     let mut all: Vec<Due> = wrong.map(|one| convert(control, one)).collect();
     if control.bit(ERASE) {
         all.push(erase(control));
@@ -95,12 +94,8 @@ fn convert(control: &Control, (bit, channel): (&'static str, bool)) -> Due {
         let ratio = ratio(gud.element(&at)?);
         Some((name.clone(), scaled(value, ratio)))
     };
-    let arrays = gud::all().filter(counts);
-    let arrays: Vec<String> = arrays.map(|gud| format!("{}[]", gud.name)).collect();
-    let words = |key| {
-        let message = Message::new(key).text("bit", bit).number("value", right);
-        message.text("data", arrays.join(", "))
-    };
+    let arrays: Vec<String> = gud::all().filter(counts).map(|gud| format!("{}[]", gud.name)).collect();
+    let words = |key| Message::new(key).text("bit", bit).number("value", right).text("data", arrays.join(", "));
     let mut finding = own::CONVERTS.finding();
     finding.message = words(own::CONVERTS.cause);
     Due {
@@ -166,8 +161,7 @@ mod tests {
     }
 
     fn doubts(outcome: &Outcome) -> Vec<Code> {
-        let found = outcome.diagnostics.iter();
-        let found = found.filter(|one| one.severity == Severity::Warning);
+        let found = outcome.diagnostics.iter().filter(|one| one.severity == Severity::Warning);
         found.map(|one| one.code).filter(|code| matches!(code, Code::Own(160..=161))).collect()
     }
 
@@ -222,10 +216,7 @@ mod tests {
         let text = format!("_CBIT[13]=1\n{PROGRAM}");
         let program = read(Dialect::Sinumerik, text.as_bytes());
         let sites = calls_on(&program, setup(Units::Metric).control);
-        let erases = |index: usize| {
-            let found = sites[index].diagnostics.iter();
-            found.filter(|one| one.code == Code::Own(160)).count()
-        };
+        let erases = |index: usize| sites[index].diagnostics.iter().filter(|one| one.code == Code::Own(160)).count();
         assert_eq!([erases(0), erases(1)], [1, 0]);
         let mut control = setup(Units::Metric).control;
         control.set("_CBIT[13]", 1.0);

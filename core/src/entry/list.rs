@@ -133,8 +133,7 @@ impl ArgumentList {
 
     /// The first selection that tells no variant: a number that is none of its choices, or one that is not known.
     pub fn unselected(&self, number: impl Fn(usize) -> Option<f64>) -> Option<(usize, &'static [(i64, i64)])> {
-        let mut all = self.args.iter().enumerate();
-        all.find_map(|(index, arg)| match arg {
+        self.args.iter().enumerate().find_map(|(index, arg)| match arg {
             Arg::Select(choices) => {
                 let written = number(index);
                 let chosen = choices.iter().any(|one| Some(one.0 as f64) == written);

@@ -8,7 +8,6 @@ use crate::diagnostic::Span;
 use crate::entry::{AUXILIARY, Arg, ArgumentList, Cycle, Kind, Style};
 use crate::name::Name;
 use crate::syntax::Program;
-use crate::syntax::tree::WordKind;
 
 /// Place of each argument of the call at `span`, blanks around it left out; an empty place where one is omitted.
 pub(super) fn places(program: &Program, span: Span) -> Vec<Span> {
@@ -34,8 +33,7 @@ pub(super) fn places(program: &Program, span: Span) -> Vec<Span> {
             _ => {}
         }
     }
-    let nothing = |place: &Span| place.start == place.end;
-    if found.len() == 1 && found.first().is_some_and(nothing) {
+    if matches!(found[..], [Span { start, end }] if start == end) {
         found.clear();
     }
     found
@@ -51,15 +49,12 @@ fn trimmed(text: &[u8], span: Span, start: usize, end: usize) -> Span {
 
 /// Whether a place is an argument of a call.
 pub(super) fn is_argument(program: &Program, place: Span) -> bool {
-    program.word_at(place).is_some_and(|word| matches!(word.kind, WordKind::Call { .. }))
+    program.word_at(place).is_some_and(|word| word.called().is_some())
 }
 
 /// Whether a place is an argument of `CYCLE_PARA`, where 0 says nothing.
 pub(super) fn is_auxiliary(program: &Program, place: Span) -> bool {
-    program.word_at(place).is_some_and(|word| match word.kind {
-        WordKind::Call { name, .. } => program.is(name, AUXILIARY),
-        _ => false,
-    })
+    program.word_at(place).is_some_and(|word| program.is_call(word, &[AUXILIARY]))
 }
 
 /// Arguments of the list of a newer control that have no counterpart here and say something, by their names there.
@@ -69,7 +64,7 @@ pub(crate) fn only_newer(program: &Program, list: &ArgumentList, call: Span) -> 
         let Arg::Newer(name) = arg else {
             return None;
         };
-        let text = String::from_utf8_lossy(program.text(place)).into_owned();
+        let text = program.written(place);
         let usual = USUAL.contains(&(*name, text.as_str()));
         let nothing = text.is_empty() || text == "\"\"" || text.parse() == Ok(0.0);
         (!usual && !nothing).then_some((*name, text))
@@ -98,23 +93,22 @@ pub(super) fn change(program: &Program, site: &CallSite, name: &str, text: &str)
 fn put(program: &Program, call: Span, index: usize, text: &str) -> Option<Edit> {
     let places = places(program, call);
     if let Some(place) = places.get(index) {
-        return (program.text(*place) != text.as_bytes()).then(|| Edit { span: *place, insert: text.to_owned() });
+        return (program.text(*place) != text.as_bytes()).then(|| Edit::replace(*place, text));
     }
     if text.is_empty() {
         return None;
     }
-    let closing =
-        program.text(call).iter().rposition(|byte| *byte == b')').map_or(call.end, |at| call.start + at as u32);
+    let closing = program.text(call).iter().rposition(|byte| *byte == b')');
     let commas = index - places.len().saturating_sub(1).min(index);
-    Some(Edit { span: Span { start: closing, end: closing }, insert: format!("{}{text}", ",".repeat(commas)) })
+    let closing = closing.map_or(call.end, |at| call.start + at as u32);
+    Some(Edit::insert(closing, format!("{}{text}", ",".repeat(commas))))
 }
 
 /// The variant as selections; only those that say something else change, of an expression what it is worth.
 fn select(program: &Program, site: &CallSite, list: &ArgumentList, text: &str) -> Option<Vec<Edit>> {
     let selections = |text: &str| list.selections(text.trim().parse().ok()?);
     let mut wanted = selections(text)?.into_iter();
-    let now = site.cycle.variant_param();
-    let now = now.and_then(|name| selections(site.values.get(name.as_str())?));
+    let now = site.cycle.variant_param().and_then(|name| selections(site.values.get(name.as_str())?));
     let mut now = now.unwrap_or_default().into_iter();
     let places = places(program, site.span);
     let mut edits = Vec::new();

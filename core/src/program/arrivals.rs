@@ -11,8 +11,7 @@ pub fn arrivals(program: &Program, site: &CallSite) -> Vec<Diagnostic> {
     let mut notes = Vec::new();
     for (name, origins) in &site.origins {
         let finding = if site.differs(name) {
-            let each = origins.iter();
-            let values = each.map(|origin| format!("{} ({})", origin.text, line(origin)));
+            let values = origins.iter().map(|origin| format!("{} ({})", origin.text, line(origin)));
             let values = listed(values, site.is_of_many(name));
             own::ARRIVES_DIFFERING.finding().text("values", values)
         } else {

@@ -37,7 +37,7 @@ pub(super) fn block_rules(program: &Program) -> Vec<Diagnostic> {
                     id.map_or(Some(0.0), |id| fold::number(program, id, &Nothing))
                 };
                 let finding = unmatched(&program.name(name), count(args), number);
-                found.extend(finding.map(|finding| Diagnostic { span: Some(word.span), ..finding }));
+                found.extend(finding.map(|finding| finding.on(word.span)));
             }
         }
     }
@@ -57,7 +57,7 @@ fn once(program: &Program, word: &Word) -> Option<(usize, Span)> {
 }
 
 fn at(sentence: &Own, program: &Program, name: Span, span: Span) -> Diagnostic {
-    Diagnostic { span: Some(span), ..sentence.finding().text("word", program.name(name)) }
+    sentence.finding().text("word", program.name(name)).on(span)
 }
 
 #[cfg(test)]

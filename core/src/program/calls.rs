@@ -16,7 +16,7 @@ use super::write::is_expression;
 use crate::control::{Control, Plane, Transverse, UnitFunction, delivery};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::dialect::Dialect;
-use crate::entry::{ArgumentList, Cycle, Typed};
+use crate::entry::{ArgumentList, Cycle, Style, Typed};
 use crate::name::Name;
 use crate::syntax::programs::programs;
 use crate::syntax::tree::{Word, WordKind};
@@ -24,6 +24,7 @@ use crate::syntax::{BETWEEN, Program, fold};
 use site::Found;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use subprograms::Subprograms;
+use uses::is_cycle;
 
 /// A measuring call. Lines count from 0.
 pub struct CallSite {
@@ -94,6 +95,19 @@ impl CallSite {
         self.expressions.get(name).or_else(open).map(String::as_str)
     }
 
+    /// The list of a newer control in which it is written.
+    pub fn newer_list(&self) -> Option<&'static ArgumentList> {
+        self.list.filter(|list| list.style == Style::Operate)
+    }
+
+    /// A control with the plane and the units that are in force at the call.
+    pub fn control_at(&self, control: &Control) -> Control {
+        let mut control = control.clone();
+        control.plane = self.plane;
+        control.choose_units(self.unit_function as u16);
+        control
+    }
+
     /// The values on one of its ways.
     pub fn values_on<'a>(&'a self, way: &'a Way) -> &'a Typed {
         way.values.as_ref().unwrap_or(&self.values)
@@ -101,8 +115,7 @@ impl CallSite {
 
     /// Whether a value is written in another program of the text.
     fn is_foreign(&self, name: &str, place: Span) -> bool {
-        let origins = self.origins.get(name).into_iter().flatten();
-        origins.into_iter().any(|origin| origin.place == place)
+        self.origins.get(name).into_iter().flatten().any(|origin| origin.place == place)
     }
 
     /// Whether a value depends on the way to the call.
@@ -113,8 +126,7 @@ impl CallSite {
 
     /// Whether more places may give a value than are known.
     pub fn is_of_many(&self, name: &str) -> bool {
-        let origins = self.origins.get(name);
-        origins.is_some_and(|origins| origins.len() >= ALTERNATIVES)
+        self.origins.get(name).is_some_and(|origins| origins.len() >= ALTERNATIVES)
     }
 }
 
@@ -218,11 +230,10 @@ impl Follow for Walk<'_> {
     }
 
     fn call(&mut self, place: &mut Place, word: &Word) {
-        if let WordKind::Call { name, args, .. } = &word.kind {
-            let start = self.program.text(*name).get(..5);
-            if start.is_some_and(|start| start.eq_ignore_ascii_case(b"CYCLE")) {
-                self.cycle(place, word.span, *name, args);
-            }
+        if let WordKind::Call { name, args, .. } = &word.kind
+            && is_cycle(self.program, *name)
+        {
+            self.cycle(place, word.span, *name, args);
         }
     }
 
@@ -241,8 +252,6 @@ impl Follow for Walk<'_> {
     fn leave(&mut self, caller: &Place, way: (&Place, &Place), entry: &Entry, saves: bool) -> Place {
         self.left(caller, way, entry, saves)
     }
-
-    fn end(&mut self, _: &Place) {}
 }
 
 impl Walk<'_> {

@@ -9,7 +9,7 @@ use crate::entry::{AUXILIARY, Arg};
 use crate::name::Name;
 use crate::own;
 use crate::syntax::Program;
-use crate::syntax::programs::{Programs, programs};
+use crate::syntax::programs::programs;
 use crate::syntax::tree::{Word, WordKind};
 use std::collections::BTreeSet;
 
@@ -18,7 +18,7 @@ pub(super) fn stuck(program: &Program, site: &CallSite) -> Option<Diagnostic> {
     let list = site.list?;
     let places = arguments::places(program, site.span);
     list.args.iter().zip(places).find_map(|(arg, place)| {
-        let text = String::from_utf8_lossy(program.text(place)).into_owned();
+        let text = program.written(place);
         let said = !text.is_empty() && !is_literal(&text);
         let lost = said && matches!(arg, Arg::Select(_) | Arg::Open | Arg::Is(_));
         lost.then(|| own::CONVERT_ARGUMENT.finding().text("value", text))
@@ -44,8 +44,7 @@ pub(super) fn moves(program: &Program, site: &CallSite, said: &[Name]) -> Option
 /// The expression of a value is not worth the same at the call.
 pub(super) fn changing(site: &CallSite, name: Name) -> Diagnostic {
     let value = site.expression(name.as_str()).unwrap_or_default();
-    let finding = own::CONVERT_EXPRESSION.finding().text("name", name);
-    let finding = finding.text("value", value).hint_text("name", name);
+    let finding = own::CONVERT_EXPRESSION.finding().text("name", name).text("value", value).hint_text("name", name);
     finding.hint_text("value", value)
 }
 
@@ -59,19 +58,12 @@ fn stays(program: &Program, site: &CallSite, name: &str, text: &str) -> bool {
     }
     let reads = Reads::of(program, text);
     let programs = programs(program);
-    let unit = |place| unit_of(program, &programs, place);
+    let unit = |place: Span| programs.of_line(program.line_of(place.start));
     if unit(place) != unit(site.span) {
         // names of another program may mean nothing here
         return reads.parameters && site.expressions.contains_key(name);
     }
     site.expressions.contains_key(name) || straight(program, place, site, &reads)
-}
-
-/// The program of the text in which a place stands.
-fn unit_of(program: &Program, programs: &Programs, place: Span) -> Option<usize> {
-    let line = program.line_of(place.start) as usize;
-    let mut units = programs.units.iter();
-    units.position(|unit| unit.blocks.contains(&line))
 }
 
 /// The variables that an expression reads.
@@ -86,13 +78,8 @@ struct Reads {
 impl Reads {
     fn of(program: &Program, text: &str) -> Reads {
         let names = names(text);
-        let declared = |name: &String| {
-            let mut words = program.words.iter();
-            words.any(|word| match word.kind {
-                WordKind::Declare { name: place, .. } => program.name(place) == *name,
-                _ => false,
-            })
-        };
+        let declared =
+            |name: &String| program.words.iter().filter_map(Word::declared).any(|place| program.is(place, name));
         Reads {
             parameters: names.iter().all(|name| is_parameter(name)),
             plain: names.iter().all(|name| is_parameter(name) || declared(name)),

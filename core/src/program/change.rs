@@ -7,17 +7,17 @@ use crate::control::delivery;
 pub use crate::diagnostic::Edit;
 use crate::diagnostic::Span;
 use crate::dialect::Dialect;
-use crate::entry::{Arg, Kind, Style, names};
+use crate::entry::{Arg, Kind, names};
 use crate::syntax::Program;
-use crate::syntax::tree::{Block, Word, WordKind};
+use crate::syntax::tree::{Block, Word};
 
 /// Gives a parameter of a call this value, as typed; an empty one takes the parameter away.
 /// A value that an earlier call or another parameter shares is left alone: the call gets an assignment of its own.
 pub fn change(program: &Program, site: &CallSite, name: &str, value: &str) -> Vec<Edit> {
-    let Some(param) = site.cycle.params.iter().find(|param| param.name == name) else {
+    let Some(param) = site.cycle.param(name) else {
         return Vec::new();
     };
-    let text = matches!(param.kind, Kind::Text(_));
+    let (name, text) = (param.name.as_str(), matches!(param.kind, Kind::Text(_)));
     // what cannot be written as one value stays in the form, where its problem is told
     let written = write::value(param, value).unwrap_or_default();
     if written.is_empty() && !value.trim().is_empty() {
@@ -27,38 +27,33 @@ pub fn change(program: &Program, site: &CallSite, name: &str, value: &str) -> Ve
     if param.name == names::KNUM && takes_no_tool(program, site, &value) {
         return Vec::new();
     }
-    if let Some(edits) = arguments::change(program, site, param.name.as_str(), &value) {
+    if let Some(edits) = arguments::change(program, site, name, &value) {
         return edits;
     }
-    if site.list.is_some_and(|list| list.style == Style::Operate) {
+    if site.newer_list().is_some() {
         return Vec::new();
     }
-    if let Some(edits) = elsewhere(program, site, param.name.as_str(), &value) {
+    if let Some(edits) = elsewhere(program, site, name, &value) {
         return edits;
     }
-    match site.own_place(param.name.as_str()) {
+    match site.own_place(name) {
         Some(place) if program.text(around(program, place)) == value.as_bytes() => Vec::new(),
         Some(place) if arguments::is_auxiliary(program, place) && nothing(&value) => {
-            let mut edits = vec![Edit { span: place, insert: String::new() }];
-            let anew = add(program, site, param.name.as_str(), &value);
-            edits.extend(anew.filter(|_| !value.is_empty()));
-            edits
+            let anew = add(program, site, name, &value).filter(|_| !value.is_empty());
+            std::iter::once(Edit::replace(place, "")).chain(anew).collect()
         }
         Some(place) if value.is_empty() => vec![remove(program, place)],
         Some(place) => vec![replace(program, place, value)],
         None if value.is_empty() => Vec::new(),
-        None => add(program, site, param.name.as_str(), &value).into_iter().collect(),
+        None => add(program, site, name, &value).into_iter().collect(),
     }
 }
 
 /// Whether a new `_KNUM` would be a tool target in the list of a newer control, where it has an argument of its own.
 fn takes_no_tool(program: &Program, site: &CallSite, value: &str) -> bool {
-    if site.list.is_none_or(|list| list.style != Style::Operate) {
-        return false;
-    }
     let mut values = site.values.clone();
     values.insert(names::KNUM.to_string(), value.to_owned());
-    newer::has_tool_target(site.cycle, &values, &delivery(program.dialect))
+    site.newer_list().is_some() && newer::has_tool_target(site.cycle, &values, &delivery(program.dialect))
 }
 
 /// Edits of a value that is written in other programs of the text, or on more ways than one: of each place where all
@@ -104,13 +99,10 @@ fn around(program: &Program, place: Span) -> Span {
 /// Another value at a place; quotes that stand there already stay.
 fn replace(program: &Program, place: Span, value: String) -> Edit {
     let whole = around(program, place);
-    let inner = match parse_text(&value) {
-        Text::Plain(inner) if whole != place => inner.to_owned(),
-        _ => {
-            return Edit { span: whole, insert: value };
-        }
-    };
-    Edit { span: place, insert: inner }
+    match parse_text(&value) {
+        Text::Plain(inner) if whole != place => Edit::replace(place, inner),
+        _ => Edit::replace(whole, value),
+    }
 }
 
 /// The program after the edits, which are in any order and do not overlap; one that overlaps an earlier one is left
@@ -173,15 +165,18 @@ fn remove(program: &Program, place: Span) -> Edit {
     let span = word_around(program, place);
     let block = program.blocks.get(program.line_of(place.start) as usize);
     let line = block.map_or(span, |block| block.span);
-    let blank = |byte: &&u8| matches!(byte, b' ' | b'\t');
     let before = program.text(Span { start: line.start, end: span.start });
-    let blanks = before.iter().rev().take_while(blank).count();
+    let blanks = before.iter().rev().take_while(|byte| is_blank(byte)).count();
     if blanks < before.len() {
-        return Edit { span: Span { start: span.start - blanks as u32, end: span.end }, insert: String::new() };
+        return Edit::remove(span.start - blanks as u32, span.end);
     }
     let behind = program.text(Span { start: span.end, end: line.end });
-    let blanks = behind.iter().take_while(blank).count();
-    Edit { span: Span { start: span.start, end: span.end + blanks as u32 }, insert: String::new() }
+    let blanks = behind.iter().take_while(|byte| is_blank(byte)).count();
+    Edit::remove(span.start, span.end + blanks as u32)
+}
+
+pub(super) fn is_blank(byte: &u8) -> bool {
+    matches!(byte, b' ' | b'\t')
 }
 
 /// The whole assignment around a value; the value itself where it is an element of a list.
@@ -203,8 +198,7 @@ fn add(program: &Program, site: &CallSite, name: &str, value: &str) -> Option<Ed
     } else {
         format!("{}={value}", written_name(program, site, name)?)
     };
-    let own = site.places.keys().filter_map(|name| site.place_of_its_own(name));
-    let own = own.filter(|place| {
+    let own = site.places.keys().filter_map(|name| site.place_of_its_own(name)).filter(|place| {
         let before = site.behind <= place.start && program.line_of(place.start) <= site.line;
         before && !arguments::is_argument(program, *place)
     });
@@ -212,9 +206,10 @@ fn add(program: &Program, site: &CallSite, name: &str, value: &str) -> Option<Ed
         own.max_by_key(|place| place.start).map(|place| program.word_at(place).map_or(place.end, |word| word.span.end));
     let last = last.filter(|end| goes_straight(program, *end, site.span.start));
     Some(match last {
-        Some(end) => inserted(end, format!(" {written}")),
-        None if program.dialect == Dialect::Nct => inserted(site.span.end, format!(" {written}")),
-        None => new_line(program, site, &written),
+        Some(end) => Edit::insert(end, format!(" {written}")),
+        None if program.dialect == Dialect::Nct => Edit::insert(site.span.end, format!(" {written}")),
+        None => line_at_begin(program, site.line, &written)
+            .unwrap_or_else(|| Edit::insert(site.span.start, format!("{written} "))),
     })
 }
 
@@ -225,41 +220,32 @@ fn goes_straight(program: &Program, from: u32, to: u32) -> bool {
     let skips = lines.into_iter().flatten().any(|block| block.skip.is_some());
     let first = program.words.partition_point(|word| word.span.end < from);
     let words = program.words.get(first..).unwrap_or_default();
-    let turns = |word: &Word| matches!(word.kind, WordKind::Keyword { .. } | WordKind::Label(_));
+    let turns = |word: &Word| word.keyword().or(word.label()).is_some();
     !skips && !words.iter().take_while(|word| word.span.start < to).any(turns)
-}
-
-fn inserted(at: u32, insert: String) -> Edit {
-    Edit { span: Span { start: at, end: at }, insert }
-}
-
-fn new_line(program: &Program, site: &CallSite, written: &str) -> Edit {
-    line_at_begin(program, site.line, written).unwrap_or_else(|| inserted(site.span.start, format!("{written} ")))
 }
 
 /// Writes a line of its own before this line; where a jump may come to the line, behind its label.
 pub(super) fn line_at_begin(program: &Program, line: u32, written: &str) -> Option<Edit> {
-    let begin = behind_label(program, line);
-    let behind = |at| inserted(at, format!("{written}{}", line_end(program, line)));
-    begin.map(behind).or_else(|| line_before(program, line, written))
+    match behind_label(program, line) {
+        Some(at) => Some(Edit::insert(at, format!("{written}{}", line_end(program, line)))),
+        None => line_before(program, line, written),
+    }
 }
 
 /// Where a line goes on behind its label; none: it has no label, or nothing behind it.
 pub(super) fn behind_label(program: &Program, line: u32) -> Option<u32> {
     let words = program.words_of(program.blocks.get(line as usize)?);
-    let label = |word: &&Word| matches!(word.kind, WordKind::Label(_));
-    let mut from_label = words.iter().skip_while(|word| !label(word));
-    Some(from_label.find(|word| !label(word))?.span.start)
+    let mut from_label = words.iter().skip_while(|word| word.label().is_none());
+    Some(from_label.find(|word| word.label().is_none())?.span.start)
 }
 
 /// Writes a line of its own before this line, indented and numbered like it.
 pub(super) fn line_before(program: &Program, line: u32, written: &str) -> Option<Edit> {
     let block = program.blocks.get(line as usize)?;
-    let indent: Vec<u8> =
-        program.text(block.span).iter().copied().take_while(|byte| matches!(byte, b' ' | b'\t')).collect();
+    let indent = program.text(block.span).iter().take_while(|byte| is_blank(byte)).count();
+    let indent = program.written(Span { end: block.span.start + indent as u32, ..block.span });
     let number = number_between(program, line, block).map_or(String::new(), |number| format!("N{number} "));
-    let text = format!("{}{number}{written}{}", String::from_utf8_lossy(&indent), line_end(program, line));
-    Some(inserted(block.span.start, text))
+    Some(Edit::insert(block.span.start, format!("{indent}{number}{written}{}", line_end(program, line))))
 }
 
 /// A block number between the line's own and the one before it, if there is room.

@@ -8,11 +8,10 @@ use super::write::{Values, Written, snippet_of};
 use super::{arguments, carried};
 use crate::check::{Parsed, newer, parse};
 use crate::control::Control;
-use crate::diagnostic::{Diagnostic, Span};
-use crate::entry::{AUXILIARY_ARGS, ArgumentList, Param, Style, Typed};
+use crate::diagnostic::Diagnostic;
+use crate::entry::{AUXILIARY_ARGS, Param, Style, Typed};
 use crate::name::Name;
 use crate::support::Mark;
-use crate::syntax::tree::WordKind;
 use crate::syntax::{Program, read};
 use crate::{check, own};
 
@@ -28,14 +27,12 @@ pub struct Converted {
 pub fn convert(program: &Program, index: usize, style: Style, control: &Control) -> Converted {
     let sites = calls_on(program, control.clone());
     let Some(site) = sites.get(index) else {
-        return Converted { edits: Vec::new(), findings: Vec::new() };
+        return refused(Vec::new());
     };
     if site.list.map_or(Style::Direct, |list| list.style) == style {
-        return Converted { edits: Vec::new(), findings: vec![own::CONVERT_SAME.finding()] };
+        return refused(vec![own::CONVERT_SAME.finding()]);
     }
-    let mut at_call = control.clone();
-    at_call.plane = site.plane;
-    at_call.choose_units(site.unit_function as u16);
+    let at_call = site.control_at(control);
     if let Some(finding) = foreign(program, site, &at_call) {
         return refused(vec![finding]);
     }
@@ -51,9 +48,7 @@ pub fn convert(program: &Program, index: usize, style: Style, control: &Control)
     let edits = rewritten(program, site, &written);
     let after = read(program.dialect, &apply(&program.source, &edits));
     let after = calls_on(&after, control.clone());
-    let there = after.get(index);
-    let differs = there.and_then(|after| carried::differs(site, after, &written.said));
-    if let Some(name) = differs {
+    if let Some(name) = after.get(index).and_then(|after| carried::differs(site, after, &written.said)) {
         return refused(vec![carried::changing(site, name)]);
     }
     let mut findings = written.findings;
@@ -62,25 +57,16 @@ pub fn convert(program: &Program, index: usize, style: Style, control: &Control)
     Converted { edits, findings }
 }
 
-/// The list of a newer control in which the call is written.
-fn of_newer(site: &CallSite) -> Option<&'static ArgumentList> {
-    site.list.filter(|list| list.style == Style::Operate)
-}
-
 /// Why no other way of writing says the same.
 fn foreign(program: &Program, site: &CallSite, control: &Control) -> Option<Diagnostic> {
     let list = site.list?;
     let value = |name: &str| site.values.get(name).map_or("", String::as_str);
     let variant = site.cycle.variant_param()?;
     if !list.has_variant(site.cycle) && parse(value(variant.as_str())) == Parsed::Expression {
-        let finding = own::WRITE_VARIANT_OPEN.finding();
-        return Some(finding.text("value", value(variant.as_str())));
+        return Some(own::WRITE_VARIANT_OPEN.finding().text("value", value(variant.as_str())));
     }
-    let list = of_newer(site)?;
-    let said = |name: &str, value: &str| {
-        let finding = own::CONVERT_NEWER.finding().text("param", name);
-        finding.text("value", value)
-    };
+    let list = site.newer_list()?;
+    let said = |name: &str, value: &str| own::CONVERT_NEWER.finding().text("param", name).text("value", value);
     let target = arguments::only_newer(program, list, site.span);
     if let Some((name, text)) = target.iter().find(|(name, _)| *name == TOOL_TARGET) {
         return Some(said(name, text));
@@ -95,7 +81,7 @@ const TOOL_TARGET: &str = "S_KNUM1";
 /// The values of a call, those included that an omitted argument of a newer list stands for: other ways of writing take
 /// what an earlier call left.
 fn explicit(site: &CallSite, control: &Control) -> Typed {
-    if of_newer(site).is_none() {
+    if site.newer_list().is_none() {
         return site.values.clone();
     }
     let mut values = newer::with_omitted(site.cycle, &site.values);
@@ -111,7 +97,7 @@ fn explicit(site: &CallSite, control: &Control) -> Typed {
 
 /// What only the list of the newer control says.
 fn left_out(program: &Program, site: &CallSite) -> Option<Diagnostic> {
-    let lost = arguments::only_newer(program, of_newer(site)?, site.span);
+    let lost = arguments::only_newer(program, site.newer_list()?, site.span);
     let names: Vec<String> = lost.iter().map(|(name, text)| format!("{name} = {text}")).collect();
     let finding = own::CONVERT_LOST.finding().text("names", names.join(", "));
     (!names.is_empty()).then_some(finding)
@@ -138,14 +124,11 @@ fn rewritten(program: &Program, site: &CallSite, written: &Written) -> Vec<Edit>
     if let (true, Some((_, place))) = (marks, mark_before(program, site)) {
         edits.push(without_comment(program, place));
     }
-    edits.push(Edit { span: site.span, insert: call });
+    edits.push(Edit::replace(site.span, call));
     if let (Some(block), false) = (program.blocks.get(site.line as usize), lines.is_empty()) {
         let end = line_end(program, site.line);
         let at = behind_label(program, site.line).unwrap_or(block.span.start);
-        edits.push(Edit {
-            span: Span { start: at, end: at },
-            insert: lines.iter().map(|line| format!("{line}{end}")).collect(),
-        });
+        edits.push(Edit::insert(at, lines.iter().map(|line| format!("{line}{end}")).collect::<String>()));
     }
     edits.sort_by_key(|edit| (edit.span.start, edit.span.end));
     edits
@@ -161,13 +144,9 @@ fn is_auxiliary(program: &Program, site: &CallSite, name: &str) -> bool {
 /// stays as assignments.
 fn kept(program: &Program, site: &CallSite, own: &Lines, said: &[Name]) -> Vec<String> {
     let mut lines = Vec::new();
-    for word in own.values().flatten() {
-        if !matches!(word.kind, WordKind::Call { .. }) {
-            continue;
-        }
-        let places = arguments::places(program, word.span);
-        for (name, place) in AUXILIARY_ARGS.iter().zip(places) {
-            let text = String::from_utf8_lossy(program.text(place)).into_owned();
+    for word in own.values().flatten().filter(|word| word.called().is_some()) {
+        for (name, place) in AUXILIARY_ARGS.iter().zip(arguments::places(program, word.span)) {
+            let text = program.written(place);
             let says = !text.is_empty() && text.parse() != Ok(0.0);
             if says && site.cycle.param(name).is_none() {
                 lines.push(format!("{name}={text}"));
@@ -203,11 +182,8 @@ fn others(sites: &[CallSite], after: &[CallSite], index: usize, control: &Contro
     let mut findings = Vec::new();
     for (place, (before, after)) in sites.iter().zip(after).enumerate() {
         if place != index && !means_the_same(before, after, control) {
-            let finding = own::CONVERT_OTHERS.finding();
-            findings.push(Diagnostic {
-                span: Some(before.span),
-                ..finding.text("cycle", before.cycle.name).number("line", f64::from(before.line + 1))
-            });
+            let finding = own::CONVERT_OTHERS.finding().text("cycle", before.cycle.name);
+            findings.push(finding.number("line", f64::from(before.line + 1)).on(before.span));
         }
     }
     findings

@@ -5,7 +5,7 @@ use super::block_rules::block_rules;
 use super::calls::macros::of_another_control;
 use super::calls::{CallSite, calls_on};
 use crate::control::{Control, delivery};
-use crate::diagnostic::{Cure, Diagnostic, Edit, Severity, Span};
+use crate::diagnostic::{Diagnostic, Edit, Severity, Span};
 use crate::dialect::Dialect;
 use crate::message::Message;
 use crate::own;
@@ -26,8 +26,7 @@ pub fn findings_on(program: &Program, control: Control) -> Vec<Diagnostic> {
 
 /// The same where the calls of the program on this control are known already.
 pub fn findings_of(program: &Program, sites: &[CallSite], control: &Control) -> Vec<Diagnostic> {
-    let syntax = program.errors.iter();
-    let syntax = syntax.map(|error| not_understood(program, error));
+    let syntax = program.errors.iter().map(|error| not_understood(program, error));
     let blocks = match program.dialect {
         Dialect::Sinumerik => block_rules(program),
         Dialect::Nct => of_another_control(program),
@@ -61,7 +60,7 @@ pub fn not_understood(program: &Program, error: &SyntaxError) -> Diagnostic {
     if let Some(found) = foreign_character(program, error) {
         return found;
     }
-    let found = Diagnostic { span: Some(error.span), ..error.sentence.finding() };
+    let found = error.sentence.finding().on(error.span);
     let instead = match error.sentence.cause {
         cause if cause == own::SYNTAX_EXPONENT.cause => "EX",
         cause if cause == own::SYNTAX_COMMA.cause => ".",
@@ -71,8 +70,7 @@ pub fn not_understood(program: &Program, error: &SyntaxError) -> Diagnostic {
         return found;
     };
     let write = Message::new("syntax-write").text("value", number);
-    let cure = Cure { label: write.clone(), edits: vec![edit] };
-    Diagnostic { cure: Some(cure), ..found.hint(write) }
+    found.hint(write.clone()).cured(write, vec![edit])
 }
 
 /// A character that the language does not have where reading failed: from a text processor, or one that nobody sees.
@@ -92,26 +90,20 @@ fn foreign_character(program: &Program, error: &SyntaxError) -> Option<Diagnosti
     }
     let length = known.map_or(1, char::len_utf8) as u32;
     let number = format!("U+{:04X}", u32::from(character));
-    let found = own::SYNTAX_CHARACTER.finding().text("number", number);
+    let found = own::SYNTAX_CHARACTER.finding().text("number", number).on(error.span);
     let instead = match character {
         '\u{2010}'..='\u{2015}' | '\u{2212}' => "-",
         '\u{201C}'..='\u{201F}' | '\u{AB}' | '\u{BB}' => "\"",
-        _ if character.is_alphanumeric() => {
-            return Some(Diagnostic { span: Some(error.span), ..found });
-        }
+        _ if character.is_alphanumeric() => return Some(found),
         _ => " ",
     };
     let span = Span { start: error.span.start, end: error.span.start + length };
-    let edit = Edit { span, insert: instead.to_owned() };
+    let edit = Edit::replace(span, instead);
     let label = match instead {
         " " => Message::new("syntax-character-blank"),
         written => Message::new("syntax-write").text("value", written),
     };
-    Some(Diagnostic {
-        span: Some(error.span),
-        cure: Some(Cure { label: label.clone(), edits: vec![edit] }),
-        ..found.hint(label)
-    })
+    Some(found.hint(label.clone()).cured(label, vec![edit]))
 }
 
 /// The number around the byte at which reading failed, with something else in its place; none: no number stands there.
@@ -120,15 +112,13 @@ fn rewritten(program: &Program, at: Span, instead: &str) -> Option<(String, Edit
     let of_number = |byte: &&u8| byte.is_ascii_digit() || **byte == b'.';
     let digits = before.iter().rev().take_while(of_number).count();
     let (wrong, behind) = behind.split_first()?;
-    let sign = behind.iter().take_while(|byte| b"+-".contains(byte)).count();
-    let sign = if *wrong == b',' { 0 } else { sign.min(1) };
+    let sign = if *wrong == b',' { 0 } else { behind.iter().take_while(|byte| b"+-".contains(byte)).count().min(1) };
     let power = behind.get(sign..)?.iter().take_while(of_number).count();
     if digits == 0 || power == 0 {
         return None;
     }
     let mantissa = String::from_utf8_lossy(before.get(before.len() - digits..)?);
     let power = String::from_utf8_lossy(behind.get(..sign + power)?);
-    let span = Span { start: at.start, end: at.start + 1 };
-    let insert = instead.to_owned();
-    Some((format!("{mantissa}{instead}{power}"), Edit { span, insert }))
+    let edit = Edit::replace(Span { end: at.start + 1, ..at }, instead);
+    Some((format!("{mantissa}{instead}{power}"), edit))
 }

@@ -9,11 +9,9 @@ use crate::syntax::tree::{Block, Word, WordKind};
 /// The comment with the settings and its place, on the line before the call's first; lines that set nothing but bits
 /// for it may stand between.
 pub fn mark_before(program: &Program, site: &CallSite) -> Option<(Mark, Span)> {
-    let mut before = program.blocks.get(..site.first_line as usize)?.iter();
-    let block = before.rfind(|block| !sets_bits(program, block))?;
+    let block = program.blocks.get(..site.first_line as usize)?.iter().rfind(|block| !sets_bits(program, block))?;
     let place = block.comment?;
-    let text = std::str::from_utf8(program.text(place)).ok()?;
-    Some((Mark::read(text)?, place))
+    Some((Mark::read(std::str::from_utf8(program.text(place)).ok()?)?, place))
 }
 
 fn sets_bits(program: &Program, block: &Block) -> bool {
@@ -21,8 +19,7 @@ fn sets_bits(program: &Program, block: &Block) -> bool {
     let is_bit = |word: &Word| match &word.kind {
         WordKind::Assign { value_span, .. } => {
             let target = Span { end: value_span.start, ..word.span };
-            let text = program.name(target);
-            let text: String = text.chars().filter(|one| !one.is_whitespace()).collect();
+            let text: String = program.name(target).chars().filter(|one| !one.is_whitespace()).collect();
             BITS.iter().any(|bit| text.strip_suffix('=') == Some(bit))
         }
         _ => false,

@@ -1,7 +1,7 @@
 //! The words that give values to one call only, outside of the call itself, and edits that take them away.
 
 use super::calls::CallSite;
-use super::change::Edit;
+use super::change::{Edit, is_blank};
 use super::values::{Spread, spread};
 use crate::diagnostic::Span;
 use crate::entry::AUXILIARY;
@@ -21,10 +21,8 @@ pub(super) fn own_words<'a>(
     wanted: impl Fn(&str) -> bool,
 ) -> Lines<'a> {
     let mut found = Lines::new();
-    let of_values = site.places.keys().filter(|name| wanted(name));
-    let of_values = of_values.filter_map(|name| site.own_place(name));
-    let of_bits = site.bits.iter().filter(|_| bits);
-    let of_bits = of_bits.map(|(_, _, place)| *place);
+    let of_values = site.places.keys().filter(|name| wanted(name)).filter_map(|name| site.own_place(name));
+    let of_bits = site.bits.iter().filter(|_| bits).map(|(_, _, place)| *place);
     let of_bits = of_bits.filter(|place| site.own_from <= place.start && place.end <= site.span.end);
     let places = of_values.chain(of_bits).filter(|place| *place != site.span);
     for place in places {
@@ -82,21 +80,13 @@ fn without_words(program: &Program, words: &[&Word], line: Span) -> Vec<Edit> {
         let blanks = before.iter().rev().take_while(|byte| is_blank(byte)).count();
         last.start -= blanks as u32;
     }
-    gaps.into_iter().map(|gap| removed(gap.start, gap.end)).collect()
-}
-
-fn is_blank(byte: &u8) -> bool {
-    matches!(byte, b' ' | b'\t')
-}
-
-fn removed(start: u32, end: u32) -> Edit {
-    Edit { span: Span { start, end }, insert: String::new() }
+    gaps.into_iter().map(|gap| Edit::remove(gap.start, gap.end)).collect()
 }
 
 /// A line from a byte on, with its end.
 fn without_line(program: &Program, line: u32, from: u32) -> Edit {
     let behind = program.blocks.get(line as usize + 1);
-    removed(from, behind.map_or(program.source.len() as u32, |next| next.span.start))
+    Edit::remove(from, behind.map_or(program.source.len() as u32, |next| next.span.start))
 }
 
 /// A comment; a line without anything else goes with its end.
@@ -104,6 +94,6 @@ pub(super) fn without_comment(program: &Program, comment: Span) -> Edit {
     let line = program.line_of(comment.start);
     match program.blocks.get(line as usize) {
         Some(block) if program.words_of(block).is_empty() => without_line(program, line, block.span.start),
-        _ => removed(comment.start, comment.end),
+        _ => Edit::remove(comment.start, comment.end),
     }
 }

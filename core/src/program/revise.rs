@@ -48,14 +48,10 @@ pub fn revise(program: &Program, index: usize, name: &str, value: &str, control:
         let own = idle.into_iter().filter(|name| site.own_place(name).is_some());
         let (kept, taken): (Vec<_>, Vec<_>) = own.partition(|name| site.expression(name).is_some());
         revision.steps.extend(without(&after, site, &taken));
-        let went = (!taken.is_empty()).then(|| {
-            let finding = own::REVISE_TAKEN.finding();
-            finding.text("names", taken.join(", "))
-        });
+        let went = (!taken.is_empty()).then(|| own::REVISE_TAKEN.finding().text("names", taken.join(", ")));
         let stay = kept.iter().map(|name| {
             let value = site.expression(name).unwrap_or_default();
-            let finding = own::REVISE_KEPT.finding();
-            finding.text("name", *name).text("value", value)
+            own::REVISE_KEPT.finding().text("name", *name).text("value", value)
         });
         revision.findings = went.into_iter().chain(stay).collect();
         revision.taken = taken;
@@ -69,9 +65,7 @@ fn idle(site: &CallSite, name: &str, value: &str, control: &Control) -> Vec<Name
     if cycle.variant_param().is_none_or(|own| own != name) {
         return Vec::new();
     }
-    let mut control = control.clone();
-    control.plane = site.plane;
-    control.choose_units(site.unit_function as u16);
+    let control = site.control_at(control);
     let mut values: Typed = site.values.clone();
     values.insert(name.to_owned(), value.to_owned());
     let chosen = |values| variants::chosen(cycle, values, &control);
@@ -99,7 +93,7 @@ fn without(program: &Program, site: &CallSite, names: &[Name]) -> Option<Vec<Edi
     for name in names.iter().filter(|name| !is_word(name)) {
         let place = site.own_place(name);
         let argument = place.filter(|place| arguments::is_argument(program, *place));
-        edits.extend(argument.map(|span| Edit { span, insert: String::new() }));
+        edits.extend(argument.map(|place| Edit::replace(place, "")));
     }
     edits.retain(|edit| edit.span.start < edit.span.end && edit.span != site.span);
     edits.sort_by_key(|edit| edit.span.start);

@@ -115,7 +115,6 @@ fn lengthless(control: &Control, edge: &Edge) -> bool {
 }
 
 fn named(control: &Control, name: &str) -> Option<i64> {
-    let mut tools = control.tools.iter();
-    let found = tools.find(|(_, tool)| tool.name.eq_ignore_ascii_case(name));
+    let found = control.tools.iter().find(|(_, tool)| tool.name.eq_ignore_ascii_case(name));
     found.map(|(number, _)| *number)
 }

@@ -37,15 +37,12 @@ fn one(program: &Program, edits: &[Edit], line: u32) -> Option<Line> {
         let begins = span.start <= edit.span.start && edit.span.start <= span.end;
         begins || edit.span.start < span.start && edit.span.end > span.start
     });
-    let edits: Vec<Edit> = here
-        .map(|edit| Edit {
-            span: Span { start: within(edit.span.start), end: within(edit.span.end) },
-            insert: match edit.span.start >= span.start {
-                true => edit.insert.clone(),
-                false => String::new(),
-            },
-        })
-        .collect();
+    // what an edit writes stands in the line in which it begins
+    let part = |edit: &Edit| Edit {
+        span: Span { start: within(edit.span.start), end: within(edit.span.end) },
+        insert: if edit.span.start >= span.start { edit.insert.clone() } else { String::new() },
+    };
+    let edits: Vec<Edit> = here.map(part).collect();
     let before = program.text(span);
     let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).trim_end().to_owned();
     Some(Line { line, before: text(before), after: text(&apply(before, &edits)) })
@@ -59,8 +56,7 @@ fn stays(line: &Line) -> bool {
 /// The lines that edits for a call change outside of its own, which are those from its first assignment to itself.
 pub fn elsewhere(program: &Program, site: &CallSite, edits: &[Edit]) -> Vec<Line> {
     let own = site.first_line..=site.line;
-    let lines = touched(program, edits).into_iter();
-    lines.filter(|line| !own.contains(&line.line)).collect()
+    touched(program, edits).into_iter().filter(|line| !own.contains(&line.line)).collect()
 }
 
 /// The lines that the cure of a finding changes elsewhere than where it is told: not in its line, and not in those of a

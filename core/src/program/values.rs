@@ -105,11 +105,10 @@ fn closes_itself(text: &str) -> bool {
 /// The value of an expression that stands at `place`.
 pub(super) fn value(program: &Program, id: ExprId, place: Span, known: &impl Known) -> Value {
     let number = fold::number(program, id, known);
-    let written = || String::from_utf8_lossy(program.text(place)).trim().to_owned();
+    let written = || program.written(place).trim().to_owned();
     match (program.expr(id), number) {
         (Some(Expr::Text(inside)), _) => {
-            let text = typed_text(&String::from_utf8_lossy(program.text(*inside)));
-            Value { quoted: true, ..Value::at(text, number, *inside) }
+            Value { quoted: true, ..Value::at(typed_text(&program.written(*inside)), number, *inside) }
         }
         (Some(expr), Some(_)) if literal(program, expr) => Value::at(written().replace(' ', ""), number, place),
         (Some(_), Some(worth)) => Value { expression: Some(written()), ..Value::at(worth.to_string(), number, place) },
@@ -132,8 +131,7 @@ fn literal(program: &Program, expr: &Expr) -> bool {
 /// Place of an expression, as far as its parts tell it.
 pub(super) fn place(program: &Program, id: ExprId) -> Option<Span> {
     match program.expr(id)? {
-        Expr::Number(_, span) | Expr::Omitted(span) => Some(*span),
-        Expr::Text(span) => Some(*span),
+        Expr::Number(_, span) | Expr::Omitted(span) | Expr::Text(span) => Some(*span),
         Expr::Name { name, index } if index.is_empty() => Some(*name),
         Expr::Unary(_, inner) => {
             let inner = place(program, *inner)?;

@@ -120,8 +120,7 @@ impl Cloud {
         match (before(1.0), behind(1.0)) {
             (Some(one), Some(other)) => vec![one, other],
             (Some(one), None) | (None, Some(one)) => {
-                let second = before(2.0).or(behind(2.0));
-                let second = second.filter(|two| *two != one);
+                let second = before(2.0).or(behind(2.0)).filter(|two| *two != one);
                 let second = second.or_else(|| next(one).then(|| beyond(one)));
                 [Some(one), second].into_iter().flatten().collect()
             }

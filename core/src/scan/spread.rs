@@ -52,8 +52,7 @@ mod tests {
     // oracle: hand: of lines with as many points as there are pieces, a plain order would draw a single column
     #[test]
     fn lines_of_equal_length_show_no_columns() {
-        let turns = turns(1024 * 1024).into_iter().enumerate();
-        let first = turns.filter(|(_, turn)| *turn < 1024);
+        let first = turns(1024 * 1024).into_iter().enumerate().filter(|(_, turn)| *turn < 1024);
         let mut columns: Vec<usize> = first.map(|(place, _)| place % 1024).collect();
         columns.sort_unstable();
         columns.dedup();

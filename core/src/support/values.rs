@@ -52,8 +52,7 @@ impl Entered {
     /// Gives the control what the call writes into data of the machine, so that checks and simulation see it. The
     /// data as they were come back, for [`restore`].
     pub fn write(&self, control: &mut Control) -> Before {
-        let bits = self.bits.iter();
-        let bits = bits.map(|(name, on)| ((*name).to_owned(), f64::from(u8::from(*on))));
+        let bits = self.bits.iter().map(|(name, on)| ((*name).to_owned(), f64::from(u8::from(*on))));
         let is_datum = |name: &str| gud::named(name).is_some_and(gud::Gud::of_machine);
         let data = self.values.iter().filter_map(|(name, text)| match parse(text) {
             Parsed::Number(number) if is_datum(name) => Some((name.clone(), number)),

@@ -26,8 +26,7 @@ pub fn read(dialect: Dialect, source: &[u8]) -> Program {
 pub fn read_told(dialect: Dialect, source: &[u8], told: &mut dyn FnMut(f64)) -> Program {
     // Places are u32; what lies beyond 4 GiB is kept but not read.
     let whole = source.get(..u32::MAX as usize).unwrap_or(source);
-    let end = whole.iter().position(|byte| *byte == END_OF_FILE);
-    let end = end.or_else(|| filled(whole));
+    let end = whole.iter().position(|byte| *byte == END_OF_FILE).or_else(|| filled(whole));
     let readable = end.and_then(|end| whole.get(..end)).unwrap_or(whole);
     let mut reader = Reader::new(readable);
     while reader.at < readable.len() || reader.blocks.is_empty() {

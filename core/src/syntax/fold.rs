@@ -1,6 +1,6 @@
 //! Names and constant values as far as they can be known without running the program.
 
-use super::tree::{Expr, ExprId, Operator, Program, Word, WordKind};
+use super::tree::{Expr, ExprId, Operator, Program, WordKind};
 use crate::diagnostic::Span;
 use std::collections::HashMap;
 
@@ -78,12 +78,8 @@ fn binary(left: f64, operator: Operator, right: f64) -> Option<f64> {
 /// How often each variable is assigned, if the program can run a line twice; else nothing.
 pub(crate) fn unsteady(program: &Program) -> HashMap<String, u32> {
     const BACK: [&str; 7] = ["FOR", "WHILE", "DO", "REPEAT", "LOOP", "GOTOB", "GOTO"];
-    let repeats = |word: &Word| match word.kind {
-        WordKind::Keyword { name, .. } => BACK.iter().any(|keyword| program.is(name, keyword)),
-        _ => false,
-    };
     let mut counts = HashMap::new();
-    if program.words.iter().any(repeats) {
+    if program.words.iter().any(|word| program.is_keyword(word, &BACK)) {
         for word in &program.words {
             if let WordKind::Assign { name: place, index, .. } = &word.kind
                 && let Some(name) = name(program, *place, index, &Nothing)

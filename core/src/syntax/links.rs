@@ -94,10 +94,7 @@ fn end_of(name: &str) -> Option<&'static str> {
 pub fn structural(program: &Program, words: &[Word]) -> Option<&'static str> {
     const NAMES: [&str; 11] =
         ["IF", "ELSE", "ENDIF", "WHILE", "ENDWHILE", "FOR", "ENDFOR", "LOOP", "ENDLOOP", "REPEAT", "UNTIL"];
-    let jumps = words.iter().any(|word| match &word.kind {
-        WordKind::Keyword { name, .. } => program.name(*name).starts_with("GOTO") || program.is(*name, "THEN"),
-        _ => false,
-    });
+    let jumps = words.iter().any(|word| program.is_keyword(word, &["GOTO", "GOTOF", "GOTOB", "GOTOC", "THEN"]));
     words.iter().find_map(|word| {
         let WordKind::Keyword { name, value } = &word.kind else {
             return None;
@@ -118,7 +115,7 @@ pub fn structural(program: &Program, words: &[Word]) -> Option<&'static str> {
 /// The number behind `DO` or `END` of NCT.
 fn loop_number(program: &Program, words: &[Word]) -> Option<f64> {
     words.iter().find_map(|word| match &word.kind {
-        WordKind::Keyword { name, value: Some(value) } if program.is(*name, "DO") || program.is(*name, "END") => {
+        WordKind::Keyword { value: Some(value), .. } if program.is_keyword(word, &["DO", "END"]) => {
             match program.expr(*value) {
                 Some(Expr::Number(number, _)) => Some(*number),
                 _ => None,
@@ -132,13 +129,9 @@ fn loop_number(program: &Program, words: &[Word]) -> Option<f64> {
 pub fn targets(program: &Program) -> BTreeMap<String, Vec<usize>> {
     let mut targets: BTreeMap<String, Vec<usize>> = BTreeMap::new();
     for (i, block) in program.blocks.iter().enumerate() {
-        if let Some(number) = block.number {
-            targets.entry(canonical(&program.name(number))).or_default().push(i);
-        }
-        for word in program.words_of(block) {
-            if let WordKind::Label(name) = word.kind {
-                targets.entry(canonical(&program.name(name))).or_default().push(i);
-            }
+        let labels = program.words_of(block).iter().filter_map(Word::label);
+        for name in block.number.into_iter().chain(labels) {
+            targets.entry(canonical(&program.name(name))).or_default().push(i);
         }
     }
     targets

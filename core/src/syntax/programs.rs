@@ -1,7 +1,7 @@
 //! The programs of a text: `%_N_NAME_SPF` begins one, and so does a `PROC` behind another program's blocks; on NCT
 //! `O0110`, while a `%` alone is the begin or end of the tape.
 
-use super::tree::{Block, Program, WordKind};
+use super::tree::{Block, Program, Word, WordKind};
 use crate::diagnostic::Span;
 use crate::dialect::Dialect;
 use std::collections::{BTreeMap, BTreeSet};
@@ -33,6 +33,12 @@ pub struct Programs {
 }
 
 impl Programs {
+    /// Place in `units` of the program to which a line belongs, from 0; none: the line of a header, or before the first
+    /// one.
+    pub fn of_line(&self, line: u32) -> Option<usize> {
+        self.units.iter().position(|unit| unit.blocks.contains(&(line as usize)))
+    }
+
     /// The program with this name, as a call writes it: `NAME`, `_N_NAME_SPF`.
     pub fn named(&self, name: &str) -> Option<&Unit> {
         self.units.get(self.place(name)?)
@@ -90,8 +96,7 @@ fn close(found: &mut Programs, current: &mut Unit, end: usize, empty: bool) {
 
 /// Whether a block has no words, or on NCT the `%` of the tape alone.
 fn says_nothing(program: &Program, block: &Block) -> bool {
-    let mut words = program.words_of(block).iter();
-    words.all(|word| matches!(word.kind, WordKind::Header(_)))
+    program.words_of(block).iter().all(|word| matches!(word.kind, WordKind::Header(_)))
 }
 
 fn header(program: &Program, block: &Block) -> Option<String> {
@@ -114,22 +119,13 @@ pub fn numbered(number: f64) -> Option<String> {
 /// The name behind `PROC` or `EXTERN`.
 fn declared(program: &Program, block: &Block, keyword: &str) -> Option<String> {
     let words = program.words_of(block);
-    let begins = words.iter().any(|word| match &word.kind {
-        WordKind::Keyword { name, .. } => program.is(*name, keyword),
-        _ => false,
-    });
-    words.iter().filter(|_| begins).find_map(|word| match &word.kind {
-        WordKind::Declare { name, .. } => Some(program.name(*name)),
-        _ => None,
-    })
+    words.iter().find(|word| program.is_keyword(word, &[keyword]))?;
+    words.iter().find_map(Word::declared).map(|name| program.name(name))
 }
 
 /// The name behind `DEFINE`.
 fn defined(program: &Program, block: &Block) -> Option<String> {
-    let mut calls = program.words_of(block).iter().map(|word| match &word.kind {
-        WordKind::Call { name, .. } => Some(*name),
-        _ => None,
-    });
+    let mut calls = program.words_of(block).iter().map(Word::called);
     calls.next()?.filter(|name| program.is(*name, "DEFINE"))?;
     calls.next()?.map(|name| program.name(name))
 }
@@ -137,15 +133,10 @@ fn defined(program: &Program, block: &Block) -> Option<String> {
 /// Programs whose `PROC` has another name than their file, by which a call finds them: both names, and the place of the
 /// second.
 pub fn misnamed(program: &Program, programs: &Programs) -> Vec<(String, String, Span)> {
-    let units = programs.units.iter();
-    let named = units.filter_map(|unit| {
+    let named = programs.units.iter().filter_map(|unit| {
         let file = unit.file.clone()?;
         let block = program.blocks.get(unit.signature?)?;
-        let mut words = program.words_of(block).iter();
-        let name = words.find_map(|word| match &word.kind {
-            WordKind::Declare { name, .. } => Some(*name),
-            _ => None,
-        })?;
+        let name = program.words_of(block).iter().find_map(Word::declared)?;
         let said = program.name(name);
         (said != file).then_some((file, said, name))
     });
@@ -157,10 +148,8 @@ const ENDINGS: [&str; 4] = ["_SPF", "_MPF", ".SPF", ".MPF"];
 
 /// `/_N_WKS_DIR/_N_PART_WPD/_N_NAME_SPF`, `C:\PART\NAME.SPF` without what is no part of the name.
 pub fn bare(path: &str) -> &str {
-    let name = path.trim().rsplit(['/', '\\', ':']).next().unwrap_or(path);
-    let name = name.trim_start_matches("_N_");
-    let mut endings = ENDINGS.iter();
-    endings.find_map(|ending| name.strip_suffix(ending)).unwrap_or(name)
+    let name = path.trim().rsplit(['/', '\\', ':']).next().unwrap_or(path).trim_start_matches("_N_");
+    ENDINGS.iter().find_map(|ending| name.strip_suffix(ending)).unwrap_or(name)
 }
 
 #[cfg(test)]

@@ -1,5 +1,7 @@
 //! The tree: blocks of words with places in the source. Printing a tree is its source; a change is a splice.
 
+use super::fold;
+use super::programs::Unit;
 use crate::diagnostic::Span;
 use crate::dialect::Dialect;
 use crate::own::Own;
@@ -43,9 +45,56 @@ impl Program {
         String::from_utf8_lossy(self.text(span)).to_ascii_uppercase()
     }
 
+    /// Text at a place as it is written.
+    pub fn written(&self, span: Span) -> String {
+        String::from_utf8_lossy(self.text(span)).into_owned()
+    }
+
     /// Words of a block.
     pub fn words_of(&self, block: &Block) -> &[Word] {
         self.words.get(block.words.start as usize..block.words.end as usize).unwrap_or_default()
+    }
+
+    /// Blocks of one program of the text.
+    pub fn blocks_of(&self, unit: &Unit) -> &[Block] {
+        self.blocks.get(unit.blocks.clone()).unwrap_or_default()
+    }
+
+    /// Whether a word is one of these keywords.
+    pub fn is_keyword(&self, word: &Word, names: &[&str]) -> bool {
+        word.keyword().is_some_and(|name| names.iter().any(|one| self.is(name, one)))
+    }
+
+    /// Whether a word calls one of these.
+    pub fn is_call(&self, word: &Word, names: &[&str]) -> bool {
+        word.called().is_some_and(|name| names.iter().any(|one| self.is(name, one)))
+    }
+
+    /// Value of an address with these letters, whatever its extension.
+    pub fn address(&self, word: &Word, letters: &str) -> Option<ExprId> {
+        match word.kind {
+            WordKind::Address { name, value, .. } if self.is(name, letters) => Some(value),
+            _ => None,
+        }
+    }
+
+    /// Number of such an address, where no variable stands in it.
+    pub fn constant(&self, word: &Word, letters: &str) -> Option<f64> {
+        fold::number(self, self.address(word, letters)?, &fold::Nothing)
+    }
+
+    /// The same where a number stands there and nothing else.
+    pub fn literal(&self, word: &Word, letters: &str) -> Option<f64> {
+        match self.expr(self.address(word, letters)?)? {
+            Expr::Number(number, _) => Some(*number),
+            _ => None,
+        }
+    }
+
+    /// Number of an M function of the main spindle, where no variable stands in it.
+    pub fn machine_function(&self, word: &Word) -> Option<f64> {
+        let extended = matches!(word.kind, WordKind::Address { extension: Some(_), .. });
+        if extended { None } else { self.constant(word, "M") }
     }
 
     /// An expression by its index.
@@ -89,6 +138,40 @@ pub struct Word {
     pub span: Span,
     /// What it is.
     pub kind: WordKind,
+}
+
+impl Word {
+    /// Name of a keyword.
+    pub fn keyword(&self) -> Option<Span> {
+        match self.kind {
+            WordKind::Keyword { name, .. } => Some(name),
+            _ => None,
+        }
+    }
+
+    /// Name of what it calls.
+    pub fn called(&self) -> Option<Span> {
+        match self.kind {
+            WordKind::Call { name, .. } => Some(name),
+            _ => None,
+        }
+    }
+
+    /// Name that it declares.
+    pub fn declared(&self) -> Option<Span> {
+        match self.kind {
+            WordKind::Declare { name, .. } => Some(name),
+            _ => None,
+        }
+    }
+
+    /// Name of a label.
+    pub fn label(&self) -> Option<Span> {
+        match self.kind {
+            WordKind::Label(name) => Some(name),
+            _ => None,
+        }
+    }
 }
 
 /// What a word is. Names are spans; compare without regard to case.

@@ -1,13 +1,13 @@
 //! What has to be in force at a call.
 
-use super::{Seen, at, inherited, unsaid, with_line};
+use super::{Seen, inherited, unsaid, with_line};
 use crate::check::{error, warning};
 use crate::control::machine_data::TOOL_LENGTH_TYPE;
 use crate::control::probe::Unfit;
 use crate::control::tools::TURNING;
 use crate::control::{Control, MachineSort, delivery_in};
 use crate::diagnostic::{Code, Diagnostic, Severity};
-use crate::entry::{ProbeUse, Style, names};
+use crate::entry::{ProbeUse, names};
 use crate::message::Message;
 use crate::program::tools::ToolInUse;
 use crate::syntax::Program;
@@ -42,7 +42,7 @@ pub fn look(seen: &Seen, asked: &mut Asked, found: &mut Vec<Diagnostic>) {
     if !seen.site.cycle.purpose.probe.measures() {
         return;
     }
-    let mut say = |finding: Diagnostic| found.push(at(finding, seen.site.span));
+    let mut say = |finding: Diagnostic| found.push(finding.on(seen.site.span));
     compensation(seen).map(&mut say);
     if !asked.piece {
         for finding in unsaid::doubts(seen) {
@@ -86,48 +86,35 @@ fn edge(seen: &Seen, asked: &mut Asked) -> Option<Diagnostic> {
 /// take, their own checks say.
 fn tool(seen: &Seen) -> Option<Diagnostic> {
     let tool = milling_probe(seen)?;
-    let (unfit, code) = (tool.unfit?, Code::Alarm(61309));
-    let told = |key: &'static str, hint: &'static str| {
-        let message = Message::new(key)
-            .number("tool", tool.number as f64)
-            .number("type", tool.kind as f64)
-            .number("position", tool.tip as f64);
-        (message, Message::new(hint))
-    };
-    let plane = plane_of(&tool);
-    let (message, hint) = match unfit {
-        Unfit::Type => told("advice-tool", "advice-tool-hint"),
-        Unfit::Digit => told("advice-tool-digit", "advice-tool-digit-hint"),
-        Unfit::Assignment => told("advice-tool-assignment", "advice-tool-assignment-hint"),
-        Unfit::Tip => told("advice-tool-position", "advice-tool-position-hint"),
-        Unfit::Plane => {
-            let (message, hint) = told("advice-tool-plane", "advice-tool-plane-hint");
-            (message, hint.text("plane", plane))
-        }
-    };
     // what the text does not tell the machine may have
-    let open = match unfit {
-        Unfit::Digit => true,
-        Unfit::Assignment => !seen.control.data.contains_key(TOOL_LENGTH_TYPE),
-        Unfit::Plane => seen.force.plane.is().is_none(),
-        Unfit::Type | Unfit::Tip => false,
+    let (unfit, code) = (tool.unfit?, Code::Alarm(61309));
+    let (key, hint, open) = match unfit {
+        Unfit::Type => ("advice-tool", "advice-tool-hint", false),
+        Unfit::Digit => ("advice-tool-digit", "advice-tool-digit-hint", true),
+        Unfit::Assignment => {
+            let told = seen.control.data.contains_key(TOOL_LENGTH_TYPE);
+            ("advice-tool-assignment", "advice-tool-assignment-hint", !told)
+        }
+        Unfit::Tip => ("advice-tool-position", "advice-tool-position-hint", false),
+        Unfit::Plane => ("advice-tool-plane", "advice-tool-plane-hint", seen.force.plane.is().is_none()),
     };
-    let finding = match open {
-        true => warning(code, message),
-        false => error(code, message),
-    };
-    let finding = finding.hint(hint);
-    Some(match unfit {
-        Unfit::Plane => with_line(finding, seen, plane),
-        _ => finding,
-    })
+    let message = Message::new(key)
+        .number("tool", tool.number as f64)
+        .number("type", tool.kind as f64)
+        .number("position", tool.tip as f64);
+    let finding = if open { warning(code, message) } else { error(code, message) };
+    if unfit != Unfit::Plane {
+        return Some(finding.hint(Message::new(hint)));
+    }
+    let plane = plane_of(&tool);
+    Some(with_line(finding.hint(Message::new(hint).text("plane", plane)), seen, plane))
 }
 
 /// The tool in use where a milling cycle measures a workpiece.
 pub fn milling_probe(seen: &Seen) -> Option<ToolInUse> {
     let purpose = &seen.site.cycle.purpose;
     let probed = purpose.probe == ProbeUse::Workpiece && purpose.machine != MachineSort::Turning;
-    let known = |tool: &ToolInUse| of_newer(seen) && NEWER_PROBES.contains(&tool.kind);
+    let known = |tool: &ToolInUse| seen.site.newer_list().is_some() && NEWER_PROBES.contains(&tool.kind);
     seen.tool.filter(|tool| probed && !known(tool))
 }
 
@@ -139,12 +126,6 @@ pub fn plane_of(tool: &ToolInUse) -> &'static str {
     }
 }
 
-/// Whether the call is written in the list of a newer control.
-fn of_newer(seen: &Seen) -> bool {
-    let list = seen.site.list;
-    list.is_some_and(|list| list.style == Style::Operate)
-}
-
 /// Types of probes that newer controls know beside these.
 const NEWER_PROBES: RangeInclusive<i64> = 712..=714;
 
@@ -152,11 +133,8 @@ const NEWER_PROBES: RangeInclusive<i64> = 712..=714;
 fn spindle(seen: &Seen) -> Option<Diagnostic> {
     let workpiece = seen.site.cycle.purpose.probe == ProbeUse::Workpiece;
     let milling = seen.site.cycle.purpose.machine == MachineSort::Milling;
-    if !(workpiece && milling && seen.force.turning.is() == Some(&true)) {
-        return None;
-    }
-    let finding = own::ADVICE_SPINDLE.finding();
-    Some(with_line(finding, seen, "M5"))
+    let turns = workpiece && milling && seen.force.turning.is() == Some(&true);
+    turns.then(|| with_line(own::ADVICE_SPINDLE.finding(), seen, "M5"))
 }
 
 /// Trigger values of a workpiece probe (B:13443-13448).
@@ -179,8 +157,7 @@ fn known_machine(control: &Control) -> bool {
 
 /// Whether the program calibrates this probe anywhere.
 fn calibrates(seen: &Seen, (tool, number): (bool, i64)) -> bool {
-    let sites = seen.sites.iter();
-    let mut same = sites.filter(|site| (site.cycle.purpose.probe == ProbeUse::Tool) == tool);
+    let mut same = seen.sites.iter().filter(|site| (site.cycle.purpose.probe == ProbeUse::Tool) == tool);
     same.any(|site| {
         let inputs = check::read(site.cycle, &site.values, seen.control, &mut Vec::new());
         let own = inputs.given(names::PRNUM).map(|digits| digits as i64 % 100);
@@ -192,7 +169,7 @@ fn calibrates(seen: &Seen, (tool, number): (bool, i64)) -> bool {
 /// unless the program calibrates this probe later, or the machine has other probes calibrated and not this one.
 fn calibration(seen: &Seen, asked: &mut Asked) -> Option<Diagnostic> {
     let purpose = &seen.site.cycle.purpose;
-    if of_newer(seen) {
+    if seen.site.newer_list().is_some() {
         return None; // its probes are calibrated in data that are not here
     }
     let told = seen.site.diagnostics.iter();

@@ -1,6 +1,6 @@
 //! What happens behind a call: a corrected frame that is only stored counts when it is programmed again (B:1965).
 
-use super::{Seen, at, behind_call};
+use super::{Seen, behind_call};
 use crate::check::{Target, target};
 use crate::diagnostic::Diagnostic;
 use crate::entry::{Kind, ProbeUse, names};
@@ -9,12 +9,11 @@ use crate::evaluate::knum::ZeroCode;
 use crate::own;
 use crate::program::calls::CallSite;
 use crate::program::flow;
-use crate::program::flow::{Entry, Follow, Mode};
+use crate::program::flow::{Follow, Mode};
 use crate::program::of_control::{SWIVEL, is_frame};
-use crate::syntax::fold::Nothing;
+use crate::syntax::Program;
 use crate::syntax::programs::Programs;
 use crate::syntax::tree::{Word, WordKind};
-use crate::syntax::{Program, fold};
 use std::collections::BTreeMap;
 
 /// A frame that a call corrects where it is stored, and the one in force there.
@@ -91,14 +90,10 @@ fn finding(program: &Program, site: &CallSite, frame: &Corrected, waiting: &Wait
     let word = known.clone().unwrap_or("G500, G54 …".to_owned());
     let finding = match (frame.function, waiting.other) {
         (None, _) => own::ADVICE_FRAME_BASIC.finding(),
-        (_, Some(other)) => {
-            let finding = own::ADVICE_FRAME_OTHER.finding();
-            finding.text("other", format!("G{other}"))
-        }
+        (_, Some(other)) => own::ADVICE_FRAME_OTHER.finding().text("other", format!("G{other}")),
         _ => own::ADVICE_FRAME.finding(),
     };
-    let finding = finding.text("frame", word.as_str());
-    let finding = at(finding.hint_text("frame", word.as_str()), site.span);
+    let finding = finding.text("frame", word.as_str()).hint_text("frame", word.as_str()).on(site.span);
     match known {
         Some(word) => behind_call(finding, program, site, &word),
         None => finding,
@@ -163,7 +158,7 @@ impl Follow for Rules<'_> {
         if pending.is_empty() {
             return;
         }
-        for code in words.iter().filter_map(|word| number(self.program, word, "G")) {
+        for code in words.iter().filter_map(|word| self.program.constant(word, "G")) {
             if matches!(code as i64, 54..=57 | 500 | 505..=599) {
                 self.take(pending, code as u16);
             }
@@ -176,18 +171,17 @@ impl Follow for Rules<'_> {
     }
 
     fn call(&mut self, pending: &mut Pending, word: &Word) {
-        let WordKind::Call { name, .. } = &word.kind else {
+        let Some(name) = word.called() else {
             return;
         };
         let Ok(index) = self.sites.binary_search_by_key(&word.span.start, |site| site.span.start) else {
-            if is_machining(&self.program.name(*name)) {
+            if is_machining(&self.program.name(name)) {
                 self.use_all(pending);
             }
             return;
         };
         let site = self.sites.get(index);
-        let touches = |site: &CallSite| site.cycle.purpose.probe == ProbeUse::Workpiece;
-        if !site.is_some_and(touches) {
+        if site.is_none_or(|site| site.cycle.purpose.probe != ProbeUse::Workpiece) {
             return;
         }
         let now = self.corrected(index);
@@ -214,10 +208,6 @@ impl Follow for Rules<'_> {
         both.collect()
     }
 
-    fn leave(&mut self, _: &Pending, (_, after): (&Pending, &Pending), _: &Entry, _: bool) -> Pending {
-        after.clone()
-    }
-
     fn end(&mut self, pending: &Pending) {
         let moved = pending.iter().filter(|(_, waiting)| waiting.moved);
         self.forgotten.extend(moved.map(|(index, waiting)| (*index, waiting.clone())));
@@ -230,32 +220,21 @@ const BESIDE: [f64; 6] = [53.0, 58.0, 59.0, 74.0, 75.0, 153.0];
 
 /// Whether an axis moves in the frame in force.
 fn moves(program: &Program, words: &[Word]) -> bool {
-    let axis = |word: &Word| match &word.kind {
-        WordKind::Address { name, .. } => ["X", "Y", "Z"].iter().any(|axis| program.is(*name, axis)),
-        _ => false,
-    };
-    let beside = |word: &Word| match &word.kind {
-        WordKind::Call { name, .. } => program.is(*name, "SUPA") || is_frame(&program.name(*name)),
-        _ => number(program, word, "G").is_some_and(|code| BESIDE.contains(&code)),
+    let axis = |word: &Word| ["X", "Y", "Z"].iter().any(|axis| program.address(word, axis).is_some());
+    let beside = |word: &Word| match word.called() {
+        Some(name) => program.is(name, "SUPA") || is_frame(&program.name(name)),
+        None => program.constant(word, "G").is_some_and(|code| BESIDE.contains(&code)),
     };
     words.iter().any(axis) && !words.iter().any(beside)
-}
-
-/// Constant number of this address.
-fn number(program: &Program, word: &Word, letter: &str) -> Option<f64> {
-    match &word.kind {
-        WordKind::Address { name, value, .. } if program.is(*name, letter) => fold::number(program, *value, &Nothing),
-        _ => None,
-    }
 }
 
 /// Whether a frame in effect is written: `$P_IFRAME=…`, `$P_CHBFRAME[0]=…`.
 fn sets_frame(program: &Program, word: &Word) -> bool {
     const IN_EFFECT: [&str; 4] = ["$P_IFRAME", "$P_CHBFRAME", "$P_NCBFRAME", "$P_SETFRAME"];
-    match &word.kind {
-        WordKind::Assign { name, .. } => IN_EFFECT.iter().any(|known| program.is(*name, known)),
-        _ => false,
-    }
+    let WordKind::Assign { name, .. } = word.kind else {
+        return false;
+    };
+    IN_EFFECT.iter().any(|known| program.is(name, known))
 }
 
 /// Whether a call that measures nothing moves the axes: `CYCLE81` and so on, not the cycles that only swivel or set.

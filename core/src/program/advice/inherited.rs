@@ -3,7 +3,7 @@
 
 use super::Seen;
 use crate::control::Transverse;
-use crate::diagnostic::{Cure, Diagnostic};
+use crate::diagnostic::Diagnostic;
 use crate::entry::{Inputs, Kind, Level, Param, Unit};
 use crate::message::Message;
 use crate::program::calls::CallSite;
@@ -103,7 +103,7 @@ fn doubt(seen: &Seen, param: &'static Param, level: Level, site: &CallSite, ther
     } else {
         own::ADVICE_INHERITED_MEANING.as_note()
     };
-    let mut finding = sentence
+    let finding = sentence
         .finding()
         .text("name", param.name)
         .text("value", value)
@@ -112,13 +112,13 @@ fn doubt(seen: &Seen, param: &'static Param, level: Level, site: &CallSite, ther
         .text("before", before.words(&now))
         .text("now", now.words(&before))
         .hint_text("name", param.name)
-        .at(param.name);
-    finding.span = Some(seen.site.span);
-    finding.cure = param.fallback(seen.control).map(|value| Cure {
-        label: Message::new("advice-write").text("name", param.name).text("value", value.to_string()),
-        edits: change(seen.program, seen.site, param.name.as_str(), &value.to_string()),
-    });
-    Some(finding)
+        .at(param.name)
+        .on(seen.site.span);
+    let Some(value) = param.fallback(seen.control).map(|value| value.to_string()) else {
+        return Some(finding);
+    };
+    let edits = change(seen.program, seen.site, param.name.as_str(), &value);
+    Some(finding.cured(Message::new("advice-write").text("name", param.name).text("value", value), edits))
 }
 
 /// Whether the difference may be an accident. What has a delivered value (path, safe area, feed, number of the probe)
@@ -170,8 +170,7 @@ mod tests {
             }
         }
         let groups: Vec<BTreeSet<&str>> = labels.into_values().filter(|same| same.len() > 1).collect();
-        let ours = SAME.iter().map(|same| same.iter().copied().collect());
-        let ours: BTreeSet<BTreeSet<&str>> = ours.collect();
+        let ours: BTreeSet<BTreeSet<&str>> = SAME.iter().map(|same| same.iter().copied().collect()).collect();
         assert_eq!(ours, groups.into_iter().collect());
     }
 }

@@ -1,29 +1,19 @@
 //! Whether a program may end with tool radius compensation on.
 
 use crate::program::flow::{Entry, Follow, Forces, Mode, State, follow};
+use crate::syntax::Program;
 use crate::syntax::fold::Nothing;
 use crate::syntax::programs::Programs;
-use crate::syntax::tree::{Word, WordKind};
-use crate::syntax::{Program, fold};
+use crate::syntax::tree::Word;
 
 /// Whether a main program of the text ends without G40 behind its last G41 or G42.
 pub fn left_on(program: &Program, programs: &Programs) -> bool {
-    if !program.words.iter().any(|word| switches_on(program, word)) {
+    if !program.words.iter().any(|word| matches!(program.constant(word, "G"), Some(41.0 | 42.0))) {
         return false;
     }
     let mut rules = Rules { forces: Forces::of(program), left_on: false };
     follow(program, programs, &mut rules, &State::default());
     rules.left_on
-}
-
-fn switches_on(program: &Program, word: &Word) -> bool {
-    match &word.kind {
-        WordKind::Address { name, value, .. } if program.is(*name, "G") => {
-            let code = fold::number(program, *value, &Nothing);
-            code.is_some_and(|code| code == 41.0 || code == 42.0)
-        }
-        _ => false,
-    }
 }
 
 struct Rules<'a> {
@@ -37,10 +27,6 @@ impl Follow for Rules<'_> {
     fn block(&mut self, state: &mut State, words: &[Word]) {
         self.forces.block(state, words, &Nothing);
     }
-
-    fn call(&mut self, _: &mut State, _: &Word) {}
-
-    fn elsewhere(&self, _: &mut State) {}
 
     fn meet(&self, one: &State, other: &State) -> State {
         one.meet(other)

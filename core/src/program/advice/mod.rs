@@ -4,22 +4,20 @@ mod at_call;
 mod behind;
 mod inherited;
 mod left_on;
-mod levels;
-mod names;
-mod outside;
 mod overwritten;
 mod read_back;
+mod subprograms;
 mod unsaid;
 
 use super::calls::{CallSite, Way};
 use super::change::{line_at_begin, line_before, line_end};
-use super::flow::{State, changes};
+use super::flow::{State, changes_tools};
 use super::tools::ToolInUse;
 use crate::check::newer;
 use crate::control::Control;
-use crate::diagnostic::{Code, Cure, Diagnostic, Edit, Severity, Span};
+use crate::diagnostic::{Code, Diagnostic, Edit, Severity, Span};
 use crate::dialect::Dialect;
-use crate::entry::{Inputs, Style, Typed};
+use crate::entry::{Inputs, Typed};
 use crate::message::Message;
 use crate::syntax::Program;
 use crate::syntax::programs::{Programs, programs};
@@ -50,10 +48,9 @@ struct Seen<'a> {
 impl Seen<'_> {
     /// Whether a place lies behind the call in the same program: what it puts in force comes back with the next pass.
     fn comes_back(&self, place: Span) -> bool {
-        let block = |at: Span| self.program.line_of(at.start) as usize;
-        let (place, call) = (block(place), block(self.site.span));
-        let mut units = self.programs.units.iter();
-        place > call && units.any(|unit| unit.blocks.contains(&place) && unit.blocks.contains(&call))
+        let line = self.program.line_of(place.start);
+        let unit = self.programs.of_line(line);
+        line > self.site.line && unit.is_some() && unit == self.programs.of_line(self.site.line)
     }
 }
 
@@ -61,15 +58,15 @@ impl Seen<'_> {
 pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     let programs = programs(program);
-    outside::look(program, &programs, &mut found);
-    names::look(program, &programs, &mut found);
+    subprograms::outside(program, &programs, &mut found);
+    subprograms::misnamed(program, &programs, &mut found);
     if program.dialect != Dialect::Sinumerik || sites.is_empty() {
         return found;
     }
     let mut asked = at_call::Asked::of(program);
     // Asked once: a long program has many calls and many words.
     let left_on = left_on::left_on(program, &programs);
-    let changes_tools = program.words.iter().any(|word| changes(program, word));
+    let changes_tools = changes_tools(program);
     let mut at_call = control.clone();
     let mut corrected = vec![None; sites.len()];
     for (index, site, way) in in_order(sites) {
@@ -77,9 +74,7 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
         at_call.transverse = way.state.transverse.is().copied().unwrap_or(site.transverse);
         at_call.choose_units(site.unit_function as u16);
         let values = site.values_on(way);
-        if let Some(list) = site.list.filter(|list| list.style == Style::Operate)
-            && newer::is_open(site.cycle, list, values, &at_call)
-        {
+        if site.newer_list().is_some_and(|list| newer::is_open(site.cycle, list, values, &at_call)) {
             continue;
         }
         let seen = Seen {
@@ -103,7 +98,7 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
         }
     }
     behind::look(program, &programs, sites, &corrected, &mut found);
-    levels::look(program, &programs, sites, &mut found);
+    subprograms::too_deep(program, &programs, sites, &mut found);
     overwritten::look(program, sites, &mut found);
     for one in &mut found {
         lower(one, sites);
@@ -114,10 +109,9 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
 /// What these rules say comes from the manuals of the older control; about a list of a newer one it is a note, but that
 /// the tool is no probe, or that it turns.
 fn lower(one: &mut Diagnostic, sites: &[CallSite]) {
-    let newer = |site: &CallSite| site.list.is_some_and(|list| list.style == Style::Operate);
     let of_call = sites.iter().find(|site| Some(site.span) == one.span);
     let certain = [Code::Alarm(61309), own::ADVICE_SPINDLE.code()].contains(&one.code);
-    if of_call.is_some_and(newer) && !certain {
+    if of_call.is_some_and(|site| site.newer_list().is_some()) && !certain {
         one.severity = Severity::Note;
     }
 }
@@ -130,12 +124,6 @@ fn in_order(sites: &[CallSite]) -> Vec<(usize, &CallSite, &Way)> {
     }
     all.sort_by_key(|(_, _, way)| way.order);
     all
-}
-
-/// A finding at the call.
-fn at(mut finding: Diagnostic, span: Span) -> Diagnostic {
-    finding.span = Some(span);
-    finding
 }
 
 /// The first of the lines directly before a call that hold nothing but assignments for it: what is inserted there is in
@@ -151,30 +139,23 @@ fn begin(program: &Program, site: &CallSite) -> u32 {
 }
 
 /// Offers a line before the call and its assignments.
-fn with_line(mut finding: Diagnostic, seen: &Seen, text: &str) -> Diagnostic {
-    let line = begin(seen.program, seen.site);
-    finding.cure = line_at_begin(seen.program, line, text)
-        .map(|edit| Cure { label: Message::new("advice-insert").text("text", text), edits: vec![edit] });
-    finding
+fn with_line(finding: Diagnostic, seen: &Seen, text: &str) -> Diagnostic {
+    let edit = line_at_begin(seen.program, begin(seen.program, seen.site), text);
+    finding.cured(Message::new("advice-insert").text("text", text), edit.into_iter().collect())
 }
 
 /// Offers a line before the call and its assignments, and one behind it.
-fn between(mut finding: Diagnostic, seen: &Seen, before: &str, behind: &str) -> Diagnostic {
+fn between(finding: Diagnostic, seen: &Seen, before: &str, behind: &str) -> Diagnostic {
     let first = line_at_begin(seen.program, begin(seen.program, seen.site), before);
-    finding.cure = first.map(|edit| Cure {
-        label: Message::new("advice-insert-around").text("before", before).text("behind", behind),
-        edits: vec![edit, line_behind(seen.program, seen.site, behind)],
-    });
-    finding
+    let edits = first.map(|first| vec![first, line_behind(seen.program, seen.site, behind)]);
+    let label = Message::new("advice-insert-around").text("before", before).text("behind", behind);
+    finding.cured(label, edits.unwrap_or_default())
 }
 
 /// Offers a line behind the call.
-fn behind_call(mut finding: Diagnostic, program: &Program, site: &CallSite, text: &str) -> Diagnostic {
-    finding.cure = Some(Cure {
-        label: Message::new("advice-insert-behind").text("text", text),
-        edits: vec![line_behind(program, site, text)],
-    });
-    finding
+fn behind_call(finding: Diagnostic, program: &Program, site: &CallSite, text: &str) -> Diagnostic {
+    let label = Message::new("advice-insert-behind").text("text", text);
+    finding.cured(label, vec![line_behind(program, site, text)])
 }
 
 fn line_behind(program: &Program, site: &CallSite, text: &str) -> Edit {
@@ -184,7 +165,5 @@ fn line_behind(program: &Program, site: &CallSite, text: &str) -> Edit {
     let end = program.end;
     let eol = line_end(program, site.line);
     let ended = program.text(Span { start: 0, end }).ends_with(b"\n");
-    let insert = if ended { format!("{text}{eol}") } else { format!("{eol}{text}") };
-    let span = Span { start: end, end };
-    Edit { span, insert }
+    Edit::insert(end, if ended { format!("{text}{eol}") } else { format!("{eol}{text}") })
 }

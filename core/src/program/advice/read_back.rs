@@ -1,11 +1,11 @@
 //! What the support in the control's own editor makes of a call that it reads back: the settings in force count, and
 //! their changes go into the program (B:12549-12558).
 
-use super::{Seen, at};
+use super::Seen;
 use crate::check::{Parsed, parse};
 use crate::control::Control;
-use crate::diagnostic::{Cure, Diagnostic, Edit, Span};
-use crate::entry::{Param, Style, names};
+use crate::diagnostic::{Diagnostic, Edit, Span};
+use crate::entry::{Param, names};
 use crate::message::Message;
 use crate::program::calls::CallSite;
 use crate::program::change::{change, line_before};
@@ -34,7 +34,7 @@ struct Marked {
 impl Marked {
     /// The comment with the settings of the machine.
     fn renewed(&self) -> Edit {
-        replaced(self.place, &self.now.text())
+        Edit::replace(self.place, self.now.text())
     }
 }
 
@@ -42,21 +42,15 @@ impl Marked {
 pub fn look(seen: &Seen, control: &Control, found: &mut Vec<Diagnostic>) {
     let site = seen.site;
     let marked = marked(seen);
-    let mut say = |finding| found.push(at(finding, site.span));
+    let mut say = |finding: Diagnostic| found.push(finding.on(site.span));
     marked.as_ref().and_then(tools).map(&mut say);
-    let Some(support) = Support::of(site.cycle, seen.control).filter(|_| of_support(site)) else {
+    // the lists of newer controls are not of this support
+    let Some(support) = Support::of(site.cycle, seen.control).filter(|_| site.newer_list().is_none()) else {
         return;
     };
     marked.as_ref().and_then(mask).map(&mut say);
     taken_over(seen, support, control, marked.as_ref()).map(&mut say);
-    let params = site.cycle.params.iter();
-    let targets = params.filter_map(|param| support::finding(support, param, &seen.inputs));
-    targets.for_each(&mut say);
-}
-
-/// The lists of newer controls are not of this support.
-fn of_support(site: &CallSite) -> bool {
-    site.list.is_none_or(|list| list.style != Style::Operate)
+    site.cycle.params.iter().filter_map(|param| support::finding(support, param, &seen.inputs)).for_each(&mut say);
 }
 
 /// The settings with which the call was written, if a comment before it names them.
@@ -69,21 +63,18 @@ fn marked(seen: &Seen) -> Option<Marked> {
 fn mask(marked: &Marked) -> Option<Diagnostic> {
     let changes = listed(&marked.then.mask_changed(&marked.now))?;
     let finding = own::ADVICE_MASK.finding().text("changes", changes);
-    let label = Message::new("advice-mask-cure");
-    Some(cured(finding, label, vec![marked.renewed()]))
+    Some(finding.cured(Message::new("advice-mask-cure"), vec![marked.renewed()]))
 }
 
 /// The control does not read its calls back once this changed.
 fn tools(marked: &Marked) -> Option<Diagnostic> {
     let changes = listed(&marked.then.tools_changed(&marked.now))?;
-    let finding = own::ADVICE_TOOL_PROGRAMMING.finding();
-    Some(finding.text("changes", changes))
+    Some(own::ADVICE_TOOL_PROGRAMMING.finding().text("changes", changes))
 }
 
 /// `_MZ_MASK[4]: 1 → 0`; none for no change.
 fn listed(changed: &[Changed]) -> Option<String> {
-    let each = changed.iter();
-    let each: Vec<String> = each.map(|(name, before, now)| format!("{name}: {before} → {now}")).collect();
+    let each: Vec<String> = changed.iter().map(|(name, before, now)| format!("{name}: {before} → {now}")).collect();
     (!each.is_empty()).then(|| each.join(", "))
 }
 
@@ -92,15 +83,13 @@ fn taken_over(seen: &Seen, support: Support, control: &Control, marked: Option<&
     let site = seen.site;
     let entered = support.entered(site.cycle, &site.values, control);
     let inputs = check::read(site.cycle, &entered.values, control, &mut Vec::new());
-    let used = site.cycle.params.iter();
-    let used = used.filter(|param| param.need(&inputs).is_some());
+    let used = site.cycle.params.iter().filter(|param| param.need(&inputs).is_some());
     let values = used.filter_map(|param| {
         let after = entered.values.get(param.name.as_str())?;
         value(site, param, after, control)
     });
     let values: Vec<Change> = values.collect();
-    let bits = entered.bits.iter();
-    let bits: Vec<Change> = bits.filter_map(|(name, on)| bit(site, name, *on, control)).collect();
+    let bits: Vec<Change> = entered.bits.iter().filter_map(|(name, on)| bit(site, name, *on, control)).collect();
     let all = values.iter().chain(&bits);
     let written = |one: &Change| {
         let expression = site.expression(one.name);
@@ -110,18 +99,15 @@ fn taken_over(seen: &Seen, support: Support, control: &Control, marked: Option<&
     if all.is_empty() {
         return None;
     }
-    let of_values = values.iter();
-    let of_values = of_values.flat_map(|one| change(seen.program, site, one.name, &one.after));
+    let of_values = values.iter().flat_map(|one| change(seen.program, site, one.name, &one.after));
     let of_bits = bits.iter().filter_map(|one| set(seen.program, site, one));
     let of_mark = marked.map(Marked::renewed);
     let edits: Vec<Edit> = of_values.chain(of_bits).chain(of_mark).collect();
-    let finding = own::ADVICE_READ_BACK.finding();
-    let finding = finding.text("changes", all.join(", "));
+    let finding = own::ADVICE_READ_BACK.finding().text("changes", all.join(", "));
     if values.iter().any(|one| site.expression(one.name).is_some()) {
         return Some(finding); // an expression is no click's to take away
     }
-    let label = Message::new("advice-read-back-cure");
-    Some(cured(finding, label, edits))
+    Some(finding.cured(Message::new("advice-read-back-cure"), edits))
 }
 
 /// What the program does not say counts as delivered; without a mean value the limit of its formation counts nothing.
@@ -151,24 +137,10 @@ fn different(name: &'static str, before: String, after: &str) -> Option<Change> 
 /// The bit in the place where the call sets it, else on a line of its own before the call.
 fn set(program: &Program, site: &CallSite, change: &Change) -> Option<Edit> {
     let own = |(name, _, place): &&(&str, String, Span)| {
-        let own = site.own_from <= place.start && place.end <= site.span.end;
-        own && *name == change.name
+        site.own_from <= place.start && place.end <= site.span.end && *name == change.name
     };
     match site.bits.iter().find(own) {
-        Some((.., place)) => Some(replaced(*place, &change.after)),
-        None => {
-            let written = format!("{}={}", change.name, change.after);
-            line_before(program, site.first_line, &written)
-        }
+        Some((.., place)) => Some(Edit::replace(*place, change.after.as_str())),
+        None => line_before(program, site.first_line, &format!("{}={}", change.name, change.after)),
     }
-}
-
-fn replaced(span: Span, text: &str) -> Edit {
-    Edit { span, insert: text.to_owned() }
-}
-
-/// A finding with one click that mends it, where there is one.
-fn cured(mut finding: Diagnostic, label: Message, edits: Vec<Edit>) -> Diagnostic {
-    finding.cure = (!edits.is_empty()).then_some(Cure { label, edits });
-    finding
 }

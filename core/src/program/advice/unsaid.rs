@@ -12,17 +12,8 @@ use crate::program::flow::Mode;
 
 /// Every doubt of this sort at a call.
 pub fn doubts(seen: &Seen) -> impl Iterator<Item = Diagnostic> {
-    let doubts = [
-        open(seen),
-        plane(seen),
-        compensation(seen),
-        tool(seen),
-        diameter(seen),
-        radius(seen),
-        milled_diameter(seen),
-        length(seen),
-    ];
-    doubts.into_iter().flatten()
+    let doubts = [open, plane, compensation, tool, diameter, radius, milled_diameter, length];
+    doubts.into_iter().filter_map(|doubt| doubt(seen))
 }
 
 fn on_a_lathe(seen: &Seen) -> bool {
@@ -48,16 +39,13 @@ fn open(seen: &Seen) -> Option<Diagnostic> {
         ("D", force.edge == Mode::Open),
     ];
     let words: Vec<&str> = left_open.into_iter().filter_map(|(word, open)| open.then_some(word)).collect();
-    if words.is_empty() {
-        return None;
-    }
     let finding = own::ADVICE_OPEN.finding().text("words", words.join(", "));
-    let functions = words.into_iter().filter(|word| word.starts_with('G'));
-    let functions: Vec<&str> = functions.collect();
-    if functions.is_empty() {
-        return Some(finding);
+    let functions: Vec<&str> = words.iter().copied().filter(|word| word.starts_with('G')).collect();
+    match (words.is_empty(), functions.is_empty()) {
+        (true, _) => None,
+        (_, true) => Some(finding),
+        _ => Some(with_line(finding, seen, &functions.join(" "))),
     }
-    Some(with_line(finding, seen, &functions.join(" ")))
 }
 
 /// The cycles measure in the axes of the plane; without one the reset state of the machine decides. That of a lathe is
@@ -74,11 +62,8 @@ fn plane(seen: &Seen) -> Option<Diagnostic> {
 
 /// Compensation is off after a reset; a program that ends with it may be run again without one.
 fn compensation(seen: &Seen) -> Option<Diagnostic> {
-    if !seen.force.compensation.unset() || !seen.left_on {
-        return None;
-    }
-    let finding = own::ADVICE_COMPENSATION_OPEN.finding();
-    Some(with_line(finding, seen, "G40"))
+    let open = seen.force.compensation.unset() && seen.left_on;
+    open.then(|| with_line(own::ADVICE_COMPENSATION_OPEN.finding(), seen, "G40"))
 }
 
 /// Nothing says which tool is in use.
@@ -103,8 +88,8 @@ fn the_probe(seen: &Seen) -> Option<String> {
         return None;
     }
     let tools = seen.control.tools.iter();
-    let mut edges = tools.flat_map(|(number, tool)| tool.edges.iter().map(move |edge| (number, edge)));
-    let mut probes = edges.by_ref().filter(|(_, (_, edge))| edge.kind == PROBE);
+    let edges = tools.flat_map(|(number, tool)| tool.edges.iter().map(move |edge| (number, edge)));
+    let mut probes = edges.filter(|(_, (_, edge))| edge.kind == PROBE);
     let (number, (edge, _)) = probes.next()?;
     if probes.next().is_some() {
         return None;
@@ -115,11 +100,8 @@ fn the_probe(seen: &Seen) -> Option<String> {
 
 /// On a lathe the setpoint in the transverse axis is a diameter with DIAMON, else a radius (B:10975).
 fn diameter(seen: &Seen) -> Option<Diagnostic> {
-    if !on_a_lathe(seen) || !seen.force.transverse.unset() {
-        return None;
-    }
-    let finding = own::ADVICE_DIAMETER.finding();
-    Some(with_line(finding, seen, "DIAMON"))
+    let open = on_a_lathe(seen) && seen.force.transverse.unset();
+    open.then(|| with_line(own::ADVICE_DIAMETER.finding(), seen, "DIAMON"))
 }
 
 /// The setpoint of the transverse axis is taken for a radius; drawings of turned parts give diameters.
@@ -131,8 +113,7 @@ fn radius(seen: &Seen) -> Option<Diagnostic> {
     let param = seen.site.cycle.param(names::SETVAL.as_str())?;
     param.need(&seen.inputs)?;
     let set: f64 = seen.values.get(names::SETVAL.as_str())?.trim().parse().ok()?;
-    let finding = own::ADVICE_RADIUS.finding().number("value", set).number("diameter", 2.0 * set);
-    let finding = finding.at(names::SETVAL);
+    let finding = own::ADVICE_RADIUS.finding().number("value", set).number("diameter", 2.0 * set).at(names::SETVAL);
     Some(between(finding, seen, "DIAMON", "DIAMOF"))
 }
 
@@ -140,17 +121,12 @@ fn radius(seen: &Seen) -> Option<Diagnostic> {
 /// B:10975).
 fn milled_diameter(seen: &Seen) -> Option<Diagnostic> {
     at_call::milling_probe(seen).filter(|tool| TURNING.contains(&tool.kind))?;
-    let transverse = seen.force.transverse.is()?;
-    if *transverse == Transverse::Radius {
-        return None;
-    }
-    Some(own::ADVICE_MILLED_DIAMETER.finding())
+    (*seen.force.transverse.is()? != Transverse::Radius).then(|| own::ADVICE_MILLED_DIAMETER.finding())
 }
 
 /// The length of a turning machine's probe does not lie where it stands: L1 counts along the ordinate and L2 along the
 /// abscissa of each plane, L3 along the applicate (B:828, B:974-985).
 fn length(seen: &Seen) -> Option<Diagnostic> {
     let tool = at_call::milling_probe(seen).filter(|tool| tool.unassigned)?;
-    let finding = own::ADVICE_LENGTH.finding();
-    Some(finding.number("tool", tool.number as f64))
+    Some(own::ADVICE_LENGTH.finding().number("tool", tool.number as f64))
 }

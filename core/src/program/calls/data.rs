@@ -3,7 +3,7 @@
 use super::{Place, Walk};
 use crate::control::arrays;
 use crate::diagnostic::Span;
-use crate::program::held::{FirstNumbers, Held, Numbers};
+use crate::program::held::{FirstNumbers, Held, Numbers, stem};
 use crate::program::values::{Spread, Value, spread};
 use crate::program::{arguments, values};
 use crate::syntax::fold;
@@ -16,16 +16,11 @@ const ELEMENTS: f64 = 10_000.0;
 impl Walk<'_> {
     /// Takes in the assignments and declarations of a block.
     pub(super) fn data(&mut self, place: &mut Place, words: &[Word]) {
-        let says = |keyword| {
-            words.iter().any(|word| match word.kind {
-                WordKind::Keyword { name, .. } => self.program.is(name, keyword),
-                _ => false,
-            })
-        };
-        if says("PROC") || says("EXTERN") {
+        let says = |keywords: &[&str]| words.iter().any(|word| self.program.is_keyword(word, keywords));
+        if says(&["PROC", "EXTERN"]) {
             return;
         }
-        let counts = says("FOR");
+        let counts = says(&["FOR"]);
         for word in words {
             match &word.kind {
                 WordKind::Assign { name, index, value_span, value } => {
@@ -147,8 +142,7 @@ impl Walk<'_> {
     }
 
     fn elements(&self, name: &str) -> Vec<String> {
-        let stem = name.split('[').next().unwrap_or_default();
-        let local = self.arrays.get(stem).map(Vec::as_slice);
+        let local = self.arrays.get(stem(name)).map(Vec::as_slice);
         let sizes = local.or_else(|| arrays::sizes(name));
         sizes.map_or(Vec::new(), |sizes| arrays::elements_from(name, sizes))
     }

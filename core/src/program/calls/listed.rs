@@ -79,8 +79,7 @@ impl Walk<'_> {
             let assigned = self.assigned(place, cycle);
             return self.meet_call(place, cycle, span, called, assigned);
         }
-        let values = values.into_iter();
-        let values = values.filter(|(_, value)| !value.text.is_empty());
+        let values = values.into_iter().filter(|(_, value)| !value.text.is_empty());
         let mut given: Given = values.map(|(name, value)| (name, Held::One(Rc::new(value)))).collect();
         for (arg, value) in list.args.iter().zip(arguments) {
             if let (Arg::Variable(array), Some(value)) = (arg, value) {
@@ -89,8 +88,7 @@ impl Walk<'_> {
             }
         }
         if list.style == Style::Direct {
-            let beside = self.assigned(place, cycle).into_iter();
-            given.extend(beside.filter(|(name, _)| !list.gives(*name)));
+            given.extend(self.assigned(place, cycle).into_iter().filter(|(name, _)| !list.gives(*name)));
         }
         self.meet_call(place, cycle, span, called, given);
     }
@@ -106,8 +104,7 @@ impl Walk<'_> {
 
     /// The values that the data of a cycle hold.
     fn assigned(&self, place: &Place, cycle: &'static Cycle) -> Given {
-        let params = cycle.params.iter();
-        params.filter_map(|param| Some((param.name, self.newest(place, param.name.as_str())?))).collect()
+        cycle.params.iter().filter_map(|param| Some((param.name, self.newest(place, param.name.as_str())?))).collect()
     }
 
     pub(super) fn newest(&self, place: &Place, name: &str) -> Option<Held> {

@@ -9,7 +9,7 @@ use crate::diagnostic::{Diagnostic, Span};
 use crate::entry::Cycle;
 use crate::program::held::Held;
 use crate::program::values;
-use crate::syntax::tree::{Block, Expr, WordKind};
+use crate::syntax::tree::{Block, WordKind};
 use crate::syntax::{Program, fold};
 use std::rc::Rc;
 
@@ -22,17 +22,12 @@ impl Walk<'_> {
             let words = program.words_of(block);
             self.data(place, words);
             for word in words {
-                let WordKind::Address { name, value, .. } = &word.kind else {
+                let Some(number) = program.literal(word, "G") else {
                     continue;
                 };
-                let Some(Expr::Number(number, _)) = program.expr(*value) else {
-                    continue;
-                };
-                if program.is(*name, "G") {
-                    modal(&mut self.control, *number);
-                    if let Some((cycle, span)) = self.macro_call(place, *number, block, word.span) {
-                        self.addressed(place, cycle, block, span);
-                    }
+                modal(&mut self.control, number);
+                if let Some((cycle, span)) = self.macro_call(place, number, block, word.span) {
+                    self.addressed(place, cycle, block, span);
                 }
             }
         }
@@ -45,13 +40,9 @@ impl Walk<'_> {
             let cycle = catalogue::find(self.program.dialect, &format!("G{code}"))?;
             return (!foreign(self.program, cycle, block)).then_some((cycle, span));
         }
-        let words = self.program.words_of(block).iter();
-        let (named, number) = words.into_iter().find_map(|word| match &word.kind {
-            WordKind::Address { name, value, .. } if self.program.is(*name, "P") => {
-                let number = fold::number(self.program, *value, &self.numbers(place))?;
-                Some((word.span, number))
-            }
-            _ => None,
+        let (named, number) = self.program.words_of(block).iter().find_map(|word| {
+            let value = self.program.address(word, "P")?;
+            Some((word.span, fold::number(self.program, value, &self.numbers(place))?))
         })?;
         let whole = Span { start: span.start.min(named.start), end: span.end.max(named.end) };
         Some((nct::by_program(number)?, whole))
@@ -63,8 +54,7 @@ impl Walk<'_> {
             let WordKind::Address { name, value, .. } = &word.kind else {
                 continue;
             };
-            let mut params = cycle.params.iter();
-            if let Some(param) = params.find(|param| self.program.is(*name, param.name.as_str())) {
+            if let Some(param) = cycle.params.iter().find(|param| self.program.is(*name, param.name.as_str())) {
                 let at = Span { start: name.end, end: word.span.end };
                 let value = values::value(self.program, *value, at, &self.numbers(place));
                 given.push((param.name, Held::One(Rc::new(value))));
@@ -88,18 +78,11 @@ fn foreign(program: &Program, cycle: &'static Cycle, block: &Block) -> bool {
 pub fn of_another_control(program: &Program) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     for block in &program.blocks {
-        let words = program.words_of(block).iter();
-        let codes = words.filter_map(|word| match &word.kind {
-            WordKind::Address { name, value, .. } if program.is(*name, "G") => match program.expr(*value)? {
-                Expr::Number(number, _) => Some((word.span, *number)),
-                _ => None,
-            },
-            _ => None,
-        });
-        for (span, code) in codes {
-            let cycle = catalogue::find(program.dialect, &format!("G{code}"));
+        for word in program.words_of(block) {
+            let cycle =
+                program.literal(word, "G").and_then(|code| catalogue::find(program.dialect, &format!("G{code}")));
             if let Some(cycle) = cycle.filter(|cycle| foreign(program, cycle, block)) {
-                found.push(Diagnostic { span: Some(span), ..nct::foreign_finding(cycle) });
+                found.push(nct::foreign_finding(cycle).on(word.span));
             }
         }
     }

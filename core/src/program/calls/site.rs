@@ -232,7 +232,7 @@ impl Walk<'_> {
                 site.first.extend(first.map(|first| (*name, first)));
                 let written = expression(all).map(|text| (name.to_string(), text));
                 site.expressions.extend(written);
-                let elsewhere = |value: &Rc<Value>| !inside(unit, value.source());
+                let elsewhere = |value: &Rc<Value>| !unit.holds(value.source());
                 if all.len() < 2 && !all.iter().any(elsewhere) {
                     continue;
                 }
@@ -280,10 +280,6 @@ fn keep(site: &mut CallSite) {
     }
 }
 
-fn inside(unit: Span, place: Span) -> bool {
-    unit.start <= place.start && place.start < unit.end
-}
-
 /// What a form shows where one of these arrives.
 fn shown(program: &Program, name: &str, values: &[Rc<Value>]) -> String {
     let Some((first, rest)) = values.split_first() else {
@@ -293,7 +289,7 @@ fn shown(program: &Program, name: &str, values: &[Rc<Value>]) -> String {
         return first.text.clone();
     }
     match one_place(values) {
-        Some(place) => String::from_utf8_lossy(program.text(place)).trim().to_owned(),
+        Some(place) => program.written(place).trim().to_owned(),
         None => name.to_owned(),
     }
 }
@@ -320,8 +316,7 @@ fn checked(
     given: &Given,
     control: &Control,
 ) -> Vec<Diagnostic> {
-    let of_newer = list.filter(|list| list.style == Style::Operate);
-    let findings = |values: &Typed| match of_newer {
+    let findings = |values: &Typed| match list.filter(|list| list.style == Style::Operate) {
         Some(list) => newer::check_listed(cycle, list, values, control).diagnostics,
         None => check(cycle, values, control).diagnostics,
     };
@@ -341,7 +336,7 @@ fn checked(
             values.insert((*name).to_string(), value.text.clone());
             let alone = findings(&values).into_iter();
             let alone = alone.filter(|one| one.param == Some(*name) && one.code != own::EXPRESSION.code());
-            found.extend(alone.map(|one| Diagnostic { span: Some(value.written_at()), ..one }));
+            found.extend(alone.map(|one| one.on(value.written_at())));
         }
     }
     found
@@ -355,7 +350,7 @@ fn overwritten(site: &mut CallSite, given: &Given, unit: Span) {
                 continue;
             };
             let known = site.overwritten.iter().any(|(other, ..)| other == name);
-            if inside(unit, before) && before.end <= site.span.start && !known {
+            if unit.holds(before) && before.end <= site.span.start && !known {
                 site.overwritten.push((*name, before, call));
             }
         }

@@ -17,8 +17,7 @@ pub(super) fn of_wrong_sort(program: &Program, cycle: &'static Cycle, given: &Gi
             Sort::Open if matches!(param.kind, Kind::Text(_)) && is_undeclared(program, value) => Sort::Undeclared,
             known => known,
         };
-        let finding = sort(param, &value.text, sort_of)?;
-        Some(Diagnostic { span: Some(value.written_at()), ..finding })
+        Some(sort(param, &value.text, sort_of)?.on(value.written_at()))
     };
     let all = given.iter();
     let all = all.flat_map(|(name, held)| held.all().iter().map(move |value| (name, value)));

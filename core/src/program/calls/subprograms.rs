@@ -1,6 +1,6 @@
 //! Where a place of the text stands among its programs, and what a called program takes from its caller and leaves it.
 
-use super::uses::{Uses, is_cycle, measuring, uses};
+use super::uses::{Uses, measures_itself, measuring, uses};
 use super::{Place, Walk};
 use crate::diagnostic::Span;
 use crate::program::flow::{Called, Entry, LEVELS, called};
@@ -48,7 +48,7 @@ impl<'a> Subprograms<'a> {
         for block in &program.blocks {
             let words = program.words_of(block);
             for (at, word) in words.iter().enumerate() {
-                if is_cycle(program, word) {
+                if measures_itself(program, word) {
                     found.measured.push(word.span.end);
                 } else if programs.units.len() > 1
                     && let Some(Called::Here(unit)) = called(program, programs, words, at)
@@ -88,8 +88,7 @@ impl<'a> Subprograms<'a> {
 
     /// Whether a place stands in another program of the text.
     pub fn is_elsewhere(&self, from: Span, place: Span) -> bool {
-        let unit = self.unit(from);
-        place.start < unit.start || place.start >= unit.end
+        !self.unit(from).holds(place)
     }
 
     fn own(&mut self, program: &Program, unit: usize) -> Rc<Uses> {
@@ -106,8 +105,7 @@ impl<'a> Subprograms<'a> {
             return Rc::clone(ids);
         }
         let all = self.all(program, unit);
-        let ids = all.iter().flat_map(|name| names.of_variable(name));
-        let ids: Rc<[usize]> = ids.copied().collect();
+        let ids: Rc<[usize]> = all.iter().flat_map(|name| names.of_variable(name)).copied().collect();
         self.taken.insert(unit, (names.count(), Rc::clone(&ids)));
         ids
     }

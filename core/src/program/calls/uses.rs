@@ -1,8 +1,9 @@
 //! What one program of a text names, declares and calls.
 
 use crate::catalogue;
+use crate::diagnostic::Span;
 use crate::entry::AUXILIARY;
-use crate::program::flow::{Called, called, callers};
+use crate::program::flow::{called_here, callers};
 use crate::program::held::stem;
 use crate::syntax::Program;
 use crate::syntax::programs::Programs;
@@ -31,14 +32,14 @@ pub(super) struct Formal {
     pub default: Option<ExprId>,
 }
 
-/// Whether a word calls a cycle of the control.
-pub(super) fn is_cycle(program: &Program, word: &Word) -> bool {
-    let WordKind::Call { name, .. } = &word.kind else {
-        return false;
-    };
-    let text = program.text(*name);
-    let cycle = text.get(..5).is_some_and(|start| start.eq_ignore_ascii_case(b"CYCLE"));
-    cycle && !program.is(*name, AUXILIARY)
+/// Whether a name that is called is that of a cycle of the control.
+pub(super) fn is_cycle(program: &Program, name: Span) -> bool {
+    program.text(name).get(..5).is_some_and(|start| start.eq_ignore_ascii_case(b"CYCLE"))
+}
+
+/// Whether a word calls a cycle of the control that does something.
+pub(super) fn measures_itself(program: &Program, word: &Word) -> bool {
+    word.called().is_some_and(|name| is_cycle(program, name) && !program.is(name, AUXILIARY))
 }
 
 /// The programs that measure, or call one that does.
@@ -52,11 +53,9 @@ pub(super) fn measuring(program: &Program, programs: &Programs) -> BTreeSet<usiz
             called_by.get_mut(to).into_iter().for_each(|callers| callers.push(from));
         }
     }
-    let units = programs.units.iter().enumerate();
-    let themselves = units.filter(|(_, unit)| {
-        let blocks = program.blocks.get(unit.blocks.clone()).unwrap_or_default();
-        let mut words = blocks.iter().flat_map(|block| program.words_of(block));
-        words.any(|word| is_cycle(program, word))
+    let themselves = programs.units.iter().enumerate().filter(|(_, unit)| {
+        let mut words = program.blocks_of(unit).iter().flat_map(|block| program.words_of(block));
+        words.any(|word| measures_itself(program, word))
     });
     let mut open: Vec<usize> = themselves.map(|(at, _)| at).collect();
     let mut found = BTreeSet::new();
@@ -76,14 +75,10 @@ pub(super) fn uses(program: &Program, programs: &Programs, unit: usize) -> Uses 
     };
     let signature = unit.signature.and_then(|block| program.blocks.get(block));
     found.formal = signature.map_or(Vec::new(), |block| formal(program, block));
-    for block in program.blocks.get(unit.blocks.clone()).unwrap_or_default() {
+    for block in program.blocks_of(unit) {
         let words = program.words_of(block);
-        for (at, word) in words.iter().enumerate() {
-            found.word(program, word);
-            if let Some(Called::Here(other)) = called(program, programs, words, at) {
-                found.calls.insert(other);
-            }
-        }
+        words.iter().for_each(|word| found.word(program, word));
+        found.calls.extend(called_here(program, programs, words).map(|(_, other)| other));
     }
     found
 }

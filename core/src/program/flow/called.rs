@@ -19,11 +19,13 @@ pub enum Called {
 
 /// The program that the word at this place of a block calls; none: it calls nothing, or a cycle.
 pub fn called(program: &Program, programs: &Programs, words: &[Word], at: usize) -> Option<Called> {
-    if words.first().is_some_and(|word| declares(program, word)) {
+    // a block that declares something calls nothing
+    let declares = |word: &Word| program.is_keyword(word, &["PROC", "EXTERN"]) || program.is_call(word, &["DEFINE"]);
+    if words.first().is_some_and(declares) {
         return None;
     }
     let two = words.get(at.saturating_sub(2)..at).unwrap_or_default();
-    if two.iter().any(|word| repeats(program, word)) {
+    if two.iter().any(|word| program.is_keyword(word, &["REPEAT", "REPEATB"])) {
         return None; // the label where a part begins, and the one where it ends
     }
     let before = at.checked_sub(1).and_then(|before| words.get(before));
@@ -32,10 +34,12 @@ pub fn called(program: &Program, programs: &Programs, words: &[Word], at: usize)
             Some(place) => (program.name(place), true),
             None => (program.name(*name), false),
         },
-        WordKind::Constant(id) if before.is_some_and(|word| is_manner(program, word)) => match program.expr(*id)? {
-            Expr::Text(place) => (program.name(*place), true),
-            _ => return Some(Called::Elsewhere),
-        },
+        WordKind::Constant(id) if before.is_some_and(|word| program.is_call(word, &MANNERS)) => {
+            match program.expr(*id)? {
+                Expr::Text(place) => (program.name(*place), true),
+                _ => return Some(Called::Elsewhere),
+            }
+        }
         _ => return None,
     };
     if let Some(unit) = programs.place(&name) {
@@ -56,23 +60,6 @@ fn from_outside(program: &Program, name: Span, args: &[Option<ExprId>]) -> Optio
     }
 }
 
-/// Whether the names behind this word are labels.
-fn repeats(program: &Program, word: &Word) -> bool {
-    match &word.kind {
-        WordKind::Keyword { name, .. } => program.is(*name, "REPEAT") || program.is(*name, "REPEATB"),
-        _ => false,
-    }
-}
-
-/// Whether a block that begins with this word declares something, so that no other word of it is called.
-fn declares(program: &Program, word: &Word) -> bool {
-    match &word.kind {
-        WordKind::Keyword { name, .. } => program.is(*name, "PROC") || program.is(*name, "EXTERN"),
-        WordKind::Call { name, .. } => program.is(*name, "DEFINE"),
-        _ => false,
-    }
-}
-
 /// The name of a program that is called here and is not in the text; a variable that holds it is none.
 pub fn named_outside(program: &Program, programs: &Programs, words: &[Word], at: usize) -> Option<Span> {
     if called(program, programs, words, at) != Some(Called::Elsewhere) {
@@ -81,8 +68,9 @@ pub fn named_outside(program: &Program, programs: &Programs, words: &[Word], at:
     match &words.get(at)?.kind {
         WordKind::Call { name, args, .. } => {
             let before = at.checked_sub(1).and_then(|before| words.get(before));
-            let variable =
-                before.is_some_and(|word| takes_text(program, word)) || programs.macros.contains(&program.name(*name));
+            // behind such a word a variable holds the text that says what is called
+            let variable = before.is_some_and(|word| program.is_call(word, &BY_TEXT))
+                || programs.macros.contains(&program.name(*name));
             let name = from_outside(program, *name, args).unwrap_or(*name);
             (!variable).then_some(name)
         }
@@ -94,33 +82,19 @@ pub fn named_outside(program: &Program, programs: &Programs, words: &[Word], at:
     }
 }
 
-/// Whether a text, or a variable that holds one, says behind this word what is called.
-fn takes_text(program: &Program, word: &Word) -> bool {
-    match &word.kind {
-        WordKind::Call { name, .. } => BY_TEXT.iter().any(|one| program.is(*name, one)),
-        _ => false,
-    }
+/// The programs of the text that a block calls, each behind the place of the word in the block.
+pub fn called_here(program: &Program, programs: &Programs, words: &[Word]) -> impl Iterator<Item = (usize, usize)> {
+    (0..words.len()).filter_map(|at| match called(program, programs, words, at) {
+        Some(Called::Here(unit)) => Some((at, unit)),
+        _ => None,
+    })
 }
 
 /// Which program of a text calls which, by their places in [`Programs::units`].
 pub fn callers(program: &Program, programs: &Programs) -> Vec<Vec<usize>> {
-    let units = programs.units.iter();
-    let calls = units.map(|unit| {
-        let blocks = program.blocks.get(unit.blocks.clone()).unwrap_or_default();
-        let words = blocks.iter().map(|block| program.words_of(block));
-        let called = words.flat_map(|words| (0..words.len()).filter_map(|at| called(program, programs, words, at)));
-        let here = called.filter_map(|called| match called {
-            Called::Here(unit) => Some(unit),
-            Called::Elsewhere => None,
-        });
-        here.collect()
-    });
-    calls.collect()
-}
-
-fn is_manner(program: &Program, word: &Word) -> bool {
-    match &word.kind {
-        WordKind::Call { name, .. } => MANNERS.iter().any(|manner| program.is(*name, manner)),
-        _ => false,
-    }
+    let calls = |unit| {
+        let words = program.blocks_of(unit).iter().map(|block| program.words_of(block));
+        words.flat_map(|words| called_here(program, programs, words)).map(|(_, unit)| unit).collect()
+    };
+    programs.units.iter().map(calls).collect()
 }

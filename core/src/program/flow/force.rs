@@ -1,9 +1,9 @@
 //! What the words of a block put in force.
 
 use super::state::{Mode, State, Tool};
-use crate::control::Transverse;
 use crate::diagnostic::Span;
-use crate::syntax::fold::{Known, Nothing};
+use crate::program::words::{Setting, setting};
+use crate::syntax::fold::Known;
 use crate::syntax::tree::{Expr, ExprId, Word, WordKind};
 use crate::syntax::{Program, fold};
 
@@ -17,7 +17,7 @@ pub struct Forces<'a> {
 impl<'a> Forces<'a> {
     /// Those of this program.
     pub fn of(program: &'a Program) -> Self {
-        Self { program, prepares: program.words.iter().any(|word| changes(program, word)) }
+        Self { program, prepares: changes_tools(program) }
     }
 
     /// Takes in the words of a block; `known`: what its variables hold.
@@ -70,7 +70,7 @@ impl<'a> Forces<'a> {
                 state.turning = Mode::Is(false);
             }
             WordKind::Call { name, .. } => {
-                if let Some(transverse) = transverse(self.program.text(*name)) {
+                if let Some(Setting::Transverse(transverse)) = setting(&self.program.name(*name)) {
                     state.transverse = Mode::Is(transverse);
                 }
             }
@@ -90,19 +90,7 @@ fn function(state: &mut State, code: Option<i64>, at: Span) {
     }
 }
 
-/// What a word without value sets of the transverse axis.
-fn transverse(name: &[u8]) -> Option<Transverse> {
-    [("DIAMON", Transverse::Diameter), ("DIAMOF", Transverse::Radius), ("DIAM90", Transverse::AbsoluteDiameter)]
-        .into_iter()
-        .find_map(|(known, mode)| name.eq_ignore_ascii_case(known.as_bytes()).then_some(mode))
-}
-
-/// Whether a word is M6.
-pub fn changes(program: &Program, word: &Word) -> bool {
-    match &word.kind {
-        WordKind::Address { name, value, extension: None, .. } if program.is(*name, "M") => {
-            fold::number(program, *value, &Nothing) == Some(6.0)
-        }
-        _ => false,
-    }
+/// Whether a program changes tools with M6.
+pub fn changes_tools(program: &Program) -> bool {
+    program.words.iter().any(|word| program.machine_function(word) == Some(6.0))
 }

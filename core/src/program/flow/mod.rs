@@ -8,8 +8,8 @@ mod passes;
 mod state;
 mod structure;
 
-pub use called::{Called, called, callers, named_outside};
-pub use force::{Forces, changes};
+pub use called::{Called, called, called_here, callers, named_outside};
+pub use force::{Forces, changes_tools};
 pub use state::{Mode, State, Tool};
 
 use crate::dialect::Dialect;
@@ -54,9 +54,9 @@ pub trait Follow {
     /// Takes in the words of a block, calls excepted: functions count before calls.
     fn block(&mut self, state: &mut Self::State, words: &[Word]);
     /// Meets a word of the block that calls something.
-    fn call(&mut self, state: &mut Self::State, word: &Word);
+    fn call(&mut self, _: &mut Self::State, _: &Word) {}
     /// A program that is not in this text was called, or calls this one.
-    fn elsewhere(&self, state: &mut Self::State);
+    fn elsewhere(&self, _: &mut Self::State) {}
     /// What holds where two ways meet.
     fn meet(&self, one: &Self::State, other: &Self::State) -> Self::State;
     /// What a called program begins with, of what holds at its call.
@@ -65,15 +65,11 @@ pub trait Follow {
     }
     /// What holds behind a call, when the called program began and ended with this. `saves`: it puts back the functions
     /// of its caller (`SAVE`).
-    fn leave(
-        &mut self,
-        caller: &Self::State,
-        way: (&Self::State, &Self::State),
-        entry: &Entry,
-        saves: bool,
-    ) -> Self::State;
+    fn leave(&mut self, _: &Self::State, way: (&Self::State, &Self::State), _: &Entry, _: bool) -> Self::State {
+        way.1.clone()
+    }
     /// The whole program ends.
-    fn end(&mut self, state: &Self::State);
+    fn end(&mut self, _: &Self::State) {}
 }
 
 /// Follows every program of the text: those that nothing here calls from a state of their own, the others from where
@@ -168,9 +164,8 @@ impl<F: Follow> Walk<'_, F> {
         let Some(unit) = self.programs.units.get(unit) else {
             return false;
         };
-        let blocks = self.program.blocks.get(unit.blocks.clone());
         let returns = |block: &Block| structure::returns(self.program, self.program.words_of(block));
-        unit.signature.is_none() && !blocks.unwrap_or_default().iter().any(returns)
+        unit.signature.is_none() && !self.program.blocks_of(unit).iter().any(returns)
     }
 
     /// Follows one program: the state with which it was taken to begin and the one behind it; none: it does not come
@@ -295,6 +290,7 @@ impl<F: Follow> Walk<'_, F> {
     fn saves(&self, unit: usize) -> bool {
         let signature = self.programs.units.get(unit).and_then(|unit| unit.signature);
         let block = signature.and_then(|block| self.program.blocks.get(block));
-        block.is_some_and(|block| structure::calls(self.program, self.program.words_of(block), "SAVE"))
+        let mut words = block.into_iter().flat_map(|block| self.program.words_of(block));
+        words.any(|word| self.program.is_call(word, &["SAVE"]))
     }
 }

@@ -4,17 +4,17 @@
 use super::ENTRIES;
 use super::structure::{Branches, Open, target};
 use crate::syntax::fold::Nothing;
-use crate::syntax::links::{canonical, structural};
+use crate::syntax::links::{structural, targets};
 use crate::syntax::tree::{Word, WordKind};
 use crate::syntax::{Program, fold};
-use std::collections::{BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::ops::Range;
 
 /// All beginnings of loops of a program.
 pub struct Passes<S> {
     heads: HashMap<usize, Head<S>>,
     /// Blocks of the labels and block numbers to which a jump may go back.
-    labels: HashMap<String, Vec<usize>>,
+    labels: BTreeMap<String, Vec<usize>>,
 }
 
 /// The beginning of a loop.
@@ -79,8 +79,8 @@ impl Back {
 impl<S: Clone + PartialEq> Passes<S> {
     /// Finds the beginnings.
     pub fn of(program: &Program) -> Self {
-        let mut found = Self { heads: HashMap::new(), labels: HashMap::new() };
-        let keywords = |words: &[Word]| words.iter().any(|word| matches!(word.kind, WordKind::Keyword { .. }));
+        let mut found = Self { heads: HashMap::new(), labels: BTreeMap::new() };
+        let keywords = |words: &[Word]| words.iter().any(|word| word.keyword().is_some());
         let mut names = BTreeSet::new();
         for (at, block) in program.blocks.iter().enumerate() {
             let words = program.words_of(block);
@@ -93,26 +93,11 @@ impl<S: Clone + PartialEq> Passes<S> {
             }
         }
         if !names.is_empty() {
-            found.find_labels(program, &names);
+            found.labels = targets(program);
+            found.labels.retain(|name, _| names.contains(name));
+            found.heads.extend(found.labels.values().flatten().map(|at| (*at, Head::default())));
         }
         found
-    }
-
-    fn find_labels(&mut self, program: &Program, names: &BTreeSet<String>) {
-        for (at, block) in program.blocks.iter().enumerate() {
-            let labels = program.words_of(block).iter();
-            let labels = labels.filter_map(|word| match word.kind {
-                WordKind::Label(name) => Some(name),
-                _ => None,
-            });
-            for name in labels.chain(block.number) {
-                let name = canonical(&program.name(name));
-                if names.contains(&name) {
-                    self.heads.insert(at, Head::default());
-                    self.labels.entry(name).or_default().push(at);
-                }
-            }
-        }
     }
 
     /// Whether a loop begins in this block, or a jump goes back to it.
@@ -125,8 +110,7 @@ impl<S: Clone + PartialEq> Passes<S> {
         let Some(head) = self.heads.get_mut(&at) else {
             return;
         };
-        let place = head.passes.iter().position(|(state, _)| *state == branches.state);
-        let place = place.or_else(|| {
+        let place = head.passes.iter().position(|(state, _)| *state == branches.state).or_else(|| {
             let room = head.passes.len() < 2 * ENTRIES;
             room.then(|| head.passes.push((branches.state.clone(), None)));
             room.then(|| head.passes.len() - 1)
@@ -217,9 +201,5 @@ fn runs_at_least_once(program: &Program, head: usize) -> bool {
 
 /// The label or block number to which a word may jump back.
 fn back_to(program: &Program, word: &Word) -> Option<String> {
-    let WordKind::Keyword { name, .. } = &word.kind else {
-        return None;
-    };
-    let back = program.is(*name, "GOTOB") || program.is(*name, "GOTO");
-    target(program, word).flatten().filter(|_| back)
+    target(program, word).flatten().filter(|_| program.is_keyword(word, &["GOTOB", "GOTO"]))
 }

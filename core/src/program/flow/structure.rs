@@ -1,9 +1,8 @@
 //! Ways through one program: `IF` to `ENDIF`, loops that may not run, jumps forward, ends.
 
-use crate::syntax::fold::Nothing;
+use crate::syntax::Program;
 use crate::syntax::links::{canonical, structural};
 use crate::syntax::tree::{Block, Expr, Word, WordKind};
-use crate::syntax::{Program, fold};
 use std::collections::HashMap;
 
 /// The state on the present way, and on the ways that meet it later.
@@ -153,10 +152,7 @@ impl<S: Clone> Branches<S> {
     }
 
     fn labels(&mut self, program: &Program, block: &Block, words: &[Word], meet: impl Fn(&S, &S) -> S) {
-        let label = words.iter().find_map(|word| match word.kind {
-            WordKind::Label(name) => Some(name),
-            _ => None,
-        });
+        let label = words.iter().find_map(Word::label);
         if self.jumps.is_empty() && (label.is_none() || !self.dead) {
             return;
         }
@@ -206,36 +202,15 @@ pub fn target(program: &Program, word: &Word) -> Option<Option<String>> {
 
 /// Whether a condition stands in the block.
 fn conditional(program: &Program, words: &[Word]) -> bool {
-    words.iter().any(|word| match word.kind {
-        WordKind::Keyword { name, .. } => program.is(name, "IF") || program.is(name, "CASE"),
-        _ => false,
-    })
+    words.iter().any(|word| program.is_keyword(word, &["IF", "CASE"]))
 }
 
 /// Whether the block ends its program: M2, M30; the main program of NCT from everywhere.
 pub fn ends(program: &Program, words: &[Word]) -> bool {
-    words.iter().any(|word| function(program, word, &[2.0, 30.0]))
+    words.iter().any(|word| matches!(program.machine_function(word), Some(2.0 | 30.0)))
 }
 
 /// Whether the block goes back to the caller: M17, RET.
 pub fn returns(program: &Program, words: &[Word]) -> bool {
-    words.iter().any(|word| match word.kind {
-        WordKind::Keyword { name, .. } => program.is(name, "RET"),
-        _ => function(program, word, &[17.0]),
-    })
-}
-
-/// Whether a word without value stands in the block.
-pub fn calls(program: &Program, words: &[Word], known: &str) -> bool {
-    words.iter().any(|word| match word.kind {
-        WordKind::Call { name, .. } => program.is(name, known),
-        _ => false,
-    })
-}
-
-fn function(program: &Program, word: &Word, numbers: &[f64]) -> bool {
-    let WordKind::Address { name, value, extension: None, .. } = &word.kind else {
-        return false;
-    };
-    program.is(*name, "M") && fold::number(program, *value, &Nothing).is_some_and(|number| numbers.contains(&number))
+    words.iter().any(|word| program.is_keyword(word, &["RET"]) || program.machine_function(word) == Some(17.0))
 }

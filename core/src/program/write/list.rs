@@ -53,17 +53,14 @@ fn open_variant<'a>(source: &'a Source) -> Option<&'a str> {
 
 /// A value that means something else in the list of newer controls.
 fn foreign(source: &Source, list: &ArgumentList) -> Option<Diagnostic> {
-    let values = source.values.iter();
-    let values: Typed = values.map(|(param, text)| (param.name.to_string(), text.clone())).collect();
+    let values: Typed = source.values.iter().map(|(param, text)| (param.name.to_string(), text.clone())).collect();
     let name = newer::foreign_of(source.cycle, list, &values, source.control)?;
-    let finding = own::WRITE_NEWER.finding().text("param", name);
-    Some(finding.text("value", values.get(name.as_str())?.as_str()).at(name))
+    Some(own::WRITE_NEWER.finding().text("param", name).text("value", values.get(name.as_str())?.as_str()).at(name))
 }
 
 /// A target that the list of newer controls takes in another argument, or under a number that is not known.
 fn target_elsewhere(source: &Source) -> Option<Diagnostic> {
-    let mut values = source.values.iter();
-    let (param, text) = values.find(|(param, _)| param.name == names::KNUM)?;
+    let (param, text) = source.values.iter().find(|(param, _)| param.name == names::KNUM)?;
     match target(param, &source.inputs) {
         Target::Tool if parse(text) == Parsed::Number(0.0) => None,
         Target::Tool => Some(own::WRITE_NEWER_TOOL.finding()),
@@ -76,8 +73,7 @@ fn target_elsewhere(source: &Source) -> Option<Diagnostic> {
 }
 
 fn all(source: &Source) -> String {
-    let words = source.values.iter();
-    let words = words.filter(|(param, value)| param.name != value.as_str());
+    let words = source.values.iter().filter(|(param, value)| param.name != value.as_str());
     let words: Vec<String> = words.map(|(param, value)| word(param.name.as_str(), value)).collect();
     assignments(&words)
 }
@@ -141,13 +137,11 @@ fn beside(param: &Param, text: &str) -> Diagnostic {
         (true, false) => own::WRITE_ZERO,
         (false, _) => own::WRITE_BESIDE,
     };
-    let finding = sentence.finding().text("name", param.name);
-    finding.text("value", text)
+    sentence.finding().text("name", param.name).text("value", text)
 }
 
 fn no_place(param: &Param, text: &str) -> Diagnostic {
-    let finding = own::WRITE_EXPRESSION_LOST.finding();
-    finding.text("name", param.name).text("value", text)
+    own::WRITE_EXPRESSION_LOST.finding().text("name", param.name).text("value", text)
 }
 
 fn lost(param: &Param) -> Diagnostic {

@@ -57,8 +57,7 @@ pub(super) fn source<'a>(
         source.values.retain(|(param, _)| !support.hides(param, inputs));
         return source;
     }
-    let used = cycle.params.iter();
-    let used = used.filter(|param| param.need(&source.inputs).is_some());
+    let used = cycle.params.iter().filter(|param| param.need(&source.inputs).is_some());
     source.values = used
         .filter_map(|param| {
             let typed = entered.values.get(param.name.as_str()).map_or("", |text| text.trim());
@@ -74,10 +73,8 @@ pub(super) fn source<'a>(
 
 /// Assignments in two blocks and the call in one of its own.
 pub(super) fn blocks(source: &Source) -> String {
-    let values = source.values.iter();
-    let values = values.map(|(param, value)| (param.name.as_str(), word(param.name.as_str(), value)));
-    let bits = source.bits.iter();
-    let bits = bits.map(|(name, on)| (*name, bit(name, *on)));
+    let values = source.values.iter().map(|(param, value)| (param.name.as_str(), word(param.name.as_str(), value)));
+    let bits = source.bits.iter().map(|(name, on)| (*name, bit(name, *on)));
     let mut words: Vec<(&str, String)> = values.chain(bits).collect();
     words.sort_by_key(|(name, _)| rank(name));
     let second = words.partition_point(|(name, _)| rank(name) < FIRST.len());
@@ -108,10 +105,7 @@ fn bit(name: &str, on: bool) -> String {
 pub(super) fn head(source: &Source, style: Style) -> String {
     let mark = Mark::of(source.control).text();
     let bits: Vec<String> = match style {
-        Style::Indirect => {
-            let bits = source.bits.iter();
-            bits.map(|(name, on)| bit(name, *on)).collect()
-        }
+        Style::Indirect => source.bits.iter().map(|(name, on)| bit(name, *on)).collect(),
         Style::Direct | Style::Operate => Vec::new(),
     };
     format!("{mark}\n{}", assignments(&bits))

@@ -1,0 +1,121 @@
+//! What is to say of the programs of a text among each other: calls of programs that are not here, names by which no
+//! call finds one, measuring calls on too deep a level.
+
+use crate::catalogue::nct;
+use crate::diagnostic::{Diagnostic, Severity, Span};
+use crate::dialect::Dialect;
+use crate::own;
+use crate::problem::Problem;
+use crate::program::calls::CallSite;
+use crate::program::flow::{LEVELS, callers, named_outside};
+use crate::syntax::Program;
+use crate::syntax::programs;
+use crate::syntax::programs::{Programs, bare, numbered};
+use crate::syntax::tree::{Block, WordKind};
+
+/// Most names that are told.
+const NAMES: usize = 8;
+
+/// Deepest level on which a measuring cycle is called (B:656). The main program is the first.
+const DEEPEST: usize = 5;
+
+/// Programs whose file and `PROC` have different names, at the name behind `PROC`: a call finds them by that of their
+/// file.
+pub fn misnamed(program: &Program, programs: &Programs, found: &mut Vec<Diagnostic>) {
+    for (file, said, place) in programs::misnamed(program, programs) {
+        found.push(own::PROGRAM_NAMES.finding().text("file", file).text("proc", said).on(place));
+    }
+}
+
+/// The programs that this text calls and does not hold: what they leave is not known. Told once, at the first call of
+/// one, by the sentence with which a run goes on without them.
+pub fn outside(program: &Program, programs: &Programs, found: &mut Vec<Diagnostic>) {
+    let (mut first, mut names) = (None, Vec::new());
+    for block in &program.blocks {
+        for (span, name) in missing(program, programs, block) {
+            first = first.or(Some(span));
+            if !names.contains(&name) && names.len() <= NAMES {
+                names.push(name);
+            }
+        }
+    }
+    let Some(span) = first else {
+        return;
+    };
+    if names.len() > NAMES {
+        names.truncate(NAMES);
+        names.push("…".to_owned());
+    }
+    let problem = Problem::new("run-subprogram", span, names.join(", "));
+    found.push(problem.diagnostic(Severity::Note));
+}
+
+/// What a block calls that is not here, with the place of the word.
+fn missing(program: &Program, programs: &Programs, block: &Block) -> Vec<(Span, String)> {
+    let words = program.words_of(block);
+    if program.dialect == Dialect::Nct {
+        return numbered_outside(program, programs, block).into_iter().collect();
+    }
+    let named = words.iter().enumerate().filter_map(|(at, word)| {
+        let name = named_outside(program, programs, words, at)?;
+        // a text is called at the word before it
+        let manner = at.checked_sub(1).and_then(|before| words.get(before));
+        let manner = manner.filter(|_| matches!(word.kind, WordKind::Constant(_)));
+        let place = manner.unwrap_or(word).span;
+        Some((place, bare(&program.name(name)).to_owned()))
+    });
+    named.collect()
+}
+
+/// NCT: the program at P that `M98` or `G65` calls, where a number stands there and no macro has it.
+fn numbered_outside(program: &Program, programs: &Programs, block: &Block) -> Option<(Span, String)> {
+    let number = |letter: &str| {
+        let mut words = program.words_of(block).iter();
+        words.find_map(|word| Some((word.span, program.literal(word, letter)?)))
+    };
+    let by_macro = number("G").is_some_and(|(_, code)| code == 65.0);
+    if !by_macro && number("M").is_none_or(|(_, code)| code != 98.0) {
+        return None;
+    }
+    let (span, called) = number("P")?;
+    let name = numbered(called)?;
+    let known = by_macro && nct::by_program(called).is_some();
+    (!known && programs.place(&name).is_none()).then_some((span, name))
+}
+
+/// Calls in subprograms of the same text that are reached on too deep a level.
+pub fn too_deep(program: &Program, programs: &Programs, sites: &[CallSite], found: &mut Vec<Diagnostic>) {
+    if programs.units.len() < 2 || sites.is_empty() {
+        return;
+    }
+    let levels = levels(&callers(program, programs));
+    for site in sites {
+        let line = site.line as usize;
+        let units = programs.units.partition_point(|unit| unit.blocks.start <= line);
+        let level = units.checked_sub(1).and_then(|unit| levels.get(unit)).copied().unwrap_or(1);
+        if level > DEEPEST && site.cycle.purpose.probe.measures() {
+            let finding = own::ADVICE_LEVEL.finding().number("level", level as f64);
+            found.push(finding.on(site.span));
+        }
+    }
+}
+
+/// Deepest level on which each unit runs. What nothing calls may be the main program.
+fn levels(calls: &[Vec<usize>]) -> Vec<usize> {
+    let mut levels = vec![1; calls.len()];
+    for called in calls.iter().flatten() {
+        levels.get_mut(*called).into_iter().for_each(|level| *level = 0);
+    }
+    // Each round goes one level deeper, so that a program that calls itself comes to an end too.
+    for _ in 0..LEVELS {
+        for (unit, called) in calls.iter().enumerate() {
+            let level = levels.get(unit).copied().unwrap_or(0);
+            for other in called.iter().filter(|_| (1..LEVELS).contains(&level)) {
+                if let Some(deeper) = levels.get_mut(*other) {
+                    *deeper = (*deeper).max(level + 1);
+                }
+            }
+        }
+    }
+    levels
+}
