@@ -8,16 +8,8 @@ use std::path::{Path, PathBuf};
 
 /// Units and names, which are the same in every language.
 const SAME: &[&str] = &[
-    "app-name",
-    "program-file-nct",
-    "program-file-sinumerik",
-    "unit-ft-per-min",
-    "unit-hex",
-    "unit-inch",
-    "unit-inch-per-min",
-    "unit-m-per-min",
-    "unit-mm-per-min",
-    "unit-rpm",
+    "app-name", "program-file-nct", "program-file-sinumerik", "unit-ft-per-min", "unit-hex", "unit-inch",
+    "unit-inch-per-min", "unit-m-per-min", "unit-mm-per-min", "unit-rpm",
 ];
 
 /// Folders of the core's messages and of the page's.

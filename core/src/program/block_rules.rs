@@ -90,11 +90,7 @@ mod tests {
             assert_eq!(told(text), [(sentence.code(), word.to_owned())], "{text}");
         }
         for text in [
-            "G0 G90 M3 M8 X1 Y2",
-            "S1=500 S2=300 S700",
-            "R1=1 R1=2",
-            "X1\nX2",
-            "POS[X]=1 POS[Y]=2",
+            "G0 G90 M3 M8 X1 Y2", "S1=500 S2=300 S700", "R1=1 R1=2", "X1\nX2", "POS[X]=1 POS[Y]=2",
             "DEF REAL XY, _X, I",
         ] {
             assert_eq!(told(text), [], "{text}");

@@ -45,22 +45,9 @@ fn measured(lines: &str) -> Outcome {
 fn no_call_measures_with_a_value_that_could_not_be_read() {
     assert_eq!(measured("").stop, None);
     for lines in [
-        "_FA=1e-9",
-        "_FA=2,5",
-        "_TSA=1e0",
-        "_FA = (2",
-        "R1=1e1\n_FA=R1",
-        "R [1]=1e1\n_FA=2+R[1]",
-        "DEF REAL LEN=1e1\n_FA=LEN",
-        "_CHBIT[10]=1e0",
-        "X1e1",
-        "G1 F100 Z1,5",
-        "D1,5",
-        "X0+5",
-        "_FA=20%",
-        "G54\u{a0}G18",
-        "G91.5.5",
-        "_MA=3\u{2212}1",
+        "_FA=1e-9", "_FA=2,5", "_TSA=1e0", "_FA = (2", "R1=1e1\n_FA=R1", "R [1]=1e1\n_FA=2+R[1]",
+        "DEF REAL LEN=1e1\n_FA=LEN", "_CHBIT[10]=1e0", "X1e1", "G1 F100 Z1,5", "D1,5", "X0+5", "_FA=20%",
+        "G54\u{a0}G18", "G91.5.5", "_MA=3\u{2212}1",
     ] {
         let outcome = measured(lines);
         assert_eq!(stop(&outcome), Some("run-unread-value"), "{lines}");
@@ -68,13 +55,7 @@ fn no_call_measures_with_a_value_that_could_not_be_read() {
         assert!(outcome.written().keys().all(|name| !name.starts_with("_OVR")));
     }
     for lines in [
-        "_FA=1e-9\n_FA=20",
-        "_SZA=1e0",
-        "R1=1e1",
-        "X1e1\nX0 D1",
-        "R1=1e1\nR[1]=2\n_FA=R1",
-        "F1e3",
-        "G17,5\nG17",
+        "_FA=1e-9\n_FA=20", "_SZA=1e0", "R1=1e1", "X1e1\nX0 D1", "R1=1e1\nR[1]=2\n_FA=R1", "F1e3", "G17,5\nG17",
         "G54\u{200b}\nG54",
     ] {
         let outcome = measured(lines);
@@ -202,12 +183,7 @@ fn a_tool_that_is_not_there_is_told_as_that_whatever_is_asked_of_it() {
         Words::english().text(&outcome.diagnostics[0].message)
     };
     for text in [
-        "R1=$TC_DP1[5,1]",
-        "R1=$TC_DP6[5,1]",
-        "R1=$TC_DP15[5,2]",
-        "DEF STRING[20] N=$TC_TP2[5]",
-        "T5 M6",
-        "T5 D1 M6",
+        "R1=$TC_DP1[5,1]", "R1=$TC_DP6[5,1]", "R1=$TC_DP15[5,2]", "DEF STRING[20] N=$TC_TP2[5]", "T5 M6", "T5 D1 M6",
         "T=\"5\" M6",
     ] {
         assert_eq!(said(text), "Tool 5 is not there.", "{text}");

@@ -186,10 +186,7 @@ fn odd(seam: &Seam, control: &str, value: &str) -> String {
 /// What goes in as bytes or comes back as numbers.
 fn bytes(seam: &Seam, told: &mut Answers) {
     let files: [&[u8]; 5] = [
-        b"",
-        b"%_N_A_MPF\nG0 X1\n",
-        b"\xef\xbb\xbfG0 ; \xc3\xa4\n",
-        b"; Gr\xf6\xdfe\nG0 X1\n",
+        b"", b"%_N_A_MPF\nG0 X1\n", b"\xef\xbb\xbfG0 ; \xc3\xa4\n", b"; Gr\xf6\xdfe\nG0 X1\n",
         b"PK\x03\x04\x00\x00\xff",
     ];
     for (index, file) in files.into_iter().enumerate() {

@@ -151,15 +151,8 @@ fn machine_datum_agrees(datum: &MachineDatum, row: &Row) {
     // a name in brackets is not printed at this place of the manual; another may have it
     let name = if name.starts_with('(') { datum.identifier } else { name };
     let found = [
-        datum.identifier,
-        datum.standard[0],
-        datum.standard[1],
-        datum.cycles,
-        datum.jog,
-        datum.bounds[0],
-        datum.bounds[1],
-        datum.effective,
-        datum.unit,
+        datum.identifier, datum.standard[0], datum.standard[1], datum.cycles, datum.jog, datum.bounds[0],
+        datum.bounds[1], datum.effective, datum.unit,
     ];
     let wanted = [name, cell(2), cell(3), cell(4), cell(5), cell(6), cell(7), cell(8), cell(9)];
     assert_eq!(found, wanted, "{}", datum.number);

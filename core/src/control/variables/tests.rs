@@ -7,22 +7,9 @@ use crate::control::delivery;
 fn every_name_reads_what_was_written() {
     let mut control = delivery(Dialect::Sinumerik);
     let names = [
-        "$P_UIFR[1,X,TR]",
-        "$P_UIFR[99,Z,FI]",
-        "$P_CHBFR[0,Y,RT]",
-        "$P_NCBFR[15,X,TR]",
-        "$P_SETFR[Z,TR]",
-        "$P_UIFR[99,C,TR]",
-        "$P_SETFR[C,FI]",
-        "$TC_DP21[20,1]",
-        "$TC_DP1[20,1]",
-        "$TC_DP2[20,1]",
-        "$TC_DP3[20,1]",
-        "$TC_DP6[20,1]",
-        "$TC_DP12[20,1]",
-        "$TC_DP15[20,1]",
-        "$TC_SCP13[20,1]",
-        "$TC_ECP66[20,1]",
+        "$P_UIFR[1,X,TR]", "$P_UIFR[99,Z,FI]", "$P_CHBFR[0,Y,RT]", "$P_NCBFR[15,X,TR]", "$P_SETFR[Z,TR]",
+        "$P_UIFR[99,C,TR]", "$P_SETFR[C,FI]", "$TC_DP21[20,1]", "$TC_DP1[20,1]", "$TC_DP2[20,1]", "$TC_DP3[20,1]",
+        "$TC_DP6[20,1]", "$TC_DP12[20,1]", "$TC_DP15[20,1]", "$TC_SCP13[20,1]", "$TC_ECP66[20,1]",
     ];
     // oracle: self (write, then read; each value its own)
     for (i, name) in names.iter().enumerate() {
@@ -41,14 +28,8 @@ fn every_name_reads_what_was_written() {
 fn other_names_are_refused() {
     let mut control = delivery(Dialect::Sinumerik);
     for name in [
-        "$P_UIFR[100,X,TR]",
-        "$P_UIFR[1,W,TR]",
-        "$P_UIFR[1,C,RT]",
-        "$P_UIFR[1,X,MM]",
-        "$TC_DP99[1,1]",
-        "$TC_SCP73[1,1]",
-        "_OVR[0]",
-        "$P_UIFR[1,X",
+        "$P_UIFR[100,X,TR]", "$P_UIFR[1,W,TR]", "$P_UIFR[1,C,RT]", "$P_UIFR[1,X,MM]", "$TC_DP99[1,1]",
+        "$TC_SCP73[1,1]", "_OVR[0]", "$P_UIFR[1,X",
     ] {
         assert!(!control.set_variable(name, 1.0), "{name}");
         assert_eq!(control.variable(name), None, "{name}");
