@@ -41,24 +41,17 @@ struct Chosen {
     choice: &'static str,
 }
 
-fn value(group: &DigitGroup, number: i64) -> i64 {
-    number / group.place % 10_i64.pow(group.digits)
-}
-
 /// The first two choices that no variant has together. None: a digit says nothing that can be chosen, or it takes more
 /// than two choices to be wrong.
 fn pair(cycle: &Cycle, groups: &'static [DigitGroup], number: i64) -> Option<[Chosen; 2]> {
-    let chosen = |group: &'static DigitGroup| {
-        let value = value(group, number);
-        let (_, choice) = group.choices.iter().find(|(known, _)| *known == value)?;
-        Some(Chosen { group, value, choice })
-    };
+    let chosen =
+        |group: &'static DigitGroup| Some(Chosen { group, value: group.value(number), choice: group.choice(number)? });
     let all: Vec<Chosen> = groups.iter().map(chosen).collect::<Option<_>>()?;
     let said: i64 = all.iter().map(|one| one.value * one.group.place).sum();
     if said != number {
         return None; // other digits are not 0
     }
-    let has = |one: &Chosen, variant: i64| value(one.group, variant) == one.value;
+    let has = |one: &Chosen, variant: i64| one.group.value(variant) == one.value;
     let refused = |one: &Chosen, other: &Chosen| {
         let mut variants = cycle.variants.iter().map(|variant| variant.number);
         !variants.any(|variant| has(one, variant) && has(other, variant))
@@ -134,7 +127,7 @@ mod tests {
                     };
                     named += 1;
                     let both = cycle.variants.iter().find(|variant| {
-                        [one, other].iter().all(|chosen| value(chosen.group, variant.number) == chosen.value)
+                        [one, other].iter().all(|chosen| chosen.group.value(variant.number) == chosen.value)
                     });
                     assert!(both.is_none(), "{} {number}", cycle.name);
                 }

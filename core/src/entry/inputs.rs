@@ -85,15 +85,13 @@ impl Inputs {
 
     /// Whether the call uses this parameter; one that the entry does not have, none does.
     pub fn uses(&self, name: Name) -> bool {
-        let param = self.cycle.params.iter().find(|param| param.name == name);
-        param.is_some_and(|param| param.need(self).is_some())
+        self.cycle.param(&name).is_some_and(|param| param.need(self).is_some())
     }
 
     /// Number of a parameter where it is given and above 0, else another one: what a picture can draw.
     #[track_caller]
     pub fn positive(&self, name: Name, otherwise: f64) -> f64 {
-        let given = self.given(name).filter(|value| *value > 0.0);
-        given.unwrap_or(otherwise)
+        self.given(name).filter(|value| *value > 0.0).unwrap_or(otherwise)
     }
 
     /// Whether the cycle takes cutting edge positions the other way round in the ordinate: only the one whose entry

@@ -80,9 +80,7 @@ impl When {
             When::Not(when) => !when.holds(inputs),
         }
     }
-}
 
-impl When {
     /// What the variant alone says about it; none where it depends on other values.
     pub fn of_variant(&self, inputs: &Inputs) -> Option<bool> {
         match self {

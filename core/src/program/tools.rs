@@ -42,8 +42,7 @@ pub struct Tools {
 impl Tools {
     /// Those of a program that starts on a control in this state.
     pub fn of(control: &Control) -> Tools {
-        let edges = control.tools.iter();
-        let edges = edges.flat_map(|(tool, data)| data.edges.keys().map(|edge| (*tool, *edge)));
+        let edges = control.tools.iter().flat_map(|(tool, data)| data.edges.keys().map(|edge| (*tool, *edge)));
         Tools {
             start: (control.tool, control.edge),
             plane: control.plane,
@@ -77,7 +76,10 @@ impl Tools {
         if !state.tool.unset() {
             let number = match state.tool.is() {
                 Some(Tool::Number(number)) => Some(*number),
-                Some(Tool::Name(name)) => named(control, name),
+                Some(Tool::Name(name)) => {
+                    let mut tools = control.tools.iter();
+                    tools.find(|(_, tool)| tool.name.eq_ignore_ascii_case(name)).map(|(number, _)| *number)
+                }
                 None => None,
             };
             control.tool = number.unwrap_or(0);
@@ -112,9 +114,4 @@ fn lengthless(control: &Control, edge: &Edge) -> bool {
     let along = control.length_along_applicate(edge);
     let long = |index: usize| edge.total_length(index) != 0.0;
     !long(along) && (0..3).any(long)
-}
-
-fn named(control: &Control, name: &str) -> Option<i64> {
-    let found = control.tools.iter().find(|(_, tool)| tool.name.eq_ignore_ascii_case(name));
-    found.map(|(number, _)| *number)
 }

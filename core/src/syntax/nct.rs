@@ -6,7 +6,6 @@ use super::nct_expression::{bracket, decimal_comma, variable};
 use super::number;
 use super::reader::{Parsed, Reader};
 use super::tree::{Expr, ExprId, WordKind};
-use crate::diagnostic::Span;
 use crate::dialect::Dialect::Nct;
 use crate::own;
 
@@ -71,7 +70,7 @@ fn address(reader: &mut Reader, letters: usize) -> Parsed<()> {
     let name = reader.from(start);
     reader.blanks();
     let value = plain(reader)?;
-    reader.word(start, WordKind::Address { name, extension: None, mode: None, value });
+    reader.address(start, name, value);
     Ok(())
 }
 
@@ -79,15 +78,13 @@ fn address(reader: &mut Reader, letters: usize) -> Parsed<()> {
 fn plain(reader: &mut Reader) -> Parsed<ExprId> {
     let start = reader.at;
     let sign = usize::from(matches!(reader.byte(0), b'+' | b'-'));
-    let minus = reader.byte(0) == b'-';
     let first = reader.byte(sign);
     if is_digit(first) || first == b'.' {
         reader.at += sign;
         let (value, length) = number::decimal(reader.rest()).ok_or(&own::SYNTAX_NUMBER)?;
         reader.at += length;
         decimal_comma(reader)?;
-        let span: Span = reader.from(start);
-        return Ok(reader.push(Expr::Number(if minus { -value } else { value }, span), 1)?.id);
+        return Ok(reader.number(start, value)?.id);
     }
     if sign == 1 || matches!(first, b'#' | b'[') {
         return Ok(expression(reader, Nct, 12)?.id);
@@ -100,10 +97,7 @@ fn keyword(reader: &mut Reader) -> Parsed<()> {
     const WORDS: &[(&[u8], bool)] =
         &[(b"WHILE", true), (b"GOTO", true), (b"THEN", false), (b"END", true), (b"IF", true), (b"DO", true)];
     let start = reader.at;
-    let rest = reader.rest();
-    let found =
-        WORDS.iter().find(|(word, _)| rest.get(..word.len()).is_some_and(|text| text.eq_ignore_ascii_case(word)));
-    let (word, valued) = found.ok_or(&own::SYNTAX_UNKNOWN)?;
+    let (word, valued) = WORDS.iter().find(|(word, _)| reader.begins(word)).ok_or(&own::SYNTAX_UNKNOWN)?;
     reader.at += word.len();
     let name = reader.from(start);
     reader.blanks();

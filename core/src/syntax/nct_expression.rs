@@ -32,10 +32,8 @@ pub(super) fn operator(reader: &Reader) -> Option<(Operator, Strength, usize)> {
         b'/' => return Some((Operator::Over, 10, 1)),
         _ => {}
     }
-    let rest = reader.rest();
-    let found =
-        WORDS.iter().find(|(word, ..)| rest.get(..word.len()).is_some_and(|text| text.eq_ignore_ascii_case(word)));
-    found.map(|(word, operator, strength)| (*operator, *strength, word.len()))
+    let (word, operator, strength) = WORDS.iter().find(|(word, ..)| reader.begins(word))?;
+    Some((*operator, *strength, word.len()))
 }
 
 /// One operand.
@@ -50,9 +48,10 @@ pub(super) fn operand(reader: &mut Reader) -> Parsed<Node> {
             let (value, length) = number::decimal(reader.rest()).ok_or(&own::SYNTAX_NUMBER)?;
             reader.at += length;
             decimal_comma(reader)?;
-            exponent(reader)?;
-            let span = reader.from(start);
-            reader.push(Expr::Number(value, span), 1)
+            if reader.exponent() {
+                return Err(&own::SYNTAX_NO_EXPONENT); // in an expression no address E can stand
+            }
+            reader.number(start, value)
         }
         byte if byte.is_ascii_alphabetic() => function(reader),
         _ => Err(&own::SYNTAX_OPERAND),
@@ -63,15 +62,6 @@ pub(super) fn operand(reader: &mut Reader) -> Parsed<Node> {
 pub(super) fn decimal_comma(reader: &Reader) -> Parsed<()> {
     match (reader.byte(0), is_digit(reader.byte(1))) {
         (b',', true) => Err(&own::SYNTAX_COMMA),
-        _ => Ok(()),
-    }
-}
-
-/// An exponent, which numbers of this control do not have: in an expression no address can stand.
-fn exponent(reader: &Reader) -> Parsed<()> {
-    let signed = usize::from(matches!(reader.byte(1), b'+' | b'-'));
-    match reader.byte(0) {
-        b'E' | b'e' if is_digit(reader.byte(1 + signed)) => Err(&own::SYNTAX_NO_EXPONENT),
         _ => Ok(()),
     }
 }

@@ -1,6 +1,6 @@
 //! The place in the source, and the arenas being filled. Knows no dialect.
 
-use super::bytes::{in_name, is_blank};
+use super::bytes::{in_name, is_blank, is_digit};
 use super::tree::{Block, Expr, ExprId, Program, SyntaxError, Word, WordKind};
 use crate::diagnostic::Span;
 use crate::dialect::Dialect;
@@ -142,6 +142,29 @@ impl<'a> Reader<'a> {
         let id = self.exprs.len() as ExprId;
         self.exprs.push(expr);
         Ok(Node { id, height })
+    }
+
+    /// A number from a place to the present one, where a sign may stand before the digits.
+    pub fn number(&mut self, start: usize, value: f64) -> Parsed<Node> {
+        let minus = self.source.get(start) == Some(&b'-');
+        let span = self.from(start);
+        self.push(Expr::Number(if minus { -value } else { value }, span), 1)
+    }
+
+    /// Whether this word stands at the present place, whatever follows it.
+    pub fn begins(&self, word: &[u8]) -> bool {
+        self.rest().get(..word.len()).is_some_and(|text| text.eq_ignore_ascii_case(word))
+    }
+
+    /// Whether an exponent as other languages write it stands here: `e-3` behind a number.
+    pub fn exponent(&self) -> bool {
+        let signed = usize::from(matches!(self.byte(1), b'+' | b'-'));
+        self.byte(0).eq_ignore_ascii_case(&b'e') && is_digit(self.byte(1 + signed))
+    }
+
+    /// An address and its value, without extension and kind of dimension.
+    pub fn address(&mut self, start: usize, name: Span, value: ExprId) {
+        self.word(start, WordKind::Address { name, extension: None, mode: None, value });
     }
 
     pub fn word(&mut self, start: usize, kind: WordKind) {

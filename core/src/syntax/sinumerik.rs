@@ -3,6 +3,7 @@
 use super::bytes::{in_name, is_digit, is_letter, starts_name};
 use super::expression::expression;
 use super::keyword::Keyword;
+use super::language::BY_PATH;
 use super::reader::{Expect, Parsed, Reader};
 use super::sinumerik_expression::{arguments, foreign_exponent, index, text};
 use super::tree::{Expr, ExprId, WordKind};
@@ -74,10 +75,8 @@ fn short(reader: &mut Reader) -> Parsed<()> {
         reader.word(start, WordKind::Call { name, args: Box::default(), brackets: false });
         return Ok(());
     }
-    let span = reader.from(number_start);
-    let value = if reader.source.get(number_start) == Some(&b'-') { -value } else { value };
-    let value = reader.push(Expr::Number(value, span), 1)?.id;
-    reader.word(start, WordKind::Address { name, extension: None, mode: None, value });
+    let value = reader.number(number_start, value)?.id;
+    reader.address(start, name, value);
     Ok(())
 }
 
@@ -127,9 +126,9 @@ fn named(reader: &mut Reader) -> Parsed<()> {
     }
     let (index, _) = index(reader)?;
     if assigns(reader) {
-        let address_word = index.is_empty() && reader.expect != Expect::Counter;
-        reader.expect = if reader.expect == Expect::Counter { Expect::Words } else { reader.expect };
-        if address_word && (text.len() == 1 && text != b"_" || keyword::is_address(text)) {
+        let counts = reader.expect == Expect::Counter;
+        reader.expect = if counts { Expect::Words } else { reader.expect };
+        if index.is_empty() && !counts && (text.len() == 1 && text != b"_" || keyword::is_address(text)) {
             return address(reader, start, name, None);
         }
         return assign(reader, start, name, index);
@@ -218,15 +217,12 @@ fn address(reader: &mut Reader, start: usize, name: Span, extension: Option<u32>
 /// A letter, blanks, a number: `X 10`.
 fn spaced(reader: &mut Reader, start: usize, name: Span) -> Parsed<()> {
     reader.blanks();
-    let signed = matches!(reader.byte(0), b'+' | b'-');
     let value_start = reader.at;
-    let minus = reader.byte(0) == b'-';
-    reader.at += usize::from(signed);
+    reader.at += usize::from(matches!(reader.byte(0), b'+' | b'-'));
     let (value, length) = number::with_exponent(reader.rest()).ok_or(&own::SYNTAX_VALUE)?;
     reader.at += length;
-    let span = reader.from(value_start);
-    let value = reader.push(Expr::Number(if minus { -value } else { value }, span), 1)?.id;
-    reader.word(start, WordKind::Address { name, extension: None, mode: None, value });
+    let value = reader.number(value_start, value)?.id;
+    reader.address(start, name, value);
     Ok(())
 }
 
@@ -235,16 +231,13 @@ fn call(reader: &mut Reader, start: usize, name: Span) -> Parsed<()> {
     let brackets = reader.take(b'(');
     let args = if brackets { arguments(reader)? } else { Box::default() };
     reader.word(start, WordKind::Call { name, args, brackets });
-    if !brackets && reader.text(name).eq_ignore_ascii_case(BY_PATH) {
+    if !brackets && reader.text(name).eq_ignore_ascii_case(BY_PATH.as_bytes()) {
         folders(reader);
     }
     Ok(())
 }
 
-/// What calls a program by a path: `PCALL /_N_WKS_DIR/_N_PART_WPD/HOLE(1)`.
-const BY_PATH: &[u8] = b"PCALL";
-
-/// Steps over the folders of a path, up to the name of the program.
+/// Steps over the folders of a path, up to the name of the program: `PCALL /_N_WKS_DIR/_N_PART_WPD/HOLE(1)`.
 fn folders(reader: &mut Reader) {
     reader.blanks();
     if reader.byte(0) != b'/' {

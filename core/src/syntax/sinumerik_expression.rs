@@ -5,7 +5,6 @@
 
 use super::bytes::{is_digit, starts_name};
 use super::expression::{Strength, expression, unary};
-use super::keyword::Keyword;
 use super::reader::{Expect, Node, Parsed, Reader};
 use super::tree::{Expr, ExprId, Operator};
 use super::{keyword, number};
@@ -73,7 +72,7 @@ pub(super) fn operand(reader: &mut Reader) -> Parsed<Node> {
         b'<' if reader.byte(1) == b'<' => unary(reader, Sinumerik, Operator::Join, 2, JOIN + 1),
         b'(' => brackets(reader),
         b'"' => text(reader),
-        b'\'' if reader.byte(2) == b'\'' => character(reader),
+        b'\'' if reader.byte(2) == b'\'' => quoted(reader, 1),
         b'\'' => {
             let read = number::quoted(reader.rest());
             constant(reader, read)
@@ -86,33 +85,24 @@ fn constant(reader: &mut Reader, read: Option<(f64, usize)>) -> Parsed<Node> {
     let (value, length) = read.ok_or(&own::SYNTAX_NUMBER)?;
     let start = reader.at;
     reader.at += length;
-    let span = reader.from(start);
-    reader.push(Expr::Number(value, span), 1)
+    reader.number(start, value)
 }
 
 /// An exponent as other languages write it, `1e-3`, behind a number: it would be read as 1 and an address E.
 pub(super) fn foreign_exponent(reader: &Reader) -> Parsed<()> {
-    let signed = usize::from(matches!(reader.byte(1), b'+' | b'-'));
-    let exponent = reader.byte(0).eq_ignore_ascii_case(&b'e') && is_digit(reader.byte(1 + signed));
-    if exponent { Err(&own::SYNTAX_EXPONENT) } else { Ok(()) }
+    if reader.exponent() { Err(&own::SYNTAX_EXPONENT) } else { Ok(()) }
 }
 
 /// `"…"`.
 pub(super) fn text(reader: &mut Reader) -> Parsed<Node> {
     let length = reader.rest().iter().skip(1).position(|byte| *byte == b'"').ok_or(&own::SYNTAX_TEXT)?;
-    reader.at += 1;
-    let start = reader.at;
-    reader.at += length;
-    let span = reader.from(start);
-    reader.at += 1;
-    reader.push(Expr::Text(span), 1)
+    quoted(reader, length)
 }
 
-/// `'A'`: a text of one character.
-fn character(reader: &mut Reader) -> Parsed<Node> {
-    reader.at += 1;
-    let start = reader.at;
-    reader.at += 1;
+/// So many characters between quotes.
+fn quoted(reader: &mut Reader, length: usize) -> Parsed<Node> {
+    let start = reader.at + 1;
+    reader.at = start + length;
     let span = reader.from(start);
     reader.at += 1;
     reader.push(Expr::Text(span), 1)
@@ -122,19 +112,15 @@ fn character(reader: &mut Reader) -> Parsed<Node> {
 fn named(reader: &mut Reader) -> Parsed<Node> {
     let start = reader.at;
     let name = reader.name();
-    match keyword::find(reader.text(name)) {
-        Some(Keyword::Operator) => {
-            let length = reader.at - start;
-            let operator = match reader.text(name).len() {
-                3 if reader.text(name).eq_ignore_ascii_case(b"NOT") => Operator::Not,
-                5 if reader.text(name).eq_ignore_ascii_case(b"B_NOT") => Operator::BitNot,
-                _ => return Err(&own::SYNTAX_OPERAND),
-            };
-            reader.at = start;
-            return unary(reader, Sinumerik, operator, length, UNARY);
-        }
-        Some(_) => return Err(&own::SYNTAX_OPERAND),
-        None => {}
+    let text = reader.text(name);
+    if keyword::find(text).is_some() {
+        let operator = match text.len() {
+            3 if text.eq_ignore_ascii_case(b"NOT") => Operator::Not,
+            5 if text.eq_ignore_ascii_case(b"B_NOT") => Operator::BitNot,
+            _ => return Err(&own::SYNTAX_OPERAND),
+        };
+        reader.at = start;
+        return unary(reader, Sinumerik, operator, text.len(), UNARY);
     }
     if reader.take(b'(') {
         let (arguments, height) = list(reader, b')')?;

@@ -145,20 +145,17 @@ impl Walk<'_> {
 
     /// Checks the values of a way with what is in force on it.
     fn way(&mut self, index: usize, place: &Place, values: Typed, given: &Given, refused: Option<&Diagnostic>) {
-        let known = self.found.sites.get(index).is_some_and(|site| {
-            let same = |way: &Way| way.state == place.force && *site.values_on(way) == values;
-            site.ways.iter().any(same)
-        });
+        let known =
+            self.found.sites.get(index).is_some_and(|site| {
+                site.ways.iter().any(|way| way.state == place.force && *site.values_on(way) == values)
+            });
         // The same values may be written somewhere else.
         let mut held = given.iter().flat_map(|(_, held)| held.all());
         if known && !held.any(|value| value.argument) {
             return;
         }
         let sinumerik = self.program.dialect == Dialect::Sinumerik;
-        let mut tool = None;
-        if sinumerik {
-            tool = self.tools.use_at(&mut self.control, &place.force);
-        }
+        let tool = if sinumerik { self.tools.use_at(&mut self.control, &place.force) } else { None };
         let Some(site) = self.found.sites.get_mut(index) else {
             return;
         };
@@ -215,25 +212,21 @@ impl Walk<'_> {
             let unit = self.around.unit(site.span);
             for (name, held) in &given {
                 let all = held.all();
-                let several = self.around.several();
-                let own = |value: &Value| {
-                    let source = value.source().start;
+                let own = |source: u32| {
                     let taker = takers.get(&source) == Some(&site.span.start);
-                    taker || !several && source >= site.own_from
+                    taker || !self.around.several() && source >= site.own_from
                 };
                 let origin = |value: &Rc<Value>| Origin {
                     text: value.text.clone(),
                     place: value.source(),
                     argument: value.argument,
-                    own: own(value),
+                    own: own(value.source().start),
                 };
-                let first = arrives_first(all, &self.first_numbers, origin);
                 let mut origins: Vec<Origin> = all.iter().map(origin).collect();
+                let first = arrives_first(all, &self.first_numbers, origin);
                 site.first.extend(first.map(|first| (*name, first)));
-                let written = expression(all).map(|text| (name.to_string(), text));
-                site.expressions.extend(written);
-                let elsewhere = |value: &Rc<Value>| !unit.holds(value.source());
-                if all.len() < 2 && !all.iter().any(elsewhere) {
+                site.expressions.extend(expression(all).map(|text| (name.to_string(), text)));
+                if all.len() < 2 && all.iter().all(|value| unit.holds(value.source())) {
                     continue;
                 }
                 if all.len() > 1 {
@@ -264,13 +257,10 @@ fn arrives_first(
 ) -> Option<Origin> {
     let (first, rest) = values.split_first()?;
     let number = numbers.get(&first.place.start).copied().flatten();
-    match number.filter(|_| first.number.is_none()) {
-        Some(number) => Some(Origin { text: number.to_string(), ..origin(first) }),
-        None => {
-            let differs = rest.iter().any(|other| other.text != first.text);
-            differs.then(|| origin(first))
-        }
+    if let Some(number) = number.filter(|_| first.number.is_none()) {
+        return Some(Origin { text: number.to_string(), ..origin(first) });
     }
+    rest.iter().any(|other| other.text != first.text).then(|| origin(first))
 }
 
 /// The ways keep the values that they have before those of the call change.
