@@ -73,6 +73,5 @@ pub fn selection<'a>(
 ) -> Diagnostic {
     let choices: Vec<String> = choices.map(|(written, _)| written.to_string()).collect();
     let finding = own::SELECTION.finding().number("place", index as f64 + 1.0);
-    let finding = finding.text("name", name).number("value", value);
-    finding.hint_text("choices", choices.join(", "))
+    finding.text("name", name).number("value", value).hint_text("choices", choices.join(", "))
 }

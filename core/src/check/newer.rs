@@ -125,10 +125,9 @@ fn unknown(cycle: &'static Cycle, typed: &Typed, control: &Control, said: Vec<Di
         judged.found.push(open(name, typed));
     }
     judged.found.extend(unread);
-    let inputs = super::read(cycle, typed, control, &mut Vec::new());
     let path = cycle.param(names::FA.as_str()).filter(|param| typed.contains_key(param.name.as_str()));
-    let path = path.and_then(|param| typed::judge(param, &inputs, control));
-    judged.found.extend(path);
+    let inputs = super::read(cycle, typed, control, &mut Vec::new());
+    judged.found.extend(path.and_then(|param| typed::judge(param, &inputs, control)));
 }
 
 /// `_KNUM`: a tool target belongs to another argument, a zero offset has numbers of its own.
@@ -201,8 +200,7 @@ fn probe(cycle: &Cycle, typed: &Typed, judged: &mut Judged) {
     if workpiece && !(1.0..=PROBES).contains(&number) {
         let message = Message::new("check-probe-number").number("number", number);
         let hint = Message::new("check-probe-number-hint").number("fields", PROBES);
-        let finding = error(Code::Alarm(61313), message).hint(hint);
-        judged.found.push(finding.at(names::PRNUM));
+        judged.found.push(error(Code::Alarm(61313), message).hint(hint).at(names::PRNUM));
         judged.foreign.push(names::PRNUM);
     }
 }
@@ -215,8 +213,7 @@ fn open(name: Name, typed: &Typed) -> Diagnostic {
 
 /// Which sort of target `_KNUM` names; none where the cycle has no target.
 fn corrects(cycle: &'static Cycle, inputs: &Inputs) -> Option<Target> {
-    let param = cycle.param(names::KNUM.as_str())?;
-    Some(target(param, inputs))
+    cycle.param(names::KNUM.as_str()).map(|param| target(param, inputs))
 }
 
 fn is_nothing(typed: &Typed, name: Name) -> bool {

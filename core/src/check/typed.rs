@@ -87,16 +87,14 @@ pub fn read(cycle: &'static Cycle, typed: &Typed, control: &Control, diagnostics
     }
     let edge = control.active_edge();
     inputs.body = edge.and_then(Edge::body);
-    let turning = edge.filter(|edge| edge.is_turning());
-    let nose = turning.map(|edge| side(edge.tip, inputs.recodes()));
+    let nose = edge.filter(|edge| edge.is_turning()).map(|edge| side(edge.tip, inputs.recodes()));
     inputs.nose = nose.filter(|sides| *sides != [0.0; 2]);
     for param in cycle.params {
         let text = typed.get(param.name.as_str()).map_or("", |text| text.trim());
         if let Kind::Text(most) = param.kind {
             match written_text(text, most) {
                 Ok("") if param.is_machine_datum() => {
-                    let text = control.text(param.name.as_str());
-                    inputs.texts.insert(param.name, text.into());
+                    inputs.texts.insert(param.name, control.text(param.name.as_str()).into());
                 }
                 Ok("") => {}
                 Ok(text) => drop(inputs.texts.insert(param.name, text.into())),
@@ -181,8 +179,7 @@ fn variant(cycle: &'static Cycle, inputs: &Inputs, said: &[Diagnostic]) -> Resul
         return Err(Box::new(finding.clone()));
     }
     let Some(number) = inputs.given(param.name) else {
-        let finding = missing(param, "need-always");
-        return Err(Box::new(finding.under(param.alarm.unwrap_or(own::MISSING.code()))));
+        return Err(Box::new(missing(param, "need-always").under(param.alarm.unwrap_or(own::MISSING.code()))));
     };
     if cycle.variants.iter().any(|variant| variant.number as f64 == number) {
         return Ok(number as i64);

@@ -12,38 +12,37 @@ use units::Units;
 
 /// What is recognised. Whoever shows the text may know more, to be chosen by hand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
-#[serde(into = "&'static str")]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub enum Encoding {
     /// Also what is ASCII alone.
-    #[cfg_attr(test, ts(rename = "utf-8"))]
+    #[serde(rename = "utf-8")]
     Utf8,
     /// With a byte order mark before the text.
-    #[cfg_attr(test, ts(rename = "utf-8-marked"))]
+    #[serde(rename = "utf-8-marked")]
     Utf8Marked,
     /// The low byte of each unit first.
-    #[cfg_attr(test, ts(rename = "utf-16le"))]
+    #[serde(rename = "utf-16le")]
     Utf16Le,
     /// The same with a byte order mark.
-    #[cfg_attr(test, ts(rename = "utf-16le-marked"))]
+    #[serde(rename = "utf-16le-marked")]
     Utf16LeMarked,
     /// The high byte of each unit first.
-    #[cfg_attr(test, ts(rename = "utf-16be"))]
+    #[serde(rename = "utf-16be")]
     Utf16Be,
     /// The same with a byte order mark.
-    #[cfg_attr(test, ts(rename = "utf-16be-marked"))]
+    #[serde(rename = "utf-16be-marked")]
     Utf16BeMarked,
     /// Simplified Chinese, in pairs of bytes; GB 2312 is part of it.
-    #[cfg_attr(test, ts(rename = "gbk"))]
+    #[serde(rename = "gbk")]
     Gbk,
     /// The same, with sequences of four bytes for everything else.
-    #[cfg_attr(test, ts(rename = "gb18030"))]
+    #[serde(rename = "gb18030")]
     Gb18030,
     /// Japanese.
-    #[cfg_attr(test, ts(rename = "shift_jis"))]
+    #[serde(rename = "shift_jis")]
     ShiftJis,
     /// Western European: what is nothing else.
-    #[cfg_attr(test, ts(rename = "windows-1252"))]
+    #[serde(rename = "windows-1252")]
     Windows1252,
 }
 
@@ -63,12 +62,6 @@ impl Encoding {
             Encoding::ShiftJis => "shift_jis",
             Encoding::Windows1252 => "windows-1252",
         }
-    }
-}
-
-impl From<Encoding> for &'static str {
-    fn from(encoding: Encoding) -> &'static str {
-        encoding.name()
     }
 }
 

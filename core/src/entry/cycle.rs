@@ -75,8 +75,7 @@ impl Cycle {
 
     /// The cycle at work; none where it is not simulated, or not in this build (feature `simulation`).
     pub fn work(&self) -> Option<&Work> {
-        let simulation = self.simulation.as_ref().filter(|_| crate::SIMULATES)?;
-        simulation.work.as_ref()
+        self.simulation.as_ref().filter(|_| crate::SIMULATES)?.work.as_ref()
     }
 
     /// How it scans a surface in pieces; none where it does not, or not in this build.

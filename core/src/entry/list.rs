@@ -81,8 +81,7 @@ impl ArgumentList {
 
     /// Whether the variant is an argument of its own.
     pub fn has_variant(&self, cycle: &Cycle) -> bool {
-        let variant = cycle.variant_param();
-        variant.is_some_and(|name| self.position(name).is_some())
+        cycle.variant_param().is_some_and(|name| self.position(name).is_some())
     }
 
     /// Which argument takes this parameter.

@@ -127,11 +127,10 @@ fn select(program: &Program, site: &CallSite, list: &ArgumentList, text: &str) -
 
 /// The whole number at a place; 0 where it is omitted.
 fn written(program: &Program, place: Span) -> Option<i64> {
-    let text = std::str::from_utf8(program.text(place)).ok()?;
-    if text.is_empty() {
-        return Some(0);
+    match std::str::from_utf8(program.text(place)).ok()? {
+        "" => Some(0),
+        text => text.parse().ok(),
     }
-    text.parse().ok()
 }
 
 /// The first selection that only the run tells, as what the variant depends on.

@@ -34,10 +34,10 @@ fn is_literal(text: &str) -> bool {
 /// The first of these values that is an expression and may be worth something else directly before the call than where
 /// it is written. What is known of its worth is compared afterwards, see [`differs`].
 pub(super) fn moves(program: &Program, site: &CallSite, said: &[Name]) -> Option<Diagnostic> {
-    let name = said.iter().copied().find(|name| {
-        let expression = site.expression(name);
-        expression.is_some_and(|text| text != *name && !stays(program, site, name, text))
-    })?;
+    let name = said
+        .iter()
+        .copied()
+        .find(|name| site.expression(name).is_some_and(|text| text != *name && !stays(program, site, name, text)))?;
     Some(changing(site, name))
 }
 
@@ -131,8 +131,7 @@ fn straight(program: &Program, place: Span, site: &CallSite, reads: &Reads) -> b
     }
     let first = program.words.partition_point(|word| word.span.end <= place.end);
     let words = program.words.get(first..).unwrap_or_default().iter();
-    let mut between = words.take_while(|word| word.span.start < site.span.start);
-    between.all(|word| leaves(program, word, site, reads))
+    words.take_while(|word| word.span.start < site.span.start).all(|word| leaves(program, word, site, reads))
 }
 
 fn leaves(program: &Program, word: &Word, site: &CallSite, reads: &Reads) -> bool {

@@ -1,6 +1,6 @@
 //! Changes of one value as edits of the text; every other byte stays.
 
-use super::calls::CallSite;
+use super::calls::{CallSite, Origin};
 use super::{arguments, write};
 use crate::check::{Text, newer, parse_text};
 use crate::control::delivery;
@@ -67,18 +67,14 @@ fn elsewhere(program: &Program, site: &CallSite, name: &str, value: &str) -> Opt
         return None;
     }
     let whole = |place: Span| program.word_at(place).is_some_and(|word| word.span == place);
-    let mut arguments = origins.iter().filter(|origin| origin.argument);
-    if arguments.any(|origin| value.is_empty() || whole(origin.place)) {
+    if origins.iter().filter(|origin| origin.argument).any(|origin| value.is_empty() || whole(origin.place)) {
         return Some(Vec::new()); // an argument is not taken away, and none is added
     }
     let mut edits: Vec<Edit> = Vec::new();
-    for origin in origins {
-        let same = program.text(around(program, origin.place)) == value.as_bytes();
-        let edit = if value.is_empty() {
-            remove(program, origin.place)
-        } else {
-            replace(program, origin.place, value.to_owned())
-        };
+    for Origin { place, .. } in origins {
+        let same = program.text(around(program, *place)) == value.as_bytes();
+        let gone = value.is_empty();
+        let edit = if gone { remove(program, *place) } else { replace(program, *place, value.to_owned()) };
         if !same && !edits.contains(&edit) {
             edits.push(edit);
         }
@@ -89,8 +85,7 @@ fn elsewhere(program: &Program, site: &CallSite, name: &str, value: &str) -> Opt
 /// The place of a value with the quotes around it.
 fn around(program: &Program, place: Span) -> Span {
     let byte = |at: Option<u32>| at.and_then(|at| program.source.get(at as usize));
-    let quotes = [place.start.checked_sub(1), Some(place.end)].map(byte);
-    match quotes {
+    match [place.start.checked_sub(1), Some(place.end)].map(byte) {
         [Some(b'"'), Some(b'"')] => Span { start: place.start - 1, end: place.end + 1 },
         _ => place,
     }
@@ -134,8 +129,7 @@ fn nothing(value: &str) -> bool {
 /// hands something else there.
 fn written_name(program: &Program, site: &CallSite, name: &str) -> Option<String> {
     let places = arguments::places(program, site.span);
-    let args = site.list.map_or(&[][..], |list| list.args);
-    let own = args.iter().zip(places).find_map(|(arg, place)| match arg {
+    let own = site.list.map_or(&[][..], |list| list.args).iter().zip(places).find_map(|(arg, place)| match arg {
         Arg::Variable(array) => {
             let element = name.strip_prefix(array)?;
             let variable = program.name(place);
@@ -216,8 +210,7 @@ fn add(program: &Program, site: &CallSite, name: &str, value: &str) -> Option<Ed
 /// Whether the program comes from the line of one place to another on no way but past every line between.
 fn goes_straight(program: &Program, from: u32, to: u32) -> bool {
     let line = |place: u32| program.line_of(place) as usize;
-    let lines = program.blocks.get(line(from)..line(to));
-    let skips = lines.into_iter().flatten().any(|block| block.skip.is_some());
+    let skips = program.blocks.get(line(from)..line(to)).into_iter().flatten().any(|block| block.skip.is_some());
     let first = program.words.partition_point(|word| word.span.end < from);
     let words = program.words.get(first..).unwrap_or_default();
     let turns = |word: &Word| word.keyword().or(word.label()).is_some();

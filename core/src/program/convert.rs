@@ -41,8 +41,7 @@ pub fn convert(program: &Program, index: usize, style: Style, control: &Control)
     if written.text.is_empty() {
         return refused(written.findings);
     }
-    let stuck = carried::stuck(program, site);
-    if let Some(finding) = stuck.or_else(|| carried::moves(program, site, &written.said)) {
+    if let Some(finding) = carried::stuck(program, site).or_else(|| carried::moves(program, site, &written.said)) {
         return refused(vec![finding]);
     }
     let edits = rewritten(program, site, &written);
@@ -154,10 +153,9 @@ fn kept(program: &Program, site: &CallSite, own: &Lines, said: &[Name]) -> Vec<S
         }
     }
     let spare = site.places.iter().filter(|(name, place)| {
-        let gone = program.word_at(**place).is_some_and(|word| {
-            let mut own = own.values().flatten();
-            word.span == site.span || own.any(|other| other.span == word.span)
-        });
+        let gone = program
+            .word_at(**place)
+            .is_some_and(|word| word.span == site.span || own.values().flatten().any(|other| other.span == word.span));
         gone && !said.contains(name)
     });
     lines.extend(spare.filter_map(|(name, _)| {

@@ -34,8 +34,7 @@ impl Names {
         self.ids.insert(Rc::clone(&text), id);
         self.texts.push(text);
         self.unsteady.push(unsteady.contains_key(name));
-        let of_variable = self.elements.entry(stem(name).to_owned());
-        of_variable.or_default().push(id);
+        self.elements.entry(stem(name).to_owned()).or_default().push(id);
         id
     }
 

@@ -53,12 +53,11 @@ pub(super) fn emptied(program: &Program, own: &Lines, call_line: u32) -> Vec<Edi
         let Some(block) = program.blocks.get(*line as usize) else {
             continue;
         };
-        let alone = program.words_of(block).len() == words.len() && block.comment.is_none() && *line != call_line;
-        if alone {
+        if program.words_of(block).len() == words.len() && block.comment.is_none() && *line != call_line {
             edits.push(without_line(program, *line, block.span.start));
-            continue;
+        } else {
+            edits.extend(without_words(program, words, block.span));
         }
-        edits.extend(without_words(program, words, block.span));
     }
     edits
 }

@@ -77,8 +77,7 @@ fn idle(site: &CallSite, name: &str, value: &str, control: &Control) -> Vec<Name
     let inputs = |values| check::read(cycle, values, &control, &mut Vec::new());
     let (before, now) = (inputs(&site.values), inputs(&values));
     let idle = |param: &&Param| param.need(&before).is_some() && param.need(&now).is_none();
-    let idle = cycle.params.iter().filter(idle);
-    idle.map(|param| param.name).collect()
+    cycle.params.iter().filter(idle).map(|param| param.name).collect()
 }
 
 /// Edits that take these values out of the words and arguments that are the call's own.

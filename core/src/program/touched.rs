@@ -26,8 +26,7 @@ pub fn touched(program: &Program, edits: &[Edit]) -> Vec<Line> {
     }
     lines.sort_unstable();
     lines.dedup();
-    let changed = lines.into_iter().filter_map(|line| one(program, edits, line));
-    changed.filter(|line| !stays(line)).collect()
+    lines.into_iter().filter_map(|line| one(program, edits, line)).filter(|line| !stays(line)).collect()
 }
 
 fn one(program: &Program, edits: &[Edit], line: u32) -> Option<Line> {

@@ -109,10 +109,7 @@ fn again(run: &mut Interpreter, begin: usize) -> Result<Option<Next>, Problem> {
 pub fn behind(run: &Interpreter, block: usize) -> Result<Next, Problem> {
     let words = run.program.blocks.get(block);
     let words = words.map_or(&[][..], |block| run.program.words_of(block));
-    let last = words.iter().rposition(|word| match &word.kind {
-        WordKind::Keyword { name, .. } => ENDS_OF_STRUCTURE.iter().any(|known| run.program.is(*name, known)),
-        _ => false,
-    });
+    let last = words.iter().rposition(|word| run.program.is_keyword(word, &ENDS_OF_STRUCTURE));
     match last.and_then(|last| words.get(last + 1)) {
         None => Ok(Next::Jump(block + 1)),
         Some(word) => {

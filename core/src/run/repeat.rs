@@ -93,10 +93,8 @@ pub fn jumped(run: &mut Interpreter, to: usize) {
 /// How many passes `P` asks for; without it one.
 fn passes(run: &Interpreter, words: &[Word]) -> Result<u32, Problem> {
     for word in words {
-        if let WordKind::Address { name, value, .. } = &word.kind
-            && run.program.is(*name, "P")
-        {
-            return count(expression::number(run, *value)?, word.span);
+        if let Some(value) = run.program.address(word, "P") {
+            return count(expression::number(run, value)?, word.span);
         }
     }
     Ok(1)
@@ -124,10 +122,7 @@ fn default_end(run: &Interpreter, at: usize, first: usize, keyword: Span) -> Res
 
 /// The second label of `REPEAT FIRST LAST`.
 fn end_label(run: &Interpreter, words: &[Word]) -> Option<String> {
-    words.iter().find_map(|word| match &word.kind {
-        WordKind::Call { name, .. } => Some(run.program.name(*name)),
-        _ => None,
-    })
+    words.iter().find_map(Word::called).map(|name| run.program.name(name))
 }
 
 /// The label before the instruction that is nearest, else the first behind it.

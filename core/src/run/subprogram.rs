@@ -26,10 +26,7 @@ pub fn enter(run: &mut Interpreter, at: usize, call: &Call, unit: &Unit, passes:
     if call.args.len() > parameters.len() {
         return Err(Problem::new("run-arguments", call.span, &*call.name));
     }
-    let saves = words.iter().any(|word| match &word.kind {
-        WordKind::Call { name, .. } => program.is(*name, "SAVE"),
-        _ => false,
-    });
+    let saves = words.iter().any(|word| program.is_call(word, &["SAVE"]));
     let saved = saves.then(|| Box::new(level::save(run)));
     let mut bound = Locals::new();
     for (i, parameter) in parameters.iter().enumerate() {

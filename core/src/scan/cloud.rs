@@ -49,8 +49,7 @@ impl Cloud {
     /// Lowest and highest coordinate along an axis.
     pub fn extent(&self, axis: usize) -> [f64; 2] {
         let ends = [f64::INFINITY, f64::NEG_INFINITY];
-        let values = self.points.iter().map(|point| point[axis]);
-        values.fold(ends, |[low, high], value| [low.min(value), high.max(value)])
+        self.points.iter().map(|point| point[axis]).fold(ends, |[low, high], value| [low.min(value), high.max(value)])
     }
 
     /// Point of the surface that the ball touched.

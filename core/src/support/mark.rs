@@ -67,12 +67,8 @@ fn number(text: &str) -> Option<f64> {
 }
 
 fn changed(names: impl Iterator<Item = String>, before: &[f64], now: &[f64]) -> Vec<Changed> {
-    let pairs = before.iter().zip(now);
-    names
-        .zip(pairs)
-        .filter(|(_, (before, now))| before != now)
-        .map(|(name, (before, now))| (name, *before, *now))
-        .collect()
+    let all = names.zip(before.iter().zip(now));
+    all.filter(|(_, (before, now))| before != now).map(|(name, (before, now))| (name, *before, *now)).collect()
 }
 
 #[cfg(test)]

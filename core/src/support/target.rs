@@ -69,6 +69,5 @@ pub fn finding(support: Support, param: &'static Param, inputs: &Inputs) -> Opti
         return None;
     }
     let finding = own::TARGET_NOT_OFFERED.finding().text("param", param.name);
-    let finding = finding.number("value", inputs.number(param.name)).hint_text("entry", name(TARGETS));
-    Some(finding.at(param.name))
+    Some(finding.number("value", inputs.number(param.name)).hint_text("entry", name(TARGETS)).at(param.name))
 }

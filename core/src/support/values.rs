@@ -148,8 +148,7 @@ fn mean_value(inputs: &Inputs) -> bool {
 }
 
 fn has_probe_type(param: &Param) -> bool {
-    let is_type = |group: &crate::entry::DigitGroup| group.key == PROBE_TYPE.key;
-    matches!(&param.kind, Kind::Digits(groups) if groups.iter().any(is_type))
+    matches!(&param.kind, Kind::Digits(groups) if groups.iter().any(|group| group.key == PROBE_TYPE.key))
 }
 
 /// A third of the tolerance: its number where both limits are numbers, as on the screens (B:12160), else the formula.
@@ -157,10 +156,7 @@ fn third_of_tolerance(cycle: &Cycle, typed: &Typed, control: &Control) -> Option
     let limit = |name: &str| {
         let text = typed.get(name).map_or("", String::as_str);
         match parse(text) {
-            Parsed::Empty => {
-                let fallback = cycle.param(name)?.fallback(control);
-                fallback.map(Parsed::Number)
-            }
+            Parsed::Empty => cycle.param(name)?.fallback(control).map(Parsed::Number),
             Parsed::Wrong => None,
             known => Some(known),
         }

@@ -71,8 +71,7 @@ pub fn programs(program: &Program) -> Programs {
         // a call finds a program by its file; only where the text does not tell that, by its PROC
         let of_procedure = procedure.as_ref().filter(|_| current.file.is_none());
         if let Some(name) = header.as_ref().or(of_procedure) {
-            let names = found.names.entry(bare(name).to_owned());
-            names.or_insert(found.units.len());
+            found.names.entry(bare(name).to_owned()).or_insert(found.units.len());
         }
         if procedure.is_some() {
             current.signature = Some(at);

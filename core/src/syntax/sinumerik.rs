@@ -187,8 +187,7 @@ fn foreign_number(reader: &Reader) -> Parsed<()> {
     if reader.byte(0) == b',' && reader.expect == Expect::Words && is_digit(reader.byte(1)) {
         return Err(&own::SYNTAX_COMMA);
     }
-    let last = reader.at.checked_sub(1).and_then(|at| reader.source.get(at));
-    match last.is_some_and(u8::is_ascii_digit) {
+    match reader.at.checked_sub(1).and_then(|at| reader.source.get(at)).is_some_and(u8::is_ascii_digit) {
         true => foreign_exponent(reader),
         false => Ok(()),
     }

@@ -157,8 +157,7 @@ fn known_machine(control: &Control) -> bool {
 
 /// Whether the program calibrates this probe anywhere.
 fn calibrates(seen: &Seen, (tool, number): (bool, i64)) -> bool {
-    let mut same = seen.sites.iter().filter(|site| (site.cycle.purpose.probe == ProbeUse::Tool) == tool);
-    same.any(|site| {
+    seen.sites.iter().filter(|site| (site.cycle.purpose.probe == ProbeUse::Tool) == tool).any(|site| {
         let inputs = check::read(site.cycle, &site.values, seen.control, &mut Vec::new());
         let own = inputs.given(names::PRNUM).map(|digits| digits as i64 % 100);
         own == Some(number) && site.cycle.purpose.calibrates.holds(&inputs)
@@ -172,15 +171,13 @@ fn calibration(seen: &Seen, asked: &mut Asked) -> Option<Diagnostic> {
     if seen.site.newer_list().is_some() {
         return None; // its probes are calibrated in data that are not here
     }
-    let told = seen.site.diagnostics.iter();
-    let mut instead = told.filter(|one| one.severity == Severity::Error || one.code == own::TOOL_PROBE_EMPTY.code());
-    if instead.next().is_some() {
+    let instead = |one: &Diagnostic| one.severity == Severity::Error || one.code == own::TOOL_PROBE_EMPTY.code();
+    if seen.site.diagnostics.iter().any(instead) {
         return None; // the call does not measure like this; the next one is asked
     }
     let number = seen.inputs.given(names::PRNUM)? as i64 % 100;
     let probe = (purpose.probe == ProbeUse::Tool, number);
-    let known = !asked.calibrated.insert(probe);
-    if known || purpose.calibrates.holds(&seen.inputs) {
+    if !asked.calibrated.insert(probe) || purpose.calibrates.holds(&seen.inputs) {
         return None;
     }
     let machine = seen.control;
@@ -189,10 +186,6 @@ fn calibration(seen: &Seen, asked: &mut Asked) -> Option<Diagnostic> {
         return None;
     }
     let array = if probe.0 { "_TP" } else { "_WP" };
-    Some(
-        own::ADVICE_CALIBRATION
-            .finding()
-            .number("number", number as f64)
-            .text("data", format!("{array}[{},x]", number - 1)),
-    )
+    let finding = own::ADVICE_CALIBRATION.finding().number("number", number as f64);
+    Some(finding.text("data", format!("{array}[{},x]", number - 1)))
 }

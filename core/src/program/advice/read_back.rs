@@ -83,18 +83,14 @@ fn taken_over(seen: &Seen, support: Support, control: &Control, marked: Option<&
     let site = seen.site;
     let entered = support.entered(site.cycle, &site.values, control);
     let inputs = check::read(site.cycle, &entered.values, control, &mut Vec::new());
-    let used = site.cycle.params.iter().filter(|param| param.need(&inputs).is_some());
-    let values = used.filter_map(|param| {
+    let values = site.cycle.params.iter().filter(|param| param.need(&inputs).is_some()).filter_map(|param| {
         let after = entered.values.get(param.name.as_str())?;
         value(site, param, after, control)
     });
     let values: Vec<Change> = values.collect();
     let bits: Vec<Change> = entered.bits.iter().filter_map(|(name, on)| bit(site, name, *on, control)).collect();
     let all = values.iter().chain(&bits);
-    let written = |one: &Change| {
-        let expression = site.expression(one.name);
-        expression.map_or_else(|| one.before.clone(), str::to_owned)
-    };
+    let written = |one: &Change| site.expression(one.name).map_or_else(|| one.before.clone(), str::to_owned);
     let all: Vec<String> = all.map(|one| format!("{}={} → {}", one.name, written(one), one.after)).collect();
     if all.is_empty() {
         return None;

@@ -46,8 +46,7 @@ pub fn outside(program: &Program, programs: &Programs, found: &mut Vec<Diagnosti
         names.truncate(NAMES);
         names.push("…".to_owned());
     }
-    let problem = Problem::new("run-subprogram", span, names.join(", "));
-    found.push(problem.diagnostic(Severity::Note));
+    found.push(Problem::new("run-subprogram", span, names.join(", ")).diagnostic(Severity::Note));
 }
 
 /// What a block calls that is not here, with the place of the word.

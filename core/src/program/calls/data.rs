@@ -142,8 +142,7 @@ impl Walk<'_> {
     }
 
     fn elements(&self, name: &str) -> Vec<String> {
-        let local = self.arrays.get(stem(name)).map(Vec::as_slice);
-        let sizes = local.or_else(|| arrays::sizes(name));
+        let sizes = self.arrays.get(stem(name)).map(Vec::as_slice).or_else(|| arrays::sizes(name));
         sizes.map_or(Vec::new(), |sizes| arrays::elements_from(name, sizes))
     }
 

@@ -27,14 +27,19 @@ pub(super) struct Called {
 /// The calls that were met.
 #[derive(Default)]
 pub(super) struct Found {
-    sites: Vec<CallSite>,
-    /// What arrives at each of them.
-    given: Vec<Given>,
-    /// Their places in `sites`, by their first byte.
+    /// In the order in which they were met first.
+    met: Vec<Met>,
+    /// Their places in `met`, by their first byte.
     at: HashMap<u32, usize>,
     /// The call that first takes a value, by its first byte, by that of the value.
     takers: HashMap<u32, u32>,
     ways: usize,
+}
+
+/// A call, and what arrives at it on all ways so far.
+struct Met {
+    site: CallSite,
+    given: Given,
 }
 
 impl Walk<'_> {
@@ -50,20 +55,28 @@ impl Walk<'_> {
         let values = given.iter();
         let values: Typed =
             values.map(|(name, held)| (name.to_string(), shown(self.program, name, held.all()))).collect();
+        let mut found = std::mem::take(&mut self.found);
         if self.around.several() {
-            let all = given.iter().flat_map(|(_, held)| held.all());
-            for value in all {
-                let taker = self.found.takers.entry(value.source().start);
-                taker.or_insert(span.start);
+            for value in given.iter().flat_map(|(_, held)| held.all()) {
+                found.takers.entry(value.source().start).or_insert(span.start);
             }
         }
-        let known = self.found.at.get(&span.start).copied();
-        let index = known.unwrap_or_else(|| self.first(place, cycle, span, called.list, (&given, &values)));
-        self.way(index, place, values, &given, called.refused.as_ref());
-        match known {
-            Some(index) => self.also(index, given),
-            None => self.found.given.push(given),
+        let index = *found.at.entry(span.start).or_insert(found.met.len());
+        let first = index == found.met.len();
+        if first {
+            let site = self.first(place, cycle, span, called.list, (&given, &values));
+            found.met.push(Met { site, given: Given::new() });
         }
+        if let Some(Met { site, given: known }) = found.met.get_mut(index) {
+            self.way(site, &mut found.ways, place, values, &given, called.refused.as_ref());
+            overwritten(site, &given, self.around.unit(span));
+            if first {
+                *known = given;
+            } else {
+                also(known, &given);
+            }
+        }
+        self.found = found;
     }
 
     /// The first way to a call.
@@ -74,7 +87,7 @@ impl Walk<'_> {
         span: Span,
         list: Option<&'static ArgumentList>,
         (given, values): (&Given, &Typed),
-    ) -> usize {
+    ) -> CallSite {
         let line = self.program.line_of(span.start);
         let mut site = CallSite {
             cycle,
@@ -110,45 +123,29 @@ impl Walk<'_> {
                 site.shared.insert(*name);
             }
         }
-        overwritten(&mut site, given, unit);
-        let index = self.found.sites.len();
-        self.found.sites.push(site);
-        self.found.at.insert(span.start, index);
-        index
+        site
     }
 
     /// On NCT the block alone gives the values.
     fn own_from(&self, span: Span, line: u32) -> u32 {
+        let block = self.program.blocks.get(line as usize);
         match self.program.dialect {
             Dialect::Sinumerik => self.around.own_from(span),
-            Dialect::Nct => {
-                let block = self.program.blocks.get(line as usize);
-                block.map_or(span.start, |block| block.span.start)
-            }
-        }
-    }
-
-    /// Another way to a call: what the first one does not give, no form shows.
-    fn also(&mut self, index: usize, given: Given) {
-        let Some(known) = self.found.given.get_mut(index) else {
-            return;
-        };
-        if let Some(site) = self.found.sites.get_mut(index) {
-            overwritten(site, &given, self.around.unit(site.span));
-        }
-        for (name, held) in known {
-            if let Some((_, other)) = given.iter().find(|(other, _)| other == name) {
-                *held = held.meet(other);
-            }
+            Dialect::Nct => block.map_or(span.start, |block| block.span.start),
         }
     }
 
     /// Checks the values of a way with what is in force on it.
-    fn way(&mut self, index: usize, place: &Place, values: Typed, given: &Given, refused: Option<&Diagnostic>) {
-        let known =
-            self.found.sites.get(index).is_some_and(|site| {
-                site.ways.iter().any(|way| way.state == place.force && *site.values_on(way) == values)
-            });
+    fn way(
+        &mut self,
+        site: &mut CallSite,
+        ways: &mut usize,
+        place: &Place,
+        values: Typed,
+        given: &Given,
+        refused: Option<&Diagnostic>,
+    ) {
+        let known = site.ways.iter().any(|way| way.state == place.force && *site.values_on(way) == values);
         // The same values may be written somewhere else.
         let mut held = given.iter().flat_map(|(_, held)| held.all());
         if known && !held.any(|value| value.argument) {
@@ -156,9 +153,6 @@ impl Walk<'_> {
         }
         let sinumerik = self.program.dialect == Dialect::Sinumerik;
         let tool = if sinumerik { self.tools.use_at(&mut self.control, &place.force) } else { None };
-        let Some(site) = self.found.sites.get_mut(index) else {
-            return;
-        };
         site.plane = self.control.plane;
         site.transverse = self.control.transverse;
         site.unit_function = self.control.unit_function();
@@ -182,12 +176,12 @@ impl Walk<'_> {
         upkeep::settle(&mut self.control, site.cycle);
         if sinumerik && !known {
             site.ways.push(Way {
-                order: self.found.ways,
+                order: *ways,
                 state: place.force.clone(),
                 tool,
                 values: (values != site.values).then_some(values),
             });
-            self.found.ways += 1;
+            *ways += 1;
         }
     }
 
@@ -202,10 +196,10 @@ impl Walk<'_> {
 
     /// All calls in the order of the text, once every way was followed.
     pub(super) fn finished(self) -> Vec<CallSite> {
-        let Found { sites, given, takers, .. } = self.found;
-        let mut finished: Vec<CallSite> = Vec::with_capacity(sites.len());
+        let Found { met, takers, .. } = self.found;
+        let mut finished: Vec<CallSite> = Vec::with_capacity(met.len());
         let mut told = BTreeSet::new();
-        for (mut site, given) in sites.into_iter().zip(given) {
+        for Met { mut site, given } in met {
             // What a call took was of use, and what the first call behind misses is told there.
             let mut missed = |start| !takers.contains_key(&start) && told.insert(start);
             site.overwritten.retain(|(_, before, _)| missed(before.start));
@@ -261,6 +255,15 @@ fn arrives_first(
         return Some(Origin { text: number.to_string(), ..origin(first) });
     }
     rest.iter().any(|other| other.text != first.text).then(|| origin(first))
+}
+
+/// Another way to a call: what the first one does not give, no form shows.
+fn also(known: &mut Given, given: &Given) {
+    for (name, held) in known {
+        if let Some((_, other)) = given.iter().find(|(other, _)| other == name) {
+            *held = held.meet(other);
+        }
+    }
 }
 
 /// The ways keep the values that they have before those of the call change.

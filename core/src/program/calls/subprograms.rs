@@ -8,7 +8,7 @@ use crate::program::held::{Held, Names, Values, stem};
 use crate::program::values::Value;
 use crate::program::{arguments, values};
 use crate::syntax::programs::{Programs, Unit};
-use crate::syntax::tree::{Expr, ExprId, WordKind};
+use crate::syntax::tree::{Expr, ExprId, Word, WordKind};
 use crate::syntax::{Program, fold};
 use std::collections::{BTreeSet, HashMap};
 use std::rc::Rc;
@@ -93,8 +93,7 @@ impl<'a> Subprograms<'a> {
 
     fn own(&mut self, program: &Program, unit: usize) -> Rc<Uses> {
         let programs = self.programs;
-        let found = self.own.entry(unit);
-        Rc::clone(found.or_insert_with(|| Rc::new(uses(program, programs, unit))))
+        Rc::clone(self.own.entry(unit).or_insert_with(|| Rc::new(uses(program, programs, unit))))
     }
 
     /// The numbers of those variables.
@@ -126,9 +125,7 @@ impl<'a> Subprograms<'a> {
             }
             level = deeper;
         }
-        let names = Rc::new(names);
-        self.all.insert(unit, Rc::clone(&names));
-        names
+        Rc::clone(self.all.entry(unit).or_insert(Rc::new(names)))
     }
 }
 
@@ -149,26 +146,15 @@ impl Walk<'_> {
         let own = self.around.own(self.program, entry.unit);
         let arguments = arguments_of(self.program, entry);
         for (at, formal) in own.formal.iter().enumerate() {
-            let held = match arguments.get(at).copied().flatten() {
-                Some((id, place)) => self.argument(caller, id, place),
-                None => match formal.default {
-                    Some(id) => self.default(caller, id),
-                    None => omitted(entry),
-                },
+            let held = match (arguments.get(at).copied().flatten(), formal.default) {
+                (Some((id, place)), _) => Value { argument: true, ..self.value(caller, id, place) },
+                (None, Some(id)) => self.value(caller, id, values::place(self.program, id).unwrap_or_default()),
+                (None, None) => Value { argument: true, ..Value::at("0".to_owned(), Some(0.0), entry.place()) },
             };
             let id = self.names.number(&formal.name, &self.unsteady);
             values.set(id, Some(Held::One(Rc::new(held))));
         }
         Place { force: caller.force.clone(), values }
-    }
-
-    fn argument(&self, caller: &Place, id: ExprId, place: Span) -> Value {
-        Value { argument: true, ..self.value(caller, id, place) }
-    }
-
-    fn default(&self, caller: &Place, id: ExprId) -> Value {
-        let place = values::place(self.program, id).unwrap_or_default();
-        self.value(caller, id, place)
     }
 
     /// What holds behind a call: the caller's own values, but for those that the called program wrote.
@@ -184,23 +170,19 @@ impl Walk<'_> {
             place.force.restore(&caller.force);
         }
         let own = self.around.own(self.program, entry.unit);
-        let call = entry.words.get(entry.at).map_or_else(Span::default, |word| word.span);
         for id in begin.values.changed(&after.values) {
             if !own.declared.contains(stem(self.names.text(id))) {
-                let held = after.values.get(id);
-                let held = held.map(|held| self.written(caller, id, held, call));
+                let held = after.values.get(id).map(|held| self.written(caller, id, held, entry.place()));
                 place.values.set(id, held);
             }
         }
         if !own.formal.iter().any(|formal| formal.by_reference) {
             return place;
         }
-        let arguments = arguments_of(self.program, entry);
-        for (formal, argument) in own.formal.iter().zip(arguments) {
-            let variable = argument.filter(|_| formal.by_reference);
-            let variable = variable.and_then(|(id, _)| self.variable(caller, id));
-            let formal = self.names.find(&formal.name);
-            if let Some((variable, formal)) = variable.zip(formal) {
+        let arguments = own.formal.iter().zip(arguments_of(self.program, entry));
+        for (formal, argument) in arguments.filter(|(formal, _)| formal.by_reference) {
+            let variable = argument.and_then(|(id, _)| self.variable(caller, id));
+            if let Some((variable, formal)) = variable.zip(self.names.find(&formal.name)) {
                 place.values.set(variable, after.values.get(formal).cloned());
             }
         }
@@ -232,22 +214,11 @@ impl Walk<'_> {
     }
 }
 
-/// What a parameter without argument and without default holds.
-fn omitted(entry: &Entry) -> Value {
-    let call = entry.words.get(entry.at);
-    let place = call.map_or_else(Span::default, |word| word.span);
-    Value { argument: true, ..Value::at("0".to_owned(), Some(0.0), place) }
-}
-
 /// The arguments of a call of a program, each with its place; none: omitted.
 fn arguments_of(program: &Program, entry: &Entry) -> Vec<Option<(ExprId, Span)>> {
-    let Some(word) = entry.words.get(entry.at) else {
+    let Some(Word { kind: WordKind::Call { args, .. }, span }) = entry.word() else {
         return Vec::new();
     };
-    let WordKind::Call { args, .. } = &word.kind else {
-        return Vec::new();
-    };
-    let places = arguments::places(program, word.span);
-    let given = args.iter().zip(places);
-    given.map(|(id, place)| id.map(|id| (id, place))).collect()
+    let places = arguments::places(program, *span);
+    args.iter().zip(places).map(|(id, place)| id.map(|id| (id, place))).collect()
 }

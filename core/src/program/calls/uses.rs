@@ -97,8 +97,7 @@ impl Uses {
             }
             WordKind::Address { value, .. } => self.expression(program, *value),
             WordKind::Call { name, args, .. } => {
-                let args = args.iter().flatten();
-                args.for_each(|id| self.expression(program, *id));
+                args.iter().flatten().for_each(|id| self.expression(program, *id));
                 let cycle = catalogue::find(program.dialect, &program.name(*name));
                 let params = cycle.map_or(&[][..], |cycle| cycle.params).iter();
                 self.names.extend(params.map(|param| stem(param.name.as_str()).to_owned()));

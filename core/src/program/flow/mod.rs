@@ -12,6 +12,7 @@ pub use called::{Called, called, called_here, callers, named_outside};
 pub use force::{Forces, changes_tools};
 pub use state::{Mode, State, Tool};
 
+use crate::diagnostic::Span;
 use crate::dialect::Dialect;
 use crate::syntax::Program;
 use crate::syntax::programs::Programs;
@@ -45,6 +46,18 @@ pub struct Entry<'a> {
     pub words: &'a [Word],
     /// Which of them does.
     pub at: usize,
+}
+
+impl Entry<'_> {
+    /// The word that calls it.
+    pub fn word(&self) -> Option<&Word> {
+        self.words.get(self.at)
+    }
+
+    /// Its place.
+    pub fn place(&self) -> Span {
+        self.word().map_or_else(Span::default, |word| word.span)
+    }
 }
 
 /// What is kept while a program is followed.

@@ -154,8 +154,7 @@ impl<S: Clone + PartialEq> Passes<S> {
             return false;
         };
         if let Some((_, end)) = head.passes.get_mut(now) {
-            let met = end.as_ref().map(|end| meet(end, &branches.state));
-            *end = Some(met.unwrap_or_else(|| branches.state.clone()));
+            *end = Some(end.as_ref().map(|end| meet(end, &branches.state)).unwrap_or_else(|| branches.state.clone()));
         }
         let known = head.passes.iter().any(|(state, _)| *state == branches.state);
         !known && head.passes.len() < ENTRIES
@@ -178,8 +177,7 @@ impl<S: Clone + PartialEq> Passes<S> {
         let nobody = branches.dead && left.is_empty() && matches!(back, Back::Here(_));
         branches.also(left, &meet);
         if let Some((first, _)) = head.round.filter(|_| !nobody) {
-            let states = head.round_from(first, back);
-            let behind = states.into_iter().cloned();
+            let behind = head.round_from(first, back).into_iter().cloned();
             if let Some(state) = behind.reduce(|one, other| meet(&one, &other)) {
                 branches.state = state;
                 branches.dead = false;

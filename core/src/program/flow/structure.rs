@@ -64,8 +64,7 @@ impl<S: Clone> Branches<S> {
                 }
             }
             Some("ENDIF") => {
-                let choice = self.open.pop_if(|open| matches!(open, Open::If(_)));
-                if let Some(Open::If(choice)) = choice {
+                if let Some(Open::If(choice)) = self.open.pop_if(|open| matches!(open, Open::If(_))) {
                     self.join(choice.first.unwrap_or(choice.before), meet);
                 }
             }
@@ -108,8 +107,7 @@ impl<S: Clone> Branches<S> {
         match structural(program, words) {
             Some("IF") => {
                 let before = (!self.dead).then(|| self.state.clone());
-                let first = None;
-                self.open.push(Open::If(Choice { before, first }));
+                self.open.push(Open::If(Choice { before, first: None }));
             }
             Some("WHILE" | "FOR" | "LOOP" | "REPEAT") => self.open.push(Open::Loop(at)),
             Some("ENDWHILE" | "ENDFOR" | "ENDLOOP" | "UNTIL") => {
@@ -125,10 +123,8 @@ impl<S: Clone> Branches<S> {
         for target in words.iter().filter_map(|word| target(program, word)) {
             goes = true;
             if let Some(name) = target.filter(|_| !self.dead && !back) {
-                let known = self.jumps.remove(&name);
-                if let Some(state) = both(known, Some(self.state.clone()), &meet) {
-                    self.jumps.insert(name, state);
-                }
+                let state = self.jumps.get(&name).map_or_else(|| self.state.clone(), |known| meet(known, &self.state));
+                self.jumps.insert(name, state);
             }
         }
         if goes && block.skip.is_none() && !conditional(program, words) {
@@ -156,8 +152,7 @@ impl<S: Clone> Branches<S> {
         if self.jumps.is_empty() && (label.is_none() || !self.dead) {
             return;
         }
-        let names = label.into_iter().chain(block.number);
-        for name in names.map(|name| canonical(&program.name(name))) {
+        for name in label.into_iter().chain(block.number).map(|name| canonical(&program.name(name))) {
             let state = self.jumps.remove(&name);
             self.join(state, &meet);
         }

@@ -93,18 +93,21 @@ fn listed(source: &Source, list: &ArgumentList) -> Written {
                 before.push(word(param.name.as_str(), text));
             }
             // what it is worth at the call only the run tells
-            Style::Operate if is_expression(param, text) => return nothing(no_place(param, text)),
+            Style::Operate if is_expression(param, text) => {
+                return nothing(own::WRITE_EXPRESSION_LOST.finding().text("name", param.name).text("value", text));
+            }
             Style::Operate => {
                 said.retain(|name| *name != param.name);
-                findings.extend((!is_default(source, param, text)).then(|| lost(param)));
+                let default = param.fallback(source.control).map_or(Parsed::Empty, Parsed::Number);
+                let lost = || own::WRITE_LOST.finding().text("name", param.name);
+                findings.extend((parse(text) != default).then(lost));
             }
         }
     }
     let mut text = assignments(&before);
     if !auxiliary.is_empty() {
         let value = |name: &Name| {
-            let of_name = auxiliary.iter().find(|(param, _)| param.name == *name);
-            of_name.map_or(String::new(), |(_, text)| text.clone())
+            auxiliary.iter().find(|(param, _)| param.name == *name).map_or(String::new(), |(_, text)| text.clone())
         };
         let arguments = AUXILIARY_ARGS.iter().map(value).collect();
         text.push_str(&call(AUXILIARY, arguments));
@@ -126,10 +129,6 @@ fn is_auxiliary(param: &Param, text: &str) -> bool {
     AUXILIARY_ARGS.contains(&param.name) && !may_be_zero
 }
 
-fn is_default(source: &Source, param: &Param, text: &str) -> bool {
-    parse(text) == param.fallback(source.control).map_or(Parsed::Empty, Parsed::Number)
-}
-
 fn beside(param: &Param, text: &str) -> Diagnostic {
     let auxiliary = AUXILIARY_ARGS.contains(&param.name);
     let sentence = match (auxiliary, is_expression(param, text)) {
@@ -138,14 +137,6 @@ fn beside(param: &Param, text: &str) -> Diagnostic {
         (false, _) => own::WRITE_BESIDE,
     };
     sentence.finding().text("name", param.name).text("value", text)
-}
-
-fn no_place(param: &Param, text: &str) -> Diagnostic {
-    own::WRITE_EXPRESSION_LOST.finding().text("name", param.name).text("value", text)
-}
-
-fn lost(param: &Param) -> Diagnostic {
-    own::WRITE_LOST.finding().text("name", param.name)
 }
 
 /// The arguments in order. What is used and was not typed counts as delivered, because an omitted argument is 0; so do
