@@ -51,9 +51,7 @@ pub fn refused(
     count: usize,
     number: impl Fn(usize) -> Option<f64>,
 ) -> Option<Diagnostic> {
-    let Some(list) = list else {
-        return too_many(cycle.name, 0, count);
-    };
+    let Some(list) = list else { return too_many(cycle.name, 0, count) };
     if list.style == Style::Operate {
         return None;
     }

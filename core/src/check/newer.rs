@@ -115,9 +115,7 @@ fn judged(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed, control: &C
 
 /// A variant of which nothing is published: the path has to be right all the same.
 fn unknown(cycle: &'static Cycle, typed: &Typed, control: &Control, said: Vec<Diagnostic>, judged: &mut Judged) {
-    let Some(name) = cycle.variant_param() else {
-        return;
-    };
+    let Some(name) = cycle.variant_param() else { return };
     judged.foreign.push(name);
     let unread = |one: &Diagnostic| one.param == Some(name) && is_one_of(one, &SAME);
     let unread: Vec<Diagnostic> = said.into_iter().filter(unread).collect();
@@ -139,9 +137,7 @@ fn correction(
     judged: &mut Judged,
 ) {
     let inputs = super::read(cycle, typed, control, &mut Vec::new());
-    let Some(target) = corrects(cycle, &inputs) else {
-        return;
-    };
+    let Some(target) = corrects(cycle, &inputs) else { return };
     let code = inputs.given(names::KNUM);
     if target == Target::Tool && !is_nothing(typed, names::KNUM) {
         rest.retain(|one| one.param.is_none_or(|name| !OF_TOOL.contains(&name)));
@@ -179,9 +175,7 @@ fn keep(one: Diagnostic, typed: &Typed, judged: &mut Judged) {
     // which sign of the infeed leads down differs by the program
     let infeed = one.code == own::INFEED.code();
     let stops = infeed || one.severity == Severity::Error && order.is_none();
-    let Some(name) = one.param.filter(|_| stops) else {
-        return;
-    };
+    let Some(name) = one.param.filter(|_| stops) else { return };
     if !judged.foreign.contains(&name) {
         judged.foreign.push(name);
         if written(&name) && !infeed {
@@ -193,9 +187,7 @@ fn keep(one: Diagnostic, typed: &Typed, judged: &mut Judged) {
 /// The number of a workpiece probe.
 fn probe(cycle: &Cycle, typed: &Typed, judged: &mut Judged) {
     let number = typed.get(names::PRNUM.as_str()).map(|text| parse(text));
-    let Some(Parsed::Number(number)) = number else {
-        return;
-    };
+    let Some(Parsed::Number(number)) = number else { return };
     let workpiece = cycle.purpose.probe == ProbeUse::Workpiece;
     if workpiece && !(1.0..=PROBES).contains(&number) {
         let message = Message::new("check-probe-number").number("number", number);

@@ -29,10 +29,7 @@ pub struct Checked {
 
 /// Checks typed values of a call on a control in this state; what the call does with its data first counts as done.
 pub fn check(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Checked {
-    let due = match crate::SIMULATES {
-        true => upkeep::due(cycle, control),
-        false => Vec::new(),
-    };
+    let due = if crate::SIMULATES { upkeep::due(cycle, control) } else { Vec::new() };
     if due.is_empty() {
         return checked(cycle, typed, control);
     }
@@ -47,9 +44,7 @@ fn checked(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Checked {
     let mut inputs = read(cycle, typed, control, &mut diagnostics);
     match variant(cycle, &inputs, &diagnostics) {
         Ok(number) => inputs.variant = number,
-        Err(finding) => {
-            return Checked { diagnostics: vec![*finding], inputs: None };
-        }
+        Err(finding) => return Checked { diagnostics: vec![*finding], inputs: None },
     }
     let whole = inputs.clone();
     for param in cycle.params {
@@ -126,14 +121,10 @@ pub fn read(cycle: &'static Cycle, typed: &Typed, control: &Control, diagnostics
 /// A number in mm, or the default.
 fn value(param: &Param, unit: Unit, text: &str, control: &Control) -> Result<Option<f64>, Box<Diagnostic>> {
     let number = match parse(text) {
-        Parsed::Empty => {
-            return Ok(param.fallback(control).map(|number| number * factor(unit, control)));
-        }
+        Parsed::Empty => return Ok(param.fallback(control).map(|number| number * factor(unit, control))),
         Parsed::Number(number) => number,
         Parsed::Expression => return Err(Box::new(expression(text))),
-        Parsed::Wrong => {
-            return Err(Box::new(own::NOT_A_NUMBER.finding().text("value", text)));
-        }
+        Parsed::Wrong => return Err(Box::new(own::NOT_A_NUMBER.finding().text("value", text))),
     };
     let limit = if whole(&param.kind) { WHOLE_LIMIT } else { LIMIT };
     if number.abs() > limit && !param.watches {

@@ -111,9 +111,7 @@ mod tests {
         let mut named = 0;
         for cycle in CYCLES {
             for param in cycle.params {
-                let Kind::Variant(groups) = param.kind else {
-                    continue;
-                };
+                let Kind::Variant(groups) = param.kind else { continue };
                 let combined = groups.iter().fold(vec![0], |numbers, group| {
                     let more = |number: &i64| {
                         let number = *number;
@@ -122,9 +120,7 @@ mod tests {
                     numbers.iter().flat_map(more).collect::<Vec<i64>>()
                 });
                 for number in combined {
-                    let Some([one, other]) = pair(cycle, groups, number) else {
-                        continue;
-                    };
+                    let Some([one, other]) = pair(cycle, groups, number) else { continue };
                     named += 1;
                     let both = cycle.variants.iter().find(|variant| {
                         [one, other].iter().all(|chosen| chosen.group.value(variant.number) == chosen.value)

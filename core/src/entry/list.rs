@@ -150,9 +150,7 @@ impl ArgumentList {
 
 /// One number of each list of choices so that what they add is `rest`.
 fn select(choices: &[&[(i64, i64)]], rest: i64) -> Option<Vec<i64>> {
-    let Some((first, others)) = choices.split_first() else {
-        return (rest == 0).then(Vec::new);
-    };
+    let Some((first, others)) = choices.split_first() else { return (rest == 0).then(Vec::new) };
     first.iter().find_map(|(written, adds)| {
         let mut chosen = vec![*written];
         chosen.extend(select(others, rest - adds)?);

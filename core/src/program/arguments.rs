@@ -12,9 +12,7 @@ use crate::syntax::Program;
 /// Place of each argument of the call at `span`, blanks around it left out; an empty place where one is omitted.
 pub(super) fn places(program: &Program, span: Span) -> Vec<Span> {
     let text = program.text(span);
-    let Some(open) = text.iter().position(|byte| *byte == b'(') else {
-        return Vec::new();
-    };
+    let Some(open) = text.iter().position(|byte| *byte == b'(') else { return Vec::new() };
     let (mut found, mut start, mut depth, mut quoted) = (Vec::new(), open + 1, 0_u32, false);
     for (at, byte) in text.iter().enumerate().skip(open + 1) {
         match byte {
@@ -61,9 +59,7 @@ pub(super) fn is_auxiliary(program: &Program, place: Span) -> bool {
 pub(crate) fn only_newer(program: &Program, list: &ArgumentList, call: Span) -> Vec<(&'static str, String)> {
     let places = places(program, call);
     let said = list.args.iter().zip(places).filter_map(|(arg, place)| {
-        let Arg::Newer(name) = arg else {
-            return None;
-        };
+        let Arg::Newer(name) = arg else { return None };
         let text = program.written(place);
         let usual = USUAL.contains(&(*name, text.as_str()));
         let nothing = text.is_empty() || text == "\"\"" || text.parse() == Ok(0.0);
@@ -157,9 +153,7 @@ pub(super) fn given(
     let mut found = Vec::new();
     let at = |index: usize| arguments.get(index).and_then(Option::as_ref);
     for (index, arg) in list.args.iter().enumerate() {
-        let (Arg::Param(name) | Arg::Down(name)) = arg else {
-            continue;
-        };
+        let (Arg::Param(name) | Arg::Down(name)) = arg else { continue };
         let omitted = || {
             let text = cycle.param(name).is_some_and(|param| matches!(param.kind, Kind::Text(_)));
             let nothing = if text { "" } else { "0" };

@@ -46,12 +46,8 @@ pub(super) fn block_rules(program: &Program) -> Vec<Diagnostic> {
 
 /// The place in `ONCE` of an address, and its letter.
 fn once(program: &Program, word: &Word) -> Option<(usize, Span)> {
-    let WordKind::Address { name, extension: None, .. } = word.kind else {
-        return None;
-    };
-    let [letter] = program.text(name) else {
-        return None;
-    };
+    let WordKind::Address { name, extension: None, .. } = word.kind else { return None };
+    let [letter] = program.text(name) else { return None };
     let place = ONCE.iter().position(|one| letter.eq_ignore_ascii_case(one));
     place.map(|place| (place, name))
 }

@@ -151,9 +151,7 @@ fn leaves(program: &Program, word: &Word, site: &CallSite, reads: &Reads) -> boo
 /// The first of these values that is another expression, or worth something else, at the call as it is written now.
 pub(super) fn differs(site: &CallSite, after: &CallSite, said: &[Name]) -> Option<Name> {
     said.iter().copied().find(|name| {
-        let Some(text) = site.expression(name) else {
-            return false;
-        };
+        let Some(text) = site.expression(name) else { return false };
         let now = after.expression(name);
         let known = |site: &CallSite| site.values.get(name.as_str()).map(|text| parse(text));
         now.is_none_or(|now| plain(now) != plain(text)) || known(site) != known(after)

@@ -14,9 +14,7 @@ use crate::syntax::tree::{Block, Word};
 /// Gives a parameter of a call this value, as typed; an empty one takes the parameter away.
 /// A value that an earlier call or another parameter shares is left alone: the call gets an assignment of its own.
 pub fn change(program: &Program, site: &CallSite, name: &str, value: &str) -> Vec<Edit> {
-    let Some(param) = site.cycle.param(name) else {
-        return Vec::new();
-    };
+    let Some(param) = site.cycle.param(name) else { return Vec::new() };
     let (name, text) = (param.name.as_str(), matches!(param.kind, Kind::Text(_)));
     // what cannot be written as one value stays in the form, where its problem is told
     let written = write::value(param, value).unwrap_or_default();
@@ -109,9 +107,7 @@ pub fn apply(source: &[u8], edits: &[Edit]) -> Vec<u8> {
     let mut at = 0;
     for edit in ordered {
         let (start, end) = (edit.span.start as usize, edit.span.end as usize);
-        let Some(kept) = source.get(at..start).filter(|_| end >= start && end <= source.len()) else {
-            continue;
-        };
+        let Some(kept) = source.get(at..start).filter(|_| end >= start && end <= source.len()) else { continue };
         result.extend_from_slice(kept);
         result.extend_from_slice(edit.insert.as_bytes());
         at = end;
@@ -175,9 +171,7 @@ pub(super) fn is_blank(byte: &u8) -> bool {
 
 /// The whole assignment around a value; the value itself where it is an element of a list.
 fn word_around(program: &Program, place: Span) -> Span {
-    let Some(word) = program.word_at(place) else {
-        return place;
-    };
+    let Some(word) = program.word_at(place) else { return place };
     let between = |start, end| program.text(Span { start, end });
     let element = between(word.span.start, place.start).contains(&b',') && program.dialect == Dialect::Sinumerik;
     let first = between(place.end, word.span.end).contains(&b',');

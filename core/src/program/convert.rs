@@ -26,9 +26,7 @@ pub struct Converted {
 /// Writes the call at `index` of the program's calls in this way; the program starts on a control in this state.
 pub fn convert(program: &Program, index: usize, style: Style, control: &Control) -> Converted {
     let sites = calls_on(program, control.clone());
-    let Some(site) = sites.get(index) else {
-        return refused(Vec::new());
-    };
+    let Some(site) = sites.get(index) else { return refused(Vec::new()) };
     if site.list.map_or(Style::Direct, |list| list.style) == style {
         return refused(vec![own::CONVERT_SAME.finding()]);
     }

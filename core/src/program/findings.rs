@@ -66,9 +66,7 @@ pub fn not_understood(program: &Program, error: &SyntaxError) -> Diagnostic {
         cause if cause == own::SYNTAX_COMMA.cause => ".",
         _ => return found,
     };
-    let Some((number, edit)) = rewritten(program, error.span, instead) else {
-        return found;
-    };
+    let Some((number, edit)) = rewritten(program, error.span, instead) else { return found };
     let write = Message::new("syntax-write").text("value", number);
     found.hint(write.clone()).cured(write, vec![edit])
 }

@@ -26,9 +26,7 @@ pub(super) fn own_words<'a>(
     let of_bits = of_bits.filter(|place| site.own_from <= place.start && place.end <= site.span.end);
     let places = of_values.chain(of_bits).filter(|place| *place != site.span);
     for place in places {
-        let Some(word) = program.word_at(place) else {
-            continue;
-        };
+        let Some(word) = program.word_at(place) else { continue };
         let single = match &word.kind {
             WordKind::Assign { value, .. } => matches!(spread(program, *value), Spread::One),
             WordKind::Call { name, .. } => program.is(*name, AUXILIARY),
@@ -50,9 +48,7 @@ pub(super) fn own_words<'a>(
 pub(super) fn emptied(program: &Program, own: &Lines, call_line: u32) -> Vec<Edit> {
     let mut edits = Vec::new();
     for (line, words) in own {
-        let Some(block) = program.blocks.get(*line as usize) else {
-            continue;
-        };
+        let Some(block) = program.blocks.get(*line as usize) else { continue };
         if program.words_of(block).len() == words.len() && block.comment.is_none() && *line != call_line {
             edits.push(without_line(program, *line, block.span.start));
         } else {

@@ -61,9 +61,7 @@ pub fn elsewhere(program: &Program, site: &CallSite, edits: &[Edit]) -> Vec<Line
 /// The lines that the cure of a finding changes elsewhere than where it is told: not in its line, and not in those of a
 /// call to which that belongs.
 pub fn cured_elsewhere(program: &Program, sites: &[CallSite], found: &Diagnostic) -> Vec<Line> {
-    let Some((cure, span)) = found.cure.as_ref().zip(found.span) else {
-        return Vec::new();
-    };
+    let Some((cure, span)) = found.cure.as_ref().zip(found.span) else { return Vec::new() };
     let told = program.line_of(span.start);
     let calls = sites.iter().map(|site| site.first_line..=site.line);
     let near: Vec<_> = calls.filter(|lines| lines.contains(&told)).collect();

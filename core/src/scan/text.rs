@@ -86,9 +86,7 @@ fn head(cloud: &Cloud, layout: &Layout, text: &mut String) {
 fn block(cloud: &Cloud, layout: &Layout, index: usize, text: &mut String) {
     let points = cloud.points();
     let before = index.checked_sub(1).and_then(|before| points.get(before));
-    let (Some(before), Some(point)) = (before, points.get(index)) else {
-        return;
-    };
+    let (Some(before), Some(point)) = (before, points.get(index)) else { return };
     let decimals = decimals(layout);
     let mut blank = "";
     for axis in layout.axes {

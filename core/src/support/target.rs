@@ -37,9 +37,7 @@ pub fn usual_zero(code: i64) -> bool {
 /// What the settings make of the target that the values name.
 pub fn offer(support: Support, param: &Param, inputs: &Inputs) -> Offer {
     let code = inputs.given(param.name).map(|number| number as i64);
-    let (Kind::Knum, Some(code), false) = (&param.kind, code, support.entry(TARGETS)) else {
-        return Offer::Same;
-    };
+    let (Kind::Knum, Some(code), false) = (&param.kind, code, support.entry(TARGETS)) else { return Offer::Same };
     match target(param, inputs) {
         Target::Zero if usual_zero(code) || knum::zero(code).is_err() => Offer::Same,
         Target::Zero => Offer::None,
@@ -49,9 +47,7 @@ pub fn offer(support: Support, param: &Param, inputs: &Inputs) -> Offer {
 
 /// A wrong code is left to the checks.
 fn tool(code: i64, inputs: &Inputs) -> Offer {
-    let Ok(Some(read)) = knum::tool(code, inputs.five_digit_edges) else {
-        return Offer::Same;
-    };
+    let Ok(Some(read)) = knum::tool(code, inputs.five_digit_edges) else { return Offer::Same };
     let offered =
         ToolCode { edge: read.edge, quantity: usual(inputs), inverted: false, location: false, environment: false };
     if read == offered {

@@ -36,9 +36,7 @@ pub fn links(program: &Program, programs: &Programs) -> Links {
         if units.binary_search_by_key(&i, |unit| unit.blocks.start).is_ok() {
             open.clear();
         }
-        let Some(name) = structural(program, words) else {
-            continue;
-        };
+        let Some(name) = structural(program, words) else { continue };
         let number = loop_number(program, words);
         if let Some(end) = end_of(name) {
             links.insert(i, Link::Alone);
@@ -96,9 +94,7 @@ pub fn structural(program: &Program, words: &[Word]) -> Option<&'static str> {
         ["IF", "ELSE", "ENDIF", "WHILE", "ENDWHILE", "FOR", "ENDFOR", "LOOP", "ENDLOOP", "REPEAT", "UNTIL"];
     let jumps = words.iter().any(|word| program.is_keyword(word, &["GOTO", "GOTOF", "GOTOB", "GOTOC", "THEN"]));
     words.iter().find_map(|word| {
-        let WordKind::Keyword { name, value } = &word.kind else {
-            return None;
-        };
+        let WordKind::Keyword { name, value } = &word.kind else { return None };
         if program.is(*name, "END") {
             return Some("ENDWHILE");
         }

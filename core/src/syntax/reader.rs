@@ -195,9 +195,7 @@ impl<'a> Reader<'a> {
         let value = |kind: &WordKind| matches!(kind, WordKind::Address { .. } | WordKind::Assign { .. });
         let own = self.words.get(self.first..).and_then(<[Word]>::last);
         let touches = own.filter(|word| word.span.end as usize == start && value(&word.kind));
-        let Some(begin) = touches.map(|word| word.span.start as usize) else {
-            return start;
-        };
+        let Some(begin) = touches.map(|word| word.span.start as usize) else { return start };
         self.words.pop();
         begin
     }

@@ -13,9 +13,7 @@ pub fn is_value(text: &str) -> bool {
 fn stands(dialect: Dialect, before: &str, text: &str) -> bool {
     let source = format!("{before}{text}");
     let program = read(dialect, source.as_bytes());
-    let ([word], [block]) = (&program.words[..], &program.blocks[..]) else {
-        return false;
-    };
+    let ([word], [block]) = (&program.words[..], &program.blocks[..]) else { return false };
     let whole = word.span.start == 0 && word.span.end as usize == source.len();
     let value = matches!(word.kind, WordKind::Assign { .. } | WordKind::Address { .. });
     whole && value && block.comment.is_none() && program.errors.is_empty()

@@ -30,9 +30,7 @@ pub(super) fn operator(reader: &Reader) -> Option<(Operator, Strength, usize)> {
         (b'>', b'=') => (Operator::GreaterEqual, COMPARISON, 2),
         (b'>', _) => (Operator::Greater, COMPARISON, 1),
         (b'=', b'=') => (Operator::Equal, COMPARISON, 2),
-        (b'A' | b'a' | b'O' | b'o' | b'X' | b'x' | b'D' | b'd' | b'M' | b'm' | b'B' | b'b', _) => {
-            return word(reader);
-        }
+        (b'A' | b'a' | b'O' | b'o' | b'X' | b'x' | b'D' | b'd' | b'M' | b'm' | b'B' | b'b', _) => return word(reader),
         _ => return None,
     })
 }

@@ -127,9 +127,7 @@ impl Rules<'_> {
     /// A frame is taken: G500, G54 and so on.
     fn take(&self, pending: &mut Pending, code: u16) {
         pending.retain(|index, waiting| {
-            let Some(corrected) = self.corrected(*index) else {
-                return false;
-            };
+            let Some(corrected) = self.corrected(*index) else { return false };
             match corrected.function {
                 // Who leaves the old one for another moves in it no more; who never was in it may have taken the
                 // wrong one.
@@ -171,9 +169,7 @@ impl Follow for Rules<'_> {
     }
 
     fn call(&mut self, pending: &mut Pending, word: &Word) {
-        let Some(name) = word.called() else {
-            return;
-        };
+        let Some(name) = word.called() else { return };
         let Ok(index) = self.sites.binary_search_by_key(&word.span.start, |site| site.span.start) else {
             if is_machining(&self.program.name(name)) {
                 self.use_all(pending);
@@ -231,9 +227,7 @@ fn moves(program: &Program, words: &[Word]) -> bool {
 /// Whether a frame in effect is written: `$P_IFRAME=…`, `$P_CHBFRAME[0]=…`.
 fn sets_frame(program: &Program, word: &Word) -> bool {
     const IN_EFFECT: [&str; 4] = ["$P_IFRAME", "$P_CHBFRAME", "$P_NCBFRAME", "$P_SETFRAME"];
-    let WordKind::Assign { name, .. } = word.kind else {
-        return false;
-    };
+    let WordKind::Assign { name, .. } = word.kind else { return false };
     IN_EFFECT.iter().any(|known| program.is(name, known))
 }
 

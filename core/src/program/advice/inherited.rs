@@ -65,15 +65,9 @@ pub fn look(seen: &Seen, found: &mut Vec<Diagnostic>) {
     // Most values were written for the same call.
     let mut writer: Option<(usize, Inputs)> = None;
     for param in seen.site.cycle.params {
-        let Some((level, _)) = param.need(&seen.inputs) else {
-            continue;
-        };
-        let Some(index) = owner(seen, param.name.as_str()) else {
-            continue;
-        };
-        let Some(site) = seen.sites.get(index) else {
-            continue;
-        };
+        let Some((level, _)) = param.need(&seen.inputs) else { continue };
+        let Some(index) = owner(seen, param.name.as_str()) else { continue };
+        let Some(site) = seen.sites.get(index) else { continue };
         if writer.as_ref().is_none_or(|(known, _)| *known != index) {
             let inputs = Inputs {
                 plane: site.plane,
@@ -114,9 +108,7 @@ fn doubt(seen: &Seen, param: &'static Param, level: Level, site: &CallSite, ther
         .hint_text("name", param.name)
         .at(param.name)
         .on(seen.site.span);
-    let Some(value) = param.fallback(seen.control).map(|value| value.to_string()) else {
-        return Some(finding);
-    };
+    let Some(value) = param.fallback(seen.control).map(|value| value.to_string()) else { return Some(finding) };
     let edits = change(seen.program, seen.site, param.name.as_str(), &value);
     Some(finding.cured(Message::new("advice-write").text("name", param.name).text("value", value), edits))
 }

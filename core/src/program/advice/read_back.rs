@@ -45,9 +45,7 @@ pub fn look(seen: &Seen, control: &Control, found: &mut Vec<Diagnostic>) {
     let mut say = |finding: Diagnostic| found.push(finding.on(site.span));
     marked.as_ref().and_then(tools).map(&mut say);
     // the lists of newer controls are not of this support
-    let Some(support) = Support::of(site.cycle, seen.control).filter(|_| site.newer_list().is_none()) else {
-        return;
-    };
+    let Some(support) = Support::of(site.cycle, seen.control).filter(|_| site.newer_list().is_none()) else { return };
     marked.as_ref().and_then(mask).map(&mut say);
     taken_over(seen, support, control, marked.as_ref()).map(&mut say);
     site.cycle.params.iter().filter_map(|param| support::finding(support, param, &seen.inputs)).for_each(&mut say);

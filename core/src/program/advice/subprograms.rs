@@ -39,9 +39,7 @@ pub fn outside(program: &Program, programs: &Programs, found: &mut Vec<Diagnosti
             }
         }
     }
-    let Some(span) = first else {
-        return;
-    };
+    let Some(span) = first else { return };
     if names.len() > NAMES {
         names.truncate(NAMES);
         names.push("…".to_owned());
@@ -69,8 +67,7 @@ fn missing(program: &Program, programs: &Programs, block: &Block) -> Vec<(Span, 
 /// NCT: the program at P that `M98` or `G65` calls, where a number stands there and no macro has it.
 fn numbered_outside(program: &Program, programs: &Programs, block: &Block) -> Option<(Span, String)> {
     let number = |letter: &str| {
-        let mut words = program.words_of(block).iter();
-        words.find_map(|word| Some((word.span, program.literal(word, letter)?)))
+        program.words_of(block).iter().find_map(|word| Some((word.span, program.literal(word, letter)?)))
     };
     let by_macro = number("G").is_some_and(|(_, code)| code == 65.0);
     if !by_macro && number("M").is_none_or(|(_, code)| code != 98.0) {
@@ -93,8 +90,7 @@ pub fn too_deep(program: &Program, programs: &Programs, sites: &[CallSite], foun
         let units = programs.units.partition_point(|unit| unit.blocks.start <= line);
         let level = units.checked_sub(1).and_then(|unit| levels.get(unit)).copied().unwrap_or(1);
         if level > DEEPEST && site.cycle.purpose.probe.measures() {
-            let finding = own::ADVICE_LEVEL.finding().number("level", level as f64);
-            found.push(finding.on(site.span));
+            found.push(own::ADVICE_LEVEL.finding().number("level", level as f64).on(site.span));
         }
     }
 }

@@ -87,8 +87,7 @@ fn the_probe(seen: &Seen) -> Option<String> {
     if purpose.probe != ProbeUse::Workpiece || on_a_lathe(seen) {
         return None;
     }
-    let tools = seen.control.tools.iter();
-    let edges = tools.flat_map(|(number, tool)| tool.edges.iter().map(move |edge| (number, edge)));
+    let edges = seen.control.tools.iter().flat_map(|(number, tool)| tool.edges.iter().map(move |edge| (number, edge)));
     let mut probes = edges.filter(|(_, (_, edge))| edge.kind == PROBE);
     let (number, (edge, _)) = probes.next()?;
     if probes.next().is_some() {

@@ -25,9 +25,7 @@ impl Walk<'_> {
             match &word.kind {
                 WordKind::Assign { name, index, value_span, value } => {
                     let numbers = self.numbers(place);
-                    let Some(name) = fold::name(self.program, *name, index, &numbers) else {
-                        continue;
-                    };
+                    let Some(name) = fold::name(self.program, *name, index, &numbers) else { continue };
                     if counts {
                         self.keep_first(place, *value, *value_span);
                         let count = Value::at(name.clone(), None, *value_span);

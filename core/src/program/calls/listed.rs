@@ -38,9 +38,7 @@ impl Walk<'_> {
             Some((cycle, _)) => Some(cycle),
             None => catalogue::find(self.program.dialect, &name),
         };
-        let Some(cycle) = cycle else {
-            return;
-        };
+        let Some(cycle) = cycle else { return };
         let list = listed.map(|(_, list)| list);
         let written = |index: usize| {
             let value = arguments.get(index).and_then(Option::as_ref);

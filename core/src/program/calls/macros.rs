@@ -22,9 +22,7 @@ impl Walk<'_> {
             let words = program.words_of(block);
             self.data(place, words);
             for word in words {
-                let Some(number) = program.literal(word, "G") else {
-                    continue;
-                };
+                let Some(number) = program.literal(word, "G") else { continue };
                 modal(&mut self.control, number);
                 if let Some((cycle, span)) = self.macro_call(place, number, block, word.span) {
                     self.addressed(place, cycle, block, span);
@@ -51,9 +49,7 @@ impl Walk<'_> {
     fn addressed(&mut self, place: &Place, cycle: &'static Cycle, block: &Block, span: Span) {
         let mut given = Vec::new();
         for word in self.program.words_of(block) {
-            let WordKind::Address { name, value, .. } = &word.kind else {
-                continue;
-            };
+            let WordKind::Address { name, value, .. } = &word.kind else { continue };
             if let Some(param) = cycle.params.iter().find(|param| self.program.is(*name, param.name.as_str())) {
                 let at = Span { start: name.end, end: word.span.end };
                 let value = values::value(self.program, *value, at, &self.numbers(place));

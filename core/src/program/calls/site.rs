@@ -275,9 +275,7 @@ fn keep(site: &mut CallSite) {
 
 /// What a form shows where one of these arrives.
 fn shown(program: &Program, name: &str, values: &[Rc<Value>]) -> String {
-    let Some((first, rest)) = values.split_first() else {
-        return String::new();
-    };
+    let Some((first, rest)) = values.split_first() else { return String::new() };
     if rest.iter().all(|other| other.text == first.text) {
         return first.text.clone();
     }
@@ -339,9 +337,7 @@ fn checked(
 fn overwritten(site: &mut CallSite, given: &Given, unit: Span) {
     for (name, held) in given {
         for value in held.all() {
-            let Some((before, call)) = value.instead else {
-                continue;
-            };
+            let Some((before, call)) = value.instead else { continue };
             let known = site.overwritten.iter().any(|(other, ..)| other == name);
             if unit.holds(before) && before.end <= site.span.start && !known {
                 site.overwritten.push((*name, before, call));

@@ -191,9 +191,7 @@ impl Walk<'_> {
 
     /// A value that a called program wrote, with the assignment of the caller whose place it took.
     fn written(&self, caller: &Place, id: usize, held: &Held, call: Span) -> Held {
-        let Some(Held::One(before)) = caller.values.get(id) else {
-            return held.clone();
-        };
+        let Some(Held::One(before)) = caller.values.get(id) else { return held.clone() };
         let after = held.all().iter().map(|value| {
             let same = value.number.is_some() && value.number == before.number;
             if same || value == before {
@@ -206,9 +204,7 @@ impl Walk<'_> {
 
     /// The variable that an expression is.
     pub(super) fn variable(&self, place: &Place, id: ExprId) -> Option<usize> {
-        let Some(Expr::Name { name, index }) = self.program.expr(id) else {
-            return None;
-        };
+        let Some(Expr::Name { name, index }) = self.program.expr(id) else { return None };
         let numbers = self.numbers(place);
         self.names.find(&fold::name(self.program, *name, index, &numbers)?)
     }
@@ -216,9 +212,7 @@ impl Walk<'_> {
 
 /// The arguments of a call of a program, each with its place; none: omitted.
 fn arguments_of(program: &Program, entry: &Entry) -> Vec<Option<(ExprId, Span)>> {
-    let Some(Word { kind: WordKind::Call { args, .. }, span }) = entry.word() else {
-        return Vec::new();
-    };
+    let Some(Word { kind: WordKind::Call { args, .. }, span }) = entry.word() else { return Vec::new() };
     let places = arguments::places(program, *span);
     args.iter().zip(places).map(|(id, place)| id.map(|id| (id, place))).collect()
 }

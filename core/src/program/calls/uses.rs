@@ -70,9 +70,7 @@ pub(super) fn measuring(program: &Program, programs: &Programs) -> BTreeSet<usiz
 /// Looks through one program.
 pub(super) fn uses(program: &Program, programs: &Programs, unit: usize) -> Uses {
     let mut found = Uses::default();
-    let Some(unit) = programs.units.get(unit) else {
-        return found;
-    };
+    let Some(unit) = programs.units.get(unit) else { return found };
     let signature = unit.signature.and_then(|block| program.blocks.get(block));
     found.formal = signature.map_or(Vec::new(), |block| formal(program, block));
     for block in program.blocks_of(unit) {

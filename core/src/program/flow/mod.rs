@@ -174,9 +174,7 @@ impl<S> Default for Seen<S> {
 impl<F: Follow> Walk<'_, F> {
     /// Whether it begins from a reset: it is no subprogram by its first block and by how it ends.
     fn is_main(&self, unit: usize) -> bool {
-        let Some(unit) = self.programs.units.get(unit) else {
-            return false;
-        };
+        let Some(unit) = self.programs.units.get(unit) else { return false };
         let returns = |block: &Block| structure::returns(self.program, self.program.words_of(block));
         unit.signature.is_none() && !self.program.blocks_of(unit).iter().any(returns)
     }
@@ -212,9 +210,7 @@ impl<F: Follow> Walk<'_, F> {
             return Ok(found.clone());
         }
         let last = seen.common.as_ref().or(seen.each.last());
-        let Some((last, after)) = last.filter(|_| seen.each.len() >= self.entries) else {
-            return Err(before);
-        };
+        let Some((last, after)) = last.filter(|_| seen.each.len() >= self.entries) else { return Err(before) };
         let common = self.rules.meet(last, &before);
         if common == *last || seen.times >= TIMES {
             return Ok((common, after.clone()));

@@ -44,9 +44,7 @@ impl<S: PartialEq> Head<S> {
         let mut next = Some(first);
         while let Some(pass) = next.filter(|pass| !passed.contains(pass)) {
             passed.push(pass);
-            let Some((begin, end)) = self.passes.get(pass) else {
-                break;
-            };
+            let Some((begin, end)) = self.passes.get(pass) else { break };
             if matches!(back, Back::Tested(_)) {
                 states.push(begin);
             }
@@ -107,9 +105,7 @@ impl<S: Clone + PartialEq> Passes<S> {
 
     /// The present way comes to a block, before its words count.
     pub fn begin(&mut self, branches: &Branches<S>, at: usize) {
-        let Some(head) = self.heads.get_mut(&at) else {
-            return;
-        };
+        let Some(head) = self.heads.get_mut(&at) else { return };
         let place = head.passes.iter().position(|(state, _)| *state == branches.state).or_else(|| {
             let room = head.passes.len() < 2 * ENTRIES;
             room.then(|| head.passes.push((branches.state.clone(), None)));
@@ -147,12 +143,8 @@ impl<S: Clone + PartialEq> Passes<S> {
 
     /// Takes in what goes back; true: it is new there.
     pub fn returns(&mut self, branches: &Branches<S>, back: Back, meet: impl Fn(&S, &S) -> S) -> bool {
-        let Some(head) = self.heads.get_mut(&back.head()).filter(|_| !branches.dead) else {
-            return false;
-        };
-        let Some((_, now)) = head.round else {
-            return false;
-        };
+        let Some(head) = self.heads.get_mut(&back.head()).filter(|_| !branches.dead) else { return false };
+        let Some((_, now)) = head.round else { return false };
         if let Some((_, end)) = head.passes.get_mut(now) {
             *end = Some(end.as_ref().map(|end| meet(end, &branches.state)).unwrap_or_else(|| branches.state.clone()));
         }
@@ -170,9 +162,7 @@ impl<S: Clone + PartialEq> Passes<S> {
 
     /// What holds behind the block, all passes together.
     pub fn done(&mut self, branches: &mut Branches<S>, back: Back, meet: impl Fn(&S, &S) -> S) {
-        let Some(head) = self.heads.get_mut(&back.head()) else {
-            return;
-        };
+        let Some(head) = self.heads.get_mut(&back.head()) else { return };
         let left = std::mem::take(&mut head.left);
         let nobody = branches.dead && left.is_empty() && matches!(back, Back::Here(_));
         branches.also(left, &meet);

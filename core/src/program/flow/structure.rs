@@ -83,9 +83,7 @@ impl<S: Clone> Branches<S> {
     /// What was open on other ways to the same place.
     pub fn also(&mut self, ways: Vec<Vec<Open<S>>>, meet: impl Fn(&S, &S) -> S) {
         for way in ways {
-            let Some(from) = self.open.len().checked_sub(way.len()) else {
-                continue;
-            };
+            let Some(from) = self.open.len().checked_sub(way.len()) else { continue };
             for (open, other) in self.open.iter_mut().skip(from).zip(way) {
                 if let (Open::If(choice), Open::If(other)) = (open, other) {
                     choice.before = both(choice.before.take(), other.before, &meet);
@@ -100,9 +98,7 @@ impl<S: Clone> Branches<S> {
 
     /// Behind a block: a branch begins, or a jump or the end goes away. `back`: what goes back was followed already.
     pub fn leave(&mut self, program: &Program, at: usize, back: bool, meet: impl Fn(&S, &S) -> S) {
-        let Some(block) = program.blocks.get(at) else {
-            return;
-        };
+        let Some(block) = program.blocks.get(at) else { return };
         let words = program.words_of(block);
         match structural(program, words) {
             Some("IF") => {
@@ -162,9 +158,7 @@ impl<S: Clone> Branches<S> {
 
     /// Another way meets the present one.
     fn join(&mut self, other: Option<S>, meet: impl Fn(&S, &S) -> S) {
-        let Some(other) = other else {
-            return;
-        };
+        let Some(other) = other else { return };
         self.state = if self.dead { other } else { meet(&self.state, &other) };
         self.dead = false;
     }
@@ -180,9 +174,7 @@ fn both<S>(one: Option<S>, other: Option<S>, meet: impl Fn(&S, &S) -> S) -> Opti
 
 /// Where a word jumps to; none inside: the text does not tell.
 pub fn target(program: &Program, word: &Word) -> Option<Option<String>> {
-    let WordKind::Keyword { name, value } = &word.kind else {
-        return None;
-    };
+    let WordKind::Keyword { name, value } = &word.kind else { return None };
     let text = program.text(*name);
     if !text.get(..4).is_some_and(|start| start.eq_ignore_ascii_case(b"GOTO")) {
         return None;

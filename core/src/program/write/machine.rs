@@ -66,9 +66,7 @@ pub fn definitions(control: &Control, delivered: &Control) -> String {
     };
     let mut text = String::new();
     for gud in gud::all().filter(|gud| gud.block == Block::Gud6 && differs(gud)) {
-        let Some(kind) = kind(gud.kind) else {
-            continue;
-        };
+        let Some(kind) = kind(gud.kind) else { continue };
         let _ = writeln!(text, "{}", definition(control, gud, kind));
     }
     text

@@ -138,9 +138,7 @@ fn addresses(source: &Source) -> String {
 pub fn value(param: &Param, typed: &str) -> Option<String> {
     let typed = typed.trim();
     if let Kind::Text(_) = param.kind {
-        let Text::Plain(inner) = parse_text(typed) else {
-            return Some(typed.to_owned());
-        };
+        let Text::Plain(inner) = parse_text(typed) else { return Some(typed.to_owned()) };
         let plain = !inner.is_empty() && !inner.contains('"') && !inner.chars().any(char::is_control);
         return plain.then(|| format!("\"{inner}\""));
     }

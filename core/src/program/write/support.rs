@@ -81,10 +81,7 @@ pub(super) fn blocks(source: &Source) -> String {
     let (first, second) = words.split_at(second);
     let line = |words: &[(&str, String)]| {
         let words: Vec<&str> = words.iter().map(|(_, word)| word.as_str()).collect();
-        match words.is_empty() {
-            true => String::new(),
-            false => format!("{}\n", words.join(" ")),
-        }
+        if words.is_empty() { String::new() } else { format!("{}\n", words.join(" ")) }
     };
     format!("{}{}{}\n", line(first), line(second), source.cycle.name)
 }
