@@ -65,8 +65,7 @@ pub fn is_open(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed, contro
 pub fn with_omitted(cycle: &Cycle, typed: &Typed) -> Typed {
     let mut typed = typed.clone();
     for name in cycle.variant_param().into_iter().chain([names::KNUM]) {
-        let nothing = typed.get(name.as_str()).is_none_or(|text| text.trim().is_empty());
-        if nothing && cycle.param(name.as_str()).is_some() {
+        if text(&typed, name).trim().is_empty() && cycle.param(name.as_str()).is_some() {
             typed.insert(name.to_string(), "0".to_owned());
         }
     }
@@ -75,8 +74,7 @@ pub fn with_omitted(cycle: &Cycle, typed: &Typed) -> Typed {
 
 /// Whether these values hold a tool target, which has an argument of its own in a list.
 pub fn has_tool_target(cycle: &'static Cycle, typed: &Typed, control: &Control) -> bool {
-    let inputs = super::read(cycle, typed, control, &mut Vec::new());
-    corrects(cycle, &inputs) == Some(Target::Tool) && !is_nothing(typed, names::KNUM)
+    Judged::new(cycle, typed, control).corrects() == Some(Target::Tool) && !is_nothing(text(typed, names::KNUM))
 }
 
 /// Whether a zero offset has the same number on both controls.
@@ -90,126 +88,129 @@ fn is_newer_zero(code: f64) -> bool {
     is_same_zero(code) || code.fract() == 0.0 && known
 }
 
-/// What is said about a list, and what of it the older control cannot say.
-struct Judged {
+/// What is needed of a tool that is corrected.
+const OF_TOOL: [Name; 5] = [names::KNUM, names::TNUM, names::TNAME, names::DLNUM, names::TENV];
+
+/// Values of a list, what is said about them, and what of them the older control cannot say.
+struct Judged<'a> {
+    cycle: &'static Cycle,
+    typed: &'a Typed,
+    control: &'a Control,
     found: Vec<Diagnostic>,
     foreign: Vec<Name>,
     inputs: Option<Inputs>,
 }
 
-fn judged(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed, control: &Control) -> Judged {
+fn judged<'a>(cycle: &'static Cycle, list: &ArgumentList, typed: &'a Typed, control: &'a Control) -> Judged<'a> {
+    let mut judged = Judged::new(cycle, typed, control);
     let Checked { diagnostics, inputs } = check(cycle, typed, control);
-    let mut judged = Judged { found: Vec::new(), foreign: Vec::new(), inputs };
+    judged.inputs = inputs;
     if is_open(cycle, list, typed, control) {
-        unknown(cycle, typed, control, diagnostics, &mut judged);
+        judged.unknown(diagnostics);
     } else {
-        let mut rest = diagnostics;
-        correction(cycle, typed, control, &mut rest, &mut judged);
-        for one in rest {
-            keep(one, typed, &mut judged);
-        }
+        judged.correction(diagnostics).into_iter().for_each(|one| judged.keep(one));
     }
-    probe(cycle, typed, &mut judged);
+    judged.probe();
     judged
 }
 
-/// A variant of which nothing is published: the path has to be right all the same.
-fn unknown(cycle: &'static Cycle, typed: &Typed, control: &Control, said: Vec<Diagnostic>, judged: &mut Judged) {
-    let Some(name) = cycle.variant_param() else { return };
-    judged.foreign.push(name);
-    let unread = |one: &Diagnostic| one.param == Some(name) && is_one_of(one, &SAME);
-    let unread: Vec<Diagnostic> = said.into_iter().filter(unread).collect();
-    if unread.is_empty() {
-        judged.found.push(open(name, typed));
+impl<'a> Judged<'a> {
+    /// Nothing was said yet.
+    fn new(cycle: &'static Cycle, typed: &'a Typed, control: &'a Control) -> Self {
+        Self { cycle, typed, control, found: Vec::new(), foreign: Vec::new(), inputs: None }
     }
-    judged.found.extend(unread);
-    let path = cycle.param(names::FA.as_str()).filter(|param| typed.contains_key(param.name.as_str()));
-    let inputs = super::read(cycle, typed, control, &mut Vec::new());
-    judged.found.extend(path.and_then(|param| typed::judge(param, &inputs, control)));
-}
 
-/// `_KNUM`: a tool target belongs to another argument, a zero offset has numbers of its own.
-fn correction(
-    cycle: &'static Cycle,
-    typed: &Typed,
-    control: &Control,
-    rest: &mut Vec<Diagnostic>,
-    judged: &mut Judged,
-) {
-    let inputs = super::read(cycle, typed, control, &mut Vec::new());
-    let Some(target) = corrects(cycle, &inputs) else { return };
-    let code = inputs.given(names::KNUM);
-    if target == Target::Tool && !is_nothing(typed, names::KNUM) {
-        rest.retain(|one| one.param.is_none_or(|name| !OF_TOOL.contains(&name)));
-        let text = typed.get(names::KNUM.as_str()).map_or("", String::as_str);
-        judged.found.push(own::NEWER_TARGET.finding().text("value", text).at(names::KNUM));
-        judged.foreign.push(names::KNUM);
-    } else if let Some(code) = code.filter(|code| !is_same_zero(*code)) {
-        rest.retain(|one| one.param != Some(names::KNUM));
-        judged.foreign.push(names::KNUM);
-        if !is_newer_zero(code) {
-            judged.found.push(open(names::KNUM, typed));
+    fn read(&self) -> Inputs {
+        super::read(self.cycle, self.typed, self.control, &mut Vec::new())
+    }
+
+    /// A value whose meaning is not known.
+    fn open(&mut self, name: Name) {
+        let finding = own::NEWER_OPEN.finding().text("param", name).text("value", text(self.typed, name));
+        self.found.push(finding.at(name));
+    }
+
+    /// A variant of which nothing is published: the path has to be right all the same.
+    fn unknown(&mut self, said: Vec<Diagnostic>) {
+        let Some(name) = self.cycle.variant_param() else { return };
+        self.foreign.push(name);
+        let unread = |one: &Diagnostic| one.param == Some(name) && is_one_of(one, &SAME);
+        let unread: Vec<Diagnostic> = said.into_iter().filter(unread).collect();
+        if unread.is_empty() {
+            self.open(name);
         }
+        self.found.extend(unread);
+        let path = self.cycle.param(names::FA.as_str()).filter(|_| self.typed.contains_key(names::FA.as_str()));
+        self.found.extend(path.and_then(|param| typed::judge(param, &self.read(), self.control)));
     }
-}
 
-/// What is needed of a tool that is corrected.
-const OF_TOOL: [Name; 5] = [names::KNUM, names::TNUM, names::TNAME, names::DLNUM, names::TENV];
+    /// Which sort of target `_KNUM` names; none where the cycle has no target.
+    fn corrects(&self) -> Option<Target> {
+        self.cycle.param(names::KNUM.as_str()).map(|param| target(param, &self.read()))
+    }
 
-/// A finding of the older control, as far as it counts.
-fn keep(one: Diagnostic, typed: &Typed, judged: &mut Judged) {
-    if one.param == Some(names::PRNUM) && one.severity == Severity::Error {
-        return judged.foreign.push(names::PRNUM); // what is wrong with it, `probe` says
+    /// `_KNUM`: a tool target belongs to another argument, a zero offset has numbers of its own. What else was said.
+    fn correction(&mut self, mut said: Vec<Diagnostic>) -> Vec<Diagnostic> {
+        let Some(target) = self.corrects() else { return said };
+        let value = text(self.typed, names::KNUM);
+        if target == Target::Tool && !is_nothing(value) {
+            said.retain(|one| one.param.is_none_or(|name| !OF_TOOL.contains(&name)));
+            self.found.push(own::NEWER_TARGET.finding().text("value", value).at(names::KNUM));
+            self.foreign.push(names::KNUM);
+        } else if let Some(code) = self.read().given(names::KNUM).filter(|code| !is_same_zero(*code)) {
+            said.retain(|one| one.param != Some(names::KNUM));
+            self.foreign.push(names::KNUM);
+            if !is_newer_zero(code) {
+                self.open(names::KNUM);
+            }
+        }
+        said
     }
-    let written = |name: &Name| typed.get(name.as_str()).is_some_and(|text| !text.trim().is_empty());
-    let missing = one.code == own::MISSING.code();
-    let order = ORDERS.iter().find(|(sentence, _)| sentence.code() == one.code);
-    let counts = match order {
-        Some((_, values)) => values.iter().all(written),
-        None if missing => one.param.is_some_and(|name| NEEDED.contains(&name)),
-        None => is_one_of(&one, &SAME) || is_same_alarm(one.code),
-    };
-    if counts {
-        return judged.found.push(one);
-    }
-    // which sign of the infeed leads down differs by the program
-    let infeed = one.code == own::INFEED.code();
-    let stops = infeed || one.severity == Severity::Error && order.is_none();
-    let Some(name) = one.param.filter(|_| stops) else { return };
-    if !judged.foreign.contains(&name) {
-        judged.foreign.push(name);
+
+    /// A finding of the older control, as far as it counts.
+    fn keep(&mut self, one: Diagnostic) {
+        if one.param == Some(names::PRNUM) && one.severity == Severity::Error {
+            return self.foreign.push(names::PRNUM); // what is wrong with it, `probe` says
+        }
+        let written = |name: &Name| !text(self.typed, *name).trim().is_empty();
+        let missing = one.code == own::MISSING.code();
+        let order = ORDERS.iter().find(|(sentence, _)| sentence.code() == one.code);
+        let counts = match order {
+            Some((_, values)) => values.iter().all(written),
+            None if missing => one.param.is_some_and(|name| NEEDED.contains(&name)),
+            None => is_one_of(&one, &SAME) || is_same_alarm(one.code),
+        };
+        if counts {
+            return self.found.push(one);
+        }
+        // which sign of the infeed leads down differs by the program
+        let infeed = one.code == own::INFEED.code();
+        let stops = infeed || one.severity == Severity::Error && order.is_none();
+        let Some(name) = one.param.filter(|name| stops && !self.foreign.contains(name)) else { return };
         if written(&name) && !infeed {
-            judged.found.push(open(name, typed));
+            self.open(name);
+        }
+        self.foreign.push(name);
+    }
+
+    /// The number of a workpiece probe.
+    fn probe(&mut self) {
+        let Parsed::Number(number) = parse(text(self.typed, names::PRNUM)) else { return };
+        if self.cycle.purpose.probe == ProbeUse::Workpiece && !(1.0..=PROBES).contains(&number) {
+            let message = Message::new("check-probe-number").number("number", number);
+            let hint = Message::new("check-probe-number-hint").number("fields", PROBES);
+            self.found.push(error(Code::Alarm(61313), message).hint(hint).at(names::PRNUM));
+            self.foreign.push(names::PRNUM);
         }
     }
 }
 
-/// The number of a workpiece probe.
-fn probe(cycle: &Cycle, typed: &Typed, judged: &mut Judged) {
-    let number = typed.get(names::PRNUM.as_str()).map(|text| parse(text));
-    let Some(Parsed::Number(number)) = number else { return };
-    let workpiece = cycle.purpose.probe == ProbeUse::Workpiece;
-    if workpiece && !(1.0..=PROBES).contains(&number) {
-        let message = Message::new("check-probe-number").number("number", number);
-        let hint = Message::new("check-probe-number-hint").number("fields", PROBES);
-        judged.found.push(error(Code::Alarm(61313), message).hint(hint).at(names::PRNUM));
-        judged.foreign.push(names::PRNUM);
-    }
+/// What is typed for a parameter; empty where nothing is.
+fn text(typed: &Typed, name: Name) -> &str {
+    typed.get(name.as_str()).map_or("", String::as_str)
 }
 
-/// A value whose meaning is not known.
-fn open(name: Name, typed: &Typed) -> Diagnostic {
-    let text = typed.get(name.as_str()).map_or("", String::as_str);
-    own::NEWER_OPEN.finding().text("param", name).text("value", text).at(name)
-}
-
-/// Which sort of target `_KNUM` names; none where the cycle has no target.
-fn corrects(cycle: &'static Cycle, inputs: &Inputs) -> Option<Target> {
-    cycle.param(names::KNUM.as_str()).map(|param| target(param, inputs))
-}
-
-fn is_nothing(typed: &Typed, name: Name) -> bool {
-    let text = typed.get(name.as_str()).map_or("", String::as_str);
+fn is_nothing(text: &str) -> bool {
     matches!(parse(text), Parsed::Empty | Parsed::Number(0.0))
 }
 

@@ -6,8 +6,7 @@ use crate::diagnostic::{Diagnostic, Span};
 use crate::own;
 use crate::own::Own;
 use crate::syntax::fold::Nothing;
-use crate::syntax::tree::{Word, WordKind};
-use crate::syntax::{Program, fold};
+use crate::syntax::{Program, Word, WordKind, fold};
 
 /// Addresses that a block takes once, so that it says one thing: all that are no function, no block number, no
 /// parameter and no repetition. With an extension (`S1=500`) they are others.

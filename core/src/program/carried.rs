@@ -8,9 +8,8 @@ use crate::diagnostic::{Diagnostic, Span};
 use crate::entry::{AUXILIARY, Arg};
 use crate::name::Name;
 use crate::own;
-use crate::syntax::Program;
 use crate::syntax::programs::programs;
-use crate::syntax::tree::{Word, WordKind};
+use crate::syntax::{Program, Word, WordKind};
 use std::collections::BTreeSet;
 
 /// Why the call cannot be written in another way without losing an expression among its own arguments; none: it can.

@@ -8,8 +8,7 @@ pub use crate::diagnostic::Edit;
 use crate::diagnostic::Span;
 use crate::dialect::Dialect;
 use crate::entry::{Arg, Kind, names};
-use crate::syntax::Program;
-use crate::syntax::tree::{Block, Word};
+use crate::syntax::{Block, Program, Word};
 
 /// Gives a parameter of a call this value, as typed; an empty one takes the parameter away.
 /// A value that an earlier call or another parameter shares is left alone: the call gets an assignment of its own.

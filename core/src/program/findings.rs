@@ -9,8 +9,7 @@ use crate::diagnostic::{Diagnostic, Edit, Severity, Span};
 use crate::dialect::Dialect;
 use crate::message::Message;
 use crate::own;
-use crate::syntax::Program;
-use crate::syntax::tree::SyntaxError;
+use crate::syntax::{Program, SyntaxError};
 
 /// Everything that reading and checking found, in the order of the text, the worst of a place first. The
 /// control is a metric one as delivered.

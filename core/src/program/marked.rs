@@ -3,8 +3,7 @@
 use super::calls::CallSite;
 use crate::diagnostic::Span;
 use crate::support::{BITS, Mark};
-use crate::syntax::Program;
-use crate::syntax::tree::{Block, Word, WordKind};
+use crate::syntax::{Block, Program, Word, WordKind};
 
 /// The comment with the settings and its place, on the line before the call's first; lines that set nothing but bits
 /// for it may stand between.

@@ -5,8 +5,7 @@ use super::change::{Edit, is_blank};
 use super::values::{Spread, spread};
 use crate::diagnostic::Span;
 use crate::entry::AUXILIARY;
-use crate::syntax::Program;
-use crate::syntax::tree::{Word, WordKind};
+use crate::syntax::{Program, Word, WordKind};
 use std::collections::BTreeMap;
 
 /// Words of a program by their line.

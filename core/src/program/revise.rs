@@ -10,8 +10,7 @@ use crate::control::Control;
 use crate::diagnostic::Diagnostic;
 use crate::entry::{Param, Typed};
 use crate::name::Name;
-use crate::syntax::tree::WordKind;
-use crate::syntax::{Program, read};
+use crate::syntax::{Program, WordKind, read};
 use crate::{check, own};
 
 /// What a new value of a call does to the program.

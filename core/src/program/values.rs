@@ -4,8 +4,7 @@
 use crate::check::{Parsed, Sort, parse, typed_text};
 use crate::diagnostic::Span;
 use crate::syntax::fold::Known;
-use crate::syntax::tree::{Expr, ExprId, Operator};
-use crate::syntax::{Program, fold};
+use crate::syntax::{Expr, ExprId, Operator, Program, fold};
 
 /// A value as text, and its place; inside the quotes for a text.
 #[derive(Clone, Debug, PartialEq)]

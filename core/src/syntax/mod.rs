@@ -22,4 +22,4 @@ pub mod tree;
 pub(crate) use block::BETWEEN;
 pub use block::{read, read_told};
 pub use single::is_value;
-pub use tree::Program;
+pub use tree::{Block, Expr, ExprId, Operator, Program, SyntaxError, Word, WordKind};

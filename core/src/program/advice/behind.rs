@@ -11,9 +11,8 @@ use crate::program::calls::CallSite;
 use crate::program::flow;
 use crate::program::flow::{Follow, Mode};
 use crate::program::of_control::{SWIVEL, is_frame};
-use crate::syntax::Program;
 use crate::syntax::programs::Programs;
-use crate::syntax::tree::{Word, WordKind};
+use crate::syntax::{Program, Word, WordKind};
 use std::collections::BTreeMap;
 
 /// A frame that a call corrects where it is stored, and the one in force there.

@@ -1,10 +1,9 @@
 //! Whether a program may end with tool radius compensation on.
 
 use crate::program::flow::{Entry, Follow, Forces, Mode, State, follow};
-use crate::syntax::Program;
 use crate::syntax::fold::Nothing;
 use crate::syntax::programs::Programs;
-use crate::syntax::tree::Word;
+use crate::syntax::{Program, Word};
 
 /// Whether a main program of the text ends without G40 behind its last G41 or G42.
 pub fn left_on(program: &Program, programs: &Programs) -> bool {

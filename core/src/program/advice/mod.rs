@@ -19,9 +19,8 @@ use crate::diagnostic::{Code, Diagnostic, Edit, Severity, Span};
 use crate::dialect::Dialect;
 use crate::entry::{Inputs, Typed};
 use crate::message::Message;
-use crate::syntax::Program;
 use crate::syntax::programs::{Programs, programs};
-use crate::syntax::tree::{Word, WordKind};
+use crate::syntax::{Program, Word, WordKind};
 use crate::{check, own};
 
 /// What the rules look at: a call, what is in force there, what it means.

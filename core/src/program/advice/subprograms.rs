@@ -8,10 +8,9 @@ use crate::own;
 use crate::problem::Problem;
 use crate::program::calls::CallSite;
 use crate::program::flow::{LEVELS, callers, named_outside};
-use crate::syntax::Program;
 use crate::syntax::programs;
 use crate::syntax::programs::{Programs, bare, numbered};
-use crate::syntax::tree::{Block, WordKind};
+use crate::syntax::{Block, Program, WordKind};
 
 /// Most names that are told.
 const NAMES: usize = 8;

@@ -9,8 +9,7 @@ use crate::diagnostic::{Diagnostic, Span};
 use crate::entry::Cycle;
 use crate::program::held::Held;
 use crate::program::values;
-use crate::syntax::tree::{Block, WordKind};
-use crate::syntax::{Program, fold};
+use crate::syntax::{Block, Program, WordKind, fold};
 use std::rc::Rc;
 
 impl Walk<'_> {

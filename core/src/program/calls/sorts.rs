@@ -6,8 +6,7 @@ use crate::check::listed::sort;
 use crate::diagnostic::Diagnostic;
 use crate::entry::{Cycle, Kind};
 use crate::program::values::Value;
-use crate::syntax::Program;
-use crate::syntax::tree::{Word, WordKind};
+use crate::syntax::{Program, Word, WordKind};
 
 /// Texts where numbers belong, and the reverse; names of variables that are none.
 pub(super) fn of_wrong_sort(program: &Program, cycle: &'static Cycle, given: &Given) -> Vec<Diagnostic> {

@@ -8,8 +8,7 @@ use crate::program::held::{Held, Names, Values, stem};
 use crate::program::values::Value;
 use crate::program::{arguments, values};
 use crate::syntax::programs::{Programs, Unit};
-use crate::syntax::tree::{Expr, ExprId, Word, WordKind};
-use crate::syntax::{Program, fold};
+use crate::syntax::{Expr, ExprId, Program, Word, WordKind, fold};
 use std::collections::{BTreeSet, HashMap};
 use std::rc::Rc;
 

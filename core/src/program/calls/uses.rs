@@ -5,9 +5,8 @@ use crate::diagnostic::Span;
 use crate::entry::AUXILIARY;
 use crate::program::flow::{called_here, callers};
 use crate::program::held::stem;
-use crate::syntax::Program;
 use crate::syntax::programs::Programs;
-use crate::syntax::tree::{Block, Expr, ExprId, Word, WordKind};
+use crate::syntax::{Block, Expr, ExprId, Program, Word, WordKind};
 use std::collections::BTreeSet;
 
 /// The variables of one program, by their names without index.

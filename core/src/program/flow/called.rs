@@ -3,10 +3,9 @@
 
 use crate::diagnostic::Span;
 use crate::program::of_control::is_of_control;
-use crate::syntax::Program;
 use crate::syntax::language::{BY_TEXT, FROM_OUTSIDE, MANNERS, is_word};
 use crate::syntax::programs::{Programs, bare};
-use crate::syntax::tree::{Expr, ExprId, Word, WordKind};
+use crate::syntax::{Expr, ExprId, Program, Word, WordKind};
 
 /// What a word calls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

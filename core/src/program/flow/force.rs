@@ -4,8 +4,7 @@ use super::state::{Mode, State, Tool};
 use crate::diagnostic::Span;
 use crate::program::words::{Setting, setting};
 use crate::syntax::fold::Known;
-use crate::syntax::tree::{Expr, ExprId, Word, WordKind};
-use crate::syntax::{Program, fold};
+use crate::syntax::{Expr, ExprId, Program, Word, WordKind, fold};
 
 /// How the words of one program count.
 pub struct Forces<'a> {

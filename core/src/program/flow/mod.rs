@@ -14,9 +14,8 @@ pub use state::{Mode, State, Tool};
 
 use crate::diagnostic::Span;
 use crate::dialect::Dialect;
-use crate::syntax::Program;
 use crate::syntax::programs::Programs;
-use crate::syntax::tree::{Block, Word};
+use crate::syntax::{Block, Program, Word};
 use passes::Passes;
 use std::collections::HashMap;
 use std::ops::Range;

@@ -5,8 +5,7 @@ use super::ENTRIES;
 use super::structure::{Branches, Open, target};
 use crate::syntax::fold::Nothing;
 use crate::syntax::links::{structural, targets};
-use crate::syntax::tree::{Word, WordKind};
-use crate::syntax::{Program, fold};
+use crate::syntax::{Program, Word, WordKind, fold};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::ops::Range;
 

@@ -1,8 +1,7 @@
 //! Ways through one program: `IF` to `ENDIF`, loops that may not run, jumps forward, ends.
 
-use crate::syntax::Program;
 use crate::syntax::links::{canonical, structural};
-use crate::syntax::tree::{Block, Expr, Word, WordKind};
+use crate::syntax::{Block, Expr, Program, Word, WordKind};
 use std::collections::HashMap;
 
 /// The state on the present way, and on the ways that meet it later.
