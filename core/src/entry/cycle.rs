@@ -47,15 +47,8 @@ pub struct Cycle {
 impl Cycle {
     /// All alarms, SINUMERIK by number, NCT as listed.
     pub fn alarms(&self) -> Vec<Code> {
-        let number = |code: &Code| match code {
-            Code::Alarm(number) => *number,
-            _ => 0,
-        };
-        let mut list: Vec<Code> = Vec::new();
-        for code in self.alarms.iter().copied().flatten() {
-            let place = list.partition_point(|known| number(known) <= number(code));
-            list.insert(place, *code);
-        }
+        let mut list: Vec<Code> = self.alarms.iter().copied().flatten().copied().collect();
+        list.sort_by_key(|code| if let Code::Alarm(number) = code { *number } else { 0 });
         list
     }
 

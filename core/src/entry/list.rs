@@ -105,40 +105,35 @@ impl ArgumentList {
         (!own).then(|| Some((name, self.selected(number)?)))?
     }
 
+    /// The selections, each behind the index of its argument.
+    pub fn selects(&self) -> impl Iterator<Item = (usize, &'static [(i64, i64)])> {
+        self.args.iter().enumerate().filter_map(|(index, arg)| match arg {
+            Arg::Select(choices) => Some((index, *choices)),
+            _ => None,
+        })
+    }
+
     /// What to write for each [`Arg::Select`], in order, so that this variant comes out.
     pub fn selections(&self, variant: i64) -> Option<Vec<i64>> {
-        let choices: Vec<_> = self
-            .args
-            .iter()
-            .filter_map(|arg| match arg {
-                Arg::Select(choices) => Some(*choices),
-                _ => None,
-            })
-            .collect();
+        let choices: Vec<_> = self.selects().map(|(_, choices)| choices).collect();
         select(&choices, variant - self.base)
     }
 
     /// The variant that the selections make; an omitted argument is 0. None: a selection that is not known.
     fn selected(&self, number: impl Fn(usize) -> Option<f64>) -> Option<i64> {
         let mut variant = self.base;
-        for (index, arg) in self.args.iter().enumerate() {
-            if let Arg::Select(choices) = arg {
-                let written = number(index)?;
-                variant += choices.iter().find(|choice| choice.0 as f64 == written)?.1;
-            }
+        for (index, choices) in self.selects() {
+            let written = number(index)?;
+            variant += choices.iter().find(|choice| choice.0 as f64 == written)?.1;
         }
         Some(variant)
     }
 
     /// The first selection that tells no variant: a number that is none of its choices, or one that is not known.
     pub fn unselected(&self, number: impl Fn(usize) -> Option<f64>) -> Option<(usize, &'static [(i64, i64)])> {
-        self.args.iter().enumerate().find_map(|(index, arg)| match arg {
-            Arg::Select(choices) => {
-                let written = number(index);
-                let chosen = choices.iter().any(|one| Some(one.0 as f64) == written);
-                (!chosen).then_some((index, *choices))
-            }
-            _ => None,
+        self.selects().find(|(index, choices)| {
+            let written = number(*index);
+            !choices.iter().any(|one| Some(one.0 as f64) == written)
         })
     }
 

@@ -108,10 +108,7 @@ fn select(program: &Program, site: &CallSite, list: &ArgumentList, text: &str) -
     let mut now = now.unwrap_or_default().into_iter();
     let places = places(program, site.span);
     let mut edits = Vec::new();
-    for (index, arg) in list.args.iter().enumerate() {
-        if !matches!(arg, Arg::Select(_)) {
-            continue;
-        }
+    for (index, _) in list.selects() {
         let (number, now) = (wanted.next()?, now.next());
         let written = places.get(index).map_or(Some(0), |place| written(program, *place).or(now));
         if written != Some(number) {

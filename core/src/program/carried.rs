@@ -5,11 +5,13 @@ use super::arguments;
 use super::calls::CallSite;
 use crate::check::parse;
 use crate::diagnostic::{Diagnostic, Span};
+use crate::dialect::Dialect;
 use crate::entry::{AUXILIARY, Arg};
 use crate::name::Name;
 use crate::own;
+use crate::syntax::fold::names_in;
 use crate::syntax::programs::programs;
-use crate::syntax::{Program, Word, WordKind};
+use crate::syntax::{Program, Word, WordKind, read};
 use std::collections::BTreeSet;
 
 /// Why the call cannot be written in another way without losing an expression among its own arguments; none: it can.
@@ -92,28 +94,13 @@ fn is_parameter(name: &str) -> bool {
     !number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit())
 }
 
-/// Operators that are words.
-const OPERATORS: [&str; 10] = ["DIV", "MOD", "AND", "OR", "XOR", "NOT", "B_AND", "B_OR", "B_XOR", "B_NOT"];
-
-/// The names in an expression, without functions, in upper case.
+/// The names in an expression, without functions, in upper case; one that is no name where it cannot be read.
 fn names(text: &str) -> BTreeSet<String> {
-    let outside = text.split('"').step_by(2);
-    let part = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '$';
+    let program = read(Dialect::Sinumerik, format!("_X={text}").as_bytes());
     let mut found = BTreeSet::new();
-    for outside in outside {
-        let mut rest = outside;
-        while let Some(begin) = rest.find(part) {
-            let from = rest.get(begin..).unwrap_or_default();
-            let end = from.find(|c| !part(c)).unwrap_or(from.len());
-            let (word, behind) = from.split_at_checked(end).unwrap_or((from, ""));
-            let function = behind.trim_start().starts_with('(');
-            let word = word.to_ascii_uppercase();
-            let number = word.starts_with(|c: char| c.is_ascii_digit());
-            if !function && !number && !OPERATORS.contains(&word.as_str()) {
-                found.insert(word);
-            }
-            rest = behind;
-        }
+    match program.words[..] {
+        [Word { kind: WordKind::Assign { value, .. }, .. }] => names_in(&program, value, &mut found),
+        _ => drop(found.insert(String::new())),
     }
     found
 }

@@ -7,7 +7,7 @@ use crate::syntax::fold::Known;
 use crate::syntax::{Expr, ExprId, Operator, Program, fold};
 
 /// A value as text, and its place; inside the quotes for a text.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Value {
     pub text: String,
     pub place: Span,
@@ -30,17 +30,7 @@ pub(super) struct Value {
 impl Value {
     /// A value of its own.
     pub fn at(text: String, number: Option<f64>, place: Span) -> Value {
-        Value {
-            text,
-            place,
-            number,
-            quoted: false,
-            expression: None,
-            shared: false,
-            given: None,
-            argument: false,
-            instead: None,
-        }
+        Value { text, place, number, ..Value::default() }
     }
 
     /// What sort of value it is.

@@ -2,7 +2,7 @@
 
 use super::tree::{Expr, ExprId, Operator, Program, WordKind};
 use crate::diagnostic::Span;
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
 /// Numbers that variables hold, by name in upper case with index: `_SETVAL`, `R10`, `_SETV[0]`, `#100`.
 pub trait Known {
@@ -73,6 +73,20 @@ fn binary(left: f64, operator: Operator, right: f64) -> Option<f64> {
         Operator::Mod => left % right,
         _ => return None,
     })
+}
+
+/// The names in an expression, without functions, in upper case.
+pub(crate) fn names_in(program: &Program, id: ExprId, found: &mut BTreeSet<String>) {
+    match program.expr(id) {
+        Some(Expr::Name { name, index }) => {
+            found.insert(program.name(*name));
+            index.iter().for_each(|id| names_in(program, *id, found));
+        }
+        Some(Expr::Unary(_, inner)) => names_in(program, *inner, found),
+        Some(Expr::Binary(left, _, right)) => [left, right].iter().for_each(|id| names_in(program, **id, found)),
+        Some(Expr::Call(_, list) | Expr::List(list)) => list.iter().for_each(|id| names_in(program, *id, found)),
+        _ => {}
+    }
 }
 
 /// How often each variable is assigned, if the program can run a line twice; else nothing.

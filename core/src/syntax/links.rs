@@ -112,10 +112,8 @@ pub fn structural(program: &Program, words: &[Word]) -> Option<&'static str> {
 fn loop_number(program: &Program, words: &[Word]) -> Option<f64> {
     words.iter().find_map(|word| match &word.kind {
         WordKind::Keyword { value: Some(value), .. } if program.is_keyword(word, &["DO", "END"]) => {
-            match program.expr(*value) {
-                Some(Expr::Number(number, _)) => Some(*number),
-                _ => None,
-            }
+            let Some(Expr::Number(number, _)) = program.expr(*value) else { return None };
+            Some(*number)
         }
         _ => None,
     })

@@ -85,10 +85,8 @@ impl Program {
 
     /// The same where a number stands there and nothing else.
     pub fn literal(&self, word: &Word, letters: &str) -> Option<f64> {
-        match self.expr(self.address(word, letters)?)? {
-            Expr::Number(number, _) => Some(*number),
-            _ => None,
-        }
+        let Expr::Number(number, _) = self.expr(self.address(word, letters)?)? else { return None };
+        Some(*number)
     }
 
     /// Number of an M function of the main spindle, where no variable stands in it.
@@ -143,34 +141,26 @@ pub struct Word {
 impl Word {
     /// Name of a keyword.
     pub fn keyword(&self) -> Option<Span> {
-        match self.kind {
-            WordKind::Keyword { name, .. } => Some(name),
-            _ => None,
-        }
+        let WordKind::Keyword { name, .. } = self.kind else { return None };
+        Some(name)
     }
 
     /// Name of what it calls.
     pub fn called(&self) -> Option<Span> {
-        match self.kind {
-            WordKind::Call { name, .. } => Some(name),
-            _ => None,
-        }
+        let WordKind::Call { name, .. } = self.kind else { return None };
+        Some(name)
     }
 
     /// Name that it declares.
     pub fn declared(&self) -> Option<Span> {
-        match self.kind {
-            WordKind::Declare { name, .. } => Some(name),
-            _ => None,
-        }
+        let WordKind::Declare { name, .. } = self.kind else { return None };
+        Some(name)
     }
 
     /// Name of a label.
     pub fn label(&self) -> Option<Span> {
-        match self.kind {
-            WordKind::Label(name) => Some(name),
-            _ => None,
-        }
+        let WordKind::Label(name) = self.kind else { return None };
+        Some(name)
     }
 }
 

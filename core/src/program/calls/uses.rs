@@ -5,8 +5,9 @@ use crate::diagnostic::Span;
 use crate::entry::AUXILIARY;
 use crate::program::flow::{called_here, callers};
 use crate::program::held::stem;
+use crate::syntax::fold::names_in;
 use crate::syntax::programs::Programs;
-use crate::syntax::{Block, Expr, ExprId, Program, Word, WordKind};
+use crate::syntax::{Block, ExprId, Program, Word, WordKind};
 use std::collections::BTreeSet;
 
 /// The variables of one program, by their names without index.
@@ -85,37 +86,19 @@ impl Uses {
         match &word.kind {
             WordKind::Assign { name, index, value, .. } => {
                 self.names.insert(program.name(*name));
-                index.iter().chain([value]).for_each(|id| self.expression(program, *id));
+                index.iter().chain([value]).for_each(|id| names_in(program, *id, &mut self.names));
             }
             WordKind::Declare { name, value, .. } => {
                 self.names.insert(program.name(*name));
                 self.declared.insert(program.name(*name));
-                value.iter().for_each(|id| self.expression(program, *id));
+                value.iter().for_each(|id| names_in(program, *id, &mut self.names));
             }
-            WordKind::Address { value, .. } => self.expression(program, *value),
+            WordKind::Address { value, .. } => names_in(program, *value, &mut self.names),
             WordKind::Call { name, args, .. } => {
-                args.iter().flatten().for_each(|id| self.expression(program, *id));
+                args.iter().flatten().for_each(|id| names_in(program, *id, &mut self.names));
                 let cycle = catalogue::find(program.dialect, &program.name(*name));
                 let params = cycle.map_or(&[][..], |cycle| cycle.params).iter();
                 self.names.extend(params.map(|param| stem(param.name.as_str()).to_owned()));
-            }
-            _ => {}
-        }
-    }
-
-    fn expression(&mut self, program: &Program, id: ExprId) {
-        match program.expr(id) {
-            Some(Expr::Name { name, index }) => {
-                self.names.insert(program.name(*name));
-                index.iter().for_each(|id| self.expression(program, *id));
-            }
-            Some(Expr::Unary(_, inner)) => self.expression(program, *inner),
-            Some(Expr::Binary(left, _, right)) => {
-                self.expression(program, *left);
-                self.expression(program, *right);
-            }
-            Some(Expr::Call(_, list) | Expr::List(list)) => {
-                list.iter().for_each(|id| self.expression(program, *id));
             }
             _ => {}
         }

@@ -53,10 +53,8 @@ pub fn called(program: &Program, programs: &Programs, words: &[Word], at: usize)
 /// The text in `EXTCALL("NAME")`.
 fn from_outside(program: &Program, name: Span, args: &[Option<ExprId>]) -> Option<Span> {
     let text = args.first().filter(|_| program.is(name, FROM_OUTSIDE))?;
-    match program.expr((*text)?)? {
-        Expr::Text(place) => Some(*place),
-        _ => None,
-    }
+    let Expr::Text(place) = program.expr((*text)?)? else { return None };
+    Some(*place)
 }
 
 /// The name of a program that is called here and is not in the text; a variable that holds it is none.

@@ -18,10 +18,8 @@ pub enum Mode<T> {
 impl<T: PartialEq + Clone> Mode<T> {
     /// What is in force for certain.
     pub fn is(&self) -> Option<&T> {
-        match self {
-            Mode::Is(value) => Some(value),
-            _ => None,
-        }
+        let Mode::Is(value) = self else { return None };
+        Some(value)
     }
 
     /// Whether nothing was programmed for certain.

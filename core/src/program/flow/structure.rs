@@ -73,10 +73,8 @@ impl<S: Clone> Branches<S> {
 
     /// The block in which the innermost structure begins, where that is a loop.
     pub fn loop_begin(&self) -> Option<usize> {
-        match self.open.last() {
-            Some(Open::Loop(head)) => Some(*head),
-            _ => None,
-        }
+        let Some(Open::Loop(head)) = self.open.last() else { return None };
+        Some(*head)
     }
 
     /// What was open on other ways to the same place.

@@ -1,6 +1,6 @@
 //! SINUMERIK: assignments and the call, with the arguments that its way of writing takes.
 
-use super::{Source, Written, assignments, is_expression, word};
+use super::{Source, Written, assignments, is_expression, whole, word};
 use crate::check::{Parsed, Target, newer, parse, target};
 use crate::diagnostic::Diagnostic;
 use crate::entry::{AUXILIARY, AUXILIARY_ARGS, Arg, ArgumentList, Param, Style, Typed, names};
@@ -27,11 +27,15 @@ pub(super) fn write(source: &Source, style: Style) -> Written {
     }
     match list {
         Some(list) => listed(source, list),
-        None if style == Style::Direct && none => Written {
-            text: format!("{}{}\n", all(source), source.cycle.name),
-            said: source.values.iter().map(|(param, _)| param.name).collect(),
-            findings: Vec::new(),
-        },
+        None if style == Style::Direct && none => whole(
+            source,
+            format!(
+                "{}{}
+",
+                all(source),
+                source.cycle.name
+            ),
+        ),
         None => {
             let sentence = if none { own::WRITE_NO_LIST } else { own::WRITE_NO_LIST_VARIANT };
             nothing(sentence.finding().text("cycle", source.cycle.name))
@@ -46,8 +50,7 @@ fn nothing(finding: Diagnostic) -> Written {
 
 /// The variant where it is known at run time only, as written: selections cannot say it.
 fn open_variant<'a>(source: &'a Source) -> Option<&'a str> {
-    let name = source.cycle.variant_param()?;
-    let (_, text) = source.values.iter().find(|(param, _)| param.name == name)?;
+    let text = source.value(&source.cycle.variant_param()?)?;
     (parse(text) == Parsed::Expression).then_some(text)
 }
 
@@ -80,7 +83,7 @@ fn all(source: &Source) -> String {
 
 fn listed(source: &Source, list: &ArgumentList) -> Written {
     let (mut before, mut auxiliary, mut findings) = (Vec::new(), Vec::new(), Vec::new());
-    let mut said: Vec<Name> = source.values.iter().map(|(param, _)| param.name).collect();
+    let mut said = source.names();
     for value in source.values.iter().filter(|(param, _)| !takes(source, list, param)) {
         let (param, text) = value;
         match list.style {
@@ -155,9 +158,8 @@ fn arguments(source: &Source, list: &ArgumentList) -> Vec<String> {
 }
 
 fn parameter(source: &Source, name: &str) -> String {
-    let typed = source.values.iter().find(|(param, _)| param.name == name);
-    if let Some((_, text)) = typed {
-        return text.clone();
+    if let Some(text) = source.value(name) {
+        return text.to_owned();
     }
     let kept = |param: &&Param| param.is_machine_datum() || param.need(&source.inputs).is_some();
     let param = source.cycle.param(name).filter(kept);

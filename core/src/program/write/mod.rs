@@ -88,10 +88,20 @@ pub fn snippet_of(
 
 /// A text that says everything.
 fn whole(source: &Source, text: String) -> Written {
-    Written { text, said: source.values.iter().map(|(param, _)| param.name).collect(), findings: Vec::new() }
+    Written { text, said: source.names(), findings: Vec::new() }
 }
 
 impl Source<'_> {
+    /// A value as it is written.
+    fn value(&self, name: &str) -> Option<&str> {
+        self.values.iter().find(|(param, _)| param.name == name).map(|(_, text)| text.as_str())
+    }
+
+    /// The parameters whose values are written.
+    fn names(&self) -> Vec<Name> {
+        self.values.iter().map(|(param, _)| param.name).collect()
+    }
+
     /// Writes values as these expressions, also where the settings of the machine would give another value.
     fn write(&mut self, expressions: &Typed) {
         for (param, text) in &mut self.values {

@@ -4,42 +4,43 @@
 use super::{Source, assignments, value, word};
 use crate::control::Control;
 use crate::entry::{Cycle, Style, Typed, names};
+use crate::name::Name;
 use crate::support::{MEAN_BIT, Mark, SPEEDS_BIT, Support, decimal};
 
 /// Order of the first block. The example measures a hole; what other forms have beside its fields stands behind the
 /// set size.
-const FIRST: [&str; 13] = [
-    names::MVAR.as_str(),
+const FIRST: [Name; 13] = [
+    names::MVAR,
     OTHERS,
-    names::PRNUM.as_str(),
-    names::KNUM.as_str(),
-    names::FA.as_str(),
-    names::TSA.as_str(),
-    names::VMS.as_str(),
-    names::NMSP.as_str(),
-    names::ID.as_str(),
-    names::SZA.as_str(),
-    names::SZO.as_str(),
-    names::CORA.as_str(),
-    SPEEDS_BIT,
+    names::PRNUM,
+    names::KNUM,
+    names::FA,
+    names::TSA,
+    names::VMS,
+    names::NMSP,
+    names::ID,
+    names::SZA,
+    names::SZO,
+    names::CORA,
+    Name::new(SPEEDS_BIT),
 ];
 /// Order of the second: tolerances, memories and the tool.
-const SECOND: [&str; 12] = [
-    names::TZL.as_str(),
-    names::TDIF.as_str(),
-    names::TUL.as_str(),
-    names::TLL.as_str(),
-    MEAN_BIT,
-    names::TMV.as_str(),
-    names::K.as_str(),
-    names::EVNUM.as_str(),
-    names::TNUM.as_str(),
-    names::TNAME.as_str(),
-    names::DLNUM.as_str(),
-    names::TENV.as_str(),
+const SECOND: [Name; 12] = [
+    names::TZL,
+    names::TDIF,
+    names::TUL,
+    names::TLL,
+    Name::new(MEAN_BIT),
+    names::TMV,
+    names::K,
+    names::EVNUM,
+    names::TNUM,
+    names::TNAME,
+    names::DLNUM,
+    names::TENV,
 ];
 /// Where everything else stands.
-const OTHERS: &str = "";
+const OTHERS: Name = Name::new("");
 
 /// What a form with these settings writes. It leaves no field open: what was not typed counts as delivered. The lists
 /// of newer controls are not of this support; what has no field is not among their values.
@@ -88,8 +89,8 @@ pub(super) fn blocks(source: &Source) -> String {
 
 /// Place in the order, the second block behind the first.
 fn rank(name: &str) -> usize {
-    let place = |order: &[&str], name: &str| order.iter().position(|one| *one == name);
-    let others = || place(&FIRST, OTHERS).unwrap_or_default();
+    let place = |order: &[Name], name: &str| order.iter().position(|one| *one == name);
+    let others = || place(&FIRST, &OTHERS).unwrap_or_default();
     let second = place(&SECOND, name).map(|place| FIRST.len() + place);
     second.or_else(|| place(&FIRST, name)).unwrap_or_else(others)
 }
