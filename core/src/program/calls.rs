@@ -9,8 +9,8 @@ mod sorts;
 mod subprograms;
 mod uses;
 
-use super::flow::{Entry, Follow, Forces, State, follow};
-use super::held::{ALTERNATIVES, Names, Numbers, Values};
+use super::flow::{Forces, State, follow};
+use super::held::{ALTERNATIVES, Names, Values};
 use super::tools::{ToolInUse, Tools};
 use super::write::is_expression;
 use crate::control::{Control, Plane, Transverse, UnitFunction, delivery};
@@ -19,11 +19,10 @@ use crate::dialect::Dialect;
 use crate::entry::{ArgumentList, Cycle, Style, Typed};
 use crate::name::Name;
 use crate::syntax::programs::programs;
-use crate::syntax::{BETWEEN, Program, Word, WordKind, fold};
+use crate::syntax::{BETWEEN, Program, fold};
 use site::Found;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use subprograms::Subprograms;
-use uses::is_cycle;
 
 /// A measuring call. Lines count from 0.
 pub struct CallSite {
@@ -216,41 +215,6 @@ struct Walk<'a> {
     /// Blocks that were passed.
     passed: usize,
     told: &'a mut dyn FnMut(f64),
-}
-
-impl Follow for Walk<'_> {
-    type State = Place;
-
-    fn block(&mut self, place: &mut Place, words: &[Word]) {
-        self.pass();
-        self.data(place, words);
-        let numbers = Numbers { names: &self.names, values: &place.values };
-        self.forces.block(&mut place.force, words, &numbers);
-    }
-
-    fn call(&mut self, place: &mut Place, word: &Word) {
-        if let WordKind::Call { name, args, .. } = &word.kind
-            && is_cycle(self.program, *name)
-        {
-            self.cycle(place, word.span, *name, args);
-        }
-    }
-
-    fn elsewhere(&self, place: &mut Place) {
-        place.force = State::elsewhere();
-    }
-
-    fn meet(&self, one: &Place, other: &Place) -> Place {
-        Place { force: one.force.meet(&other.force), values: one.values.meet(&other.values) }
-    }
-
-    fn enter(&mut self, place: &Place, entry: &Entry) -> Place {
-        self.entered(place, entry)
-    }
-
-    fn leave(&mut self, caller: &Place, way: (&Place, &Place), entry: &Entry, saves: bool) -> Place {
-        self.left(caller, way, entry, saves)
-    }
 }
 
 impl Walk<'_> {

@@ -1,10 +1,11 @@
-//! Where a place of the text stands among its programs, and what a called program takes from its caller and leaves it.
+//! What holds along the ways of a program: where a place of the text stands among its programs, and what a called
+//! program takes from its caller and leaves it.
 
-use super::uses::{Uses, measures_itself, measuring, uses};
+use super::uses::{Uses, is_cycle, measures_itself, measuring, uses};
 use super::{Place, Walk};
 use crate::diagnostic::Span;
-use crate::program::flow::{Called, Entry, LEVELS, called};
-use crate::program::held::{Held, Names, Values, stem};
+use crate::program::flow::{Called, Entry, Follow, LEVELS, State, called};
+use crate::program::held::{Held, Names, Numbers, Values, stem};
 use crate::program::values::Value;
 use crate::program::{arguments, values};
 use crate::syntax::programs::{Programs, Unit};
@@ -133,9 +134,34 @@ fn last_before(ends: &[u32], call: Span) -> u32 {
     behind.checked_sub(1).and_then(|last| ends.get(last)).copied().unwrap_or(0)
 }
 
-impl Walk<'_> {
+impl Follow for Walk<'_> {
+    type State = Place;
+
+    fn block(&mut self, place: &mut Place, words: &[Word]) {
+        self.pass();
+        self.data(place, words);
+        let numbers = Numbers { names: &self.names, values: &place.values };
+        self.forces.block(&mut place.force, words, &numbers);
+    }
+
+    fn call(&mut self, place: &mut Place, word: &Word) {
+        if let WordKind::Call { name, args, .. } = &word.kind
+            && is_cycle(self.program, *name)
+        {
+            self.cycle(place, word.span, *name, args);
+        }
+    }
+
+    fn elsewhere(&self, place: &mut Place) {
+        place.force = State::elsewhere();
+    }
+
+    fn meet(&self, one: &Place, other: &Place) -> Place {
+        Place { force: one.force.meet(&other.force), values: one.values.meet(&other.values) }
+    }
+
     /// What a called program begins with: of the values those that it or a deeper one names, and its parameters.
-    pub(super) fn entered(&mut self, caller: &Place, entry: &Entry) -> Place {
+    fn enter(&mut self, caller: &Place, entry: &Entry) -> Place {
         let mut values = Values::default();
         for id in self.around.taken(self.program, &self.names, entry.unit).iter() {
             if let Some(held) = caller.values.get(*id) {
@@ -157,13 +183,7 @@ impl Walk<'_> {
     }
 
     /// What holds behind a call: the caller's own values, but for those that the called program wrote.
-    pub(super) fn left(
-        &mut self,
-        caller: &Place,
-        (begin, after): (&Place, &Place),
-        entry: &Entry,
-        saves: bool,
-    ) -> Place {
+    fn leave(&mut self, caller: &Place, (begin, after): (&Place, &Place), entry: &Entry, saves: bool) -> Place {
         let mut place = Place { force: after.force.clone(), values: caller.values.clone() };
         if saves {
             place.force.restore(&caller.force);
@@ -187,7 +207,9 @@ impl Walk<'_> {
         }
         place
     }
+}
 
+impl Walk<'_> {
     /// A value that a called program wrote, with the assignment of the caller whose place it took.
     fn written(&self, caller: &Place, id: usize, held: &Held, call: Span) -> Held {
         let Some(Held::One(before)) = caller.values.get(id) else { return held.clone() };
