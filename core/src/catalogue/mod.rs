@@ -51,6 +51,7 @@ pub(crate) mod list;
 pub(crate) mod logging;
 pub mod nct;
 pub(crate) mod newer;
+pub(crate) mod older;
 pub mod operator_messages;
 pub(crate) mod place;
 pub(crate) mod shared_checks;

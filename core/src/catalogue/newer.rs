@@ -6,8 +6,29 @@
 //! there:
 //! the measuring direction counts differently (1 plus, 2 minus), and the tool target has an argument of its own.
 
-use crate::entry::Arg::{Newer, Param};
-use crate::entry::{ArgumentList, NEVER, Style, When, names};
+use super::common::args::*;
+use crate::entry::{Arg, ArgumentList, NEVER, Style, When};
+
+const S_KNUM: Arg = Arg::Newer("S_KNUM");
+const S_KNUM1: Arg = Arg::Newer("S_KNUM1");
+const S_MD: Arg = Arg::Newer("S_MD");
+const S_ID: Arg = Arg::Newer("S_ID");
+const S_TSA: Arg = Arg::Newer("S_TSA");
+const S_STA1: Arg = Arg::Newer("S_STA1");
+const S_SETV0: Arg = Arg::Newer("S_SETV0");
+const S_SETV1: Arg = Arg::Newer("S_SETV1");
+const S_SETV2: Arg = Arg::Newer("S_SETV2");
+const S_SETV3: Arg = Arg::Newer("S_SETV3");
+const S_SETV8: Arg = Arg::Newer("S_SETV8");
+const S_SETV9: Arg = Arg::Newer("S_SETV9");
+const S_XM: Arg = Arg::Newer("S_XM");
+const S_YM: Arg = Arg::Newer("S_YM");
+const S_MPVAL1: Arg = Arg::Newer("S_MPVAL1");
+const S_MPVAL2: Arg = Arg::Newer("S_MPVAL2");
+const S_MCBIT: Arg = Arg::Newer("S_MCBIT");
+const DMODE: Arg = Arg::Newer("_DMODE");
+const AMODE: Arg = Arg::Newer("_AMODE");
+const DP: Arg = Arg::Newer("_DP");
 
 /// The measuring variants of CYCLE977 that are evidenced: hole, shaft, groove, web and both rectangles; measured, or
 /// with correction of a zero offset; with a protection zone or without.
@@ -16,7 +37,7 @@ const ELEMENTS: When = When::Variant(&[
     1106,
 ]);
 
-const fn list(name: &'static str, when: When, args: &'static [crate::entry::Arg]) -> ArgumentList {
+const fn list(name: &'static str, when: When, args: &'static [Arg]) -> ArgumentList {
     ArgumentList {
         style: Style::Operate,
         name,
@@ -32,28 +53,8 @@ pub const CYCLE961: ArgumentList = list(
     "CYCLE961",
     NEVER,
     &[
-        Param(names::MVAR),
-        Param(names::KNUM),
-        Param(names::PRNUM),
-        Param(names::SETV0),
-        Param(names::SETV1),
-        Param(names::SETV2),
-        Param(names::SETV3),
-        Param(names::SETV4),
-        Param(names::SETV5),
-        Param(names::SETV6),
-        Param(names::SETV7),
-        Newer("S_SETV8"),
-        Newer("S_SETV9"),
-        Param(names::STA1),
-        Param(names::INCA),
-        Param(names::ID),
-        Param(names::FA),
-        Newer("S_TSA"),
-        Param(names::NMSP),
-        Newer("S_MCBIT"),
-        Newer("_DMODE"),
-        Newer("_AMODE"),
+        MVAR, KNUM, PRNUM, SETV0, SETV1, SETV2, SETV3, SETV4, SETV5, SETV6, SETV7, S_SETV8, S_SETV9, STA1, INCA, ID,
+        FA, S_TSA, NMSP, S_MCBIT, DMODE, AMODE,
     ],
 );
 
@@ -62,171 +63,47 @@ pub const CYCLE971: ArgumentList = list(
     "CYCLE971",
     NEVER,
     &[
-        Param(names::MVAR),
-        Newer("S_KNUM"),
-        Param(names::PRNUM),
-        Param(names::MA),
-        Newer("S_MD"),
-        Param(names::ID),
-        Param(names::FA),
-        Param(names::TSA),
-        Param(names::VMS),
-        Param(names::TZL),
-        Param(names::TDIF),
-        Param(names::NMSP),
-        Param(names::MFS[1]),
-        Param(names::MFS[0]),
-        Param(names::MFS[3]),
-        Param(names::MFS[2]),
-        Param(names::MFS[5]),
-        Param(names::MFS[4]),
-        Param(names::EVNUM),
-        Newer("S_MCBIT"),
-        Newer("_DMODE"),
-        Newer("_AMODE"),
+        MVAR, S_KNUM, PRNUM, MA, S_MD, ID, FA, TSA, VMS, TZL, TDIF, NMSP, MFS1, MFS0, MFS3, MFS2, MFS5, MFS4, EVNUM,
+        S_MCBIT, DMODE, AMODE,
     ],
 );
 
 /// CYCLE973.
-pub const CYCLE973: ArgumentList = list(
-    "CYCLE973",
-    NEVER,
-    &[
-        Param(names::MVAR),
-        Param(names::PRNUM),
-        Param(names::CALNUM),
-        Param(names::SETVAL),
-        Param(names::MA),
-        Newer("S_MD"),
-        Param(names::FA),
-        Param(names::TSA),
-        Param(names::VMS),
-        Param(names::NMSP),
-        Newer("S_MCBIT"),
-        Newer("_DMODE"),
-        Newer("_AMODE"),
-    ],
-);
+pub const CYCLE973: ArgumentList =
+    list("CYCLE973", NEVER, &[MVAR, PRNUM, CALNUM, SETVAL, MA, S_MD, FA, TSA, VMS, NMSP, S_MCBIT, DMODE, AMODE]);
 
 /// CYCLE974.
 pub const CYCLE974: ArgumentList = list(
     "CYCLE974",
     NEVER,
     &[
-        Param(names::MVAR),
-        Param(names::KNUM),
-        Newer("S_KNUM1"),
-        Param(names::PRNUM),
-        Param(names::SETVAL),
-        Param(names::MA),
-        Param(names::FA),
-        Param(names::TSA),
-        Param(names::STA1),
-        Param(names::NMSP),
-        Param(names::TNAME),
-        Param(names::DLNUM),
-        Param(names::TZL),
-        Param(names::TDIF),
-        Param(names::TUL),
-        Param(names::TLL),
-        Param(names::TMV),
-        Param(names::K),
-        Param(names::EVNUM),
-        Newer("S_MCBIT"),
-        Newer("_DMODE"),
-        Newer("_AMODE"),
-        Newer("_DP"),
+        MVAR, KNUM, S_KNUM1, PRNUM, SETVAL, MA, FA, TSA, STA1, NMSP, TNAME, DLNUM, TZL, TDIF, TUL, TLL, TMV, K, EVNUM,
+        S_MCBIT, DMODE, AMODE, DP,
     ],
 );
 
 /// CYCLE976.
-pub const CYCLE976: ArgumentList = list(
-    "CYCLE976",
-    NEVER,
-    &[
-        Param(names::MVAR),
-        Param(names::PRNUM),
-        Param(names::SETVAL),
-        Newer("S_SETV0"),
-        Param(names::MA),
-        Newer("S_MD"),
-        Param(names::FA),
-        Param(names::TSA),
-        Param(names::VMS),
-        Param(names::STA1),
-        Param(names::NMSP),
-        Newer("S_SETV1"),
-        Newer("_DMODE"),
-        Newer("_AMODE"),
-    ],
-);
+pub const CYCLE976: ArgumentList =
+    list("CYCLE976", NEVER, &[MVAR, PRNUM, SETVAL, S_SETV0, MA, S_MD, FA, TSA, VMS, STA1, NMSP, S_SETV1, DMODE, AMODE]);
 
 /// CYCLE977.
 pub const CYCLE977: ArgumentList = list(
     "CYCLE977",
     ELEMENTS,
     &[
-        Param(names::MVAR),
-        Param(names::KNUM),
-        Newer("S_KNUM1"),
-        Param(names::PRNUM),
-        Param(names::SETVAL),
-        Param(names::SETV0),
-        Param(names::SETV1),
-        Param(names::FA),
-        Param(names::TSA),
-        Newer("S_STA1"),
-        Param(names::ID),
-        Param(names::SZA),
-        Param(names::SZO),
-        Param(names::MA),
-        Param(names::NMSP),
-        Param(names::TNAME),
-        Param(names::DLNUM),
-        Param(names::TZL),
-        Param(names::TDIF),
-        Param(names::TUL),
-        Param(names::TLL),
-        Param(names::TMV),
-        Param(names::K),
-        Param(names::EVNUM),
-        Newer("S_MCBIT"),
-        Newer("_DMODE"),
-        Newer("_AMODE"),
-        Newer("S_XM"),
-        Newer("S_YM"),
-        Newer("_DP"),
+        MVAR, KNUM, S_KNUM1, PRNUM, SETVAL, SETV0, SETV1, FA, TSA, S_STA1, ID, SZA, SZO, MA, NMSP, TNAME, DLNUM, TZL,
+        TDIF, TUL, TLL, TMV, K, EVNUM, S_MCBIT, DMODE, AMODE, S_XM, S_YM, DP,
     ],
 );
 
-/// CYCLE978.
+/// CYCLE978. The measuring direction is an argument of its own, which programs leave out too; here the side on which the
+/// probe stands tells it.
 pub const CYCLE978: ArgumentList = list(
     "CYCLE978",
     When::Variant(&[0, 100]),
     &[
-        Param(names::MVAR),
-        Param(names::KNUM),
-        Newer("S_KNUM1"),
-        Param(names::PRNUM),
-        Param(names::SETVAL),
-        Param(names::FA),
-        Param(names::TSA),
-        Param(names::MA),
-        Newer("S_MD"),
-        Param(names::NMSP),
-        Param(names::TNAME),
-        Param(names::DLNUM),
-        Param(names::TZL),
-        Param(names::TDIF),
-        Param(names::TUL),
-        Param(names::TLL),
-        Param(names::TMV),
-        Param(names::K),
-        Param(names::EVNUM),
-        Newer("S_MCBIT"),
-        Newer("_DMODE"),
-        Newer("_AMODE"),
-        Newer("_DP"),
+        MVAR, KNUM, S_KNUM1, PRNUM, SETVAL, FA, TSA, MA, S_MD, NMSP, TNAME, DLNUM, TZL, TDIF, TUL, TLL, TMV, K, EVNUM,
+        S_MCBIT, DMODE, AMODE, DP,
     ],
 );
 
@@ -235,33 +112,8 @@ pub const CYCLE979: ArgumentList = list(
     "CYCLE979",
     NEVER,
     &[
-        Param(names::MVAR),
-        Param(names::KNUM),
-        Newer("S_KNUM1"),
-        Param(names::PRNUM),
-        Param(names::SETVAL),
-        Param(names::FA),
-        Param(names::TSA),
-        Param(names::CPA),
-        Param(names::CPO),
-        Param(names::STA1),
-        Param(names::INCA),
-        Param(names::NMSP),
-        Param(names::TNAME),
-        Param(names::DLNUM),
-        Param(names::TZL),
-        Param(names::TDIF),
-        Param(names::TUL),
-        Param(names::TLL),
-        Param(names::TMV),
-        Param(names::K),
-        Param(names::EVNUM),
-        Newer("S_MCBIT"),
-        Newer("_DMODE"),
-        Newer("_AMODE"),
-        Newer("S_MPVAL1"),
-        Newer("S_MPVAL2"),
-        Newer("_DP"),
+        MVAR, KNUM, S_KNUM1, PRNUM, SETVAL, FA, TSA, CPA, CPO, STA1, INCA, NMSP, TNAME, DLNUM, TZL, TDIF, TUL, TLL,
+        TMV, K, EVNUM, S_MCBIT, DMODE, AMODE, S_MPVAL1, S_MPVAL2, DP,
     ],
 );
 
@@ -269,26 +121,7 @@ pub const CYCLE979: ArgumentList = list(
 pub const CYCLE982: ArgumentList = list(
     "CYCLE982",
     NEVER,
-    &[
-        Param(names::MVAR),
-        Newer("S_KNUM"),
-        Param(names::PRNUM),
-        Param(names::MA),
-        Newer("S_MD"),
-        Newer("S_ID"),
-        Param(names::FA),
-        Param(names::TSA),
-        Param(names::VMS),
-        Param(names::STA1),
-        Param(names::CORA),
-        Param(names::TZL),
-        Param(names::TDIF),
-        Param(names::NMSP),
-        Param(names::EVNUM),
-        Newer("S_MCBIT"),
-        Newer("_DMODE"),
-        Newer("_AMODE"),
-    ],
+    &[MVAR, S_KNUM, PRNUM, MA, S_MD, S_ID, FA, TSA, VMS, STA1, CORA, TZL, TDIF, NMSP, EVNUM, S_MCBIT, DMODE, AMODE],
 );
 
 /// CYCLE994.
@@ -296,30 +129,8 @@ pub const CYCLE994: ArgumentList = list(
     "CYCLE994",
     NEVER,
     &[
-        Param(names::MVAR),
-        Param(names::KNUM),
-        Newer("S_KNUM1"),
-        Param(names::PRNUM),
-        Param(names::SETVAL),
-        Param(names::MA),
-        Param(names::SZA),
-        Param(names::SZO),
-        Param(names::FA),
-        Param(names::TSA),
-        Param(names::NMSP),
-        Param(names::TNAME),
-        Param(names::DLNUM),
-        Param(names::TZL),
-        Param(names::TDIF),
-        Param(names::TUL),
-        Param(names::TLL),
-        Param(names::TMV),
-        Param(names::K),
-        Param(names::EVNUM),
-        Newer("S_MCBIT"),
-        Newer("_DMODE"),
-        Newer("_AMODE"),
-        Newer("_DP"),
+        MVAR, KNUM, S_KNUM1, PRNUM, SETVAL, MA, SZA, SZO, FA, TSA, NMSP, TNAME, DLNUM, TZL, TDIF, TUL, TLL, TMV, K,
+        EVNUM, S_MCBIT, DMODE, AMODE, DP,
     ],
 );
 
@@ -328,55 +139,17 @@ pub const CYCLE997: ArgumentList = list(
     "CYCLE997",
     NEVER,
     &[
-        Param(names::MVAR),
-        Param(names::KNUM),
-        Param(names::PRNUM),
-        Param(names::SETVAL),
-        Param(names::FA),
-        Param(names::TSA),
-        Param(names::STA1),
-        Param(names::INCA),
-        Param(names::SETV0),
-        Param(names::SETV1),
-        Param(names::SETV2),
-        Param(names::SETV3),
-        Param(names::SETV4),
-        Param(names::SETV5),
-        Param(names::SETV6),
-        Param(names::SETV7),
-        Param(names::SETV8),
-        Param(names::TNVL),
-        Param(names::NMSP),
-        Newer("S_MCBIT"),
-        Newer("_DMODE"),
-        Newer("_AMODE"),
+        MVAR, KNUM, PRNUM, SETVAL, FA, TSA, STA1, INCA, SETV0, SETV1, SETV2, SETV3, SETV4, SETV5, SETV6, SETV7, SETV8,
+        TNVL, NMSP, S_MCBIT, DMODE, AMODE,
     ],
 );
 
-/// CYCLE998.
+/// CYCLE998, of which only one angle with positioning at an angle is known.
 pub const CYCLE998: ArgumentList = list(
     "CYCLE998",
     When::Variant(&[105]),
     &[
-        Param(names::MVAR),
-        Param(names::KNUM),
-        Param(names::RA),
-        Param(names::PRNUM),
-        Param(names::SETVAL),
-        Param(names::STA1),
-        Param(names::INCA),
-        Param(names::FA),
-        Param(names::TSA),
-        Param(names::MA),
-        Newer("S_MD"),
-        Param(names::ID),
-        Param(names::SETV0),
-        Newer("S_SETV1"),
-        Newer("S_SETV2"),
-        Newer("S_SETV3"),
-        Param(names::NMSP),
-        Param(names::EVNUM),
-        Newer("_DMODE"),
-        Newer("_AMODE"),
+        MVAR, KNUM, RA, PRNUM, SETVAL, STA1, INCA, FA, TSA, MA, S_MD, ID, SETV0, S_SETV1, S_SETV2, S_SETV3, NMSP,
+        EVNUM, DMODE, AMODE,
     ],
 );

@@ -82,6 +82,11 @@ pub struct DigitGroup {
 }
 
 impl DigitGroup {
+    /// One digit with a name for each number that it can be.
+    pub const fn one(key: &'static str, place: i64, choices: &'static [(i64, &'static str)]) -> DigitGroup {
+        DigitGroup { key, place, digits: 1, choices }
+    }
+
     /// What the group is in a number.
     pub fn value(&self, number: i64) -> i64 {
         number / self.place % 10_i64.pow(self.digits)
@@ -138,5 +143,4 @@ pub enum Level {
 }
 
 /// Third digit of `_PRNUM`.
-pub const PROBE_TYPE: DigitGroup =
-    DigitGroup { key: "prnum-type", place: 100, digits: 1, choices: &[(0, "prnum-multi"), (1, "prnum-mono")] };
+pub const PROBE_TYPE: DigitGroup = DigitGroup::one("prnum-type", 100, &[(0, "prnum-multi"), (1, "prnum-mono")]);

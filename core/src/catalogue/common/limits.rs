@@ -1,8 +1,8 @@
 //! Tolerances and memories: when something is corrected, and by how much.
 
-use super::{ALWAYS_OPTIONAL, PARAM};
+use super::{ALWAYS_OPTIONAL, PARAM, TOOL_OFFSET, ZERO_OFFSET, optional};
 use crate::diagnostic::Code;
-use crate::entry::{DigitGroup, Kind, Param, Unit, names};
+use crate::entry::{DigitGroup, Kind, Need, Param, Unit, names};
 use crate::range::Range;
 
 /// Halves of `_EVNUM` (B:2325-2342).
@@ -10,6 +10,9 @@ pub const MEMORY_DIGITS: &[DigitGroup] = &[
     DigitGroup { key: "evnum-mean", place: 10_000, digits: 4, choices: &[] },
     DigitGroup { key: "evnum-empirical", place: 1, digits: 4, choices: &[] },
 ];
+
+/// Limits of the correction belong to the tool offset.
+const TOLERANCE: &[Need] = &[optional(TOOL_OFFSET, "need-tolerance")];
 
 /// `_TSA`.
 pub const TSA: Param = Param {
@@ -31,6 +34,7 @@ pub const EVNUM: Param = Param {
     kind: Kind::Digits(MEMORY_DIGITS),
     default: Some(0.0),
     range: Range::closed(0.0, 99_999_999.0),
+    needs: &[optional(TOOL_OFFSET, "need-memory"), optional(ZERO_OFFSET, "need-memory-empirical")],
     source: "B:2303-2342",
     ..PARAM
 };
@@ -44,6 +48,7 @@ pub const K: Param = Param {
     range: Range::POSITIVE,
     usual: Range::closed(1.0, 100.0),
     alarm: Some(Code::Alarm(61318)),
+    needs: &[optional(TOOL_OFFSET, "need-memory")],
     source: "B:2358-2366;A:15859",
     ..PARAM
 };
@@ -55,6 +60,7 @@ pub const TZL: Param = Param {
     unit: Unit::BasicLength,
     default: Some(0.001),
     range: Range::NOT_NEGATIVE,
+    needs: TOLERANCE,
     source: "B:15667;A:2323",
     ..PARAM
 };
@@ -66,6 +72,7 @@ pub const TMV: Param = Param {
     unit: Unit::BasicLength,
     default: Some(0.7),
     range: Range::POSITIVE,
+    needs: TOLERANCE,
     source: "B:15660",
     ..PARAM
 };
@@ -76,6 +83,7 @@ pub const TUL: Param = Param {
     key: "tul",
     unit: Unit::ActiveLength,
     default: Some(1.0),
+    needs: TOLERANCE,
     source: "B:15664;A:1896",
     ..PARAM
 };
@@ -86,6 +94,7 @@ pub const TLL: Param = Param {
     key: "tll",
     unit: Unit::ActiveLength,
     default: Some(-1.0),
+    needs: TOLERANCE,
     source: "B:15665;A:1897",
     ..PARAM
 };
@@ -98,6 +107,7 @@ pub const TDIF: Param = Param {
     default: Some(1.2),
     range: Range::POSITIVE,
     watches: true,
+    needs: TOLERANCE,
     source: "B:15659",
     ..PARAM
 };

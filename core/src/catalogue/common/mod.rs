@@ -1,19 +1,24 @@
 //! Parameters that the SINUMERIK cycles share. A cycle takes one and fills in when it needs it:
 //! `Param { needs: &[…], ..common::FA }`.
 
+pub mod args;
 mod limits;
 mod place;
 mod results;
 mod target;
+pub mod tasks;
 
 use crate::entry::PROBE_TYPE;
 pub use limits::{EVNUM, K, TDIF, TLL, TMV, TSA, TUL, TZL};
-pub use place::{CORA, CPA, CPO, ID, INCA, MA, MD, RF, SETV0, SETV1, SETVAL, STA1, SZA, SZO};
+pub use place::{
+    ABSCISSA, APPLICATE, CORA, CPA, CPO, ID, INCA, MA, MD, MINUS, ORDINATE, PLUS, RF, SETV0, SETV1, SETVAL, STA1, SZA,
+    SZO,
+};
 pub use results::{angle, integer, length};
-pub use target::{DLNUM, KNUM, KNUM_KIND, OFFSET_DLNUM, OFFSET_TENV, OFFSET_TNAME, OFFSET_TNUM, TENV, TNAME, TNUM};
+pub use target::{DLNUM, KNUM, TENV, TNAME, TNUM};
 
 use crate::diagnostic::Code;
-use crate::entry::{DigitGroup, Kind, Need, Param, Unit, When, names};
+use crate::entry::{DigitGroup, Kind, Need, Param, Unit, When, mvar, names};
 use crate::name::Name;
 use crate::range::Range;
 
@@ -59,10 +64,22 @@ pub const ALWAYS_OPTIONAL: &[Need] = &[optional(When::Always, "need-default")];
 pub const MONO: When = When::Digit { param: names::PRNUM, place: 100, is: &[1] };
 
 /// With tool offset, where the third digit of `_MVAR` decides (B:5641, B:6323, B:6764).
-pub const TOOL_OFFSET: When = When::Digit { param: names::MVAR, place: 100, is: &[0] };
+pub const TOOL_OFFSET: When = mvar(100, &[0]);
 
 /// With ZO correction, where the third digit of `_MVAR` decides.
-pub const ZERO_OFFSET: When = When::Digit { param: names::MVAR, place: 100, is: &[1] };
+pub const ZERO_OFFSET: When = mvar(100, &[1]);
+
+/// Digit of `_MVAR`: what is corrected.
+pub const CORRECTION_DIGIT: DigitGroup =
+    DigitGroup::one("mvar-correction", 100, &[(0, "correction-tool"), (1, "correction-zero")]);
+/// The same in a cycle that corrects no tool.
+pub const ZERO_DIGIT: DigitGroup = DigitGroup::one("mvar-correction", 100, &[(1, "correction-zero")]);
+/// Digit of `_MVAR`: differential measurement.
+pub const DIFFERENTIAL_DIGIT: DigitGroup =
+    DigitGroup::one("mvar-differential", 1000, &[(0, "differential-without"), (1, "differential-with")]);
+/// Digit of `_MVAR`: whether the ball is determined.
+pub const BALL_DIGIT: DigitGroup =
+    DigitGroup::one("calibrate-ball", 100, &[(0, "calibrate-ball-without"), (1, "calibrate-ball-with")]);
 
 /// `_MVAR`; a cycle adds the digit groups.
 pub const MVAR: Param = Param {

@@ -2,8 +2,22 @@
 
 use super::{MONO, PARAM, required};
 use crate::diagnostic::Code;
-use crate::entry::{Kind, Param, Unit, names};
+use crate::entry::{Kind, Param, Unit, When, names};
 use crate::range::Range;
+
+const fn axis(is: &'static [i64]) -> When {
+    When::Digit { param: names::MA, place: 1, is }
+}
+/// Measured in the abscissa.
+pub const ABSCISSA: When = axis(&[1]);
+/// Measured in the ordinate.
+pub const ORDINATE: When = axis(&[2]);
+/// Measured in the applicate.
+pub const APPLICATE: When = axis(&[3]);
+/// Touched in plus direction.
+pub const PLUS: When = When::Digit { param: names::MD, place: 1, is: &[0] };
+/// Touched in minus direction.
+pub const MINUS: When = When::Digit { param: names::MD, place: 1, is: &[1] };
 
 /// `_SETVAL`; a cycle adds range and label.
 pub const SETVAL: Param =

@@ -1,12 +1,14 @@
 //! What is corrected: `_KNUM` and the tool that it means.
 
-use super::{ALWAYS_REQUIRED, PARAM, TOOL_OFFSET, optional, required};
+use super::{ALWAYS_REQUIRED, PARAM, TOOL_OFFSET, ZERO_OFFSET, optional, required};
 use crate::diagnostic::Code;
 use crate::entry::{Kind, Param, When, names};
 use crate::range::Range;
 
 /// The digit of `_KNUM` that tells length/radius from setup/additive offsets and `_TENV` (7th, or 9th with 5-digit D).
-pub const KNUM_KIND: i64 = 1_000_000;
+const fn knum_kind(is: &'static [i64]) -> When {
+    When::Digit { param: names::KNUM, place: 1_000_000, is }
+}
 
 /// A tool is corrected.
 const TOOL_CORRECTED: When = When::All(&[TOOL_OFFSET, When::Given(names::KNUM)]);
@@ -18,6 +20,7 @@ pub const KNUM: Param = Param {
     kind: Kind::Knum,
     range: Range::closed(0.0, 399_999_999.0),
     needs: ALWAYS_REQUIRED,
+    labels: &[(TOOL_OFFSET, "knum-tool"), (ZERO_OFFSET, "knum-zero")],
     source: "B:1894-2029",
     ..PARAM
 };
@@ -29,6 +32,13 @@ pub const TNUM: Param = Param {
     kind: Kind::Integer,
     range: Range::NOT_NEGATIVE,
     alarm: Some(Code::Alarm(61320)),
+    needs: &[
+        required(
+            When::All(&[TOOL_CORRECTED, When::Not(&When::Given(names::TNAME)), When::Not(&When::Given(names::TENV))]),
+            "need-tool",
+        ),
+        optional(TOOL_CORRECTED, "need-tool-otherwise"),
+    ],
     source: "B:1872-1892",
     ..PARAM
 };
@@ -39,6 +49,7 @@ pub const TNAME: Param = Param {
     key: "tname",
     kind: Kind::Text(32),
     alarm: Some(Code::Alarm(61343)),
+    needs: &[optional(TOOL_CORRECTED, "need-tool-name")],
     source: "B:15661",
     ..PARAM
 };
@@ -50,6 +61,7 @@ pub const DLNUM: Param = Param {
     kind: Kind::Integer,
     range: Range::closed(0.0, 6.0),
     alarm: Some(Code::Alarm(61406)),
+    needs: &[required(When::All(&[TOOL_OFFSET, knum_kind(&[1, 3])]), "need-additive")],
     source: "B:2031-2043",
     ..PARAM
 };
@@ -60,39 +72,7 @@ pub const TENV: Param = Param {
     key: "tenv",
     kind: Kind::Text(32),
     alarm: Some(Code::Alarm(61405)),
+    needs: &[required(When::All(&[TOOL_OFFSET, knum_kind(&[2, 3])]), "need-environment")],
     source: "B:2062-2102",
     ..PARAM
-};
-
-/// `_TNUM` of the cycles with [`TOOL_OFFSET`].
-pub const OFFSET_TNUM: Param = Param {
-    needs: &[
-        required(
-            When::All(&[TOOL_CORRECTED, When::Not(&When::Given(names::TNAME)), When::Not(&When::Given(names::TENV))]),
-            "need-tool",
-        ),
-        optional(TOOL_CORRECTED, "need-tool-otherwise"),
-    ],
-    ..TNUM
-};
-
-/// `_TNAME` of the cycles with [`TOOL_OFFSET`].
-pub const OFFSET_TNAME: Param = Param { needs: &[optional(TOOL_CORRECTED, "need-tool-name")], ..TNAME };
-
-/// `_DLNUM` of the cycles with [`TOOL_OFFSET`].
-pub const OFFSET_DLNUM: Param = Param {
-    needs: &[required(
-        When::All(&[TOOL_OFFSET, When::Digit { param: names::KNUM, place: KNUM_KIND, is: &[1, 3] }]),
-        "need-additive",
-    )],
-    ..DLNUM
-};
-
-/// `_TENV` of the cycles with [`TOOL_OFFSET`].
-pub const OFFSET_TENV: Param = Param {
-    needs: &[required(
-        When::All(&[TOOL_OFFSET, When::Digit { param: names::KNUM, place: KNUM_KIND, is: &[2, 3] }]),
-        "need-environment",
-    )],
-    ..TENV
 };

@@ -5,8 +5,6 @@ mod help;
 mod params;
 mod simulate;
 #[cfg(test)]
-mod simulation_tests;
-#[cfg(test)]
 mod tests;
 
 use super::common::{alarms, integer};

@@ -8,8 +8,6 @@ mod params;
 mod picture;
 mod simulate;
 #[cfg(test)]
-mod simulation_tests;
-#[cfg(test)]
 mod tests;
 
 use super::common::{alarms, integer};

@@ -1,31 +1,21 @@
 //! CYCLE961: inside and outside corner, with the direction of an edge (B:7816-8170).
 
-#[cfg(test)]
-mod bench;
 mod checks;
 mod corner;
 mod help;
 mod lines;
-mod lists;
-#[cfg(test)]
-mod motion_tests;
 pub(crate) mod params;
 mod picture;
-#[cfg(test)]
-mod proposal_tests;
 mod propose;
 mod results;
 mod simulate;
-#[cfg(test)]
-mod simulation_tests;
 mod tasks;
 #[cfg(test)]
 mod tests;
 mod touches;
 
-pub use results::RESULTS;
-
-use crate::catalogue::{common, sinumerik};
+use crate::catalogue::sinumerik::help::{AGAIN, CALIBRATED, MEASURING, PROBE};
+use crate::catalogue::{common, newer, older};
 use crate::dialect::Dialect;
 use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work, names};
 
@@ -47,10 +37,10 @@ pub static CYCLE961: Cycle = Cycle {
     variants: VARIANTS,
     params: params::PARAMS,
     purpose: Purpose { tasks: tasks::TASKS, ..Purpose::MILLING },
-    lists: lists::LISTS,
+    lists: &[older::CYCLE961_W, older::CYCLE961_P, newer::CYCLE961],
     // B:7834: on a lathe the length ends at the centre of the ball
     settings: &["_CBIT[14]"],
-    results: RESULTS,
+    results: results::RESULTS,
     alarms: &[
         common::EVERY_CYCLE,
         // A:15866, A:15868, A:15889-15890, A:15911-15913, A:15920; 61321 and 61412 for a _KNUM without a frame;
@@ -58,13 +48,7 @@ pub static CYCLE961: Cycle = Cycle {
         &common::alarms([61321, 61325, 61327, 61341, 61346, 61347, 61367, 61368, 61369, 61401, 61412]),
     ],
     checks: checks::checks,
-    help: Help::new(&[
-        help::LINES,
-        sinumerik::help::PROBE,
-        sinumerik::help::CALIBRATED,
-        sinumerik::help::AGAIN,
-        sinumerik::help::MEASURING,
-    ]),
+    help: Help::new(&[help::LINES, PROBE, CALIBRATED, AGAIN, MEASURING]),
     picture: Drawing::staged(picture::stage, picture::marks),
     example: &[
         (names::MVAR, "108"),

@@ -3,20 +3,16 @@
 mod checks;
 mod groove;
 mod help;
-mod lists;
 pub(crate) mod params;
 mod picture;
 mod propose;
 mod results;
 mod simulate;
 #[cfg(test)]
-mod simulation_tests;
-#[cfg(test)]
 mod tests;
 
-pub use results::RESULTS;
-
-use crate::catalogue::{common, lathe, sinumerik};
+use crate::catalogue::sinumerik::help::{BLOCK, STORED};
+use crate::catalogue::{common, lathe, newer, older};
 use crate::dialect::Dialect;
 use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, When, Work, names};
 
@@ -39,13 +35,13 @@ pub static CYCLE973: Cycle = Cycle {
     variants: VARIANTS,
     params: params::PARAMS,
     purpose: Purpose { calibrates: When::Always, ..Purpose::TURNING },
-    lists: lists::LISTS,
+    lists: &[older::CYCLE973_SURFACE, older::CYCLE973_GROOVE, newer::CYCLE973],
     // B:13442-13482, B:13534-13572, B:13739-13773, B:13999-14014
     settings: &[
         "_WP", "_KB", "_CVAL[2]", "_CBIT[0]", "_CBIT[1]", "_CHBIT[2]", "_CHBIT[15]", "_CHBIT[16]", "_CHBIT[17]",
         "_SPEED",
     ],
-    results: RESULTS,
+    results: results::RESULTS,
     alarms: &[
         common::EVERY_CYCLE,
         lathe::ALARMS,
@@ -53,7 +49,7 @@ pub static CYCLE973: Cycle = Cycle {
         &common::alarms([61326, 61333, 61401]),
     ],
     checks: checks::checks,
-    help: Help::new(&[sinumerik::help::STORED, help::LINES, sinumerik::help::BLOCK, lathe::help::PROBE]),
+    help: Help::new(&[STORED, help::LINES, BLOCK, lathe::help::PROBE]),
     picture: Drawing::staged(picture::stage, picture::marks),
     example: &[
         (names::MVAR, "0"),

@@ -4,7 +4,7 @@ use crate::catalogue::common;
 use crate::catalogue::common::required;
 use crate::catalogue::lathe::params as lathe;
 use crate::diagnostic::Code;
-use crate::entry::{DigitGroup, Kind, Param, When, names};
+use crate::entry::{DigitGroup, Kind, Param, When, mvar, names};
 use crate::range::Range;
 
 /// On a surface of the workpiece system.
@@ -14,11 +14,11 @@ pub const GROOVE: When = When::Not(&SURFACE);
 /// In the groove in one direction; 13 is written for 1013 (A:11504).
 pub const ONE: When = When::Variant(&[13, 1013]);
 /// In the groove in both directions of an axis.
-pub const TWO: When = When::Digit { param: names::MVAR, place: 1000, is: &[2] };
+pub const TWO: When = mvar(1000, &[2]);
 /// With the active ball diameter.
-pub const BALL: When = When::Digit { param: names::MVAR, place: 100, is: &[1] };
+pub const BALL: When = mvar(100, &[1]);
 /// With the position deviation.
-pub const SKEW: When = When::Digit { param: names::MVAR, place: 10_000, is: &[1] };
+pub const SKEW: When = mvar(10_000, &[1]);
 
 /// B:10163-10173.
 const MVAR_DIGITS: &[DigitGroup] = &[
@@ -28,24 +28,13 @@ const MVAR_DIGITS: &[DigitGroup] = &[
         digits: 2,
         choices: &[(0, "calibrate-surface"), (13, "calibrate-groove")],
     },
-    DigitGroup {
-        key: "calibrate-directions",
-        place: 1000,
-        digits: 1,
-        choices: &[(0, "calibrate-one-short"), (1, "calibrate-one"), (2, "calibrate-two")],
-    },
-    DigitGroup {
-        key: "calibrate-ball",
-        place: 100,
-        digits: 1,
-        choices: &[(0, "calibrate-ball-without"), (1, "calibrate-ball-with")],
-    },
-    DigitGroup {
-        key: "calibrate-position",
-        place: 10_000,
-        digits: 1,
-        choices: &[(0, "calibrate-skew-without"), (1, "calibrate-skew-with")],
-    },
+    DigitGroup::one(
+        "calibrate-directions",
+        1000,
+        &[(0, "calibrate-one-short"), (1, "calibrate-one"), (2, "calibrate-two")],
+    ),
+    common::BALL_DIGIT,
+    DigitGroup::one("calibrate-position", 10_000, &[(0, "calibrate-skew-without"), (1, "calibrate-skew-with")]),
 ];
 
 /// In the order in which the snippet writes them.

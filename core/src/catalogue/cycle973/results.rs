@@ -2,16 +2,13 @@
 //! the active unit counts. Trigger values are those of the axis and directions of the last call.
 
 use super::params::{BALL, ONE, SKEW, SURFACE, TWO};
-use crate::catalogue::common::{integer, length};
-use crate::catalogue::lathe::params::{ABSCISSA, APPLICATE, ORDINATE};
-use crate::entry::{ResultField, When, names};
+use crate::catalogue::common;
+use crate::catalogue::common::{ABSCISSA, APPLICATE, ORDINATE, integer, length};
+use crate::entry::{ResultField, When};
 
-const fn direction(is: &'static [i64]) -> When {
-    When::Digit { param: names::MD, place: 1, is }
-}
 const SINGLE: When = When::Any(&[ONE, SURFACE]);
-const PLUS: When = When::Any(&[TWO, When::All(&[SINGLE, direction(&[0])])]);
-const MINUS: When = When::Any(&[TWO, When::All(&[SINGLE, direction(&[1])])]);
+const PLUS: When = When::Any(&[TWO, When::All(&[SINGLE, common::PLUS])]);
+const MINUS: When = When::Any(&[TWO, When::All(&[SINGLE, common::MINUS])]);
 const ABSCISSA_MINUS: When = When::All(&[ABSCISSA, MINUS]);
 const ABSCISSA_PLUS: When = When::All(&[ABSCISSA, PLUS]);
 const ORDINATE_MINUS: When = When::All(&[ORDINATE, MINUS]);

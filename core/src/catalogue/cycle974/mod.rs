@@ -2,20 +2,16 @@
 
 mod checks;
 mod help;
-mod lists;
 pub(crate) mod params;
 mod picture;
 mod propose;
 mod results;
 mod simulate;
 #[cfg(test)]
-mod simulation_tests;
-#[cfg(test)]
 mod tests;
 
-pub use results::RESULTS;
-
-use crate::catalogue::{common, lathe, sinumerik};
+use crate::catalogue::sinumerik::help::{AGAIN, BLOCK, CALIBRATED, CORRECTION, MEASURING};
+use crate::catalogue::{common, lathe, newer, older};
 use crate::dialect::Dialect;
 use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work, names};
 
@@ -34,13 +30,13 @@ pub static CYCLE974: Cycle = Cycle {
     variants: VARIANTS,
     params: params::PARAMS,
     purpose: Purpose::TURNING,
-    lists: lists::LISTS,
+    lists: &[older::CYCLE974, newer::CYCLE974],
     // B:2314, B:13534-13584, B:13739-13773, B:13917-14037
     settings: &[
         "_CBIT[0]", "_CBIT[1]", "_CBIT[2]", "_CHBIT[2]", "_CHBIT[4]", "_CHBIT[5]", "_CHBIT[6]", "_CHBIT[8]",
         "_CHBIT[15]", "_CHBIT[16]", "_CHBIT[17]", "_CHBIT[19]", "_CHBIT[21]", "_SPEED", "_EV", "_MV",
     ],
-    results: RESULTS,
+    results: results::RESULTS,
     alarms: &[
         common::EVERY_CYCLE,
         common::CORRECTION,
@@ -51,15 +47,7 @@ pub static CYCLE974: Cycle = Cycle {
         &common::alarms([61327, 61341, 61401, 61412]),
     ],
     checks: checks::checks,
-    help: Help::new(&[
-        sinumerik::help::CORRECTION,
-        help::LINES,
-        sinumerik::help::BLOCK,
-        lathe::help::PROBE,
-        sinumerik::help::CALIBRATED,
-        sinumerik::help::AGAIN,
-        sinumerik::help::MEASURING,
-    ]),
+    help: Help::new(&[CORRECTION, help::LINES, BLOCK, lathe::help::PROBE, CALIBRATED, AGAIN, MEASURING]),
     picture: Drawing::staged(picture::stage, picture::marks),
     example: &[
         (names::MVAR, "0"),

@@ -3,25 +3,15 @@
 use crate::catalogue::common;
 use crate::catalogue::common::required;
 use crate::catalogue::lathe::params as lathe;
-use crate::entry::{DigitGroup, Kind, Param, When, names};
+use crate::entry::{DigitGroup, Kind, Param, When, mvar};
 use crate::range::Range;
 
 /// At two places of the turned part, 180 degree apart.
-pub const REVERSAL: When = When::Digit { param: names::MVAR, place: 1000, is: &[1] };
+pub const REVERSAL: When = mvar(1000, &[1]);
 
 const MVAR_DIGITS: &[DigitGroup] = &[
-    DigitGroup {
-        key: "mvar-correction",
-        place: 100,
-        digits: 1,
-        choices: &[(0, "correction-tool"), (1, "correction-zero")],
-    },
-    DigitGroup {
-        key: "mvar-reversal",
-        place: 1000,
-        digits: 1,
-        choices: &[(0, "reversal-without"), (1, "reversal-with")],
-    },
+    common::CORRECTION_DIGIT,
+    DigitGroup::one("mvar-reversal", 1000, &[(0, "reversal-without"), (1, "reversal-with")]),
 ];
 
 /// In the order in which the snippet writes them.
@@ -42,21 +32,21 @@ pub const PARAMS: &[Param] = &[
         source: "B:10784;B:10798;B:15561",
         ..common::STA1
     },
-    Param { source: "B:10542-10544;B:10625-10627", ..lathe::KNUM },
-    Param { source: "B:10628", ..lathe::TNUM },
-    Param { source: "B:10629-10630", ..lathe::TNAME },
-    Param { source: "B:10631-10632", ..lathe::DLNUM },
-    Param { source: "B:10633", ..lathe::TENV },
+    Param { source: "B:10542-10544;B:10625-10627", ..common::KNUM },
+    Param { source: "B:10628", ..common::TNUM },
+    Param { source: "B:10629-10630", ..common::TNAME },
+    Param { source: "B:10631-10632", ..common::DLNUM },
+    Param { source: "B:10633", ..common::TENV },
     Param { source: "B:10547;B:15555", ..common::PRNUM },
     Param { labels: &[(When::Always, "fa-lathe")], source: "B:10547;B:15541", ..common::FA },
     Param { labels: &[(When::Always, "tsa-position")], source: "B:10547;B:10740", ..common::TSA },
     Param { source: "B:10547;B:10567-10571", ..common::VMS },
     Param { source: "B:10547;B:15554", ..common::NMSP },
-    Param { source: "B:10547;B:15538-15539", ..lathe::EVNUM },
-    Param { source: "B:10639;B:15544", ..lathe::K },
-    Param { source: "B:10639;B:15575", ..lathe::TZL },
-    Param { source: "B:10639;A:16405", ..lathe::TMV },
-    Param { source: "B:10639;A:16406", ..lathe::TUL },
-    Param { source: "B:10639;A:16407", ..lathe::TLL },
-    Param { source: "B:10639;B:15568", ..lathe::TDIF },
+    Param { source: "B:10547;B:15538-15539", ..common::EVNUM },
+    Param { source: "B:10639;B:15544", ..common::K },
+    Param { source: "B:10639;B:15575", ..common::TZL },
+    Param { source: "B:10639;A:16405", ..common::TMV },
+    Param { source: "B:10639;A:16406", ..common::TUL },
+    Param { source: "B:10639;A:16407", ..common::TLL },
+    Param { source: "B:10639;B:15568", ..common::TDIF },
 ];

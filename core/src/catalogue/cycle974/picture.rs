@@ -2,9 +2,9 @@
 //! reversal its end is drawn beside it.
 
 use super::params::REVERSAL;
+use crate::catalogue::common::ZERO_OFFSET;
 use crate::catalogue::lathe::figures;
 use crate::catalogue::lathe::figures::{RADIUS, axis, per};
-use crate::catalogue::lathe::params::ZERO;
 use crate::entry::stage::{Look, Seen, Staging, add};
 use crate::entry::{Inputs, names};
 use crate::picture::figures::{arc, arrow, circle, line, polar};
@@ -35,7 +35,7 @@ pub fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
     shapes.extend(seen.measuring_axis(names::MA, paper));
     shapes.extend(seen.path(names::FA, 0, 2.5));
     shapes.extend(figures::set(inputs, seen, paper, [low[1] + 8.0, high[0] - 8.0][paper]));
-    if ZERO.holds(inputs) {
+    if ZERO_OFFSET.holds(inputs) {
         let mut tip = seen.zero;
         tip[paper] += 14.0;
         shapes.push(circle(ShapeKind::Axis, seen.zero, 2.4).of(names::KNUM));

@@ -1,8 +1,9 @@
 //! What CYCLE974 leaves in the result arrays (B:10461-10505). The unit of `_OVR[]` is not defined by the manual; here
 //! the active unit counts.
 
-use crate::catalogue::common::{integer, length};
-use crate::catalogue::lathe::params::{ABSCISSA, APPLICATE, ORDINATE, TOOL, ZERO};
+use crate::catalogue::common::{
+    ABSCISSA, APPLICATE, ORDINATE, TOOL_OFFSET as TOOL, ZERO_OFFSET as ZERO, integer, length,
+};
 use crate::entry::{ResultField, When};
 
 /// In the order of the arrays.

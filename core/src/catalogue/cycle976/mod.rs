@@ -4,27 +4,20 @@ mod checks;
 mod directions;
 mod help;
 mod hole;
-mod lists;
-#[cfg(test)]
-mod motion_tests;
 pub(crate) mod params;
 mod picture;
 mod propose;
 mod results;
 mod simulate;
-#[cfg(test)]
-mod simulate_tests;
-#[cfg(test)]
-mod store_tests;
 mod tasks;
 #[cfg(test)]
 mod tests;
 mod variants;
 
-pub use results::RESULTS;
 pub use variants::VARIANTS;
 
-use crate::catalogue::{common, sinumerik};
+use crate::catalogue::sinumerik::help::{PROBE, STORED};
+use crate::catalogue::{common, newer, older};
 use crate::dialect::Dialect;
 use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, When, Work, names};
 
@@ -36,17 +29,17 @@ pub static CYCLE976: Cycle = Cycle {
     variants: VARIANTS,
     params: params::PARAMS,
     purpose: Purpose { calibrates: When::Always, tasks: tasks::TASKS, ..Purpose::MILLING },
-    lists: lists::LISTS,
+    lists: &[older::CYCLE976_HOLE, older::CYCLE976_SURFACE, newer::CYCLE976],
     // B:5471-5472, B:13656
     settings: &["_CBIT[14]", "_CBIT[15]"],
-    results: RESULTS,
+    results: results::RESULTS,
     alarms: &[
         common::EVERY_CYCLE,
         // A:15866-15867, A:15920
         &common::alarms([61325, 61326, 61401]),
     ],
     checks: checks::checks,
-    help: Help::new(&[sinumerik::help::STORED, help::LINES, sinumerik::help::PROBE]),
+    help: Help::new(&[STORED, help::LINES, PROBE]),
     picture: Drawing::staged(picture::stage, picture::marks),
     example: &[
         (names::MVAR, "10101"),

@@ -2,66 +2,41 @@
 
 use crate::catalogue::common;
 use crate::catalogue::common::required;
-use crate::entry::{DigitGroup, Kind, Param, When, names};
+use crate::entry::{DigitGroup, Kind, Param, When, mvar};
 use crate::range::Range;
 
-const fn digit(place: i64, is: &'static [i64]) -> When {
-    When::Digit { param: names::MVAR, place, is }
-}
-
 /// In a hole.
-pub const HOLE: When = digit(1, &[1, 8]);
+pub const HOLE: When = mvar(1, &[1, 8]);
 /// In a hole whose centre is not known: two runs, the first with the spindle turned.
-pub const UNKNOWN: When = digit(1, &[8]);
+pub const UNKNOWN: When = mvar(1, &[8]);
 /// On a surface, without the probe length.
 pub const SURFACE: When = When::Variant(&[0]);
 /// On a surface in the applicate, with the probe length.
 pub const LENGTH: When = When::Variant(&[10_000]);
 /// One direction in a hole.
-pub const ONE: When = digit(1000, &[1]);
+pub const ONE: When = mvar(1000, &[1]);
 /// Both directions of one axis in a hole.
-pub const TWO: When = digit(1000, &[2]);
+pub const TWO: When = mvar(1000, &[2]);
 /// All four directions in a hole.
-pub const FOUR: When = When::All(&[HOLE, digit(1000, &[0])]);
+pub const FOUR: When = When::All(&[HOLE, mvar(1000, &[0])]);
 /// With the active ball diameter.
-pub const BALL: When = digit(100, &[1]);
+pub const BALL: When = mvar(100, &[1]);
 /// With the skew.
-pub const SKEW: When = When::All(&[HOLE, digit(10_000, &[1])]);
+pub const SKEW: When = When::All(&[HOLE, mvar(10_000, &[1])]);
 /// At the angle `_STA1`.
-pub const ANGLE: When = digit(100_000, &[1]);
+pub const ANGLE: When = mvar(100_000, &[1]);
 
 /// B:5066-5080; the second digit is always 0.
 const MVAR_DIGITS: &[DigitGroup] = &[
-    DigitGroup {
-        key: "calibrate-place",
-        place: 1,
-        digits: 1,
-        choices: &[(1, "calibrate-known"), (8, "calibrate-unknown"), (0, "calibrate-surface")],
-    },
-    DigitGroup {
-        key: "calibrate-directions",
-        place: 1000,
-        digits: 1,
-        choices: &[(0, "calibrate-four"), (1, "calibrate-one"), (2, "calibrate-two")],
-    },
-    DigitGroup {
-        key: "calibrate-ball",
-        place: 100,
-        digits: 1,
-        choices: &[(0, "calibrate-ball-without"), (1, "calibrate-ball-with")],
-    },
-    DigitGroup {
-        key: "calibrate-skew",
-        place: 10_000,
-        digits: 1,
-        choices: &[(0, "calibrate-skew-without"), (1, "calibrate-skew-with")],
-    },
-    DigitGroup {
-        key: "calibrate-angle",
-        place: 100_000,
-        digits: 1,
-        choices: &[(0, "calibrate-paraxial"), (1, "calibrate-at-angle")],
-    },
+    DigitGroup::one(
+        "calibrate-place",
+        1,
+        &[(1, "calibrate-known"), (8, "calibrate-unknown"), (0, "calibrate-surface")],
+    ),
+    DigitGroup::one("calibrate-directions", 1000, &[(0, "calibrate-four"), (1, "calibrate-one"), (2, "calibrate-two")]),
+    common::BALL_DIGIT,
+    DigitGroup::one("calibrate-skew", 10_000, &[(0, "calibrate-skew-without"), (1, "calibrate-skew-with")]),
+    DigitGroup::one("calibrate-angle", 100_000, &[(0, "calibrate-paraxial"), (1, "calibrate-at-angle")]),
 ];
 
 /// In the order in which the snippet writes them.

@@ -2,26 +2,18 @@
 //! active unit counts. Trigger values are those of the directions that were calibrated.
 
 use super::params::{BALL, FOUR, LENGTH, ONE, SKEW, SURFACE, TWO, UNKNOWN};
-use crate::catalogue::common::{angle, integer, length};
-use crate::entry::{ResultField, When, names};
+use crate::catalogue::common::{ABSCISSA, APPLICATE, MINUS, ORDINATE, PLUS, angle, integer, length};
+use crate::entry::{ResultField, When};
 
-const fn axis(is: &'static [i64]) -> When {
-    When::Digit { param: names::MA, place: 1, is }
-}
-const fn direction(is: &'static [i64]) -> When {
-    When::Digit { param: names::MD, place: 1, is }
-}
-const PLUS: When = direction(&[0]);
-const MINUS: When = direction(&[1]);
 /// Touched in this direction of the measuring axis, where not all four are.
 const PLUS_OF_AXIS: When = When::Any(&[TWO, When::All(&[When::Any(&[ONE, SURFACE]), PLUS])]);
 const MINUS_OF_AXIS: When = When::Any(&[TWO, When::All(&[When::Any(&[ONE, SURFACE]), MINUS])]);
-const ABSCISSA_MINUS: When = When::Any(&[FOUR, When::All(&[axis(&[1]), MINUS_OF_AXIS])]);
-const ABSCISSA_PLUS: When = When::Any(&[FOUR, When::All(&[axis(&[1]), PLUS_OF_AXIS])]);
-const ORDINATE_MINUS: When = When::Any(&[FOUR, When::All(&[axis(&[2]), MINUS_OF_AXIS])]);
-const ORDINATE_PLUS: When = When::Any(&[FOUR, When::All(&[axis(&[2]), PLUS_OF_AXIS])]);
-const APPLICATE_MINUS: When = When::All(&[When::Any(&[SURFACE, LENGTH]), axis(&[3]), MINUS]);
-const APPLICATE_PLUS: When = When::All(&[When::Any(&[SURFACE, LENGTH]), axis(&[3]), PLUS]);
+const ABSCISSA_MINUS: When = When::Any(&[FOUR, When::All(&[ABSCISSA, MINUS_OF_AXIS])]);
+const ABSCISSA_PLUS: When = When::Any(&[FOUR, When::All(&[ABSCISSA, PLUS_OF_AXIS])]);
+const ORDINATE_MINUS: When = When::Any(&[FOUR, When::All(&[ORDINATE, MINUS_OF_AXIS])]);
+const ORDINATE_PLUS: When = When::Any(&[FOUR, When::All(&[ORDINATE, PLUS_OF_AXIS])]);
+const APPLICATE_MINUS: When = When::All(&[When::Any(&[SURFACE, LENGTH]), APPLICATE, MINUS]);
+const APPLICATE_PLUS: When = When::All(&[When::Any(&[SURFACE, LENGTH]), APPLICATE, PLUS]);
 
 /// In the order of the arrays.
 pub const RESULTS: &[ResultField] = &[

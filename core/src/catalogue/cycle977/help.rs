@@ -1,7 +1,7 @@
 //! The lines of the help page of CYCLE977 (B:5600-6285).
 
-use super::params::{OUTSIDE, RECTANGLE, ROUND, TOOL, WIDTH, ZERO, ZONE, element};
-use crate::entry::{HelpLine, When, before, corrects, measures, order, wrong};
+use super::params::{OUTSIDE, RECTANGLE, ROUND, TOOL, WIDTH, ZERO, ZONE};
+use crate::entry::{HelpLine, When, before, corrects, measures, mvar, order, wrong};
 
 const INSIDE: When = When::Not(&OUTSIDE);
 const LEVEL: When = When::All(&[INSIDE, When::Not(&ZONE)]);
@@ -16,12 +16,12 @@ const ZERO_ONE: When = When::All(&[ZERO, WIDTH]);
 
 /// Section by section, in the order in which they are read.
 pub const LINES: &[HelpLine] = &[
-    measures(element(&[1]), "help-cycle977-measures-hole", "B:5645;B:5773"),
-    measures(element(&[2]), "help-cycle977-measures-shaft", "B:5646;B:5773"),
-    measures(element(&[3]), "help-cycle977-measures-groove", "B:5647;B:5773"),
-    measures(element(&[4]), "help-cycle977-measures-web", "B:5648;B:5773"),
-    measures(element(&[5]), "help-cycle977-measures-pocket", "B:5649;B:5773"),
-    measures(element(&[6]), "help-cycle977-measures-island", "B:5650;B:5773"),
+    measures(mvar(1, &[1]), "help-cycle977-measures-hole", "B:5645;B:5773"),
+    measures(mvar(1, &[2]), "help-cycle977-measures-shaft", "B:5646;B:5773"),
+    measures(mvar(1, &[3]), "help-cycle977-measures-groove", "B:5647;B:5773"),
+    measures(mvar(1, &[4]), "help-cycle977-measures-web", "B:5648;B:5773"),
+    measures(mvar(1, &[5]), "help-cycle977-measures-pocket", "B:5649;B:5773"),
+    measures(mvar(1, &[6]), "help-cycle977-measures-island", "B:5650;B:5773"),
     before(TWO_AXES, "help-cycle977-before-centre", "B:5879-5902"),
     before(WIDTH, "help-cycle977-before-middle", "B:5879-5902"),
     before(LEVEL, "help-cycle977-before-depth", "B:5917-5928"),

@@ -1,17 +1,10 @@
 //! CYCLE977: hole, shaft, groove, web and rectangle, measured parallel to the axes (B:5600-6285).
 
-#[cfg(test)]
-mod alarm_tests;
 mod checks;
 mod element;
 mod help;
-mod lists;
-#[cfg(test)]
-mod motion_tests;
 pub(crate) mod params;
 mod picture;
-#[cfg(test)]
-mod probe_tests;
 mod propose;
 mod protection;
 mod results;
@@ -21,10 +14,10 @@ mod tasks;
 mod tests;
 mod variants;
 
-pub use results::RESULTS;
 pub use variants::VARIANTS;
 
-use crate::catalogue::{common, sinumerik};
+use crate::catalogue::sinumerik::help::{AGAIN, BLOCK, CALIBRATED, CORRECTION, MEASURING, PROBE};
+use crate::catalogue::{common, newer, older};
 use crate::dialect::Dialect;
 use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Work, names};
 
@@ -36,9 +29,9 @@ pub static CYCLE977: Cycle = Cycle {
     variants: VARIANTS,
     params: params::PARAMS,
     purpose: Purpose { tasks: tasks::TASKS, ..Purpose::MILLING },
-    lists: lists::LISTS,
+    lists: &[older::CYCLE977_ROUND, older::CYCLE977_WIDTH, older::CYCLE977_RECTANGLE, newer::CYCLE977],
     settings: &["_CBIT[14]"], // B:5818: on a lathe the length ends at the centre of the ball
-    results: RESULTS,
+    results: results::RESULTS,
     alarms: &[
         common::EVERY_CYCLE,
         common::CORRECTION,
@@ -47,15 +40,7 @@ pub static CYCLE977: Cycle = Cycle {
         &common::alarms([61325, 61327, 61334, 61341, 61401, 61402, 61412]),
     ],
     checks: checks::checks,
-    help: Help::new(&[
-        sinumerik::help::CORRECTION,
-        help::LINES,
-        sinumerik::help::BLOCK,
-        sinumerik::help::PROBE,
-        sinumerik::help::CALIBRATED,
-        sinumerik::help::AGAIN,
-        sinumerik::help::MEASURING,
-    ]),
+    help: Help::new(&[CORRECTION, help::LINES, BLOCK, PROBE, CALIBRATED, AGAIN, MEASURING]),
     picture: Drawing::staged(picture::stage, picture::marks),
     example: &[
         (names::MVAR, "1"),

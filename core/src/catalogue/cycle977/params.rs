@@ -1,38 +1,29 @@
 //! Parameters of CYCLE977 in the order of the manual's tables (B:5989-6024, B:6181-6205).
 
 use crate::catalogue::common;
+pub use crate::catalogue::common::{TOOL_OFFSET as TOOL, ZERO_OFFSET as ZERO};
 use crate::catalogue::common::{optional, required};
-use crate::entry::{DigitGroup, Kind, Need, Param, When, names};
+use crate::entry::{DigitGroup, Kind, Param, When, mvar};
 use crate::range::Range;
 
-/// The element in the first digit of `_MVAR` is one of these.
-pub const fn element(is: &'static [i64]) -> When {
-    When::Digit { param: names::MVAR, place: 1, is }
-}
-
 /// Hole or shaft.
-pub const ROUND: When = element(&[1, 2]);
+pub const ROUND: When = mvar(1, &[1, 2]);
 /// Groove or web.
-pub const WIDTH: When = element(&[3, 4]);
+pub const WIDTH: When = mvar(1, &[3, 4]);
 /// Hole, shaft, groove or web.
-pub const SINGLE: When = element(&[1, 2, 3, 4]);
+pub const SINGLE: When = mvar(1, &[1, 2, 3, 4]);
 /// Rectangle inside or outside.
-pub const RECTANGLE: When = element(&[5, 6]);
+pub const RECTANGLE: When = mvar(1, &[5, 6]);
 /// Shaft, web, outside rectangle.
-pub const OUTSIDE: When = element(&[2, 4, 6]);
-/// With tool offset.
-pub const TOOL: When = common::TOOL_OFFSET;
-/// With ZO correction.
-pub const ZERO: When = common::ZERO_OFFSET;
+pub const OUTSIDE: When = mvar(1, &[2, 4, 6]);
 /// With a protection zone.
-pub const ZONE: When = When::Digit { param: names::MVAR, place: 1000, is: &[1] };
+pub const ZONE: When = mvar(1000, &[1]);
 
 const MVAR_DIGITS: &[DigitGroup] = &[
-    DigitGroup {
-        key: "mvar-element",
-        place: 1,
-        digits: 1,
-        choices: &[
+    DigitGroup::one(
+        "mvar-element",
+        1,
+        &[
             (1, "element-hole"),
             (2, "element-shaft"),
             (3, "element-groove"),
@@ -40,18 +31,10 @@ const MVAR_DIGITS: &[DigitGroup] = &[
             (5, "element-pocket"),
             (6, "element-island"),
         ],
-    },
-    DigitGroup {
-        key: "mvar-correction",
-        place: 100,
-        digits: 1,
-        choices: &[(0, "correction-tool"), (1, "correction-zero")],
-    },
-    DigitGroup { key: "mvar-zone", place: 1000, digits: 1, choices: &[(0, "zone-without"), (1, "zone-with")] },
+    ),
+    common::CORRECTION_DIGIT,
+    DigitGroup::one("mvar-zone", 1000, &[(0, "zone-without"), (1, "zone-with")]),
 ];
-
-/// Tolerance parameters belong to the tool offset.
-const TOLERANCE: &[Need] = &[optional(TOOL, "need-tolerance")];
 
 /// In the order in which the snippet writes them.
 pub const PARAMS: &[Param] = &[
@@ -88,11 +71,11 @@ pub const PARAMS: &[Param] = &[
     },
     Param { needs: &[required(When::All(&[ZONE, RECTANGLE]), "need-zone-rectangle")], source: "B:5835", ..common::SZO },
     Param { needs: &[required(WIDTH, "need-axis")], source: "B:5836", ..common::MA },
-    Param { labels: &[(TOOL, "knum-tool"), (ZERO, "knum-zero")], source: "B:6012-6014;B:6201", ..common::KNUM },
-    Param { source: "B:6015", ..common::OFFSET_TNUM },
-    Param { source: "B:6016", ..common::OFFSET_TNAME },
-    Param { source: "B:6017", ..common::OFFSET_DLNUM },
-    Param { source: "B:6018", ..common::OFFSET_TENV },
+    Param { source: "B:6012-6014;B:6201", ..common::KNUM },
+    Param { source: "B:6015", ..common::TNUM },
+    Param { source: "B:6016", ..common::TNAME },
+    Param { source: "B:6017", ..common::DLNUM },
+    Param { source: "B:6018", ..common::TENV },
     Param { source: "B:5632-5633;B:5841", ..common::PRNUM },
     Param { source: "B:5841;B:5945;B:5963", ..common::FA },
     Param { labels: &[(TOOL, "tsa-size"), (ZERO, "tsa-centre")], source: "B:5847;B:6024;B:6221", ..common::TSA },
@@ -100,10 +83,10 @@ pub const PARAMS: &[Param] = &[
     Param { source: "B:5841", ..common::NMSP },
     Param { source: "B:5849;B:15629", ..common::CORA },
     Param { needs: &[optional(TOOL, "need-memory")], source: "B:5841;B:6022", ..common::EVNUM },
-    Param { needs: &[optional(TOOL, "need-memory")], source: "B:6022;B:2358-2366", ..common::K },
-    Param { needs: TOLERANCE, source: "B:5845;B:15667", ..common::TZL },
-    Param { needs: TOLERANCE, source: "B:5845;B:15660", ..common::TMV },
-    Param { needs: TOLERANCE, source: "B:5845;B:15664", ..common::TUL },
-    Param { needs: TOLERANCE, source: "B:5845;B:15665", ..common::TLL },
-    Param { needs: TOLERANCE, source: "B:5845;B:15659", ..common::TDIF },
+    Param { source: "B:6022;B:2358-2366", ..common::K },
+    Param { source: "B:5845;B:15667", ..common::TZL },
+    Param { source: "B:5845;B:15660", ..common::TMV },
+    Param { source: "B:5845;B:15664", ..common::TUL },
+    Param { source: "B:5845;B:15665", ..common::TLL },
+    Param { source: "B:5845;B:15659", ..common::TDIF },
 ];

@@ -2,7 +2,6 @@
 
 mod checks;
 mod help;
-mod lists;
 pub(crate) mod params;
 mod picture;
 mod propose;
@@ -12,7 +11,8 @@ mod tasks;
 #[cfg(test)]
 mod tests;
 
-use crate::catalogue::{common, sinumerik};
+use crate::catalogue::sinumerik::help::{AGAIN, BLOCK, CORRECTION, DIFFERENTIAL, MEASURING, PROBE};
+use crate::catalogue::{common, newer, older};
 use crate::dialect::Dialect;
 use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work, names};
 
@@ -24,8 +24,6 @@ pub const VARIANTS: &[Variant] = &[
     Variant { number: 1100, key: "cycle978-differential-zero", source: "B:6328;B:6457;A:7192" },
 ];
 
-pub use results::RESULTS;
-
 /// The entry. Example: the surface of B:6632-6704.
 pub static CYCLE978: Cycle = Cycle {
     dialect: Dialect::Sinumerik,
@@ -34,9 +32,9 @@ pub static CYCLE978: Cycle = Cycle {
     variants: VARIANTS,
     params: params::PARAMS,
     purpose: Purpose { tasks: tasks::TASKS, ..Purpose::MILLING },
-    lists: lists::LISTS,
+    lists: &[older::CYCLE978, newer::CYCLE978],
     settings: &["_CBIT[14]"], // B:6400: on a lathe the length ends at the centre of the ball
-    results: RESULTS,
+    results: results::RESULTS,
     alarms: &[
         common::EVERY_CYCLE,
         common::CORRECTION,
@@ -45,15 +43,7 @@ pub static CYCLE978: Cycle = Cycle {
         &common::alarms([61325, 61327, 61341, 61401, 61412]),
     ],
     checks: checks::checks,
-    help: Help::new(&[
-        sinumerik::help::CORRECTION,
-        sinumerik::help::DIFFERENTIAL,
-        help::LINES,
-        sinumerik::help::BLOCK,
-        sinumerik::help::PROBE,
-        sinumerik::help::AGAIN,
-        sinumerik::help::MEASURING,
-    ]),
+    help: Help::new(&[CORRECTION, DIFFERENTIAL, help::LINES, BLOCK, PROBE, AGAIN, MEASURING]),
     picture: Drawing::staged(picture::stage, picture::marks),
     example: &[
         (names::MVAR, "0"),

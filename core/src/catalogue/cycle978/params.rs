@@ -1,32 +1,14 @@
 //! Parameters of CYCLE978 in the order of the manual's tables (B:6456-6468, B:6596-6612).
 
 use crate::catalogue::common;
-use crate::catalogue::common::{optional, required};
-use crate::entry::{DigitGroup, Kind, Need, Param, When, names};
+use crate::catalogue::common::required;
+pub use crate::catalogue::common::{TOOL_OFFSET as TOOL, ZERO_OFFSET as ZERO};
+use crate::entry::{DigitGroup, Kind, Param, When, mvar};
 
-/// With tool offset.
-pub const TOOL: When = common::TOOL_OFFSET;
-/// With ZO correction.
-pub const ZERO: When = common::ZERO_OFFSET;
 /// Each point with the spindle at 180 and 0 degree.
-pub const DIFFERENTIAL: When = When::Digit { param: names::MVAR, place: 1000, is: &[1] };
+pub const DIFFERENTIAL: When = mvar(1000, &[1]);
 
-const MVAR_DIGITS: &[DigitGroup] = &[
-    DigitGroup {
-        key: "mvar-correction",
-        place: 100,
-        digits: 1,
-        choices: &[(0, "correction-tool"), (1, "correction-zero")],
-    },
-    DigitGroup {
-        key: "mvar-differential",
-        place: 1000,
-        digits: 1,
-        choices: &[(0, "differential-without"), (1, "differential-with")],
-    },
-];
-
-const TOLERANCE: &[Need] = &[optional(TOOL, "need-tolerance")];
+const MVAR_DIGITS: &[DigitGroup] = &[common::CORRECTION_DIGIT, common::DIFFERENTIAL_DIGIT];
 
 /// In the order in which the snippet writes them.
 pub const PARAMS: &[Param] = &[
@@ -44,11 +26,11 @@ pub const PARAMS: &[Param] = &[
         source: "B:6459;B:15699",
         ..common::MA
     },
-    Param { labels: &[(TOOL, "knum-tool"), (ZERO, "knum-zero")], source: "B:6460-6462;B:6600-6601", ..common::KNUM },
-    Param { source: "B:6602", ..common::OFFSET_TNUM },
-    Param { source: "B:6603-6604", ..common::OFFSET_TNAME },
-    Param { source: "B:6605", ..common::OFFSET_DLNUM },
-    Param { source: "B:6606", ..common::OFFSET_TENV },
+    Param { source: "B:6460-6462;B:6600-6601", ..common::KNUM },
+    Param { source: "B:6602", ..common::TNUM },
+    Param { source: "B:6603-6604", ..common::TNAME },
+    Param { source: "B:6605", ..common::DLNUM },
+    Param { source: "B:6606", ..common::TENV },
     Param { source: "B:6301-6308", ..common::PRNUM },
     Param { source: "B:6384;B:6388", ..common::FA },
     Param { labels: &[(When::Always, "tsa-position")], source: "B:6466;B:6486", ..common::TSA },
@@ -59,15 +41,11 @@ pub const PARAMS: &[Param] = &[
         source: "B:6468;B:6612",
         ..common::CORA
     },
-    Param {
-        needs: &[optional(TOOL, "need-memory"), optional(ZERO, "need-memory-empirical")],
-        source: "B:6466;B:6584-6588",
-        ..common::EVNUM
-    },
-    Param { needs: &[optional(TOOL, "need-memory")], source: "B:6610;B:15690", ..common::K },
-    Param { needs: TOLERANCE, source: "B:6610;B:6614", ..common::TZL },
-    Param { needs: TOLERANCE, source: "B:6610;B:15720", ..common::TMV },
-    Param { needs: TOLERANCE, source: "B:6610;B:15727", ..common::TUL },
-    Param { needs: TOLERANCE, source: "B:6610;B:15728", ..common::TLL },
-    Param { needs: TOLERANCE, source: "B:6610;B:15719", ..common::TDIF },
+    Param { source: "B:6466;B:6584-6588", ..common::EVNUM },
+    Param { source: "B:6610;B:15690", ..common::K },
+    Param { source: "B:6610;B:6614", ..common::TZL },
+    Param { source: "B:6610;B:15720", ..common::TMV },
+    Param { source: "B:6610;B:15727", ..common::TUL },
+    Param { source: "B:6610;B:15728", ..common::TLL },
+    Param { source: "B:6610;B:15719", ..common::TDIF },
 ];

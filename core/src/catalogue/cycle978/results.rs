@@ -2,29 +2,25 @@
 //! here the active unit counts.
 
 use super::params::{TOOL, ZERO};
-use crate::catalogue::common::{integer, length};
-use crate::entry::{ResultField, When, names};
-
-const AXIS_1: When = When::Digit { param: names::MA, place: 1, is: &[1] };
-const AXIS_2: When = When::Digit { param: names::MA, place: 1, is: &[2] };
-const AXIS_3: When = When::Digit { param: names::MA, place: 1, is: &[3] };
+use crate::catalogue::common::{ABSCISSA, APPLICATE, ORDINATE, integer, length};
+use crate::entry::{ResultField, When};
 
 /// In the order of the arrays.
 pub const RESULTS: &[ResultField] = &[
     length("_OVR[0]", "result-set-position", When::Always, "B:6336;B:16091"),
-    length("_OVR[1]", "result-set-abscissa", AXIS_1, "B:6337;B:16096"),
-    length("_OVR[2]", "result-set-ordinate", AXIS_2, "B:6338;B:16098"),
-    length("_OVR[3]", "result-set-applicate", AXIS_3, "B:6339;B:16100"),
+    length("_OVR[1]", "result-set-abscissa", ABSCISSA, "B:6337;B:16096"),
+    length("_OVR[2]", "result-set-ordinate", ORDINATE, "B:6338;B:16098"),
+    length("_OVR[3]", "result-set-applicate", APPLICATE, "B:6339;B:16100"),
     length("_OVR[4]", "result-actual-position", When::Always, "B:6340;B:16102"),
-    length("_OVR[5]", "result-actual-abscissa", AXIS_1, "B:6341;B:16107"),
-    length("_OVR[6]", "result-actual-ordinate", AXIS_2, "B:6342;B:16114"),
-    length("_OVR[7]", "result-actual-applicate", AXIS_3, "B:6343;B:16116"),
+    length("_OVR[5]", "result-actual-abscissa", ABSCISSA, "B:6341;B:16107"),
+    length("_OVR[6]", "result-actual-ordinate", ORDINATE, "B:6342;B:16114"),
+    length("_OVR[7]", "result-actual-applicate", APPLICATE, "B:6343;B:16116"),
     length("_OVR[8]", "result-upper", TOOL, "B:6344;B:16118"),
     length("_OVR[12]", "result-lower", TOOL, "B:6345;B:16126"),
     length("_OVR[16]", "result-difference-position", When::Always, "B:6346;B:16134"),
-    length("_OVR[17]", "result-difference-abscissa", AXIS_1, "B:6347;B:16139"),
-    length("_OVR[18]", "result-difference-ordinate", AXIS_2, "B:6348;B:16141"),
-    length("_OVR[19]", "result-difference-applicate", AXIS_3, "B:6349;B:16143"),
+    length("_OVR[17]", "result-difference-abscissa", ABSCISSA, "B:6347;B:16139"),
+    length("_OVR[18]", "result-difference-ordinate", ORDINATE, "B:6348;B:16141"),
+    length("_OVR[19]", "result-difference-applicate", APPLICATE, "B:6349;B:16143"),
     length("_OVR[20]", "result-compensation", TOOL, "B:6350;B:16144"),
     length("_OVR[27]", "result-zero-offset-area", TOOL, "B:6351;B:16156"),
     length("_OVR[28]", "result-safe-area", When::Always, "B:6357;B:16157"),

@@ -2,22 +2,16 @@
 
 mod checks;
 mod help;
-mod lists;
-#[cfg(test)]
-mod motion_tests;
 pub(crate) mod params;
 mod picture;
 mod propose;
 mod results;
 mod simulate;
 #[cfg(test)]
-mod simulation_tests;
-#[cfg(test)]
 mod tests;
 
-pub use results::RESULTS;
-
-use crate::catalogue::{common, sinumerik};
+use crate::catalogue::sinumerik::help::{AGAIN, BLOCK, CALIBRATED, CORRECTION, MEASURING, PROBE};
+use crate::catalogue::{common, newer, older};
 use crate::dialect::Dialect;
 use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work, names};
 
@@ -41,10 +35,10 @@ pub static CYCLE979: Cycle = Cycle {
     variants: VARIANTS,
     params: params::PARAMS,
     purpose: Purpose::MILLING,
-    lists: lists::LISTS,
+    lists: &[older::CYCLE979_ROUND, older::CYCLE979_WIDTH, newer::CYCLE979],
     // B:6929: whether the length ends at the centre of the ball
     settings: &["_CBIT[14]"],
-    results: RESULTS,
+    results: results::RESULTS,
     alarms: &[
         common::EVERY_CYCLE,
         common::CORRECTION,
@@ -54,15 +48,7 @@ pub static CYCLE979: Cycle = Cycle {
         &common::alarms([61316, 61317, 61327, 61341, 61365, 61401, 61412]),
     ],
     checks: checks::checks,
-    help: Help::new(&[
-        sinumerik::help::CORRECTION,
-        help::LINES,
-        sinumerik::help::BLOCK,
-        sinumerik::help::PROBE,
-        sinumerik::help::CALIBRATED,
-        sinumerik::help::AGAIN,
-        sinumerik::help::MEASURING,
-    ]),
+    help: Help::new(&[CORRECTION, help::LINES, BLOCK, PROBE, CALIBRATED, AGAIN, MEASURING]),
     picture: Drawing::staged(picture::stage, picture::marks),
     example: &[
         (names::MVAR, "1"),

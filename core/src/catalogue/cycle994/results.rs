@@ -1,8 +1,7 @@
 //! What CYCLE994 leaves in the result arrays (B:10936-10975): diameters in the transverse axis with DIAMON, else radius
 //! dimensions. The unit of `_OVR[]` is not defined by the manual; here the active unit counts.
 
-use crate::catalogue::common::{integer, length};
-use crate::catalogue::lathe::params::{ABSCISSA, APPLICATE, ORDINATE};
+use crate::catalogue::common::{ABSCISSA, APPLICATE, ORDINATE, integer, length};
 use crate::entry::{ResultField, When};
 
 /// In the order of the arrays.

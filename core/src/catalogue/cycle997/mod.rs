@@ -2,27 +2,21 @@
 
 mod checks;
 mod help;
-#[cfg(test)]
-mod motion_tests;
 pub(crate) mod params;
 mod picture;
 mod points;
 mod propose;
-#[cfg(test)]
-mod refusal_tests;
 mod results;
 mod simulate;
-#[cfg(test)]
-mod simulation_tests;
 mod sphere;
 #[cfg(test)]
 mod tests;
 mod variants;
 
-pub use results::RESULTS;
 pub use variants::VARIANTS;
 
-use crate::catalogue::{common, newer, sinumerik};
+use crate::catalogue::sinumerik::help::{AGAIN, BLOCK, CALIBRATED, MEASURING, PROBE};
+use crate::catalogue::{common, newer};
 use crate::dialect::Dialect;
 use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Work, names};
 
@@ -38,7 +32,7 @@ pub static CYCLE997: Cycle = Cycle {
     // no parameterizing call (B:11640-12133); the list of newer controls is not known to us
     lists: &[newer::CYCLE997],
     settings: &[],
-    results: RESULTS,
+    results: results::RESULTS,
     alarms: &[
         common::EVERY_CYCLE,
         // A:15930-15933; 61316 of CYCLE116, which computes the circle (B:8361); 61321 for a frame that takes no
@@ -46,14 +40,7 @@ pub static CYCLE997: Cycle = Cycle {
         &common::alarms([61316, 61321, 61325, 61327, 61341, 61401, 61411, 61412, 61413, 61414]),
     ],
     checks: checks::checks,
-    help: Help::new(&[
-        help::LINES,
-        sinumerik::help::BLOCK,
-        sinumerik::help::PROBE,
-        sinumerik::help::CALIBRATED,
-        sinumerik::help::AGAIN,
-        sinumerik::help::MEASURING,
-    ]),
+    help: Help::new(&[help::LINES, BLOCK, PROBE, CALIBRATED, AGAIN, MEASURING]),
     picture: Drawing::staged(picture::stage, picture::marks),
     example: &[
         (names::MVAR, "10109"),

@@ -2,58 +2,34 @@
 
 use crate::catalogue::common;
 use crate::catalogue::common::{optional, required};
-use crate::entry::{DigitGroup, Kind, Need, Param, Unit, When, names};
+use crate::entry::{DigitGroup, Kind, Need, Param, Unit, When, mvar, names};
 use crate::name::Name;
 use crate::range::Range;
 
-const fn digit(place: i64, is: &'static [i64]) -> When {
-    When::Digit { param: names::MVAR, place, is }
-}
-
 /// One sphere.
-pub const ONE: When = digit(10_000, &[0]);
+pub const ONE: When = mvar(10_000, &[0]);
 /// Three spheres.
-pub const THREE: When = digit(10_000, &[1]);
+pub const THREE: When = mvar(10_000, &[1]);
 /// Points at an angle, on circular paths.
-pub const ANGLE: When = digit(1000, &[1]);
+pub const ANGLE: When = mvar(1000, &[1]);
 /// Four points at an angle instead of three.
-pub const FOUR_POINTS: When = digit(100_000, &[1]);
+pub const FOUR_POINTS: When = mvar(100_000, &[1]);
 /// With the diameter.
-pub const DIAMETER: When = digit(1_000_000, &[1]);
+pub const DIAMETER: When = mvar(1_000_000, &[1]);
 /// The whole sphere once more, about the centre that was found.
-pub const REPEATED: When = digit(10, &[1]);
+pub const REPEATED: When = mvar(10, &[1]);
 /// A frame is turned and moved.
 pub const TURNED: When = When::All(&[THREE, When::Given(names::KNUM)]);
 
 /// B:8246-8259; the first and the third digit are always 9 and 1.
 const MVAR_DIGITS: &[DigitGroup] = &[
-    DigitGroup { key: "mvar-element", place: 1, digits: 1, choices: &[(9, "element-sphere")] },
-    DigitGroup {
-        key: "spheres-number",
-        place: 10_000,
-        digits: 1,
-        choices: &[(0, "spheres-one"), (1, "spheres-three")],
-    },
-    DigitGroup {
-        key: "spheres-way",
-        place: 1000,
-        digits: 1,
-        choices: &[(0, "spheres-paraxial"), (1, "spheres-angle")],
-    },
-    DigitGroup {
-        key: "spheres-points",
-        place: 100_000,
-        digits: 1,
-        choices: &[(0, "spheres-points-three"), (1, "spheres-points-four")],
-    },
-    DigitGroup {
-        key: "spheres-diameter",
-        place: 1_000_000,
-        digits: 1,
-        choices: &[(0, "spheres-diameter-known"), (1, "spheres-diameter-find")],
-    },
-    DigitGroup { key: "spheres-repeat", place: 10, digits: 1, choices: &[(0, "spheres-once"), (1, "spheres-twice")] },
-    DigitGroup { key: "mvar-correction", place: 100, digits: 1, choices: &[(1, "correction-zero")] },
+    DigitGroup::one("mvar-element", 1, &[(9, "element-sphere")]),
+    DigitGroup::one("spheres-number", 10_000, &[(0, "spheres-one"), (1, "spheres-three")]),
+    DigitGroup::one("spheres-way", 1000, &[(0, "spheres-paraxial"), (1, "spheres-angle")]),
+    DigitGroup::one("spheres-points", 100_000, &[(0, "spheres-points-three"), (1, "spheres-points-four")]),
+    DigitGroup::one("spheres-diameter", 1_000_000, &[(0, "spheres-diameter-known"), (1, "spheres-diameter-find")]),
+    DigitGroup::one("spheres-repeat", 10, &[(0, "spheres-once"), (1, "spheres-twice")]),
+    common::ZERO_DIGIT,
 ];
 
 /// Centres of the second and the third sphere.

@@ -4,24 +4,16 @@ mod angles;
 mod checks;
 mod correction;
 mod help;
-mod lists;
-#[cfg(test)]
-mod motion_tests;
 pub(crate) mod params;
 mod picture;
-#[cfg(test)]
-mod proposal_tests;
 mod propose;
 mod results;
 mod simulate;
 #[cfg(test)]
-mod simulation_tests;
-#[cfg(test)]
 mod tests;
 
-pub use results::RESULTS;
-
-use crate::catalogue::{common, sinumerik};
+use crate::catalogue::sinumerik::help::{AGAIN, DIFFERENTIAL, MEASURING, PROBE};
+use crate::catalogue::{common, newer, older};
 use crate::dialect::Dialect;
 use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work, names};
 
@@ -42,10 +34,10 @@ pub static CYCLE998: Cycle = Cycle {
     variants: VARIANTS,
     params: params::PARAMS,
     purpose: Purpose::MILLING,
-    lists: lists::LISTS,
+    lists: &[older::CYCLE998, newer::CYCLE998],
     // B:7526-7527: on a lathe the length ends at the centre of the ball
     settings: &["_CBIT[14]"],
-    results: RESULTS,
+    results: results::RESULTS,
     alarms: &[
         common::EVERY_CYCLE,
         common::CORRECTION,
@@ -54,13 +46,7 @@ pub static CYCLE998: Cycle = Cycle {
         &common::alarms([61325, 61327, 61329, 61331, 61341, 61364, 61401, 61412]),
     ],
     checks: checks::checks,
-    help: Help::new(&[
-        sinumerik::help::DIFFERENTIAL,
-        help::LINES,
-        sinumerik::help::PROBE,
-        sinumerik::help::AGAIN,
-        sinumerik::help::MEASURING,
-    ]),
+    help: Help::new(&[DIFFERENTIAL, help::LINES, PROBE, AGAIN, MEASURING]),
     picture: Drawing::staged(picture::stage, picture::marks),
     example: &[
         (names::MVAR, "105"),

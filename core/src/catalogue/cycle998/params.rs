@@ -3,39 +3,25 @@
 use crate::catalogue::common;
 use crate::catalogue::common::{optional, required};
 use crate::diagnostic::Code;
-use crate::entry::{DigitGroup, Kind, Param, Unit, When, names};
+use crate::entry::{DigitGroup, Kind, Param, Unit, When, mvar, names};
 use crate::range::Range;
 
-const fn digit(place: i64, is: &'static [i64]) -> When {
-    When::Digit { param: names::MVAR, place, is }
-}
-
 /// One angle, from two points.
-pub const ONE: When = digit(1, &[5]);
+pub const ONE: When = mvar(1, &[5]);
 /// Two angles, from three points.
-pub const TWO: When = digit(1, &[6]);
+pub const TWO: When = mvar(1, &[6]);
 /// The first point with the spindle at 180 and 0 degree.
-pub const DIFFERENTIAL: When = digit(1000, &[1]);
+pub const DIFFERENTIAL: When = mvar(1000, &[1]);
 /// Between the points along the set angle and away from the surface.
-pub const AT_ANGLE: When = digit(100_000, &[0]);
+pub const AT_ANGLE: When = mvar(100_000, &[0]);
 /// Between the points along an axis.
-pub const PARAXIAL: When = digit(100_000, &[1]);
+pub const PARAXIAL: When = mvar(100_000, &[1]);
 
 const MVAR_DIGITS: &[DigitGroup] = &[
-    DigitGroup { key: "mvar-angles", place: 1, digits: 1, choices: &[(5, "angles-one"), (6, "angles-two")] },
-    DigitGroup { key: "mvar-correction", place: 100, digits: 1, choices: &[(1, "correction-zero")] },
-    DigitGroup {
-        key: "mvar-differential",
-        place: 1000,
-        digits: 1,
-        choices: &[(0, "differential-without"), (1, "differential-with")],
-    },
-    DigitGroup {
-        key: "mvar-positioning",
-        place: 100_000,
-        digits: 1,
-        choices: &[(0, "positioning-angle"), (1, "positioning-paraxial")],
-    },
+    DigitGroup::one("mvar-angles", 1, &[(5, "angles-one"), (6, "angles-two")]),
+    common::ZERO_DIGIT,
+    common::DIFFERENTIAL_DIGIT,
+    DigitGroup::one("mvar-positioning", 100_000, &[(0, "positioning-angle"), (1, "positioning-paraxial")]),
 ];
 
 /// Offset axis and measuring axis; differential measurement has to measure in the plane (B:7403-7408, B:7582).

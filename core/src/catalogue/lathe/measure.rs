@@ -1,6 +1,7 @@
 //! What a measuring call of a turning machine means: its axis, and whether its dimensions are diameters.
 
-use super::params::{APPLICATE, TRANSVERSE};
+use super::params::TRANSVERSE;
+use crate::catalogue::common::APPLICATE;
 use crate::catalogue::sinumerik::{alarm, results};
 use crate::control::{Control, Plane};
 use crate::entry::{Inputs, names};

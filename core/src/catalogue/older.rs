@@ -1,0 +1,137 @@
+//! The parameterizing calls of controls up to SW 5.4, which stand behind `CYCLE_PARA(…)` (B:11640-12133). Where a list
+//! has no `_MVAR`, selections add up to the number of the variant.
+
+use super::common::args::*;
+use super::{cycle961, cycle973, cycle976, cycle979};
+use crate::entry::Arg::{Down, Is, Open, Select};
+use crate::entry::{Arg, ArgumentList, Style, When, mvar, names};
+
+const fn list(name: &'static str, when: When, args: &'static [Arg], source: &'static str) -> ArgumentList {
+    ArgumentList { style: Style::Indirect, name, when, base: 0, args, source }
+}
+
+// selections
+const OUTSIDE: Arg = Select(&[(0, 0), (1, 1)]);
+const SKEW: Arg = Select(&[(0, 0), (1, 10_000)]);
+const BALL: Arg = Select(&[(0, 0), (1, 100)]);
+
+/// CYCLE961 by distances and angles (B:12027-12078).
+pub const CYCLE961_W: ArgumentList = ArgumentList {
+    base: 105,
+    ..list(
+        "CYCLE_961_W",
+        cycle961::params::DISTANCES,
+        &[OUTSIDE, EDGES, SETV0, SETV1, ID, STA1, INCA, KNUM, SETV4, SETV2, SETV3, PRNUM],
+        "B:12033-12052;A:13373-13384",
+    )
+};
+/// Three points of a rectangle, or four.
+const EDGES: Arg = Select(&[(3, 0), (4, 2)]);
+
+/// CYCLE961 by points; the infeed has no sign there.
+pub const CYCLE961_P: ArgumentList = ArgumentList {
+    base: 117,
+    ..list(
+        "CYCLE_961_P",
+        cycle961::params::POINTS,
+        &[OUTSIDE, Down(names::ID), SETV0, SETV1, SETV2, SETV3, SETV4, SETV5, SETV6, SETV7, KNUM, PRNUM],
+        "B:12066-12078;A:13400-13411",
+    )
+};
+
+/// CYCLE973 on a surface: one call for it and CYCLE976 (B:11784-11821).
+pub const CYCLE973_SURFACE: ArgumentList =
+    ArgumentList { args: &[Is(973), SETVAL, MA, MD, PRNUM, MVAR], ..surface(cycle973::params::SURFACE) };
+
+/// CYCLE973 in a groove; the number of directions is always written (B:11811-11821).
+pub const CYCLE973_GROOVE: ArgumentList = ArgumentList {
+    base: 13,
+    ..list(
+        "CYCLE_973",
+        cycle973::params::GROOVE,
+        &[SETVAL, SKEW, ONE_OR_TWO, BALL, MA, MD, CALNUM, PRNUM],
+        "B:11811-11821;A:13158-13165",
+    )
+};
+const ONE_OR_TWO: Arg = Select(&[(1, 1000), (2, 2000)]);
+
+/// CYCLE976 in a hole, put together from selections (B:11784-11854).
+pub const CYCLE976_HOLE: ArgumentList = ArgumentList {
+    base: 1,
+    ..list(
+        "CYCLE_976",
+        cycle976::params::HOLE,
+        &[SETVAL, AT_ANGLE, SKEW, DIRECTIONS, BALL, MA, MD, STA1, PRNUM, CENTRE],
+        "B:11834-11854;A:13184-13192",
+    )
+};
+const AT_ANGLE: Arg = Select(&[(0, 0), (1, 100_000)]);
+const DIRECTIONS: Arg = Select(&[(1, 1000), (2, 2000), (4, 0)]);
+/// From the known to the unknown centre: first digit 1 to 8.
+const CENTRE: Arg = Select(&[(0, 0), (1, 7)]);
+
+/// CYCLE976 on a surface.
+pub const CYCLE976_SURFACE: ArgumentList = ArgumentList {
+    args: &[Is(976), SETVAL, MA, MD, PRNUM, MVAR],
+    ..surface(When::Any(&[cycle976::params::SURFACE, cycle976::params::LENGTH]))
+};
+
+const fn surface(when: When) -> ArgumentList {
+    list("CYCLE_CAL_PROBE", when, &[], "B:11784-11797;A:13134-13139")
+}
+
+/// CYCLE974.
+pub const CYCLE974: ArgumentList =
+    list("CYCLE_974", When::Always, &[MVAR, SETVAL, MA, TNUM, TNAME, KNUM, PRNUM, STA1], "B:12084-12098;A:13427-13434");
+
+/// CYCLE977: hole and shaft.
+pub const CYCLE977_ROUND: ArgumentList = list(
+    "CYCLE_977_979A",
+    mvar(1, &[1, 2]),
+    &[Is(977), MVAR, SETVAL, ID, SZA, TNUM, TNAME, KNUM, Open, Open, Open, Open, PRNUM],
+    "B:11894-11923;A:13046",
+);
+
+/// CYCLE977: groove and web.
+pub const CYCLE977_WIDTH: ArgumentList = list(
+    "CYCLE_977_979B",
+    mvar(1, &[3, 4]),
+    &[Is(977), MVAR, SETVAL, ID, MA, TNUM, TNAME, KNUM, Open, Open, Open, SZA, PRNUM],
+    "B:11925-11951",
+);
+
+/// CYCLE977: rectangles.
+pub const CYCLE977_RECTANGLE: ArgumentList =
+    list("CYCLE_977_979C", mvar(1, &[5, 6]), &[MVAR, SETV0, SETV1, ID, SZA, SZO, TNUM, TNAME, KNUM], "B:11953-11985");
+
+/// CYCLE978.
+pub const CYCLE978: ArgumentList =
+    list("CYCLE_978", When::Always, &[MVAR, SETVAL, MA, TNUM, TNAME, KNUM], "B:11987-11996");
+
+/// CYCLE979: hole and shaft, in the call of CYCLE977.
+pub const CYCLE979_ROUND: ArgumentList = list(
+    "CYCLE_977_979A",
+    cycle979::params::ROUND,
+    &[Is(979), MVAR, SETVAL, ID, Open, TNUM, TNAME, KNUM, CPA, CPO, STA1, INCA, PRNUM],
+    "B:11908-11923;A:13248-13260",
+);
+
+/// CYCLE979: groove and web.
+pub const CYCLE979_WIDTH: ArgumentList = list(
+    "CYCLE_977_979B",
+    cycle979::params::WIDTH,
+    &[Is(979), MVAR, SETVAL, ID, Open, TNUM, TNAME, KNUM, CPA, CPO, STA1, Open, PRNUM],
+    "B:11937-11951;A:13276-13289",
+);
+
+/// CYCLE994.
+pub const CYCLE994: ArgumentList = list(
+    "CYCLE_994",
+    When::Always,
+    &[MVAR, SETVAL, MA, TNUM, TNAME, KNUM, SZA, SZO, PRNUM],
+    "B:12108-12121;A:13450-13458",
+);
+
+/// CYCLE998.
+pub const CYCLE998: ArgumentList =
+    list("CYCLE_998", When::Always, &[MVAR, SETVAL, ID, RA, MA, KNUM, STA1, PRNUM], "B:12008-12015;A:13350-13357");
