@@ -1,11 +1,10 @@
 //! Checks that the cycles which calibrate a workpiece probe share (CYCLE973, CYCLE976).
 
 use super::place;
-use crate::check::error;
+use crate::check::refused;
 use crate::control::Control;
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::Diagnostic;
 use crate::entry::{Inputs, names};
-use crate::message::Message;
 use crate::own;
 
 /// Ball radius that a calibration positions with: that of the active tool (B:5405, B:5486), not the stored one, which
@@ -17,10 +16,7 @@ pub fn ball_radius(inputs: &Inputs, control: &Control) -> f64 {
 
 /// A new value is stored between `_TZL` and `_TSA` (B:5134).
 pub fn band(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
-    let given = |name| inputs.given(name);
-    if let (Some(low), Some(high)) = (given(names::TZL), given(names::TSA))
-        && low >= high
-    {
+    if inputs.given(names::TZL).zip(inputs.given(names::TSA)).is_some_and(|(low, high)| low >= high) {
         found.push(own::CALIBRATION_BAND.finding().at(names::TZL));
     }
 }
@@ -38,8 +34,7 @@ pub fn first(inputs: &Inputs, control: &Control, ball: f64, found: &mut Vec<Diag
     let index = inputs.integer(names::PRNUM) % 100 - 1;
     let never = (1..=6).all(|field| control.number(&format!("_WP[{index},{field}]")) == 0.0);
     if never && inputs.given(names::TSA).is_some_and(|area| area <= ball) {
-        let message = Message::new("check-first-calibration").number("ball", ball);
-        let hint = Message::new("check-first-calibration-hint").number("ball", ball);
-        found.push(error(Code::Alarm(61303), message).hint(hint).at(names::TSA));
+        let finding = refused(61303, "check-first-calibration", names::TSA).number("ball", ball);
+        found.push(finding.hint_number("ball", ball));
     }
 }

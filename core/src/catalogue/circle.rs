@@ -1,12 +1,11 @@
 //! Points that lie on a circle, and checks for them, at a starting angle and steps of an indexing angle: CYCLE979,
 //! CYCLE997.
 
-use crate::check::error;
+use crate::check::refused;
 use crate::control::Control;
-use crate::diagnostic::{Code, Diagnostic, Severity};
+use crate::diagnostic::{Diagnostic, Severity};
 use crate::entry::{Inputs, names};
 use crate::evaluate::spread::{Circle, circle};
-use crate::message::Message;
 use crate::own;
 
 /// The probe must have been calibrated with its ball diameter (B:6873, B:8221).
@@ -43,15 +42,12 @@ pub fn angles(inputs: &Inputs, four: bool, found: &mut Vec<Diagnostic>) {
     let sum = start.abs() + f64::from(points - 1) * step.abs();
     let same = step % 180.0 == 0.0; // every second point, or all of them
     let finding = if same {
-        error(Code::Alarm(61316), Message::new("check-angles-same")).hint(Message::new("check-angles-same-hint"))
+        refused(61316, "check-angles-same", names::INCA)
     } else if sum > 360.0 {
         own::ANGLES_SUM.finding().number("sum", sum)
     } else if step.abs() > useful {
-        let finding = own::ANGLES_WIDE.finding();
-        let finding = finding.number("points", f64::from(points));
-        let finding = finding.number("useful", useful);
-        let finding = finding.hint_number("points", f64::from(points));
-        finding.hint_number("useful", useful)
+        let finding = own::ANGLES_WIDE.finding().number("points", f64::from(points)).number("useful", useful);
+        finding.hint_number("points", f64::from(points)).hint_number("useful", useful)
     } else {
         return;
     };

@@ -1,11 +1,11 @@
 //! Nominal parts and the probe in the active plane: what proposals and checks of the milling cycles share.
 
 use crate::control::{Control, Edge};
-use crate::entry::{Inputs, ProposedTool, names};
+use crate::entry::{Inputs, Proposal, ProposedTool, names};
 use crate::evaluate::knum;
 use crate::geometry::Wcs;
 use crate::geometry::rigid::angles;
-use crate::workpiece::{PartErrors, Shape, Solid};
+use crate::workpiece::{PartErrors, Shape, Solid, Workpiece};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 /// Ball radius that the cycle reckons with, mm: half of `_WP[k,0]` of the probe in `_PRNUM` (B:13442), else the
@@ -97,6 +97,11 @@ pub fn above(infeed: f64, ball: f64) -> (f64, f64) {
     let clear = ((infeed - ball) / 3.0).clamp(0.5, 10.0);
     let start = ball + clear;
     (start, (infeed - start).max(0.0))
+}
+
+/// A part, and the position from which it is measured.
+pub fn proposal(part: Solid, start: [f64; 3]) -> Proposal {
+    Proposal { workpiece: Workpiece { solids: vec![part] }, start: Wcs(start), ..Proposal::default() }
 }
 
 /// The tool that `_KNUM` and `_TNUM` or `_TNAME` name, as an end mill of 20 mm; none without a tool offset.

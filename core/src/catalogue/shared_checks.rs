@@ -2,7 +2,7 @@
 
 use super::common::MONO;
 use super::place;
-use crate::check::error;
+use crate::check::{error, refused};
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::entry::{Inputs, When, names};
@@ -24,21 +24,14 @@ pub fn probe(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     };
     let (number, kind) = (code % 100, code / 100 % 10);
     if kind > 1 {
-        let message = Message::new("check-probe-type").number("type", kind as f64);
-        found.push(error(Code::Alarm(61313), message).hint(Message::new("check-probe-type-hint")).at(names::PRNUM));
+        found.push(refused(61313, "check-probe-type", names::PRNUM).number("type", kind as f64));
     }
     if number < 1 || number as f64 > fields {
-        let message = Message::new("check-probe-number").number("number", number as f64);
-        let hint = Message::new("check-probe-number-hint").number("fields", fields);
-        found.push(error(Code::Alarm(61313), message).hint(hint).at(names::PRNUM));
+        let finding = refused(61313, "check-probe-number", names::PRNUM).number("number", number as f64);
+        found.push(finding.hint_number("fields", fields));
     }
     if kind == 1 && !control.spindle_positions {
-        let message = Message::new("check-mono-spindle");
-        found.push(
-            error(Code::Alarm(61373), message) // A:15917
-                .hint(Message::new("check-mono-spindle-hint"))
-                .at(names::PRNUM),
-        );
+        found.push(refused(61373, "check-mono-spindle", names::PRNUM)); // A:15917
     }
     let offset = inputs.any(names::CORA).unwrap_or(0.0);
     if kind == 1 && offset != 0.0 && !control.bit("_CBIT[8]") {
@@ -109,9 +102,8 @@ pub fn fits(name: Name, size: f64, ball: f64, found: &mut Vec<Diagnostic>) -> bo
 pub fn across(inputs: &Inputs, name: Name, size: f64, ball: f64, found: &mut Vec<Diagnostic>) {
     let free = size - 2.0 * ball;
     if inputs.given(names::FA).is_some_and(|path| path >= free) {
-        let message = Message::new("check-path-long").text("param", name).number("free", free);
-        let hint = Message::new("check-path-long-hint").number("free", free);
-        found.push(error(Code::Alarm(61302), message).hint(hint).at(names::FA));
+        let finding = refused(61302, "check-path-long", names::FA).text("param", name).number("free", free);
+        found.push(finding.hint_number("free", free));
     }
 }
 
@@ -151,29 +143,17 @@ pub fn rotation(control: &Control, found: &mut Vec<Diagnostic>) {
 /// the manual names none.
 pub fn differential(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     if !control.spindle_positions {
-        let message = Message::new("check-differential-spindle");
-        found.push(
-            error(Code::Alarm(61372), message) // A:15916
-                .hint(Message::new("check-differential-spindle-hint"))
-                .at(names::MVAR),
-        );
+        found.push(refused(61372, "check-differential-spindle", names::MVAR)); // A:15916
     }
     if MONO.holds(inputs) {
-        let message = Message::new("check-differential-mono");
-        found.push(
-            error(Code::Alarm(61313), message).hint(Message::new("check-differential-mono-hint")).at(names::PRNUM),
-        );
+        found.push(refused(61313, "check-differential-mono", names::PRNUM));
     }
 }
 
 /// Only a multi probe switches in all directions that are needed (B:7846-7848, B:8199-8201). The alarm is ours.
 pub fn multi_probe(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     if MONO.holds(inputs) {
-        found.push(
-            error(Code::Alarm(61313), Message::new("check-multi-probe"))
-                .hint(Message::new("check-multi-probe-hint"))
-                .at(names::PRNUM),
-        );
+        found.push(refused(61313, "check-multi-probe", names::PRNUM));
     }
 }
 
@@ -186,8 +166,7 @@ pub fn rotation_target(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
 pub fn takes_rotation(name: Name, inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     let code = inputs.integer(name);
     if let Ok(Some(ZeroCode::GlobalBasic(_))) = knum::zero(code) {
-        let message = Message::new("check-knum-rotation").number("code", code as f64);
-        found.push(error(Code::Alarm(61321), message).hint(Message::new("check-knum-rotation-hint")).at(name));
+        found.push(refused(61321, "check-knum-rotation", name).number("code", code as f64));
     }
 }
 

@@ -2,10 +2,16 @@
 
 use crate::diagnostic::{Code, Diagnostic, Severity};
 use crate::message::Message;
+use crate::name::Name;
 
 /// The control would stop, or the result would be wrong.
 pub fn error(code: Code, message: Message) -> Diagnostic {
     Diagnostic::new(Severity::Error, code, message)
+}
+
+/// What an alarm of the control refuses at a parameter; the words of what helps have the key of the cause and `-hint`.
+pub fn refused(alarm: u32, key: &'static str, at: Name) -> Diagnostic {
+    error(Code::Alarm(alarm), Message::new(key)).hint(Message::new(format!("{key}-hint"))).at(at)
 }
 
 /// A colleague would ask.

@@ -7,19 +7,17 @@ mod simulate;
 #[cfg(test)]
 mod tests;
 
-use super::common::{alarms, integer};
+use super::common::{alarms, integer, length};
 use super::spread;
-use crate::check::error;
+use crate::check::refused;
 use crate::control::{Control, MachineSort};
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::Diagnostic;
 use crate::dialect::Dialect;
 use crate::entry::{
-    Arg, ArgumentList, Cycle, Drawing, Help, Inputs, NEVER, ProbeUse, Purpose, ResultField, Simulation, Style, Unit,
-    Variant, When, Work,
+    Arg, ArgumentList, Cycle, Drawing, Help, Inputs, NEVER, ProbeUse, Purpose, Simulation, Style, Variant, When, Work,
 };
 use crate::evaluate;
 use crate::geometry::fit;
-use crate::message::Message;
 use crate::name::Name;
 use crate::picture::figures::{circle, dimension};
 use crate::picture::{Picture, ShapeKind, View};
@@ -43,9 +41,9 @@ pub static CYCLE116: Cycle = Cycle {
     settings: &[],
     params: params::PARAMS,
     results: &[
-        length("_DATE[9]", "result-116-abscissa", "B:2444;A:2632"),
-        length("_DATE[10]", "result-116-ordinate", "B:2445;A:2633"),
-        length("_DATE[11]", "result-116-radius", "B:2446;A:2634"),
+        length("_DATE[9]", "result-116-abscissa", When::Always, "B:2444;A:2632"),
+        length("_DATE[10]", "result-116-ordinate", When::Always, "B:2445;A:2633"),
+        length("_DATE[11]", "result-116-radius", When::Always, "B:2446;A:2634"),
         integer("_DATE[12]", "result-116-status", When::Always, "A:2635"),
         integer("_ALM", "result-116-alarm", When::Always, "B:2448;A:2636"),
     ],
@@ -67,10 +65,6 @@ pub static CYCLE116: Cycle = Cycle {
     source: "B:2408-2469",
 };
 
-const fn length(name: &'static str, key: &'static str, source: &'static str) -> ResultField {
-    ResultField { name, key, when: When::Always, unit: Unit::ActiveLength, source }
-}
-
 /// The points that are given completely, with the names of their coordinates.
 fn points(inputs: &Inputs) -> Vec<([Name; 2], [f64; 2])> {
     let count = inputs.integer(COUNT).clamp(3, 4) as usize;
@@ -89,11 +83,7 @@ fn checks(inputs: &Inputs, _: &Control, found: &mut Vec<Diagnostic>) {
     let at = POINTS[0][0];
     match fit::circle(&places) {
         _ if !complete => {}
-        None => found.push(
-            error(Code::Alarm(61316), Message::new("cycle116-no-circle"))
-                .hint(Message::new("cycle116-no-circle-hint"))
-                .at(at),
-        ),
+        None => found.push(refused(61316, "cycle116-no-circle", at)),
         Some(([x, y], _)) => {
             let seen = |[a, b]: &[f64; 2]| (b - y).atan2(a - x).to_degrees();
             let directions: Vec<f64> = places.iter().map(seen).collect();

@@ -5,11 +5,10 @@ use super::lines::{Point, away, shares};
 use super::params::{DISTANCES, PASSES, PLACES, POINTS, RECTANGLE};
 use super::propose::touched;
 use crate::catalogue::{place, shared_checks, spread};
-use crate::check::error;
+use crate::check::refused;
 use crate::control::Control;
-use crate::diagnostic::{Code, Diagnostic, Severity};
+use crate::diagnostic::{Diagnostic, Severity};
 use crate::entry::{Inputs, names};
-use crate::message::Message;
 use crate::name::Name;
 use crate::own;
 
@@ -58,8 +57,8 @@ fn spreads(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
 fn distances(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     for name in [names::SETV0, names::SETV1] {
         if let Some(distance) = inputs.given(name).filter(|distance| *distance <= 0.0) {
-            let message = Message::new("check-corner-distance").text("param", name).number("distance", distance);
-            found.push(error(Code::Alarm(61346), message).hint(Message::new("check-corner-distance-hint")).at(name));
+            let finding = refused(61346, "check-corner-distance", name);
+            found.push(finding.text("param", name).number("distance", distance));
         }
     }
 }
@@ -70,11 +69,7 @@ fn directions(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
         return;
     };
     if angle == 0.0 {
-        found.push(
-            error(Code::Alarm(61347), Message::new("check-corner-straight"))
-                .hint(Message::new("check-corner-straight-hint"))
-                .at(names::INCA),
-        );
+        found.push(refused(61347, "check-corner-straight", names::INCA));
     } else if RECTANGLE.holds(inputs) && (angle.abs() - 90.0).abs() > TOLERANCE {
         found.push(own::CORNER_RECTANGLE.finding().number("angle", angle).at(names::INCA));
     }
@@ -100,23 +95,18 @@ fn points(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     let Some([p1, p2, p3, p4]) = given(inputs) else {
         return;
     };
-    let refused = |alarm, key, hint, at| error(Code::Alarm(alarm), Message::new(key)).hint(Message::new(hint)).at(at);
-    let (same, hint) = ("check-corner-same", "check-corner-same-hint");
-    if p1 == p2 {
-        found.push(refused(61367, same, hint, names::SETV2));
-        return;
-    }
-    if p3 == p4 {
-        found.push(refused(61367, same, hint, names::SETV6));
-        return;
+    for (one, other, at) in [(p1, p2, names::SETV2), (p3, p4, names::SETV6)] {
+        if one == other {
+            found.push(refused(61367, "check-corner-same", at));
+            return;
+        }
     }
     match shares([p1, p3], [away(p1, p2), away(p3, p4)], PARALLEL) {
-        None => found.push(refused(61368, "check-corner-parallel", "check-corner-parallel-hint", names::SETV6)),
+        None => found.push(refused(61368, "check-corner-parallel", names::SETV6)),
         Some(shares) => {
             let between = |share: &f64| (0.0..=1.0).contains(share);
             if let Some(line) = shares.iter().position(between) {
-                let at = [names::SETV0, names::SETV4][line];
-                found.push(refused(61369, "check-corner-between", "check-corner-between-hint", at));
+                found.push(refused(61369, "check-corner-between", [names::SETV0, names::SETV4][line]));
             }
         }
     }

@@ -7,8 +7,7 @@ use crate::catalogue::place;
 use crate::control::Control;
 use crate::entry::{Inputs, Proposal, names};
 use crate::evaluate::spread::Touched;
-use crate::geometry::Wcs;
-use crate::workpiece::{Shape, Workpiece};
+use crate::workpiece::{Shape, Solid};
 
 /// Measuring depth of the ball centre below the face where `_ID` does not decide it, mm.
 const DEPTH: f64 = 10.0;
@@ -37,11 +36,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
         ([0.0; 2], -depth, depth)
     };
     let part = solid(inputs, control, &nominal, &touches, depth + 2.0 * ball + 10.0);
-    Proposal {
-        workpiece: Workpiece { solids: vec![part] },
-        start: Wcs(place::in_plane(control, [start[0], start[1], height * place::side(control)])),
-        ..Proposal::default()
-    }
+    place::proposal(part, place::in_plane(control, [start[0], start[1], height * place::side(control)]))
 }
 
 fn nominal(inputs: &Inputs, control: &Control, touches: &[Touch], ball: f64) -> Nominal {
@@ -149,13 +144,7 @@ fn visited(nominal: &Nominal, touches: &[Touch]) -> Vec<Point> {
     visited
 }
 
-fn solid(
-    inputs: &Inputs,
-    control: &Control,
-    nominal: &Nominal,
-    touches: &[Touch],
-    height: f64,
-) -> crate::workpiece::Solid {
+fn solid(inputs: &Inputs, control: &Control, nominal: &Nominal, touches: &[Touch], height: f64) -> Solid {
     let [mut one, mut other] = nominal.edges;
     if across(one, other) * handed(control) < 0.0 {
         (one, other) = (other, one);

@@ -3,11 +3,10 @@
 use super::groove::Groove;
 use super::params::{GROOVE, TWO};
 use crate::catalogue::{calibration, lathe, shared_checks};
-use crate::check::error;
+use crate::check::refused;
 use crate::control::Control;
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::Diagnostic;
 use crate::entry::{Inputs, names};
-use crate::message::Message;
 use crate::own;
 
 /// All of them.
@@ -51,9 +50,8 @@ fn number(pair: f64, control: &Control, found: &mut Vec<Diagnostic>) -> bool {
     if pair <= pairs {
         return true;
     }
-    let message = Message::new("check-groove-number").number("number", pair);
-    let hint = Message::new("check-groove-number-hint").number("pairs", pairs);
-    found.push(error(Code::Alarm(61333), message).hint(hint).at(names::CALNUM));
+    let finding = refused(61333, "check-groove-number", names::CALNUM).number("number", pair);
+    found.push(finding.hint_number("pairs", pairs));
     false
 }
 
@@ -65,9 +63,7 @@ fn base(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
         Some(0.0) => names::MD,
         _ => return,
     };
-    let message = Message::new("check-groove-base");
-    let hint = Message::new("check-groove-base-hint");
-    found.push(error(Code::Alarm(61326), message).hint(hint).at(at));
+    found.push(refused(61326, "check-groove-base", at));
 }
 
 /// Whether the data of the groove are there, and leave the ball its way.

@@ -6,8 +6,7 @@ use crate::catalogue::lathe::{measure, place};
 use crate::catalogue::place as plane;
 use crate::control::Control;
 use crate::entry::{Inputs, Proposal, names};
-use crate::geometry::{Mcs, Wcs};
-use crate::workpiece::Workpiece;
+use crate::geometry::Mcs;
 
 /// How much further from the surface than the first block the probe starts, mm.
 const AWAY: f64 = 5.0;
@@ -30,12 +29,7 @@ fn surface(inputs: &Inputs, control: &Control, away: f64) -> Proposal {
     let set = inputs.number(names::SETVAL) / measure::per(control, inputs);
     let side = if inputs.integer(names::MD) == 0 { -1.0 } else { 1.0 };
     let (part, start) = place::touched(control, control.plane.axes()[index], set, side, away);
-    Proposal {
-        fixture: place::chuck(&part).into_iter().collect(),
-        workpiece: Workpiece { solids: vec![part] },
-        start: Wcs(start),
-        ..Proposal::default()
-    }
+    place::proposal(part, start)
 }
 
 /// Above the groove of the probe in use, nominally where `_KB` says that it is: its errors are those of the data. None
@@ -62,9 +56,5 @@ fn groove(inputs: &Inputs, control: &Control, away: f64) -> Option<Proposal> {
     start[base] += away;
     let shape = found.shape(depth);
     let groove = place::standing(&machine, shape, at, unit(walls), unit(base));
-    Some(Proposal {
-        workpiece: Workpiece { solids: vec![groove] },
-        start: control.to_workpiece(Mcs(start)),
-        ..Proposal::default()
-    })
+    Some(plane::proposal(groove, control.to_workpiece(Mcs(start)).0))
 }

@@ -5,7 +5,7 @@ use super::params::{BALL, GROOVE, SKEW, TWO};
 use crate::catalogue::lathe::measure;
 use crate::catalogue::sinumerik::calibration::{Calibration, Trigger, store};
 use crate::catalogue::sinumerik::measuring_block::{Block, Point};
-use crate::catalogue::sinumerik::{Next, alarm, results};
+use crate::catalogue::sinumerik::{alarm, results, until_done};
 use crate::entry::{Inputs, names};
 use crate::machine::{Machine, Stop};
 
@@ -29,13 +29,10 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
 type Find = fn(&mut dyn Machine, &Inputs, &Block) -> Result<Calibration, Stop>;
 
 fn calibrate(machine: &mut dyn Machine, inputs: &Inputs, block: &Block, find: Find) -> Result<(), Stop> {
-    for repetition in 0.. {
+    until_done(|repetition| {
         let found = find(machine, inputs, block)?;
-        if store(machine, inputs, &found, repetition)? == Next::Done {
-            break;
-        }
-    }
-    Ok(())
+        store(machine, inputs, &found, repetition)
+    })
 }
 
 /// Direction of `_MD`; 61326 where it is none (A:15867).

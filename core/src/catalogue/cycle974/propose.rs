@@ -4,8 +4,6 @@ use crate::catalogue::lathe::{measure, place};
 use crate::catalogue::place as plane;
 use crate::control::Control;
 use crate::entry::{Inputs, Proposal, names};
-use crate::geometry::Wcs;
-use crate::workpiece::Workpiece;
 
 /// How much further from the surface than the first block the probe starts, mm.
 const AWAY: f64 = 5.0;
@@ -18,11 +16,5 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let away = plane::ball_radius(inputs, control) + inputs.number(names::FA) + AWAY;
     let side = if axis != 2 && set < 0.0 { -1.0 } else { 1.0 };
     let (part, start) = place::touched(control, axis, set, side, away);
-    Proposal {
-        fixture: place::chuck(&part).into_iter().collect(),
-        workpiece: Workpiece { solids: vec![part] },
-        start: Wcs(start),
-        tools: place::corrected_tools(inputs),
-        ..Proposal::default()
-    }
+    Proposal { tools: place::corrected_tools(inputs), ..place::proposal(part, start) }
 }

@@ -5,7 +5,7 @@ use crate::catalogue::lathe::measure;
 use crate::catalogue::sinumerik::measuring_block::{Block, Point, all_calibrated, turnable};
 use crate::catalogue::sinumerik::one_point::OnePoint;
 use crate::catalogue::sinumerik::target::Target;
-use crate::catalogue::sinumerik::{Next, one_point};
+use crate::catalogue::sinumerik::{one_point, until_done};
 use crate::entry::{Inputs, names};
 use crate::machine::{Machine, Stop};
 
@@ -26,25 +26,15 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     let corrected = measure::corrected(inputs, axis);
     let target = Target::of(machine, inputs, Some(corrected))?;
     let point = block.point(axis, direction, set / per);
-    for repetition in 0.. {
+    until_done(|repetition| {
         let surface = match reversal {
             true => both_sides(machine, inputs, &block, &point)?,
             false => block.measure(machine, &point)?,
         };
-        let found = OnePoint {
-            axis,
-            corrected,
-            direction,
-            ball: block.ball_at(machine.position().0),
-            set,
-            actual: surface * per,
-            per,
-        };
-        if one_point::finish(machine, inputs, &found, &target, repetition)? == Next::Done {
-            break;
-        }
-    }
-    Ok(())
+        let ball = block.ball_at(machine.position().0);
+        let found = OnePoint { axis, corrected, direction, ball, set, actual: surface * per, per };
+        one_point::finish(machine, inputs, &found, &target, repetition)
+    })
 }
 
 /// Mean of the same point with the part turned to `_STA1` and 180 degree further (B:10784).

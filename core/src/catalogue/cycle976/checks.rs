@@ -2,9 +2,9 @@
 
 use super::params::{HOLE, LENGTH, SKEW, SURFACE, UNKNOWN};
 use crate::catalogue::{calibration, place, shared_checks};
-use crate::check::error;
+use crate::check::refused;
 use crate::control::Control;
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::Diagnostic;
 use crate::entry::{Inputs, Unit, factor, names, unit_behind};
 use crate::message::Message;
 use crate::own;
@@ -40,12 +40,10 @@ fn hole(inputs: &Inputs, control: &Control, ball: f64, found: &mut Vec<Diagnosti
         return;
     };
     if size <= 0.0 {
-        let shown = size / factor(Unit::ActiveLength, control);
         let finding = own::RANGE.finding().text("param", names::SETVAL);
-        let finding = finding.number("value", shown);
+        let finding = finding.number("value", size / factor(Unit::ActiveLength, control));
         let finding = finding.text("unit", unit_behind(Unit::ActiveLength, control));
-        let hint = Message::new("check-positive-hint");
-        found.push(finding.hint(hint).at(names::SETVAL));
+        found.push(finding.hint(Message::new("check-positive-hint")).at(names::SETVAL));
     } else if shared_checks::fits(names::SETVAL, size, ball, found) {
         shared_checks::across(inputs, names::SETVAL, size, ball, found);
     }
@@ -54,9 +52,7 @@ fn hole(inputs: &Inputs, control: &Control, ball: f64, found: &mut Vec<Diagnosti
 /// Two runs, between which the spindle turns (B:5241, B:5331-5332); the skew is found in any case (B:5230).
 fn reversal(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     if !control.spindle_positions {
-        let message = Message::new("check-reversal-spindle");
-        found
-            .push(error(Code::Alarm(61372), message).hint(Message::new("check-reversal-spindle-hint")).at(names::MVAR));
+        found.push(refused(61372, "check-reversal-spindle", names::MVAR));
     }
     if !SKEW.holds(inputs) {
         found.push(own::SKEW_LOST.finding().at(names::MVAR));

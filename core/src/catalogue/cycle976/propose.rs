@@ -5,8 +5,7 @@ use super::params::{HOLE, LENGTH};
 use crate::catalogue::{calibration, place};
 use crate::control::Control;
 use crate::entry::{Inputs, Proposal, names};
-use crate::geometry::Wcs;
-use crate::workpiece::{Shape, Workpiece};
+use crate::workpiece::Shape;
 
 /// How deep in the ring the ball centre stands, mm.
 const DEPTH: f64 = 10.0;
@@ -27,5 +26,5 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
         let away = inputs.number(names::FA) + ball + beyond;
         place::face(control, axis, inputs.number(names::SETVAL), side, away)
     };
-    Proposal { workpiece: Workpiece { solids: vec![part] }, start: Wcs(start), ..Proposal::default() }
+    place::proposal(part, start)
 }

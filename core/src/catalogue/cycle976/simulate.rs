@@ -5,7 +5,7 @@ use super::hole;
 use super::params::{HOLE, LENGTH, UNKNOWN};
 use crate::catalogue::sinumerik::calibration::{Calibration, Trigger, store};
 use crate::catalogue::sinumerik::measuring_block::{Block, Point, turnable};
-use crate::catalogue::sinumerik::{Next, alarm, results};
+use crate::catalogue::sinumerik::{alarm, results, until_done};
 use crate::entry::{Inputs, names};
 use crate::geometry::Wcs;
 use crate::machine::{Machine, Stop};
@@ -21,17 +21,11 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
         turnable(machine)?;
     }
     let start = machine.position();
-    for repetition in 0.. {
-        let found = if HOLE.holds(inputs) {
-            hole::measure(machine, inputs, &block, start.0)?
-        } else {
-            surface(machine, inputs, &block, start.0)?
-        };
-        if store(machine, inputs, &found, repetition)? == Next::Done {
-            break;
-        }
-    }
-    Ok(())
+    let measure = if HOLE.holds(inputs) { hole::measure } else { surface };
+    until_done(|repetition| {
+        let found = measure(machine, inputs, &block, start.0)?;
+        store(machine, inputs, &found, repetition)
+    })
 }
 
 /// One direction of one axis. With the length the block begins where the probe stands and is twice `_FA` long: nobody

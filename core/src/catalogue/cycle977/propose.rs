@@ -5,8 +5,7 @@ use super::protection::Protected;
 use crate::catalogue::place;
 use crate::control::Control;
 use crate::entry::{Inputs, Proposal, names};
-use crate::geometry::Wcs;
-use crate::workpiece::{Shape, Workpiece};
+use crate::workpiece::Shape;
 
 /// Measuring depth of the ball centre where `_ID` does not decide it, mm.
 const DEPTH: f64 = 10.0;
@@ -25,12 +24,10 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let part = place::solid(control, shape(inputs, height), [0.0; 3], x, out);
     let protected = Protected::of(inputs, height, x);
     Proposal {
-        workpiece: Workpiece { solids: vec![part] },
         fixture: protected.iter().flat_map(|zone| zone.obstacles(control)).collect(),
         zones: protected.iter().map(|zone| zone.walls(control)).collect(),
-        start: Wcs(place::in_plane(control, out.map(|part| part * start))),
         tools: place::corrected_tools(inputs),
-        ..Proposal::default()
+        ..place::proposal(part, place::in_plane(control, out.map(|part| part * start)))
     }
 }
 

@@ -4,7 +4,7 @@ use super::element::Element;
 use crate::catalogue::sinumerik::centred::{Found, Pair};
 use crate::catalogue::sinumerik::measuring_block::{Block, Point, all_calibrated};
 use crate::catalogue::sinumerik::target::Target;
-use crate::catalogue::sinumerik::{Next, alarm, centred, results};
+use crate::catalogue::sinumerik::{alarm, centred, results, until_done};
 use crate::diagnostic::Code;
 use crate::entry::Inputs;
 use crate::geometry::Wcs;
@@ -23,13 +23,10 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     let axis = (!element.round && !element.rectangle).then_some(element.axes()[0]);
     let target = Target::of(machine, inputs, axis)?;
     let start = machine.position();
-    for repetition in 0.. {
+    until_done(|repetition| {
         let found = measure(machine, &block, &element, paths, start.0)?;
-        if centred::finish(machine, inputs, &found, &target, repetition)? == Next::Done {
-            break;
-        }
-    }
-    Ok(())
+        centred::finish(machine, inputs, &found, &target, repetition)
+    })
 }
 
 /// Touches all sides and ends above the measured centre at the height of the start (B:5957).

@@ -2,11 +2,10 @@
 
 use super::params::DIFFERENTIAL;
 use crate::catalogue::shared_checks;
-use crate::check::error;
+use crate::check::refused;
 use crate::control::Control;
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::Diagnostic;
 use crate::entry::{Inputs, names};
-use crate::message::Message;
 
 /// All of them.
 pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
@@ -26,7 +25,6 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
 fn differential(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     shared_checks::differential(inputs, control, found);
     if inputs.integer(names::MA) == 3 {
-        let message = Message::new("check-differential-axis");
-        found.push(error(Code::Alarm(61325), message).hint(Message::new("check-differential-axis-hint")).at(names::MA));
+        found.push(refused(61325, "check-differential-axis", names::MA));
     }
 }

@@ -3,8 +3,6 @@
 use crate::catalogue::place;
 use crate::control::Control;
 use crate::entry::{Inputs, Proposal, names};
-use crate::geometry::Wcs;
-use crate::workpiece::Workpiece;
 
 /// Part and start: opposite the surface, further away than `_FA` (B:6376-6384); from the minus side in the plane,
 /// from above along the applicate.
@@ -14,10 +12,5 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let away = inputs.number(names::FA) + place::ball_radius(inputs, control) + 5.0;
     let side = if axis == 2 { place::side(control) } else { -1.0 };
     let (part, start) = place::face(control, axis, set, side, away);
-    Proposal {
-        workpiece: Workpiece { solids: vec![part] },
-        start: Wcs(start),
-        tools: place::corrected_tools(inputs),
-        ..Proposal::default()
-    }
+    Proposal { tools: place::corrected_tools(inputs), ..place::proposal(part, start) }
 }

@@ -1,10 +1,11 @@
 //! What CYCLE978 does: one point of a surface, plain or differential (B:6376-6418).
 
+use crate::catalogue::lathe;
 use crate::catalogue::sinumerik::differential::twice;
 use crate::catalogue::sinumerik::measuring_block::{Block, all_calibrated, turnable};
 use crate::catalogue::sinumerik::one_point::OnePoint;
 use crate::catalogue::sinumerik::target::Target;
-use crate::catalogue::sinumerik::{Next, alarm, one_point, results};
+use crate::catalogue::sinumerik::{one_point, results, until_done};
 use crate::entry::{Inputs, names};
 use crate::machine::{Machine, Stop};
 
@@ -12,10 +13,7 @@ use crate::machine::{Machine, Stop};
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     results::begin(machine, inputs, 978);
     let block = Block::prepare(machine, inputs)?;
-    let axis = match inputs.integer(names::MA) {
-        axis @ 1..=3 => axis as usize - 1,
-        _ => return Err(alarm(machine, 61325)),
-    };
+    let axis = lathe::measure::axis(machine, inputs)?;
     let differential = inputs.variant / 1000 % 10 == 1;
     if differential {
         turnable(machine)?;
@@ -28,7 +26,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     }
     let target = Target::of(machine, inputs, Some(axis))?;
     let point = block.point(axis, direction, set);
-    for repetition in 0.. {
+    until_done(|repetition| {
         let (actual, reckoned) = match differential {
             true => {
                 let found = twice(machine, inputs, &block, &point)?;
@@ -36,18 +34,8 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
             }
             false => (block.measure(machine, &point)?, block.clone()),
         };
-        let found = OnePoint {
-            axis,
-            corrected: axis,
-            direction,
-            ball: reckoned.ball_at(machine.position().0),
-            set,
-            actual,
-            per: 1.0,
-        };
-        if one_point::finish(machine, inputs, &found, &target, repetition)? == Next::Done {
-            break;
-        }
-    }
-    Ok(())
+        let ball = reckoned.ball_at(machine.position().0);
+        let found = OnePoint { axis, corrected: axis, direction, ball, set, actual, per: 1.0 };
+        one_point::finish(machine, inputs, &found, &target, repetition)
+    })
 }

@@ -5,7 +5,7 @@ use crate::catalogue::circle;
 use crate::catalogue::sinumerik::centred::{Found, Pair};
 use crate::catalogue::sinumerik::measuring_block::{Block, Ray, ball_known};
 use crate::catalogue::sinumerik::target::Target;
-use crate::catalogue::sinumerik::{Next, alarm, centred, results};
+use crate::catalogue::sinumerik::{alarm, centred, results, until_done};
 use crate::entry::{Inputs, names};
 use crate::geometry::fit;
 use crate::geometry::rigid::sin_cos;
@@ -80,15 +80,13 @@ impl Element {
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     results::begin(machine, inputs, 979);
     let block = Block::prepare(machine, inputs)?;
-    if !ball_known(&block) {
-        return Err(alarm(machine, 61341));
-    }
+    ball_known(machine, &block)?;
     let element = Element::of(inputs);
     if element.round && element.feed <= 0.0 {
         return Err(alarm(machine, 61365));
     }
     let target = Target::of(machine, inputs, None)?;
-    for repetition in 0.. {
+    until_done(|repetition| {
         if repetition > 0 {
             back(machine, &block, &element)?;
         }
@@ -97,11 +95,8 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
         let Some(found) = element.evaluate(&balls, block.ball, height) else {
             return Err(alarm(machine, 61316));
         };
-        if centred::finish(machine, inputs, &found, &target, repetition)? == Next::Done {
-            break;
-        }
-    }
-    Ok(())
+        centred::finish(machine, inputs, &found, &target, repetition)
+    })
 }
 
 /// Touches all points in order; where the ball centre stood at each. Ends at the start of the last block (B:6939).

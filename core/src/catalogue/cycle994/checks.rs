@@ -1,14 +1,12 @@
 //! What several values of CYCLE994 say together.
 
-use super::ZONE;
 use super::params::INSIDE_ZONE;
 use crate::catalogue::lathe::measure;
 use crate::catalogue::{lathe, place, shared_checks};
-use crate::check::{error, warning};
+use crate::check::refused;
 use crate::control::Control;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Severity};
 use crate::entry::{Inputs, names};
-use crate::message::Message;
 use crate::name::Name;
 use crate::own;
 
@@ -56,32 +54,27 @@ fn inside(inputs: &Inputs, set: f64, ball: f64, found: &mut Vec<Diagnostic>) {
     };
     let limit = set - ball;
     if zone.abs() > limit {
-        let message = Message::new("check-two-zone-inside").number("zone", zone).number("size", set);
-        let hint = Message::new("check-two-zone-inside-hint").number("limit", limit);
-        found.push(error(ZONE, message).hint(hint).at(name));
+        let finding = refused(61334, "check-two-zone-inside", name).number("zone", zone).number("size", set);
+        found.push(finding.hint_number("limit", limit));
     }
 }
 
 /// Outside the way goes around the zone, inside it has none; the start position alone tells which it is (B:10933).
 fn either(inputs: &Inputs, set: f64, ball: f64, found: &mut Vec<Diagnostic>) {
     let given = |name| inputs.given(name).is_some();
-    match (given(names::SZA), given(names::SZO)) {
-        (true, true) => {}
-        (false, false) => {
-            found.push(own::TWO_NO_ZONE.finding());
-        }
-        (abscissa, _) => {
-            let missing = if abscissa { names::SZO } else { names::SZA };
-            found.push(own::TWO_HALF_ZONE.finding().text("name", missing).at(missing));
-        }
-    }
+    let half = |missing: Name| own::TWO_HALF_ZONE.finding().text("name", missing).at(missing);
+    found.extend(match (given(names::SZA), given(names::SZO)) {
+        (true, true) => None,
+        (false, false) => Some(own::TWO_NO_ZONE.finding()),
+        (true, false) => Some(half(names::SZO)),
+        (false, true) => Some(half(names::SZA)),
+    });
     let (name, Some(zone)) = across(inputs) else {
         return;
     };
     let limit = set + ball;
     if zone.abs() < limit {
-        let message = Message::new("check-two-zone-outside").number("zone", zone).number("size", set);
-        let hint = Message::new("check-two-zone-outside-hint").number("limit", limit);
-        found.push(warning(ZONE, message).hint(hint).at(name));
+        let finding = refused(61334, "check-two-zone-outside", name).number("zone", zone).number("size", set);
+        found.push(Diagnostic { severity: Severity::Warning, ..finding.hint_number("limit", limit) });
     }
 }

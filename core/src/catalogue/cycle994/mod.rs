@@ -12,7 +12,6 @@ mod tests;
 
 use crate::catalogue::sinumerik::help::{AGAIN, BLOCK, CALIBRATED, CORRECTION, MEASURING};
 use crate::catalogue::{common, lathe, newer, older};
-use crate::diagnostic::Code;
 use crate::dialect::Dialect;
 use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work, names};
 
@@ -21,9 +20,6 @@ pub const VARIANTS: &[Variant] = &[
     Variant { number: 1, key: "cycle994-inside-zone", source: "B:10932;B:10981;A:12250" },
     Variant { number: 2, key: "cycle994-outside-inside", source: "B:10933;B:10982;A:12250" },
 ];
-
-/// The protection zone leaves no way: no number is named, this is the one of CYCLE977.
-const ZONE: Code = Code::Alarm(61334);
 
 /// The entry. Example: the outside diameter of B:11015-11090.
 pub static CYCLE994: Cycle = Cycle {
@@ -45,9 +41,9 @@ pub static CYCLE994: Cycle = Cycle {
         common::CORRECTION,
         common::TOLERANCE,
         lathe::ALARMS,
-        // A:15868; 61401 as in the other cycles (A:15920)
-        &common::alarms([61327, 61401]),
-        &[ZONE],
+        // A:15868; 61401 as in the other cycles (A:15920); for a protection zone that leaves no way no number is named,
+        // 61334 is the one of CYCLE977
+        &common::alarms([61327, 61401, 61334]),
     ],
     checks: checks::checks,
     help: Help::new(&[CORRECTION, help::LINES, BLOCK, lathe::help::PROBE, CALIBRATED, AGAIN, MEASURING]),

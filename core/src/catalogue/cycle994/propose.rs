@@ -7,8 +7,7 @@ use crate::catalogue::lathe::{measure, place};
 use crate::catalogue::place as plane;
 use crate::control::Control;
 use crate::entry::{Inputs, Proposal, names};
-use crate::geometry::Wcs;
-use crate::workpiece::{Shape, Solid, Workpiece};
+use crate::workpiece::{Shape, Solid};
 
 /// How much further from the surface than the first block the probe starts, mm.
 const AWAY: f64 = 5.0;
@@ -57,11 +56,9 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let pin = element.pin().filter(|_| inside);
     Proposal {
         fixture: pin.into_iter().chain(place::chuck(&part)).collect(),
-        workpiece: Workpiece { solids: vec![part] },
         zones: vec![element.shown()],
-        start: Wcs(start),
         tools: place::corrected_tools(inputs),
-        ..Proposal::default()
+        ..plane::proposal(part, start)
     }
 }
 

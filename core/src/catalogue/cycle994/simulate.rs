@@ -3,10 +3,10 @@
 
 use super::params::INSIDE_ZONE;
 use crate::catalogue::lathe::measure;
-use crate::catalogue::sinumerik::measuring_block::{Block, Point};
+use crate::catalogue::sinumerik::measuring_block::Block;
 use crate::catalogue::sinumerik::one_point::OnePoint;
 use crate::catalogue::sinumerik::target::Target;
-use crate::catalogue::sinumerik::{Next, alarm, one_point};
+use crate::catalogue::sinumerik::{alarm, one_point, until_done};
 use crate::control::Control;
 use crate::entry::{Inputs, names};
 use crate::machine::{Machine, Stop};
@@ -43,43 +43,26 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     measure::begin(machine, inputs, 994);
     let block = Block::prepare(machine, inputs)?;
     let axis = measure::axis(machine, inputs)?;
-    let block = match machine.control().bit("_CHBIT[7]") {
-        true => block.by_ball(),
-        false => block,
-    };
+    let block = if machine.control().bit("_CHBIT[7]") { block.by_ball() } else { block };
     let corrected = measure::corrected(inputs, axis);
     let target = Target::of(machine, inputs, Some(corrected))?;
     let per = measure::per(machine.control(), inputs);
     let set = inputs.number(names::SETVAL);
     let inside = machine.position()[block.axes[axis]].abs() < set / per;
     let zone = zone(machine, inputs, &block, axis, inside)?;
-    let point = |side: f64| Point {
-        axis,
-        direction: if inside { side } else { -side },
-        set: side * set / per,
-        path: block.path,
-    };
-    for repetition in 0.. {
+    let point = |side: f64| block.point(axis, if inside { side } else { -side }, side * set / per);
+    until_done(|repetition| {
         if repetition > 0 {
             across(machine, &block, zone.as_ref())?;
         }
         let plus = block.measure(machine, &point(1.0))?;
         across(machine, &block, zone.as_ref())?;
         let minus = block.measure(machine, &point(-1.0))?;
-        let found = OnePoint {
-            axis,
-            corrected,
-            direction: point(1.0).direction,
-            ball: block.ball_at(machine.position().0),
-            set,
-            actual: (plus - minus) / 2.0 * per,
-            per,
-        };
-        if one_point::finish(machine, inputs, &found, &target, repetition)? == Next::Done {
-            break;
-        }
-    }
-    Ok(())
+        let (direction, ball) = (point(1.0).direction, block.ball_at(machine.position().0));
+        let actual = (plus - minus) / 2.0 * per;
+        let found = OnePoint { axis, corrected, direction, ball, set, actual, per };
+        one_point::finish(machine, inputs, &found, &target, repetition)
+    })
 }
 
 /// The zone with the sign of the start: outside always, inside with the first variant, which knows no outside (61307).

@@ -3,14 +3,13 @@
 use super::params::{ANGLE, DIAMETER, FOUR_POINTS, THREE, TURNED};
 use super::points::{centres, sides};
 use crate::catalogue::{circle, place, shared_checks, spread};
-use crate::check::error;
+use crate::check::refused;
 use crate::control::Control;
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::Diagnostic;
 use crate::entry::{Inputs, names};
 use crate::evaluate::spread::Circle;
 use crate::geometry::fit;
 use crate::geometry::rigid::sin_cos;
-use crate::message::Message;
 use crate::name::Name;
 use crate::own;
 use nalgebra::Vector3;
@@ -84,25 +83,14 @@ fn triangle(inputs: &Inputs, ball: f64, found: &mut Vec<Diagnostic>) {
     for (one, other) in [(first, second), (first, third), (second, third)] {
         let distance = (other.centre - one.centre).norm();
         if distance < size {
-            found.push(
-                own::SPHERES_OVERLAP
-                    .finding()
-                    .number("one", one.number)
-                    .number("other", other.number)
-                    .number("distance", distance)
-                    .hint_number("size", size)
-                    .at(other.field),
-            );
+            let finding = own::SPHERES_OVERLAP.finding().number("one", one.number).number("other", other.number);
+            found.push(finding.number("distance", distance).hint_number("size", size).at(other.field));
             return;
         }
     }
     let centres = [first.centre, second.centre, third.centre];
     if TURNED.holds(inputs) && fit::in_line(centres) {
-        found.push(
-            error(Code::Alarm(61411), Message::new("check-spheres-line"))
-                .hint(Message::new("check-spheres-line-hint"))
-                .at(third.field),
-        );
+        found.push(refused(61411, "check-spheres-line", third.field));
     } else if TURNED.holds(inputs) {
         found.extend(spread::triangle(centres, third.field));
     }
@@ -126,9 +114,8 @@ fn beside(inputs: &Inputs, spheres: &[Sphere], radius: f64, ball: f64, found: &m
             other.number != one.number && starts(one).any(|start| (start - other.centre).norm() < radius + ball)
         };
         if let Some(other) = spheres.iter().find(hits) {
-            found.push(
-                own::SPHERES_CLOSE.finding().number("one", one.number).number("other", other.number).at(names::FA),
-            );
+            let finding = own::SPHERES_CLOSE.finding().number("one", one.number).number("other", other.number);
+            found.push(finding.at(names::FA));
             return;
         }
     }

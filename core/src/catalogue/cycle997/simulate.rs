@@ -22,8 +22,8 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     results::integer(machine, 12, 0);
     let block = Block::prepare(machine, inputs)?;
     all_calibrated(machine, &block, sides(inputs))?;
-    if ANGLE.holds(inputs) && !ball_known(&block) {
-        return Err(alarm(machine, 61341));
+    if ANGLE.holds(inputs) {
+        ball_known(machine, &block)?;
     }
     let target = correct::zero_target(machine, inputs)?;
     if let Some(target) = target.filter(|_| THREE.holds(inputs)) {

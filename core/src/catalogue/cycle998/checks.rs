@@ -3,12 +3,11 @@
 use super::angles::Surface;
 use super::params::{AT_ANGLE, DIFFERENTIAL, ONE};
 use crate::catalogue::{shared_checks, spread};
-use crate::check::error;
+use crate::check::refused;
 use crate::control::Control;
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::Diagnostic;
 use crate::entry::{Inputs, names};
 use crate::evaluate::spread::Touched;
-use crate::message::Message;
 use crate::name::Name;
 use crate::own;
 
@@ -27,13 +26,8 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     }
     rotary_axis(inputs, control, found);
     found.extend(bases(inputs));
-    for leg in legs(inputs) {
-        let said = if AT_ANGLE.holds(inputs) { along_the_angle(inputs, &leg) } else { along_the_axis(inputs, &leg) };
-        if let Some(finding) = said {
-            found.push(finding);
-            return;
-        }
-    }
+    let said = if AT_ANGLE.holds(inputs) { along_the_angle } else { along_the_axis };
+    found.extend(legs(inputs).iter().find_map(|leg| said(inputs, leg)));
 }
 
 /// A way from the first point to another one.
@@ -85,14 +79,8 @@ fn bases(inputs: &Inputs) -> Option<Diagnostic> {
 fn along_the_angle(inputs: &Inputs, leg: &Leg) -> Option<Diagnostic> {
     let (area, path) = (inputs.given(names::TSA)?, inputs.given(names::FA)?);
     if leg.angle + area >= 90.0 {
-        return Some(
-            own::ANGLE_STEEP
-                .finding()
-                .text("param", leg.name)
-                .number("sum", leg.angle + area)
-                .hint_number("limit", 90.0 - leg.angle)
-                .at(names::TSA),
-        );
+        let finding = own::ANGLE_STEEP.finding().text("param", leg.name).number("sum", leg.angle + area);
+        return Some(finding.hint_number("limit", 90.0 - leg.angle).at(names::TSA));
     }
     let away = leg.rise(area) - leg.rise(0.0);
     let worst = leg.rise(area) - leg.rise(-area);
@@ -100,15 +88,12 @@ fn along_the_angle(inputs: &Inputs, leg: &Leg) -> Option<Diagnostic> {
     let needed = |path: f64| (path * 1e3).ceil() / 1e3;
     if away > path {
         let ahead = ((path + away) * 1e3).round() / 1e3;
-        let finding = own::ANGLE_REACH.finding();
-        let finding = finding.number("away", ahead).number("path", 2.0 * path);
-        let finding = finding.hint_number("needed", needed(worst));
-        return Some(finding.at(names::FA));
+        let finding = own::ANGLE_REACH.finding().number("away", ahead).number("path", 2.0 * path);
+        return Some(finding.hint_number("needed", needed(worst)).at(names::FA));
     }
     if worst > path {
         let finding = own::ANGLE_REACH_WORST.finding().number("area", area);
-        let finding = finding.hint_number("needed", needed(worst));
-        return Some(finding.at(names::FA));
+        return Some(finding.hint_number("needed", needed(worst)).at(names::FA));
     }
     None
 }
@@ -117,14 +102,8 @@ fn along_the_angle(inputs: &Inputs, leg: &Leg) -> Option<Diagnostic> {
 fn along_the_axis(inputs: &Inputs, leg: &Leg) -> Option<Diagnostic> {
     let path = inputs.given(names::FA)?;
     let rise = leg.rise(0.0);
-    (rise > 2.0 * path).then(|| {
-        own::ANGLE_PARAXIAL
-            .finding()
-            .number("rise", rise)
-            .number("path", 2.0 * path)
-            .hint_number("needed", rise / 2.0)
-            .at(names::FA)
-    })
+    let finding = own::ANGLE_PARAXIAL.finding().number("rise", rise).number("path", 2.0 * path);
+    (rise > 2.0 * path).then(|| finding.hint_number("needed", rise / 2.0).at(names::FA))
 }
 
 /// The channel axis has to have a name and to be rotary (MD20080, MD30300, A:15872).
@@ -133,9 +112,7 @@ fn rotary_axis(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) 
         return;
     };
     let Some(rotary) = control.rotary_channel_axis(axis as i64) else {
-        let message = Message::new("check-rotary-axis").number("axis", axis);
-        let hint = Message::new("check-rotary-axis-hint");
-        found.push(error(Code::Alarm(61329), message).hint(hint).at(names::RA));
+        found.push(refused(61329, "check-rotary-axis", names::RA).number("axis", axis));
         return;
     };
     let alike = |surface: Surface| surface.alike(control, rotary).abs() > ALIKE;

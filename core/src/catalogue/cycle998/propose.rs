@@ -5,8 +5,8 @@ use super::params::AT_ANGLE;
 use crate::catalogue::place;
 use crate::control::Control;
 use crate::entry::{Inputs, Proposal, names};
-use crate::geometry::{V3, Wcs};
-use crate::workpiece::{Shape, Workpiece};
+use crate::geometry::V3;
+use crate::workpiece::Shape;
 
 /// Face beyond the points, mm.
 const BEYOND: f64 = 25.0;
@@ -37,11 +37,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let size = size(&surface);
     let middle = V3::from(at) + to_middle(&surface, &outward, side);
     let part = place::solid(control, Shape::Block { size }, middle.into(), along.into(), outward.into());
-    Proposal {
-        workpiece: Workpiece { solids: vec![part] },
-        start: Wcs(place::in_plane(control, from)),
-        ..Proposal::default()
-    }
+    place::proposal(part, place::in_plane(control, from))
 }
 
 /// Direction of the probe: as `_MD` says, else from the minus side in the plane and from its side along the applicate.

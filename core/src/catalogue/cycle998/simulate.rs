@@ -6,7 +6,7 @@ use super::correction::Correction;
 use super::params::{AT_ANGLE, DIFFERENTIAL};
 use crate::catalogue::sinumerik::differential::twice;
 use crate::catalogue::sinumerik::measuring_block::{Block, Point, same_calibration, turnable};
-use crate::catalogue::sinumerik::{Next, alarm, results, tolerance};
+use crate::catalogue::sinumerik::{Next, alarm, results, tolerance, until_done};
 use crate::entry::{Inputs, names};
 use crate::evaluate::mean;
 use crate::geometry::Wcs;
@@ -27,17 +27,17 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     let correction = Correction::prepare(machine, inputs)?;
     begin(machine, inputs);
     let start = machine.position();
-    for repetition in 0.. {
+    until_done(|repetition| {
         let rises = measure(machine, inputs, &block, &surface, start.0)?;
         let angles = report(machine, &surface, &rises);
         let offset = tolerance::empirical_angle(machine.control(), inputs);
         let wrong: Vec<f64> = surface.legs.iter().zip(&angles).map(|(leg, angle)| angle - offset - leg.set).collect();
-        if tolerance::safe(machine, inputs, &wrong, repetition)? == Next::Done {
+        let next = tolerance::safe(machine, inputs, &wrong, repetition)?;
+        if next == Next::Done {
             correction.write(machine, &surface, &wrong);
-            break;
         }
-    }
-    Ok(())
+        Ok(next)
+    })
 }
 
 /// What is known before the first motion (B:7350-7356).
@@ -76,8 +76,7 @@ fn measure(
         to[block.axes[leg.axis]] += leg.distance;
         to[block.axes[axis]] += away;
         block.travel(machine, to)?;
-        let length = 2.0 * block.path;
-        let other = plain(inputs, block).measure_from_here(machine, axis, direction, length)?;
+        let other = plain(inputs, block).measure_from_here(machine, axis, direction, 2.0 * block.path)?;
         rises.push(other + skew - first);
     }
     Ok(rises)
@@ -125,9 +124,7 @@ fn first_point(
     if AT_ANGLE.holds(inputs) {
         return Ok((block.measure(machine, &point)?, 0.0));
     }
-    let length = 2.0 * block.path;
-    let found = block.measure_from_here(machine, axis, direction, length)?;
-    Ok((found, 0.0))
+    Ok((block.measure_from_here(machine, axis, direction, 2.0 * block.path)?, 0.0))
 }
 
 /// How far the measuring axis moves on the way to another point: along the set angle, and away from the surface by the

@@ -2,7 +2,7 @@
 
 use crate::catalogue::place;
 use crate::control::{Control, Edge};
-use crate::entry::{Inputs, ProposedTool};
+use crate::entry::{Inputs, Proposal, ProposedTool};
 use crate::geometry::{V3, rigid};
 use crate::workpiece::{PartErrors, Shape, Solid};
 
@@ -64,6 +64,11 @@ pub fn chuck(part: &Solid) -> Option<Solid> {
         rotation: part.rotation,
         errors: PartErrors::default(),
     })
+}
+
+/// A part in its chuck, and the position from which it is measured.
+pub fn proposal(part: Solid, start: [f64; 3]) -> Proposal {
+    Proposal { fixture: chuck(&part).into_iter().collect(), ..place::proposal(part, start) }
 }
 
 /// The tool that the call corrects, as a turning tool.

@@ -283,18 +283,18 @@ fn heading(axis: usize, direction: f64) -> Option<f64> {
 
 /// Asks for a spindle that a measuring variant can turn (61372, A:15916).
 pub fn turnable(machine: &mut dyn Machine) -> Result<(), Stop> {
-    if machine.control().spindle_positions {
-        return Ok(());
-    }
-    Err(alarm(machine, 61372))
+    let turns = machine.control().spindle_positions;
+    holds(machine, turns, 61372)
+}
+
+/// Ends the cycle with this alarm where something does not hold.
+fn holds(machine: &mut dyn Machine, holds: bool, number: u32) -> Result<(), Stop> {
+    if holds { Ok(()) } else { Err(alarm(machine, number)) }
 }
 
 /// Refuses a probe that was calibrated otherwise than it is used now (61341, B:13658-13667).
 pub fn same_calibration(machine: &mut dyn Machine, block: &Block) -> Result<(), Stop> {
-    if block.other {
-        return Err(alarm(machine, 61341));
-    }
-    Ok(())
+    holds(machine, !block.other, 61341)
 }
 
 /// Whether the trigger of this axis and direction is there: it is not the one of the other direction, nor 0, as
@@ -311,13 +311,11 @@ fn calibrated(block: &Block, axis: usize, direction: f64) -> bool {
 /// Refuses a probe of which one of these triggers, axis and direction, was never found (61341).
 pub fn all_calibrated(machine: &mut dyn Machine, block: &Block, sides: &[(usize, f64)]) -> Result<(), Stop> {
     let known = |(axis, direction): &(usize, f64)| calibrated(block, *axis, *direction);
-    if sides.iter().all(known) {
-        return Ok(());
-    }
-    Err(alarm(machine, 61341))
+    holds(machine, sides.iter().all(known), 61341)
 }
 
-/// Whether the active ball is there, without which nothing can be measured at an angle (B:6873); as [`calibrated`].
-pub fn ball_known(block: &Block) -> bool {
-    block.ball > 0.0 && !block.other
+/// Refuses a probe without an active ball, with which nothing can be measured at an angle (61341, B:6873); as
+/// [`calibrated`].
+pub fn ball_known(machine: &mut dyn Machine, block: &Block) -> Result<(), Stop> {
+    holds(machine, block.ball > 0.0 && !block.other, 61341)
 }

@@ -29,6 +29,15 @@ pub enum Next {
     Again,
 }
 
+/// Measures until nothing has to be measured again; `measure` is told how often it was repeated.
+pub fn until_done(mut measure: impl FnMut(u32) -> Result<Next, Stop>) -> Result<(), Stop> {
+    let mut repetition = 0;
+    while measure(repetition)? == Next::Again {
+        repetition += 1;
+    }
+    Ok(())
+}
+
 /// Ends the cycle with an alarm, which also stays in `_OVI[9]` (B:5699).
 pub fn alarm(machine: &mut dyn Machine, number: u32) -> Stop {
     results::set(machine, results::ALARM, f64::from(number));

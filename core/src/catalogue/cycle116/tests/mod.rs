@@ -8,6 +8,7 @@ use super::*;
 use crate::catalogue::example::example;
 use crate::check::check;
 use crate::control::delivery;
+use crate::diagnostic::Code;
 use crate::entry::Typed;
 use crate::form::draw;
 use crate::program::calls::calls;
