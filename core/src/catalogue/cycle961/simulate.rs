@@ -29,10 +29,11 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     let sides = touches.iter().map(|touch| (touch.axis, touch.direction));
     all_calibrated(machine, &block, &sides.collect::<Vec<_>>())?;
     let target = correct::zero_target(machine, inputs)?;
-    let centres = measure(machine, inputs, &block, &touches, start.0)?;
-    let found = corner(&touches, &centres, radius(&block));
+    let probing = Probing { inputs, block: &block, touches: &touches, start: start.0 };
+    let centres = probing.measure(machine)?;
+    let found = corner(&touches, &centres, probing.radius());
     let corner = found.map_err(|number| alarm(machine, number))?;
-    let height = height(inputs, &block, start.0);
+    let height = probing.height();
     report(machine, &corner, height);
     if let Some(target) = target {
         write(machine, inputs, &target, &corner, height);
@@ -40,97 +41,91 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     Ok(())
 }
 
-/// A place at the height of the ball's centre while it touched: with places that of the start and the infeed below it.
-fn height(inputs: &Inputs, block: &Block, start: [f64; 3]) -> [f64; 3] {
-    let ball = block.ball_at(start);
-    match POINTS.holds(inputs) {
-        true => raised(block, ball, inputs.number(names::ID)),
-        false => ball,
-    }
-}
-
-/// Radius of the active ball, mm; where it was never determined that of the tool.
-fn radius(block: &Block) -> f64 {
-    if block.ball > 0.0 { block.ball } else { block.radius }
-}
-
-/// Touches all points; the centres of the ball at switching, P1 first. Ends at the start, or above P4 (B:8016, B:8170).
-fn measure(
-    machine: &mut dyn Machine,
-    inputs: &Inputs,
-    block: &Block,
-    touches: &[Touch],
+/// Edges that are touched from the position at the call, X Y Z of the WCS, mm.
+struct Probing<'a> {
+    inputs: &'a Inputs,
+    block: &'a Block,
+    touches: &'a [Touch],
     start: [f64; 3],
-) -> Result<Vec<Point>, Stop> {
-    let mut centres = vec![[0.0; 2]; touches.len()];
-    let by_points = POINTS.holds(inputs);
-    for index in ORDER.into_iter().filter(|index| *index < touches.len()) {
-        let touch = &touches[index];
-        if index == 2 && !by_points {
-            pass(machine, inputs, block, touch, start)?;
-        }
-        let over = place(block, touch.at, start);
-        block.travel(machine, Wcs(over))?;
-        if by_points {
-            block.travel(machine, Wcs(raised(block, over, inputs.number(names::ID))))?;
-        }
-        centres[index] = ball(machine, block, touch)?;
-        if by_points {
+}
+
+impl Probing<'_> {
+    /// A place at the height of the ball's centre while it touched: with places that of the start and the infeed below
+    /// it.
+    fn height(&self) -> [f64; 3] {
+        let ball = self.block.ball_at(self.start);
+        if POINTS.holds(self.inputs) { self.raised(ball) } else { ball }
+    }
+
+    /// Radius of the active ball, mm; where it was never determined that of the tool.
+    fn radius(&self) -> f64 {
+        if self.block.ball > 0.0 { self.block.ball } else { self.block.radius }
+    }
+
+    /// Touches all points; the centres of the ball at switching, P1 first. Ends at the start, or above P4 (B:8016,
+    /// B:8170).
+    fn measure(&self, machine: &mut dyn Machine) -> Result<Vec<Point>, Stop> {
+        let Probing { block, touches, .. } = self;
+        let mut centres = vec![[0.0; 2]; touches.len()];
+        let by_points = POINTS.holds(self.inputs);
+        for index in ORDER.into_iter().filter(|index| *index < touches.len()) {
+            let touch = &touches[index];
+            if index == 2 && !by_points {
+                self.pass(machine, touch)?;
+            }
+            let over = block.placed(self.start, touch.at);
             block.travel(machine, Wcs(over))?;
+            if by_points {
+                block.travel(machine, Wcs(self.raised(over)))?;
+            }
+            centres[index] = self.ball(machine, touch)?;
+            if by_points {
+                block.travel(machine, Wcs(over))?;
+            }
         }
+        if !by_points {
+            block.travel(machine, Wcs(self.start))?;
+        }
+        Ok(centres)
     }
-    if !by_points {
-        block.travel(machine, Wcs(start))?;
+
+    /// From P1 to P3 past an outside corner: over it by `_ID`, or around it through the start (B:8002-8012). Inside the
+    /// way is free.
+    fn pass(&self, machine: &mut dyn Machine, next: &Touch) -> Result<(), Stop> {
+        if !OUTSIDE.holds(self.inputs) {
+            return Ok(());
+        }
+        if self.inputs.number(names::ID) == 0.0 {
+            return self.block.travel(machine, Wcs(self.start));
+        }
+        let here = machine.position();
+        self.block.travel(machine, Wcs(self.raised(here.0)))?;
+        self.block.travel(machine, Wcs(self.raised(self.block.placed(self.start, next.at))))
     }
-    Ok(centres)
-}
 
-/// From P1 to P3 past an outside corner: over it by `_ID`, or around it through the start (B:8002-8012). Inside the way
-/// is free.
-fn pass(machine: &mut dyn Machine, inputs: &Inputs, block: &Block, next: &Touch, start: [f64; 3]) -> Result<(), Stop> {
-    if !OUTSIDE.holds(inputs) {
-        return Ok(());
+    /// The same position, higher by `_ID`.
+    fn raised(&self, from: [f64; 3]) -> [f64; 3] {
+        let mut to = from;
+        to[self.block.axes[2]] += self.inputs.number(names::ID);
+        to
     }
-    let lift = inputs.number(names::ID);
-    if lift == 0.0 {
-        return block.travel(machine, Wcs(start));
+
+    /// Touches an edge from here; where the centre of the ball stood. Along the measuring axis it follows from the
+    /// trigger value, which holds the skew, across from the skew.
+    fn ball(&self, machine: &mut dyn Machine, touch: &Touch) -> Result<Point, Stop> {
+        let Touch { axis, direction, path, .. } = *touch;
+        let surface = self.block.measure_from_here(machine, axis, direction, 2.0 * path)?;
+        let mut centre = [0, 1].map(|axis| touch.at[axis] + self.block.skew[axis]);
+        centre[axis] = surface - direction * self.radius();
+        Ok(centre)
     }
-    let here = machine.position();
-    block.travel(machine, Wcs(raised(block, here.0, lift)))?;
-    let over = raised(block, place(block, next.at, start), lift);
-    block.travel(machine, Wcs(over))
-}
-
-/// A place in the plane at the height of the start, X Y Z.
-fn place(block: &Block, at: Point, start: [f64; 3]) -> [f64; 3] {
-    let mut place = start;
-    (place[block.axes[0]], place[block.axes[1]]) = (at[0], at[1]);
-    place
-}
-
-fn raised(block: &Block, from: [f64; 3], lift: f64) -> [f64; 3] {
-    let mut to = from;
-    to[block.axes[2]] += lift;
-    to
-}
-
-/// Touches an edge from here; where the centre of the ball stood. Along the measuring axis it follows from the trigger
-/// value, which holds the skew, across from the skew.
-fn ball(machine: &mut dyn Machine, block: &Block, touch: &Touch) -> Result<Point, Stop> {
-    let Touch { axis, direction, path, .. } = *touch;
-    let surface = block.measure_from_here(machine, axis, direction, 2.0 * path)?;
-    let other = 1 - axis;
-    let mut centre = [0.0; 2];
-    centre[axis] = surface - direction * radius(block);
-    centre[other] = touch.at[other] + block.skew[other];
-    Ok(centre)
 }
 
 /// Edge and corner in the WCS, then in the machine (B:16033-16057).
 fn report(machine: &mut dyn Machine, corner: &Corner, height: [f64; 3]) {
     let control = machine.control();
     let axes = control.plane.axes();
-    let edge = vector(control, corner.edge);
+    let edge = point(control, corner.edge, [0.0; 3]);
     let point = point(control, corner.point, height);
     let machine_edge = control.direction_to_machine(edge);
     let machine_point = control.to_machine(Wcs(point));
@@ -146,7 +141,7 @@ fn report(machine: &mut dyn Machine, corner: &Corner, height: [f64; 3]) {
 fn write(machine: &mut dyn Machine, inputs: &Inputs, target: &Target, corner: &Corner, height: [f64; 3]) {
     let control = machine.control();
     let [abscissa, ordinate, applicate] = control.plane.axes();
-    let edge = zero_offset::seen(control, target, vector(control, corner.edge));
+    let edge = zero_offset::seen(control, target, point(control, corner.edge, [0.0; 3]));
     let mut turn = [0.0; 3];
     turn[applicate] = edge[ordinate].atan2(edge[abscissa]).to_degrees();
     let rotation = zero_offset::rotation(control, target, &rigid::rotation(turn));
@@ -170,11 +165,6 @@ fn beside(inputs: &Inputs) -> Point {
         4 => [0.0, y],
         _ => [0.0; 2],
     }
-}
-
-/// Abscissa and ordinate of a direction as X Y Z.
-fn vector(control: &Control, direction: Point) -> [f64; 3] {
-    point(control, direction, [0.0; 3])
 }
 
 /// Abscissa and ordinate of a point as X Y Z, at this height.

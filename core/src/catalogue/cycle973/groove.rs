@@ -20,6 +20,8 @@ pub struct Groove {
 /// A groove by its data; machine coordinates, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
+    /// Axes of the plane, 0 abscissa and 1 ordinate: across the walls, and of the base.
+    pub axes: [usize; 2],
     /// Wall touched in plus direction, wall touched in minus direction.
     pub walls: [f64; 2],
     /// Base.
@@ -43,19 +45,15 @@ impl Groove {
         self.data.map(|index| format!("_KB[{pair},{index}]"))
     }
 
-    /// Axes of the plane, 0 abscissa and 1 ordinate: of the walls, of the base.
-    pub fn axes(&self) -> [usize; 2] {
-        match self.base_axis {
-            1 => [1, 0],
-            _ => [0, 1],
-        }
+    fn axes(&self) -> [usize; 2] {
+        if self.base_axis == 1 { [1, 0] } else { [0, 1] }
     }
 
     /// Where it is.
     pub fn place(&self, control: &Control, pair: i64) -> Place {
         let [plus, minus, base] = self.names(pair).map(|name| control.basic_length(&name));
         let [upper, lower] = DEPTH.map(|index| control.basic_length(&format!("_KB[{pair},{index}]")));
-        Place { walls: [plus, minus], base, depth: (upper - lower).max(0.0) }
+        Place { axes: self.axes(), walls: [plus, minus], base, depth: (upper - lower).max(0.0) }
     }
 }
 

@@ -44,7 +44,7 @@ fn groove(inputs: &Inputs, control: &Control, away: f64) -> Option<Proposal> {
     let mut machine = control.clone();
     machine.take_frames();
     let axes = control.plane.axes();
-    let [walls, base] = groove.axes().map(|axis| axes[axis]);
+    let [walls, base] = found.axes.map(|axis| axes[axis]);
     let unit = |axis: usize| {
         let mut unit = [0.0; 3];
         unit[axis] = 1.0;

@@ -46,13 +46,9 @@ fn direction(machine: &mut dyn Machine, inputs: &Inputs) -> Result<f64, Stop> {
 
 /// One direction of one axis; only the measuring axis moves (B:10331-10405).
 fn surface(machine: &mut dyn Machine, inputs: &Inputs, block: &Block) -> Result<Calibration, Stop> {
-    let point = block.point(
-        measure::axis(machine, inputs)?,
-        direction(machine, inputs)?,
-        inputs.number(names::SETVAL) / measure::per(machine.control(), inputs),
-    );
-    let trigger = touch(machine, block, &point)?;
-    Ok(found(vec![trigger]))
+    let (axis, direction) = (measure::axis(machine, inputs)?, direction(machine, inputs)?);
+    let set = inputs.number(names::SETVAL) / measure::per(machine.control(), inputs);
+    Ok(found(vec![touch(machine, block, &block.point(axis, direction, set))?]))
 }
 
 fn touch(machine: &mut dyn Machine, block: &Block, point: &Point) -> Result<Trigger, Stop> {
@@ -79,12 +75,9 @@ fn groove(machine: &mut dyn Machine, inputs: &Inputs, block: &Block) -> Result<C
         return Err(alarm(machine, 61325));
     }
     let place = groove.place(machine.control(), pair - 1);
-    let points = points(machine, inputs, block, (&groove, &place), axis)?;
-    enter(machine, block, (&groove, &place), axis)?;
-    let mut triggers = Vec::new();
-    for point in points {
-        triggers.push(touch(machine, block, &point)?);
-    }
+    let points = points(machine, inputs, block, &place, axis)?;
+    enter(machine, block, &place, axis)?;
+    let triggers = points.iter().map(|point| touch(machine, block, point)).collect::<Result<_, _>>()?;
     let mut found = found(triggers);
     if let [plus, minus] = found.triggers[..] {
         found.ball = BALL.holds(inputs).then_some(minus.value - plus.value);
@@ -94,19 +87,15 @@ fn groove(machine: &mut dyn Machine, inputs: &Inputs, block: &Block) -> Result<C
     Ok(found)
 }
 
+type Points = Result<Vec<Point>, Stop>;
+
 /// What is touched in order: plus before minus. Of its base a groove shows one side only (61326).
-fn points(
-    machine: &mut dyn Machine,
-    inputs: &Inputs,
-    block: &Block,
-    (groove, place): (&Groove, &Place),
-    axis: usize,
-) -> Result<Vec<Point>, Stop> {
+fn points(machine: &mut dyn Machine, inputs: &Inputs, block: &Block, place: &Place, axis: usize) -> Points {
     let directions = match TWO.holds(inputs) {
         true => vec![1.0, -1.0],
         false => vec![direction(machine, inputs)?],
     };
-    let [walls, base] = groove.axes();
+    let [walls, base] = place.axes;
     if axis == base {
         if directions != [-1.0] {
             return Err(alarm(machine, 61326));
@@ -124,13 +113,8 @@ fn points(
 
 /// Paraxially to the middle between the walls, then to the height at which a wall is touched; to the base the measuring
 /// block leads.
-fn enter(
-    machine: &mut dyn Machine,
-    block: &Block,
-    (groove, place): (&Groove, &Place),
-    axis: usize,
-) -> Result<(), Stop> {
-    let [walls, base] = groove.axes();
+fn enter(machine: &mut dyn Machine, block: &Block, place: &Place, axis: usize) -> Result<(), Stop> {
+    let [walls, base] = place.axes;
     let mut to = machine.position();
     to[block.axes[walls]] = place.centre();
     block.travel(machine, to)?;

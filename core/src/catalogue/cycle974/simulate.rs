@@ -5,7 +5,7 @@ use crate::catalogue::lathe::measure;
 use crate::catalogue::sinumerik::measuring_block::{Block, Point, all_calibrated, turnable};
 use crate::catalogue::sinumerik::one_point::OnePoint;
 use crate::catalogue::sinumerik::target::Target;
-use crate::catalogue::sinumerik::{one_point, until_done};
+use crate::catalogue::sinumerik::until_done;
 use crate::entry::{Inputs, names};
 use crate::machine::{Machine, Stop};
 
@@ -33,7 +33,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
         };
         let ball = block.ball_at(machine.position().0);
         let found = OnePoint { axis, corrected, direction, ball, set, actual: surface * per, per };
-        one_point::finish(machine, inputs, &found, &target, repetition)
+        target.finish(machine, inputs, &found, repetition)
     })
 }
 

@@ -4,7 +4,7 @@ use super::element::Element;
 use crate::catalogue::sinumerik::centred::{Found, Pair};
 use crate::catalogue::sinumerik::measuring_block::{Block, Point, all_calibrated};
 use crate::catalogue::sinumerik::target::Target;
-use crate::catalogue::sinumerik::{alarm, centred, results, until_done};
+use crate::catalogue::sinumerik::{alarm, results, until_done};
 use crate::diagnostic::Code;
 use crate::entry::Inputs;
 use crate::geometry::Wcs;
@@ -22,96 +22,78 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     all_calibrated(machine, &block, &sides)?;
     let axis = (!element.round && !element.rectangle).then_some(element.axes()[0]);
     let target = Target::of(machine, inputs, axis)?;
-    let start = machine.position();
+    let start = machine.position().0;
+    let probing = Probing { block: &block, element: &element, paths, start };
     until_done(|repetition| {
-        let found = measure(machine, &block, &element, paths, start.0)?;
-        centred::finish(machine, inputs, &found, &target, repetition)
+        let found = probing.measure(machine)?;
+        target.finish(machine, inputs, &found, repetition)
     })
 }
 
-/// Touches all sides and ends above the measured centre at the height of the start (B:5957).
-fn measure(
-    machine: &mut dyn Machine,
-    block: &Block,
-    element: &Element,
+/// An element that is touched about the position at the call, X Y Z of the WCS, mm.
+struct Probing<'a> {
+    block: &'a Block,
+    element: &'a Element,
     paths: [f64; 2],
     start: [f64; 3],
-) -> Result<Found, Stop> {
-    let set = [start[block.axes[0]], start[block.axes[1]]];
-    let (mut size, mut centre) = (element.size, set);
-    for axis in element.axes().iter().copied() {
-        let mut sides = [0.0; 2];
-        for (side, coordinate) in [1.0, -1.0].into_iter().zip(&mut sides) {
-            let point = Point {
-                axis,
-                direction: if element.inside { side } else { -side },
-                set: set[axis] + side * element.size[axis] / 2.0,
-                path: paths[axis],
-            };
-            *coordinate = touch(machine, block, element, &point, start, centre)?;
+}
+
+impl Probing<'_> {
+    /// Touches all sides and ends above the measured centre at the height of the start (B:5957).
+    fn measure(&self, machine: &mut dyn Machine) -> Result<Found, Stop> {
+        let Probing { block, element, paths, start } = self;
+        let set = [start[block.axes[0]], start[block.axes[1]]];
+        let (mut size, mut centre) = (element.size, set);
+        for axis in element.axes().iter().copied() {
+            let mut sides = [0.0; 2];
+            for (side, coordinate) in [1.0, -1.0].into_iter().zip(&mut sides) {
+                let direction = if element.inside { side } else { -side };
+                let set = set[axis] + side * element.size[axis] / 2.0;
+                let point = Point { axis, direction, set, path: paths[axis] };
+                *coordinate = self.touch(machine, &point, centre)?;
+            }
+            let [plus, minus] = sides;
+            centre[axis] = (plus + minus) / 2.0;
+            size[axis] = plus - minus;
+            block.travel(machine, Wcs(block.placed(*start, centre)))?;
         }
-        let [plus, minus] = sides;
-        centre[axis] = (plus + minus) / 2.0;
-        size[axis] = plus - minus;
-        above(machine, block, start, centre)?;
+        let pair = |axis: usize, set: [f64; 2], actual: [f64; 2]| Pair { set: set[axis], actual: actual[axis] };
+        Ok(Found {
+            sizes: element.sizes().iter().map(|axis| pair(*axis, element.size, size)).collect(),
+            centre: [0, 1].map(|axis| pair(axis, set, centre)),
+            height: block.ball_at(*start)[block.axes[2]] + element.infeed,
+            axes: element.axes(),
+            inside: element.inside,
+        })
     }
-    let pair = |axis: usize, set: [f64; 2], actual: [f64; 2]| Pair { set: set[axis], actual: actual[axis] };
-    let sizes = element.sizes().iter();
-    let applicate = block.axes[2];
-    Ok(Found {
-        sizes: sizes.map(|axis| pair(*axis, element.size, size)).collect(),
-        centre: [0, 1].map(|axis| pair(axis, set, centre)),
-        height: block.ball_at(start)[applicate] + element.infeed,
-        axes: element.axes(),
-        inside: element.inside,
-    })
-}
 
-/// One side: to the start of its measuring block, there down by the infeed, measure, up again. Sideways the ball runs
-/// through the centre found so far.
-fn touch(
-    machine: &mut dyn Machine,
-    block: &Block,
-    element: &Element,
-    point: &Point,
-    start: [f64; 3],
-    centre: [f64; 2],
-) -> Result<f64, Stop> {
-    let [_, _, applicate] = block.axes;
-    let other = 1 - point.axis;
-    let mut beside = start;
-    beside[block.axes[other]] = centre[other] - block.skew[other];
-    let mut onto = machine.position();
-    onto[block.axes[other]] = beside[block.axes[other]];
-    block.travel(machine, onto)?;
-    beside[block.axes[point.axis]] = block.start(point);
-    let shortened = if element.inside {
-        block.travel(machine, Wcs(beside))?;
-        false
-    } else {
-        block.travel_as_far(machine, Wcs(beside))?
-    };
-    let beside = machine.position();
-    let mut deep = beside;
-    deep[applicate] += element.infeed;
-    down(machine, block, deep.0, shortened)?;
-    let coordinate = block.measure(machine, point)?;
-    block.travel(machine, beside)?;
-    Ok(coordinate)
-}
-
-/// The infeed. A collision after a way in the plane that a software limit switch shortened is 61402 (A:15921).
-fn down(machine: &mut dyn Machine, block: &Block, deep: [f64; 3], shortened: bool) -> Result<(), Stop> {
-    match block.travel(machine, Wcs(deep)) {
-        Err(Stop::Alarm(Code::Alarm(61302))) if shortened => Err(alarm(machine, 61402)),
-        outcome => outcome,
+    /// One side: to the start of its measuring block, there down by the infeed, measure, up again. Sideways the ball
+    /// runs through the centre found so far.
+    fn touch(&self, machine: &mut dyn Machine, point: &Point, centre: [f64; 2]) -> Result<f64, Stop> {
+        let Probing { block, element, start, .. } = self;
+        let other = 1 - point.axis;
+        let mut beside = *start;
+        beside[block.axes[other]] = centre[other] - block.skew[other];
+        let mut onto = machine.position();
+        onto[block.axes[other]] = beside[block.axes[other]];
+        block.travel(machine, onto)?;
+        beside[block.axes[point.axis]] = block.start(point);
+        let shortened = if element.inside {
+            block.travel(machine, Wcs(beside))?;
+            false
+        } else {
+            block.travel_as_far(machine, Wcs(beside))?
+        };
+        let beside = machine.position();
+        let mut deep = beside;
+        deep[block.axes[2]] += element.infeed;
+        match block.travel(machine, deep) {
+            // a collision after a way in the plane that a software limit switch shortened (A:15921)
+            Err(Stop::Alarm(Code::Alarm(61302))) if shortened => return Err(alarm(machine, 61402)),
+            outcome => outcome?,
+        }
+        let coordinate = block.measure(machine, point)?;
+        block.travel(machine, beside)?;
+        Ok(coordinate)
     }
-}
-
-/// To the centre found so far, at the height of the start.
-fn above(machine: &mut dyn Machine, block: &Block, start: [f64; 3], centre: [f64; 2]) -> Result<(), Stop> {
-    let mut to = start;
-    to[block.axes[0]] = centre[0];
-    to[block.axes[1]] = centre[1];
-    block.travel(machine, Wcs(to))
 }

@@ -5,7 +5,7 @@ use crate::catalogue::sinumerik::differential::twice;
 use crate::catalogue::sinumerik::measuring_block::{Block, all_calibrated, turnable};
 use crate::catalogue::sinumerik::one_point::OnePoint;
 use crate::catalogue::sinumerik::target::Target;
-use crate::catalogue::sinumerik::{one_point, results, until_done};
+use crate::catalogue::sinumerik::{results, until_done};
 use crate::entry::{Inputs, names};
 use crate::machine::{Machine, Stop};
 
@@ -36,6 +36,6 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
         };
         let ball = reckoned.ball_at(machine.position().0);
         let found = OnePoint { axis, corrected: axis, direction, ball, set, actual, per: 1.0 };
-        one_point::finish(machine, inputs, &found, &target, repetition)
+        target.finish(machine, inputs, &found, repetition)
     })
 }

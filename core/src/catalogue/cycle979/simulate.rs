@@ -5,7 +5,7 @@ use crate::catalogue::circle;
 use crate::catalogue::sinumerik::centred::{Found, Pair};
 use crate::catalogue::sinumerik::measuring_block::{Block, Ray, ball_known};
 use crate::catalogue::sinumerik::target::Target;
-use crate::catalogue::sinumerik::{alarm, centred, results, until_done};
+use crate::catalogue::sinumerik::{alarm, results, until_done};
 use crate::entry::{Inputs, names};
 use crate::geometry::fit;
 use crate::geometry::rigid::sin_cos;
@@ -95,7 +95,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
         let Some(found) = element.evaluate(&balls, block.ball, height) else {
             return Err(alarm(machine, 61316));
         };
-        centred::finish(machine, inputs, &found, &target, repetition)
+        target.finish(machine, inputs, &found, repetition)
     })
 }
 

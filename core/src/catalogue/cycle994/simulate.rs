@@ -6,7 +6,7 @@ use crate::catalogue::lathe::measure;
 use crate::catalogue::sinumerik::measuring_block::Block;
 use crate::catalogue::sinumerik::one_point::OnePoint;
 use crate::catalogue::sinumerik::target::Target;
-use crate::catalogue::sinumerik::{alarm, one_point, until_done};
+use crate::catalogue::sinumerik::{alarm, until_done};
 use crate::control::Control;
 use crate::entry::{Inputs, names};
 use crate::machine::{Machine, Stop};
@@ -61,7 +61,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
         let (direction, ball) = (point(1.0).direction, block.ball_at(machine.position().0));
         let actual = (plus - minus) / 2.0 * per;
         let found = OnePoint { axis, corrected, direction, ball, set, actual, per };
-        one_point::finish(machine, inputs, &found, &target, repetition)
+        target.finish(machine, inputs, &found, repetition)
     })
 }
 

@@ -5,8 +5,8 @@ use super::points;
 use super::simulate::failed;
 use crate::catalogue::sinumerik::measuring_block::{Block, Point, Ray};
 use crate::entry::{Inputs, names};
-use crate::geometry::fit;
 use crate::geometry::rigid::sin_cos;
+use crate::geometry::{Wcs, fit};
 use crate::machine::{Machine, Stop};
 
 /// A sphere as it should be or as it was found, mm.
@@ -96,17 +96,13 @@ impl Plan<'_> {
         let mut balls = Vec::new();
         for (index, angle) in directions.iter().copied().enumerate() {
             let (sine, cosine) = sin_cos(angle);
-            let ray = Ray {
-                angle: angle + 180.0,
-                set: [x + cosine * expected.diameter / 2.0, y + sine * expected.diameter / 2.0],
-                path: self.block.path,
-            };
+            let set = [x + cosine * expected.diameter / 2.0, y + sine * expected.diameter / 2.0];
+            let ray = Ray { angle: angle + 180.0, set, path: self.block.path };
             if index == 0 {
                 self.plane(machine, self.block.start_along(&ray))?;
                 self.height(machine, applicate - self.tip)?;
             } else {
-                let step = self.inputs.number(names::INCA);
-                let feed = self.inputs.number(names::RF);
+                let [step, feed] = [names::INCA, names::RF].map(|name| self.inputs.number(name));
                 self.block.travel_around(machine, [x, y], step, feed)?;
             }
             balls.push(self.block.ball_along(machine, &ray)?);
@@ -140,9 +136,8 @@ impl Plan<'_> {
 
     /// Moves the spindle axis in the plane.
     fn plane(&self, machine: &mut dyn Machine, [x, y]: [f64; 2]) -> Result<(), Stop> {
-        let mut to = machine.position();
-        (to[self.block.axes[0]], to[self.block.axes[1]]) = (x, y);
-        self.block.travel(machine, to)
+        let to = self.block.placed(machine.position().0, [x, y]);
+        self.block.travel(machine, Wcs(to))
     }
 
     /// Moves along the applicate.

@@ -27,8 +27,10 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     let correction = Correction::prepare(machine, inputs)?;
     begin(machine, inputs);
     let start = machine.position();
+    let here = start[block.axes[surface.measuring]];
+    let probing = Probing { inputs, block: &block, surface: &surface, direction: direction(inputs, here) };
     until_done(|repetition| {
-        let rises = measure(machine, inputs, &block, &surface, start.0)?;
+        let rises = probing.measure(machine, start.0)?;
         let angles = report(machine, &surface, &rises);
         let offset = tolerance::empirical_angle(machine.control(), inputs);
         let wrong: Vec<f64> = surface.legs.iter().zip(&angles).map(|(leg, angle)| angle - offset - leg.set).collect();
@@ -53,40 +55,6 @@ fn begin(machine: &mut dyn Machine, inputs: &Inputs) {
     results::integer(machine, 11, 0);
 }
 
-/// Touches the first point and the others, from it and back to it; ends at the last one. How much higher the surface is
-/// there than at the first, mm.
-fn measure(
-    machine: &mut dyn Machine,
-    inputs: &Inputs,
-    block: &Block,
-    surface: &Surface,
-    start: [f64; 3],
-) -> Result<Vec<f64>, Stop> {
-    let axis = surface.measuring;
-    let at_angle = AT_ANGLE.holds(inputs);
-    let direction = direction(inputs, start[block.axes[axis]]);
-    block.travel(machine, Wcs(first_start(inputs, block, start, axis, direction)))?;
-    let (first, skew) = first_point(machine, inputs, block, axis, direction)?;
-    let from = machine.position();
-    let mut rises = Vec::new();
-    for leg in &surface.legs {
-        block.travel(machine, from)?;
-        let away = if at_angle { beside(inputs, leg, direction) } else { 0.0 };
-        let mut to = from;
-        to[block.axes[leg.axis]] += leg.distance;
-        to[block.axes[axis]] += away;
-        block.travel(machine, to)?;
-        let other = plain(inputs, block).measure_from_here(machine, axis, direction, 2.0 * block.path)?;
-        rises.push(other + skew - first);
-    }
-    Ok(rises)
-}
-
-/// The probe as it is reckoned with: in differential measurement as one that was never calibrated.
-fn plain(inputs: &Inputs, block: &Block) -> Block {
-    if DIFFERENTIAL.holds(inputs) { block.uncalibrated() } else { block.clone() }
-}
-
 /// Towards the set position (B:7488); without one as `_MD` says (B:7412).
 fn direction(inputs: &Inputs, here: f64) -> f64 {
     let minus =
@@ -94,49 +62,74 @@ fn direction(inputs: &Inputs, here: f64) -> f64 {
     if minus { -1.0 } else { 1.0 }
 }
 
-/// Where the first touch begins: before the set position, without one where the cycle is called (B:7530-7560).
-fn first_start(inputs: &Inputs, block: &Block, start: [f64; 3], axis: usize, direction: f64) -> [f64; 3] {
-    let mut from = start;
-    if AT_ANGLE.holds(inputs) {
-        let point = set_point(inputs, block, axis, direction);
-        from[block.axes[axis]] = plain(inputs, block).start(&point);
-    }
-    from
-}
-
-fn set_point(inputs: &Inputs, block: &Block, axis: usize, direction: f64) -> Point {
-    block.point(axis, direction, inputs.or_zero(names::SETVAL))
-}
-
-/// Coordinate of the surface at the first point, and what the skew of an uncalibrated probe adds at the others, mm.
-fn first_point(
-    machine: &mut dyn Machine,
-    inputs: &Inputs,
-    block: &Block,
-    axis: usize,
+/// A surface that is touched in this direction, +1 or -1, along its measuring axis.
+struct Probing<'a> {
+    inputs: &'a Inputs,
+    block: &'a Block,
+    surface: &'a Surface,
     direction: f64,
-) -> Result<(f64, f64), Stop> {
-    let point = set_point(inputs, block, axis, direction);
-    if DIFFERENTIAL.holds(inputs) {
-        let found = twice(machine, inputs, block, &point)?;
-        return Ok((found.surface, found.skew));
-    }
-    if AT_ANGLE.holds(inputs) {
-        return Ok((block.measure(machine, &point)?, 0.0));
-    }
-    Ok((block.measure_from_here(machine, axis, direction, 2.0 * block.path)?, 0.0))
 }
 
-/// How far the measuring axis moves on the way to another point: along the set angle, and away from the surface by the
-/// safe area (B:7546).
-fn beside(inputs: &Inputs, leg: &Leg, direction: f64) -> f64 {
-    let angle = leg.sense * leg.set - direction * inputs.number(names::TSA);
-    leg.distance * angle.to_radians().tan()
+impl Probing<'_> {
+    /// Touches the first point and the others, from it and back to it; ends at the last one. How much higher the
+    /// surface is there than at the first, mm.
+    fn measure(&self, machine: &mut dyn Machine, start: [f64; 3]) -> Result<Vec<f64>, Stop> {
+        let (block, axis) = (self.block, self.surface.measuring);
+        let at_angle = AT_ANGLE.holds(self.inputs);
+        let mut first_start = start;
+        if at_angle {
+            // before the set position, without one where the cycle is called (B:7530-7560)
+            first_start[block.axes[axis]] = self.plain().start(&self.set_point());
+        }
+        block.travel(machine, Wcs(first_start))?;
+        let (first, skew) = self.first_point(machine)?;
+        let from = machine.position();
+        let mut rises = Vec::new();
+        for leg in &self.surface.legs {
+            block.travel(machine, from)?;
+            let mut to = from;
+            to[block.axes[leg.axis]] += leg.distance;
+            to[block.axes[axis]] += if at_angle { self.beside(leg) } else { 0.0 };
+            block.travel(machine, to)?;
+            let other = self.plain().measure_from_here(machine, axis, self.direction, 2.0 * block.path)?;
+            rises.push(other + skew - first);
+        }
+        Ok(rises)
+    }
+
+    /// The probe as it is reckoned with: in differential measurement as one that was never calibrated.
+    fn plain(&self) -> Block {
+        if DIFFERENTIAL.holds(self.inputs) { self.block.uncalibrated() } else { self.block.clone() }
+    }
+
+    fn set_point(&self) -> Point {
+        self.block.point(self.surface.measuring, self.direction, self.inputs.or_zero(names::SETVAL))
+    }
+
+    /// Coordinate of the surface at the first point, and what the skew of an uncalibrated probe adds at the others, mm.
+    fn first_point(&self, machine: &mut dyn Machine) -> Result<(f64, f64), Stop> {
+        let (block, point) = (self.block, self.set_point());
+        if DIFFERENTIAL.holds(self.inputs) {
+            let found = twice(machine, self.inputs, block, &point)?;
+            return Ok((found.surface, found.skew));
+        }
+        let found = match AT_ANGLE.holds(self.inputs) {
+            true => block.measure(machine, &point)?,
+            false => block.measure_from_here(machine, point.axis, self.direction, 2.0 * block.path)?,
+        };
+        Ok((found, 0.0))
+    }
+
+    /// How far the measuring axis moves on the way to another point: along the set angle, and away from the surface by
+    /// the safe area (B:7546).
+    fn beside(&self, leg: &Leg) -> f64 {
+        let angle = leg.sense * leg.set - self.direction * self.inputs.number(names::TSA);
+        leg.distance * angle.to_radians().tan()
+    }
 }
 
 /// Set angle, actual angle, difference: of one angle, or first about the abscissa, then about the ordinate
-/// (B:7332-7337).
-/// The actual angles in the order of the ways.
+/// (B:7332-7337); the actual angles in the order of the ways.
 fn report(machine: &mut dyn Machine, surface: &Surface, rises: &[f64]) -> Vec<f64> {
     let legs = surface.legs.iter();
     let angles: Vec<f64> = legs.zip(rises).map(|(leg, rise)| leg.angle(*rise)).collect();

@@ -121,6 +121,13 @@ impl Block {
         ball
     }
 
+    /// A position moved to a place of the plane: abscissa, ordinate, mm.
+    pub fn placed(&self, position: [f64; 3], [abscissa, ordinate]: [f64; 2]) -> [f64; 3] {
+        let mut to = position;
+        (to[self.axes[0]], to[self.axes[1]]) = (abscissa, ordinate);
+        to
+    }
+
     /// How often a place is touched (`_NMSP`).
     pub fn repeats(&self) -> u32 {
         self.repeats
@@ -164,14 +171,14 @@ impl Block {
         &self,
         machine: &mut dyn Machine,
         axis: usize,
-        direction: f64,
+        sign: f64,
         length: f64,
     ) -> Result<f64, Stop> {
-        if let Some(angle) = heading(axis, direction) {
+        if let Some(angle) = heading(axis, sign) {
             self.orient(machine, angle);
         }
-        let end = machine.position()[self.axes[axis.min(2)]] + direction * length;
-        Ok(self.towards(machine, axis, direction, end)? - self.trigger(axis, direction))
+        let end = machine.position()[self.axes[axis.min(2)]] + sign * length;
+        Ok(self.towards(machine, axis, sign, end)? - self.trigger(axis, sign))
     }
 
     /// Touches a surface whose place is not known `_NMSP` times from where the probe stands, on a way of twice the

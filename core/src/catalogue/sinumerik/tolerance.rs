@@ -16,9 +16,9 @@ const REPETITIONS: u32 = 4;
 
 /// What a measurement with tool offset found.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Sizes<'a> {
+pub struct Sizes {
     /// Actual sizes minus middle of the tolerance band, mm; two for a rectangle.
-    pub differences: &'a [f64],
+    pub differences: Vec<f64>,
     /// Part of a difference that goes into the tool: 1/2 for a diameter or width, 1 for a position (B:6130-6134).
     pub factor: f64,
     /// Sign of a correction of the radius.

@@ -53,16 +53,11 @@ impl Block {
     /// The same without anything known about the probe: mean position at switching, abscissa and ordinate, mm.
     pub fn latch_along(&self, machine: &mut dyn Machine, ray: &Ray) -> Result<[f64; 2], Stop> {
         self.orient(machine, ray.angle);
-        let place = |position: [f64; 3], [x, y]: [f64; 2]| {
-            let mut to = position;
-            (to[self.axes[0]], to[self.axes[1]]) = (x, y);
-            to
-        };
-        let here = machine.position();
+        let here = machine.position().0;
         let way = Way {
-            start: Wcs(place(here.0, self.start_along(ray))),
-            end: Wcs(place(here.0, self.on(ray, ray.path))),
-            direction: place([0.0; 3], ray.direction()),
+            start: Wcs(self.placed(here, self.start_along(ray))),
+            end: Wcs(self.placed(here, self.on(ray, ray.path))),
+            direction: self.placed([0.0; 3], ray.direction()),
         };
         self.travel(machine, way.start)?;
         let position = self.mean(machine, &way)?;
