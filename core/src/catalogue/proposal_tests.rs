@@ -1,9 +1,10 @@
 //! From the proposed start every variant measures the proposed part, and finds what is wrong with it.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use super::find;
+use super::{CYCLES, example, find};
 use crate::check::check;
-use crate::control::{Frame, Plane};
+use crate::control::{Frame, Plane, delivery};
+use crate::diagnostic::Code;
 use crate::dialect::Dialect;
 use crate::entry::{Cycle, Typed};
 use crate::machine::setup::Setup;
@@ -237,6 +238,19 @@ fn results_do_not_depend_on_where_the_part_stands() {
                     }
                 }
             }
+        }
+    }
+}
+
+// oracle: hand (a worked measurement is one that can be taken as it stands)
+#[test]
+fn no_worked_measurement_is_doubted() {
+    for cycle in CYCLES {
+        for variant in cycle.variants {
+            let values = example::example(cycle, variant);
+            let found = check(cycle, &values, &delivery(cycle.dialect)).diagnostics;
+            let doubt = found.iter().find(|one| matches!(one.code, Code::Own(170..=173)));
+            assert_eq!(doubt, None, "{} {}", cycle.name, variant.number);
         }
     }
 }

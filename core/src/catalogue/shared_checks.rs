@@ -13,6 +13,16 @@ use crate::name::Name;
 use crate::own;
 use crate::own::Own;
 
+/// What every call that corrects a tool or a zero offset is checked for.
+pub fn measuring(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
+    probe(inputs, control, found);
+    mirror(control, found);
+    lathe_length(inputs, control, found);
+    memories(inputs, control, found);
+    weighting(inputs, control, found);
+    tolerances(inputs, found);
+}
+
 /// Probe number beyond the data fields `_WP[]` (`_CVAL[1]`, B:13346) or a type other than multi and mono.
 pub fn probe(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     let Some(code) = inputs.given(names::PRNUM).map(|code| code as i64) else {

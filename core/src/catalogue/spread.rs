@@ -48,24 +48,3 @@ pub fn triangle(points: [V3; 3], at: Name) -> Option<Diagnostic> {
     let finding = finding.number("factor", told(factor)).number("length", LENGTH);
     (factor > DOUBTED).then_some(finding.at(at))
 }
-
-#[cfg(all(test, feature = "simulation"))]
-mod tests {
-    use crate::catalogue::{CYCLES, example};
-    use crate::check::check;
-    use crate::control::delivery;
-    use crate::diagnostic::Code;
-
-    // oracle: hand (a worked measurement is one that can be taken as it stands)
-    #[test]
-    fn no_worked_measurement_is_doubted() {
-        for cycle in CYCLES {
-            for variant in cycle.variants {
-                let values = example::example(cycle, variant);
-                let found = check(cycle, &values, &delivery(cycle.dialect)).diagnostics;
-                let doubt = found.iter().find(|one| matches!(one.code, Code::Own(170..=173)));
-                assert_eq!(doubt, None, "{} {}", cycle.name, variant.number);
-            }
-        }
-    }
-}

@@ -8,7 +8,7 @@ use crate::check;
 use crate::control::variables::AXES;
 use crate::control::{Control, delivery_in};
 use crate::dialect::Dialect;
-use crate::entry::{Cycle, Inputs, Level, Meaning, Param, Shared, Task, Typed, Variant, factor};
+use crate::entry::{Cycle, Inputs, Level, Meaning, Param, Shared, Task, Typed, factor};
 use crate::message::Message;
 use crate::name::Name;
 
@@ -82,11 +82,7 @@ pub fn twin(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Option<T
 pub fn measured(inputs: &Inputs, control: &Control) -> Option<(&'static Shared, Measurement)> {
     let mut tasks = inputs.cycle.purpose.tasks.iter();
     let shared = tasks.find(|shared| shared.when.holds(inputs))?;
-    let given = |wanted: Meaning| {
-        let mut values = shared.values.iter();
-        let (name, _) = values.find(|(_, meaning)| *meaning == wanted)?;
-        inputs.given(*name)
-    };
+    let given = |meaning: Meaning| shared.given(meaning, inputs);
     let (in_axis, nominal) = match in_axis(inputs, shared) {
         Some((axis, value)) => (Some(axis), Some(value)),
         None => (None, given(Meaning::Nominal)),
@@ -174,12 +170,8 @@ fn written(cycle: &'static Cycle, shared: &Shared, wanted: &Measurement, control
         }
     }
     let read = check::read(cycle, &all, control, &mut Vec::new());
-    let worked = cycle.variants.iter();
-    let worked = worked
-        .filter(|variant| variant.number == shared.variant)
-        .map(|variant: &Variant| example(cycle, variant))
-        .next()
-        .unwrap_or_default();
+    let variant = cycle.variants.iter().find(|variant| variant.number == shared.variant);
+    let worked = variant.map(|variant| example(cycle, variant)).unwrap_or_default();
     let mut of_example = Vec::new();
     for param in cycle.params {
         let missing = required(param, &read, control) && !all.contains_key(param.name.as_str());
@@ -203,11 +195,8 @@ fn choosing(cycle: &Cycle, variant: i64, inputs: &Inputs) -> Typed {
         typed.insert(name.to_string(), variant.to_string());
     }
     for param in cycle.params {
-        let mut choices = param.chooses.iter();
-        let chosen = choices.find(|one| one.variant == variant && one.when.holds(inputs));
-        if let Some(chosen) = chosen {
-            typed.insert(param.name.to_string(), chosen.typed.to_owned());
-        }
+        let chosen = param.chooses.iter().find(|one| one.variant == variant && one.when.holds(inputs));
+        typed.extend(chosen.map(|chosen| (param.name.to_string(), chosen.typed.to_owned())));
     }
     typed
 }
@@ -248,11 +237,7 @@ fn plain(value: f64) -> String {
 /// What the reader of both calls has to know about what they share.
 fn told(inputs: &Inputs, shared: &Shared, measurement: &Measurement, control: &Control) -> Vec<Message> {
     let mut all = Vec::new();
-    let has = |meaning: Meaning| {
-        let mut named = shared.values.iter();
-        let (name, _) = named.find(|(_, other)| *other == meaning)?;
-        inputs.given(*name)
-    };
+    let has = |meaning: Meaning| shared.given(meaning, inputs);
     let limits = has(Meaning::Upper).zip(has(Meaning::Lower));
     if limits.is_some_and(|(upper, lower)| upper + lower != 0.0) {
         all.push(Message::new("twin-middle"));
@@ -260,18 +245,13 @@ fn told(inputs: &Inputs, shared: &Shared, measurement: &Measurement, control: &C
     // 0 is no correction on SINUMERIK, and the common zero offset on NCT
     let nct = inputs.cycle.dialect == Dialect::Nct;
     let zero = has(Meaning::Zero).is_some_and(|zero| zero != 0.0 || nct);
-    if zero && measurement.zero.is_none() {
-        all.push(Message::new("twin-no-zero"));
-    }
-    if measurement.zero.is_some() {
-        all.push(Message::new("twin-at-once"));
-    }
-    if measurement.zero.is_some_and(|zero| zero > 4) {
-        all.push(Message::new("twin-names"));
-    }
-    if measurement.tool.is_some() {
-        all.push(Message::new("twin-register"));
-    }
+    let said = [
+        ("twin-no-zero", zero && measurement.zero.is_none()),
+        ("twin-at-once", measurement.zero.is_some()),
+        ("twin-names", measurement.zero.is_some_and(|zero| zero > 4)),
+        ("twin-register", measurement.tool.is_some()),
+    ];
+    all.extend(said.into_iter().filter(|(_, holds)| *holds).map(|(key, _)| Message::new(key)));
     if has_depth(measurement.task) {
         let [.., axis] = control.plane.axes();
         let height = twin_place::start(control.active_units) / control.active_factor();
@@ -296,11 +276,7 @@ fn one_sided(inputs: &Inputs, shared: [&Shared; 2], there: &'static Cycle, value
 
 /// Parameters that count in this call and have no counterpart.
 fn only_here(inputs: &Inputs, [here, there]: [&Shared; 2]) -> Vec<Name> {
-    let means = |name: Name| {
-        let mut values = here.values.iter();
-        let found = values.find(|(known, _)| *known == name);
-        found.is_some_and(|(_, meaning)| has(there, *meaning))
-    };
+    let means = |name: Name| here.values.iter().any(|(known, meaning)| *known == name && has(there, *meaning));
     let params = inputs.cycle.params.iter();
     let counts = params.filter(|param| {
         let variant = inputs.cycle.variant_param() == Some(param.name);

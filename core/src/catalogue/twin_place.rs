@@ -40,11 +40,7 @@ pub fn corner(inputs: &Inputs, shared: &Shared) -> Option<[f64; 2]> {
     if !matches!(shared.task, Task::InnerCorner | Task::OuterCorner) {
         return None;
     }
-    let named = |wanted: Meaning| {
-        let mut values = shared.values.iter();
-        let (name, _) = values.find(|(_, meaning)| *meaning == wanted)?;
-        inputs.given(*name)
-    };
+    let named = |meaning: Meaning| shared.given(meaning, inputs);
     let [first, second] = [0, 1].map(|part| {
         let mut values = shared.values.iter();
         let found = values.find(|(name, meaning)| in_plane(*meaning, *name, inputs) == Some(part));

@@ -1,6 +1,6 @@
 //! What is measured, whatever a control calls it: by these tasks a call of one control is found again on the other.
 
-use super::When;
+use super::{Inputs, When};
 use crate::name::Name;
 
 /// A task that both controls have.
@@ -121,4 +121,12 @@ pub struct Shared {
     pub tool: Option<bool>,
     /// What its parameters mean.
     pub values: &'static [(Name, Meaning)],
+}
+
+impl Shared {
+    /// The value of the parameter with this meaning, where a call gives it.
+    pub fn given(&self, meaning: Meaning, inputs: &Inputs) -> Option<f64> {
+        let (name, _) = self.values.iter().find(|(_, other)| *other == meaning)?;
+        inputs.given(*name)
+    }
 }

@@ -2,7 +2,7 @@
 
 use super::{ALWAYS_OPTIONAL, PARAM, TOOL_OFFSET, ZERO_OFFSET, optional};
 use crate::diagnostic::Code;
-use crate::entry::{DigitGroup, Kind, Need, Param, Unit, names};
+use crate::entry::{DigitGroup, Kind, Param, Unit, names};
 use crate::range::Range;
 
 /// Halves of `_EVNUM` (B:2325-2342).
@@ -11,23 +11,25 @@ pub const MEMORY_DIGITS: &[DigitGroup] = &[
     DigitGroup { key: "evnum-empirical", place: 1, digits: 4, choices: &[] },
 ];
 
-/// Limits of the correction belong to the tool offset.
-const TOLERANCE: &[Need] = &[optional(TOOL_OFFSET, "need-tolerance")];
+/// A limit of the correction, which belongs to the tool offset.
+const LIMIT: Param = Param {
+    unit: Unit::BasicLength,
+    range: Range::POSITIVE,
+    needs: &[optional(TOOL_OFFSET, "need-tolerance")],
+    ..PARAM
+};
+/// A limit of the size.
+const TOLERANCE: Param = Param { unit: Unit::ActiveLength, range: Range::ANY, ..LIMIT };
 
-/// `_TSA`.
 pub const TSA: Param = Param {
     name: names::TSA,
     key: "tsa",
-    unit: Unit::BasicLength,
     default: Some(2.0),
-    range: Range::POSITIVE,
     watches: true,
     needs: ALWAYS_OPTIONAL,
     source: "B:15666",
-    ..PARAM
+    ..LIMIT
 };
-
-/// `_EVNUM`.
 pub const EVNUM: Param = Param {
     name: names::EVNUM,
     key: "evnum",
@@ -38,8 +40,6 @@ pub const EVNUM: Param = Param {
     source: "B:2303-2342",
     ..PARAM
 };
-
-/// `_K`.
 pub const K: Param = Param {
     name: names::K,
     key: "k",
@@ -52,62 +52,18 @@ pub const K: Param = Param {
     source: "B:2358-2366;A:15859",
     ..PARAM
 };
-
-/// `_TZL`.
 pub const TZL: Param = Param {
     name: names::TZL,
     key: "tzl",
-    unit: Unit::BasicLength,
     default: Some(0.001),
     range: Range::NOT_NEGATIVE,
-    needs: TOLERANCE,
     source: "B:15667;A:2323",
-    ..PARAM
+    ..LIMIT
 };
-
-/// `_TMV`.
-pub const TMV: Param = Param {
-    name: names::TMV,
-    key: "tmv",
-    unit: Unit::BasicLength,
-    default: Some(0.7),
-    range: Range::POSITIVE,
-    needs: TOLERANCE,
-    source: "B:15660",
-    ..PARAM
-};
-
-/// `_TUL`.
-pub const TUL: Param = Param {
-    name: names::TUL,
-    key: "tul",
-    unit: Unit::ActiveLength,
-    default: Some(1.0),
-    needs: TOLERANCE,
-    source: "B:15664;A:1896",
-    ..PARAM
-};
-
-/// `_TLL`.
-pub const TLL: Param = Param {
-    name: names::TLL,
-    key: "tll",
-    unit: Unit::ActiveLength,
-    default: Some(-1.0),
-    needs: TOLERANCE,
-    source: "B:15665;A:1897",
-    ..PARAM
-};
-
-/// `_TDIF`.
-pub const TDIF: Param = Param {
-    name: names::TDIF,
-    key: "tdif",
-    unit: Unit::BasicLength,
-    default: Some(1.2),
-    range: Range::POSITIVE,
-    watches: true,
-    needs: TOLERANCE,
-    source: "B:15659",
-    ..PARAM
-};
+pub const TMV: Param = Param { name: names::TMV, key: "tmv", default: Some(0.7), source: "B:15660", ..LIMIT };
+pub const TUL: Param =
+    Param { name: names::TUL, key: "tul", default: Some(1.0), source: "B:15664;A:1896", ..TOLERANCE };
+pub const TLL: Param =
+    Param { name: names::TLL, key: "tll", default: Some(-1.0), source: "B:15665;A:1897", ..TOLERANCE };
+pub const TDIF: Param =
+    Param { name: names::TDIF, key: "tdif", default: Some(1.2), watches: true, source: "B:15659", ..LIMIT };

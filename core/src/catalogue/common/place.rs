@@ -23,16 +23,12 @@ pub const MINUS: When = When::Digit { param: names::MD, place: 1, is: &[1] };
 pub const SETVAL: Param =
     Param { name: names::SETVAL, key: "setval", unit: Unit::ActiveLength, source: "B:1744", ..PARAM };
 
-/// `_SETV[0]`.
 pub const SETV0: Param = Param { name: names::SETV0, key: "setv0", ..SETVAL };
 
-/// `_SETV[1]`.
 pub const SETV1: Param = Param { name: names::SETV1, key: "setv1", ..SETVAL };
 
-/// `_ID`.
 pub const ID: Param = Param { name: names::ID, key: "id", unit: Unit::ActiveLength, source: "B:15636", ..PARAM };
 
-/// `_SZA`.
 pub const SZA: Param = Param {
     name: names::SZA,
     key: "sza",
@@ -43,7 +39,6 @@ pub const SZA: Param = Param {
     ..PARAM
 };
 
-/// `_SZO`.
 pub const SZO: Param = Param { name: names::SZO, key: "szo", source: "B:15658", ..SZA };
 
 /// `_MA`; a cycle adds the choices.
@@ -57,7 +52,6 @@ pub const MA: Param = Param {
     ..PARAM
 };
 
-/// `_MD`.
 pub const MD: Param = Param {
     name: names::MD,
     key: "md",
@@ -68,7 +62,6 @@ pub const MD: Param = Param {
     ..PARAM
 };
 
-/// `_STA1`.
 pub const STA1: Param = Param {
     name: names::STA1,
     key: "sta1",
@@ -78,13 +71,10 @@ pub const STA1: Param = Param {
     ..PARAM
 };
 
-/// `_INCA`.
 pub const INCA: Param = Param { name: names::INCA, key: "inca", unit: Unit::Degree, source: "B:15749", ..PARAM };
 
-/// `_CPA`.
 pub const CPA: Param = Param { name: names::CPA, key: "cpa", unit: Unit::ActiveLength, source: "B:1747", ..PARAM };
 
-/// `_CPO`.
 pub const CPO: Param = Param { name: names::CPO, key: "cpo", unit: Unit::ActiveLength, source: "B:1748", ..PARAM };
 
 /// `_RF`: the delivered 0 is refused (B:6994, A:15909), so that it has to be given.

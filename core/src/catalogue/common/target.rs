@@ -25,7 +25,6 @@ pub const KNUM: Param = Param {
     ..PARAM
 };
 
-/// `_TNUM`.
 pub const TNUM: Param = Param {
     name: names::TNUM,
     key: "tnum",
@@ -43,7 +42,6 @@ pub const TNUM: Param = Param {
     ..PARAM
 };
 
-/// `_TNAME`.
 pub const TNAME: Param = Param {
     name: names::TNAME,
     key: "tname",
@@ -54,7 +52,6 @@ pub const TNAME: Param = Param {
     ..PARAM
 };
 
-/// `_DLNUM`.
 pub const DLNUM: Param = Param {
     name: names::DLNUM,
     key: "dlnum",
@@ -66,7 +63,6 @@ pub const DLNUM: Param = Param {
     ..PARAM
 };
 
-/// `_TENV`.
 pub const TENV: Param = Param {
     name: names::TENV,
     key: "tenv",

@@ -9,12 +9,7 @@ use crate::entry::{Inputs, names};
 
 /// All of them.
 pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
-    shared_checks::probe(inputs, control, found);
-    shared_checks::mirror(control, found);
-    shared_checks::lathe_length(inputs, control, found);
-    shared_checks::memories(inputs, control, found);
-    shared_checks::weighting(inputs, control, found);
-    shared_checks::tolerances(inputs, found);
+    shared_checks::measuring(inputs, control, found);
     if DIFFERENTIAL.holds(inputs) {
         differential(inputs, control, found);
     }

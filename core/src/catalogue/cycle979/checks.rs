@@ -9,12 +9,7 @@ use crate::own;
 
 /// All of them.
 pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
-    shared_checks::probe(inputs, control, found);
-    shared_checks::mirror(control, found);
-    shared_checks::lathe_length(inputs, control, found);
-    shared_checks::memories(inputs, control, found);
-    shared_checks::weighting(inputs, control, found);
-    shared_checks::tolerances(inputs, found);
+    shared_checks::measuring(inputs, control, found);
     circle::ball_known(inputs, control, found);
     let ball = place::ball_radius(inputs, control);
     if ROUND.holds(inputs) {

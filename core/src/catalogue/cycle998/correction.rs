@@ -3,12 +3,13 @@
 
 use super::angles::{Surface, normal};
 use super::params::ONE;
+use crate::catalogue::place::in_plane;
 use crate::catalogue::sinumerik::{alarm, correct, results};
 use crate::control::Control;
 use crate::entry::{Inputs, names};
 use crate::evaluate::zero_offset;
 use crate::evaluate::zero_offset::Target;
-use crate::geometry::rigid;
+use crate::geometry::{V3, rigid};
 use crate::machine::{Machine, Stop};
 use nalgebra::{Rotation3, Vector3};
 
@@ -53,19 +54,12 @@ impl Correction {
             _ => wrong,
         };
         results::angle(machine, 20, amount);
-        let Some(target) = self.target else {
-            return;
-        };
-        let control = machine.control();
-        let writes = match self.rotary {
-            Some(axis) => zero_offset::rotary(control, &target, axis, amount),
-            None => {
-                let turn = about(control, surface.third(), amount);
-                let rotation = zero_offset::rotation(control, &target, &turn);
-                zero_offset::turned(control, &target, rotation)
-            }
-        };
-        correct::frame(machine, &target, &writes);
+        if let (Some(target), Some(axis)) = (self.target, self.rotary) {
+            let writes = zero_offset::rotary(machine.control(), &target, axis, amount);
+            return correct::frame(machine, &target, &writes);
+        }
+        let turn = about(machine.control(), surface.third(), amount);
+        self.turn(machine, &turn);
     }
 
     fn two(&self, machine: &mut dyn Machine, surface: &Surface, wrong: [f64; 2]) {
@@ -74,7 +68,7 @@ impl Correction {
             [ordinate, abscissa] => [abscissa.set, ordinate.set],
             _ => return,
         };
-        let place = |normal: Vector3<f64>| in_machine_order(control, normal);
+        let place = |normal: Vector3<f64>| V3::from(in_plane(control, normal.into()));
         let wanted = place(normal(set[0], set[1]));
         let actual = place(normal(set[0] + wrong[0], set[1] + wrong[1]));
         let seen = match &self.target {
@@ -86,9 +80,14 @@ impl Correction {
         for (index, axis) in control.plane.axes().into_iter().enumerate() {
             results::angle(machine, 21 + index, angles[axis]);
         }
+        self.turn(machine, &turn);
+    }
+
+    /// Turns the frame, where there is one.
+    fn turn(&self, machine: &mut dyn Machine, turn: &Rotation3<f64>) {
         if let Some(target) = self.target {
             let control = machine.control();
-            let rotation = zero_offset::rotation(control, &target, &turn);
+            let rotation = zero_offset::rotation(control, &target, turn);
             let writes = zero_offset::turned(control, &target, rotation);
             correct::frame(machine, &target, &writes);
         }
@@ -116,13 +115,4 @@ fn about(control: &Control, axis: usize, angle: f64) -> Rotation3<f64> {
     let mut angles = [0.0; 3];
     angles[control.plane.axes()[axis]] = angle;
     rigid::rotation(angles)
-}
-
-/// Abscissa, ordinate, applicate as X Y Z.
-fn in_machine_order(control: &Control, vector: Vector3<f64>) -> Vector3<f64> {
-    let mut xyz = Vector3::zeros();
-    for (value, axis) in vector.iter().zip(control.plane.axes()) {
-        xyz[axis] = *value;
-    }
-    xyz
 }
