@@ -33,17 +33,10 @@ impl Extent {
         let upright = |radius: f64, low: f64, high: f64| {
             Extent::of([V3::new(-radius, -radius, low), V3::new(radius, radius, high)])
         };
-        let widest = |radius: f64, slope: f64, depth: f64| radius + (slope * depth).max(0.0);
         match feature {
             Feature::Quad(quad) => Extent::of(quad.corners),
-            Feature::Wall(wall) => {
-                let widest = widest(wall.radius, wall.slope, wall.depth);
-                upright(widest, -wall.depth, 0.0)
-            }
-            Feature::Lobed(LobedWall { lobes, depth }) => {
-                let widest = widest(lobes.radius, lobes.slope, *depth) + lobes.amplitude.abs();
-                upright(widest, -depth, 0.0)
-            }
+            Feature::Wall(wall) => upright(wall.lobes().widest(wall.depth), -wall.depth, 0.0),
+            Feature::Lobed(LobedWall { lobes, depth }) => upright(lobes.widest(*depth), -depth, 0.0),
             Feature::Circle(circle) => upright(circle.radius, circle.z, circle.z),
             Feature::Segment(segment) => Extent::of([segment.a, segment.b]),
             Feature::Point(corner) => Extent::of([*corner]),
@@ -59,6 +52,11 @@ impl Extent {
     /// Wider by so much on each side, mm.
     pub fn wider(&self, by: f64) -> Extent {
         Extent { low: self.low.add_scalar(-by), high: self.high.add_scalar(by) }
+    }
+
+    /// Distance of a point, mm; 0 within.
+    pub fn distance(&self, p: &V3) -> f64 {
+        (p - p.sup(&self.low).inf(&self.high)).norm()
     }
 
     /// Whether both have something in common, or nearly.

@@ -6,6 +6,7 @@ use crate::geometry::quad::{Quad, Trim};
 use crate::geometry::segment::Segment;
 use crate::geometry::{Feature, V3};
 use crate::workpiece::body::Body;
+use crate::workpiece::form::{Column, Columns, Form};
 use crate::workpiece::free::{FreeSurface, Heights};
 use crate::workpiece::{Shape, Solid, chuck};
 use std::f64::consts::TAU;
@@ -38,25 +39,19 @@ pub fn turns(bend: f64, chord: f64) -> usize {
 /// A solid. A turned part with a bore is drawn in half section, the half on the side of +Y taken away, so that the bore
 /// is seen; of a chuck the jaws, which sweep what can be touched of it.
 pub fn figure(solid: &Solid) -> Figure {
-    if let Shape::Chuck { .. } = solid.shape {
-        return together(&chuck::seen(solid));
+    match solid.shape {
+        Shape::Chuck { .. } => together(&chuck::seen(solid)),
+        _ => draw(&Body::new(solid), |_| true),
     }
-    let halved = matches!(solid.shape, Shape::Turned { bore: [bore, _], .. } if bore > 0.0);
-    draw(&Body::new(solid), halved, |_| true)
 }
 
 /// The walls of a protection zone alone, as a shaft, web or island has them, with their edges.
 pub fn zone(solid: &Solid) -> Figure {
-    let size = match solid.shape {
-        Shape::Web { width, height, length } => [width, length, height],
-        Shape::Island { length: [x, y], height } => [x, y, height],
-        _ => return draw(&Body::new(solid), false, |one| matches!(one, Feature::Wall(_) | Feature::Lobed(_))),
+    let form = match solid.form() {
+        Form::Columns(columns) => Form::Columns(Columns { plate: false, ..columns }),
+        other => other,
     };
-    let block = Solid { shape: Shape::Block { size }, ..solid.clone() };
-    draw(&Body::new(&block), false, |one| match one {
-        Feature::Quad(quad) => quad.normal().z.abs() < 0.5,
-        other => matches!(other, Feature::Segment(_)),
-    })
+    draw(&Body::of(solid.place(), form), |face| face.normal().z.abs() < 0.5)
 }
 
 /// Solids that stand in the frame of another one.
@@ -71,47 +66,53 @@ fn together(solids: &[Solid]) -> Figure {
     all
 }
 
-fn draw(body: &Body, halved: bool, shown: impl Fn(&Feature) -> bool) -> Figure {
+/// All of a body, of its flat faces those that are shown.
+fn draw(body: &Body, shown: impl Fn(&Quad) -> bool) -> Figure {
     if let Some(free) = &body.free {
         return surface(free);
     }
-    let mut drawn = Drawing::of(body, halved);
-    for feature in body.features.iter().filter(|feature| shown(feature)) {
+    let halved = match (&body.material[..], &body.cavity) {
+        ([Column::Round(outer, length)], Some(Column::Round(bore, depth))) => Some(((outer, *length), (bore, *depth))),
+        _ => None,
+    };
+    let mut drawn = Drawing::of(body, halved.is_some());
+    for feature in &body.features {
         match feature {
-            Feature::Quad(quad) => drawn.face(quad),
-            Feature::Wall(wall) => drawn.wall(wall.lobes(), wall.depth),
-            Feature::Lobed(LobedWall { lobes, depth }) => drawn.wall(*lobes, *depth),
+            Feature::Quad(quad) if shown(quad) => drawn.face(quad),
             Feature::Segment(Segment { a, b }) => drawn.figure.edges.push([*a, *b]),
             Feature::Sphere(radius) => drawn.ball(*radius),
-            Feature::Circle(_) | Feature::Point(_) => {} // a wall brings its rims
+            _ => {} // a column brings its walls and rims
         }
     }
-    if halved {
-        drawn.section();
+    let walls = body.material.iter().map(|column| (column, 1.0)).chain(body.cavity.iter().map(|column| (column, -1.0)));
+    for (column, side) in walls {
+        if let Column::Round(curve, depth) = column {
+            drawn.wall(curve, *depth, side);
+        }
+    }
+    if let Some((outer, bore)) = halved {
+        drawn.section(outer, bore);
     }
     drawn.figure
 }
 
 /// What is being drawn of a body.
-struct Drawing<'a> {
-    body: &'a Body,
+struct Drawing {
     /// Angles about its axis, radian: all around, or those of a half section.
     angles: Vec<f64>,
     closed: bool,
     /// Length of a piece of a face, mm.
     piece: f64,
-    /// Round walls so far: curve, depth, whether the material is outside.
-    walls: Vec<(Lobes, f64, bool)>,
     figure: Figure,
 }
 
-impl Drawing<'_> {
-    fn of(body: &Body, halved: bool) -> Drawing<'_> {
+impl Drawing {
+    fn of(body: &Body, halved: bool) -> Drawing {
         let count = body.features.iter().map(bend).fold(0, |most, bend| most.max(turns(bend, CHORD)));
         let shown = if halved { count / 2..=count } else { 0..=count - 1 };
         let angles = shown.map(|i| TAU * i as f64 / count as f64).collect();
         let piece = (body.extent.high - body.extent.low).max() / PIECES;
-        Drawing { body, angles, closed: !halved, piece, walls: Vec::new(), figure: Figure::default() }
+        Drawing { angles, closed: !halved, piece, figure: Figure::default() }
     }
 
     /// How many pieces a length has.
@@ -123,25 +124,21 @@ impl Drawing<'_> {
         self.angles.iter().map(|angle| curve.point(*angle, z)).collect()
     }
 
-    /// A cylinder or cone, round or not, from Z = 0 downwards, with its rims.
-    fn wall(&mut self, lobes: Lobes, depth: f64) {
-        let angle = self.angles[0] + 1e-3;
-        let beside = lobes.point(angle, -depth / 2.0) + lobes.normal(angle, -depth / 2.0) * 1e-6;
-        let inner = self.body.inside(&beside);
-        let side = if inner { -1.0 } else { 1.0 };
+    /// A cylinder or cone, round or not, from Z = 0 downwards, with its rims; `side`: 1 seen from outside, -1 from
+    /// inside.
+    fn wall(&mut self, curve: &Lobes, depth: f64, side: f64) {
         let pieces = self.pieces(depth);
         let row = |piece: usize| {
             let z = -depth * piece as f64 / pieces as f64;
-            let vertex = |angle: &f64| [lobes.point(*angle, z), lobes.normal(*angle, z) * side];
+            let vertex = |angle: &f64| [curve.point(*angle, z), curve.normal(*angle, z) * side];
             self.angles.iter().map(vertex).collect()
         };
         let rows: Vec<Vec<Vertex>> = (0..=pieces).map(row).collect();
         self.figure.mesh.sheet(&rows, self.closed);
         for z in [0.0, -depth] {
-            let rim = self.curve(&lobes, z);
+            let rim = self.curve(curve, z);
             self.chain(&rim);
         }
-        self.walls.push((lobes, depth, inner));
     }
 
     /// Edges from point to point.
@@ -197,26 +194,20 @@ impl Drawing<'_> {
     }
 
     /// The faces of a half section, on both sides of the axis: from the bore to the outside, behind it from the axis.
-    fn section(&mut self) {
-        let find = |wanted: bool| self.walls.iter().find(|(_, _, inner)| *inner == wanted).copied();
-        let (Some((outer, length, _)), Some((bore, depth, _))) = (find(false), find(true)) else {
-            return;
-        };
+    fn section(&mut self, (outer, length): (&Lobes, f64), (bore, depth): (&Lobes, f64)) {
         for angle in [self.angles.first(), self.angles.last()].into_iter().flatten().copied() {
-            let out = |z: f64| outer.point(angle, z);
-            let within = |z: f64| if z >= -depth { bore.point(angle, z) } else { V3::new(0.0, 0.0, z) };
+            let [out, within] = [outer, bore].map(|curve| move |z: f64| curve.point(angle, z));
+            let axis = |z: f64| V3::new(0.0, 0.0, z);
             for (from, to) in [(0.0, -depth), (-depth, -length)] {
                 let pieces = self.pieces(from - to);
                 let row = |piece: usize| {
                     let z = from + (to - from) * piece as f64 / pieces as f64;
-                    let axis = V3::new(0.0, 0.0, z);
-                    let begin = if from < 0.0 { axis } else { within(z) };
+                    let begin = if from < 0.0 { axis(z) } else { within(z) };
                     vec![[begin, V3::y()], [out(z), V3::y()]]
                 };
                 let rows: Vec<Vec<Vertex>> = (0..=pieces).map(row).collect();
                 self.figure.cut.sheet(&rows, false);
             }
-            let axis = |z: f64| V3::new(0.0, 0.0, z);
             let edges = [[within(0.0), out(0.0)], [out(0.0), out(-length)], [out(-length), axis(-length)]];
             self.figure.edges.extend(edges);
             self.figure.edges.extend([[axis(-depth), within(-depth)], [within(-depth), within(0.0)]]);
@@ -229,7 +220,7 @@ impl Drawing<'_> {
 fn bend(feature: &Feature) -> f64 {
     let round = |lobes: &Lobes, depth: f64| {
         let waves = f64::from(lobes.count) + 1.0;
-        lobes.radius + (lobes.slope * depth).max(0.0) + lobes.amplitude.abs() * waves * waves
+        lobes.widest(depth) + lobes.amplitude.abs() * (waves * waves - 1.0)
     };
     match feature {
         Feature::Wall(wall) => round(&wall.lobes(), wall.depth),

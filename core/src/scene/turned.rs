@@ -4,12 +4,13 @@ use super::frames::{UNITS, system};
 use crate::catalogue::find;
 use crate::control::{Control, Transverse};
 use crate::entry::ProbeUse;
-use crate::geometry::{Mcs, V3, rigid};
+use crate::geometry::{Mcs, V3};
 use crate::machine::setup::Setup;
 use crate::machine::trace::{Step, Trace};
 use crate::run::outcome::Outcome;
 use crate::workpiece::feeler::Touching;
-use crate::workpiece::{Shape, Solid};
+use crate::workpiece::form::{Column, Form};
+use crate::workpiece::{PartErrors, Shape, Solid};
 
 /// Axis of the machine in which diameters count.
 const TRANSVERSE: usize = 0;
@@ -85,32 +86,27 @@ fn reading(control: &Control) -> Reading {
 
 /// Outside and bore at the front, and at the other end where they differ there.
 fn diameters(solid: &Solid) -> Vec<Diameter> {
-    let Shape::Turned { diameter, length, bore: [bore, depth] } = solid.shape else {
+    let nominal = Form::of(&solid.shape, &PartErrors::default());
+    let (Shape::Turned { .. }, Form::Columns(set), Form::Columns(real)) = (&solid.shape, nominal, solid.form()) else {
         return Vec::new();
     };
-    let errors = &solid.errors;
-    let turn = rigid::rotation(errors.tilt) * rigid::rotation(solid.rotation);
-    let axis = turn * V3::z();
+    let place = solid.place();
+    let axis = place.rotation * V3::z();
     if axis[SPINDLE].abs() < ALONG {
         return Vec::new();
     }
-    let front = V3::from(solid.at) + V3::from(errors.shift);
-    let mut across = V3::zeros();
-    across[TRANSVERSE] = 1.0;
+    let across = V3::ith(TRANSVERSE, 1.0);
     let across = (across - axis * axis[TRANSVERSE]).try_normalize(0.0).unwrap_or_else(V3::x);
-    let dimension = |set: f64, deep: f64| {
-        let real = set + errors.size + errors.taper * deep;
-        let ends = [-0.5, 0.5].map(|half| (front - axis * deep + across * (real * half)).into());
-        Diameter { ends, out: axis.into(), set, real }
-    };
     let mut found = Vec::new();
-    for (set, end) in [(diameter, length), (bore, depth)] {
-        if set <= 0.0 {
+    for columns in [(set.stands, real.stands), (set.opening, real.opening)] {
+        let (Some(Column::Round(set, _)), Some(Column::Round(real, depth))) = columns else {
             continue;
-        }
-        found.push(dimension(set, 0.0));
-        if errors.taper != 0.0 {
-            found.push(dimension(set, end));
+        };
+        for deep in if real.slope == 0.0 { vec![0.0] } else { vec![0.0, depth] } {
+            let (set, real) = (2.0 * set.radius, 2.0 * (real.radius + real.slope * deep));
+            let front = place.translation.vector - axis * deep;
+            let ends = [-0.5, 0.5].map(|half| (front + across * (real * half)).into());
+            found.push(Diameter { ends, out: axis.into(), set, real });
         }
     }
     found

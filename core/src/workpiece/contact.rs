@@ -2,6 +2,7 @@
 
 use super::Workpiece;
 use super::body::Body;
+use crate::geometry::extent::Extent;
 use crate::geometry::feature::{first as first_on, foot};
 use crate::geometry::mesh::{Mesh, Stand};
 use crate::geometry::{Path, TOLERANCE, V3};
@@ -145,11 +146,10 @@ fn surface(body: &Body, p: &V3, reach: f64) -> Option<(V3, f64)> {
     if let Some(free) = &body.free {
         return free.mesh.nearest(p, reach);
     }
-    let place: [f64; 3] = (*p).into();
     let mut nearest = None;
     let mut limit = reach;
-    for (feature, bound) in body.features.iter().zip(&body.bounds) {
-        if bound.distance(place) > limit || feature.is_beyond(p, limit) {
+    for (feature, extent) in body.features.iter().zip(&body.extents) {
+        if extent.distance(p) > limit || feature.is_beyond(p, limit) {
             continue;
         }
         let Some(point) = foot(feature, p) else {
@@ -171,8 +171,9 @@ fn hit(body: &Body, path: &Path, radius: f64) -> Option<(f64, V3, V3)> {
         return Some((s, point, (path.at(s) - point).try_normalize(0.0)?));
     }
     let mut nearest: Option<(f64, V3, V3)> = None;
-    for (feature, bound) in body.features.iter().zip(&body.bounds) {
-        if bound.distance_of_way(path) > radius + TOLERANCE {
+    let swept = Extent::of([path.from, path.at(path.length)]).wider(radius);
+    for (feature, extent) in body.features.iter().zip(&body.extents) {
+        if !extent.meets(&swept) {
             continue;
         }
         let Some(s) = first_on(feature, path, radius) else {

@@ -8,6 +8,7 @@ mod contact_tests;
 pub mod feeler;
 #[cfg(test)]
 pub(crate) mod feeler_tests;
+pub(crate) mod form;
 pub mod free;
 pub mod noise;
 pub mod probe;

@@ -1,12 +1,12 @@
 //! A tool probe of a machine: a cube or a disc that a tool touches, and when it switches.
 
-use super::body::frustum::Frustum;
+use super::Solid;
+use super::form::{Column, Columns, Form};
 use super::noise::Noise;
 use super::tool::Piece;
-use super::{Shape, Solid};
 use crate::geometry::convex::{Convex, Meeting};
 use crate::geometry::stretch::Stretch;
-use crate::geometry::{Path, V3, convex, rigid};
+use crate::geometry::{Path, V3, convex};
 use nalgebra::IsometryMatrix3;
 
 /// How far a probe gives way without harm, mm: a tool that stands in it deeper cannot be drawn out of it.
@@ -15,7 +15,7 @@ const GIVES_WAY: f64 = 5.0;
 /// A tool probe as it is, not as the control believes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ToolProbe {
-    /// Its cap: a [`Shape::Block`] (cube), or a [`Shape::Turned`] without bore (disc). Where it really stands is a
+    /// Its cap: a [`super::Shape::Block`] (cube), or a [`super::Shape::Turned`] without bore (disc). Where it really stands is a
     /// matter of its errors; of these shift, size, tilt and taper count.
     pub solid: Solid,
     /// Travel after contact until the signal, mm.
@@ -32,57 +32,26 @@ impl ToolProbe {
         ToolProbe { solid, pre_travel: 0.0, delay: 0.0, repeatability: (0.0, 1) }
     }
 
-    /// The cap as a convex body; none where it is no cube and no disc.
+    /// The cap as a convex body; none where it is none.
     fn cap(&self) -> Option<Cap> {
-        let Solid { shape, at, rotation, errors } = &self.solid;
-        let form = match *shape {
-            Shape::Block { size: [x, y, z] } => {
-                let block = Frustum::tapered([x + errors.size, y + errors.size], z, errors.taper);
-                Form::Cube([block.ring(true), block.ring(false)])
-            }
-            Shape::Turned { diameter, length, .. } => {
-                let radius = (diameter + errors.size) / 2.0;
-                Form::Disc([radius, radius + errors.taper * length / 2.0], length)
-            }
-            _ => return None,
+        let Form::Columns(Columns { stands: Some(column), plate: false, .. }) = self.solid.form() else {
+            return None;
         };
-        let turn = rigid::rotation(errors.tilt) * rigid::rotation(*rotation);
-        let place = rigid::placed(V3::from(*at) + V3::from(errors.shift), turn);
-        Some(Cap { form, place })
+        Some(Cap { column, place: self.solid.place() })
     }
 }
 
 /// The cap in its place.
 #[derive(Clone, Debug)]
 struct Cap {
-    form: Form,
+    column: Column,
     place: IsometryMatrix3<f64>,
-}
-
-#[derive(Clone, Debug)]
-enum Form {
-    /// Corners above and below.
-    Cube([[V3; 4]; 2]),
-    /// Radii above and below, height; mm.
-    Disc([f64; 2], f64),
 }
 
 impl Convex for Cap {
     fn farthest(&self, direction: &V3) -> V3 {
-        let own = self.place.rotation.inverse() * direction;
-        let farthest = match &self.form {
-            Form::Cube(rings) => {
-                let corners = rings.iter().flatten();
-                corners.max_by(|a, b| a.dot(&own).total_cmp(&b.dot(&own))).copied()
-            }
-            Form::Disc([above, below], height) => {
-                let out = V3::new(own.x, own.y, 0.0);
-                let out = out.try_normalize(0.0).unwrap_or_else(V3::zeros);
-                let ends = [out * *above, out * *below - V3::z() * *height];
-                ends.into_iter().max_by(|a, b| a.dot(&own).total_cmp(&b.dot(&own)))
-            }
-        };
-        self.place.transform_point(&farthest.unwrap_or_default().into()).coords
+        let farthest = self.column.farthest(&(self.place.rotation.inverse() * direction));
+        self.place.transform_point(&farthest.into()).coords
     }
 }
 
