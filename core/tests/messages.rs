@@ -10,7 +10,11 @@ use probewright_core::diagnostic::{Diagnostic, Severity};
 use probewright_core::dialect::Dialect;
 use probewright_core::entry::{Kind, Typed};
 use probewright_core::form::{Choice, Entry, fields};
+use probewright_core::machine::trace::{Entry as TraceEntry, Step};
+use probewright_core::scene::frames::{Frame, UNITS};
+use probewright_core::scene::labels::{self, Label};
 use probewright_core::words::{LANGUAGES, Words};
+use probewright_core::workpiece::feeler::Touching;
 use proptest::prelude::*;
 
 fn findings(name: &str, values: &[(&str, &str)], control: &Control) -> Vec<Diagnostic> {
@@ -140,4 +144,19 @@ fn the_name_of_a_choice_does_not_repeat_its_number() {
             }
         }
     }
+}
+
+// oracle: hand
+#[test]
+fn what_is_written_beside_a_drawing_has_words() {
+    let words = Words::english();
+    let [real, off] = labels::dimension([0.0; 3], true, [40.0, 39.9], None);
+    let said = |label: &Label| words.text(&label.text[0]);
+    assert_eq!([said(&real), said(&off)], ["Ø39.900", "Ø40.000 −0.100"]);
+    let at = |moved| Frame { name: "G54".to_owned(), at: [0.0; 3], axes: UNITS, moved };
+    for (moved, wanted) in [(None, "G54"), (Some("before"), "G54 before"), (Some("after"), "G54 after")] {
+        assert_eq!(said(&labels::frames(&[at(moved)])[0]), wanted);
+    }
+    let crash = Step::Crash { point: [0.0; 3], normal: [0.0; 3], by: Touching::Stylus };
+    assert_eq!(said(&labels::collisions(&[TraceEntry { line: None, step: crash, in_use: 0 }])[0]), "Crash: stylus");
 }

@@ -206,15 +206,18 @@ test("a drawing has its diameters in words, and the reading counts as on the con
     [0, 0, 1],
   ];
   const reading = { at: [0, 0, 4], axes, diameter: true };
-  const made = {
-    dimensions: [{ at: [20.05, 0, 24], upper: true, set: 40, real: 40.1 }],
-    touched: [
-      { at: [20, 0, 0], diameter: 40, from: 0, to: 1 },
-      { at: [20, 0, 0], diameter: 40.1, from: 1 },
+  const said = (kind, diameter, more) => ({ kind, at: [20, 0, 0], text: [{ key: "Ø", args: { diameter } }], ...more });
+  const view = {
+    ...arrays.NOTHING.view,
+    labels: [
+      said("touched", "40.000", { from: 0, to: 1 }),
+      said("touched", "40.100", { from: 1 }),
+      said("diameter", "40.100", { upper: true, field: "_SETVAL" }),
+      said("nominal", "40.000 +0.100", { upper: true, field: "_SETVAL" }),
     ],
-    reading,
   };
-  const found = labels.drawingLabels(made, colours.LIGHT);
+  const say = ({ key, args }) => `${key}${args.diameter}`;
+  const found = labels.labelsOf(view, colours.LIGHT, say, true);
   assert.deepEqual(
     found.map(({ text }) => text),
     ["Ø40.000", "Ø40.100", "Ø40.100", "Ø40.000 +0.100"],
@@ -223,6 +226,11 @@ test("a drawing has its diameters in words, and the reading counts as on the con
     found.map(({ during }) => during),
     [[0, 1], [1, Infinity], undefined, undefined],
   );
+  assert.deepEqual(
+    found.map(({ field }) => field),
+    [undefined, undefined, "_SETVAL", "_SETVAL"],
+  );
+  assert.deepEqual(labels.labelsOf(view, colours.LIGHT, say, false), []);
   assert.equal(labels.readingText(reading, [-20, 0, 14]), "X Ø−40.000  Z 10.000");
   assert.equal(labels.readingText({ ...reading, diameter: false }, [-20, 0, 14]), "X −20.000  Z 10.000");
 });
@@ -261,12 +269,10 @@ test("a protection zone is drawn through, and each piece where it stands", () =>
 
 // oracle: hand
 test("what must not touch and did has its words from then on", () => {
-  const found = [
-    { entry: 2, at: [1, 2, 3], by: "stylus", crash: false },
-    { entry: 5, at: [1, 2, 3], by: "ball", crash: false, alarm: "61302" },
-    { entry: 8, at: [4, 5, 6], by: "body", crash: true },
-  ];
-  const words = labels.collisionLabels(found, colours.LIGHT, ({ by }) => by);
+  const told = (from, what) => ({ kind: "collision", at: [1, 2, 3], text: [{ key: "first", args: { what } }], from });
+  const found = [told(2, "stylus"), told(5, "ball"), told(8, "body")];
+  const view = { ...arrays.NOTHING.view, labels: found };
+  const words = labels.labelsOf(view, colours.LIGHT, ({ args }) => args.what, false);
   assert.deepEqual(
     words.map(({ text, during }) => [text, during[0]]),
     [

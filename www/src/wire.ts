@@ -441,6 +441,24 @@ export type HelpView = {
   alarms: Array<AlarmInfo>,
 };
 
+/** What a label tells. */
+export type LabelKind = "frame" | "diameter" | "nominal" | "touched" | "collision";
+
+/** A part of the lines. */
+export type LineGroup = {
+  /** What it is. */
+  kind: LineKind,
+  /** Its part of the lines, from and to (excluded), in lines. */
+  lines: [number, number],
+  /** Where it stands, by index in the places of a standing; none: machine coordinates. */
+  place?: number,
+  /** In which of the standings it is there; none: in all. */
+  standing?: number,
+};
+
+/** What a group of lines is. */
+export type LineKind = "grid" | "edge" | "zone" | "limit" | "axisX" | "axisY" | "axisZ" | "beforeX" | "beforeY" | "beforeZ" | "dimension";
+
 /** The machine of a question. */
 export type Machine = OwnMachine | Setup;
 
@@ -519,6 +537,9 @@ export type MachineView = {
   /** The same as lines of the definition file. */
   definitions: string,
 };
+
+/** What a piece of the triangles is. */
+export type Matter = "part" | "cut" | "chuck" | "ball" | "stylus" | "body" | "carrier" | "zone";
 
 /** A result of a call. */
 export type Measured = {
@@ -648,6 +669,14 @@ export type PictureShape = {
   also?: Array<Name>,
 };
 
+/** Where the zero of a frame lies, machine coordinates, mm, and its directions. */
+export type Place = {
+  /** Zero. */
+  at: [number, number, number],
+  /** Directions X Y Z. */
+  axes: [[number, number, number], [number, number, number], [number, number, number]],
+};
+
 /** Working plane. */
 export type Plane = "G17" | "G18" | "G19";
 
@@ -720,6 +749,16 @@ export type ReadView = {
   calls: Array<CallView>,
   /** What is wrong with it. */
   diagnostics: Array<Diagnostic>,
+};
+
+/** Where positions count from, machine coordinates. */
+export type Reading = {
+  /** Zero, mm. */
+  at: [number, number, number],
+  /** Directions. */
+  axes: [[number, number, number], [number, number, number], [number, number, number]],
+  /** Whether X counts as a diameter. */
+  diameter: boolean,
 };
 
 /** What a file is, by its bytes. */
@@ -870,6 +909,109 @@ export type ScanView = {
   origin: [number, number, number],
 };
 
+/** A coordinate system, machine coordinates. */
+export type SceneFrame = {
+  /** `MCS`, or the name of its zero offset. */
+  name: string,
+  /** Its zero, mm. */
+  at: [number, number, number],
+  /** Its directions. */
+  axes: [[number, number, number], [number, number, number], [number, number, number]],
+  /** `before` and `after` of one that a correction moved. */
+  moved?: "before" | "after",
+};
+
+/** Words at a place. */
+export type SceneLabel = {
+  /** What it tells. */
+  kind: LabelKind,
+  /** Where, machine coordinates, mm. */
+  at: [number, number, number],
+  /** What is said, one after the other. */
+  text: Array<Message>,
+  /** Whether it stands at the upper end of a dimension line: neighbours have their words at different ends. */
+  upper?: boolean,
+  /** Parameter that the dimension explains, where a form asked. */
+  field?: Name,
+  /** Entry of the trace with which it comes; none: it is always there. */
+  from?: number,
+  /** Entry with which it goes again. */
+  to?: number,
+};
+
+/** A part of the triangles. */
+export type ScenePiece = {
+  /** What it is. */
+  matter: Matter,
+  /** Its part of the corners, from and to (excluded). */
+  corners: [number, number],
+  /** Its part of the vertices. */
+  vertices: [number, number],
+  /** Where it stands, by index in the places of a standing; none: from the position of the machine on. */
+  place?: number,
+  /** With which of the tools it is there; none: always. */
+  tool?: number,
+};
+
+/** Sizes of the probe as it is drawn, mm. */
+export type SceneProbe = {
+  /** Radius of the ball. */
+  ball: number,
+  /** From the centre of the ball to the spindle. */
+  length: number,
+  /** Radius of the stylus. */
+  stylus: number,
+  /** From the centre of the ball to the end of the stylus. */
+  reach: number,
+};
+
+/** What is in use. */
+export type SceneTool = {
+  /** Direction from the ball to what holds it; none: no probe. */
+  ball?: [number, number, number],
+  /** Its end, from the position of the machine on. */
+  tip: [number, number, number],
+  /**
+   * Box around a tool without what carries it, from the position of the machine on; none for a probe, of which the
+   * stylus may be cut off.
+   */
+  extent?: [[number, number, number], [number, number, number]],
+  /** Whether a turret is drawn that carries it. */
+  carried: boolean,
+};
+
+/** What the arrays of a scene hold. */
+export type SceneView = {
+  /** Parts of the triangles: what hides, then what is seen through. */
+  pieces: Array<ScenePiece>,
+  /** Parts of the lines. */
+  groups: Array<LineGroup>,
+  /** How everything stands, from which entry on; at least one. */
+  standings: Array<Standing>,
+  /** Whatever was in use, each once. */
+  tools: Array<SceneTool>,
+  /** From which entry on, on which of them. */
+  inUse: Array<[number, number]>,
+  /** The probe. */
+  probe: SceneProbe,
+  /** Diagonal of what is to be seen, mm. */
+  size: number,
+  /** Length of the normal at a touch, mm. */
+  normal: number,
+  /** Length of the axes of a coordinate system, mm. */
+  axis: number,
+  /** Coordinate systems. */
+  frames: Array<SceneFrame>,
+  /** What is written beside all that. */
+  labels: Array<SceneLabel>,
+  /** Of a turning machine: how the control counts. Dimensions of its part are lines of that kind, and labels. */
+  reading?: Reading,
+  /** Whether it is a turning machine. */
+  turning: boolean,
+  /** How many entries the trace has. */
+  entries: number,
+};
+
 /** How bad it is. */
 export type Severity = "error" | "warning" | "note";
 
@@ -882,6 +1024,16 @@ export type Shared = {
   label: Message,
   /** Its value; a length in the active unit. */
   value: number,
+};
+
+/** How everything stands from an entry of the trace on: rotary axes turn the part. */
+export type Standing = {
+  /** From when this one is done on. */
+  entry: number,
+  /** Where each solid stands: those of the part, then what stays. */
+  places: Array<Place>,
+  /** What is to be seen whole, without the tool: least and greatest coordinates. */
+  whole: [[number, number, number], [number, number, number]],
 };
 
 /** A way to write a call. */

@@ -2,11 +2,12 @@
 
 use crate::control::Control;
 use crate::geometry::Wcs;
+use serde::Serialize;
 use std::collections::BTreeSet;
 
 /// A coordinate system, machine coordinates.
-#[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "json", derive(serde::Serialize), serde(rename_all = "camelCase"))]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "SceneFrame", optional_fields))]
 pub struct Frame {
     /// `MCS`, or the name of its zero offset.
     pub name: String,
@@ -15,7 +16,8 @@ pub struct Frame {
     /// Its directions.
     pub axes: [[f64; 3]; 3],
     /// `before` and `after` of one that a correction moved.
-    #[cfg_attr(feature = "json", serde(skip_serializing_if = "Option::is_none"))]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional, type = "\"before\" | \"after\""))]
     pub moved: Option<&'static str>,
 }
 

@@ -1,12 +1,13 @@
 //! What is to be seen of a setup and what happened on it, as plain figures in mm: triangles with the normals of the
-//! exact surface, edges, paths, touches, coordinate systems. Colours, widths and pixels are decided by who draws it;
-//! words too, of which only the figures stand here.
+//! exact surface, edges, paths, touches, coordinate systems, and labels as keys of messages. Colours, widths and pixels
+//! are decided by who draws it.
 //!
 //! What belongs together lies in flat arrays, so that it can be handed over as it is. A solid is drawn in its own
 //! frame, f32; [`View`] says what each part of the arrays is, where it stands and when it is there.
 
 pub mod fit;
 pub mod frames;
+pub mod labels;
 pub mod mesh;
 pub mod paths;
 pub mod plan;
@@ -21,19 +22,23 @@ use crate::geometry::V3;
 use crate::geometry::extent::Extent;
 use crate::machine::setup::Setup;
 use crate::machine::trace::{Entry, MotionKind, Step};
+use crate::name::Name;
 use crate::run::outcome::Outcome;
 use crate::workpiece::{Shape, Solid};
 use frames::Frame;
+use labels::Label;
 use mesh::Mesh;
 use nalgebra::IsometryMatrix3;
-use paths::{Collision, Touch, TouchSort, Way};
+use paths::{Touch, TouchSort, Way};
+use serde::Serialize;
 use solid::Figure;
 use tool::Tool;
-use turned::{Dimension, Drawing};
+use turned::{Diameter, Drawing, Reading};
 
 /// What a piece of the triangles is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "json", derive(serde::Serialize), serde(rename_all = "camelCase"))]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "camelCase")]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub enum Matter {
     /// The part, or a tool probe.
     Part,
@@ -54,8 +59,9 @@ pub enum Matter {
 }
 
 /// What a group of lines is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "json", derive(serde::Serialize), serde(rename_all = "camelCase"))]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "camelCase")]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub enum LineKind {
     /// Grid below everything.
     Grid,
@@ -82,42 +88,44 @@ pub enum LineKind {
 }
 
 /// A part of the triangles.
-#[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "json", derive(serde::Serialize), serde(rename_all = "camelCase"))]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "ScenePiece", optional_fields))]
 pub struct Piece {
     /// What it is.
     pub matter: Matter,
-    /// Its part of [`Scene::corners`], from and to (excluded).
+    /// Its part of the corners, from and to (excluded).
     pub corners: [usize; 2],
     /// Its part of the vertices.
     pub vertices: [usize; 2],
-    /// Where it stands, by index in [`Standing::places`]; none: from the position of the machine on.
-    #[cfg_attr(feature = "json", serde(skip_serializing_if = "Option::is_none"))]
+    /// Where it stands, by index in the places of a standing; none: from the position of the machine on.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub place: Option<usize>,
-    /// With which of [`View::tools`] it is there; none: always.
-    #[cfg_attr(feature = "json", serde(skip_serializing_if = "Option::is_none"))]
+    /// With which of the tools it is there; none: always.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub tool: Option<usize>,
 }
 
 /// A part of the lines.
-#[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "json", derive(serde::Serialize), serde(rename_all = "camelCase"))]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 pub struct LineGroup {
     /// What it is.
     pub kind: LineKind,
-    /// Its part of [`Scene::lines`], from and to (excluded), in lines.
+    /// Its part of the lines, from and to (excluded), in lines.
     pub lines: [usize; 2],
-    /// Where it stands, by index in [`Standing::places`]; none: machine coordinates.
-    #[cfg_attr(feature = "json", serde(skip_serializing_if = "Option::is_none"))]
+    /// Where it stands, by index in the places of a standing; none: machine coordinates.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub place: Option<usize>,
-    /// In which of [`View::standings`] it is there; none: in all.
-    #[cfg_attr(feature = "json", serde(skip_serializing_if = "Option::is_none"))]
+    /// In which of the standings it is there; none: in all.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub standing: Option<usize>,
 }
 
 /// Where the zero of a frame lies, machine coordinates, mm, and its directions.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "json", derive(serde::Serialize))]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Place {
     /// Zero.
     pub at: [f64; 3],
@@ -126,8 +134,8 @@ pub struct Place {
 }
 
 /// How everything stands from an entry of the trace on: rotary axes turn the part.
-#[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "json", derive(serde::Serialize))]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Standing {
     /// From when this one is done on.
     pub entry: usize,
@@ -138,25 +146,26 @@ pub struct Standing {
 }
 
 /// What is in use.
-#[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "json", derive(serde::Serialize), serde(rename_all = "camelCase"))]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "SceneTool", optional_fields))]
 pub struct ToolView {
     /// Direction from the ball to what holds it; none: no probe.
-    #[cfg_attr(feature = "json", serde(skip_serializing_if = "Option::is_none"))]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub ball: Option<[f64; 3]>,
     /// Its end, from the position of the machine on.
     pub tip: [f64; 3],
     /// Box around a tool without what carries it, from the position of the machine on; none for a probe, of which the
     /// stylus may be cut off.
-    #[cfg_attr(feature = "json", serde(skip_serializing_if = "Option::is_none"))]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub extent: Option<[[f64; 3]; 2]>,
     /// Whether a turret is drawn that carries it.
     pub carried: bool,
 }
 
 /// Sizes of the probe as it is drawn, mm.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "json", derive(serde::Serialize))]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "SceneProbe"))]
 pub struct Probe {
     /// Radius of the ball.
     pub ball: f64,
@@ -168,36 +177,10 @@ pub struct Probe {
     pub reach: f64,
 }
 
-/// Diameter at a touched point, until that point is touched again.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "json", derive(serde::Serialize))]
-pub struct TouchedDiameter {
-    /// The point, machine coordinates, mm.
-    pub at: [f64; 3],
-    /// Diameter as the control reads it, mm.
-    pub diameter: f64,
-    /// Entry of the touch.
-    pub from: usize,
-    /// Entry of the next one at the same place.
-    #[cfg_attr(feature = "json", serde(skip_serializing_if = "Option::is_none"))]
-    pub to: Option<usize>,
-}
-
-/// A drawing of a turned part: its dimensions, the diameters at touched points, how the control counts.
-#[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "json", derive(serde::Serialize))]
-pub struct DrawingView {
-    /// Dimensions; their lines are of the kind [`LineKind::Dimension`].
-    pub dimensions: Vec<Dimension>,
-    /// Touched points.
-    pub touched: Vec<TouchedDiameter>,
-    /// How the control counts.
-    pub reading: turned::Reading,
-}
-
-/// What the arrays of a [`Scene`] hold.
-#[derive(Clone, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "json", derive(serde::Serialize), serde(rename_all = "camelCase"))]
+/// What the arrays of a scene hold.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "SceneView", optional_fields))]
 pub struct View {
     /// Parts of the triangles: what hides, then what is seen through.
     pub pieces: Vec<Piece>,
@@ -219,11 +202,11 @@ pub struct View {
     pub axis: f64,
     /// Coordinate systems.
     pub frames: Vec<Frame>,
-    /// What must not touch and did.
-    pub collisions: Vec<Collision>,
-    /// Of a part of a turning machine.
-    #[cfg_attr(feature = "json", serde(skip_serializing_if = "Option::is_none"))]
-    pub drawing: Option<DrawingView>,
+    /// What is written beside all that.
+    pub labels: Vec<Label>,
+    /// Of a turning machine: how the control counts. Dimensions of its part are lines of that kind, and labels.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reading: Option<Reading>,
     /// Whether it is a turning machine.
     pub turning: bool,
     /// How many entries the trace has.
@@ -270,6 +253,9 @@ pub struct Source {
     pub zones: Vec<Solid>,
     /// The part with the largest errors that a call survives, on both sides.
     pub limits: Vec<Solid>,
+    /// Parameters that the touched edges explain, in the order in which they are touched, the last one for the rest;
+    /// empty where no form asked.
+    pub edges: &'static [Name],
 }
 
 /// Lengths of the normal at a touch, in radii of the ball at least, in sizes of the scene, and in sizes of a solid at
@@ -284,7 +270,7 @@ const SAME: f64 = 1.0;
 impl Scene {
     /// What is to be seen of a run.
     pub fn of(source: &Source) -> Scene {
-        let Source { setup, outcome, zones, limits } = source;
+        let Source { setup, outcome, zones, limits, edges } = source;
         let entries = &outcome.trace.entries;
         let clamped = |solid: &Solid| setup.control.on_table(solid);
         let part: Vec<Solid> = setup.workpiece.solids.iter().map(clamped).collect();
@@ -304,9 +290,11 @@ impl Scene {
         scene.add_tools(setup, outcome);
         scene.add_zones(zones, part.len() + probes.len());
         scene.add_frames();
+        scene.view.labels = labels::frames(&scene.view.frames);
         if turning {
-            scene.add_drawing(&turned::drawing(setup, outcome));
+            scene.add_drawing(&turned::drawing(setup, outcome), edges);
         }
+        scene.view.labels.extend(labels::collisions(entries));
         scene
     }
 
@@ -339,7 +327,6 @@ impl Scene {
                 TouchSort::Crash => 2,
             });
         }
-        self.view.collisions = paths::collisions(entries);
     }
 
     /// Parts and tool probes, and how they stand from when on; gives the size of the smallest solid of the part, mm.
@@ -441,27 +428,31 @@ impl Scene {
         }
     }
 
-    fn add_drawing(&mut self, drawing: &Drawing) {
-        let mut dimensions = Vec::new();
-        for (dimension, lines) in turned::dimensions(&drawing.diameters, self.view.size) {
-            dimensions.push(dimension);
-            self.add_lines(&lines, LineKind::Dimension, None, None);
-        }
+    fn add_drawing(&mut self, drawing: &Drawing, edges: &[Name]) {
+        let touches = self.touches.chunks_exact(6).map(|touch| [touch[0], touch[1], touch[2]]);
+        let touches: Vec<[f64; 3]> = touches.collect();
         let point = |entry: usize| {
             let place = self.touch_entries.binary_search(&(entry as u32)).ok()?;
-            let point = self.touches.get(6 * place..6 * place + 3)?;
-            <[f64; 3]>::try_from(point).ok()
+            touches.get(place).copied()
         };
         let near = |a: [f64; 3], b: [f64; 3]| (V3::from(a) - V3::from(b)).norm() < SAME;
         let touched = drawing.touched.iter().enumerate().filter_map(|(i, touched)| {
             let at = point(touched.entry)?;
             let mut later = drawing.touched[i + 1..].iter();
             let again = later.find(|later| point(later.entry).is_some_and(|point| near(at, point)));
-            let to = again.map(|again| again.entry);
-            Some(TouchedDiameter { at, diameter: touched.diameter, from: touched.entry, to })
+            Some(labels::touched(at, touched.diameter, [Some(touched.entry), again.map(|again| again.entry)]))
         });
-        let touched = touched.collect();
-        self.view.drawing = Some(DrawingView { dimensions, touched, reading: drawing.reading });
+        self.view.labels.extend(touched);
+        let dimensions = turned::dimensions(&drawing.diameters, self.view.size);
+        for (i, (Diameter { ends, out, set, real }, places, lines)) in dimensions.into_iter().enumerate() {
+            let middle = (V3::from(ends[0]) + V3::from(ends[1])) / 2.0;
+            let field = labels::explained(edges, &touches, middle, V3::from(out), real);
+            let upper = i % 2 == 0;
+            let at = places[usize::from(upper)].into();
+            self.view.labels.extend(labels::dimension(at, upper, [set, real], field));
+            self.add_lines(&lines, LineKind::Dimension, None, None);
+        }
+        self.view.reading = Some(drawing.reading);
     }
 
     fn add_mesh(&mut self, mesh: &Mesh, matter: Matter, place: Option<usize>, tool: Option<usize>) {

@@ -1,4 +1,4 @@
-//! Motions as straight pieces, touches, where the probe stands, and what must not touch and did.
+//! Motions as straight pieces, touches, and where the probe stands.
 
 use super::tool::Tool;
 use crate::geometry::V3;
@@ -106,53 +106,4 @@ pub fn stands(entries: &[Entry], tools: &[Tool]) -> Vec<[f64; 3]> {
         (at + with - length(entry)).into()
     };
     entries.iter().map(stand).collect()
-}
-
-/// What must not touch and did.
-#[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "json", derive(serde::Serialize), serde(rename_all = "camelCase"))]
-pub struct Collision {
-    /// Its place in the trace.
-    pub entry: usize,
-    /// Point, machine coordinates, mm.
-    pub at: [f64; 3],
-    /// `ball`, `stylus` or `body`.
-    pub by: &'static str,
-    /// Nobody watched, or no signal came.
-    pub crash: bool,
-    /// Code of the alarm that followed, where the probe was watched.
-    #[cfg_attr(feature = "json", serde(skip_serializing_if = "Option::is_none"))]
-    pub alarm: Option<String>,
-}
-
-/// Crashes, touches of stylus or body, and touches that end in an alarm; other touches of the ball are none.
-pub fn collisions(entries: &[Entry]) -> Vec<Collision> {
-    let found = entries.iter().enumerate().filter_map(|(entry, one)| match &one.step {
-        Step::Crash { point, by, .. } => Some(Collision { entry, at: *point, by: name(*by), crash: true, alarm: None }),
-        Step::Touch { point, by, .. } => {
-            let alarm = raised(&entries[entry + 1..]);
-            let told = *by != Touching::Ball || alarm.is_some();
-            told.then(|| Collision { entry, at: *point, by: name(*by), crash: false, alarm })
-        }
-        _ => None,
-    });
-    found.collect()
-}
-
-fn name(by: Touching) -> &'static str {
-    match by {
-        Touching::Ball => "ball",
-        Touching::Stylus => "stylus",
-        Touching::Body => "body",
-    }
-}
-
-/// Code of the alarm that comes before anything moves again.
-fn raised(later: &[Entry]) -> Option<String> {
-    let next =
-        later.iter().find(|one| matches!(one.step, Step::Alarm(_) | Step::Motion { .. } | Step::CallBegin { .. }))?;
-    match next.step {
-        Step::Alarm(code) => Some(code.to_string()),
-        _ => None,
-    }
 }

@@ -2,13 +2,15 @@
 #![allow(clippy::unwrap_used)]
 
 use super::frames::{Frame, UNITS};
+use super::labels::{Kind, Label};
 use super::mesh::Mesh;
 use super::solid::{CHORD, figure, turns};
 use super::tool::Tool;
 use super::turned::{Diameter, Drawing, Reading, Touched, dimensions};
-use super::{LineKind, Matter, Scene, Source, fit, paths, tool};
+use super::{LineKind, Matter, Scene, Source, fit, labels, paths, tool};
 use crate::control::Plane;
 use crate::dialect::Dialect;
+use crate::entry::names::{SETVAL, TSA};
 use crate::geometry::V3;
 use crate::geometry::arc::Around;
 use crate::geometry::extent::Extent;
@@ -48,7 +50,16 @@ fn happened(solids: Vec<Solid>, steps: Vec<Step>) -> Source {
     setup.workpiece.solids = solids;
     let mut outcome = Outcome::new(&setup);
     outcome.trace.entries = steps.into_iter().map(entry).collect();
-    Source { setup, outcome, zones: Vec::new(), limits: Vec::new() }
+    Source { setup, outcome, zones: Vec::new(), limits: Vec::new(), edges: &[] }
+}
+
+/// What a label says: keys, each with its arguments.
+fn said(label: &Label) -> String {
+    let text = |message: &Message| {
+        let args = message.args.iter().filter_map(|(name, _)| message.word(name));
+        std::iter::once(message.key.as_ref()).chain(args).collect::<Vec<_>>().join(" ")
+    };
+    label.text.iter().map(text).collect::<Vec<_>>().join(", ")
 }
 
 /// Sum of the areas as vectors, and volume.
@@ -296,18 +307,30 @@ fn a_drawing_has_its_diameters_before_the_front_and_those_at_touched_points() {
     let ends = [[-20.05, 0.0, 10.0], [20.05, 0.0, 10.0]];
     let diameter = Diameter { ends, out: [0.0, 0.0, 1.0], set: 40.0, real: 40.1 };
     let found = dimensions(&[diameter], 100.0);
-    let [(words, lines)] = &found[..] else { unreachable!() };
+    let [(_, [_, upper], lines)] = &found[..] else { unreachable!() };
     near(lines[2][0].into(), [-20.05, 0.0, 24.0]);
     near(lines[2][1].into(), [20.05, 0.0, 24.0]);
-    near(words.at, [20.05, 0.0, 24.0]);
+    near((*upper).into(), [20.05, 0.0, 24.0]);
     let point = [20.0, 0.0, 0.0];
     let mut scene = Scene::of(&happened(Vec::new(), vec![touch(point, Touching::Ball), touch(point, Touching::Ball)]));
     let reading = Reading { at: [0.0; 3], axes: UNITS, diameter: true };
     let touched = [(0, 40.0), (1, 40.1)].map(|(entry, diameter)| Touched { entry, diameter }).to_vec();
-    scene.add_drawing(&Drawing { diameters: vec![diameter], touched, reading });
-    let drawn = scene.view.drawing.unwrap();
-    let told: Vec<_> = drawn.touched.iter().map(|one| (one.at, one.diameter, one.from, one.to)).collect();
-    assert_eq!(told, [(point, 40.0, 0, Some(1)), (point, 40.1, 1, None)]);
+    scene.add_drawing(&Drawing { diameters: vec![diameter], touched, reading }, &[SETVAL]);
+    let of = |kind| scene.view.labels.iter().filter(move |label| label.kind == kind);
+    let told: Vec<_> = of(Kind::Touched).map(|one| (one.at, said(one), one.from, one.to)).collect();
+    assert_eq!(
+        told,
+        [
+            (point, "diameter-real 40.000".to_owned(), Some(0), Some(1)),
+            (point, "diameter-real 40.100".to_owned(), Some(1), None)
+        ]
+    );
+    for (kind, words) in [(Kind::Diameter, "diameter-real 40.100"), (Kind::Nominal, "diameter-off +0.100 40.000")] {
+        let [label] = of(kind).collect::<Vec<_>>()[..] else { unreachable!() };
+        near(label.at, (*upper - V3::z() * (24.0 - 10.0) + V3::z() * 0.14 * scene.view.size).into());
+        assert!(label.upper);
+        assert_eq!((said(label).as_str(), label.field), (words, Some(SETVAL)));
+    }
     assert!(scene.view.groups.iter().any(|group| group.kind == LineKind::Dimension));
 }
 
@@ -343,14 +366,45 @@ fn what_must_not_touch_and_did_is_told() {
         Step::Crash { point: [4.0, 5.0, 6.0], normal: [1.0, 0.0, 0.0], by: Touching::Body },
     ];
     let entries: Vec<Entry> = steps.into_iter().map(entry).collect();
-    let found = paths::collisions(&entries);
-    let found: Vec<_> = found.iter().map(|one| (one.entry, one.at, one.by, one.crash, one.alarm.as_deref())).collect();
+    let found = labels::collisions(&entries);
+    let found: Vec<_> = found.iter().map(|one| (one.from, one.at, said(one))).collect();
+    let told = |words: &str| words.to_owned();
     assert_eq!(
         found,
         [
-            (2, point, "stylus", false, None),
-            (5, point, "ball", false, Some("61302")),
-            (8, [4.0, 5.0, 6.0], "body", true, None),
+            (Some(2), point, told("collision-first collision-stylus")),
+            (Some(5), point, told("collision-alarm 61302 collision-ball")),
+            (Some(8), [4.0, 5.0, 6.0], told("collision-crash collision-body")),
         ]
     );
+}
+
+// oracle: hand: names of systems at one place stand together, those of others alone
+#[test]
+fn names_of_coordinate_systems_at_one_place_stand_together() {
+    let frame = |name: &str, at, moved| Frame { name: name.to_owned(), at, axes: UNITS, moved };
+    let frames = [frame("MCS", [0.0; 3], None), frame("G54", [1.0; 3], Some("before")), frame("G55", [0.0; 3], None)];
+    let labels = labels::frames(&frames);
+    let told: Vec<_> = labels.iter().map(|label| (label.at, said(label))).collect();
+    assert_eq!(
+        told,
+        [([0.0; 3], "frame-now MCS, frame-now G55".to_owned()), ([1.0; 3], "frame-before G54".to_owned())]
+    );
+}
+
+// oracle: hand
+#[test]
+fn a_diameter_that_is_right_says_so() {
+    let words = |real: f64| labels::dimension([0.0; 3], false, [40.0, real], None).map(|label| said(&label));
+    assert_eq!(words(40.000_4), ["diameter-real 40.000", "diameter-exact 40.000"]);
+    assert_eq!(words(39.98), ["diameter-real 39.980", "diameter-off −0.020 40.000"]);
+}
+
+// oracle: hand: the second touch is on the larger diameter, and the last parameter counts for the rest
+#[test]
+fn a_dimension_carries_the_parameter_of_its_touch() {
+    let touches = [[10.0, 0.0, -5.0], [20.0, 0.0, -9.0], [25.0, 0.0, -9.0]];
+    let of = |diameter| labels::explained(&[SETVAL, TSA], &touches, V3::zeros(), V3::z(), diameter);
+    assert_eq!([20.1, 40.0, 50.0, 60.0].map(of), [Some(SETVAL), Some(TSA), Some(TSA), None]);
+    assert_eq!(labels::explained(&[], &touches, V3::zeros(), V3::z(), 20.0), None);
 }

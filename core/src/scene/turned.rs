@@ -11,6 +11,7 @@ use crate::run::outcome::Outcome;
 use crate::workpiece::feeler::Touching;
 use crate::workpiece::form::{Column, Form};
 use crate::workpiece::{PartErrors, Shape, Solid};
+use serde::Serialize;
 
 /// Axis of the machine in which diameters count.
 const TRANSVERSE: usize = 0;
@@ -21,7 +22,6 @@ const ALONG: f64 = 0.7;
 
 /// What a drawing of the part of a turning machine shows.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "json", derive(serde::Serialize), serde(rename_all = "camelCase"))]
 pub struct Drawing {
     /// Diameters of the part.
     pub diameters: Vec<Diameter>,
@@ -33,7 +33,6 @@ pub struct Drawing {
 
 /// A diameter, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "json", derive(serde::Serialize), serde(rename_all = "camelCase"))]
 pub struct Diameter {
     /// Both ends as it is, machine coordinates.
     pub ends: [[f64; 3]; 2],
@@ -47,7 +46,6 @@ pub struct Diameter {
 
 /// A diameter as the control reads it, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "json", derive(serde::Serialize), serde(rename_all = "camelCase"))]
 pub struct Touched {
     /// Place of the touch in the trace.
     pub entry: usize,
@@ -56,8 +54,9 @@ pub struct Touched {
 }
 
 /// Where positions count from, machine coordinates.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "json", derive(serde::Serialize), serde(rename_all = "camelCase"))]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Reading {
     /// Zero, mm.
     pub at: [f64; 3],
@@ -145,29 +144,16 @@ const OVER: f64 = 0.02;
 /// Half of the width of an arrow, share of its length.
 const ARROW: f64 = 0.3;
 
-/// A diameter with its dimension line before the front of the part.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "json", derive(serde::Serialize), serde(rename_all = "camelCase"))]
-pub struct Dimension {
-    /// Where its words stand, machine coordinates.
-    pub at: [f64; 3],
-    /// Whether that is the upper end: neighbours have their words at different ends.
-    pub upper: bool,
-    /// As it should be, mm.
-    pub set: f64,
-    /// As it is, mm.
-    pub real: f64,
-}
-
-/// Small diameters next to the part, each with its lines: from both ends of it to its dimension line, then this with
-/// its arrows.
-pub fn dimensions(diameters: &[Diameter], size: f64) -> Vec<(Dimension, [[V3; 2]; 7])> {
+/// Dimension lines before the front of the part, those of small diameters next to it: the diameter, both ends of its
+/// dimension line, and its lines: from both ends of the diameter there, then the dimension line with its arrows.
+pub fn dimensions(diameters: &[Diameter], size: f64) -> Vec<(Diameter, [V3; 2], [[V3; 2]; 7])> {
     let level = |diameter: &Diameter| diameter.ends.map(|end| V3::from(end).dot(&V3::from(diameter.out)));
     let front = diameters.iter().flat_map(level).fold(f64::NEG_INFINITY, f64::max);
     let mut sorted = diameters.to_vec();
     sorted.sort_by(|a, b| a.real.total_cmp(&b.real));
     let mut found = Vec::new();
-    for (i, Diameter { ends, out, set, real }) in sorted.into_iter().enumerate() {
+    for (i, diameter) in sorted.into_iter().enumerate() {
+        let Diameter { ends, out, .. } = diameter;
         let place = front + (FIRST + i as f64 * NEXT) * size;
         let (ends, out, over) = (ends.map(V3::from), V3::from(out), OVER * size);
         let [low, high] = ends.map(|end| end + out * (place - end.dot(&out)));
@@ -182,8 +168,7 @@ pub fn dimensions(diameters: &[Diameter], size: f64) -> Vec<(Dimension, [[V3; 2]
             arrow(low, along, ARROW),
             arrow(low, along, -ARROW),
         ];
-        let upper = i % 2 == 0;
-        found.push((Dimension { at: (if upper { high } else { low }).into(), upper, set, real }, lines));
+        found.push((diameter, [low, high], lines));
     }
     found
 }

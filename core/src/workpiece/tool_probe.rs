@@ -15,8 +15,8 @@ const GIVES_WAY: f64 = 5.0;
 /// A tool probe as it is, not as the control believes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ToolProbe {
-    /// Its cap: a [`super::Shape::Block`] (cube), or a [`super::Shape::Turned`] without bore (disc). Where it really stands is a
-    /// matter of its errors; of these shift, size, tilt and taper count.
+    /// Its cap: a [`super::Shape::Block`] (cube), or a [`super::Shape::Turned`] without bore (disc). Where it really
+    /// stands is a matter of its errors; of these shift, size, tilt and taper count.
     pub solid: Solid,
     /// Travel after contact until the signal, mm.
     pub pre_travel: f64,

@@ -1,109 +1,26 @@
 // What the core says is to be seen: flat arrays, and what they hold (core/src/scene). Copied out of the module's
 // memory, which the next call into it may move; so they can also cross from a worker.
-import type { Vec3 } from "../wire";
+import type { Scene as SceneSource } from "@pkg/program/program.js";
+import type { SceneView, Vec3 } from "../wire";
 
-/** Pieces of the triangles: what they are. */
-export type Matter = "part" | "cut" | "chuck" | "ball" | "stylus" | "body" | "carrier" | "zone";
-export type LineKind =
-  | "grid"
-  | "edge"
-  | "zone"
-  | "limit"
-  | "axisX"
-  | "axisY"
-  | "axisZ"
-  | "beforeX"
-  | "beforeY"
-  | "beforeZ"
-  | "dimension";
-type Span = [from: number, to: number]; // `to` excluded
-
-/**
- * `place`: where it stands, by index in a standing's places; absent: from the position of the machine on. `tool`: with
- * which tool it is there; absent: always.
- */
-export interface Piece {
-  matter: Matter;
-  corners: Span;
-  vertices: Span;
-  place?: number;
-  tool?: number;
-}
-/** `place` absent: machine coordinates; `standing`: in which it is there, absent: in all. */
-export interface LineGroup {
-  kind: LineKind;
-  lines: Span;
-  place?: number;
-  standing?: number;
-}
-export interface Place {
-  at: Vec3;
-  axes: [Vec3, Vec3, Vec3];
-}
-/** How everything stands once `entry` is done; `whole`: what is to be seen whole without the tool. */
-export interface Standing {
-  entry: number;
-  places: Place[];
-  whole: [Vec3, Vec3];
-}
-/**
- * `ball`: direction from it to what holds it, absent: no probe; `tip`, `extent`: from the position of the machine on.
- */
-export interface Tool {
-  ball?: Vec3;
-  tip: Vec3;
-  extent?: [Vec3, Vec3];
-  carried: boolean;
-}
-/** A coordinate system, by the name of its zero offset; `moved`: by a correction. */
-export interface Frame {
-  name: string;
-  at: Vec3;
-  axes: [Vec3, Vec3, Vec3];
-  moved?: "before" | "after";
-}
-/**
- * `alarm`: its code, where the probe was watched; `crash`: nobody watched, or no signal came. Else a measurement went
- * on.
- */
-export interface Collision {
-  entry: number;
-  at: Vec3;
-  by: "ball" | "stylus" | "body";
-  crash: boolean;
-  alarm?: string;
-}
-/** Where positions count from, and whether X is a diameter. */
-export interface Reading {
-  at: Vec3;
-  axes: [Vec3, Vec3, Vec3];
-  diameter: boolean;
-}
-export interface Drawing {
-  dimensions: { at: Vec3; upper: boolean; set: number; real: number }[];
-  touched: { at: Vec3; diameter: number; from: number; to?: number }[];
-  reading: Reading;
-}
-export interface SceneView {
-  pieces: Piece[]; // what hides, then what is seen through
-  groups: LineGroup[];
-  standings: Standing[];
-  tools: Tool[];
-  inUse: [from: number, tool: number][];
-  probe: { ball: number; length: number; stylus: number; reach: number };
-  size: number; // diagonal of what is to be seen, mm
-  normal: number; // length of a normal, mm
-  axis: number; // length of the axes of a coordinate system, mm
-  frames: Frame[];
-  collisions: Collision[];
-  drawing?: Drawing;
-  turning: boolean;
-  entries: number;
-}
+export type {
+  LineGroup,
+  LineKind,
+  Matter,
+  Place,
+  Reading,
+  SceneLabel,
+  ScenePiece as Piece,
+  SceneTool as Tool,
+  SceneView,
+  Standing,
+} from "../wire";
 
 /**
  * vertices: 6 numbers each, place in the frame of the piece and normal; lines: 6; ways: 8, with the parts of the motion
  * between which they are travelled; touches: 6, point and normal; stands: 3 an entry, where it leaves the probe.
+ * Written by hand, as these are no JSON: the module hands each out by a method of its own (web/src/scene.rs), of which
+ * its declaration tells the type.
  */
 export interface SceneData {
   view: SceneView;
@@ -117,22 +34,6 @@ export interface SceneData {
   touchEntries: Uint32Array;
   touchSorts: Uint8Array;
   stands: Float64Array;
-}
-
-/** A scene in the module: `Scene` of @pkg/program. */
-export interface SceneSource {
-  view(): string;
-  vertices(): Float32Array;
-  corners(): Uint32Array;
-  lines(): Float64Array;
-  ways(): Float64Array;
-  way_entries(): Uint32Array;
-  way_kinds(): Uint8Array;
-  touches(): Float64Array;
-  touch_entries(): Uint32Array;
-  touch_sorts(): Uint8Array;
-  stands(): Float64Array;
-  free(): void;
 }
 
 /** Takes it out of the module. */
@@ -180,7 +81,7 @@ export const NOTHING: SceneData = {
     normal: 5,
     axis: 10,
     frames: [],
-    collisions: [],
+    labels: [],
     turning: false,
     entries: 0,
   },

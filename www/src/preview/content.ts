@@ -1,11 +1,11 @@
 // What is shown: a scene up to a step, in colours. A value; what is drawn is made of it.
 import { NOTHING, type SceneData } from "../core/scene";
 import type { Colours } from "./colours";
-import type { Words } from "./labels";
+import type { Say } from "./labels";
 import { blockOf, standingAt, toolIndexAt } from "./motion";
 import { buildScene, type Scene } from "./scene";
 
-export type { Words } from "./labels";
+export type { Say } from "./labels";
 
 export interface Content {
   data: SceneData;
@@ -35,6 +35,6 @@ export function sameScene(data: SceneData, a: Step, b: Step): boolean {
   );
 }
 
-export function sceneOf({ data, colours, step, drawing }: Content, words: Words): Scene {
-  return buildScene(data, colours, { index: step.index, drawing, words });
+export function sceneOf({ data, colours, step, drawing }: Content, say: Say | undefined): Scene {
+  return buildScene(data, colours, { index: step.index, drawing, ...(say && { say }) });
 }

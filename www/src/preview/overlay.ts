@@ -61,12 +61,10 @@ const ringRadius = ({ tool, data: { view } }: Scene, scale: number): number =>
 /** Where the control says that it stands, X as it counts there: above it, clear of what is touched below. */
 function reading(scene: Scene, { camera, view, probe }: Frame): Drawn[] {
   const { data, colours, drawing: shown } = scene;
-  const { drawing } = data.view;
-  if (!shown || !drawing || !probe) return [];
+  const { reading: counts } = data.view;
+  if (!shown || !counts || !probe) return [];
   const { x, y } = projector(camera, view)(probe);
-  return [
-    text(x, y - ringRadius(scene, camera.scale) - READING, readingText(drawing.reading, probe), colours.text, colours),
-  ];
+  return [text(x, y - ringRadius(scene, camera.scale) - READING, readingText(counts, probe), colours.text, colours)];
 }
 
 /** One below the other where several coordinate systems have their origins at one place. */
@@ -74,13 +72,15 @@ function names(scene: Scene, frame: Frame): Drawn[] {
   const project = projector(frame.camera, frame.view);
   const taken: { x: number; y: number }[] = [];
   const there = scene.labels.filter(({ during }) => !during || (frame.time > during[0] && frame.time <= during[1]));
-  return there.map(({ at, text: words, colour, below, aside, beside, raised = 0 }) => {
+  return there.map(({ at, text: words, colour, below, aside, beside, raised = 0, field }) => {
     const place = project(at);
     const spot = { x: place.x + (beside ? BESIDE : aside ? -BESIDE : 0), y: place.y + (below ? BELOW : -raised) };
     while (below && taken.some(({ x, y }) => Math.abs(x - spot.x) < NEAR && Math.abs(y - spot.y) < LINE))
       spot.y += LINE;
     if (below) taken.push(spot);
-    return text(spot.x, spot.y, words, colour, scene.colours, beside ? "start" : aside ? "end" : "middle");
+    const anchor = beside ? "start" : aside ? "end" : "middle";
+    const { attributes, ...drawn } = text(spot.x, spot.y, words, colour, scene.colours, anchor);
+    return { ...drawn, attributes: { ...attributes, ...(field && { "data-field": field }) } };
   });
 }
 

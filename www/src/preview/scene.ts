@@ -13,7 +13,7 @@ import {
 import type { Vec3 } from "../wire";
 import type { Colours } from "./colours";
 import { colourOf, isClear, lineStyle, rankOf, touchStyles, wayStyles } from "./ink";
-import { type Label, labelsOf, type Words } from "./labels";
+import { type Label, labelsOf, type Say } from "./labels";
 import { type Line, type Mesh, type Style, VERTEX_FLOATS } from "./mesh";
 import { drawnAround, probeAt, standingAt, toolIndexAt } from "./motion";
 import { add, type Box, boxCorners, centre, include, length, sub, times } from "./vec";
@@ -36,13 +36,13 @@ export interface Scene {
 export interface Shown {
   index?: number;
   drawing?: boolean;
-  words?: Words;
+  say?: Say;
 }
 
 export function buildScene(
   data: SceneData,
   colours: Colours,
-  { index = 0, drawing = false, words = {} }: Shown = {},
+  { index = 0, drawing = false, say = ({ key }) => key }: Shown = {},
 ): Scene {
   const { view } = data;
   const { standing, place } = standingAt(data, index);
@@ -62,7 +62,7 @@ export function buildScene(
     mesh: assemble(data, [...solid, ...clear], standing, colours),
     solidCorners: solid.reduce((sum, { corners: [from, to] }) => sum + to - from, 0),
     lines,
-    labels: labelsOf(view, colours, words, drawing),
+    labels: labelsOf(view, colours, say, drawing),
     tool,
     drawing,
     box,

@@ -1,7 +1,7 @@
 // What is shown, from where, by which way of drawing and when: the four of them together.
 import type { BackendName, Cloud, Frame } from "./backend";
 import { type Colours, LIGHT } from "./colours";
-import { type Content, EMPTY, lastStep, sceneOf, type Words } from "./content";
+import { type Content, EMPTY, lastStep, type Say, sceneOf } from "./content";
 import { probeAt, toolAt } from "./motion";
 import { drawOverlay, overlay } from "./overlay";
 import { createPainter, type Painter } from "./painter";
@@ -10,7 +10,8 @@ import { createSight, type Sight } from "./sight";
 import { sizeOf } from "./stage";
 import { openWays, type Refusal, type Ways } from "./ways";
 
-export interface ShowOptions extends Words {
+export interface ShowOptions {
+  say?: Say; // what is written beside what is drawn
   colours?: Colours;
   onBackend?(name: BackendName, refused: readonly Refusal[]): void; // at the start, and again after a loss
   onThinned?(drawn: number): void; // so many points of the cloud are drawn
@@ -48,7 +49,7 @@ export async function createShow(stage: HTMLElement, options: ShowOptions): Prom
   });
 
   function build(): void {
-    scene = sceneOf(content, options);
+    scene = sceneOf(content, options.say);
     ways.backend.setScene(scene, devicePixelRatio);
   }
   /** Gives everything to a way of drawing that has nothing yet. */

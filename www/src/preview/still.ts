@@ -4,7 +4,7 @@ import type { SceneData } from "../core/scene";
 import type { Cloud, Frame } from "./backend";
 import { type Camera, fit, initial, turn, type Viewport } from "./camera";
 import { type Colours, LIGHT } from "./colours";
-import type { Words } from "./labels";
+import type { Say } from "./labels";
 import { probeAt, toolAt } from "./motion";
 import { drawOverlay, overlay } from "./overlay";
 import { buildScene } from "./scene";
@@ -17,16 +17,16 @@ export interface Still {
   cloud: Cloud | null;
   drawing: boolean;
   camera: Camera | null;
-  words: Words;
+  say: Say;
 }
 
 /** Draws into `host`; the colours are those that were taken. */
 export function drawStill(
   host: HTMLElement,
-  { data, step, cloud, drawing, camera, words }: Still,
+  { data, step, cloud, drawing, camera, say }: Still,
   view: Viewport,
 ): Colours {
-  const scene = buildScene(data, LIGHT, { index: step, drawing, words });
+  const scene = buildScene(data, LIGHT, { index: step, drawing, say });
   const seen = camera ?? turn({ ...initial(), turning: data.view.turning }, "iso", toolAt(data, step)?.ball);
   const frame: Frame = {
     camera: fit(seen, view, scene.box),

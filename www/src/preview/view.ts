@@ -10,7 +10,7 @@ import { createShow, type Show, type ShowOptions } from "./show";
 import { makeStage, watchSize } from "./stage";
 import type { Refusal } from "./ways";
 
-export type { Collision, Frame, SceneData } from "../core/scene";
+export type { SceneData } from "../core/scene";
 export type { BackendName } from "./backend";
 export type { ViewName } from "./camera";
 export { type Colours, coloursFrom, DARK, LIGHT } from "./colours";

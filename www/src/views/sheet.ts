@@ -6,11 +6,11 @@ import type { Derived } from "../desk/derive";
 import { el } from "../dom";
 import { fileOf } from "../state/files";
 import type { State } from "../state/state";
-import { language, t } from "../texts";
+import { language, say, t } from "../texts";
 import { facts } from "./header";
 import { createLegend } from "./legend";
 import { cloudOf, thinned } from "./scene";
-import { type Stage, WORDS } from "./stage";
+import type { Stage } from "./stage";
 
 const MOST_LINES = 2000; // some thirty sheets
 const SIZE = { width: 680, height: 340 }; // of the view, CSS pixels: as wide as a sheet between its margins
@@ -51,7 +51,7 @@ function view(stage: Stage, state: State, derived: Derived, { drawStill }: Draw)
       cloud: scan && cloudOf(scan),
       drawing: state.view.diameters,
       camera: stage.preview?.camera ?? null,
-      words: WORDS,
+      say,
     },
     SIZE,
   );

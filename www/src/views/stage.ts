@@ -1,10 +1,10 @@
 // The 3D view outlives the panel around it: when the language changes, it moves into the new panel with its camera.
 
 import { el } from "../dom";
-import type { Collision, Frame, Preview } from "../preview/view";
+import type { Preview } from "../preview/view";
 import type { State } from "../state/state";
 import type { Store } from "../state/store";
-import { t } from "../texts";
+import { say, t } from "../texts";
 
 type Colours = Parameters<Preview["setColours"]>[0];
 export interface Stage {
@@ -19,26 +19,11 @@ export interface Stage {
   colours(night: boolean): Colours | null;
 }
 
-/** What stands beside what is drawn. */
-export const WORDS = { collision, frame };
-
 const dark = matchMedia("(prefers-color-scheme: dark)");
 
 /** The stage takes its colours from the tokens that count now. */
 export function isDark(state: State): boolean {
   return state.page.theme === "dark" || (state.page.theme === "system" && dark.matches);
-}
-
-/** What must not touch and did, in a few words. */
-function collision({ by, crash, alarm }: Collision): string {
-  const what = t(`collision-${by}`);
-  if (crash) return t("collision-crash", { what });
-  return alarm ? t("collision-alarm", { code: alarm, what }) : t("collision-first", { what });
-}
-
-/** A coordinate system by its name, and whether it stands before or after a correction. */
-function frame({ name, moved }: Frame): string {
-  return moved ? t(`frame-${moved}`, { name }) : name;
 }
 
 export function createStage(store: Store): Stage {
@@ -67,7 +52,7 @@ export function createStage(store: Store): Stage {
       preview = await createPreview(box, {
         label: t("view-canvas"),
         colours: of(isDark(store.state)),
-        ...WORDS,
+        say,
         onThinned,
       });
       preview.onPick(entry => store.update({ view: { step: entry, playing: false } }));

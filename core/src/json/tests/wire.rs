@@ -123,6 +123,7 @@ fn the_types_of_the_page_are_those_of_the_core() {
     types.visit::<ScanView>();
     types.visit::<Form>();
     types.visit::<Recognised>();
+    types.visit::<crate::scene::View>();
     let texts: String = types.texts.into_values().collect();
     let text = format!("{HEAD}{texts}{DRAWN}");
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../www/src/wire.ts");

@@ -1,0 +1,13 @@
+# What is written beside what is drawn.
+frame-now = { $name }
+frame-before = { $name } before
+frame-after = { $name } after
+collision-ball = ball
+collision-stylus = stylus
+collision-body = body
+collision-crash = Crash: { $what }
+collision-alarm = { $code }: { $what }
+collision-first = Touches first: { $what }
+diameter-real = Ø{ $diameter }
+diameter-exact = = Ø{ $diameter }
+diameter-off = Ø{ $diameter } { $off }

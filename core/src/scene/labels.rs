@@ -1,0 +1,142 @@
+//! What is written beside what is drawn: keys of messages with their arguments, where they stand, and when.
+
+use super::frames::Frame;
+use crate::geometry::V3;
+use crate::machine::trace::{Entry, Step};
+use crate::message::Message;
+use crate::name::Name;
+use crate::workpiece::feeler::Touching;
+use serde::Serialize;
+
+/// Diameters that differ by less than this, mm, are the same on a drawing.
+const EXACT: f64 = 5e-4;
+
+/// What a label tells.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "camelCase")]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "LabelKind"))]
+pub enum Kind {
+    /// Names of the coordinate systems at a place.
+    Frame,
+    /// A diameter of a turned part as it is, at an end of its dimension line.
+    Diameter,
+    /// The same as it should be, and how far it is off, below that.
+    Nominal,
+    /// The diameter at a touched point as the control reads it.
+    Touched,
+    /// What must not touch and did.
+    Collision,
+}
+
+/// Words at a place.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "SceneLabel", optional_fields))]
+pub struct Label {
+    /// What it tells.
+    pub kind: Kind,
+    /// Where, machine coordinates, mm.
+    pub at: [f64; 3],
+    /// What is said, one after the other.
+    pub text: Vec<Message>,
+    /// Whether it stands at the upper end of a dimension line: neighbours have their words at different ends.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    #[cfg_attr(test, ts(optional, as = "Option<bool>"))]
+    pub upper: bool,
+    /// Parameter that the dimension explains, where a form asked.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub field: Option<Name>,
+    /// Entry of the trace with which it comes; none: it is always there.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub from: Option<usize>,
+    /// Entry with which it goes again.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub to: Option<usize>,
+}
+
+impl Label {
+    fn new(kind: Kind, at: [f64; 3], text: Message) -> Label {
+        Label { kind, at, text: vec![text], upper: false, field: None, from: None, to: None }
+    }
+}
+
+/// Coordinate systems by the names of their zero offsets, those at one place together.
+pub fn frames(frames: &[Frame]) -> Vec<Label> {
+    let mut labels: Vec<(&Frame, Label)> = Vec::new();
+    for frame in frames {
+        let key = frame.moved.map_or("frame-now".to_owned(), |moved| format!("frame-{moved}"));
+        let text = Message::new(key).text("name", frame.name.clone());
+        match labels.iter_mut().find(|(known, _)| (known.at, known.axes) == (frame.at, frame.axes)) {
+            Some((_, label)) => label.text.push(text),
+            None => labels.push((frame, Label::new(Kind::Frame, frame.at, text))),
+        }
+    }
+    labels.into_iter().map(|(_, label)| label).collect()
+}
+
+/// A diameter as a drawing has it: to a thousandth of a millimetre.
+fn figure(diameter: f64) -> String {
+    format!("{diameter:.3}")
+}
+
+/// A diameter at an end of its dimension line: as it is, and below as it should be; mm. `field`: what explains it.
+pub fn dimension(at: [f64; 3], upper: bool, [set, real]: [f64; 2], field: Option<Name>) -> [Label; 2] {
+    let label = |kind, text: Message| Label { upper, field, ..Label::new(kind, at, text) };
+    let off = real - set;
+    let sign = if off < 0.0 { '−' } else { '+' };
+    let nominal = match off.abs() < EXACT {
+        true => Message::new("diameter-exact"),
+        false => Message::new("diameter-off").text("off", format!("{sign}{}", figure(off.abs()))),
+    };
+    [
+        label(Kind::Diameter, Message::new("diameter-real").text("diameter", figure(real))),
+        label(Kind::Nominal, nominal.text("diameter", figure(set))),
+    ]
+}
+
+/// The diameter at a touched point, from the touch on until that point is touched again.
+pub fn touched(at: [f64; 3], diameter: f64, [from, to]: [Option<usize>; 2]) -> Label {
+    let text = Message::new("diameter-real").text("diameter", figure(diameter));
+    Label { from, to, ..Label::new(Kind::Touched, at, text) }
+}
+
+/// Crashes, touches of stylus or body, and touches that end in an alarm, which is told then; other touches of the ball
+/// are none.
+pub fn collisions(entries: &[Entry]) -> Vec<Label> {
+    let found = entries.iter().enumerate().filter_map(|(entry, one)| {
+        let (point, by, text) = match &one.step {
+            Step::Crash { point, by, .. } => (point, by, Message::new("collision-crash")),
+            Step::Touch { point, by, .. } => match raised(&entries[entry + 1..]) {
+                Some(alarm) => (point, by, Message::new("collision-alarm").text("code", alarm)),
+                None if *by == Touching::Ball => return None,
+                None => (point, by, Message::new("collision-first")),
+            },
+            _ => return None,
+        };
+        let what = match by {
+            Touching::Ball => "collision-ball",
+            Touching::Stylus => "collision-stylus",
+            Touching::Body => "collision-body",
+        };
+        Some(Label { from: Some(entry), ..Label::new(Kind::Collision, *point, text.text("what", what)) })
+    });
+    found.collect()
+}
+
+/// Code of the alarm that comes before anything moves again.
+fn raised(later: &[Entry]) -> Option<String> {
+    let next =
+        later.iter().find(|one| matches!(one.step, Step::Alarm(_) | Step::Motion { .. } | Step::CallBegin { .. }))?;
+    match next.step {
+        Step::Alarm(code) => Some(code.to_string()),
+        _ => None,
+    }
+}
+
+/// Which parameter explains a diameter: that of the first touched place on it. `edges`: parameters in the order of the
+/// touches, the last for the rest; `touches`: points in their order.
+pub fn explained(edges: &[Name], touches: &[[f64; 3]], middle: V3, axis: V3, diameter: f64) -> Option<Name> {
+    const NEAR: f64 = 1.0; // mm, within which a point is one of a diameter
+    let across = |point: &[f64; 3]| 2.0 * (V3::from(*point) - middle).cross(&axis).norm();
+    let first = touches.iter().position(|point| (across(point) - diameter).abs() < NEAR)?;
+    edges.get(first).or(edges.last()).copied()
+}
