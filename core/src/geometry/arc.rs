@@ -22,12 +22,7 @@ impl Around {
         if part >= 1.0 {
             return to;
         }
-        let axis = Unit::new_unchecked(V3::from(self.axis));
-        let [(start, height), (end, top)] = [from, to].map(|point| self.split(point));
-        let turn = Rotation3::from_axis_angle(&axis, (self.degrees * part).to_radians());
-        let size = 1.0 + part * (end.norm() / start.norm() - 1.0);
-        let climbed = height + part * (top - height);
-        (V3::from(self.centre) + turn * start * size + axis.scale(climbed)).into()
+        self.stretch(from, to, [0.0, 1.0]).at(part).into()
     }
 
     /// Where an arc from here ends that climbs by so much, mm.

@@ -12,6 +12,12 @@ pub struct Circle {
 }
 
 impl Circle {
+    /// Its point at an angle, radian.
+    pub fn point(&self, angle: f64) -> V3 {
+        let (sine, cosine) = angle.sin_cos();
+        V3::new(self.radius * cosine, self.radius * sine, self.z)
+    }
+
     /// Nearest point of the circle.
     pub fn foot(&self, p: &V3) -> V3 {
         let out = radial(p);
@@ -33,32 +39,21 @@ impl Circle {
             0.0,
             1.0,
         ];
+        // on the distance itself: the quartic has squared it twice
+        let gap = |s: f64| {
+            let p = path.at(s);
+            let away = p - self.foot(&p);
+            (away.norm() - radius, away.dot(&way) / away.norm())
+        };
         roots::polynomial(&quartic, -closest, path.length - closest)
             .into_iter()
-            .map(|root| self.polish(path, radius, root + closest))
+            .map(|root| roots::polished(gap, root + closest))
             .find(|&s| s > 0.0 && s <= path.length && self.closing(path, s) > 0.0)
     }
 
     fn closing(&self, path: &Path, s: f64) -> f64 {
         let p = path.at(s);
         -(p - self.foot(&p)).dot(&path.direction)
-    }
-
-    /// Newton steps on the distance itself: the quartic has squared it twice.
-    fn polish(&self, path: &Path, radius: f64, start: f64) -> f64 {
-        let mut s = start;
-        for _ in 0..4 {
-            let p = path.at(s);
-            let away = p - self.foot(&p);
-            let distance = away.norm();
-            let slope = away.dot(&path.direction) / distance;
-            let step = (distance - radius) / slope;
-            if !step.is_finite() || step.abs() > 1e-3 {
-                break;
-            }
-            s -= step;
-        }
-        s
     }
 }
 

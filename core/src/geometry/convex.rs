@@ -4,7 +4,7 @@
 //! shortest distance parts them; the moving one reaches the other not before that plane is passed. So the way may be
 //! gone up to the plane, and each further distance is a fraction of the square of the one before.
 
-use super::{Path, V3};
+use super::{Met, Path, V3};
 
 /// Gap that counts as contact, mm; far below [`super::TOLERANCE`].
 const CONTACT: f64 = 1e-11;
@@ -19,17 +19,6 @@ const PARALLEL: f64 = 1e-13;
 pub trait Convex {
     /// Its point that lies farthest in a direction of any length.
     fn farthest(&self, direction: &V3) -> V3;
-}
-
-/// Where the moving body meets the other.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Meeting {
-    /// Length of the way until then, mm; 0 where they touch at the start already.
-    pub way: f64,
-    /// Point of the other body that is touched.
-    pub point: V3,
-    /// Unit normal there, from the other body to the moving one; against the way where they touch at the start.
-    pub normal: V3,
 }
 
 /// A plane that parts two bodies: how wide the gap across it is, mm, what is nearest to it on the second body, and its
@@ -68,7 +57,8 @@ pub fn normal(moving: &impl Convex, other: &impl Convex, moved: &V3) -> Option<V
 }
 
 /// First contact of a body that moves along the path, from where it stands; the path tells direction and length only.
-pub fn first(moving: &impl Convex, other: &impl Convex, path: &Path) -> Option<Meeting> {
+/// Where both touch at the start, the normal is against the way.
+pub fn first(moving: &impl Convex, other: &impl Convex, path: &Path) -> Option<Met> {
     let mut way = 0.0;
     let mut met: Option<(V3, V3)> = None;
     for _ in 0..STEPS {
@@ -92,7 +82,7 @@ pub fn first(moving: &impl Convex, other: &impl Convex, path: &Path) -> Option<M
         let touched = other.farthest(&-path.direction);
         (touched, -path.direction)
     });
-    Some(Meeting { way, point, normal })
+    Some(Met { way, point, normal })
 }
 
 /// The direction from the origin to what lies between corners. The rough one is a small difference of large numbers;
@@ -231,7 +221,7 @@ mod tests {
         }
     }
 
-    fn meeting(from: [f64; 3], to: [f64; 3], radius: f64) -> Option<Meeting> {
+    fn meeting(from: [f64; 3], to: [f64; 3], radius: f64) -> Option<Met> {
         let path = Path::new(from.into(), to.into());
         first(&Ball(path.from, radius), &Cube(10.0), &path)
     }

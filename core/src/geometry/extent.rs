@@ -39,8 +39,7 @@ impl Extent {
             Feature::Lobed(LobedWall { lobes, depth }) => upright(lobes.widest(*depth), -depth, 0.0),
             Feature::Circle(circle) => upright(circle.radius, circle.z, circle.z),
             Feature::Segment(segment) => Extent::of([segment.a, segment.b]),
-            Feature::Point(corner) => Extent::of([*corner]),
-            Feature::Sphere(radius) => upright(*radius, -radius, *radius),
+            Feature::Ball(centre, radius) => Extent::of([*centre]).wider(*radius),
         }
     }
 

@@ -20,10 +20,8 @@ pub enum Feature {
     Circle(Circle),
     /// Straight edge.
     Segment(Segment),
-    /// Corner.
-    Point(V3),
-    /// Sphere about the origin, by its radius in mm.
-    Sphere(f64),
+    /// Sphere, by its centre and its radius in mm; a corner where that is 0.
+    Ball(V3, f64),
 }
 
 impl Feature {
@@ -45,8 +43,7 @@ pub fn foot(feature: &Feature, p: &V3) -> Option<Foot> {
         Feature::Lobed(wall) => Some(wall.foot(p)),
         Feature::Circle(circle) => Some(circle.foot(p)),
         Feature::Segment(segment) => segment.foot(p),
-        Feature::Point(corner) => Some(*corner),
-        Feature::Sphere(size) => Some(p.try_normalize(0.0).unwrap_or_else(V3::z) * *size),
+        Feature::Ball(centre, size) => Some(centre + (p - centre).try_normalize(0.0).unwrap_or_else(V3::z) * *size),
     }
 }
 
@@ -58,7 +55,6 @@ pub fn first(feature: &Feature, path: &Path, radius: f64) -> Option<f64> {
         Feature::Lobed(wall) => wall.first(path, radius),
         Feature::Circle(circle) => circle.first(path, radius),
         Feature::Segment(segment) => segment.first(path, radius),
-        Feature::Point(corner) => point::first(corner, path, radius),
-        Feature::Sphere(size) => point::first(&V3::zeros(), path, size + radius),
+        Feature::Ball(centre, size) => point::first(centre, path, size + radius),
     }
 }

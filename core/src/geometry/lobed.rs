@@ -4,6 +4,7 @@ mod first;
 
 use super::circle::radial;
 use super::{V3, roots};
+use nalgebra::UnitComplex;
 use std::f64::consts::{PI, TAU};
 
 /// A closed curve about the Z axis, growing with depth: `r = radius + slope·depth + amplitude·cos(count·angle)`.
@@ -94,12 +95,12 @@ impl LobedWall {
     fn looked(&self, p: &V3, pitch: f64, [from, to]: [i64; 2], rims: [f64; 2]) -> Vec<f64> {
         let first = from as f64 * pitch;
         let n = f64::from(self.lobes.count);
-        let [step, wave_step] = [pitch, n * pitch].map(Turn::by);
-        let [mut out, mut wave] = [first, n * first].map(Turn::by);
+        let [step, wave_step] = [pitch, n * pitch].map(UnitComplex::new);
+        let [mut out, mut wave] = [first, n * first].map(UnitComplex::new);
         let distance = |_| {
-            let nearest = self.nearest(p, &out, wave.cosine, rims);
-            out = out.and(&step);
-            wave = wave.and(&wave_step);
+            let nearest = self.nearest(p, &out, wave.re, rims);
+            out *= step;
+            wave *= wave_step;
             (p - nearest).norm_squared()
         };
         (from..=to).map(distance).collect()
@@ -132,28 +133,28 @@ impl LobedWall {
 
     fn nearest_at(&self, p: &V3, angle: f64, rims: [f64; 2]) -> V3 {
         let wave = f64::from(self.lobes.count) * angle;
-        self.nearest(p, &Turn::by(angle), wave.cos(), rims)
+        self.nearest(p, &UnitComplex::new(angle), wave.cos(), rims)
     }
 
     /// Nearest point of the line at one angle; `wave` is the cosine of the lobes there.
-    fn nearest(&self, p: &V3, at: &Turn, wave: f64, [low, high]: [f64; 2]) -> V3 {
+    fn nearest(&self, p: &V3, at: &UnitComplex<f64>, wave: f64, [low, high]: [f64; 2]) -> V3 {
         let Lobes { radius, slope, amplitude, .. } = self.lobes;
         let top = radius + amplitude * wave;
-        let out = p.x * at.cosine + p.y * at.sine - top;
+        let out = p.x * at.re + p.y * at.im - top;
         let depth = (out * slope - p.z) / (1.0 + slope * slope);
         let depth = depth.max(low).min(high);
         let r = top + slope * depth;
-        V3::new(r * at.cosine, r * at.sine, -depth)
+        V3::new(r * at.re, r * at.im, -depth)
     }
 
     /// Where the distance no longer changes with the angle.
     fn refine(&self, p: &V3, angle: f64, pitch: f64, rims: [f64; 2]) -> V3 {
         let n = f64::from(self.lobes.count);
         let change = |a: f64| {
-            let [turn, wave] = [a, n * a].map(Turn::by);
-            let at = self.nearest(p, &turn, wave.cosine, rims);
-            let growth = -self.lobes.amplitude * n * wave.sine;
-            let tangent = V3::new(growth * turn.cosine - at.y, growth * turn.sine + at.x, 0.0);
+            let [turn, wave] = [a, n * a].map(UnitComplex::new);
+            let at = self.nearest(p, &turn, wave.re, rims);
+            let growth = -self.lobes.amplitude * n * wave.im;
+            let tangent = V3::new(growth * turn.re - at.y, growth * turn.im + at.x, 0.0);
             (at - p).dot(&tangent)
         };
         let near = |at: f64| (at - angle).abs() <= pitch;
@@ -162,27 +163,6 @@ impl LobedWall {
             .or_else(|| roots::bracketed(change, angle - pitch, angle + pitch))
             .unwrap_or(angle);
         self.nearest_at(p, at, rims)
-    }
-}
-
-/// A direction in the plane, by the sine and cosine of its angle.
-struct Turn {
-    sine: f64,
-    cosine: f64,
-}
-
-impl Turn {
-    fn by(angle: f64) -> Turn {
-        let (sine, cosine) = angle.sin_cos();
-        Turn { sine, cosine }
-    }
-
-    /// Turned further.
-    fn and(&self, more: &Turn) -> Turn {
-        Turn {
-            sine: self.sine * more.cosine + self.cosine * more.sine,
-            cosine: self.cosine * more.cosine - self.sine * more.sine,
-        }
     }
 }
 

@@ -10,6 +10,7 @@ pub mod feature;
 pub mod fit;
 pub mod lobed;
 pub mod mesh;
+pub mod met;
 pub mod path;
 pub mod place;
 pub mod point;
@@ -24,6 +25,7 @@ pub mod triangle;
 pub mod wall;
 
 pub use feature::{Feature, Foot};
+pub use met::Met;
 pub use path::Path;
 pub use place::{Mcs, Wcs};
 

@@ -1,6 +1,7 @@
 //! A straight path.
 
 use super::V3;
+use nalgebra::IsometryMatrix3;
 
 /// Straight way of the ball centre, by length in mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,6 +21,12 @@ impl Path {
         let length = way.norm();
         let direction = if length > 0.0 { way / length } else { V3::zeros() };
         Path { from, direction, length }
+    }
+
+    /// The same seen from a system that stands there.
+    pub fn seen(&self, place: &IsometryMatrix3<f64>) -> Path {
+        let from = place.inverse_transform_point(&self.from.into()).coords;
+        Path { from, direction: place.rotation.inverse() * self.direction, ..*self }
     }
 
     /// Point after `s` mm.

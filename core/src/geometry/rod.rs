@@ -8,10 +8,12 @@
 
 use super::circle::Circle;
 use super::extent::Extent;
-use super::lobed::{LobedWall, Lobes};
+use super::lobed::LobedWall;
+use super::met::{Met, earliest};
 use super::segment::Segment;
 use super::wall::Wall;
 use super::{Feature, Path, V3};
+use nalgebra::IsometryMatrix3;
 use std::f64::consts::TAU;
 
 /// Sine of an angle below which two directions are one, so that only ends can tell where they meet.
@@ -43,17 +45,6 @@ pub struct Rod {
     pub radius: f64,
 }
 
-/// Where a rod touches.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Met {
-    /// Length of the way until then, mm.
-    pub way: f64,
-    /// Point touched.
-    pub point: V3,
-    /// Unit normal there, towards the rod.
-    pub normal: V3,
-}
-
 impl Rod {
     /// The other end of its axis.
     pub fn top(&self) -> V3 {
@@ -66,6 +57,12 @@ impl Rod {
         let ends = [self.foot, self.top()];
         let ends = ends.into_iter().flat_map(|end| [end, end + gone]);
         Extent::of(ends).wider(self.radius)
+    }
+
+    /// The same seen from a system that stands there.
+    pub fn seen(&self, place: &IsometryMatrix3<f64>) -> Rod {
+        let foot = place.inverse_transform_point(&self.foot.into()).coords;
+        Rod { foot, up: place.rotation.inverse() * self.up, ..*self }
     }
 
     /// Whether a place is beside it, and not beyond one of its ends; so high above its foot.
@@ -84,9 +81,8 @@ impl Rod {
 pub fn first(feature: &Feature, rod: &Rod, path: &Path) -> Option<Met> {
     match feature {
         Feature::Quad(_) => None,
-        Feature::Point(corner) => at_point(corner, 0.0, rod, path),
         Feature::Segment(Segment { a, b }) => at_edge(a, b, rod, path),
-        Feature::Sphere(radius) => at_point(&V3::zeros(), *radius, rod, path),
+        Feature::Ball(centre, radius) => at_point(centre, *radius, rod, path),
         Feature::Wall(wall) => at_wall(wall, rod, path),
         Feature::Circle(circle) => at_circle(circle, rod, path),
         Feature::Lobed(wall) => at_lobes(wall, rod, path),
@@ -100,11 +96,6 @@ pub fn first_on_triangle([a, b, c]: &[V3; 3], rod: &Rod, path: &Path) -> Option<
     let corners = [a, b, c].into_iter();
     let corners = corners.filter_map(|corner| at_point(corner, 0.0, rod, path));
     earliest(edges.chain(corners))
-}
-
-/// The earliest of several.
-pub fn earliest(met: impl Iterator<Item = Met>) -> Option<Met> {
-    met.min_by(|a, b| a.way.total_cmp(&b.way))
 }
 
 /// With a point, or a ball of this radius about it.
@@ -185,7 +176,7 @@ fn at_wall(wall: &Wall, rod: &Rod, path: &Path) -> Option<Met> {
 
 /// With a round edge, from inside or outside.
 fn at_circle(circle: &Circle, rod: &Rod, path: &Path) -> Option<Met> {
-    let on = |angle: f64| circle_at(circle, angle);
+    let on = |angle: f64| circle.point(angle);
     if rod.up.xy().norm() >= PARALLEL {
         let first = |angle: f64, path: &Path| at_point(&on(angle), 0.0, rod, path);
         return around(path, circle.radius, first);
@@ -214,28 +205,14 @@ fn at_circle(circle: &Circle, rod: &Rod, path: &Path) -> Option<Met> {
     Some(Met { way: reached, point, normal: V3::new(normal.x, normal.y, 0.0) })
 }
 
-fn circle_at(circle: &Circle, angle: f64) -> V3 {
-    let (sine, cosine) = angle.sin_cos();
-    V3::new(circle.radius * cosine, circle.radius * sine, circle.z)
-}
-
 /// With a wall that is out of round: its lines from rim to rim, and the ends of those.
 fn at_lobes(LobedWall { lobes, depth }: &LobedWall, rod: &Rod, path: &Path) -> Option<Met> {
     around(path, lobes.radius, |angle, path| {
-        let [top, bottom] = line(lobes, *depth, angle);
+        let [top, bottom] = [0.0, -depth].map(|z| lobes.point(angle, z));
         let edge = at_edge(&top, &bottom, rod, path);
         let ends = [top, bottom].into_iter();
         let ends = ends.filter_map(|end| at_point(&end, 0.0, rod, path));
         earliest(edge.into_iter().chain(ends))
-    })
-}
-
-/// The line of a wall at an angle, from its upper to its lower rim.
-fn line(lobes: &Lobes, depth: f64, angle: f64) -> [V3; 2] {
-    let out = V3::new(angle.cos(), angle.sin(), 0.0);
-    [0.0, -depth].map(|z| {
-        let at = out + V3::z() * z;
-        out * lobes.radius_at(&at) + V3::z() * z
     })
 }
 
@@ -308,16 +285,14 @@ pub fn first_below(feature: &Feature, rod: &Rod, path: &Path) -> Option<Met> {
     let turned = |radius: f64, on: &dyn Fn(f64) -> V3| around(path, radius, |angle, path| below(on(angle), path));
     match feature {
         Feature::Quad(_) | Feature::Wall(_) => None,
-        Feature::Point(corner) => below(*corner, path),
         Feature::Segment(Segment { a, b }) => {
             let parts = (0..=AROUND).map(|step| step as f64 / AROUND as f64);
             earliest(parts.filter_map(|part| below(a + (b - a) * part, path)))
         }
-        Feature::Sphere(radius) => below(rod.up * *radius, path),
-        Feature::Circle(circle) => turned(circle.radius, &|angle| circle_at(circle, angle)),
+        Feature::Ball(centre, radius) => below(centre + rod.up * *radius, path),
+        Feature::Circle(circle) => turned(circle.radius, &|angle| circle.point(angle)),
         Feature::Lobed(LobedWall { lobes, depth }) => {
-            let on = |angle: f64| line(lobes, *depth, angle);
-            let rims = [0, 1].map(|rim| turned(lobes.radius, &|angle| on(angle)[rim]));
+            let rims = [0.0, -depth].map(|z| turned(lobes.radius, &|angle| lobes.point(angle, z)));
             earliest(rims.into_iter().flatten())
         }
     }

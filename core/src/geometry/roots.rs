@@ -53,6 +53,20 @@ pub fn newton(f: impl Fn(f64) -> (f64, f64), start: f64) -> Option<f64> {
     None
 }
 
+/// A root that is known roughly, closed in by a few of the same steps, none of them longer than 0.001.
+pub fn polished(f: impl Fn(f64) -> (f64, f64), start: f64) -> f64 {
+    let mut x = start;
+    for _ in 0..4 {
+        let (value, slope) = f(x);
+        let step = value / slope;
+        if !step.is_finite() || step.abs() > 1e-3 {
+            break;
+        }
+        x -= step;
+    }
+    x
+}
+
 /// Root of a function near two places, by the line through the last two; none where it does not close in.
 pub fn secant(f: impl Fn(f64) -> f64, [mut a, mut b]: [f64; 2]) -> Option<f64> {
     let [mut at_a, mut at_b] = [f(a), f(b)];

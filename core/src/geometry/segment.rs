@@ -1,6 +1,6 @@
 //! Ball against a straight edge (the ball centre against a cylinder about the edge; its ends are corners).
 
-use super::{Path, V3, roots};
+use super::{Path, V3, point};
 
 /// A straight edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,15 +23,7 @@ impl Segment {
     pub fn first(&self, path: &Path, radius: f64) -> Option<f64> {
         let along = (self.b - self.a).normalize();
         let across = |v: V3| v - along * v.dot(&along);
-        let way = across(path.direction);
-        let speed = way.norm_squared();
-        if speed < 1e-24 {
-            return None;
-        }
-        let closest = -across(path.from - self.a).dot(&way) / speed;
-        let gap = across(path.at(closest) - self.a);
-        let entering = *roots::quadratic(speed, 0.0, gap.norm_squared() - radius * radius).first()? + closest;
-        let reached = entering > 0.0 && entering <= path.length;
-        (reached && self.foot(&path.at(entering)).is_some()).then_some(entering)
+        let reached = point::entering(&across(path.from - self.a), &across(path.direction), radius, path.length)?;
+        self.foot(&path.at(reached)).is_some().then_some(reached)
     }
 }

@@ -49,8 +49,7 @@ impl Swept {
             }
             Feature::Circle(Circle { radius, z }) => self.profile().clears_ring([*radius; 2], *z),
             Feature::Segment(segment) => self.clears_edge(segment),
-            Feature::Point(corner) => self.clears_ball(corner, 0.0),
-            Feature::Sphere(size) => self.clears_ball(&V3::zeros(), *size),
+            Feature::Ball(centre, size) => self.clears_ball(centre, *size),
         }
     }
 

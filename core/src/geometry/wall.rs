@@ -57,10 +57,14 @@ impl Wall {
         let a = way.xy().norm_squared() - growth * growth;
         let b = 2.0 * (p.xy().dot(&way.xy()) - start * growth);
         let c = p.xy().norm_squared() - start * start;
+        let gap = |s: f64| {
+            let ball = path.at(s);
+            (self.gap(&ball) - radius, self.normal(&ball).dot(&way))
+        };
         roots::quadratic(a, b, c)
             .into_iter()
             .filter(|s| start + growth * s >= 0.0)
-            .map(|s| self.polish(path, radius, s))
+            .map(|s| roots::polished(gap, s))
             .find(|&s| {
                 let ball = path.at(s);
                 s > 0.0
@@ -68,18 +72,5 @@ impl Wall {
                     && self.normal(&ball).dot(&path.direction) < 0.0
                     && self.foot(&ball).is_some()
             })
-    }
-
-    fn polish(&self, path: &Path, radius: f64, start: f64) -> f64 {
-        let mut s = start;
-        for _ in 0..3 {
-            let ball = path.at(s);
-            let step = (self.gap(&ball) - radius) / self.normal(&ball).dot(&path.direction);
-            if !step.is_finite() || step.abs() > 1e-3 {
-                break;
-            }
-            s -= step;
-        }
-        s
     }
 }

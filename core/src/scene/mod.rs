@@ -21,15 +21,16 @@ pub mod turned;
 use crate::geometry::V3;
 use crate::geometry::extent::Extent;
 use crate::machine::setup::Setup;
-use crate::machine::trace::{Entry, MotionKind, Step};
+use crate::machine::trace::{Entry, Step};
 use crate::name::Name;
 use crate::run::outcome::Outcome;
+use crate::workpiece::feeler::Touching;
 use crate::workpiece::{Shape, Solid};
 use frames::Frame;
 use labels::Label;
 use mesh::Mesh;
 use nalgebra::IsometryMatrix3;
-use paths::{Touch, TouchSort, Way};
+use paths::Way;
 use serde::Serialize;
 use solid::Figure;
 use tool::Tool;
@@ -311,21 +312,18 @@ impl Scene {
             self.ways.extend(ends.as_flattened());
             self.ways.extend(during);
             self.way_entries.push(*entry as u32);
-            self.way_kinds.push(match kind {
-                MotionKind::Rapid => 0,
-                MotionKind::Positioning => 1,
-                MotionKind::Measuring => 2,
-                MotionKind::Retract => 3,
-            });
+            self.way_kinds.push(*kind as u8); // in the order in which they are told there
         }
-        for Touch { entry, sort, point, normal } in paths::touches(entries) {
-            self.touches.extend(point.iter().chain(&normal));
+        for (entry, one) in entries.iter().enumerate() {
+            let (point, normal, sort) = match &one.step {
+                Step::Touch { point, normal, by: Touching::Ball, .. } => (point, normal, 0),
+                Step::Touch { point, normal, .. } => (point, normal, 1),
+                Step::Crash { point, normal, .. } => (point, normal, 2),
+                _ => continue,
+            };
+            self.touches.extend(point.iter().chain(normal));
             self.touch_entries.push(entry as u32);
-            self.touch_sorts.push(match sort {
-                TouchSort::Ball => 0,
-                TouchSort::Other => 1,
-                TouchSort::Crash => 2,
-            });
+            self.touch_sorts.push(sort);
         }
     }
 

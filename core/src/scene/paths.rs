@@ -1,10 +1,9 @@
-//! Motions as straight pieces, touches, and where the probe stands.
+//! Motions as straight pieces, and where the probe stands.
 
 use super::tool::Tool;
 use crate::geometry::V3;
 use crate::geometry::arc::Around;
 use crate::machine::trace::{Entry, MotionKind, Step};
-use crate::workpiece::feeler::Touching;
 
 /// Most degrees of an arc that are one straight piece.
 const PIECE: f64 = 3.0;
@@ -20,30 +19,6 @@ pub struct Way {
     pub ends: [[f64; 3]; 2],
     /// Between which parts of its motion it is travelled, 0 to 1.
     pub during: [f64; 2],
-}
-
-/// Where something touched.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Touch {
-    /// Its place in the trace.
-    pub entry: usize,
-    /// As the ball should, or otherwise.
-    pub sort: TouchSort,
-    /// Point, machine coordinates, mm.
-    pub point: [f64; 3],
-    /// Outward unit normal of the part there.
-    pub normal: [f64; 3],
-}
-
-/// How something touched.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum TouchSort {
-    /// The ball gave its signal.
-    Ball,
-    /// Stylus or body touched while somebody watched.
-    Other,
-    /// Nobody watched, or no signal came.
-    Crash,
 }
 
 /// All motions in pieces.
@@ -71,21 +46,6 @@ fn along(from: [f64; 3], to: [f64; 3], around: Option<&Around>, part: f64) -> [f
         Some(around) => around.at(from, to, part),
         None => V3::from(from).lerp(&V3::from(to), part).into(),
     }
-}
-
-/// All touches.
-pub fn touches(entries: &[Entry]) -> Vec<Touch> {
-    let found = entries.iter().enumerate().filter_map(|(entry, one)| match &one.step {
-        Step::Touch { point, normal, by, .. } => {
-            let sort = if *by == Touching::Ball { TouchSort::Ball } else { TouchSort::Other };
-            Some(Touch { entry, sort, point: *point, normal: *normal })
-        }
-        Step::Crash { point, normal, .. } => {
-            Some(Touch { entry, sort: TouchSort::Crash, point: *point, normal: *normal })
-        }
-        _ => None,
-    });
-    found.collect()
 }
 
 /// Where the centre of the ball is when each entry is done; none where nothing moves. Another length in effect since

@@ -80,7 +80,7 @@ fn draw(body: &Body, shown: impl Fn(&Quad) -> bool) -> Figure {
         match feature {
             Feature::Quad(quad) if shown(quad) => drawn.face(quad),
             Feature::Segment(Segment { a, b }) => drawn.figure.edges.push([*a, *b]),
-            Feature::Sphere(radius) => drawn.ball(*radius),
+            Feature::Ball(_, radius) if *radius > 0.0 => drawn.ball(*radius),
             _ => {} // a column brings its walls and rims
         }
     }
@@ -225,7 +225,7 @@ fn bend(feature: &Feature) -> f64 {
     match feature {
         Feature::Wall(wall) => round(&wall.lobes(), wall.depth),
         Feature::Lobed(LobedWall { lobes, depth }) => round(lobes, *depth),
-        Feature::Sphere(radius) => 2.0 * radius,
+        Feature::Ball(_, radius) => 2.0 * radius,
         _ => 0.0,
     }
 }

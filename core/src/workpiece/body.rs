@@ -58,7 +58,7 @@ impl Body {
         };
         match form {
             Form::Columns(columns) => body.columns(&columns),
-            Form::Ball(radius) => body.features.push(Feature::Sphere(radius)),
+            Form::Ball(radius) => body.features.push(Feature::Ball(V3::zeros(), radius)),
             Form::Free(surface) => {
                 body.extent = Extent::of(surface.bounds().map(V3::from));
                 body.free = Some(surface);
@@ -76,7 +76,7 @@ impl Body {
         if let Some(free) = &self.free {
             return free.mesh.covers(p);
         }
-        let within = |feature: &Feature| matches!(feature, Feature::Sphere(radius) if p.norm() <= *radius);
+        let within = |feature: &Feature| matches!(feature, Feature::Ball(_, radius) if p.norm() <= *radius);
         let full = self.material.iter().any(|column| column.contains(p)) || self.features.iter().any(within);
         full && !self.cavity.as_ref().is_some_and(|column| column.contains(p))
     }
@@ -154,7 +154,7 @@ impl Body {
             }
             for (a, b) in quad.edges() {
                 self.add_once(Feature::Segment(Segment { a, b }), Feature::Segment(Segment { a: b, b: a }));
-                self.add_once(Feature::Point(a), Feature::Point(a));
+                self.add_once(Feature::Ball(a, 0.0), Feature::Ball(a, 0.0));
             }
         }
     }

@@ -4,7 +4,7 @@ use super::Workpiece;
 use super::body::Body;
 use crate::geometry::extent::Extent;
 use crate::geometry::feature::{first as first_on, foot};
-use crate::geometry::mesh::{Mesh, Stand};
+use crate::geometry::met::{Met, Stand, earliest};
 use crate::geometry::{Path, TOLERANCE, V3};
 
 /// What a ball meets on a straight way. Machine coordinates, mm.
@@ -50,35 +50,24 @@ impl Boundary {
     /// First contact of a ball whose centre moves from `from` to `to`.
     pub fn first(&self, ball_radius: f64, from: [f64; 3], to: [f64; 3]) -> Contact {
         let way = Path::new(V3::from(from), V3::from(to));
-        let mut nearest: Option<(f64, V3, V3)> = None;
+        let mut nearest: Option<Met> = None;
         for body in &self.bodies {
-            let own = Path {
-                from: body.place.inverse_transform_point(&way.from.into()).coords,
-                direction: body.place.rotation.inverse() * way.direction,
-                length: way.length,
-            };
-            match start(body, &own, ball_radius) {
-                Start::Already(point, normal, depth) => {
-                    let point = body.place.transform_point(&point.into()).coords;
-                    let normal = body.place.rotation * normal;
+            let own = way.seen(&body.place);
+            let met = match stand(body, &own, ball_radius) {
+                Stand::Inside(point, normal, depth) => {
+                    let Met { point, normal, .. } = Met { way: 0.0, point, normal }.placed(&body.place);
                     return Contact::Already { point: point.into(), normal: normal.into(), depth };
                 }
-                Start::Pressed(point, normal) => nearest = Some(placed(body, 0.0, point, normal)),
-                Start::Free => {
-                    let limit = nearest.map_or(f64::INFINITY, |(s, ..)| s);
-                    if let Some((s, point, normal)) = hit(body, &own, ball_radius)
-                        && s < limit
-                    {
-                        nearest = Some(placed(body, s, point, normal));
-                    }
-                }
-            }
+                Stand::Pressed(point, normal) => Some(Met { way: 0.0, point, normal }),
+                Stand::Free => hit(body, &own, ball_radius),
+            };
+            nearest = earliest(nearest.into_iter().chain(met.map(|met| met.placed(&body.place))));
         }
-        nearest.map_or(Contact::None, |(s, point, normal)| Contact::Hit {
-            t: if way.length > 0.0 { s / way.length } else { 0.0 },
-            ball: way.at(s).into(),
-            point: point.into(),
-            normal: normal.into(),
+        nearest.map_or(Contact::None, |met| Contact::Hit {
+            t: if way.length > 0.0 { met.way / way.length } else { 0.0 },
+            ball: way.at(met.way).into(),
+            point: met.point.into(),
+            normal: met.normal.into(),
         })
     }
 
@@ -93,52 +82,39 @@ impl Boundary {
     }
 }
 
-enum Start {
-    Free,
-    Already(V3, V3, f64),
-    Pressed(V3, V3),
-}
-
-/// How the ball stands at the start of the way.
-fn start(body: &Body, path: &Path, radius: f64) -> Start {
+/// How the ball stands at the start of the way. Under a surface of triangles one that does not move is inside also where
+/// it is altogether below.
+fn stand(body: &Body, path: &Path, radius: f64) -> Stand {
     if let Some(free) = &body.free {
-        return start_at_mesh(&free.mesh, path, radius);
+        return match free.mesh.stand(path, radius) {
+            Stand::Free if path.length == 0.0 && free.mesh.covers(&path.from) => {
+                Stand::Inside(path.from, V3::z(), radius)
+            }
+            stand => stand,
+        };
     }
     let inside = body.inside(&path.from);
     let reach = if inside { f64::INFINITY } else { radius + TOLERANCE };
     let Some((point, distance)) = surface(body, &path.from, reach) else {
-        return Start::Free;
+        return Stand::Free;
     };
     let depth = if inside { radius + distance } else { radius - distance };
     if depth > TOLERANCE {
         let away = path.from - point;
         let normal = if inside { -away } else { away };
-        return Start::Already(point, normal.try_normalize(0.0).unwrap_or_else(V3::z), depth);
+        return Stand::Inside(point, normal.try_normalize(0.0).unwrap_or_else(V3::z), depth);
     }
     if depth < -TOLERANCE {
-        return Start::Free;
+        return Stand::Free;
     }
-    for feature in &body.features {
-        let Some(point) = foot(feature, &path.from) else {
-            continue;
-        };
+    let mut pressed = body.features.iter().filter_map(|feature| {
+        let point = foot(feature, &path.from)?;
         let away = path.from - point;
         let normal = away.try_normalize(0.0).unwrap_or_else(V3::z);
-        if away.norm() <= radius + TOLERANCE && normal.dot(&path.direction) < -1e-12 {
-            return Start::Pressed(point, normal);
-        }
-    }
-    Start::Free
-}
-
-/// The same at a surface of triangles. A ball that stands is inside also where it is altogether under the surface.
-fn start_at_mesh(mesh: &Mesh, path: &Path, radius: f64) -> Start {
-    match mesh.stand(path, radius) {
-        Stand::Inside(point, normal, depth) => Start::Already(point, normal, depth),
-        Stand::Pressed(point, normal) => Start::Pressed(point, normal),
-        Stand::Free if path.length == 0.0 && mesh.covers(&path.from) => Start::Already(path.from, V3::z(), radius),
-        Stand::Free => Start::Free,
-    }
+        let moves_in = away.norm() <= radius + TOLERANCE && normal.dot(&path.direction) < -1e-12;
+        moves_in.then_some(Stand::Pressed(point, normal))
+    });
+    pressed.next().unwrap_or(Stand::Free)
 }
 
 /// Nearest point of the surface, and its distance; none beyond `reach`, mm.
@@ -165,33 +141,26 @@ fn surface(body: &Body, p: &V3, reach: f64) -> Option<(V3, f64)> {
 }
 
 /// First contact with the boundary of a solid; faces win over their own edges.
-fn hit(body: &Body, path: &Path, radius: f64) -> Option<(f64, V3, V3)> {
+fn hit(body: &Body, path: &Path, radius: f64) -> Option<Met> {
     if let Some(free) = &body.free {
-        let (s, point) = free.mesh.first(path, radius)?;
-        return Some((s, point, (path.at(s) - point).try_normalize(0.0)?));
+        return free.mesh.first(path, radius);
     }
-    let mut nearest: Option<(f64, V3, V3)> = None;
+    let mut nearest: Option<Met> = None;
     let swept = Extent::of([path.from, path.at(path.length)]).wider(radius);
     for (feature, extent) in body.features.iter().zip(&body.extents) {
         if !extent.meets(&swept) {
             continue;
         }
-        let Some(s) = first_on(feature, path, radius) else {
+        let sooner = |way: &f64| nearest.is_none_or(|before| *way <= before.way - 1e-11);
+        let Some(way) = first_on(feature, path, radius).filter(sooner) else {
             continue;
         };
-        if nearest.is_some_and(|(before, ..)| s > before - 1e-11) {
-            continue;
-        }
-        let ball = path.at(s);
+        let ball = path.at(way);
         let Some(point) = foot(feature, &ball) else {
             continue;
         };
         let normal = (ball - point).try_normalize(0.0).unwrap_or(-path.direction);
-        nearest = Some((s, point, normal));
+        nearest = Some(Met { way, point, normal });
     }
     nearest
-}
-
-fn placed(body: &Body, s: f64, point: V3, normal: V3) -> (f64, V3, V3) {
-    (s, body.place.transform_point(&point.into()).coords, body.place.rotation * normal)
 }

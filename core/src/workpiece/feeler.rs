@@ -3,7 +3,8 @@
 use super::Probe;
 use super::body::Body;
 use super::contact::{Boundary, Contact};
-use crate::geometry::rod::{Met, Rod, around, earliest};
+use crate::geometry::met::{Met, earliest};
+use crate::geometry::rod::{Rod, around};
 use crate::geometry::stretch::Stretch;
 use crate::geometry::swept::Swept;
 use crate::geometry::{Path, V3, rod};
@@ -151,13 +152,7 @@ impl Boundary {
     /// First contact of a rod with the part; of the path direction and length count.
     fn first_of_rod(&self, rod: &Rod, path: &Path, end: End) -> Option<Met> {
         let sides = self.bodies.iter().filter_map(|body| {
-            let (rod, path) = own(body, rod, path);
-            let met = side(body, &rod, &path, end)?;
-            Some(Met {
-                point: body.place.transform_point(&met.point.into()).coords,
-                normal: body.place.rotation * met.normal,
-                ..met
-            })
+            Some(side(body, &rod.seen(&body.place), &path.seen(&body.place), end)?.placed(&body.place))
         });
         let ends = [
             self.end(rod.top(), rod.radius, path),
@@ -214,15 +209,6 @@ impl Boundary {
             self.may_meet(&ball).then(|| self.end(from, rounded, path))?
         })
     }
-}
-
-/// A rod and its way in the frame of a solid.
-fn own(body: &Body, rod: &Rod, path: &Path) -> (Rod, Path) {
-    let into = body.place.rotation.inverse();
-    let foot = body.place.inverse_transform_point(&rod.foot.into()).coords;
-    let rod = Rod { foot, up: into * rod.up, ..*rod };
-    let path = Path { from: foot, direction: into * path.direction, length: path.length };
-    (rod, path)
 }
 
 /// First contact of the side of a rod, and of a flat end with what stands out below it.

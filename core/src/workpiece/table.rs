@@ -12,14 +12,12 @@ impl Control {
         }
         let turn = self.table_turn();
         let centre = V3::from(self.rotary_centre);
-        let errors = &solid.errors;
-        let at = V3::from(solid.at) + V3::from(errors.shift) - centre;
-        let clamped = rigid::rotation(errors.tilt) * rigid::rotation(solid.rotation);
+        let clamped = solid.place();
         Solid {
             shape: solid.shape.clone(),
-            at: (centre + turn * at).into(),
-            rotation: rigid::angles(&(turn * clamped)),
-            errors: PartErrors { shift: [0.0; 3], tilt: [0.0; 3], ..*errors },
+            at: (centre + turn * (clamped.translation.vector - centre)).into(),
+            rotation: rigid::angles(&(turn * clamped.rotation)),
+            errors: PartErrors { shift: [0.0; 3], tilt: [0.0; 3], ..solid.errors },
         }
     }
 }

@@ -74,15 +74,10 @@ pub enum Spindle {
     Turns,
 }
 
-/// Unit vector along an axis of the machine.
-pub fn unit(axis: usize) -> V3 {
-    V3::from_fn(|row, _| if row == axis { 1.0 } else { 0.0 })
-}
-
 /// Direction across an axis of the machine: 0 is the next axis of X, Y, Z, 90 degree the one behind it.
 pub fn across(axis: usize, degrees: f64) -> V3 {
     let (sine, cosine) = sin_cos(degrees);
-    unit((axis + 1) % 3) * cosine + unit((axis + 2) % 3) * sine
+    V3::ith((axis + 1) % 3, 1.0) * cosine + V3::ith((axis + 2) % 3, 1.0) * sine
 }
 
 impl Tool {
@@ -135,7 +130,11 @@ impl Tool {
     pub fn pieces(&self, point: V3, plane: Plane, spindle: Spindle) -> Vec<Piece> {
         let axes = plane.axes();
         match &self.cut {
-            Cut::Nose(nose) => vec![Piece::Nose(NosePiece::new(nose, point, axes))],
+            Cut::Nose(nose) => {
+                let mut side = V3::zeros();
+                (side[axes[0]], side[axes[1]]) = (nose.side[0], nose.side[1]);
+                vec![Piece::Nose { centre: point - side * nose.radius, radius: nose.radius, across: axes[2] }]
+            }
             Cut::Cutter(cutter) => cutter.pieces(point, axes, spindle),
         }
     }
@@ -194,19 +193,17 @@ impl Cutter {
     /// `axes`: of the plane.
     pub fn stands(&self, axes: [usize; 3]) -> (usize, V3) {
         let along = axes[self.axis.min(2)];
-        let up = unit(along);
+        let up = V3::ith(along, 1.0);
         (along, if self.disc > 0.0 { -up } else { up })
     }
 
     fn pieces(&self, point: V3, axes: [usize; 3], spindle: Spindle) -> Vec<Piece> {
         let (along, body) = self.stands(axes);
-        let piece = |[radius, direction, drop]: [f64; 3], round: bool| {
-            Piece::Turned(TurnedPiece {
-                end: point - unit(along) * drop,
-                up: body,
-                out: (!round).then(|| across(along, direction)),
-                profile: self.profile(radius),
-            })
+        let piece = |[radius, direction, drop]: [f64; 3], round: bool| Piece::Turned {
+            end: point - V3::ith(along, 1.0) * drop,
+            up: body,
+            out: (!round).then(|| across(along, direction)),
+            profile: self.profile(radius),
         };
         match spindle {
             _ if self.teeth == 0 => vec![piece([self.radius, 0.0, 0.0], true)],
@@ -242,71 +239,53 @@ impl Cutter {
 /// A convex piece of a tool.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Piece {
-    /// What a profile cuts that turns, or one tooth that stands.
-    Turned(TurnedPiece),
-    /// Nose of a turning tool.
-    Nose(NosePiece),
+    /// A profile turned about its axis, or one tooth that stands.
+    Turned {
+        /// Its end in the axis.
+        end: V3,
+        /// Along the axis, away from the end.
+        up: V3,
+        /// Direction of a tooth that stands; none: turned all round.
+        out: Option<V3>,
+        /// What is turned.
+        profile: Profile,
+    },
+    /// Round nose of a turning tool; what holds it is out of the way.
+    Nose {
+        /// S.
+        centre: V3,
+        /// Radius, mm.
+        radius: f64,
+        /// Index of the axis across the plane.
+        across: usize,
+    },
 }
 
 /// Half of the section of a cutter through its axis: distance from the axis and height above the end, mm, a polygon
 /// whose border lies outwards by the corner radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Profile {
+pub struct Profile {
     corner: f64,
     points: [[f64; 2]; 5],
-}
-
-/// A profile, turned about the axis or in one direction.
-#[derive(Clone, Debug, PartialEq)]
-pub struct TurnedPiece {
-    end: V3,
-    up: V3,
-    /// Direction of a tooth that stands; none: turned all round.
-    out: Option<V3>,
-    profile: Profile,
-}
-
-/// The round nose; what holds it is out of the way.
-#[derive(Clone, Debug, PartialEq)]
-pub struct NosePiece {
-    /// S.
-    centre: V3,
-    radius: f64,
-    /// Index of the axis across the plane.
-    across: usize,
-}
-
-impl NosePiece {
-    fn new(nose: &Nose, point: V3, [abscissa, ordinate, applicate]: [usize; 3]) -> NosePiece {
-        let mut side = V3::zeros();
-        (side[abscissa], side[ordinate]) = (nose.side[0], nose.side[1]);
-        let centre = point - side * nose.radius;
-        NosePiece { centre, radius: nose.radius, across: applicate }
-    }
 }
 
 impl Convex for Piece {
     fn farthest(&self, direction: &V3) -> V3 {
         match self {
-            Piece::Turned(piece) => piece.farthest(direction),
-            Piece::Nose(piece) => piece.farthest(direction),
-        }
-    }
-}
-
-impl TurnedPiece {
-    fn farthest(&self, direction: &V3) -> V3 {
-        let high = direction.dot(&self.up);
-        let (out, wide) = match self.out {
-            Some(out) => (out, direction.dot(&out)),
-            None => {
-                let aside = direction - self.up * high;
-                let wide = aside.norm();
-                (aside.try_normalize(0.0).unwrap_or_else(V3::zeros), wide)
+            Piece::Turned { end, up, out, profile } => {
+                let high = direction.dot(up);
+                let aside = direction - up * high;
+                let all_round = || aside.try_normalize(0.0).unwrap_or_else(V3::zeros);
+                let (out, wide) = out.map_or_else(|| (all_round(), aside.norm()), |out| (out, direction.dot(&out)));
+                let [away, height] = profile.farthest([wide, high]);
+                end + out * away + up * height
             }
-        };
-        let [away, height] = self.profile.farthest([wide, high]);
-        self.end + out * away + self.up * height
+            Piece::Nose { centre, radius, across } => {
+                let mut inside = *direction;
+                inside[*across] = 0.0;
+                centre + inside.try_normalize(0.0).unwrap_or_else(V3::zeros) * *radius
+            }
+        }
     }
 }
 
@@ -324,13 +303,5 @@ impl Profile {
             return [x, y];
         }
         [x + self.corner * wide / size, y + self.corner * high / size]
-    }
-}
-
-impl NosePiece {
-    fn farthest(&self, direction: &V3) -> V3 {
-        let mut inside = *direction;
-        inside[self.across] = 0.0;
-        self.centre + inside.try_normalize(0.0).unwrap_or_else(V3::zeros) * self.radius
     }
 }

@@ -4,9 +4,9 @@ use super::Solid;
 use super::form::{Column, Columns, Form};
 use super::noise::Noise;
 use super::tool::Piece;
-use crate::geometry::convex::{Convex, Meeting};
+use crate::geometry::convex::Convex;
 use crate::geometry::stretch::Stretch;
-use crate::geometry::{Path, V3, convex};
+use crate::geometry::{Met, Path, V3, convex};
 use nalgebra::IsometryMatrix3;
 
 /// How far a probe gives way without harm, mm: a tool that stands in it deeper cannot be drawn out of it.
@@ -61,7 +61,7 @@ pub struct Contact {
     /// Index of the probe.
     pub probe: usize,
     /// Way until then (0 where it stands in contact), what is touched, and the normal there.
-    pub meeting: Meeting,
+    pub meeting: Met,
 }
 
 /// First contact of a tool with one of the probes; `from` and `to` are the ends of the way of any of its points.
@@ -121,7 +121,7 @@ impl Convex for Moved<'_> {
     }
 }
 
-fn least<T: Convex>(probes: &[ToolProbe], tool: &[T], meet: &dyn Fn(&T, &Cap) -> Option<Meeting>) -> Option<Contact> {
+fn least<T: Convex>(probes: &[ToolProbe], tool: &[T], meet: &dyn Fn(&T, &Cap) -> Option<Met>) -> Option<Contact> {
     let mut found: Option<Contact> = None;
     for (probe, solid) in probes.iter().enumerate() {
         let Some(cap) = solid.cap() else { continue };

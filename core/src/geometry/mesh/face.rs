@@ -1,6 +1,7 @@
 //! A ball against one triangle: its face, its edges, its corners.
 
-use crate::geometry::{Path, TOLERANCE, V3};
+use crate::geometry::point::entering;
+use crate::geometry::{Path, TOLERANCE, V3, point};
 
 /// A triangle with an area.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,7 +82,8 @@ impl Face {
             return None;
         }
         let edges = self.edges().map(|edge| at_edge(edge, path, radius, limit));
-        let corners = self.corners.map(|corner| entering(&(path.from - corner), &path.direction, radius, limit));
+        let ahead = Path { length: limit, ..*path };
+        let corners = self.corners.map(|corner| point::first(&corner, &ahead, radius));
         let met = edges.into_iter().chain(corners).flatten();
         met.min_by(f64::total_cmp)
     }
@@ -134,21 +136,4 @@ fn at_edge((a, b): (V3, V3), path: &Path, radius: f64, limit: f64) -> Option<f64
     let way = path.direction - edge * along;
     let length = entering(&(away - edge * start), &way, radius, limit)?;
     (0.0..=1.0).contains(&(start + along * length)).then_some(length)
-}
-
-/// When a point at `from` that moves by `way` a mm comes within `radius` of the origin, if within `limit` mm.
-fn entering(from: &V3, way: &V3, radius: f64, limit: f64) -> Option<f64> {
-    let ahead = -from.dot(way);
-    let speed = way.norm_squared();
-    if ahead <= 0.0 || speed < 1e-24 {
-        return None;
-    }
-    let closest = ahead / speed;
-    let gap = (from + way * closest).norm_squared();
-    let half = (radius * radius - gap) / speed;
-    if half < 0.0 {
-        return None;
-    }
-    let entering = closest - half.sqrt();
-    (entering > 0.0 && entering <= limit).then_some(entering)
 }

@@ -6,8 +6,9 @@ mod face;
 mod tree;
 
 use super::extent::Extent;
-use super::rod::{Met, Rod};
-use super::{Path, TOLERANCE, V3, rod};
+use super::met::{Met, Stand, earliest};
+use super::rod::{self, Rod};
+use super::{Path, TOLERANCE, V3};
 use face::Face;
 use tree::Tree;
 
@@ -23,17 +24,6 @@ pub struct Mesh {
     /// The same triangles, ready to be held against a ball.
     faces: Vec<Face>,
     tree: Tree,
-}
-
-/// How a ball stands at a surface.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Stand {
-    /// Nothing is touched.
-    Free,
-    /// It reaches into the surface: nearest point, direction out, how deep, mm.
-    Inside(V3, V3, f64),
-    /// It touches and is to move into the surface: point and direction out.
-    Pressed(V3, V3),
 }
 
 impl Mesh {
@@ -119,27 +109,28 @@ impl Mesh {
         }
     }
 
-    /// Length after which a ball of this radius that was free begins to touch the surface, and the point touched.
-    pub fn first(&self, path: &Path, radius: f64) -> Option<(f64, V3)> {
-        let mut found: Option<(f64, V3)> = None;
+    /// Where a ball of this radius that was free begins to touch the surface.
+    pub fn first(&self, path: &Path, radius: f64) -> Option<Met> {
+        let mut found: Option<Met> = None;
         let room = radius + TOLERANCE;
         // a ball that goes s mm touches nothing that is farther away than that and its radius
         let reach = radius + path.length;
         self.tree.near_ahead(path, room, reach, |indices, mut limit| {
             for face in self.faces.get(indices).unwrap_or_default() {
-                let before = found.map_or(path.length, |(length, _)| length);
+                let before = found.map_or(path.length, |met| met.way);
                 let met = face.first(path, radius, before);
                 let sooner = |length: &f64| found.is_none() || *length < before;
-                let Some(length) = met.filter(sooner) else {
+                let Some(way) = met.filter(sooner) else {
                     continue;
                 };
-                let ball = path.at(length);
+                let ball = path.at(way);
                 let Some(point) = face.foot(&ball, f64::INFINITY) else {
                     continue;
                 };
                 if (ball - point).dot(&path.direction) < GRAZING * radius {
-                    found = Some((length, point));
-                    limit = radius + length;
+                    let normal = (ball - point).try_normalize(0.0).unwrap_or(-path.direction);
+                    found = Some(Met { way, point, normal });
+                    limit = radius + way;
                 }
             }
             limit
@@ -158,18 +149,17 @@ impl Mesh {
     /// Whether triangles may lie within a box.
     pub fn reaches_into(&self, extent: &Extent) -> bool {
         let mut any = false;
-        self.tree.within(&extent.low, &extent.high, |_| any = true);
+        self.tree.within(extent, |_| any = true);
         any
     }
 
     /// First contact of the side of a rod, which may come from either side of the surface.
     pub fn first_of_rod(&self, rod: &Rod, path: &Path) -> Option<Met> {
         let mut found: Option<Met> = None;
-        let Extent { low, high } = rod.swept(path);
-        self.tree.within(&low, &high, |indices| {
+        self.tree.within(&rod.swept(path), |indices| {
             let faces = self.faces.get(indices).unwrap_or_default().iter();
             let met = faces.filter_map(|face| rod::first_on_triangle(&face.corners, rod, path));
-            found = rod::earliest(met.chain(found));
+            found = earliest(met.chain(found));
         });
         found
     }

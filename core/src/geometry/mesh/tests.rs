@@ -17,21 +17,21 @@ fn way(from: [f64; 3], to: [f64; 3]) -> Path {
 #[test]
 fn face_edge_and_corner() {
     let plate = plate();
-    let (length, point) = plate.first(&way([1.0, 2.0, 20.0], [1.0, 2.0, -20.0]), 3.0).unwrap();
+    let Met { way: length, point, .. } = plate.first(&way([1.0, 2.0, 20.0], [1.0, 2.0, -20.0]), 3.0).unwrap();
     assert!((length - 17.0).abs() < 1e-12);
     assert!((point - V3::new(1.0, 2.0, 0.0)).norm() < 1e-12);
     // beside the edge by 1.8: the centre stops at the height sqrt(9 - 1.8 * 1.8) = 2.4
-    let (length, point) = plate.first(&way([11.8, 0.0, 20.0], [11.8, 0.0, -20.0]), 3.0).unwrap();
+    let Met { way: length, point, .. } = plate.first(&way([11.8, 0.0, 20.0], [11.8, 0.0, -20.0]), 3.0).unwrap();
     assert!((length - 17.6).abs() < 1e-12);
     assert!((point - V3::new(10.0, 0.0, 0.0)).norm() < 1e-12);
     // beside the corner by 1 and 2: the height is 2
-    let (length, point) = plate.first(&way([11.0, 12.0, 20.0], [11.0, 12.0, -20.0]), 3.0).unwrap();
+    let Met { way: length, point, .. } = plate.first(&way([11.0, 12.0, 20.0], [11.0, 12.0, -20.0]), 3.0).unwrap();
     assert!((length - 18.0).abs() < 1e-12);
     assert!((point - V3::new(10.0, 10.0, 0.0)).norm() < 1e-12);
     let beside = way([13.1, 0.0, 20.0], [13.1, 0.0, -20.0]);
     assert!(plate.first(&beside, 3.0).is_none());
     // from the side against the edge
-    let (length, _) = plate.first(&way([-30.0, 0.0, 0.0], [30.0, 0.0, 0.0]), 3.0).unwrap();
+    let Met { way: length, .. } = plate.first(&way([-30.0, 0.0, 0.0], [30.0, 0.0, 0.0]), 3.0).unwrap();
     assert!((length - 17.0).abs() < 1e-12);
 }
 
@@ -82,8 +82,8 @@ proptest! {
         prop_assert!((near - slow(&path.from)).abs() < 1e-12);
         if near > radius + 1e-6 {
             let found = mesh.first(&path, radius);
-            let end = found.map_or(path.length, |(length, _)| length);
-            if let Some((length, point)) = found {
+            let end = found.map_or(path.length, |met| met.way);
+            if let Some(Met { way: length, point, .. }) = found {
                 prop_assert!((slow(&path.at(length)) - radius).abs() < 1e-9);
                 prop_assert!(((path.at(length) - point).norm() - radius).abs() < 1e-9);
             }

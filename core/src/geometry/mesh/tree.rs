@@ -1,5 +1,6 @@
 //! Boxes around triangles, halved again and again.
 
+use crate::geometry::extent::Extent;
 use crate::geometry::{Path, V3};
 use std::ops::Range;
 
@@ -14,10 +15,9 @@ pub(super) struct Tree {
     nodes: Vec<Node>,
 }
 
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 struct Node {
-    low: V3,
-    high: V3,
+    extent: Extent,
     /// First triangle of a leaf; else the second box within, the first being the next in the list.
     next: u32,
     /// How many triangles a leaf has; 0: it is none.
@@ -25,20 +25,11 @@ struct Node {
 }
 
 impl Node {
-    /// Square of the distance of a point, 0 inside.
-    fn distance_squared(&self, p: &V3) -> f64 {
-        (p - p.sup(&self.low).inf(&self.high)).norm_squared()
-    }
-
-    fn meets(&self, low: &V3, high: &V3) -> bool {
-        (0..3).all(|axis| self.low[axis] <= high[axis] && self.high[axis] >= low[axis])
-    }
-
     /// Whether a part of it lies before the start of a path, in its direction.
     fn ahead(&self, path: &Path) -> bool {
         let part = |axis: usize| {
             let direction = path.direction[axis];
-            let end = if direction > 0.0 { self.high } else { self.low };
+            let end = if direction > 0.0 { self.extent.high } else { self.extent.low };
             direction * (end[axis] - path.from[axis])
         };
         part(0) + part(1) + part(2) > 0.0
@@ -46,7 +37,7 @@ impl Node {
 
     /// Whether it lies above or below a point.
     fn spans(&self, p: &V3) -> bool {
-        (0..2).all(|axis| self.low[axis] <= p[axis] && self.high[axis] >= p[axis])
+        (0..2).all(|axis| self.extent.low[axis] <= p[axis] && self.extent.high[axis] >= p[axis])
     }
 
     fn triangles(&self) -> Range<usize> {
@@ -75,49 +66,47 @@ impl Tree {
         tree
     }
 
-    /// Puts a box around the parts, after those within it; the corners of the box.
-    fn split(&mut self, parts: &mut [Part], first: usize, corners: &impl Fn(&[u32; 3]) -> [V3; 3]) -> [V3; 2] {
+    /// Puts a box around the parts, before those within it.
+    fn split(&mut self, parts: &mut [Part], first: usize, corners: &impl Fn(&[u32; 3]) -> [V3; 3]) -> Extent {
         let place = self.nodes.len();
         if parts.len() <= LEAF {
-            let [low, high] = around(parts.iter().flat_map(|part| corners(&part.triangle)));
-            self.nodes.push(Node { low, high, next: first as u32, count: parts.len() as u32 });
-            return [low, high];
+            let extent = Extent::of(parts.iter().flat_map(|part| corners(&part.triangle)));
+            self.nodes.push(Node { extent, next: first as u32, count: parts.len() as u32 });
+            return extent;
         }
-        self.nodes.push(Node::default());
-        let [low, high] = around(parts.iter().map(|part| part.middle));
+        let Extent { low, high } = Extent::of(parts.iter().map(|part| part.middle));
+        self.nodes.push(Node { extent: Extent::empty(), next: 0, count: 0 });
         let axis = (high - low).imax();
         let half = parts.len() / 2;
         let by_middle = |a: &Part, b: &Part| a.middle[axis].total_cmp(&b.middle[axis]);
         parts.select_nth_unstable_by(half, by_middle);
         let (one, other) = parts.split_at_mut(half);
-        let [low, high] = self.split(one, first, corners);
+        let extent = self.split(one, first, corners);
         let next = self.nodes.len() as u32;
-        let [others_low, others_high] = self.split(other, first + half, corners);
-        let [low, high] = [low.inf(&others_low), high.sup(&others_high)];
-        self.nodes[place] = Node { low, high, next, count: 0 };
-        [low, high]
+        let extent = extent.with(&self.split(other, first + half, corners));
+        self.nodes[place] = Node { extent, next, count: 0 };
+        extent
     }
 
     /// Tells the leaves whose boxes lie within `limit` of a point, near ones first. What is answered is the new limit.
     pub fn near(&self, p: &V3, limit: f64, tell: impl FnMut(Range<usize>, f64) -> f64) {
-        self.walk(limit, |node| node.distance_squared(p).sqrt(), tell);
+        self.walk(limit, |node| node.extent.distance(p), tell);
     }
 
     /// The same from the start of a path, of boxes that are nearer than `room` to it, each axis alone, and do not lie
     /// behind its start.
     pub fn near_ahead(&self, path: &Path, room: f64, limit: f64, tell: impl FnMut(Range<usize>, f64) -> f64) {
-        let (end, room) = (path.at(path.length), V3::repeat(room));
-        let (low, high) = (path.from.inf(&end) - room, path.from.sup(&end) + room);
-        let away = |node: &Node| match node.meets(&low, &high) && node.ahead(path) {
-            true => node.distance_squared(&path.from).sqrt(),
+        let swept = Extent::of([path.from, path.at(path.length)]).wider(room);
+        let away = |node: &Node| match node.extent.meets(&swept) && node.ahead(path) {
+            true => node.extent.distance(&path.from),
             false => f64::INFINITY,
         };
         self.walk(limit, away, tell);
     }
 
     /// Tells the leaves whose boxes meet a box.
-    pub fn within(&self, low: &V3, high: &V3, mut tell: impl FnMut(Range<usize>)) {
-        let away = |node: &Node| match node.meets(low, high) {
+    pub fn within(&self, extent: &Extent, mut tell: impl FnMut(Range<usize>)) {
+        let away = |node: &Node| match node.extent.meets(extent) {
             true => 0.0,
             false => f64::INFINITY,
         };
@@ -130,8 +119,8 @@ impl Tree {
     /// Tells the leaves whose boxes a line from a point straight up meets, low ones first, up to the height that is
     /// answered.
     pub fn above(&self, p: &V3, tell: impl FnMut(Range<usize>, f64) -> f64) {
-        let height = |node: &Node| match node.spans(p) && node.high.z >= p.z {
-            true => node.low.z,
+        let height = |node: &Node| match node.spans(p) && node.extent.high.z >= p.z {
+            true => node.extent.low.z,
             false => f64::INFINITY,
         };
         self.walk(f64::MAX, height, tell);
@@ -164,12 +153,6 @@ impl Tree {
             next = Some(near);
         }
     }
-}
-
-/// Lowest and highest coordinates of points.
-fn around(points: impl Iterator<Item = V3>) -> [V3; 2] {
-    let nothing = [V3::repeat(f64::INFINITY), V3::repeat(f64::NEG_INFINITY)];
-    points.fold(nothing, |[low, high], point| [low.inf(&point), high.sup(&point)])
 }
 
 /// Boxes that wait, with their measure.

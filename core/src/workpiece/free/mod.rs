@@ -10,6 +10,7 @@ pub use heights::Heights;
 pub use stl::triangles as stl_triangles;
 
 use crate::geometry::V3;
+use crate::geometry::extent::Extent;
 use crate::geometry::mesh::Mesh;
 use crate::refused;
 use std::collections::HashMap;
@@ -107,9 +108,7 @@ impl FreeSurface {
 
     /// Lowest and highest coordinate along each axis, mm.
     pub fn bounds(&self) -> [[f64; 3]; 2] {
-        let corners = self.mesh.corners().iter();
-        let least = V3::repeat(f64::INFINITY);
-        let (low, high) = corners.fold((least, -least), |(low, high), corner| (low.inf(corner), high.sup(corner)));
+        let Extent { low, high } = Extent::of(self.mesh.corners().iter().copied());
         [low.into(), high.into()]
     }
 }

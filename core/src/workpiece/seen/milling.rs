@@ -3,7 +3,7 @@
 use super::Drawn;
 use crate::control::Plane;
 use crate::geometry::V3;
-use crate::workpiece::tool::{Cutter, Spindle, across, unit};
+use crate::workpiece::tool::{Cutter, Spindle, across};
 
 /// Radius of the shank of a groove mill, of the core of a cutter with teeth and thickness of a tooth, in radii of its
 /// edge.
@@ -16,7 +16,7 @@ const RISES: f64 = 0.05;
 /// A milling tool: what cuts and, of a groove mill, the shank that reaches from its upper edge to where it is held.
 pub(super) fn tool(cutter: &Cutter, carrier: V3, plane: Plane, spindle: Option<Spindle>) -> (Vec<Drawn>, V3) {
     let (along, body) = cutter.stands(plane.axes());
-    let up = unit(along);
+    let up = V3::ith(along, 1.0);
     let swept = |radius: f64, drop: f64| Drawn::Round { outline: cutter.outline(radius), axis: body, at: up * -drop };
     let mut pieces = match spindle {
         _ if cutter.teeth == 0 => vec![swept(cutter.radius, 0.0)],
@@ -43,7 +43,7 @@ fn toothed(cutter: &Cutter, along: usize, body: V3, angle: f64) -> Vec<Drawn> {
     let core = cutter.outline(CORE * cutter.radius);
     let tooth = |[radius, direction, drop]: [f64; 3]| {
         let out = across(along, direction + angle);
-        let end = unit(along) * -drop;
+        let end = V3::ith(along, 1.0) * -drop;
         let place = |[away, high]: [f64; 2]| end + out * away + body * high;
         Drawn::Plate {
             corners: cutter.outline(radius).into_iter().map(place).collect(),
