@@ -19,6 +19,7 @@ use crate::name::Name;
 use crate::picture::figures::{circle, frame, line, polygon};
 use crate::picture::{Picture, PictureShape, ShapeKind, View};
 use crate::run::call::perform;
+use crate::workpiece::tool::in_plane;
 use crate::workpiece::{Shape, Solid};
 
 /// Entries of a trace after which nothing more is carried out.
@@ -110,16 +111,16 @@ fn worked(inputs: &Inputs) -> Inputs {
 
 /// A way that is not measured, machine coordinates, and after how many touches it comes.
 struct Way {
-    points: Vec<[f64; 3]>,
+    points: Vec<V3>,
     round: bool,
     after: usize,
 }
 
 /// A touch, machine coordinates: point, centre of the ball there and where its measuring block begins.
 struct Touch {
-    at: [f64; 3],
-    ball: [f64; 3],
-    start: [f64; 3],
+    at: V3,
+    ball: V3,
+    start: V3,
 }
 
 /// The work that is drawn.
@@ -128,7 +129,7 @@ struct Performed {
     staging: Staging,
     ways: Vec<Way>,
     touches: Vec<Touch>,
-    start: [f64; 3],
+    start: V3,
     axes: [usize; 3],
     letters: [&'static str; 3],
     complete: bool,
@@ -158,7 +159,7 @@ impl Performed {
         let (ways, touches) = motions(&steps, to_ball);
         Performed {
             complete: stop.is_none(),
-            start: moved(setup.position.0, to_ball),
+            start: V3::from(setup.position.0) + to_ball,
             axes: drawn.plane.axes(),
             letters: inputs.plane.axes().map(|axis| AXES[axis]),
             proposal,
@@ -168,12 +169,14 @@ impl Performed {
         }
     }
 
+    /// To the right and upwards on the paper, machine axes.
+    fn across(&self, look: &Look) -> [V3; 2] {
+        [look.right, look.up].map(|way| in_plane(self.axes, way))
+    }
+
     /// A machine position or direction on the paper.
-    fn seen(&self, look: &Look, point: [f64; 3]) -> [f64; 2] {
-        [look.right, look.up].map(|way| {
-            let parts = self.axes.iter().zip(way).map(|(axis, part)| point[*axis] * part);
-            (parts.sum::<f64>() * 1e6).round() / 1e6
-        })
+    fn seen(&self, look: &Look, point: V3) -> [f64; 2] {
+        self.across(look).map(|way| (way.dot(&point) * 1e6).round() / 1e6)
     }
 
     fn view(&self, look: &Look) -> (Vec<PictureShape>, Seen) {
@@ -224,7 +227,7 @@ impl Performed {
         let extent = extent(&shapes);
         let letters = look.axes.map(|axis| self.letters[axis]);
         let part = self::extent(&edges);
-        let seen = Seen { touches, edges, part, zones, start, zero: place([0.0; 3]), extent, ball, letters };
+        let seen = Seen { touches, edges, part, zones, start, zero: place(V3::zeros()), extent, ball, letters };
         (shapes, seen)
     }
 
@@ -237,12 +240,12 @@ impl Performed {
     fn part(&self, look: &Look) -> (Vec<PictureShape>, Vec<PictureShape>) {
         let kind = if look.cut { ShapeKind::Cut } else { ShapeKind::Material };
         let cut = self.cut(look);
-        let seen = |solid, kind| outline(solid, kind, cut, |point| self.seen(look, point.into()));
+        let seen = |solid, kind| outline(solid, kind, cut, |point| self.seen(look, point));
         let solids: Vec<&Solid> = self.solids().collect();
         let touches = self.touches.iter().take(look.until());
         let touched: Vec<&Solid> = touches.filter_map(|touch| nearest(&solids, touch.at)).collect();
         let holds = self.proposal.fixture.iter().filter(|_| look.held);
-        let holds = holds.filter(|holds| nearest(&solids, holds.at).is_some_and(|part| touched.contains(&part)));
+        let holds = holds.filter(|holds| nearest(&solids, holds.at.into()).is_some_and(|part| touched.contains(&part)));
         let mut bodies = Vec::new();
         for holds in holds {
             let of = if matches!(holds.shape, Shape::Chuck { .. }) { ShapeKind::Cut } else { ShapeKind::Material };
@@ -262,12 +265,8 @@ impl Performed {
     /// The plane of a section: through its first touch.
     fn cut(&self, look: &Look) -> Option<Cut> {
         let touch = self.touches.iter().enumerate().find(|(index, _)| look.shows(*index))?.1;
-        let [right, up] = [look.right, look.up].map(|way| {
-            let mut vector = V3::zeros();
-            (0..3).for_each(|part| vector[self.axes[part]] = way[part]);
-            vector
-        });
-        look.cut.then(|| Cut { at: touch.at.into(), normal: right.cross(&up) })
+        let [right, up] = self.across(look);
+        look.cut.then(|| Cut { at: touch.at, normal: right.cross(&up) })
     }
 
     /// The boundary lines that are touched, in the order of the touches; of a side that is seen from before all of
@@ -292,7 +291,7 @@ impl Performed {
         let fields = &self.staging.fields;
         let mut corners = Vec::new();
         for zone in self.proposal.zones.iter().filter(|_| fields.zone.is_some()) {
-            let Some(outline) = outline(zone, ShapeKind::Zone, None, |point| self.seen(look, point.into())) else {
+            let Some(outline) = outline(zone, ShapeKind::Zone, None, |point| self.seen(look, point)) else {
                 continue;
             };
             let body = outline.body;
@@ -361,8 +360,8 @@ impl Seen {
 }
 
 /// The solid whose origin is nearest to a point.
-fn nearest<'a>(solids: &[&'a Solid], point: [f64; 3]) -> Option<&'a Solid> {
-    let away = |solid: &Solid| (V3::from(solid.at) - V3::from(point)).norm();
+fn nearest<'a>(solids: &[&'a Solid], point: V3) -> Option<&'a Solid> {
+    let away = |solid: &Solid| (V3::from(solid.at) - point).norm();
     solids.iter().copied().min_by(|one, other| away(one).total_cmp(&away(other)))
 }
 
@@ -426,35 +425,31 @@ fn calibrate(control: &mut Control, cycle: &Cycle, ball: f64) {
     }
 }
 
-fn moved(point: [f64; 3], by: [f64; 3]) -> [f64; 3] {
-    [0, 1, 2].map(|axis| point[axis] + by[axis])
-}
-
 /// From the point to which the tool length refers to the centre of the ball, as the first touch shows it.
-fn to_ball(steps: &[&Step]) -> [f64; 3] {
+fn to_ball(steps: &[&Step]) -> V3 {
     let touch = steps.windows(2).find_map(|pair| match pair {
-        [Step::Motion { to, .. }, Step::Touch { ball, .. }] => Some([0, 1, 2].map(|axis| ball[axis] - to[axis])),
+        [Step::Motion { to, .. }, Step::Touch { ball, .. }] => Some(V3::from(*ball) - V3::from(*to)),
         _ => None,
     });
     touch.unwrap_or_default()
 }
 
 /// Ways and touches of a trace, each place touched once.
-fn motions(steps: &[&Step], to_ball: [f64; 3]) -> (Vec<Way>, Vec<Touch>) {
+fn motions(steps: &[&Step], to_ball: V3) -> (Vec<Way>, Vec<Touch>) {
     let (mut ways, mut touches): (Vec<Way>, Vec<Touch>) = (Vec::new(), Vec::new());
     let mut measured = None;
     for step in steps {
         match step {
-            Step::Motion { kind: MotionKind::Measuring, from, .. } => measured = Some(moved(*from, to_ball)),
+            Step::Motion { kind: MotionKind::Measuring, from, .. } => measured = Some(V3::from(*from) + to_ball),
             Step::Motion { kind, from, to, around, .. } if *kind != MotionKind::Retract => {
                 let points = course(*from, *to, around.as_ref());
-                let points = points.into_iter().map(|point| moved(point, to_ball)).collect();
+                let points = points.into_iter().map(|point| V3::from(point) + to_ball).collect();
                 ways.push(Way { points, round: around.is_some(), after: touches.len() });
             }
             Step::Touch { point, ball, .. } => {
-                let near = |touch: &Touch| (V3::from(touch.at) - V3::from(*point)).norm() < 1e-3;
+                let near = |touch: &Touch| (touch.at - V3::from(*point)).norm() < 1e-3;
                 if let (Some(start), false) = (measured, touches.iter().any(near)) {
-                    touches.push(Touch { at: *point, ball: *ball, start });
+                    touches.push(Touch { at: V3::from(*point), ball: V3::from(*ball), start });
                 }
             }
             _ => {}

@@ -35,6 +35,18 @@ pub enum Contact {
     },
 }
 
+impl Contact {
+    /// What is met on a way of this length, mm; at once what the ball reaches into.
+    pub(super) fn met(&self, length: f64) -> Option<Met> {
+        let (way, point, normal) = match *self {
+            Contact::None => return None,
+            Contact::Already { point, normal, .. } => (0.0, point, normal),
+            Contact::Hit { t, point, normal, .. } => (t * length, point, normal),
+        };
+        Some(Met { way, point: point.into(), normal: normal.into() })
+    }
+}
+
 /// A part taken apart into what a ball can touch: made once, asked for every motion.
 #[derive(Clone, Debug)]
 pub struct Boundary {

@@ -167,28 +167,16 @@ impl Boundary {
 
     /// What goes through the axis of a rod.
     fn pierced(&self, rod: &Rod) -> Option<Met> {
-        let (point, normal) = match self.first(0.0, rod.top().into(), rod.foot.into()) {
-            Contact::None => return None,
-            Contact::Already { point, normal, .. } | Contact::Hit { point, normal, .. } => (point, normal),
-        };
-        Some(Met { way: 0.0, point: point.into(), normal: normal.into() })
+        let met = self.first(0.0, rod.top().into(), rod.foot.into()).met(rod.length)?;
+        Some(Met { way: 0.0, ..met })
     }
 
     /// A round end, which may leave what it reaches into.
     fn end(&self, from: V3, radius: f64, path: &Path) -> Option<Met> {
         let to = from + path.direction * path.length;
-        let (way, point, normal) = match self.first(radius, from.into(), to.into()) {
-            Contact::None => return None,
-            Contact::Already { point, normal, .. } => {
-                let leaves = path.direction.dot(&V3::from(normal)) > 0.0;
-                if leaves {
-                    return None;
-                }
-                (0.0, point, normal)
-            }
-            Contact::Hit { t, point, normal, .. } => (t * path.length, point, normal),
-        };
-        Some(Met { way, point: point.into(), normal: normal.into() })
+        let met = self.first(radius, from.into(), to.into()).met(path.length)?;
+        let leaves = met.way == 0.0 && path.direction.dot(&met.normal) > 0.0;
+        (!leaves).then_some(met)
     }
 
     /// The edge of a flat end.

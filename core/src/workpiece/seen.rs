@@ -3,7 +3,7 @@
 
 mod milling;
 
-use super::tool::{Cut, Nose, Spindle, Tool};
+use super::tool::{Cut, Nose, Spindle, Tool, in_plane};
 use crate::control::Plane;
 use crate::geometry::V3;
 use crate::geometry::rigid::sin_cos;
@@ -79,19 +79,14 @@ fn turning_tool(nose: &Nose, carrier: V3, plane: Plane) -> (Vec<Drawn>, V3) {
     let carrier = [carrier[axes[0]], carrier[axes[1]]];
     let plate = |corners: Vec<[f64; 2]>, above: f64, thick: f64, cuts: bool| {
         let place = |[abscissa, ordinate]: [f64; 2]| {
-            let mut point = V3::zeros();
-            point[axes[0]] = abscissa - nose.side[0] * nose.radius;
-            point[axes[1]] = ordinate - nose.side[1] * nose.radius;
-            point[axes[2]] = above;
-            point
+            let [side, over] = nose.side.map(|side| side * nose.radius);
+            in_plane(axes, [abscissa - side, ordinate - over, above])
         };
-        let mut down = V3::zeros();
-        down[axes[2]] = -thick;
-        Drawn::Plate { corners: corners.into_iter().map(place).collect(), thick: down, cuts }
+        let corners = corners.into_iter().map(place).collect();
+        Drawn::Plate { corners, thick: in_plane(axes, [0.0, 0.0, -thick]), cuts }
     };
     let lies = lies(nose, carrier);
-    let mut along = V3::zeros();
-    along[axes[lies.0]] = lies.1;
+    let along = V3::ith(axes[lies.0], lies.1);
     let pieces =
         vec![plate(insert(nose), 0.0, INSERT[1], true), plate(shank(nose, carrier, lies), -SEAT, SHANK - SEAT, false)];
     (pieces, along)
@@ -206,11 +201,9 @@ pub fn turret(turret: &Turret, carrier: V3, along: V3) -> Vec<Drawn> {
     let mut at = carrier;
     at[transverse] += away(transverse) * (radius - WALL);
     at[spindle] += away(spindle) * WALL;
-    let mut axis = V3::zeros();
-    axis[spindle] = away(spindle);
     let disc = Drawn::Round {
         outline: vec![[0.0, 0.0], [radius, 0.0], [radius, turret.width], [0.0, turret.width]],
-        axis,
+        axis: V3::ith(spindle, away(spindle)),
         at,
     };
     vec![holder, disc]

@@ -74,6 +74,11 @@ pub enum Spindle {
     Turns,
 }
 
+/// Abscissa, ordinate and applicate along these axes of the machine.
+pub fn in_plane(axes: [usize; 3], parts: [f64; 3]) -> V3 {
+    axes.into_iter().zip(parts).map(|(axis, part)| V3::ith(axis, part)).sum()
+}
+
 /// Direction across an axis of the machine: 0 is the next axis of X, Y, Z, 90 degree the one behind it.
 pub fn across(axis: usize, degrees: f64) -> V3 {
     let (sine, cosine) = sin_cos(degrees);
@@ -131,8 +136,7 @@ impl Tool {
         let axes = plane.axes();
         match &self.cut {
             Cut::Nose(nose) => {
-                let mut side = V3::zeros();
-                (side[axes[0]], side[axes[1]]) = (nose.side[0], nose.side[1]);
+                let side = in_plane(axes, [nose.side[0], nose.side[1], 0.0]);
                 vec![Piece::Nose { centre: point - side * nose.radius, radius: nose.radius, across: axes[2] }]
             }
             Cut::Cutter(cutter) => cutter.pieces(point, axes, spindle),
