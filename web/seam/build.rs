@@ -4,7 +4,8 @@
 #[path = "src/ask.rs"]
 mod ask;
 
-use ask::{Answers, Scanned, Seam, beside, cycles, of_cycle};
+use ask::{Answers, Scanned, Seam, Seen, beside, cycles, numbers, of_cycle};
+use probewright_core::scene::Scene;
 use probewright_core::{app, encoding, json};
 use std::path::Path;
 
@@ -36,6 +37,25 @@ const CORE: Seam = Seam {
         let mut recogniser = encoding::Recogniser::default();
         recogniser.take(bytes);
         json::text(&app::Recognised::from(recogniser.finish()))
+    },
+    seen: |question| {
+        let view = json::question(question).and_then(app::form).map_err(|error| error.to_string())?;
+        let Some(scene) = view.outcome.map(|outcome| Scene::of(&outcome.trace)) else {
+            return Ok(Seen::default());
+        };
+        let arrays = vec![
+            ("vertices", numbers(&scene.vertices)),
+            ("corners", numbers(&scene.corners)),
+            ("lines", numbers(&scene.lines)),
+            ("ways", numbers(&scene.ways)),
+            ("wayEntries", numbers(&scene.way_entries)),
+            ("wayKinds", numbers(&scene.way_kinds)),
+            ("touches", numbers(&scene.touches)),
+            ("touchEntries", numbers(&scene.touch_entries)),
+            ("touchSorts", numbers(&scene.touch_sorts)),
+            ("stands", numbers(&scene.stands)),
+        ];
+        Ok(Seen { view: json::text(&scene.view), arrays })
     },
     scan: |question, file| {
         let mut scan = json::question(question)

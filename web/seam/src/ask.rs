@@ -32,8 +32,24 @@ pub struct Seam {
     pub setup: Question,
     /// Bytes of a file → `Recognised`.
     pub recognise: fn(&[u8]) -> String,
+    /// `FormRequest` → what is to be seen of the call.
+    pub seen: fn(&str) -> Result<Seen, String>,
     /// `ScanRequest` and the bytes of a file → `ScanView`, the points sent, their turns, and the program.
     pub scan: fn(&str, &[u8]) -> Result<Scanned, String>,
+}
+
+/// What is to be seen, with its typed arrays by name; of a call that is not carried out nothing.
+#[derive(Default)]
+pub struct Seen {
+    /// `SceneView`.
+    pub view: String,
+    /// Numbers of each array.
+    pub arrays: Vec<(&'static str, Vec<f64>)>,
+}
+
+/// The numbers of an array.
+pub fn numbers<T: Copy + Into<f64>>(array: &[T]) -> Vec<f64> {
+    array.iter().map(|number| (*number).into()).collect()
 }
 
 /// What a scan hands over, the points as typed arrays.
@@ -78,6 +94,7 @@ pub fn of_cycle(seam: &Seam, cycle: &Value, told: &mut Answers) {
         let plane = cycle["purpose"]["plane"].as_str().filter(|_| control == "sinumerik").unwrap_or("G17");
         let form = json!({ "control": control, "cycle": name, "values": values, "plane": plane, "predict": true,
             "twin": true });
+        keep("seen", seen(seam, &form));
         let form = read_value((seam.form)(&form.to_string()));
         keep("help", read_value((seam.help)(&json!({ "control": control, "cycle": name, "mvar": mvar }).to_string())));
         let end = if control == "nct" { "M30\n%\n" } else { "M30\n" };
@@ -196,6 +213,23 @@ fn bytes(seam: &Seam, told: &mut Answers) {
     told.insert("setup".into(), read_value((seam.setup)(file)));
     let refused = (seam.scan)("{", b"solid").map(|scanned| scanned.view);
     told.insert("scan of a wrong question".into(), read_value(refused));
+}
+
+/// Into how many pieces a typed array is taken; of each the mean is compared. A short one is compared number by number.
+const PIECES: usize = 256;
+
+/// What is to be seen of a call: what the arrays are, how long each is, and the mean of each piece of it.
+fn seen(seam: &Seam, question: &Value) -> Value {
+    let seen = (seam.seen)(&question.to_string()).map(|Seen { view, arrays }| {
+        let view = if view.is_empty() { Value::Null } else { read_value(Ok(view)) };
+        let array = |(name, numbers): (&str, Vec<f64>)| {
+            let pieces = numbers.chunks(numbers.len().div_ceil(PIECES).max(1));
+            let means: Vec<f64> = pieces.map(|piece| piece.iter().sum::<f64>() / piece.len() as f64).collect();
+            (name.to_owned(), json!({ "length": numbers.len(), "means": means }))
+        };
+        json!({ "view": view, "arrays": arrays.into_iter().map(array).collect::<Map<_, _>>() }).to_string()
+    });
+    read_value(seen)
 }
 
 /// What a scan hands over: its view, and the points as typed arrays.

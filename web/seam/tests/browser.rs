@@ -2,8 +2,8 @@
 #![cfg(target_arch = "wasm32")]
 #![allow(clippy::unwrap_used)]
 
-use probewright_seam::ask::{Answers, Scanned, Seam, Told, beside, cycles, of_cycle};
-use probewright_seam::same::difference;
+use probewright_seam::ask::{Answers, Scanned, Seam, Seen, Told, beside, cycles, numbers, of_cycle};
+use probewright_seam::same::{SAME, SINGLE, difference};
 use probewright_web as web;
 use serde_json::Value;
 use wasm_bindgen::{JsCast, JsError, JsValue};
@@ -19,6 +19,13 @@ fn sentence(error: JsError) -> String {
 macro_rules! answered {
     ($function:path) => {
         |question| -> Told { $function(question).map_err(sentence) }
+    };
+}
+
+/// The numbers of a view on the memory of the module, as the page takes them: out of it first, as it may move.
+macro_rules! copied {
+    ($view:expr) => {
+        numbers(&$view.slice(0, u32::MAX).to_vec())
     };
 }
 
@@ -41,6 +48,24 @@ const BROWSER: Seam = Seam {
         let mut recogniser = web::Recogniser::new();
         recogniser.take(bytes);
         recogniser.finish()
+    },
+    seen: |question| {
+        let Some(scene) = web::form_seen(question).map_err(sentence)?.scene() else {
+            return Ok(Seen::default());
+        };
+        let arrays = vec![
+            ("vertices", copied!(scene.vertices())),
+            ("corners", copied!(scene.corners())),
+            ("lines", copied!(scene.lines())),
+            ("ways", copied!(scene.ways())),
+            ("wayEntries", copied!(scene.way_entries())),
+            ("wayKinds", copied!(scene.way_kinds())),
+            ("touches", copied!(scene.touches())),
+            ("touchEntries", copied!(scene.touch_entries())),
+            ("touchSorts", copied!(scene.touch_sorts())),
+            ("stands", copied!(scene.stands())),
+        ];
+        Ok(Seen { view: scene.view(), arrays })
     },
     scan: |question, file| {
         let mut scan = web::Scan::new(question, file).map_err(sentence)?;
@@ -80,7 +105,8 @@ async fn the_browser_is_told_what_the_core_says() {
     let native = native.as_object().unwrap();
     let told = asked().await;
     assert_eq!(native.keys().collect::<Vec<_>>(), told.keys().collect::<Vec<_>>());
-    let differs = |(name, answer): (&String, &Value)| difference(answer, &told[name], name);
+    let near = |name: &str| if name.ends_with(" seen") { SINGLE } else { SAME };
+    let differs = |(name, answer): (&String, &Value)| difference(answer, &told[name], name, near(name));
     let differences: Vec<String> = native.iter().filter_map(differs).take(5).collect();
     assert!(differences.is_empty(), "{differences:#?}");
     calls_come_back(&told);
@@ -102,6 +128,8 @@ fn calls_come_back(told: &Answers) {
     for (name, run) in named(" run") {
         assert!(run["trace"].is_object(), "{name}: {run}");
     }
+    let seen = |(_, seen): &(&String, &Value)| seen["arrays"]["vertices"]["length"].as_u64() > Some(0);
+    assert!(named(" seen").filter(seen).count() > 100, "{} scenes", named(" seen").filter(seen).count());
     for (name, scan) in named(" scan") {
         let (points, cloud) = (scan["turns"].as_array().unwrap(), scan["cloud"].as_array().unwrap());
         assert_eq!(cloud.len(), 4 * points.len(), "{name}");
