@@ -1,48 +1,32 @@
 //! CYCLE100: the log is switched on (B:11227-11229). The file is made anew, the header is printed; from then on every
 //! measuring cycle adds a block of values.
 
-use super::common::{optional, required};
 use super::logging;
 use super::logging::params::log_params;
 use super::logging::{CONTENT_ALARMS, FILE_ALARMS, log_example, names, params};
-use crate::dialect::Dialect;
-use crate::entry::{Cycle, Drawing, Help, HelpLine, Param, Variant, When, before, measures, order, wrong};
+use crate::entry::*;
 
 /// The cycle.
 pub static CYCLE100: Cycle = Cycle {
-    dialect: Dialect::Sinumerik,
     name: "CYCLE100",
     key: "cycle100",
     variants: &[Variant { number: 0, key: "cycle100-on", source: "B:11227;A:12535" }],
-    purpose: logging::PURPOSE,
-    lists: &[],
-    settings: logging::SETTINGS,
-    params: PARAMS,
-    results: &[],
+    params: log_params!(params::FILE; header When::Always; values When::Always),
     alarms: &[FILE_ALARMS, CONTENT_ALARMS],
-    checks: logging::checks,
-    help: Help::new(&[LINES, logging::help::FORMAT, logging::help::FILE]),
-    picture: Drawing::new(logging::picture),
+    help: Help::new(&[
+        &[
+            measures(When::Always, "help-cycle100-does", "B:11211-11213;B:11227"),
+            before(When::Always, "help-cycle100-values", "B:11396-11402"),
+            order(When::Always, "help-cycle100-begin", "B:11229;B:11253"),
+            logging::help::header(When::Always),
+            order(When::Always, "help-cycle100-each", "B:11213"),
+            wrong(When::Always, "help-cycle100-lost", "B:11200;B:11229"),
+            wrong(When::Always, "help-cycle100-old", "B:11229"),
+        ],
+        logging::help::FORMAT,
+        logging::help::FILE,
+    ]),
     example: log_example!((names::FILE, "LOG_1")),
-    simulation: None,
     source: "B:11172-11229",
+    ..logging::PRINTS
 };
-
-const PARAMS: &[Param] = log_params!(
-    Param {
-        needs: &[required(When::Always, "need-log-file")],
-        ..params::FILE
-    };
-    header When::Always;
-    values When::Always
-);
-
-const LINES: &[HelpLine] = &[
-    measures(When::Always, "help-cycle100-does", "B:11211-11213;B:11227"),
-    before(When::Always, "help-cycle100-values", "B:11396-11402"),
-    order(When::Always, "help-cycle100-begin", "B:11229;B:11253"),
-    logging::help::header(When::Always),
-    order(When::Always, "help-cycle100-each", "B:11213"),
-    wrong(When::Always, "help-cycle100-lost", "B:11200;B:11229"),
-    wrong(When::Always, "help-cycle100-old", "B:11229"),
-];

@@ -4,11 +4,7 @@
 use super::common::{ALWAYS_REQUIRED, PARAM, alarms, integer, optional, required};
 use super::logging;
 use super::logging::cells::{CELL, ROW, cells, left};
-use crate::dialect::Dialect;
-use crate::entry::{
-    Arg, ArgumentList, Cycle, Drawing, Help, HelpLine, Inputs, Kind, Param, Style, Variant, When, before, corrects,
-    measures, order, wrong,
-};
+use crate::entry::*;
 use crate::name::Name;
 use crate::picture::figures::{dimension, line};
 use crate::picture::{Picture, PictureShape, ShapeKind, View};
@@ -29,20 +25,14 @@ const MOST: f64 = 10.0;
 
 /// The cycle.
 pub static CYCLE118: Cycle = Cycle {
-    dialect: Dialect::Sinumerik,
     name: "CYCLE118",
     key: "cycle118",
     variants: &[Variant { number: 0, key: "cycle118-format", source: "B:11262;A:12580" }],
-    purpose: logging::PURPOSE,
-    lists: &[ArgumentList {
-        style: Style::Direct,
-        name: "CYCLE118",
-        when: When::Always,
-        base: 0,
-        args: &[Arg::Param(NUMBER), Arg::Param(DECIMALS), Arg::Output("PAR3"), Arg::Param(COUNT), Arg::Param(REGISTER)],
-        source: "B:11262",
-    }],
-    settings: &[],
+    lists: &[logging::call(
+        "CYCLE118",
+        &[Arg::Param(NUMBER), Arg::Param(DECIMALS), Arg::Output("PAR3"), Arg::Param(COUNT), Arg::Param(REGISTER)],
+        "B:11262",
+    )],
     params: PARAMS,
     results: &[
         integer("PAR3", "result-118-text", When::Always, "B:11290"),
@@ -58,13 +48,21 @@ pub static CYCLE118: Cycle = Cycle {
         integer("_TXT[9]", "result-118-field", When::Above { param: COUNT, than: 9.0 }, "B:11280"),
     ],
     alarms: &[&alarms([61362])], // A:15904
-    checks: |_, _, _| {},
-    help: Help::new(&[LINES]),
+    help: Help::new(&[&[
+        measures(When::Always, "help-cycle118-does", "B:11264-11266"),
+        before(When::Always, "help-cycle118-variable", "B:11270-11272"),
+        before(When::Always, "help-cycle118-registers", "B:11276-11278"),
+        order(When::Always, "help-cycle118-rounds", "B:11288-11290"),
+        order(When::Always, "help-cycle118-many", "B:11276-11280"),
+        corrects(When::Always, "help-cycle118-left", "B:11280;B:11320"),
+        wrong(When::Always, "help-cycle118-count", "A:15904"),
+        wrong(When::Always, "help-cycle118-length", "B:11272"),
+    ]]),
     picture: Drawing::new(picture),
     // the example of the manual, B:11296-11308
     example: &[(NUMBER, "31.830988618"), (DECIMALS, "2")],
-    simulation: None,
     source: "B:11262-11320",
+    ..logging::LOG
 };
 
 const PARAMS: &[Param] = &[
@@ -159,14 +157,3 @@ fn registers(inputs: &Inputs, decimals: usize) -> Vec<PictureShape> {
     }
     shapes
 }
-
-const LINES: &[HelpLine] = &[
-    measures(When::Always, "help-cycle118-does", "B:11264-11266"),
-    before(When::Always, "help-cycle118-variable", "B:11270-11272"),
-    before(When::Always, "help-cycle118-registers", "B:11276-11278"),
-    order(When::Always, "help-cycle118-rounds", "B:11288-11290"),
-    order(When::Always, "help-cycle118-many", "B:11276-11280"),
-    corrects(When::Always, "help-cycle118-left", "B:11280;B:11320"),
-    wrong(When::Always, "help-cycle118-count", "A:15904"),
-    wrong(When::Always, "help-cycle118-length", "B:11272"),
-];

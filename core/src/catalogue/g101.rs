@@ -5,11 +5,7 @@ use super::nct;
 use super::nct::part;
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
-use crate::dialect::Dialect;
-use crate::entry::{
-    Cycle, Drawing, Help, HelpLine, Inputs, Kind, Param, Proposal, Purpose, Simulation, Unit, Variant, When, Work,
-    address, before, corrects, measures, order, wrong,
-};
+use crate::entry::*;
 use crate::geometry::Wcs;
 use crate::machine::trace::MotionKind;
 use crate::machine::{Machine, Stop};
@@ -17,7 +13,7 @@ use crate::own;
 use crate::picture::figures::{circle, dimension, line, rectangle};
 use crate::picture::{Picture, ShapeKind, View};
 use crate::range::Range;
-use crate::workpiece::{Shape, Workpiece};
+use crate::workpiece::Shape;
 
 const TARGET: Param = Param {
     kind: Kind::Real,
@@ -29,13 +25,10 @@ const TARGET: Param = Param {
 
 /// The macro.
 pub static G101: Cycle = Cycle {
-    dialect: Dialect::Nct,
     name: "G101",
     key: "g101",
     variants: &[Variant { number: 0, key: "g101-positioning", source: "C:106" }],
     purpose: Purpose::MILLING,
-    lists: &[],
-    settings: &[],
     params: &[
         Param { name: address::X, key: "g101-x", ..TARGET },
         Param { name: address::Y, key: "g101-y", ..TARGET },
@@ -53,7 +46,6 @@ pub static G101: Cycle = Cycle {
             ..PARAM
         },
     ],
-    results: &[],
     alarms: &[&[
         nct::NO_TOOL_LENGTH,
         nct::PATH_OBSTRUCTED,
@@ -62,11 +54,19 @@ pub static G101: Cycle = Cycle {
         nct::OUT_OF_POSITION,
     ]],
     checks,
-    help: Help::new(&[HELP]),
+    help: Help::new(&[&[
+        measures(When::Always, "help-g101-measures-nothing", "C:106-112"),
+        before(When::Always, "help-g101-before-free", "C:125-132"),
+        order(When::Always, "help-g101-order-straight", "C:106-112"),
+        corrects(When::Always, "help-g101-corrects-nothing", "C:121-123"),
+        wrong(When::Always, "help-g101-wrong-obstructed", "C:125-132"),
+        wrong(When::Always, "help-g101-wrong-incremental", "C:108"),
+    ]]),
     picture: Drawing::new(picture),
     example: &[(address::X, "120"), (address::Z, "200")],
     simulation: Some(Simulation::new(Work { propose, simulate }, &[])),
     source: "C:106-144",
+    ..nct::MACRO
 };
 
 fn target(inputs: &Inputs, from: [f64; 3], incremental: bool) -> [f64; 3] {
@@ -82,8 +82,7 @@ fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     let incremental = machine.control().bit(nct::INCREMENTAL);
     let to = target(inputs, machine.position().0, incremental);
     let outcome = go(machine, Wcs(to), inputs.number(address::F));
-    let lost = if outcome.is_ok() { 0.0 } else { 1.0 };
-    machine.control().set(nct::POSITION_LOST, lost);
+    machine.control().set(nct::POSITION_LOST, f64::from(u8::from(outcome.is_err())));
     outcome
 }
 
@@ -107,14 +106,10 @@ fn checks(inputs: &Inputs, _: &Control, findings: &mut Vec<Diagnostic>) {
 
 /// A flat part well below the way.
 fn propose(inputs: &Inputs, control: &Control) -> Proposal {
-    let [.., applicate] = control.plane.axes();
-    let end = target(inputs, [0.0; 3], false);
-    let mut top = end;
-    top[applicate] = end[applicate].min(0.0) - 20.0;
-    let block = part::in_plane(Shape::Block { size: [100.0, 100.0, 20.0] }, top, control);
-    let mut start = [0.0; 3];
-    start[applicate] = end[applicate].max(0.0) + 50.0;
-    Proposal { workpiece: Workpiece { solids: vec![block] }, start: Wcs(start), ..Proposal::default() }
+    let [abscissa, ordinate, height] = control.plane.axes().map(|axis| target(inputs, [0.0; 3], false)[axis]);
+    let block = Shape::Block { size: [100.0, 100.0, 20.0] };
+    let top = [abscissa, ordinate, height.min(0.0) - 20.0];
+    part::propose(block, top, [0.0, 0.0, height.max(0.0) + 50.0], control)
 }
 
 /// Ball radius of the drawing, and half the length of the part, mm.
@@ -152,13 +147,3 @@ fn picture(inputs: &Inputs) -> Picture {
     }
     Picture { view: View::Section, shapes }
 }
-
-/// The lines of the help page.
-const HELP: &[HelpLine] = &[
-    measures(When::Always, "help-g101-measures-nothing", "C:106-112"),
-    before(When::Always, "help-g101-before-free", "C:125-132"),
-    order(When::Always, "help-g101-order-straight", "C:106-112"),
-    corrects(When::Always, "help-g101-corrects-nothing", "C:121-123"),
-    wrong(When::Always, "help-g101-wrong-obstructed", "C:125-132"),
-    wrong(When::Always, "help-g101-wrong-incremental", "C:108"),
-];

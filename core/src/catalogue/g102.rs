@@ -9,11 +9,7 @@ use super::nct;
 use super::nct::ring::D;
 use super::nct::walls::home;
 use super::nct::{correct, ring};
-use crate::dialect::Dialect;
-use crate::entry::{
-    Cycle, Drawing, Help, HelpLine, Inputs, Param, Purpose, Simulation, Variant, When, Work, address, before, corrects,
-    measures, order, wrong,
-};
+use crate::entry::*;
 use crate::geometry::Wcs;
 use crate::machine::trace::Step;
 use crate::machine::{Machine, Stop};
@@ -26,22 +22,27 @@ pub const INDEX: &str = "#510";
 
 /// The macro.
 pub static G102: Cycle = Cycle {
-    dialect: Dialect::Nct,
     name: "G102",
     key: "g102",
     variants: &[Variant { number: 0, key: "g102-offset", source: "C:179" }],
     purpose: Purpose { calibrates: When::Always, ..Purpose::MILLING },
-    lists: &[],
-    settings: &[],
     params: &[Param { key: "g102-d", usual: Range::closed(20.0, 1000.0), source: "C:187-189", ..D }],
     results: &[ring::value("#504", "result-g102-1", "C:176"), ring::value("#505", "result-g102-2", "C:177")],
-    alarms: &[nct::MEASURING],
-    checks: ring::check,
-    help: Help::new(&[HELP, nct::help::MEASURING, nct::help::CALIBRATING]),
-    picture: Drawing::staged(ring::stage, ring::marks),
+    help: Help::new(&[
+        &[
+            measures(When::Always, "help-g102-measures-offset", "C:150-168"),
+            before(When::Always, "help-g102-before-ring", "C:156-187"),
+            order(When::Always, "help-g102-order-walls", "C:161-187"),
+            corrects(When::Always, "help-g102-corrects-offset", "C:161-168"),
+            wrong(When::Always, "help-g102-wrong-moved", "C:156-168"),
+        ],
+        nct::help::MEASURING,
+        nct::help::CALIBRATING,
+    ]),
     example: &[(address::D, "25")],
     simulation: Some(Simulation::new(Work { propose: ring::propose, simulate }, &[])),
     source: "C:150-278",
+    ..ring::CALIBRATION
 };
 
 fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
@@ -74,12 +75,3 @@ fn turn(machine: &mut dyn Machine) {
     let angle = machine.control().spindle;
     machine.orient((angle + 180.0).rem_euclid(360.0));
 }
-
-/// The lines of the help page.
-const HELP: &[HelpLine] = &[
-    measures(When::Always, "help-g102-measures-offset", "C:150-168"),
-    before(When::Always, "help-g102-before-ring", "C:156-187"),
-    order(When::Always, "help-g102-order-walls", "C:161-187"),
-    corrects(When::Always, "help-g102-corrects-offset", "C:161-168"),
-    wrong(When::Always, "help-g102-wrong-moved", "C:156-168"),
-];

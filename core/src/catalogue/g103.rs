@@ -11,17 +11,12 @@ use super::nct::ring::D;
 use super::nct::touch::Calibration;
 use super::nct::walls::{home, travel};
 use super::nct::{correct, ring};
-use crate::dialect::Dialect;
-use crate::entry::{
-    Cycle, Drawing, Help, HelpLine, Inputs, Meaning, Param, Purpose, Simulation, Task, Variant, When, Work, address,
-    before, corrects, measures, order, wrong,
-};
+use crate::entry::*;
 use crate::machine::{Machine, Stop};
 use crate::range::Range;
 
 /// The macro.
 pub static G103: Cycle = Cycle {
-    dialect: Dialect::Nct,
     name: "G103",
     key: "g103",
     variants: &[Variant { number: 0, key: "g103-radius", source: "C:309" }],
@@ -30,8 +25,6 @@ pub static G103: Cycle = Cycle {
         tasks: &[nct::tasks::task(Task::Ball, &[0], 0, &[(address::D, Meaning::Nominal)])],
         ..Purpose::MILLING
     },
-    lists: &[],
-    settings: &[],
     params: &[Param { key: "g103-d", usual: Range::closed(25.0, 1000.0), source: "C:317-319", ..D }],
     results: &[
         ring::value("#500", "result-g103-1-plus", "C:304"),
@@ -39,13 +32,21 @@ pub static G103: Cycle = Cycle {
         ring::value("#502", "result-g103-2-plus", "C:306"),
         ring::value("#503", "result-g103-2-minus", "C:307"),
     ],
-    alarms: &[nct::MEASURING],
-    checks: ring::check,
-    help: Help::new(&[HELP, nct::help::MEASURING, nct::help::CALIBRATING]),
-    picture: Drawing::staged(ring::stage, ring::marks),
+    help: Help::new(&[
+        &[
+            measures(When::Always, "help-g103-measures-radius", "C:288-317"),
+            before(When::Always, "help-g103-before-ring", "C:288-299"),
+            order(When::Always, "help-g103-order-centre", "C:309-345"),
+            corrects(When::Always, "help-g103-corrects-radius", "C:309-345"),
+            wrong(When::Always, "help-g103-wrong-size", "C:288-317"),
+        ],
+        nct::help::MEASURING,
+        nct::help::CALIBRATING,
+    ]),
     example: &[(address::D, "50")],
     simulation: Some(Simulation::new(Work { propose: ring::propose, simulate }, &[])),
     source: "C:282-370",
+    ..ring::CALIBRATION
 };
 
 fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
@@ -69,12 +70,3 @@ fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     correct::calibration(machine, &values);
     Ok(())
 }
-
-/// The lines of the help page.
-const HELP: &[HelpLine] = &[
-    measures(When::Always, "help-g103-measures-radius", "C:288-317"),
-    before(When::Always, "help-g103-before-ring", "C:288-299"),
-    order(When::Always, "help-g103-order-centre", "C:309-345"),
-    corrects(When::Always, "help-g103-corrects-radius", "C:309-345"),
-    wrong(When::Always, "help-g103-wrong-size", "C:288-317"),
-];

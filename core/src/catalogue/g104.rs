@@ -6,13 +6,8 @@
 
 use super::common::ALWAYS_REQUIRED;
 use super::nct;
-use super::nct::walls::home;
-use super::nct::{REGISTER, axis_name, correct, overtravel, params, surface};
-use crate::dialect::Dialect;
-use crate::entry::{
-    Cycle, Drawing, Help, HelpLine, Inputs, Meaning, Param, Purpose, Simulation, Task, Variant, When, Work, address,
-    before, corrects, measures, order, wrong,
-};
+use super::nct::{REGISTER, correct, overtravel, params, surface};
+use crate::entry::*;
 use crate::machine::{Machine, Stop};
 use crate::name::Name;
 
@@ -22,7 +17,6 @@ const LENGTH_VALUES: &[(Name, Meaning)] =
 
 /// The macro.
 pub static G104: Cycle = Cycle {
-    dialect: Dialect::Nct,
     name: "G104",
     key: "g104",
     variants: &[Variant { number: 0, key: "g104-length", source: "C:383" }],
@@ -31,8 +25,6 @@ pub static G104: Cycle = Cycle {
         tasks: &[nct::tasks::task(Task::Length, &[0], 0, LENGTH_VALUES)],
         ..Purpose::MILLING
     },
-    lists: &[],
-    settings: &[],
     params: &[
         Param { key: "g104-surface", source: "C:391-393", ..surface::X },
         Param { key: "g104-surface", source: "C:391-393", ..surface::Y },
@@ -43,36 +35,32 @@ pub static G104: Cycle = Cycle {
         params::length("LENGTH", "result-g104-length", "C:383-393"),
         params::length("DEVIATION", "result-g104-deviation", "C:383-393"),
     ],
-    alarms: &[nct::MEASURING],
-    checks: |_, _, _| {},
-    help: Help::new(&[HELP, nct::help::MEASURING, nct::help::CALIBRATING]),
+    help: Help::new(&[
+        &[
+            measures(When::Always, "help-g104-measures-length", "C:383-393"),
+            before(When::Always, "help-g104-before-above", "C:383-393"),
+            order(When::Always, "help-g104-order-down", "C:383-419"),
+            corrects(When::Always, "help-g104-corrects-register", "C:355-393"),
+            wrong(When::Always, "help-g104-wrong-coordinate", "C:355-393"),
+        ],
+        nct::help::MEASURING,
+        nct::help::CALIBRATING,
+    ]),
     picture: Drawing::staged(surface::stage_axially, surface::marks_axially),
     example: &[(address::Z, "0"), (address::T, "98")],
     simulation: Some(Simulation::new(Work { propose: surface::propose_axially, simulate }, &[])),
     source: "C:351-427",
+    ..nct::MACRO
 };
 
 fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     nct::ready_to_measure(machine)?;
-    let start = machine.position();
-    let [.., applicate] = machine.control().plane.axes();
-    let nominal = inputs.number(axis_name(applicate));
     let limit = overtravel(machine.control());
-    let found = surface::touch_axially(machine, applicate, nominal, limit)?;
-    home(machine, start)?;
-    let length = machine.control().active_length()[applicate] + found - nominal;
-    correct::results(machine, &[("LENGTH", length), ("DEVIATION", found - nominal)]);
+    let found = surface::touch_axially(machine, inputs, limit)?;
+    let length = machine.control().active_length()[found.axis] + found.deviation;
+    correct::results(machine, &[("LENGTH", length), ("DEVIATION", found.deviation)]);
     let register = inputs.integer(address::T);
     let wear = machine.control().register(register).length_wear[0];
     correct::write(machine, format!("H{register}"), length - wear);
     Ok(())
 }
-
-/// The lines of the help page.
-const HELP: &[HelpLine] = &[
-    measures(When::Always, "help-g104-measures-length", "C:383-393"),
-    before(When::Always, "help-g104-before-above", "C:383-393"),
-    order(When::Always, "help-g104-order-down", "C:383-419"),
-    corrects(When::Always, "help-g104-corrects-register", "C:355-393"),
-    wrong(When::Always, "help-g104-wrong-coordinate", "C:355-393"),
-];

@@ -4,25 +4,16 @@
 //! here both are the length.
 
 use super::nct;
-use super::nct::correct::{Found, Part};
-use super::nct::walls::home;
-use super::nct::{axis_name, checks, correct, params, print, surface};
-use crate::dialect::Dialect;
-use crate::entry::{
-    Cycle, Drawing, Help, HelpLine, Inputs, Param, Purpose, Simulation, Task, Variant, When, Work, address, before,
-    corrects, measures, order, wrong,
-};
+use super::nct::{checks, correct, params, surface};
+use crate::entry::*;
 use crate::machine::{Machine, Stop};
 
 /// The macro.
 pub static G106: Cycle = Cycle {
-    dialect: Dialect::Nct,
     name: "G106",
     key: "g106",
     variants: &[Variant { number: 0, key: "g106-surface", source: "C:583" }],
     purpose: Purpose { tasks: &[nct::tasks::task(Task::Face, &[0], 0, nct::tasks::IN_AXIS)], ..Purpose::MILLING },
-    lists: &[],
-    settings: &[],
     params: &[
         Param { key: "g106-surface", source: "C:603", ..surface::X },
         Param { key: "g106-surface", source: "C:603", ..surface::Y },
@@ -39,39 +30,29 @@ pub static G106: Cycle = Cycle {
         params::length("POSITION", "result-nct-position", "C:562-583"),
         params::length("DEVIATION", "result-nct-position-deviation", "C:562-583"),
     ],
-    alarms: &[nct::MEASURING, &[nct::OUT_OF_TOLERANCE, nct::UPPER_TOLERANCE]],
+    alarms: &[nct::MEASURING, nct::LIMITS],
     checks: |inputs, _, findings| checks::corrections(inputs, findings),
-    help: Help::new(&[HELP, nct::help::MEASURING, nct::help::SHIFTS]),
+    help: Help::new(&[
+        &[
+            measures(When::Always, "help-g106-measures-surface", "C:583-600"),
+            before(When::Always, "help-g106-before-above", "C:583-600"),
+            order(When::Always, "help-g106-order-down", "C:583-600"),
+            corrects(When::Always, "help-g106-corrects-length", "C:676-694"),
+            wrong(When::Always, "help-g106-wrong-low", "C:583-600"),
+        ],
+        nct::help::MEASURING,
+        nct::help::SHIFTS,
+    ]),
     picture: Drawing::staged(surface::stage_axially, surface::marks_axially),
     example: &[(address::Z, "0"), (address::S, "1"), (address::H, "0.2"), (address::W, "2")],
     simulation: Some(Simulation::new(Work { propose: surface::propose_axially, simulate }, &[])),
     source: "C:562-694",
+    ..nct::MACRO
 };
 
 fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     nct::ready_to_measure(machine)?;
-    let start = machine.position();
-    let [.., applicate] = machine.control().plane.axes();
-    let nominal = inputs.number(axis_name(applicate));
-    let position = surface::touch_axially(machine, applicate, nominal, inputs.number(address::Q))?;
-    home(machine, start)?;
-    let deviation = position - nominal;
-    correct::results(machine, &[("POSITION", position), ("DEVIATION", deviation)]);
-    let mut shift = [None; 3];
-    shift[applicate] = Some(deviation);
-    let found = Found { deviation, excess: deviation, at_surface: deviation, shift, part: Part::Length, room: None };
-    correct::correct(machine, inputs, &found);
-    let positions = vec![("", nominal, deviation)];
-    let values = print::Values { dimension: None, positions };
-    print::print(machine, inputs, &values);
+    let place = surface::touch_axially(machine, inputs, inputs.number(address::Q))?;
+    surface::corrected(machine, inputs, place, 1.0, correct::LENGTH);
     Ok(())
 }
-
-/// The lines of the help page.
-const HELP: &[HelpLine] = &[
-    measures(When::Always, "help-g106-measures-surface", "C:583-600"),
-    before(When::Always, "help-g106-before-above", "C:583-600"),
-    order(When::Always, "help-g106-order-down", "C:583-600"),
-    corrects(When::Always, "help-g106-corrects-length", "C:676-694"),
-    wrong(When::Always, "help-g106-wrong-low", "C:583-600"),
-];

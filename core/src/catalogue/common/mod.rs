@@ -1,5 +1,5 @@
-//! Parameters that the SINUMERIK cycles share. A cycle takes one and fills in when it needs it:
-//! `Param { needs: &[…], ..common::FA }`.
+//! What entries start from, and parameters that the SINUMERIK cycles share. A cycle takes one and fills in when it
+//! needs it: `Param { needs: &[…], ..common::FA }`.
 
 pub mod args;
 mod limits;
@@ -18,9 +18,31 @@ pub use results::{angle, integer, length};
 pub use target::{DLNUM, KNUM, TENV, TNAME, TNUM};
 
 use crate::diagnostic::Code;
-use crate::entry::{DigitGroup, Kind, Need, Param, Unit, When, mvar, names};
+use crate::dialect::Dialect;
+use crate::entry::{Cycle, DigitGroup, Drawing, Help, Kind, Need, Param, Purpose, Unit, When, mvar, names};
 use crate::name::Name;
+use crate::picture::{Picture, View};
 use crate::range::Range;
+
+/// What an entry starts from: of a cycle on SINUMERIK that measures workpieces on milling machines and draws nothing.
+pub const CYCLE: Cycle = Cycle {
+    dialect: Dialect::Sinumerik,
+    name: "",
+    key: "",
+    variants: &[],
+    params: &[],
+    purpose: Purpose::MILLING,
+    lists: &[],
+    settings: &[],
+    results: &[],
+    alarms: &[],
+    checks: |_, _, _| {},
+    help: Help::new(&[]),
+    picture: Drawing::new(|_| Picture { view: View::Plane, shapes: Vec::new() }),
+    example: &[],
+    simulation: None,
+    source: "",
+};
 
 /// What every parameter starts from: a real number without a unit that nobody needs.
 pub const PARAM: Param = Param {

@@ -1,38 +1,65 @@
 //! G110: bore or boss (C:1036-1183).
+//!
+//! The manual names neither the order of the walls nor the formulas (C:1036-1183). Here: first axis +, −; then, on the
+//! centre line just found, second axis +, −. The first chord lies beside the centre by the distance then known, so
+//! that its diameter follows from the circle of the ball centre; the mean of both diameters counts.
 
-mod addresses;
-mod checks;
-mod picture;
-mod simulate;
 #[cfg(test)]
 mod tests;
 
+use super::common::{PARAM, optional};
 use super::nct;
-use super::nct::{params, part};
+use super::nct::correct::Place;
+use super::nct::params::{ALONG_X, ALONG_Y, ALONG_Z};
+use super::nct::ring::D;
+use super::nct::touch::Calibration;
+use super::nct::walls::{Walls, chord, from_outside, home, travel};
+use super::nct::{axis_of, checks, correct, figures, params, walls};
 use crate::control::Control;
-use crate::dialect::Dialect;
-use crate::entry::{
-    Cycle, Drawing, Help, HelpLine, Inputs, Proposal, Purpose, ResultField, Simulation, Task, Variant, When, Work,
-    address, before, corrects, measures, order, wrong,
-};
+use crate::diagnostic::Diagnostic;
+use crate::entry::stage::{Look, Seen, Staging};
+use crate::entry::*;
 use crate::geometry::Wcs;
-use crate::workpiece::{Shape, Workpiece};
+use crate::machine::{Machine, Stop};
+use crate::picture::PictureShape;
+use crate::range::Range;
+use crate::workpiece::Shape;
 
 /// The stylus stands in the bore.
-pub const BORE: i64 = 0;
+pub const BORE: i64 = walls::INSIDE;
 /// The stylus stands above the boss; the address of the tool axis says how deep to measure.
-pub const BOSS: i64 = 1;
+pub const BOSS: i64 = walls::OUTSIDE;
+
+/// The address of the tool axis makes it a boss, whatever its value (C:1076).
+const AXIS: Param = Param { key: "g110-axis", unit: Unit::ActiveLength, source: "C:1076", ..PARAM };
+
+const fn deep(along_tool: When) -> Need {
+    optional(along_tool, "need-g110-boss")
+}
 
 /// The macro.
 pub static G110: Cycle = Cycle {
-    dialect: Dialect::Nct,
     name: "G110",
     key: "g110",
     variants: &[
         Variant { number: BORE, key: "g110-bore", source: "C:1076" },
         Variant { number: BOSS, key: "g110-boss", source: "C:1076" },
     ],
-    params: addresses::PARAMS,
+    params: &[
+        Param { key: "g110-d", usual: Range::closed(1.0, 1000.0), source: "C:1075", ..D },
+        Param { name: address::X, needs: &[deep(ALONG_X)], chooses: &[from_outside(ALONG_X)], ..AXIS },
+        Param { name: address::Y, needs: &[deep(ALONG_Y)], chooses: &[from_outside(ALONG_Y)], ..AXIS },
+        Param { name: address::Z, needs: &[deep(ALONG_Z)], chooses: &[from_outside(ALONG_Z)], ..AXIS },
+        Param { needs: &[optional(When::Variant(&[BOSS]), "need-nct-optional")], source: "C:1077", ..params::R },
+        Param { source: "C:1078", ..params::Q },
+        Param { source: "C:1079", ..params::S },
+        Param { key: "nct-t-size", source: "C:1097", ..params::T },
+        Param { source: "C:1091", ..params::M },
+        Param { source: "C:1098", ..params::H },
+        Param { source: "C:1099", ..params::U },
+        Param { source: "C:1100", ..params::V },
+        Param { source: "C:1101", ..params::W },
+    ],
     purpose: Purpose {
         tasks: &[
             nct::tasks::task(Task::Bore, &[BORE], BORE, nct::tasks::ROUND),
@@ -40,8 +67,6 @@ pub static G110: Cycle = Cycle {
         ],
         ..Purpose::MILLING
     },
-    lists: &[],
-    settings: &[],
     results: &[
         length("DIAMETER", "result-nct-diameter"),
         length("DEVIATION", "result-nct-deviation"),
@@ -50,64 +75,93 @@ pub static G110: Cycle = Cycle {
         length("SHIFT_1", "result-nct-shift-1"),
         length("SHIFT_2", "result-nct-shift-2"),
     ],
-    alarms: &[
-        nct::MEASURING,
+    alarms: &[nct::MEASURING, nct::PROTECTED, nct::LIMITS, &[nct::TOOL_TOO_LARGE]],
+    checks,
+    help: Help::new(&[
         &[
-            nct::PATH_OBSTRUCTED, // the ways between the touches are protected like those of G101
-            nct::OUT_OF_TOLERANCE,
-            nct::UPPER_TOLERANCE,
-            nct::TOOL_TOO_LARGE,
+            measures(When::Variant(&[BORE]), "help-g110-measures-bore", "C:1048-1076"),
+            measures(When::Variant(&[BOSS]), "help-g110-measures-boss", "C:1048-1076"),
+            before(When::Variant(&[BORE]), "help-g110-before-inside", "C:1048-1076"),
+            before(When::Variant(&[BOSS]), "help-g110-before-above", "C:1048-1076"),
+            order(When::Variant(&[BORE]), "help-g110-order-outwards", "C:1048-1157"),
+            order(When::Variant(&[BOSS]), "help-g110-order-inwards", "C:1048-1157"),
+            corrects(When::Always, "help-g110-corrects-half", "C:1089-1144"),
+            wrong(When::Always, "help-g110-wrong-room", "C:1144"),
         ],
-    ],
-    checks: checks::checks,
-    help: Help::new(&[HELP, nct::help::MEASURING, nct::help::SHIFTS]),
-    picture: Drawing::staged(picture::stage, picture::marks),
+        nct::help::MEASURING,
+        nct::help::SHIFTS,
+    ]),
+    picture: Drawing::staged(stage, marks),
     example: &[(address::D, "50"), (address::S, "1"), (address::H, "0.02"), (address::V, "2"), (address::W, "2")],
-    simulation: Some(Simulation::new(Work { propose, simulate: simulate::simulate }, &[])),
+    simulation: Some(Simulation::new(Work { propose, simulate }, &[])),
     source: "C:1036-1183",
+    ..nct::MACRO
 };
 
 const fn length(name: &'static str, key: &'static str) -> ResultField {
     params::length(name, key, "C:1036-1046")
 }
 
-/// Coordinate of the tool axis to which a boss is measured, mm.
-fn depth(inputs: &Inputs) -> Option<f64> {
-    let [.., applicate] = inputs.plane.axes();
-    inputs.given(nct::axis_name(applicate))
-}
-
-/// A bore whose upper face is the zero of the WCS, the stylus inside it; or a boss, the stylus above it.
-fn propose(inputs: &Inputs, control: &Control) -> Proposal {
-    let [.., applicate] = control.plane.axes();
-    let diameter = inputs.positive(address::D, 50.0);
-    let (mut top, mut start) = ([0.0; 3], [0.0; 3]);
-    let shape = match depth(inputs) {
-        Some(depth) if inputs.variant == BOSS => {
-            top[applicate] = (depth + 10.0).max(0.0);
-            start[applicate] = top[applicate] + 20.0;
-            Shape::Shaft { diameter, height: top[applicate] - depth + 20.0 }
-        }
-        _ => {
-            start[applicate] = -10.0;
-            Shape::Hole { diameter, depth: 30.0 }
-        }
-    };
-    Proposal {
-        workpiece: Workpiece { solids: vec![part::in_plane(shape, top, control)] },
-        start: Wcs(start),
-        ..Proposal::default()
+/// What goes wrong with the corrections, and a ball without a way to the wall of a bore.
+fn checks(inputs: &Inputs, control: &Control, findings: &mut Vec<Diagnostic>) {
+    checks::corrections(inputs, findings);
+    if inputs.variant == BORE {
+        checks::room(inputs, address::D, control, findings);
     }
 }
 
-/// The lines of the help page.
-const HELP: &[HelpLine] = &[
-    measures(When::Variant(&[BORE]), "help-g110-measures-bore", "C:1048-1076"),
-    measures(When::Variant(&[BOSS]), "help-g110-measures-boss", "C:1048-1076"),
-    before(When::Variant(&[BORE]), "help-g110-before-inside", "C:1048-1076"),
-    before(When::Variant(&[BOSS]), "help-g110-before-above", "C:1048-1076"),
-    order(When::Variant(&[BORE]), "help-g110-order-outwards", "C:1048-1157"),
-    order(When::Variant(&[BOSS]), "help-g110-order-inwards", "C:1048-1157"),
-    corrects(When::Always, "help-g110-corrects-half", "C:1089-1144"),
-    wrong(When::Always, "help-g110-wrong-room", "C:1144"),
-];
+fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
+    nct::ready_to_measure(machine)?;
+    let walls = Walls::of(machine, inputs, inputs.number(address::D));
+    let first = chord(machine, &walls, 0)?;
+    let middle = first.middle - Calibration::of(machine, 0).offset;
+    travel(machine, walls.axes[0], middle)?;
+    let second = chord(machine, &walls, 1)?;
+    home(machine, Wcs(walls.start))?;
+    let side = -walls.material();
+    // the first chord was taken where the ball centre stood in the second axis at the start
+    let beside = walls.start[walls.axes[1]] + Calibration::of(machine, 1).offset - second.middle;
+    let one = 2.0 * (first.half.hypot(beside) + side * first.ball);
+    let two = 2.0 * (second.half + side * second.ball);
+    let diameter = (one + two) / 2.0;
+    let deviation = diameter - walls.size;
+    let centre = [first.middle, second.middle];
+    let places = [0, 1].map(|index| {
+        let axis = walls.axes[index];
+        Place { axis, nominal: walls.start[axis], deviation: centre[index] - walls.start[axis] }
+    });
+    let values = [
+        ("DIAMETER", diameter),
+        ("DEVIATION", deviation),
+        ("CENTRE_1", centre[0]),
+        ("CENTRE_2", centre[1]),
+        ("SHIFT_1", places[0].deviation),
+        ("SHIFT_2", places[1].deviation),
+    ];
+    correct::finish(machine, inputs, &values, &walls.found(deviation, &places));
+    Ok(())
+}
+
+fn propose(inputs: &Inputs, control: &Control) -> Proposal {
+    let diameter = inputs.positive(address::D, 50.0);
+    walls::propose(inputs, control, |outside, height| match outside {
+        true => Shape::Shaft { diameter, height },
+        false => Shape::Hole { diameter, depth: height },
+    })
+}
+
+/// Depth at which a drawn boss is measured, mm.
+const DEPTH: f64 = -20.0;
+
+/// The element from above, in the size of the picture.
+fn stage(inputs: &Inputs) -> Staging {
+    let stage = figures::stage(inputs, Look::ABOVE, &[address::D]);
+    stage.sized(inputs, &[address::D]).with(axis_of(inputs, 2), DEPTH)
+}
+
+/// Size and limits.
+fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
+    let size = |above: &Seen| vec![above.size(address::D, 0)];
+    let all = |above: &Seen| [figures::axes(above), figures::limits(inputs, above), size(above)].concat();
+    looks.iter().flat_map(all).collect()
+}

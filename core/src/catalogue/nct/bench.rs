@@ -58,7 +58,7 @@ pub fn along(plane: Plane, values: [f64; 3]) -> [f64; 3] {
 /// Puts a part there, along the axes of the plane in the active WCS; its errors too.
 pub fn put(setup: &mut Setup, shape: Shape, at: [f64; 3], shift: [f64; 3], size: f64) {
     let plane = setup.control.plane;
-    let mut solid = part::in_plane(shape, along(plane, at), &setup.control);
+    let mut solid = part::in_plane(shape, at, &setup.control);
     let shift = setup.control.direction_to_machine(along(plane, shift));
     solid.errors = PartErrors { shift, size, ..PartErrors::default() };
     setup.workpiece.solids.push(solid);

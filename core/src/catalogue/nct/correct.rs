@@ -1,6 +1,6 @@
 //! What the measuring macros do with a deviation: results, operator messages, M, T and S (C:481-501, C:1079-1099).
 
-use super::{OUT_OF_TOLERANCE, TOOL_TOO_LARGE, UPPER_TOLERANCE, axis_name};
+use super::{OUT_OF_TOLERANCE, TOOL_TOO_LARGE, UPPER_TOLERANCE, axis_name, print};
 use crate::control::Control;
 use crate::control::variables::nct_offset;
 use crate::entry::{Inputs, address};
@@ -10,43 +10,69 @@ use crate::machine::trace::Step;
 use crate::message::Message;
 use crate::name::Name;
 
-/// Part of a register that M and T mean.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
-    /// Radius D: the side of the cutter made the surface.
-    Radius,
-    /// Length H: the face of the tool made the surface.
-    Length,
+/// Letter of the part of a register that M and T mean where the side of the cutter made the surface: its radius.
+pub const RADIUS: &str = "D";
+/// The same where the face of the tool made it: the length.
+pub const LENGTH: &str = "H";
+
+/// A place that was measured along an axis of the WCS, mm.
+#[derive(Clone, Copy, Debug)]
+pub struct Place {
+    /// Axis: 0 X, 1 Y, 2 Z.
+    pub axis: usize,
+    /// Where it should be.
+    pub nominal: f64,
+    /// Measured minus nominal.
+    pub deviation: f64,
 }
 
 /// What was found, mm.
-pub struct Found {
+pub struct Found<'a> {
     /// Measured minus nominal; H and U limit its size.
     pub deviation: f64,
-    /// Metal that is left on the whole size; M stores it, negative where too much is gone (C:491, C:1092-1095).
-    pub excess: f64,
+    /// Nominal size where two walls were measured; none: one surface.
+    pub size: Option<f64>,
+    /// +1 where a greater measure is metal that is left, −1 where it is metal that is missing.
+    pub metal: f64,
+    /// What S moves by.
+    pub places: &'a [Place],
+    /// Letter of the part of the registers.
+    pub register: &'static str,
+}
+
+impl Found<'_> {
+    /// Metal that is left on the whole size; M stores it, negative where too much is gone (C:491, C:927-931,
+    /// C:1092-1095).
+    fn excess(&self) -> f64 {
+        self.metal * self.deviation
+    }
+
     /// The same at one surface; T takes it out of its register.
-    pub at_surface: f64,
-    /// Measured place minus nominal place in the axes X Y Z of the WCS that were measured; S moves by it.
-    pub shift: [Option<f64>; 3],
-    /// Part of the registers.
-    pub part: Part,
-    /// Width into which the tool of T has to fit (C:984, C:1144).
-    pub room: Option<f64>,
+    fn at_surface(&self) -> f64 {
+        if self.size.is_some() { self.excess() / 2.0 } else { self.excess() }
+    }
+
+    /// Width into which the tool of T has to fit: that between walls (C:984, C:1144).
+    fn room(&self) -> Option<f64> {
+        self.size.filter(|_| self.metal < 0.0)
+    }
+}
+
+/// Results, messages, corrections, print-out; `values` in mm.
+pub fn finish(machine: &mut dyn Machine, inputs: &Inputs, values: &[(&str, f64)], found: &Found) {
+    results(machine, values);
+    correct(machine, inputs, found);
+    print::print(machine, inputs, found);
 }
 
 /// Messages first, then M, and unless U is exceeded T or S (C:1083-1099).
-pub fn correct(machine: &mut dyn Machine, inputs: &Inputs, found: &Found) {
+fn correct(machine: &mut dyn Machine, inputs: &Inputs, found: &Found) {
     let beyond = |name: Name| inputs.given(name).is_some_and(|limit| exceeds(found.deviation.abs(), limit));
     if beyond(address::H) {
         machine.record(Step::Alarm(OUT_OF_TOLERANCE));
     }
     if let Some(register) = inputs.given(address::M) {
-        let name = match found.part {
-            Part::Radius => format!("D{register}"),
-            Part::Length => format!("H{register}"),
-        };
-        write(machine, name, found.excess);
+        write(machine, format!("{}{register}", found.register), found.excess());
     }
     if beyond(address::U) {
         machine.record(Step::Alarm(UPPER_TOLERANCE));
@@ -57,20 +83,17 @@ pub fn correct(machine: &mut dyn Machine, inputs: &Inputs, found: &Found) {
         correct_tool(machine, register as i64, found);
     }
     if let Some(offset) = inputs.given(address::S) {
-        move_offset(machine, offset as usize, found.shift);
+        move_offset(machine, offset as usize, found.places);
     }
 }
 
 /// The wear takes the excess of metal: a smaller register brings the tool nearer to the surface.
 fn correct_tool(machine: &mut dyn Machine, register: i64, found: &Found) {
-    let name = match found.part {
-        Part::Radius => format!("DW{register}"),
-        Part::Length => format!("HW{register}"),
-    };
+    let name = format!("{}W{register}", found.register);
     let before = machine.control().variable(&name).unwrap_or(0.0);
-    write(machine, name, before - found.at_surface);
+    write(machine, name, before - found.at_surface());
     let diameter = 2.0 * machine.control().register(register).total_radius();
-    if found.room.is_some_and(|room| diameter > room) {
+    if found.room().is_some_and(|room| diameter > room) {
         machine.record(Step::Alarm(TOOL_TOO_LARGE));
     }
 }
@@ -78,14 +101,15 @@ fn correct_tool(machine: &mut dyn Machine, register: i64, found: &Found) {
 /// The work offset moves so that what was measured gets its nominal coordinates in it (C:776: "to coordinate X100 Y80
 /// in coordinate system G56"); the one in effect counts at once, as in the examples, which never call it again
 /// (C:1159-1183).
-/// `shift`: measured minus nominal in the axes of the WCS that were measured, mm.
-pub fn move_offset(machine: &mut dyn Machine, offset: usize, shift: [Option<f64>; 3]) {
+pub fn move_offset(machine: &mut dyn Machine, offset: usize, places: &[Place]) {
     let active = machine.control().settable;
     // Another offset than the one in use is reckoned from that: there the deviation was found.
     let from = if offset == 0 { 0 } else { active };
-    let control = machine.control();
-    let by = control.direction_to_machine(shift.map(|shift| shift.unwrap_or(0.0)));
-    for axis in (0..3).filter(|axis| shift[*axis].is_some() || by[*axis] != 0.0) {
+    let mut shift = [0.0; 3];
+    places.iter().for_each(|place| shift[place.axis] = place.deviation);
+    let by = machine.control().direction_to_machine(shift);
+    let measured = |axis: usize| places.iter().any(|place| place.axis == axis);
+    for axis in (0..3).filter(|axis| measured(*axis) || by[*axis] != 0.0) {
         let control = machine.control();
         let [before, from] = [offset, from].map(|number| control.variable(&offset_of(number, axis)).unwrap_or(0.0));
         if from + by[axis] != before {

@@ -1,6 +1,5 @@
 //! What the pictures of the macros share. Clearance and overtravel are drawn longer than they are, limits wider.
 
-use super::axis_name;
 use crate::entry::stage::{Fields, Look, Seen, Staging};
 use crate::entry::{Inputs, address};
 use crate::name::Name;
@@ -15,9 +14,9 @@ pub fn stage(inputs: &Inputs, look: Look, edges: &'static [Name]) -> Staging {
     Staging::new(look, fields).short(inputs, address::R, SHORT).short(inputs, address::Q, SHORT)
 }
 
-/// Address of an axis of the plane: 0 abscissa, 1 ordinate, 2 applicate.
-pub fn address(inputs: &Inputs, axis: usize) -> Name {
-    axis_name(inputs.plane.axes()[axis.min(2)])
+/// The axes through the middle of what is touched.
+pub fn axes(above: &Seen) -> Vec<PictureShape> {
+    above.axes(above.middle(), [None; 2]).to_vec()
 }
 
 /// Overtravel, clearance, tolerance and upper limit, as far as they are given.

@@ -26,11 +26,11 @@ mod proposal_tests;
 
 pub use crate::machine::{FALSE_TRIGGER, PATH_OBSTRUCTED};
 
-use super::common::{PARAM, optional};
+use super::common::{CYCLE, PARAM, optional};
 use crate::control::{Control, Units};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::dialect::Dialect;
-use crate::entry::{Cycle, Kind, Need, Param, Unit, When, address};
+use crate::entry::{Cycle, Inputs, Kind, Need, Param, Unit, When, address};
 use crate::machine::{Machine, Stop};
 use crate::name::Name;
 use crate::range::Range;
@@ -63,6 +63,14 @@ pub const SCANNING_FAIL: Code = Code::Nct("SCANNING FAIL");
 /// What every measuring macro can stop with (C:195-204, C:1123-1137).
 pub const MEASURING: &[Code] =
     &[FORMAT_ERROR, NO_TOOL_LENGTH, STYLUS_IN_CONTACT, PROBE_FAIL, NO_MOVEMENT, FALSE_TRIGGER, OUT_OF_POSITION];
+
+/// The ways beside what is measured are protected like those of G101 (C:125-132).
+pub const PROTECTED: &[Code] = &[PATH_OBSTRUCTED];
+/// Limits of the deviation (C:1142-1143).
+pub const LIMITS: &[Code] = &[OUT_OF_TOLERANCE, UPPER_TOLERANCE];
+
+/// What every macro starts from.
+pub const MACRO: Cycle = Cycle { dialect: Dialect::Nct, alarms: &[MEASURING], ..CYCLE };
 
 /// Datum that a failed G101 leaves at 1 and the measuring macros look at. The manual gives it no number (C:121-123).
 pub const POSITION_LOST: &str = "OUT_OF_POSITION";
@@ -105,6 +113,16 @@ pub const TOOL_AXIS: [(crate::control::Plane, &str); 3] = {
 /// Name of an axis.
 pub const fn axis_name(axis: usize) -> Name {
     address::AXES[axis]
+}
+
+/// Address of an axis of the plane: 0 abscissa, 1 ordinate, 2 applicate.
+pub fn axis_of(inputs: &Inputs, index: usize) -> Name {
+    axis_name(inputs.plane.axes()[index.min(2)])
+}
+
+/// Its value, where it is given, mm.
+pub fn given(inputs: &Inputs, index: usize) -> Option<f64> {
+    inputs.given(axis_of(inputs, index))
 }
 
 /// The macro that `G65 P…` calls by its program number: O9010 to O9019 are G101 to G110 as delivered (parameters 9041

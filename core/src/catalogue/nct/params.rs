@@ -1,8 +1,16 @@
 //! Addresses that macros share. A macro takes one and says what differs: `Param { source: "C:475", ..params::Q }`.
 
 use super::{FORMAT_ERROR, LENGTH, NUMBER, PRINT, REGISTER};
+use crate::control::Plane;
 use crate::entry::{Param, ResultField, Unit, When, address};
 use crate::range::Range;
+
+/// X is the axis of the tool.
+pub const ALONG_X: When = When::Plane(Plane::G19);
+/// The same of Y.
+pub const ALONG_Y: When = When::Plane(Plane::G18);
+/// The same of Z.
+pub const ALONG_Z: When = When::Plane(Plane::G17);
 
 /// Clearance beside a wall: 5 mm or 0.2 inch (C:474).
 pub const R: Param = Param {

@@ -1,20 +1,28 @@
 //! Parts that stand in the working plane.
 
+use crate::catalogue::place;
 use crate::control::Control;
+use crate::entry::Proposal;
 use crate::geometry::Wcs;
-use crate::geometry::rigid::angles;
-use crate::workpiece::{PartErrors, Shape, Solid};
-use nalgebra::{Matrix3, Rotation3, Vector3};
+use crate::workpiece::{Shape, Solid, Workpiece};
 
-/// A solid whose X, Y, Z lie along abscissa, ordinate and applicate; `at` in the active WCS, mm.
+/// A solid whose X, Y, Z lie along abscissa, ordinate and applicate; `at` in the same order, active WCS, mm.
 pub fn in_plane(shape: Shape, at: [f64; 3], control: &Control) -> Solid {
-    let columns = control.plane.axes().map(|axis| {
-        let mut unit = [0.0; 3];
-        unit[axis] = 1.0;
-        Vector3::from(control.direction_to_machine(unit))
-    });
-    let turn = Rotation3::from_matrix_unchecked(Matrix3::from_columns(&columns));
-    Solid { shape, at: control.to_machine(Wcs(at)).0, rotation: angles(&turn), errors: PartErrors::default() }
+    place::solid(control, shape, at, [1.0, 0.0, 0.0], [0.0, 0.0, 1.0])
+}
+
+/// Such a part with the stylus before it; `start` as `at`.
+pub fn propose(shape: Shape, at: [f64; 3], start: [f64; 3], control: &Control) -> Proposal {
+    Proposal {
+        workpiece: Workpiece { solids: vec![in_plane(shape, at, control)] },
+        start: Wcs(place::in_plane(control, start)),
+        ..Proposal::default()
+    }
+}
+
+/// A rectangle of walls: around an island (`outside`) or a pocket; height or depth in mm.
+pub fn rectangle(outside: bool, length: [f64; 2], height: f64) -> Shape {
+    if outside { Shape::Island { length, height } } else { Shape::Pocket { length, depth: height } }
 }
 
 #[cfg(test)]

@@ -1,53 +1,63 @@
 //! Macros of which one axis of the plane takes the nominal value, and the tool axis a depth: G105 and G109.
 
-use super::{FORMAT_ERROR, axis_name};
-use crate::catalogue::common::optional;
+use super::params::{ALONG_X, ALONG_Y, ALONG_Z};
+use super::{FORMAT_ERROR, axis_of, given};
+use crate::catalogue::common::{PARAM, optional};
 use crate::check::error;
-use crate::control::{Control, Plane};
 use crate::diagnostic::Diagnostic;
-use crate::entry::{Inputs, Need, When};
+use crate::entry::stage::Seen;
+use crate::entry::{Inputs, Need, Param, Unit, When, address};
 use crate::message::Message;
 use crate::name::Name;
+use crate::picture::PictureShape;
 
-const fn need(plane: Plane, reason: &'static str) -> Need {
-    optional(When::Plane(plane), reason)
-}
+/// X: a depth where it is the tool axis, else one of the two nominal values. Key and place in the manual are those of
+/// the macro.
+pub const X: Param = Param { name: address::X, needs: &needs(ALONG_X), ..AXIS };
+/// The same for Y.
+pub const Y: Param = Param { name: address::Y, needs: &needs(ALONG_Y), ..AXIS };
+/// The same for Z.
+pub const Z: Param = Param { name: address::Z, needs: &needs(ALONG_Z), ..AXIS };
 
-/// Needs of X, Y or Z: a depth where it is the tool axis, else one of the two nominal values.
-pub const fn needs(tool_axis_in: Plane) -> [Need; 2] {
-    [need(tool_axis_in, "need-nct-depth"), optional(When::Always, "need-nct-one-axis")]
+const AXIS: Param = Param { unit: Unit::ActiveLength, alarm: Some(FORMAT_ERROR), ..PARAM };
+
+const fn needs(along_tool: When) -> [Need; 2] {
+    [optional(along_tool, "need-nct-depth"), optional(When::Always, "need-nct-one-axis")]
 }
 
 /// Index (0 or 1) of the axis of the plane whose nominal value is given; none where not exactly one is.
-pub fn index(inputs: &Inputs) -> Option<usize> {
-    let [first, second, _] = inputs.plane.axes();
-    let given = [first, second].map(|axis| inputs.given(axis_name(axis)).is_some());
-    match given {
+fn only(inputs: &Inputs) -> Option<usize> {
+    match [0, 1].map(|index| given(inputs, index).is_some()) {
         [true, false] => Some(0),
         [false, true] => Some(1),
         _ => None,
     }
 }
 
-/// Address and value of that axis; 0 where there is none.
+/// The same; 0 where there is none.
+pub fn index(inputs: &Inputs) -> usize {
+    only(inputs).unwrap_or(0)
+}
+
+/// Address and value of that axis.
 pub fn nominal(inputs: &Inputs) -> (Name, f64) {
-    let name = axis_name(inputs.plane.axes()[index(inputs).unwrap_or(0)]);
+    let name = axis_of(inputs, index(inputs));
     (name, inputs.number(name))
 }
 
-/// Address of the tool axis, and the depth where it is given, mm.
-pub fn depth(inputs: &Inputs) -> (Name, Option<f64>) {
-    let [.., applicate] = inputs.plane.axes();
-    let name = axis_name(applicate);
-    (name, inputs.given(name))
+/// The depth in a section, where it is given.
+pub fn depth_mark(inputs: &Inputs, seen: &Seen) -> Vec<PictureShape> {
+    given(inputs, 2).map_or_else(Vec::new, |_| seen.depth(axis_of(inputs, 2)))
 }
 
-/// Neither axis of the plane (C:519-532), or both: then the surface is not known either.
-pub fn check(inputs: &Inputs, _: &Control, findings: &mut Vec<Diagnostic>) {
-    if index(inputs).is_some() {
-        return;
+/// Whether the nominal value is known. Neither axis of the plane (C:519-532), or both: then the surface is not known
+/// either.
+pub fn check(inputs: &Inputs, findings: &mut Vec<Diagnostic>) -> bool {
+    if only(inputs).is_some() {
+        return true;
     }
-    let [first, second, _] = inputs.plane.axes().map(axis_name);
-    let message = Message::new("nct-one-axis").text("first", first).text("second", second);
+    let first = axis_of(inputs, 0);
+    let message = Message::new("nct-one-axis").text("first", first).text("second", axis_of(inputs, 1));
     findings.push(error(FORMAT_ERROR, message).hint(Message::new("nct-one-axis-hint")).at(first));
+    false
 }

@@ -1,6 +1,7 @@
 //! Lines of the print-out, in the manual's columns (C:1103-1116).
 
-use super::PRINT_ENABLED;
+use super::correct::Found;
+use super::{PRINT_ENABLED, axis_name};
 use crate::entry::{Inputs, address};
 use crate::machine::Machine;
 use crate::machine::trace::Step;
@@ -36,45 +37,39 @@ pub fn position(offset: Option<i64>, axis: &str, nominal: f64, deviation: f64) -
     format!("{offset:<11}{nominal:<11}{}", number(deviation))
 }
 
-/// What is printed, mm.
-pub struct Values {
-    /// Nominal dimension and its deviation, where V prints one.
-    pub dimension: Option<(f64, f64)>,
-    /// Axis, nominal position and its deviation.
-    pub positions: Vec<(&'static str, f64, f64)>,
-}
-
-/// Prints by V and W, unless the machine has printing switched off (C:60, C:1100-1116).
-pub fn print(machine: &mut dyn Machine, inputs: &Inputs, values: &Values) {
+/// Prints by V and W, unless the machine has printing switched off (C:60, C:1100-1116): the dimension between two
+/// walls, and the places.
+pub fn print(machine: &mut dyn Machine, inputs: &Inputs, found: &Found) {
     let control = machine.control();
     if control.data.contains_key(PRINT_ENABLED) && !control.bit(PRINT_ENABLED) {
         return;
     }
-    for line in lines(inputs, values, control.active_factor()) {
+    for line in lines(inputs, found, control.active_factor()) {
         machine.record(Step::Log(line));
     }
 }
 
-fn lines(inputs: &Inputs, values: &Values, per: f64) -> Vec<String> {
+fn lines(inputs: &Inputs, found: &Found, per: f64) -> Vec<String> {
     let whole = |name: Name| inputs.given(name).map(|number| number as i64);
     let mut lines: Vec<String> = Vec::new();
-    if let Some((nominal, deviation)) = values.dimension {
+    if let Some(nominal) = found.size {
         if whole(address::V) == Some(2) {
             lines.extend(DIMENSION_HEADER.map(String::from));
         }
         if inputs.integer(address::V) > 0 {
             let tolerance = inputs.given(address::H).map(|limit| limit / per);
-            lines.push(dimension(whole(address::T), nominal / per, tolerance, deviation / per));
+            lines.push(dimension(whole(address::T), nominal / per, tolerance, found.deviation / per));
         }
     }
     if whole(address::W) == Some(2) {
         lines.extend(POSITION_HEADER.map(String::from));
     }
     if inputs.integer(address::W) > 0 {
-        let line = |(axis, nominal, deviation): &(&str, f64, f64)| {
-            position(whole(address::S), axis, nominal / per, deviation / per)
-        };
-        lines.extend(values.positions.iter().map(line));
+        let named = found.places.len() > 1;
+        lines.extend(found.places.iter().map(|place| {
+            let axis = if named { axis_name(place.axis).as_str() } else { "" };
+            position(whole(address::S), axis, place.nominal / per, place.deviation / per)
+        }));
     }
     lines
 }

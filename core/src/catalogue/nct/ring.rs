@@ -1,17 +1,22 @@
 //! The ring gauge or bored hole in which the stylus is calibrated (C:158, C:187-189, C:299, C:317-319).
 
 use super::walls::{across, travel};
-use super::{FORMAT_ERROR, OVERTRAVEL, checks, overtravel, part};
+use super::{FORMAT_ERROR, MACRO, OVERTRAVEL, checks, figures, overtravel, part};
 use crate::catalogue::common::{ALWAYS_REQUIRED, PARAM};
 use crate::control::Control;
-use crate::diagnostic::Diagnostic;
 use crate::entry::stage::{Fields, Look, Seen, Staging};
-use crate::entry::{Inputs, Param, Proposal, ResultField, Unit, When, address};
-use crate::geometry::Wcs;
+use crate::entry::{Cycle, Drawing, Inputs, Param, Proposal, ResultField, Unit, When, address};
 use crate::machine::{Machine, Stop};
 use crate::picture::{PictureShape, ShapeKind};
 use crate::range::Range;
-use crate::workpiece::{Shape, Workpiece};
+use crate::workpiece::Shape;
+
+/// A macro that calibrates in the ring; one without room for the ball is refused.
+pub const CALIBRATION: Cycle = Cycle {
+    checks: |inputs, control, findings| checks::room(inputs, address::D, control, findings),
+    picture: Drawing::staged(stage, marks),
+    ..MACRO
+};
 
 /// Diameter of the ring; a macro adds label, usual range and source.
 pub const D: Param = Param {
@@ -26,11 +31,6 @@ pub const D: Param = Param {
 /// A value of the calibration: stands in the basic system of the machine (C:92-94).
 pub const fn value(name: &'static str, key: &'static str, source: &'static str) -> ResultField {
     ResultField { name, key, when: When::Always, unit: Unit::BasicLength, source }
-}
-
-/// A ring without room for the ball.
-pub fn check(inputs: &Inputs, control: &Control, findings: &mut Vec<Diagnostic>) {
-    checks::room(inputs, address::D, control, findings);
 }
 
 /// Coordinates of the spindle where the stylus is in the centre: middle between the walls in the first axis, and on
@@ -58,30 +58,18 @@ fn middle([upper, lower]: [f64; 2]) -> f64 {
 
 /// A ring whose upper face is the zero of the WCS, the stylus 10 mm deep in it.
 pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
-    let [.., applicate] = control.plane.axes();
-    let diameter = inputs.given(address::D).filter(|d| *d > 0.0).unwrap_or(50.0);
-    let mut start = [0.0; 3];
-    start[applicate] = -10.0;
-    let shape = Shape::Hole { diameter, depth: 30.0 };
-    Proposal {
-        workpiece: Workpiece { solids: vec![part::in_plane(shape, [0.0; 3], control)] },
-        start: Wcs(start),
-        ..Proposal::default()
-    }
+    let shape = Shape::Hole { diameter: inputs.positive(address::D, 50.0), depth: 30.0 };
+    part::propose(shape, [0.0; 3], [0.0, 0.0, -10.0], control)
 }
 
 /// The ring in the size of the picture.
-pub fn stage(inputs: &Inputs) -> Staging {
+fn stage(inputs: &Inputs) -> Staging {
     Staging::new(Look::ABOVE, Fields { path: Some(address::D), ..Fields::MACRO }).sized(inputs, &[address::D])
 }
 
 /// Its diameter, and the limit of the search behind the walls.
-pub fn marks(_: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
-    let [above] = looks else {
-        return Vec::new();
-    };
-    let mut shapes = above.axes(above.middle(), [None; 2]).to_vec();
-    shapes.extend(above.bands(ShapeKind::Zone, &[(address::D, -OVERTRAVEL[0], 0.0)]));
-    shapes.push(above.size(address::D, 0));
-    shapes
+fn marks(_: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
+    let limit = |above: &Seen| above.bands(ShapeKind::Zone, &[(address::D, -OVERTRAVEL[0], 0.0)]);
+    let all = |above: &Seen| [figures::axes(above), limit(above), vec![above.size(address::D, 0)]].concat();
+    looks.iter().flat_map(all).collect()
 }

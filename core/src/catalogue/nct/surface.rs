@@ -1,28 +1,30 @@
 //! One surface: touched along the tool axis or across a wall, and drawn.
 
+use super::correct::{Found, Place, finish};
+use super::params::{ALONG_X, ALONG_Y, ALONG_Z};
 use super::touch::{Calibration, touch};
-use super::{FORMAT_ERROR, NO_MOVEMENT, axis_name, figures, part};
+use super::walls::home;
+use super::{FORMAT_ERROR, NO_MOVEMENT, axis_of, figures, part};
 use crate::catalogue::common::{PARAM, required};
-use crate::control::{Control, Plane};
+use crate::control::Control;
 use crate::entry::stage::{Look, Seen, Staging};
 use crate::entry::{Inputs, Need, Param, Proposal, Unit, When, address};
-use crate::geometry::Wcs;
 use crate::machine::{Machine, Stop};
 use crate::picture::PictureShape;
-use crate::workpiece::{Shape, Workpiece};
+use crate::workpiece::Shape;
 
 /// Height of a surface across the tool axis: X, in the plane of which it is that axis. Key and place in the manual are
 /// those of the macro.
-pub const X: Param = Param { name: address::X, needs: &[along_tool(Plane::G19)], ..HEIGHT };
+pub const X: Param = Param { name: address::X, needs: &[needed(ALONG_X)], ..HEIGHT };
 /// The same for Y.
-pub const Y: Param = Param { name: address::Y, needs: &[along_tool(Plane::G18)], ..HEIGHT };
+pub const Y: Param = Param { name: address::Y, needs: &[needed(ALONG_Y)], ..HEIGHT };
 /// The same for Z.
-pub const Z: Param = Param { name: address::Z, needs: &[along_tool(Plane::G17)], ..HEIGHT };
+pub const Z: Param = Param { name: address::Z, needs: &[needed(ALONG_Z)], ..HEIGHT };
 
 const HEIGHT: Param = Param { unit: Unit::ActiveLength, alarm: Some(FORMAT_ERROR), ..PARAM };
 
-const fn along_tool(tool_axis_in: Plane) -> Need {
-    required(When::Plane(tool_axis_in), "need-nct-tool-axis")
+const fn needed(when: When) -> Need {
+    required(when, "need-nct-tool-axis")
 }
 
 /// A wall as found.
@@ -62,28 +64,33 @@ pub fn spindle_at(machine: &mut dyn Machine, index: usize, wall: f64, direction:
     wall - direction * calibration.radius(direction) - calibration.offset
 }
 
-/// Touches a surface downwards along the tool axis; its coordinate. The length of the stylus ends where the ball
-/// touches (G104), so that no radius counts.
-pub fn touch_axially(machine: &mut dyn Machine, applicate: usize, nominal: f64, past: f64) -> Result<f64, Stop> {
+/// Touches a surface downwards along the tool axis and goes back; its place. The length of the stylus ends where the
+/// ball touches (G104), so that no radius counts.
+pub fn touch_axially(machine: &mut dyn Machine, inputs: &Inputs, past: f64) -> Result<Place, Stop> {
+    let start = machine.position();
+    let [.., axis] = machine.control().plane.axes();
+    let nominal = inputs.number(axis_of(inputs, 2));
     let end = nominal - past;
-    if end >= machine.position()[applicate] {
+    if end >= start[axis] {
         return Err(Stop::Alarm(NO_MOVEMENT));
     }
-    touch(machine, applicate, end)
+    let position = touch(machine, axis, end)?;
+    home(machine, start)?;
+    Ok(Place { axis, nominal, deviation: position - nominal })
+}
+
+/// Results, corrections and print-out of one surface; the rest as in [`Found`].
+pub fn corrected(machine: &mut dyn Machine, inputs: &Inputs, place: Place, metal: f64, register: &'static str) {
+    let deviation = place.deviation;
+    let found = Found { deviation, size: None, metal, places: &[place], register };
+    finish(machine, inputs, &[("POSITION", place.nominal + deviation), ("DEVIATION", deviation)], &found);
 }
 
 /// A block with its upper face at the coordinate of the tool axis that is given, the stylus above.
 pub fn propose_axially(inputs: &Inputs, control: &Control) -> Proposal {
-    let [.., applicate] = control.plane.axes();
-    let (mut top, mut start) = ([0.0; 3], [0.0; 3]);
-    top[applicate] = inputs.number(axis_name(applicate));
-    start[applicate] = top[applicate] + 50.0;
-    let size = [100.0, 100.0, 60.0];
-    Proposal {
-        workpiece: Workpiece { solids: vec![part::in_plane(Shape::Block { size }, top, control)] },
-        start: Wcs(start),
-        ..Proposal::default()
-    }
+    let height = inputs.number(axis_of(inputs, 2));
+    let shape = Shape::Block { size: [100.0, 100.0, 60.0] };
+    part::propose(shape, [0.0, 0.0, height], [0.0, 0.0, height + 50.0], control)
 }
 
 /// From the zero point to a drawn surface, mm.
@@ -91,17 +98,12 @@ const SET: f64 = 75.0;
 
 /// A surface below the stylus on its side of the zero point, as a section along the first axis of the plane.
 pub fn stage_axially(inputs: &Inputs) -> Staging {
-    let name = figures::address(inputs, 2);
-    let stage = figures::stage(inputs, Look::section(0), &[]);
-    stage.with(name, SET.copysign(inputs.number(name)))
+    let name = axis_of(inputs, 2);
+    figures::stage(inputs, Look::section(0), &[]).with(name, SET.copysign(inputs.number(name)))
 }
 
 /// Its height and limits.
 pub fn marks_axially(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
-    let [seen] = looks else {
-        return Vec::new();
-    };
-    let mut shapes = figures::limits(inputs, seen);
-    shapes.extend(seen.position(figures::address(inputs, 2), 1, None));
-    shapes
+    let height = |seen: &Seen| seen.position(axis_of(inputs, 2), 1, None);
+    looks.iter().flat_map(|seen| [figures::limits(inputs, seen), height(seen)].concat()).collect()
 }

@@ -1,9 +1,42 @@
 //! Walls on both sides of a centre, in one axis of the plane: pocket, web, bore, boss, and the ring of calibration.
 
+use super::correct::{Found, Place, RADIUS};
 use super::touch::{Calibration, POSITIONING, touch};
+use super::{given, part};
+use crate::control::Control;
+use crate::entry::{Chooses, Inputs, Proposal, When, address};
 use crate::geometry::Wcs;
 use crate::machine::trace::MotionKind;
 use crate::machine::{Machine, Stop};
+use crate::workpiece::Shape;
+
+/// The stylus stands between the walls.
+pub const INSIDE: i64 = 0;
+/// The stylus stands above; the address of the tool axis says how deep to measure.
+pub const OUTSIDE: i64 = 1;
+
+/// The address of the tool axis means that it is measured from outside, whatever its value (C:911, C:1076).
+pub const fn from_outside(along_tool: When) -> Chooses {
+    Chooses { when: along_tool, variant: OUTSIDE, typed: "0" }
+}
+
+/// Coordinate of the tool axis at which walls are touched from outside, mm.
+pub fn depth(inputs: &Inputs) -> Option<f64> {
+    given(inputs, 2).filter(|_| inputs.variant == OUTSIDE)
+}
+
+/// An opening whose upper face is the zero of the WCS, the stylus inside it; or a body with the stylus above it.
+/// `shape` gets whether it is touched from outside, and its height or depth, mm.
+pub fn propose(inputs: &Inputs, control: &Control, shape: impl Fn(bool, f64) -> Shape) -> Proposal {
+    let (height, top, start) = match depth(inputs) {
+        Some(depth) => {
+            let top = (depth + 10.0).max(0.0);
+            (top - depth + 20.0, top, top + 20.0)
+        }
+        None => (30.0, 0.0, -10.0),
+    };
+    part::propose(shape(depth(inputs).is_some(), height), [0.0, 0.0, top], [0.0, 0.0, start], control)
+}
 
 /// Where walls are looked for, mm.
 pub struct Walls {
@@ -39,6 +72,22 @@ pub struct Chord {
 }
 
 impl Walls {
+    /// Of a macro with this nominal distance.
+    pub fn of(machine: &mut dyn Machine, inputs: &Inputs, size: f64) -> Walls {
+        Walls {
+            outside: depth(inputs).map(|depth| Outside { depth, clearance: inputs.number(address::R) }),
+            size,
+            overtravel: inputs.number(address::Q),
+            start: machine.position().0,
+            axes: machine.control().plane.axes(),
+        }
+    }
+
+    /// What was found between them: deviation of their distance, and the places of their middle.
+    pub fn found<'a>(&self, deviation: f64, places: &'a [Place]) -> Found<'a> {
+        Found { deviation, size: Some(self.size), metal: self.material(), places, register: RADIUS }
+    }
+
     /// +1 where the material is between the walls (web, boss), so that a greater size is more metal; −1 where it is
     /// beyond them (pocket, bore).
     pub fn material(&self) -> f64 {
@@ -52,11 +101,10 @@ pub fn chord(machine: &mut dyn Machine, walls: &Walls, index: usize) -> Result<C
     let axis = walls.axes[index];
     let moving = -walls.material();
     let spindle = match &walls.outside {
-        Some(outside) => {
-            let upper = touch_outside(machine, walls, outside, &calibration, axis, 1.0)?;
-            let lower = touch_outside(machine, walls, outside, &calibration, axis, -1.0)?;
-            [upper, lower]
-        }
+        Some(outside) => [
+            touch_outside(machine, walls, outside, &calibration, axis, 1.0)?,
+            touch_outside(machine, walls, outside, &calibration, axis, -1.0)?,
+        ],
         None => {
             let reach = |side: f64| {
                 let reach = walls.size / 2.0 - calibration.radius(side) + walls.overtravel;

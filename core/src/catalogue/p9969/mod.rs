@@ -1,36 +1,32 @@
 //! G65 P9969: rectangular digitizing of a free surface (C:1276-1355).
 
 mod addresses;
-mod checks;
 mod follow;
-mod help;
 mod picture;
 mod simulate;
 #[cfg(test)]
 mod tests;
 
 use super::nct;
-use super::nct::{params, part};
+use super::nct::{FORMAT_ERROR, axis_of, params, part};
+use super::place;
+use crate::check::error;
 use crate::control::Control;
-use crate::dialect::Dialect;
-use crate::entry::{
-    Cycle, Drawing, Help, Inputs, Proposal, Purpose, ResultField, Simulation, Unit, Variant, Work, address,
-};
+use crate::diagnostic::Diagnostic;
+use crate::entry::*;
 use crate::geometry::Wcs;
+use crate::message::Message;
+use crate::workpiece::Shape;
 use crate::workpiece::free::Example;
-use crate::workpiece::{Shape, Workpiece};
+use addresses::{letter, spacing};
 use std::sync::Arc;
 
 /// The macro.
 pub static P9969: Cycle = Cycle {
-    dialect: Dialect::Nct,
     name: "G65 P9969",
     key: "p9969",
     variants: &[Variant { number: 0, key: "p9969-rectangle", source: "C:1278" }],
     params: addresses::PARAMS,
-    purpose: Purpose::MILLING,
-    lists: &[],
-    settings: &[],
     results: &[
         count("POINTS", "result-p9969-points"),
         count("LINES", "result-p9969-lines"),
@@ -38,15 +34,27 @@ pub static P9969: Cycle = Cycle {
         params::length("HIGHEST", "result-p9969-highest", "C:1262-1266"),
     ],
     alarms: &[&[
-        nct::FORMAT_ERROR,
+        FORMAT_ERROR,
         nct::NO_TOOL_LENGTH,
         nct::OUT_OF_POSITION,
         nct::STYLUS_IN_CONTACT,
         nct::SCANNING_OBSTRUCTED,
         nct::SCANNING_FAIL,
     ]],
-    checks: checks::checks,
-    help: Help::new(&[help::HELP]),
+    checks,
+    help: Help::new(&[&[
+        measures(When::Always, "help-p9969-measures", "C:1262-1275"),
+        before(When::Always, "help-stylus", "C:1335-1337"),
+        before(When::Always, "help-p9969-before", "C:1280"),
+        order(When::Always, "help-p9969-order-lines", "C:1278"),
+        order(When::Always, "help-p9969-order-point", "C:1316-1317"),
+        order(When::Always, "help-p9969-order-deepest", "C:1280"),
+        corrects(When::Always, "help-p9969-corrects", "C:1262-1275;C:1322"),
+        wrong(When::Always, "help-p9969-wrong-fast", "C:1318-1321"),
+        wrong(When::Always, "help-p9969-wrong-step", "C:1337"),
+        wrong(When::Always, "help-p9969-wrong-cavity", "C:1338"),
+        wrong(When::Always, "help-p9969-wrong-ball", "C:1272-1275"),
+    ]]),
     picture: Drawing::new(picture::picture),
     example: &[
         (address::X, "60"),
@@ -60,6 +68,7 @@ pub static P9969: Cycle = Cycle {
     ],
     simulation: Some(Simulation::scanning(Work { propose, simulate: simulate::simulate }, &[], follow::scanner)),
     source: "C:1276-1355",
+    ..nct::MACRO
 };
 
 const fn count(name: &'static str, key: &'static str) -> ResultField {
@@ -72,23 +81,24 @@ const RIM: f64 = 8.0;
 /// Hills and hollows under a rectangle that begins at the zero of the WCS; the lowest point lies above the deepest
 /// position, the stylus above the highest.
 fn propose(inputs: &Inputs, control: &Control) -> Proposal {
-    let [first, second, axial] = control.plane.axes();
-    let end = |axis: usize| inputs.number(nct::axis_name(axis));
-    let size = [first, second].map(|axis| end(axis).abs() + 2.0 * RIM);
+    let end = [0, 1, 2].map(|index| inputs.number(axis_of(inputs, index)));
+    let size = [end[0], end[1]].map(|end| end.abs() + 2.0 * RIM);
     let height = (size[0].min(size[1]) / 5.0).min(10.0);
-    let (mut middle, mut start) = ([0.0; 3], [0.0; 3]);
-    for axis in [first, second] {
-        middle[axis] = end(axis) / 2.0;
+    let top = end[2] + height + 2.0;
+    let start = [0.0, 0.0, top + 5.0];
+    match Example::Waves.heights(size, height).surface() {
+        Ok(surface) => part::propose(Shape::Free(Arc::new(surface)), [end[0] / 2.0, end[1] / 2.0, top], start, control),
+        // the rectangle is larger than anything can be
+        Err(_) => Proposal { start: Wcs(place::in_plane(control, start)), ..Proposal::default() },
     }
-    middle[axial] = end(axial) + height + 2.0;
-    start[axial] = middle[axial] + 5.0;
-    let surface = Example::Waves.heights(size, height).surface();
-    let solids = surface.map(|surface| part::in_plane(Shape::Free(Arc::new(surface)), middle, control));
-    Proposal {
-        workpiece: Workpiece {
-            solids: solids.into_iter().collect(), // none where the rectangle is larger than anything can be
-        },
-        start: Wcs(start),
-        ..Proposal::default()
+}
+
+/// Both line spacings of the plane (C:1330-1332), or none: then nothing says which axis is scanned along.
+fn checks(inputs: &Inputs, _: &Control, findings: &mut Vec<Diagnostic>) {
+    if spacing(inputs).is_some() {
+        return;
     }
+    let [first, second, _] = inputs.plane.axes().map(letter);
+    let message = Message::new("p9969-one-spacing").text("first", first).text("second", second);
+    findings.push(error(FORMAT_ERROR, message).hint(Message::new("p9969-one-spacing-hint")).at(second));
 }

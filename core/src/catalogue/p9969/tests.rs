@@ -3,7 +3,7 @@
 
 use super::P9969;
 use crate::catalogue::nct;
-use crate::catalogue::nct::bench::{PLANES, along, call, codes, machine, near, stand};
+use crate::catalogue::nct::bench::{PLANES, call, codes, machine, near, stand};
 use crate::catalogue::nct::part;
 use crate::check::check;
 use crate::control::Plane;
@@ -25,7 +25,7 @@ const EXACT: &str = "0.000001";
 /// A machine with a surface under the rectangle from the zero to 30 × 12, its own middle there; the stylus 20 mm above.
 fn over(surface: FreeSurface, plane: Plane) -> Setup {
     let mut setup = machine(plane, false);
-    let middle = along(plane, [15.0, 6.0, 0.0]);
+    let middle = [15.0, 6.0, 0.0];
     let shape = Shape::Free(Arc::new(surface));
     let solid = part::in_plane(shape, middle, &setup.control);
     setup.workpiece.solids.push(solid);
