@@ -1,20 +1,13 @@
 //! Addresses of G65 P9920 (C:1216-1243), in the order of the block formats.
 
-use super::{CALIBRATE, DIAMETER, LENGTH};
+use super::{AT_CALIBRATION, AT_MEASUREMENT, CALIBRATE, DIAMETER, LENGTH};
 use crate::catalogue::common::{ALWAYS_REQUIRED, PARAM, optional, required};
-use crate::catalogue::nct::NUMBER;
+use crate::catalogue::nct;
 use crate::entry::{Chooses, Kind, Param, Unit, When, address};
 use crate::range::Range;
 
-const AT_CALIBRATION: When = When::Variant(&[CALIBRATE]);
-const AT_MEASUREMENT: When = When::Variant(&[LENGTH, DIAMETER]);
-
 /// The tool sinks beside the disk.
 const BESIDE: When = When::Variant(&[CALIBRATE, DIAMETER]);
-
-/// A length that may be left out.
-const LENGTH_GIVEN: Param =
-    Param { unit: Unit::ActiveLength, needs: &[optional(When::Always, "need-nct-optional")], ..PARAM };
 
 /// T says what is done: 0 calibrates, a register is measured into (C:1219, C:1239).
 const BY_REGISTER: &[Chooses] = &[
@@ -37,11 +30,10 @@ pub const PARAMS: &[Param] = &[
     Param {
         name: address::Z,
         key: "p9920-z",
-        unit: Unit::ActiveLength,
         range: Range { max: 0.0, ..Range::ANY },
         needs: ALWAYS_REQUIRED,
         source: "C:1216;C:1236",
-        ..PARAM
+        ..nct::LENGTH
     },
     Param {
         name: address::K,
@@ -51,7 +43,7 @@ pub const PARAMS: &[Param] = &[
         needs: &[optional(AT_MEASUREMENT, "need-p9920-k")],
         chooses: &[Chooses { when: When::Given(address::T), variant: DIAMETER, typed: "5" }],
         source: "C:1237;C:1252",
-        ..LENGTH_GIVEN
+        ..nct::LENGTH
     },
     Param {
         name: address::D,
@@ -60,7 +52,7 @@ pub const PARAMS: &[Param] = &[
         needs: &[required(AT_CALIBRATION, "need-p9920-reference"), optional(When::Always, "need-p9920-d")],
         labels: &[(AT_CALIBRATION, "p9920-d-reference")],
         source: "C:1217;C:1238;C:1256",
-        ..LENGTH_GIVEN
+        ..nct::LENGTH
     },
     Param {
         name: address::H,
@@ -69,7 +61,7 @@ pub const PARAMS: &[Param] = &[
         range: Range::NOT_NEGATIVE,
         needs: &[optional(AT_CALIBRATION, "need-nct-optional")],
         source: "C:1218",
-        ..LENGTH_GIVEN
+        ..nct::LENGTH
     },
     Param {
         name: address::T,
@@ -78,7 +70,7 @@ pub const PARAMS: &[Param] = &[
         needs: ALWAYS_REQUIRED,
         chooses: BY_REGISTER,
         source: "C:1219;C:1239",
-        ..NUMBER
+        ..nct::NUMBER
     },
     Param {
         name: address::M,
@@ -95,7 +87,7 @@ pub const PARAMS: &[Param] = &[
         range: Range::NOT_NEGATIVE,
         needs: &[optional(BESIDE, "need-nct-optional")],
         source: "C:1220;C:1241;C:1256",
-        ..LENGTH_GIVEN
+        ..nct::LENGTH
     },
     Param {
         name: address::F,
@@ -103,7 +95,7 @@ pub const PARAMS: &[Param] = &[
         unit: Unit::BasicFeed,
         range: Range::POSITIVE,
         source: "C:1221;C:1242",
-        ..LENGTH_GIVEN
+        ..nct::LENGTH
     },
-    Param { name: address::S, key: "p9920-s", range: Range::POSITIVE, source: "C:1222;C:1243", ..NUMBER },
+    Param { name: address::S, key: "p9920-s", range: Range::POSITIVE, source: "C:1222;C:1243", ..nct::NUMBER },
 ];

@@ -1,7 +1,6 @@
 //! A disk where the control believes it to be, the tool above it.
 
-use super::CALIBRATE;
-use super::checks::diameter;
+use super::{CALIBRATE, diameter};
 use crate::control::{Control, Edge};
 use crate::entry::{Inputs, Proposal, ProposedTool, address};
 use crate::geometry::Mcs;

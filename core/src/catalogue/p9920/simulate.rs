@@ -2,9 +2,8 @@
 //! diameter is their distance less that of the reference tool, and a tool is longer by as much as the spindle stands
 //! higher than with the reference tool.
 
-use super::checks::diameter;
 use super::touch::{Feeds, feed_and_speed, leave, nose, sink, touch, travel};
-use super::{CALIBRATE, DEPRESSED, DIAMETER, MEASURING_DEVICE};
+use super::{CALIBRATE, DEPRESSED, DIAMETER, MEASURING_DEVICE, diameter};
 use crate::catalogue::nct::correct;
 use crate::control::{Control, Plane, Value};
 use crate::entry::{Inputs, address};

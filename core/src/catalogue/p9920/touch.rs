@@ -47,33 +47,36 @@ pub fn nose(machine: &mut dyn Machine) -> [f64; 3] {
 }
 
 /// The position in the WCS at which the spindle nose stands there.
-fn position(machine: &mut dyn Machine, nose: [f64; 3]) -> [f64; 3] {
+fn position(machine: &mut dyn Machine, nose: [f64; 3]) -> Wcs {
     let control = machine.control();
     let length = control.active_length();
-    (control.to_workpiece(Mcs(std::array::from_fn(|i| nose[i] - length[i])))).0
+    control.to_workpiece(Mcs(std::array::from_fn(|i| nose[i] - length[i])))
 }
 
 /// Positions beside the disk or above it, where nothing is in the way.
 pub fn travel(machine: &mut dyn Machine, nose: [f64; 3]) -> Result<(), Stop> {
     let to = position(machine, nose);
-    machine.travel(Wcs(to), MotionKind::Positioning, POSITIONING, false)
+    machine.travel(to, MotionKind::Positioning, POSITIONING, false)
+}
+
+/// The present place of the spindle nose, at another coordinate of one axis.
+fn at(machine: &mut dyn Machine, axis: usize, coordinate: f64) -> Wcs {
+    let mut to = nose(machine);
+    to[axis] = coordinate;
+    position(machine, to)
 }
 
 /// Up to this height, then straight to this place.
 pub fn leave(machine: &mut dyn Machine, to: [f64; 3]) -> Result<(), Stop> {
-    let mut up = nose(machine);
-    up[2] = to[2];
-    let up = position(machine, up);
-    machine.travel(Wcs(up), MotionKind::Retract, POSITIONING, false)?;
+    let up = at(machine, 2, to[2]);
+    machine.travel(up, MotionKind::Retract, POSITIONING, false)?;
     travel(machine, to)
 }
 
 /// Sinks beside the disk. A contact ends it at the start with D TOO SMALL (C:1224, C:1245).
 pub fn sink(machine: &mut dyn Machine, height: f64, start: [f64; 3]) -> Result<(), Stop> {
-    let mut down = nose(machine);
-    down[2] = height;
-    let down = position(machine, down);
-    match machine.travel(Wcs(down), MotionKind::Positioning, POSITIONING, true) {
+    let down = at(machine, 2, height);
+    match machine.travel(down, MotionKind::Positioning, POSITIONING, true) {
         Err(Stop::Alarm(_)) => {
             leave(machine, start)?;
             Err(Stop::Alarm(TOO_SMALL))
@@ -82,35 +85,22 @@ pub fn sink(machine: &mut dyn Machine, height: f64, start: [f64; 3]) -> Result<(
     }
 }
 
-/// Touches along one axis; where the spindle nose stood. Back by some way then, so that nothing drags along the disk.
-/// No contact ends at the start with INCORRECT PROBING.
+/// Touches along one axis, quickly and slowly; where the spindle nose stood at last. Back by some way each time, so
+/// that nothing drags along the disk, and never behind where the touch began. No contact ends at the start with
+/// INCORRECT PROBING.
 pub fn touch(machine: &mut dyn Machine, axis: usize, end: f64, feeds: Feeds, start: [f64; 3]) -> Result<f64, Stop> {
-    let from = nose(machine);
-    let mut to = from;
-    to[axis] = end;
-    let target = position(machine, to);
-    let Some(_) = machine.probe(Wcs(target), feeds.fast)? else {
-        return missed(machine, start);
-    };
-    retract(machine, axis, from)?;
-    let Some(_) = machine.probe(Wcs(target), feeds.slow)? else {
-        return missed(machine, start);
-    };
-    let contact = nose(machine)[axis];
-    retract(machine, axis, from)?;
+    let from = nose(machine)[axis];
+    let target = at(machine, axis, end);
+    let mut contact = from;
+    for feed in [feeds.fast, feeds.slow] {
+        if machine.probe(target, feed)?.is_none() {
+            leave(machine, start)?;
+            return Err(Stop::Alarm(INCORRECT));
+        }
+        contact = nose(machine)[axis];
+        let way = from - contact;
+        let back = at(machine, axis, contact + BACK.min(way.abs()).copysign(way));
+        machine.travel(back, MotionKind::Retract, MEDIUM, false)?;
+    }
     Ok(contact)
-}
-
-fn missed(machine: &mut dyn Machine, start: [f64; 3]) -> Result<f64, Stop> {
-    leave(machine, start)?;
-    Err(Stop::Alarm(INCORRECT))
-}
-
-/// Back off the disk, never behind where the touch began.
-fn retract(machine: &mut dyn Machine, axis: usize, from: [f64; 3]) -> Result<(), Stop> {
-    let mut to = nose(machine);
-    let back = from[axis] - to[axis];
-    to[axis] += BACK.min(back.abs()).copysign(back);
-    let to = position(machine, to);
-    machine.travel(Wcs(to), MotionKind::Retract, MEDIUM, false)
 }
