@@ -1,12 +1,13 @@
-//! What a simulated cycle writes into `_OVR[]` and `_OVI[]` is what its entry lists.
+//! What a simulated cycle writes into its results is what its entry lists, and what it looks at is known.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::example::example;
 use super::*;
 use crate::check::check;
-use crate::control::{Control, Plane};
+use crate::control::data::LOOKED_AT;
+use crate::control::{Control, MachineSort, Plane};
 use crate::dialect::Dialect;
-use crate::entry::{Cycle, Inputs, Variant};
+use crate::entry::{Cycle, Inputs, ProbeUse, Variant, names};
 use crate::machine::Setup;
 use crate::machine::trace::Step;
 use crate::message::Arg;
@@ -24,6 +25,15 @@ fn measured(cycle: &'static Cycle, variant: &Variant) -> (Inputs, Control) {
 
 /// The same on a machine that is changed before.
 fn carried_out(cycle: &'static Cycle, variant: &Variant, change: impl Fn(&mut Control)) -> (Inputs, Outcome) {
+    let (inputs, mut setup) = prepared(cycle, variant);
+    change(&mut setup.control);
+    let outcome = predict(cycle, &inputs, &setup);
+    assert_eq!(outcome.stop, None, "{} {}", cycle.name, variant.number);
+    (inputs, outcome)
+}
+
+/// The worked example of a variant, and its own part and probe with the tools that it proposes.
+fn prepared(cycle: &'static Cycle, variant: &Variant) -> (Inputs, Setup) {
     let mut setup = Setup::for_variant(cycle, variant.number, Plane::G17);
     let checked = check(cycle, &example(cycle, variant), &setup.control);
     let Some(inputs) = checked.inputs else {
@@ -44,10 +54,7 @@ fn carried_out(cycle: &'static Cycle, variant: &Variant, change: impl Fn(&mut Co
     for name in fields() {
         setup.control.set(name, BEFORE);
     }
-    change(&mut setup.control);
-    let outcome = predict(cycle, &inputs, &setup);
-    assert_eq!(outcome.stop, None, "{} {}", cycle.name, variant.number);
-    (inputs, outcome)
+    (inputs, setup)
 }
 
 fn fields() -> impl Iterator<Item = String> {
@@ -150,5 +157,64 @@ fn every_measuring_cycle_shows_its_result_screen_on_demand() {
             let expected = if measures { vec![key] } else { vec![] };
             assert_eq!(screens(cycle, variant, bits), expected, "{}", cycle.name);
         }
+    }
+}
+
+// oracle: self (the entry, which is held against the manual's table)
+#[test]
+fn data_that_a_macro_sets_are_results_of_its_entry() {
+    for (cycle, variant) in simulated(Dialect::Nct) {
+        let (inputs, outcome) = carried_out(cycle, variant, |_| ());
+        let steps = outcome.trace.entries.iter().map(|entry| &entry.step);
+        let set: BTreeSet<&str> = steps
+            .filter_map(|step| match step {
+                Step::Set { name, .. } if outcome.control.data.contains_key(name) => Some(name.as_str()),
+                _ => None, // a register or an offset, which is corrected
+            })
+            .collect();
+        let fields = cycle.results.iter().filter(|field| field.when.holds(&inputs));
+        let listed: BTreeSet<&str> = fields.map(|field| field.name).collect();
+        assert_eq!(set, listed, "{} {}", cycle.name, variant.number);
+    }
+}
+
+/// Bits and machine data that the steps common to all cycles look at: system of units, scale, erasing, result screen,
+/// frames.
+const EVERY: &[&str] = &["_CBIT[3]", "_CBIT[13]", "_CHBIT[10]", "_CHBIT[24]", "MD20050", "MD28082"];
+/// The same of a cycle with the workpiece probe: of its measuring block and its calibration.
+const PROBE: &[&str] = &["_CBIT[8]", "_CBIT[14]", "_CBIT[16]"];
+/// The same on a milling machine.
+const MILLING: &[&str] = &["_CHBIT[2]", "_CHBIT[13]", "_CHBIT[15]", "_CHBIT[16]", "_CHBIT[17]"];
+/// The same of a cycle that corrects what `_KNUM` names.
+const CORRECTING: &[&str] = &["_CHBIT[4]", "_CHBIT[5]", "_CHBIT[21]", "MD18102", "MD18105", "MD18600"];
+/// The same of the one that finds out which rotary axes there are.
+const ROTARY: &[&str] = &["MD20080", "MD30300"];
+
+// oracle: self: a cycle looks at no bit and no machine datum but those of its entry and of what its sort shares
+#[test]
+fn every_bit_that_is_looked_at_is_known_of_the_cycle() {
+    for (cycle, variant) in simulated(Dialect::Sinumerik) {
+        let purpose = &cycle.purpose;
+        let probe = purpose.probe == ProbeUse::Workpiece;
+        let shared = [
+            (true, EVERY),
+            (probe, PROBE),
+            (probe && purpose.machine == MachineSort::Milling, MILLING),
+            (cycle.param(&names::KNUM).is_some(), CORRECTING),
+            (cycle.name == "CYCLE998", ROTARY),
+            (true, cycle.settings),
+        ];
+        let known: BTreeSet<&str> =
+            shared.iter().filter(|(has, _)| *has).flat_map(|(_, names)| *names).copied().collect();
+        let (inputs, setup) = prepared(cycle, variant);
+        LOOKED_AT.set(Some(BTreeSet::new()));
+        predict(cycle, &inputs, &setup);
+        let bits = ["_CBIT[", "_CHBIT[", "MD"];
+        let unknown =
+            LOOKED_AT.take().into_iter().flatten().filter(|name| bits.iter().any(|start| name.starts_with(start)));
+        let array = |name: &str| name.split('[').next().unwrap_or_default().to_owned();
+        let unknown = unknown.filter(|name| !known.contains(name.as_str()) && !known.contains(array(name).as_str()));
+        let unknown: Vec<_> = unknown.collect();
+        assert!(unknown.is_empty(), "{} {}: {unknown:?}", cycle.name, variant.number);
     }
 }

@@ -8,6 +8,8 @@ use serde::de::{Deserialize, Deserializer, Visitor};
 use std::collections::BTreeMap;
 use std::fmt;
 use std::fmt::Formatter;
+#[cfg(test)]
+use std::{cell::RefCell, collections::BTreeSet};
 
 /// Setting of ours, kept beside the data of the machine: 1 lets `_MZ_MASK` decide over forms and code. No program can
 /// write a variable of this name.
@@ -65,6 +67,12 @@ impl Visitor<'_> for Reader {
     }
 }
 
+#[cfg(test)]
+thread_local! {
+    /// Names of the data that are looked at, while a test wants to know what a cycle depends on.
+    pub static LOOKED_AT: RefCell<Option<BTreeSet<String>>> = const { RefCell::new(None) };
+}
+
 /// Data by name; see [`super::Control::data`].
 #[derive(Clone, Debug, Default)]
 pub struct Data {
@@ -81,6 +89,8 @@ impl Data {
 
     /// A datum; `None` where it was never set.
     pub fn get(&self, name: &str) -> Option<&Value> {
+        #[cfg(test)]
+        LOOKED_AT.with_borrow_mut(|names| names.as_mut().map(|names| names.insert(name.to_owned())));
         match self.written.get(name) {
             Some(written) => written.as_ref(),
             None => self.delivered?.get(name),
