@@ -126,8 +126,7 @@ impl<'a> Judged<'a> {
 
     /// A value whose meaning is not known.
     fn open(&mut self, name: Name) {
-        let finding = own::NEWER_OPEN.finding().text("param", name).text("value", text(self.typed, name));
-        self.found.push(finding.at(name));
+        self.found.push(own::NEWER_OPEN.finding().text("param", name).text("value", text(self.typed, name)).at(name));
     }
 
     /// A variant of which nothing is published: the path has to be right all the same.

@@ -68,18 +68,17 @@ pub fn look(
     program: &Program,
     programs: &Programs,
     sites: &[CallSite],
-    corrected: &[Option<Corrected>],
+    corrected: &BTreeMap<usize, Corrected>,
     found: &mut Vec<Diagnostic>,
 ) {
-    if corrected.iter().all(Option::is_none) {
+    if corrected.is_empty() {
         return;
     }
     let mut rules = Rules { program, sites, corrected, forgotten: BTreeMap::new() };
     flow::follow(program, programs, &mut rules, &Pending::new());
     for (index, waiting) in rules.forgotten {
-        if let Some((site, corrected)) = sites.get(index).zip(corrected.get(index)) {
-            let finding = corrected.as_ref().map(|frame| finding(program, site, frame, &waiting));
-            found.extend(finding);
+        if let Some((site, frame)) = sites.get(index).zip(corrected.get(&index)) {
+            found.push(finding(program, site, frame, &waiting));
         }
     }
 }
@@ -114,19 +113,15 @@ struct Waiting {
 struct Rules<'a> {
     program: &'a Program,
     sites: &'a [CallSite],
-    corrected: &'a [Option<Corrected>],
+    corrected: &'a BTreeMap<usize, Corrected>,
     forgotten: Pending,
 }
 
 impl Rules<'_> {
-    fn corrected(&self, index: usize) -> Option<&Corrected> {
-        self.corrected.get(index)?.as_ref()
-    }
-
     /// A frame is taken: G500, G54 and so on.
     fn take(&self, pending: &mut Pending, code: u16) {
         pending.retain(|index, waiting| {
-            let Some(corrected) = self.corrected(*index) else { return false };
+            let Some(corrected) = self.corrected.get(index) else { return false };
             match corrected.function {
                 // Who leaves the old one for another moves in it no more; who never was in it may have taken the
                 // wrong one.
@@ -142,7 +137,7 @@ impl Rules<'_> {
     /// What moved the axes, in frames that were corrected and not taken.
     fn use_all(&self, pending: &mut Pending) {
         for (index, waiting) in pending {
-            let in_force = self.corrected(*index).is_some_and(Corrected::in_force);
+            let in_force = self.corrected.get(index).is_some_and(Corrected::in_force);
             waiting.moved |= in_force || waiting.other.is_some();
         }
     }
@@ -179,8 +174,8 @@ impl Follow for Rules<'_> {
         if site.is_none_or(|site| site.cycle.purpose.probe != ProbeUse::Workpiece) {
             return;
         }
-        let now = self.corrected(index);
-        pending.retain(|before, _| now.is_none() || self.corrected(*before) != now);
+        let now = self.corrected.get(&index);
+        pending.retain(|before, _| now.is_none() || self.corrected.get(before) != now);
         self.use_all(pending);
         if now.is_some() {
             pending.insert(index, Waiting::default());

@@ -22,6 +22,7 @@ use crate::message::Message;
 use crate::syntax::programs::{Programs, programs};
 use crate::syntax::{Program, Word, WordKind};
 use crate::{check, own};
+use std::collections::BTreeMap;
 
 /// What the rules look at: a call, what is in force there, what it means.
 struct Seen<'a> {
@@ -67,7 +68,7 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
     let left_on = left_on::left_on(program, &programs);
     let changes_tools = changes_tools(program);
     let mut at_call = control.clone();
-    let mut corrected = vec![None; sites.len()];
+    let mut corrected = BTreeMap::new();
     for (index, site, way) in in_order(sites) {
         at_call.plane = way.state.plane.is().copied().unwrap_or(site.plane);
         at_call.transverse = way.state.transverse.is().copied().unwrap_or(site.transverse);
@@ -92,9 +93,10 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
         };
         at_call::look(&seen, &mut asked, &mut found);
         read_back::look(&seen, &at_call, &mut found);
-        if let Some(corrected) = corrected.get_mut(index) {
-            *corrected = behind::corrected(&seen);
-        }
+        match behind::corrected(&seen) {
+            Some(frame) => corrected.insert(index, frame),
+            None => corrected.remove(&index),
+        };
     }
     behind::look(program, &programs, sites, &corrected, &mut found);
     subprograms::too_deep(program, &programs, sites, &mut found);
@@ -117,10 +119,8 @@ fn lower(one: &mut Diagnostic, sites: &[CallSite]) {
 
 /// The calls as the run comes to them, each once a way.
 fn in_order(sites: &[CallSite]) -> Vec<(usize, &CallSite, &Way)> {
-    let mut all = Vec::new();
-    for (index, site) in sites.iter().enumerate() {
-        all.extend(site.ways.iter().map(|way| (index, site, way)));
-    }
+    let all = sites.iter().enumerate().flat_map(|(index, site)| site.ways.iter().map(move |way| (index, site, way)));
+    let mut all: Vec<_> = all.collect();
     all.sort_by_key(|(_, _, way)| way.order);
     all
 }

@@ -34,9 +34,7 @@ impl Walk<'_> {
                         self.write(place, &name, *value, *value_span);
                     }
                 }
-                WordKind::Declare { name, index, value } => {
-                    self.declare(place, *name, index, *value);
-                }
+                WordKind::Declare { name, index, value } => self.declare(place, *name, index, *value),
                 _ => {}
             }
         }
@@ -103,9 +101,8 @@ impl Walk<'_> {
             Spread::Each(values) => {
                 let elements = self.elements(name);
                 let written = arguments::places(self.program, span);
-                let written = Some(written).filter(|all| all.len() == values.len());
                 for (index, (element, id)) in elements.into_iter().zip(values).enumerate() {
-                    let at = written.as_ref().and_then(|all| all.get(index)).copied();
+                    let at = written.get(index).copied().filter(|_| written.len() == values.len());
                     let at = at.or_else(|| values::place(self.program, *id));
                     self.assign_element(place, &element, *id, at);
                 }
