@@ -36,8 +36,8 @@ pub static CYCLE118: Cycle = Cycle {
     params: PARAMS,
     results: &[
         integer("PAR3", "result-118-text", When::Always, "B:11290"),
-        integer("_TXT[0]", "result-118-field", When::Above { param: COUNT, than: 1.0 }, "B:11280"),
-        integer("_TXT[1]", "result-118-field", When::Above { param: COUNT, than: 1.0 }, "B:11280"),
+        integer("_TXT[0]", "result-118-field", MANY, "B:11280"),
+        integer("_TXT[1]", "result-118-field", MANY, "B:11280"),
         integer("_TXT[2]", "result-118-field", When::Above { param: COUNT, than: 2.0 }, "B:11280"),
         integer("_TXT[3]", "result-118-field", When::Above { param: COUNT, than: 3.0 }, "B:11280"),
         integer("_TXT[4]", "result-118-field", When::Above { param: COUNT, than: 4.0 }, "B:11280"),

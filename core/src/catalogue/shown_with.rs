@@ -2,6 +2,7 @@
 //! what is measured, the mean value at the tolerances.
 
 use super::logging::names as log;
+use crate::entry::address::{F, I, K, M, S, T, U, V, W, X, Y, Z};
 use crate::entry::{address, names};
 use crate::name::Name;
 
@@ -32,23 +33,7 @@ const TABLE: &[Row] = &[
     (LOG_FORMAT, &[&[log::LINE]]),
     (&[log::JOB], &[&[log::LINE], &[Name::new("PAR5")]]),
     (LOG_VALUES, &[&[log::VALUES[0]], &[log::LINE]]),
-    (
-        &[
-            address::X,
-            address::Y,
-            address::Z,
-            address::F,
-            address::I,
-            address::K,
-            address::M,
-            address::S,
-            address::T,
-            address::U,
-            address::V,
-            address::W,
-        ],
-        ADDRESSES,
-    ),
+    (&[X, Y, Z, F, I, K, M, S, T, U, V, W], ADDRESSES),
 ];
 
 /// Of the whole page, or of a part that this call does not print.

@@ -292,6 +292,11 @@ impl Seen {
         Some(dimension(field, add(touch.start, aside), add(touch.ball, aside)))
     }
 
+    /// The ways of the measuring blocks as arrows.
+    pub fn arrows(&self, field: Name, size: f64) -> impl Iterator<Item = PictureShape> {
+        self.touches.iter().map(move |touch| figures::arrow(ShapeKind::Path, touch.start, touch.ball, size).of(field))
+    }
+
     /// Centre of what is touched.
     pub fn middle(&self) -> [f64; 2] {
         let [low, high] = self.part;
@@ -463,6 +468,14 @@ impl Seen {
 /// A ring between two radii, mm.
 pub fn ring(kind: ShapeKind, centre: [f64; 2], inner: f64, outer: f64) -> PictureShape {
     PictureShape { opening: Some((centre, inner.max(0.0))), ..circle(kind, centre, outer) }
+}
+
+/// The least and the most of each coordinate of some points.
+pub fn ends(points: &[[f64; 2]]) -> [(f64, f64); 2] {
+    [0, 1].map(|axis| {
+        let values = points.iter().map(|point| point[axis]);
+        (values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max))
+    })
 }
 
 /// The sum of two vectors.

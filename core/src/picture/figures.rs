@@ -75,6 +75,18 @@ pub fn arrow(kind: ShapeKind, from: [f64; 2], tip: [f64; 2], size: f64) -> Pictu
     line(kind, vec![side(1.0), tip, side(-1.0)])
 }
 
+/// A turn about a point, from one angle to the other, degree: an arc with an arrow at its end.
+pub fn turn(field: Name, about: [f64; 2], radius: f64, [from, to]: [f64; 2], size: f64) -> [PictureShape; 2] {
+    let way = arc(about, radius, from, to);
+    let [before, tip] = [way.len() - 2, way.len() - 1].map(|index| way[index]);
+    [arrow(ShapeKind::Axis, before, tip, size).of(field), line(ShapeKind::Axis, way).of(field)]
+}
+
+/// An axis from a point, with an arrow at its tip.
+pub fn ray(field: Name, from: [f64; 2], tip: [f64; 2], size: f64) -> [PictureShape; 2] {
+    [line(ShapeKind::Axis, vec![from, tip]).of(field), arrow(ShapeKind::Axis, from, tip, size).of(field)]
+}
+
 /// One outline around another, as a single polygon that every fill rule fills alike.
 pub fn frame(mut outer: Vec<[f64; 2]>, mut inner: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     if let (Some(first), Some(opening)) = (outer.first().copied(), inner.first().copied()) {

@@ -14,7 +14,8 @@ use crate::control::{Control, MachineSort};
 use crate::diagnostic::Diagnostic;
 use crate::dialect::Dialect;
 use crate::entry::{
-    Arg, ArgumentList, Cycle, Drawing, Help, Inputs, NEVER, ProbeUse, Purpose, Simulation, Style, Variant, When, Work,
+    Arg, ArgumentList, Cycle, Drawing, Help, Inputs, NEVER, ProbeUse, Proposal, Purpose, Simulation, Style, Variant,
+    When, Work,
 };
 use crate::evaluate;
 use crate::geometry::fit;
@@ -61,7 +62,7 @@ pub static CYCLE116: Cycle = Cycle {
         (params::POINTS[2][0], "0"),
         (params::POINTS[2][1], "-10"),
     ],
-    simulation: Some(Simulation::new(Work { propose: simulate::propose, simulate: simulate::simulate }, &[])),
+    simulation: Some(Simulation::new(Work { propose: |_, _| Proposal::default(), simulate: simulate::simulate }, &[])),
     source: "B:2408-2469",
 };
 

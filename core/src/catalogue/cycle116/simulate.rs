@@ -3,8 +3,7 @@
 use super::params::COUNT;
 use super::points;
 use crate::catalogue::sinumerik::results;
-use crate::control::Control;
-use crate::entry::{Inputs, Proposal};
+use crate::entry::Inputs;
 use crate::geometry::fit;
 use crate::machine::{Machine, Stop};
 
@@ -12,11 +11,6 @@ use crate::machine::{Machine, Stop};
 const NO_CIRCLE: u32 = 61316;
 /// The number of points is neither 3 nor 4 (A:15858).
 const NUMBER: u32 = 61317;
-
-/// Nothing is touched.
-pub fn propose(_: &Inputs, _: &Control) -> Proposal {
-    Proposal::default()
-}
 
 /// Centre, radius and status into the array, the number of the alarm beside it.
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {

@@ -10,12 +10,12 @@ mod simulate;
 #[cfg(test)]
 mod tests;
 
-use super::common::{alarms, integer};
+use super::common::{alarms, angle, integer, length};
 use crate::control::MachineSort;
 use crate::dialect::Dialect;
 use crate::entry::{
-    Arg, ArgumentList, Cycle, Drawing, Help, NEVER, ProbeUse, Purpose, ResultField, Simulation, Style, Unit, Variant,
-    When, Work, names,
+    Arg, ArgumentList, Cycle, Drawing, Help, NEVER, ProbeUse, Proposal, Purpose, ResultField, Simulation, Style, Unit,
+    Variant, When, Work, names,
 };
 
 /// The cycle.
@@ -46,18 +46,15 @@ pub static CYCLE119: Cycle = Cycle {
     results: &[
         integer("_ALARM", "result-119-alarm", When::Always, "B:8579"),
         ResultField {
-            name: "_RES",
-            key: "result-119-distortion",
-            when: When::Always,
             unit: Unit::BasicLength,
-            source: "B:8573;B:8581-8583;A:9416",
+            ..length("_RES", "result-119-distortion", When::Always, "B:8573;B:8581-8583;A:9416")
         },
-        translation("_REFRAME[X,TR]", "result-119-frame-x"),
-        translation("_REFRAME[Y,TR]", "result-119-frame-y"),
-        translation("_REFRAME[Z,TR]", "result-119-frame-z"),
-        rotation("_REFRAME[X,RT]", "result-119-turn-x"),
-        rotation("_REFRAME[Y,RT]", "result-119-turn-y"),
-        rotation("_REFRAME[Z,RT]", "result-119-turn-z"),
+        length("_REFRAME[X,TR]", "result-119-frame-x", When::Always, "B:8584"),
+        length("_REFRAME[Y,TR]", "result-119-frame-y", When::Always, "B:8584"),
+        length("_REFRAME[Z,TR]", "result-119-frame-z", When::Always, "B:8584"),
+        angle("_REFRAME[X,RT]", "result-119-turn-x", When::Always, "B:8584"),
+        angle("_REFRAME[Y,RT]", "result-119-turn-y", When::Always, "B:8584"),
+        angle("_REFRAME[Z,RT]", "result-119-turn-z", When::Always, "B:8584"),
     ],
     alarms: &[&alarms([61321, 61411, 61412, 61414])], // A:15862, A:15930-15933
     checks: checks::checks,
@@ -86,20 +83,6 @@ pub static CYCLE119: Cycle = Cycle {
         (names::COR, "1"),
         (params::LIMIT, "1.2"),
     ],
-    simulation: Some(Simulation::new(Work { propose: simulate::propose, simulate: simulate::simulate }, &[])),
+    simulation: Some(Simulation::new(Work { propose: |_, _| Proposal::default(), simulate: simulate::simulate }, &[])),
     source: "B:8541-8622",
 };
-
-/// Translation of the result frame.
-const fn translation(name: &'static str, key: &'static str) -> ResultField {
-    ResultField { unit: Unit::ActiveLength, ..component(name, key) }
-}
-
-/// Rotation of the result frame about an axis.
-const fn rotation(name: &'static str, key: &'static str) -> ResultField {
-    ResultField { unit: Unit::Degree, ..component(name, key) }
-}
-
-const fn component(name: &'static str, key: &'static str) -> ResultField {
-    integer(name, key, When::Always, "B:8584")
-}

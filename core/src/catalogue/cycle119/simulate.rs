@@ -3,9 +3,8 @@
 use super::checks::points;
 use super::params::{LIMIT, MEASURED, SET, TARGET};
 use crate::catalogue::sinumerik::{correct, results};
-use crate::control::Control;
 use crate::control::variables::AXES;
-use crate::entry::{Inputs, Proposal};
+use crate::entry::Inputs;
 use crate::evaluate::position::{NO_FRAME, Position, correctable, position};
 use crate::evaluate::zero_offset;
 use crate::evaluate::zero_offset::Target;
@@ -14,11 +13,6 @@ use crate::machine::{Machine, Stop};
 
 /// What stands in `_RES` where no frame was computed (B:8582: below 0).
 const NONE: f64 = -1.0;
-
-/// Nothing is touched.
-pub fn propose(_: &Inputs, _: &Control) -> Proposal {
-    Proposal::default()
-}
 
 /// Computes the frame between both triangles; where one is to be corrected and all is well, corrects it. The corrected
 /// frame becomes active when the program calls it again, 9999 included (B:8592).

@@ -3,9 +3,9 @@
 
 use super::lines::{Point, across, along, away, direction};
 use super::params::{PASSES, PLACES, POINTS, RECTANGLE};
-use crate::entry::stage::{Fields, Look, SIZE, Seen, Staging, unit};
+use crate::entry::stage::{Fields, Look, SIZE, Seen, Staging, ends, unit};
 use crate::entry::{Inputs, When, names};
-use crate::picture::figures::{arrow, circle, dimension, line, polar};
+use crate::picture::figures::{circle, dimension, line, polar, ray};
 use crate::picture::{PictureShape, ShapeKind};
 
 /// The probe is led over the corner, not around it (B:8006-8012).
@@ -42,11 +42,7 @@ pub fn stage(inputs: &Inputs) -> Staging {
 /// The places in the size of the picture, the zero point no further beside them than there is room.
 fn places(inputs: &Inputs, mut stage: Staging) -> Staging {
     let given = PLACES.map(|place| place.map(|name| inputs.number(name)));
-    let ends = [0, 1].map(|axis| {
-        let values = given.map(|place| place[axis]);
-        let low = values.into_iter().fold(f64::INFINITY, f64::min);
-        (low, values.into_iter().fold(f64::NEG_INFINITY, f64::max))
-    });
+    let ends = ends(&given);
     let size = ends.into_iter().map(|(low, high)| high - low).fold(1e-6, f64::max);
     for (names, place) in PLACES.into_iter().zip(given) {
         for (axis, name) in names.into_iter().enumerate() {
@@ -85,6 +81,13 @@ impl Corner {
         Some(Corner { at, edges: [direction(at, other(first)?), direction(at, other(second)?)], starts })
     }
 
+    /// A coordinate of a place from the workpiece zero as a dimension that ends here, and the way from there to the place.
+    fn coordinate(&self, above: &Seen, index: usize, axis: usize, to: Point) -> [PictureShape; 2] {
+        let field = PLACES[index][axis];
+        let way = line(ShapeKind::Axis, vec![to, self.starts[index]]).of(field);
+        [above.along(field, axis, [above.zero, to], to[1 - axis]), way]
+    }
+
     /// Which way the second edge is turned from the first: 1 counter-clockwise, -1 clockwise.
     fn sense(&self) -> f64 {
         across(self.edges[0], self.edges[1]).signum()
@@ -93,10 +96,7 @@ impl Corner {
 
 /// Directions and distances or places, the new zero point, heights.
 pub fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
-    let [above, beside @ ..] = looks else {
-        return Vec::new();
-    };
-    let Some(corner) = Corner::of(above) else {
+    let ([above, beside @ ..], Some(corner)) = (looks, looks.first().and_then(Corner::of)) else {
         return Vec::new();
     };
     let mut shapes =
@@ -106,8 +106,7 @@ pub fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
     for section in beside {
         let at = section.extent[1][0] + 2.0 * section.ball;
         let low = section.touches.first().map_or(section.start, |touch| touch.start);
-        let high = [at, low[1] + HEIGHT];
-        shapes.push(dimension(names::ID, [at, low[1]], high));
+        shapes.push(dimension(names::ID, [at, low[1]], [at, low[1] + HEIGHT]));
     }
     shapes
 }
@@ -147,9 +146,7 @@ fn coordinates(corner: &Corner, above: &Seen) -> Vec<PictureShape> {
         for index in pair {
             let mut to = corner.starts[index];
             to[axis] += 2.5 * above.ball;
-            let field = PLACES[index][1 - axis];
-            shapes.push(above.along(field, 1 - axis, [above.zero, to], to[axis]));
-            shapes.push(line(ShapeKind::Axis, vec![to, corner.starts[index]]).of(field));
+            shapes.extend(corner.coordinate(above, index, 1 - axis, to));
         }
     }
     shapes
@@ -174,9 +171,7 @@ fn stacked(corner: &Corner, above: &Seen, axis: usize, pair: [usize; 2], other: 
     for (index, away) in [(near, 0.16), (far, 0.32)] {
         let mut to = corner.starts[index];
         to[across] = side * (border + SIZE * away);
-        let field = PLACES[index][axis];
-        shapes.push(above.along(field, axis, [zero, to], to[across]));
-        shapes.push(line(ShapeKind::Axis, vec![to, corner.starts[index]]).of(field));
+        shapes.extend(corner.coordinate(above, index, axis, to));
     }
     shapes
 }
@@ -192,11 +187,8 @@ fn zero_point(inputs: &Inputs, corner: &Corner, above: &Seen) -> Vec<PictureShap
     };
     let beside = along(corner.at, abscissa, moved(names::SETV2, [2, 3]));
     let zero = along(beside, ordinate, moved(names::SETV3, [3, 4]));
-    let mut shapes = Vec::new();
-    for tip in [abscissa, ordinate].map(|axis| along(zero, axis, 0.22 * SIZE)) {
-        shapes.push(line(ShapeKind::Axis, vec![zero, tip]).of(names::KNUM));
-        shapes.push(arrow(ShapeKind::Axis, zero, tip, above.ball).of(names::KNUM));
-    }
+    let tips = [abscissa, ordinate].map(|axis| along(zero, axis, 0.22 * SIZE));
+    let mut shapes: Vec<_> = tips.into_iter().flat_map(|tip| ray(names::KNUM, zero, tip, above.ball)).collect();
     if RECTANGLE.holds(inputs) {
         shapes.push(circle(ShapeKind::Axis, zero, 1.5 * above.ball).of(names::SETV4));
         let ways = [(names::SETV2, corner.at, beside), (names::SETV3, beside, zero)];

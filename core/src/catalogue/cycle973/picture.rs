@@ -8,7 +8,7 @@ use crate::catalogue::lathe::figures::{axis, named, per};
 use crate::entry::stage::{Fields, Look, Seen, Staging, add};
 use crate::entry::{Inputs, names};
 use crate::name::Name;
-use crate::picture::figures::{arrow, circle, line, rectangle};
+use crate::picture::figures::{circle, line, rectangle};
 use crate::picture::{PictureShape, ShapeKind};
 
 /// Bands of the trigger value, mm.
@@ -54,9 +54,7 @@ pub fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
     };
     let used: Vec<_> = BANDS.into_iter().filter(|(name, ..)| inputs.uses(*name)).collect();
     let mut shapes = seen.bands(ShapeKind::Tolerance, &used);
-    for touch in &seen.touches {
-        shapes.push(arrow(ShapeKind::Path, touch.start, touch.ball, 3.0).of(names::MD));
-    }
+    shapes.extend(seen.arrows(names::MD, 3.0));
     shapes.extend(seen.path(names::FA, 0, 2.5));
     let Some(touch) = seen.touches.first() else {
         return shapes;

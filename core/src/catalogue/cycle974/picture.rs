@@ -7,7 +7,7 @@ use crate::catalogue::lathe::figures;
 use crate::catalogue::lathe::figures::{RADIUS, axis, per};
 use crate::entry::stage::{Look, Seen, Staging, add};
 use crate::entry::{Inputs, names};
-use crate::picture::figures::{arc, arrow, circle, line, polar};
+use crate::picture::figures::{arc, arrow, circle, line, polar, turn};
 use crate::picture::{PictureShape, ShapeKind};
 
 /// From the zero point to an end face, mm.
@@ -58,7 +58,6 @@ fn reversal(inputs: &Inputs, centre @ [x, y]: [f64; 2]) -> Vec<PictureShape> {
     let point = |number: &str, end: f64| {
         circle(ShapeKind::Touch, [x, y + end * RADIUS], 0.3 * figures::BALL).text(number).of(names::NMSP)
     };
-    let turn = arc(centre, RADIUS * 1.2, 110.0, 250.0);
     let mut shapes = vec![
         circle(ShapeKind::Material, centre, RADIUS),
         line(ShapeKind::Axis, vec![[x, y - 27.0], [x, y + 27.0]]),
@@ -69,9 +68,6 @@ fn reversal(inputs: &Inputs, centre @ [x, y]: [f64; 2]) -> Vec<PictureShape> {
         point("2", -1.0),
         line(ShapeKind::Label, vec![[x - RADIUS * 1.45, y]]).text("180°").of(names::MVAR),
     ];
-    if let [.., from, tip] = turn[..] {
-        shapes.push(arrow(ShapeKind::Axis, from, tip, 4.0).of(names::MVAR));
-    }
-    shapes.push(line(ShapeKind::Axis, turn).of(names::MVAR));
+    shapes.extend(turn(names::MVAR, centre, RADIUS * 1.2, [110.0, 250.0], 4.0));
     shapes
 }

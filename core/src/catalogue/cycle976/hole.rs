@@ -142,16 +142,11 @@ impl Hole<'_> {
         let triggers: Vec<Trigger> = touches.iter().map(|touch| self.trigger(touch, middle, centre)).collect();
         let [x, y, _] = self.block.axes;
         let position = self.position(centre);
+        let stored = calibration::skew(machine.control(), self.inputs);
+        let skew = self.skew(stored, [0, 1].map(|axis| centre[axis] - middle[axis]));
         Calibration {
             ball: BALL.holds(self.inputs).then(|| diameter(&triggers)),
-            skew: match SKEW.holds(self.inputs) {
-                true => {
-                    let found = std::array::from_fn(|axis| centre[axis] - middle[axis]);
-                    let stored = calibration::skew(machine.control(), self.inputs);
-                    self.skew(stored, found).map(Some)
-                }
-                false => [None; 2],
-            },
+            skew: if SKEW.holds(self.inputs) { skew.map(Some) } else { [None; 2] },
             centre: UNKNOWN.holds(self.inputs).then(|| [position[x], position[y]]),
             triggers,
             length: None,

@@ -5,7 +5,7 @@ use super::directions::{Direction, angle, directions};
 use super::params::{ANGLE, BALL, FOUR, HOLE, LENGTH, ONE, SKEW, UNKNOWN};
 use crate::entry::stage::{Fields, Look, SIZE, Seen, Staging, add};
 use crate::entry::{Inputs, names};
-use crate::picture::figures::{arc, arrow, circle, corners, dimension, line, polar, polygon};
+use crate::picture::figures::{arrow, circle, dimension, line, polar, rectangle, turn};
 use crate::picture::{PictureShape, ShapeKind};
 
 /// From the zero point to a surface, mm.
@@ -21,11 +21,8 @@ pub fn stage(inputs: &Inputs) -> Staging {
             .angle(inputs, names::STA1);
     }
     let look = if upright(inputs) { Look::section(0) } else { Look::ABOVE };
-    Staging::new(look, Fields::CYCLE).ball(4.0).with(names::SETVAL, SET.copysign(inputs.number(names::SETVAL))).short(
-        inputs,
-        names::FA,
-        [10.0, 24.0],
-    )
+    let set = SET.copysign(inputs.number(names::SETVAL));
+    Staging::new(look, Fields::CYCLE).ball(4.0).with(names::SETVAL, set).short(inputs, names::FA, [10.0, 24.0])
 }
 
 /// Whether the applicate is measured.
@@ -78,18 +75,15 @@ fn axes(inputs: &Inputs, seen: &Seen) -> Vec<PictureShape> {
 /// A start beside the centre, with the two runs that find it.
 fn unknown(seen: &Seen) -> Vec<PictureShape> {
     let at = [-0.13 * SIZE, 0.1 * SIZE];
-    let turned = arc(at, 1.8 * seen.ball, 200.0, 380.0);
-    let mut shapes = vec![
+    let [tip, way] = turn(names::MVAR, at, 1.8 * seen.ball, [200.0, 380.0], seen.ball);
+    vec![
         line(ShapeKind::Touch, vec![[0.0; 2]]).of(names::MVAR),
         line(ShapeKind::Path, vec![at, [0.0; 2]]).of(names::FA),
         circle(ShapeKind::Probe, at, seen.ball).of(names::PRNUM),
         line(ShapeKind::Label, vec![add(at, [0.0, 0.1 * SIZE])]).text("180° / 0°").of(names::MVAR),
-    ];
-    if let [.., from, tip] = turned[..] {
-        shapes.push(arrow(ShapeKind::Axis, from, tip, seen.ball).of(names::MVAR));
-    }
-    shapes.push(line(ShapeKind::Axis, turned).of(names::MVAR));
-    shapes
+        tip,
+        way,
+    ]
 }
 
 /// The stylus from the side, beside the hole: ball diameter, and the skew against the spindle's axis. Of its own, as
@@ -99,7 +93,7 @@ fn stylus(inputs: &Inputs) -> Vec<PictureShape> {
     let skewed = SKEW.holds(inputs);
     let ball = axis + if skewed { 0.16 * SIZE } else { 0.0 };
     let mut shapes = vec![
-        polygon(ShapeKind::Material, corners([axis, top], [0.3 * SIZE, 0.12 * SIZE])),
+        rectangle(ShapeKind::Material, [axis, top], [0.3 * SIZE, 0.12 * SIZE]),
         line(ShapeKind::Axis, vec![[axis, top], [axis, low - 0.3 * SIZE]]).of(names::MVAR),
         line(ShapeKind::Path, vec![[axis, top - 0.06 * SIZE], [ball, low]]).of(names::PRNUM),
         circle(ShapeKind::Probe, [ball, low], radius).of(names::PRNUM),
@@ -125,7 +119,7 @@ fn surface(inputs: &Inputs, seen: &Seen) -> Vec<PictureShape> {
     let Some(touch) = seen.touches.first() else {
         return shapes;
     };
-    shapes.push(arrow(ShapeKind::Path, touch.start, touch.ball, seen.ball).of(names::MD));
+    shapes.extend(seen.arrows(names::MD, seen.ball));
     shapes.extend(seen.path(names::FA, 0, 2.0));
     if LENGTH.holds(inputs) {
         // the path may be used up behind the set position as well
@@ -145,7 +139,7 @@ fn above(inputs: &Inputs, seen: &Seen, ball: [f64; 2], up: f64) -> Vec<PictureSh
     let nose = add(ball, [0.0, 30.0 * up]);
     let mut shapes = vec![
         line(ShapeKind::Path, vec![ball, nose]).of(names::PRNUM),
-        polygon(ShapeKind::Material, corners(add(nose, [0.0, 4.0 * up]), [20.0, 8.0])),
+        rectangle(ShapeKind::Material, add(nose, [0.0, 4.0 * up]), [20.0, 8.0]),
     ];
     if LENGTH.holds(inputs) {
         let around = inputs.settings.get("_CBIT[14]") == Some(&1.0);

@@ -3,7 +3,7 @@
 
 use super::params::{ANGLE, DIAMETER, REPEATED, THREE};
 use super::points::{DIAMETER_SIDE, centres, directions};
-use crate::entry::stage::{Fields, Look, SIZE, Seen, Staging, add};
+use crate::entry::stage::{Fields, Look, SIZE, Seen, Staging, add, ends};
 use crate::entry::{Inputs, names};
 use crate::name::Name;
 use crate::picture::figures::{arrow, circle, dimension, line, polar, polygon};
@@ -123,13 +123,8 @@ fn triangle(inputs: &Inputs, zero: [f64; 2]) -> Vec<PictureShape> {
 
 /// Points at a scale at which they fill a rectangle, given by its lower left corner and its size.
 fn fitted(points: &[[f64; 2]], corner: [f64; 2], room: [f64; 2]) -> Vec<[f64; 2]> {
-    let ends = [0, 1].map(|axis| {
-        let values = points.iter().map(|point| point[axis]);
-        let low = values.clone().fold(f64::INFINITY, f64::min);
-        (low, values.fold(f64::NEG_INFINITY, f64::max) - low)
-    });
-    let scale = [0, 1].map(|axis| room[axis] / ends[axis].1.max(f64::MIN_POSITIVE));
-    let scale = scale[0].min(scale[1]);
-    let scale = if scale.is_finite() { scale } else { 0.0 };
+    let ends = ends(points);
+    let scale = [0, 1].map(|axis| room[axis] / (ends[axis].1 - ends[axis].0).max(f64::MIN_POSITIVE));
+    let scale = Some(scale[0].min(scale[1])).filter(|scale| scale.is_finite()).unwrap_or(0.0);
     points.iter().map(|point| [0, 1].map(|axis| corner[axis] + (point[axis] - ends[axis].0) * scale)).collect()
 }

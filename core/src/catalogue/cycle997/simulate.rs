@@ -8,7 +8,8 @@ use crate::catalogue::sinumerik::measuring_block::{Block, all_calibrated, ball_k
 use crate::catalogue::sinumerik::{Next, alarm, correct, results, tolerance};
 use crate::entry::{Inputs, names};
 use crate::evaluate::position::{correctable, position};
-use crate::evaluate::zero_offset::{Measured, Target};
+use crate::evaluate::zero_offset;
+use crate::evaluate::zero_offset::Target;
 use crate::geometry::V3;
 use crate::machine::trace::Step;
 use crate::machine::{Machine, Stop};
@@ -39,7 +40,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     match (target, spheres.as_slice()) {
         (Some(target), [sphere]) => move_frame(machine, &target, sphere),
         (Some(target), [first, second, third]) => {
-            turn_frame(machine, inputs, &target, [first, second, third])?;
+            turn_frame(machine, &target, inputs.number(names::TNVL), [first, second, third])?;
         }
         _ => {}
     }
@@ -69,6 +70,9 @@ fn within_safe_area(machine: &mut dyn Machine, plan: &Plan, index: usize, set: &
     Ok(*set)
 }
 
+/// A sphere as set and as found.
+type Measured = (Sphere, Sphere);
+
 /// Diameter and centre as numbers.
 fn quantities(sphere: &Sphere) -> [f64; 4] {
     let [x, y, z] = sphere.centre;
@@ -91,25 +95,22 @@ fn report(machine: &mut dyn Machine, index: usize, set: &Sphere, found: &Sphere)
 }
 
 /// One sphere: its centre gets the set coordinates, the rotation stays (B:8383-8405).
-fn move_frame(machine: &mut dyn Machine, target: &Target, (set, found): &(Sphere, Sphere)) {
+fn move_frame(machine: &mut dyn Machine, target: &Target, (set, found): &Measured) {
     let control = machine.control();
-    let measured =
-        Measured { actual: in_plane(control, found.centre), set: in_plane(control, set.centre), axes: [true; 3] };
+    let measured = zero_offset::Measured {
+        actual: in_plane(control, found.centre),
+        set: in_plane(control, set.centre),
+        axes: [true; 3],
+    };
     correct::zero(machine, target, &measured);
 }
 
 /// Three spheres: CYCLE119 finds translation and rotation; beyond `_TNVL` nothing is corrected (B:8407-8413).
-fn turn_frame(
-    machine: &mut dyn Machine,
-    inputs: &Inputs,
-    target: &Target,
-    spheres: [&(Sphere, Sphere); 3],
-) -> Result<(), Stop> {
+fn turn_frame(machine: &mut dyn Machine, target: &Target, limit: f64, spheres: [&Measured; 3]) -> Result<(), Stop> {
     let control = machine.control();
     let set = spheres.map(|(set, _)| V3::from(in_plane(control, set.centre)));
     let actual = spheres.map(|(_, found)| V3::from(in_plane(control, found.centre)));
     let position = position(&set, &actual).map_err(|number| failed(machine, number))?;
-    let limit = inputs.number(names::TNVL);
     let message = Message::new("evaluate-distortion").number("distortion", position.distortion).number("limit", limit);
     machine.record(Step::Decision(message));
     position.within(limit).map_err(|number| failed(machine, number))?;

@@ -5,7 +5,7 @@ use super::params::{AT_ANGLE, DIFFERENTIAL, TWO};
 use crate::entry::stage::{Fields, Look, SIZE, Seen, Staging, Touched, add};
 use crate::entry::{Inputs, names};
 use crate::name::Name;
-use crate::picture::figures::{arc, arrow, circle, dimension, line, polar, polygon};
+use crate::picture::figures::{arc, circle, dimension, line, polar, polygon, ray};
 use crate::picture::{PictureShape, ShapeKind};
 
 /// Steepest angle that is drawn, degree.
@@ -34,12 +34,12 @@ pub fn stage(inputs: &Inputs) -> Staging {
     let [offset, measuring] = axes(inputs);
     let steep = |name| inputs.number(name).clamp(-STEEP, STEEP);
     let set = SET.copysign(inputs.number(names::SETVAL));
-    let edges: &[_] = if TWO.holds(inputs) { &[names::INCA] } else { &[names::STA1] };
-    let looks = match TWO.holds(inputs) {
-        true => vec![look(0, 2).touching(0b11), look(1, 2).touching(0b101)],
-        false => vec![look(offset.min(measuring), offset.max(measuring))],
+    let (edges, distances, looks): (&[_], &[_], _) = match TWO.holds(inputs) {
+        true => {
+            (&[names::INCA], &[names::ID, names::SETV0], vec![look(0, 2).touching(0b11), look(1, 2).touching(0b101)])
+        }
+        false => (&[names::STA1], &[names::ID], vec![look(offset.min(measuring), offset.max(measuring))]),
     };
-    let distances: &[_] = if TWO.holds(inputs) { &[names::ID, names::SETV0] } else { &[names::ID] };
     let fields = Fields { edges, mark: Some("P"), ..Fields::CYCLE };
     let variant = DIFFERENTIAL.holds(inputs).then_some(inputs.variant - 1000);
     let stage = Staging { looks, variant, ..Staging::new(Look::ABOVE, fields) }
@@ -49,13 +49,11 @@ pub fn stage(inputs: &Inputs) -> Staging {
         .with(names::STA1, steep(names::STA1))
         .with(names::INCA, steep(names::INCA))
         .with(names::RA, 0.0);
-    match AT_ANGLE.holds(inputs) {
-        true => stage.with(names::TSA, inputs.positive(names::TSA, 2.0).clamp(4.0, 20.0)),
-        false => {
-            let rise = SIZE * steep(names::STA1).to_radians().tan().abs();
-            stage.with(names::FA, 15.0 + rise / 2.0)
-        }
+    if AT_ANGLE.holds(inputs) {
+        return stage.with(names::TSA, inputs.positive(names::TSA, 2.0).clamp(4.0, 20.0));
     }
+    let rise = SIZE * steep(names::STA1).to_radians().tan().abs();
+    stage.with(names::FA, 15.0 + rise / 2.0)
 }
 
 /// Set position, angles with their safe area, distances.
@@ -74,11 +72,8 @@ pub fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
     let along = usize::from(offset > measuring);
     let mut shapes = leg(inputs, seen, along, [names::STA1, names::ID]);
     if DIFFERENTIAL.holds(inputs) {
-        shapes.extend(
-            seen.touches
-                .first()
-                .map(|touch| circle(ShapeKind::Axis, touch.start, seen.ball * 1.8).text("180°/0°").of(names::MVAR)),
-        );
+        let turned = |touch: &Touched| circle(ShapeKind::Axis, touch.start, seen.ball * 1.8).text("180°/0°");
+        shapes.extend(seen.touches.first().map(|touch| turned(touch).of(names::MVAR)));
     }
     if AT_ANGLE.holds(inputs) {
         shapes.extend(seen.position(names::SETVAL, 1 - along, None));
@@ -107,9 +102,7 @@ fn leg(inputs: &Inputs, seen: &Seen, along: usize, [angle, distance]: [Name; 2])
     let away = |touch: &Touched| touch.start[1 - along] * out[1 - along].signum();
     let level = (away(&first).max(away(&second)) + 4.0 * seen.ball) * out[1 - along].signum();
     shapes.push(seen.along(distance, along, [first.start, second.start], level));
-    for touch in &seen.touches {
-        shapes.push(arrow(ShapeKind::Path, touch.start, touch.ball, seen.ball).of(names::MD));
-    }
+    shapes.extend(seen.arrows(names::MD, seen.ball));
     let mut aside = [0.0; 2];
     aside[along] = -3.0 * seen.ball;
     shapes.push(dimension(names::FA, add(first.start, aside), add(first.ball, aside)));
@@ -129,11 +122,5 @@ fn corrected(inputs: &Inputs, seen: &Seen) -> Vec<PictureShape> {
     }
     let along = (second.at[1] - first.at[1]).atan2(second.at[0] - first.at[0]).to_degrees();
     let tips = [0.0, 90.0].map(|turn| add(first.at, polar(along + turn, 6.0 * seen.ball)));
-    let axis = |tip| {
-        [
-            line(ShapeKind::Axis, vec![first.at, tip]).of(names::RA),
-            arrow(ShapeKind::Axis, first.at, tip, seen.ball).of(names::RA),
-        ]
-    };
-    tips.into_iter().flat_map(axis).collect()
+    tips.into_iter().flat_map(|tip| ray(names::RA, first.at, tip, seen.ball)).collect()
 }

@@ -3,6 +3,7 @@
 use super::tolerance::Sizes;
 use super::{alarm, results};
 use crate::entry::{Inputs, names};
+use crate::evaluate::tool_offset::Target as Tool;
 use crate::evaluate::{Write, tool_offset, zero_offset};
 use crate::machine::trace::Step;
 use crate::machine::{Machine, Stop};
@@ -10,11 +11,7 @@ use crate::message::Message;
 use nalgebra::IsometryMatrix3;
 
 /// Finds the quantity that a tool offset corrects; `axis` where there is one measuring axis. None: `_KNUM` = 0.
-pub fn tool_target(
-    machine: &mut dyn Machine,
-    inputs: &Inputs,
-    axis: Option<usize>,
-) -> Result<Option<tool_offset::Target>, Stop> {
+pub fn tool_target(machine: &mut dyn Machine, inputs: &Inputs, axis: Option<usize>) -> Result<Option<Tool>, Stop> {
     let names = tool_offset::Names {
         code: inputs.integer(names::KNUM),
         tool: inputs.or_zero(names::TNUM) as i64,
@@ -34,7 +31,7 @@ pub fn zero_target(machine: &mut dyn Machine, inputs: &Inputs) -> Result<Option<
 }
 
 /// Corrects a tool by a difference; the amount entered, mm. A length is shortened by a positive difference.
-pub fn tool(machine: &mut dyn Machine, target: &tool_offset::Target, sizes: &Sizes, difference: f64) -> f64 {
+pub fn tool(machine: &mut dyn Machine, target: &Tool, sizes: &Sizes, difference: f64) -> f64 {
     let sign = if target.part == tool_offset::RADIUS { sizes.radius_sign } else { -1.0 };
     let inverted = if target.inverted { -1.0 } else { 1.0 };
     let amount = sizes.factor * sign * inverted * difference;

@@ -4,9 +4,10 @@ use super::{Next, alarm, correct, results};
 use crate::control::Control;
 use crate::diagnostic::Code;
 use crate::entry::{Inputs, names};
+use crate::evaluate::mean;
 use crate::evaluate::symmetry::{Symmetric, symmetric};
 use crate::evaluate::tolerance::{Bands, Branch, Decision, chain, exceeds};
-use crate::evaluate::{mean, tool_offset};
+use crate::evaluate::tool_offset::Target as Tool;
 use crate::machine::trace::Step;
 use crate::machine::{Machine, Stop};
 use crate::message::Message;
@@ -56,11 +57,7 @@ fn memory(control: &Control, inputs: &Inputs) -> Option<String> {
 }
 
 /// Checks before the first motion that belong to tool offset: `_K` (A:15859) and the target.
-pub fn prepare(
-    machine: &mut dyn Machine,
-    inputs: &Inputs,
-    axis: Option<usize>,
-) -> Result<Option<tool_offset::Target>, Stop> {
+pub fn prepare(machine: &mut dyn Machine, inputs: &Inputs, axis: Option<usize>) -> Result<Option<Tool>, Stop> {
     if inputs.number(names::K) == 0.0 {
         return Err(alarm(machine, 61318));
     }
@@ -72,7 +69,7 @@ pub fn decide(
     machine: &mut dyn Machine,
     inputs: &Inputs,
     sizes: &Sizes,
-    target: Option<&tool_offset::Target>,
+    target: Option<&Tool>,
     repetition: u32,
 ) -> Result<Next, Stop> {
     let control = machine.control();
@@ -122,7 +119,7 @@ fn bands(inputs: &Inputs) -> Bands {
 }
 
 /// Results that exist only with tool offset (footnote 1 of B:5675-5701).
-fn report(machine: &mut dyn Machine, inputs: &Inputs, target: Option<&tool_offset::Target>, decision: &Decision) {
+fn report(machine: &mut dyn Machine, inputs: &Inputs, target: Option<&Tool>, decision: &Decision) {
     let memories = mean::memories(inputs.integer(names::EVNUM));
     results::length(machine, 20, 0.0);
     results::length(machine, 27, inputs.number(names::TZL));
