@@ -17,4 +17,4 @@ pub use listed::Sort;
 pub use number::{Parsed, parse};
 pub use targets::{Target, target};
 pub use text::{Text, parse as parse_text, typed as typed_text};
-pub use typed::{Checked, check, read};
+pub use typed::{Checked, check, read, tool_in_use};

@@ -70,20 +70,26 @@ fn checked(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Checked {
     Checked { diagnostics, inputs: complete.then_some(inputs) }
 }
 
+/// Tells the inputs which tool is in use; the data of the machine that count for it are there.
+pub fn tool_in_use(inputs: &mut Inputs, control: &Control) {
+    let edge = control.active_edge();
+    inputs.tool_type = edge.map_or(0, |edge| edge.kind);
+    inputs.body = edge.and_then(Edge::body);
+    let turning = edge.filter(|edge| edge.is_turning());
+    let nose = turning.map(|edge| side(edge.tip, inputs.recodes()));
+    inputs.nose = nose.filter(|sides| *sides != [0.0; 2]);
+}
+
 /// Values by parameter with defaults filled in, in mm; the first variant where it cannot be read.
 pub fn read(cycle: &'static Cycle, typed: &Typed, control: &Control, diagnostics: &mut Vec<Diagnostic>) -> Inputs {
     let mut inputs = Inputs::new(cycle, cycle.variants.first().map_or(0, |variant| variant.number));
     inputs.five_digit_edges = knum::five_digit_edges(control);
     inputs.plane = control.plane;
     inputs.diameters = control.transverse != Transverse::Radius;
-    inputs.tool_type = control.active_edge().map_or(0, |edge| edge.kind);
     for name in cycle.settings {
         inputs.settings.insert(name, control.number(name));
     }
-    let edge = control.active_edge();
-    inputs.body = edge.and_then(Edge::body);
-    let nose = edge.filter(|edge| edge.is_turning()).map(|edge| side(edge.tip, inputs.recodes()));
-    inputs.nose = nose.filter(|sides| *sides != [0.0; 2]);
+    tool_in_use(&mut inputs, control);
     for param in cycle.params {
         let text = typed.get(param.name.as_str()).map_or("", |text| text.trim());
         if let Kind::Text(most) = param.kind {

@@ -3,6 +3,7 @@
 //! with values that are drawn well, and all that is drawn follows from that.
 
 use super::{Inputs, names};
+use crate::control::{Edge, Plane};
 use crate::entry::address;
 use crate::name::Name;
 use crate::picture::figures::{circle, dimension, line, polygon, rectangle};
@@ -36,6 +37,8 @@ pub struct Look {
     pub called: bool,
     /// Whether what holds the part is shown too.
     pub held: bool,
+    /// Parameter that the tool before the first touch explains; none: it is not shown.
+    pub tool: Option<Name>,
     /// Parameter that the ways between the touches explain; none: the ways are left out.
     pub way: Option<Name>,
     /// Letters at the ends of both axes of the paper where they are drawn.
@@ -55,6 +58,7 @@ impl Look {
         flat: false,
         called: true,
         held: false,
+        tool: None,
         way: None,
         axes: [0, 1],
     };
@@ -151,8 +155,12 @@ pub struct Staging {
     pub proposed: Option<i64>,
     /// Cutting edge position of a turning machine's probe; none: that of the one in use.
     pub tip: Option<i64>,
+    /// The edge in use, but for its radius; none: that of the machine.
+    pub tool: Option<Edge>,
+    /// Plane of the call on a turning machine; none: that of turning.
+    pub plane: Option<Plane>,
     /// Data of the control that differ, lengths in mm.
-    pub data: &'static [(&'static str, f64)],
+    pub data: Vec<(String, f64)>,
     /// What is carried out besides; its views stand beside the others.
     pub then: Option<Box<Staging>>,
     /// mm of the picture for a mm of the call.
@@ -174,7 +182,9 @@ impl Staging {
             proposed: None,
             tip: None,
             then: None,
-            data: &[],
+            tool: None,
+            plane: None,
+            data: Vec::new(),
             scale: 1.0,
             ball: BALL,
             looks: vec![look],

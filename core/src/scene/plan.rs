@@ -7,20 +7,22 @@ use crate::check;
 use crate::control::variables::AXES;
 use crate::control::{Control, Edge, MachineSort, Plane, Transverse};
 use crate::dialect::Dialect;
-use crate::entry::stage::{Look, SIZE, Seen, Staging, Touched, add, distance, ring};
+use crate::entry::stage::{Look, SIZE, Seen, Staging, Touched, add, distance, ring, unit};
 use crate::entry::{Cycle, Inputs, Proposal, Staged, address, names};
 use crate::geometry::V3;
 use crate::geometry::arc::Around;
 use crate::machine::Setup;
+use crate::machine::in_use::InUse;
 use crate::machine::setup::PROBE_REGISTER;
 use crate::machine::sim::Sim;
-use crate::machine::trace::{MotionKind, Step};
+use crate::machine::trace::{Entry, MotionKind, Step};
 use crate::name::Name;
 use crate::picture::figures::{circle, frame, line, polygon};
 use crate::picture::{Picture, PictureShape, ShapeKind, View};
 use crate::run::call::perform;
-use crate::workpiece::tool::in_plane;
-use crate::workpiece::{Shape, Solid};
+use crate::workpiece::seen::Drawn;
+use crate::workpiece::tool::{Tool, in_plane};
+use crate::workpiece::{Shape, Solid, seen};
 
 /// Entries of a trace after which nothing more is carried out.
 const STEPS: usize = 1000;
@@ -28,8 +30,9 @@ const STEPS: usize = 1000;
 const PIECES: u32 = 48;
 /// Free paper between two views, mm.
 const GAP: f64 = 0.24 * SIZE;
-/// Largest radius of a touched point, mm.
+/// Largest and smallest radius of a touched point, mm.
 const TOUCH: f64 = 1.4;
+const LEAST_TOUCH: f64 = 0.8;
 /// Thickness of a forbidden area around an element, mm.
 const WALL: f64 = 0.12 * SIZE;
 /// Values that no picture shows and that no nominal part needs: nothing is corrected, and each place is touched once.
@@ -127,6 +130,8 @@ struct Touch {
 struct Performed {
     proposal: Proposal,
     staging: Staging,
+    /// The tool at the first touch, from the position of the machine on.
+    tool: Vec<Drawn>,
     ways: Vec<Way>,
     touches: Vec<Touch>,
     start: V3,
@@ -143,13 +148,18 @@ impl Performed {
         drawn.numbers.extend(staging.values.iter().copied());
         drawn.numbers.retain(|name, _| !CORRECTIONS.contains(name));
         drawn.texts.clear();
-        drawn.plane = plane(inputs);
+        drawn.plane = plane(inputs, &staging);
         let mut setup = machine(inputs, &staging);
+        if staging.tool.is_some() {
+            check::tool_in_use(&mut drawn, &setup.control);
+        }
         vary(&mut drawn, staging.proposed.or(staging.variant));
         let proposal = inputs.cycle.work().map(|work| (work.propose)(&drawn, &setup.control)).unwrap_or_default();
         vary(&mut drawn, Some(staging.variant.unwrap_or(inputs.variant)));
         setup.workpiece = proposal.workpiece.clone();
         setup.tool_probes.clone_from(&proposal.tool_probes);
+        let lying = proposal.real_tool.clone().map(|tool| (setup.control.active_place(), tool));
+        setup.real_tools.extend(lying);
         setup.position = setup.control.to_machine(proposal.start);
         let mut sim = Sim::new(&setup);
         sim.trace_limit = STEPS;
@@ -162,6 +172,7 @@ impl Performed {
             start: V3::from(setup.position.0) + to_ball,
             axes: drawn.plane.axes(),
             letters: inputs.plane.axes().map(|axis| AXES[axis]),
+            tool: before_touch(&sim),
             proposal,
             staging,
             ways,
@@ -197,6 +208,7 @@ impl Performed {
             })
             .filter(|touch| look.flat || distance(touch.start, touch.ball) > ball / 20.0)
             .collect();
+        let touches = if look.tool.is_some() { self.settled(look, touches) } else { touches };
         let (mut shapes, lines) = self.part(look);
         let edges = self.edges(look, &lines, &touches);
         shapes.extend(edges.iter().cloned());
@@ -211,7 +223,7 @@ impl Performed {
                 shapes.push(with(circle(ShapeKind::Probe, touch.start, ball), fields.probe));
                 starts.push(touch.start);
             }
-            let point = with(circle(ShapeKind::Touch, touch.at, (ball * 0.3).min(TOUCH)), fields.touch);
+            let point = with(circle(ShapeKind::Touch, touch.at, (ball * 0.3).clamp(LEAST_TOUCH, TOUCH)), fields.touch);
             let name = fields.marks.get(touch.number - 1).map(|name| (*name).to_owned());
             let text = name.or_else(|| Some(format!("{}{}", fields.mark?, touch.number)));
             shapes.push(point);
@@ -219,6 +231,9 @@ impl Performed {
             if let Some(named) = shapes.get_mut(names) {
                 named.text = text;
             }
+        }
+        if let (Some(field), Some(touch)) = (look.tool, touches.first()) {
+            shapes.extend(self.tool.iter().map(|piece| self.piece(look, piece, touch.start).of(field)));
         }
         let start = place(self.start);
         if look.called && touches.iter().all(|touch| distance(touch.start, start) > 2.5 * ball) {
@@ -260,6 +275,48 @@ impl Performed {
             lines.extend(outline.lines);
         }
         (bodies, lines)
+    }
+
+    /// Where a tool touches a side all along, the place next to the middle of the side; each place once.
+    fn settled(&self, look: &Look, touches: Vec<Touched>) -> Vec<Touched> {
+        let middle = self.solids().next().map_or([0.0; 2], |probe| self.seen(look, probe.at));
+        let mut settled: Vec<Touched> = Vec::new();
+        for mut touch in touches {
+            let [x, y] = unit(touch.ball, touch.start).map(f64::abs);
+            let (axis, across) = if x > y { (0, 1) } else { (1, 0) };
+            let pieces = self.tool.iter().flat_map(|piece| self.piece(look, piece, touch.ball).points);
+            let touching = pieces.filter(|point| (point[axis] - touch.at[axis]).abs() < 1e-3);
+            let [low, high] = touching.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], point| {
+                [low.min(point[across]), high.max(point[across])]
+            });
+            if low <= high {
+                touch.at[across] = middle[across].clamp(low, high);
+            }
+            if settled.iter().all(|other| distance(other.at, touch.at) > 1e-3) {
+                settled.push(Touched { number: settled.len() + 1, ..touch });
+            }
+        }
+        settled
+    }
+
+    /// A piece of a tool that stands here on the paper.
+    fn piece(&self, look: &Look, piece: &Drawn, stands: [f64; 2]) -> PictureShape {
+        let seen = |point: V3| self.seen(look, point.into());
+        let (outline, axis, at) = match piece {
+            Drawn::Plate { corners, .. } => {
+                let corners = corners.iter().map(|corner| add(stands, seen(*corner)));
+                return polygon(ShapeKind::Probe, corners.collect());
+            }
+            Drawn::Round { outline, axis, at } => (outline, seen(*axis), add(stands, seen(*at))),
+        };
+        if axis == [0.0; 2] {
+            let widest = outline.iter().fold(0.0_f64, |widest, [out, _]| widest.max(*out));
+            return circle(ShapeKind::Probe, at, widest);
+        }
+        let [x, y] = axis;
+        let side = |side: f64| outline.iter().map(move |[out, up]| [up * x - side * out * y, up * y + side * out * x]);
+        let around = side(1.0).chain(side(-1.0).rev());
+        polygon(ShapeKind::Probe, around.map(|point| add(at, point)).collect())
     }
 
     /// The plane of a section: through its first touch.
@@ -366,9 +423,9 @@ fn nearest<'a>(solids: &[&'a Solid], point: V3) -> Option<&'a Solid> {
 }
 
 /// The plane in which it is carried out: that of the machine, where the cycle has one of its own.
-fn plane(inputs: &Inputs) -> Plane {
+fn plane(inputs: &Inputs, staging: &Staging) -> Plane {
     match inputs.cycle.purpose.machine {
-        MachineSort::Turning => Plane::G18,
+        MachineSort::Turning => staging.plane.unwrap_or(Plane::G18),
         _ => inputs.plane,
     }
 }
@@ -385,9 +442,13 @@ fn vary(inputs: &mut Inputs, variant: Option<i64>) {
 /// The core's own machine for the cycle, with the probe of the picture.
 fn machine(inputs: &Inputs, staging: &Staging) -> Setup {
     let ball = staging.ball;
-    let mut setup = Setup::for_variant(inputs.cycle, inputs.variant, plane(inputs));
-    for (name, value) in staging.data {
-        setup.control.set(*name, *value);
+    let mut setup = Setup::for_variant(inputs.cycle, inputs.variant, plane(inputs, staging));
+    for (name, value) in &staging.data {
+        setup.control.set(name, *value);
+    }
+    if let Some(edge) = &staging.tool {
+        let (tool, number) = setup.control.active_place();
+        setup.control.tools.entry(tool).or_default().edges.insert(number, edge.clone());
     }
     setup.control.transverse = if inputs.diameters { Transverse::Diameter } else { Transverse::Radius };
     setup.probe.radius = ball;
@@ -423,6 +484,15 @@ fn calibrate(control: &mut Control, cycle: &Cycle, ball: f64) {
             }
         }
     }
+}
+
+/// The tool at the first touch, from the position of the machine on.
+fn before_touch(sim: &Sim) -> Vec<Drawn> {
+    let touches = |entry: &&Entry| matches!(entry.step, Step::Touch { .. });
+    let used = sim.trace.entries.iter().find(touches).and_then(|entry| sim.trace.in_use.get(entry.in_use));
+    let tool = used.and_then(|used| Some((used, used.tool.as_ref()?)));
+    let pieces = |(used, tool): (&InUse, &Tool)| seen::tool(tool, V3::from(used.length), used.plane, None).0;
+    tool.map(pieces).unwrap_or_default()
 }
 
 /// From the point to which the tool length refers to the centre of the ball, as the first touch shows it.

@@ -2,7 +2,7 @@
 //! tool stand for any size.
 
 use super::params::{APPLICATE, AUTOMATIC, CALIBRATE, INCREMENTAL, MEASURE, ROTATING, WORKPIECE};
-use crate::catalogue::tool_probe::figures::{CUBE, limits, number};
+use crate::catalogue::tool_probe::figures::{cube, label, limits};
 use crate::entry::stage::{Fields, Look, Seen, Staging, add};
 use crate::entry::{Inputs, names};
 use crate::picture::figures::{arc, circle, corners, dimension, line, polygon};
@@ -43,7 +43,7 @@ pub fn stage(inputs: &Inputs) -> Staging {
     let marks: &[_] = if AUTOMATIC.holds(inputs) { &ORDER } else { &[] };
     let above = Look { called: false, flat: true, ..Look::ABOVE };
     let section = Look { called: false, balls: false, cut: false, ..Look::section(across(inputs)).ways(names::MVAR) };
-    Staging { data: &CUBE, ..Staging::new(above, Fields { marks, ..fields }) }
+    Staging { data: cube(), ..Staging::new(above, Fields { marks, ..fields }) }
         .ball(RADIUS[usize::from(offset(inputs))])
         .short(inputs, names::FA, [5.0, 14.0])
         .with(names::ID, inward(inputs))
@@ -94,9 +94,7 @@ fn reference(inputs: &Inputs, above: &Seen, section: &Seen) -> [PictureShape; 2]
     let end = |x: f64, y: f64| add(corner, [x * cos - y * sin, x * sin + y * cos]);
     let axes = vec![end(14.0, 0.0), corner, end(0.0, 14.0)];
     let at = [section.middle()[0], section.extent[0][1] - 14.0];
-    let array = if turned { "_TPW" } else { "_TP" };
-    let text = format!("{array}[{},0…9]", number(inputs));
-    [line(ShapeKind::Axis, axes).of(names::MVAR), line(ShapeKind::Label, vec![at]).text(text).of(names::PRNUM)]
+    [line(ShapeKind::Axis, axes).of(names::MVAR), label(inputs, turned, at, 9)]
 }
 
 /// The tool in the section; an edge whose widest point lies above the end, or whose deepest lies inside, is stepped.

@@ -5,13 +5,12 @@ mod checks;
 mod help;
 mod lists;
 pub(crate) mod params;
-mod picture;
 mod results;
 #[cfg(test)]
 mod tests;
 
 use crate::catalogue::common::alarms;
-use crate::catalogue::cycle982::{propose, simulate as measuring};
+use crate::catalogue::cycle982::{picture, propose, simulate as measuring};
 use crate::catalogue::sinumerik::alarm;
 use crate::catalogue::tool_probe;
 use crate::control::MachineSort;
@@ -48,7 +47,7 @@ pub static CYCLE972: Cycle = Cycle {
     alarms: &[tool_probe::ALARMS, &alarms([61315, 61330])],
     checks: checks::checks,
     help: Help::new(&[help::LINES, tool_probe::help::ALL]),
-    picture: Drawing::new(picture::picture),
+    picture: Drawing::staged(picture::stage, picture::marks),
     example: &[
         (names::MVAR, "1"),
         (names::MA, "2"),

@@ -36,7 +36,12 @@ pub fn stage(inputs: &Inputs) -> Staging {
     let look = Look { cut: true, ..Look::ABOVE.ways(names::MVAR) };
     let stage = figures::stage(inputs, look).ball(3.0).with(names::FA, 7.0).with(names::CALNUM, 1.0);
     let fields = Fields { edges: &[names::CALNUM], ..Fields::CYCLE };
-    Staging { tip: Some(if turned(inputs) { 8 } else { 7 }), fields, data: &GROOVES, ..stage }
+    Staging {
+        tip: Some(if turned(inputs) { 8 } else { 7 }),
+        fields,
+        data: GROOVES.map(|(name, value)| (name.to_owned(), value)).to_vec(),
+        ..stage
+    }
 }
 
 /// Whether the groove is that of cutting edge position 8: the axis of both walls says it, else the probe in use.

@@ -15,7 +15,7 @@ mod loop_tests;
 mod motion_tests;
 mod nose;
 pub(crate) mod params;
-mod picture;
+pub(crate) mod picture;
 #[cfg(test)]
 mod picture_tests;
 pub(crate) mod propose;
@@ -72,7 +72,7 @@ pub static CYCLE982: Cycle = Cycle {
     alarms: &[tool_probe::ALARMS, &alarms([61315, 61326, 61330, 61351])],
     checks: checks::checks,
     help: Help::new(&[help::LINES, tool_probe::help::ALL]),
-    picture: Drawing::new(picture::picture),
+    picture: Drawing::staged(picture::stage, picture::marks),
     example: &[
         (names::MVAR, "12001"),
         (names::MA, "1"),

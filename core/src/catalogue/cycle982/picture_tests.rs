@@ -41,12 +41,14 @@ fn touched(shapes: &[PictureShape]) -> Vec<[f64; 2]> {
     touches.filter_map(|shape| shape.circle.map(|(centre, _)| centre)).collect()
 }
 
-/// Middle of all corners of what is drawn of the tool.
+/// Middle of what is drawn of the tool.
 fn tool(shapes: &[PictureShape]) -> [f64; 2] {
     let probes = shapes.iter().filter(|shape| shape.kind == ShapeKind::Probe);
     let corners: Vec<_> = probes.flat_map(|shape| &shape.points).collect();
-    let middle = |axis: usize| corners.iter().map(|point| point[axis]).sum::<f64>();
-    [0, 1].map(|axis| middle(axis) / corners.len() as f64)
+    [0, 1].map(|axis| {
+        let along = corners.iter().map(|point| point[axis]);
+        (along.clone().fold(f64::INFINITY, f64::min) + along.fold(f64::NEG_INFINITY, f64::max)) / 2.0
+    })
 }
 
 /// The calls that touch in one axis, in the direction of the tip; the first one knows no mirrored positions.
