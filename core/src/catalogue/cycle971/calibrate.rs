@@ -21,17 +21,16 @@ pub fn one(machine: &mut dyn Machine, task: &Task) -> Result<Found, Stop> {
     let (axis, offset) = (number % 10, number / 100);
     if axis == 3 {
         let offset = task.offset(machine, usize::from(offset == 2));
-        task.over(machine, task.place.middle(), offset)?;
-        let value = task.block.latch(machine, &task.above())?;
-        return Ok(Found { triggers: vec![task.place.found(2, -1.0, value)], beside: Vec::new() });
+        let value = task.touch_above(machine, task.place.middle(), offset)?;
+        return Ok(Found { triggers: vec![task.place.sides.found(2, -1.0, value)], beside: Vec::new() });
     }
     let axis = usize::from(axis == 2);
-    let direction = task.place.direction(machine, axis)?;
+    let direction = task.direction(machine, axis)?;
     let mut found = Found::default();
-    let mut other = task.place.centre(1 - axis);
-    if offset != 0 {
-        other = middle(machine, task, 1 - axis, &mut found.beside)?;
-    }
+    let other = match offset {
+        0 => task.place.sides.middle(1 - axis),
+        _ => middle(machine, task, 1 - axis, &mut found.beside)?,
+    };
     let point = task.beside(axis, direction);
     task.enter(machine, &point, other, task.place.low())?;
     found.triggers.push(touch(machine, task, &point)?);
@@ -41,15 +40,15 @@ pub fn one(machine: &mut dyn Machine, task: &Task) -> Result<Found, Stop> {
 /// Touches a side from where the tool stands beside it.
 fn touch(machine: &mut dyn Machine, task: &Task, point: &Point) -> Result<Trigger, Stop> {
     let value = task.block.latch(machine, point)? + point.direction * task.radius;
-    Ok(task.place.found(point.axis, point.direction, value))
+    Ok(task.place.sides.found(point.axis, point.direction, value))
 }
 
 /// The middle of the probe in an axis: both sides, that of the start first, each time down and up to the height of the
 /// start.
 fn middle(machine: &mut dyn Machine, task: &Task, axis: usize, differences: &mut Vec<f64>) -> Result<f64, Stop> {
     let height = task.at(machine, 2);
-    let first = -task.place.side(machine, axis);
-    let other = task.place.centre(1 - axis);
+    let first = -task.side(machine, axis);
+    let other = task.place.sides.middle(1 - axis);
     let mut sum = 0.0;
     for direction in [first, -first] {
         let point = task.beside(axis, direction);
@@ -63,13 +62,13 @@ fn middle(machine: &mut dyn Machine, task: &Task, axis: usize, differences: &mut
 }
 
 /// From where the tool stands over twice the path, whose sign is the direction; nothing else is travelled (B:4587).
-pub fn incremental(machine: &mut dyn Machine, task: &Task) -> Result<Found, Stop> {
+pub fn incremental(machine: &mut dyn Machine, task: &Task) -> Result<Trigger, Stop> {
     let axis = (task.inputs.integer(names::MA).clamp(1, 3) - 1) as usize;
     let direction = task.inputs.number(names::FA).signum();
     let point = task.block.point(axis, direction, 0.0);
     let touched = task.block.latch_from_here(machine, &point)?;
     let reach = if axis == 2 { 0.0 } else { direction * task.radius };
-    Ok(Found { triggers: vec![task.place.found(axis, direction, touched + reach)], beside: Vec::new() })
+    Ok(task.place.sides.found(axis, direction, touched + reach))
 }
 
 /// All sides that `_TP[k,7]` allows: the upper one over the middle that is believed, the middle in the ordinate, both
@@ -78,10 +77,10 @@ pub fn automatic(machine: &mut dyn Machine, task: &Task) -> Result<Found, Stop> 
     let high = task.block.start(&task.above());
     task.go(machine, &[(2, high)])?;
     let offset = task.offset(machine, 0);
-    task.over(machine, task.place.middle(), offset)?;
-    let top = task.block.latch(machine, &task.above())?;
-    let task = Task { place: task.place.with_top(top), ..task.clone() };
-    let task = &task;
+    let top = task.touch_above(machine, task.place.middle(), offset)?;
+    let mut found_top = task.clone();
+    found_top.place.sides = task.place.sides.clone().with_top(top);
+    let task = &found_top;
     let high = task.block.start(&task.above());
     task.go(machine, &[(2, high)])?;
     let mut found = Found::default();
@@ -90,7 +89,7 @@ pub fn automatic(machine: &mut dyn Machine, task: &Task) -> Result<Found, Stop> 
         let touched = visit(machine, task, 1, middle[0], high)?;
         middle[1] = between(&touched).unwrap_or(middle[1]);
         let points = sides(task, 1).into_iter().zip(touched);
-        let difference = |(point, found): (Point, Trigger)| found.value - task.place.trigger(1, point.direction);
+        let difference = |(point, found): (Point, Trigger)| found.value - task.place.sides.trigger(1, point.direction);
         found.beside.extend(points.map(difference));
     }
     for axis in [0, 1] {
@@ -98,9 +97,8 @@ pub fn automatic(machine: &mut dyn Machine, task: &Task) -> Result<Found, Stop> 
         middle[axis] = between(&touched).unwrap_or(middle[axis]);
         found.triggers.extend(touched);
     }
-    task.over(machine, middle, offset)?;
-    let value = task.block.latch(machine, &task.above())?;
-    found.triggers.push(task.place.found(2, -1.0, value));
+    let value = task.touch_above(machine, middle, offset)?;
+    found.triggers.push(task.place.sides.found(2, -1.0, value));
     Ok(found)
 }
 
@@ -114,8 +112,7 @@ fn between(touched: &[Trigger]) -> Option<f64> {
 
 /// Sides of an axis that may be touched, plus direction first.
 fn sides(task: &Task, axis: usize) -> Vec<Point> {
-    let allowed = [1.0, -1.0].into_iter();
-    let allowed = allowed.filter(|direction| task.place.allows(axis, *direction));
+    let allowed = [1.0, -1.0].into_iter().filter(|direction| task.place.allows(axis, *direction));
     allowed.map(|direction| task.beside(axis, direction)).collect()
 }
 

@@ -1,6 +1,7 @@
 //! What several values of CYCLE971, the data of the tool probe and the tool in use say together.
 
 use super::params::{APPLICATE, AUTOMATIC, CALIBRATE, IN_PLANE, INCREMENTAL, MEASURE, ROTATING, WORKPIECE};
+use super::place::{DEPTH, DIRECTIONS, EDGE_LENGTH, TYPE};
 use super::rotating;
 use crate::catalogue::tool_probe;
 use crate::catalogue::tool_probe::ProbeData;
@@ -15,14 +16,6 @@ use crate::own;
 const RADIUS: When = When::All(&[MEASURE, IN_PLANE]);
 /// The tool is offset from the centre of the probe where it is wider than that (B:4593-4599).
 const OFFSET: When = When::Any(&[AUTOMATIC, When::All(&[When::Not(&INCREMENTAL), APPLICATE])]);
-/// Edge length or diameter of the probe's upper side in `_TP[k,i]` (B:13363).
-const EDGE_LENGTH: usize = 6;
-/// Axes and directions of automatic calibration (B:13365).
-const DIRECTIONS: usize = 7;
-/// Type (B:13366).
-const TYPE: usize = 8;
-/// From the upper side to the tool's end at a measurement in the plane (B:13369).
-const DEPTH: usize = 9;
 
 /// All of them.
 pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {

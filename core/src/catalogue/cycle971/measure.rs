@@ -27,16 +27,16 @@ fn length(machine: &mut dyn Machine, task: &Task) -> Result<Measured, Stop> {
 /// so that it goes lower by that (B:4849).
 fn radius(machine: &mut dyn Machine, task: &Task) -> Result<Measured, Stop> {
     let axis = usize::from(task.inputs.integer(names::MA) == 2);
-    let direction = task.place.direction(machine, axis)?;
+    let direction = task.direction(machine, axis)?;
     let point = task.beside(axis, direction);
     let lower = task.inputs.given(names::ID).unwrap_or(0.0);
     let low = task.place.low() - lower;
-    task.enter(machine, &point, task.place.centre(1 - axis), low)?;
+    task.enter(machine, &point, task.place.sides.middle(1 - axis), low)?;
     let (touched, compensated) = touch(machine, task, &point)?;
     Ok(Measured {
         part: RADIUS,
         result: 10,
-        value: direction * (task.place.trigger(axis, direction) - touched) - compensated,
+        value: direction * (task.place.sides.trigger(axis, direction) - touched) - compensated,
     })
 }
 

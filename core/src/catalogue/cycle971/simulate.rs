@@ -4,7 +4,7 @@ use super::params::{AUTOMATIC, CALIBRATE, INCREMENTAL, WORKPIECE};
 use super::place::Task;
 use super::{calibrate, measure};
 use crate::catalogue::sinumerik::Next;
-use crate::catalogue::tool_probe::{correct, store};
+use crate::catalogue::tool_probe::{carry_out, correct, store};
 use crate::entry::Inputs;
 use crate::machine::{Machine, Stop};
 
@@ -12,36 +12,19 @@ use crate::machine::{Machine, Stop};
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     store::begin(machine, inputs, 971);
     let task = Task::prepare(machine, inputs)?;
-    if WORKPIECE.holds(inputs) {
-        return carry_out(machine, &task);
-    }
-    // what stands in `_TP` are machine coordinates
-    let frames = machine.control().take_frames();
-    let outcome = carry_out(machine, &task);
-    machine.control().put_frames(frames);
-    outcome
-}
-
-fn carry_out(machine: &mut dyn Machine, task: &Task) -> Result<(), Stop> {
-    for repetition in 0.. {
-        let next = match CALIBRATE.holds(task.inputs) {
-            true => calibrated(machine, task, repetition)?,
-            false => {
-                let found = measure::measure(machine, task)?;
-                correct::finish(machine, task.inputs, &[found], repetition)?
-            }
-        };
-        if next == Next::Done {
-            break;
+    carry_out(machine, WORKPIECE.holds(inputs), |machine, repetition| {
+        if CALIBRATE.holds(inputs) {
+            return calibrated(machine, &task, repetition);
         }
-    }
-    Ok(())
+        let found = measure::measure(machine, &task)?;
+        correct::finish(machine, inputs, &[found], repetition)
+    })
 }
 
 fn calibrated(machine: &mut dyn Machine, task: &Task, repetition: u32) -> Result<Next, Stop> {
     if INCREMENTAL.holds(task.inputs) {
         let found = calibrate::incremental(machine, task)?;
-        store::store_always(machine, &found.triggers);
+        store::store_always(machine, &[found]);
         return Ok(Next::Done);
     }
     let found = match AUTOMATIC.holds(task.inputs) {

@@ -1,5 +1,6 @@
 //! Checks of CYCLE982 about the milling tool or drill in use.
 
+use super::drill::NOT_ONE_LENGTH;
 use super::params::{
     ABSCISSA, AUTOMATIC, BOTH, DRILL, DRILL_ALONG_APPLICATE, MILLING, ORDINATE, RADIAL, RADIUS, REVERSAL,
     SPINDLE_AS_IT_IS, UPPER, WITH_RADIUS,
@@ -19,11 +20,10 @@ const FROM_THE_SIDE: When = When::All(&[
     When::Not(&WITH_RADIUS),
     When::Any(&[When::All(&[RADIAL, ABSCISSA]), When::All(&[When::Not(&RADIAL), ORDINATE])]),
 ]);
-/// What a drill with its length along the applicate cannot do: anything but one length without reversal
-/// (B:10112-10120).
-const NOT_ONE_LENGTH: When = When::Any(&[AUTOMATIC, REVERSAL, WITH_RADIUS]);
-/// What the spindle has to be turned for; with `_CHBIT[20]` it stays (B:9275-9277, B:10088-10090).
-const TURNS_SPINDLE: When = When::Any(&[AUTOMATIC, REVERSAL, BOTH, UPPER]);
+/// The spindle of a milling tool would have to be turned, while with `_CHBIT[20]` it stays (B:9275-9277,
+/// B:10088-10090).
+pub const SPINDLE_HAS_TO_STAY: When =
+    When::All(&[SPINDLE_AS_IT_IS, MILLING, When::Any(&[AUTOMATIC, REVERSAL, BOTH, UPPER])]);
 
 /// All of them.
 pub fn checks(inputs: &Inputs, control: &Control, edge: &Edge, found: &mut Vec<Diagnostic>) {
@@ -67,11 +67,9 @@ fn assignment(control: &Control, found: &mut Vec<Diagnostic>) {
 
 /// Turning the spindle: forbidden by `_CHBIT[20]`, or impossible (B:10088-10094, A:15916).
 fn spindle(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
-    if SPINDLE_AS_IT_IS.holds(inputs) {
-        if MILLING.holds(inputs) && TURNS_SPINDLE.holds(inputs) {
-            found.push(refused(61307, "check-spindle-stays", "check-spindle-stays-hint"));
-        }
-    } else if MILLING.holds(inputs) && !control.spindle_positions {
+    if SPINDLE_HAS_TO_STAY.holds(inputs) {
+        found.push(refused(61307, "check-spindle-stays", "check-spindle-stays-hint"));
+    } else if MILLING.holds(inputs) && !SPINDLE_AS_IT_IS.holds(inputs) && !control.spindle_positions {
         found.push(refused(61372, "check-spindle-turns", "check-spindle-turns-hint"));
     }
 }

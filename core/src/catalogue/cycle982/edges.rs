@@ -1,7 +1,6 @@
 //! Which edge of a milling tool or drill touches: how the milling spindle is turned (B:9194-9200, B:9596-9610).
 
 use super::params::{DRILL, REVERSAL, SPINDLE_AS_IT_IS};
-use super::stand::Stand;
 use crate::catalogue::sinumerik::alarm;
 use crate::catalogue::sinumerik::measuring_block::turnable;
 use crate::entry::{Inputs, names};
@@ -37,30 +36,24 @@ impl Edges {
         Ok(Edges { start: (!stays).then(|| inputs.number(names::STA1)), second })
     }
 
-    /// Whether the same edge has to be turned to a point on the other side: without reversal, the spindle standing.
-    pub fn follow(&self) -> bool {
-        self.start.is_some() && self.second.is_none()
-    }
-
-    /// Touches a point, `turned`: with the spindle turned to the other side first; with reversal a second time with the
-    /// edge opposite. Mean position at switching, mm.
+    /// Touches a point, `turned`: with the same edge turned to the other side first, unless with reversal, which
+    /// touches a second time with the edge opposite. Mean position at switching, mm.
     pub fn touch(
         &self,
         machine: &mut dyn Machine,
-        stand: &Stand,
         turned: bool,
-        touch: impl Fn(&mut dyn Machine, &Stand) -> Result<f64, Stop>,
+        touch: impl Fn(&mut dyn Machine) -> Result<f64, Stop>,
     ) -> Result<f64, Stop> {
         let Some(start) = self.start else {
-            return touch(machine, stand);
+            return touch(machine);
         };
-        let first = start + if turned && self.follow() { OPPOSITE } else { 0.0 };
+        let first = start + if turned && self.second.is_none() { OPPOSITE } else { 0.0 };
         machine.orient(first.rem_euclid(360.0));
-        let latched = touch(machine, stand)?;
+        let latched = touch(machine)?;
         let Some(offset) = self.second else {
             return Ok(latched);
         };
         machine.orient((start + OPPOSITE + offset).rem_euclid(360.0));
-        Ok((latched + touch(machine, stand)?) / 2.0)
+        Ok((latched + touch(machine)?) / 2.0)
     }
 }

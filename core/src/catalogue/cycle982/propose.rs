@@ -2,17 +2,16 @@
 
 use super::params::{
     ABSCISSA, AUTOMATIC, BOTH, CALIBRATE, DRILL_ALONG_APPLICATE, IN_WORKPIECE, INCREMENTAL, OPPOSITE, RADIAL, RADIUS,
-    TURNING, UPPER, WORKPIECE,
+    TURNING, UPPER,
 };
+use super::stand::sides;
 use crate::catalogue::place;
-use crate::catalogue::tool_probe::ProbeData;
+use crate::catalogue::tool_probe::Sides;
 use crate::control::tools::side;
 use crate::control::{Control, Edge, Plane};
 use crate::entry::{Inputs, Proposal, ProposedTool, names};
 use crate::geometry::Wcs;
-use crate::workpiece::Shape;
 use crate::workpiece::tool::{Cut, Tool};
-use crate::workpiece::tool_probe::ToolProbe;
 
 /// How far before the probe the tool starts beside the measuring path, mm.
 const AWAY: f64 = 20.0;
@@ -45,14 +44,21 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     if along_applicate {
         own.plane = Plane::G18; // in which the probe was calibrated (B:10126)
     }
-    let field = Field::of(inputs, &own);
+    let field = Field {
+        inputs,
+        sides: sides(inputs, &own),
+        path: inputs.number(names::FA),
+        radius: own.active_radius(),
+        nose: own.active_edge().map_or([-1.0; 2], |edge| side(edge.tip, inputs.recodes())),
+    };
     let [abscissa, ordinate] = match along_applicate {
         true => field.over(control.plane),
-        false => field.start(),
+        false if TURNING.holds(inputs) || CALIBRATE.holds(inputs) => field.nose(),
+        false => field.cutter(),
     };
     let start = place::in_plane(&own, [abscissa, ordinate, 0.0]);
     Proposal {
-        tool_probes: field.cap().into_iter().collect(),
+        tool_probes: field.sides.cap(&own, false, HEIGHT / 2.0, HEIGHT).into_iter().collect(),
         real_tool: lying(inputs, control),
         start: control.to_workpiece(own.to_machine(Wcs(start))),
         ..Proposal::default()
@@ -73,53 +79,25 @@ fn lying(inputs: &Inputs, control: &Control) -> Option<Tool> {
     Some(tool)
 }
 
-/// Probe and tool in the plane.
+/// Probe and tool in the plane: abscissa and ordinate from which the call is safe.
 struct Field<'a> {
     inputs: &'a Inputs,
-    control: &'a Control,
-    /// Trigger values by axis, touched in minus and in plus direction, mm.
-    triggers: [[f64; 2]; 2],
+    sides: Sides,
     path: f64,
     radius: f64,
+    /// From the centre of the nose of a turning tool to its tip, in nose radii.
+    nose: [f64; 2],
 }
 
-impl<'a> Field<'a> {
-    fn of(inputs: &'a Inputs, control: &'a Control) -> Field<'a> {
-        let data = ProbeData::of(inputs, control, WORKPIECE.holds(inputs));
-        Field {
-            inputs,
-            triggers: [0, 1].map(|axis| data.triggers(axis)),
-            path: inputs.number(names::FA),
-            radius: control.active_radius(),
-            control,
-        }
-    }
-
-    fn middle(&self, axis: usize) -> f64 {
-        let [minus, plus] = self.triggers[axis];
-        (minus + plus) / 2.0
-    }
-
-    fn trigger(&self, axis: usize, direction: f64) -> f64 {
-        self.triggers[axis][usize::from(direction > 0.0)]
-    }
-
+impl Field<'_> {
     /// Far enough before a side that is touched in this direction.
     fn away(&self, axis: usize, direction: f64) -> f64 {
-        self.trigger(axis, direction) - direction * (self.path + AWAY)
+        self.sides.trigger(axis, direction) - direction * (self.path + AWAY)
     }
 
-    /// The cube between the trigger points; none where they leave no room.
-    fn cap(&self) -> Option<ToolProbe> {
-        let [x, y] = self.triggers.map(|[minus, plus]| minus - plus);
-        if x <= 0.0 || y <= 0.0 {
-            return None;
-        }
-        let size = [x, y, HEIGHT];
-        let at = [self.middle(0), self.middle(1), HEIGHT / 2.0];
-        let (shape, up) = (Shape::Block { size }, [0.0, 0.0, 1.0]);
-        let solid = place::solid(self.control, shape, at, [1.0, 0.0, 0.0], up);
-        Some(ToolProbe::ideal(solid))
+    /// As far before a side as the path of an incremental measurement; `reach`: from there to what touches it.
+    fn before(&self, axis: usize, direction: f64, reach: f64) -> f64 {
+        self.sides.trigger(axis, direction) - direction * (self.path + reach)
     }
 
     /// Before the probe in the axis along which a drill is as long as on a milling machine, over its middle in the
@@ -127,9 +105,9 @@ impl<'a> Field<'a> {
     fn over(&self, plane: Plane) -> [f64; 2] {
         let lies = usize::from(plane == Plane::G19);
         let direction = self.told(-1.0);
-        let mut start = [self.middle(0), self.middle(1)];
+        let mut start = [0, 1].map(|axis| self.sides.middle(axis));
         start[lies] = match INCREMENTAL.holds(self.inputs) {
-            true => self.trigger(lies, direction) - direction * self.path,
+            true => self.before(lies, direction, 0.0),
             false => self.away(lies, direction),
         };
         start
@@ -137,61 +115,47 @@ impl<'a> Field<'a> {
 
     /// The direction that an incremental variant is told, else this one.
     fn told(&self, otherwise: f64) -> f64 {
-        match self.inputs.given(names::MD) {
-            Some(0.0) if INCREMENTAL.holds(self.inputs) => 1.0,
-            Some(_) if INCREMENTAL.holds(self.inputs) => -1.0,
-            _ => otherwise,
+        if !INCREMENTAL.holds(self.inputs) {
+            return otherwise;
         }
+        self.inputs.given(names::MD).map_or(otherwise, |md| if md == 0.0 { 1.0 } else { -1.0 })
     }
 
-    /// Abscissa and ordinate from which the call is safe.
-    fn start(&self) -> [f64; 2] {
-        if TURNING.holds(self.inputs) || CALIBRATE.holds(self.inputs) {
-            return self.nose();
-        }
+    /// A milling tool or drill beside the probe.
+    fn cutter(&self) -> [f64; 2] {
         let along = usize::from(RADIAL.holds(self.inputs));
         let across = 1 - along;
-        let towards = match (UPPER.holds(self.inputs), OPPOSITE.holds(self.inputs)) {
-            (true, false) => 1.0,
-            _ => -1.0,
-        };
-        let mut start = [0.0; 2];
-        start[along] = self.away(along, towards);
-        start[across] = self.away(across, -1.0) + self.radius;
-        let incremental = INCREMENTAL.holds(self.inputs) && !AUTOMATIC.holds(self.inputs);
-        if incremental && !BOTH.holds(self.inputs) {
-            let axis = self.measured(across);
-            let direction = self.told(-1.0);
-            let reach = if axis == across { self.radius } else { 0.0 };
-            start[1 - axis] = self.middle(1 - axis) + if axis == along { self.radius } else { 0.0 };
-            start[axis] = self.trigger(axis, direction) - direction * (self.path + reach);
+        if INCREMENTAL.holds(self.inputs) && !AUTOMATIC.holds(self.inputs) && !BOTH.holds(self.inputs) {
+            let axis = if RADIUS.holds(self.inputs) { across } else { self.measured() };
+            let mut start = [0, 1].map(|axis| self.sides.middle(axis));
+            start[across] += self.radius;
+            start[axis] = self.before(axis, self.told(-1.0), if axis == across { self.radius } else { 0.0 });
+            return start;
         }
+        let towards = if UPPER.holds(self.inputs) && !OPPOSITE.holds(self.inputs) { 1.0 } else { -1.0 };
+        let mut start = [self.away(along, towards); 2];
+        start[across] = self.away(across, -1.0) + self.radius;
         start
     }
 
-    /// The measuring axis; the radius lies across.
-    fn measured(&self, across: usize) -> usize {
-        if RADIUS.holds(self.inputs) {
-            return across;
-        }
+    /// The measuring axis.
+    fn measured(&self) -> usize {
         usize::from(!ABSCISSA.holds(self.inputs))
     }
 
     /// The tip before the sides that it touches; the calibration tool before the plus sides.
     fn nose(&self) -> [f64; 2] {
-        let edge = self.control.active_edge();
-        let sides = edge.map_or([-1.0; 2], |edge| side(edge.tip, self.inputs.recodes()));
-        let axis = self.measured(0);
         if !INCREMENTAL.holds(self.inputs) {
-            return [0, 1].map(|axis| match sides[axis] {
-                0.0 => self.middle(axis),
+            return [0, 1].map(|axis| match self.nose[axis] {
+                0.0 => self.sides.middle(axis),
                 direction => self.away(axis, direction),
             });
         }
-        let direction = self.told(sides[axis]);
-        let behind = (direction - sides[axis]) * self.radius;
-        let mut start = [0, 1].map(|axis| self.middle(axis) + sides[axis] * self.radius);
-        start[axis] = self.trigger(axis, direction) - behind - direction * self.path;
+        let axis = if RADIUS.holds(self.inputs) { 0 } else { self.measured() };
+        let direction = self.told(self.nose[axis]);
+        let mut start = [0, 1].map(|axis| self.sides.middle(axis) + self.nose[axis] * self.radius);
+        let behind = (direction - self.nose[axis]) * self.radius;
+        start[axis] = self.before(axis, direction, 0.0) - behind;
         start
     }
 }

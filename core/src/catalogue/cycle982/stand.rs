@@ -5,72 +5,65 @@
 use super::params::WORKPIECE;
 use crate::catalogue::sinumerik::alarm;
 use crate::catalogue::sinumerik::measuring_block::Block;
-use crate::catalogue::tool_probe::ProbeData;
 use crate::catalogue::tool_probe::correct::{Measured, active};
-use crate::catalogue::tool_probe::store::Trigger;
+use crate::catalogue::tool_probe::{ProbeData, Sides};
 use crate::control::Control;
-use crate::entry::Inputs;
+use crate::entry::{Inputs, names};
 use crate::evaluate::tool_offset::RADIUS;
-use crate::geometry::TOLERANCE;
 use crate::machine::{Machine, Stop};
 
 /// What a touch needs.
-pub struct Stand {
+pub struct Stand<'a> {
+    /// Values of the call.
+    pub inputs: &'a Inputs,
     /// How is measured and travelled.
     pub block: Block,
-    /// Names of the data of the probe by axis, of the trigger values touched in minus and in plus direction.
-    data: [[String; 2]; 2],
-    /// Trigger values by axis, touched in minus and in plus direction, mm.
-    triggers: [[f64; 2]; 2],
-    /// Where the cycle began, abscissa and ordinate, mm.
-    pub start: [f64; 2],
+    /// Where the probe switches.
+    pub sides: Sides,
+    /// Where the cycle began, by axis of the plane, mm.
+    pub start: [f64; 3],
     /// Radius of the tool in use, mm.
     pub radius: f64,
 }
 
-impl Stand {
+/// Where the probe of a call switches: its data count by the axes of the plane (B:13370-13384).
+pub fn sides(inputs: &Inputs, control: &Control) -> Sides {
+    ProbeData::of(inputs, control, WORKPIECE.holds(inputs)).sides([0, 1, 2])
+}
+
+impl Stand<'_> {
     /// From the data of the probe and where the tool stands.
-    pub fn of(machine: &mut dyn Machine, inputs: &Inputs, block: Block) -> Stand {
+    pub fn of<'a>(machine: &mut dyn Machine, inputs: &'a Inputs, block: Block) -> Stand<'a> {
         let position = machine.position();
-        let [abscissa, ordinate, _] = block.axes;
-        let control = machine.control();
-        let data = ProbeData::of(inputs, control, WORKPIECE.holds(inputs));
         Stand {
-            data: [0, 1].map(|axis| [0, 1].map(|side| data.name(2 * axis + side))),
-            triggers: [0, 1].map(|axis| data.triggers(axis)),
-            start: [position[abscissa], position[ordinate]],
-            radius: control.active_radius(),
+            inputs,
+            sides: sides(inputs, machine.control()),
+            start: block.axes.map(|axis| position[axis]),
+            radius: block.radius,
             block,
         }
     }
 
-    /// A trigger value that was found, with its datum and its field in `_OVR[]` (B:9287-9294).
-    pub fn found(&self, axis: usize, direction: f64, value: f64) -> Trigger {
-        let side = usize::from(direction > 0.0);
-        Trigger { name: self.data[axis][side].clone(), result: 8 + 2 * (2 * axis + side), value }
+    /// Measuring axis; 61325 where it is none of the plane (A:15866).
+    pub fn axis(&self, machine: &mut dyn Machine) -> Result<usize, Stop> {
+        match self.inputs.integer(names::MA) {
+            axis @ 1..=2 => Ok(axis as usize - 1),
+            _ => Err(alarm(machine, 61325)),
+        }
     }
 
-    /// Coordinate at which the probe switches, mm.
-    pub fn trigger(&self, axis: usize, direction: f64) -> f64 {
-        self.triggers[axis][usize::from(direction > 0.0)]
-    }
-
-    /// Middle of the probe, mm.
-    pub fn middle(&self, axis: usize) -> f64 {
-        let [minus, plus] = self.triggers[axis];
-        (minus + plus) / 2.0
+    /// Direction of `_MD`; 61326 where it is none.
+    pub fn told(&self, machine: &mut dyn Machine) -> Result<f64, Stop> {
+        match self.inputs.integer(names::MD) {
+            0 => Ok(1.0),
+            1 => Ok(-1.0),
+            _ => Err(alarm(machine, 61326)),
+        }
     }
 
     /// Direction from the start towards the probe; 61332 where the start lies beside neither side (A:15875, B:9642).
     pub fn approach(&self, machine: &mut dyn Machine, axis: usize) -> Result<f64, Stop> {
-        let start = self.start[axis];
-        if start > self.trigger(axis, -1.0) + TOLERANCE {
-            Ok(-1.0)
-        } else if start < self.trigger(axis, 1.0) - TOLERANCE {
-            Ok(1.0)
-        } else {
-            Err(alarm(machine, 61332))
-        }
+        self.sides.towards(axis, self.start[axis]).ok_or_else(|| alarm(machine, 61332))
     }
 
     /// Moves one axis.
@@ -93,14 +86,18 @@ impl Stand {
 
     /// The same from where the tool stands, over twice the measuring path (B:9820).
     pub fn touch_from_here(&self, machine: &mut dyn Machine, axis: usize, direction: f64) -> Result<f64, Stop> {
-        let point = self.block.point(axis, direction, 0.0);
-        self.block.latch_from_here(machine, &point)
+        self.block.latch_from_here(machine, &self.block.point(axis, direction, 0.0))
     }
 
     /// The length in an axis that would put the tool's own point on the touched side, mm: what is known so far and by
     /// how much the position differs from it.
     pub fn apparent(&self, control: &Control, axis: usize, direction: f64, latched: f64) -> f64 {
-        active(control, part(axis)) + latched - self.trigger(axis, direction)
+        active(control, part(axis)) + latched - self.sides.trigger(axis, direction)
+    }
+
+    /// The same as measured.
+    pub fn length(&self, machine: &mut dyn Machine, axis: usize, direction: f64, latched: f64) -> Measured {
+        found(part(axis), self.apparent(machine.control(), axis, direction, latched))
     }
 }
 

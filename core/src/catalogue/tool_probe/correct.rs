@@ -108,8 +108,7 @@ fn decide(
         (Verdict::Correct, false) => "evaluate-tool-geometry",
         (Verdict::Correct, true) => "evaluate-tool-wear",
     };
-    let message = Message::new(key).number("difference", difference);
-    let message = message.number("limit", inputs.number(names::TZL));
+    let message = Message::new(key).number("difference", difference).number("limit", inputs.number(names::TZL));
     machine.record(Step::Decision(message));
     let announced = match verdict {
         Verdict::SafeArea => Some(62303),
