@@ -31,27 +31,14 @@ pub enum Sender {
 
 /// All of them: the log, the cycles, JOG.
 pub static MESSAGES: &[OperatorMessage] = &[
-    OperatorMessage {
-        text: "New log file has been created",
-        key: "message-new-log",
-        waits: false,
-        sender: Sender::Program("CYCLE106"),
-        source: "B:11194;A:12504",
-    },
-    OperatorMessage {
-        text: "Please specify new log name",
-        key: "message-log-name",
-        waits: true,
-        sender: Sender::Program("CYCLE106"),
-        source: "B:11198;A:12510",
-    },
-    OperatorMessage {
-        text: "Please acknowledge measurement result screen with NC start",
-        key: "message-result-screen",
-        waits: true,
-        sender: Sender::EveryCycle,
-        source: "B:12574;A:13773",
-    },
+    shown("New log file has been created", "message-new-log", Sender::Program("CYCLE106"), "B:11194;A:12504"),
+    waiting(shown("Please specify new log name", "message-log-name", Sender::Program("CYCLE106"), "B:11198;A:12510")),
+    waiting(shown(
+        "Please acknowledge measurement result screen with NC start",
+        "message-result-screen",
+        Sender::EveryCycle,
+        "B:12574;A:13773",
+    )),
     jog(
         "You have corrected in an inactive WO! / You have applied an offset in a non-active ZO!",
         "message-inactive-offset",
@@ -63,10 +50,7 @@ pub static MESSAGES: &[OperatorMessage] = &[
         "message-rotated",
         "B:3840-3843;B:3860",
     ),
-    OperatorMessage {
-        waits: true,
-        ..jog("Please press NC start to activate!", "message-press-start", "B:3864;B:3901")
-    },
+    waiting(jog("Please press NC start to activate!", "message-press-start", "B:3864;B:3901")),
     jog("The new WCS has new orientation!", "message-new-orientation", "B:3895;A:4493"),
     jog("Set probe perpendicular to plane?", "message-perpendicular", "B:3882"),
     jog("Alignment made by swivelling! Retract: Z", "message-aligned", "B:3882-3883"),
@@ -75,7 +59,15 @@ pub static MESSAGES: &[OperatorMessage] = &[
 ];
 
 const fn jog(text: &'static str, key: &'static str, source: &'static str) -> OperatorMessage {
-    OperatorMessage { text, key, waits: false, sender: Sender::Jog, source }
+    shown(text, key, Sender::Jog, source)
+}
+
+const fn shown(text: &'static str, key: &'static str, sender: Sender, source: &'static str) -> OperatorMessage {
+    OperatorMessage { text, key, waits: false, sender, source }
+}
+
+const fn waiting(message: OperatorMessage) -> OperatorMessage {
+    OperatorMessage { waits: true, ..message }
 }
 
 /// The message with this text (case does not matter).

@@ -82,29 +82,26 @@ impl Setup {
 
     /// The data of the first tool probe, where nothing is known of it.
     fn know_tool_probe(&mut self, data: &[(usize, f64)]) {
-        let control = &mut self.control;
         for array in ["_TP", "_TPW"] {
             let name = |index: usize| format!("{array}[0,{index}]");
-            if (0..6).any(|index| control.number(&name(index)) != 0.0) {
-                continue;
-            }
-            for (index, value) in data {
-                let value = value / control.basic_factor();
-                control.set(name(*index), value);
+            if (0..6).all(|index| self.control.number(&name(index)) == 0.0) {
+                data.iter().for_each(|(index, value)| self.know(name(*index), *value));
             }
         }
+    }
+
+    /// A datum that is a length, mm.
+    fn know(&mut self, name: String, length: f64) {
+        let value = length / self.control.basic_factor();
+        self.control.set(name, value);
     }
 
     /// The reference tool of an NCT control in the spindle, and where the disk of its tool probe stands, unless the
     /// machine says so itself.
     fn mount_reference_tool(&mut self) {
-        let control = &mut self.control;
-        (control.tool, control.edge) = (REFERENCE_REGISTER, REFERENCE_REGISTER);
-        if NCT_TOOL_PROBE.iter().all(|(name, _)| control.number(name) == 0.0) {
-            for (name, value) in NCT_TOOL_PROBE {
-                let value = value / control.basic_factor();
-                control.set(name, value);
-            }
+        (self.control.tool, self.control.edge) = (REFERENCE_REGISTER, REFERENCE_REGISTER);
+        if NCT_TOOL_PROBE.iter().all(|(name, _)| self.control.number(name) == 0.0) {
+            NCT_TOOL_PROBE.iter().for_each(|(name, value)| self.know((*name).to_owned(), *value));
         }
     }
 

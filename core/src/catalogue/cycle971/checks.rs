@@ -5,7 +5,7 @@ use super::place::{DEPTH, DIRECTIONS, EDGE_LENGTH, TYPE};
 use super::rotating;
 use crate::catalogue::tool_probe;
 use crate::catalogue::tool_probe::ProbeData;
-use crate::check::error;
+use crate::catalogue::tool_probe::checks::refused;
 use crate::control::{Control, Edge, Plane};
 use crate::diagnostic::{Code, Diagnostic, Severity};
 use crate::entry::{Inputs, When, names};
@@ -50,14 +50,11 @@ fn path(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
         return;
     };
     let incremental = INCREMENTAL.holds(inputs);
-    if incremental && path != 0.0 {
-        return;
-    }
-    if path > 0.0 {
+    if path > 0.0 || incremental && path != 0.0 {
         return;
     }
     let hint = if incremental { "check-path-direction-hint" } else { "check-path-sign-hint" };
-    found.push(error(Code::Alarm(61308), Message::new("check-path-sign")).hint(Message::new(hint)).at(names::FA));
+    found.push(refused(61308, Message::new("check-path-sign"), hint, names::FA));
 }
 
 /// A cube or a disc; a disc stands in one plane (B:13366, A:15848, A:15934).
@@ -68,7 +65,7 @@ fn probe_type(data: &ProbeData, plane: Plane, found: &mut Vec<Diagnostic>) {
         _ => (61309, "check-tool-probe-type"),
     };
     let message = Message::new(key).text("name", data.name(TYPE));
-    found.push(error(Code::Alarm(number), message).hint(Message::new("check-tool-probe-type-hint")).at(names::PRNUM));
+    found.push(refused(number, message, "check-tool-probe-type-hint", names::PRNUM));
 }
 
 /// In the plane the tool has to reach below the probe's upper side: an alarm at a radius (A:15891), else a doubt.
@@ -82,8 +79,7 @@ fn depth(inputs: &Inputs, data: &ProbeData, found: &mut Vec<Diagnostic>) {
         finding.severity = Severity::Error;
         finding.code = Code::Alarm(61349);
     }
-    let finding = finding.text("name", data.name(DEPTH));
-    found.push(finding.at(names::MA));
+    found.push(finding.text("name", data.name(DEPTH)).at(names::MA));
 }
 
 /// Digits of `_TP[k,7]`: 0 not, 1 minus, 2 plus, 3 both; the applicate has to allow minus (B:4720-4741). No alarm is
@@ -100,7 +96,7 @@ fn directions(data: &ProbeData, plane: Plane, found: &mut Vec<Diagnostic>) {
         return;
     };
     let message = Message::new(key).text("name", data.name(DIRECTIONS)).number("code", code as f64);
-    found.push(error(Code::Alarm(61309), message).hint(Message::new("check-directions-hint")).at(names::MVAR));
+    found.push(refused(61309, message, "check-directions-hint", names::MVAR));
 }
 
 /// Type and size of the tool in use. Milling tools and drills are measured (B:4157-4175), the radius of milling tools
@@ -110,7 +106,7 @@ fn tool(inputs: &Inputs, edge: &Edge, found: &mut Vec<Diagnostic>) {
     if matches!(edge.kind, 400..=599) || drill_radius {
         let key = if drill_radius { "check-tool-type-drill" } else { "check-tool-type" };
         let message = Message::new(key).number("type", edge.kind as f64);
-        found.push(error(Code::Alarm(61314), message).hint(Message::new("check-tool-type-hint")).at(names::MVAR));
+        found.push(refused(61314, message, "check-tool-type-hint", names::MVAR));
         return;
     }
     let beside = AUTOMATIC.holds(inputs) || IN_PLANE.holds(inputs);
@@ -120,9 +116,7 @@ fn tool(inputs: &Inputs, edge: &Edge, found: &mut Vec<Diagnostic>) {
         (beside, edge.total_radius(), "check-tool-radius-zero"),
     ];
     for (_, _, key) in missing.into_iter().filter(|(needed, size, _)| *needed && *size == 0.0) {
-        found.push(
-            error(Code::Alarm(61351), Message::new(key)).hint(Message::new("check-tool-zero-hint")).at(names::MVAR),
-        );
+        found.push(refused(61351, Message::new(key), "check-tool-zero-hint", names::MVAR));
     }
 }
 

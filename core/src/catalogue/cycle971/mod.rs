@@ -1,17 +1,11 @@
 //! CYCLE971: tool probe on milling machines: calibrating it, measuring length and radius of milling tools and drills
 //! (B:4157-5029).
 
-#[cfg(test)]
-mod bench;
 mod calibrate;
-#[cfg(test)]
-mod calibration_tests;
 mod checks;
 mod help;
 mod lists;
 mod measure;
-#[cfg(test)]
-mod motion_tests;
 pub(crate) mod params;
 mod picture;
 mod place;
@@ -19,8 +13,6 @@ mod propose;
 mod results;
 mod rotating;
 mod simulate;
-#[cfg(test)]
-mod simulation_tests;
 mod spindle;
 #[cfg(test)]
 mod tests;

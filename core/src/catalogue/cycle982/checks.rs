@@ -6,9 +6,8 @@ use super::params::{
 };
 use crate::catalogue::shared_checks;
 use crate::catalogue::tool_probe::{ProbeData, checks as shared, turning};
-use crate::check::error;
 use crate::control::{Control, Edge};
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::Diagnostic;
 use crate::entry::{Inputs, names};
 use crate::message::Message;
 use crate::own;
@@ -54,8 +53,7 @@ fn tool(inputs: &Inputs, control: &Control, edge: &Edge, found: &mut Vec<Diagnos
         cutters::checks(inputs, control, edge, found);
     } else {
         let message = Message::new("check-tool-type").number("type", edge.kind as f64);
-        let hint = Message::new("check-lathe-tool-type-hint");
-        found.push(error(Code::Alarm(61314), message).hint(hint).at(names::MVAR));
+        found.push(shared::refused(61314, message, "check-lathe-tool-type-hint", names::MVAR));
     }
 }
 
@@ -65,21 +63,13 @@ fn idle_digits(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
         return;
     }
     let plain = inputs.variant / 100_000 * 100_000 + inputs.variant % 100;
-    found.push(
-        own::TURNING_DIGITS
-            .finding()
-            .number("value", inputs.variant as f64)
-            .hint_number("plain", plain as f64)
-            .at(names::MVAR),
-    );
+    let finding = own::TURNING_DIGITS.finding().number("value", inputs.variant as f64);
+    found.push(finding.hint_number("plain", plain as f64).at(names::MVAR));
 }
 
 /// An incremental measurement that travels away from the tip: the back of the tool would meet the probe.
 fn direction(inputs: &Inputs, tip: i64, found: &mut Vec<Diagnostic>) {
-    let Some(towards) = inputs.given(names::MD) else {
-        return;
-    };
-    let Some(nose) = inputs.nose else {
+    let (Some(towards), Some(nose)) = (inputs.given(names::MD), inputs.nose) else {
         return;
     };
     let side = nose[usize::from(!ABSCISSA.holds(inputs))];

@@ -5,11 +5,11 @@ use super::params::{
     ABSCISSA, AUTOMATIC, BOTH, DRILL, DRILL_ALONG_APPLICATE, MILLING, ORDINATE, RADIAL, RADIUS, REVERSAL,
     SPINDLE_AS_IT_IS, UPPER, WITH_RADIUS,
 };
-use crate::check::error;
+use crate::catalogue::tool_probe::checks as shared;
 use crate::control::machine_data::TOOL_LENGTH_TYPE;
 use crate::control::tools::AS_TURNING_TOOL;
 use crate::control::{Control, Edge, Plane};
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::Diagnostic;
 use crate::entry::{Inputs, When, names};
 use crate::message::Message;
 use crate::own;
@@ -42,7 +42,7 @@ pub fn checks(inputs: &Inputs, control: &Control, edge: &Edge, found: &mut Vec<D
 
 /// An alarm about the measuring variant.
 fn refused(number: u32, key: &'static str, hint: &'static str) -> Diagnostic {
-    error(Code::Alarm(number), Message::new(key)).hint(Message::new(hint)).at(names::MVAR)
+    shared::refused(number, Message::new(key), hint, names::MVAR)
 }
 
 /// A drill whose L1 counts along the applicate (B:10096-10126). No alarm is named there; 61314 is the nearest.

@@ -5,27 +5,15 @@ mod checks;
 mod cutter;
 mod cutters;
 mod drill;
-#[cfg(test)]
-mod drill_tests;
 mod edges;
 mod help;
-#[cfg(test)]
-mod loop_tests;
-#[cfg(test)]
-mod motion_tests;
 mod nose;
 pub(crate) mod params;
 pub(crate) mod picture;
-#[cfg(test)]
-mod picture_tests;
 pub(crate) mod propose;
 mod results;
 pub(crate) mod simulate;
-#[cfg(test)]
-mod simulation_tests;
 mod stand;
-#[cfg(test)]
-mod testing;
 #[cfg(test)]
 mod tests;
 mod variants;

@@ -66,43 +66,19 @@ const REVERSED: When = When::All(&[MEASURE, REVERSAL, When::Not(&TURNING)]);
 
 /// The digits of `_MVAR`, units first (B:9224-9260, A:10287-10310).
 const MVAR_DIGITS: &[DigitGroup] = &[
-    DigitGroup {
-        key: "mvar-task",
-        place: 1,
-        digits: 1,
-        choices: &[(0, "task-calibrate"), (1, "task-measure-axis"), (2, "task-measure-all")],
-    },
+    tool_probe::digit("mvar-task", 1, &[(0, "task-calibrate"), (1, "task-measure-axis"), (2, "task-measure-all")]),
     tool_probe::REFERENCE,
-    DigitGroup {
-        key: "mvar-edges",
-        place: 100,
-        digits: 1,
-        choices: &[(0, "second-edge-without"), (1, "second-edge-with")],
-    },
-    DigitGroup {
-        key: "mvar-extent",
-        place: 1000,
-        digits: 1,
-        choices: &[
-            (0, "extent-plain"),
-            (1, "extent-radius"),
-            (2, "extent-length-radius"),
-            (3, "extent-upper"),
-            (4, "extent-upper-opposite"),
-        ],
-    },
-    DigitGroup {
-        key: "mvar-tool-axis",
-        place: 10_000,
-        digits: 1,
-        choices: &[(0, "tool-axis-axial"), (1, "tool-axis-radial")],
-    },
-    DigitGroup {
-        key: "mvar-approach",
-        place: 100_000,
-        digits: 1,
-        choices: &[(0, "approach-normal"), (1, "approach-incremental")],
-    },
+    tool_probe::digit("mvar-edges", 100, &[(0, "second-edge-without"), (1, "second-edge-with")]),
+    tool_probe::digit("mvar-extent", 1000, EXTENTS),
+    tool_probe::digit("mvar-tool-axis", 10_000, &[(0, "tool-axis-axial"), (1, "tool-axis-radial")]),
+    tool_probe::digit("mvar-approach", 100_000, &[(0, "approach-normal"), (1, "approach-incremental")]),
+];
+const EXTENTS: &[(i64, &str)] = &[
+    (0, "extent-plain"),
+    (1, "extent-radius"),
+    (2, "extent-length-radius"),
+    (3, "extent-upper"),
+    (4, "extent-upper-opposite"),
 ];
 
 /// In the order in which the snippet writes them.

@@ -6,10 +6,16 @@ use crate::control::{Control, Edge};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::entry::{Inputs, names};
 use crate::message::Message;
+use crate::name::Name;
 use crate::own;
 
 /// Type of a 3D probe, `$TC_DP1` (B:4147).
 const WORKPIECE_PROBE: i64 = 710;
+
+/// An alarm at a parameter, with its cure.
+pub fn refused(number: u32, message: Message, hint: &'static str, at: Name) -> Diagnostic {
+    error(Code::Alarm(number), message).hint(Message::new(hint)).at(at)
+}
 
 /// A probe number beyond the data fields; `_CVAL[0]` counts those of the machine, `_CVAL[3]` those of the workpiece
 /// (B:13345-13348, A:15852).
@@ -30,14 +36,8 @@ pub fn memory(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     let number = (inputs.or_zero(names::EVNUM) as i64 % 10_000) as f64;
     let size = control.number("_EVMVNUM[0]");
     if number > size {
-        found.push(
-            own::TOOL_MEMORY
-                .finding()
-                .number("number", number)
-                .number("size", size)
-                .hint_text("array", "_EVMVNUM[0]")
-                .at(names::EVNUM),
-        );
+        let finding = own::TOOL_MEMORY.finding().number("number", number).number("size", size);
+        found.push(finding.hint_text("array", "_EVMVNUM[0]").at(names::EVNUM));
     }
 }
 
@@ -46,25 +46,14 @@ pub fn memory(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
 pub fn limits(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     // that delivered with the control is nobody's wish: only one that was written is doubted where it is too large
     let written = inputs.written.contains(names::TDIF.as_str()) || inputs.given(names::TSA) > inputs.given(names::TDIF);
-    let given = [names::TZL, names::TDIF, names::TSA]
-        .into_iter()
-        .filter(|name| *name != names::TDIF || written)
-        .filter_map(|name| Some((name, inputs.given(name)?)));
-    let given: Vec<_> = given.collect();
+    let limits = [names::TZL, names::TDIF, names::TSA].into_iter().filter(|name| *name != names::TDIF || written);
+    let given: Vec<_> = limits.filter_map(|name| Some((name, inputs.given(name)?))).collect();
     for pair in given.windows(2) {
-        let [(small, low), (large, high)] = pair else {
-            continue;
-        };
-        if low >= high {
-            found.push(
-                own::TOOL_LIMITS
-                    .finding()
-                    .text("small", *small)
-                    .number("low", *low)
-                    .text("large", *large)
-                    .number("high", *high)
-                    .at(*large),
-            );
+        if let [(small, low), (large, high)] = pair
+            && low >= high
+        {
+            let finding = own::TOOL_LIMITS.finding().text("small", *small).number("low", *low);
+            found.push(finding.text("large", *large).number("high", *high).at(*large));
         }
     }
 }
@@ -121,12 +110,7 @@ pub fn place(data: &ProbeData, axes: &[usize], found: &mut Vec<Diagnostic>) {
         return;
     }
     for (axis, _) in triggers().filter(|(_, [minus, plus])| minus <= plus) {
-        found.push(
-            own::TOOL_PROBE_SIDES
-                .finding()
-                .text("minus", data.name(2 * axis))
-                .text("plus", data.name(2 * axis + 1))
-                .at(names::PRNUM),
-        );
+        let finding = own::TOOL_PROBE_SIDES.finding().text("minus", data.name(2 * axis));
+        found.push(finding.text("plus", data.name(2 * axis + 1)).at(names::PRNUM));
     }
 }

@@ -13,7 +13,7 @@ pub mod turning;
 pub use data::{ProbeData, Sides};
 
 use super::common::alarms;
-use super::sinumerik::Next;
+use super::sinumerik::{Next, until_done};
 use crate::diagnostic::Code;
 use crate::machine::{Machine, Stop};
 
@@ -33,13 +33,9 @@ pub fn carry_out(
     task: impl Fn(&mut dyn Machine, u32) -> Result<Next, Stop>,
 ) -> Result<(), Stop> {
     let frames = (!workpiece).then(|| machine.control().take_frames());
-    let (mut outcome, mut repetition) = (task(machine, 0), 0);
-    while outcome == Ok(Next::Again) {
-        repetition += 1;
-        outcome = task(machine, repetition);
-    }
+    let outcome = until_done(|repetition| task(machine, repetition));
     if let Some(frames) = frames {
         machine.control().put_frames(frames);
     }
-    outcome.map(|_| ())
+    outcome
 }

@@ -1,8 +1,8 @@
 //! Checks about the turning tool with which a tool probe is calibrated, or that is measured there.
 
-use crate::check::error;
+use super::checks::refused;
 use crate::control::Edge;
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::Diagnostic;
 use crate::entry::{Inputs, names};
 use crate::message::Message;
 
@@ -16,8 +16,7 @@ const CALIBRATION_TIP: i64 = 3;
 pub fn tool(inputs: &Inputs, edge: &Edge, calibrate: bool, found: &mut Vec<Diagnostic>) {
     if !TURNING.contains(&edge.kind) {
         let message = Message::new("check-tool-type").number("type", edge.kind as f64);
-        let hint = Message::new("check-turning-type-hint");
-        found.push(error(Code::Alarm(61314), message).hint(hint).at(names::MVAR));
+        found.push(refused(61314, message, "check-turning-type-hint", names::MVAR));
         return;
     }
     let hint = match edge.tip {
@@ -27,16 +26,15 @@ pub fn tool(inputs: &Inputs, edge: &Edge, calibrate: bool, found: &mut Vec<Diagn
         _ => "check-tip-hint",
     };
     let message = Message::new("check-tip").number("tip", edge.tip as f64);
-    found.push(error(Code::Alarm(61315), message).hint(Message::new(hint)).at(names::MVAR));
+    found.push(refused(61315, message, hint, names::MVAR));
 }
 
 /// Tools with positions 5 and 7 lie along the abscissa and have no tip across it, those with 6 and 8 the other way
 /// round (B:4152, B:9702). No alarm is named; 61325 is the nearest.
 fn length(inputs: &Inputs, tip: i64, found: &mut Vec<Diagnostic>) {
     let axis = inputs.or_zero(names::MA) as i64;
-    if !matches!((tip, axis), (5 | 7, 2) | (6 | 8, 1)) {
-        return;
+    if matches!((tip, axis), (5 | 7, 2) | (6 | 8, 1)) {
+        let message = Message::new("check-tip-axis").number("tip", tip as f64);
+        found.push(refused(61325, message, "check-tip-axis-hint", names::MA));
     }
-    let message = Message::new("check-tip-axis").number("tip", tip as f64);
-    found.push(error(Code::Alarm(61325), message).hint(Message::new("check-tip-axis-hint")).at(names::MA));
 }

@@ -3,8 +3,8 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use super::CYCLE982;
 use crate::catalogue::cycle972::CYCLE972;
+use crate::catalogue::cycle982::CYCLE982;
 use crate::catalogue::example::changed;
 use crate::check::check;
 use crate::control::{Edge, Plane, delivery};

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use super::CYCLE982;
+use crate::catalogue::cycle982::CYCLE982;
 use crate::catalogue::example::changed;
 use crate::check::check;
 use crate::control::{Control, Edge, Plane, delivery};

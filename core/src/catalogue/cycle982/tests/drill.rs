@@ -2,8 +2,8 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use super::CYCLE982;
-use super::testing::{PROBE, Real, digit, inputs, machine, mount, place};
+use super::machine::{PROBE, Real, digit, inputs, machine, mount, place};
+use crate::catalogue::cycle982::CYCLE982;
 use crate::catalogue::sinumerik::testing::{called, random_parts};
 use crate::control::machine_data::TOOL_LENGTH_TYPE;
 use crate::control::{Plane, Units};

@@ -3,7 +3,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use super::testing::{PROBE, Real, digit, inputs, machine, mount, place};
+use super::machine::{PROBE, Real, digit, inputs, machine, mount, place};
 use crate::catalogue::find;
 use crate::catalogue::sinumerik::testing::random_parts;
 use crate::control::Units;
@@ -35,7 +35,7 @@ fn call(setup: &mut Setup, start: [f64; 2], variant: i64, values: &[(&'static st
     place(setup, start);
     let call = inputs(setup, variant, values);
     let mut sim = Sim::new(setup);
-    let outcome = super::simulate::simulate(&mut sim, &call);
+    let outcome = crate::catalogue::cycle982::simulate::simulate(&mut sim, &call);
     assert_eq!(outcome, Ok(()), "{variant} {values:?} {start:?}");
     setup.control = sim.control;
 }

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use super::testing::{Real, inputs, machine, mount, place};
+use super::machine::{Real, inputs, machine, mount, place};
 use crate::control::Units;
 use crate::entry::Inputs;
 use crate::machine::Setup;
@@ -39,7 +39,7 @@ fn words(sim: &Sim) -> String {
 /// What a call does.
 fn way(setup: &Setup, inputs: &Inputs) -> String {
     let mut sim = Sim::new(setup);
-    let outcome = super::simulate::simulate(&mut sim, inputs);
+    let outcome = crate::catalogue::cycle982::simulate::simulate(&mut sim, inputs);
     assert_eq!(outcome, Ok(()), "{}", inputs.variant);
     words(&sim)
 }
@@ -112,7 +112,7 @@ fn in_increments_nothing_but_the_measuring_motion_is_travelled() {
     for variant in [100_000, 100_001] {
         let inputs = inputs(&setup, variant, &[("_MA", 2.0), ("_MD", 1.0)]);
         let mut sim = Sim::new(&setup);
-        super::simulate::simulate(&mut sim, &inputs).unwrap();
+        crate::catalogue::cycle982::simulate::simulate(&mut sim, &inputs).unwrap();
         let motions = sim.trace.entries.iter();
         let motions = motions.filter(|entry| matches!(entry.step, Step::Motion { .. }));
         assert_eq!(motions.count(), 2, "{variant}");

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used)]
 
-use super::CYCLE971;
+use crate::catalogue::cycle971::CYCLE971;
 use crate::catalogue::sinumerik::testing;
 use crate::control::{Plane, Units};
 use crate::entry::Inputs;

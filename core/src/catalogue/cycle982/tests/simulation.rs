@@ -2,8 +2,8 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use super::CYCLE982;
-use super::testing::{PROBE, Real, SHIFT, digit, inputs, machine, mount, place};
+use super::machine::{PROBE, Real, SHIFT, digit, inputs, machine, mount, place};
+use crate::catalogue::cycle982::CYCLE982;
 use crate::catalogue::sinumerik::testing::random_parts;
 use crate::control::Units;
 use crate::control::tools::side;
@@ -17,7 +17,7 @@ use proptest::prelude::*;
 const AWAY: f64 = 25.0;
 
 fn run(sim: &mut Sim, inputs: &Inputs) -> Result<(), Stop> {
-    super::simulate::simulate(sim, inputs)
+    crate::catalogue::cycle982::simulate::simulate(sim, inputs)
 }
 
 fn middle(axis: usize) -> f64 {

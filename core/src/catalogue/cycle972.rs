@@ -1,0 +1,187 @@
+//! CYCLE972: tool probe on turning machines: calibrating it, measuring the lengths of turning tools (B:8736-9090).
+//! CYCLE982 with its variants 0 and 1 does the same (B:8752-8760): it does the work, and draws it.
+
+#[cfg(test)]
+mod tests;
+
+use crate::catalogue::common::{alarms, integer, length, optional};
+use crate::catalogue::cycle982::params::{ABSCISSA, ORDINATE};
+use crate::catalogue::cycle982::{picture, propose, simulate as measuring};
+use crate::catalogue::sinumerik::alarm;
+use crate::catalogue::tool_probe::{ProbeData, checks as about, params as shared, turning};
+use crate::catalogue::{common, shared_checks, tool_probe};
+use crate::control::{Control, MachineSort};
+use crate::diagnostic::Diagnostic;
+use crate::dialect::Dialect;
+use crate::entry::{
+    Arg, ArgumentList, Cycle, Drawing, Help, HelpLine, Inputs, Kind, Param, ProbeUse, Purpose, ResultField, Simulation,
+    Style, Variant, When, Work, before, corrects, measures, names, order, wrong,
+};
+use crate::machine::{Machine, Stop};
+
+/// Measuring variants (B:8766-8771).
+const VARIANTS: &[Variant] = &[
+    Variant { number: 0, key: "cycle972-calibrate", source: "B:8770;B:8816;A:9685" },
+    Variant { number: 1, key: "cycle972-measure", source: "B:8771;B:8964;A:9686" },
+];
+
+/// The probe is calibrated.
+const CALIBRATE: When = When::Variant(&[0]);
+/// A tool is measured.
+const MEASURE: When = When::Variant(&[1]);
+
+/// The entry. Example: the turning tool T3 of B:9044-9053, length L1.
+pub static CYCLE972: Cycle = Cycle {
+    dialect: Dialect::Sinumerik,
+    name: "CYCLE972",
+    key: "cycle972",
+    variants: VARIANTS,
+    params: PARAMS,
+    purpose: Purpose { probe: ProbeUse::Tool, machine: MachineSort::Turning, calibrates: CALIBRATE, tasks: &[] },
+    lists: LISTS,
+    settings: &[
+        "_TP", "_CVAL[0]", "_SPEED", "_EVMVNUM[0]", "_CBIT[0]", "_CBIT[1]", "_CHBIT[2]", "_CHBIT[3]", "_CHBIT[5]",
+        "_CHBIT[15]", "_CHBIT[16]", "_CHBIT[17]",
+    ],
+    results: RESULTS,
+    // A:15856, A:15873
+    alarms: &[tool_probe::ALARMS, &alarms([61315, 61330])],
+    checks,
+    help: Help::new(&[LINES, tool_probe::help::ALL]),
+    picture: Drawing::staged(picture::stage, picture::marks),
+    example: &[
+        (names::MVAR, "1"),
+        (names::MA, "2"),
+        (names::PRNUM, "1"),
+        (names::FA, "1"),
+        (names::TSA, "1"),
+        (names::VMS, "0"),
+        (names::NMSP, "1"),
+        (names::EVNUM, "0"),
+        (names::TZL, "0.001"),
+        (names::TDIF, "0.8"),
+    ],
+    simulation: Some(Simulation::new(Work { propose: propose::propose, simulate }, &[]).with_tool(propose::tool)),
+    source: "B:8736-9090",
+};
+
+/// What CYCLE982 does with these variants; where the coordinate system is turned it is 61330 (A:15873).
+fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
+    if machine.control().rotated() {
+        return Err(alarm(machine, 61330));
+    }
+    measuring::run(machine, inputs, 972)
+}
+
+/// Parameters (B:8856-8862, B:9010-9018), in the order in which the snippet writes them.
+const PARAMS: &[Param] = &[
+    Param { source: "B:8766-8771;B:15455-15456", ..common::MVAR },
+    Param {
+        kind: Kind::ChoiceBy(&[
+            (CALIBRATE, &[(1, "ma-lathe-abscissa"), (2, "ma-lathe-ordinate")]),
+            (MEASURE, &[(1, "ma-lathe-l2"), (2, "ma-lathe-l1")]),
+        ]),
+        needs: common::ALWAYS_REQUIRED,
+        key: "ma-lathe-length",
+        labels: &[(CALIBRATE, "ma-calibrate")],
+        source: "B:8859;B:9014;B:15453",
+        ..common::MA
+    },
+    shared::PRNUM,
+    Param { key: "fa-tool", source: "B:2221;B:9057;B:15448", ..common::FA },
+    Param { key: "tsa-tool", labels: &[(CALIBRATE, "tsa-tool-probe")], source: "B:8849;B:15472", ..common::TSA },
+    Param { source: "B:2164-2170;B:15474", ..common::VMS },
+    shared::NMSP,
+    Param { needs: &[optional(MEASURE, "need-memory-empirical")], ..shared::EVNUM },
+    shared::TZL,
+    Param { needs: &[optional(MEASURE, "need-default")], ..shared::TDIF },
+];
+
+/// The parameterizing calls (B:11755-11772, B:11881-11888). In the list of newer controls CYCLE972 is not known to us.
+const LISTS: &[ArgumentList] = &[
+    ArgumentList {
+        style: Style::Indirect,
+        name: "CYCLE_CAL_TOOLSETTER",
+        when: CALIBRATE,
+        base: 0,
+        args: &[
+            Arg::Is(972),
+            Arg::Param(names::MA),
+            Arg::Param(names::PRNUM),
+            Arg::Select(&[(0, 0), (1, 0)]), // counts for CYCLE971 only
+            Arg::Param(names::FA),
+        ],
+        source: "B:11767-11772;A:13108-13112",
+    },
+    ArgumentList {
+        style: Style::Indirect,
+        name: "CYCLE_972",
+        when: MEASURE,
+        base: 1,
+        args: &[Arg::Param(names::MA), Arg::Param(names::PRNUM)],
+        source: "B:11887-11888;A:13231-13232",
+    },
+];
+
+const CALIBRATED_ABSCISSA: When = When::All(&[CALIBRATE, ABSCISSA]);
+const CALIBRATED_ORDINATE: When = When::All(&[CALIBRATE, ORDINATE]);
+const L1: When = When::All(&[MEASURE, ORDINATE]);
+const L2: When = When::All(&[MEASURE, ABSCISSA]);
+
+/// What it leaves in the result arrays (B:8777-8812), in their order; of a pair of directions, the one that was touched
+/// is set. The unit of `_OVR[]` is not defined by the manual; here the active unit counts.
+const RESULTS: &[ResultField] = &[
+    length("_OVR[8]", "result-trigger-minus-abscissa", CALIBRATED_ABSCISSA, "B:8779"),
+    length("_OVR[8]", "result-actual-l1", L1, "B:8798"),
+    length("_OVR[9]", "result-trigger-minus-abscissa-difference", CALIBRATED_ABSCISSA, "B:8783"),
+    length("_OVR[9]", "result-difference-l1", L1, "B:8799"),
+    length("_OVR[10]", "result-trigger-plus-abscissa", CALIBRATED_ABSCISSA, "B:8780"),
+    length("_OVR[10]", "result-actual-l2", L2, "B:8800"),
+    length("_OVR[11]", "result-trigger-plus-abscissa-difference", CALIBRATED_ABSCISSA, "B:8784"),
+    length("_OVR[11]", "result-difference-l2", L2, "B:8801"),
+    length("_OVR[12]", "result-trigger-minus-ordinate", CALIBRATED_ORDINATE, "B:8781"),
+    length("_OVR[13]", "result-trigger-minus-ordinate-difference", CALIBRATED_ORDINATE, "B:8785"),
+    length("_OVR[14]", "result-trigger-plus-ordinate", CALIBRATED_ORDINATE, "B:8782"),
+    length("_OVR[15]", "result-trigger-plus-ordinate-difference", CALIBRATED_ORDINATE, "B:8786"),
+    length("_OVR[27]", "result-zero-offset-area", When::Always, "B:8787;B:8802"),
+    length("_OVR[28]", "result-safe-area", When::Always, "B:8788;B:8803"),
+    length("_OVR[29]", "result-dimensional-difference", MEASURE, "B:8804"),
+    length("_OVR[30]", "result-empirical-value", MEASURE, "B:8805"),
+    integer("_OVI[0]", "result-edge", MEASURE, "B:8806"),
+    integer("_OVI[2]", "result-cycle", When::Always, "B:8789;B:8807"),
+    integer("_OVI[3]", "result-variant", When::Always, "B:8790;B:8808"),
+    integer("_OVI[5]", "result-probe", When::Always, "B:8791;B:8809"),
+    integer("_OVI[7]", "result-empirical-memory", MEASURE, "B:8810"),
+    integer("_OVI[8]", "result-tool", MEASURE, "B:8811"),
+    integer("_OVI[9]", "result-alarm", When::Always, "B:8792;B:8812"),
+    integer("_OVI[12]", "result-internal-error", When::Always, "B:16022"),
+];
+
+/// The lines of the help page (B:8712-9211), section by section, in the order in which they are read.
+const LINES: &[HelpLine] = &[
+    measures(CALIBRATE, "help-cycle972-measures-side", "B:8834-8850"),
+    measures(MEASURE, "help-cycle972-measures-length", "B:8954-8968"),
+    before(When::Always, "help-tool-not-turned", "A:15873;B:9819"),
+    before(When::Always, "help-tool-probe-known", "B:4204-4215;B:13357-13384"),
+    order(When::Always, "help-cycle972-order-travel", "B:8870;B:9441"),
+    order(CALIBRATE, "help-cycle972-order-nose", "B:8870"),
+    order(MEASURE, "help-cycle972-order-tip", "B:9073"),
+    order(When::Always, "help-tool-block", "B:1111-1121;B:2344-2356"),
+    corrects(CALIBRATE, "help-tool-trigger", "B:4326"),
+    corrects(MEASURE, "help-tool-data", "B:4324;B:4930-4937"),
+    wrong(When::Always, "help-tool-reach", "B:13999-14001"),
+];
+
+/// What several values, the data of the tool probe and the tool in use say together.
+fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
+    about::number(inputs, control, false, found);
+    about::memory(inputs, control, found);
+    about::limits(inputs, found);
+    about::speeds(control, found);
+    let data = ProbeData::of(inputs, control, false);
+    about::place(&data, &[0, 1], found); // by axes of the plane, B:13370-13384
+    shared_checks::rotation(control, found);
+    if let Some(edge) = about::tool_in_use(control, found) {
+        turning::tool(inputs, edge, CALIBRATE.holds(inputs), found);
+    }
+}
