@@ -279,7 +279,7 @@ impl Performed {
 
     /// Where a tool touches a side all along, the place next to the middle of the side; each place once.
     fn settled(&self, look: &Look, touches: Vec<Touched>) -> Vec<Touched> {
-        let middle = self.solids().next().map_or([0.0; 2], |probe| self.seen(look, probe.at));
+        let middle = self.solids().next().map_or([0.0; 2], |probe| self.seen(look, probe.at.into()));
         let mut settled: Vec<Touched> = Vec::new();
         for mut touch in touches {
             let [x, y] = unit(touch.ball, touch.start).map(f64::abs);
@@ -301,7 +301,7 @@ impl Performed {
 
     /// A piece of a tool that stands here on the paper.
     fn piece(&self, look: &Look, piece: &Drawn, stands: [f64; 2]) -> PictureShape {
-        let seen = |point: V3| self.seen(look, point.into());
+        let seen = |point: V3| self.seen(look, point);
         let (outline, axis, at) = match piece {
             Drawn::Plate { corners, .. } => {
                 let corners = corners.iter().map(|corner| add(stands, seen(*corner)));
