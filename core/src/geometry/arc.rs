@@ -2,7 +2,6 @@
 
 use super::V3;
 use super::stretch::Stretch;
-use nalgebra::{Rotation3, Unit};
 
 /// How a way between two points goes round an axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,10 +26,10 @@ impl Around {
 
     /// Where an arc from here ends that climbs by so much, mm.
     pub fn end(&self, from: [f64; 3], climb: f64) -> [f64; 3] {
-        let axis = Unit::new_unchecked(V3::from(self.axis));
         let (start, height) = self.split(from);
-        let turn = Rotation3::from_axis_angle(&axis, self.degrees.to_radians());
-        (V3::from(self.centre) + turn * start + axis.scale(height + climb)).into()
+        let angle = self.degrees.to_radians();
+        let (away, heights) = ([start.norm(); 2], [height, height + climb]);
+        Stretch::round(self.centre.into(), self.axis.into(), start, angle, away, heights).at(1.0).into()
     }
 
     /// A point seen from the axis, and its height along it.

@@ -44,7 +44,7 @@ pub fn outline(solid: &Solid, kind: ShapeKind, cut: Option<Cut>, seen: impl Fn(V
     let (outer, opening) = (columns.outer(&AROUND), columns.opening);
     let z = seen(place.rotation * V3::z());
     let upright = z[0].hypot(z[1]);
-    let leans = upright >= 1e-6 && upright < 1.0 - 1e-6;
+    let leans = (1e-6..1.0 - 1e-6).contains(&upright);
     if let (Some(cut), Column::Straight(block)) = (cut.filter(|_| leans || opening.is_none()), outer) {
         let rings = [true, false].map(|upper| block.ring(upper).map(machine));
         let body = figures::polygon(kind, section(&rings, cut).into_iter().map(seen).collect());

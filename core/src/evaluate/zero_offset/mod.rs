@@ -18,17 +18,17 @@ use crate::geometry::Wcs;
 /// correction.
 const SAME: f64 = 1e-12;
 
-/// Where a frame is stored.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// Where a frame is stored, in the order of the chain, outermost first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Store {
-    /// `$P_UIFR[n]`.
-    Settable(usize),
-    /// `$P_CHBFR[n]`.
-    ChannelBasic(usize),
-    /// `$P_NCBFR[n]`.
-    GlobalBasic(usize),
     /// `$P_SETFR`.
     System,
+    /// `$P_NCBFR[n]`.
+    GlobalBasic(usize),
+    /// `$P_CHBFR[n]`.
+    ChannelBasic(usize),
+    /// `$P_UIFR[n]`.
+    Settable(usize),
 }
 
 /// The frame to correct.
@@ -139,7 +139,7 @@ fn around(control: &Control, target: &Target) -> (Vec<Frame>, Frame, Vec<Frame>)
     };
     let others = in_effect(control).into_iter().chain(settable);
     for (store, frame) in others.filter(|(store, _)| *store != target.store) {
-        if outside(store, target.store) {
+        if store < target.store {
             before.push(frame);
         } else {
             after.push(frame);
@@ -161,17 +161,6 @@ fn in_effect(control: &Control) -> Vec<(Store, Frame)> {
         .filter(|(index, _)| control.included(CHANNEL_MASK, **index))
         .map(|(index, frame)| (Store::ChannelBasic(*index), *frame));
     std::iter::once((Store::System, basic.system)).chain(global).chain(channel).collect()
-}
-
-/// Whether one frame lies outside of the other in the chain.
-fn outside(one: Store, other: Store) -> bool {
-    let rank = |store| match store {
-        Store::System => (0, 0),
-        Store::GlobalBasic(index) => (1, index),
-        Store::ChannelBasic(index) => (2, index),
-        Store::Settable(_) => (3, 0),
-    };
-    rank(one) < rank(other)
 }
 
 /// The frame as stored.
