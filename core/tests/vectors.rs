@@ -209,7 +209,7 @@ fn rotating_tool() {
             _MVAR=2 _MA=1 _ID=0 _FA=3 _TZL=0 _TDIF=0.6 _TSA=2 _PRNUM=1 _VMS=0 _NMSP=1 _EVNUM=0\nCYCLE971\nM30\n";
         let outcome = clean(&setup, program);
         let spins = outcome.trace.entries.iter().filter_map(|entry| match entry.step {
-            Step::Spin(speed) if speed != 0.0 => Some(speed.abs()),
+            Step::Spin { speed } if speed != 0.0 => Some(speed.abs()),
             _ => None,
         });
         for speed in spins {
@@ -353,7 +353,7 @@ fn number_and_type_of_the_probe() {
         let data: Vec<&str> = written.keys().map(|name| &**name).filter(|name| calibrates(name)).collect();
         assert!(!data.is_empty(), "{}", case.source);
         assert!(data.iter().all(|name| name.starts_with(&case.data)), "{data:?}");
-        let turned = outcome.trace.entries.iter().any(|entry| matches!(entry.step, Step::Orient(_)));
+        let turned = outcome.trace.entries.iter().any(|entry| matches!(entry.step, Step::Orient { .. }));
         assert_eq!(turned, case.mono, "{}", case.source);
     }
 }

@@ -1,6 +1,43 @@
 // Questions and answers of the core. Written from core/src/app by a test of the core (json/tests/wire.rs) when it runs
 // with PROBEWRIGHT_UPDATE=1; not by hand.
 
+export type Vec3 = [number, number, number];
+
+/** What the machine can do. */
+export type Abilities = {
+  /** Software limit switches on the minus side (MD36100) of the machine axes X Y Z; null: none. */
+  limitsMinus: [number | null, number | null, number | null],
+  /** Software limit switches on the plus side (MD36110) of the machine axes X Y Z; null: none. */
+  limitsPlus: [number | null, number | null, number | null],
+  /** Whether the spindle can be positioned with SPOS. */
+  spindlePositions: boolean,
+  /**
+   * Point X Y Z on the lines about which the rotary axes turn the part. Which there are: MD20080 and MD30300 in
+   * `data`.
+   */
+  rotaryCentre: [number, number, number],
+  /** The turret of a turning machine. */
+  turret: Turret,
+};
+
+/** What is in force at the start. */
+export type Active = {
+  /** T number in the spindle, 0 none. */
+  tool: number,
+  /** D number (NCT: H), 0 none. */
+  edge: number,
+  /** Settable frame, for example `G54`. */
+  frame: string,
+  /** G function of units: `G70`, `G71`, `G700`, `G710` (NCT `G20`, `G21`); none: that of the basic system. */
+  units: UnitFunction,
+  /** How positions of the transverse axis X of a lathe are given. */
+  transverse: Transverse,
+  /** Position of the spindle, degree, positive as M3 turns it. */
+  spindle: number,
+  /** Where the rotary axes A B C stand, machine, degree. */
+  rotary: [number, number, number],
+};
+
 /** An alarm, or a text for the operator. */
 export type AlarmInfo = {
   /** Its name: `61303`, `PROBE FAIL`; of a text for the operator the text itself. */
@@ -20,12 +57,34 @@ export type AlarmInfo = {
 /** One argument of a message. */
 export type Arg = number | string;
 
+/** How a way between two points goes round an axis. */
+export type Around = {
+  /** A point of the axis. */
+  centre: [number, number, number],
+  /** Unit vector along it. */
+  axis: [number, number, number],
+  /** Degrees from start to end, right-handed about the axis; whole turns included. */
+  degrees: number,
+};
+
 /** A value that arrives at a call. */
 export type Arrival = {
   /** As it is written. */
   value: string,
   /** Its line, from 1. */
   line: number,
+};
+
+/** Ball, stylus and body of the probe. */
+export type Ball = {
+  /** Radius of the ball. */
+  radius: number,
+  /** From the spindle nose to its centre. */
+  length: number,
+  /** Radius of the stylus above it. */
+  stylus: number,
+  /** What holds the stylus, where that is known. */
+  body?: ProbeBody,
 };
 
 /** System of units. */
@@ -170,6 +229,40 @@ export type Cure = {
   edits: Array<Edit>,
 };
 
+/** What cuts. */
+export type Cut = { "cutter": Cutter } | { "nose": Nose };
+
+/** A milling cutter or drill about its axis, with a flat end or one that ends in a point. */
+export type Cutter = {
+  /** Radius to the cutting edge, mm. */
+  radius: number,
+  /** Radius between end and side, mm. */
+  corner: number,
+  /**
+   * How far the lowest place of an edge lies inside of the widest, and the widest above the lowest, mm; beside
+   * `corner`.
+   */
+  chamfer: [number, number],
+  /** Number of teeth, evenly spread; 0: smooth all round. */
+  teeth: number,
+  /** Where the first tooth stands with the spindle at 0, degree. */
+  angle: number,
+  /**
+   * How far the axis of the cutter stands beside that of the spindle, and how much lower than in the mean a tooth in
+   * that direction stands, mm. A smooth cutter has neither.
+   */
+  runout: [number, number],
+  /** In which direction, with the spindle at 0, degree. */
+  runoutAngle: number,
+  /** Axis of the plane along which it stands, its end in minus direction: 0 abscissa, 1 ordinate, 2 applicate. */
+  axis: number,
+  /**
+   * Width of a groove mill, mm, whose length goes to its upper edge, that at the shank; 0: another cutter, whose
+   * length goes to the lowest edge. What holds a groove mill is out of the way.
+   */
+  disc: number,
+};
+
 /** A measuring cycle or macro. */
 export type CycleInfo = {
   /** Control that has it. */
@@ -242,6 +335,18 @@ export type Diagnostic = {
 /** The language of the part program, and with it the control. */
 export type Dialect = "sinumerik" | "nct";
 
+/** A diameter, mm. */
+export type Diameter = {
+  /** Both ends as it is, machine coordinates. */
+  ends: [[number, number, number], [number, number, number]],
+  /** Along the axis, away from the part. */
+  out: [number, number, number],
+  /** As it should be. */
+  set: number,
+  /** As it is. */
+  real: number,
+};
+
 /** Digits that mean something of their own. */
 export type DigitGroup = {
   /** What they mean. */
@@ -258,6 +363,40 @@ export type DigitGroup = {
   leads?: Array<number>,
 };
 
+/** What a drawing of the part of a turning machine shows. */
+export type Drawing = {
+  /** Diameters of the part. */
+  diameters: Array<Diameter>,
+  /** Those at which it was touched. */
+  touched: Array<Touched>,
+  /** How the control counts. */
+  reading: Reading,
+};
+
+/** Data of a cutting edge. */
+export type EdgeData = {
+  /** `$TC_DP1`: 710 3D probe, 120 end mill, 580 probe of a turning machine. */
+  type: number,
+  /** `$TC_DP2`: cutting edge position of a turning tool or lathe probe, 1 to 9. */
+  tip: number,
+  /** Geometry L1 L2 L3. */
+  length: [number, number, number],
+  /** Geometry radius. */
+  radius: number,
+  /** Wear of L1 L2 L3. */
+  lengthWear: [number, number, number],
+  /** Wear of the radius. */
+  radiusWear: number,
+  /** Additive offsets by DL number: L1 L2 L3 radius. */
+  additive: { [key in number]: [number, number, number, number] },
+  /** Setup offsets by DL number: L1 L2 L3 radius. */
+  setup: { [key in number]: [number, number, number, number] },
+  /** Other tool data by number, `$TC_DP7` to 11 and 16 to 25; 21 to 23 are the lengths of the adapter. */
+  further: { [key in number]: number },
+  /** The tool as it really is where it touches a tool probe; none: as its data say at the start. */
+  real?: RealTool,
+};
+
 /** Replaces a place of the text; places count in UTF-16 units. */
 export type Edit = {
   /** First unit that goes. */
@@ -270,6 +409,18 @@ export type Edit = {
 
 /** What is recognised. Whoever shows the text may know more, to be chosen by hand. */
 export type Encoding = "utf-8" | "utf-8-marked" | "utf-16le" | "utf-16le-marked" | "utf-16be" | "utf-16be-marked" | "gbk" | "gb18030" | "shift_jis" | "windows-1252";
+
+/** What was in effect when an environment was stored. */
+export type Environment = {
+  /** T number. */
+  tool: number,
+  /** D number, 0 none. */
+  edge: number,
+  /** DL number, 0 none. */
+  location: number,
+  /** Working plane: it decides which length works in which axis. */
+  plane: Plane,
+};
 
 /** Up to which errors of the part a call comes to its end, the others being as they are. */
 export type ErrorLimit = {
@@ -389,11 +540,51 @@ export type FormView = {
   /** When simulating was asked for, of a complete form of a cycle that is simulated. */
   outcome?: Outcome,
   /** When simulating was asked for: the machine, for an outcome with the proposed part, its errors and the start. */
-  setup: Setup,
+  setup?: Setup,
 };
 
 /** Where Probewright finds what raises an alarm. */
 export type Found = "check" | "run" | "both" | "nowhere";
+
+/** A frame: position and rotation of a coordinate system in the one before it. */
+export type Frame = {
+  /** Coarse translation X Y Z, mm. */
+  coarse: [number, number, number],
+  /** Fine translation X Y Z, mm. */
+  fine: [number, number, number],
+  /** Rotation about X Y Z (RPY), degree. */
+  rotation: [number, number, number],
+  /** Coarse translation of the rotary axes A B C, degree. */
+  rotary: [number, number, number],
+  /** Fine translation of the rotary axes A B C, degree. */
+  rotaryFine: [number, number, number],
+  /** Scale factors along its own X Y Z; 1: none. Measuring does not work with any other (61310, B:744). */
+  scale: [number, number, number],
+  /** Whether the direction of X Y Z is reversed; counts before scale and rotation. */
+  mirror: [boolean, boolean, boolean],
+};
+
+/** A coordinate system, machine coordinates. */
+export type FrameView = {
+  /** `MCS`, or the name of its zero offset. */
+  name: string,
+  /** Its zero, mm. */
+  at: [number, number, number],
+  /** Its directions. */
+  axes: [[number, number, number], [number, number, number], [number, number, number]],
+  /** `before` and `after` of one that a correction moved. */
+  moved?: "before" | "after",
+};
+
+/** Heights in rows along X, the first row at the least Y. The middle of the grid is the origin. */
+export type Heights = {
+  /** Heights a row. */
+  columns: number,
+  /** Distance of neighbours along X and Y, mm. */
+  step: [number, number],
+  /** All heights Z, row by row, mm. */
+  values: Array<number>,
+};
 
 /** Which page. */
 export type HelpRequest = {
@@ -440,24 +631,6 @@ export type HelpView = {
   /** Alarms that can come. */
   alarms: Array<AlarmInfo>,
 };
-
-/** What a label tells. */
-export type LabelKind = "frame" | "diameter" | "nominal" | "touched" | "collision";
-
-/** A part of the lines. */
-export type LineGroup = {
-  /** What it is. */
-  kind: LineKind,
-  /** Its part of the lines, from and to (excluded), in lines. */
-  lines: [number, number],
-  /** Where it stands, by index in the places of a standing; none: machine coordinates. */
-  place?: number,
-  /** In which of the standings it is there; none: in all. */
-  standing?: number,
-};
-
-/** What a group of lines is. */
-export type LineKind = "grid" | "edge" | "zone" | "limit" | "axisX" | "axisY" | "axisZ" | "beforeX" | "beforeY" | "beforeZ" | "dimension";
 
 /** The machine of a question. */
 export type Machine = OwnMachine | Setup;
@@ -538,9 +711,6 @@ export type MachineView = {
   definitions: string,
 };
 
-/** What a piece of the triangles is. */
-export type Matter = "part" | "cut" | "chuck" | "ball" | "stylus" | "body" | "carrier" | "zone";
-
 /** A result of a call. */
 export type Measured = {
   /** `_OVR[4]`. */
@@ -563,11 +733,22 @@ export type Message = {
   args: { [key in string]: Arg },
 };
 
+/** Kind of a motion. */
+export type MotionKind = "rapid" | "positioning" | "measuring" | "retract";
+
 /**
  * Name of a parameter, as the manual writes it: `_SETVAL`, `_SETV[0]`, `D`. An entry and what reads
  * it use one constant.
  */
 export type Name = string;
+
+/** The nose of a turning tool. It lies in the plane. */
+export type Nose = {
+  /** Radius, mm. */
+  radius: number,
+  /** From the centre S to the point P in abscissa and ordinate, in nose radii: -1, 0 or 1. */
+  side: [number, number],
+};
 
 /** The call of a program to which something belongs; absent: none. */
 export type OfCall = {
@@ -590,7 +771,7 @@ export type Outcome = {
   /** Lines of the log, and blocks that were sent. */
   log: Array<string>,
   /** Everything that happened. */
-  trace: Trace,
+  trace: Source,
   /** Where asked for: up to which errors it comes to its end. */
   limits?: Array<ErrorLimit>,
 };
@@ -613,6 +794,20 @@ export type ParameterInfo = {
   default: number | null,
   /** Place in the manual. */
   source: string,
+};
+
+/** What is wrong with a part. All zero: nothing. A sphere has neither taper nor lobes. */
+export type PartErrors = {
+  /** Displacement X Y Z, mm, machine axes. */
+  shift: [number, number, number],
+  /** Added to every diameter, width and length, mm. */
+  size: number,
+  /** Turned about the machine's X Y Z (RPY) about the shape's origin, degree. */
+  tilt: [number, number, number],
+  /** Diameter (width, length) grows by this per mm of depth (cone), mm/mm. */
+  taper: number,
+  /** Amplitude of the radius over the angle, mm, and number of lobes: `r + amplitude·cos(lobes·angle)`. */
+  outOfRound: [number, number],
 };
 
 /** What is wrong with a part, mm and degree. */
@@ -656,9 +851,9 @@ export type PictureShape = {
   /** Polyline, or polygon when `closed`, mm; a dimension: its two ends. */
   points: Array<[number, number]>,
   /** Circle: centre and radius, mm. */
-  circle?: Circle,
+  circle?: { x: number, y: number, r: number },
   /** A round opening in it: centre and radius, mm. */
-  opening?: Circle,
+  opening?: { x: number, y: number, r: number },
   /** Whether the last point joins the first. */
   closed?: boolean,
   /** Name of a parameter or a number; never a sentence. */
@@ -669,16 +864,44 @@ export type PictureShape = {
   also?: Array<Name>,
 };
 
-/** Where the zero of a frame lies, machine coordinates, mm, and its directions. */
-export type Place = {
-  /** Zero. */
-  at: [number, number, number],
-  /** Directions X Y Z. */
-  axes: [[number, number, number], [number, number, number], [number, number, number]],
-};
-
 /** Working plane. */
 export type Plane = "G17" | "G18" | "G19";
+
+/** The probe as it is, not as the control believes. */
+export type Probe = {
+  /** Real ball radius, mm. */
+  radius: number,
+  /** Real length from the spindle nose to the ball centre, mm. */
+  length: number,
+  /**
+   * Ball centre minus spindle axis at spindle position 0, X Y, mm. In a turret: ball centre minus the point where L1
+   * and L2 end, abscissa and ordinate; the length does not count there.
+   */
+  skew: [number, number],
+  /** Travel after contact until the signal, mm: constant part and amplitude of the three-lobed part. */
+  preTravel: [number, number],
+  /** Delay of the signal, s; multiplies the feed. */
+  delay: number,
+  /** Standard deviation of the switching point along the travel, mm, and seed of the pseudo-random sequence. */
+  repeatability: [number, number],
+  /** Way with the signal watched after which it comes once without contact, mm; none: never. */
+  falseSignal?: number,
+  /**
+   * Radius of the straight stylus between ball and body, mm; none: 0.45 of that of the ball; 0: not looked at, for a
+   * stylus of another shape. In a turret it is looked at where `body` tells how long it is.
+   */
+  stylus?: number,
+  /** The body that holds the stylus; none: the stylus goes as far as the spindle. */
+  body?: ProbeBody,
+};
+
+/** The body of a probe: a cylinder as far as the spindle. */
+export type ProbeBody = {
+  /** Radius, mm. */
+  radius: number,
+  /** From the centre of the ball to its lower face, mm: how long the stylus is. */
+  distance: number,
+};
 
 /** What is wrong with a probe, mm. */
 export type ProbeSliders = {
@@ -759,6 +982,14 @@ export type Reading = {
   axes: [[number, number, number], [number, number, number], [number, number, number]],
   /** Whether X counts as a diameter. */
   diameter: boolean,
+};
+
+/** A tool. */
+export type RealTool = {
+  /** L1, L2 and L3 as they are, mm: to the lowest edge of a cutter in its axis; to the point P of a turning tool. */
+  length: [number, number, number],
+  /** What cuts. */
+  cut: Cut,
 };
 
 /** What a file is, by its bytes. */
@@ -845,7 +1076,7 @@ export type RunResult = {
 /** What a program did. */
 export type RunView = {
   /** Everything that happened. */
-  trace: Trace,
+  trace: Source,
   /** What was found on the way. */
   diagnostics: Array<Diagnostic>,
   /** The results of each call; behind them what the program wrote beside them. */
@@ -902,114 +1133,50 @@ export type ScanView = {
   /** The same with the ball taken out. */
   surface: Deviation,
   /** The part. */
-  solids: Solid[],
+  solids: Array<Solid>,
   /** Radius of the ball, mm. */
   radius: number,
   /** From where the points count, machine coordinates, mm. */
   origin: [number, number, number],
 };
 
-/** A coordinate system, machine coordinates. */
-export type SceneFrame = {
-  /** `MCS`, or the name of its zero offset. */
-  name: string,
-  /** Its zero, mm. */
-  at: [number, number, number],
-  /** Its directions. */
-  axes: [[number, number, number], [number, number, number], [number, number, number]],
-  /** `before` and `after` of one that a correction moved. */
-  moved?: "before" | "after",
-};
-
-/** Words at a place. */
-export type SceneLabel = {
-  /** What it tells. */
-  kind: LabelKind,
-  /** Where, machine coordinates, mm. */
-  at: [number, number, number],
-  /** What is said, one after the other. */
-  text: Array<Message>,
-  /** Whether it stands at the upper end of a dimension line: neighbours have their words at different ends. */
-  upper?: boolean,
-  /** Parameter that the dimension explains, where a form asked. */
-  field?: Name,
-  /** Entry of the trace with which it comes; none: it is always there. */
-  from?: number,
-  /** Entry with which it goes again. */
-  to?: number,
-};
-
-/** A part of the triangles. */
-export type ScenePiece = {
-  /** What it is. */
-  matter: Matter,
-  /** Its part of the corners, from and to (excluded). */
-  corners: [number, number],
-  /** Its part of the vertices. */
-  vertices: [number, number],
-  /** Where it stands, by index in the places of a standing; none: from the position of the machine on. */
-  place?: number,
-  /** With which of the tools it is there; none: always. */
-  tool?: number,
-};
-
-/** Sizes of the probe as it is drawn, mm. */
-export type SceneProbe = {
-  /** Radius of the ball. */
-  ball: number,
-  /** From the centre of the ball to the spindle. */
-  length: number,
-  /** Radius of the stylus. */
-  stylus: number,
-  /** From the centre of the ball to the end of the stylus. */
-  reach: number,
-};
-
-/** What is in use. */
-export type SceneTool = {
-  /** Direction from the ball to what holds it; none: no probe. */
-  ball?: [number, number, number],
-  /** Its end, from the position of the machine on. */
-  tip: [number, number, number],
+/**
+ * Machine, probe and part that a program runs on. Lengths in mm, angles in degree, feeds in mm/min, except in `data`,
+ * where a number means what it means on the control: on an inch machine most lengths are inches. Unknown members are
+ * refused, so that a slip is told and not ignored.
+ */
+export type Setup = {
+  /** Control. */
+  control: Dialect,
+  /** Basic system of units of the machine. */
+  units: BasicSystem,
+  /** Working plane at the start. */
+  plane: Plane,
+  /** What else is in force at the start. */
+  active: Active,
+  /** What the machine can do. */
+  machine: Abilities,
+  /** Tools by T number (NCT: offset registers under T 0). */
+  tools: { [key in number]: ToolData },
+  /** Frames by name: `G54`, `G505`, `COMMON` (NCT), `$P_CHBFR[0]`, `$P_NCBFR[0]`, `$P_SETFR`. */
+  frames: { [key in string]: Frame },
+  /** Stored tool environments by name, as `TOOLENV("NAME")` makes them. */
+  environments: { [key in string]: Environment },
   /**
-   * Box around a tool without what carries it, from the position of the machine on; none for a probe, of which the
-   * stylus may be cut off.
+   * What differs from delivery in user data, R parameters, machine data, # variables: `_WP[0,1]`, `_CHBIT[4]`,
+   * `R10`, `MD18600`, `#500`; and `PW-FORMS`, 1 where `_MZ_MASK` decides forms and code.
    */
-  extent?: [[number, number, number], [number, number, number]],
-  /** Whether a turret is drawn that carries it. */
-  carried: boolean,
-};
-
-/** What the arrays of a scene hold. */
-export type SceneView = {
-  /** Parts of the triangles: what hides, then what is seen through. */
-  pieces: Array<ScenePiece>,
-  /** Parts of the lines. */
-  groups: Array<LineGroup>,
-  /** How everything stands, from which entry on; at least one. */
-  standings: Array<Standing>,
-  /** Whatever was in use, each once. */
-  tools: Array<SceneTool>,
-  /** From which entry on, on which of them. */
-  inUse: Array<[number, number]>,
-  /** The probe. */
-  probe: SceneProbe,
-  /** Diagonal of what is to be seen, mm. */
-  size: number,
-  /** Length of the normal at a touch, mm. */
-  normal: number,
-  /** Length of the axes of a coordinate system, mm. */
-  axis: number,
-  /** Coordinate systems. */
-  frames: Array<SceneFrame>,
-  /** What is written beside all that. */
-  labels: Array<SceneLabel>,
-  /** Of a turning machine: how the control counts. Dimensions of its part are lines of that kind, and labels. */
-  reading?: Reading,
-  /** Whether it is a turning machine. */
-  turning: boolean,
-  /** How many entries the trace has. */
-  entries: number,
+  data: { [key in string]: Datum },
+  /** The probe as it really is, not as the control believes. */
+  probe: Probe,
+  /** The tool probes of the machine as they really are, not as `_TP` and `_TPW` in `data` believe. */
+  toolProbes: Array<ToolProbe>,
+  /** The part: every solid can be touched. It is given as it is clamped while the rotary axes stand at 0. */
+  workpiece: Array<Solid>,
+  /** Where the machine stands at the start: the point to which L1 refers, machine coordinates X Y Z. */
+  position: [number, number, number],
+  /** Skip levels 0 to 9 that are switched on at the panel: blocks with `/`, `/1` to `/9` are left out. */
+  skip: Array<number>,
 };
 
 /** How bad it is. */
@@ -1017,6 +1184,8 @@ export type Severity = "error" | "warning" | "note";
 
 /** What a figure stands for. */
 export type ShapeKind = "material" | "cut" | "edge" | "zone" | "probe" | "path" | "dimension" | "label" | "tolerance" | "axis" | "touch";
+
+export type ShapeName = "hole" | "shaft" | "groove" | "web" | "pocket" | "island" | "block" | "turned" | "chuck" | "sphere" | "outerCorner" | "innerCorner" | "surface";
 
 /** What both calls say. */
 export type Shared = {
@@ -1026,21 +1195,204 @@ export type Shared = {
   value: number,
 };
 
-/** How everything stands from an entry of the trace on: rotary axes turn the part. */
-export type Standing = {
-  /** From when this one is done on. */
-  entry: number,
-  /** Where each solid stands: those of the part, then what stays. */
-  places: Array<Place>,
-  /** What is to be seen whole, without the tool: least and greatest coordinates. */
-  whole: [[number, number, number], [number, number, number]],
+/** A solid. */
+export type Solid = {
+  /** Element. */
+  shape: ShapeName,
+  /**
+   * hole: diameter, depth; shaft: diameter, height; groove and web: width, depth, length; pocket and island:
+   * X, Y, depth; block: X, Y, Z; turned: diameter, length, diameter and depth of the bore (0: none); chuck:
+   * diameter, length, diameter that it grips; sphere: diameter; outerCorner and innerCorner: angle between the edges
+   * in degree, lengths of the edge along X and of the other one, depth; surface: none.
+   */
+  size: Array<number>,
+  /** What a surface looks like, of this shape only. */
+  surface?: Surface,
+  /**
+   * Centre of the element at its upper face, of a sphere its centre, of a corner the corner, machine coordinates X Y
+   * Z.
+   */
+  at: [number, number, number],
+  /** Orientation about X Y Z (RPY), degree. */
+  rotation: [number, number, number],
+  /** What is wrong with it. */
+  errors: PartErrors,
 };
+
+/** What a scene is made of. */
+export type Source = {
+  /** In order, with lines of the program from 1. */
+  entries: Array<Step & { line?: number }>,
+  /** The probe. */
+  ball: Ball,
+  /** Whatever was in use. */
+  tools: Array<ToolView>,
+  /** From which entry on which of them. */
+  inUse: Array<[number, number]>,
+  /** Whether the machine turns. */
+  turning: boolean,
+  /** The part as it stands at the start. */
+  solids: Array<Solid>,
+  /** The caps of the tool probes. */
+  toolProbes: Array<Solid>,
+  /** Coordinate systems. */
+  frames: Array<FrameView>,
+  /** The part of a turning machine as on a drawing. */
+  drawing?: Drawing,
+  /** Walls of protection zones, as shaft, web or island; shown, not touched. */
+  zones: Array<Solid>,
+  /** The part with the largest errors on both sides. */
+  limits: Array<Solid>,
+};
+
+/** One step. Positions are machine (basic) coordinates X Y Z in mm. */
+export type Step = { "step": "motion",
+  /** Kind. */
+  kind: MotionKind,
+  /** Start: the point to which the tool length refers. */
+  from: [number, number, number],
+  /** Real end. */
+  to: [number, number, number],
+  /** Round what it went; none: straight. */
+  around?: Around,
+  /** mm/min; 0: rapid traverse. */
+  feed: number,
+} | { "step": "touch",
+  /** Position latched by the control. */
+  latched: [number, number, number],
+  /** Centre of the ball at contact; of a tool at a tool probe the point to which its lengths refer. */
+  ball: [number, number, number],
+  /** Point touched on the part. */
+  point: [number, number, number],
+  /** Outward unit normal of the part there. */
+  normal: [number, number, number],
+  /** What of the probe touched; left out: the ball. */
+  by?: Touching,
+} | { "step": "crash",
+  /** Point touched on the part. */
+  point: [number, number, number],
+  /** Outward unit normal of the part there. */
+  normal: [number, number, number],
+  /** What of the probe touched; left out: the ball. */
+  by?: Touching,
+} | { "step": "orient",
+  /** Degree. */
+  angle: number,
+} | { "step": "spin",
+  /** 1/min: positive with M3, negative with M4; 0: it stops. */
+  speed: number,
+} | { "step": "table",
+  /** Which one: 0 A, 1 B, 2 C. */
+  axis: string,
+  /** Before, machine, degree. */
+  from: number,
+  /** After. */
+  to: number,
+  /** The part as it stands then, machine coordinates. */
+  solids: Array<Solid>,
+} | { "step": "tool",
+  /** T number. */
+  tool: number,
+  /** D number. */
+  edge: number,
+} | { "step": "set",
+  /** `_OVR[4]`, `$P_UIFR[1,X,FI]`, `$TC_DP15[20,1]`, `#505`. */
+  name: string,
+  /** Value before. */
+  before: number,
+  /** Value after. */
+  after: number,
+} | { "step": "decision",
+  /** In words. */
+  message: Message,
+} | { "step": "alarm" } & Raised | { "step": "message",
+  /** As it is shown. */
+  text: string,
+} | { "step": "log",
+  /** As it is written. */
+  text: string,
+} | { "step": "call",
+  /** Name. */
+  cycle: string,
+  /** Number of the measuring variant. */
+  variant: number,
+} | { "step": "return" };
 
 /** A way to write a call. */
 export type Style = "direct" | "indirect" | "operate";
 
+/** Free surface of a solid; its own X and Y along the part, Z up, lengths in mm. */
+export type Surface = { "example": {
+  /** `dome`, `waves`, `saddle`, `step`. */
+  name: string,
+  /** X, Y, and how far the lowest point lies below 0. */
+  size: [number, number, number],
+} } | { "heights": Heights } | { "triangles": Array<[[number, number, number], [number, number, number], [number, number, number]]> };
+
 /** What stands in the place of a surface, as large as that. */
 export type SurfaceChoice = { "example": string } | { "picture": number } | "stl";
+
+/** A tool. */
+export type ToolData = {
+  /** Name under tool management. */
+  name: string,
+  /** Edges by D number. */
+  edges: { [key in number]: EdgeData },
+};
+
+/** A piece of what is drawn, machine axes, mm from the point to which the tool length refers. */
+export type ToolPiece = {
+  /** Distance from the axis and height over `at`. */
+  outline: Array<[number, number]>,
+  /** Direction of the axis. */
+  axis: [number, number, number],
+  /** Where it begins. */
+  at: [number, number, number],
+} | {
+  /** Its corners in turn; convex. */
+  corners: Array<[number, number, number]>,
+  /** From there to the other face. */
+  thick: [number, number, number],
+  /** Whether it is an insert, which cuts. */
+  cuts: boolean,
+};
+
+/** A tool probe as it really is: a cube (`block`) or a disc (`turned` without bore). */
+export type ToolProbe = {
+  /** Its cap. */
+  solid: Solid,
+  /** Travel after contact until the signal. */
+  preTravel: number,
+  /** Delay of the signal, s. */
+  delay: number,
+  /** Standard deviation of the switching point, and the seed of its pseudo-random sequence. */
+  repeatability: [number, number],
+};
+
+/**
+ * What is drawn of what is in use, from the position of the machine on: the ball of the probe or the pieces of a tool;
+ * on a turning machine also what carries it.
+ */
+export type ToolView = {
+  /** Length in effect along X Y Z, mm: where it changes, the axes stand still. */
+  length: [number, number, number],
+  /** Direction from the ball to what holds it; none: no probe. */
+  ball?: [number, number, number],
+  /** Its pieces. */
+  pieces: Array<ToolPiece>,
+  /** What holds it on a turning machine. */
+  carrier: Array<ToolPiece>,
+  /** Its end. */
+  tip: [number, number, number],
+};
+
+/** A diameter as the control reads it, mm. */
+export type Touched = {
+  /** Place of the touch in the trace. */
+  entry: number,
+  /** Diameter. */
+  diameter: number,
+};
 
 /** A line that would be another one. */
 export type TouchedLine = {
@@ -1052,8 +1404,45 @@ export type TouchedLine = {
   after: string,
 };
 
+/** What of the probe touches. */
+export type Touching = "ball" | "stylus" | "body";
+
+/** Everything that happened, with what is needed to draw it. Machine coordinates, mm. */
+export type Trace = {
+  /** In order, with lines of the program from 1. */
+  entries: Array<Step & { line?: number }>,
+  /** The probe. */
+  ball: Ball,
+  /** Whatever was in use. */
+  tools: Array<ToolView>,
+  /** From which entry on which of them. */
+  inUse: Array<[number, number]>,
+  /** Whether the machine turns. */
+  turning: boolean,
+  /** The part as it stands at the start. */
+  solids: Array<Solid>,
+  /** The caps of the tool probes. */
+  toolProbes: Array<Solid>,
+  /** Coordinate systems. */
+  frames: Array<FrameView>,
+  /** The part of a turning machine as on a drawing. */
+  drawing?: Drawing,
+  /** Walls of protection zones, as shaft, web or island; shown, not touched. */
+  zones: Array<Solid>,
+  /** The part with the largest errors on both sides. */
+  limits: Array<Solid>,
+};
+
 /** How the program gives positions of the transverse axis X of a lathe. */
 export type Transverse = "DIAMOF" | "DIAMON" | "DIAM90";
+
+/** The disc of a turret, its axis parallel to that of the spindle. */
+export type Turret = {
+  /** Diameter, mm; 0: none is drawn. */
+  diameter: number,
+  /** Width, mm. */
+  width: number,
+};
 
 /** The same task on the other control. */
 export type TwinView = {
@@ -1109,219 +1498,3 @@ export type VariantInfo = {
 
 /** From where the drawing is seen. */
 export type View = "plane" | "section";
-
-// What is drawn of a run, and the setup file: described by hand (core/src/json/tests/drawn.ts), as they are written by
-// hand.
-
-export type Vec3 = [number, number, number];
-
-/** Centre and radius, mm. */
-export interface Circle {
-  x: number;
-  y: number;
-  r: number;
-}
-
-export type MotionKind = "rapid" | "positioning" | "measuring" | "retract";
-
-/** A way round an axis, right-handed; absent: straight. Between different heights it climbs evenly. */
-export interface Around {
-  centre: Vec3;
-  axis: Vec3;
-  degrees: number;
-}
-
-/** What of the probe touches; where it is left out, the ball. */
-export type Touching = "ball" | "stylus" | "body";
-
-export type Step =
-  | { step: "motion"; kind: MotionKind; from: Vec3; to: Vec3; feed: number; around?: Around }
-  | { step: "touch"; latched: Vec3; ball: Vec3; point: Vec3; normal: Vec3; by?: Touching }
-  | { step: "crash"; point: Vec3; normal: Vec3; by?: Touching }
-  | { step: "orient"; angle: number }
-  | { step: "spin"; speed: number } // 1/min, negative as M4; 0: it stops
-  | { step: "table"; axis: string; from: number; to: number; solids: Solid[] } // the part as it stands then
-  | { step: "tool"; tool: number; edge: number }
-  | { step: "set"; name: string; before: number; after: number }
-  | { step: "decision"; message: Message }
-  | { step: "alarm"; code: string; message: Message; hint?: Message; stops: boolean }
-  | { step: "message"; text: string }
-  | { step: "log"; text: string }
-  | { step: "call"; cycle: string; variant: number }
-  | { step: "return" };
-
-// ball.stylus: radius above the ball; body: what holds it, where that is known, and the distance of its lower face.
-// tools: whatever was in use; inUse: which of them from which entry on, absent: a ball that stands upright.
-// zones: walls of protection zones, as shaft, web or island; shown, not touched.
-// limits: the part with the largest errors on both sides.
-/** A coordinate system, by the name of its zero offset; `moved`: by a correction. */
-export interface FrameView {
-  name: string;
-  at: Vec3;
-  axes: [Vec3, Vec3, Vec3];
-  moved?: "before" | "after";
-}
-
-export interface Trace {
-  entries: (Step & { line?: number })[];
-  ball: Ball;
-  tools?: ToolView[];
-  inUse?: [from: number, tool: number][];
-  turning?: boolean;
-  drawing?: Drawing;
-  solids: Solid[];
-  toolProbes?: Solid[];
-  zones?: Solid[];
-  limits?: Solid[];
-  frames: FrameView[];
-}
-
-export interface Ball {
-  radius: number;
-  length: number;
-  stylus?: number;
-  body?: { radius: number; distance: number };
-}
-
-/** What is in use, from the position of the machine on: the ball of the probe or the pieces of a tool. */
-export interface ToolView {
-  length: Vec3; // in effect, along X Y Z: where it changes, the axes stand still
-  ball?: Vec3; // direction from the ball to what holds it; absent: no probe
-  pieces: ToolPiece[];
-  carrier: ToolPiece[]; // what holds it on a turning machine
-  tip: Vec3; // its end
-}
-
-/**
- * Half of a section turned about an axis: distance from it and height; or a convex flat piece, with its thickness.
- * cuts: an insert.
- */
-export type ToolPiece = { cuts?: boolean } & (
-  | { outline: [number, number][]; axis: Vec3; at: Vec3 }
-  | { corners: Vec3[]; thick: Vec3 }
-);
-
-/**
- * A turned part as on a drawing. ends: of a diameter as it is; out: along the axis, away from the part; touched:
- * diameters as the control reads them.
- */
-export interface Drawing {
-  diameters: { ends: [Vec3, Vec3]; out: Vec3; set: number; real: number }[];
-  touched: { entry: number; diameter: number }[];
-  // where positions count from, and whether X is a diameter
-  reading: { at: Vec3; axes: [Vec3, Vec3, Vec3]; diameter: boolean };
-}
-
-export interface Solid {
-  shape:
-    | "hole"
-    | "shaft"
-    | "groove"
-    | "web"
-    | "pocket"
-    | "island"
-    | "block"
-    | "turned"
-    | "chuck"
-    | "sphere"
-    | "outerCorner"
-    | "innerCorner"
-    | "surface";
-  // hole [diameter, depth]; shaft [diameter, height]; groove/web [width, depth, length]; pocket/island [x, y, depth];
-  // block [x, y, z]; turned [diameter, length, bore, its depth]; chuck [diameter, length, diameter gripped]; sphere
-  // [diameter]; outerCorner/innerCorner [degrees between the edges, edge along X, other edge, z]
-  size: number[];
-  surface?: Surface; // of the shape "surface", which has no size
-  at: Vec3;
-  rotation: Vec3; // mm; RPY degree
-  errors: { shift: Vec3; size: number; tilt: Vec3; taper: number; outOfRound: [number, number] };
-}
-
-/** Heights in rows along X over a grid about the origin, or single triangles. */
-export type Surface =
-  | { heights: { columns: number; step: [number, number]; values: number[] } }
-  | { triangles: [Vec3, Vec3, Vec3][] };
-
-// Setup: docs/setup.schema.json is its schema; also what the terminal reads and the page exports.
-export interface Setup {
-  control: Dialect;
-  units: BasicSystem;
-  plane: Plane;
-  active?: {
-    tool?: number;
-    edge?: number;
-    frame?: string;
-    units?: UnitFunction;
-    transverse?: Transverse;
-    spindle?: number;
-  }; // in force at the start
-  machine?: { limitsMinus?: (number | null)[]; limitsPlus?: (number | null)[]; spindlePositions?: boolean };
-  tools: Record<
-    string,
-    {
-      name?: string;
-      edges: Record<
-        string,
-        {
-          type: number;
-          length: Vec3;
-          radius: number;
-          lengthWear?: Vec3;
-          radiusWear?: number;
-          additive?: Record<string, number[]>;
-          setup?: Record<string, number[]>;
-          real?: RealTool;
-        }
-      >;
-    }
-  >;
-  frames: Record<string, { coarse: Vec3; fine?: Vec3; rotation?: Vec3; scale?: Vec3 }>; // "G54"
-  environments?: Record<string, { tool: number; edge: number; location?: number; plane?: Plane }>; // of TOOLENV("NAME")
-  data: Record<string, number | string>; // "_WP[0,1]", "_CHBIT[4]", "MD18600", "R10", "#500"
-  probe: {
-    radius: number;
-    length: number;
-    skew?: [number, number];
-    preTravel?: [number, number];
-    delay?: number;
-    repeatability?: [number, number];
-    falseSignal?: number;
-    stylus?: number;
-    body?: { radius: number; distance: number };
-  };
-  // block or turned
-  toolProbes?: { solid: Solid; preTravel?: number; delay?: number; repeatability?: [number, number] }[];
-  workpiece: Solid[];
-  position?: Vec3; // at the start, machine coordinates
-  skip?: number[]; // levels switched on: blocks with /, /1.. are left out
-}
-
-/** A tool as it is where it touches a tool probe; runoutAngle and angle in degree with the spindle at 0. */
-export interface RealTool {
-  length: Vec3; // L1 L2 L3
-  cut:
-    | {
-        cutter: {
-          radius: number;
-          corner?: number;
-          chamfer?: [number, number];
-          teeth?: number;
-          angle?: number;
-          runout?: [number, number];
-          runoutAngle?: number;
-          axis?: number;
-        };
-      }
-    | { nose: { radius: number; side: [number, number] } };
-}
-
-// A value changed in the form and not yet in the program: of the call that begins at UTF-16 offset `at` there. asks: it
-// would change these lines of that text outside of its call, and waits for a word; agreed: that was given.
-export interface Pending {
-  control: Dialect;
-  at: number;
-  name: string;
-  value: string;
-  asks?: { text: string; lines: TouchedLine[] };
-  agreed?: boolean;
-}

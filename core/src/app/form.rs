@@ -103,7 +103,6 @@ pub struct FormView {
     pub outcome: Option<Outcome>,
     /// When simulating was asked for: the machine, for an outcome with the proposed part, its errors and the start.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(type = "Setup"))]
     pub setup: Option<Setup>,
 }
 

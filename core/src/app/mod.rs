@@ -17,6 +17,7 @@ mod program;
 mod run;
 mod scan;
 mod start;
+mod trace;
 mod twin;
 
 pub use crate::refused::Refused as Error;
@@ -36,6 +37,7 @@ pub use program::{Arrival, CallView, ReadRequest, ReadView, calls, read};
 pub use run::{OfCall, Run, RunAlarm, RunAssumed, RunDecision, RunRequest, RunResult, RunView};
 pub use scan::{Scan, ScanRequest, ScanView, SurfaceChoice, put_surface};
 pub use start::{Beginning, Machine, OwnMachine};
+pub use trace::Trace;
 pub use twin::{Shared, TwinView};
 
 use crate::control::{Control, UnitFunction};

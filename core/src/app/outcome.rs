@@ -25,7 +25,6 @@ pub struct Outcome {
     /// Lines of the log, and blocks that were sent.
     pub log: Vec<String>,
     /// Everything that happened.
-    #[cfg_attr(test, ts(type = "Trace"))]
     pub trace: Source,
     /// Where asked for: up to which errors it comes to its end.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -37,7 +37,6 @@ pub struct RunRequest {
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 pub struct RunView {
     /// Everything that happened.
-    #[cfg_attr(test, ts(type = "Trace"))]
     pub trace: Source,
     /// What was found on the way.
     pub diagnostics: Vec<Finding>,
@@ -69,7 +68,6 @@ pub struct RunAssumed {
     /// In words.
     pub messages: Vec<Message>,
     /// The machine on which it ran.
-    #[cfg_attr(test, ts(type = "Setup"))]
     pub setup: Setup,
 }
 
@@ -214,7 +212,7 @@ fn results(outcome: &Outcome) -> Vec<RunResult> {
 
 fn decisions(outcome: &Outcome) -> Vec<RunDecision> {
     let decisions = outcome.by_call().filter_map(|(call, step)| match step {
-        Step::Decision(message) => Some(RunDecision { message: message.clone(), call: OfCall::new(call) }),
+        Step::Decision { message } => Some(RunDecision { message: message.clone(), call: OfCall::new(call) }),
         _ => None,
     });
     decisions.collect()

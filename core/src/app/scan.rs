@@ -6,13 +6,13 @@ use super::{Error, choose_units, unknown};
 use crate::control::{Plane, UnitFunction};
 use crate::dialect::Dialect;
 use crate::entry::Typed;
-use crate::json::example_surface;
 use crate::machine::{Setup, Stop};
 use crate::refused::Path;
 use crate::run::scanning::{Deviation, Session};
 use crate::scan::text::{FORMS, piece};
 use crate::scan::{Layout, turns};
 use crate::scene::Scene;
+use crate::setup_file;
 use crate::workpiece::free::{FreeSurface, Heights, stl_triangles};
 use crate::workpiece::{Shape, Solid};
 use crate::{catalogue, check};
@@ -71,7 +71,6 @@ pub struct ScanView {
     /// The same with the ball taken out.
     pub surface: Deviation,
     /// The part.
-    #[cfg_attr(test, ts(type = "Solid[]"))]
     pub solids: Vec<Solid>,
     /// Radius of the ball, mm.
     pub radius: f64,
@@ -228,7 +227,7 @@ fn instead(before: &FreeSurface, name: &SurfaceChoice, file: &[u8]) -> Result<Fr
     let [low, high] = before.bounds();
     let [x, y, height] = [0, 1, 2].map(|axis| (high[axis] - low[axis]).max(1e-3));
     match name {
-        SurfaceChoice::Example(name) => example_surface(&Path::of(&["surface"]), name, [x, y, height]),
+        SurfaceChoice::Example(name) => setup_file::example(&Path::of(&["surface"]), name, [x, y, height]),
         SurfaceChoice::Picture(columns) => Ok(Heights::from_greys(file, *columns, [x, y], height)?.surface()?),
         SurfaceChoice::Stl => {
             let mut triangles = stl_triangles(file)?;

@@ -1,11 +1,12 @@
 //! The machine of a question: the core's own, or one that the user described.
 
 use super::Error;
+use crate::SIMULATES;
 use crate::control::{Plane, UnitFunction, Units, Value};
 use crate::dialect::Dialect;
-use crate::json::SetupFile;
 use crate::machine::setup::Setup;
-use crate::{SIMULATES, json};
+use crate::setup_file;
+use crate::setup_file::SetupFile;
 use serde::de::value::{MapAccessDeserializer, StringDeserializer};
 use serde::de::{DeserializeSeed, Error as _, IntoDeserializer, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
@@ -22,7 +23,7 @@ pub enum Machine {
     #[cfg_attr(test, ts(skip))]
     Described(Box<Setup>),
     /// One that a setup file describes.
-    File(#[cfg_attr(test, ts(type = "Setup"))] Box<SetupFile>),
+    File(Box<SetupFile>),
 }
 
 /// The core's own machine.
@@ -113,7 +114,9 @@ pub(super) struct Start {
 /// The machine of a question; none: the core's own as it is.
 pub(super) fn start(dialect: Dialect, machine: Option<Machine>) -> Result<Start, Error> {
     let own = match machine {
-        Some(Machine::File(file)) if SIMULATES => return Ok(Start { setup: json::setup(*file)?, described: true }),
+        Some(Machine::File(file)) if SIMULATES => {
+            return Ok(Start { setup: setup_file::setup(*file)?, described: true });
+        }
         Some(Machine::Described(setup)) if SIMULATES => return Ok(Start { setup: *setup, described: true }),
         Some(Machine::Own(OwnMachine { own })) => own,
         _ => Beginning::default(),

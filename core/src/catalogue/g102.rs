@@ -57,7 +57,7 @@ fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
         turn(machine);
         [0, 1].map(|i| (second[i] - first[i]) / 2.0)
     } else {
-        machine.record(Step::Decision(Message::new("decision-g102-hole")));
+        machine.record(Step::Decision { message: Message::new("decision-g102-hole") });
         [start[abscissa] - first[0], start[ordinate] - first[1]]
     };
     correct::calibration(machine, &[("#504", offset[0]), ("#505", offset[1])]);

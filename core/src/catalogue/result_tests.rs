@@ -122,7 +122,7 @@ fn no_figure_that_leaves_a_call_is_a_negative_zero() {
         for entry in &outcome.trace.entries {
             match &entry.step {
                 Step::Set { name, after, .. } => assert!(!negative(*after), "{what}: {name}"),
-                Step::Decision(message) => assert!(
+                Step::Decision { message } => assert!(
                     !message.args.iter().any(|(_, arg)| matches!(arg, Arg::Number(number) if negative(*number))),
                     "{what}: {message:?}"
                 ),

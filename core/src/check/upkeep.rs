@@ -56,7 +56,7 @@ pub fn done(control: &Control, due: &[Due]) -> Control {
 pub fn perform(machine: &mut dyn Machine, cycle: &Cycle) {
     for one in due(cycle, machine.control()) {
         one.apply(machine.control());
-        machine.record(Step::Decision(one.told));
+        machine.record(Step::Decision { message: one.told });
     }
 }
 

@@ -2,24 +2,38 @@
 
 use crate::geometry::rigid::{angles, rotation};
 use nalgebra::{Matrix3, Vector3};
+use serde::{Deserialize, Serialize};
 
 /// A frame: position and rotation of a coordinate system in the one before it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "camelCase")]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Frame {
     /// Coarse translation X Y Z, mm.
     pub coarse: [f64; 3],
     /// Fine translation X Y Z, mm.
+    #[serde(default)]
     pub fine: [f64; 3],
     /// Rotation about X Y Z (RPY), degree.
+    #[serde(default)]
     pub rotation: [f64; 3],
     /// Coarse translation of the rotary axes A B C, degree.
+    #[serde(default)]
     pub rotary: [f64; 3],
     /// Fine translation of the rotary axes A B C, degree.
+    #[serde(default)]
     pub rotary_fine: [f64; 3],
     /// Scale factors along its own X Y Z; 1: none. Measuring does not work with any other (61310, B:744).
+    #[serde(default = "unscaled")]
     pub scale: [f64; 3],
     /// Whether the direction of X Y Z is reversed; counts before scale and rotation.
+    #[serde(default)]
     pub mirror: [bool; 3],
+}
+
+fn unscaled() -> [f64; 3] {
+    [1.0; 3]
 }
 
 impl Default for Frame {
@@ -30,7 +44,7 @@ impl Default for Frame {
             rotation: [0.0; 3],
             rotary: [0.0; 3],
             rotary_fine: [0.0; 3],
-            scale: [1.0; 3],
+            scale: unscaled(),
             mirror: [false; 3],
         }
     }

@@ -30,10 +30,12 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// Working plane.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub enum Plane {
     /// X abscissa, Y ordinate, Z applicate.
+    #[default]
     G17,
     /// Z abscissa, X ordinate, Y applicate.
     G18,
@@ -63,10 +65,12 @@ impl Plane {
 }
 
 /// How the program gives positions of the transverse axis X of a lathe.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub enum Transverse {
     /// DIAMOF: radii.
+    #[default]
     #[serde(rename = "DIAMOF")]
     Radius,
     /// DIAMON: diameters.
@@ -88,10 +92,12 @@ impl Transverse {
 }
 
 /// System of units.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
 #[cfg_attr(test, derive(ts_rs::TS), ts(rename = "BasicSystem"))]
 pub enum Units {
     /// mm.
+    #[default]
     #[serde(rename = "mm")]
     Metric,
     /// inch.

@@ -4,7 +4,8 @@ use super::V3;
 use super::stretch::Stretch;
 
 /// How a way between two points goes round an axis.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Around {
     /// A point of the axis.
     pub centre: [f64; 3],

@@ -32,6 +32,11 @@ pub use place::{Mcs, Wcs};
 /// A point or direction X Y Z.
 pub type V3 = nalgebra::Vector3<f64>;
 
+/// The figures X Y Z of a vector, for serde.
+pub(crate) fn figures<S: serde::Serializer>(vector: &V3, to: S) -> Result<S::Ok, S::Error> {
+    to.collect_seq(vector.iter())
+}
+
 /// Farthest from the zero of the machine that anything stands or is long, mm: contact is computed to 1e-9 mm, which f64
 /// holds up to here.
 pub const FARTHEST: f64 = 1e6;

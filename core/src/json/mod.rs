@@ -1,32 +1,19 @@
-//! Questions and answers as JSON, the setup file, and a trace as it is drawn.
+//! The text of questions and answers.
 
 #[cfg(test)]
 pub(crate) mod asked;
-mod setup;
-mod setup_active;
-mod setup_frame;
-mod setup_solid;
-mod setup_surface;
-mod setup_tool;
-mod setup_write;
 mod shape;
 #[cfg(test)]
 mod tests;
 mod text;
-mod trace;
-mod trace_tool;
-mod trace_turned;
 
 pub use crate::refused::Refused as Error;
-#[cfg(feature = "cli")]
-pub use setup::schema as setup_schema;
-pub use setup::{SetupFile, from_json as setup_from_json, setup};
-pub(crate) use setup_surface::example as example_surface;
-pub use setup_write::to_json as setup_to_json;
 
+use crate::machine::setup::Setup;
+use crate::setup_file;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
-use serde_json::{Map, Value};
+use serde_json::Value;
 
 /// Answers a question.
 ///
@@ -48,6 +35,15 @@ pub fn question<T: DeserializeOwned>(text: &str) -> Result<T, Error> {
     shape::read(text::parse(text)?)
 }
 
+/// Reads a setup file.
+///
+/// # Errors
+/// The text is no setup: why, with the place.
+pub fn setup_from_json(text: &str) -> Result<Setup, Error> {
+    let document = text::parse(text)?;
+    shape::read(document).and_then(setup_file::setup).map_err(|refused| text::positioned(refused, text))
+}
+
 /// An answer. A number that is not finite becomes null, as JSON has none.
 pub fn text<T: Serialize>(answer: &T) -> String {
     serde_json::to_string(answer).unwrap_or_default() // only maps with keys that are no texts fail
@@ -62,8 +58,8 @@ pub fn document<T: Serialize>(answer: &T) -> Value {
 pub fn refused(error: &Error) -> Value {
     let mut view = document(&error.message);
     if let Some((line, column)) = error.position {
-        put(&mut view, "line", line);
-        put(&mut view, "column", column);
+        view["line"] = line.into();
+        view["column"] = column.into();
     }
     view
 }
@@ -76,17 +72,3 @@ impl std::fmt::Display for Error {
 }
 
 impl std::error::Error for Error {}
-
-/// An object of these members. A number that is not finite becomes null, as JSON has none.
-fn object<'a>(members: impl IntoIterator<Item = (&'a str, Value)>) -> Value {
-    let mut object = Map::new();
-    for (name, value) in members {
-        object.insert(name.to_owned(), value);
-    }
-    Value::Object(object)
-}
-
-/// Adds a member to an object.
-fn put(object: &mut Value, name: &str, value: impl Into<Value>) {
-    object[name] = value.into();
-}

@@ -13,6 +13,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// Everything that a run starts from.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(as = "crate::setup_file::SetupFile"))]
 pub struct Setup {
     /// State of the control.
     pub control: Control,

@@ -136,7 +136,7 @@ impl Sim {
         let free = hit.map_or(way, |hit| way.until(hit.part, hit.stop));
         if monitored && let Some((part, stop)) = self.false_signal(&free) {
             self.go(&free.until(part, stop), kind, feed);
-            self.note(Step::Decision(Message::new("run-false-signal")));
+            self.note(Step::Decision { message: Message::new("run-false-signal") });
             return Err(Stop::Alarm(self.collision()));
         }
         self.go(&free, kind, feed);
@@ -340,7 +340,7 @@ impl Machine for Sim {
                 self.stands();
             }
         }
-        self.note(Step::Orient(angle));
+        self.note(Step::Orient { angle });
     }
 
     fn quiet(&mut self, on: bool) {
@@ -358,7 +358,7 @@ impl Machine for Sim {
     fn spin(&mut self, speed: f64) {
         if self.control.spindle_speed != speed {
             self.control.spindle_speed = speed;
-            self.note(Step::Spin(speed));
+            self.note(Step::Spin { speed });
         }
     }
 

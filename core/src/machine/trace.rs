@@ -1,14 +1,18 @@
 //! What happened, in order, each with the program line that caused it. 3D view, timeline, tables and tests read this.
 
 use super::in_use::InUse;
+use crate::control::rotary::ROTARY;
 use crate::diagnostic::Code;
 use crate::geometry::arc::Around;
 use crate::message::Message;
 use crate::workpiece::Solid;
 use crate::workpiece::feeler::Touching;
+use serde::{Serialize, Serializer};
 
 /// Kind of a motion.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub enum MotionKind {
     /// G0 of the program, or unmonitored positioning.
     Rapid,
@@ -21,7 +25,9 @@ pub enum MotionKind {
 }
 
 /// One step. Positions are machine (basic) coordinates X Y Z in mm.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "step", rename_all = "lowercase")]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 pub enum Step {
     /// A motion.
     Motion {
@@ -32,6 +38,7 @@ pub enum Step {
         /// Real end.
         to: [f64; 3],
         /// Round what it went; none: straight.
+        #[serde(skip_serializing_if = "Option::is_none")]
         around: Option<Around>,
         /// mm/min; 0: rapid traverse.
         feed: f64,
@@ -46,7 +53,9 @@ pub enum Step {
         point: [f64; 3],
         /// Outward unit normal of the part there.
         normal: [f64; 3],
-        /// What of the probe touched.
+        /// What of the probe touched; left out: the ball.
+        #[serde(skip_serializing_if = "Touching::is_ball")]
+        #[cfg_attr(test, ts(optional, as = "Option<Touching>"))]
         by: Touching,
     },
     /// Contact where none is allowed and nobody watched, or that gives no signal.
@@ -55,16 +64,26 @@ pub enum Step {
         point: [f64; 3],
         /// Outward unit normal of the part there.
         normal: [f64; 3],
-        /// What of the probe touched.
+        /// What of the probe touched; left out: the ball.
+        #[serde(skip_serializing_if = "Touching::is_ball")]
+        #[cfg_attr(test, ts(optional, as = "Option<Touching>"))]
         by: Touching,
     },
-    /// Spindle orientation, degree.
-    Orient(f64),
-    /// The spindle turns from now on, 1/min: positive with M3, negative with M4; 0: it stops.
-    Spin(f64),
+    /// Spindle orientation.
+    Orient {
+        /// Degree.
+        angle: f64,
+    },
+    /// The spindle turns from now on.
+    Spin {
+        /// 1/min: positive with M3, negative with M4; 0: it stops.
+        speed: f64,
+    },
     /// A rotary axis turned, and the part with it.
     Table {
         /// Which one: 0 A, 1 B, 2 C.
+        #[serde(serialize_with = "rotary_name")]
+        #[cfg_attr(test, ts(type = "string"))]
         axis: usize,
         /// Before, machine, degree.
         from: f64,
@@ -73,8 +92,13 @@ pub enum Step {
         /// The part as it stands then, machine coordinates.
         solids: Vec<Solid>,
     },
-    /// The tool in the spindle changed: T number, D number.
-    Tool(i64, i64),
+    /// The tool in the spindle changed.
+    Tool {
+        /// T number.
+        tool: i64,
+        /// D number.
+        edge: i64,
+    },
     /// A datum was written: name and value, in the unit of the datum.
     Set {
         /// `_OVR[4]`, `$P_UIFR[1,X,FI]`, `$TC_DP15[20,1]`, `#505`.
@@ -84,17 +108,36 @@ pub enum Step {
         /// Value after.
         after: f64,
     },
-    /// A decision of the cycle (branch of the tolerance chain), as a text.
-    Decision(Message),
+    /// A decision of the cycle (branch of the tolerance chain).
+    Decision {
+        /// In words.
+        message: Message,
+    },
     /// An alarm or operator message.
-    Alarm(Code),
+    Alarm(
+        #[serde(skip_serializing)]
+        #[cfg_attr(test, ts(type = "Raised"))]
+        Code,
+    ),
     /// Operator text (`MSG`).
-    Message(String),
+    Message {
+        /// As it is shown.
+        text: String,
+    },
     /// A line of the measuring log or print-out.
-    Log(String),
+    Log {
+        /// As it is written.
+        text: String,
+    },
     /// A block that was sent to a computer (digitizing).
-    Sent(String),
+    #[serde(rename = "log")]
+    #[cfg_attr(test, ts(skip))]
+    Sent {
+        /// As it is sent.
+        text: String,
+    },
     /// Begin of a measuring cycle.
+    #[serde(rename = "call")]
     CallBegin {
         /// Name.
         cycle: &'static str,
@@ -102,7 +145,12 @@ pub enum Step {
         variant: i64,
     },
     /// End of it.
+    #[serde(rename = "return")]
     CallEnd,
+}
+
+fn rotary_name<S: Serializer>(axis: &usize, to: S) -> Result<S::Ok, S::Error> {
+    to.serialize_str(ROTARY.get(*axis).copied().unwrap_or_default())
 }
 
 /// A step with its line.

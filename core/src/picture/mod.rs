@@ -56,11 +56,11 @@ pub struct PictureShape {
     pub points: Vec<[f64; 2]>,
     /// Circle: centre and radius, mm.
     #[serde(skip_serializing_if = "Option::is_none", serialize_with = "circle")]
-    #[cfg_attr(test, ts(optional, type = "Circle"))]
+    #[cfg_attr(test, ts(optional, type = "{ x: number, y: number, r: number }"))]
     pub circle: Option<([f64; 2], f64)>,
     /// A round opening in it: centre and radius, mm.
     #[serde(skip_serializing_if = "Option::is_none", serialize_with = "circle")]
-    #[cfg_attr(test, ts(optional, type = "Circle"))]
+    #[cfg_attr(test, ts(optional, type = "{ x: number, y: number, r: number }"))]
     pub opening: Option<([f64; 2], f64)>,
     /// Whether the last point joins the first.
     #[serde(skip_serializing_if = "std::ops::Not::not")]

@@ -153,7 +153,7 @@ fn end(run: &mut Interpreter, found: &Words) -> Result<Option<End>, Problem> {
             continue;
         }
         match number as i64 {
-            0 | 1 => run.sim.note(Step::Message(format!("M{number}"))),
+            0 | 1 => run.sim.note(Step::Message { text: format!("M{number}") }),
             2 | 30 if nct => end = Some(End::Program),
             2 | 30 | 17 => end = Some(End::Level),
             98 if nct => {}

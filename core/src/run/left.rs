@@ -117,7 +117,7 @@ mod tests {
             let calls = found.iter().map(|(call, _)| call.map(|call| call.line));
             calls.collect::<Vec<_>>()
         };
-        assert_eq!(of(|step| matches!(step, Step::Message(_))), [None, None]);
+        assert_eq!(of(|step| matches!(step, Step::Message { .. })), [None, None]);
         let inside = of(|step| matches!(step, Step::CallBegin { .. } | Step::CallEnd));
         assert_eq!(inside, [Some(4), Some(4)]);
     }

@@ -70,7 +70,7 @@ pub fn write(run: &mut Interpreter, number: u32, value: f64, place: Span) -> Res
         }),
         (STOP, _) => {
             let text = comment(run);
-            run.sim.note(Step::Message(text));
+            run.sim.note(Step::Message { text });
             Ok(())
         }
         (CLOCK, _) => {

@@ -139,7 +139,7 @@ impl Outcome {
     pub fn decisions(&self) -> Vec<&Message> {
         self.steps()
             .filter_map(|step| match step {
-                Step::Decision(message) => Some(message),
+                Step::Decision { message } => Some(message),
                 _ => None,
             })
             .collect()
@@ -149,7 +149,7 @@ impl Outcome {
     pub fn log(&self) -> Vec<&str> {
         self.steps()
             .filter_map(|step| match step {
-                Step::Log(line) | Step::Sent(line) => Some(line.as_str()),
+                Step::Log { text: line } | Step::Sent { text: line } => Some(line.as_str()),
                 _ => None,
             })
             .collect()
@@ -159,7 +159,7 @@ impl Outcome {
     pub fn printed(&self) -> Vec<&str> {
         self.steps()
             .filter_map(|step| match step {
-                Step::Log(line) => Some(line.as_str()),
+                Step::Log { text: line } => Some(line.as_str()),
                 _ => None,
             })
             .collect()

@@ -32,7 +32,7 @@ pub fn call(run: &mut Interpreter, call: &Call) -> Result<(), Stop> {
         run.sim.note(Step::Alarm(code));
     } else {
         let message = format!("{whole} {text}");
-        run.sim.note(Step::Message(message.trim_end().to_owned()));
+        run.sim.note(Step::Message { text: message.trim_end().to_owned() });
     }
     if matches!(whole / 1000, 62 | 67..=69) {
         return Ok(());

@@ -336,5 +336,5 @@ fn keyword(
 /// Records an operator text.
 pub fn message(run: &mut Interpreter, args: &[Option<Datum>]) {
     let text = args.first().and_then(Option::as_ref).map(Datum::shown).unwrap_or_default();
-    run.sim.note(Step::Message(text));
+    run.sim.note(Step::Message { text });
 }

@@ -24,7 +24,7 @@ pub fn apply(run: &mut Interpreter, found: &Words) -> Result<(), Stop> {
     outcome.map_err(|problem| run.fail(problem))?;
     let after = (run.sim.control.tool, run.sim.control.edge);
     if before != after {
-        run.sim.note(Step::Tool(after.0, after.1));
+        run.sim.note(Step::Tool { tool: after.0, edge: after.1 });
     }
     Ok(())
 }

@@ -245,6 +245,7 @@ pub struct Scene {
 
 /// What a scene is made of.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(as = "crate::app::Trace"))]
 pub struct Source {
     /// On what it happened.
     pub setup: Setup,

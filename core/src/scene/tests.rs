@@ -149,7 +149,7 @@ fn a_part_stands_as_the_last_rotary_axis_before_left_it() {
     let part = solid(Shape::Hole { diameter: 30.0, depth: 18.0 });
     let turned = Solid { at: [1.0, 2.0, 3.0], rotation: [0.0, 0.0, 90.0], ..part.clone() };
     let table = Step::Table { axis: 2, from: 0.0, to: 9.0, solids: vec![turned] };
-    let scene = Scene::of(&happened(vec![part], vec![Step::Orient(0.0), table, Step::CallEnd]));
+    let scene = Scene::of(&happened(vec![part], vec![Step::Orient { angle: 0.0 }, table, Step::CallEnd]));
     let [before, after] = &scene.view.standings[..] else { unreachable!() };
     assert_eq!((before.entry, after.entry), (0, 1));
     assert_eq!((before.places[0].at, before.places[0].axes), ([0.0; 3], UNITS));
@@ -266,8 +266,10 @@ fn an_insert_and_a_mill_are_closed_and_face_outwards() {
 // oracle: hand (the axes stand still: a tool that is 10 mm longer in Z ends 10 mm lower, where the last motion led)
 #[test]
 fn another_length_in_effect_is_another_position() {
-    let mut entries: Vec<Entry> =
-        [motion([0.0; 3], [1.0, 0.0, 50.0]), Step::Tool(3, 1), Step::CallEnd].into_iter().map(entry).collect();
+    let mut entries: Vec<Entry> = [motion([0.0; 3], [1.0, 0.0, 50.0]), Step::Tool { tool: 3, edge: 1 }, Step::CallEnd]
+        .into_iter()
+        .map(entry)
+        .collect();
     entries[1].in_use = 1;
     entries[2].in_use = 1;
     let tools = [holding(Vec::new()), Tool { length: [0.0, 0.0, 10.0], ..holding(Vec::new()) }];
@@ -277,8 +279,9 @@ fn another_length_in_effect_is_another_position() {
 // oracle: hand (the probe until T3 is called at entry 1, then another tool, then the probe again)
 #[test]
 fn what_is_in_use_follows_the_tool_changes() {
-    let steps = vec![motion([0.0; 3], [1.0, 0.0, 0.0]), Step::Tool(3, 1), motion([1.0, 0.0, 0.0], [0.0; 3])];
-    let mut source = happened(Vec::new(), [steps, vec![Step::Tool(9, 1)]].concat());
+    let steps =
+        vec![motion([0.0; 3], [1.0, 0.0, 0.0]), Step::Tool { tool: 3, edge: 1 }, motion([1.0, 0.0, 0.0], [0.0; 3])];
+    let mut source = happened(Vec::new(), [steps, vec![Step::Tool { tool: 9, edge: 1 }]].concat());
     let control = source.setup.control.clone();
     let probe = InUse {
         place: control.active_place(),
@@ -352,7 +355,7 @@ fn a_protection_zone_is_drawn_through() {
 // alarm are
 #[test]
 fn what_must_not_touch_and_did_is_told() {
-    let told = || Step::Decision(Message::new("run-stylus"));
+    let told = || Step::Decision { message: Message::new("run-stylus") };
     let point = [1.0, 2.0, 3.0];
     let steps = [
         touch(point, Touching::Ball),

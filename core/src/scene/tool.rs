@@ -8,7 +8,7 @@ use crate::control::Edge;
 use crate::control::probe::upright;
 use crate::control::tools::LATHE_PROBE;
 use crate::entry::ProbeUse;
-use crate::geometry::V3;
+use crate::geometry::{V3, figures};
 use crate::machine::in_use::InUse;
 use crate::machine::setup::Setup;
 use crate::machine::trace::Step;
@@ -16,23 +16,33 @@ use crate::run::outcome::Outcome;
 use crate::workpiece::seen::Drawn;
 use crate::workpiece::{Probe, seen};
 use nalgebra::{Matrix3, Rotation3};
+use serde::{Serialize, Serializer};
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
 /// What is drawn of what is in use, from the position of the machine on: the ball of the probe or the pieces of a tool;
 /// on a turning machine also what carries it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "ToolView", optional_fields))]
 pub struct Tool {
     /// Length in effect along X Y Z, mm: where it changes, the axes stand still.
     pub length: [f64; 3],
     /// Direction from the ball to what holds it; none: no probe.
+    #[serde(skip_serializing_if = "Option::is_none", serialize_with = "direction")]
+    #[cfg_attr(test, ts(as = "Option<[f64; 3]>"))]
     pub ball: Option<V3>,
     /// Its pieces.
     pub pieces: Vec<Drawn>,
     /// What holds it on a turning machine.
     pub carrier: Vec<Drawn>,
     /// Its end.
+    #[serde(serialize_with = "figures")]
+    #[cfg_attr(test, ts(as = "[f64; 3]"))]
     pub tip: V3,
+}
+
+fn direction<S: Serializer>(direction: &Option<V3>, to: S) -> Result<S::Ok, S::Error> {
+    figures(&direction.unwrap_or_default(), to)
 }
 
 /// Whatever was in use, each once, and from which entry on which of them.

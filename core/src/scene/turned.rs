@@ -21,7 +21,8 @@ const SPINDLE: usize = 2;
 const ALONG: f64 = 0.7;
 
 /// What a drawing of the part of a turning machine shows.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Drawing {
     /// Diameters of the part.
     pub diameters: Vec<Diameter>,
@@ -32,7 +33,8 @@ pub struct Drawing {
 }
 
 /// A diameter, mm.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Diameter {
     /// Both ends as it is, machine coordinates.
     pub ends: [[f64; 3]; 2],
@@ -45,7 +47,8 @@ pub struct Diameter {
 }
 
 /// A diameter as the control reads it, mm.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Touched {
     /// Place of the touch in the trace.
     pub entry: usize,

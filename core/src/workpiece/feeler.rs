@@ -13,7 +13,9 @@ use crate::geometry::{Path, V3, rod};
 const ROUNDED: f64 = 0.5;
 
 /// What of the probe touches.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub enum Touching {
     /// The ball.
     #[default]
@@ -22,6 +24,13 @@ pub enum Touching {
     Stylus,
     /// The body: nothing is deflected.
     Body,
+}
+
+impl Touching {
+    /// Whether it is the ball.
+    pub fn is_ball(&self) -> bool {
+        *self == Touching::Ball
+    }
 }
 
 /// The probe as it stands: stylus and body seen from the centre of the ball, machine axes, mm.

@@ -25,6 +25,7 @@ mod tool_tests;
 use crate::geometry::{V3, rigid};
 use free::FreeSurface;
 use nalgebra::IsometryMatrix3;
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
 /// What can be touched. Nominal sizes in mm, in the part's own frame.
@@ -130,7 +131,10 @@ pub enum Shape {
 }
 
 /// What is wrong with a part. All zero: nothing. A sphere has neither taper nor lobes.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "camelCase", default)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct PartErrors {
     /// Displacement X Y Z, mm, machine axes.
     pub shift: [f64; 3],
@@ -146,6 +150,7 @@ pub struct PartErrors {
 
 /// One solid, placed in machine (basic) coordinates.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(as = "crate::setup_file::SolidFile"))]
 pub struct Solid {
     /// Shape. The origin is the centre of the element at its upper face (of a sphere its centre, of a corner the
     /// corner), Z is the depth axis.
@@ -174,7 +179,10 @@ pub struct Workpiece {
 }
 
 /// The probe as it is, not as the control believes.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "camelCase")]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 pub struct Probe {
     /// Real ball radius, mm.
     pub radius: f64,
@@ -182,24 +190,34 @@ pub struct Probe {
     pub length: f64,
     /// Ball centre minus spindle axis at spindle position 0, X Y, mm. In a turret: ball centre minus the point where L1
     /// and L2 end, abscissa and ordinate; the length does not count there.
+    #[serde(default)]
     pub skew: [f64; 2],
     /// Travel after contact until the signal, mm: constant part and amplitude of the three-lobed part.
+    #[serde(default)]
     pub pre_travel: (f64, f64),
     /// Delay of the signal, s; multiplies the feed.
+    #[serde(default)]
     pub delay: f64,
     /// Standard deviation of the switching point along the travel, mm, and seed of the pseudo-random sequence.
+    #[serde(default)]
     pub repeatability: (f64, u64),
     /// Way with the signal watched after which it comes once without contact, mm; none: never.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub false_signal: Option<f64>,
-    /// Radius of the stylus above the ball, mm; none: a usual part of that of the ball; 0: the stylus is out of the
-    /// way.
+    /// Radius of the straight stylus between ball and body, mm; none: 0.45 of that of the ball; 0: not looked at, for a
+    /// stylus of another shape. In a turret it is looked at where `body` tells how long it is.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub stylus: Option<f64>,
     /// The body that holds the stylus; none: the stylus goes as far as the spindle.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub body: Option<ProbeBody>,
 }
 
 /// The body of a probe: a cylinder as far as the spindle.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct ProbeBody {
     /// Radius, mm.
     pub radius: f64,

@@ -5,8 +5,9 @@ mod milling;
 
 use super::tool::{Cut, Nose, Spindle, Tool, in_plane};
 use crate::control::Plane;
-use crate::geometry::V3;
 use crate::geometry::rigid::sin_cos;
+use crate::geometry::{V3, figures};
+use serde::{Deserialize, Serialize, Serializer};
 
 /// Half of the angle of an insert at its nose, degree: one that cuts along both axes, and one that cuts to both sides.
 const HALF_ANGLE: [f64; 2] = [40.0, 17.5];
@@ -27,30 +28,47 @@ const ADAPTER: f64 = 8.0;
 const WALL: f64 = 16.0;
 
 /// A piece of what is drawn, machine axes, mm from the point to which the tool length refers.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "ToolPiece"))]
 pub enum Drawn {
     /// Half of a section through an axis, turned about it.
     Round {
         /// Distance from the axis and height over `at`.
         outline: Vec<[f64; 2]>,
         /// Direction of the axis.
+        #[serde(serialize_with = "figures")]
+        #[cfg_attr(test, ts(as = "[f64; 3]"))]
         axis: V3,
         /// Where it begins.
+        #[serde(serialize_with = "figures")]
+        #[cfg_attr(test, ts(as = "[f64; 3]"))]
         at: V3,
     },
     /// A flat piece.
     Plate {
         /// Its corners in turn; convex.
+        #[serde(serialize_with = "points")]
+        #[cfg_attr(test, ts(as = "Vec<[f64; 3]>"))]
         corners: Vec<V3>,
         /// From there to the other face.
+        #[serde(serialize_with = "figures")]
+        #[cfg_attr(test, ts(as = "[f64; 3]"))]
         thick: V3,
         /// Whether it is an insert, which cuts.
         cuts: bool,
     },
 }
 
+fn points<S: Serializer>(points: &[V3], to: S) -> Result<S::Ok, S::Error> {
+    to.collect_seq(points.iter().map(|point| <[f64; 3]>::from(*point)))
+}
+
 /// The disc of a turret, its axis parallel to that of the spindle.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Turret {
     /// Diameter, mm; 0: none is drawn.
     pub diameter: f64,

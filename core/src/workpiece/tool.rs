@@ -6,6 +6,7 @@ use crate::control::{Control, Edge, Plane};
 use crate::geometry::V3;
 use crate::geometry::convex::Convex;
 use crate::geometry::rigid::sin_cos;
+use serde::{Deserialize, Serialize};
 
 /// Height of a drill's point per mm of its radius: the usual point of 118 degree.
 const DRILL_POINT: f64 = 0.600_860_619;
@@ -13,7 +14,10 @@ const DRILL_POINT: f64 = 0.600_860_619;
 const HEIGHT: f64 = 50.0;
 
 /// A tool.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "RealTool"))]
 pub struct Tool {
     /// L1, L2 and L3 as they are, mm: to the lowest edge of a cutter in its axis; to the point P of a turning tool.
     pub length: [f64; 3],
@@ -22,7 +26,10 @@ pub struct Tool {
 }
 
 /// What cuts.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub enum Cut {
     /// Milling cutter or drill.
     Cutter(Cutter),
@@ -31,33 +38,51 @@ pub enum Cut {
 }
 
 /// A milling cutter or drill about its axis, with a flat end or one that ends in a point.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "camelCase")]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Cutter {
     /// Radius to the cutting edge, mm.
     pub radius: f64,
     /// Radius between end and side, mm.
+    #[serde(default)]
     pub corner: f64,
     /// How far the lowest place of an edge lies inside of the widest, and the widest above the lowest, mm; beside
     /// `corner`.
+    #[serde(default)]
     pub chamfer: [f64; 2],
     /// Number of teeth, evenly spread; 0: smooth all round.
+    #[serde(default)]
     pub teeth: u32,
     /// Where the first tooth stands with the spindle at 0, degree.
+    #[serde(default)]
     pub angle: f64,
     /// How far the axis of the cutter stands beside that of the spindle, and how much lower than in the mean a tooth in
     /// that direction stands, mm. A smooth cutter has neither.
+    #[serde(default)]
     pub runout: [f64; 2],
     /// In which direction, with the spindle at 0, degree.
+    #[serde(default)]
     pub runout_angle: f64,
     /// Axis of the plane along which it stands, its end in minus direction: 0 abscissa, 1 ordinate, 2 applicate.
+    #[serde(default = "applicate")]
     pub axis: usize,
     /// Width of a groove mill, mm, whose length goes to its upper edge, that at the shank; 0: another cutter, whose
     /// length goes to the lowest edge. What holds a groove mill is out of the way.
+    #[serde(default)]
     pub disc: f64,
 }
 
+fn applicate() -> usize {
+    2
+}
+
 /// The nose of a turning tool. It lies in the plane.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Nose {
     /// Radius, mm.
     pub radius: f64,

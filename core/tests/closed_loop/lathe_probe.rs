@@ -96,7 +96,7 @@ fn steps(outcome: &Outcome) -> Vec<(String, [f64; 3])> {
     let told = entries.filter_map(|entry| match &entry.step {
         Step::Motion { kind, to, .. } => Some((format!("{kind:?}"), *to)),
         Step::Touch { latched, by, .. } => Some((format!("{by:?}"), *latched)),
-        Step::Orient(angle) => Some(("turn".to_owned(), [*angle, 0.0, 0.0])),
+        Step::Orient { angle } => Some(("turn".to_owned(), [*angle, 0.0, 0.0])),
         Step::Crash { point, by, .. } => Some((format!("crash {by:?}"), *point)),
         _ => None,
     });

@@ -66,7 +66,7 @@ fn messages(text: &str) -> Vec<String> {
     let steps = outcome.trace.entries.into_iter().map(|entry| entry.step);
     steps
         .filter_map(|step| match step {
-            Step::Message(text) => Some(text),
+            Step::Message { text } => Some(text),
             _ => None,
         })
         .collect()

@@ -34,7 +34,7 @@ fn the_spindle_is_turned() {
     let angles = |text: &str| {
         let steps = clean(text).trace.entries.into_iter();
         let angles = steps.filter_map(|entry| match entry.step {
-            Step::Orient(angle) => Some(angle),
+            Step::Orient { angle } => Some(angle),
             _ => None,
         });
         angles.collect::<Vec<_>>()
@@ -69,7 +69,7 @@ fn the_spindle_turns() {
         let outcome = clean(text);
         let steps = outcome.trace.entries.iter();
         let speeds = steps.filter_map(|entry| match entry.step {
-            Step::Spin(speed) => Some(speed),
+            Step::Spin { speed } => Some(speed),
             _ => None,
         });
         (speeds.collect::<Vec<_>>(), outcome.control.spindle_speed)

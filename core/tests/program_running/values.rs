@@ -10,7 +10,7 @@ fn tools_change_with_m6() {
     assert_eq!((outcome.control.tool, outcome.control.edge), (20, 2));
     // oracle: hand: the mill is 30 mm longer, the spindle stays, so its tip is 30 mm lower
     near(outcome.position.0, [0.0, 0.0, 470.0]);
-    assert!(outcome.trace.entries.iter().any(|entry| entry.step == Step::Tool(20, 2)));
+    assert!(outcome.trace.entries.iter().any(|entry| entry.step == Step::Tool { tool: 20, edge: 2 }));
     let outcome = clean("T20 M6");
     assert_eq!((outcome.control.tool, outcome.control.edge), (20, 1));
     let outcome = clean("T=\"MILL\" M6\nD0");

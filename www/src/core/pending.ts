@@ -1,6 +1,17 @@
 // Values that were typed in the form and are not in the program yet.
 
-import type { Changed, Dialect, Pending } from "../wire";
+import type { Changed, Dialect, TouchedLine } from "../wire";
+
+// A value changed in the form and not yet in the program: of the call that begins at UTF-16 offset `at` there. asks: it
+// would change these lines of that text outside of its call, and waits for a word; agreed: that was given.
+export interface Pending {
+  control: Dialect;
+  at: number;
+  name: string;
+  value: string;
+  asks?: { text: string; lines: TouchedLine[] };
+  agreed?: boolean;
+}
 
 /** Whether a value waits for a word: in this text it would change lines outside of its call. */
 export function isWaiting({ asks }: Pending, text: string): boolean {

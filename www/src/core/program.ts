@@ -15,7 +15,6 @@ import type {
   HelpView,
   MachineRequest,
   MachineView,
-  Pending,
   ReadRequest,
   ReadView,
   Recognised,
@@ -25,7 +24,7 @@ import type {
 } from "../wire";
 import type { FormCore, Formed } from "./core";
 import { call, compile } from "./module";
-import { asked, hasToAsk } from "./pending";
+import { asked, hasToAsk, type Pending } from "./pending";
 import { NOTHING, type SceneData, takeScene } from "./scene";
 
 /**

@@ -90,7 +90,8 @@ function assumptions(opened: CallView | null, values: FormState["values"]): Call
 
 /** What a scan leaves to be looked at: nothing moves any more. */
 function stillOf({ solids, radius }: ScanView): Trace {
-  return { entries: [], ball: { radius, length: radius }, solids, frames: [] };
+  const nothing = { entries: [], tools: [], inUse: [], toolProbes: [], frames: [], zones: [], limits: [] };
+  return { ...nothing, ball: { radius, length: radius, stylus: 0 }, turning: false, solids };
 }
 
 /**

@@ -1,10 +1,10 @@
 // What was typed in the form on its way into the program, and edits that the core proposes.
 
-import { asked, hasToAsk, isWaiting } from "../core/pending";
+import { asked, hasToAsk, isWaiting, type Pending } from "../core/pending";
 import type { ChangeRequest, ConvertRequest } from "../core/program";
 import { AT_END, machine, patched, programOf, type State } from "../state/state";
 import { work } from "../state/stored";
-import type { Changed, Converted, Edit, Pending } from "../wire";
+import type { Changed, Converted, Edit } from "../wire";
 import { isCurrent, SOUGHT, withEdits } from "./program";
 
 /** The form with these values typed; where it edits a call of the program, they are on their way there. */

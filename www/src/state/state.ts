@@ -1,6 +1,7 @@
 // The one state of the page. Values in it are never changed in place: a part that changed is a new object,
 // so views and computations compare by identity.
 
+import type { Pending } from "../core/pending";
 import type { SceneData } from "../core/scene";
 import type {
   BasicSystem,
@@ -11,7 +12,6 @@ import type {
   Edit,
   ErrorSliders,
   OwnMachine,
-  Pending,
   Plane,
   ReadView,
   RunView,

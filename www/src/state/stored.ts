@@ -1,8 +1,9 @@
 // What of the state outlives it: kept in the browser, put into an address, taken back by undo. Stored it is flat, under
 // names that stay as they are, so that what an older page has left and addresses that somebody has sent can be opened.
 
+import type { Pending } from "../core/pending";
 import { ENCODINGS } from "../encoding";
-import type { Pending, Plane, Setup, Style, UnitFunction } from "../wire";
+import type { Plane, Setup, Style, UnitFunction } from "../wire";
 import type { ProgramFile } from "./files";
 import { firstState, NO_ERRORS, type Patch, PLANES, patched, type State, UNITS } from "./state";
 

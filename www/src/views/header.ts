@@ -29,11 +29,11 @@ export function facts(control: string, setup: Setup | undefined): { name: string
     { name: t("fact-control"), text: inch ? t("fact-built", { control: name, unit: t("unit-inch") }) : name },
   ];
   if (!setup) return list;
-  const inUse = String(setup.active?.tool ?? "");
+  const inUse = setup.active?.tool ?? 0;
   const [number, tool] = setup.tools[inUse] ? [inUse, setup.tools[inUse]] : (Object.entries(setup.tools)[0] ?? []);
   return [
     ...list,
-    ...(number && tool ? [{ name: t("fact-tool"), text: `T${number}${tool.name ? ` ${tool.name}` : ""}` }] : []),
+    ...(tool ? [{ name: t("fact-tool"), text: `T${number}${tool.name ? ` ${tool.name}` : ""}` }] : []),
     {
       name: t("fact-probe"),
       text: t("fact-ball", {

@@ -3,7 +3,7 @@
 import { setAttribute, show, svg } from "../dom";
 import { type Drawn, drawInto } from "../draw";
 import { t } from "../texts";
-import type { Circle, Picture, PictureShape } from "../wire";
+import type { Picture, PictureShape } from "../wire";
 import { type Caption, type Obstacle, type Point, type Size, spread, widthOf } from "./captions";
 
 const MARGIN = { x: 30, y: 22 }; // CSS pixels around the figures, for captions
@@ -109,7 +109,7 @@ function round([x, y]: Point, radius: number): Point[] {
 }
 
 /** A whole circle as a path. */
-function circled({ x, y, r: radius }: Circle, place: Place, scale: number): string {
+function circled({ x, y, r: radius }: NonNullable<PictureShape["circle"]>, place: Place, scale: number): string {
   const [cx, cy] = place([x, y]);
   const long = r(radius * scale);
   const half = (to: number): string => `A${long} ${long} 0 0 0 ${r(to)} ${r(cy)}`;

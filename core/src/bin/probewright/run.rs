@@ -82,7 +82,7 @@ pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
 /// What came out, how the run ended last; why it ended early is among the findings.
 fn print_outcome(path: &Path, outcome: &Outcome, words: &Words, out: &mut dyn Write) -> std::io::Result<()> {
     for (call, step) in outcome.by_call() {
-        if let Step::Decision(decision) = step {
+        if let Step::Decision { message: decision } = step {
             writeln!(out, "{}{}", place(path, call), words.text(decision))?;
         }
     }

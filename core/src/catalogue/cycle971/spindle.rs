@@ -99,7 +99,7 @@ fn compensation(machine: &mut dyn Machine, task: &Task, speed: f64) -> f64 {
         }
         _ => return 0.0,
     };
-    machine.record(Step::Decision(message));
+    machine.record(Step::Decision { message });
     amount
 }
 

@@ -112,7 +112,7 @@ fn turn_frame(machine: &mut dyn Machine, target: &Target, limit: f64, spheres: [
     let actual = spheres.map(|(_, found)| V3::from(in_plane(control, found.centre)));
     let position = position(&set, &actual).map_err(|number| failed(machine, number))?;
     let message = Message::new("evaluate-distortion").number("distortion", position.distortion).number("limit", limit);
-    machine.record(Step::Decision(message));
+    machine.record(Step::Decision { message });
     position.within(limit).map_err(|number| failed(machine, number))?;
     correct::position(machine, target, &position.motion, set[0].into());
     Ok(())

@@ -76,7 +76,7 @@ fn correct(machine: &mut dyn Machine, inputs: &Inputs, found: &Found) {
     }
     if beyond(address::U) {
         machine.record(Step::Alarm(UPPER_TOLERANCE));
-        machine.record(Step::Decision(Message::new("decision-nct-no-update")));
+        machine.record(Step::Decision { message: Message::new("decision-nct-no-update") });
         return;
     }
     if let Some(register) = inputs.given(address::T) {

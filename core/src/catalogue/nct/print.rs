@@ -45,7 +45,7 @@ pub fn print(machine: &mut dyn Machine, inputs: &Inputs, found: &Found) {
         return;
     }
     for line in lines(inputs, found, control.active_factor()) {
-        machine.record(Step::Log(line));
+        machine.record(Step::Log { text: line });
     }
 }
 

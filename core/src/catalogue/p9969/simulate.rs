@@ -19,10 +19,10 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     let (all, layout) = (cloud.points().len(), scanner.layout().clone());
     let text = piece(&cloud, &layout, Form::Program, 0..all.min(TOLD));
     for line in text.lines() {
-        machine.record(Step::Sent(line.into()));
+        machine.record(Step::Sent { text: line.into() });
     }
     if let Some(message) = told(all, outcome.as_ref()) {
-        machine.record(Step::Decision(message));
+        machine.record(Step::Decision { message });
     }
     if outcome == Ok(Reached::End) {
         results(machine, &cloud, &layout);

@@ -144,7 +144,7 @@ pub fn renew(machine: &mut dyn Machine, inputs: &Inputs, found: Vec<(String, f64
     }
     if !kept.is_empty() {
         let message = Message::new("evaluate-kept").number("limit", limit);
-        machine.record(Step::Decision(message.text("data", kept.join(", "))));
+        machine.record(Step::Decision { message: message.text("data", kept.join(", ")) });
     }
 }
 

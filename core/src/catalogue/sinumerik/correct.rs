@@ -65,9 +65,9 @@ pub fn apply(machine: &mut dyn Machine, target: &zero_offset::Target, writes: &[
     if target.activate {
         let settable = machine.control().settable;
         machine.control().activate(settable);
-        machine.record(Step::Decision(Message::new("evaluate-activated")));
+        machine.record(Step::Decision { message: Message::new("evaluate-activated") });
     } else if !writes.is_empty() {
-        machine.record(Step::Decision(Message::new("evaluate-not-activated")));
+        machine.record(Step::Decision { message: Message::new("evaluate-not-activated") });
     }
 }
 

@@ -36,7 +36,7 @@ pub fn hand_back(machine: &mut dyn Machine, name: &str, alarm: Option<u32>) {
     if alarm.is_some() {
         let message = Message::new("evaluate-handed-back");
         let message = message.number("alarm", number).text("name", name);
-        machine.record(Step::Decision(message));
+        machine.record(Step::Decision { message });
     }
 }
 
@@ -63,7 +63,7 @@ pub fn screen(machine: &mut dyn Machine, cycle: &Cycle) {
         (false, true) => "evaluate-screen-stays",
         (false, false) => "evaluate-screen",
     };
-    machine.record(Step::Decision(Message::new(key)));
+    machine.record(Step::Decision { message: Message::new(key) });
 }
 
 /// What every measurement tells about itself: cycle, probe, no alarm yet, safe area (B:5688-5699).

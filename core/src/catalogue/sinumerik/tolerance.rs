@@ -79,7 +79,7 @@ pub fn decide(
     let differences: Vec<f64> = sizes.differences.iter().map(|difference| difference - offset).collect();
     let decision = chain(&differences, &bands(inputs), old);
     report(machine, inputs, target, &decision);
-    machine.record(Step::Decision(explain(&decision, &differences)));
+    machine.record(Step::Decision { message: explain(&decision, &differences) });
     let announced = match decision.branch {
         Branch::SafeArea => Some(62303),
         Branch::Difference => Some(62306),
@@ -153,10 +153,10 @@ pub fn repeat(machine: &mut dyn Machine, number: u32, repetition: u32) -> bool {
     }
     if machine.control().bit("_CBIT[1]") {
         machine.record(Step::Alarm(Code::Alarm(number)));
-        machine.record(Step::Decision(Message::new("evaluate-halt")));
+        machine.record(Step::Decision { message: Message::new("evaluate-halt") });
     }
     let count = f64::from(repetition) + 1.0;
-    machine.record(Step::Decision(Message::new("evaluate-repeat").number("count", count)));
+    machine.record(Step::Decision { message: Message::new("evaluate-repeat").number("count", count) });
     true
 }
 
@@ -166,7 +166,7 @@ pub fn inform(machine: &mut dyn Machine, alarm: Option<u32>) {
         results::integer(machine, 9, i64::from(number));
         machine.record(Step::Alarm(Code::Alarm(number)));
         if machine.control().bit("_CBIT[2]") {
-            machine.record(Step::Decision(Message::new("evaluate-halt")));
+            machine.record(Step::Decision { message: Message::new("evaluate-halt") });
         }
     }
 }
@@ -194,7 +194,7 @@ pub fn safe(machine: &mut dyn Machine, inputs: &Inputs, differences: &[f64], rep
     };
     let key = if results::watches_angle(inputs) { "evaluate-safe-area-angle" } else { "evaluate-safe-area" };
     let message = Message::new(key).number("difference", worst);
-    machine.record(Step::Decision(message.number("mean", 0.0)));
+    machine.record(Step::Decision { message: message.number("mean", 0.0) });
     if repeat(machine, 62303, repetition) {
         return Ok(Next::Again);
     }

@@ -109,7 +109,7 @@ fn decide(
         (Verdict::Correct, true) => "evaluate-tool-wear",
     };
     let message = Message::new(key).number("difference", difference).number("limit", inputs.number(names::TZL));
-    machine.record(Step::Decision(message));
+    machine.record(Step::Decision { message });
     let announced = match verdict {
         Verdict::SafeArea => Some(62303),
         Verdict::Difference => Some(62306),

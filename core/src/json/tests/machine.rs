@@ -11,7 +11,7 @@ fn an_inch_machine_goes_over_the_wire() {
     let setup = setup_from_json(&inch_machine().to_string()).unwrap();
     assert_eq!(setup.control.basic_length("_WP[0,0]"), 6.0);
     assert_eq!(setup.control.unit_function() as u16, 70);
-    let written = setup_to_json(&setup);
+    let written = document(&setup);
     assert_eq!((&written["units"], &written["active"]["units"]), (&json!("inch"), &json!("G70")));
     let again = setup_from_json(&written.to_string()).unwrap().control;
     assert_eq!((again.basic_units, again.unit_function() as u16), (setup.control.basic_units, 70));

@@ -7,12 +7,13 @@ mod machine;
 mod outcome;
 mod setup;
 mod setup_limits;
+mod setup_tools;
 mod wire;
 
 use crate::entry::Typed;
 use crate::json::asked::*;
 use crate::json::*;
-use serde_json::json;
+use serde_json::{Value, json};
 
 fn request(cycle: &crate::entry::Cycle) -> String {
     let values = cycle.example.iter();

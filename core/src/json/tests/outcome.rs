@@ -125,7 +125,7 @@ fn the_stylus_of_a_turning_machine_lies_as_its_cutting_edge_position_says() {
         let edge = setup.control.edge_of_mut(9, 1).unwrap();
         edge.tip = tip;
         let mut asked: Value = serde_json::from_str(&request(cycle)).unwrap();
-        asked["setup"] = setup_to_json(&setup);
+        asked["setup"] = document(&setup);
         let view = form(&asked.to_string()).unwrap();
         assert_eq!(view["outcome"]["trace"]["tools"][0]["ball"], json!(axis), "{tip}");
     }

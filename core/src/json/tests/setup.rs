@@ -13,7 +13,7 @@ fn docs(name: &str) -> PathBuf {
 fn a_setup_written_and_read_is_the_same() {
     let text = std::fs::read_to_string(docs("setup.example.json")).unwrap();
     let setup = setup_from_json(&text).unwrap();
-    let again = setup_from_json(&setup_to_json(&setup).to_string()).unwrap();
+    let again = setup_from_json(&document(&setup).to_string()).unwrap();
     assert_eq!(setup, again);
     assert_eq!(setup.control.tools[&20].edges[&1].radius, 66.0);
     assert_eq!(setup.workpiece.solids[0].errors.size, 0.03);
@@ -36,7 +36,7 @@ fn what_the_machine_can_do_is_read_and_written() {
     assert_eq!(setup.control.active.scale, [2.0, 2.0, 1.0]);
     assert_eq!(setup.control.transverse, crate::control::Transverse::Diameter);
     assert_eq!(setup.probe.false_signal, Some(12.5));
-    let again = setup_from_json(&setup_to_json(&setup).to_string()).unwrap();
+    let again = setup_from_json(&document(&setup).to_string()).unwrap();
     assert_eq!(setup, again);
 }
 
@@ -128,7 +128,7 @@ fn an_error_of_a_setup_names_the_member_and_its_place() {
 #[cfg(feature = "cli")]
 #[test]
 fn the_schema_in_docs_is_the_one_of_the_code() {
-    let schema = format!("{}\n", serde_json::to_string_pretty(&setup_schema()).unwrap());
+    let schema = format!("{}\n", serde_json::to_string_pretty(&crate::setup_file::schema()).unwrap());
     if std::env::var_os("PROBEWRIGHT_UPDATE").is_some() {
         std::fs::write(docs("setup.schema.json"), &schema).unwrap();
     }

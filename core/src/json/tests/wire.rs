@@ -1,19 +1,19 @@
 //! `www/src/wire.ts`: the types of questions and answers as the page sees them, with what is said of them here.
 
 use crate::app::*;
+use crate::machine::trace::Step;
 use crate::scan::text::Form;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use ts_rs::{Config, TS, TypeVisitor};
 
-/// Before the types.
+/// Before the types; points and directions of the page are vectors.
 const HEAD: &str = "\
 // Questions and answers of the core. Written from core/src/app by a test of the core (json/tests/wire.rs) when it runs
 // with PROBEWRIGHT_UPDATE=1; not by hand.
-";
 
-/// What is drawn of a run, and the setup file: documents that are written by hand.
-const DRAWN: &str = include_str!("drawn.ts");
+export type Vec3 = [number, number, number];
+";
 
 /// Each type once, in the order of their names: the one in which ts-rs finds them differs from build to build.
 struct Types {
@@ -116,6 +116,8 @@ fn the_types_of_the_page_are_those_of_the_core() {
     types.visit::<Changed>();
     types.visit::<ConvertRequest>();
     types.visit::<Converted>();
+    types.visit::<Step>();
+    types.visit::<Trace>();
     types.visit::<RunRequest>();
     types.visit::<RunView>();
     types.visit::<OfCall>();
@@ -125,7 +127,7 @@ fn the_types_of_the_page_are_those_of_the_core() {
     types.visit::<Recognised>();
     types.visit::<crate::scene::View>();
     let texts: String = types.texts.into_values().collect();
-    let text = format!("{HEAD}{texts}{DRAWN}");
+    let text = format!("{HEAD}{texts}");
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../www/src/wire.ts");
     if std::env::var_os("PROBEWRIGHT_UPDATE").is_some() {
         std::fs::write(&path, &text).unwrap();

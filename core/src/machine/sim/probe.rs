@@ -103,7 +103,7 @@ impl Sim {
         let way = Route::straight(from.0, end);
         if let Some((part, stop)) = self.false_signal(&way) {
             self.go(&way.until(part, stop), MotionKind::Measuring, feed);
-            self.note(Step::Decision(Message::new("run-false-signal")));
+            self.note(Step::Decision { message: Message::new("run-false-signal") });
             return Ok(Some(stop));
         }
         self.go(&way, MotionKind::Measuring, feed);
@@ -118,7 +118,7 @@ impl Sim {
         self.switched(&met);
         if met.by == Touching::Stylus {
             self.stylus_touched = true;
-            self.note(Step::Decision(Message::new("run-stylus")));
+            self.note(Step::Decision { message: Message::new("run-stylus") });
         }
         Ok(Some(end))
     }

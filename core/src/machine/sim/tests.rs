@@ -181,7 +181,7 @@ fn a_stylus_that_touches_switches_the_probe() {
     };
     assert_eq!((by, normal), (Touching::Stylus, [-1.0, 0.0, 0.0]));
     assert!((point[0] - 20.0).abs() < 1e-9);
-    assert_eq!(told.step, Step::Decision(Message::new("run-stylus")));
+    assert_eq!(told.step, Step::Decision { message: Message::new("run-stylus") });
     assert!(sim.stylus_touched() && !sim.stylus_touched());
     let back = sim.travel(Wcs([0.0, 0.0, -20.0]), MotionKind::Retract, 1000.0, true);
     assert_eq!(back, Ok(()));

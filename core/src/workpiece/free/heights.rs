@@ -4,7 +4,10 @@ use super::{FreeSurface, Refused, check_count, fits};
 use crate::geometry::V3;
 
 /// Heights in rows along X, the first row at the least Y. The middle of the grid is the origin.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Heights {
     /// Heights a row.
     pub columns: usize,

@@ -2,7 +2,7 @@
 // and one part of every shape.
 import type * as Program from "@pkg/program/program.js";
 import { type SceneData, takeScene } from "../../core/scene";
-import type { Setup, Solid, Vec3 } from "../../wire";
+import type { Solid, Vec3 } from "../../wire";
 
 const CENTRE: Vec3 = [320, 280, -40];
 const ZERO: Vec3 = [291, 251, -40]; // of G54
@@ -67,7 +67,7 @@ const SHAPES = sizes.map(
 );
 
 function run({ Run }: typeof Program, text: string, workpiece: Solid[]): SceneData {
-  const setup: Setup = {
+  const setup = {
     control: "sinumerik",
     units: "mm",
     plane: "G17",

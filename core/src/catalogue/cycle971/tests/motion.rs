@@ -151,7 +151,7 @@ fn probings(values: &[(&'static str, f64)], data: &[(&str, f64)]) -> (Vec<f64>, 
     let sim = measured(&setup, &inputs);
     let steps = sim.trace.entries.iter().map(|entry| &entry.step);
     let speeds = steps.clone().filter_map(|step| match step {
-        Step::Spin(speed) => Some(*speed),
+        Step::Spin { speed } => Some(*speed),
         _ => None,
     });
     let feeds = steps.filter_map(|step| match step {
@@ -267,7 +267,7 @@ fn the_table_takes_off_the_entry_below() {
     close(&sim, "_OVR[10]", 5.0);
     let told = |entry: &crate::machine::trace::Entry| {
         matches!(&entry.step,
-        Step::Decision(message) if message.key == "evaluate-compensation-make")
+        Step::Decision { message } if message.key == "evaluate-compensation-make")
     };
     assert!(sim.trace.entries.iter().any(told));
 }

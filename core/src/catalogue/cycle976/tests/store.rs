@@ -33,7 +33,7 @@ fn only_what_lies_between_the_limits_is_stored() {
     close(mm(&sim.control, 0), 5.9, "the diameter differs by more");
     let kept = Message::new("evaluate-kept").number("limit", 0.06);
     let kept = kept.text("data", "_WP[0,2], _WP[0,1], _WP[0,4], _WP[0,3]");
-    let told = |entry: &Entry| entry.step == Step::Decision(kept.clone());
+    let told = |entry: &Entry| entry.step == Step::Decision { message: kept.clone() };
     assert!(sim.trace.entries.iter().any(told));
     let first = |area: f64| {
         ring(101, |setup, inputs| {

@@ -222,7 +222,7 @@ fn a_programmed_stop_follows_an_alarm_that_informs() {
             inputs.numbers.extend([(names::TUL, 0.5), (names::TLL, -0.5)]);
         });
         assert_eq!(outcome, Ok(()));
-        let halt = |step: &Step| matches!(step, Step::Decision(message) if message.key == "evaluate-halt");
+        let halt = |step: &Step| matches!(step, Step::Decision { message } if message.key == "evaluate-halt");
         sim.trace.entries.iter().filter(|entry| halt(&entry.step)).count()
     };
     assert_eq!((halts(0.0), halts(1.0)), (0, 1));

@@ -346,7 +346,7 @@ fn nothing_is_told_of_a_frame_that_is_right() {
         let (sim, outcome) = edge(|_, inputs| _ = inputs.numbers.insert(names::STA1, angle));
         assert_eq!(outcome, Ok(()));
         let steps = sim.trace.entries.iter();
-        steps.filter(|entry| matches!(entry.step, crate::machine::trace::Step::Decision(_))).count()
+        steps.filter(|entry| matches!(entry.step, crate::machine::trace::Step::Decision { .. })).count()
     };
     assert_eq!((decisions(2.0), decisions(0.0)), (0, 1));
 }

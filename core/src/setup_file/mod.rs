@@ -1,0 +1,217 @@
+//! The setup file: machine, probe and part as the user describes them. Its schema is `docs/setup.schema.json`.
+//!
+//! What the file says as the core has it is the core's own type, which serde reads and writes; the types here are those
+//! of which the file has another order.
+
+mod convert;
+mod solid;
+
+pub use convert::setup;
+pub use solid::{SolidFile, example};
+
+use crate::control::{Environment, Frame, Plane, Transverse, Units, Value, delivery};
+use crate::dialect::Dialect;
+use crate::workpiece::Probe;
+use crate::workpiece::seen::Turret;
+use crate::workpiece::tool::Tool;
+use serde::{Deserialize, Serialize};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Machine, probe and part that a program runs on. Lengths in mm, angles in degree, feeds in mm/min, except in `data`,
+/// where a number means what it means on the control: on an inch machine most lengths are inches. Unknown members are
+/// refused, so that a slip is told and not ignored.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "camelCase")]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Setup"))]
+pub struct SetupFile {
+    /// Control.
+    control: Dialect,
+    /// Basic system of units of the machine.
+    #[serde(default)]
+    units: Units,
+    /// Working plane at the start.
+    #[serde(default)]
+    plane: Plane,
+    /// What else is in force at the start.
+    #[serde(default)]
+    active: ActiveFile,
+    /// What the machine can do.
+    #[serde(default)]
+    machine: MachineFile,
+    /// Tools by T number (NCT: offset registers under T 0).
+    #[serde(default)]
+    tools: BTreeMap<i64, ToolFile>,
+    /// Frames by name: `G54`, `G505`, `COMMON` (NCT), `$P_CHBFR[0]`, `$P_NCBFR[0]`, `$P_SETFR`.
+    #[serde(default)]
+    frames: BTreeMap<String, Frame>,
+    /// Stored tool environments by name, as `TOOLENV("NAME")` makes them.
+    #[serde(default)]
+    environments: BTreeMap<String, Environment>,
+    /// What differs from delivery in user data, R parameters, machine data, # variables: `_WP[0,1]`, `_CHBIT[4]`,
+    /// `R10`, `MD18600`, `#500`; and `PW-FORMS`, 1 where `_MZ_MASK` decides forms and code.
+    #[serde(default)]
+    data: BTreeMap<String, Value>,
+    /// The probe as it really is, not as the control believes.
+    probe: Probe,
+    /// The tool probes of the machine as they really are, not as `_TP` and `_TPW` in `data` believe.
+    #[serde(default)]
+    tool_probes: Vec<ToolProbeFile>,
+    /// The part: every solid can be touched. It is given as it is clamped while the rotary axes stand at 0.
+    #[serde(default)]
+    workpiece: Vec<SolidFile>,
+    /// Where the machine stands at the start: the point to which L1 refers, machine coordinates X Y Z.
+    #[serde(default)]
+    position: [f64; 3],
+    /// Skip levels 0 to 9 that are switched on at the panel: blocks with `/`, `/1` to `/9` are left out.
+    #[serde(default)]
+    skip: BTreeSet<u8>,
+}
+
+/// What is in force at the start.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Active"))]
+struct ActiveFile {
+    /// T number in the spindle, 0 none.
+    tool: i64,
+    /// D number (NCT: H), 0 none.
+    edge: i64,
+    /// Settable frame, for example `G54`.
+    frame: String,
+    /// G function of units: `G70`, `G71`, `G700`, `G710` (NCT `G20`, `G21`); none: that of the basic system.
+    #[cfg_attr(test, ts(as = "crate::control::UnitFunction"))]
+    units: String,
+    /// How positions of the transverse axis X of a lathe are given.
+    transverse: Transverse,
+    /// Position of the spindle, degree, positive as M3 turns it.
+    spindle: f64,
+    /// Where the rotary axes A B C stand, machine, degree.
+    rotary: [f64; 3],
+}
+
+/// What the machine can do.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "camelCase", default)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Abilities"))]
+struct MachineFile {
+    /// Software limit switches on the minus side (MD36100) of the machine axes X Y Z; null: none.
+    limits_minus: [Option<f64>; 3],
+    /// Software limit switches on the plus side (MD36110) of the machine axes X Y Z; null: none.
+    limits_plus: [Option<f64>; 3],
+    /// Whether the spindle can be positioned with SPOS.
+    spindle_positions: bool,
+    /// Point X Y Z on the lines about which the rotary axes turn the part. Which there are: MD20080 and MD30300 in
+    /// `data`.
+    rotary_centre: [f64; 3],
+    /// The turret of a turning machine.
+    turret: Turret,
+}
+
+impl Default for MachineFile {
+    fn default() -> MachineFile {
+        MachineFile::of(&delivery(Dialect::Sinumerik), Turret::default())
+    }
+}
+
+/// A tool.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "ToolData"))]
+struct ToolFile {
+    /// Name under tool management.
+    #[serde(default)]
+    name: String,
+    /// Edges by D number.
+    edges: BTreeMap<i64, EdgeFile>,
+}
+
+/// Data of a cutting edge.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "camelCase")]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "EdgeData", optional_fields))]
+struct EdgeFile {
+    /// `$TC_DP1`: 710 3D probe, 120 end mill, 580 probe of a turning machine.
+    #[serde(rename = "type")]
+    kind: i64,
+    /// `$TC_DP2`: cutting edge position of a turning tool or lathe probe, 1 to 9.
+    #[serde(default)]
+    tip: i64,
+    /// Geometry L1 L2 L3.
+    length: [f64; 3],
+    /// Geometry radius.
+    radius: f64,
+    /// Wear of L1 L2 L3.
+    #[serde(default)]
+    length_wear: [f64; 3],
+    /// Wear of the radius.
+    #[serde(default)]
+    radius_wear: f64,
+    /// Additive offsets by DL number: L1 L2 L3 radius.
+    #[serde(default)]
+    additive: BTreeMap<i64, [f64; 4]>,
+    /// Setup offsets by DL number: L1 L2 L3 radius.
+    #[serde(default)]
+    setup: BTreeMap<i64, [f64; 4]>,
+    /// Other tool data by number, `$TC_DP7` to 11 and 16 to 25; 21 to 23 are the lengths of the adapter.
+    #[serde(default)]
+    further: BTreeMap<usize, f64>,
+    /// The tool as it really is where it touches a tool probe; none: as its data say at the start.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    real: Option<Tool>,
+}
+
+/// A tool probe as it really is: a cube (`block`) or a disc (`turned` without bore).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "camelCase")]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "ToolProbe"))]
+struct ToolProbeFile {
+    /// Its cap.
+    solid: SolidFile,
+    /// Travel after contact until the signal.
+    #[serde(default)]
+    pre_travel: f64,
+    /// Delay of the signal, s.
+    #[serde(default)]
+    delay: f64,
+    /// Standard deviation of the switching point, and the seed of its pseudo-random sequence.
+    #[serde(default = "always")]
+    repeatability: (f64, u64),
+}
+
+fn always() -> (f64, u64) {
+    (0.0, 1)
+}
+
+/// JSON Schema of the setup file. `Serialize` writes the default values into it.
+#[cfg(feature = "cli")]
+pub fn schema() -> serde_json::Value {
+    let mut schema = schemars::schema_for!(SetupFile).to_value();
+    unwrapped(&mut schema);
+    schema
+}
+
+/// Descriptions in whole lines: a doc comment breaks where the code does, a reader's window elsewhere.
+#[cfg(feature = "cli")]
+fn unwrapped(value: &mut serde_json::Value) {
+    match value {
+        serde_json::Value::Object(members) => {
+            for (name, member) in members {
+                match member {
+                    serde_json::Value::String(text) if name == "description" => {
+                        let paragraphs: Vec<String> = text.split("\n\n").map(|one| one.replace('\n', " ")).collect();
+                        *text = paragraphs.join("\n\n");
+                    }
+                    member => unwrapped(member),
+                }
+            }
+        }
+        serde_json::Value::Array(all) => all.iter_mut().for_each(unwrapped),
+        _ => {}
+    }
+}
