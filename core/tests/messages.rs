@@ -118,8 +118,8 @@ proptest! {
 /// What can be chosen for a field, in all its groups of digits.
 fn choices(entry: Entry) -> Vec<Choice> {
     match entry {
-        Entry::Choice(choices) => choices,
-        Entry::Digits(groups) => groups.into_iter().flat_map(|group| group.choices).collect(),
+        Entry::Choice { choices } => choices,
+        Entry::Digits { digits: groups } => groups.into_iter().flat_map(|group| group.choices).collect(),
         _ => Vec::new(),
     }
 }

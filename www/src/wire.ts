@@ -448,8 +448,6 @@ export type Field = {
   label: Message,
   /** What it means. */
   help: Message,
-  /** How it is entered. */
-  kind: FieldKind,
   /** As typed; empty: nothing is. */
   value: string,
   /** The expression of the program of which the value is the worth. */
@@ -466,18 +464,21 @@ export type Field = {
   required: boolean,
   /** Why it is required or optional. */
   reason: Message,
-  /** What the control takes, of a number. */
-  range?: Range,
-  /** What can be chosen, of a choice. */
-  choices?: Array<Choice>,
-  /** Digits that mean something of their own, of a number that is put together from such. */
-  digits?: Array<DigitGroup>,
   /** Place in the manual. */
   source: string,
-};
-
-/** How a field is entered. */
-export type FieldKind = "real" | "integer" | "choice" | "digits" | "text";
+} & ({ "kind": "real",
+  /** What the control takes. */
+  range: Range,
+} | { "kind": "integer",
+  /** What the control takes. */
+  range: Range,
+} | { "kind": "choice",
+  /** What can be chosen. */
+  choices: Array<Choice>,
+} | { "kind": "digits",
+  /** Digits that mean something of their own. */
+  digits: Array<DigitGroup>,
+} | { "kind": "text" });
 
 /** What a form is asked for. */
 export type FormRequest = {
@@ -564,18 +565,6 @@ export type Frame = {
   mirror: [boolean, boolean, boolean],
 };
 
-/** A coordinate system, machine coordinates. */
-export type FrameView = {
-  /** `MCS`, or the name of its zero offset. */
-  name: string,
-  /** Its zero, mm. */
-  at: [number, number, number],
-  /** Its directions. */
-  axes: [[number, number, number], [number, number, number], [number, number, number]],
-  /** `before` and `after` of one that a correction moved. */
-  moved?: "before" | "after",
-};
-
 /** Heights in rows along X, the first row at the least Y. The middle of the grid is the origin. */
 export type Heights = {
   /** Heights a row. */
@@ -632,32 +621,49 @@ export type HelpView = {
   alarms: Array<AlarmInfo>,
 };
 
+/** What a label tells. */
+export type LabelKind = "frame" | "diameter" | "nominal" | "touched" | "collision";
+
+/** A part of the lines. */
+export type LineGroup = {
+  /** What it is. */
+  kind: LineKind,
+  /** Its part of the lines, from and to (excluded), in lines. */
+  lines: [number, number],
+  /** Where it stands, by index in the places of a standing; none: machine coordinates. */
+  place?: number,
+  /** In which of the standings it is there; none: in all. */
+  standing?: number,
+};
+
+/** What a group of lines is. */
+export type LineKind = "grid" | "edge" | "zone" | "limit" | "axisX" | "axisY" | "axisZ" | "beforeX" | "beforeY" | "beforeZ" | "dimension";
+
 /** The machine of a question. */
 export type Machine = OwnMachine | Setup;
 
 /** A datum of the machine. */
 export type MachineField = {
-  /** As a program writes it: `_WP[0,1]`, `MD18600`. */
-  name: string,
-  /** Key of its name; `.help`, and `.v0`, `.v1`, … of a choice, may stand behind it. */
-  key: string,
   /** Which field of data it belongs to. */
   set?: Message,
-  /** How it is entered. */
-  kind: MachineKind,
   /** As typed; empty: as delivered. */
   value: string,
   /** As delivered; empty: not known. */
   fallback: string,
-  /** Unit on this machine. */
+  /** As a program writes it: `_WP[0,1]`, `MD18600`. */
+  name: string,
+  /** Key of its name; `.help`, and `.v0`, `.v1`, … of a choice, may stand behind it. */
+  key: string,
+  /** Unit as it counts on this machine. */
   unit: string,
-  /** What is allowed. */
+  /** What is allowed, in that unit. */
   range: Range,
-  /** The numbers of a choice. */
-  choices?: Array<number>,
   /** Place in the manual. */
   source: string,
-};
+} & ({ "kind": "real" } | { "kind": "integer" } | { "kind": "choice",
+  /** The numbers. */
+  choices: Array<number>,
+} | { "kind": "text" });
 
 /** Data of one subject. */
 export type MachineGroup = {
@@ -666,9 +672,6 @@ export type MachineGroup = {
   /** Its data. */
   fields: Array<MachineField>,
 };
-
-/** How a datum of the machine is entered. */
-export type MachineKind = "real" | "integer" | "choice" | "text";
 
 /** A typed value that is not taken. */
 export type MachineProblem = {
@@ -710,6 +713,9 @@ export type MachineView = {
   /** The same as lines of the definition file. */
   definitions: string,
 };
+
+/** What a piece of the triangles is. */
+export type Matter = "part" | "cut" | "chuck" | "ball" | "stylus" | "body" | "carrier" | "zone";
 
 /** A result of a call. */
 export type Measured = {
@@ -864,6 +870,14 @@ export type PictureShape = {
   also?: Array<Name>,
 };
 
+/** Where the zero of a frame lies, machine coordinates, mm, and its directions. */
+export type Place = {
+  /** Zero. */
+  at: [number, number, number],
+  /** Directions X Y Z. */
+  axes: [[number, number, number], [number, number, number], [number, number, number]],
+};
+
 /** Working plane. */
 export type Plane = "G17" | "G18" | "G19";
 
@@ -1003,7 +1017,7 @@ export type Recognised = {
 
 /** A datum that a cycle leaves. */
 export type ResultInfo = {
-  /** `_OVR[4]`; of NCT a name of ours. */
+  /** `_OVR[4]`, `_OVI[0]`; of NCT a name of ours: `deviation`, … */
   name: string,
   /** Key of its meaning. */
   key: string,
@@ -1140,6 +1154,109 @@ export type ScanView = {
   origin: [number, number, number],
 };
 
+/** A coordinate system, machine coordinates. */
+export type SceneFrame = {
+  /** `MCS`, or the name of its zero offset. */
+  name: string,
+  /** Its zero, mm. */
+  at: [number, number, number],
+  /** Its directions. */
+  axes: [[number, number, number], [number, number, number], [number, number, number]],
+  /** `before` and `after` of one that a correction moved. */
+  moved?: "before" | "after",
+};
+
+/** Words at a place. */
+export type SceneLabel = {
+  /** What it tells. */
+  kind: LabelKind,
+  /** Where, machine coordinates, mm. */
+  at: [number, number, number],
+  /** What is said, one after the other. */
+  text: Array<Message>,
+  /** Whether it stands at the upper end of a dimension line: neighbours have their words at different ends. */
+  upper?: boolean,
+  /** Parameter that the dimension explains, where a form asked. */
+  field?: Name,
+  /** Entry of the trace with which it comes; none: it is always there. */
+  from?: number,
+  /** Entry with which it goes again. */
+  to?: number,
+};
+
+/** A part of the triangles. */
+export type ScenePiece = {
+  /** What it is. */
+  matter: Matter,
+  /** Its part of the corners, from and to (excluded). */
+  corners: [number, number],
+  /** Its part of the vertices. */
+  vertices: [number, number],
+  /** Where it stands, by index in the places of a standing; none: from the position of the machine on. */
+  place?: number,
+  /** With which of the tools it is there; none: always. */
+  tool?: number,
+};
+
+/** Sizes of the probe as it is drawn, mm. */
+export type SceneProbe = {
+  /** Radius of the ball. */
+  ball: number,
+  /** From the centre of the ball to the spindle. */
+  length: number,
+  /** Radius of the stylus. */
+  stylus: number,
+  /** From the centre of the ball to the end of the stylus. */
+  reach: number,
+};
+
+/** What is in use. */
+export type SceneTool = {
+  /** Direction from the ball to what holds it; none: no probe. */
+  ball?: [number, number, number],
+  /** Its end, from the position of the machine on. */
+  tip: [number, number, number],
+  /**
+   * Box around a tool without what carries it, from the position of the machine on; none for a probe, of which the
+   * stylus may be cut off.
+   */
+  extent?: [[number, number, number], [number, number, number]],
+  /** Whether a turret is drawn that carries it. */
+  carried: boolean,
+};
+
+/** What the arrays of a scene hold. */
+export type SceneView = {
+  /** Parts of the triangles: what hides, then what is seen through. */
+  pieces: Array<ScenePiece>,
+  /** Parts of the lines. */
+  groups: Array<LineGroup>,
+  /** How everything stands, from which entry on; at least one. */
+  standings: Array<Standing>,
+  /** Whatever was in use, each once. */
+  tools: Array<SceneTool>,
+  /** From which entry on, on which of them. */
+  inUse: Array<[number, number]>,
+  /** The probe. */
+  probe: SceneProbe,
+  /** Diagonal of what is to be seen, mm. */
+  size: number,
+  /** Length of the normal at a touch, mm. */
+  normal: number,
+  /** Length of the axes of a coordinate system, mm. */
+  axis: number,
+  /** Coordinate systems. */
+  frames: Array<SceneFrame>,
+  /** What is written beside all that. */
+  labels: Array<SceneLabel>,
+  /** Of a turning machine: how the control counts. Dimensions of its part are lines of that kind, and labels. */
+  reading?: Reading,
+  /** Whether it is a turning machine. */
+  turning: boolean,
+  /** How many entries the trace has. */
+  entries: number,
+};
+
 /**
  * Machine, probe and part that a program runs on. Lengths in mm, angles in degree, feeds in mm/min, except in `data`,
  * where a number means what it means on the control: on an inch machine most lengths are inches. Unknown members are
@@ -1236,13 +1353,23 @@ export type Source = {
   /** The caps of the tool probes. */
   toolProbes: Array<Solid>,
   /** Coordinate systems. */
-  frames: Array<FrameView>,
+  frames: Array<SceneFrame>,
   /** The part of a turning machine as on a drawing. */
   drawing?: Drawing,
   /** Walls of protection zones, as shaft, web or island; shown, not touched. */
   zones: Array<Solid>,
   /** The part with the largest errors on both sides. */
   limits: Array<Solid>,
+};
+
+/** How everything stands from an entry of the trace on: rotary axes turn the part. */
+export type Standing = {
+  /** From when this one is done on. */
+  entry: number,
+  /** Where each solid stands: those of the part, then what stays. */
+  places: Array<Place>,
+  /** What is to be seen whole, without the tool: least and greatest coordinates. */
+  whole: [[number, number, number], [number, number, number]],
 };
 
 /** One step. Positions are machine (basic) coordinates X Y Z in mm. */
@@ -1424,7 +1551,7 @@ export type Trace = {
   /** The caps of the tool probes. */
   toolProbes: Array<Solid>,
   /** Coordinate systems. */
-  frames: Array<FrameView>,
+  frames: Array<SceneFrame>,
   /** The part of a turning machine as on a drawing. */
   drawing?: Drawing,
   /** Walls of protection zones, as shaft, web or island; shown, not touched. */

@@ -5,7 +5,7 @@ use crate::catalogue::example::{choosing, example, turned, worked};
 use crate::control::{MachineSort, Plane, delivery};
 use crate::diagnostic::Code;
 use crate::dialect::Dialect;
-use crate::entry::{Cycle, Param, ProbeUse, Style, Typed, Unit};
+use crate::entry::{Cycle, Param, ProbeUse, ResultField, Style, Typed, Unit};
 use crate::name::Name;
 use crate::workpiece::free::EXAMPLES;
 use crate::{check, entry};
@@ -39,7 +39,7 @@ pub struct CycleInfo {
     /// Its parameters, in the order in which they are written.
     pub parameters: Vec<ParameterInfo>,
     /// What it leaves in the result data.
-    pub results: Vec<ResultInfo>,
+    pub results: &'static [ResultField],
     /// Names of its alarms: `61303`, `PROBE FAIL`.
     pub alarms: Vec<Code>,
     /// Values of a worked measurement, as typed.
@@ -113,32 +113,12 @@ pub struct ParameterInfo {
     pub source: &'static str,
 }
 
-/// A datum that a cycle leaves.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
-pub struct ResultInfo {
-    /// `_OVR[4]`; of NCT a name of ours.
-    pub name: &'static str,
-    /// Key of its meaning.
-    pub key: &'static str,
-    /// Rule of its unit.
-    pub unit: Unit,
-    /// Place in the manual.
-    pub source: &'static str,
-}
-
 /// Everything that can be measured.
 pub fn catalogue() -> Catalogue {
     Catalogue { cycles: CYCLES.iter().map(|cycle| entry(cycle)).collect() }
 }
 
 fn entry(cycle: &'static Cycle) -> CycleInfo {
-    let result = |field: &entry::ResultField| ResultInfo {
-        name: field.name,
-        key: field.key,
-        unit: field.unit,
-        source: field.source,
-    };
     CycleInfo {
         control: cycle.dialect,
         cycle: cycle.name,
@@ -147,7 +127,7 @@ fn entry(cycle: &'static Cycle) -> CycleInfo {
         styles: styles(cycle),
         variants: cycle.variants.iter().map(|one| variant(cycle, one)).collect(),
         parameters: cycle.params.iter().map(parameter).collect(),
-        results: cycle.results.iter().map(result).collect(),
+        results: cycle.results,
         alarms: cycle.alarms(),
         example: worked(cycle),
         twins: !cycle.purpose.tasks.is_empty(),

@@ -73,6 +73,18 @@ pub struct Converted {
 
 /// Gives a parameter of a call another value.
 ///
+/// ```
+/// use probewright_core::app::{ChangeRequest, change};
+/// use probewright_core::dialect::Dialect;
+///
+/// let text = "_MVAR=1 _SETVAL=132 ; bore\nCYCLE977\nM30\n".to_owned();
+/// let (name, value) = ("_SETVAL".to_owned(), "40".to_owned());
+/// let done = change(ChangeRequest { control: Dialect::Sinumerik, text, call: 0, name, value, setup: None })?;
+/// let edit = &done.steps[0][0];
+/// assert_eq!((edit.from, edit.to, edit.insert.as_str()), (16, 19, "40")); // nothing else changes
+/// # Ok::<(), probewright_core::app::Error>(())
+/// ```
+///
 /// # Errors
 /// There is no such call.
 pub fn change(asked: ChangeRequest) -> Result<Changed, Error> {

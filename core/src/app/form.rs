@@ -1,6 +1,5 @@
 //! A form at every keystroke: fields, findings, snippet, picture, and what the call would do.
 
-use super::field::Field;
 use super::finding::Finding;
 use super::outcome::Outcome;
 use super::predict::{ErrorSliders, predict};
@@ -12,6 +11,7 @@ use crate::control::{Control, MachineSort, Plane, Transverse, UnitFunction, Unit
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::dialect::Dialect;
 use crate::entry::{ArgumentList, Cycle, Style, Typed, names};
+use crate::form::Field;
 use crate::machine::setup::Setup;
 use crate::name::Name;
 use crate::picture::Picture;
@@ -107,6 +107,17 @@ pub struct FormView {
 }
 
 /// Answers what is asked at every keystroke.
+///
+/// ```
+/// use probewright_core::{app, json};
+///
+/// let asked = r#"{ "control": "sinumerik", "cycle": "CYCLE977", "values": { "_MVAR": "1" } }"#;
+/// let view = app::form(json::question(asked)?)?;
+/// assert!(view.fields.iter().any(|field| field.name == "_SETVAL" && field.required));
+/// assert!(!view.complete); // no setpoint yet, and the findings say so
+/// assert!(view.diagnostics.iter().any(|found| found.param.is_some_and(|name| name == "_SETVAL")));
+/// # Ok::<(), app::Error>(())
+/// ```
 ///
 /// # Errors
 /// A cycle or a G function of units that the control does not have.
@@ -235,13 +246,13 @@ fn view(
     let control = &setup.control;
     let words = comments.map(|_| &word as &dyn Fn(&str, &str) -> String);
     let written = snippet_of(cycle, values, control, style, words);
-    let field = |field: form::Field| {
+    let with_expression = |field: Field| {
         let expression = values.expressions.get(field.name.as_str()).cloned();
-        Field::new(field, expression)
+        Field { expression, ..field }
     };
     let findings = |list: &[Diagnostic]| list.iter().map(Finding::of).collect();
     FormView {
-        fields: form::fields(cycle, values.typed, control).into_iter().map(field).collect(),
+        fields: form::fields(cycle, values.typed, control).into_iter().map(with_expression).collect(),
         diagnostics: findings(&checked.diagnostics),
         snippet: written.text,
         snippet_findings: findings(&written.findings),

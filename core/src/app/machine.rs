@@ -8,7 +8,6 @@ use crate::entry::Typed;
 use crate::form::machine::{Entry, Group, Refusal, Setting, accept, groups};
 use crate::message::Message;
 use crate::program::write::machine::{assignments, definitions};
-use crate::range::Range;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -51,10 +50,9 @@ pub struct MachineView {
 pub struct MachineProblem {
     /// Name of the datum.
     pub name: String,
-    /// What is wrong.
-    pub message: Message,
-    /// The cure.
-    pub hint: Message,
+    /// What is wrong, and the cure.
+    #[serde(flatten)]
+    pub refusal: Refusal,
 }
 
 /// Data of one subject.
@@ -71,43 +69,16 @@ pub struct MachineGroup {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 pub struct MachineField {
-    /// As a program writes it: `_WP[0,1]`, `MD18600`.
-    pub name: String,
-    /// Key of its name; `.help`, and `.v0`, `.v1`, … of a choice, may stand behind it.
-    pub key: String,
+    /// What is set.
+    #[serde(flatten)]
+    pub setting: Setting,
     /// Which field of data it belongs to.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub set: Option<Message>,
-    /// How it is entered.
-    pub kind: MachineKind,
     /// As typed; empty: as delivered.
     pub value: String,
     /// As delivered; empty: not known.
     pub fallback: String,
-    /// Unit on this machine.
-    pub unit: &'static str,
-    /// What is allowed.
-    pub range: Range,
-    /// The numbers of a choice.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub choices: Option<&'static [i64]>,
-    /// Place in the manual.
-    pub source: &'static str,
-}
-
-/// How a datum of the machine is entered.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
-#[cfg_attr(test, derive(ts_rs::TS))]
-pub enum MachineKind {
-    /// A number.
-    Real,
-    /// A whole number.
-    Integer,
-    /// One of its choices.
-    Choice,
-    /// A text.
-    Text,
 }
 
 /// The machine with what was typed.
@@ -156,7 +127,7 @@ fn write(control: &mut Control, delivered: &Control, typed: &Typed) -> Vec<Machi
         }
         match accept(setting, text) {
             Ok(value) => drop(control.data.insert(name.clone(), value)),
-            Err(Refusal { message, hint }) => problems.push(MachineProblem { name: name.clone(), message, hint }),
+            Err(refusal) => problems.push(MachineProblem { name: name.clone(), refusal }),
         }
     }
     problems
@@ -197,24 +168,7 @@ fn field(setting: Setting, control: &Control, delivered: &Control) -> MachineFie
         let key = array.trim_matches('_').to_lowercase().replace('_', "-");
         Message::new(format!("machine-field-{key}")).number("number", number as f64)
     });
-    let (kind, choices) = match setting.entry {
-        Entry::Real => (MachineKind::Real, None),
-        Entry::Integer => (MachineKind::Integer, None),
-        Entry::Text => (MachineKind::Text, None),
-        Entry::Choice(choices) => (MachineKind::Choice, Some(choices)),
-    };
-    MachineField {
-        name: setting.name,
-        key: setting.key,
-        set,
-        kind,
-        value: if value == fallback { String::new() } else { value },
-        fallback,
-        unit: setting.unit,
-        range: setting.range,
-        choices,
-        source: setting.source,
-    }
+    MachineField { setting, set, value: if value == fallback { String::new() } else { value }, fallback }
 }
 
 /// A datum as it would be typed; empty where nothing is known of it.

@@ -97,6 +97,17 @@ const MOST_FINDINGS: usize = 10_000;
 
 /// Reads a program, telling from time to time which share of the work is done; short programs are done at once.
 ///
+/// ```
+/// use probewright_core::app::{ReadRequest, read};
+/// use probewright_core::dialect::Dialect;
+///
+/// let text = "_MVAR=1 _SETVAL=132\nCYCLE977\nM30\n".to_owned();
+/// let view = read(ReadRequest { control: Dialect::Sinumerik, text, setup: None }, &mut |_| {})?;
+/// let [call] = &view.calls[..] else { unreachable!() };
+/// assert_eq!((call.cycle, call.line, call.values["_SETVAL"].as_str()), ("CYCLE977", 1, "132"));
+/// # Ok::<(), probewright_core::app::Error>(())
+/// ```
+///
 /// # Errors
 /// The machine has no such G function of units.
 pub fn read(asked: ReadRequest, told: &mut dyn FnMut(f64)) -> Result<ReadView, Error> {

@@ -132,6 +132,19 @@ impl OfCall {
 }
 
 /// A run in pieces, so that whoever waits for it can be told how far it is, halt it and leave it.
+///
+/// ```
+/// use probewright_core::app::{Run, RunRequest};
+/// use probewright_core::dialect::Dialect;
+///
+/// let text = "R1=20*2\nG0 X=R1\nM30\n".to_owned();
+/// let mut run = Run::new(RunRequest { control: Dialect::Sinumerik, text, setup: None })?;
+/// while !run.advance(100) {}
+/// let view = run.view();
+/// assert!(view.finished && view.alarms.is_empty());
+/// assert_eq!(view.trace.outcome.control.number("R1"), 40.0);
+/// # Ok::<(), probewright_core::app::Error>(())
+/// ```
 pub struct Run {
     session: Session,
     setup: Setup,

@@ -6,6 +6,7 @@ use crate::diagnostic::Code;
 use crate::dialect::Dialect;
 use crate::entry::Inputs;
 use crate::name::Name;
+use serde::Serialize;
 
 /// One measuring cycle or macro.
 pub struct Cycle {
@@ -134,15 +135,18 @@ pub struct Variant {
     pub source: &'static str,
 }
 
-/// One datum that a cycle leaves.
+/// A datum that a cycle leaves.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "ResultInfo"))]
 pub struct ResultField {
-    /// `_OVR[4]`, `_OVI[0]`; NCT: `deviation`, …
+    /// `_OVR[4]`, `_OVI[0]`; of NCT a name of ours: `deviation`, …
     pub name: &'static str,
     /// Key of its meaning.
     pub key: &'static str,
     /// When it is set.
+    #[serde(skip)]
     pub when: When,
-    /// Unit.
+    /// Rule of its unit.
     pub unit: Unit,
     /// Place in the manual.
     pub source: &'static str,

@@ -37,8 +37,8 @@ fn read(group: &DigitGroup, place: i64, number: i64) -> Group {
 pub fn knum(param: &Param, inputs: &Inputs, control: &Control) -> Entry {
     let number = inputs.given(param.name).unwrap_or(0.0) as i64;
     match target(param, inputs) {
-        Target::Zero => Entry::Choice(zero_offsets()),
-        Target::Tool => Entry::Digits(tool_digits(number, knum::five_digit_edges(control))),
+        Target::Zero => Entry::Choice { choices: zero_offsets() },
+        Target::Tool => Entry::Digits { digits: tool_digits(number, knum::five_digit_edges(control)) },
     }
 }
 

@@ -8,55 +8,77 @@ use crate::message::Message;
 use crate::name::Name;
 use crate::range::Range;
 use crate::support::Support;
+use serde::Serialize;
 
-/// One field. Numbers of `fallback` and `range` are in the unit that is shown.
-#[derive(Clone, Debug, PartialEq)]
+/// A field of a form. Numbers of `fallback` and `range` are in its unit.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 pub struct Field {
-    /// As the manual writes it.
+    /// Parameter, as the manual writes it: `_SETVAL`.
     pub name: Name,
     /// Its name in words.
     pub label: Message,
     /// What it means.
     pub help: Message,
     /// How it is entered.
+    #[serde(flatten)]
     pub entry: Entry,
-    /// As typed.
+    /// As typed; empty: nothing is.
     pub value: String,
-    /// It chooses the variant, on which the other fields depend.
+    /// The expression of the program of which the value is the worth.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub expression: Option<String>,
+    /// There where it chooses the variant, on which the other fields depend.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    #[cfg_attr(test, ts(optional, as = "Option<bool>"))]
     pub chooses: bool,
-    /// What the number is a code of, where its digits mean something else in other variants.
+    /// What the number is a code of, where that is not the same in all variants.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub code: Option<&'static str>,
-    /// Value that counts while nothing is typed.
+    /// What counts while nothing is typed.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub fallback: Option<f64>,
     /// `mm`, `inch`, `deg`, `mm/min`, `inch/min` or nothing.
     pub unit: &'static str,
     /// Whether it has to be given.
     pub required: bool,
-    /// Why it is asked for.
+    /// Why it is required or optional.
     pub reason: Message,
-    /// What the control takes.
-    pub range: Range,
     /// Place in the manual.
     pub source: &'static str,
 }
 
 /// How a field is entered.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "kind", rename_all = "lowercase")]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "FieldKind"))]
 pub enum Entry {
     /// Real number.
-    Real,
+    Real {
+        /// What the control takes.
+        range: Range,
+    },
     /// Whole number.
-    Integer,
-    /// Text of at most this many characters.
-    Text(usize),
-    /// One of these numbers.
-    Choice(Vec<Choice>),
+    Integer {
+        /// What the control takes.
+        range: Range,
+    },
+    /// One of its choices.
+    Choice {
+        /// What can be chosen.
+        choices: Vec<Choice>,
+    },
     /// A number put together from groups of digits.
-    Digits(Vec<Group>),
+    Digits {
+        /// Digits that mean something of their own.
+        digits: Vec<Group>,
+    },
+    /// Text.
+    Text,
 }
 
 /// A number with its name.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Choice {
     /// Number as it is written.
@@ -66,7 +88,7 @@ pub struct Choice {
 }
 
 /// Digits that mean something of their own.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(rename = "DigitGroup"))]
 pub struct Group {
     /// What they mean.
@@ -102,15 +124,15 @@ fn field(param: &'static Param, inputs: &Inputs, typed: &Typed, control: &Contro
         name: param.name,
         label: Message::new(format!("param-{stem}")),
         help: Message::new(format!("param-{stem}-help")),
-        entry: entry(param, inputs, control),
+        entry: entry(param, inputs, shown(param.range, factor(unit, control)), control),
         value: typed.get(param.name.as_str()).cloned().unwrap_or_default(),
+        expression: None,
         chooses: matches!(param.kind, Kind::Variant(_)),
         code: matches!(param.kind, Kind::Knum).then_some(stem),
         fallback: param.fallback(control),
         unit: unit_name(unit, control),
         required: level == Level::Required && param.default.is_none(),
         reason: Message::new(reason),
-        range: shown(param.range, factor(unit, control)),
         source: param.source,
     })
 }
@@ -120,23 +142,20 @@ fn shown(range: Range, per: f64) -> Range {
     Range { min: range.min / per, max: range.max / per, ..range }
 }
 
-fn entry(param: &Param, inputs: &Inputs, control: &Control) -> Entry {
+fn entry(param: &Param, inputs: &Inputs, range: Range, control: &Control) -> Entry {
     let number = inputs.given(param.name).unwrap_or(0.0) as i64;
     let support = Support::of(inputs.cycle, control);
     match &param.kind {
-        Kind::Real => Entry::Real,
-        Kind::Integer => Entry::Integer,
-        Kind::Text(most) => Entry::Text(*most),
-        Kind::Choice(_) | Kind::ChoiceBy(_) | Kind::ChoiceIf(..) => {
-            let choices = param.kind.choices(inputs);
-            choices.map_or(Entry::Real, |list| Entry::Choice(codes::choices(list)))
-        }
-        Kind::Variant([]) => Entry::Choice(codes::variants(inputs.cycle)),
-        Kind::Variant(groups) => Entry::Digits(variant::groups(inputs.cycle, groups, number)),
-        Kind::Digits(groups) => {
-            let groups = codes::groups(groups, number);
-            Entry::Digits(masks::groups(support, groups))
-        }
+        Kind::Real => Entry::Real { range },
+        Kind::Integer => Entry::Integer { range },
+        Kind::Text(_) => Entry::Text,
+        Kind::Choice(_) | Kind::ChoiceBy(_) | Kind::ChoiceIf(..) => match param.kind.choices(inputs) {
+            Some(list) => Entry::Choice { choices: codes::choices(list) },
+            None => Entry::Real { range },
+        },
+        Kind::Variant([]) => Entry::Choice { choices: codes::variants(inputs.cycle) },
+        Kind::Variant(groups) => Entry::Digits { digits: variant::groups(inputs.cycle, groups, number) },
+        Kind::Digits(groups) => Entry::Digits { digits: masks::groups(support, codes::groups(groups, number)) },
         Kind::Knum => masks::target(support, codes::knum(param, inputs, control), inputs),
     }
 }

@@ -9,32 +9,42 @@ use crate::dialect::Dialect;
 use crate::message::Message;
 use crate::range::Range;
 use crate::support;
+use serde::Serialize;
 
 /// Most places of one element that are shown; the control may have thousands of memories.
 const SHOWN: usize = 100;
 
 /// How a datum is entered.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(tag = "kind", rename_all = "lowercase")]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "MachineKind"))]
 pub enum Entry {
     /// A number.
     Real,
     /// A whole number.
     Integer,
-    /// One of these.
-    Choice(&'static [i64]),
+    /// One of its choices.
+    Choice {
+        /// The numbers.
+        choices: &'static [i64],
+    },
     /// A text.
     Text,
 }
 
 /// A datum that can be set.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Setting {
     /// As a program writes it: `_WP[0,1]`, `MD18600`.
     pub name: String,
-    /// Key of its words.
+    /// Key of its name; `.help`, and `.v0`, `.v1`, … of a choice, may stand behind it.
     pub key: String,
     /// Array whose field with this number (from 1) it belongs to.
+    #[serde(skip)]
     pub field: Option<(&'static str, usize)>,
     /// How it is entered.
+    #[serde(flatten)]
     pub entry: Entry,
     /// Unit as it counts on this machine.
     pub unit: &'static str,
@@ -77,7 +87,7 @@ fn nct(basic: Units) -> Vec<Group> {
         entry: match datum.choices {
             [] if datum.unit == Unit::None => Entry::Integer,
             [] => Entry::Real,
-            choices => Entry::Choice(choices),
+            choices => Entry::Choice { choices },
         },
         unit: unit(datum.unit, basic),
         range: datum.range,
@@ -104,7 +114,7 @@ fn forms() -> Setting {
         name: support::FORMS.to_owned(),
         key: support::FORMS_KEY.to_owned(),
         field: None,
-        entry: Entry::Choice(&[0, 1]),
+        entry: Entry::Choice { choices: &[0, 1] },
         unit: "",
         range: Range::closed(0.0, 1.0),
         source: "",
@@ -130,7 +140,7 @@ fn of_datum(gud: &'static Gud, control: &Control) -> Vec<Setting> {
 fn setting(gud: &'static Gud, element: &Element, at: &[usize], basic: Units) -> Setting {
     let numbered = !gud.counted.is_empty();
     let entry = match gud.kind {
-        _ if !element.choices.is_empty() => Entry::Choice(element.choices),
+        _ if !element.choices.is_empty() => Entry::Choice { choices: element.choices },
         gud::Kind::Text | gud::Kind::Frame => Entry::Text,
         gud::Kind::Real => Entry::Real,
         gud::Kind::Integer | gud::Kind::Bool => Entry::Integer,
@@ -177,6 +187,8 @@ fn unit(unit: Unit, basic: Units) -> &'static str {
 }
 
 /// Why a typed value is not taken, and what would be.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Refusal {
     /// What is wrong.
     pub message: Message,
@@ -225,7 +237,7 @@ fn plain(text: &str) -> Result<Value, Refusal> {
 fn allowed(setting: &Setting, number: f64) -> Result<(), Refusal> {
     let range = setting.range;
     let hint = match setting.entry {
-        Entry::Choice(choices) if choices.iter().all(|choice| *choice as f64 != number) => {
+        Entry::Choice { choices } if choices.iter().all(|choice| *choice as f64 != number) => {
             let list: Vec<String> = choices.iter().map(i64::to_string).collect();
             Message::new("check-range-choice-hint").text("choices", list.join(", "))
         }

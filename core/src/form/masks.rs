@@ -1,7 +1,7 @@
 //! What a field offers where the machine's forms are those of the control's own support; see [`crate::support`].
 
 use super::codes::{EDGE, KIND};
-use super::fields::{Choice, Entry, Group};
+use super::fields::{Entry, Group};
 use crate::entry::{Inputs, PROBE_TYPE};
 use crate::evaluate::knum::Quantity;
 use crate::support::{PROBE, Support, TARGETS, usual, usual_zero};
@@ -26,18 +26,17 @@ pub fn target(support: Option<Support>, entry: Entry, inputs: &Inputs) -> Entry 
         return entry;
     }
     match entry {
-        Entry::Choice(mut choices) => {
-            choices.retain(|choice: &Choice| usual_zero(choice.value));
-            Entry::Choice(choices)
+        Entry::Choice { mut choices } => {
+            choices.retain(|choice| usual_zero(choice.value));
+            Entry::Choice { choices }
         }
-        Entry::Digits(groups) => {
-            let mut kept = groups;
-            kept.retain(|group| [EDGE.key, KIND.key].contains(&&*group.label.key));
-            for group in kept.iter_mut().filter(|group| group.label.key == KIND.key) {
+        Entry::Digits { mut digits } => {
+            digits.retain(|group| [EDGE.key, KIND.key].contains(&&*group.label.key));
+            for group in digits.iter_mut().filter(|group| group.label.key == KIND.key) {
                 let usual = kind_of(usual(inputs));
                 group.choices.retain(|choice| choice.value == usual);
             }
-            Entry::Digits(kept)
+            Entry::Digits { digits }
         }
         entry => entry,
     }

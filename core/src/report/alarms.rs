@@ -1,8 +1,8 @@
 //! An alarm as a person reads it, for the terminal and for `docs/alarms.md`.
 
-use crate::catalogue::CYCLES;
 use crate::catalogue::alarms::{ALARMS, Alarm, Found, key, raised_by, stops};
 use crate::catalogue::operator_messages::{MESSAGES, OperatorMessage, Sender, shown_by};
+use crate::catalogue::{CYCLES, alarms, operator_messages};
 use crate::dialect::Dialect;
 use crate::message::Message;
 use crate::report::markdown::line;
@@ -24,10 +24,24 @@ pub struct Told {
     pub sources: String,
     /// What Probewright does about it.
     pub found: String,
+    /// Place in the manual.
+    pub source: &'static str,
+}
+
+/// All alarms, then all texts for the operator, in words.
+pub fn all(words: &Words) -> impl Iterator<Item = Told> {
+    let messages = MESSAGES.iter().map(move |message| told_message(message, words));
+    ALARMS.iter().map(move |alarm| told(alarm, words)).chain(messages)
+}
+
+/// The alarm or text with this name in words.
+pub fn named(name: &str, words: &Words) -> Option<Told> {
+    let alarm = alarms::find(name).map(|alarm| told(alarm, words));
+    alarm.or_else(|| operator_messages::find(name).map(|message| told_message(message, words)))
 }
 
 /// An alarm in words.
-pub fn told(alarm: &Alarm, words: &Words) -> Told {
+fn told(alarm: &Alarm, words: &Words) -> Told {
     let key = key(alarm.code);
     Told {
         code: alarm.code.to_string(),
@@ -37,11 +51,12 @@ pub fn told(alarm: &Alarm, words: &Words) -> Told {
         effect: words.key(effect_key(alarm)),
         sources: sources(alarm, words),
         found: words.key(found_key(alarm.found)),
+        source: alarm.source,
     }
 }
 
 /// A text for the operator in words.
-pub fn told_message(message: &OperatorMessage, words: &Words) -> Told {
+fn told_message(message: &OperatorMessage, words: &Words) -> Told {
     let effect = if message.waits { "effect-start" } else { "effect-shown" };
     Told {
         code: message.text.to_owned(),
@@ -54,6 +69,7 @@ pub fn told_message(message: &OperatorMessage, words: &Words) -> Told {
             _ => shown_by(message).join(", "),
         },
         found: words.key(found_key(Found::Nowhere)),
+        source: message.source,
     }
 }
 
@@ -92,24 +108,19 @@ pub fn page(words: &Words) -> String {
     line(&mut text, &format!("# {}", words.key("report-alarms")));
     line(&mut text, &words.key("alarms-intro"));
     line(&mut text, &words.key("report-generated"));
-    for alarm in ALARMS {
-        section(&mut text, told(alarm, words), alarm.source);
-    }
-    for message in MESSAGES {
-        section(&mut text, told_message(message, words), message.source);
-    }
+    all(words).for_each(|told| section(&mut text, told));
     text.pop();
     text
 }
 
-fn section(text: &mut String, told: Told, source: &str) {
+fn section(text: &mut String, told: Told) {
     line(text, &format!("## {}", told.code));
     let cause = told.cause.map_or(String::new(), |cause| format!(" {cause}"));
     line(text, &format!("**{}**{cause}", told.meaning));
     line(text, &told.cure);
     let facts = [&told.effect, &told.found].map(String::as_str).join(" ");
     line(text, &facts);
-    line(text, &format!("Raised by: {}. Source: {}.", told.sources, source));
+    line(text, &format!("Raised by: {}. Source: {}.", told.sources, told.source));
 }
 
 #[cfg(test)]
@@ -132,9 +143,7 @@ mod tests {
     #[test]
     fn every_alarm_has_a_cure_and_words_without_gaps() {
         let words = Words::english();
-        let alarms = ALARMS.iter().map(|alarm| told(alarm, &words));
-        let messages = MESSAGES.iter().map(|message| told_message(message, &words));
-        for told in alarms.chain(messages) {
+        for told in all(&words) {
             let key = &told.code;
             for text in [&told.meaning, &told.cure, &told.effect, &told.found] {
                 assert!(text.contains(' ') && !text.contains("{$"), "{key}: {text}");

@@ -6,8 +6,8 @@ use probewright_core::form::Entry;
 
 fn numbers(entry: Entry) -> Vec<i64> {
     match entry {
-        Entry::Choice(choices) => choices.iter().map(|one| one.value).collect(),
-        Entry::Digits(groups) => {
+        Entry::Choice { choices } => choices.iter().map(|one| one.value).collect(),
+        Entry::Digits { digits: groups } => {
             let choices = groups.iter().flat_map(|group| &group.choices);
             choices.map(|one| one.value).collect()
         }

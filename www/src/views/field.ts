@@ -4,14 +4,13 @@ import type { Actions } from "../desk/actions";
 import { el, keyed, on, setAttribute, setText, show } from "../dom";
 import { parseNumber, plain } from "../numbers";
 import { allWords, say, t } from "../texts";
-import type { Diagnostic, Field } from "../wire";
+import type { Choice, Diagnostic, DigitGroup, Field, Range } from "../wire";
 import { listProblems } from "./problem";
 
 export interface FieldView {
   root: HTMLElement;
   update(field: Field, typed: string, problems: Diagnostic[]): void;
 }
-type DigitGroup = NonNullable<Field["digits"]>[number];
 
 const PAUSE = 700; // ms without a key after which a value counts as typed
 
@@ -20,8 +19,8 @@ export function fieldId(name: string): string {
 }
 
 /** What may be entered, in the manual's way of writing an interval. */
-export function rangeText(range: Field["range"]): string {
-  if (!range || (range.min === undefined && range.max === undefined)) return "";
+export function rangeText(range: Range): string {
+  if (range.min === undefined && range.max === undefined) return "";
   const { min, max } = range;
   if (min !== undefined && max !== undefined)
     return `${plain(min)} ${range.minIncluded ? "≤" : "<"} … ${range.maxIncluded ? "≤" : "<"} ${plain(max)}`;
@@ -29,9 +28,11 @@ export function rangeText(range: Field["range"]): string {
   return `${range.maxIncluded ? "≤" : "<"} ${plain(max ?? 0)}`;
 }
 
+const choicesOf = (field: Field): Choice[] => (field.kind === "choice" ? field.choices : []);
+
 function fallbackText(field: Field): string {
   if (field.fallback === undefined) return "";
-  const named = field.choices?.find(choice => choice.value === field.fallback);
+  const named = choicesOf(field).find(choice => choice.value === field.fallback);
   return t("field-default", {
     value: named ? `${plain(field.fallback)} (${say(named.label)})` : plain(field.fallback),
   });
@@ -145,7 +146,7 @@ export function createField(first: Field, actions: Actions, focused: (name: stri
       if (field.kind === "digits")
         keyed(
           groups,
-          field.digits ?? [],
+          field.digits,
           group => `${group.label.key}/${group.place}/${group.choices.map(one => one.value).join(",")}`,
           group => createGroup(() => field, group.place, editGroup),
           (node, group, index) => updateGroup(node, group, `${id}-digit-${index}`),
@@ -178,14 +179,14 @@ function options(select: HTMLSelectElement, choices: { value: number; text: stri
 
 function updateChoice(select: HTMLSelectElement, field: Field, typed: string): void {
   const number = parseNumber(typed);
-  const known = field.choices?.some(one => one.value === number);
+  const known = choicesOf(field).some(one => one.value === number);
   const empty =
     typed.trim() === "" || known
       ? t(field.fallback === undefined ? "choice-none" : "choice-default")
       : t("choice-other");
   options(
     select,
-    (field.choices ?? []).map(one => ({ value: one.value, text: `${one.value} · ${say(one.label)}` })),
+    choicesOf(field).map(one => ({ value: one.value, text: `${one.value} · ${say(one.label)}` })),
     empty,
   );
   const value = known ? String(number) : "";
@@ -194,7 +195,10 @@ function updateChoice(select: HTMLSelectElement, field: Field, typed: string): v
 }
 
 function createGroup(field: () => Field, place: number, edit: (group: DigitGroup, value: number) => void): HTMLElement {
-  const current = (): DigitGroup | undefined => field().digits?.find(group => group.place === place);
+  const current = (): DigitGroup | undefined => {
+    const now = field();
+    return now.kind === "digits" ? now.digits.find(group => group.place === place) : undefined;
+  };
   const select = el("select", { class: "choice" });
   const number = el("input", { class: "figure", type: "text", inputmode: "numeric", autocomplete: "off" });
   const commit = (text: string): void => {

@@ -257,7 +257,7 @@ function datumRow(datum: MachineField, value: string, problem: string, edit: (va
 }
 
 function choices(datum: MachineField, value: string): TemplateResult[] {
-  const known = (datum.choices ?? []).map(String);
+  const known = (datum.kind === "choice" ? datum.choices : []).map(String);
   const now = datum.value || datum.fallback;
   const text = (value: string): string => {
     const shown = choiceText(datum.key, Number(value));

@@ -112,7 +112,7 @@ fn a_selection_has_no_unit_but_a_coordinate_has() {
     let entry = |changes: &[(&str, &str)]| {
         let fields = fields(&CYCLE961, &typed(changes), &control);
         let field = fields.into_iter().find(|one| one.name == "_SETV[4]");
-        field.map(|field| (matches!(field.entry, Entry::Choice(_)), field.unit))
+        field.map(|field| (matches!(field.entry, Entry::Choice { .. }), field.unit))
     };
     assert_eq!(entry(RECTANGLE), Some((true, "")));
     assert_eq!(entry(POINTS), Some((false, "inch")));
