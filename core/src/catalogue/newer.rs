@@ -96,8 +96,8 @@ pub const CYCLE977: ArgumentList = list(
     ],
 );
 
-/// CYCLE978. The measuring direction is an argument of its own, which programs leave out too; here the side on which the
-/// probe stands tells it.
+/// CYCLE978. The measuring direction is an argument of its own, which programs leave out too; here the side on which
+/// the probe stands tells it.
 pub const CYCLE978: ArgumentList = list(
     "CYCLE978",
     When::Variant(&[0, 100]),

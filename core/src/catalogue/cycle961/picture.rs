@@ -81,7 +81,7 @@ impl Corner {
         Some(Corner { at, edges: [direction(at, other(first)?), direction(at, other(second)?)], starts })
     }
 
-    /// A coordinate of a place from the workpiece zero as a dimension that ends here, and the way from there to the place.
+    /// A coordinate of a place from the workpiece zero as a dimension that ends here, and the way from there to it.
     fn coordinate(&self, above: &Seen, index: usize, axis: usize, to: Point) -> [PictureShape; 2] {
         let field = PLACES[index][axis];
         let way = line(ShapeKind::Axis, vec![to, self.starts[index]]).of(field);
