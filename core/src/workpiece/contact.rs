@@ -94,8 +94,8 @@ impl Boundary {
     }
 }
 
-/// How the ball stands at the start of the way. Under a surface of triangles one that does not move is inside also where
-/// it is altogether below.
+/// How the ball stands at the start of the way. Under a surface of triangles one that does not move is inside also
+/// where it is altogether below.
 fn stand(body: &Body, path: &Path, radius: f64) -> Stand {
     if let Some(free) = &body.free {
         return match free.mesh.stand(path, radius) {
