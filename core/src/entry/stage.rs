@@ -23,7 +23,7 @@ pub struct Look {
     pub up: [f64; 3],
     /// Whether the part is cut open.
     pub cut: bool,
-    /// The touches that are shown, a bit each, the first one the lowest. The ways end with the last of them.
+    /// The touches that are shown, a bit each, the first one the lowest; all bits: each. The ways end with the last.
     pub touches: u32,
     /// After how many touches the ways begin.
     pub since: usize,
@@ -81,12 +81,12 @@ impl Look {
 
     /// Whether it shows a touch, counted from 0.
     pub const fn shows(&self, touch: usize) -> bool {
-        touch < u32::BITS as usize && self.touches >> touch & 1 == 1
+        self.touches == u32::MAX || touch < u32::BITS as usize && self.touches >> touch & 1 == 1
     }
 
     /// How many touches are carried out for it.
     pub const fn until(&self) -> usize {
-        (u32::BITS - self.touches.leading_zeros()) as usize
+        if self.touches == u32::MAX { usize::MAX } else { (u32::BITS - self.touches.leading_zeros()) as usize }
     }
 }
 
@@ -149,6 +149,10 @@ impl Fields {
 pub struct Staging {
     /// Values in place of those of the call; mm and degree.
     pub values: Vec<(Name, f64)>,
+    /// Values of the call that are left out.
+    pub left_out: Vec<Name>,
+    /// Whether retracting and looking for nothing are ways too, as of a scan.
+    pub all_ways: bool,
     /// Variant that is carried out instead of the one called; none: that one.
     pub variant: Option<i64>,
     /// Variant whose part is proposed; none: that one too.
@@ -178,6 +182,8 @@ impl Staging {
     pub fn new(look: Look, fields: Fields) -> Staging {
         Staging {
             values: Vec::new(),
+            left_out: Vec::new(),
+            all_ways: false,
             variant: None,
             proposed: None,
             tip: None,

@@ -145,8 +145,8 @@ impl Performed {
         let mut drawn = inputs.clone();
         let known = |name: &Name| inputs.cycle.param(name).is_some();
         drawn.numbers.extend(NEUTRAL.into_iter().filter(|(name, _)| known(name)));
+        drawn.numbers.retain(|name, _| !CORRECTIONS.contains(name) && !staging.left_out.contains(name));
         drawn.numbers.extend(staging.values.iter().copied());
-        drawn.numbers.retain(|name, _| !CORRECTIONS.contains(name));
         drawn.texts.clear();
         drawn.plane = plane(inputs, &staging);
         let mut setup = machine(inputs, &staging);
@@ -160,13 +160,17 @@ impl Performed {
         setup.tool_probes.clone_from(&proposal.tool_probes);
         let lying = proposal.real_tool.clone().map(|tool| (setup.control.active_place(), tool));
         setup.real_tools.extend(lying);
+        for made in &proposal.tools {
+            let tool = setup.control.tools.entry(made.tool).or_default();
+            tool.edges.entry(made.edge).or_insert_with(|| made.data.clone());
+        }
         setup.position = setup.control.to_machine(proposal.start);
         let mut sim = Sim::new(&setup);
         sim.trace_limit = STEPS;
         let stop = perform(&mut sim, &drawn).err();
         let steps: Vec<&Step> = sim.trace.entries.iter().map(|entry| &entry.step).collect();
         let to_ball = to_ball(&steps);
-        let (ways, touches) = motions(&steps, to_ball);
+        let (ways, touches) = motions(&steps, to_ball, staging.all_ways);
         Performed {
             complete: stop.is_none(),
             start: V3::from(setup.position.0) + to_ball,
@@ -504,14 +508,16 @@ fn to_ball(steps: &[&Step]) -> V3 {
     touch.unwrap_or_default()
 }
 
-/// Ways and touches of a trace, each place touched once.
-fn motions(steps: &[&Step], to_ball: V3) -> (Vec<Way>, Vec<Touch>) {
+/// Ways and touches of a trace, each place touched once; `all`: retracting and finding nothing are ways too.
+fn motions(steps: &[&Step], to_ball: V3, all: bool) -> (Vec<Way>, Vec<Touch>) {
     let (mut ways, mut touches): (Vec<Way>, Vec<Touch>) = (Vec::new(), Vec::new());
     let mut measured = None;
-    for step in steps {
+    for (index, step) in steps.iter().enumerate() {
+        if let Step::Motion { kind: MotionKind::Measuring, from, .. } = step {
+            measured = Some(V3::from(*from) + to_ball);
+        }
         match step {
-            Step::Motion { kind: MotionKind::Measuring, from, .. } => measured = Some(V3::from(*from) + to_ball),
-            Step::Motion { kind, from, to, around, .. } if *kind != MotionKind::Retract => {
+            Step::Motion { kind, from, to, around, .. } if is_way(*kind, steps.get(index + 1), all) => {
                 let points = course(*from, *to, around.as_ref());
                 let points = points.into_iter().map(|point| V3::from(point) + to_ball).collect();
                 ways.push(Way { points, round: around.is_some(), after: touches.len() });
@@ -526,6 +532,15 @@ fn motions(steps: &[&Step], to_ball: V3) -> (Vec<Way>, Vec<Touch>) {
         }
     }
     (ways, touches)
+}
+
+/// Whether a motion is drawn as a way: one that measures is, where `all` are and no touch follows it.
+fn is_way(kind: MotionKind, next: Option<&&Step>, all: bool) -> bool {
+    match kind {
+        MotionKind::Measuring => all && !matches!(next, Some(Step::Touch { .. })),
+        MotionKind::Retract => all,
+        _ => true,
+    }
 }
 
 fn course(from: [f64; 3], to: [f64; 3], around: Option<&Around>) -> Vec<[f64; 3]> {

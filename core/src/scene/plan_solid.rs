@@ -6,6 +6,7 @@ use crate::picture::figures::frame;
 use crate::picture::{PictureShape, ShapeKind, figures};
 use crate::workpiece::Solid;
 use crate::workpiece::form::{Column, Form, Material};
+use crate::workpiece::free::FreeSurface;
 
 /// Material around an opening, in sizes of it.
 const AROUND: Material = Material { beside: [1.3, 0.0], below: [1.25, 0.0] };
@@ -39,7 +40,7 @@ pub fn outline(solid: &Solid, kind: ShapeKind, cut: Option<Cut>, seen: impl Fn(V
             let ball = |kind| figures::circle(kind, middle, radius);
             return Some(Outline { body: ball(kind), lines: vec![ball(ShapeKind::Edge)] });
         }
-        Form::Free(_) => return None,
+        Form::Free(surface) => return Some(free(&surface, kind, cut, machine, &seen)),
     };
     let (outer, opening) = (columns.outer(&AROUND), columns.opening);
     let z = seen(place.rotation * V3::z());
@@ -81,6 +82,38 @@ pub fn outline(solid: &Solid, kind: ShapeKind, cut: Option<Cut>, seen: impl Fn(V
     Some(Outline { lines: lines(&body), body })
 }
 
+/// A free surface: its rectangle, or where it is cut the surface with what lies below it, as deep as it is high.
+fn free(
+    surface: &FreeSurface,
+    kind: ShapeKind,
+    cut: Option<Cut>,
+    machine: impl Fn(V3) -> V3,
+    seen: impl Fn(V3) -> [f64; 2],
+) -> Outline {
+    let [low, high] = surface.bounds();
+    let Some(cut) = cut else {
+        let corners = [[low[0], low[1]], [high[0], low[1]], [high[0], high[1]], [low[0], high[1]]];
+        let body = figures::polygon(kind, corners.map(|[x, y]| seen(machine(V3::new(x, y, high[2])))).into());
+        return Outline { lines: lines(&body), body };
+    };
+    let triangles = surface.triangles().map(|triangle| triangle.map(|corner| machine(V3::from(corner))));
+    let sides = triangles.flat_map(|[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let mut top: Vec<[f64; 2]> = sides.filter_map(|side| crossing(side, cut)).map(&seen).collect();
+    top.sort_by(|one, other| one[0].total_cmp(&other[0]));
+    top.dedup_by(|one, other| distance(*one, *other) < 1e-6);
+    let bottom = seen(machine(V3::new(low[0], low[1], 2.0 * low[2] - high[2])))[1];
+    let mut body = top.clone();
+    body.extend(top.last().map(|end| [end[0], bottom]));
+    body.extend(top.first().map(|begin| [begin[0], bottom]));
+    Outline { body: figures::polygon(kind, body), lines: vec![figures::line(ShapeKind::Edge, top)] }
+}
+
+/// Where a straight line goes through a plane.
+fn crossing([from, to]: [V3; 2], cut: Cut) -> Option<V3> {
+    let [before, behind] = [from, to].map(|end| (end - cut.at).dot(&cut.normal));
+    (before * behind < 0.0).then(|| from + (to - from) * (before / (before - behind)))
+}
+
 /// A figure with what is open in it, whose boundary counts.
 fn from_above(outer: PictureShape, opening: Option<PictureShape>) -> Outline {
     let Some(inner) = opening else {
@@ -102,12 +135,7 @@ fn section([one, other]: &[[V3; 4]; 2], cut: Cut) -> Vec<V3> {
     };
     let along = one.iter().zip(other).map(|(from, to)| [*from, *to]);
     let edges = around(one).into_iter().chain(around(other)).chain(along);
-    let mut corners: Vec<V3> = edges
-        .filter_map(|[from, to]| {
-            let [before, behind] = [from, to].map(|end| (end - cut.at).dot(&cut.normal));
-            (before * behind < 0.0).then(|| from + (to - from) * (before / (before - behind)))
-        })
-        .collect();
+    let mut corners: Vec<V3> = edges.filter_map(|edge| crossing(edge, cut)).collect();
     let middle = corners.iter().sum::<V3>() / corners.len().max(1) as f64;
     let Some(first) = corners.first().map(|corner| corner - middle) else {
         return corners;
@@ -132,8 +160,6 @@ pub fn meets(line: &PictureShape, point: [f64; 2]) -> bool {
     if let Some((centre, radius)) = line.circle {
         return (distance(point, centre) - radius).abs() < 1e-3;
     }
-    let [from, to] = line.points[..] else {
-        return false;
-    };
-    (distance(from, point) + distance(point, to) - distance(from, to)).abs() < 1e-3
+    let on = |[from, to]: [[f64; 2]; 2]| distance(from, point) + distance(point, to) - distance(from, to) < 1e-3;
+    line.points.windows(2).any(|ends| on([ends[0], ends[1]]))
 }

@@ -55,7 +55,7 @@ pub static P9969: Cycle = Cycle {
         wrong(When::Always, "help-p9969-wrong-cavity", "C:1338"),
         wrong(When::Always, "help-p9969-wrong-ball", "C:1272-1275"),
     ]]),
-    picture: Drawing::new(picture::picture),
+    picture: Drawing::staged(picture::stage, picture::marks),
     example: &[
         (address::X, "60"),
         (address::Y, "40"),

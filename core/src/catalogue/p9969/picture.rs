@@ -1,88 +1,89 @@
-//! The rectangle from above with its lines, and below it one step over the surface from the side. Sizes are drawn in
-//! proportion where they can be seen, never as they are.
+//! G65 P9969 drawn: the rectangle from above with its lines, and below it one step over the surface from the side. Sizes
+//! are drawn in proportion where they can be seen, never as they are.
 
-use super::addresses::{letter, spacing};
-use crate::catalogue::nct::axis_name;
+use super::addresses::letter;
+use crate::catalogue::nct::{axis_of, given};
+use crate::entry::stage::{Fields, Look, Seen, Staging, add};
 use crate::entry::{Inputs, address};
-use crate::name::Name;
-use crate::picture::figures::{circle, dimension, line, polygon};
-use crate::picture::{Picture, PictureShape, ShapeKind, View};
+use crate::picture::figures::{circle, dimension, line};
+use crate::picture::{PictureShape, ShapeKind};
 
-/// Longer side of the drawn rectangle, mm.
-const LONG: f64 = 64.0;
-/// Shortest side.
-const SHORT: f64 = 24.0;
-/// Drawn lines.
-const LINES: usize = 6;
-/// Height of the drawn surface in the section below the rectangle.
-const GROUND: f64 = -52.0;
-/// Ball radius.
+/// Longer side of the drawn rectangle and shortest side, mm.
+const SIDES: [f64; 2] = [64.0, 24.0];
+/// Drawn lines less one.
+const SPACES: f64 = 5.0;
+/// Drawn deepest position, mm.
+const DEEPEST: f64 = -18.0;
+/// Shortest and longest part of a drawn step, mm.
+const STEP: [f64; 2] = [6.0, 14.0];
+/// Ball radius, mm.
 const BALL: f64 = 3.0;
 
-/// The picture.
-pub fn picture(inputs: &Inputs) -> Picture {
-    let mut shapes = above(inputs);
-    shapes.extend(beside(inputs));
-    Picture { view: View::Plane, shapes }
+/// Axis of the plane (0 or 1) from line to line: an empty field has the value of the example, so that a letter of the
+/// call itself counts more; where none is given, the second.
+fn across(inputs: &Inputs) -> usize {
+    let letter = |index: usize| letter(inputs.plane.axes()[index]);
+    let given = [1, 0].into_iter().filter(|index| inputs.given(letter(*index)).is_some());
+    let own = |index: &usize| inputs.cycle.example.iter().all(|(name, _)| *name != letter(*index));
+    given.clone().find(own).or(given.clone().next()).unwrap_or(1)
 }
 
-/// Rectangle from the start, which is the zero here, with the way of the stylus.
-fn above(inputs: &Inputs) -> Vec<PictureShape> {
-    let [first, second, _] = inputs.plane.axes();
-    let ends = [first, second].map(|axis| inputs.number(axis_name(axis)).abs().max(1e-6));
-    let longest = ends[0].max(ends[1]);
-    let [width, height] = ends.map(|end| (end / longest * LONG).max(SHORT));
-    let (step_axis, along_first) = match spacing(inputs) {
-        Some((_, along, across)) => (across, along == first),
-        None => (second, true),
+/// Sides of the drawn rectangle along the axes of the plane, mm.
+fn sides(inputs: &Inputs) -> [f64; 2] {
+    let ends = [0, 1].map(|index| given(inputs, index).unwrap_or(0.0).abs().max(1e-6));
+    ends.map(|end| (end / ends[0].max(ends[1]) * SIDES[0]).max(SIDES[1]))
+}
+
+/// Drawn distance of the points and way up before the next one, mm.
+fn step(inputs: &Inputs) -> [f64; 2] {
+    let sizes = [address::R, address::Q].map(|name| inputs.given(name).unwrap_or(1.0).abs().max(1e-9));
+    sizes.map(|size| (size / sizes[0].max(sizes[1]) * STEP[1]).max(STEP[0]))
+}
+
+/// The scan of a rectangle that begins at the zero.
+pub fn stage(inputs: &Inputs) -> Staging {
+    let (across, sides, [raster, retract]) = (across(inputs), sides(inputs), step(inputs));
+    let letter = |index: usize| letter(inputs.plane.axes()[index]);
+    let fields = Fields { path: Some(address::F), edges: &[], ..Fields::MACRO };
+    let above = Look { flat: true, balls: false, called: false, ..Look::ABOVE }.ways(address::F);
+    let beside = Look { below: true, ..Look::section(1 - across) }.ways(address::F).touching(0b11);
+    Staging { all_ways: true, left_out: vec![letter(1 - across)], ..Staging::new(above, fields) }
+        .ball(BALL)
+        .with(axis_of(inputs, 0), sides[0])
+        .with(axis_of(inputs, 1), sides[1])
+        .with(axis_of(inputs, 2), DEEPEST)
+        .with(letter(across), sides[across] / SPACES)
+        .with(address::R, raster)
+        .with(address::Q, retract)
+        .beside(true, Look { flat: true, balls: false, called: false, ..beside })
+}
+
+/// Sides, distance of the lines, deepest position, and the parts of a step.
+pub fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
+    let [above, beside] = looks else {
+        return Vec::new();
     };
-    let swap = |[u, v]: [f64; 2]| if along_first { [u, v] } else { [v, u] };
-    let (length, across) = if along_first { (width, height) } else { (height, width) };
-    let apart = across / (LINES - 1) as f64;
-    let way = (0..LINES).flat_map(|number| {
-        let at = number as f64 * apart;
-        let ends = if number % 2 == 0 { [0.0, length] } else { [length, 0.0] };
-        ends.map(|u| swap([u, at]))
-    });
-    let outline = vec![[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]];
-    vec![
-        polygon(ShapeKind::Material, outline.clone()),
-        polygon(ShapeKind::Edge, outline),
-        line(ShapeKind::Path, way.collect()),
-        circle(ShapeKind::Probe, [0.0; 2], BALL),
-        dimension(axis_name(first), [0.0, -12.0], [width, -12.0]),
-        dimension(axis_name(second), [-28.0, 0.0], [-28.0, height]),
-        dimension(letter(step_axis), swap([length + 8.0, 0.0]), swap([length + 8.0, apart])),
-    ]
-}
-
-/// A step: up by Q, on by R, down; and how deep is looked for the surface.
-fn beside(inputs: &Inputs) -> Vec<PictureShape> {
-    let [.., axial] = inputs.plane.axes();
-    let drawn = |name: Name| inputs.given(name).unwrap_or(1.0).abs();
-    let (raster, retract) = (drawn(address::R), drawn(address::Q));
-    let larger = raster.max(retract).max(1e-9);
-    let [raster, retract] = [raster, retract].map(|size| (size / larger * 14.0).max(6.0));
-    let surface = |x: f64| GROUND + 4.0 * (x / 14.0).sin();
-    let deepest = GROUND - 14.0;
-    let ground = (0..=32).map(|part| f64::from(part) * LONG / 32.0);
-    let mut material: Vec<[f64; 2]> = ground.map(|x| [x, surface(x)]).collect();
-    let edge = material.clone();
-    material.extend([[LONG, deepest - 4.0], [0.0, deepest - 4.0]]);
-    let (from, to) = (18.0, 18.0 + raster);
-    let above = surface(from) + BALL;
-    let top = above + retract;
-    let step = vec![[from, above], [from, top], [to, top], [to, surface(to) + BALL]];
-    vec![
-        polygon(ShapeKind::Cut, material),
-        line(ShapeKind::Edge, edge),
-        line(ShapeKind::Axis, vec![[-4.0, deepest], [LONG + 4.0, deepest]]).of(axis_name(axial)),
-        dimension(axis_name(axial), [LONG + 6.0, GROUND + 18.0], [LONG + 6.0, deepest]),
-        circle(ShapeKind::Probe, [from, above], BALL),
-        circle(ShapeKind::Touch, [from, surface(from)], BALL * 0.3),
-        circle(ShapeKind::Touch, [to, surface(to)], BALL * 0.3),
-        line(ShapeKind::Path, step).of(address::F),
-        dimension(address::Q, [from - 7.0, above], [from - 7.0, top]),
-        dimension(address::R, [from, top + 5.0], [to, top + 5.0]),
-    ]
+    let (across, sides, [_, retract]) = (across(inputs), sides(inputs), step(inputs));
+    let end = add(above.zero, sides);
+    let [low, high] = above.extent;
+    let next = add(above.zero, sides.map(|side| side / SPACES));
+    let letter = |index: usize| letter(inputs.plane.axes()[index]);
+    let space = above.along(letter(across), across, [above.zero, next], high[1 - across] + 8.0);
+    let mut shapes = vec![
+        circle(ShapeKind::Probe, above.zero, BALL),
+        above.along(axis_of(inputs, 0), 0, [above.zero, end], low[1] - 8.0),
+        above.along(axis_of(inputs, 1), 1, [above.zero, end], low[0] - 8.0),
+        PictureShape { also: vec![letter(1 - across)], ..space },
+    ];
+    let deepest = add(beside.zero, [0.0, DEEPEST]);
+    let [low, high] = [beside.extent[0][0] - 4.0, beside.extent[1][0] + 4.0];
+    shapes.push(line(ShapeKind::Axis, vec![[low, deepest[1]], [high, deepest[1]]]).of(axis_of(inputs, 2)));
+    shapes.push(beside.along(axis_of(inputs, 2), 1, [beside.zero, deepest], high + 2.0));
+    if let [first, second] = &beside.touches[..] {
+        let top = add(first.ball, [0.0, retract]);
+        shapes.push(circle(ShapeKind::Probe, first.ball, BALL));
+        shapes.push(beside.along(address::Q, 1, [first.ball, top], first.ball[0] - 7.0));
+        shapes.push(dimension(address::R, [first.ball[0], top[1] + 5.0], [second.ball[0], top[1] + 5.0]));
+    }
+    shapes
 }
