@@ -56,7 +56,7 @@ fn label(control: &Control, name: &str) -> Message {
         ("_EV", [memory]) => memory_label("change-empirical", memory),
         ("_WP", [probe, field]) => probe_label(probe, field),
         ("$P_UIFR", [frame, axis, part]) => {
-            frame.parse().ok().and_then(|number| frame_label(control.settable_name(number), axis, part))
+            frame.parse().ok().and_then(|number| frame_label(control.make().settable_name(number), axis, part))
         }
         ("$P_SETFR", [axis, part]) => frame_label(stem.to_owned(), axis, part),
         (_, [frame, axis, part]) => frame_label(format!("{stem}[{frame}]"), axis, part),

@@ -2,7 +2,6 @@
 //! (`message-new-log`, `.cure`). The text itself is that of the English control.
 
 use super::CYCLES;
-use crate::dialect::Dialect;
 
 /// A text on the screen.
 pub struct OperatorMessage {
@@ -81,8 +80,7 @@ pub fn shown_by(message: &OperatorMessage) -> Vec<&'static str> {
         Sender::Program(name) => vec![name],
         Sender::Jog => vec!["JOG"],
         Sender::EveryCycle => {
-            let measuring =
-                CYCLES.iter().filter(|cycle| cycle.dialect == Dialect::Sinumerik && cycle.purpose.probe.measures());
+            let measuring = CYCLES.iter().filter(|cycle| cycle.is_measuring_cycle());
             measuring.map(|cycle| cycle.name).collect()
         }
     }

@@ -5,7 +5,6 @@ use crate::control::delivery::{factor, scaled};
 use crate::control::gud::{Block, Element, Gud};
 use crate::control::{Control, Units, Value, gud};
 use crate::diagnostic::Diagnostic;
-use crate::dialect::Dialect;
 use crate::entry::Cycle;
 use crate::machine::Machine;
 use crate::machine::trace::Step;
@@ -33,7 +32,7 @@ pub struct Due {
 
 /// What a call of this cycle does first on this control.
 pub fn due(cycle: &Cycle, control: &Control) -> Vec<Due> {
-    if cycle.dialect != Dialect::Sinumerik || !cycle.purpose.probe.measures() {
+    if !cycle.is_measuring_cycle() {
         return Vec::new();
     }
     let metric = control.basic_units == Units::Metric;
@@ -127,6 +126,7 @@ mod tests {
     use crate::check::{Checked, check};
     use crate::control::{Plane, rebuilt};
     use crate::diagnostic::{Code, Severity};
+    use crate::dialect::Dialect;
     use crate::entry::Typed;
     use crate::machine::Setup;
     use crate::program::calls::calls_on;

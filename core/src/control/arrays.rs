@@ -7,7 +7,7 @@ const R_PARAMETERS: [usize; 1] = [1000];
 
 /// Sizes of the user data or R parameters with this name (with or without index); none: no array of the control.
 pub fn sizes(name: &str) -> Option<&'static [usize]> {
-    let (stem, _) = split(name)?;
+    let (stem, _) = with_parameters(name)?;
     if stem == "R" {
         return Some(&R_PARAMETERS);
     }
@@ -17,7 +17,7 @@ pub fn sizes(name: &str) -> Option<&'static [usize]> {
 /// Names of the elements from this one (without index: the first) to the end of its array. Nothing where the index
 /// does not fit the sizes.
 pub fn elements_from(name: &str, sizes: &[usize]) -> Vec<String> {
-    let Some((stem, index)) = split(name) else {
+    let Some((stem, index)) = with_parameters(name) else {
         return Vec::new();
     };
     let total: usize = sizes.iter().product();
@@ -32,7 +32,7 @@ pub fn elements_from(name: &str, sizes: &[usize]) -> Vec<String> {
 /// Elements that `REP` fills from this one on; none: it is no array of the control.
 pub fn repeated(control: &Control, name: &str) -> Option<Vec<String>> {
     let mut sizes = sizes(name)?.to_vec();
-    let (stem, _) = split(name)?;
+    let (stem, _) = with_parameters(name)?;
     if let Some(gud) = gud::find(stem).filter(|gud| !gud.counted.is_empty()) {
         let largest = sizes.first_mut()?;
         *largest = (control.number(gud.counted) as usize).min(*largest);
@@ -40,17 +40,21 @@ pub fn repeated(control: &Control, name: &str) -> Option<Vec<String>> {
     Some(elements_from(name, &sizes))
 }
 
-/// Stem and index: `_WP[0,1]` is `_WP` and 0, 1; `R10` is `R` and 10.
-fn split(name: &str) -> Option<(&str, Vec<usize>)> {
-    let digits = name.strip_prefix('R').filter(|rest| !rest.is_empty());
-    if let Some(number) = digits.and_then(|digits| digits.parse().ok()) {
-        return Some(("R", vec![number]));
-    }
+/// Stem and index: `_WP[0,1]` is `_WP` and 0, 1.
+pub(super) fn split(name: &str) -> Option<(&str, Vec<usize>)> {
     let Some((stem, rest)) = name.split_once('[') else {
         return Some((name, Vec::new()));
     };
     let index: Result<Vec<usize>, _> = rest.strip_suffix(']')?.split(',').map(str::parse).collect();
     Some((stem, index.ok()?))
+}
+
+/// The same with R parameters: `R10` is `R` and 10.
+fn with_parameters(name: &str) -> Option<(&str, Vec<usize>)> {
+    match name.strip_prefix('R').and_then(|digits| digits.parse().ok()) {
+        Some(number) => Some(("R", vec![number])),
+        None => split(name),
+    }
 }
 
 /// How many elements stand before this one; none: the index lies outside.
@@ -65,17 +69,22 @@ pub fn place(index: &[usize], sizes: &[usize]) -> Option<usize> {
     Some(at)
 }
 
+/// Name of an element.
+pub(super) fn spelled(stem: &str, at: &[usize]) -> String {
+    let index: Vec<String> = at.iter().map(usize::to_string).collect();
+    format!("{stem}[{}]", index.join(","))
+}
+
 fn element(stem: &str, mut at: usize, sizes: &[usize]) -> String {
     if stem == "R" {
         return format!("R{at}");
     }
-    let mut index = Vec::new();
-    for size in sizes.iter().rev() {
-        index.push((at % size).to_string());
+    let mut index = vec![0; sizes.len()];
+    for (i, size) in index.iter_mut().zip(sizes).rev() {
+        *i = at % size;
         at /= size;
     }
-    index.reverse();
-    format!("{stem}[{}]", index.join(","))
+    spelled(stem, &index)
 }
 
 #[cfg(test)]

@@ -2,12 +2,13 @@
 //!
 //! A control is copied at every keystroke and holds some hundred data as delivered; these are made once and shared.
 
-use super::{Units, Value, delivery, gud, nct_data};
+use super::{Control, Make, Units, Value, gud, nct_data};
 use crate::dialect::Dialect;
 use serde::de::{Deserialize, Deserializer, Visitor};
 use std::collections::BTreeMap;
 use std::fmt;
 use std::fmt::Formatter;
+use std::sync::OnceLock;
 #[cfg(test)]
 use std::{cell::RefCell, collections::BTreeSet};
 
@@ -15,23 +16,31 @@ use std::{cell::RefCell, collections::BTreeSet};
 /// write a variable of this name.
 pub const FORMS: &str = "PW-FORMS";
 
-/// Whether a control has user data, an R parameter, a machine datum or a variable with this name for such a value.
-pub fn knows(dialect: Dialect, name: &str, value: &Value) -> bool {
-    let numbered = |letter: char, most: usize| {
-        let number = name.strip_prefix(letter).and_then(|digits| digits.parse::<usize>().ok());
-        number.is_some_and(|number| number < most)
-    };
-    let text = matches!(value, Value::Text(_));
-    match dialect {
-        Dialect::Nct => (numbered('#', 10_000) || nct_data::find(name).is_some()) && !text,
-        Dialect::Sinumerik if name.starts_with('_') || name.starts_with("E_") => {
-            gud::named(name).is_some_and(|gud| gud.text() == text)
-        }
-        Dialect::Sinumerik if name == FORMS => !text,
-        Dialect::Sinumerik => {
-            numbered('R', 1000) && !text || ["MD", "SD", "TOOLENV["].iter().any(|start| name.starts_with(start))
-        }
+impl Control {
+    /// Whether it has user data, an R parameter, a machine datum or a variable with this name for such a value.
+    pub fn knows(&self, name: &str, value: &Value) -> bool {
+        (self.make().knows)(name, matches!(value, Value::Text(_)))
     }
+}
+
+/// Whether a SINUMERIK control has a datum of this name that holds a text, or a number.
+pub(super) fn sinumerik(name: &str, text: bool) -> bool {
+    if name.starts_with('_') || name.starts_with("E_") {
+        return gud::named(name).is_some_and(|gud| gud.text() == text);
+    }
+    let machine = ["MD", "SD", "TOOLENV["].iter().any(|start| name.starts_with(start));
+    machine || !text && (name == FORMS || numbered(name, 'R', 1000))
+}
+
+/// The same of an NCT control.
+pub(super) fn nct(name: &str, text: bool) -> bool {
+    !text && (numbered(name, '#', 10_000) || nct_data::find(name).is_some())
+}
+
+/// Whether it is a letter and a number below this one.
+fn numbered(name: &str, letter: char, most: usize) -> bool {
+    let number = name.strip_prefix(letter).and_then(|digits| digits.parse::<usize>().ok());
+    number.is_some_and(|number| number < most)
 }
 
 impl<'de> Deserialize<'de> for Value {
@@ -74,9 +83,9 @@ thread_local! {
 }
 
 /// Data by name; see [`super::Control::data`].
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Data {
-    delivered: Option<&'static BTreeMap<String, Value>>,
+    delivered: &'static BTreeMap<String, Value>,
     /// What differs; `None`: a delivered datum that is gone.
     written: BTreeMap<String, Option<Value>>,
 }
@@ -84,7 +93,9 @@ pub struct Data {
 impl Data {
     /// As delivered.
     pub fn delivered(dialect: Dialect, units: Units) -> Data {
-        Data { delivered: Some(delivery::data(dialect, units)), written: BTreeMap::new() }
+        static MADE: [[OnceLock<BTreeMap<String, Value>>; 2]; 2] = [const { [const { OnceLock::new() }; 2] }; 2];
+        let made = &MADE[dialect as usize][units as usize];
+        Data { delivered: made.get_or_init(|| (Make::of(dialect).delivered)(units)), written: BTreeMap::new() }
     }
 
     /// A datum; `None` where it was never set.
@@ -93,7 +104,7 @@ impl Data {
         LOOKED_AT.with_borrow_mut(|names| names.as_mut().map(|names| names.insert(name.to_owned())));
         match self.written.get(name) {
             Some(written) => written.as_ref(),
-            None => self.delivered?.get(name),
+            None => self.delivered.get(name),
         }
     }
 
@@ -123,7 +134,7 @@ impl Data {
 
     /// All data, in no order.
     pub fn iter(&self) -> impl Iterator<Item = (&String, &Value)> {
-        let delivered = self.delivered.into_iter().flatten();
+        let delivered = self.delivered.iter();
         let written = self.written.iter();
         delivered
             .filter(|(name, _)| !self.written.contains_key(*name))
@@ -133,11 +144,6 @@ impl Data {
     /// Their names, in no order.
     pub fn keys(&self) -> impl Iterator<Item = &String> {
         self.iter().map(|(name, _)| name)
-    }
-
-    /// Everything as a map of its own.
-    pub(super) fn all(&self) -> BTreeMap<String, Value> {
-        self.iter().map(|(name, value)| (name.clone(), value.clone())).collect()
     }
 }
 

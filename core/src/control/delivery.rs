@@ -4,10 +4,11 @@
 //! repeated here: an unset datum means "as delivered".
 
 use super::gud::{Element, Initial, System};
-use super::{BasicFrames, Control, Data, Frame, Limits, Plane, Transverse, Units, Value, gud, machine_data, nct_data};
+use super::{
+    BasicFrames, Control, Data, Frame, Limits, Make, Plane, Transverse, Units, Value, gud, machine_data, nct_data,
+};
 use crate::dialect::Dialect;
 use std::collections::BTreeMap;
-use std::sync::OnceLock;
 
 /// Metres in a foot (feet/min on an inch machine, B:13498).
 const FOOT: f64 = 0.3048;
@@ -22,35 +23,15 @@ pub fn delivery(dialect: Dialect) -> Control {
 
 /// The same with this basic system of units, which is also the active one.
 pub fn delivery_in(dialect: Dialect, units: Units) -> Control {
-    let mut control = bare(dialect, units);
-    control.data = Data::delivered(dialect, units);
-    control
-}
-
-/// The data of a control as delivered, made once.
-pub(super) fn data(dialect: Dialect, units: Units) -> &'static BTreeMap<String, Value> {
-    static MADE: [OnceLock<BTreeMap<String, Value>>; 4] = [const { OnceLock::new() }; 4];
-    let index = usize::from(dialect == Dialect::Nct) * 2 + usize::from(units == Units::Inch);
-    MADE[index].get_or_init(|| {
-        let mut control = bare(dialect, units);
-        match dialect {
-            Dialect::Sinumerik => sinumerik(&mut control),
-            Dialect::Nct => nct(&mut control),
-        }
-        control.data.all()
-    })
-}
-
-/// A control without any data.
-fn bare(dialect: Dialect, units: Units) -> Control {
+    let make = Make::of(dialect);
     Control {
         dialect,
         basic_units: units,
         active_units: units,
-        data_follow: dialect == Dialect::Nct,
+        data_follow: make.one_system,
         plane: Plane::G17,
         transverse: Transverse::Radius,
-        settable: if dialect == Dialect::Nct { 1 } else { 0 },
+        settable: make.first,
         frames: BTreeMap::new(),
         channel_basic: BTreeMap::new(),
         global_basic: BTreeMap::new(),
@@ -64,7 +45,7 @@ fn bare(dialect: Dialect, units: Units) -> Control {
         tool: 0,
         edge: 0,
         location: 0,
-        data: Data::default(),
+        data: Data::delivered(dialect, units),
         spindle: 0.0,
         spindle_speed: 0.0,
         spindle_positions: true,
@@ -74,51 +55,44 @@ fn bare(dialect: Dialect, units: Units) -> Control {
     }
 }
 
-fn nct(control: &mut Control) {
-    for datum in nct_data::all() {
-        if let Some(value) = datum.initial {
-            control.set(datum.name, value / factor(datum.unit, control.basic_units));
-        }
-    }
+/// What the table of NCT data says; a switch is there when it is 0, too.
+pub(super) fn nct(units: Units) -> BTreeMap<String, Value> {
+    let value = |element: &Element| delivered(element, units, !element.choices.is_empty());
+    nct_data::all().filter_map(|datum| Some((datum.name.to_owned(), value(&datum.element)?))).collect()
 }
 
-/// What the tables of data say, except parameters of a call.
-fn sinumerik(control: &mut Control) {
+/// What the tables of SINUMERIK data say, except parameters of a call.
+pub(super) fn sinumerik(units: Units) -> BTreeMap<String, Value> {
+    let mut data = BTreeMap::new();
     for gud in gud::all().filter(|gud| gud.of_machine()) {
-        let counted = !gud.counted.is_empty();
-        let fields = control.number(gud.counted) as usize;
+        let fields = match data.get(gud.counted) {
+            Some(Value::Number(fields)) => *fields as usize,
+            _ => 0,
+        };
         for element in gud.elements {
-            for at in gud.places(element, fields) {
-                deliver(control, gud.spelled(&at), element, counted);
-            }
+            // fields that are counted exist by their entries (`state::refusal`)
+            let value = delivered(element, units, !gud.counted.is_empty());
+            let places = gud.places(element, fields).into_iter();
+            data.extend(places.filter_map(|at| Some((gud.spelled(&at), value.clone()?))));
         }
     }
     for datum in machine_data::MACHINE_DATA {
-        for (name, value) in datum.names().into_iter().zip(datum.initial) {
-            control.set(name, *value);
-        }
-        for (name, text) in datum.names().into_iter().zip(datum.initial_names) {
-            control.data.insert(name, Value::Text((*text).to_owned()));
-        }
+        let numbers = datum.initial.iter().map(|number| Value::Number(*number));
+        let names = datum.initial_names.iter().map(|name| Value::Text((*name).to_owned()));
+        data.extend(datum.names().into_iter().zip(numbers.chain(names)));
     }
-    let metric = control.basic_units == Units::Metric;
-    for name in IS_METRIC {
-        control.set(name, f64::from(u8::from(metric)));
-    }
+    let metric = Value::Number(f64::from(u8::from(units == Units::Metric)));
+    data.extend(IS_METRIC.map(|name| (name.to_owned(), metric.clone())));
+    data
 }
 
-/// Puts an element there. What is 0 or empty needs no entry, except in fields that are counted: these exist by their
-/// entries (`state::refusal`).
-fn deliver(control: &mut Control, name: String, element: &Element, counted: bool) {
+/// An element as delivered; none: it is 0, and `always` does not say that it has an entry all the same.
+fn delivered(element: &Element, units: Units, always: bool) -> Option<Value> {
     match element.initial {
-        Initial::Text(text) => {
-            control.data.insert(name, Value::Text(text.to_owned()));
+        Initial::Text(text) => Some(Value::Text(text.to_owned())),
+        Initial::Number(value) => {
+            (value != 0.0 || always).then(|| Value::Number(value / factor(element.unit, units) + 0.0))
         }
-        Initial::Number(value) if value != 0.0 || counted => {
-            let value = value / factor(element.unit, control.basic_units);
-            control.set(name, value);
-        }
-        Initial::Number(_) => {}
     }
 }
 
@@ -149,7 +123,7 @@ pub fn rebuilt(control: &Control, units: Units) -> Control {
 /// Metric units in one unit of the datum with this name.
 fn unit_of(name: &str, basic: Units) -> f64 {
     if let Some(datum) = nct_data::find(name) {
-        return factor(datum.unit, basic);
+        return factor(datum.element.unit, basic);
     }
     let element = gud::place(name).and_then(|(gud, at)| gud.element(&at));
     element.map_or(1.0, |element| factor(element.unit, basic))

@@ -4,7 +4,6 @@
 //! Lengths in mm, angles in degree.
 
 use super::{BasicFrames, Control, Frame, Value};
-use crate::dialect::Dialect;
 use crate::geometry::{Mcs, Wcs};
 use std::collections::BTreeSet;
 
@@ -23,27 +22,6 @@ pub struct InEffect {
 }
 
 impl Control {
-    /// Number of a settable frame by its name: G54..G57 1..4, G505..G599 5..99; NCT G54..G59 1..6 and `COMMON` 0.
-    pub fn settable_named(&self, name: &str) -> Option<usize> {
-        let number: usize = if name == "COMMON" { 0 } else { name.strip_prefix('G')?.parse().ok()? };
-        match (self.dialect, number) {
-            (_, 0) => Some(0),
-            (Dialect::Nct, 54..=59) | (_, 54..=57) => Some(number - 53),
-            (Dialect::Sinumerik, 500..=599) => Some(number - 500),
-            _ => None,
-        }
-    }
-
-    /// Name of a settable frame, see [`Control::settable_named`].
-    pub fn settable_name(&self, number: usize) -> String {
-        match (self.dialect, number) {
-            (Dialect::Nct, 0) => "COMMON".to_owned(),
-            (Dialect::Sinumerik, 0) => "G500".to_owned(),
-            (Dialect::Nct, _) | (_, 1..=4) => format!("G{}", number + 53),
-            _ => format!("G{}", number + 500),
-        }
-    }
-
     /// Frames in effect between machine and the settable frame, outermost first: table, system, global basic, channel
     /// basic.
     pub fn basic_chain(&self) -> Vec<Frame> {
@@ -142,7 +120,7 @@ impl Control {
         self.basic =
             BasicFrames { system: self.system, global: self.global_basic.clone(), channel: self.channel_basic.clone() };
         self.active = self.frames.get(&number).copied().unwrap_or_default();
-        if self.dialect == crate::dialect::Dialect::Nct {
+        if self.make().common {
             let common = self.frames.get(&0).copied().unwrap_or_default();
             self.active = common.then(&self.active);
         }

@@ -10,6 +10,7 @@ pub mod gud;
 pub mod limits;
 pub mod machine_data;
 mod machine_sort;
+mod make;
 pub mod nct_data;
 pub mod probe;
 pub mod rotary;
@@ -17,12 +18,13 @@ pub mod tools;
 pub mod units;
 pub mod variables;
 
-pub use data::{Data, FORMS, knows};
+pub use data::{Data, FORMS};
 pub use delivery::{delivery, delivery_in, rebuilt};
 pub use environments::Environment;
 pub use frame::Frame;
 pub use limits::Limits;
 pub use machine_sort::MachineSort;
+pub use make::{FALSE_TRIGGER, Make, NCT, PATH_OBSTRUCTED};
 pub use units::UnitFunction;
 
 use crate::dialect::Dialect;

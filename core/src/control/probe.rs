@@ -3,6 +3,7 @@
 use super::machine_data::TOOL_LENGTH_TYPE;
 use super::tools::AS_TURNING_TOOL;
 use super::{Control, Edge, Plane};
+use crate::geometry::V3;
 
 /// Type of a 3D probe.
 const PROBE: i64 = 710;
@@ -58,7 +59,7 @@ impl Control {
 /// Along the applicate of a plane.
 pub fn upright(plane: Plane) -> [f64; 3] {
     let [_, _, applicate] = plane.axes();
-    std::array::from_fn(|axis| f64::from(u8::from(axis == applicate)))
+    V3::ith(applicate, 1.0).into()
 }
 
 impl Edge {

@@ -3,7 +3,7 @@
 //! A, B and C turn about lines parallel to X, Y and Z through one point. A positive angle moves the tool
 //! counter-clockwise about the part (DIN 66217, B:627), so that the table turns clockwise; C is carried by B, B by A.
 
-use super::{Control, Value};
+use super::Control;
 use crate::geometry::{V3, rigid};
 use nalgebra::Rotation3;
 
@@ -15,7 +15,7 @@ impl Control {
     /// axis, where it has no name (MD20080) or is not rotary (MD30300, A:15872).
     pub fn rotary_channel_axis(&self, number: i64) -> Option<usize> {
         let place = number.checked_sub(1)?;
-        let name = self.text_of(&format!("MD20080[{place}]"))?;
+        let name = self.text(&format!("MD20080[{place}]")).trim();
         let rotary = self.number(&format!("MD30300[{place}]")) == 1.0;
         ROTARY.iter().position(|known| rotary && name == *known)
     }
@@ -23,8 +23,8 @@ impl Control {
     /// The rotary axis with this name, where the machine has it.
     pub fn rotary_axis(&self, name: &str) -> Option<usize> {
         let axis = ROTARY.iter().position(|known| *known == name)?;
-        let numbers = 1..=super::machine_data::CHANNEL_AXES as i64;
-        numbers.map(|number| self.rotary_channel_axis(number)).find(|found| *found == Some(axis)).flatten()
+        let mut numbers = 1..=super::machine_data::CHANNEL_AXES as i64;
+        numbers.any(|number| self.rotary_channel_axis(number) == Some(axis)).then_some(axis)
     }
 
     /// Where the table has to stand (machine, degree) for a programmed position of a rotary axis: the frames move it.
@@ -37,11 +37,7 @@ impl Control {
     /// The direction in the machine about which a positive angle turns a direction of the WCS from one of its axes X Y
     /// Z (by index) towards another: the third axis, reversed where the WCS is mirrored.
     pub fn turn_axis(&self, from: usize, to: usize) -> [f64; 3] {
-        let direction = |axis: usize| {
-            let mut unit = [0.0; 3];
-            unit[axis] = 1.0;
-            V3::from(self.direction_to_machine(unit))
-        };
+        let direction = |axis| V3::from(self.direction_to_machine(V3::ith(axis, 1.0).into()));
         direction(from).cross(&direction(to)).into()
     }
 
@@ -49,21 +45,12 @@ impl Control {
     /// the part the other way: that of its name, turned by the axes that carry it.
     pub fn rotary_direction(&self, axis: usize) -> [f64; 3] {
         let carrying = std::array::from_fn(|i| if i < axis { self.rotary[i] } else { 0.0 });
-        let mut own = V3::zeros();
-        own[axis.min(2)] = 1.0;
-        (rigid::rotation(carrying).inverse() * own).into()
+        (rigid::rotation(carrying).inverse() * V3::ith(axis.min(2), 1.0)).into()
     }
 
     /// How the table is turned, in machine coordinates.
     pub(crate) fn table_turn(&self) -> Rotation3<f64> {
         rigid::rotation(self.rotary).inverse()
-    }
-
-    fn text_of(&self, name: &str) -> Option<&str> {
-        match self.data.get(name) {
-            Some(Value::Text(text)) => Some(text.trim()),
-            _ => None,
-        }
     }
 }
 

@@ -2,7 +2,6 @@
 
 use super::machine_data::TOOL_LENGTH_TYPE;
 use super::{Control, Edge};
-use crate::dialect::Dialect;
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
@@ -66,10 +65,7 @@ impl Control {
 
     /// Where the data of the edge in effect stand: T in the spindle with the active D (NCT: 0 with the register H).
     pub fn active_place(&self) -> (i64, i64) {
-        match self.dialect {
-            Dialect::Sinumerik => (self.tool, self.edge),
-            Dialect::Nct => (0, self.edge),
-        }
+        (if self.make().registers { 0 } else { self.tool }, self.edge)
     }
 
     /// Edge in effect.
@@ -148,6 +144,7 @@ mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
     use crate::control::{Plane, delivery::delivery};
+    use crate::dialect::Dialect;
 
     #[test]
     fn lengths_follow_the_plane() {

@@ -1,7 +1,6 @@
 //! Inch and millimetre. Inside the core everything is metric; data of the control keep the unit the manual gives them.
 
 use super::{Control, Units};
-use crate::dialect::Dialect;
 
 /// Millimetres in an inch.
 pub const INCH: f64 = 25.4;
@@ -24,6 +23,19 @@ impl Units {
     }
 }
 
+/// G function that chooses the system of units; those below 70 are of NCT.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[allow(missing_docs)]
+pub enum UnitFunction {
+    G20 = 20,
+    G21 = 21,
+    G70 = 70,
+    G71 = 71,
+    G700 = 700,
+    G710 = 710,
+}
+
 impl Control {
     /// Millimetres in one unit of the active system (G70/G71/G700/G710, G20/G21).
     pub fn active_factor(&self) -> f64 {
@@ -44,69 +56,34 @@ impl Control {
     pub fn basic_length(&self, name: &str) -> f64 {
         self.number(name) * self.basic_factor()
     }
-}
 
-/// G function that chooses the system of units; those below 70 are of NCT.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
-#[allow(missing_docs)]
-pub enum UnitFunction {
-    G20 = 20,
-    G21 = 21,
-    G70 = 70,
-    G71 = 71,
-    G700 = 700,
-    G710 = 710,
-}
-
-/// A choice of the unit system by a G function: which system, and whether feeds and data follow it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct UnitCode {
-    /// System of lengths in the program.
-    pub units: Units,
-    /// See [`Control::data_follow`].
-    pub data_follow: bool,
-}
-
-/// What the G function with this number chooses; none: it is another function.
-fn unit_code(dialect: Dialect, number: u16) -> Option<UnitCode> {
-    let (units, data_follow) = match (dialect, number) {
-        (Dialect::Sinumerik, 70) => (Units::Inch, false),
-        (Dialect::Sinumerik, 71) => (Units::Metric, false),
-        (Dialect::Sinumerik, 700) | (Dialect::Nct, 20) => (Units::Inch, true),
-        (Dialect::Sinumerik, 710) | (Dialect::Nct, 21) => (Units::Metric, true),
-        _ => return None,
-    };
-    Some(UnitCode { units, data_follow })
-}
-
-impl Control {
-    /// Makes this choice; false: the number is no G function of units.
+    /// Makes the choice of the G function with this number; false: it is none of units.
     pub fn choose_units(&mut self, number: u16) -> bool {
-        let Some(code) = unit_code(self.dialect, number) else {
-            return false;
-        };
-        (self.active_units, self.data_follow) = (code.units, code.data_follow);
-        true
+        for data_follow in [true, false] {
+            for units in [Units::Metric, Units::Inch] {
+                if self.function(units, data_follow) as u16 == number {
+                    (self.active_units, self.data_follow) = (units, data_follow);
+                    return true;
+                }
+            }
+        }
+        false
     }
 
     /// The G function whose choice is in force.
     pub fn unit_function(&self) -> UnitFunction {
-        match (self.dialect, self.active_units, self.data_follow) {
-            (Dialect::Sinumerik, Units::Inch, false) => UnitFunction::G70,
-            (Dialect::Sinumerik, Units::Metric, false) => UnitFunction::G71,
-            (Dialect::Sinumerik, Units::Inch, true) => UnitFunction::G700,
-            (Dialect::Sinumerik, Units::Metric, true) => UnitFunction::G710,
-            (Dialect::Nct, Units::Inch, _) => UnitFunction::G20,
-            (Dialect::Nct, Units::Metric, _) => UnitFunction::G21,
-        }
+        self.function(self.active_units, self.data_follow)
+    }
+
+    fn function(&self, units: Units, data_follow: bool) -> UnitFunction {
+        self.make().units[usize::from(data_follow)][units as usize]
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::control::delivery;
+    use crate::dialect::Dialect;
 
     // oracle: self (a choice made is the one in force)
     #[test]

@@ -46,6 +46,12 @@ pub struct Cycle {
 }
 
 impl Cycle {
+    /// Whether it is a measuring cycle, with the user data, the results and the user's programs of SINUMERIK; macros of
+    /// NCT have none of these.
+    pub fn is_measuring_cycle(&self) -> bool {
+        self.dialect == Dialect::Sinumerik && self.purpose.probe.measures()
+    }
+
     /// All alarms, SINUMERIK by number, NCT as listed.
     pub fn alarms(&self) -> Vec<Code> {
         let mut list: Vec<Code> = self.alarms.iter().copied().flatten().copied().collect();

@@ -1,7 +1,6 @@
 //! The one place where typed values become mm, degree and mm/min, and where units get their names.
 
 use crate::control::{Control, Units};
-use crate::dialect::Dialect;
 use crate::entry::Unit;
 
 /// System in which a value of this rule counts; none: it has the same unit on every control. B:1787-1795; NCT has one
@@ -9,7 +8,7 @@ use crate::entry::Unit;
 fn system(unit: Unit, control: &Control) -> Option<Units> {
     match unit {
         Unit::ActiveLength => Some(control.active_units),
-        Unit::BasicLength | Unit::BasicFeed if control.dialect == Dialect::Nct => Some(control.active_units),
+        Unit::BasicLength | Unit::BasicFeed if control.make().one_system => Some(control.active_units),
         Unit::BasicLength | Unit::BasicFeed => Some(control.basic_units),
         Unit::None | Unit::Millimetre | Unit::Degree => None,
     }
@@ -24,10 +23,10 @@ pub fn factor(unit: Unit, control: &Control) -> f64 {
 /// converted once by the basic system, whatever is active (B:14061). NCT macros have no stored numbers: what they
 /// take instead of a missing address is a length.
 pub fn delivered_factor(unit: Unit, control: &Control) -> f64 {
-    match (system(unit, control), control.dialect) {
-        (None, _) => 1.0,
-        (Some(_), Dialect::Sinumerik) => control.basic_factor(),
-        (Some(active), Dialect::Nct) => active.factor(),
+    match system(unit, control) {
+        None => 1.0,
+        Some(active) if control.make().one_system => active.factor(),
+        Some(_) => control.basic_factor(),
     }
 }
 

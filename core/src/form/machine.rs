@@ -84,14 +84,14 @@ fn nct(basic: Units) -> Vec<Group> {
         name: datum.name.to_owned(),
         key: datum.key(),
         field: None,
-        entry: match datum.choices {
-            [] if datum.unit == Unit::None => Entry::Integer,
+        entry: match datum.element.choices {
+            [] if datum.element.unit == Unit::None => Entry::Integer,
             [] => Entry::Real,
             choices => Entry::Choice { choices },
         },
-        unit: unit(datum.unit, basic),
-        range: datum.range,
-        source: datum.source,
+        unit: unit(datum.element.unit, basic),
+        range: datum.element.range,
+        source: datum.element.source,
     };
     subjects
         .map(|subject| Group {

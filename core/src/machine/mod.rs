@@ -20,12 +20,6 @@ use crate::message::Message;
 use crate::scan::{Layout, Scanned, Sent};
 use trace::{MotionKind, Step};
 
-/// The stylus hit something where it must not (C:125-132).
-pub const PATH_OBSTRUCTED: Code = Code::Nct("PATH OBSTRUCTED");
-
-/// A signal without contact: gone when the stylus stands (C:125-132).
-pub const FALSE_TRIGGER: Code = Code::Nct("FALSE TRIGGER");
-
 /// Why a program does not go on.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Stop {

@@ -2,7 +2,6 @@
 
 use super::setup::Setup;
 use crate::control::{Control, Edge, Frame, Value};
-use crate::dialect::Dialect;
 use crate::geometry::FARTHEST;
 use crate::geometry::rigid::sin_cos;
 use crate::refused::{Path, Refused};
@@ -71,7 +70,7 @@ impl Setup {
 fn control(control: &Control) -> Result<(), Refused> {
     let frames = Path::of(&["frames"]);
     for (number, one) in &control.frames {
-        frame(&frames.member(control.settable_name(*number)), one)?;
+        frame(&frames.member(control.make().settable_name(*number)), one)?;
     }
     for (store, stored) in [("$P_CHBFR", &control.channel_basic), ("$P_NCBFR", &control.global_basic)] {
         for (number, one) in stored {
@@ -88,7 +87,7 @@ fn control(control: &Control) -> Result<(), Refused> {
     small(&Path::of(&["active", "rotary"]), &control.rotary)?;
     small(&Path::of(&["machine", "rotaryCentre"]), &control.rotary_centre)?;
     in_spindle(control)?;
-    control.data.iter().try_for_each(|(name, value)| datum(control.dialect, name, value))
+    control.data.iter().try_for_each(|(name, value)| datum(control, name, value))
 }
 
 fn edge_path(tool: i64, edge: i64) -> Path {
@@ -122,22 +121,21 @@ fn in_spindle(control: &Control) -> Result<(), Refused> {
         (_, 0) => control.tools.contains_key(&tool),
         _ => control.edge_of(tool, edge).is_some(),
     };
-    if there || control.dialect == Dialect::Nct {
+    if there || control.make().registers {
         return Ok(());
     }
     Err(Refused::new("setup-active", Path::of(&["active"])).text("name", format!("T{tool} D{edge}")))
 }
 
 /// User data, R parameters and # variables must exist, and hold what they are given.
-fn datum(dialect: Dialect, name: &str, value: &Value) -> Result<(), Refused> {
+fn datum(control: &Control, name: &str, value: &Value) -> Result<(), Refused> {
     let path = Path::of(&["data", name]);
     if let Value::Number(number) = value
         && (number.is_nan() || number.abs() > LARGEST)
     {
         return Err(Refused::new("setup-large", path).text("value", format!("{number:e}")));
     }
-    let known = crate::control::knows(dialect, name, value);
-    if known { Ok(()) } else { Err(Refused::new("setup-datum", path).text("name", name)) }
+    if control.knows(name, value) { Ok(()) } else { Err(Refused::new("setup-datum", path).text("name", name)) }
 }
 
 fn frame(path: &Path, frame: &Frame) -> Result<(), Refused> {

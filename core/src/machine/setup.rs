@@ -2,7 +2,7 @@
 
 use crate::control::machine_data::TOOL_LENGTH_TYPE;
 use crate::control::tools::{AS_TURNING_TOOL, LATHE_PROBE};
-use crate::control::{Control, Edge, Plane, Transverse, Units, delivery_in};
+use crate::control::{Control, Edge, Make, Plane, Transverse, Units, delivery_in};
 use crate::dialect::Dialect;
 use crate::geometry::Mcs;
 use crate::workpiece::seen::Turret;
@@ -38,6 +38,11 @@ pub const PROBE_TOOL: i64 = 9;
 /// Length register of the probe in [`Setup::calibrated`] on NCT, as in the programs of the manual (C:1159).
 pub const PROBE_REGISTER: i64 = 98;
 
+/// T and D number of the probe in [`Setup::calibrated`], of a control with registers 0 and H.
+pub fn probe_place(make: &Make) -> (i64, i64) {
+    if make.registers { (0, PROBE_REGISTER) } else { (PROBE_TOOL, 1) }
+}
+
 /// The pair of reference grooves of the turning machine, `_KB[0,0]` to `[0,6]`, mm: the first as in B:10275-10285, the
 /// second turned by 90 degree.
 const REFERENCE_GROOVES: [f64; 7] = [60.123, 50.054, 15.021, 40.118, 30.047, 32.015, 20.015];
@@ -53,23 +58,13 @@ impl Setup {
     pub fn calibrated_in(dialect: Dialect, plane: Plane, units: Units) -> Setup {
         let mut control = delivery_in(dialect, units);
         control.plane = plane;
-        let edge = Edge { kind: 710, length: [50.0, 0.0, 0.0], radius: 3.0, ..Edge::default() };
-        match dialect {
-            Dialect::Sinumerik => {
-                let tool = control.tools.entry(PROBE_TOOL).or_default();
-                tool.name = "PROBE".into();
-                tool.edges.insert(1, edge);
-                (control.tool, control.edge) = (PROBE_TOOL, 1);
-            }
-            Dialect::Nct => {
-                let tip = [edge.length[0] + edge.radius, 0.0, 0.0]; // G104 makes it so: no axial radius is kept
-                *control.register_mut(PROBE_REGISTER) = Edge { length: tip, ..edge };
-                control.edge = PROBE_REGISTER;
-                for name in ["#500", "#501", "#502", "#503"] {
-                    control.set(name, 3.0 / units.factor()); // ball radius by axis and direction, C:304-307
-                }
-            }
+        (control.tool, control.edge) = probe_place(control.make());
+        let tool = control.tools.entry(control.tool).or_default();
+        if control.tool != 0 {
+            tool.name = "PROBE".into();
         }
+        tool.edges.insert(control.edge, Edge { kind: 710, length: [50.0, 0.0, 0.0], ..Edge::default() });
+        control.calibrate(control.active_place(), 3.0);
         let settable = control.settable;
         control.activate(settable);
         let [_, _, applicate] = plane.axes();

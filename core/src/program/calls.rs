@@ -15,7 +15,6 @@ use super::tools::{ToolInUse, Tools};
 use super::write::is_expression;
 use crate::control::{Control, Plane, Transverse, UnitFunction, delivery};
 use crate::diagnostic::{Diagnostic, Span};
-use crate::dialect::Dialect;
 use crate::entry::{ArgumentList, Cycle, Style, Typed};
 use crate::name::Name;
 use crate::syntax::programs::programs;
@@ -183,9 +182,9 @@ pub fn calls_told(program: &Program, control: Control, told: &mut dyn FnMut(f64)
         told,
     };
     let mut begin = Place::default();
-    match program.dialect {
-        Dialect::Sinumerik => follow(program, &programs, &mut walk, &begin),
-        Dialect::Nct => walk.macros(&mut begin),
+    match program.grammar().by_address {
+        true => walk.macros(&mut begin),
+        false => follow(program, &programs, &mut walk, &begin),
     }
     walk.finished()
 }

@@ -6,7 +6,6 @@ use crate::check::{Text, newer, parse_text};
 use crate::control::delivery;
 pub use crate::diagnostic::Edit;
 use crate::diagnostic::Span;
-use crate::dialect::Dialect;
 use crate::entry::{Arg, Kind, names};
 use crate::syntax::{Block, Program, Word};
 
@@ -172,7 +171,7 @@ pub(super) fn is_blank(byte: &u8) -> bool {
 fn word_around(program: &Program, place: Span) -> Span {
     let Some(word) = program.word_at(place) else { return place };
     let between = |start, end| program.text(Span { start, end });
-    let element = between(word.span.start, place.start).contains(&b',') && program.dialect == Dialect::Sinumerik;
+    let element = between(word.span.start, place.start).contains(&b',') && !program.grammar().by_address;
     let first = between(place.end, word.span.end).contains(&b',');
     if element || first { place } else { word.span }
 }
@@ -180,11 +179,9 @@ fn word_around(program: &Program, place: Span) -> Span {
 /// Writes a new value for this call: behind its last one if the program goes straight on from there, else on a line of
 /// its own before the call.
 fn add(program: &Program, site: &CallSite, name: &str, value: &str) -> Option<Edit> {
-    let written = if program.dialect == Dialect::Nct {
-        format!("{name}{value}")
-    } else {
-        format!("{}={value}", written_name(program, site, name)?)
-    };
+    let by_address = program.grammar().by_address;
+    let written =
+        if by_address { format!("{name}{value}") } else { format!("{}={value}", written_name(program, site, name)?) };
     let own = site.places.keys().filter_map(|name| site.place_of_its_own(name)).filter(|place| {
         let before = site.behind <= place.start && program.line_of(place.start) <= site.line;
         before && !arguments::is_argument(program, *place)
@@ -194,7 +191,7 @@ fn add(program: &Program, site: &CallSite, name: &str, value: &str) -> Option<Ed
     let last = last.filter(|end| goes_straight(program, *end, site.span.start));
     Some(match last {
         Some(end) => Edit::insert(end, format!(" {written}")),
-        None if program.dialect == Dialect::Nct => Edit::insert(site.span.end, format!(" {written}")),
+        None if by_address => Edit::insert(site.span.end, format!(" {written}")),
         None => line_at_begin(program, site.line, &written)
             .unwrap_or_else(|| Edit::insert(site.span.start, format!("{written} "))),
     })

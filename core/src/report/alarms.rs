@@ -3,7 +3,6 @@
 use crate::catalogue::alarms::{ALARMS, Alarm, Found, key, raised_by, stops};
 use crate::catalogue::operator_messages::{MESSAGES, OperatorMessage, Sender, shown_by};
 use crate::catalogue::{CYCLES, alarms, operator_messages};
-use crate::dialect::Dialect;
 use crate::message::Message;
 use crate::report::markdown::line;
 use crate::words::Words;
@@ -96,8 +95,7 @@ fn found_key(found: Found) -> &'static str {
 
 /// Cycles and programs in a sentence; those that every measuring cycle raises do not name each.
 fn sources(alarm: &Alarm, words: &Words) -> String {
-    let mut measuring =
-        CYCLES.iter().filter(|cycle| cycle.dialect == Dialect::Sinumerik && cycle.purpose.probe.measures());
+    let mut measuring = CYCLES.iter().filter(|cycle| cycle.is_measuring_cycle());
     let every = measuring.all(|cycle| cycle.alarms().contains(&alarm.code));
     if every { words.key("alarms-every-cycle") } else { raised_by(alarm).join(", ") }
 }

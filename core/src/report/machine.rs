@@ -3,6 +3,7 @@
 use super::markdown::{heading, line, row};
 use crate::control::gud::{Block, Element, Gud, Initial, Kind, Subject, System, Unit};
 use crate::control::machine_data::{MACHINE_DATA, MachineDatum};
+use crate::control::nct_data::NctDatum;
 use crate::control::{gud, nct_data};
 use crate::message::Message;
 use crate::program::user_programs;
@@ -107,7 +108,7 @@ pub fn told(asked: impl Fn(&str) -> bool, words: &Words) -> Vec<(String, &'stati
     let nct = nct_data::SUBJECTS
         .iter()
         .flat_map(|subject| subject.data)
-        .map(|datum| (datum.name.to_owned(), datum.source, datum.key(), datum.choices));
+        .map(|datum| (datum.name.to_owned(), datum.element.source, datum.key(), datum.element.choices));
     let named = elements.chain(nct).filter(|(name, ..)| asked(name));
     let told = named.chain(machine);
     told.map(|(name, source, key, choices)| (name, source, lines(&key, choices, words))).collect()
@@ -137,6 +138,12 @@ fn initial(gud: &Gud, element: &Element) -> String {
     match element.initial {
         Initial::Number(_) if !gud.of_machine() || gud.kind == Kind::Frame => String::new(),
         Initial::Number(_) if gud.text() => String::new(),
+        _ => delivered(element),
+    }
+}
+
+fn delivered(element: &Element) -> String {
+    match element.initial {
         Initial::Number(value) => value.to_string(),
         Initial::Text(text) => format!("`{text}`"),
     }
@@ -210,18 +217,19 @@ fn user_programs(text: &mut String, words: &Words) {
 }
 
 /// Variables and parameters of an NCT control.
-fn nct_subject(text: &mut String, subject: &nct_data::Subject, words: &Words) {
+fn nct_subject(text: &mut String, subject: &Subject<NctDatum>, words: &Words) {
     let group = words.key(format!("machine-group-{}", subject.key));
     let columns = ["name", "meaning", "delivered", "unit", "allowed", "source"];
     heading(text, &format!("NCT: {group}"), &columns);
     for datum in subject.data {
+        let element = &datum.element;
         let cells = [
             format!("`{}`", datum.name),
-            meaning(&datum.key(), datum.choices, words),
-            datum.initial.unwrap_or(0.0).to_string(),
-            unit(datum.unit, words),
-            range(datum.range),
-            datum.source.to_owned(),
+            meaning(&datum.key(), element.choices, words),
+            delivered(element),
+            unit(element.unit, words),
+            range(element.range),
+            element.source.to_owned(),
         ];
         row(text, &cells);
     }

@@ -8,7 +8,6 @@ use super::{
 };
 use crate::catalogue::nct;
 use crate::diagnostic::Severity;
-use crate::dialect::Dialect;
 use crate::machine::trace::Step;
 use crate::machine::{Machine, Stop};
 use crate::problem::Problem;
@@ -36,13 +35,13 @@ pub fn perform(run: &mut Interpreter, at: usize, mut found: Words) -> Result<Nex
         cycle::addresses(run, cycle, &found)?;
         return Ok(Next::Block);
     }
-    let nct = run.program.dialect == Dialect::Nct;
-    if nct && macro_call::function(&found, "G", 65.0).is_some() {
+    let numbered = run.program.grammar().numbered;
+    if numbered && macro_call::function(&found, "G", 65.0).is_some() {
         gcode::apply_beside_macro(run, &mut found)?;
         let entered = macro_call::with_arguments(run, at, &found);
         return entered.map_err(|problem| run.fail(problem));
     }
-    let subprogram = nct && macro_call::function(&found, "M", 98.0).is_some();
+    let subprogram = numbered && macro_call::function(&found, "M", 98.0).is_some();
     gcode::apply(run, &mut found)?;
     if !found.path.stays {
         unread::placed(run, &found.addresses);
@@ -119,7 +118,7 @@ fn passes(found: &Words) -> Result<u32, Problem> {
 
 /// The NCT macro that a block calls with `G110` or `G65 P9019` (parameters 9041.. give G101.. to O9010.., C:58).
 fn measuring_macro(run: &Interpreter, found: &Words) -> Option<&'static entry::Cycle> {
-    if run.program.dialect != Dialect::Nct {
+    if !run.program.grammar().by_address {
         return None;
     }
     let number = |letter: &str| {
@@ -132,7 +131,7 @@ fn measuring_macro(run: &Interpreter, found: &Words) -> Option<&'static entry::C
     }
     let codes =
         found.addresses.iter().filter(|address| address.name == "G").filter_map(|address| address.value.number());
-    codes.filter(|code| *code >= 100.0).find_map(|code| catalogue::find(Dialect::Nct, &format!("G{code}")))
+    codes.filter(|code| *code >= 100.0).find_map(|code| catalogue::find(run.program.dialect, &format!("G{code}")))
 }
 
 /// Whether the G function of a macro stands there for something else, that of another control.
@@ -143,7 +142,7 @@ fn is_foreign(cycle: &'static entry::Cycle, found: &Words) -> bool {
 
 /// M functions that stop, end or turn; the others, and those of another spindle, belong to the machine.
 fn end(run: &mut Interpreter, found: &Words) -> Result<Option<End>, Problem> {
-    let nct = run.program.dialect == Dialect::Nct;
+    let grammar = run.program.grammar();
     let mut end = found.leaves.then_some(End::Level);
     for address in found.addresses.iter().filter(|address| address.name == "M") {
         let number = address.value.number().unwrap_or(-1.0);
@@ -154,10 +153,10 @@ fn end(run: &mut Interpreter, found: &Words) -> Result<Option<End>, Problem> {
         }
         match number as i64 {
             0 | 1 => run.sim.note(Step::Message { text: format!("M{number}") }),
-            2 | 30 if nct => end = Some(End::Program),
+            2 | 30 if grammar.ends_run => end = Some(End::Program),
             2 | 30 | 17 => end = Some(End::Level),
-            98 if nct => {}
-            99 if nct => {
+            98 if grammar.numbered => {}
+            99 if grammar.numbered => {
                 let back = macro_call::back(run, found, address.span)?;
                 return Ok(Some(End::Jump(back)));
             }
@@ -166,7 +165,7 @@ fn end(run: &mut Interpreter, found: &Words) -> Result<Option<End>, Problem> {
             4 => run.sim.spin(-motion::spindle_speed(run)),
             5 => run.sim.spin(0.0),
             6..=9 => {}
-            55 | 59 if nct => {}
+            silent if run.rules().silent.contains(&silent) => {}
             _ => run.tell(Severity::Note, &Problem::new("run-machine-function", address.span, format!("M{number}"))),
         }
     }
@@ -187,7 +186,7 @@ fn carry_out(run: &mut Interpreter, at: usize, call: &Call, passes: u32) -> Resu
         set_alarm::call(run, call)?;
     } else if name == SWIVEL {
         swivel::call(run, call)?;
-    } else if let Some(cycle) = catalogue::find(Dialect::Sinumerik, name) {
+    } else if let Some(cycle) = catalogue::find(run.program.dialect, name) {
         cycle::data(run, cycle, call.span)?;
     } else if let Some(unit) = run.programs.named(name).cloned() {
         let entered = subprogram::enter(run, at, call, &unit, passes);

@@ -7,13 +7,12 @@ use super::path::{Coordinate, Path};
 use super::statement::Address;
 use crate::control::variables::AXES;
 use crate::diagnostic::Severity;
-use crate::dialect::Dialect;
 use crate::machine::Machine;
 use crate::problem::Problem;
 
 /// Takes an address into the path of the block or the modal data.
 pub fn take(run: &mut Interpreter, address: &Address, path: &mut Path) -> Result<(), Problem> {
-    let nct = run.program.dialect == Dialect::Nct;
+    let rules = run.rules();
     let factor = run.sim.control.active_factor();
     let name = address.name.as_str();
     match name {
@@ -30,12 +29,11 @@ pub fn take(run: &mut Interpreter, address: &Address, path: &mut Path) -> Result
             };
             put(list, axis, coordinate(address, factor)?);
         }
-        "AP" if !nct => path.polar.angle = Some(coordinate(address, 1.0)?),
-        "RP" if !nct => path.polar.radius = Some(coordinate(address, factor)?),
-        "CR" => path.radius = Some(number(address)? * factor),
-        "R" if nct => path.radius = Some(number(address)? * factor),
+        "AP" => path.polar.angle = Some(coordinate(address, 1.0)?),
+        "RP" => path.polar.radius = Some(coordinate(address, factor)?),
+        _ if name == rules.radius => path.radius = Some(number(address)? * factor),
         "AR" => path.angle = Some(number(address)?),
-        "ANG" if !nct => path.slope = Some(number(address)?),
+        "ANG" => path.slope = Some(number(address)?),
         "TURN" => path.turns = turns(address)?,
         "F" if !path.dwell => {
             run.modal.feed = number(address)?;
@@ -57,7 +55,7 @@ pub fn take(run: &mut Interpreter, address: &Address, path: &mut Path) -> Result
         "SPOS" | "SPOSA" => spindle(run, address)?,
         "T" => {} // number or name, see `tool`
         "G" | "M" | "F" | "S" | "D" | "DL" => drop(number(address)?),
-        "H" | "P" | "O" | "N" if nct => drop(number(address)?),
+        _ if rules.beside.contains(&name) => drop(number(address)?),
         // what tunes a path or a spline: only the programmed points are passed
         "SF" | "PW" | "SD" | "PL" | "FRC" | "FRCM" => drop(number(address)?),
         "H" => {

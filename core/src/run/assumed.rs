@@ -12,7 +12,7 @@ use crate::dialect::Dialect;
 use crate::entry::{Cycle, Inputs, ProbeUse, Proposal, Typed};
 use crate::geometry::rigid::angles;
 use crate::geometry::{Mcs, V3, rigid};
-use crate::machine::setup::{PROBE_REGISTER, PROBE_TOOL};
+use crate::machine::setup::probe_place;
 use crate::machine::trace::Step;
 use crate::machine::{Setup, Sim};
 use crate::message::Message;
@@ -83,10 +83,7 @@ fn start(program: &Program) -> Setup {
     }
     let first = sites.iter().find(|site| site.cycle.purpose.probe != ProbeUse::None);
     if first.is_some_and(|site| site.cycle.purpose.probe == ProbeUse::Workpiece) {
-        (setup.control.tool, setup.control.edge) = match program.dialect {
-            Dialect::Sinumerik => (PROBE_TOOL, 1),
-            Dialect::Nct => (0, PROBE_REGISTER),
-        };
+        (setup.control.tool, setup.control.edge) = probe_place(setup.control.make());
     }
     setup
 }
@@ -316,12 +313,10 @@ impl Interpreter {
         let edge = control.edge_of(tool, number).cloned().unwrap_or_default();
         let is_probe = [PROBE, LATHE_PROBE].contains(&edge.kind);
         let turning = control.number(TOOL_LENGTH_TYPE) == AS_TURNING_TOOL;
-        let data = match (control.dialect, cycle.purpose.probe) {
-            (Dialect::Nct, ProbeUse::Workpiece) if edge.length == [0.0; 3] => {
-                Edge { length: [53.0, 0.0, 0.0], ..probe(false) }
-            }
-            (Dialect::Sinumerik, ProbeUse::Workpiece) if !is_probe => probe(turning),
-            (Dialect::Sinumerik, ProbeUse::Tool) if is_probe || made.tools.contains_key(&(tool, number)) => {
+        let data = match (control.make().registers, cycle.purpose.probe) {
+            (true, ProbeUse::Workpiece) if edge.length == [0.0; 3] => Edge { length: [53.0, 0.0, 0.0], ..probe(false) },
+            (false, ProbeUse::Workpiece) if !is_probe => probe(turning),
+            (false, ProbeUse::Tool) if is_probe || made.tools.contains_key(&(tool, number)) => {
                 let variant = variants::chosen(cycle, typed, control).unwrap_or(0);
                 let needed = cycle.simulation.as_ref().and_then(|simulation| simulation.tool(variant));
                 let mill = Edge { kind: MILL, radius: 5.0, ..probe(turning) };

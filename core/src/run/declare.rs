@@ -6,7 +6,6 @@ use super::types::Type;
 use super::{expression, names};
 use crate::control::variables::AXES;
 use crate::diagnostic::{Severity, Span};
-use crate::dialect::Dialect;
 use crate::problem::Problem;
 use crate::syntax::tree::ExprId;
 
@@ -42,8 +41,8 @@ pub fn attribute(
 }
 
 /// Whether every machine has an axis of this name, which no variable takes.
-pub fn is_axis(run: &Interpreter, name: &str) -> bool {
-    run.program.dialect == Dialect::Sinumerik && AXES.contains(&name)
+pub fn is_axis(name: &str) -> bool {
+    AXES.contains(&name)
 }
 
 /// Declares a name, with its first value.
@@ -55,7 +54,7 @@ pub fn declare(
     declaring: Declaring,
 ) -> Result<(), Problem> {
     let key = run.program.name(name);
-    if is_axis(run, &key) {
+    if is_axis(&key) {
         return Err(Problem::new("run-axis-name", name, &*key));
     }
     let kind = declaring.kind.ok_or_else(|| Problem::new("run-type", name, &*key))?;

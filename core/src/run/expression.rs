@@ -4,7 +4,6 @@ use super::datum::Datum;
 use super::interpret::Interpreter;
 use super::{function, macro_variables, names};
 use crate::diagnostic::Span;
-use crate::dialect::Dialect;
 use crate::problem::Problem;
 use crate::syntax::tree::{Expr, ExprId, Operator};
 
@@ -101,11 +100,7 @@ fn binary(run: &Interpreter, left: ExprId, operator: Operator, right: ExprId) ->
     if b == 0.0 && matches!(operator, Operator::Over | Operator::Div | Operator::Mod) {
         return Err(Problem::new("run-division", span(run, right), ""));
     }
-    let result = match run.program.dialect {
-        Dialect::Sinumerik => compared(operator, a, b),
-        Dialect::Nct => vacancy.or_else(|| numbers(bits(operator)?, a, b)),
-    };
-    let result = result.or_else(|| numbers(operator, a, b));
+    let result = (run.rules().operate)(operator, a, b, vacancy).or_else(|| numbers(operator, a, b));
     match result.ok_or_else(|| wrong(run, left))? {
         Datum::Number(number) if !number.is_finite() => {
             let place = span(run, left);
@@ -120,7 +115,7 @@ const SAME: f64 = 1e-12;
 
 /// Comparisons in which almost equal numbers are equal, with `<` and `>` too: MD10280 bit 0, which would change that,
 /// is 0 as delivered.
-fn compared(operator: Operator, a: f64, b: f64) -> Option<Datum> {
+pub fn compared(operator: Operator, a: f64, b: f64) -> Option<Datum> {
     let same = (a - b).abs() <= SAME * a.abs().max(b.abs());
     Some(Datum::from(match operator {
         Operator::Equal => same,
@@ -134,7 +129,7 @@ fn compared(operator: Operator, a: f64, b: f64) -> Option<Datum> {
 }
 
 /// The operator that NCT means by `AND`, `OR` and `XOR`: they work on the bits of whole numbers.
-fn bits(operator: Operator) -> Option<Operator> {
+pub fn bits(operator: Operator) -> Option<Operator> {
     Some(match operator {
         Operator::And => Operator::BitAnd,
         Operator::Or => Operator::BitOr,
@@ -166,7 +161,7 @@ fn texts(operator: Operator, a: &str, b: &str) -> Option<Datum> {
     }))
 }
 
-fn numbers(operator: Operator, a: f64, b: f64) -> Option<Datum> {
+pub fn numbers(operator: Operator, a: f64, b: f64) -> Option<Datum> {
     let (x, y) = (a as i64, b as i64);
     let number = match operator {
         Operator::Plus => a + b,

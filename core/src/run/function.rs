@@ -8,7 +8,6 @@ use crate::control::Frame;
 use crate::control::rotary::ROTARY;
 use crate::control::variables::set_component;
 use crate::diagnostic::Span;
-use crate::dialect::Dialect;
 use crate::problem::Problem;
 use crate::syntax::tree::ExprId;
 
@@ -36,8 +35,7 @@ pub fn call(run: &Interpreter, place: Span, args: &[ExprId]) -> Result<Datum, Pr
     if numbers.len() < values.len() {
         return Err(refused());
     }
-    let dialect = run.program.dialect;
-    match arithmetic(&name, &numbers, dialect) {
+    match arithmetic(&name, &numbers, run.rules().not) {
         Some(value) if value.is_finite() => Ok(Datum::Number(value)),
         Some(_) => Err(refused()),
         None => Err(Problem::new("run-unknown-word", place, name.as_str())),
@@ -55,7 +53,7 @@ fn repeated(values: Vec<Datum>) -> Option<Datum> {
     values.next().is_none().then_some(Datum::Repeat(value, count))
 }
 
-fn arithmetic(name: &str, values: &[f64], dialect: Dialect) -> Option<f64> {
+fn arithmetic(name: &str, values: &[f64], not: fn(f64) -> f64) -> Option<f64> {
     let value = match (name, values) {
         ("SIN", [a]) => crate::geometry::rigid::sin_cos(*a).0,
         ("COS", [a]) => crate::geometry::rigid::sin_cos(*a).1,
@@ -77,8 +75,7 @@ fn arithmetic(name: &str, values: &[f64], dialect: Dialect) -> Option<f64> {
         ("MAXVAL", [a, b]) => a.max(*b),
         ("BOUND", [low, high, value]) if low <= high => value.clamp(*low, *high),
         ("BOUND", [_, _, _]) => f64::NAN,
-        ("NOT", [a]) if dialect == Dialect::Sinumerik => f64::from(u8::from(*a == 0.0)),
-        ("NOT", [a]) => !(*a as i64) as f64,
+        ("NOT", [a]) => not(*a),
         _ => return None,
     };
     Some(value)

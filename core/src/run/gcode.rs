@@ -8,7 +8,6 @@ use super::statement::Words;
 use super::{motion, unread};
 use crate::control::Plane;
 use crate::diagnostic::Severity;
-use crate::dialect::Dialect;
 use crate::machine::Stop;
 use crate::problem::Problem;
 
@@ -31,9 +30,7 @@ fn some(run: &mut Interpreter, found: &mut Words, counts: impl Fn(f64) -> bool) 
         .filter(|(number, _)| counts(*number))
         .collect();
     for (number, span) in codes {
-        if run.program.dialect == Dialect::Sinumerik
-            && let Some(instead) = instead(number)
-        {
+        if let Some(instead) = (run.rules().instead)(number) {
             let problem = Problem::new("run-not-simulated", span, format!("G{number}"));
             match instead {
                 Instead::Stays => found.path.stays = true,
@@ -54,7 +51,7 @@ fn some(run: &mut Interpreter, found: &mut Words, counts: impl Fn(f64) -> bool) 
 }
 
 /// What is done instead of a G function that is not simulated.
-enum Instead {
+pub enum Instead {
     /// The axes stay where they are: limits, fixed points, a thread that goes in and comes out again.
     Stays,
     /// The block moves as without it: a smooth approach.
@@ -65,7 +62,7 @@ enum Instead {
 
 /// SINUMERIK: G25 and G26 limits, G33 to G35, G63, G331, G332 threads, G74 and G75 reference and fixed points, G147 to
 /// G348 smooth approach and retraction, G58 and G59 parts of the programmed frame.
-fn instead(number: f64) -> Option<Instead> {
+pub fn instead(number: f64) -> Option<Instead> {
     if number.fract() != 0.0 {
         return None;
     }
@@ -78,7 +75,6 @@ fn instead(number: f64) -> Option<Instead> {
 }
 
 fn one(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
-    let dialect = run.program.dialect;
     match code {
         0 => run.modal.motion = Motion::Rapid,
         1 => run.modal.motion = Motion::Line,
@@ -98,13 +94,12 @@ fn one(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
         9 | 60 | 61 | 64 | 80 => {}
         94 => run.modal.feed_type = FeedType::Minute,
         _ if run.sim.control.choose_units(code) => {}
-        _ if dialect == Dialect::Sinumerik => return sinumerik(run, code, found),
-        _ => return nct(run, code, found),
+        _ => return (run.rules().function)(run, code, found),
     }
     true
 }
 
-fn sinumerik(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
+pub fn sinumerik(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
     match code {
         110 => found.path.pole = Some(Pole::Position),
         111 => found.path.pole = Some(Pole::Zero),
@@ -128,7 +123,7 @@ fn sinumerik(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
     true
 }
 
-fn nct(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
+pub fn nct(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
     match code {
         31 => {
             found.path.measure = Some(Measure { input: 1, goes_on: false });

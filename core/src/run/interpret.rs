@@ -7,6 +7,7 @@ use super::level::Level;
 use super::locals::Locals;
 use super::modal::Modal;
 use super::outcome::PassedOver;
+use super::rules::Rules;
 use super::unread::Unread;
 use super::{Outcome, contour, endless, motion, repeat, statement, subprogram, unread};
 use crate::catalogue::alarms;
@@ -260,7 +261,7 @@ impl Interpreter {
         let mut sim = Sim::new(setup);
         sim.trace_limit = limits.trace;
         sim.point_limit = crate::scan::POINTS;
-        let modal = Modal::start(program.dialect, sim.control.data_factor());
+        let modal = Modal::start(Rules::of(program.dialect).motion, sim.control.data_factor());
         let programs = programs::programs(&program);
         let main = programs.units.first().map(|unit| unit.blocks.clone());
         let main = main.unwrap_or_default();

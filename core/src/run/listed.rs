@@ -9,7 +9,6 @@ use crate::catalogue::{CYCLES, list};
 use crate::check::{Sort, listed, newer};
 use crate::control::Value;
 use crate::diagnostic::{Diagnostic, Severity, Span};
-use crate::dialect::Dialect;
 use crate::entry::{AUXILIARY, AUXILIARY_ARGS, Arg, ArgumentList, Cycle, Kind, Param, Style, Typed};
 use crate::machine::Stop;
 use crate::name::Name;
@@ -22,7 +21,7 @@ pub fn call(run: &mut Interpreter, call: &Call) -> Result<bool, Stop> {
         return auxiliary(run, call);
     }
     let number = |index: usize| call.args.get(index)?.as_ref()?.number();
-    let listed = list::called(Dialect::Sinumerik, &call.name, call.args.len(), number);
+    let listed = list::called(run.program.dialect, &call.name, call.args.len(), number);
     let Some((cycle, list)) = listed else {
         return without(run, call);
     };
@@ -60,7 +59,7 @@ pub fn call(run: &mut Interpreter, call: &Call) -> Result<bool, Stop> {
 /// A call whose arguments are of no list.
 fn without(run: &mut Interpreter, call: &Call) -> Result<bool, Stop> {
     let number = |index: usize| at(call, index).map_or(Some(0.0), Datum::number);
-    let cycle = catalogue::find(Dialect::Sinumerik, &call.name);
+    let cycle = catalogue::find(run.program.dialect, &call.name);
     let many = cycle.and_then(|cycle| refused(cycle, None, call));
     let count = listed::count(&call.args);
     let finding = many.or_else(|| catalogue::list::unmatched(&call.name, count, number));

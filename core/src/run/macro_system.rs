@@ -7,7 +7,7 @@ use super::interpret::Interpreter;
 use super::macro_variables::local;
 use super::modal::{Compensation, FeedType, Motion};
 use crate::catalogue::nct::correct;
-use crate::control::variables::nct_offset;
+use crate::control::NCT;
 use crate::control::{Control, Plane, Units};
 use crate::diagnostic::Span;
 use crate::machine::trace::Step;
@@ -171,5 +171,5 @@ fn offset(number: u32) -> Option<(usize, String)> {
     let way = number.checked_sub(OFFSETS)?;
     let (system, axis) = ((way / APART) as usize, (way % APART) as usize);
     let axis = ["X", "Y", "Z"].get(axis)?;
-    (system <= 6).then(|| (system, format!("{} {axis}", nct_offset(system))))
+    (system <= 6).then(|| (system, format!("{} {axis}", NCT.settable_name(system))))
 }

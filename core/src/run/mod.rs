@@ -35,6 +35,7 @@ mod path;
 mod polar;
 mod predict;
 mod repeat;
+mod rules;
 pub mod scanning;
 mod set_alarm;
 mod statement;

@@ -1,7 +1,6 @@
 //! What stays in force until it is programmed anew.
 
 use super::contour::Outside;
-use crate::dialect::Dialect;
 
 /// Modal functions of a program.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,13 +36,10 @@ pub struct Modal {
 }
 
 impl Modal {
-    /// What is in force before the first block; `factor`: mm in the unit of F.
-    pub fn start(dialect: Dialect, factor: f64) -> Modal {
+    /// What is in force before the first block, but for this motion; `factor`: mm in the unit of F.
+    pub fn start(motion: Motion, factor: f64) -> Modal {
         Modal {
-            motion: match dialect {
-                Dialect::Sinumerik => Motion::Line,
-                Dialect::Nct => Motion::Rapid, // its programs move without F at first, C:1164
-            },
+            motion,
             absolute: true,
             feed: 0.0,
             feed_factor: factor,

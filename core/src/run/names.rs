@@ -9,7 +9,6 @@ use crate::catalogue::CYCLES;
 use crate::control::rotary::is_angle;
 use crate::control::{Frame, Value, arrays, gud, machine_data};
 use crate::diagnostic::{Severity, Span};
-use crate::dialect::Dialect;
 use crate::problem::Problem;
 use crate::syntax::tree::{ExprId, WordKind};
 use std::collections::BTreeMap;
@@ -52,7 +51,7 @@ pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem>
         return value;
     }
     let key = outside(&home, key);
-    if let Some(value) = constant(run, key) {
+    if let Some(value) = constant(key) {
         return Ok(value);
     }
     if key.starts_with('$') {
@@ -225,10 +224,7 @@ fn known(key: &str, place: Span) -> Result<(), Problem> {
     fits.then_some(()).ok_or_else(|| Problem::new("run-index", place, key))
 }
 
-fn constant(run: &Interpreter, key: &str) -> Option<Datum> {
-    if run.program.dialect == Dialect::Nct {
-        return None;
-    }
+fn constant(key: &str) -> Option<Datum> {
     match key {
         "TRUE" => Some(Datum::Number(1.0)),
         "FALSE" => Some(Datum::Number(0.0)),

@@ -225,7 +225,7 @@ const MEMORIES: [&str; 6] = ["_EV[", "_MV[", "_WP[", "_TP[", "_TPW[", "_KB["];
 /// tells nobody anything.
 fn remembered(name: &str) -> bool {
     if let Some(datum) = nct_data::find(name) {
-        return datum.unit == gud::Unit::Length(gud::System::Basic);
+        return datum.element.unit == gud::Unit::Length(gud::System::Basic);
     }
     let length = |(gud, at): (&gud::Gud, Vec<usize>)| {
         gud.element(&at).is_some_and(|element| element.unit == gud::Unit::Length(gud::System::Basic))

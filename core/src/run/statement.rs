@@ -7,7 +7,6 @@ use super::interpret::{Interpreter, Next};
 use super::path::{Measure, Path};
 use super::{action, branch, contour, declare, environment, indexed, locals, names, repeat, unread};
 use crate::diagnostic::{Severity, Span};
-use crate::dialect::Dialect;
 use crate::machine::Stop;
 use crate::machine::trace::Step;
 use crate::problem::Problem;
@@ -113,17 +112,12 @@ pub fn block(run: &mut Interpreter, at: usize) -> Result<Next, Stop> {
     })
 }
 
-/// Whether the block has a word that counts on the real position or writes data of tools: STOPRE, `$AA_IW[X]`,
-/// `$TC_DP6[1,1]`, NCT `#5041`.
+/// Whether the block has a word that counts on the real position or writes data of tools.
 fn asks_for_position(run: &Interpreter, block: &Block) -> bool {
-    let words: &[&[u8]] = match run.program.dialect {
-        Dialect::Sinumerik => &[b"STOPRE", b"$A", b"$VA_", b"$TC_"],
-        Dialect::Nct => &[b"#5", b"#["],
-    };
     let span = Span { end: block.comment.map_or(block.span.end, |comment| comment.start), ..block.span };
     let text = run.program.text(span).to_ascii_uppercase();
     let holds = |word: &[u8]| text.windows(word.len()).any(|part| part == word);
-    words.iter().any(|word| holds(word))
+    run.rules().asks_for_position.iter().any(|word| holds(word))
 }
 
 /// `REPEAT LABEL` or `REPEATB LABEL` with the label.
@@ -141,7 +135,7 @@ fn repetition(run: &Interpreter, words: &[Word]) -> Option<(Span, ExprId)> {
 /// Blocks of which nothing is carried out: declarations of subprograms, and what is told, synchronised actions and
 /// interrupts.
 fn left_out(run: &mut Interpreter, words: &[Word]) -> bool {
-    let sinumerik = run.program.dialect == Dialect::Sinumerik;
+    let loops = run.program.grammar().structures.contains(&"DO");
     for word in words {
         let (WordKind::Keyword { name, .. } | WordKind::Call { name, .. }) = &word.kind else {
             continue;
@@ -149,9 +143,8 @@ fn left_out(run: &mut Interpreter, words: &[Word]) -> bool {
         let text = run.program.name(*name);
         match text.as_str() {
             "PROC" | "EXTERN" | "ENDPROC" => return true,
-            "DEFINE" if sinumerik => {}
-            "WHEN" | "WHENEVER" | "EVERY" | "FROM" | "REDEF" => {}
-            "DO" | "SETINT" if sinumerik => {}
+            "DEFINE" | "WHEN" | "WHENEVER" | "EVERY" | "FROM" | "REDEF" | "SETINT" => {}
+            "DO" if !loops => {}
             _ => continue,
         }
         let problem = Problem::new("run-not-simulated", word.span, text);
@@ -240,7 +233,7 @@ fn word_of(run: &mut Interpreter, at: usize, word: &Word, found: &mut Words) -> 
 
 /// Whether a name with a value is one that the run goes on without; where it does something, that is told.
 fn left_alone(run: &mut Interpreter, name: &str, span: Span) -> bool {
-    if run.program.dialect == Dialect::Nct || locals::declared(run, name) {
+    if locals::declared(run, name) {
         return false;
     }
     let value = program::words::value(name);
@@ -254,7 +247,7 @@ fn left_alone(run: &mut Interpreter, name: &str, span: Span) -> bool {
 /// Whether a variable of the program has the name of an address. X, Y and Z stay axes, whatever is declared; where the
 /// machine has a rotary axis of that name, it is told that the program means its variable.
 fn hidden(run: &mut Interpreter, name: &str, span: Span) -> bool {
-    let variable = locals::declared(run, name) && !declare::is_axis(run, name);
+    let variable = locals::declared(run, name) && !declare::is_axis(name);
     if variable && run.sim.control.rotary_axis(name).is_some() {
         let problem = Problem::new("run-axis-variable", span, name);
         run.tell(Severity::Warning, &problem);
@@ -321,10 +314,7 @@ fn keyword(
         "CASE" => found.case = value.map(|value| evaluate(run, value)).transpose()?,
         "DEFAULT" => found.armed = Some(true),
         "WHILE" | "FOR" | "LOOP" | "UNTIL" | "ENDWHILE" | "ENDFOR" | "ENDLOOP" | "ELSE" | "ENDIF" | "TO" | "END"
-        | "REPEAT" => {
-            return branch::structure(run, at, &name, place, value, found);
-        }
-        "DO" if run.program.dialect == Dialect::Nct => {
+        | "REPEAT" | "DO" => {
             return branch::structure(run, at, &name, place, value, found);
         }
         "RET" => found.leaves = true,

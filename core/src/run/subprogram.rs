@@ -32,7 +32,7 @@ pub fn enter(run: &mut Interpreter, at: usize, call: &Call, unit: &Unit, passes:
     for (i, parameter) in parameters.iter().enumerate() {
         let local = bind(run, parameter, call, i)?;
         let name = run.program.name(parameter.name);
-        if declare::is_axis(run, &name) {
+        if declare::is_axis(&name) {
             return Err(Problem::new("run-axis-name", parameter.name, name));
         }
         bound.insert(name, local);

@@ -6,7 +6,6 @@ use super::statement::{Address, Words};
 use super::{addresses, contour};
 use crate::control::Edge;
 use crate::diagnostic::Span;
-use crate::dialect::Dialect;
 use crate::machine::Stop;
 use crate::machine::trace::Step;
 use crate::problem::Problem;
@@ -17,11 +16,7 @@ pub fn apply(run: &mut Interpreter, found: &Words) -> Result<(), Stop> {
         contour::finish(run)?;
     }
     let before = (run.sim.control.tool, run.sim.control.edge);
-    let outcome = match run.program.dialect {
-        Dialect::Sinumerik => sinumerik(run, found),
-        Dialect::Nct => nct(run, found),
-    };
-    outcome.map_err(|problem| run.fail(problem))?;
+    (run.rules().tool)(run, found).map_err(|problem| run.fail(problem))?;
     let after = (run.sim.control.tool, run.sim.control.edge);
     if before != after {
         run.sim.note(Step::Tool { tool: after.0, edge: after.1 });
@@ -48,7 +43,8 @@ fn of_main_spindle(address: &Address) -> bool {
     address.extension.is_none_or(|spindle| spindle <= 1)
 }
 
-fn sinumerik(run: &mut Interpreter, found: &Words) -> Result<(), Problem> {
+/// T, D and M6 of SINUMERIK.
+pub fn sinumerik(run: &mut Interpreter, found: &Words) -> Result<(), Problem> {
     if let Some(address) = last(found, "T") {
         let tool = number(run, address)?;
         run.make_tool(tool, 1);
@@ -133,7 +129,8 @@ fn select(run: &mut Interpreter, tool: i64, edge: i64, address: &Address) -> Res
     Ok(())
 }
 
-fn nct(run: &mut Interpreter, found: &Words) -> Result<(), Problem> {
+/// T, H and D of NCT.
+pub fn nct(run: &mut Interpreter, found: &Words) -> Result<(), Problem> {
     if let Some(address) = last(found, "T") {
         run.sim.control.tool = number(run, address)?;
     }

@@ -5,7 +5,6 @@ use super::interpret::Interpreter;
 use super::statement::Call;
 use super::{interpret, subprogram};
 use crate::diagnostic::Span;
-use crate::dialect::Dialect;
 use crate::entry::Cycle;
 use crate::machine::Stop;
 use crate::program::user_programs::UserProgram;
@@ -15,7 +14,7 @@ use crate::syntax::programs::Unit;
 /// Runs the user's program of this text around a call of this cycle, where there is one: from the label of the cycle
 /// (`_M977`), else from its first block, to its end. It does not call itself.
 pub fn around(run: &mut Interpreter, program: &UserProgram, cycle: &Cycle, span: Span) -> Result<(), Stop> {
-    let measures = cycle.dialect == Dialect::Sinumerik && cycle.purpose.probe.measures();
+    let measures = cycle.is_measuring_cycle();
     let unit = run.programs.named(program.name).filter(|_| measures);
     let Some(unit) = unit.cloned() else {
         return Ok(());

@@ -5,15 +5,11 @@ use super::modal::Motion;
 use super::path::Suppress;
 use super::statement::Words;
 use crate::diagnostic::Severity;
-use crate::dialect::Dialect;
 use crate::problem::Problem;
 use crate::program::words::{Setting, setting};
 
 /// Takes the settings of a block.
 pub fn apply(run: &mut Interpreter, found: &mut Words) {
-    if run.program.dialect == Dialect::Nct {
-        found.calls.clear();
-    }
     for call in &found.calls {
         match setting(&call.name) {
             Some(Setting::Suppress) => found.path.suppress = Suppress::All,

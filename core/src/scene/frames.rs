@@ -37,7 +37,7 @@ pub fn frames(before: &Control, after: &Control) -> Vec<Frame> {
     }
     let corner = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     for number in shown(before, after) {
-        let name = before.settable_name(number);
+        let name = before.make().settable_name(number);
         let (mut old, mut new) = (before.clone(), after.clone());
         if number != before.settable {
             old.activate(number);

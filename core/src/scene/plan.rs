@@ -5,15 +5,14 @@ use super::plan_solid::{Cut, meets, outline};
 use crate::catalogue::example::example;
 use crate::check;
 use crate::control::variables::AXES;
-use crate::control::{Control, Edge, MachineSort, Plane, Transverse};
-use crate::dialect::Dialect;
+use crate::control::{Edge, MachineSort, Plane, Transverse};
 use crate::entry::stage::{Look, SIZE, Seen, Staging, Touched, add, distance, ring, unit};
-use crate::entry::{Cycle, Inputs, Proposal, Staged, address, names};
+use crate::entry::{Inputs, Proposal, Staged, address, names};
 use crate::geometry::V3;
 use crate::geometry::arc::Around;
 use crate::machine::Setup;
 use crate::machine::in_use::InUse;
-use crate::machine::setup::PROBE_REGISTER;
+use crate::machine::setup::probe_place;
 use crate::machine::sim::Sim;
 use crate::machine::trace::{Entry, MotionKind, Step};
 use crate::name::Name;
@@ -457,37 +456,15 @@ fn machine(inputs: &Inputs, staging: &Staging) -> Setup {
     setup.control.transverse = if inputs.diameters { Transverse::Diameter } else { Transverse::Radius };
     setup.probe.radius = ball;
     setup.probe.stylus = Some(0.0); // out of the way
-    calibrate(&mut setup.control, inputs.cycle, ball);
+    let make = setup.control.make();
+    let place = if make.registers { probe_place(make) } else { setup.control.active_place() };
+    setup.control.calibrate(place, ball);
     let (tool, edge) = (setup.control.tool, setup.control.edge);
     if let Some(edge) = setup.control.edge_of_mut(tool, edge) {
         let lies = |tip: &i64| Edge { tip: *tip, ..edge.clone() }.body() == inputs.body;
         edge.tip = staging.tip.or_else(|| (5..=8).find(lies).filter(|_| inputs.body.is_some())).unwrap_or(edge.tip);
     }
     setup
-}
-
-/// Makes the ball and its trigger values known to the control.
-fn calibrate(control: &mut Control, cycle: &Cycle, ball: f64) {
-    match cycle.dialect {
-        Dialect::Sinumerik => {
-            control.set("_WP[0,0]", 2.0 * ball);
-            for index in 1..=6 {
-                control.set(format!("_WP[0,{index}]"), if index % 2 == 1 { ball } else { -ball });
-            }
-            let (tool, edge) = (control.tool, control.edge);
-            if let Some(edge) = control.edge_of_mut(tool, edge) {
-                edge.radius = ball;
-            }
-        }
-        Dialect::Nct => {
-            let register = control.register_mut(PROBE_REGISTER);
-            register.length[0] += ball - register.radius;
-            register.radius = ball;
-            for name in ["#500", "#501", "#502", "#503"] {
-                control.set(name, ball);
-            }
-        }
-    }
 }
 
 /// The tool at the first touch, from the position of the machine on.

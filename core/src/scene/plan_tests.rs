@@ -4,6 +4,7 @@
 use super::*;
 use crate::catalogue::{CYCLES, find};
 use crate::control::delivery;
+use crate::dialect::Dialect;
 use crate::entry::How;
 
 /// The worked example of each variant of each cycle whose picture follows from its work.

@@ -74,7 +74,7 @@ fn place_frame(control: &mut Control, name: &str, frame: Frame) -> Result<(), Re
         control.global_basic.insert(number, frame);
     } else {
         let unknown = || Refused::new("setup-frame", Path::of(&["frames", name])).text("name", name);
-        control.frames.insert(control.settable_named(name).ok_or_else(unknown)?, frame);
+        control.frames.insert(control.make().settable_named(name).ok_or_else(unknown)?, frame);
     }
     Ok(())
 }
@@ -86,7 +86,7 @@ fn activate(control: &mut Control, file: &ActiveFile) -> Result<(), Refused> {
     control.rotary = file.rotary;
     if !file.frame.is_empty() {
         let unknown = || Refused::new("setup-frame", Path::of(&["active", "frame"])).text("name", &file.frame);
-        control.settable = control.settable_named(&file.frame).ok_or_else(unknown)?;
+        control.settable = control.make().settable_named(&file.frame).ok_or_else(unknown)?;
     }
     control.activate(control.settable);
     let number = file.units.strip_prefix('G').and_then(|digits| digits.parse().ok());
@@ -114,7 +114,7 @@ impl From<&Setup> for SetupFile {
             active: ActiveFile {
                 tool: control.tool,
                 edge: control.edge,
-                frame: control.settable_name(control.settable),
+                frame: control.make().settable_name(control.settable),
                 units: format!("{:?}", control.unit_function()),
                 transverse: control.transverse,
                 spindle: control.spindle,
@@ -159,7 +159,7 @@ fn tools(setup: &Setup) -> BTreeMap<i64, ToolFile> {
 }
 
 fn frames(control: &Control) -> BTreeMap<String, Frame> {
-    let settable = control.frames.iter().map(|(number, frame)| (control.settable_name(*number), *frame));
+    let settable = control.frames.iter().map(|(number, frame)| (control.make().settable_name(*number), *frame));
     let channel = control.channel_basic.iter().map(|(number, frame)| (format!("$P_CHBFR[{number}]"), *frame));
     let global = control.global_basic.iter().map(|(number, frame)| (format!("$P_NCBFR[{number}]"), *frame));
     settable.chain(channel).chain(global).chain([("$P_SETFR".to_owned(), control.system)]).collect()

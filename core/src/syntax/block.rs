@@ -1,9 +1,9 @@
 //! Lines: block number, skip level, words, comment.
 
 use super::bytes::is_digit;
+use super::grammar::Grammar;
 use super::reader::{Expect, Reader};
 use super::tree::{Block, Program, SyntaxError};
-use super::{nct, sinumerik};
 use crate::diagnostic::Span;
 use crate::dialect::Dialect;
 use crate::own;
@@ -28,7 +28,7 @@ pub fn read_told(dialect: Dialect, source: &[u8], told: &mut dyn FnMut(f64)) -> 
     let whole = source.get(..u32::MAX as usize).unwrap_or(source);
     let end = whole.iter().position(|byte| *byte == END_OF_FILE).or_else(|| filled(whole));
     let readable = end.and_then(|end| whole.get(..end)).unwrap_or(whole);
-    let mut reader = Reader::new(readable);
+    let mut reader = Reader::new(Grammar::of(dialect), readable);
     while reader.at < readable.len() || reader.blocks.is_empty() {
         let start = reader.at;
         let length = reader.source.get(start..).unwrap_or_default().iter().position(|byte| *byte == b'\n');
@@ -41,7 +41,7 @@ pub fn read_told(dialect: Dialect, source: &[u8], told: &mut dyn FnMut(f64)) -> 
         if let Some(alone) = alone.filter(|at| !ends(at)) {
             lone_return(&mut reader, start + alone);
         }
-        line(&mut reader, dialect);
+        line(&mut reader);
         reader.at = stop + 1;
         if reader.blocks.len().is_multiple_of(BETWEEN) {
             told(reader.at as f64 / readable.len() as f64);
@@ -77,7 +77,7 @@ fn lone_return(reader: &mut Reader, at: usize) {
     reader.errors.push(SyntaxError { span, sentence: &own::LONE_RETURN });
 }
 
-fn line(reader: &mut Reader, dialect: Dialect) {
+fn line(reader: &mut Reader) {
     let span = Span { start: reader.at as u32, end: reader.end as u32 };
     reader.first = reader.words.len();
     reader.expect = Expect::Words;
@@ -86,7 +86,7 @@ fn line(reader: &mut Reader, dialect: Dialect) {
     }
     reader.blanks();
     let before = skip(reader);
-    let number = number(reader, dialect);
+    let number = number(reader);
     let skip = before.or_else(|| skip(reader));
     let mut comment = None;
     loop {
@@ -94,31 +94,27 @@ fn line(reader: &mut Reader, dialect: Dialect) {
         if reader.done() {
             break;
         }
-        if let Some(found) = take_comment(reader, dialect) {
+        if let Some(found) = take_comment(reader) {
             comment = comment.or(Some(found));
             continue;
         }
-        word(reader, dialect);
+        word(reader);
     }
     let words = reader.first as u32..reader.words.len() as u32;
     reader.blocks.push(Block { span, number, skip, words, comment });
 }
 
-fn word(reader: &mut Reader, dialect: Dialect) {
+fn word(reader: &mut Reader) {
     let start = reader.at;
     let (words, exprs, expect) = (reader.words.len(), reader.exprs.len(), reader.expect);
-    let outcome = match dialect {
-        Dialect::Sinumerik => sinumerik::word(reader),
-        Dialect::Nct => nct::word(reader),
-    };
-    if let Err(key) = outcome {
+    if let Err(key) = (reader.grammar.word)(reader) {
         let place = reader.at;
         reader.words.truncate(words);
         reader.exprs.truncate(exprs);
         reader.list.clear();
         reader.depth = 0;
         reader.expect = expect;
-        reader.unknown(start, place, key, if dialect == Dialect::Nct { b'(' } else { b';' });
+        reader.unknown(start, place, key, reader.grammar.comment);
     }
 }
 
@@ -140,9 +136,9 @@ fn skip(reader: &mut Reader) -> Option<u8> {
 }
 
 /// `N10`; SINUMERIK also `:10`.
-fn number(reader: &mut Reader, dialect: Dialect) -> Option<Span> {
+fn number(reader: &mut Reader) -> Option<Span> {
     let first = reader.byte(0);
-    let main = first == b':' && dialect == Dialect::Sinumerik;
+    let main = first == b':' && reader.grammar.main_blocks;
     if !(main || first.eq_ignore_ascii_case(&b'N')) || !is_digit(reader.byte(1)) {
         return None;
     }
@@ -156,11 +152,11 @@ fn number(reader: &mut Reader, dialect: Dialect) -> Option<Span> {
     Some(span)
 }
 
-fn take_comment(reader: &mut Reader, dialect: Dialect) -> Option<Span> {
+fn take_comment(reader: &mut Reader) -> Option<Span> {
     let start = reader.at;
-    match (reader.byte(0), dialect) {
-        (b';', _) => reader.at = reader.end,
-        (b'(', Dialect::Nct) => {
+    match reader.byte(0) {
+        b';' => reader.at = reader.end,
+        b'(' if reader.grammar.comment == b'(' => {
             let close = reader.rest().iter().position(|byte| *byte == b')');
             reader.at = close.map_or(reader.end, |length| start + length + 1);
             if close.is_none() {

@@ -2,8 +2,6 @@
 
 use super::reader::{DEPTH, Node, Parsed, Reader};
 use super::tree::{Expr, Operator};
-use super::{nct_expression, sinumerik_expression};
-use crate::dialect::Dialect;
 use crate::own;
 
 /// How tightly an operator binds; higher binds tighter.
@@ -11,53 +9,37 @@ pub(super) type Strength = u8;
 
 /// Reads an expression whose operators bind at least this tightly; 0 for a whole one.
 /// Ends directly behind its last byte.
-pub(super) fn expression(reader: &mut Reader, dialect: Dialect, least: Strength) -> Parsed<Node> {
+pub(super) fn expression(reader: &mut Reader, least: Strength) -> Parsed<Node> {
     if reader.depth >= DEPTH {
         return Err(&own::SYNTAX_DEPTH);
     }
     reader.depth += 1;
-    let outcome = chain(reader, dialect, least);
+    let outcome = chain(reader, least);
     reader.depth -= 1;
     outcome
 }
 
-fn chain(reader: &mut Reader, dialect: Dialect, least: Strength) -> Parsed<Node> {
+fn chain(reader: &mut Reader, least: Strength) -> Parsed<Node> {
     reader.blanks();
-    let mut left = operand(reader, dialect)?;
+    let mut left = (reader.grammar.operand)(reader)?;
     loop {
         let behind = reader.at;
         reader.blanks();
-        let found = match dialect {
-            Dialect::Sinumerik => sinumerik_expression::operator(reader),
-            Dialect::Nct => nct_expression::operator(reader),
-        };
+        let found = (reader.grammar.operator)(reader);
         let Some((operator, strength, length)) = found.filter(|(_, strength, _)| *strength >= least) else {
             reader.at = behind;
             return Ok(left);
         };
         reader.at += length;
-        let right = expression(reader, dialect, strength + 1)?;
+        let right = expression(reader, strength + 1)?;
         let height = left.height.max(right.height) + 1;
         left = reader.push(Expr::Binary(left.id, operator, right.id), height)?;
     }
 }
 
-fn operand(reader: &mut Reader, dialect: Dialect) -> Parsed<Node> {
-    match dialect {
-        Dialect::Sinumerik => sinumerik_expression::operand(reader),
-        Dialect::Nct => nct_expression::operand(reader),
-    }
-}
-
 /// A sign or `NOT` before an operand that binds this tightly.
-pub(super) fn unary(
-    reader: &mut Reader,
-    dialect: Dialect,
-    operator: Operator,
-    length: usize,
-    strength: Strength,
-) -> Parsed<Node> {
+pub(super) fn unary(reader: &mut Reader, operator: Operator, length: usize, strength: Strength) -> Parsed<Node> {
     reader.at += length;
-    let inner = expression(reader, dialect, strength)?;
+    let inner = expression(reader, strength)?;
     reader.push(Expr::Unary(operator, inner.id), inner.height + 1)
 }

@@ -2,7 +2,6 @@
 
 use super::programs::Programs;
 use super::tree::{Expr, Program, Word, WordKind};
-use crate::dialect::Dialect;
 use std::collections::BTreeMap;
 
 /// What stands at a block with a control structure, with the blocks that belong to it.
@@ -90,18 +89,13 @@ fn end_of(name: &str) -> Option<&'static str> {
 
 /// The word of a block that belongs to a control structure; an `IF` with a jump is none.
 pub fn structural(program: &Program, words: &[Word]) -> Option<&'static str> {
-    const NAMES: [&str; 11] =
-        ["IF", "ELSE", "ENDIF", "WHILE", "ENDWHILE", "FOR", "ENDFOR", "LOOP", "ENDLOOP", "REPEAT", "UNTIL"];
     let jumps = words.iter().any(|word| program.is_keyword(word, &["GOTO", "GOTOF", "GOTOB", "GOTOC", "THEN"]));
     words.iter().find_map(|word| {
         let WordKind::Keyword { name, value } = &word.kind else { return None };
         if program.is(*name, "END") {
             return Some("ENDWHILE");
         }
-        if program.dialect == Dialect::Nct && program.is(*name, "DO") {
-            return Some("DO");
-        }
-        let found = NAMES.iter().find(|known| program.is(*name, known))?;
+        let found = program.grammar().structures.iter().find(|known| program.is(*name, known))?;
         let labelled = *found == "REPEAT" && value.is_some();
         let jump = *found == "IF" && jumps;
         (!jump && !labelled).then_some(*found)

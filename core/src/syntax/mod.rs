@@ -5,6 +5,7 @@ mod block;
 mod bytes;
 mod expression;
 pub mod fold;
+mod grammar;
 mod keyword;
 pub mod language;
 pub mod links;
@@ -21,5 +22,6 @@ pub mod tree;
 
 pub(crate) use block::BETWEEN;
 pub use block::{read, read_told};
+pub(crate) use grammar::Grammar;
 pub use single::is_value;
 pub use tree::{Block, Expr, ExprId, Operator, Program, SyntaxError, Word, WordKind};

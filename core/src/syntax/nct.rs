@@ -6,7 +6,6 @@ use super::nct_expression::{bracket, decimal_comma, variable};
 use super::number;
 use super::reader::{Parsed, Reader};
 use super::tree::{Expr, ExprId, WordKind};
-use crate::dialect::Dialect::Nct;
 use crate::own;
 
 /// Reads one word.
@@ -57,7 +56,7 @@ fn assignment(reader: &mut Reader) -> Parsed<()> {
     if reader.done() {
         return Err(&own::SYNTAX_VALUE);
     }
-    let value = expression(reader, Nct, 0)?.id;
+    let value = expression(reader, 0)?.id;
     let value_span = reader.from(value_start);
     reader.word(start, WordKind::Assign { name, index, value_span, value });
     Ok(())
@@ -87,7 +86,7 @@ fn plain(reader: &mut Reader) -> Parsed<ExprId> {
         return Ok(reader.number(start, value)?.id);
     }
     if sign == 1 || matches!(first, b'#' | b'[') {
-        return Ok(expression(reader, Nct, 12)?.id);
+        return Ok(expression(reader, 12)?.id);
     }
     Err(&own::SYNTAX_VALUE)
 }

@@ -5,7 +5,6 @@ use super::expression::{Strength, expression, unary};
 use super::number;
 use super::reader::{Node, Parsed, Reader};
 use super::tree::{Expr, Operator};
-use crate::dialect::Dialect::Nct;
 use crate::own;
 
 const UNARY: Strength = 12;
@@ -40,8 +39,8 @@ pub(super) fn operator(reader: &Reader) -> Option<(Operator, Strength, usize)> {
 pub(super) fn operand(reader: &mut Reader) -> Parsed<Node> {
     let start = reader.at;
     match reader.byte(0) {
-        b'+' => unary(reader, Nct, Operator::Plus, 1, UNARY),
-        b'-' => unary(reader, Nct, Operator::Minus, 1, UNARY),
+        b'+' => unary(reader, Operator::Plus, 1, UNARY),
+        b'-' => unary(reader, Operator::Minus, 1, UNARY),
         b'[' => bracket(reader),
         b'#' => variable(reader),
         byte if is_digit(byte) || byte == b'.' => {
@@ -69,7 +68,7 @@ pub(super) fn decimal_comma(reader: &Reader) -> Parsed<()> {
 /// `[…]`.
 pub(super) fn bracket(reader: &mut Reader) -> Parsed<Node> {
     reader.at += 1;
-    let inner = expression(reader, Nct, 0)?;
+    let inner = expression(reader, 0)?;
     if reader.take(b']') { Ok(inner) } else { Err(&own::SYNTAX_BRACKET) }
 }
 
@@ -86,7 +85,7 @@ pub(super) fn variable(reader: &mut Reader) -> Parsed<Node> {
     let name = reader.from(start);
     let index = match reader.byte(0) {
         b'[' => bracket(reader)?,
-        b'#' => expression(reader, Nct, UNARY)?,
+        b'#' => expression(reader, UNARY)?,
         _ => return Err(&own::SYNTAX_OPERAND),
     };
     reader.push(Expr::Name { name, index: Box::new([index.id]) }, index.height + 1)
@@ -105,9 +104,9 @@ fn function(reader: &mut Reader) -> Parsed<Node> {
     if !NAMES.iter().any(|known| reader.text(name).eq_ignore_ascii_case(known)) {
         return Err(&own::SYNTAX_OPERAND);
     }
-    let inner = expression(reader, Nct, UNARY)?;
+    let inner = expression(reader, UNARY)?;
     if reader.text(name).eq_ignore_ascii_case(b"ATAN") && reader.take(b'/') {
-        let second = expression(reader, Nct, UNARY)?;
+        let second = expression(reader, UNARY)?;
         let height = inner.height.max(second.height) + 1;
         return reader.push(Expr::Call(name, Box::new([inner.id, second.id])), height);
     }

@@ -3,7 +3,6 @@
 
 use super::tree::{Block, Program, Word, WordKind};
 use crate::diagnostic::Span;
-use crate::dialect::Dialect;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
@@ -104,10 +103,7 @@ fn header(program: &Program, block: &Block) -> Option<String> {
         _ => None,
     })?;
     let name = found.trim_start_matches('%');
-    match program.dialect {
-        Dialect::Sinumerik => Some(name.to_owned()),
-        Dialect::Nct => numbered(name.get(1..)?.parse().ok()?),
-    }
+    if program.grammar().numbered { numbered(name.get(1..)?.parse().ok()?) } else { Some(name.to_owned()) }
 }
 
 /// Name of the NCT program with this number: `O0110` and `:110` are `O110`.

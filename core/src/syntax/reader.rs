@@ -1,6 +1,7 @@
-//! The place in the source, and the arenas being filled. Knows no dialect.
+//! The place in the source, and the arenas being filled. Asks the grammar where languages differ.
 
 use super::bytes::{in_name, is_blank, is_digit};
+use super::grammar::Grammar;
 use super::tree::{Block, Expr, ExprId, Program, SyntaxError, Word, WordKind};
 use crate::diagnostic::Span;
 use crate::dialect::Dialect;
@@ -39,6 +40,7 @@ pub(super) enum Expect {
 
 /// The reader's state. `at <= end <= source.len()`.
 pub(super) struct Reader<'a> {
+    pub grammar: &'static Grammar,
     pub source: &'a [u8],
     pub at: usize,
     /// End of the present line, line end excluded.
@@ -56,8 +58,9 @@ pub(super) struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    pub fn new(source: &'a [u8]) -> Self {
+    pub fn new(grammar: &'static Grammar, source: &'a [u8]) -> Self {
         Self {
+            grammar,
             source,
             at: 0,
             end: 0,

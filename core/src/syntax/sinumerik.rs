@@ -9,7 +9,6 @@ use super::sinumerik_expression::{arguments, foreign_exponent, index, text};
 use super::tree::{Expr, ExprId, WordKind};
 use super::{keyword, number};
 use crate::diagnostic::Span;
-use crate::dialect::Dialect::Sinumerik;
 use crate::own;
 
 /// Reads one word, or steps over a separator of a declaration.
@@ -44,7 +43,7 @@ fn other(reader: &mut Reader) -> Parsed<()> {
         reader.at += 1;
         reader.expect = Expect::Words;
     } else if reader.expect == Expect::Constants || (declaring && is_digit(first)) {
-        let constant = expression(reader, Sinumerik, 0)?;
+        let constant = expression(reader, 0)?;
         reader.word(start, WordKind::Constant(constant.id));
     } else {
         return Err(if first == b',' { &own::SYNTAX_COMMA } else { &own::SYNTAX_UNKNOWN });
@@ -177,7 +176,7 @@ fn value(reader: &mut Reader) -> Parsed<(ExprId, Span)> {
     if reader.done() {
         return Err(&own::SYNTAX_VALUE);
     }
-    let value = expression(reader, Sinumerik, 0)?;
+    let value = expression(reader, 0)?;
     foreign_number(reader)?;
     Ok((value.id, reader.from(start)))
 }
@@ -254,8 +253,8 @@ fn keyword_word(reader: &mut Reader, start: usize, name: Span, kind: Keyword) ->
     let more = !reader.done() && reader.byte(0) != b';';
     reader.at = behind;
     let value = match kind {
-        Keyword::Value | Keyword::Target => Some(expression(reader, Sinumerik, 0)?.id),
-        Keyword::Repeat if more => Some(expression(reader, Sinumerik, 0)?.id),
+        Keyword::Value | Keyword::Target => Some(expression(reader, 0)?.id),
+        Keyword::Repeat if more => Some(expression(reader, 0)?.id),
         Keyword::Operator => return Err(&own::SYNTAX_OPERATOR),
         _ => None,
     };

@@ -8,7 +8,6 @@ use super::expression::{Strength, expression, unary};
 use super::reader::{Expect, Node, Parsed, Reader};
 use super::tree::{Expr, ExprId, Operator};
 use super::{keyword, number};
-use crate::dialect::Dialect::Sinumerik;
 use crate::own;
 
 const COMPARISON: Strength = 1;
@@ -65,9 +64,9 @@ pub(super) fn operand(reader: &mut Reader) -> Parsed<Node> {
         return named(reader);
     }
     match first {
-        b'+' => unary(reader, Sinumerik, Operator::Plus, 1, UNARY),
-        b'-' => unary(reader, Sinumerik, Operator::Minus, 1, UNARY),
-        b'<' if reader.byte(1) == b'<' => unary(reader, Sinumerik, Operator::Join, 2, JOIN + 1),
+        b'+' => unary(reader, Operator::Plus, 1, UNARY),
+        b'-' => unary(reader, Operator::Minus, 1, UNARY),
+        b'<' if reader.byte(1) == b'<' => unary(reader, Operator::Join, 2, JOIN + 1),
         b'(' => brackets(reader),
         b'"' => text(reader),
         b'\'' if reader.byte(2) == b'\'' => quoted(reader, 1),
@@ -118,7 +117,7 @@ fn named(reader: &mut Reader) -> Parsed<Node> {
             _ => return Err(&own::SYNTAX_OPERAND),
         };
         reader.at = start;
-        return unary(reader, Sinumerik, operator, text.len(), UNARY);
+        return unary(reader, operator, text.len(), UNARY);
     }
     if reader.take(b'(') {
         let (arguments, height) = list(reader, b')')?;
@@ -149,7 +148,7 @@ fn brackets(reader: &mut Reader) -> Parsed<Node> {
     reader.at += 1;
     reader.blanks();
     if reader.byte(0) != b',' {
-        let inner = expression(reader, Sinumerik, 0)?;
+        let inner = expression(reader, 0)?;
         if reader.take(b')') {
             return Ok(inner);
         }
@@ -212,7 +211,7 @@ fn elements(reader: &mut Reader, close: u8, least: u16) -> Parsed<u16> {
         if reader.byte(0) == b',' || reader.byte(0) == close {
             reader.list.push(None);
         } else {
-            let element = expression(reader, Sinumerik, 0)?;
+            let element = expression(reader, 0)?;
             height = height.max(element.height);
             reader.list.push(Some(element.id));
         }

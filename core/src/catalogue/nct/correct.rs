@@ -2,7 +2,7 @@
 
 use super::{OUT_OF_TOLERANCE, TOOL_TOO_LARGE, UPPER_TOLERANCE, axis_name, print};
 use crate::control::Control;
-use crate::control::variables::nct_offset;
+use crate::control::NCT;
 use crate::entry::{Inputs, address};
 use crate::evaluate::tolerance::exceeds;
 use crate::machine::Machine;
@@ -121,7 +121,7 @@ pub fn move_offset(machine: &mut dyn Machine, offset: usize, places: &[Place]) {
 
 /// An axis of a work offset, `G54 X`; 0 is the common one.
 fn offset_of(number: usize, axis: usize) -> String {
-    format!("{} {}", nct_offset(number), axis_name(axis))
+    format!("{} {}", NCT.settable_name(number), axis_name(axis))
 }
 
 /// A work offset that was written counts at once where it is in effect.

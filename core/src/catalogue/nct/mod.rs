@@ -24,7 +24,7 @@ mod measuring_tests;
 #[cfg(test)]
 mod proposal_tests;
 
-pub use crate::machine::{FALSE_TRIGGER, PATH_OBSTRUCTED};
+pub use crate::control::{FALSE_TRIGGER, PATH_OBSTRUCTED};
 
 use super::common::{CYCLE, PARAM, optional};
 use crate::control::{Control, Units};

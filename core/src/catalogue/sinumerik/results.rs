@@ -1,6 +1,5 @@
 //! Result data `_OVR[]` and `_OVI[]`: written to the control and recorded.
 
-use crate::dialect::Dialect;
 use crate::entry::{Cycle, Inputs, Unit, names};
 use crate::machine::Machine;
 use crate::machine::trace::Step;
@@ -54,7 +53,7 @@ pub fn integer(machine: &mut dyn Machine, index: usize, value: i64) {
 /// (B:12564-12578, B:13953-13971).
 pub fn screen(machine: &mut dyn Machine, cycle: &Cycle) {
     let control = machine.control();
-    let measured = cycle.dialect == Dialect::Sinumerik && cycle.purpose.probe.measures();
+    let measured = cycle.is_measuring_cycle();
     if !measured || !control.bit("_CHBIT[10]") {
         return;
     }

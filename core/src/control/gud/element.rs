@@ -32,6 +32,18 @@ pub enum Unit {
     Percent,
 }
 
+/// A length in the active system.
+pub(super) const ACTIVE: Unit = Unit::Length(System::Active);
+/// A length in the basic system.
+pub(in crate::control) const LENGTH: Unit = Unit::Length(System::Basic);
+/// A feed in the basic system.
+pub(in crate::control) const FEED: Unit = Unit::Feed(System::Basic);
+/// A cutting speed in the basic system.
+pub(super) const SPEED: Unit = Unit::Speed(System::Basic);
+pub(super) const MM: Unit = Unit::Length(System::Metric);
+pub(super) const MM_MIN: Unit = Unit::Feed(System::Metric);
+pub(super) const M_MIN: Unit = Unit::Speed(System::Metric);
+
 /// Value as delivered.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Initial {
@@ -69,7 +81,7 @@ pub(super) enum Index {
     At(usize, usize),
 }
 
-pub(super) const fn element(index: &'static str, source: &'static str) -> Element {
+pub(in crate::control) const fn element(index: &'static str, source: &'static str) -> Element {
     Element {
         index,
         initial: Initial::Number(0.0),
@@ -82,38 +94,40 @@ pub(super) const fn element(index: &'static str, source: &'static str) -> Elemen
 }
 
 impl Element {
-    pub(super) const fn initial(mut self, value: f64) -> Element {
-        self.initial = Initial::Number(value);
-        self
+    pub(in crate::control) const fn initial(self, value: f64) -> Element {
+        Element { initial: Initial::Number(value), ..self }
     }
 
-    pub(super) const fn text(mut self, value: &'static str) -> Element {
-        self.initial = Initial::Text(value);
-        self
+    pub(super) const fn text(self, value: &'static str) -> Element {
+        Element { initial: Initial::Text(value), ..self }
     }
 
-    pub(super) const fn unit(mut self, unit: Unit) -> Element {
-        self.unit = unit;
-        self
+    pub(in crate::control) const fn unit(self, unit: Unit) -> Element {
+        Element { unit, ..self }
     }
 
-    pub(super) const fn within(mut self, range: Range) -> Element {
-        self.range = range;
-        self
+    pub(in crate::control) const fn between(self, min: f64, max: f64) -> Element {
+        Element { range: Range::closed(min, max), ..self }
     }
 
-    pub(super) const fn choices(mut self, choices: &'static [i64]) -> Element {
-        self.choices = choices;
-        self
+    pub(in crate::control) const fn positive(self) -> Element {
+        Element { range: Range::POSITIVE, ..self }
     }
 
-    pub(super) const fn switch(self) -> Element {
+    pub(super) const fn not_negative(self) -> Element {
+        Element { range: Range::NOT_NEGATIVE, ..self }
+    }
+
+    pub(super) const fn choices(self, choices: &'static [i64]) -> Element {
+        Element { choices, ..self }
+    }
+
+    pub(in crate::control) const fn switch(self) -> Element {
         self.choices(&[0, 1])
     }
 
-    pub(super) const fn internal(mut self) -> Element {
-        self.internal = true;
-        self
+    pub(super) const fn internal(self) -> Element {
+        Element { internal: true, ..self }
     }
 
     pub(super) fn indices(&self) -> impl Iterator<Item = Index> {

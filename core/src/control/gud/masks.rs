@@ -1,11 +1,8 @@
 //! What the screens of the measuring cycle support show and write, `_MZ_MASK` (B:12501-12539).
 
-use super::{Element, Gud, Kind, element, gud6};
+use super::{Gud, Integer, element, gud6};
 
-/// All of this subject.
-pub(super) const DATA: &[Gud] = &[gud6("_MZ_MASK", Kind::Integer, &[20], MZ_MASK)];
-
-const MZ_MASK: &[Element] = &[
+pub(super) const DATA: &[Gud] = &[gud6("_MZ_MASK", Integer, &[20]).elements(&[
     element("0", "B:12501-12502").initial(1.0).switch(),
     element("1", "B:12503-12504").switch(),
     element("2", "B:12505-12506").switch(),
@@ -15,4 +12,4 @@ const MZ_MASK: &[Element] = &[
     element("6", "B:12536").internal(),
     element("7", "B:12537-12539").switch(),
     element("8..19", "B:13175").internal(),
-];
+])];

@@ -1,21 +1,13 @@
 //! Empirical and mean values, and how many there are (B:13097-13098, B:13693-13718).
 
-use super::{Element, Gud, Kind, System, Unit, element, gud5, gud6};
-use crate::range::Range;
+use super::{Gud, Integer, LENGTH, Real, element, gud5, gud6};
 
-/// All of this subject.
 pub(super) const DATA: &[Gud] = &[
-    gud6("_EVMVNUM", Kind::Integer, &[2], EVMVNUM).channel(),
-    gud5("_EV", Kind::Real, &[9999], EV).counted("_EVMVNUM[0]"),
-    gud5("_MV", Kind::Real, &[9999], MV).counted("_EVMVNUM[1]"),
+    gud6("_EVMVNUM", Integer, &[2]).channel().elements(&[
+        element("0", "B:13717").initial(20.0).between(0.0, 9999.0),
+        element("1", "B:13718").initial(20.0).between(0.0, 9999.0),
+    ]),
+    // `_EVNUM` allows 1 to 9999 (B:2325).
+    gud5("_EV", Real, &[9999]).counted("_EVMVNUM[0]").elements(&[element("k", "B:13097").unit(LENGTH)]),
+    gud5("_MV", Real, &[9999]).counted("_EVMVNUM[1]").elements(&[element("k", "B:13098").unit(LENGTH)]),
 ];
-
-const EVMVNUM: &[Element] = &[
-    element("0", "B:13717").initial(20.0).within(Range::closed(0.0, 9999.0)),
-    element("1", "B:13718").initial(20.0).within(Range::closed(0.0, 9999.0)),
-];
-
-/// `_EVNUM` allows 1 to 9999 (B:2325).
-const EV: &[Element] = &[element("k", "B:13097").unit(Unit::Length(System::Basic))];
-
-const MV: &[Element] = &[element("k", "B:13098").unit(Unit::Length(System::Basic))];

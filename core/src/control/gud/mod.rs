@@ -1,16 +1,13 @@
 //! User data of a SINUMERIK control with measuring cycles: one table, a file a subject. Names, sizes, delivered values,
 //! units and ranges are read from here by everything else (B:1744-1838, B:13097-13247, B:14170-14305).
 
-mod channel_switches;
 mod element;
 mod fields;
 mod jog;
-mod jog_settings;
 mod logging;
 mod masks;
 mod memories;
 mod parameters;
-mod results;
 mod simulation;
 mod speeds;
 mod switches;
@@ -20,8 +17,11 @@ mod tool_measuring;
 mod tool_probes;
 mod workpiece_probes;
 
+use super::arrays;
+use Kind::{Bool, Frame, Integer, Real, Text};
+use element::{ACTIVE, Index, M_MIN, MM, MM_MIN, SPEED};
 pub use element::{Element, Initial, System, Unit};
-use element::{Index, element};
+pub(super) use element::{FEED, LENGTH, element};
 
 /// Data block in which a datum is defined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -68,14 +68,14 @@ pub struct Gud {
 }
 
 /// Data of one subject.
-pub struct Subject {
+pub struct Subject<D: 'static = Gud> {
     /// Key of its name in the message files: `machine-group-` and this.
     pub key: &'static str,
     /// Its data.
-    pub data: &'static [Gud],
+    pub data: &'static [D],
 }
 
-const fn subject(key: &'static str, data: &'static [Gud]) -> Subject {
+pub(super) const fn subject<D>(key: &'static str, data: &'static [D]) -> Subject<D> {
     Subject { key, data }
 }
 
@@ -88,7 +88,7 @@ pub const SUBJECTS: &[Subject] = &[
     subject("workpiece-probes", workpiece_probes::DATA),
     subject("tool-probes", tool_probes::DATA),
     subject("switches", switches::DATA),
-    subject("channel-switches", channel_switches::DATA),
+    subject("channel-switches", switches::OF_CHANNEL),
     subject("speeds", speeds::DATA),
     subject("tool-measuring", tool_measuring::DATA),
     subject("memories", memories::DATA),
@@ -96,42 +96,38 @@ pub const SUBJECTS: &[Subject] = &[
     subject("logging", logging::DATA),
     subject("simulation", simulation::DATA),
     subject("jog", jog::DATA),
-    subject("jog-settings", jog_settings::DATA),
+    subject("jog-settings", jog::SETTINGS),
     subject("parameters", parameters::DATA),
-    subject("results", results::DATA),
+    subject("results", parameters::RESULTS),
 ];
 
-const fn gud(
-    (block, channel): (Block, bool),
-    name: &'static str,
-    kind: Kind,
-    sizes: &'static [usize],
-    elements: &'static [Element],
-) -> Gud {
-    Gud { name, block, channel, kind, sizes, counted: "", elements }
+const fn gud(block: Block, channel: bool, name: &'static str, kind: Kind, sizes: &'static [usize]) -> Gud {
+    Gud { name, block, channel, kind, sizes, counted: "", elements: &[] }
 }
 
-const fn gud5(name: &'static str, kind: Kind, sizes: &'static [usize], elements: &'static [Element]) -> Gud {
-    gud((Block::Gud5, true), name, kind, sizes, elements)
+const fn gud5(name: &'static str, kind: Kind, sizes: &'static [usize]) -> Gud {
+    gud(Block::Gud5, true, name, kind, sizes)
 }
 
-const fn gud6(name: &'static str, kind: Kind, sizes: &'static [usize], elements: &'static [Element]) -> Gud {
-    gud((Block::Gud6, false), name, kind, sizes, elements)
+const fn gud6(name: &'static str, kind: Kind, sizes: &'static [usize]) -> Gud {
+    gud(Block::Gud6, false, name, kind, sizes)
 }
 
-const fn gud7(name: &'static str, kind: Kind, sizes: &'static [usize], elements: &'static [Element]) -> Gud {
-    gud((Block::Gud7, true), name, kind, sizes, elements)
+const fn gud7(name: &'static str, kind: Kind, sizes: &'static [usize]) -> Gud {
+    gud(Block::Gud7, true, name, kind, sizes)
 }
 
 impl Gud {
-    const fn channel(mut self) -> Gud {
-        self.channel = true;
-        self
+    const fn channel(self) -> Gud {
+        Gud { channel: true, ..self }
     }
 
-    const fn counted(mut self, by: &'static str) -> Gud {
-        self.counted = by;
-        self
+    const fn counted(self, counted: &'static str) -> Gud {
+        Gud { counted, ..self }
+    }
+
+    const fn elements(self, elements: &'static [Element]) -> Gud {
+        Gud { elements, ..self }
     }
 
     /// Whether it belongs to the machine and not to a call: settings, and the memories of block GUD5.
@@ -163,11 +159,7 @@ impl Gud {
 
     /// Name of an element as a program writes it.
     pub fn spelled(&self, at: &[usize]) -> String {
-        if at.is_empty() {
-            return self.name.to_owned();
-        }
-        let index: Vec<String> = at.iter().map(usize::to_string).collect();
-        format!("{}[{}]", self.name, index.join(","))
+        if at.is_empty() { self.name.to_owned() } else { arrays::spelled(self.name, at) }
     }
 
     /// Every place that an element stands for, with `first` fields in the first dimension where these are counted.
@@ -206,12 +198,8 @@ pub fn named(name: &str) -> Option<&'static Gud> {
 
 /// A datum and the indices in its name.
 pub fn place(name: &str) -> Option<(&'static Gud, Vec<usize>)> {
-    let (stem, index) = match name.split_once('[') {
-        Some((stem, rest)) => (stem, rest.strip_suffix(']')?.split(',').collect()),
-        None => (name, Vec::new()),
-    };
+    let (stem, at) = arrays::split(name)?;
     let gud = find(stem)?;
-    let at: Vec<usize> = index.into_iter().map(str::parse).collect::<Result<_, _>>().ok()?;
     let inside = at.len() == gud.sizes.len() && at.iter().zip(gud.sizes).all(|(i, size)| i < size);
     inside.then_some((gud, at))
 }

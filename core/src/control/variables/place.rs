@@ -1,22 +1,30 @@
 //! What a name of a tool or frame variable means: where the quantity is stored.
 
 use super::AXES;
+use crate::control::NCT;
 use crate::control::rotary::ROTARY;
-use crate::dialect::Dialect;
 
 /// Where a quantity is stored.
-pub(super) enum Place {
-    /// A frame: store and number, axis 0..2, part.
-    Frame(Store, usize, usize, Part),
+pub(in crate::control) enum Place {
+    /// A frame, axis 0..2, part.
+    Frame(Kept, usize, Part),
     /// A tool edge: T, D, quantity.
     Edge(i64, i64, Quantity),
-    /// A frame in effect: as above.
-    Active(Store, usize, usize, Part),
+}
+
+/// Where a frame is kept.
+#[derive(Clone, Copy)]
+pub(in crate::control) struct Kept {
+    pub(super) store: Store,
+    /// That in effect, not the stored one.
+    pub(super) in_effect: bool,
+    /// Its number; 0 where there is one only.
+    pub(super) number: usize,
 }
 
 /// A family of frames.
 #[derive(Clone, Copy, PartialEq)]
-pub(super) enum Store {
+pub(in crate::control) enum Store {
     Settable,
     Channel,
     Global,
@@ -27,7 +35,7 @@ pub(super) enum Store {
 
 /// Part of a frame.
 #[derive(Clone, Copy)]
-pub(super) enum Part {
+pub(in crate::control) enum Part {
     Coarse,
     Fine,
     Rotation,
@@ -39,7 +47,7 @@ pub(super) enum Part {
 
 /// Quantity of an edge. Lengths L1..L3 are 0..2, the radius 3.
 #[derive(Clone, Copy)]
-pub(super) enum Quantity {
+pub(in crate::control) enum Quantity {
     Kind,
     Tip,
     Geometry(usize),
@@ -49,44 +57,32 @@ pub(super) enum Quantity {
     Further(usize),
 }
 
-pub(super) fn place(dialect: Dialect, name: &str) -> Option<Place> {
-    match dialect {
-        Dialect::Sinumerik => sinumerik_place(name),
-        Dialect::Nct => nct_place(name),
-    }
-}
+/// Parts of a frame, as `$P_UIFR[1,X,TR]` names them.
+pub(super) const PARTS: [(&str, Part); 5] =
+    [("TR", Part::Coarse), ("FI", Part::Fine), ("RT", Part::Rotation), ("SC", Part::Scale), ("MI", Part::Mirror)];
+/// The same of a rotary axis.
+pub(super) const ROTARY_PARTS: [(&str, Part); 2] = [("TR", Part::Rotary), ("FI", Part::RotaryFine)];
 
-fn sinumerik_place(name: &str) -> Option<Place> {
+/// What the name of a SINUMERIK variable means.
+pub(in crate::control) fn sinumerik(name: &str) -> Option<Place> {
     let (stem, rest) = name.split_once('[')?;
     let index: Vec<&str> = rest.strip_suffix(']')?.split(',').collect();
     if let Some(quantity) = stem.strip_prefix("$TC_") {
         let [tool, edge] = index[..] else { return None };
         return Some(Place::Edge(tool.parse().ok()?, edge.parse().ok()?, tool_quantity(quantity)?));
     }
-    let family = family(stem)?;
-    let (number, [axis, part]) = match (family.numbered, &index[..]) {
-        (None, [axis, part]) => (0, [axis, part]),
-        (Some(limit), [number, axis, part]) => (limited(number, limit)?, [axis, part]),
+    let (number, axis, part) = match index[..] {
+        [axis, part] => (None, axis, part),
+        [number, axis, part] => (Some(number), axis, part),
         _ => return None,
     };
     let (axis, part) = axis_and_part(axis, part)?;
-    Some(match family.in_effect {
-        true => Place::Active(family.store, number, axis, part),
-        false => Place::Frame(family.store, number, axis, part),
-    })
+    Some(Place::Frame(kept(stem, number)?, axis, part))
 }
 
-/// A variable of frames.
-struct Family {
-    store: Store,
-    /// Of the frames in effect, not of the stored ones.
-    in_effect: bool,
-    /// Largest number, where there is more than one.
-    numbered: Option<usize>,
-}
-
-fn family(stem: &str) -> Option<Family> {
-    let (store, in_effect, numbered) = match stem {
+/// The frame of a variable with a number, where there is more than one.
+fn kept(stem: &str, number: Option<&str>) -> Option<Kept> {
+    let (store, in_effect, largest) = match stem {
         "$P_UIFR" => (Store::Settable, false, Some(99)),
         "$P_CHBFR" => (Store::Channel, false, Some(15)),
         "$P_NCBFR" => (Store::Global, false, Some(15)),
@@ -101,26 +97,20 @@ fn family(stem: &str) -> Option<Family> {
         "$P_PARTFRAME" => (Store::Part, true, None),
         _ => return None,
     };
-    Some(Family { store, in_effect, numbered })
-}
-
-fn limited(number: &str, limit: usize) -> Option<usize> {
-    number.parse().ok().filter(|number| *number <= limit)
-}
-
-/// Store, whether in effect, and number of a frame: `$P_UIFR[1]`, `$P_SETFRAME`.
-pub(super) fn whole_frame(name: &str) -> Option<(Store, bool, usize)> {
-    let (stem, index) = match name.split_once('[') {
-        Some((stem, rest)) => (stem, Some(rest.strip_suffix(']')?)),
-        None => (name, None),
-    };
-    let family = family(stem)?;
-    let number = match (family.numbered, index) {
+    let number = match (largest, number) {
         (None, None) => 0,
-        (Some(limit), Some(number)) => limited(number, limit)?,
+        (Some(largest), Some(number)) => number.parse().ok().filter(|number| *number <= largest)?,
         _ => return None,
     };
-    Some((family.store, family.in_effect, number))
+    Some(Kept { store, in_effect, number })
+}
+
+/// The frame of a variable without axis and part: `$P_UIFR[1]`, `$P_SETFRAME`.
+pub(super) fn whole_frame(name: &str) -> Option<Kept> {
+    match name.split_once('[') {
+        Some((stem, rest)) => kept(stem, Some(rest.strip_suffix(']')?)),
+        None => kept(name, None),
+    }
 }
 
 /// `DP2` cutting edge position, `DP6` radius, `DP15` its wear, `SCP13` L1 of the additive offset DL1, `ECP13` of the
@@ -145,44 +135,23 @@ fn tool_quantity(name: &str) -> Option<Quantity> {
     Some(if additive.is_some() { Quantity::Additive(dl, part - 3) } else { Quantity::Setup(dl, part - 3) })
 }
 
-fn nct_place(name: &str) -> Option<Place> {
-    if let Some((offset, axis)) = name.split_once(' ') {
-        let number = match offset {
-            "COMMON" => 0,
-            _ => offset.strip_prefix('G')?.parse::<usize>().ok()?.checked_sub(53)?,
-        };
-        return (number <= 6).then_some(Place::Frame(Store::Settable, number, axis_index(axis)?, Part::Coarse));
-    }
-    let (quantity, digits) = match name {
-        _ if name.starts_with("HW") => (Quantity::Wear(0), name.get(2..)?),
-        _ if name.starts_with("DW") => (Quantity::Wear(3), name.get(2..)?),
-        _ if name.starts_with('H') => (Quantity::Geometry(0), name.get(1..)?),
-        _ if name.starts_with('D') => (Quantity::Geometry(3), name.get(1..)?),
-        _ => return None,
-    };
-    Some(Place::Edge(0, digits.parse().ok()?, quantity))
-}
+/// Registers of NCT and their wear, by the letters before their number.
+pub(super) const REGISTERS: [(&str, Quantity); 4] =
+    [("H", Quantity::Geometry(0)), ("D", Quantity::Geometry(3)), ("HW", Quantity::Wear(0)), ("DW", Quantity::Wear(3))];
 
-fn axis_index(name: &str) -> Option<usize> {
-    AXES.iter().position(|axis| *axis == name)
+/// What a name means on NCT.
+pub(in crate::control) fn nct(name: &str) -> Option<Place> {
+    if let Some((offset, axis)) = name.split_once(' ') {
+        let kept = Kept { store: Store::Settable, in_effect: false, number: NCT.settable_named(offset)? };
+        return Some(Place::Frame(kept, AXES.iter().position(|known| *known == axis)?, Part::Coarse));
+    }
+    let register = |letters: &str| name.strip_prefix(letters)?.parse().ok();
+    REGISTERS.iter().find_map(|(letters, quantity)| Some(Place::Edge(0, register(letters)?, *quantity)))
 }
 
 /// Index of the axis and part of a frame: `X`, `TR`. A rotary axis has translations only.
 pub(super) fn axis_and_part(axis: &str, part: &str) -> Option<(usize, Part)> {
-    if let Some(axis) = ROTARY.iter().position(|known| *known == axis) {
-        return match part {
-            "TR" => Some((axis, Part::Rotary)),
-            "FI" => Some((axis, Part::RotaryFine)),
-            _ => None,
-        };
-    }
-    let part = match part {
-        "TR" => Part::Coarse,
-        "FI" => Part::Fine,
-        "RT" => Part::Rotation,
-        "SC" => Part::Scale,
-        "MI" => Part::Mirror,
-        _ => return None,
-    };
-    Some((axis_index(axis)?, part))
+    let (axes, parts) = if ROTARY.contains(&axis) { (ROTARY, &ROTARY_PARTS[..]) } else { (AXES, &PARTS[..]) };
+    let (_, part) = parts.iter().find(|(name, _)| *name == part)?;
+    Some((axes.iter().position(|known| *known == axis)?, *part))
 }

@@ -1,7 +1,7 @@
 //! Names, written and read.
 
-use super::*;
 use crate::control::delivery;
+use crate::dialect::Dialect;
 
 #[test]
 fn every_name_reads_what_was_written() {

@@ -4,10 +4,9 @@ use super::Sim;
 use crate::control::Edge;
 use crate::control::tools::LATHE_PROBE;
 use crate::diagnostic::Code;
-use crate::dialect::Dialect;
+use crate::machine::Stop;
 use crate::machine::route::{Obstacle, Route, add};
 use crate::machine::trace::{MotionKind, Step};
-use crate::machine::{FALSE_TRIGGER, PATH_OBSTRUCTED, Stop};
 use crate::message::Message;
 use crate::workpiece::feeler::{Feeler, Touching};
 use crate::workpiece::probe::{Stand, ball_offset, touch};
@@ -159,10 +158,6 @@ impl Sim {
 
     /// The alarm of a signal where none may come.
     pub(super) fn collision(&self) -> Code {
-        match (self.control.dialect, self.touching) {
-            (Dialect::Sinumerik, _) => Code::Alarm(61302), // B:13743-13763
-            (Dialect::Nct, true) => PATH_OBSTRUCTED,
-            (Dialect::Nct, false) => FALSE_TRIGGER,
-        }
+        self.control.make().unexpected[usize::from(self.touching)]
     }
 }

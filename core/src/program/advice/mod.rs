@@ -16,7 +16,6 @@ use super::tools::ToolInUse;
 use crate::check::newer;
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic, Edit, Severity, Span};
-use crate::dialect::Dialect;
 use crate::entry::{Inputs, Typed};
 use crate::message::Message;
 use crate::syntax::programs::{Programs, programs};
@@ -60,7 +59,7 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
     let programs = programs(program);
     subprograms::outside(program, &programs, &mut found);
     subprograms::misnamed(program, &programs, &mut found);
-    if program.dialect != Dialect::Sinumerik || sites.is_empty() {
+    if program.grammar().by_address || sites.is_empty() {
         return found;
     }
     let mut asked = at_call::Asked::of(program);

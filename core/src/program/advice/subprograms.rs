@@ -3,7 +3,6 @@
 
 use crate::catalogue::nct;
 use crate::diagnostic::{Diagnostic, Severity, Span};
-use crate::dialect::Dialect;
 use crate::own;
 use crate::problem::Problem;
 use crate::program::calls::CallSite;
@@ -49,7 +48,7 @@ pub fn outside(program: &Program, programs: &Programs, found: &mut Vec<Diagnosti
 /// What a block calls that is not here, with the place of the word.
 fn missing(program: &Program, programs: &Programs, block: &Block) -> Vec<(Span, String)> {
     let words = program.words_of(block);
-    if program.dialect == Dialect::Nct {
+    if program.grammar().numbered {
         return numbered_outside(program, programs, block).into_iter().collect();
     }
     let named = words.iter().enumerate().filter_map(|(at, word)| {

@@ -6,7 +6,6 @@ use super::{CallSite, Origin, Place, Walk, Way};
 use crate::check::{check, newer, upkeep};
 use crate::control::Control;
 use crate::diagnostic::{Diagnostic, Span};
-use crate::dialect::Dialect;
 use crate::entry::{ArgumentList, Cycle, Style, Typed};
 use crate::own;
 use crate::program::values::Value;
@@ -129,9 +128,9 @@ impl Walk<'_> {
     /// On NCT the block alone gives the values.
     fn own_from(&self, span: Span, line: u32) -> u32 {
         let block = self.program.blocks.get(line as usize);
-        match self.program.dialect {
-            Dialect::Sinumerik => self.around.own_from(span),
-            Dialect::Nct => block.map_or(span.start, |block| block.span.start),
+        match self.program.grammar().by_address {
+            true => block.map_or(span.start, |block| block.span.start),
+            false => self.around.own_from(span),
         }
     }
 
@@ -151,8 +150,8 @@ impl Walk<'_> {
         if known && !held.any(|value| value.argument) {
             return;
         }
-        let sinumerik = self.program.dialect == Dialect::Sinumerik;
-        let tool = if sinumerik { self.tools.use_at(&mut self.control, &place.force) } else { None };
+        let by_address = self.program.grammar().by_address;
+        let tool = if by_address { None } else { self.tools.use_at(&mut self.control, &place.force) };
         site.plane = self.control.plane;
         site.transverse = self.control.transverse;
         site.unit_function = self.control.unit_function();
@@ -174,7 +173,7 @@ impl Walk<'_> {
             }
         }
         upkeep::settle(&mut self.control, site.cycle);
-        if sinumerik && !known {
+        if !by_address && !known {
             site.ways.push(Way {
                 order: *ways,
                 state: place.force.clone(),

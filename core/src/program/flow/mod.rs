@@ -13,7 +13,6 @@ pub use force::{Forces, changes_tools};
 pub use state::{Mode, State, Tool};
 
 use crate::diagnostic::Span;
-use crate::dialect::Dialect;
 use crate::syntax::programs::Programs;
 use crate::syntax::{Block, Program, Word};
 use passes::Passes;
@@ -220,7 +219,7 @@ impl<F: Follow> Walk<'_, F> {
     fn blocks(&mut self, unit: usize, state: F::State) -> Option<F::State> {
         let range = self.programs.units.get(unit)?.blocks.clone();
         let program = self.program;
-        let called = self.open.len() > 1 && program.dialect == Dialect::Sinumerik;
+        let called = self.open.len() > 1 && !program.grammar().ends_run;
         let mut branches = Branches::new(state, called);
         let mut at = range.start;
         while let Some(block) = program.blocks.get(at).filter(|_| at < range.end) {

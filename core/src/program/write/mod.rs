@@ -8,10 +8,10 @@ use crate::check;
 use crate::check::{Parsed, Text, parse, parse_text};
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
-use crate::dialect::Dialect;
 use crate::entry::{Cycle, Inputs, Kind, Param, Style, Typed};
 use crate::name::Name;
 use crate::support::Support;
+use crate::syntax::Grammar;
 
 /// Widest line of assignments, as in the programs of the manual.
 const WIDTH: usize = 78;
@@ -71,7 +71,7 @@ pub fn snippet_of(
     source.write(values.expressions);
     let mut written = match style {
         Style::Direct if source.form => whole(&source, support::blocks(&source)),
-        Style::Direct if cycle.dialect == Dialect::Nct => whole(&source, addresses(&source)),
+        Style::Direct if Grammar::of(cycle.dialect).by_address => whole(&source, addresses(&source)),
         _ => list::write(&source, style),
     };
     if written.text.is_empty() {
@@ -194,10 +194,7 @@ fn comments(source: &Source, words: Words) -> String {
         }
         let line = format!("{}={value}: {label}", param.name);
         let line: String = line.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
-        match source.cycle.dialect {
-            Dialect::Sinumerik => text.push_str(&format!("; {line}\n")),
-            Dialect::Nct => text.push_str(&format!("({})\n", line.replace(['(', ')'], " "))),
-        }
+        text.push_str(&(Grammar::of(source.cycle.dialect).commented)(&line));
     }
     text
 }

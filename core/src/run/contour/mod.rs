@@ -16,7 +16,6 @@ pub use corner::Outside;
 use super::interpret::Interpreter;
 use super::modal::Compensation;
 use crate::diagnostic::Span;
-use crate::dialect::Dialect;
 use crate::machine::Stop;
 use crate::machine::route::{Route, add};
 use crate::machine::trace::MotionKind;
@@ -152,8 +151,7 @@ impl Contour {
         if step.element.round.is_some() {
             return Err(refused(run, step.motion, "run-contour-begin")); // alarm 10753
         }
-        let sinumerik = run.program.dialect == Dialect::Sinumerik;
-        if sinumerik && run.sim.control.tool == 0 {
+        if !run.sim.control.make().registers && run.sim.control.tool == 0 {
             return Err(refused(run, step.motion, "run-contour-tool")); // alarm 10750
         }
         let beside = beside(run, step, step.by)?;
@@ -248,9 +246,9 @@ fn distance(run: &Interpreter, side: Compensation, hand: f64) -> f64 {
 /// Radius in force with its wear, mm; on NCT that of the register in D.
 fn radius(run: &Interpreter) -> f64 {
     let control = &run.sim.control;
-    match run.program.dialect {
-        Dialect::Sinumerik => control.active_radius(),
-        Dialect::Nct => control.register(run.modal.radius).total_radius(),
+    match control.make().registers {
+        true => control.register(run.modal.radius).total_radius(),
+        false => control.active_radius(),
     }
 }
 
