@@ -1,5 +1,5 @@
-//! G65 P9969 drawn: the rectangle from above with its lines, and below it one step over the surface from the side. Sizes
-//! are drawn in proportion where they can be seen, never as they are.
+//! G65 P9969 drawn: the rectangle from above with its lines, and below it one step over the surface from the side.
+//! Sizes are drawn in proportion where they can be seen, never as they are.
 
 use super::addresses::letter;
 use crate::catalogue::nct::{axis_of, given};
