@@ -66,7 +66,7 @@ fn probings(outcome: &Outcome) -> Vec<([f64; 3], [f64; 3], f64)> {
     let steps = outcome.trace.entries.iter().map(|entry| &entry.step);
     steps
         .filter_map(|step| match step {
-            Step::Motion { kind: MotionKind::Measuring, from, to, feed, .. } => Some((*from, *to, *feed)),
+            Step::Motion { kind: MotionKind::Measuring, from, to, feed, .. } => Some((from.0, to.0, *feed)),
             _ => None,
         })
         .collect()

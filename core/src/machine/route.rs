@@ -1,4 +1,4 @@
-//! The way of one motion, straight or round an axis, and what stops the probe on it. Machine coordinates, mm.
+//! The way of one motion, straight or round an axis, and what stops the probe on it.
 
 use crate::control::Control;
 use crate::geometry::arc::Around;
@@ -22,9 +22,9 @@ pub const LOOK: usize = 4;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Route {
     /// Start.
-    pub from: [f64; 3],
+    pub from: Mcs,
     /// End.
-    pub to: [f64; 3],
+    pub to: Mcs,
     /// Round what; none: straight.
     pub around: Option<Around>,
 }
@@ -35,12 +35,12 @@ pub struct Obstacle {
     /// Part of the way that is done, 0 to 1.
     pub part: f64,
     /// Position then.
-    pub stop: [f64; 3],
+    pub stop: Mcs,
     /// Centre of the ball then, or of a tool the point to which its lengths refer.
-    pub ball: [f64; 3],
+    pub ball: Mcs,
     /// Point touched.
-    pub point: [f64; 3],
-    /// Outward unit normal there.
+    pub point: Mcs,
+    /// Outward unit normal there, machine coordinates.
     pub normal: [f64; 3],
     /// What of the probe touches; of a tool always what stands for its ball.
     pub by: Touching,
@@ -48,33 +48,33 @@ pub struct Obstacle {
 
 impl Route {
     /// A straight way.
-    pub fn straight(from: [f64; 3], to: [f64; 3]) -> Route {
+    pub fn straight(from: Mcs, to: Mcs) -> Route {
         Route { from, to, around: None }
     }
 
     /// The same way so far away.
     pub fn moved(&self, by: [f64; 3]) -> Route {
         Route {
-            from: add(self.from, by, 1.0),
-            to: add(self.to, by, 1.0),
-            around: self.around.map(|around| Around { centre: add(around.centre, by, 1.0), ..around }),
+            from: self.from + by,
+            to: self.to + by,
+            around: self.around.map(|around| Around { centre: (Mcs(around.centre) + by).0, ..around }),
         }
     }
 
     /// The place after a part of it, 0 to 1.
-    pub fn at(&self, part: f64) -> [f64; 3] {
+    pub fn at(&self, part: f64) -> Mcs {
         match &self.around {
-            Some(around) => around.at(self.from, self.to, part),
-            None => add(self.from, add(self.to, self.from, -1.0), part),
+            Some(around) => Mcs(around.at(self.from.0, self.to.0, part)),
+            None => between(self.from, self.to, part),
         }
     }
 
     /// Length, mm.
     pub fn length(&self) -> f64 {
         match &self.around {
-            Some(around) => around.length(self.from, self.to),
+            Some(around) => around.length(self.from.0, self.to.0),
             None => {
-                let [x, y, z] = add(self.to, self.from, -1.0);
+                let [x, y, z] = self.to - self.from;
                 x.hypot(y).hypot(z)
             }
         }
@@ -83,9 +83,9 @@ impl Route {
     /// What lies between two parts of it, 0 to 1, seen so far away.
     fn stretch(&self, parts: [f64; 2], shift: [f64; 3]) -> Stretch {
         let stretch = match &self.around {
-            Some(around) => around.stretch(self.from, self.to, parts),
+            Some(around) => around.stretch(self.from.0, self.to.0, parts),
             None => {
-                let [from, to] = parts.map(|part| V3::from(self.at(part)));
+                let [from, to] = parts.map(|part| V3::from(self.at(part).0));
                 Stretch::straight(from, to)
             }
         };
@@ -95,7 +95,7 @@ impl Route {
     /// Whether it lies where contact can be computed: both ends, and of an arc its axis.
     pub fn is_near(&self) -> bool {
         let centre = self.around.map_or([0.0; 3], |around| around.centre);
-        let mut values = [self.from, self.to, centre].into_iter().flatten();
+        let mut values = [self.from.0, self.to.0, centre].into_iter().flatten();
         values.all(|value| value.abs() <= FARTHEST)
     }
 
@@ -105,7 +105,7 @@ impl Route {
             return true;
         }
         if self.around.is_none() {
-            return control.within_limits(Mcs(self.to));
+            return control.within_limits(self.to);
         }
         let stretch = self.stretch([0.0, 1.0], [0.0; 3]);
         let bounds = [V3::x(), V3::y(), V3::z()].map(|axis| stretch.along(&axis));
@@ -114,7 +114,7 @@ impl Route {
     }
 
     /// The first part of it, as far as this place.
-    pub fn until(&self, part: f64, stop: [f64; 3]) -> Route {
+    pub fn until(&self, part: f64, stop: Mcs) -> Route {
         let around = self.around.map(|around| Around { degrees: around.degrees * part, ..around });
         Route { to: stop, around, ..*self }
     }
@@ -148,7 +148,7 @@ impl Route {
         let Some(around) = &self.around else {
             return look([0.0, 1.0]);
         };
-        let radius = around.radius(self.from, self.to);
+        let radius = around.radius(self.from.0, self.to.0);
         let mut waiting = vec![[0.0, 1.0]];
         let mut looks = 0;
         while let Some([begin, end]) = waiting.pop() {
@@ -197,13 +197,13 @@ impl Route {
         let near = |stretch: &Stretch| probe.rods_may_meet(part, stretch);
         self.search(shift, effort, near, |[begin, end]| {
             let [from, to] = [begin, end].map(|part| self.at(part));
-            let met = probe.caught(part, add(from, shift, 1.0), add(to, shift, 1.0))?;
-            let stop = add(from, add(to, from, -1.0), met.part);
+            let met = probe.caught(part, (from + shift).0, (to + shift).0)?;
+            let stop = between(from, to, met.part);
             Some(Obstacle {
                 part: begin + met.part * (end - begin),
                 stop,
-                ball: add(stop, shift, 1.0),
-                point: met.point,
+                ball: stop + shift,
+                point: Mcs(met.point),
                 normal: met.normal,
                 by: met.by,
             })
@@ -216,11 +216,11 @@ impl Route {
         if self.around.is_none() {
             return met;
         }
-        let gap = |at: f64| part.distance(add(self.at(at), shift, 1.0)) - radius;
+        let gap = |at: f64| part.distance((self.at(at) + shift).0) - radius;
         let straight = begin + met.part * (end - begin);
         let at = roots::bracketed(gap, begin, end).unwrap_or(straight);
         let stop = self.at(at);
-        Obstacle { part: at, stop, ball: add(stop, shift, 1.0), ..met }
+        Obstacle { part: at, stop, ball: stop + shift, ..met }
     }
 }
 
@@ -235,19 +235,20 @@ enum Ahead {
 }
 
 /// What a ball meets on a straight way. One that reaches into the part at the start and leaves it goes on.
-fn straight(part: &Boundary, radius: f64, from: [f64; 3], to: [f64; 3], shift: [f64; 3]) -> Ahead {
-    let end = add(to, shift, 1.0);
-    let mut start = add(from, shift, 1.0);
+fn straight(part: &Boundary, radius: f64, from: Mcs, to: Mcs, shift: [f64; 3]) -> Ahead {
+    let back = shift.map(|way| -way);
+    let end = to + shift;
+    let mut start = from + shift;
     let mut gone = 0.0;
     for _ in 0..4 {
-        match part.first(radius, start, end) {
+        match part.first(radius, start.0, end.0) {
             Contact::None => return Ahead::Free,
             Contact::Hit { t, ball, point, normal } => {
                 return Ahead::Met(Obstacle {
                     part: gone + t * (1.0 - gone),
-                    stop: add(ball, shift, -1.0),
-                    ball,
-                    point,
+                    stop: Mcs(ball) + back,
+                    ball: Mcs(ball),
+                    point: Mcs(point),
                     normal,
                     by: Touching::Ball,
                 });
@@ -255,9 +256,9 @@ fn straight(part: &Boundary, radius: f64, from: [f64; 3], to: [f64; 3], shift: [
             Contact::Already { point, normal, depth } => {
                 let pressed = Obstacle {
                     part: gone,
-                    stop: add(start, shift, -1.0),
+                    stop: start + back,
                     ball: start,
-                    point,
+                    point: Mcs(point),
                     normal,
                     by: Touching::Ball,
                 };
@@ -265,7 +266,7 @@ fn straight(part: &Boundary, radius: f64, from: [f64; 3], to: [f64; 3], shift: [
                     None => return Ahead::Met(pressed),
                     Some(share) if share >= 1.0 => return Ahead::Leaving(pressed),
                     Some(share) => {
-                        start = add(start, add(end, start, -1.0), share);
+                        start = between(start, end, share);
                         gone += share * (1.0 - gone);
                     }
                 }
@@ -278,13 +279,13 @@ fn straight(part: &Boundary, radius: f64, from: [f64; 3], to: [f64; 3], shift: [
 /// After which part of its way a ball that reaches into the part by `depth` is free again, more than 1 where the way is
 /// too short for that; none when it does not leave. A stylus that is deflected by pre-travel or delay leaves the part
 /// on its way back.
-fn released(from: [f64; 3], to: [f64; 3], normal: [f64; 3], depth: f64) -> Option<f64> {
-    let way = add(to, from, -1.0);
+fn released(from: Mcs, to: Mcs, normal: [f64; 3], depth: f64) -> Option<f64> {
+    let way = to - from;
     let outward: f64 = (0..3).map(|i| way[i] * normal[i]).sum();
     (outward > 0.0).then(|| depth * (1.0 + 1e-9) / outward + 1e-12)
 }
 
-/// A point and so many times a vector.
-pub fn add(a: [f64; 3], b: [f64; 3], factor: f64) -> [f64; 3] {
-    std::array::from_fn(|i| a[i] + factor * b[i])
+/// The place after a part of the straight way, 0 to 1.
+fn between(from: Mcs, to: Mcs, part: f64) -> Mcs {
+    from + (to - from).map(|way| part * way)
 }

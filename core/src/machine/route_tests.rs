@@ -1,9 +1,9 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 //! What arcs meet, against the distance of the part at many places of them.
 
-use super::route::{Obstacle, Route, add};
-use crate::geometry::V3;
+use super::route::{Obstacle, Route};
 use crate::geometry::arc::Around;
+use crate::geometry::{Mcs, V3};
 use crate::machine::setup::ideal_probe;
 use crate::workpiece::contact::Boundary;
 use crate::workpiece::feeler::{Feeler, Touching};
@@ -18,7 +18,7 @@ const PLACES: u32 = 200;
 /// From a place so far round an axis through a point, with a climb.
 fn around(from: V3, centre: V3, axis: V3, degrees: f64, climb: f64) -> Route {
     let around = Around { centre: centre.into(), axis: axis.normalize().into(), degrees };
-    Route { from: from.into(), to: around.end(from.into(), climb), around: Some(around) }
+    Route { from: Mcs(from.into()), to: Mcs(around.end(from.into(), climb)), around: Some(around) }
 }
 
 fn met(part: &Boundary, probe: &Feeler, way: &Route) -> (Option<Obstacle>, usize) {
@@ -170,5 +170,5 @@ fn a_ball_may_leave_what_it_is_pressed_into() {
     assert_eq!(found.part, 0.0);
     let short = around(from, from + V3::new(0.0, 20.0, 0.0), V3::z(), 0.3, 0.0);
     let found = met(&block, &Feeler::ball(RADIUS), &short).0.unwrap(); // 0.1 mm out
-    assert_eq!((found.part, found.stop), (0.0, add(from.into(), [0.0; 3], 1.0)));
+    assert_eq!((found.part, found.stop), (0.0, Mcs(from.into())));
 }

@@ -1,7 +1,7 @@
 //! The simulated machine: moves the probe among the solids and records what happens.
 
 use super::in_use::InUse;
-use super::route::{LOOK, Obstacle, Route, add};
+use super::route::{LOOK, Obstacle, Route};
 use super::trace::{Entry, MotionKind, Step, Trace};
 use super::{Machine, Setup, Stop};
 use crate::control::{Control, MachineSort};
@@ -126,7 +126,7 @@ impl Sim {
         feed: f64,
         monitored: bool,
     ) -> Result<(), Stop> {
-        let way = Route { from: self.position.0, to: to.0, around };
+        let way = Route { from: self.position, to, around };
         self.admit(&way)?;
         let mut hit = self.in_the_way(&way);
         if hit.is_some() && self.gives_way && !monitored && !self.in_cycle {
@@ -155,7 +155,7 @@ impl Sim {
     /// # Errors
     /// Why the motion was refused, or what was hit.
     pub fn probe_machine(&mut self, to: Mcs, feed: f64) -> Result<Option<Mcs>, Stop> {
-        let latched = self.seek(to.0, feed)?.map(Mcs);
+        let latched = self.seek(to, feed)?;
         self.skipped = Some(self.control.to_workpiece(latched.unwrap_or(to)));
         Ok(latched)
     }
@@ -167,7 +167,7 @@ impl Sim {
 
     /// Goes on behind a signal to the end of the motion: the stylus gives way (`MEAW`).
     pub fn press_on(&mut self, to: Mcs, feed: f64) {
-        self.go(&Route::straight(self.position.0, to.0), MotionKind::Measuring, feed);
+        self.go(&Route::straight(self.position, to), MotionKind::Measuring, feed);
     }
 
     /// Puts another part (given as while the rotary axes stand at 0), other tool probes and the tool in use as it lies.
@@ -200,7 +200,7 @@ impl Sim {
 
     /// Moves and records it.
     fn go(&mut self, way: &Route, kind: MotionKind, feed: f64) {
-        self.position = Mcs(way.to);
+        self.position = way.to;
         self.note(Step::Motion { kind, from: way.from, to: way.to, around: way.around, feed });
     }
 
@@ -209,7 +209,7 @@ impl Sim {
         let before = self.control.active_length();
         let outcome = change(&mut self.control);
         let after = self.control.active_length();
-        self.position = Mcs(add(self.position.0, add(before, after, -1.0), 1.0));
+        self.position = self.position + [0, 1, 2].map(|axis| before[axis] - after[axis]);
         outcome
     }
 
@@ -312,7 +312,7 @@ impl Machine for Sim {
     }
 
     fn in_contact(&self) -> bool {
-        let ball = add(self.position.0, self.ball(), 1.0);
+        let ball = (self.position + self.ball()).0;
         let contact = self.part.first(self.probe.radius, ball, ball);
         matches!(contact, Contact::Already { .. })
     }

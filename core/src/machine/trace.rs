@@ -3,6 +3,7 @@
 use super::in_use::InUse;
 use crate::control::rotary::ROTARY;
 use crate::diagnostic::Code;
+use crate::geometry::Mcs;
 use crate::geometry::arc::Around;
 use crate::message::Message;
 use crate::workpiece::Solid;
@@ -24,7 +25,7 @@ pub enum MotionKind {
     Retract,
 }
 
-/// One step. Positions are machine (basic) coordinates X Y Z in mm.
+/// One step. Directions are in machine (basic) coordinates X Y Z, as the points.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "step", rename_all = "lowercase")]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
@@ -34,9 +35,9 @@ pub enum Step {
         /// Kind.
         kind: MotionKind,
         /// Start: the point to which the tool length refers.
-        from: [f64; 3],
+        from: Mcs,
         /// Real end.
-        to: [f64; 3],
+        to: Mcs,
         /// Round what it went; none: straight.
         #[serde(skip_serializing_if = "Option::is_none")]
         around: Option<Around>,
@@ -46,11 +47,11 @@ pub enum Step {
     /// The probe switched.
     Touch {
         /// Position latched by the control.
-        latched: [f64; 3],
+        latched: Mcs,
         /// Centre of the ball at contact; of a tool at a tool probe the point to which its lengths refer.
-        ball: [f64; 3],
+        ball: Mcs,
         /// Point touched on the part.
-        point: [f64; 3],
+        point: Mcs,
         /// Outward unit normal of the part there.
         normal: [f64; 3],
         /// What of the probe touched; left out: the ball.
@@ -61,7 +62,7 @@ pub enum Step {
     /// Contact where none is allowed and nobody watched, or that gives no signal.
     Crash {
         /// Point touched on the part.
-        point: [f64; 3],
+        point: Mcs,
         /// Outward unit normal of the part there.
         normal: [f64; 3],
         /// What of the probe touched; left out: the ball.

@@ -8,6 +8,7 @@ use super::interpret::Interpreter;
 use super::level::Level;
 use super::locals::Locals;
 use super::modal::Modal;
+use crate::geometry::{Mcs, Wcs};
 use crate::machine::sim::state::State;
 use std::collections::BTreeMap;
 
@@ -27,7 +28,7 @@ struct Kept {
     levels: Vec<Level>,
     shared: Locals,
     measured: BTreeMap<String, f64>,
-    programmed: ([f64; 3], [f64; 3]),
+    programmed: (Mcs, Wcs),
     machine: State,
 }
 

@@ -12,6 +12,7 @@ use super::unread::Unread;
 use super::{Outcome, contour, endless, motion, repeat, statement, subprogram, unread};
 use crate::catalogue::alarms;
 use crate::diagnostic::{Diagnostic, Severity, Span};
+use crate::geometry::{Mcs, Wcs};
 use crate::machine::sim::Sim;
 use crate::machine::trace::Step;
 use crate::machine::{Setup, Stop};
@@ -59,9 +60,8 @@ pub struct Interpreter {
     pub shared: Locals,
     /// What `MEAS` left: `$AC_MEA[1]`, `$AA_MW[X]`, `$AA_MM[X]`.
     pub measured: BTreeMap<String, f64>,
-    /// Where the spindle nose stood at the end of the last motion of the program, machine coordinates, and the position
-    /// in the WCS of that moment.
-    pub programmed: ([f64; 3], [f64; 3]),
+    /// Where the spindle nose stood at the end of the last motion of the program, and the position of that moment.
+    pub programmed: (Mcs, Wcs),
     /// What the tool follows with radius compensation.
     pub contour: Option<Contour>,
     /// Findings so far, each place and kind once.

@@ -12,7 +12,7 @@ use crate::diagnostic::Severity;
 use crate::geometry::arc::Around;
 use crate::geometry::{Mcs, Wcs, arc};
 use crate::machine::Stop;
-use crate::machine::route::{Route, add};
+use crate::machine::route::Route;
 use crate::machine::sim::Sim;
 use crate::machine::trace::MotionKind;
 use crate::problem::Problem;
@@ -46,7 +46,7 @@ pub fn go(run: &mut Interpreter, path: &Path) -> Result<(), Stop> {
         }),
         None => driven(run, path, [from, to], feed),
     };
-    run.programmed = (nose(run), run.sim.control.to_workpiece(Mcs(contour::stands(run))).0);
+    run.programmed = (nose(run), run.sim.control.to_workpiece(contour::stands(run)));
     outcome
 }
 
@@ -82,7 +82,7 @@ fn driven(run: &mut Interpreter, path: &Path, [from, to]: [[f64; 3]; 2], feed: f
         return contour::follow(run, &motion);
     }
     uncompensated(run, path)?;
-    let driven = run.sim.travel_machine(Mcs(way.to), way.around, kind, feed, false);
+    let driven = run.sim.travel_machine(way.to, way.around, kind, feed, false);
     driven.map_err(|stop| run.stopped(stop, path.span))
 }
 
@@ -107,15 +107,15 @@ pub fn turn(run: &mut Interpreter, path: &Path) -> Result<(), Stop> {
     Ok(())
 }
 
-/// Where the program has the spindle nose, machine coordinates: no new frame and no new tool moves it.
-fn nose(run: &Interpreter) -> [f64; 3] {
-    add(contour::stands(run), run.sim.control.active_length(), 1.0)
+/// Where the program has the spindle nose: no new frame and no new tool moves it.
+fn nose(run: &Interpreter) -> Mcs {
+    contour::stands(run) + run.sim.control.active_length()
 }
 
 /// Where a machine stands before its first motion: the spindle nose, and the position in the WCS.
-pub fn standing(sim: &Sim) -> ([f64; 3], [f64; 3]) {
-    let nose = add(sim.position.0, sim.control.active_length(), 1.0);
-    (nose, sim.control.to_workpiece(sim.position).0)
+pub fn standing(sim: &Sim) -> (Mcs, Wcs) {
+    let nose = sim.position + sim.control.active_length();
+    (nose, sim.control.to_workpiece(sim.position))
 }
 
 /// From where incremental positions count: the end of the last motion as it was programmed, also where a frame or a
@@ -123,10 +123,10 @@ pub fn standing(sim: &Sim) -> ([f64; 3], [f64; 3]) {
 /// position.
 fn incremental_base(run: &Interpreter, suppress: Suppress, from: [f64; 3]) -> [f64; 3] {
     let now = nose(run);
-    let stays = |stood: [f64; 3]| (0..3).all(|i| (stood[i] - now[i]).abs() < STILL);
+    let stays = |stood: Mcs| (0..3).all(|i| (stood[i] - now[i]).abs() < STILL);
     let (stood, end) = run.programmed;
     match suppress == Suppress::Nothing && stays(stood) {
-        true => end,
+        true => end.0,
         false => from,
     }
 }
@@ -191,18 +191,18 @@ fn radius_of(run: &Interpreter, axis: usize, absolute: bool) -> f64 {
 fn position(run: &Interpreter, suppress: Suppress) -> [f64; 3] {
     let basic = run.sim.control.basic_chain();
     match suppress {
-        Suppress::Nothing => run.sim.control.to_workpiece(Mcs(contour::stands(run))).0,
+        Suppress::Nothing => run.sim.control.to_workpiece(contour::stands(run)).0,
         Suppress::Settable => basic.iter().fold(run.sim.position.0, |point, frame| frame.inward(point)),
         Suppress::All => run.sim.position.0,
     }
 }
 
-fn machine(run: &Interpreter, suppress: Suppress, point: [f64; 3]) -> [f64; 3] {
+fn machine(run: &Interpreter, suppress: Suppress, point: [f64; 3]) -> Mcs {
     let basic = run.sim.control.basic_chain();
     match suppress {
-        Suppress::Nothing => run.sim.control.to_machine(Wcs(point)).0,
-        Suppress::Settable => basic.iter().rev().fold(point, |point, frame| frame.outward(point)),
-        Suppress::All => point,
+        Suppress::Nothing => run.sim.control.to_machine(Wcs(point)),
+        Suppress::Settable => Mcs(basic.iter().rev().fold(point, |point, frame| frame.outward(point))),
+        Suppress::All => Mcs(point),
     }
 }
 
@@ -215,8 +215,9 @@ fn straight(run: &Interpreter, path: &Path, ends: [[f64; 3]; 2]) -> Route {
 /// The way round an axis to a target, both in the coordinates of the block; none: they make no arc.
 fn around(run: &Interpreter, path: &Path, from: [f64; 3], arc: Option<([f64; 3], Around)>) -> Result<Route, Problem> {
     let seen = |point| machine(run, path.suppress, point);
-    let way =
-        arc.and_then(|(to, around)| Some(Route { from: seen(from), to: seen(to), around: Some(around.mapped(seen)?) }));
+    let way = arc.and_then(|(to, around)| {
+        Some(Route { from: seen(from), to: seen(to), around: Some(around.mapped(|at| seen(at).0)?) })
+    });
     way.ok_or_else(|| Problem::new("run-arc", path.span, ""))
 }
 
@@ -225,9 +226,9 @@ fn around(run: &Interpreter, path: &Path, from: [f64; 3], arc: Option<([f64; 3],
 fn measured(run: &mut Interpreter, path: &Path, measure: Measure, to: [f64; 3], feed: f64) -> Result<(), Stop> {
     let to = machine(run, path.suppress, to);
     let latched = if run.sim.has_probe() {
-        run.sim.probe_machine(Mcs(to), feed)?
+        run.sim.probe_machine(to, feed)?
     } else {
-        run.sim.travel_machine(Mcs(to), None, MotionKind::Measuring, feed, false)?;
+        run.sim.travel_machine(to, None, MotionKind::Measuring, feed, false)?;
         let end = run.sim.position;
         run.sim.skipped = Some(run.sim.control.to_workpiece(end));
         None
@@ -249,7 +250,7 @@ fn measured(run: &mut Interpreter, path: &Path, measure: Measure, to: [f64; 3], 
         }
     }
     if measure.goes_on {
-        run.sim.press_on(Mcs(to), feed);
+        run.sim.press_on(to, feed);
     }
     Ok(())
 }

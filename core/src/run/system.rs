@@ -9,7 +9,6 @@ use crate::control::frames::{CHANNEL_MASK, GLOBAL_MASK, joined};
 use crate::control::variables::{AXES, component};
 use crate::control::{Frame, Plane, Tool, Transverse, UnitFunction, Units, Value, machine_data};
 use crate::diagnostic::Span;
-use crate::geometry::Mcs;
 use crate::machine::Machine;
 use crate::problem::Problem;
 
@@ -144,7 +143,7 @@ fn position(run: &Interpreter, key: &str) -> Option<f64> {
     let shown = if axis == 0 { control.transverse.shown() } else { 1.0 };
     let value = match stem {
         "$AA_IW" => control.to_workpiece(at)[axis] * shown,
-        "$P_EP" => control.to_workpiece(Mcs(contour::stands(run)))[axis] * shown,
+        "$P_EP" => control.to_workpiece(contour::stands(run))[axis] * shown,
         "$AA_IB" => at[axis],
         "$AA_IM" => at[axis] + control.active_length()[axis],
         _ => return None,

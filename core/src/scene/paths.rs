@@ -29,10 +29,10 @@ pub fn ways(entries: &[Entry]) -> Vec<Way> {
             continue;
         };
         let count = around.map_or(1, |around| (around.degrees.abs() / PIECE).ceil().max(1.0) as usize);
-        let mut begin = (0.0, *from);
+        let mut begin = (0.0, from.0);
         for piece in 1..=count {
             let part = piece as f64 / count as f64;
-            let end = along(*from, *to, around.as_ref(), part);
+            let end = along(from.0, to.0, around.as_ref(), part);
             ways.push(Way { entry, kind: *kind, ends: [begin.1, end], during: [begin.0, part] });
             begin = (part, end);
         }
@@ -53,7 +53,7 @@ fn along(from: [f64; 3], to: [f64; 3], around: Option<&Around>, part: f64) -> [f
 pub fn stands(entries: &[Entry], tools: &[Tool]) -> Vec<[f64; 3]> {
     let length = |entry: &Entry| tools.get(entry.in_use).map_or_else(V3::zeros, |tool| V3::from(tool.length));
     let first = entries.iter().find_map(|entry| match &entry.step {
-        Step::Motion { from, .. } => Some((V3::from(*from), length(entry))),
+        Step::Motion { from, .. } => Some((V3::from(from.0), length(entry))),
         _ => None,
     });
     let Some((mut at, mut with)) = first else {
@@ -61,7 +61,7 @@ pub fn stands(entries: &[Entry], tools: &[Tool]) -> Vec<[f64; 3]> {
     };
     let stand = |entry: &Entry| {
         if let Step::Motion { to, .. } = &entry.step {
-            (at, with) = (V3::from(*to), length(entry));
+            (at, with) = (V3::from(to.0), length(entry));
         }
         (at + with - length(entry)).into()
     };

@@ -495,7 +495,7 @@ fn motions(steps: &[&Step], to_ball: V3, all: bool) -> (Vec<Way>, Vec<Touch>) {
         }
         match step {
             Step::Motion { kind, from, to, around, .. } if is_way(*kind, steps.get(index + 1), all) => {
-                let points = course(*from, *to, around.as_ref());
+                let points = course(from.0, to.0, around.as_ref());
                 let points = points.into_iter().map(|point| V3::from(point) + to_ball).collect();
                 ways.push(Way { points, round: around.is_some(), after: touches.len() });
             }

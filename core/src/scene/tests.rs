@@ -11,9 +11,9 @@ use super::{LineKind, Matter, Scene, Source, fit, labels, paths, tool};
 use crate::control::Plane;
 use crate::dialect::Dialect;
 use crate::entry::names::{SETVAL, TSA};
-use crate::geometry::V3;
 use crate::geometry::arc::Around;
 use crate::geometry::extent::Extent;
+use crate::geometry::{Mcs, V3};
 use crate::machine::in_use::InUse;
 use crate::machine::setup::Setup;
 use crate::machine::trace::{Entry, MotionKind, Step, Trace};
@@ -33,11 +33,11 @@ fn entry(step: Step) -> Entry {
 }
 
 fn motion(from: [f64; 3], to: [f64; 3]) -> Step {
-    Step::Motion { kind: MotionKind::Positioning, from, to, around: None, feed: 100.0 }
+    Step::Motion { kind: MotionKind::Positioning, from: Mcs(from), to: Mcs(to), around: None, feed: 100.0 }
 }
 
 fn touch(point: [f64; 3], by: Touching) -> Step {
-    Step::Touch { latched: point, ball: point, point, normal: [0.0, 0.0, 1.0], by }
+    Step::Touch { latched: Mcs(point), ball: Mcs(point), point: Mcs(point), normal: [0.0, 0.0, 1.0], by }
 }
 
 fn near(found: [f64; 3], wanted: [f64; 3]) {
@@ -189,6 +189,7 @@ fn the_probe_is_on_its_motion_and_stays_where_the_last_motion_ended() {
 #[test]
 fn an_arc_is_drawn_and_travelled_round_its_axis() {
     let arc = |from, to, around| {
+        let (from, to) = (Mcs(from), Mcs(to));
         entry(Step::Motion { kind: MotionKind::Positioning, from, to, around: Some(around), feed: 900.0 })
     };
     let half = Around { centre: [10.0, 0.0, 0.0], axis: [0.0, 0.0, 1.0], degrees: -180.0 };
@@ -366,7 +367,7 @@ fn what_must_not_touch_and_did_is_told() {
         touch(point, Touching::Ball),
         told(),
         Step::Alarm(crate::diagnostic::Code::Alarm(61302)),
-        Step::Crash { point: [4.0, 5.0, 6.0], normal: [1.0, 0.0, 0.0], by: Touching::Body },
+        Step::Crash { point: Mcs([4.0, 5.0, 6.0]), normal: [1.0, 0.0, 0.0], by: Touching::Body },
     ];
     let entries: Vec<Entry> = steps.into_iter().map(entry).collect();
     let found = labels::collisions(&entries);

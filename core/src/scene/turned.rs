@@ -129,7 +129,7 @@ fn touched(control: &Control, trace: &Trace) -> Vec<Touched> {
             Step::Touch { latched, ball, point, normal, by: Touching::Ball }
                 if !of_tool && normal[TRANSVERSE].abs() > ALONG =>
             {
-                let seen = V3::from(*latched) + V3::from(*point) - V3::from(*ball);
+                let seen = V3::from(latched.0) + V3::from(point.0) - V3::from(ball.0);
                 let diameter = 2.0 * control.to_workpiece(Mcs(seen.into()))[TRANSVERSE].abs();
                 found.push(Touched { entry: index, diameter });
             }

@@ -187,7 +187,7 @@ fn probings<T>(outcome: &Outcome, tell: impl Fn([f64; 3], [f64; 3], f64) -> T) -
     let steps = outcome.trace.entries.iter().map(|entry| &entry.step);
     steps
         .filter_map(|step| match step {
-            Step::Motion { kind: MotionKind::Measuring, from, to, feed, .. } => Some(tell(*from, *to, *feed)),
+            Step::Motion { kind: MotionKind::Measuring, from, to, feed, .. } => Some(tell(from.0, to.0, *feed)),
             _ => None,
         })
         .collect()
@@ -197,7 +197,7 @@ fn touches(outcome: &Outcome) -> Vec<[f64; 3]> {
     let steps = outcome.trace.entries.iter().map(|entry| &entry.step);
     steps
         .filter_map(|step| match step {
-            Step::Touch { latched, .. } => Some(*latched),
+            Step::Touch { latched, .. } => Some(latched.0),
             _ => None,
         })
         .collect()
@@ -219,7 +219,7 @@ fn ends(outcome: &Outcome) -> Vec<[f64; 3]> {
     let mut ends = Vec::new();
     for entry in &outcome.trace.entries {
         match &entry.step {
-            Step::Motion { to, .. } => here = *to,
+            Step::Motion { to, .. } => here = to.0,
             Step::CallEnd => ends.push(here),
             _ => {}
         }

@@ -94,10 +94,10 @@ fn measure(setup: &mut Setup, inputs: &Inputs) -> Outcome {
 fn steps(outcome: &Outcome) -> Vec<(String, [f64; 3])> {
     let entries = outcome.trace.entries.iter();
     let told = entries.filter_map(|entry| match &entry.step {
-        Step::Motion { kind, to, .. } => Some((format!("{kind:?}"), *to)),
-        Step::Touch { latched, by, .. } => Some((format!("{by:?}"), *latched)),
+        Step::Motion { kind, to, .. } => Some((format!("{kind:?}"), to.0)),
+        Step::Touch { latched, by, .. } => Some((format!("{by:?}"), latched.0)),
         Step::Orient { angle } => Some(("turn".to_owned(), [*angle, 0.0, 0.0])),
-        Step::Crash { point, by, .. } => Some((format!("crash {by:?}"), *point)),
+        Step::Crash { point, by, .. } => Some((format!("crash {by:?}"), point.0)),
         _ => None,
     });
     told.collect()

@@ -47,7 +47,7 @@ fn machined(setup: &mut Setup, variant: f64, text: &str, axis: usize, size: f64)
     });
     // a circle is as far away everywhere, a straight line where it passes the middle
     let away = routes.flat_map(|route| {
-        let places = (0..=400).map(move |part| route.at(f64::from(part) / 400.0));
+        let places = (0..=400).map(move |part| route.at(f64::from(part) / 400.0).0);
         places.filter_map(move |[x, y, _]| match route.around {
             Some(_) => Some(x.hypot(y)),
             None => ([x, y][1 - axis].abs() < 1.0).then_some([x, y][axis].abs()),

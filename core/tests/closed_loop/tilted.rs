@@ -144,7 +144,7 @@ fn balls(outcome: &Outcome) -> [f64; 3] {
     let entries = outcome.trace.entries.iter();
     let touched: Vec<[f64; 3]> = entries
         .filter_map(|entry| match entry.step {
-            Step::Touch { ball, .. } => Some(ball),
+            Step::Touch { ball, .. } => Some(ball.0),
             _ => None,
         })
         .collect();

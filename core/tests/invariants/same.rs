@@ -25,7 +25,7 @@ const UNMIRRORED: [&str; 4] = ["CYCLE961", "CYCLE976", "CYCLE997", "CYCLE998"];
 fn motions(outcome: &Outcome) -> Vec<([f64; 3], f64)> {
     let steps = outcome.trace.entries.iter();
     let end = |step: &Step| match step {
-        Step::Motion { to, feed, .. } => Some((*to, *feed)),
+        Step::Motion { to, feed, .. } => Some((to.0, *feed)),
         _ => None,
     };
     steps.filter_map(|entry| end(&entry.step)).collect()

@@ -29,7 +29,7 @@ pub fn routes(outcome: &Outcome) -> Vec<(u32, Route)> {
 fn ends(text: &str) -> Vec<(u32, [f64; 3])> {
     let outcome = clean_on(&setup(), &format!("{BEGIN}{text}"));
     let found = routes(&outcome);
-    found.into_iter().map(|(line, route)| (line - 1, route.to)).filter(|(line, _)| *line > 0).collect()
+    found.into_iter().map(|(line, route)| (line - 1, route.to.0)).filter(|(line, _)| *line > 0).collect()
 }
 
 fn goes(text: &str, expected: &[(u32, [f64; 2])]) {
@@ -216,7 +216,7 @@ fn arcs_go_on_round_their_centre() {
     assert_eq!(round.around.unwrap().degrees, -360.0);
     near(round.to[2], -5.0, "helix");
     for part in [0.1, 0.4, 0.9] {
-        let [x, y, _] = round.at(part);
+        let [x, y, _] = round.at(part).0;
         near(x.hypot(y), 25.0 + R, "pin");
     }
 }

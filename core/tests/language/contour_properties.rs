@@ -119,7 +119,7 @@ fn places(routes: &[Route]) -> Vec<[f64; 2]> {
     let parts = |route: &Route| -> Vec<[f64; 2]> {
         (0..=20)
             .map(|part| {
-                let [x, y, _] = route.at(f64::from(part) / 20.0);
+                let [x, y, _] = route.at(f64::from(part) / 20.0).0;
                 [x, y]
             })
             .collect()
@@ -132,7 +132,7 @@ fn same(one: &[Route], other: &[Route], map: impl Fn([f64; 3]) -> [f64; 3]) -> b
     one.len() == other.len()
         && one.iter().zip(other).all(|(one, other)| {
             [0.0, 0.3, 0.8, 1.0].into_iter().all(|part| {
-                let (a, b) = (map(one.at(part)), other.at(part));
+                let (a, b) = (map(one.at(part).0), other.at(part));
                 (0..3).all(|i| (a[i] - b[i]).abs() < 1e-9)
             })
         })

@@ -15,7 +15,7 @@ fn points(text: &str) -> Vec<[f64; 3]> {
             Step::Motion { from, to, around, .. } => Some(Route { from, to, around }),
             _ => None,
         })
-        .flat_map(|route| (1..=100).map(move |part| route.at(f64::from(part) / 100.0)))
+        .flat_map(|route| (1..=100).map(move |part| route.at(f64::from(part) / 100.0).0))
         .collect()
 }
 

@@ -52,7 +52,7 @@ fn positions(outcome: &Outcome) -> Vec<[f64; 4]> {
     let mut all = Vec::new();
     for entry in &outcome.trace.entries {
         match entry.step {
-            Step::Motion { to: [x, y, z], .. } => now = [x, y, z, now[3]],
+            Step::Motion { to, .. } => now = [to[0], to[1], to[2], now[3]],
             Step::Table { to, .. } => now[3] = to,
             _ => continue,
         }

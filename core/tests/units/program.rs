@@ -28,7 +28,7 @@ fn measuring_feed_and_path_as_delivered() {
             });
             let (from, to, feed) = measured.unwrap();
             assert!((feed / 25.4 - inch_feed).abs() < 1e-3, "{feed}");
-            let way = from.iter().zip(to).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
+            let way = from.iter().zip(to.0).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
             assert!((way - path).abs() < 1e-9, "{way}");
         }
     }

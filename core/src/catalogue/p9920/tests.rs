@@ -113,7 +113,7 @@ fn the_reference_tool_goes_round_the_disk() {
     let steps = outcome.trace.entries.iter().map(|entry| &entry.step);
     let begins: Vec<[f64; 3]> = steps
         .filter_map(|step| match step {
-            Step::Motion { kind: MotionKind::Measuring, from, feed, .. } if *feed == 750.0 => Some(*from),
+            Step::Motion { kind: MotionKind::Measuring, from, feed, .. } if *feed == 750.0 => Some(from.0),
             _ => None,
         })
         .collect();

@@ -8,7 +8,6 @@ use crate::catalogue::nct::part;
 use crate::check::check;
 use crate::control::Plane;
 use crate::diagnostic::Code;
-use crate::geometry::Mcs;
 use crate::machine::trace::Step;
 use crate::machine::{Setup, Stop};
 use crate::run::Outcome;
@@ -231,7 +230,7 @@ fn the_program_that_is_sent_runs_through_the_points() {
         .entries
         .iter()
         .filter_map(|entry| match entry.step {
-            Step::Motion { to, feed, .. } if feed > 0.0 => Some(setup.control.to_workpiece(Mcs(to)).0),
+            Step::Motion { to, feed, .. } if feed > 0.0 => Some(setup.control.to_workpiece(to).0),
             _ => None,
         })
         .collect();
@@ -304,7 +303,7 @@ proptest! {
         let part = Boundary::of(&setup.workpiece);
         for entry in &run.trace.entries {
             if let Step::Touch { ball, .. } = entry.step {
-                prop_assert!((part.distance(ball) - 3.0).abs() < 1e-7);
+                prop_assert!((part.distance(ball.0) - 3.0).abs() < 1e-7);
             }
             if let Step::Motion { from, to, .. } = entry.step {
                 for share in 0..=4 {

@@ -150,7 +150,7 @@ pub fn turns(sim: &Sim) -> Vec<f64> {
 /// Where the probe switched, machine, in order.
 pub fn touches(sim: &Sim) -> Vec<[f64; 3]> {
     told(sim, |step| match step {
-        Step::Touch { latched, .. } => Some(*latched),
+        Step::Touch { latched, .. } => Some(latched.0),
         _ => None,
     })
 }

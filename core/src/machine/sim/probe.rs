@@ -4,8 +4,9 @@ use super::Sim;
 use crate::control::Edge;
 use crate::control::tools::LATHE_PROBE;
 use crate::diagnostic::Code;
+use crate::geometry::Mcs;
 use crate::machine::Stop;
-use crate::machine::route::{Obstacle, Route, add};
+use crate::machine::route::{Obstacle, Route};
 use crate::machine::trace::{MotionKind, Step};
 use crate::message::Message;
 use crate::workpiece::feeler::{Feeler, Touching};
@@ -78,28 +79,22 @@ impl Sim {
     /// From the point to which the tool length refers to the real centre of the ball.
     pub(super) fn ball(&self) -> [f64; 3] {
         let skew = ball_offset(&self.probe, self.probe_angle(), self.tool_axis());
-        add(self.ball_height(), skew, 1.0)
+        let height = self.ball_height();
+        [0, 1, 2].map(|axis| height[axis] + skew[axis])
     }
 
     /// A straight measuring motion; where the probe switched, if it did.
-    pub(super) fn seek(&mut self, to: [f64; 3], feed: f64) -> Result<Option<[f64; 3]>, Stop> {
+    pub(super) fn seek(&mut self, to: Mcs, feed: f64) -> Result<Option<Mcs>, Stop> {
         let from = self.position;
-        self.admit(&Route::straight(from.0, to))?;
+        self.admit(&Route::straight(from, to))?;
         if !self.has_probe() {
             return Ok(self.probe_with_tool(to, feed));
         }
         let height = self.ball_height();
-        let signal = touch(
-            &self.part,
-            &self.probe,
-            &self.stand(),
-            add(from.0, height, 1.0),
-            add(to, height, 1.0),
-            feed,
-            &mut self.noise,
-        );
-        let end = signal.map_or(to, |touch| add(touch.latched, height, -1.0));
-        let way = Route::straight(from.0, end);
+        let signal =
+            touch(&self.part, &self.probe, &self.stand(), (from + height).0, (to + height).0, feed, &mut self.noise);
+        let end = signal.map_or(to, |touch| Mcs(touch.latched) + height.map(|way| -way));
+        let way = Route::straight(from, end);
         if let Some((part, stop)) = self.false_signal(&way) {
             self.go(&way.until(part, stop), MotionKind::Measuring, feed);
             self.note(Step::Decision { message: Message::new("run-false-signal") });
@@ -109,8 +104,14 @@ impl Sim {
         let Some(touch) = signal else {
             return Ok(None);
         };
-        let met =
-            Obstacle { part: 1.0, stop: end, ball: touch.ball, point: touch.point, normal: touch.normal, by: touch.by };
+        let met = Obstacle {
+            part: 1.0,
+            stop: end,
+            ball: Mcs(touch.ball),
+            point: Mcs(touch.point),
+            normal: touch.normal,
+            by: touch.by,
+        };
         if met.by == Touching::Body {
             return Err(self.crash(&met));
         }
@@ -144,7 +145,7 @@ impl Sim {
     }
 
     /// Where on a watched way a signal comes that is none, and after which part of it. The ways are counted.
-    pub(super) fn false_signal(&mut self, way: &Route) -> Option<(f64, [f64; 3])> {
+    pub(super) fn false_signal(&mut self, way: &Route) -> Option<(f64, Mcs)> {
         let (before, length) = (self.watched, way.length());
         self.watched += length;
         let after = self.probe.false_signal? - before;

@@ -1,11 +1,11 @@
 //! A rotary axis turns the part, and what it meets on its way: the ball of the probe, its stylus and its body.
 
 use super::Sim;
-use crate::geometry::V3;
 use crate::geometry::arc::Around;
 use crate::geometry::rod::Rod;
+use crate::geometry::{Mcs, V3};
 use crate::machine::Stop;
-use crate::machine::route::{Obstacle, Route, add};
+use crate::machine::route::{Obstacle, Route};
 use crate::machine::trace::Step;
 use crate::message::Message;
 use crate::workpiece::Workpiece;
@@ -39,9 +39,8 @@ impl Sim {
             return Ok(());
         };
         let back = Around { degrees: -met.part * turn.degrees, ..turn };
-        let [point, tip] = [met.point, add(met.point, met.normal, 1.0)];
-        let [point, tip] = [point, tip].map(|place| back.end(place, 0.0));
-        Err(self.crash(&Obstacle { point, normal: add(tip, point, -1.0), ..met }))
+        let [point, tip] = [met.point, met.point + met.normal].map(|place| Mcs(back.end(place.0, 0.0)));
+        Err(self.crash(&Obstacle { point, normal: tip - point, ..met }))
     }
 
     /// What of the probe a part meets first that turns against `turn`: seen from the part the probe goes round it.
@@ -49,7 +48,7 @@ impl Sim {
         if !self.has_probe() || turn.degrees == 0.0 {
             return None;
         }
-        let ball = add(self.position.0, self.ball(), 1.0);
+        let ball = self.position + self.ball();
         let feeler = self.feeler();
         let stylus = feeler.rods().flat_map(|(by, rod)| balls(rod, by, ball));
         let pieces = std::iter::once((ball, feeler.radius, Touching::Ball)).chain(stylus);
@@ -58,7 +57,7 @@ impl Sim {
             let part = first.map_or(1.0, |met| met.part);
             let way = Route {
                 from: place,
-                to: turn.at(place, turn.end(place, 0.0), part),
+                to: Mcs(turn.at(place.0, turn.end(place.0, 0.0), part)),
                 around: Some(Around { degrees: turn.degrees * part, ..*turn }),
             };
             let ball = Feeler::ball(radius);
@@ -75,11 +74,11 @@ impl Sim {
 const BALLS: f64 = 1000.0;
 
 /// Balls so close together that they make stylus or body, as far as the spindle.
-fn balls(rod: Rod, by: Touching, ball: [f64; 3]) -> impl Iterator<Item = ([f64; 3], f64, Touching)> {
+fn balls(rod: Rod, by: Touching, ball: Mcs) -> impl Iterator<Item = (Mcs, f64, Touching)> {
     let apart = rod.radius.max(rod.length / BALLS);
     let count = (rod.length / apart) as usize;
     (1..=count).map(move |step| {
-        let place = V3::from(ball) + rod.foot + rod.up * (step as f64 * apart);
-        (place.into(), rod.radius, by)
+        let place = V3::from(ball.0) + rod.foot + rod.up * (step as f64 * apart);
+        (Mcs(place.into()), rod.radius, by)
     })
 }

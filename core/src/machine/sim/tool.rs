@@ -1,10 +1,10 @@
 //! The simulated machine with a tool that touches tool probes.
 
 use super::Sim;
-use crate::geometry::V3;
 use crate::geometry::stretch::Stretch;
+use crate::geometry::{Mcs, V3};
 use crate::machine::in_use;
-use crate::machine::route::{Obstacle, Route, add};
+use crate::machine::route::{Obstacle, Route};
 use crate::machine::trace::{MotionKind, Step};
 use crate::workpiece::feeler::Touching;
 use crate::workpiece::noise::Noise;
@@ -53,10 +53,10 @@ impl Sim {
 
     /// What can touch of the tool in use, as it is, where the machine stands at `at`, and the way from there to the
     /// point to which its lengths refer.
-    fn tool_at(&self, at: [f64; 3]) -> Option<(Vec<Piece>, [f64; 3])> {
+    fn tool_at(&self, at: Mcs) -> Option<(Vec<Piece>, [f64; 3])> {
         let tool = self.real_tool()?;
         let error = tool.error(&self.control);
-        let point = V3::from(add(at, error, 1.0));
+        let point = V3::from((at + error).0);
         let spindle = in_use::stands(&self.control);
         Some((tool.pieces(point, self.control.plane, spindle), error))
     }
@@ -70,12 +70,12 @@ impl Sim {
     pub(super) fn tool_obstacle(&mut self, way: &Route) -> Option<Obstacle> {
         self.take_up()?;
         let (tool, error) = self.tool_at(way.from)?;
-        let near = |stretch: &Stretch| tool_probe::may_meet(&self.tool_probes, &tool, way.from, stretch);
+        let near = |stretch: &Stretch| tool_probe::may_meet(&self.tool_probes, &tool, way.from.0, stretch);
         let mut effort = 0;
         let met = way.search([0.0; 3], &mut effort, near, |[begin, end]| {
             let [from, to] = [begin, end].map(|part| way.at(part));
             let (tool, _) = self.tool_at(from)?;
-            let contact = tool_probe::obstacle(&self.tool_probes, &tool, from, to)?;
+            let contact = tool_probe::obstacle(&self.tool_probes, &tool, from.0, to.0)?;
             let met = seen(&contact, &Route::straight(from, to), error);
             let part = begin + met.part * (end - begin);
             Some(Obstacle { part, ..met })
@@ -85,12 +85,12 @@ impl Sim {
     }
 
     /// Moves the tool in use until a tool probe switches; the position then.
-    pub(super) fn probe_with_tool(&mut self, to: [f64; 3], feed: f64) -> Option<[f64; 3]> {
-        let way = Route::straight(self.position.0, to);
+    pub(super) fn probe_with_tool(&mut self, to: Mcs, feed: f64) -> Option<Mcs> {
+        let way = Route::straight(self.position, to);
         let tool = self.take_up().and_then(|()| self.tool_at(way.from));
         let touched = tool.and_then(|(tool, error)| {
             let noise = &mut self.tool_noise;
-            let touched = tool_probe::touch(&self.tool_probes, &tool, way.from, to, feed, noise);
+            let touched = tool_probe::touch(&self.tool_probes, &tool, way.from.0, to.0, feed, noise);
             touched.map(|(contact, signal)| (seen(&contact, &way, error), signal))
         });
         let Some((met, signal)) = touched else {
@@ -112,8 +112,8 @@ fn seen(contact: &Contact, way: &Route, error: [f64; 3]) -> Obstacle {
     Obstacle {
         part,
         stop,
-        ball: add(stop, error, 1.0),
-        point: meeting.point.into(),
+        ball: stop + error,
+        point: Mcs(meeting.point.into()),
         normal: meeting.normal.into(),
         by: Touching::Ball,
     }

@@ -7,10 +7,8 @@ use super::element::{Point, Round};
 use super::plane::Plane;
 use crate::control::tools::side;
 use crate::diagnostic::Span;
-use crate::geometry::Mcs;
 use crate::geometry::arc::Around;
 use crate::machine::Stop;
-use crate::machine::route::add;
 use crate::machine::trace::MotionKind;
 use crate::run::interpret::Interpreter;
 
@@ -135,24 +133,26 @@ pub fn all(run: &mut Interpreter, plane: &Plane, ways: &[Way]) -> Result<(), Sto
 fn one(run: &mut Interpreter, plane: &Plane, way: &Way) -> Result<(), Stop> {
     let Manner { kind, feed, length, tip, .. } = way.manner;
     // the position is told as the tool length of that time has it
-    let since = add(run.sim.control.active_length(), length, -1.0);
-    run.sim.position = Mcs(add(run.sim.position.0, since, 1.0));
+    let now = run.sim.control.active_length();
+    let since = [0, 1, 2].map(|axis| now[axis] - length[axis]);
+    run.sim.position = run.sim.position + since;
+    let seen = |at| plane.place(at, way.height) + tip + length.map(|way| -way);
     let to = match way.at {
-        Some(at) => add(add(plane.place(at, way.height), tip, 1.0), length, -1.0),
+        Some(at) => seen(at),
         None => {
-            let (_, height) = plane.split(add(run.sim.position.0, length, 1.0));
-            add(run.sim.position.0, plane.up(), way.height - height)
+            let (_, height) = plane.split(run.sim.position + length);
+            run.sim.position + plane.up().map(|up| (way.height - height) * up)
         }
     };
     let around = way.round.map(|round| Around {
-        centre: add(add(plane.place(round.centre, way.height), tip, 1.0), length, -1.0),
+        centre: seen(round.centre).0,
         axis: plane.up(),
         degrees: round.sweep.to_degrees(),
     });
     let still = around.is_none() && (0..3).all(|i| (to[i] - run.sim.position[i]).abs() < 1e-9);
     if !still {
-        run.sim.travel_machine(Mcs(to), around, kind, feed, false)?;
+        run.sim.travel_machine(to, around, kind, feed, false)?;
     }
-    run.sim.position = Mcs(add(run.sim.position.0, since, -1.0));
+    run.sim.position = run.sim.position + since.map(|way| -way);
     Ok(())
 }

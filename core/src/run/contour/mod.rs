@@ -16,8 +16,9 @@ pub use corner::Outside;
 use super::interpret::Interpreter;
 use super::modal::Compensation;
 use crate::diagnostic::Span;
+use crate::geometry::Mcs;
 use crate::machine::Stop;
-use crate::machine::route::{Route, add};
+use crate::machine::route::Route;
 use crate::machine::trace::MotionKind;
 use crate::message::Message;
 use crate::problem::Problem;
@@ -32,7 +33,7 @@ pub struct Contour {
     plane: Plane,
     side: Compensation,
     /// Where the program stands.
-    programmed: [f64; 3],
+    programmed: Mcs,
     /// Blocks that are not driven yet: one along the contour or to it, and behind it some that only rise or fall.
     waiting: Vec<Waiting>,
     /// The block that was driven to its end before the next one was known.
@@ -52,13 +53,13 @@ pub struct Motion {
     pub span: Span,
 }
 
-/// Where the program stands, machine coordinates: the end of the last block as programmed, beside which the tool may
+/// Where the program stands: the end of the last block as programmed, beside which the tool may
 /// be.
-pub fn stands(run: &Interpreter) -> [f64; 3] {
+pub fn stands(run: &Interpreter) -> Mcs {
     let length = run.sim.control.active_length();
     match &run.contour {
-        Some(contour) => add(contour.programmed, length, -1.0),
-        None => run.sim.position.0,
+        Some(contour) => contour.programmed + length.map(|way| -way),
+        None => run.sim.position,
     }
 }
 

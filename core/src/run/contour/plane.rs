@@ -2,7 +2,7 @@
 
 use super::element::{Element, Point, Round};
 use crate::control::Control;
-use crate::geometry::{V3, Wcs};
+use crate::geometry::{Mcs, V3, Wcs};
 use crate::machine::route::Route;
 
 /// Unit vectors that differ by less are the same.
@@ -39,16 +39,16 @@ impl Plane {
     }
 
     /// A place as abscissa, ordinate and height.
-    pub fn split(&self, point: [f64; 3]) -> (Point, f64) {
+    pub fn split(&self, point: Mcs) -> (Point, f64) {
         let point = V3::from(point);
         let [x, y, height] = self.axes.map(|axis| axis.dot(&point));
         ([x, y], height)
     }
 
     /// The place of abscissa, ordinate and height.
-    pub fn place(&self, [x, y]: Point, height: f64) -> [f64; 3] {
+    pub fn place(&self, [x, y]: Point, height: f64) -> Mcs {
         let [abscissa, across, up] = self.axes;
-        (abscissa * x + across * y + up * height).into()
+        Mcs((abscissa * x + across * y + up * height).into())
     }
 
     /// Direction of the tool in the machine, a unit vector.
@@ -64,7 +64,10 @@ impl Plane {
                 if sense.abs() < 1.0 - SAME {
                     return None;
                 }
-                Some(Round { centre: self.split(around.centre).0, sweep: around.degrees.to_radians() * sense.signum() })
+                Some(Round {
+                    centre: self.split(Mcs(around.centre)).0,
+                    sweep: around.degrees.to_radians() * sense.signum(),
+                })
             }
             None => None,
         };

@@ -70,7 +70,7 @@ fn around(sim: &Sim, plane: Plane, origin: [f64; 3]) -> Vec<f64> {
             continue;
         };
         let away = |part: f64| {
-            let at = around.at(from, to, part);
+            let at = around.at(from.0, to.0, part);
             let [x, y, _] = plane.axes().map(|i| at[i] - origin[i]);
             x.hypot(y)
         };

@@ -9,7 +9,7 @@ use crate::check::check;
 use crate::control::{Frame, Plane, Units};
 use crate::dialect::Dialect;
 use crate::entry::{Inputs, Typed, names};
-use crate::geometry::{Mcs, V3, Wcs, fit, rigid};
+use crate::geometry::{V3, Wcs, fit, rigid};
 use crate::machine::Setup;
 use crate::machine::sim::Sim;
 use crate::machine::trace::Step;
@@ -226,7 +226,7 @@ fn touched(sim: &Sim, variant: i64, plane: Plane) -> Result<(), TestCaseError> {
     let steps = sim.trace.entries.iter();
     let points: Vec<V3> = steps
         .filter_map(|entry| match entry.step {
-            Step::Touch { point, .. } => Some(V3::from(sim.control.to_workpiece(Mcs(point)).0)),
+            Step::Touch { point, .. } => Some(V3::from(sim.control.to_workpiece(point))),
             _ => None,
         })
         .collect();

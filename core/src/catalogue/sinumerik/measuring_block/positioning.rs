@@ -48,8 +48,8 @@ impl Block {
         let to = around.end(from.0, 0.0);
         let control = machine.control();
         let on_machine = Route {
-            from: control.to_machine(from).0,
-            to: control.to_machine(Wcs(to)).0,
+            from: control.to_machine(from),
+            to: control.to_machine(Wcs(to)),
             around: around.mapped(|point| control.to_machine(Wcs(point)).0),
         };
         if !on_machine.within_limits(control) {

@@ -185,7 +185,7 @@ mod tests {
             .entries
             .iter()
             .filter_map(|entry| match entry.step {
-                Step::Motion { kind, to, feed, .. } => Some((kind, away(to), feed)),
+                Step::Motion { kind, to, feed, .. } => Some((kind, away(to.0), feed)),
                 _ => None,
             })
             .collect();
