@@ -48,6 +48,21 @@ impl Problem {
         Problem { span, message: Message::new(key).text("word", word) }
     }
 
+    /// A problem of its place alone.
+    pub fn at(key: &'static str, span: Span) -> Problem {
+        Problem { span, message: Message::new(key) }
+    }
+
+    /// With a number in its sentence.
+    pub fn number(self, name: &'static str, value: f64) -> Problem {
+        Problem { message: self.message.number(name, value), ..self }
+    }
+
+    /// With a text in its sentence.
+    pub fn text(self, name: &'static str, text: impl Into<String>) -> Problem {
+        Problem { message: self.message.text(name, text), ..self }
+    }
+
     /// As a finding.
     pub fn diagnostic(&self, severity: Severity) -> Diagnostic {
         let key = &*self.message.key;
@@ -102,7 +117,7 @@ mod tests {
                 continue;
             }
             let text = std::fs::read_to_string(&path).unwrap();
-            for begin in ["Problem::new(", "Stop::Fault(Message::new("] {
+            for begin in ["Problem::new(", "Problem::at(", "Stop::Fault(Message::new("] {
                 let calls = text.split(begin).skip(1);
                 let literals = calls.filter_map(|call| call.trim_start().strip_prefix('"'));
                 keys.extend(literals.filter_map(|rest| Some(rest.split_once('"')?.0.to_owned())));

@@ -53,6 +53,22 @@ fn rooms_only_look_down() {
     assert!(lines.is_empty(), "{} lines look up:\n{}", lines.len(), lines.join("\n"));
 }
 
+/// What of the catalogue a run may name: what finds an entry, a list of arguments or an alarm. Everything else it asks
+/// the entries.
+const FINDS: [&str; 5] = ["CYCLES", "find", "by_program", "list", "alarms"];
+
+// oracle: the drawing in ARCHITECTURE.md
+#[test]
+fn a_run_knows_of_a_cycle_what_its_entry_says() {
+    let core = core();
+    let of_run = core.paths.iter().filter(|one| one.module.first().is_some_and(|room| room == "run"));
+    let named: Vec<_> = of_run.filter(|one| one.what.first().is_some_and(|room| room == "catalogue")).collect();
+    assert!(named.len() > 5, "{}", named.len());
+    let inside = named.iter().filter(|one| one.what.get(1).is_some_and(|name| !FINDS.contains(&name.as_str())));
+    let lines: Vec<String> = inside.map(|one| format!("{}:{} {:?}", one.file.display(), one.line, one.what)).collect();
+    assert_eq!(lines, [""; 0]);
+}
+
 // oracle: the modules of core/src/lib.rs, and the terminal program
 #[test]
 fn the_drawing_shows_every_room_once() {

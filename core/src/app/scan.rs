@@ -6,6 +6,7 @@ use super::{Error, choose_units, unknown};
 use crate::control::{Plane, UnitFunction};
 use crate::dialect::Dialect;
 use crate::entry::Typed;
+use crate::geometry::Wcs;
 use crate::machine::{Setup, Stop};
 use crate::refused::Path;
 use crate::run::scanning::{Deviation, Session};
@@ -161,7 +162,7 @@ impl Scan {
             } else {
                 cloud.points().get(index).copied().unwrap_or_default()
             };
-            let [x, y, z] = session.to_machine(point);
+            let [x, y, z] = session.to_machine(Wcs(point)).0;
             [
                 (x - origin[0]) as f32,
                 (y - origin[1]) as f32,
@@ -200,7 +201,7 @@ impl Scan {
         let session = self.session.as_ref().ok();
         let first = session.and_then(|session| {
             let point = session.cloud().points().first()?;
-            Some(session.to_machine(*point))
+            Some(session.to_machine(Wcs(*point)).0)
         });
         first.unwrap_or_default()
     }

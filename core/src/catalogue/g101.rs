@@ -79,7 +79,7 @@ fn target(inputs: &Inputs, from: [f64; 3], incremental: bool) -> [f64; 3] {
 
 fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     nct::ready(machine)?;
-    let incremental = machine.control().bit(nct::INCREMENTAL);
+    let incremental = machine.control().incremental;
     let to = target(inputs, machine.position().0, incremental);
     let outcome = go(machine, Wcs(to), inputs.number(address::F));
     machine.control().set(nct::POSITION_LOST, f64::from(u8::from(outcome.is_err())));

@@ -61,6 +61,6 @@ fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     correct::results(machine, &[("LENGTH", length), ("DEVIATION", found.deviation)]);
     let register = inputs.integer(address::T);
     let wear = machine.control().register(register).length_wear[0];
-    correct::write(machine, format!("H{register}"), length - wear);
+    machine.write_correction(format!("H{register}"), length - wear);
     Ok(())
 }

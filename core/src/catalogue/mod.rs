@@ -88,6 +88,14 @@ pub fn find(dialect: Dialect, name: &str) -> Option<&'static Cycle> {
     CYCLES.iter().copied().find(|cycle| cycle.dialect == dialect && cycle.name.eq_ignore_ascii_case(name))
 }
 
+/// The macro that `G65 P…` calls by its program number: O9010 to O9019 are G101 to G110 as delivered (parameters 9041
+/// to 9050, C:58); others are called by their number only, which is their name.
+pub fn by_program(number: f64) -> Option<&'static Cycle> {
+    const FIRST: (f64, f64) = (9010.0, 101.0);
+    find(Dialect::Nct, &format!("G{}", number - FIRST.0 + FIRST.1))
+        .or_else(|| find(Dialect::Nct, &format!("G65 P{number}")))
+}
+
 #[cfg(all(test, feature = "cli"))]
 mod help_tests;
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! What a measuring call does with the data of the control before anything else: arrays that stand in the other basic
-//! system are converted (B:13594-13598, B:14059-14061), and arrays are erased on demand (B:13644).
+//! system are converted (B:13594-13598, B:14059-14061), and arrays are erased on demand (B:13644). And its last step,
+//! the measuring result screen.
 
 use crate::control::delivery::{factor, scaled};
 use crate::control::gud::{Block, Element, Gud};
@@ -57,6 +58,21 @@ pub fn perform(machine: &mut dyn Machine, cycle: &Cycle) {
         one.apply(machine.control());
         machine.record(Step::Decision { message: one.told });
     }
+}
+
+/// The measuring result screen at the end of a call: how long it stays, and whether the cycle waits for NC START
+/// (B:12564-12578, B:13953-13971).
+pub fn screen(machine: &mut dyn Machine, cycle: &Cycle) {
+    let control = machine.control();
+    if !cycle.is_measuring_cycle() || !control.bit("_CHBIT[10]") {
+        return;
+    }
+    let key = match (control.bit("_CHBIT[11]"), control.bit("_CHBIT[18]")) {
+        (true, _) => "evaluate-screen-halt",
+        (false, true) => "evaluate-screen-stays",
+        (false, false) => "evaluate-screen",
+    };
+    machine.record(Step::Decision { message: Message::new(key) });
 }
 
 /// The switches as a call of this cycle leaves them.

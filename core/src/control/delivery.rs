@@ -31,6 +31,7 @@ pub fn delivery_in(dialect: Dialect, units: Units) -> Control {
         data_follow: make.one_system,
         plane: Plane::G17,
         transverse: Transverse::Radius,
+        incremental: false,
         settable: make.first,
         frames: BTreeMap::new(),
         channel_basic: BTreeMap::new(),

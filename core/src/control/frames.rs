@@ -125,6 +125,13 @@ impl Control {
             self.active = common.then(&self.active);
         }
     }
+
+    /// A work offset of NCT was written, 0 the common one: where it is in effect it counts at once (C:1159-1183).
+    pub fn offset_written(&mut self, offset: usize) {
+        if offset == 0 || offset == self.settable {
+            self.activate(self.settable);
+        }
+    }
 }
 
 /// Frames one in the other as one; none: a scale and a rotation in them would shear.

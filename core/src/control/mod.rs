@@ -180,6 +180,8 @@ pub struct Control {
     pub plane: Plane,
     /// How positions of X are given.
     pub transverse: Transverse,
+    /// Whether a macro of NCT is called in incremental dimension, so that the addresses of G101 are ways (C:108).
+    pub incremental: bool,
     /// Number of the active settable frame: 0 G500, 1..4 G54..G57, 5..99 G505..G599. NCT: 1..6 G54..G59.
     pub settable: usize,
     /// Settable frames by number (NCT: 0 common, 1..6).

@@ -2,10 +2,11 @@
 
 use super::{Drawing, Kind, NEVER, Param, Scan, Simulation, Unit, When, Work};
 use crate::control::{Control, MachineSort};
-use crate::diagnostic::Code;
+use crate::diagnostic::{Code, Diagnostic};
 use crate::dialect::Dialect;
 use crate::entry::Inputs;
 use crate::name::Name;
+use crate::own;
 use serde::Serialize;
 
 /// One measuring cycle or macro.
@@ -32,7 +33,7 @@ pub struct Cycle {
     pub alarms: &'static [&'static [Code]],
     /// Checks over several parameters; everything about one parameter is in its [`Param`].
     /// A value that is missing or wrong is absent from the inputs; nothing more is said about it.
-    pub checks: fn(&Inputs, &Control, &mut Vec<crate::diagnostic::Diagnostic>),
+    pub checks: fn(&Inputs, &Control, &mut Vec<Diagnostic>),
     /// The help page of each variant.
     pub help: super::help::Help,
     /// What the values mean, drawn.
@@ -81,6 +82,24 @@ impl Cycle {
     /// How it scans a surface in pieces; none where it does not, or not in this build.
     pub fn scan(&self) -> Option<Scan> {
         self.simulation.as_ref()?.scan
+    }
+
+    /// The result that takes the number of the alarm which the call raised; none: it leaves no such result.
+    pub fn alarm_result(&self) -> Option<&'static ResultField> {
+        self.results.iter().find(|field| field.key == "result-alarm")
+    }
+
+    /// Whether a block that names the G function of this macro is no call of it: it has addresses, and none that the
+    /// macro knows. Controls with other macros have other functions of these numbers (`G103 P1`).
+    pub fn is_foreign<'a>(&self, addresses: impl IntoIterator<Item = &'a str>) -> bool {
+        let others = addresses.into_iter();
+        let mut others = others.filter(|name| !["G", "M", "N", "O"].contains(name)).peekable();
+        others.peek().is_some() && !others.any(|name| self.param(name).is_some())
+    }
+
+    /// What is said of such a block.
+    pub fn foreign(&self) -> Diagnostic {
+        own::NCT_FOREIGN.finding().text("word", self.name).hint_text("cycle", self.name)
     }
 
     /// A parameter by its name.

@@ -88,6 +88,19 @@ pub trait Machine {
     fn send(&mut self, _scan: Sent) {}
     /// Records something that is no motion: a result, a correction, a decision, an alarm that informs.
     fn record(&mut self, step: Step);
+    /// Writes a datum as it stands on the control, and records it.
+    fn write(&mut self, name: &str, after: f64) {
+        let before = self.control().number(name);
+        self.control().set(name, after);
+        self.record(Step::Set { name: name.to_owned(), before, after });
+    }
+    /// Writes a datum of tools or frames as [`Machine::correct`] does, and records it; one that is not there is left.
+    fn write_correction(&mut self, name: String, after: f64) {
+        if let Some(before) = self.control().variable(&name) {
+            self.correct(&name, after);
+            self.record(Step::Set { name, before, after });
+        }
+    }
 }
 
 /// A cycle that scans, on its way.

@@ -43,6 +43,14 @@ pub fn probe_place(make: &Make) -> (i64, i64) {
     if make.registers { (0, PROBE_REGISTER) } else { (PROBE_TOOL, 1) }
 }
 
+/// Data of the probe that measures: in the spindle (B:5855), or in a turret (B:10695-10709).
+pub fn probe_data(turning: bool) -> Edge {
+    match turning {
+        true => Edge { kind: LATHE_PROBE, tip: 7, length: [40.123, 100.456, 0.0], radius: 3.0, ..Edge::default() },
+        false => Edge { kind: 710, length: [50.0, 0.0, 0.0], radius: 3.0, ..Edge::default() },
+    }
+}
+
 /// The pair of reference grooves of the turning machine, `_KB[0,0]` to `[0,6]`, mm: the first as in B:10275-10285, the
 /// second turned by 90 degree.
 const REFERENCE_GROOVES: [f64; 7] = [60.123, 50.054, 15.021, 40.118, 30.047, 32.015, 20.015];
@@ -108,9 +116,7 @@ impl Setup {
 
     /// The probe in the turret, and the grooves in which it is calibrated.
     pub(crate) fn mount_turning_probe(&mut self) {
-        let edge = Edge { kind: LATHE_PROBE, tip: 7, length: [40.123, 100.456, 0.0], radius: 3.0, ..Edge::default() };
-        let tool = self.control.tools.entry(PROBE_TOOL).or_default();
-        tool.edges.insert(1, edge);
+        self.control.tools.entry(PROBE_TOOL).or_default().edges.insert(1, probe_data(true));
         for (index, value) in REFERENCE_GROOVES.into_iter().enumerate() {
             let name = format!("_KB[0,{index}]");
             if self.control.number(&name) == 0.0 {

@@ -235,9 +235,9 @@ impl Sim {
         self.control.plane.axes()[2]
     }
 
-    /// Distance of a point from the part, machine coordinates, negative inside.
-    pub fn distance(&self, point: [f64; 3]) -> f64 {
-        self.part.distance(point)
+    /// Distance of a point from the part, negative inside.
+    pub fn distance(&self, point: Mcs) -> f64 {
+        self.part.distance(point.0)
     }
 
     /// Whether the trace takes more.

@@ -2,11 +2,7 @@
 
 use super::interpret::{Interpreter, Next};
 use super::statement::{Call, Words};
-use super::{
-    addresses, cycle, environment, frame, gcode, listed, macro_call, manner, motion, repeat, set_alarm, statement,
-    subprogram, swivel, tool, unread, words,
-};
-use crate::catalogue::nct;
+use super::{addresses, cycle, frame, gcode, listed, macro_call, motion, of_control, repeat, subprogram, tool, unread};
 use crate::diagnostic::Severity;
 use crate::machine::trace::Step;
 use crate::machine::{Machine, Stop};
@@ -19,7 +15,8 @@ use crate::{catalogue, entry};
 use std::rc::Rc;
 
 /// Carries out a block whose words were collected.
-pub fn perform(run: &mut Interpreter, at: usize, mut found: Words) -> Result<Next, Stop> {
+pub fn perform(run: &mut Interpreter, mut found: Words) -> Result<Next, Stop> {
+    let at = found.at;
     let program = Rc::clone(&run.program);
     let block = program.blocks.get(at).filter(|_| found.unread);
     let words = block.map(|block| program.words_of(block)).unwrap_or_default();
@@ -36,17 +33,17 @@ pub fn perform(run: &mut Interpreter, at: usize, mut found: Words) -> Result<Nex
         return Ok(Next::Block);
     }
     let numbered = run.program.grammar().numbered;
-    if numbered && macro_call::function(&found, "G", 65.0).is_some() {
+    if numbered && found.function("G", 65.0).is_some() {
         gcode::apply_beside_macro(run, &mut found)?;
         let entered = macro_call::with_arguments(run, at, &found);
         return entered.map_err(|problem| run.fail(problem));
     }
-    let subprogram = numbered && macro_call::function(&found, "M", 98.0).is_some();
+    let subprogram = numbered && found.function("M", 98.0).is_some();
     gcode::apply(run, &mut found)?;
     if !found.path.stays {
         unread::placed(run, &found.addresses);
     }
-    words::apply(run, &mut found);
+    gcode::settings(run, &mut found);
     tool::apply(run, &found)?;
     let calls = !found.calls.is_empty();
     for address in &found.addresses {
@@ -75,10 +72,10 @@ pub fn perform(run: &mut Interpreter, at: usize, mut found: Words) -> Result<Nex
         let entered = macro_call::with_variables(run, at, &found);
         return entered.map_err(|problem| run.fail(problem));
     }
-    let passes = passes(&found).map_err(|problem| run.fail(problem))?;
-    let mut calls = manner::calls(run, &found).map_err(|problem| run.fail(problem))?;
+    let passes = repeat::passes(found.of("P").next()).map_err(|problem| run.fail(problem))?;
+    let mut calls = subprogram::calls(run, &found).map_err(|problem| run.fail(problem))?;
     if moves && found.path.pole.is_none() && calls.is_empty() {
-        calls.extend(manner::after_motion(run));
+        calls.extend(subprogram::after_motion(run));
     }
     for call in &calls {
         if let Some(next) = carry_out(run, at, call, passes)? {
@@ -107,44 +104,29 @@ enum End {
     Level,
 }
 
-/// How often the block calls its program: `L10 P3`.
-fn passes(found: &Words) -> Result<u32, Problem> {
-    let mut addresses = found.addresses.iter();
-    let Some(address) = addresses.find(|address| address.name == "P") else {
-        return Ok(1);
-    };
-    repeat::count(address.value.number().unwrap_or(f64::NAN), address.span)
-}
-
 /// The NCT macro that a block calls with `G110` or `G65 P9019` (parameters 9041.. give G101.. to O9010.., C:58).
 fn measuring_macro(run: &Interpreter, found: &Words) -> Option<&'static entry::Cycle> {
     if !run.program.grammar().by_address {
         return None;
     }
-    let number = |letter: &str| {
-        found.addresses.iter().filter(|address| address.name == letter).find_map(|address| address.value.number())
-    };
-    let mut codes =
-        found.addresses.iter().filter(|address| address.name == "G").filter_map(|address| address.value.number());
-    if codes.any(|code| code == 65.0) {
-        return catalogue::nct::by_program(number("P")?);
+    if found.function("G", 65.0).is_some() {
+        return catalogue::by_program(found.of("P").find_map(|address| address.value.number())?);
     }
-    let codes =
-        found.addresses.iter().filter(|address| address.name == "G").filter_map(|address| address.value.number());
+    let codes = found.of("G").filter_map(|address| address.value.number());
     codes.filter(|code| *code >= 100.0).find_map(|code| catalogue::find(run.program.dialect, &format!("G{code}")))
 }
 
 /// Whether the G function of a macro stands there for something else, that of another control.
 fn is_foreign(cycle: &'static entry::Cycle, found: &Words) -> bool {
     let names = found.addresses.iter().map(|address| address.name.as_str());
-    macro_call::function(found, "G", 65.0).is_none() && nct::foreign(cycle, names)
+    found.function("G", 65.0).is_none() && cycle.is_foreign(names)
 }
 
 /// M functions that stop, end or turn; the others, and those of another spindle, belong to the machine.
 fn end(run: &mut Interpreter, found: &Words) -> Result<Option<End>, Problem> {
     let grammar = run.program.grammar();
     let mut end = found.leaves.then_some(End::Level);
-    for address in found.addresses.iter().filter(|address| address.name == "M") {
+    for address in found.of("M") {
         let number = address.value.number().unwrap_or(-1.0);
         if let Some(spindle) = address.extension.filter(|spindle| *spindle > 1) {
             let word = format!("M{spindle}={number}");
@@ -179,13 +161,13 @@ fn carry_out(run: &mut Interpreter, at: usize, call: &Call, passes: u32) -> Resu
         return Ok(None);
     }
     if name == "MSG" {
-        statement::message(run, &call.args);
+        of_control::message(run, &call.args);
     } else if name == STORE_ENVIRONMENT {
-        environment::store(run, &call.args, call.span).map_err(|problem| run.fail(problem))?;
+        of_control::store_environment(run, &call.args, call.span).map_err(|problem| run.fail(problem))?;
     } else if name == SET_ALARM {
-        set_alarm::call(run, call)?;
+        of_control::raise(run, call)?;
     } else if name == SWIVEL {
-        swivel::call(run, call)?;
+        of_control::swivel(run, call)?;
     } else if let Some(cycle) = catalogue::find(run.program.dialect, name) {
         cycle::data(run, cycle, call.span)?;
     } else if let Some(unit) = run.programs.named(name).cloned() {

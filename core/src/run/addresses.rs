@@ -49,8 +49,7 @@ pub fn take(run: &mut Interpreter, address: &Address, path: &mut Path) -> Result
             }
         }
         "S" | "T" if address.extension.is_some_and(|spindle| spindle > 1) => {
-            let problem = Problem::new("run-not-simulated", address.span, name);
-            run.tell(Severity::Warning, &problem);
+            run.tell(Severity::Warning, &Problem::new("run-not-simulated", address.span, name));
         }
         "SPOS" | "SPOSA" => spindle(run, address)?,
         "T" => {} // number or name, see `tool`
@@ -60,8 +59,7 @@ pub fn take(run: &mut Interpreter, address: &Address, path: &mut Path) -> Result
         "SF" | "PW" | "SD" | "PL" | "FRC" | "FRCM" => drop(number(address)?),
         "H" => {
             let word = format!("H{}", Datum::Number(number(address)?).shown());
-            let problem = Problem::new("run-machine-function", address.span, word);
-            run.tell(Severity::Note, &problem);
+            run.tell(Severity::Note, &Problem::new("run-machine-function", address.span, word));
         }
         _ if path.stays => {}
         _ => return other(run, address, path),

@@ -1,5 +1,6 @@
 //! Arcs of a program in the working plane: from centre, radius or opening angle.
 
+use super::contour::distance;
 use std::f64::consts::TAU;
 
 /// How far the distances of both ends from the centre may differ, mm.
@@ -81,11 +82,6 @@ fn sweep(difference: f64, counter: bool) -> f64 {
         (false, true) => -TAU,
         (false, false) => positive - TAU,
     }
-}
-
-/// Distance of two points, mm.
-pub fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
-    (a[0] - b[0]).hypot(a[1] - b[1])
 }
 
 /// Direction from a centre to a point, radian.

@@ -12,7 +12,7 @@ use crate::dialect::Dialect;
 use crate::entry::{Cycle, Inputs, ProbeUse, Proposal, Typed};
 use crate::geometry::rigid::angles;
 use crate::geometry::{Mcs, V3, rigid};
-use crate::machine::setup::probe_place;
+use crate::machine::setup::{probe_data, probe_place};
 use crate::machine::trace::Step;
 use crate::machine::{Setup, Sim};
 use crate::message::Message;
@@ -96,17 +96,13 @@ fn machine(setup: &Setup) -> Message {
         (_, true) => "assumed-turning",
         (_, false) => "assumed-milling",
     };
-    let plane = match setup.control.plane {
-        Plane::G17 => "G17",
-        Plane::G18 => "G18",
-        Plane::G19 => "G19",
-    };
-    placed(Message::new("assumed-machine").text("sort", sort).text("plane", plane), setup.position.0)
+    let plane = format!("{:?}", setup.control.plane);
+    placed(Message::new("assumed-machine").text("sort", sort).text("plane", plane), setup.position)
 }
 
 /// With a position, to a thousandth.
-fn placed(message: Message, at: [f64; 3]) -> Message {
-    let names = ["x", "y", "z"].into_iter().zip(at);
+fn placed(message: Message, at: Mcs) -> Message {
+    let names = ["x", "y", "z"].into_iter().zip(at.0);
     names.fold(message, |message, (name, value)| message.number(name, (value * 1e3).round() / 1e3))
 }
 
@@ -175,7 +171,7 @@ impl Made {
                 (true, Some(_)) => "assumed-tool-probe",
             };
             let told = Message::new(key).number("line", f64::from(line + 1));
-            self.told.push(placed(told.text("cycle", inputs.cycle.name), at));
+            self.told.push(placed(told.text("cycle", inputs.cycle.name), Mcs(at)));
         }
     }
 }
@@ -262,12 +258,9 @@ fn grade(mut sim: Sim, inputs: &Inputs) -> Grade {
     let ended = call::perform(&mut sim, inputs).is_ok();
     let steps = || sim.trace.entries.iter().map(|entry| &entry.step);
     let alarms = steps().any(|step| matches!(step, Step::Alarm(_)));
-    let tells = |name: &str| {
-        let field = inputs.cycle.results.iter().find(|field| field.name == name);
-        field.is_some_and(|field| {
-            field.key.starts_with("result-") && field.key.contains("difference") && !field.key.contains("dimensional")
-        })
-    };
+    let difference =
+        |key: &str| key.starts_with("result-") && key.contains("difference") && !key.contains("dimensional");
+    let tells = |name: &str| inputs.cycle.results.iter().any(|field| field.name == name && difference(field.key));
     let differences = steps().filter_map(|step| match step {
         Step::Set { name, after, .. } if tells(name) => Some(after.abs()),
         _ => None,
@@ -295,8 +288,8 @@ impl Interpreter {
         let edges = &mut self.sim.control.tools.entry(tool).or_default().edges;
         if edge > 0 && !edges.contains_key(&edge) {
             let data = match turning {
-                true => Edge { kind: TURNING_TOOL, tip: 3, radius: 0.8, ..probe(turning) },
-                false => Edge { kind: MILL, radius: 5.0, ..probe(turning) },
+                true => Edge { kind: TURNING_TOOL, tip: 3, radius: 0.8, ..probe_data(turning) },
+                false => Edge { kind: MILL, radius: 5.0, ..probe_data(turning) },
             };
             edges.insert(edge, data.clone());
             made.tools.insert((tool, edge), data);
@@ -314,12 +307,14 @@ impl Interpreter {
         let is_probe = [PROBE, LATHE_PROBE].contains(&edge.kind);
         let turning = control.number(TOOL_LENGTH_TYPE) == AS_TURNING_TOOL;
         let data = match (control.make().registers, cycle.purpose.probe) {
-            (true, ProbeUse::Workpiece) if edge.length == [0.0; 3] => Edge { length: [53.0, 0.0, 0.0], ..probe(false) },
-            (false, ProbeUse::Workpiece) if !is_probe => probe(turning),
+            (true, ProbeUse::Workpiece) if edge.length == [0.0; 3] => {
+                Edge { length: [53.0, 0.0, 0.0], ..probe_data(false) }
+            }
+            (false, ProbeUse::Workpiece) if !is_probe => probe_data(turning),
             (false, ProbeUse::Tool) if is_probe || made.tools.contains_key(&(tool, number)) => {
                 let variant = variants::chosen(cycle, typed, control).unwrap_or(0);
                 let needed = cycle.simulation.as_ref().and_then(|simulation| simulation.tool(variant));
-                let mill = Edge { kind: MILL, radius: 5.0, ..probe(turning) };
+                let mill = Edge { kind: MILL, radius: 5.0, ..probe_data(turning) };
                 let needed = needed.map_or(mill, |needed| needed.data);
                 if needed.kind == edge.kind {
                     return; // it may have been corrected since
@@ -339,13 +334,5 @@ impl Interpreter {
         if let Some(made) = &mut self.assumed {
             made.part(&mut self.sim, inputs);
         }
-    }
-}
-
-/// The probe that measures: in the spindle, or in a turret.
-fn probe(turning: bool) -> Edge {
-    match turning {
-        true => Edge { kind: LATHE_PROBE, tip: 7, length: [40.123, 100.456, 0.0], radius: 3.0, ..Edge::default() },
-        false => Edge { kind: PROBE, length: [50.0, 0.0, 0.0], radius: 3.0, ..Edge::default() },
     }
 }

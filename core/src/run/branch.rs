@@ -8,7 +8,7 @@ use super::{expression, locals, names};
 use crate::diagnostic::Span;
 use crate::problem::Problem;
 use crate::syntax::links::{Link, canonical};
-use crate::syntax::tree::{Expr, ExprId, WordKind};
+use crate::syntax::tree::{Expr, ExprId, Word, WordKind};
 use std::rc::Rc;
 
 /// The last word that belongs to a control structure in a block that is left by a jump behind it.
@@ -17,13 +17,12 @@ const ENDS_OF_STRUCTURE: [&str; 8] = ["ELSE", "ENDIF", "ENDWHILE", "ENDFOR", "EN
 /// `IF` with a jump (or NCT `THEN`) decides over the rest of the block, else over the blocks up to `ELSE` or `ENDIF`.
 pub fn condition(
     run: &mut Interpreter,
-    at: usize,
     place: Span,
     value: Option<ExprId>,
     found: &mut Words,
 ) -> Result<bool, Problem> {
     let holds = truth(run, place, value)?;
-    match run.link(at) {
+    match run.link(found.at) {
         Some(Link::If(other)) if !holds => {
             found.next = Some(behind(run, other)?);
             Ok(false)
@@ -43,17 +42,15 @@ fn truth(run: &Interpreter, place: Span, value: Option<ExprId>) -> Result<bool, 
 /// Loops and the parts of `IF`.
 pub fn structure(
     run: &mut Interpreter,
-    at: usize,
-    name: &str,
     place: Span,
     value: Option<ExprId>,
     found: &mut Words,
 ) -> Result<bool, Problem> {
-    let link = run.link(at);
+    let (link, name) = (run.link(found.at), run.program.name(place));
     if link == Some(Link::Alone) || (link.is_none() && name != "TO") {
         return Err(Problem::new("run-unmatched", place, name));
     }
-    match (name, link) {
+    match (&*name, link) {
         ("WHILE", Some(Link::Begin(end))) if !truth(run, place, value)? => {
             found.next = Some(behind(run, end)?);
             return Ok(false);
@@ -65,7 +62,7 @@ pub fn structure(
                 return Ok(false);
             }
         }
-        ("ELSE", Some(Link::Else(_))) => drop(behind(run, at)?),
+        ("ELSE", Some(Link::Else(_))) => drop(behind(run, found.at)?),
         ("ENDWHILE" | "ENDLOOP" | "END", Some(Link::End(begin))) => found.next = Some(Next::Jump(begin)),
         ("UNTIL", Some(Link::End(begin))) if !truth(run, place, value)? => {
             found.next = Some(Next::Jump(begin + 1));
@@ -98,10 +95,7 @@ fn again(run: &mut Interpreter, begin: usize) -> Result<Option<Next>, Problem> {
         }
     }
     let inside = counter.zip(last).is_some_and(|(counter, last)| counter <= last);
-    match inside {
-        true => behind(run, begin).map(Some),
-        false => Ok(None),
-    }
+    inside.then(|| behind(run, begin)).transpose()
 }
 
 /// The block behind one of a control structure, of which the words behind the structure's own would be passed over:
@@ -112,26 +106,23 @@ pub fn behind(run: &Interpreter, block: usize) -> Result<Next, Problem> {
     let last = words.iter().rposition(|word| run.program.is_keyword(word, &ENDS_OF_STRUCTURE));
     match last.and_then(|last| words.get(last + 1)) {
         None => Ok(Next::Jump(block + 1)),
-        Some(word) => {
-            let text = String::from_utf8_lossy(run.program.text(word.span));
-            Err(Problem::new("run-alone", word.span, text))
-        }
+        Some(word) => Err(not_alone(run, word)),
     }
 }
 
+/// A word that needs a block of its own.
+pub fn not_alone(run: &Interpreter, word: &Word) -> Problem {
+    Problem::new("run-alone", word.span, String::from_utf8_lossy(run.program.text(word.span)))
+}
+
 /// Block of a jump target; none for GOTOC without target.
-pub fn jump(
-    run: &Interpreter,
-    at: usize,
-    word: &str,
-    place: Span,
-    value: Option<ExprId>,
-) -> Result<Option<usize>, Problem> {
+pub fn jump(run: &Interpreter, place: Span, value: Option<ExprId>, at: usize) -> Result<Option<usize>, Problem> {
+    let word = run.program.name(place);
     let target = value.map(|id| target(run, id)).transpose()?.unwrap_or_default();
     let blocks = places(run, &target);
     let forward = blocks.iter().copied().find(|block| *block > at);
     let backward = blocks.iter().copied().rfind(|block| *block <= at);
-    let found = match word {
+    let found = match &*word {
         "GOTOF" => forward,
         "GOTOB" => backward,
         _ => forward.or(backward),

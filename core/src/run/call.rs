@@ -1,13 +1,26 @@
-//! One measuring call on the machine, with its begin, its end and the alarm that stops it.
+//! One measuring call on the machine, with its begin, its end and the alarm that stops it; and what it would do.
 
-use crate::catalogue::sinumerik::results;
+use super::Outcome;
 use crate::check::upkeep;
 use crate::diagnostic::Code;
-use crate::entry::{Inputs, ProbeUse};
-use crate::machine::Stop;
+use crate::entry::{Cycle, Inputs, ProbeUse};
 use crate::machine::sim::Sim;
 use crate::machine::trace::Step;
+use crate::machine::{Setup, Stop};
 use crate::message::Message;
+
+/// Entries of a trace after which a call of a form is given up: what it does is asked at every keystroke. The longest
+/// scan that a form follows has a third of them.
+const STEPS: usize = 5000;
+
+/// What one call would do, without a program, from where the machine stands. `inputs.cycle` is the cycle; naming it
+/// again keeps callers honest.
+pub fn predict(cycle: &'static Cycle, inputs: &Inputs, setup: &Setup) -> Outcome {
+    let mut sim = Sim::new(setup);
+    sim.trace_limit = STEPS;
+    let stop = perform(&mut sim, &Inputs { cycle, ..inputs.clone() }).err();
+    Outcome::left_by(sim, setup, stop)
+}
 
 /// Carries out a checked call; its begin, its end and the alarm that stops it are recorded.
 pub fn perform(sim: &mut Sim, inputs: &Inputs) -> Result<(), Stop> {
@@ -30,7 +43,7 @@ pub fn perform(sim: &mut Sim, inputs: &Inputs) -> Result<(), Stop> {
         return alarm(sim, code);
     }
     if outcome.is_ok() {
-        results::screen(sim, inputs.cycle);
+        upkeep::screen(sim, inputs.cycle);
         sim.note(Step::CallEnd);
     }
     outcome

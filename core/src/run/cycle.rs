@@ -3,14 +3,11 @@
 use super::interpret::Interpreter;
 use super::statement::Words;
 use super::{call, contour, unread, user_program};
-use crate::catalogue::nct;
-use crate::catalogue::sinumerik::results;
 use crate::check::{Checked, upkeep};
 use crate::control::Value;
 use crate::diagnostic::{Code, Diagnostic, Severity, Span};
 use crate::entry::{Cycle, Kind, ProbeUse, Typed};
-use crate::machine::Stop;
-use crate::message::Message;
+use crate::machine::{Machine, Stop};
 use crate::problem::Problem;
 use crate::program::user_programs::{BEFORE, BEHIND};
 use crate::{check, own};
@@ -20,9 +17,7 @@ pub fn data(run: &mut Interpreter, cycle: &'static Cycle, span: Span) -> Result<
     let mut typed = Typed::new();
     for param in cycle.params {
         let text = match run.sim.control.data.get(param.name.as_str()) {
-            Some(Value::Number(value)) if !matches!(param.kind, Kind::Text(_)) => {
-                format!("{value}")
-            }
+            Some(Value::Number(value)) if !matches!(param.kind, Kind::Text(_)) => format!("{value}"),
             Some(Value::Text(text)) if !text.is_empty() => check::typed_text(text),
             _ => continue,
         };
@@ -57,7 +52,7 @@ fn with_zeros(run: &Interpreter, cycle: &'static Cycle, mut typed: Typed) -> Che
 /// NCT: every address of the block is an argument.
 pub fn addresses(run: &mut Interpreter, cycle: &'static Cycle, found: &Words) -> Result<(), Stop> {
     let mut typed = Typed::new();
-    let by_number = found.addresses.iter().any(|address| address.name == "G" && address.value.number() == Some(65.0));
+    let by_number = found.function("G", 65.0).is_some();
     for address in &found.addresses {
         let name = address.name.as_str();
         if matches!(name, "G" | "N" | "O") || (by_number && name == "P") {
@@ -68,8 +63,7 @@ pub fn addresses(run: &mut Interpreter, cycle: &'static Cycle, found: &Words) ->
             _ => run.tell(Severity::Error, &Problem::new("run-unknown-word", address.span, name)),
         }
     }
-    let incremental = f64::from(u8::from(!run.modal.absolute));
-    run.sim.control.set(nct::INCREMENTAL, incremental);
+    run.sim.control.incremental = !run.modal.absolute;
     checked(run, cycle, &typed, found.path.span)
 }
 
@@ -87,11 +81,11 @@ fn count(run: &mut Interpreter, span: Span) -> Result<(), Stop> {
     let called = run.levels.last().map_or(0, |level| level.call);
     let count = run.calls.entry((called, run.at)).or_default();
     *count += 1;
-    if *count <= run.most_calls {
+    if *count <= run.limits.calls {
         return Ok(());
     }
-    let message = Message::new("run-repeated").number("limit", run.most_calls as f64);
-    Err(run.fail(Problem { span, message }))
+    let limit = run.limits.calls as f64;
+    Err(run.fail(Problem::at("run-repeated", span).number("limit", limit)))
 }
 
 /// The alarm of the first error stops the program, as on the control; other errors are a fault.
@@ -143,8 +137,7 @@ pub fn carry_out(run: &mut Interpreter, cycle: &'static Cycle, checked: Checked,
 
 /// The number of the alarm is a result of the cycle also where it refuses what it was given (B:5699).
 fn leave_number(run: &mut Interpreter, cycle: &'static Cycle, code: Code) {
-    let is_result = cycle.results.iter().any(|field| field.name == results::ALARM);
-    if let (true, Code::Alarm(number)) = (is_result, code) {
-        results::set(&mut run.sim, results::ALARM, f64::from(number));
+    if let (Some(result), Code::Alarm(number)) = (cycle.alarm_result(), code) {
+        run.sim.write(result.name, f64::from(number));
     }
 }

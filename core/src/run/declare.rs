@@ -68,13 +68,8 @@ pub fn declare(
     if matches!(before, Some(Local::Own(old)) if old.place != name) {
         run.tell(Severity::Error, &Problem::new("run-declared-twice", name, &*key));
     }
-    match first {
-        Some(first) => {
-            let value = expression::evaluate(run, first)?;
-            names::write(run, &key, &value, name)
-        }
-        None => Ok(()),
-    }
+    let value = first.map(|first| expression::evaluate(run, first)).transpose()?;
+    value.map_or(Ok(()), |value| names::write(run, &key, &value, name))
 }
 
 /// A variable of these sizes; making it is work that counts.
@@ -85,9 +80,8 @@ pub fn variable(run: &mut Interpreter, name: Span, kind: Type, sizes: &[ExprId])
         let size = expression::number(run, *size)?;
         total *= size.trunc();
         if !(size >= 1.0 && total <= ELEMENTS) {
-            let mut problem = Problem::new("run-array-size", name, run.program.name(name));
-            problem.message = problem.message.number("limit", ELEMENTS);
-            return Err(problem);
+            let problem = Problem::new("run-array-size", name, run.program.name(name));
+            return Err(problem.number("limit", ELEMENTS));
         }
         counts.push(size as usize);
     }

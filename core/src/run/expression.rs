@@ -3,6 +3,7 @@
 use super::datum::Datum;
 use super::interpret::Interpreter;
 use super::{function, macro_variables, names};
+use crate::control::Frame;
 use crate::diagnostic::Span;
 use crate::problem::Problem;
 use crate::syntax::tree::{Expr, ExprId, Operator};
@@ -85,11 +86,11 @@ fn binary(run: &Interpreter, left: ExprId, operator: Operator, right: ExprId) ->
             }
             return Ok(Datum::Frame(Box::new(chain(outer, inner))));
         }
-        (_, Datum::Text(_), Datum::Text(_) | Datum::Char(_)) | (_, Datum::Char(_), Datum::Text(_)) => {
-            return texts(operator, &a.shown(), &b.shown()).ok_or_else(|| wrong(run, left));
-        }
-        (_, Datum::Word(a), Datum::Word(b)) => {
-            return texts(operator, a, b).ok_or_else(|| wrong(run, left));
+        (_, Datum::Text(_), Datum::Text(_) | Datum::Char(_))
+        | (_, Datum::Char(_), Datum::Text(_))
+        | (_, Datum::Word(_), Datum::Word(_)) => {
+            let (a, b) = (a.shown(), b.shown());
+            return compared(operator, a == b, a, b).ok_or_else(|| wrong(run, left));
         }
         _ => {}
     }
@@ -110,13 +111,19 @@ fn binary(run: &Interpreter, left: ExprId, operator: Operator, right: ExprId) ->
     }
 }
 
-/// Difference of numbers that count as equal, as a part of the larger one (Job planning 03/2006, 1.7: 10^-12).
+/// Difference of numbers that count as equal, as a part of the larger one (Job planning 03/2006, 1.7: 10^-12). So
+/// comparisons of a SINUMERIK take them, with `<` and `>` too: MD10280 bit 0, which would change that, is 0 as
+/// delivered.
 const SAME: f64 = 1e-12;
 
-/// Comparisons in which almost equal numbers are equal, with `<` and `>` too: MD10280 bit 0, which would change that,
-/// is 0 as delivered.
-pub fn compared(operator: Operator, a: f64, b: f64) -> Option<Datum> {
+/// A comparison of numbers of which almost equal ones are equal.
+pub fn nearly(operator: Operator, a: f64, b: f64) -> Option<Datum> {
     let same = (a - b).abs() <= SAME * a.abs().max(b.abs());
+    compared(operator, same, a, b)
+}
+
+/// A comparison of two values, of which is known whether they are the same and which is the greater one.
+fn compared<T: PartialOrd>(operator: Operator, same: bool, a: T, b: T) -> Option<Datum> {
     Some(Datum::from(match operator {
         Operator::Equal => same,
         Operator::NotEqual => !same,
@@ -140,25 +147,13 @@ pub fn bits(operator: Operator) -> Option<Operator> {
 
 /// A fine translation stays one as long as nothing is turned or scaled before it, so that `CTRANS(…):CFINE(…)` keeps
 /// both parts.
-fn chain(outer: &crate::control::Frame, inner: &crate::control::Frame) -> crate::control::Frame {
+fn chain(outer: &Frame, inner: &Frame) -> Frame {
     let mut frame = outer.then(inner);
     if outer.rotation == [0.0; 3] && !outer.scaled() && outer.mirror == [false; 3] {
         frame.fine = std::array::from_fn(|i| outer.fine[i] + inner.fine[i]);
         frame.coarse = std::array::from_fn(|i| outer.coarse[i] + inner.coarse[i]);
     }
     frame
-}
-
-fn texts(operator: Operator, a: &str, b: &str) -> Option<Datum> {
-    Some(Datum::from(match operator {
-        Operator::Equal => a == b,
-        Operator::NotEqual => a != b,
-        Operator::Less => a < b,
-        Operator::LessEqual => a <= b,
-        Operator::Greater => a > b,
-        Operator::GreaterEqual => a >= b,
-        _ => return None,
-    }))
 }
 
 pub fn numbers(operator: Operator, a: f64, b: f64) -> Option<Datum> {
@@ -180,15 +175,9 @@ pub fn numbers(operator: Operator, a: f64, b: f64) -> Option<Datum> {
 
 fn truths(operator: Operator, a: f64, b: f64) -> Option<Datum> {
     Some(Datum::from(match operator {
-        Operator::Equal => a == b,
-        Operator::NotEqual => a != b,
-        Operator::Less => a < b,
-        Operator::LessEqual => a <= b,
-        Operator::Greater => a > b,
-        Operator::GreaterEqual => a >= b,
         Operator::And => a != 0.0 && b != 0.0,
         Operator::Or => a != 0.0 || b != 0.0,
         Operator::Xor => (a != 0.0) != (b != 0.0),
-        _ => return None,
+        _ => return compared(operator, a == b, a, b),
     }))
 }

@@ -3,10 +3,9 @@
 use super::datum::Datum;
 use super::expression::{evaluate, list};
 use super::interpret::Interpreter;
-use super::texts;
 use crate::control::Frame;
 use crate::control::rotary::ROTARY;
-use crate::control::variables::set_component;
+use crate::control::variables::{AXES, set_component};
 use crate::diagnostic::Span;
 use crate::problem::Problem;
 use crate::syntax::tree::ExprId;
@@ -28,7 +27,7 @@ pub fn call(run: &Interpreter, place: Span, args: &[ExprId]) -> Result<Datum, Pr
     if let Some(frame) = frame(run, &name, &values) {
         return frame.map(|frame| Datum::Frame(Box::new(frame))).ok_or_else(refused);
     }
-    if let Some(value) = texts::call(&name, &values) {
+    if let Some(value) = of_texts(&name, &values) {
         return Ok(value);
     }
     let numbers: Vec<f64> = values.iter().filter_map(Datum::number).collect();
@@ -149,4 +148,56 @@ fn mirrored(values: &[Datum]) -> Option<Frame> {
         set_component(&mut frame, axis, "MI", 1.0).then_some(())?;
     }
     Some(frame)
+}
+
+/// Value of a function of texts, in which places count from 0; none: it is another function, or these are no values
+/// for it.
+fn of_texts(name: &str, values: &[Datum]) -> Option<Datum> {
+    Some(match (name, values) {
+        ("STRLEN", [Datum::Text(text)]) => Datum::Number(text.chars().count() as f64),
+        ("TOUPPER", [Datum::Text(text)]) => Datum::Text(text.to_uppercase()),
+        ("TOLOWER", [Datum::Text(text)]) => Datum::Text(text.to_lowercase()),
+        ("ISNUMBER", [Datum::Text(text)]) => Datum::from(number(text).is_some()),
+        ("NUMBER", [Datum::Text(text)]) => Datum::Number(number(text)?),
+        ("INDEX", [Datum::Text(text), wanted]) => {
+            let wanted = wanted.character()?;
+            place(text.chars().position(|character| character == wanted))
+        }
+        ("RINDEX", [Datum::Text(text), wanted]) => {
+            let wanted = wanted.character()?;
+            let found = text.chars().enumerate().filter(|(_, c)| *c == wanted);
+            place(found.last().map(|(at, _)| at))
+        }
+        ("MINDEX", [Datum::Text(text), Datum::Text(any)]) => {
+            place(text.chars().position(|character| any.contains(character)))
+        }
+        ("MATCH", [Datum::Text(text), Datum::Text(part)]) => {
+            let before = text.find(part.as_str()).and_then(|at| text.get(..at));
+            place(before.map(|before| before.chars().count()))
+        }
+        ("SUBSTR", [Datum::Text(text), Datum::Number(from)]) => Datum::Text(text.chars().skip(whole(*from)?).collect()),
+        ("SUBSTR", [Datum::Text(text), Datum::Number(from), Datum::Number(length)]) => {
+            let rest = text.chars().skip(whole(*from)?);
+            Datum::Text(rest.take(whole(*length)?).collect())
+        }
+        ("AXNAME", [Datum::Text(text)]) => {
+            let name = text.to_ascii_uppercase();
+            AXES.contains(&name.as_str()).then_some(Datum::Word(name))?
+        }
+        ("AXSTRING", [Datum::Word(name)]) => Datum::Text(name.clone()),
+        _ => return None,
+    })
+}
+
+fn number(text: &str) -> Option<f64> {
+    text.trim().parse().ok().filter(|value: &f64| value.is_finite())
+}
+
+/// A place, -1 where nothing was found.
+fn place(found: Option<usize>) -> Datum {
+    Datum::Number(found.map_or(-1.0, |at| at as f64))
+}
+
+fn whole(number: f64) -> Option<usize> {
+    (number >= 0.0).then_some(number as usize)
 }

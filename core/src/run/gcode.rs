@@ -1,4 +1,4 @@
-//! G functions: motion, plane, frames, units, absolute and incremental.
+//! G functions: motion, plane, frames, units, absolute and incremental; and words without a value that set something.
 
 use super::contour::Outside;
 use super::interpret::Interpreter;
@@ -10,6 +10,7 @@ use crate::control::Plane;
 use crate::diagnostic::Severity;
 use crate::machine::Stop;
 use crate::problem::Problem;
+use crate::program::words::{Setting, setting};
 
 /// Applies the G functions of a block.
 pub fn apply(run: &mut Interpreter, found: &mut Words) -> Result<(), Stop> {
@@ -21,14 +22,28 @@ pub fn apply_beside_macro(run: &mut Interpreter, found: &mut Words) -> Result<()
     some(run, found, |code| code < 100.0 && code != 65.0)
 }
 
+/// Takes the settings of a block.
+pub fn settings(run: &mut Interpreter, found: &mut Words) {
+    for call in &found.calls {
+        match setting(&call.name) {
+            Some(Setting::Suppress) => found.path.suppress = Suppress::All,
+            Some(Setting::Transverse(transverse)) => run.sim.control.transverse = transverse,
+            Some(Setting::Through) => run.modal.motion = Motion::Through,
+            Some(Setting::Spline) => {
+                run.modal.motion = Motion::Spline;
+                run.tell(Severity::Warning, &Problem::new("run-spline", call.span, &*call.name));
+            }
+            Some(Setting::Approach) => {
+                run.tell(Severity::Note, &Problem::new("run-contour-approach", call.span, &*call.name));
+            }
+            Some(Setting::EndOfSpline) | None => {}
+        }
+    }
+}
+
 fn some(run: &mut Interpreter, found: &mut Words, counts: impl Fn(f64) -> bool) -> Result<(), Stop> {
-    let codes: Vec<_> = found
-        .addresses
-        .iter()
-        .filter(|address| address.name == "G")
-        .filter_map(|address| address.value.number().map(|number| (number, address.span)))
-        .filter(|(number, _)| counts(*number))
-        .collect();
+    let codes = found.of("G").filter_map(|address| Some((address.value.number()?, address.span)));
+    let codes: Vec<_> = codes.filter(|(number, _)| counts(*number)).collect();
     for (number, span) in codes {
         if let Some(instead) = (run.rules().instead)(number) {
             let problem = Problem::new("run-not-simulated", span, format!("G{number}"));
@@ -81,9 +96,10 @@ fn one(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
         2 => run.modal.motion = Motion::Clockwise,
         3 => run.modal.motion = Motion::Counter,
         4 => found.path.dwell = true,
-        17 => run.sim.with_length(|control| control.plane = Plane::G17),
-        18 => run.sim.with_length(|control| control.plane = Plane::G18),
-        19 => run.sim.with_length(|control| control.plane = Plane::G19),
+        17..=19 => {
+            let plane = Plane::of(code);
+            run.sim.with_length(|control| control.plane = plane.unwrap_or(control.plane));
+        }
         40 => run.modal.compensation = Compensation::Off,
         41 => run.modal.compensation = Compensation::Left,
         42 => run.modal.compensation = Compensation::Right,
@@ -125,9 +141,7 @@ pub fn sinumerik(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
 
 pub fn nct(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
     match code {
-        31 => {
-            found.path.measure = Some(Measure { input: 1, goes_on: false });
-        }
+        31 => found.path.measure = Some(Measure { input: 1, goes_on: false }),
         43 => {}
         49 => run.sim.with_length(|control| control.edge = 0),
         58 | 59 => run.sim.control.activate(usize::from(code) - 53),

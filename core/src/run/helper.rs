@@ -40,10 +40,7 @@ fn values(run: &Interpreter, cycle: &'static Cycle, list: &ArgumentList, call: &
                     typed.insert(name.to_owned(), value.exact());
                 }
             }
-            Arg::Param(name) => {
-                let value = call.args.get(index).and_then(Option::as_ref);
-                typed.extend(value.map(|value| (name.to_string(), value.exact())));
-            }
+            Arg::Param(name) => typed.extend(call.arg(index).map(|value| (name.to_string(), value.exact()))),
             _ => {}
         }
     }

@@ -58,16 +58,14 @@ fn positioning(
     let name = axis_name(run, index)?;
     let linear = AXES.contains(&name.as_str());
     if !linear && run.sim.control.rotary_axis(&name).is_none() {
-        let problem = Problem::new("run-not-simulated", span, name);
-        run.tell(Severity::Warning, &problem);
+        run.tell(Severity::Warning, &Problem::new("run-not-simulated", span, name));
         return Ok(());
     }
     let (mode, value) = meant(run, value)?;
     let address = Address { name, extension: None, mode, value, span };
     match linear {
         true => {
-            let problem = Problem::new("run-positioning", span, &*address.name);
-            run.tell(Severity::Note, &problem);
+            run.tell(Severity::Note, &Problem::new("run-positioning", span, &*address.name));
             found.positioning.push(address);
         }
         false => found.addresses.push(address),

@@ -72,8 +72,8 @@ pub struct Interpreter {
     pub links: Links,
     /// Programs in the same text.
     pub programs: Programs,
-    /// Levels of subprograms allowed.
-    pub depth: usize,
+    /// When the run is given up.
+    pub limits: Limits,
     /// Skip levels that are switched on.
     pub skip: BTreeSet<u8>,
     /// Work so far, in blocks; see [`Limits::steps`].
@@ -90,10 +90,6 @@ pub struct Interpreter {
     pub heavy: BTreeSet<(usize, usize)>,
     /// How often the measuring calls were carried out, by the blocks of the call of their program and of their own.
     pub calls: BTreeMap<(usize, usize), usize>,
-    /// How often one of them may be.
-    pub most_calls: usize,
-    /// Work after which the run is given up.
-    pub limit: usize,
     /// What words that could not be read would have written.
     pub unread: Unread,
     /// What reading found in the blocks.
@@ -175,19 +171,12 @@ impl Session {
 
     /// What came out so far; a run that was halted says so.
     pub fn outcome(self) -> Outcome {
-        let mut outcome = Outcome::new(&self.before);
-        outcome.stop = match self.ended {
+        let stop = match self.ended {
             Some(ended) => ended.err(),
             None => Some(Stop::Fault(Message::new("run-cancelled"))),
         };
-        outcome.control = self.run.sim.control;
-        outcome.position = self.run.sim.position;
-        outcome.trace = self.run.sim.trace;
-        outcome.scans = self.run.sim.scans;
-        outcome.diagnostics = self.run.diagnostics;
-        outcome.passed_over = self.run.passed;
-        outcome.line = self.run.sim.line.map(|line| line + 1);
-        outcome
+        let Interpreter { sim, diagnostics, passed: passed_over, .. } = self.run;
+        Outcome { diagnostics, passed_over, ..Outcome::left_by(sim, &self.before, stop) }
     }
 }
 
@@ -202,13 +191,10 @@ pub fn one_block(run: &mut Interpreter) -> Result<Option<()>, Stop> {
 }
 
 fn next_block(run: &mut Interpreter) -> Result<Option<()>, Stop> {
-    let limit = run.limit;
-    let at = run.at;
+    let (limit, at) = (run.limits.steps, run.at);
     let span = run.program.blocks.get(at).map(|block| block.span);
     if run.work >= limit {
-        let message = Message::new("run-steps").number("limit", limit as f64);
-        let span = span.unwrap_or_default();
-        return Err(run.fail(Problem { span, message }));
+        return Err(run.fail(Problem::at("run-steps", span.unwrap_or_default()).number("limit", limit as f64)));
     }
     let own = run.levels.last().is_some_and(|level| level.blocks.contains(&at));
     let (Some(span), true) = (span, own) else {
@@ -227,12 +213,12 @@ fn next_block(run: &mut Interpreter) -> Result<Option<()>, Stop> {
     if let Next::Jump(to) = next {
         repeat::jumped(run, to);
     }
-    run.recordable(span)?;
+    run.sim.room().map_err(|stop| run.stopped(stop, span))?; // a program that only computes never asks the machine
     let end = go_on(run, |_| next);
     let back = run.at <= at && run.levels.len() == depth;
     if end.is_none() && back && endless::again(run) {
-        let message = Message::new("run-endless").number("line", (run.at + 1) as f64);
-        return Err(run.fail(Problem { span, message }));
+        let line = (run.at + 1) as f64;
+        return Err(run.fail(Problem::at("run-endless", span).number("line", line)));
     }
     Ok(end)
 }
@@ -263,14 +249,13 @@ impl Interpreter {
         sim.point_limit = crate::scan::POINTS;
         let modal = Modal::start(Rules::of(program.dialect).motion, sim.control.data_factor());
         let programs = programs::programs(&program);
-        let main = programs.units.first().map(|unit| unit.blocks.clone());
-        let main = main.unwrap_or_default();
+        let main = programs.units.first().map_or(0..0, |unit| unit.blocks.clone());
         Interpreter {
             programmed: motion::standing(&sim),
             sim,
             modal,
             at: main.start,
-            levels: vec![Level::main(main)],
+            levels: vec![Level::new(main, 0)],
             shared: Locals::new(),
             measured: BTreeMap::new(),
             contour: None,
@@ -278,7 +263,7 @@ impl Interpreter {
             targets: flow::targets(&program),
             links: flow::links(&program, &programs),
             programs,
-            depth: limits.depth,
+            limits,
             skip: setup.skip.clone(),
             work: 0,
             clocks: [0.0; 2],
@@ -286,8 +271,6 @@ impl Interpreter {
             endless: Watch::default(),
             heavy: BTreeSet::new(),
             calls: BTreeMap::new(),
-            most_calls: limits.calls,
-            limit: limits.steps,
             unread: Unread::new(),
             errors: unread::errors(&program),
             assumed: None,
@@ -300,8 +283,7 @@ impl Interpreter {
     /// Part of the main program that lies before the block that comes next, or before the call that has not returned.
     fn reached(&self) -> f64 {
         let at = self.levels.get(1).map_or(self.at, |called| called.call);
-        let main = self.levels.first().map(|main| main.blocks.clone());
-        let main = main.unwrap_or_default();
+        let main = self.levels.first().map_or(0..0, |main| main.blocks.clone());
         (at.saturating_sub(main.start) as f64 / main.len().max(1) as f64).min(1.0)
     }
 
@@ -310,7 +292,7 @@ impl Interpreter {
     pub fn tell(&mut self, severity: Severity, problem: &Problem) {
         let told = self.tell_once(problem.diagnostic(severity));
         if let (true, Some(word)) = (told, problem.passed_over()) {
-            self.passed_over(PassedOver { word: word.to_owned(), line: self.program.line_of(problem.span.start) + 1 });
+            self.pass_over(word.to_owned(), problem.span);
         }
     }
 
@@ -318,14 +300,13 @@ impl Interpreter {
     pub fn tell_once(&mut self, found: Diagnostic) -> bool {
         let place = found.span.unwrap_or_default().start;
         let new = self.seen.insert((place, found.message.key.to_string()));
-        if new {
-            self.diagnostics.push(found);
-        }
+        self.diagnostics.extend(new.then_some(found));
         new
     }
 
     /// Something of the program that is not carried out, each once.
-    pub fn passed_over(&mut self, passed: PassedOver) {
+    pub fn pass_over(&mut self, word: String, place: Span) {
+        let passed = PassedOver { word, line: self.program.line_of(place.start) + 1 };
         if self.passed.len() < MOST_PASSED && !self.passed.contains(&passed) {
             self.passed.push(passed);
         }
@@ -342,11 +323,6 @@ impl Interpreter {
         Stop::Fault(problem.message)
     }
 
-    /// Whether the trace takes more; a program that only computes never asks the machine.
-    fn recordable(&mut self, span: Span) -> Result<(), Stop> {
-        self.sim.room().map_err(|stop| self.stopped(stop, span))
-    }
-
     /// A stop of the machine, with a finding at the place that caused it.
     pub fn stopped(&mut self, stop: Stop, span: Span) -> Stop {
         let (message, code, hint) = match &stop {
@@ -356,11 +332,7 @@ impl Interpreter {
                 (Message::new("run-alarm"), *code, Some(cure))
             }
         };
-        let key = message.key.to_string();
-        let diagnostic = Diagnostic { code, hint, ..Problem { span, message }.diagnostic(Severity::Error) };
-        if self.seen.insert((span.start, key)) {
-            self.diagnostics.push(diagnostic);
-        }
+        self.tell_once(Diagnostic { code, hint, ..Problem { span, message }.diagnostic(Severity::Error) });
         stop
     }
 

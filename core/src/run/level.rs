@@ -7,7 +7,6 @@ use super::repeat::Repetition;
 use super::statement::Call;
 use crate::control::{Frame, Plane, Units};
 use crate::diagnostic::Span;
-use crate::message::Message;
 use crate::problem::Problem;
 use std::ops::Range;
 
@@ -53,12 +52,12 @@ pub struct Saved {
 }
 
 impl Level {
-    /// The main program.
-    pub fn main(blocks: Range<usize>) -> Level {
+    /// A program that a block calls once; the main program as if its first one did.
+    pub fn new(blocks: Range<usize>, call: usize) -> Level {
         Level {
             locals: Locals::new(),
             blocks,
-            call: 0,
+            call,
             left: 0,
             repeats: Vec::new(),
             variables: Variables::Own,
@@ -71,11 +70,10 @@ impl Level {
 /// Whether one more level fits.
 pub fn room(run: &Interpreter, place: Span) -> Result<(), Problem> {
     let repeats: usize = run.levels.iter().map(|level| level.repeats.len()).sum();
-    if run.levels.len() + repeats <= run.depth {
+    if run.levels.len() + repeats <= run.limits.depth {
         return Ok(());
     }
-    let message = Message::new("run-depth").number("limit", run.depth as f64);
-    Err(Problem { span: place, message })
+    Err(Problem::at("run-depth", place).number("limit", run.limits.depth as f64))
 }
 
 /// What is in force now.

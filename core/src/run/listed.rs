@@ -4,8 +4,7 @@ use super::datum::Datum;
 use super::interpret::Interpreter;
 use super::statement::Call;
 use super::{cycle, helper, unread};
-use crate::catalogue;
-use crate::catalogue::{CYCLES, list};
+use crate::catalogue::{CYCLES, find, list};
 use crate::check::{Sort, listed, newer};
 use crate::control::Value;
 use crate::diagnostic::{Diagnostic, Severity, Span};
@@ -20,9 +19,8 @@ pub fn call(run: &mut Interpreter, call: &Call) -> Result<bool, Stop> {
     if call.name == AUXILIARY {
         return auxiliary(run, call);
     }
-    let number = |index: usize| call.args.get(index)?.as_ref()?.number();
-    let listed = list::called(run.program.dialect, &call.name, call.args.len(), number);
-    let Some((cycle, list)) = listed else {
+    let number = |index: usize| call.arg(index)?.number();
+    let Some((cycle, list)) = list::called(run.program.dialect, &call.name, call.args.len(), number) else {
         return without(run, call);
     };
     if let Some(finding) = refused(cycle, Some(list), call) {
@@ -34,10 +32,8 @@ pub fn call(run: &mut Interpreter, call: &Call) -> Result<bool, Stop> {
     }
     let values = values(cycle, list, call);
     if list.style == Style::Operate {
-        let typed: Typed = values
-            .iter()
-            .filter_map(|(name, value)| Some((name.to_string(), Datum::from(value.as_ref()?).exact())))
-            .collect();
+        let typed = values.iter().filter_map(|(name, value)| Some((name, Datum::from(value.as_ref()?).exact())));
+        let typed: Typed = typed.map(|(name, value)| (name.to_string(), value)).collect();
         newer_list(run, cycle, list, &typed, call.span)?;
         return Ok(true);
     }
@@ -58,25 +54,15 @@ pub fn call(run: &mut Interpreter, call: &Call) -> Result<bool, Stop> {
 
 /// A call whose arguments are of no list.
 fn without(run: &mut Interpreter, call: &Call) -> Result<bool, Stop> {
-    let number = |index: usize| at(call, index).map_or(Some(0.0), Datum::number);
-    let cycle = catalogue::find(run.program.dialect, &call.name);
+    let cycle = find(run.program.dialect, &call.name);
     let many = cycle.and_then(|cycle| refused(cycle, None, call));
-    let count = listed::count(&call.args);
-    let finding = many.or_else(|| catalogue::list::unmatched(&call.name, count, number));
-    match finding {
-        Some(finding) => Err(stopped(run, call, &call.name, finding)),
-        None => Ok(false),
-    }
-}
-
-fn at(call: &Call, index: usize) -> Option<&Datum> {
-    call.args.get(index).and_then(Option::as_ref)
+    let unmatched = || list::unmatched(&call.name, listed::count(&call.args), |index| call.number(index));
+    many.or_else(unmatched).map_or(Ok(false), |finding| Err(stopped(run, call, &call.name, finding)))
 }
 
 /// Why the control refuses the arguments.
 fn refused(cycle: &'static Cycle, list: Option<&'static ArgumentList>, call: &Call) -> Option<Diagnostic> {
-    let number = |index: usize| at(call, index).map_or(Some(0.0), Datum::number);
-    let found = listed::refused(cycle, list, listed::count(&call.args), number);
+    let found = listed::refused(cycle, list, listed::count(&call.args), |index| call.number(index));
     found.or_else(|| of_wrong_sort(cycle, list?, call))
 }
 
@@ -86,7 +72,7 @@ fn of_wrong_sort(cycle: &'static Cycle, list: &ArgumentList, call: &Call) -> Opt
         let (Arg::Param(name) | Arg::Down(name)) = arg else {
             return None;
         };
-        wrong(cycle.param(name)?, at(call, index)?)
+        wrong(cycle.param(name)?, call.arg(index)?)
     })
 }
 
@@ -118,8 +104,7 @@ fn newer_list(
     let checked = newer::check_listed(cycle, list, typed, &run.sim.control);
     if checked.inputs.is_some() {
         for (name, _) in arguments::only_newer(&run.program, list, span) {
-            let problem = Problem::new("run-not-simulated", span, name);
-            run.tell(Severity::Warning, &problem);
+            run.tell(Severity::Warning, &Problem::new("run-not-simulated", span, name));
         }
     }
     cycle::carry_out(run, cycle, checked, span)
@@ -130,8 +115,8 @@ fn auxiliary(run: &mut Interpreter, call: &Call) -> Result<bool, Stop> {
     let cycles = CYCLES.iter();
     let param = |name: &str| cycles.clone().find_map(|cycle| cycle.param(name));
     let names = AUXILIARY_ARGS.iter().enumerate();
-    let wrong = names.clone().find_map(|(index, name)| wrong(param(name)?, at(call, index)?));
-    let many = catalogue::list::unmatched(&call.name, listed::count(&call.args), |_| None);
+    let wrong = names.clone().find_map(|(index, name)| wrong(param(name)?, call.arg(index)?));
+    let many = list::unmatched(&call.name, listed::count(&call.args), |_| None);
     if let Some(finding) = many.or(wrong) {
         return Err(stopped(run, call, &call.name, finding));
     }
@@ -147,17 +132,14 @@ fn auxiliary(run: &mut Interpreter, call: &Call) -> Result<bool, Stop> {
 
 /// The parameters of the list with what stands there, the variant put together from its selections.
 fn values(cycle: &'static Cycle, list: &ArgumentList, call: &Call) -> Vec<(Name, Option<Value>)> {
-    let at = |index: usize| call.args.get(index).and_then(Option::as_ref);
     let params = list.args.iter().enumerate().filter_map(|(index, arg)| match arg {
-        Arg::Param(name) => Some((*name, at(index).and_then(Datum::value))),
-        Arg::Down(name) => Some((*name, at(index).and_then(Datum::value).map(opposite))),
+        Arg::Param(name) => Some((*name, call.arg(index).and_then(Datum::value))),
+        Arg::Down(name) => Some((*name, call.arg(index).and_then(Datum::value).map(opposite))),
         _ => None,
     });
     let mut found: Vec<_> = params.collect();
-    let number = |index| at(index).map_or(Some(0.0), |value| value.number());
-    if let Some((name, variant)) = list.composed(cycle, number) {
-        found.push((name, Some(Value::Number(variant as f64))));
-    }
+    let composed = list.composed(cycle, |index| call.number(index));
+    found.extend(composed.map(|(name, variant)| (name, Some(Value::Number(variant as f64)))));
     found
 }
 

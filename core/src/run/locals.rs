@@ -39,37 +39,50 @@ pub enum Local {
     Other(Home),
 }
 
+impl Local {
+    /// The variable of this level.
+    pub fn own(&self) -> Option<&Variable> {
+        match self {
+            Local::Own(variable) => Some(variable),
+            Local::Other(_) => None,
+        }
+    }
+}
+
 /// Names of a level, in upper case.
 pub type Locals = BTreeMap<String, Local>;
 
-/// Where a variable is kept.
+/// Where a variable is kept, and its name there with index.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Home {
-    /// On a program level, by its name with index.
-    Level(usize, String),
-    /// Among those that every program of the text sees (`DEF NCK`, `DEF CHAN`).
-    Shared(String),
-    /// In the control.
-    Control(String),
+pub struct Home {
+    /// Who keeps it.
+    pub keeper: Keeper,
+    /// Name.
+    pub key: String,
+}
+
+/// Who keeps a variable.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Keeper {
+    /// A program level.
+    Level(usize),
+    /// The text: every program of it sees the variable (`DEF NCK`, `DEF CHAN`).
+    Shared,
+    /// The control.
+    Control,
 }
 
 /// Where the variable that a program names is kept.
 pub fn home(run: &Interpreter, key: &str) -> Home {
     let (stem, index) = key.split_at(key.find('[').unwrap_or(key.len()));
     let level = run.levels.len().saturating_sub(1);
-    match run.levels.last().and_then(|level| level.locals.get(stem)) {
-        Some(Local::Own(_)) => Home::Level(level, key.to_owned()),
-        Some(Local::Other(home)) => {
-            let behind = |name: &String| format!("{name}{index}");
-            match home {
-                Home::Level(level, name) => Home::Level(*level, behind(name)),
-                Home::Shared(name) => Home::Shared(behind(name)),
-                Home::Control(name) => Home::Control(behind(name)),
-            }
-        }
-        None if run.shared.contains_key(stem) => Home::Shared(key.to_owned()),
-        None => Home::Control(key.to_owned()),
-    }
+    let keeper = match run.levels.last().and_then(|level| level.locals.get(stem)) {
+        Some(Local::Own(_)) => Keeper::Level(level),
+        Some(Local::Other(home)) => return Home { key: format!("{}{index}", home.key), ..home.clone() },
+        None if run.shared.contains_key(stem) => Keeper::Shared,
+        None => Keeper::Control,
+    };
+    Home { keeper, key: key.to_owned() }
 }
 
 /// Whether a name without index is a variable of the program.
@@ -80,24 +93,21 @@ pub fn declared(run: &Interpreter, name: &str) -> bool {
 
 /// The variable of a program at this place; none: it is one of the control.
 pub fn variable<'a>(run: &'a Interpreter, home: &Home) -> Option<&'a Variable> {
-    let (locals, key) = match home {
-        Home::Level(level, key) => (&run.levels.get(*level)?.locals, key),
-        Home::Shared(key) => (&run.shared, key),
-        Home::Control(_) => return None,
+    let locals = match home.keeper {
+        Keeper::Level(level) => &run.levels.get(level)?.locals,
+        Keeper::Shared => &run.shared,
+        Keeper::Control => return None,
     };
-    match locals.get(stem(key))? {
-        Local::Own(variable) => Some(variable),
-        Local::Other(_) => None,
-    }
+    locals.get(stem(&home.key))?.own()
 }
 
 fn variable_mut<'a>(run: &'a mut Interpreter, home: &Home) -> Option<&'a mut Variable> {
-    let (locals, key) = match home {
-        Home::Level(level, key) => (&mut run.levels.get_mut(*level)?.locals, key),
-        Home::Shared(key) => (&mut run.shared, key),
-        Home::Control(_) => return None,
+    let locals = match home.keeper {
+        Keeper::Level(level) => &mut run.levels.get_mut(level)?.locals,
+        Keeper::Shared => &mut run.shared,
+        Keeper::Control => return None,
     };
-    match locals.get_mut(stem(key))? {
+    match locals.get_mut(stem(&home.key))? {
         Local::Own(variable) => Some(variable),
         Local::Other(_) => None,
     }
@@ -105,12 +115,8 @@ fn variable_mut<'a>(run: &'a mut Interpreter, home: &Home) -> Option<&'a mut Var
 
 /// Value of a variable of a program: a whole array as a list, a character of a text, a component of a frame.
 pub fn read(run: &Interpreter, home: &Home, place: Span) -> Option<Result<Datum, Problem>> {
-    let (Home::Level(_, key) | Home::Shared(key)) = home else {
-        return None;
-    };
     let variable = variable(run, home)?;
-    let refused = || Problem::new("run-index", place, key.as_str());
-    Some(taken(run, variable, key).ok_or_else(refused))
+    Some(taken(run, variable, &home.key).ok_or_else(|| Problem::new("run-index", place, &*home.key)))
 }
 
 fn taken(run: &Interpreter, variable: &Variable, key: &str) -> Option<Datum> {
@@ -136,14 +142,12 @@ fn taken(run: &Interpreter, variable: &Variable, key: &str) -> Option<Datum> {
 
 /// Writes a variable of a program; none: it is one of the control.
 pub fn write(run: &mut Interpreter, home: &Home, value: &Datum, place: Span) -> Option<Result<(), Problem>> {
-    let (Home::Level(_, key) | Home::Shared(key)) = home else {
-        return None;
-    };
     variable(run, home)?;
-    Some(put(run, home, key, value, place))
+    Some(put(run, home, value, place))
 }
 
-fn put(run: &mut Interpreter, home: &Home, key: &str, value: &Datum, place: Span) -> Result<(), Problem> {
+fn put(run: &mut Interpreter, home: &Home, value: &Datum, place: Span) -> Result<(), Problem> {
+    let key = home.key.as_str();
     let outside = || Problem::new("run-index", place, key);
     let index = indices(key);
     let factor = index.last().map_or(1.0, |part| component_factor(run, part));
@@ -173,9 +177,7 @@ fn put(run: &mut Interpreter, home: &Home, key: &str, value: &Datum, place: Span
 fn wrong(kind: Type, value: &Datum, place: Span, key: &str) -> Problem {
     match (kind, value) {
         (Type::Text(length), Datum::Text(_)) => {
-            let mut problem = Problem::new("run-text-long", place, key);
-            problem.message = problem.message.number("limit", length as f64);
-            problem
+            Problem::new("run-text-long", place, key).number("limit", length as f64)
         }
         (Type::Real | Type::Int | Type::Char, Datum::Number(_)) => Problem::new("run-range", place, key),
         _ => Problem::new("run-type", place, key),

@@ -4,50 +4,17 @@ use super::interpret::{Interpreter, Next};
 use super::level::Variables;
 use super::locals::Locals;
 use super::macro_variables::{holding, local};
-use super::statement::{Address, Call, Words};
+use super::statement::{Call, Words};
 use super::{branch, repeat, subprogram};
 use crate::diagnostic::{Severity, Span};
 use crate::problem::Problem;
 use crate::syntax::programs;
 
-/// Local variable that an address of `G65` fills.
-const ARGUMENTS: [(&str, u32); 21] = [
-    ("A", 1),
-    ("B", 2),
-    ("C", 3),
-    ("I", 4),
-    ("J", 5),
-    ("K", 6),
-    ("D", 7),
-    ("E", 8),
-    ("F", 9),
-    ("H", 11),
-    ("M", 13),
-    ("Q", 17),
-    ("R", 18),
-    ("S", 19),
-    ("T", 20),
-    ("U", 21),
-    ("V", 22),
-    ("W", 23),
-    ("X", 24),
-    ("Y", 25),
-    ("Z", 26),
-];
+/// The addresses of `G65`, each at the place whose number, counted from 1, is that of the local variable it fills.
+const ARGUMENTS: &str = "ABCIJKDEF-H-M---QRSTUVWXYZ";
 
 /// Last local variable.
 const LAST: u32 = 33;
-
-/// The G function or M function with this number in a block.
-pub fn function<'a>(found: &'a Words, letter: &str, number: f64) -> Option<&'a Address> {
-    let mut addresses = found.addresses.iter();
-    addresses.find(|address| address.name == letter && address.value.number() == Some(number))
-}
-
-fn last<'a>(found: &'a Words, letter: &str) -> Option<&'a Address> {
-    let mut addresses = found.addresses.iter().rev();
-    addresses.find(|address| address.name == letter)
-}
 
 /// `G65 P…`: a program of the text with variables of its own, filled from the addresses of the block.
 pub fn with_arguments(run: &mut Interpreter, at: usize, found: &Words) -> Result<Next, Problem> {
@@ -72,12 +39,8 @@ pub fn with_variables(run: &mut Interpreter, at: usize, found: &Words) -> Result
 
 /// Begins the program at P, L times; one that is not in the text is left out, which is told.
 fn call(run: &mut Interpreter, at: usize, found: &Words) -> Result<Next, Problem> {
-    let passes = last(found, "L").map(|address| {
-        let number = address.value.number().unwrap_or(f64::NAN);
-        repeat::count(number, address.span)
-    });
-    let passes = passes.transpose()?.unwrap_or(1);
-    let Some(address) = last(found, "P") else {
+    let passes = repeat::passes(found.of("L").last())?;
+    let Some(address) = found.of("P").last() else {
         return Err(Problem::new("run-no-program", found.path.span, "P"));
     };
     let name = address.value.number().and_then(programs::numbered);
@@ -87,7 +50,7 @@ fn call(run: &mut Interpreter, at: usize, found: &Words) -> Result<Next, Problem
         subprogram::not_here(run, &name, address.span);
         return Ok(Next::Block);
     };
-    let call = Call { name: name.unwrap_or_default(), args: Vec::new(), places: Vec::new(), span: address.span };
+    let call = Call::named(name.unwrap_or_default(), address.span);
     subprogram::enter(run, at, &call, &unit, passes)
 }
 
@@ -99,13 +62,12 @@ fn arguments(run: &mut Interpreter, found: &Words) -> Result<Locals, Problem> {
         if matches!(name, "G" | "N" | "O" | "P" | "L") {
             continue;
         }
-        let Some((_, first)) = ARGUMENTS.iter().find(|(letter, _)| *letter == name) else {
-            let problem = Problem::new("run-unknown-word", address.span, name);
-            run.tell(Severity::Error, &problem);
+        let Some(first) = ARGUMENTS.find(name).filter(|_| name.len() == 1) else {
+            run.tell(Severity::Error, &Problem::new("run-unknown-word", address.span, name));
             continue;
         };
         let number = super::addresses::number(address)?;
-        let mut place = *first;
+        let mut place = first as u32 + 1;
         while matches!(name, "I" | "J" | "K") && locals.contains_key(&local(place)) {
             place += 3;
         }
@@ -119,7 +81,7 @@ fn arguments(run: &mut Interpreter, found: &Words) -> Result<Locals, Problem> {
 
 /// `M99`: back to the caller, with P to that block of it. The main program begins anew.
 pub fn back(run: &mut Interpreter, found: &Words, span: Span) -> Result<Next, Problem> {
-    let target = last(found, "P");
+    let target = found.of("P").last();
     let main = run.levels.len() <= 1;
     if let Some(level) = run.levels.last_mut().filter(|_| target.is_some()) {
         level.left = 0;

@@ -5,13 +5,11 @@
 use super::datum::Datum;
 use super::interpret::Interpreter;
 use super::macro_variables::local;
-use super::modal::{Compensation, FeedType, Motion};
-use crate::catalogue::nct::correct;
-use crate::control::NCT;
-use crate::control::{Control, Plane, Units};
+use super::modal::FeedType;
+use crate::control::{Control, NCT, Units};
 use crate::diagnostic::Span;
+use crate::machine::Machine;
 use crate::machine::trace::Step;
-use crate::message::Message;
 use crate::problem::Problem;
 
 /// Stops with an alarm of the program, whose text is the comment of the block.
@@ -64,35 +62,22 @@ pub fn read(run: &Interpreter, number: u32) -> Datum {
 /// Takes a value.
 pub fn write(run: &mut Interpreter, number: u32, value: f64, place: Span) -> Result<(), Problem> {
     match (number, offset(number)) {
-        (ALARM, _) => Err(Problem {
-            span: place,
-            message: Message::new("run-set-alarm").number("number", value).text("text", comment(run)),
-        }),
-        (STOP, _) => {
-            let text = comment(run);
-            run.sim.note(Step::Message { text });
-            Ok(())
+        (ALARM, _) => {
+            let problem = Problem::at("run-set-alarm", place);
+            return Err(problem.number("number", value).text("text", comment(run)));
         }
-        (CLOCK, _) => {
-            run.clocks[0] = run.work as f64 - value;
-            Ok(())
-        }
-        (HOURS, _) => {
-            run.clocks[1] = run.work as f64 - value * HOUR;
-            Ok(())
-        }
-        _ if OPERATING.contains(&number) => {
-            run.sim.control.set(local(number), value);
-            Ok(())
-        }
+        (STOP, _) => run.sim.note(Step::Message { text: comment(run) }),
+        (CLOCK, _) => run.clocks[0] = run.work as f64 - value,
+        (HOURS, _) => run.clocks[1] = run.work as f64 - value * HOUR,
+        _ if OPERATING.contains(&number) => run.sim.control.set(local(number), value),
         (_, Some((system, name))) => {
             let after = value * run.sim.control.active_factor();
-            correct::write(&mut run.sim, name, after);
-            correct::count_at_once(&mut run.sim.control, system);
-            Ok(())
+            run.sim.write_correction(name, after);
+            run.sim.control.offset_written(system);
         }
-        _ => Err(Problem::new("run-read-only", place, format!("#{number}"))),
+        _ => return Err(Problem::new("run-read-only", place, local(number))),
     }
+    Ok(())
 }
 
 /// The comment of the present block without its parentheses.
@@ -107,26 +92,12 @@ fn comment(run: &Interpreter) -> String {
 fn modal(run: &Interpreter, number: u32) -> Option<f64> {
     let (control, modal) = (&run.sim.control, &run.modal);
     Some(match number {
-        4001 => match modal.motion {
-            Motion::Rapid => 0.0,
-            Motion::Line => 1.0,
-            Motion::Clockwise => 2.0,
-            Motion::Counter => 3.0,
-            Motion::Through | Motion::Spline => return None,
-        },
-        4002 => match control.plane {
-            Plane::G17 => 17.0,
-            Plane::G18 => 18.0,
-            Plane::G19 => 19.0,
-        },
+        4001 => f64::from(modal.motion as u8),
+        4002 => f64::from(17 + control.plane as u8),
         4003 => one_of(modal.absolute, 90.0, 91.0),
         4005 => one_of(modal.feed_type == FeedType::Minute, 94.0, 95.0),
         4006 => one_of(control.active_units == Units::Inch, 20.0, 21.0),
-        4007 => match modal.compensation {
-            Compensation::Off => 40.0,
-            Compensation::Left => 41.0,
-            Compensation::Right => 42.0,
-        },
+        4007 => f64::from(40 + modal.compensation as u8),
         4008 => one_of(control.active_edge().is_some(), 43.0, 49.0),
         4014 => 53.0 + control.settable.max(1) as f64,
         4107 => modal.radius as f64,

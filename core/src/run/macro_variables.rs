@@ -69,11 +69,8 @@ pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem>
     let value = match known(key, place)? {
         Kind::Nothing => None,
         Kind::Local => {
-            let level = run.levels.last();
-            match level.and_then(|level| level.locals.get(key)) {
-                Some(Local::Own(variable)) => variable.values.first().cloned(),
-                _ => None,
-            }
+            let local = run.levels.last().and_then(|level| level.locals.get(key));
+            local.and_then(Local::own).and_then(|variable| variable.values.first().cloned())
         }
         Kind::System(number) => Some(macro_system::read(run, number)),
         Kind::Common | Kind::Input => run.sim.control.data.get(key).map(Datum::from),

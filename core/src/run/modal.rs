@@ -57,7 +57,7 @@ impl Modal {
     }
 }
 
-/// How a block with axis words moves.
+/// How a block with axis words moves, in the order in which the control counts these functions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Motion {
     /// G0.
@@ -86,7 +86,7 @@ pub enum FeedType {
     Cutting,
 }
 
-/// Side on which the tool stands.
+/// Side on which the tool stands, in the order of the G functions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Compensation {
     /// G40: the tool centre goes on the programmed path.

@@ -11,10 +11,10 @@ use crate::control::{Transverse, Units};
 use crate::diagnostic::Severity;
 use crate::geometry::arc::Around;
 use crate::geometry::{Mcs, Wcs, arc};
-use crate::machine::Stop;
 use crate::machine::route::Route;
 use crate::machine::sim::Sim;
 use crate::machine::trace::MotionKind;
+use crate::machine::{Machine, Stop};
 use crate::problem::Problem;
 use std::f64::consts::TAU;
 
@@ -40,10 +40,8 @@ pub fn go(run: &mut Interpreter, path: &Path) -> Result<(), Stop> {
         run.tell(Severity::Error, &Problem::new("run-no-feed", path.span, ""));
     }
     let outcome = match path.measure {
-        Some(measure) => uncompensated(run, path).and_then(|()| {
-            let measured = measured(run, path, measure, to, feed);
-            measured.map_err(|stop| run.stopped(stop, path.span))
-        }),
+        Some(measure) => uncompensated(run, path)
+            .and_then(|()| measured(run, path, measure, to, feed).map_err(|stop| run.stopped(stop, path.span))),
         None => driven(run, path, [from, to], feed),
     };
     run.programmed = (nose(run), run.sim.control.to_workpiece(contour::stands(run)));
@@ -89,8 +87,7 @@ fn driven(run: &mut Interpreter, path: &Path, [from, to]: [[f64; 3]; 2], feed: f
 /// What comes now is driven as programmed, whatever compensation is on.
 fn uncompensated(run: &mut Interpreter, path: &Path) -> Result<(), Stop> {
     if run.modal.compensation != Compensation::Off {
-        let problem = Problem::new("run-radius-compensation", path.span, "");
-        run.tell(Severity::Warning, &problem);
+        run.tell(Severity::Warning, &Problem::new("run-radius-compensation", path.span, ""));
     }
     contour::leave(run)
 }
@@ -122,13 +119,9 @@ pub fn standing(sim: &Sim) -> (Mcs, Wcs) {
 /// tool has changed since (SD 42440 and SD 42442 as delivered); where something else has moved the axes, their
 /// position.
 fn incremental_base(run: &Interpreter, suppress: Suppress, from: [f64; 3]) -> [f64; 3] {
-    let now = nose(run);
-    let stays = |stood: Mcs| (0..3).all(|i| (stood[i] - now[i]).abs() < STILL);
     let (stood, end) = run.programmed;
-    match suppress == Suppress::Nothing && stays(stood) {
-        true => end.0,
-        false => from,
-    }
+    let stays = (nose(run) - stood).iter().all(|way| way.abs() < STILL);
+    if suppress == Suppress::Nothing && stays { end.0 } else { from }
 }
 
 /// mm/min, 0 where there is none; with a constant cutting speed that at the target.
@@ -229,8 +222,7 @@ fn measured(run: &mut Interpreter, path: &Path, measure: Measure, to: [f64; 3], 
         run.sim.probe_machine(to, feed)?
     } else {
         run.sim.travel_machine(to, None, MotionKind::Measuring, feed, false)?;
-        let end = run.sim.position;
-        run.sim.skipped = Some(run.sim.control.to_workpiece(end));
+        run.sim.skipped = Some(run.sim.position());
         None
     };
     let input = measure.input.abs();

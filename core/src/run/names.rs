@@ -3,7 +3,7 @@
 use super::datum::Datum;
 use super::expression::evaluate;
 use super::interpret::Interpreter;
-use super::locals::{Home, indices, stem};
+use super::locals::{Home, Keeper, indices, stem};
 use super::{locals, macro_variables, system, unread};
 use crate::catalogue::CYCLES;
 use crate::control::rotary::is_angle;
@@ -50,7 +50,7 @@ pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem>
     if let Some(value) = locals::read(run, &home, place) {
         return value;
     }
-    let key = outside(&home, key);
+    let key = home.key.as_str();
     if let Some(value) = constant(key) {
         return Ok(value);
     }
@@ -63,8 +63,7 @@ pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem>
     if let Err(problem) = known(key, place) {
         return parameter(run, key, place).unwrap_or(Err(problem));
     }
-    let stem = stem(key);
-    if gud::find(stem).is_some_and(gud::Gud::text) {
+    if holds_text(key) {
         return Ok(Datum::Text(String::new()));
     }
     Ok(Datum::Number(delivered(run, key)))
@@ -82,21 +81,8 @@ fn parameter(run: &Interpreter, key: &str, place: Span) -> Option<Result<Datum, 
     let (_, default) = declared.find(|(name, _)| run.program.is(*name, stem(key)))?;
     Some(match default {
         Some(default) => evaluate(run, default),
-        None => {
-            let mut problem = Problem::new("run-parameter", place, key);
-            let program = run.program.name(program);
-            problem.message = problem.message.text("program", program);
-            Err(problem)
-        }
+        None => Err(Problem::new("run-parameter", place, key).text("program", run.program.name(program))),
     })
-}
-
-/// Name of a variable of the control: of a `VAR` parameter what the call named.
-fn outside<'a>(home: &'a Home, key: &'a str) -> &'a str {
-    match home {
-        Home::Control(name) => name,
-        _ => key,
-    }
 }
 
 /// Value that a parameter has when nobody wrote it: the default of the catalogue (B:1769-1785).
@@ -127,8 +113,8 @@ pub fn write(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Re
         }
         Datum::Repeat(value, count) => {
             let home = locals::home(run, key);
-            let filled = match (&home, arrays::repeated(&run.sim.control, outside(&home, key))) {
-                (Home::Control(_), Some(elements)) => elements,
+            let filled = match (home.keeper, arrays::repeated(&run.sim.control, &home.key)) {
+                (Keeper::Control, Some(elements)) => elements,
                 _ => elements(run, key, place)?,
             };
             if count.is_some_and(|count| count > filled.len()) {
@@ -139,10 +125,10 @@ pub fn write(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Re
             }
             Ok(())
         }
-        Datum::Frame(frame) if matches!(locals::home(run, key), Home::Control(_)) => {
-            let home = locals::home(run, key);
-            write_frame(run, outside(&home, key), frame, place)
-        }
+        Datum::Frame(frame) => match locals::home(run, key) {
+            Home { keeper: Keeper::Control, key } => write_frame(run, &key, frame, place),
+            _ => write_one(run, key, value, place),
+        },
         _ => write_one(run, key, value, place),
     }
 }
@@ -160,21 +146,18 @@ fn write_one(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Re
     if let Some(written) = locals::write(run, &home, value, place) {
         return written;
     }
-    let key = outside(&home, key);
+    let key = home.key.as_str();
     let Some(stored) = value.value() else {
         return Err(Problem::new("run-not-a-number", place, key));
     };
     if matches!(value, Datum::Text(text) if text.chars().count() > TEXT) {
-        let mut problem = Problem::new("run-text-long", place, key);
-        problem.message = problem.message.number("limit", TEXT as f64);
-        return Err(problem);
+        return Err(Problem::new("run-text-long", place, key).number("limit", TEXT as f64));
     }
     if key.starts_with('$') && !system::MASKS.contains(&key) && !system::FREE.contains(&stem(key)) {
         return write_variable(run, key, value, place);
     }
     let before = read(run, key, place)?.number().unwrap_or(0.0);
-    let holds_text = gud::find(stem(key)).is_some_and(gud::Gud::text);
-    if holds_text != matches!(stored, Value::Text(_)) {
+    if holds_text(key) != matches!(stored, Value::Text(_)) {
         return Err(Problem::new("run-type", place, key));
     }
     run.sim.control.data.insert(key.to_owned(), stored);
@@ -210,6 +193,10 @@ fn write_variable(run: &mut Interpreter, key: &str, value: &Datum, place: Span) 
     Ok(())
 }
 
+fn holds_text(key: &str) -> bool {
+    gud::find(stem(key)).is_some_and(gud::Gud::text)
+}
+
 /// Whether a name without `$` exists, with such an index.
 fn known(key: &str, place: Span) -> Result<(), Problem> {
     let unknown = || Problem::new("run-unknown-variable", place, key);
@@ -228,9 +215,9 @@ fn constant(key: &str) -> Option<Datum> {
     match key {
         "TRUE" => Some(Datum::Number(1.0)),
         "FALSE" => Some(Datum::Number(0.0)),
-        "$P_AXN1" => Some(Datum::Word("X".to_owned())),
-        "$P_AXN2" => Some(Datum::Word("Y".to_owned())),
-        "$P_AXN3" => Some(Datum::Word("Z".to_owned())),
+        "$P_AXN1" => Some(Datum::Word("X".into())),
+        "$P_AXN2" => Some(Datum::Word("Y".into())),
+        "$P_AXN3" => Some(Datum::Word("Z".into())),
         "$PI" => Some(Datum::Number(std::f64::consts::PI)),
         _ if NO_FRAME.contains(&key) => Some(Datum::Frame(Box::default())),
         _ => WORDS.contains(&key).then(|| Datum::Word(key.to_owned())),
@@ -262,11 +249,12 @@ pub fn variable_factor(run: &Interpreter, key: &str) -> f64 {
 /// All elements from this one to the end of its array, of the program or of the control.
 fn elements(run: &Interpreter, first: &str, place: Span) -> Result<Vec<String>, Problem> {
     let home = locals::home(run, first);
-    let elements = match &home {
-        Home::Control(name) => arrays::sizes(name).map(|sizes| arrays::elements_from(name, sizes)),
-        _ => locals::variable(run, &home)
-            .filter(|variable| !variable.sizes.is_empty())
-            .map(|variable| arrays::elements_from(first, &variable.sizes)),
+    let elements = match home.keeper {
+        Keeper::Control => arrays::sizes(&home.key).map(|sizes| arrays::elements_from(&home.key, sizes)),
+        _ => {
+            let variable = locals::variable(run, &home).filter(|variable| !variable.sizes.is_empty());
+            variable.map(|variable| arrays::elements_from(first, &variable.sizes))
+        }
     };
     elements.ok_or_else(|| Problem::new("run-index", place, first))
 }

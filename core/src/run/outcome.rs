@@ -4,10 +4,10 @@ use crate::control::{Control, Value, gud, nct_data};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::dialect::Dialect;
 use crate::entry::{Cycle, ResultField};
-use crate::geometry::{Mcs, TOLERANCE};
-use crate::machine::Stop;
+use crate::geometry::{Mcs, TOLERANCE, Wcs};
 use crate::machine::setup::Setup;
-use crate::machine::trace::{Entry, Step, Trace};
+use crate::machine::trace::{Step, Trace};
+use crate::machine::{Sim, Stop};
 use crate::message::{Arg, Message};
 use crate::scan::Sent;
 use std::collections::{BTreeMap, BTreeSet};
@@ -19,7 +19,7 @@ pub struct Outcome {
     pub before: Control,
     /// State after.
     pub control: Control,
-    /// Position after, machine (basic) coordinates of the point to which the tool length refers, mm.
+    /// Position after, of the point to which the tool length refers.
     pub position: Mcs,
     /// What happened.
     pub trace: Trace,
@@ -97,36 +97,32 @@ impl Outcome {
     /// Tools, frames, mean values and calibrated values of probes that are different now, in the order of the names.
     /// Less than the resolution of contact is no difference.
     pub fn changes(&self) -> Vec<Change> {
-        let before = addressable(&self.before);
-        let after = addressable(&self.control);
-        let mut names = BTreeSet::new();
-        names.extend(before.keys().chain(after.keys()));
+        let [before, after] = [&self.before, &self.control].map(addressable);
+        let names: BTreeSet<&String> = before.keys().chain(after.keys()).collect();
         // what does not exist on one side counts there as a control reads it: a frame has scale factors of 1
         let value = |side: &BTreeMap<String, f64>, control: &Control, name: &String| {
             let known = side.get(name).copied();
-            let value = known.or_else(|| control.variable(name)).unwrap_or(0.0);
-            value + 0.0 // a 0 has no sign
+            known.or_else(|| control.variable(name)).unwrap_or(0.0) + 0.0 // a 0 has no sign
         };
-        names
-            .into_iter()
-            .map(|name| Change {
-                name: name.clone(),
-                before: value(&before, &self.before, name),
-                after: value(&after, &self.control, name),
-            })
-            .filter(|change| (change.before - change.after).abs() > TOLERANCE)
-            .collect()
+        let changes = names.into_iter().map(|name| Change {
+            name: name.clone(),
+            before: value(&before, &self.before, name),
+            after: value(&after, &self.control, name),
+        });
+        changes.filter(|change| (change.before - change.after).abs() > TOLERANCE).collect()
+    }
+
+    /// What each step tells, in order.
+    fn told<'a, T>(&'a self, tell: impl FnMut(&'a Step) -> Option<T>) -> Vec<T> {
+        self.trace.entries.iter().map(|entry| &entry.step).filter_map(tell).collect()
     }
 
     /// Alarms and operator messages, in order; the one that stopped the run last.
     pub fn alarms(&self) -> Vec<Code> {
-        let mut alarms: Vec<Code> = self
-            .steps()
-            .filter_map(|step| match step {
-                Step::Alarm(code) => Some(*code),
-                _ => None,
-            })
-            .collect();
+        let mut alarms = self.told(|step| match step {
+            Step::Alarm(code) => Some(*code),
+            _ => None,
+        });
         if let Some(Stop::Alarm(code)) = self.stop
             && alarms.last() != Some(&code)
         {
@@ -137,47 +133,40 @@ impl Outcome {
 
     /// Decisions of the cycles, in order.
     pub fn decisions(&self) -> Vec<&Message> {
-        self.steps()
-            .filter_map(|step| match step {
-                Step::Decision { message } => Some(message),
-                _ => None,
-            })
-            .collect()
+        self.told(|step| match step {
+            Step::Decision { message } => Some(message),
+            _ => None,
+        })
     }
 
     /// Lines of the measuring log or print-out, and blocks that were sent, in order.
     pub fn log(&self) -> Vec<&str> {
-        self.steps()
-            .filter_map(|step| match step {
-                Step::Log { text: line } | Step::Sent { text: line } => Some(line.as_str()),
-                _ => None,
-            })
-            .collect()
+        self.told(|step| match step {
+            Step::Log { text } | Step::Sent { text } => Some(text.as_str()),
+            _ => None,
+        })
     }
 
     /// Lines of the measuring log or print-out alone.
     pub fn printed(&self) -> Vec<&str> {
-        self.steps()
-            .filter_map(|step| match step {
-                Step::Log { text: line } => Some(line.as_str()),
-                _ => None,
-            })
-            .collect()
+        self.told(|step| match step {
+            Step::Log { text } => Some(text.as_str()),
+            _ => None,
+        })
     }
 
     /// Results that the cycles wrote, by name, with their last values; tools and frames are in [`Outcome::changes`].
     pub fn written(&self) -> BTreeMap<&str, f64> {
-        self.steps()
-            .filter_map(|step| match step {
-                Step::Set { name, after, .. } if !name.starts_with('$') => Some((name.as_str(), *after)),
-                _ => None,
-            })
-            .collect()
+        let written = self.told(|step| match step {
+            Step::Set { name, after, .. } if !name.starts_with('$') => Some((name.as_str(), *after)),
+            _ => None,
+        });
+        written.into_iter().collect()
     }
 
-    /// Position after, in the WCS that is active now, mm.
-    pub fn end(&self) -> [f64; 3] {
-        self.control.to_workpiece(self.position).0
+    /// Position after, in the WCS that is active now.
+    pub fn end(&self) -> Wcs {
+        self.control.to_workpiece(self.position)
     }
 
     /// An outcome where nothing has happened yet.
@@ -195,26 +184,22 @@ impl Outcome {
         }
     }
 
-    fn steps(&self) -> impl Iterator<Item = &Step> {
-        self.trace.entries.iter().map(|Entry { step, .. }| step)
+    /// What a machine leaves that began as the setup says.
+    pub fn left_by(sim: Sim, before: &Setup, stop: Option<Stop>) -> Outcome {
+        let Sim { control, position, trace, scans, line, .. } = sim;
+        Outcome { control, position, trace, scans, stop, line: line.map(|line| line + 1), ..Outcome::new(before) }
     }
 }
 
 /// Every corrected quantity by the name a program would use for it, lengths in mm.
 fn addressable(control: &Control) -> BTreeMap<String, f64> {
-    let mut all = BTreeMap::new();
-    for name in control.variable_names() {
-        if let Some(value) = control.variable(&name) {
-            all.insert(name, value);
-        }
-    }
-    let memories = control.data.iter().filter(|(name, _)| remembered(name));
-    for (name, value) in memories {
-        if let Value::Number(value) = value {
-            all.insert(name.clone(), *value * control.basic_factor());
-        }
-    }
-    all
+    let names = control.variable_names().into_iter();
+    let variables = names.filter_map(|name| control.variable(&name).map(|value| (name, value)));
+    let memories = control.data.iter().filter_map(|(name, value)| match value {
+        Value::Number(value) if remembered(name) => Some((name.clone(), value * control.basic_factor())),
+        _ => None,
+    });
+    variables.chain(memories).collect()
 }
 
 /// User data in which later measurements find what this one left: empirical and mean values, how a workpiece probe and

@@ -1,6 +1,7 @@
 //! Repeated program parts: `REPEAT LABEL P=3`, `REPEAT FIRST LAST`, `REPEATB LABEL`, up to an `ENDLABEL` between them.
 
 use super::interpret::{Interpreter, Next};
+use super::statement::Address;
 use super::{branch, expression, level};
 use crate::diagnostic::Span;
 use crate::problem::Problem;
@@ -24,7 +25,7 @@ pub struct Repetition {
 
 /// Begins the repetition that a block asks for.
 pub fn begin(run: &mut Interpreter, at: usize, keyword: Span, start: ExprId, words: &[Word]) -> Result<Next, Problem> {
-    let passes = passes(run, words)?;
+    let passes = written(run, words)?;
     if passes == 0 {
         return Ok(Next::Block);
     }
@@ -55,13 +56,7 @@ pub fn alone(run: &Interpreter, words: &[Word]) -> Result<(), Problem> {
         WordKind::Address { name, .. } => !run.program.is(*name, "P"),
         _ => true,
     };
-    match words.iter().find(other) {
-        None => Ok(()),
-        Some(word) => {
-            let text = String::from_utf8_lossy(run.program.text(word.span));
-            Err(Problem::new("run-alone", word.span, text))
-        }
-    }
+    words.iter().find(other).map_or(Ok(()), |word| Err(branch::not_alone(run, word)))
 }
 
 /// Block behind a block that was carried out to its end.
@@ -90,18 +85,19 @@ pub fn jumped(run: &mut Interpreter, to: usize) {
     }
 }
 
-/// How many passes `P` asks for; without it one.
-fn passes(run: &Interpreter, words: &[Word]) -> Result<u32, Problem> {
-    for word in words {
-        if let Some(value) = run.program.address(word, "P") {
-            return count(expression::number(run, value)?, word.span);
-        }
-    }
-    Ok(1)
+/// How many passes the `P` of an instruction asks for; without it one.
+fn written(run: &Interpreter, words: &[Word]) -> Result<u32, Problem> {
+    let asked = words.iter().find_map(|word| Some((run.program.address(word, "P")?, word.span)));
+    asked.map_or(Ok(1), |(value, span)| count(expression::number(run, value)?, span))
+}
+
+/// How many passes an address of a call asks for; without it one.
+pub fn passes(address: Option<&Address>) -> Result<u32, Problem> {
+    address.map_or(Ok(1), |address| count(address.value.number().unwrap_or(f64::NAN), address.span))
 }
 
 /// A number of passes.
-pub fn count(number: f64, place: Span) -> Result<u32, Problem> {
+fn count(number: f64, place: Span) -> Result<u32, Problem> {
     if number.fract() == 0.0 && (0.0..=MOST).contains(&number) {
         Ok(number as u32)
     } else {

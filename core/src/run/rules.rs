@@ -40,7 +40,7 @@ static SINUMERIK: Rules = Rules {
     function: gcode::sinumerik,
     instead: gcode::instead,
     tool: tool::sinumerik,
-    operate: |operator, a, b, _| expression::compared(operator, a, b),
+    operate: |operator, a, b, _| expression::nearly(operator, a, b),
     not: |a| f64::from(u8::from(a == 0.0)),
     asks_for_position: &[b"STOPRE", b"$A", b"$VA_", b"$TC_"],
     radius: "CR",

@@ -2,7 +2,7 @@
 //! was scanned with the true surface.
 
 use crate::entry::Inputs;
-use crate::geometry::Wcs;
+use crate::geometry::{Mcs, Wcs};
 use crate::machine::sim::Sim;
 use crate::machine::{Machine, Scanner, Setup, Stop, too_many};
 use crate::scan::{Cloud, Layout, POINTS};
@@ -65,8 +65,10 @@ impl Session {
     }
 
     fn scan(&mut self) {
-        let next =
-            if self.cloud.points().len() == POINTS { Err(too_many(POINTS)) } else { self.scanner.next(&mut self.sim) };
+        let next = match self.cloud.points().len() {
+            POINTS => Err(too_many(POINTS)),
+            _ => self.scanner.next(&mut self.sim),
+        };
         match next {
             Ok(Some(point)) => self.cloud.push(point),
             Ok(None) => self.scanned = true,
@@ -81,7 +83,7 @@ impl Session {
         let index = self.deviations.len();
         let sent = self.cloud.points().get(index).copied().unwrap_or_default();
         let surface = self.cloud.surface(self.scanner.layout(), index);
-        let away = |p: [f64; 3]| self.sim.distance(self.sim.control.to_machine(Wcs(p)).0) as f32;
+        let away = |point| self.sim.distance(self.to_machine(Wcs(point))) as f32;
         self.deviations.push([away(sent), away(surface.into())]);
     }
 
@@ -126,8 +128,8 @@ impl Session {
         Deviation { greatest, mean: (squares / count).sqrt() }
     }
 
-    /// A point of the WCS in machine coordinates.
-    pub fn to_machine(&self, point: [f64; 3]) -> [f64; 3] {
-        self.sim.control.to_machine(Wcs(point)).0
+    /// A point of the scan on the machine.
+    pub fn to_machine(&self, point: Wcs) -> Mcs {
+        self.sim.control.to_machine(point)
     }
 }

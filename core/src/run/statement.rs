@@ -5,10 +5,9 @@ use super::declare::Declaring;
 use super::expression::evaluate;
 use super::interpret::{Interpreter, Next};
 use super::path::{Measure, Path};
-use super::{action, branch, contour, declare, environment, indexed, locals, names, repeat, unread};
+use super::{action, branch, contour, declare, indexed, locals, names, of_control, repeat, unread};
 use crate::diagnostic::{Severity, Span};
 use crate::machine::Stop;
-use crate::machine::trace::Step;
 use crate::problem::Problem;
 use crate::program;
 use crate::program::words::ignores_arguments;
@@ -28,6 +27,23 @@ pub struct Call {
     pub places: Vec<Option<String>>,
     /// Place.
     pub span: Span,
+}
+
+impl Call {
+    /// A call without arguments.
+    pub fn named(name: impl Into<String>, span: Span) -> Call {
+        Call { name: name.into(), args: Vec::new(), places: Vec::new(), span }
+    }
+
+    /// The value of an argument that is written.
+    pub fn arg(&self, index: usize) -> Option<&Datum> {
+        self.args.get(index)?.as_ref()
+    }
+
+    /// Its number, 0 where it is omitted; none: it is none.
+    pub fn number(&self, index: usize) -> Option<f64> {
+        self.arg(index).map_or(Some(0.0), Datum::number)
+    }
 }
 
 /// Address words of a block, by letter, in order.
@@ -64,6 +80,8 @@ pub struct Words {
     pub case: Option<Datum>,
     /// A constant of CASE that was met: the next jump counts or does not.
     pub armed: Option<bool>,
+    /// The block.
+    pub at: usize,
     /// What a declaration has said.
     declaring: Declaring,
     /// Value of FOR's variable.
@@ -72,6 +90,18 @@ pub struct Words {
     pub leaves: bool,
     /// A word of the block could not be read.
     pub unread: bool,
+}
+
+impl Words {
+    /// Addresses with these letters, in order.
+    pub fn of<'a>(&'a self, letters: &'a str) -> impl DoubleEndedIterator<Item = &'a Address> {
+        self.addresses.iter().filter(move |address| address.name == letters)
+    }
+
+    /// The G function or M function with this number.
+    pub fn function(&self, letter: &str, number: f64) -> Option<&Address> {
+        self.addresses.iter().find(|address| address.name == letter && address.value.number() == Some(number))
+    }
 }
 
 /// Carries out a block.
@@ -93,14 +123,14 @@ pub fn block(run: &mut Interpreter, at: usize) -> Result<Next, Stop> {
     if contour::waits(run) && asks_for_position(run, block) {
         contour::finish(run)?;
     }
-    let mut found = Words { path: Path { span: block.span, ..Path::default() }, ..Words::default() };
+    let mut found = Words { at, path: Path { span: block.span, ..Path::default() }, ..Words::default() };
     for word in words {
-        let go_on = word_of(run, at, word, &mut found).map_err(|problem| run.fail(problem))?;
+        let go_on = word_of(run, word, &mut found).map_err(|problem| run.fail(problem))?;
         if !go_on {
             return Ok(found.next.unwrap_or(Next::Block));
         }
     }
-    let next = action::perform(run, at, found)?;
+    let next = action::perform(run, found)?;
     if next != Next::Block {
         return Ok(next);
     }
@@ -122,12 +152,9 @@ fn asks_for_position(run: &Interpreter, block: &Block) -> bool {
 
 /// `REPEAT LABEL` or `REPEATB LABEL` with the label.
 fn repetition(run: &Interpreter, words: &[Word]) -> Option<(Span, ExprId)> {
+    let repeats = |name: Span| run.program.is(name, "REPEAT") || run.program.is(name, "REPEATB");
     words.iter().find_map(|word| match &word.kind {
-        WordKind::Keyword { name, value: Some(label) }
-            if ["REPEAT", "REPEATB"].iter().any(|known| run.program.is(*name, known)) =>
-        {
-            Some((*name, *label))
-        }
+        WordKind::Keyword { name, value: Some(label) } if repeats(*name) => Some((*name, *label)),
         _ => None,
     })
 }
@@ -147,8 +174,7 @@ fn left_out(run: &mut Interpreter, words: &[Word]) -> bool {
             "DO" if !loops => {}
             _ => continue,
         }
-        let problem = Problem::new("run-not-simulated", word.span, text);
-        run.tell(Severity::Warning, &problem);
+        run.tell(Severity::Warning, &Problem::new("run-not-simulated", word.span, text));
         return true;
     }
     false
@@ -162,7 +188,7 @@ fn starts_with(run: &Interpreter, words: &[Word], keyword: &str) -> bool {
 }
 
 /// Takes one word; false: the rest of the block is not carried out.
-fn word_of(run: &mut Interpreter, at: usize, word: &Word, found: &mut Words) -> Result<bool, Problem> {
+fn word_of(run: &mut Interpreter, word: &Word, found: &mut Words) -> Result<bool, Problem> {
     match &word.kind {
         WordKind::Address { name, extension, mode, value } => {
             let letters = run.program.name(*name);
@@ -193,7 +219,7 @@ fn word_of(run: &mut Interpreter, at: usize, word: &Word, found: &mut Words) -> 
                 return Ok(true);
             }
             let key = names::key(run, *name, index)?;
-            let value = match environment::assigned(run, *value)? {
+            let value = match of_control::assigned(run, *value)? {
                 Some(status) => status,
                 None => evaluate(run, *value)?,
             };
@@ -213,19 +239,13 @@ fn word_of(run: &mut Interpreter, at: usize, word: &Word, found: &mut Words) -> 
         WordKind::Call { name, args, .. } => {
             let word_name = run.program.name(*name);
             let own = run.programs.named(&word_name).is_some();
-            let args = match !own && ignores_arguments(&word_name) {
-                true => &[],
-                false => &args[..],
-            };
-            let call = call(run, *name, args, word.span)?;
-            found.calls.push(call);
+            let args = if !own && ignores_arguments(&word_name) { &[] } else { &args[..] };
+            found.calls.push(call(run, *name, args, word.span)?);
         }
         WordKind::Label(_) | WordKind::Header(_) => {}
-        WordKind::Keyword { name, value } => return keyword(run, at, *name, *value, found),
+        WordKind::Keyword { name, value } => return keyword(run, *name, *value, found),
         WordKind::Unknown => {
-            let program = Rc::clone(&run.program);
-            let words = program.blocks.get(at).map(|block| program.words_of(block));
-            unread::pass(run, word, words.unwrap_or_default(), found)?;
+            unread::pass(run, word, found)?;
         }
     }
     Ok(true)
@@ -238,8 +258,7 @@ fn left_alone(run: &mut Interpreter, name: &str, span: Span) -> bool {
     }
     let value = program::words::value(name);
     if value == Some(program::words::Value::Told) {
-        let problem = Problem::new("run-not-simulated", span, name);
-        run.tell(Severity::Warning, &problem);
+        run.tell(Severity::Warning, &Problem::new("run-not-simulated", span, name));
     }
     value.is_some()
 }
@@ -249,8 +268,7 @@ fn left_alone(run: &mut Interpreter, name: &str, span: Span) -> bool {
 fn hidden(run: &mut Interpreter, name: &str, span: Span) -> bool {
     let variable = locals::declared(run, name) && !declare::is_axis(name);
     if variable && run.sim.control.rotary_axis(name).is_some() {
-        let problem = Problem::new("run-axis-variable", span, name);
-        run.tell(Severity::Warning, &problem);
+        run.tell(Severity::Warning, &Problem::new("run-axis-variable", span, name));
     }
     variable
 }
@@ -294,37 +312,23 @@ fn assign(run: &mut Interpreter, key: &str, value: Datum, span: Span, found: &mu
 }
 
 /// Keywords; false: the rest of the block is not carried out.
-fn keyword(
-    run: &mut Interpreter,
-    at: usize,
-    place: Span,
-    value: Option<ExprId>,
-    found: &mut Words,
-) -> Result<bool, Problem> {
+fn keyword(run: &mut Interpreter, place: Span, value: Option<ExprId>, found: &mut Words) -> Result<bool, Problem> {
     let name = run.program.name(place);
     match name.as_str() {
-        "IF" => return branch::condition(run, at, place, value, found),
+        "IF" => return branch::condition(run, place, value, found),
         "GOTO" | "GOTOF" | "GOTOB" | "GOTOC" => {
             if found.case.is_some() && found.armed != Some(true) {
                 return Ok(true);
             }
-            found.next = branch::jump(run, at, &name, place, value)?.map(Next::Jump);
+            found.next = branch::jump(run, place, value, found.at)?.map(Next::Jump);
             return Ok(found.next.is_none());
         }
         "CASE" => found.case = value.map(|value| evaluate(run, value)).transpose()?,
         "DEFAULT" => found.armed = Some(true),
         "WHILE" | "FOR" | "LOOP" | "UNTIL" | "ENDWHILE" | "ENDFOR" | "ENDLOOP" | "ELSE" | "ENDIF" | "TO" | "END"
-        | "REPEAT" | "DO" => {
-            return branch::structure(run, at, &name, place, value, found);
-        }
+        | "REPEAT" | "DO" => return branch::structure(run, place, value, found),
         "RET" => found.leaves = true,
         _ => drop(declare::attribute(run, &name, value, &mut found.declaring)?),
     }
     Ok(true)
-}
-
-/// Records an operator text.
-pub fn message(run: &mut Interpreter, args: &[Option<Datum>]) {
-    let text = args.first().and_then(Option::as_ref).map(Datum::shown).unwrap_or_default();
-    run.sim.note(Step::Message { text });
 }

@@ -1,17 +1,52 @@
-//! Calls of programs of the same text: parameters by value and by reference, passes, `SAVE`, the way back.
+//! Calls of programs of the same text: by name, by a text that names one, or again after each motion (`MCALL`);
+//! parameters by value and by reference, passes, `SAVE`, the way back.
 
 use super::datum::Datum;
 use super::declare::Declaring;
 use super::interpret::{Interpreter, Next};
 use super::level::{Level, Variables};
-use super::locals::{Home, Local, Locals, Variable};
-use super::statement::Call;
-use super::{declare, expression, level, locals, repeat};
+use super::locals::{Local, Locals, Variable};
+use super::statement::{Call, Words};
+use super::{declare, expression, level, locals, names, repeat};
 use crate::diagnostic::{Severity, Span};
 use crate::problem::Problem;
+use crate::syntax::language::{BY_PATH, CALL, FROM_OUTSIDE, MODAL};
 use crate::syntax::programs::{Unit, bare};
 use crate::syntax::tree::{Expr, ExprId, Word, WordKind};
 use std::rc::Rc;
+
+/// The calls of a block that are carried out now.
+pub fn calls(run: &mut Interpreter, found: &Words) -> Result<Vec<Call>, Problem> {
+    let [first, rest @ ..] = &found.calls[..] else {
+        return Ok(Vec::new());
+    };
+    match first.name.as_str() {
+        CALL | FROM_OUTSIDE => Ok(vec![named_by_text(run, first, rest)?]),
+        BY_PATH => Ok(rest.to_vec()),
+        MODAL => {
+            if let Some(level) = run.levels.last_mut() {
+                level.modal = rest.first().cloned();
+            }
+            Ok(Vec::new())
+        }
+        _ => Ok(found.calls.clone()),
+    }
+}
+
+/// The call that follows a motion of the present program.
+pub fn after_motion(run: &Interpreter) -> Option<Call> {
+    run.levels.last().and_then(|level| level.modal.clone())
+}
+
+/// `CALL "NAME"`, `CALL VARIABLE`, `EXTCALL("NAME")`: the program that the text names.
+fn named_by_text(run: &Interpreter, call: &Call, rest: &[Call]) -> Result<Call, Problem> {
+    let text = match (&call.args[..], rest) {
+        ([Some(text)], []) => text.clone(),
+        ([], [variable]) => names::read(run, &variable.name, variable.span)?,
+        _ => return Err(Problem::new("run-function", call.span, &*call.name)),
+    };
+    Ok(Call::named(text.shown().to_ascii_uppercase(), call.span))
+}
 
 /// Begins a program: its parameters, its level.
 pub fn enter(run: &mut Interpreter, at: usize, call: &Call, unit: &Unit, passes: u32) -> Result<Next, Problem> {
@@ -37,16 +72,7 @@ pub fn enter(run: &mut Interpreter, at: usize, call: &Call, unit: &Unit, passes:
         }
         bound.insert(name, local);
     }
-    run.levels.push(Level {
-        locals: bound,
-        blocks: unit.blocks.clone(),
-        call: at,
-        left: passes - 1,
-        repeats: Vec::new(),
-        variables: Variables::Own,
-        modal: None,
-        saved,
-    });
+    run.levels.push(Level { locals: bound, left: passes - 1, saved, ..Level::new(unit.blocks.clone(), at) });
     Ok(Next::Jump(unit.blocks.start))
 }
 
@@ -116,7 +142,7 @@ fn parameters(run: &Interpreter, words: &[Word]) -> Result<Vec<Parameter>, Probl
 
 /// What a parameter is in the called program.
 fn bind(run: &mut Interpreter, parameter: &Parameter, call: &Call, i: usize) -> Result<Local, Problem> {
-    let argument = call.args.get(i).and_then(Option::as_ref);
+    let argument = call.arg(i);
     let place = call.places.get(i).and_then(Option::as_ref);
     let name = run.program.name(parameter.name);
     if parameter.by_reference && argument.is_some() {
@@ -133,9 +159,8 @@ fn bind(run: &mut Interpreter, parameter: &Parameter, call: &Call, i: usize) -> 
         }
         Some(value) => variable.values = vec![kind.converted(value).ok_or_else(refused)?],
         None => {
-            let default = parameter.default;
-            let value = default.map(|default| expression::evaluate(run, default));
-            if let Some(value) = value.transpose()? {
+            if let Some(default) = parameter.default {
+                let value = expression::evaluate(run, default)?;
                 variable.values = vec![kind.converted(&value).ok_or_else(refused)?];
             }
         }
@@ -152,12 +177,8 @@ fn sized(run: &mut Interpreter, parameter: &Parameter, place: Option<&String>) -
     if !open {
         return declare::variable(run, parameter.name, parameter.kind, &parameter.sizes);
     }
-    let home = place.map(|place| locals::home(run, place));
-    let sizes = home
-        .as_ref()
-        .and_then(|home: &Home| locals::variable(run, home))
-        .map(|variable| variable.sizes.clone())
-        .unwrap_or_default();
+    let argument = place.and_then(|place| locals::variable(run, &locals::home(run, place)));
+    let sizes = argument.map_or(Vec::new(), |variable| variable.sizes.clone());
     Ok(Variable::new(parameter.kind, sizes, parameter.name))
 }
 

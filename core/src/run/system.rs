@@ -3,11 +3,11 @@
 use super::datum::Datum;
 use super::interpret::Interpreter;
 use super::locals::{indices, stem};
-use super::modal::{Compensation, Motion};
+use super::modal::Motion;
 use super::{contour, names, tool as tools};
 use crate::control::frames::{CHANNEL_MASK, GLOBAL_MASK, joined};
 use crate::control::variables::{AXES, component};
-use crate::control::{Frame, Plane, Tool, Transverse, UnitFunction, Units, Value, machine_data};
+use crate::control::{Frame, Tool, UnitFunction, Units, Value, machine_data};
 use crate::diagnostic::Span;
 use crate::machine::Machine;
 use crate::problem::Problem;
@@ -48,8 +48,8 @@ pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem>
     if let (None, Some(problem)) = (value, absent(run, key, place)) {
         return Err(problem);
     }
-    let unknown =
-        if LATCHED.iter().any(|stem| key.starts_with(stem)) { "run-not-measured" } else { "run-system-variable" };
+    let latched = LATCHED.iter().any(|stem| key.starts_with(stem));
+    let unknown = if latched { "run-not-measured" } else { "run-system-variable" };
     value.map(Datum::Number).ok_or_else(|| Problem::new(unknown, place, key))
 }
 
@@ -110,9 +110,7 @@ fn tool(run: &Interpreter, key: &str) -> Option<f64> {
         "$P_TOOLR" => control.active_radius() / factor,
         "$P_TOOLL" => {
             let number: usize = indices(key).first()?.parse().ok()?;
-            let [abscissa, ordinate, applicate] = control.plane.axes();
-            let axis = *[applicate, ordinate, abscissa].get(number.checked_sub(1)?)?;
-            control.active_length()[axis] / factor
+            control.active_length()[*control.plane.axes().get(3_usize.checked_sub(number)?)?] / factor
         }
         _ => return None,
     })
@@ -187,61 +185,34 @@ fn total(run: &Interpreter, key: &str) -> Option<f64> {
 /// Bits of the basic frames in the chain; where the mask was never set, of all that exist.
 fn mask(run: &Interpreter, key: &str) -> f64 {
     let control = &run.sim.control;
-    let numbers = if key == CHANNEL_MASK {
-        control.channel_basic_numbers()
-    } else {
-        control.global_basic.keys().copied().collect()
-    };
-    let bits = numbers.into_iter().map(|index| 2.0_f64.powi(index as i32));
-    let all = bits.fold(0.0, |all, bit| all + bit);
-    match control.data.get(key) {
-        Some(Value::Number(bits)) => *bits,
-        _ => all,
+    if let Some(Value::Number(bits)) = control.data.get(key) {
+        return *bits;
     }
+    let numbers = match key == CHANNEL_MASK {
+        true => control.channel_basic_numbers(),
+        false => control.global_basic.keys().copied().collect(),
+    };
+    numbers.into_iter().map(|index| 2.0_f64.powi(index as i32)).fold(0.0, |all, bit| all + bit)
 }
 
 /// Active G function of a group: 1 motion, 6 plane (G17 is 1), 7 compensation, 8 zero offset (G500 is 1, G54 2), 13
 /// units (G70, G71, G700, G710), 14 absolute or incremental, 29 diameters.
 fn group(run: &Interpreter, key: &str) -> Option<f64> {
     let control = &run.sim.control;
-    Some(match *indices(key).first()? {
-        "1" => match run.modal.motion {
-            Motion::Rapid => 1.0,
-            Motion::Line => 2.0,
-            Motion::Clockwise => 3.0,
-            Motion::Counter => 4.0,
-            Motion::Through => 5.0,
-            Motion::Spline => return None,
-        },
-        "7" => match run.modal.compensation {
-            Compensation::Off => 1.0,
-            Compensation::Left => 2.0,
-            Compensation::Right => 3.0,
-        },
-        "8" => control.settable as f64 + 1.0,
-        "29" => match control.transverse {
-            Transverse::Radius => 1.0,
-            Transverse::Diameter => 2.0,
-            Transverse::AbsoluteDiameter => 3.0,
-        },
-        "6" => match control.plane {
-            Plane::G17 => 1.0,
-            Plane::G18 => 2.0,
-            Plane::G19 => 3.0,
-        },
+    let place = match *indices(key).first()? {
+        "1" if run.modal.motion != Motion::Spline => run.modal.motion as usize,
+        "6" => control.plane as usize,
+        "7" => run.modal.compensation as usize,
+        "8" => control.settable,
         "13" => match control.unit_function() {
-            UnitFunction::G70 => 1.0,
-            UnitFunction::G71 => 2.0,
-            UnitFunction::G700 => 3.0,
-            _ => 4.0,
+            UnitFunction::G70 => 0,
+            UnitFunction::G71 => 1,
+            UnitFunction::G700 => 2,
+            _ => 3,
         },
-        "14" => {
-            if run.modal.absolute {
-                1.0
-            } else {
-                2.0
-            }
-        }
+        "14" => usize::from(!run.modal.absolute),
+        "29" => control.transverse as usize,
         _ => return None,
-    })
+    };
+    Some(place as f64 + 1.0)
 }

@@ -26,21 +26,12 @@ pub fn apply(run: &mut Interpreter, found: &Words) -> Result<(), Stop> {
 
 /// Whether the block may bring another tool: by M6, in a turret by T.
 fn changes(run: &Interpreter, found: &Words) -> bool {
-    let word = |address: &Address| match address.name.as_str() {
-        "M" => address.value == Datum::Number(6.0),
-        "T" => run.sim.control.turns(),
-        _ => false,
-    };
-    found.addresses.iter().any(word)
+    found.function("M", 6.0).is_some() || run.sim.control.turns() && found.of("T").next().is_some()
 }
 
-fn last<'a>(found: &'a Words, letter: &str) -> Option<&'a Address> {
-    found.addresses.iter().rev().find(|address| address.name == letter && of_main_spindle(address))
-}
-
-/// Whether an address is for the main spindle: `T5`, `T1=5`.
-fn of_main_spindle(address: &Address) -> bool {
-    address.extension.is_none_or(|spindle| spindle <= 1)
+/// The last address with this letter that is for the main spindle: `T5`, `T1=5`.
+fn last<'a>(found: &'a Words, letter: &'a str) -> Option<&'a Address> {
+    found.of(letter).rfind(|address| address.extension.is_none_or(|spindle| spindle <= 1))
 }
 
 /// T, D and M6 of SINUMERIK.
@@ -61,16 +52,12 @@ pub fn sinumerik(run: &mut Interpreter, found: &Words) -> Result<(), Problem> {
     if let Some(address) = last(found, "DL") {
         location(run, address)?;
     }
-    let m6 = found.addresses.iter().find(|address| address.name == "M" && address.value == Datum::Number(6.0));
-    if let Some(address) = m6.or_else(|| turret(run, found))
+    if let Some(address) = found.function("M", 6.0).or_else(|| turret(run, found))
         && let Some(tool) = run.modal.prepared.take()
     {
         // after a change D1 is active where no D was programmed
-        let edge = run.modal.waiting_edge.take().unwrap_or(if tool == run.sim.control.tool {
-            run.sim.control.edge
-        } else {
-            1
-        });
+        let edge = if tool == run.sim.control.tool { run.sim.control.edge } else { 1 };
+        let edge = run.modal.waiting_edge.take().unwrap_or(edge);
         select(run, tool, edge, address)?;
     }
     Ok(())
@@ -107,8 +94,7 @@ fn number(run: &mut Interpreter, address: &Address) -> Result<i64, Problem> {
 
 /// A tool has no such cutting edge.
 pub fn no_edge(tool: i64, edge: i64, place: Span) -> Problem {
-    let problem = Problem::new("run-no-edge", place, tool.to_string());
-    Problem { message: problem.message.number("edge", edge as f64), ..problem }
+    Problem::new("run-no-edge", place, tool.to_string()).number("edge", edge as f64)
 }
 
 fn select(run: &mut Interpreter, tool: i64, edge: i64, address: &Address) -> Result<(), Problem> {

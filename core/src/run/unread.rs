@@ -3,9 +3,8 @@
 
 use super::interpret::Interpreter;
 use super::locals::stem;
-use super::outcome::PassedOver;
 use super::statement::{Address, Words};
-use crate::catalogue::{CYCLES, nct};
+use crate::catalogue::CYCLES;
 use crate::check;
 use crate::control::{gud, nct_data};
 use crate::diagnostic::{Diagnostic, Span};
@@ -32,11 +31,11 @@ const WAYS: [&str; 14] = [
 ];
 
 /// Passes over a word of a block that could not be read; where the way of the program depends on it, the run stops.
-pub fn pass(run: &mut Interpreter, word: &Word, block: &[Word], found: &mut Words) -> Result<(), Problem> {
+pub fn pass(run: &mut Interpreter, word: &Word, found: &mut Words) -> Result<(), Problem> {
     // every word of a block has the same block about it: the first one asks
     let first = !std::mem::replace(&mut found.unread, true);
     let written = String::from_utf8_lossy(run.program.text(word.span)).into_owned();
-    run.passed_over(PassedOver { word: printable(&written), line: run.program.line_of(word.span.start) + 1 });
+    run.pass_over(printable(&written), word.span);
     let text = run.program.name(word.span);
     let begins = |way: &str| {
         let rest = text.strip_prefix(way);
@@ -46,7 +45,8 @@ pub fn pass(run: &mut Interpreter, word: &Word, block: &[Word], found: &mut Word
         WordKind::Keyword { name, .. } => WAYS.iter().any(|way| run.program.is(*name, way)),
         _ => false,
     };
-    let branches = first && block.iter().any(keyword);
+    let block = run.program.blocks.get(found.at).map(|block| run.program.words_of(block));
+    let branches = first && block.unwrap_or_default().iter().any(keyword);
     if branches || WAYS.iter().any(|way| begins(way)) {
         return Err(Problem::new("run-unread-way", word.span, printable(&text)));
     }
@@ -59,15 +59,14 @@ pub fn pass(run: &mut Interpreter, word: &Word, block: &[Word], found: &mut Word
 /// Passes over a block whose G function is that of a macro here and of something else on another control. Where the
 /// axes that it names would stand is not known.
 pub fn of_another_control(run: &mut Interpreter, cycle: &'static Cycle, found: &Words) {
-    let program = Rc::clone(&run.program);
     let span = found.path.span;
     let of_macro = |address: &&Address| {
         let number = address.value.number();
         address.name == "G" && number.is_some_and(|number| cycle.name == format!("G{number}"))
     };
     let at = found.addresses.iter().find(of_macro).map_or(span, |word| word.span);
-    run.tell_once(Diagnostic { span: Some(at), ..nct::foreign_finding(cycle) });
-    run.passed_over(PassedOver { word: cycle.name.to_owned(), line: program.line_of(span.start) + 1 });
+    run.tell_once(Diagnostic { span: Some(at), ..cycle.foreign() });
+    run.pass_over(cycle.name.to_owned(), span);
     leave_axes(run, found);
 }
 
@@ -236,8 +235,6 @@ pub fn own(run: &Interpreter, block: &[Word], place: Span) -> Option<Problem> {
 }
 
 fn unknown(run: &Interpreter, name: &str, word: Span, place: Span) -> Problem {
-    let mut problem = Problem::new("run-unread-value", place, name);
     let line = f64::from(run.program.line_of(word.start) + 1);
-    problem.message = problem.message.number("line", line);
-    problem
+    Problem::new("run-unread-value", place, name).number("line", line)
 }

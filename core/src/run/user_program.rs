@@ -23,7 +23,7 @@ pub fn around(run: &mut Interpreter, program: &UserProgram, cycle: &Cycle, span:
         return Ok(());
     }
     let (back, depth) = (run.at, run.levels.len());
-    let call = Call { name: program.name.to_owned(), args: Vec::new(), places: Vec::new(), span };
+    let call = Call::named(program.name, span);
     subprogram::enter(run, back, &call, &unit, 1).map_err(|problem| run.fail(problem))?;
     run.at = start(run, &unit, cycle);
     while run.levels.len() > depth {

@@ -117,7 +117,7 @@ pub fn collisions(entries: &[Entry]) -> Vec<Label> {
             Touching::Stylus => "collision-stylus",
             Touching::Body => "collision-body",
         };
-        Some(Label { from: Some(entry), ..Label::new(Kind::Collision, *point, text.text("what", what)) })
+        Some(Label { from: Some(entry), ..Label::new(Kind::Collision, point.0, text.text("what", what)) })
     });
     found.collect()
 }

@@ -62,5 +62,5 @@ fn unknown_words_are_told() {
     let outcome = go("G0 X1 FROBNICATE\nG987\nQ5\nM77\nG0 Y2");
     let keys: Vec<_> = outcome.diagnostics.iter().map(|found| found.message.key.as_ref()).collect();
     assert_eq!(keys, ["run-subprogram", "run-unknown-word", "run-not-simulated", "run-machine-function"]);
-    near(outcome.end(), [1.0, 2.0, 500.0]);
+    near(outcome.end().0, [1.0, 2.0, 500.0]);
 }

@@ -12,7 +12,7 @@ use probewright_core::syntax::read;
 fn motion_ends_where_it_says() {
     // oracle: hand
     let outcome = clean("N10 G0 G90 X10 Y-20.5 Z100\nN20 G91 X5 Z=-10\nN30 G90 G1 Y=IC(0.5) Z=AC(7) F500\nM30");
-    near(outcome.end(), [15.0, -20.0, 7.0]);
+    near(outcome.end().0, [15.0, -20.0, 7.0]);
     let kinds: Vec<_> = outcome
         .trace
         .entries
@@ -33,7 +33,7 @@ fn motion_ends_where_it_says() {
 #[test]
 fn inches_are_converted() {
     // oracle: hand (25.4 mm in an inch; F follows only G700)
-    near(clean("G70 G0 X1 Y2 Z0.5").end(), [25.4, 50.8, 12.7]);
+    near(clean("G70 G0 X1 Y2 Z0.5").end().0, [25.4, 50.8, 12.7]);
     let feed = |text: &str| match clean(text).trace.entries.last().unwrap().step {
         Step::Motion { feed, .. } => feed,
         _ => panic!("no motion"),
@@ -57,7 +57,7 @@ fn limit_switches_end_a_program() {
 fn arcs_end_at_their_end() {
     // oracle: hand: a quarter about X0 Y0 passes 45 degrees
     let outcome = clean("G0 X10 Y0\nG3 X0 Y10 I-10 J0 F100");
-    near(outcome.end(), [0.0, 10.0, 500.0]);
+    near(outcome.end().0, [0.0, 10.0, 500.0]);
     let [.., last] = &outcome.trace.entries[..] else {
         panic!("nothing moves");
     };
@@ -66,7 +66,7 @@ fn arcs_end_at_their_end() {
     };
     let half = 0.5_f64.sqrt() * 10.0;
     near(around.at(from.0, to.0, 0.5), [half, half, 500.0]);
-    near(clean("G0 X10 Y0\nG2 X0 Y10 CR=-10 F100").end(), [0.0, 10.0, 500.0]);
+    near(clean("G0 X10 Y0\nG2 X0 Y10 CR=-10 F100").end().0, [0.0, 10.0, 500.0]);
     let outcome = go("G0 X10 Y0\nG3 X0 Y20 I-10 J0 F100");
     assert!(matches!(outcome.stop, Some(Stop::Fault(message)) if message.key == "run-arc"));
 }

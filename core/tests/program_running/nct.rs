@@ -23,7 +23,7 @@ fn nct_words_are_understood() {
     let outcome = run(&read(Dialect::Nct, text.as_bytes()), &setup, Limits::default());
     assert_eq!((outcome.stop.clone(), &outcome.diagnostics[..]), (None, &[][..]));
     // oracle: hand
-    near(outcome.end(), [6.0, 5.0, 20.0]);
+    near(outcome.end().0, [6.0, 5.0, 20.0]);
     assert_eq!(outcome.control.number("#101"), 0.0);
     assert_eq!(outcome.control.settable, 2);
     assert_eq!(edge(&outcome.control, 98), 53.0);

@@ -29,7 +29,7 @@ fn stop(outcome: &Outcome) -> Option<&str> {
 #[test]
 fn the_axes_of_an_unknown_function_stay() {
     let outcome = go("G0 X5 Y5 Z40\nG987 X1 Y2 Z3\nM30");
-    super::near(outcome.end(), [5.0, 5.0, 40.0]);
+    super::near(outcome.end().0, [5.0, 5.0, 40.0]);
     assert_eq!(stop(&measured("G987 X0")), Some("run-unread-value"));
     assert_eq!(measured("G987 X0\nG0 X0").stop, None);
 }

@@ -1,7 +1,6 @@
 //! What the measuring macros do with a deviation: results, operator messages, M, T and S (C:481-501, C:1079-1099).
 
 use super::{OUT_OF_TOLERANCE, TOOL_TOO_LARGE, UPPER_TOLERANCE, axis_name, print};
-use crate::control::Control;
 use crate::control::NCT;
 use crate::entry::{Inputs, address};
 use crate::evaluate::tolerance::exceeds;
@@ -72,7 +71,7 @@ fn correct(machine: &mut dyn Machine, inputs: &Inputs, found: &Found) {
         machine.record(Step::Alarm(OUT_OF_TOLERANCE));
     }
     if let Some(register) = inputs.given(address::M) {
-        write(machine, format!("{}{register}", found.register), found.excess());
+        machine.write_correction(format!("{}{register}", found.register), found.excess());
     }
     if beyond(address::U) {
         machine.record(Step::Alarm(UPPER_TOLERANCE));
@@ -91,7 +90,7 @@ fn correct(machine: &mut dyn Machine, inputs: &Inputs, found: &Found) {
 fn correct_tool(machine: &mut dyn Machine, register: i64, found: &Found) {
     let name = format!("{}W{register}", found.register);
     let before = machine.control().variable(&name).unwrap_or(0.0);
-    write(machine, name, before - found.at_surface());
+    machine.write_correction(name, before - found.at_surface());
     let diameter = 2.0 * machine.control().register(register).total_radius();
     if found.room().is_some_and(|room| diameter > room) {
         machine.record(Step::Alarm(TOOL_TOO_LARGE));
@@ -113,10 +112,10 @@ pub fn move_offset(machine: &mut dyn Machine, offset: usize, places: &[Place]) {
         let control = machine.control();
         let [before, from] = [offset, from].map(|number| control.variable(&offset_of(number, axis)).unwrap_or(0.0));
         if from + by[axis] != before {
-            write(machine, offset_of(offset, axis), from + by[axis]);
+            machine.write_correction(offset_of(offset, axis), from + by[axis]);
         }
     }
-    count_at_once(machine.control(), offset);
+    machine.control().offset_written(offset);
 }
 
 /// An axis of a work offset, `G54 X`; 0 is the common one.
@@ -124,38 +123,14 @@ fn offset_of(number: usize, axis: usize) -> String {
     format!("{} {}", NCT.settable_name(number), axis_name(axis))
 }
 
-/// A work offset that was written counts at once where it is in effect.
-pub fn count_at_once(control: &mut Control, offset: usize) {
-    let active = control.settable;
-    if offset == 0 || offset == active {
-        control.activate(active);
-    }
-}
-
-/// Writes a register or an offset, mm, and records it.
-pub fn write(machine: &mut dyn Machine, name: String, after: f64) {
-    let Some(before) = machine.control().variable(&name) else {
-        return;
-    };
-    machine.correct(&name, after);
-    machine.record(Step::Set { name, before, after });
-}
-
 /// Leaves results in the active unit; `values` in mm.
 pub fn results(machine: &mut dyn Machine, values: &[(&str, f64)]) {
     let per = machine.control().active_factor();
-    values.iter().for_each(|(name, value)| datum(machine, name, value / per));
+    values.iter().for_each(|(name, value)| machine.write(name, value / per));
 }
 
 /// Leaves the values of a calibration in the basic system of the machine (C:92-94); `values` in mm.
 pub fn calibration(machine: &mut dyn Machine, values: &[(&str, f64)]) {
     let per = machine.control().basic_factor();
-    values.iter().for_each(|(name, value)| datum(machine, name, value / per));
-}
-
-/// Writes a datum as it stands in the machine, and records it.
-pub fn datum(machine: &mut dyn Machine, name: &str, after: f64) {
-    let before = machine.control().number(name);
-    machine.control().set(name, after);
-    machine.record(Step::Set { name: name.into(), before, after });
+    values.iter().for_each(|(name, value)| machine.write(name, value / per));
 }

@@ -28,13 +28,12 @@ pub use crate::control::{FALSE_TRIGGER, PATH_OBSTRUCTED};
 
 use super::common::{CYCLE, PARAM, optional};
 use crate::control::{Control, Units};
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::Code;
 use crate::dialect::Dialect;
 use crate::entry::{Cycle, Inputs, Kind, Need, Param, Unit, When, address};
 use crate::machine::{Machine, Stop};
 use crate::name::Name;
 use crate::range::Range;
-use crate::{catalogue, own};
 
 /// A value is missing, out of range, or excludes another (C:1123-1137).
 pub const FORMAT_ERROR: Code = Code::Nct("FORMAT ERROR");
@@ -76,8 +75,6 @@ pub const MACRO: Cycle = Cycle { dialect: Dialect::Nct, alarms: &[MEASURING], ..
 pub const POSITION_LOST: &str = "OUT_OF_POSITION";
 /// Machine parameter PRNT: 0 switches the print-out off (C:60). Where it is not set, the macros print.
 pub const PRINT_ENABLED: &str = "P9143";
-/// Datum: the interpreter is in incremental dimension (G91), so that the addresses of G101 are ways (C:108).
-pub const INCREMENTAL: &str = "G91";
 
 const FREE: &[Need] = &[optional(When::Always, "need-nct-optional")];
 
@@ -123,29 +120,6 @@ pub fn axis_of(inputs: &Inputs, index: usize) -> Name {
 /// Its value, where it is given, mm.
 pub fn given(inputs: &Inputs, index: usize) -> Option<f64> {
     inputs.given(axis_of(inputs, index))
-}
-
-/// The macro that `G65 P…` calls by its program number: O9010 to O9019 are G101 to G110 as delivered (parameters 9041
-/// to 9050, C:58); others are called by their number only, which is their name.
-pub fn by_program(number: f64) -> Option<&'static Cycle> {
-    const FIRST: (f64, f64) = (9010.0, 101.0);
-    catalogue::find(Dialect::Nct, &format!("G{}", number - FIRST.0 + FIRST.1))
-        .or_else(|| catalogue::find(Dialect::Nct, &format!("G65 P{number}")))
-}
-
-/// Whether a block that names the G function of a macro is no call of it: it has addresses, and none that the macro
-/// knows.
-/// Controls with other macros have other functions of these numbers (`G103 P1`).
-pub fn foreign<'a>(cycle: &'static Cycle, addresses: impl IntoIterator<Item = &'a str>) -> bool {
-    let others = addresses.into_iter();
-    let mut others = others.filter(|name| !["G", "M", "N", "O"].contains(name)).peekable();
-    others.peek().is_some() && !others.any(|name| cycle.param(name).is_some())
-}
-
-/// What is said of such a block.
-pub fn foreign_finding(cycle: &Cycle) -> Diagnostic {
-    let finding = own::NCT_FOREIGN.finding().text("word", cycle.name);
-    finding.hint_text("cycle", cycle.name)
 }
 
 /// What every macro looks at first: a length is applied and the stylus is free (C:118-121).

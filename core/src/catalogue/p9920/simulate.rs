@@ -61,7 +61,7 @@ fn keep(machine: &mut dyn Machine, inputs: &Inputs) {
         correct::calibration(machine, &[("#512", feed)]);
     }
     if let Some(speed) = inputs.given(address::S) {
-        correct::datum(machine, "#511", speed);
+        machine.write("#511", speed);
     }
 }
 
@@ -175,9 +175,9 @@ fn turned(machine: &mut dyn Machine, inputs: &Inputs, rim: bool) -> Feeds {
 fn write(machine: &mut dyn Machine, register: i64, length: f64, radius: Option<f64>) {
     let edge = machine.control().register(register);
     let length = length - edge.length_wear[0];
-    correct::write(machine, format!("H{register}"), length);
+    machine.write_correction(format!("H{register}"), length);
     if let Some(radius) = radius {
         let radius = radius - edge.radius_wear;
-        correct::write(machine, format!("D{register}"), radius);
+        machine.write_correction(format!("D{register}"), radius);
     }
 }

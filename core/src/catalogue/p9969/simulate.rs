@@ -65,8 +65,8 @@ fn scan(machine: &mut dyn Machine, scanner: &mut dyn Scanner, cloud: &mut Cloud)
 
 fn results(machine: &mut dyn Machine, cloud: &Cloud, layout: &Layout) {
     let [.., axial] = layout.axes;
-    correct::datum(machine, "POINTS", cloud.points().len() as f64);
-    correct::datum(machine, "LINES", cloud.lines() as f64);
+    machine.write("POINTS", cloud.points().len() as f64);
+    machine.write("LINES", cloud.lines() as f64);
     if !cloud.points().is_empty() {
         let [low, high] = cloud.extent(axial);
         correct::results(machine, &[("LOWEST", low), ("HIGHEST", high)]);

@@ -1,6 +1,6 @@
 //! Result data `_OVR[]` and `_OVI[]`: written to the control and recorded.
 
-use crate::entry::{Cycle, Inputs, Unit, names};
+use crate::entry::{Inputs, Unit, names};
 use crate::machine::Machine;
 use crate::machine::trace::Step;
 use crate::message::Message;
@@ -10,11 +10,7 @@ pub const ALARM: &str = "_OVI[9]";
 
 /// Writes a datum and records it. A 0 has no sign.
 pub fn set(machine: &mut dyn Machine, name: &str, value: f64) {
-    let value = value + 0.0;
-    let control = machine.control();
-    let before = control.number(name);
-    control.set(name, value);
-    machine.record(Step::Set { name: name.to_string(), before, after: value });
+    machine.write(name, value + 0.0);
 }
 
 /// Writes a length (mm) into `_OVR[index]`, in the active system of units.
@@ -47,22 +43,6 @@ pub fn angle(machine: &mut dyn Machine, index: usize, degrees: f64) {
 /// Writes `_OVI[index]`.
 pub fn integer(machine: &mut dyn Machine, index: usize, value: i64) {
     set(machine, &format!("_OVI[{index}]"), value as f64);
-}
-
-/// The measuring result screen at the end of a call: how long it stays, and whether the cycle waits for NC START
-/// (B:12564-12578, B:13953-13971).
-pub fn screen(machine: &mut dyn Machine, cycle: &Cycle) {
-    let control = machine.control();
-    let measured = cycle.is_measuring_cycle();
-    if !measured || !control.bit("_CHBIT[10]") {
-        return;
-    }
-    let key = match (control.bit("_CHBIT[11]"), control.bit("_CHBIT[18]")) {
-        (true, _) => "evaluate-screen-halt",
-        (false, true) => "evaluate-screen-stays",
-        (false, false) => "evaluate-screen",
-    };
-    machine.record(Step::Decision { message: Message::new(key) });
 }
 
 /// What every measurement tells about itself: cycle, probe, no alarm yet, safe area (B:5688-5699).

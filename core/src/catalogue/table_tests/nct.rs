@@ -1,6 +1,6 @@
 //! The macros against the tables of the NCT manual.
 
-use crate::catalogue::{CYCLES, nct};
+use crate::catalogue::{CYCLES, by_program, nct};
 use crate::control::Plane;
 use crate::diagnostic::Code;
 use crate::dialect::Dialect;
@@ -131,7 +131,7 @@ fn programs_call_their_macros() {
         let Some(number) = row[1].strip_prefix('O').and_then(|text| text.parse().ok()) else {
             continue;
         };
-        let found = nct::by_program(number).map(|cycle| cycle.name);
+        let found = by_program(number).map(|cycle| cycle.name);
         let known = macro_of(&row);
         assert_eq!(found, known.map(|cycle| cycle.name), "{row:?}");
     }

@@ -11,7 +11,6 @@ use crate::machine::trace::{MotionKind, Step};
 use crate::message::Message;
 use crate::workpiece::feeler::{Feeler, Touching};
 use crate::workpiece::probe::{Stand, ball_offset, touch};
-use crate::workpiece::tool::Tool;
 
 impl Sim {
     /// Whether the simulated probe is in use: type 710 or 580, or a measuring cycle of workpieces is running. Any other
@@ -35,12 +34,8 @@ impl Sim {
     /// The probe of a turning machine is as long as its data say when it is first moved, unless the setup tells
     /// otherwise.
     pub(super) fn hold(&mut self) {
-        if let Some(edge) = self.control.active_edge().filter(|edge| edge.is_turning())
-            && self.has_probe()
-        {
-            let nominal = || Tool::nominal(edge, &self.control);
-            let key = self.control.active_place();
-            self.real_tools.entry(key).or_insert_with(nominal);
+        if self.in_turret() && self.has_probe() {
+            self.make_real();
         }
     }
 

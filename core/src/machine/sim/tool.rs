@@ -5,7 +5,7 @@ use crate::geometry::stretch::Stretch;
 use crate::geometry::{Mcs, V3};
 use crate::machine::in_use;
 use crate::machine::route::{Obstacle, Route};
-use crate::machine::trace::{MotionKind, Step};
+use crate::machine::trace::MotionKind;
 use crate::workpiece::feeler::Touching;
 use crate::workpiece::noise::Noise;
 use crate::workpiece::tool::{Piece, Tool};
@@ -24,10 +24,14 @@ impl Sim {
         if self.tool_probes.is_empty() {
             return None;
         }
+        self.make_real()
+    }
+
+    /// A tool that nobody told is from now on as its data say; none without a tool.
+    pub(super) fn make_real(&mut self) -> Option<()> {
         let edge = self.control.active_edge()?;
         let nominal = || Tool::nominal(edge, &self.control);
-        let key = self.control.active_place();
-        self.real_tools.entry(key).or_insert_with(nominal);
+        self.real_tools.entry(self.control.active_place()).or_insert_with(nominal);
         Some(())
     }
 
@@ -99,8 +103,7 @@ impl Sim {
         };
         let end = way.at(share(&way, signal));
         self.go(&Route::straight(way.from, end), MotionKind::Measuring, feed);
-        self.touching = true;
-        self.note(Step::Touch { latched: end, ball: met.ball, point: met.point, normal: met.normal, by: met.by });
+        self.switched(&Obstacle { stop: end, ..met });
         Some(end)
     }
 }

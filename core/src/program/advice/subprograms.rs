@@ -1,7 +1,7 @@
 //! What is to say of the programs of a text among each other: calls of programs that are not here, names by which no
 //! call finds one, measuring calls on too deep a level.
 
-use crate::catalogue::nct;
+use crate::catalogue;
 use crate::diagnostic::{Diagnostic, Severity, Span};
 use crate::own;
 use crate::problem::Problem;
@@ -73,7 +73,7 @@ fn numbered_outside(program: &Program, programs: &Programs, block: &Block) -> Op
     }
     let (span, called) = number("P")?;
     let name = numbered(called)?;
-    let known = by_macro && nct::by_program(called).is_some();
+    let known = by_macro && catalogue::by_program(called).is_some();
     (!known && programs.place(&name).is_none()).then_some((span, name))
 }
 

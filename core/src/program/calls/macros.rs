@@ -3,7 +3,6 @@
 use super::site::Called;
 use super::{Place, Walk};
 use crate::catalogue;
-use crate::catalogue::nct;
 use crate::control::{Control, Plane};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::entry::Cycle;
@@ -42,7 +41,7 @@ impl Walk<'_> {
             Some((word.span, fold::number(self.program, value, &self.numbers(place))?))
         })?;
         let whole = Span { start: span.start.min(named.start), end: span.end.max(named.end) };
-        Some((nct::by_program(number)?, whole))
+        Some((catalogue::by_program(number)?, whole))
     }
 
     fn addressed(&mut self, place: &Place, cycle: &'static Cycle, block: &Block, span: Span) {
@@ -66,7 +65,7 @@ fn foreign(program: &Program, cycle: &'static Cycle, block: &Block) -> bool {
         _ => None,
     });
     let names: Vec<String> = names.collect();
-    nct::foreign(cycle, names.iter().map(String::as_str))
+    cycle.is_foreign(names.iter().map(String::as_str))
 }
 
 /// What the text says of G functions of macros that are none: at each of them.
@@ -77,7 +76,7 @@ pub fn of_another_control(program: &Program) -> Vec<Diagnostic> {
             let cycle =
                 program.literal(word, "G").and_then(|code| catalogue::find(program.dialect, &format!("G{code}")));
             if let Some(cycle) = cycle.filter(|cycle| foreign(program, cycle, block)) {
-                found.push(nct::foreign_finding(cycle).on(word.span));
+                found.push(cycle.foreign().on(word.span));
             }
         }
     }

@@ -89,14 +89,14 @@ fn turn(first: &Element, second: &Element, by: f64) -> f64 {
 /// Inside: where both paths cross.
 fn shortened(first: &Beside, second: &Beside, begun: f64) -> Option<Corner> {
     let room = [first.path.extent() - begun, second.path.extent()];
-    let cut = |at| [first.path.before_end(at), second.path.behind_start(at)];
+    let cut = |at| [first.path.way(at, first.path.end), second.path.way(second.path.start, at)];
     meeting(first, second, cut, |cut, side| (-END..=room[side] + END).contains(&cut))
 }
 
 /// Outside: where both would cross if they went on; an arc at most by a half turn.
 fn continued(first: &Beside, second: &Beside) -> Option<Corner> {
     let room = [first, second].map(|piece| piece.path.round.map_or(f64::INFINITY, |_| PI));
-    let cut = |at| [-first.path.behind_end(at), -second.path.before_start(at)];
+    let cut = |at| [-first.path.way(first.path.end, at), -second.path.way(at, second.path.start)];
     meeting(first, second, cut, |cut, side| (-room[side]..=END).contains(&cut))
 }
 

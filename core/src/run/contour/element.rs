@@ -82,37 +82,12 @@ impl Element {
         (room(self.start, begin) > -NOTHING && room(self.end, end) > -NOTHING).then_some(found)
     }
 
-    /// Where a point of the line or circle lies behind the start, in the unit of [`Element::extent`]; of an arc from 0
-    /// to a whole turn.
-    pub fn behind_start(&self, point: Point) -> f64 {
+    /// How far one point of the line or circle lies behind another, in the unit of [`Element::extent`]; of an arc from
+    /// 0 to a whole turn.
+    pub fn way(&self, from: Point, to: Point) -> f64 {
         match self.round {
-            Some(round) => turned(round, self.start, point),
-            None => dot(subtract(point, self.start), self.departs()),
-        }
-    }
-
-    /// How far a point lies before the end, in the unit of [`Element::extent`].
-    pub fn before_end(&self, point: Point) -> f64 {
-        match self.round {
-            Some(round) => turned(round, point, self.end),
-            None => dot(subtract(self.end, point), self.arrives()),
-        }
-    }
-
-    /// How far a point lies behind the end, on the line or circle continued there, in the unit of [`Element::extent`].
-    pub fn behind_end(&self, point: Point) -> f64 {
-        match self.round {
-            Some(round) => turned(round, self.end, point),
-            None => dot(subtract(point, self.end), self.arrives()),
-        }
-    }
-
-    /// How far a point lies before the start, on the line or circle continued there, in the unit of
-    /// [`Element::extent`].
-    pub fn before_start(&self, point: Point) -> f64 {
-        match self.round {
-            Some(round) => turned(round, point, self.start),
-            None => dot(subtract(self.start, point), self.departs()),
+            Some(round) => turned(round, from, to),
+            None => dot(subtract(to, from), self.departs()),
         }
     }
 
@@ -200,7 +175,7 @@ mod tests {
         near(outside.end, [0.0, 13.0]);
         assert!(arc.beside([10.0, 10.0]).unwrap().sweep(0.0, 0.0).is_none());
         assert_eq!(arc.beside([10.1, 10.1]), None);
-        assert!((arc.behind_start([5.0, 5.0]) - TAU / 8.0).abs() < 1e-12);
-        assert!((arc.before_end([5.0, 5.0]) - TAU / 8.0).abs() < 1e-12);
+        assert!((arc.way(arc.start, [5.0, 5.0]) - TAU / 8.0).abs() < 1e-12);
+        assert!((arc.way([5.0, 5.0], arc.end) - TAU / 8.0).abs() < 1e-12);
     }
 }

@@ -12,6 +12,7 @@ mod element;
 mod plane;
 
 pub use corner::Outside;
+pub use element::distance;
 
 use super::interpret::Interpreter;
 use super::modal::Compensation;
@@ -20,7 +21,6 @@ use crate::geometry::Mcs;
 use crate::machine::Stop;
 use crate::machine::route::Route;
 use crate::machine::trace::MotionKind;
-use crate::message::Message;
 use crate::problem::Problem;
 use corner::{Beside, Corner, corner};
 use drive::{Manner, Piece, Waiting, Way};
@@ -86,7 +86,7 @@ pub fn follow(run: &mut Interpreter, motion: &Motion) -> Result<(), Stop> {
     };
     contour.programmed = way.to;
     let heights = [way.from, way.to].map(|point| plane.split(point).1);
-    let step = Step { element, by: distance(run, side, hand), heights, motion };
+    let step = Step { element, by: offset(run, side, hand), heights, motion };
     if !element.moves() {
         contour.rise(run, &step)?;
     } else if side == contour.side {
@@ -235,7 +235,7 @@ fn beside(run: &mut Interpreter, step: &Step, by: f64) -> Result<Beside, Stop> {
 }
 
 /// How far to the left of the contour the tool centre is, mm.
-fn distance(run: &Interpreter, side: Compensation, hand: f64) -> f64 {
+fn offset(run: &Interpreter, side: Compensation, hand: f64) -> f64 {
     let side = match side {
         Compensation::Off => 0.0,
         Compensation::Left => hand,
@@ -259,6 +259,6 @@ fn refused(run: &mut Interpreter, motion: &Motion, key: &'static str) -> Stop {
 
 /// The tool has no room (alarm 10751).
 fn narrow(run: &mut Interpreter, motion: &Motion) -> Stop {
-    let message = Message::new("run-contour-narrow").number("radius", radius(run));
-    run.fail(Problem { span: motion.span, message })
+    let radius = radius(run);
+    run.fail(Problem::at("run-contour-narrow", motion.span).number("radius", radius))
 }
