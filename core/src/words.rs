@@ -111,9 +111,7 @@ impl Words {
 
     /// What an object with a key says.
     fn said(&self, members: &Map<String, Value>) -> Vec<(&'static str, String)> {
-        let Some(key) = members.get("key").and_then(Value::as_str) else {
-            return Vec::new();
-        };
+        let Some(key) = members.get("key").and_then(Value::as_str) else { return Vec::new() };
         let mut args = FluentArgs::new();
         let given = members.get("args").and_then(Value::as_object);
         for (name, value) in given.into_iter().flatten() {
@@ -186,9 +184,7 @@ mod tests {
         let mut seen = std::collections::BTreeMap::new();
         for (name, text) in english() {
             for line in text.lines() {
-                let Some((key, _)) = line.split_once(" =") else {
-                    continue;
-                };
+                let Some((key, _)) = line.split_once(" =") else { continue };
                 if line.starts_with(|c: char| c.is_ascii_lowercase()) {
                     assert_eq!(seen.insert(key.to_owned(), *name), None, "{key} in {name}");
                 }

@@ -210,9 +210,7 @@ fn unknown(checked: &Checked) -> Vec<Name> {
 /// The values of the form, those included that the settings of the machine give; the control gets what they write into
 /// its data.
 fn entered(support: Option<Support>, cycle: &'static Cycle, typed: Typed, control: &mut Control) -> (Typed, Before) {
-    let Some(support) = support else {
-        return (typed, Before::new());
-    };
+    let Some(support) = support else { return (typed, Before::new()) };
     let entered = support.entered(cycle, &typed, control);
     let before = entered.write(control);
     (entered.values, before)

@@ -140,9 +140,7 @@ fn survived(
     let mut solids = Vec::new();
     for slider in SLIDERS {
         let possible = |error| Some(with(slider, error)).filter(|setup| setup.exists().is_ok());
-        let Some(found) = survives::survived(inputs, possible) else {
-            continue;
-        };
+        let Some(found) = survives::survived(inputs, possible) else { continue };
         limits.push(ErrorLimit { error: slider.0, low: found.low, high: found.high });
         if solids.is_empty() {
             let sides = [found.low, found.high].into_iter().flatten();
@@ -192,9 +190,7 @@ fn tool_errors(setup: &mut Setup, inputs: &Inputs, errors: &ErrorSliders) {
     }
     let control = &setup.control;
     let edge = control.active_edge();
-    let Some(edge) = edge.filter(|_| inputs.cycle.purpose.probe == ProbeUse::Tool) else {
-        return;
-    };
+    let Some(edge) = edge.filter(|_| inputs.cycle.purpose.probe == ProbeUse::Tool) else { return };
     let nominal = || Tool::nominal(edge, control).recoded(inputs.recodes());
     let key = control.active_place();
     let tool = setup.real_tools.entry(key).or_insert_with(nominal);
@@ -208,9 +204,7 @@ fn tool_errors(setup: &mut Setup, inputs: &Inputs, errors: &ErrorSliders) {
 
 /// Gives the part its errors. One of several solids is tilted as a whole, about the origin of the first.
 fn spoil(solids: &mut [Solid], errors: &PartErrors) {
-    let Some(about) = solids.first().map(|solid| V3::from(solid.at)) else {
-        return;
-    };
+    let Some(about) = solids.first().map(|solid| V3::from(solid.at)) else { return };
     let turn = rigid::rotation(errors.tilt);
     for solid in solids {
         let away = V3::from(solid.at) - about;

@@ -150,9 +150,7 @@ impl Scan {
     /// the deviation from the true surface, mm. `surface`: of the points of the surface under the ball, else of those
     /// that are sent.
     pub fn cloud(&self, surface: bool, points: Range<usize>) -> Vec<f32> {
-        let Ok(session) = &self.session else {
-            return Vec::new();
-        };
+        let Ok(session) = &self.session else { return Vec::new() };
         let origin = self.origin();
         let (cloud, layout) = (session.cloud(), session.layout());
         let deviations = session.deviations();
@@ -189,9 +187,7 @@ impl Scan {
     pub fn text(&self, form: &str, from: usize, to: usize) -> Result<String, Error> {
         let known = FORMS.iter().find(|(name, _)| *name == form);
         let (_, form) = known.ok_or_else(|| unknown("document-form", form))?;
-        let Ok(session) = &self.session else {
-            return Ok(String::new());
-        };
+        let Ok(session) = &self.session else { return Ok(String::new()) };
         let layout: &Layout = session.layout();
         Ok(piece(session.cloud(), layout, *form, from..to))
     }

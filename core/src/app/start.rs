@@ -91,9 +91,7 @@ impl<'de, M: MapAccess<'de>> MapAccess<'de> for Again<M> {
     type Error = M::Error;
 
     fn next_key_seed<K: DeserializeSeed<'de>>(&mut self, seed: K) -> Result<Option<K::Value>, M::Error> {
-        let Some(first) = self.first.take() else {
-            return self.rest.next_key_seed(seed);
-        };
+        let Some(first) = self.first.take() else { return self.rest.next_key_seed(seed) };
         let first: StringDeserializer<M::Error> = first.into_deserializer();
         seed.deserialize(first).map(Some)
     }

@@ -11,9 +11,7 @@ use crate::own;
 /// The probe must have been calibrated with its ball diameter (B:6873, B:8221).
 pub fn ball_known(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     let probe_wrong = found.iter().any(|one| one.param == Some(names::PRNUM));
-    let Some(code) = inputs.given(names::PRNUM).filter(|_| !probe_wrong) else {
-        return;
-    };
+    let Some(code) = inputs.given(names::PRNUM).filter(|_| !probe_wrong) else { return };
     let index = code as i64 % 100 - 1;
     if control.number(&format!("_WP[{index},0]")) == 0.0 {
         found.push(own::BALL_UNKNOWN.finding().at(names::PRNUM));
@@ -35,9 +33,7 @@ pub fn spread(inputs: &Inputs, four: bool, found: &[Diagnostic]) -> Option<Circl
 
 /// Where three or four points lie: not upon each other, and within one turn (B:6850, B:6986, B:8471).
 pub fn angles(inputs: &Inputs, four: bool, found: &mut Vec<Diagnostic>) {
-    let (Some(start), Some(step)) = (inputs.given(names::STA1), inputs.given(names::INCA)) else {
-        return;
-    };
+    let (Some(start), Some(step)) = (inputs.given(names::STA1), inputs.given(names::INCA)) else { return };
     let (points, useful) = if four { (4, 90.0) } else { (3, 120.0) };
     let sum = start.abs() + f64::from(points - 1) * step.abs();
     let same = step % 180.0 == 0.0; // every second point, or all of them

@@ -128,9 +128,7 @@ fn an_alarm_in_the_words_is_one_that_the_variant_can_raise() {
             for line in &page.lines {
                 let text = words.key(line.key);
                 for number in text.split(|c: char| !c.is_ascii_digit()) {
-                    let Ok(number @ 61_000..63_000) = number.parse() else {
-                        continue;
-                    };
+                    let Ok(number @ 61_000..63_000) = number.parse() else { continue };
                     let at = format!("{} {} {}", cycle.name, variant.number, line.key);
                     assert!(can(number), "{at}: {number}");
                     seen += 1;

@@ -30,9 +30,7 @@ pub fn in_plane(control: &Control, point: [f64; 3]) -> [f64; 3] {
 /// On which side of a part the probe stands: +1 on the plus side of the applicate, -1 where its body lies on the minus
 /// side, as that of a turning machine's probe with cutting edge position 5 or 6.
 pub fn side(control: &Control) -> f64 {
-    let Some(stands) = control.active_edge().and_then(Edge::stands) else {
-        return 1.0;
-    };
+    let Some(stands) = control.active_edge().and_then(Edge::stands) else { return 1.0 };
     let up = control.direction_to_machine(in_plane(control, [0.0, 0.0, 1.0]));
     let along: f64 = up.iter().zip(stands).map(|(a, b)| a * b).sum();
     if along < 0.0 { -1.0 } else { 1.0 }

@@ -66,9 +66,7 @@ fn fields() -> impl Iterator<Item = String> {
 /// (B:4204-4215): the other pair may be missing.
 fn touched_twin(name: &str, written: &BTreeSet<String>) -> bool {
     let index = name.strip_prefix("_OVR[").and_then(|rest| rest.strip_suffix(']'));
-    let Some(index) = index.and_then(|index| index.parse::<usize>().ok()) else {
-        return false;
-    };
+    let Some(index) = index.and_then(|index| index.parse::<usize>().ok()) else { return false };
     let twin = index ^ 2;
     (8..20).contains(&index) && written.contains(&format!("_OVR[{twin}]"))
 }

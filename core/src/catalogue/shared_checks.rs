@@ -25,9 +25,7 @@ pub fn measuring(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>
 
 /// Probe number beyond the data fields `_WP[]` (`_CVAL[1]`, B:13346) or a type other than multi and mono.
 pub fn probe(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
-    let Some(code) = inputs.given(names::PRNUM).map(|code| code as i64) else {
-        return;
-    };
+    let Some(code) = inputs.given(names::PRNUM).map(|code| code as i64) else { return };
     let fields = match control.number("_CVAL[1]") {
         0.0 => 3.0,
         fields => fields,
@@ -52,9 +50,7 @@ pub fn probe(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
 /// Memories of mean and empirical values beyond the arrays (`_EVMVNUM`, B:13717). What a control does then is not
 /// defined; the access would fail.
 pub fn memories(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
-    let Some(code) = inputs.given(names::EVNUM).map(|code| code as i64) else {
-        return;
-    };
+    let Some(code) = inputs.given(names::EVNUM).map(|code| code as i64) else { return };
     let (mean, empirical) = if code > 9999 { (code / 10_000, code % 10_000) } else { (code, code) };
     for (number, array, sentence) in
         [(empirical, "_EVMVNUM[0]", own::EMPIRICAL_MEMORY), (mean, "_EVMVNUM[1]", own::MEAN_MEMORY)]

@@ -158,9 +158,7 @@ fn written(cycle: &'static Cycle, shared: &Shared, wanted: &Measurement, control
     inputs.plane = control.plane;
     let mut all = choosing(cycle, shared.variant, &inputs);
     for (name, meaning) in shared.values {
-        let Some(param) = cycle.param(name) else {
-            continue;
-        };
+        let Some(param) = cycle.param(name) else { continue };
         if let Some(value) = value_of(*meaning, *name, wanted, &inputs, control) {
             let value = match meaning {
                 Meaning::ZeroAtCorner => value, // a choice, though its parameter is a length elsewhere

@@ -17,9 +17,7 @@ pub fn sizes(name: &str) -> Option<&'static [usize]> {
 /// Names of the elements from this one (without index: the first) to the end of its array. Nothing where the index
 /// does not fit the sizes.
 pub fn elements_from(name: &str, sizes: &[usize]) -> Vec<String> {
-    let Some((stem, index)) = with_parameters(name) else {
-        return Vec::new();
-    };
+    let Some((stem, index)) = with_parameters(name) else { return Vec::new() };
     let total: usize = sizes.iter().product();
     let first = match index.len() {
         0 => Some(0),
@@ -42,9 +40,7 @@ pub fn repeated(control: &Control, name: &str) -> Option<Vec<String>> {
 
 /// Stem and index: `_WP[0,1]` is `_WP` and 0, 1.
 pub(super) fn split(name: &str) -> Option<(&str, Vec<usize>)> {
-    let Some((stem, rest)) = name.split_once('[') else {
-        return Some((name, Vec::new()));
-    };
+    let Some((stem, rest)) = name.split_once('[') else { return Some((name, Vec::new())) };
     let index: Result<Vec<usize>, _> = rest.strip_suffix(']')?.split(',').map(str::parse).collect();
     Some((stem, index.ok()?))
 }

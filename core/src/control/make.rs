@@ -96,7 +96,8 @@ impl Make {
 
     /// Number of a settable frame by its name: G54..G57 1..4, G505..G599 5..99; NCT G54..G59 1..6 and `COMMON` 0.
     pub fn settable_named(&self, name: &str) -> Option<usize> {
-        let code: usize = if name == "COMMON" { 0 } else { name.strip_prefix('G')?.parse().ok()? };
+        let written = || name.strip_prefix('G')?.parse().ok().filter(|code| *code > 0);
+        let code: usize = if name == "COMMON" { 0 } else { written()? };
         let number = |first: usize, numbers: &RangeInclusive<usize>| Some(code.checked_sub(first)? + numbers.start());
         let mut rows = self.settable.iter();
         rows.find_map(|(first, numbers)| number(*first, numbers).filter(|number| numbers.contains(number)))

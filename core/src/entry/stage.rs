@@ -381,9 +381,7 @@ impl Seen {
             let [inner, outer] = if side > 0.0 { [from, to] } else { [-to, -from] };
             return Some(ring(kind, centre, radius + inner, radius + outer));
         }
-        let [a, b] = edge.points[..] else {
-            return None;
-        };
+        let [a, b] = edge.points[..] else { return None };
         let [x, y] = self.touches.get(index).or(self.touches.last())?.out();
         let along = unit(a, b);
         let across = [-along[1], along[0]];
@@ -406,9 +404,7 @@ impl Seen {
 
     /// A set position: the line of zero across an axis of the paper, and the dimension from there to the first touch.
     pub fn position(&self, field: Name, axis: usize, zero: Option<Name>) -> Vec<PictureShape> {
-        let Some(touch) = self.touches.first() else {
-            return Vec::new();
-        };
+        let Some(touch) = self.touches.first() else { return Vec::new() };
         let across = 1 - axis;
         let end = |index: usize| {
             let mut end = self.zero;
@@ -461,9 +457,7 @@ impl Seen {
 
     /// The height of the touches in a section, from the line of zero, to the left of all.
     pub fn depth(&self, field: Name) -> Vec<PictureShape> {
-        let ([low, high], Some(touch)) = (self.extent, self.touches.first()) else {
-            return Vec::new();
-        };
+        let ([low, high], Some(touch)) = (self.extent, self.touches.first()) else { return Vec::new() };
         let left = low[0].min(self.zero[0]) - 0.08 * SIZE;
         vec![
             line(ShapeKind::Axis, vec![[left, self.zero[1]], [high[0], self.zero[1]]]).text("0"),

@@ -44,9 +44,7 @@ fn place(name: Name, picture: &mut Picture) {
         return;
     }
     let mut groups = shown_with(name).iter();
-    let Some(group) = groups.find(|group| group.iter().any(|one| picture.explains(*one))) else {
-        return;
-    };
+    let Some(group) = groups.find(|group| group.iter().any(|one| picture.explains(*one))) else { return };
     for shape in &mut picture.shapes {
         if shape.field.is_some_and(|field| group.contains(&field)) {
             shape.also.push(name);

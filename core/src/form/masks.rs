@@ -8,9 +8,7 @@ use crate::support::{PROBE, Support, TARGETS, usual, usual_zero};
 
 /// Groups of digits, the type of the probe as it is set (B:12533-12535).
 pub fn groups(support: Option<Support>, mut groups: Vec<Group>) -> Vec<Group> {
-    let Some(support) = support else {
-        return groups;
-    };
+    let Some(support) = support else { return groups };
     let set = i64::from(support.entry(PROBE));
     for group in &mut groups {
         if group.label.key == PROBE_TYPE.key {

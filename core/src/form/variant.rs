@@ -109,9 +109,7 @@ mod tests {
                     assert!(group.leads.contains(number), "{} {number}", cycle.name);
                 }
             }
-            let Some(first) = numbers.first().filter(|first| !of(cycle, **first).is_empty()) else {
-                continue;
-            };
+            let Some(first) = numbers.first().filter(|first| !of(cycle, **first).is_empty()) else { continue };
             let mut reached = vec![*first];
             let mut next = 0;
             while let Some(number) = reached.get(next).copied() {

@@ -62,9 +62,7 @@ pub fn first(moving: &impl Convex, other: &impl Convex, path: &Path) -> Option<M
     let mut way = 0.0;
     let mut met: Option<(V3, V3)> = None;
     for _ in 0..STEPS {
-        let Some((gap, point, normal)) = parted(moving, other, &(path.direction * way)) else {
-            break;
-        };
+        let Some((gap, point, normal)) = parted(moving, other, &(path.direction * way)) else { break };
         let closing = -normal.dot(&path.direction);
         if closing <= PARALLEL {
             return None;
@@ -154,9 +152,7 @@ fn nearest_of(simplex: &Simplex) -> Option<(Corner, Simplex)> {
     let mut found: Option<(f64, Corner, Simplex)> = None;
     for bits in 1..1_usize << simplex.count {
         let chosen = simplex.chosen(bits);
-        let Some(weights) = weights(chosen.corners()) else {
-            continue;
-        };
+        let Some(weights) = weights(chosen.corners()) else { continue };
         if chosen.count == 4 {
             return None;
         }

@@ -226,9 +226,7 @@ pub fn around(path: &Path, radius: f64, first: impl Fn(f64, &Path) -> Option<Met
     let mut found: Option<(f64, Met)> = None;
     let spread = (0..AROUND).map(|step| (step * APART) % AROUND);
     for angle in spread.map(|step| step as f64 * pitch) {
-        let Some(met) = first(angle, &beyond) else {
-            continue;
-        };
+        let Some(met) = first(angle, &beyond) else { continue };
         if found.is_none_or(|(_, before)| met.way < before.way) {
             found = Some((angle, met));
             beyond = within(met.way);

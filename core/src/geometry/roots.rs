@@ -26,9 +26,7 @@ pub fn polynomial(coefficients: &[f64], low: f64, high: f64) -> Vec<f64> {
     borders.push(high);
     let mut found: Vec<f64> = Vec::new();
     for pair in borders.windows(2) {
-        let Some(root) = bracketed(|x| value(coefficients, x), pair[0], pair[1]) else {
-            continue;
-        };
+        let Some(root) = bracketed(|x| value(coefficients, x), pair[0], pair[1]) else { continue };
         if found.last() != Some(&root) {
             found.push(root);
         }

@@ -84,17 +84,12 @@ impl Swept {
 
     fn clears_edge(&self, Segment { a, b }: &Segment) -> bool {
         let edge = b - a;
-        let Some(along) = edge.try_normalize(0.0) else {
-            return self.clears_ball(a, 0.0);
-        };
+        let Some(along) = edge.try_normalize(0.0) else { return self.clears_ball(a, 0.0) };
         if self.way.goes_about(&along) && self.is_upright_along(&along) {
             return self.way.from_axis(a)[0] >= self.radius - TOLERANCE;
         }
         let part = ((self.middle() - a).dot(&along) / edge.norm()).clamp(0.0, 1.0);
-        let towards = match self.rise == V3::zeros() {
-            true => self.middle() - (a + edge * part),
-            false => edge.cross(&self.rise),
-        };
+        let towards = if self.rise == V3::zeros() { self.middle() - (a + edge * part) } else { edge.cross(&self.rise) };
         self.parts(&towards, &[*a, *b], 0.0)
     }
 
@@ -110,9 +105,7 @@ impl Swept {
 
     /// Whether a plane across a direction parts it from balls of this radius about points.
     fn parts(&self, direction: &V3, points: &[V3], size: f64) -> bool {
-        let Some(direction) = direction.try_normalize(0.0) else {
-            return false;
-        };
+        let Some(direction) = direction.try_normalize(0.0) else { return false };
         let [low, high] = self.along(&direction);
         let levels = points.iter().map(|point| point.dot(&direction));
         let (least, most) =
@@ -136,10 +129,7 @@ impl Swept {
 
     /// Distance from the Z axis, and height.
     fn profile(&self) -> Profile {
-        let away = match self.way.goes_about(&V3::z()) {
-            true => self.way.from_axis(&V3::zeros()),
-            false => self.away(),
-        };
+        let away = if self.way.goes_about(&V3::z()) { self.way.from_axis(&V3::zeros()) } else { self.away() };
         let [low, high] = self.way.along(&V3::z());
         let aside = self.rise.xy().norm();
         let disc = self.flat && aside <= TOLERANCE;
@@ -155,9 +145,7 @@ impl Swept {
     /// along the direction from that axis to its middle, and across.
     fn away(&self) -> [f64; 2] {
         let out = self.way.at(0.5).xy();
-        let Some(out) = out.try_normalize(0.0) else {
-            return [0.0, self.way.half()];
-        };
+        let Some(out) = out.try_normalize(0.0) else { return [0.0, self.way.half()] };
         let [low, high] = self.way.along(&V3::new(out.x, out.y, 0.0));
         let [left, right] = self.way.along(&V3::new(-out.y, out.x, 0.0));
         let aside = left.abs().max(right.abs());

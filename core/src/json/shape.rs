@@ -135,9 +135,7 @@ struct Node(Value);
 
 impl Node {
     fn number<'de, V: Visitor<'de>>(self, wanted: &str, visitor: V) -> Result<V::Value, Wrong> {
-        let Value::Number(number) = &self.0 else {
-            return Err(Wrong::sort(sort_of(&self.0), wanted));
-        };
+        let Value::Number(number) = &self.0 else { return Err(Wrong::sort(sort_of(&self.0), wanted)) };
         match (number.as_u64(), number.as_i64(), number.as_f64()) {
             (Some(number), ..) => visitor.visit_u64(number),
             (_, Some(number), _) => visitor.visit_i64(number),
@@ -154,9 +152,7 @@ impl Node {
     }
 
     fn list<'de, V: Visitor<'de>>(self, count: Option<usize>, visitor: V) -> Result<V::Value, Wrong> {
-        let Value::Array(list) = self.0 else {
-            return Err(Wrong::sort(sort_of(&self.0), "document-list"));
-        };
+        let Value::Array(list) = self.0 else { return Err(Wrong::sort(sort_of(&self.0), "document-list")) };
         if let Some(wanted) = count.filter(|wanted| *wanted != list.len()) {
             let wrong = Wrong::new("document-length");
             return Err(
@@ -280,9 +276,7 @@ impl<'de> SeqAccess<'de> for List {
     type Error = Wrong;
 
     fn next_element_seed<T: DeserializeSeed<'de>>(&mut self, seed: T) -> Result<Option<T::Value>, Wrong> {
-        let Some(element) = self.elements.next() else {
-            return Ok(None);
-        };
+        let Some(element) = self.elements.next() else { return Ok(None) };
         let step = Step::Element(self.index);
         self.index += 1;
         seed.deserialize(Node(element)).map(Some).map_err(|wrong| wrong.within(step))

@@ -127,9 +127,7 @@ impl Route {
         let free = ball.map_or(*self, |met| self.until(met.part, met.stop));
         let caught = free.catches(part, probe, shift, &mut looked);
         *effort += looked * part.weight();
-        let Some(ball) = ball else {
-            return caught;
-        };
+        let Some(ball) = ball else { return caught };
         let before = caught.filter(|met| (1.0 - met.part) * free.length() > TOLERANCE);
         let before = before.map(|met| Obstacle { part: met.part * ball.part, ..met });
         before.or(Some(ball))
@@ -145,9 +143,7 @@ impl Route {
         near: impl Fn(&Stretch) -> bool,
         mut look: impl FnMut([f64; 2]) -> Option<T>,
     ) -> Option<T> {
-        let Some(around) = &self.around else {
-            return look([0.0, 1.0]);
-        };
+        let Some(around) = &self.around else { return look([0.0, 1.0]) };
         let radius = around.radius(self.from.0, self.to.0);
         let mut waiting = vec![[0.0, 1.0]];
         let mut looks = 0;

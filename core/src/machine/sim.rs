@@ -140,9 +140,7 @@ impl Sim {
             return Err(Stop::Alarm(self.collision()));
         }
         self.go(&free, kind, feed);
-        let Some(hit) = hit else {
-            return Ok(());
-        };
+        let Some(hit) = hit else { return Ok(()) };
         if !monitored || hit.by == Touching::Body {
             return Err(self.crash(&hit));
         }
@@ -185,10 +183,7 @@ impl Sim {
 
     /// What is in the way of a motion of the probe or of another tool.
     fn in_the_way(&mut self, way: &Route) -> Option<Obstacle> {
-        match self.has_probe() {
-            true => self.obstacle(way),
-            false => self.tool_obstacle(way),
-        }
+        if self.has_probe() { self.obstacle(way) } else { self.tool_obstacle(way) }
     }
 
     /// The part as rotary axes and spindle have turned it, which from now on is what can be touched.

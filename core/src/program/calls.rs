@@ -182,9 +182,10 @@ pub fn calls_told(program: &Program, control: Control, told: &mut dyn FnMut(f64)
         told,
     };
     let mut begin = Place::default();
-    match program.grammar().by_address {
-        true => walk.macros(&mut begin),
-        false => follow(program, &programs, &mut walk, &begin),
+    if program.grammar().by_address {
+        walk.macros(&mut begin)
+    } else {
+        follow(program, &programs, &mut walk, &begin)
     }
     walk.finished()
 }

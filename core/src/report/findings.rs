@@ -8,9 +8,7 @@ use crate::{own, problem};
 /// What a finding means and what helps, for each sentence that it may say. Empty: there is none of this name.
 pub fn finding(asked: &str, words: &Words) -> String {
     let number = asked.get(2..).filter(|_| is_own(asked));
-    let Some(number) = number.and_then(|digits| digits.parse().ok()) else {
-        return String::new();
-    };
+    let Some(number) = number.and_then(|digits| digits.parse().ok()) else { return String::new() };
     let told = said(number).into_iter().map(|(cause, cure)| {
         let cure = match cure {
             "" => String::new(),

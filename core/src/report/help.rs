@@ -32,9 +32,7 @@ impl Said {
 pub fn help(text: &mut String, cycle: &'static Cycle, words: &Words) {
     let pages: Vec<(&Variant, Vec<Said>)> =
         cycle.variants.iter().map(|variant| (variant, said(cycle, variant, words))).collect();
-    let Some((_, first)) = pages.first() else {
-        return;
-    };
+    let Some((_, first)) = pages.first() else { return };
     let of_all = |one: &Said| pages.iter().all(|(_, page)| page.contains(one));
     let every: Vec<Said> = first.iter().filter(|one| of_all(one)).cloned().collect();
     line(text, "## Help");

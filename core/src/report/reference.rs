@@ -128,9 +128,7 @@ fn range(param: &Param) -> String {
     };
     match &param.kind {
         Kind::Choice(choices) => return numbers(choices),
-        Kind::ChoiceIf(condition, choices) => {
-            return format!("{}: {}", when(condition), numbers(choices));
-        }
+        Kind::ChoiceIf(condition, choices) => return format!("{}: {}", when(condition), numbers(choices)),
         Kind::ChoiceBy(lists) => {
             let list =
                 |(condition, choices): &(When, &[(i64, &str)])| format!("{}: {}", when(condition), numbers(choices));

@@ -137,9 +137,7 @@ impl Made {
 
     /// Puts the part of a call where it can be measured, with the tools and tool probes that it needs.
     fn part(&mut self, sim: &mut Sim, inputs: &Inputs) {
-        let Some(work) = inputs.cycle.work() else {
-            return;
-        };
+        let Some(work) = inputs.cycle.work() else { return };
         let proposal = (work.propose)(inputs, &sim.control);
         for tool in &proposal.tools {
             let there = sim.control.tools.entry(tool.tool).or_default();
@@ -155,9 +153,7 @@ impl Made {
         let recorded = std::mem::take(&mut sim.trace);
         let found = place(sim, inputs, &proposal);
         sim.trace = recorded;
-        let Some((stand, measures)) = found else {
-            return;
-        };
+        let Some((stand, measures)) = found else { return };
         let shown = stand.tool_probes.first().map(|probe| probe.solid.at);
         let at = stand.part.first().map(|solid| solid.at).or(shown).unwrap_or_default();
         let new = stand.part.iter().filter(|solid| !self.parts.contains(solid));
@@ -201,9 +197,7 @@ impl Stand {
         let mut about = [0.0; 3];
         about[applicate] = 180.0;
         let turn = rigid::rotation(about);
-        let Some(centre) = self.solids().next().map(|solid| V3::from(solid.at)) else {
-            return self;
-        };
+        let Some(centre) = self.solids().next().map(|solid| V3::from(solid.at)) else { return self };
         self.start = centre + turn * (self.start - centre);
         for solid in self.solids() {
             solid.at = (centre + turn * (V3::from(solid.at) - centre)).into();
@@ -281,9 +275,7 @@ impl Interpreter {
 
     /// Makes the edge of a tool that is selected, where tools are made: as long as the probe, which it may become.
     pub(super) fn make_tool(&mut self, tool: i64, edge: i64) {
-        let Some(made) = self.assumed.as_mut().filter(|_| tool > 0) else {
-            return;
-        };
+        let Some(made) = self.assumed.as_mut().filter(|_| tool > 0) else { return };
         let turning = self.sim.control.number(TOOL_LENGTH_TYPE) == AS_TURNING_TOOL;
         let edges = &mut self.sim.control.tools.entry(tool).or_default().edges;
         if edge > 0 && !edges.contains_key(&edge) {
@@ -299,9 +291,7 @@ impl Interpreter {
     /// Makes what is in use what a cycle needs there, where tools are made: the probe, or a tool that it measures.
     pub(super) fn fit(&mut self, cycle: &'static Cycle, typed: &Typed) {
         let control = &mut self.sim.control;
-        let Some(made) = self.assumed.as_mut().filter(|_| control.edge > 0) else {
-            return;
-        };
+        let Some(made) = self.assumed.as_mut().filter(|_| control.edge > 0) else { return };
         let (tool, number) = control.active_place();
         let edge = control.edge_of(tool, number).cloned().unwrap_or_default();
         let is_probe = [PROBE, LATHE_PROBE].contains(&edge.kind);

@@ -76,9 +76,7 @@ pub fn structure(
 /// Counts the variable of the `FOR` in this block up; where its body goes on, if it does.
 fn again(run: &mut Interpreter, begin: usize) -> Result<Option<Next>, Problem> {
     let program = Rc::clone(&run.program);
-    let Some(block) = program.blocks.get(begin) else {
-        return Ok(None);
-    };
+    let Some(block) = program.blocks.get(begin) else { return Ok(None) };
     let (mut counter, mut last) = (None, None);
     for word in program.words_of(block) {
         match &word.kind {

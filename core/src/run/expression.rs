@@ -10,9 +10,7 @@ use crate::syntax::tree::{Expr, ExprId, Operator};
 
 /// Value of an expression.
 pub fn evaluate(run: &Interpreter, id: ExprId) -> Result<Datum, Problem> {
-    let Some(expr) = run.program.expr(id) else {
-        return Err(Problem::new("run-unknown-word", Span::default(), ""));
-    };
+    let Some(expr) = run.program.expr(id) else { return Err(Problem::new("run-unknown-word", Span::default(), "")) };
     match expr {
         Expr::Number(value, _) => Ok(Datum::Number(*value)),
         Expr::Text(span) => Ok(Datum::Text(String::from_utf8_lossy(run.program.text(*span)).into_owned())),

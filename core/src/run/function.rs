@@ -82,9 +82,7 @@ fn arithmetic(name: &str, values: &[f64], not: fn(f64) -> f64) -> Option<f64> {
 
 /// `GETT("NAME",1)`: number of the tool with this name, -1 where there is none.
 fn tool_number(run: &Interpreter, name: &str, values: &[Datum]) -> Option<Datum> {
-    let [Datum::Text(wanted), ..] = values else {
-        return None;
-    };
+    let [Datum::Text(wanted), ..] = values else { return None };
     let number = run.sim.control.tool_named(wanted).unwrap_or(-1);
     (name == "GETT" && values.len() <= 2).then_some(Datum::Number(number as f64))
 }
@@ -109,9 +107,7 @@ fn frame(run: &Interpreter, name: &str, values: &[Datum]) -> Option<Option<Frame
     };
     let mut frame = Frame::default();
     for pair in values.chunks(2) {
-        let [Datum::Word(axis), Datum::Number(value)] = pair else {
-            return Some(None);
-        };
+        let [Datum::Word(axis), Datum::Number(value)] = pair else { return Some(None) };
         let rotary = ROTARY.contains(&axis.as_str());
         let value = if rotary { *value } else { value * factor };
         let shrinks = part == "SC" && value == 0.0; // to nothing
@@ -125,9 +121,7 @@ fn frame(run: &Interpreter, name: &str, values: &[Datum]) -> Option<Option<Frame
 /// `CRPL(plane,angle)`: 0 turns in the working plane, 1 to 3 about Z, Y, X (function manual K2, constant rotation
 /// plane).
 fn turned_in_plane(run: &Interpreter, values: &[Datum]) -> Option<Frame> {
-    let [plane, angle] = values else {
-        return None;
-    };
+    let [plane, angle] = values else { return None };
     let plane = plane.number()?;
     let axis = match plane {
         0.0 => run.sim.tool_axis(),
@@ -142,9 +136,7 @@ fn turned_in_plane(run: &Interpreter, values: &[Datum]) -> Option<Frame> {
 fn mirrored(values: &[Datum]) -> Option<Frame> {
     let mut frame = Frame::default();
     for value in values {
-        let Datum::Word(axis) = value else {
-            return None;
-        };
+        let Datum::Word(axis) = value else { return None };
         set_component(&mut frame, axis, "MI", 1.0).then_some(())?;
     }
     Some(frame)

@@ -50,13 +50,9 @@ fn values(run: &Interpreter, cycle: &'static Cycle, list: &ArgumentList, call: &
 /// Copies the results into the variables; under the names of the cycle they are gone afterwards.
 fn hand_back(run: &mut Interpreter, cycle: &'static Cycle, list: &ArgumentList, call: &Call) -> Result<(), Problem> {
     for (index, arg) in list.args.iter().enumerate() {
-        let (Arg::Variable(stem) | Arg::Output(stem)) = arg else {
-            continue;
-        };
+        let (Arg::Variable(stem) | Arg::Output(stem)) = arg else { continue };
         for (name, rest) in elements(cycle.results.iter().map(|one| one.name), stem) {
-            let Some(value) = run.sim.control.data.remove(name) else {
-                continue;
-            };
+            let Some(value) = run.sim.control.data.remove(name) else { continue };
             let value = Datum::from(&value);
             let variable = format!("{}{rest}", variable(call, index, stem)?);
             names::write(run, &variable, &in_frame(run, rest, value), call.span)?;

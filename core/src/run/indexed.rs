@@ -26,9 +26,7 @@ pub fn take(
     span: Span,
     found: &mut Words,
 ) -> Result<bool, Problem> {
-    let [index] = index else {
-        return Ok(false);
-    };
+    let [index] = index else { return Ok(false) };
     if POSITIONING.contains(&name) {
         return positioning(run, *index, value, span, found).map(|()| true);
     }

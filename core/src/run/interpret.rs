@@ -197,9 +197,7 @@ fn next_block(run: &mut Interpreter) -> Result<Option<()>, Stop> {
         return Err(run.fail(Problem::at("run-steps", span.unwrap_or_default()).number("limit", limit as f64)));
     }
     let own = run.levels.last().is_some_and(|level| level.blocks.contains(&at));
-    let (Some(span), true) = (span, own) else {
-        return Ok(go_on(run, subprogram::leave));
-    };
+    let (Some(span), true) = (span, own) else { return Ok(go_on(run, subprogram::leave)) };
     run.sim.line = Some(at as u32);
     run.work += 1 + ((span.end - span.start) / BLOCK) as usize;
     let depth = run.levels.len();

@@ -67,9 +67,7 @@ impl Outcome {
 
 /// The call that begins with this entry, with its variant only.
 fn called(entry: &Entry, control: &Control) -> Option<(u32, Inputs)> {
-    let Step::CallBegin { cycle, variant } = entry.step else {
-        return None;
-    };
+    let Step::CallBegin { cycle, variant } = entry.step else { return None };
     let cycle = catalogue::find(control.dialect, cycle)?;
     Some((entry.line?, Inputs::new(cycle, variant)))
 }

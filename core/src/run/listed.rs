@@ -69,9 +69,7 @@ fn refused(cycle: &'static Cycle, list: Option<&'static ArgumentList>, call: &Ca
 /// An argument that is a text where a number belongs, or the reverse.
 fn of_wrong_sort(cycle: &'static Cycle, list: &ArgumentList, call: &Call) -> Option<Diagnostic> {
     list.args.iter().enumerate().find_map(|(index, arg)| {
-        let (Arg::Param(name) | Arg::Down(name)) = arg else {
-            return None;
-        };
+        let (Arg::Param(name) | Arg::Down(name)) = arg else { return None };
         wrong(cycle.param(name)?, call.arg(index)?)
     })
 }

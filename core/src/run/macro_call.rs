@@ -40,9 +40,7 @@ pub fn with_variables(run: &mut Interpreter, at: usize, found: &Words) -> Result
 /// Begins the program at P, L times; one that is not in the text is left out, which is told.
 fn call(run: &mut Interpreter, at: usize, found: &Words) -> Result<Next, Problem> {
     let passes = repeat::passes(found.of("L").last())?;
-    let Some(address) = found.of("P").last() else {
-        return Err(Problem::new("run-no-program", found.path.span, "P"));
-    };
+    let Some(address) = found.of("P").last() else { return Err(Problem::new("run-no-program", found.path.span, "P")) };
     let name = address.value.number().and_then(programs::numbered);
     let unit = name.as_ref().and_then(|name| run.programs.named(name));
     let Some(unit) = unit.cloned() else {
@@ -90,9 +88,7 @@ pub fn back(run: &mut Interpreter, found: &Words, span: Span) -> Result<Next, Pr
         (true, Some(level)) => Next::Jump(level.blocks.start),
         _ => subprogram::leave(run),
     };
-    let Some(address) = target else {
-        return Ok(next);
-    };
+    let Some(address) = target else { return Ok(next) };
     let label = format!("N{}", address.value.shown());
     let block = branch::places(run, &label).first().copied();
     let block = block.ok_or_else(|| Problem::new("run-label", span, label))?;

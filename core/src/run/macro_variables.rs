@@ -97,9 +97,10 @@ pub fn write(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Re
         }
         Kind::Common => {
             let before = run.sim.control.number(key);
-            match vacant {
-                true => drop(run.sim.control.data.remove(key)),
-                false => run.sim.control.set(key, number),
+            if vacant {
+                drop(run.sim.control.data.remove(key))
+            } else {
+                run.sim.control.set(key, number)
             }
             run.note_set(key, before, number);
             Ok(())

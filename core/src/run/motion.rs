@@ -163,9 +163,7 @@ fn turns(run: &Interpreter, distance: f64) -> f64 {
 
 /// Target of an axis that stands at `from`, mm; increments count from `base`.
 fn target(run: &Interpreter, from: f64, base: f64, written: Option<Coordinate>, axis: usize) -> f64 {
-    let Some(Coordinate { value, absolute }) = written else {
-        return from;
-    };
+    let Some(Coordinate { value, absolute }) = written else { return from };
     let absolute = absolute.unwrap_or(run.modal.absolute);
     let value = value * radius_of(run, axis, absolute);
     if absolute { value } else { base + value }
@@ -227,9 +225,7 @@ fn measured(run: &mut Interpreter, path: &Path, measure: Measure, to: [f64; 3], 
     };
     let input = measure.input.abs();
     run.measured.insert(format!("$AC_MEA[{input}]"), f64::from(u8::from(latched.is_some())));
-    let Some(position) = latched else {
-        return Ok(());
-    };
+    let Some(position) = latched else { return Ok(()) };
     let control = &run.sim.control;
     let (own, length) = (control.to_workpiece(position), control.active_length());
     let factor = control.data_factor();

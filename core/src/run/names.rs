@@ -147,9 +147,7 @@ fn write_one(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Re
         return written;
     }
     let key = home.key.as_str();
-    let Some(stored) = value.value() else {
-        return Err(Problem::new("run-not-a-number", place, key));
-    };
+    let Some(stored) = value.value() else { return Err(Problem::new("run-not-a-number", place, key)) };
     if matches!(value, Datum::Text(text) if text.chars().count() > TEXT) {
         return Err(Problem::new("run-text-long", place, key).number("limit", TEXT as f64));
     }

@@ -72,9 +72,7 @@ pub fn store_environment(run: &mut Interpreter, args: &[Option<Datum>], place: S
 /// The same where the right side of an assignment is the function: its status. None: it is something else.
 pub fn assigned(run: &mut Interpreter, value: ExprId) -> Result<Option<Datum>, Problem> {
     let program = Rc::clone(&run.program);
-    let Some(Expr::Call(name, args)) = program.expr(value) else {
-        return Ok(None);
-    };
+    let Some(Expr::Call(name, args)) = program.expr(value) else { return Ok(None) };
     if !program.is(*name, STORE_ENVIRONMENT) {
         return Ok(None);
     }

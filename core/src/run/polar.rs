@@ -36,9 +36,7 @@ pub fn target(run: &Interpreter, path: &Path, from: [f64; 3], to: [f64; 3]) -> [
 /// none:
 /// there is no such place.
 pub fn along(run: &Interpreter, path: &Path, from: [f64; 3], to: [f64; 3]) -> Option<[f64; 3]> {
-    let Some(angle) = path.slope else {
-        return Some(to);
-    };
+    let Some(angle) = path.slope else { return Some(to) };
     let [a, o, _] = run.sim.control.plane.axes();
     let (sine, cosine) = crate::geometry::rigid::sin_cos(angle);
     let (written, other, ratio) = match (path.axes[a], path.axes[o]) {

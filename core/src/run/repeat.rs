@@ -61,9 +61,7 @@ pub fn alone(run: &Interpreter, words: &[Word]) -> Result<(), Problem> {
 
 /// Block behind a block that was carried out to its end.
 pub fn after(run: &mut Interpreter, mut at: usize) -> usize {
-    let Some(level) = run.levels.last_mut() else {
-        return at + 1;
-    };
+    let Some(level) = run.levels.last_mut() else { return at + 1 };
     while let Some(part) = level.repeats.last_mut().filter(|part| part.last == at) {
         if part.left > 0 {
             part.left -= 1;

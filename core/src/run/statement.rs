@@ -107,9 +107,7 @@ impl Words {
 /// Carries out a block.
 pub fn block(run: &mut Interpreter, at: usize) -> Result<Next, Stop> {
     let program = Rc::clone(&run.program);
-    let Some(block) = program.blocks.get(at) else {
-        return Ok(Next::End);
-    };
+    let Some(block) = program.blocks.get(at) else { return Ok(Next::End) };
     let words = program.words_of(block);
     let skipped = block.skip.is_some_and(|level| run.skip.contains(&level));
     if skipped || left_out(run, words) {
@@ -164,9 +162,7 @@ fn repetition(run: &Interpreter, words: &[Word]) -> Option<(Span, ExprId)> {
 fn left_out(run: &mut Interpreter, words: &[Word]) -> bool {
     let loops = run.program.grammar().structures.contains(&"DO");
     for word in words {
-        let (WordKind::Keyword { name, .. } | WordKind::Call { name, .. }) = &word.kind else {
-            continue;
-        };
+        let (WordKind::Keyword { name, .. } | WordKind::Call { name, .. }) = &word.kind else { continue };
         let text = run.program.name(*name);
         match text.as_str() {
             "PROC" | "EXTERN" | "ENDPROC" => return true,
@@ -299,9 +295,7 @@ fn assign(run: &mut Interpreter, key: &str, value: Datum, span: Span, found: &mu
         "LIMS" => run.modal.speed_limit = Some(number()?),
         "OFFN" => run.modal.allowance = number()? * run.sim.control.active_factor(),
         "DISC" if number()? == 0.0 => {}
-        "DISC" if !(0.0..=100.0).contains(&number()?) => {
-            return Err(Problem::new("run-range", span, key));
-        }
+        "DISC" if !(0.0..=100.0).contains(&number()?) => return Err(Problem::new("run-range", span, key)),
         "DISC" => run.tell(Severity::Warning, &Problem::new("run-not-simulated", span, key)),
         _ => {
             names::write(run, key, &value, span)?;

@@ -17,9 +17,7 @@ use std::rc::Rc;
 
 /// The calls of a block that are carried out now.
 pub fn calls(run: &mut Interpreter, found: &Words) -> Result<Vec<Call>, Problem> {
-    let [first, rest @ ..] = &found.calls[..] else {
-        return Ok(Vec::new());
-    };
+    let [first, rest @ ..] = &found.calls[..] else { return Ok(Vec::new()) };
     match first.name.as_str() {
         CALL | FROM_OUTSIDE => Ok(vec![named_by_text(run, first, rest)?]),
         BY_PATH => Ok(rest.to_vec()),
@@ -89,9 +87,7 @@ pub fn leave(run: &mut Interpreter) -> Next {
         }
         return Next::Jump(level.blocks.start);
     }
-    let Some(level) = run.levels.pop() else {
-        return Next::End;
-    };
+    let Some(level) = run.levels.pop() else { return Next::End };
     if let Some(saved) = level.saved {
         level::restore(run, *saved);
     }

@@ -123,9 +123,7 @@ fn target(dialect: Dialect, text: &str) -> Option<String> {
     if !assigns || name.is_empty() {
         return None;
     }
-    let Some(index) = index else {
-        return Some(name.to_owned());
-    };
+    let Some(index) = index else { return Some(name.to_owned()) };
     let index: String = index.chars().filter(|one| !one.is_whitespace()).collect();
     let number = index.chars().all(|one| one.is_ascii_digit() || one == ',');
     Some(match (name, number) {

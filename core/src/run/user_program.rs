@@ -16,9 +16,7 @@ use crate::syntax::programs::Unit;
 pub fn around(run: &mut Interpreter, program: &UserProgram, cycle: &Cycle, span: Span) -> Result<(), Stop> {
     let measures = cycle.is_measuring_cycle();
     let unit = run.programs.named(program.name).filter(|_| measures);
-    let Some(unit) = unit.cloned() else {
-        return Ok(());
-    };
+    let Some(unit) = unit.cloned() else { return Ok(()) };
     if run.levels.iter().any(|level| level.blocks == unit.blocks) {
         return Ok(());
     }

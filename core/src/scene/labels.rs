@@ -126,10 +126,8 @@ pub fn collisions(entries: &[Entry]) -> Vec<Label> {
 fn raised(later: &[Entry]) -> Option<String> {
     let next =
         later.iter().find(|one| matches!(one.step, Step::Alarm(_) | Step::Motion { .. } | Step::CallBegin { .. }))?;
-    match next.step {
-        Step::Alarm(code) => Some(code.to_string()),
-        _ => None,
-    }
+    let Step::Alarm(code) = next.step else { return None };
+    Some(code.to_string())
 }
 
 /// Which parameter explains a diameter: that of the first touched place on it. `edges`: parameters in the order of the

@@ -25,9 +25,7 @@ pub struct Way {
 pub fn ways(entries: &[Entry]) -> Vec<Way> {
     let mut ways = Vec::new();
     for (entry, one) in entries.iter().enumerate() {
-        let Step::Motion { kind, from, to, around, .. } = &one.step else {
-            continue;
-        };
+        let Step::Motion { kind, from, to, around, .. } = &one.step else { continue };
         let count = around.map_or(1, |around| (around.degrees.abs() / PIECE).ceil().max(1.0) as usize);
         let mut begin = (0.0, from.0);
         for piece in 1..=count {
@@ -56,9 +54,7 @@ pub fn stands(entries: &[Entry], tools: &[Tool]) -> Vec<[f64; 3]> {
         Step::Motion { from, .. } => Some((V3::from(from.0), length(entry))),
         _ => None,
     });
-    let Some((mut at, mut with)) = first else {
-        return Vec::new();
-    };
+    let Some((mut at, mut with)) = first else { return Vec::new() };
     let stand = |entry: &Entry| {
         if let Step::Motion { to, .. } = &entry.step {
             (at, with) = (V3::from(to.0), length(entry));

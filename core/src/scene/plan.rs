@@ -271,9 +271,7 @@ impl Performed {
         }
         let mut lines = Vec::new();
         for solid in solids.iter().filter(|solid| touched.is_empty() || touched.contains(solid)) {
-            let Some(outline) = seen(solid, kind) else {
-                continue;
-            };
+            let Some(outline) = seen(solid, kind) else { continue };
             bodies.push(outline.body);
             lines.extend(outline.lines);
         }
@@ -351,9 +349,7 @@ impl Performed {
         let fields = &self.staging.fields;
         let mut corners = Vec::new();
         for zone in self.proposal.zones.iter().filter(|_| fields.zone.is_some()) {
-            let Some(outline) = outline(zone, ShapeKind::Zone, None, |point| self.seen(look, point)) else {
-                continue;
-            };
+            let Some(outline) = outline(zone, ShapeKind::Zone, None, |point| self.seen(look, point)) else { continue };
             let body = outline.body;
             let around @ [low, high] = extent(std::slice::from_ref(&body));
             let figure = |points| polygon(ShapeKind::Zone, points);
@@ -381,14 +377,10 @@ impl Performed {
         let mut drawn: Vec<[[f64; 2]; 2]> = Vec::new();
         let arc = self.staging.fields.arc.filter(|_| look.way.is_none());
         for way in self.ways.iter().filter(|way| (look.since..look.until()).contains(&way.after)) {
-            let Some(field) = (if way.round { look.way.or(arc) } else { look.way }) else {
-                continue;
-            };
+            let Some(field) = (if way.round { look.way.or(arc) } else { look.way }) else { continue };
             let mut points: Vec<[f64; 2]> = way.points.iter().map(|point| self.seen(look, *point)).collect();
             points.dedup();
-            let (Some(from), Some(to)) = (points.first().copied(), points.last().copied()) else {
-                continue;
-            };
+            let (Some(from), Some(to)) = (points.first().copied(), points.last().copied()) else { continue };
             if points.len() < 2 || !way.round && (drawn.contains(&[from, to]) || drawn.contains(&[to, from])) {
                 continue;
             }
@@ -435,9 +427,7 @@ fn plane(inputs: &Inputs, staging: &Staging) -> Plane {
 
 /// Makes it a call of another variant.
 fn vary(inputs: &mut Inputs, variant: Option<i64>) {
-    let Some(variant) = variant else {
-        return;
-    };
+    let Some(variant) = variant else { return };
     inputs.variant = variant;
     inputs.numbers.extend(inputs.cycle.variant_param().map(|name| (name, variant as f64)));
 }

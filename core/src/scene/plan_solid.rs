@@ -116,9 +116,7 @@ fn crossing([from, to]: [V3; 2], cut: Cut) -> Option<V3> {
 
 /// A figure with what is open in it, whose boundary counts.
 fn from_above(outer: PictureShape, opening: Option<PictureShape>) -> Outline {
-    let Some(inner) = opening else {
-        return Outline { lines: lines(&outer), body: outer };
-    };
+    let Some(inner) = opening else { return Outline { lines: lines(&outer), body: outer } };
     let lines = lines(&inner);
     let body = match inner.circle {
         Some(opening) => PictureShape { opening: Some(opening), ..outer },
@@ -137,9 +135,7 @@ fn section([one, other]: &[[V3; 4]; 2], cut: Cut) -> Vec<V3> {
     let edges = around(one).into_iter().chain(around(other)).chain(along);
     let mut corners: Vec<V3> = edges.filter_map(|edge| crossing(edge, cut)).collect();
     let middle = corners.iter().sum::<V3>() / corners.len().max(1) as f64;
-    let Some(first) = corners.first().map(|corner| corner - middle) else {
-        return corners;
-    };
+    let Some(first) = corners.first().map(|corner| corner - middle) else { return corners };
     let second = cut.normal.cross(&first);
     let turn = |corner: &V3| (corner - middle).dot(&second).atan2((corner - middle).dot(&first));
     corners.sort_by(|one, other| turn(one).total_cmp(&turn(other)));

@@ -11,9 +11,7 @@ use crate::entry::How;
 fn staged() -> impl Iterator<Item = (Inputs, &'static Staged)> {
     let all = CYCLES.iter().flat_map(|cycle| cycle.variants.iter().map(move |variant| (*cycle, variant)));
     all.filter_map(|(cycle, variant)| {
-        let Some(How::Staged(staged)) = cycle.picture.how() else {
-            return None;
-        };
+        let Some(How::Staged(staged)) = cycle.picture.how() else { return None };
         let mut control = delivery(cycle.dialect);
         if cycle.purpose.machine == MachineSort::Turning {
             (control.plane, control.transverse) = (Plane::G18, Transverse::Diameter);

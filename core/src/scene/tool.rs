@@ -91,9 +91,7 @@ fn uncorrected(used: &InUse, all: &[InUse]) -> Option<InUse> {
 fn tool(setup: &Setup, used: &InUse, measured: bool) -> Tool {
     let is_probe = |edge: &Edge| measured || [710, LATHE_PROBE].contains(&edge.kind);
     let probe = used.edge.as_ref().is_none_or(is_probe);
-    let Some(tool) = used.tool.as_ref().filter(|_| !probe) else {
-        return ball(setup, used);
-    };
+    let Some(tool) = used.tool.as_ref().filter(|_| !probe) else { return ball(setup, used) };
     let tip = V3::from(used.tip);
     let carrier = V3::from(used.length) - tip;
     let (pieces, along) = seen::tool(tool, carrier, used.plane, used.spindle);
@@ -120,10 +118,7 @@ fn ball(setup: &Setup, used: &InUse) -> Tool {
 
 /// Holder and turret of a turning machine.
 fn held(setup: &Setup, used: &InUse, carrier: V3, along: V3) -> Vec<Drawn> {
-    match used.turns {
-        true => seen::turret(&setup.turret, carrier, along),
-        false => Vec::new(),
-    }
+    if used.turns { seen::turret(&setup.turret, carrier, along) } else { Vec::new() }
 }
 
 /// Pieces that begin at the end of a tool, from the position of the machine on.
@@ -234,9 +229,7 @@ fn plate(corners: &[V3], thick: V3) -> Mesh {
     for (i, corner) in corners.iter().enumerate() {
         let next = corners[(i + 1) % corners.len()];
         let border = (next - corner).cross(&thick);
-        let Some(normal) = border.try_normalize(0.0) else {
-            continue;
-        };
+        let Some(normal) = border.try_normalize(0.0) else { continue };
         let side = if normal.dot(&(corner - middle)) < 0.0 { -normal } else { normal };
         mesh.flat(&[*corner, next, next + thick, corner + thick], side);
     }

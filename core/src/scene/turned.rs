@@ -73,10 +73,7 @@ pub struct Reading {
 /// at its end tells.
 pub fn drawing(setup: &Setup, outcome: &Outcome) -> Drawing {
     let diameters: Vec<Diameter> = setup.workpiece.solids.iter().flat_map(diameters).collect();
-    let touched = match diameters.is_empty() {
-        true => Vec::new(),
-        false => touched(&outcome.control, &outcome.trace),
-    };
+    let touched = if diameters.is_empty() { Vec::new() } else { touched(&outcome.control, &outcome.trace) };
     Drawing { diameters, touched, reading: reading(&outcome.control) }
 }
 
@@ -101,9 +98,7 @@ fn diameters(solid: &Solid) -> Vec<Diameter> {
     let across = (across - axis * axis[TRANSVERSE]).try_normalize(0.0).unwrap_or_else(V3::x);
     let mut found = Vec::new();
     for columns in [(set.stands, real.stands), (set.opening, real.opening)] {
-        let (Some(Column::Round(set, _)), Some(Column::Round(real, depth))) = columns else {
-            continue;
-        };
+        let (Some(Column::Round(set, _)), Some(Column::Round(real, depth))) = columns else { continue };
         for deep in if real.slope == 0.0 { vec![0.0] } else { vec![0.0, depth] } {
             let (set, real) = (2.0 * set.radius, 2.0 * (real.radius + real.slope * deep));
             let front = place.translation.vector - axis * deep;

@@ -30,9 +30,7 @@ const JAW_WIDTH: f64 = 0.28;
 /// What is seen of a chuck, in its own frame: jaws over the first third of its length, the body behind them. What can
 /// be touched is what they sweep.
 pub fn seen(solid: &Solid) -> Vec<Solid> {
-    let Shape::Chuck { diameter, length, grip } = solid.shape else {
-        return Vec::new();
-    };
+    let Shape::Chuck { diameter, length, grip } = solid.shape else { return Vec::new() };
     let high = length / 3.0;
     let part = |shape, at, turned| Solid { shape, at, rotation: [0.0, 0.0, turned], errors: PartErrors::default() };
     let body = Shape::Turned { diameter: diameter + solid.errors.size, length: length - high, bore: [0.0; 2] };

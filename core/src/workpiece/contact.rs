@@ -107,9 +107,7 @@ fn stand(body: &Body, path: &Path, radius: f64) -> Stand {
     }
     let inside = body.inside(&path.from);
     let reach = if inside { f64::INFINITY } else { radius + TOLERANCE };
-    let Some((point, distance)) = surface(body, &path.from, reach) else {
-        return Stand::Free;
-    };
+    let Some((point, distance)) = surface(body, &path.from, reach) else { return Stand::Free };
     let depth = if inside { radius + distance } else { radius - distance };
     if depth > TOLERANCE {
         let away = path.from - point;
@@ -140,9 +138,7 @@ fn surface(body: &Body, p: &V3, reach: f64) -> Option<(V3, f64)> {
         if extent.distance(p) > limit || feature.is_beyond(p, limit) {
             continue;
         }
-        let Some(point) = foot(feature, p) else {
-            continue;
-        };
+        let Some(point) = foot(feature, p) else { continue };
         let distance = (p - point).norm();
         if distance <= limit && nearest.is_none_or(|(_, before)| distance < before) {
             limit = distance;
@@ -164,13 +160,9 @@ fn hit(body: &Body, path: &Path, radius: f64) -> Option<Met> {
             continue;
         }
         let sooner = |way: &f64| nearest.is_none_or(|before| *way <= before.way - 1e-11);
-        let Some(way) = first_on(feature, path, radius).filter(sooner) else {
-            continue;
-        };
+        let Some(way) = first_on(feature, path, radius).filter(sooner) else { continue };
         let ball = path.at(way);
-        let Some(point) = foot(feature, &ball) else {
-            continue;
-        };
+        let Some(point) = foot(feature, &ball) else { continue };
         let normal = (ball - point).try_normalize(0.0).unwrap_or(-path.direction);
         nearest = Some(Met { way, point, normal });
     }

@@ -17,10 +17,7 @@ impl Boundary {
     /// How long something is held against the part, in solids that are quick to look at; one out of round is not.
     pub fn weight(&self) -> usize {
         let lobed = |feature: &Feature| matches!(feature, Feature::Lobed(_));
-        let weight = |body: &Body| match body.features.iter().any(lobed) {
-            true => LOBED,
-            false => 1,
-        };
+        let weight = |body: &Body| if body.features.iter().any(lobed) { LOBED } else { 1 };
         self.bodies.iter().map(weight).sum()
     }
 }

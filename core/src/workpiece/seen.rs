@@ -150,10 +150,7 @@ fn lies(nose: &Nose, carrier: [f64; 2]) -> (usize, f64) {
         side => (-side * carrier[axis], -side),
     };
     let [abscissa, ordinate] = [0, 1].map(way);
-    match abscissa.0 > ordinate.0 {
-        true => (0, abscissa.1),
-        false => (1, ordinate.1),
-    }
+    if abscissa.0 > ordinate.0 { (0, abscissa.1) } else { (1, ordinate.1) }
 }
 
 /// The shank about S.

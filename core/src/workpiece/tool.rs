@@ -248,10 +248,7 @@ impl Cutter {
     fn profile(&self, radius: f64) -> Profile {
         let [inside, above] = self.chamfer;
         let corner = self.corner.min(radius);
-        let top = match self.disc > 0.0 {
-            true => self.disc,
-            false => HEIGHT.max(2.0 * (corner + above)),
-        };
+        let top = if self.disc > 0.0 { self.disc } else { HEIGHT.max(2.0 * (corner + above)) };
         Profile {
             corner,
             points: [

@@ -34,9 +34,7 @@ impl ToolProbe {
 
     /// The cap as a convex body; none where it is none.
     fn cap(&self) -> Option<Cap> {
-        let Form::Columns(Columns { stands: Some(column), plate: false, .. }) = self.solid.form() else {
-            return None;
-        };
+        let Form::Columns(Columns { stands: Some(column), plate: false, .. }) = self.solid.form() else { return None };
         Some(Cap { column, place: self.solid.place() })
     }
 }

@@ -27,9 +27,7 @@ pub fn explain(name: &str, number: Option<i64>, words: &Words, out: &mut dyn Wri
 }
 
 fn page(found: &'static Cycle, number: Option<i64>, words: &Words) -> Result<String, Problem> {
-    let Some(number) = number else {
-        return Ok(cycle(found, words));
-    };
+    let Some(number) = number else { return Ok(cycle(found, words)) };
     let chosen = found.variants.iter().find(|one| one.number == number);
     let chosen = chosen.ok_or_else(|| format!("{} has no variant {number}", found.name))?;
     Ok(variant(found, chosen, words))

@@ -37,9 +37,7 @@ pub struct Files {
 impl Files {
     /// Puts the surface that is named into the setup.
     pub fn put_surface(&self, setup: &mut Setup, words: &Words) -> Result<(), Problem> {
-        let Some(path) = &self.surface else {
-            return Ok(());
-        };
+        let Some(path) = &self.surface else { return Ok(()) };
         let refused = |why: &str| format!("{}: {why}", path.display());
         let (name, bytes) = surface(path)?;
         match put_surface(setup, &name, &bytes).map_err(|error| refused(&words.text(&error.message)))? {

@@ -15,9 +15,7 @@ use crate::name::Name;
 pub fn checks(inputs: &Inputs, _: &Control, found: &mut Vec<Diagnostic>) {
     shared_checks::takes_rotation(TARGET, inputs, found);
     for (names, key) in [(SET, "check-119-set-line"), (MEASURED, "check-119-measured-line")] {
-        let Some(points) = points(inputs, names) else {
-            continue;
-        };
+        let Some(points) = points(inputs, names) else { continue };
         if fit::in_line(points) {
             found.push(
                 error(Code::Alarm(61411), Message::new(key)).hint(Message::new("check-119-line-hint")).at(names[2][0]),

@@ -34,18 +34,14 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
 
 /// The position.
 fn computed(inputs: &Inputs) -> Result<Position, u32> {
-    let (Some(set), Some(measured)) = (points(inputs, SET), points(inputs, MEASURED)) else {
-        return Err(NO_FRAME);
-    };
+    let (Some(set), Some(measured)) = (points(inputs, SET), points(inputs, MEASURED)) else { return Err(NO_FRAME) };
     position(&set, &measured)
 }
 
 /// Corrects the frame that `_COR` names, if the distortion is below its limit (B:8566-8576).
 fn corrected(machine: &mut dyn Machine, inputs: &Inputs, position: &Position) -> Result<(), u32> {
     let control = machine.control();
-    let Some(target) = zero_offset::target(control, inputs.integer(TARGET))? else {
-        return Ok(());
-    };
+    let Some(target) = zero_offset::target(control, inputs.integer(TARGET))? else { return Ok(()) };
     correctable(control, &target)?;
     position.within(inputs.number(LIMIT))?;
     let target = Target { activate: false, ..target };

@@ -65,9 +65,7 @@ fn distances(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
 
 /// Two edges are not one (A:15890), and those of a rectangle stand upright on each other.
 fn directions(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
-    let Some(angle) = inputs.given(names::INCA) else {
-        return;
-    };
+    let Some(angle) = inputs.given(names::INCA) else { return };
     if angle == 0.0 {
         found.push(refused(61347, "check-corner-straight", names::INCA));
     } else if RECTANGLE.holds(inputs) && (angle.abs() - 90.0).abs() > TOLERANCE {
@@ -92,9 +90,7 @@ fn given(inputs: &Inputs) -> Option<[Point; 4]> {
 
 /// The four points have to make two lines that meet outside of them (A:15911-15913).
 fn points(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
-    let Some([p1, p2, p3, p4]) = given(inputs) else {
-        return;
-    };
+    let Some([p1, p2, p3, p4]) = given(inputs) else { return };
     for (one, other, at) in [(p1, p2, names::SETV2), (p3, p4, names::SETV6)] {
         if one == other {
             found.push(refused(61367, "check-corner-same", at));

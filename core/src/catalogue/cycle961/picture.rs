@@ -68,14 +68,10 @@ struct Corner {
 
 impl Corner {
     fn of(above: &Seen) -> Option<Corner> {
-        let [first, second, ..] = &above.edges[..] else {
-            return None;
-        };
+        let [first, second, ..] = &above.edges[..] else { return None };
         let at = *first.points.iter().find(|end| second.points.contains(end))?;
         let other = |edge: &PictureShape| edge.points.iter().find(|end| **end != at).copied();
-        let [p2, p1, p3, ..] = above.touches[..] else {
-            return None;
-        };
+        let [p2, p1, p3, ..] = above.touches[..] else { return None };
         let beyond = along(p3.start, away(above.start, p3.start), 1.0);
         let starts = [p1.start, p2.start, p3.start, above.touches.get(3).map_or(beyond, |p4| p4.start)];
         Some(Corner { at, edges: [direction(at, other(first)?), direction(at, other(second)?)], starts })
@@ -96,9 +92,7 @@ impl Corner {
 
 /// Directions and distances or places, the new zero point, heights.
 pub fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
-    let ([above, beside @ ..], Some(corner)) = (looks, looks.first().and_then(Corner::of)) else {
-        return Vec::new();
-    };
+    let ([above, beside @ ..], Some(corner)) = (looks, looks.first().and_then(Corner::of)) else { return Vec::new() };
     let mut shapes =
         if POINTS.holds(inputs) { coordinates(&corner, above) } else { directions(inputs, &corner, above) };
     shapes.extend(above.path(names::FA, 0, 2.0));

@@ -40,10 +40,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
 }
 
 fn nominal(inputs: &Inputs, control: &Control, touches: &[Touch], ball: f64) -> Nominal {
-    match POINTS.holds(inputs) {
-        true => by_points(touches, ball),
-        false => by_distances(inputs, control, ball),
-    }
+    if POINTS.holds(inputs) { by_points(touches, ball) } else { by_distances(inputs, control, ball) }
 }
 
 /// Where the nominal part is touched, P1 first.

@@ -104,10 +104,8 @@ pub fn automatic(machine: &mut dyn Machine, task: &Task) -> Result<Found, Stop> 
 
 /// The middle between two sides; none where only one could be touched.
 fn between(touched: &[Trigger]) -> Option<f64> {
-    match touched {
-        [plus, minus] => Some((plus.value + minus.value) / 2.0),
-        _ => None,
-    }
+    let [plus, minus] = touched else { return None };
+    Some((plus.value + minus.value) / 2.0)
 }
 
 /// Sides of an axis that may be touched, plus direction first.

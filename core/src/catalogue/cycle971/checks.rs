@@ -46,9 +46,7 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
 
 /// The measuring path is positive; at incremental calibration its sign is the direction (B:4421-4424, A:15847).
 fn path(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
-    let Some(path) = inputs.given(names::FA) else {
-        return;
-    };
+    let Some(path) = inputs.given(names::FA) else { return };
     let incremental = INCREMENTAL.holds(inputs);
     if path > 0.0 || incremental && path != 0.0 {
         return;

@@ -52,14 +52,10 @@ pub fn stage(inputs: &Inputs) -> Staging {
 
 /// Path, edge, limits, the tool and the system of the data.
 pub fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
-    let [above, section] = looks else {
-        return Vec::new();
-    };
+    let [above, section] = looks else { return Vec::new() };
     let mut shapes = limits(inputs, section);
     shapes.extend(reference(inputs, above, section));
-    let Some(touch) = section.touches.last() else {
-        return shapes;
-    };
+    let Some(touch) = section.touches.last() else { return shapes };
     let radius = section.ball;
     shapes.push(body(inputs, touch.start, radius));
     let side = (touch.start[0] - section.middle()[0]).signum();
@@ -115,9 +111,7 @@ fn edges(inputs: &Inputs, centre: [f64; 2], r: f64) -> Vec<PictureShape> {
     if ROTATING.holds(inputs) {
         return vec![line(ShapeKind::Path, arc(centre, 0.6 * r, 0.0, 270.0)).of(names::MVAR)];
     }
-    let [a, b, c, d] = corners(centre, [1.2 * r; 2])[..] else {
-        return Vec::new();
-    };
+    let [a, b, c, d] = corners(centre, [1.2 * r; 2])[..] else { return Vec::new() };
     let edge = |from, to| line(ShapeKind::Axis, vec![from, to]).of(names::MVAR);
     vec![edge(a, c), edge(b, d), circle(ShapeKind::Axis, centre, 0.2 * r).of(names::MVAR)]
 }

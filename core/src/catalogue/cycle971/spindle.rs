@@ -24,10 +24,7 @@ pub fn touch(machine: &mut dyn Machine, task: &Task, point: &Point) -> Result<(f
         (_, 4.0) => -1.0,
         _ => return Err(alarm(machine, 61366)),
     };
-    let probings = match control.bit("_CBIT[12]") {
-        true => own(control),
-        false => calculated(control, task.radius),
-    };
+    let probings = if control.bit("_CBIT[12]") { own(control) } else { calculated(control, task.radius) };
     if probings.is_empty() || probings.iter().any(|(_, feed)| *feed <= 0.0) {
         return Err(alarm(machine, 61350));
     }

@@ -54,16 +54,12 @@ fn turned(inputs: &Inputs) -> bool {
 
 /// Setpoint or groove, direction, limits, and what is determined.
 pub fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
-    let ([seen], paper) = (looks, usize::from(axis(inputs) != 0)) else {
-        return Vec::new();
-    };
+    let ([seen], paper) = (looks, usize::from(axis(inputs) != 0)) else { return Vec::new() };
     let used: Vec<_> = BANDS.into_iter().filter(|(name, ..)| inputs.uses(*name)).collect();
     let mut shapes = seen.bands(ShapeKind::Tolerance, &used);
     shapes.extend(seen.arrows(names::MD, 3.0));
     shapes.extend(seen.path(names::FA, 0, 2.5));
-    let Some(touch) = seen.touches.first() else {
-        return shapes;
-    };
+    let Some(touch) = seen.touches.first() else { return shapes };
     let axes = [0, 1].map(|axis| (axis == paper).then_some(names::MA));
     if SURFACE.holds(inputs) {
         let [low, _] = seen.extent;

@@ -63,9 +63,7 @@ fn found(triggers: Vec<Trigger>) -> Calibration {
 /// One or both directions of an axis in the groove (B:10205-10260).
 fn groove(machine: &mut dyn Machine, inputs: &Inputs, block: &Block) -> Result<Calibration, Stop> {
     let tip = machine.control().active_edge().map_or(0, |edge| edge.tip);
-    let Some(groove) = Groove::of(tip) else {
-        return Err(alarm(machine, 61315));
-    };
+    let Some(groove) = Groove::of(tip) else { return Err(alarm(machine, 61315)) };
     let pair = inputs.integer(names::CALNUM);
     if pair < 1 || pair as f64 > machine.control().number("_CVAL[2]") {
         return Err(alarm(machine, 61333));
@@ -91,10 +89,7 @@ type Points = Result<Vec<Point>, Stop>;
 
 /// What is touched in order: plus before minus. Of its base a groove shows one side only (61326).
 fn points(machine: &mut dyn Machine, inputs: &Inputs, block: &Block, place: &Place, axis: usize) -> Points {
-    let directions = match TWO.holds(inputs) {
-        true => vec![1.0, -1.0],
-        false => vec![direction(machine, inputs)?],
-    };
+    let directions = if TWO.holds(inputs) { vec![1.0, -1.0] } else { vec![direction(machine, inputs)?] };
     let [walls, base] = place.axes;
     if axis == base {
         if directions != [-1.0] {

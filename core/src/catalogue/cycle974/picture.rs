@@ -25,9 +25,7 @@ pub fn stage(inputs: &Inputs) -> Staging {
 
 /// Setpoint, limits, what is moved and turned.
 pub fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
-    let [seen] = looks else {
-        return Vec::new();
-    };
+    let [seen] = looks else { return Vec::new() };
     let paper = usize::from(axis(inputs) != 0);
     let [low, high] = seen.extent;
     let mut shapes = seen.limits(inputs, None);

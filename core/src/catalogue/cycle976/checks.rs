@@ -36,9 +36,7 @@ fn first(inputs: &Inputs, control: &Control, ball: f64, found: &mut Vec<Diagnost
 
 /// The ball has to fit and to have its way (B:5132, B:5198).
 fn hole(inputs: &Inputs, control: &Control, ball: f64, found: &mut Vec<Diagnostic>) {
-    let Some(size) = inputs.given(names::SETVAL) else {
-        return;
-    };
+    let Some(size) = inputs.given(names::SETVAL) else { return };
     if size <= 0.0 {
         let finding = own::RANGE.finding().text("param", names::SETVAL);
         let finding = finding.number("value", size / factor(Unit::ActiveLength, control));

@@ -32,9 +32,7 @@ fn upright(inputs: &Inputs) -> bool {
 
 /// Size or position, directions, and what is determined about the probe.
 pub fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
-    let [seen] = looks else {
-        return Vec::new();
-    };
+    let [seen] = looks else { return Vec::new() };
     if !HOLE.holds(inputs) {
         return surface(inputs, seen);
     }
@@ -116,9 +114,7 @@ fn surface(inputs: &Inputs, seen: &Seen) -> Vec<PictureShape> {
     let axis = usize::from(upright(inputs) || inputs.integer(names::MA) == 2);
     let mut shapes = seen.position(names::SETVAL, axis, None);
     shapes.extend(seen.measuring_axis(names::MA, axis));
-    let Some(touch) = seen.touches.first() else {
-        return shapes;
-    };
+    let Some(touch) = seen.touches.first() else { return shapes };
     shapes.extend(seen.arrows(names::MD, seen.ball));
     shapes.extend(seen.path(names::FA, 0, 2.0));
     if LENGTH.holds(inputs) {

@@ -35,9 +35,7 @@ pub fn stage(inputs: &Inputs) -> Staging {
 
 /// Sizes, infeed and limits.
 pub fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
-    let [above, beside @ ..] = looks else {
-        return Vec::new();
-    };
+    let [above, beside @ ..] = looks else { return Vec::new() };
     let (tool, first) = (TOOL.holds(inputs), first(inputs));
     let mut shapes: Vec<PictureShape> = above.limits(inputs, (!tool).then_some(above.middle()));
     let fields = [0, 1].map(|axis| match (WIDTH.holds(inputs), tool) {

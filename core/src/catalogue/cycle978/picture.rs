@@ -20,9 +20,7 @@ pub fn stage(inputs: &Inputs) -> Staging {
 
 /// Set position, measuring path and limits.
 pub fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
-    let [seen, ..] = looks else {
-        return Vec::new();
-    };
+    let [seen, ..] = looks else { return Vec::new() };
     let axis = usize::from(inputs.integer(names::MA) != 1);
     let mut shapes = seen.limits(inputs, None);
     shapes.extend(seen.measuring_axis(names::MA, axis));

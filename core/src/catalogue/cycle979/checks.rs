@@ -30,9 +30,7 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
 
 /// In a hole or groove the ball has to fit and to have its way; in a hole it goes round between centre and wall.
 fn inside(inputs: &Inputs, ball: f64, found: &mut Vec<Diagnostic>) {
-    let Some(size) = inputs.given(names::SETVAL) else {
-        return;
-    };
+    let Some(size) = inputs.given(names::SETVAL) else { return };
     if !shared_checks::fits(names::SETVAL, size, ball, found) {
         return;
     }
@@ -46,9 +44,7 @@ fn inside(inputs: &Inputs, ball: f64, found: &mut Vec<Diagnostic>) {
 
 /// The way over a web (B:6921-6929).
 fn lift(inputs: &Inputs, control: &Control, ball: f64, found: &mut Vec<Diagnostic>) {
-    let Some(lift) = inputs.given(names::ID) else {
-        return;
-    };
+    let Some(lift) = inputs.given(names::ID) else { return };
     let lift = lift * place::side(control);
     if lift <= 0.0 {
         found.push(own::LIFT.finding().at(names::ID));

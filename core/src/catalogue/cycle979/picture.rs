@@ -32,9 +32,7 @@ pub fn stage(inputs: &Inputs) -> Staging {
 
 /// Set centre, angles, size and limits.
 pub fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
-    let [above, beside @ ..] = looks else {
-        return Vec::new();
-    };
+    let [above, beside @ ..] = looks else { return Vec::new() };
     let (tool, round) = (TOOL.holds(inputs), ROUND.holds(inputs));
     let middle = add(above.zero, [CENTRE; 2]);
     let start = inputs.number(names::STA1) % 360.0;

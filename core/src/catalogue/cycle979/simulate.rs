@@ -92,9 +92,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
         }
         let balls = measure(machine, &block, &element)?;
         let height = block.ball_at(machine.position().0)[block.axes[2]];
-        let Some(found) = element.evaluate(&balls, block.ball, height) else {
-            return Err(alarm(machine, 61316));
-        };
+        let Some(found) = element.evaluate(&balls, block.ball, height) else { return Err(alarm(machine, 61316)) };
         target.finish(machine, inputs, &found, repetition)
     })
 }
@@ -137,9 +135,7 @@ fn across(machine: &mut dyn Machine, block: &Block, element: &Element, ray: &Ray
 
 /// Back to the first point the way that led to the last one, to measure again.
 fn back(machine: &mut dyn Machine, block: &Block, element: &Element) -> Result<(), Stop> {
-    let Some(first) = element.angles.first() else {
-        return Ok(());
-    };
+    let Some(first) = element.angles.first() else { return Ok(()) };
     let steps = (element.angles.len() - 1) as f64;
     let ray = element.ray(*first, block.path);
     onward(machine, block, element, &ray, -steps * element.step)

@@ -69,9 +69,7 @@ fn idle_digits(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
 
 /// An incremental measurement that travels away from the tip: the back of the tool would meet the probe.
 fn direction(inputs: &Inputs, tip: i64, found: &mut Vec<Diagnostic>) {
-    let (Some(towards), Some(nose)) = (inputs.given(names::MD), inputs.nose) else {
-        return;
-    };
+    let (Some(towards), Some(nose)) = (inputs.given(names::MD), inputs.nose) else { return };
     let side = nose[usize::from(!ABSCISSA.holds(inputs))];
     let sense = if towards == 0.0 { 1.0 } else { -1.0 };
     // a calibration tool may be bent so that its ball also touches from the other side (B:9907)

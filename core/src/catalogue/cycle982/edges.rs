@@ -44,15 +44,11 @@ impl Edges {
         turned: bool,
         touch: impl Fn(&mut dyn Machine) -> Result<f64, Stop>,
     ) -> Result<f64, Stop> {
-        let Some(start) = self.start else {
-            return touch(machine);
-        };
+        let Some(start) = self.start else { return touch(machine) };
         let first = start + if turned && self.second.is_none() { OPPOSITE } else { 0.0 };
         machine.orient(first.rem_euclid(360.0));
         let latched = touch(machine)?;
-        let Some(offset) = self.second else {
-            return Ok(latched);
-        };
+        let Some(offset) = self.second else { return Ok(latched) };
         machine.orient((start + OPPOSITE + offset).rem_euclid(360.0));
         Ok((latched + touch(machine)?) / 2.0)
     }

@@ -19,10 +19,7 @@ const MEASURED: std::ops::RangeInclusive<i64> = 1..=8;
 pub fn nose(machine: &mut dyn Machine, inputs: &Inputs) -> Result<[f64; 2], Stop> {
     let edge = machine.control().active_edge();
     let (turning, tip) = edge.map_or((false, 0), |edge| (edge.is_turning(), edge.tip));
-    let allowed = match CALIBRATE.holds(inputs) {
-        true => tip == CALIBRATION,
-        false => MEASURED.contains(&tip),
-    };
+    let allowed = if CALIBRATE.holds(inputs) { tip == CALIBRATION } else { MEASURED.contains(&tip) };
     match (turning, allowed) {
         (false, _) => Err(alarm(machine, 61314)),
         (true, false) => Err(alarm(machine, 61315)),

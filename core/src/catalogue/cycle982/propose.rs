@@ -70,10 +70,7 @@ fn lying(inputs: &Inputs, control: &Control) -> Option<Tool> {
     let edge = control.active_edge().filter(|edge| !edge.is_turning())?;
     let mut tool = Tool::nominal(edge, control);
     if let Cut::Cutter(cutter) = &mut tool.cut {
-        cutter.axis = match DRILL_ALONG_APPLICATE.holds(inputs) {
-            true => 2,
-            false => usize::from(RADIAL.holds(inputs)),
-        };
+        cutter.axis = if DRILL_ALONG_APPLICATE.holds(inputs) { 2 } else { usize::from(RADIAL.holds(inputs)) };
         cutter.disc = if UPPER.holds(inputs) { DISC } else { 0.0 };
     }
     Some(tool)

@@ -14,9 +14,7 @@ use crate::own;
 pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     lathe::checks::measuring(inputs, control, found);
     ball_diameter(inputs, control, found);
-    let Some(set) = inputs.given(names::SETVAL) else {
-        return;
-    };
+    let Some(set) = inputs.given(names::SETVAL) else { return };
     if set <= 0.0 {
         found.push(own::TWO_SETPOINT.finding().number("set", set).at(names::SETVAL));
         return;
@@ -49,9 +47,7 @@ fn across(inputs: &Inputs) -> (Name, Option<f64>) {
 /// The ball's centre passes on the border of the zone (B:10891), inside the measured element; `ball` is its radius as
 /// the setpoint counts.
 fn inside(inputs: &Inputs, set: f64, ball: f64, found: &mut Vec<Diagnostic>) {
-    let (name, Some(zone)) = across(inputs) else {
-        return;
-    };
+    let (name, Some(zone)) = across(inputs) else { return };
     let limit = set - ball;
     if zone.abs() > limit {
         let finding = refused(61334, "check-two-zone-inside", name).number("zone", zone).number("size", set);
@@ -69,9 +65,7 @@ fn either(inputs: &Inputs, set: f64, ball: f64, found: &mut Vec<Diagnostic>) {
         (true, false) => Some(half(names::SZO)),
         (false, true) => Some(half(names::SZA)),
     });
-    let (name, Some(zone)) = across(inputs) else {
-        return;
-    };
+    let (name, Some(zone)) = across(inputs) else { return };
     let limit = set + ball;
     if zone.abs() < limit {
         let finding = refused(61334, "check-two-zone-outside", name).number("zone", zone).number("size", set);

@@ -48,10 +48,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let inside = INSIDE_ZONE.holds(inputs);
     let mut start = [0.0; 3];
     start[left] = (element.end - BEHIND).max(0.0);
-    start[measured] = match inside {
-        true => (element.radius - gap).max(zone.border[0]),
-        false => element.radius + gap + AWAY,
-    };
+    start[measured] = if inside { (element.radius - gap).max(zone.border[0]) } else { element.radius + gap + AWAY };
     let part = if inside { element.inside() } else { element.outside() };
     let pin = element.pin().filter(|_| inside);
     Proposal {

@@ -81,10 +81,7 @@ fn zone(
     }
     let mut zone = Zone::of(machine.control(), inputs, axis);
     let surface = inputs.number(names::SETVAL) / measure::per(machine.control(), inputs);
-    let free = match inside {
-        true => zone.border[0] <= surface - block.radius,
-        false => zone.border[0] >= surface + block.radius,
-    };
+    let free = if inside { zone.border[0] <= surface - block.radius } else { zone.border[0] >= surface + block.radius };
     if !free {
         return Err(alarm(machine, 61334));
     }
@@ -95,9 +92,7 @@ fn zone(
 /// To the other side on the border of the zone (B:11124-11130); without one the measuring block leads there straight
 /// (B:11138-11142).
 fn across(machine: &mut dyn Machine, block: &Block, zone: Option<&Zone>) -> Result<(), Stop> {
-    let Some(Zone { axes, border }) = zone else {
-        return Ok(());
-    };
+    let Some(Zone { axes, border }) = zone else { return Ok(()) };
     let mut to = machine.position();
     let [measured, left] = *axes;
     let before = to[left];

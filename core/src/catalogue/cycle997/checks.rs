@@ -36,9 +36,7 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
 
 /// The sphere has to be much larger than the ball (B:8229; the factor of two is ours).
 fn small(inputs: &Inputs, ball: f64, found: &mut Vec<Diagnostic>) {
-    let Some(size) = inputs.given(names::SETVAL) else {
-        return;
-    };
+    let Some(size) = inputs.given(names::SETVAL) else { return };
     if size < 4.0 * ball {
         found.push(own::SPHERE_SMALL.finding().number("size", size).number("ball", 2.0 * ball).at(names::SETVAL));
     }
@@ -46,9 +44,7 @@ fn small(inputs: &Inputs, ball: f64, found: &mut Vec<Diagnostic>) {
 
 /// The circle of points at an angle; the diameter follows from its centre and one more point in the abscissa (B:8371).
 fn around(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
-    let Some(circle) = circle::spread(inputs, FOUR_POINTS.holds(inputs), found) else {
-        return;
-    };
+    let Some(circle) = circle::spread(inputs, FOUR_POINTS.holds(inputs), found) else { return };
     let finding = if DIAMETER.holds(inputs) {
         let diameter = 2.0 * circle.centre[0].hypot(1.0);
         spread::circle(Circle { diameter, ..circle }, names::INCA)
@@ -77,9 +73,7 @@ fn spheres(inputs: &Inputs) -> Vec<Sphere> {
 /// Three spheres: apart from each other, not on one line, with room for the ball.
 fn triangle(inputs: &Inputs, ball: f64, found: &mut Vec<Diagnostic>) {
     let (spheres, size) = (spheres(inputs), inputs.given(names::SETVAL));
-    let ([first, second, third], Some(size)) = (&spheres[..], size) else {
-        return;
-    };
+    let ([first, second, third], Some(size)) = (&spheres[..], size) else { return };
     for (one, other) in [(first, second), (first, third), (second, third)] {
         let distance = (other.centre - one.centre).norm();
         if distance < size {
@@ -99,9 +93,7 @@ fn triangle(inputs: &Inputs, ball: f64, found: &mut Vec<Diagnostic>) {
 
 /// No measuring block may begin inside of another sphere (B:8429, B:8449).
 fn beside(inputs: &Inputs, spheres: &[Sphere], radius: f64, ball: f64, found: &mut Vec<Diagnostic>) {
-    let Some(path) = inputs.given(names::FA) else {
-        return;
-    };
+    let Some(path) = inputs.given(names::FA) else { return };
     let starts = |sphere: &Sphere| {
         let centre = sphere.centre;
         sides(inputs).into_iter().map(move |side| {

@@ -40,9 +40,7 @@ pub fn stage(inputs: &Inputs) -> Staging {
 
 /// Set centre, angles, the last points.
 pub fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
-    let [above, section] = looks else {
-        return Vec::new();
-    };
+    let [above, section] = looks else { return Vec::new() };
     let middle = above.middle();
     let mut shapes = above.limits(inputs, Some(middle));
     shapes.push(line(ShapeKind::Touch, vec![middle]).of(names::SETV0));
@@ -75,9 +73,7 @@ pub fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
 
 /// Starting angle and indexing angle.
 fn angles(inputs: &Inputs, above: &Seen, middle: [f64; 2]) -> Vec<PictureShape> {
-    let [first, second, ..] = directions(inputs)[..] else {
-        return Vec::new();
-    };
+    let [first, second, ..] = directions(inputs)[..] else { return Vec::new() };
     let reach = 0.92 * SIZE;
     let mut shapes = vec![line(ShapeKind::Axis, vec![middle, add(middle, polar(first, reach))]).of(names::STA1)];
     shapes.extend(above.angle(names::STA1, middle, reach, [0.0, first]));

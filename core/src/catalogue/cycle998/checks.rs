@@ -108,9 +108,7 @@ fn along_the_axis(inputs: &Inputs, leg: &Leg) -> Option<Diagnostic> {
 
 /// The channel axis has to have a name and to be rotary (MD20080, MD30300, A:15872).
 fn rotary_axis(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
-    let Some(axis) = inputs.given(names::RA).filter(|axis| *axis > 0.0) else {
-        return;
-    };
+    let Some(axis) = inputs.given(names::RA).filter(|axis| *axis > 0.0) else { return };
     let Some(rotary) = control.rotary_channel_axis(axis as i64) else {
         found.push(refused(61329, "check-rotary-axis", names::RA).number("axis", axis));
         return;

@@ -96,9 +96,7 @@ impl Correction {
 
 /// By how much a direction of the surface is wrong when the frame is active as it is stored.
 fn seen_wrong(control: &Control, target: &Target, surface: &Surface, wrong: f64) -> f64 {
-    let Some(leg) = surface.legs.first() else {
-        return wrong;
-    };
+    let Some(leg) = surface.legs.first() else { return wrong };
     let axes = control.plane.axes();
     let mut direction = [0.0; 3];
     direction[axes[leg.axis]] = leg.distance;

@@ -66,9 +66,7 @@ pub fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
         }
         return shapes;
     }
-    let ([seen], [offset, measuring]) = (looks, axes(inputs)) else {
-        return Vec::new();
-    };
+    let ([seen], [offset, measuring]) = (looks, axes(inputs)) else { return Vec::new() };
     let along = usize::from(offset > measuring);
     let mut shapes = leg(inputs, seen, along, [names::STA1, names::ID]);
     if DIFFERENTIAL.holds(inputs) {
@@ -84,9 +82,7 @@ pub fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
 
 /// A way from the first point to the other one, along an axis of the paper: its angle with the safe area, its length.
 fn leg(inputs: &Inputs, seen: &Seen, along: usize, [angle, distance]: [Name; 2]) -> Vec<PictureShape> {
-    let [first, second] = seen.touches[..] else {
-        return Vec::new();
-    };
+    let [first, second] = seen.touches[..] else { return Vec::new() };
     let base = [0.0, 90.0][along];
     let way = [second.at[0] - first.at[0], second.at[1] - first.at[1]];
     let drawn = way[1].atan2(way[0]).to_degrees();
@@ -111,9 +107,7 @@ fn leg(inputs: &Inputs, seen: &Seen, along: usize, [angle, distance]: [Name; 2])
 
 /// What takes the angle: the rotary table around the part, or the axes that turn with the surface.
 fn corrected(inputs: &Inputs, seen: &Seen) -> Vec<PictureShape> {
-    let [first, second] = seen.touches[..] else {
-        return Vec::new();
-    };
+    let [first, second] = seen.touches[..] else { return Vec::new() };
     if inputs.integer(names::RA) > 0 {
         let [low, high] = seen.part;
         let middle = seen.middle();

@@ -22,9 +22,7 @@ const AWAY: f64 = 5.0;
 /// Part and start: opposite the first point, further away than `_FA` (B:7530-7540); with paraxial positioning so that
 /// both points lie in the middle of the measuring path (B:7550-7556).
 pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
-    let Some(surface) = Surface::of(inputs) else {
-        return Proposal::default();
-    };
+    let Some(surface) = Surface::of(inputs) else { return Proposal::default() };
     let axis = surface.measuring;
     let side = place::side(control);
     let towards = towards(inputs, axis, side);
@@ -42,10 +40,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
 
 /// Direction of the probe: as `_MD` says, else from the minus side in the plane and from its side along the applicate.
 fn towards(inputs: &Inputs, axis: usize, side: f64) -> f64 {
-    let minus = match AT_ANGLE.holds(inputs) {
-        true => axis == 2 && side > 0.0,
-        false => inputs.integer(names::MD) == 1,
-    };
+    let minus = if AT_ANGLE.holds(inputs) { axis == 2 && side > 0.0 } else { inputs.integer(names::MD) == 1 };
     if minus { -1.0 } else { 1.0 }
 }
 

@@ -16,9 +16,7 @@ use crate::machine::{Machine, Stop};
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     results::begin(machine, inputs, 998);
     let block = Block::prepare(machine, inputs)?;
-    let Some(surface) = Surface::of(inputs) else {
-        return Err(alarm(machine, 61325));
-    };
+    let Some(surface) = Surface::of(inputs) else { return Err(alarm(machine, 61325)) };
     if DIFFERENTIAL.holds(inputs) {
         turnable(machine)?; // a probe that was never calibrated will do
     } else {

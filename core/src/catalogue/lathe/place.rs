@@ -53,9 +53,7 @@ const CHUCK: [f64; 3] = [30.0, 20.0, 8.0];
 
 /// The chuck that holds a turned part, without errors of its own; other parts have none.
 pub fn chuck(part: &Solid) -> Option<Solid> {
-    let Shape::Turned { diameter, length, .. } = part.shape else {
-        return None;
-    };
+    let Shape::Turned { diameter, length, .. } = part.shape else { return None };
     let [long, around, deep] = CHUCK;
     let behind = rigid::rotation(part.rotation) * V3::from([0.0, 0.0, deep - length]);
     Some(Solid {

@@ -30,9 +30,7 @@ pub fn corrections(inputs: &Inputs, findings: &mut Vec<Diagnostic>) {
 pub fn room(inputs: &Inputs, param: Name, control: &Control, findings: &mut Vec<Diagnostic>) {
     let balls = ["#500", "#501", "#502", "#503"].map(|name| control.basic_length(name));
     let ball = 2.0 * balls.into_iter().fold(0.0, f64::max);
-    let Some(size) = inputs.given(param).filter(|size| *size <= ball) else {
-        return;
-    };
+    let Some(size) = inputs.given(param).filter(|size| *size <= ball) else { return };
     let per = control.active_factor();
     let message = Message::new("nct-no-room").number("diameter", size / per).number("ball", ball / per);
     findings.push(error(NO_MOVEMENT, message).hint(Message::new("nct-no-room-hint")).at(param));

@@ -46,9 +46,7 @@ fn lift(inputs: &Inputs) -> f64 {
 
 /// Diameter, ways, heights, and how the tool turns.
 pub fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
-    let [above, side] = looks else {
-        return Vec::new();
-    };
+    let [above, side] = looks else { return Vec::new() };
     let mut shapes = above.axes(above.middle(), [None; 2]).to_vec();
     shapes.extend(from_above(inputs, above));
     shapes.extend(from_the_side(inputs, side));
@@ -88,9 +86,7 @@ fn from_the_side(inputs: &Inputs, side: &Seen) -> Vec<PictureShape> {
     let down = side.along(address::Z, 1, [start, add(start, [0.0, -DOWN])], left);
     let mut shapes = vec![stem, tool(start).of(address::T), down];
     let rim = side.touches.iter().find(|touch| touch.start[0] > middle + DISK);
-    let Some(rim) = rim.map(|touch| touch.start) else {
-        return shapes;
-    };
+    let Some(rim) = rim.map(|touch| touch.start) else { return shapes };
     shapes.push(tool(rim).of(address::D));
     let right = rim[0] + radius + 5.0;
     if inputs.variant == CALIBRATE {

@@ -272,9 +272,7 @@ impl Follow {
             let from = machine.position();
             let mut target = from;
             target[axis] = to;
-            let Some(at) = machine.probe(target, self.layout.rate)? else {
-                return Ok(None);
-            };
+            let Some(at) = machine.probe(target, self.layout.rate)? else { return Ok(None) };
             if machine.signal_stands() && at[axis] != from[axis] {
                 return Ok(Some(self.sampled(from, at, axis)));
             }

@@ -60,9 +60,7 @@ pub fn stage(inputs: &Inputs) -> Staging {
 
 /// Sides, distance of the lines, deepest position, and the parts of a step.
 pub fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
-    let [above, beside] = looks else {
-        return Vec::new();
-    };
+    let [above, beside] = looks else { return Vec::new() };
     let (across, sides, [_, retract]) = (across(inputs), sides(inputs), step(inputs));
     let end = add(above.zero, sides);
     let [low, high] = above.extent;

@@ -227,9 +227,7 @@ impl Block {
     /// Towards the surface; with `_CHBIT[17]` fast, back by 2 mm (not behind the start) and slowly again.
     fn touch(&self, machine: &mut dyn Machine, way: &Way) -> Result<Option<Wcs>, Stop> {
         if let Some(fast) = self.fast {
-            let Some(first) = machine.probe(way.end, fast)? else {
-                return Ok(None);
-            };
+            let Some(first) = machine.probe(way.end, fast)? else { return Ok(None) };
             let gone = |axis: usize| (first[axis] - way.start[axis]) * way.direction[axis];
             let room = (0..3).map(gone).sum::<f64>().min(PULL_BACK);
             let pulled = Wcs(std::array::from_fn(|axis| first[axis] - way.direction[axis] * room));
@@ -271,10 +269,7 @@ fn on_machine(control: &Control, angle: f64) -> f64 {
     let mut direction = [0.0; 3];
     (direction[ordinate], direction[abscissa]) = sin_cos(angle);
     let seen = control.direction_to_machine(direction);
-    match seen == direction {
-        true => angle,
-        false => seen[ordinate].atan2(seen[abscissa]).to_degrees(),
-    }
+    if seen == direction { angle } else { seen[ordinate].atan2(seen[abscissa]).to_degrees() }
 }
 
 /// Direction of probing in the plane, degree; none along the applicate.

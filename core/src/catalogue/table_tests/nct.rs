@@ -68,9 +68,7 @@ fn defaults_are_those_of_the_table() {
     let number = |cell: &str| cell.split(' ').next()?.parse::<f64>().ok();
     let mut seen = 0;
     for row in rows(data!("nct_addresses.tsv")) {
-        let Some(cycle) = macro_of(&row) else {
-            continue;
-        };
+        let Some(cycle) = macro_of(&row) else { continue };
         for name in addresses(row[1]) {
             let param = cycle.param(name).unwrap();
             assert_eq!(param.default, number(row[3]), "{row:?}");
@@ -86,9 +84,7 @@ fn what_has_to_be_given_is_a_format_error_otherwise() {
     // oracle: manual, tests/data/nct_addresses.tsv, column mandatory
     let mut seen = 0;
     for row in rows(data!("nct_addresses.tsv")) {
-        let Some(cycle) = macro_of(&row) else {
-            continue;
-        };
+        let Some(cycle) = macro_of(&row) else { continue };
         if row[2] != "yes" || !cycle.alarms().contains(&nct::FORMAT_ERROR) {
             continue;
         }
@@ -111,9 +107,7 @@ fn a_register_and_an_offset_have_their_range() {
     let ranged = |name: &str, min: f64, max: f64| {
         let refusing = |cycle: &&Cycle| cycle.name.starts_with("G1"); // others mean something else by these letters
         for cycle in macros().filter(refusing) {
-            let Some(param) = cycle.param(name) else {
-                continue;
-            };
+            let Some(param) = cycle.param(name) else { continue };
             let ends = (param.range.min, param.range.max);
             assert_eq!(ends, (min, max), "{} {name}", cycle.name);
             assert_eq!(param.alarm, Some(nct::FORMAT_ERROR), "{} {name}", cycle.name);
@@ -128,9 +122,7 @@ fn a_register_and_an_offset_have_their_range() {
 fn programs_call_their_macros() {
     // oracle: manual, tests/data/nct_macros.tsv (C:58): O9010 is G101
     for row in rows(data!("nct_macros.tsv")) {
-        let Some(number) = row[1].strip_prefix('O').and_then(|text| text.parse().ok()) else {
-            continue;
-        };
+        let Some(number) = row[1].strip_prefix('O').and_then(|text| text.parse().ok()) else { continue };
         let found = by_program(number).map(|cycle| cycle.name);
         let known = macro_of(&row);
         assert_eq!(found, known.map(|cycle| cycle.name), "{row:?}");
@@ -141,9 +133,7 @@ fn programs_call_their_macros() {
 fn the_address_of_the_tool_axis_belongs_to_its_plane() {
     // oracle: manual, tests/data/nct_addresses.tsv: `Z (G17) / Y (G18) / X (G19)`
     for row in rows(data!("nct_addresses.tsv")) {
-        let Some(cycle) = macro_of(&row) else {
-            continue;
-        };
+        let Some(cycle) = macro_of(&row) else { continue };
         if !row[1].starts_with("Z (G17)") {
             continue;
         }

@@ -179,9 +179,7 @@ fn kind(cycle: &Cycle, param: &Param, cell: &str) {
 /// Values at the end of what is allowed and beside it, and the alarm for the latter where the table names one.
 fn compare_allowed(cycle: &'static Cycle, param: &Param, inputs: &Inputs, cell: &str) {
     // How many probes there are the data of the machine say.
-    let Some((allowed, alarm)) = allowed::allowed(cell).filter(|_| param.name != names::PRNUM) else {
-        return;
-    };
+    let Some((allowed, alarm)) = allowed::allowed(cell).filter(|_| param.name != names::PRNUM) else { return };
     let others: Vec<(&str, String)> = inputs
         .numbers
         .iter()

@@ -11,9 +11,7 @@ pub fn component(frame: &Frame, axis: &str, part: &str) -> Option<f64> {
 
 /// Writes a component of a frame; false: there is none of this name.
 pub fn set_component(frame: &mut Frame, axis: &str, part: &str, value: f64) -> bool {
-    let Some((axis, part)) = axis_and_part(axis, part) else {
-        return false;
-    };
+    let Some((axis, part)) = axis_and_part(axis, part) else { return false };
     set_part(frame, part, axis, value);
     true
 }

@@ -48,9 +48,7 @@ pub const RADIUS: usize = 3;
 /// # Errors
 /// The number of the alarm.
 pub fn target(control: &Control, names: &Names) -> Result<Option<Target>, u32> {
-    let Some(code) = knum::tool(names.code, knum::five_digit_edges(control))? else {
-        return Ok(None);
-    };
+    let Some(code) = knum::tool(names.code, knum::five_digit_edges(control))? else { return Ok(None) };
     let environment = environment(control, names, &code)?;
     let (tool, edge) = tool_and_edge(control, names, &code, environment)?;
     let largest = control.number("MD18105");

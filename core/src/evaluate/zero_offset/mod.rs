@@ -47,9 +47,7 @@ pub struct Target {
 /// # Errors
 /// The number of the alarm.
 pub fn target(control: &Control, code: i64) -> Result<Option<Target>, u32> {
-    let Some(code) = knum::zero(code)? else {
-        return Ok(None);
-    };
+    let Some(code) = knum::zero(code)? else { return Ok(None) };
     let stored = |store| Target { store, without_settable: false, activate: false };
     Ok(Some(match code {
         ZeroCode::Settable(number) => stored(Store::Settable(number)),

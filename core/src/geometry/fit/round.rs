@@ -79,18 +79,14 @@ impl Fit<'_> {
     fn search(&self, mut round: Round) -> Option<Round> {
         let mut last = CLOSE;
         for _ in 0..STEPS {
-            let Some(step) = self.solved(|p| self.row(p, &round)) else {
-                break;
-            };
+            let Some(step) = self.solved(|p| self.row(p, &round)) else { break };
             let length = step.centre.norm().max(step.radius.abs());
             let left = self.left(&round);
             let halves = (0..HALVINGS).map(|halving| 0.5_f64.powi(halving as i32));
             let mut shorter = halves.map(|part| round.moved(&step, part));
             let whole = (length < last).then(|| round.moved(&step, 1.0));
             let nearer = || shorter.find(|next| self.left(next) < left);
-            let Some(next) = whole.or_else(nearer) else {
-                break;
-            };
+            let Some(next) = whole.or_else(nearer) else { break };
             last = last.min(length);
             round = next;
             if length < STILL {
@@ -238,9 +234,7 @@ mod tests {
         for turn in 0..2000 {
             let low = 0.1_f64.powi(turn % 8);
             let points: Vec<[f64; 2]> = (0..4).map(|_| [random() * 10.0, random() * low]).collect();
-            let Some(([x, y], radius)) = circle(&points) else {
-                continue;
-            };
+            let Some(([x, y], radius)) = circle(&points) else { continue };
             answered += 1;
             let off = |x: f64, y: f64, radius: f64| -> f64 {
                 let distance = |[a, b]: &[f64; 2]| (a - x).hypot(b - y) - radius;

@@ -52,9 +52,7 @@ impl Mesh {
     pub fn nearest(&self, p: &V3, within: f64) -> Option<(V3, f64)> {
         let mut found: Option<(V3, f64)> = None;
         self.near(p, within, |face, limit| {
-            let Some(foot) = face.foot(p, limit) else {
-                return limit;
-            };
+            let Some(foot) = face.foot(p, limit) else { return limit };
             let distance = (p - foot).norm();
             found = Some((foot, distance));
             distance
@@ -88,9 +86,7 @@ impl Mesh {
             away.unwrap_or_else(V3::z)
         };
         self.near(&path.from, radius + TOLERANCE, |face, limit| {
-            let Some(point) = face.foot(&path.from, limit) else {
-                return limit;
-            };
+            let Some(point) = face.foot(&path.from, limit) else { return limit };
             let distance = (path.from - point).norm();
             if nearest.is_none_or(|(_, least)| distance < least) {
                 nearest = Some((point, distance));
@@ -120,13 +116,9 @@ impl Mesh {
                 let before = found.map_or(path.length, |met| met.way);
                 let met = face.first(path, radius, before);
                 let sooner = |length: &f64| found.is_none() || *length < before;
-                let Some(way) = met.filter(sooner) else {
-                    continue;
-                };
+                let Some(way) = met.filter(sooner) else { continue };
                 let ball = path.at(way);
-                let Some(point) = face.foot(&ball, f64::INFINITY) else {
-                    continue;
-                };
+                let Some(point) = face.foot(&ball, f64::INFINITY) else { continue };
                 if (ball - point).dot(&path.direction) < GRAZING * radius {
                     let normal = (ball - point).try_normalize(0.0).unwrap_or(-path.direction);
                     found = Some(Met { way, point, normal });

@@ -106,10 +106,7 @@ impl Tree {
 
     /// Tells the leaves whose boxes meet a box.
     pub fn within(&self, extent: &Extent, mut tell: impl FnMut(Range<usize>)) {
-        let away = |node: &Node| match node.extent.meets(extent) {
-            true => 0.0,
-            false => f64::INFINITY,
-        };
+        let away = |node: &Node| if node.extent.meets(extent) { 0.0 } else { f64::INFINITY };
         self.walk(0.0, away, |leaf, limit| {
             tell(leaf);
             limit
@@ -132,9 +129,7 @@ impl Tree {
         let mut waiting = Waiting::default();
         let mut next = self.nodes.first().map(|root| (0, measure(root)));
         while let Some((place, at)) = next.take().or_else(|| waiting.pop()) {
-            let Some(node) = self.nodes.get(place as usize).filter(|_| at <= limit) else {
-                continue;
-            };
+            let Some(node) = self.nodes.get(place as usize).filter(|_| at <= limit) else { continue };
             if node.count > 0 {
                 limit = tell(node.triangles(), limit);
                 continue;

@@ -96,9 +96,7 @@ impl Sim {
             return Ok(Some(stop));
         }
         self.go(&way, MotionKind::Measuring, feed);
-        let Some(touch) = signal else {
-            return Ok(None);
-        };
+        let Some(touch) = signal else { return Ok(None) };
         let met = Obstacle {
             part: 1.0,
             stop: end,

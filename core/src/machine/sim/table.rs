@@ -18,9 +18,7 @@ impl Sim {
     /// # Errors
     /// What the part hit.
     pub fn turn_table(&mut self, axis: usize, to: f64) -> Result<(), Stop> {
-        let Some(from) = self.control.rotary.get(axis).copied() else {
-            return Ok(());
-        };
+        let Some(from) = self.control.rotary.get(axis).copied() else { return Ok(()) };
         if !to.is_finite() {
             return Err(Stop::Fault(Message::new("run-not-finite")));
         }
@@ -35,9 +33,7 @@ impl Sim {
         self.control.rotary[axis] = stop;
         let Workpiece { solids } = self.stands();
         self.note(Step::Table { axis, from, to: stop, solids });
-        let Some(met) = met else {
-            return Ok(());
-        };
+        let Some(met) = met else { return Ok(()) };
         let back = Around { degrees: -met.part * turn.degrees, ..turn };
         let [point, tip] = [met.point, met.point + met.normal].map(|place| Mcs(back.end(place.0, 0.0)));
         Err(self.crash(&Obstacle { point, normal: tip - point, ..met }))

@@ -75,9 +75,7 @@ impl Element {
             end: add(self.end, left(self.arrives()), end),
             round: self.round,
         };
-        let Some(round) = self.round else {
-            return Some(found);
-        };
+        let Some(round) = self.round else { return Some(found) };
         let room = |at: Point, by: f64| distance(round.centre, at) - by * round.sweep.signum();
         (room(self.start, begin) > -NOTHING && room(self.end, end) > -NOTHING).then_some(found)
     }

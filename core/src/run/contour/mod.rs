@@ -247,10 +247,7 @@ fn offset(run: &Interpreter, side: Compensation, hand: f64) -> f64 {
 /// Radius in force with its wear, mm; on NCT that of the register in D.
 fn radius(run: &Interpreter) -> f64 {
     let control = &run.sim.control;
-    match control.make().registers {
-        true => control.register(run.modal.radius).total_radius(),
-        false => control.active_radius(),
-    }
+    if control.make().registers { control.register(run.modal.radius).total_radius() } else { control.active_radius() }
 }
 
 fn refused(run: &mut Interpreter, motion: &Motion, key: &'static str) -> Stop {

@@ -36,10 +36,7 @@ fn the_worked_examples_are_measured_from_the_proposed_start() {
             let mut setup = setup(plane);
             let typed = example(&CYCLE961, variant);
             let inputs = check(&CYCLE961, &typed, &setup.control).inputs.unwrap();
-            let edge = match POINTS.holds(&inputs) {
-                true => 0.0,
-                false => inputs.number(names::STA1),
-            };
+            let edge = if POINTS.holds(&inputs) { 0.0 } else { inputs.number(names::STA1) };
             proposed(&mut setup, &inputs, edge);
         }
     }

@@ -78,10 +78,7 @@ fn calibrating_with_pre_travel_takes_it_out_of_every_measurement() {
             machine.tool_probes = probes.clone();
             real(&mut machine, 70.4, Cutter::smooth(4.7));
             let sim = measured(&machine, &inputs);
-            match length {
-                true => near(tool(&sim), [70.4, 0.0, 5.0, 0.0]),
-                false => near(tool(&sim), [70.0, 0.0, 4.7, 0.0]),
-            }
+            if length { near(tool(&sim), [70.4, 0.0, 5.0, 0.0]) } else { near(tool(&sim), [70.0, 0.0, 4.7, 0.0]) }
         }
     }
 }
@@ -105,10 +102,7 @@ fn the_frame_changes_nothing() {
                 let mut setup = place(setup, &inputs);
                 real(&mut setup, 70.3, Cutter::smooth(5.2));
                 let sim = measured(&setup, &inputs);
-                let expected = match length {
-                    true => [70.3, 0.0, 5.0, 0.0],
-                    false => [70.0, 0.0, 5.2, 0.0],
-                };
+                let expected = if length { [70.3, 0.0, 5.0, 0.0] } else { [70.0, 0.0, 5.2, 0.0] };
                 near(tool(&sim), expected);
                 assert_eq!(sim.control.active, setup.control.active);
             }

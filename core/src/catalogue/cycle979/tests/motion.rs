@@ -66,9 +66,7 @@ fn expected(variant: i64, step: f64, points: usize) -> Vec<Motion> {
 fn around(sim: &Sim, plane: Plane, origin: [f64; 3]) -> Vec<f64> {
     let mut degrees = Vec::new();
     for entry in &sim.trace.entries {
-        let Step::Motion { from, to, around: Some(around), .. } = entry.step else {
-            continue;
-        };
+        let Step::Motion { from, to, around: Some(around), .. } = entry.step else { continue };
         let away = |part: f64| {
             let at = around.at(from.0, to.0, part);
             let [x, y, _] = plane.axes().map(|i| at[i] - origin[i]);

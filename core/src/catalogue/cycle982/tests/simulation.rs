@@ -100,10 +100,7 @@ fn cutter(
         }
         _ => vec![part(across), RADIUS],
     };
-    let real = match drill {
-        true => Real { radius: 0.0, ..real },
-        false => real,
-    };
+    let real = if drill { Real { radius: 0.0, ..real } } else { real };
     let wrong = if drill { [wrong[0], wrong[1], 0.0] } else { wrong };
     let mut setup = machine(units);
     let kind = if drill { 200 } else { 120 };

@@ -99,9 +99,7 @@ fn found(plane: Plane, variant: i64) -> Vec<Motion> {
     assert_eq!(run(&mut sim, &inputs(variant)), Ok(()), "{variant}");
     let mut motions: Vec<Motion> = Vec::new();
     for entry in &sim.trace.entries {
-        let Step::Motion { kind, from, to, around, feed } = entry.step else {
-            continue;
-        };
+        let Step::Motion { kind, from, to, around, feed } = entry.step else { continue };
         assert_eq!(around.is_some(), feed == ARC_FEED, "{variant}");
         for place in around.iter().flat_map(|arc| [0.4, 1.0].map(|part| arc.at(from.0, to.0, part))) {
             let [x, y, _] = plane.axes().map(|axis| place[axis]);

@@ -70,10 +70,7 @@ fn read(control: &Control, inputs: &Inputs) -> Result<Block, u32> {
     let sense = common.axes.map(|axis| if control.mirrored(axis) { -1.0 } else { 1.0 });
     let triggers = std::array::from_fn(|i| {
         let [minus, plus] = [data(2 * i + 1), data(2 * i + 2)];
-        match sense[i] > 0.0 {
-            true => [minus, plus],
-            false => [-plus, -minus],
-        }
+        if sense[i] > 0.0 { [minus, plus] } else { [-plus, -minus] }
     });
     let spindle = match (mono, control.bit("_CBIT[8]")) {
         (false, _) => Spindle::Stays,
@@ -84,10 +81,7 @@ fn read(control: &Control, inputs: &Inputs) -> Result<Block, u32> {
         centre: if control.bit("_CBIT[14]") && !turning(inputs) { common.radius * sense[2] } else { 0.0 },
         triggers,
         // The skew of a mono probe turns with the spindle, so that it is not carried over.
-        skew: match mono {
-            true => [0.0; 2],
-            false => [data(7) * sense[0], data(8) * sense[1]],
-        },
+        skew: if mono { [0.0; 2] } else { [data(7) * sense[0], data(8) * sense[1]] },
         ball: data(0) / 2.0,
         other: calibrated_as::differs(control, inputs),
         spindle,
@@ -153,10 +147,7 @@ fn follow_rotation(control: &Control, inputs: &Inputs) -> Option<f64> {
     if control.chain().iter().any(tilted) {
         return None;
     }
-    let rotation = match control.mirrored(abscissa) {
-        true => on_machine(control, 180.0),
-        false => on_machine(control, 0.0),
-    };
+    let rotation = if control.mirrored(abscissa) { on_machine(control, 180.0) } else { on_machine(control, 0.0) };
     let angle = if control.bit("_CHBIT[14]") { rotation } else { -rotation };
     Some(angle.rem_euclid(360.0))
 }

@@ -245,9 +245,7 @@ mod tests {
                 assert!((is - wanted).abs() < 1e-9, "{:?}", sim.position);
             }
             for entry in &sim.trace.entries {
-                let Step::Motion { kind, to, feed, .. } = entry.step else {
-                    continue;
-                };
+                let Step::Motion { kind, to, feed, .. } = entry.step else { continue };
                 let [x, y, _] = plane.axes().map(|axis| to[axis]);
                 assert_eq!((kind, feed), (MotionKind::Positioning, 900.0));
                 assert!(((x + 0.4).hypot(y + 0.3) - 20.0).abs() < 1e-9);
