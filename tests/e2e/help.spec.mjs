@@ -75,7 +75,7 @@ describe("help", () => {
     const { context, page, problems } = await start(chrome);
     await openHelp(page);
     await page.locator(".top select:has(option[value=zh])").selectOption("zh");
-    await panel(page).getByRole("heading", { name: "测量什么" }).waitFor();
+    await panel(page).getByRole("heading", { name: "测量内容" }).waitFor();
     assert.match(await first(page), /孔/);
     assert.deepEqual(problems, []);
     await context.close();

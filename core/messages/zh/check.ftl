@@ -36,13 +36,13 @@ check-knum-digit-6 = { $code } 的第 6 位（D 号为五位时第 8 位）不�
 check-knum-digit-7 = { $code } 的第 7 位（D 号为五位时第 9 位）或更高位不存在。
 check-knum-edge-none = { $code } 没有给出 D 号。
 check-knum-edge-large = { $code } 中的 D 号大于 { $largest }，即此控制系统的最大 D 号。
-check-knum-seven-digits-hint = 从右起：三位 D 号；0 或 1 为长度，2 为半径；1 表示反号；1 到 3 为 L1 到 L3，4 为半径；0 到 3 为补偿种类。
-check-knum-nine-digits-hint = 从右起：五位 D 号；0 或 1 为长度，2 为半径；1 表示反号；1 到 3 为 L1 到 L3，4 为半径；0 到 3 为补偿种类。
+check-knum-seven-digits-hint = 从右起：三位 D 号；0 或 1 为长度，2 为半径；1 表示取反；1 到 3 为 L1 到 L3，4 为半径；0 到 3 为补偿种类。
+check-knum-nine-digits-hint = 从右起：五位 D 号；0 或 1 为长度，2 为半径；1 表示取反；1 到 3 为 L1 到 L3，4 为半径；0 到 3 为补偿种类。
 
-check-probe-number = 没有 { $number } 号测量头。
+check-probe-number = 没有 { $number } 号测头。
 check-probe-number-hint = 请选择 1 到 { $fields } 的号。
-check-probe-type = 测量头号的第三位不能是 { $type }。
-check-probe-type-hint = 0 为多向测量头，1 为单向或双向测量头。
+check-probe-type = 测头号的第三位不能是 { $type }。
+check-probe-type-hint = 0 为多向测头，1 为单向或双向测头。
 check-cora-off = 补偿角不起作用。
 check-cora-off-hint = 请设 _CBIT[8]=1，或输入 0。
 check-empirical-memory = 没有 { $number } 号经验值存储器；数组只有 { $size } 个。
@@ -58,51 +58,51 @@ check-difference-safe = _TDIF { $small } mm 大于 _TSA { $large } mm：在 _TDI
 check-bands-hint = 请保持次序：_TZL、_TMV、公差带的一半、_TDIF、_TSA。
 check-rotation = 坐标系已旋转。
 check-rotation-hint = 调用前请取消旋转：此循环沿机床轴工作。
-check-infeed = 进给深度 { $infeed } mm 不通向要测的部位。
+check-infeed = 按进刀深度 { $infeed } mm，测头不会下降到被测要素。
 check-infeed-hint = 刀具轴向上时请输入负值。
 
 check-ball = { $ball } mm 的测球放不进去。
-check-ball-hint = 请检查设定值，或换较小的测量头。
+check-ball-hint = 请检查设定值，或换用测球较小的测针。
 check-path-long = 测量行程会从对面的壁内开始：测球只有 { $free } mm 的行程。
 check-path-long-hint = 请把 _FA 选在 { $free } mm 以下。
-check-zone-wide = 保护区 { $zone } mm 不小于被测部位 { $size } mm。
+check-zone-wide = 保护区 { $zone } mm 不小于被测要素 { $size } mm。
 check-zone-wide-hint = 请选择小于 { $limit } mm 的保护区，使测球能从旁边通过。
-check-zone-narrow = 保护区 { $zone } mm 不大于被测部位 { $size } mm。
+check-zone-narrow = 保护区 { $zone } mm 不大于被测要素 { $size } mm。
 check-zone-narrow-hint = 请选择大于 { $limit } mm 的保护区，使测球能从旁边通过。
-check-zone-ball = 被测部位与保护区之间容不下 { $ball } mm 的测球。
+check-zone-ball = 被测要素与保护区之间容不下 { $ball } mm 的测球。
 check-zone-shortens = 保护区把测量行程缩短到 { $free } mm。
 check-zone-shortens-hint = 工件的偏差不能超过此值；否则请给保护区留出更多空间。
-check-differential-mono = 差分测量要转动主轴；单向测量头只能朝一个方向测量。
-check-differential-mono-hint = 请用多向测量头，或选不带差分测量的测量方式。
-check-differential-axis = 差分测量只能在平面内进行。
+check-differential-mono = 差值测量要转动主轴；单向测头只能朝一个方向测量。
+check-differential-mono-hint = 请用多向测头，或选不带差值测量的测量方式。
+check-differential-axis = 差值测量只能在平面内进行。
 check-differential-axis-hint = 请选择轴 1 或 2。
-check-mono-spindle = 单向测量头每次触碰前都要转动，而此主轴不能定位。
-check-mono-spindle-hint = 请用多向测量头。
-check-differential-spindle = 差分测量要转动主轴，而此主轴不能定位。
-check-differential-spindle-hint = 请用校准过的测量头，选不带差分测量的测量方式。
+check-mono-spindle = 单向测头每次触碰前都要转动，而此主轴不能定位。
+check-mono-spindle-hint = 请用多向测头。
+check-differential-spindle = 差值测量要转动主轴，而此主轴不能定位。
+check-differential-spindle-hint = 请用校准过的测头，选不带差值测量的测量方式。
 check-knum-no-additive = 此机床没有附加补偿。
 check-knum-no-additive-hint = 请改为补偿长度或半径，或请机床厂设置 MD 18080 第 8 位。
-check-target-not-offered = { $param } = { $value } 不在此机床的表格所提供的补偿对象之中。
+check-target-not-offered = { $param } = { $value } 不在此机床输入画面所提供的补偿对象之中。
 check-target-not-offered-hint = 请选择可设定的零点偏移或最后一个基本坐标框架，或把机床数据中的 { $entry } 设为 1。
 check-knum-no-setup = 此机床没有设定补偿。
 check-knum-no-setup-hint = 请改为补偿长度或半径，或请机床厂设置 MD 18112 第 4 位。
 
 check-knum-rotation = 全局基本坐标框架 { $code } 不能有旋转。
 check-knum-rotation-hint = 请选择可设定坐标框架或通道基本坐标框架。
-check-lathe-length = 测量头按车刀输入，其长度算到测球的圆周（_CBIT[14]=1）。
+check-lathe-length = 测头按车刀输入，其长度算到测球的圆周（_CBIT[14]=1）。
 check-lathe-length-hint = 请设 _CBIT[14]=0，使长度算到测球中心。
 check-mirror-datum = 有轴被镜像，而 MD10610 不为 0：测量循环只允许在 MD10610=0 时镜像。
 check-mirror-datum-hint = 请不带镜像测量，或设 MD10610=0。
-check-multi-probe = 此测量需要多向测量头；单向测量头只在一个方向触发。
-check-multi-probe-hint = 请使用多向测量头：{ "_PRNUM" } 为两位数。
+check-multi-probe = 此测量需要多向测头；单向测头只在一个方向触发。
+check-multi-probe-hint = 请使用多向测头：{ "_PRNUM" } 为两位数。
 check-angles-sum = 起始角与各步之和为 { $sum }°，大于 360°。
-check-angles-sum-hint = 请选较小的步进角，或带符号更接近 0 的起始角。
-check-angles-same = 用此步进角各点会重合，求不出圆。
-check-angles-same-hint = 三点请选 120° 以下，四点请选 90° 以下。
-check-angles-wide = { $points } 点时步进角大于 { $useful }° 没有意义。
-check-angles-wide-hint = 请选 { $useful }° 以下。
-check-ball-unknown = 此测量头的测球直径未知；每个尺寸都会因此出错。
-check-ball-unknown-hint = 请在孔中校准测量头，并求出测球直径。
+check-angles-sum-hint = 请选较小的增量角，或带符号更接近 0 的起始角。
+check-angles-same = 用此增量角各点会重合，求不出圆。
+check-angles-same-hint = 三点时请选不超过 120°，四点时不超过 90°。
+check-angles-wide = { $points } 点时增量角大于 { $useful }° 没有意义。
+check-angles-wide-hint = 请选不超过 { $useful }° 的值。
+check-ball-unknown = 此测头的测球直径未知；每个尺寸都会因此出错。
+check-ball-unknown-hint = 请在孔中校准测头，并求出测球直径。
 check-spread-circle = 各点靠得太近：直径的不确定度是单个测点的 { $diameter } 倍，圆心的是 { $centre } 倍。
 check-spread-centre = 各点靠得太近：圆心的不确定度是单个测点的 { $centre } 倍。
 check-spread-circle-hint = 请让各点分布在更长的圆弧上。

@@ -1,8 +1,8 @@
 # CYCLE973：标题、搜索词、测量方式，及其自有参数和检查。
 
-cycle973-title = 校准车床工件测量头
-cycle973-help = 求出车床测量头在哪里触发，并存入测量头数据 _WP，以后的测量都从那里取用。
-cycle973-words = 校准 工件 测量头 车削 基准 槽 方块 表面 端面 触发 点 值 测球 直径 偏斜 位置 偏差
+cycle973-title = 校准车床工件测头
+cycle973-help = 求出车床测头在哪里触发，并存入测头数据 _WP，以后的测量都从那里取用。
+cycle973-words = 校准 工件 测量头 测头 车削 基准 槽 方块 表面 端面 触发 点 值 测球 直径 偏斜 位置 偏差 探头
 cycle973-each-words = 车削 触发 点
 
 cycle973-surface = 表面：一个方向
@@ -10,12 +10,12 @@ cycle973-groove-short = 基准槽：1 个方向，短写法
 cycle973-groove-one = 基准槽：1 个方向
 cycle973-groove-two = 基准槽：一个轴的 2 个方向
 cycle973-groove-two-ball = 基准槽：一个轴的 2 个方向，测球直径
-cycle973-groove-two-skew = 基准槽：一个轴的 2 个方向，偏斜
-cycle973-groove-two-skew-ball = 基准槽：一个轴的 2 个方向，偏斜，测球直径
+cycle973-groove-two-skew = 基准槽：一个轴的 2 个方向，位置偏差
+cycle973-groove-two-skew-ball = 基准槽：一个轴的 2 个方向，位置偏差，测球直径
 
 calibrate-groove = 基准槽
 calibrate-groove-words = 方块
-calibrate-one-short = 未说明：一个方向，同 1
+calibrate-one-short = 未指定：一个方向，同 1
 calibrate-one-short-words = 一 13
 calibrate-position = 位置偏差（偏斜）
 
@@ -29,7 +29,7 @@ need-groove = 槽给出触碰的位置。
 
 check-groove-number = 没有 { $number } 号基准槽对。
 check-groove-number-hint = 请选择 1 到 { $pairs } 的号，或建立更多槽数据并加大 { "_CVAL[2]" }。
-check-groove-tip-hint = 在槽中测量头的位置为 7 或 8；其他测量头请在表面上校准。
+check-groove-tip-hint = 在槽中测头的位置为 7 或 8；其他测头请在表面上校准。
 check-groove-base = 在此轴上槽只有槽底：负方向。
 check-groove-base-hint = 请用一个方向和 { "_MD" }=1 校准槽底；两个方向在另一轴的槽壁上。
 check-groove-empty = 槽未知：{ $names } 为 0。

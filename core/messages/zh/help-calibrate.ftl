@@ -1,47 +1,47 @@
 # Help pages of the cycles that calibrate a workpiece probe.
 
-help-cycle976-measures-hole = 测量头在平面内于何处触发：触碰直径 _SETVAL 已知的环规或孔壁。
+help-cycle976-measures-hole = 测头在平面内于何处触发：触碰直径 _SETVAL 已知的环规或孔壁。
 help-cycle976-measures-one = 一个轴的一个方向：_MA 和 _MD。
 help-cycle976-measures-two = 轴 _MA 的两个方向。
 help-cycle976-measures-four = 两个轴的两个方向。
 help-cycle976-measures-centre = 同时求出环规的中心。
-help-cycle976-measures-surface = 测量头在一个轴的一个方向上于何处触发：触碰位于 _SETVAL 的表面。
-help-cycle976-measures-length = 测量头的长度 L1 及其在刀具轴上的触发值：触碰位于 _SETVAL 的表面。
+help-cycle976-measures-surface = 测头在一个轴的一个方向上于何处触发：触碰位于 _SETVAL 的表面。
+help-cycle976-measures-length = 测头的长度 L1 及其在刀具轴上的触发值：触碰位于 _SETVAL 的表面。
 help-cycle976-before-at-centre = 主轴轴线正好在孔中心，测球在校准深度。
-help-cycle976-before-near-centre = 测球在校准深度，靠近中心，偏离量不超过 _FA 所能盖过的距离。
-help-cycle976-before-spindle = 测量头各方向都能触发，主轴可以定位。
+help-cycle976-before-near-centre = 测球在校准深度，靠近中心，偏离量小于 _FA。
+help-cycle976-before-spindle = 测头各方向都能触发，主轴可以定位。
 help-cycle976-before-opposite = 测球对着表面，距离大于 _FA。
-help-cycle976-before-within = 表面在测球当前位置的两倍 _FA 以内；测量头的 L1 可以未知。
-help-cycle976-before-radius = 测球半径在测量头的刀具数据中；没有镜像。
+help-cycle976-before-within = 表面在测球当前位置的两倍 _FA 以内；测头的 L1 可以未知。
+help-cycle976-before-radius = 测球半径在测头的刀具数据中；没有镜像。
 help-cycle976-order-one = 从起点触碰孔壁一次。
 help-cycle976-order-two = 先 _MA 正方向，经中心退回，再负方向。
 help-cycle976-order-four = 先横坐标正、负方向，再纵坐标正、负方向，每次都经中心退回。
 help-cycle976-order-angle = 所有方向都转过 _STA1；两个轴同时移动。
-help-cycle976-order-twice = 以上全部两遍：第一遍主轴转过 180°，第二遍为原位置。两个中点之差的一半是偏斜，平均是中心。
+help-cycle976-order-twice = 以上全部两遍：第一遍主轴转过 180°，第二遍为原位置。两个中点之差的一半是位置偏差，平均是中心。
 help-cycle976-order-no-approach = 从当前位置沿 _MD 方向最多走两倍 _FA 触碰，然后退回。
 help-cycle976-order-end-centre = 最后停在起点，即中心。
 help-cycle976-order-end-found = 最后停在求出的中心。
 help-cycle976-order-end-surface = 最后停在起点；在垂直坐标上停在表面前 _FA 处。
-help-cycle976-corrects-ball = 还有有效测球直径 _WP[k,0]，CYCLE979 和斜置的 CYCLE997 需要它；_CBIT[15]=1 时还有测量头的半径。
-help-cycle976-corrects-skew = 还有测针的偏斜 _WP[k,7] 和 _WP[k,8]。
-help-cycle976-corrects-length = 测量头几何值中的 L1 接受该差值；_TSA 不监控它。
+help-cycle976-corrects-ball = 还有有效测球直径 _WP[k,0]，CYCLE979 和成角度测量的 CYCLE997 需要它；_CBIT[15]=1 时还有测头的半径。
+help-cycle976-corrects-skew = 还有测针的位置偏差 _WP[k,7] 和 _WP[k,8]。
+help-cycle976-corrects-length = 偏差计入测头几何值中的 L1；_TSA 不监控它。
 help-cycle976-wrong-off-centre = 主轴不在中心：此误差以相反符号进入各触发值。
 help-cycle976-wrong-diameter = _SETVAL 不是环规的真实直径：误差的一半进入各触发值。
 help-cycle976-wrong-position = _SETVAL 不是表面在有效坐标系中的真实位置。
 
-help-cycle973-measures-surface = 测量头在一个轴的一个方向上于何处触发：触碰工件上位于 _SETVAL 的表面。
-help-cycle973-measures-groove-one = 测量头在一个方向上于何处触发：触碰基准槽的一个壁或槽底。
-help-cycle973-measures-groove-two = 测量头在一个轴的两个方向上于何处触发：触碰基准槽的两个壁。
-help-cycle973-before-surface = 测量头刀沿位置为 5 到 8，对着表面，距离大于 _FA。
-help-cycle973-before-groove = 测量头刀沿位置为 7 或 8；从起点沿轴的直线能进入槽 _CALNUM。
-help-cycle973-before-centre = 测量头的 L1 和 L2 算到测球中心，测球半径在刀具数据中。
+help-cycle973-measures-surface = 测头在一个轴的一个方向上于何处触发：触碰工件上位于 _SETVAL 的表面。
+help-cycle973-measures-groove-one = 测头在一个方向上于何处触发：触碰基准槽的一个壁或槽底。
+help-cycle973-measures-groove-two = 测头在一个轴的两个方向上于何处触发：触碰基准槽的两个壁。
+help-cycle973-before-surface = 测头刀沿位置为 5 到 8，对着表面，距离大于 _FA。
+help-cycle973-before-groove = 测头刀沿位置为 7 或 8；从起点沿轴的直线能进入槽 _CALNUM。
+help-cycle973-before-centre = 测头的 L1 和 L2 算到测球中心，测球半径在刀具数据中。
 help-cycle973-order-surface = 只有测量轴 _MA 沿方向 _MD 移动；最后停在表面前 _FA 处。
 help-cycle973-order-into-groove = 按机床坐标。沿轴移到槽的中间上方，再进入槽。
 help-cycle973-order-one = 在轴 _MA 的方向 _MD 触碰；槽底只有负方向。
 help-cycle973-order-two = 先触碰正方向的壁，横过槽，再触碰负方向的壁。
 help-cycle973-order-end-groove = 最后停在槽中、最后触碰的面前 _FA 处。
 help-cycle973-corrects-ball = 还有有效测球直径 _WP[k,0]。
-help-cycle973-corrects-skew = 还有所触碰轴的位置偏差 _WP[k,7] 或 _WP[k,8]。
+help-cycle973-corrects-skew = 还有触碰轴上的位置偏差 _WP[k,7] 或 _WP[k,8]。
 help-cycle973-wrong-groove-data = _KB 中槽的数据在 X 上写成直径：必须是半径。
-help-cycle973-wrong-position = 测量头的刀沿位置不是 7 或 8：报警 61315。
+help-cycle973-wrong-position = 测头的刀沿位置不是 7 或 8：报警 61315。
 help-cycle973-wrong-shank = 该方向上会碰到测针杆而不是测球。

@@ -1,13 +1,13 @@
-# 使用车床工件测量头的循环的共同内容。
+# 使用车床工件测头的循环的共同内容。
 
 ma-lathe-abscissa = 横坐标（G18：Z）
 ma-lathe-ordinate = 纵坐标（G18：X）
 ma-lathe-applicate = 垂直坐标（G18：Y），若有此轴
 
 param-fa-lathe = 测量行程
-param-fa-lathe-help = 从测量程序段起点到设定位置的距离；过了设定位置再走同样的距离，测量头停在表面前这么远处。始终以 mm 为单位，X 轴按半径计。
+param-fa-lathe-help = 从测量程序段起点到设定位置的距离；过了设定位置再走同样的距离，测头停在表面前这么远处。始终以 mm 为单位，X 轴按半径计。
 
-check-lathe-probe = 当前刀具的类型为 { $type }：这些循环要用车床的测量头。
-check-lathe-probe-hint = 请先用 D 号调用测量头；其类型为 5xy，刀沿位置为 5 到 8。
-check-lathe-tip = 这里不允许测量头的刀沿位置 { $tip }。
-check-lathe-tip-hint = 测量头的位置为 5、6、7 或 8：测针所指的一侧。请更正 $TC_DP2。
+check-lathe-probe = 当前刀具的类型为 { $type }：这些循环要用车床的测头。
+check-lathe-probe-hint = 请先用 D 号调用测头；其类型为 5xy，刀沿位置为 5 到 8。
+check-lathe-tip = 这里不允许测头的刀沿位置 { $tip }。
+check-lathe-tip-hint = 测头的位置为 5、6、7 或 8：测针所指的一侧。请更正 $TC_DP2。

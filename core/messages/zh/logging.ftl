@@ -1,14 +1,14 @@
 # 测量记录：CYCLE100、101、105、106、113、118。
 
-cycle100-title = 打开记录
-cycle100-help = 打开测量记录。此后每个测量循环都向文件加入一组数值，直到 CYCLE101。
+cycle100-title = 测量记录：开
+cycle100-help = 接通测量记录。此后每个测量循环都向文件加入一组数值，直到 CYCLE101。
 cycle100-words = 记录 测量记录 打印 文件 报告 记录头 打开 开始 测量结果
-cycle100-on = 打开记录，写入记录头
+cycle100-on = 测量记录：开，写入记录头
 
-cycle101-title = 关闭记录
-cycle101-help = 关闭由 CYCLE100 打开的测量记录。之后可以读出文件。无需给出任何值。
+cycle101-title = 测量记录：关
+cycle101-help = 关闭由 CYCLE100 接通的测量记录。之后可以读出文件。无需给出任何值。
 cycle101-words = 记录 关闭 停止 结束
-cycle101-off = 关闭记录
+cycle101-off = 测量记录：关
 
 cycle105-title = 写入记录
 cycle105-help = 不通过测量循环，把记录头或一组数值写入记录。
@@ -92,7 +92,7 @@ check-log-empty-hint = 请输入要写入的内容，例如 { "_OVR[0],_OVR[4],_
 check-log-width = 没有标题行，各列无法按标题取宽度；都取 12 个字符宽。
 check-log-width-hint = 请输入标题行，或给出宽度。
 check-log-unknown = { $word } 不能记录。
-check-log-unknown-hint = 记录只认识 { "_OVR[0]" } 到 { "_OVR[31]" }、R 参数、{ "_TXT[0]" } 到 { "_TXT[99]" }、{ "_AXIS" }、{ "_AXIS1" } 到 { "_AXIS3" } 和 { "_TIME" }。其他值请先放入一个 R 参数。
+check-log-unknown-hint = 记录只支持 { "_OVR[0]" } 到 { "_OVR[31]" }、R 参数、{ "_TXT[0]" } 到 { "_TXT[99]" }、{ "_AXIS" }、{ "_AXIS1" } 到 { "_AXIS3" } 和 { "_TIME" }。其他值请先放入一个 R 参数。
 check-log-narrow = 第 { $column } 列宽 { $width } 个字符，而其文本有 { $needed } 个。
 check-log-narrow-hint = 请加宽该列或缩短文本；否则控制系统会加宽并给出信息。
 check-log-long = 该行长达 { $total } 个字符；任何记录都不超过 { $most } 个。

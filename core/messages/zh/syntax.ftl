@@ -1,6 +1,6 @@
 # 读程序时没有看懂的内容。
 
-syntax-unknown = 这里看不懂。
+syntax-unknown = 无法识别此处的内容。
 syntax-value = 这里缺少数值。
 syntax-operand = 这里应为数字、变量或括号。
 syntax-operator = 字不能以运算符开头。

@@ -6,7 +6,7 @@ write-variant-open = 这种调用用参数选择测量方式，而 { $value } �
 write-no-list-hint = 请写成赋值和调用。
 write-zero = { $name }={ $value } 单独写成赋值：CYCLE_PARA 中的 0 保留原来的值。
 write-beside = { $name }={ $value } 单独写成赋值：该调用没有对应的参数。
-write-lost = 略去 { $name }：新控制系统的参数表中没有它。
+write-lost = 略去 { $name }：新型控制系统的参数表中没有它。
 write-lost-hint = 若此值重要，请写成赋值和调用，或在控制系统上设置该数据。
 write-expression = { $name }={ $value } 单独写成赋值：若 { $value } 为 0，CYCLE_PARA 会保留原来的值。
 write-expression-lost = { $name }={ $value } 会丢失：新控制系统的参数表中没有它。
