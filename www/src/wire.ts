@@ -717,6 +717,9 @@ export type MachineView = {
 /** What a piece of the triangles is. */
 export type Matter = "part" | "cut" | "chuck" | "ball" | "stylus" | "body" | "carrier" | "zone";
 
+/** A point X Y Z in machine (basic) coordinates, mm. */
+export type Mcs = [number, number, number];
+
 /** A result of a call. */
 export type Measured = {
   /** `_OVR[4]`. */
@@ -1372,32 +1375,32 @@ export type Standing = {
   whole: [[number, number, number], [number, number, number]],
 };
 
-/** One step. Positions are machine (basic) coordinates X Y Z in mm. */
+/** One step. Directions are in machine (basic) coordinates X Y Z, as the points. */
 export type Step = { "step": "motion",
   /** Kind. */
   kind: MotionKind,
   /** Start: the point to which the tool length refers. */
-  from: [number, number, number],
+  from: Mcs,
   /** Real end. */
-  to: [number, number, number],
+  to: Mcs,
   /** Round what it went; none: straight. */
   around?: Around,
   /** mm/min; 0: rapid traverse. */
   feed: number,
 } | { "step": "touch",
   /** Position latched by the control. */
-  latched: [number, number, number],
+  latched: Mcs,
   /** Centre of the ball at contact; of a tool at a tool probe the point to which its lengths refer. */
-  ball: [number, number, number],
+  ball: Mcs,
   /** Point touched on the part. */
-  point: [number, number, number],
+  point: Mcs,
   /** Outward unit normal of the part there. */
   normal: [number, number, number],
   /** What of the probe touched; left out: the ball. */
   by?: Touching,
 } | { "step": "crash",
   /** Point touched on the part. */
-  point: [number, number, number],
+  point: Mcs,
   /** Outward unit normal of the part there. */
   normal: [number, number, number],
   /** What of the probe touched; left out: the ball. */
