@@ -21,7 +21,7 @@ help-g102-measures-offset = 测球在平面两个轴上偏离主轴轴线多少�
 help-g102-before-ring = 测球在直径 D 的孔中间，误差不超过 10 mm。该孔由本主轴刚镗出，或是环规，且 #510 中有使主轴转 180° 的 M 功能。
 help-g102-order-walls = 触碰两个轴的四个壁；设定了 #510 时，主轴转 180° 后再触碰一遍。
 help-g102-corrects-offset = #504 和 #505：平面第一轴和第二轴的径向偏置。
-help-g102-wrong-moved = 孔不是在主轴现在的位置加工的，主轴又不转 180°：孔位的误差被当作径向偏置。
+help-g102-wrong-moved = 孔不是在主轴现在的位置加工的，主轴又不换向：孔位的误差被当作径向偏置。
 
 help-g103-measures-radius = 平面两个轴正负方向的有效测球半径。
 help-g103-before-ring = 已执行 G102；测球在环规中间，误差不超过 10 mm，在测量深度。
