@@ -1,0 +1,69 @@
+# Warnungen zum Programm als Ganzem, jede mit ihrer Abhilfe.
+
+advice-insert = { $text } davor einfügen
+advice-insert-behind = { $text } danach einfügen
+advice-insert-around = { $before } davor und { $behind } danach einfügen
+advice-write = { $name }={ $value } für diesen Aufruf schreiben
+
+advice-compensation = Werkzeugradiuskorrektur ist aktiv: { $word } in Zeile { $line }.
+advice-compensation-pass = Werkzeugradiuskorrektur ist aus dem vorigen Durchlauf noch aktiv: { $word } in Zeile { $line }.
+advice-compensation-hint = Zyklus mit G40 aufrufen.
+advice-compensation-open = Vor diesem Aufruf ist kein G40 programmiert, und das Programm endet mit aktiver Werkzeugradiuskorrektur: Beim nächsten Lauf kann sie noch aktiv sein.
+advice-plane = Vor diesem Aufruf ist keine Arbeitsebene programmiert: Die Grundstellung der Maschine bestimmt, in welchen Achsen gemessen wird.
+advice-plane-hint = Ebene programmieren, z. B. { $plane }.
+advice-diameter = Vor diesem Aufruf ist weder DIAMON noch DIAMOF programmiert: Die Grundstellung bestimmt, ob Werte der Planachse Durchmesser sind.
+advice-diameter-hint = DIAMON für Durchmesser oder DIAMOF für Radien programmieren.
+advice-edge-none = Keine D-Nummer aktiv: Die Messtasterlänge wird nicht verrechnet.
+advice-edge-open = Nach dem letzten T ist kein D programmiert: Maschinendaten bestimmen, ob eine Korrektur aktiv ist.
+advice-edge-hint = D-Nummer des Messtasters nach dem Werkzeugwechsel programmieren.
+advice-tool = Das aktive Werkzeug T{ $tool } ist kein Werkstückmesstaster (Typ { $type }).
+advice-tool-hint = Messtaster vor dem Aufruf einwechseln oder Typ in der Werkzeugliste korrigieren (710, an der Drehmaschine 580).
+advice-tool-digit = T{ $tool } hat Typ { $type }: Die Aufrufbedingungen verlangen 710 oder Typen mit 0 am Ende, andere Handbuchstellen nennen 100 bis 199.
+advice-tool-digit-hint = Messtaster als Typ 710 eintragen; die Steuerung kann diesen Typ ablehnen.
+advice-tool-assignment = T{ $tool } hat Typ { $type }, ist also ein Messtaster für Drehmaschinen: Dieser Zyklus akzeptiert ihn nur bei SD42950 = 2.
+advice-tool-assignment-hint = An der Drehmaschine SD42950 = 2 setzen; an der Fräsmaschine für den Messtaster Typ 710 eintragen.
+advice-tool-position = T{ $tool }, Typ { $type }, hat Schneidenlage { $position }: Messtaster für Drehmaschinen haben 5 bis 8.
+advice-tool-position-hint = Messtaster einwechseln oder seine Schneidenlage eintragen: 5 oder 7 steht senkrecht auf G17, 6 oder 8 auf G19.
+advice-tool-plane = T{ $tool } hat Schneidenlage { $position }: Der Messtaster steht nicht senkrecht auf der Messebene dieses Zyklus.
+advice-tool-plane-hint = Damit in { $plane } messen oder mit einem Messtaster, der senkrecht auf dieser Ebene steht: 5 und 7 auf G17, 6 und 8 auf G19.
+advice-length = T{ $tool } hat keine Länge in der Werkzeugachse: Bei Werkzeugen der Drehmaschine liegt L1 in der Ordinate der aktiven Ebene, L2 in der Abszisse, L3 in der Applikate.
+advice-length-hint = Länge in der Werkzeugachse als L3 eintragen, in einer D-Nummer für diese Ebene. Behält die Maschine die Längen von G18 in jeder Ebene, ist nichts zu ändern.
+advice-milled-diameter = DIAMON oder DIAM90 ist aktiv, aber dieser Zyklus rechnet in der Planachse nicht mit Durchmessern: Positionen in X gelten als Abstand von der Drehmitte.
+advice-milled-diameter-hint = Positionen als Radien eingeben; DIAMOF vor dem Aufruf, danach wieder DIAMON oder DIAM90 programmieren.
+advice-spindle = Die Spindel dreht: Zwischen M3 oder M4 und diesem Aufruf wird sie nicht angehalten.
+advice-spindle-hint = Spindel mit M5 anhalten, bevor sich der Messtaster dem Werkstück nähert.
+advice-open = Der Zustand bei diesem Aufruf hängt von einem anderen Programm oder vom Programmablauf ab: { $words }.
+advice-open-hint = Sicherstellen, dass jedes aufrufende Programm die Werte so setzt, wie der Zyklus sie braucht, oder sie hier programmieren.
+advice-tool-none = Vor diesem Aufruf ist kein Werkzeug programmiert: Verwendet wird das Werkzeug in Spindel oder Revolver mit der aktiven D-Nummer.
+advice-tool-none-hint = T und D vor dem Aufruf programmieren.
+advice-radius = Mit DIAMOF ist der Sollwert { $value } ein Radius: Der Durchmesser ist { $diameter }.
+advice-radius-hint = DIAMON vor dem Aufruf programmieren, wenn der Durchmesser aus der Zeichnung eingegeben ist.
+advice-calibration = Dieses Programm kalibriert Messtaster { $number } nicht: Es gelten die Daten in { $data }.
+advice-calibration-hint = Prüfen, ob der Messtaster an dieser Maschine kalibriert ist, oder zuerst die Kalibrierung aufrufen.
+advice-inherited = { $name }={ $value } ist in Zeile { $line } für { $cycle } geschrieben und hat dort eine andere Einheit.
+advice-inherited-meaning = { $name }={ $value } ist in Zeile { $line } für { $cycle } geschrieben und bedeutet dort „{ $before }“, hier aber „{ $now }“.
+advice-inherited-hint = { $name } für diesen Aufruf schreiben.
+advice-frame = { $frame } wurde korrigiert, aber die Korrektur ist nicht aktiv: Das Programm läuft mit den alten Werten weiter.
+advice-frame-other = { $frame } wurde korrigiert, aber das Programm läuft mit { $other } weiter und aktiviert die Korrektur nie.
+advice-frame-basic = Das korrigierte Basisframe ist nicht aktiv: Das Programm läuft mit dem alten weiter.
+advice-frame-hint = { $frame } nach dem Aufruf erneut programmieren.
+advice-frame-other-hint = { $frame } nach dem Aufruf programmieren.
+advice-overwritten = { $name } kann beim Aufruf einen anderen Wert haben: Auch das in Zeile { $line } aufgerufene Programm schreibt den Parameter.
+advice-overwritten-hint = { $name } nach jenem Aufruf schreiben.
+arrives = Geschrieben in Zeile { $lines }.
+arrives-hint = Eine Änderung hier ändert auch jene Zeile.
+arrives-shared-hint = Andere Aufrufe verwenden den Wert ebenfalls: Eine Änderung hier wird nur für diesen Aufruf geschrieben.
+arrives-many-hint = Der Wert stammt aus vielen Aufrufen: dort ändern, wo er geschrieben ist.
+arrives-differing = Hängt vom Programmablauf bis zu diesem Aufruf ab: { $values }.
+arrives-differing-hint = Eine Änderung hier würde für alle Abläufe gelten. Den Wert dort ändern, wo er geschrieben ist; die Zeile steht in Klammern.
+advice-level = Der Aufruf liegt auf Programmebene { $level }; Messzyklen laufen nur auf den ersten fünf.
+advice-level-hint = Zyklus aus einem Programm aufrufen, das näher am Hauptprogramm liegt.
+
+advice-read-back = Die Messzyklenunterstützung der Steuerung ändert diesen Aufruf beim Rückübersetzen: { $changes }.
+advice-read-back-hint = Die Werte folgen aus _MZ_MASK der Maschine. Jetzt übernehmen oder, wenn die Werte im Programm richtig sind, _MZ_MASK ändern.
+advice-read-back-cure = Werte nach _MZ_MASK übernehmen
+advice-mask = Dieser Aufruf wurde mit anderen Maschineneinstellungen geschrieben: { $changes }.
+advice-mask-hint = Sobald die Steuerung den Aufruf rückübersetzt, stehen die geänderten Werte im Programm.
+advice-mask-cure = Einstellungen dieser Maschine eintragen
+advice-tool-programming = Die Steuerung kann diesen Aufruf nicht in ihre Maske zurücklesen. Seit dem Schreiben geändert: { $changes }.
+advice-tool-programming-hint = Aufruf mit der Maske neu schreiben; Werkzeug und D-Nummer prüfen, sie werden jetzt anders programmiert.

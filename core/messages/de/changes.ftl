@@ -1,0 +1,27 @@
+# Was ein Aufruf in der Steuerung ändert, in Worten.
+change-radius-wear = T{ $tool } D{ $edge }, Verschleiß Radius
+change-radius = T{ $tool } D{ $edge }, Radius
+change-length-wear = T{ $tool } D{ $edge }, Verschleiß Länge { $length }
+change-length = T{ $tool } D{ $edge }, Länge { $length }
+change-length-offset = T{ $tool } D{ $edge }, Länge { $length }, DL{ $offset }
+change-radius-offset = T{ $tool } D{ $edge }, Radius, DL{ $offset }
+change-coarse = { $frame }, { $axis } grob
+change-fine = { $frame }, { $axis } fein
+change-rotation = { $frame }, Drehung um { $axis }
+change-offset = { $frame }, { $axis }
+change-mean = Mittelwertspeicher { $memory }
+change-empirical = Erfahrungswert { $memory }
+change-probe-ball = Messtaster { $probe }, Kugeldurchmesser
+change-trigger-abscissa-minus = Messtaster { $probe }, Triggerpunkt Abszisse minus
+change-trigger-abscissa-plus = Messtaster { $probe }, Triggerpunkt Abszisse plus
+change-trigger-ordinate-minus = Messtaster { $probe }, Triggerpunkt Ordinate minus
+change-trigger-ordinate-plus = Messtaster { $probe }, Triggerpunkt Ordinate plus
+change-trigger-applicate-minus = Messtaster { $probe }, Triggerpunkt Applikate minus
+change-trigger-applicate-plus = Messtaster { $probe }, Triggerpunkt Applikate plus
+change-skew-abscissa = Messtaster { $probe }, Lageabweichung Abszisse
+change-skew-ordinate = Messtaster { $probe }, Lageabweichung Ordinate
+change-register-length = Korrekturspeicher { $register }, Länge
+change-register-length-wear = Korrekturspeicher { $register }, Verschleiß Länge
+change-register-radius = Korrekturspeicher { $register }, Radius
+change-register-radius-wear = Korrekturspeicher { $register }, Verschleiß Radius
+change-other = { $name }

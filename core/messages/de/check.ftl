@@ -1,0 +1,114 @@
+# Was an den Werten eines Aufrufs falsch ist, und die Abhilfe (-hint). Längen in mm, außer bei Werten wie eingegeben.
+
+check-missing = { $param } fehlt.
+check-delivered = { $param } ist nicht angegeben: Es gilt die Vorbesetzung { $value }{ $unit }.
+check-not-a-number = „{ $value }“ ist keine Zahl.
+check-not-a-number-hint = Ziffern mit Punkt oder Komma eingeben, zum Beispiel 12.5.
+check-expression = „{ $value }“ ist erst beim Programmlauf bekannt und wird deshalb nicht geprüft.
+check-too-large = { $value } liegt außerhalb des Bereichs jeder Maschine.
+check-too-large-hint = Zahl und Exponent prüfen.
+check-not-whole = { $value } ist keine ganze Zahl.
+check-not-whole-hint = Wert ohne Nachkommastellen eingeben.
+check-text-long = Der Text ist länger als { $most } Zeichen.
+check-text-long-hint = Namen auf die Länge kürzen, die die Steuerung speichert.
+check-text-characters = Der Text enthält Anführungszeichen oder Steuerzeichen.
+check-text-characters-hint = Nur den Namen ohne diese Zeichen eingeben.
+check-range = { $param } darf nicht { $value }{ $unit } sein.
+check-range-choice-hint = Einen dieser Werte wählen: { $choices }.
+check-range-both-hint = Wert von { $min } bis { $max }{ $unit } eingeben.
+check-range-from-hint = Mindestens { $min }{ $unit } eingeben.
+check-range-above-hint = Mehr als { $min }{ $unit } eingeben.
+check-range-below-hint = Höchstens { $max }{ $unit } eingeben.
+check-unusual = { $param }: { $value }{ $unit } ist ungewöhnlich.
+check-unusual-hint = Üblich sind { $min } bis { $max }{ $unit }.
+check-variant = { $cycle } hat keine Messvariante { $value }.
+check-variant-pair = „{ $one }: { $first }“ und „{ $other }: { $second }“ passen nicht zusammen: { $cycle } hat keine Messvariante { $value }.
+check-variant-hint = Messvariante aus der Liste wählen.
+check-variant-near-hint = Ähnliche Messvarianten: { $near }. Nicht jede Kombination der Stellen ist zulässig.
+
+check-knum-zero = { $code } bezeichnet keine Nullpunktverschiebung.
+check-knum-zero-hint = 1 bis 99: G54 und folgende; 1000, 1011 bis 1026 und 1051 bis 1066: Basisframes; 2000: Systemframe; 9999: aktives Frame; 0: keine Korrektur.
+check-knum-is-tool-hint = Dieser Code gilt für eine Werkzeugkorrektur. Messvariante mit Werkzeugkorrektur wählen oder ein Frame angeben.
+check-knum-is-zero-hint = Dieser Code gilt für eine Nullpunktverschiebung. Messvariante mit NV-Korrektur wählen oder eine D-Nummer angeben.
+check-knum-digit-4 = Die 4. Stelle von { $code } (bei fünfstelligen D-Nummern die 6.) ist unzulässig.
+check-knum-digit-5 = Die 5. Stelle von { $code } (bei fünfstelligen D-Nummern die 7.) ist unzulässig.
+check-knum-digit-6 = Die 6. Stelle von { $code } (bei fünfstelligen D-Nummern die 8.) ist unzulässig.
+check-knum-digit-7 = Die 7. Stelle von { $code } (bei fünfstelligen D-Nummern die 9.) oder eine höhere ist unzulässig.
+check-knum-edge-none = { $code } bezeichnet keine D-Nummer.
+check-knum-edge-large = Die D-Nummer in { $code } ist größer als { $largest }, die größte D-Nummer dieser Steuerung.
+check-knum-seven-digits-hint = Von rechts: drei Stellen D-Nummer, dann 0 oder 1 Länge, 2 Radius; dann 1 invertiert; dann 1 bis 3 L1 bis L3, 4 Radius; dann 0 bis 3 Art der Korrektur.
+check-knum-nine-digits-hint = Von rechts: fünf Stellen D-Nummer, dann 0 oder 1 Länge, 2 Radius; dann 1 invertiert; dann 1 bis 3 L1 bis L3, 4 Radius; dann 0 bis 3 Art der Korrektur.
+
+check-probe-number = Die Messtasternummer { $number } gibt es nicht.
+check-probe-number-hint = Nummer von 1 bis { $fields } wählen.
+check-probe-type = Die 3. Stelle der Messtasternummer darf nicht { $type } sein.
+check-probe-type-hint = 0 steht für einen Multitaster, 1 für einen Monotaster oder bidirektionalen Messtaster.
+check-cora-off = Der Korrekturwinkel wirkt nicht.
+check-cora-off-hint = _CBIT[8]=1 setzen oder für den Korrekturwinkel 0 eingeben.
+check-empirical-memory = Den Erfahrungswertspeicher { $number } gibt es nicht; Anzahl der Erfahrungswerte im Feld: { $size }.
+check-mean-memory = Den Mittelwertspeicher { $number } gibt es nicht; Anzahl der Mittelwerte im Feld: { $size }.
+check-memory-hint = Kleinere Nummer wählen oder das Feld und { $array } vergrößern.
+check-mean-off = Der Mittelwert wird nicht von Werkstück zu Werkstück gespeichert.
+check-mean-off-hint = _CHBIT[4]=1 setzen, wenn der Mittelwert gespeichert werden soll.
+check-tolerance-order = Die obere Toleranz, { $upper } mm, liegt unter der unteren, { $lower } mm.
+check-tolerance-order-hint = _TUL und _TLL vertauschen oder ihre Vorzeichen prüfen.
+check-band-difference = Das halbe Toleranzfeld, { $small } mm, ist größer als _TDIF, { $large } mm: Ein Werkstück in Toleranz würde als falsch bewertet.
+check-zero-mean = _TZL, { $small } mm, ist größer als _TMV, { $large } mm: Der Mittelwert korrigiert nie.
+check-difference-safe = _TDIF, { $small } mm, ist größer als _TSA, { $large } mm: Das Programm hält an, bevor _TDIF wirkt.
+check-bands-hint = Reihenfolge vom kleinsten zum größten Wert einhalten: _TZL, _TMV, halbes Toleranzfeld, _TDIF, _TSA.
+check-rotation = Eine Koordinatendrehung ist aktiv.
+check-rotation-hint = Drehung vor dem Aufruf ausschalten: Dieser Zyklus arbeitet entlang der Maschinenachsen.
+check-infeed = Die Zustellung, { $infeed } mm, führt nicht nach unten zum Messelement.
+check-infeed-hint = Negativen Wert eingeben, wenn die Werkzeugachse nach oben zeigt.
+
+check-ball = Die Messtasterkugel, { $ball } mm, passt nicht hinein.
+check-ball-hint = Sollwert prüfen oder kleineren Messtaster verwenden.
+check-path-long = Der Messweg würde in der gegenüberliegenden Wand beginnen: Die Kugel hat nur { $free } mm Weg.
+check-path-long-hint = _FA kleiner als { $free } mm wählen.
+check-zone-wide = Die Schutzzone, { $zone } mm, ist nicht kleiner als das Messelement, { $size } mm.
+check-zone-wide-hint = Schutzzone kleiner als { $limit } mm wählen, damit die Kugel daneben passt.
+check-zone-narrow = Die Schutzzone, { $zone } mm, ist nicht größer als das Messelement, { $size } mm.
+check-zone-narrow-hint = Schutzzone größer als { $limit } mm wählen, damit die Kugel neben das Messelement passt.
+check-zone-ball = Zwischen Messelement und Schutzzone ist kein Platz für die Messtasterkugel, { $ball } mm.
+check-zone-shortens = Die Schutzzone verkürzt den Messweg auf { $free } mm.
+check-zone-shortens-hint = Das Werkstück darf höchstens um diesen Weg abweichen; sonst die Schutzzone so ändern, dass mehr Platz bleibt.
+check-differential-mono = Die Differenzmessung dreht die Spindel; ein Monotaster misst nur in einer Richtung.
+check-differential-mono-hint = Multitaster oder Messvariante ohne Differenzmessung verwenden.
+check-differential-axis = Differenzmessung ist nur in der Ebene möglich.
+check-differential-axis-hint = Achse 1 oder 2 wählen.
+check-mono-spindle = Ein Monotaster wird vor jeder Antastung gedreht, aber diese Spindel lässt sich nicht positionieren.
+check-mono-spindle-hint = Multitaster verwenden.
+check-differential-spindle = Die Differenzmessung dreht die Spindel, aber diese Spindel lässt sich nicht positionieren.
+check-differential-spindle-hint = Messvariante ohne Differenzmessung und einen kalibrierten Messtaster verwenden.
+check-knum-no-additive = Diese Maschine hat keine Summenkorrekturen.
+check-knum-no-additive-hint = Stattdessen Länge oder Radius korrigieren oder Bit 8 in MD 18080 setzen.
+check-target-not-offered = { $param } = { $value } gehört nicht zu den Korrekturzielen, die die Masken dieser Maschine anbieten.
+check-target-not-offered-hint = Einstellbare Nullpunktverschiebung oder letztes Basisframe wählen, oder { $entry } in den Maschinendaten auf 1 setzen.
+check-knum-no-setup = Diese Maschine hat keine Einrichtekorrekturen.
+check-knum-no-setup-hint = Stattdessen Länge oder Radius korrigieren oder Bit 4 in MD 18112 setzen.
+
+check-knum-rotation = Das globale Basisframe { $code } kann keine Drehung aufnehmen.
+check-knum-rotation-hint = Einstellbares Frame oder Kanal-Basisframe wählen.
+check-lathe-length = Der Messtaster ist als Drehwerkzeug eingetragen, und seine Länge reicht bis zum Kugelumfang (_CBIT[14]=1).
+check-lathe-length-hint = _CBIT[14]=0 setzen und die Länge bis zur Kugelmitte eintragen.
+check-mirror-datum = Eine Achse ist gespiegelt, und MD10610 ist nicht 0: Die Messzyklen sind nur für Spiegeln mit MD10610=0 ausgelegt.
+check-mirror-datum-hint = Ohne Spiegelung messen oder MD10610=0 setzen.
+check-multi-probe = Diese Messung erfordert einen Multitaster; ein Monotaster schaltet nur in einer Richtung.
+check-multi-probe-hint = Multitaster verwenden: { "_PRNUM" } mit zwei Stellen.
+check-angles-sum = Startwinkel und alle Fortschaltwinkel ergeben zusammen { $sum }°, mehr als 360°.
+check-angles-sum-hint = Kleineren Fortschaltwinkel wählen oder einen Startwinkel näher bei 0, mit Vorzeichen.
+check-angles-same = Bei diesem Fortschaltwinkel fallen Punkte zusammen: Es lässt sich kein Kreis berechnen.
+check-angles-same-hint = Bei drei Punkten höchstens 120° wählen, bei vier Punkten höchstens 90°.
+check-angles-wide = Bei { $points } Punkten ist ein Fortschaltwinkel über { $useful }° nicht sinnvoll.
+check-angles-wide-hint = Höchstens { $useful }° wählen.
+check-ball-unknown = Der Kugeldurchmesser dieses Messtasters ist nicht bekannt: Jedes Maß wäre um ihn falsch.
+check-ball-unknown-hint = Messtaster in einer Bohrung kalibrieren und dabei den Kugeldurchmesser ermitteln.
+check-spread-circle = Die Punkte liegen zu dicht beieinander: Der Durchmesser ist { $diameter }-mal, der Mittelpunkt { $centre }-mal so unsicher wie ein einzelner Punkt.
+check-spread-centre = Die Punkte liegen zu dicht beieinander: Der Mittelpunkt ist { $centre }-mal so unsicher wie ein einzelner Punkt.
+check-spread-circle-hint = Punkte über einen größeren Teil des Kreises verteilen.
+check-spread-corner = Die Ecke ist { $factor }-mal so unsicher wie ein einzelner Punkt: Die Punkte liegen weit von der Ecke oder dicht beieinander, oder der Winkel zwischen den Kanten ist klein.
+check-spread-corner-hint = Punkte weiter auseinander und näher an die Ecke legen.
+check-spread-angle = Die Punkte liegen zu dicht beieinander: Die Richtung ist nach { $length } mm { $factor }-mal so unsicher wie ein einzelner Punkt.
+check-spread-angle-hint = Punkte mindestens { $needed } mm auseinander legen.
+check-spread-triangle = Die drei Punkte liegen fast auf einer Geraden: { $length } mm daneben ist das Frame { $factor }-mal so unsicher wie ein einzelner Punkt.
+check-spread-triangle-hint = Einen der Punkte weiter von der Geraden durch die beiden anderen entfernen.

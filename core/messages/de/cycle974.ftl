@@ -1,0 +1,29 @@
+# CYCLE974: Titel, Suchwörter, Varianten, Texte der eigenen Parameter, Prüfungen und Ergebnisse.
+
+cycle974-title = Drehteil: 1-Punkt-Messung
+cycle974-help = Misst einen Punkt am Drehteil, außen oder innen, an Durchmesser, Stirnfläche oder in der dritten Achse, gegen den Sollwert aus der Zeichnung.
+cycle974-words = messen vermessen antasten Werkstück drehen Drehmaschine Drehteil Durchmesser außen innen Absatz Schulter Stirnfläche Planfläche Länge ein Punkt Einzelpunkt X Z Y Planachse Umschlag Umschlagmessung Rundlauf Schlag Spindel Werkzeugkorrektur Verschleiß Nullpunkt setzen Nullpunktverschiebung NV NPV
+cycle974-each-words = drehen Drehmaschine Durchmesser Stirnfläche Länge L1 L2
+
+cycle974-tool = 1-Punkt-Messung, Werkzeug korrigieren
+cycle974-zero = 1-Punkt-Messung, Nullpunktverschiebung korrigieren
+cycle974-reversal = 1-Punkt-Messung mit Umschlag, Werkzeug korrigieren
+
+mvar-reversal = Umschlag
+reversal-without = ohne
+reversal-with = mit: zweite Messung, Werkstück um 180° gedreht
+reversal-with-words = Umschlag Spindel 180 Grad Rundlauf Schlag Exzentrizität gegenüber
+
+param-setval-turned-diameter = Solldurchmesser
+param-setval-turned-diameter-help = Aus der Zeichnung. Bei DIAMON der Durchmesser, bei DIAMOF der Radius.
+param-setval-turned-position = Sollposition
+param-setval-turned-position-help = Wo die Fläche im WKS liegen soll, in der Messachse.
+param-sta1-spindle = Spindelstellung
+param-sta1-spindle-help = Winkel, auf den die Spindel das Werkstück für die erste Antastung dreht; die zweite liegt 180° weiter.
+
+need-angle-reversal = Beim Umschlag positioniert der Zyklus die Spindel.
+
+check-reversal-part = Beim Umschlag dreht der Zyklus das Werkstück um 180°, aber die Spindel ist nicht positionierbar.
+check-reversal-part-hint = Ohne Umschlag messen oder auf einer Maschine mit positionierbarer Hauptspindel.
+
+result-compensation-radius = Korrekturwert als Radius

@@ -1,0 +1,11 @@
+# CYCLE978: Titel, Suchwörter, Varianten.
+
+cycle978-title = Fläche
+cycle978-help = Misst einen Punkt einer Fläche senkrecht zu einer Achse. Der Messtaster steht gegenüber, weiter weg als der Messweg; seine Seite bestimmt die Messrichtung.
+cycle978-words = messen vermessen antasten ankratzen Werkstück Fläche Kante Planfläche Ebene Wand Punkt Position Einzelpunkt Werkzeugkorrektur Verschleiß Nullpunkt setzen Nullpunktverschiebung NV NPV achsparallel Differenzmessung
+cycle978-each-words = ein Punkt Kante Planfläche
+
+cycle978-tool = Fläche, Werkzeug korrigieren
+cycle978-zero = Fläche, Nullpunktverschiebung korrigieren
+cycle978-differential-tool = Fläche mit Differenzmessung, Werkzeug korrigieren
+cycle978-differential-zero = Fläche mit Differenzmessung, NV korrigieren

@@ -1,0 +1,47 @@
+# Digitalisieren einer Freiformfläche: das Makro G65 P9969 der NCT-Steuerungen.
+
+p9969-title = Fläche digitalisieren
+p9969-help = Tastet eine Freiformfläche über einem Rechteck Zeile für Zeile ab und sendet die Punkte als NC-Programm.
+p9969-words = digitalisieren Digitalisierung scannen Scan abtasten Freiformfläche Form Formenbau Gesenk kopieren Nachformen Punkte Punktewolke Höhe Relief STL
+p9969-rectangle = Rechteck digitalisieren
+param-p9969-end = Ende des Rechtecks
+param-p9969-end-help = Koordinate der Ecke, die der Startecke des Messtasters gegenüberliegt, in dieser Achse der Ebene.
+param-p9969-deepest = Tiefste Position
+param-p9969-deepest-help = Koordinate der Werkzeugachse, unter der die Fläche nicht gesucht wird; dort fährt der Messtaster entlang der Zeile weiter. Sie muss unter dem Messtaster liegen.
+param-p9969-spacing = Zeilenabstand
+param-p9969-spacing-help = Abstand von Zeile zu Zeile. I versetzt die Zeilen in X, J in Y, K in Z; die Zeilen verlaufen in der anderen Achse der Ebene. Genau einen angeben.
+param-p9969-r = Rasterabstand
+param-p9969-r-help = Abstand der Punkte entlang der Fläche. Muss kleiner als die halbe größte Auslenkung des Messtasters sein.
+param-p9969-q = Rückzug
+param-p9969-q-help = Weg, den der Messtaster vor der Suche nach dem nächsten Punkt hochfährt. Steigt die Fläche von Zeile zu Zeile stärker an, kommt er nicht rechtzeitig frei.
+param-p9969-f = Scan-Vorschub
+param-p9969-f-help = Vorschub beim Suchen. Er bestimmt die Genauigkeit: 12 mm/min 0.001 mm, 120 mm/min 0.01 mm, 1200 mm/min 0.1 mm. Ohne Angabe 120 mm/min.
+param-p9969-s = Programmnummer
+param-p9969-s-help = Nummer des Programms, unter der die Punkte gespeichert werden; ohne Angabe erhält das Programm keine Nummer.
+need-p9969-spacing = Genau einen Zeilenabstand der Ebene angeben.
+p9969-one-spacing = Genau eine dieser Adressen ist anzugeben: { $first } oder { $second }.
+p9969-one-spacing-hint = Die Adresse der Achse von Zeile zu Zeile angeben und die andere weglassen.
+result-p9969-points = Punkte
+result-p9969-lines = Zeilen
+result-p9969-lowest = tiefster Punkt
+result-p9969-highest = höchster Punkt
+decision-p9969-told = Bewegungen und Sätze sind für die ersten { $told } von { $all } Punkten aufgelistet; den Scan der ganzen Fläche zeigt die Ergebnisseite.
+decision-p9969-form = Die Maske simuliert die ersten { $followed } Punkte; die ganze Fläche, bis { $most } Punkte, liefert „Scannen“ oder ein Programmlauf.
+nct-scanning-obstructed = Der Messtaster steckt fest: Etwas liegt auf seinem Rückweg.
+    .cause = Eine Vertiefung ist für den Messtaster zu eng oder zu steil.
+    .cure = Messtaster von Hand zurückziehen, dann größeren Zeilenabstand, kleinere Kugel oder anderes Rechteck wählen.
+nct-scanning-fail = In drei Versuchen wurde keine Position gefunden.
+    .cause = Dreimal fehlte das Signal, als der Messtaster stand, oder es lag schon vor der Bewegung an.
+    .cure = Messtaster prüfen; ist er nach dem Rückzug noch ausgelenkt, Q vergrößern.
+run-scan-limit = Der Scan hat mehr als { $limit } Punkte und wurde abgebrochen. R oder Zeilenabstand vergrößern.
+
+help-p9969-measures = Freiformfläche: Punkte in parallelen Zeilen über einem Rechteck der Ebene.
+help-p9969-before = Der Messtaster ist über einer Ecke des Rechtecks, in sicherem Abstand über der Fläche. Jede Ecke kann Startecke sein.
+help-p9969-order-lines = Eine Zeile in einer Achse bis zum Ende des Rechtecks, ein Schritt um den Zeilenabstand, eine Zeile zurück, bis das Rechteck abgefahren ist; die letzte Zeile liegt an seinem Ende.
+help-p9969-order-point = Von Punkt zu Punkt: um Q hoch, um R weiter in Richtung der Fläche, abwärts bis zur Fläche. Einer Wand unterwegs folgt der Messtaster in Schritten von R aufwärts.
+help-p9969-order-deepest = Bis zur tiefsten Position nichts gefunden: auf dieser Tiefe entlang der Zeile weiter, bis zu einer Wand oder bis zum Zeilenende.
+help-p9969-corrects = Nichts. Das Makro sendet ein NC-Programm mit Nummer S, das mit einem Fräser vom Durchmesser der Kugel dieselbe Fläche fräst.
+help-p9969-wrong-fast = Die Genauigkeit hängt vom Vorschub ab: 0.1 mm bei 1200 mm/min.
+help-p9969-wrong-step = Die Fläche steigt von Zeile zu Zeile um mehr als Q: STYLUS IN CONTACT. Q vergrößern oder Zeilenabstand verkleinern.
+help-p9969-wrong-cavity = Der Messtaster steckt in einer Vertiefung fest: SCANNING OBSTRUCTED.
+help-p9969-wrong-ball = Die Punkte sind Punkte der Kugel, nicht der Fläche: Für einen Fräser mit anderem Durchmesser sind sie umzurechnen.

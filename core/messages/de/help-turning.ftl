@@ -1,0 +1,25 @@
+# Hilfeseiten der Zyklen, die an Drehmaschinen ein Werkstück messen.
+
+help-turning-probe = Der Messtaster (Typ 5xy) ist in Arbeitsstellung, seine D-Nummer und G40 sind aktiv; das Koordinatensystem ist weder gedreht noch skaliert.
+help-turning-diameter = Durchmesser und Radien sind verwechselt: Mit DIAMON sind Sollwert und Toleranzen in X Durchmesser, _FA und die Korrektur nicht.
+
+help-cycle974-measures-point = Die Position eines Punkts am Drehteil: ein Durchmesser von einer Seite, eine Stirnfläche oder ein Punkt in der dritten Achse.
+help-cycle974-before-opposite = Die Kugel steht dem Punkt gegenüber, weiter entfernt als _FA; von dort misst der Zyklus in Richtung _SETVAL.
+help-cycle974-before-chuck = Die Hauptspindel, die das Werkstück spannt, lässt sich positionieren.
+help-cycle974-order-axis = Nur die Messachse fährt; Endposition _FA vor der Fläche.
+help-cycle974-order-reversal = Die Spindel fährt auf _STA1, der Zyklus tastet an; die Spindel dreht um 180°, der Zyklus tastet erneut an. Der Mittelwert gilt: Die Rundlaufabweichung hebt sich auf.
+help-cycle974-corrects-half = Eine Länge wird um die Abweichung in ihrer Achse korrigiert: um die halbe Abweichung eines Durchmessers.
+help-cycle974-corrects-one-axis = Nur die Messachse wird korrigiert.
+help-cycle974-wrong-side = Die Startposition liegt auf der falschen Seite oder näher als _FA an der Fläche.
+help-cycle974-wrong-run-out = Das Werkstück läuft nicht rund: Ein einzelner Punkt ergibt nicht den Durchmesser. Mit Umschlag messen.
+
+help-cycle994-measures-diameter = Ein Durchmesser eines Drehteils um den Werkstücknullpunkt, aus zwei gegenüberliegenden Punkten.
+help-cycle994-before-plus-side = Die Kugel steht dem Punkt auf der Plus-Seite gegenüber, weiter entfernt als _FA.
+help-cycle994-before-inside = Die Kugel steht in der Bohrung; _SZA und _SZO beschreiben, was dort zu umfahren ist, Kugelradius eingerechnet.
+help-cycle994-before-either = Die Position der Kugel entscheidet: Weiter außen als der Sollwert misst der Zyklus außen und umfährt die Schutzzone _SZA und _SZO, Kugelradius eingerechnet; weiter innen misst er innen.
+help-cycle994-order-plus-first = Der Zyklus tastet zuerst den Punkt auf der Plus-Seite an, dann den auf der Minus-Seite; Endposition _FA vor diesem.
+help-cycle994-order-round-inside = In der Bohrung fährt der Messtaster an der Schutzzone entlang: auf _SZO, weiter auf _SZA, hinüber und zurück.
+help-cycle994-order-round-outside = Außen fährt der Messtaster auf _SZO heraus, weiter auf _SZA, hinüber und zurück; innen fährt er gerade durch die Bohrung.
+help-cycle994-corrects-half = Eine Länge wird um die halbe Abweichung des Durchmessers korrigiert.
+help-cycle994-wrong-zone = Die Schutzzone stammt von einem früheren Aufruf oder lässt der Kugel keinen Platz: Der Messtaster kollidiert mit dem Werkstück (Alarm 61302), oder es bleibt kein Weg (Alarm 61334).
+help-cycle994-wrong-ball = Mit _CHBIT[7]=1 gilt der gespeicherte Kugeldurchmesser statt der beiden Triggerpunkte: Er muss stimmen.

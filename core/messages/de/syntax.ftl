@@ -1,0 +1,37 @@
+# Was beim Lesen von Teileprogrammen unverständlich war.
+syntax-unknown = Dieser Text ist nicht verständlich.
+syntax-value = Hier fehlt ein Wert.
+syntax-operand = Hier wird eine Zahl, eine Variable oder eine Klammer erwartet.
+syntax-operator = Ein Wort kann nicht mit einem Operator beginnen.
+syntax-equals = Hier wird „=“ erwartet.
+syntax-bracket = Eine Klammer ist nicht geschlossen.
+syntax-index = Ein Index hat ein bis drei Werte.
+syntax-text = Ein Text ist nicht mit einem Anführungszeichen abgeschlossen.
+syntax-number = Diese Zahl ist nicht lesbar.
+syntax-comma = Die Steuerung verlangt einen Dezimalpunkt, kein Dezimalkomma.
+syntax-depth = Klammern und Operatoren sind zu tief geschachtelt.
+syntax-comment = Ein Kommentar ist nicht abgeschlossen.
+syntax-too-large = Das Programm ist zu groß; der Rest wurde nicht gelesen.
+syntax-exponent = Die Steuerung schreibt Exponenten mit EX, zum Beispiel 1.5EX-3.
+block-twice = { $word } ist in diesem Satz doppelt programmiert: Die Steuerung hält dort an.
+block-twice-hint = Nur eine Angabe schreiben oder jede in einen eigenen Satz.
+block-axis-name = { $word } ist eine Achse: Eine Variable darf nicht so heißen.
+block-axis-name-hint = Namen wählen, der mit zwei Buchstaben oder einem Unterstrich beginnt.
+syntax-write = { $value } schreiben.
+syntax-behind-end = Der Text nach dem Dateiende (Zeichen Strg-Z) wird nicht gelesen.
+syntax-behind-end-hint = Zeichen entfernen, wenn die Zeilen danach zum Programm gehören.
+program-names = Ein Aufruf findet dieses Programm unter seinem Dateinamen { $file }; in PROC steht { $proc }.
+program-names-hint = Beiden denselben Namen geben.
+nct-foreign = { $word } ruft hier kein Messmakro auf: Keine Adresse im Satz gehört zum Makro. Der Satz wird übergangen.
+nct-foreign-hint = Auf dieser Steuerung misst { $cycle }. Satz entfernen, wenn das Programm für eine andere Steuerung geschrieben ist.
+syntax-no-exponent = Zahlen haben auf dieser Steuerung keinen Exponenten.
+syntax-no-exponent-hint = Alle Stellen ausschreiben, zum Beispiel 0.001.
+syntax-character = Die Steuerung kennt dieses Zeichen nicht ({ $number }).
+syntax-character-blank = Normales Leerzeichen schreiben.
+syntax-lone-return = Ein Wagenrücklauf (CR) ohne Zeilenvorschub (LF) beendet keinen Satz: Der Text danach gehört zu dieser Zeile.
+syntax-lone-return-hint = Datei mit Zeilenvorschub (LF) speichern.
+file-picture = es ist ein Bild, kein Teileprogramm
+file-archive = es ist ein Archiv, etwa ZIP oder ein Office-Dokument, kein Teileprogramm
+file-pdf = es ist ein PDF-Dokument, kein Teileprogramm
+file-document = es ist ein Office-Dokument, kein Teileprogramm
+file-binary = es enthält keinen Text und ist deshalb kein Teileprogramm

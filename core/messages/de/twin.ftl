@@ -1,0 +1,32 @@
+# Dieselbe Aufgabe auf der anderen Steuerung.
+twin-middle = Bei einer Toleranz ist der Sollwert die Mitte der Toleranzgrenzen. Der Zyklus korrigiert ein Werkzeug auf diesen Wert.
+twin-no-zero = Die korrigierte Nullpunktverschiebung hat dort keine Entsprechung: eine Nullpunktverschiebung auswählen.
+twin-at-once = Bei NCT gilt die korrigierte Nullpunktverschiebung sofort, bei SINUMERIK erst nach neuem Programmieren, mit { "_KNUM" }=9999 sofort.
+twin-names = Die 5. und die 6. Nullpunktverschiebung heißen bei NCT G58 und G59, bei SINUMERIK G505 und G506.
+twin-register = Als Nummer des NCT-Korrekturspeichers ist die Werkzeugnummer angenommen; bei anderer Zuordnung korrigieren.
+twin-depth = Die Tiefe ist bei NCT eine Koordinate der Werkzeugachse, bei SINUMERIK ein Weg vom Start nach unten ({ "_ID" }). Berechnet für einen Start bei { $axis }{ $height }.
+twin-corner = Bei SINUMERIK dürfen die Kanten gedreht sein, und die Nullpunktverschiebung dreht sich mit der ersten; bei NCT liegen die Wände achsparallel. Welche der vier Ecken gemeint ist, bestimmen bei SINUMERIK { "_STA1" } und { "_INCA" }, bei NCT der Startpunkt.
+twin-ball = SINUMERIK speichert die Triggerpunkte des Messtasters, NCT die wirksamen Kugelradien { "#500" } bis { "#503" }.
+twin-length = SINUMERIK korrigiert die Länge des aktiven Werkzeugs, NCT die Länge im Korrekturspeicher aus T.
+twin-only = Aus { $cycle } dort ohne Entsprechung: { $names }.
+twin-example = Dort nötig und nicht in diesem Aufruf, deshalb aus dem Beispiel für { $cycle } übernommen: { $names }.
+task-bore = Bohrung
+task-boss = Zapfen oder Welle
+task-pocket = Tasche oder Nut
+task-web = Steg
+task-wall = Fläche senkrecht zu einer Achse der Ebene
+task-face = Fläche senkrecht zur Werkzeugachse
+task-inner-corner = Innenecke
+task-outer-corner = Außenecke
+task-ball = Messtasterkugel im Ring kalibrieren
+task-length = Länge kalibrieren
+meaning-nominal = Sollwert
+meaning-axis = Achse
+meaning-depth = Tiefe, als Koordinate
+meaning-corner-1 = Ecke, 1. Achse
+meaning-corner-2 = Ecke, 2. Achse
+meaning-half = halbe Toleranz
+meaning-limit = keine Korrektur über
+meaning-reach = Weg über die Sollposition hinaus
+meaning-zero = Nullpunktverschiebung
+meaning-tool = Werkzeug

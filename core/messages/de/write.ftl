@@ -1,0 +1,24 @@
+# Schreibweisen eines Aufrufs und was sie nicht ausdrücken können.
+
+write-no-list = Einen solchen Aufruf gibt es für { $cycle } nicht.
+write-no-list-variant = { $cycle }: Diese Messvariante oder dieses Korrekturziel lässt sich so nicht aufrufen.
+write-variant-open = Die Argumente bestimmen die Messvariante, { $value } ist aber erst beim Programmlauf bekannt.
+write-no-list-hint = Als Zuweisungen und Aufruf schreiben.
+write-zero = { $name }={ $value } wird als eigene Zuweisung geschrieben: Eine 0 in CYCLE_PARA lässt den vorherigen Wert bestehen.
+write-beside = { $name }={ $value } wird als eigene Zuweisung geschrieben: Der Aufruf hat kein Argument dafür.
+write-lost = { $name } entfällt: Die Argumentliste neuerer Steuerungen hat kein Argument dafür.
+write-lost-hint = Aufruf als Zuweisungen schreiben, wenn der Wert wichtig ist, oder den Wert an der Steuerung einstellen.
+write-expression = { $name }={ $value } wird als eigene Zuweisung geschrieben: Wäre { $value } gleich 0, ließe CYCLE_PARA den vorherigen Wert bestehen.
+write-expression-lost = { $name }={ $value } ginge verloren: Die Argumentliste neuerer Steuerungen hat kein Argument dafür.
+
+convert-same = Der Aufruf hat bereits diese Schreibweise.
+convert-lost = In der Argumentliste entfallen: { $names }. Die ältere Steuerung hat keinen Parameter dafür.
+convert-lost-hint = Prüfen, ob der Aufruf ohne diese Werte auskommt.
+convert-others = { $cycle } in Zeile { $line } verwendet Werte dieses Aufrufs und erhielte andere Werte.
+convert-others-hint = Auch den späteren Aufruf umwandeln oder dessen Werte davor schreiben.
+convert-argument = Das Argument { $value } dieses Aufrufs ginge verloren: Andere Schreibweisen haben keinen Platz dafür.
+convert-expression = Der Aufruf bleibt unverändert: { $value } für { $name } kann an der Stelle des neuen Textes einen anderen Wert ergeben.
+convert-expression-hint = { $name }={ $value } direkt vor den Aufruf schreiben; dazwischen darf nichts den Wert ändern.
+
+revise-taken = Von der neuen Messvariante nicht verwendet und aus dem Aufruf entfernt: { $names }.
+revise-kept = { $name }={ $value } bleibt im Programm, obwohl die neue Messvariante den Wert nicht verwendet: Er ist ein Ausdruck.
