@@ -112,19 +112,21 @@ describe("language", () => {
     await context.close();
   });
 
-  for (const [width, height] of [
-    [1280, 800],
-    [768, 1024],
-  ]) {
-    // oracle: hand
-    test(`nothing sticks out in Chinese, ${width} × ${height}`, async () => {
-      const { context, page } = await start(chrome, { locale: "zh-CN", viewport: { width, height } });
-      for (const panel of ["tasks", "form", "program", "view", "results"]) {
-        const tab = page.locator(`.panel-bar [aria-controls="panel-${panel}"]`);
-        if (await tab.isVisible()) await tab.click();
-        assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width, panel);
-      }
-      await context.close();
-    });
-  }
+  for (const locale of ["de-DE", "zh-CN"])
+    for (const [width, height] of [
+      [1280, 800],
+      [768, 1024],
+      [390, 844],
+    ]) {
+      // oracle: hand
+      test(`nothing sticks out, ${locale}, ${width} × ${height}`, async () => {
+        const { context, page } = await start(chrome, { locale, viewport: { width, height } });
+        for (const panel of ["tasks", "form", "program", "view", "results"]) {
+          const tab = page.locator(`.panel-bar [aria-controls="panel-${panel}"]`);
+          if (await tab.isVisible()) await tab.click();
+          assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width, panel);
+        }
+        await context.close();
+      });
+    }
 });

@@ -71,7 +71,7 @@ async function choosePanel(page, name) {
 describe("little room", () => {
   const chrome = shared("neither", { before, after });
 
-  for (const locale of ["en-GB", "zh-CN"]) {
+  for (const locale of ["en-GB", "de-DE", "zh-CN"]) {
     for (const [width, height] of SIZES) {
       // oracle: hand (WCAG 1.4.10)
       test(`all panels and buttons are there, ${width} × ${height}, ${locale}`, async () => {

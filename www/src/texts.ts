@@ -74,8 +74,17 @@ export async function choose(wanted: readonly string[]): Promise<string> {
   return found;
 }
 
+const figures = new Intl.NumberFormat(FALLBACK, { maximumFractionDigits: 6, useGrouping: false });
+
+/** A number with a point in every language, as the control writes it. */
+class Figure extends FluentNumber {
+  override toString(): string {
+    return figures.format(this.value);
+  }
+}
+
 function argument(value: number | string): FluentNumber | string {
-  return typeof value === "number" ? new FluentNumber(value, { maximumFractionDigits: 6, useGrouping: false }) : value;
+  return typeof value === "number" ? new Figure(value) : value;
 }
 
 function pattern(bundle: FluentBundle, key: string) {

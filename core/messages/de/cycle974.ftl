@@ -6,7 +6,7 @@ cycle974-words = messen vermessen antasten Werkstück drehen Drehmaschine Drehte
 cycle974-each-words = drehen Drehmaschine Durchmesser Stirnfläche Länge L1 L2
 
 cycle974-tool = 1-Punkt-Messung, Werkzeug korrigieren
-cycle974-zero = 1-Punkt-Messung, Nullpunktverschiebung korrigieren
+cycle974-zero = 1-Punkt-Messung, NV korrigieren
 cycle974-reversal = 1-Punkt-Messung mit Umschlag, Werkzeug korrigieren
 
 mvar-reversal = Umschlag

@@ -6,6 +6,6 @@ cycle978-words = messen vermessen antasten ankratzen Werkstück Fläche Kante Pl
 cycle978-each-words = ein Punkt Kante Planfläche
 
 cycle978-tool = Fläche, Werkzeug korrigieren
-cycle978-zero = Fläche, Nullpunktverschiebung korrigieren
+cycle978-zero = Fläche, NV korrigieren
 cycle978-differential-tool = Fläche mit Differenzmessung, Werkzeug korrigieren
 cycle978-differential-zero = Fläche mit Differenzmessung, NV korrigieren

@@ -9,10 +9,10 @@ cycle979-hole-tool = Bohrung unter Winkel, Werkzeug korrigieren
 cycle979-shaft-tool = Welle unter Winkel, Werkzeug korrigieren
 cycle979-groove-tool = Nut unter Winkel, Werkzeug korrigieren
 cycle979-web-tool = Steg unter Winkel, Werkzeug korrigieren
-cycle979-hole-zero = Bohrung unter Winkel, Nullpunktverschiebung korrigieren
-cycle979-shaft-zero = Welle unter Winkel, Nullpunktverschiebung korrigieren
-cycle979-groove-zero = Nut unter Winkel, Nullpunktverschiebung korrigieren
-cycle979-web-zero = Steg unter Winkel, Nullpunktverschiebung korrigieren
+cycle979-hole-zero = Bohrung unter Winkel, NV korrigieren
+cycle979-shaft-zero = Welle unter Winkel, NV korrigieren
+cycle979-groove-zero = Nut unter Winkel, NV korrigieren
+cycle979-web-zero = Steg unter Winkel, NV korrigieren
 
 prnum-points = Punkte am Kreis
 prnum-three = drei Punkte
