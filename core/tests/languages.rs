@@ -60,7 +60,7 @@ fn placeables(text: &str) -> BTreeSet<&str> {
     text.split('{').skip(1).map(|rest| rest.split(['}', '-']).next().unwrap().trim()).collect()
 }
 
-/// Whether a text holds a word of English alone, and not only shared ones, names, numbers and units of one or two letters.
+/// Whether a text holds a word of English alone: not only shared ones, names, numbers and units of a letter or two.
 fn has_words(text: &str, language: &str) -> bool {
     let shared = SHARED.iter().find(|(code, _)| *code == language).map_or(&[][..], |(_, words)| words);
     let outside = text.split('{').map(|part| part.rsplit('}').next().unwrap());
