@@ -38,7 +38,7 @@ M30\r
 fn setup(shift: [f64; 3], size: f64) -> Setup {
     let mut setup = Setup::calibrated(Dialect::Nct, Plane::G18);
     setup.control.frames.insert(6, Frame::translation([300.0, 200.0, 100.0]));
-    setup.control.register_mut(1).radius = 8.0;
+    setup.control.edge_made(0, 1).radius = 8.0;
     let errors = PartErrors { shift, size, ..PartErrors::default() };
     let shape = Shape::Hole { diameter: 50.0, depth: 30.0 };
     let solid = Solid { shape, at: [420.0, 200.0, 300.0], rotation: [0.0, -90.0, -90.0], errors };

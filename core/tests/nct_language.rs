@@ -377,8 +377,8 @@ fn a_program_stops_with_its_own_text() {
 #[test]
 fn the_radius_is_that_of_the_register() {
     let mut setup = Setup::calibrated(Dialect::Nct, Plane::G17);
-    setup.control.register_mut(1).radius = 5.0;
-    setup.control.register_mut(2).radius_wear = 4.0;
+    setup.control.edge_made(0, 1).radius = 5.0;
+    setup.control.edge_made(0, 2).radius_wear = 4.0;
     setup.position = Mcs([0.0; 3]);
     let text = "G17 G90 G41 D1 G1 X20. Y0 F100\nX40.\nX60. D2\nX80.\nG40 X100.\nM30";
     let program = read(Dialect::Nct, text.as_bytes());

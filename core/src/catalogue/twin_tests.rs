@@ -221,7 +221,7 @@ fn the_address_of_an_axis_follows_the_plane() {
         let mut face = wall.clone();
         face.insert("_MA".into(), "3".into());
         let there = over(surface, &face, plane, Units::Metric);
-        let axis = super::nct::TOOL_AXIS.iter().find(|(of, _)| *of == plane);
+        let axis = super::nct::bench::TOOL_AXIS.iter().find(|(of, _)| *of == plane);
         assert_eq!((there.cycle.name, &*there.values[axis.unwrap().1]), ("G106", "12"));
     }
 }

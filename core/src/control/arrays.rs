@@ -55,14 +55,7 @@ fn with_parameters(name: &str) -> Option<(&str, Vec<usize>)> {
 
 /// How many elements stand before this one; none: the index lies outside.
 pub fn place(index: &[usize], sizes: &[usize]) -> Option<usize> {
-    let mut at = 0;
-    for (i, size) in index.iter().zip(sizes) {
-        if i >= size {
-            return None;
-        }
-        at = at * size + i;
-    }
-    Some(at)
+    index.iter().zip(sizes).try_fold(0, |at, (i, size)| (i < size).then_some(at * size + i))
 }
 
 /// Name of an element.

@@ -12,6 +12,19 @@ pub const CHANNEL_MASK: &str = "$P_CHBFRMASK";
 /// Which NCU-global basic frames are in the chain: bit 0 is `$P_NCBFR[0]`.
 pub const GLOBAL_MASK: &str = "$P_NCBFRMASK";
 
+/// Where a frame is stored, in the order of the chain, outermost first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Store {
+    /// `$P_SETFR`.
+    System,
+    /// `$P_NCBFR[n]`.
+    GlobalBasic(usize),
+    /// `$P_CHBFR[n]`.
+    ChannelBasic(usize),
+    /// `$P_UIFR[n]`.
+    Settable(usize),
+}
+
 /// The frames between machine and WCS while they are out of effect.
 #[derive(Clone, Debug)]
 pub struct InEffect {
@@ -22,22 +35,27 @@ pub struct InEffect {
 }
 
 impl Control {
-    /// Frames in effect between machine and the settable frame, outermost first: table, system, global basic, channel
-    /// basic.
+    /// Frames in effect between machine and settable frame, outermost first: table, system, global, channel basic.
     pub fn basic_chain(&self) -> Vec<Frame> {
         self.basic_links().copied().collect()
     }
 
     fn basic_links(&self) -> impl DoubleEndedIterator<Item = &Frame> {
-        let global = self.basic.global.iter();
-        let global = global.filter(|(index, _)| self.included(GLOBAL_MASK, **index));
-        let channel = self.basic.channel.iter();
-        let channel = channel.filter(|(index, _)| self.included(CHANNEL_MASK, **index));
-        [&self.part_frame, &self.basic.system].into_iter().chain(global.chain(channel).map(|(_, frame)| frame))
+        std::iter::once(&self.part_frame).chain(self.basic_in_effect().map(|(_, frame)| frame))
+    }
+
+    /// The basic frames in effect, outermost first, and where each is stored.
+    pub fn basic_in_effect(&self) -> impl DoubleEndedIterator<Item = (Store, &Frame)> {
+        let in_mask = |mask: &'static str| move |(index, _): &(&usize, &Frame)| self.included(mask, **index);
+        let global = self.basic.global.iter().filter(in_mask(GLOBAL_MASK));
+        let channel = self.basic.channel.iter().filter(in_mask(CHANNEL_MASK));
+        std::iter::once((Store::System, &self.basic.system))
+            .chain(global.map(|(index, frame)| (Store::GlobalBasic(*index), frame)))
+            .chain(channel.map(|(index, frame)| (Store::ChannelBasic(*index), frame)))
     }
 
     /// Whether the bit of a basic frame is set in its mask. Without a mask all count.
-    pub fn included(&self, mask: &str, index: usize) -> bool {
+    fn included(&self, mask: &str, index: usize) -> bool {
         match self.data.get(mask) {
             Some(Value::Number(bits)) => *bits as u32 >> index.min(31) & 1 == 1,
             _ => true,

@@ -29,9 +29,7 @@ impl Control {
 
     /// Where the table has to stand (machine, degree) for a programmed position of a rotary axis: the frames move it.
     pub fn rotary_to_machine(&self, axis: usize, position: f64) -> f64 {
-        let moved: f64 = self.chain().iter().map(|frame| frame.rotary[axis]).sum();
-        let fine: f64 = self.chain().iter().map(|frame| frame.rotary_fine[axis]).sum();
-        position + moved + fine
+        position + self.chain().iter().map(|frame| frame.rotary[axis] + frame.rotary_fine[axis]).sum::<f64>()
     }
 
     /// The direction in the machine about which a positive angle turns a direction of the WCS from one of its axes X Y

@@ -47,7 +47,7 @@ impl Control {
         self.tools.get(&tool)?.edges.get(&edge)
     }
 
-    /// The same to be changed; none when the tool or the edge is not there.
+    /// Edge D of tool T to be changed; none when the tool or the edge is not there.
     pub fn edge_of_mut(&mut self, tool: i64, edge: i64) -> Option<&mut Edge> {
         self.tools.get_mut(&tool)?.edges.get_mut(&edge)
     }
@@ -58,9 +58,9 @@ impl Control {
         self.edge_of(0, number).cloned().unwrap_or_default()
     }
 
-    /// NCT register to be changed.
-    pub fn register_mut(&mut self, number: i64) -> &mut Edge {
-        self.tools.entry(0).or_default().edges.entry(number).or_default()
+    /// Edge D of tool T (NCT: 0 and the register), made where it is not there.
+    pub fn edge_made(&mut self, tool: i64, edge: i64) -> &mut Edge {
+        self.tools.entry(tool).or_default().edges.entry(edge).or_default()
     }
 
     /// Where the data of the edge in effect stand: T in the spindle with the active D (NCT: 0 with the register H).
@@ -214,7 +214,7 @@ mod tests {
     fn a_register_exists_when_written() {
         let mut control = delivery(Dialect::Nct);
         assert_eq!(control.register(98).length[0], 0.0);
-        control.register_mut(98).length[0] = 120.0;
+        control.edge_made(0, 98).length[0] = 120.0;
         control.edge = 98;
         assert_eq!(control.active_edge().unwrap().length[0], 120.0);
     }

@@ -32,11 +32,8 @@ impl Feature {
     }
 }
 
-/// The point of a feature nearest to a given point.
-pub type Foot = V3;
-
 /// Nearest point of the feature; none where it has no perpendicular towards `p` (its border is a feature of its own).
-pub fn foot(feature: &Feature, p: &V3) -> Option<Foot> {
+pub fn foot(feature: &Feature, p: &V3) -> Option<V3> {
     match feature {
         Feature::Quad(quad) => quad.foot(p),
         Feature::Wall(wall) => wall.foot(p),

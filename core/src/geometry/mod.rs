@@ -24,7 +24,7 @@ pub mod swept;
 pub mod triangle;
 pub mod wall;
 
-pub use feature::{Feature, Foot};
+pub use feature::Feature;
 pub use met::Met;
 pub use path::Path;
 pub use place::{Mcs, Wcs};

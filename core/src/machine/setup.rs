@@ -56,25 +56,23 @@ pub fn probe_data(turning: bool) -> Edge {
 const REFERENCE_GROOVES: [f64; 7] = [60.123, 50.054, 15.021, 40.118, 30.047, 32.015, 20.015];
 
 impl Setup {
-    /// A metric control as delivered with a calibrated ideal probe in the spindle (ball 6 mm, L1 50 mm: B:5855,
-    /// B:16259; on NCT the length is that to the end of the ball), nothing to touch, and the machine far above.
+    /// A metric machine with a calibrated probe; see [`Setup::calibrated_in`].
     pub fn calibrated(dialect: Dialect, plane: Plane) -> Setup {
         Setup::calibrated_in(dialect, plane, Units::Metric)
     }
 
-    /// The same on a machine with this basic system of units.
+    /// A control as delivered with a calibrated ideal probe in the spindle (ball 6 mm, L1 50 mm: B:5855, B:16259; on
+    /// NCT the length is that to the end of the ball), nothing to touch, and the machine far above.
     pub fn calibrated_in(dialect: Dialect, plane: Plane, units: Units) -> Setup {
         let mut control = delivery_in(dialect, units);
         control.plane = plane;
         (control.tool, control.edge) = probe_place(control.make());
-        let tool = control.tools.entry(control.tool).or_default();
         if control.tool != 0 {
-            tool.name = "PROBE".into();
+            control.tools.entry(control.tool).or_default().name = "PROBE".into();
         }
-        tool.edges.insert(control.edge, Edge { kind: 710, length: [50.0, 0.0, 0.0], ..Edge::default() });
+        *control.edge_made(control.tool, control.edge) = Edge { radius: 0.0, ..probe_data(false) };
         control.calibrate(control.active_place(), 3.0);
-        let settable = control.settable;
-        control.activate(settable);
+        control.activate(control.settable);
         let [_, _, applicate] = plane.axes();
         let mut position = [0.0; 3];
         position[applicate] = 500.0;
@@ -89,16 +87,14 @@ impl Setup {
             skip: BTreeSet::new(),
         }
     }
-}
 
-impl Setup {
-    /// A turning machine with the probe of the manual's examples in its turret, calibrated (B:10695-10709): T9, type
-    /// 580, position 7; X in diameters.
+    /// A metric turning machine; see [`Setup::turning_in`].
     pub fn turning(plane: Plane) -> Setup {
         Setup::turning_in(plane, Units::Metric)
     }
 
-    /// The same on a machine with this basic system of units.
+    /// A turning machine with this basic system of units and the probe of the manual's examples in its turret,
+    /// calibrated (B:10695-10709): T9, type 580, position 7; X in diameters.
     pub fn turning_in(plane: Plane, units: Units) -> Setup {
         let mut setup = Setup::calibrated_in(Dialect::Sinumerik, plane, units);
         setup.make_turning();
@@ -116,7 +112,7 @@ impl Setup {
 
     /// The probe in the turret, and the grooves in which it is calibrated.
     pub(crate) fn mount_turning_probe(&mut self) {
-        self.control.tools.entry(PROBE_TOOL).or_default().edges.insert(1, probe_data(true));
+        *self.control.edge_made(PROBE_TOOL, 1) = probe_data(true);
         for (index, value) in REFERENCE_GROOVES.into_iter().enumerate() {
             let name = format!("_KB[0,{index}]");
             if self.control.number(&name) == 0.0 {
@@ -128,15 +124,5 @@ impl Setup {
 
 /// A probe without errors: ball 6 mm, 50 mm long.
 pub fn ideal_probe() -> Probe {
-    Probe {
-        radius: 3.0,
-        length: 50.0,
-        skew: [0.0; 2],
-        pre_travel: (0.0, 0.0),
-        delay: 0.0,
-        repeatability: (0.0, 1),
-        false_signal: None,
-        stylus: None,
-        body: None,
-    }
+    Probe { radius: 3.0, length: 50.0, repeatability: (0.0, 1), ..Probe::default() }
 }

@@ -441,7 +441,7 @@ fn machine(inputs: &Inputs, staging: &Staging) -> Setup {
     }
     if let Some(edge) = &staging.tool {
         let (tool, number) = setup.control.active_place();
-        setup.control.tools.entry(tool).or_default().edges.insert(number, edge.clone());
+        *setup.control.edge_made(tool, number) = edge.clone();
     }
     setup.control.transverse = if inputs.diameters { Transverse::Diameter } else { Transverse::Radius };
     setup.probe.radius = ball;

@@ -235,5 +235,5 @@ fn too_large_a_boss(setup: &mut Setup) {
 /// A tool that no longer fits once it is corrected.
 fn thick_tool(setup: &mut Setup) {
     grown(setup);
-    setup.control.register_mut(1).radius = 24.9;
+    setup.control.edge_made(0, 1).radius = 24.9;
 }

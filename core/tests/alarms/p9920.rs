@@ -32,7 +32,7 @@ pub fn table() -> Table {
 fn setup() -> Setup {
     let mut setup = Setup::for_cycle(&P9920, Plane::G17);
     let register = setup.control.edge;
-    *setup.control.register_mut(register) = Edge { length: [100.0, 0.0, 0.0], radius: 10.0, ..Edge::default() };
+    *setup.control.edge_made(0, register) = Edge { length: [100.0, 0.0, 0.0], radius: 10.0, ..Edge::default() };
     setup.tool_probes.push(ToolProbe::ideal(Solid {
         shape: Shape::Turned { diameter: 40.0, length: 15.0, bore: [0.0; 2] },
         at: [0.0; 3],

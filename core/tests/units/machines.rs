@@ -20,7 +20,7 @@ pub fn machine(dialect: Dialect, basic: Units) -> Setup {
             control.set("_CHBIT[4]", 1.0);
             control.set("_WP[0,7]", 0.25 / control.basic_factor());
         }
-        Dialect::Nct => *control.register_mut(1) = mill,
+        Dialect::Nct => *control.edge_made(0, 1) = mill,
     }
     let offset = Frame { coarse: [310.0, -45.0, 20.0], fine: [0.0; 3], rotation: [0.0, 0.0, 30.0], ..Frame::default() };
     control.frames.insert(1, offset);

@@ -58,7 +58,7 @@ fn bore_sets_the_work_offset() {
 #[test]
 fn bore_corrects_the_tool() {
     let mut setup = bore(PartErrors { size: -0.4, ..PartErrors::default() });
-    setup.control.register_mut(1).radius = 10.0;
+    setup.control.edge_made(0, 1).radius = 10.0;
     let outcome = call(&G110, &[("D", "50"), ("T", "1"), ("H", "0.3"), ("M", "2")], &setup);
     assert_eq!(outcome.alarms(), vec![nct::OUT_OF_TOLERANCE]);
     near(outcome.control.register(1).total_radius(), 9.8); // metal left: a smaller register cuts more
@@ -78,7 +78,7 @@ fn operator_messages() {
     let outcome = call(&G110, &[("D", "50"), ("S", "6"), ("U", "0.5")], &setup);
     assert_eq!(outcome.alarms(), vec![nct::UPPER_TOLERANCE]);
     assert_eq!(outcome.control.variable("G59 X"), Some(11.0));
-    setup.control.register_mut(1).radius = 24.9;
+    setup.control.edge_made(0, 1).radius = 24.9;
     let outcome = call(&G110, &[("D", "50"), ("T", "1")], &setup);
     assert_eq!(outcome.alarms(), vec![nct::TOOL_TOO_LARGE]);
     near(outcome.control.register(1).total_radius(), 25.2);
@@ -98,7 +98,7 @@ fn format_errors() {
 // oracle: manual C:1076: the address of the tool axis of the plane makes a boss, also at 0
 #[test]
 fn the_tool_axis_makes_a_boss() {
-    for (plane, name) in nct::TOOL_AXIS {
+    for (plane, name) in nct::bench::TOOL_AXIS {
         let control = Setup::calibrated(Dialect::Nct, plane).control;
         let variant = |values: &[(&str, &str)]| check(&G110, &typed(values), &control).inputs.unwrap().variant;
         assert_eq!(variant(&[("D", "50")]), BORE);

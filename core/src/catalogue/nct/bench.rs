@@ -14,6 +14,9 @@ use crate::workpiece::{PartErrors, Shape};
 
 pub const PLANES: [Plane; 3] = [Plane::G17, Plane::G18, Plane::G19];
 
+/// The axis address of the tool in its plane.
+pub const TOOL_AXIS: [(Plane, &str); 3] = [(Plane::G17, "Z"), (Plane::G18, "Y"), (Plane::G19, "X")];
+
 pub fn typed(values: &[(&str, &str)]) -> Typed {
     let pairs = values.iter();
     pairs.map(|(name, value)| (name.to_string(), value.to_string())).collect()

@@ -1,8 +1,8 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 //! G102, G103 and G104: what the stylus is comes out, in all planes, mm and inch.
 
-use super::bench::{PLANES, after, call, codes, length, machine, near, put, stand};
-use super::{TOOL_AXIS, axis_name};
+use super::axis_name;
+use super::bench::{PLANES, TOOL_AXIS, after, call, codes, length, machine, near, put, stand};
 use crate::catalogue::g102::{G102, INDEX};
 use crate::catalogue::g103::G103;
 use crate::catalogue::g104::G104;
@@ -93,7 +93,7 @@ fn block(plane: Plane, inch: bool, wrong: f64) -> Setup {
     let mut setup = machine(plane, inch);
     let size = [100.0, 100.0, 60.0];
     put(&mut setup, Shape::Block { size }, [0.0, 0.0, 20.0], [0.0; 3], 0.0);
-    setup.control.register_mut(98).length[0] += wrong;
+    setup.control.edge_made(0, 98).length[0] += wrong;
     stand(&mut setup, [0.0, 0.0, 100.0]);
     setup
 }
@@ -136,7 +136,7 @@ fn the_length_is_found_as_a_work_offset() {
         let frame = setup.control.frames.get_mut(&1).unwrap();
         frame.coarse[applicate] = 0.0;
         setup.control.activate(1);
-        setup.control.register_mut(98).length[0] += offset + 2.0; // 2 mm wrong
+        setup.control.edge_made(0, 98).length[0] += offset + 2.0; // 2 mm wrong
         setup.position[applicate] -= offset + 2.0; // the spindle stands where it stood
         let calibrated = calibrate_length(&setup);
         near(calibrated.control.register(98).length[0], 53.0 + offset);

@@ -2,8 +2,8 @@
 //! G105 to G109: what is wrong with a part comes out, and after the correction nothing is left. With a stylus that is
 //! calibrated first, in all planes, mm and inch.
 
-use super::bench::{PLANES, after, call, codes, length, machine, near, put, stand};
-use super::{TOOL_AXIS, axis_name};
+use super::axis_name;
+use super::bench::{PLANES, TOOL_AXIS, after, call, codes, length, machine, near, put, stand};
 use crate::catalogue::g102::{G102, INDEX};
 use crate::catalogue::g103::G103;
 use crate::catalogue::g104::G104;
@@ -218,13 +218,13 @@ fn another_work_offset_than_the_one_in_use_takes_the_nominal_place() {
 fn a_corrected_tool_cuts_to_size() {
     let setup = calibrated(Plane::G17, false, [0.0; 2]);
     let (mut setup, ..) = wall(&setup, 0, 0.12); // 0.12 too much metal
-    setup.control.register_mut(1).radius = 10.0;
+    setup.control.edge_made(0, 1).radius = 10.0;
     let (_, outcome) = go(&setup, &G105, &[("X", 50.0), ("Z", -10.0)], &[("T", "1")]);
     near(outcome.control.register(1).total_radius(), 9.88);
     let mut setup = calibrated(Plane::G17, false, [0.0; 2]);
     put(&mut setup, BLOCK, [0.0; 3], [0.0, 0.0, 0.2], 0.0);
     stand(&mut setup, [0.0, 0.0, 40.0]);
-    setup.control.register_mut(1).length[0] = 120.0;
+    setup.control.edge_made(0, 1).length[0] = 120.0;
     let (_, outcome) = go(&setup, &G106, &[("Z", 0.0)], &[("T", "1")]);
     near(outcome.control.register(1).total_length(0), 119.8);
     let web = Shape::Island { length: [80.0, 120.0], height: 30.0 };

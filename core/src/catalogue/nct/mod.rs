@@ -100,13 +100,6 @@ pub fn overtravel(control: &Control) -> f64 {
     OVERTRAVEL[usize::from(inch)]
 }
 
-/// The axis address of the tool in its plane, for tests.
-#[cfg(test)]
-pub const TOOL_AXIS: [(crate::control::Plane, &str); 3] = {
-    use crate::control::Plane;
-    [(Plane::G17, "Z"), (Plane::G18, "Y"), (Plane::G19, "X")]
-};
-
 /// Name of an axis.
 pub const fn axis_name(axis: usize) -> Name {
     address::AXES[axis]

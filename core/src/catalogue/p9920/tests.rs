@@ -33,7 +33,7 @@ fn machine(plane: Plane) -> Setup {
         rotation: [0.0; 3],
         errors: PartErrors { size: 0.8, ..PartErrors::default() },
     })];
-    *setup.control.register_mut(REFERENCE) = Edge { length: [100.0, 0.0, 0.0], radius: 10.0, ..Edge::default() };
+    *setup.control.edge_made(0, REFERENCE) = Edge { length: [100.0, 0.0, 0.0], radius: 10.0, ..Edge::default() };
     over(&mut setup, REFERENCE, 100.0, [0.0; 2]);
     setup
 }
@@ -63,7 +63,7 @@ fn calibrated(setup: &Setup) -> Setup {
 /// A tool in the spindle that is as told; what its register says is another matter.
 fn with_tool(setup: &Setup, tool: Tool) -> Setup {
     let mut setup = setup.clone();
-    setup.control.register_mut(TOOL);
+    setup.control.edge_made(0, TOOL);
     let long = tool.length[0];
     setup.real_tools.insert((0, TOOL), tool);
     over(&mut setup, TOOL, long, [3.0, -2.0]);

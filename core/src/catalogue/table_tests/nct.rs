@@ -137,7 +137,7 @@ fn the_address_of_the_tool_axis_belongs_to_its_plane() {
         if !row[1].starts_with("Z (G17)") {
             continue;
         }
-        for (plane, axis) in nct::TOOL_AXIS {
+        for (plane, axis) in nct::bench::TOOL_AXIS {
             let mut inputs = Inputs::new(cycle, 0);
             inputs.plane = plane;
             let param: &Param = cycle.param(axis).unwrap();

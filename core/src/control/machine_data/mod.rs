@@ -63,11 +63,6 @@ impl MachineDatum {
     }
 }
 
-/// The machine datum with this name, index included.
-pub fn find(name: &str) -> Option<&'static MachineDatum> {
-    MACHINE_DATA.iter().find(|datum| datum.names().iter().any(|known| known == name))
-}
-
 /// Reads a number as the manual prints it: decimal, or hexadecimal with `H` behind it (`21H`), or `TRUE` and `FALSE`.
 pub fn number(text: &str) -> Option<f64> {
     match text.trim() {

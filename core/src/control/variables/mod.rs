@@ -34,10 +34,7 @@ impl Control {
     pub fn set_variable(&mut self, name: &str, value: f64) -> bool {
         match (self.make().place)(name) {
             Some(Place::Frame(kept, axis, part)) => set_part(self.frame_at_mut(kept), part, axis, value),
-            Some(Place::Edge(tool, edge, quantity)) => {
-                let edge = self.tools.entry(tool).or_default().edges.entry(edge).or_default();
-                set_edge_quantity(edge, quantity, value);
-            }
+            Some(Place::Edge(tool, edge, quantity)) => set_edge_quantity(self.edge_made(tool, edge), quantity, value),
             None => return false,
         }
         true

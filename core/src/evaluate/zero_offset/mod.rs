@@ -9,7 +9,8 @@ pub use turn::{moved, placed, rotary, rotation, seen, seen_turn, turned};
 
 use super::knum::ZeroCode;
 use super::{Write, knum};
-use crate::control::frames::{CHANNEL_MASK, GLOBAL_MASK};
+use crate::control::frames::CHANNEL_MASK;
+pub use crate::control::frames::Store;
 use crate::control::variables::AXES;
 use crate::control::{Control, Frame, Value};
 use crate::geometry::Wcs;
@@ -17,19 +18,6 @@ use crate::geometry::Wcs;
 /// Two values of a frame closer than this, mm or degree, are the same: what sums, sines and cosines leave over is no
 /// correction.
 const SAME: f64 = 1e-12;
-
-/// Where a frame is stored, in the order of the chain, outermost first.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Store {
-    /// `$P_SETFR`.
-    System,
-    /// `$P_NCBFR[n]`.
-    GlobalBasic(usize),
-    /// `$P_CHBFR[n]`.
-    ChannelBasic(usize),
-    /// `$P_UIFR[n]`.
-    Settable(usize),
-}
 
 /// The frame to correct.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -135,7 +123,7 @@ fn around(control: &Control, target: &Target) -> (Vec<Frame>, Frame, Vec<Frame>)
         _ if target.without_settable => Some((Store::Settable(0), stored(control, Store::Settable(0)))),
         _ => Some((Store::Settable(control.settable), control.active)),
     };
-    let others = in_effect(control).into_iter().chain(settable);
+    let others = control.basic_in_effect().map(|(store, frame)| (store, *frame)).chain(settable);
     for (store, frame) in others.filter(|(store, _)| *store != target.store) {
         if store < target.store {
             before.push(frame);
@@ -145,20 +133,6 @@ fn around(control: &Control, target: &Target) -> (Vec<Frame>, Frame, Vec<Frame>)
     }
     after.push(control.program_frame);
     (before, stored(control, target.store), after)
-}
-
-/// Basic frames in the chain, outermost first.
-fn in_effect(control: &Control) -> Vec<(Store, Frame)> {
-    let basic = &control.basic;
-    let global = basic.global.iter();
-    let global = global
-        .filter(|(index, _)| control.included(GLOBAL_MASK, **index))
-        .map(|(index, frame)| (Store::GlobalBasic(*index), *frame));
-    let channel = basic.channel.iter();
-    let channel = channel
-        .filter(|(index, _)| control.included(CHANNEL_MASK, **index))
-        .map(|(index, frame)| (Store::ChannelBasic(*index), *frame));
-    std::iter::once((Store::System, basic.system)).chain(global).chain(channel).collect()
 }
 
 /// The frame as stored.

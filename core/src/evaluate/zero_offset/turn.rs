@@ -1,7 +1,7 @@
 //! Rotations of a corrected frame: the part is turned, and afterwards it is not any more (B:7371, B:7844, B:8411).
 //! DESIGN.md derives the formulas.
 
-use super::{Measured, SAME, Store, Target, around, coarse, in_effect, missing, part};
+use super::{Measured, SAME, Store, Target, around, coarse, missing, part};
 use crate::control::rotary::ROTARY;
 use crate::control::variables::AXES;
 use crate::control::{Control, Frame};
@@ -53,12 +53,9 @@ pub fn placed(control: &Control, target: &Target, rotation: [f64; 3], measured: 
 /// into the fine part with MD18600 = 1, else into the coarse part (B:1990-2003).
 pub fn rotary(control: &Control, target: &Target, axis: usize, angle: f64) -> Vec<Write> {
     let (_, stored, _) = around(control, target);
-    let settable = (Store::Settable(control.settable), control.active);
-    let effective = in_effect(control)
-        .into_iter()
-        .chain([settable])
-        .find(|(store, _)| *store == target.store)
-        .map_or(stored, |(_, frame)| frame);
+    let settable = (Store::Settable(control.settable), &control.active);
+    let mut in_effect = control.basic_in_effect().chain([settable]);
+    let effective = in_effect.find(|(store, _)| *store == target.store).map_or(stored, |(_, frame)| *frame);
     let with = |mut values: [f64; 3], value: f64| {
         values[axis] = value;
         values
