@@ -94,10 +94,9 @@ proptest! {
         for cycle in CYCLES {
             let mut typed = Typed::new();
             for (param, pick) in cycle.params.iter().zip(&picks) {
-                let given = cycle.example.iter().find(|(name, _)| *name == param.name);
-                let text = match (&param.kind, given) {
+                let text = match (&param.kind, param.example) {
                     (Kind::Variant(_), _) => cycle.variants[variant % cycle.variants.len()].number.to_string(),
-                    (_, Some((_, value))) if example && pick.index(3) > 0 => (*value).to_owned(),
+                    (_, value) if !value.is_empty() && example && pick.index(3) > 0 => value.to_owned(),
                     _ => VALUES[pick.index(VALUES.len())].to_owned(),
                 };
                 typed.insert(param.name.into(), text);

@@ -3,7 +3,7 @@
 
 use super::logging;
 use super::logging::params::log_params;
-use super::logging::{CONTENT_ALARMS, FILE_ALARMS, log_example, names, params};
+use super::logging::{CONTENT_ALARMS, FILE_ALARMS, params};
 use crate::entry::*;
 
 /// The cycle.
@@ -26,7 +26,6 @@ pub static CYCLE100: Cycle = Cycle {
         logging::help::FORMAT,
         logging::help::FILE,
     ]),
-    example: log_example!((names::FILE, "LOG_1")),
     source: "B:11172-11229",
     ..logging::PRINTS
 };

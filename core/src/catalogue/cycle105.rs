@@ -2,8 +2,8 @@
 //! numbers the other way round (A:12553).
 
 use super::logging;
+use super::logging::CONTENT_ALARMS;
 use super::logging::params::{JOB, log_params};
-use super::logging::{CONTENT_ALARMS, log_example, names};
 use crate::entry::*;
 
 /// The cycle.
@@ -16,7 +16,7 @@ pub static CYCLE105: Cycle = Cycle {
     ],
     lists: &[logging::call("CYCLE105", &[Arg::Param(JOB.name)], "B:11235-11242")],
     params: log_params!(
-        Param { key: "log-job", source: "B:11235-11242", ..JOB };
+        Param { key: "log-job", example: "0", source: "B:11235-11242", ..JOB };
         header HEADER;
         values VALUES
     ),
@@ -35,7 +35,6 @@ pub static CYCLE105: Cycle = Cycle {
         ],
         logging::help::FORMAT,
     ]),
-    example: log_example!((JOB.name, "0")),
     source: "B:11235-11242",
     ..logging::PRINTS
 };

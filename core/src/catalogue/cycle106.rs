@@ -2,7 +2,7 @@
 
 use super::logging;
 use super::logging::params::{JOB, log_params};
-use super::logging::{CONTENT_ALARMS, FILE_ALARMS, log_example, names, params};
+use super::logging::{CONTENT_ALARMS, FILE_ALARMS, params};
 use crate::diagnostic::Code;
 use crate::entry::*;
 
@@ -16,7 +16,7 @@ pub static CYCLE106: Cycle = Cycle {
     ],
     lists: &[logging::call("CYCLE106", &[Arg::Param(JOB.name)], "B:11244-11253")],
     params: log_params!(
-        Param { key: "log-job", alarm: Some(Code::Alarm(61360)), source: "B:11244-11253", ..JOB },
+        Param { key: "log-job", example: "2", alarm: Some(Code::Alarm(61360)), source: "B:11244-11253", ..JOB },
         params::FILE;
         header HEADER;
         values VALUES
@@ -36,7 +36,6 @@ pub static CYCLE106: Cycle = Cycle {
         logging::help::FORMAT,
         logging::help::FILE,
     ]),
-    example: log_example!((JOB.name, "2"), (names::FILE, "LOG_1")),
     source: "B:11244-11253",
     ..logging::PRINTS
 };

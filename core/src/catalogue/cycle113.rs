@@ -16,7 +16,7 @@ pub static CYCLE113: Cycle = Cycle {
         Variant { number: 2, key: "cycle113-time", source: "B:11259;A:12577" },
     ],
     lists: &[logging::call("CYCLE113", &[Arg::Param(JOB.name), Arg::Output("PAR2")], "B:11255")],
-    params: &[Param { key: "113-job", source: "B:11258-11259", ..JOB }],
+    params: &[Param { key: "113-job", example: "1", source: "B:11258-11259", ..JOB }],
     results: &[integer("PAR2", "result-113-text", When::Always, "B:11260")],
     help: Help::new(&[&[
         measures(DATE, "help-cycle113-date", "B:11258"),
@@ -28,7 +28,6 @@ pub static CYCLE113: Cycle = Cycle {
         wrong(When::Always, "help-cycle113-short", "B:11260"),
     ]]),
     picture: Drawing::new(picture),
-    example: &[(JOB.name, "1")],
     source: "B:11255-11260",
     ..logging::LOG
 };

@@ -59,17 +59,17 @@ pub static CYCLE118: Cycle = Cycle {
         wrong(When::Always, "help-cycle118-length", "B:11272"),
     ]]),
     picture: Drawing::new(picture),
-    // the example of the manual, B:11296-11308
-    example: &[(NUMBER, "31.830988618"), (DECIMALS, "2")],
     source: "B:11262-11320",
     ..logging::LOG
 };
 
+/// The example is that of the manual, B:11296-11308.
 const PARAMS: &[Param] = &[
     Param {
         name: NUMBER,
         key: "118-number",
         needs: &[optional(MANY, "need-118-registers"), required(When::Always, "need-118-one")],
+        example: "31.830988618",
         source: "B:11288",
         ..PARAM
     },
@@ -80,6 +80,7 @@ const PARAMS: &[Param] = &[
         range: Range::NOT_NEGATIVE,
         usual: Range::closed(0.0, 6.0),
         needs: ALWAYS_REQUIRED,
+        example: "2",
         source: "B:11289",
         ..PARAM
     },

@@ -49,18 +49,6 @@ pub static CYCLE972: Cycle = Cycle {
     checks,
     help: Help::new(&[LINES, tool_probe::help::ALL]),
     picture: Drawing::staged(picture::stage, picture::marks),
-    example: &[
-        (names::MVAR, "1"),
-        (names::MA, "2"),
-        (names::PRNUM, "1"),
-        (names::FA, "1"),
-        (names::TSA, "1"),
-        (names::VMS, "0"),
-        (names::NMSP, "1"),
-        (names::EVNUM, "0"),
-        (names::TZL, "0.001"),
-        (names::TDIF, "0.8"),
-    ],
     simulation: Some(Simulation::new(Work { propose: propose::propose, simulate }, &[]).with_tool(propose::tool)),
     source: "B:8736-9090",
 };
@@ -75,7 +63,7 @@ fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
 
 /// Parameters (B:8856-8862, B:9010-9018), in the order in which the snippet writes them.
 const PARAMS: &[Param] = &[
-    Param { source: "B:8766-8771;B:15455-15456", ..common::MVAR },
+    Param { example: "1", source: "B:8766-8771;B:15455-15456", ..common::MVAR },
     Param {
         kind: Kind::ChoiceBy(&[
             (CALIBRATE, &[(1, "ma-lathe-abscissa"), (2, "ma-lathe-ordinate")]),
@@ -84,17 +72,18 @@ const PARAMS: &[Param] = &[
         needs: common::ALWAYS_REQUIRED,
         key: "ma-lathe-length",
         labels: &[(CALIBRATE, "ma-calibrate")],
+        example: "2",
         source: "B:8859;B:9014;B:15453",
         ..common::MA
     },
     shared::PRNUM,
-    Param { key: "fa-tool", source: "B:2221;B:9057;B:15448", ..common::FA },
+    Param { key: "fa-tool", example: "1", source: "B:2221;B:9057;B:15448", ..common::FA },
     Param { key: "tsa-tool", labels: &[(CALIBRATE, "tsa-tool-probe")], source: "B:8849;B:15472", ..common::TSA },
     Param { source: "B:2164-2170;B:15474", ..common::VMS },
     shared::NMSP,
     Param { needs: &[optional(MEASURE, "need-memory-empirical")], ..shared::EVNUM },
-    shared::TZL,
-    Param { needs: &[optional(MEASURE, "need-default")], ..shared::TDIF },
+    Param { example: "0.001", ..shared::TZL },
+    Param { needs: &[optional(MEASURE, "need-default")], example: "0.8", ..shared::TDIF },
 ];
 
 /// The parameterizing calls (B:11755-11772, B:11881-11888). In the list of newer controls CYCLE972 is not known to us.

@@ -13,7 +13,7 @@ pub fn example(cycle: &'static Cycle, variant: &Variant) -> Typed {
     let inputs = check::read(cycle, &values, &delivery(cycle.dialect), &mut Vec::new());
     let more = cycle.simulation.as_ref().map_or(&[][..], |simulation| simulation.examples);
     for (_, more) in more.iter().filter(|(when, _)| when.holds(&inputs)) {
-        values.extend(typed(more));
+        values.extend(typed(more.iter().copied()));
     }
     known(cycle, &mut values);
     values
@@ -79,7 +79,7 @@ pub fn turned(cycle: &Cycle, values: &Typed, plane: Plane) -> Typed {
 
 /// The worked measurement as it stands in the entry.
 pub fn worked(cycle: &Cycle) -> Typed {
-    typed(cycle.example)
+    typed(cycle.example())
 }
 
 /// The same with some values changed, for tests.
@@ -90,9 +90,8 @@ pub fn changed(cycle: &Cycle, changes: &[(&str, &str)]) -> Typed {
     values
 }
 
-fn typed(pairs: &[(Name, &str)]) -> Typed {
-    let pair = |(name, value): &(Name, &str)| (name.to_string(), (*value).to_owned());
-    one_by_one(pairs.iter().map(pair))
+fn typed(pairs: impl Iterator<Item = (Name, &'static str)>) -> Typed {
+    one_by_one(pairs.map(|(name, value)| (name.to_string(), value.to_owned())))
 }
 
 /// A map of these values. Collecting it would link code that sorts, into the page's first module too.

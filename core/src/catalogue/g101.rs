@@ -30,9 +30,9 @@ pub static G101: Cycle = Cycle {
     variants: &[Variant { number: 0, key: "g101-positioning", source: "C:106" }],
     purpose: Purpose::MILLING,
     params: &[
-        Param { name: address::X, key: "g101-x", ..TARGET },
+        Param { name: address::X, key: "g101-x", example: "120", ..TARGET },
         Param { name: address::Y, key: "g101-y", ..TARGET },
-        Param { name: address::Z, key: "g101-z", ..TARGET },
+        Param { name: address::Z, key: "g101-z", example: "200", ..TARGET },
         Param {
             name: address::F,
             key: "g101-f",
@@ -63,7 +63,6 @@ pub static G101: Cycle = Cycle {
         wrong(When::Always, "help-g101-wrong-incremental", "C:108"),
     ]]),
     picture: Drawing::new(picture),
-    example: &[(address::X, "120"), (address::Z, "200")],
     simulation: Some(Simulation::new(Work { propose, simulate }, &[])),
     source: "C:106-144",
     ..nct::MACRO

@@ -26,7 +26,7 @@ pub static G102: Cycle = Cycle {
     key: "g102",
     variants: &[Variant { number: 0, key: "g102-offset", source: "C:179" }],
     purpose: Purpose { calibrates: When::Always, ..Purpose::MILLING },
-    params: &[Param { key: "g102-d", usual: Range::closed(20.0, 1000.0), source: "C:187-189", ..D }],
+    params: &[Param { key: "g102-d", usual: Range::closed(20.0, 1000.0), example: "25", source: "C:187-189", ..D }],
     results: &[ring::value("#504", "result-g102-1", "C:176"), ring::value("#505", "result-g102-2", "C:177")],
     help: Help::new(&[
         &[
@@ -39,7 +39,6 @@ pub static G102: Cycle = Cycle {
         nct::help::MEASURING,
         nct::help::CALIBRATING,
     ]),
-    example: &[(address::D, "25")],
     simulation: Some(Simulation::new(Work { propose: ring::propose, simulate }, &[])),
     source: "C:150-278",
     ..ring::CALIBRATION

@@ -25,7 +25,7 @@ pub static G103: Cycle = Cycle {
         tasks: &[nct::tasks::task(Task::Ball, &[0], 0, &[(address::D, Meaning::Nominal)])],
         ..Purpose::MILLING
     },
-    params: &[Param { key: "g103-d", usual: Range::closed(25.0, 1000.0), source: "C:317-319", ..D }],
+    params: &[Param { key: "g103-d", usual: Range::closed(25.0, 1000.0), example: "50", source: "C:317-319", ..D }],
     results: &[
         ring::value("#500", "result-g103-1-plus", "C:304"),
         ring::value("#501", "result-g103-1-minus", "C:305"),
@@ -43,7 +43,6 @@ pub static G103: Cycle = Cycle {
         nct::help::MEASURING,
         nct::help::CALIBRATING,
     ]),
-    example: &[(address::D, "50")],
     simulation: Some(Simulation::new(Work { propose: ring::propose, simulate }, &[])),
     source: "C:282-370",
     ..ring::CALIBRATION

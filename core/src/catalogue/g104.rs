@@ -28,8 +28,8 @@ pub static G104: Cycle = Cycle {
     params: &[
         Param { key: "g104-surface", source: "C:391-393", ..surface::X },
         Param { key: "g104-surface", source: "C:391-393", ..surface::Y },
-        Param { key: "g104-surface", source: "C:391-393", ..surface::Z },
-        Param { name: address::T, key: "g104-t", needs: ALWAYS_REQUIRED, source: "C:393", ..REGISTER },
+        Param { key: "g104-surface", example: "0", source: "C:391-393", ..surface::Z },
+        Param { name: address::T, key: "g104-t", needs: ALWAYS_REQUIRED, example: "98", source: "C:393", ..REGISTER },
     ],
     results: &[
         params::length("LENGTH", "result-g104-length", "C:383-393"),
@@ -47,7 +47,6 @@ pub static G104: Cycle = Cycle {
         nct::help::CALIBRATING,
     ]),
     picture: Drawing::staged(surface::stage_axially, surface::marks_axially),
-    example: &[(address::Z, "0"), (address::T, "98")],
     simulation: Some(Simulation::new(Work { propose: surface::propose_axially, simulate }, &[])),
     source: "C:351-427",
     ..nct::MACRO

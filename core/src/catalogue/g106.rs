@@ -17,14 +17,14 @@ pub static G106: Cycle = Cycle {
     params: &[
         Param { key: "g106-surface", source: "C:603", ..surface::X },
         Param { key: "g106-surface", source: "C:603", ..surface::Y },
-        Param { key: "g106-surface", source: "C:603", ..surface::Z },
+        Param { key: "g106-surface", example: "0", source: "C:603", ..surface::Z },
         Param { source: "C:604", ..params::Q },
-        Param { source: "C:605", ..params::S },
+        Param { example: "1", source: "C:605", ..params::S },
         Param { key: "g106-t", source: "C:624", ..params::T },
         Param { source: "C:620", ..params::M },
-        Param { source: "C:626", ..params::H },
+        Param { example: "0.2", source: "C:626", ..params::H },
         Param { source: "C:627", ..params::U },
-        Param { source: "C:628", ..params::W },
+        Param { example: "2", source: "C:628", ..params::W },
     ],
     results: &[
         params::length("POSITION", "result-nct-position", "C:562-583"),
@@ -44,7 +44,6 @@ pub static G106: Cycle = Cycle {
         nct::help::SHIFTS,
     ]),
     picture: Drawing::staged(surface::stage_axially, surface::marks_axially),
-    example: &[(address::Z, "0"), (address::S, "1"), (address::H, "0.2"), (address::W, "2")],
     simulation: Some(Simulation::new(Work { propose: surface::propose_axially, simulate }, &[])),
     source: "C:562-694",
     ..nct::MACRO

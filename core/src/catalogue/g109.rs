@@ -42,6 +42,7 @@ pub static G109: Cycle = Cycle {
             key: "g109-width",
             chooses: &[from_outside(ALONG_X)],
             labels: &[(ALONG_X, "g109-depth")],
+            example: "80",
             source: "C:907-911",
             ..X
         },
@@ -61,13 +62,13 @@ pub static G109: Cycle = Cycle {
         },
         Param { needs: &[optional(When::Variant(&[WEB]), "need-nct-optional")], source: "C:912", ..params::R },
         Param { source: "C:913", ..params::Q },
-        Param { source: "C:914", ..params::S },
+        Param { example: "1", source: "C:914", ..params::S },
         Param { key: "nct-t-size", source: "C:933", ..params::T },
         Param { source: "C:927", ..params::M },
-        Param { source: "C:934", ..params::H },
+        Param { example: "0.02", source: "C:934", ..params::H },
         Param { source: "C:935", ..params::U },
-        Param { source: "C:936", ..params::V },
-        Param { source: "C:937", ..params::W },
+        Param { example: "2", source: "C:936", ..params::V },
+        Param { example: "2", source: "C:937", ..params::W },
     ],
     results: &[
         params::length("WIDTH", "result-g109-width", "C:868-887"),
@@ -92,7 +93,6 @@ pub static G109: Cycle = Cycle {
         nct::help::SHIFTS,
     ]),
     picture: Drawing::staged(stage, marks),
-    example: &[(address::X, "80"), (address::S, "1"), (address::H, "0.02"), (address::V, "2"), (address::W, "2")],
     simulation: Some(Simulation::new(Work { propose, simulate }, &[])),
     source: "C:868-1028",
     ..nct::MACRO

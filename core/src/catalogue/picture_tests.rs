@@ -13,8 +13,7 @@ use crate::picture::Picture;
 /// The worked example in this variant, with every other value that it asks for.
 fn typed(cycle: &'static Cycle, variant: &Variant, number: &str) -> Typed {
     let control = delivery(cycle.dialect);
-    let of_example = cycle.example.iter();
-    let mut typed: Typed = of_example.map(|(name, value)| (name.to_string(), (*value).to_owned())).collect();
+    let mut typed = example::worked(cycle);
     typed.extend(example::choosing(cycle, variant.number));
     let inputs = read(cycle, &typed, &control, &mut Vec::new());
     for param in cycle.params.iter().filter(|param| param.need(&inputs).is_some()) {

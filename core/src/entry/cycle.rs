@@ -38,8 +38,6 @@ pub struct Cycle {
     pub help: super::help::Help,
     /// What the values mean, drawn.
     pub picture: Drawing,
-    /// A worked measurement: values as typed, by parameter name.
-    pub example: &'static [(Name, &'static str)],
     /// What happens at the call; none while only form, checks and text are known. See [`Cycle::work`].
     pub simulation: Option<Simulation>,
     /// Place in the manual.
@@ -63,6 +61,11 @@ impl Cycle {
     /// Name of the parameter that takes the number of the variant.
     pub fn variant_param(&self) -> Option<Name> {
         self.params.iter().find(|param| matches!(param.kind, Kind::Variant(_))).map(|param| param.name)
+    }
+
+    /// A worked measurement: values as typed, by parameter name.
+    pub fn example(&self) -> impl Iterator<Item = (Name, &'static str)> {
+        self.params.iter().filter(|param| !param.example.is_empty()).map(|param| (param.name, param.example))
     }
 
     /// What the digits of a variant's number choose: keys of the choices, the lowest place first.

@@ -29,7 +29,6 @@ impl Cycle {
             tasks = rest;
         }
         self.when_names(&self.purpose.calibrates);
-        self.values_names(self.example);
         let Some(simulation) = &self.simulation else { return };
         let mut examples = simulation.examples;
         while let [(when, values), rest @ ..] = examples {

@@ -33,6 +33,8 @@ pub struct Param {
     pub chooses: &'static [Chooses],
     /// Wording that differs by variant: stem of the first that holds, else [`Param::key`].
     pub labels: &'static [(When, &'static str)],
+    /// As typed in a worked measurement of the cycle; empty: not given there.
+    pub example: &'static str,
     /// Place in the manual.
     pub source: &'static str,
 }

@@ -15,15 +15,15 @@ pub fn draw(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Option<P
         return None;
     }
     let mut values = typed.clone();
-    for (name, example) in cycle.example {
-        let text = cycle.param(name).is_some_and(|param| matches!(param.kind, Kind::Text(_)));
+    for param in cycle.params.iter().filter(|param| !param.example.is_empty()) {
+        let text = matches!(param.kind, Kind::Text(_));
         let usable = |typed: &String| match parse(typed) {
             Parsed::Empty => false,
             Parsed::Wrong => text,
             _ => true,
         };
-        if !values.get(name.as_str()).is_some_and(usable) {
-            values.insert((*name).to_string(), (*example).to_owned());
+        if !values.get(param.name.as_str()).is_some_and(usable) {
+            values.insert(param.name.to_string(), param.example.to_owned());
         }
     }
     let inputs = check::read(cycle, &values, control, &mut Vec::new());

@@ -96,7 +96,7 @@ fn a_tool_target_is_never_written_into_argument_2() {
         let site = &sites(&measured)[0];
         let program = read(Dialect::Sinumerik, measured.as_bytes());
         assert_eq!(change(&program, site, "_KNUM", "2001"), [], "{measured}");
-        let direct = format!("{}{name}\n", assigned(cycle(name).example));
+        let direct = format!("{}{name}\n", assigned(cycle(name).example()));
         let (same, why) = converted(&direct, 0, Style::Operate);
         assert_eq!((same, why), (direct, vec!["write-newer-tool".to_owned()]));
     }
@@ -108,9 +108,8 @@ fn a_tool_target_is_never_written_into_argument_2() {
     }
 }
 
-fn assigned(values: &[(Name, &str)]) -> String {
-    let all = values.iter().map(|(name, value)| format!("{name}={value}\n"));
-    all.collect()
+fn assigned(values: impl Iterator<Item = (Name, &'static str)>) -> String {
+    values.map(|(name, value)| format!("{name}={value}\n")).collect()
 }
 
 // oracle: peer (numbers of zero offsets that published programs write: 1 to 99, and 9999 for the active one)

@@ -27,6 +27,7 @@ pub const TSA: Param = Param {
     default: Some(2.0),
     watches: true,
     needs: ALWAYS_OPTIONAL,
+    example: "1",
     source: "B:15666",
     ..LIMIT
 };
@@ -49,6 +50,7 @@ pub const K: Param = Param {
     usual: Range::closed(1.0, 100.0),
     alarm: Some(Code::Alarm(61318)),
     needs: &[optional(TOOL_OFFSET, "need-memory")],
+    example: "3",
     source: "B:2358-2366;A:15859",
     ..PARAM
 };
@@ -57,13 +59,28 @@ pub const TZL: Param = Param {
     key: "tzl",
     default: Some(0.001),
     range: Range::NOT_NEGATIVE,
+    example: "0.01",
     source: "B:15667;A:2323",
     ..LIMIT
 };
-pub const TMV: Param = Param { name: names::TMV, key: "tmv", default: Some(0.7), source: "B:15660", ..LIMIT };
+pub const TMV: Param =
+    Param { name: names::TMV, key: "tmv", default: Some(0.7), example: "0.02", source: "B:15660", ..LIMIT };
 pub const TUL: Param =
-    Param { name: names::TUL, key: "tul", default: Some(1.0), source: "B:15664;A:1896", ..TOLERANCE };
-pub const TLL: Param =
-    Param { name: names::TLL, key: "tll", default: Some(-1.0), source: "B:15665;A:1897", ..TOLERANCE };
-pub const TDIF: Param =
-    Param { name: names::TDIF, key: "tdif", default: Some(1.2), watches: true, source: "B:15659", ..LIMIT };
+    Param { name: names::TUL, key: "tul", default: Some(1.0), example: "0.03", source: "B:15664;A:1896", ..TOLERANCE };
+pub const TLL: Param = Param {
+    name: names::TLL,
+    key: "tll",
+    default: Some(-1.0),
+    example: "-0.03",
+    source: "B:15665;A:1897",
+    ..TOLERANCE
+};
+pub const TDIF: Param = Param {
+    name: names::TDIF,
+    key: "tdif",
+    default: Some(1.2),
+    watches: true,
+    example: "0.06",
+    source: "B:15659",
+    ..LIMIT
+};

@@ -39,7 +39,6 @@ pub const CYCLE: Cycle = Cycle {
     checks: |_, _, _| {},
     help: Help::new(&[]),
     picture: Drawing::new(|_| Picture { view: View::Plane, shapes: Vec::new() }),
-    example: &[],
     simulation: None,
     source: "",
 };
@@ -59,6 +58,7 @@ pub const PARAM: Param = Param {
     needs: &[],
     chooses: &[],
     labels: &[],
+    example: "",
     source: "",
 };
 
@@ -123,6 +123,7 @@ pub const PRNUM: Param = Param {
     range: Range::closed(1.0, 199.0),
     alarm: Some(Code::Alarm(61313)),
     needs: ALWAYS_OPTIONAL,
+    example: "1",
     source: "B:5632-5633",
     ..PARAM
 };
@@ -150,6 +151,7 @@ pub const VMS: Param = Param {
     range: Range::NOT_NEGATIVE,
     usual: Range::closed(0.0, 2000.0),
     needs: ALWAYS_OPTIONAL,
+    example: "0",
     source: "B:15668",
     ..PARAM
 };
@@ -163,6 +165,7 @@ pub const NMSP: Param = Param {
     range: Range::POSITIVE,
     usual: Range::closed(1.0, 20.0),
     needs: ALWAYS_OPTIONAL,
+    example: "1",
     source: "B:15650",
     ..PARAM
 };

@@ -24,7 +24,7 @@ use crate::picture::figures::{circle, dimension};
 use crate::picture::{Picture, ShapeKind, View};
 use params::{COUNT, POINTS};
 
-/// The cycle.
+/// The cycle. Example: that of the manual, B:2456-2466.
 pub static CYCLE116: Cycle = Cycle {
     dialect: Dialect::Sinumerik,
     name: "CYCLE116",
@@ -52,16 +52,6 @@ pub static CYCLE116: Cycle = Cycle {
     checks,
     help: Help::new(&[help::LINES]),
     picture: Drawing::new(picture),
-    // the example of the manual, B:2456-2466
-    example: &[
-        (params::COUNT, "3"),
-        (params::POINTS[0][0], "0"),
-        (params::POINTS[0][1], "10"),
-        (params::POINTS[1][0], "-10"),
-        (params::POINTS[1][1], "0"),
-        (params::POINTS[2][0], "0"),
-        (params::POINTS[2][1], "-10"),
-    ],
     simulation: Some(Simulation::new(Work { propose: |_, _| Proposal::default(), simulate: simulate::simulate }, &[])),
     source: "B:2408-2469",
 };

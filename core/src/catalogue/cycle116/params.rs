@@ -25,25 +25,26 @@ pub const PARAMS: &[Param] = &[
         kind: Kind::Choice(&[(3, "cycle116-three"), (4, "cycle116-four")]),
         alarm: Some(Code::Alarm(61317)),
         needs: &[required(When::Always, "need-116-points")],
+        example: "3",
         source: "B:2430;A:15858",
         ..PARAM
     },
-    abscissa(0, "B:2431"),
-    ordinate(0, "B:2432"),
-    abscissa(1, "B:2433"),
-    ordinate(1, "B:2434"),
-    abscissa(2, "B:2435"),
-    ordinate(2, "B:2436"),
-    Param { needs: &[required(FOUR, "need-116-fourth")], ..abscissa(3, "B:2437") },
-    Param { needs: &[required(FOUR, "need-116-fourth")], ..ordinate(3, "B:2438") },
+    abscissa(0, "0", "B:2431"),
+    ordinate(0, "10", "B:2432"),
+    abscissa(1, "-10", "B:2433"),
+    ordinate(1, "0", "B:2434"),
+    abscissa(2, "0", "B:2435"),
+    ordinate(2, "-10", "B:2436"),
+    Param { needs: &[required(FOUR, "need-116-fourth")], ..abscissa(3, "", "B:2437") },
+    Param { needs: &[required(FOUR, "need-116-fourth")], ..ordinate(3, "", "B:2438") },
 ];
 
-const fn abscissa(point: usize, source: &'static str) -> Param {
-    Param { name: POINTS[point][0], key: "116-abscissa", source, ..COORDINATE }
+const fn abscissa(point: usize, example: &'static str, source: &'static str) -> Param {
+    Param { name: POINTS[point][0], key: "116-abscissa", example, source, ..COORDINATE }
 }
 
-const fn ordinate(point: usize, source: &'static str) -> Param {
-    Param { name: POINTS[point][1], key: "116-ordinate", source, ..COORDINATE }
+const fn ordinate(point: usize, example: &'static str, source: &'static str) -> Param {
+    Param { name: POINTS[point][1], key: "116-ordinate", example, source, ..COORDINATE }
 }
 
 /// The unit is not named; the result has the same (B:2431-2446).

@@ -15,10 +15,11 @@ use crate::control::MachineSort;
 use crate::dialect::Dialect;
 use crate::entry::{
     Arg, ArgumentList, Cycle, Drawing, Help, NEVER, ProbeUse, Proposal, Purpose, ResultField, Simulation, Style, Unit,
-    Variant, When, Work, names,
+    Variant, When, Work,
 };
 
-/// The cycle.
+/// The cycle. Example: that of the manual, B:8600-8622; its active frame is G54, which a form without a program has to
+/// name.
 pub static CYCLE119: Cycle = Cycle {
     dialect: Dialect::Sinumerik,
     name: "CYCLE119",
@@ -60,29 +61,6 @@ pub static CYCLE119: Cycle = Cycle {
     checks: checks::checks,
     help: Help::new(&[help::LINES]),
     picture: Drawing::new(picture::picture),
-    // the example of the manual, B:8600-8622; its active frame is G54, which a form without a program has to name
-    example: &[
-        (params::SET[0][0], "10"),
-        (params::SET[0][1], "0"),
-        (params::SET[0][2], "0"),
-        (params::SET[1][0], "0"),
-        (params::SET[1][1], "20"),
-        (params::SET[1][2], "0"),
-        (params::SET[2][0], "0"),
-        (params::SET[2][1], "0"),
-        (params::SET[2][2], "30"),
-        (params::MEASURED[0][0], "11"),
-        (params::MEASURED[0][1], "0"),
-        (params::MEASURED[0][2], "0"),
-        (params::MEASURED[1][0], "1"),
-        (params::MEASURED[1][1], "20"),
-        (params::MEASURED[1][2], "0"),
-        (params::MEASURED[2][0], "1"),
-        (params::MEASURED[2][1], "0"),
-        (params::MEASURED[2][2], "30"),
-        (names::COR, "1"),
-        (params::LIMIT, "1.2"),
-    ],
     simulation: Some(Simulation::new(Work { propose: |_, _| Proposal::default(), simulate: simulate::simulate }, &[])),
     source: "B:8541-8622",
 };

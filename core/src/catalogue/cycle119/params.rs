@@ -28,49 +28,52 @@ pub const MEASURED: Names = [
 
 /// Set points, measured points, correction.
 pub const PARAMS: &[Param] = &[
-    set(0, 0),
-    set(0, 1),
-    set(0, 2),
-    set(1, 0),
-    set(1, 1),
-    set(1, 2),
-    set(2, 0),
-    set(2, 1),
-    set(2, 2),
-    measured(0, 0),
-    measured(0, 1),
-    measured(0, 2),
-    measured(1, 0),
-    measured(1, 1),
-    measured(1, 2),
-    measured(2, 0),
-    measured(2, 1),
-    measured(2, 2),
-    Param { name: TARGET, labels: &[(When::Always, "knum-zero")], source: "B:8566-8572", ..KNUM },
+    set(0, 0, "10"),
+    set(0, 1, "0"),
+    set(0, 2, "0"),
+    set(1, 0, "0"),
+    set(1, 1, "20"),
+    set(1, 2, "0"),
+    set(2, 0, "0"),
+    set(2, 1, "0"),
+    set(2, 2, "30"),
+    measured(0, 0, "11"),
+    measured(0, 1, "0"),
+    measured(0, 2, "0"),
+    measured(1, 0, "1"),
+    measured(1, 1, "20"),
+    measured(1, 2, "0"),
+    measured(2, 0, "1"),
+    measured(2, 1, "0"),
+    measured(2, 2, "30"),
+    Param { name: TARGET, labels: &[(When::Always, "knum-zero")], example: "1", source: "B:8566-8572", ..KNUM },
     Param {
         name: LIMIT,
         key: "119-limit",
         unit: Unit::BasicLength,
         range: Range::POSITIVE,
         needs: &[required(When::Given(TARGET), "need-119-corrected")],
+        example: "1.2",
         source: "B:8573;A:9412",
         ..PARAM
     },
 ];
 
-const fn set(point: usize, axis: usize) -> Param {
+const fn set(point: usize, axis: usize, example: &'static str) -> Param {
     Param {
         name: SET[point][axis],
         key: ["119-set-x", "119-set-y", "119-set-z"][axis],
+        example,
         source: "B:8563-8564",
         ..COORDINATE
     }
 }
 
-const fn measured(point: usize, axis: usize) -> Param {
+const fn measured(point: usize, axis: usize, example: &'static str) -> Param {
     Param {
         name: MEASURED[point][axis],
         key: ["119-measured-x", "119-measured-y", "119-measured-z"][axis],
+        example,
         source: "B:8565",
         ..COORDINATE
     }

@@ -50,19 +50,6 @@ pub static CYCLE961: Cycle = Cycle {
     checks: checks::checks,
     help: Help::new(&[help::LINES, PROBE, CALIBRATED, AGAIN, MEASURING]),
     picture: Drawing::staged(picture::stage, picture::marks),
-    example: &[
-        (names::MVAR, "108"),
-        (names::STA1, "-35"),
-        (names::INCA, "80"),
-        (names::SETV0, "100"),
-        (names::SETV1, "100"),
-        (names::ID, "30"),
-        (names::KNUM, "2"),
-        (names::PRNUM, "1"),
-        (names::FA, "20"),
-        (names::VMS, "0"),
-        (names::NMSP, "1"),
-    ],
     simulation: Some(Simulation::new(
         Work { propose: propose::propose, simulate: simulate::simulate },
         &[

@@ -39,10 +39,11 @@ const MOVED_ORDINATE: When = When::All(&[RECTANGLE, moved(&[3.0, 4.0])]);
 
 /// In the order in which the snippet writes them.
 pub const PARAMS: &[Param] = &[
-    Param { source: "B:7862-7869;B:15346-15347", ..common::MVAR },
+    Param { example: "108", source: "B:7862-7869;B:15346-15347", ..common::MVAR },
     Param {
         needs: DIRECTION,
         labels: &[(When::Always, "sta1-reference")],
+        example: "-35",
         source: "B:7923;B:7992;A:8695",
         ..common::STA1
     },
@@ -50,18 +51,21 @@ pub const PARAMS: &[Param] = &[
         range: Range::closed(-179.5, 179.5),
         needs: DIRECTION,
         labels: &[(When::Always, "inca-second-edge")],
+        example: "80",
         source: "B:7924;B:15340;A:8696",
         ..common::INCA
     },
     Param {
         needs: DISTANCE,
         labels: &[(DISTANCES, "setv0-distance"), (POINTS, "p1-abscissa")],
+        example: "100",
         source: "B:7926;B:8059;B:15353",
         ..common::SETV0
     },
     Param {
         needs: DISTANCE,
         labels: &[(DISTANCES, "setv1-distance"), (POINTS, "p1-ordinate")],
+        example: "100",
         source: "B:7927;B:8060;B:15354",
         ..common::SETV1
     },
@@ -99,10 +103,16 @@ pub const PARAMS: &[Param] = &[
     Param {
         needs: &[required(PASSES, "need-corner-passing"), required(POINTS, "need-corner-infeed")],
         labels: &[(PASSES, "id-over-corner")],
+        example: "30",
         source: "B:7925;B:8006-8012;B:8058;B:15336",
         ..common::ID
     },
-    Param { labels: &[(When::Always, "knum-zero")], source: "B:7840-7844;B:7922;B:8057;B:15342-15343", ..common::KNUM },
+    Param {
+        labels: &[(When::Always, "knum-zero")],
+        example: "2",
+        source: "B:7840-7844;B:7922;B:8057;B:15342-15343",
+        ..common::KNUM
+    },
     Param {
         kind: Kind::Digits(&[common::PROBE_NUMBER]),
         labels: &[(When::Always, "prnum-multi-only")],
@@ -111,6 +121,7 @@ pub const PARAMS: &[Param] = &[
     },
     Param {
         labels: &[(DISTANCES, "fa-corner-distances"), (POINTS, "fa-corner-points")],
+        example: "20",
         source: "B:7921;B:8146-8154;B:15334",
         ..common::FA
     },

@@ -87,19 +87,6 @@ pub static CYCLE971: Cycle = Cycle {
     checks: checks::checks,
     help: Help::new(&[help::LINES, tool_probe::help::ALL]),
     picture: Drawing::staged(picture::stage, picture::marks),
-    example: &[
-        (names::MVAR, "1"),
-        (names::MA, "103"),
-        (names::ID, "2.2"),
-        (names::PRNUM, "1"),
-        (names::FA, "3"),
-        (names::TSA, "2"),
-        (names::VMS, "0"),
-        (names::NMSP, "1"),
-        (names::EVNUM, "0"),
-        (names::TZL, "0.04"),
-        (names::TDIF, "1.6"),
-    ],
     simulation: Some(Simulation::new(
         Work { propose: propose::propose, simulate: simulate::simulate },
         // a side, as every variant but the automatic one can touch it

@@ -88,13 +88,19 @@ const fn feed(name: Name, key: &'static str, source: &'static str) -> Param {
 
 /// In the order in which the snippet writes them.
 pub const PARAMS: &[Param] = &[
-    Param { kind: Kind::Variant(MVAR_DIGITS), source: "B:4186-4196;B:4621-4622;B:15403-15414", ..common::MVAR },
+    Param {
+        kind: Kind::Variant(MVAR_DIGITS),
+        example: "1",
+        source: "B:4186-4196;B:4621-4622;B:15403-15414",
+        ..common::MVAR
+    },
     Param {
         kind: Kind::ChoiceBy(&[(INCREMENTAL, AXES), (CALIBRATE, CALIBRATED_AXES), (When::Always, TOOL_AXES)]),
         range: Range::closed(1.0, 203.0),
         needs: &[required(When::Not(&AUTOMATIC), "need-axis-tool-probe")],
         key: "ma-measure-tool",
         labels: &[(CALIBRATE, "ma-calibrate")],
+        example: "103",
         source: "B:4419-4420;B:4842-4846;B:15395-15401;A:16199",
         ..common::MA
     },
@@ -107,6 +113,7 @@ pub const PARAMS: &[Param] = &[
         ],
         key: "id-radius",
         labels: &[(CALIBRATE, "id-calibrate"), (APPLICATE, "id-length")],
+        example: "2.2",
         source: "B:4426;B:4654-4656;B:4849;B:15391",
         ..common::ID
     },
@@ -117,6 +124,7 @@ pub const PARAMS: &[Param] = &[
         needs: &[required(INCREMENTAL, "need-signed-path"), optional(When::Always, "need-default")],
         key: "fa-tool",
         labels: &[(INCREMENTAL, "fa-incremental")],
+        example: "3",
         source: "B:4421-4424;B:2221;B:15389-15390;A:15847",
         ..common::FA
     },
@@ -124,6 +132,7 @@ pub const PARAMS: &[Param] = &[
         needs: &[optional(When::Not(&INCREMENTAL), "need-default")],
         key: "tsa-tool",
         labels: &[(CALIBRATE, "tsa-tool-probe")],
+        example: "2",
         source: "B:4326;B:4432;B:15431;A:15844",
         ..common::TSA
     },
@@ -140,6 +149,6 @@ pub const PARAMS: &[Param] = &[
     speed(names::MFS[4], "mfs-speed-3", "B:13519"),
     feed(names::MFS[5], "mfs-feed-3", "B:13520"),
     Param { needs: &[optional(MEASURE, "need-memory-empirical")], ..tool_probe::EVNUM },
-    Param { needs: &[optional(When::Not(&INCREMENTAL), "need-default")], ..tool_probe::TZL },
-    Param { needs: &[optional(MEASURE, "need-default")], ..tool_probe::TDIF },
+    Param { needs: &[optional(When::Not(&INCREMENTAL), "need-default")], example: "0.04", ..tool_probe::TZL },
+    Param { needs: &[optional(MEASURE, "need-default")], example: "1.6", ..tool_probe::TDIF },
 ];

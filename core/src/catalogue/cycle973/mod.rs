@@ -51,18 +51,6 @@ pub static CYCLE973: Cycle = Cycle {
     checks: checks::checks,
     help: Help::new(&[STORED, help::LINES, BLOCK, lathe::help::PROBE]),
     picture: Drawing::staged(picture::stage, picture::marks),
-    example: &[
-        (names::MVAR, "0"),
-        (names::SETVAL, "-18"),
-        (names::MA, "1"),
-        (names::MD, "1"),
-        (names::PRNUM, "1"),
-        (names::FA, "3"),
-        (names::TSA, "1"),
-        (names::VMS, "0"),
-        (names::NMSP, "1"),
-        (names::TZL, "0"),
-    ],
     simulation: Some(Simulation::new(
         Work { propose: propose::propose, simulate: simulate::simulate },
         // across the groove of position 7

@@ -39,10 +39,11 @@ const MVAR_DIGITS: &[DigitGroup] = &[
 
 /// In the order in which the snippet writes them.
 pub const PARAMS: &[Param] = &[
-    Param { kind: Kind::Variant(MVAR_DIGITS), source: "B:10163-10177;B:15498-15500", ..common::MVAR },
+    Param { kind: Kind::Variant(MVAR_DIGITS), example: "0", source: "B:10163-10177;B:15498-15500", ..common::MVAR },
     Param {
         needs: &[required(SURFACE, "need-surface-position")],
         labels: &[(lathe::DIAMETER_IN_X, "setval-surface-diameter"), (When::Always, "setval-surface")],
+        example: "-18",
         source: "B:10350;A:16313",
         ..common::SETVAL
     },
@@ -53,11 +54,13 @@ pub const PARAMS: &[Param] = &[
         ]),
         needs: &[required(SURFACE, "need-axis-calibration-surface"), required(GROOVE, "need-axis-calibrated")],
         labels: &[(GROOVE, "ma-calibrated")],
+        example: "1",
         source: "B:10249;B:10351;B:10354",
         ..lathe::MA
     },
     Param {
         needs: &[required(When::Any(&[ONE, SURFACE]), "need-direction")],
+        example: "1",
         source: "B:10250-10251;B:10352",
         ..common::MD
     },
@@ -72,13 +75,14 @@ pub const PARAMS: &[Param] = &[
         ..common::PARAM
     },
     Param { source: "B:10253;B:10353;A:16310", ..common::PRNUM },
-    Param { labels: &[(When::Always, "fa-lathe")], source: "B:10255;B:10356;B:15491", ..common::FA },
+    Param { labels: &[(When::Always, "fa-lathe")], example: "3", source: "B:10255;B:10356;B:15491", ..common::FA },
     Param { labels: &[(When::Always, "tsa-trigger")], source: "B:10263;B:10360;B:15520", ..common::TSA },
     Param { source: "B:10255;B:10356;B:15522", ..common::VMS },
     Param { source: "B:10255;B:10356;B:15501", ..common::NMSP },
     Param {
         needs: common::ALWAYS_OPTIONAL,
         labels: &[(When::Always, "tzl-trigger")],
+        example: "0",
         source: "B:10255;B:10356;B:15521",
         ..common::TZL
     },

@@ -19,7 +19,7 @@ pub use variants::VARIANTS;
 use crate::catalogue::sinumerik::help::{PROBE, STORED};
 use crate::catalogue::{common, newer, older};
 use crate::dialect::Dialect;
-use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, When, Work, names};
+use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, When, Work};
 
 /// The entry. Example: the ring of B:5168-5188.
 pub static CYCLE976: Cycle = Cycle {
@@ -41,16 +41,6 @@ pub static CYCLE976: Cycle = Cycle {
     checks: checks::checks,
     help: Help::new(&[STORED, help::LINES, PROBE]),
     picture: Drawing::staged(picture::stage, picture::marks),
-    example: &[
-        (names::MVAR, "10101"),
-        (names::SETVAL, "110.246"),
-        (names::PRNUM, "3"),
-        (names::FA, "1"),
-        (names::TSA, "1"),
-        (names::VMS, "0"),
-        (names::NMSP, "1"),
-        (names::TZL, "0"),
-    ],
     simulation: Some(Simulation::new(
         Work { propose: propose::propose, simulate: simulate::simulate },
         variants::EXAMPLES,

@@ -41,10 +41,11 @@ const MVAR_DIGITS: &[DigitGroup] = &[
 
 /// In the order in which the snippet writes them.
 pub const PARAMS: &[Param] = &[
-    Param { kind: Kind::Variant(MVAR_DIGITS), source: "B:5060-5084", ..common::MVAR },
+    Param { kind: Kind::Variant(MVAR_DIGITS), example: "10101", source: "B:5060-5084", ..common::MVAR },
     Param {
         needs: common::ALWAYS_REQUIRED,
         labels: &[(HOLE, "setval-ring"), (When::Always, "setval-surface")],
+        example: "110.246",
         source: "B:5155;B:5253;B:5365;B:5497",
         ..common::SETVAL
     },
@@ -69,7 +70,7 @@ pub const PARAMS: &[Param] = &[
         source: "B:5158-5159;B:5367-5368;B:5499-5500",
         ..common::MD
     },
-    Param { source: "B:5160;B:5254", ..common::PRNUM },
+    Param { example: "3", source: "B:5160;B:5254", ..common::PRNUM },
     Param {
         needs: &[required(ANGLE, "need-angle-calibration")],
         labels: &[(When::Always, "sta1-calibration")],
@@ -78,6 +79,7 @@ pub const PARAMS: &[Param] = &[
     },
     Param {
         labels: &[(UNKNOWN, "fa-unknown"), (LENGTH, "fa-length")],
+        example: "1",
         source: "B:5166;B:5260;B:5373;B:5589",
         ..common::FA
     },
@@ -88,6 +90,7 @@ pub const PARAMS: &[Param] = &[
     Param {
         needs: common::ALWAYS_OPTIONAL,
         labels: &[(When::Always, "tzl-trigger")],
+        example: "0",
         source: "B:5134;B:5166",
         ..common::TZL
     },

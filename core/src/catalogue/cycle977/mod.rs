@@ -19,7 +19,7 @@ pub use variants::VARIANTS;
 use crate::catalogue::sinumerik::help::{AGAIN, BLOCK, CALIBRATED, CORRECTION, MEASURING, PROBE};
 use crate::catalogue::{common, newer, older};
 use crate::dialect::Dialect;
-use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Work, names};
+use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Work};
 
 /// The entry. Example: the hole of B:6050-6137.
 pub static CYCLE977: Cycle = Cycle {
@@ -42,24 +42,6 @@ pub static CYCLE977: Cycle = Cycle {
     checks: checks::checks,
     help: Help::new(&[CORRECTION, help::LINES, BLOCK, PROBE, CALIBRATED, AGAIN, MEASURING]),
     picture: Drawing::staged(picture::stage, picture::marks),
-    example: &[
-        (names::MVAR, "1"),
-        (names::SETVAL, "132"),
-        (names::KNUM, "2001"),
-        (names::TNUM, "20"),
-        (names::PRNUM, "1"),
-        (names::FA, "1"),
-        (names::TSA, "1"),
-        (names::VMS, "0"),
-        (names::NMSP, "1"),
-        (names::EVNUM, "10"),
-        (names::K, "3"),
-        (names::TZL, "0.01"),
-        (names::TMV, "0.02"),
-        (names::TUL, "0.03"),
-        (names::TLL, "-0.03"),
-        (names::TDIF, "0.06"),
-    ],
     simulation: Some(Simulation::new(
         Work { propose: propose::propose, simulate: simulate::simulate },
         variants::EXAMPLES,

@@ -38,11 +38,12 @@ const MVAR_DIGITS: &[DigitGroup] = &[
 
 /// In the order in which the snippet writes them.
 pub const PARAMS: &[Param] = &[
-    Param { kind: Kind::Variant(MVAR_DIGITS), source: "B:5641-5667", ..common::MVAR },
+    Param { kind: Kind::Variant(MVAR_DIGITS), example: "1", source: "B:5641-5667", ..common::MVAR },
     Param {
         range: Range::POSITIVE,
         needs: &[required(SINGLE, "need-element")],
         labels: &[(ROUND, "setval-diameter"), (WIDTH, "setval-width")],
+        example: "132",
         source: "B:5830",
         ..common::SETVAL
     },
@@ -71,18 +72,18 @@ pub const PARAMS: &[Param] = &[
     },
     Param { needs: &[required(When::All(&[ZONE, RECTANGLE]), "need-zone-rectangle")], source: "B:5835", ..common::SZO },
     Param { needs: &[required(WIDTH, "need-axis")], source: "B:5836", ..common::MA },
-    Param { source: "B:6012-6014;B:6201", ..common::KNUM },
-    Param { source: "B:6015", ..common::TNUM },
+    Param { example: "2001", source: "B:6012-6014;B:6201", ..common::KNUM },
+    Param { example: "20", source: "B:6015", ..common::TNUM },
     Param { source: "B:6016", ..common::TNAME },
     Param { source: "B:6017", ..common::DLNUM },
     Param { source: "B:6018", ..common::TENV },
     Param { source: "B:5632-5633;B:5841", ..common::PRNUM },
-    Param { source: "B:5841;B:5945;B:5963", ..common::FA },
+    Param { example: "1", source: "B:5841;B:5945;B:5963", ..common::FA },
     Param { labels: &[(TOOL, "tsa-size"), (ZERO, "tsa-centre")], source: "B:5847;B:6024;B:6221", ..common::TSA },
     Param { source: "B:5841", ..common::VMS },
     Param { source: "B:5841", ..common::NMSP },
     Param { source: "B:5849;B:15629", ..common::CORA },
-    Param { needs: &[optional(TOOL, "need-memory")], source: "B:5841;B:6022", ..common::EVNUM },
+    Param { needs: &[optional(TOOL, "need-memory")], example: "10", source: "B:5841;B:6022", ..common::EVNUM },
     Param { source: "B:6022;B:2358-2366", ..common::K },
     Param { source: "B:5845;B:15667", ..common::TZL },
     Param { source: "B:5845;B:15660", ..common::TMV },

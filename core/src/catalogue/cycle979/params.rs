@@ -35,38 +35,41 @@ const PRNUM_DIGITS: &[DigitGroup] = &[
 
 /// In the order in which the snippet writes them.
 pub const PARAMS: &[Param] = &[
-    Param { kind: Kind::Variant(MVAR_DIGITS), source: "B:6764-6773", ..common::MVAR },
+    Param { kind: Kind::Variant(MVAR_DIGITS), example: "1", source: "B:6764-6773", ..common::MVAR },
     Param {
         range: Range::POSITIVE,
         needs: common::ALWAYS_REQUIRED,
         labels: &[(ROUND, "setval-diameter"), (WIDTH, "setval-width-angle")],
+        example: "130",
         source: "B:6979",
         ..common::SETVAL
     },
-    Param { needs: common::ALWAYS_REQUIRED, source: "B:6980-6981;B:6888-6893", ..common::CPA },
-    Param { needs: common::ALWAYS_REQUIRED, source: "B:6982-6983;B:6888-6893", ..common::CPO },
+    Param { needs: common::ALWAYS_REQUIRED, example: "180", source: "B:6980-6981;B:6888-6893", ..common::CPA },
+    Param { needs: common::ALWAYS_REQUIRED, example: "0", source: "B:6982-6983;B:6888-6893", ..common::CPO },
     Param {
         range: Range::closed(-360.0, 360.0),
         needs: common::ALWAYS_REQUIRED,
         labels: &[(ROUND, "sta1-first"), (WIDTH, "sta1-width")],
+        example: "15",
         source: "B:6984",
         ..common::STA1
     },
     Param {
         range: Range::closed(-360.0, 360.0),
         needs: &[required(ROUND, "need-points")],
+        example: "80",
         source: "B:6986",
         ..common::INCA
     },
-    Param { needs: &[required(ROUND, "need-circular")], source: "B:6994;B:6911-6913", ..common::RF },
+    Param { needs: &[required(ROUND, "need-circular")], example: "900", source: "B:6994;B:6911-6913", ..common::RF },
     Param {
         needs: &[required(WEB, "need-lift")],
         labels: &[(When::Always, "id-lift")],
         source: "B:6985;B:6921-6929",
         ..common::ID
     },
-    Param { source: "B:6995;B:7170", ..common::KNUM },
-    Param { source: "B:6996", ..common::TNUM },
+    Param { example: "2001", source: "B:6995;B:7170", ..common::KNUM },
+    Param { example: "20", source: "B:6996", ..common::TNUM },
     Param { source: "B:6997", ..common::TNAME },
     Param { source: "B:6998", ..common::DLNUM },
     Param { source: "B:6999", ..common::TENV },
@@ -77,12 +80,12 @@ pub const PARAMS: &[Param] = &[
         source: "B:6744-6752",
         ..common::PRNUM
     },
-    Param { source: "B:6905-6911;B:6941-6945", ..common::FA },
+    Param { example: "2", source: "B:6905-6911;B:6941-6945", ..common::FA },
     Param { labels: &[(TOOL, "tsa-size"), (ZERO, "tsa-centre")], source: "B:7011;B:7178", ..common::TSA },
     Param { source: "B:7004;B:7174", ..common::VMS },
     Param { source: "B:7004;B:7174", ..common::NMSP },
     Param { source: "B:7007;B:7176", ..common::CORA },
-    Param { needs: &[optional(TOOL, "need-memory")], source: "B:7004;B:6965", ..common::EVNUM },
+    Param { needs: &[optional(TOOL, "need-memory")], example: "20", source: "B:7004;B:6965", ..common::EVNUM },
     Param { source: "B:7004;B:2358-2366", ..common::K },
     Param { source: "B:7004;B:7009", ..common::TZL },
     Param { source: "B:7004;B:7009", ..common::TMV },

@@ -61,19 +61,6 @@ pub static CYCLE982: Cycle = Cycle {
     checks: checks::checks,
     help: Help::new(&[help::LINES, tool_probe::help::ALL]),
     picture: Drawing::staged(picture::stage, picture::marks),
-    example: &[
-        (names::MVAR, "12001"),
-        (names::MA, "1"),
-        (names::STA1, "15"),
-        (names::PRNUM, "1"),
-        (names::FA, "3"),
-        (names::TSA, "3"),
-        (names::VMS, "0"),
-        (names::NMSP, "1"),
-        (names::EVNUM, "0"),
-        (names::TZL, "0.001"),
-        (names::TDIF, "2.5"),
-    ],
     simulation: Some(
         Simulation::new(Work { propose: propose::propose, simulate: simulate::simulate }, EXAMPLES)
             .with_tool(propose::tool),

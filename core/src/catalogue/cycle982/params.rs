@@ -83,7 +83,12 @@ const EXTENTS: &[(i64, &str)] = &[
 
 /// In the order in which the snippet writes them.
 pub const PARAMS: &[Param] = &[
-    Param { kind: Kind::Variant(MVAR_DIGITS), source: "B:9224-9279;B:15814-15817;A:10287-10319", ..common::MVAR },
+    Param {
+        kind: Kind::Variant(MVAR_DIGITS),
+        example: "12001",
+        source: "B:9224-9279;B:15814-15817;A:10287-10319",
+        ..common::MVAR
+    },
     Param {
         kind: Kind::ChoiceBy(&[
             (CALIBRATE, &[(1, "ma-lathe-abscissa"), (2, "ma-lathe-ordinate")]),
@@ -99,6 +104,7 @@ pub const PARAMS: &[Param] = &[
         ],
         key: "ma-lathe-measured",
         labels: &[(CALIBRATE, "ma-calibrate")],
+        example: "1",
         source: "B:9279;B:9371;B:9516;B:10122;B:15812;A:16586",
         ..common::MA
     },
@@ -115,6 +121,7 @@ pub const PARAMS: &[Param] = &[
             optional(SPINDLE_TURNED, "need-start-angle-milling"),
         ],
         key: "sta1-milling-spindle",
+        example: "15",
         source: "B:9519;B:9968;B:15828",
         ..common::STA1
     },
@@ -128,6 +135,7 @@ pub const PARAMS: &[Param] = &[
     Param {
         key: "fa-tool",
         labels: &[(INCREMENTAL, "fa-present-position")],
+        example: "3",
         source: "B:9738;B:9825;B:15807",
         ..common::FA
     },
@@ -135,12 +143,13 @@ pub const PARAMS: &[Param] = &[
         needs: &[optional(POSITIONED, "need-default")],
         key: "tsa-tool",
         labels: &[(CALIBRATE, "tsa-tool-probe")],
+        example: "3",
         source: "B:9840;B:9972;B:15837",
         ..common::TSA
     },
     Param { source: "B:2164-2170;B:9610;B:15839", ..common::VMS },
     tool_probe::NMSP,
     Param { needs: &[optional(MEASURED_ONCE, "need-memory-empirical")], ..tool_probe::EVNUM },
-    Param { needs: &[optional(POSITIONED, "need-default")], ..tool_probe::TZL },
-    Param { needs: &[optional(MEASURED_ONCE, "need-default")], ..tool_probe::TDIF },
+    Param { needs: &[optional(POSITIONED, "need-default")], example: "0.001", ..tool_probe::TZL },
+    Param { needs: &[optional(MEASURED_ONCE, "need-default")], example: "2.5", ..tool_probe::TDIF },
 ];

@@ -14,18 +14,20 @@ const ZONE: &[Need] = &[required(INSIDE_ZONE, "need-zone-inside"), optional(When
 
 /// In the order in which the snippet writes them.
 pub const PARAMS: &[Param] = &[
-    Param { source: "B:10930-10933", ..common::MVAR },
+    Param { example: "2", source: "B:10930-10933", ..common::MVAR },
     Param {
         needs: common::ALWAYS_REQUIRED,
         labels: &[(lathe::DIAMETER, "setval-two-diameter"), (When::Always, "setval-two-radius")],
+        example: "45",
         source: "B:10983-10984",
         ..common::SETVAL
     },
-    Param { source: "B:10985;B:10999", ..lathe::MA },
+    Param { example: "2", source: "B:10985;B:10999", ..lathe::MA },
     Param {
         range: Range::ANY,
         needs: ZONE,
         labels: &[(When::Always, "sza-turned")],
+        example: "55",
         source: "B:10986-10987;B:10891",
         ..common::SZA
     },
@@ -33,24 +35,25 @@ pub const PARAMS: &[Param] = &[
         range: Range::ANY,
         needs: ZONE,
         labels: &[(common::APPLICATE, "szo-turned-applicate"), (When::Always, "szo-turned")],
+        example: "55",
         source: "B:10988-10989;B:11001",
         ..common::SZO
     },
-    Param { source: "B:10990-10992", ..common::KNUM },
-    Param { source: "B:10993", ..common::TNUM },
+    Param { example: "1", source: "B:10990-10992", ..common::KNUM },
+    Param { example: "8", source: "B:10993", ..common::TNUM },
     Param { source: "B:10994-10995", ..common::TNAME },
     Param { source: "B:10996", ..common::DLNUM },
     Param { source: "B:10997", ..common::TENV },
     Param { source: "B:11009;B:15555", ..common::PRNUM },
-    Param { labels: &[(When::Always, "fa-lathe")], source: "B:11009;B:15541", ..common::FA },
-    Param { labels: &[(When::Always, "tsa-size")], source: "B:11009;B:15574", ..common::TSA },
+    Param { labels: &[(When::Always, "fa-lathe")], example: "1", source: "B:11009;B:15541", ..common::FA },
+    Param { labels: &[(When::Always, "tsa-size")], example: "0.5", source: "B:11009;B:15574", ..common::TSA },
     Param { source: "B:11009;B:15576", ..common::VMS },
     Param { source: "B:11009;B:15554", ..common::NMSP },
-    Param { source: "B:11009;B:15538-15539", ..common::EVNUM },
+    Param { example: "3", source: "B:11009;B:15538-15539", ..common::EVNUM },
     Param { source: "B:11009;B:15544", ..common::K },
-    Param { source: "B:11009;B:15575", ..common::TZL },
-    Param { source: "B:11009;A:16405", ..common::TMV },
-    Param { source: "B:11009;A:16406", ..common::TUL },
-    Param { source: "B:11009;A:16407", ..common::TLL },
-    Param { source: "B:11009;B:15568", ..common::TDIF },
+    Param { example: "0.002", source: "B:11009;B:15575", ..common::TZL },
+    Param { example: "0.005", source: "B:11009;A:16405", ..common::TMV },
+    Param { example: "0", source: "B:11009;A:16406", ..common::TUL },
+    Param { example: "-0.01", source: "B:11009;A:16407", ..common::TLL },
+    Param { example: "0.04", source: "B:11009;B:15568", ..common::TDIF },
 ];

@@ -36,30 +36,37 @@ const MVAR_DIGITS: &[DigitGroup] = &[
 const OTHERS: &[Need] = &[required(THREE, "need-spheres")];
 
 /// A coordinate of a set centre.
-const fn centre(name: Name, key: &'static str, needs: &'static [Need], source: &'static str) -> Param {
-    Param { name, key, needs, source, ..common::SETVAL }
+const fn centre(
+    name: Name,
+    key: &'static str,
+    needs: &'static [Need],
+    example: &'static str,
+    source: &'static str,
+) -> Param {
+    Param { name, key, needs, example, source, ..common::SETVAL }
 }
 
 /// In the order in which the snippet writes them.
 pub const PARAMS: &[Param] = &[
-    Param { kind: Kind::Variant(MVAR_DIGITS), source: "B:8242-8259;B:15849-15850", ..common::MVAR },
+    Param { kind: Kind::Variant(MVAR_DIGITS), example: "10109", source: "B:8242-8259;B:15849-15850", ..common::MVAR },
     Param {
         range: Range::POSITIVE,
         alarm: Some(crate::diagnostic::Code::Alarm(61413)),
         needs: common::ALWAYS_REQUIRED,
         labels: &[(When::Always, "setval-sphere")],
+        example: "50",
         source: "B:8311;A:15932",
         ..common::SETVAL
     },
-    centre(names::SETV0, "sphere1-abscissa", common::ALWAYS_REQUIRED, "B:8312"),
-    centre(names::SETV1, "sphere1-ordinate", common::ALWAYS_REQUIRED, "B:8313"),
-    centre(names::SETV2, "sphere1-applicate", common::ALWAYS_REQUIRED, "B:8314"),
-    centre(names::SETV3, "sphere2-abscissa", OTHERS, "B:8315"),
-    centre(names::SETV4, "sphere2-ordinate", OTHERS, "B:8316"),
-    centre(names::SETV5, "sphere2-applicate", OTHERS, "B:8317"),
-    centre(names::SETV6, "sphere3-abscissa", OTHERS, "B:8321"),
-    centre(names::SETV7, "sphere3-ordinate", OTHERS, "B:8322"),
-    centre(names::SETV8, "sphere3-applicate", OTHERS, "B:8323"),
+    centre(names::SETV0, "sphere1-abscissa", common::ALWAYS_REQUIRED, "100", "B:8312"),
+    centre(names::SETV1, "sphere1-ordinate", common::ALWAYS_REQUIRED, "100", "B:8313"),
+    centre(names::SETV2, "sphere1-applicate", common::ALWAYS_REQUIRED, "100", "B:8314"),
+    centre(names::SETV3, "sphere2-abscissa", OTHERS, "600", "B:8315"),
+    centre(names::SETV4, "sphere2-ordinate", OTHERS, "100", "B:8316"),
+    centre(names::SETV5, "sphere2-applicate", OTHERS, "100", "B:8317"),
+    centre(names::SETV6, "sphere3-abscissa", OTHERS, "1100", "B:8321"),
+    centre(names::SETV7, "sphere3-ordinate", OTHERS, "1100", "B:8322"),
+    centre(names::SETV8, "sphere3-applicate", OTHERS, "100", "B:8323"),
     Param {
         needs: &[required(ANGLE, "need-start-angle")],
         labels: &[(When::Always, "sta1-first")],
@@ -78,7 +85,7 @@ pub const PARAMS: &[Param] = &[
         source: "B:8324-8325;B:8461",
         ..common::RF
     },
-    Param { labels: &[(When::Always, "knum-zero")], source: "B:8326;B:15847-15848", ..common::KNUM },
+    Param { labels: &[(When::Always, "knum-zero")], example: "1", source: "B:8326;B:15847-15848", ..common::KNUM },
     Param {
         name: names::TNVL,
         key: "tnvl",
@@ -86,12 +93,13 @@ pub const PARAMS: &[Param] = &[
         default: Some(1.2),
         range: Range::POSITIVE,
         needs: &[optional(TURNED, "need-distortion")],
+        example: "1.2",
         source: "B:8329-8331;B:15859;B:1774",
         ..common::PARAM
     },
     Param { source: "B:8201;B:15852", ..common::PRNUM },
-    Param { labels: &[(When::Always, "fa-sphere")], source: "B:8337;B:8429;B:8437-8445", ..common::FA },
-    Param { labels: &[(When::Always, "tsa-sphere")], source: "B:8373-8379", ..common::TSA },
-    Param { source: "B:8337", ..common::VMS },
+    Param { labels: &[(When::Always, "fa-sphere")], example: "5", source: "B:8337;B:8429;B:8437-8445", ..common::FA },
+    Param { labels: &[(When::Always, "tsa-sphere")], example: "", source: "B:8373-8379", ..common::TSA },
+    Param { example: "200", source: "B:8337", ..common::VMS },
     Param { source: "B:8337", ..common::NMSP },
 ];

@@ -48,21 +48,6 @@ pub static CYCLE998: Cycle = Cycle {
     checks: checks::checks,
     help: Help::new(&[DIFFERENTIAL, help::LINES, PROBE, AGAIN, MEASURING]),
     picture: Drawing::staged(picture::stage, picture::marks),
-    example: &[
-        (names::MVAR, "105"),
-        (names::SETVAL, "-18"),
-        (names::MA, "102"),
-        (names::ID, "40"),
-        (names::STA1, "0"),
-        (names::RA, "4"),
-        (names::KNUM, "1"),
-        (names::PRNUM, "1"),
-        (names::FA, "8"),
-        (names::TSA, "5"),
-        (names::VMS, "0"),
-        (names::NMSP, "1"),
-        (names::EVNUM, "0"),
-    ],
     simulation: Some(Simulation::new(
         Work { propose: propose::propose, simulate: simulate::simulate },
         &[

@@ -38,10 +38,11 @@ const MEASURABLE: Range = Range::closed(-45.0, 45.0);
 
 /// In the order in which the snippet writes them.
 pub const PARAMS: &[Param] = &[
-    Param { kind: Kind::Variant(MVAR_DIGITS), source: "B:7318-7324", ..common::MVAR },
+    Param { kind: Kind::Variant(MVAR_DIGITS), example: "105", source: "B:7318-7324", ..common::MVAR },
     Param {
         needs: &[required(AT_ANGLE, "need-set-position")],
         labels: &[(ONE, "setval-point"), (TWO, "setval-point-applicate")],
+        example: "-18",
         source: "B:7400;B:7606;B:15907-15909",
         ..common::SETVAL
     },
@@ -50,6 +51,7 @@ pub const PARAMS: &[Param] = &[
         range: Range::closed(102.0, 302.0),
         needs: &[required(ONE, "need-axes-angle")],
         labels: &[(When::Always, "ma-offset")],
+        example: "102",
         source: "B:7403-7408;B:7502",
         ..common::MA
     },
@@ -65,6 +67,7 @@ pub const PARAMS: &[Param] = &[
         alarm: Some(Code::Alarm(61364)),
         needs: common::ALWAYS_REQUIRED,
         labels: &[(ONE, "id-points"), (TWO, "id-points-abscissa")],
+        example: "40",
         source: "B:7409;B:7610;A:15908",
         ..common::ID
     },
@@ -81,6 +84,7 @@ pub const PARAMS: &[Param] = &[
         alarm: Some(Code::Alarm(61331)),
         needs: common::ALWAYS_REQUIRED,
         labels: &[(ONE, "sta1-edge"), (TWO, "sta1-about-abscissa")],
+        example: "0",
         source: "B:7401-7402;B:7607;B:7308;A:15874",
         ..common::STA1
     },
@@ -98,16 +102,23 @@ pub const PARAMS: &[Param] = &[
         range: Range::NOT_NEGATIVE,
         alarm: Some(Code::Alarm(61329)),
         needs: &[required(ONE, "need-rotary")],
+        example: "4",
         source: "B:7381-7391;B:7410-7411;A:15872",
         ..common::PARAM
     },
-    Param { labels: &[(When::Always, "knum-zero")], source: "B:7413;B:7612;B:15876-15882", ..common::KNUM },
+    Param {
+        labels: &[(When::Always, "knum-zero")],
+        example: "1",
+        source: "B:7413;B:7612;B:15876-15882",
+        ..common::KNUM
+    },
     Param { source: "B:7290-7299;B:15895-15901", ..common::PRNUM },
-    Param { source: "B:7418;B:7538-7540;B:7554", ..common::FA },
+    Param { example: "8", source: "B:7418;B:7538-7540;B:7554", ..common::FA },
     Param {
         unit: Unit::Degree,
         usual: Range::closed(0.0, 30.0),
         labels: &[(When::Always, "tsa-angle")],
+        example: "5",
         source: "B:7422;B:7546;B:7620",
         watches: false, // an angle, and with intermediate positioning part of the way (B:7620)
         ..common::TSA
@@ -121,6 +132,7 @@ pub const PARAMS: &[Param] = &[
     },
     Param {
         needs: &[optional(When::Always, "need-memory-empirical")],
+        example: "0",
         source: "B:7286;B:7418;B:7616",
         ..common::EVNUM
     },

@@ -46,19 +46,19 @@ pub static G110: Cycle = Cycle {
         Variant { number: BOSS, key: "g110-boss", source: "C:1076" },
     ],
     params: &[
-        Param { key: "g110-d", usual: Range::closed(1.0, 1000.0), source: "C:1075", ..D },
+        Param { key: "g110-d", usual: Range::closed(1.0, 1000.0), example: "50", source: "C:1075", ..D },
         Param { name: address::X, needs: &[deep(ALONG_X)], chooses: &[from_outside(ALONG_X)], ..AXIS },
         Param { name: address::Y, needs: &[deep(ALONG_Y)], chooses: &[from_outside(ALONG_Y)], ..AXIS },
         Param { name: address::Z, needs: &[deep(ALONG_Z)], chooses: &[from_outside(ALONG_Z)], ..AXIS },
         Param { needs: &[optional(When::Variant(&[BOSS]), "need-nct-optional")], source: "C:1077", ..params::R },
         Param { source: "C:1078", ..params::Q },
-        Param { source: "C:1079", ..params::S },
+        Param { example: "1", source: "C:1079", ..params::S },
         Param { key: "nct-t-size", source: "C:1097", ..params::T },
         Param { source: "C:1091", ..params::M },
-        Param { source: "C:1098", ..params::H },
+        Param { example: "0.02", source: "C:1098", ..params::H },
         Param { source: "C:1099", ..params::U },
-        Param { source: "C:1100", ..params::V },
-        Param { source: "C:1101", ..params::W },
+        Param { example: "2", source: "C:1100", ..params::V },
+        Param { example: "2", source: "C:1101", ..params::W },
     ],
     purpose: Purpose {
         tasks: &[
@@ -92,7 +92,6 @@ pub static G110: Cycle = Cycle {
         nct::help::SHIFTS,
     ]),
     picture: Drawing::staged(stage, marks),
-    example: &[(address::D, "50"), (address::S, "1"), (address::H, "0.02"), (address::V, "2"), (address::W, "2")],
     simulation: Some(Simulation::new(Work { propose, simulate }, &[])),
     source: "C:1036-1183",
     ..nct::MACRO

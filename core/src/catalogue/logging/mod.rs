@@ -43,26 +43,3 @@ pub const OWN_HEADER: &str = "_CBIT[11]";
 pub const CONTENT_ALARMS: &[Code] = &alarms([61361, 61363, 61370, 61371, 62307, 62308, 62309, 62310, 62311]);
 /// What CYCLE106 raises about the file and about its job (A:15894-15902).
 pub const FILE_ALARMS: &[Code] = &alarms([61352, 61353, 61354, 61355, 61356, 61357, 61358, 61359, 61360]);
-
-/// A log of one line of values below a header, as in the sample of the manual (B:11513-11600), behind values of the
-/// cycle's own.
-macro_rules! log_example {
-    ($($own:expr),*) => {
-        &[
-            $($own,)*
-            (names::PROGRAM, "MEASPROGRAM_1"),
-            (names::HEADLINES[0], "Part number: 123456789"),
-            (names::HEADLINES[1], "Job number: 6878"),
-            (names::HEADLINES[2], "Supervisor: Müller Phone: 1234"),
-            (names::SEPARATOR, ","),
-            (names::MARK, "*"),
-            (names::HEAD_LINES, "3"),
-            (names::VALUE_LINES, "1"),
-            (names::COLUMN, "12"),
-            (names::TITLES[0], "Meas.,Axis,Set,Act. value,Difference,Time"),
-            (names::TITLES[1], "point,,value"),
-            (names::VALUES[0], "_TXT[0],_AXIS,_OVR[0],_OVR[4],_OVR[16],_TIME"),
-        ]
-    };
-}
-pub(in crate::catalogue) use log_example;

@@ -1,5 +1,6 @@
 //! Data that say what is printed and how (B:11340-11441). They belong to the machine and keep their values, so that
-//! none has to be written before a call.
+//! none has to be written before a call. The example is a log of one line of values below a header, as in the sample of
+//! the manual (B:11513-11600).
 
 use super::names;
 use crate::catalogue::common::{ALWAYS_REQUIRED, PARAM, optional, required};
@@ -28,6 +29,7 @@ pub const FILE: Param = Param {
     name: names::FILE,
     key: "log-file",
     needs: &[required(When::Always, "need-log-file")],
+    example: "LOG_1",
     source: "B:11192;B:11346",
     ..text(32)
 };
@@ -43,16 +45,16 @@ macro_rules! log_params {
         &[
             $($own,)*
             Param { needs: AT_STANDARD, ..PROGRAM },
-            headline(0, &[of_header(When::All(&[$header, lines(0)]))]),
-            headline(1, &[of_header(When::All(&[$header, lines(1)]))]),
-            headline(2, &[of_header(When::All(&[$header, lines(2)]))]),
-            headline(3, &[of_header(When::All(&[$header, lines(3)]))]),
-            headline(4, &[of_header(When::All(&[$header, lines(4)]))]),
-            headline(5, &[of_header(When::All(&[$header, lines(5)]))]),
-            headline(6, &[of_header(When::All(&[$header, lines(6)]))]),
-            headline(7, &[of_header(When::All(&[$header, lines(7)]))]),
-            headline(8, &[of_header(When::All(&[$header, lines(8)]))]),
-            headline(9, &[of_header(When::All(&[$header, lines(9)]))]),
+            headline(0, "Part number: 123456789", &[of_header(When::All(&[$header, lines(0)]))]),
+            headline(1, "Job number: 6878", &[of_header(When::All(&[$header, lines(1)]))]),
+            headline(2, "Supervisor: Müller Phone: 1234", &[of_header(When::All(&[$header, lines(2)]))]),
+            headline(3, "", &[of_header(When::All(&[$header, lines(3)]))]),
+            headline(4, "", &[of_header(When::All(&[$header, lines(4)]))]),
+            headline(5, "", &[of_header(When::All(&[$header, lines(5)]))]),
+            headline(6, "", &[of_header(When::All(&[$header, lines(6)]))]),
+            headline(7, "", &[of_header(When::All(&[$header, lines(7)]))]),
+            headline(8, "", &[of_header(When::All(&[$header, lines(8)]))]),
+            headline(9, "", &[of_header(When::All(&[$header, lines(9)]))]),
             Param { needs: AT_HEADER, ..PAGE },
             LINE,
             Param { needs: AT_STANDARD, ..FIRST_PAGE },
@@ -61,12 +63,12 @@ macro_rules! log_params {
             COLUMN,
             SEPARATOR,
             Param { needs: AT_VALUES, ..MARK },
-            title(0, TITLED),
-            title(1, AT_STANDARD),
-            values(0, &[of_values(When::All(&[$values, rows(0)]))]),
-            values(1, &[of_values(When::All(&[$values, rows(1)]))]),
-            values(2, &[of_values(When::All(&[$values, rows(2)]))]),
-            values(3, &[of_values(When::All(&[$values, rows(3)]))]),
+            title(0, "Meas.,Axis,Set,Act. value,Difference,Time", TITLED),
+            title(1, "point,,value", AT_STANDARD),
+            values(0, "_TXT[0],_AXIS,_OVR[0],_OVR[4],_OVR[16],_TIME", &[of_values(When::All(&[$values, rows(0)]))]),
+            values(1, "", &[of_values(When::All(&[$values, rows(1)]))]),
+            values(2, "", &[of_values(When::All(&[$values, rows(2)]))]),
+            values(3, "", &[of_values(When::All(&[$values, rows(3)]))]),
             Param { needs: AT_VALUES, ..DIGITS },
         ]
     }};
@@ -94,18 +96,25 @@ pub const fn rows(index: usize) -> When {
 }
 
 /// A text of the user.
-pub const fn headline(index: usize, needs: &'static [Need]) -> Param {
-    Param { name: names::HEADLINES[index], key: "log-headline", needs, source: "B:11347", ..text(80) }
+pub const fn headline(index: usize, example: &'static str, needs: &'static [Need]) -> Param {
+    Param { name: names::HEADLINES[index], key: "log-headline", needs, example, source: "B:11347", ..text(80) }
 }
 
 /// A title line; the definition of the data gives 100 characters, the text 80 (B:13167, B:11357).
-pub const fn title(index: usize, needs: &'static [Need]) -> Param {
-    Param { name: names::TITLES[index], key: "log-title", needs, source: "B:11357-11358;B:11404", ..text(100) }
+pub const fn title(index: usize, example: &'static str, needs: &'static [Need]) -> Param {
+    Param { name: names::TITLES[index], key: "log-title", needs, example, source: "B:11357-11358;B:11404", ..text(100) }
 }
 
 /// What a line of values shows.
-pub const fn values(index: usize, needs: &'static [Need]) -> Param {
-    Param { name: names::VALUES[index], key: "log-values", needs, source: "B:11359;B:11375-11411", ..text(100) }
+pub const fn values(index: usize, example: &'static str, needs: &'static [Need]) -> Param {
+    Param {
+        name: names::VALUES[index],
+        key: "log-values",
+        needs,
+        example,
+        source: "B:11359;B:11375-11411",
+        ..text(100)
+    }
 }
 
 /// The first title line also where the columns are made of it.
@@ -113,7 +122,8 @@ pub const TITLED: &[Need] = &[optional(STANDARD_HEADER, "need-log-titles")];
 const FORMAT: &[Need] = &[optional(When::Always, "need-log-format")];
 
 /// Program that is measured.
-pub const PROGRAM: Param = Param { name: names::PROGRAM, key: "log-program", source: "B:11345", ..text(32) };
+pub const PROGRAM: Param =
+    Param { name: names::PROGRAM, key: "log-program", example: "MEASPROGRAM_1", source: "B:11345", ..text(32) };
 /// Lines of a page.
 pub const PAGE: Param = Param { name: names::PAGE, key: "log-page", source: "B:11349;B:11435;A:12759", ..NUMBER };
 /// Characters of a line.
@@ -132,6 +142,7 @@ pub const HEAD_LINES: Param = Param {
     name: names::HEAD_LINES,
     key: "log-head-lines",
     range: Range::closed(0.0, names::HEADLINES.len() as f64),
+    example: "3",
     source: "B:11352;B:11347",
     ..NUMBER
 };
@@ -141,17 +152,25 @@ pub const VALUE_LINES: Param = Param {
     key: "log-value-lines",
     range: Range::closed(0.0, MOST_LINES),
     alarm: Some(Code::Alarm(61363)),
+    example: "1",
     source: "B:11353;A:15907",
     ..NUMBER
 };
 /// Width of a column.
 pub const COLUMN: Param =
-    Param { name: names::COLUMN, key: "log-column", needs: FORMAT, source: "B:11354;B:11437", ..NUMBER };
+    Param { name: names::COLUMN, key: "log-column", needs: FORMAT, example: "12", source: "B:11354;B:11437", ..NUMBER };
 /// Between two values.
-pub const SEPARATOR: Param =
-    Param { name: names::SEPARATOR, key: "log-separator", needs: FORMAT, source: "B:11355;B:13165", ..text(1) };
+pub const SEPARATOR: Param = Param {
+    name: names::SEPARATOR,
+    key: "log-separator",
+    needs: FORMAT,
+    example: ",",
+    source: "B:11355;B:13165",
+    ..text(1)
+};
 /// Behind a value out of tolerance.
-pub const MARK: Param = Param { name: names::MARK, key: "log-mark", source: "B:11356;B:11439-11441", ..text(1) };
+pub const MARK: Param =
+    Param { name: names::MARK, key: "log-mark", example: "*", source: "B:11356;B:11439-11441", ..text(1) };
 /// Decimals of all real numbers.
 pub const DIGITS: Param = Param {
     name: names::DIGITS,

@@ -17,12 +17,7 @@ use crate::machine::{Machine, Stop};
 use crate::picture::PictureShape;
 
 /// A macro that measures a corner.
-pub const CORNER: Cycle = Cycle {
-    results: RESULTS,
-    picture: Drawing::staged(stage, marks),
-    example: &[(address::X, "100"), (address::Y, "80"), (address::S, "1")],
-    ..MACRO
-};
+pub const CORNER: Cycle = Cycle { results: RESULTS, picture: Drawing::staged(stage, marks), ..MACRO };
 
 const fn needed(planes: &'static [When]) -> Need {
     required(When::Any(planes), "need-nct-corner")
@@ -31,13 +26,13 @@ const fn needed(planes: &'static [When]) -> Need {
 /// Nominal coordinate of the corner; both axes of the plane are needed (C:723).
 const AXIS: Param = Param { key: "nct-corner", unit: Unit::ActiveLength, alarm: Some(FORMAT_ERROR), ..PARAM };
 /// X, in G17 and G18.
-pub const X: Param = Param { name: address::X, needs: &[needed(&[ALONG_Z, ALONG_Y])], ..AXIS };
+pub const X: Param = Param { name: address::X, needs: &[needed(&[ALONG_Z, ALONG_Y])], example: "100", ..AXIS };
 /// Y, in G17 and G19.
-pub const Y: Param = Param { name: address::Y, needs: &[needed(&[ALONG_Z, ALONG_X])], ..AXIS };
+pub const Y: Param = Param { name: address::Y, needs: &[needed(&[ALONG_Z, ALONG_X])], example: "80", ..AXIS };
 /// Z, in G18 and G19.
 pub const Z: Param = Param { name: address::Z, needs: &[needed(&[ALONG_Y, ALONG_X])], ..AXIS };
 /// Work offset; the one in use where it is not given (C:733).
-pub const S: Param = Param { key: "nct-s-corner", ..super::params::S };
+pub const S: Param = Param { key: "nct-s-corner", example: "1", ..super::params::S };
 
 /// What is found.
 const RESULTS: &[ResultField] = &[

@@ -79,7 +79,6 @@ pub static P9920: Cycle = Cycle {
         wrong(AT_CALIBRATION, "help-p9920-wrong-disk", "C:1202"),
     ]]),
     picture: Drawing::staged(picture::stage, picture::marks),
-    example: &[(address::Z, "-8"), (address::D, "12"), (address::T, "1")],
     simulation: Some(Simulation::new(Work { propose: propose::propose, simulate: simulate::simulate }, &[])),
     source: "C:1185-1258",
     ..nct::MACRO

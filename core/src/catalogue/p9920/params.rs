@@ -32,6 +32,7 @@ pub const PARAMS: &[Param] = &[
         key: "p9920-z",
         range: Range { max: 0.0, ..Range::ANY },
         needs: ALWAYS_REQUIRED,
+        example: "-8",
         source: "C:1216;C:1236",
         ..nct::LENGTH
     },
@@ -51,6 +52,7 @@ pub const PARAMS: &[Param] = &[
         range: Range::NOT_NEGATIVE,
         needs: &[required(AT_CALIBRATION, "need-p9920-reference"), optional(When::Always, "need-p9920-d")],
         labels: &[(AT_CALIBRATION, "p9920-d-reference")],
+        example: "12",
         source: "C:1217;C:1238;C:1256",
         ..nct::LENGTH
     },
@@ -69,6 +71,7 @@ pub const PARAMS: &[Param] = &[
         range: Range::closed(0.0, 99.0),
         needs: ALWAYS_REQUIRED,
         chooses: BY_REGISTER,
+        example: "1",
         source: "C:1219;C:1239",
         ..nct::NUMBER
     },

@@ -30,24 +30,46 @@ const REQUIRED_LENGTH: Param =
 
 /// In the order of the block format.
 pub const PARAMS: &[Param] = &[
-    Param { name: address::X, labels: &[(ALONG_X, "p9969-deepest")], ..END },
-    Param { name: address::Y, labels: &[(ALONG_Y, "p9969-deepest")], ..END },
-    Param { name: address::Z, labels: &[(ALONG_Z, "p9969-deepest")], ..END },
+    Param { name: address::X, labels: &[(ALONG_X, "p9969-deepest")], example: "60", ..END },
+    Param { name: address::Y, labels: &[(ALONG_Y, "p9969-deepest")], example: "40", ..END },
+    Param { name: address::Z, labels: &[(ALONG_Z, "p9969-deepest")], example: "-12", ..END },
     Param { name: address::I, needs: &[steps(&[ALONG_Z, ALONG_Y])], source: "C:1289-1295", ..SPACING },
-    Param { name: address::J, needs: &[steps(&[ALONG_Z, ALONG_X])], source: "C:1286-1307", ..SPACING },
+    Param { name: address::J, needs: &[steps(&[ALONG_Z, ALONG_X])], example: "8", source: "C:1286-1307", ..SPACING },
     Param { name: address::K, needs: &[steps(&[ALONG_Y, ALONG_X])], source: "C:1298-1304", ..SPACING },
-    Param { name: address::R, key: "p9969-r", usual: Range::closed(0.01, 5.0), source: "C:1316", ..REQUIRED_LENGTH },
-    Param { name: address::Q, key: "p9969-q", usual: Range::closed(0.1, 20.0), source: "C:1317", ..REQUIRED_LENGTH },
+    Param {
+        name: address::R,
+        key: "p9969-r",
+        usual: Range::closed(0.01, 5.0),
+        example: "3",
+        source: "C:1316",
+        ..REQUIRED_LENGTH
+    },
+    Param {
+        name: address::Q,
+        key: "p9969-q",
+        usual: Range::closed(0.1, 20.0),
+        example: "4",
+        source: "C:1317",
+        ..REQUIRED_LENGTH
+    },
     Param {
         name: address::F,
         key: "p9969-f",
         unit: Unit::BasicFeed,
         range: Range::POSITIVE,
         usual: Range::closed(1.0, 3000.0),
+        example: "120",
         source: "C:1318-1321",
         ..LENGTH
     },
-    Param { name: address::S, key: "p9969-s", range: Range::closed(1.0, 9999.0), source: "C:1322", ..NUMBER },
+    Param {
+        name: address::S,
+        key: "p9969-s",
+        range: Range::closed(1.0, 9999.0),
+        example: "1000",
+        source: "C:1322",
+        ..NUMBER
+    },
 ];
 
 /// The address that is given, of the two that step along an axis of the plane, with the axis of the lines and the axis

@@ -56,16 +56,6 @@ pub static P9969: Cycle = Cycle {
         wrong(When::Always, "help-p9969-wrong-ball", "C:1272-1275"),
     ]]),
     picture: Drawing::staged(picture::stage, picture::marks),
-    example: &[
-        (address::X, "60"),
-        (address::Y, "40"),
-        (address::Z, "-12"),
-        (address::J, "8"),
-        (address::R, "3"),
-        (address::Q, "4"),
-        (address::F, "120"),
-        (address::S, "1000"),
-    ],
     simulation: Some(Simulation::scanning(Work { propose, simulate: simulate::simulate }, &[], follow::scanner)),
     source: "C:1276-1355",
     ..nct::MACRO

@@ -24,7 +24,7 @@ const BALL: f64 = 3.0;
 fn across(inputs: &Inputs) -> usize {
     let letter = |index: usize| letter(inputs.plane.axes()[index]);
     let given = [1, 0].into_iter().filter(|index| inputs.given(letter(*index)).is_some());
-    let own = |index: &usize| inputs.cycle.example.iter().all(|(name, _)| *name != letter(*index));
+    let own = |index: &usize| inputs.cycle.example().all(|(name, _)| name != letter(*index));
     given.clone().find(own).or(given.clone().next()).unwrap_or(1)
 }
 

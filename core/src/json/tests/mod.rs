@@ -16,8 +16,7 @@ use crate::json::*;
 use serde_json::{Value, json};
 
 fn request(cycle: &crate::entry::Cycle) -> String {
-    let values = cycle.example.iter();
-    asked(cycle, &values.map(|(name, value)| (name.to_string(), (*value).to_owned())).collect())
+    asked(cycle, &crate::catalogue::example::worked(cycle))
 }
 
 fn asked(cycle: &crate::entry::Cycle, values: &Typed) -> String {
