@@ -1,11 +1,12 @@
 //! What the words of a block do together: functions first, then tool, motion, calls, and the end.
 
+use super::halt::Halt;
 use super::interpret::{Interpreter, Next};
 use super::statement::{Call, Words};
 use super::{addresses, cycle, frame, gcode, listed, macro_call, motion, of_control, repeat, subprogram, tool, unread};
 use crate::diagnostic::Severity;
+use crate::machine::Machine;
 use crate::machine::trace::Step;
-use crate::machine::{Machine, Stop};
 use crate::problem::Problem;
 use crate::program::of_control::{SET_ALARM, STORE_ENVIRONMENT, SWIVEL, is_frame, machines};
 use crate::program::user_programs::delivered;
@@ -15,7 +16,7 @@ use crate::{catalogue, entry};
 use std::rc::Rc;
 
 /// Carries out a block whose words were collected.
-pub fn perform(run: &mut Interpreter, mut found: Words) -> Result<Next, Stop> {
+pub fn perform(run: &mut Interpreter, mut found: Words) -> Result<Next, Halt> {
     let at = found.at;
     let program = Rc::clone(&run.program);
     let block = program.blocks.get(at).filter(|_| found.unread);
@@ -25,9 +26,7 @@ pub fn perform(run: &mut Interpreter, mut found: Words) -> Result<Next, Stop> {
             unread::of_another_control(run, cycle, &found);
             return Ok(Next::Block);
         }
-        if let Some(problem) = unread::own(run, words, found.path.span) {
-            return Err(run.fail(problem));
-        }
+        unread::own(run, words, found.path.span)?;
         gcode::apply_beside_macro(run, &mut found)?;
         cycle::addresses(run, cycle, &found)?;
         return Ok(Next::Block);
@@ -35,8 +34,7 @@ pub fn perform(run: &mut Interpreter, mut found: Words) -> Result<Next, Stop> {
     let numbered = run.program.grammar().numbered;
     if numbered && found.function("G", 65.0).is_some() {
         gcode::apply_beside_macro(run, &mut found)?;
-        let entered = macro_call::with_arguments(run, at, &found);
-        return entered.map_err(|problem| run.fail(problem));
+        return Ok(macro_call::with_arguments(run, at, &found)?);
     }
     let subprogram = numbered && found.function("M", 98.0).is_some();
     gcode::apply(run, &mut found)?;
@@ -53,7 +51,7 @@ pub fn perform(run: &mut Interpreter, mut found: Words) -> Result<Next, Stop> {
             _ => false,
         };
         if !of_call {
-            addresses::take(run, address, &mut found.path).map_err(|problem| run.fail(problem))?;
+            addresses::take(run, address, &mut found.path)?;
         }
     }
     motion::turn(run, &found.path)?;
@@ -64,16 +62,15 @@ pub fn perform(run: &mut Interpreter, mut found: Words) -> Result<Next, Stop> {
     for address in &found.positioning {
         motion::position_axis(run, address)?;
     }
-    let end = end(run, &found).map_err(|problem| run.fail(problem))?;
+    let end = end(run, &found)?;
     if let Some(End::Jump(next)) = end {
         return Ok(next);
     }
     if subprogram {
-        let entered = macro_call::with_variables(run, at, &found);
-        return entered.map_err(|problem| run.fail(problem));
+        return Ok(macro_call::with_variables(run, at, &found)?);
     }
-    let passes = repeat::passes(found.of("P").next()).map_err(|problem| run.fail(problem))?;
-    let mut calls = subprogram::calls(run, &found).map_err(|problem| run.fail(problem))?;
+    let passes = repeat::passes(found.of("P").next())?;
+    let mut calls = subprogram::calls(run, &found)?;
     if moves && found.path.pole.is_none() && calls.is_empty() {
         calls.extend(subprogram::after_motion(run));
     }
@@ -81,7 +78,7 @@ pub fn perform(run: &mut Interpreter, mut found: Words) -> Result<Next, Stop> {
         if let Some(next) = carry_out(run, at, call, passes)? {
             return match end {
                 None => Ok(next),
-                Some(_) => Err(run.fail(Problem::new("run-alone", call.span, &*call.name))),
+                Some(_) => Err(Problem::new("run-alone", call.span, &*call.name).into()),
             };
         }
     }
@@ -139,8 +136,7 @@ fn end(run: &mut Interpreter, found: &Words) -> Result<Option<End>, Problem> {
             2 | 30 | 17 => end = Some(End::Level),
             98 if grammar.numbered => {}
             99 if grammar.numbered => {
-                let back = macro_call::back(run, found, address.span)?;
-                return Ok(Some(End::Jump(back)));
+                return Ok(Some(End::Jump(macro_call::back(run, found, address.span)?)));
             }
             19 => run.sim.orient(0.0),
             3 => run.sim.spin(motion::spindle_speed(run)),
@@ -155,7 +151,7 @@ fn end(run: &mut Interpreter, found: &Words) -> Result<Option<End>, Problem> {
 }
 
 /// Calls: operator texts, measuring cycles, subprograms of the same text.
-fn carry_out(run: &mut Interpreter, at: usize, call: &Call, passes: u32) -> Result<Option<Next>, Stop> {
+fn carry_out(run: &mut Interpreter, at: usize, call: &Call, passes: u32) -> Result<Option<Next>, Halt> {
     let name = call.name.as_str();
     if listed::call(run, call)? {
         return Ok(None);
@@ -163,7 +159,7 @@ fn carry_out(run: &mut Interpreter, at: usize, call: &Call, passes: u32) -> Resu
     if name == "MSG" {
         of_control::message(run, &call.args);
     } else if name == STORE_ENVIRONMENT {
-        of_control::store_environment(run, &call.args, call.span).map_err(|problem| run.fail(problem))?;
+        of_control::store_environment(run, &call.args, call.span)?;
     } else if name == SET_ALARM {
         of_control::raise(run, call)?;
     } else if name == SWIVEL {
@@ -171,14 +167,13 @@ fn carry_out(run: &mut Interpreter, at: usize, call: &Call, passes: u32) -> Resu
     } else if let Some(cycle) = catalogue::find(run.program.dialect, name) {
         cycle::data(run, cycle, call.span)?;
     } else if let Some(unit) = run.programs.named(name).cloned() {
-        let entered = subprogram::enter(run, at, call, &unit, passes);
-        return entered.map(Some).map_err(|problem| run.fail(problem));
+        return Ok(Some(subprogram::enter(run, at, call, &unit, passes)?));
     } else if delivered(name) {
         // empty as delivered
     } else if run.programs.external.contains(name) {
         subprogram::not_here(run, name, call.span);
     } else if beyond(name) {
-        return Err(run.fail(Problem::new("run-not-simulated", call.span, name)));
+        return Err(Problem::new("run-not-simulated", call.span, name).into());
     } else if known(name) || is_frame(name) {
         // done, or nothing to do
     } else if is_word(name) || machines(name) || run.programs.macros.contains(name) {

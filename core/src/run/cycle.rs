@@ -1,5 +1,6 @@
 //! A measuring call of a program: values as written in data or addresses, checked like typed ones, then carried out.
 
+use super::halt::Halt;
 use super::interpret::Interpreter;
 use super::statement::Words;
 use super::{call, contour, unread, user_program};
@@ -7,13 +8,13 @@ use crate::check::{Checked, upkeep};
 use crate::control::Value;
 use crate::diagnostic::{Code, Diagnostic, Severity, Span};
 use crate::entry::{Cycle, Kind, ProbeUse, Typed};
-use crate::machine::{Machine, Stop};
+use crate::machine::Machine;
 use crate::problem::Problem;
 use crate::program::user_programs::{BEFORE, BEHIND};
 use crate::{check, own};
 
 /// SINUMERIK: the parameters are user data and keep their values from call to call (B:1696).
-pub fn data(run: &mut Interpreter, cycle: &'static Cycle, span: Span) -> Result<(), Stop> {
+pub fn data(run: &mut Interpreter, cycle: &'static Cycle, span: Span) -> Result<(), Halt> {
     let mut typed = Typed::new();
     for param in cycle.params {
         let text = match run.sim.control.data.get(param.name.as_str()) {
@@ -23,10 +24,9 @@ pub fn data(run: &mut Interpreter, cycle: &'static Cycle, span: Span) -> Result<
         };
         typed.insert(param.name.to_string(), text);
     }
-    unread::takes(run, cycle, &typed, span).map_err(|problem| run.fail(problem))?;
+    unread::takes(run, cycle, &typed, span)?;
     run.fit(cycle, &typed);
-    let checked = with_zeros(run, cycle, typed);
-    carry_out(run, cycle, checked, span)
+    carry_out(run, cycle, with_zeros(run, cycle, typed), span)
 }
 
 /// A required datum that was never written holds 0 on the control, and the cycle takes that or raises its alarm. That
@@ -50,7 +50,7 @@ fn with_zeros(run: &Interpreter, cycle: &'static Cycle, mut typed: Typed) -> Che
 }
 
 /// NCT: every address of the block is an argument.
-pub fn addresses(run: &mut Interpreter, cycle: &'static Cycle, found: &Words) -> Result<(), Stop> {
+pub fn addresses(run: &mut Interpreter, cycle: &'static Cycle, found: &Words) -> Result<(), Halt> {
     let mut typed = Typed::new();
     let by_number = found.function("G", 65.0).is_some();
     for address in &found.addresses {
@@ -77,7 +77,7 @@ pub fn left_out(run: &mut Interpreter, cycle: &'static Cycle, span: Span) -> boo
 }
 
 /// Counts how often a call is carried out where it is written; a program that does so again and again may never end.
-fn count(run: &mut Interpreter, span: Span) -> Result<(), Stop> {
+fn count(run: &mut Interpreter, span: Span) -> Result<(), Halt> {
     let called = run.levels.last().map_or(0, |level| level.call);
     let count = run.calls.entry((called, run.at)).or_default();
     *count += 1;
@@ -85,19 +85,19 @@ fn count(run: &mut Interpreter, span: Span) -> Result<(), Stop> {
         return Ok(());
     }
     let limit = run.limits.calls as f64;
-    Err(run.fail(Problem::at("run-repeated", span).number("limit", limit)))
+    Err(Problem::at("run-repeated", span).number("limit", limit).into())
 }
 
 /// The alarm of the first error stops the program, as on the control; other errors are a fault.
-pub fn checked(run: &mut Interpreter, cycle: &'static Cycle, typed: &Typed, span: Span) -> Result<(), Stop> {
+pub fn checked(run: &mut Interpreter, cycle: &'static Cycle, typed: &Typed, span: Span) -> Result<(), Halt> {
     run.fit(cycle, typed);
     let checked = check::check(cycle, typed, &run.sim.control);
     carry_out(run, cycle, checked, span)
 }
 
 /// What a check left of a call.
-pub fn carry_out(run: &mut Interpreter, cycle: &'static Cycle, checked: Checked, span: Span) -> Result<(), Stop> {
-    unread::measures(run, span).map_err(|problem| run.fail(problem))?;
+pub fn carry_out(run: &mut Interpreter, cycle: &'static Cycle, checked: Checked, span: Span) -> Result<(), Halt> {
+    unread::measures(run, span)?;
     let errors: Vec<_> = checked.diagnostics.iter().filter(|found| found.severity == Severity::Error).collect();
     let code = errors.iter().map(|found| found.code).find(|code| !matches!(code, Code::Own(_)));
     for mut diagnostic in checked.diagnostics.iter().cloned() {
@@ -118,20 +118,20 @@ pub fn carry_out(run: &mut Interpreter, cycle: &'static Cycle, checked: Checked,
         count(run, span)?;
         user_program::around(run, &BEFORE, cycle, span)?;
         run.put_part(inputs);
-        call::perform(&mut run.sim, inputs).map_err(|stop| run.stopped(stop, span))?;
+        call::perform(&mut run.sim, inputs).map_err(Halt::at(span))?;
         return user_program::around(run, &BEHIND, cycle, span);
     }
     match code {
         Some(code) => {
             upkeep::perform(&mut run.sim, cycle);
             leave_number(run, cycle, code);
-            call::alarm(&mut run.sim, code).map_err(|stop| run.stopped(stop, span))
+            call::alarm(&mut run.sim, code).map_err(Halt::at(span))
         }
         None if errors.is_empty() => {
             // a list of a newer control of which not everything is known
-            Err(run.fail(Problem::new("run-no-simulation", span, cycle.name)))
+            Err(Problem::new("run-no-simulation", span, cycle.name).into())
         }
-        None => Err(run.fail(Problem::new("run-call", span, cycle.name))),
+        None => Err(Problem::new("run-call", span, cycle.name).into()),
     }
 }
 

@@ -4,22 +4,17 @@
 use super::interpret::Interpreter;
 use super::statement::{Call, Words};
 use crate::control::Frame;
-use crate::machine::Stop;
 use crate::problem::Problem;
 use crate::program::of_control::is_frame;
 
 /// Carries out the frame instruction of a block with its axis words; false: there is none.
-pub fn applied(run: &mut Interpreter, found: &Words) -> Result<bool, Stop> {
-    let calls = found.calls.iter().filter(|call| is_frame(&call.name));
-    let calls: Vec<&Call> = calls.collect();
-    for call in &calls {
-        let done = match calls.len() {
-            1 => apply(run, call, found),
-            _ => Err(Problem::new("run-alone", call.span, &*call.name)),
-        };
-        done.map_err(|problem| run.fail(problem))?;
+pub fn applied(run: &mut Interpreter, found: &Words) -> Result<bool, Problem> {
+    let calls: Vec<&Call> = found.calls.iter().filter(|call| is_frame(&call.name)).collect();
+    match calls[..] {
+        [] => Ok(false),
+        [call] => apply(run, call, found).map(|()| true),
+        [call, ..] => Err(Problem::new("run-alone", call.span, &*call.name)),
     }
-    Ok(!calls.is_empty())
 }
 
 fn apply(run: &mut Interpreter, call: &Call, found: &Words) -> Result<(), Problem> {

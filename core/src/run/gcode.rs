@@ -1,6 +1,7 @@
 //! G functions: motion, plane, frames, units, absolute and incremental; and words without a value that set something.
 
 use super::contour::Outside;
+use super::halt::Halt;
 use super::interpret::Interpreter;
 use super::modal::{Compensation, FeedType, Motion};
 use super::path::{Measure, Pole, Suppress};
@@ -8,17 +9,16 @@ use super::statement::Words;
 use super::{motion, unread};
 use crate::control::Plane;
 use crate::diagnostic::Severity;
-use crate::machine::Stop;
 use crate::problem::Problem;
 use crate::program::words::{Setting, setting};
 
 /// Applies the G functions of a block.
-pub fn apply(run: &mut Interpreter, found: &mut Words) -> Result<(), Stop> {
+pub fn apply(run: &mut Interpreter, found: &mut Words) -> Result<(), Halt> {
     some(run, found, |_| true)
 }
 
 /// Applies the G functions that stand in a block beside the NCT macro that it calls (`G17 G110 D50`, C:1050).
-pub fn apply_beside_macro(run: &mut Interpreter, found: &mut Words) -> Result<(), Stop> {
+pub fn apply_beside_macro(run: &mut Interpreter, found: &mut Words) -> Result<(), Halt> {
     some(run, found, |code| code < 100.0 && code != 65.0)
 }
 
@@ -41,7 +41,7 @@ pub fn settings(run: &mut Interpreter, found: &mut Words) {
     }
 }
 
-fn some(run: &mut Interpreter, found: &mut Words, counts: impl Fn(f64) -> bool) -> Result<(), Stop> {
+fn some(run: &mut Interpreter, found: &mut Words, counts: impl Fn(f64) -> bool) -> Result<(), Halt> {
     let codes = found.of("G").filter_map(|address| Some((address.value.number()?, address.span)));
     let codes: Vec<_> = codes.filter(|(number, _)| counts(*number)).collect();
     for (number, span) in codes {
@@ -50,7 +50,7 @@ fn some(run: &mut Interpreter, found: &mut Words, counts: impl Fn(f64) -> bool) 
             match instead {
                 Instead::Stays => found.path.stays = true,
                 Instead::GoesOn => {}
-                Instead::Stops => return Err(run.fail(problem)),
+                Instead::Stops => return Err(problem.into()),
             }
             run.tell(Severity::Warning, &problem);
             continue;

@@ -2,12 +2,12 @@
 //! (B:2422-2448, B:8557-8584).
 
 use super::datum::Datum;
+use super::halt::Halt;
 use super::interpret::Interpreter;
 use super::statement::Call;
 use super::{call, cycle, names};
 use crate::check;
 use crate::entry::{Arg, ArgumentList, Cycle, Typed};
-use crate::machine::Stop;
 use crate::problem::Problem;
 
 /// Whether the arguments of a list are variables of the program.
@@ -17,14 +17,14 @@ pub fn takes_variables(list: &ArgumentList) -> bool {
 }
 
 /// Carries out the call: values in, results out.
-pub fn call(run: &mut Interpreter, cycle: &'static Cycle, list: &ArgumentList, call: &Call) -> Result<(), Stop> {
+pub fn call(run: &mut Interpreter, cycle: &'static Cycle, list: &ArgumentList, call: &Call) -> Result<(), Halt> {
     if cycle::left_out(run, cycle, call.span) {
         return Ok(());
     }
-    let typed = values(run, cycle, list, call).map_err(|problem| run.fail(problem))?;
+    let typed = values(run, cycle, list, call)?;
     let inputs = check::read(cycle, &typed, &run.sim.control, &mut Vec::new());
-    call::perform(&mut run.sim, &inputs).map_err(|stop| run.stopped(stop, call.span))?;
-    hand_back(run, cycle, list, call).map_err(|problem| run.fail(problem))
+    call::perform(&mut run.sim, &inputs).map_err(Halt::at(call.span))?;
+    Ok(hand_back(run, cycle, list, call)?)
 }
 
 /// What stands in the variables and arguments, by the name of the parameter. What is wrong with a value is the cycle's

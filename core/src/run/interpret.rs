@@ -3,6 +3,7 @@
 use super::assumed::Made;
 use super::contour::Contour;
 use super::endless::Watch;
+use super::halt::Halt;
 use super::level::Level;
 use super::locals::Locals;
 use super::modal::Modal;
@@ -10,14 +11,12 @@ use super::outcome::PassedOver;
 use super::rules::Rules;
 use super::unread::Unread;
 use super::{Outcome, contour, endless, motion, repeat, statement, subprogram, unread};
-use crate::catalogue::alarms;
 use crate::diagnostic::{Diagnostic, Severity, Span};
 use crate::geometry::{Mcs, Wcs};
 use crate::machine::sim::Sim;
 use crate::machine::trace::Step;
 use crate::machine::{Setup, Stop};
 use crate::message::Message;
-use crate::problem;
 use crate::problem::Problem;
 use crate::syntax::links::{Link, Links};
 use crate::syntax::programs::Programs;
@@ -132,7 +131,7 @@ pub struct Session {
     run: Interpreter,
     before: Setup,
     furthest: f64,
-    ended: Option<Result<(), Stop>>,
+    ended: Option<Result<(), Halt>>,
 }
 
 impl Session {
@@ -172,7 +171,7 @@ impl Session {
     /// What came out so far; a run that was halted says so.
     pub fn outcome(self) -> Outcome {
         let stop = match self.ended {
-            Some(ended) => ended.err(),
+            Some(ended) => ended.err().map(|halt| halt.stop),
             None => Some(Stop::Fault(Message::new("run-cancelled"))),
         };
         let Interpreter { sim, diagnostics, passed: passed_over, .. } = self.run;
@@ -181,20 +180,25 @@ impl Session {
 }
 
 /// Carries out the block that comes next; some: that was the end. Then, and before a stop, what waits is driven.
-pub fn one_block(run: &mut Interpreter) -> Result<Option<()>, Stop> {
-    let went = next_block(run);
+pub fn one_block(run: &mut Interpreter) -> Result<Option<()>, Halt> {
+    let went = told(run, next_block);
     if went == Ok(None) {
         return went;
     }
-    let done = contour::finish(run);
+    let done = told(run, contour::finish);
     went.and_then(|end| done.map(|()| end))
 }
 
-fn next_block(run: &mut Interpreter) -> Result<Option<()>, Stop> {
+/// Tells why a step of the run does not come to its end.
+fn told<T>(run: &mut Interpreter, step: impl FnOnce(&mut Interpreter) -> Result<T, Halt>) -> Result<T, Halt> {
+    step(run).inspect_err(|halt| _ = run.tell_once(halt.diagnostic()))
+}
+
+fn next_block(run: &mut Interpreter) -> Result<Option<()>, Halt> {
     let (limit, at) = (run.limits.steps, run.at);
     let span = run.program.blocks.get(at).map(|block| block.span);
     if run.work >= limit {
-        return Err(run.fail(Problem::at("run-steps", span.unwrap_or_default()).number("limit", limit as f64)));
+        return Err(Problem::at("run-steps", span.unwrap_or_default()).number("limit", limit as f64).into());
     }
     let own = run.levels.last().is_some_and(|level| level.blocks.contains(&at));
     let (Some(span), true) = (span, own) else { return Ok(go_on(run, subprogram::leave)) };
@@ -202,7 +206,7 @@ fn next_block(run: &mut Interpreter) -> Result<Option<()>, Stop> {
     run.work += 1 + ((span.end - span.start) / BLOCK) as usize;
     let depth = run.levels.len();
     let place = (run.levels.last().map_or(0, |level| level.call), at);
-    let next = statement::block(run, at);
+    let next = told(run, |run| statement::block(run, at));
     weigh(run, place);
     if run.sim.stylus_touched() {
         run.tell(Severity::Warning, &Problem::new("run-stylus", span, ""));
@@ -211,12 +215,12 @@ fn next_block(run: &mut Interpreter) -> Result<Option<()>, Stop> {
     if let Next::Jump(to) = next {
         repeat::jumped(run, to);
     }
-    run.sim.room().map_err(|stop| run.stopped(stop, span))?; // a program that only computes never asks the machine
+    run.sim.room().map_err(Halt::at(span))?; // a program that only computes never asks the machine
     let end = go_on(run, |_| next);
     let back = run.at <= at && run.levels.len() == depth;
     if end.is_none() && back && endless::again(run) {
         let line = (run.at + 1) as f64;
-        return Err(run.fail(Problem::at("run-endless", span).number("line", line)));
+        return Err(Problem::at("run-endless", span).number("line", line).into());
     }
     Ok(end)
 }
@@ -313,25 +317,6 @@ impl Interpreter {
     /// Whether a word was passed over before.
     pub fn passes_over(&self, word: &str) -> bool {
         self.passed.iter().any(|passed| passed.word == word)
-    }
-
-    /// A finding that stops the run.
-    pub fn fail(&mut self, problem: Problem) -> Stop {
-        self.tell_once(problem.diagnostic(Severity::Error));
-        Stop::Fault(problem.message)
-    }
-
-    /// A stop of the machine, with a finding at the place that caused it.
-    pub fn stopped(&mut self, stop: Stop, span: Span) -> Stop {
-        let (message, code, hint) = match &stop {
-            Stop::Fault(message) => (message.clone(), problem::code(&message.key), None),
-            Stop::Alarm(code) => {
-                let cure = Message::new(format!("{}.cure", alarms::key(*code)));
-                (Message::new("run-alarm"), *code, Some(cure))
-            }
-        };
-        self.tell_once(Diagnostic { code, hint, ..Problem { span, message }.diagnostic(Severity::Error) });
-        stop
     }
 
     /// Records that a datum was written.

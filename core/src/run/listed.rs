@@ -1,6 +1,7 @@
 //! Calls with arguments in brackets: `CYCLE_PARA(…)`, the parameterizing calls, the lists of newer controls.
 
 use super::datum::Datum;
+use super::halt::Halt;
 use super::interpret::Interpreter;
 use super::statement::Call;
 use super::{cycle, helper, unread};
@@ -9,13 +10,12 @@ use crate::check::{Sort, listed, newer};
 use crate::control::Value;
 use crate::diagnostic::{Diagnostic, Severity, Span};
 use crate::entry::{AUXILIARY, AUXILIARY_ARGS, Arg, ArgumentList, Cycle, Kind, Param, Style, Typed};
-use crate::machine::Stop;
 use crate::name::Name;
 use crate::problem::Problem;
 use crate::program::arguments;
 
 /// Carries out a call with arguments; false: it is none of these.
-pub fn call(run: &mut Interpreter, call: &Call) -> Result<bool, Stop> {
+pub fn call(run: &mut Interpreter, call: &Call) -> Result<bool, Halt> {
     if call.name == AUXILIARY {
         return auxiliary(run, call);
     }
@@ -53,7 +53,7 @@ pub fn call(run: &mut Interpreter, call: &Call) -> Result<bool, Stop> {
 }
 
 /// A call whose arguments are of no list.
-fn without(run: &mut Interpreter, call: &Call) -> Result<bool, Stop> {
+fn without(run: &mut Interpreter, call: &Call) -> Result<bool, Halt> {
     let cycle = find(run.program.dialect, &call.name);
     let many = cycle.and_then(|cycle| refused(cycle, None, call));
     let unmatched = || list::unmatched(&call.name, listed::count(&call.args), |index| call.number(index));
@@ -84,10 +84,9 @@ fn wrong(param: &Param, value: &Datum) -> Option<Diagnostic> {
 }
 
 /// The run ends with what is wrong.
-fn stopped(run: &mut Interpreter, call: &Call, name: &str, mut finding: Diagnostic) -> Stop {
-    finding.span = Some(call.span);
-    run.diagnostics.push(finding);
-    run.fail(Problem::new("run-call", call.span, name))
+fn stopped(run: &mut Interpreter, call: &Call, name: &str, finding: Diagnostic) -> Halt {
+    run.diagnostics.push(finding.on(call.span));
+    Problem::new("run-call", call.span, name).into()
 }
 
 /// The list of a newer control, as far as the older one does the same. What only the newer one has is told.
@@ -97,7 +96,7 @@ fn newer_list(
     list: &ArgumentList,
     typed: &Typed,
     span: Span,
-) -> Result<(), Stop> {
+) -> Result<(), Halt> {
     run.fit(cycle, typed);
     let checked = newer::check_listed(cycle, list, typed, &run.sim.control);
     if checked.inputs.is_some() {
@@ -109,7 +108,7 @@ fn newer_list(
 }
 
 /// What is not 0 goes into the data (B:11734).
-fn auxiliary(run: &mut Interpreter, call: &Call) -> Result<bool, Stop> {
+fn auxiliary(run: &mut Interpreter, call: &Call) -> Result<bool, Halt> {
     let cycles = CYCLES.iter();
     let param = |name: &str| cycles.clone().find_map(|cycle| cycle.param(name));
     let names = AUXILIARY_ARGS.iter().enumerate();

@@ -15,6 +15,7 @@ mod expression;
 mod frame;
 mod function;
 mod gcode;
+mod halt;
 mod helper;
 mod indexed;
 mod interpret;

@@ -1,6 +1,7 @@
 //! Motion of a program: straight lines, arcs, measuring blocks.
 
 use super::arcs::Arc;
+use super::halt::Halt;
 use super::interpret::Interpreter;
 use super::modal::{Compensation, FeedType, Motion};
 use super::path::{Coordinate, Measure, Path, Suppress};
@@ -11,10 +12,10 @@ use crate::control::{Transverse, Units};
 use crate::diagnostic::Severity;
 use crate::geometry::arc::Around;
 use crate::geometry::{Mcs, Wcs, arc};
+use crate::machine::Machine;
 use crate::machine::route::Route;
 use crate::machine::sim::Sim;
 use crate::machine::trace::MotionKind;
-use crate::machine::{Machine, Stop};
 use crate::problem::Problem;
 use std::f64::consts::TAU;
 
@@ -22,7 +23,7 @@ use std::f64::consts::TAU;
 const STILL: f64 = 1e-9;
 
 /// Carries out the motion of a block.
-pub fn go(run: &mut Interpreter, path: &Path) -> Result<(), Stop> {
+pub fn go(run: &mut Interpreter, path: &Path) -> Result<(), Halt> {
     let from = position(run, path.suppress);
     if let Some(kind) = path.pole {
         polar::set_pole(run, path, kind, from);
@@ -32,7 +33,7 @@ pub fn go(run: &mut Interpreter, path: &Path) -> Result<(), Stop> {
     let to = std::array::from_fn(|i| target(run, from[i], base[i], path.axes[i], i));
     let to = polar::target(run, path, from, to);
     let Some(to) = polar::along(run, path, from, to) else {
-        return Err(run.fail(Problem::new("run-not-simulated", path.span, "ANG")));
+        return Err(Problem::new("run-not-simulated", path.span, "ANG").into());
     };
     let feed = feed(run, path, to);
     let with_feed = run.modal.motion != Motion::Rapid || path.measure.is_some();
@@ -40,8 +41,7 @@ pub fn go(run: &mut Interpreter, path: &Path) -> Result<(), Stop> {
         run.tell(Severity::Error, &Problem::new("run-no-feed", path.span, ""));
     }
     let outcome = match path.measure {
-        Some(measure) => uncompensated(run, path)
-            .and_then(|()| measured(run, path, measure, to, feed).map_err(|stop| run.stopped(stop, path.span))),
+        Some(measure) => uncompensated(run, path).and_then(|()| measured(run, path, measure, to, feed)),
         None => driven(run, path, [from, to], feed),
     };
     run.programmed = (nose(run), run.sim.control.to_workpiece(contour::stands(run)));
@@ -49,13 +49,13 @@ pub fn go(run: &mut Interpreter, path: &Path) -> Result<(), Stop> {
 }
 
 /// `POS[X]=5`: the axis moves by itself, fast and straight. Where frames turn it is refused, as on the control.
-pub fn position_axis(run: &mut Interpreter, address: &Address) -> Result<(), Stop> {
+pub fn position_axis(run: &mut Interpreter, address: &Address) -> Result<(), Halt> {
     let span = address.span;
     if run.sim.control.rotated() {
-        return Err(run.fail(Problem::new("run-not-simulated", span, "POS")));
+        return Err(Problem::new("run-not-simulated", span, "POS").into());
     }
     let mut path = Path { span, ..Path::default() };
-    addresses::take(run, address, &mut path).map_err(|problem| run.fail(problem))?;
+    addresses::take(run, address, &mut path)?;
     let motion = std::mem::replace(&mut run.modal.motion, Motion::Rapid);
     let gone = contour::leave(run).and_then(|()| go(run, &path));
     run.modal.motion = motion;
@@ -63,29 +63,28 @@ pub fn position_axis(run: &mut Interpreter, address: &Address) -> Result<(), Sto
 }
 
 /// Straight, or round an axis, with the tool on the path or beside it.
-fn driven(run: &mut Interpreter, path: &Path, [from, to]: [[f64; 3]; 2], feed: f64) -> Result<(), Stop> {
+fn driven(run: &mut Interpreter, path: &Path, [from, to]: [[f64; 3]; 2], feed: f64) -> Result<(), Halt> {
     let way = match run.modal.motion {
-        Motion::Rapid | Motion::Line | Motion::Spline => Ok(straight(run, path, [from, to])),
-        Motion::Through => around(run, path, from, through(run, path, from, to)),
-        Motion::Clockwise | Motion::Counter => around(run, path, from, in_plane(run, path, from, to)),
+        Motion::Rapid | Motion::Line | Motion::Spline => {
+            let [from, to] = [from, to].map(|end| machine(run, path.suppress, end));
+            Route::straight(from, to)
+        }
+        Motion::Through => around(run, path, from, through(run, path, from, to))?,
+        Motion::Clockwise | Motion::Counter => around(run, path, from, in_plane(run, path, from, to))?,
     };
-    let way = way.map_err(|problem| run.fail(problem))?;
     let (kind, feed) = match run.modal.motion {
         Motion::Rapid => (MotionKind::Rapid, 0.0),
         _ => (MotionKind::Positioning, feed),
     };
     if path.suppress == Suppress::Nothing && contour::concerns(run, &way) {
-        let span = path.span;
-        let motion = contour::Motion { way, kind, feed, span };
-        return contour::follow(run, &motion);
+        return contour::follow(run, &contour::Motion { way, kind, feed, span: path.span });
     }
     uncompensated(run, path)?;
-    let driven = run.sim.travel_machine(way.to, way.around, kind, feed, false);
-    driven.map_err(|stop| run.stopped(stop, path.span))
+    run.sim.travel_machine(way.to, way.around, kind, feed, false).map_err(Halt::at(path.span))
 }
 
 /// What comes now is driven as programmed, whatever compensation is on.
-fn uncompensated(run: &mut Interpreter, path: &Path) -> Result<(), Stop> {
+fn uncompensated(run: &mut Interpreter, path: &Path) -> Result<(), Halt> {
     if run.modal.compensation != Compensation::Off {
         run.tell(Severity::Warning, &Problem::new("run-radius-compensation", path.span, ""));
     }
@@ -93,12 +92,11 @@ fn uncompensated(run: &mut Interpreter, path: &Path) -> Result<(), Stop> {
 }
 
 /// Turns the rotary axes of a block, before the others move.
-pub fn turn(run: &mut Interpreter, path: &Path) -> Result<(), Stop> {
+pub fn turn(run: &mut Interpreter, path: &Path) -> Result<(), Halt> {
     for (axis, position) in path.rotary.into_iter().enumerate() {
         if let Some(position) = position {
             contour::finish(run)?;
-            let turned = run.sim.turn_table(axis, position);
-            turned.map_err(|stop| run.stopped(stop, path.span))?;
+            run.sim.turn_table(axis, position).map_err(Halt::at(path.span))?;
         }
     }
     Ok(())
@@ -197,12 +195,6 @@ fn machine(run: &Interpreter, suppress: Suppress, point: [f64; 3]) -> Mcs {
     }
 }
 
-/// The straight way between two places of the block.
-fn straight(run: &Interpreter, path: &Path, ends: [[f64; 3]; 2]) -> Route {
-    let [from, to] = ends.map(|end| machine(run, path.suppress, end));
-    Route::straight(from, to)
-}
-
 /// The way round an axis to a target, both in the coordinates of the block; none: they make no arc.
 fn around(run: &Interpreter, path: &Path, from: [f64; 3], arc: Option<([f64; 3], Around)>) -> Result<Route, Problem> {
     let seen = |point| machine(run, path.suppress, point);
@@ -214,12 +206,12 @@ fn around(run: &Interpreter, path: &Path, from: [f64; 3], arc: Option<([f64; 3],
 
 /// `MEAS=1 G1 X100`, on NCT `G31 X100`: stops at the signal; `$AC_MEA`, `$AA_MW`, `$AA_MM` tell where (B:12790-12856),
 /// on NCT #5061 (N 183). Behind the signal of `MEAW` the stylus is deflected until the end.
-fn measured(run: &mut Interpreter, path: &Path, measure: Measure, to: [f64; 3], feed: f64) -> Result<(), Stop> {
+fn measured(run: &mut Interpreter, path: &Path, measure: Measure, to: [f64; 3], feed: f64) -> Result<(), Halt> {
     let to = machine(run, path.suppress, to);
     let latched = if run.sim.has_probe() {
-        run.sim.probe_machine(to, feed)?
+        run.sim.probe_machine(to, feed).map_err(Halt::at(path.span))?
     } else {
-        run.sim.travel_machine(to, None, MotionKind::Measuring, feed, false)?;
+        run.sim.travel_machine(to, None, MotionKind::Measuring, feed, false).map_err(Halt::at(path.span))?;
         run.sim.skipped = Some(run.sim.position());
         None
     };

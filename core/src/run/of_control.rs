@@ -3,6 +3,7 @@
 use super::contour;
 use super::datum::Datum;
 use super::expression::evaluate;
+use super::halt::Halt;
 use super::interpret::Interpreter;
 use super::statement::Call;
 use crate::catalogue::alarms;
@@ -10,7 +11,6 @@ use crate::control::Frame;
 use crate::diagnostic::{Code, Span};
 use crate::geometry::V3;
 use crate::geometry::rigid::{angles, rotation};
-use crate::machine::Stop;
 use crate::machine::trace::Step;
 use crate::problem::Problem;
 use crate::program::of_control::{SET_ALARM, STORE_ENVIRONMENT, SWIVEL};
@@ -28,16 +28,15 @@ const NUMBERS: std::ops::RangeInclusive<u32> = 60_000..=69_999;
 
 /// `SETAL(65000,"text")`: an alarm of the program. From 62000 and from 67000 it is shown only, else it stops the
 /// program (Job planning, alarms in the cycle area).
-pub fn raise(run: &mut Interpreter, call: &Call) -> Result<(), Stop> {
+pub fn raise(run: &mut Interpreter, call: &Call) -> Result<(), Halt> {
     let (number, text) = match &call.args[..] {
         [Some(Datum::Number(number))] => (*number, ""),
         [Some(Datum::Number(number)), Some(Datum::Text(text))] => (*number, text.as_str()),
-        _ => return Err(run.fail(Problem::new("run-function", call.span, SET_ALARM))),
+        _ => return Err(Problem::new("run-function", call.span, SET_ALARM).into()),
     };
     let whole = number as u32;
     if number.fract() != 0.0 || !NUMBERS.contains(&whole) {
-        let shown = Datum::Number(number).shown();
-        return Err(run.fail(Problem::new("run-alarm-number", call.span, shown)));
+        return Err(Problem::new("run-alarm-number", call.span, Datum::Number(number).shown()).into());
     }
     let code = Code::Alarm(whole);
     if alarms::find(&whole.to_string()).is_some() {
@@ -49,7 +48,7 @@ pub fn raise(run: &mut Interpreter, call: &Call) -> Result<(), Stop> {
     if matches!(whole / 1000, 62 | 67..=69) {
         return Ok(());
     }
-    Err(run.fail(Problem::at("run-set-alarm", call.span).number("number", f64::from(whole)).text("text", text)))
+    Err(Problem::at("run-set-alarm", call.span).number("number", f64::from(whole)).text("text", text).into())
 }
 
 /// Longest name of an environment, characters (B:2078).
@@ -90,17 +89,16 @@ const OFFSETS: std::ops::Range<usize> = 4..13;
 /// CYCLE800 with offsets 0: the table turns the part until the working plane of the active frames lies across the tool,
 /// and the coordinate systems turn with it (B:7696-7786, B:7773-7782). The machine axes stay where they are. Data set,
 /// mode and direction choose between ways that end in the same plane.
-pub fn swivel(run: &mut Interpreter, call: &Call) -> Result<(), Stop> {
+pub fn swivel(run: &mut Interpreter, call: &Call) -> Result<(), Halt> {
     contour::finish(run)?;
     if given_up(call) {
         run.sim.control.part_frame = Frame::default();
         return Ok(());
     }
-    let (turns, table) = planned(run, call).map_err(|problem| run.fail(problem))?;
+    let (turns, table) = planned(run, call)?;
     for (axis, to) in turns.into_iter().enumerate() {
         if run.sim.control.rotary[axis] != to {
-            let turned = run.sim.turn_table(axis, to);
-            turned.map_err(|stop| run.stopped(stop, call.span))?;
+            run.sim.turn_table(axis, to).map_err(Halt::at(call.span))?;
         }
     }
     run.sim.control.part_frame = table;

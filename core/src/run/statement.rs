@@ -3,11 +3,11 @@
 use super::datum::Datum;
 use super::declare::Declaring;
 use super::expression::evaluate;
+use super::halt::Halt;
 use super::interpret::{Interpreter, Next};
 use super::path::{Measure, Path};
 use super::{action, branch, contour, declare, indexed, locals, names, of_control, repeat, unread};
 use crate::diagnostic::{Severity, Span};
-use crate::machine::Stop;
 use crate::problem::Problem;
 use crate::program;
 use crate::program::words::ignores_arguments;
@@ -105,7 +105,7 @@ impl Words {
 }
 
 /// Carries out a block.
-pub fn block(run: &mut Interpreter, at: usize) -> Result<Next, Stop> {
+pub fn block(run: &mut Interpreter, at: usize) -> Result<Next, Halt> {
     let program = Rc::clone(&run.program);
     let Some(block) = program.blocks.get(at) else { return Ok(Next::End) };
     let words = program.words_of(block);
@@ -115,16 +115,15 @@ pub fn block(run: &mut Interpreter, at: usize) -> Result<Next, Stop> {
     }
     unread::tell(run, at);
     if let Some((keyword, label)) = repetition(run, words) {
-        repeat::alone(run, words).map_err(|problem| run.fail(problem))?;
-        return repeat::begin(run, at, keyword, label, words).map_err(|problem| run.fail(problem));
+        repeat::alone(run, words)?;
+        return Ok(repeat::begin(run, at, keyword, label, words)?);
     }
     if contour::waits(run) && asks_for_position(run, block) {
         contour::finish(run)?;
     }
     let mut found = Words { at, path: Path { span: block.span, ..Path::default() }, ..Words::default() };
     for word in words {
-        let go_on = word_of(run, word, &mut found).map_err(|problem| run.fail(problem))?;
-        if !go_on {
+        if !word_of(run, word, &mut found)? {
             return Ok(found.next.unwrap_or(Next::Block));
         }
     }
@@ -133,8 +132,8 @@ pub fn block(run: &mut Interpreter, at: usize) -> Result<Next, Stop> {
         return Ok(next);
     }
     Ok(match run.link(at) {
-        Some(Link::Else(end)) if starts_with(run, words, "ELSE") => {
-            branch::behind(run, end).map_err(|problem| run.fail(problem))?
+        Some(Link::Else(end)) if words.iter().any(|word| program.is_keyword(word, &["ELSE"])) => {
+            branch::behind(run, end)?
         }
         _ => Next::Block,
     })
@@ -174,13 +173,6 @@ fn left_out(run: &mut Interpreter, words: &[Word]) -> bool {
         return true;
     }
     false
-}
-
-fn starts_with(run: &Interpreter, words: &[Word], keyword: &str) -> bool {
-    words.iter().any(|word| match &word.kind {
-        WordKind::Keyword { name, .. } => run.program.is(*name, keyword),
-        _ => false,
-    })
 }
 
 /// Takes one word; false: the rest of the block is not carried out.

@@ -1,22 +1,22 @@
 //! Tool change and edges: `T9 D1`, `M6`; NCT `G43 H98`. The spindle nose stays; a trace step tells the change.
 
 use super::datum::Datum;
+use super::halt::Halt;
 use super::interpret::Interpreter;
 use super::statement::{Address, Words};
 use super::{addresses, contour};
 use crate::control::Edge;
 use crate::diagnostic::Span;
-use crate::machine::Stop;
 use crate::machine::trace::Step;
 use crate::problem::Problem;
 
 /// Applies T, D, M6 (NCT: T, H, D) of a block.
-pub fn apply(run: &mut Interpreter, found: &Words) -> Result<(), Stop> {
+pub fn apply(run: &mut Interpreter, found: &Words) -> Result<(), Halt> {
     if changes(run, found) {
         contour::finish(run)?;
     }
     let before = (run.sim.control.tool, run.sim.control.edge);
-    (run.rules().tool)(run, found).map_err(|problem| run.fail(problem))?;
+    (run.rules().tool)(run, found)?;
     let after = (run.sim.control.tool, run.sim.control.edge);
     if before != after {
         run.sim.note(Step::Tool { tool: after.0, edge: after.1 });

@@ -226,10 +226,9 @@ pub fn takes(run: &Interpreter, cycle: &'static Cycle, typed: &Typed, place: Spa
 }
 
 /// An address of the block itself that calls a macro could not be read.
-pub fn own(run: &Interpreter, block: &[Word], place: Span) -> Option<Problem> {
-    let word = block.iter().find(|word| word.kind == WordKind::Unknown)?;
-    let text = run.program.name(word.span);
-    Some(unknown(run, &printable(&text), word.span, place))
+pub fn own(run: &Interpreter, block: &[Word], place: Span) -> Result<(), Problem> {
+    let word = block.iter().find(|word| word.kind == WordKind::Unknown);
+    word.map_or(Ok(()), |word| Err(unknown(run, &printable(&run.program.name(word.span)), word.span, place)))
 }
 
 fn unknown(run: &Interpreter, name: &str, word: Span, place: Span) -> Problem {

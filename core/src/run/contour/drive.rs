@@ -10,6 +10,7 @@ use crate::diagnostic::Span;
 use crate::geometry::arc::Around;
 use crate::machine::Stop;
 use crate::machine::trace::MotionKind;
+use crate::run::halt::Halt;
 use crate::run::interpret::Interpreter;
 
 /// A block that waits.
@@ -112,7 +113,7 @@ pub struct Way {
 }
 
 /// Drives ways one after the other; what was recorded between them stays between them.
-pub fn all(run: &mut Interpreter, plane: &Plane, ways: &[Way]) -> Result<(), Stop> {
+pub fn all(run: &mut Interpreter, plane: &Plane, ways: &[Way]) -> Result<(), Halt> {
     let entries = &mut run.sim.trace.entries;
     let mut passed = ways.first().map_or(0, |way| way.manner.behind);
     let mut later = entries.split_off(passed.min(entries.len())).into_iter();
@@ -122,7 +123,7 @@ pub fn all(run: &mut Interpreter, plane: &Plane, ways: &[Way]) -> Result<(), Sto
         run.sim.trace.entries.extend(between);
         passed = way.manner.behind;
         run.sim.line = way.manner.line;
-        one(run, plane, way).map_err(|stop| run.stopped(stop, way.manner.span))?;
+        one(run, plane, way).map_err(Halt::at(way.manner.span))?;
     }
     run.sim.trace.entries.extend(later);
     run.sim.trace.entries.truncate(run.sim.trace_limit);

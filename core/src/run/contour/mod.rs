@@ -14,11 +14,11 @@ mod plane;
 pub use corner::Outside;
 pub use element::distance;
 
+use super::halt::Halt;
 use super::interpret::Interpreter;
 use super::modal::Compensation;
 use crate::diagnostic::Span;
 use crate::geometry::Mcs;
-use crate::machine::Stop;
 use crate::machine::route::Route;
 use crate::machine::trace::MotionKind;
 use crate::problem::Problem;
@@ -53,8 +53,7 @@ pub struct Motion {
     pub span: Span,
 }
 
-/// Where the program stands: the end of the last block as programmed, beside which the tool may
-/// be.
+/// Where the program stands: the end of the last block as programmed, beside which the tool may be.
 pub fn stands(run: &Interpreter) -> Mcs {
     let length = run.sim.control.active_length();
     match &run.contour {
@@ -70,7 +69,7 @@ pub fn concerns(run: &Interpreter, way: &Route) -> bool {
 }
 
 /// Takes a motion with compensation on, or the one that takes it off. A fault ends the contour.
-pub fn follow(run: &mut Interpreter, motion: &Motion) -> Result<(), Stop> {
+pub fn follow(run: &mut Interpreter, motion: &Motion) -> Result<(), Halt> {
     let way = motion.way.moved(run.sim.control.active_length());
     let seen = Plane::of(&run.sim.control);
     let mut contour = run.contour.take().unwrap_or(Contour {
@@ -82,7 +81,7 @@ pub fn follow(run: &mut Interpreter, motion: &Motion) -> Result<(), Stop> {
     });
     let (plane, side) = (contour.plane, run.modal.compensation);
     let Some((hand, element)) = plane.hand_of(&seen).zip(plane.element(&way)) else {
-        return Err(refused(run, motion, "run-contour-plane")); // alarm 10757
+        return refused(motion, "run-contour-plane"); // alarm 10757
     };
     contour.programmed = way.to;
     let heights = [way.from, way.to].map(|point| plane.split(point).1);
@@ -105,7 +104,7 @@ pub fn follow(run: &mut Interpreter, motion: &Motion) -> Result<(), Stop> {
 }
 
 /// Drives what waits, to its end at right angles to it: the real position counts, or nothing more comes.
-pub fn finish(run: &mut Interpreter) -> Result<(), Stop> {
+pub fn finish(run: &mut Interpreter) -> Result<(), Halt> {
     if let Some(mut contour) = run.contour.take() {
         contour.finish(run)?;
         run.contour = Some(contour);
@@ -114,7 +113,7 @@ pub fn finish(run: &mut Interpreter) -> Result<(), Stop> {
 }
 
 /// The same; afterwards the program stands where the tool stands, and a contour begins anew.
-pub fn leave(run: &mut Interpreter) -> Result<(), Stop> {
+pub fn leave(run: &mut Interpreter) -> Result<(), Halt> {
     let done = finish(run);
     run.contour = None;
     done
@@ -138,7 +137,7 @@ struct Step<'a> {
 
 impl Contour {
     /// Only along the applicate: where the tool stands then, behind the block that waits.
-    fn rise(&mut self, run: &mut Interpreter, step: &Step) -> Result<(), Stop> {
+    fn rise(&mut self, run: &mut Interpreter, step: &Step) -> Result<(), Halt> {
         let rise = self.waiting(run, step, Piece::Rise);
         if self.waiting.is_empty() {
             return drive::all(run, &self.plane, &[rise.way([0.0; 2], 0.0)]);
@@ -148,12 +147,12 @@ impl Contour {
     }
 
     /// The straight block that leads to the contour: to where the next one begins, at right angles to it (NORM).
-    fn approach(&mut self, run: &mut Interpreter, step: &Step) -> Result<(), Stop> {
+    fn approach(&mut self, run: &mut Interpreter, step: &Step) -> Result<(), Halt> {
         if step.element.round.is_some() {
-            return Err(refused(run, step.motion, "run-contour-begin")); // alarm 10753
+            return refused(step.motion, "run-contour-begin"); // alarm 10753
         }
         if !run.sim.control.make().registers && run.sim.control.tool == 0 {
-            return Err(refused(run, step.motion, "run-contour-tool")); // alarm 10750
+            return refused(step.motion, "run-contour-tool"); // alarm 10750
         }
         let beside = beside(run, step, step.by)?;
         self.waiting = vec![self.waiting(run, step, Piece::Approach(beside))];
@@ -161,7 +160,7 @@ impl Contour {
     }
 
     /// A block along the contour: what waits ends where this one begins, and now this one waits.
-    fn go_on(&mut self, run: &mut Interpreter, step: &Step) -> Result<(), Stop> {
+    fn go_on(&mut self, run: &mut Interpreter, step: &Step) -> Result<(), Halt> {
         let before = match self.waiting.first().map(|waiting| waiting.piece) {
             Some(Piece::Along { beside, begun }) => Some((beside, begun)),
             Some(_) => None,
@@ -197,9 +196,9 @@ impl Contour {
     }
 
     /// The straight block that leads away: from where the tool stands at right angles to its programmed end.
-    fn depart(&self, run: &mut Interpreter, step: &Step) -> Result<(), Stop> {
+    fn depart(&self, run: &mut Interpreter, step: &Step) -> Result<(), Halt> {
         if step.element.round.is_some() {
-            return Err(refused(run, step.motion, "run-contour-end")); // alarm 10754
+            return refused(step.motion, "run-contour-end"); // alarm 10754
         }
         let mut manner = Manner::now(run, step.motion);
         manner.tip = [0.0; 3];
@@ -207,7 +206,7 @@ impl Contour {
         drive::all(run, &self.plane, &[way])
     }
 
-    fn finish(&mut self, run: &mut Interpreter) -> Result<(), Stop> {
+    fn finish(&mut self, run: &mut Interpreter) -> Result<(), Halt> {
         let first = self.waiting.first().map(|waiting| waiting.piece);
         if let Some(Piece::Approach(beside) | Piece::Along { beside, .. }) = first {
             let ways = self.ways(beside.path.end, 0.0);
@@ -229,9 +228,8 @@ impl Contour {
 }
 
 /// The path beside a block that begins so far from it.
-fn beside(run: &mut Interpreter, step: &Step, by: f64) -> Result<Beside, Stop> {
-    let beside = Beside::of(step.element, [by, step.by]);
-    beside.ok_or_else(|| narrow(run, step.motion))
+fn beside(run: &Interpreter, step: &Step, by: f64) -> Result<Beside, Problem> {
+    Beside::of(step.element, [by, step.by]).ok_or_else(|| narrow(run, step.motion))
 }
 
 /// How far to the left of the contour the tool centre is, mm.
@@ -250,12 +248,11 @@ fn radius(run: &Interpreter) -> f64 {
     if control.make().registers { control.register(run.modal.radius).total_radius() } else { control.active_radius() }
 }
 
-fn refused(run: &mut Interpreter, motion: &Motion, key: &'static str) -> Stop {
-    run.fail(Problem::new(key, motion.span, ""))
+fn refused(motion: &Motion, key: &'static str) -> Result<(), Halt> {
+    Err(Problem::new(key, motion.span, "").into())
 }
 
 /// The tool has no room (alarm 10751).
-fn narrow(run: &mut Interpreter, motion: &Motion) -> Stop {
-    let radius = radius(run);
-    run.fail(Problem::at("run-contour-narrow", motion.span).number("radius", radius))
+fn narrow(run: &Interpreter, motion: &Motion) -> Problem {
+    Problem::at("run-contour-narrow", motion.span).number("radius", radius(run))
 }
