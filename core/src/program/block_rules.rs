@@ -5,7 +5,7 @@ use crate::check::listed::count;
 use crate::diagnostic::{Diagnostic, Span};
 use crate::own;
 use crate::own::Own;
-use crate::syntax::fold::Nothing;
+use crate::syntax::fold::NOTHING;
 use crate::syntax::{Program, Word, WordKind, fold};
 
 /// Addresses that a block takes once, so that it says one thing: all that are no function, no block number, no
@@ -33,7 +33,7 @@ pub(super) fn block_rules(program: &Program) -> Vec<Diagnostic> {
             } else if let WordKind::Call { name, ref args, .. } = word.kind {
                 let number = |index: usize| {
                     let id = args.get(index).copied().flatten();
-                    id.map_or(Some(0.0), |id| fold::number(program, id, &Nothing))
+                    id.map_or(Some(0.0), |id| fold::number(program, id, NOTHING))
                 };
                 let finding = unmatched(&program.name(name), count(args), number);
                 found.extend(finding.map(|finding| finding.on(word.span)));

@@ -61,6 +61,8 @@ pub struct CallSite {
     pub transverse: Transverse,
     /// Number of the G function of units in force at the call: 70, 71, 700, 710 (NCT 20, 21).
     pub unit_function: UnitFunction,
+    /// A main program of the text may end with tool radius compensation on: without G40 behind its last G41 or G42.
+    pub left_on: bool,
     /// The ways on which a program comes to it that differ in what is in force, or in values.
     pub ways: Vec<Way>,
     /// Assignments for this call that do not reach it, since a called program writes the same: name, place, that call.
@@ -178,6 +180,7 @@ pub fn calls_told(program: &Program, control: Control, told: &mut dyn FnMut(f64)
         control,
         found: Found::default(),
         first_numbers: HashMap::new(),
+        left_on: false,
         passed: 0,
         told,
     };
@@ -212,6 +215,8 @@ struct Walk<'a> {
     /// What right sides are worth when they are passed first and a later pass may bring another number, by their first
     /// byte.
     first_numbers: HashMap<u32, Option<f64>>,
+    /// See [`CallSite::left_on`].
+    left_on: bool,
     /// Blocks that were passed.
     passed: usize,
     told: &'a mut dyn FnMut(f64),

@@ -217,8 +217,7 @@ pub(super) fn line_at_begin(program: &Program, line: u32, written: &str) -> Opti
 
 /// Where a line goes on behind its label; none: it has no label, or nothing behind it.
 pub(super) fn behind_label(program: &Program, line: u32) -> Option<u32> {
-    let words = program.words_of(program.blocks.get(line as usize)?);
-    let mut from_label = words.iter().skip_while(|word| word.label().is_none());
+    let mut from_label = program.words_at(line as usize).iter().skip_while(|word| word.label().is_none());
     Some(from_label.find(|word| word.label().is_none())?.span.start)
 }
 

@@ -2,7 +2,6 @@
 //! each branch and each call of a program goes on with a copy of its own.
 
 use super::values::Value;
-use crate::syntax::fold::Known;
 use std::collections::HashMap;
 use std::rc::Rc;
 
@@ -147,6 +146,20 @@ impl Values {
         self.chunks.get(id / CHUNK)?.get(id % CHUNK)?.as_ref()
     }
 
+    /// The number of a variable, where every way gives the same; none: it depends on how often the program passes.
+    pub fn number(&self, names: &Names, name: &str) -> Option<f64> {
+        let id = names.find(name)?;
+        let steady = names.unsteady.get(id) == Some(&false);
+        self.get(id).filter(|_| steady)?.number()
+    }
+
+    /// The number of a variable as the first pass brings it; `first`: what right sides are worth then, by their first
+    /// byte.
+    pub fn first_number(&self, names: &Names, name: &str, first: &HashMap<u32, Option<f64>>) -> Option<f64> {
+        let value = self.get(names.find(name)?)?.all().first()?;
+        value.number.or_else(|| first.get(&value.place.start).copied().flatten())
+    }
+
     /// Variables that are copied together; one without any is as good as none.
     fn chunk(&self, at: usize) -> Option<&Chunk> {
         let chunk = self.chunks.get(at)?;
@@ -195,40 +208,6 @@ impl Values {
             met.set(id, held);
         }
         met
-    }
-}
-
-/// Numbers of variables at a place.
-pub(super) struct Numbers<'a> {
-    /// Names of the program.
-    pub names: &'a Names,
-    /// What they hold.
-    pub values: &'a Values,
-}
-
-impl Known for Numbers<'_> {
-    fn number(&self, name: &str) -> Option<f64> {
-        let id = self.names.find(name)?;
-        let unsteady = self.names.unsteady.get(id).copied().unwrap_or(false);
-        let held = self.values.get(id).filter(|_| !unsteady)?;
-        held.number()
-    }
-}
-
-/// Numbers of variables as the first pass brings them.
-pub(super) struct FirstNumbers<'a> {
-    /// What they hold.
-    pub numbers: Numbers<'a>,
-    /// What right sides are worth on their first pass, by their first byte.
-    pub first: &'a HashMap<u32, Option<f64>>,
-}
-
-impl Known for FirstNumbers<'_> {
-    fn number(&self, name: &str) -> Option<f64> {
-        let id = self.numbers.names.find(name)?;
-        let value = self.numbers.values.get(id)?.all().first()?;
-        let first = || self.first.get(&value.place.start).copied().flatten();
-        value.number.or_else(first)
     }
 }
 

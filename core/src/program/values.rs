@@ -92,7 +92,7 @@ fn closes_itself(text: &str) -> bool {
 }
 
 /// The value of an expression that stands at `place`.
-pub(super) fn value(program: &Program, id: ExprId, place: Span, known: &impl Known) -> Value {
+pub(super) fn value(program: &Program, id: ExprId, place: Span, known: Known) -> Value {
     let number = fold::number(program, id, known);
     let written = || program.written(place).trim().to_owned();
     match (program.expr(id), number) {

@@ -19,14 +19,12 @@ use std::rc::Rc;
 pub fn perform(run: &mut Interpreter, mut found: Words) -> Result<Next, Halt> {
     let at = found.at;
     let program = Rc::clone(&run.program);
-    let block = program.blocks.get(at).filter(|_| found.unread);
-    let words = block.map(|block| program.words_of(block)).unwrap_or_default();
     if let Some(cycle) = measuring_macro(run, &found) {
         if is_foreign(cycle, &found) {
             unread::of_another_control(run, cycle, &found);
             return Ok(Next::Block);
         }
-        unread::own(run, words, found.path.span)?;
+        unread::own(run, program.words_at(at), found.path.span)?;
         gcode::apply_beside_macro(run, &mut found)?;
         cycle::addresses(run, cycle, &found)?;
         return Ok(Next::Block);

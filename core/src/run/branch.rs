@@ -76,9 +76,8 @@ pub fn structure(
 /// Counts the variable of the `FOR` in this block up; where its body goes on, if it does.
 fn again(run: &mut Interpreter, begin: usize) -> Result<Option<Next>, Problem> {
     let program = Rc::clone(&run.program);
-    let Some(block) = program.blocks.get(begin) else { return Ok(None) };
     let (mut counter, mut last) = (None, None);
-    for word in program.words_of(block) {
+    for word in program.words_at(begin) {
         match &word.kind {
             WordKind::Assign { name, index, .. } => {
                 let key = names::key(run, *name, index)?;
@@ -92,15 +91,13 @@ fn again(run: &mut Interpreter, begin: usize) -> Result<Option<Next>, Problem> {
             _ => {}
         }
     }
-    let inside = counter.zip(last).is_some_and(|(counter, last)| counter <= last);
-    inside.then(|| behind(run, begin)).transpose()
+    counter.zip(last).filter(|(counter, last)| counter <= last).map(|_| behind(run, begin)).transpose()
 }
 
 /// The block behind one of a control structure, of which the words behind the structure's own would be passed over:
 /// they need a block of their own.
 pub fn behind(run: &Interpreter, block: usize) -> Result<Next, Problem> {
-    let words = run.program.blocks.get(block);
-    let words = words.map_or(&[][..], |block| run.program.words_of(block));
+    let words = run.program.words_at(block);
     let last = words.iter().rposition(|word| run.program.is_keyword(word, &ENDS_OF_STRUCTURE));
     match last.and_then(|last| words.get(last + 1)) {
         None => Ok(Next::Jump(block + 1)),
@@ -110,7 +107,7 @@ pub fn behind(run: &Interpreter, block: usize) -> Result<Next, Problem> {
 
 /// A word that needs a block of its own.
 pub fn not_alone(run: &Interpreter, word: &Word) -> Problem {
-    Problem::new("run-alone", word.span, String::from_utf8_lossy(run.program.text(word.span)))
+    Problem::new("run-alone", word.span, run.program.written(word.span))
 }
 
 /// Block of a jump target; none for GOTOC without target.

@@ -53,8 +53,7 @@ pub fn enter(run: &mut Interpreter, at: usize, call: &Call, unit: &Unit, passes:
     }
     level::room(run, call.span)?;
     let program = Rc::clone(&run.program);
-    let signature = unit.signature.and_then(|block| program.blocks.get(block));
-    let words = signature.map_or(&[][..], |block| program.words_of(block));
+    let words = program.signature(unit);
     let parameters = parameters(run, words)?;
     if call.args.len() > parameters.len() {
         return Err(Problem::new("run-arguments", call.span, &*call.name));

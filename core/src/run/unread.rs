@@ -34,19 +34,14 @@ const WAYS: [&str; 14] = [
 pub fn pass(run: &mut Interpreter, word: &Word, found: &mut Words) -> Result<(), Problem> {
     // every word of a block has the same block about it: the first one asks
     let first = !std::mem::replace(&mut found.unread, true);
-    let written = String::from_utf8_lossy(run.program.text(word.span)).into_owned();
-    run.pass_over(printable(&written), word.span);
+    run.pass_over(printable(&run.program.written(word.span)), word.span);
     let text = run.program.name(word.span);
     let begins = |way: &str| {
         let rest = text.strip_prefix(way);
         rest.is_some_and(|rest| !rest.starts_with(|next: char| next.is_ascii_alphanumeric() || next == '_'))
     };
-    let keyword = |other: &Word| match &other.kind {
-        WordKind::Keyword { name, .. } => WAYS.iter().any(|way| run.program.is(*name, way)),
-        _ => false,
-    };
-    let block = run.program.blocks.get(found.at).map(|block| run.program.words_of(block));
-    let branches = first && block.unwrap_or_default().iter().any(keyword);
+    let words = run.program.words_at(found.at);
+    let branches = first && words.iter().any(|other| run.program.is_keyword(other, &WAYS));
     if branches || WAYS.iter().any(|way| begins(way)) {
         return Err(Problem::new("run-unread-way", word.span, printable(&text)));
     }

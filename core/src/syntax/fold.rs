@@ -5,22 +5,13 @@ use crate::diagnostic::Span;
 use std::collections::{BTreeSet, HashMap};
 
 /// Numbers that variables hold, by name in upper case with index: `_SETVAL`, `R10`, `_SETV[0]`, `#100`.
-pub trait Known {
-    /// The number of a variable, where it is known.
-    fn number(&self, name: &str) -> Option<f64>;
-}
+pub type Known<'a> = &'a dyn Fn(&str) -> Option<f64>;
 
 /// No variable is known: what does not depend on the place in the program.
-pub(crate) struct Nothing;
-
-impl Known for Nothing {
-    fn number(&self, _: &str) -> Option<f64> {
-        None
-    }
-}
+pub(crate) const NOTHING: Known = &|_| None;
 
 /// A variable's name with its index in digits: `_SETV[R1]` is `_SETV[2]` while R1 is 2. None: the index is not known.
-pub(crate) fn name(program: &Program, name: Span, index: &[ExprId], known: &impl Known) -> Option<String> {
+pub(crate) fn name(program: &Program, name: Span, index: &[ExprId], known: Known) -> Option<String> {
     let mut text = program.name(name);
     if index.is_empty() {
         return Some(text);
@@ -43,16 +34,16 @@ pub(crate) fn name(program: &Program, name: Span, index: &[ExprId], known: &impl
     Some(text)
 }
 
-fn whole(program: &Program, id: ExprId, known: &impl Known) -> Option<i64> {
+fn whole(program: &Program, id: ExprId, known: Known) -> Option<i64> {
     let value = number(program, id, known)?;
     (value.fract() == 0.0 && value.abs() < 1e9).then_some(value as i64)
 }
 
 /// Value of an expression made of numbers, known variables and arithmetic.
-pub(crate) fn number(program: &Program, id: ExprId, known: &impl Known) -> Option<f64> {
+pub(crate) fn number(program: &Program, id: ExprId, known: Known) -> Option<f64> {
     let value = match program.expr(id)? {
         Expr::Number(value, _) => *value,
-        Expr::Name { name: place, index } => known.number(&name(program, *place, index, known)?)?,
+        Expr::Name { name: place, index } => known(&name(program, *place, index, known)?)?,
         Expr::Unary(Operator::Minus, inner) => -number(program, *inner, known)?,
         Expr::Unary(Operator::Plus, inner) => number(program, *inner, known)?,
         Expr::Binary(left, operator, right) => {
@@ -96,7 +87,7 @@ pub(crate) fn unsteady(program: &Program) -> HashMap<String, u32> {
     if program.words.iter().any(|word| program.is_keyword(word, &BACK)) {
         for word in &program.words {
             if let WordKind::Assign { name: place, index, .. } = &word.kind
-                && let Some(name) = name(program, *place, index, &Nothing)
+                && let Some(name) = name(program, *place, index, NOTHING)
             {
                 *counts.entry(name).or_default() += 1;
             }

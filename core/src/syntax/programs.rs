@@ -130,8 +130,7 @@ fn defined(program: &Program, block: &Block) -> Option<String> {
 pub fn misnamed(program: &Program, programs: &Programs) -> Vec<(String, String, Span)> {
     let named = programs.units.iter().filter_map(|unit| {
         let file = unit.file.clone()?;
-        let block = program.blocks.get(unit.signature?)?;
-        let name = program.words_of(block).iter().find_map(Word::declared)?;
+        let name = program.signature(unit).iter().find_map(Word::declared)?;
         let said = program.name(name);
         (said != file).then_some((file, said, name))
     });

@@ -1,6 +1,6 @@
 //! The tree: blocks of words with places in the source. Printing a tree is its source; a change is a splice.
 
-use super::fold;
+use super::fold::{self, NOTHING};
 use super::programs::Unit;
 use crate::diagnostic::Span;
 use crate::dialect::Dialect;
@@ -55,6 +55,16 @@ impl Program {
         self.words.get(block.words.start as usize..block.words.end as usize).unwrap_or_default()
     }
 
+    /// Words of the block at this place; none behind the end.
+    pub fn words_at(&self, block: usize) -> &[Word] {
+        self.blocks.get(block).map_or(&[], |block| self.words_of(block))
+    }
+
+    /// Words of the block with the `PROC` of one program of the text.
+    pub fn signature(&self, unit: &Unit) -> &[Word] {
+        unit.signature.map_or(&[], |block| self.words_at(block))
+    }
+
     /// Blocks of one program of the text.
     pub fn blocks_of(&self, unit: &Unit) -> &[Block] {
         self.blocks.get(unit.blocks.clone()).unwrap_or_default()
@@ -80,7 +90,7 @@ impl Program {
 
     /// Number of such an address, where no variable stands in it.
     pub fn constant(&self, word: &Word, letters: &str) -> Option<f64> {
-        fold::number(self, self.address(word, letters)?, &fold::Nothing)
+        fold::number(self, self.address(word, letters)?, NOTHING)
     }
 
     /// The same where a number stands there and nothing else.

@@ -9,7 +9,7 @@ use crate::evaluate::knum::ZeroCode;
 use crate::own;
 use crate::program::calls::CallSite;
 use crate::program::flow;
-use crate::program::flow::{Follow, Mode};
+use crate::program::flow::{Follow, Meet, Mode};
 use crate::program::of_control::{SWIVEL, is_frame};
 use crate::syntax::programs::Programs;
 use crate::syntax::{Program, Word, WordKind};
@@ -186,21 +186,20 @@ impl Follow for Rules<'_> {
         pending.clear();
     }
 
-    fn meet(&self, one: &Pending, other: &Pending) -> Pending {
-        let both = one.iter().filter_map(|(index, waiting)| {
-            let there = other.get(index)?;
-            let met = Waiting {
-                moved: waiting.moved && there.moved,
-                other: waiting.other.filter(|_| waiting.other == there.other),
-            };
-            Some((*index, met))
-        });
-        both.collect()
-    }
-
     fn end(&mut self, pending: &Pending) {
         let moved = pending.iter().filter(|(_, waiting)| waiting.moved);
         self.forgotten.extend(moved.map(|(index, waiting)| (*index, waiting.clone())));
+    }
+}
+
+impl Meet for Pending {
+    fn meet(&self, other: &Pending) -> Pending {
+        let both = self.iter().filter_map(|(index, waiting)| {
+            let there = other.get(index)?;
+            let frame = waiting.other.filter(|_| waiting.other == there.other);
+            Some((*index, Waiting { moved: waiting.moved && there.moved, other: frame }))
+        });
+        both.collect()
     }
 }
 

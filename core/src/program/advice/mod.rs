@@ -3,7 +3,6 @@
 mod at_call;
 mod behind;
 mod inherited;
-mod left_on;
 mod overwritten;
 mod read_back;
 mod subprograms;
@@ -30,8 +29,6 @@ struct Seen<'a> {
     sites: &'a [CallSite],
     index: usize,
     site: &'a CallSite,
-    /// The program may end with tool radius compensation on.
-    left_on: bool,
     /// It changes tools with M6.
     changes_tools: bool,
     /// What is in force on a way to the call.
@@ -64,7 +61,6 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
     }
     let mut asked = at_call::Asked::of(program);
     // Asked once: a long program has many calls and many words.
-    let left_on = left_on::left_on(program, &programs);
     let changes_tools = changes_tools(program);
     let mut at_call = control.clone();
     let mut corrected = BTreeMap::new();
@@ -82,7 +78,6 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
             sites,
             index,
             site,
-            left_on,
             changes_tools,
             force: &way.state,
             tool: way.tool,
@@ -128,10 +123,7 @@ fn in_order(sites: &[CallSite]) -> Vec<(usize, &CallSite, &Way)> {
 /// force at the call, whatever stands between values that were written earlier and the call.
 fn begin(program: &Program, site: &CallSite) -> u32 {
     let assigns = |word: &Word| matches!(word.kind, WordKind::Assign { .. });
-    let only = |line: &u32| {
-        let block = program.blocks.get(*line as usize);
-        block.is_some_and(|block| program.words_of(block).iter().all(assigns))
-    };
+    let only = |line: &u32| program.words_at(*line as usize).iter().all(assigns);
     let before = (site.first_line..site.line).rev().take_while(only);
     before.last().unwrap_or(site.line)
 }

@@ -62,7 +62,7 @@ fn plane(seen: &Seen) -> Option<Diagnostic> {
 
 /// Compensation is off after a reset; a program that ends with it may be run again without one.
 fn compensation(seen: &Seen) -> Option<Diagnostic> {
-    let open = seen.force.compensation.unset() && seen.left_on;
+    let open = seen.force.compensation.unset() && seen.site.left_on;
     open.then(|| with_line(own::ADVICE_COMPENSATION_OPEN.finding(), seen, "G40"))
 }
 

@@ -3,7 +3,7 @@
 use super::{Place, Walk};
 use crate::control::arrays;
 use crate::diagnostic::Span;
-use crate::program::held::{FirstNumbers, Held, Numbers, stem};
+use crate::program::held::{Held, stem};
 use crate::program::values::{Spread, Value, spread};
 use crate::program::{arguments, values};
 use crate::syntax::fold;
@@ -24,8 +24,7 @@ impl Walk<'_> {
         for word in words {
             match &word.kind {
                 WordKind::Assign { name, index, value_span, value } => {
-                    let numbers = self.numbers(place);
-                    let Some(name) = fold::name(self.program, *name, index, &numbers) else { continue };
+                    let Some(name) = fold::name(self.program, *name, index, &self.numbers(place)) else { continue };
                     if counts {
                         self.keep_first(place, *value, *value_span);
                         let count = Value::at(name.clone(), None, *value_span);
@@ -41,15 +40,15 @@ impl Walk<'_> {
     }
 
     /// The numbers that variables hold at a place.
-    pub(super) fn numbers<'a>(&'a self, place: &'a Place) -> Numbers<'a> {
-        Numbers { names: &self.names, values: &place.values }
+    pub(super) fn numbers<'a>(&'a self, place: &'a Place) -> impl Fn(&str) -> Option<f64> + 'a {
+        |name| place.values.number(&self.names, name)
     }
 
     /// The value of an expression. Of a variable that another program wrote it is known where.
     pub(super) fn value(&self, place: &Place, id: ExprId, at: Span) -> Value {
         let value = values::value(self.program, id, at, &self.numbers(place));
         match self.held(place, id) {
-            Some(held) if value.number.is_some() && self.around.is_elsewhere(at, held.source()) => {
+            Some(held) if value.number.is_some() && !self.around.unit(at).holds(held.source()) => {
                 Value { given: Some(held.source()), argument: held.argument, ..value }
             }
             _ => value,
@@ -67,12 +66,11 @@ impl Walk<'_> {
 
     /// Remembers what a right side is worth on its first pass that is not always worth the same.
     fn keep_first(&mut self, place: &Place, id: ExprId, at: Span) {
-        if self.first_numbers.contains_key(&at.start) {
-            return;
+        if !self.first_numbers.contains_key(&at.start) {
+            let known = |name: &str| place.values.first_number(&self.names, name, &self.first_numbers);
+            let number = fold::number(self.program, id, &known);
+            self.first_numbers.insert(at.start, number);
         }
-        let known = FirstNumbers { numbers: self.numbers(place), first: &self.first_numbers };
-        let number = fold::number(self.program, id, &known);
-        self.first_numbers.insert(at.start, number);
     }
 
     fn learn(&mut self, name: &str, number: Option<f64>) {
@@ -149,16 +147,12 @@ impl Walk<'_> {
     fn declare(&mut self, place: &mut Place, name: Span, index: &[ExprId], value: Option<ExprId>) {
         let name = self.program.name(name);
         if !index.is_empty() {
-            let numbers = self.numbers(place);
-            let size = |id: &ExprId| fold::number(self.program, *id, &numbers);
-            let sizes: Option<Vec<f64>> = index.iter().map(size).collect();
-            let sizes = sizes.unwrap_or_default();
-            let whole = sizes.iter().all(|size| *size >= 1.0);
-            if !whole || sizes.iter().product::<f64>() > ELEMENTS {
+            let size = |id: &ExprId| fold::number(self.program, *id, &self.numbers(place));
+            let sizes: Vec<f64> = index.iter().map(size).collect::<Option<_>>().unwrap_or_default();
+            if sizes.iter().any(|size| *size < 1.0) || sizes.iter().product::<f64>() > ELEMENTS {
                 return;
             }
-            let sizes = sizes.into_iter().map(|size| size as usize).collect();
-            self.arrays.insert(name.clone(), sizes);
+            self.arrays.insert(name.clone(), sizes.into_iter().map(|size| size as usize).collect());
         }
         if let Some(value) = value {
             let at = values::place(self.program, value).unwrap_or_default();

@@ -106,6 +106,7 @@ impl Walk<'_> {
             plane: self.control.plane,
             transverse: self.control.transverse,
             unit_function: self.control.unit_function(),
+            left_on: false,
             ways: Vec::new(),
             overwritten: Vec::new(),
             diagnostics: Vec::new(),
@@ -199,6 +200,7 @@ impl Walk<'_> {
         let mut finished: Vec<CallSite> = Vec::with_capacity(met.len());
         let mut told = BTreeSet::new();
         for Met { mut site, given } in met {
+            site.left_on = self.left_on;
             // What a call took was of use, and what the first call behind misses is told there.
             let mut missed = |start| !takers.contains_key(&start) && told.insert(start);
             site.overwritten.retain(|(_, before, _)| missed(before.start));

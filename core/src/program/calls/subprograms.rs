@@ -4,8 +4,8 @@
 use super::uses::{Uses, is_cycle, measures_itself, measuring, uses};
 use super::{Place, Walk};
 use crate::diagnostic::Span;
-use crate::program::flow::{Called, Entry, Follow, LEVELS, State, called};
-use crate::program::held::{Held, Names, Numbers, Values, stem};
+use crate::program::flow::{Called, Entry, Follow, LEVELS, Meet, Mode, State, called};
+use crate::program::held::{Held, Names, Values, stem};
 use crate::program::values::Value;
 use crate::program::{arguments, values};
 use crate::syntax::programs::{Programs, Unit};
@@ -86,11 +86,6 @@ impl<'a> Subprograms<'a> {
         self.starts.len() > 1
     }
 
-    /// Whether a place stands in another program of the text.
-    pub fn is_elsewhere(&self, from: Span, place: Span) -> bool {
-        !self.unit(from).holds(place)
-    }
-
     fn own(&mut self, program: &Program, unit: usize) -> Rc<Uses> {
         let programs = self.programs;
         Rc::clone(self.own.entry(unit).or_insert_with(|| Rc::new(uses(program, programs, unit))))
@@ -140,8 +135,8 @@ impl Follow for Walk<'_> {
     fn block(&mut self, place: &mut Place, words: &[Word]) {
         self.pass();
         self.data(place, words);
-        let numbers = Numbers { names: &self.names, values: &place.values };
-        self.forces.block(&mut place.force, words, &numbers);
+        let known = |name: &str| place.values.number(&self.names, name);
+        self.forces.block(&mut place.force, words, &known);
     }
 
     fn call(&mut self, place: &mut Place, word: &Word) {
@@ -154,10 +149,6 @@ impl Follow for Walk<'_> {
 
     fn elsewhere(&self, place: &mut Place) {
         place.force = State::elsewhere();
-    }
-
-    fn meet(&self, one: &Place, other: &Place) -> Place {
-        Place { force: one.force.meet(&other.force), values: one.values.meet(&other.values) }
     }
 
     /// What a called program begins with: of the values those that it or a deeper one names, and its parameters.
@@ -207,6 +198,20 @@ impl Follow for Walk<'_> {
         }
         place
     }
+
+    fn end(&mut self, place: &Place) {
+        self.left_on |= match &place.force.compensation {
+            Mode::Is(compensation) => compensation.code != 40,
+            Mode::Open => self.forces.compensates,
+            Mode::Unset => false,
+        };
+    }
+}
+
+impl Meet for Place {
+    fn meet(&self, other: &Place) -> Place {
+        Place { force: self.force.meet(&other.force), values: self.values.meet(&other.values) }
+    }
 }
 
 impl Walk<'_> {
@@ -226,8 +231,7 @@ impl Walk<'_> {
     /// The variable that an expression is.
     pub(super) fn variable(&self, place: &Place, id: ExprId) -> Option<usize> {
         let Some(Expr::Name { name, index }) = self.program.expr(id) else { return None };
-        let numbers = self.numbers(place);
-        self.names.find(&fold::name(self.program, *name, index, &numbers)?)
+        self.names.find(&fold::name(self.program, *name, index, &self.numbers(place))?)
     }
 }
 

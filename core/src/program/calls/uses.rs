@@ -7,7 +7,7 @@ use crate::program::flow::{called_here, callers};
 use crate::program::held::stem;
 use crate::syntax::fold::names_in;
 use crate::syntax::programs::Programs;
-use crate::syntax::{Block, ExprId, Program, Word, WordKind};
+use crate::syntax::{ExprId, Program, Word, WordKind};
 use std::collections::BTreeSet;
 
 /// The variables of one program, by their names without index.
@@ -71,8 +71,7 @@ pub(super) fn measuring(program: &Program, programs: &Programs) -> BTreeSet<usiz
 pub(super) fn uses(program: &Program, programs: &Programs, unit: usize) -> Uses {
     let mut found = Uses::default();
     let Some(unit) = programs.units.get(unit) else { return found };
-    let signature = unit.signature.and_then(|block| program.blocks.get(block));
-    found.formal = signature.map_or(Vec::new(), |block| formal(program, block));
+    found.formal = formal(program, program.signature(unit));
     for block in program.blocks_of(unit) {
         let words = program.words_of(block);
         words.iter().for_each(|word| found.word(program, word));
@@ -106,9 +105,9 @@ impl Uses {
 }
 
 /// The parameters that a `PROC` declares; the first name is that of the program.
-fn formal(program: &Program, block: &Block) -> Vec<Formal> {
+fn formal(program: &Program, words: &[Word]) -> Vec<Formal> {
     let (mut found, mut by_reference, mut named) = (Vec::new(), false, false);
-    for word in program.words_of(block) {
+    for word in words {
         match &word.kind {
             WordKind::Keyword { name, .. } => by_reference |= program.is(*name, "VAR"),
             WordKind::Declare { .. } if !named => named = true,

@@ -11,16 +11,19 @@ pub struct Forces<'a> {
     program: &'a Program,
     /// The program changes tools with M6: T only prepares.
     prepares: bool,
+    /// It has G41 or G42.
+    pub compensates: bool,
 }
 
 impl<'a> Forces<'a> {
     /// Those of this program.
     pub fn of(program: &'a Program) -> Self {
-        Self { program, prepares: changes_tools(program) }
+        let on = |word: &Word| matches!(program.constant(word, "G"), Some(41.0 | 42.0));
+        Self { program, prepares: changes_tools(program), compensates: program.words.iter().any(on) }
     }
 
     /// Takes in the words of a block; `known`: what its variables hold.
-    pub fn block(&self, state: &mut State, words: &[Word], known: &impl Known) {
+    pub fn block(&self, state: &mut State, words: &[Word], known: Known) {
         // The tool of a block is chosen before its D and its M functions count.
         for word in words {
             self.tool(state, word, known);
@@ -30,7 +33,7 @@ impl<'a> Forces<'a> {
         }
     }
 
-    fn tool(&self, state: &mut State, word: &Word, known: &impl Known) {
+    fn tool(&self, state: &mut State, word: &Word, known: Known) {
         let (name, value) = match &word.kind {
             WordKind::Address { name, value, .. } => (name, *value),
             WordKind::Assign { name, value, index, .. } if index.is_empty() => (name, *value),
@@ -41,7 +44,7 @@ impl<'a> Forces<'a> {
         }
     }
 
-    fn chosen(&self, value: ExprId, known: &impl Known) -> Mode<Tool> {
+    fn chosen(&self, value: ExprId, known: Known) -> Mode<Tool> {
         if let Some(Expr::Text(name)) = self.program.expr(value) {
             return Mode::Is(Tool::Name(self.program.name(*name)));
         }
@@ -51,7 +54,7 @@ impl<'a> Forces<'a> {
         }
     }
 
-    fn word(&self, state: &mut State, word: &Word, known: &impl Known) {
+    fn word(&self, state: &mut State, word: &Word, known: Known) {
         match &word.kind {
             WordKind::Address { name, value, extension, .. } => {
                 let number = |value| self.whole(value, known);
@@ -65,9 +68,7 @@ impl<'a> Forces<'a> {
                     _ => {}
                 }
             }
-            WordKind::Assign { name, .. } if self.program.is(*name, "SPOS") => {
-                state.turning = Mode::Is(false);
-            }
+            WordKind::Assign { name, .. } if self.program.is(*name, "SPOS") => state.turning = Mode::Is(false),
             WordKind::Call { name, .. } => {
                 if let Some(Setting::Transverse(transverse)) = setting(&self.program.name(*name)) {
                     state.transverse = Mode::Is(transverse);
@@ -77,7 +78,7 @@ impl<'a> Forces<'a> {
         }
     }
 
-    fn whole(&self, value: ExprId, known: &impl Known) -> Option<i64> {
+    fn whole(&self, value: ExprId, known: Known) -> Option<i64> {
         let number = fold::number(self.program, value, known)?;
         (number.fract() == 0.0).then_some(number as i64)
     }

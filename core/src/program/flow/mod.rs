@@ -58,18 +58,22 @@ impl Entry<'_> {
     }
 }
 
+/// What holds at a place of a program.
+pub trait Meet: Clone + PartialEq {
+    /// What holds where two ways meet.
+    fn meet(&self, other: &Self) -> Self;
+}
+
 /// What is kept while a program is followed.
 pub trait Follow {
     /// What holds at a place of the program.
-    type State: Clone + PartialEq;
+    type State: Meet;
     /// Takes in the words of a block, calls excepted: functions count before calls.
     fn block(&mut self, state: &mut Self::State, words: &[Word]);
     /// Meets a word of the block that calls something.
     fn call(&mut self, _: &mut Self::State, _: &Word) {}
     /// A program that is not in this text was called, or calls this one.
     fn elsewhere(&self, _: &mut Self::State) {}
-    /// What holds where two ways meet.
-    fn meet(&self, one: &Self::State, other: &Self::State) -> Self::State;
     /// What a called program begins with, of what holds at its call.
     fn enter(&mut self, state: &Self::State, _: &Entry) -> Self::State {
         state.clone()
@@ -127,12 +131,8 @@ fn roots(program: &Program, programs: &Programs) -> Vec<usize> {
             }
         }
     }
-    let free = called_here.iter().enumerate();
-    let mut roots: Vec<usize> = free.filter_map(|(unit, known)| (!known).then_some(unit)).collect();
-    if roots.is_empty() {
-        roots.push(0);
-    }
-    roots
+    let roots: Vec<usize> = (0..called_here.len()).filter(|unit| !called_here[*unit]).collect();
+    if roots.is_empty() { vec![0] } else { roots }
 }
 
 struct Walk<'a, F: Follow> {
@@ -209,7 +209,7 @@ impl<F: Follow> Walk<'_, F> {
         }
         let last = seen.common.as_ref().or(seen.each.last());
         let Some((last, after)) = last.filter(|_| seen.each.len() >= self.entries) else { return Err(before) };
-        let common = self.rules.meet(last, &before);
+        let common = last.meet(&before);
         if common == *last || seen.times >= TIMES {
             return Ok((common, after.clone()));
         }
@@ -229,39 +229,34 @@ impl<F: Follow> Walk<'_, F> {
                 at += 1;
                 continue;
             }
-            let rules = &*self.rules;
-            branches.arrive(program, block, words, |one, other| rules.meet(one, other));
+            branches.arrive(program, block, words);
             self.passes.begin(&branches, at);
             let before = block.skip.map(|_| branches.state.clone());
             self.block(&mut branches, words);
             if let Some(before) = before {
-                branches.state = self.rules.meet(&before, &branches.state);
+                branches.state = before.meet(&branches.state);
             }
-            let rules = &mut *self.rules;
-            if structure::ends(program, words) && !called && branches.alive(block) {
-                rules.end(&branches.state);
+            if structure::ends(program, words) && !called && !branches.dead && block.skip.is_none() {
+                self.rules.end(&branches.state);
             }
             at = self.onward(&mut branches, at, &range);
         }
-        let rules = &*self.rules;
-        branches.after(|one, other| rules.meet(one, other))
+        branches.after()
     }
 
     /// The block that is followed next: the one behind, or the beginning of a loop with what comes back to it.
     fn onward(&mut self, branches: &mut Branches<F::State>, at: usize, range: &Range<usize>) -> usize {
-        let rules = &*self.rules;
-        let meet = |one: &F::State, other: &F::State| rules.meet(one, other);
         let back = self.passes.back(self.program, branches, at, range);
         if let Some(back) = back {
             let length = at + 1 - back.head();
-            if self.passes.returns(branches, back, meet) && self.budget >= length {
+            if self.passes.returns(branches, back) && self.budget >= length {
                 self.budget -= length;
                 self.passes.again(branches, back);
                 return back.head();
             }
-            self.passes.done(branches, back, meet);
+            self.passes.done(branches, back);
         }
-        branches.leave(self.program, at, back.is_some(), meet);
+        branches.leave(self.program, at, back.is_some());
         at + 1
     }
 
@@ -280,8 +275,7 @@ impl<F: Follow> Walk<'_, F> {
                 match self.unit(unit, begin) {
                     Some((begin, after)) => {
                         let saves = self.saves(unit);
-                        let way = (&begin, &after);
-                        branches.state = self.rules.leave(&branches.state, way, &entry, saves);
+                        branches.state = self.rules.leave(&branches.state, (&begin, &after), &entry, saves);
                     }
                     None => branches.dead = true,
                 }
@@ -295,9 +289,7 @@ impl<F: Follow> Walk<'_, F> {
     }
 
     fn saves(&self, unit: usize) -> bool {
-        let signature = self.programs.units.get(unit).and_then(|unit| unit.signature);
-        let block = signature.and_then(|block| self.program.blocks.get(block));
-        let mut words = block.into_iter().flat_map(|block| self.program.words_of(block));
-        words.any(|word| self.program.is_call(word, &["SAVE"]))
+        let unit = self.programs.units.get(unit);
+        unit.is_some_and(|unit| self.program.signature(unit).iter().any(|word| self.program.is_call(word, &["SAVE"])))
     }
 }

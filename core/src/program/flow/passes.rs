@@ -1,9 +1,9 @@
 //! Loops and jumps backward: with which states their beginning is passed, and what holds behind them. A body is
 //! followed again with what its end leaves, as the control does, until that is nothing new.
 
-use super::ENTRIES;
 use super::structure::{Branches, Open, target};
-use crate::syntax::fold::Nothing;
+use super::{ENTRIES, Meet};
+use crate::syntax::fold::NOTHING;
 use crate::syntax::links::{structural, targets};
 use crate::syntax::{Program, Word, WordKind, fold};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -73,15 +73,14 @@ impl Back {
     }
 }
 
-impl<S: Clone + PartialEq> Passes<S> {
+impl<S: Meet> Passes<S> {
     /// Finds the beginnings.
     pub fn of(program: &Program) -> Self {
         let mut found = Self { heads: HashMap::new(), labels: BTreeMap::new() };
-        let keywords = |words: &[Word]| words.iter().any(|word| word.keyword().is_some());
         let mut names = BTreeSet::new();
         for (at, block) in program.blocks.iter().enumerate() {
             let words = program.words_of(block);
-            if !keywords(words) {
+            if words.iter().all(|word| word.keyword().is_none()) {
                 continue;
             }
             names.extend(words.iter().filter_map(|word| back_to(program, word)));
@@ -122,7 +121,7 @@ impl<S: Clone + PartialEq> Passes<S> {
 
     /// What this block goes back to: it ends a loop, or jumps to a label before it.
     pub fn back(&self, program: &Program, branches: &Branches<S>, at: usize, range: &Range<usize>) -> Option<Back> {
-        let words = program.words_of(program.blocks.get(at)?);
+        let words = program.words_at(at);
         // a jump back into a structure may bring one along that begins only behind this block
         let begin = branches.loop_begin().filter(|head| *head <= at);
         match structural(program, words) {
@@ -141,11 +140,11 @@ impl<S: Clone + PartialEq> Passes<S> {
     }
 
     /// Takes in what goes back; true: it is new there.
-    pub fn returns(&mut self, branches: &Branches<S>, back: Back, meet: impl Fn(&S, &S) -> S) -> bool {
+    pub fn returns(&mut self, branches: &Branches<S>, back: Back) -> bool {
         let Some(head) = self.heads.get_mut(&back.head()).filter(|_| !branches.dead) else { return false };
         let Some((_, now)) = head.round else { return false };
         if let Some((_, end)) = head.passes.get_mut(now) {
-            *end = Some(end.as_ref().map(|end| meet(end, &branches.state)).unwrap_or_else(|| branches.state.clone()));
+            *end = Some(end.as_ref().map_or_else(|| branches.state.clone(), |end| end.meet(&branches.state)));
         }
         let known = head.passes.iter().any(|(state, _)| *state == branches.state);
         !known && head.passes.len() < ENTRIES
@@ -160,14 +159,14 @@ impl<S: Clone + PartialEq> Passes<S> {
     }
 
     /// What holds behind the block, all passes together.
-    pub fn done(&mut self, branches: &mut Branches<S>, back: Back, meet: impl Fn(&S, &S) -> S) {
+    pub fn done(&mut self, branches: &mut Branches<S>, back: Back) {
         let Some(head) = self.heads.get_mut(&back.head()) else { return };
         let left = std::mem::take(&mut head.left);
         let nobody = branches.dead && left.is_empty() && matches!(back, Back::Here(_));
-        branches.also(left, &meet);
+        branches.also(left);
         if let Some((first, _)) = head.round.filter(|_| !nobody) {
             let behind = head.round_from(first, back).into_iter().cloned();
-            if let Some(state) = behind.reduce(|one, other| meet(&one, &other)) {
+            if let Some(state) = behind.reduce(|one, other| one.meet(&other)) {
                 branches.state = state;
                 branches.dead = false;
             }
@@ -177,12 +176,11 @@ impl<S: Clone + PartialEq> Passes<S> {
 
 /// Whether this is a `FOR` from a number to one that is not below it.
 fn runs_at_least_once(program: &Program, head: usize) -> bool {
-    let words = program.blocks.get(head).map(|block| program.words_of(block));
-    let ends = words.unwrap_or_default().iter().filter_map(|word| match &word.kind {
+    let ends = program.words_at(head).iter().filter_map(|word| match &word.kind {
         WordKind::Assign { value, .. } | WordKind::Keyword { value: Some(value), .. } => Some(*value),
         _ => None,
     });
-    let numbers = ends.map(|value| fold::number(program, value, &Nothing));
+    let numbers = ends.map(|value| fold::number(program, value, NOTHING));
     matches!(numbers.collect::<Vec<_>>()[..], [Some(from), Some(to)] if from <= to)
 }
 

@@ -1,5 +1,6 @@
 //! What is in force at a place of a program, as far as its text tells.
 
+use super::Meet;
 use crate::control::{Plane, Transverse};
 use crate::diagnostic::Span;
 
@@ -99,25 +100,6 @@ impl State {
         }
     }
 
-    /// What holds where two ways meet.
-    pub fn meet(&self, other: &State) -> State {
-        State {
-            plane: self.plane.meet(&other.plane),
-            compensation: self.compensation.meet(&other.compensation),
-            frame: self.frame.meet(&other.frame),
-            transverse: self.transverse.meet(&other.transverse),
-            units: self.units.meet(&other.units),
-            turning: self.turning.meet(&other.turning),
-            tool: self.tool.meet(&other.tool),
-            edge: self.edge.meet(&other.edge),
-            prepared: match (&self.prepared, &other.prepared) {
-                (one, other) if one == other => one.clone(),
-                _ => Some(Mode::Open),
-            },
-            waiting: self.waiting.meet(&other.waiting),
-        }
-    }
-
     /// The functions of the caller again (`SAVE`).
     pub fn restore(&mut self, caller: &State) {
         self.plane.clone_from(&caller.plane);
@@ -179,6 +161,23 @@ impl State {
                 self.change();
             }
             _ => {}
+        }
+    }
+}
+
+impl Meet for State {
+    fn meet(&self, other: &State) -> State {
+        State {
+            plane: self.plane.meet(&other.plane),
+            compensation: self.compensation.meet(&other.compensation),
+            frame: self.frame.meet(&other.frame),
+            transverse: self.transverse.meet(&other.transverse),
+            units: self.units.meet(&other.units),
+            turning: self.turning.meet(&other.turning),
+            tool: self.tool.meet(&other.tool),
+            edge: self.edge.meet(&other.edge),
+            prepared: if self.prepared == other.prepared { self.prepared.clone() } else { Some(Mode::Open) },
+            waiting: self.waiting.meet(&other.waiting),
         }
     }
 }

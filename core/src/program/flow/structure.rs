@@ -1,5 +1,6 @@
 //! Ways through one program: `IF` to `ENDIF`, loops that may not run, jumps forward, ends.
 
+use super::Meet;
 use crate::syntax::links::{canonical, structural};
 use crate::syntax::{Block, Expr, Program, Word, WordKind};
 use std::collections::HashMap;
@@ -35,7 +36,7 @@ pub struct Choice<S> {
     first: Option<Option<S>>,
 }
 
-impl<S: Clone> Branches<S> {
+impl<S: Meet> Branches<S> {
     /// The one way at the beginning; `called`: of a subprogram, which M2 and M30 end like M17.
     pub fn new(state: S, called: bool) -> Self {
         Self { called, state, dead: false, open: Vec::new(), jumps: HashMap::new(), left: None }
@@ -52,8 +53,8 @@ impl<S: Clone> Branches<S> {
     }
 
     /// Before a block: jumps arrive, branches end or begin.
-    pub fn arrive(&mut self, program: &Program, block: &Block, words: &[Word], meet: impl Fn(&S, &S) -> S) {
-        self.labels(program, block, words, &meet);
+    pub fn arrive(&mut self, program: &Program, block: &Block, words: &[Word]) {
+        self.labels(program, block, words);
         match structural(program, words) {
             Some("ELSE") => {
                 if let Some(Open::If(choice)) = self.open.last_mut() {
@@ -64,7 +65,7 @@ impl<S: Clone> Branches<S> {
             }
             Some("ENDIF") => {
                 if let Some(Open::If(choice)) = self.open.pop_if(|open| matches!(open, Open::If(_))) {
-                    self.join(choice.first.unwrap_or(choice.before), meet);
+                    self.join(choice.first.unwrap_or(choice.before));
                 }
             }
             _ => {}
@@ -78,14 +79,14 @@ impl<S: Clone> Branches<S> {
     }
 
     /// What was open on other ways to the same place.
-    pub fn also(&mut self, ways: Vec<Vec<Open<S>>>, meet: impl Fn(&S, &S) -> S) {
+    pub fn also(&mut self, ways: Vec<Vec<Open<S>>>) {
         for way in ways {
             let Some(from) = self.open.len().checked_sub(way.len()) else { continue };
             for (open, other) in self.open.iter_mut().skip(from).zip(way) {
                 if let (Open::If(choice), Open::If(other)) = (open, other) {
-                    choice.before = both(choice.before.take(), other.before, &meet);
+                    choice.before = both(choice.before.take(), other.before);
                     choice.first = match (choice.first.take(), other.first) {
-                        (Some(one), Some(other)) => Some(both(one, other, &meet)),
+                        (Some(one), Some(other)) => Some(both(one, other)),
                         (one, _) => one,
                     };
                 }
@@ -94,7 +95,7 @@ impl<S: Clone> Branches<S> {
     }
 
     /// Behind a block: a branch begins, or a jump or the end goes away. `back`: what goes back was followed already.
-    pub fn leave(&mut self, program: &Program, at: usize, back: bool, meet: impl Fn(&S, &S) -> S) {
+    pub fn leave(&mut self, program: &Program, at: usize, back: bool) {
         let Some(block) = program.blocks.get(at) else { return };
         let words = program.words_of(block);
         match structural(program, words) {
@@ -110,61 +111,52 @@ impl<S: Clone> Branches<S> {
         }
         let mut goes = ends(program, words);
         if (returns(program, words) || (goes && self.called)) && !self.dead {
-            self.left = both(self.left.take(), Some(self.state.clone()), &meet);
+            self.left = both(self.left.take(), Some(self.state.clone()));
             goes = true;
         }
         for target in words.iter().filter_map(|word| target(program, word)) {
             goes = true;
             if let Some(name) = target.filter(|_| !self.dead && !back) {
-                let state = self.jumps.get(&name).map_or_else(|| self.state.clone(), |known| meet(known, &self.state));
-                self.jumps.insert(name, state);
+                let known = self.jumps.remove(&name);
+                self.jumps.extend(both(known, Some(self.state.clone())).map(|state| (name, state)));
             }
         }
-        if goes && block.skip.is_none() && !conditional(program, words) {
+        let conditional = words.iter().any(|word| program.is_keyword(word, &["IF", "CASE"]));
+        if goes && block.skip.is_none() && !conditional {
             self.dead = true;
         }
     }
 
-    /// Whether the present way comes to this block for certain, as far as the text tells.
-    pub fn alive(&self, block: &Block) -> bool {
-        !self.dead && block.skip.is_none()
-    }
-
     /// What holds behind the program; none: it does not come back.
-    pub fn after(mut self, meet: impl Fn(&S, &S) -> S) -> Option<S> {
-        let left = self.left.take();
-        if self.dead {
-            return left;
-        }
-        self.join(left, meet);
-        Some(self.state)
+    pub fn after(self) -> Option<S> {
+        both((!self.dead).then_some(self.state), self.left)
     }
 
-    fn labels(&mut self, program: &Program, block: &Block, words: &[Word], meet: impl Fn(&S, &S) -> S) {
+    fn labels(&mut self, program: &Program, block: &Block, words: &[Word]) {
         let label = words.iter().find_map(Word::label);
         if self.jumps.is_empty() && (label.is_none() || !self.dead) {
             return;
         }
         for name in label.into_iter().chain(block.number).map(|name| canonical(&program.name(name))) {
             let state = self.jumps.remove(&name);
-            self.join(state, &meet);
+            self.join(state);
         }
         // A label that is jumped to from behind: nothing better is known than the order of the text.
         self.dead &= label.is_none();
     }
 
     /// Another way meets the present one.
-    fn join(&mut self, other: Option<S>, meet: impl Fn(&S, &S) -> S) {
+    fn join(&mut self, other: Option<S>) {
         let Some(other) = other else { return };
-        self.state = if self.dead { other } else { meet(&self.state, &other) };
+        self.state = if self.dead { other } else { self.state.meet(&other) };
         self.dead = false;
     }
 }
 
 /// What holds where two ways meet, of which one may not come there.
-fn both<S>(one: Option<S>, other: Option<S>, meet: impl Fn(&S, &S) -> S) -> Option<S> {
+fn both<S: Meet>(one: Option<S>, other: Option<S>) -> Option<S> {
     match (one, other) {
-        (Some(one), Some(other)) => Some(meet(&one, &other)),
+        (Some(one), Some(other)) => Some(one.meet(&other)),
         (one, other) => one.or(other),
     }
 }
@@ -182,11 +174,6 @@ pub fn target(program: &Program, word: &Word) -> Option<Option<String>> {
         Some(Expr::Number(number, _)) => Some(format!("N{number}")),
         _ => None,
     })
-}
-
-/// Whether a condition stands in the block.
-fn conditional(program: &Program, words: &[Word]) -> bool {
-    words.iter().any(|word| program.is_keyword(word, &["IF", "CASE"]))
 }
 
 /// Whether the block ends its program: M2, M30; the main program of NCT from everywhere.
