@@ -160,8 +160,7 @@ pub fn joined(chain: &[Frame]) -> Option<Frame> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::control::delivery::delivery;
-    use crate::control::frame::tests::near;
+    use crate::control::{delivery, frame::tests::near};
     use crate::dialect::Dialect;
     use crate::geometry::{Mcs, Wcs};
 

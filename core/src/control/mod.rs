@@ -22,10 +22,16 @@ pub use data::{Data, FORMS};
 pub use delivery::{delivery, delivery_in, rebuilt};
 pub use environments::Environment;
 pub use frame::Frame;
+pub use frames::Store;
 pub use limits::Limits;
+pub use machine_data::TOOL_LENGTH_TYPE;
 pub use machine_sort::MachineSort;
 pub use make::{FALSE_TRIGGER, Make, NCT, PATH_OBSTRUCTED};
+pub use probe::upright;
+pub use rotary::ROTARY;
+pub use tools::{AS_TURNING_TOOL, LATHE_PROBE};
 pub use units::UnitFunction;
+pub use variables::AXES;
 
 use crate::dialect::Dialect;
 use serde::{Deserialize, Serialize};

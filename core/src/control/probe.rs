@@ -1,8 +1,6 @@
 //! The workpiece probe by its tool data: whether the milling cycles may be called with it, and where its body lies.
 
-use super::machine_data::TOOL_LENGTH_TYPE;
-use super::tools::AS_TURNING_TOOL;
-use super::{Control, Edge, Plane};
+use super::{AS_TURNING_TOOL, Control, Edge, Plane, TOOL_LENGTH_TYPE};
 use crate::geometry::V3;
 
 /// Type of a 3D probe.

@@ -1,7 +1,6 @@
 //! Tools and registers: which edge is active, what it is long and how thick, wear included. mm.
 
-use super::machine_data::TOOL_LENGTH_TYPE;
-use super::{Control, Edge};
+use super::{Control, Edge, TOOL_LENGTH_TYPE};
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
@@ -143,7 +142,7 @@ impl Edge {
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
-    use crate::control::{Plane, delivery::delivery};
+    use crate::control::{Plane, delivery};
     use crate::dialect::Dialect;
 
     #[test]

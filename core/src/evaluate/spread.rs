@@ -2,8 +2,7 @@
 //! multiples of that of one point. All points scatter alike and independently of each other; to first order, as scatter
 //! is small against every distance. DESIGN.md says what is doubted.
 
-use crate::geometry::V3;
-use crate::geometry::rigid::sin_cos;
+use crate::geometry::{V3, sin_cos};
 use nalgebra::{Matrix3, MatrixXx3, RowVector3, Vector2};
 
 /// Length over which the uncertainty of a direction is told, mm.

@@ -1,7 +1,6 @@
 //! A way round an axis: an arc, or with a climb along the axis a helix.
 
-use super::V3;
-use super::stretch::Stretch;
+use super::{Stretch, V3};
 
 /// How a way between two points goes round an axis.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]

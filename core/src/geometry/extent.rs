@@ -1,8 +1,6 @@
 //! Boxes along the axes, so that what is far away need not be looked at.
 
-use super::feature::Feature;
-use super::lobed::LobedWall;
-use super::{TOLERANCE, V3};
+use super::{Feature, LobedWall, TOLERANCE, V3};
 
 /// From the least to the greatest coordinates of something, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,11 +1,6 @@
 //! Any kind of surface, edge or corner.
 
-use super::circle::Circle;
-use super::lobed::LobedWall;
-use super::quad::Quad;
-use super::segment::Segment;
-use super::wall::Wall;
-use super::{Path, V3, point};
+use super::{Circle, LobedWall, Path, Quad, Segment, V3, Wall, point};
 
 /// A piece of the boundary of a solid.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,8 +2,7 @@
 
 mod first;
 
-use super::circle::radial;
-use super::{V3, roots};
+use super::{V3, radial, roots};
 use nalgebra::UnitComplex;
 use std::f64::consts::{PI, TAU};
 

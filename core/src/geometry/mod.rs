@@ -3,31 +3,44 @@
 //! Lengths in mm, parameters along a path in mm from its start. One file a kind of surface.
 
 pub mod arc;
-pub mod circle;
+mod circle;
 pub mod convex;
-pub mod extent;
+mod extent;
 pub mod feature;
 pub mod fit;
-pub mod lobed;
-pub mod mesh;
-pub mod met;
-pub mod path;
-pub mod place;
-pub mod point;
-pub mod quad;
+mod lobed;
+mod mesh;
+mod met;
+mod path;
+mod place;
+mod point;
+mod quad;
 pub mod rigid;
 pub mod rod;
 pub mod roots;
-pub mod segment;
-pub mod stretch;
-pub mod swept;
+mod segment;
+mod stretch;
+mod swept;
 pub mod triangle;
-pub mod wall;
+mod wall;
 
+pub use arc::Around;
+pub use circle::{Circle, radial};
+pub use convex::Convex;
+pub use extent::Extent;
 pub use feature::Feature;
-pub use met::Met;
+pub use lobed::{LobedWall, Lobes};
+pub use mesh::Mesh;
+pub use met::{Met, Stand, earliest};
 pub use path::Path;
 pub use place::{Mcs, Wcs};
+pub use quad::{Quad, Trim};
+pub use rigid::sin_cos;
+pub use rod::Rod;
+pub use segment::Segment;
+pub use stretch::Stretch;
+pub use swept::Swept;
+pub use wall::Wall;
 
 /// A point or direction X Y Z.
 pub type V3 = nalgebra::Vector3<f64>;

@@ -1,7 +1,6 @@
 //! Ball against a flat face: a convex quadrangle, whole or trimmed by a round curve about the Z axis.
 
-use super::lobed::Lobes;
-use super::{Path, V3};
+use super::{Lobes, Path, V3};
 
 /// What of a quadrangle is face.
 #[derive(Clone, Copy, Debug, PartialEq)]

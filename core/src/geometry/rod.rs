@@ -6,13 +6,7 @@
 //! side. Where a rod stands across an edge or along a line of a cone, the plane through both directions parts them: its
 //! distance changes evenly along the way, and the contact is exact.
 
-use super::circle::Circle;
-use super::extent::Extent;
-use super::lobed::LobedWall;
-use super::met::{Met, earliest};
-use super::segment::Segment;
-use super::wall::Wall;
-use super::{Feature, Path, V3};
+use super::{Circle, Extent, Feature, LobedWall, Met, Path, Segment, V3, Wall, earliest};
 use nalgebra::IsometryMatrix3;
 use std::f64::consts::TAU;
 

@@ -4,13 +4,7 @@
 //! same axis are held against each other by distance from it and height. Both bounds are exact for level arcs, so that
 //! a whole circle is told free at once unless it comes nearer than the tolerance.
 
-use super::circle::Circle;
-use super::extent::Extent;
-use super::lobed::{LobedWall, Lobes};
-use super::quad::{Quad, Trim};
-use super::segment::Segment;
-use super::stretch::Stretch;
-use super::{Feature, TOLERANCE, V3};
+use super::{Circle, Extent, Feature, LobedWall, Lobes, Quad, Segment, Stretch, TOLERANCE, Trim, V3};
 use nalgebra::IsometryMatrix3;
 
 /// A ball or a rod on its way; it does not turn.

@@ -1,8 +1,6 @@
 //! Ball against a round wall about the Z axis from Z = 0 downwards: cylinder or cone, from inside or outside.
 
-use super::circle::radial;
-use super::lobed::Lobes;
-use super::{Path, V3, roots};
+use super::{Lobes, Path, V3, radial, roots};
 
 /// A cylinder or cone between Z = 0 and Z = −depth.
 #[derive(Clone, Copy, Debug, PartialEq)]

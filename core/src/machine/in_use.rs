@@ -2,7 +2,7 @@
 
 use super::Sim;
 use crate::control::{Control, Edge, Plane};
-use crate::workpiece::tool::{Cut, Spindle, Tool};
+use crate::workpiece::{Cut, Spindle, Tool};
 
 /// What is in use from one change to the next.
 #[derive(Clone, Debug, PartialEq)]

@@ -9,16 +9,17 @@ pub mod setup;
 pub mod sim;
 pub mod trace;
 
-pub use setup::Setup;
+pub use in_use::InUse;
+pub use route::{Obstacle, Route};
+pub use setup::{PROBE_TOOL, Setup, ideal_probe, probe_data, probe_place};
 pub use sim::Sim;
+pub use trace::{Entry, MotionKind, Step, Trace};
 
 use crate::control::Control;
 use crate::diagnostic::Code;
-use crate::geometry::Wcs;
-use crate::geometry::arc::Around;
+use crate::geometry::{Around, Wcs};
 use crate::message::Message;
 use crate::scan::{Layout, Scanned, Sent};
-use trace::{MotionKind, Step};
 
 /// Why a program does not go on.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,14 +1,10 @@
 //! Which machines can be: a probe, tools and a part that can exist, and names that the control knows.
 
-use super::setup::Setup;
+use super::Setup;
 use crate::control::{Control, Edge, Frame, Value};
-use crate::geometry::FARTHEST;
-use crate::geometry::rigid::sin_cos;
+use crate::geometry::{FARTHEST, sin_cos};
 use crate::refused::{Path, Refused};
-use crate::workpiece::seen::Turret;
-use crate::workpiece::tool::{Cut, Cutter, Tool};
-use crate::workpiece::tool_probe::ToolProbe;
-use crate::workpiece::{PartErrors, Probe, Shape, Solid};
+use crate::workpiece::{Cut, Cutter, PartErrors, Probe, Shape, Solid, Tool, ToolProbe, Turret};
 
 /// Largest length, angle or feed.
 const LIMIT: f64 = FARTHEST;

@@ -1,11 +1,8 @@
 //! The way of one motion, straight or round an axis, and what stops the probe on it.
 
 use crate::control::Control;
-use crate::geometry::arc::Around;
-use crate::geometry::stretch::Stretch;
-use crate::geometry::{FARTHEST, Mcs, TOLERANCE, V3, roots};
-use crate::workpiece::contact::{Boundary, Contact};
-use crate::workpiece::feeler::{Feeler, Touching};
+use crate::geometry::{Around, FARTHEST, Mcs, Stretch, TOLERANCE, V3, roots};
+use crate::workpiece::{Boundary, Contact, Feeler, Touching};
 
 /// How far a stretch of an arc that counts as straight may be from its chord, mm.
 const FLAT: f64 = 1e-5;

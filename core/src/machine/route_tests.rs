@@ -1,14 +1,11 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 //! What arcs meet, against the distance of the part at many places of them.
 
-use super::route::{Obstacle, Route};
-use crate::geometry::arc::Around;
-use crate::geometry::{Mcs, V3};
-use crate::machine::setup::ideal_probe;
-use crate::workpiece::contact::Boundary;
-use crate::workpiece::feeler::{Feeler, Touching};
+use super::{Obstacle, Route};
+use crate::geometry::{Around, Mcs, V3};
+use crate::machine::ideal_probe;
 use crate::workpiece::feeler_tests::{any_solid, boundary, least};
-use crate::workpiece::{PartErrors, Shape, Solid};
+use crate::workpiece::{Boundary, Feeler, PartErrors, Shape, Solid, Touching};
 use proptest::prelude::*;
 
 const RADIUS: f64 = 3.0;

@@ -5,10 +5,7 @@ use crate::control::tools::{AS_TURNING_TOOL, LATHE_PROBE};
 use crate::control::{Control, Edge, Make, Plane, Transverse, Units, delivery_in};
 use crate::dialect::Dialect;
 use crate::geometry::Mcs;
-use crate::workpiece::seen::Turret;
-use crate::workpiece::tool::Tool;
-use crate::workpiece::tool_probe::ToolProbe;
-use crate::workpiece::{Probe, Workpiece};
+use crate::workpiece::{Probe, Tool, ToolProbe, Turret, Workpiece};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Everything that a run starts from.

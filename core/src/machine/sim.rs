@@ -1,20 +1,11 @@
 //! The simulated machine: moves the probe among the solids and records what happens.
 
-use super::in_use::InUse;
-use super::route::{LOOK, Obstacle, Route};
-use super::trace::{Entry, MotionKind, Step, Trace};
-use super::{Machine, Setup, Stop};
+use super::{Entry, InUse, Machine, MotionKind, Obstacle, Route, Setup, Step, Stop, Trace, route::LOOK};
 use crate::control::{Control, MachineSort};
-use crate::geometry::arc::Around;
-use crate::geometry::{FARTHEST, Mcs, Wcs};
+use crate::geometry::{Around, FARTHEST, Mcs, Wcs};
 use crate::message::Message;
 use crate::scan::{FORM_POINTS, FORM_POINTS_WITH_BODY, Sent};
-use crate::workpiece::contact::{Boundary, Contact};
-use crate::workpiece::feeler::Touching;
-use crate::workpiece::noise::Noise;
-use crate::workpiece::tool::Tool;
-use crate::workpiece::tool_probe::ToolProbe;
-use crate::workpiece::{Probe, Workpiece, chuck};
+use crate::workpiece::{Boundary, Contact, Noise, Probe, Tool, ToolProbe, Touching, Workpiece, chuck};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Entries of a trace after which a run is given up: a thousand calls make up to 150,000.

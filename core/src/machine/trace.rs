@@ -1,13 +1,11 @@
 //! What happened, in order, each with the program line that caused it. 3D view, timeline, tables and tests read this.
 
-use super::in_use::InUse;
-use crate::control::rotary::ROTARY;
+use super::InUse;
+use crate::control::ROTARY;
 use crate::diagnostic::Code;
-use crate::geometry::Mcs;
-use crate::geometry::arc::Around;
+use crate::geometry::{Around, Mcs};
 use crate::message::Message;
-use crate::workpiece::Solid;
-use crate::workpiece::feeler::Touching;
+use crate::workpiece::{Solid, Touching};
 use serde::{Serialize, Serializer};
 
 /// Kind of a motion.

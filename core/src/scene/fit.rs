@@ -2,8 +2,7 @@
 
 use super::frames::Frame;
 use super::paths::Way;
-use crate::geometry::V3;
-use crate::geometry::extent::Extent;
+use crate::geometry::{Extent, V3};
 
 /// In which paths are shown whole around parts: share of their size, and at least so many mm.
 const ROOM: f64 = 0.4;

@@ -2,10 +2,10 @@
 
 use super::frames::Frame;
 use crate::geometry::V3;
-use crate::machine::trace::{Entry, Step};
+use crate::machine::{Entry, Step};
 use crate::message::Message;
 use crate::name::Name;
-use crate::workpiece::feeler::Touching;
+use crate::workpiece::Touching;
 use serde::Serialize;
 
 /// Diameters that differ by less than this, mm, are the same on a drawing.

@@ -18,14 +18,11 @@ mod tests;
 pub mod tool;
 pub mod turned;
 
-use crate::geometry::V3;
-use crate::geometry::extent::Extent;
-use crate::machine::setup::Setup;
-use crate::machine::trace::{Entry, Step};
+use crate::geometry::{Extent, V3};
+use crate::machine::{Entry, Setup, Step};
 use crate::name::Name;
 use crate::run::outcome::Outcome;
-use crate::workpiece::feeler::Touching;
-use crate::workpiece::{Shape, Solid};
+use crate::workpiece::{Shape, Solid, Touching};
 use frames::Frame;
 use labels::Label;
 use mesh::Mesh;

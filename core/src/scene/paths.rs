@@ -1,9 +1,8 @@
 //! Motions as straight pieces, and where the probe stands.
 
 use super::tool::Tool;
-use crate::geometry::V3;
-use crate::geometry::arc::Around;
-use crate::machine::trace::{Entry, MotionKind, Step};
+use crate::geometry::{Around, V3};
+use crate::machine::{Entry, MotionKind, Step};
 
 /// Most degrees of an arc that are one straight piece.
 const PIECE: f64 = 3.0;

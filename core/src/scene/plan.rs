@@ -4,24 +4,16 @@
 use super::plan_solid::{Cut, meets, outline};
 use crate::catalogue::example::example;
 use crate::check;
-use crate::control::variables::AXES;
-use crate::control::{Edge, MachineSort, Plane, Transverse};
+use crate::control::{AXES, Edge, MachineSort, Plane, Transverse};
 use crate::entry::stage::{Look, SIZE, Seen, Staging, Touched, add, distance, ring, unit};
 use crate::entry::{Inputs, Proposal, Staged, address, names};
-use crate::geometry::V3;
-use crate::geometry::arc::Around;
-use crate::machine::Setup;
-use crate::machine::in_use::InUse;
-use crate::machine::setup::probe_place;
-use crate::machine::sim::Sim;
-use crate::machine::trace::{Entry, MotionKind, Step};
+use crate::geometry::{Around, V3};
+use crate::machine::{Entry, InUse, MotionKind, Setup, Sim, Step, probe_place};
 use crate::name::Name;
 use crate::picture::figures::{circle, frame, line, polygon};
 use crate::picture::{Picture, PictureShape, ShapeKind, View};
 use crate::run::call::perform;
-use crate::workpiece::seen::Drawn;
-use crate::workpiece::tool::{Tool, in_plane};
-use crate::workpiece::{Shape, Solid, seen};
+use crate::workpiece::{Drawn, Shape, Solid, Tool, seen, tool::in_plane};
 
 /// Entries of a trace after which nothing more is carried out.
 const STEPS: usize = 1000;

@@ -4,9 +4,7 @@ use crate::entry::stage::distance;
 use crate::geometry::V3;
 use crate::picture::figures::frame;
 use crate::picture::{PictureShape, ShapeKind, figures};
-use crate::workpiece::Solid;
-use crate::workpiece::form::{Column, Form, Material};
-use crate::workpiece::free::FreeSurface;
+use crate::workpiece::{Column, Form, FreeSurface, Material, Solid};
 
 /// Material around an opening, in sizes of it.
 const AROUND: Material = Material { beside: [1.3, 0.0], below: [1.25, 0.0] };

@@ -1,14 +1,8 @@
 //! A solid as triangles and edges: each piece of the boundary that can be touched, in the solid's own frame.
 
 use super::mesh::{Mesh, Vertex};
-use crate::geometry::lobed::{LobedWall, Lobes};
-use crate::geometry::quad::{Quad, Trim};
-use crate::geometry::segment::Segment;
-use crate::geometry::{Feature, V3};
-use crate::workpiece::body::Body;
-use crate::workpiece::form::{Column, Columns, Form};
-use crate::workpiece::free::{FreeSurface, Heights};
-use crate::workpiece::{Shape, Solid, chuck};
+use crate::geometry::{Feature, LobedWall, Lobes, Quad, Segment, Trim, V3};
+use crate::workpiece::{Body, Column, Columns, Form, FreeSurface, Heights, Shape, Solid, chuck};
 use std::f64::consts::TAU;
 
 /// How far a triangle lies from the surface that it stands for at most, mm. Its corners lie on it.

@@ -11,17 +11,11 @@ use super::{LineKind, Matter, Scene, Source, fit, labels, paths, tool};
 use crate::control::Plane;
 use crate::dialect::Dialect;
 use crate::entry::names::{SETVAL, TSA};
-use crate::geometry::arc::Around;
-use crate::geometry::extent::Extent;
-use crate::geometry::{Mcs, V3};
-use crate::machine::in_use::InUse;
-use crate::machine::setup::Setup;
-use crate::machine::trace::{Entry, MotionKind, Step, Trace};
+use crate::geometry::{Around, Extent, Mcs, V3};
+use crate::machine::{Entry, InUse, MotionKind, Setup, Step, Trace};
 use crate::message::Message;
 use crate::run::outcome::Outcome;
-use crate::workpiece::feeler::Touching;
-use crate::workpiece::seen::Drawn;
-use crate::workpiece::{PartErrors, Shape, Solid};
+use crate::workpiece::{Drawn, PartErrors, Shape, Solid, Touching};
 use std::f64::consts::TAU;
 
 fn solid(shape: Shape) -> Solid {

@@ -5,12 +5,9 @@ use crate::catalogue::find;
 use crate::control::{Control, Transverse};
 use crate::entry::ProbeUse;
 use crate::geometry::{Mcs, V3};
-use crate::machine::setup::Setup;
-use crate::machine::trace::{Step, Trace};
+use crate::machine::{Setup, Step, Trace};
 use crate::run::outcome::Outcome;
-use crate::workpiece::feeler::Touching;
-use crate::workpiece::form::{Column, Form};
-use crate::workpiece::{PartErrors, Shape, Solid};
+use crate::workpiece::{Column, Form, PartErrors, Shape, Solid, Touching};
 use serde::Serialize;
 
 /// Axis of the machine in which diameters count.

@@ -4,11 +4,9 @@ use super::{ActiveFile, EdgeFile, MachineFile, SetupFile, SolidFile, ToolFile, T
 use crate::SIMULATES;
 use crate::control::{Control, Edge, Frame, Limits, Tool, delivery_in};
 use crate::geometry::Mcs;
-use crate::machine::setup::Setup;
+use crate::machine::Setup;
 use crate::refused::{Path, Refused};
-use crate::workpiece::seen::Turret;
-use crate::workpiece::tool_probe::ToolProbe;
-use crate::workpiece::{Workpiece, tool};
+use crate::workpiece::{ToolProbe, Turret, Workpiece, tool};
 use serde::{Serialize, Serializer};
 use std::collections::BTreeMap;
 

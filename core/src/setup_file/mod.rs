@@ -11,9 +11,7 @@ pub use solid::{SolidFile, example};
 
 use crate::control::{Environment, Frame, Plane, Transverse, Units, Value, delivery};
 use crate::dialect::Dialect;
-use crate::workpiece::Probe;
-use crate::workpiece::seen::Turret;
-use crate::workpiece::tool::Tool;
+use crate::workpiece::{Probe, Tool, Turret};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 

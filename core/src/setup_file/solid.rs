@@ -2,8 +2,8 @@
 
 use crate::SIMULATES;
 use crate::refused::{Path, Refused};
-use crate::workpiece::free::{EXAMPLES, FreeSurface, Heights, LARGEST};
-use crate::workpiece::{PartErrors, Shape, Solid};
+use crate::workpiece::free::{EXAMPLES, LARGEST};
+use crate::workpiece::{FreeSurface, Heights, PartErrors, Shape, Solid};
 use serde::{Deserialize, Serialize, Serializer};
 use std::sync::Arc;
 

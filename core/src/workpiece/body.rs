@@ -1,15 +1,7 @@
 //! A solid taken apart into faces, edges and corners, in its own frame (origin at the upper face, Z up).
 
-use super::Solid;
-use super::form::{Column, Columns, Form, Material, between};
-use super::free::FreeSurface;
-use crate::geometry::circle::Circle;
-use crate::geometry::extent::Extent;
-use crate::geometry::lobed::{LobedWall, Lobes};
-use crate::geometry::quad::{Quad, Trim};
-use crate::geometry::segment::Segment;
-use crate::geometry::wall::Wall;
-use crate::geometry::{Feature, V3};
+use super::{Column, Columns, Form, FreeSurface, Material, Solid, form::between};
+use crate::geometry::{Circle, Extent, Feature, LobedWall, Lobes, Quad, Segment, Trim, V3, Wall};
 use nalgebra::IsometryMatrix3;
 use std::sync::Arc;
 

@@ -49,8 +49,7 @@ pub fn seen(solid: &Solid) -> Vec<Solid> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::workpiece::Workpiece;
-    use crate::workpiece::contact::Boundary;
+    use crate::workpiece::{Boundary, Workpiece};
 
     #[test]
     fn eccentricity_and_lobes_go_round_with_the_part() {

@@ -1,11 +1,8 @@
 //! First contact of a moving ball with the part, to 1e-9 mm.
 
-use super::Workpiece;
-use super::body::Body;
-use crate::geometry::extent::Extent;
+use super::{Body, Workpiece};
 use crate::geometry::feature::{first as first_on, foot};
-use crate::geometry::met::{Met, Stand, earliest};
-use crate::geometry::{Path, TOLERANCE, V3};
+use crate::geometry::{Extent, Met, Path, Stand, TOLERANCE, V3, earliest};
 
 /// What a ball meets on a straight way. Machine coordinates, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]

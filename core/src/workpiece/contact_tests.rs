@@ -1,9 +1,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 //! Identities of contact: they need no second implementation.
 
-use super::contact::{Boundary, Contact};
-use super::free::Heights;
-use super::{PartErrors, Shape, Solid, Workpiece};
+use super::{Boundary, Contact, Heights, PartErrors, Shape, Solid, Workpiece};
 use crate::geometry::{V3, rigid};
 use proptest::prelude::*;
 use std::sync::Arc;

@@ -1,13 +1,8 @@
 //! What of the probe can touch: its ball, the stylus above it, and the body that holds the stylus.
 
-use super::Probe;
-use super::body::Body;
-use super::contact::{Boundary, Contact};
-use crate::geometry::met::{Met, earliest};
-use crate::geometry::rod::{Rod, around};
-use crate::geometry::stretch::Stretch;
-use crate::geometry::swept::Swept;
-use crate::geometry::{Path, V3, rod};
+use super::{Body, Boundary, Contact, Probe};
+use crate::geometry::rod::around;
+use crate::geometry::{Met, Path, Rod, Stretch, Swept, V3, earliest, rod};
 
 /// Rounding of the lower edge of a body, mm.
 const ROUNDED: f64 = 0.5;

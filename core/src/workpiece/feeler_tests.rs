@@ -1,11 +1,11 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 //! Stylus and body of the probe against parts: hand-made ones, and random ones against the distance of the part.
 
-use super::contact::{Boundary, Contact};
-use super::feeler::{Caught, Feeler, Touching};
-use super::{PartErrors, Probe, ProbeBody, Shape, Solid, Workpiece};
+use super::{
+    Boundary, Contact, Feeler, PartErrors, Probe, ProbeBody, Shape, Solid, Touching, Workpiece, feeler::Caught,
+};
 use crate::geometry::V3;
-use crate::machine::setup::ideal_probe;
+use crate::machine::ideal_probe;
 use proptest::prelude::*;
 
 const UP: [f64; 3] = [0.0, 0.0, 1.0];

@@ -2,12 +2,8 @@
 //! or triangles. From this follow what is touched (`body`), what is drawn (`scene::solid`), the outline in a help
 //! picture (`scene::plan_solid`), the diameters of a turned part (`scene::turned`) and the cap of a tool probe.
 
-use super::free::FreeSurface;
-use super::{PartErrors, Shape, Solid};
-use crate::geometry::V3;
-use crate::geometry::lobed::Lobes;
-use crate::geometry::quad::{Quad, Trim};
-use crate::geometry::rigid::sin_cos;
+use super::{FreeSurface, PartErrors, Shape, Solid};
+use crate::geometry::{Lobes, Quad, Trim, V3, sin_cos};
 use std::sync::Arc;
 
 /// What a shape is made of.

@@ -22,8 +22,17 @@ pub mod tool_probe;
 #[cfg(test)]
 mod tool_tests;
 
+pub(crate) use body::Body;
+pub use contact::{Boundary, Contact};
+pub use feeler::{Feeler, Touching};
+pub(crate) use form::{Column, Columns, Form, Material};
+pub use free::{FreeSurface, Heights};
+pub use noise::Noise;
+pub use seen::{Drawn, Turret};
+pub use tool::{Cut, Cutter, Nose, Spindle, Tool};
+pub use tool_probe::ToolProbe;
+
 use crate::geometry::{V3, rigid};
-use free::FreeSurface;
 use nalgebra::IsometryMatrix3;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;

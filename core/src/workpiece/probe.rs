@@ -1,11 +1,7 @@
 //! When the probe switches, and where the control then believes the spindle to be.
 
-use super::Probe;
-use super::contact::{Boundary, Contact};
-use super::feeler::{Caught, Feeler, Touching};
-use super::noise::Noise;
-use crate::geometry::rigid::sin_cos;
-use crate::geometry::{Path, TOLERANCE, V3};
+use super::{Boundary, Contact, Feeler, Noise, Probe, Touching, feeler::Caught};
+use crate::geometry::{Path, TOLERANCE, V3, sin_cos};
 
 /// A signal of the probe. Machine coordinates, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,12 +1,9 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 //! The probe with and without errors of its own.
 
-use super::contact::Boundary;
-use super::feeler::Feeler;
-use super::noise::Noise;
 use super::probe::{Stand, Touch, ball_offset, touch};
-use super::{PartErrors, Probe, Shape, Solid, Workpiece};
-use crate::machine::setup::ideal_probe;
+use super::{Boundary, Feeler, Noise, PartErrors, Probe, Shape, Solid, Workpiece};
+use crate::machine::ideal_probe;
 use proptest::prelude::*;
 
 const DIRECTIONS: [[f64; 2]; 4] = [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]];

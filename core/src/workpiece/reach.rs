@@ -1,9 +1,7 @@
 //! Whether something that moves can touch the part at all; what is far away need not be looked at.
 
-use super::body::Body;
-use super::contact::Boundary;
-use crate::geometry::swept::Swept;
-use crate::geometry::{Feature, V3};
+use super::{Body, Boundary};
+use crate::geometry::{Feature, Swept, V3};
 
 /// A wall out of round is searched all round for its nearest place.
 const LOBED: usize = 50;

@@ -3,10 +3,9 @@
 
 mod milling;
 
-use super::tool::{Cut, Nose, Spindle, Tool, in_plane};
+use super::{Cut, Nose, Spindle, Tool, tool::in_plane};
 use crate::control::Plane;
-use crate::geometry::rigid::sin_cos;
-use crate::geometry::{V3, figures};
+use crate::geometry::{V3, figures, sin_cos};
 use serde::{Deserialize, Serialize, Serializer};
 
 /// Half of the angle of an insert at its nose, degree: one that cuts along both axes, and one that cuts to both sides.

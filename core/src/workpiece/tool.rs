@@ -1,11 +1,8 @@
 //! A tool as it really is, not as the control believes, and what of it can touch: a milling cutter or drill about its
 //! axis, or the nose of a turning tool.
 
-use crate::control::tools::side;
-use crate::control::{Control, Edge, Plane};
-use crate::geometry::V3;
-use crate::geometry::convex::Convex;
-use crate::geometry::rigid::sin_cos;
+use crate::control::{Control, Edge, Plane, tools::side};
+use crate::geometry::{Convex, V3, sin_cos};
 use serde::{Deserialize, Serialize};
 
 /// Height of a drill's point per mm of its radius: the usual point of 118 degree.

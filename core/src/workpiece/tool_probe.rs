@@ -1,12 +1,7 @@
 //! A tool probe of a machine: a cube or a disc that a tool touches, and when it switches.
 
-use super::Solid;
-use super::form::{Column, Columns, Form};
-use super::noise::Noise;
-use super::tool::Piece;
-use crate::geometry::convex::Convex;
-use crate::geometry::stretch::Stretch;
-use crate::geometry::{Met, Path, V3, convex};
+use super::{Column, Columns, Form, Noise, Solid, tool::Piece};
+use crate::geometry::{Convex, Met, Path, Stretch, V3, convex};
 use nalgebra::IsometryMatrix3;
 
 /// How far a probe gives way without harm, mm: a tool that stands in it deeper cannot be drawn out of it.

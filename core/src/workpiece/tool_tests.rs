@@ -2,16 +2,12 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use super::tool::{Cut, Cutter, Nose, Piece, Spindle, Tool};
-use super::tool_probe::{Contact, ToolProbe, first, obstacle, touch};
-use super::{PartErrors, Shape, Solid, Workpiece};
-use crate::control::tools::side;
-use crate::control::{Control, Edge, Plane, delivery};
+use super::tool_probe::{Contact, first, obstacle, touch};
+use super::{Cut, Cutter, Nose, PartErrors, Shape, Solid, Spindle, Tool, ToolProbe, Workpiece, tool::Piece};
+use crate::control::{Control, Edge, Plane, delivery, tools::side};
 use crate::dialect::Dialect;
-use crate::geometry::convex::Convex;
-use crate::geometry::{V3, rigid};
-use crate::workpiece::contact::{Boundary, Contact as BallContact};
-use crate::workpiece::noise::Noise;
+use crate::geometry::{Convex, V3, rigid};
+use crate::workpiece::{Boundary, Noise, contact::Contact as BallContact};
 use proptest::prelude::*;
 
 /// Cube of 20 mm, its upper side at Z 80 about X 39 Y 31, as in the manual's examples (B:4433-4446).

@@ -1,8 +1,7 @@
 //! What a name of a tool or frame variable means: where the quantity is stored.
 
 use super::AXES;
-use crate::control::NCT;
-use crate::control::rotary::ROTARY;
+use crate::control::{NCT, ROTARY};
 
 /// Where a quantity is stored.
 pub(in crate::control) enum Place {

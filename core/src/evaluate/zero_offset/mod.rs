@@ -9,10 +9,8 @@ pub use turn::{moved, placed, rotary, rotation, seen, seen_turn, turned};
 
 use super::knum::ZeroCode;
 use super::{Write, knum};
-use crate::control::frames::CHANNEL_MASK;
 pub use crate::control::frames::Store;
-use crate::control::variables::AXES;
-use crate::control::{Control, Frame, Value};
+use crate::control::{AXES, Control, Frame, Value, frames::CHANNEL_MASK};
 use crate::geometry::Wcs;
 
 /// Two values of a frame closer than this, mm or degree, are the same: what sums, sines and cosines leave over is no

@@ -2,9 +2,7 @@
 //! DESIGN.md derives the formulas.
 
 use super::{Measured, SAME, Store, Target, around, coarse, missing, part};
-use crate::control::rotary::ROTARY;
-use crate::control::variables::AXES;
-use crate::control::{Control, Frame};
+use crate::control::{AXES, Control, Frame, ROTARY};
 use crate::evaluate::Write;
 use crate::geometry::rigid;
 use nalgebra::{IsometryMatrix3, Matrix3, Rotation3, Vector3};

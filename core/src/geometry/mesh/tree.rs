@@ -1,7 +1,6 @@
 //! Boxes around triangles, halved again and again.
 
-use crate::geometry::extent::Extent;
-use crate::geometry::{Path, V3};
+use crate::geometry::{Extent, Path, V3};
 use std::ops::Range;
 
 /// Triangles of a box that is not halved any more.

@@ -1,16 +1,13 @@
 //! The simulated machine with a probe that touches the part.
 
 use super::Sim;
-use crate::control::Edge;
-use crate::control::tools::LATHE_PROBE;
+use crate::control::{Edge, LATHE_PROBE};
 use crate::diagnostic::Code;
 use crate::geometry::Mcs;
-use crate::machine::Stop;
-use crate::machine::route::{Obstacle, Route};
-use crate::machine::trace::{MotionKind, Step};
+use crate::machine::{MotionKind, Obstacle, Route, Step, Stop};
 use crate::message::Message;
-use crate::workpiece::feeler::{Feeler, Touching};
 use crate::workpiece::probe::{Stand, ball_offset, touch};
+use crate::workpiece::{Feeler, Touching};
 
 impl Sim {
     /// Whether the simulated probe is in use: type 710 or 580, or a measuring cycle of workpieces is running. Any other

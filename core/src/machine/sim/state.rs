@@ -3,8 +3,7 @@
 use super::Sim;
 use crate::control::Control;
 use crate::geometry::{Mcs, Wcs};
-use crate::workpiece::noise::Noise;
-use crate::workpiece::tool::Tool;
+use crate::workpiece::{Noise, Tool};
 use std::collections::BTreeMap;
 
 /// All that may be different when a machine does something else the next time: not what was recorded, and not what

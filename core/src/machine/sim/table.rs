@@ -1,15 +1,10 @@
 //! A rotary axis turns the part, and what it meets on its way: the ball of the probe, its stylus and its body.
 
 use super::Sim;
-use crate::geometry::arc::Around;
-use crate::geometry::rod::Rod;
-use crate::geometry::{Mcs, V3};
-use crate::machine::Stop;
-use crate::machine::route::{Obstacle, Route};
-use crate::machine::trace::Step;
+use crate::geometry::{Around, Mcs, Rod, V3};
+use crate::machine::{Obstacle, Route, Step, Stop};
 use crate::message::Message;
-use crate::workpiece::Workpiece;
-use crate::workpiece::feeler::{Feeler, Touching};
+use crate::workpiece::{Feeler, Touching, Workpiece};
 
 impl Sim {
     /// Turns a rotary axis (index A B C) to a position of the machine, degree; the part turns with it. Where it meets

@@ -1,16 +1,10 @@
 //! The simulated machine with a tool that touches tool probes.
 
 use super::Sim;
-use crate::geometry::stretch::Stretch;
-use crate::geometry::{Mcs, V3};
-use crate::machine::in_use;
-use crate::machine::route::{Obstacle, Route};
-use crate::machine::trace::MotionKind;
-use crate::workpiece::feeler::Touching;
-use crate::workpiece::noise::Noise;
-use crate::workpiece::tool::{Piece, Tool};
-use crate::workpiece::tool_probe;
-use crate::workpiece::tool_probe::{Contact, ToolProbe};
+use crate::geometry::{Mcs, Stretch, V3};
+use crate::machine::{MotionKind, Obstacle, Route, in_use};
+use crate::workpiece::tool_probe::Contact;
+use crate::workpiece::{Noise, Tool, ToolProbe, Touching, tool::Piece, tool_probe};
 
 /// The scatter of all tool probes comes from the sequence of the first.
 pub(super) fn noise(probes: &[ToolProbe]) -> Noise {
@@ -137,11 +131,9 @@ mod tests {
     use crate::control::{Edge, Plane};
     use crate::diagnostic::Code;
     use crate::dialect::Dialect;
-    use crate::geometry::arc::Around;
-    use crate::geometry::{Mcs, Wcs};
+    use crate::geometry::{Around, Mcs, Wcs};
     use crate::machine::{Machine, Setup, Stop};
-    use crate::workpiece::tool::{Cut, Cutter};
-    use crate::workpiece::{PartErrors, Shape, Solid};
+    use crate::workpiece::{Cut, Cutter, PartErrors, Shape, Solid};
 
     /// A cube of 20 mm about the origin and an end mill of 70 mm and 5 mm radius above it; it is longer than its data
     /// say.

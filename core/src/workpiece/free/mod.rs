@@ -9,9 +9,7 @@ pub use example::{EXAMPLES, Example};
 pub use heights::Heights;
 pub use stl::triangles as stl_triangles;
 
-use crate::geometry::V3;
-use crate::geometry::extent::Extent;
-use crate::geometry::mesh::Mesh;
+use crate::geometry::{Extent, Mesh, V3};
 use crate::refused;
 use std::collections::HashMap;
 

@@ -3,7 +3,7 @@
 use super::Drawn;
 use crate::control::Plane;
 use crate::geometry::V3;
-use crate::workpiece::tool::{Cutter, Spindle, across};
+use crate::workpiece::{Cutter, Spindle, tool::across};
 
 /// Radius of the shank of a groove mill, of the core of a cutter with teeth and thickness of a tooth, in radii of its
 /// edge.

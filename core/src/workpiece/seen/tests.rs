@@ -3,7 +3,7 @@
 
 use super::*;
 use crate::control::tools::side;
-use crate::workpiece::tool::Cutter;
+use crate::workpiece::Cutter;
 
 /// Corners of the insert and of the shank in abscissa and ordinate from P, in G18.
 fn plates(position: i64, carrier: V3) -> [Vec<[f64; 2]>; 2] {
