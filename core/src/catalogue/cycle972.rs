@@ -12,10 +12,9 @@ use crate::catalogue::tool_probe::{ProbeData, checks as about, params as shared,
 use crate::catalogue::{common, shared_checks, tool_probe};
 use crate::control::{Control, MachineSort};
 use crate::diagnostic::Diagnostic;
-use crate::dialect::Dialect;
 use crate::entry::{
     Arg, ArgumentList, Cycle, Drawing, Help, HelpLine, Inputs, Kind, Param, ProbeUse, Purpose, ResultField, Simulation,
-    Style, Variant, When, Work, before, corrects, measures, names, order, wrong,
+    Style, Variant, When, before, corrects, measures, names, order, wrong,
 };
 use crate::machine::{Machine, Stop};
 
@@ -32,7 +31,6 @@ const MEASURE: When = When::Variant(&[1]);
 
 /// The entry. Example: the turning tool T3 of B:9044-9053, length L1.
 pub static CYCLE972: Cycle = Cycle {
-    dialect: Dialect::Sinumerik,
     name: "CYCLE972",
     key: "cycle972",
     variants: VARIANTS,
@@ -49,8 +47,9 @@ pub static CYCLE972: Cycle = Cycle {
     checks,
     help: Help::new(&[LINES, tool_probe::help::ALL]),
     picture: Drawing::staged(picture::stage, picture::marks),
-    simulation: Some(Simulation::new(Work { propose: propose::propose, simulate }, &[]).with_tool(propose::tool)),
+    simulation: Some(Simulation::new(propose::propose, simulate).with_tool(propose::tool)),
     source: "B:8736-9090",
+    ..common::CYCLE
 };
 
 /// What CYCLE982 does with these variants; where the coordinate system is turned it is 61330 (A:15873).

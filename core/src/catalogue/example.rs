@@ -11,8 +11,7 @@ pub fn example(cycle: &'static Cycle, variant: &Variant) -> Typed {
     let mut values = worked(cycle);
     values.extend(choosing(cycle, variant.number));
     let inputs = check::read(cycle, &values, &delivery(cycle.dialect), &mut Vec::new());
-    let more = cycle.simulation.as_ref().map_or(&[][..], |simulation| simulation.examples);
-    for (_, more) in more.iter().filter(|(when, _)| when.holds(&inputs)) {
+    for (_, more) in cycle.examples.iter().filter(|(when, _)| when.holds(&inputs)) {
         values.extend(typed(more.iter().copied()));
     }
     known(cycle, &mut values);

@@ -63,7 +63,7 @@ pub static G101: Cycle = Cycle {
         wrong(When::Always, "help-g101-wrong-incremental", "C:108"),
     ]]),
     picture: Drawing::new(picture),
-    simulation: Some(Simulation::new(Work { propose, simulate }, &[])),
+    simulation: Some(Simulation::new(propose, simulate)),
     source: "C:106-144",
     ..nct::MACRO
 };

@@ -39,7 +39,7 @@ pub static G102: Cycle = Cycle {
         nct::help::MEASURING,
         nct::help::CALIBRATING,
     ]),
-    simulation: Some(Simulation::new(Work { propose: ring::propose, simulate }, &[])),
+    simulation: Some(Simulation::new(ring::propose, simulate)),
     source: "C:150-278",
     ..ring::CALIBRATION
 };

@@ -43,7 +43,7 @@ pub static G103: Cycle = Cycle {
         nct::help::MEASURING,
         nct::help::CALIBRATING,
     ]),
-    simulation: Some(Simulation::new(Work { propose: ring::propose, simulate }, &[])),
+    simulation: Some(Simulation::new(ring::propose, simulate)),
     source: "C:282-370",
     ..ring::CALIBRATION
 };

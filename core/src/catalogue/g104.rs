@@ -47,7 +47,7 @@ pub static G104: Cycle = Cycle {
         nct::help::CALIBRATING,
     ]),
     picture: Drawing::staged(surface::stage_axially, surface::marks_axially),
-    simulation: Some(Simulation::new(Work { propose: surface::propose_axially, simulate }, &[])),
+    simulation: Some(Simulation::new(surface::propose_axially, simulate)),
     source: "C:351-427",
     ..nct::MACRO
 };

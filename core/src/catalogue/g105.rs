@@ -56,7 +56,7 @@ pub static G105: Cycle = Cycle {
         nct::help::SHIFTS,
     ]),
     picture: Drawing::staged(stage, marks),
-    simulation: Some(Simulation::new(Work { propose, simulate }, &[])),
+    simulation: Some(Simulation::new(propose, simulate)),
     source: "C:430-560",
     ..nct::MACRO
 };

@@ -44,7 +44,7 @@ pub static G106: Cycle = Cycle {
         nct::help::SHIFTS,
     ]),
     picture: Drawing::staged(surface::stage_axially, surface::marks_axially),
-    simulation: Some(Simulation::new(Work { propose: surface::propose_axially, simulate }, &[])),
+    simulation: Some(Simulation::new(surface::propose_axially, simulate)),
     source: "C:562-694",
     ..nct::MACRO
 };

@@ -27,10 +27,7 @@ pub static G107: Cycle = Cycle {
         ],
         nct::help::MEASURING,
     ]),
-    simulation: Some(Simulation::new(
-        Work { propose: corner::propose::<false>, simulate: corner::measure::<false> },
-        &[],
-    )),
+    simulation: Some(Simulation::new(corner::propose::<false>, corner::measure::<false>)),
     source: "C:696-781",
     ..corner::CORNER
 };

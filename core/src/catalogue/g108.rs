@@ -28,10 +28,7 @@ pub static G108: Cycle = Cycle {
         ],
         nct::help::MEASURING,
     ]),
-    simulation: Some(Simulation::new(
-        Work { propose: corner::propose::<true>, simulate: corner::measure::<true> },
-        &[],
-    )),
+    simulation: Some(Simulation::new(corner::propose::<true>, corner::measure::<true>)),
     source: "C:785-865",
     ..corner::CORNER
 };

@@ -93,7 +93,7 @@ pub static G109: Cycle = Cycle {
         nct::help::SHIFTS,
     ]),
     picture: Drawing::staged(stage, marks),
-    simulation: Some(Simulation::new(Work { propose, simulate }, &[])),
+    simulation: Some(Simulation::new(propose, simulate)),
     source: "C:868-1028",
     ..nct::MACRO
 };

@@ -38,6 +38,8 @@ pub struct Cycle {
     pub help: super::help::Help,
     /// What the values mean, drawn.
     pub picture: Drawing,
+    /// What a variant's worked measurement has beside that of its parameters, or instead.
+    pub examples: super::Examples,
     /// What happens at the call; none while only form, checks and text are known. See [`Cycle::work`].
     pub simulation: Option<Simulation>,
     /// Place in the manual.

@@ -29,8 +29,7 @@ impl Cycle {
             tasks = rest;
         }
         self.when_names(&self.purpose.calibrates);
-        let Some(simulation) = &self.simulation else { return };
-        let mut examples = simulation.examples;
+        let mut examples = self.examples;
         while let [(when, values), rest @ ..] = examples {
             self.when_names(when);
             self.values_names(values);

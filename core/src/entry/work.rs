@@ -17,25 +17,23 @@ pub struct Simulation {
     pub(super) work: Option<Work>,
     pub(super) scan: Option<Scan>,
     tool: Option<fn(i64) -> ProposedTool>,
-    /// What a variant's worked measurement has beside [`Cycle::example`](super::Cycle::example), or instead.
-    pub examples: Examples,
 }
 
 impl Simulation {
     /// The only way to make one: no entry can forget that a build which does not simulate holds no [`Work`], so that
     /// nothing of it is linked.
-    pub const fn new(work: Work, examples: Examples) -> Simulation {
-        let work = if SIMULATES { Some(work) } else { None };
-        Simulation { work, scan: None, tool: None, examples }
+    pub const fn new(propose: Propose, simulate: Simulate) -> Simulation {
+        let work = if SIMULATES { Some(Work { propose, simulate }) } else { None };
+        Simulation { work, scan: None, tool: None }
     }
 
-    /// The same for a cycle that scans a surface, which can be done in pieces too.
-    pub const fn scanning(work: Work, examples: Examples, scan: Scan) -> Simulation {
+    /// With a scan of a surface, which can be done in pieces too.
+    pub const fn with_scan(self, scan: Scan) -> Simulation {
         let scan = if SIMULATES { Some(scan) } else { None };
-        Simulation { scan, ..Simulation::new(work, examples) }
+        Simulation { scan, ..self }
     }
 
-    /// The same of a cycle that needs another tool in use for each sort of variant.
+    /// With the tool that each sort of variant needs in use.
     pub const fn with_tool(self, tool: fn(i64) -> ProposedTool) -> Simulation {
         let tool = if SIMULATES { Some(tool) } else { None };
         Simulation { tool, ..self }
@@ -49,11 +47,17 @@ impl Simulation {
 
 /// A cycle at work.
 pub struct Work {
-    /// A nominal part and a safe start position for the values of a form, for a control in this state (plane, frames).
-    pub propose: fn(&Inputs, &Control) -> Proposal,
-    /// What the control does.
-    pub simulate: fn(&mut dyn Machine, &Inputs) -> Result<(), Stop>,
+    /// The part that is measured.
+    pub propose: Propose,
+    /// What happens.
+    pub simulate: Simulate,
 }
+
+/// A nominal part and a safe start position for the values of a form, for a control in this state (plane, frames).
+pub type Propose = fn(&Inputs, &Control) -> Proposal;
+
+/// What the control does.
+pub type Simulate = fn(&mut dyn Machine, &Inputs) -> Result<(), Stop>;
 
 /// A scan before its first point.
 pub type Scan = fn(&mut dyn Machine, &Inputs) -> Result<Box<dyn crate::machine::Scanner>, Stop>;

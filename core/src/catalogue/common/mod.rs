@@ -39,6 +39,7 @@ pub const CYCLE: Cycle = Cycle {
     checks: |_, _, _| {},
     help: Help::new(&[]),
     picture: Drawing::new(|_| Picture { view: View::Plane, shapes: Vec::new() }),
+    examples: &[],
     simulation: None,
     source: "",
 };

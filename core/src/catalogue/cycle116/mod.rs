@@ -7,15 +7,14 @@ mod simulate;
 #[cfg(test)]
 mod tests;
 
-use super::common::{alarms, integer, length};
+use super::common::{CYCLE, alarms, integer, length};
 use super::spread;
 use crate::check::refused;
 use crate::control::{Control, MachineSort};
 use crate::diagnostic::Diagnostic;
-use crate::dialect::Dialect;
 use crate::entry::{
     Arg, ArgumentList, Cycle, Drawing, Help, Inputs, NEVER, ProbeUse, Proposal, Purpose, Simulation, Style, Variant,
-    When, Work,
+    When,
 };
 use crate::evaluate;
 use crate::geometry::fit;
@@ -26,7 +25,6 @@ use params::{COUNT, POINTS};
 
 /// The cycle. Example: that of the manual, B:2456-2466.
 pub static CYCLE116: Cycle = Cycle {
-    dialect: Dialect::Sinumerik,
     name: "CYCLE116",
     key: "cycle116",
     variants: &[Variant { number: 0, key: "cycle116-circle", source: "B:2408;A:2591" }],
@@ -39,7 +37,6 @@ pub static CYCLE116: Cycle = Cycle {
         args: &[Arg::Variable("_DATE"), Arg::Output("_ALM")],
         source: "B:2422",
     }],
-    settings: &[],
     params: params::PARAMS,
     results: &[
         length("_DATE[9]", "result-116-abscissa", When::Always, "B:2444;A:2632"),
@@ -52,8 +49,9 @@ pub static CYCLE116: Cycle = Cycle {
     checks,
     help: Help::new(&[help::LINES]),
     picture: Drawing::new(picture),
-    simulation: Some(Simulation::new(Work { propose: |_, _| Proposal::default(), simulate: simulate::simulate }, &[])),
+    simulation: Some(Simulation::new(|_, _| Proposal::default(), simulate::simulate)),
     source: "B:2408-2469",
+    ..CYCLE
 };
 
 /// The points that are given completely, with the names of their coordinates.

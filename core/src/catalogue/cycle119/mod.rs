@@ -10,18 +10,16 @@ mod simulate;
 #[cfg(test)]
 mod tests;
 
-use super::common::{alarms, angle, integer, length};
+use super::common::{CYCLE, alarms, angle, integer, length};
 use crate::control::MachineSort;
-use crate::dialect::Dialect;
 use crate::entry::{
     Arg, ArgumentList, Cycle, Drawing, Help, NEVER, ProbeUse, Proposal, Purpose, ResultField, Simulation, Style, Unit,
-    Variant, When, Work,
+    Variant, When,
 };
 
 /// The cycle. Example: that of the manual, B:8600-8622; its active frame is G54, which a form without a program has to
 /// name.
 pub static CYCLE119: Cycle = Cycle {
-    dialect: Dialect::Sinumerik,
     name: "CYCLE119",
     key: "cycle119",
     variants: &[Variant { number: 0, key: "cycle119-position", source: "B:8541;A:9386" }],
@@ -42,7 +40,6 @@ pub static CYCLE119: Cycle = Cycle {
         ],
         source: "B:8557",
     }],
-    settings: &[],
     params: params::PARAMS,
     results: &[
         integer("_ALARM", "result-119-alarm", When::Always, "B:8579"),
@@ -61,6 +58,7 @@ pub static CYCLE119: Cycle = Cycle {
     checks: checks::checks,
     help: Help::new(&[help::LINES]),
     picture: Drawing::new(picture::picture),
-    simulation: Some(Simulation::new(Work { propose: |_, _| Proposal::default(), simulate: simulate::simulate }, &[])),
+    simulation: Some(Simulation::new(|_, _| Proposal::default(), simulate::simulate)),
     source: "B:8541-8622",
+    ..CYCLE
 };

@@ -16,8 +16,7 @@ mod touches;
 
 use crate::catalogue::sinumerik::help::{AGAIN, CALIBRATED, MEASURING, PROBE};
 use crate::catalogue::{common, newer, older};
-use crate::dialect::Dialect;
-use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work, names};
+use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, names};
 
 /// Measuring variants (B:7862-7869).
 pub const VARIANTS: &[Variant] = &[
@@ -31,7 +30,6 @@ pub const VARIANTS: &[Variant] = &[
 
 /// The entry. Example: the outside corner of B:7944-7972, A:8756-8793.
 pub static CYCLE961: Cycle = Cycle {
-    dialect: Dialect::Sinumerik,
     name: "CYCLE961",
     key: "cycle961",
     variants: VARIANTS,
@@ -50,26 +48,25 @@ pub static CYCLE961: Cycle = Cycle {
     checks: checks::checks,
     help: Help::new(&[help::LINES, PROBE, CALIBRATED, AGAIN, MEASURING]),
     picture: Drawing::staged(picture::stage, picture::marks),
-    simulation: Some(Simulation::new(
-        Work { propose: propose::propose, simulate: simulate::simulate },
-        &[
-            (params::RECTANGLE, &[(names::INCA, "90"), (names::SETV4, "1")]),
-            // the points of B:8090-8124
-            (
-                params::POINTS,
-                &[
-                    (names::SETV0, "50"),
-                    (names::SETV1, "20"),
-                    (names::SETV2, "150"),
-                    (names::SETV3, "20"),
-                    (names::SETV4, "15"),
-                    (names::SETV5, "40"),
-                    (names::SETV6, "15"),
-                    (names::SETV7, "80"),
-                    (names::ID, "-60"),
-                ],
-            ),
-        ],
-    )),
+    examples: &[
+        (params::RECTANGLE, &[(names::INCA, "90"), (names::SETV4, "1")]),
+        // the points of B:8090-8124
+        (
+            params::POINTS,
+            &[
+                (names::SETV0, "50"),
+                (names::SETV1, "20"),
+                (names::SETV2, "150"),
+                (names::SETV3, "20"),
+                (names::SETV4, "15"),
+                (names::SETV5, "40"),
+                (names::SETV6, "15"),
+                (names::SETV7, "80"),
+                (names::ID, "-60"),
+            ],
+        ),
+    ],
+    simulation: Some(Simulation::new(propose::propose, simulate::simulate)),
     source: "B:7816-8170",
+    ..common::CYCLE
 };

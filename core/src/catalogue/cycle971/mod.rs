@@ -17,11 +17,10 @@ mod spindle;
 #[cfg(test)]
 mod tests;
 
-use crate::catalogue::common::alarms;
+use crate::catalogue::common::{CYCLE, alarms};
 use crate::catalogue::tool_probe;
 use crate::control::MachineSort;
-use crate::dialect::Dialect;
-use crate::entry::{Cycle, Drawing, Help, ProbeUse, Purpose, Simulation, Variant, Work, names};
+use crate::entry::{Cycle, Drawing, Help, ProbeUse, Purpose, Simulation, Variant, names};
 use crate::support;
 
 /// Measuring variants (B:4186-4196, B:4621-4628).
@@ -40,7 +39,6 @@ pub const VARIANTS: &[Variant] = &[
 
 /// The entry. Example: the milling cutter T3 of B:4865-4941, length with motionless spindle.
 pub static CYCLE971: Cycle = Cycle {
-    dialect: Dialect::Sinumerik,
     name: "CYCLE971",
     key: "cycle971",
     variants: VARIANTS,
@@ -87,10 +85,9 @@ pub static CYCLE971: Cycle = Cycle {
     checks: checks::checks,
     help: Help::new(&[help::LINES, tool_probe::help::ALL]),
     picture: Drawing::staged(picture::stage, picture::marks),
-    simulation: Some(Simulation::new(
-        Work { propose: propose::propose, simulate: simulate::simulate },
-        // a side, as every variant but the automatic one can touch it
-        &[(params::CALIBRATE, &[(names::MA, "1")]), (params::INCREMENTAL, &[(names::FA, "-3")])],
-    )),
+    // a side, as every variant but the automatic one can touch it
+    examples: &[(params::CALIBRATE, &[(names::MA, "1")]), (params::INCREMENTAL, &[(names::FA, "-3")])],
+    simulation: Some(Simulation::new(propose::propose, simulate::simulate)),
     source: "B:4157-5029",
+    ..CYCLE
 };

@@ -13,8 +13,7 @@ mod tests;
 
 use crate::catalogue::sinumerik::help::{BLOCK, STORED};
 use crate::catalogue::{common, lathe, newer, older};
-use crate::dialect::Dialect;
-use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, When, Work, names};
+use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, When, names};
 
 /// Measuring variants (B:10163-10177). 13 stands in the programs only, with axis and direction: it is 1013 (A:11504).
 pub const VARIANTS: &[Variant] = &[
@@ -29,7 +28,6 @@ pub const VARIANTS: &[Variant] = &[
 
 /// The entry. Example: the surface of B:10366-10399.
 pub static CYCLE973: Cycle = Cycle {
-    dialect: Dialect::Sinumerik,
     name: "CYCLE973",
     key: "cycle973",
     variants: VARIANTS,
@@ -51,10 +49,9 @@ pub static CYCLE973: Cycle = Cycle {
     checks: checks::checks,
     help: Help::new(&[STORED, help::LINES, BLOCK, lathe::help::PROBE]),
     picture: Drawing::staged(picture::stage, picture::marks),
-    simulation: Some(Simulation::new(
-        Work { propose: propose::propose, simulate: simulate::simulate },
-        // across the groove of position 7
-        &[(params::GROOVE, &[(names::CALNUM, "1"), (names::MA, "2")])],
-    )),
+    // across the groove of position 7
+    examples: &[(params::GROOVE, &[(names::CALNUM, "1"), (names::MA, "2")])],
+    simulation: Some(Simulation::new(propose::propose, simulate::simulate)),
     source: "B:10128-10407",
+    ..common::CYCLE
 };

@@ -12,8 +12,7 @@ mod tests;
 
 use crate::catalogue::sinumerik::help::{AGAIN, BLOCK, CALIBRATED, CORRECTION, MEASURING};
 use crate::catalogue::{common, lathe, newer, older};
-use crate::dialect::Dialect;
-use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work, names};
+use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, names};
 
 /// Measuring variants (B:10455-10459).
 pub const VARIANTS: &[Variant] = &[
@@ -24,7 +23,6 @@ pub const VARIANTS: &[Variant] = &[
 
 /// The entry. Example: the outside diameter of B:10661-10720.
 pub static CYCLE974: Cycle = Cycle {
-    dialect: Dialect::Sinumerik,
     name: "CYCLE974",
     key: "cycle974",
     variants: VARIANTS,
@@ -49,9 +47,8 @@ pub static CYCLE974: Cycle = Cycle {
     checks: checks::checks,
     help: Help::new(&[CORRECTION, help::LINES, BLOCK, lathe::help::PROBE, CALIBRATED, AGAIN, MEASURING]),
     picture: Drawing::staged(picture::stage, picture::marks),
-    simulation: Some(Simulation::new(
-        Work { propose: propose::propose, simulate: simulate::simulate },
-        &[(params::REVERSAL, &[(names::STA1, "0")])],
-    )),
+    examples: &[(params::REVERSAL, &[(names::STA1, "0")])],
+    simulation: Some(Simulation::new(propose::propose, simulate::simulate)),
     source: "B:10409-10872",
+    ..common::CYCLE
 };

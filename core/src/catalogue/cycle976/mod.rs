@@ -18,12 +18,10 @@ pub use variants::VARIANTS;
 
 use crate::catalogue::sinumerik::help::{PROBE, STORED};
 use crate::catalogue::{common, newer, older};
-use crate::dialect::Dialect;
-use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, When, Work};
+use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, When};
 
 /// The entry. Example: the ring of B:5168-5188.
 pub static CYCLE976: Cycle = Cycle {
-    dialect: Dialect::Sinumerik,
     name: "CYCLE976",
     key: "cycle976",
     variants: VARIANTS,
@@ -41,9 +39,8 @@ pub static CYCLE976: Cycle = Cycle {
     checks: checks::checks,
     help: Help::new(&[STORED, help::LINES, PROBE]),
     picture: Drawing::staged(picture::stage, picture::marks),
-    simulation: Some(Simulation::new(
-        Work { propose: propose::propose, simulate: simulate::simulate },
-        variants::EXAMPLES,
-    )),
+    examples: variants::EXAMPLES,
+    simulation: Some(Simulation::new(propose::propose, simulate::simulate)),
     source: "B:5029-5593",
+    ..common::CYCLE
 };

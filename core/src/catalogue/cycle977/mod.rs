@@ -18,12 +18,10 @@ pub use variants::VARIANTS;
 
 use crate::catalogue::sinumerik::help::{AGAIN, BLOCK, CALIBRATED, CORRECTION, MEASURING, PROBE};
 use crate::catalogue::{common, newer, older};
-use crate::dialect::Dialect;
-use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Work};
+use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation};
 
 /// The entry. Example: the hole of B:6050-6137.
 pub static CYCLE977: Cycle = Cycle {
-    dialect: Dialect::Sinumerik,
     name: "CYCLE977",
     key: "cycle977",
     variants: VARIANTS,
@@ -42,9 +40,8 @@ pub static CYCLE977: Cycle = Cycle {
     checks: checks::checks,
     help: Help::new(&[CORRECTION, help::LINES, BLOCK, PROBE, CALIBRATED, AGAIN, MEASURING]),
     picture: Drawing::staged(picture::stage, picture::marks),
-    simulation: Some(Simulation::new(
-        Work { propose: propose::propose, simulate: simulate::simulate },
-        variants::EXAMPLES,
-    )),
+    examples: variants::EXAMPLES,
+    simulation: Some(Simulation::new(propose::propose, simulate::simulate)),
     source: "B:5600-6285",
+    ..common::CYCLE
 };

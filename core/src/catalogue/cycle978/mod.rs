@@ -13,8 +13,7 @@ mod tests;
 
 use crate::catalogue::sinumerik::help::{AGAIN, BLOCK, CORRECTION, DIFFERENTIAL, MEASURING, PROBE};
 use crate::catalogue::{common, newer, older};
-use crate::dialect::Dialect;
-use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work, names};
+use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, names};
 
 /// Measuring variants (B:6323-6328).
 pub const VARIANTS: &[Variant] = &[
@@ -26,7 +25,6 @@ pub const VARIANTS: &[Variant] = &[
 
 /// The entry. Example: the surface of B:6632-6704.
 pub static CYCLE978: Cycle = Cycle {
-    dialect: Dialect::Sinumerik,
     name: "CYCLE978",
     key: "cycle978",
     variants: VARIANTS,
@@ -45,9 +43,8 @@ pub static CYCLE978: Cycle = Cycle {
     checks: checks::checks,
     help: Help::new(&[CORRECTION, DIFFERENTIAL, help::LINES, BLOCK, PROBE, AGAIN, MEASURING]),
     picture: Drawing::staged(picture::stage, picture::marks),
-    simulation: Some(Simulation::new(
-        Work { propose: propose::propose, simulate: simulate::simulate },
-        &[(params::ZERO, &[(names::KNUM, "1")])],
-    )),
+    examples: &[(params::ZERO, &[(names::KNUM, "1")])],
+    simulation: Some(Simulation::new(propose::propose, simulate::simulate)),
     source: "B:6287-6735",
+    ..common::CYCLE
 };

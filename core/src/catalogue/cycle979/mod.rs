@@ -12,8 +12,7 @@ mod tests;
 
 use crate::catalogue::sinumerik::help::{AGAIN, BLOCK, CALIBRATED, CORRECTION, MEASURING, PROBE};
 use crate::catalogue::{common, newer, older};
-use crate::dialect::Dialect;
-use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work, names};
+use crate::entry::{Cycle, Drawing, Help, Simulation, Variant, names};
 
 /// Measuring variants (B:6764-6773).
 pub const VARIANTS: &[Variant] = &[
@@ -29,12 +28,10 @@ pub const VARIANTS: &[Variant] = &[
 
 /// The entry. Example: the segment of a hole of B:7013-7103.
 pub static CYCLE979: Cycle = Cycle {
-    dialect: Dialect::Sinumerik,
     name: "CYCLE979",
     key: "cycle979",
     variants: VARIANTS,
     params: params::PARAMS,
-    purpose: Purpose::MILLING,
     lists: &[older::CYCLE979_ROUND, older::CYCLE979_WIDTH, newer::CYCLE979],
     // B:6929: whether the length ends at the centre of the ball
     settings: &["_CBIT[14]"],
@@ -50,14 +47,13 @@ pub static CYCLE979: Cycle = Cycle {
     checks: checks::checks,
     help: Help::new(&[CORRECTION, help::LINES, BLOCK, PROBE, CALIBRATED, AGAIN, MEASURING]),
     picture: Drawing::staged(picture::stage, picture::marks),
-    simulation: Some(Simulation::new(
-        Work { propose: propose::propose, simulate: simulate::simulate },
-        // B:7205-7246 for the groove; a web is crossed 20 mm above the measuring height
-        &[
-            (params::ZERO, &[(names::KNUM, "2")]),
-            (params::WIDTH, &[(names::STA1, "70")]),
-            (params::WEB, &[(names::ID, "20")]),
-        ],
-    )),
+    // B:7205-7246 for the groove; a web is crossed 20 mm above the measuring height
+    examples: &[
+        (params::ZERO, &[(names::KNUM, "2")]),
+        (params::WIDTH, &[(names::STA1, "70")]),
+        (params::WEB, &[(names::ID, "20")]),
+    ],
+    simulation: Some(Simulation::new(propose::propose, simulate::simulate)),
     source: "B:6736-7250",
+    ..common::CYCLE
 };

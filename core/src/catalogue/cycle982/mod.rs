@@ -18,12 +18,11 @@ mod stand;
 mod tests;
 mod variants;
 
-use crate::catalogue::common::alarms;
+use crate::catalogue::common::{CYCLE, alarms};
 use crate::catalogue::{newer, tool_probe};
 use crate::control::MachineSort;
 use crate::control::machine_data::TOOL_LENGTH_TYPE;
-use crate::dialect::Dialect;
-use crate::entry::{Cycle, Drawing, Examples, Help, ProbeUse, Purpose, Simulation, When, Work, names};
+use crate::entry::{Cycle, Drawing, Examples, Help, ProbeUse, Purpose, Simulation, When, names};
 
 /// What the worked measurement of a variant has beside the example.
 const EXAMPLES: Examples = &[
@@ -35,7 +34,6 @@ const EXAMPLES: Examples = &[
 
 /// The entry. Example: the milling cutter T3 in radial position of B:9526-9580, length L2 and radius.
 pub static CYCLE982: Cycle = Cycle {
-    dialect: Dialect::Sinumerik,
     name: "CYCLE982",
     key: "cycle982",
     variants: variants::VARIANTS,
@@ -61,9 +59,8 @@ pub static CYCLE982: Cycle = Cycle {
     checks: checks::checks,
     help: Help::new(&[help::LINES, tool_probe::help::ALL]),
     picture: Drawing::staged(picture::stage, picture::marks),
-    simulation: Some(
-        Simulation::new(Work { propose: propose::propose, simulate: simulate::simulate }, EXAMPLES)
-            .with_tool(propose::tool),
-    ),
+    examples: EXAMPLES,
+    simulation: Some(Simulation::new(propose::propose, simulate::simulate).with_tool(propose::tool)),
     source: "B:9124-10126",
+    ..CYCLE
 };

@@ -12,8 +12,7 @@ mod tests;
 
 use crate::catalogue::sinumerik::help::{AGAIN, BLOCK, CALIBRATED, CORRECTION, MEASURING};
 use crate::catalogue::{common, lathe, newer, older};
-use crate::dialect::Dialect;
-use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work, names};
+use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, names};
 
 /// Measuring variants (B:10930-10933). What A:12201 says about the second is a slip: there the zone counts outside.
 pub const VARIANTS: &[Variant] = &[
@@ -23,7 +22,6 @@ pub const VARIANTS: &[Variant] = &[
 
 /// The entry. Example: the outside diameter of B:11015-11090.
 pub static CYCLE994: Cycle = Cycle {
-    dialect: Dialect::Sinumerik,
     name: "CYCLE994",
     key: "cycle994",
     variants: VARIANTS,
@@ -48,10 +46,9 @@ pub static CYCLE994: Cycle = Cycle {
     checks: checks::checks,
     help: Help::new(&[CORRECTION, help::LINES, BLOCK, lathe::help::PROBE, CALIBRATED, AGAIN, MEASURING]),
     picture: Drawing::staged(picture::stage, picture::marks),
-    simulation: Some(Simulation::new(
-        Work { propose: propose::propose, simulate: simulate::simulate },
-        // inside the zone has to be smaller than the bore
-        &[(params::INSIDE_ZONE, &[(names::SZO, "30")])],
-    )),
+    // inside the zone has to be smaller than the bore
+    examples: &[(params::INSIDE_ZONE, &[(names::SZO, "30")])],
+    simulation: Some(Simulation::new(propose::propose, simulate::simulate)),
     source: "B:10873-11146",
+    ..common::CYCLE
 };

@@ -17,21 +17,17 @@ pub use variants::VARIANTS;
 
 use crate::catalogue::sinumerik::help::{AGAIN, BLOCK, CALIBRATED, MEASURING, PROBE};
 use crate::catalogue::{common, newer};
-use crate::dialect::Dialect;
-use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Work, names};
+use crate::entry::{Cycle, Drawing, Help, Simulation, names};
 
 /// The entry. Example: the three spheres of B:8480-8529. Its program writes `_KNUM` = 99999, which does not exist;
 /// meant is the active frame, there G54, which a form without a program has to name.
 pub static CYCLE997: Cycle = Cycle {
-    dialect: Dialect::Sinumerik,
     name: "CYCLE997",
     key: "cycle997",
     variants: VARIANTS,
     params: params::PARAMS,
-    purpose: Purpose::MILLING,
     // no parameterizing call (B:11640-12133); the list of newer controls is not known to us
     lists: &[newer::CYCLE997],
-    settings: &[],
     results: results::RESULTS,
     alarms: &[
         common::EVERY_CYCLE,
@@ -42,9 +38,8 @@ pub static CYCLE997: Cycle = Cycle {
     checks: checks::checks,
     help: Help::new(&[help::LINES, BLOCK, PROBE, CALIBRATED, AGAIN, MEASURING]),
     picture: Drawing::staged(picture::stage, picture::marks),
-    simulation: Some(Simulation::new(
-        Work { propose: propose::propose, simulate: simulate::simulate },
-        &[(params::ANGLE, &[(names::STA1, "0"), (names::INCA, "90"), (names::RF, "1000")])],
-    )),
+    examples: &[(params::ANGLE, &[(names::STA1, "0"), (names::INCA, "90"), (names::RF, "1000")])],
+    simulation: Some(Simulation::new(propose::propose, simulate::simulate)),
     source: "B:8178-8539",
+    ..common::CYCLE
 };

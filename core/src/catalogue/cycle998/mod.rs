@@ -14,8 +14,7 @@ mod tests;
 
 use crate::catalogue::sinumerik::help::{AGAIN, DIFFERENTIAL, MEASURING, PROBE};
 use crate::catalogue::{common, newer, older};
-use crate::dialect::Dialect;
-use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, Work, names};
+use crate::entry::{Cycle, Drawing, Help, Simulation, Variant, names};
 
 /// Measuring variants (B:7318-7324).
 pub const VARIANTS: &[Variant] = &[
@@ -28,12 +27,10 @@ pub const VARIANTS: &[Variant] = &[
 
 /// The entry. Example: the part on a rotary table of B:7428-7494.
 pub static CYCLE998: Cycle = Cycle {
-    dialect: Dialect::Sinumerik,
     name: "CYCLE998",
     key: "cycle998",
     variants: VARIANTS,
     params: params::PARAMS,
-    purpose: Purpose::MILLING,
     lists: &[older::CYCLE998, newer::CYCLE998],
     // B:7526-7527: on a lathe the length ends at the centre of the ball
     settings: &["_CBIT[14]"],
@@ -48,23 +45,22 @@ pub static CYCLE998: Cycle = Cycle {
     checks: checks::checks,
     help: Help::new(&[DIFFERENTIAL, help::LINES, PROBE, AGAIN, MEASURING]),
     picture: Drawing::staged(picture::stage, picture::marks),
-    simulation: Some(Simulation::new(
-        Work { propose: propose::propose, simulate: simulate::simulate },
-        &[
-            (params::PARAXIAL, &[(names::MD, "0")]),
-            // the oblique plane of B:7624-7694
-            (
-                params::TWO,
-                &[
-                    (names::SETVAL, "30"),
-                    (names::MD, "1"),
-                    (names::SETV0, "30"),
-                    (names::STA1, "8"),
-                    (names::INCA, "12"),
-                    (names::FA, "10"),
-                ],
-            ),
-        ],
-    )),
+    examples: &[
+        (params::PARAXIAL, &[(names::MD, "0")]),
+        // the oblique plane of B:7624-7694
+        (
+            params::TWO,
+            &[
+                (names::SETVAL, "30"),
+                (names::MD, "1"),
+                (names::SETV0, "30"),
+                (names::STA1, "8"),
+                (names::INCA, "12"),
+                (names::FA, "10"),
+            ],
+        ),
+    ],
+    simulation: Some(Simulation::new(propose::propose, simulate::simulate)),
     source: "B:7252-7812",
+    ..common::CYCLE
 };

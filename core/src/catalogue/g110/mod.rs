@@ -92,7 +92,7 @@ pub static G110: Cycle = Cycle {
         nct::help::SHIFTS,
     ]),
     picture: Drawing::staged(stage, marks),
-    simulation: Some(Simulation::new(Work { propose, simulate }, &[])),
+    simulation: Some(Simulation::new(propose, simulate)),
     source: "C:1036-1183",
     ..nct::MACRO
 };

@@ -79,7 +79,7 @@ pub static P9920: Cycle = Cycle {
         wrong(AT_CALIBRATION, "help-p9920-wrong-disk", "C:1202"),
     ]]),
     picture: Drawing::staged(picture::stage, picture::marks),
-    simulation: Some(Simulation::new(Work { propose: propose::propose, simulate: simulate::simulate }, &[])),
+    simulation: Some(Simulation::new(propose::propose, simulate::simulate)),
     source: "C:1185-1258",
     ..nct::MACRO
 };

@@ -56,7 +56,7 @@ pub static P9969: Cycle = Cycle {
         wrong(When::Always, "help-p9969-wrong-ball", "C:1272-1275"),
     ]]),
     picture: Drawing::staged(picture::stage, picture::marks),
-    simulation: Some(Simulation::scanning(Work { propose, simulate: simulate::simulate }, &[], follow::scanner)),
+    simulation: Some(Simulation::new(propose, simulate::simulate).with_scan(follow::scanner)),
     source: "C:1276-1355",
     ..nct::MACRO
 };

@@ -9,6 +9,7 @@ use crate::catalogue::example::example;
 use crate::check::check;
 use crate::control::delivery;
 use crate::diagnostic::Code;
+use crate::dialect::Dialect;
 use crate::entry::Typed;
 use crate::form::draw;
 use crate::name::Name;
