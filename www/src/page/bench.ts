@@ -1,20 +1,14 @@
 // Everything to be seen, in the language that counts when it is made. Another language: another bench, from the same
 // state.
 
-import type { Aside } from "../core/aside";
-import type { ProgramCore } from "../core/program";
 import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
-import { isCurrent } from "../desk/program";
 import { el, setText, show } from "../dom";
 import type { EditorPlace } from "../editor/place";
-import type { Encoding } from "../encoding";
-import type { Job } from "../pace";
 import type { Scanner } from "../scan/scanner";
-import { type Patch, programOf, type State, type Stopped } from "../state/state";
+import type { State } from "../state/state";
 import type { Store } from "../state/store";
 import { language, t } from "../texts";
-import { type Activity, createActivity } from "../views/activity";
 import { behind } from "../views/behind";
 import { createCard } from "../views/card";
 import { createForm } from "../views/form";
@@ -27,27 +21,24 @@ import { createSets } from "../views/sets";
 import { createSliders } from "../views/sliders";
 import type { Stage } from "../views/stage";
 import { createTasks } from "../views/tasks";
-import type { AlarmInfo, Catalogue, Dialect } from "../wire";
+import type { Catalogue, Dialect } from "../wire";
+import { createActivities, type Work } from "./activities";
 import { createLayout } from "./layout";
+import type { Modules } from "./modules";
+import type { Open } from "./open";
 
 /** What outlives a bench. */
 export interface Parts {
   catalogue: Catalogue;
   store: Store;
   actions: Actions;
-  open: { program(file: File): void; again(encoding: Encoding): void; setup(file: File): void };
-  /** A file being opened; a program that the page has, being made ready for the editor. */
-  opening: Job;
-  laying: Job;
+  open: Open;
+  work: Work;
   editor: EditorPlace;
   stage: Stage;
-  reader: Aside;
-  runner: Aside;
   scanner: Scanner;
   goToField(control: Dialect, name: string): void;
-  /** As soon as it is there. */
-  core(): ProgramCore | null;
-  alarms: Promise<AlarmInfo[]>;
+  modules: Pick<Modules, "program" | "alarms">;
 }
 
 export interface Bench {
@@ -56,41 +47,24 @@ export interface Bench {
   end(): void;
 }
 
-export function createBench({
-  catalogue,
-  store,
-  actions,
-  open,
-  opening,
-  laying,
-  editor,
-  stage,
-  reader,
-  runner,
-  scanner,
-  goToField,
-  core,
-  alarms,
-}: Parts): Bench {
+export function createBench(parts: Parts): Bench {
+  const { store, actions, open, stage, scanner } = parts;
+  const core = () => parts.modules.program;
   const stop = new AbortController();
   const layout = createLayout(actions, stop.signal);
   const { panels } = layout;
   const results = el("div", { class: "results-main" });
   const sliders = el("aside", { class: "sliders", "aria-label": t("sliders-title") });
   panels.results.append(results, sliders);
-  const program = createProgram(panels.program, store, actions, open, editor);
-  const activities = [
-    fetching(store, opening),
-    ofProgram(store, "laying", LAYING, laying),
-    ofProgram(store, "reading", READING, { busy: reader.busy, stop: reader.stop }), // only a run can wait
-    ofProgram(store, "running", RUN, runner, state => state.view.source === "program"),
-  ] as const;
+  const program = createProgram(panels.program, store, actions, open, parts.editor);
+  const activities = createActivities(store, parts.work);
   const refusals = [createRefusal(store, "program"), createRefusal(store, "setup")] as const;
   const sets = createSets(actions);
   const card = createCard(actions);
   document.body.append(sets.dialog, card.dialog);
-  const found = (back: () => void) => createFound(catalogue, alarms, store, actions, goToField, back);
-  const [file, text, calls, motions] = activities;
+  const found = (back: () => void) =>
+    createFound(parts.catalogue, parts.modules.alarms, store, actions, parts.goToField, back);
+  const { file, text, calls, motions } = activities;
   program.head.after(refusals[0].root, file.root, text.root, calls.root);
   layout.header.after(refusals[1].root);
   panels.view.append(motions.root);
@@ -125,7 +99,7 @@ export function createBench({
       shown = { state, derived };
       layout.draw(state);
       for (const view of views) view(state, derived);
-      for (const part of [...activities, ...refusals]) part.draw(state);
+      for (const part of [...Object.values(activities), ...refusals]) part.draw(state);
       setText(layout.notice, state.page.notice ? t(state.page.notice) : "");
       show(layout.undo, !!state.page.notice && !!state.page.undo);
     },
@@ -134,48 +108,4 @@ export function createBench({
       document.body.replaceChildren();
     },
   };
-}
-
-const stopped = (state: State): Stopped => ({ control: state.form.control, text: programOf(state), why: "" });
-
-/** A file that is stopped on the way was never there. */
-function fetching(store: Store, opening: Job) {
-  const stop = (): void => {
-    opening.stop();
-    store.update({});
-  };
-  return createActivity("opening", { busy: opening.busy, stopped: () => null, stop, again: stop });
-}
-
-/** Where it is kept that something was stopped. */
-const LAYING = {
-  of: (state: State) => state.program.stoppedLaying,
-  put: (stoppedLaying: Stopped | null): Patch => ({ program: { stoppedLaying } }),
-};
-const READING = {
-  of: (state: State) => state.program.stoppedReading,
-  put: (stoppedReading: Stopped | null): Patch => ({ program: { stoppedReading } }),
-};
-const RUN = {
-  of: (state: State) => state.run.stopped,
-  put: (stopped: Stopped | null): Patch => ({ run: { stopped } }),
-};
-
-/** Work on the text of the program. Once it is stopped nothing is asked about that text any more. */
-function ofProgram(
-  store: Store,
-  name: string,
-  kept: { of(state: State): Stopped | null; put(stopped: Stopped | null): Patch },
-  work: Pick<Activity, "busy" | "stop" | "halt">,
-  counts = (_: State): boolean => true,
-) {
-  return createActivity(name, {
-    ...work,
-    stopped: state => (counts(state) && isCurrent(kept.of(state), state) ? kept.of(state) : null),
-    stop: () => {
-      work.stop();
-      store.update(state => kept.put(stopped(state)));
-    },
-    again: () => store.update(kept.put(null)),
-  });
 }

@@ -9,26 +9,45 @@ import { fileOf, type Refusal, readProgram, readSetup } from "../state/files";
 import { programOf } from "../state/state";
 import type { Store } from "../state/store";
 import { sayProblem } from "../texts";
+import { acceptDrops } from "../views/drop";
 
 function refuse(store: Store, place: "program" | "setup", why: Refusal): void {
   store.update({ page: { refused: { ...why, place } } });
 }
 
-export function refuseFolder(name: string, store: Store): void {
-  refuse(store, "program", { key: "refused-folder", args: { name } });
+/** What opening a file needs; `full`: the core that reads it, as soon as it is there. */
+interface Needed {
+  full(): Promise<ProgramCore>;
+  store: Store;
+  actions: Actions;
+  opening: Job;
+  editor: EditorPlace;
+}
+
+/** Files from buttons, from a drop, and the program once more in another encoding. */
+export interface Open {
+  program(file: File): void;
+  again(encoding: Encoding): void;
+  setup(file: File): void;
+}
+
+/** `absent`: the core that reads them does not come. */
+export function createOpen(needed: Needed, absent: (problem: unknown) => void): Open {
+  const open: Open = {
+    program: file => void openProgramFile(file, needed).catch(absent),
+    again: encoding => void readAgain(encoding, needed),
+    setup: file => void openSetupFile(file, needed).catch(absent),
+  };
+  const refuseFolder = (name: string): void =>
+    refuse(needed.store, "program", { key: "refused-folder", args: { name } });
+  acceptDrops(open.program, open.setup, refuseFolder);
+  return open;
 }
 
 /** Until all of it is ready to be shown the program before stays, and can go on being changed. */
-export async function openProgramFile(
-  file: File,
-  core: () => Promise<ProgramCore>,
-  store: Store,
-  actions: Actions,
-  opening: Job,
-  editor: EditorPlace,
-): Promise<void> {
+async function openProgramFile(file: File, { full, store, actions, opening, editor }: Needed): Promise<void> {
   await opening.start(file.size, async pace => {
-    const read = await readProgram(file, await core(), within(pace, 0, 0.4));
+    const read = await readProgram(file, await full(), within(pace, 0, 0.4));
     if ("key" in read) return refuse(store, "program", read);
     await editor.prepare(read.text, within(pace, 0.4, 1));
     actions.openProgram(read.text, read.file);
@@ -36,13 +55,7 @@ export async function openProgramFile(
 }
 
 /** The bytes of the program, as they would be saved now, as characters of another encoding. */
-export async function readAgain(
-  encoding: Encoding,
-  store: Store,
-  actions: Actions,
-  opening: Job,
-  editor: EditorPlace,
-): Promise<void> {
+async function readAgain(encoding: Encoding, { store, actions, opening, editor }: Needed): Promise<void> {
   const file = fileOf(store.state);
   const bytes = encode(programOf(store.state), file.encoding);
   if (!bytes) return store.update({}); // what is lacking is told already
@@ -54,15 +67,10 @@ export async function readAgain(
   });
 }
 
-export async function openSetupFile(
-  file: File,
-  core: () => Promise<ProgramCore>,
-  store: Store,
-  actions: Actions,
-): Promise<void> {
+async function openSetupFile(file: File, { full, store, actions }: Needed): Promise<void> {
   const text = await readSetup(file);
   if (typeof text !== "string") return refuse(store, "setup", text);
-  const setup = (await core()).setup(text);
+  const setup = (await full()).setup(text);
   if ("why" in setup)
     refuse(store, "setup", { key: "refused-setup", args: { name: file.name, why: sayProblem(setup.why) } });
   else actions.openSetup(setup);

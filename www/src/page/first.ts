@@ -1,0 +1,74 @@
+// With what the page begins: what was kept the last time, what a link brings, or the first visit.
+
+import type { Core } from "../core/core";
+import type { ProgramCore } from "../core/program";
+import { findCycle } from "../desk/derive";
+import { unpack } from "../link";
+import { firstState, NO_ERRORS, type Patch, patched, remember, type State } from "../state/state";
+import { type Flat, merge } from "../state/stored";
+import type { Catalogue, CycleInfo } from "../wire";
+
+const FIRST_OVERSIZE = 0.03; // mm: the part of the first visit is this much too big
+
+/** What shows most of what there is: the simulated measurement of a workpiece with the most variants. */
+function firstCycle(catalogue: Catalogue): CycleInfo | undefined {
+  const measured = catalogue.cycles.filter(
+    ({ simulated, purpose }) => simulated && purpose.probe === "workpiece" && !purpose.calibrates,
+  );
+  return measured.sort((a, b) => b.variants.length - a.variants.length)[0] ?? catalogue.cycles[0];
+}
+
+/**
+ * A worked measurement: the first cycle's example on a part that is a little too big, already written into the program.
+ */
+function firstVisit(core: Core, catalogue: Catalogue): State {
+  const state = firstState();
+  const cycle = firstCycle(catalogue);
+  if (!cycle) return state;
+  const errors = { ...NO_ERRORS, part: { ...NO_ERRORS.part, size: FIRST_OVERSIZE } };
+  const { snippet } = core.form({ control: cycle.control, cycle: cycle.cycle, values: cycle.example, errors });
+  return patched(state, {
+    form: { control: cycle.control, cycle: cycle.cycle, values: cycle.example },
+    part: { errors },
+    program: { texts: { [cycle.control]: snippet } },
+    desk: { sought: { from: 0, to: snippet.length } },
+  });
+}
+
+/** `stored`: what was kept the last time. */
+export async function startState(
+  core: Core,
+  full: () => Promise<ProgramCore>,
+  catalogue: Catalogue,
+  stored: Flat | null,
+): Promise<State> {
+  let state = stored ? merge(firstState(), stored) : firstVisit(core, catalogue);
+  const packed = /^#s=(.+)$/.exec(location.hash)?.[1];
+  if (packed) {
+    state = merge(state, await unpack(packed));
+    history.replaceState(null, "", location.pathname + location.search);
+  }
+  const known = (): boolean => !!findCycle(catalogue, state.form.control, state.form.cycle);
+  if (!known()) await full().catch(console.error); // the first module knows the cycle of the first visit alone
+  if (!known()) state = patched(state, remember(state), pickFirst(catalogue));
+  if (!state.machine.setup) return state;
+  return setupFits(await full(), state)
+    ? state
+    : patched(state, { machine: { setup: null }, page: { notice: "notice-setup-outdated" } });
+}
+
+/** A kept setup may come from an earlier version. */
+function setupFits(core: ProgramCore, { form: { control, cycle }, machine: { setup } }: State): boolean {
+  if (setup?.control !== control) return true;
+  try {
+    core.form({ control, cycle, values: {}, setup });
+    return true;
+  } catch {
+    return false;
+  }
+}
+
+function pickFirst(catalogue: Catalogue): Patch {
+  const cycle = firstCycle(catalogue);
+  return cycle ? { form: { control: cycle.control, cycle: cycle.cycle, values: cycle.example, open: null } } : {};
+}
