@@ -57,6 +57,8 @@ describe("search", () => {
     await search(page, "bore");
     const measurements = page.locator('.hit[data-kind="measurement"]');
     assert.match(await measurements.first().textContent(), /CYCLE977.*Hole/, "of the control in use");
+    await search(page, "Bohrung");
+    assert.match(await measurements.first().textContent(), /CYCLE977.*Hole/, "by its German name");
     await search(page, "boss G110");
     assert.match(await measurements.first().textContent(), /G110/, "the other control by its names");
     await search(page, "gear web too wide");

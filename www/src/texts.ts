@@ -62,14 +62,23 @@ export function language(): string {
   return order[0] ?? FALLBACK;
 }
 
+async function fetchWords(language: string): Promise<void> {
+  const words = bundles.has(language) ? undefined : await whole[language]?.();
+  if (words !== undefined) bundles.set(language, add(new FluentBundle(language, { useIsolating: false }), words));
+}
+
+/** Fetches the words of every language, but for the help pages. */
+export async function everyLanguage(): Promise<void> {
+  await Promise.all(languages().map(fetchWords));
+}
+
 /** Fetches the first of the wanted languages that there is and speaks it, English behind it; gives the one taken. */
 export async function choose(wanted: readonly string[]): Promise<string> {
   const there = languages();
   const found =
     wanted.map(one => (there.includes(one) ? one : (one.split("-")[0] ?? one))).find(one => there.includes(one)) ??
     FALLBACK;
-  const words = bundles.has(found) ? undefined : await whole[found]?.();
-  if (words !== undefined) bundles.set(found, add(new FluentBundle(found, { useIsolating: false }), words));
+  await fetchWords(found);
   order = [...new Set([found, FALLBACK])];
   return found;
 }
@@ -141,6 +150,11 @@ export function optional(key: string): string {
 /** The English text of a key, for those who look something up by its English name. */
 export function inEnglish(key: string): string {
   return find(key, NONE, [FALLBACK]) ?? "";
+}
+
+/** The texts of a key in each language whose words have come, for those who know its name in another one. */
+export function inEach(key: string): string {
+  return [...new Set([...bundles.keys()].map(language => find(key, NONE, [language]) ?? ""))].join(" ");
 }
 
 /** What the core says. An argument that is itself a key is put into words first. */

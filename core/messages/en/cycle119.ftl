@@ -2,7 +2,7 @@
 
 cycle119-title = Position in space from three points
 cycle119-help = Computes how a part lies in space from three points that should be somewhere, the reference triangle, and the same points as measured; corrects a frame by shift and rotation, if it is told to.
-cycle119-words = position in space frame three points triangle align alignment plane rotation shift zero offset rigid best fit helper
+cycle119-words = position in space frame three points triangle align alignment plane rotation shift zero offset rigid best fit helper datum work probe probing
 cycle119-position = Frame from three set and three measured points
 
 check-119-set-line = The three set points lie on one line or upon each other: they do not tell how the part is turned.

@@ -2,7 +2,7 @@
 
 cycle961-title = Corner, inside or outside
 cycle961-help = Finds where two edges of a part or pocket meet and how the first of them is turned, and makes the corner the workpiece zero.
-cycle961-words = measure workpiece corner vertex edge edges set up setup zero point origin rectangle vice angle rotation rotate align inside outside internal external three points four points zero offset ZO frame G54
+cycle961-words = measure workpiece corner vertex edge edges set up setup zero point origin rectangle vice angle rotation rotate align inside outside internal external three points four points zero offset ZO frame G54 probe probing pick finder datum work
 
 cycle961-inside-rectangle = Inside corner of a rectangle, three points
 cycle961-inside-rectangle-words = internal pocket square right angle distance zero offset ZO

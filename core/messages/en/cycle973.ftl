@@ -2,7 +2,7 @@
 
 cycle973-title = Calibrate workpiece probe in turning
 cycle973-help = Finds where the probe of a turning machine switches, and stores it in the probe's data _WP, from where every later measurement takes it.
-cycle973-words = calibrate calibration workpiece probe turning lathe reference groove gauging block surface face trigger point values ball diameter skew position deviation
+cycle973-words = calibrate calibration workpiece probe turning lathe reference groove gauging block surface face trigger point values ball diameter skew position deviation touch probing 3D taster
 cycle973-each-words = turning lathe trigger point
 
 cycle973-surface = Surface: one direction

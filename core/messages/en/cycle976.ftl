@@ -2,7 +2,7 @@
 
 cycle976-title = Calibrate workpiece probe
 cycle976-help = Finds at which position the probe switches, against a ring whose diameter is known or a surface whose position is known, and stores it in the probe's data _WP, from where every later measurement takes it.
-cycle976-words = calibrate calibration workpiece probe stylus ring gauge hole bore surface trigger point values ball diameter radius skew position deviation runout probe length L1 reference
+cycle976-words = calibrate calibration workpiece probe stylus ring gauge hole bore surface trigger point values ball diameter radius skew position deviation runout probe length L1 reference touch probing 3D taster edge finder
 cycle976-each-words = trigger point hole
 
 cycle976-known-four = Hole, centre known: 4 directions

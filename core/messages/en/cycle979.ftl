@@ -2,7 +2,7 @@
 
 cycle979-title = Hole, shaft, groove, web at an angle
 cycle979-help = Measures a size and its centre where the axes cannot be followed: a hole or shaft, also a segment of one, at three or four points on a circle; a groove or web across an oblique line.
-cycle979-words = measure workpiece hole bore shaft boss groove slot web rib segment arc angle oblique inclined diameter width centre center three four points inside outside tool offset wear zero offset ZO
+cycle979-words = measure workpiece hole bore shaft boss groove slot web rib segment arc angle oblique inclined diameter width centre center three four points inside outside tool offset wear zero offset ZO probe probing datum work
 cycle979-each-words = angle oblique segment arc
 
 cycle979-hole-tool = Hole at an angle: correct a tool

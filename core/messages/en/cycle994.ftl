@@ -2,7 +2,7 @@
 
 cycle994-title = Turned part: two points
 cycle994-help = Measures a diameter of a turned part by two opposite points that lie at plus and minus the setpoint about the workpiece zero, outside or inside, and corrects a tool.
-cycle994-words = measure workpiece turning lathe turned part diameter bore shaft outside inside two points opposite safety zone protection zone X Y facing axis tool offset wear
+cycle994-words = measure workpiece turning lathe turned part diameter bore shaft outside inside two points opposite safety zone protection zone X Y facing axis tool offset wear probe probing
 
 cycle994-inside-zone = Inside, around a protection zone
 cycle994-inside-zone-words = turning lathe bore diameter two points safety obstacle stud tool offset wear

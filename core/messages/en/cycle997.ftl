@@ -2,7 +2,7 @@
 
 cycle997-title = Measure spheres
 cycle997-help = Finds the centre of a sphere, or of three spheres one after the other, and corrects a zero offset by it: one sphere moves it in three axes, three spheres move and turn it.
-cycle997-words = measure workpiece sphere ball spheres balls calibration ball centre center position in space three triangle plane rotation setup fixture diameter zero offset ZO frame G54
+cycle997-words = measure workpiece sphere ball spheres balls calibration ball centre center position in space three triangle plane rotation setup fixture diameter zero offset ZO frame G54 probe probing datum work
 cycle997-each-words = position frame diameter
 
 cycle997-one = 1 sphere: parallel to the axes

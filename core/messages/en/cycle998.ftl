@@ -2,7 +2,7 @@
 
 cycle998-title = Angle of a surface
 cycle998-help = Measures how a clamped part is turned: one angle from two points on a straight edge or surface, or two angles of an oblique plane from three points.
-cycle998-words = measure workpiece angle align alignment skew rotate rotation orientation edge surface face plane oblique inclined tilt clamped crooked rotary table C axis zero offset ZO frame G54 two points three points
+cycle998-words = measure workpiece angle align alignment skew rotate rotation orientation edge surface face plane oblique inclined tilt clamped crooked rotary table C axis zero offset ZO frame G54 two points three points probe probing clock datum work
 cycle998-each-words = two angle
 
 cycle998-one = One angle, travel along the set angle

@@ -51,7 +51,7 @@ result-g104-deviation = Change of the length
 
 g105-title = Surface across an axis of the plane
 g105-help = Touches a surface that stands across one axis of the plane, and corrects a work offset or the radius of a tool.
-g105-words = surface wall face side radial single position probe edge
+g105-words = surface wall face side radial single position probe edge probing finder datum work offset
 g105-surface = Radial surface
 param-g105-nominal = Nominal position
 param-g105-nominal-help = Nominal coordinate of the surface, in exactly one axis of the plane; with H or U the middle of the two limits. The stylus moves from where it stands towards it.
@@ -68,7 +68,7 @@ result-nct-position-deviation = Deviation of the position from nominal
 
 g106-title = Surface across the tool axis
 g106-help = Touches a surface from above, and corrects a work offset or the length of a tool.
-g106-words = surface face height axial top length single position
+g106-words = surface face height axial top length single position probing datum work offset
 g106-surface = Axial surface
 param-g106-surface = Nominal height
 param-g106-surface-help = Nominal coordinate of the surface in the tool axis; with H or U the middle of the two limits.
@@ -77,7 +77,7 @@ param-g106-t-help = Register of the tool that cut the surface; its length takes 
 
 g107-title = Internal corner
 g107-help = Touches both walls of an internal corner from a start inside it, and moves a work offset so that the corner gets its nominal coordinates.
-g107-words = corner internal inside pocket work offset
+g107-words = corner internal inside pocket work offset probing pick up datum
 g107-corner = Internal corner
 param-nct-corner = Nominal corner
 param-nct-corner-help = Nominal coordinate of the corner in this axis. The stylus moves from where it stands towards it.
@@ -91,12 +91,12 @@ result-nct-corner-shift-2 = Corner from nominal, second axis
 
 g108-title = External corner
 g108-help = Touches both walls of an external corner from a start before it, and moves a work offset so that the corner gets its nominal coordinates. Each wall is touched as far behind the corner as the start lies before it.
-g108-words = corner external outside block work offset
+g108-words = corner external outside block work offset probing pick up datum
 g108-corner = External corner
 
 g109-title = Pocket or web
 g109-help = Measures width and middle at two walls, and corrects a work offset or a tool.
-g109-words = pocket web groove slot ridge width middle centre center line
+g109-words = pocket web groove slot ridge width middle centre center line probing datum work offset
 g109-pocket = Pocket
 g109-web = Web
 param-g109-width = Nominal width
@@ -112,7 +112,7 @@ result-g109-shift = Middle from the start position
 
 g110-title = Bore or boss
 g110-help = Measures centre and diameter at four walls, and corrects a work offset or a tool.
-g110-words = bore boss hole shaft pin circle diameter centre center ring
+g110-words = bore boss hole shaft pin circle diameter centre center ring probing dowel datum work offset
 g110-bore = Bore
 g110-boss = Boss
 param-g110-d = Diameter

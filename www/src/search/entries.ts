@@ -2,7 +2,7 @@
 // alarms.
 
 import type { Variant } from "../desk/actions";
-import { inEnglish, optional, t } from "../texts";
+import { inEach, inEnglish, optional, t } from "../texts";
 import type { AlarmInfo, Catalogue, CycleInfo, Dialect } from "../wire";
 
 export type Kind = "measurement" | "parameter" | "result" | "alarm";
@@ -16,6 +16,8 @@ export interface Entry {
   code: string; // as on the control: CYCLE977, _SZA, _OVR[4], 61303
   title: string;
   words: string; // found too, not shown
+  names: string; // title in each language
+  foreign: string; // search words in each language
   key: string; // stem of its messages
   cycles: CycleInfo[]; // that have it
   others: string[]; // other programs that have it
@@ -36,25 +38,30 @@ function measurements(cycle: CycleInfo): Found[] {
   const own: Found = {
     ...of,
     title,
-    words: `${digits(cycle.cycle)} ${t(`control-${cycle.control}`)} ${searched(cycle.key)}`,
+    words: `${digits(cycle.cycle)} ${t(`control-${cycle.control}`)} ${inEnglish(`${cycle.key}-title`)} ${searched(cycle.key)}`,
+    names: inEach(`${cycle.key}-title`),
+    foreign: inEach(`${cycle.key}-words`),
   };
   return [
     own,
-    ...cycle.variants.map(
-      (variant): Found => ({
+    ...cycle.variants.map((variant): Found => {
+      const keys = [`${cycle.key}-each`, ...variant.choices, variant.key];
+      return {
         ...of,
         variant,
         code: `${cycle.cycle} ${variant.mvar}`,
         title: t(variant.key),
-        words: [digits(cycle.cycle), ...[`${cycle.key}-each`, ...variant.choices, variant.key].map(searched)].join(" "),
-      }),
-    ),
+        words: [digits(cycle.cycle), inEnglish(variant.key), ...keys.map(searched)].join(" "),
+        names: inEach(variant.key),
+        foreign: keys.map(key => inEach(`${key}-words`)).join(" "),
+      };
+    }),
   ];
 }
 
 /**
  * Search words: of a cycle, of each of its variants, of what a digit of a variant's number chooses, of what a variant
- * alone adds. In the page's language and in English: many know the English word.
+ * alone adds. In the page's language and in English: many know the English word, and the English name.
  */
 function searched(key: string): string {
   return [...new Set([optional(`${key}-words`), inEnglish(`${key}-words`)])].join(" ");
@@ -89,6 +96,8 @@ function ofAlarm(cycles: readonly CycleInfo[], { code, key, cycles: names }: Ala
     key,
     title: t(key),
     words,
+    names: inEach(key),
+    foreign: "",
     cycles: having,
     others,
   };
@@ -105,10 +114,21 @@ export function entries({ cycles }: Catalogue, alarms: readonly AlarmInfo[]): En
         key: `param-${key}`,
         title: t(`param-${key}`),
         words: optional(`param-${key}-help`),
+        names: inEach(`param-${key}`),
+        foreign: "",
       })),
     ),
     ...shared(cycles, ({ control, results }) =>
-      results.map(({ name, key }) => ({ kind: "result", control, code: name, key, title: t(key), words: "" })),
+      results.map(({ name, key }) => ({
+        kind: "result",
+        control,
+        code: name,
+        key,
+        title: t(key),
+        words: "",
+        names: inEach(key),
+        foreign: "",
+      })),
     ),
     ...alarms.map(alarm => ofAlarm(cycles, alarm)),
   ];

@@ -24,11 +24,18 @@ const PREFIX_FROM = 4; // letters: shorter words stand for themselves, but the l
 const OWN_CONTROL = 8; // times as much as another
 const CALIBRATES = 0.5; // who looks for a bore measures one more often than he calibrates in one, or says calibrate
 const WHOLE_CYCLE = 0.75; // of several variants that all could be meant, against the one that is
+const ELSEWHERE = 0.3; // found in the words of other languages alone, where a word may mean something else
 const SLIP_FROM = 5; // letters: shorter words are too near to each other
+
+const OWN_WORDS = ["code", "title", "words"]; // what the control and the language of the page say
 
 export function createSearch(catalogue: Catalogue, alarms: readonly AlarmInfo[]): Search {
   const all = entries(catalogue, alarms);
-  const index = new MiniSearch<Entry>({ fields: ["code", "title", "words"], tokenize: words, processTerm: plainWord });
+  const index = new MiniSearch<Entry>({
+    fields: [...OWN_WORDS, "names", "foreign"],
+    tokenize: words,
+    processTerm: plainWord,
+  });
   index.addAll(all);
   const options = {
     boost: { code: 6, title: 2 },
@@ -42,14 +49,16 @@ export function createSearch(catalogue: Catalogue, alarms: readonly AlarmInfo[])
       const entry = all[found.id as number];
       const own = entry?.control === control ? OWN_CONTROL : 1;
       const sort = entry?.kind === "measurement" && entry.cycles[0]?.purpose.calibrates ? CALIBRATES : 1;
-      const named = Object.values(found.match).some(fields => fields.includes("code")); // who names it means the cycle
+      const fields = Object.values(found.match).flat();
+      const named = fields.includes("code"); // who names it means the cycle
       const several = entry?.kind === "measurement" && !entry.variant && entry.cycles[0]?.variants[1];
       const whole = several && !named ? WHOLE_CYCLE : 1;
+      const spoken = OWN_WORDS.some(field => fields.includes(field)) ? 1 : ELSEWHERE;
       return entry
         ? [
             {
               entry,
-              score: own * sort * whole * found.score * found.queryTerms.length,
+              score: own * sort * whole * spoken * found.score * found.queryTerms.length,
               words: found.terms,
               complete: found.queryTerms.length >= asked,
             },

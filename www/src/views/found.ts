@@ -7,7 +7,7 @@ import type { Group, Hit, Search } from "../search";
 import { pieces } from "../search/words";
 import type { State } from "../state/state";
 import type { Store } from "../state/store";
-import { t } from "../texts";
+import { everyLanguage, t } from "../texts";
 import type { AlarmInfo, Catalogue, Dialect } from "../wire";
 
 const MOST = 40; // hits of a group that are listed; more say nothing
@@ -86,7 +86,8 @@ export function createFound(
   const load = (): void => {
     if (loading) return;
     loading = true;
-    void Promise.all([import("../search"), alarms]).then(([{ createSearch }, known]) => {
+    const named = everyLanguage().catch(console.warn); // without them it finds what the page's own words say
+    void Promise.all([import("../search"), alarms, named]).then(([{ createSearch }, known]) => {
       search = createSearch(catalogue, known);
       store.update({});
     });

@@ -1,0 +1,71 @@
+// The search finds what people call a thing, in every language, whatever language the page speaks: plain functions, no
+// browser.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { modules, program } from "./sources.mjs";
+
+let sources, texts, search, core;
+before(async () => {
+  [sources, core] = await Promise.all([modules(), program()]);
+  [texts, search] = await Promise.all(["texts", "search/index"].map(name => sources.load(`/src/${name}.ts`)));
+  await Promise.all([texts.laterWords(), texts.everyLanguage()]);
+});
+after(() => sources.close());
+
+// oracle: hand (what the word means at the machine): typed, and the entries of which one is among the first three
+const MEANT = [
+  ["hole", /^cycle977-hole/],
+  ["bore", /^cycle977-hole/],
+  ["dowel", /^cycle977-shaft/],
+  ["slot", /^cycle977-groove/],
+  ["datum", /-zero$|^cycle978/],
+  ["work offset", /-zero$|^cycle978/],
+  ["pick up a corner", /^cycle961/],
+  ["edge finder", /^cycle(961|978|976)/],
+  ["3D taster", /^cycle97[36]/],
+  ["bohrung", /^cycle977-hole/],
+  ["Bohrungsmitte", /^cycle977-hole/],
+  ["Zapfen", /^cycle977-shaft/],
+  ["Nullpunkt", /-zero$|^cycle978/],
+  ["Nullpunkt setzen", /-zero$|^cycle978/],
+  ["Bezugspunkt", /-zero$/],
+  ["Ausrichten", /^cycle(998|119)/],
+  ["Werkzeugvermessung", /^cycle9(71|72|82)/],
+  ["Schutzzone", /-zone/],
+  ["镗孔", /^cycle977-hole/],
+  ["工件零点", /^cycle961/],
+  ["分中", /^cycle97[79]/],
+  ["对刀", /^cycle9(71|72|82)/],
+  ["找正", /^cycle(998|119)/],
+  ["碰边", /^cycle978/],
+];
+
+test("words of every language are found in every language", async () => {
+  const languages = texts.languages();
+  assert.deepEqual(languages, ["de", "en", "zh"]);
+  for (const language of languages) {
+    assert.equal(await texts.choose([language]), language);
+    const find = search.createSearch(JSON.parse(core.catalogue()), JSON.parse(core.alarms()));
+    for (const [typed, meant] of MEANT) {
+      const hits = find(typed, "sinumerik").find(({ kind }) => kind === "measurement")?.hits ?? [];
+      const keys = hits.slice(0, 3).map(({ entry: { variant, key } }) => variant?.key ?? key);
+      assert.ok(
+        keys.some(key => meant.test(key)),
+        `${language}: ${typed} finds ${keys}`,
+      );
+    }
+  }
+});
+
+// oracle: hand (German for a date; English for a zero point)
+test("what a word means in the language of the page comes first", async () => {
+  for (const [language, meant] of [
+    ["de", /^cycle113/],
+    ["en", /-zero$|^cycle978/],
+  ]) {
+    await texts.choose([language]);
+    const find = search.createSearch(JSON.parse(core.catalogue()), JSON.parse(core.alarms()));
+    const [{ entry }] = find("datum", "sinumerik").find(({ kind }) => kind === "measurement").hits;
+    assert.match(entry.variant?.key ?? entry.key, meant, language);
+  }
+});
