@@ -10,6 +10,7 @@ use probewright_core::check::check;
 use probewright_core::control::{Control, Frame, MachineSort, Plane};
 use probewright_core::dialect::Dialect;
 use probewright_core::entry::{Cycle, Inputs, ProbeUse, Typed, Variant};
+use probewright_core::geometry::Rpy;
 use probewright_core::machine::Setup;
 use probewright_core::run::{Outcome, predict};
 use probewright_core::workpiece::PartErrors;
@@ -66,7 +67,7 @@ fn stands(
     wrong: Wrong,
 ) -> Option<(Setup, Inputs)> {
     let mut setup = Setup::for_cycle(cycle, plane);
-    let frame = Frame { coarse: place.at, rotation: seen(plane, [0.0, 0.0, place.turn]), ..Frame::default() };
+    let frame = Frame { coarse: place.at, rotation: Rpy(seen(plane, [0.0, 0.0, place.turn])), ..Frame::default() };
     setup.control.frames.insert(1, frame);
     setup.control.activate(1);
     let inputs = inputs(cycle, variant, &setup.control, place.turn)?;
@@ -74,8 +75,12 @@ fn stands(
     setup.workpiece = proposal.workpiece;
     let shift = setup.control.direction_to_machine(seen(plane, wrong.shift));
     for solid in &mut setup.workpiece.solids {
-        solid.errors =
-            PartErrors { shift, size: wrong.size, tilt: seen(plane, [0.0, 0.0, wrong.tilt]), ..PartErrors::default() };
+        solid.errors = PartErrors {
+            shift,
+            size: wrong.size,
+            tilt: Rpy(seen(plane, [0.0, 0.0, wrong.tilt])),
+            ..PartErrors::default()
+        };
     }
     setup.workpiece.solids.extend(proposal.fixture);
     for proposed in proposal.tools {

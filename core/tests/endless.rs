@@ -6,7 +6,7 @@ mod running;
 
 use probewright_core::control::Plane;
 use probewright_core::dialect::Dialect;
-use probewright_core::geometry::Mcs;
+use probewright_core::geometry::{Mcs, Rpy};
 use probewright_core::machine::trace::Step;
 use probewright_core::machine::{Setup, Stop};
 use probewright_core::run::{Limits, Outcome, Session, run};
@@ -133,7 +133,7 @@ fn leaning() -> Setup {
     let mut setup = measuring();
     let mut hole = running::block();
     hole.shape = Shape::Hole { diameter: 40.0, depth: 30.0 };
-    hole.errors.tilt = [0.1, 0.0, 0.0];
+    hole.errors.tilt = Rpy([0.1, 0.0, 0.0]);
     setup.workpiece.solids = vec![hole];
     setup.position = Mcs([16.9, 0.0, -10.0]);
     setup

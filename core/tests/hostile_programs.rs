@@ -11,17 +11,12 @@ use probewright_core::message::Arg;
 use probewright_core::run::{Limits, Outcome, run};
 use probewright_core::syntax::position::Positions;
 use probewright_core::syntax::read;
-use probewright_core::workpiece::{PartErrors, Shape, Solid};
+use probewright_core::workpiece::{Shape, Solid};
 
 /// A calibrated probe 20 mm above the middle of a block of 100 mm.
 fn go(text: &str) -> Outcome {
     let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
-    setup.workpiece.solids.push(Solid {
-        shape: Shape::Block { size: [100.0; 3] },
-        at: [0.0; 3],
-        rotation: [0.0; 3],
-        errors: PartErrors::default(),
-    });
+    setup.workpiece.solids.push(Solid::new(Shape::Block { size: [100.0; 3] }, [0.0; 3]));
     setup.position = Mcs([0.0, 0.0, 20.0]);
     let program = read(Dialect::Sinumerik, text.as_bytes());
     run(&program, &setup, Limits::default())

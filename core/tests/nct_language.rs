@@ -12,7 +12,7 @@ use probewright_core::program::calls::calls;
 use probewright_core::run::{Limits, Outcome, run};
 use probewright_core::syntax::position::Positions;
 use probewright_core::syntax::read;
-use probewright_core::workpiece::{PartErrors, Shape, Solid};
+use probewright_core::workpiece::{Shape, Solid};
 
 fn go(text: &str) -> Outcome {
     let program = read(Dialect::Nct, text.as_bytes());
@@ -297,12 +297,7 @@ fn the_control_tells_where_it_stands() {
 fn over_a_block() -> Setup {
     let mut setup = Setup::calibrated(Dialect::Nct, Plane::G17);
     let size = [60.0, 60.0, 20.0];
-    setup.workpiece.solids.push(Solid {
-        shape: Shape::Block { size },
-        at: setup.control.to_machine(Wcs([0.0; 3])).0,
-        rotation: [0.0; 3],
-        errors: PartErrors::default(),
-    });
+    setup.workpiece.solids.push(Solid::new(Shape::Block { size }, setup.control.to_machine(Wcs([0.0; 3])).0));
     setup.position = setup.control.to_machine(Wcs([0.0, 0.0, 20.0]));
     setup
 }

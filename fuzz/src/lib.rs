@@ -9,7 +9,7 @@ use probewright_core::program::calls::{CallSite, calls};
 use probewright_core::program::{arrivals, change, convert, findings_of};
 use probewright_core::run::{Limits, Outcome, run as simulate};
 use probewright_core::syntax::{Program, read as parse};
-use probewright_core::workpiece::{PartErrors, Shape, Solid};
+use probewright_core::workpiece::{Shape, Solid};
 
 const DIALECTS: [Dialect; 2] = [Dialect::Sinumerik, Dialect::Nct];
 const STYLES: [Style; 3] = [Style::Direct, Style::Indirect, Style::Operate];
@@ -83,10 +83,5 @@ fn machines() -> [Setup; 3] {
 }
 
 fn block() -> Solid {
-    Solid {
-        shape: Shape::Block { size: [100.0, 100.0, 50.0] },
-        at: [0.0; 3],
-        rotation: [0.0; 3],
-        errors: PartErrors::default(),
-    }
+    Solid::new(Shape::Block { size: [100.0, 100.0, 50.0] }, [0.0; 3])
 }

@@ -4,7 +4,7 @@ use super::outcome::Outcome;
 use super::start::Start;
 use crate::control::Plane;
 use crate::entry::{How, Inputs, ProbeUse, Work};
-use crate::geometry::{Mcs, V3, rigid};
+use crate::geometry::{Degrees, Mcs, Rpy, V3, rigid};
 use crate::machine::{Setup, Stop, possible};
 use crate::message::Message;
 use crate::refused::Path;
@@ -40,7 +40,7 @@ pub struct PartSliders {
     /// Added to every diameter, width and length.
     pub size: f64,
     /// Turned about the applicate, degree.
-    pub tilt: f64,
+    pub tilt: Degrees,
     /// Growth of the diameter per mm of depth.
     pub taper: f64,
     /// Amplitude of the three lobes of the radius.
@@ -226,12 +226,10 @@ const LOBES: u32 = 3;
 
 /// The part is tilted about the applicate: about the axis of a hole, and askew in a chuck.
 fn part_errors(sliders: &PartSliders, plane: Plane) -> PartErrors {
-    let mut tilt = [0.0; 3];
-    tilt[plane.axes()[2]] = sliders.tilt;
     PartErrors {
         shift: [sliders.dx, sliders.dy, sliders.dz],
         size: sliders.size,
-        tilt,
+        tilt: Rpy::about(plane.axes()[2], sliders.tilt),
         taper: sliders.taper,
         out_of_round: (sliders.out_of_round, LOBES),
     }

@@ -7,6 +7,7 @@ use crate::control::{Frame, Plane, delivery};
 use crate::diagnostic::Code;
 use crate::dialect::Dialect;
 use crate::entry::{Cycle, Typed};
+use crate::geometry::Rpy;
 use crate::machine::setup::Setup;
 use crate::run::predict;
 
@@ -218,9 +219,13 @@ fn results_do_not_depend_on_where_the_part_stands() {
     // oracle: self (the same measurement in other frames, all of it moved, turned, mirrored)
     let frames = [
         Frame::default(),
-        Frame { rotation: [0.0, 0.0, 37.0], ..Frame::translation([-700.0, 411.0, 93.0]) },
-        Frame { rotation: [20.0, -35.0, 120.0], ..Frame::translation([310.0, -205.0, 60.0]) },
-        Frame { rotation: [0.0, 0.0, 37.0], mirror: [true, false, false], ..Frame::translation([30.0, 20.0, 10.0]) },
+        Frame { rotation: Rpy([0.0, 0.0, 37.0]), ..Frame::translation([-700.0, 411.0, 93.0]) },
+        Frame { rotation: Rpy([20.0, -35.0, 120.0]), ..Frame::translation([310.0, -205.0, 60.0]) },
+        Frame {
+            rotation: Rpy([0.0, 0.0, 37.0]),
+            mirror: [true, false, false],
+            ..Frame::translation([30.0, 20.0, 10.0])
+        },
     ];
     for name in ["CYCLE977", "CYCLE978", "CYCLE979"] {
         let cycle = find(Dialect::Sinumerik, name).unwrap();

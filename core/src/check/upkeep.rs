@@ -148,7 +148,7 @@ mod tests {
     use crate::program::calls::calls_on;
     use crate::run::{Limits, Outcome, run};
     use crate::syntax::read;
-    use crate::workpiece::{PartErrors, Shape, Solid};
+    use crate::workpiece::{Shape, Solid};
 
     /// A hole, measured twice.
     const PROGRAM: &str = "G17 G54 G0 X0 Y0 Z-10\n_MVAR=1 _SETVAL=40 _PRNUM=1 _FA=2 _TSA=1 _KNUM=0 _TNUM=1 _VMS=0 \
@@ -159,12 +159,7 @@ mod tests {
         let mut setup = Setup::calibrated_in(Dialect::Sinumerik, Plane::G17, units);
         setup.control.set("_EV[1]", 0.01 / units.factor());
         setup.control.set("_KB[0,2]", 15.0 / units.factor());
-        setup.workpiece.solids.push(Solid {
-            shape: Shape::Hole { diameter: 40.02, depth: 30.0 },
-            at: [0.0; 3],
-            rotation: [0.0; 3],
-            errors: PartErrors::default(),
-        });
+        setup.workpiece.solids.push(Solid::new(Shape::Hole { diameter: 40.02, depth: 30.0 }, [0.0; 3]));
         setup
     }
 

@@ -1,5 +1,6 @@
 //! One frame: the step from one coordinate system to the next. Lengths in mm, angles in degree.
 
+use crate::geometry::Rpy;
 use crate::geometry::rigid::{angles, rotation};
 use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
@@ -17,7 +18,7 @@ pub struct Frame {
     pub fine: [f64; 3],
     /// Rotation about X Y Z (RPY), degree.
     #[serde(default)]
-    pub rotation: [f64; 3],
+    pub rotation: Rpy,
     /// Coarse translation of the rotary axes A B C, degree.
     #[serde(default)]
     pub rotary: [f64; 3],
@@ -41,7 +42,7 @@ impl Default for Frame {
         Frame {
             coarse: [0.0; 3],
             fine: [0.0; 3],
-            rotation: [0.0; 3],
+            rotation: Rpy::default(),
             rotary: [0.0; 3],
             rotary_fine: [0.0; 3],
             scale: unscaled(),
@@ -118,9 +119,9 @@ impl Frame {
 
     /// Angles that a rotation inside of this frame has outside of its mirrors: each turns the other way for every
     /// mirror that is not of its own axis.
-    fn angles_outside(&self, rotation: [f64; 3]) -> [f64; 3] {
+    fn angles_outside(&self, rotation: Rpy) -> Rpy {
         let all: f64 = (0..3).map(|axis| self.sign(axis)).product();
-        std::array::from_fn(|i| all * self.sign(i) * rotation[i])
+        Rpy(std::array::from_fn(|i| all * self.sign(i) * rotation[i]))
     }
 
     /// The frame that takes this one back, chained before or behind it; none: a scale that differs by axis and a
@@ -148,7 +149,7 @@ impl Frame {
         let inside = self.angles_outside(inner.rotation);
         let still = self.rotation == [0.0; 3] || inside == [0.0; 3];
         let rotation = match still {
-            true => add(self.rotation, inside),
+            true => Rpy(add(self.rotation.0, inside.0)),
             false => angles(&(rotation(self.rotation) * rotation(inside))),
         };
         Frame {
@@ -186,23 +187,27 @@ pub(super) mod tests {
     #[test]
     fn rpy_turns_z_first() {
         // oracle: hand. Rz(90) takes X to Y; then the turned Y axis is -X of the outer system.
-        let frame = Frame { rotation: [0.0, 0.0, 90.0], ..Frame::default() };
+        let frame = Frame { rotation: Rpy([0.0, 0.0, 90.0]), ..Frame::default() };
         near(frame.turn([1.0, 0.0, 0.0]), [0.0, 1.0, 0.0]);
         // oracle: hand. Z 90, then about the turned X (now outer Y) 90: inner Y goes to outer Z.
-        let frame = Frame { rotation: [90.0, 0.0, 90.0], ..Frame::default() };
+        let frame = Frame { rotation: Rpy([90.0, 0.0, 90.0]), ..Frame::default() };
         near(frame.turn([0.0, 1.0, 0.0]), [0.0, 0.0, 1.0]);
     }
 
     #[test]
     fn angles_come_back() {
         // oracle: self (inverse)
-        near(angles(&rotation([10.0, -20.0, 130.0])), [10.0, -20.0, 130.0]);
+        near(angles(&rotation(Rpy([10.0, -20.0, 130.0]))).0, [10.0, -20.0, 130.0]);
     }
 
     #[test]
     fn a_scale_works_along_the_own_axes() {
-        let frame =
-            Frame { coarse: [1.0, 0.0, 0.0], rotation: [0.0, 0.0, 90.0], scale: [2.0, 3.0, 1.0], ..Frame::default() };
+        let frame = Frame {
+            coarse: [1.0, 0.0, 0.0],
+            rotation: Rpy([0.0, 0.0, 90.0]),
+            scale: [2.0, 3.0, 1.0],
+            ..Frame::default()
+        };
         // oracle: hand: X10 is 20 along the turned X, which is the outer Y
         near(frame.outward([10.0, 0.0, 5.0]), [1.0, 20.0, 5.0]);
         near(frame.inward([1.0, 20.0, 5.0]), [10.0, 0.0, 5.0]);
@@ -215,7 +220,7 @@ pub(super) mod tests {
     fn a_mirror_reverses_an_axis() {
         let frame = Frame {
             coarse: [10.0, 0.0, 0.0],
-            rotation: [0.0, 0.0, 90.0],
+            rotation: Rpy([0.0, 0.0, 90.0]),
             mirror: [true, false, false],
             ..Frame::default()
         };
@@ -223,8 +228,8 @@ pub(super) mod tests {
         near(frame.outward([3.0, 1.0, 2.0]), [9.0, -3.0, 2.0]);
         near(frame.inward([9.0, -3.0, 2.0]), [3.0, 1.0, 2.0]);
         // oracle: hand: seen from outside, a rotation inside of a mirror turns the other way
-        let inner = Frame { rotation: [0.0, 0.0, 30.0], ..Frame::default() };
-        near(frame.then(&inner).rotation, [0.0, 0.0, 60.0]);
+        let inner = Frame { rotation: Rpy([0.0, 0.0, 30.0]), ..Frame::default() };
+        near(frame.then(&inner).rotation.0, [0.0, 0.0, 60.0]);
         assert_eq!(frame.then(&frame).mirror, [false; 3]);
     }
 
@@ -233,7 +238,7 @@ pub(super) mod tests {
         let frame = Frame {
             coarse: [1.0, -20.0, 3.0],
             fine: [0.1, 0.0, 0.0],
-            rotation: [10.0, -30.0, 120.0],
+            rotation: Rpy([10.0, -30.0, 120.0]),
             rotary: [0.0, 0.0, 15.0],
             scale: [2.0; 3],
             mirror: [false, true, true],
@@ -254,7 +259,7 @@ pub(super) mod tests {
         let outer = Frame {
             coarse: [1.0, 2.0, 3.0],
             fine: [0.1, 0.0, 0.0],
-            rotation: [0.0, 30.0, 0.0],
+            rotation: Rpy([0.0, 30.0, 0.0]),
             scale: [2.0; 3],
             mirror: [false, true, true],
             ..Frame::default()
@@ -262,7 +267,7 @@ pub(super) mod tests {
         let inner = Frame {
             coarse: [4.0, 5.0, 6.0],
             fine: [0.0; 3],
-            rotation: [20.0, 0.0, 40.0],
+            rotation: Rpy([20.0, 0.0, 40.0]),
             scale: [1.0, 0.5, 3.0],
             mirror: [true, false, false],
             ..Frame::default()

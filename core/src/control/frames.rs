@@ -162,14 +162,14 @@ mod tests {
     use super::*;
     use crate::control::{delivery, frame::tests::near};
     use crate::dialect::Dialect;
-    use crate::geometry::{Mcs, Wcs};
+    use crate::geometry::{Mcs, Rpy, Wcs};
 
     #[test]
     fn the_chain_goes_both_ways() {
         let mut control = delivery(Dialect::Sinumerik);
         control.system = Frame::translation([100.0, 0.0, 0.0]);
         control.global_basic.insert(0, Frame::translation([0.0, 10.0, 0.0]));
-        control.channel_basic.insert(0, Frame { rotation: [0.0, 0.0, 90.0], ..Frame::default() });
+        control.channel_basic.insert(0, Frame { rotation: Rpy([0.0, 0.0, 90.0]), ..Frame::default() });
         control.frames.insert(1, Frame { coarse: [5.0, 0.0, 0.0], fine: [0.5, 0.0, 0.0], ..Frame::default() });
         control.activate(1);
         // oracle: hand: (1,0,0) -> settable (6.5,0,0) -> turned (0,6.5,0) -> +10 in Y -> +100 in X

@@ -4,7 +4,7 @@
 //! counter-clockwise about the part (DIN 66217, B:627), so that the table turns clockwise; C is carried by B, B by A.
 
 use super::Control;
-use crate::geometry::{V3, rigid};
+use crate::geometry::{Rpy, V3, rigid};
 use nalgebra::Rotation3;
 
 /// Names by index.
@@ -42,13 +42,13 @@ impl Control {
     /// The direction in the machine about which a positive angle of a rotary axis turns the tool round the part, and
     /// the part the other way: that of its name, turned by the axes that carry it.
     pub fn rotary_direction(&self, axis: usize) -> [f64; 3] {
-        let carrying = std::array::from_fn(|i| if i < axis { self.rotary[i] } else { 0.0 });
+        let carrying = Rpy(std::array::from_fn(|i| if i < axis { self.rotary[i] } else { 0.0 }));
         (rigid::rotation(carrying).inverse() * V3::ith(axis.min(2), 1.0)).into()
     }
 
     /// How the table is turned, in machine coordinates.
     pub(crate) fn table_turn(&self) -> Rotation3<f64> {
-        rigid::rotation(self.rotary).inverse()
+        rigid::rotation(Rpy(self.rotary)).inverse()
     }
 }
 

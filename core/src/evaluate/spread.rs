@@ -2,7 +2,7 @@
 //! multiples of that of one point. All points scatter alike and independently of each other; to first order, as scatter
 //! is small against every distance. DESIGN.md says what is doubted.
 
-use crate::geometry::{V3, sin_cos};
+use crate::geometry::{Degrees, V3};
 use nalgebra::{Matrix3, MatrixXx3, RowVector3, Vector2};
 
 /// Length over which the uncertainty of a direction is told, mm.
@@ -53,7 +53,7 @@ pub fn told(factor: f64) -> f64 {
 pub fn circle(directions: &[f64]) -> Option<Circle> {
     let rows: Vec<RowVector3<f64>> = directions
         .iter()
-        .map(|direction| sin_cos(*direction))
+        .map(|direction| Degrees(*direction).sin_cos())
         .map(|(sine, cosine)| RowVector3::new(cosine, sine, 1.0))
         .collect();
     if rows.len() < 3 {
@@ -225,7 +225,7 @@ mod tests {
                     .iter()
                     .zip(moves)
                     .map(|(direction, by)| {
-                        let (sine, cosine) = sin_cos(*direction);
+                        let (sine, cosine) = Degrees(*direction).sin_cos();
                         [3.0 + (40.0 + by) * cosine, -7.0 + (40.0 + by) * sine]
                     })
                     .collect();

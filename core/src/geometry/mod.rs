@@ -2,6 +2,7 @@
 //!
 //! Lengths in mm, parameters along a path in mm from its start. One file a kind of surface.
 
+mod angle;
 pub mod arc;
 mod circle;
 pub mod convex;
@@ -24,6 +25,7 @@ mod swept;
 pub mod triangle;
 mod wall;
 
+pub use angle::Degrees;
 pub use arc::Around;
 pub use circle::{Circle, radial};
 pub use convex::Convex;
@@ -35,7 +37,7 @@ pub use met::{Met, Stand, earliest};
 pub use path::Path;
 pub use place::{Mcs, Wcs};
 pub use quad::{Quad, Trim};
-pub use rigid::sin_cos;
+pub use rigid::Rpy;
 pub use rod::Rod;
 pub use segment::Segment;
 pub use stretch::Stretch;
@@ -44,6 +46,27 @@ pub use wall::Wall;
 
 /// A point or direction X Y Z.
 pub type V3 = nalgebra::Vector3<f64>;
+
+/// For the page, types that are plain figures there.
+#[cfg(test)]
+macro_rules! figures_of_the_page {
+    ($($own:ty: $page:literal),*) => {$(
+        impl ts_rs::TS for $own {
+            type WithoutGenerics = Self;
+            type OptionInnerType = Self;
+
+            fn name(_: &ts_rs::Config) -> String {
+                $page.into()
+            }
+
+            fn inline(config: &ts_rs::Config) -> String {
+                Self::name(config)
+            }
+        }
+    )*};
+}
+#[cfg(test)]
+figures_of_the_page!(Degrees: "number", Rpy: "[number, number, number]");
 
 /// The figures X Y Z of a vector, for serde.
 pub(crate) fn figures<S: serde::Serializer>(vector: &V3, to: S) -> Result<S::Ok, S::Error> {

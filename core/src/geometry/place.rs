@@ -1,7 +1,7 @@
 //! Points by the coordinate system in which their numbers count, so that one does not pass for another.
 
 use super::V3;
-use std::ops::{Add, Deref, DerefMut, Sub};
+use std::ops::{Add, Sub};
 
 /// A point X Y Z of the active workpiece coordinate system, mm.
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
@@ -13,29 +13,37 @@ pub struct Wcs(pub [f64; 3]);
 #[cfg_attr(test, derive(ts_rs::TS), ts(as = "[f64; 3]"))]
 pub struct Mcs(pub [f64; 3]);
 
-/// Its numbers are read and written as those of an array; the array is no point yet.
+/// Its numbers are read and written as those of an array; an array is none of it yet.
 macro_rules! numbers_of {
+    ($own:ty) => {
+        impl std::ops::Deref for $own {
+            type Target = [f64; 3];
+
+            fn deref(&self) -> &[f64; 3] {
+                &self.0
+            }
+        }
+
+        impl std::ops::DerefMut for $own {
+            fn deref_mut(&mut self) -> &mut [f64; 3] {
+                &mut self.0
+            }
+        }
+
+        impl PartialEq<[f64; 3]> for $own {
+            fn eq(&self, numbers: &[f64; 3]) -> bool {
+                self.0 == *numbers
+            }
+        }
+    };
+}
+pub(super) use numbers_of;
+
+/// What points of every coordinate system can do.
+macro_rules! points {
     ($($place:ty),*) => {
         $(
-            impl Deref for $place {
-                type Target = [f64; 3];
-
-                fn deref(&self) -> &[f64; 3] {
-                    &self.0
-                }
-            }
-
-            impl DerefMut for $place {
-                fn deref_mut(&mut self) -> &mut [f64; 3] {
-                    &mut self.0
-                }
-            }
-
-            impl PartialEq<[f64; 3]> for $place {
-                fn eq(&self, numbers: &[f64; 3]) -> bool {
-                    self.0 == *numbers
-                }
-            }
+            numbers_of!($place);
 
             impl From<$place> for V3 {
                 fn from(place: $place) -> V3 {
@@ -64,4 +72,4 @@ macro_rules! numbers_of {
     };
 }
 
-numbers_of!(Wcs, Mcs);
+points!(Wcs, Mcs);

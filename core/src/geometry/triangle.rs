@@ -45,7 +45,7 @@ fn basis([a, b, c]: &[V3; 3]) -> Option<Rotation3<f64>> {
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
-    use crate::geometry::rigid::{placed, rotation};
+    use crate::geometry::rigid::{Rpy, placed, rotation};
     use proptest::prelude::*;
 
     const TRIANGLE: [[f64; 3]; 3] = [[100.0, 100.0, 100.0], [600.0, 100.0, 80.0], [500.0, 700.0, 130.0]];
@@ -73,7 +73,7 @@ mod tests {
             at in small(), turn in [-180.0..180.0, -80.0..80.0, -180.0..180.0],
         ) {
             let corners = TRIANGLE.map(V3::from);
-            let motion = placed(V3::from(at), rotation(turn));
+            let motion = placed(V3::from(at), rotation(Rpy(turn)));
             let found = laid(&corners, &moved(&motion, &corners)).unwrap();
             prop_assert!((found.to_homogeneous() - motion.to_homogeneous()).amax() < 1e-12);
         }
@@ -84,7 +84,7 @@ mod tests {
             errors in [small(), small(), small()], at in small(), turn in small(), step in small(),
         ) {
             let corners = TRIANGLE.map(V3::from);
-            let motion = placed(V3::from(at), rotation(turn));
+            let motion = placed(V3::from(at), rotation(Rpy(turn)));
             let mut onto = moved(&motion, &corners);
             onto.iter_mut().zip(errors).for_each(|(corner, error)| *corner += V3::from(error));
             let found = laid(&corners, &onto).unwrap();
@@ -92,7 +92,7 @@ mod tests {
             let middle = centroid(&onto);
             let about = |step: V3, turn| placed(middle + step, turn) * placed(-middle, Rotation3::identity());
             for size in [1e-4, 1e-2, 36.0] {
-                let turn = rotation(step.map(|angle| angle * size));
+                let turn = rotation(Rpy(step.map(|angle| angle * size)));
                 for way in [V3::zeros(), V3::from(step) * size] {
                     prop_assert!(left(&(about(way, turn) * found), &corners, &onto) >= best - 1e-9);
                 }

@@ -2,7 +2,7 @@
 
 use super::Setup;
 use crate::control::{Control, Edge, Frame, Value};
-use crate::geometry::{FARTHEST, sin_cos};
+use crate::geometry::{Degrees, FARTHEST};
 use crate::refused::{Path, Refused};
 use crate::workpiece::{Cut, Cutter, PartErrors, Probe, Shape, Solid, Tool, ToolProbe, Turret};
 
@@ -138,7 +138,7 @@ fn frame(path: &Path, frame: &Frame) -> Result<(), Refused> {
     let members = [
         ("coarse", frame.coarse),
         ("fine", frame.fine),
-        ("rotation", frame.rotation),
+        ("rotation", frame.rotation.0),
         ("rotary", frame.rotary),
         ("rotaryFine", frame.rotary_fine),
     ];
@@ -211,9 +211,9 @@ pub fn solid(path: &Path, solid: &Solid) -> Result<(), Refused> {
     let errors = &solid.errors;
     let at = path.member("errors");
     small(&path.member("at"), &solid.at)?;
-    small(&path.member("rotation"), &solid.rotation)?;
+    small(&path.member("rotation"), &solid.rotation.0)?;
     small(&at.member("shift"), &errors.shift)?;
-    small(&at.member("tilt"), &errors.tilt)?;
+    small(&at.member("tilt"), &errors.tilt.0)?;
     if let Shape::Free(_) = solid.shape {
         return Ok(()); // looked at where it was made; no error changes its size
     }
@@ -259,7 +259,7 @@ fn sizes(shape: &Shape) -> (Vec<f64>, f64) {
         Shape::Island { length, height } => (length.to_vec(), height),
         Shape::Block { size: [x, y, z] } => (vec![x, y], z),
         Shape::OuterCorner { angle, length, height: deep } | Shape::InnerCorner { angle, length, depth: deep } => {
-            (length.map(|l| l * sin_cos(angle).0).to_vec(), deep)
+            (length.map(|l| l * Degrees(angle).sin_cos().0).to_vec(), deep)
         }
         Shape::Turned { diameter, length, bore: [bore, _] } => match bore == 0.0 {
             true => (vec![diameter], length),

@@ -5,7 +5,7 @@ use super::{Obstacle, Route};
 use crate::geometry::{Around, Mcs, V3};
 use crate::machine::ideal_probe;
 use crate::workpiece::feeler_tests::{any_solid, boundary, least};
-use crate::workpiece::{Boundary, Feeler, PartErrors, Shape, Solid, Touching};
+use crate::workpiece::{Boundary, Feeler, Shape, Solid, Touching};
 use proptest::prelude::*;
 
 const RADIUS: f64 = 3.0;
@@ -90,7 +90,7 @@ proptest! {
 }
 
 fn solid(shape: Shape) -> Solid {
-    Solid { shape, at: [0.0; 3], rotation: [0.0; 3], errors: PartErrors::default() }
+    Solid::new(shape, [0.0; 3])
 }
 
 /// A full circle at this distance from the Z axis.

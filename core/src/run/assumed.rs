@@ -11,7 +11,7 @@ use crate::control::{Edge, MachineSort, Plane, Tool};
 use crate::dialect::Dialect;
 use crate::entry::{Cycle, Inputs, ProbeUse, Proposal, Typed};
 use crate::geometry::rigid::angles;
-use crate::geometry::{Mcs, V3, rigid};
+use crate::geometry::{Degrees, Mcs, Rpy, V3, rigid};
 use crate::machine::setup::{probe_data, probe_place};
 use crate::machine::trace::Step;
 use crate::machine::{Setup, Sim};
@@ -194,9 +194,7 @@ impl Stand {
     /// The same turned half about the applicate where its first solid stands, for who comes from the other side.
     fn turned(mut self, sim: &Sim) -> Stand {
         let [_, _, applicate] = sim.control.plane.axes();
-        let mut about = [0.0; 3];
-        about[applicate] = 180.0;
-        let turn = rigid::rotation(about);
+        let turn = rigid::rotation(Rpy::about(applicate, Degrees(180.0)));
         let Some(centre) = self.solids().next().map(|solid| V3::from(solid.at)) else { return self };
         self.start = centre + turn * (self.start - centre);
         for solid in self.solids() {

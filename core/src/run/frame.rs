@@ -4,6 +4,7 @@
 use super::interpret::Interpreter;
 use super::statement::{Call, Words};
 use crate::control::Frame;
+use crate::geometry::Rpy;
 use crate::problem::Problem;
 use crate::program::of_control::is_frame;
 
@@ -43,5 +44,5 @@ fn rotated(run: &Interpreter, found: &Words, mut rotation: [f64; 3]) -> Frame {
     if let Some(turn) = found.turn {
         rotation[run.sim.tool_axis()] = turn;
     }
-    Frame { rotation, ..Frame::default() }
+    Frame { rotation: Rpy(rotation), ..Frame::default() }
 }

@@ -7,6 +7,7 @@ use crate::control::Frame;
 use crate::control::rotary::ROTARY;
 use crate::control::variables::{AXES, set_component};
 use crate::diagnostic::Span;
+use crate::geometry::Degrees;
 use crate::problem::Problem;
 use crate::syntax::tree::ExprId;
 
@@ -54,8 +55,8 @@ fn repeated(values: Vec<Datum>) -> Option<Datum> {
 
 fn arithmetic(name: &str, values: &[f64], not: fn(f64) -> f64) -> Option<f64> {
     let value = match (name, values) {
-        ("SIN", [a]) => crate::geometry::rigid::sin_cos(*a).0,
-        ("COS", [a]) => crate::geometry::rigid::sin_cos(*a).1,
+        ("SIN", [a]) => Degrees(*a).sin_cos().0,
+        ("COS", [a]) => Degrees(*a).sin_cos().1,
         ("TAN", [a]) => a.to_radians().tan(),
         ("ASIN", [a]) => a.asin().to_degrees(),
         ("ACOS", [a]) => a.acos().to_degrees(),

@@ -123,5 +123,5 @@ fn planned(run: &mut Interpreter, call: &Call) -> Result<([f64; 3], Frame), Prob
     let turn = rotation(total.rotation).inverse();
     let centre = V3::from(control.rotary_centre);
     let table = Frame { coarse: (centre - turn * centre).into(), rotation: angles(&turn), ..Frame::default() };
-    Ok((total.rotation, table))
+    Ok((total.rotation.0, table))
 }

@@ -2,6 +2,7 @@
 
 use super::interpret::Interpreter;
 use super::path::{Coordinate, Path, Polar, Pole};
+use crate::geometry::Degrees;
 
 /// G110, G111, G112: the pole that the block tells, cartesian or polar itself; `from` is where the axes stand.
 pub fn set_pole(run: &mut Interpreter, path: &Path, kind: Pole, from: [f64; 3]) {
@@ -38,7 +39,7 @@ pub fn target(run: &Interpreter, path: &Path, from: [f64; 3], to: [f64; 3]) -> [
 pub fn along(run: &Interpreter, path: &Path, from: [f64; 3], to: [f64; 3]) -> Option<[f64; 3]> {
     let Some(angle) = path.slope else { return Some(to) };
     let [a, o, _] = run.sim.control.plane.axes();
-    let (sine, cosine) = crate::geometry::rigid::sin_cos(angle);
+    let (sine, cosine) = Degrees(angle).sin_cos();
     let (written, other, ratio) = match (path.axes[a], path.axes[o]) {
         (Some(_), None) => (a, o, sine / cosine),
         (None, Some(_)) => (o, a, cosine / sine),
@@ -59,6 +60,6 @@ fn away(polar: Polar, stands: [f64; 2]) -> [f64; 2] {
     let [x, y] = stands;
     let radius = value(polar.radius, x.hypot(y));
     let angle = value(polar.angle, y.atan2(x).to_degrees());
-    let (sine, cosine) = crate::geometry::rigid::sin_cos(angle);
+    let (sine, cosine) = Degrees(angle).sin_cos();
     [radius * cosine, radius * sine]
 }

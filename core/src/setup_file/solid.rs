@@ -1,6 +1,7 @@
 //! A solid of the part in the setup file: its shape by name and sizes, or a free surface.
 
 use crate::SIMULATES;
+use crate::geometry::Rpy;
 use crate::refused::{Path, Refused};
 use crate::workpiece::free::{EXAMPLES, LARGEST};
 use crate::workpiece::{FreeSurface, Heights, PartErrors, Shape, Solid};
@@ -29,7 +30,7 @@ pub struct SolidFile {
     at: [f64; 3],
     /// Orientation about X Y Z (RPY), degree.
     #[serde(default)]
-    rotation: [f64; 3],
+    rotation: Rpy,
     /// What is wrong with it.
     #[serde(default)]
     errors: PartErrors,

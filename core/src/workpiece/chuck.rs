@@ -1,7 +1,7 @@
 //! A turned part in the chuck of a turning machine.
 
 use super::{PartErrors, Shape, Solid};
-use crate::geometry::{V3, rigid};
+use crate::geometry::{Degrees, Rpy, V3, rigid};
 
 /// A solid as it stands with the spindle turned by so many degrees, positive about its Z: a turned part goes round the
 /// axis that it nominally has, so that its errors, clamped off the centre or askew, go round with it. Every other solid
@@ -11,7 +11,7 @@ pub fn turned(solid: &Solid, angle: f64) -> Solid {
         return solid.clone();
     }
     let own = rigid::rotation(solid.rotation);
-    let turn = own * rigid::rotation([0.0, 0.0, angle]) * own.inverse();
+    let turn = own * rigid::rotation(Rpy([0.0, 0.0, angle])) * own.inverse();
     let errors = &solid.errors;
     Solid {
         errors: PartErrors {
@@ -32,13 +32,14 @@ const JAW_WIDTH: f64 = 0.28;
 pub fn seen(solid: &Solid) -> Vec<Solid> {
     let Shape::Chuck { diameter, length, grip } = solid.shape else { return Vec::new() };
     let high = length / 3.0;
-    let part = |shape, at, turned| Solid { shape, at, rotation: [0.0, 0.0, turned], errors: PartErrors::default() };
+    let part =
+        |shape, at, turned| Solid { shape, at, rotation: Rpy([0.0, 0.0, turned]), errors: PartErrors::default() };
     let body = Shape::Turned { diameter: diameter + solid.errors.size, length: length - high, bore: [0.0; 2] };
     let radius = diameter / 2.0;
     let reach = 0.94 * radius - grip / 2.0;
     let jaw = |jaw: u32| {
         let turned = 360.0 * f64::from(jaw) / f64::from(JAWS);
-        let (sine, cosine) = rigid::sin_cos(turned);
+        let (sine, cosine) = Degrees(turned).sin_cos();
         let out = (grip + reach) / 2.0;
         part(Shape::Block { size: [reach, JAW_WIDTH * diameter, high] }, [out * cosine, out * sine, 0.0], turned)
     };
@@ -57,10 +58,10 @@ mod tests {
         let part = Solid {
             shape: Shape::Turned { diameter: 40.0, length: 60.0, bore: [20.0, 30.0] },
             at: [5.0, -3.0, 10.0],
-            rotation: [0.0; 3],
+            rotation: Rpy::default(),
             errors: PartErrors {
                 shift: [0.4, -0.3, 0.2],
-                tilt: [0.5, -0.2, 3.0],
+                tilt: Rpy([0.5, -0.2, 3.0]),
                 out_of_round: (0.05, 3),
                 ..PartErrors::default()
             },
@@ -68,7 +69,7 @@ mod tests {
         let axis = V3::from([5.0, -3.0, 0.0]);
         for angle in [30.0, 180.0, 355.0] {
             for point in [[32.0, -3.0, -5.0], [12.0, 1.0, -10.0], [5.0, 14.0, 30.0]] {
-                let turn = rigid::rotation([0.0, 0.0, angle]);
+                let turn = rigid::rotation(Rpy([0.0, 0.0, angle]));
                 let moved = axis + turn * (V3::from(point) - axis);
                 let far = |solid: Solid, point: V3| {
                     let solids = vec![solid];
@@ -86,7 +87,7 @@ mod tests {
         let groove = Solid {
             shape: Shape::Groove { width: 10.0, depth: 20.0, length: 40.0 },
             at: [60.0, 0.0, 0.0],
-            rotation: [0.0; 3],
+            rotation: Rpy::default(),
             errors: PartErrors { shift: [0.1, 0.2, 0.3], ..PartErrors::default() },
         };
         assert_eq!(turned(&groove, 90.0), groove);

@@ -2,12 +2,12 @@
 //! Identities of contact: they need no second implementation.
 
 use super::{Boundary, Contact, Heights, PartErrors, Shape, Solid, Workpiece};
-use crate::geometry::{V3, rigid};
+use crate::geometry::{Rpy, V3, rigid};
 use proptest::prelude::*;
 use std::sync::Arc;
 
 fn part(shape: Shape, errors: PartErrors) -> Workpiece {
-    Workpiece { solids: vec![Solid { shape, at: [0.0; 3], rotation: [0.0; 3], errors }] }
+    Workpiece { solids: vec![Solid { shape, at: [0.0; 3], rotation: Rpy::default(), errors }] }
 }
 
 fn first(part: &Workpiece, radius: f64, from: [f64; 3], to: [f64; 3]) -> Contact {
@@ -43,8 +43,9 @@ fn errors() -> impl Strategy<Value = PartErrors> {
     let shift = [-5.0..5.0, -5.0..5.0, -5.0..5.0];
     let tilt = [-4.0..4.0, -4.0..4.0, -180.0..180.0];
     let lobes = prop_oneof![Just((0.0, 0)), (-0.2..0.2f64, 2..6u32)];
-    (shift, -0.5..0.5, tilt, prop_oneof![Just(0.0), -0.1..0.1], lobes)
-        .prop_map(|(shift, size, tilt, taper, out_of_round)| PartErrors { shift, size, tilt, taper, out_of_round })
+    (shift, -0.5..0.5, tilt, prop_oneof![Just(0.0), -0.1..0.1], lobes).prop_map(
+        |(shift, size, tilt, taper, out_of_round)| PartErrors { shift, size, tilt: Rpy(tilt), taper, out_of_round },
+    )
 }
 
 fn point() -> impl Strategy<Value = [f64; 3]> {
@@ -155,10 +156,10 @@ proptest! {
         shape in shape(), errors in errors(), radius in 0.3..4.0, from in point(), to in point(),
         turn in [-180.0..180.0, -80.0..80.0, -180.0..180.0], at in [-300.0..300.0, -300.0..300.0, -300.0..300.0]
     ) {
-        let plain = PartErrors { shift: [0.0; 3], tilt: [0.0; 3], ..errors };
+        let plain = PartErrors { shift: [0.0; 3], tilt: Rpy::default(), ..errors };
         let part = part(shape.clone(), plain);
-        let moved = Workpiece { solids: vec![Solid { shape, at, rotation: turn, errors: plain }] };
-        let place = rigid::placed(V3::from(at), rigid::rotation(turn));
+        let moved = Workpiece { solids: vec![Solid { shape, at, rotation: Rpy(turn), errors: plain }] };
+        let place = rigid::placed(V3::from(at), rigid::rotation(Rpy(turn)));
         let there = |p: [f64; 3]| <[f64; 3]>::from(place.transform_point(&V3::from(p).into()).coords);
         match (first(&part, radius, from, to), first(&moved, radius, there(from), there(to))) {
             (Contact::Hit { t, point, .. }, Contact::Hit { t: other, point: touched, .. }) => {

@@ -4,14 +4,14 @@
 use super::{
     Boundary, Contact, Feeler, PartErrors, Probe, ProbeBody, Shape, Solid, Touching, Workpiece, feeler::Caught,
 };
-use crate::geometry::V3;
+use crate::geometry::{Rpy, V3};
 use crate::machine::ideal_probe;
 use proptest::prelude::*;
 
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
 
 fn solid(shape: Shape, at: [f64; 3]) -> Solid {
-    Solid { shape, at, rotation: [0.0; 3], errors: PartErrors::default() }
+    Solid::new(shape, at)
 }
 
 pub(crate) fn boundary(solids: Vec<Solid>) -> Boundary {
@@ -107,7 +107,7 @@ fn what_the_stylus_goes_through_stops_it_at_once() {
 #[test]
 fn a_leaning_face_is_met_above_the_ball() {
     let mut leaning = solid(Shape::Block { size: [40.0, 40.0, 40.0] }, [0.0; 3]);
-    leaning.errors.tilt = [0.0, 20.0, 0.0]; // about Y: the upper edge at +X comes down and out
+    leaning.errors.tilt = Rpy([0.0, 20.0, 0.0]); // about Y: the upper edge at +X comes down and out
     let part = boundary(vec![leaning]);
     let (sine, cosine) = 20_f64.to_radians().sin_cos();
     let edge = [20.0 * cosine, -20.0 * sine]; // the upper face turns about the origin
@@ -121,7 +121,7 @@ fn a_leaning_face_is_met_above_the_ball() {
 #[test]
 fn a_lying_shaft_and_a_ball_are_met_across() {
     let mut shaft = solid(Shape::Turned { diameter: 30.0, length: 80.0, bore: [0.0; 2] }, [0.0; 3]);
-    shaft.rotation = [90.0, 0.0, 0.0]; // its axis along Y
+    shaft.rotation = Rpy([90.0, 0.0, 0.0]); // its axis along Y
     shaft.at = [0.0, -40.0, 0.0];
     let (from, to) = ([60.0, 0.0, -20.0], [0.0, 0.0, -20.0]);
     for (part, reach) in
@@ -198,8 +198,8 @@ pub(crate) fn any_solid() -> impl Strategy<Value = Solid> {
     (shape, angles, -0.3..0.3, round).prop_map(|(shape, tilt, taper, out_of_round)| Solid {
         shape,
         at: [0.0; 3],
-        rotation: [0.0; 3],
-        errors: PartErrors { tilt, taper, out_of_round, ..PartErrors::default() },
+        rotation: Rpy::default(),
+        errors: PartErrors { tilt: Rpy(tilt), taper, out_of_round, ..PartErrors::default() },
     })
 }
 

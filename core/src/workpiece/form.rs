@@ -3,7 +3,7 @@
 //! picture (`scene::plan_solid`), the diameters of a turned part (`scene::turned`) and the cap of a tool probe.
 
 use super::{FreeSurface, PartErrors, Shape, Solid};
-use crate::geometry::{Lobes, Quad, Trim, V3, sin_cos};
+use crate::geometry::{Degrees, Lobes, Quad, Trim, V3};
 use std::sync::Arc;
 
 /// What a shape is made of.
@@ -203,7 +203,7 @@ impl Frustum {
     /// From Z = 0 downwards with a corner at the origin, from which the edges run along X and, turned by `angle`
     /// degree, along a second direction. Each wall stands out by half of the error of size and of what the taper adds.
     fn corner(angle: f64, length: [f64; 2], depth: f64, errors: &PartErrors) -> Frustum {
-        let opening = sin_cos(angle);
+        let opening = Degrees(angle).sin_cos();
         let along = |across: f64| across / opening.0;
         let whole = length.map(|l| l + along(errors.size));
         Frustum { centre: length.map(|l| l / 2.0), opening, ..Frustum::tapered(whole, depth, along(errors.taper)) }

@@ -32,7 +32,7 @@ pub use seen::{Drawn, Turret};
 pub use tool::{Cut, Cutter, Nose, Spindle, Tool};
 pub use tool_probe::ToolProbe;
 
-use crate::geometry::{V3, rigid};
+use crate::geometry::{Rpy, V3, rigid};
 use nalgebra::IsometryMatrix3;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -150,7 +150,7 @@ pub struct PartErrors {
     /// Added to every diameter, width and length, mm.
     pub size: f64,
     /// Turned about the machine's X Y Z (RPY) about the shape's origin, degree.
-    pub tilt: [f64; 3],
+    pub tilt: Rpy,
     /// Diameter (width, length) grows by this per mm of depth (cone), mm/mm.
     pub taper: f64,
     /// Amplitude of the radius over the angle, mm, and number of lobes: `r + amplitude·cos(lobes·angle)`.
@@ -167,12 +167,17 @@ pub struct Solid {
     /// Position of the origin X Y Z, mm.
     pub at: [f64; 3],
     /// Orientation about X Y Z (RPY), degree. G18/G19 elements are turned solids.
-    pub rotation: [f64; 3],
+    pub rotation: Rpy,
     /// What is wrong with it.
     pub errors: PartErrors,
 }
 
 impl Solid {
+    /// One without errors whose axes are those of the machine; `at`: machine coordinates, mm.
+    pub fn new(shape: Shape, at: [f64; 3]) -> Solid {
+        Solid { shape, at, rotation: Rpy::default(), errors: PartErrors::default() }
+    }
+
     /// Its own frame → machine, displacement and tilt included.
     pub fn place(&self) -> IsometryMatrix3<f64> {
         let turn = rigid::rotation(self.errors.tilt) * rigid::rotation(self.rotation);

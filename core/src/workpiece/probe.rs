@@ -1,7 +1,7 @@
 //! When the probe switches, and where the control then believes the spindle to be.
 
 use super::{Boundary, Contact, Feeler, Noise, Probe, Touching, feeler::Caught};
-use crate::geometry::{Path, TOLERANCE, V3, sin_cos};
+use crate::geometry::{Degrees, Path, TOLERANCE, V3};
 
 /// A signal of the probe. Machine coordinates, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,7 +21,7 @@ pub struct Touch {
 /// Ball centre minus spindle axis with the probe turned by `turned` degree from the abscissa to the ordinate.
 /// `axis`: index of the tool axis (the applicate of the plane).
 pub fn ball_offset(probe: &Probe, turned: f64, axis: usize) -> [f64; 3] {
-    let (sine, cosine) = sin_cos(turned);
+    let (sine, cosine) = Degrees(turned).sin_cos();
     let [x, y] = probe.skew;
     let mut offset = [0.0; 3];
     offset[(axis + 1) % 3] = cosine * x - sine * y;

@@ -3,6 +3,7 @@
 
 use super::probe::{Stand, Touch, ball_offset, touch};
 use super::{Boundary, Feeler, Noise, PartErrors, Probe, Shape, Solid, Workpiece};
+use crate::geometry::Rpy;
 use crate::machine::ideal_probe;
 use proptest::prelude::*;
 
@@ -10,13 +11,13 @@ const DIRECTIONS: [[f64; 2]; 4] = [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1
 
 fn hole(diameter: f64, errors: PartErrors) -> Workpiece {
     let shape = Shape::Hole { diameter, depth: 20.0 };
-    let solid = Solid { shape, at: [0.0; 3], rotation: [0.0; 3], errors };
+    let solid = Solid { shape, at: [0.0; 3], rotation: Rpy::default(), errors };
     Workpiece { solids: vec![solid] }
 }
 
 fn block() -> Workpiece {
     let shape = Shape::Block { size: [40.0, 40.0, 20.0] };
-    let solid = Solid { shape, at: [0.0; 3], rotation: [0.0; 3], errors: PartErrors::default() };
+    let solid = Solid::new(shape, [0.0; 3]);
     Workpiece { solids: vec![solid] }
 }
 

@@ -5,7 +5,7 @@ mod milling;
 
 use super::{Cut, Nose, Spindle, Tool, tool::in_plane};
 use crate::control::Plane;
-use crate::geometry::{V3, figures, sin_cos};
+use crate::geometry::{Degrees, V3, figures};
 use serde::{Deserialize, Serialize, Serializer};
 
 /// Half of the angle of an insert at its nose, degree: one that cuts along both axes, and one that cuts to both sides.
@@ -114,7 +114,7 @@ fn insert(nose: &Nose) -> Vec<[f64; 2]> {
     let [abscissa, ordinate] = nose.side;
     let round = |from: f64, to: f64, pieces: u32| {
         let point = move |piece: u32| {
-            let (sine, cosine) = sin_cos(from + (to - from) * f64::from(piece) / f64::from(pieces));
+            let (sine, cosine) = Degrees(from + (to - from) * f64::from(piece) / f64::from(pieces)).sin_cos();
             [nose.radius * cosine, nose.radius * sine]
         };
         (0..=pieces).map(point)
@@ -124,13 +124,13 @@ fn insert(nose: &Nose) -> Vec<[f64; 2]> {
     }
     let half = HALF_ANGLE[usize::from(abscissa == 0.0 || ordinate == 0.0)];
     let tip = ordinate.atan2(abscissa).to_degrees();
-    let (sine, cosine) = sin_cos(half);
+    let (sine, cosine) = Degrees(half).sin_cos();
     let edge = INSERT[0] + nose.radius * cosine / sine;
     let from_corner = |ways: &[f64]| {
-        let (sine_tip, cosine_tip) = sin_cos(tip);
+        let (sine_tip, cosine_tip) = Degrees(tip).sin_cos();
         let corner = nose.radius / sine;
         ways.iter().fold([corner * cosine_tip, corner * sine_tip], |[x, y], direction| {
-            let (sine, cosine) = sin_cos(*direction);
+            let (sine, cosine) = Degrees(*direction).sin_cos();
             [x + edge * cosine, y + edge * sine]
         })
     };

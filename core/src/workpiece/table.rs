@@ -2,7 +2,7 @@
 
 use super::{PartErrors, Solid};
 use crate::control::Control;
-use crate::geometry::{V3, rigid};
+use crate::geometry::{Rpy, V3, rigid};
 
 impl Control {
     /// A part as it stands now; as it is given it is clamped with all rotary axes at 0.
@@ -17,7 +17,7 @@ impl Control {
             shape: solid.shape.clone(),
             at: (centre + turn * (clamped.translation.vector - centre)).into(),
             rotation: rigid::angles(&(turn * clamped.rotation)),
-            errors: PartErrors { shift: [0.0; 3], tilt: [0.0; 3], ..solid.errors },
+            errors: PartErrors { shift: [0.0; 3], tilt: Rpy::default(), ..solid.errors },
         }
     }
 }
@@ -37,8 +37,8 @@ mod tests {
         let solid = Solid {
             shape: Shape::Sphere { diameter: 5.0 },
             at: [30.0, 0.0, 7.0],
-            rotation: [0.0; 3],
-            errors: PartErrors { shift: [1.0, 0.0, 0.0], tilt: [0.0, 0.0, 30.0], ..PartErrors::default() },
+            rotation: Rpy::default(),
+            errors: PartErrors { shift: [1.0, 0.0, 0.0], tilt: Rpy([0.0, 0.0, 30.0]), ..PartErrors::default() },
         };
         let turned = control.on_table(&solid);
         // oracle: manual B:627, hand: 21 mm from the centre along X, then along minus Y

@@ -2,7 +2,7 @@
 //! axis, or the nose of a turning tool.
 
 use crate::control::{Control, Edge, Plane, tools::side};
-use crate::geometry::{Convex, V3, sin_cos};
+use crate::geometry::{Convex, Degrees, V3};
 use serde::{Deserialize, Serialize};
 
 /// Height of a drill's point per mm of its radius: the usual point of 118 degree.
@@ -103,7 +103,7 @@ pub fn in_plane(axes: [usize; 3], parts: [f64; 3]) -> V3 {
 
 /// Direction across an axis of the machine: 0 is the next axis of X, Y, Z, 90 degree the one behind it.
 pub fn across(axis: usize, degrees: f64) -> V3 {
-    let (sine, cosine) = sin_cos(degrees);
+    let (sine, cosine) = Degrees(degrees).sin_cos();
     V3::ith((axis + 1) % 3, 1.0) * cosine + V3::ith((axis + 2) % 3, 1.0) * sine
 }
 
@@ -185,11 +185,11 @@ impl Cutter {
     /// The teeth as the spindle carries them: distance from its axis, direction with the spindle at 0 (degree), and how
     /// much lower than in the mean, mm.
     pub fn edges(&self) -> Vec<[f64; 3]> {
-        let (away_sine, away_cosine) = sin_cos(self.runout_angle);
+        let (away_sine, away_cosine) = Degrees(self.runout_angle).sin_cos();
         let [aside, lower] = self.runout;
         let tooth = |number: u32| {
             let angle = self.angle + 360.0 * f64::from(number) / f64::from(self.teeth);
-            let (sine, cosine) = sin_cos(angle);
+            let (sine, cosine) = Degrees(angle).sin_cos();
             let x = self.radius * cosine + aside * away_cosine;
             let y = self.radius * sine + aside * away_sine;
             let direction = if aside == 0.0 { angle } else { y.atan2(x).to_degrees() };
@@ -205,7 +205,7 @@ impl Cutter {
         let profile = self.profile(radius);
         let [.., top] = profile.points;
         let outside = (-6..=0).map(|step| {
-            let (sine, cosine) = sin_cos(15.0 * f64::from(step));
+            let (sine, cosine) = Degrees(15.0 * f64::from(step)).sin_cos();
             profile.farthest([cosine, sine])
         });
         let mut outline = vec![[0.0; 2]];

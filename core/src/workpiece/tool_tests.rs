@@ -6,7 +6,7 @@ use super::tool_probe::{Contact, first, obstacle, touch};
 use super::{Cut, Cutter, Nose, PartErrors, Shape, Solid, Spindle, Tool, ToolProbe, Workpiece, tool::Piece};
 use crate::control::{Control, Edge, Plane, delivery, tools::side};
 use crate::dialect::Dialect;
-use crate::geometry::{Convex, V3, rigid};
+use crate::geometry::{Convex, Degrees, Rpy, V3, rigid};
 use crate::workpiece::{Boundary, Noise, contact::Contact as BallContact};
 use proptest::prelude::*;
 
@@ -20,11 +20,11 @@ fn disc(plane: Plane) -> ToolProbe {
 }
 
 fn probe(plane: Plane, shape: Shape) -> ToolProbe {
-    let rotation = match plane {
+    let rotation = Rpy(match plane {
         Plane::G17 => [0.0; 3],
         Plane::G18 => [-90.0, 0.0, 0.0],
         Plane::G19 => [0.0, 90.0, 0.0],
-    };
+    });
     ToolProbe::ideal(Solid { shape, at: at(plane, [39.0, 31.0, 80.0]), rotation, errors: PartErrors::default() })
 }
 
@@ -89,7 +89,7 @@ fn a_tooth_that_stands_touches_where_it_points() {
     // wider than the cube, whose edge 10 mm beside the middle the one at 30 degree meets, there 10·tan 30 before the
     // axis
     let tool = mill(Cutter { teeth: 2, angle: 20.0, ..Cutter::smooth(18.0) });
-    let (sine, cosine) = rigid::sin_cos(30.0);
+    let (sine, cosine) = Degrees(30.0).sin_cos();
     for plane in PLANES {
         let probe = cube(plane);
         let way = |spindle, from, to| way(&probe, &tool, plane, spindle, from, to);
@@ -245,7 +245,7 @@ proptest! {
         radius in 0.5..12.0_f64,
     ) {
         let mut solid = cube(Plane::G17).solid;
-        (solid.at, solid.errors.tilt) = ([0.0; 3], tilt);
+        (solid.at, solid.errors.tilt) = ([0.0; 3], Rpy(tilt));
         let part = Workpiece { solids: vec![solid.clone()] };
         let ball = Boundary::of(&part).first(radius, from, to);
         let pieces = [Ball(V3::from(from), radius)];
@@ -282,9 +282,9 @@ proptest! {
             way(probe, &tool, Plane::G17, spindle, from, to)
         };
         let here = reach(&probe, 0.0, from, to);
-        let motion = rigid::placed(shift.into(), rigid::rotation([0.0, 0.0, turn]));
+        let motion = rigid::placed(shift.into(), rigid::rotation(Rpy([0.0, 0.0, turn])));
         let moved = |point: [f64; 3]| -> [f64; 3] { motion.transform_point(&V3::from(point).into()).coords.into() };
-        (probe.solid.at, probe.solid.rotation) = (moved([0.0; 3]), [0.0, 0.0, turn]);
+        (probe.solid.at, probe.solid.rotation) = (moved([0.0; 3]), Rpy([0.0, 0.0, turn]));
         let there = reach(&probe, turn, moved(from), moved(to));
         prop_assert_eq!(here.is_some(), there.is_some());
         if let (Some(here), Some(there)) = (here, there) {

@@ -9,7 +9,7 @@ use probewright_core::geometry::Mcs;
 use probewright_core::machine::Setup;
 use probewright_core::workpiece::tool::{Cut, Cutter, Tool};
 use probewright_core::workpiece::tool_probe::ToolProbe;
-use probewright_core::workpiece::{PartErrors, Shape, Solid};
+use probewright_core::workpiece::{Shape, Solid};
 
 /// Why no alarm about a tool to be named or about the position of the spindle can come.
 const IN_USE: &str = "the tool in use is corrected; no parameter names one (B:4157-4175)";
@@ -61,12 +61,8 @@ fn longer(setup: &mut Setup, by: f64) {
 fn setup() -> Setup {
     let cycle = find(Dialect::Sinumerik, "CYCLE971").unwrap();
     let mut setup = Setup::for_cycle(cycle, Plane::G17);
-    setup.tool_probes = vec![ToolProbe::ideal(Solid {
-        shape: Shape::Block { size: [22.0, 22.0, 20.0] },
-        at: [39.0, 31.0, 80.0],
-        rotation: [0.0; 3],
-        errors: PartErrors::default(),
-    })];
+    setup.tool_probes =
+        vec![ToolProbe::ideal(Solid::new(Shape::Block { size: [22.0, 22.0, 20.0] }, [39.0, 31.0, 80.0]))];
     setup.position = Mcs([70.0, 90.0, 120.0]);
     setup
 }

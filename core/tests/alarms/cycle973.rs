@@ -3,7 +3,7 @@
 use super::table::{Table, case, program};
 use super::{lathe, workpiece};
 use probewright_core::machine::Setup;
-use probewright_core::workpiece::{PartErrors, Shape, Solid};
+use probewright_core::workpiece::{Shape, Solid};
 
 pub fn table() -> Table {
     let mut cases = lathe::cases();
@@ -35,11 +35,9 @@ pub fn table() -> Table {
 
 fn setup() -> Setup {
     let mut setup = lathe::setup([55.0, 0.0, 60.0]);
-    setup.workpiece.solids = vec![Solid {
-        shape: Shape::Groove { width: 60.123 - 50.054, depth: 12.0, length: 40.0 },
-        at: [(60.123 + 50.054) / 2.0, 0.0, 15.021 + 12.0],
-        rotation: [0.0; 3],
-        errors: PartErrors::default(),
-    }];
+    setup.workpiece.solids = vec![Solid::new(
+        Shape::Groove { width: 60.123 - 50.054, depth: 12.0, length: 40.0 },
+        [(60.123 + 50.054) / 2.0, 0.0, 15.021 + 12.0],
+    )];
     setup
 }

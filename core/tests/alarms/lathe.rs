@@ -5,7 +5,7 @@ use super::{turning, workpiece};
 use probewright_core::control::Plane;
 use probewright_core::geometry::Mcs;
 use probewright_core::machine::Setup;
-use probewright_core::workpiece::{PartErrors, Shape, Solid};
+use probewright_core::workpiece::{Shape, Solid};
 
 /// Alarms that no state of the simulated machine brings about, beside [`workpiece::UNREACHED`].
 pub const SPINDLE: (u32, &str) = (61373, "a mono probe in a turret is not turned by a spindle (A:15917)");
@@ -17,12 +17,8 @@ pub fn setup(position: [f64; 3]) -> Setup {
     let mut setup = Setup::turning(Plane::G18);
     setup.control.tools.insert(20, turning::tool(0.0));
     setup.position = Mcs(position);
-    setup.workpiece.solids = vec![Solid {
-        shape: Shape::Turned { diameter: 60.0, length: 80.0, bore: [0.0; 2] },
-        at: [0.0, 0.0, 20.0],
-        rotation: [0.0; 3],
-        errors: PartErrors::default(),
-    }];
+    setup.workpiece.solids =
+        vec![Solid::new(Shape::Turned { diameter: 60.0, length: 80.0, bore: [0.0; 2] }, [0.0, 0.0, 20.0])];
     setup
 }
 

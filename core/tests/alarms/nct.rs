@@ -6,7 +6,7 @@ use probewright_core::control::Plane;
 use probewright_core::dialect::Dialect;
 use probewright_core::geometry::Mcs;
 use probewright_core::machine::Setup;
-use probewright_core::workpiece::{PartErrors, Shape, Solid};
+use probewright_core::workpiece::{Shape, Solid};
 
 const PROGRAM: &str = "G17 G90 G54\n{change}\nM30\n";
 
@@ -132,12 +132,7 @@ pub fn p9969() -> Table {
         usual: USUAL,
         setup: || {
             let mut setup = setup();
-            setup.workpiece.solids[0] = Solid {
-                shape: Shape::Block { size: [100.0, 100.0, 8.0] },
-                at: [0.0, 0.0, -20.0],
-                rotation: [0.0; 3],
-                errors: PartErrors::default(),
-            };
+            setup.workpiece.solids[0] = Solid::new(Shape::Block { size: [100.0, 100.0, 8.0] }, [0.0, 0.0, -20.0]);
             setup
         },
         cases: vec![
@@ -189,12 +184,7 @@ fn measuring(
 fn setup() -> Setup {
     let mut setup = Setup::calibrated(Dialect::Nct, Plane::G17);
     setup.position = Mcs([0.0, 0.0, -10.0]);
-    setup.workpiece.solids = vec![Solid {
-        shape: Shape::Hole { diameter: 50.0, depth: 30.0 },
-        at: [0.0; 3],
-        rotation: [0.0; 3],
-        errors: PartErrors::default(),
-    }];
+    setup.workpiece.solids = vec![Solid::new(Shape::Hole { diameter: 50.0, depth: 30.0 }, [0.0; 3])];
     setup
 }
 

@@ -6,7 +6,7 @@ use probewright_core::control::{Edge, Plane};
 use probewright_core::geometry::Mcs;
 use probewright_core::machine::Setup;
 use probewright_core::workpiece::tool_probe::ToolProbe;
-use probewright_core::workpiece::{PartErrors, Shape, Solid};
+use probewright_core::workpiece::{Shape, Solid};
 
 const CALIBRATE: &str = "G65 P9920 Z-8 D20 H100 T0";
 
@@ -33,12 +33,8 @@ fn setup() -> Setup {
     let mut setup = Setup::for_cycle(&P9920, Plane::G17);
     let register = setup.control.edge;
     *setup.control.edge_made(0, register) = Edge { length: [100.0, 0.0, 0.0], radius: 10.0, ..Edge::default() };
-    setup.tool_probes.push(ToolProbe::ideal(Solid {
-        shape: Shape::Turned { diameter: 40.0, length: 15.0, bore: [0.0; 2] },
-        at: [0.0; 3],
-        rotation: [0.0; 3],
-        errors: PartErrors::default(),
-    }));
+    let disk = Solid::new(Shape::Turned { diameter: 40.0, length: 15.0, bore: [0.0; 2] }, [0.0; 3]);
+    setup.tool_probes.push(ToolProbe::ideal(disk));
     setup.position = Mcs([0.0, 0.0, 4.0]);
     setup
 }

@@ -6,7 +6,7 @@ use probewright_core::control::{Plane, Transverse};
 use probewright_core::geometry::Mcs;
 use probewright_core::machine::Setup;
 use probewright_core::workpiece::tool_probe::ToolProbe;
-use probewright_core::workpiece::{PartErrors, Shape, Solid, tool};
+use probewright_core::workpiece::{Shape, Solid, tool};
 
 const OWN_TOOL: &str = "the tool in use is corrected; no parameter names another one";
 
@@ -72,12 +72,7 @@ fn setup() -> Setup {
     setup.real_tools.insert((3, 1), real);
     setup.control.tools.insert(3, turning);
     (setup.control.tool, setup.control.edge) = (3, 1);
-    setup.tool_probes = vec![ToolProbe::ideal(Solid {
-        shape: Shape::Block { size: [20.0; 3] },
-        at: [390.0, 0.0, 220.0],
-        rotation: [0.0; 3],
-        errors: PartErrors::default(),
-    })];
+    setup.tool_probes = vec![ToolProbe::ideal(Solid::new(Shape::Block { size: [20.0; 3] }, [390.0, 0.0, 220.0]))];
     setup.position = Mcs([430.0, 0.0, 250.0]);
     setup
 }

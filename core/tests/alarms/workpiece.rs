@@ -6,7 +6,7 @@ use probewright_core::diagnostic::Code;
 use probewright_core::dialect::Dialect;
 use probewright_core::geometry::Mcs;
 use probewright_core::machine::Setup;
-use probewright_core::workpiece::{PartErrors, Shape, Solid};
+use probewright_core::workpiece::{Shape, Solid};
 
 /// Alarms that no state of the simulated control brings about.
 pub const UNREACHED: &[(u32, &str)] = &[
@@ -58,7 +58,7 @@ pub fn setup(shape: Shape, position: [f64; 3]) -> Setup {
     let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
     setup.control.tools.insert(20, crate::mill::tool(&[1]));
     setup.position = Mcs(position);
-    setup.workpiece.solids = vec![Solid { shape, at: [0.0; 3], rotation: [0.0; 3], errors: PartErrors::default() }];
+    setup.workpiece.solids = vec![Solid::new(shape, [0.0; 3])];
     setup
 }
 

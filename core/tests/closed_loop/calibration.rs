@@ -8,6 +8,7 @@
 use super::bench::{PLANES, Values, at, call, near, result, with};
 use probewright_core::control::{Plane, Units};
 use probewright_core::dialect::Dialect;
+use probewright_core::geometry::Rpy;
 use probewright_core::machine::Setup;
 use probewright_core::workpiece::{PartErrors, Probe};
 
@@ -253,7 +254,7 @@ fn calibrated_at_an_angle_the_probe_is_right_at_any_angle_and_along_the_turned_a
                 near(result(&setup, 17 + index), wrong, 1e-6, "along the axes");
             }
             // the stored skew, which counts along the axes that are not turned, leads the ball 0.03 beside the middle
-            setup.control.program_frame.rotation = at(plane, [0.0, 0.0, angle]);
+            setup.control.program_frame.rotation = Rpy(at(plane, [0.0, 0.0, angle]));
             call(&mut setup, "CYCLE977", &hole, PartErrors::default());
             near(result(&setup, 16), 0.0, 1e-4, "size along the turned axes");
             for index in 0..2 {

@@ -12,6 +12,7 @@ use probewright_core::control::{Edge, Frame, Plane, Transverse};
 use probewright_core::diagnostic::Code;
 use probewright_core::dialect::Dialect;
 use probewright_core::entry::{Cycle, Inputs, Typed, Variant, names};
+use probewright_core::geometry::Rpy;
 use probewright_core::machine::trace::Step;
 use probewright_core::machine::{Setup, Stop};
 use probewright_core::run::{Outcome, predict};
@@ -77,7 +78,7 @@ fn measure(setup: &mut Setup, inputs: &Inputs) -> Outcome {
     let plane = setup.control.plane;
     let shift = setup.control.direction_to_machine(at(plane, [0.11, -0.07, 0.13]));
     for solid in &mut setup.workpiece.solids {
-        solid.errors = PartErrors { shift, size: 0.05, tilt: at(plane, [0.0, 0.0, 0.1]), ..PartErrors::default() };
+        solid.errors = PartErrors { shift, size: 0.05, tilt: Rpy(at(plane, [0.0, 0.0, 0.1])), ..PartErrors::default() };
     }
     setup.workpiece.solids.extend(proposal.fixture);
     for proposed in proposal.tools {
@@ -123,7 +124,7 @@ fn left(setup: &Setup) -> Vec<(String, f64)> {
     }
     left.sort_by(|one, other| one.0.cmp(&other.0));
     for frame in control.frames.values() {
-        let values = frame.coarse.into_iter().chain(frame.fine).chain(frame.rotation);
+        let values = frame.coarse.into_iter().chain(frame.fine).chain(frame.rotation.0);
         left.extend(values.map(|value| ("frame".to_owned(), value)));
     }
     left

@@ -4,7 +4,7 @@
 use super::bench::{PLANES, Values, at, inputs, near, place, result, run, with};
 use probewright_core::control::{Control, Frame, Plane, Units};
 use probewright_core::dialect::Dialect;
-use probewright_core::geometry::Mcs;
+use probewright_core::geometry::{Mcs, Rpy};
 use probewright_core::machine::Setup;
 use probewright_core::machine::trace::Step;
 use probewright_core::run::Outcome;
@@ -97,7 +97,8 @@ const TARGETS: [(f64, usize); 4] = [(2.0, 2), (3.0, 3), (1000.0, 0), (4.0, 4)];
 fn machine(plane: Plane, mirror: [bool; 3]) -> Setup {
     let mut setup = Setup::calibrated_in(Dialect::Sinumerik, plane, Units::Metric);
     let mut put = |number: usize, rotation, mirrored: usize| {
-        let mut frame = Frame { rotation: at(plane, rotation), ..Frame::translation([7.0 * number as f64, -9.0, 4.0]) };
+        let mut frame =
+            Frame { rotation: Rpy(at(plane, rotation)), ..Frame::translation([7.0 * number as f64, -9.0, 4.0]) };
         if let Some(axis) = plane.axes().get(mirrored) {
             frame.mirror[*axis] = true;
         }
@@ -243,7 +244,7 @@ fn on_a_lathe_the_place_of_the_ball_counts_as_well() {
         ] {
             setup.control.set(format!("_WP[0,{index}]"), value);
         }
-        let frame = |origin, rotation| Frame { rotation, ..Frame::translation(origin) };
+        let frame = |origin, rotation| Frame { rotation: Rpy(rotation), ..Frame::translation(origin) };
         let frames = &mut setup.control.frames;
         frames.insert(1, frame([0.0, 0.0, 20.0], [0.0; 3]));
         frames.insert(2, frame([1.0, 0.0, -5.0], [0.0, 3.0, 0.0]));
@@ -268,7 +269,7 @@ fn on_a_lathe_the_place_of_the_ball_counts_as_well() {
 #[test]
 fn the_height_of_the_touches_counts_not_that_of_the_start() {
     let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
-    let tilted = Frame { rotation: [0.0, 10.0, 0.0], ..Frame::default() };
+    let tilted = Frame { rotation: Rpy([0.0, 10.0, 0.0]), ..Frame::default() };
     setup.control.frames.insert(2, tilted);
     setup.control.activate(1);
     let values = [("_MVAR", 102.0), ("_SETVAL", 60.0), ("_ID", -40.0), ("_FA", 5.0), ("_KNUM", 2.0)];

@@ -3,6 +3,7 @@
 use super::bench::{PLANES, Values, at, inputs, near, place, result, run, with};
 use probewright_core::control::{Frame, Plane, Units};
 use probewright_core::dialect::Dialect;
+use probewright_core::geometry::Rpy;
 use probewright_core::machine::Setup;
 use probewright_core::workpiece::PartErrors;
 
@@ -40,7 +41,7 @@ const TILT: [f64; 3] = [0.3, -0.2, 0.5];
 
 /// A frame that moves and turns.
 fn frame(origin: [f64; 3], rotation: [f64; 3]) -> Frame {
-    Frame { fine: [0.01, 0.02, -0.01], rotation, ..Frame::translation(origin) }
+    Frame { fine: [0.01, 0.02, -0.01], rotation: Rpy(rotation), ..Frame::translation(origin) }
 }
 
 /// A machine with every sort of frame in its chain, most of them turned.
@@ -54,7 +55,7 @@ fn machine(plane: Plane, units: Units, settable: usize) -> Setup {
     control.frames.insert(0, frame([7.0, -9.0, 4.0], [0.0, 0.0, 6.0])); // of G500
     control.frames.insert(1, frame([40.0, 30.0, 20.0], [0.0, 5.0, -15.0]));
     control.frames.insert(5, frame([-60.0, 15.0, 9.0], [2.0, 0.0, 33.0]));
-    control.program_frame = Frame { rotation: [0.0, 0.0, 10.0], ..Frame::translation([3.0, 2.0, 1.0]) };
+    control.program_frame = Frame { rotation: Rpy([0.0, 0.0, 10.0]), ..Frame::translation([3.0, 2.0, 1.0]) };
     control.activate(settable);
     setup.probe.stylus = Some(0.0); // the part leans by some degree, and a straight one would meet it above the ball
     setup
@@ -142,7 +143,7 @@ pub fn closed(mut setup: Setup, target: Target, (name, values, differences): &Ca
     let inputs = inputs(&setup, name, &with(values, &[("_KNUM", target.code)]));
     let errors = PartErrors {
         shift: setup.control.direction_to_machine(at(plane, SHIFT)),
-        tilt: setup.control.direction_to_machine(at(plane, tilt)),
+        tilt: Rpy(setup.control.direction_to_machine(at(plane, tilt))),
         ..PartErrors::default()
     };
     place(&mut setup, &inputs, errors);

@@ -6,6 +6,7 @@ use probewright_core::catalogue::example::example;
 use probewright_core::check::{check, read};
 use probewright_core::control::{Control, Frame, MachineSort, Plane, Units};
 use probewright_core::entry::{Cycle, Inputs, ProbeUse, Typed, Unit, factor};
+use probewright_core::geometry::Rpy;
 use probewright_core::geometry::rigid::{angles, rotation};
 use probewright_core::machine::Setup;
 use probewright_core::machine::setup::PROBE_TOOL;
@@ -95,14 +96,14 @@ fn tilt(cycle: &Cycle, [abscissa, ordinate, applicate]: [f64; 3]) -> [f64; 3] {
 }
 
 /// A rotation of the workpiece system, angles about its X Y Z, as one of the machine.
-fn on_the_machine(control: &Control, turn: [f64; 3]) -> [f64; 3] {
+fn on_the_machine(control: &Control, turn: [f64; 3]) -> Rpy {
     let axis = |own: usize| {
         let mut axis = [0.0; 3];
         axis[own] = 1.0;
         Vector3::from(control.direction_to_machine(axis))
     };
     let axes = Matrix3::from_columns(&[axis(0), axis(1), axis(2)]);
-    angles(&Rotation3::from_matrix_unchecked(axes * rotation(turn).matrix() * axes.transpose()))
+    angles(&Rotation3::from_matrix_unchecked(axes * rotation(Rpy(turn)).matrix() * axes.transpose()))
 }
 
 /// Abscissa, ordinate, applicate as X Y Z.
@@ -148,7 +149,7 @@ fn frames(control: &mut Control, machine: &Machine, turns: [f64; 3], mirrors: bo
     let frame = |placed: &Placed, any: bool| Frame {
         coarse: placed.at,
         fine: [placed.fine; 3],
-        rotation: std::array::from_fn(|axis| if any { placed.turn[axis] * turns[axis] } else { 0.0 }),
+        rotation: Rpy(std::array::from_fn(|axis| if any { placed.turn[axis] * turns[axis] } else { 0.0 })),
         mirror: if mirrors { placed.mirror } else { [false; 3] },
         ..Frame::default()
     };

@@ -4,8 +4,8 @@
 use super::stand::Stand;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use probewright_core::control::{BasicFrames, Control, Frame, Plane, Value};
-use probewright_core::geometry::Mcs;
 use probewright_core::geometry::rigid::{angles, rotation};
+use probewright_core::geometry::{Degrees, Mcs, Rpy};
 use probewright_core::machine::Setup;
 use probewright_core::machine::setup::PROBE_TOOL;
 use probewright_core::workpiece::{Shape, Solid};
@@ -41,11 +41,7 @@ impl View {
                 matrix[(axis, axis)] = -1.0;
                 matrix
             }
-            View::Elsewhere { axis, turn, .. } => {
-                let mut angles = [0.0; 3];
-                angles[axis] = turn;
-                *rotation(angles).matrix()
-            }
+            View::Elsewhere { axis, turn, .. } => *rotation(Rpy::about(axis, Degrees(turn))).matrix(),
         }
     }
 
@@ -64,7 +60,7 @@ impl View {
     }
 
     /// A rotation of the machine, angles as a frame has them.
-    fn turn(self, turn: [f64; 3]) -> [f64; 3] {
+    fn turn(self, turn: Rpy) -> Rpy {
         let matrix = self.matrix();
         turned(matrix * rotation(turn).matrix() * matrix.transpose())
     }
@@ -169,7 +165,7 @@ impl View {
             if let Shape::OuterCorner { angle, length, .. } | Shape::InnerCorner { angle, length, .. } = &mut seen.shape
             {
                 length.reverse();
-                own *= rotation([0.0, 0.0, -*angle]).matrix();
+                own *= rotation(Rpy([0.0, 0.0, -*angle])).matrix();
             }
             seen.rotation = turned(turn * own);
         }
@@ -177,7 +173,7 @@ impl View {
     }
 }
 
-fn turned(matrix: Matrix3<f64>) -> [f64; 3] {
+fn turned(matrix: Matrix3<f64>) -> Rpy {
     angles(&Rotation3::from_matrix_unchecked(matrix))
 }
 

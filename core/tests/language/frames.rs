@@ -3,8 +3,8 @@
 use super::{at, clean, fault, go, near, number, setup};
 use probewright_core::diagnostic::Severity;
 use probewright_core::dialect::Dialect;
-use probewright_core::geometry::Mcs;
 use probewright_core::geometry::rigid::rotation;
+use probewright_core::geometry::{Mcs, Rpy};
 use probewright_core::machine::Setup;
 use probewright_core::machine::trace::Step;
 use probewright_core::run::{Limits, run};
@@ -75,7 +75,7 @@ fn the_swivel_cycle_turns_the_part_level() {
     setup.workpiece.solids.push(Solid {
         shape: Shape::Block { size: [40.0; 3] },
         at: [0.0, 5.0, 3.0],
-        rotation: [30.0, 0.0, 0.0],
+        rotation: Rpy([30.0, 0.0, 0.0]),
         errors: PartErrors::default(),
     });
     setup.position = Mcs([0.0, 0.0, 300.0]);
@@ -171,13 +171,13 @@ fn frames_are_made_by_functions() {
 /// A block that is clamped askew, its front left upper corner in the machine's zero; G56 stands there, parallel to the
 /// axes.
 fn askew() -> Setup {
-    let turn = rotation([4.0, -3.0, 5.0]);
+    let turn = rotation(Rpy([4.0, -3.0, 5.0]));
     let corner: [f64; 3] = (turn * nalgebra::Vector3::new(50.0, 40.0, 0.0)).into();
     let mut setup = setup();
     setup.workpiece.solids.push(Solid {
         shape: Shape::Block { size: [100.0, 80.0, 50.0] },
         at: corner,
-        rotation: [4.0, -3.0, 5.0],
+        rotation: Rpy([4.0, -3.0, 5.0]),
         errors: PartErrors::default(),
     });
     setup.control.rotary_centre = [30.0, 30.0, -80.0];
@@ -201,7 +201,7 @@ fn an_oblique_part_is_set_up_with_the_swivel_cycle() {
     let errors: Vec<_> = outcome.diagnostics.iter().filter(|found| found.severity == Severity::Error).collect();
     assert_eq!((&outcome.stop, errors), (&None, Vec::new()));
     let frame = outcome.control.frames[&4];
-    let (found, wanted) = (rotation(frame.rotation), rotation([4.0, -3.0, 5.0]));
+    let (found, wanted) = (rotation(frame.rotation), rotation(Rpy([4.0, -3.0, 5.0])));
     assert!((found.matrix() - wanted.matrix()).norm() < 1e-9, "{:?}", frame.rotation);
     for (axis, at) in frame.origin().into_iter().enumerate() {
         near(at, 0.0, ["X", "Y", "Z"][axis]);

@@ -5,7 +5,7 @@ use super::running::machine;
 use probewright_core::control::{Control, Plane};
 use probewright_core::diagnostic::Code;
 use probewright_core::dialect::Dialect;
-use probewright_core::geometry::Mcs;
+use probewright_core::geometry::{Mcs, Rpy};
 use probewright_core::machine::{Setup, Stop};
 use probewright_core::run::{Limits, run};
 use probewright_core::syntax::read;
@@ -35,7 +35,7 @@ fn bore(diameter: f64, at: [f64; 3]) -> Setup {
     setup.workpiece.solids.push(Solid {
         shape: Shape::Hole { diameter, depth: 60.0 },
         at,
-        rotation: [-90.0, 0.0, 0.0],
+        rotation: Rpy([-90.0, 0.0, 0.0]),
         errors: PartErrors::default(),
     });
     setup.position = Mcs([120.0, 300.0, 200.0]);

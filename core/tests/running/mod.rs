@@ -7,7 +7,7 @@ use probewright_core::dialect::Dialect;
 use probewright_core::machine::Setup;
 use probewright_core::run::{Limits, Outcome, run};
 use probewright_core::syntax::read;
-use probewright_core::workpiece::{PartErrors, Shape, Solid};
+use probewright_core::workpiece::{Shape, Solid};
 
 /// T9 is the probe, T20 an end mill with radius 10 and length 80.
 pub fn machine() -> Setup {
@@ -18,12 +18,7 @@ pub fn machine() -> Setup {
 
 /// A block of 100 by 100 by 50 mm, the middle of its upper face at the zero of the machine.
 pub fn block() -> Solid {
-    Solid {
-        shape: Shape::Block { size: [100.0, 100.0, 50.0] },
-        at: [0.0; 3],
-        rotation: [0.0; 3],
-        errors: PartErrors::default(),
-    }
+    Solid::new(Shape::Block { size: [100.0, 100.0, 50.0] }, [0.0; 3])
 }
 
 /// What a program does on a machine.

@@ -4,6 +4,7 @@ use super::{Physical, turning};
 use probewright_core::control::{Edge, Frame, MachineSort, Plane, Tool, Units};
 use probewright_core::dialect::Dialect;
 use probewright_core::entry::{Cycle, ProbeUse};
+use probewright_core::geometry::Rpy;
 use probewright_core::machine::Setup;
 
 /// A machine with something in every place that a measurement reads or corrects; all lengths the same in mm.
@@ -22,7 +23,8 @@ pub fn machine(dialect: Dialect, basic: Units) -> Setup {
         }
         Dialect::Nct => *control.edge_made(0, 1) = mill,
     }
-    let offset = Frame { coarse: [310.0, -45.0, 20.0], fine: [0.0; 3], rotation: [0.0, 0.0, 30.0], ..Frame::default() };
+    let offset =
+        Frame { coarse: [310.0, -45.0, 20.0], fine: [0.0; 3], rotation: Rpy([0.0, 0.0, 30.0]), ..Frame::default() };
     control.frames.insert(1, offset);
     control.activate(1);
     setup

@@ -11,7 +11,7 @@ use crate::control::Control;
 use crate::entry::{Inputs, names};
 use crate::evaluate::zero_offset;
 use crate::evaluate::zero_offset::{Measured, Target};
-use crate::geometry::{Wcs, rigid};
+use crate::geometry::{Degrees, Rpy, Wcs, rigid};
 use crate::machine::{Machine, Stop};
 
 /// Order in which the points are touched: P2, P1, P3, P4 (B:7998, B:8166).
@@ -142,9 +142,8 @@ fn write(machine: &mut dyn Machine, inputs: &Inputs, target: &Target, corner: &C
     let control = machine.control();
     let [abscissa, ordinate, applicate] = control.plane.axes();
     let edge = zero_offset::seen(control, target, point(control, corner.edge, [0.0; 3]));
-    let mut turn = [0.0; 3];
-    turn[applicate] = edge[ordinate].atan2(edge[abscissa]).to_degrees();
-    let rotation = zero_offset::rotation(control, target, &rigid::rotation(turn));
+    let turn = rigid::rotation(Rpy::about(applicate, Degrees::of(edge[ordinate].atan2(edge[abscissa]))));
+    let rotation = zero_offset::rotation(control, target, &turn);
     let [x, y] = beside(inputs);
     let mut measured = Measured { actual: point(control, corner.point, height), set: height, axes: [true; 3] };
     (measured.set[abscissa], measured.set[ordinate]) = (-x, -y);

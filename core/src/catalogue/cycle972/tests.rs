@@ -9,6 +9,7 @@ use crate::control::{Control, Edge, Plane, delivery};
 use crate::diagnostic::{Code, Severity};
 use crate::dialect::Dialect;
 use crate::entry::Typed;
+use crate::geometry::Rpy;
 
 /// Probe 1; the turning tool T3 D1 in use, in the plane of a lathe.
 fn control() -> Control {
@@ -95,7 +96,7 @@ fn probe_and_machine_are_looked_at() {
         found(&[("_PRNUM", "3")], |control| control.set("_CVAL[0]", 2.0))[0],
         (Severity::Error, Code::Alarm(61313))
     );
-    let turned = |control: &mut Control| control.active.rotation = [0.0, 30.0, 0.0];
+    let turned = |control: &mut Control| control.active.rotation = Rpy([0.0, 30.0, 0.0]);
     assert_eq!(found(&[], turned), alarm(61330));
     assert_eq!(found(&[], |control| control.set("_SPEED[1]", 0.0)), alarm(61338));
     let exchanged = |control: &mut Control| control.set("_TP[0,3]", 420.0);

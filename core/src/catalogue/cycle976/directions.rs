@@ -2,7 +2,7 @@
 
 use super::params::{ANGLE, FOUR, ONE};
 use crate::entry::{Inputs, names};
-use crate::geometry::rigid::sin_cos;
+use crate::geometry::Degrees;
 
 /// One direction: an axis of calibration (0 the first, 1 the second) and +1 or -1 along it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,7 +47,7 @@ pub fn angle(inputs: &Inputs) -> f64 {
 
 /// A vector from the axes of calibration, which are turned by `angle`, in abscissa and ordinate.
 pub fn in_plane([first, second]: [f64; 2], angle: f64) -> [f64; 2] {
-    let (sine, cosine) = sin_cos(angle);
+    let (sine, cosine) = Degrees(angle).sin_cos();
     [first * cosine - second * sine, first * sine + second * cosine]
 }
 

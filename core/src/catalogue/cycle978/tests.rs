@@ -7,7 +7,7 @@ use crate::catalogue::sinumerik::testing::{
 };
 use crate::control::Plane;
 use crate::entry::{Inputs, names};
-use crate::geometry::{Mcs, Wcs};
+use crate::geometry::{Mcs, Rpy, Wcs};
 use crate::machine::sim::Sim;
 use crate::machine::trace::MotionKind;
 use crate::machine::{Setup, Stop};
@@ -77,7 +77,7 @@ proptest! {
         let other = plane.axes()[1 - axis];
         let measured = [-along, along].map(|place| {
             let mut setup = ready(plane, axis, side, 0.0);
-            setup.workpiece.solids[0].errors.tilt = at(plane, [0.0, 0.0, tilt]);
+            setup.workpiece.solids[0].errors.tilt = Rpy(at(plane, [0.0, 0.0, tilt]));
             setup.position[other] = place;
             let mut sim = Sim::new(&setup);
             assert_eq!(run(&mut sim, &inputs(0, axis, side)), Ok(()));

@@ -4,7 +4,7 @@ use super::params::{OUTSIDE, ROUND};
 use crate::catalogue::place;
 use crate::control::Control;
 use crate::entry::{Inputs, Proposal, names};
-use crate::geometry::rigid::sin_cos;
+use crate::geometry::Degrees;
 
 /// Measuring depth of the ball centre below the face where `_ID` does not decide it, mm.
 const DEPTH: f64 = 10.0;
@@ -16,7 +16,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let ball = place::ball_radius(inputs, control);
     let size = inputs.number(names::SETVAL);
     let centre = [inputs.number(names::CPA), inputs.number(names::CPO)];
-    let (sine, cosine) = sin_cos(inputs.number(names::STA1));
+    let (sine, cosine) = Degrees(inputs.number(names::STA1)).sin_cos();
     let depth = depth(inputs, control, ball);
     let out = if OUTSIDE.holds(inputs) { size / 2.0 + ball + inputs.number(names::FA) + AWAY } else { 0.0 };
     let below = -depth * place::side(control);

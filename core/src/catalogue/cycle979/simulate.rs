@@ -7,8 +7,7 @@ use crate::catalogue::sinumerik::measuring_block::{Block, Ray, ball_known};
 use crate::catalogue::sinumerik::target::Target;
 use crate::catalogue::sinumerik::{alarm, results, until_done};
 use crate::entry::{Inputs, names};
-use crate::geometry::fit;
-use crate::geometry::rigid::sin_cos;
+use crate::geometry::{Degrees, fit};
 use crate::machine::{Machine, Stop};
 
 /// The element as the call describes it; mm and degree.
@@ -48,7 +47,7 @@ impl Element {
 
     /// The measuring block of a point: inside away from the centre, outside towards it.
     fn ray(&self, angle: f64, path: f64) -> Ray {
-        let (sine, cosine) = sin_cos(angle);
+        let (sine, cosine) = Degrees(angle).sin_cos();
         let [x, y] = self.centre;
         let half = self.size / 2.0;
         Ray { angle: if self.inside { angle } else { angle + 180.0 }, set: [x + half * cosine, y + half * sine], path }

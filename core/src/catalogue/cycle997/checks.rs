@@ -8,8 +8,7 @@ use crate::control::Control;
 use crate::diagnostic::Diagnostic;
 use crate::entry::{Inputs, names};
 use crate::evaluate::spread::Circle;
-use crate::geometry::fit;
-use crate::geometry::rigid::sin_cos;
+use crate::geometry::{Degrees, fit};
 use crate::name::Name;
 use crate::own;
 use nalgebra::Vector3;
@@ -97,7 +96,7 @@ fn beside(inputs: &Inputs, spheres: &[Sphere], radius: f64, ball: f64, found: &m
     let starts = |sphere: &Sphere| {
         let centre = sphere.centre;
         sides(inputs).into_iter().map(move |side| {
-            let (sin, cos) = sin_cos(side);
+            let (sin, cos) = Degrees(side).sin_cos();
             centre + Vector3::new(cos, sin, 0.0) * (radius + ball + path)
         })
     };

@@ -5,8 +5,7 @@ use super::points;
 use super::simulate::failed;
 use crate::catalogue::sinumerik::measuring_block::{Block, Point, Ray};
 use crate::entry::{Inputs, names};
-use crate::geometry::rigid::sin_cos;
-use crate::geometry::{Wcs, fit};
+use crate::geometry::{Degrees, Wcs, fit};
 use crate::machine::{Machine, Stop};
 
 /// A sphere as it should be or as it was found, mm.
@@ -95,7 +94,7 @@ impl Plan<'_> {
         let directions = points::directions(self.inputs);
         let mut balls = Vec::new();
         for (index, angle) in directions.iter().copied().enumerate() {
-            let (sine, cosine) = sin_cos(angle);
+            let (sine, cosine) = Degrees(angle).sin_cos();
             let set = [x + cosine * expected.diameter / 2.0, y + sine * expected.diameter / 2.0];
             let ray = Ray { angle: angle + 180.0, set, path: self.block.path };
             if index == 0 {

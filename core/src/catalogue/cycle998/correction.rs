@@ -9,7 +9,7 @@ use crate::control::Control;
 use crate::entry::{Inputs, names};
 use crate::evaluate::zero_offset;
 use crate::evaluate::zero_offset::Target;
-use crate::geometry::{V3, rigid};
+use crate::geometry::{Degrees, Rpy, V3, rigid};
 use crate::machine::{Machine, Stop};
 use nalgebra::{Rotation3, Vector3};
 
@@ -58,7 +58,7 @@ impl Correction {
             let writes = zero_offset::rotary(machine.control(), &target, axis, amount);
             return correct::frame(machine, &target, &writes);
         }
-        let turn = about(machine.control(), surface.third(), amount);
+        let turn = about(machine.control(), surface.third(), Degrees(amount));
         self.turn(machine, &turn);
     }
 
@@ -108,9 +108,7 @@ fn seen_wrong(control: &Control, target: &Target, surface: &Surface, wrong: f64)
     angle - 180.0 * (angle / 180.0).round()
 }
 
-/// A rotation about an axis of the plane, degree.
-fn about(control: &Control, axis: usize, angle: f64) -> Rotation3<f64> {
-    let mut angles = [0.0; 3];
-    angles[control.plane.axes()[axis]] = angle;
-    rigid::rotation(angles)
+/// A rotation about an axis of the plane.
+fn about(control: &Control, axis: usize, angle: Degrees) -> Rotation3<f64> {
+    rigid::rotation(Rpy::about(control.plane.axes()[axis], angle))
 }

@@ -10,7 +10,7 @@ use crate::check::check;
 use crate::control::{Frame, Plane};
 use crate::diagnostic::Code;
 use crate::dialect::Dialect;
-use crate::geometry::Wcs;
+use crate::geometry::{Rpy, Wcs};
 use crate::machine::{Setup, Stop};
 use crate::workpiece::{PartErrors, Shape, Solid};
 use proptest::prelude::*;
@@ -25,7 +25,7 @@ fn example(errors: PartErrors, shape: Shape, height: f64) -> Setup {
     setup.control.frames.insert(6, Frame::translation([11.0, 22.0, 33.0]));
     setup.control.activate(6);
     let at = setup.control.to_machine(Wcs([120.0, 0.0, 200.0]));
-    setup.workpiece.solids = vec![Solid { shape, at: at.0, rotation: [0.0, -90.0, -90.0], errors }];
+    setup.workpiece.solids = vec![Solid { shape, at: at.0, rotation: Rpy([0.0, -90.0, -90.0]), errors }];
     setup.position = setup.control.to_machine(Wcs([120.0, height, 200.0]));
     setup
 }

@@ -5,7 +5,7 @@ use crate::control::{Control, Edge};
 use crate::entry::{Inputs, Proposal, ProposedTool, address};
 use crate::geometry::Mcs;
 use crate::workpiece::tool_probe::ToolProbe;
-use crate::workpiece::{PartErrors, Shape, Solid};
+use crate::workpiece::{Shape, Solid};
 
 /// Height of the disk, mm.
 const DISK: f64 = 15.0;
@@ -53,5 +53,5 @@ fn place(control: &Control) -> [f64; 3] {
 
 fn disk(control: &Control, at: [f64; 3]) -> Solid {
     let shape = Shape::Turned { diameter: control.basic_length("#509").max(1.0), length: DISK, bore: [0.0; 2] };
-    Solid { shape, at, rotation: [0.0; 3], errors: PartErrors::default() }
+    Solid::new(shape, at)
 }

@@ -5,7 +5,7 @@ use super::{CALIBRATE, DEPRESSED, DIAMETER, INCORRECT, LENGTH, MEASURING_DEVICE,
 use crate::catalogue::nct::bench::{PLANES, call, length, near};
 use crate::control::{Edge, Plane, Units};
 use crate::diagnostic::Code;
-use crate::geometry::Mcs;
+use crate::geometry::{Mcs, Rpy};
 use crate::machine::trace::{MotionKind, Step};
 use crate::machine::{Setup, Stop};
 use crate::run::Outcome;
@@ -30,7 +30,7 @@ fn machine(plane: Plane) -> Setup {
     setup.tool_probes = vec![ToolProbe::ideal(Solid {
         shape: Shape::Turned { diameter: 40.0, length: 15.0, bore: [0.0; 2] },
         at: DISK,
-        rotation: [0.0; 3],
+        rotation: Rpy::default(),
         errors: PartErrors { size: 0.8, ..PartErrors::default() },
     })];
     *setup.control.edge_made(0, REFERENCE) = Edge { length: [100.0, 0.0, 0.0], radius: 10.0, ..Edge::default() };

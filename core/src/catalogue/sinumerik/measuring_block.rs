@@ -11,8 +11,7 @@ pub use ray::Ray;
 
 use super::alarm;
 use crate::control::Control;
-use crate::geometry::Wcs;
-use crate::geometry::rigid::sin_cos;
+use crate::geometry::{Degrees, Wcs};
 use crate::machine::trace::MotionKind;
 use crate::machine::{Machine, Stop};
 
@@ -267,7 +266,7 @@ impl Block {
 fn on_machine(control: &Control, angle: f64) -> f64 {
     let [abscissa, ordinate, _] = control.plane.axes();
     let mut direction = [0.0; 3];
-    (direction[ordinate], direction[abscissa]) = sin_cos(angle);
+    (direction[ordinate], direction[abscissa]) = Degrees(angle).sin_cos();
     let seen = control.direction_to_machine(direction);
     if seen == direction { angle } else { seen[ordinate].atan2(seen[abscissa]).to_degrees() }
 }

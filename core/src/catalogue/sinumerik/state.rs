@@ -73,6 +73,7 @@ mod tests {
     use super::*;
     use crate::control::Plane;
     use crate::dialect::Dialect;
+    use crate::geometry::Rpy;
     use crate::machine::Setup;
 
     /// A number, and what the control lacks for it.
@@ -113,7 +114,7 @@ mod tests {
             (61315, |control| {
                 control.set_variable("$TC_DP2[9,1]", 3.0);
             }),
-            (61330, |control| control.active.rotation = [0.0, 5.0, 0.0]),
+            (61330, |control| control.active.rotation = Rpy([0.0, 5.0, 0.0])),
             (61311, |control| control.edge = 0),
         ];
         let control = || Setup::turning(Plane::G18).control;

@@ -4,7 +4,7 @@
 use super::*;
 use crate::control::delivery;
 use crate::dialect::Dialect;
-use crate::geometry::Wcs;
+use crate::geometry::{Rpy, Wcs};
 
 fn control() -> Control {
     let mut control = delivery(Dialect::Sinumerik);
@@ -54,7 +54,7 @@ fn chained() -> Control {
     let frame = |x: f64, turn: f64| Frame {
         coarse: [x, 2.0 * x, 3.0],
         fine: [0.01, 0.0, 0.02],
-        rotation: [0.0, 0.0, turn],
+        rotation: Rpy([0.0, 0.0, turn]),
         ..Frame::default()
     };
     control.system = Frame::translation([1.0, 2.0, 3.0]);
@@ -103,7 +103,8 @@ fn another_settable_frame_keeps_its_rotation() {
 fn the_last_basic_frame_is_reckoned_without_a_settable_one() {
     // oracle: self (B:1938: right as soon as G500 is activated, which has a frame of its own)
     let mut control = chained();
-    let own = Frame { fine: [0.02, -0.01, 0.0], rotation: [0.0, 0.0, 8.0], ..Frame::translation([6.0, -7.0, 8.0]) };
+    let own =
+        Frame { fine: [0.02, -0.01, 0.0], rotation: Rpy([0.0, 0.0, 8.0]), ..Frame::translation([6.0, -7.0, 8.0]) };
     control.frames.insert(0, own);
     let measured = Measured { actual: [31.0, 42.0, 5.0], set: [1.0, 2.0, 3.0], axes: [true; 3] };
     let machine = control.to_machine(Wcs(measured.actual));
@@ -185,7 +186,7 @@ fn mirrored_in(place: usize) -> Control {
 
 /// A part that is turned and moved in the present WCS.
 fn turned_part() -> (nalgebra::Rotation3<f64>, Measured) {
-    let turn = crate::geometry::rigid::rotation([3.0, -7.0, 12.0]);
+    let turn = crate::geometry::rigid::rotation(Rpy([3.0, -7.0, 12.0]));
     let measured = Measured { actual: [31.0, 42.0, 5.0], set: [1.0, -2.0, 3.0], axes: [true; 3] };
     (turn, measured)
 }
@@ -226,10 +227,10 @@ fn afterwards_a_turned_part_stands_right() {
 fn a_turn_about_the_axis_of_the_frame_adds_to_its_angle() {
     // oracle: hand
     let mut control = control();
-    control.frames.insert(1, Frame { rotation: [0.0, 0.0, 20.0], ..Frame::default() });
+    control.frames.insert(1, Frame { rotation: Rpy([0.0, 0.0, 20.0]), ..Frame::default() });
     control.activate(1);
     let target = target(&control, 1).unwrap().unwrap();
-    let turn = crate::geometry::rigid::rotation([0.0, 0.0, 12.5]);
+    let turn = crate::geometry::rigid::rotation(Rpy([0.0, 0.0, 12.5]));
     let rotation = rotation(&control, &target, &seen_turn(&control, &target, &turn));
     assert!((rotation[2] - 32.5).abs() < 1e-12 && rotation[..2] == [0.0; 2]);
     let names: Vec<String> = turned(&control, &target, rotation).into_iter().map(|write| write.name).collect();

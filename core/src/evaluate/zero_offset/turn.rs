@@ -4,7 +4,7 @@
 use super::{Measured, SAME, Store, Target, around, coarse, missing, part};
 use crate::control::{AXES, Control, Frame, ROTARY};
 use crate::evaluate::Write;
-use crate::geometry::rigid;
+use crate::geometry::{Rpy, rigid};
 use nalgebra::{IsometryMatrix3, Matrix3, Rotation3, Vector3};
 
 /// A direction of the present WCS as it is seen when the frame to be corrected is active as it is stored.
@@ -18,32 +18,32 @@ pub fn seen_turn(control: &Control, target: &Target, turn: &Rotation3<f64>) -> R
     Rotation3::from_matrix_unchecked(towards(control, target) * turn.matrix())
 }
 
-/// Rotation about X, Y, Z (RPY, degree) of the frame to be corrected after which a part that is now turned by `turn`
+/// Rotation of the frame to be corrected after which a part that is now turned by `turn`
 /// stands right. `turn` as [`seen_turn`] gives it.
-pub fn rotation(control: &Control, target: &Target, turn: &Rotation3<f64>) -> [f64; 3] {
+pub fn rotation(control: &Control, target: &Target, turn: &Rotation3<f64>) -> Rpy {
     let (_, old, after) = around(control, target);
-    let inner = of(&[Frame { rotation: [0.0; 3], ..old }]) * of(&after);
+    let inner = of(&[Frame { rotation: Rpy::default(), ..old }]) * of(&after);
     let outward = Rotation3::from_matrix_unchecked(inner * turn.matrix() * inner.transpose());
     let angles = rigid::angles(&(rigid::rotation(old.rotation) * outward));
-    std::array::from_fn(|axis| {
+    Rpy(std::array::from_fn(|axis| {
         if (angles[axis] - old.rotation[axis]).abs() < SAME { old.rotation[axis] } else { angles[axis] }
-    })
+    }))
 }
 
 /// What writes this rotation alone.
-pub fn turned(control: &Control, target: &Target, rotation: [f64; 3]) -> Vec<Write> {
+pub fn turned(control: &Control, target: &Target, rotation: Rpy) -> Vec<Write> {
     let (_, old, _) = around(control, target);
-    part(target, &AXES, "RT", rotation, old.rotation)
+    part(target, &AXES, "RT", rotation.0, old.rotation.0)
 }
 
 /// What writes this rotation together with the translation that gives the point its set coordinates, into the coarse
 /// part (B:7840-7844, B:8411).
-pub fn placed(control: &Control, target: &Target, rotation: [f64; 3], measured: &Measured) -> Vec<Write> {
+pub fn placed(control: &Control, target: &Target, rotation: Rpy, measured: &Measured) -> Vec<Write> {
     let (before, old, after) = around(control, target);
     let turned = Frame { rotation, ..old };
     let shift = missing(control, (&before, &turned, &after), measured);
     let mut writes = coarse(target, &old, shift);
-    writes.extend(part(target, &AXES, "RT", rotation, old.rotation));
+    writes.extend(part(target, &AXES, "RT", rotation.0, old.rotation.0));
     writes
 }
 

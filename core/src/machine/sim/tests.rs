@@ -5,13 +5,13 @@ use crate::control::{Frame, Plane};
 use crate::diagnostic::Code;
 use crate::dialect::Dialect;
 use crate::geometry::{Mcs, Wcs};
-use crate::workpiece::{PartErrors, ProbeBody, Shape, Solid};
+use crate::workpiece::{ProbeBody, Shape, Solid};
 
 /// A cube of 100 mm whose upper face is Z = 0 of the machine.
 fn sim() -> Sim {
     let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
     let block = Shape::Block { size: [100.0, 100.0, 100.0] };
-    let solid = Solid { shape: block, at: [0.0; 3], rotation: [0.0; 3], errors: PartErrors::default() };
+    let solid = Solid::new(block, [0.0; 3]);
     setup.workpiece.solids.push(solid);
     setup.position = Mcs([0.0, 0.0, 20.0]);
     Sim::new(&setup)
@@ -155,12 +155,7 @@ fn a_part_that_turns_may_meet_the_stylus() {
 /// A plate that ends at X = 20, 10 mm thick, over the probe, which hangs beside it with its ball 20 mm lower.
 fn under_a_plate(body: Option<ProbeBody>) -> Sim {
     let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
-    setup.workpiece.solids.push(Solid {
-        shape: Shape::Block { size: [100.0, 100.0, 10.0] },
-        at: [70.0, 0.0, 0.0],
-        rotation: [0.0; 3],
-        errors: PartErrors::default(),
-    });
+    setup.workpiece.solids.push(Solid::new(Shape::Block { size: [100.0, 100.0, 10.0] }, [70.0, 0.0, 0.0]));
     setup.probe.body = body;
     setup.position = Mcs([0.0, 0.0, -20.0]);
     Sim::new(&setup)

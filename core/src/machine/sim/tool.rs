@@ -133,7 +133,7 @@ mod tests {
     use crate::dialect::Dialect;
     use crate::geometry::{Around, Mcs, Wcs};
     use crate::machine::{Machine, Setup, Stop};
-    use crate::workpiece::{Cut, Cutter, PartErrors, Shape, Solid};
+    use crate::workpiece::{Cut, Cutter, Shape, Solid};
 
     /// A cube of 20 mm about the origin and an end mill of 70 mm and 5 mm radius above it; it is longer than its data
     /// say.
@@ -145,12 +145,7 @@ mod tests {
         (setup.control.tool, setup.control.edge) = (3, 1);
         let real = Tool { length: [70.5, 0.0, 0.0], cut: Cut::Cutter(Cutter { teeth: 2, ..Cutter::smooth(5.2) }) };
         setup.real_tools.insert((3, 1), real);
-        setup.tool_probes.push(ToolProbe::ideal(Solid {
-            shape: Shape::Block { size: [20.0; 3] },
-            at: [0.0; 3],
-            rotation: [0.0; 3],
-            errors: PartErrors::default(),
-        }));
+        setup.tool_probes.push(ToolProbe::ideal(Solid::new(Shape::Block { size: [20.0; 3] }, [0.0; 3])));
         setup.position = Mcs([0.0, 0.0, 30.0]);
         Sim::new(&setup)
     }

@@ -5,7 +5,7 @@
 use crate::catalogue::sinumerik::testing::random_parts;
 use crate::control::{Control, Frame, Plane};
 use crate::dialect::Dialect;
-use crate::geometry::{V3, Wcs, rigid};
+use crate::geometry::{Rpy, V3, Wcs, rigid};
 use crate::machine::Setup;
 use crate::run::{Limits, Outcome, run};
 use crate::syntax::read;
@@ -22,7 +22,7 @@ fn setup() -> Setup {
     let frame = |x: f64, turn: [f64; 3]| Frame {
         coarse: [x, 2.0 * x, 3.0],
         fine: [0.01, 0.0, 0.02],
-        rotation: turn,
+        rotation: Rpy(turn),
         ..Frame::default()
     };
     setup.control.system = Frame::translation([1.0, 2.0, 3.0]);
@@ -51,7 +51,7 @@ fn called(setup: &Setup, before: &str, set: &Triangle, measured: &Triangle, last
 
 /// The triangle as a part that stands elsewhere has it.
 fn moved(at: [f64; 3], turn: [f64; 3]) -> Triangle {
-    SET.map(|point| (rigid::rotation(turn) * V3::from(point) + V3::from(at)).into())
+    SET.map(|point| (rigid::rotation(Rpy(turn)) * V3::from(point) + V3::from(at)).into())
 }
 
 /// Whether measured points have the set coordinates in the frame of this control.

@@ -8,7 +8,7 @@ use crate::catalogue::place;
 use crate::catalogue::sinumerik::testing::{at, call, run, setup};
 use crate::control::{Control, Frame, Plane};
 use crate::entry::Inputs;
-use crate::geometry::Wcs;
+use crate::geometry::{Rpy, Wcs};
 use crate::machine::Setup;
 use crate::machine::sim::Sim;
 use crate::workpiece::{Shape, Solid};
@@ -151,7 +151,7 @@ pub fn cases() -> impl Strategy<Value = Case> {
             Case {
                 variant,
                 plane,
-                frame: Frame { coarse, rotation: at(plane, [0.0, 0.0, turn]), ..Frame::default() },
+                frame: Frame { coarse, rotation: Rpy(at(plane, [0.0, 0.0, turn])), ..Frame::default() },
                 real: Real { corner, edge, opening: if clockwise { -opening } else { opening } },
                 // both edges of a rectangle are wrong by the same angle
                 wrong: if variant <= 106 { [wrong[0]; 2] } else { wrong },

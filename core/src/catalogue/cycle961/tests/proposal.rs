@@ -9,6 +9,7 @@ use crate::catalogue::example::example;
 use crate::catalogue::sinumerik::testing::{at, call, close, setup};
 use crate::check::check;
 use crate::entry::{Inputs, names};
+use crate::geometry::Rpy;
 use crate::machine::Setup;
 
 #[test]
@@ -49,7 +50,7 @@ fn proposed(setup: &mut Setup, inputs: &Inputs, edge: f64) {
     setup.position = setup.control.to_machine(proposal.start);
     let solid = &mut setup.workpiece.solids[0];
     solid.errors.shift = at(plane, [0.3, -0.2, 0.0]);
-    solid.errors.tilt = at(plane, [0.0, 0.0, 2.0]);
+    solid.errors.tilt = Rpy(at(plane, [0.0, 0.0, 2.0]));
     let corner = solid.at;
     let sim = done(setup, inputs);
     close_angle(&sim, "_OVR[4]", edge + 2.0);

@@ -8,7 +8,7 @@ use super::bench::{Case, Real, cases, close_angle, done};
 use crate::catalogue::sinumerik::testing::{at, called, close, put, random_parts, stopped};
 use crate::control::{Frame, Plane, Units};
 use crate::entry::{Inputs, names};
-use crate::geometry::Mcs;
+use crate::geometry::{Mcs, Rpy};
 use crate::machine::sim::Sim;
 use crate::machine::{Setup, Stop};
 use crate::name::Name;
@@ -71,7 +71,7 @@ proptest! {
         setup.control.frames.insert(2, Frame {
             coarse: [11.0, 22.0, 33.0],
             fine: [0.5, 0.25, 0.125],
-            rotation: at(case.plane, [0.0, 0.0, 50.0]),
+            rotation: Rpy(at(case.plane, [0.0, 0.0, 50.0])),
             ..Frame::default()
         });
         inputs.numbers.insert(names::KNUM, f64::from(target));
@@ -186,7 +186,7 @@ fn a_measured_corner_may_be_none_though_the_points_make_one() {
                 let block = |(size, at): &([f64; 3], [f64; 3])| crate::workpiece::Solid {
                     shape: Shape::Block { size: *size },
                     at: *at,
-                    rotation: [0.0; 3],
+                    rotation: Rpy::default(),
                     ..solid.clone()
                 };
                 setup.workpiece.solids = blocks.iter().map(block).collect();

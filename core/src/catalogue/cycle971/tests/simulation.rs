@@ -5,6 +5,7 @@
 use super::bench::{PLANES, call, displace, measured, name, place, random, real, setup, setup_in, side};
 use crate::catalogue::sinumerik::testing::{alarms, called, close, stopped, touches};
 use crate::control::{Frame, Plane, Units};
+use crate::geometry::Rpy;
 use crate::machine::Setup;
 use crate::machine::sim::Sim;
 use crate::workpiece::noise::Noise;
@@ -89,7 +90,7 @@ fn the_frame_changes_nothing() {
     let frames = [
         Frame::default(),
         Frame::translation([60.0, 15.0, 30.0]),
-        Frame { rotation: [0.0, 0.0, 18.0], ..Frame::translation([60.0, 15.0, 30.0]) },
+        Frame { rotation: Rpy([0.0, 0.0, 18.0]), ..Frame::translation([60.0, 15.0, 30.0]) },
     ];
     for frame in frames {
         for variant in [1, 2, 11, 12] {

@@ -10,6 +10,7 @@ use crate::catalogue::lathe::testing::{call, found, lathe};
 use crate::control::{Control, Frame, Plane, Transverse};
 use crate::diagnostic::{Code, Severity};
 use crate::form::{draw, fields};
+use crate::geometry::Rpy;
 use crate::picture::{Picture, ShapeKind};
 use crate::workpiece::Shape;
 
@@ -57,7 +58,7 @@ fn probe_and_coordinate_system_have_to_suit() {
     assert_eq!(edge(710, 0), [(WARNING, Code::Alarm(61309), "_PRNUM")]);
     assert_eq!(edge(0, 0), [], "nothing is known about the tool");
     let turned = with(|control| {
-        control.program_frame = Frame { rotation: [0.0, 10.0, 0.0], ..Frame::default() };
+        control.program_frame = Frame { rotation: Rpy([0.0, 10.0, 0.0]), ..Frame::default() };
     });
     assert_eq!(turned, [(ERROR, Code::Alarm(61330), "")]);
     let reversal = [("_MVAR", "1000"), ("_STA1", "90")];

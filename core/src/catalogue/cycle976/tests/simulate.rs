@@ -9,6 +9,7 @@ use crate::catalogue::sinumerik::testing::{at, call, called, put, random_parts, 
 use crate::control::{Control, Frame, Plane, Units};
 use crate::dialect::Dialect;
 use crate::entry::{Inputs, names};
+use crate::geometry::Rpy;
 use crate::machine::sim::Sim;
 use crate::machine::{Setup, Stop};
 use proptest::prelude::*;
@@ -102,8 +103,10 @@ impl Case {
     /// A machine with this probe, of which is known what the variant does not find out.
     fn setup(&self, inputs: &Inputs) -> Setup {
         let mut setup = Setup::calibrated_in(Dialect::Sinumerik, self.plane, self.units);
-        let frame =
-            Frame { rotation: at(self.plane, [0.0, 0.0, self.rotation]), ..Frame::translation([30.0, -20.0, 10.0]) };
+        let frame = Frame {
+            rotation: Rpy(at(self.plane, [0.0, 0.0, self.rotation])),
+            ..Frame::translation([30.0, -20.0, 10.0])
+        };
         setup.control.frames.insert(1, frame);
         setup.control.activate(1);
         setup.probe.radius = self.radius;

@@ -12,7 +12,7 @@ use crate::catalogue::sinumerik::testing::{
 };
 use crate::control::{Frame, Plane};
 use crate::entry::{Inputs, names};
-use crate::geometry::{Mcs, Wcs};
+use crate::geometry::{Mcs, Rpy, Wcs};
 use crate::machine::Setup;
 use crate::machine::sim::Sim;
 use crate::workpiece::Solid;
@@ -119,7 +119,7 @@ proptest! {
             let mut solid = part(plane, variant, single && axis == 2);
             solid.errors.shift = at(plane, [dx, dy, 0.0]);
             solid.errors.size = grown;
-            solid.errors.tilt = at(plane, [0.0, 0.0, tilt]);
+            solid.errors.tilt = Rpy(at(plane, [0.0, 0.0, tilt]));
             setup.workpiece.solids.push(solid);
             let mut sim = Sim::new(&setup);
             prop_assert_eq!(run(&mut sim, &inputs(variant, axis as f64)), Ok(()), "variant {}", variant);

@@ -6,13 +6,13 @@ use super::super::tests::{CENTRE, hole};
 use crate::catalogue::sinumerik::testing::{at, close, motions, stopped, turns};
 use crate::control::Plane;
 use crate::entry::names;
-use crate::geometry::{Mcs, Wcs};
+use crate::geometry::{Mcs, Rpy, Wcs};
 use crate::machine::trace::{MotionKind, Step};
 use crate::machine::{Setup, Stop};
 
 /// The hole in coordinates that are turned by an angle about the tool axis.
 fn turned(setup: &mut Setup, angle: f64) {
-    setup.control.active.rotation = [0.0, 0.0, angle];
+    setup.control.active.rotation = Rpy([0.0, 0.0, angle]);
     setup.position = setup.control.to_machine(Wcs([CENTRE[0], CENTRE[1], -10.0]));
     setup.workpiece.solids[0].at = setup.control.to_machine(Wcs([CENTRE[0], CENTRE[1], 0.0])).0;
 }
@@ -56,7 +56,7 @@ fn coordinates_that_turn_within_mirrored_ones_turn_the_probe_the_other_way() {
     // is touched where it was calibrated, and the hole is found where it is.
     let (sim, outcome) = hole(|setup, _| {
         skewed(setup);
-        setup.control.program_frame.rotation = [0.0, 0.0, 40.0];
+        setup.control.program_frame.rotation = Rpy([0.0, 0.0, 40.0]);
         mirrored(setup, [true, false, false]);
         setup.control.set("_CHBIT[13]", 1.0);
     });

@@ -7,7 +7,7 @@ use super::simulation::{CENTRE, HEIGHT, inputs, part, ready, round};
 use crate::catalogue::sinumerik::motion_testing::{DEPTH_FEED, MEASURING_FEED, PLANE_FEED};
 use crate::catalogue::sinumerik::testing::{Motion, at, motions, run, same, solid, stopped};
 use crate::control::Plane;
-use crate::geometry::rigid::sin_cos;
+use crate::geometry::Degrees;
 use crate::machine::Stop;
 use crate::machine::sim::Sim;
 use crate::machine::trace::MotionKind::{Measuring, Positioning, Retract};
@@ -22,7 +22,7 @@ const ANGLE: f64 = 20.0;
 
 /// Where the ball stands, from the centre at measuring height: distance, direction, height.
 fn polar(distance: f64, angle: f64, height: f64) -> [f64; 3] {
-    let (sine, cosine) = sin_cos(angle);
+    let (sine, cosine) = Degrees(angle).sin_cos();
     [distance * cosine, distance * sine, height]
 }
 

@@ -9,8 +9,7 @@ use crate::catalogue::sinumerik::testing::{
 use crate::control::{Frame, Plane};
 use crate::dialect::Dialect;
 use crate::entry::{Inputs, names};
-use crate::geometry::rigid::sin_cos;
-use crate::geometry::{Mcs, Wcs};
+use crate::geometry::{Degrees, Mcs, Rpy, Wcs};
 use crate::machine::Setup;
 use crate::machine::sim::Sim;
 use crate::machine::trace::{MotionKind, Step};
@@ -35,7 +34,7 @@ pub(super) fn round(variant: i64) -> bool {
 pub(super) fn part(plane: Plane, variant: i64, angle: f64) -> Solid {
     let shape = element(variant, [SIZE; 2]);
     let mut part = solid(plane, shape, [CENTRE[0], CENTRE[1], 0.0], false);
-    part.errors.tilt = at(plane, [0.0, 0.0, angle]);
+    part.errors.tilt = Rpy(at(plane, [0.0, 0.0, angle]));
     part
 }
 
@@ -59,7 +58,7 @@ pub(super) fn inputs(variant: i64, angle: f64, step: f64, four: bool) -> Inputs 
 /// The probe inside, or outside at P1 beyond the start of the first block.
 pub(super) fn ready(plane: Plane, variant: i64, angle: f64) -> Setup {
     let mut setup = setup(plane);
-    let (sine, cosine) = sin_cos(angle);
+    let (sine, cosine) = Degrees(angle).sin_cos();
     let away = if variant % 2 == 1 { 3.0 } else { SIZE / 2.0 + 15.0 };
     let place = [CENTRE[0] + away * cosine, CENTRE[1] + away * sine, HEIGHT];
     setup.position = Mcs(at(plane, place));
@@ -93,7 +92,7 @@ proptest! {
             setup.workpiece.solids.push(part);
             let mut sim = Sim::new(&setup);
             prop_assert_eq!(run(&mut sim, &inputs(variant, angle, step, four)), Ok(()), "{} {}", variant, four);
-            let (sine, cosine) = sin_cos(angle);
+            let (sine, cosine) = Degrees(angle).sin_cos();
             let along = shift[0] * cosine + shift[1] * sine;
             let [x, y] = if round(variant) { shift } else { [along * cosine, along * sine] };
             for (name, value) in [
@@ -121,7 +120,7 @@ proptest! {
         for variant in [101, 102, 103, 104] {
             let mut setup = ready(plane, variant, 30.0);
             let turned = Frame {
-                rotation: at(plane, [0.0, 0.0, turn]),
+                rotation: Rpy(at(plane, [0.0, 0.0, turn])),
                 mirror: at(plane, [1.0, 0.0, 0.0]).map(|abscissa| mirrored && abscissa == 1.0),
                 ..Frame::translation([3.0, -2.0, 1.0])
             };
@@ -257,7 +256,7 @@ fn a_multi_probe_turns_with_the_coordinates_however_many_points() {
     // oracle: manual B:13973-13987 (90 degree of the coordinates are 270 of the spindle), B:6744-6752
     for probe in [1.0, 1001.0] {
         let (sim, _) = changed(1, |setup, inputs| {
-            setup.control.active.rotation = [0.0, 0.0, 90.0];
+            setup.control.active.rotation = Rpy([0.0, 0.0, 90.0]);
             setup.control.set("_CHBIT[13]", 1.0);
             inputs.numbers.insert(names::PRNUM, probe);
         });

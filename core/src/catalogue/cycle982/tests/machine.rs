@@ -11,7 +11,7 @@ use crate::geometry::Mcs;
 use crate::machine::Setup;
 use crate::workpiece::tool::{Cut, Cutter, Nose, Tool};
 use crate::workpiece::tool_probe::ToolProbe;
-use crate::workpiece::{PartErrors, Shape, Solid};
+use crate::workpiece::{Shape, Solid};
 
 /// Trigger values of the manual's probe by axis, touched in minus and in plus direction, mm (B:9044-9047).
 pub const PROBE: [[f64; 2]; 2] = [[220.0, 200.0], [400.0, 380.0]];
@@ -43,12 +43,7 @@ pub fn machine(units: Units) -> Setup {
     control.frames.insert(1, Frame::translation(SHIFT));
     control.settable = 1;
     control.activate(1);
-    setup.tool_probes = vec![ToolProbe::ideal(Solid {
-        shape: Shape::Block { size: [20.0; 3] },
-        at: [390.0, 0.0, 220.0],
-        rotation: [0.0; 3],
-        errors: PartErrors::default(),
-    })];
+    setup.tool_probes = vec![ToolProbe::ideal(Solid::new(Shape::Block { size: [20.0; 3] }, [390.0, 0.0, 220.0]))];
     setup
 }
 

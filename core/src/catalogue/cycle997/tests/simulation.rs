@@ -9,7 +9,7 @@ use crate::check::check;
 use crate::control::{Frame, Plane, Units};
 use crate::dialect::Dialect;
 use crate::entry::{Inputs, Typed, names};
-use crate::geometry::{V3, Wcs, fit, rigid};
+use crate::geometry::{Rpy, V3, Wcs, fit, rigid};
 use crate::machine::Setup;
 use crate::machine::sim::Sim;
 use crate::machine::trace::Step;
@@ -178,7 +178,7 @@ fn framed(plane: Plane) -> Setup {
     let frame = |x: f64, turn: [f64; 3]| Frame {
         coarse: [x, 2.0 * x, 3.0],
         fine: [0.01, 0.0, 0.02],
-        rotation: turn,
+        rotation: Rpy(turn),
         ..Frame::default()
     };
     control.system = Frame::translation([1.0, 2.0, 3.0]);
@@ -202,7 +202,7 @@ proptest! {
         let plane = PLANES[plane];
         for variant in [109, 1_000_119, 1109, 101_119, 1_101_109, 10_109, 1_011_109] {
             let mut results = Vec::new();
-            for frame in [Frame::default(), Frame { coarse: at_x, rotation: turn, ..Frame::default() }] {
+            for frame in [Frame::default(), Frame { coarse: at_x, rotation: Rpy(turn), ..Frame::default() }] {
                 let mut setup = setup(plane);
                 setup.control.frames.insert(1, frame);
                 setup.control.activate(1);
@@ -271,7 +271,7 @@ proptest! {
             let about = V3::from(setup.workpiece.solids[0].at);
             for solid in &mut setup.workpiece.solids {
                 let away = V3::from(solid.at) - about;
-                let there = about + rigid::rotation(turn) * away + V3::from(shift);
+                let there = about + rigid::rotation(Rpy(turn)) * away + V3::from(shift);
                 solid.at = there.into();
             }
             let mut sim = Sim::new(&setup);

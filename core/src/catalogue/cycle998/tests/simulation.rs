@@ -7,7 +7,7 @@ use crate::catalogue::sinumerik::testing::{at, call, called, close, put, random_
 use crate::control::{Control, Frame, Plane};
 use crate::entry::{Inputs, names};
 use crate::geometry::rigid::{angles, rotation};
-use crate::geometry::{Mcs, V3, Wcs};
+use crate::geometry::{Mcs, Rpy, V3, Wcs};
 use crate::machine::sim::Sim;
 use crate::machine::{Setup, Stop};
 use crate::name::Name;
@@ -74,7 +74,7 @@ fn ready(plane: Plane, inputs: &Inputs, turned: [f64; 3], actual: &[f64]) -> Set
     let mut setup = setup(plane);
     setup.probe.stylus = Some(0.0); // faces lean over here by more than a straight one bears
     setup.control.set("MD18600", 1.0);
-    let frame = Frame { coarse: [30.0, -20.0, 11.0], rotation: turned, ..Frame::default() };
+    let frame = Frame { coarse: [30.0, -20.0, 11.0], rotation: Rpy(turned), ..Frame::default() };
     setup.control.frames.insert(1, frame);
     setup.control.activate(1);
     setup.workpiece.solids = vec![face(&setup.control, inputs, actual)];
@@ -265,7 +265,7 @@ proptest! {
         setup.control.rotary[0] = under;
         // as it is clamped, before the carrying table turned
         let part = &mut setup.workpiece.solids[0];
-        let clamped = rotation([under, 0.0, 0.0]) * rotation(part.rotation);
+        let clamped = rotation(Rpy([under, 0.0, 0.0])) * rotation(part.rotation);
         part.rotation = angles(&clamped);
         let mut sim = Sim::new(&setup);
         prop_assert_eq!(run(&mut sim, &inputs), Ok(()));
@@ -300,7 +300,7 @@ fn another_frame_is_corrected_to_the_same_angle() {
     // oracle: manual B:7371, hand: G55 is turned by 5 degree less than G54, and the edge by 2 degree more
     let (sim, outcome) = edge(|setup, inputs| {
         inputs.numbers.insert(names::KNUM, 2.0);
-        let turned = Frame { rotation: [0.0, 0.0, -5.0], ..Frame::default() };
+        let turned = Frame { rotation: Rpy([0.0, 0.0, -5.0]), ..Frame::default() };
         setup.control.frames.insert(2, turned);
     });
     assert_eq!(outcome, Ok(()));

@@ -5,8 +5,7 @@
 //! is stored with the skew in it.
 
 use super::{Block, Way};
-use crate::geometry::Wcs;
-use crate::geometry::rigid::sin_cos;
+use crate::geometry::{Degrees, Wcs};
 use crate::machine::{Machine, Stop};
 
 /// A surface to be touched along any direction of the plane.
@@ -23,7 +22,7 @@ pub struct Ray {
 impl Ray {
     /// Unit vector of the direction: abscissa, ordinate.
     pub fn direction(&self) -> [f64; 2] {
-        let (sine, cosine) = sin_cos(self.angle);
+        let (sine, cosine) = Degrees(self.angle).sin_cos();
         [cosine, sine]
     }
 }
@@ -72,7 +71,7 @@ mod tests {
     use super::*;
     use crate::catalogue::sinumerik::testing::{at, call, setup, solid, stopped};
     use crate::control::{MachineSort, Plane};
-    use crate::geometry::Mcs;
+    use crate::geometry::{Mcs, Rpy};
     use crate::machine::Setup;
     use crate::machine::sim::Sim;
     use crate::machine::trace::{MotionKind, Step};
@@ -97,10 +96,10 @@ mod tests {
         let mut setup = setup(plane);
         let shape = Shape::Web { width: WIDTH, height: 30.0, length: 60.0 };
         let mut web = solid(plane, shape, [MIDDLE[0], MIDDLE[1], 0.0], false);
-        web.errors.tilt = at(plane, [0.0, 0.0, angle]);
+        web.errors.tilt = Rpy(at(plane, [0.0, 0.0, angle]));
         web.errors.size = grown;
         setup.workpiece.solids.push(web);
-        let (sine, cosine) = sin_cos(angle);
+        let (sine, cosine) = Degrees(angle).sin_cos();
         let far = WIDTH / 2.0 + 20.0;
         setup.position = Mcs(at(plane, [MIDDLE[0] + cosine * far, MIDDLE[1] + sine * far, -10.0]));
         setup
@@ -108,7 +107,7 @@ mod tests {
 
     /// Towards the wall whose outward normal stands at `angle`.
     fn ray(angle: f64) -> Ray {
-        let (sine, cosine) = sin_cos(angle);
+        let (sine, cosine) = Degrees(angle).sin_cos();
         Ray { angle: angle + 180.0, set: [MIDDLE[0] + cosine * WIDTH / 2.0, MIDDLE[1] + sine * WIDTH / 2.0], path: 4.0 }
     }
 
@@ -175,7 +174,7 @@ mod tests {
         let block = block(&mut sim, &[("_FA", 4.0)]);
         surface(&block, &mut sim, &ray(30.0)).unwrap();
         let away = |to: [f64; 3]| {
-            let (sine, cosine) = sin_cos(30.0);
+            let (sine, cosine) = Degrees(30.0).sin_cos();
             let (x, y) = (to[0] - MIDDLE[0], to[1] - MIDDLE[1]);
             assert!((y * cosine - x * sine).abs() < 1e-9, "{to:?}");
             ((x * cosine + y * sine - WIDTH / 2.0 - 3.0) * 1e6).round() / 1e6
