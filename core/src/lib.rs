@@ -86,6 +86,7 @@ pub mod geometry;
 #[cfg(feature = "json")]
 pub mod json;
 pub mod machine;
+pub mod manual;
 pub mod message;
 pub mod name;
 pub mod own;

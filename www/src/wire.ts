@@ -51,7 +51,7 @@ export type AlarmInfo = {
   /** Where what raises it is found. */
   found: Found,
   /** Place in the manual. */
-  source: string,
+  source: Cited,
 };
 
 /** One argument of a message. */
@@ -196,6 +196,12 @@ export type Choice = {
   label: Message,
 };
 
+/**
+ * Lines of manuals where a fact is found, such as `B:2408-2469;A:2591`; shown and serialized as titles, editions and
+ * chapters (`Measuring Cycles 04/2006, 3.1.2; Measuring Cycles 10/2004, 3.1.2`).
+ */
+export type Cited = string;
+
 /** Where a problem is named. */
 export type Code = string;
 
@@ -292,7 +298,7 @@ export type CycleInfo = {
   /** Names of our surfaces where it scans one, which a scan answers in pieces; else none. */
   surfaces: Array<string>,
   /** Place in the manual. */
-  source: string,
+  source: Cited,
 };
 
 /** A value of user data. */
@@ -465,7 +471,7 @@ export type Field = {
   /** Why it is required or optional. */
   reason: Message,
   /** Place in the manual. */
-  source: string,
+  source: Cited,
 } & ({ "kind": "real",
   /** What the control takes. */
   range: Range,
@@ -559,7 +565,7 @@ export type Frame = {
   rotary: [number, number, number],
   /** Fine translation of the rotary axes A B C, degree. */
   rotaryFine: [number, number, number],
-  /** Scale factors along its own X Y Z; 1: none. Measuring does not work with any other (61310, B:744). */
+  /** Scale factors along its own X Y Z; 1: none. Measuring does not work with any other (61310). */
   scale: [number, number, number],
   /** Whether the direction of X Y Z is reversed; counts before scale and rotation. */
   mirror: [boolean, boolean, boolean],
@@ -606,7 +612,7 @@ export type HelpText = {
   /** What it says. */
   message: Message,
   /** Place in the manual. */
-  source: string,
+  source: Cited,
 };
 
 /** The help page of a variant. */
@@ -659,7 +665,7 @@ export type MachineField = {
   /** What is allowed, in that unit. */
   range: Range,
   /** Place in the manual. */
-  source: string,
+  source: Cited,
 } & ({ "kind": "real" } | { "kind": "integer" } | { "kind": "choice",
   /** The numbers. */
   choices: Array<number>,
@@ -802,7 +808,7 @@ export type ParameterInfo = {
   /** What counts while it is not written; none: it has to be. */
   default: number | null,
   /** Place in the manual. */
-  source: string,
+  source: Cited,
 };
 
 /** What is wrong with a part. All zero: nothing. A sphere has neither taper nor lobes. */
@@ -1615,7 +1621,7 @@ export type VariantInfo = {
   /** Key of its name. */
   key: string,
   /** Place in the manual. */
-  source: string,
+  source: Cited,
   /** Keys of what the digits of its number choose, the lowest place first. */
   choices: Array<string>,
   /** In the planes in which other addresses name the axes. */

@@ -3,6 +3,7 @@
 use crate::catalogue::alarms::{ALARMS, Found, key, raised_by, stops};
 use crate::catalogue::operator_messages::{MESSAGES, OperatorMessage, shown_by};
 use crate::catalogue::{alarms, operator_messages};
+use crate::manual::Cited;
 use serde::Serialize;
 
 /// An alarm, or a text for the operator.
@@ -20,7 +21,7 @@ pub struct AlarmInfo {
     /// Where what raises it is found.
     pub found: Found,
     /// Place in the manual.
-    pub source: &'static str,
+    pub source: Cited,
 }
 
 /// All alarms, then all texts for the operator.
@@ -43,7 +44,7 @@ impl AlarmInfo {
             stops: stops(alarm.code),
             cycles: raised_by(alarm),
             found: alarm.found,
-            source: alarm.source,
+            source: Cited(alarm.source),
         }
     }
 
@@ -55,7 +56,7 @@ impl AlarmInfo {
             stops: false,
             cycles: shown_by(message),
             found: Found::Nowhere,
-            source: message.source,
+            source: Cited(message.source),
         }
     }
 }

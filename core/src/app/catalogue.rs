@@ -6,6 +6,7 @@ use crate::control::{MachineSort, Plane, delivery};
 use crate::diagnostic::Code;
 use crate::dialect::Dialect;
 use crate::entry::{Cycle, Param, ProbeUse, ResultField, Style, Typed, Unit};
+use crate::manual::Cited;
 use crate::name::Name;
 use crate::workpiece::free::EXAMPLES;
 use crate::{check, entry};
@@ -51,7 +52,7 @@ pub struct CycleInfo {
     /// Names of our surfaces where it scans one, which a scan answers in pieces; else none.
     pub surfaces: Vec<&'static str>,
     /// Place in the manual.
-    pub source: &'static str,
+    pub source: Cited,
 }
 
 /// Where a cycle belongs.
@@ -77,7 +78,7 @@ pub struct VariantInfo {
     /// Key of its name.
     pub key: &'static str,
     /// Place in the manual.
-    pub source: &'static str,
+    pub source: Cited,
     /// Keys of what the digits of its number choose, the lowest place first.
     pub choices: Vec<&'static str>,
     /// In G17.
@@ -110,7 +111,7 @@ pub struct ParameterInfo {
     /// What counts while it is not written; none: it has to be.
     pub default: Option<f64>,
     /// Place in the manual.
-    pub source: &'static str,
+    pub source: Cited,
 }
 
 /// Everything that can be measured.
@@ -133,7 +134,7 @@ fn entry(cycle: &'static Cycle) -> CycleInfo {
         twins: !cycle.purpose.tasks.is_empty(),
         simulated: cycle.simulation.is_some(),
         surfaces: EXAMPLES.iter().filter(|_| cycle.scan().is_some()).map(|(name, _)| *name).collect(),
-        source: cycle.source,
+        source: Cited(cycle.source),
     }
 }
 
@@ -170,9 +171,15 @@ fn variant(cycle: &'static Cycle, variant: &entry::Variant) -> VariantInfo {
             planes.insert(plane, there);
         }
     }
-    VariantInfo { mvar: variant.number, key: variant.key, source: variant.source, choices, usual, planes }
+    VariantInfo { mvar: variant.number, key: variant.key, source: Cited(variant.source), choices, usual, planes }
 }
 
 fn parameter(param: &Param) -> ParameterInfo {
-    ParameterInfo { name: param.name, key: param.key, unit: param.unit, default: param.default, source: param.source }
+    ParameterInfo {
+        name: param.name,
+        key: param.key,
+        unit: param.unit,
+        default: param.default,
+        source: Cited(param.source),
+    }
 }

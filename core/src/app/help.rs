@@ -5,6 +5,7 @@ use crate::catalogue::alarms::ALARMS;
 use crate::catalogue::help::HelpPage;
 use crate::dialect::Dialect;
 use crate::entry::{HelpLine, ResultField, SECTIONS, Section};
+use crate::manual::Cited;
 use crate::message::Message;
 use crate::name::Name;
 use serde::{Deserialize, Serialize};
@@ -52,7 +53,7 @@ pub struct HelpText {
     /// What it says.
     pub message: Message,
     /// Place in the manual.
-    pub source: &'static str,
+    pub source: Cited,
 }
 
 /// A result by its name and the key of its meaning.
@@ -73,7 +74,7 @@ pub fn help(asked: HelpRequest) -> Result<HelpView, Error> {
     let cycle = cycle(asked.control, &asked.cycle)?;
     let page = HelpPage::of(cycle, asked.mvar);
     let section = |section: Section| {
-        let line = |line: &HelpLine| HelpText { message: Message::new(line.key), source: line.source };
+        let line = |line: &HelpLine| HelpText { message: Message::new(line.key), source: Cited(line.source) };
         let lines: Vec<HelpText> = page.section(section).map(line).collect();
         (!lines.is_empty()).then(|| HelpSection { label: Message::new(section.key(cycle)), lines })
     };

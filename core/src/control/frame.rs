@@ -25,7 +25,8 @@ pub struct Frame {
     /// Fine translation of the rotary axes A B C, degree.
     #[serde(default)]
     pub rotary_fine: [f64; 3],
-    /// Scale factors along its own X Y Z; 1: none. Measuring does not work with any other (61310, B:744).
+    // B:744
+    /// Scale factors along its own X Y Z; 1: none. Measuring does not work with any other (61310).
     #[serde(default = "unscaled")]
     pub scale: [f64; 3],
     /// Whether the direction of X Y Z is reversed; counts before scale and rotation.

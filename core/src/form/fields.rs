@@ -4,6 +4,7 @@ use super::{codes, masks, variant};
 use crate::check;
 use crate::control::Control;
 use crate::entry::{Cycle, Inputs, Kind, Level, Param, Typed, factor, unit_name};
+use crate::manual::Cited;
 use crate::message::Message;
 use crate::name::Name;
 use crate::range::Range;
@@ -45,7 +46,7 @@ pub struct Field {
     /// Why it is required or optional.
     pub reason: Message,
     /// Place in the manual.
-    pub source: &'static str,
+    pub source: Cited,
 }
 
 /// How a field is entered.
@@ -133,7 +134,7 @@ fn field(param: &'static Param, inputs: &Inputs, typed: &Typed, control: &Contro
         unit: unit_name(unit, control),
         required: level == Level::Required && param.default.is_none(),
         reason: Message::new(reason),
-        source: param.source,
+        source: Cited(param.source),
     })
 }
 

@@ -6,6 +6,7 @@ use crate::control::machine_data::MACHINE_DATA;
 use crate::control::nct_data::NctDatum;
 use crate::control::{Control, Units, Value, gud, machine_data, nct_data};
 use crate::dialect::Dialect;
+use crate::manual::Cited;
 use crate::message::Message;
 use crate::range::Range;
 use crate::support;
@@ -51,7 +52,7 @@ pub struct Setting {
     /// What is allowed, in that unit.
     pub range: Range,
     /// Place in the manual.
-    pub source: &'static str,
+    pub source: Cited,
 }
 
 /// Settings of one subject.
@@ -91,7 +92,7 @@ fn nct(basic: Units) -> Vec<Group> {
         },
         unit: unit(datum.element.unit, basic),
         range: datum.element.range,
-        source: datum.element.source,
+        source: Cited(datum.element.source),
     };
     subjects
         .map(|subject| Group {
@@ -117,7 +118,7 @@ fn forms() -> Setting {
         entry: Entry::Choice { choices: &[0, 1] },
         unit: "",
         range: Range::closed(0.0, 1.0),
-        source: "",
+        source: Cited(""),
     }
 }
 
@@ -152,7 +153,7 @@ fn setting(gud: &'static Gud, element: &Element, at: &[usize], basic: Units) -> 
         entry,
         unit: unit(element.unit, basic),
         range: element.range,
-        source: element.source,
+        source: Cited(element.source),
     }
 }
 
@@ -164,7 +165,7 @@ fn of_machine_datum(datum: &'static machine_data::MachineDatum) -> Vec<Setting> 
         entry: if datum.text { Entry::Text } else { Entry::Real },
         unit: datum.unit,
         range: Range::ANY,
-        source: datum.source,
+        source: Cited(datum.source),
     };
     datum.names().into_iter().map(setting).collect()
 }

@@ -3,6 +3,7 @@
 use crate::catalogue::alarms::{ALARMS, Alarm, Found, key, raised_by, stops};
 use crate::catalogue::operator_messages::{MESSAGES, OperatorMessage, Sender, shown_by};
 use crate::catalogue::{CYCLES, alarms, operator_messages};
+use crate::manual::Cited;
 use crate::message::Message;
 use crate::report::markdown::line;
 use crate::words::Words;
@@ -24,7 +25,7 @@ pub struct Told {
     /// What Probewright does about it.
     pub found: String,
     /// Place in the manual.
-    pub source: &'static str,
+    pub source: Cited,
 }
 
 /// All alarms, then all texts for the operator, in words.
@@ -50,7 +51,7 @@ fn told(alarm: &Alarm, words: &Words) -> Told {
         effect: words.key(effect_key(alarm)),
         sources: sources(alarm, words),
         found: words.key(found_key(alarm.found)),
-        source: alarm.source,
+        source: Cited(alarm.source),
     }
 }
 
@@ -68,7 +69,7 @@ fn told_message(message: &OperatorMessage, words: &Words) -> Told {
             _ => shown_by(message).join(", "),
         },
         found: words.key(found_key(Found::Nowhere)),
-        source: message.source,
+        source: Cited(message.source),
     }
 }
 

@@ -3,6 +3,7 @@
 
 use crate::catalogue::CYCLES;
 use crate::entry::{Cycle, Variant};
+use crate::manual::Cited;
 use crate::message::Message;
 use crate::report::{help, machine};
 use crate::words::Words;
@@ -39,8 +40,8 @@ fn summary(cycle: &Cycle, words: &Words) -> String {
 /// What a name means, as a parameter, as a result and in the machine, each with where it does. Empty: nothing has this
 /// name.
 pub fn datum(asked: &str, words: &Words) -> String {
-    let mut told: Vec<(String, Vec<&str>)> = Vec::new();
-    let mut tell = |meaning: String, whose: &'static str| match told.iter_mut().find(|(known, _)| *known == meaning) {
+    let mut told: Vec<(String, Vec<String>)> = Vec::new();
+    let mut tell = |meaning: String, whose: String| match told.iter_mut().find(|(known, _)| *known == meaning) {
         Some((_, owners)) if owners.contains(&whose) => {}
         Some((_, owners)) => owners.push(whose),
         None => told.push((meaning, vec![whose])),
@@ -49,17 +50,17 @@ pub fn datum(asked: &str, words: &Words) -> String {
         for param in cycle.params.iter().filter(|one| means(asked, one.name.as_str())) {
             let labels = param.labels.iter().map(|(_, key)| *key);
             for key in [param.key].into_iter().chain(labels) {
-                tell(meaning(param.name.as_str(), &format!("param-{key}"), words), cycle.name);
+                tell(meaning(param.name.as_str(), &format!("param-{key}"), words), cycle.name.to_owned());
             }
         }
         for field in cycle.results.iter().filter(|one| means(asked, one.name)) {
-            tell(meaning(field.name, field.key, words), cycle.name);
+            tell(meaning(field.name, field.key, words), cycle.name.to_owned());
         }
     }
     for (name, source, lines) in machine::told(|name| means(asked, name), words) {
-        tell(format!("{name}: {}", lines.join("\n  ")), source);
+        tell(format!("{name}: {}", lines.join("\n  ")), Cited(source).to_string());
     }
-    let paragraph = |(meaning, owners): (String, Vec<&str>)| format!("{meaning}\n  {}\n", owners.join(", "));
+    let paragraph = |(meaning, owners): (String, Vec<String>)| format!("{meaning}\n  {}\n", owners.join(", "));
     told.into_iter().map(paragraph).collect()
 }
 

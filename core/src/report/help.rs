@@ -3,6 +3,7 @@
 
 use crate::catalogue::help::HelpPage;
 use crate::entry::{Cycle, SECTIONS, Section, Variant};
+use crate::manual::Cited;
 use crate::message::{Arg, Message};
 use crate::report::markdown::line;
 use crate::words::Words;
@@ -50,7 +51,7 @@ fn said(cycle: &'static Cycle, variant: &Variant, words: &Words) -> Vec<Said> {
     let page = HelpPage::of(cycle, variant.number);
     let sentence = |key, source| format!("{} ({source})", words.key(key));
     let lines = page.lines.iter();
-    let lines = lines.map(|line| Said::Line(line.section, sentence(line.key, line.source)));
+    let lines = lines.map(|line| Said::Line(line.section, sentence(line.key, Cited(line.source))));
     let values = page.required.iter().map(|name| Said::Value(name.as_str()));
     let alarms = page.alarms.iter().map(|alarm| Said::Alarm(alarm.to_string()));
     lines.chain(values).chain(alarms).collect()

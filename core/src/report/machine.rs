@@ -5,6 +5,7 @@ use crate::control::gud::{Block, Element, Gud, Initial, Kind, Subject, System, U
 use crate::control::machine_data::{MACHINE_DATA, MachineDatum};
 use crate::control::nct_data::NctDatum;
 use crate::control::{gud, nct_data};
+use crate::manual::Cited;
 use crate::message::Message;
 use crate::program::user_programs;
 use crate::range::Range;
@@ -63,7 +64,7 @@ fn cells(gud: &Gud, element: &Element, words: &Words) -> [String; 8] {
         initial(gud, element),
         unit(element.unit, words),
         range(element.range),
-        element.source.to_owned(),
+        Cited(element.source).to_string(),
     ]
 }
 
@@ -201,7 +202,7 @@ fn machine_cells(datum: &MachineDatum, words: &Words) -> [String; 10] {
         bounds,
         datum.effective.to_owned(),
         taken.join(", "),
-        datum.source.to_owned(),
+        Cited(datum.source).to_string(),
     ]
 }
 
@@ -210,7 +211,8 @@ fn user_programs(text: &mut String, words: &Words) {
     let columns = ["name", "called", "source"];
     heading(text, &words.key("machine-user-programs"), &columns);
     for program in user_programs::ALL {
-        let cells = [format!("`{}`", program.name), meaning(program.key, &[], words), program.source.to_owned()];
+        let cells =
+            [format!("`{}`", program.name), meaning(program.key, &[], words), Cited(program.source).to_string()];
         row(text, &cells);
     }
     text.push('\n');
@@ -229,7 +231,7 @@ fn nct_subject(text: &mut String, subject: &Subject<NctDatum>, words: &Words) {
             delivered(element),
             unit(element.unit, words),
             range(element.range),
-            element.source.to_owned(),
+            Cited(element.source).to_string(),
         ];
         row(text, &cells);
     }

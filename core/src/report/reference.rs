@@ -3,6 +3,7 @@
 use crate::catalogue::alarms;
 use crate::diagnostic::Code;
 use crate::entry::{Cycle, Kind, Level, Param, ProbeUse, Unit, When};
+use crate::manual::Cited;
 use crate::message::Message;
 use crate::range::Range;
 use crate::report::help::help;
@@ -15,7 +16,7 @@ pub fn page(cycle: &'static Cycle, words: &Words) -> String {
     line(&mut text, &format!("# {}: {}", cycle.name, words.key(format!("{}-title", cycle.key))));
     line(&mut text, &words.key(format!("{}-help", cycle.key)));
     line(&mut text, &words.key(known(cycle)));
-    line(&mut text, &format!("Source: {}. {}", cycle.source, words.key("report-generated")));
+    line(&mut text, &format!("Source: {}. {}", Cited(cycle.source), words.key("report-generated")));
     variants(&mut text, cycle, words);
     help(&mut text, cycle, words);
     parameters(&mut text, cycle, words);
@@ -39,7 +40,7 @@ fn known(cycle: &Cycle) -> &'static str {
 fn variants(text: &mut String, cycle: &Cycle, words: &Words) {
     heading(text, "Measuring variants", &["number", "measures", "source"]);
     for variant in cycle.variants {
-        row(text, &[variant.number.to_string(), words.key(variant.key), variant.source.to_owned()]);
+        row(text, &[variant.number.to_string(), words.key(variant.key), Cited(variant.source).to_string()]);
     }
     text.push('\n');
 }
@@ -68,7 +69,7 @@ fn parameter(param: &Param, words: &Words) -> [String; 7] {
         unit(param.unit).to_owned(),
         default,
         range(param),
-        param.source.to_owned(),
+        Cited(param.source).to_string(),
     ]
 }
 
@@ -158,7 +159,7 @@ fn results(text: &mut String, cycle: &Cycle, words: &Words) {
             words.key(field.key),
             condition,
             unit(field.unit).to_owned(),
-            field.source.to_owned(),
+            Cited(field.source).to_string(),
         ];
         row(text, &cells);
     }

@@ -33,7 +33,7 @@ fn explain(told: &Told, out: &mut dyn Write) -> std::io::Result<()> {
         ("effect", &told.effect),
         ("raised by", &told.sources),
         ("found", &told.found),
-        ("source", told.source),
+        ("source", &told.source.to_string()),
     ] {
         if !text.is_empty() {
             writeln!(out, "  {name:9}  {text}")?;

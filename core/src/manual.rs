@@ -1,0 +1,104 @@
+//! Sources as a reader looks them up. Beside a fact the code names a line of a manual's text (`B:5773`); the reader is
+//! shown title, edition and chapter, which are the same in every language of an edition.
+
+use std::fmt;
+use std::sync::LazyLock;
+
+/// A manual, as code names it and as it is titled.
+struct Manual {
+    letter: char,
+    title: &'static str,
+    /// Lines of its text.
+    lines: u32,
+}
+
+const MANUALS: [Manual; 3] = [
+    Manual { letter: 'A', title: "Measuring Cycles 10/2004", lines: 18399 },
+    Manual { letter: 'B', title: "Measuring Cycles 04/2006", lines: 16998 },
+    Manual { letter: 'C', title: "NCT Probing and Digitizing Cycles 2005", lines: 1354 },
+];
+
+/// First line and number of each chapter of a manual, by its letter, in the order of the lines.
+static CHAPTERS: LazyLock<Vec<(char, u32, &str)>> = LazyLock::new(|| {
+    let rows = include_str!("manual/chapters.tsv").lines().skip(1).filter_map(|row| {
+        let (letter, rest) = row.split_once('\t')?;
+        let (line, chapter) = rest.split_once('\t')?;
+        Some((letter.chars().next()?, line.parse().ok()?, chapter))
+    });
+    rows.collect()
+});
+
+/// Lines of manuals where a fact is found, such as `B:2408-2469;A:2591`; shown and serialized as titles, editions and
+/// chapters (`Measuring Cycles 04/2006, 3.1.2; Measuring Cycles 10/2004, 3.1.2`).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(as = "String"))]
+pub struct Cited(pub &'static str);
+
+impl fmt::Display for Cited {
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut last = None;
+        let mut said: Vec<(char, &str)> = Vec::new();
+        for (letter, line) in self.0.split(';').flat_map(lines) {
+            let Some(place) = chapter(letter, line).map(|chapter| (letter, chapter)) else { continue };
+            if said.contains(&place) {
+                continue;
+            }
+            match last.replace(letter) {
+                Some(before) if before == letter => to.write_str(", ")?,
+                None => write!(to, "{}, ", manual(letter).map_or("", |manual| manual.title))?,
+                Some(_) => write!(to, "; {}, ", manual(letter).map_or("", |manual| manual.title))?,
+            }
+            to.write_str(place.1)?;
+            said.push(place);
+        }
+        Ok(())
+    }
+}
+
+impl serde::Serialize for Cited {
+    fn serialize<S: serde::Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        to.collect_str(self)
+    }
+}
+
+/// First and last line of one citation.
+fn lines(citation: &str) -> impl Iterator<Item = (char, u32)> {
+    let parts = citation.trim().split_once(':');
+    let letter = parts.and_then(|(letter, _)| letter.chars().next());
+    let numbers = parts.map_or("", |(_, numbers)| numbers).split('-');
+    numbers.filter_map(move |number| Some((letter?, number.parse().ok()?)))
+}
+
+fn manual(letter: char) -> Option<&'static Manual> {
+    MANUALS.iter().find(|manual| manual.letter == letter)
+}
+
+/// Chapter in which a line stands; none before the first chapter and behind the end of the text.
+fn chapter(letter: char, line: u32) -> Option<&'static str> {
+    manual(letter).filter(|manual| line <= manual.lines)?;
+    let after = CHAPTERS.partition_point(|(manual, first, _)| (*manual, *first) <= (letter, line));
+    CHAPTERS.get(after.checked_sub(1)?).filter(|(manual, _, _)| *manual == letter).map(|(_, _, chapter)| *chapter)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    // oracle: manual (the headings at B:5748, B:6374 and A:2591)
+    #[test]
+    fn a_line_is_looked_up_in_its_chapter() {
+        assert_eq!(Cited("B:5773").to_string(), "Measuring Cycles 04/2006, 5.4.2");
+        assert_eq!(
+            Cited("B:2408-2469;A:2591").to_string(),
+            "Measuring Cycles 04/2006, 3.1.2; Measuring Cycles 10/2004, 3.1.2"
+        );
+        assert_eq!(Cited("B:5773;B:5780;B:6380-6390").to_string(), "Measuring Cycles 04/2006, 5.4.2, 5.5.2");
+    }
+
+    // oracle: the table is sorted, and no chapter comes back
+    #[test]
+    fn chapters_stand_in_the_order_of_their_lines() {
+        assert!(CHAPTERS.len() > 400);
+        assert!(CHAPTERS.is_sorted_by(|a, b| (a.0, a.1) < (b.0, b.1)));
+    }
+}
