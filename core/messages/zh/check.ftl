@@ -1,7 +1,7 @@
 # 调用的数值有什么问题，以及如何纠正（-hint）。长度单位为 mm，原样引用的输入值除外。
 
 check-missing = 缺少 { $param }。
-check-delivered = 未给出 { $param }；按出厂值 { $value }{ $unit } 计。
+check-delivered = 未给出 { $param }；按默认值 { $value }{ $unit } 计。
 check-not-a-number = “{ $value }”不是数字。
 check-not-a-number-hint = 请输入数字，小数用点或逗号，例如 12.5。
 check-expression = “{ $value }”在程序运行时才知道，这里不检查。
@@ -64,7 +64,7 @@ check-infeed-hint = 刀具轴向上时请输入负值。
 check-ball = { $ball } mm 的测球放不进去。
 check-ball-hint = 请检查设定值，或换用测球较小的测针。
 check-path-long = 测量行程会从对面的壁内开始：测球只有 { $free } mm 的行程。
-check-path-long-hint = 请把 _FA 选在 { $free } mm 以下。
+check-path-long-hint = 请选小于 { $free } mm 的 _FA。
 check-zone-wide = 保护区 { $zone } mm 不小于被测要素 { $size } mm。
 check-zone-wide-hint = 请选择小于 { $limit } mm 的保护区，使测球能从旁边通过。
 check-zone-narrow = 保护区 { $zone } mm 不大于被测要素 { $size } mm。
@@ -109,6 +109,6 @@ check-spread-circle-hint = 请让各点分布在更长的圆弧上。
 check-spread-corner = 拐角的不确定度是单个测点的 { $factor } 倍：各点离拐角太远或彼此太近，或者两边夹角太小。
 check-spread-corner-hint = 请让各点彼此远一些，并离拐角近一些。
 check-spread-angle = 各点靠得太近：{ $length } mm 处方向的不确定度是单个测点的 { $factor } 倍。
-check-spread-angle-hint = 请让两点相距 { $needed } mm 以上。
+check-spread-angle-hint = 请让两点相距不小于 { $needed } mm。
 check-spread-triangle = 三点几乎在一条直线上：离直线 { $length } mm 处，坐标框架的不确定度是单个测点的 { $factor } 倍。
 check-spread-triangle-hint = 请让其中一点离另两点的连线远一些。

@@ -54,7 +54,7 @@ check-tool-probe-depth = { $name } 为 0：在测头旁，刀具不会低于其�
 check-tool-probe-depth-hint = 请输入测头上表面到刀具端部的距离。
 check-directions-code = { $name } = { $code } 没有给出方向。
 check-directions-applicate = { $name } = { $code } 不允许在刀具轴负方向触碰。
-check-directions-hint = 百位 Z，十位 Y，个位 X：0 不触碰，1 负，2 正，3 两者。刀具轴须为 1 或 3；出厂值为 133。
+check-directions-hint = 百位 Z，十位 Y，个位 X：0 不触碰，1 负，2 正，3 两者。刀具轴须为 1 或 3；默认值为 133。
 check-tool-type-drill = 钻头（类型 { $type }）没有可测的半径。
 check-tool-length-zero = 当前刀具的长度 L1 为 0。
 check-tool-radius-zero = 当前刀具的半径为 0。

@@ -84,7 +84,7 @@ param-tsa-sphere-help = 直径或任一轴上球心的差更大时，以报警 6
 
 need-spheres = 测量三个球。
 need-start-angle = 此方式成角度测量。
-need-distortion = 只有用三个球补偿时才监控变形；未给出时按出厂值计。
+need-distortion = 只有用三个球补偿时才监控变形；未给出时按默认值计。
 
 check-sphere-small = { $size } mm 的球几乎不大于 { $ball } mm 的测球。
 check-sphere-small-hint = 请检查直径，或使用测球小得多的测头。

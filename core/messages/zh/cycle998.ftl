@@ -57,10 +57,10 @@ need-third-point = 平面需要第三点。
 need-second-angle = 平面有两个角度。
 need-rotary = 请给出角度补偿写入哪里：0 为坐标系。
 
-check-angle-steep = 角度 { $param } 与安全区合计 { $sum }°；90° 或以上测头无法移动。
-check-angle-steep-hint = 请把 _TSA 选在 { $limit }° 以下。它在这里是角度，不是长度。
+check-angle-steep = 角度 { $param } 与安全区合计 { $sum }°；不小于 90° 时测头无法移动。
+check-angle-steep-hint = 请选小于 { $limit }° 的 _TSA。它在这里是角度，不是长度。
 check-angle-reach = 到下一点时，安全区把测头让开太远，设定表面在前方 { $away } mm，超出整个测量行程 { $path } mm。
-check-angle-reach-hint = 请把 _FA 选为 { $needed } mm 或以上，或减小 _TSA。
+check-angle-reach-hint = 请选不小于 { $needed } mm 的 _FA，或减小 _TSA。
 check-angle-reach-worst = 相差整个安全区 { $area }° 的角度在下一点会找不到：报警 61301 先于 61303。
 check-angle-paraxial = 点与点之间设定表面升高 { $rise } mm，大于整个测量行程 { $path } mm。
 check-angle-paraxial-hint = 请把 _FA 选得大于 { $needed } mm，或选沿角度移动的测量方式。

@@ -158,7 +158,7 @@ param-tdif = 允许尺寸差
 param-tdif-help = 偏差超过此值时不作补偿，并显示报警 62306。
 
 need-always = 没有它循环不能工作。
-need-default = 可以省略：按出厂值。
+need-default = 可以省略：按默认值。
 need-element = 该被测要素只有一个尺寸。
 need-rectangle = 矩形有两个长度。
 need-infeed-zone = 有保护区时，测头从被测要素上方开始。
@@ -179,7 +179,7 @@ need-circular = 圆周各点之间测头沿圆弧移动。
 need-memory = 可以省略：不形成平均值，也不用经验值。
 need-memory-empirical = 可以省略：不用经验值。
 need-own-speeds = 此机床的输入画面要求给出进给和转速：随之写入 _CBIT[12]=1。
-need-tolerance = 属于刀具补偿，即使不作补偿也必须有效；省略时按出厂值。
+need-tolerance = 属于刀具补偿，即使不作补偿也必须有效；省略时按默认值。
 
 result-set-size = 设定直径或宽度
 result-set-centre-abscissa = 设定中心，横坐标
