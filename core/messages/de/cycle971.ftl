@@ -66,7 +66,7 @@ check-offset-large-hint = Abstand vom Radius nach innen eingeben.
 check-offset-abscissa = Das Werkzeug, { $tool } mm breit, ist breiter als der Messtaster, { $edge } mm: Der Zyklus versetzt es in der Abszisse.
 check-offset-abscissa-hint = 103 oder 203 wählen, um die Achse des Versatzes festzulegen.
 check-mfs-missing = { $name } ist nicht gesetzt: Drehzahl oder Vorschub einer Antastung fehlt.
-check-mfs-missing-hint = In den Maschinendaten Drehzahlen in _MFS[0], [2], [4], Vorschübe in _MFS[1], [3], [5] eintragen oder mit _CBIT[12]=0 berechnen lassen.
+check-mfs-missing-hint = Drehzahlen in _MFS[0], [2], [4], Vorschübe in _MFS[1], [3], [5] eintragen oder mit _CBIT[12]=0 berechnen lassen.
 check-mfs-third = { $name } ist 0: Die 3. Antastung mit _MFS[4] und [5] entfällt.
 check-mfs-third-hint = Auch Drehzahl und Vorschub der 2. Antastung eintragen oder _MFS[4] auf 0 setzen.
 check-cm-direction = { $name } gibt keine Drehrichtung für eine stehende Spindel an.
@@ -79,7 +79,7 @@ check-cm-order = { $name } ist nicht kleiner als _CM[6], aber jede Antastung mus
 check-cm-order-hint = Vorschubfaktor 2 verkleinern oder für zwei Antastungen auf 0 setzen.
 check-compensation-make = Keine Messergebniskorrektur: Für _MT_COMP=1 fehlt der Messtasterhersteller in { $name }.
 check-compensation-make-hint = _TP_CF auf 1 (TT130) oder 2 (TS27R) setzen oder eine eigene Korrekturtabelle mit _MT_COMP=2 verwenden.
-check-compensation-inside = Die Steuerung korrigiert den Messwert mit einer internen, nicht dokumentierten Tabelle zum Messtaster: Die Vorschau korrigiert nicht.
+check-compensation-inside = Die Steuerung korrigiert den Messwert mit einer internen, nicht dokumentierten Tabelle: Die Vorschau korrigiert nicht.
 check-compensation-inside-hint = Eigene Korrekturtabelle in { $name } eintragen und _MT_COMP=2 setzen: Sie gilt an der Steuerung und hier.
 check-compensation-table = Radien oder Umfangsgeschwindigkeiten in { $name } sind nicht aufsteigend: Die Korrektur kann falsch sein.
 check-compensation-table-hint = Radien in [0,1] bis [0,4] und Geschwindigkeiten in [1,0] bis [5,0] aufsteigend eintragen oder _MT_COMP=0 setzen.

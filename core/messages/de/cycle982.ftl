@@ -1,7 +1,7 @@
 # CYCLE982: Titel, Suchwörter, Messvarianten, Texte der eigenen Parameter, Prüfungen.
 
 cycle982-title = Drehen: Werkzeugmesstaster kalibrieren, Drehwerkzeuge, Fräswerkzeuge und Bohrer messen
-cycle982-help = Misst die Längen L1 und L2 eines Drehwerkzeugs, Fräswerkzeugs oder Bohrers und den Radius eines Fräswerkzeugs an einem Werkzeugmesstaster mit achsparallelen Seiten oder kalibriert eine Seite dieses Messtasters mit einem Werkzeug der Schneidenlage 3, dessen Längen und Schneidenradius bekannt sind.
+cycle982-help = Misst L1 und L2 von Dreh-, Fräswerkzeug oder Bohrer, beim Fräser auch den Radius, an einem achsparallelen Werkzeugmesstaster oder kalibriert eine Seite mit bekanntem Werkzeug der Lage 3.
 cycle982-words = Werkzeug messen vermessen Werkzeugvermessung Werkzeugmessung Werkzeugvoreinstellung Voreinstellgerät Drehmaschine Drehen Drehfräsen angetriebenes Werkzeug Werkzeugmesstaster Werkzeugtaster Messtaster Taster Messdose Würfel antasten kalibrieren abgleichen eichen einmessen Länge L1 L2 Radius Durchmesser Wendeschneidplatte Platte Schneide Schneidenradius Spitze Schneidenlage Drehmeißel Drehstahl Stahl Bohrer Fräser Schaftfräser Nutfräser Scheibenfräser T-Nutenfräser Umschlag inkrementell automatisch Verschleiß Geometrie Triggerpunkt Werkzeugkorrektur
 cycle982-each-words = Drehmaschine Drehen messen vermessen Werkzeug Werkzeugvermessung
 

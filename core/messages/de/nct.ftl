@@ -17,7 +17,7 @@ param-g101-f-help = Vorschub des Messtasters; ohne Angabe 1500 mm/min oder 60 
 need-g101-target = Mindestens eine Achse angeben.
 
 g102-title = Radialer Versatz des Messtasters
-g102-help = Kalibriert den Versatz der Messtasterkugel zur Spindelachse in beiden Achsen der Ebene: in einer Bohrung, die diese Spindel gerade ausgespindelt hat, oder in einem Kalibrierring, wenn #510 die M-Funktion enthält, die die Spindel um 180° dreht.
+g102-help = Kalibriert den Versatz der Messtasterkugel zur Spindelachse in der Ebene: in einer eben ausgespindelten Bohrung oder im Kalibrierring, wenn #510 die M-Funktion enthält, die die Spindel um 180° dreht.
 g102-words = kalibrieren abgleichen eichen radialer Versatz Exzentrizität Rundlauf Messtaster Taster Kalibrierring Einstellring Lehrring Spindel umschlagen
 g102-offset = radialer Versatz
 param-g102-d = Durchmesser, ungefähr
@@ -90,7 +90,7 @@ result-nct-corner-shift-1 = Ecke, Abweichung vom Nennwert, 1. Achse
 result-nct-corner-shift-2 = Ecke, Abweichung vom Nennwert, 2. Achse
 
 g108-title = Außenecke
-g108-help = Tastet von einer Startposition vor der Ecke beide Wände an und korrigiert eine Nullpunktverschiebung so, dass die Ecke ihre Nennkoordinaten erhält. Die Antastpunkte liegen so weit hinter der Ecke wie die Startposition davor.
+g108-help = Tastet von einer Startposition vor der Ecke beide Wände an und korrigiert eine NV so, dass die Ecke ihre Nennkoordinaten erhält. Die Punkte liegen so weit hinter der Ecke wie die Startposition davor.
 g108-words = Ecke Außenecke außen Block Quader Nullpunktverschiebung NPV NV Nullpunkt setzen Bezugspunkt antasten Taster
 g108-corner = Außenecke
 
@@ -248,8 +248,8 @@ nct-depressed = Der Werkzeugmesstaster ist schon gedrückt, bevor das Werkzeug a
     .cause = Das Signal TSIG am Eingang #1002 liegt schon an: Ein Werkzeug oder ein Span drückt auf die Scheibe, oder das Kabel ist gebrochen.
     .cure = Scheibe frei machen; Eingang prüfen.
 nct-d-too-small = Das Werkzeug ist beim Absenken neben der Scheibe auf sie gestoßen.
-    .cause = Der Durchmesser in D (oder im Speicher) ist kleiner als der des Werkzeugs, E ist zu klein, oder der Werkzeugmesstaster wurde seit dem Kalibrieren versetzt.
+    .cause = D (oder der Speicher) ist kleiner als das Werkzeug, E zu klein, oder der Messtaster wurde seit dem Kalibrieren versetzt.
     .cure = D oder E korrigieren; wurde der Werkzeugmesstaster versetzt, neu kalibrieren.
 nct-incorrect-probing = Das Werkzeug hat die Scheibe nicht erreicht.
-    .cause = Der Weg Z ist ab der Höhe beim Aufruf zu kurz, das Werkzeug ist kürzer oder dünner als angenommen, oder es ist nicht über dem Werkzeugmesstaster.
+    .cause = Der Weg Z ist ab der Starthöhe zu kurz, das Werkzeug kürzer oder dünner als angenommen oder nicht über dem Werkzeugmesstaster.
     .cure = Näher starten oder ein tieferes Z angeben; D und Werkzeugposition prüfen.
