@@ -27,6 +27,7 @@ type Found = Omit<Entry, "id">;
 
 function measurements(cycle: CycleInfo): Found[] {
   const title = t(`${cycle.key}-title`);
+  const control = t(`control-${cycle.control}`);
   const of = {
     kind: "measurement" as const,
     control: cycle.control,
@@ -38,7 +39,7 @@ function measurements(cycle: CycleInfo): Found[] {
   const own: Found = {
     ...of,
     title,
-    words: `${digits(cycle.cycle)} ${t(`control-${cycle.control}`)} ${inEnglish(`${cycle.key}-title`)} ${searched(cycle.key)}`,
+    words: `${digits(cycle.cycle)} ${control} ${inEnglish(`${cycle.key}-title`)} ${searched(cycle.key)}`,
     names: inEach(`${cycle.key}-title`),
     foreign: inEach(`${cycle.key}-words`),
   };
