@@ -6,6 +6,7 @@ use probewright_core::check::check;
 use probewright_core::control::{Edge, Frame, Plane, Tool};
 use probewright_core::diagnostic::Code;
 use probewright_core::dialect::Dialect;
+use probewright_core::geometry::Degrees;
 use probewright_core::machine::trace::Step;
 use probewright_core::machine::{Setup, Stop};
 use probewright_core::run::{Limits, Outcome, run};
@@ -166,12 +167,12 @@ fn a_rotary_axis_turns_the_part_and_its_offset_counts_when_the_frame_is_called()
     let outcome = run(&program, &machine(), Limits::default());
     assert_eq!((&outcome.stop, outcome.diagnostics.as_slice()), (&None, &[][..]));
     let turned = outcome.trace.entries.iter().filter_map(|entry| match entry.step {
-        Step::Table { axis, to, .. } => Some((axis, to)),
+        Step::Table { axis, to, .. } => Some((axis, to.0)),
         _ => None,
     });
     let wanted = [(2, 30.0), (2, 35.0), (2, 2.0), (2, 1.0)];
     assert_eq!(turned.collect::<Vec<_>>(), wanted);
-    assert_eq!(outcome.control.rotary, [0.0, 0.0, 1.0]);
+    assert_eq!(outcome.control.rotary, [0.0, 0.0, 1.0].map(Degrees));
     let changes = outcome.changes();
     assert_eq!(changes.len(), 1, "{changes:?}");
     assert_eq!((changes[0].name.as_str(), changes[0].after), ("$P_UIFR[1,C,TR]", 2.0));

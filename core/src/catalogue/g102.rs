@@ -10,7 +10,7 @@ use super::nct::ring::D;
 use super::nct::walls::home;
 use super::nct::{correct, ring};
 use crate::entry::*;
-use crate::geometry::Wcs;
+use crate::geometry::{Degrees, Wcs};
 use crate::machine::trace::Step;
 use crate::machine::{Machine, Stop};
 use crate::message::Message;
@@ -72,5 +72,5 @@ fn centre(machine: &mut dyn Machine, inputs: &Inputs, start: [f64; 3]) -> Result
 
 fn turn(machine: &mut dyn Machine) {
     let angle = machine.control().spindle;
-    machine.orient((angle + 180.0).rem_euclid(360.0));
+    machine.orient((angle + Degrees(180.0)).positive());
 }

@@ -8,6 +8,7 @@ use super::{
     BasicFrames, Control, Data, Frame, Limits, Make, Plane, Transverse, Units, Value, gud, machine_data, nct_data,
 };
 use crate::dialect::Dialect;
+use crate::geometry::Degrees;
 use std::collections::BTreeMap;
 
 /// Metres in a foot (feet/min on an inch machine, B:13498).
@@ -47,10 +48,10 @@ pub fn delivery_in(dialect: Dialect, units: Units) -> Control {
         edge: 0,
         location: 0,
         data: Data::delivered(dialect, units),
-        spindle: 0.0,
+        spindle: Degrees(0.0),
         spindle_speed: 0.0,
         spindle_positions: true,
-        rotary: [0.0; 3],
+        rotary: [Degrees(0.0); 3],
         rotary_centre: [0.0; 3],
         limits: Limits::default(),
     }

@@ -1,9 +1,10 @@
 //! One frame: the step from one coordinate system to the next. Lengths in mm, angles in degree.
 
-use crate::geometry::Rpy;
 use crate::geometry::rigid::{angles, rotation};
+use crate::geometry::{Degrees, Rpy};
 use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
+use std::ops::{Add, Neg};
 
 /// A frame: position and rotation of a coordinate system in the one before it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -21,10 +22,10 @@ pub struct Frame {
     pub rotation: Rpy,
     /// Coarse translation of the rotary axes A B C, degree.
     #[serde(default)]
-    pub rotary: [f64; 3],
+    pub rotary: [Degrees; 3],
     /// Fine translation of the rotary axes A B C, degree.
     #[serde(default)]
-    pub rotary_fine: [f64; 3],
+    pub rotary_fine: [Degrees; 3],
     // B:744
     /// Scale factors along its own X Y Z; 1: none. Measuring does not work with any other (61310).
     #[serde(default = "unscaled")]
@@ -44,8 +45,8 @@ impl Default for Frame {
             coarse: [0.0; 3],
             fine: [0.0; 3],
             rotation: Rpy::default(),
-            rotary: [0.0; 3],
-            rotary_fine: [0.0; 3],
+            rotary: [Degrees(0.0); 3],
+            rotary_fine: [Degrees(0.0); 3],
             scale: unscaled(),
             mirror: [false; 3],
         }
@@ -132,13 +133,12 @@ impl Frame {
             return None;
         }
         let back = angles(&rotation(self.rotation).inverse());
-        let negative = |list: [f64; 3]| list.map(|value| -value);
         Some(Frame {
             coarse: self.inward([0.0; 3]),
             fine: [0.0; 3],
             rotation: self.angles_outside(back),
-            rotary: negative(add(self.rotary, self.rotary_fine)),
-            rotary_fine: [0.0; 3],
+            rotary: add(self.rotary, self.rotary_fine).map(Neg::neg),
+            rotary_fine: [Degrees(0.0); 3],
             scale: self.scale.map(|scale| 1.0 / scale),
             mirror: self.mirror,
         })
@@ -158,7 +158,7 @@ impl Frame {
             fine: [0.0; 3],
             rotation,
             rotary: add(add(self.rotary, self.rotary_fine), add(inner.rotary, inner.rotary_fine)),
-            rotary_fine: [0.0; 3],
+            rotary_fine: [Degrees(0.0); 3],
             scale: std::array::from_fn(|i| self.scale[i] * inner.scale[i]),
             mirror: std::array::from_fn(|i| self.mirror[i] != inner.mirror[i]),
         }
@@ -166,7 +166,7 @@ impl Frame {
 }
 
 /// Sum of two vectors.
-fn add(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+fn add<T: Add<Output = T> + Copy>(a: [T; 3], b: [T; 3]) -> [T; 3] {
     std::array::from_fn(|i| a[i] + b[i])
 }
 
@@ -240,7 +240,7 @@ pub(super) mod tests {
             coarse: [1.0, -20.0, 3.0],
             fine: [0.1, 0.0, 0.0],
             rotation: Rpy([10.0, -30.0, 120.0]),
-            rotary: [0.0, 0.0, 15.0],
+            rotary: [0.0, 0.0, 15.0].map(Degrees),
             scale: [2.0; 3],
             mirror: [false, true, true],
             ..Frame::default()
@@ -249,7 +249,7 @@ pub(super) mod tests {
         // oracle: hand (either way round nothing is left)
         for both in [frame.then(&inverse), inverse.then(&frame)] {
             near(both.outward([7.0, 8.0, 9.0]), [7.0, 8.0, 9.0]);
-            assert_eq!(both.rotary, [0.0; 3]);
+            assert_eq!(both.rotary, [Degrees(0.0); 3]);
         }
         let sheared = Frame { scale: [2.0, 1.0, 1.0], ..frame };
         assert_eq!(sheared.inverse(), None);

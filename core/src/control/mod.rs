@@ -34,6 +34,7 @@ pub use units::UnitFunction;
 pub use variables::AXES;
 
 use crate::dialect::Dialect;
+use crate::geometry::Degrees;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -219,14 +220,14 @@ pub struct Control {
     /// User data: GUD arrays and scalars (`_WP[0,1]`, `_CHBIT[4]`, `_OVR[4]`, `_EV[9]`, `_KNUM`), R parameters (`R10`),
     /// machine data (`MD18600`), NCT variables (`#500`); indices written without blanks.
     pub data: Data,
-    /// Position of the spindle, degree, positive as M3 turns it.
-    pub spindle: f64,
+    /// Position of the spindle, positive as M3 turns it.
+    pub spindle: Degrees,
     /// Speed of the spindle, 1/min: positive with M3, negative with M4; 0: it stands.
     pub spindle_speed: f64,
     /// Whether the spindle can be positioned with SPOS (B:864, B:6312).
     pub spindle_positions: bool,
-    /// Where the rotary axes A B C stand, machine, degree.
-    pub rotary: [f64; 3],
+    /// Where the rotary axes A B C stand, machine.
+    pub rotary: [Degrees; 3],
     /// Point on the lines about which they turn, machine coordinates X Y Z, mm.
     pub rotary_centre: [f64; 3],
     /// Software limit switches.
@@ -234,11 +235,11 @@ pub struct Control {
 }
 
 impl Control {
-    /// How far what the spindle holds is turned from the abscissa to the ordinate, degree. M3 turns a tool clockwise as
+    /// How far what the spindle holds is turned from the abscissa to the ordinate. M3 turns a tool clockwise as
     /// seen from the spindle, so from the ordinate to the abscissa; the delivered sense of `_CHBIT[14]` is that one,
     /// 270 degree of the spindle for 90 of the coordinates (B:13985).
-    pub fn turned(&self) -> f64 {
-        0.0 - self.spindle
+    pub fn turned(&self) -> Degrees {
+        Degrees(0.0) - self.spindle
     }
 
     /// A datum as number; 0 where it was never set.

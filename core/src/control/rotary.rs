@@ -4,7 +4,7 @@
 //! counter-clockwise about the part (DIN 66217, B:627), so that the table turns clockwise; C is carried by B, B by A.
 
 use super::Control;
-use crate::geometry::{Rpy, V3, rigid};
+use crate::geometry::{Degrees, Rpy, V3, rigid};
 use nalgebra::Rotation3;
 
 /// Names by index.
@@ -27,9 +27,10 @@ impl Control {
         numbers.any(|number| self.rotary_channel_axis(number) == Some(axis)).then_some(axis)
     }
 
-    /// Where the table has to stand (machine, degree) for a programmed position of a rotary axis: the frames move it.
-    pub fn rotary_to_machine(&self, axis: usize, position: f64) -> f64 {
-        position + self.chain().iter().map(|frame| frame.rotary[axis] + frame.rotary_fine[axis]).sum::<f64>()
+    /// Where the table has to stand (machine) for a programmed position of a rotary axis: the frames move it.
+    pub fn rotary_to_machine(&self, axis: usize, position: Degrees) -> Degrees {
+        let moved = self.chain().iter().map(|frame| (frame.rotary[axis] + frame.rotary_fine[axis]).0).sum();
+        position + Degrees(moved)
     }
 
     /// The direction in the machine about which a positive angle turns a direction of the WCS from one of its axes X Y
@@ -42,13 +43,13 @@ impl Control {
     /// The direction in the machine about which a positive angle of a rotary axis turns the tool round the part, and
     /// the part the other way: that of its name, turned by the axes that carry it.
     pub fn rotary_direction(&self, axis: usize) -> [f64; 3] {
-        let carrying = Rpy(std::array::from_fn(|i| if i < axis { self.rotary[i] } else { 0.0 }));
+        let carrying = Rpy(std::array::from_fn(|i| if i < axis { self.rotary[i].0 } else { 0.0 }));
         (rigid::rotation(carrying).inverse() * V3::ith(axis.min(2), 1.0)).into()
     }
 
     /// How the table is turned, in machine coordinates.
     pub(crate) fn table_turn(&self) -> Rotation3<f64> {
-        rigid::rotation(Rpy(self.rotary)).inverse()
+        rigid::rotation(Rpy(self.rotary.map(|angle| angle.0))).inverse()
     }
 }
 
@@ -101,10 +102,10 @@ mod tests {
         // oracle: definition: from one position of an axis to another is a turn about it, against the tool
         let mut control = delivery(Dialect::Sinumerik);
         for axis in 0..3 {
-            control.rotary = [20.0, -35.0, 50.0];
+            control.rotary = [20.0, -35.0, 50.0].map(Degrees);
             let before = control.table_turn();
             let about = nalgebra::Unit::new_normalize(V3::from(control.rotary_direction(axis)));
-            control.rotary[axis] += 25.0;
+            control.rotary[axis] = control.rotary[axis] + Degrees(25.0);
             let turn = Rotation3::from_axis_angle(&about, -25.0_f64.to_radians());
             let after = turn * before;
             assert!((after.matrix() - control.table_turn().matrix()).norm() < 1e-12, "{axis}");

@@ -10,7 +10,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd, serde::Serialize, serde::Deserialize)]
 #[serde(transparent)]
-#[cfg_attr(feature = "cli", derive(schemars::JsonSchema), schemars(inline))]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema), schemars(inline, description = ""))]
 pub struct Degrees(pub f64);
 
 impl Degrees {
@@ -24,9 +24,14 @@ impl Degrees {
         self.0.to_radians()
     }
 
+    /// Less whole turns, from 0 to below 360.
+    pub fn positive(self) -> Degrees {
+        Degrees(self.0.rem_euclid(360.0))
+    }
+
     /// Sine and cosine; exact at multiples of 90.
     pub fn sin_cos(self) -> (f64, f64) {
-        match self.0.rem_euclid(360.0) {
+        match self.positive().0 {
             0.0 => (0.0, 1.0),
             90.0 => (1.0, 0.0),
             180.0 => (0.0, -1.0),

@@ -1,6 +1,6 @@
 //! A way round an axis: an arc, or with a climb along the axis a helix.
 
-use super::{Stretch, V3};
+use super::{Degrees, Stretch, V3};
 
 /// How a way between two points goes round an axis.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
@@ -11,7 +11,7 @@ pub struct Around {
     /// Unit vector along it.
     pub axis: [f64; 3],
     /// Degrees from start to end, right-handed about the axis; whole turns included.
-    pub degrees: f64,
+    pub degrees: Degrees,
 }
 
 impl Around {
@@ -27,7 +27,7 @@ impl Around {
     /// Where an arc from here ends that climbs by so much, mm.
     pub fn end(&self, from: [f64; 3], climb: f64) -> [f64; 3] {
         let (start, height) = self.split(from);
-        let angle = self.degrees.to_radians();
+        let angle = self.degrees.radians();
         let (away, heights) = ([start.norm(); 2], [height, height + climb]);
         Stretch::round(self.centre.into(), self.axis.into(), start, angle, away, heights).at(1.0).into()
     }
@@ -43,14 +43,14 @@ impl Around {
     /// Length of the way, mm.
     pub fn length(&self, from: [f64; 3], to: [f64; 3]) -> f64 {
         let [(start, height), (_, top)] = [from, to].map(|point| self.split(point));
-        (start.norm() * self.degrees.to_radians()).hypot(top - height)
+        (start.norm() * self.degrees.radians()).hypot(top - height)
     }
 
     /// The way between two parts of it, 0 to 1.
     pub fn stretch(&self, from: [f64; 3], to: [f64; 3], [begin, end]: [f64; 2]) -> Stretch {
         let axis = V3::from(self.axis);
         let [(start, height), (last, top)] = [from, to].map(|point| self.split(point));
-        let angle = self.degrees.to_radians();
+        let angle = self.degrees.radians();
         let (sine, cosine) = (angle * begin).sin_cos();
         let between = |a: f64, b: f64| [begin, end].map(|part| a + part * (b - a));
         Stretch::round(
@@ -105,7 +105,7 @@ pub fn through(start: [f64; 3], middle: [f64; 3], end: [f64; 3]) -> Option<Aroun
     let axis = normal.normalize();
     let (x, to_end) = (a - centre, c - centre);
     let angle = to_end.dot(&axis.cross(&x)).atan2(to_end.dot(&x));
-    Some(Around { centre: centre.into(), axis: axis.into(), degrees: angle.to_degrees().rem_euclid(360.0) })
+    Some(Around { centre: centre.into(), axis: axis.into(), degrees: Degrees::of(angle).positive() })
 }
 
 #[cfg(test)]
@@ -117,14 +117,14 @@ mod tests {
         assert!((V3::from(a) - V3::from(b)).norm() < 1e-9, "{a:?} {b:?}");
     }
 
-    const ABOUT: Around = Around { centre: [5.0, 2.0, 0.0], axis: [0.0, 0.0, 1.0], degrees: 90.0 };
+    const ABOUT: Around = Around { centre: [5.0, 2.0, 0.0], axis: [0.0, 0.0, 1.0], degrees: Degrees(90.0) };
 
     // oracle: hand
     #[test]
     fn a_quarter_is_driven_on_its_circle() {
         let from = [15.0, 2.0, 7.0];
         for (degrees, end) in [(90.0, [5.0, 12.0, 7.0]), (-90.0, [5.0, -8.0, 7.0]), (360.0, from)] {
-            let arc = Around { degrees, ..ABOUT };
+            let arc = Around { degrees: Degrees(degrees), ..ABOUT };
             near(arc.end(from, 0.0), end);
             for part in [0.0, 0.1, 0.5, 0.9, 1.0] {
                 let [x, y, z] = arc.at(from, end, part);
@@ -139,7 +139,7 @@ mod tests {
     // oracle: hand: a turn and a half up by 3; and an end that lies 0.01 farther out
     #[test]
     fn a_helix_climbs_evenly_and_every_way_ends_at_its_end() {
-        let arc = Around { degrees: 540.0, ..ABOUT };
+        let arc = Around { degrees: Degrees(540.0), ..ABOUT };
         let from = [15.0, 2.0, 0.0];
         let to = arc.end(from, 3.0);
         near(to, [-5.0, 2.0, 3.0]);
@@ -155,7 +155,7 @@ mod tests {
     #[test]
     fn a_stretch_lies_on_its_way() {
         for degrees in [90.0, -200.0, 800.0] {
-            let arc = Around { degrees, ..ABOUT };
+            let arc = Around { degrees: Degrees(degrees), ..ABOUT };
             let from = [15.0, 2.0, 7.0];
             let [x, y, _] = arc.end(from, 0.0);
             let to = [5.0 + 1.001 * (x - 5.0), 2.0 + 1.001 * (y - 2.0), 9.0];

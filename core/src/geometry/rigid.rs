@@ -7,7 +7,7 @@ use nalgebra::{IsometryMatrix3, Matrix3, Rotation3, Translation3, Unit};
 /// Angles about X, Y, Z, degree, taken as RPY: first about Z, then about the new Y, then about the new X.
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(transparent)]
-#[cfg_attr(feature = "cli", derive(schemars::JsonSchema), schemars(inline))]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema), schemars(inline, description = ""))]
 pub struct Rpy(pub [f64; 3]);
 
 numbers_of!(Rpy);

@@ -17,7 +17,7 @@ pub use trace::{Entry, MotionKind, Step, Trace};
 
 use crate::control::Control;
 use crate::diagnostic::Code;
-use crate::geometry::{Around, Wcs};
+use crate::geometry::{Around, Degrees, Wcs};
 use crate::message::Message;
 use crate::scan::{Layout, Scanned, Sent};
 
@@ -75,8 +75,8 @@ pub trait Machine {
     fn correct(&mut self, name: &str, value: f64);
     /// Applies the length of another edge of the tool in use (NCT: another register), 0 none; the spindle nose stays.
     fn select(&mut self, edge: i64);
-    /// Turns the spindle to this angle, degree, where it stands.
-    fn orient(&mut self, angle: f64);
+    /// Turns the spindle to this angle where it stands.
+    fn orient(&mut self, angle: Degrees);
     /// Lets the spindle turn, 1/min: positive as M3, negative as M4; 0 stops it.
     fn spin(&mut self, speed: f64);
     /// From now on nothing is recorded, or everything again.

@@ -2,7 +2,7 @@
 
 use super::Setup;
 use crate::control::{Control, Edge, Frame, Value};
-use crate::geometry::{Degrees, FARTHEST};
+use crate::geometry::FARTHEST;
 use crate::refused::{Path, Refused};
 use crate::workpiece::{Cut, Cutter, PartErrors, Probe, Shape, Solid, Tool, ToolProbe, Turret};
 
@@ -79,8 +79,8 @@ fn control(control: &Control) -> Result<(), Refused> {
     for (number, tool) in &control.tools {
         tool.edges.iter().try_for_each(|(edge, data)| edge_data(*number, *edge, data))?;
     }
-    small(&Path::of(&["active", "spindle"]), &[control.spindle])?;
-    small(&Path::of(&["active", "rotary"]), &control.rotary)?;
+    small(&Path::of(&["active", "spindle"]), &[control.spindle.0])?;
+    small(&Path::of(&["active", "rotary"]), &control.rotary.map(|angle| angle.0))?;
     small(&Path::of(&["machine", "rotaryCentre"]), &control.rotary_centre)?;
     in_spindle(control)?;
     control.data.iter().try_for_each(|(name, value)| datum(control, name, value))
@@ -139,8 +139,8 @@ fn frame(path: &Path, frame: &Frame) -> Result<(), Refused> {
         ("coarse", frame.coarse),
         ("fine", frame.fine),
         ("rotation", frame.rotation.0),
-        ("rotary", frame.rotary),
-        ("rotaryFine", frame.rotary_fine),
+        ("rotary", frame.rotary.map(|angle| angle.0)),
+        ("rotaryFine", frame.rotary_fine.map(|angle| angle.0)),
     ];
     members.iter().try_for_each(|(name, values)| small(&path.member(name), values))
 }
@@ -200,7 +200,7 @@ fn cutter(path: &Path, cutter: &Cutter) -> Result<(), Refused> {
     within(&path.member("axis"), cutter.axis as f64, [0.0, 2.0])?;
     let least = cutter.radius - cutter.corner - inside;
     bound(least >= 0.0, || Refused::new("setup-cutter", path.clone()).number("value", least))?;
-    small(path, &[cutter.angle, cutter.runout[0], cutter.runout[1], cutter.runout_angle])
+    small(path, &[cutter.angle.0, cutter.runout[0], cutter.runout[1], cutter.runout_angle.0])
 }
 
 /// Refuses a solid that cannot exist: sizes are above 0, also where its errors make it smaller.
@@ -224,7 +224,7 @@ pub fn solid(path: &Path, solid: &Solid) -> Result<(), Refused> {
 /// Sizes as on the drawing.
 fn nominal(path: &Path, shape: &Shape) -> Result<(), Refused> {
     if let Shape::OuterCorner { angle, .. } | Shape::InnerCorner { angle, .. } = *shape {
-        within(path, angle, [1.0, 179.0])?;
+        within(path, angle.0, [1.0, 179.0])?;
     }
     let (across, deep) = sizes(shape);
     across.iter().chain([&deep]).try_for_each(|size| above(path, *size))?;
@@ -259,7 +259,7 @@ fn sizes(shape: &Shape) -> (Vec<f64>, f64) {
         Shape::Island { length, height } => (length.to_vec(), height),
         Shape::Block { size: [x, y, z] } => (vec![x, y], z),
         Shape::OuterCorner { angle, length, height: deep } | Shape::InnerCorner { angle, length, depth: deep } => {
-            (length.map(|l| l * Degrees(angle).sin_cos().0).to_vec(), deep)
+            (length.map(|l| l * angle.sin_cos().0).to_vec(), deep)
         }
         Shape::Turned { diameter, length, bore: [bore, _] } => match bore == 0.0 {
             true => (vec![diameter], length),

@@ -149,7 +149,7 @@ impl Route {
             if !near(&self.stretch([begin, end], shift)) {
                 continue;
             }
-            let angle = (around.degrees * (end - begin)).to_radians().abs();
+            let angle = (around.degrees * (end - begin)).radians().abs();
             let flat = radius * angle * angle / 8.0 <= FLAT && angle <= ROUND;
             if flat || (looks >= LOOKS && angle <= COARSE) {
                 (looks, *effort) = (looks + 1, *effort + LOOK);

@@ -2,7 +2,7 @@
 //! What arcs meet, against the distance of the part at many places of them.
 
 use super::{Obstacle, Route};
-use crate::geometry::{Around, Mcs, V3};
+use crate::geometry::{Around, Degrees, Mcs, V3};
 use crate::machine::ideal_probe;
 use crate::workpiece::feeler_tests::{any_solid, boundary, least};
 use crate::workpiece::{Boundary, Feeler, Shape, Solid, Touching};
@@ -14,7 +14,7 @@ const PLACES: u32 = 200;
 
 /// From a place so far round an axis through a point, with a climb.
 fn around(from: V3, centre: V3, axis: V3, degrees: f64, climb: f64) -> Route {
-    let around = Around { centre: centre.into(), axis: axis.normalize().into(), degrees };
+    let around = Around { centre: centre.into(), axis: axis.normalize().into(), degrees: Degrees(degrees) };
     Route { from: Mcs(from.into()), to: Mcs(around.end(from.into(), climb)), around: Some(around) }
 }
 

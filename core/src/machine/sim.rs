@@ -2,7 +2,7 @@
 
 use super::{Entry, InUse, Machine, MotionKind, Obstacle, Route, Setup, Step, Stop, Trace, route::LOOK};
 use crate::control::{Control, MachineSort};
-use crate::geometry::{Around, FARTHEST, Mcs, Wcs};
+use crate::geometry::{Around, Degrees, FARTHEST, Mcs, Wcs};
 use crate::message::Message;
 use crate::scan::{FORM_POINTS, FORM_POINTS_WITH_BODY, Sent};
 use crate::workpiece::{Boundary, Contact, Noise, Probe, Tool, ToolProbe, Touching, Workpiece, chuck};
@@ -38,10 +38,10 @@ pub struct Sim {
     part: Boundary,
     /// The part as it is clamped, rotary axes and the spindle of a turning machine at 0.
     clamped: Workpiece,
-    /// How far the spindle of a turning machine has turned the part, degree.
-    turned: f64,
-    /// How the spindle that holds a turning machine's probe stands, degree: milling cycles alone turn it.
-    held_at: f64,
+    /// How far the spindle of a turning machine has turned the part.
+    turned: Degrees,
+    /// How the spindle that holds a turning machine's probe stands: milling cycles alone turn it.
+    held_at: Degrees,
     noise: Noise,
     tool_probes: Vec<ToolProbe>,
     /// Tools as they are, by T and D number: those that were told, and others as they were when they were first moved.
@@ -85,10 +85,10 @@ impl Sim {
             quiet: false,
             measuring: None,
             probe: setup.probe,
-            part: Boundary::of(&on_table(&setup.control, &setup.workpiece, 0.0)),
+            part: Boundary::of(&on_table(&setup.control, &setup.workpiece, Degrees(0.0))),
             clamped: setup.workpiece.clone(),
-            turned: 0.0,
-            held_at: 0.0,
+            turned: Degrees(0.0),
+            held_at: Degrees(0.0),
             noise: Noise::new(setup.probe.repeatability.1),
             tool_noise: self::tool::noise(&setup.tool_probes),
             tool_probes: setup.tool_probes.clone(),
@@ -258,8 +258,8 @@ impl Sim {
     }
 }
 
-/// The part as the rotary axes and, by so many degrees, the spindle of a turning machine turn it.
-fn on_table(control: &Control, clamped: &Workpiece, turned: f64) -> Workpiece {
+/// The part as the rotary axes and, so far, the spindle of a turning machine turn it.
+fn on_table(control: &Control, clamped: &Workpiece, turned: Degrees) -> Workpiece {
     let solids = clamped.solids.iter();
     let solids = solids.map(|solid| control.on_table(&chuck::turned(solid, turned)));
     Workpiece { solids: solids.collect() }
@@ -315,7 +315,7 @@ impl Machine for Sim {
         self.with_length(|control| control.edge = edge);
     }
 
-    fn orient(&mut self, angle: f64) {
+    fn orient(&mut self, angle: Degrees) {
         self.control.spindle = angle;
         self.control.spindle_speed = 0.0;
         match (self.in_turret(), self.measuring) {

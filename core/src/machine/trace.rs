@@ -3,7 +3,7 @@
 use super::InUse;
 use crate::control::ROTARY;
 use crate::diagnostic::Code;
-use crate::geometry::{Around, Mcs};
+use crate::geometry::{Around, Degrees, Mcs};
 use crate::message::Message;
 use crate::workpiece::{Solid, Touching};
 use serde::{Serialize, Serializer};
@@ -71,7 +71,7 @@ pub enum Step {
     /// Spindle orientation.
     Orient {
         /// Degree.
-        angle: f64,
+        angle: Degrees,
     },
     /// The spindle turns from now on.
     Spin {
@@ -85,9 +85,9 @@ pub enum Step {
         #[cfg_attr(test, ts(type = "string"))]
         axis: usize,
         /// Before, machine, degree.
-        from: f64,
+        from: Degrees,
         /// After.
-        to: f64,
+        to: Degrees,
         /// The part as it stands then, machine coordinates.
         solids: Vec<Solid>,
     },

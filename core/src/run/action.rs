@@ -5,6 +5,7 @@ use super::interpret::{Interpreter, Next};
 use super::statement::{Call, Words};
 use super::{addresses, cycle, frame, gcode, listed, macro_call, motion, of_control, repeat, subprogram, tool, unread};
 use crate::diagnostic::Severity;
+use crate::geometry::Degrees;
 use crate::machine::Machine;
 use crate::machine::trace::Step;
 use crate::problem::Problem;
@@ -136,7 +137,7 @@ fn end(run: &mut Interpreter, found: &Words) -> Result<Option<End>, Problem> {
             99 if grammar.numbered => {
                 return Ok(Some(End::Jump(macro_call::back(run, found, address.span)?)));
             }
-            19 => run.sim.orient(0.0),
+            19 => run.sim.orient(Degrees(0.0)),
             3 => run.sim.spin(motion::spindle_speed(run)),
             4 => run.sim.spin(-motion::spindle_speed(run)),
             5 => run.sim.spin(0.0),

@@ -7,6 +7,7 @@ use super::path::{Coordinate, Path};
 use super::statement::Address;
 use crate::control::variables::AXES;
 use crate::diagnostic::Severity;
+use crate::geometry::Degrees;
 use crate::machine::Machine;
 use crate::problem::Problem;
 
@@ -99,7 +100,7 @@ fn coordinate(address: &Address, factor: f64) -> Result<Coordinate, Problem> {
 }
 
 fn spindle(run: &mut Interpreter, address: &Address) -> Result<(), Problem> {
-    let angle = number(address)?;
+    let angle = Degrees(number(address)?);
     let angle = match address.mode.as_deref() {
         Some("IC") => run.sim.control.spindle + angle,
         _ => angle,
@@ -114,7 +115,7 @@ fn other(run: &mut Interpreter, address: &Address, path: &mut Path) -> Result<()
         run.tell(Severity::Warning, &Problem::new("run-not-simulated", address.span, &*address.name));
         return Ok(());
     };
-    let written = number(address)?;
+    let written = Degrees(number(address)?);
     let control = &run.sim.control;
     let position = match address.mode.as_deref() {
         Some("IC" | "CIC") => control.rotary[axis] + written,

@@ -11,7 +11,7 @@ use crate::control::variables::AXES;
 use crate::control::{Transverse, Units};
 use crate::diagnostic::Severity;
 use crate::geometry::arc::Around;
-use crate::geometry::{Mcs, Wcs, arc};
+use crate::geometry::{Degrees, Mcs, Wcs, arc};
 use crate::machine::Machine;
 use crate::machine::route::Route;
 use crate::machine::sim::Sim;
@@ -249,7 +249,7 @@ fn in_plane(run: &Interpreter, path: &Path, from: [f64; 3], to: [f64; 3]) -> Opt
     [centre[a], centre[o]] = arc.centre;
     [end[a], end[o]] = arc.end;
     axis[p] = 1.0;
-    let around = Around { centre, axis, degrees: arc.sweep.to_degrees() };
+    let around = Around { centre, axis, degrees: Degrees::of(arc.sweep) };
     Some((end, around))
 }
 

@@ -9,8 +9,8 @@ use super::statement::Call;
 use crate::catalogue::alarms;
 use crate::control::Frame;
 use crate::diagnostic::{Code, Span};
-use crate::geometry::V3;
 use crate::geometry::rigid::{angles, rotation};
+use crate::geometry::{Degrees, V3};
 use crate::machine::trace::Step;
 use crate::problem::Problem;
 use crate::program::of_control::{SET_ALARM, STORE_ENVIRONMENT, SWIVEL};
@@ -111,8 +111,8 @@ fn given_up(call: &Call) -> bool {
     nothing || call.arg(DATA_SET) == Some(&Datum::Text(NO_DATA_SET.into()))
 }
 
-/// Where the rotary axes go, degree, and the frame that turns with the table.
-fn planned(run: &mut Interpreter, call: &Call) -> Result<([f64; 3], Frame), Problem> {
+/// Where the rotary axes go, and the frame that turns with the table.
+fn planned(run: &mut Interpreter, call: &Call) -> Result<([Degrees; 3], Frame), Problem> {
     let shifted = OFFSETS.into_iter().any(|place| !matches!(call.arg(place), None | Some(Datum::Number(0.0))));
     if shifted || call.args.len() < 4 {
         return Err(Problem::new("run-swivel", call.span, SWIVEL));
@@ -123,5 +123,5 @@ fn planned(run: &mut Interpreter, call: &Call) -> Result<([f64; 3], Frame), Prob
     let turn = rotation(total.rotation).inverse();
     let centre = V3::from(control.rotary_centre);
     let table = Frame { coarse: (centre - turn * centre).into(), rotation: angles(&turn), ..Frame::default() };
-    Ok((total.rotation.0, table))
+    Ok((total.rotation.map(Degrees), table))
 }

@@ -1,6 +1,7 @@
 //! What the axis words of a block ask for: the target, and how it is reached.
 
 use crate::diagnostic::Span;
+use crate::geometry::Degrees;
 
 /// How a block measures its positions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -64,8 +65,8 @@ pub struct Measure {
 pub struct Path {
     /// Targets X Y Z.
     pub axes: [Option<Coordinate>; 3],
-    /// Where the rotary axes A B C go, machine, degree.
-    pub rotary: [Option<f64>; 3],
+    /// Where the rotary axes A B C go, machine.
+    pub rotary: [Option<Degrees>; 3],
     /// Centre I J K, from the start unless absolute.
     pub centre: [Option<Coordinate>; 3],
     /// Intermediate point I1 J1 K1 of CIP.

@@ -9,6 +9,7 @@ use crate::control::frames::{CHANNEL_MASK, GLOBAL_MASK, joined};
 use crate::control::variables::{AXES, component};
 use crate::control::{Frame, Tool, UnitFunction, Units, Value, machine_data};
 use crate::diagnostic::Span;
+use crate::geometry::Degrees;
 use crate::machine::Machine;
 use crate::problem::Problem;
 
@@ -131,8 +132,8 @@ fn position(run: &Interpreter, key: &str) -> Option<f64> {
     if let Some(axis) = control.rotary_axis(name) {
         let stands = control.rotary[axis];
         return match stem {
-            "$AA_IM" | "$AA_IB" => Some(stands),
-            "$AA_IW" | "$P_EP" => Some(stands - control.rotary_to_machine(axis, 0.0)),
+            "$AA_IM" | "$AA_IB" => Some(stands.0),
+            "$AA_IW" | "$P_EP" => Some((stands - control.rotary_to_machine(axis, Degrees(0.0))).0),
             _ => None,
         };
     }

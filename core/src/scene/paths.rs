@@ -25,7 +25,7 @@ pub fn ways(entries: &[Entry]) -> Vec<Way> {
     let mut ways = Vec::new();
     for (entry, one) in entries.iter().enumerate() {
         let Step::Motion { kind, from, to, around, .. } = &one.step else { continue };
-        let count = around.map_or(1, |around| (around.degrees.abs() / PIECE).ceil().max(1.0) as usize);
+        let count = around.map_or(1, |around| (around.degrees.0.abs() / PIECE).ceil().max(1.0) as usize);
         let mut begin = (0.0, from.0);
         for piece in 1..=count {
             let part = piece as f64 / count as f64;

@@ -11,7 +11,7 @@ use super::{LineKind, Matter, Scene, Source, fit, labels, paths, tool};
 use crate::control::Plane;
 use crate::dialect::Dialect;
 use crate::entry::names::{SETVAL, TSA};
-use crate::geometry::{Around, Extent, Mcs, Rpy, V3};
+use crate::geometry::{Around, Degrees, Extent, Mcs, Rpy, V3};
 use crate::machine::{Entry, InUse, MotionKind, Setup, Step, Trace};
 use crate::message::Message;
 use crate::run::outcome::Outcome;
@@ -115,8 +115,11 @@ fn every_part_is_closed_faces_outwards_and_has_its_volume() {
         ),
         (Shape::Sphere { diameter: 30.0 }, ball(15.0)),
         // askew by the sine of the angle between the edges
-        (Shape::OuterCorner { angle: 60.0, length: [30.0, 24.0], height: 16.0 }, 30.0 * 24.0 * 16.0 * sine(60.0)),
-        (Shape::InnerCorner { angle: 110.0, length: [34.0, 24.0], depth: 12.0 }, inner * sine(110.0)),
+        (
+            Shape::OuterCorner { angle: Degrees(60.0), length: [30.0, 24.0], height: 16.0 },
+            30.0 * 24.0 * 16.0 * sine(60.0),
+        ),
+        (Shape::InnerCorner { angle: Degrees(110.0), length: [34.0, 24.0], depth: 12.0 }, inner * sine(110.0)),
     ] {
         let drawn = figure(&solid(shape.clone()));
         let (area, found) = measured(&[&drawn.mesh, &drawn.cut]);
@@ -142,8 +145,8 @@ fn errors_of_a_part_are_where_they_belong() {
 fn a_part_stands_as_the_last_rotary_axis_before_left_it() {
     let part = solid(Shape::Hole { diameter: 30.0, depth: 18.0 });
     let turned = Solid { at: [1.0, 2.0, 3.0], rotation: Rpy([0.0, 0.0, 90.0]), ..part.clone() };
-    let table = Step::Table { axis: 2, from: 0.0, to: 9.0, solids: vec![turned] };
-    let scene = Scene::of(&happened(vec![part], vec![Step::Orient { angle: 0.0 }, table, Step::CallEnd]));
+    let table = Step::Table { axis: 2, from: Degrees(0.0), to: Degrees(9.0), solids: vec![turned] };
+    let scene = Scene::of(&happened(vec![part], vec![Step::Orient { angle: Degrees(0.0) }, table, Step::CallEnd]));
     let [before, after] = &scene.view.standings[..] else { unreachable!() };
     assert_eq!((before.entry, after.entry), (0, 1));
     assert_eq!((before.places[0].at, before.places[0].axes), ([0.0; 3], UNITS));
@@ -186,8 +189,8 @@ fn an_arc_is_drawn_and_travelled_round_its_axis() {
         let (from, to) = (Mcs(from), Mcs(to));
         entry(Step::Motion { kind: MotionKind::Positioning, from, to, around: Some(around), feed: 900.0 })
     };
-    let half = Around { centre: [10.0, 0.0, 0.0], axis: [0.0, 0.0, 1.0], degrees: -180.0 };
-    let turn = Around { centre: [20.0, 0.0, 0.0], axis: [1.0, 0.0, 0.0], degrees: 360.0 };
+    let half = Around { centre: [10.0, 0.0, 0.0], axis: [0.0, 0.0, 1.0], degrees: Degrees(-180.0) };
+    let turn = Around { centre: [20.0, 0.0, 0.0], axis: [1.0, 0.0, 0.0], degrees: Degrees(360.0) };
     let up = [20.0, 0.0, 4.0];
     let ways = paths::ways(&[arc([0.0; 3], up, half), arc(up, up, turn)]);
     let at = |entry: usize, part: f64| {

@@ -11,6 +11,7 @@ pub use solid::{SolidFile, example};
 
 use crate::control::{Environment, Frame, Plane, Transverse, Units, Value, delivery};
 use crate::dialect::Dialect;
+use crate::geometry::Degrees;
 use crate::workpiece::{Probe, Tool, Turret};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
@@ -84,9 +85,9 @@ struct ActiveFile {
     /// How positions of the transverse axis X of a lathe are given.
     transverse: Transverse,
     /// Position of the spindle, degree, positive as M3 turns it.
-    spindle: f64,
+    spindle: Degrees,
     /// Where the rotary axes A B C stand, machine, degree.
-    rotary: [f64; 3],
+    rotary: [Degrees; 3],
 }
 
 /// What the machine can do.

@@ -1,7 +1,7 @@
 //! A solid of the part in the setup file: its shape by name and sizes, or a free surface.
 
 use crate::SIMULATES;
-use crate::geometry::Rpy;
+use crate::geometry::{Degrees, Rpy};
 use crate::refused::{Path, Refused};
 use crate::workpiece::free::{EXAMPLES, LARGEST};
 use crate::workpiece::{FreeSurface, Heights, PartErrors, Shape, Solid};
@@ -117,8 +117,12 @@ impl ShapeName {
             }
             (ShapeName::Chuck, &[diameter, length, grip]) => Shape::Chuck { diameter, length, grip },
             (ShapeName::Sphere, &[diameter]) => Shape::Sphere { diameter },
-            (ShapeName::OuterCorner, &[angle, x, y, height]) => Shape::OuterCorner { angle, length: [x, y], height },
-            (ShapeName::InnerCorner, &[angle, x, y, depth]) => Shape::InnerCorner { angle, length: [x, y], depth },
+            (ShapeName::OuterCorner, &[angle, x, y, height]) => {
+                Shape::OuterCorner { angle: Degrees(angle), length: [x, y], height }
+            }
+            (ShapeName::InnerCorner, &[angle, x, y, depth]) => {
+                Shape::InnerCorner { angle: Degrees(angle), length: [x, y], depth }
+            }
             _ => return None,
         })
     }
@@ -138,8 +142,10 @@ impl ShapeName {
             }
             Shape::Chuck { diameter, length, grip } => (ShapeName::Chuck, vec![diameter, length, grip]),
             Shape::Sphere { diameter } => (ShapeName::Sphere, vec![diameter]),
-            Shape::OuterCorner { angle, length: [x, y], height } => (ShapeName::OuterCorner, vec![angle, x, y, height]),
-            Shape::InnerCorner { angle, length: [x, y], depth } => (ShapeName::InnerCorner, vec![angle, x, y, depth]),
+            Shape::OuterCorner { angle, length: [x, y], height } => {
+                (ShapeName::OuterCorner, vec![angle.0, x, y, height])
+            }
+            Shape::InnerCorner { angle, length: [x, y], depth } => (ShapeName::InnerCorner, vec![angle.0, x, y, depth]),
             Shape::Free(_) => (ShapeName::Surface, Vec::new()),
         }
     }

@@ -3,15 +3,15 @@
 use super::{PartErrors, Shape, Solid};
 use crate::geometry::{Degrees, Rpy, V3, rigid};
 
-/// A solid as it stands with the spindle turned by so many degrees, positive about its Z: a turned part goes round the
+/// A solid as it stands with the spindle turned so far, positive about its Z: a turned part goes round the
 /// axis that it nominally has, so that its errors, clamped off the centre or askew, go round with it. Every other solid
 /// belongs to the machine and stays.
-pub fn turned(solid: &Solid, angle: f64) -> Solid {
-    if angle == 0.0 || !matches!(solid.shape, Shape::Turned { .. }) {
+pub fn turned(solid: &Solid, angle: Degrees) -> Solid {
+    if angle == Degrees(0.0) || !matches!(solid.shape, Shape::Turned { .. }) {
         return solid.clone();
     }
     let own = rigid::rotation(solid.rotation);
-    let turn = own * rigid::rotation(Rpy([0.0, 0.0, angle])) * own.inverse();
+    let turn = own * rigid::rotation(Rpy::about(2, angle)) * own.inverse();
     let errors = &solid.errors;
     Solid {
         errors: PartErrors {
@@ -32,19 +32,18 @@ const JAW_WIDTH: f64 = 0.28;
 pub fn seen(solid: &Solid) -> Vec<Solid> {
     let Shape::Chuck { diameter, length, grip } = solid.shape else { return Vec::new() };
     let high = length / 3.0;
-    let part =
-        |shape, at, turned| Solid { shape, at, rotation: Rpy([0.0, 0.0, turned]), errors: PartErrors::default() };
+    let part = |shape, at, turned| Solid { shape, at, rotation: Rpy::about(2, turned), errors: PartErrors::default() };
     let body = Shape::Turned { diameter: diameter + solid.errors.size, length: length - high, bore: [0.0; 2] };
     let radius = diameter / 2.0;
     let reach = 0.94 * radius - grip / 2.0;
     let jaw = |jaw: u32| {
-        let turned = 360.0 * f64::from(jaw) / f64::from(JAWS);
-        let (sine, cosine) = Degrees(turned).sin_cos();
+        let turned = Degrees(360.0 * f64::from(jaw) / f64::from(JAWS));
+        let (sine, cosine) = turned.sin_cos();
         let out = (grip + reach) / 2.0;
         part(Shape::Block { size: [reach, JAW_WIDTH * diameter, high] }, [out * cosine, out * sine, 0.0], turned)
     };
     let jaws = (0..if reach > 0.0 { JAWS } else { 0 }).map(jaw);
-    std::iter::once(part(body, [0.0, 0.0, -high], 0.0)).chain(jaws).collect()
+    std::iter::once(part(body, [0.0, 0.0, -high], Degrees(0.0))).chain(jaws).collect()
 }
 
 #[cfg(test)]
@@ -76,7 +75,7 @@ mod tests {
                     Boundary::of(&Workpiece { solids }).distance(point.into())
                 };
                 let before = far(part.clone(), point.into());
-                let after = far(turned(&part, angle), moved);
+                let after = far(turned(&part, Degrees(angle)), moved);
                 assert!((before - after).abs() < 1e-9, "{angle} {point:?}: {before} {after}");
             }
         }
@@ -90,6 +89,6 @@ mod tests {
             rotation: Rpy::default(),
             errors: PartErrors { shift: [0.1, 0.2, 0.3], ..PartErrors::default() },
         };
-        assert_eq!(turned(&groove, 90.0), groove);
+        assert_eq!(turned(&groove, Degrees(90.0)), groove);
     }
 }

@@ -2,7 +2,7 @@
 //! Identities of contact: they need no second implementation.
 
 use super::{Boundary, Contact, Heights, PartErrors, Shape, Solid, Workpiece};
-use crate::geometry::{Rpy, V3, rigid};
+use crate::geometry::{Degrees, Rpy, V3, rigid};
 use proptest::prelude::*;
 use std::sync::Arc;
 
@@ -30,8 +30,8 @@ fn shapes() -> Vec<Shape> {
         Shape::Turned { diameter: 30.0, length: 20.0, bore: [0.0; 2] },
         Shape::Turned { diameter: 46.0, length: 22.0, bore: [28.0, 14.0] },
         Shape::Sphere { diameter: 30.0 },
-        Shape::OuterCorner { angle: 50.0, length: [60.0, 50.0], height: 20.0 },
-        Shape::InnerCorner { angle: 115.0, length: [40.0, 50.0], depth: 20.0 },
+        Shape::OuterCorner { angle: Degrees(50.0), length: [60.0, 50.0], height: 20.0 },
+        Shape::InnerCorner { angle: Degrees(115.0), length: [40.0, 50.0], depth: 20.0 },
     ]
 }
 
@@ -188,7 +188,7 @@ fn check_free(part: &Workpiece, radius: f64, from: V3, to: V3) -> Result<(), Tes
 #[test]
 fn the_walls_of_a_corner_stand_out_by_half_of_its_error() {
     let errors = PartErrors { size: 0.4, ..PartErrors::default() };
-    let (angle, length, depth) = (60.0, [50.0, 40.0], 30.0);
+    let (angle, length, depth) = (Degrees(60.0), [50.0, 40.0], 30.0);
     let outer = Shape::OuterCorner { angle, length, height: depth };
     let inner = Shape::InnerCorner { angle, length, depth };
     let root = 3.0_f64.sqrt() / 2.0;

@@ -4,7 +4,7 @@
 use super::{
     Boundary, Contact, Feeler, PartErrors, Probe, ProbeBody, Shape, Solid, Touching, Workpiece, feeler::Caught,
 };
-use crate::geometry::{Rpy, V3};
+use crate::geometry::{Degrees, Rpy, V3};
 use crate::machine::ideal_probe;
 use proptest::prelude::*;
 
@@ -185,7 +185,7 @@ pub(crate) fn any_solid() -> impl Strategy<Value = Solid> {
         Just(Shape::Pocket { length: [36.0, 28.0], depth: 22.0 }),
         Just(Shape::Island { length: [30.0, 20.0], height: 25.0 }),
         Just(Shape::Block { size: [30.0, 40.0, 12.0] }),
-        Just(Shape::OuterCorner { angle: 70.0, length: [30.0, 40.0], height: 20.0 }),
+        Just(Shape::OuterCorner { angle: Degrees(70.0), length: [30.0, 40.0], height: 20.0 }),
         Just(Shape::Turned { diameter: 40.0, length: 30.0, bore: [24.0, 20.0] }),
         Just(Shape::Sphere { diameter: 30.0 }),
     ];

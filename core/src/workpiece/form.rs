@@ -200,10 +200,10 @@ impl Frustum {
         Frustum { below: above.map(|l| l + taper * depth / 2.0), ..Frustum::upright(above, 0.0, -depth) }
     }
 
-    /// From Z = 0 downwards with a corner at the origin, from which the edges run along X and, turned by `angle`
-    /// degree, along a second direction. Each wall stands out by half of the error of size and of what the taper adds.
-    fn corner(angle: f64, length: [f64; 2], depth: f64, errors: &PartErrors) -> Frustum {
-        let opening = Degrees(angle).sin_cos();
+    /// From Z = 0 downwards with a corner at the origin, from which the edges run along X and, turned by `angle`,
+    /// along a second direction. Each wall stands out by half of the error of size and of what the taper adds.
+    fn corner(angle: Degrees, length: [f64; 2], depth: f64, errors: &PartErrors) -> Frustum {
+        let opening = angle.sin_cos();
         let along = |across: f64| across / opening.0;
         let whole = length.map(|l| l + along(errors.size));
         Frustum { centre: length.map(|l| l / 2.0), opening, ..Frustum::tapered(whole, depth, along(errors.taper)) }

@@ -32,7 +32,7 @@ pub use seen::{Drawn, Turret};
 pub use tool::{Cut, Cutter, Nose, Spindle, Tool};
 pub use tool_probe::ToolProbe;
 
-use crate::geometry::{Rpy, V3, rigid};
+use crate::geometry::{Degrees, Rpy, V3, rigid};
 use nalgebra::IsometryMatrix3;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -89,8 +89,8 @@ pub enum Shape {
     /// Block with a corner of any angle at the origin. Its edges run from there along X and along a direction that is
     /// turned counter-clockwise from X; opposite walls are parallel.
     OuterCorner {
-        /// Angle between the edges, degree, between 0 and 180.
-        angle: f64,
+        /// Angle between the edges, between 0 and 180.
+        angle: Degrees,
         /// Lengths of both edges, mm.
         length: [f64; 2],
         /// Z, mm.
@@ -98,8 +98,8 @@ pub enum Shape {
     },
     /// Pocket with such a corner.
     InnerCorner {
-        /// Angle between the edges, degree, between 0 and 180.
-        angle: f64,
+        /// Angle between the edges, between 0 and 180.
+        angle: Degrees,
         /// Lengths of both edges, mm.
         length: [f64; 2],
         /// Depth of the floor, mm.

@@ -18,10 +18,10 @@ pub struct Touch {
     pub by: Touching,
 }
 
-/// Ball centre minus spindle axis with the probe turned by `turned` degree from the abscissa to the ordinate.
+/// Ball centre minus spindle axis with the probe turned by `turned` from the abscissa to the ordinate.
 /// `axis`: index of the tool axis (the applicate of the plane).
-pub fn ball_offset(probe: &Probe, turned: f64, axis: usize) -> [f64; 3] {
-    let (sine, cosine) = Degrees(turned).sin_cos();
+pub fn ball_offset(probe: &Probe, turned: Degrees, axis: usize) -> [f64; 3] {
+    let (sine, cosine) = turned.sin_cos();
     let [x, y] = probe.skew;
     let mut offset = [0.0; 3];
     offset[(axis + 1) % 3] = cosine * x - sine * y;
@@ -32,8 +32,8 @@ pub fn ball_offset(probe: &Probe, turned: f64, axis: usize) -> [f64; 3] {
 /// How the probe stands.
 #[derive(Clone, Copy, Debug)]
 pub struct Stand {
-    /// How far it is turned from the abscissa to the ordinate, degree.
-    pub turned: f64,
+    /// How far it is turned from the abscissa to the ordinate.
+    pub turned: Degrees,
     /// Index of the tool axis (the applicate of the plane).
     pub axis: usize,
     /// What of it can touch.
@@ -91,11 +91,11 @@ fn first_met(part: &Boundary, feeler: &Feeler, ball: &Contact, [from, to]: [[f64
 
 /// Travel from contact to signal, mm: pre-travel (its lobes count with the part of the motion across the tool axis and
 /// turn with the probe), delay and scatter.
-fn lateness(probe: &Probe, turned: f64, axis: usize, way: &V3, feed: f64, noise: &mut Noise) -> f64 {
+fn lateness(probe: &Probe, turned: Degrees, axis: usize, way: &V3, feed: f64, noise: &mut Noise) -> f64 {
     let (constant, lobes) = probe.pre_travel;
     let (abscissa, ordinate) = (way[(axis + 1) % 3], way[(axis + 2) % 3]);
     let across = abscissa.hypot(ordinate);
-    let seen = ordinate.atan2(abscissa) - turned.to_radians();
+    let seen = ordinate.atan2(abscissa) - turned.radians();
     let (deviation, _) = probe.repeatability;
     constant + lobes * across * (3.0 * seen).cos() + probe.delay * feed / 60.0 + noise.scatter(deviation)
 }

@@ -3,7 +3,7 @@
 
 use super::probe::{Stand, Touch, ball_offset, touch};
 use super::{Boundary, Feeler, Noise, PartErrors, Probe, Shape, Solid, Workpiece};
-use crate::geometry::Rpy;
+use crate::geometry::{Degrees, Rpy};
 use crate::machine::ideal_probe;
 use proptest::prelude::*;
 
@@ -23,7 +23,7 @@ fn block() -> Workpiece {
 
 /// A probe in G17.
 fn upright(probe: &Probe, turned: f64) -> Stand {
-    Stand { turned, axis: 2, feeler: Feeler::new(probe, [0.0, 0.0, 1.0]) }
+    Stand { turned: Degrees(turned), axis: 2, feeler: Feeler::new(probe, [0.0, 0.0, 1.0]) }
 }
 
 /// In the G17 plane, at the ball height −5.
@@ -61,10 +61,10 @@ fn lobes_turn_with_the_probe() {
 #[test]
 fn skew_turns_with_it() {
     let probe = Probe { skew: [0.3, 0.0], ..ideal_probe() };
-    assert_eq!(ball_offset(&probe, 0.0, 2), [0.3, 0.0, 0.0]);
-    assert_eq!(ball_offset(&probe, 90.0, 2), [0.0, 0.3, 0.0]);
-    assert_eq!(ball_offset(&probe, 0.0, 1), [0.0, 0.0, 0.3]); // G18: abscissa Z
-    assert_eq!(ball_offset(&probe, 90.0, 0), [0.0, 0.0, 0.3]); // G19: ordinate Z
+    assert_eq!(ball_offset(&probe, Degrees(0.0), 2), [0.3, 0.0, 0.0]);
+    assert_eq!(ball_offset(&probe, Degrees(90.0), 2), [0.0, 0.3, 0.0]);
+    assert_eq!(ball_offset(&probe, Degrees(0.0), 1), [0.0, 0.0, 0.3]); // G18: abscissa Z
+    assert_eq!(ball_offset(&probe, Degrees(90.0), 0), [0.0, 0.0, 0.3]); // G19: ordinate Z
 }
 
 // oracle: definition: a signal that would come after the end of the way is none

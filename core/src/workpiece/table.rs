@@ -2,12 +2,12 @@
 
 use super::{PartErrors, Solid};
 use crate::control::Control;
-use crate::geometry::{Rpy, V3, rigid};
+use crate::geometry::{Degrees, Rpy, V3, rigid};
 
 impl Control {
     /// A part as it stands now; as it is given it is clamped with all rotary axes at 0.
     pub fn on_table(&self, solid: &Solid) -> Solid {
-        if self.rotary == [0.0; 3] {
+        if self.rotary == [Degrees(0.0); 3] {
             return solid.clone();
         }
         let turn = self.table_turn();
@@ -33,7 +33,7 @@ mod tests {
     fn a_positive_angle_turns_the_table_clockwise() {
         let mut control = delivery(Dialect::Sinumerik);
         control.rotary_centre = [10.0, 0.0, 0.0];
-        control.rotary[2] = 90.0;
+        control.rotary[2] = Degrees(90.0);
         let solid = Solid {
             shape: Shape::Sphere { diameter: 5.0 },
             at: [30.0, 0.0, 7.0],

@@ -54,14 +54,14 @@ pub struct Cutter {
     pub teeth: u32,
     /// Where the first tooth stands with the spindle at 0, degree.
     #[serde(default)]
-    pub angle: f64,
+    pub angle: Degrees,
     /// How far the axis of the cutter stands beside that of the spindle, and how much lower than in the mean a tooth in
     /// that direction stands, mm. A smooth cutter has neither.
     #[serde(default)]
     pub runout: [f64; 2],
     /// In which direction, with the spindle at 0, degree.
     #[serde(default)]
-    pub runout_angle: f64,
+    pub runout_angle: Degrees,
     /// Axis of the plane along which it stands, its end in minus direction: 0 abscissa, 1 ordinate, 2 applicate.
     #[serde(default = "applicate")]
     pub axis: usize,
@@ -90,8 +90,8 @@ pub struct Nose {
 /// How the spindle stands in which a cutter is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Spindle {
-    /// It stands turned by this angle, degree, positive from abscissa to ordinate of the cutter's own plane.
-    Stands(f64),
+    /// It stands turned by this angle, positive from abscissa to ordinate of the cutter's own plane.
+    Stands(Degrees),
     /// It turns: the highest edge comes by everywhere.
     Turns,
 }
@@ -102,8 +102,8 @@ pub fn in_plane(axes: [usize; 3], parts: [f64; 3]) -> V3 {
 }
 
 /// Direction across an axis of the machine: 0 is the next axis of X, Y, Z, 90 degree the one behind it.
-pub fn across(axis: usize, degrees: f64) -> V3 {
-    let (sine, cosine) = Degrees(degrees).sin_cos();
+pub fn across(axis: usize, angle: Degrees) -> V3 {
+    let (sine, cosine) = angle.sin_cos();
     V3::ith((axis + 1) % 3, 1.0) * cosine + V3::ith((axis + 2) % 3, 1.0) * sine
 }
 
@@ -174,27 +174,27 @@ impl Cutter {
             corner: 0.0,
             chamfer: [0.0; 2],
             teeth: 0,
-            angle: 0.0,
+            angle: Degrees(0.0),
             runout: [0.0; 2],
-            runout_angle: 0.0,
+            runout_angle: Degrees(0.0),
             axis: 2,
             disc: 0.0,
         }
     }
 
-    /// The teeth as the spindle carries them: distance from its axis, direction with the spindle at 0 (degree), and how
-    /// much lower than in the mean, mm.
-    pub fn edges(&self) -> Vec<[f64; 3]> {
-        let (away_sine, away_cosine) = Degrees(self.runout_angle).sin_cos();
+    /// The teeth as the spindle carries them: distance from its axis, direction with the spindle at 0, and how much
+    /// lower than in the mean, mm.
+    pub fn edges(&self) -> Vec<(f64, Degrees, f64)> {
+        let (away_sine, away_cosine) = self.runout_angle.sin_cos();
         let [aside, lower] = self.runout;
         let tooth = |number: u32| {
-            let angle = self.angle + 360.0 * f64::from(number) / f64::from(self.teeth);
-            let (sine, cosine) = Degrees(angle).sin_cos();
+            let angle = self.angle + Degrees(360.0 * f64::from(number) / f64::from(self.teeth));
+            let (sine, cosine) = angle.sin_cos();
             let x = self.radius * cosine + aside * away_cosine;
             let y = self.radius * sine + aside * away_sine;
-            let direction = if aside == 0.0 { angle } else { y.atan2(x).to_degrees() };
+            let direction = if aside == 0.0 { angle } else { Degrees::of(y.atan2(x)) };
             let drop = lower * (cosine * away_cosine + sine * away_sine);
-            [x.hypot(y), direction, drop]
+            (x.hypot(y), direction, drop)
         };
         (0..self.teeth).map(tooth).collect()
     }
@@ -225,17 +225,17 @@ impl Cutter {
 
     fn pieces(&self, point: V3, axes: [usize; 3], spindle: Spindle) -> Vec<Piece> {
         let (along, body) = self.stands(axes);
-        let piece = |[radius, direction, drop]: [f64; 3], round: bool| Piece::Turned {
+        let piece = |(radius, direction, drop), round: bool| Piece::Turned {
             end: point - V3::ith(along, 1.0) * drop,
             up: body,
             out: (!round).then(|| across(along, direction)),
             profile: self.profile(radius),
         };
         match spindle {
-            _ if self.teeth == 0 => vec![piece([self.radius, 0.0, 0.0], true)],
+            _ if self.teeth == 0 => vec![piece((self.radius, Degrees(0.0), 0.0), true)],
             Spindle::Turns => self.edges().into_iter().map(|edge| piece(edge, true)).collect(),
             Spindle::Stands(angle) => {
-                let turned = |[radius, direction, drop]: [f64; 3]| [radius, direction + angle, drop];
+                let turned = |(radius, direction, drop)| (radius, direction + angle, drop);
                 let edges = self.edges().into_iter().map(turned);
                 edges.map(|edge| piece(edge, false)).collect()
             }

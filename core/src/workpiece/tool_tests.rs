@@ -88,15 +88,15 @@ fn a_tooth_that_stands_touches_where_it_points() {
     // oracle: hand: two teeth at 30 and 210 degree reach 18·cos 30 along the abscissa; along the ordinate they are
     // wider than the cube, whose edge 10 mm beside the middle the one at 30 degree meets, there 10·tan 30 before the
     // axis
-    let tool = mill(Cutter { teeth: 2, angle: 20.0, ..Cutter::smooth(18.0) });
+    let tool = mill(Cutter { teeth: 2, angle: Degrees(20.0), ..Cutter::smooth(18.0) });
     let (sine, cosine) = Degrees(30.0).sin_cos();
     for plane in PLANES {
         let probe = cube(plane);
         let way = |spindle, from, to| way(&probe, &tool, plane, spindle, from, to);
         let across = |spindle| way(spindle, [90.0, 31.0, 76.0], [39.0, 31.0, 76.0]);
-        near(across(Spindle::Stands(10.0)), 41.0 - 18.0 * cosine);
+        near(across(Spindle::Stands(Degrees(10.0))), 41.0 - 18.0 * cosine);
         near(across(Spindle::Turns), 41.0 - 18.0);
-        let other = way(Spindle::Stands(10.0), [39.0, -30.0, 76.0], [39.0, 31.0, 76.0]);
+        let other = way(Spindle::Stands(Degrees(10.0)), [39.0, -30.0, 76.0], [39.0, 31.0, 76.0]);
         near(other, 51.0 - 10.0 * sine / cosine);
     }
 }
@@ -107,7 +107,7 @@ fn a_cutter_that_runs_out_touches_with_its_highest_edge() {
     // tooth in that direction stands 0.2 mm lower
     let runs_out = |runout_angle| mill(Cutter { teeth: 2, runout: [0.3, 0.2], runout_angle, ..Cutter::smooth(5.0) });
     for (angle, reach, low) in [(90.0, 25.09_f64.sqrt(), 0.0), (0.0, 5.3, 0.2), (180.0, 5.3, 0.2)] {
-        let tool = runs_out(angle);
+        let tool = runs_out(Degrees(angle));
         let way = |from, to| way(&cube(Plane::G17), &tool, Plane::G17, Spindle::Turns, from, to);
         near(way([90.0, 31.0, 76.0], [39.0, 31.0, 76.0]), 41.0 - reach);
         near(way([39.0, 31.0, 90.0], [39.0, 31.0, 70.0]), 10.0 - low);
@@ -181,14 +181,14 @@ fn a_turning_tool_touches_with_its_nose() {
         let centred = 31.0 + nose.side[1] * nose.radius;
         let (from, to) = ([from, centred, 76.0], [39.0, centred, 76.0]);
         let probe = cube(Plane::G18);
-        let found = way(&probe, &tool, Plane::G18, Spindle::Stands(0.0), from, to);
+        let found = way(&probe, &tool, Plane::G18, Spindle::Stands(Degrees(0.0)), from, to);
         near(found, (face - from[0]).abs());
     }
     let nose = Nose { radius: 0.8, side: side(3, false) };
     let tool = Tool { length: [0.0; 3], cut: Cut::Nose(nose) };
     let probe = cube(Plane::G18);
     let (from, to) = ([0.0, 30.2, 76.0], [39.0, 30.2, 76.0]);
-    let found = way(&probe, &tool, Plane::G18, Spindle::Stands(0.0), from, to);
+    let found = way(&probe, &tool, Plane::G18, Spindle::Stands(Degrees(0.0)), from, to);
     near(found, 29.0 - 1.6);
 }
 
@@ -271,14 +271,14 @@ proptest! {
         corner in 0.0..4.0_f64,
         spindle in prop::option::of(0.0..360.0_f64),
     ) {
-        let tool = mill(Cutter { teeth: 3, angle: 7.0, corner, chamfer: [0.5, 1.0], runout: [0.05, 0.02],
+        let tool = mill(Cutter { teeth: 3, angle: Degrees(7.0), corner, chamfer: [0.5, 1.0], runout: [0.05, 0.02],
             ..Cutter::smooth(6.0) });
         let from = [40.0 + start[0], start[1], start[2]];
         let to = [-10.0, start[1] / 2.0, -6.0];
         let mut probe = if round { disc(Plane::G17) } else { cube(Plane::G17) };
         probe.solid.at = [0.0; 3];
         let reach = |probe: &ToolProbe, turned: f64, from: [f64; 3], to: [f64; 3]| {
-            let spindle = spindle.map_or(Spindle::Turns, |angle| Spindle::Stands(angle + turned));
+            let spindle = spindle.map_or(Spindle::Turns, |angle| Spindle::Stands(Degrees(angle + turned)));
             way(probe, &tool, Plane::G17, spindle, from, to)
         };
         let here = reach(&probe, 0.0, from, to);

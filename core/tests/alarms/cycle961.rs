@@ -2,6 +2,7 @@
 
 use super::table::{Case, Table, case, program};
 use super::workpiece;
+use probewright_core::geometry::Degrees;
 use probewright_core::machine::Setup;
 use probewright_core::workpiece::Shape;
 
@@ -32,7 +33,7 @@ const OWN: &[(u32, &str)] = &[
 ];
 
 fn setup() -> Setup {
-    let corner = Shape::OuterCorner { angle: 90.0, length: [200.0; 2], height: 50.0 };
+    let corner = Shape::OuterCorner { angle: Degrees(90.0), length: [200.0; 2], height: 50.0 };
     workpiece::setup(corner, [-14.0, -15.0, -10.0])
 }
 

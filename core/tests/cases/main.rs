@@ -207,7 +207,7 @@ fn orientations(outcome: &Outcome) -> Vec<f64> {
     let steps = outcome.trace.entries.iter().map(|entry| &entry.step);
     steps
         .filter_map(|step| match step {
-            Step::Orient { angle } => Some(*angle),
+            Step::Orient { angle } => Some(angle.0),
             _ => None,
         })
         .collect()

@@ -5,6 +5,7 @@ use super::bench::{PLANES, Values, at, inputs, near, place, result, run, with};
 use probewright_core::control::{Frame, Plane};
 use probewright_core::diagnostic::Code;
 use probewright_core::dialect::Dialect;
+use probewright_core::geometry::Degrees;
 use probewright_core::machine::trace::Step;
 use probewright_core::machine::{Setup, Stop};
 use probewright_core::run::predict;
@@ -111,7 +112,7 @@ fn the_next_measurement_finds_the_same_surface() {
                 let what = format!("{rig:?} {angle} {late}");
                 let mut setup = rig.setup();
                 setup.probe.pre_travel.0 = late;
-                setup.control.spindle = angle;
+                setup.control.spindle = Degrees(angle);
                 let sense = rig.approach();
                 // a late signal is unknown to a probe that was never calibrated, before and afterwards
                 let found = SHIFT + sense * late;
@@ -119,7 +120,7 @@ fn the_next_measurement_finds_the_same_surface() {
                 near(rig.measured(&mut setup, 0), found, 1e-9, &what);
                 let stored = setup.control.number(&format!("_WP[0,{}]", 7 + rig.axis));
                 let seen = if rig.mirrored { -stored } else { stored };
-                setup.control.spindle = (angle + 180.0) % 360.0;
+                setup.control.spindle = Degrees((angle + 180.0) % 360.0);
                 near(rig.measured(&mut setup, 0), found + 2.0 * seen, 1e-9, &what);
                 near(rig.measured(&mut setup, 1100), found, 1e-9, &what);
                 near(rig.measured(&mut setup, 100), found, 1e-9, &what);
@@ -135,7 +136,7 @@ fn a_calibration_finds_the_same_values() {
         for angle in [0.0, 180.0] {
             let what = format!("{rig:?} {angle}");
             let mut setup = rig.setup();
-            setup.control.spindle = angle;
+            setup.control.spindle = Degrees(angle);
             rig.measured(&mut setup, 1000);
             let names = [rig.trigger(), format!("_WP[0,{}]", 7 + rig.axis)];
             let before = names.clone().map(|name| setup.control.number(&name));

@@ -97,7 +97,7 @@ fn steps(outcome: &Outcome) -> Vec<(String, [f64; 3])> {
     let told = entries.filter_map(|entry| match &entry.step {
         Step::Motion { kind, to, .. } => Some((format!("{kind:?}"), to.0)),
         Step::Touch { latched, by, .. } => Some((format!("{by:?}"), latched.0)),
-        Step::Orient { angle } => Some(("turn".to_owned(), [*angle, 0.0, 0.0])),
+        Step::Orient { angle } => Some(("turn".to_owned(), [angle.0, 0.0, 0.0])),
         Step::Crash { point, by, .. } => Some((format!("crash {by:?}"), point.0)),
         _ => None,
     });

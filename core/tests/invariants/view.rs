@@ -165,7 +165,7 @@ impl View {
             if let Shape::OuterCorner { angle, length, .. } | Shape::InnerCorner { angle, length, .. } = &mut seen.shape
             {
                 length.reverse();
-                own *= rotation(Rpy([0.0, 0.0, -*angle])).matrix();
+                own *= rotation(Rpy::about(2, -*angle)).matrix();
             }
             seen.rotation = turned(turn * own);
         }

@@ -213,7 +213,7 @@ fn arcs_go_on_round_their_centre() {
     let outcome = clean_on(&setup(), &format!("{BEGIN}G0 X60 Y0\nG41 G1 X25\nG2 X25 Y0 I-25 J0 Z-5\nG40 G1 X60"));
     let found = routes(&outcome);
     let round = found[2].1;
-    assert_eq!(round.around.unwrap().degrees, -360.0);
+    assert_eq!(round.around.unwrap().degrees.0, -360.0);
     near(round.to[2], -5.0, "helix");
     for part in [0.1, 0.4, 0.9] {
         let [x, y, _] = round.at(part).0;

@@ -4,7 +4,7 @@ use super::{at, clean, fault, go, near, number, setup};
 use probewright_core::diagnostic::Severity;
 use probewright_core::dialect::Dialect;
 use probewright_core::geometry::rigid::rotation;
-use probewright_core::geometry::{Mcs, Rpy};
+use probewright_core::geometry::{Degrees, Mcs, Rpy};
 use probewright_core::machine::Setup;
 use probewright_core::machine::trace::Step;
 use probewright_core::run::{Limits, run};
@@ -93,7 +93,7 @@ fn the_swivel_cycle_turns_the_part_level() {
     let tables = outcome.trace.entries.iter();
     let turned: Vec<_> = tables
         .filter_map(|entry| match &entry.step {
-            Step::Table { axis, to, solids, .. } => Some((*axis, *to, solids[0].rotation[0])),
+            Step::Table { axis, to, solids, .. } => Some((*axis, to.0, solids[0].rotation[0])),
             _ => None,
         })
         .collect();
@@ -136,7 +136,7 @@ fn the_swivel_cycle_gives_the_plane_up() {
         );
         let outcome = clean(&text);
         assert_eq!(outcome.position, [7.0, 3.0, 0.0], "{up}");
-        assert_eq!(outcome.control.rotary, [0.0, 0.0, 90.0], "{up}");
+        assert_eq!(outcome.control.rotary, [0.0, 0.0, 90.0].map(Degrees), "{up}");
         near(outcome.control.number("R1"), -90.0, up);
         near(outcome.control.number("R2"), 0.0, up);
     }

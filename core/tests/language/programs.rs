@@ -53,7 +53,7 @@ fn positions(outcome: &Outcome) -> Vec<[f64; 4]> {
     for entry in &outcome.trace.entries {
         match entry.step {
             Step::Motion { to, .. } => now = [to[0], to[1], to[2], now[3]],
-            Step::Table { to, .. } => now[3] = to,
+            Step::Table { to, .. } => now[3] = to.0,
             _ => continue,
         }
         all.push(now);

@@ -34,7 +34,7 @@ fn the_spindle_is_turned() {
     let angles = |text: &str| {
         let steps = clean(text).trace.entries.into_iter();
         let angles = steps.filter_map(|entry| match entry.step {
-            Step::Orient { angle } => Some(angle),
+            Step::Orient { angle } => Some(angle.0),
             _ => None,
         });
         angles.collect::<Vec<_>>()
@@ -46,7 +46,7 @@ fn the_spindle_is_turned() {
 #[test]
 fn addresses_may_be_written_with_an_index() {
     let outcome = clean("S[1]=500 M[1]=3\nSPOS[1]=AC(90)\nSPOSA[1]=IC(-30)");
-    assert_eq!(outcome.control.spindle, 60.0);
+    assert_eq!(outcome.control.spindle.0, 60.0);
     at("DEF AXIS WAY=(Y)\nG0 AX[WAY]=7\nAX[X]=IC(2)", [2.0, 7.0, 0.0]);
     for told in ["SPOS[2]=45", "POS[U]=100", "DISC=50"] {
         assert!(findings(told).iter().all(|key| key == "run-not-simulated"), "{told}");

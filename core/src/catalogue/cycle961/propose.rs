@@ -7,6 +7,7 @@ use crate::catalogue::place;
 use crate::control::Control;
 use crate::entry::{Inputs, Proposal, names};
 use crate::evaluate::spread::Touched;
+use crate::geometry::Degrees;
 use crate::workpiece::{Shape, Solid};
 
 /// Measuring depth of the ball centre below the face where `_ID` does not decide it, mm.
@@ -157,7 +158,7 @@ fn solid(inputs: &Inputs, control: &Control, nominal: &Nominal, touches: &[Touch
         furthest + beyond
     };
     let length = [reach(nominal.corner, one, other), reach(nominal.corner, other, one)];
-    let angle = sine.atan2(cosine).to_degrees();
+    let angle = Degrees::of(sine.atan2(cosine));
     let shape = if OUTSIDE.holds(inputs) {
         Shape::OuterCorner { angle, length, height }
     } else {

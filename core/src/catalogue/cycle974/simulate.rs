@@ -7,6 +7,7 @@ use crate::catalogue::sinumerik::one_point::OnePoint;
 use crate::catalogue::sinumerik::target::Target;
 use crate::catalogue::sinumerik::until_done;
 use crate::entry::{Inputs, names};
+use crate::geometry::Degrees;
 use crate::machine::{Machine, Stop};
 
 /// Runs the cycle from the present position, which is opposite the point.
@@ -41,8 +42,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
 fn both_sides(machine: &mut dyn Machine, inputs: &Inputs, block: &Block, point: &Point) -> Result<f64, Stop> {
     let mut sum = 0.0;
     for further in [0.0, 180.0] {
-        let angle = inputs.number(names::STA1) + further;
-        machine.orient(angle.rem_euclid(360.0));
+        machine.orient(Degrees(inputs.number(names::STA1) + further).positive());
         sum += block.measure(machine, point)?;
     }
     Ok(sum / 2.0)

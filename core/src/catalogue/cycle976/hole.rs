@@ -10,7 +10,7 @@ use crate::catalogue::sinumerik::calibration;
 use crate::catalogue::sinumerik::calibration::{Calibration, Trigger};
 use crate::catalogue::sinumerik::measuring_block::{Block, Ray};
 use crate::entry::{Inputs, names};
-use crate::geometry::Wcs;
+use crate::geometry::{Degrees, Wcs};
 use crate::machine::{Machine, Stop};
 
 /// A hole to be touched.
@@ -77,7 +77,7 @@ impl Hole<'_> {
     /// which begins nearer to the centre, counts.
     fn reversed(&self, machine: &mut dyn Machine) -> Result<(Vec<Touch>, [f64; 2]), Stop> {
         let usual = machine.control().spindle;
-        let reversed = self.block.reverse(machine, usual + 180.0);
+        let reversed = self.block.reverse(machine, usual + Degrees(180.0));
         let turned = self.run(machine, [0.0; 2])?;
         let first = self.middle(&turned);
         self.block.reverse(machine, usual);

@@ -7,7 +7,7 @@ use crate::catalogue::sinumerik::testing::{
 };
 use crate::control::Plane;
 use crate::entry::{Inputs, names};
-use crate::geometry::{Mcs, Rpy, Wcs};
+use crate::geometry::{Degrees, Mcs, Rpy, Wcs};
 use crate::machine::sim::Sim;
 use crate::machine::trace::MotionKind;
 use crate::machine::{Setup, Stop};
@@ -112,7 +112,7 @@ proptest! {
         let side = if plus { 1.0 } else { -1.0 };
         let mut setup = ready(Plane::G17, axis, side, error);
         setup.probe.skew[axis] = skew;
-        setup.control.spindle = 180.0 * f64::from(turned);
+        setup.control.spindle = Degrees(180.0 * f64::from(turned));
         (0..9).for_each(|i| setup.control.set(format!("_WP[0,{i}]"), 0.0));
         let mut sim = Sim::new(&setup);
         prop_assert_eq!(run(&mut sim, &inputs(1000, axis, side)), Ok(()));

@@ -102,7 +102,7 @@ fn measure(machine: &mut dyn Machine, block: &Block, element: &Element) -> Resul
     for (index, angle) in element.angles.iter().enumerate() {
         let ray = element.ray(*angle, block.path);
         if index > 0 {
-            onward(machine, block, element, &ray, element.step)?;
+            onward(machine, block, element, &ray, Degrees(element.step))?;
         }
         balls.push(block.ball_along(machine, &ray)?);
     }
@@ -111,7 +111,13 @@ fn measure(machine: &mut dyn Machine, block: &Block, element: &Element) -> Resul
 
 /// To the next point: on the circle, straight through a groove, over a web (B:6907-6933). The ball, not the spindle
 /// axis, keeps to the line.
-fn onward(machine: &mut dyn Machine, block: &Block, element: &Element, ray: &Ray, degrees: f64) -> Result<(), Stop> {
+fn onward(
+    machine: &mut dyn Machine,
+    block: &Block,
+    element: &Element,
+    ray: &Ray,
+    degrees: Degrees,
+) -> Result<(), Stop> {
     match (element.round, element.inside) {
         (true, _) => block.travel_around(machine, element.centre, degrees, element.feed),
         (false, true) => Ok(()),
@@ -137,5 +143,5 @@ fn back(machine: &mut dyn Machine, block: &Block, element: &Element) -> Result<(
     let Some(first) = element.angles.first() else { return Ok(()) };
     let steps = (element.angles.len() - 1) as f64;
     let ray = element.ray(*first, block.path);
-    onward(machine, block, element, &ray, -steps * element.step)
+    onward(machine, block, element, &ray, Degrees(-steps * element.step))
 }

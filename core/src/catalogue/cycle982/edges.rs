@@ -4,6 +4,7 @@ use super::params::{DRILL, REVERSAL, SPINDLE_AS_IT_IS};
 use crate::catalogue::sinumerik::alarm;
 use crate::catalogue::sinumerik::measuring_block::turnable;
 use crate::entry::{Inputs, names};
+use crate::geometry::Degrees;
 use crate::machine::{Machine, Stop};
 
 /// Turn from one edge to the one opposite, degree.
@@ -46,10 +47,10 @@ impl Edges {
     ) -> Result<f64, Stop> {
         let Some(start) = self.start else { return touch(machine) };
         let first = start + if turned && self.second.is_none() { OPPOSITE } else { 0.0 };
-        machine.orient(first.rem_euclid(360.0));
+        machine.orient(Degrees(first).positive());
         let latched = touch(machine)?;
         let Some(offset) = self.second else { return Ok(latched) };
-        machine.orient((start + OPPOSITE + offset).rem_euclid(360.0));
+        machine.orient(Degrees(start + OPPOSITE + offset).positive());
         Ok((latched + touch(machine)?) / 2.0)
     }
 }

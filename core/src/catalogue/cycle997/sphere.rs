@@ -102,7 +102,7 @@ impl Plan<'_> {
                 self.height(machine, applicate - self.tip)?;
             } else {
                 let [step, feed] = [names::INCA, names::RF].map(|name| self.inputs.number(name));
-                self.block.travel_around(machine, [x, y], step, feed)?;
+                self.block.travel_around(machine, [x, y], Degrees(step), feed)?;
             }
             balls.push(self.block.ball_along(machine, &ray)?);
         }

@@ -55,7 +55,7 @@ impl Correction {
         };
         results::angle(machine, 20, amount);
         if let (Some(target), Some(axis)) = (self.target, self.rotary) {
-            let writes = zero_offset::rotary(machine.control(), &target, axis, amount);
+            let writes = zero_offset::rotary(machine.control(), &target, axis, Degrees(amount));
             return correct::frame(machine, &target, &writes);
         }
         let turn = about(machine.control(), surface.third(), Degrees(amount));

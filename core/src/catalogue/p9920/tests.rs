@@ -5,7 +5,7 @@ use super::{CALIBRATE, DEPRESSED, DIAMETER, INCORRECT, LENGTH, MEASURING_DEVICE,
 use crate::catalogue::nct::bench::{PLANES, call, length, near};
 use crate::control::{Edge, Plane, Units};
 use crate::diagnostic::Code;
-use crate::geometry::{Mcs, Rpy};
+use crate::geometry::{Degrees, Mcs, Rpy};
 use crate::machine::trace::{MotionKind, Step};
 use crate::machine::{Setup, Stop};
 use crate::run::Outcome;
@@ -151,8 +151,10 @@ proptest! {
 #[test]
 fn a_turning_tool_shows_its_widest_edge() {
     let probe = calibrated(&machine(Plane::G17));
-    let two =
-        |angle: f64| Tool { cut: Cut::Cutter(Cutter { teeth: 2, angle, ..Cutter::smooth(6.0) }), ..cutter(6.0, 90.0) };
+    let two = |angle: f64| {
+        let cutter = Cutter { teeth: 2, angle: Degrees(angle), ..Cutter::smooth(6.0) };
+        Tool { cut: Cut::Cutter(cutter), ..self::cutter(6.0, 90.0) }
+    };
     let setup = with_tool(&probe, two(90.0));
     for (turning, widest) in [("13", true), ("14", true), ("3", true), ("5", false)] {
         let values = [("K", "4"), ("D", "12"), ("M", turning)];

@@ -4,6 +4,7 @@
 use super::measuring_block::{Block, Point};
 use super::{alarm, results};
 use crate::entry::{Inputs, names};
+use crate::geometry::Degrees;
 use crate::machine::{Machine, Stop};
 
 /// What the two touches tell.
@@ -24,9 +25,9 @@ pub fn twice(machine: &mut dyn Machine, inputs: &Inputs, block: &Block, point: &
     }
     let plain = block.uncalibrated();
     let angle = machine.control().spindle;
-    machine.orient((angle + 180.0).rem_euclid(360.0));
+    machine.orient((angle + Degrees(180.0)).positive());
     let turned = plain.latch(machine, point)?;
-    machine.orient(angle.rem_euclid(360.0));
+    machine.orient(angle.positive());
     let straight = plain.latch(machine, point)?;
     // The latched position is the surface minus radius and minus the skew, which changes its sign with the spindle.
     let skew = (turned - straight) / 2.0;

@@ -244,11 +244,11 @@ impl Block {
         machine.travel(to, MotionKind::Retract, feed, false)
     }
 
-    /// Turns the spindle under a multi probe, degree; false: a mono probe stands as the direction of probing wants.
-    pub fn reverse(&self, machine: &mut dyn Machine, angle: f64) -> bool {
+    /// Turns the spindle under a multi probe; false: a mono probe stands as the direction of probing wants.
+    pub fn reverse(&self, machine: &mut dyn Machine, angle: Degrees) -> bool {
         let multi = self.spindle == Spindle::Stays;
         if multi {
-            machine.orient(angle.rem_euclid(360.0));
+            machine.orient(angle.positive());
         }
         multi
     }
@@ -257,7 +257,7 @@ impl Block {
     fn orient(&self, machine: &mut dyn Machine, angle: f64) {
         if let Spindle::Follows(offset) = self.spindle {
             let seen = on_machine(machine.control(), angle);
-            machine.orient((offset - seen).rem_euclid(360.0));
+            machine.orient(Degrees(offset - seen).positive());
         }
     }
 }

@@ -142,7 +142,7 @@ pub fn alarms(sim: &Sim) -> Vec<u32> {
 /// Angles to which the spindle was turned, in order.
 pub fn turns(sim: &Sim) -> Vec<f64> {
     told(sim, |step| match step {
-        Step::Orient { angle } => Some(*angle),
+        Step::Orient { angle } => Some(angle.0),
         _ => None,
     })
 }

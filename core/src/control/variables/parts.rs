@@ -2,6 +2,7 @@
 
 use super::place::{Part, Quantity, axis_and_part};
 use crate::control::{Edge, Frame};
+use crate::geometry::Degrees;
 
 /// Component of a frame by the names of its axis and its part; none: there is no such component.
 pub fn component(frame: &Frame, axis: &str, part: &str) -> Option<f64> {
@@ -21,8 +22,8 @@ pub(super) fn part_of(frame: &Frame, part: Part, axis: usize) -> f64 {
         Part::Coarse => frame.coarse[axis],
         Part::Fine => frame.fine[axis],
         Part::Rotation => frame.rotation[axis],
-        Part::Rotary => frame.rotary[axis],
-        Part::RotaryFine => frame.rotary_fine[axis],
+        Part::Rotary => frame.rotary[axis].0,
+        Part::RotaryFine => frame.rotary_fine[axis].0,
         Part::Scale => frame.scale[axis],
         Part::Mirror => f64::from(u8::from(frame.mirror[axis])),
     }
@@ -33,8 +34,8 @@ pub(super) fn set_part(frame: &mut Frame, part: Part, axis: usize, value: f64) {
         Part::Coarse => frame.coarse[axis] = value,
         Part::Fine => frame.fine[axis] = value,
         Part::Rotation => frame.rotation[axis] = value,
-        Part::Rotary => frame.rotary[axis] = value,
-        Part::RotaryFine => frame.rotary_fine[axis] = value,
+        Part::Rotary => frame.rotary[axis] = Degrees(value),
+        Part::RotaryFine => frame.rotary_fine[axis] = Degrees(value),
         Part::Scale => frame.scale[axis] = value,
         Part::Mirror => frame.mirror[axis] = value != 0.0,
     }

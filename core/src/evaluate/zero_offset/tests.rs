@@ -4,7 +4,7 @@
 use super::*;
 use crate::control::delivery;
 use crate::dialect::Dialect;
-use crate::geometry::{Rpy, Wcs};
+use crate::geometry::{Degrees, Rpy, Wcs};
 
 fn control() -> Control {
     let mut control = delivery(Dialect::Sinumerik);
@@ -121,20 +121,20 @@ fn a_table_stands_right_in_the_corrected_basic_frame_with_g500() {
     // rest, and the angle of 0.25
     let mut control = control();
     let about_z = |rotary: f64, rotary_fine: f64| Frame {
-        rotary: [0.0, 0.0, rotary],
-        rotary_fine: [0.0, 0.0, rotary_fine],
+        rotary: [0.0, 0.0, rotary].map(Degrees),
+        rotary_fine: [0.0, 0.0, rotary_fine].map(Degrees),
         ..Frame::default()
     };
     control.frames.insert(0, about_z(2.0, 0.0));
     control.frames.insert(1, about_z(3.0, 0.5));
     control.channel_basic.insert(0, about_z(10.0, 0.0));
     control.activate(1);
-    let stood = control.rotary_to_machine(2, 5.0);
+    let stood = control.rotary_to_machine(2, Degrees(5.0)).0;
     let target = target(&control, 1000).unwrap().unwrap();
-    let writes = rotary(&control, &target, 2, 0.25);
+    let writes = rotary(&control, &target, 2, Degrees(0.25));
     write_all(&mut control, &writes);
     control.activate(0);
-    assert!((control.rotary_to_machine(2, 5.0) - stood - 0.25).abs() < 1e-12);
+    assert!((control.rotary_to_machine(2, Degrees(5.0)).0 - stood - 0.25).abs() < 1e-12);
 }
 
 #[test]

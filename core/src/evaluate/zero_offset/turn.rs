@@ -4,7 +4,7 @@
 use super::{Measured, SAME, Store, Target, around, coarse, missing, part};
 use crate::control::{AXES, Control, Frame, ROTARY};
 use crate::evaluate::Write;
-use crate::geometry::{Rpy, rigid};
+use crate::geometry::{Degrees, Rpy, rigid};
 use nalgebra::{IsometryMatrix3, Matrix3, Rotation3, Vector3};
 
 /// A direction of the present WCS as it is seen when the frame to be corrected is active as it is stored.
@@ -47,35 +47,37 @@ pub fn placed(control: &Control, target: &Target, rotation: Rpy, measured: &Meas
     writes
 }
 
-/// What writes an angle (degree) to the translation of a rotary axis, in addition to what is in effect (B:7410-7411):
+/// What writes an angle to the translation of a rotary axis, in addition to what is in effect (B:7410-7411):
 /// into the fine part with MD18600 = 1, else into the coarse part (B:1990-2003).
-pub fn rotary(control: &Control, target: &Target, axis: usize, angle: f64) -> Vec<Write> {
+pub fn rotary(control: &Control, target: &Target, axis: usize, angle: Degrees) -> Vec<Write> {
     let (_, stored, _) = around(control, target);
     let settable = (Store::Settable(control.settable), &control.active);
     let mut in_effect = control.basic_in_effect().chain([settable]);
     let effective = in_effect.find(|(store, _)| *store == target.store).map_or(stored, |(_, frame)| *frame);
-    let with = |mut values: [f64; 3], value: f64| {
+    let with = |mut values: [Degrees; 3], value: Degrees| {
         values[axis] = value;
         values
     };
+    let plain = |values: [Degrees; 3]| values.map(|angle| angle.0);
+    let rotary_part = |name, now, before| part(target, &ROTARY, name, plain(now), plain(before));
     let (coarse, fine) = (effective.rotary[axis], effective.rotary_fine[axis]);
     let angle = angle + given_up(control, target, axis);
     if target.store != Store::System && control.number("MD18600") != 0.0 {
         let changed = with(stored.rotary_fine, fine + angle);
-        return part(target, &ROTARY, "FI", changed, stored.rotary_fine);
+        return rotary_part("FI", changed, stored.rotary_fine);
     }
     let changed = with(stored.rotary, coarse + fine + angle);
-    let mut writes = part(target, &ROTARY, "TR", changed, stored.rotary);
-    let erased = with(stored.rotary_fine, 0.0);
-    writes.extend(part(target, &ROTARY, "FI", erased, stored.rotary_fine));
+    let mut writes = rotary_part("TR", changed, stored.rotary);
+    let erased = with(stored.rotary_fine, Degrees(0.0));
+    writes.extend(rotary_part("FI", erased, stored.rotary_fine));
     writes
 }
 
-/// By how much less a rotary axis is moved (degree) once the frame counts that is reckoned with: `_KNUM` = 1000
+/// By how much less a rotary axis is moved once the frame counts that is reckoned with: `_KNUM` = 1000
 /// replaces the settable frame by that of G500.
-fn given_up(control: &Control, target: &Target, axis: usize) -> f64 {
+fn given_up(control: &Control, target: &Target, axis: usize) -> Degrees {
     if !target.without_settable {
-        return 0.0;
+        return Degrees(0.0);
     }
     let moved = |frame: &Frame| frame.rotary[axis] + frame.rotary_fine[axis];
     moved(&control.active) - moved(&super::stored(control, Store::Settable(0)))

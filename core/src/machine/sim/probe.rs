@@ -3,7 +3,7 @@
 use super::Sim;
 use crate::control::{Edge, LATHE_PROBE};
 use crate::diagnostic::Code;
-use crate::geometry::Mcs;
+use crate::geometry::{Degrees, Mcs};
 use crate::machine::{MotionKind, Obstacle, Route, Step, Stop};
 use crate::message::Message;
 use crate::workpiece::probe::{Stand, ball_offset, touch};
@@ -23,9 +23,9 @@ impl Sim {
         self.control.active_edge().is_some_and(Edge::is_turning)
     }
 
-    /// How far the probe is turned from the abscissa to the ordinate, degree: with the spindle that holds it.
-    fn probe_angle(&self) -> f64 {
-        if self.in_turret() { 0.0 - self.held_at } else { self.control.turned() }
+    /// How far the probe is turned from the abscissa to the ordinate: with the spindle that holds it.
+    fn probe_angle(&self) -> Degrees {
+        if self.in_turret() { Degrees(0.0) - self.held_at } else { self.control.turned() }
     }
 
     /// The probe of a turning machine is as long as its data say when it is first moved, unless the setup tells

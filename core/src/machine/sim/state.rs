@@ -2,7 +2,7 @@
 
 use super::Sim;
 use crate::control::Control;
-use crate::geometry::{Mcs, Wcs};
+use crate::geometry::{Degrees, Mcs, Wcs};
 use crate::workpiece::{Noise, Tool};
 use std::collections::BTreeMap;
 
@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 pub struct State {
     position: Mcs,
     control: Control,
-    turned: f64,
+    turned: Degrees,
     noise: [Noise; 2],
     real_tools: BTreeMap<(i64, i64), Tool>,
     /// Way with the signal watched, as long as a false one is still to come.

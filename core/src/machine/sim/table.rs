@@ -1,42 +1,42 @@
 //! A rotary axis turns the part, and what it meets on its way: the ball of the probe, its stylus and its body.
 
 use super::Sim;
-use crate::geometry::{Around, Mcs, Rod, V3};
+use crate::geometry::{Around, Degrees, Mcs, Rod, V3};
 use crate::machine::{Obstacle, Route, Step, Stop};
 use crate::message::Message;
 use crate::workpiece::{Feeler, Touching, Workpiece};
 
 impl Sim {
-    /// Turns a rotary axis (index A B C) to a position of the machine, degree; the part turns with it. Where it meets
+    /// Turns a rotary axis (index A B C) to a position of the machine; the part turns with it. Where it meets
     /// the probe it stands still and the run ends: no signal is watched on this way.
     ///
     /// # Errors
     /// What the part hit.
-    pub fn turn_table(&mut self, axis: usize, to: f64) -> Result<(), Stop> {
+    pub fn turn_table(&mut self, axis: usize, to: Degrees) -> Result<(), Stop> {
         let Some(from) = self.control.rotary.get(axis).copied() else { return Ok(()) };
-        if !to.is_finite() {
+        if !to.0.is_finite() {
             return Err(Stop::Fault(Message::new("run-not-finite")));
         }
         // after a whole circle everything has passed by
         let turn = Around {
             centre: self.control.rotary_centre,
             axis: self.control.rotary_direction(axis),
-            degrees: (to - from).clamp(-360.0, 360.0),
+            degrees: Degrees((to - from).0.clamp(-360.0, 360.0)),
         };
         let met = self.met_by(&turn);
-        let stop = met.map_or(to, |met| from + met.part * turn.degrees);
+        let stop = met.map_or(to, |met| from + turn.degrees * met.part);
         self.control.rotary[axis] = stop;
         let Workpiece { solids } = self.stands();
         self.note(Step::Table { axis, from, to: stop, solids });
         let Some(met) = met else { return Ok(()) };
-        let back = Around { degrees: -met.part * turn.degrees, ..turn };
+        let back = Around { degrees: turn.degrees * -met.part, ..turn };
         let [point, tip] = [met.point, met.point + met.normal].map(|place| Mcs(back.end(place.0, 0.0)));
         Err(self.crash(&Obstacle { point, normal: tip - point, ..met }))
     }
 
     /// What of the probe a part meets first that turns against `turn`: seen from the part the probe goes round it.
     fn met_by(&mut self, turn: &Around) -> Option<Obstacle> {
-        if !self.has_probe() || turn.degrees == 0.0 {
+        if !self.has_probe() || turn.degrees == Degrees(0.0) {
             return None;
         }
         let ball = self.position + self.ball();

@@ -4,7 +4,7 @@ use super::*;
 use crate::control::{Frame, Plane};
 use crate::diagnostic::Code;
 use crate::dialect::Dialect;
-use crate::geometry::{Mcs, Wcs};
+use crate::geometry::{Degrees, Mcs, Wcs};
 use crate::workpiece::{ProbeBody, Shape, Solid};
 
 /// A cube of 100 mm whose upper face is Z = 0 of the machine.
@@ -112,7 +112,7 @@ fn a_full_trace_ends_the_run() {
 fn turned(ball: [f64; 3]) -> (Sim, Result<(), Stop>) {
     let mut sim = sim();
     sim.position = Mcs(ball);
-    let outcome = sim.turn_table(2, 90.0);
+    let outcome = sim.turn_table(2, Degrees(90.0));
     (sim, outcome)
 }
 
@@ -124,7 +124,7 @@ fn a_part_that_turns_may_meet_the_ball() {
     let (sim, outcome) = turned([0.0, -60.0, -10.0]);
     assert_eq!(outcome, crash);
     assert!((sim.part.distance([0.0, -60.0, -10.0]) - 3.0).abs() < 1e-6);
-    assert!((sim.control.rotary[2] - (53.0_f64 / 60.0).acos().to_degrees()).abs() < 1e-6);
+    assert!((sim.control.rotary[2].0 - (53.0_f64 / 60.0).acos().to_degrees()).abs() < 1e-6);
     let [.., table, last] = &sim.trace.entries[..] else {
         panic!("{:?}", sim.trace);
     };
@@ -135,7 +135,7 @@ fn a_part_that_turns_may_meet_the_ball() {
     assert!(sim.part.distance(point.0).abs() < 0.05, "{point:?}");
     for free in [[0.0, -75.0, -10.0], [0.0, -60.0, 3.1], [0.0, 0.0, 20.0]] {
         let (sim, outcome) = turned(free);
-        assert_eq!((outcome, sim.control.rotary[2]), (Ok(()), 90.0));
+        assert_eq!((outcome, sim.control.rotary[2]), (Ok(()), Degrees(90.0)));
     }
 }
 
@@ -198,7 +198,7 @@ fn a_stylus_on_its_way_is_an_alarm_or_a_crash() {
     // a quarter of a circle about [-30, 0]: the stylus meets the edge where X is 18.65
     let mut round = under_a_plate(None);
     round.position = Mcs([-30.0, -50.0, -20.0]);
-    let around = Around { centre: [-30.0, 0.0, -20.0], axis: [0.0, 0.0, 1.0], degrees: 90.0 };
+    let around = Around { centre: [-30.0, 0.0, -20.0], axis: [0.0, 0.0, 1.0], degrees: Degrees(90.0) };
     let end = [20.0, 0.0, -20.0];
     let stop = round.travel_around(Wcs(end), &around, MotionKind::Positioning, 1000.0, true);
     assert_eq!(stop, Err(Stop::Alarm(Code::Alarm(61302))));
@@ -230,9 +230,9 @@ fn a_stylus_like_a_hair_is_looked_at_in_a_thousand_places() {
     let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
     setup.probe.stylus = Some(1e-9);
     let mut sim = Sim::new(&setup);
-    assert_eq!(sim.turn_table(2, 90.0), Ok(()));
+    assert_eq!(sim.turn_table(2, Degrees(90.0)), Ok(()));
     assert!(sim.effort() < 10_000);
-    let stop = sim.turn_table(2, f64::INFINITY);
+    let stop = sim.turn_table(2, Degrees(f64::INFINITY));
     assert_eq!(stop, Err(Stop::Fault(Message::new("run-not-finite"))));
 }
 

@@ -131,7 +131,7 @@ mod tests {
     use crate::control::{Edge, Plane};
     use crate::diagnostic::Code;
     use crate::dialect::Dialect;
-    use crate::geometry::{Around, Mcs, Wcs};
+    use crate::geometry::{Around, Degrees, Wcs};
     use crate::machine::{Machine, Setup, Stop};
     use crate::workpiece::{Cut, Cutter, Shape, Solid};
 
@@ -167,7 +167,7 @@ mod tests {
         // oracle: hand: teeth at 60 and 240 degree reach 5.2·cos 60, turning ones 5.2
         for (speed, reach) in [(0.0, 2.6), (500.0, 5.2), (-500.0, 5.2)] {
             let mut sim = sim();
-            sim.orient(60.0);
+            sim.orient(Degrees(60.0));
             sim.spin(speed);
             sim.position = Mcs([40.0, 0.0, -5.0]);
             let latched = sim.probe(Wcs([0.0, 0.0, -5.0]), 150.0).unwrap().unwrap();
@@ -193,7 +193,7 @@ mod tests {
         let mut sim = sim();
         sim.spin(500.0);
         sim.position = Mcs([30.0, -40.0, -5.0]);
-        let around = Around { centre: [30.0, -20.0, -5.0], axis: [0.0, 0.0, 1.0], degrees: -180.0 };
+        let around = Around { centre: [30.0, -20.0, -5.0], axis: [0.0, 0.0, 1.0], degrees: Degrees(-180.0) };
         let to = [30.0, 0.0, -5.0];
         let stop = sim.travel_around(Wcs(to), &around, MotionKind::Positioning, 1000.0, true);
         assert_eq!(stop, Err(Stop::Alarm(Code::Alarm(61302))));

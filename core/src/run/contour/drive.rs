@@ -7,6 +7,7 @@ use super::element::{Point, Round};
 use super::plane::Plane;
 use crate::control::tools::side;
 use crate::diagnostic::Span;
+use crate::geometry::Degrees;
 use crate::geometry::arc::Around;
 use crate::machine::Stop;
 use crate::machine::trace::MotionKind;
@@ -148,7 +149,7 @@ fn one(run: &mut Interpreter, plane: &Plane, way: &Way) -> Result<(), Stop> {
     let around = way.round.map(|round| Around {
         centre: seen(round.centre).0,
         axis: plane.up(),
-        degrees: round.sweep.to_degrees(),
+        degrees: Degrees::of(round.sweep),
     });
     let still = around.is_none() && (0..3).all(|i| (to[i] - run.sim.position[i]).abs() < 1e-9);
     if !still {

@@ -66,7 +66,7 @@ impl Plane {
                 }
                 Some(Round {
                     centre: self.split(Mcs(around.centre)).0,
-                    sweep: around.degrees.to_radians() * sense.signum(),
+                    sweep: around.degrees.radians() * sense.signum(),
                 })
             }
             None => None,

@@ -2,7 +2,7 @@
 
 use super::Drawn;
 use crate::control::Plane;
-use crate::geometry::V3;
+use crate::geometry::{Degrees, V3};
 use crate::workpiece::{Cutter, Spindle, tool::across};
 
 /// Radius of the shank of a groove mill, of the core of a cutter with teeth and thickness of a tooth, in radii of its
@@ -23,7 +23,7 @@ pub(super) fn tool(cutter: &Cutter, carrier: V3, plane: Plane, spindle: Option<S
         Some(Spindle::Stands(angle)) => toothed(cutter, along, body, angle),
         _ => {
             let edges = cutter.edges().into_iter();
-            edges.map(|[radius, _, drop]| swept(radius, drop)).collect()
+            edges.map(|(radius, _, drop)| swept(radius, drop)).collect()
         }
     };
     let reach = carrier.dot(&up);
@@ -39,15 +39,15 @@ pub(super) fn tool(cutter: &Cutter, carrier: V3, plane: Plane, spindle: Option<S
 }
 
 /// A cutter that stands: its core, and behind each edge, as M3 turns it, a tooth.
-fn toothed(cutter: &Cutter, along: usize, body: V3, angle: f64) -> Vec<Drawn> {
+fn toothed(cutter: &Cutter, along: usize, body: V3, angle: Degrees) -> Vec<Drawn> {
     let core = cutter.outline(CORE * cutter.radius);
-    let tooth = |[radius, direction, drop]: [f64; 3]| {
+    let tooth = |(radius, direction, drop): (f64, Degrees, f64)| {
         let out = across(along, direction + angle);
         let end = V3::ith(along, 1.0) * -drop;
         let place = |[away, high]: [f64; 2]| end + out * away + body * high;
         Drawn::Plate {
             corners: cutter.outline(radius).into_iter().map(place).collect(),
-            thick: across(along, direction + angle + 90.0) * (TOOTH * radius),
+            thick: across(along, direction + angle + Degrees(90.0)) * (TOOTH * radius),
             cuts: true,
         }
     };

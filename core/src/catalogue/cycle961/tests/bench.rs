@@ -8,7 +8,7 @@ use crate::catalogue::place;
 use crate::catalogue::sinumerik::testing::{at, call, run, setup};
 use crate::control::{Control, Frame, Plane};
 use crate::entry::Inputs;
-use crate::geometry::{Rpy, Wcs};
+use crate::geometry::{Degrees, Rpy, Wcs};
 use crate::machine::Setup;
 use crate::machine::sim::Sim;
 use crate::workpiece::{Shape, Solid};
@@ -70,7 +70,7 @@ impl Case {
         let Real { corner: [x, y], edge, opening } = self.real;
         let clockwise = (opening < 0.0) != self.mirrored();
         let [along, across] = unit(if clockwise { edge + opening } else { edge });
-        let (angle, length) = (opening.abs(), [500.0; 2]);
+        let (angle, length) = (Degrees(opening.abs()), [500.0; 2]);
         let shape = match self.outside() {
             true => Shape::OuterCorner { angle, length, height: 60.0 },
             false => Shape::InnerCorner { angle, length, depth: 60.0 },

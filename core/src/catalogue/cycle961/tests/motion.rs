@@ -5,13 +5,13 @@
 use crate::catalogue::sinumerik::motion_testing::{DEPTH_FEED, Lettered, PLANE_FEED, lettered, same_lettered};
 use crate::catalogue::sinumerik::testing::{at, call, run, setup, solid};
 use crate::control::Plane;
-use crate::geometry::Mcs;
+use crate::geometry::{Degrees, Mcs};
 use crate::machine::sim::Sim;
 use crate::workpiece::Shape;
 
 /// Motions at a right corner at the zero between plus abscissa and plus ordinate, part or pocket.
 fn motions(plane: Plane, variant: i64, values: &[(&'static str, f64)], start: [f64; 3]) -> Vec<Lettered> {
-    let (angle, length) = (90.0, [200.0; 2]);
+    let (angle, length) = (Degrees(90.0), [200.0; 2]);
     let shape = match variant % 2 == 0 {
         true => Shape::OuterCorner { angle, length, height: 50.0 },
         false => Shape::InnerCorner { angle, length, depth: 50.0 },
@@ -112,7 +112,7 @@ fn the_path_is_at_least_twenty_millimetres_before_and_behind() {
     // oracle: manual B:8146-8154, B:7921: a corner 39 mm before the points is reached with _FA = 2, one at 41 mm is not
     let reached = |away: f64| {
         let mut setup = setup(Plane::G17);
-        let (angle, length) = (90.0, [200.0; 2]);
+        let (angle, length) = (Degrees(90.0), [200.0; 2]);
         let shape = Shape::OuterCorner { angle, length, height: 50.0 };
         setup.workpiece.solids.push(solid(Plane::G17, shape, [0.0; 3], false));
         setup.position = Mcs([30.0, 50.0, 20.0]);

@@ -6,7 +6,7 @@ use super::bench::{call, measured, real, setup};
 use crate::catalogue::sinumerik::motion_testing::{DEPTH_FEED, MEASURING_FEED, PLANE_FEED, lettered, same_lettered};
 use crate::catalogue::sinumerik::testing::{at, called, close, motions, stopped};
 use crate::control::Plane;
-use crate::geometry::Mcs;
+use crate::geometry::{Degrees, Mcs};
 use crate::machine::Setup;
 use crate::machine::sim::Sim;
 use crate::machine::trace::{MotionKind, Step};
@@ -230,7 +230,7 @@ fn the_highest_edge_counts_when_the_spindle_turns() {
     for (variant, number, result, wanted) in [(2, 1.0, 10, 5.03), (2, 3.0, 8, 70.02), (1, 1.0, 10, 5.03)] {
         let inputs = call(variant, Plane::G17, &[("_MA", number), ("_ID", 0.0)]);
         let mut setup = setup(&inputs);
-        setup.control.spindle = if variant == 1 { 180.0 } else { 33.0 };
+        setup.control.spindle = Degrees(if variant == 1 { 180.0 } else { 33.0 });
         real(&mut setup, 70.0, cutter.clone());
         let sim = measured(&setup, &inputs);
         close(&sim, &format!("_OVR[{result}]"), wanted);

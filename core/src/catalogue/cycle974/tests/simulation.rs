@@ -8,6 +8,7 @@ use crate::catalogue::sinumerik::testing;
 use crate::catalogue::sinumerik::testing::{Motion, called, close, motions, run, same, stopped};
 use crate::control::{Plane, Transverse, Units};
 use crate::entry::{Inputs, names};
+use crate::geometry::Degrees;
 use crate::machine::sim::Sim;
 use crate::machine::trace::MotionKind;
 use crate::machine::{Setup, Stop};
@@ -240,7 +241,7 @@ fn a_skewed_probe_is_calibrated_away() {
     setup.probe.pre_travel.0 = 0.05;
     setup.control.set("_WP[0,3]", 3.0 - 0.2 - 0.05);
     let mut sim = Sim::new(&setup);
-    sim.control.spindle = 70.0;
+    sim.control.spindle = Degrees(70.0);
     assert_eq!(run(&mut sim, &call), Ok(()));
     close(&sim, "_OVR[4]", 60.0);
 }

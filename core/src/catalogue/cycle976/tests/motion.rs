@@ -10,6 +10,7 @@ use crate::catalogue::sinumerik::motion_testing::{DEPTH_FEED, MEASURING_FEED, PL
 use crate::catalogue::sinumerik::testing::{Motion, motions, run, same, turns};
 use crate::control::Plane;
 use crate::entry::{Inputs, names};
+use crate::geometry::Degrees;
 use crate::machine::sim::Sim;
 use crate::machine::trace::MotionKind;
 
@@ -21,7 +22,7 @@ fn moved(plane: Plane, inputs: &Inputs) -> Moved {
     setup.probe.stylus = Some(0.0); // a straight one stands in the way of the applicate in plus direction
     setup.control.set("_SPEED[1]", PLANE_FEED);
     setup.control.set("_SPEED[2]", DEPTH_FEED);
-    setup.control.spindle = 30.0;
+    setup.control.spindle = Degrees(30.0);
     let start = setup.position;
     let mut sim = Sim::new(&setup);
     assert_eq!(run(&mut sim, inputs), Ok(()), "{}", inputs.variant);

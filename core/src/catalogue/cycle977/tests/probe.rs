@@ -45,7 +45,7 @@ fn a_multi_probe_may_turn_with_the_coordinates() {
             turned(setup, 30.0);
         });
         assert_eq!(outcome, Ok(()));
-        assert!((sim.control.spindle - angle).abs() < 1e-9, "{}", sim.control.spindle);
+        assert!((sim.control.spindle.0 - angle).abs() < 1e-9, "{:?}", sim.control.spindle);
         close(&sim, "_OVR[4]", 60.0);
     }
 }
@@ -61,7 +61,7 @@ fn coordinates_that_turn_within_mirrored_ones_turn_the_probe_the_other_way() {
         setup.control.set("_CHBIT[13]", 1.0);
     });
     assert_eq!(outcome, Ok(()));
-    assert!((sim.control.spindle - 40.0).abs() < 1e-9);
+    assert!((sim.control.spindle.0 - 40.0).abs() < 1e-9);
     for (name, value) in [("_OVR[4]", 60.0), ("_OVR[17]", 0.0), ("_OVR[18]", 0.0)] {
         close(&sim, name, value);
     }

@@ -73,7 +73,7 @@ fn around(sim: &Sim, plane: Plane, origin: [f64; 3]) -> Vec<f64> {
             x.hypot(y)
         };
         assert!([0.3, 0.7].iter().all(|part| (away(*part) - away(0.0)).abs() < 1e-9));
-        degrees.push(around.degrees);
+        degrees.push(around.degrees.0);
     }
     degrees
 }

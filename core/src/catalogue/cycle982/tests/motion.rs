@@ -29,7 +29,7 @@ fn words(sim: &Sim) -> String {
                     _ => words.push(word),
                 }
             }
-            Step::Orient { angle } => words.push(format!("s{angle}")),
+            Step::Orient { angle } => words.push(format!("s{}", angle.0)),
             _ => {}
         }
     }

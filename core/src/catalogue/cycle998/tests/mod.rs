@@ -13,6 +13,7 @@ use crate::control::{Control, delivery};
 use crate::diagnostic::{Code, Severity};
 use crate::entry::{Style, Typed};
 use crate::form::fields;
+use crate::geometry::Degrees;
 use crate::program::write::snippet;
 
 /// The worked example with some values changed.
@@ -47,7 +48,7 @@ fn a_rotary_axis_that_turns_otherwise_is_doubted() {
     let doubted = |plane, axes: &str, tilted: f64| {
         let mut control = delivery(CYCLE998.dialect);
         control.plane = plane;
-        control.rotary[0] = tilted;
+        control.rotary[0] = Degrees(tilted);
         let found = check(&CYCLE998, &values(&[("_MA", axes), ("_RA", "4")]), &control);
         found.diagnostics.iter().any(|one| one.code == Code::Own(155))
     };

@@ -6,7 +6,7 @@ use crate::catalogue::sinumerik::motion_testing::{DEPTH_FEED, Lettered, PLANE_FE
 use crate::catalogue::sinumerik::testing::{at, call, run, setup, solid, touches, turns};
 use crate::control::Plane;
 use crate::entry::{Inputs, names};
-use crate::geometry::Mcs;
+use crate::geometry::{Degrees, Mcs};
 use crate::machine::sim::Sim;
 use crate::workpiece::Shape;
 
@@ -198,7 +198,7 @@ fn a_mono_probe_is_turned_and_a_differential_one_turns_back() {
     // oracle: manual B:864-871, B:7570-7576, B:13985 (the ordinate is 270 degree of the spindle)
     let turned = |inputs: &Inputs| {
         let mut sim = machine(Plane::G17, [20.0, -20.0, -10.0]);
-        sim.control.spindle = 30.0;
+        sim.control.spindle = Degrees(30.0);
         assert_eq!(run(&mut sim, inputs), Ok(()));
         turns(&sim)
     };

@@ -7,7 +7,7 @@ use crate::catalogue::sinumerik::testing::{at, call, called, close, put, random_
 use crate::control::{Control, Frame, Plane};
 use crate::entry::{Inputs, names};
 use crate::geometry::rigid::{angles, rotation};
-use crate::geometry::{Mcs, Rpy, V3, Wcs};
+use crate::geometry::{Degrees, Mcs, Rpy, V3, Wcs};
 use crate::machine::sim::Sim;
 use crate::machine::{Setup, Stop};
 use crate::name::Name;
@@ -103,7 +103,7 @@ fn stand(setup: &mut Setup, inputs: &Inputs) {
 }
 
 /// Turns the table C with the probe out of the way.
-fn table_at(sim: &mut Sim, to: f64) {
+fn table_at(sim: &mut Sim, to: Degrees) {
     let stands = sim.position;
     sim.position[2] += 500.0;
     assert_eq!(sim.turn_table(2, to), Ok(()));
@@ -119,7 +119,7 @@ pub(super) fn done(setup: &Setup, inputs: &Inputs) -> Sim {
 /// The corrected frame is made active, the table goes to this angle in it, and what is measured again is right.
 fn is_right_when_corrected(sim: &mut Sim, setup: &Setup, inputs: &Inputs, table: f64) {
     sim.control.activate(1);
-    let there = sim.control.rotary_to_machine(2, table);
+    let there = sim.control.rotary_to_machine(2, Degrees(table));
     table_at(sim, there);
     sim.position = setup.position;
     assert_eq!(run(sim, inputs), Ok(()));
@@ -223,16 +223,16 @@ proptest! {
         let mut setup = ready(Plane::G17, &inputs, [0.0; 3], &[set + wrong]);
         setup.control.set("MD18600", f64::from(fine));
         setup.control.rotary_centre = setup.workpiece.solids[0].at;
-        setup.control.frames.get_mut(&1).unwrap().rotary = [0.0, 0.0, 3.0];
+        setup.control.frames.get_mut(&1).unwrap().rotary = [0.0, 0.0, 3.0].map(Degrees);
         setup.control.activate(1);
         let mut sim = Sim::new(&setup);
-        let straight = sim.control.rotary_to_machine(2, -3.0);
+        let straight = sim.control.rotary_to_machine(2, Degrees(-3.0));
         table_at(&mut sim, straight);
         prop_assert_eq!(run(&mut sim, &inputs), Ok(()));
         close(&sim, "_OVR[16]", wrong);
         let frame = sim.control.frames[&1];
-        prop_assert!((frame.rotary[2] + frame.rotary_fine[2] - 3.0 - wrong).abs() < 1e-9);
-        prop_assert_eq!(frame.rotary_fine[2] == 0.0, fine == 0);
+        prop_assert!((frame.rotary[2].0 + frame.rotary_fine[2].0 - 3.0 - wrong).abs() < 1e-9);
+        prop_assert_eq!(frame.rotary_fine[2].0 == 0.0, fine == 0);
         prop_assert_eq!(frame.rotation, [0.0; 3]);
         is_right_when_corrected(&mut sim, &setup, &inputs, -3.0);
     }
@@ -262,7 +262,7 @@ proptest! {
         let mut setup = ready(Plane::G17, &inputs, [0.0; 3], &[wrong]);
         setup.control.rotary_centre = setup.workpiece.solids[0].at;
         let under = if upside { 180.0 } else { 0.0 };
-        setup.control.rotary[0] = under;
+        setup.control.rotary[0] = Degrees(under);
         // as it is clamped, before the carrying table turned
         let part = &mut setup.workpiece.solids[0];
         let clamped = rotation(Rpy([under, 0.0, 0.0])) * rotation(part.rotation);

@@ -4,7 +4,7 @@ use super::Block;
 use crate::catalogue::sinumerik::alarm;
 use crate::diagnostic::Code;
 use crate::geometry::arc::Around;
-use crate::geometry::{TOLERANCE, Wcs};
+use crate::geometry::{Degrees, TOLERANCE, Wcs};
 use crate::machine::route::Route;
 use crate::machine::trace::MotionKind;
 use crate::machine::{Machine, Stop};
@@ -36,7 +36,7 @@ impl Block {
         &self,
         machine: &mut dyn Machine,
         centre: [f64; 2],
-        degrees: f64,
+        degrees: Degrees,
         feed: f64,
     ) -> Result<(), Stop> {
         let [abscissa, ordinate, applicate] = self.axes;

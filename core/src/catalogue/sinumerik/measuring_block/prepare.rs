@@ -5,7 +5,7 @@ use crate::catalogue::common::MONO;
 use crate::catalogue::sinumerik::{alarm, calibrated_as, state};
 use crate::control::{Control, Frame, MachineSort};
 use crate::entry::{Inputs, names};
-use crate::geometry::{TOLERANCE, V3, rigid};
+use crate::geometry::{Degrees, TOLERANCE, V3, rigid};
 use crate::machine::{Machine, Stop};
 
 impl Block {
@@ -14,7 +14,7 @@ impl Block {
         let block = read(machine.control(), inputs).map_err(|number| alarm(machine, number))?;
         if let Some(angle) = follow_rotation(machine.control(), inputs) {
             turnable(machine)?;
-            machine.orient(angle);
+            machine.orient(Degrees(angle));
         }
         Ok(block)
     }

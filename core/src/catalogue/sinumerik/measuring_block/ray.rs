@@ -208,7 +208,7 @@ mod tests {
         sim.control.set("_CBIT[8]", 1.0);
         let block = block(&mut sim, &[("_PRNUM", 101.0), ("_CORA", 5.0), ("_FA", 4.0)]);
         surface(&block, &mut sim, &ray(30.0)).unwrap();
-        assert_eq!(sim.control.spindle, 155.0);
+        assert_eq!(sim.control.spindle.0, 155.0);
     }
 
     #[test]
@@ -238,7 +238,7 @@ mod tests {
             setup.position = Mcs(at(plane, [19.6, -0.3, -10.0]));
             let mut sim = Sim::new(&setup);
             let block = block(&mut sim, &[]);
-            block.travel_around(&mut sim, [0.0; 2], -90.0, 900.0).unwrap();
+            block.travel_around(&mut sim, [0.0; 2], Degrees(-90.0), 900.0).unwrap();
             let wanted = at(plane, [-0.4, -20.3, -10.0]);
             for (is, wanted) in sim.position.iter().zip(wanted) {
                 assert!((is - wanted).abs() < 1e-9, "{:?}", sim.position);
