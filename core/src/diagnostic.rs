@@ -89,57 +89,48 @@ impl Diagnostic {
     }
 
     /// With what helps.
-    pub fn hint(mut self, hint: Message) -> Self {
-        self.hint = Some(hint);
-        self
+    pub fn hint(self, hint: Message) -> Self {
+        Self { hint: Some(hint), ..self }
     }
 
     /// At this place of the program.
-    pub fn on(mut self, span: Span) -> Self {
-        self.span = Some(span);
-        self
+    pub fn on(self, span: Span) -> Self {
+        Self { span: Some(span), ..self }
     }
 
     /// With one click that mends it, where there is anything to edit.
-    pub fn cured(mut self, label: Message, edits: Vec<Edit>) -> Self {
-        self.cure = (!edits.is_empty()).then_some(Cure { label, edits });
-        self
+    pub fn cured(self, label: Message, edits: Vec<Edit>) -> Self {
+        Self { cure: (!edits.is_empty()).then_some(Cure { label, edits }), ..self }
     }
 
     /// At this parameter.
-    pub fn at(mut self, param: Name) -> Self {
-        self.param = Some(param);
-        self
+    pub fn at(self, param: Name) -> Self {
+        Self { param: Some(param), ..self }
     }
 
     /// Under this number instead, where the control has one of its own.
-    pub fn under(mut self, code: Code) -> Self {
-        self.code = code;
-        self
+    pub fn under(self, code: Code) -> Self {
+        Self { code, ..self }
     }
 
     /// The cause with a number.
-    pub fn number(mut self, name: &'static str, value: f64) -> Self {
-        self.message = self.message.number(name, value);
-        self
+    pub fn number(self, name: &'static str, value: f64) -> Self {
+        Self { message: self.message.number(name, value), ..self }
     }
 
     /// The cause with a text.
-    pub fn text(mut self, name: &'static str, value: impl Into<String>) -> Self {
-        self.message = self.message.text(name, value);
-        self
+    pub fn text(self, name: &'static str, value: impl Into<String>) -> Self {
+        Self { message: self.message.text(name, value), ..self }
     }
 
     /// The hint with a number.
-    pub fn hint_number(mut self, name: &'static str, value: f64) -> Self {
-        self.hint = self.hint.map(|hint| hint.number(name, value));
-        self
+    pub fn hint_number(self, name: &'static str, value: f64) -> Self {
+        Self { hint: self.hint.map(|hint| hint.number(name, value)), ..self }
     }
 
     /// The hint with a text.
-    pub fn hint_text(mut self, name: &'static str, value: impl Into<String>) -> Self {
-        self.hint = self.hint.map(|hint| hint.text(name, value));
-        self
+    pub fn hint_text(self, name: &'static str, value: impl Into<String>) -> Self {
+        Self { hint: self.hint.map(|hint| hint.text(name, value)), ..self }
     }
 }
 

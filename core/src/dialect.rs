@@ -13,8 +13,7 @@ pub enum Dialect {
 }
 
 impl Dialect {
-    /// The control that a program is written for: NCT programs begin with `%O` or `O` and a number (C:1159), everything
-    /// else is taken for SINUMERIK.
+    /// The control of a program: NCT programs begin with `%O` or `O` and a number (C:1159), all others are SINUMERIK.
     #[must_use]
     pub fn of(source: &[u8]) -> Dialect {
         let rest = source.strip_prefix(b"\xef\xbb\xbf").unwrap_or(source).trim_ascii_start();

@@ -36,14 +36,13 @@ impl Message {
         Self { key: key.into(), args: Vec::new() }
     }
 
-    /// The same with a number; a 0 has no sign.
+    /// With a number; a 0 has no sign.
     pub fn number(mut self, name: &'static str, value: f64) -> Self {
         self.args.push((name, Arg::Number(value + 0.0)));
         self
     }
 
-    /// The same with a text. What comes from a user or a file may be long or binary: it is shortened, and control
-    /// characters, which a terminal would obey, become blanks.
+    /// With a text, shortened where a user or a file made it long; control characters, which a terminal obeys, as blanks.
     pub fn text(mut self, name: &'static str, value: impl Into<String>) -> Self {
         self.args.push((name, Arg::Text(printable(&value.into()))));
         self

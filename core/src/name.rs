@@ -5,8 +5,7 @@ use std::borrow::Borrow;
 use std::fmt;
 use std::ops::Deref;
 
-/// Name of a parameter, as the manual writes it: `_SETVAL`, `_SETV[0]`, `D`. An entry and what reads
-/// it use one constant.
+/// Name of a parameter as the manual writes it (`_SETV[0]`, `D`): one constant for an entry and what reads it.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(as = "String"))]
 pub struct Name(&'static str);

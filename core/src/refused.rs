@@ -68,16 +68,14 @@ impl Refused {
         Refused { message: Message::new(key), path, position: None }.named()
     }
 
-    /// The same with a number.
-    pub fn number(mut self, name: &'static str, value: f64) -> Refused {
-        self.message = self.message.number(name, value);
-        self
+    /// With a number in its sentence.
+    pub fn number(self, name: &'static str, value: f64) -> Refused {
+        Refused { message: self.message.number(name, value), ..self }
     }
 
-    /// The same with a text.
-    pub fn text(mut self, name: &'static str, value: impl Into<String>) -> Refused {
-        self.message = self.message.text(name, value);
-        self
+    /// With a text in its sentence.
+    pub fn text(self, name: &'static str, value: impl Into<String>) -> Refused {
+        Refused { message: self.message.text(name, value), ..self }
     }
 
     /// Told from one member further out.

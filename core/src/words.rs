@@ -5,8 +5,7 @@ use fluent_bundle::concurrent::FluentBundle;
 use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
 use serde_json::{Map, Value};
 
-/// A language: its code, which is also its folder, and its message files. English has every message; the others are
-/// held against it by a test.
+/// A language. English has every message; the others are held against it by a test.
 pub struct Language {
     /// As in `LANG`, without a country.
     pub code: &'static str,
@@ -46,11 +45,8 @@ impl Words {
         let mut bundle = FluentBundle::new_concurrent(vec![language]);
         bundle.set_use_isolating(false); // a terminal shows the marks as rubbish
         for (_, text) in files {
-            let resource = match FluentResource::try_new((*text).to_owned()) {
-                Ok(resource) => resource,
-                Err((resource, _)) => resource,
-            };
-            bundle.add_resource_overriding(resource);
+            let read = FluentResource::try_new((*text).to_owned());
+            bundle.add_resource_overriding(read.unwrap_or_else(|(resource, _)| resource));
         }
         Words { bundle }
     }
@@ -64,22 +60,17 @@ impl Words {
     pub fn find(&self, message: &Message) -> Option<String> {
         let mut args = FluentArgs::new();
         for (name, arg) in &message.args {
-            args.set(
-                *name,
-                match arg {
-                    Arg::Number(number) => FluentValue::from(rounded(*number)),
-                    Arg::Text(text) => self.argument(text),
-                },
-            );
+            let value = match arg {
+                Arg::Number(number) => FluentValue::from(rounded(*number)),
+                Arg::Text(text) => self.argument(text),
+            };
+            args.set(*name, value);
         }
         self.format(&message.key, &args)
     }
 
     fn format(&self, key: &str, args: &FluentArgs) -> Option<String> {
-        let (id, attribute) = match key.split_once('.') {
-            Some((id, attribute)) => (id, Some(attribute)),
-            None => (key, None),
-        };
+        let (id, attribute) = key.split_once('.').map_or((key, None), |(id, name)| (id, Some(name)));
         let entry = self.bundle.get_message(id)?;
         let pattern = match attribute {
             Some(name) => entry.get_attribute(name)?.value(),

@@ -244,10 +244,7 @@ export type Cutter = {
   radius: number,
   /** Radius between end and side, mm. */
   corner: number,
-  /**
-   * How far the lowest place of an edge lies inside of the widest, and the widest above the lowest, mm; beside
-   * `corner`.
-   */
+  /** How far the lowest place of an edge lies inside of the widest, and below it, mm; beside `corner`. */
   chamfer: [number, number],
   /** Number of teeth, evenly spread; 0: smooth all round. */
   teeth: number,
@@ -258,7 +255,7 @@ export type Cutter = {
    * that direction stands, mm. A smooth cutter has neither.
    */
   runout: [number, number],
-  /** In which direction, with the spindle at 0, degree. */
+  /** Direction of the run-out with the spindle at 0, degree. */
   runoutAngle: number,
   /** Axis of the plane along which it stands, its end in minus direction: 0 abscissa, 1 ordinate, 2 applicate. */
   axis: number,
@@ -751,10 +748,7 @@ export type Message = {
 /** Kind of a motion. */
 export type MotionKind = "rapid" | "positioning" | "measuring" | "retract";
 
-/**
- * Name of a parameter, as the manual writes it: `_SETVAL`, `_SETV[0]`, `D`. An entry and what reads
- * it use one constant.
- */
+/** Name of a parameter as the manual writes it (`_SETV[0]`, `D`): one constant for an entry and what reads it. */
 export type Name = string;
 
 /** The nose of a turning tool. It lies in the plane. */
@@ -1225,10 +1219,7 @@ export type SceneTool = {
   ball?: [number, number, number],
   /** Its end, from the position of the machine on. */
   tip: [number, number, number],
-  /**
-   * Box around a tool without what carries it, from the position of the machine on; none for a probe, of which the
-   * stylus may be cut off.
-   */
+  /** Box around a tool alone, from the position of the machine on; none for a probe, whose stylus may be cut off. */
   extent?: [[number, number, number], [number, number, number]],
   /** Whether a turret is drawn that carries it. */
   carried: boolean,

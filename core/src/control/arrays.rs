@@ -14,8 +14,7 @@ pub fn sizes(name: &str) -> Option<&'static [usize]> {
     gud::find(stem).map(|gud| gud.sizes).filter(|sizes| !sizes.is_empty())
 }
 
-/// Names of the elements from this one (without index: the first) to the end of its array. Nothing where the index
-/// does not fit the sizes.
+/// Names of the elements from this one (without index: the first) to the end of its array; none: it does not fit.
 pub fn elements_from(name: &str, sizes: &[usize]) -> Vec<String> {
     let Some((stem, index)) = with_parameters(name) else { return Vec::new() };
     let total: usize = sizes.iter().product();

@@ -12,8 +12,7 @@ use std::sync::OnceLock;
 #[cfg(test)]
 use std::{cell::RefCell, collections::BTreeSet};
 
-/// Setting of ours, kept beside the data of the machine: 1 lets `_MZ_MASK` decide over forms and code. No program can
-/// write a variable of this name.
+/// Setting of ours, a name that no program can write: 1 lets `_MZ_MASK` decide over forms and code.
 pub const FORMS: &str = "PW-FORMS";
 
 impl Control {
@@ -32,7 +31,7 @@ pub(super) fn sinumerik(name: &str, text: bool) -> bool {
     machine || !text && (name == FORMS || numbered(name, 'R', 1000))
 }
 
-/// The same of an NCT control.
+/// Whether an NCT control has a datum of this name that holds a text, or a number.
 pub(super) fn nct(name: &str, text: bool) -> bool {
     !text && (numbered(name, '#', 10_000) || nct_data::find(name).is_some())
 }

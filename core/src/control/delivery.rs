@@ -22,7 +22,7 @@ pub fn delivery(dialect: Dialect) -> Control {
     delivery_in(dialect, Units::Metric)
 }
 
-/// The same with this basic system of units, which is also the active one.
+/// A control as it comes from the manufacturer with this basic system of units, which is also the active one.
 pub fn delivery_in(dialect: Dialect, units: Units) -> Control {
     let make = Make::of(dialect);
     Control {
@@ -107,8 +107,8 @@ pub fn factor(unit: gud::Unit, basic: Units) -> f64 {
     }
 }
 
-/// The same machine built for the other basic system (MD10240, B:13594): everything keeps its size. What is as
-/// delivered is what that system is delivered with; what has no unit, such as R parameters, stays a number.
+/// A machine rebuilt for the other basic system (MD10240, B:13594): everything keeps its size. What is as delivered is
+/// as that system is delivered; what has no unit, such as R parameters, stays a number.
 pub fn rebuilt(control: &Control, units: Units) -> Control {
     let before = delivery_in(control.dialect, control.basic_units);
     let mut data = delivery_in(control.dialect, units).data;
@@ -131,8 +131,7 @@ fn unit_of(name: &str, basic: Units) -> f64 {
     element.map_or(1.0, |element| factor(element.unit, basic))
 }
 
-/// A number times a ratio, without what the last digits of a product lack, so that there and back gives the same
-/// number.
+/// A number times a ratio, without what the last digits of a product lack: there and back gives the same number.
 pub fn scaled(value: &Value, ratio: f64) -> Value {
     match value {
         Value::Number(number) if ratio != 1.0 => {

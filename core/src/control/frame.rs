@@ -81,8 +81,7 @@ impl Frame {
         self.scale != [1.0; 3]
     }
 
-    /// Whether this frame followed by another is a frame again: a rotation inside of a scale that differs by axis
-    /// would shear.
+    /// Whether this and another in it are a frame again: a rotation inside of a scale that differs by axis would shear.
     pub fn chains_with(&self, inner: &Frame) -> bool {
         let [x, y, z] = self.scale;
         (x == y && y == z) || inner.rotation == [0.0; 3]
@@ -119,15 +118,13 @@ impl Frame {
         if self.mirror[axis] { -1.0 } else { 1.0 }
     }
 
-    /// Angles that a rotation inside of this frame has outside of its mirrors: each turns the other way for every
-    /// mirror that is not of its own axis.
+    /// Angles of a rotation inside of it as seen outside of its mirrors: each of another axis turns them the other way.
     fn angles_outside(&self, rotation: Rpy) -> Rpy {
         let all: f64 = (0..3).map(|axis| self.sign(axis)).product();
         Rpy(std::array::from_fn(|i| all * self.sign(i) * rotation[i]))
     }
 
-    /// The frame that takes this one back, chained before or behind it; none: a scale that differs by axis and a
-    /// rotation in it would shear.
+    /// The frame that takes this one back, chained before or behind it; none: a scale and a rotation in it would shear.
     pub fn inverse(&self) -> Option<Frame> {
         if !self.chains_with(self) {
             return None;
@@ -144,8 +141,7 @@ impl Frame {
         })
     }
 
-    /// This frame followed by another inside it (`:` of frames), where [`Frame::chains_with`] holds; the result has no
-    /// fine part.
+    /// This frame and another in it (`:` of frames), where [`Frame::chains_with`] holds; without a fine part.
     pub fn then(&self, inner: &Frame) -> Frame {
         let inside = self.angles_outside(inner.rotation);
         let still = self.rotation == [0.0; 3] || inside == [0.0; 3];

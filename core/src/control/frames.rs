@@ -25,14 +25,9 @@ pub enum Store {
     Settable(usize),
 }
 
-/// The frames between machine and WCS while they are out of effect.
+/// The frames between machine and WCS while they are out of effect: basic, and of the table, settable, programmed.
 #[derive(Clone, Debug)]
-pub struct InEffect {
-    basic: BasicFrames,
-    part: Frame,
-    settable: Frame,
-    programmed: Frame,
-}
+pub struct InEffect(BasicFrames, [Frame; 3]);
 
 impl Control {
     /// Frames in effect between machine and settable frame, outermost first: table, system, global, channel basic.
@@ -79,20 +74,14 @@ impl Control {
 
     /// Takes all frames out of effect, so that the WCS is that of the machine; see [`Control::put_frames`].
     pub fn take_frames(&mut self) -> InEffect {
-        InEffect {
-            basic: std::mem::take(&mut self.basic),
-            part: std::mem::take(&mut self.part_frame),
-            settable: std::mem::take(&mut self.active),
-            programmed: std::mem::take(&mut self.program_frame),
-        }
+        let others = [&mut self.part_frame, &mut self.active, &mut self.program_frame];
+        InEffect(std::mem::take(&mut self.basic), others.map(std::mem::take))
     }
 
     /// Brings back into effect what [`Control::take_frames`] took out.
-    pub fn put_frames(&mut self, frames: InEffect) {
-        self.basic = frames.basic;
-        self.part_frame = frames.part;
-        self.active = frames.settable;
-        self.program_frame = frames.programmed;
+    pub fn put_frames(&mut self, InEffect(basic, others): InEffect) {
+        self.basic = basic;
+        [self.part_frame, self.active, self.program_frame] = others;
     }
 
     /// Whether a frame between machine and WCS turns.

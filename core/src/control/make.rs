@@ -16,11 +16,9 @@ pub const FALSE_TRIGGER: Code = Code::Nct("FALSE TRIGGER");
 
 /// A make of controls.
 pub struct Make {
-    /// Whether it knows one system of units only, the active one: feeds, user data and what the control keeps count in
-    /// it as well.
+    /// Whether it knows one system of units only, the active one, in which all lengths, feeds and data count.
     pub one_system: bool,
-    /// G functions that choose the system of units: metric and inch, first where feeds and data do not follow, then
-    /// where they do; see [`Control::data_follow`].
+    /// G functions of metric and inch: where feeds and data do not follow, where they do ([`Control::data_follow`]).
     pub(super) units: [[UnitFunction; 2]; 2],
     /// Whether edges are registers of lengths (H) and radii (D), there as soon as they are asked for, whatever tool is
     /// in the spindle. They are kept as edges of tool 0, the length to the end of a ball.

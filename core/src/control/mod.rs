@@ -144,8 +144,7 @@ pub struct Edge {
     pub additive: BTreeMap<i64, [f64; 4]>,
     /// Setup offsets by DL number 1..6: L1 L2 L3 radius, mm.
     pub setup: BTreeMap<i64, [f64; 4]>,
-    /// Tool data that are only kept, by their number: `$TC_DP7` to 11 and 16 to 25. Those of the adapter, 21 to 23,
-    /// count with L1 L2 L3, mm.
+    /// Tool data that are only kept: `$TC_DP7` to 11 and 16 to 25; 21 to 23, of the adapter, count with L1 L2 L3, mm.
     pub further: BTreeMap<usize, f64>,
 }
 
@@ -170,8 +169,7 @@ pub enum Value {
     Text(String),
 }
 
-/// The control.
-/// See [`delivery()`] for a new one.
+/// The control; see [`delivery()`] for a new one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Control {
     /// Which one.

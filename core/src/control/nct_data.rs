@@ -19,8 +19,7 @@ const fn length(name: &'static str, source: &'static str) -> NctDatum {
     datum(name, element("", source).unit(LENGTH))
 }
 
-/// All of them. #510 holds the M function that turns the spindle by half a turn; 0 and 1 mean that none does (C:74,
-/// C:156).
+/// All of them. #510 holds the M function that turns the spindle by half a turn; 0 and 1: none does (C:74, C:156).
 pub static SUBJECTS: &[Subject<NctDatum>] = &[
     subject(
         "nct-stylus",

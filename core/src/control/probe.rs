@@ -46,8 +46,7 @@ impl Control {
         }
     }
 
-    /// Direction from the ball to the body of the probe in use, X Y Z of the machine: along the applicate, of a turning
-    /// machine's probe as [`Edge::stands`].
+    /// Direction from the ball to the body of the probe, X Y Z of the machine: [`Edge::stands`], or the applicate.
     pub fn stands(&self) -> [f64; 3] {
         let turning = self.active_edge().and_then(Edge::stands);
         turning.unwrap_or_else(|| upright(self.plane))
@@ -75,8 +74,8 @@ impl Edge {
         }
     }
 
-    /// The same on the machine, X Y Z: the cutting edge position is that of G18, and no plane turns the probe. So it
-    /// stands on G17 with 5 and 7, on G19 with 6 and 8 (B:4152).
+    /// Direction from the ball to its body on the machine, X Y Z: the cutting edge position is that of G18, as no plane
+    /// turns the probe. So it stands on G17 with 5 and 7, on G19 with 6 and 8 (B:4152).
     pub fn stands(&self) -> Option<[f64; 3]> {
         self.body().map(|[z, x]| [x, 0.0, z])
     }

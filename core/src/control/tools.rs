@@ -11,8 +11,7 @@ pub const LATHE_PROBE: i64 = 580;
 /// Value of SD 42950 with which every tool is as long as a turning tool (B:828).
 pub const AS_TURNING_TOOL: f64 = 2.0;
 
-/// 1: cutting edge positions count the other way round in the ordinate, in the cycle whose entry names it (B:13882,
-/// B:14051).
+/// 1: cutting edge positions count the other way round in the ordinate, in the cycle that names it (B:13882, B:14051).
 pub const REVERSED: &str = "_CHBIT[23]";
 
 /// From S to P in abscissa and ordinate by cutting edge position 1 to 9, in nose radii (B:9441, B:13474-13481); with 9,
@@ -51,8 +50,7 @@ impl Control {
         self.tools.get_mut(&tool)?.edges.get_mut(&edge)
     }
 
-    /// NCT register of lengths (H) and radii (D): kept as edge of tool 0, whatever is in the spindle.
-    /// A register that was never written is all zero.
+    /// NCT register of lengths (H) and radii (D), whatever is in the spindle; one that was never written is all zero.
     pub fn register(&self, number: i64) -> Edge {
         self.edge_of(0, number).cloned().unwrap_or_default()
     }
@@ -76,8 +74,7 @@ impl Control {
         }
     }
 
-    /// Whether it is a turning machine, as far as its tools tell: a turning tool is in use, or every tool is as long as
-    /// one.
+    /// Whether it is a turning machine by its tools: a turning tool is in use, or every tool is as long as one.
     pub fn turns(&self) -> bool {
         self.active_edge().is_some_and(Edge::is_turning) || self.number(TOOL_LENGTH_TYPE) == AS_TURNING_TOOL
     }

@@ -104,8 +104,7 @@ impl Gb18030 {
     }
 }
 
-/// Shift JIS. Usual are kana, full-width letters, the first level of kanji, and half-width kana where they are not
-/// alone.
+/// Shift JIS. Usual are kana (half-width: not alone), full-width letters and the first level of kanji.
 #[derive(Default)]
 pub struct ShiftJis {
     pub pairs: Counts,

@@ -23,19 +23,19 @@ pub enum Encoding {
     /// The low byte of each unit first.
     #[serde(rename = "utf-16le")]
     Utf16Le,
-    /// The same with a byte order mark.
+    /// The low byte of each unit first, with a byte order mark.
     #[serde(rename = "utf-16le-marked")]
     Utf16LeMarked,
     /// The high byte of each unit first.
     #[serde(rename = "utf-16be")]
     Utf16Be,
-    /// The same with a byte order mark.
+    /// The high byte of each unit first, with a byte order mark.
     #[serde(rename = "utf-16be-marked")]
     Utf16BeMarked,
     /// Simplified Chinese, in pairs of bytes; GB 2312 is part of it.
     #[serde(rename = "gbk")]
     Gbk,
-    /// The same, with sequences of four bytes for everything else.
+    /// Simplified Chinese, with sequences of four bytes for everything else.
     #[serde(rename = "gb18030")]
     Gb18030,
     /// Japanese.
@@ -190,8 +190,7 @@ impl Recogniser {
         Ok(self.bytewise())
     }
 
-    /// A few control characters are left behind by a transfer line; what is packed or compiled has more than one for
-    /// five printable ones.
+    /// Transfer lines leave a few control characters; what is packed has more than one for five printable ones.
     fn holds_no_text(&self) -> bool {
         self.controls * 5 > self.printable || self.nulls > 0 && self.printable + self.beyond == 0
     }

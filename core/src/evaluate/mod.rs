@@ -9,8 +9,7 @@ pub mod tolerance;
 pub mod tool_offset;
 pub mod zero_offset;
 
-/// One datum of the control that a correction writes. Corrections are worked out first and written by the caller,
-/// who also records them.
+/// One datum of the control that a correction writes; whoever asked for it writes and records it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Write {
     /// `$TC_DP15[20,1]`, `$P_UIFR[1,X,FI]`.

@@ -23,10 +23,7 @@ pub struct Position {
 
 /// Refuses a frame that cannot be brought into position: a global basic frame, or one with a mirror or a scale factor,
 /// its own or of the frames in effect (B:8405-8415, B:8588). Error: number of the alarm.
-///
-/// # Errors
-/// The number of the alarm.
-pub fn correctable(control: &Control, target: &Target) -> Result<(), u32> {
+pub(crate) fn correctable(control: &Control, target: &Target) -> Result<(), u32> {
     match target.store {
         Store::GlobalBasic(_) => Err(NO_ROTATION),
         _ if rigid(control, target) => Ok(()),
@@ -35,10 +32,7 @@ pub fn correctable(control: &Control, target: &Target) -> Result<(), u32> {
 }
 
 /// The nearest motion from set to measured points. Error: number of the alarm.
-///
-/// # Errors
-/// The number of the alarm.
-pub fn position(set: &[V3; 3], measured: &[V3; 3]) -> Result<Position, u32> {
+pub(crate) fn position(set: &[V3; 3], measured: &[V3; 3]) -> Result<Position, u32> {
     if fit::in_line(*set) || fit::in_line(*measured) {
         return Err(NO_FRAME);
     }
@@ -48,14 +42,8 @@ pub fn position(set: &[V3; 3], measured: &[V3; 3]) -> Result<Position, u32> {
 }
 
 impl Position {
-    /// Refuses a distortion that is not below this limit, mm (B:8409, B:8573).
-    ///
-    /// # Errors
-    /// The number of the alarm.
-    pub fn within(&self, limit: f64) -> Result<(), u32> {
-        if self.distortion < limit {
-            return Ok(());
-        }
-        Err(DISTORTED)
+    /// Refuses a distortion that is not below this limit, mm (B:8409, B:8573). Error: number of the alarm.
+    pub(crate) fn within(&self, limit: f64) -> Result<(), u32> {
+        if self.distortion < limit { Ok(()) } else { Err(DISTORTED) }
     }
 }

@@ -15,8 +15,7 @@ pub struct Around {
 }
 
 impl Around {
-    /// The place after a part of the way, 0 to 1. It climbs evenly, and changes evenly from the distance of the start
-    /// to that of the end, so that it ends where it should.
+    /// The place after a part of the way, 0 to 1: height and distance from the axis change evenly up to its end.
     pub fn at(&self, from: [f64; 3], to: [f64; 3], part: f64) -> [f64; 3] {
         if part >= 1.0 {
             return to;
@@ -69,8 +68,7 @@ impl Around {
         start.max(end)
     }
 
-    /// The same way in coordinates to which `map` takes a point; none where it is no circle there: the axes have
-    /// different scales.
+    /// The way as `map` moves its points; none where it is no circle there: the axes have different scales.
     pub fn mapped(&self, map: impl Fn([f64; 3]) -> [f64; 3]) -> Option<Around> {
         let axis = V3::from(self.axis);
         let upright = if axis.x.abs() < 0.9 { V3::x() } else { V3::y() };

@@ -47,13 +47,8 @@ impl Circle {
         };
         roots::polynomial(&quartic, -closest, path.length - closest)
             .into_iter()
-            .map(|root| roots::polished(gap, root + closest))
-            .find(|&s| s > 0.0 && s <= path.length && self.closing(path, s) > 0.0)
-    }
-
-    fn closing(&self, path: &Path, s: f64) -> f64 {
-        let p = path.at(s);
-        -(p - self.foot(&p)).dot(&path.direction)
+            .map(|root| roots::polished(&gap, root + closest))
+            .find(|&s| s > 0.0 && s <= path.length && gap(s).1 < 0.0)
     }
 }
 

@@ -50,8 +50,7 @@ fn parted(moving: &impl Convex, other: &impl Convex, moved: &V3) -> Option<(f64,
     widest.filter(|(gap, ..)| *gap > 0.0)
 }
 
-/// The direction across the gap between two bodies, of which the first is moved so far: a unit vector towards it; none
-/// where they touch or overlap.
+/// Unit vector across the gap towards the first body, which is moved so far; none where they touch or overlap.
 pub fn normal(moving: &impl Convex, other: &impl Convex, moved: &V3) -> Option<V3> {
     parted(moving, other, moved).map(|(.., normal)| normal)
 }
@@ -83,8 +82,8 @@ pub fn first(moving: &impl Convex, other: &impl Convex, path: &Path) -> Option<M
     Some(Met { way, point, normal })
 }
 
-/// The direction from the origin to what lies between corners. The rough one is a small difference of large numbers;
-/// what stands across an edge or a triangle does not suffer from that.
+/// The direction from the origin to what lies between corners, sharper than the rough one, a small difference of large
+/// numbers: what stands across an edge or a triangle does not suffer from that.
 fn across(corners: &[Corner], rough: V3) -> V3 {
     let sharp = match corners {
         [a, b] => (b.gap - a.gap).try_normalize(0.0).map(|edge| rough - edge * rough.dot(&edge)),
@@ -146,8 +145,7 @@ impl Simplex {
     }
 }
 
-/// The point of the body between the corners that is nearest to the origin, and the corners between which it lies; none
-/// where the origin lies inside of four.
+/// The point nearest to the origin between the corners, and those that span it; none where it lies inside of four.
 fn nearest_of(simplex: &Simplex) -> Option<(Corner, Simplex)> {
     let mut found: Option<(f64, Corner, Simplex)> = None;
     for bits in 1..1_usize << simplex.count {

@@ -20,8 +20,7 @@ pub enum Feature {
 }
 
 impl Feature {
-    /// Whether it is surely farther from a point than `limit`, mm, where that is told sooner than the place of it that
-    /// is nearest.
+    /// Whether it is surely farther from a point than `limit`, mm, where that is told sooner than its nearest place.
     pub fn is_beyond(&self, p: &V3, limit: f64) -> bool {
         matches!(self, Feature::Lobed(wall) if wall.at_least(p) > limit)
     }

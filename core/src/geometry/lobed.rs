@@ -66,7 +66,7 @@ impl LobedWall {
         self.foot_between(p, [0.0, self.depth])
     }
 
-    /// The same of the wall between other depths, which goes on beyond its rims.
+    /// Nearest point of the wall between other depths, which goes on beyond its rims.
     fn foot_between(&self, p: &V3, rims: [f64; 2]) -> V3 {
         let samples = (16 * self.lobes.count as usize).max(96);
         let pitch = TAU / samples as f64;
@@ -89,8 +89,7 @@ impl LobedWall {
         nearest
     }
 
-    /// Squared distance of the wall at each angle, in steps of `pitch`. From angle to angle the direction is turned,
-    /// which is many times quicker than a sine of each.
+    /// Squared distance of the wall at each angle, by turning the direction, many times quicker than a sine of each.
     fn looked(&self, p: &V3, pitch: f64, [from, to]: [i64; 2], rims: [f64; 2]) -> Vec<f64> {
         let first = from as f64 * pitch;
         let n = f64::from(self.lobes.count);

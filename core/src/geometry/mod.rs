@@ -73,8 +73,7 @@ pub(crate) fn figures<S: serde::Serializer>(vector: &V3, to: S) -> Result<S::Ok,
     to.collect_seq(vector.iter())
 }
 
-/// Farthest from the zero of the machine that anything stands or is long, mm: contact is computed to 1e-9 mm, which f64
-/// holds up to here.
+/// Farthest place from the zero of the machine, greatest length, mm: to here f64 holds the 1e-9 mm of a contact.
 pub const FARTHEST: f64 = 1e6;
 
 /// Two lengths closer than this, mm, are the same contact.

@@ -23,7 +23,7 @@ impl Path {
         Path { from, direction, length }
     }
 
-    /// The same seen from a system that stands there.
+    /// As seen from a system that stands at `place`.
     pub fn seen(&self, place: &IsometryMatrix3<f64>) -> Path {
         let from = place.inverse_transform_point(&self.from.into()).coords;
         Path { from, direction: place.rotation.inverse() * self.direction, ..*self }

@@ -17,8 +17,7 @@ const CLOSING: f64 = 1e-9;
 /// Directions in which a round edge is looked at that stands askew to the rod; between them the first is closed in. An
 /// edge that is grazed by less than the sagitta, 0.00015 of its radius, may be missed.
 const AROUND: usize = 180;
-/// How many of them lie between one and the next, so that an early contact is soon found, which shortens the others'
-/// way.
+/// How many of them lie between one and the next: an early contact is soon found, which shortens the others' way.
 const APART: usize = 77;
 /// Steps of closing in: 0.618^40 of two directions.
 const STEPS: usize = 40;
@@ -53,7 +52,7 @@ impl Rod {
         Extent::of(ends).wider(self.radius)
     }
 
-    /// The same seen from a system that stands there.
+    /// As seen from a system that stands at `place`.
     pub fn seen(&self, place: &IsometryMatrix3<f64>) -> Rod {
         let foot = place.inverse_transform_point(&self.foot.into()).coords;
         Rod { foot, up: place.rotation.inverse() * self.up, ..*self }
@@ -83,7 +82,7 @@ pub fn first(feature: &Feature, rod: &Rod, path: &Path) -> Option<Met> {
     }
 }
 
-/// The same with a triangle: its edges and corners.
+/// First contact of the side with the edges and corners of a triangle.
 pub fn first_on_triangle([a, b, c]: &[V3; 3], rod: &Rod, path: &Path) -> Option<Met> {
     let edges = [(a, b), (b, c), (c, a)];
     let edges = edges.into_iter().filter_map(|(a, b)| at_edge(a, b, rod, path));

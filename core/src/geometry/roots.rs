@@ -51,7 +51,7 @@ pub fn newton(f: impl Fn(f64) -> (f64, f64), start: f64) -> Option<f64> {
     None
 }
 
-/// A root that is known roughly, closed in by a few of the same steps, none of them longer than 0.001.
+/// A root that is known roughly, closed in by a few steps of Newton's method, none of them longer than 0.001.
 pub fn polished(f: impl Fn(f64) -> (f64, f64), start: f64) -> f64 {
     let mut x = start;
     for _ in 0..4 {

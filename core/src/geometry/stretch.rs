@@ -60,12 +60,12 @@ impl Stretch {
         }
     }
 
-    /// The same so far away.
+    /// Moved by so much, mm.
     pub fn moved(&self, by: &V3) -> Stretch {
         Stretch { centre: self.centre + by, ..*self }
     }
 
-    /// The same seen from a system that stands there.
+    /// As seen from a system that stands at `place`.
     pub fn seen(&self, place: &IsometryMatrix3<f64>) -> Stretch {
         let into = place.rotation.inverse();
         Stretch {

@@ -21,7 +21,7 @@ pub struct Swept {
 }
 
 impl Swept {
-    /// The same seen from a system that stands there.
+    /// As seen from a system that stands at `place`.
     pub fn seen(&self, place: &IsometryMatrix3<f64>) -> Swept {
         Swept { way: self.way.seen(place), rise: place.rotation.inverse() * self.rise, ..*self }
     }
@@ -79,7 +79,7 @@ impl Swept {
     fn clears_edge(&self, Segment { a, b }: &Segment) -> bool {
         let edge = b - a;
         let Some(along) = edge.try_normalize(0.0) else { return self.clears_ball(a, 0.0) };
-        if self.way.goes_about(&along) && self.is_upright_along(&along) {
+        if self.way.goes_about(&along) && self.rise.cross(&along).norm() <= TOLERANCE {
             return self.way.from_axis(a)[0] >= self.radius - TOLERANCE;
         }
         let part = ((self.middle() - a).dot(&along) / edge.norm()).clamp(0.0, 1.0);
@@ -115,10 +115,6 @@ impl Swept {
 
     fn middle(&self) -> V3 {
         self.way.at(0.5) + self.rise / 2.0
-    }
-
-    fn is_upright_along(&self, direction: &V3) -> bool {
-        self.rise.cross(direction).norm() <= TOLERANCE
     }
 
     /// Distance from the Z axis, and height.

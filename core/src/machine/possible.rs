@@ -21,10 +21,7 @@ const BASIC_FRAMES: f64 = 16.0;
 
 impl Setup {
     /// Refuses what cannot be; the first thing found is named with its value, by its place in a setup file.
-    ///
-    /// # Errors
-    /// What cannot be.
-    pub fn possible(&self) -> Result<(), Refused> {
+    pub(crate) fn possible(&self) -> Result<(), Refused> {
         self.governs()?;
         small(&Path::of(&["position"]), &self.position.0)?;
         let Turret { diameter, width } = self.turret;
@@ -35,18 +32,32 @@ impl Setup {
     }
 
     /// Refuses frames and data with which a control cannot reckon.
-    ///
-    /// # Errors
-    /// What is impossible.
-    pub fn governs(&self) -> Result<(), Refused> {
-        control(&self.control)
+    pub(crate) fn governs(&self) -> Result<(), Refused> {
+        let control = &self.control;
+        let frames = Path::of(&["frames"]);
+        for (number, one) in &control.frames {
+            frame(&frames.member(control.make().settable_name(*number)), one)?;
+        }
+        for (store, stored) in [("$P_CHBFR", &control.channel_basic), ("$P_NCBFR", &control.global_basic)] {
+            for (number, one) in stored {
+                let path = frames.member(format!("{store}[{number}]"));
+                within(&path, *number as f64, [0.0, BASIC_FRAMES - 1.0])?;
+                frame(&path, one)?;
+            }
+        }
+        frame(&frames.member("$P_SETFR"), &control.system)?;
+        for (number, tool) in &control.tools {
+            tool.edges.iter().try_for_each(|(edge, data)| edge_data(*number, *edge, data))?;
+        }
+        small(&Path::of(&["active", "spindle"]), &[control.spindle.0])?;
+        small(&Path::of(&["active", "rotary"]), &control.rotary.map(|angle| angle.0))?;
+        small(&Path::of(&["machine", "rotaryCentre"]), &control.rotary_centre)?;
+        in_spindle(control)?;
+        control.data.iter().try_for_each(|(name, value)| datum(control, name, value))
     }
 
     /// Refuses a probe, tools, tool probes and a part that cannot exist.
-    ///
-    /// # Errors
-    /// What cannot exist.
-    pub fn exists(&self) -> Result<(), Refused> {
+    pub(crate) fn exists(&self) -> Result<(), Refused> {
         probe(&self.probe)?;
         let at = Path::of(&["toolProbes"]);
         count("setup-tool-probes", &at, self.tool_probes.len(), MOST)?;
@@ -61,29 +72,6 @@ impl Setup {
         count("setup-solids", &at, solids.len(), SOLIDS)?;
         solids.iter().enumerate().try_for_each(|(number, one)| solid(&at.element(number), one))
     }
-}
-
-fn control(control: &Control) -> Result<(), Refused> {
-    let frames = Path::of(&["frames"]);
-    for (number, one) in &control.frames {
-        frame(&frames.member(control.make().settable_name(*number)), one)?;
-    }
-    for (store, stored) in [("$P_CHBFR", &control.channel_basic), ("$P_NCBFR", &control.global_basic)] {
-        for (number, one) in stored {
-            let path = frames.member(format!("{store}[{number}]"));
-            within(&path, *number as f64, [0.0, BASIC_FRAMES - 1.0])?;
-            frame(&path, one)?;
-        }
-    }
-    frame(&frames.member("$P_SETFR"), &control.system)?;
-    for (number, tool) in &control.tools {
-        tool.edges.iter().try_for_each(|(edge, data)| edge_data(*number, *edge, data))?;
-    }
-    small(&Path::of(&["active", "spindle"]), &[control.spindle.0])?;
-    small(&Path::of(&["active", "rotary"]), &control.rotary.map(|angle| angle.0))?;
-    small(&Path::of(&["machine", "rotaryCentre"]), &control.rotary_centre)?;
-    in_spindle(control)?;
-    control.data.iter().try_for_each(|(name, value)| datum(control, name, value))
 }
 
 fn edge_path(tool: i64, edge: i64) -> Path {
@@ -203,11 +191,8 @@ fn cutter(path: &Path, cutter: &Cutter) -> Result<(), Refused> {
     small(path, &[cutter.angle.0, cutter.runout[0], cutter.runout[1], cutter.runout_angle.0])
 }
 
-/// Refuses a solid that cannot exist: sizes are above 0, also where its errors make it smaller.
-///
-/// # Errors
-/// What cannot be, by its place below `path`.
-pub fn solid(path: &Path, solid: &Solid) -> Result<(), Refused> {
+/// Refuses a solid that cannot exist, by its place below `path`: sizes are above 0, also where errors make it smaller.
+pub(crate) fn solid(path: &Path, solid: &Solid) -> Result<(), Refused> {
     let errors = &solid.errors;
     let at = path.member("errors");
     small(&path.member("at"), &solid.at)?;

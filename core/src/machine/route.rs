@@ -49,7 +49,7 @@ impl Route {
         Route { from, to, around: None }
     }
 
-    /// The same way so far away.
+    /// Moved by so much, mm.
     pub fn moved(&self, by: [f64; 3]) -> Route {
         Route {
             from: self.from + by,
@@ -229,7 +229,14 @@ enum Ahead {
 
 /// What a ball meets on a straight way. One that reaches into the part at the start and leaves it goes on.
 fn straight(part: &Boundary, radius: f64, from: Mcs, to: Mcs, shift: [f64; 3]) -> Ahead {
-    let back = shift.map(|way| -way);
+    let met = |part: f64, ball: Mcs, point: [f64; 3], normal: [f64; 3]| Obstacle {
+        part,
+        stop: ball + shift.map(|way| -way),
+        ball,
+        point: Mcs(point),
+        normal,
+        by: Touching::Ball,
+    };
     let end = to + shift;
     let mut start = from + shift;
     let mut gone = 0.0;
@@ -237,24 +244,10 @@ fn straight(part: &Boundary, radius: f64, from: Mcs, to: Mcs, shift: [f64; 3]) -
         match part.first(radius, start.0, end.0) {
             Contact::None => return Ahead::Free,
             Contact::Hit { t, ball, point, normal } => {
-                return Ahead::Met(Obstacle {
-                    part: gone + t * (1.0 - gone),
-                    stop: Mcs(ball) + back,
-                    ball: Mcs(ball),
-                    point: Mcs(point),
-                    normal,
-                    by: Touching::Ball,
-                });
+                return Ahead::Met(met(gone + t * (1.0 - gone), Mcs(ball), point, normal));
             }
             Contact::Already { point, normal, depth } => {
-                let pressed = Obstacle {
-                    part: gone,
-                    stop: start + back,
-                    ball: start,
-                    point: Mcs(point),
-                    normal,
-                    by: Touching::Ball,
-                };
+                let pressed = met(gone, start, point, normal);
                 match released(start, end, normal, depth) {
                     None => return Ahead::Met(pressed),
                     Some(share) if share >= 1.0 => return Ahead::Leaving(pressed),

@@ -1,6 +1,6 @@
 //! The simulated machine: moves the probe among the solids and records what happens.
 
-use super::{Entry, InUse, Machine, MotionKind, Obstacle, Route, Setup, Step, Stop, Trace, route::LOOK};
+use super::{Entry, InUse, Machine, MotionKind, Route, Setup, Step, Stop, Trace, route::LOOK};
 use crate::control::{Control, MachineSort};
 use crate::geometry::{Around, Degrees, FARTHEST, Mcs, Wcs};
 use crate::message::Message;
@@ -30,8 +30,7 @@ pub struct Sim {
     pub point_limit: usize,
     /// Whether nothing is recorded.
     quiet: bool,
-    /// For which machines the measuring cycle of workpieces is that is running: then the probe is in use whatever the
-    /// tool data say.
+    /// Machines of the cycle that measures a workpiece now: then the probe is in use whatever the tool data say.
     pub measuring: Option<MachineSort>,
     probe: Probe,
     /// The part where it stands now.
@@ -78,10 +77,7 @@ impl Sim {
             scans: Vec::new(),
             line: None,
             trace_limit: TRACE_LIMIT,
-            point_limit: match setup.probe.body {
-                Some(_) => FORM_POINTS_WITH_BODY,
-                None => FORM_POINTS,
-            },
+            point_limit: if setup.probe.body.is_some() { FORM_POINTS_WITH_BODY } else { FORM_POINTS },
             quiet: false,
             measuring: None,
             probe: setup.probe,
@@ -106,10 +102,7 @@ impl Sim {
     }
 
     /// Motion to a machine position, straight or round an axis; see [`Machine::travel`].
-    ///
-    /// # Errors
-    /// What was hit or refused.
-    pub fn travel_machine(
+    pub(crate) fn travel_machine(
         &mut self,
         to: Mcs,
         around: Option<Around>,
@@ -119,15 +112,13 @@ impl Sim {
     ) -> Result<(), Stop> {
         let way = Route { from: self.position, to, around };
         self.admit(&way)?;
-        let mut hit = self.in_the_way(&way);
+        let mut hit = if self.has_probe() { self.obstacle(&way) } else { self.tool_obstacle(&way) };
         if hit.is_some() && self.gives_way && !monitored && !self.in_cycle {
             self.equip(Workpiece::default(), Vec::new(), None);
             hit = None;
         }
         let free = hit.map_or(way, |hit| way.until(hit.part, hit.stop));
-        if monitored && let Some((part, stop)) = self.false_signal(&free) {
-            self.go(&free.until(part, stop), kind, feed);
-            self.note(Step::Decision { message: Message::new("run-false-signal") });
+        if monitored && self.false_signal(&free, kind, feed).is_some() {
             return Err(Stop::Alarm(self.collision()));
         }
         self.go(&free, kind, feed);
@@ -140,10 +131,7 @@ impl Sim {
     }
 
     /// Straight measuring motion to a machine position; see [`Machine::probe`].
-    ///
-    /// # Errors
-    /// Why the motion was refused, or what was hit.
-    pub fn probe_machine(&mut self, to: Mcs, feed: f64) -> Result<Option<Mcs>, Stop> {
+    pub(crate) fn probe_machine(&mut self, to: Mcs, feed: f64) -> Result<Option<Mcs>, Stop> {
         let latched = self.seek(to, feed)?;
         self.skipped = Some(self.control.to_workpiece(latched.unwrap_or(to)));
         Ok(latched)
@@ -170,11 +158,6 @@ impl Sim {
         if let Some(tool) = real_tool {
             self.real_tools.entry(self.control.active_place()).or_insert(tool);
         }
-    }
-
-    /// What is in the way of a motion of the probe or of another tool.
-    fn in_the_way(&mut self, way: &Route) -> Option<Obstacle> {
-        if self.has_probe() { self.obstacle(way) } else { self.tool_obstacle(way) }
     }
 
     /// The part as rotary axes and spindle have turned it, which from now on is what can be touched.
@@ -226,11 +209,8 @@ impl Sim {
         self.part.distance(point.0)
     }
 
-    /// Whether the trace takes more.
-    ///
-    /// # Errors
-    /// The trace is full.
-    pub fn room(&self) -> Result<(), Stop> {
+    /// Refuses to go on where the trace is full.
+    pub(crate) fn room(&self) -> Result<(), Stop> {
         if self.trace.entries.len() < self.trace_limit {
             return Ok(());
         }

@@ -32,15 +32,6 @@ pub fn corners([x, y]: [f64; 2], [width, height]: [f64; 2]) -> Vec<[f64; 2]> {
     vec![[x - w, y - h], [x + w, y - h], [x + w, y + h], [x - w, y + h]]
 }
 
-/// Corners of a circle, counter-clockwise.
-pub fn round([x, y]: [f64; 2], radius: f64) -> Vec<[f64; 2]> {
-    let corner = |index: u32| {
-        let (sin, cos) = (f64::from(index) / f64::from(CORNERS) * std::f64::consts::TAU).sin_cos();
-        [x + radius * cos, y + radius * sin]
-    };
-    (0..CORNERS).map(corner).collect()
-}
-
 /// Points of an arc, from one angle to the other, degree.
 pub fn arc([x, y]: [f64; 2], radius: f64, from: f64, to: f64) -> Vec<[f64; 2]> {
     let point = |index: u32| {
@@ -99,11 +90,6 @@ pub fn frame(mut outer: Vec<[f64; 2]>, mut inner: Vec<[f64; 2]>) -> Vec<[f64; 2]
     outer
 }
 
-/// A ring between two radii.
-pub fn ring(kind: ShapeKind, centre: [f64; 2], inner: f64, outer: f64) -> PictureShape {
-    polygon(kind, frame(round(centre, outer), round(centre, inner)))
-}
-
 impl PictureShape {
     /// Moves it.
     pub fn shift(&mut self, by: [f64; 2]) {
@@ -114,16 +100,14 @@ impl PictureShape {
         }
     }
 
-    /// The same with a text.
-    pub fn text(mut self, text: impl Into<String>) -> Self {
-        self.text = Some(text.into());
-        self
+    /// With a text.
+    pub fn text(self, text: impl Into<String>) -> Self {
+        Self { text: Some(text.into()), ..self }
     }
 
-    /// The same for a parameter.
-    pub fn of(mut self, field: Name) -> Self {
-        self.field = Some(field);
-        self
+    /// For a parameter.
+    pub fn of(self, field: Name) -> Self {
+        Self { field: Some(field), ..self }
     }
 }
 

@@ -95,8 +95,7 @@ fn circle<S: Serializer>(circle: &Option<([f64; 2], f64)>, to: S) -> Result<S::O
 }
 
 impl Picture {
-    /// With coordinates that are far finer than a pixel and no finer: a third of the text that is sent at every
-    /// keystroke.
+    /// With coordinates far finer than a pixel and no finer: a third less text at every keystroke.
     pub fn rounded(mut self) -> Picture {
         let points = self.shapes.iter().flat_map(|shape| &shape.points);
         let largest = points.flatten().fold(0.0_f64, |most, value| most.max(value.abs()));

@@ -61,15 +61,10 @@ impl Cloud {
 
     /// Direction out of the surface at a point, of length 1. Where neighbours are missing the surface counts as level.
     pub fn normal(&self, layout: &Layout, index: usize) -> V3 {
-        let mut up = V3::zeros();
-        up[layout.axes[2]] = 1.0;
-        let mut beside = V3::zeros();
-        beside[layout.axes[1]] = 1.0;
+        let [ahead, beside, up] = layout.axes.map(|axis| V3::ith(axis, 1.0));
         let (line, range) = self.line_of(index);
         let along = self.direction(index, &self.along_line(layout, index, &range));
         let across = self.direction(index, &self.across_lines(layout, index, line));
-        let mut ahead = V3::zeros();
-        ahead[layout.axes[0]] = 1.0;
         let normal = along.unwrap_or(ahead).cross(&across.unwrap_or(beside)).try_normalize(1e-9).unwrap_or(up);
         if normal.dot(&up) < 0.0 { -normal } else { normal }
     }

@@ -16,8 +16,7 @@ use crate::control::{Control, Plane};
 pub const POINTS: usize = 2_000_000;
 /// Points up to which a form follows a scan at every keystroke.
 pub const FORM_POINTS: usize = 1500;
-/// The same with a probe whose body is described: each way is looked at for the body too, which takes three times as
-/// long.
+/// Points that a form follows with a body of the probe: to look at each way for it too takes three times as long.
 pub const FORM_POINTS_WITH_BODY: usize = 500;
 /// Points of which a trace holds every motion, and a log the block; of the others only the result counts.
 pub const TOLD: usize = 500;

@@ -22,8 +22,7 @@ pub const FORMS: [(&str, Form); 3] = [("program", Form::Program), ("points", For
 
 const NAMES: [&str; 3] = ["X", "Y", "Z"];
 
-/// The text of these points; with the first one the beginning, with the last one the end. Pieces one behind the other
-/// are the whole text.
+/// The text of these points, with its beginning at the first, its end at the last; pieces in turn are the whole text.
 pub fn piece(cloud: &Cloud, layout: &Layout, form: Form, points: Range<usize>) -> String {
     let points = points.start..points.end.min(cloud.points().len());
     match form {
@@ -120,8 +119,7 @@ fn steps(value: f64, decimals: u32) -> i64 {
     (value * 10_f64.powi(decimals as i32)).round() as i64
 }
 
-/// Writes a number of steps with so many decimals. A million points have three million of them; the formatting of the
-/// standard library takes twice as long.
+/// Writes a number of steps with so many decimals: twice as quick as the standard library, for millions of numbers.
 fn fixed(steps: i64, decimals: u32, text: &mut String) {
     let sign = if steps < 0 { "-" } else { "" };
     let (unit, steps) = (10_u64.pow(decimals), steps.unsigned_abs());

@@ -28,8 +28,7 @@ pub fn ways(ways: &[Way], radius: f64) -> Extent {
     if is_some(&ends) { ends.wider(radius) } else { ends }
 }
 
-/// Parts, the paths near them and the origins of coordinate systems near those; all of these where nothing else is
-/// there. Of a way that comes from far above, the part would be small.
+/// Parts, with paths and zeros near them: beside a way from far above a part would be small; without a part all.
 pub fn around(solids: &Extent, ways: &Extent, frames: &[Frame]) -> Extent {
     let mut seen = if is_some(ways) && is_some(solids) {
         let room = solids.wider(LEAST_ROOM.max(ROOM * size(solids)));
@@ -58,8 +57,7 @@ pub fn grid_spacing(length: f64) -> f64 {
     power * [1.0, 2.0, 5.0].into_iter().find(|step| step * power >= rough).unwrap_or(10.0)
 }
 
-/// Grid below what is there, in the X-Y plane of the machine, lines on round coordinates; of a turning machine in the
-/// Z-Y plane.
+/// Grid below what is there, lines on round coordinates, in X-Y of the machine, of a turning machine in Z-Y.
 pub fn grid(below: &Extent, turning: bool) -> Vec<[V3; 2]> {
     let (across, along, up) = if turning { (2, 1, 0) } else { (0, 1, 2) };
     let size = (below.high - below.low)[across].max((below.high - below.low)[along]);

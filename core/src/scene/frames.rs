@@ -24,8 +24,7 @@ pub struct Frame {
 /// The directions of the machine.
 pub const UNITS: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
-/// The machine's coordinate system where it is another one, the active workpiece coordinate system by the name of its
-/// zero offset, and what a correction moved.
+/// The machine's system where it is another one, the active WCS by its zero offset, and what a correction moved.
 pub fn frames(before: &Control, after: &Control) -> Vec<Frame> {
     let drawn = |name: &str, control: &Control, moved: Option<&'static str>| {
         let (at, axes) = system(control)?;

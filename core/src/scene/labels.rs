@@ -20,7 +20,7 @@ pub enum Kind {
     Frame,
     /// A diameter of a turned part as it is, at an end of its dimension line.
     Diameter,
-    /// The same as it should be, and how far it is off, below that.
+    /// A diameter as it should be, and how far it is off, below that.
     Nominal,
     /// The diameter at a touched point as the control reads it.
     Touched,
@@ -99,8 +99,7 @@ pub fn touched(at: [f64; 3], diameter: f64, [from, to]: [Option<usize>; 2]) -> L
     Label { from, to, ..Label::new(Kind::Touched, at, text) }
 }
 
-/// Crashes, touches of stylus or body, and touches that end in an alarm, which is told then; other touches of the ball
-/// are none.
+/// Crashes, touches of stylus or body, and touches that end in an alarm, which is told then.
 pub fn collisions(entries: &[Entry]) -> Vec<Label> {
     let found = entries.iter().enumerate().filter_map(|(entry, one)| {
         let (point, by, text) = match &one.step {

@@ -153,8 +153,7 @@ pub struct ToolView {
     pub ball: Option<[f64; 3]>,
     /// Its end, from the position of the machine on.
     pub tip: [f64; 3],
-    /// Box around a tool without what carries it, from the position of the machine on; none for a probe, of which the
-    /// stylus may be cut off.
+    /// Box around a tool alone, from the position of the machine on; none for a probe, whose stylus may be cut off.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub extent: Option<[[f64; 3]; 2]>,
     /// Whether a turret is drawn that carries it.
@@ -220,8 +219,7 @@ pub struct Scene {
     pub corners: Vec<u32>,
     /// Six numbers a line, mm: from and to, in the frame of its group.
     pub lines: Vec<f64>,
-    /// Eight numbers a straight piece of a motion: from, to, machine coordinates, mm, and between which parts of the
-    /// motion it is travelled. In their order.
+    /// Eight numbers a straight piece of a motion, in order: from, to, machine, mm; between which parts of the motion.
     pub ways: Vec<f64>,
     /// The entry of each.
     pub way_entries: Vec<u32>,
@@ -233,8 +231,7 @@ pub struct Scene {
     pub touch_entries: Vec<u32>,
     /// The sort of each: 0 of the ball, 1 of stylus or body, 2 a crash.
     pub touch_sorts: Vec<u8>,
-    /// Three numbers an entry: where the centre of the ball is when it is done, machine coordinates, mm. None where
-    /// nothing moves.
+    /// Three numbers an entry: centre of the ball when it is done, machine, mm. Empty where nothing moves.
     pub stands: Vec<f64>,
     /// What all this is.
     pub view: View,
@@ -252,13 +249,11 @@ pub struct Source {
     pub zones: Vec<Solid>,
     /// The part with the largest errors that a call survives, on both sides.
     pub limits: Vec<Solid>,
-    /// Parameters that the touched edges explain, in the order in which they are touched, the last one for the rest;
-    /// empty where no form asked.
+    /// Parameters of the touched edges, in the order of the touches, the last for the rest; empty where no form asked.
     pub edges: &'static [Name],
 }
 
-/// Lengths of the normal at a touch, in radii of the ball at least, in sizes of the scene, and in sizes of a solid at
-/// most.
+/// Length of the normal at a touch: in radii of the ball at least, in sizes of the scene, in sizes of a solid at most.
 const NORMAL: [f64; 3] = [2.5, 0.07, 0.5];
 /// Length of the axes of a coordinate system, and of a stylus of which nothing is known at most; sizes of the scene.
 const AXIS: f64 = 0.14;

@@ -1,7 +1,7 @@
 //! Motions as straight pieces, and where the probe stands.
 
 use super::tool::Tool;
-use crate::geometry::{Around, V3};
+use crate::geometry::V3;
 use crate::machine::{Entry, MotionKind, Step};
 
 /// Most degrees of an arc that are one straight piece.
@@ -29,20 +29,12 @@ pub fn ways(entries: &[Entry]) -> Vec<Way> {
         let mut begin = (0.0, from.0);
         for piece in 1..=count {
             let part = piece as f64 / count as f64;
-            let end = along(from.0, to.0, around.as_ref(), part);
+            let end = around.map_or(to.0, |around| around.at(from.0, to.0, part));
             ways.push(Way { entry, kind: *kind, ends: [begin.1, end], during: [begin.0, part] });
             begin = (part, end);
         }
     }
     ways
-}
-
-/// The place after a part of the way, 0 to 1.
-fn along(from: [f64; 3], to: [f64; 3], around: Option<&Around>, part: f64) -> [f64; 3] {
-    match around {
-        Some(around) => around.at(from, to, part),
-        None => V3::from(from).lerp(&V3::from(to), part).into(),
-    }
 }
 
 /// Where the centre of the ball is when each entry is done; none where nothing moves. Another length in effect since

@@ -319,8 +319,7 @@ impl Performed {
         look.cut.then(|| Cut { at: touch.at, normal: right.cross(&up) })
     }
 
-    /// The boundary lines that are touched, in the order of the touches; of a side that is seen from before all of
-    /// them.
+    /// The boundary lines that are touched, in the order of the touches; of a side seen from before all.
     fn edges(&self, look: &Look, lines: &[PictureShape], touches: &[Touched]) -> Vec<PictureShape> {
         let mut edges: Vec<PictureShape> = Vec::new();
         for touch in touches {

@@ -118,8 +118,7 @@ impl Drawing {
         self.angles.iter().map(|angle| curve.point(*angle, z)).collect()
     }
 
-    /// A cylinder or cone, round or not, from Z = 0 downwards, with its rims; `side`: 1 seen from outside, -1 from
-    /// inside.
+    /// A cylinder or cone, round or not, from Z = 0 downwards, with its rims; `side`: 1 from outside, -1 from inside.
     fn wall(&mut self, curve: &Lobes, depth: f64, side: f64) {
         let pieces = self.pieces(depth);
         let row = |piece: usize| {
@@ -209,8 +208,7 @@ impl Drawing {
     }
 }
 
-/// The radius of the circle that bends as much as a piece of a boundary, mm; a straight one 0. A ball bends along and
-/// across.
+/// Radius of the circle that bends like a piece of a boundary, mm; straight: 0. A ball bends along and across.
 fn bend(feature: &Feature) -> f64 {
     let round = |lobes: &Lobes, depth: f64| {
         let waves = f64::from(lobes.count) + 1.0;

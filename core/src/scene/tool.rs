@@ -60,8 +60,7 @@ pub fn tools(setup: &Setup, outcome: &Outcome) -> (Vec<Tool>, Vec<[usize; 2]>) {
     (trace.in_use.iter().map(view).collect(), from)
 }
 
-/// What was in use at the calls of cycles that work with this probe, by T and D number. With what a part was measured
-/// was the probe, whatever its data say.
+/// T and D at the calls of cycles with this probe: with what a part was measured was the probe, whatever its data say.
 fn called(outcome: &Outcome, probe: ProbeUse) -> BTreeSet<(i64, i64)> {
     let trace = &outcome.trace;
     let calls = trace.entries.iter().filter(|entry| match entry.step {

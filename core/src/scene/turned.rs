@@ -66,8 +66,7 @@ pub struct Reading {
     pub diameter: bool,
 }
 
-/// What a drawing of the part of a turning machine shows. A program says itself how it counts, so that what is in force
-/// at its end tells.
+/// A drawing at the end of a run: a program says itself how it counts, so that what is in force there tells.
 pub fn drawing(setup: &Setup, outcome: &Outcome) -> Drawing {
     let diameters: Vec<Diameter> = setup.workpiece.solids.iter().flat_map(diameters).collect();
     let touched = if diameters.is_empty() { Vec::new() } else { touched(&outcome.control, &outcome.trace) };
@@ -106,8 +105,7 @@ fn diameters(solid: &Solid) -> Vec<Diameter> {
     found
 }
 
-/// Diameters at which a part was touched across its axis, by entry: where the control was when the signal came, and the
-/// ball as it is.
+/// Diameters at which a part was touched, by entry: by where the control was at the signal and the ball as it is.
 fn touched(control: &Control, trace: &Trace) -> Vec<Touched> {
     let mut found = Vec::new();
     let mut of_tool = false;

@@ -190,7 +190,7 @@ impl SurfaceFile {
             SurfaceFile::Heights(heights) => heights.surface(),
             SurfaceFile::Triangles(triangles) => FreeSurface::from_triangles(&triangles),
         }
-        .map_err(|refused| Refused { path: path.clone(), ..refused.into() })?;
+        .map_err(|refused| Refused { path: path.clone(), ..refused })?;
         Ok(Shape::Free(Arc::new(surface)))
     }
 

@@ -27,8 +27,7 @@ pub fn turned(solid: &Solid, angle: Degrees) -> Solid {
 const JAWS: u32 = 3;
 const JAW_WIDTH: f64 = 0.28;
 
-/// What is seen of a chuck, in its own frame: jaws over the first third of its length, the body behind them. What can
-/// be touched is what they sweep.
+/// A chuck as it is drawn, in its own frame: jaws over the first third, which sweep what can be touched, and the body.
 pub fn seen(solid: &Solid) -> Vec<Solid> {
     let Shape::Chuck { diameter, length, grip } = solid.shape else { return Vec::new() };
     let high = length / 3.0;

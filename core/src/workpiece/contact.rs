@@ -18,8 +18,7 @@ pub enum Contact {
         /// How deep the ball reaches into the part.
         depth: f64,
     },
-    /// It begins to touch. A ball that touches at the start and moves into the part hits at 0;
-    /// one that moves away or along the surface is free.
+    /// It begins to touch; at 0 where it touches at the start and moves into the part, not along or away.
     Hit {
         /// Part of the way, 0 to 1.
         t: f64,
@@ -91,8 +90,7 @@ impl Boundary {
     }
 }
 
-/// How the ball stands at the start of the way. Under a surface of triangles one that does not move is inside also
-/// where it is altogether below.
+/// How the ball stands at the start; without a way also below a surface of triangles it is inside.
 fn stand(body: &Body, path: &Path, radius: f64) -> Stand {
     if let Some(free) = &body.free {
         return match free.mesh.stand(path, radius) {

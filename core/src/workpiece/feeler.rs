@@ -90,8 +90,9 @@ impl Feeler {
             if !part.may_meet(&self.swept(&rod, by, &way)) {
                 return None;
             }
+            let pressed = || matches!(part.first(self.radius, from, from), Contact::Already { .. });
             let met = match part.pierced(&placed) {
-                Some(_) if self.pressed(part, from) => None,
+                Some(_) if pressed() => None,
                 Some(met) => Some(met),
                 None => part.first_of_rod(&placed, &path, end),
             };
@@ -125,10 +126,6 @@ impl Feeler {
             radius: rod.radius,
             flat: self.end(by) == End::Flat,
         }
-    }
-
-    fn pressed(&self, part: &Boundary, ball: [f64; 3]) -> bool {
-        matches!(part.first(self.radius, ball, ball), Contact::Already { .. })
     }
 
     /// How the lower end of stylus or body looks.

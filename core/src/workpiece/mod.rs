@@ -96,7 +96,7 @@ pub enum Shape {
         /// Z, mm.
         height: f64,
     },
-    /// Pocket with such a corner.
+    /// Pocket with a corner of any angle at the origin.
     InnerCorner {
         /// Angle between the edges, between 0 and 180.
         angle: Degrees,
@@ -161,8 +161,7 @@ pub struct PartErrors {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(as = "crate::setup_file::SolidFile"))]
 pub struct Solid {
-    /// Shape. The origin is the centre of the element at its upper face (of a sphere its centre, of a corner the
-    /// corner), Z is the depth axis.
+    /// Shape. Its origin is the centre of the upper face (sphere: its own; corner: the corner), Z the depth axis.
     pub shape: Shape,
     /// Position of the origin X Y Z, mm.
     pub at: [f64; 3],

@@ -1,5 +1,6 @@
 //! When the probe switches, and where the control then believes the spindle to be.
 
+use super::tool::across;
 use super::{Boundary, Contact, Feeler, Noise, Probe, Touching, feeler::Caught};
 use crate::geometry::{Degrees, Path, TOLERANCE, V3};
 
@@ -21,12 +22,8 @@ pub struct Touch {
 /// Ball centre minus spindle axis with the probe turned by `turned` from the abscissa to the ordinate.
 /// `axis`: index of the tool axis (the applicate of the plane).
 pub fn ball_offset(probe: &Probe, turned: Degrees, axis: usize) -> [f64; 3] {
-    let (sine, cosine) = turned.sin_cos();
     let [x, y] = probe.skew;
-    let mut offset = [0.0; 3];
-    offset[(axis + 1) % 3] = cosine * x - sine * y;
-    offset[(axis + 2) % 3] = sine * x + cosine * y;
-    offset
+    (across(axis, turned) * x + across(axis, turned + Degrees(90.0)) * y).into()
 }
 
 /// How the probe stands.
@@ -65,10 +62,7 @@ pub fn touch(
     let gone = met.part * way.length;
     let signal = match met.by {
         Touching::Body => gone,
-        Touching::Ball | Touching::Stylus => {
-            let late = lateness(probe, *turned, *axis, &way.direction, feed, noise);
-            (gone + late).max(0.0)
-        }
+        _ => (gone + lateness(probe, *turned, *axis, &way.direction, feed, noise)).max(0.0),
     };
     (signal <= way.length).then(|| Touch {
         latched: way.at(signal).into(),

@@ -81,8 +81,7 @@ impl Default for Turret {
     }
 }
 
-/// A tool from its end on, and the direction in which it leads to where it is held. `carrier`: from its end to there;
-/// `spindle`: how the teeth of a cutter stand.
+/// A tool from its end on, and where it leads; `carrier`: to where it is held, `spindle`: how teeth stand.
 pub fn tool(tool: &Tool, carrier: V3, plane: Plane, spindle: Option<Spindle>) -> (Vec<Drawn>, V3) {
     match &tool.cut {
         Cut::Nose(nose) => turning_tool(nose, carrier, plane),
@@ -140,8 +139,7 @@ fn insert(nose: &Nose) -> Vec<[f64; 2]> {
     corners
 }
 
-/// Axis of the plane along which the shank leads to where the tool is held, and its direction: away from the nose,
-/// along the longer way.
+/// Axis and direction in the plane in which the shank leads to where it is held: away from the nose, the longer way.
 fn lies(nose: &Nose, carrier: [f64; 2]) -> (usize, f64) {
     let way = |axis: usize| match nose.side[axis] {
         0.0 if nose.side[1 - axis] == 0.0 => (carrier[axis].abs(), 1.0_f64.copysign(carrier[axis])),
@@ -183,15 +181,16 @@ fn shank(nose: &Nose, carrier: [f64; 2], (axis, direction): (usize, f64)) -> Vec
     outline.into_iter().map(place).collect()
 }
 
-/// What joins a probe, from the ball on in this direction and so long, with where it is held. None where it is long
-/// enough.
+/// What joins a probe, so long from the ball in this direction, with where it is held; none: it is long enough.
 pub fn adapter(length: f64, carrier: V3, along: V3) -> Option<Drawn> {
-    let (begin, end) = (0.9 * length, carrier.dot(&along));
-    (end > length).then(|| Drawn::Round {
-        outline: vec![[0.0, begin], [ADAPTER, begin], [ADAPTER, end], [0.0, end]],
-        axis: along,
-        at: V3::zeros(),
-    })
+    let end = carrier.dot(&along);
+    let outline = || cylinder(ADAPTER, 0.9 * length, end);
+    (end > length).then(|| Drawn::Round { outline: outline(), axis: along, at: V3::zeros() })
+}
+
+/// Half of the section of a cylinder from one height to another, mm.
+fn cylinder(radius: f64, begin: f64, end: f64) -> Vec<[f64; 2]> {
+    vec![[0.0, begin], [radius, begin], [radius, end], [0.0, end]]
 }
 
 /// The disc of a turret and the holder on it. `carrier`: from the point to which the tool length refers to where the
@@ -215,12 +214,8 @@ pub fn turret(turret: &Turret, carrier: V3, along: V3) -> Vec<Drawn> {
     let mut at = carrier;
     at[transverse] += away(transverse) * (radius - WALL);
     at[spindle] += away(spindle) * WALL;
-    let disc = Drawn::Round {
-        outline: vec![[0.0, 0.0], [radius, 0.0], [radius, turret.width], [0.0, turret.width]],
-        axis: V3::ith(spindle, away(spindle)),
-        at,
-    };
-    vec![holder, disc]
+    let outline = cylinder(radius, 0.0, turret.width);
+    vec![holder, Drawn::Round { outline, axis: V3::ith(spindle, away(spindle)), at }]
 }
 
 #[cfg(test)]

@@ -45,8 +45,7 @@ pub struct Cutter {
     /// Radius between end and side, mm.
     #[serde(default)]
     pub corner: f64,
-    /// How far the lowest place of an edge lies inside of the widest, and the widest above the lowest, mm; beside
-    /// `corner`.
+    /// How far the lowest place of an edge lies inside of the widest, and below it, mm; beside `corner`.
     #[serde(default)]
     pub chamfer: [f64; 2],
     /// Number of teeth, evenly spread; 0: smooth all round.
@@ -59,7 +58,7 @@ pub struct Cutter {
     /// that direction stands, mm. A smooth cutter has neither.
     #[serde(default)]
     pub runout: [f64; 2],
-    /// In which direction, with the spindle at 0, degree.
+    /// Direction of the run-out with the spindle at 0.
     #[serde(default)]
     pub runout_angle: Degrees,
     /// Axis of the plane along which it stands, its end in minus direction: 0 abscissa, 1 ordinate, 2 applicate.
@@ -129,7 +128,7 @@ impl Tool {
         Tool { length: [0, 1, 2].map(|i| edge.total_length(i)), cut }
     }
 
-    /// The same; `mirrored`: the nose of a turning tool on the other side in the ordinate.
+    /// A tool whose nose with `mirrored` lies on the other side in the ordinate.
     pub fn recoded(mut self, mirrored: bool) -> Tool {
         if let Cut::Nose(nose) = &mut self.cut
             && mirrored
@@ -139,9 +138,7 @@ impl Tool {
         self
     }
 
-    /// From the point to which the lengths of the control refer, with the edge in use, to the one to which its own
-    /// refer:
-    /// X Y Z, mm.
+    /// From the point to which the control's lengths in use refer to the one to which its own refer: X Y Z, mm.
     pub fn error(&self, control: &Control) -> [f64; 3] {
         let mut error = control.active_length();
         if let Some(edge) = control.active_edge() {
@@ -182,8 +179,7 @@ impl Cutter {
         }
     }
 
-    /// The teeth as the spindle carries them: distance from its axis, direction with the spindle at 0, and how much
-    /// lower than in the mean, mm.
+    /// The teeth: distance from the spindle axis, mm, direction with the spindle at 0, how much lower than the mean, mm.
     pub fn edges(&self) -> Vec<(f64, Degrees, f64)> {
         let (away_sine, away_cosine) = self.runout_angle.sin_cos();
         let [aside, lower] = self.runout;
@@ -199,8 +195,7 @@ impl Cutter {
         (0..self.teeth).map(tooth).collect()
     }
 
-    /// Half of its section from the end in the axis outwards and up: distance from the axis, height above the end, mm.
-    /// `radius`: of the tooth.
+    /// Half of its section from the end in the axis outwards and up, mm: distance and height; `radius`: of the tooth.
     pub fn outline(&self, radius: f64) -> Vec<[f64; 2]> {
         let profile = self.profile(radius);
         let [.., top] = profile.points;
@@ -215,8 +210,7 @@ impl Cutter {
         outline
     }
 
-    /// Index of the axis of the machine along which it stands, and the direction from its end to the rest of it.
-    /// `axes`: of the plane.
+    /// Axis of the machine along which it stands (0 X), and direction from its end to the rest; `axes`: of the plane.
     pub fn stands(&self, axes: [usize; 3]) -> (usize, V3) {
         let along = axes[self.axis.min(2)];
         let up = V3::ith(along, 1.0);

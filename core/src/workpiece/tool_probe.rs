@@ -83,8 +83,7 @@ fn passes(piece: &Piece, cap: &Cap, moved: &Stretch) -> bool {
     axes.any(|axis| parts(&axis)) || between().is_some_and(|normal| parts(&normal))
 }
 
-/// What stops a tool that moves without measuring: as [`first`], but a tool that stands in contact may leave the probe
-/// that has given way under it.
+/// What stops a tool that does not measure: one in contact may leave the probe that has given way under it.
 pub fn obstacle(probes: &[ToolProbe], tool: &[Piece], from: [f64; 3], to: [f64; 3]) -> Option<Contact> {
     let path = Path::new(from.into(), to.into());
     least(probes, tool, &|piece, cap| {

@@ -48,17 +48,10 @@ pub fn program(path: &Path, words: &Words) -> Result<Vec<u8>, Problem> {
     })
 }
 
-/// What has to be put into UTF-8, and by which table.
+/// The table that puts a text into UTF-8; none: it is.
 fn table(encoding: Encoding) -> Option<&'static encoding_rs::Encoding> {
-    Some(match encoding {
-        Encoding::Utf8 | Encoding::Utf8Marked => return None,
-        Encoding::Utf16Le | Encoding::Utf16LeMarked => encoding_rs::UTF_16LE,
-        Encoding::Utf16Be | Encoding::Utf16BeMarked => encoding_rs::UTF_16BE,
-        Encoding::Gbk => encoding_rs::GBK,
-        Encoding::Gb18030 => encoding_rs::GB18030,
-        Encoding::ShiftJis => encoding_rs::SHIFT_JIS,
-        Encoding::Windows1252 => encoding_rs::WINDOWS_1252,
-    })
+    let label = encoding.name().trim_end_matches("-marked");
+    encoding_rs::Encoding::for_label(label.as_bytes()).filter(|table| *table != encoding_rs::UTF_8)
 }
 
 /// Writes texts one behind the other into a file; the error names it.

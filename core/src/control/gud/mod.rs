@@ -2,20 +2,14 @@
 //! units and ranges are read from here by everything else (B:1744-1838, B:13097-13247, B:14170-14305).
 
 mod element;
-mod fields;
 mod jog;
 mod logging;
-mod masks;
-mod memories;
 mod parameters;
-mod simulation;
-mod speeds;
+mod probes;
+mod settings;
 mod switches;
 #[cfg(test)]
 mod tests;
-mod tool_measuring;
-mod tool_probes;
-mod workpiece_probes;
 
 use super::arrays;
 use Kind::{Bool, Frame, Integer, Real, Text};
@@ -84,17 +78,17 @@ pub const MASKS: &str = "masks";
 
 /// Everything, in the order in which it is shown.
 pub const SUBJECTS: &[Subject] = &[
-    subject("fields", fields::DATA),
-    subject("workpiece-probes", workpiece_probes::DATA),
-    subject("tool-probes", tool_probes::DATA),
+    subject("fields", probes::FIELDS),
+    subject("workpiece-probes", probes::OF_WORKPIECES),
+    subject("tool-probes", probes::OF_TOOLS),
     subject("switches", switches::DATA),
     subject("channel-switches", switches::OF_CHANNEL),
-    subject("speeds", speeds::DATA),
-    subject("tool-measuring", tool_measuring::DATA),
-    subject("memories", memories::DATA),
-    subject(MASKS, masks::DATA),
+    subject("speeds", settings::SPEEDS),
+    subject("tool-measuring", settings::TOOL_MEASURING),
+    subject("memories", settings::MEMORIES),
+    subject(MASKS, settings::MASKS),
     subject("logging", logging::DATA),
-    subject("simulation", simulation::DATA),
+    subject("simulation", settings::SIMULATION),
     subject("jog", jog::DATA),
     subject("jog-settings", jog::SETTINGS),
     subject("parameters", parameters::DATA),

@@ -29,8 +29,7 @@ impl Control {
         }
     }
 
-    /// Writes a tool or frame variable. An edge that is not there is made, as `$TC_DP1[t,d]` does.
-    /// False: there is no such variable.
+    /// Writes a tool or frame variable; `$TC_DP1[t,d]` makes an edge that is not there. False: no such variable.
     pub fn set_variable(&mut self, name: &str, value: f64) -> bool {
         match (self.make().place)(name) {
             Some(Place::Frame(kept, axis, part)) => set_part(self.frame_at_mut(kept), part, axis, value),

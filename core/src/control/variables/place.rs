@@ -59,7 +59,7 @@ pub(in crate::control) enum Quantity {
 /// Parts of a frame, as `$P_UIFR[1,X,TR]` names them.
 pub(super) const PARTS: [(&str, Part); 5] =
     [("TR", Part::Coarse), ("FI", Part::Fine), ("RT", Part::Rotation), ("SC", Part::Scale), ("MI", Part::Mirror)];
-/// The same of a rotary axis.
+/// Parts of a frame along a rotary axis.
 pub(super) const ROTARY_PARTS: [(&str, Part); 2] = [("TR", Part::Rotary), ("FI", Part::RotaryFine)];
 
 /// What the name of a SINUMERIK variable means.
@@ -112,8 +112,7 @@ pub(super) fn whole_frame(name: &str) -> Option<Kept> {
     }
 }
 
-/// `DP2` cutting edge position, `DP6` radius, `DP15` its wear, `SCP13` L1 of the additive offset DL1, `ECP13` of the
-/// setup offset.
+/// `DP2` cutting edge position, `DP6` radius, `DP15` its wear, `SCP13` L1 of the additive, `ECP13` of setup offset DL1.
 fn tool_quantity(name: &str) -> Option<Quantity> {
     if let Some(number) = name.strip_prefix("DP") {
         return match number.parse::<usize>().ok()? {

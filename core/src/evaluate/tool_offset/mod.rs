@@ -5,7 +5,7 @@ mod tests;
 
 use super::knum::{Quantity, ToolCode};
 use super::{Write, knum};
-use crate::control::{Control, Edge, Environment};
+use crate::control::{Control, Environment};
 
 /// Who names the tool of a correction.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,8 +20,7 @@ pub struct Names<'a> {
     pub location: i64,
     /// `_TENV`.
     pub environment: &'a str,
-    /// Measuring axis: 0 abscissa, 1 ordinate, 2 applicate; none: the measurement has no single one, so that
-    /// "length in the measuring axis" means nothing.
+    /// Measuring axis: 0 abscissa, 1 ordinate, 2 applicate; none: "length in the measuring axis" means nothing.
     pub axis: Option<usize>,
 }
 
@@ -44,20 +43,18 @@ pub struct Target {
 pub const RADIUS: usize = 3;
 
 /// Finds the quantity. None: `_KNUM` is 0. Error: number of the alarm.
-///
-/// # Errors
-/// The number of the alarm.
-pub fn target(control: &Control, names: &Names) -> Result<Option<Target>, u32> {
+pub(crate) fn target(control: &Control, names: &Names) -> Result<Option<Target>, u32> {
     let Some(code) = knum::tool(names.code, knum::five_digit_edges(control))? else { return Ok(None) };
-    let environment = environment(control, names, &code)?;
+    let environment = match code.environment {
+        true => Some(control.environments.get(names.environment).ok_or(61405_u32)?), // B:2086
+        false => None,
+    };
     let (tool, edge) = tool_and_edge(control, names, &code, environment)?;
     let largest = control.number("MD18105");
     if largest > 0.0 && edge as f64 > largest {
         return Err(61345);
     }
-    if control.edge_of(tool, edge).is_none() {
-        return Err(61410); // the quantity to be corrected does not exist, A:15931
-    }
+    let data = control.edge_of(tool, edge).ok_or(61410_u32)?; // the quantity to be corrected does not exist, A:15931
     let location = match (names.location, environment) {
         (0, Some(environment)) => environment.location,
         (location, _) => location,
@@ -70,7 +67,15 @@ pub fn target(control: &Control, names: &Names) -> Result<Option<Target>, u32> {
     if let Some(number) = location.and_then(|_| missing_memory(control)) {
         return Err(number);
     }
-    let part = part(control, names, &code, environment, (tool, edge))?;
+    let part = match code.quantity {
+        Quantity::Radius => RADIUS,
+        Quantity::Length(number) => usize::from(number.saturating_sub(1)),
+        Quantity::MeasuringAxis => {
+            let axis = names.axis.ok_or(61322_u32)?;
+            let axis = environment.map_or(axis, |stored| turned(control, stored, axis));
+            control.length_axes(data).iter().position(|own| *own == axis).unwrap_or(0)
+        }
+    };
     Ok(Some(Target { tool, edge, part, location, inverted: code.inverted }))
 }
 
@@ -83,37 +88,6 @@ pub fn missing_memory(control: &Control) -> Option<u32> {
         return Some(61408);
     }
     (setup && !control.machine_bit("MD18112", 4)).then_some(61409)
-}
-
-/// The environment that `_TENV` names, where the code asks for one (B:2086); 61405: there is none of that name.
-fn environment<'a>(control: &'a Control, names: &Names, code: &ToolCode) -> Result<Option<&'a Environment>, u32> {
-    if !code.environment {
-        return Ok(None);
-    }
-    let stored = control.environments.get(names.environment);
-    stored.map(Some).ok_or(61405)
-}
-
-/// L1, L2, L3 or radius as index. Which length works in an axis, the type of the tool decides:
-/// [`Control::length_axes`].
-fn part(
-    control: &Control,
-    names: &Names,
-    code: &ToolCode,
-    environment: Option<&Environment>,
-    (tool, edge): (i64, i64),
-) -> Result<usize, u32> {
-    match code.quantity {
-        Quantity::Radius => Ok(RADIUS),
-        Quantity::Length(number) => Ok(usize::from(number.saturating_sub(1))),
-        Quantity::MeasuringAxis => {
-            let axis = names.axis.ok_or(61322_u32)?;
-            let axis = environment.map_or(axis, |stored| turned(control, stored, axis));
-            let unknown = Edge::default();
-            let lengths = control.length_axes(control.edge_of(tool, edge).unwrap_or(&unknown));
-            Ok(lengths.iter().position(|own| *own == axis).unwrap_or(0))
-        }
-    }
 }
 
 /// The measuring axis as seen from the plane that was stored with the environment.
@@ -163,7 +137,7 @@ pub fn writes(control: &Control, target: &Target, amount: f64) -> Vec<Write> {
     writes_into(control, target, amount, control.bit("_CHBIT[6]"))
 }
 
-/// The same where the caller says whether the geometry takes all of it.
+/// What a correction by `amount`, mm, writes where the caller says whether the geometry takes all of it.
 pub fn writes_into(control: &Control, target: &Target, amount: f64, geometry: bool) -> Vec<Write> {
     let Target { tool, edge, part, .. } = *target;
     let at = format!("[{tool},{edge}]");

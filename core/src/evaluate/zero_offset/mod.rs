@@ -13,8 +13,7 @@ pub use crate::control::frames::Store;
 use crate::control::{AXES, Control, Frame, Value, frames::CHANNEL_MASK};
 use crate::geometry::Wcs;
 
-/// Two values of a frame closer than this, mm or degree, are the same: what sums, sines and cosines leave over is no
-/// correction.
+/// Values of a frame closer than this, mm or degree, are the same: rounding is no correction.
 const SAME: f64 = 1e-12;
 
 /// The frame to correct.
@@ -29,10 +28,7 @@ pub struct Target {
 }
 
 /// Finds the frame. None: `_KNUM` is 0. Error: number of the alarm.
-///
-/// # Errors
-/// The number of the alarm.
-pub fn target(control: &Control, code: i64) -> Result<Option<Target>, u32> {
+pub(crate) fn target(control: &Control, code: i64) -> Result<Option<Target>, u32> {
     let Some(code) = knum::zero(code)? else { return Ok(None) };
     let stored = |store| Target { store, without_settable: false, activate: false };
     Ok(Some(match code {
@@ -52,8 +48,7 @@ pub fn system_frame(control: &Control) -> bool {
     control.machine_bit("MD28082", 0)
 }
 
-/// The channel basic frame of the highest bit in `$P_CHBFRMASK`; without a mask the last one that exists. Alarm 61412
-/// where there is none (A:15931).
+/// The channel basic frame of the highest bit in `$P_CHBFRMASK`, without a mask the last one; else 61412 (A:15931).
 fn last_basic(control: &Control) -> Result<Store, u32> {
     let index = match control.data.get(CHANNEL_MASK) {
         Some(Value::Number(bits)) => (*bits as u32).checked_ilog2().map(|bit| bit as usize),

@@ -36,8 +36,7 @@ pub fn turned(control: &Control, target: &Target, rotation: Rpy) -> Vec<Write> {
     part(target, &AXES, "RT", rotation.0, old.rotation.0)
 }
 
-/// What writes this rotation together with the translation that gives the point its set coordinates, into the coarse
-/// part (B:7840-7844, B:8411).
+/// What writes this rotation and the translation to the set coordinates, into the coarse part (B:7840-7844, B:8411).
 pub fn placed(control: &Control, target: &Target, rotation: Rpy, measured: &Measured) -> Vec<Write> {
     let (before, old, after) = around(control, target);
     let turned = Frame { rotation, ..old };
@@ -73,8 +72,7 @@ pub fn rotary(control: &Control, target: &Target, axis: usize, angle: Degrees) -
     writes
 }
 
-/// By how much less a rotary axis is moved once the frame counts that is reckoned with: `_KNUM` = 1000
-/// replaces the settable frame by that of G500.
+/// By how much less a rotary axis moves: `_KNUM` = 1000 replaces the settable frame by that of G500.
 fn given_up(control: &Control, target: &Target, axis: usize) -> Degrees {
     if !target.without_settable {
         return Degrees(0.0);

@@ -3,7 +3,5 @@
 #[cfg(test)]
 mod reference;
 pub mod round;
-pub mod straight;
 
 pub use round::{circle, in_line, nearest};
-pub use straight::{line, plane};

@@ -3,9 +3,8 @@
 //! Not every set of points has one. What is asked of them is derived in DESIGN.md ("Formulas that the manuals do not
 //! give").
 
-use super::straight::{Extent, extent};
 use crate::geometry::V3;
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, Matrix3xX};
 
 /// Points that lie within this part of their extent on a line (of a sphere: in a plane) determine nothing: where a
 /// position is known to 1e-9 mm, three digits of a radius are right from here on.
@@ -52,6 +51,28 @@ pub fn nearest(points: &[V3], plane: bool) -> Option<(V3, f64)> {
     (bent && found.1.is_finite()).then_some(found)
 }
 
+/// How far points lie from their mean.
+struct Extent {
+    middle: V3,
+    /// Distance of the farthest one, mm.
+    farthest: f64,
+    /// Roots of the sums of squares along the directions in which they extend, the longest first, in parts of `farthest`.
+    sizes: [f64; 3],
+}
+
+fn extent(points: &[V3]) -> Option<Extent> {
+    let middle = points.iter().sum::<V3>() / points.len() as f64;
+    let away: Vec<V3> = points.iter().map(|point| point - middle).collect();
+    let farthest = away.iter().map(V3::norm).fold(0.0, f64::max);
+    if !farthest.is_finite() || farthest == 0.0 {
+        return None;
+    }
+    // never fewer columns than rows, as large as 1
+    let columns: Vec<V3> = away.into_iter().map(|away| away / farthest).chain([V3::zeros(); 3]).collect();
+    let sizes = Matrix3xX::from_columns(&columns).svd(false, false).singular_values;
+    Some(Extent { middle, farthest, sizes: [0, 1, 2].map(|i| sizes[i]) })
+}
+
 /// A circle or sphere.
 #[derive(Clone, Copy)]
 struct Round {
@@ -74,8 +95,8 @@ impl Fit<'_> {
         radius.is_finite().then_some(round)
     }
 
-    /// Steps of Gauss and Newton, each halved until it comes nearer. Close to the end rounding hides what a step gains;
-    /// then it is taken as it is, for as long as steps become shorter.
+    /// Steps of Gauss and Newton, halved until they come nearer. Close to the end rounding hides what one gains: then
+    /// it is taken as it is, for as long as steps become shorter.
     fn search(&self, mut round: Round) -> Option<Round> {
         let mut last = CLOSE;
         for _ in 0..STEPS {
@@ -159,6 +180,7 @@ fn height([a, b, c]: [V3; 3]) -> Option<f64> {
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
+    use nalgebra::{Matrix2, Vector2};
 
     // oracle: manual B:2456-2466 (three points of a circle of radius 10 about the zero)
     #[test]
@@ -241,10 +263,10 @@ mod tests {
                 points.iter().map(|point| distance(point).powi(2)).sum()
             };
             let best = off(x, y, radius);
-            let flat: Vec<V3> = points.iter().map(|[x, y]| V3::new(*x, *y, 0.0)).collect();
-            let (at, along) = super::super::line(&flat).unwrap();
-            let beside = |point: &V3| (point - at).cross(&along).norm_squared();
-            assert!(best < flat.iter().map(beside).sum(), "{points:?}");
+            let middle = points.iter().map(|point| Vector2::from(*point)).sum::<Vector2<f64>>() / 4.0;
+            let away = points.iter().map(|point| Vector2::from(*point) - middle);
+            let beside_line = away.map(|p| p * p.transpose()).sum::<Matrix2<f64>>().symmetric_eigenvalues().min();
+            assert!(best < beside_line, "{points:?}");
             for [dx, dy, dr] in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 1.0, 1.0], [0.0, 1.0, -1.0]] {
                 let step = 1e-4 * radius;
                 for sign in [-step, step] {

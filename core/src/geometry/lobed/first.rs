@@ -23,8 +23,7 @@ impl LobedWall {
         Search { wall: self, path, radius, across: self.across(path), looked: 0 }.first()
     }
 
-    /// The largest part of a way that leads across a line of the wall, squared; none where the way is long enough to
-    /// come to where the lines meet.
+    /// The largest part of a way across a line of the wall, squared; none where it may come to where the lines meet.
     fn across(&self, path: &Path) -> Option<f64> {
         let slope = self.lobes.slope;
         let far = path.from.norm() + path.length + self.depth;

@@ -53,7 +53,7 @@ impl Face {
         }
         let corner = self.corners[0];
         let height = corner.z - (p - corner).xy().dot(&self.normal.xy()) / self.normal.z;
-        self.covers(&V3::new(p.x, p.y, height)).then_some(height)
+        (self.outside(&V3::new(p.x, p.y, height)) <= BORDER).then_some(height)
     }
 
     /// Length, at most `limit`, after which a ball of this radius that was free begins to touch the triangle. Its face
@@ -93,13 +93,7 @@ impl Face {
         [(a, b), (b, c), (c, a)]
     }
 
-    /// Whether a point of the plane lies in the triangle.
-    fn covers(&self, p: &V3) -> bool {
-        self.outside(p) <= BORDER
-    }
-
-    /// How far a point of the plane lies outside of the line of that edge of which it lies farthest outside, mm: at
-    /// most its distance from the triangle, and inside less than 0.
+    /// How far a point of the plane lies outside of its farthest edge, mm: at most its distance, inside less than 0.
     fn outside(&self, p: &V3) -> f64 {
         let past = |place: usize| (p - self.corners[place]).dot(&self.across[place]);
         past(0).max(past(1)).max(past(2))

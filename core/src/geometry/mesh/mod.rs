@@ -27,8 +27,7 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// A surface of these triangles, counter-clockwise seen from outside; those without area and those that name no
-    /// corner are left out.
+    /// A surface of triangles, counter-clockwise seen from outside, less those without area or with unknown corners.
     pub fn new(corners: Vec<V3>, mut triangles: Vec<[u32; 3]>) -> Mesh {
         let area = |triangle: &[u32; 3]| face::normal(&corners_of(&corners, triangle)?);
         triangles.retain(|triangle| area(triangle).is_some());

@@ -92,8 +92,7 @@ impl Tree {
         self.walk(limit, |node| node.extent.distance(p), tell);
     }
 
-    /// The same from the start of a path, of boxes that are nearer than `room` to it, each axis alone, and do not lie
-    /// behind its start.
+    /// Tells the leaves as [`Tree::near`] does, of boxes within `room` of a path along each axis, not behind its start.
     pub fn near_ahead(&self, path: &Path, room: f64, limit: f64, tell: impl FnMut(Range<usize>, f64) -> f64) {
         let swept = Extent::of([path.from, path.at(path.length)]).wider(room);
         let away = |node: &Node| match node.extent.meets(&swept) && node.ahead(path) {
@@ -112,8 +111,7 @@ impl Tree {
         });
     }
 
-    /// Tells the leaves whose boxes a line from a point straight up meets, low ones first, up to the height that is
-    /// answered.
+    /// Tells the leaves whose boxes a line straight up from a point meets, low ones first, up to the height answered.
     pub fn above(&self, p: &V3, tell: impl FnMut(Range<usize>, f64) -> f64) {
         let height = |node: &Node| match node.spans(p) && node.extent.high.z >= p.z {
             true => node.extent.low.z,
@@ -122,10 +120,9 @@ impl Tree {
         self.walk(f64::MAX, height, tell);
     }
 
-    /// Tells the leaves in the order of a measure that no box within another one has smaller, up to a limit of it. What
-    /// is answered is the new limit.
+    /// Tells the leaves by a measure, which no inner box has smaller, up to a limit; what is answered is the new limit.
     fn walk(&self, mut limit: f64, measure: impl Fn(&Node) -> f64, mut tell: impl FnMut(Range<usize>, f64) -> f64) {
-        let mut waiting = Waiting::default();
+        let mut waiting = Vec::with_capacity(LEVELS);
         let mut next = self.nodes.first().map(|root| (0, measure(root)));
         while let Some((place, at)) = next.take().or_else(|| waiting.pop()) {
             let Some(node) = self.nodes.get(place as usize).filter(|_| at <= limit) else { continue };
@@ -146,31 +143,5 @@ impl Tree {
             }
             next = Some(near);
         }
-    }
-}
-
-/// Boxes that wait, with their measure.
-struct Waiting {
-    boxes: [(u32, f64); LEVELS],
-    count: usize,
-}
-
-impl Default for Waiting {
-    fn default() -> Waiting {
-        Waiting { boxes: [(0, 0.0); LEVELS], count: 0 }
-    }
-}
-
-impl Waiting {
-    fn push(&mut self, one: (u32, f64)) {
-        if let Some(free) = self.boxes.get_mut(self.count) {
-            *free = one;
-            self.count += 1;
-        }
-    }
-
-    fn pop(&mut self) -> Option<(u32, f64)> {
-        self.count = self.count.checked_sub(1)?;
-        self.boxes.get(self.count).copied()
     }
 }

@@ -17,8 +17,7 @@ impl Sim {
         self.measuring.is_some() || self.control.active_edge().is_some_and(probe)
     }
 
-    /// Whether it is the probe of a turning machine: the spindle of a program holds the part there, and only in a
-    /// milling cycle the probe.
+    /// Whether it is the probe of a turning machine, whose spindle holds the part, only in a milling cycle the probe.
     pub(super) fn in_turret(&self) -> bool {
         self.control.active_edge().is_some_and(Edge::is_turning)
     }
@@ -28,8 +27,7 @@ impl Sim {
         if self.in_turret() { Degrees(0.0) - self.held_at } else { self.control.turned() }
     }
 
-    /// The probe of a turning machine is as long as its data say when it is first moved, unless the setup tells
-    /// otherwise.
+    /// Makes the probe of a turning machine that nobody told otherwise as long as its data say when it first moves.
     pub(super) fn hold(&mut self) {
         if self.in_turret() && self.has_probe() {
             self.make_real();
@@ -87,9 +85,7 @@ impl Sim {
             touch(&self.part, &self.probe, &self.stand(), (from + height).0, (to + height).0, feed, &mut self.noise);
         let end = signal.map_or(to, |touch| Mcs(touch.latched) + height.map(|way| -way));
         let way = Route::straight(from, end);
-        if let Some((part, stop)) = self.false_signal(&way) {
-            self.go(&way.until(part, stop), MotionKind::Measuring, feed);
-            self.note(Step::Decision { message: Message::new("run-false-signal") });
+        if let Some(stop) = self.false_signal(&way, MotionKind::Measuring, feed) {
             return Ok(Some(stop));
         }
         self.go(&way, MotionKind::Measuring, feed);
@@ -134,8 +130,8 @@ impl Sim {
         std::mem::take(&mut self.stylus_touched)
     }
 
-    /// Where on a watched way a signal comes that is none, and after which part of it. The ways are counted.
-    pub(super) fn false_signal(&mut self, way: &Route) -> Option<(f64, Mcs)> {
+    /// Where a watched way, of which the length is counted, ends by a signal that is none; so far it is gone.
+    pub(super) fn false_signal(&mut self, way: &Route, kind: MotionKind, feed: f64) -> Option<Mcs> {
         let (before, length) = (self.watched, way.length());
         self.watched += length;
         let after = self.probe.false_signal? - before;
@@ -144,7 +140,10 @@ impl Sim {
         }
         self.touching = false;
         let part = after / length;
-        Some((part, way.at(part)))
+        let stop = way.at(part);
+        self.go(&way.until(part, stop), kind, feed);
+        self.note(Step::Decision { message: Message::new("run-false-signal") });
+        Some(stop)
     }
 
     /// The alarm of a signal where none may come.

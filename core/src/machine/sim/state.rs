@@ -6,8 +6,7 @@ use crate::geometry::{Degrees, Mcs, Wcs};
 use crate::workpiece::{Noise, Tool};
 use std::collections::BTreeMap;
 
-/// All that may be different when a machine does something else the next time: not what was recorded, and not what
-/// never changes.
+/// All on which depends what a machine does next: not what was recorded, and not what never changes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State {
     position: Mcs,

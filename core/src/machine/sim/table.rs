@@ -9,10 +9,7 @@ use crate::workpiece::{Feeler, Touching, Workpiece};
 impl Sim {
     /// Turns a rotary axis (index A B C) to a position of the machine; the part turns with it. Where it meets
     /// the probe it stands still and the run ends: no signal is watched on this way.
-    ///
-    /// # Errors
-    /// What the part hit.
-    pub fn turn_table(&mut self, axis: usize, to: Degrees) -> Result<(), Stop> {
+    pub(crate) fn turn_table(&mut self, axis: usize, to: Degrees) -> Result<(), Stop> {
         let Some(from) = self.control.rotary.get(axis).copied() else { return Ok(()) };
         if !to.0.is_finite() {
             return Err(Stop::Fault(Message::new("run-not-finite")));

@@ -12,8 +12,7 @@ pub(super) fn noise(probes: &[ToolProbe]) -> Noise {
 }
 
 impl Sim {
-    /// Makes sure that the tool in use has a real one: as it is when it is first moved. None without a tool, and where
-    /// there is nothing that it could touch.
+    /// Makes the tool in use real when it first moves; none without a tool, or where it could touch nothing.
     fn take_up(&mut self) -> Option<()> {
         if self.tool_probes.is_empty() {
             return None;
@@ -49,8 +48,7 @@ impl Sim {
         self.recoded
     }
 
-    /// What can touch of the tool in use, as it is, where the machine stands at `at`, and the way from there to the
-    /// point to which its lengths refer.
+    /// What can touch of the tool in use with the machine at `at`, and the way from there to where its lengths refer.
     fn tool_at(&self, at: Mcs) -> Option<(Vec<Piece>, [f64; 3])> {
         let tool = self.real_tool()?;
         let error = tool.error(&self.control);

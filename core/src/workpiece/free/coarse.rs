@@ -5,8 +5,7 @@ use crate::geometry::V3;
 use std::collections::HashMap;
 
 impl FreeSurface {
-    /// The same surface with at most about so many triangles: a grid with fewer heights, or corners that lie near to
-    /// each other put together. None where it has no more than that.
+    /// A copy with about `most` triangles: a grid of fewer heights, or near corners put together; none: it has no more.
     pub fn coarser(&self, most: usize) -> Option<FreeSurface> {
         let triangles = self.mesh.triangles().len();
         if triangles <= most || most == 0 {

@@ -26,8 +26,7 @@ const CELLS: f64 = 64.0;
 const RESOLUTION: f64 = 1e-4;
 
 impl Example {
-    /// Over a rectangle X × Y, the highest point at 0, the lowest one so many mm below. A dome is less high than asked
-    /// for where it would be more than half a sphere.
+    /// Over a rectangle X × Y, mm, from 0 down to so many mm; a dome is no higher than half a sphere.
     pub fn heights(self, size: [f64; 2], height: f64) -> Heights {
         let cell = size[0].max(size[1]) / CELLS;
         let cells = size.map(|length| (length / cell).round() as usize);

@@ -1,7 +1,8 @@
 //! Heights over a grid.
 
-use super::{FreeSurface, Refused, check_count, fits};
-use crate::geometry::V3;
+use super::{FreeSurface, LARGEST, check_count, numbers, refused};
+use crate::geometry::{Mesh, V3};
+use crate::refused::Refused;
 
 /// Heights in rows along X, the first row at the least Y. The middle of the grid is the origin.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -34,13 +35,10 @@ impl Heights {
 
     /// Of the grey values of a picture, row by row from above, as a relief: white is 0, black lies `depth` mm deeper.
     /// The picture covers a rectangle X × Y, mm. A picture that is too large is taken at fewer places.
-    ///
-    /// # Errors
-    /// The heights are no grid.
-    pub fn from_greys(greys: &[u8], columns: usize, size: [f64; 2], depth: f64) -> Result<Heights, Refused> {
+    pub(crate) fn from_greys(greys: &[u8], columns: usize, size: [f64; 2], depth: f64) -> Result<Heights, Refused> {
         let rows = greys.len().checked_div(columns).unwrap_or(0);
         if columns < 2 || rows < 2 || greys.len() != columns * rows {
-            return Err(Refused::NoGrid);
+            return Err(refused("surface-grid"));
         }
         let most = super::TRIANGLES as f64 / 2.0;
         let coarser = ((columns * rows) as f64 / most).sqrt().max(1.0);
@@ -54,12 +52,11 @@ impl Heights {
         }))
     }
 
-    /// A surface of them.
-    ///
-    /// # Errors
-    /// The heights are no grid, or not numbers.
-    pub fn surface(self) -> Result<FreeSurface, Refused> {
-        FreeSurface::from_heights(self)
+    /// A surface of them; each cell is halved from its first corner to the opposite one.
+    pub(crate) fn surface(self) -> Result<FreeSurface, Refused> {
+        self.check()?;
+        let mesh = Mesh::new(self.corners(), self.triangles());
+        Ok(FreeSurface { heights: Some(self), mesh })
     }
 
     pub(super) fn rows(&self) -> usize {
@@ -68,16 +65,16 @@ impl Heights {
 
     pub(super) fn check(&self) -> Result<(), Refused> {
         let rows = self.rows();
-        let steps = self.step.iter().all(|step| *step > 0.0 && fits(*step));
+        let steps = self.step.iter().all(|step| *step > 0.0 && *step <= LARGEST);
         if self.columns < 2 || rows < 2 || rows * self.columns != self.values.len() || !steps {
-            return Err(Refused::NoGrid);
+            return Err(refused("surface-grid"));
         }
         check_count(2 * (rows - 1) * (self.columns - 1))?;
         let ends = [self.columns as f64 * self.step[0], rows as f64 * self.step[1]];
-        if ends.iter().chain(&self.values).all(|value| fits(*value)) { Ok(()) } else { Err(Refused::NoNumber) }
+        numbers(ends.iter().chain(&self.values))
     }
 
-    pub(super) fn corners(&self) -> Vec<V3> {
+    fn corners(&self) -> Vec<V3> {
         let half = [self.columns, self.rows()].map(|count| (count - 1) as f64 / 2.0);
         let values = self.values.iter().enumerate();
         let corners = values.map(|(index, height)| {
@@ -89,7 +86,7 @@ impl Heights {
         corners.collect()
     }
 
-    pub(super) fn triangles(&self) -> Vec<[u32; 3]> {
+    fn triangles(&self) -> Vec<[u32; 3]> {
         let mut triangles = Vec::with_capacity(2 * self.values.len());
         for row in 1..self.rows() {
             for column in 1..self.columns {

@@ -7,46 +7,16 @@ mod stl;
 
 pub use example::{EXAMPLES, Example};
 pub use heights::Heights;
-pub use stl::triangles as stl_triangles;
+pub(crate) use stl::triangles as stl_triangles;
 
 use crate::geometry::{Extent, Mesh, V3};
-use crate::refused;
+use crate::refused::{Path, Refused};
 use std::collections::HashMap;
 
 /// Most triangles of a surface.
 pub const TRIANGLES: usize = 500_000;
 /// Largest coordinate, mm: contact is computed to 1e-9 mm, which f64 holds up to here.
 pub const LARGEST: f64 = 1e6;
-
-/// Why a surface is refused.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Refused {
-    /// It has no triangle with an area.
-    Empty,
-    /// More than [`TRIANGLES`].
-    TooMany(usize),
-    /// A number that is none, or larger than [`LARGEST`].
-    NoNumber,
-    /// Heights that are no grid.
-    NoGrid,
-    /// A file that is no STL, and the key of why.
-    NoStl(&'static str),
-}
-
-impl From<Refused> for refused::Refused {
-    fn from(why: Refused) -> refused::Refused {
-        let told = |key: &'static str| refused::Refused::new(key, refused::Path::default());
-        match why {
-            Refused::Empty => told("surface-empty"),
-            Refused::TooMany(count) => {
-                told("surface-triangles").number("count", count as f64).number("most", TRIANGLES as f64)
-            }
-            Refused::NoNumber => told("surface-number").number("min", -LARGEST).number("max", LARGEST),
-            Refused::NoGrid => told("surface-grid"),
-            Refused::NoStl(why) => told("surface-stl").text("why", why),
-        }
-    }
-}
 
 /// A surface that can be touched from both sides. Its own frame: X and Y along the part, Z up.
 #[derive(Clone, Debug, PartialEq)]
@@ -58,29 +28,14 @@ pub struct FreeSurface {
 }
 
 impl FreeSurface {
-    /// Of heights over a grid; each cell is halved from its first corner to the opposite one.
-    ///
-    /// # Errors
-    /// The heights are no grid, or not numbers.
-    pub fn from_heights(heights: Heights) -> Result<FreeSurface, Refused> {
-        heights.check()?;
-        let mesh = Mesh::new(heights.corners(), heights.triangles());
-        Ok(FreeSurface { heights: Some(heights), mesh })
-    }
-
     /// Of single triangles. Corners at the same place become one.
-    ///
-    /// # Errors
-    /// There are none or too many triangles, or not numbers.
-    pub fn from_triangles(triangles: &[[[f64; 3]; 3]]) -> Result<FreeSurface, Refused> {
+    pub(crate) fn from_triangles(triangles: &[[[f64; 3]; 3]]) -> Result<FreeSurface, Refused> {
         check_count(triangles.len())?;
         let mut corners = Vec::new();
         let mut known: HashMap<[u64; 3], u32> = HashMap::new();
         let mut indices = Vec::with_capacity(triangles.len());
         for triangle in triangles {
-            if triangle.as_flattened().iter().any(|value| !fits(*value)) {
-                return Err(Refused::NoNumber);
-            }
+            numbers(triangle.as_flattened())?;
             indices.push(triangle.map(|corner| {
                 let place = corner.map(|value| (value + 0.0).to_bits()); // -0 is 0
                 *known.entry(place).or_insert_with(|| {
@@ -91,7 +46,7 @@ impl FreeSurface {
         }
         let mesh = Mesh::new(corners, indices);
         if mesh.triangles().is_empty() {
-            return Err(Refused::Empty);
+            return Err(refused("surface-empty"));
         }
         Ok(FreeSurface { heights: None, mesh })
     }
@@ -111,17 +66,25 @@ impl FreeSurface {
     }
 }
 
+fn refused(key: &'static str) -> Refused {
+    Refused::new(key, Path::default())
+}
+
 fn check_count(triangles: usize) -> Result<(), Refused> {
+    let count = triangles as f64;
     match triangles {
-        0 => Err(Refused::Empty),
+        0 => Err(refused("surface-empty")),
         1..=TRIANGLES => Ok(()),
-        _ => Err(Refused::TooMany(triangles)),
+        _ => Err(refused("surface-triangles").number("count", count).number("most", TRIANGLES as f64)),
     }
 }
 
-/// Whether something can be reckoned with a coordinate.
-fn fits(value: f64) -> bool {
-    value.abs() <= LARGEST
+/// Refuses coordinates with which nothing can be reckoned.
+fn numbers<'a>(values: impl IntoIterator<Item = &'a f64>) -> Result<(), Refused> {
+    match values.into_iter().all(|value| value.abs() <= LARGEST) {
+        true => Ok(()),
+        false => Err(refused("surface-number").number("min", -LARGEST).number("max", LARGEST)),
+    }
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! STL files, binary and as text. Both hold single triangles; the normals they give are not looked at.
 
-use super::{Refused, check_count, fits};
+use super::{check_count, numbers, refused};
+use crate::refused::Refused;
 
 /// Bytes before the triangles of a binary file: header and count.
 const HEAD: usize = 84;
@@ -8,10 +9,7 @@ const HEAD: usize = 84;
 const TRIANGLE: usize = 50;
 
 /// The triangles of a file, in its own coordinates, taken as mm.
-///
-/// # Errors
-/// The file is no STL file, or holds what is no surface.
-pub fn triangles(file: &[u8]) -> Result<Vec<[[f64; 3]; 3]>, Refused> {
+pub(crate) fn triangles(file: &[u8]) -> Result<Vec<[[f64; 3]; 3]>, Refused> {
     let triangles = match count(file) {
         Some(count) => {
             check_count(count)?;
@@ -20,8 +18,8 @@ pub fn triangles(file: &[u8]) -> Result<Vec<[[f64; 3]; 3]>, Refused> {
         None => text(file)?,
     };
     check_count(triangles.len())?;
-    let corners = triangles.as_flattened().as_flattened();
-    if corners.iter().all(|value| fits(*value)) { Ok(triangles) } else { Err(Refused::NoNumber) }
+    numbers(triangles.as_flattened().as_flattened())?;
+    Ok(triangles)
 }
 
 /// How many triangles a binary file has: its length follows from it. A binary file may begin with "solid" like a text.
@@ -43,10 +41,11 @@ fn binary(file: &[u8]) -> Vec<[[f64; 3]; 3]> {
 }
 
 fn text(file: &[u8]) -> Result<Vec<[[f64; 3]; 3]>, Refused> {
-    let text = std::str::from_utf8(file).map_err(|_| Refused::NoStl("stl-neither"))?;
+    let no_stl = |why: &str| refused("surface-stl").text("why", why);
+    let text = std::str::from_utf8(file).map_err(|_| no_stl("stl-neither"))?;
     let mut words = text.split_ascii_whitespace();
     if !words.next().is_some_and(|word| word.eq_ignore_ascii_case("solid")) {
-        return Err(Refused::NoStl("stl-begin"));
+        return Err(no_stl("stl-begin"));
     }
     let mut corners = Vec::new();
     while let Some(word) = words.next() {
@@ -55,10 +54,10 @@ fn text(file: &[u8]) -> Result<Vec<[[f64; 3]; 3]>, Refused> {
         }
         let mut number = || words.next()?.parse::<f64>().ok();
         let (Some(x), Some(y), Some(z)) = (number(), number(), number()) else {
-            return Err(Refused::NoStl("stl-vertex"));
+            return Err(no_stl("stl-vertex"));
         };
         corners.push([x, y, z]);
     }
     let (triangles, rest) = corners.as_chunks::<3>();
-    if rest.is_empty() { Ok(triangles.to_vec()) } else { Err(Refused::NoStl("stl-triangle")) }
+    if rest.is_empty() { Ok(triangles.to_vec()) } else { Err(no_stl("stl-triangle")) }
 }

@@ -5,6 +5,11 @@ use proptest::prelude::*;
 const TEXT: &str = "solid part\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1e1 0 -2.5\nVERTEX 0 10 0\n\
     endloop\nendfacet\nendsolid";
 
+/// Key of why a surface is refused.
+fn why<T: std::fmt::Debug>(refused: Result<T, Refused>) -> String {
+    refused.unwrap_err().message.key.into_owned()
+}
+
 fn binary(triangles: &[[[f32; 3]; 3]]) -> Vec<u8> {
     let mut file = b"solid, though it is binary".to_vec();
     file.resize(HEAD_BYTES, 0);
@@ -42,7 +47,7 @@ fn what_is_no_stl_is_refused() {
     }
     let corner = |x| [[x, 0.0, 0.0], [10.0, 0.0, 0.0], [0.0, 10.0, 0.0]];
     for x in [f32::NAN, f32::INFINITY, 1e30] {
-        assert_eq!(stl_triangles(&binary(&[corner(x)])), Err(Refused::NoNumber));
+        assert_eq!(why(stl_triangles(&binary(&[corner(x)]))), "surface-number");
     }
     let mut short = binary(&[corner(0.0)]);
     short.pop();
@@ -59,10 +64,10 @@ fn triangles_share_their_corners() {
     let surface = FreeSurface::from_triangles(&[[a, b, c], [a, c, d]]).unwrap();
     assert_eq!(surface.mesh.corners().len(), 4);
     assert_eq!(surface.bounds(), [[0.0; 3], [1.0, 1.0, 0.0]]);
-    assert_eq!(FreeSurface::from_triangles(&[[a, b, b]]), Err(Refused::Empty));
-    assert_eq!(FreeSurface::from_triangles(&[]), Err(Refused::Empty));
+    assert_eq!(why(FreeSurface::from_triangles(&[[a, b, b]])), "surface-empty");
+    assert_eq!(why(FreeSurface::from_triangles(&[])), "surface-empty");
     let far = [[f64::NAN, 0.0, 0.0], b, c];
-    assert_eq!(FreeSurface::from_triangles(&[far]), Err(Refused::NoNumber));
+    assert_eq!(why(FreeSurface::from_triangles(&[far])), "surface-number");
 }
 
 // oracle: hand
@@ -74,16 +79,16 @@ fn heights_must_be_a_grid() {
     };
     let flat = grid(2, [3.0, 4.0], &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0]);
     assert_eq!(flat, Ok([[-1.5, -4.0, 0.0], [1.5, 4.0, 5.0]]));
-    let nothing = Err(Refused::NoGrid);
-    assert_eq!(grid(0, [1.0; 2], &[]), nothing);
-    assert_eq!(grid(1, [1.0; 2], &[0.0; 4]), nothing);
-    assert_eq!(grid(2, [1.0; 2], &[0.0; 5]), nothing);
-    assert_eq!(grid(2, [0.0, 1.0], &[0.0; 4]), nothing);
-    assert_eq!(grid(2, [f64::NAN, 1.0], &[0.0; 4]), nothing);
+    assert_eq!(why(grid(0, [1.0; 2], &[])), "surface-grid");
+    assert_eq!(why(grid(1, [1.0; 2], &[0.0; 4])), "surface-grid");
+    assert_eq!(why(grid(2, [1.0; 2], &[0.0; 5])), "surface-grid");
+    assert_eq!(why(grid(2, [0.0, 1.0], &[0.0; 4])), "surface-grid");
+    assert_eq!(why(grid(2, [f64::NAN, 1.0], &[0.0; 4])), "surface-grid");
     let bad = grid(2, [1.0; 2], &[0.0, f64::NAN, 0.0, 0.0]);
-    assert_eq!(bad, Err(Refused::NoNumber));
-    let many = grid(1000, [1.0; 2], &vec![0.0; 1_000_000]);
-    assert_eq!(many, Err(Refused::TooMany(999 * 999 * 2)));
+    assert_eq!(why(bad), "surface-number");
+    let many = grid(1000, [1.0; 2], &vec![0.0; 1_000_000]).unwrap_err();
+    let count = refused("surface-triangles").number("count", f64::from(999 * 999 * 2)).number("most", TRIANGLES as f64);
+    assert_eq!(many, count);
 }
 
 // oracle: hand

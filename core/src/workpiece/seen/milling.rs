@@ -1,16 +1,15 @@
 //! What is drawn of a milling tool or drill: what it sweeps, or its teeth where they stand.
 
-use super::Drawn;
+use super::{Drawn, cylinder};
 use crate::control::Plane;
 use crate::geometry::{Degrees, V3};
 use crate::workpiece::{Cutter, Spindle, tool::across};
 
-/// Radius of the shank of a groove mill, of the core of a cutter with teeth and thickness of a tooth, in radii of its
-/// edge.
+/// Radius of the shank of a groove mill, of the core of a cutter, thickness of a tooth, in radii of the edge.
 const NECK: f64 = 0.2;
 const CORE: f64 = 0.7;
 const TOOTH: f64 = 0.2;
-/// How far the core of a cutter ends behind its teeth, in the same.
+/// How far the core of a cutter ends behind its teeth, in radii of the edge.
 const RISES: f64 = 0.05;
 
 /// A milling tool: what cuts and, of a groove mill, the shank that reaches from its upper edge to where it is held.
@@ -28,12 +27,7 @@ pub(super) fn tool(cutter: &Cutter, carrier: V3, plane: Plane, spindle: Option<S
     };
     let reach = carrier.dot(&up);
     if cutter.disc > 0.0 && reach > 0.0 {
-        let thick = NECK * cutter.radius;
-        pieces.push(Drawn::Round {
-            outline: vec![[0.0, 0.0], [thick, 0.0], [thick, reach], [0.0, reach]],
-            axis: up,
-            at: V3::zeros(),
-        });
+        pieces.push(Drawn::Round { outline: cylinder(NECK * cutter.radius, 0.0, reach), axis: up, at: V3::zeros() });
     }
     (pieces, up)
 }
