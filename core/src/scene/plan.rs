@@ -253,7 +253,7 @@ impl Performed {
         let seen = |solid, kind| outline(solid, kind, cut, |point| self.seen(look, point));
         let solids: Vec<&Solid> = self.solids().collect();
         let touches = self.touches.iter().take(look.until());
-        let touched: Vec<&Solid> = touches.filter_map(|touch| nearest(&solids, touch.at)).collect();
+        let touched: Vec<usize> = touches.filter_map(|touch| nearest(&solids, touch.at)).collect();
         let holds = self.proposal.fixture.iter().filter(|_| look.held);
         let holds = holds.filter(|holds| nearest(&solids, holds.at.into()).is_some_and(|part| touched.contains(&part)));
         let mut bodies = Vec::new();
@@ -262,7 +262,8 @@ impl Performed {
             bodies.extend(seen(holds, of).map(|outline| outline.body));
         }
         let mut lines = Vec::new();
-        for solid in solids.iter().filter(|solid| touched.is_empty() || touched.contains(solid)) {
+        let shown = |index: &usize| touched.is_empty() || touched.contains(index);
+        for (_, solid) in solids.iter().enumerate().filter(|(index, _)| shown(index)) {
             let Some(outline) = seen(solid, kind) else { continue };
             bodies.push(outline.body);
             lines.extend(outline.lines);
@@ -402,10 +403,10 @@ impl Seen {
     }
 }
 
-/// The solid whose origin is nearest to a point.
-fn nearest<'a>(solids: &[&'a Solid], point: V3) -> Option<&'a Solid> {
-    let away = |solid: &Solid| (V3::from(solid.at) - point).norm();
-    solids.iter().copied().min_by(|one, other| away(one).total_cmp(&away(other)))
+/// Place in the list of the solid whose origin is nearest to a point.
+fn nearest(solids: &[&Solid], point: V3) -> Option<usize> {
+    let away = |index: &usize| (V3::from(solids[*index].at) - point).norm();
+    (0..solids.len()).min_by(|one, other| away(one).total_cmp(&away(other)))
 }
 
 /// The plane in which it is carried out: that of the machine, where the cycle has one of its own.

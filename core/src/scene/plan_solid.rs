@@ -26,6 +26,13 @@ pub struct Cut {
     pub normal: V3,
 }
 
+impl Cut {
+    /// Distance of a point from it, mm; negative behind it.
+    fn before(&self, point: &V3) -> f64 {
+        (point - self.at).dot(&self.normal)
+    }
+}
+
 /// A solid on the paper; `seen` projects a machine position or direction; `cut`: where it is cut open.
 pub fn outline(solid: &Solid, kind: ShapeKind, cut: Option<Cut>, seen: impl Fn(V3) -> [f64; 2]) -> Option<Outline> {
     let place = solid.place();
@@ -94,9 +101,12 @@ fn free(
         let body = figures::polygon(kind, corners.map(|[x, y]| seen(machine(V3::new(x, y, high[2])))).into());
         return Outline { lines: lines(&body), body };
     };
-    let triangles = surface.triangles().map(|triangle| triangle.map(|corner| machine(V3::from(corner))));
-    let sides = triangles.flat_map(|[a, b, c]| [[a, b], [b, c], [c, a]]);
-    let mut top: Vec<[f64; 2]> = sides.filter_map(|side| crossing(side, cut)).map(&seen).collect();
+    let corners: Vec<V3> = surface.mesh.corners().iter().map(|corner| machine(*corner)).collect();
+    let behind: Vec<bool> = corners.iter().map(|corner| cut.before(corner) < 0.0).collect();
+    let sides = surface.mesh.triangles().iter().flat_map(|[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let sides = sides.map(|side| side.map(|corner| *corner as usize)).filter(|[a, b]| behind[*a] != behind[*b]);
+    let crossings = sides.filter_map(|side| crossing(side.map(|corner| corners[corner]), cut));
+    let mut top: Vec<[f64; 2]> = crossings.map(&seen).collect();
     top.sort_by(|one, other| one[0].total_cmp(&other[0]));
     top.dedup_by(|one, other| distance(*one, *other) < 1e-6);
     let bottom = seen(machine(V3::new(low[0], low[1], 2.0 * low[2] - high[2])))[1];
@@ -108,7 +118,7 @@ fn free(
 
 /// Where a straight line goes through a plane.
 fn crossing([from, to]: [V3; 2], cut: Cut) -> Option<V3> {
-    let [before, behind] = [from, to].map(|end| (end - cut.at).dot(&cut.normal));
+    let [before, behind] = [from, to].map(|end| cut.before(&end));
     (before * behind < 0.0).then(|| from + (to - from) * (before / (before - behind)))
 }
 
