@@ -19,7 +19,6 @@ use crate::message::Message;
 use crate::workpiece::Shape;
 use crate::workpiece::free::Example;
 use addresses::{letter, spacing};
-use std::sync::Arc;
 
 /// The macro.
 pub static P9969: Cycle = Cycle {
@@ -76,8 +75,8 @@ fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let height = (size[0].min(size[1]) / 5.0).min(10.0);
     let top = end[2] + height + 2.0;
     let start = [0.0, 0.0, top + 5.0];
-    match Example::Waves.heights(size, height).surface() {
-        Ok(surface) => part::propose(Shape::Free(Arc::new(surface)), [end[0] / 2.0, end[1] / 2.0, top], start, control),
+    match Example::Waves.surface(size, height) {
+        Ok(surface) => part::propose(Shape::Free(surface), [end[0] / 2.0, end[1] / 2.0, top], start, control),
         // the rectangle is larger than anything can be
         Err(_) => Proposal { start: Wcs(place::in_plane(control, start)), ..Proposal::default() },
     }

@@ -1,6 +1,7 @@
 #![allow(clippy::unwrap_used)]
 use super::*;
 use proptest::prelude::*;
+use std::sync::Arc;
 
 const TEXT: &str = "solid part\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1e1 0 -2.5\nVERTEX 0 10 0\n\
     endloop\nendfacet\nendsolid";
@@ -114,6 +115,14 @@ fn examples_are_as_high_as_asked_for() {
         assert_eq!((low[0], high[1]), (-36.0, 18.0), "{name}");
         assert!(high[2].abs() < 1e-9 && (low[2] + 8.0).abs() < 1e-9, "{name}: {low:?} {high:?}");
     }
+}
+
+// oracle: hand
+#[test]
+fn an_example_is_made_once() {
+    let [one, same, other] = [8.0, 8.0, 9.0].map(|height| Example::Waves.surface([72.0, 36.0], height).unwrap());
+    assert!(Arc::ptr_eq(&one, &same));
+    assert_eq!(other, Arc::new(Example::Waves.heights([72.0, 36.0], 9.0).surface().unwrap()));
 }
 
 // oracle: hand: the border stays, nothing is outside of it
