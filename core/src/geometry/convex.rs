@@ -134,57 +134,55 @@ impl Simplex {
     }
 
     /// Those whose bit is set.
-    fn chosen(&self, bits: usize) -> Simplex {
-        let mut chosen = Simplex::default();
-        for (index, corner) in self.corners().iter().enumerate() {
-            if bits >> index & 1 == 1 {
-                chosen.push(*corner);
-            }
-        }
-        chosen
+    fn chosen(&self, bits: usize) -> impl Iterator<Item = &Corner> {
+        self.corners().iter().enumerate().filter(move |(index, _)| bits >> index & 1 == 1).map(|(_, corner)| corner)
     }
 }
 
 /// The point nearest to the origin between the corners, and those that span it; none where it lies inside of four.
 fn nearest_of(simplex: &Simplex) -> Option<(Corner, Simplex)> {
-    let mut found: Option<(f64, Corner, Simplex)> = None;
+    let mut found: Option<(f64, Corner, usize)> = None;
     for bits in 1..1_usize << simplex.count {
-        let chosen = simplex.chosen(bits);
-        let Some(weights) = weights(chosen.corners()) else { continue };
-        if chosen.count == 4 {
+        let mut gaps = [V3::zeros(); 4];
+        let count = simplex.chosen(bits).zip(&mut gaps).map(|(corner, gap)| *gap = corner.gap).count();
+        let Some(weights) = weights(&gaps[..count]) else { continue };
+        if count == 4 {
             return None;
         }
         let mut nearest = Corner::default();
-        for (corner, weight) in chosen.corners().iter().zip(weights) {
+        for (corner, weight) in simplex.chosen(bits).zip(weights) {
             nearest.gap += corner.gap * weight;
             nearest.point += corner.point * weight;
         }
         let distance = nearest.gap.norm();
         if found.is_none_or(|(least, ..)| distance < least) {
-            found = Some((distance, nearest, chosen));
+            found = Some((distance, nearest, bits));
         }
     }
-    found.map(|(_, nearest, chosen)| (nearest, chosen))
+    let (_, nearest, bits) = found?;
+    let mut chosen = Simplex::default();
+    simplex.chosen(bits).for_each(|corner| chosen.push(*corner));
+    Some((nearest, chosen))
 }
 
-/// Weights of corners with which they give the foot of the origin on what they span; none where the foot lies beside
+/// Weights of points with which they give the foot of the origin on what they span; none where the foot lies beside
 /// them, or where they span less than they should.
-fn weights(corners: &[Corner]) -> Option<[f64; 4]> {
-    let (first, rest) = corners.split_first()?;
-    let side = |index: usize| rest.get(index).map(|corner| corner.gap - first.gap);
+fn weights(points: &[V3]) -> Option<[f64; 4]> {
+    let (first, rest) = points.split_first()?;
+    let side = |index: usize| rest.get(index).map(|point| point - first);
     let parts = match [side(0), side(1), side(2)] {
         [Some(a), Some(b), Some(c)] => {
             let volume = a.cross(&b).dot(&c);
-            let part = |p: V3, q: V3| -p.cross(&q).dot(&first.gap) / volume;
+            let part = |p: V3, q: V3| -p.cross(&q).dot(first) / volume;
             [part(b, c), part(c, a), part(a, b)]
         }
         [Some(a), Some(b), None] => {
             let normal = a.cross(&b);
             let size = normal.norm_squared();
-            let part = |across: V3| across.dot(&first.gap) / -size;
+            let part = |across: V3| across.dot(first) / -size;
             [part(b.cross(&normal)), part(normal.cross(&a)), 0.0]
         }
-        [Some(a), ..] => [-first.gap.dot(&a) / a.norm_squared(), 0.0, 0.0],
+        [Some(a), ..] => [-first.dot(&a) / a.norm_squared(), 0.0, 0.0],
         _ => [0.0; 3],
     };
     let [a, b, c] = parts;

@@ -128,15 +128,18 @@ impl Column {
 
     /// Its point that lies farthest in a direction, lobes aside.
     pub fn farthest(&self, direction: &V3) -> V3 {
-        let ends = match self {
-            Column::Straight(frustum) => [frustum.ring(true), frustum.ring(false)].concat(),
+        let farthest = |ends: &[V3]| {
+            let ends = ends.iter().max_by(|a, b| a.dot(direction).total_cmp(&b.dot(direction)));
+            ends.copied().unwrap_or_default()
+        };
+        match self {
+            Column::Straight(frustum) => farthest([frustum.ring(true), frustum.ring(false)].as_flattened()),
             Column::Round(Lobes { radius, slope, .. }, depth) => {
                 let out = V3::new(direction.x, direction.y, 0.0);
                 let out = out.try_normalize(0.0).unwrap_or_else(V3::zeros);
-                vec![out * *radius, out * (radius + slope * depth) - V3::z() * *depth]
+                farthest(&[out * *radius, out * (radius + slope * depth) - V3::z() * *depth])
             }
-        };
-        ends.into_iter().max_by(|a, b| a.dot(direction).total_cmp(&b.dot(direction))).unwrap_or_default()
+        }
     }
 
     /// Whether a point lies in it.

@@ -1,9 +1,11 @@
 //! A tool probe of a machine: a cube or a disc that a tool touches, and when it switches.
 
 use super::{Column, Columns, Form, Noise, Solid, tool::Piece};
-use crate::geometry::{Convex, Met, Path, Stretch, V3, convex};
+use crate::geometry::{Convex, Met, Path, Stretch, TOLERANCE, V3, convex};
 use nalgebra::IsometryMatrix3;
 
+/// Axes of the machine.
+const AXES: [V3; 3] = [V3::new(1.0, 0.0, 0.0), V3::new(0.0, 1.0, 0.0), V3::new(0.0, 0.0, 1.0)];
 /// How far a probe gives way without harm, mm: a tool that stands in it deeper cannot be drawn out of it.
 const GIVES_WAY: f64 = 5.0;
 
@@ -60,7 +62,7 @@ pub struct Contact {
 /// First contact of a tool with one of the probes; `from` and `to` are the ends of the way of any of its points.
 pub fn first<T: Convex>(probes: &[ToolProbe], tool: &[T], from: [f64; 3], to: [f64; 3]) -> Option<Contact> {
     let path = Path::new(from.into(), to.into());
-    least(probes, tool, &|piece, cap| convex::first(piece, cap, &path))
+    least(probes, tool, &path, &|piece, cap| convex::first(piece, cap, &path))
 }
 
 /// Whether a tool that stands at `from` may meet one of the probes on a stretch of its way: false is sure.
@@ -73,20 +75,22 @@ pub fn may_meet(probes: &[ToolProbe], tool: &[Piece], from: [f64; 3], way: &Stre
 
 /// Whether a plane parts a piece from a cap wherever it is moved: across an axis, or across their gap in the middle.
 fn passes(piece: &Piece, cap: &Cap, moved: &Stretch) -> bool {
-    let parts = |direction: &V3| {
-        let [low, high] = moved.along(direction);
-        let reach = |towards: V3| piece.farthest(&towards) - cap.farthest(&-towards);
-        low + reach(-*direction).dot(direction) >= 0.0 || high + reach(*direction).dot(direction) <= 0.0
-    };
     let between = || convex::normal(piece, cap, &moved.at(0.5));
-    let mut axes = [V3::x(), V3::y(), V3::z()].into_iter();
-    axes.any(|axis| parts(&axis)) || between().is_some_and(|normal| parts(&normal))
+    let parts = |direction: &V3| parts(piece, cap, moved, direction, 0.0);
+    AXES.iter().any(parts) || between().is_some_and(|normal| parts(&normal))
+}
+
+/// Whether a plane across a direction parts a piece from a cap wherever it is moved, by at least this gap, mm.
+fn parts(piece: &impl Convex, cap: &Cap, moved: &Stretch, direction: &V3, gap: f64) -> bool {
+    let [low, high] = moved.along(direction);
+    let reach = |towards: V3| (piece.farthest(&towards) - cap.farthest(&-towards)).dot(direction);
+    low + reach(-direction) >= gap || high + reach(*direction) <= -gap
 }
 
 /// What stops a tool that does not measure: one in contact may leave the probe that has given way under it.
 pub fn obstacle(probes: &[ToolProbe], tool: &[Piece], from: [f64; 3], to: [f64; 3]) -> Option<Contact> {
     let path = Path::new(from.into(), to.into());
-    least(probes, tool, &|piece, cap| {
+    least(probes, tool, &path, &|piece, cap| {
         let met = convex::first(piece, cap, &path)?;
         let leaves = met.way == 0.0 && way_out(piece, cap, &path) <= GIVES_WAY;
         (!leaves).then_some(met)
@@ -113,11 +117,19 @@ impl Convex for Moved<'_> {
     }
 }
 
-fn least<T: Convex>(probes: &[ToolProbe], tool: &[T], meet: &dyn Fn(&T, &Cap) -> Option<Met>) -> Option<Contact> {
+/// The earliest contact; what an axis of the machine parts from a cap on all of the way is not looked at.
+fn least<T: Convex>(
+    probes: &[ToolProbe],
+    tool: &[T],
+    path: &Path,
+    meet: &dyn Fn(&T, &Cap) -> Option<Met>,
+) -> Option<Contact> {
+    let way = Stretch::straight(V3::zeros(), path.direction * path.length);
     let mut found: Option<Contact> = None;
     for (probe, solid) in probes.iter().enumerate() {
         let Some(cap) = solid.cap() else { continue };
-        for meeting in tool.iter().filter_map(|piece| meet(piece, &cap)) {
+        let far = |piece: &&T| AXES.iter().any(|axis| parts(*piece, &cap, &way, axis, TOLERANCE));
+        for meeting in tool.iter().filter(|piece| !far(piece)).filter_map(|piece| meet(piece, &cap)) {
             if found.is_none_or(|before| meeting.way < before.meeting.way) {
                 found = Some(Contact { probe, meeting });
             }
