@@ -124,9 +124,26 @@ pub(super) fn start(dialect: Dialect, machine: Option<Machine>) -> Result<Start,
     if let Some(function) = own.units {
         super::choose_units(&mut setup.control, function)?;
     }
-    for (name, value) in own.data {
-        setup.control.data.insert(name, value);
+    if !own.data.is_empty() {
+        for (name, value) in own.data {
+            setup.control.data.insert(name, value);
+        }
+        setup.governs()?;
     }
-    setup.governs()?;
     Ok(Start { setup, described: false })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    // oracle: self (what a described machine is held against): it is not looked at at every keystroke
+    #[test]
+    fn the_own_machine_can_be() {
+        for dialect in [Dialect::Sinumerik, Dialect::Nct] {
+            for units in [Units::Metric, Units::Inch] {
+                assert_eq!(Setup::calibrated_in(dialect, Plane::G17, units).possible(), Ok(()));
+            }
+        }
+    }
 }

@@ -96,9 +96,9 @@ impl Control {
     pub fn active_length(&self) -> [f64; 3] {
         let mut length = [0.0; 3];
         if let Some(edge) = self.active_edge() {
-            let axes = self.plane.axes();
+            let (axes, location) = (self.plane.axes(), edge.location(self.location));
             for (i, axis) in self.length_axes(edge).into_iter().enumerate() {
-                length[axes[axis]] = edge.total_length(i) + edge.location(self.location)[i];
+                length[axes[axis]] = edge.total_length(i) + location[i];
             }
         }
         length

@@ -145,15 +145,22 @@ impl Body {
                 continue;
             }
             for (a, b) in quad.edges() {
-                self.add_once(Feature::Segment(Segment { a, b }), Feature::Segment(Segment { a: b, b: a }));
-                self.add_once(Feature::Ball(a, 0.0), Feature::Ball(a, 0.0));
+                self.edge(a, b);
+                self.corner(a);
             }
         }
     }
 
-    fn add_once(&mut self, feature: Feature, same: Feature) {
-        if !self.features.contains(&feature) && !self.features.contains(&same) {
-            self.features.push(feature);
+    fn edge(&mut self, a: V3, b: V3) {
+        let same = |edge: &Segment| edge.a == a && edge.b == b || edge.a == b && edge.b == a;
+        if !self.features.iter().any(|known| matches!(known, Feature::Segment(edge) if same(edge))) {
+            self.features.push(Feature::Segment(Segment { a, b }));
+        }
+    }
+
+    fn corner(&mut self, at: V3) {
+        if !self.features.iter().any(|known| matches!(known, Feature::Ball(centre, _) if *centre == at)) {
+            self.features.push(Feature::Ball(at, 0.0));
         }
     }
 }

@@ -97,7 +97,9 @@ pub enum Spindle {
 
 /// Abscissa, ordinate and applicate along these axes of the machine.
 pub fn in_plane(axes: [usize; 3], parts: [f64; 3]) -> V3 {
-    axes.into_iter().zip(parts).map(|(axis, part)| V3::ith(axis, part)).sum()
+    let mut point = V3::zeros();
+    axes.into_iter().zip(parts).for_each(|(axis, part)| point[axis] += part);
+    point
 }
 
 /// Direction across an axis of the machine: 0 is the next axis of X, Y, Z, 90 degree the one behind it.
