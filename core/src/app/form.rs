@@ -90,20 +90,25 @@ pub struct FormView {
     #[cfg_attr(test, ts(optional = false))]
     pub mvar: Option<i64>,
     /// What the values mean, drawn; only from a build that simulates.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "absent")]
     pub picture: Option<Picture>,
     /// When asked for: the same task on the other control; null where that has none.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "absent")]
     pub twin: Option<Option<TwinView>>,
     /// When simulating was asked for and there is no outcome: parameters whose values only a run tells.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "absent")]
     pub unknown: Option<Vec<Name>>,
     /// When simulating was asked for, of a complete form of a cycle that is simulated.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "absent")]
     pub outcome: Option<Outcome>,
     /// When simulating was asked for: the machine, for an outcome with the proposed part, its errors and the start.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "absent")]
     pub setup: Option<Setup>,
+}
+
+/// Whether a member is left out; what only a build that simulates can tell, no other one writes.
+fn absent<T>(member: &Option<T>) -> bool {
+    !SIMULATES || member.is_none()
 }
 
 /// Answers what is asked at every keystroke.
