@@ -75,8 +75,7 @@ impl Problem {
 
     /// The word that a run goes on without.
     pub fn passed_over(&self) -> Option<&str> {
-        let named = PASSED_OVER.contains(&&*self.message.key);
-        named.then(|| self.message.word("word")).flatten()
+        PASSED_OVER.contains(&&*self.message.key).then(|| self.message.word("word")).flatten()
     }
 }
 

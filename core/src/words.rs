@@ -16,7 +16,6 @@ pub struct Language {
 /// The languages: the folders of `messages/`, as the build script finds them.
 pub const LANGUAGES: &[Language] = include!(concat!(env!("OUT_DIR"), "/languages.rs"));
 
-/// The files of English.
 fn english() -> &'static [(&'static str, &'static str)] {
     LANGUAGES.iter().find(|language| language.code == "en").map_or(&[], |language| language.files)
 }
@@ -100,7 +99,6 @@ impl Words {
         }
     }
 
-    /// What an object with a key says.
     fn said(&self, members: &Map<String, Value>) -> Vec<(&'static str, String)> {
         let Some(key) = members.get("key").and_then(Value::as_str) else { return Vec::new() };
         let mut args = FluentArgs::new();

@@ -255,7 +255,7 @@ export type Cutter = {
    * that direction stands, mm. A smooth cutter has neither.
    */
   runout: [number, number],
-  /** Direction of the run-out with the spindle at 0, degree. */
+  /** Direction of the run-out with the spindle at 0. */
   runoutAngle: number,
   /** Axis of the plane along which it stands, its end in minus direction: 0 abscissa, 1 ordinate, 2 applicate. */
   axis: number,

@@ -44,7 +44,7 @@ pub(super) fn split(name: &str) -> Option<(&str, Vec<usize>)> {
     Some((stem, index.ok()?))
 }
 
-/// The same with R parameters: `R10` is `R` and 10.
+/// Stem and index; `R10` is `R` and 10.
 fn with_parameters(name: &str) -> Option<(&str, Vec<usize>)> {
     match name.strip_prefix('R').and_then(|digits| digits.parse().ok()) {
         Some(number) => Some(("R", vec![number])),
@@ -57,7 +57,6 @@ pub fn place(index: &[usize], sizes: &[usize]) -> Option<usize> {
     index.iter().zip(sizes).try_fold(0, |at, (i, size)| (i < size).then_some(at * size + i))
 }
 
-/// Name of an element.
 pub(super) fn spelled(stem: &str, at: &[usize]) -> String {
     let index: Vec<String> = at.iter().map(usize::to_string).collect();
     format!("{stem}[{}]", index.join(","))

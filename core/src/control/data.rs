@@ -48,7 +48,6 @@ impl<'de> Deserialize<'de> for Value {
     }
 }
 
-/// Reads a number or a text.
 struct Reader;
 
 impl Visitor<'_> for Reader {

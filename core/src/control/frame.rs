@@ -161,12 +161,10 @@ impl Frame {
     }
 }
 
-/// Sum of two vectors.
 fn add<T: Add<Output = T> + Copy>(a: [T; 3], b: [T; 3]) -> [T; 3] {
     std::array::from_fn(|i| a[i] + b[i])
 }
 
-/// Difference of two vectors.
 fn subtract(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     std::array::from_fn(|i| a[i] - b[i])
 }

@@ -15,8 +15,7 @@ pub struct Limits {
 impl Limits {
     /// Whether there are any.
     pub fn any(&self) -> bool {
-        let mut all = self.minus.iter().chain(&self.plus);
-        all.any(Option::is_some)
+        self.minus.iter().chain(&self.plus).any(Option::is_some)
     }
 
     /// Whether the axes may stand there; the last bit of a sum does not take one over its limit.

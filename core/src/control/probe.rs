@@ -48,8 +48,7 @@ impl Control {
 
     /// Direction from the ball to the body of the probe, X Y Z of the machine: [`Edge::stands`], or the applicate.
     pub fn stands(&self) -> [f64; 3] {
-        let turning = self.active_edge().and_then(Edge::stands);
-        turning.unwrap_or_else(|| upright(self.plane))
+        self.active_edge().and_then(Edge::stands).unwrap_or_else(|| upright(self.plane))
     }
 }
 

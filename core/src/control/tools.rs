@@ -35,9 +35,7 @@ pub fn side(position: i64, reversed: bool) -> [f64; 2] {
 impl Control {
     /// Number of the tool with this name, in upper or lower case.
     pub fn tool_named(&self, name: &str) -> Option<i64> {
-        let mut tools = self.tools.iter();
-        let found = tools.find(|(_, tool)| tool.name.eq_ignore_ascii_case(name));
-        found.map(|(number, _)| *number)
+        self.tools.iter().find(|(_, tool)| tool.name.eq_ignore_ascii_case(name)).map(|(number, _)| *number)
     }
 
     /// Edge D of tool T, as stored.
@@ -88,8 +86,7 @@ impl Control {
 
     /// Which of L1, L2 and L3 of an edge counts along the applicate: 0, 1 or 2.
     pub fn length_along_applicate(&self, edge: &Edge) -> usize {
-        let axes = self.length_axes(edge);
-        axes.into_iter().position(|axis| axis == 2).unwrap_or(0)
+        self.length_axes(edge).into_iter().position(|axis| axis == 2).unwrap_or(0)
     }
 
     /// Length in effect along X Y Z, see [`Control::length_axes`]. 0 without a correction.

@@ -177,12 +177,10 @@ impl Recogniser {
             [0xFE, 0xFF, ..] if self.units.marked(1) => return Ok(Encoding::Utf16BeMarked),
             _ => {}
         }
-        if self.nulls > 0 {
-            match self.units.unmarked() {
-                Some(0) => return Ok(Encoding::Utf16Le),
-                Some(_) => return Ok(Encoding::Utf16Be),
-                None => {}
-            }
+        if self.nulls > 0
+            && let Some(order) = self.units.unmarked()
+        {
+            return Ok([Encoding::Utf16Le, Encoding::Utf16Be][order]);
         }
         if self.holds_no_text() {
             return Err(NoProgram::Binary);
@@ -201,9 +199,8 @@ impl Recogniser {
         let marked = self.head.starts_with(b"\xef\xbb\xbf");
         let utf8 = self.utf8.0.done();
         if utf8.wrong == 0 || utf8.usual >= 4 * utf8.wrong {
-            return if marked { Encoding::Utf8Marked } else { Encoding::Utf8 };
-        }
-        if self.gb18030.pairs.done().likely() {
+            if marked { Encoding::Utf8Marked } else { Encoding::Utf8 }
+        } else if self.gb18030.pairs.done().likely() {
             if self.gb18030.four > 0 { Encoding::Gb18030 } else { Encoding::Gbk }
         } else if self.shift_jis.pairs.done().likely() {
             Encoding::ShiftJis

@@ -62,10 +62,7 @@ pub fn circle(directions: &[f64]) -> Option<Circle> {
     // by singular values, which tell points that lie very close together from such that determine nothing
     let found = MatrixXx3::from_rows(&rows).svd(false, true);
     let (along, sizes) = (found.v_t?, found.singular_values);
-    let share = |i: usize| {
-        let each = sizes.iter().enumerate();
-        each.map(|(k, size)| (along[(k, i)] / size).powi(2)).sum::<f64>()
-    };
+    let share = |i: usize| sizes.iter().enumerate().map(|(k, size)| (along[(k, i)] / size).powi(2)).sum::<f64>();
     let [x, y, radius] = [0, 1, 2].map(|i| share(i).sqrt());
     (x + y + radius).is_finite().then_some(Circle { centre: [x, y], diameter: 2.0 * radius })
 }

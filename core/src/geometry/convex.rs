@@ -106,7 +106,6 @@ struct Corner {
 }
 
 impl Corner {
-    /// The farthest one in a direction.
     fn of(moving: &impl Convex, other: &impl Convex, moved: &V3, direction: &V3) -> Corner {
         let point = other.farthest(&-direction);
         Corner { gap: moving.farthest(direction) + moved - point, point }

@@ -11,16 +11,17 @@ pub struct Extent {
     pub high: V3,
 }
 
-impl Extent {
-    /// Of nothing.
-    pub fn empty() -> Extent {
+/// That of nothing.
+impl Default for Extent {
+    fn default() -> Extent {
         Extent { low: V3::repeat(f64::INFINITY), high: V3::repeat(f64::NEG_INFINITY) }
     }
+}
 
+impl Extent {
     /// Of points.
     pub fn of(points: impl IntoIterator<Item = V3>) -> Extent {
-        let points = points.into_iter();
-        points.fold(Extent::empty(), |extent, point| Extent {
+        points.into_iter().fold(Extent::default(), |extent, point| Extent {
             low: extent.low.inf(&point),
             high: extent.high.sup(&point),
         })

@@ -47,8 +47,7 @@ impl Rod {
     /// All that it reaches on a way, its ends round.
     pub fn swept(&self, path: &Path) -> Extent {
         let gone = path.direction * path.length;
-        let ends = [self.foot, self.top()];
-        let ends = ends.into_iter().flat_map(|end| [end, end + gone]);
+        let ends = [self.foot, self.top()].into_iter().flat_map(|end| [end, end + gone]);
         Extent::of(ends).wider(self.radius)
     }
 
@@ -63,7 +62,6 @@ impl Rod {
         (0.0..=self.length).contains(&height)
     }
 
-    /// What is across its direction of a vector.
     fn across(&self, vector: &V3) -> V3 {
         vector - self.up * vector.dot(&self.up)
     }
@@ -84,10 +82,8 @@ pub fn first(feature: &Feature, rod: &Rod, path: &Path) -> Option<Met> {
 
 /// First contact of the side with the edges and corners of a triangle.
 pub fn first_on_triangle([a, b, c]: &[V3; 3], rod: &Rod, path: &Path) -> Option<Met> {
-    let edges = [(a, b), (b, c), (c, a)];
-    let edges = edges.into_iter().filter_map(|(a, b)| at_edge(a, b, rod, path));
-    let corners = [a, b, c].into_iter();
-    let corners = corners.filter_map(|corner| at_point(corner, 0.0, rod, path));
+    let edges = [(a, b), (b, c), (c, a)].into_iter().filter_map(|(a, b)| at_edge(a, b, rod, path));
+    let corners = [a, b, c].into_iter().filter_map(|corner| at_point(corner, 0.0, rod, path));
     earliest(edges.chain(corners))
 }
 
@@ -203,8 +199,7 @@ fn at_lobes(LobedWall { lobes, depth }: &LobedWall, rod: &Rod, path: &Path) -> O
     around(path, lobes.radius, |angle, path| {
         let [top, bottom] = [0.0, -depth].map(|z| lobes.point(angle, z));
         let edge = at_edge(&top, &bottom, rod, path);
-        let ends = [top, bottom].into_iter();
-        let ends = ends.filter_map(|end| at_point(&end, 0.0, rod, path));
+        let ends = [top, bottom].into_iter().filter_map(|end| at_point(&end, 0.0, rod, path));
         earliest(edge.into_iter().chain(ends))
     })
 }

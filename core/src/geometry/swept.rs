@@ -87,7 +87,6 @@ impl Swept {
         self.parts(&towards, &[*a, *b], 0.0)
     }
 
-    /// Clear of a ball of a part.
     fn clears_ball(&self, centre: &V3, size: f64) -> bool {
         let reach = self.radius + size - TOLERANCE;
         let apart = match self.rise == V3::zeros() {

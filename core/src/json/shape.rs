@@ -17,7 +17,6 @@ pub(super) fn read<T: DeserializeOwned>(document: Value) -> Result<T, Refused> {
     T::deserialize(Node(document)).map_err(|wrong| *wrong.0)
 }
 
-/// What does not fit.
 #[derive(Debug)]
 pub(super) struct Wrong(Box<Refused>);
 
@@ -130,7 +129,6 @@ fn sort_of(value: &Value) -> &'static str {
     }
 }
 
-/// A value to be read.
 struct Node(Value);
 
 impl Node {
@@ -266,7 +264,6 @@ impl<'de> Deserializer<'de> for Node {
     }
 }
 
-/// The elements of a list.
 struct List {
     elements: Elements<Value>,
     index: usize,
@@ -287,7 +284,6 @@ impl<'de> SeqAccess<'de> for List {
     }
 }
 
-/// The members of an object.
 struct Object {
     members: Members,
     next: Option<(String, Value)>,

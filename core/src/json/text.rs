@@ -31,8 +31,7 @@ pub(super) fn parse(text: &str) -> Result<Value, Refused> {
 /// The column in characters from 1; of serde_json it is that of a byte.
 fn column(text: &str, error: &serde_json::Error) -> usize {
     let line = text.split('\n').nth(error.line().saturating_sub(1)).unwrap_or_default();
-    let before = line.bytes().take(error.column());
-    before.filter(|byte| byte & 0xc0 != 0x80).count().max(1)
+    line.bytes().take(error.column()).filter(|byte| byte & 0xc0 != 0x80).count().max(1)
 }
 
 /// With the line and the column of its member in this text.

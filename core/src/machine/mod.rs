@@ -64,13 +64,9 @@ pub trait Machine {
     /// Why the motion was refused, or what was hit.
     fn probe(&mut self, to: Wcs, feed: f64) -> Result<Option<Wcs>, Stop>;
     /// Whether the stylus is deflected where the machine stands (NCT looks at this before it moves).
-    fn in_contact(&self) -> bool {
-        false
-    }
+    fn in_contact(&self) -> bool;
     /// Whether the signal that ended the last watched motion still stands; a false one is gone (C:98, C:125-138).
-    fn signal_stands(&self) -> bool {
-        true
-    }
+    fn signal_stands(&self) -> bool;
     /// Writes a datum of tools or frames, lengths in mm. Where it is the length in use, the spindle nose stays.
     fn correct(&mut self, name: &str, value: f64);
     /// Applies the length of another edge of the tool in use (NCT: another register), 0 none; the spindle nose stays.
@@ -80,13 +76,11 @@ pub trait Machine {
     /// Lets the spindle turn, 1/min: positive as M3, negative as M4; 0 stops it.
     fn spin(&mut self, speed: f64);
     /// From now on nothing is recorded, or everything again.
-    fn quiet(&mut self, _on: bool) {}
+    fn quiet(&mut self, on: bool);
     /// Points up to which a scan of a call is followed.
-    fn point_limit(&self) -> usize {
-        crate::scan::FORM_POINTS
-    }
+    fn point_limit(&self) -> usize;
     /// Takes what a scan sent to a computer, whole.
-    fn send(&mut self, _scan: Sent) {}
+    fn send(&mut self, scan: Sent);
     /// Records something that is no motion: a result, a correction, a decision, an alarm that informs.
     fn record(&mut self, step: Step);
     /// Writes a datum as it stands on the control, and records it.

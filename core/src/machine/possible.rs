@@ -206,7 +206,6 @@ pub(crate) fn solid(path: &Path, solid: &Solid) -> Result<(), Refused> {
     with_errors(path, &solid.shape, errors)
 }
 
-/// Sizes as on the drawing.
 fn nominal(path: &Path, shape: &Shape) -> Result<(), Refused> {
     if let Shape::OuterCorner { angle, .. } | Shape::InnerCorner { angle, .. } = *shape {
         within(path, angle.0, [1.0, 179.0])?;

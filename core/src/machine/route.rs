@@ -92,8 +92,7 @@ impl Route {
     /// Whether it lies where contact can be computed: both ends, and of an arc its axis.
     pub fn is_near(&self) -> bool {
         let centre = self.around.map_or([0.0; 3], |around| around.centre);
-        let mut values = [self.from.0, self.to.0, centre].into_iter().flatten();
-        values.all(|value| value.abs() <= FARTHEST)
+        [self.from.0, self.to.0, centre].into_iter().flatten().all(|value| value.abs() <= FARTHEST)
     }
 
     /// Whether all its places are within the software limit switches; of a straight way its end, as it may lead back.

@@ -167,7 +167,6 @@ impl Sim {
         part
     }
 
-    /// Moves and records it.
     fn go(&mut self, way: &Route, kind: MotionKind, feed: f64) {
         self.position = way.to;
         self.note(Step::Motion { kind, from: way.from, to: way.to, around: way.around, feed });
@@ -240,8 +239,7 @@ impl Sim {
 
 /// The part as the rotary axes and, so far, the spindle of a turning machine turn it.
 fn on_table(control: &Control, clamped: &Workpiece, turned: Degrees) -> Workpiece {
-    let solids = clamped.solids.iter();
-    let solids = solids.map(|solid| control.on_table(&chuck::turned(solid, turned)));
+    let solids = clamped.solids.iter().map(|solid| control.on_table(&chuck::turned(solid, turned)));
     Workpiece { solids: solids.collect() }
 }
 

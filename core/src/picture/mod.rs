@@ -88,7 +88,6 @@ pub struct Picture {
     pub shapes: Vec<PictureShape>,
 }
 
-/// The members of a circle by name.
 fn circle<S: Serializer>(circle: &Option<([f64; 2], f64)>, to: S) -> Result<S::Ok, S::Error> {
     let members = circle.iter().flat_map(|([x, y], r)| [("x", x), ("y", y), ("r", r)]);
     to.collect_map(members)

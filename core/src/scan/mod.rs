@@ -40,7 +40,7 @@ pub struct Sent {
 }
 
 /// How a surface is scanned.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Layout {
     /// Axis of the lines, axis from line to line, axis of the tool.
     pub axes: [usize; 3],
@@ -64,15 +64,7 @@ impl Layout {
     /// That of a control which scans along one axis of its plane and steps along another one.
     pub fn of(control: &Control, along: usize, across: usize) -> Layout {
         let [.., axial] = control.plane.axes();
-        Layout {
-            axes: [along, across, axial],
-            radius: 0.0,
-            height: 0.0,
-            rate: 0.0,
-            accuracy: 0.0,
-            number: None,
-            plane: control.plane,
-            per: control.active_factor(),
-        }
+        let axes = [along, across, axial];
+        Layout { axes, plane: control.plane, per: control.active_factor(), ..Layout::default() }
     }
 }

@@ -102,7 +102,6 @@ fn block(cloud: &Cloud, layout: &Layout, index: usize, text: &mut String) {
     }
 }
 
-/// In the unit of the program.
 fn number(value: f64, layout: &Layout) -> String {
     let (decimals, mut text) = (decimals(layout), String::new());
     fixed(steps(value / layout.per, decimals), decimals, &mut text);

@@ -61,8 +61,7 @@ pub fn system(control: &Control) -> Option<([f64; 3], [[f64; 3]; 3])> {
         let end = control.to_machine(Wcs(direction));
         [0, 1, 2].map(|i| end[i] - at[i])
     });
-    let mut values = axes.iter().flatten().chain(&at);
-    values.all(|value| value.is_finite()).then_some((at, axes))
+    axes.iter().flatten().chain(&at).all(|value| value.is_finite()).then_some((at, axes))
 }
 
 /// The zero offset in force before, then those that are in force after or were corrected.

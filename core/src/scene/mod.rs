@@ -295,7 +295,7 @@ impl Scene {
     /// What is to be seen of solids on which nothing happens; `radius`: of the ball, mm.
     pub fn still(solids: &[Solid], radius: f64) -> Scene {
         let mut scene = Scene::default();
-        scene.add_solids(solids, &[], [&[], &[]], &[], &Extent::empty());
+        scene.add_solids(solids, &[], [&[], &[]], &[], &Extent::default());
         scene.view.probe = Probe { ball: radius, length: radius, ..Probe::default() };
         scene
     }
@@ -349,7 +349,7 @@ impl Scene {
         });
         for (entry, part) in std::iter::once((0, part)).chain(turned) {
             let placed = part.iter().chain(probes).zip(&own);
-            let solids = placed.fold(Extent::empty(), |all, (solid, own)| all.with(&seen(own, &solid.place())));
+            let solids = placed.fold(Extent::default(), |all, (solid, own)| all.with(&seen(own, &solid.place())));
             let whole = fit::around(&solids, ways, &self.view.frames);
             let standing = self.view.standings.len();
             let below = if fit::is_some(&solids) { &solids } else { &whole };
@@ -373,7 +373,7 @@ impl Scene {
         self.view.in_use = in_use;
         let mut clear = Vec::new();
         for (index, one) in tools.iter().enumerate() {
-            let mut extent = Extent::empty();
+            let mut extent = Extent::default();
             for (matter, mesh) in tool::meshes(one, &setup.probe, reach) {
                 if matter != Matter::Carrier {
                     extent = extent.with(&Extent::of(mesh.vertices.iter().map(|[at, _]| *at)));

@@ -57,7 +57,6 @@ pub fn draw(inputs: &Inputs, staged: &Staged) -> Picture {
     drawn(&performed(&example, staged), &example, staged)
 }
 
-/// All that is carried out for a call.
 fn performed(inputs: &Inputs, staged: &Staged) -> Vec<Performed> {
     let mut all = Vec::new();
     let mut next = Some((staged.stage)(inputs));
@@ -117,7 +116,6 @@ struct Touch {
     start: V3,
 }
 
-/// The work that is drawn.
 struct Performed {
     proposal: Proposal,
     staging: Staging,
@@ -417,7 +415,6 @@ fn plane(inputs: &Inputs, staging: &Staging) -> Plane {
     }
 }
 
-/// Makes it a call of another variant.
 fn vary(inputs: &mut Inputs, variant: Option<i64>) {
     let Some(variant) = variant else { return };
     inputs.variant = variant;

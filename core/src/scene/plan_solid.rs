@@ -116,7 +116,6 @@ fn free(
     Outline { body: figures::polygon(kind, body), lines: vec![figures::line(ShapeKind::Edge, top)] }
 }
 
-/// Where a straight line goes through a plane.
 fn crossing([from, to]: [V3; 2], cut: Cut) -> Option<V3> {
     let [before, behind] = [from, to].map(|end| cut.before(&end));
     (before * behind < 0.0).then(|| from + (to - from) * (before / (before - behind)))

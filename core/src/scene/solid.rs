@@ -60,7 +60,7 @@ fn together(solids: &[Solid]) -> Figure {
     all
 }
 
-/// All of a body, of its flat faces those that are shown.
+/// All of a body; of its flat faces those that are shown.
 fn draw(body: &Body, shown: impl Fn(&Quad) -> bool) -> Figure {
     if let Some(free) = &body.free {
         return surface(free);
@@ -90,7 +90,6 @@ fn draw(body: &Body, shown: impl Fn(&Quad) -> bool) -> Figure {
     drawn.figure
 }
 
-/// What is being drawn of a body.
 struct Drawing {
     /// Angles about its axis, radian: all around, or those of a half section.
     angles: Vec<f64>,
@@ -109,7 +108,6 @@ impl Drawing {
         Drawing { angles, closed: !halved, piece, figure: Figure::default() }
     }
 
-    /// How many pieces a length has.
     fn pieces(&self, length: f64) -> usize {
         ((length / self.piece).ceil() as usize).clamp(1, PIECES as usize)
     }
@@ -164,7 +162,6 @@ impl Drawing {
         self.figure.mesh.sheet(&rows, self.closed);
     }
 
-    /// A face in pieces.
     fn whole(&mut self, quad: &Quad) {
         let [a, b, c, d] = quad.corners;
         let normal = quad.normal();

@@ -158,7 +158,7 @@ fn a_part_stands_as_the_last_rotary_axis_before_left_it() {
 #[test]
 fn coordinate_systems_alone_are_seen_whole() {
     let frame = |at| Frame { name: String::new(), at, axes: UNITS, moved: None };
-    let nothing = Extent::empty();
+    let nothing = Extent::default();
     let seen = fit::around(&nothing, &nothing, &[frame([0.0; 3]), frame([300.0, -40.0, 5.0])]);
     near(seen.low.into(), [-20.0, -60.0, -20.0]);
     near(seen.high.into(), [320.0, 20.0, 25.0]);

@@ -99,8 +99,7 @@ fn ball(setup: &Setup, used: &InUse) -> Tool {
     let carrier = V3::from(used.length);
     let turning = used.edge.as_ref().and_then(Edge::stands);
     let axis = V3::from(turning.unwrap_or_else(|| upright(used.plane)));
-    let turret = used.turns.then_some(setup.probe.length);
-    let adapter = turret.and_then(|length| seen::adapter(length, carrier, axis));
+    let adapter = used.turns.then_some(setup.probe.length).and_then(|length| seen::adapter(length, carrier, axis));
     Tool {
         length: used.length,
         ball: Some(axis),
@@ -110,7 +109,6 @@ fn ball(setup: &Setup, used: &InUse) -> Tool {
     }
 }
 
-/// Holder and turret of a turning machine.
 fn held(setup: &Setup, used: &InUse, carrier: V3, along: V3) -> Vec<Drawn> {
     if used.turns { seen::turret(&setup.turret, carrier, along) } else { Vec::new() }
 }

@@ -13,7 +13,7 @@ const FLOOR: f64 = 10.0;
 const AROUND: Material = Material { beside: [1.0, MARGIN], below: [1.0, FLOOR] };
 
 /// Boundary and inside of a solid.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Body {
     /// Own frame → machine.
     pub place: IsometryMatrix3<f64>,
@@ -37,17 +37,8 @@ impl Body {
         Body::of(solid.place(), solid.form())
     }
 
-    /// What stands there.
     pub fn of(place: IsometryMatrix3<f64>, form: Form) -> Body {
-        let mut body = Body {
-            place,
-            features: Vec::new(),
-            free: None,
-            extents: Vec::new(),
-            extent: Extent::empty(),
-            material: Vec::new(),
-            cavity: None,
-        };
+        let mut body = Body { place, ..Body::default() };
         match form {
             Form::Columns(columns) => body.columns(&columns),
             Form::Ball(radius) => body.features.push(Feature::Ball(V3::zeros(), radius)),

@@ -114,8 +114,7 @@ impl Feeler {
 
     /// Whether stylus or body may, the ball being on that stretch.
     pub fn rods_may_meet(&self, part: &Boundary, way: &Stretch) -> bool {
-        let mut rods = self.rods();
-        rods.any(|(by, rod)| part.may_meet(&self.swept(&rod, by, way)))
+        self.rods().any(|(by, rod)| part.may_meet(&self.swept(&rod, by, way)))
     }
 
     /// Stylus or body while the ball is on a stretch of its way.
@@ -180,7 +179,6 @@ impl Boundary {
         (!leaves).then_some(met)
     }
 
-    /// The edge of a flat end.
     fn edge(&self, rod: &Rod, path: &Path) -> Option<Met> {
         let rounded = ROUNDED.min(rod.radius);
         let first = rod.up.cross(&if rod.up.x.abs() < 0.9 { V3::x() } else { V3::y() }).normalize();
@@ -206,8 +204,7 @@ fn side(body: &Body, rod: &Rod, path: &Path, end: End) -> Option<Met> {
         return free.mesh.first_of_rod(rod, path);
     }
     let reach = rod.swept(path);
-    let near = body.features.iter().zip(&body.extents);
-    let near = near.filter(|(_, extent)| extent.meets(&reach));
+    let near = body.features.iter().zip(&body.extents).filter(|(_, extent)| extent.meets(&reach));
     earliest(near.filter_map(|(feature, _)| {
         let side = rod::first(feature, rod, path);
         let below = match end {

@@ -48,7 +48,6 @@ pub(crate) struct Material {
 }
 
 impl Solid {
-    /// What it is made of, its errors applied.
     pub(crate) fn form(&self) -> Form {
         Form::of(&self.shape, &self.errors)
     }
@@ -135,8 +134,7 @@ impl Column {
         match self {
             Column::Straight(frustum) => farthest([frustum.ring(true), frustum.ring(false)].as_flattened()),
             Column::Round(Lobes { radius, slope, .. }, depth) => {
-                let out = V3::new(direction.x, direction.y, 0.0);
-                let out = out.try_normalize(0.0).unwrap_or_else(V3::zeros);
+                let out = V3::new(direction.x, direction.y, 0.0).try_normalize(0.0).unwrap_or_else(V3::zeros);
                 farthest(&[out * *radius, out * (radius + slope * depth) - V3::z() * *depth])
             }
         }
@@ -192,7 +190,6 @@ pub(crate) struct Frustum {
 }
 
 impl Frustum {
-    /// With upright walls.
     fn upright(half: [f64; 2], top: f64, bottom: f64) -> Frustum {
         Frustum { above: half, below: half, top, bottom, centre: [0.0; 2], opening: (1.0, 0.0) }
     }

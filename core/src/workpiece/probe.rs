@@ -77,8 +77,7 @@ pub fn touch(
 fn first_met(part: &Boundary, feeler: &Feeler, ball: &Contact, [from, to]: [[f64; 3]; 2]) -> Option<Caught> {
     let Contact::Hit { t, ball, point, normal } = *ball else { return feeler.caught(part, from, to) };
     let length = (V3::from(ball) - V3::from(from)).norm();
-    let caught = feeler.caught(part, from, ball);
-    let before = caught.filter(|met| (1.0 - met.part) * length > TOLERANCE);
+    let before = feeler.caught(part, from, ball).filter(|met| (1.0 - met.part) * length > TOLERANCE);
     let before = before.map(|met| Caught { part: met.part * t, ..met });
     before.or(Some(Caught { part: t, by: Touching::Ball, point, normal }))
 }

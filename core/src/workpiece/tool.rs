@@ -232,8 +232,7 @@ impl Cutter {
             Spindle::Turns => self.edges().into_iter().map(|edge| piece(edge, true)).collect(),
             Spindle::Stands(angle) => {
                 let turned = |(radius, direction, drop)| (radius, direction + angle, drop);
-                let edges = self.edges().into_iter().map(turned);
-                edges.map(|edge| piece(edge, false)).collect()
+                self.edges().into_iter().map(turned).map(|edge| piece(edge, false)).collect()
             }
         }
     }
@@ -312,8 +311,7 @@ impl Profile {
     /// The point that lies farthest in a direction; towards the axis the profile ends there.
     fn farthest(&self, [wide, high]: [f64; 2]) -> [f64; 2] {
         let reach = |[x, y]: &[f64; 2]| x * wide + y * high;
-        let farthest = self.points.iter().max_by(|a, b| reach(a).total_cmp(&reach(b)));
-        let [x, y] = farthest.copied().unwrap_or_default();
+        let [x, y] = self.points.iter().max_by(|a, b| reach(a).total_cmp(&reach(b))).copied().unwrap_or_default();
         let size = wide.hypot(high);
         if wide < 0.0 {
             return [0.0, if high < 0.0 { 0.0 } else { self.points[4][1] }];

@@ -36,7 +36,6 @@ impl ToolProbe {
     }
 }
 
-/// The cap in its place.
 #[derive(Clone, Debug)]
 struct Cap {
     column: Column,

@@ -11,7 +11,6 @@ pub(in crate::control) enum Place {
     Edge(i64, i64, Quantity),
 }
 
-/// Where a frame is kept.
 #[derive(Clone, Copy)]
 pub(in crate::control) struct Kept {
     pub(super) store: Store,
@@ -21,7 +20,6 @@ pub(in crate::control) struct Kept {
     pub(super) number: usize,
 }
 
-/// A family of frames.
 #[derive(Clone, Copy, PartialEq)]
 pub(in crate::control) enum Store {
     Settable,
@@ -32,7 +30,6 @@ pub(in crate::control) enum Store {
     Part,
 }
 
-/// Part of a frame.
 #[derive(Clone, Copy)]
 pub(in crate::control) enum Part {
     Coarse,

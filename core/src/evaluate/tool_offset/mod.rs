@@ -93,8 +93,7 @@ pub fn missing_memory(control: &Control) -> Option<u32> {
 /// The measuring axis as seen from the plane that was stored with the environment.
 fn turned(control: &Control, environment: &Environment, axis: usize) -> usize {
     let geometry = control.plane.axes()[axis.min(2)];
-    let stored = environment.plane.axes();
-    stored.iter().position(|own| *own == geometry).unwrap_or(axis)
+    environment.plane.axes().iter().position(|own| *own == geometry).unwrap_or(axis)
 }
 
 /// T and D: by number, by name, or by the environment.

@@ -73,7 +73,6 @@ fn extent(points: &[V3]) -> Option<Extent> {
     Some(Extent { middle, farthest, sizes: [0, 1, 2].map(|i| sizes[i]) })
 }
 
-/// A circle or sphere.
 #[derive(Clone, Copy)]
 struct Round {
     centre: V3,
@@ -138,8 +137,7 @@ impl Fit<'_> {
 
     /// Sum of the squares of the distances.
     fn left(&self, round: &Round) -> f64 {
-        let distances = self.points.iter().map(|p| self.row(p, round).1);
-        distances.map(|distance| distance.powi(2)).sum()
+        self.points.iter().map(|p| self.row(p, round).1).map(|distance| distance.powi(2)).sum()
     }
 
     /// Least squares of linear equations: factors of the centre, 1 of the radius, and the right side.

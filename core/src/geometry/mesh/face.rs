@@ -3,10 +3,8 @@
 use crate::geometry::point::entering;
 use crate::geometry::{Path, TOLERANCE, V3, point};
 
-/// A triangle with an area.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Face {
-    /// Its corners.
     pub corners: [V3; 3],
     /// Unit normal, on the side from which the corners run counter-clockwise.
     pub normal: V3,
@@ -84,8 +82,7 @@ impl Face {
         let edges = self.edges().map(|edge| at_edge(edge, path, radius, limit));
         let ahead = Path { length: limit, ..*path };
         let corners = self.corners.map(|corner| point::first(&corner, &ahead, radius));
-        let met = edges.into_iter().chain(corners).flatten();
-        met.min_by(f64::total_cmp)
+        edges.into_iter().chain(corners).flatten().min_by(f64::total_cmp)
     }
 
     fn edges(&self) -> [(V3, V3); 3] {

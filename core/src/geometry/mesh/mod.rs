@@ -80,10 +80,7 @@ impl Mesh {
     pub fn stand(&self, path: &Path, radius: f64) -> Stand {
         let mut nearest: Option<(V3, f64)> = None;
         let mut pressed = Stand::Free;
-        let out = |point: V3| {
-            let away = (path.from - point).try_normalize(0.0);
-            away.unwrap_or_else(V3::z)
-        };
+        let out = |point: V3| (path.from - point).try_normalize(0.0).unwrap_or_else(V3::z);
         self.near(&path.from, radius + TOLERANCE, |face, limit| {
             let Some(point) = face.foot(&path.from, limit) else { return limit };
             let distance = (path.from - point).norm();
@@ -132,8 +129,7 @@ impl Mesh {
     /// Tells the triangles that may lie within `limit` of a point, near ones first. What is answered is the new limit.
     fn near(&self, p: &V3, limit: f64, mut tell: impl FnMut(&Face, f64) -> f64) {
         self.tree.near(p, limit, |indices, limit| {
-            let faces = self.faces.get(indices).unwrap_or_default();
-            faces.iter().fold(limit, |limit, face| tell(face, limit))
+            self.faces.get(indices).unwrap_or_default().iter().fold(limit, |limit, face| tell(face, limit))
         });
     }
 

@@ -8,7 +8,7 @@ const LEAF: usize = 4;
 /// Most boxes that wait while one is looked into: one a level, and no tree of numbers of 32 bits has more levels.
 const LEVELS: usize = 33;
 
-/// The boxes, each before those within it.
+/// Boxes, each before those within it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Tree {
     nodes: Vec<Node>,
@@ -74,7 +74,7 @@ impl Tree {
             return extent;
         }
         let Extent { low, high } = Extent::of(parts.iter().map(|part| part.middle));
-        self.nodes.push(Node { extent: Extent::empty(), next: 0, count: 0 });
+        self.nodes.push(Node { extent: Extent::default(), next: 0, count: 0 });
         let axis = (high - low).imax();
         let half = parts.len() / 2;
         let by_middle = |a: &Part, b: &Part| a.middle[axis].total_cmp(&b.middle[axis]);

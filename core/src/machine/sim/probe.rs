@@ -61,7 +61,6 @@ impl Sim {
         Feeler::new(&self.probe, self.control.stands())
     }
 
-    /// How it stands.
     fn stand(&self) -> Stand {
         Stand { turned: self.probe_angle(), axis: self.tool_axis(), feeler: self.feeler() }
     }

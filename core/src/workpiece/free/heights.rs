@@ -76,8 +76,7 @@ impl Heights {
 
     fn corners(&self) -> Vec<V3> {
         let half = [self.columns, self.rows()].map(|count| (count - 1) as f64 / 2.0);
-        let values = self.values.iter().enumerate();
-        let corners = values.map(|(index, height)| {
+        let corners = self.values.iter().enumerate().map(|(index, height)| {
             let (column, row) = (index % self.columns, index / self.columns);
             let x = (column as f64 - half[0]) * self.step[0];
             let y = (row as f64 - half[1]) * self.step[1];

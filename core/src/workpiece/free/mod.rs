@@ -55,8 +55,7 @@ impl FreeSurface {
     pub fn triangles(&self) -> impl Iterator<Item = [[f64; 3]; 3]> + '_ {
         let corners = self.mesh.corners();
         let at = move |index: u32| corners.get(index as usize).copied().unwrap_or_default();
-        let triangles = self.mesh.triangles().iter();
-        triangles.map(move |triangle| triangle.map(|index| at(index).into()))
+        self.mesh.triangles().iter().map(move |triangle| triangle.map(|index| at(index).into()))
     }
 
     /// Lowest and highest coordinate along each axis, mm.

@@ -20,10 +20,7 @@ pub(super) fn tool(cutter: &Cutter, carrier: V3, plane: Plane, spindle: Option<S
     let mut pieces = match spindle {
         _ if cutter.teeth == 0 => vec![swept(cutter.radius, 0.0)],
         Some(Spindle::Stands(angle)) => toothed(cutter, along, body, angle),
-        _ => {
-            let edges = cutter.edges().into_iter();
-            edges.map(|(radius, _, drop)| swept(radius, drop)).collect()
-        }
+        _ => cutter.edges().into_iter().map(|(radius, _, drop)| swept(radius, drop)).collect(),
     };
     let reach = carrier.dot(&up);
     if cutter.disc > 0.0 && reach > 0.0 {
