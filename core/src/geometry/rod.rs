@@ -204,12 +204,17 @@ fn at_lobes(LobedWall { lobes, depth }: &LobedWall, rod: &Rod, path: &Path) -> O
     })
 }
 
+/// How far beyond the end of the path [`around`] follows what stands so far from the axis, mm.
+pub fn overrun(radius: f64) -> f64 {
+    TAU / AROUND as f64 * radius
+}
+
 /// The earliest contact with what stands in all directions about an axis, `radius` mm from it, by its angle in radians.
 /// Between two directions it comes sooner than in them: these are followed so far beyond the end of the path, and
 /// beyond the earliest contact so far, as they are apart.
 pub fn around(path: &Path, radius: f64, first: impl Fn(f64, &Path) -> Option<Met>) -> Option<Met> {
     let pitch = TAU / AROUND as f64;
-    let within = |length: f64| Path { length: length.min(path.length) + pitch * radius, ..*path };
+    let within = |length: f64| Path { length: length.min(path.length) + overrun(radius), ..*path };
     let mut beyond = within(f64::INFINITY);
     let mut found: Option<(f64, Met)> = None;
     let spread = (0..AROUND).map(|step| (step * APART) % AROUND);

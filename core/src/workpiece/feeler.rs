@@ -3,9 +3,12 @@
 use super::{Body, Boundary, Contact, Probe};
 use crate::geometry::rod::around;
 use crate::geometry::{Met, Path, Rod, Stretch, Swept, V3, earliest, rod};
+use std::f64::consts::TAU;
 
 /// Rounding of the lower edge of a body, mm.
 const ROUNDED: f64 = 0.5;
+/// Pieces of a round edge that are looked at before the directions in them.
+const SECTORS: usize = 12;
 
 /// What of the probe touches.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
@@ -183,17 +186,21 @@ impl Boundary {
         let rounded = ROUNDED.min(rod.radius);
         let first = rod.up.cross(&if rod.up.x.abs() < 0.9 { V3::x() } else { V3::y() }).normalize();
         let second = rod.up.cross(&first);
-        let middle = rod.foot + rod.up * rounded;
+        let (middle, away) = (rod.foot + rod.up * rounded, rod.radius - rounded);
+        let at = |angle: f64| middle + (first * angle.cos() + second * angle.sin()) * away;
+        let near = |from: V3, radius: f64, length: f64| {
+            let way = Stretch::straight(from, from + path.direction * length);
+            self.may_meet(&Swept { way, rise: V3::zeros(), radius, flat: false })
+        };
+        let width = TAU / SECTORS as f64;
+        let sectors: [bool; SECTORS] = std::array::from_fn(|sector| {
+            let half = 2.0 * away * (width / 4.0).sin(); // from its middle to its ends
+            near(at((sector as f64 + 0.5) * width), rounded + half, path.length + rod::overrun(rod.radius))
+        });
         around(path, rod.radius, |angle, path| {
-            let out = first * angle.cos() + second * angle.sin();
-            let from = middle + out * (rod.radius - rounded);
-            let ball = Swept {
-                way: Stretch::straight(from, from + path.direction * path.length),
-                rise: V3::zeros(),
-                radius: rounded,
-                flat: false,
-            };
-            self.may_meet(&ball).then(|| self.end(from, rounded, path))?
+            let sector = (angle.rem_euclid(TAU) / width) as usize % SECTORS;
+            let from = at(angle);
+            (sectors[sector] && near(from, rounded, path.length)).then(|| self.end(from, rounded, path))?
         })
     }
 }
