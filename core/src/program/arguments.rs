@@ -1,5 +1,4 @@
-//! Arguments of a call in brackets: where they stand, which list of the catalogue they fill, and changes of one of
-//! them.
+//! Arguments of a call in brackets: where they stand, which list of the catalogue they fill, changes of one of them.
 
 use super::calls::CallSite;
 use super::change::Edit;
@@ -57,8 +56,7 @@ pub(super) fn is_auxiliary(program: &Program, place: Span) -> bool {
 
 /// Arguments of the list of a newer control that have no counterpart here and say something, by their names there.
 pub(crate) fn only_newer(program: &Program, list: &ArgumentList, call: Span) -> Vec<(&'static str, String)> {
-    let places = places(program, call);
-    let said = list.args.iter().zip(places).filter_map(|(arg, place)| {
+    let said = list.args.iter().zip(places(program, call)).filter_map(|(arg, place)| {
         let Arg::Newer(name) = arg else { return None };
         let text = program.written(place);
         let usual = USUAL.contains(&(*name, text.as_str()));
@@ -110,8 +108,7 @@ fn select(program: &Program, site: &CallSite, list: &ArgumentList, text: &str) -
     let mut edits = Vec::new();
     for (index, _) in list.selects() {
         let (number, now) = (wanted.next()?, now.next());
-        let written = places.get(index).map_or(Some(0), |place| written(program, *place).or(now));
-        if written != Some(number) {
+        if places.get(index).map_or(Some(0), |place| written(program, *place).or(now)) != Some(number) {
             edits.extend(put(program, site.span, index, &number.to_string()));
         }
     }
@@ -132,15 +129,17 @@ pub(super) fn open_variant<'a>(
     list: &ArgumentList,
     arguments: &'a [Option<Value>],
 ) -> Option<(Name, &'a Value)> {
-    let at = |index: usize| arguments.get(index).and_then(Option::as_ref);
-    let number = |index| at(index).map_or(Some(0.0), |value| value.number);
-    let (index, _) = list.unselected(number)?;
-    let value = at(index).filter(|value| value.number.is_none())?;
+    let (index, _) = list.unselected(|index| number(arguments, index))?;
+    let value = arguments.get(index)?.as_ref().filter(|value| value.number.is_none())?;
     Some((cycle.variant_param()?, value))
 }
 
-/// Values of the parameters that the arguments give, the variant put together from its selections. An indirect call
-/// gives all of them: an omitted one is 0, or an empty text.
+/// The number of an argument, 0 where it is omitted; none: only the run tells.
+pub(super) fn number(arguments: &[Option<Value>], index: usize) -> Option<f64> {
+    arguments.get(index).and_then(Option::as_ref).map_or(Some(0.0), |value| value.number)
+}
+
+/// Values of the parameters by the arguments and selections; an indirect call gives 0 or no text for an omitted one.
 pub(super) fn given(
     cycle: &'static Cycle,
     list: &ArgumentList,
@@ -148,25 +147,21 @@ pub(super) fn given(
     arguments: &[Option<Value>],
 ) -> Vec<(Name, Value)> {
     let mut found = Vec::new();
-    let at = |index: usize| arguments.get(index).and_then(Option::as_ref);
     for (index, arg) in list.args.iter().enumerate() {
         let (Arg::Param(name) | Arg::Down(name)) = arg else { continue };
         let omitted = || {
             let text = cycle.param(name).is_some_and(|param| matches!(param.kind, Kind::Text(_)));
-            let nothing = if text { "" } else { "0" };
-            Value::at(nothing.to_owned(), (!text).then_some(0.0), span)
+            if text { Value::at(String::new(), None, span) } else { Value::at("0".to_owned(), Some(0.0), span) }
         };
-        let value = at(index).cloned().map(|value| match arg {
+        let value = arguments.get(index).cloned().flatten().map(|value| match arg {
             Arg::Down(_) => value.opposite(),
             _ => value,
         });
         let value = value.or_else(|| (list.style == Style::Indirect).then(omitted));
         found.extend(value.map(|value| (*name, value)));
     }
-    let number = |index| at(index).map_or(Some(0.0), |value| value.number);
-    if let Some((name, variant)) = list.composed(cycle, number) {
-        let value = Value::at(variant.to_string(), Some(variant as f64), span);
-        found.push((name, value));
+    if let Some((name, variant)) = list.composed(cycle, |index| number(arguments, index)) {
+        found.push((name, Value::at(variant.to_string(), Some(variant as f64), span)));
     } else if let Some((name, value)) = open_variant(cycle, list, arguments) {
         found.push((name, value.clone()));
     }

@@ -15,7 +15,6 @@ const ONCE: &[u8] = b"ABCDFIJKSTUVWXYZ";
 /// Axes that every machine has: no variable takes their names.
 const AXES: [&str; 3] = ["X", "Y", "Z"];
 
-/// Findings about all blocks.
 pub(super) fn block_rules(program: &Program) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     for block in &program.blocks {

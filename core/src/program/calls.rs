@@ -1,5 +1,4 @@
-//! The measuring calls of a program, each with the values that arrive there: along the calls of subprograms, past
-//! branches, through loops.
+//! The measuring calls of a program with the values that arrive there: along calls, past branches, through loops.
 
 mod data;
 mod listed;
@@ -33,13 +32,11 @@ pub struct CallSite {
     pub first_line: u32,
     /// The call itself.
     pub span: Span,
-    /// Values as a form takes them; a value that is known at run time only is its expression, and one that differs by
-    /// the way to the call the name of the parameter.
+    /// Values as a form takes them: known at run time only, the expression; differing by the way, the parameter's name.
     pub values: Typed,
     /// As they are written, those of the values that are the worth of an expression: `R2` of 50.02.
     pub expressions: Typed,
-    /// Place of each value, its newest assignment. Values of earlier calls count until they are overwritten. None where
-    /// several assignments come here.
+    /// Place of each value, its newest assignment, also that of an earlier call; none where several come here.
     pub places: BTreeMap<Name, Span>,
     /// Where the values were written that come from other programs of the text, or on more ways than one.
     pub origins: BTreeMap<Name, Vec<Origin>>,
@@ -74,15 +71,13 @@ pub struct CallSite {
 impl CallSite {
     /// The place of a value that is written for this call, and for nothing else with it.
     pub fn own_place(&self, name: &str) -> Option<Span> {
-        let shared = self.shared.contains(name);
-        self.place_of_its_own(name).filter(|_| !shared)
+        self.place_of_its_own(name).filter(|_| !self.shared.contains(name))
     }
 
     /// The place of a value that is written for this call, in the same program.
     pub fn place_of_its_own(&self, name: &str) -> Option<Span> {
         let place = *self.places.get(name)?;
-        let own = place.start >= self.own_from;
-        (own && !self.is_foreign(name, place)).then_some(place)
+        (place.start >= self.own_from && !self.is_foreign(name, place)).then_some(place)
     }
 
     /// A value as the program has it, where that is no plain number or text.
@@ -145,7 +140,7 @@ pub struct Origin {
 /// A way to a call.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Way {
-    /// Its place among all ways of the program, in the order of the run.
+    /// Place among all ways of the program, in the order of the run.
     pub order: usize,
     /// What is in force at the call.
     pub state: State,
@@ -155,18 +150,17 @@ pub struct Way {
     pub values: Option<Typed>,
 }
 
-/// Every measuring call, in the order of the text; also those that are skipped or jumped over. The control is a
-/// metric one as delivered.
+/// Every measuring call in the order of the text, also one that is skipped, on a metric control as delivered.
 pub fn calls(program: &Program) -> Vec<CallSite> {
     calls_on(program, delivery(program.dialect))
 }
 
-/// The same for a program that starts on a control in this state.
+/// Every measuring call, in the order of the text, of a program that starts on a control in this state.
 pub fn calls_on(program: &Program, control: Control) -> Vec<CallSite> {
     calls_told(program, control, &mut |_| {})
 }
 
-/// The same, telling from time to time which share of the program is looked through.
+/// Every measuring call, as [`calls_on`], telling from time to time which share of the program is looked through.
 pub fn calls_told(program: &Program, control: Control, told: &mut dyn FnMut(f64)) -> Vec<CallSite> {
     let programs = programs(program);
     let mut walk = Walk {
@@ -212,8 +206,7 @@ struct Walk<'a> {
     tools: Tools,
     control: Control,
     found: Found,
-    /// What right sides are worth when they are passed first and a later pass may bring another number, by their first
-    /// byte.
+    /// Worth of right sides on their first pass, where a later one may bring another number, by their first byte.
     first_numbers: HashMap<u32, Option<f64>>,
     /// See [`CallSite::left_on`].
     left_on: bool,

@@ -17,8 +17,7 @@ use std::collections::BTreeSet;
 /// Why the call cannot be written in another way without losing an expression among its own arguments; none: it can.
 pub(super) fn stuck(program: &Program, site: &CallSite) -> Option<Diagnostic> {
     let list = site.list?;
-    let places = arguments::places(program, site.span);
-    list.args.iter().zip(places).find_map(|(arg, place)| {
+    list.args.iter().zip(arguments::places(program, site.span)).find_map(|(arg, place)| {
         let text = program.written(place);
         let said = !text.is_empty() && !is_literal(&text);
         let lost = said && matches!(arg, Arg::Select(_) | Arg::Open | Arg::Is(_));
@@ -28,8 +27,7 @@ pub(super) fn stuck(program: &Program, site: &CallSite) -> Option<Diagnostic> {
 
 /// A number or a text in quotes.
 fn is_literal(text: &str) -> bool {
-    let quoted = text.len() > 1 && text.starts_with('"') && text.ends_with('"');
-    quoted || text.parse::<f64>().is_ok()
+    text.len() > 1 && text.starts_with('"') && text.ends_with('"') || text.parse::<f64>().is_ok()
 }
 
 /// The first of these values that is an expression and may be worth something else directly before the call than where
@@ -70,9 +68,9 @@ fn stays(program: &Program, site: &CallSite, name: &str, text: &str) -> bool {
 /// The variables that an expression reads.
 struct Reads {
     names: BTreeSet<String>,
-    /// They are arithmetic parameters, `R1`.
+    /// All are arithmetic parameters, `R1`.
     parameters: bool,
-    /// They are arithmetic parameters or variables that the text declares: nothing but an assignment changes them.
+    /// All are arithmetic parameters or variables that the text declares: only assignments change them.
     plain: bool,
 }
 

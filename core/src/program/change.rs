@@ -96,8 +96,7 @@ fn replace(program: &Program, place: Span, value: String) -> Edit {
     }
 }
 
-/// The program after the edits, which are in any order and do not overlap; one that overlaps an earlier one is left
-/// out.
+/// The program after edits, in any order and without overlap; one that overlaps an earlier one is left out.
 pub fn apply(source: &[u8], edits: &[Edit]) -> Vec<u8> {
     let mut ordered: Vec<&Edit> = edits.iter().collect();
     ordered.sort_by_key(|edit| (edit.span.start, edit.span.end));
@@ -119,8 +118,7 @@ fn nothing(value: &str) -> bool {
     value.is_empty() || value.parse() == Ok(0.0)
 }
 
-/// The name under which the program writes a parameter: an element of the array that it hands to the call. None: it
-/// hands something else there.
+/// The name under which the program writes a parameter: an element of the array that it hands to the call, if it does.
 fn written_name(program: &Program, site: &CallSite, name: &str) -> Option<String> {
     let places = arguments::places(program, site.span);
     let own = site.list.map_or(&[][..], |list| list.args).iter().zip(places).find_map(|(arg, place)| match arg {
@@ -137,8 +135,7 @@ fn written_name(program: &Program, site: &CallSite, name: &str) -> Option<String
 /// Whether this is a name in upper case, and not that of a single arithmetic parameter.
 fn is_array(name: &str) -> bool {
     let letters = name.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_');
-    let number = name.strip_prefix('R').unwrap_or(name);
-    letters && number.bytes().any(|byte| !byte.is_ascii_digit())
+    letters && name.strip_prefix('R').unwrap_or(name).bytes().any(|byte| !byte.is_ascii_digit())
 }
 
 /// A typed number with its decimal comma as a point.
@@ -153,18 +150,24 @@ fn remove(program: &Program, place: Span) -> Edit {
     let span = word_around(program, place);
     let block = program.blocks.get(program.line_of(place.start) as usize);
     let line = block.map_or(span, |block| block.span);
-    let before = program.text(Span { start: line.start, end: span.start });
-    let blanks = before.iter().rev().take_while(|byte| is_blank(byte)).count();
-    if blanks < before.len() {
-        return Edit::remove(span.start - blanks as u32, span.end);
+    match blanks_before(program, line, span.start) {
+        start if start > line.start => Edit::remove(start, span.end),
+        _ => Edit::remove(span.start, blanks_behind(program, line, span.end)),
     }
-    let behind = program.text(Span { start: span.end, end: line.end });
-    let blanks = behind.iter().take_while(|byte| is_blank(byte)).count();
-    Edit::remove(span.start, span.end + blanks as u32)
 }
 
-pub(super) fn is_blank(byte: &u8) -> bool {
+fn is_blank(byte: &&u8) -> bool {
     matches!(byte, b' ' | b'\t')
+}
+
+/// Where the blanks before a place of a line begin.
+pub(super) fn blanks_before(program: &Program, line: Span, at: u32) -> u32 {
+    at - program.text(Span { end: at, ..line }).iter().rev().take_while(is_blank).count() as u32
+}
+
+/// Where the blanks behind a place of a line end.
+pub(super) fn blanks_behind(program: &Program, line: Span, at: u32) -> u32 {
+    at + program.text(Span { start: at, ..line }).iter().take_while(is_blank).count() as u32
 }
 
 /// The whole assignment around a value; the value itself where it is an element of a list.
@@ -172,12 +175,10 @@ fn word_around(program: &Program, place: Span) -> Span {
     let Some(word) = program.word_at(place) else { return place };
     let between = |start, end| program.text(Span { start, end });
     let element = between(word.span.start, place.start).contains(&b',') && !program.grammar().by_address;
-    let first = between(place.end, word.span.end).contains(&b',');
-    if element || first { place } else { word.span }
+    if element || between(place.end, word.span.end).contains(&b',') { place } else { word.span }
 }
 
-/// Writes a new value for this call: behind its last one if the program goes straight on from there, else on a line of
-/// its own before the call.
+/// Writes a new value behind the call's last one, if the program goes straight on from there, else on a line before it.
 fn add(program: &Program, site: &CallSite, name: &str, value: &str) -> Option<Edit> {
     let by_address = program.grammar().by_address;
     let written =
@@ -224,8 +225,7 @@ pub(super) fn behind_label(program: &Program, line: u32) -> Option<u32> {
 /// Writes a line of its own before this line, indented and numbered like it.
 pub(super) fn line_before(program: &Program, line: u32, written: &str) -> Option<Edit> {
     let block = program.blocks.get(line as usize)?;
-    let indent = program.text(block.span).iter().take_while(|byte| is_blank(byte)).count();
-    let indent = program.written(Span { end: block.span.start + indent as u32, ..block.span });
+    let indent = program.written(Span { end: blanks_behind(program, block.span, block.span.start), ..block.span });
     let number = number_between(program, line, block).map_or(String::new(), |number| format!("N{number} "));
     Some(Edit::insert(block.span.start, format!("{indent}{number}{written}{}", line_end(program, line))))
 }

@@ -2,8 +2,7 @@
 
 use super::calls::{CallSite, calls_on};
 use super::change::{Edit, apply, behind_label, line_end};
-use super::marked::mark_before;
-use super::own_words::{Lines, emptied, own_words, without_comment};
+use super::own_words::{Lines, emptied, mark_before, own_words, without_comment};
 use super::write::{Values, Written, snippet_of};
 use super::{arguments, carried};
 use crate::check::{Parsed, newer, parse};
@@ -43,8 +42,7 @@ pub fn convert(program: &Program, index: usize, style: Style, control: &Control)
         return refused(vec![finding]);
     }
     let edits = rewritten(program, site, &written);
-    let after = read(program.dialect, &apply(&program.source, &edits));
-    let after = calls_on(&after, control.clone());
+    let after = calls_on(&read(program.dialect, &apply(&program.source, &edits)), control.clone());
     if let Some(name) = after.get(index).and_then(|after| carried::differs(site, after, &written.said)) {
         return refused(vec![carried::changing(site, name)]);
     }
@@ -75,8 +73,7 @@ fn foreign(program: &Program, site: &CallSite, control: &Control) -> Option<Diag
 /// The argument of newer controls for the tool that is corrected.
 const TOOL_TARGET: &str = "S_KNUM1";
 
-/// The values of a call, those included that an omitted argument of a newer list stands for: other ways of writing take
-/// what an earlier call left.
+/// The values of a call, with those of a newer list's omitted arguments, which elsewhere an earlier call left.
 fn explicit(site: &CallSite, control: &Control) -> Typed {
     if site.newer_list().is_none() {
         return site.values.clone();
@@ -96,8 +93,7 @@ fn explicit(site: &CallSite, control: &Control) -> Typed {
 fn left_out(program: &Program, site: &CallSite) -> Option<Diagnostic> {
     let lost = arguments::only_newer(program, site.newer_list()?, site.span);
     let names: Vec<String> = lost.iter().map(|(name, text)| format!("{name} = {text}")).collect();
-    let finding = own::CONVERT_LOST.finding().text("names", names.join(", "));
-    (!names.is_empty()).then_some(finding)
+    (!names.is_empty()).then_some(own::CONVERT_LOST.finding().text("names", names.join(", ")))
 }
 
 /// Nothing is done, and why.
@@ -108,10 +104,11 @@ fn refused(findings: Vec<Diagnostic>) -> Converted {
 fn rewritten(program: &Program, site: &CallSite, written: &Written) -> Vec<Edit> {
     let text = &written.text;
     let marks = text.lines().next().and_then(Mark::read).is_some();
-    // an expression that the new text does not need stays where it is
+    // an expression that the new text does not need stays where it is, but for one in a `CYCLE_PARA`, which goes whole
     let goes = |name: &str| {
         let said = written.said.iter().any(|one| *one == name);
-        said || site.expression(name).is_none() || is_auxiliary(program, site, name)
+        let whole = || site.own_place(name).is_some_and(|place| arguments::is_auxiliary(program, place));
+        said || site.expression(name).is_none() || whole()
     };
     let own = own_words(program, site, marks, goes);
     let mut lines: Vec<String> = kept(program, site, &own, &written.said);
@@ -131,21 +128,13 @@ fn rewritten(program: &Program, site: &CallSite, written: &Written) -> Vec<Edit>
     edits
 }
 
-/// Whether a value stands in a `CYCLE_PARA`, which goes as a whole.
-fn is_auxiliary(program: &Program, site: &CallSite, name: &str) -> bool {
-    let place = site.own_place(name);
-    place.is_some_and(|place| arguments::is_auxiliary(program, place))
-}
-
-/// What goes with the words of the call and is no value of its own text, but counts for others or is an expression: it
-/// stays as assignments.
+/// What goes with the words of the call, but counts for others or is an expression: it stays as assignments.
 fn kept(program: &Program, site: &CallSite, own: &Lines, said: &[Name]) -> Vec<String> {
     let mut lines = Vec::new();
     for word in own.values().flatten().filter(|word| word.called().is_some()) {
         for (name, place) in AUXILIARY_ARGS.iter().zip(arguments::places(program, word.span)) {
             let text = program.written(place);
-            let says = !text.is_empty() && text.parse() != Ok(0.0);
-            if says && site.cycle.param(name).is_none() {
+            if !text.is_empty() && text.parse() != Ok(0.0) && site.cycle.param(name).is_none() {
                 lines.push(format!("{name}={text}"));
             }
         }

@@ -11,19 +11,17 @@ use crate::message::Message;
 use crate::own;
 use crate::syntax::{Program, SyntaxError};
 
-/// Everything that reading and checking found, in the order of the text, the worst of a place first. The
-/// control is a metric one as delivered.
+/// What reading and checking found on a metric control as delivered, in the order of the text, the worst first.
 pub fn findings(program: &Program) -> Vec<Diagnostic> {
     findings_on(program, delivery(program.dialect))
 }
 
-/// The same for a program that starts on a control in this state.
+/// What [`findings`] tells of a program that starts on a control in this state.
 pub fn findings_on(program: &Program, control: Control) -> Vec<Diagnostic> {
-    let sites = calls_on(program, control.clone());
-    findings_of(program, &sites, &control)
+    findings_of(program, &calls_on(program, control.clone()), &control)
 }
 
-/// The same where the calls of the program on this control are known already.
+/// What [`findings_on`] tells, where the calls of the program on this control are known already.
 pub fn findings_of(program: &Program, sites: &[CallSite], control: &Control) -> Vec<Diagnostic> {
     let syntax = program.errors.iter().map(|error| not_understood(program, error));
     let blocks = match program.dialect {
@@ -45,8 +43,7 @@ fn start(finding: &Diagnostic) -> u32 {
 fn once(found: Vec<Diagnostic>) -> Vec<Diagnostic> {
     let mut kept: Vec<Diagnostic> = Vec::with_capacity(found.len());
     for finding in found {
-        let place = start(&finding);
-        let mut same = kept.iter().rev().take_while(|other| start(other) == place);
+        let mut same = kept.iter().rev().take_while(|other| start(other) == start(&finding));
         if !same.any(|other| *other == finding) {
             kept.push(finding);
         }

@@ -66,7 +66,6 @@ pub(super) fn stem(name: &str) -> &str {
 /// What one variable may hold.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Held {
-    /// This.
     One(Rc<Value>),
     /// One of these: the way through the program decides.
     Several(Rc<[Rc<Value>]>),
@@ -93,8 +92,7 @@ impl Held {
     fn number(&self) -> Option<f64> {
         let (first, rest) = self.all().split_first()?;
         let number = first.number?;
-        let same = rest.iter().all(|other| other.number == Some(number));
-        same.then_some(number)
+        rest.iter().all(|other| other.number == Some(number)).then_some(number)
     }
 
     /// What holds where two ways meet.
@@ -149,12 +147,10 @@ impl Values {
     /// The number of a variable, where every way gives the same; none: it depends on how often the program passes.
     pub fn number(&self, names: &Names, name: &str) -> Option<f64> {
         let id = names.find(name)?;
-        let steady = names.unsteady.get(id) == Some(&false);
-        self.get(id).filter(|_| steady)?.number()
+        self.get(id).filter(|_| names.unsteady.get(id) == Some(&false))?.number()
     }
 
-    /// The number of a variable as the first pass brings it; `first`: what right sides are worth then, by their first
-    /// byte.
+    /// The number of a variable on the first pass; `first`: what right sides are worth then, by their first byte.
     pub fn first_number(&self, names: &Names, name: &str, first: &HashMap<u32, Option<f64>>) -> Option<f64> {
         let value = self.get(names.find(name)?)?.all().first()?;
         value.number.or_else(|| first.get(&value.place.start).copied().flatten())
@@ -163,8 +159,7 @@ impl Values {
     /// Variables that are copied together; one without any is as good as none.
     fn chunk(&self, at: usize) -> Option<&Chunk> {
         let chunk = self.chunks.get(at)?;
-        let empty = chunk.iter().all(Option::is_none);
-        (!empty).then_some(&**chunk)
+        (!chunk.iter().all(Option::is_none)).then_some(&**chunk)
     }
 
     /// Writes a variable.

@@ -11,7 +11,6 @@ pub mod convert;
 mod findings;
 pub mod flow;
 mod held;
-mod marked;
 pub mod of_control;
 mod own_words;
 pub mod revise;

@@ -29,8 +29,7 @@ pub fn is_frame(name: &str) -> bool {
     matches!(name, "TRANS" | "ATRANS" | "ROT" | "AROT" | "MIRROR" | "AMIRROR" | "SCALE" | "ASCALE")
 }
 
-/// Numbers of cycles that drill, mill, turn and swivel, and those that belong to the measuring cycles themselves
-/// (B:2384-2393).
+/// Numbers of cycles that drill, mill, turn and swivel, and of parts of the measuring cycles (B:2384-2393).
 const OF_CONTROL: [std::ops::RangeInclusive<u32>; 4] = [60..=199, 800..=899, 930..=959, 4071..=4079];
 
 /// Whether a name is that of a cycle of the control that does something which is not simulated: `CYCLE83`.

@@ -1,18 +1,18 @@
-//! The words that give values to one call only, outside of the call itself, and edits that take them away.
+//! The words outside of a call that give values to it only, the comment with its settings, and edits without them.
 
 use super::calls::CallSite;
-use super::change::{Edit, is_blank};
+use super::change::{Edit, blanks_before, blanks_behind};
 use super::values::{Spread, spread};
 use crate::diagnostic::Span;
 use crate::entry::AUXILIARY;
-use crate::syntax::{Program, Word, WordKind};
+use crate::support::{BITS, Mark};
+use crate::syntax::{Block, Program, Word, WordKind};
 use std::collections::BTreeMap;
 
 /// Words of a program by their line.
 pub(super) type Lines<'a> = BTreeMap<u32, Vec<&'a Word>>;
 
-/// The words that give these values to this call only, as far as they stand outside of it. `bits`: those that set bits
-/// for it too.
+/// The words outside of a call that give these values to it only; `bits`: those that set bits for it too.
 pub(super) fn own_words<'a>(
     program: &'a Program,
     site: &CallSite,
@@ -23,8 +23,7 @@ pub(super) fn own_words<'a>(
     let of_values = site.places.keys().filter(|name| wanted(name)).filter_map(|name| site.own_place(name));
     let of_bits = site.bits.iter().filter(|_| bits).map(|(_, _, place)| *place);
     let of_bits = of_bits.filter(|place| site.own_from <= place.start && place.end <= site.span.end);
-    let places = of_values.chain(of_bits).filter(|place| *place != site.span);
-    for place in places {
+    for place in of_values.chain(of_bits).filter(|place| *place != site.span) {
         let Some(word) = program.word_at(place) else { continue };
         let single = match &word.kind {
             WordKind::Assign { value, .. } => matches!(spread(program, *value), Spread::One),
@@ -61,18 +60,14 @@ pub(super) fn emptied(program: &Program, own: &Lines, call_line: u32) -> Vec<Edi
 fn without_words(program: &Program, words: &[&Word], line: Span) -> Vec<Edit> {
     let mut gaps: Vec<Span> = Vec::new();
     for word in words {
-        let behind = program.text(Span { start: word.span.end, end: line.end });
-        let blanks = behind.iter().take_while(|byte| is_blank(byte)).count();
-        let end = word.span.end + blanks as u32;
+        let end = blanks_behind(program, line, word.span.end);
         match gaps.last_mut().filter(|gap| gap.end == word.span.start) {
             Some(gap) => gap.end = end,
             None => gaps.push(Span { end, ..word.span }),
         }
     }
     if let Some(last) = gaps.last_mut().filter(|gap| gap.end == line.end) {
-        let before = program.text(Span { start: line.start, end: last.start });
-        let blanks = before.iter().rev().take_while(|byte| is_blank(byte)).count();
-        last.start -= blanks as u32;
+        last.start = blanks_before(program, line, last.start);
     }
     gaps.into_iter().map(|gap| Edit::remove(gap.start, gap.end)).collect()
 }
@@ -90,4 +85,24 @@ pub(super) fn without_comment(program: &Program, comment: Span) -> Edit {
         Some(block) if program.words_of(block).is_empty() => without_line(program, line, block.span.start),
         _ => Edit::remove(comment.start, comment.end),
     }
+}
+
+/// The comment with the settings, before the call's first line; lines that only set bits may stand between.
+pub fn mark_before(program: &Program, site: &CallSite) -> Option<(Mark, Span)> {
+    let block = program.blocks.get(..site.first_line as usize)?.iter().rfind(|block| !sets_bits(program, block))?;
+    let place = block.comment?;
+    Some((Mark::read(std::str::from_utf8(program.text(place)).ok()?)?, place))
+}
+
+fn sets_bits(program: &Program, block: &Block) -> bool {
+    let words = program.words_of(block);
+    let is_bit = |word: &Word| match &word.kind {
+        WordKind::Assign { value_span, .. } => {
+            let target = Span { end: value_span.start, ..word.span };
+            let text: String = program.name(target).chars().filter(|one| !one.is_whitespace()).collect();
+            BITS.iter().any(|bit| text.strip_suffix('=') == Some(bit))
+        }
+        _ => false,
+    };
+    !words.is_empty() && block.comment.is_none() && words.iter().all(is_bit)
 }

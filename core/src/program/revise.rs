@@ -26,9 +26,8 @@ pub struct Revision {
     pub findings: Vec<Diagnostic>,
 }
 
-/// Gives a parameter of the call at `index` this value, as [`change`] does. Of a call that becomes another variant
-/// nothing stays that this variant does not know. The program starts on a control in this state. None: there is no such
-/// call.
+/// Gives a parameter of the call at `index` this value, as [`change`] does; of a call that becomes another variant
+/// nothing stays that this does not know. The program starts on this control. None: there is no such call.
 pub fn revise(program: &Program, index: usize, name: &str, value: &str, control: &Control) -> Option<Revision> {
     let sites = calls_on(program, control.clone());
     let site = sites.get(index)?;

@@ -40,7 +40,7 @@ pub struct Tools {
 }
 
 impl Tools {
-    /// Those of a program that starts on a control in this state.
+    /// Tools of a program that starts on a control in this state.
     pub fn of(control: &Control) -> Tools {
         let edges = control.tools.iter().flat_map(|(tool, data)| data.edges.keys().map(|edge| (*tool, *edge)));
         Tools {
@@ -60,8 +60,7 @@ impl Tools {
         }
     }
 
-    /// Puts plane, units, diameters and tool in force that a call finds, and says what the tool is. None is in use
-    /// where the text does not tell.
+    /// Puts in force what a call finds, and says what the tool is: none is in use where the text does not tell.
     pub fn use_at(&self, control: &mut Control, state: &State) -> Option<ToolInUse> {
         (control.tool, control.edge) = self.start;
         match state.plane.is() {
@@ -71,8 +70,7 @@ impl Tools {
         }
         control.choose_units(state.units.is().copied().unwrap_or(self.units));
         // where the text does not tell, diameters, as in a form
-        let transverse = state.transverse.is().copied();
-        control.transverse = transverse.unwrap_or(Transverse::Diameter);
+        control.transverse = state.transverse.is().copied().unwrap_or(Transverse::Diameter);
         if !state.tool.unset() {
             let number = match state.tool.is() {
                 Some(Tool::Number(number)) => Some(*number),

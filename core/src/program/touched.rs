@@ -8,7 +8,7 @@ use crate::syntax::Program;
 /// A line that is another one after edits.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Line {
-    /// Its number, from 0.
+    /// Number of the line, from 0.
     pub line: u32,
     /// As it is, without its end.
     pub before: String,
@@ -58,8 +58,7 @@ pub fn elsewhere(program: &Program, site: &CallSite, edits: &[Edit]) -> Vec<Line
     touched(program, edits).into_iter().filter(|line| !own.contains(&line.line)).collect()
 }
 
-/// The lines that the cure of a finding changes elsewhere than where it is told: not in its line, and not in those of a
-/// call to which that belongs.
+/// The lines that the cure of a finding changes, but for the one where it is told and those of the call around that.
 pub fn cured_elsewhere(program: &Program, sites: &[CallSite], found: &Diagnostic) -> Vec<Line> {
     let Some((cure, span)) = found.cure.as_ref().zip(found.span) else { return Vec::new() };
     let told = program.line_of(span.start);

@@ -2,7 +2,7 @@
 
 /// A program that the measuring cycles call.
 pub struct UserProgram {
-    /// Its name.
+    /// Name, as the cycles call it.
     pub name: &'static str,
     /// Key of when it is called; `.help` behind it is what it is for.
     pub key: &'static str,

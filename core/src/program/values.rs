@@ -1,5 +1,4 @@
-//! Right sides as text for a form: as written where they are a number or a text, worked out where they are constant,
-//! else the expression itself.
+//! Right sides as text for a form: numbers and texts as written, constants worked out, else the expression itself.
 
 use crate::check::{Parsed, Sort, parse, typed_text};
 use crate::diagnostic::Span;
@@ -52,7 +51,7 @@ impl Value {
         if self.argument { self.source() } else { self.place }
     }
 
-    /// The same with the other sign.
+    /// The value with the other sign.
     pub fn opposite(self) -> Value {
         Value {
             text: opposite(&self.text),

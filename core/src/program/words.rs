@@ -1,5 +1,4 @@
-//! Words of the control by what they do: settings of a block, those that change nothing that is simulated, and those
-//! behind which nothing can be.
+//! Words of the control: settings of a block, those without effect here, those behind which nothing can be simulated.
 
 use crate::control::Transverse;
 use crate::syntax::language::is_word;
@@ -33,22 +32,10 @@ const VALUES_WITHOUT_EFFECT: &[&str] = &[
 /// Names with a value that do something which is not simulated; the axes go on without it.
 const VALUES_TOLD: &[&str] = &["TCARR", "ID"];
 
-/// What becomes of a name with a value that is no variable.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Value {
-    /// It changes nothing that is simulated.
-    Passed,
-    /// It is told and left out.
-    Told,
-}
-
-/// What becomes of `ADIS=0.5`, `ACC[X]=50`; none: it is another name.
-pub fn value(name: &str) -> Option<Value> {
-    if VALUES_WITHOUT_EFFECT.contains(&name) {
-        Some(Value::Passed)
-    } else {
-        VALUES_TOLD.contains(&name).then_some(Value::Told)
-    }
+/// Whether a run goes on without `ADIS=0.5`, `ACC[X]=50`, and whether it tells that; none: it is another name.
+pub fn left_out(name: &str) -> Option<bool> {
+    let told = VALUES_TOLD.contains(&name);
+    (told || VALUES_WITHOUT_EFFECT.contains(&name)).then_some(told)
 }
 
 /// Whether the interpreter takes a word, or it changes nothing that is simulated.

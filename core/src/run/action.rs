@@ -1,10 +1,11 @@
 //! What the words of a block do together: functions first, then tool, motion, calls, and the end.
 
+use super::datum::Datum;
 use super::halt::Halt;
 use super::interpret::{Interpreter, Next};
 use super::statement::{Call, Words};
 use super::{addresses, cycle, frame, gcode, listed, macro_call, motion, of_control, repeat, subprogram, tool, unread};
-use crate::diagnostic::Severity;
+use crate::diagnostic::{Severity, Span};
 use crate::geometry::Degrees;
 use crate::machine::Machine;
 use crate::machine::trace::Step;
@@ -26,31 +27,27 @@ pub fn perform(run: &mut Interpreter, mut found: Words) -> Result<Next, Halt> {
             return Ok(Next::Block);
         }
         unread::own(run, program.words_at(at), found.path.span)?;
-        gcode::apply_beside_macro(run, &mut found)?;
+        gcode::apply(run, &mut found, gcode::beside_macro)?;
         cycle::addresses(run, cycle, &found)?;
         return Ok(Next::Block);
     }
     let numbered = run.program.grammar().numbered;
     if numbered && found.function("G", 65.0).is_some() {
-        gcode::apply_beside_macro(run, &mut found)?;
+        gcode::apply(run, &mut found, gcode::beside_macro)?;
         return Ok(macro_call::with_arguments(run, at, &found)?);
     }
     let subprogram = numbered && found.function("M", 98.0).is_some();
-    gcode::apply(run, &mut found)?;
+    gcode::apply(run, &mut found, |_| true)?;
     if !found.path.stays {
         unread::placed(run, &found.addresses);
     }
     gcode::settings(run, &mut found);
     tool::apply(run, &found)?;
-    let calls = !found.calls.is_empty();
     for address in &found.addresses {
-        let of_call = match address.name.as_str() {
-            "P" => calls || subprogram,
-            "L" => subprogram,
-            _ => false,
-        };
-        if !of_call {
-            addresses::take(run, address, &mut found.path)?;
+        match address.name.as_str() {
+            "P" if subprogram || !found.calls.is_empty() => {}
+            "L" if subprogram => {}
+            _ => addresses::take(run, address, &mut found.path)?,
         }
     }
     motion::turn(run, &found.path)?;
@@ -71,7 +68,7 @@ pub fn perform(run: &mut Interpreter, mut found: Words) -> Result<Next, Halt> {
     let passes = repeat::passes(found.of("P").next())?;
     let mut calls = subprogram::calls(run, &found)?;
     if moves && found.path.pole.is_none() && calls.is_empty() {
-        calls.extend(subprogram::after_motion(run));
+        calls.extend(run.levels.last().and_then(|level| level.modal.clone()));
     }
     for call in &calls {
         if let Some(next) = carry_out(run, at, call, passes)? {
@@ -95,8 +92,7 @@ enum End {
     Jump(Next),
     /// With the whole run: M2, M30 of NCT.
     Program,
-    /// By going back to the call, from the main program with the whole run: M17, RET, and M2 and M30, which end a
-    /// subprogram in the same way.
+    /// By going back to the call, from the main program with the whole run: M17, RET, in a subprogram also M2 and M30.
     Level,
 }
 
@@ -124,13 +120,11 @@ fn end(run: &mut Interpreter, found: &Words) -> Result<Option<End>, Problem> {
     let mut end = found.leaves.then_some(End::Level);
     for address in found.of("M") {
         let number = address.value.number().unwrap_or(-1.0);
-        if let Some(spindle) = address.extension.filter(|spindle| *spindle > 1) {
-            let word = format!("M{spindle}={number}");
-            run.tell(Severity::Note, &Problem::new("run-machine-function", address.span, word));
-            continue;
-        }
+        let other = address.extension.filter(|spindle| *spindle > 1);
+        let word = other.map_or_else(|| format!("M{number}"), |spindle| format!("M{spindle}={number}"));
         match number as i64 {
-            0 | 1 => run.sim.note(Step::Message { text: format!("M{number}") }),
+            _ if other.is_some() => machine_function(run, address.span, word),
+            0 | 1 => run.sim.note(Step::Message { text: word }),
             2 | 30 if grammar.ends_run => end = Some(End::Program),
             2 | 30 | 17 => end = Some(End::Level),
             98 if grammar.numbered => {}
@@ -143,10 +137,15 @@ fn end(run: &mut Interpreter, found: &Words) -> Result<Option<End>, Problem> {
             5 => run.sim.spin(0.0),
             6..=9 => {}
             silent if run.rules().silent.contains(&silent) => {}
-            _ => run.tell(Severity::Note, &Problem::new("run-machine-function", address.span, format!("M{number}"))),
+            _ => machine_function(run, address.span, word),
         }
     }
     Ok(end)
+}
+
+/// Tells that a function belongs to the machine.
+pub fn machine_function(run: &mut Interpreter, span: Span, word: String) {
+    run.tell(Severity::Note, &Problem::new("run-machine-function", span, word));
 }
 
 /// Calls: operator texts, measuring cycles, subprograms of the same text.
@@ -156,7 +155,7 @@ fn carry_out(run: &mut Interpreter, at: usize, call: &Call, passes: u32) -> Resu
         return Ok(None);
     }
     if name == "MSG" {
-        of_control::message(run, &call.args);
+        run.sim.note(Step::Message { text: call.arg(0).map(Datum::shown).unwrap_or_default() });
     } else if name == STORE_ENVIRONMENT {
         of_control::store_environment(run, &call.args, call.span)?;
     } else if name == SET_ALARM {

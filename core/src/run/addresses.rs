@@ -1,5 +1,6 @@
 //! Addresses of a block: axes, arcs, feed, speed, spindle angle.
 
+use super::action::machine_function;
 use super::datum::Datum;
 use super::interpret::Interpreter;
 use super::motion;
@@ -18,8 +19,7 @@ pub fn take(run: &mut Interpreter, address: &Address, path: &mut Path) -> Result
     let name = address.name.as_str();
     match name {
         "X" | "Y" | "Z" if address.extension.is_none() => {
-            let axis = AXES.iter().position(|axis| *axis == name);
-            put(&mut path.axes, axis, coordinate(address, factor)?);
+            put(&mut path.axes, AXES.iter().position(|axis| *axis == name), coordinate(address, factor)?);
         }
         "I" | "J" | "K" => {
             let axis = ["I", "J", "K"].iter().position(|centre| *centre == name);
@@ -45,23 +45,21 @@ pub fn take(run: &mut Interpreter, address: &Address, path: &mut Path) -> Result
             run.modal.speed = number(address)?;
             let turns = run.sim.control.spindle_speed;
             if turns != 0.0 {
-                let speed = motion::spindle_speed(run);
-                run.sim.spin(speed.copysign(turns));
+                run.sim.spin(motion::spindle_speed(run).copysign(turns));
             }
         }
         "S" | "T" if address.extension.is_some_and(|spindle| spindle > 1) => {
             run.tell(Severity::Warning, &Problem::new("run-not-simulated", address.span, name));
         }
-        "SPOS" | "SPOSA" => spindle(run, address)?,
-        "T" => {} // number or name, see `tool`
-        "G" | "M" | "F" | "S" | "D" | "DL" => drop(number(address)?),
-        _ if rules.beside.contains(&name) => drop(number(address)?),
-        // what tunes a path or a spline: only the programmed points are passed
-        "SF" | "PW" | "SD" | "PL" | "FRC" | "FRCM" => drop(number(address)?),
-        "H" => {
-            let word = format!("H{}", Datum::Number(number(address)?).shown());
-            run.tell(Severity::Note, &Problem::new("run-machine-function", address.span, word));
+        "SPOS" | "SPOSA" => {
+            let stands = if address.mode.as_deref() == Some("IC") { run.sim.control.spindle } else { Degrees(0.0) };
+            run.sim.orient(stands + Degrees(number(address)?));
         }
+        "T" => {} // number or name, see `tool`
+        // the last six tune a path or a spline, of which only the programmed points are passed
+        "G" | "M" | "F" | "S" | "D" | "DL" | "SF" | "PW" | "SD" | "PL" | "FRC" | "FRCM" => drop(number(address)?),
+        _ if rules.beside.contains(&name) => drop(number(address)?),
+        "H" => machine_function(run, address.span, format!("H{}", Datum::Number(number(address)?).shown())),
         _ if path.stays => {}
         _ => return other(run, address, path),
     }
@@ -99,16 +97,6 @@ fn coordinate(address: &Address, factor: f64) -> Result<Coordinate, Problem> {
     Ok(Coordinate { value: number(address)? * factor, absolute })
 }
 
-fn spindle(run: &mut Interpreter, address: &Address) -> Result<(), Problem> {
-    let angle = Degrees(number(address)?);
-    let angle = match address.mode.as_deref() {
-        Some("IC") => run.sim.control.spindle + angle,
-        _ => angle,
-    };
-    run.sim.orient(angle);
-    Ok(())
-}
-
 /// A rotary axis of the machine, else something that is not simulated.
 fn other(run: &mut Interpreter, address: &Address, path: &mut Path) -> Result<(), Problem> {
     let Some(axis) = run.sim.control.rotary_axis(&address.name) else {
@@ -117,11 +105,10 @@ fn other(run: &mut Interpreter, address: &Address, path: &mut Path) -> Result<()
     };
     let written = Degrees(number(address)?);
     let control = &run.sim.control;
-    let position = match address.mode.as_deref() {
+    path.rotary[axis] = Some(match address.mode.as_deref() {
         Some("IC" | "CIC") => control.rotary[axis] + written,
         None if !run.modal.absolute => control.rotary[axis] + written,
         _ => control.rotary_to_machine(axis, written),
-    };
-    path.rotary[axis] = Some(position);
+    });
     Ok(())
 }

@@ -11,11 +11,8 @@ const NO_ANGLE: f64 = 1e-9;
 /// An arc in the plane: abscissa and ordinate, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Arc {
-    /// Centre.
     pub centre: [f64; 2],
-    /// Start.
     pub start: [f64; 2],
-    /// End.
     pub end: [f64; 2],
     /// Angle from start to end, radian, counter-clockwise positive; whole turns included.
     pub sweep: f64,
@@ -28,8 +25,7 @@ impl Arc {
         if from <= 0.0 || (from - to).abs() > TOLERANCE {
             return None;
         }
-        let sweep = sweep(direction(centre, end) - direction(centre, start), counter);
-        Some(Arc { centre, start, end, sweep })
+        Some(Arc { centre, start, end, sweep: sweep(direction(centre, end) - direction(centre, start), counter) })
     }
 
     /// The arc with a radius, negative for more than a half circle.
@@ -52,8 +48,7 @@ impl Arc {
             return None;
         }
         let radius = distance(start, end) / 2.0 / (angle.to_radians() / 2.0).sin();
-        let radius = if angle > 180.0 { -radius } else { radius };
-        Arc::with_radius(radius, start, end, counter)
+        Arc::with_radius(if angle > 180.0 { -radius } else { radius }, start, end, counter)
     }
 
     /// The arc about a centre with an opening angle, degree.
@@ -62,11 +57,11 @@ impl Arc {
             return None;
         }
         let turn = angle.to_radians() * if counter { 1.0 } else { -1.0 };
-        let end = point(centre, distance(centre, start), direction(centre, start) + turn);
-        Arc::about(centre, start, end, counter)
+        let (radius, angle) = (distance(centre, start), direction(centre, start) + turn);
+        Arc::about(centre, start, [centre[0] + radius * angle.cos(), centre[1] + radius * angle.sin()], counter)
     }
 
-    /// The same arc with whole turns before its end (`TURN`).
+    /// The arc with whole turns before its end (`TURN`).
     pub fn with_turns(self, turns: f64) -> Arc {
         Arc { sweep: self.sweep + TAU * turns * self.sweep.signum(), ..self }
     }
@@ -75,22 +70,17 @@ impl Arc {
 /// Angle from start to end, radian; a full circle where they are the same.
 fn sweep(difference: f64, counter: bool) -> f64 {
     let positive = difference.rem_euclid(TAU);
-    let same = positive < NO_ANGLE || TAU - positive < NO_ANGLE;
-    match (counter, same) {
-        (true, true) => TAU,
-        (true, false) => positive,
-        (false, true) => -TAU,
-        (false, false) => positive - TAU,
+    let turn = if positive < NO_ANGLE || TAU - positive < NO_ANGLE { TAU } else { positive };
+    match counter {
+        true => turn,
+        false if turn == TAU => -TAU,
+        false => turn - TAU,
     }
 }
 
 /// Direction from a centre to a point, radian.
 fn direction(centre: [f64; 2], point: [f64; 2]) -> f64 {
     (point[1] - centre[1]).atan2(point[0] - centre[0])
-}
-
-fn point(centre: [f64; 2], radius: f64, angle: f64) -> [f64; 2] {
-    [centre[0] + radius * angle.cos(), centre[1] + radius * angle.sin()]
 }
 
 #[cfg(test)]

@@ -2,13 +2,13 @@
 //! from the calls, a tool is made when it is selected and becomes a probe when a call measures with it, and at each
 //! call stands the part that its values describe. What was assumed is told.
 
+use super::call;
 use super::interpret::{Interpreter, Limits, Session};
-use super::{Outcome, call};
+use super::outcome::{Outcome, set};
 use crate::check::variants;
 use crate::control::machine_data::TOOL_LENGTH_TYPE;
 use crate::control::tools::{AS_TURNING_TOOL, LATHE_PROBE};
-use crate::control::{Edge, MachineSort, Plane, Tool};
-use crate::dialect::Dialect;
+use crate::control::{Control, Edge, MachineSort, Plane, Tool};
 use crate::entry::{Cycle, Inputs, ProbeUse, Proposal, Typed};
 use crate::geometry::rigid::angles;
 use crate::geometry::{Degrees, Mcs, Rpy, V3, rigid};
@@ -75,8 +75,7 @@ fn start(program: &Program) -> Setup {
     let plane = turning.and_then(|site| site.cycle.purpose.machine.plane());
     let mut setup = Setup::calibrated(program.dialect, plane.unwrap_or(Plane::G17));
     for site in sites.iter().rev() {
-        let variant = variants::chosen(site.cycle, &site.values, &setup.control);
-        setup.suit(site.cycle, variant.unwrap_or(0));
+        setup.suit(site.cycle, variants::chosen(site.cycle, &site.values, &setup.control).unwrap_or(0));
     }
     if turning.is_some() {
         setup.position = Mcs([250.0, 0.0, 250.0]); // no program of a lathe moves along Y
@@ -90,14 +89,18 @@ fn start(program: &Program) -> Setup {
 
 /// What is said of the machine as a whole.
 fn machine(setup: &Setup) -> Message {
-    let turning = setup.control.number(TOOL_LENGTH_TYPE) == AS_TURNING_TOOL;
-    let sort = match (setup.control.dialect, turning) {
-        (Dialect::Nct, _) => "assumed-nct",
-        (_, true) => "assumed-turning",
-        (_, false) => "assumed-milling",
+    let sort = match setup.control.make().registers {
+        true => "assumed-nct",
+        false if turns(&setup.control) => "assumed-turning",
+        false => "assumed-milling",
     };
     let plane = format!("{:?}", setup.control.plane);
     placed(Message::new("assumed-machine").text("sort", sort).text("plane", plane), setup.position)
+}
+
+/// Whether lengths count as those of turning tools.
+fn turns(control: &Control) -> bool {
+    control.number(TOOL_LENGTH_TYPE) == AS_TURNING_TOOL
 }
 
 /// With a position, to a thousandth.
@@ -191,7 +194,7 @@ impl Stand {
         self.part.iter_mut().chain(self.tool_probes.iter_mut().map(|probe| &mut probe.solid))
     }
 
-    /// The same turned half about the applicate where its first solid stands, for who comes from the other side.
+    /// What stands there, turned half about the applicate at its first solid: for who comes from the other side.
     fn turned(mut self, sim: &Sim) -> Stand {
         let [_, _, applicate] = sim.control.plane.axes();
         let turn = rigid::rotation(Rpy::about(applicate, Degrees(180.0)));
@@ -253,10 +256,7 @@ fn grade(mut sim: Sim, inputs: &Inputs) -> Grade {
     let difference =
         |key: &str| key.starts_with("result-") && key.contains("difference") && !key.contains("dimensional");
     let tells = |name: &str| inputs.cycle.results.iter().any(|field| field.name == name && difference(field.key));
-    let differences = steps().filter_map(|step| match step {
-        Step::Set { name, after, .. } if tells(name) => Some(after.abs()),
-        _ => None,
-    });
+    let differences = steps().filter_map(set).filter(|(name, _)| tells(name)).map(|(_, after)| after.abs());
     Grade(if !ended { 2 } else { usize::from(alarms) }, differences.sum())
 }
 
@@ -274,7 +274,7 @@ impl Interpreter {
     /// Makes the edge of a tool that is selected, where tools are made: as long as the probe, which it may become.
     pub(super) fn make_tool(&mut self, tool: i64, edge: i64) {
         let Some(made) = self.assumed.as_mut().filter(|_| tool > 0) else { return };
-        let turning = self.sim.control.number(TOOL_LENGTH_TYPE) == AS_TURNING_TOOL;
+        let turning = turns(&self.sim.control);
         let edges = &mut self.sim.control.tools.entry(tool).or_default().edges;
         if edge > 0 && !edges.contains_key(&edge) {
             let data = match turning {
@@ -293,7 +293,7 @@ impl Interpreter {
         let (tool, number) = control.active_place();
         let edge = control.edge_of(tool, number).cloned().unwrap_or_default();
         let is_probe = [PROBE, LATHE_PROBE].contains(&edge.kind);
-        let turning = control.number(TOOL_LENGTH_TYPE) == AS_TURNING_TOOL;
+        let turning = turns(control);
         let data = match (control.make().registers, cycle.purpose.probe) {
             (true, ProbeUse::Workpiece) if edge.length == [0.0; 3] => {
                 Edge { length: [53.0, 0.0, 0.0], ..probe_data(false) }
@@ -302,15 +302,14 @@ impl Interpreter {
             (false, ProbeUse::Tool) if is_probe || made.tools.contains_key(&(tool, number)) => {
                 let variant = variants::chosen(cycle, typed, control).unwrap_or(0);
                 let needed = cycle.simulation.as_ref().and_then(|simulation| simulation.tool(variant));
-                let mill = Edge { kind: MILL, radius: 5.0, ..probe_data(turning) };
-                let needed = needed.map_or(mill, |needed| needed.data);
-                if needed.kind == edge.kind {
-                    return; // it may have been corrected since
-                }
-                needed
+                let mill = || Edge { kind: MILL, radius: 5.0, ..probe_data(turning) };
+                needed.map_or_else(mill, |needed| needed.data)
             }
             _ => return,
         };
+        if data.kind == edge.kind && cycle.purpose.probe == ProbeUse::Tool {
+            return; // it may have been corrected since
+        }
         self.sim.with_length(|control| {
             control.tools.entry(tool).or_default().edges.insert(number, data.clone());
         });

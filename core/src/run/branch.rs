@@ -94,8 +94,7 @@ fn again(run: &mut Interpreter, begin: usize) -> Result<Option<Next>, Problem> {
     counter.zip(last).filter(|(counter, last)| counter <= last).map(|_| behind(run, begin)).transpose()
 }
 
-/// The block behind one of a control structure, of which the words behind the structure's own would be passed over:
-/// they need a block of their own.
+/// The block behind one of a control structure. Words behind the structure's own need a block of their own.
 pub fn behind(run: &Interpreter, block: usize) -> Result<Next, Problem> {
     let words = run.program.words_at(block);
     let last = words.iter().rposition(|word| run.program.is_keyword(word, &ENDS_OF_STRUCTURE));

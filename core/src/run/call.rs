@@ -1,6 +1,6 @@
 //! One measuring call on the machine, with its begin, its end and the alarm that stops it; and what it would do.
 
-use super::Outcome;
+use super::outcome::{Outcome, set};
 use crate::check::upkeep;
 use crate::diagnostic::Code;
 use crate::entry::{Cycle, Inputs, ProbeUse};
@@ -9,12 +9,10 @@ use crate::machine::trace::Step;
 use crate::machine::{Setup, Stop};
 use crate::message::Message;
 
-/// Entries of a trace after which a call of a form is given up: what it does is asked at every keystroke. The longest
-/// scan that a form follows has a third of them.
+/// Entries of a trace after which a call of a form is given up, asked at every keystroke; scans need a third of them.
 const STEPS: usize = 5000;
 
-/// What one call would do, without a program, from where the machine stands. `inputs.cycle` is the cycle; naming it
-/// again keeps callers honest.
+/// What one call would do, without a program, from where the machine stands.
 pub fn predict(cycle: &'static Cycle, inputs: &Inputs, setup: &Setup) -> Outcome {
     let mut sim = Sim::new(setup);
     sim.trace_limit = STEPS;
@@ -28,8 +26,7 @@ pub fn perform(sim: &mut Sim, inputs: &Inputs) -> Result<(), Stop> {
     sim.note(Step::CallBegin { cycle: inputs.cycle.name, variant: inputs.variant });
     upkeep::perform(sim, inputs.cycle);
     let Some(work) = inputs.cycle.work() else {
-        let message = Message::new("run-no-simulation").text("word", inputs.cycle.name);
-        return Err(Stop::Fault(message));
+        return Err(Stop::Fault(Message::new("run-no-simulation").text("word", inputs.cycle.name)));
     };
     let purpose = &inputs.cycle.purpose;
     sim.measuring = (purpose.probe == ProbeUse::Workpiece).then_some(purpose.machine);
@@ -52,8 +49,8 @@ pub fn perform(sim: &mut Sim, inputs: &Inputs) -> Result<(), Stop> {
 /// Whether the call has left numbers only.
 fn numbers(sim: &Sim) -> Result<(), Stop> {
     let steps = sim.trace.entries.iter().rev().map(|entry| &entry.step);
-    let mut own = steps.take_while(|step| !matches!(step, Step::CallBegin { .. }));
-    match own.any(|step| matches!(step, Step::Set { after, .. } if !after.is_finite())) {
+    let mut own = steps.take_while(|step| !matches!(step, Step::CallBegin { .. })).filter_map(set);
+    match own.any(|(_, after)| !after.is_finite()) {
         true => Err(Stop::Fault(Message::new("run-no-value"))),
         false => Ok(()),
     }

@@ -2,15 +2,17 @@
 
 use super::halt::Halt;
 use super::interpret::Interpreter;
-use super::statement::Words;
-use super::{call, contour, unread, user_program};
+use super::statement::{Call, Words};
+use super::{call, contour, interpret, subprogram, unread};
 use crate::check::{Checked, upkeep};
 use crate::control::Value;
 use crate::diagnostic::{Code, Diagnostic, Severity, Span};
 use crate::entry::{Cycle, Kind, ProbeUse, Typed};
 use crate::machine::Machine;
 use crate::problem::Problem;
-use crate::program::user_programs::{BEFORE, BEHIND};
+use crate::program::user_programs::{BEFORE, BEHIND, UserProgram};
+use crate::syntax::links::canonical;
+use crate::syntax::programs::Unit;
 use crate::{check, own};
 
 /// SINUMERIK: the parameters are user data and keep their values from call to call (B:1696).
@@ -29,8 +31,7 @@ pub fn data(run: &mut Interpreter, cycle: &'static Cycle, span: Span) -> Result<
     carry_out(run, cycle, with_zeros(run, cycle, typed), span)
 }
 
-/// A required datum that was never written holds 0 on the control, and the cycle takes that or raises its alarm. That
-/// it is missing is told beside.
+/// A required datum that was never written is told and holds 0, and the cycle takes that or raises its alarm.
 fn with_zeros(run: &Interpreter, cycle: &'static Cycle, mut typed: Typed) -> Checked {
     let mut missing: Vec<Diagnostic> = Vec::new();
     loop {
@@ -64,7 +65,8 @@ pub fn addresses(run: &mut Interpreter, cycle: &'static Cycle, found: &Words) ->
         }
     }
     run.sim.control.incremental = !run.modal.absolute;
-    checked(run, cycle, &typed, found.path.span)
+    run.fit(cycle, &typed);
+    carry_out(run, cycle, check::check(cycle, &typed, &run.sim.control), found.path.span)
 }
 
 /// Whether a call is left out, which is told: logging is not simulated, and a run goes on without it.
@@ -77,37 +79,28 @@ pub fn left_out(run: &mut Interpreter, cycle: &'static Cycle, span: Span) -> boo
 }
 
 /// Counts how often a call is carried out where it is written; a program that does so again and again may never end.
-fn count(run: &mut Interpreter, span: Span) -> Result<(), Halt> {
+fn count(run: &mut Interpreter, span: Span) -> Result<(), Problem> {
     let called = run.levels.last().map_or(0, |level| level.call);
     let count = run.calls.entry((called, run.at)).or_default();
     *count += 1;
     if *count <= run.limits.calls {
         return Ok(());
     }
-    let limit = run.limits.calls as f64;
-    Err(Problem::at("run-repeated", span).number("limit", limit).into())
+    Err(Problem::at("run-repeated", span).number("limit", run.limits.calls as f64))
 }
 
-/// The alarm of the first error stops the program, as on the control; other errors are a fault.
-pub fn checked(run: &mut Interpreter, cycle: &'static Cycle, typed: &Typed, span: Span) -> Result<(), Halt> {
-    run.fit(cycle, typed);
-    let checked = check::check(cycle, typed, &run.sim.control);
-    carry_out(run, cycle, checked, span)
-}
-
-/// What a check left of a call.
+/// Carries out what a check left: the alarm of the first error stops the program as on the control, others are a fault.
 pub fn carry_out(run: &mut Interpreter, cycle: &'static Cycle, checked: Checked, span: Span) -> Result<(), Halt> {
     unread::measures(run, span)?;
-    let errors: Vec<_> = checked.diagnostics.iter().filter(|found| found.severity == Severity::Error).collect();
-    let code = errors.iter().map(|found| found.code).find(|code| !matches!(code, Code::Own(_)));
-    for mut diagnostic in checked.diagnostics.iter().cloned() {
-        diagnostic.span = diagnostic.span.or(Some(span));
-        let known = run
-            .diagnostics
-            .iter()
-            .any(|old| (old.span, old.param, &old.message) == (diagnostic.span, diagnostic.param, &diagnostic.message));
-        if !known && run.diagnostics.len() < 1000 {
-            run.diagnostics.push(diagnostic);
+    let errors = checked.diagnostics.iter().filter(|found| found.severity == Severity::Error);
+    let code = errors.clone().map(|found| found.code).find(|code| !matches!(code, Code::Own(_)));
+    let errors = errors.count();
+    for mut found in checked.diagnostics {
+        found.span = found.span.or(Some(span));
+        let said =
+            |one: &Diagnostic| (one.span, one.param) == (found.span, found.param) && one.message == found.message;
+        if !run.diagnostics.iter().any(said) && run.diagnostics.len() < 1000 {
+            run.diagnostics.push(found);
         }
     }
     if let Some(inputs) = &checked.inputs {
@@ -116,28 +109,49 @@ pub fn carry_out(run: &mut Interpreter, cycle: &'static Cycle, checked: Checked,
         }
         contour::leave(run)?;
         count(run, span)?;
-        user_program::around(run, &BEFORE, cycle, span)?;
+        around(run, &BEFORE, cycle, span)?;
         run.put_part(inputs);
         call::perform(&mut run.sim, inputs).map_err(Halt::at(span))?;
-        return user_program::around(run, &BEHIND, cycle, span);
+        return around(run, &BEHIND, cycle, span);
     }
     match code {
         Some(code) => {
             upkeep::perform(&mut run.sim, cycle);
-            leave_number(run, cycle, code);
+            // its number is a result of the cycle also where that refuses what it was given (B:5699)
+            if let (Some(result), Code::Alarm(number)) = (cycle.alarm_result(), code) {
+                run.sim.write(result.name, f64::from(number));
+            }
             call::alarm(&mut run.sim, code).map_err(Halt::at(span))
         }
-        None if errors.is_empty() => {
-            // a list of a newer control of which not everything is known
-            Err(Problem::new("run-no-simulation", span, cycle.name).into())
-        }
+        // a list of a newer control of which not everything is known
+        None if errors == 0 => Err(Problem::new("run-no-simulation", span, cycle.name).into()),
         None => Err(Problem::new("run-call", span, cycle.name).into()),
     }
 }
 
-/// The number of the alarm is a result of the cycle also where it refuses what it was given (B:5699).
-fn leave_number(run: &mut Interpreter, cycle: &'static Cycle, code: Code) {
-    if let (Some(result), Code::Alarm(number)) = (cycle.alarm_result(), code) {
-        run.sim.write(result.name, f64::from(number));
+/// Runs the user's program of this text around a call of this cycle, where there is one (B:2476-2530): from the label of
+/// the cycle (`_M977`), else from its first block, to its end. It does not call itself. As delivered it is empty.
+fn around(run: &mut Interpreter, program: &UserProgram, cycle: &Cycle, span: Span) -> Result<(), Halt> {
+    let measures = cycle.is_measuring_cycle();
+    let unit = run.programs.named(program.name).filter(|_| measures);
+    let Some(unit) = unit.cloned() else { return Ok(()) };
+    if run.levels.iter().any(|level| level.blocks == unit.blocks) {
+        return Ok(());
     }
+    let (back, depth) = (run.at, run.levels.len());
+    subprogram::enter(run, back, &Call::named(program.name, span), &unit, 1)?;
+    run.at = start(run, &unit, cycle);
+    while run.levels.len() > depth {
+        interpret::one_block(run)?;
+    }
+    run.at = back;
+    run.sim.line = Some(back as u32);
+    Ok(())
+}
+
+/// The block with the label of the cycle, else the first one.
+fn start(run: &Interpreter, unit: &Unit, cycle: &Cycle) -> usize {
+    let label = format!("_M{}", cycle.name.trim_start_matches("CYCLE"));
+    let mut inside = run.targets.get(&canonical(&label)).into_iter().flatten();
+    inside.find(|block| unit.blocks.contains(block)).copied().unwrap_or(unit.blocks.start)
 }

@@ -1,4 +1,5 @@
-//! Values while a program runs.
+//! Values while a program runs, and types of variables: what becomes of a value of another type is the table in Job
+//! planning, 03/2006, 1.9.
 
 use crate::control::{Frame, Value};
 
@@ -38,7 +39,7 @@ impl Datum {
     pub fn character(&self) -> Option<char> {
         match self {
             Datum::Char(code) => Some(char::from(*code)),
-            Datum::Text(text) => super::types::single(text).map(char::from),
+            Datum::Text(text) => single(text).map(char::from),
             _ => None,
         }
     }
@@ -64,9 +65,8 @@ impl Datum {
     /// As user data hold it.
     pub fn value(&self) -> Option<Value> {
         match self {
-            Datum::Number(value) => Some(Value::Number(*value)),
             Datum::Text(text) => Some(Value::Text(text.clone())),
-            Datum::Char(code) => Some(Value::Number(f64::from(*code))),
+            Datum::Number(_) | Datum::Char(_) => self.number().map(Value::Number),
             _ => None,
         }
     }
@@ -74,16 +74,9 @@ impl Datum {
 
 fn shown(value: f64) -> String {
     let exact = value.to_string();
-    let decimals = exact.split_once('.').map_or(0, |(_, decimals)| decimals.len());
-    let text = match decimals {
-        0 => exact + ".",
-        1..=10 => exact,
-        _ => format!("{value:.10}"),
-    };
-    match text.trim_end_matches('0').trim_end_matches('.') {
-        "-0" => "0".to_owned(),
-        short => short.to_owned(),
-    }
+    let long = exact.split_once('.').is_some_and(|(_, decimals)| decimals.len() > 10);
+    let text = if long { format!("{value:.10}").trim_end_matches('0').trim_end_matches('.').to_owned() } else { exact };
+    if text == "-0" { "0".to_owned() } else { text }
 }
 
 impl From<&Value> for Datum {
@@ -98,5 +91,115 @@ impl From<&Value> for Datum {
 impl From<bool> for Datum {
     fn from(value: bool) -> Datum {
         Datum::Number(f64::from(u8::from(value)))
+    }
+}
+
+/// Type of a variable.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Type {
+    Real,
+    /// Whole number of 32 bits.
+    Int,
+    Bool,
+    /// One character, by its code 0..255.
+    Char,
+    /// Text of at most this many characters.
+    Text(usize),
+    Axis,
+    Frame,
+}
+
+/// Longest text that can be declared, characters.
+pub const LONGEST: usize = 200;
+
+impl Type {
+    /// The type with this name; a `STRING` has the length behind it.
+    pub fn named(name: &str, length: Option<f64>) -> Option<Type> {
+        Some(match name {
+            "REAL" => Type::Real,
+            "INT" => Type::Int,
+            "BOOL" => Type::Bool,
+            "CHAR" => Type::Char,
+            "STRING" => Type::Text(length.map_or(LONGEST, |length| (length as usize).min(LONGEST))),
+            "AXIS" => Type::Axis,
+            "FRAME" => Type::Frame,
+            _ => return None,
+        })
+    }
+
+    /// What a variable holds as long as nothing was written: 0, FALSE, an empty text, the first axis, no displacement.
+    pub fn empty(self) -> Datum {
+        match self {
+            Type::Real | Type::Int | Type::Bool => Datum::Number(0.0),
+            Type::Char => Datum::Char(0),
+            Type::Text(_) => Datum::Text(String::new()),
+            Type::Axis => Datum::Word("X".into()),
+            Type::Frame => Datum::Frame(Box::default()),
+        }
+    }
+
+    /// A value as a variable of this type holds it; none: it has no place there.
+    pub fn converted(self, value: &Datum) -> Option<Datum> {
+        match (self, value) {
+            (Type::Axis, Datum::Word(_)) | (Type::Frame, Datum::Frame(_)) => Some(value.clone()),
+            (Type::Axis | Type::Frame, _) => None,
+            (Type::Bool, Datum::Text(text)) => Some(Datum::from(!text.is_empty())),
+            (Type::Char, Datum::Text(text)) => single(text).map(Datum::Char),
+            (Type::Text(length), Datum::Text(text)) => (text.chars().count() <= length).then(|| value.clone()),
+            (Type::Text(_), Datum::Char(_)) => Some(Datum::Text(value.shown())),
+            (Type::Text(_), _) => None,
+            _ => self.of_number(value.number()?),
+        }
+    }
+
+    fn of_number(self, number: f64) -> Option<Datum> {
+        match self {
+            Type::Bool => Some(Datum::from(number != 0.0)),
+            Type::Int => {
+                let whole = number.round();
+                (f64::from(i32::MIN)..=f64::from(i32::MAX)).contains(&whole).then_some(Datum::Number(whole))
+            }
+            Type::Char => {
+                let code = number.round();
+                (0.0..=255.0).contains(&code).then_some(Datum::Char(code as u8))
+            }
+            _ => number.is_finite().then_some(Datum::Number(number)),
+        }
+    }
+}
+
+/// Code of a text of one character.
+pub fn single(text: &str) -> Option<u8> {
+    let mut characters = text.chars();
+    let code = u8::try_from(u32::from(characters.next()?)).ok()?;
+    characters.next().is_none().then_some(code)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn number(kind: Type, value: f64) -> Option<Datum> {
+        kind.converted(&Datum::Number(value))
+    }
+
+    // oracle: manual (Job planning 03/2006, 1.9: a fraction from 0.5 is rounded up; not 0 is TRUE; one character only)
+    #[test]
+    fn values_are_converted_as_the_table_says() {
+        assert_eq!(number(Type::Int, 2.5), Some(Datum::Number(3.0)));
+        assert_eq!(number(Type::Int, 2.49), Some(Datum::Number(2.0)));
+        assert_eq!(number(Type::Int, 3e9), None);
+        assert_eq!(number(Type::Bool, -0.1), Some(Datum::Number(1.0)));
+        assert_eq!(number(Type::Char, 65.0), Some(Datum::Char(65)));
+        assert_eq!(number(Type::Char, 256.0), None);
+        assert_eq!(number(Type::Text(9), 1.0), None);
+        assert_eq!(number(Type::Frame, 1.0), None);
+        let text = |kind: Type, text: &str| kind.converted(&Datum::Text(text.into()));
+        assert_eq!(text(Type::Bool, ""), Some(Datum::Number(0.0)));
+        assert_eq!(text(Type::Char, "A"), Some(Datum::Char(65)));
+        assert_eq!(text(Type::Char, "AB"), None);
+        assert_eq!(text(Type::Text(1), "AB"), None);
+        assert_eq!(text(Type::Real, "1"), None);
+        assert_eq!(Type::Text(3).converted(&Datum::Char(65)), Some(Datum::Text("A".into())));
     }
 }

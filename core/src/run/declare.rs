@@ -1,8 +1,8 @@
 //! `DEF`: variables of a program with sizes and first values.
 
+use super::datum::Type;
 use super::interpret::Interpreter;
 use super::locals::{Local, Variable};
-use super::types::Type;
 use super::{expression, names};
 use crate::control::variables::AXES;
 use crate::diagnostic::{Severity, Span};
@@ -34,8 +34,7 @@ pub fn attribute(
         declaring.shared = true;
         return Ok(true);
     }
-    let length = length.map(|length| expression::number(run, length)).transpose()?;
-    let kind = Type::named(name, length);
+    let kind = Type::named(name, length.map(|length| expression::number(run, length)).transpose()?);
     declaring.kind = kind.or(declaring.kind);
     Ok(kind.is_some())
 }
@@ -45,7 +44,6 @@ pub fn is_axis(name: &str) -> bool {
     AXES.contains(&name)
 }
 
-/// Declares a name, with its first value.
 pub fn declare(
     run: &mut Interpreter,
     name: Span,
@@ -68,8 +66,7 @@ pub fn declare(
     if matches!(before, Some(Local::Own(old)) if old.place != name) {
         run.tell(Severity::Error, &Problem::new("run-declared-twice", name, &*key));
     }
-    let value = first.map(|first| expression::evaluate(run, first)).transpose()?;
-    value.map_or(Ok(()), |value| names::write(run, &key, &value, name))
+    first.map_or(Ok(()), |first| names::write(run, &key, &expression::evaluate(run, first)?, name))
 }
 
 /// A variable of these sizes; making it is work that counts.
@@ -80,8 +77,7 @@ pub fn variable(run: &mut Interpreter, name: Span, kind: Type, sizes: &[ExprId])
         let size = expression::number(run, *size)?;
         total *= size.trunc();
         if !(size >= 1.0 && total <= ELEMENTS) {
-            let problem = Problem::new("run-array-size", name, run.program.name(name));
-            return Err(problem.number("limit", ELEMENTS));
+            return Err(Problem::new("run-array-size", name, run.program.name(name)).number("limit", ELEMENTS));
         }
         counts.push(size as usize);
     }

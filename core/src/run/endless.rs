@@ -5,9 +5,9 @@
 //! are found, for one comparison a jump.
 
 use super::interpret::Interpreter;
-use super::level::Level;
 use super::locals::Locals;
 use super::modal::Modal;
+use super::subprogram::Level;
 use crate::geometry::{Mcs, Wcs};
 use crate::machine::sim::state::State;
 use std::collections::BTreeMap;

@@ -13,14 +13,10 @@ pub fn evaluate(run: &Interpreter, id: ExprId) -> Result<Datum, Problem> {
     let Some(expr) = run.program.expr(id) else { return Err(Problem::new("run-unknown-word", Span::default(), "")) };
     match expr {
         Expr::Number(value, _) => Ok(Datum::Number(*value)),
-        Expr::Text(span) => Ok(Datum::Text(String::from_utf8_lossy(run.program.text(*span)).into_owned())),
-        Expr::Name { name, index } => {
-            let key = names::key(run, *name, index)?;
-            names::read(run, &key, *name)
-        }
+        Expr::Text(span) => Ok(Datum::Text(run.program.written(*span))),
+        Expr::Name { name, index } => names::read(run, &names::key(run, *name, index)?, *name),
         Expr::Unary(operator, operand) => {
-            let value = evaluate(run, *operand)?;
-            unary(*operator, value).ok_or_else(|| wrong(run, *operand))
+            unary(*operator, evaluate(run, *operand)?).ok_or_else(|| wrong(run, *operand))
         }
         Expr::Binary(left, operator, right) => binary(run, *left, *operator, *right),
         Expr::Call(name, args) => function::call(run, *name, args),
@@ -79,10 +75,9 @@ fn binary(run: &Interpreter, left: ExprId, operator: Operator, right: ExprId) ->
     match (operator, &a, &b) {
         (Operator::Join, ..) => return Ok(Datum::Text(a.shown() + &b.shown())),
         (Operator::Chain, Datum::Frame(outer), Datum::Frame(inner)) => {
-            if !outer.chains_with(inner) {
-                return Err(Problem::new("run-shear", span(run, right), ""));
-            }
-            return Ok(Datum::Frame(Box::new(chain(outer, inner))));
+            let shears = || Problem::new("run-shear", span(run, right), "");
+            let chained = outer.chains_with(inner).then(|| chain(outer, inner));
+            return chained.map(|frame| Datum::Frame(Box::new(frame))).ok_or_else(shears);
         }
         (_, Datum::Text(_), Datum::Text(_) | Datum::Char(_))
         | (_, Datum::Char(_), Datum::Text(_))
@@ -109,15 +104,13 @@ fn binary(run: &Interpreter, left: ExprId, operator: Operator, right: ExprId) ->
     }
 }
 
-/// Difference of numbers that count as equal, as a part of the larger one (Job planning 03/2006, 1.7: 10^-12). So
-/// comparisons of a SINUMERIK take them, with `<` and `>` too: MD10280 bit 0, which would change that, is 0 as
-/// delivered.
+/// Difference of numbers that a SINUMERIK compares as equal, `<` and `>` included, as a part of the larger one: 10^-12
+/// (Job planning 03/2006, 1.7), as long as MD10280 bit 0 is 0, as delivered.
 const SAME: f64 = 1e-12;
 
 /// A comparison of numbers of which almost equal ones are equal.
 pub fn nearly(operator: Operator, a: f64, b: f64) -> Option<Datum> {
-    let same = (a - b).abs() <= SAME * a.abs().max(b.abs());
-    compared(operator, same, a, b)
+    compared(operator, (a - b).abs() <= SAME * a.abs().max(b.abs()), a, b)
 }
 
 /// A comparison of two values, of which is known whether they are the same and which is the greater one.
@@ -143,8 +136,7 @@ pub fn bits(operator: Operator) -> Option<Operator> {
     })
 }
 
-/// A fine translation stays one as long as nothing is turned or scaled before it, so that `CTRANS(…):CFINE(…)` keeps
-/// both parts.
+/// A fine translation stays one while nothing is turned or scaled before it: `CTRANS(…):CFINE(…)` keeps both parts.
 fn chain(outer: &Frame, inner: &Frame) -> Frame {
     let mut frame = outer.then(inner);
     if outer.rotation == [0.0; 3] && !outer.scaled() && outer.mirror == [false; 3] {
@@ -166,16 +158,10 @@ pub fn numbers(operator: Operator, a: f64, b: f64) -> Option<Datum> {
         Operator::BitAnd => (x & y) as f64,
         Operator::BitOr => (x | y) as f64,
         Operator::BitXor => (x ^ y) as f64,
-        _ => return truths(operator, a, b),
+        Operator::And => return Some(Datum::from(a != 0.0 && b != 0.0)),
+        Operator::Or => return Some(Datum::from(a != 0.0 || b != 0.0)),
+        Operator::Xor => return Some(Datum::from((a != 0.0) != (b != 0.0))),
+        _ => return compared(operator, a == b, a, b),
     };
     Some(Datum::Number(number))
-}
-
-fn truths(operator: Operator, a: f64, b: f64) -> Option<Datum> {
-    Some(Datum::from(match operator {
-        Operator::And => a != 0.0 && b != 0.0,
-        Operator::Or => a != 0.0 || b != 0.0,
-        Operator::Xor => (a != 0.0) != (b != 0.0),
-        _ => return compared(operator, a == b, a, b),
-    }))
 }

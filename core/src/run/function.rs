@@ -11,7 +11,6 @@ use crate::geometry::Degrees;
 use crate::problem::Problem;
 use crate::syntax::tree::ExprId;
 
-/// Value of a function call.
 pub fn call(run: &Interpreter, place: Span, args: &[ExprId]) -> Result<Datum, Problem> {
     let name = run.program.name(place);
     let refused = || Problem::new("run-function", place, name.as_str());
@@ -98,19 +97,13 @@ fn frame(run: &Interpreter, name: &str, values: &[Datum]) -> Option<Option<Frame
         "CSCALE" => ("SC", 1.0),
         "CMIRROR" => return Some(mirrored(values)),
         "CRPL" => return Some(turned_in_plane(run, values)),
-        "INVFRAME" => {
-            return Some(match values {
-                [Datum::Frame(frame)] => frame.inverse(),
-                _ => None,
-            });
-        }
+        "INVFRAME" => return Some(if let [Datum::Frame(frame)] = values { frame.inverse() } else { None }),
         _ => return None,
     };
     let mut frame = Frame::default();
     for pair in values.chunks(2) {
         let [Datum::Word(axis), Datum::Number(value)] = pair else { return Some(None) };
-        let rotary = ROTARY.contains(&axis.as_str());
-        let value = if rotary { *value } else { value * factor };
+        let value = if ROTARY.contains(&axis.as_str()) { *value } else { value * factor };
         let shrinks = part == "SC" && value == 0.0; // to nothing
         if shrinks || !set_component(&mut frame, axis, part, value) {
             return Some(None);
@@ -119,14 +112,12 @@ fn frame(run: &Interpreter, name: &str, values: &[Datum]) -> Option<Option<Frame
     Some(Some(frame))
 }
 
-/// `CRPL(plane,angle)`: 0 turns in the working plane, 1 to 3 about Z, Y, X (function manual K2, constant rotation
-/// plane).
+/// `CRPL(plane,angle)`: 0 in the working plane, 1 to 3 about Z, Y, X (function manual K2, constant rotation plane).
 fn turned_in_plane(run: &Interpreter, values: &[Datum]) -> Option<Frame> {
     let [plane, angle] = values else { return None };
-    let plane = plane.number()?;
-    let axis = match plane {
+    let axis = match plane.number()? {
         0.0 => run.sim.tool_axis(),
-        1.0 | 2.0 | 3.0 => 3 - plane as usize,
+        plane @ (1.0 | 2.0 | 3.0) => 3 - plane as usize,
         _ => return None,
     };
     let mut frame = Frame::default();
@@ -143,8 +134,7 @@ fn mirrored(values: &[Datum]) -> Option<Frame> {
     Some(frame)
 }
 
-/// Value of a function of texts, in which places count from 0; none: it is another function, or these are no values
-/// for it.
+/// Value of a function of texts, places counted from 0; none: another function, or no values for it.
 fn of_texts(name: &str, values: &[Datum]) -> Option<Datum> {
     Some(match (name, values) {
         ("STRLEN", [Datum::Text(text)]) => Datum::Number(text.chars().count() as f64),
@@ -152,26 +142,13 @@ fn of_texts(name: &str, values: &[Datum]) -> Option<Datum> {
         ("TOLOWER", [Datum::Text(text)]) => Datum::Text(text.to_lowercase()),
         ("ISNUMBER", [Datum::Text(text)]) => Datum::from(number(text).is_some()),
         ("NUMBER", [Datum::Text(text)]) => Datum::Number(number(text)?),
-        ("INDEX", [Datum::Text(text), wanted]) => {
-            let wanted = wanted.character()?;
-            place(text.chars().position(|character| character == wanted))
-        }
-        ("RINDEX", [Datum::Text(text), wanted]) => {
-            let wanted = wanted.character()?;
-            let found = text.chars().enumerate().filter(|(_, c)| *c == wanted);
-            place(found.last().map(|(at, _)| at))
-        }
-        ("MINDEX", [Datum::Text(text), Datum::Text(any)]) => {
-            place(text.chars().position(|character| any.contains(character)))
-        }
-        ("MATCH", [Datum::Text(text), Datum::Text(part)]) => {
-            let before = text.find(part.as_str()).and_then(|at| text.get(..at));
-            place(before.map(|before| before.chars().count()))
-        }
+        ("INDEX", [Datum::Text(text), wanted]) => place(text, text.find(wanted.character()?)),
+        ("RINDEX", [Datum::Text(text), wanted]) => place(text, text.rfind(wanted.character()?)),
+        ("MINDEX", [Datum::Text(text), Datum::Text(any)]) => place(text, text.find(|one: char| any.contains(one))),
+        ("MATCH", [Datum::Text(text), Datum::Text(part)]) => place(text, text.find(part.as_str())),
         ("SUBSTR", [Datum::Text(text), Datum::Number(from)]) => Datum::Text(text.chars().skip(whole(*from)?).collect()),
         ("SUBSTR", [Datum::Text(text), Datum::Number(from), Datum::Number(length)]) => {
-            let rest = text.chars().skip(whole(*from)?);
-            Datum::Text(rest.take(whole(*length)?).collect())
+            Datum::Text(text.chars().skip(whole(*from)?).take(whole(*length)?).collect())
         }
         ("AXNAME", [Datum::Text(text)]) => {
             let name = text.to_ascii_uppercase();
@@ -186,9 +163,10 @@ fn number(text: &str) -> Option<f64> {
     text.trim().parse().ok().filter(|value: &f64| value.is_finite())
 }
 
-/// A place, -1 where nothing was found.
-fn place(found: Option<usize>) -> Datum {
-    Datum::Number(found.map_or(-1.0, |at| at as f64))
+/// The place in a text of a byte, in characters; -1 where nothing was found.
+fn place(text: &str, found: Option<usize>) -> Datum {
+    let before = found.and_then(|at| text.get(..at));
+    Datum::Number(before.map_or(-1.0, |before| before.chars().count() as f64))
 }
 
 fn whole(number: f64) -> Option<usize> {

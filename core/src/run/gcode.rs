@@ -1,7 +1,6 @@
 //! G functions: motion, plane, frames, units, absolute and incremental; and words without a value that set something.
 
 use super::contour::Outside;
-use super::halt::Halt;
 use super::interpret::Interpreter;
 use super::modal::{Compensation, FeedType, Motion};
 use super::path::{Measure, Pole, Suppress};
@@ -12,17 +11,6 @@ use crate::diagnostic::Severity;
 use crate::problem::Problem;
 use crate::program::words::{Setting, setting};
 
-/// Applies the G functions of a block.
-pub fn apply(run: &mut Interpreter, found: &mut Words) -> Result<(), Halt> {
-    some(run, found, |_| true)
-}
-
-/// Applies the G functions that stand in a block beside the NCT macro that it calls (`G17 G110 D50`, C:1050).
-pub fn apply_beside_macro(run: &mut Interpreter, found: &mut Words) -> Result<(), Halt> {
-    some(run, found, |code| code < 100.0 && code != 65.0)
-}
-
-/// Takes the settings of a block.
 pub fn settings(run: &mut Interpreter, found: &mut Words) {
     for call in &found.calls {
         match setting(&call.name) {
@@ -41,22 +29,27 @@ pub fn settings(run: &mut Interpreter, found: &mut Words) {
     }
 }
 
-fn some(run: &mut Interpreter, found: &mut Words, counts: impl Fn(f64) -> bool) -> Result<(), Halt> {
+/// Whether a G function stands in a block beside the NCT macro that it calls (`G17 G110 D50`, C:1050).
+pub fn beside_macro(code: f64) -> bool {
+    code < 100.0 && code != 65.0
+}
+
+/// Applies those G functions of a block that count.
+pub fn apply(run: &mut Interpreter, found: &mut Words, counts: fn(f64) -> bool) -> Result<(), Problem> {
     let codes = found.of("G").filter_map(|address| Some((address.value.number()?, address.span)));
-    let codes: Vec<_> = codes.filter(|(number, _)| counts(*number)).collect();
-    for (number, span) in codes {
+    for (number, span) in codes.filter(|(number, _)| counts(*number)).collect::<Vec<_>>() {
         if let Some(instead) = (run.rules().instead)(number) {
             let problem = Problem::new("run-not-simulated", span, format!("G{number}"));
             match instead {
                 Instead::Stays => found.path.stays = true,
                 Instead::GoesOn => {}
-                Instead::Stops => return Err(problem.into()),
+                Instead::Stops => return Err(problem),
             }
             run.tell(Severity::Warning, &problem);
             continue;
         }
-        let known = number.fract() == 0.0 && (0.0..1000.0).contains(&number) && one(run, number as u16, found);
-        if !known {
+        let whole = number.fract() == 0.0 && (0.0..1000.0).contains(&number);
+        if !(whole && one(run, number as u16, found)) {
             found.path.stays = true;
             unread::leave_axes(run, found);
             run.tell(Severity::Error, &Problem::new("run-unknown-word", span, format!("G{number}")));
@@ -96,10 +89,7 @@ fn one(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
         2 => run.modal.motion = Motion::Clockwise,
         3 => run.modal.motion = Motion::Counter,
         4 => found.path.dwell = true,
-        17..=19 => {
-            let plane = Plane::of(code);
-            run.sim.with_length(|control| control.plane = plane.unwrap_or(control.plane));
-        }
+        17..=19 => run.sim.with_length(|control| control.plane = Plane::of(code).unwrap_or(control.plane)),
         40 => run.modal.compensation = Compensation::Off,
         41 => run.modal.compensation = Compensation::Left,
         42 => run.modal.compensation = Compensation::Right,
@@ -132,8 +122,7 @@ pub fn sinumerik(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
         961 | 972 | 973 => run.modal.feed_type = FeedType::Minute,
         450 => run.modal.outside = Outside::Circle,
         451 => run.modal.outside = Outside::Meeting,
-        62 | 140..=143 | 290 | 291 | 340 | 341 | 452 | 453 | 460..=462 | 601..=603 => {}
-        621 | 641..=645 => {}
+        62 | 140..=143 | 290 | 291 | 340 | 341 | 452 | 453 | 460..=462 | 601..=603 | 621 | 641..=645 => {}
         _ => return false,
     }
     true
@@ -142,10 +131,9 @@ pub fn sinumerik(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
 pub fn nct(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
     match code {
         31 => found.path.measure = Some(Measure { input: 1, goes_on: false }),
-        43 => {}
+        43 | 98 | 99 => {}
         49 => run.sim.with_length(|control| control.edge = 0),
         58 | 59 => run.sim.control.activate(usize::from(code) - 53),
-        98 | 99 => {}
         _ => return false,
     }
     true

@@ -19,7 +19,6 @@ impl Halt {
         move |stop| Halt { stop, span }
     }
 
-    /// As a finding.
     pub fn diagnostic(&self) -> Diagnostic {
         match &self.stop {
             Stop::Fault(message) => Problem { span: self.span, message: message.clone() }.diagnostic(Severity::Error),

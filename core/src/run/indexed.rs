@@ -16,8 +16,7 @@ const MODES: [&str; 7] = ["AC", "IC", "DC", "ACP", "ACN", "CAC", "CIC"];
 /// Axes that move by themselves; `POSA` does not wait for their end.
 const POSITIONING: [&str; 2] = ["POS", "POSA"];
 
-/// Takes such an address; false: it is none of these. Another spindle than the first, and an axis that the machine does
-/// not have, are told and left out.
+/// Takes such an address; false: it is none. Another spindle or axis than the machine's own is told and left out.
 pub fn take(
     run: &mut Interpreter,
     name: &str,
@@ -44,8 +43,7 @@ pub fn take(
     Ok(true)
 }
 
-/// `POS[X]=10`, `POSA[C]=90`: X, Y, Z get there by a rapid motion of their own behind that of the block, rotary axes of
-/// the machine turn.
+/// `POS[X]=10`, `POSA[C]=90`: a rapid motion of its own behind that of the block; rotary axes turn with it.
 fn positioning(
     run: &mut Interpreter,
     index: ExprId,
@@ -60,14 +58,11 @@ fn positioning(
         return Ok(());
     }
     let (mode, value) = meant(run, value)?;
-    let address = Address { name, extension: None, mode, value, span };
-    match linear {
-        true => {
-            run.tell(Severity::Note, &Problem::new("run-positioning", span, &*address.name));
-            found.positioning.push(address);
-        }
-        false => found.addresses.push(address),
+    let list = if linear { &mut found.positioning } else { &mut found.addresses };
+    if linear {
+        run.tell(Severity::Note, &Problem::new("run-positioning", span, &*name));
     }
+    list.push(Address { name, extension: None, mode, value, span });
     Ok(())
 }
 
@@ -86,7 +81,7 @@ fn meant(run: &Interpreter, value: ExprId) -> Result<(Option<String>, Datum), Pr
     if let Some(Expr::Call(name, args)) = run.program.expr(value)
         && let [inside] = args[..]
     {
-        let mode = run.program.name(*name).to_string();
+        let mode = run.program.name(*name);
         if MODES.contains(&mode.as_str()) {
             return Ok((Some(mode), evaluate(run, inside)?));
         }

@@ -4,11 +4,11 @@ use super::assumed::Made;
 use super::contour::Contour;
 use super::endless::Watch;
 use super::halt::Halt;
-use super::level::Level;
 use super::locals::Locals;
 use super::modal::Modal;
 use super::outcome::PassedOver;
 use super::rules::Rules;
+use super::subprogram::Level;
 use super::unread::Unread;
 use super::{Outcome, contour, endless, motion, repeat, statement, subprogram, unread};
 use crate::diagnostic::{Diagnostic, Severity, Span};
@@ -28,8 +28,7 @@ use std::rc::Rc;
 /// When a run is given up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
-    /// Work: blocks carried out; a long block, a block that writes many elements and, in a loop, one that moves close
-    /// to the part count as several.
+    /// Work in blocks; a long one, one that writes many elements, and in a loop one close to the part count as several.
     pub steps: usize,
     /// Levels of subprograms (a SINUMERIK has 12 with the main program).
     pub depth: usize,
@@ -47,9 +46,7 @@ impl Default for Limits {
 
 /// A program on its way.
 pub struct Interpreter {
-    /// The program.
     pub program: Rc<Program>,
-    /// The machine.
     pub sim: Sim,
     /// What stays.
     pub modal: Modal,
@@ -65,11 +62,8 @@ pub struct Interpreter {
     pub contour: Option<Contour>,
     /// Findings so far, each place and kind once.
     pub diagnostics: Vec<Diagnostic>,
-    /// Jump targets.
     pub targets: BTreeMap<String, Vec<usize>>,
-    /// Control structures.
     pub links: Links,
-    /// Programs in the same text.
     pub programs: Programs,
     /// When the run is given up.
     pub limits: Limits,
@@ -96,7 +90,8 @@ pub struct Interpreter {
     /// What is made for a program that came without a machine.
     pub(super) assumed: Option<Made>,
     seen: BTreeSet<(u32, String)>,
-    passed: Vec<PassedOver>,
+    /// What the run went on without, in its order.
+    pub passed: Vec<PassedOver>,
 }
 
 /// Words passed over that are kept.
@@ -140,7 +135,7 @@ impl Session {
         Session { run: Interpreter::new(program, setup, limits), before: setup.clone(), furthest: 0.0, ended: None }
     }
 
-    /// The same for a program that came without a machine: what it needs beyond the setup is made.
+    /// A run of a program that came without a machine, before its first block: what it needs beyond the setup is made.
     pub(super) fn assuming(program: Program, setup: &Setup, limits: Limits) -> Session {
         let mut session = Session::new(program, setup, limits);
         session.run.assumed = Some(Made::default());
@@ -207,7 +202,12 @@ fn next_block(run: &mut Interpreter) -> Result<Option<()>, Halt> {
     let depth = run.levels.len();
     let place = (run.levels.last().map_or(0, |level| level.call), at);
     let next = told(run, |run| statement::block(run, at));
-    weigh(run, place);
+    // Arcs close to the part take long, and so does any motion among many solids. In a loop they count as more blocks,
+    // so that one without end is found soon; a long program drives each of them once.
+    let effort = run.sim.effort() / EFFORT;
+    if effort > 0 && !run.heavy.insert(place) {
+        run.work += effort;
+    }
     if run.sim.stylus_touched() {
         run.tell(Severity::Warning, &Problem::new("run-stylus", span, ""));
     }
@@ -217,21 +217,10 @@ fn next_block(run: &mut Interpreter) -> Result<Option<()>, Halt> {
     }
     run.sim.room().map_err(Halt::at(span))?; // a program that only computes never asks the machine
     let end = go_on(run, |_| next);
-    let back = run.at <= at && run.levels.len() == depth;
-    if end.is_none() && back && endless::again(run) {
-        let line = (run.at + 1) as f64;
-        return Err(Problem::at("run-endless", span).number("line", line).into());
+    if end.is_none() && run.at <= at && run.levels.len() == depth && endless::again(run) {
+        return Err(Problem::at("run-endless", span).number("line", (run.at + 1) as f64).into());
     }
     Ok(end)
-}
-
-/// Arcs close to the part take long, and so does any motion among many solids. In a loop they count as more blocks, so
-/// that one without end is found soon; a long program drives each of them once.
-fn weigh(run: &mut Interpreter, place: (usize, usize)) {
-    let effort = run.sim.effort() / EFFORT;
-    if effort > 0 && !run.heavy.insert(place) {
-        run.work += effort;
-    }
 }
 
 /// Takes the next block; some: there is none.
@@ -257,7 +246,7 @@ impl Interpreter {
             sim,
             modal,
             at: main.start,
-            levels: vec![Level::new(main, 0)],
+            levels: vec![Level { blocks: main, ..Level::default() }],
             shared: Locals::new(),
             measured: BTreeMap::new(),
             contour: None,
@@ -289,19 +278,18 @@ impl Interpreter {
         (at.saturating_sub(main.start) as f64 / main.len().max(1) as f64).min(1.0)
     }
 
-    /// A finding that does not stop the run; the same one is told once. What the run passes over is named at its end
-    /// too.
+    /// A finding that does not stop the run, told once. What the run passes over is named at its end too.
     pub fn tell(&mut self, severity: Severity, problem: &Problem) {
-        let told = self.tell_once(problem.diagnostic(severity));
-        if let (true, Some(word)) = (told, problem.passed_over()) {
+        if self.tell_once(problem.diagnostic(severity))
+            && let Some(word) = problem.passed_over()
+        {
             self.pass_over(word.to_owned(), problem.span);
         }
     }
 
     /// Keeps a finding; false: it was told before.
     pub fn tell_once(&mut self, found: Diagnostic) -> bool {
-        let place = found.span.unwrap_or_default().start;
-        let new = self.seen.insert((place, found.message.key.to_string()));
+        let new = self.seen.insert((found.span.unwrap_or_default().start, found.message.key.to_string()));
         self.diagnostics.extend(new.then_some(found));
         new
     }
@@ -312,11 +300,6 @@ impl Interpreter {
         if self.passed.len() < MOST_PASSED && !self.passed.contains(&passed) {
             self.passed.push(passed);
         }
-    }
-
-    /// Whether a word was passed over before.
-    pub fn passes_over(&self, word: &str) -> bool {
-        self.passed.iter().any(|passed| passed.word == word)
     }
 
     /// Records that a datum was written.

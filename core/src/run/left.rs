@@ -1,8 +1,7 @@
 //! What the measuring calls of a program left in their result data.
 
-use super::outcome::Outcome;
+use super::outcome::{Outcome, set};
 use crate::catalogue;
-use crate::control::Control;
 use crate::entry::{Cycle, Inputs, ResultField};
 use crate::machine::trace::{Entry, Step};
 use std::collections::{BTreeMap, BTreeSet};
@@ -14,14 +13,14 @@ pub struct Left {
     pub line: u32,
     /// Name of what was called.
     pub cycle: &'static str,
-    /// Its results with their values, in the order of the entry.
+    /// Results of the cycle with their values, in the order of the entry.
     pub results: Vec<(&'static ResultField, f64)>,
 }
 
 /// A call of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct CallAt {
-    /// Its line, from 0.
+    /// Line of the call, from 0.
     pub line: u32,
     /// Name of what was called.
     pub cycle: &'static str,
@@ -46,49 +45,29 @@ impl Outcome {
     /// Names of the results of a cycle that nothing wrote: they stand there from before.
     pub fn unwritten(&self, cycle: &'static Cycle) -> BTreeSet<&'static str> {
         let written = self.written();
-        let names = cycle.results.iter().map(|field| field.name);
-        names.filter(|name| !written.contains_key(name)).collect()
+        cycle.results.iter().map(|field| field.name).filter(|name| !written.contains_key(name)).collect()
     }
 
-    /// What the calls left, in the order of their lines; of a call that was carried out several times, what it left
-    /// last.
+    /// What the calls left, in the order of their lines; of a call that was carried out several times, the last.
     pub fn left(&self) -> Vec<Left> {
-        let mut calls = BTreeMap::new();
-        let mut entries = self.trace.entries.iter();
-        while let Some(entry) = entries.next() {
-            if let Some((line, called)) = called(entry, &self.control) {
-                let left = one(line, &called, entries.as_slice());
-                calls.insert(line, left);
-            }
-        }
-        calls.into_values().collect()
+        let entries = &self.trace.entries;
+        let begins = entries.iter().enumerate().filter_map(|(at, entry)| {
+            let Step::CallBegin { cycle, variant } = entry.step else { return None };
+            let cycle = catalogue::find(self.control.dialect, cycle)?;
+            Some((entry.line?, one(entry.line?, &Inputs::new(cycle, variant), entries.get(at + 1..)?)))
+        });
+        begins.collect::<BTreeMap<_, _>>().into_values().collect()
     }
 }
 
-/// The call that begins with this entry, with its variant only.
-fn called(entry: &Entry, control: &Control) -> Option<(u32, Inputs)> {
-    let Step::CallBegin { cycle, variant } = entry.step else { return None };
-    let cycle = catalogue::find(control.dialect, cycle)?;
-    Some((entry.line?, Inputs::new(cycle, variant)))
-}
-
-/// What was written before the next call began.
+/// What a call, of which only the variant is known, wrote before the next one began.
 fn one(line: u32, called: &Inputs, behind: &[Entry]) -> Left {
-    let cycle: &'static Cycle = called.cycle;
-    let mut written = BTreeMap::new();
-    for Entry { step, .. } in behind {
-        match step {
-            Step::CallBegin { .. } | Step::CallEnd => break,
-            Step::Set { name, after, .. } => drop(written.insert(name.as_str(), *after)),
-            _ => {}
-        }
-    }
-    let fields = cycle.results.iter();
-    let results = fields
-        .filter(|field| field.when.holds(called))
-        .filter_map(|field| Some((field, *written.get(field.name)?)))
-        .collect();
-    Left { line, cycle: cycle.name, results }
+    let own = behind.iter().map(|entry| &entry.step);
+    let own = own.take_while(|step| !matches!(step, Step::CallBegin { .. } | Step::CallEnd));
+    let written: BTreeMap<&str, f64> = own.filter_map(set).collect();
+    let fields = called.cycle.results.iter().filter(|field| field.when.holds(called));
+    let results = fields.filter_map(|field| Some((field, *written.get(field.name)?))).collect();
+    Left { line, cycle: called.cycle.name, results }
 }
 
 #[cfg(test)]

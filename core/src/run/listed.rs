@@ -4,8 +4,9 @@ use super::datum::Datum;
 use super::halt::Halt;
 use super::interpret::Interpreter;
 use super::statement::Call;
-use super::{cycle, helper, unread};
+use super::{call, cycle, names, unread};
 use crate::catalogue::{CYCLES, find, list};
+use crate::check;
 use crate::check::{Sort, listed, newer};
 use crate::control::Value;
 use crate::diagnostic::{Diagnostic, Severity, Span};
@@ -26,27 +27,24 @@ pub fn call(run: &mut Interpreter, call: &Call) -> Result<bool, Halt> {
     if let Some(finding) = refused(cycle, Some(list), call) {
         return Err(stopped(run, call, cycle.name, finding));
     }
-    if helper::takes_variables(list) {
-        helper::call(run, cycle, list, call)?;
+    if list.args.iter().any(|arg| matches!(arg, Arg::Variable(_) | Arg::Output(_))) {
+        helper(run, cycle, list, call)?;
         return Ok(true);
     }
     let values = values(cycle, list, call);
     if list.style == Style::Operate {
-        let typed = values.iter().filter_map(|(name, value)| Some((name, Datum::from(value.as_ref()?).exact())));
-        let typed: Typed = typed.map(|(name, value)| (name.to_string(), value)).collect();
-        newer_list(run, cycle, list, &typed, call.span)?;
+        let typed =
+            |(name, value): &(Name, Option<Value>)| Some((name.to_string(), Datum::from(value.as_ref()?).exact()));
+        newer_list(run, cycle, list, &values.iter().filter_map(typed).collect(), call.span)?;
         return Ok(true);
     }
     for (name, value) in values {
         unread::written(run, name.as_str());
         let data = &mut run.sim.control.data;
-        match value {
-            None if list.style == Style::Direct => drop(data.remove(name.as_str())),
-            value => {
-                let value = value.unwrap_or_else(|| omitted(cycle, name.as_str()));
-                data.insert(name.to_string(), value);
-            }
-        }
+        match value.or_else(|| (list.style != Style::Direct).then(|| omitted(cycle, name.as_str()))) {
+            Some(value) => data.insert(name.to_string(), value),
+            None => data.remove(name.as_str()),
+        };
     }
     cycle::data(run, cycle, call.span)?;
     Ok(true)
@@ -109,12 +107,10 @@ fn newer_list(
 
 /// What is not 0 goes into the data (B:11734).
 fn auxiliary(run: &mut Interpreter, call: &Call) -> Result<bool, Halt> {
-    let cycles = CYCLES.iter();
-    let param = |name: &str| cycles.clone().find_map(|cycle| cycle.param(name));
-    let names = AUXILIARY_ARGS.iter().enumerate();
-    let wrong = names.clone().find_map(|(index, name)| wrong(param(name)?, call.arg(index)?));
-    let many = list::unmatched(&call.name, listed::count(&call.args), |_| None);
-    if let Some(finding) = many.or(wrong) {
+    let param = |name: &str| CYCLES.iter().find_map(|cycle| cycle.param(name));
+    let mut names = AUXILIARY_ARGS.iter().enumerate();
+    let wrong = names.find_map(|(index, name)| wrong(param(name)?, call.arg(index)?));
+    if let Some(finding) = list::unmatched(&call.name, listed::count(&call.args), |_| None).or(wrong) {
         return Err(stopped(run, call, &call.name, finding));
     }
     for (name, value) in AUXILIARY_ARGS.iter().zip(&call.args) {
@@ -129,27 +125,88 @@ fn auxiliary(run: &mut Interpreter, call: &Call) -> Result<bool, Halt> {
 
 /// The parameters of the list with what stands there, the variant put together from its selections.
 fn values(cycle: &'static Cycle, list: &ArgumentList, call: &Call) -> Vec<(Name, Option<Value>)> {
-    let params = list.args.iter().enumerate().filter_map(|(index, arg)| match arg {
-        Arg::Param(name) => Some((*name, call.arg(index).and_then(Datum::value))),
-        Arg::Down(name) => Some((*name, call.arg(index).and_then(Datum::value).map(opposite))),
-        _ => None,
+    let params = list.args.iter().enumerate().filter_map(|(index, arg)| {
+        let value = call.arg(index).and_then(Datum::value);
+        match (arg, value) {
+            (Arg::Down(name), Some(Value::Number(number))) => Some((*name, Some(Value::Number(-number)))),
+            (Arg::Param(name) | Arg::Down(name), value) => Some((*name, value)),
+            _ => None,
+        }
     });
-    let mut found: Vec<_> = params.collect();
     let composed = list.composed(cycle, |index| call.number(index));
-    found.extend(composed.map(|(name, variant)| (name, Some(Value::Number(variant as f64)))));
-    found
-}
-
-/// A length with the other sign.
-fn opposite(value: Value) -> Value {
-    match value {
-        Value::Number(number) => Value::Number(-number),
-        text => text,
-    }
+    params.chain(composed.map(|(name, variant)| (name, Some(Value::Number(variant as f64))))).collect()
 }
 
 /// What a called program finds in an argument that is omitted.
 fn omitted(cycle: &Cycle, name: &str) -> Value {
     let text = cycle.param(name).is_some_and(|param| matches!(param.kind, Kind::Text(_)));
     if text { Value::Text(String::new()) } else { Value::Number(0.0) }
+}
+
+/// Carries out a helper cycle, which hands back what went wrong (B:2422-2448, B:8557-8584): values in, results out.
+fn helper(run: &mut Interpreter, cycle: &'static Cycle, list: &ArgumentList, call: &Call) -> Result<(), Halt> {
+    if cycle::left_out(run, cycle, call.span) {
+        return Ok(());
+    }
+    let inputs = check::read(cycle, &taken(run, cycle, list, call)?, &run.sim.control, &mut Vec::new());
+    call::perform(&mut run.sim, &inputs).map_err(Halt::at(call.span))?;
+    Ok(hand_back(run, cycle, list, call)?)
+}
+
+/// What stands in the variables and arguments, by parameter; what is wrong with it the cycle itself hands back.
+fn taken(run: &Interpreter, cycle: &'static Cycle, list: &ArgumentList, call: &Call) -> Result<Typed, Problem> {
+    let mut typed = Typed::new();
+    for (index, arg) in list.args.iter().enumerate() {
+        match arg {
+            Arg::Variable(array) => {
+                let variable = variable(call, index, array)?;
+                for (name, rest) in elements(cycle.params.iter().map(|one| one.name.as_str()), array) {
+                    typed.insert(name.to_owned(), names::read(run, &format!("{variable}{rest}"), call.span)?.exact());
+                }
+            }
+            Arg::Param(name) => typed.extend(call.arg(index).map(|value| (name.to_string(), value.exact()))),
+            _ => {}
+        }
+    }
+    Ok(typed)
+}
+
+/// Copies the results into the variables; under the names of the cycle they are gone afterwards.
+fn hand_back(run: &mut Interpreter, cycle: &'static Cycle, list: &ArgumentList, call: &Call) -> Result<(), Problem> {
+    for (index, arg) in list.args.iter().enumerate() {
+        let (Arg::Variable(stem) | Arg::Output(stem)) = arg else { continue };
+        for (name, rest) in elements(cycle.results.iter().map(|one| one.name), stem) {
+            let Some(value) = run.sim.control.data.remove(name) else { continue };
+            let variable = format!("{}{rest}", variable(call, index, stem)?);
+            names::write(run, &variable, &in_frame(run, rest, Datum::from(&value)), call.span)?;
+        }
+    }
+    Ok(())
+}
+
+/// The names that are `stem` or an element of it, with what stands behind the stem.
+fn elements(
+    names: impl Iterator<Item = &'static str>,
+    stem: &str,
+) -> impl Iterator<Item = (&'static str, &'static str)> {
+    names.filter_map(move |name| {
+        let rest = name.strip_prefix(stem)?;
+        (rest.is_empty() || rest.starts_with('[')).then_some((name, rest))
+    })
+}
+
+/// The variable that stands at an argument.
+fn variable<'a>(call: &'a Call, index: usize, name: &str) -> Result<&'a str, Problem> {
+    call.places.get(index).and_then(Option::as_deref).ok_or_else(|| Problem::new("run-argument", call.span, name))
+}
+
+/// A length in the unit in which the program has translations of frames.
+fn in_frame(run: &Interpreter, component: &str, value: Datum) -> Datum {
+    let control = &run.sim.control;
+    match value {
+        Datum::Number(length) if component.ends_with(",TR]") => {
+            Datum::Number(length * control.active_factor() / control.data_factor())
+        }
+        value => value,
+    }
 }

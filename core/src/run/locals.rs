@@ -1,9 +1,7 @@
-//! Variables of a program: declared with `DEF`, or parameters of its `PROC`. Arrays hold their elements in the order in
-//! which `SET` fills them.
+//! Variables of a program: declared with `DEF`, or parameters of its `PROC`. Elements stand in the order of `SET`.
 
-use super::datum::Datum;
+use super::datum::{Datum, Type};
 use super::interpret::Interpreter;
-use super::types::Type;
 use crate::control::{arrays, variables};
 use crate::diagnostic::Span;
 use crate::problem::Problem;
@@ -12,11 +10,9 @@ use std::collections::BTreeMap;
 /// A variable with its values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Variable {
-    /// Type of each element.
     pub kind: Type,
     /// Sizes; empty for a single value.
     pub sizes: Vec<usize>,
-    /// Values, one an element.
     pub values: Vec<Datum>,
     /// Where it is declared.
     pub place: Span,
@@ -25,15 +21,13 @@ pub struct Variable {
 impl Variable {
     /// A variable of this type and these sizes that nothing was written to.
     pub fn new(kind: Type, sizes: Vec<usize>, place: Span) -> Variable {
-        let count = sizes.iter().product();
-        Variable { kind, sizes, values: vec![kind.empty(); count], place }
+        Variable { kind, values: vec![kind.empty(); sizes.iter().product()], sizes, place }
     }
 }
 
 /// What a name stands for on a level.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Local {
-    /// A variable of this level.
     Own(Variable),
     /// A `VAR` parameter: the variable that the call named.
     Other(Home),
@@ -42,10 +36,7 @@ pub enum Local {
 impl Local {
     /// The variable of this level.
     pub fn own(&self) -> Option<&Variable> {
-        match self {
-            Local::Own(variable) => Some(variable),
-            Local::Other(_) => None,
-        }
+        if let Local::Own(variable) = self { Some(variable) } else { None }
     }
 }
 
@@ -55,20 +46,16 @@ pub type Locals = BTreeMap<String, Local>;
 /// Where a variable is kept, and its name there with index.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Home {
-    /// Who keeps it.
     pub keeper: Keeper,
-    /// Name.
     pub key: String,
 }
 
 /// Who keeps a variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Keeper {
-    /// A program level.
     Level(usize),
     /// The text: every program of it sees the variable (`DEF NCK`, `DEF CHAN`).
     Shared,
-    /// The control.
     Control,
 }
 
@@ -107,10 +94,7 @@ fn variable_mut<'a>(run: &'a mut Interpreter, home: &Home) -> Option<&'a mut Var
         Keeper::Shared => &mut run.shared,
         Keeper::Control => return None,
     };
-    match locals.get_mut(stem(&home.key))? {
-        Local::Own(variable) => Some(variable),
-        Local::Other(_) => None,
-    }
+    if let Local::Own(variable) = locals.get_mut(stem(&home.key))? { Some(variable) } else { None }
 }
 
 /// Value of a variable of a program: a whole array as a list, a character of a text, a component of a frame.
@@ -128,30 +112,21 @@ fn taken(run: &Interpreter, variable: &Variable, key: &str) -> Option<Datum> {
     let value = variable.values.get(at)?;
     match (value, rest) {
         (_, []) => Some(value.clone()),
-        (Datum::Text(text), [number]) => {
-            let character = text.chars().nth(number.parse().ok()?)?;
-            Some(Datum::Text(character.into()))
-        }
+        (Datum::Text(text), [number]) => Some(Datum::Text(text.chars().nth(number.parse().ok()?)?.into())),
         (Datum::Frame(frame), [axis, part]) => {
-            let value = variables::component(frame, axis, part)?;
-            Some(Datum::Number(value / component_factor(run, part)))
+            Some(Datum::Number(variables::component(frame, axis, part)? / component_factor(run, part)))
         }
         _ => None,
     }
 }
 
-/// Writes a variable of a program; none: it is one of the control.
-pub fn write(run: &mut Interpreter, home: &Home, value: &Datum, place: Span) -> Option<Result<(), Problem>> {
-    variable(run, home)?;
-    Some(put(run, home, value, place))
-}
-
-fn put(run: &mut Interpreter, home: &Home, value: &Datum, place: Span) -> Result<(), Problem> {
+/// Writes a variable of a program; false: it is one of the control.
+pub fn write(run: &mut Interpreter, home: &Home, value: &Datum, place: Span) -> Result<bool, Problem> {
     let key = home.key.as_str();
     let outside = || Problem::new("run-index", place, key);
     let index = indices(key);
     let factor = index.last().map_or(1.0, |part| component_factor(run, part));
-    let variable = variable_mut(run, home).ok_or_else(outside)?;
+    let Some(variable) = variable_mut(run, home) else { return Ok(false) };
     let (at, rest) = element(variable, &index).ok_or_else(outside)?;
     let kind = variable.kind;
     let slot = variable.values.get_mut(at).ok_or_else(outside)?;
@@ -159,8 +134,7 @@ fn put(run: &mut Interpreter, home: &Home, value: &Datum, place: Span) -> Result
         (_, []) => *slot = kind.converted(value).ok_or_else(|| wrong(kind, value, place, key))?,
         (Datum::Text(text), [number]) => {
             let code = Type::Char.converted(value);
-            let changed = code.and_then(|code| replaced(text, number, &code.shown()));
-            *text = changed.ok_or_else(outside)?;
+            *text = code.and_then(|code| replaced(text, number, &code.shown())).ok_or_else(outside)?;
         }
         (Datum::Frame(frame), [axis, part]) => {
             let number = value.number().ok_or_else(|| Problem::new("run-not-a-number", place, key))?;
@@ -170,7 +144,7 @@ fn put(run: &mut Interpreter, home: &Home, value: &Datum, place: Span) -> Result
         }
         _ => return Err(outside()),
     }
-    Ok(())
+    Ok(true)
 }
 
 /// A value that its variable cannot hold.
@@ -186,8 +160,7 @@ fn wrong(kind: Type, value: &Datum, place: Span, key: &str) -> Problem {
 
 /// A text with another character at this place.
 fn replaced(text: &str, number: &str, character: &str) -> Option<String> {
-    let at: usize = number.parse().ok()?;
-    let (from, old) = text.char_indices().nth(at)?;
+    let (from, old) = text.char_indices().nth(number.parse().ok()?)?;
     let mut text = text.to_owned();
     text.replace_range(from..from + old.len_utf8(), character);
     Some(text)
@@ -204,8 +177,8 @@ fn component_factor(run: &Interpreter, part: &str) -> f64 {
 /// Element that the first indices name, and the indices behind them.
 fn element<'i, 'k>(variable: &Variable, index: &'i [&'k str]) -> Option<(usize, &'i [&'k str])> {
     let (own, rest) = index.split_at_checked(variable.sizes.len())?;
-    let own: Result<Vec<usize>, _> = own.iter().map(|number| number.parse()).collect();
-    Some((arrays::place(&own.ok()?, &variable.sizes)?, rest))
+    let own: Vec<usize> = own.iter().map(|number| number.parse().ok()).collect::<Option<_>>()?;
+    Some((arrays::place(&own, &variable.sizes)?, rest))
 }
 
 /// The name without its index.

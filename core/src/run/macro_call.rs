@@ -1,10 +1,10 @@
 //! Calls of programs on NCT: `M98 P110 L2`, `G65 P9110 A1. B2.` with arguments, and the way back, `M99`.
 
 use super::interpret::{Interpreter, Next};
-use super::level::Variables;
 use super::locals::Locals;
 use super::macro_variables::{holding, local};
 use super::statement::{Call, Words};
+use super::subprogram::Variables;
 use super::{branch, repeat, subprogram};
 use crate::diagnostic::{Severity, Span};
 use crate::problem::Problem;
@@ -48,8 +48,7 @@ fn call(run: &mut Interpreter, at: usize, found: &Words) -> Result<Next, Problem
         subprogram::not_here(run, &name, address.span);
         return Ok(Next::Block);
     };
-    let call = Call::named(name.unwrap_or_default(), address.span);
-    subprogram::enter(run, at, &call, &unit, passes)
+    subprogram::enter(run, at, &Call::named(name.unwrap_or_default(), address.span), &unit, passes)
 }
 
 /// The local variables that the addresses of a block fill; I, J and K that come again fill the next three.
@@ -91,6 +90,5 @@ pub fn back(run: &mut Interpreter, found: &Words, span: Span) -> Result<Next, Pr
     let Some(address) = target else { return Ok(next) };
     let label = format!("N{}", address.value.shown());
     let block = branch::places(run, &label).first().copied();
-    let block = block.ok_or_else(|| Problem::new("run-label", span, label))?;
-    Ok(Next::Jump(block))
+    block.map(Next::Jump).ok_or_else(|| Problem::new("run-label", span, label))
 }

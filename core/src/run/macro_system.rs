@@ -1,6 +1,5 @@
-//! What an NCT control tells its programs, and takes from them, by numbers from #3000. C names #3001 only (C:90), N the
-//! signal positions and the length offset (N 183); the other numbers are those that controls with this macro language
-//! share.
+//! What an NCT control tells its programs, and takes from them, by numbers from #3000: #3001 by C:90, signal positions
+//! and length offset by N 183, the others as on controls with this macro language.
 
 use super::datum::Datum;
 use super::interpret::Interpreter;
@@ -18,8 +17,7 @@ const ALARM: u32 = 3000;
 const CLOCK: u32 = 3001;
 /// Hours for which programs have run.
 const HOURS: u32 = 3002;
-/// Whether single blocks halt, and whether feed hold, override and exact stop count: what an operator does, so that
-/// nothing here follows from them.
+/// Whether single blocks halt, feed hold, override and exact stop count: an operator's affair, without effect here.
 const OPERATING: std::ops::RangeInclusive<u32> = 3003..=3004;
 /// Milliseconds of an hour.
 const HOUR: f64 = 3_600_000.0;
@@ -41,7 +39,7 @@ pub fn is(number: u32) -> bool {
         || offset(number).is_some()
 }
 
-/// Its value: lengths in the unit in force, angles and codes as they are.
+/// Value of a number: lengths in the unit in force, angles and codes as they are.
 pub fn read(run: &Interpreter, number: u32) -> Datum {
     let control = &run.sim.control;
     if [CLOCK, HOURS].contains(&number) {
@@ -51,28 +49,24 @@ pub fn read(run: &Interpreter, number: u32) -> Datum {
         CLOCK => Some(run.work as f64 - run.clocks[0]),
         HOURS => Some((run.work as f64 - run.clocks[1]) / HOUR),
         _ if OPERATING.contains(&number) => Some(control.number(&local(number))),
-        _ => modal(run, number).or_else(|| stands(run, number)).or_else(|| {
-            let name = offset(number)?.1;
-            Some(control.variable(&name)? / control.active_factor())
-        }),
+        _ => modal(run, number)
+            .or_else(|| stands(run, number))
+            .or_else(|| Some(control.variable(&offset(number)?.1)? / control.active_factor())),
     };
     value.map_or(Datum::Vacant, Datum::Number)
 }
 
-/// Takes a value.
 pub fn write(run: &mut Interpreter, number: u32, value: f64, place: Span) -> Result<(), Problem> {
     match (number, offset(number)) {
         (ALARM, _) => {
-            let problem = Problem::at("run-set-alarm", place);
-            return Err(problem.number("number", value).text("text", comment(run)));
+            return Err(Problem::at("run-set-alarm", place).number("number", value).text("text", comment(run)));
         }
         (STOP, _) => run.sim.note(Step::Message { text: comment(run) }),
         (CLOCK, _) => run.clocks[0] = run.work as f64 - value,
         (HOURS, _) => run.clocks[1] = run.work as f64 - value * HOUR,
         _ if OPERATING.contains(&number) => run.sim.control.set(local(number), value),
         (_, Some((system, name))) => {
-            let after = value * run.sim.control.active_factor();
-            run.sim.write_correction(name, after);
+            run.sim.write_correction(name, value * run.sim.control.active_factor());
             run.sim.control.offset_written(system);
         }
         _ => return Err(Problem::new("run-read-only", place, local(number))),
@@ -84,8 +78,7 @@ pub fn write(run: &mut Interpreter, number: u32, value: f64, place: Span) -> Res
 fn comment(run: &Interpreter) -> String {
     let block = run.program.blocks.get(run.at);
     let span = block.and_then(|block| block.comment).unwrap_or_default();
-    let text = String::from_utf8_lossy(run.program.text(span)).into_owned();
-    text.trim_matches(['(', ')']).trim().to_owned()
+    run.program.written(span).trim_matches(['(', ')']).trim().to_owned()
 }
 
 /// G functions in force by group, and the last D, F, H, S and T.
@@ -120,9 +113,8 @@ fn position(number: u32) -> Option<(u32, usize)> {
     (axis < 3 && matches!(group, 5000 | 5020 | 5040 | 5060 | 5080)).then_some((group, axis))
 }
 
-/// #5001: tool tip in the work offset at the end of the last block; #5041: the spindle nose there; #5021: the spindle
-/// nose in machine coordinates; #5061: tool tip at the last signal, or where a measuring motion without one ended
-/// (N 183); #5081: the length offset in force.
+/// #5001: tool tip in the work offset at the end of the last block; #5041: the spindle nose there, #5021: in machine
+/// coordinates; #5061: tool tip at the last signal or the end of a measuring motion without (N 183); #5081: length.
 fn stands(run: &Interpreter, number: u32) -> Option<f64> {
     let (group, axis) = position(number)?;
     let control: &Control = &run.sim.control;

@@ -1,12 +1,10 @@
-//! Variables of NCT programs, `#number`: of a program level, of all programs, and those that stay. One to which nothing
-//! was written is vacant. Numbers are those of the manual (C:78-90) and, for levels, of the macro language that it
-//! builds on.
+//! Variables of NCT programs, `#number`: of a level, of all programs, those that stay; vacant where nothing was
+//! written. Numbers by C:78-90 and, for levels, by the macro language that it builds on.
 
-use super::datum::Datum;
+use super::datum::{Datum, Type};
 use super::interpret::Interpreter;
 use super::locals::{Local, Variable};
 use super::macro_system;
-use super::types::Type;
 use crate::diagnostic::Span;
 use crate::problem::Problem;
 use crate::syntax::tree::Operator;
@@ -56,21 +54,17 @@ pub fn local(number: u32) -> String {
 
 fn known(key: &str, place: Span) -> Result<Kind, Problem> {
     let number = key.get(1..).and_then(|digits| digits.parse().ok());
-    let why = match number {
-        Some(2001..=2999 | 10_001..=13_999) => "run-offset-variable",
-        _ => "run-unknown-variable",
-    };
-    let unknown = || Problem::new(why, place, key);
-    number.and_then(kind).ok_or_else(unknown)
+    let offset = matches!(number, Some(2001..=2999 | 10_001..=13_999));
+    let why = if offset { "run-offset-variable" } else { "run-unknown-variable" };
+    number.and_then(kind).ok_or_else(|| Problem::new(why, place, key))
 }
 
-/// Value of a variable.
 pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem> {
     let value = match known(key, place)? {
         Kind::Nothing => None,
         Kind::Local => {
-            let local = run.levels.last().and_then(|level| level.locals.get(key));
-            local.and_then(Local::own).and_then(|variable| variable.values.first().cloned())
+            let local = run.levels.last().and_then(|level| level.locals.get(key)?.own());
+            local.and_then(|variable| variable.values.first().cloned())
         }
         Kind::System(number) => Some(macro_system::read(run, number)),
         Kind::Common | Kind::Input => run.sim.control.data.get(key).map(Datum::from),
@@ -86,21 +80,18 @@ pub fn write(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Re
         Kind::Nothing | Kind::Input => Err(Problem::new("run-read-only", place, key)),
         Kind::System(system) => macro_system::write(run, system, number, place),
         Kind::Local => {
-            let locals = run.levels.last_mut().map(|level| &mut level.locals);
-            if let Some(locals) = locals {
-                match vacant {
-                    true => drop(locals.remove(key)),
-                    false => drop(locals.insert(key.to_owned(), holding(number, place))),
-                }
+            match run.levels.last_mut() {
+                Some(level) if vacant => drop(level.locals.remove(key)),
+                Some(level) => drop(level.locals.insert(key.to_owned(), holding(number, place))),
+                None => {}
             }
             Ok(())
         }
         Kind::Common => {
             let before = run.sim.control.number(key);
-            if vacant {
-                drop(run.sim.control.data.remove(key))
-            } else {
-                run.sim.control.set(key, number)
+            match vacant {
+                true => drop(run.sim.control.data.remove(key)),
+                false => run.sim.control.set(key, number),
             }
             run.note_set(key, before, number);
             Ok(())
@@ -117,14 +108,10 @@ pub fn holding(number: f64, place: Span) -> Local {
 
 /// `EQ` and `NE` where one side is vacant: only vacant is equal to vacant. None: the values decide.
 pub fn compared(operator: Operator, a: &Datum, b: &Datum) -> Option<Datum> {
-    let vacant = (*a == Datum::Vacant, *b == Datum::Vacant);
-    let same = match vacant {
-        (false, false) => return None,
-        (one, other) => one == other,
-    };
+    let (one, other) = (*a == Datum::Vacant, *b == Datum::Vacant);
     match operator {
-        Operator::Equal => Some(Datum::from(same)),
-        Operator::NotEqual => Some(Datum::from(!same)),
+        Operator::Equal if one || other => Some(Datum::from(one == other)),
+        Operator::NotEqual if one || other => Some(Datum::from(one != other)),
         _ => None,
     }
 }

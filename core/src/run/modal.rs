@@ -3,7 +3,7 @@
 use super::contour::Outside;
 
 /// Modal functions of a program.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Modal {
     /// G0, G1, G2, G3.
     pub motion: Motion,
@@ -13,7 +13,6 @@ pub struct Modal {
     pub feed: f64,
     /// mm in a unit of F.
     pub feed_factor: f64,
-    /// What F means.
     pub feed_type: FeedType,
     /// S of the main spindle, revolutions a minute.
     pub speed: f64,
@@ -38,29 +37,15 @@ pub struct Modal {
 impl Modal {
     /// What is in force before the first block, but for this motion; `factor`: mm in the unit of F.
     pub fn start(motion: Motion, factor: f64) -> Modal {
-        Modal {
-            motion,
-            absolute: true,
-            feed: 0.0,
-            feed_factor: factor,
-            feed_type: FeedType::Minute,
-            speed: 0.0,
-            speed_limit: None,
-            pole: [0.0; 2],
-            prepared: None,
-            waiting_edge: None,
-            compensation: Compensation::Off,
-            outside: Outside::Circle,
-            allowance: 0.0,
-            radius: 0,
-        }
+        Modal { motion, absolute: true, feed_factor: factor, ..Modal::default() }
     }
 }
 
 /// How a block with axis words moves, in the order in which the control counts these functions.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Motion {
     /// G0.
+    #[default]
     Rapid,
     /// G1.
     Line,
@@ -75,21 +60,22 @@ pub enum Motion {
 }
 
 /// What F means: G94 a way a minute, G95 (and G96, G97) a way a revolution.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum FeedType {
     /// mm or inch a minute.
+    #[default]
     Minute,
     /// mm or inch a revolution of the spindle.
     Revolution,
-    /// The same, of a spindle that turns as fast as the cutting speed S wants at the diameter (G96): m or feet a
-    /// minute.
+    /// mm or inch a revolution of a spindle with a constant cutting speed (G96), m or feet a minute.
     Cutting,
 }
 
 /// Side on which the tool stands, in the order of the G functions.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Compensation {
     /// G40: the tool centre goes on the programmed path.
+    #[default]
     Off,
     /// G41: left of the path.
     Left,

@@ -22,7 +22,6 @@ use std::f64::consts::TAU;
 /// Axes that differ by less have not moved, mm.
 const STILL: f64 = 1e-9;
 
-/// Carries out the motion of a block.
 pub fn go(run: &mut Interpreter, path: &Path) -> Result<(), Halt> {
     let from = position(run, path.suppress);
     if let Some(kind) = path.pole {
@@ -109,13 +108,11 @@ fn nose(run: &Interpreter) -> Mcs {
 
 /// Where a machine stands before its first motion: the spindle nose, and the position in the WCS.
 pub fn standing(sim: &Sim) -> (Mcs, Wcs) {
-    let nose = sim.position + sim.control.active_length();
-    (nose, sim.control.to_workpiece(sim.position))
+    (sim.position + sim.control.active_length(), sim.control.to_workpiece(sim.position))
 }
 
-/// From where incremental positions count: the end of the last motion as it was programmed, also where a frame or a
-/// tool has changed since (SD 42440 and SD 42442 as delivered); where something else has moved the axes, their
-/// position.
+/// From where incremental positions count: the programmed end of the last motion, also where a frame or tool has
+/// changed since (SD 42440, SD 42442 as delivered); where something else moved the axes, their position.
 fn incremental_base(run: &Interpreter, suppress: Suppress, from: [f64; 3]) -> [f64; 3] {
     let (stood, end) = run.programmed;
     let stays = (nose(run) - stood).iter().all(|way| way.abs() < STILL);
@@ -224,8 +221,7 @@ fn measured(run: &mut Interpreter, path: &Path, measure: Measure, to: [f64; 3], 
     for (i, axis) in AXES.iter().enumerate() {
         let shown = if i == 0 { control.transverse.shown() } else { 1.0 };
         let basic = position[i] / factor;
-        let values = [("MW", own[i] * shown / factor), ("MB", basic), ("MM", basic + length[i] / factor)];
-        for (name, value) in values {
+        for (name, value) in [("MW", own[i] * shown / factor), ("MB", basic), ("MM", basic + length[i] / factor)] {
             run.measured.insert(format!("$AA_{name}[{axis}]"), value);
         }
     }
@@ -249,8 +245,7 @@ fn in_plane(run: &Interpreter, path: &Path, from: [f64; 3], to: [f64; 3]) -> Opt
     [centre[a], centre[o]] = arc.centre;
     [end[a], end[o]] = arc.end;
     axis[p] = 1.0;
-    let around = Around { centre, axis, degrees: Degrees::of(arc.sweep) };
-    Some((end, around))
+    Some((end, Around { centre, axis, degrees: Degrees::of(arc.sweep) }))
 }
 
 /// The arc in the plane: with a radius or an opening angle, else about a centre.
@@ -260,8 +255,7 @@ fn arc(run: &Interpreter, path: &Path, from: [f64; 3], to: [f64; 3]) -> Option<A
     let (start, end) = ([from[a], from[o]], [to[a], to[o]]);
     let centred = path.centre[a].is_some() || path.centre[o].is_some();
     if path.polar.is_written() && !centred && path.radius.is_none() && path.angle.is_none() {
-        let arc = Arc::about(run.modal.pole, start, end, counter)?;
-        return Some(arc.with_turns(path.turns));
+        return Some(Arc::about(run.modal.pole, start, end, counter)?.with_turns(path.turns));
     }
     let centre = [a, o].map(|i| match path.centre[i] {
         Some(Coordinate { value, absolute: Some(true) }) => value * radius_of(run, i, true),

@@ -1,5 +1,6 @@
 //! Variables of a program: user data, tool and frame data, R parameters, local ones, and what the control tells.
 
+use super::action::machine_function;
 use super::datum::Datum;
 use super::expression::evaluate;
 use super::interpret::Interpreter;
@@ -8,7 +9,7 @@ use super::{locals, macro_variables, system, unread};
 use crate::catalogue::CYCLES;
 use crate::control::rotary::is_angle;
 use crate::control::{Frame, Value, arrays, gud, machine_data};
-use crate::diagnostic::{Severity, Span};
+use crate::diagnostic::Span;
 use crate::problem::Problem;
 use crate::syntax::tree::{ExprId, WordKind};
 use std::collections::BTreeMap;
@@ -40,7 +41,6 @@ pub fn key(run: &Interpreter, place: Span, index: &[ExprId]) -> Result<String, P
     Ok(if name == "R" || name == "#" { format!("{name}{joined}") } else { format!("{name}[{joined}]") })
 }
 
-/// Value of a variable.
 pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem> {
     unread::known(run, key, place)?;
     if macro_variables::is(key) {
@@ -60,13 +60,11 @@ pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem>
     if let Some(value) = run.sim.control.data.get(key) {
         return Ok(Datum::from(value));
     }
-    if let Err(problem) = known(key, place) {
-        return parameter(run, key, place).unwrap_or(Err(problem));
+    match known(key, place) {
+        Err(problem) => parameter(run, key, place).unwrap_or(Err(problem)),
+        Ok(()) if holds_text(key) => Ok(Datum::Text(String::new())),
+        Ok(()) => Ok(Datum::Number(delivered(run, key))),
     }
-    if holds_text(key) {
-        return Ok(Datum::Text(String::new()));
-    }
-    Ok(Datum::Number(delivered(run, key)))
 }
 
 /// A parameter of the program itself that is run as main program: its default, as nothing calls it with a value.
@@ -103,12 +101,8 @@ pub fn write(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Re
             if items.len() > elements.len() {
                 return Err(Problem::new("run-index", place, key));
             }
-            for (element, item) in elements.iter().zip(items) {
-                if let Some(item) = item {
-                    write(run, element, item, place)?;
-                }
-            }
-            Ok(())
+            let mut written = elements.iter().zip(items).filter_map(|(element, item)| Some((element, item.as_ref()?)));
+            written.try_for_each(|(element, item)| write(run, element, item, place))
         }
         Datum::Repeat(value, count) => {
             let home = locals::home(run, key);
@@ -119,10 +113,8 @@ pub fn write(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Re
             if count.is_some_and(|count| count > filled.len()) {
                 return Err(Problem::new("run-index", place, key));
             }
-            for element in filled.iter().take(count.unwrap_or(usize::MAX)) {
-                write(run, element, value, place)?;
-            }
-            Ok(())
+            let mut filled = filled.iter().take(count.unwrap_or(usize::MAX));
+            filled.try_for_each(|element| write(run, element, value, place))
         }
         Datum::Frame(frame) => match locals::home(run, key) {
             Home { keeper: Keeper::Control, key } => write_frame(run, &key, frame, place),
@@ -142,8 +134,8 @@ fn write_one(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Re
         return macro_variables::write(run, key, value, place);
     }
     let home = locals::home(run, key);
-    if let Some(written) = locals::write(run, &home, value, place) {
-        return written;
+    if locals::write(run, &home, value, place)? {
+        return Ok(());
     }
     let key = home.key.as_str();
     let Some(stored) = value.value() else { return Err(Problem::new("run-not-a-number", place, key)) };
@@ -167,7 +159,7 @@ fn write_one(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Re
 /// Tool and frame data, and setting data; recorded in mm like those that a cycle writes.
 fn write_variable(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Result<(), Problem> {
     if OUTPUTS.contains(&stem(key)) {
-        run.tell(Severity::Note, &Problem::new("run-machine-function", place, key));
+        machine_function(run, place, key.to_owned());
         return Ok(());
     }
     let number = value.number().ok_or_else(|| Problem::new("run-not-a-number", place, key))?;
@@ -248,10 +240,9 @@ fn elements(run: &Interpreter, first: &str, place: Span) -> Result<Vec<String>, 
     let home = locals::home(run, first);
     let elements = match home.keeper {
         Keeper::Control => arrays::sizes(&home.key).map(|sizes| arrays::elements_from(&home.key, sizes)),
-        _ => {
-            let variable = locals::variable(run, &home).filter(|variable| !variable.sizes.is_empty());
-            variable.map(|variable| arrays::elements_from(first, &variable.sizes))
-        }
+        _ => locals::variable(run, &home)
+            .filter(|variable| !variable.sizes.is_empty())
+            .map(|variable| arrays::elements_from(first, &variable.sizes)),
     };
     elements.ok_or_else(|| Problem::new("run-index", place, first))
 }

@@ -17,17 +17,10 @@ use crate::program::of_control::{SET_ALARM, STORE_ENVIRONMENT, SWIVEL};
 use crate::syntax::tree::{Expr, ExprId};
 use std::rc::Rc;
 
-/// `MSG("text")`: an operator text.
-pub fn message(run: &mut Interpreter, args: &[Option<Datum>]) {
-    let text = args.first().and_then(Option::as_ref).map(Datum::shown).unwrap_or_default();
-    run.sim.note(Step::Message { text });
-}
-
 /// Numbers that a program may raise: those of cycles, and of users from 65000.
 const NUMBERS: std::ops::RangeInclusive<u32> = 60_000..=69_999;
 
-/// `SETAL(65000,"text")`: an alarm of the program. From 62000 and from 67000 it is shown only, else it stops the
-/// program (Job planning, alarms in the cycle area).
+/// `SETAL(65000,"text")`: an alarm; from 62000 and 67000 it only shows (Job planning, alarms in the cycle area).
 pub fn raise(run: &mut Interpreter, call: &Call) -> Result<(), Halt> {
     let (number, text) = match &call.args[..] {
         [Some(Datum::Number(number))] => (*number, ""),
@@ -42,8 +35,7 @@ pub fn raise(run: &mut Interpreter, call: &Call) -> Result<(), Halt> {
     if alarms::find(&whole.to_string()).is_some() {
         run.sim.note(Step::Alarm(code));
     } else {
-        let message = format!("{whole} {text}");
-        run.sim.note(Step::Message { text: message.trim_end().to_owned() });
+        run.sim.note(Step::Message { text: format!("{whole} {text}").trim_end().to_owned() });
     }
     if matches!(whole / 1000, 62 | 67..=69) {
         return Ok(());
@@ -68,7 +60,7 @@ pub fn store_environment(run: &mut Interpreter, args: &[Option<Datum>], place: S
     }
 }
 
-/// The same where the right side of an assignment is the function: its status. None: it is something else.
+/// Status of `TOOLENV("NAME")` as the right side of an assignment; none: that is something else.
 pub fn assigned(run: &mut Interpreter, value: ExprId) -> Result<Option<Datum>, Problem> {
     let program = Rc::clone(&run.program);
     let Some(Expr::Call(name, args)) = program.expr(value) else { return Ok(None) };
@@ -107,8 +99,7 @@ pub fn swivel(run: &mut Interpreter, call: &Call) -> Result<(), Halt> {
 
 /// Whether the call gives the plane up: without values, or with the data set "0". The table stays where it is.
 fn given_up(call: &Call) -> bool {
-    let nothing = call.args.iter().all(Option::is_none);
-    nothing || call.arg(DATA_SET) == Some(&Datum::Text(NO_DATA_SET.into()))
+    call.args.iter().all(Option::is_none) || call.arg(DATA_SET) == Some(&Datum::Text(NO_DATA_SET.into()))
 }
 
 /// Where the rotary axes go, and the frame that turns with the table.

@@ -44,7 +44,7 @@ const NAMED: usize = 20;
 pub struct PassedOver {
     /// As it stands in the program.
     pub word: String,
-    /// Its line, from 1.
+    /// Line of the word, from 1.
     pub line: u32,
 }
 
@@ -68,8 +68,7 @@ impl Outcome {
     /// How the run ended: at its end or before, and what it went on without.
     pub fn ending(&self) -> Message {
         let named = self.passed_over.iter().take(NAMED);
-        let named = named.map(|one| format!("{} ({})", one.word, one.line));
-        let mut words: Vec<String> = named.collect();
+        let mut words: Vec<String> = named.map(|one| format!("{} ({})", one.word, one.line)).collect();
         if self.passed_over.len() > NAMED {
             words.push("…".to_owned());
         }
@@ -79,8 +78,7 @@ impl Outcome {
             (false, true) => "run-ended-early",
             (false, false) => "run-ended-early-without",
         };
-        let line = f64::from(self.line.unwrap_or(0));
-        let mut message = Message::new(key).number("line", line);
+        let mut message = Message::new(key).number("line", f64::from(self.line.unwrap_or(0)));
         // each of them is short already, and each is to be named
         message.args.push(("words", Arg::Text(words.join(", "))));
         message
@@ -94,15 +92,13 @@ impl Outcome {
         cycle.results.iter().filter(there).map(|field| (field, self.control.number(field.name))).collect()
     }
 
-    /// Tools, frames, mean values and calibrated values of probes that are different now, in the order of the names.
-    /// Less than the resolution of contact is no difference.
+    /// Tools, frames, mean and calibrated values that differ now by more than contact resolves, ordered by name.
     pub fn changes(&self) -> Vec<Change> {
         let [before, after] = [&self.before, &self.control].map(addressable);
         let names: BTreeSet<&String> = before.keys().chain(after.keys()).collect();
         // what does not exist on one side counts there as a control reads it: a frame has scale factors of 1
         let value = |side: &BTreeMap<String, f64>, control: &Control, name: &String| {
-            let known = side.get(name).copied();
-            known.or_else(|| control.variable(name)).unwrap_or(0.0) + 0.0 // a 0 has no sign
+            side.get(name).copied().or_else(|| control.variable(name)).unwrap_or(0.0) + 0.0 // a 0 has no sign
         };
         let changes = names.into_iter().map(|name| Change {
             name: name.clone(),
@@ -119,10 +115,7 @@ impl Outcome {
 
     /// Alarms and operator messages, in order; the one that stopped the run last.
     pub fn alarms(&self) -> Vec<Code> {
-        let mut alarms = self.told(|step| match step {
-            Step::Alarm(code) => Some(*code),
-            _ => None,
-        });
+        let mut alarms = self.told(|step| if let Step::Alarm(code) = step { Some(*code) } else { None });
         if let Some(Stop::Alarm(code)) = self.stop
             && alarms.last() != Some(&code)
         {
@@ -133,10 +126,7 @@ impl Outcome {
 
     /// Decisions of the cycles, in order.
     pub fn decisions(&self) -> Vec<&Message> {
-        self.told(|step| match step {
-            Step::Decision { message } => Some(message),
-            _ => None,
-        })
+        self.told(|step| if let Step::Decision { message } = step { Some(message) } else { None })
     }
 
     /// Lines of the measuring log or print-out, and blocks that were sent, in order.
@@ -149,19 +139,12 @@ impl Outcome {
 
     /// Lines of the measuring log or print-out alone.
     pub fn printed(&self) -> Vec<&str> {
-        self.told(|step| match step {
-            Step::Log { text } => Some(text.as_str()),
-            _ => None,
-        })
+        self.told(|step| if let Step::Log { text } = step { Some(text.as_str()) } else { None })
     }
 
     /// Results that the cycles wrote, by name, with their last values; tools and frames are in [`Outcome::changes`].
     pub fn written(&self) -> BTreeMap<&str, f64> {
-        let written = self.told(|step| match step {
-            Step::Set { name, after, .. } if !name.starts_with('$') => Some((name.as_str(), *after)),
-            _ => None,
-        });
-        written.into_iter().collect()
+        self.told(|step| set(step).filter(|(name, _)| !name.starts_with('$'))).into_iter().collect()
     }
 
     /// Position after, in the WCS that is active now.
@@ -171,24 +154,21 @@ impl Outcome {
 
     /// An outcome where nothing has happened yet.
     pub fn new(setup: &Setup) -> Outcome {
-        Outcome {
-            before: setup.control.clone(),
-            control: setup.control.clone(),
-            position: setup.position,
-            trace: Trace::default(),
-            scans: Vec::new(),
-            stop: None,
-            diagnostics: Vec::new(),
-            passed_over: Vec::new(),
-            line: None,
-        }
+        Outcome::left_by(Sim::new(setup), setup, None)
     }
 
     /// What a machine leaves that began as the setup says.
     pub fn left_by(sim: Sim, before: &Setup, stop: Option<Stop>) -> Outcome {
-        let Sim { control, position, trace, scans, line, .. } = sim;
-        Outcome { control, position, trace, scans, stop, line: line.map(|line| line + 1), ..Outcome::new(before) }
+        let (before, line) = (before.control.clone(), sim.line.map(|line| line + 1));
+        let Sim { control, position, trace, scans, .. } = sim;
+        let (diagnostics, passed_over) = (Vec::new(), Vec::new());
+        Outcome { before, control, position, trace, scans, stop, diagnostics, passed_over, line }
     }
+}
+
+/// Name and value of a datum that a step writes.
+pub(super) fn set(step: &Step) -> Option<(&str, f64)> {
+    if let Step::Set { name, after, .. } = step { Some((name, *after)) } else { None }
 }
 
 /// Every corrected quantity by the name a program would use for it, lengths in mm.
@@ -202,20 +182,17 @@ fn addressable(control: &Control) -> BTreeMap<String, f64> {
     variables.chain(memories).collect()
 }
 
-/// User data in which later measurements find what this one left: empirical and mean values, how a workpiece probe and
-/// a tool probe were calibrated, and where.
+/// User data in which later measurements find what this one left: empirical and mean values, calibration of probes.
 const MEMORIES: [&str; 6] = ["_EV[", "_MV[", "_WP[", "_TP[", "_TPW[", "_KB["];
 
-/// Whether a datum is one of these, or a calibrated value of NCT, and a length: the code of the calibration status
-/// tells nobody anything.
+/// Whether a datum is one of these or a calibrated value of NCT, and a length: the calibration status tells nothing.
 fn remembered(name: &str) -> bool {
-    if let Some(datum) = nct_data::find(name) {
-        return datum.element.unit == gud::Unit::Length(gud::System::Basic);
-    }
-    let length = |(gud, at): (&gud::Gud, Vec<usize>)| {
-        gud.element(&at).is_some_and(|element| element.unit == gud::Unit::Length(gud::System::Basic))
+    let unit = match nct_data::find(name) {
+        Some(datum) => Some(datum.element.unit),
+        None if !MEMORIES.iter().any(|stem| name.starts_with(stem)) => None,
+        None => gud::place(name).and_then(|(gud, at)| Some(gud.element(&at)?.unit)),
     };
-    MEMORIES.iter().any(|stem| name.starts_with(stem)) && gud::place(name).is_some_and(length)
+    unit == Some(gud::Unit::Length(gud::System::Basic))
 }
 
 #[cfg(test)]

@@ -18,7 +18,6 @@ pub enum Suppress {
 /// A coordinate as it is written, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coordinate {
-    /// Value.
     pub value: f64,
     /// AC (true) or IC (false); none: as usual for this address.
     pub absolute: Option<bool>,
@@ -63,7 +62,6 @@ pub struct Measure {
 /// Axis words of one block.
 #[derive(Clone, Debug, Default)]
 pub struct Path {
-    /// Targets X Y Z.
     pub axes: [Option<Coordinate>; 3],
     /// Where the rotary axes A B C go, machine.
     pub rotary: [Option<Degrees>; 3],
@@ -93,7 +91,6 @@ pub struct Path {
     pub feed: Option<f64>,
     /// Whether the axis words are no target of a motion.
     pub stays: bool,
-    /// Place of the block.
     pub span: Span,
 }
 

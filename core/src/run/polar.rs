@@ -33,9 +33,7 @@ pub fn target(run: &Interpreter, path: &Path, from: [f64; 3], to: [f64; 3]) -> [
     to
 }
 
-/// ANG: where a line at this angle from the abscissa comes to the one coordinate of the plane that the block writes;
-/// none:
-/// there is no such place.
+/// ANG: where a line at this angle comes to the one coordinate of the plane that the block writes; none: nowhere.
 pub fn along(run: &Interpreter, path: &Path, from: [f64; 3], to: [f64; 3]) -> Option<[f64; 3]> {
     let Some(angle) = path.slope else { return Some(to) };
     let [a, o, _] = run.sim.control.plane.axes();
@@ -59,7 +57,6 @@ fn away(polar: Polar, stands: [f64; 2]) -> [f64; 2] {
     };
     let [x, y] = stands;
     let radius = value(polar.radius, x.hypot(y));
-    let angle = value(polar.angle, y.atan2(x).to_degrees());
-    let (sine, cosine) = Degrees(angle).sin_cos();
+    let (sine, cosine) = Degrees(value(polar.angle, y.atan2(x).to_degrees())).sin_cos();
     [radius * cosine, radius * sine]
 }

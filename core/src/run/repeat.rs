@@ -2,7 +2,7 @@
 
 use super::interpret::{Interpreter, Next};
 use super::statement::Address;
-use super::{branch, expression, level};
+use super::{branch, expression, subprogram};
 use crate::diagnostic::Span;
 use crate::problem::Problem;
 use crate::syntax::tree::{ExprId, Word, WordKind};
@@ -13,9 +13,7 @@ const MOST: f64 = 9999.0;
 /// A program part that is being repeated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Repetition {
-    /// First block of the part.
     first: usize,
-    /// Last block of the part.
     last: usize,
     /// Passes that are still to come.
     left: u32,
@@ -32,16 +30,16 @@ pub fn begin(run: &mut Interpreter, at: usize, keyword: Span, start: ExprId, wor
     let single = run.program.is(keyword, "REPEATB");
     let label = branch::target(run, start)?;
     let first = nearest(run, at, &label).ok_or_else(|| Problem::new("run-label", keyword, &*label))?;
-    let last = match end_label(run, words) {
+    // the second label of `REPEAT FIRST LAST`
+    let last = match words.iter().find_map(Word::called).map(|name| run.program.name(name)) {
         Some(end) => {
-            let mut blocks = branch::places(run, &end).into_iter();
-            let found = blocks.find(|block| *block >= first);
+            let found = branch::places(run, &end).into_iter().find(|block| *block >= first);
             found.ok_or_else(|| Problem::new("run-label", keyword, end))?
         }
         None if single => first,
         None => default_end(run, at, first, keyword)?,
     };
-    level::room(run, keyword)?;
+    subprogram::room(run, keyword)?;
     if let Some(level) = run.levels.last_mut() {
         level.repeats.push(Repetition { first, last, left: passes - 1, instruction: at });
     }
@@ -96,11 +94,8 @@ pub fn passes(address: Option<&Address>) -> Result<u32, Problem> {
 
 /// A number of passes.
 fn count(number: f64, place: Span) -> Result<u32, Problem> {
-    if number.fract() == 0.0 && (0.0..=MOST).contains(&number) {
-        Ok(number as u32)
-    } else {
-        Err(Problem::new("run-range", place, "P"))
-    }
+    let whole = number.fract() == 0.0 && (0.0..=MOST).contains(&number);
+    whole.then_some(number as u32).ok_or_else(|| Problem::new("run-range", place, "P"))
 }
 
 /// The end of a part where no label names it: `ENDLABEL`, else the block before the instruction.
@@ -114,14 +109,8 @@ fn default_end(run: &Interpreter, at: usize, first: usize, keyword: Span) -> Res
     }
 }
 
-/// The second label of `REPEAT FIRST LAST`.
-fn end_label(run: &Interpreter, words: &[Word]) -> Option<String> {
-    words.iter().find_map(Word::called).map(|name| run.program.name(name))
-}
-
 /// The label before the instruction that is nearest, else the first behind it.
 fn nearest(run: &Interpreter, at: usize, label: &str) -> Option<usize> {
     let blocks = branch::places(run, label);
-    let before = blocks.iter().rfind(|block| **block < at);
-    before.or_else(|| blocks.iter().find(|block| **block > at)).copied()
+    blocks.iter().rfind(|block| **block < at).or_else(|| blocks.iter().find(|block| **block > at)).copied()
 }

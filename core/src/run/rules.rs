@@ -24,8 +24,7 @@ pub struct Rules {
     pub operate: fn(Operator, f64, f64, Option<Datum>) -> Option<Datum>,
     /// `NOT` of a number.
     pub not: fn(f64) -> f64,
-    /// Parts of words that count on the real position or write data of tools: STOPRE, `$AA_IW[X]`, `$TC_DP6[1,1]`, NCT
-    /// `#5041`.
+    /// Parts of words that ask for the position or write tool data: STOPRE, `$AA_IW[X]`, `$TC_DP6[1,1]`, NCT `#5041`.
     pub asks_for_position: &'static [&'static [u8]],
     /// The address of the radius of an arc.
     pub radius: &'static str,
@@ -62,7 +61,7 @@ static NCT: Rules = Rules {
 };
 
 impl Rules {
-    /// Those of a language.
+    /// Rules for programs of a language.
     pub fn of(dialect: Dialect) -> &'static Rules {
         match dialect {
             Dialect::Sinumerik => &SINUMERIK,

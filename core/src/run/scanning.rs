@@ -1,5 +1,4 @@
-//! A scan in pieces, so that whoever waits for it can be told how far it is, and leave it; then the comparison of what
-//! was scanned with the true surface.
+//! A scan in pieces, whose progress is told and which can be left; then its comparison with the true surface.
 
 use crate::entry::Inputs;
 use crate::geometry::{Mcs, Wcs};
@@ -52,15 +51,16 @@ impl Session {
     /// Goes on by so many points; true: everything is done.
     pub fn advance(&mut self, points: usize) -> bool {
         for _ in 0..points {
-            if self.scanned {
-                if self.deviations.len() == self.cloud.points().len() {
-                    return true;
-                }
-                self.compare();
-            } else {
-                self.scan();
+            match self.scanned {
+                true if self.done() => return true,
+                true => self.compare(),
+                false => self.scan(),
             }
         }
+        self.done()
+    }
+
+    fn done(&self) -> bool {
         self.scanned && self.deviations.len() == self.cloud.points().len()
     }
 
@@ -71,11 +71,7 @@ impl Session {
         };
         match next {
             Ok(Some(point)) => self.cloud.push(point),
-            Ok(None) => self.scanned = true,
-            Err(stop) => {
-                self.stop = Some(stop);
-                self.scanned = true;
-            }
+            ended => (self.scanned, self.stop) = (true, ended.err()),
         }
     }
 
@@ -92,8 +88,7 @@ impl Session {
         if !self.scanned {
             return SCANNING * self.scanner.share();
         }
-        let points = self.cloud.points().len().max(1);
-        SCANNING + (1.0 - SCANNING) * self.deviations.len() as f64 / points as f64
+        SCANNING + (1.0 - SCANNING) * self.deviations.len() as f64 / self.cloud.points().len().max(1) as f64
     }
 
     /// Why it ended before its end.
@@ -118,14 +113,10 @@ impl Session {
 
     /// Deviation of the points as sent (0), or with the ball taken out (1).
     pub fn deviation(&self, which: usize) -> Deviation {
-        let values = self.deviations.iter().filter_map(|both| both.get(which));
-        let (mut greatest, mut squares) = (0.0_f64, 0.0);
-        for value in values.map(|value| f64::from(*value)) {
-            greatest = greatest.max(value.abs());
-            squares += value * value;
-        }
-        let count = self.deviations.len().max(1) as f64;
-        Deviation { greatest, mean: (squares / count).sqrt() }
+        let values = self.deviations.iter().filter_map(|both| both.get(which).copied().map(f64::from));
+        let greatest = values.clone().fold(0.0_f64, |greatest, value| greatest.max(value.abs()));
+        let squares: f64 = values.map(|value| value * value).sum();
+        Deviation { greatest, mean: (squares / self.deviations.len().max(1) as f64).sqrt() }
     }
 
     /// A point of the scan on the machine.

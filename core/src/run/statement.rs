@@ -9,8 +9,7 @@ use super::path::{Measure, Path};
 use super::{action, branch, contour, declare, indexed, locals, names, of_control, repeat, unread};
 use crate::diagnostic::{Severity, Span};
 use crate::problem::Problem;
-use crate::program;
-use crate::program::words::ignores_arguments;
+use crate::program::words::{ignores_arguments, left_out as left_out_value};
 use crate::syntax::language::BY_TEXT;
 use crate::syntax::links::Link;
 use crate::syntax::tree::{Block, Expr, ExprId, Word, WordKind};
@@ -25,7 +24,6 @@ pub struct Call {
     pub args: Vec<Option<Datum>>,
     /// Names with index of the arguments that are variables, for what a called program or cycle writes.
     pub places: Vec<Option<String>>,
-    /// Place.
     pub span: Span,
 }
 
@@ -40,7 +38,7 @@ impl Call {
         self.args.get(index)?.as_ref()
     }
 
-    /// Its number, 0 where it is omitted; none: it is none.
+    /// Number of an argument, 0 where it is omitted; none: it is a text or the like.
     pub fn number(&self, index: usize) -> Option<f64> {
         self.arg(index).map_or(Some(0.0), Datum::number)
     }
@@ -53,24 +51,19 @@ pub struct Address {
     pub name: String,
     /// Extension in `S1=500`.
     pub extension: Option<u32>,
-    /// AC, IC, DC, …
     pub mode: Option<String>,
-    /// Value.
     pub value: Datum,
-    /// Place.
     pub span: Span,
 }
 
 /// What a block asks for, collected.
 #[derive(Clone, Debug, Default)]
 pub struct Words {
-    /// Addresses.
     pub addresses: Vec<Address>,
     /// Axes that move by themselves: `POS[X]=5`.
     pub positioning: Vec<Address>,
     /// Calls and words without value.
     pub calls: Vec<Call>,
-    /// Motion.
     pub path: Path,
     /// RPL of ROT, degree.
     pub turn: Option<f64>,
@@ -80,7 +73,6 @@ pub struct Words {
     pub case: Option<Datum>,
     /// A constant of CASE that was met: the next jump counts or does not.
     pub armed: Option<bool>,
-    /// The block.
     pub at: usize,
     /// What a declaration has said.
     declaring: Declaring,
@@ -104,13 +96,11 @@ impl Words {
     }
 }
 
-/// Carries out a block.
 pub fn block(run: &mut Interpreter, at: usize) -> Result<Next, Halt> {
     let program = Rc::clone(&run.program);
     let Some(block) = program.blocks.get(at) else { return Ok(Next::End) };
     let words = program.words_of(block);
-    let skipped = block.skip.is_some_and(|level| run.skip.contains(&level));
-    if skipped || left_out(run, words) {
+    if block.skip.is_some_and(|level| run.skip.contains(&level)) || left_out(run, words) {
         return Ok(Next::Block);
     }
     unread::tell(run, at);
@@ -156,8 +146,7 @@ fn repetition(run: &Interpreter, words: &[Word]) -> Option<(Span, ExprId)> {
     })
 }
 
-/// Blocks of which nothing is carried out: declarations of subprograms, and what is told, synchronised actions and
-/// interrupts.
+/// Blocks of which nothing is carried out: declarations; and, which is told, synchronised actions and interrupts.
 fn left_out(run: &mut Interpreter, words: &[Word]) -> bool {
     let loops = run.program.grammar().structures.contains(&"DO");
     for word in words {
@@ -244,11 +233,11 @@ fn left_alone(run: &mut Interpreter, name: &str, span: Span) -> bool {
     if locals::declared(run, name) {
         return false;
     }
-    let value = program::words::value(name);
-    if value == Some(program::words::Value::Told) {
+    let told = left_out_value(name);
+    if told == Some(true) {
         run.tell(Severity::Warning, &Problem::new("run-not-simulated", span, name));
     }
-    value.is_some()
+    told.is_some()
 }
 
 /// Whether a variable of the program has the name of an address. X, Y and Z stay axes, whatever is declared; where the

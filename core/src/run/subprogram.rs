@@ -4,16 +4,89 @@
 use super::datum::Datum;
 use super::declare::Declaring;
 use super::interpret::{Interpreter, Next};
-use super::level::{Level, Variables};
 use super::locals::{Local, Locals, Variable};
+use super::modal::Modal;
+use super::repeat::Repetition;
 use super::statement::{Call, Words};
-use super::{declare, expression, level, locals, names, repeat};
+use super::{declare, expression, locals, names, repeat};
+use crate::control::{Frame, Plane, Units};
 use crate::diagnostic::{Severity, Span};
 use crate::problem::Problem;
 use crate::syntax::language::{BY_PATH, CALL, FROM_OUTSIDE, MODAL};
 use crate::syntax::programs::{Unit, bare};
 use crate::syntax::tree::{Expr, ExprId, Word, WordKind};
+use std::ops::Range;
 use std::rc::Rc;
+
+/// A program that is being carried out.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Level {
+    /// Variables and parameters of the program.
+    pub locals: Locals,
+    pub blocks: Range<usize>,
+    /// Block of the call.
+    pub call: usize,
+    /// Passes that are still to come (`P3`).
+    pub left: u32,
+    /// Program parts that are being repeated (`REPEAT LABEL`), innermost last.
+    pub repeats: Vec<Repetition>,
+    /// Where its variables come from.
+    pub variables: Variables,
+    /// What is called after each block that moves (`MCALL`).
+    pub modal: Option<Call>,
+    /// What `SAVE` brings back at the end.
+    pub saved: Option<Box<Saved>>,
+}
+
+/// Where the variables of a program come from.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum Variables {
+    #[default]
+    Own,
+    /// NCT `M98`: from the caller, which gets them back.
+    Caller,
+    /// NCT `G65`: each pass begins with these.
+    Arguments(Locals),
+}
+
+/// Modal functions and programmed frame at the time of a call.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Saved {
+    modal: Modal,
+    plane: Plane,
+    units: (Units, bool),
+    frame: Frame,
+}
+
+/// Whether one more level fits.
+pub fn room(run: &Interpreter, place: Span) -> Result<(), Problem> {
+    let repeats: usize = run.levels.iter().map(|level| level.repeats.len()).sum();
+    if run.levels.len() + repeats <= run.limits.depth {
+        return Ok(());
+    }
+    Err(Problem::at("run-depth", place).number("limit", run.limits.depth as f64))
+}
+
+/// What is in force now.
+fn save(run: &Interpreter) -> Saved {
+    let control = &run.sim.control;
+    Saved {
+        modal: run.modal,
+        plane: control.plane,
+        units: (control.active_units, control.data_follow),
+        frame: control.program_frame,
+    }
+}
+
+/// Brings back what was in force at the call; the tool stays as it is.
+fn restore(run: &mut Interpreter, saved: Saved) {
+    let tools = (run.modal.prepared, run.modal.waiting_edge);
+    run.modal = saved.modal;
+    (run.modal.prepared, run.modal.waiting_edge) = tools;
+    run.sim.with_length(|control| control.plane = saved.plane);
+    (run.sim.control.active_units, run.sim.control.data_follow) = saved.units;
+    run.sim.control.program_frame = saved.frame;
+}
 
 /// The calls of a block that are carried out now.
 pub fn calls(run: &mut Interpreter, found: &Words) -> Result<Vec<Call>, Problem> {
@@ -31,11 +104,6 @@ pub fn calls(run: &mut Interpreter, found: &Words) -> Result<Vec<Call>, Problem>
     }
 }
 
-/// The call that follows a motion of the present program.
-pub fn after_motion(run: &Interpreter) -> Option<Call> {
-    run.levels.last().and_then(|level| level.modal.clone())
-}
-
 /// `CALL "NAME"`, `CALL VARIABLE`, `EXTCALL("NAME")`: the program that the text names.
 fn named_by_text(run: &Interpreter, call: &Call, rest: &[Call]) -> Result<Call, Problem> {
     let text = match (&call.args[..], rest) {
@@ -51,15 +119,14 @@ pub fn enter(run: &mut Interpreter, at: usize, call: &Call, unit: &Unit, passes:
     if passes == 0 {
         return Ok(Next::Block);
     }
-    level::room(run, call.span)?;
+    room(run, call.span)?;
     let program = Rc::clone(&run.program);
     let words = program.signature(unit);
     let parameters = parameters(run, words)?;
     if call.args.len() > parameters.len() {
         return Err(Problem::new("run-arguments", call.span, &*call.name));
     }
-    let saves = words.iter().any(|word| program.is_call(word, &["SAVE"]));
-    let saved = saves.then(|| Box::new(level::save(run)));
+    let saved = words.iter().any(|word| program.is_call(word, &["SAVE"])).then(|| Box::new(save(run)));
     let mut bound = Locals::new();
     for (i, parameter) in parameters.iter().enumerate() {
         let local = bind(run, parameter, call, i)?;
@@ -69,7 +136,8 @@ pub fn enter(run: &mut Interpreter, at: usize, call: &Call, unit: &Unit, passes:
         }
         bound.insert(name, local);
     }
-    run.levels.push(Level { locals: bound, left: passes - 1, saved, ..Level::new(unit.blocks.clone(), at) });
+    let blocks = unit.blocks.clone();
+    run.levels.push(Level { locals: bound, blocks, call: at, left: passes - 1, saved, ..Level::default() });
     Ok(Next::Jump(unit.blocks.start))
 }
 
@@ -88,7 +156,7 @@ pub fn leave(run: &mut Interpreter) -> Next {
     }
     let Some(level) = run.levels.pop() else { return Next::End };
     if let Some(saved) = level.saved {
-        level::restore(run, *saved);
+        restore(run, *saved);
     }
     if let (Variables::Caller, Some(caller)) = (level.variables, run.levels.last_mut()) {
         caller.locals = level.locals;
@@ -96,10 +164,9 @@ pub fn leave(run: &mut Interpreter) -> Next {
     Next::Jump(repeat::after(run, level.call))
 }
 
-/// A formal parameter.
 struct Parameter {
     name: Span,
-    kind: super::types::Type,
+    kind: super::datum::Type,
     by_reference: bool,
     sizes: Box<[ExprId]>,
     default: Option<ExprId>,
@@ -107,10 +174,8 @@ struct Parameter {
 
 /// The parameters that a `PROC` declares; the first name is that of the program.
 fn parameters(run: &Interpreter, words: &[Word]) -> Result<Vec<Parameter>, Problem> {
-    let mut found = Vec::new();
-    let mut declaring = Declaring::default();
-    let mut by_reference = false;
-    let mut named = false;
+    let (mut found, mut declaring) = (Vec::new(), Declaring::default());
+    let (mut by_reference, mut named) = (false, false);
     for word in words {
         match &word.kind {
             WordKind::Keyword { name, value } => {
@@ -119,11 +184,10 @@ fn parameters(run: &Interpreter, words: &[Word]) -> Result<Vec<Parameter>, Probl
             }
             WordKind::Declare { .. } if !named => named = true,
             WordKind::Declare { name, index, value } => {
-                let kind = declaring.kind.take();
                 let missing = || Problem::new("run-type", *name, run.program.name(*name));
                 found.push(Parameter {
                     name: *name,
-                    kind: kind.ok_or_else(missing)?,
+                    kind: declaring.kind.take().ok_or_else(missing)?,
                     by_reference: std::mem::take(&mut by_reference),
                     sizes: index.clone(),
                     default: *value,
@@ -155,8 +219,7 @@ fn bind(run: &mut Interpreter, parameter: &Parameter, call: &Call, i: usize) -> 
         Some(value) => variable.values = vec![kind.converted(value).ok_or_else(refused)?],
         None => {
             if let Some(default) = parameter.default {
-                let value = expression::evaluate(run, default)?;
-                variable.values = vec![kind.converted(&value).ok_or_else(refused)?];
+                variable.values = vec![kind.converted(&expression::evaluate(run, default)?).ok_or_else(refused)?];
             }
         }
     }
@@ -168,8 +231,7 @@ fn bind(run: &mut Interpreter, parameter: &Parameter, call: &Call, i: usize) -> 
 
 /// A variable of the parameter's sizes; an array that names none (`REAL F[,]`) has those of its argument.
 fn sized(run: &mut Interpreter, parameter: &Parameter, place: Option<&String>) -> Result<Variable, Problem> {
-    let open = parameter.sizes.iter().any(|size| matches!(run.program.expr(*size), Some(Expr::Omitted(_))));
-    if !open {
+    if !parameter.sizes.iter().any(|size| matches!(run.program.expr(*size), Some(Expr::Omitted(_)))) {
         return declare::variable(run, parameter.name, parameter.kind, &parameter.sizes);
     }
     let argument = place.and_then(|place| locals::variable(run, &locals::home(run, place)));
@@ -180,7 +242,7 @@ fn sized(run: &mut Interpreter, parameter: &Parameter, place: Option<&String>) -
 /// A program is called that is not in the text: the run goes on without it, which is told at the first call.
 pub fn not_here(run: &mut Interpreter, name: &str, span: Span) {
     let name = bare(name);
-    if !run.passes_over(name) {
+    if !run.passed.iter().any(|passed| passed.word == name) {
         run.tell(Severity::Note, &Problem::new("run-subprogram", span, name));
     }
 }

@@ -69,8 +69,7 @@ fn absent(run: &Interpreter, key: &str, place: Span) -> Option<Problem> {
     Some(tools::no_edge(number, *edge, place))
 }
 
-/// What the control has under another name too: `$P_AD[6]` for a datum of the active edge, `$VA_IM[X]` measured at the
-/// axis, which here is where it was told to go.
+/// Another name of a datum: `$P_AD[6]` of the active edge, `$VA_IM[X]` measured at the axis, here as commanded.
 fn another_name(run: &Interpreter, key: &str) -> Option<String> {
     if let Some(axis) = key.strip_prefix("$VA_IM[") {
         return Some(format!("$AA_IM[{axis}"));
@@ -83,8 +82,7 @@ fn another_name(run: &Interpreter, key: &str) -> Option<String> {
 /// `$TC_TP2[20]`: name of a tool.
 fn tool_name<'a>(run: &'a Interpreter, key: &str) -> Option<&'a str> {
     let number = key.strip_prefix("$TC_TP2[")?.strip_suffix(']')?;
-    let tool = run.sim.control.tools.get(&number.parse().ok()?)?;
-    Some(&tool.name)
+    Some(&run.sim.control.tools.get(&number.parse().ok()?)?.name)
 }
 
 /// Frames in effect as one: all, or the basic ones.
@@ -119,12 +117,10 @@ fn tool(run: &Interpreter, key: &str) -> Option<f64> {
 
 /// The tool whose number is the index; the outer option: whether that is a number.
 fn tool_of<'a>(run: &'a Interpreter, key: &str) -> Option<Option<&'a Tool>> {
-    let number: i64 = indices(key).first()?.parse().ok()?;
-    Some(run.sim.control.tools.get(&number))
+    Some(run.sim.control.tools.get(&indices(key).first()?.parse().ok()?))
 }
 
-/// Where an axis stands: `$AA_IW[X]` in the WCS, `$P_EP[X]` as programmed there, `$AA_IB` in the basic system, `$AA_IM`
-/// the spindle nose; rotary axes in degree.
+/// Where an axis stands: `$AA_IW` WCS, `$P_EP` programmed, `$AA_IB` basic, `$AA_IM` spindle nose; rotary in degree.
 fn position(run: &Interpreter, key: &str) -> Option<f64> {
     let control = &run.sim.control;
     let (stem, index) = (stem(key), indices(key));
@@ -179,8 +175,7 @@ fn state(run: &Interpreter, key: &str) -> Option<f64> {
 fn total(run: &Interpreter, key: &str) -> Option<f64> {
     let (stem, index) = (stem(key), indices(key));
     let [axis, part] = index[..] else { return None };
-    let frame = together(run, stem)?;
-    Some(component(&frame, axis, part)? / names::variable_factor(run, key))
+    Some(component(&together(run, stem)?, axis, part)? / names::variable_factor(run, key))
 }
 
 /// Bits of the basic frames in the chain; where the mask was never set, of all that exist.

@@ -51,8 +51,7 @@ pub fn pass(run: &mut Interpreter, word: &Word, found: &mut Words) -> Result<(),
     Ok(())
 }
 
-/// Passes over a block whose G function is that of a macro here and of something else on another control. Where the
-/// axes that it names would stand is not known.
+/// Passes over a block whose G function means something else on another control; nobody knows where its axes stand.
 pub fn of_another_control(run: &mut Interpreter, cycle: &'static Cycle, found: &Words) {
     let span = found.path.span;
     let of_macro = |address: &&Address| {
@@ -67,8 +66,7 @@ pub fn of_another_control(run: &mut Interpreter, cycle: &'static Cycle, found: &
 
 /// Nobody knows where the axes of a block stand behind it.
 pub fn leave_axes(run: &mut Interpreter, found: &Words) {
-    let axes = found.addresses.iter();
-    for axis in axes.filter(|address| ["X", "Y", "Z"].contains(&&*address.name)) {
+    for axis in found.addresses.iter().filter(|address| ["X", "Y", "Z"].contains(&&*address.name)) {
         run.unread.insert(axis.name.clone(), axis.span);
     }
 }
@@ -80,8 +78,7 @@ pub type Errors = BTreeMap<usize, Vec<usize>>;
 pub fn errors(program: &Program) -> Errors {
     let mut found = Errors::new();
     for (at, error) in program.errors.iter().enumerate() {
-        let block = program.line_of(error.span.start) as usize;
-        found.entry(block).or_default().push(at);
+        found.entry(program.line_of(error.span.start) as usize).or_default().push(at);
     }
     found
 }
@@ -89,8 +86,7 @@ pub fn errors(program: &Program) -> Errors {
 /// Tells what reading found in a block.
 pub fn tell(run: &mut Interpreter, at: usize) {
     let program = Rc::clone(&run.program);
-    let errors = run.errors.get(&at).into_iter().flatten();
-    let errors = errors.filter_map(|error| program.errors.get(*error));
+    let errors = run.errors.get(&at).into_iter().flatten().filter_map(|error| program.errors.get(*error));
     let found: Vec<_> = errors.map(|error| not_understood(&program, error)).collect();
     for one in found {
         run.tell_once(one);
@@ -134,8 +130,7 @@ fn leading(text: &str) -> Option<u32> {
     text.get(..end)?.parse().ok()
 }
 
-/// Groups of G functions that decide over a measurement: plane, compensation, zero offset, units, absolute or
-/// incremental.
+/// Groups of G functions that decide over a measurement: plane, compensation, zero offset, units, G90 and G91.
 fn group(code: u32) -> Option<u32> {
     Some(match code {
         17..=19 => 17,
@@ -190,24 +185,20 @@ pub fn measures(run: &Interpreter, place: Span) -> Result<(), Problem> {
     names.find(|name| of_machine(run, name)).map_or(Ok(()), |name| known(run, name, place))
 }
 
-/// Whether a name decides over every measurement: a place, the tool, data of the control that no call hands over or
-/// leaves.
+/// Whether a name decides over every measurement: a place, the tool, data that no call hands over or leaves.
 fn of_machine(run: &Interpreter, name: &str) -> bool {
     if name.strip_prefix('G').and_then(leading).is_some() {
         return true;
     }
     if PLACES.contains(&name) {
-        let rotary = ["A", "B", "C"].contains(&name);
-        return !rotary || run.sim.control.rotary_axis(name).is_some();
+        return !["A", "B", "C"].contains(&name) || run.sim.control.rotary_axis(name).is_some();
     }
     let stem = stem(name);
     let own = |cycle: &&'static Cycle| {
         let params = cycle.params.iter().map(|param| param.name.as_str());
-        let results = cycle.results.iter().map(|result| result.name);
-        params.chain(results).any(|known| self::stem(known) == stem)
+        params.chain(cycle.results.iter().map(|result| result.name)).any(|known| self::stem(known) == stem)
     };
-    let datum = gud::find(stem).is_some() && !CYCLES.iter().any(own);
-    datum || name.starts_with('$') || nct_data::find(name).is_some()
+    gud::find(stem).is_some() && !CYCLES.iter().any(own) || name.starts_with('$') || nct_data::find(name).is_some()
 }
 
 /// A call takes these parameters from the data of the control.

@@ -3,7 +3,7 @@
 use super::bytes::is_digit;
 use super::grammar::Grammar;
 use super::reader::{Expect, Reader};
-use super::tree::{Block, Program, SyntaxError};
+use super::tree::{Block, Program, SyntaxError, WordKind};
 use crate::diagnostic::Span;
 use crate::dialect::Dialect;
 use crate::own;
@@ -22,7 +22,7 @@ pub fn read(dialect: Dialect, source: &[u8]) -> Program {
     read_told(dialect, source, &mut |_| {})
 }
 
-/// The same, telling from time to time which share of the text is read.
+/// Reads a program, telling from time to time which share of the text is read.
 pub fn read_told(dialect: Dialect, source: &[u8], told: &mut dyn FnMut(f64)) -> Program {
     // Places are u32; what lies beyond 4 GiB is kept but not read.
     let whole = source.get(..u32::MAX as usize).unwrap_or(source);
@@ -33,13 +33,13 @@ pub fn read_told(dialect: Dialect, source: &[u8], told: &mut dyn FnMut(f64)) -> 
         let start = reader.at;
         let length = reader.source.get(start..).unwrap_or_default().iter().position(|byte| *byte == b'\n');
         let stop = length.map_or(readable.len(), |length| start + length);
-        let carriage = stop > start && readable.get(stop - 1) == Some(&b'\r');
-        reader.end = stop - usize::from(carriage);
+        reader.end = stop - usize::from(stop > start && readable.get(stop - 1) == Some(&b'\r'));
         let rest = reader.rest();
         let alone = rest.iter().position(|byte| *byte == b'\r');
         let ends = |at: &usize| rest.iter().skip(*at).all(u8::is_ascii_whitespace);
-        if let Some(alone) = alone.filter(|at| !ends(at)) {
-            lone_return(&mut reader, start + alone);
+        if let Some(at) = alone.filter(|at| !ends(at)).map(|at| (start + at) as u32) {
+            // the control ends a block with a line feed only
+            reader.errors.push(SyntaxError { span: Span { start: at, end: at + 1 }, sentence: &own::LONE_RETURN });
         }
         line(&mut reader);
         reader.at = stop + 1;
@@ -48,9 +48,8 @@ pub fn read_told(dialect: Dialect, source: &[u8], told: &mut dyn FnMut(f64)) -> 
         }
     }
     if whole.len() < source.len() && end.is_none() {
-        reader
-            .errors
-            .push(SyntaxError { span: Span { start: u32::MAX - 1, end: u32::MAX }, sentence: &own::SYNTAX_TOO_LARGE });
+        let span = Span { start: u32::MAX - 1, end: u32::MAX };
+        reader.errors.push(SyntaxError { span, sentence: &own::SYNTAX_TOO_LARGE });
     }
     reader.errors.extend(behind_end(whole, readable.len()));
     reader.finish(dialect, source)
@@ -65,16 +64,9 @@ fn filled(whole: &[u8]) -> Option<usize> {
 /// What stands behind the end of file, where it is more than blanks and further ends.
 fn behind_end(whole: &[u8], end: usize) -> Option<SyntaxError> {
     let filler = |byte: &u8| byte.is_ascii_whitespace() || matches!(*byte, END_OF_FILE | 0);
-    let behind = whole.get(end..).unwrap_or_default();
-    let first = behind.iter().position(|byte| !filler(byte))?;
+    let first = whole.get(end..).unwrap_or_default().iter().position(|byte| !filler(byte))?;
     let span = Span { start: (end + first) as u32, end: whole.len() as u32 };
     Some(SyntaxError { span, sentence: &own::TEXT_BEHIND_END })
-}
-
-/// The control ends a block with a line feed only.
-fn lone_return(reader: &mut Reader, at: usize) {
-    let span = Span { start: at as u32, end: at as u32 + 1 };
-    reader.errors.push(SyntaxError { span, sentence: &own::LONE_RETURN });
 }
 
 fn line(reader: &mut Reader) {
@@ -89,16 +81,13 @@ fn line(reader: &mut Reader) {
     let number = number(reader);
     let skip = before.or_else(|| skip(reader));
     let mut comment = None;
-    loop {
+    reader.blanks();
+    while !reader.done() {
+        match take_comment(reader) {
+            Some(found) => comment = comment.or(Some(found)),
+            None => word(reader),
+        }
         reader.blanks();
-        if reader.done() {
-            break;
-        }
-        if let Some(found) = take_comment(reader) {
-            comment = comment.or(Some(found));
-            continue;
-        }
-        word(reader);
     }
     let words = reader.first as u32..reader.words.len() as u32;
     reader.blocks.push(Block { span, number, skip, words, comment });
@@ -124,15 +113,10 @@ fn skip(reader: &mut Reader) -> Option<u8> {
         return None;
     }
     reader.at += 1;
-    let digit = reader.byte(0);
-    let level = if is_digit(digit) {
-        reader.at += 1;
-        digit - b'0'
-    } else {
-        0
-    };
+    let level = Some(reader.byte(0)).filter(|digit| is_digit(*digit)).map(|digit| digit - b'0');
+    reader.at += usize::from(level.is_some());
     reader.blanks();
-    Some(level)
+    level.or(Some(0))
 }
 
 /// `N10`; SINUMERIK also `:10`.
@@ -167,4 +151,39 @@ fn take_comment(reader: &mut Reader) -> Option<Span> {
         _ => return None,
     }
     Some(reader.from(start))
+}
+
+/// Whether a text is one value behind a name (SINUMERIK `_FA=…`) or address (NCT `D…`); `R1+` and `R1 M30` are not.
+pub fn is_value(text: &str) -> bool {
+    stands(Dialect::Sinumerik, "_X=", text) || stands(Dialect::Nct, "D", text)
+}
+
+fn stands(dialect: Dialect, before: &str, text: &str) -> bool {
+    let source = format!("{before}{text}");
+    let program = read(dialect, source.as_bytes());
+    let ([word], [block]) = (&program.words[..], &program.blocks[..]) else { return false };
+    let whole = word.span.start == 0 && word.span.end as usize == source.len();
+    let value = matches!(word.kind, WordKind::Assign { .. } | WordKind::Address { .. });
+    whole && value && block.comment.is_none() && program.errors.is_empty()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    // oracle: hand
+    #[test]
+    fn one_value_and_nothing_more() {
+        for text in
+            ["R1", "-R1", "(R1+2)*3", "_OVR[4]-0.5", "$AA_IW[X]", "SQRT(R1)", "#500", "[[#1+2]/2]", "R1 + 2", "1.5EX-3"]
+        {
+            assert!(is_value(text), "{text}");
+        }
+        for text in [
+            "R1+", "(((", "R1 M30", "a b", "R1;2", "R1 ;2", "R1\nM30", "R1=2", "(R1", "R1)", "5 mm", "R[1", "1e5",
+            "\"", "", "R1,R2", "#1+#2", "[#1+2]/2",
+        ] {
+            assert!(!is_value(text), "{text}");
+        }
+    }
 }

@@ -7,8 +7,7 @@ use crate::own;
 /// How tightly an operator binds; higher binds tighter.
 pub(super) type Strength = u8;
 
-/// Reads an expression whose operators bind at least this tightly; 0 for a whole one.
-/// Ends directly behind its last byte.
+/// Reads an expression whose operators bind at least so tightly; 0: a whole one. Ends directly behind its last byte.
 pub(super) fn expression(reader: &mut Reader, least: Strength) -> Parsed<Node> {
     if reader.depth >= DEPTH {
         return Err(&own::SYNTAX_DEPTH);
@@ -32,8 +31,7 @@ fn chain(reader: &mut Reader, least: Strength) -> Parsed<Node> {
         };
         reader.at += length;
         let right = expression(reader, strength + 1)?;
-        let height = left.height.max(right.height) + 1;
-        left = reader.push(Expr::Binary(left.id, operator, right.id), height)?;
+        left = reader.push(Expr::Binary(left.id, operator, right.id), left.height.max(right.height) + 1)?;
     }
 }
 

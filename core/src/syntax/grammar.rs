@@ -8,11 +8,9 @@ use crate::dialect::Dialect;
 
 /// What is peculiar to a language.
 pub(crate) struct Grammar {
-    /// Reads one word.
     pub(super) word: fn(&mut Reader) -> Parsed<()>,
     /// The operator at the present place with its strength and length.
     pub(super) operator: fn(&Reader) -> Option<(Operator, Strength, usize)>,
-    /// Reads one operand.
     pub(super) operand: fn(&mut Reader) -> Parsed<Node>,
     /// What begins a comment: `;` one up to the end of the line, which counts in each language; `(` one up to `)`.
     pub(super) comment: u8,
@@ -57,7 +55,7 @@ static NCT: Grammar = Grammar {
 };
 
 impl Grammar {
-    /// That of a language.
+    /// Grammar of a language.
     pub fn of(dialect: Dialect) -> &'static Grammar {
         match dialect {
             Dialect::Sinumerik => &SINUMERIK,

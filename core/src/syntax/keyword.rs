@@ -11,9 +11,7 @@ pub(super) enum Keyword {
     Target,
     /// A target may follow: `REPEAT`, `REPEATB`.
     Repeat,
-    /// `FOR`.
     For,
-    /// `OF`.
     Of,
     /// `DEF`, `REDEF`.
     Definition,
@@ -49,25 +47,19 @@ pub(super) fn find(name: &[u8]) -> Option<Keyword> {
 }
 
 /// Types and attributes of a declaration.
-pub(super) fn is_type(name: &[u8]) -> bool {
-    const TYPES: &[&[u8]] = &[
-        b"REAL", b"INT", b"BOOL", b"STRING", b"FRAME", b"AXIS", b"CHAR", b"NCK", b"CHAN", b"VAR", b"SYNR", b"SYNW",
-        b"SYNRW", b"PHU", b"LLI", b"ULI", b"APR", b"APW", b"APRP", b"APWP", b"PRLOC",
-    ];
-    TYPES.iter().any(|known| name.eq_ignore_ascii_case(known))
-}
-
+pub(super) const TYPES: &[&[u8]] = &[
+    b"REAL", b"INT", b"BOOL", b"STRING", b"FRAME", b"AXIS", b"CHAR", b"NCK", b"CHAN", b"VAR", b"SYNR", b"SYNW",
+    b"SYNRW", b"PHU", b"LLI", b"ULI", b"APR", b"APW", b"APRP", b"APWP", b"PRLOC",
+];
 /// Addresses of several letters; any other name before `=` is a variable.
-pub(super) fn is_address(name: &[u8]) -> bool {
-    const ADDRESSES: &[&[u8]] = &[
-        b"AP", b"RP", b"AR", b"CR", b"IR", b"JR", b"KR", b"SPOS", b"SPOSA", b"CHF", b"CHR", b"RND", b"RNDM", b"PW",
-        b"SD", b"PL", b"ANG", b"TURN", b"DL", b"FRC", b"FRCM", b"FAD", b"FB", b"FD", b"SF", b"DISR", b"DISCL", b"CT",
-    ];
-    ADDRESSES.iter().any(|known| name.eq_ignore_ascii_case(known))
-}
-
+pub(super) const ADDRESSES: &[&[u8]] = &[
+    b"AP", b"RP", b"AR", b"CR", b"IR", b"JR", b"KR", b"SPOS", b"SPOSA", b"CHF", b"CHR", b"RND", b"RNDM", b"PW", b"SD",
+    b"PL", b"ANG", b"TURN", b"DL", b"FRC", b"FRCM", b"FAD", b"FB", b"FD", b"SF", b"DISR", b"DISCL", b"CT",
+];
 /// Kinds of dimension that stand around a value: `X=IC(5)`.
-pub(super) fn is_mode(name: &[u8]) -> bool {
-    const MODES: &[&[u8]] = &[b"AC", b"IC", b"DC", b"ACP", b"ACN", b"CAC", b"CIC", b"CDC", b"CACP", b"CACN"];
-    MODES.iter().any(|known| name.eq_ignore_ascii_case(known))
+pub(super) const MODES: &[&[u8]] = &[b"AC", b"IC", b"DC", b"ACP", b"ACN", b"CAC", b"CIC", b"CDC", b"CACP", b"CACN"];
+
+/// Whether a name is one of these, without regard to case.
+pub(super) fn is_one_of(name: &[u8], list: &[&[u8]]) -> bool {
+    list.iter().any(|known| name.eq_ignore_ascii_case(known))
 }

@@ -24,15 +24,13 @@ pub enum Link {
 /// Links by block.
 pub type Links = BTreeMap<usize, Link>;
 
-/// Finds what belongs together. NCT `WHILE … DOn` or `DOn` alone and `ENDn` pair like `WHILE` and `ENDWHILE`
-/// where their numbers are the same.
+/// Finds what belongs together. NCT `WHILE … DOn`, or `DOn` alone, and `ENDn` pair where their numbers are the same.
 pub fn links(program: &Program, programs: &Programs) -> Links {
     let mut links = Links::new();
     let mut open: Vec<Open> = Vec::new();
     for (i, block) in program.blocks.iter().enumerate() {
         let words = program.words_of(block);
-        let units = &programs.units;
-        if units.binary_search_by_key(&i, |unit| unit.blocks.start).is_ok() {
+        if programs.units.binary_search_by_key(&i, |unit| unit.blocks.start).is_ok() {
             open.clear();
         }
         let Some(name) = structural(program, words) else { continue };
@@ -54,8 +52,7 @@ pub fn links(program: &Program, programs: &Programs) -> Links {
             links.insert(i, Link::Alone);
             open.push(Open { block: i, end, number, otherwise: true });
         } else if name == "ENDIF" {
-            let link = if otherwise { Link::Else(i) } else { Link::If(i) };
-            links.insert(begin, link);
+            links.insert(begin, if otherwise { Link::Else(i) } else { Link::If(i) });
             links.insert(i, Link::EndIf);
         } else {
             links.insert(begin, Link::Begin(i));
@@ -106,8 +103,7 @@ pub fn structural(program: &Program, words: &[Word]) -> Option<&'static str> {
 fn loop_number(program: &Program, words: &[Word]) -> Option<f64> {
     words.iter().find_map(|word| match &word.kind {
         WordKind::Keyword { value: Some(value), .. } if program.is_keyword(word, &["DO", "END"]) => {
-            let Some(Expr::Number(number, _)) = program.expr(*value) else { return None };
-            Some(*number)
+            if let Some(Expr::Number(number, _)) = program.expr(*value) { Some(*number) } else { None }
         }
         _ => None,
     })
@@ -117,8 +113,7 @@ fn loop_number(program: &Program, words: &[Word]) -> Option<f64> {
 pub fn targets(program: &Program) -> BTreeMap<String, Vec<usize>> {
     let mut targets: BTreeMap<String, Vec<usize>> = BTreeMap::new();
     for (i, block) in program.blocks.iter().enumerate() {
-        let labels = program.words_of(block).iter().filter_map(Word::label);
-        for name in block.number.into_iter().chain(labels) {
+        for name in block.number.into_iter().chain(program.words_of(block).iter().filter_map(Word::label)) {
             targets.entry(canonical(&program.name(name))).or_default().push(i);
         }
     }
@@ -127,9 +122,6 @@ pub fn targets(program: &Program) -> BTreeMap<String, Vec<usize>> {
 
 /// `N0100`, `:100` and `100` are the same place.
 pub fn canonical(name: &str) -> String {
-    let digits = name.strip_prefix(['N', ':']).unwrap_or(name);
-    match digits.parse::<u64>() {
-        Ok(number) => format!("N{number}"),
-        Err(_) => name.to_owned(),
-    }
+    let number = name.strip_prefix(['N', ':']).unwrap_or(name).parse::<u64>();
+    number.map_or(name.to_owned(), |number| format!("N{number}"))
 }

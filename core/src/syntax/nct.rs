@@ -8,12 +8,10 @@ use super::reader::{Parsed, Reader};
 use super::tree::{Expr, ExprId, WordKind};
 use crate::own;
 
-/// Reads one word.
 pub(super) fn word(reader: &mut Reader) -> Parsed<()> {
     let first = reader.byte(0);
-    let begins = reader.words.len() == reader.first;
-    if begins && header(reader, first) {
-        return Ok(());
+    if reader.words.len() == reader.first && begins_program(reader, first) {
+        return header(reader);
     }
     match first {
         b'#' => assignment(reader),
@@ -24,29 +22,23 @@ pub(super) fn word(reader: &mut Reader) -> Parsed<()> {
     }
 }
 
-/// `%`, `%O0110`, `O0110`, `:0110` at the start of a line.
-fn header(reader: &mut Reader, first: u8) -> bool {
+/// Whether a program begins here: `%`, `%O0110`, `O0110`, `:0110`.
+fn begins_program(reader: &Reader, first: u8) -> bool {
+    first == b'%' || matches!(first, b'O' | b'o' | b':') && is_digit(reader.byte(1))
+}
+
+fn header(reader: &mut Reader) -> Parsed<()> {
     let start = reader.at;
-    let number = matches!(first, b'O' | b'o' | b':') && is_digit(reader.byte(1));
-    if first != b'%' && !number {
-        return false;
-    }
-    reader.at += 1;
-    while reader.byte(0).is_ascii_alphanumeric() {
-        reader.at += 1;
-    }
-    let span = reader.from(start);
-    reader.word(start, WordKind::Header(span));
-    true
+    reader.at += 1 + reader.rest().iter().skip(1).take_while(|byte| byte.is_ascii_alphanumeric()).count();
+    reader.word(start, WordKind::Header(reader.from(start)))
 }
 
 /// `#100=…`, `#[…]=…`.
 fn assignment(reader: &mut Reader) -> Parsed<()> {
     let start = reader.at;
     let target = variable(reader)?;
-    let (name, index) = match reader.exprs.get(target.id as usize) {
-        Some(Expr::Name { name, index }) => (*name, index.clone()),
-        _ => return Err(&own::SYNTAX_OPERAND),
+    let Some(Expr::Name { name, index }) = reader.exprs.get(target.id as usize).cloned() else {
+        return Err(&own::SYNTAX_OPERAND);
     };
     if !reader.take(b'=') {
         return Err(&own::SYNTAX_EQUALS);
@@ -58,8 +50,7 @@ fn assignment(reader: &mut Reader) -> Parsed<()> {
     }
     let value = expression(reader, 0)?.id;
     let value_span = reader.from(value_start);
-    reader.word(start, WordKind::Assign { name, index, value_span, value });
-    Ok(())
+    reader.word(start, WordKind::Assign { name, index, value_span, value })
 }
 
 /// `X10`, `X-10.`, `X#100`, `X-#1`, `X[…]`.
@@ -69,8 +60,7 @@ fn address(reader: &mut Reader, letters: usize) -> Parsed<()> {
     let name = reader.from(start);
     reader.blanks();
     let value = plain(reader)?;
-    reader.address(start, name, value);
-    Ok(())
+    reader.address(start, name, value)
 }
 
 /// A number with its sign, a variable or a bracket; never a whole expression: `X10-5` is no word.
@@ -105,6 +95,5 @@ fn keyword(reader: &mut Reader) -> Parsed<()> {
         (true, b'[') => Some(bracket(reader)?.id),
         (true, _) => Some(plain(reader)?),
     };
-    reader.word(start, WordKind::Keyword { name, value });
-    Ok(())
+    reader.word(start, WordKind::Keyword { name, value })
 }

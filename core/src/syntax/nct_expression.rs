@@ -2,6 +2,7 @@
 
 use super::bytes::is_digit;
 use super::expression::{Strength, expression, unary};
+use super::keyword::is_one_of;
 use super::number;
 use super::reader::{Node, Parsed, Reader};
 use super::tree::{Expr, Operator};
@@ -9,8 +10,7 @@ use crate::own;
 
 const UNARY: Strength = 12;
 
-/// The operator at the present place with its strength and length.
-/// Order: functions; `* / AND MOD`; `+ - OR XOR`; comparisons.
+/// The operator at the present place with its strength and length: `* / AND MOD`; `+ - OR XOR`; comparisons.
 pub(super) fn operator(reader: &Reader) -> Option<(Operator, Strength, usize)> {
     const WORDS: &[(&[u8], Operator, Strength)] = &[
         (b"AND", Operator::And, 10),
@@ -23,19 +23,15 @@ pub(super) fn operator(reader: &Reader) -> Option<(Operator, Strength, usize)> {
         (b"LT", Operator::Less, 1),
         (b"GE", Operator::GreaterEqual, 1),
         (b"LE", Operator::LessEqual, 1),
+        (b"+", Operator::Plus, 9),
+        (b"-", Operator::Minus, 9),
+        (b"*", Operator::Times, 10),
+        (b"/", Operator::Over, 10),
     ];
-    match reader.byte(0) {
-        b'+' => return Some((Operator::Plus, 9, 1)),
-        b'-' => return Some((Operator::Minus, 9, 1)),
-        b'*' => return Some((Operator::Times, 10, 1)),
-        b'/' => return Some((Operator::Over, 10, 1)),
-        _ => {}
-    }
     let (word, operator, strength) = WORDS.iter().find(|(word, ..)| reader.begins(word))?;
     Some((*operator, *strength, word.len()))
 }
 
-/// One operand.
 pub(super) fn operand(reader: &mut Reader) -> Parsed<Node> {
     let start = reader.at;
     match reader.byte(0) {
@@ -98,10 +94,9 @@ fn function(reader: &mut Reader) -> Parsed<Node> {
         b"BIN", b"BCD", b"ADP", b"NOT",
     ];
     let start = reader.at;
-    let letters = reader.rest().iter().take(6).take_while(|byte| byte.is_ascii_alphabetic()).count();
-    reader.at += letters;
+    reader.at += reader.rest().iter().take(6).take_while(|byte| byte.is_ascii_alphabetic()).count();
     let name = reader.from(start);
-    if !NAMES.iter().any(|known| reader.text(name).eq_ignore_ascii_case(known)) {
+    if !is_one_of(reader.text(name), NAMES) {
         return Err(&own::SYNTAX_OPERAND);
     }
     let inner = expression(reader, UNARY)?;

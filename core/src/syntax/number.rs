@@ -71,8 +71,7 @@ pub(super) fn quoted(text: &[u8]) -> Option<(f64, usize)> {
         _ => return None,
     };
     let digits = std::str::from_utf8(text.get(2..1 + length)?).ok()?;
-    let value = u64::from_str_radix(digits, base).ok()?;
-    Some((value as f64, length + 2))
+    Some((u64::from_str_radix(digits, base).ok()? as f64, length + 2))
 }
 
 #[cfg(test)]

@@ -38,11 +38,9 @@ impl<'a> Positions<'a> {
     pub fn new(text: &'a [u8]) -> Self {
         let mut marks = vec![0];
         for chunk in text.chunks(STEP) {
-            let before = marks.last().copied().unwrap_or(0);
-            marks.push(before + count(chunk));
+            marks.push(marks.last().copied().unwrap_or(0) + count(chunk));
         }
-        let mark = text.starts_with(BYTE_ORDER_MARK);
-        let first = if mark { BYTE_ORDER_MARK.len() as u32 } else { 0 };
+        let first = if text.starts_with(BYTE_ORDER_MARK) { BYTE_ORDER_MARK.len() as u32 } else { 0 };
         let lines = std::iter::once(first).chain(line_starts(text)).collect();
         Self { text, marks, lines }
     }
@@ -53,8 +51,7 @@ impl<'a> Positions<'a> {
         let line = self.lines.partition_point(|start| *start <= offset).max(1);
         let start = self.lines.get(line - 1).copied().unwrap_or(0);
         let before = self.text.get(start as usize..offset as usize).unwrap_or_default();
-        let column = before.iter().filter(|byte| units(**byte) > 0).count() as u32 + 1;
-        (line as u32, column)
+        (line as u32, before.iter().filter(|byte| units(**byte) > 0).count() as u32 + 1)
     }
 
     /// UTF-16 offset of a byte offset; past the end: the end.

@@ -1,15 +1,14 @@
-//! The programs of a text: `%_N_NAME_SPF` begins one, and so does a `PROC` behind another program's blocks; on NCT
-//! `O0110`, while a `%` alone is the begin or end of the tape.
+//! The programs of a text: `%_N_NAME_SPF` begins one, a `PROC` behind blocks too, on NCT `O0110`; a `%` alone is the
+//! tape.
 
 use super::tree::{Block, Program, Word, WordKind};
-use crate::diagnostic::Span;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 /// One program of a text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Unit {
-    /// Its blocks, header excluded.
+    /// Blocks, header excluded.
     pub blocks: Range<usize>,
     /// The block of its `PROC`.
     pub signature: Option<usize>,
@@ -22,8 +21,7 @@ pub struct Unit {
 pub struct Programs {
     /// In the order of the text.
     pub units: Vec<Unit>,
-    /// By name in upper case: of the header (`NAME` of `%_N_NAME_SPF`, `L10`; NCT `O110`), where there is none of the
-    /// `PROC`.
+    /// By name in upper case: of the header (`NAME` of `%_N_NAME_SPF`, `L10`; NCT `O110`), else of the `PROC`.
     pub names: BTreeMap<String, usize>,
     /// Names that an `EXTERN` declares.
     pub external: BTreeSet<String>,
@@ -32,8 +30,7 @@ pub struct Programs {
 }
 
 impl Programs {
-    /// Place in `units` of the program to which a line belongs, from 0; none: the line of a header, or before the first
-    /// one.
+    /// Place in `units` of the program of a line, both from 0; none: the line of a header, or before the first one.
     pub fn of_line(&self, line: u32) -> Option<usize> {
         self.units.iter().position(|unit| unit.blocks.contains(&(line as usize)))
     }
@@ -43,7 +40,7 @@ impl Programs {
         self.units.get(self.place(name)?)
     }
 
-    /// Its place in `units`.
+    /// Place in `units` of the program with this name.
     pub fn place(&self, name: &str) -> Option<usize> {
         self.names.get(bare(name)).copied()
     }
@@ -85,8 +82,7 @@ pub fn programs(program: &Program) -> Programs {
 
 /// Ends a program; a stretch of empty lines before the first header is none.
 fn close(found: &mut Programs, current: &mut Unit, end: usize, empty: bool) {
-    let first = found.units.is_empty() && found.names.is_empty();
-    if !(first && empty) {
+    if !(found.units.is_empty() && found.names.is_empty() && empty) {
         current.blocks.end = end;
         found.units.push(current.clone());
     }
@@ -123,18 +119,6 @@ fn defined(program: &Program, block: &Block) -> Option<String> {
     let mut calls = program.words_of(block).iter().map(Word::called);
     calls.next()?.filter(|name| program.is(*name, "DEFINE"))?;
     calls.next()?.map(|name| program.name(name))
-}
-
-/// Programs whose `PROC` has another name than their file, by which a call finds them: both names, and the place of the
-/// second.
-pub fn misnamed(program: &Program, programs: &Programs) -> Vec<(String, String, Span)> {
-    let named = programs.units.iter().filter_map(|unit| {
-        let file = unit.file.clone()?;
-        let name = program.signature(unit).iter().find_map(Word::declared)?;
-        let said = program.name(name);
-        (said != file).then_some((file, said, name))
-    });
-    named.collect()
 }
 
 /// What may stand behind the name of a program, in upper case: as the control names its files, and as a PC does.

@@ -24,7 +24,6 @@ pub(super) struct Node {
 /// What the next word of a line may be, beside the ordinary.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Expect {
-    /// Any word.
     Words,
     /// After `DEF`: types, names, commas.
     Definition,
@@ -120,7 +119,6 @@ impl<'a> Reader<'a> {
         false
     }
 
-    /// Steps over a name.
     pub fn name(&mut self) -> Span {
         let start = self.at;
         while in_name(self.byte(0)) {
@@ -150,8 +148,7 @@ impl<'a> Reader<'a> {
     /// A number from a place to the present one, where a sign may stand before the digits.
     pub fn number(&mut self, start: usize, value: f64) -> Parsed<Node> {
         let minus = self.source.get(start) == Some(&b'-');
-        let span = self.from(start);
-        self.push(Expr::Number(if minus { -value } else { value }, span), 1)
+        self.push(Expr::Number(if minus { -value } else { value }, self.from(start)), 1)
     }
 
     /// Whether this word stands at the present place, whatever follows it.
@@ -166,13 +163,14 @@ impl<'a> Reader<'a> {
     }
 
     /// An address and its value, without extension and kind of dimension.
-    pub fn address(&mut self, start: usize, name: Span, value: ExprId) {
-        self.word(start, WordKind::Address { name, extension: None, mode: None, value });
+    pub fn address(&mut self, start: usize, name: Span, value: ExprId) -> Parsed<()> {
+        self.word(start, WordKind::Address { name, extension: None, mode: None, value })
     }
 
-    pub fn word(&mut self, start: usize, kind: WordKind) {
-        let span = self.from(start);
-        self.words.push(Word { span, kind });
+    /// A word from a place to the present one.
+    pub fn word(&mut self, start: usize, kind: WordKind) -> Parsed<()> {
+        self.words.push(Word { span: self.from(start), kind });
+        Ok(())
     }
 
     /// The elements of a list that began when `list` had this length.
@@ -184,55 +182,42 @@ impl<'a> Reader<'a> {
 
     /// Where a block ends inside of a bracket, blanks left out; 0 where it does not.
     fn left_open(&self, place: usize, sentence: &Own, stop: u8) -> usize {
-        let behind = self.source.get(place..self.end).unwrap_or_default();
-        let first = behind.trim_ascii_start().first();
+        let first = self.source.get(place..self.end).unwrap_or_default().trim_ascii_start().first();
         if *sentence != own::SYNTAX_BRACKET || first.is_some_and(|byte| *byte != stop) {
             return 0;
         }
-        let before = self.source.get(..place).unwrap_or_default();
-        before.trim_ascii_end().len()
+        self.source.get(..place).unwrap_or_default().trim_ascii_end().len()
     }
 
     /// Takes back a word of the present line that ends at this place; where it begins.
     fn touched(&mut self, start: usize) -> usize {
         let value = |kind: &WordKind| matches!(kind, WordKind::Address { .. } | WordKind::Assign { .. });
-        let own = self.words.get(self.first..).and_then(<[Word]>::last);
-        let touches = own.filter(|word| word.span.end as usize == start && value(&word.kind));
-        let Some(begin) = touches.map(|word| word.span.start as usize) else { return start };
-        self.words.pop();
-        begin
+        let touches = |word: &mut Word| word.span.end as usize == start && value(&word.kind);
+        let own = self.words.len() > self.first;
+        self.words.pop_if(|word| own && touches(word)).map_or(start, |word| word.span.start as usize)
     }
 
     /// Marks what was not understood, from `start` to the next blank behind `place`, where the reading failed; touching
     /// ones become one, and a word that it touches is not understood either: of `X10+5` and `_FA=2%` nobody knows what
     /// they mean. What stands in a bracket that the block leaves open belongs to it, up to the end.
     pub fn unknown(&mut self, start: usize, place: usize, sentence: &'static Own, stop: u8) {
-        let failed = match self.left_open(place, sentence, stop) {
-            0 => place,
-            end => end,
-        };
-        self.at = failed.max(start + 1);
+        let end = self.left_open(place, sentence, stop);
+        self.at = if end == 0 { place } else { end }.max(start + 1);
         while !self.done() && !is_blank(self.byte(0)) && self.byte(0) != stop {
-            let quoted = self.byte(0) == b'"';
-            let close = if quoted { self.rest().iter().skip(1).position(|byte| *byte == b'"') } else { None };
+            let close = self.rest().strip_prefix(b"\"").and_then(|rest| rest.iter().position(|byte| *byte == b'"'));
             self.at += close.map_or(1, |length| length + 2);
         }
         let start = self.touched(start);
         let span = self.from(start);
-        let joined = match (self.words.get_mut(self.first..).and_then(<[Word]>::last_mut), self.errors.last_mut()) {
+        match (self.words.get_mut(self.first..).and_then(<[Word]>::last_mut), self.errors.last_mut()) {
             (Some(word), Some(error)) if word.kind == WordKind::Unknown && word.span.end == span.start => {
-                word.span.end = span.end;
-                error.span.end = span.end;
-                true
+                (word.span.end, error.span.end) = (span.end, span.end);
             }
-            _ => false,
-        };
-        if !joined {
-            self.words.push(Word { span, kind: WordKind::Unknown });
-            let last = span.end.saturating_sub(1).max(span.start);
-            let start = (place as u32).clamp(span.start, last);
-            let span = Span { start, ..span };
-            self.errors.push(SyntaxError { span, sentence });
+            _ => {
+                self.words.push(Word { span, kind: WordKind::Unknown });
+                let start = (place as u32).clamp(span.start, span.end.saturating_sub(1).max(span.start));
+                self.errors.push(SyntaxError { span: Span { start, ..span }, sentence });
+            }
         }
     }
 }

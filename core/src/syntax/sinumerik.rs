@@ -2,7 +2,7 @@
 
 use super::bytes::{in_name, is_digit, is_letter, starts_name};
 use super::expression::expression;
-use super::keyword::Keyword;
+use super::keyword::{ADDRESSES, Keyword, MODES, TYPES, is_one_of};
 use super::language::BY_PATH;
 use super::reader::{Expect, Parsed, Reader};
 use super::sinumerik_expression::{arguments, foreign_exponent, index, text};
@@ -32,11 +32,10 @@ fn other(reader: &mut Reader) -> Parsed<()> {
     if first == b'%' && reader.words.len() == reader.first {
         let rest = reader.rest();
         reader.at += rest.iter().position(|byte| matches!(byte, b';' | b' ' | b'\t')).unwrap_or(rest.len());
-        let span = reader.from(start);
-        reader.word(start, WordKind::Header(span));
+        return reader.word(start, WordKind::Header(reader.from(start)));
     } else if first == b'"' {
         let constant = text(reader)?;
-        reader.word(start, WordKind::Constant(constant.id));
+        return reader.word(start, WordKind::Constant(constant.id));
     } else if first == b',' && declaring {
         reader.at += 1;
     } else if first == b')' && reader.expect == Expect::Parameters {
@@ -44,7 +43,7 @@ fn other(reader: &mut Reader) -> Parsed<()> {
         reader.expect = Expect::Words;
     } else if reader.expect == Expect::Constants || (declaring && is_digit(first)) {
         let constant = expression(reader, 0)?;
-        reader.word(start, WordKind::Constant(constant.id));
+        return reader.word(start, WordKind::Constant(constant.id));
     } else {
         return Err(if first == b',' { &own::SYNTAX_COMMA } else { &own::SYNTAX_UNKNOWN });
     }
@@ -71,21 +70,17 @@ fn short(reader: &mut Reader) -> Parsed<()> {
     foreign_number(reader)?;
     if whole && letter.eq_ignore_ascii_case(&b'L') {
         let name = reader.from(start);
-        reader.word(start, WordKind::Call { name, args: Box::default(), brackets: false });
-        return Ok(());
+        return reader.word(start, WordKind::Call { name, args: Box::default(), brackets: false });
     }
     let value = reader.number(number_start, value)?.id;
-    reader.address(start, name, value);
-    Ok(())
+    reader.address(start, name, value)
 }
 
-/// A letter with a whole number that is a name or an extension: `S1=500`, `R10=`, `L10(…)`, `A1:`, `A1[2]=`. None: it
-/// is a value.
+/// A letter with a whole number that is a name or an extension: `S1=500`, `R10=`, `L10(…)`, `A1:`, `A1[2]=`; else none.
 fn extended(reader: &mut Reader, start: usize, letter: Span, number: f64) -> Option<Parsed<()>> {
     let behind = reader.at;
-    let label = reader.byte(0) == b':' && reader.words.len() == reader.first && !is_digit(reader.byte(1));
     let name = reader.from(start);
-    if label {
+    if reader.byte(0) == b':' && reader.words.len() == reader.first && !is_digit(reader.byte(1)) {
         return Some(finish_label(reader, start, name));
     }
     if in_name(reader.byte(0)) || reader.take(b'[') {
@@ -127,7 +122,7 @@ fn named(reader: &mut Reader) -> Parsed<()> {
     if assigns(reader) {
         let counts = reader.expect == Expect::Counter;
         reader.expect = if counts { Expect::Words } else { reader.expect };
-        if index.is_empty() && !counts && (text.len() == 1 && text != b"_" || keyword::is_address(text)) {
+        if index.is_empty() && !counts && (text.len() == 1 && text != b"_" || is_one_of(text, ADDRESSES)) {
             return address(reader, start, name, None);
         }
         return assign(reader, start, name, index);
@@ -140,16 +135,14 @@ fn named(reader: &mut Reader) -> Parsed<()> {
     }
     if reader.expect == Expect::Constants {
         let value = reader.push(Expr::Name { name, index }, 1)?.id;
-        reader.word(start, WordKind::Constant(value));
-        return Ok(());
+        return reader.word(start, WordKind::Constant(value));
     }
     call(reader, start, name)
 }
 
 fn finish_label(reader: &mut Reader, start: usize, name: Span) -> Parsed<()> {
     reader.at += 1;
-    reader.word(start, WordKind::Label(name));
-    Ok(())
+    reader.word(start, WordKind::Label(name))
 }
 
 /// Steps over `=` (not `==`) and blanks around it; else stays.
@@ -167,8 +160,7 @@ fn assigns(reader: &mut Reader) -> bool {
 
 fn assign(reader: &mut Reader, start: usize, name: Span, index: Box<[ExprId]>) -> Parsed<()> {
     let (value, value_span) = value(reader)?;
-    reader.word(start, WordKind::Assign { name, index, value_span, value });
-    Ok(())
+    reader.word(start, WordKind::Assign { name, index, value_span, value })
 }
 
 fn value(reader: &mut Reader) -> Parsed<(ExprId, Span)> {
@@ -198,7 +190,7 @@ fn address(reader: &mut Reader, start: usize, name: Span, extension: Option<u32>
     let mut mode = None;
     if is_letter(reader.byte(0)) {
         let word = reader.name();
-        if keyword::is_mode(reader.text(word)) && reader.take(b'(') {
+        if is_one_of(reader.text(word), MODES) && reader.take(b'(') {
             mode = Some(word);
         } else {
             reader.at = right;
@@ -208,8 +200,7 @@ fn address(reader: &mut Reader, start: usize, name: Span, extension: Option<u32>
     if mode.is_some() && !reader.take(b')') {
         return Err(&own::SYNTAX_BRACKET);
     }
-    reader.word(start, WordKind::Address { name, extension, mode, value });
-    Ok(())
+    reader.word(start, WordKind::Address { name, extension, mode, value })
 }
 
 /// A letter, blanks, a number: `X 10`.
@@ -220,15 +211,14 @@ fn spaced(reader: &mut Reader, start: usize, name: Span) -> Parsed<()> {
     let (value, length) = number::with_exponent(reader.rest()).ok_or(&own::SYNTAX_VALUE)?;
     reader.at += length;
     let value = reader.number(value_start, value)?.id;
-    reader.address(start, name, value);
-    Ok(())
+    reader.address(start, name, value)
 }
 
 /// `NAME`, `NAME(…)`; behind `PCALL` a path may stand before the next name.
 fn call(reader: &mut Reader, start: usize, name: Span) -> Parsed<()> {
     let brackets = reader.take(b'(');
     let args = if brackets { arguments(reader)? } else { Box::default() };
-    reader.word(start, WordKind::Call { name, args, brackets });
+    reader.word(start, WordKind::Call { name, args, brackets })?;
     if !brackets && reader.text(name).eq_ignore_ascii_case(BY_PATH.as_bytes()) {
         folders(reader);
     }
@@ -243,8 +233,7 @@ fn folders(reader: &mut Reader) {
     }
     let rest = reader.rest();
     let path = rest.iter().take_while(|byte| in_name(**byte) || **byte == b'/').count();
-    let name = rest.iter().take(path).rposition(|byte| *byte == b'/');
-    reader.at += name.map_or(0, |slash| slash + 1);
+    reader.at += rest.iter().take(path).rposition(|byte| *byte == b'/').map_or(0, |slash| slash + 1);
 }
 
 fn keyword_word(reader: &mut Reader, start: usize, name: Span, kind: Keyword) -> Parsed<()> {
@@ -265,27 +254,23 @@ fn keyword_word(reader: &mut Reader, start: usize, name: Span, kind: Keyword) ->
         Keyword::Procedure => Expect::Procedure,
         _ => reader.expect,
     };
-    reader.word(start, WordKind::Keyword { name, value });
-    Ok(())
+    reader.word(start, WordKind::Keyword { name, value })
 }
 
 /// A type, or a declared name with its sizes and first value.
 fn declaration(reader: &mut Reader, start: usize, name: Span) -> Parsed<()> {
-    let is_type = keyword::is_type(reader.text(name));
+    let is_type = is_one_of(reader.text(name), TYPES);
     let (index, _) = index(reader)?;
     if is_type {
-        let value = index.first().copied();
-        reader.word(start, WordKind::Keyword { name, value });
-        return Ok(());
+        return reader.word(start, WordKind::Keyword { name, value: index.first().copied() });
     }
     let value = if assigns(reader) { Some(value(reader)?.0) } else { None };
-    reader.word(start, WordKind::Declare { name, index, value });
-    Ok(())
+    reader.word(start, WordKind::Declare { name, index, value })
 }
 
 /// The name after `PROC` or `EXTERN`; the opening bracket belongs to it.
 fn procedure(reader: &mut Reader, start: usize, name: Span) -> Parsed<()> {
-    reader.word(start, WordKind::Declare { name, index: Box::default(), value: None });
+    reader.word(start, WordKind::Declare { name, index: Box::default(), value: None })?;
     reader.expect = if reader.take(b'(') { Expect::Parameters } else { Expect::Words };
     Ok(())
 }

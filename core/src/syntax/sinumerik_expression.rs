@@ -3,7 +3,7 @@
 //! Order of the operators as in the control's own table: `NOT`; `* / DIV MOD`; `+ -`; `B_AND`; `B_XOR`; `B_OR`; `AND`;
 //! `XOR`; `OR`; `<<`; comparisons last. So `A == 1 AND B == 1` needs brackets.
 
-use super::bytes::{is_digit, starts_name};
+use super::bytes::{in_name, is_digit, starts_name};
 use super::expression::{Strength, expression, unary};
 use super::reader::{Expect, Node, Parsed, Reader};
 use super::tree::{Expr, ExprId, Operator};
@@ -45,19 +45,16 @@ fn word(reader: &Reader) -> Option<(Operator, Strength, usize)> {
         (b"B_OR", Operator::BitOr, 6),
         (b"B_XOR", Operator::BitXor, 7),
     ];
-    let rest = reader.rest();
-    let length = rest.iter().take(6).take_while(|byte| super::bytes::in_name(**byte)).count();
-    let name = rest.get(..length)?;
+    let length = reader.rest().iter().take(6).take_while(|byte| in_name(**byte)).count();
+    let name = reader.rest().get(..length)?;
     let (word, operator, strength) = WORDS.iter().find(|(word, ..)| name.eq_ignore_ascii_case(word))?;
     Some((*operator, *strength, word.len()))
 }
 
-/// One operand.
 pub(super) fn operand(reader: &mut Reader) -> Parsed<Node> {
     let first = reader.byte(0);
     if is_digit(first) || first == b'.' {
-        let read = number::with_exponent(reader.rest());
-        let number = constant(reader, read)?;
+        let number = constant(reader, number::with_exponent)?;
         return foreign_exponent(reader).map(|()| number);
     }
     if starts_name(first) {
@@ -70,16 +67,13 @@ pub(super) fn operand(reader: &mut Reader) -> Parsed<Node> {
         b'(' => brackets(reader),
         b'"' => text(reader),
         b'\'' if reader.byte(2) == b'\'' => quoted(reader, 1),
-        b'\'' => {
-            let read = number::quoted(reader.rest());
-            constant(reader, read)
-        }
+        b'\'' => constant(reader, number::quoted),
         _ => Err(&own::SYNTAX_OPERAND),
     }
 }
 
-fn constant(reader: &mut Reader, read: Option<(f64, usize)>) -> Parsed<Node> {
-    let (value, length) = read.ok_or(&own::SYNTAX_NUMBER)?;
+fn constant(reader: &mut Reader, read: fn(&[u8]) -> Option<(f64, usize)>) -> Parsed<Node> {
+    let (value, length) = read(reader.rest()).ok_or(&own::SYNTAX_NUMBER)?;
     let start = reader.at;
     reader.at += length;
     reader.number(start, value)
@@ -127,16 +121,13 @@ fn named(reader: &mut Reader) -> Parsed<Node> {
     reader.push(Expr::Name { name, index }, height + 1)
 }
 
-/// `[1,X,TR]`, if there is one, with the height of its tallest element; blanks may stand before it. A parameter may
-/// leave its size open: `REAL F[]`.
+/// `[1,X,TR]`, if there is one, with the height of its tallest element; a parameter may leave a size open: `F[]`.
 pub(super) fn index(reader: &mut Reader) -> Parsed<(Box<[ExprId]>, u16)> {
     if !reader.take(b'[') {
         return Ok((Box::default(), 0));
     }
-    let open = reader.expect == Expect::Parameters && reader.take(b']');
-    if open {
-        let span = reader.from(reader.at);
-        let one = reader.push(Expr::Omitted(span), 1)?;
+    if reader.expect == Expect::Parameters && reader.take(b']') {
+        let one = reader.push(Expr::Omitted(reader.from(reader.at)), 1)?;
         return Ok(([one.id].into(), one.height));
     }
     let (index, height) = list(reader, b']')?;
@@ -147,7 +138,9 @@ pub(super) fn index(reader: &mut Reader) -> Parsed<(Box<[ExprId]>, u16)> {
 fn brackets(reader: &mut Reader) -> Parsed<Node> {
     reader.at += 1;
     reader.blanks();
-    if reader.byte(0) != b',' {
+    let (elements, height) = if reader.byte(0) == b',' {
+        list(reader, b')')?
+    } else {
         let inner = expression(reader, 0)?;
         if reader.take(b')') {
             return Ok(inner);
@@ -157,10 +150,8 @@ fn brackets(reader: &mut Reader) -> Parsed<Node> {
             return Err(&own::SYNTAX_BRACKET);
         }
         let base = reader.list.len() - 1;
-        let (elements, height) = filled(reader, base, b')', inner.height)?;
-        return reader.push(Expr::List(elements), height + 1);
-    }
-    let (elements, height) = list(reader, b')')?;
+        filled(reader, base, b')', inner.height)?
+    };
     reader.push(Expr::List(elements), height + 1)
 }
 
@@ -177,14 +168,10 @@ fn filled(reader: &mut Reader, base: usize, close: u8, height: u16) -> Parsed<(B
     let height = elements(reader, close, height)?;
     let mut ids = Vec::with_capacity(reader.list.len() - base);
     for place in base..reader.list.len() {
-        let id = match reader.list.get(place).copied().flatten() {
+        ids.push(match reader.list.get(place).copied().flatten() {
             Some(id) => id,
-            None => {
-                let span = reader.from(reader.at);
-                reader.push(Expr::Omitted(span), 1)?.id
-            }
-        };
-        ids.push(id);
+            None => reader.push(Expr::Omitted(reader.from(reader.at)), 1)?.id,
+        });
     }
     reader.list.truncate(base);
     Ok((ids.into(), height))

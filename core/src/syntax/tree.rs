@@ -88,15 +88,14 @@ impl Program {
         }
     }
 
-    /// Number of such an address, where no variable stands in it.
+    /// Number of an address with these letters, where no variable stands in it.
     pub fn constant(&self, word: &Word, letters: &str) -> Option<f64> {
         fold::number(self, self.address(word, letters)?, NOTHING)
     }
 
-    /// The same where a number stands there and nothing else.
+    /// Number of an address with these letters, where a number stands there and nothing else.
     pub fn literal(&self, word: &Word, letters: &str) -> Option<f64> {
-        let Expr::Number(number, _) = self.expr(self.address(word, letters)?)? else { return None };
-        Some(*number)
+        if let Expr::Number(number, _) = self.expr(self.address(word, letters)?)? { Some(*number) } else { None }
     }
 
     /// Number of an M function of the main spindle, where no variable stands in it.
@@ -119,8 +118,7 @@ impl Program {
 
     /// Line (from 0) that holds a byte; the line end belongs to the line before it.
     pub fn line_of(&self, offset: u32) -> u32 {
-        let after = self.blocks.partition_point(|block| block.span.start <= offset);
-        after.saturating_sub(1) as u32
+        self.blocks.partition_point(|block| block.span.start <= offset).saturating_sub(1) as u32
     }
 }
 
@@ -133,7 +131,7 @@ pub struct Block {
     pub number: Option<Span>,
     /// Skip level 0..9 of a leading `/`.
     pub skip: Option<u8>,
-    /// Its words in [`Program::words`].
+    /// Words of the line in [`Program::words`].
     pub words: Range<u32>,
     /// `; …` (NCT: `( … )`), delimiters included.
     pub comment: Option<Span>,
@@ -151,26 +149,22 @@ pub struct Word {
 impl Word {
     /// Name of a keyword.
     pub fn keyword(&self) -> Option<Span> {
-        let WordKind::Keyword { name, .. } = self.kind else { return None };
-        Some(name)
+        if let WordKind::Keyword { name, .. } = self.kind { Some(name) } else { None }
     }
 
     /// Name of what it calls.
     pub fn called(&self) -> Option<Span> {
-        let WordKind::Call { name, .. } = self.kind else { return None };
-        Some(name)
+        if let WordKind::Call { name, .. } = self.kind { Some(name) } else { None }
     }
 
     /// Name that it declares.
     pub fn declared(&self) -> Option<Span> {
-        let WordKind::Declare { name, .. } = self.kind else { return None };
-        Some(name)
+        if let WordKind::Declare { name, .. } = self.kind { Some(name) } else { None }
     }
 
     /// Name of a label.
     pub fn label(&self) -> Option<Span> {
-        let WordKind::Label(name) = self.kind else { return None };
-        Some(name)
+        if let WordKind::Label(name) = self.kind { Some(name) } else { None }
     }
 }
 
@@ -199,9 +193,8 @@ pub enum WordKind {
         /// Right side.
         value: ExprId,
     },
-    /// One name of a declaration, after the keywords `DEF` (`PROC`, `EXTERN`) and the type:
-    /// `DEF REAL A, B[3]=SET(1,2)` is `DEF`, `REAL`, `A`, `B[3]=…`. A type takes its length: `STRING[28]` has the value
-    /// 28.
+    /// One name of a declaration, after the keywords `DEF` (`PROC`, `EXTERN`) and the type, which may have a length:
+    /// `DEF REAL A, B[3]=SET(1,2)` is `DEF`, `REAL`, `A`, `B[3]=…`; `STRING[28]` has the value 28.
     Declare {
         /// Name.
         name: Span,
@@ -223,13 +216,11 @@ pub enum WordKind {
     },
     /// `LABEL:`.
     Label(Span),
-    /// `IF`, `ELSE`, `ENDIF`, `WHILE`, `ENDWHILE`, `FOR`, `GOTOF`, `DEF`, …: the word; what follows it are words of
-    /// their own.
+    /// `IF`, `ELSE`, `ENDIF`, `WHILE`, `FOR`, `GOTOF`, `DEF`, …: the word; what follows it are words of their own.
     Keyword {
         /// Word.
         name: Span,
-        /// Condition or target expression, where the keyword takes one; a target is a name (`LABEL`, `N100`), a text or
-        /// a number.
+        /// Condition or target, where the keyword takes one; a target is a name (`LABEL`, `N100`), a text or a number.
         value: Option<ExprId>,
     },
     /// `%_N_NAME_MPF`, `%O0110`, `%`.

@@ -44,11 +44,7 @@ pub fn look(seen: &Seen, asked: &mut Asked, found: &mut Vec<Diagnostic>) {
     let mut say = |finding: Diagnostic| found.push(finding.on(seen.site.span));
     compensation(seen).map(&mut say);
     if !asked.piece {
-        for finding in unsaid::doubts(seen) {
-            if asked.said.insert(finding.code) {
-                say(finding);
-            }
-        }
+        unsaid::doubts(seen).filter(|doubt| asked.said.insert(doubt.code)).for_each(&mut say);
         calibration(seen, asked).map(&mut say);
     }
     edge(seen, asked).map(&mut say);
@@ -68,8 +64,7 @@ fn compensation(seen: &Seen) -> Option<Diagnostic> {
     Some(with_line(finding, seen, "G40"))
 }
 
-/// Without a D number alarm 61311 comes. Behind a tool change D1 counts unless the machine is set otherwise: asked
-/// once.
+/// Without a D number alarm 61311 comes. Behind a tool change D1 counts, unless the machine is set otherwise.
 fn edge(seen: &Seen, asked: &mut Asked) -> Option<Diagnostic> {
     let finding = if seen.force.edge.is() == Some(&0) {
         error(Code::Alarm(61311), Message::new("advice-edge-none")).hint(Message::new("advice-edge-hint"))
@@ -81,8 +76,7 @@ fn edge(seen: &Seen, asked: &mut Asked) -> Option<Diagnostic> {
     Some(with_line(finding, seen, "D1"))
 }
 
-/// The tool in use is none with which a milling cycle may be called (B:4147-4152). What turning cycles and tool probes
-/// take, their own checks say.
+/// The tool in use is none for a milling cycle (B:4147-4152). What others take, their own checks say.
 fn tool(seen: &Seen) -> Option<Diagnostic> {
     let tool = milling_probe(seen)?;
     // what the text does not tell the machine may have
@@ -150,8 +144,7 @@ fn on_machine(control: &Control, number: i64) -> bool {
 
 /// Whether some workpiece probe of the machine is calibrated: then its data are known, and another one is not.
 fn known_machine(control: &Control) -> bool {
-    let fields = control.number("_CVAL[1]").clamp(0.0, 99.0) as i64;
-    (1..=fields).any(|number| on_machine(control, number))
+    (1..=control.number("_CVAL[1]").clamp(0.0, 99.0) as i64).any(|number| on_machine(control, number))
 }
 
 /// Whether the program calibrates this probe anywhere.

@@ -20,7 +20,6 @@ use std::collections::BTreeMap;
 pub struct Corrected {
     /// G function that takes it; none: a basic or system frame, which each of them takes.
     function: Option<u16>,
-    /// The one in force at the call.
     active: Mode<u16>,
     /// The function that brings it into effect, where it is known.
     cure: Option<u16>,
@@ -29,10 +28,7 @@ pub struct Corrected {
 impl Corrected {
     /// Whether the program moves in it before it is taken anew.
     fn in_force(&self) -> bool {
-        match &self.function {
-            Some(function) => self.active.is() == Some(function),
-            None => true,
-        }
+        self.function.as_ref().is_none_or(|function| self.active.is() == Some(function))
     }
 }
 
@@ -62,8 +58,7 @@ fn function(number: u16) -> u16 {
     if number < 5 { 53 + number } else { 500 + number }
 }
 
-/// The program goes on without ever taking a frame that one of its calls corrected. Between two calls the old frame may
-/// be meant: they measure one axis each.
+/// The program never takes a frame that a call corrected. Between two calls that may be meant: one axis each.
 pub fn look(
     program: &Program,
     programs: &Programs,
@@ -137,8 +132,7 @@ impl Rules<'_> {
     /// What moved the axes, in frames that were corrected and not taken.
     fn use_all(&self, pending: &mut Pending) {
         for (index, waiting) in pending {
-            let in_force = self.corrected.get(index).is_some_and(Corrected::in_force);
-            waiting.moved |= in_force || waiting.other.is_some();
+            waiting.moved |= waiting.other.is_some() || self.corrected.get(index).is_some_and(Corrected::in_force);
         }
     }
 }
@@ -203,8 +197,7 @@ impl Meet for Pending {
     }
 }
 
-/// G functions beside which an axis word moves nothing in the frame in force: G53, G153 and fixed points are those of
-/// the machine, G58 and G59 write a frame.
+/// G functions beside which an axis word moves nothing in the frame in force: of the machine, or writing a frame.
 const BESIDE: [f64; 6] = [53.0, 58.0, 59.0, 74.0, 75.0, 153.0];
 
 /// Whether an axis moves in the frame in force.

@@ -1,5 +1,6 @@
 //! Values that were written for an earlier call and reach this one, where they mean something else: the data of a call
-//! persist until they are overwritten (`_TSA` in mm reaching a cycle that takes it as degrees).
+//! persist until they are overwritten (`_TSA` in mm reaching a cycle that takes it as degrees). And values that were
+//! written for a call and do not reach it.
 
 use super::Seen;
 use crate::control::Transverse;
@@ -7,7 +8,8 @@ use crate::diagnostic::Diagnostic;
 use crate::entry::{Inputs, Kind, Level, Param, Unit};
 use crate::message::Message;
 use crate::program::calls::CallSite;
-use crate::program::change::change;
+use crate::program::change::{change, line_at_begin};
+use crate::syntax::Program;
 use crate::{check, own};
 
 /// Labels of one parameter in the same words; where they differ is in their help. A test holds them against the words.
@@ -35,19 +37,16 @@ struct Meaning {
 impl Meaning {
     fn of(param: &Param, inputs: &Inputs) -> Meaning {
         let number = inputs.given(param.name);
-        let variants = match param.kind {
-            Kind::Variant(_) => inputs.cycle.variants,
-            _ => &[],
-        };
-        let variant = variants.iter().find(|variant| Some(variant.number as f64) == number);
-        let choices = param.kind.choices(inputs).unwrap_or_default().iter();
-        let mut choices = choices.filter(|(value, _)| Some(*value as f64) == number);
+        let is = |value: i64| Some(value as f64) == number;
+        let variants = if let Kind::Variant(_) = param.kind { inputs.cycle.variants } else { &[] };
+        let variant = variants.iter().find(|variant| is(variant.number)).map(|variant| variant.key);
+        let choices = param.kind.choices(inputs).unwrap_or_default();
         let label = param.label(inputs);
         let same = SAME.iter().find(|same| same.contains(&label));
         Meaning {
             label: same.and_then(|same| same.first()).unwrap_or(&label),
             unit: param.unit_with(inputs),
-            choice: variant.map(|variant| variant.key).or(choices.next().map(|(_, key)| *key)),
+            choice: variant.or_else(|| choices.iter().find(|(value, _)| is(*value)).map(|(_, key)| *key)),
         }
     }
 
@@ -113,9 +112,8 @@ fn doubt(seen: &Seen, param: &'static Param, level: Level, site: &CallSite, ther
     Some(finding.cured(Message::new("advice-write").text("name", param.name).text("value", value), edits))
 }
 
-/// Whether the difference may be an accident. What has a delivered value (path, safe area, feed, number of the probe)
-/// says how is measured, and is meant to stay; unless its unit is another one, or it is about the other sort of probe.
-/// What has none says what is measured.
+/// Whether the difference may be an accident. What has a delivered value (path, safe area, feed, probe number) says how
+/// is measured and is meant to stay, unless its unit or sort of probe is another one. Others say what is measured.
 fn counts(seen: &Seen, param: &Param, site: &CallSite, (before, now): (&Meaning, &Meaning)) -> bool {
     let number = seen.inputs.given(param.name);
     if matches!(param.kind, Kind::Knum) && number == Some(0.0) {
@@ -135,6 +133,20 @@ fn owner(seen: &Seen, name: &str) -> Option<usize> {
     let site = seen.sites.get(index)?;
     let own = index < seen.index && place.start >= site.own_from;
     (own && site.places.get(name) == Some(&place)).then_some(index)
+}
+
+/// Assignments that do not reach their call: a subprogram called between writes the same datum of the channel.
+pub fn overwritten(program: &Program, sites: &[CallSite], found: &mut Vec<Diagnostic>) {
+    for site in sites {
+        for (name, place, call) in &site.overwritten {
+            let line = f64::from(program.line_of(call.start) + 1);
+            let finding = own::ADVICE_OVERWRITTEN.finding().text("name", *name).number("line", line);
+            let value = program.written(*place);
+            let edit = line_at_begin(program, site.line, &format!("{name}={value}"));
+            let label = Message::new("advice-write").text("name", *name).text("value", value.trim());
+            found.push(finding.hint_text("name", *name).cured(label, edit.into_iter().collect()).on(*place));
+        }
+    }
 }
 
 #[cfg(all(test, feature = "cli"))]

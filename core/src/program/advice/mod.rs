@@ -3,7 +3,6 @@
 mod at_call;
 mod behind;
 mod inherited;
-mod overwritten;
 mod read_back;
 mod subprograms;
 mod unsaid;
@@ -94,27 +93,22 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
     }
     behind::look(program, &programs, sites, &corrected, &mut found);
     subprograms::too_deep(program, &programs, sites, &mut found);
-    overwritten::look(program, sites, &mut found);
+    inherited::overwritten(program, sites, &mut found);
+    // What these rules say comes from the manuals of the older control; about a list of a newer one it is a note, but
+    // that the tool is no probe, or that it turns.
     for one in &mut found {
-        lower(one, sites);
+        let certain = [Code::Alarm(61309), own::ADVICE_SPINDLE.code()].contains(&one.code);
+        if !certain && sites.iter().any(|site| Some(site.span) == one.span && site.newer_list().is_some()) {
+            one.severity = Severity::Note;
+        }
     }
     found
 }
 
-/// What these rules say comes from the manuals of the older control; about a list of a newer one it is a note, but that
-/// the tool is no probe, or that it turns.
-fn lower(one: &mut Diagnostic, sites: &[CallSite]) {
-    let of_call = sites.iter().find(|site| Some(site.span) == one.span);
-    let certain = [Code::Alarm(61309), own::ADVICE_SPINDLE.code()].contains(&one.code);
-    if of_call.is_some_and(|site| site.newer_list().is_some()) && !certain {
-        one.severity = Severity::Note;
-    }
-}
-
 /// The calls as the run comes to them, each once a way.
 fn in_order(sites: &[CallSite]) -> Vec<(usize, &CallSite, &Way)> {
-    let all = sites.iter().enumerate().flat_map(|(index, site)| site.ways.iter().map(move |way| (index, site, way)));
-    let mut all: Vec<_> = all.collect();
+    let ways = sites.iter().enumerate().flat_map(|(index, site)| site.ways.iter().map(move |way| (index, site, way)));
+    let mut all: Vec<_> = ways.collect();
     all.sort_by_key(|(_, _, way)| way.order);
     all
 }
@@ -124,8 +118,7 @@ fn in_order(sites: &[CallSite]) -> Vec<(usize, &CallSite, &Way)> {
 fn begin(program: &Program, site: &CallSite) -> u32 {
     let assigns = |word: &Word| matches!(word.kind, WordKind::Assign { .. });
     let only = |line: &u32| program.words_at(*line as usize).iter().all(assigns);
-    let before = (site.first_line..site.line).rev().take_while(only);
-    before.last().unwrap_or(site.line)
+    (site.first_line..site.line).rev().take_while(only).last().unwrap_or(site.line)
 }
 
 /// Offers a line before the call and its assignments.
@@ -144,8 +137,7 @@ fn between(finding: Diagnostic, seen: &Seen, before: &str, behind: &str) -> Diag
 
 /// Offers a line behind the call.
 fn behind_call(finding: Diagnostic, program: &Program, site: &CallSite, text: &str) -> Diagnostic {
-    let label = Message::new("advice-insert-behind").text("text", text);
-    finding.cured(label, vec![line_behind(program, site, text)])
+    finding.cured(Message::new("advice-insert-behind").text("text", text), vec![line_behind(program, site, text)])
 }
 
 fn line_behind(program: &Program, site: &CallSite, text: &str) -> Edit {

@@ -1,5 +1,4 @@
-//! What the support in the control's own editor makes of a call that it reads back: the settings in force count, and
-//! their changes go into the program (B:12549-12558).
+//! What the control's own editor makes of a call that it reads back, by the settings in force (B:12549-12558).
 
 use super::Seen;
 use crate::check::{Parsed, parse};
@@ -9,7 +8,7 @@ use crate::entry::{Param, names};
 use crate::message::Message;
 use crate::program::calls::CallSite;
 use crate::program::change::{change, line_before};
-use crate::program::marked::mark_before;
+use crate::program::own_words::mark_before;
 use crate::support::{Changed, Mark, Support};
 use crate::syntax::Program;
 use crate::{check, own, support};
@@ -24,50 +23,25 @@ struct Change {
     after: String,
 }
 
-/// The settings that a comment before the call names, and those of the machine.
-struct Marked {
-    then: Mark,
-    now: Mark,
-    place: Span,
-}
-
-impl Marked {
-    /// The comment with the settings of the machine.
-    fn renewed(&self) -> Edit {
-        Edit::replace(self.place, self.now.text())
-    }
-}
-
 /// Findings at one call. `control` has plane and units of the call.
 pub fn look(seen: &Seen, control: &Control, found: &mut Vec<Diagnostic>) {
     let site = seen.site;
-    let marked = marked(seen);
+    // the settings with which the call was written, if a comment before it names them, and those of the machine
+    let (marked, now) = (mark_before(seen.program, site), Mark::of(seen.control));
+    let renewed = marked.as_ref().map(|(_, place)| Edit::replace(*place, now.text()));
     let mut say = |finding: Diagnostic| found.push(finding.on(site.span));
-    marked.as_ref().and_then(tools).map(&mut say);
+    // the control does not read its calls back once this changed
+    if let Some(changes) = marked.as_ref().and_then(|(then, _)| listed(&then.tools_changed(&now))) {
+        say(own::ADVICE_TOOL_PROGRAMMING.finding().text("changes", changes));
+    }
     // the lists of newer controls are not of this support
     let Some(support) = Support::of(site.cycle, seen.control).filter(|_| site.newer_list().is_none()) else { return };
-    marked.as_ref().and_then(mask).map(&mut say);
-    taken_over(seen, support, control, marked.as_ref()).map(&mut say);
+    if let Some(changes) = marked.as_ref().and_then(|(then, _)| listed(&then.mask_changed(&now))) {
+        let finding = own::ADVICE_MASK.finding().text("changes", changes);
+        say(finding.cured(Message::new("advice-mask-cure"), renewed.clone().into_iter().collect()));
+    }
+    taken_over(seen, support, control, renewed).map(&mut say);
     site.cycle.params.iter().filter_map(|param| support::finding(support, param, &seen.inputs)).for_each(&mut say);
-}
-
-/// The settings with which the call was written, if a comment before it names them.
-fn marked(seen: &Seen) -> Option<Marked> {
-    let (then, place) = mark_before(seen.program, seen.site)?;
-    Some(Marked { then, now: Mark::of(seen.control), place })
-}
-
-/// The mask is another one than when the call was written.
-fn mask(marked: &Marked) -> Option<Diagnostic> {
-    let changes = listed(&marked.then.mask_changed(&marked.now))?;
-    let finding = own::ADVICE_MASK.finding().text("changes", changes);
-    Some(finding.cured(Message::new("advice-mask-cure"), vec![marked.renewed()]))
-}
-
-/// The control does not read its calls back once this changed.
-fn tools(marked: &Marked) -> Option<Diagnostic> {
-    let changes = listed(&marked.then.tools_changed(&marked.now))?;
-    Some(own::ADVICE_TOOL_PROGRAMMING.finding().text("changes", changes))
 }
 
 /// `_MZ_MASK[4]: 1 → 0`; none for no change.
@@ -77,26 +51,23 @@ fn listed(changed: &[Changed]) -> Option<String> {
 }
 
 /// The values that would become others, with the edits that make them so now.
-fn taken_over(seen: &Seen, support: Support, control: &Control, marked: Option<&Marked>) -> Option<Diagnostic> {
+fn taken_over(seen: &Seen, support: Support, control: &Control, renewed: Option<Edit>) -> Option<Diagnostic> {
     let site = seen.site;
     let entered = support.entered(site.cycle, &site.values, control);
     let inputs = check::read(site.cycle, &entered.values, control, &mut Vec::new());
-    let values = site.cycle.params.iter().filter(|param| param.need(&inputs).is_some()).filter_map(|param| {
-        let after = entered.values.get(param.name.as_str())?;
-        value(site, param, after, control)
-    });
-    let values: Vec<Change> = values.collect();
+    let used = site.cycle.params.iter().filter(|param| param.need(&inputs).is_some());
+    let changed = |param: &Param| value(site, param, entered.values.get(param.name.as_str())?, control);
+    let values: Vec<Change> = used.filter_map(changed).collect();
     let bits: Vec<Change> = entered.bits.iter().filter_map(|(name, on)| bit(site, name, *on, control)).collect();
-    let all = values.iter().chain(&bits);
-    let written = |one: &Change| site.expression(one.name).map_or_else(|| one.before.clone(), str::to_owned);
-    let all: Vec<String> = all.map(|one| format!("{}={} → {}", one.name, written(one), one.after)).collect();
+    let written = |one: &Change| site.expression(one.name).unwrap_or(&one.before).to_owned();
+    let told = |one: &Change| format!("{}={} → {}", one.name, written(one), one.after);
+    let all: Vec<String> = values.iter().chain(&bits).map(told).collect();
     if all.is_empty() {
         return None;
     }
     let of_values = values.iter().flat_map(|one| change(seen.program, site, one.name, &one.after));
     let of_bits = bits.iter().filter_map(|one| set(seen.program, site, one));
-    let of_mark = marked.map(Marked::renewed);
-    let edits: Vec<Edit> = of_values.chain(of_bits).chain(of_mark).collect();
+    let edits: Vec<Edit> = of_values.chain(of_bits).chain(renewed).collect();
     let finding = own::ADVICE_READ_BACK.finding().text("changes", all.join(", "));
     if values.iter().any(|one| site.expression(one.name).is_some()) {
         return Some(finding); // an expression is no click's to take away

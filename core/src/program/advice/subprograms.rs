@@ -1,15 +1,13 @@
-//! What is to say of the programs of a text among each other: calls of programs that are not here, names by which no
-//! call finds one, measuring calls on too deep a level.
+//! Programs among each other: calls of some that are not here, misleading names, measuring calls on too deep a level.
 
 use crate::catalogue;
 use crate::diagnostic::{Diagnostic, Severity, Span};
 use crate::own;
 use crate::problem::Problem;
 use crate::program::calls::CallSite;
-use crate::program::flow::{LEVELS, callers, named_outside};
-use crate::syntax::programs;
+use crate::program::flow::{LEVELS, before, callers, named_outside};
 use crate::syntax::programs::{Programs, bare, numbered};
-use crate::syntax::{Block, Program, WordKind};
+use crate::syntax::{Block, Program, Word, WordKind};
 
 /// Most names that are told.
 const NAMES: usize = 8;
@@ -17,16 +15,19 @@ const NAMES: usize = 8;
 /// Deepest level on which a measuring cycle is called (B:656). The main program is the first.
 const DEEPEST: usize = 5;
 
-/// Programs whose file and `PROC` have different names, at the name behind `PROC`: a call finds them by that of their
-/// file.
+/// Programs whose `PROC` has another name than their file, by which a call finds them, at the name behind `PROC`.
 pub fn misnamed(program: &Program, programs: &Programs, found: &mut Vec<Diagnostic>) {
-    for (file, said, place) in programs::misnamed(program, programs) {
-        found.push(own::PROGRAM_NAMES.finding().text("file", file).text("proc", said).on(place));
+    for unit in &programs.units {
+        let declared = program.signature(unit).iter().find_map(Word::declared);
+        if let Some((file, place)) =
+            unit.file.as_deref().zip(declared).filter(|(file, place)| program.name(*place) != *file)
+        {
+            found.push(own::PROGRAM_NAMES.finding().text("file", file).text("proc", program.name(place)).on(place));
+        }
     }
 }
 
-/// The programs that this text calls and does not hold: what they leave is not known. Told once, at the first call of
-/// one, by the sentence with which a run goes on without them.
+/// The programs that the text calls and does not hold, at the first call of one, in the words of a run without them.
 pub fn outside(program: &Program, programs: &Programs, found: &mut Vec<Diagnostic>) {
     let (mut first, mut names) = (None, Vec::new());
     for block in &program.blocks {
@@ -54,10 +55,8 @@ fn missing(program: &Program, programs: &Programs, block: &Block) -> Vec<(Span, 
     let named = words.iter().enumerate().filter_map(|(at, word)| {
         let name = named_outside(program, programs, words, at)?;
         // a text is called at the word before it
-        let manner = at.checked_sub(1).and_then(|before| words.get(before));
-        let manner = manner.filter(|_| matches!(word.kind, WordKind::Constant(_)));
-        let place = manner.unwrap_or(word).span;
-        Some((place, bare(&program.name(name)).to_owned()))
+        let manner = before(words, at).filter(|_| matches!(word.kind, WordKind::Constant(_)));
+        Some((manner.unwrap_or(word).span, bare(&program.name(name)).to_owned()))
     });
     named.collect()
 }
@@ -84,8 +83,7 @@ pub fn too_deep(program: &Program, programs: &Programs, sites: &[CallSite], foun
     }
     let levels = levels(&callers(program, programs));
     for site in sites {
-        let line = site.line as usize;
-        let units = programs.units.partition_point(|unit| unit.blocks.start <= line);
+        let units = programs.units.partition_point(|unit| unit.blocks.start <= site.line as usize);
         let level = units.checked_sub(1).and_then(|unit| levels.get(unit)).copied().unwrap_or(1);
         if level > DEEPEST && site.cycle.purpose.probe.measures() {
             found.push(own::ADVICE_LEVEL.finding().number("level", level as f64).on(site.span));

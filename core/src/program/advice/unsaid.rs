@@ -1,12 +1,10 @@
-//! What the text does not say before a call, so that the state of the machine or another program decides. Each is asked
-//! once a program.
+//! What the text does not say before a call, so that the machine or another program decides. Asked once a program.
 
 use super::{Seen, at_call, between, with_line};
-use crate::catalogue::lathe;
 use crate::control::tools::TURNING;
 use crate::control::{MachineSort, Transverse};
 use crate::diagnostic::Diagnostic;
-use crate::entry::{ProbeUse, names};
+use crate::entry::{Inputs, ProbeUse, names};
 use crate::own;
 use crate::program::flow::Mode;
 
@@ -39,25 +37,20 @@ fn open(seen: &Seen) -> Option<Diagnostic> {
         ("D", force.edge == Mode::Open),
     ];
     let words: Vec<&str> = left_open.into_iter().filter_map(|(word, open)| open.then_some(word)).collect();
-    let finding = own::ADVICE_OPEN.finding().text("words", words.join(", "));
     let functions: Vec<&str> = words.iter().copied().filter(|word| word.starts_with('G')).collect();
-    match (words.is_empty(), functions.is_empty()) {
-        (true, _) => None,
-        (_, true) => Some(finding),
-        _ => Some(with_line(finding, seen, &functions.join(" "))),
-    }
+    let finding = own::ADVICE_OPEN.finding().text("words", words.join(", "));
+    (!words.is_empty())
+        .then(|| if functions.is_empty() { finding } else { with_line(finding, seen, &functions.join(" ")) })
 }
 
-/// The cycles measure in the axes of the plane; without one the reset state of the machine decides. That of a lathe is
-/// G18, and the manual's programs for lathes rely on it (B:10425).
+/// Cycles measure in the axes of the plane, without one that of the reset state: G18 on a lathe, as in B:10425.
 fn plane(seen: &Seen) -> Option<Diagnostic> {
     if !seen.force.plane.unset() {
         return None;
     }
     let usual = usual_plane(seen);
     let sentence = if on_a_lathe(seen) { own::ADVICE_PLANE.as_note() } else { own::ADVICE_PLANE };
-    let finding = sentence.finding().hint_text("plane", usual);
-    Some(with_line(finding, seen, usual))
+    Some(with_line(sentence.finding().hint_text("plane", usual), seen, usual))
 }
 
 /// Compensation is off after a reset; a program that ends with it may be run again without one.
@@ -88,11 +81,8 @@ fn the_probe(seen: &Seen) -> Option<String> {
         return None;
     }
     let edges = seen.control.tools.iter().flat_map(|(number, tool)| tool.edges.iter().map(move |edge| (number, edge)));
-    let mut probes = edges.filter(|(_, (_, edge))| edge.kind == PROBE);
-    let (number, (edge, _)) = probes.next()?;
-    if probes.next().is_some() {
-        return None;
-    }
+    let probes: Vec<_> = edges.filter(|(_, (_, edge))| edge.kind == PROBE).collect();
+    let [(number, (edge, _))] = probes[..] else { return None };
     let change = if seen.changes_tools { " M6" } else { "" };
     Some(format!("T{number} D{edge}{change}"))
 }
@@ -105,19 +95,20 @@ fn diameter(seen: &Seen) -> Option<Diagnostic> {
 
 /// The setpoint of the transverse axis is taken for a radius; drawings of turned parts give diameters.
 fn radius(seen: &Seen) -> Option<Diagnostic> {
-    let transverse = on_a_lathe(seen) && lathe::params::TRANSVERSE.holds(&seen.inputs);
+    let param = seen.site.cycle.param(names::SETVAL.as_str())?;
+    param.need(&seen.inputs)?;
+    // it is one that is a diameter with DIAMON
+    let diameters = Inputs { diameters: true, ..seen.inputs.clone() };
+    let transverse = on_a_lathe(seen) && param.label(&diameters) != param.label(&seen.inputs);
     if !transverse || seen.force.transverse.is() != Some(&Transverse::Radius) {
         return None;
     }
-    let param = seen.site.cycle.param(names::SETVAL.as_str())?;
-    param.need(&seen.inputs)?;
     let set: f64 = seen.values.get(names::SETVAL.as_str())?.trim().parse().ok()?;
     let finding = own::ADVICE_RADIUS.finding().number("value", set).number("diameter", 2.0 * set).at(names::SETVAL);
     Some(between(finding, seen, "DIAMON", "DIAMOF"))
 }
 
-/// The milling cycles know no diameters in the transverse axis: chapter 5 names none, other than chapter 6 (B:10623,
-/// B:10975).
+/// Milling cycles know no diameters in the transverse axis: chapter 6 names them, 5 does not (B:10623, B:10975).
 fn milled_diameter(seen: &Seen) -> Option<Diagnostic> {
     at_call::milling_probe(seen).filter(|tool| TURNING.contains(&tool.kind))?;
     (*seen.force.transverse.is()? != Transverse::Radius).then(|| own::ADVICE_MILLED_DIAMETER.finding())

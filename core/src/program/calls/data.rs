@@ -27,8 +27,7 @@ impl Walk<'_> {
                     let Some(name) = fold::name(self.program, *name, index, &self.numbers(place)) else { continue };
                     if counts {
                         self.keep_first(place, *value, *value_span);
-                        let count = Value::at(name.clone(), None, *value_span);
-                        self.assign(place, &name, count);
+                        self.assign(place, &name, Value::at(name.clone(), None, *value_span));
                     } else {
                         self.write(place, &name, *value, *value_span);
                     }
@@ -82,8 +81,7 @@ impl Walk<'_> {
 
     pub(super) fn assign(&mut self, place: &mut Place, name: &str, value: Value) {
         self.learn(name, value.number);
-        let id = self.names.number(name, &self.unsteady);
-        place.values.set(id, Some(Held::One(Rc::new(value))));
+        place.values.set(self.names.number(name, &self.unsteady), Some(Held::One(Rc::new(value))));
     }
 
     /// One value, or those of `SET(…)` or `REP(…)` spread over an array.
@@ -101,8 +99,7 @@ impl Walk<'_> {
                 let written = arguments::places(self.program, span);
                 for (index, (element, id)) in elements.into_iter().zip(values).enumerate() {
                     let at = written.get(index).copied().filter(|_| written.len() == values.len());
-                    let at = at.or_else(|| values::place(self.program, *id));
-                    self.assign_element(place, &element, *id, at);
+                    self.assign_element(place, &element, *id, at.or_else(|| values::place(self.program, *id)));
                 }
             }
             Spread::Same(id) => {
@@ -128,8 +125,7 @@ impl Walk<'_> {
             None => {
                 let number = fold::number(self.program, id, &self.numbers(place));
                 self.learn(element, number);
-                let id = self.names.number(element, &self.unsteady);
-                place.values.set(id, None);
+                place.values.set(self.names.number(element, &self.unsteady), None);
             }
         }
     }
@@ -155,8 +151,7 @@ impl Walk<'_> {
             self.arrays.insert(name.clone(), sizes.into_iter().map(|size| size as usize).collect());
         }
         if let Some(value) = value {
-            let at = values::place(self.program, value).unwrap_or_default();
-            self.write(place, &name, value, at);
+            self.write(place, &name, value, values::place(self.program, value).unwrap_or_default());
         }
     }
 }

@@ -21,34 +21,24 @@ impl Walk<'_> {
     /// A call of any cycle.
     pub(super) fn cycle(&mut self, place: &mut Place, span: Span, name: Span, args: &[Option<ExprId>]) {
         let name = self.program.name(name);
-        let arguments: Vec<Option<Value>> = arguments::places(self.program, span)
-            .into_iter()
-            .enumerate()
-            .map(|(index, at)| {
-                let id = args.get(index).copied().flatten()?;
-                Some(self.value(place, id, at))
-            })
-            .collect();
+        let written = args.iter().copied().chain(std::iter::repeat(None)).zip(arguments::places(self.program, span));
+        let arguments: Vec<_> = written.map(|(id, at)| Some(self.value(place, id?, at))).collect();
         if name == AUXILIARY {
             return self.auxiliary(place, arguments);
         }
         let number = |index: usize| arguments.get(index)?.as_ref()?.number;
-        let listed = list::called(self.program.dialect, &name, arguments.len(), number);
-        let cycle = match listed {
-            Some((cycle, _)) => Some(cycle),
-            None => catalogue::find(self.program.dialect, &name),
+        let (cycle, list) = match list::called(self.program.dialect, &name, arguments.len(), number) {
+            Some((cycle, list)) => (Some(cycle), Some(list)),
+            None => (catalogue::find(self.program.dialect, &name), None),
         };
         let Some(cycle) = cycle else { return };
-        let list = listed.map(|(_, list)| list);
-        let written = |index: usize| {
-            let value = arguments.get(index).and_then(Option::as_ref);
-            value.map_or(Some(0.0), |value| value.number)
+        let refused = refused(cycle, list, count(&arguments), |index| arguments::number(&arguments, index));
+        let called = Called { cycle, span, list, refused };
+        let given = match list {
+            Some(list) => self.listed(place, cycle, list, span, &arguments),
+            None => self.assigned(place, cycle),
         };
-        let called = Called { list, refused: refused(cycle, list, count(&arguments), written) };
-        match list {
-            Some(list) => self.listed(place, cycle, (list, &called), span, &arguments),
-            None => self.meet_call(place, cycle, span, &called, self.assigned(place, cycle)),
-        }
+        self.meet_call(place, &called, given);
     }
 
     /// `CYCLE_PARA`: what is not 0 goes into the data (B:11734).
@@ -60,35 +50,34 @@ impl Walk<'_> {
         }
     }
 
+    /// The values of a call with arguments.
     fn listed(
         &mut self,
         place: &mut Place,
         cycle: &'static Cycle,
-        (list, called): (&'static ArgumentList, &Called),
+        list: &ArgumentList,
         span: Span,
         arguments: &[Option<Value>],
-    ) {
+    ) -> Given {
         let values = arguments::given(cycle, list, span, arguments);
         if list.style == Style::Indirect {
             // The called program puts every argument into the data, also those that are omitted.
             for (name, value) in values {
                 self.assign(place, name.as_str(), value);
             }
-            let assigned = self.assigned(place, cycle);
-            return self.meet_call(place, cycle, span, called, assigned);
+            return self.assigned(place, cycle);
         }
         let values = values.into_iter().filter(|(_, value)| !value.text.is_empty());
         let mut given: Given = values.map(|(name, value)| (name, Held::One(Rc::new(value)))).collect();
         for (arg, value) in list.args.iter().zip(arguments) {
             if let (Arg::Variable(array), Some(value)) = (arg, value) {
-                let variable = value.text.to_ascii_uppercase();
-                self.elements_of(place, cycle, array, &variable, &mut given);
+                self.elements_of(place, cycle, array, &value.text.to_ascii_uppercase(), &mut given);
             }
         }
         if list.style == Style::Direct {
             given.extend(self.assigned(place, cycle).into_iter().filter(|(name, _)| !list.gives(*name)));
         }
-        self.meet_call(place, cycle, span, called, given);
+        given
     }
 
     /// The parameters that are elements of a variable of the program.

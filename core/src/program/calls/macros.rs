@@ -29,8 +29,7 @@ impl Walk<'_> {
         }
     }
 
-    /// The macro that a G function calls: by its own number, or G65 by the program number at P (C:58). With the place
-    /// of the words that name it.
+    /// The macro that a G function calls, G65 by the number at P (C:58), with the place of the words that name it.
     fn macro_call(&self, place: &Place, code: f64, block: &Block, span: Span) -> Option<(&'static Cycle, Span)> {
         if code != 65.0 {
             let cycle = catalogue::find(self.program.dialect, &format!("G{code}"))?;
@@ -54,7 +53,7 @@ impl Walk<'_> {
                 given.push((param.name, Held::One(Rc::new(value))));
             }
         }
-        self.meet_call(place, cycle, span, &Called::default(), given);
+        self.meet_call(place, &Called { cycle, span, list: None, refused: None }, given);
     }
 }
 

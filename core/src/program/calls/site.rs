@@ -6,17 +6,20 @@ use super::{CallSite, Origin, Place, Walk, Way};
 use crate::check::{check, newer, upkeep};
 use crate::control::Control;
 use crate::diagnostic::{Diagnostic, Span};
-use crate::entry::{ArgumentList, Cycle, Style, Typed};
+use crate::entry::{ArgumentList, Cycle, Typed};
+use crate::name::Name;
 use crate::own;
+use crate::program::held::Held;
 use crate::program::values::Value;
 use crate::support::BITS;
 use crate::syntax::Program;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::rc::Rc;
 
-/// How a cycle is called.
-#[derive(Default)]
+/// A call of a cycle.
 pub(super) struct Called {
+    pub cycle: &'static Cycle,
+    pub span: Span,
     /// The list; none: the bare name, or a block of addresses.
     pub list: Option<&'static ArgumentList>,
     /// Why the control refuses the arguments.
@@ -28,7 +31,7 @@ pub(super) struct Called {
 pub(super) struct Found {
     /// In the order in which they were met first.
     met: Vec<Met>,
-    /// Their places in `met`, by their first byte.
+    /// Places of the calls in `met`, by their first byte.
     at: HashMap<u32, usize>,
     /// The call that first takes a value, by its first byte, by that of the value.
     takers: HashMap<u32, u32>,
@@ -43,17 +46,10 @@ struct Met {
 
 impl Walk<'_> {
     /// A way comes to a measuring call with these values.
-    pub(super) fn meet_call(
-        &mut self,
-        place: &Place,
-        cycle: &'static Cycle,
-        span: Span,
-        called: &Called,
-        given: Given,
-    ) {
-        let values = given.iter();
-        let values: Typed =
-            values.map(|(name, held)| (name.to_string(), shown(self.program, name, held.all()))).collect();
+    pub(super) fn meet_call(&mut self, place: &Place, called: &Called, given: Given) {
+        let span = called.span;
+        let shown = |(name, held): &(Name, Held)| (name.to_string(), shown(self.program, name, held.all()));
+        let values: Typed = given.iter().map(shown).collect();
         let mut found = std::mem::take(&mut self.found);
         if self.around.several() {
             for value in given.iter().flat_map(|(_, held)| held.all()) {
@@ -61,39 +57,28 @@ impl Walk<'_> {
             }
         }
         let index = *found.at.entry(span.start).or_insert(found.met.len());
-        let first = index == found.met.len();
-        if first {
-            let site = self.first(place, cycle, span, called.list, (&given, &values));
-            found.met.push(Met { site, given: Given::new() });
+        if index == found.met.len() {
+            let site = self.first(place, called, &given, values.clone());
+            found.met.push(Met { site, given: given.clone() });
         }
         if let Some(Met { site, given: known }) = found.met.get_mut(index) {
             self.way(site, &mut found.ways, place, values, &given, called.refused.as_ref());
             overwritten(site, &given, self.around.unit(span));
-            if first {
-                *known = given;
-            } else {
-                also(known, &given);
-            }
+            also(known, &given);
         }
         self.found = found;
     }
 
     /// The first way to a call.
-    fn first(
-        &mut self,
-        place: &Place,
-        cycle: &'static Cycle,
-        span: Span,
-        list: Option<&'static ArgumentList>,
-        (given, values): (&Given, &Typed),
-    ) -> CallSite {
+    fn first(&mut self, place: &Place, called: &Called, given: &Given, values: Typed) -> CallSite {
+        let Called { cycle, span, list, .. } = *called;
         let line = self.program.line_of(span.start);
         let mut site = CallSite {
             cycle,
             line,
             first_line: line,
             span,
-            values: values.clone(),
+            values,
             expressions: Typed::new(),
             places: BTreeMap::new(),
             origins: BTreeMap::new(),
@@ -128,10 +113,9 @@ impl Walk<'_> {
 
     /// On NCT the block alone gives the values.
     fn own_from(&self, span: Span, line: u32) -> u32 {
-        let block = self.program.blocks.get(line as usize);
-        match self.program.grammar().by_address {
-            true => block.map_or(span.start, |block| block.span.start),
-            false => self.around.own_from(span),
+        match self.program.blocks.get(line as usize) {
+            Some(block) if self.program.grammar().by_address => block.span.start,
+            _ => self.around.own_from(span),
         }
     }
 
@@ -159,9 +143,8 @@ impl Walk<'_> {
         let found = match refused {
             Some(finding) => vec![finding.clone()],
             None => {
-                let mut found = checked((site.cycle, site.list), &values, given, &self.control);
-                found.extend(of_wrong_sort(self.program, site.cycle, given));
-                found
+                let of_wrong_sort = of_wrong_sort(self.program, site.cycle, given);
+                checked(site, &values, given, &self.control).into_iter().chain(of_wrong_sort).collect()
             }
         };
         for mut one in found {
@@ -187,9 +170,7 @@ impl Walk<'_> {
 
     fn bits(&self, place: &Place) -> Vec<(&'static str, String, Span)> {
         let set = |name: &'static str| {
-            let held = self.newest(place, name)?;
-            let value = held.all().first()?;
-            Some((name, value.text.clone(), value.place))
+            self.newest(place, name)?.all().first().map(|value| (name, value.text.clone(), value.place))
         };
         BITS.into_iter().filter_map(set).collect()
     }
@@ -251,8 +232,7 @@ fn arrives_first(
     origin: impl Fn(&Rc<Value>) -> Origin,
 ) -> Option<Origin> {
     let (first, rest) = values.split_first()?;
-    let number = numbers.get(&first.place.start).copied().flatten();
-    if let Some(number) = number.filter(|_| first.number.is_none()) {
+    if let (None, Some(Some(number))) = (first.number, numbers.get(&first.place.start)) {
         return Some(Origin { text: number.to_string(), ..origin(first) });
     }
     rest.iter().any(|other| other.text != first.text).then(|| origin(first))
@@ -289,28 +269,21 @@ fn shown(program: &Program, name: &str, values: &[Rc<Value>]) -> String {
 /// The expression whose worth these are, where they are written in one place and worth the same.
 fn expression(values: &[Rc<Value>]) -> Option<String> {
     let (first, rest) = values.split_first()?;
-    let same = rest.iter().all(|other| other.text == first.text);
-    one_place(values).filter(|_| same)?;
+    one_place(values).filter(|_| rest.iter().all(|other| other.text == first.text))?;
     first.expression.clone()
 }
 
 /// The assignment of all values, where it is the same.
 fn one_place(values: &[Rc<Value>]) -> Option<Span> {
     let (first, rest) = values.split_first()?;
-    let same = rest.iter().all(|other| other.place == first.place);
-    same.then_some(first.place)
+    rest.iter().all(|other| other.place == first.place).then_some(first.place)
 }
 
 /// Findings about the values of a way, each at its value. Of several that may arrive each is checked by itself.
-fn checked(
-    (cycle, list): (&'static Cycle, Option<&'static ArgumentList>),
-    values: &Typed,
-    given: &Given,
-    control: &Control,
-) -> Vec<Diagnostic> {
-    let findings = |values: &Typed| match list.filter(|list| list.style == Style::Operate) {
-        Some(list) => newer::check_listed(cycle, list, values, control).diagnostics,
-        None => check(cycle, values, control).diagnostics,
+fn checked(site: &CallSite, values: &Typed, given: &Given, control: &Control) -> Vec<Diagnostic> {
+    let findings = |values: &Typed| match site.newer_list() {
+        Some(list) => newer::check_listed(site.cycle, list, values, control).diagnostics,
+        None => check(site.cycle, values, control).diagnostics,
     };
     let mut found = findings(values);
     for one in &mut found {

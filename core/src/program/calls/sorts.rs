@@ -18,18 +18,14 @@ pub(super) fn of_wrong_sort(program: &Program, cycle: &'static Cycle, given: &Gi
         };
         Some(sort(param, &value.text, sort_of)?.on(value.written_at()))
     };
-    let all = given.iter();
-    let all = all.flat_map(|(name, held)| held.all().iter().map(move |value| (name, value)));
+    let all = given.iter().flat_map(|(name, held)| held.all().iter().map(move |value| (name, value)));
     all.filter_map(|(name, value)| wrong(name, value)).collect()
 }
 
-/// Whether a value is a bare name that this program neither declares nor writes. One with an underscore before it may
-/// be of the machine.
+/// Whether a value is a bare name that the program neither declares nor writes, and without `_`, as the machine's have.
 fn is_undeclared(program: &Program, value: &Value) -> bool {
     let text = value.text.as_bytes();
-    let parameter = text
-        .split_first()
-        .is_some_and(|(first, rest)| first.eq_ignore_ascii_case(&b'R') && rest.iter().all(u8::is_ascii_digit));
+    let parameter = matches!(text, [b'R' | b'r', digits @ ..] if digits.iter().all(u8::is_ascii_digit));
     let name = text.first().is_some_and(u8::is_ascii_alphabetic)
         && text.iter().all(|byte| byte.is_ascii_alphanumeric() || *byte == b'_');
     let declares = |word: &Word| match &word.kind {

@@ -1,5 +1,4 @@
-//! What holds along the ways of a program: where a place of the text stands among its programs, and what a called
-//! program takes from its caller and leaves it.
+//! What holds along the ways of a program: what a called program takes from its caller and leaves it.
 
 use super::uses::{Uses, is_cycle, measures_itself, measuring, uses};
 use super::{Place, Walk};
@@ -26,12 +25,12 @@ pub(super) struct Subprograms<'a> {
     own: HashMap<usize, Rc<Uses>>,
     /// Variables that it and the programs that it calls name.
     all: HashMap<usize, Rc<BTreeSet<String>>>,
-    /// Their numbers, of as many names as had been met.
+    /// Numbers of these variables, of as many names as had been met.
     taken: HashMap<usize, (usize, Rc<[usize]>)>,
 }
 
 impl<'a> Subprograms<'a> {
-    /// Those of this program.
+    /// The programs of this text.
     pub fn of(program: &Program, programs: &'a Programs) -> Self {
         let first = |unit: &Unit| program.blocks.get(unit.blocks.start).map(|block| block.span.start);
         let starts = programs.units.iter().map(first);
@@ -87,8 +86,7 @@ impl<'a> Subprograms<'a> {
     }
 
     fn own(&mut self, program: &Program, unit: usize) -> Rc<Uses> {
-        let programs = self.programs;
-        Rc::clone(self.own.entry(unit).or_insert_with(|| Rc::new(uses(program, programs, unit))))
+        Rc::clone(self.own.entry(unit).or_insert_with(|| Rc::new(uses(program, self.programs, unit))))
     }
 
     /// The numbers of those variables.
@@ -167,8 +165,7 @@ impl Follow for Walk<'_> {
                 (None, Some(id)) => self.value(caller, id, values::place(self.program, id).unwrap_or_default()),
                 (None, None) => Value { argument: true, ..Value::at("0".to_owned(), Some(0.0), entry.place()) },
             };
-            let id = self.names.number(&formal.name, &self.unsteady);
-            values.set(id, Some(Held::One(Rc::new(held))));
+            values.set(self.names.number(&formal.name, &self.unsteady), Some(Held::One(Rc::new(held))));
         }
         Place { force: caller.force.clone(), values }
     }
@@ -182,8 +179,7 @@ impl Follow for Walk<'_> {
         let own = self.around.own(self.program, entry.unit);
         for id in begin.values.changed(&after.values) {
             if !own.declared.contains(stem(self.names.text(id))) {
-                let held = after.values.get(id).map(|held| self.written(caller, id, held, entry.place()));
-                place.values.set(id, held);
+                place.values.set(id, after.values.get(id).map(|held| self.written(caller, id, held, entry.place())));
             }
         }
         if !own.formal.iter().any(|formal| formal.by_reference) {
@@ -219,8 +215,7 @@ impl Walk<'_> {
     fn written(&self, caller: &Place, id: usize, held: &Held, call: Span) -> Held {
         let Some(Held::One(before)) = caller.values.get(id) else { return held.clone() };
         let after = held.all().iter().map(|value| {
-            let same = value.number.is_some() && value.number == before.number;
-            if same || value == before {
+            if value.number.is_some() && value.number == before.number || value == before {
                 return Rc::clone(value);
             }
             Rc::new(Value { instead: Some((before.place, call)), ..Value::clone(value) })
@@ -238,6 +233,5 @@ impl Walk<'_> {
 /// The arguments of a call of a program, each with its place; none: omitted.
 fn arguments_of(program: &Program, entry: &Entry) -> Vec<Option<(ExprId, Span)>> {
     let Some(Word { kind: WordKind::Call { args, .. }, span }) = entry.word() else { return Vec::new() };
-    let places = arguments::places(program, *span);
-    args.iter().zip(places).map(|(id, place)| id.map(|id| (id, place))).collect()
+    args.iter().zip(arguments::places(program, *span)).map(|(id, place)| id.map(|id| (id, place))).collect()
 }

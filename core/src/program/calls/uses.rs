@@ -13,13 +13,11 @@ use std::collections::BTreeSet;
 /// The variables of one program, by their names without index.
 #[derive(Debug, Default)]
 pub(super) struct Uses {
-    /// Those that it names, and all parameters of the cycles that it calls.
+    /// Variables that it names, and all parameters of the cycles that it calls.
     pub names: BTreeSet<String>,
-    /// Those that it declares.
+    /// Variables that it declares.
     pub declared: BTreeSet<String>,
-    /// Its parameters.
     pub formal: Vec<Formal>,
-    /// The programs that it calls.
     pub calls: BTreeSet<usize>,
 }
 

@@ -1,5 +1,4 @@
-//! Which programs a block calls: `L5`, `L5 P3`, `NAME(1)`, `PCALL NAME(1)`, `MCALL NAME`, `CALL "NAME"`,
-//! `EXTCALL("NAME")`.
+//! Which programs a block calls: `L5 P3`, `NAME(1)`, `PCALL NAME(1)`, `MCALL NAME`, `CALL "NAME"`, `EXTCALL("NAME")`.
 
 use crate::diagnostic::Span;
 use crate::program::of_control::is_of_control;
@@ -27,7 +26,7 @@ pub fn called(program: &Program, programs: &Programs, words: &[Word], at: usize)
     if two.iter().any(|word| program.is_keyword(word, &["REPEAT", "REPEATB"])) {
         return None; // the label where a part begins, and the one where it ends
     }
-    let before = at.checked_sub(1).and_then(|before| words.get(before));
+    let before = before(words, at);
     let (name, certain) = match &words.get(at)?.kind {
         WordKind::Call { name, args, .. } => match from_outside(program, *name, args) {
             Some(place) => (program.name(place), true),
@@ -44,10 +43,13 @@ pub fn called(program: &Program, programs: &Programs, words: &[Word], at: usize)
     if let Some(unit) = programs.place(&name) {
         return Some(Called::Here(unit));
     }
-    let manner = MANNERS.contains(&name.as_str());
-    let known = !certain && (manner || is_word(&name));
-    let of_control = is_of_control(bare(&name));
-    (!known && !of_control).then_some(Called::Elsewhere)
+    let known = !certain && (MANNERS.contains(&name.as_str()) || is_word(&name));
+    (!known && !is_of_control(bare(&name))).then_some(Called::Elsewhere)
+}
+
+/// The word before this one in its block.
+pub fn before(words: &[Word], at: usize) -> Option<&Word> {
+    words.get(at.checked_sub(1)?)
 }
 
 /// The text in `EXTCALL("NAME")`.
@@ -64,12 +66,10 @@ pub fn named_outside(program: &Program, programs: &Programs, words: &[Word], at:
     }
     match &words.get(at)?.kind {
         WordKind::Call { name, args, .. } => {
-            let before = at.checked_sub(1).and_then(|before| words.get(before));
             // behind such a word a variable holds the text that says what is called
-            let variable = before.is_some_and(|word| program.is_call(word, &BY_TEXT))
+            let variable = before(words, at).is_some_and(|word| program.is_call(word, &BY_TEXT))
                 || programs.macros.contains(&program.name(*name));
-            let name = from_outside(program, *name, args).unwrap_or(*name);
-            (!variable).then_some(name)
+            (!variable).then_some(from_outside(program, *name, args).unwrap_or(*name))
         }
         WordKind::Constant(id) => match program.expr(*id)? {
             Expr::Text(place) => Some(*place),

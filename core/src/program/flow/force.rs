@@ -16,7 +16,7 @@ pub struct Forces<'a> {
 }
 
 impl<'a> Forces<'a> {
-    /// Those of this program.
+    /// Forces of the words of one program.
     pub fn of(program: &'a Program) -> Self {
         let on = |word: &Word| matches!(program.constant(word, "G"), Some(41.0 | 42.0));
         Self { program, prepares: changes_tools(program), compensates: program.words.iter().any(on) }

@@ -8,7 +8,7 @@ mod passes;
 mod state;
 mod structure;
 
-pub use called::{Called, called, called_here, callers, named_outside};
+pub use called::{Called, before, called, called_here, callers, named_outside};
 pub use force::{Forces, changes_tools};
 pub use state::{Mode, State, Tool};
 
@@ -23,8 +23,7 @@ use structure::Branches;
 /// Levels that a control has; what is deeper is not followed.
 pub const LEVELS: usize = 12;
 
-/// States with which a program is followed anew; calls in yet other ones are followed with all that they have in
-/// common.
+/// States with which a program is followed anew; calls in others are followed with all that they have in common.
 const ENTRIES: usize = 8;
 
 /// Programs of a text from which on each is followed in fewer states.
@@ -38,7 +37,7 @@ const AGAIN: usize = 8;
 
 /// A call of a program of the text.
 pub struct Entry<'a> {
-    /// Its place in [`Programs::units`].
+    /// Place of the called program in [`Programs::units`].
     pub unit: usize,
     /// Words of the block that calls it.
     pub words: &'a [Word],
@@ -52,7 +51,7 @@ impl Entry<'_> {
         self.words.get(self.at)
     }
 
-    /// Its place.
+    /// Place of the word that calls it.
     pub fn place(&self) -> Span {
         self.word().map_or_else(Span::default, |word| word.span)
     }
@@ -78,8 +77,7 @@ pub trait Follow {
     fn enter(&mut self, state: &Self::State, _: &Entry) -> Self::State {
         state.clone()
     }
-    /// What holds behind a call, when the called program began and ended with this. `saves`: it puts back the functions
-    /// of its caller (`SAVE`).
+    /// What holds behind a call whose program began and ended with this; `SAVE` puts back the functions of its caller.
     fn leave(&mut self, _: &Self::State, way: (&Self::State, &Self::State), _: &Entry, _: bool) -> Self::State {
         way.1.clone()
     }
@@ -87,8 +85,7 @@ pub trait Follow {
     fn end(&mut self, _: &Self::State) {}
 }
 
-/// Follows every program of the text: those that nothing here calls from a state of their own, the others from where
-/// they are called.
+/// Follows every program of the text from where it is called, those that nothing here calls from a state of their own.
 pub fn follow<F: Follow>(program: &Program, programs: &Programs, rules: &mut F, begin: &F::State) {
     let mut walk = Walk {
         program,
@@ -177,8 +174,7 @@ impl<F: Follow> Walk<'_, F> {
         unit.signature.is_none() && !self.program.blocks_of(unit).iter().any(returns)
     }
 
-    /// Follows one program: the state with which it was taken to begin and the one behind it; none: it does not come
-    /// back.
+    /// Follows one program: the state with which it began, and the one behind it; none: it does not come back.
     fn unit(&mut self, unit: usize, before: F::State) -> Option<(F::State, F::State)> {
         if self.open.contains(&unit) || self.open.len() >= LEVELS {
             return Some((before.clone(), before));

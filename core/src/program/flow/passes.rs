@@ -65,7 +65,6 @@ pub enum Back {
 }
 
 impl Back {
-    /// Block of the beginning.
     pub fn head(self) -> usize {
         match self {
             Back::Tested(head) | Back::Here(head) => head,
@@ -74,7 +73,6 @@ impl Back {
 }
 
 impl<S: Meet> Passes<S> {
-    /// Finds the beginnings.
     pub fn of(program: &Program) -> Self {
         let mut found = Self { heads: HashMap::new(), labels: BTreeMap::new() };
         let mut names = BTreeSet::new();
@@ -146,8 +144,7 @@ impl<S: Meet> Passes<S> {
         if let Some((_, end)) = head.passes.get_mut(now) {
             *end = Some(end.as_ref().map_or_else(|| branches.state.clone(), |end| end.meet(&branches.state)));
         }
-        let known = head.passes.iter().any(|(state, _)| *state == branches.state);
-        !known && head.passes.len() < ENTRIES
+        !head.passes.iter().any(|(state, _)| *state == branches.state) && head.passes.len() < ENTRIES
     }
 
     /// Goes back for another pass.

@@ -42,13 +42,12 @@ pub enum Tool {
     Name(String),
 }
 
-/// A function of tool radius compensation, and where it is programmed: two places of the same function leave the same
-/// state.
+/// A function of tool radius compensation and its place, which makes no difference between two states.
 #[derive(Clone, Copy, Debug)]
 pub struct Compensation {
     /// 40, 41 or 42.
     pub code: u16,
-    /// Its word.
+    /// Place of the word.
     pub at: Span,
 }
 
@@ -102,11 +101,8 @@ impl State {
 
     /// The functions of the caller again (`SAVE`).
     pub fn restore(&mut self, caller: &State) {
-        self.plane.clone_from(&caller.plane);
-        self.compensation.clone_from(&caller.compensation);
-        self.frame.clone_from(&caller.frame);
-        self.transverse.clone_from(&caller.transverse);
-        self.units.clone_from(&caller.units);
+        let State { plane, compensation, frame, transverse, units, .. } = caller.clone();
+        *self = State { plane, compensation, frame, transverse, units, ..std::mem::take(self) };
     }
 
     /// T: the tool is in use at once, or M6 brings it.

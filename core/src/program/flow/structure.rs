@@ -23,7 +23,6 @@ pub struct Branches<S> {
 
 /// A structure whose end has not come yet.
 pub enum Open<S> {
-    /// `IF`.
     If(Choice<S>),
     /// A loop that begins in this block.
     Loop(usize),
@@ -164,8 +163,7 @@ fn both<S: Meet>(one: Option<S>, other: Option<S>) -> Option<S> {
 /// Where a word jumps to; none inside: the text does not tell.
 pub fn target(program: &Program, word: &Word) -> Option<Option<String>> {
     let WordKind::Keyword { name, value } = &word.kind else { return None };
-    let text = program.text(*name);
-    if !text.get(..4).is_some_and(|start| start.eq_ignore_ascii_case(b"GOTO")) {
+    if !program.text(*name).get(..4).is_some_and(|start| start.eq_ignore_ascii_case(b"GOTO")) {
         return None;
     }
     Some(match value.and_then(|value| program.expr(value)) {

@@ -112,8 +112,7 @@ fn listed(source: &Source, list: &ArgumentList) -> Written {
         let value = |name: &Name| {
             auxiliary.iter().find(|(param, _)| param.name == *name).map_or(String::new(), |(_, text)| text.clone())
         };
-        let arguments = AUXILIARY_ARGS.iter().map(value).collect();
-        text.push_str(&call(AUXILIARY, arguments));
+        text.push_str(&call(AUXILIARY, AUXILIARY_ARGS.iter().map(value).collect()));
     }
     text.push_str(&call(list.name, arguments(source, list)));
     Written { text, said, findings }
@@ -125,16 +124,14 @@ fn takes(source: &Source, list: &ArgumentList, param: &Param) -> bool {
         || source.cycle.variant_param() == Some(param.name) && list.style != Style::Direct
 }
 
-/// Whether `CYCLE_PARA` can give it; a 0 there would keep the value of before (B:11734), and an expression may come to
-/// one.
+/// Whether `CYCLE_PARA` can give it: a 0 there keeps the value of before (B:11734); an expression may come to one.
 fn is_auxiliary(param: &Param, text: &str) -> bool {
     let may_be_zero = parse(text) == Parsed::Number(0.0) || is_expression(param, text);
     AUXILIARY_ARGS.contains(&param.name) && !may_be_zero
 }
 
 fn beside(param: &Param, text: &str) -> Diagnostic {
-    let auxiliary = AUXILIARY_ARGS.contains(&param.name);
-    let sentence = match (auxiliary, is_expression(param, text)) {
+    let sentence = match (AUXILIARY_ARGS.contains(&param.name), is_expression(param, text)) {
         (true, true) => own::WRITE_EXPRESSION,
         (true, false) => own::WRITE_ZERO,
         (false, _) => own::WRITE_BESIDE,
@@ -142,8 +139,7 @@ fn beside(param: &Param, text: &str) -> Diagnostic {
     sentence.finding().text("name", param.name).text("value", text)
 }
 
-/// The arguments in order. What is used and was not typed counts as delivered, because an omitted argument is 0; so do
-/// data of the machine, which the call overwrites.
+/// The arguments in order. An omitted one is 0: what is used and was not typed is as delivered or as on the machine.
 fn arguments(source: &Source, list: &ArgumentList) -> Vec<String> {
     let mut selections = list.selections(source.inputs.variant).unwrap_or_default().into_iter();
     let written = |arg: &Arg| match arg {

@@ -55,8 +55,7 @@ pub fn assignments(control: &Control, delivered: &Control) -> String {
     text
 }
 
-/// Lines of the definition file of block GUD6 for every datum that differs, sizes included (B:13274-13288). Texts are
-/// left out: their lengths are those of the file.
+/// Lines of the definition file of block GUD6 for data that differ, with sizes (B:13274-13288), but for texts.
 pub fn definitions(control: &Control, delivered: &Control) -> String {
     let changed = differing(control, delivered);
     let counts = |gud: &Gud| changed.iter().any(|name| name == gud.counted);

@@ -44,8 +44,7 @@ struct Source<'a> {
 /// Program text of one call; `words` adds a comment line for each value. On a machine whose forms are those of the
 /// control's own support it is what that support writes; the lists of newer controls know nothing of it.
 pub fn snippet(cycle: &'static Cycle, typed: &Typed, control: &Control, style: Style, words: Option<Words>) -> Written {
-    let values = Values { typed, expressions: &Typed::new() };
-    snippet_of(cycle, &values, control, style, words)
+    snippet_of(cycle, &Values { typed, expressions: &Typed::new() }, control, style, words)
 }
 
 /// Values of a call: what they are worth, and of some how a program writes them.
@@ -56,7 +55,7 @@ pub struct Values<'a> {
     pub expressions: &'a Typed,
 }
 
-/// The same with values that a program writes as expressions.
+/// Program text of one call, as [`snippet`], with values that a program writes as expressions.
 pub fn snippet_of(
     cycle: &'static Cycle,
     values: &Values,
@@ -120,8 +119,7 @@ pub(super) fn is_expression(param: &Param, text: &str) -> bool {
     }
 }
 
-/// The values that are used and can be written; and data of the machine that were set for the call, which the data of
-/// this machine may let count or not.
+/// The values that are used and can be written, and data of the machine that were set for the call.
 fn source<'a>(cycle: &'static Cycle, typed: &Typed, control: &'a Control) -> Source<'a> {
     let inputs = check::read(cycle, typed, control, &mut Vec::new());
     let written = cycle.params.iter().filter_map(|param| {

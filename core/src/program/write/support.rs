@@ -1,44 +1,21 @@
-//! The block that the support in the control's editor writes: what its form holds, in its order (B:12414-12423), and
-//! what was set for it.
+//! The block that the support in the control's editor writes: what its form holds, in its order (B:12414-12423).
 
 use super::{Source, assignments, value, word};
 use crate::control::Control;
-use crate::entry::{Cycle, Style, Typed, names};
+use crate::entry::names::{
+    CORA, DLNUM, EVNUM, FA, ID, K, KNUM, MVAR, NMSP, PRNUM, SZA, SZO, TDIF, TENV, TLL, TMV, TNAME, TNUM, TSA, TUL, TZL,
+    VMS,
+};
+use crate::entry::{Cycle, Style, Typed};
 use crate::name::Name;
 use crate::support::{MEAN_BIT, Mark, SPEEDS_BIT, Support, decimal};
 
-/// Order of the first block. The example measures a hole; what other forms have beside its fields stands behind the
-/// set size.
-const FIRST: [Name; 13] = [
-    names::MVAR,
-    OTHERS,
-    names::PRNUM,
-    names::KNUM,
-    names::FA,
-    names::TSA,
-    names::VMS,
-    names::NMSP,
-    names::ID,
-    names::SZA,
-    names::SZO,
-    names::CORA,
-    Name::new(SPEEDS_BIT),
-];
-/// Order of the second: tolerances, memories and the tool.
-const SECOND: [Name; 12] = [
-    names::TZL,
-    names::TDIF,
-    names::TUL,
-    names::TLL,
-    Name::new(MEAN_BIT),
-    names::TMV,
-    names::K,
-    names::EVNUM,
-    names::TNUM,
-    names::TNAME,
-    names::DLNUM,
-    names::TENV,
-];
+const SPEEDS: Name = Name::new(SPEEDS_BIT);
+const MEAN: Name = Name::new(MEAN_BIT);
+/// Order of the first block, as in the example for a hole; fields of other forms stand behind the set size.
+const FIRST: [Name; 13] = [MVAR, OTHERS, PRNUM, KNUM, FA, TSA, VMS, NMSP, ID, SZA, SZO, CORA, SPEEDS];
+/// Order of the second block: tolerances, memories and the tool.
+const SECOND: [Name; 12] = [TZL, TDIF, TUL, TLL, MEAN, TMV, K, EVNUM, TNUM, TNAME, DLNUM, TENV];
 /// Where everything else stands.
 const OTHERS: Name = Name::new("");
 
@@ -54,8 +31,7 @@ pub(super) fn source<'a>(
     let entered = support.entered(cycle, typed, control);
     let mut source = super::source(cycle, &entered.values, control);
     if style == Style::Operate {
-        let inputs = &source.inputs;
-        source.values.retain(|(param, _)| !support.hides(param, inputs));
+        source.values.retain(|(param, _)| !support.hides(param, &source.inputs));
         return source;
     }
     let used = cycle.params.iter().filter(|param| param.need(&source.inputs).is_some());

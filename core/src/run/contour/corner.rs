@@ -1,20 +1,20 @@
 //! How the path of the tool centre goes from one piece of the contour to the next.
 
-use super::element::{Element, Point, add, cross, distance, dot, left, scaled, subtract};
+use super::element::{Element, Point, distance, left};
 use std::f64::consts::PI;
 
 /// Changes of direction that are none, radian: at 10 mm of radius a step of 0.01 µm.
 const SMOOTH: f64 = 1e-6;
-/// Changes of direction from which on there is no meeting point outside, radian: the corner is then rounded, as a
-/// SINUMERIK does with MD 20210 as delivered.
+/// Changes of direction, radian, above which a corner is rounded outside, as by a SINUMERIK with MD 20210 as delivered.
 const POINTED: f64 = 100.0 / 180.0 * PI;
 /// By how much a point may lie beside the end of a piece and still be taken for it, mm or radian.
 const END: f64 = 1e-7;
 
 /// G450 or G451.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Outside {
     /// G450: round the corner of the contour.
+    #[default]
     Circle,
     /// G451: on to the point where both paths meet.
     Meeting,
@@ -34,22 +34,20 @@ pub struct Beside {
 impl Beside {
     /// The path beside a piece of the contour; none: it has no room.
     pub fn of(contour: Element, by: [f64; 2]) -> Option<Beside> {
-        let path = contour.beside(by)?;
-        Some(Beside { contour, path, by })
+        Some(Beside { contour, path: contour.beside(by)?, by })
     }
 }
 
 /// From one path to the next.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Corner {
-    /// They meet as they are.
+    /// Both paths meet as they are.
     Smooth,
     /// Outside: round the end of the contour by so many radians, counter-clockwise positive.
     Round(f64),
     /// The point where both meet; so much of the end of the first and of the start of the second is left out, in the
     /// unit of [`Element::extent`]; what is negative is added.
     Meet {
-        /// The point.
         at: Point,
         /// Of the first and of the second.
         cut: [f64; 2],
@@ -77,7 +75,7 @@ pub fn corner(first: &Beside, second: &Beside, begun: f64, outside: Outside) -> 
 /// from each other; where they do not bend, that on which the tool goes round.
 fn turn(first: &Element, second: &Element, by: f64) -> f64 {
     let (arrives, departs) = (first.arrives(), second.departs());
-    let turn = cross(arrives, departs).atan2(dot(arrives, departs));
+    let turn = arrives.perp(&departs).atan2(arrives.dot(&departs));
     let bend = first.curvature() + second.curvature();
     match turn.abs() > PI - SMOOTH {
         true if bend != 0.0 => -PI * bend.signum(),
@@ -142,20 +140,19 @@ impl Curve {
 fn crossings(a: Curve, b: Curve) -> [Option<Point>; 2] {
     match (a, b) {
         (Curve::Line(p, u), Curve::Line(q, v)) => {
-            let sine = cross(u, v);
-            let along = cross(subtract(q, p), v) / sine;
-            [along.is_finite().then(|| add(p, u, along)), None]
+            let along = (q - p).perp(&v) / u.perp(&v);
+            [along.is_finite().then(|| p + u * along), None]
         }
         (Curve::Line(point, along), Curve::Circle(centre, radius))
         | (Curve::Circle(centre, radius), Curve::Line(point, along)) => {
-            let foot = add(point, along, dot(subtract(centre, point), along));
-            beside(foot, along, radius * radius - dot(subtract(foot, centre), subtract(foot, centre)))
+            let foot = point + along * (centre - point).dot(&along);
+            beside(foot, along, radius * radius - (foot - centre).dot(&(foot - centre)))
         }
         (Curve::Circle(centre, radius), Curve::Circle(other, size)) => {
             let apart = distance(centre, other);
-            let towards = scaled(subtract(other, centre), 1.0 / apart);
+            let towards = (other - centre) * (1.0 / apart);
             let way = (radius * radius - size * size + apart * apart) / (2.0 * apart);
-            beside(add(centre, towards, way), left(towards), radius * radius - way * way)
+            beside(centre + towards * way, left(towards), radius * radius - way * way)
         }
     }
 }
@@ -164,7 +161,7 @@ fn crossings(a: Curve, b: Curve) -> [Option<Point>; 2] {
 fn beside(middle: Point, along: Point, square: f64) -> [Option<Point>; 2] {
     // what touches may miss by what f64 leaves
     let half = if square.abs() < 1e-9 { 0.0 } else { square.sqrt() };
-    [half, -half].map(|half| half.is_finite().then(|| add(middle, along, half)))
+    [half, -half].map(|half| half.is_finite().then(|| middle + along * half))
 }
 
 #[cfg(test)]
@@ -176,17 +173,17 @@ mod tests {
     /// A line from the zero along the abscissa, and one of the same length from its end in a direction, degree.
     fn lines(degrees: f64, by: f64) -> [Beside; 2] {
         let (sine, cosine) = degrees.to_radians().sin_cos();
-        let corner = [50.0, 0.0];
+        let corner = Point::new(50.0, 0.0);
         let line = |start, end| Element { start, end, round: None };
-        let second = line(corner, [50.0 + 50.0 * cosine, 50.0 * sine]);
-        [line([0.0; 2], corner), second].map(|line| Beside::of(line, [by; 2]).unwrap())
+        let second = line(corner, Point::new(50.0 + 50.0 * cosine, 50.0 * sine));
+        [line(Point::zeros(), corner), second].map(|line| Beside::of(line, [by; 2]).unwrap())
     }
 
     fn between([first, second]: &[Beside; 2], outside: Outside) -> Option<Corner> {
         corner(first, second, 0.0, outside)
     }
 
-    fn meets(corner: Option<Corner>, [x, y]: Point) {
+    fn meets(corner: Option<Corner>, [x, y]: [f64; 2]) {
         let Some(Corner::Meet { at, .. }) = corner else {
             panic!("{corner:?}");
         };
@@ -224,9 +221,9 @@ mod tests {
     #[test]
     fn arcs_go_on_until_they_meet() {
         let arc = |centre: f64| Element {
-            start: [centre - 10.0, 0.0],
-            end: [centre + 10.0, 0.0],
-            round: Some(Round { centre: [centre, 0.0], sweep: -PI }),
+            start: Point::new(centre - 10.0, 0.0),
+            end: Point::new(centre + 10.0, 0.0),
+            round: Some(Round { centre: Point::new(centre, 0.0), sweep: -PI }),
         };
         let pair = |by| [10.0, 30.0].map(|centre| Beside::of(arc(centre), [by; 2]).unwrap());
         // over both the point between them is inside

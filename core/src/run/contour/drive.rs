@@ -17,11 +17,9 @@ use crate::run::interpret::Interpreter;
 /// A block that waits.
 #[derive(Clone, Copy, Debug)]
 pub struct Waiting {
-    /// What it does.
     pub piece: Piece,
-    /// Its end along the applicate.
+    /// End of the block along the applicate.
     pub height: f64,
-    /// How it is driven.
     pub manner: Manner,
 }
 
@@ -32,7 +30,6 @@ pub enum Piece {
     Approach(Beside),
     /// Goes along it, after so much of its path has been left out.
     Along {
-        /// Contour and path.
         beside: Beside,
         /// In the unit of [`super::element::Element::extent`].
         begun: f64,
@@ -42,7 +39,7 @@ pub enum Piece {
 }
 
 impl Waiting {
-    /// Its way once its end is known; so much of its path is left out there.
+    /// Way of the block once its end is known; so much of its path is left out there.
     pub fn way(&self, at: Point, cut: f64) -> Way {
         let (at, round) = match &self.piece {
             Piece::Rise => (None, None),
@@ -50,8 +47,7 @@ impl Waiting {
             Piece::Along { beside, begun } => {
                 let sweep = beside.path.sweep(*begun, cut);
                 let centre = beside.path.round.map(|round| round.centre);
-                let round = centre.zip(sweep);
-                (Some(at), round.map(|(centre, sweep)| Round { centre, sweep }))
+                (Some(at), centre.zip(sweep).map(|(centre, sweep)| Round { centre, sweep }))
             }
         };
         Way { at, height: self.height, round, manner: self.manner }
@@ -94,8 +90,7 @@ fn tip(run: &Interpreter) -> [f64; 3] {
     let mut tip = [0.0; 3];
     if let Some(edge) = control.active_edge().filter(|edge| edge.is_turning()) {
         let [a, o, _] = control.plane.axes();
-        let radius = control.active_radius();
-        [tip[a], tip[o]] = side(edge.tip, false).map(|towards| towards * radius);
+        [tip[a], tip[o]] = side(edge.tip, false).map(|towards| towards * control.active_radius());
     }
     tip
 }
@@ -103,13 +98,12 @@ fn tip(run: &Interpreter) -> [f64; 3] {
 /// A way of the tool centre.
 #[derive(Clone, Copy, Debug)]
 pub struct Way {
-    /// Its end in the plane; none: there it stays.
+    /// End in the plane; none: the tool stays there.
     pub at: Option<Point>,
-    /// Its end along the applicate.
+    /// End of the block along the applicate.
     pub height: f64,
     /// Round what; none: straight.
     pub round: Option<Round>,
-    /// How.
     pub manner: Manner,
 }
 
@@ -120,8 +114,7 @@ pub fn all(run: &mut Interpreter, plane: &Plane, ways: &[Way]) -> Result<(), Hal
     let mut later = entries.split_off(passed.min(entries.len())).into_iter();
     let line = run.sim.line;
     for way in ways {
-        let between = later.by_ref().take(way.manner.behind.saturating_sub(passed));
-        run.sim.trace.entries.extend(between);
+        run.sim.trace.entries.extend(later.by_ref().take(way.manner.behind.saturating_sub(passed)));
         passed = way.manner.behind;
         run.sim.line = way.manner.line;
         one(run, plane, way).map_err(Halt::at(way.manner.span))?;

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 /// Abscissa and ordinate, mm.
-pub type Point = [f64; 2];
+pub type Point = nalgebra::Vector2<f64>;
 
 /// Shorter ways are none, and an arc with a smaller radius is a point, mm.
 const NOTHING: f64 = 1e-6;
@@ -11,9 +11,7 @@ const NOTHING: f64 = 1e-6;
 /// A piece of a contour.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Element {
-    /// Where it begins.
     pub start: Point,
-    /// Where it ends.
     pub end: Point,
     /// Round what; none: straight.
     pub round: Option<Round>,
@@ -22,7 +20,6 @@ pub struct Element {
 /// How an arc goes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Round {
-    /// Centre.
     pub centre: Point,
     /// Radian from start to end, counter-clockwise positive; whole turns included.
     pub sweep: f64,
@@ -39,17 +36,13 @@ impl Element {
         self.along(self.start)
     }
 
-    /// Direction at the end.
     pub fn arrives(&self) -> Point {
         self.along(self.end)
     }
 
     fn along(&self, at: Point) -> Point {
         match self.round {
-            Some(round) => {
-                let out = direction(round.centre, at);
-                scaled(left(out), round.sweep.signum())
-            }
+            Some(round) => left(direction(round.centre, at)) * round.sweep.signum(),
             None => direction(self.start, self.end),
         }
     }
@@ -67,12 +60,11 @@ impl Element {
         self.round.map_or(0.0, |round| round.sweep.signum() / distance(round.centre, self.start))
     }
 
-    /// The line or arc beside this one, so far to the left of its start and of its end, mm; to the right where it is
-    /// negative. None: the arc has no room for it.
+    /// The line or arc beside this one, so far to the left of its start and end, mm, negative right; none: no room.
     pub fn beside(&self, [begin, end]: [f64; 2]) -> Option<Element> {
         let found = Element {
-            start: add(self.start, left(self.departs()), begin),
-            end: add(self.end, left(self.arrives()), end),
+            start: self.start + left(self.departs()) * begin,
+            end: self.end + left(self.arrives()) * end,
             round: self.round,
         };
         let Some(round) = self.round else { return Some(found) };
@@ -80,17 +72,15 @@ impl Element {
         (room(self.start, begin) > -NOTHING && room(self.end, end) > -NOTHING).then_some(found)
     }
 
-    /// How far one point of the line or circle lies behind another, in the unit of [`Element::extent`]; of an arc from
-    /// 0 to a whole turn.
+    /// How far one point lies behind another, in the unit of [`Element::extent`]; of an arc from 0 to a whole turn.
     pub fn way(&self, from: Point, to: Point) -> f64 {
         match self.round {
             Some(round) => turned(round, from, to),
-            None => dot(subtract(to, from), self.departs()),
+            None => (to - from).dot(&self.departs()),
         }
     }
 
-    /// The way of this element that begins and ends so far inside of it: its angle, radian. None: a line, or an arc
-    /// that is a point.
+    /// Angle of the arc that begins and ends so far inside of this one, radian; none: a line, or a point.
     pub fn sweep(&self, begun: f64, cut: f64) -> Option<f64> {
         let round = self.round?;
         let radius = distance(round.centre, self.end);
@@ -100,54 +90,29 @@ impl Element {
 
 /// Angle from one point to another in the sense of the arc, 0 to a whole turn; just below a whole turn is none at all.
 fn turned(round: Round, from: Point, to: Point) -> f64 {
-    let angle = |point| {
-        let [x, y] = subtract(point, round.centre);
-        y.atan2(x)
+    let angle = |point: Point| {
+        let way = point - round.centre;
+        way.y.atan2(way.x)
     };
     let turned = ((angle(to) - angle(from)) * round.sweep.signum()).rem_euclid(TAU);
     if TAU - turned < 1e-7 { turned - TAU } else { turned }
 }
 
 /// Distance of two points, mm.
-pub fn distance(a: Point, b: Point) -> f64 {
-    (a[0] - b[0]).hypot(a[1] - b[1])
+pub fn distance(a: impl Into<Point>, b: impl Into<Point>) -> f64 {
+    let way = a.into() - b.into();
+    way.x.hypot(way.y)
 }
 
 /// A quarter turn counter-clockwise.
-pub fn left([x, y]: Point) -> Point {
-    [-y, x]
-}
-
-/// Scalar product.
-pub fn dot(a: Point, b: Point) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
-}
-
-/// Sine of the angle between two unit vectors, counter-clockwise positive.
-pub fn cross(a: Point, b: Point) -> f64 {
-    a[0] * b[1] - a[1] * b[0]
-}
-
-/// A point and so many times a vector.
-pub fn add(a: Point, b: Point, factor: f64) -> Point {
-    [a[0] + factor * b[0], a[1] + factor * b[1]]
-}
-
-/// From the second to the first.
-pub fn subtract(a: Point, b: Point) -> Point {
-    add(a, b, -1.0)
-}
-
-/// So many times a vector.
-pub fn scaled(a: Point, factor: f64) -> Point {
-    [factor * a[0], factor * a[1]]
+pub fn left(way: Point) -> Point {
+    Point::new(-way.y, way.x)
 }
 
 /// Unit vector from one point to another; where both are the same, along the abscissa.
 fn direction(from: Point, to: Point) -> Point {
-    let way = subtract(to, from);
-    let length = way[0].hypot(way[1]);
-    if length > 0.0 { scaled(way, 1.0 / length) } else { [1.0, 0.0] }
+    let (way, length) = (to - from, distance(to, from));
+    if length > 0.0 { way * (1.0 / length) } else { Point::x() }
 }
 
 #[cfg(test)]
@@ -155,15 +120,15 @@ mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
 
-    fn near(a: Point, b: Point) {
+    fn near(a: Point, b: [f64; 2]) {
         assert!(distance(a, b) < 1e-12, "{a:?} {b:?}");
     }
 
     // oracle: hand: a quarter of a circle of 10 about the origin, counter-clockwise from X10
     #[test]
     fn beside_an_arc_lies_an_arc_about_the_same_centre() {
-        let round = Round { centre: [0.0; 2], sweep: TAU / 4.0 };
-        let arc = Element { start: [10.0, 0.0], end: [0.0, 10.0], round: Some(round) };
+        let round = Round { centre: Point::zeros(), sweep: TAU / 4.0 };
+        let arc = Element { start: Point::new(10.0, 0.0), end: Point::new(0.0, 10.0), round: Some(round) };
         near(arc.departs(), [0.0, 1.0]);
         near(arc.arrives(), [-1.0, 0.0]);
         let inside = arc.beside([3.0, 3.0]).unwrap();
@@ -173,7 +138,7 @@ mod tests {
         near(outside.end, [0.0, 13.0]);
         assert!(arc.beside([10.0, 10.0]).unwrap().sweep(0.0, 0.0).is_none());
         assert_eq!(arc.beside([10.1, 10.1]), None);
-        assert!((arc.way(arc.start, [5.0, 5.0]) - TAU / 8.0).abs() < 1e-12);
-        assert!((arc.way([5.0, 5.0], arc.end) - TAU / 8.0).abs() < 1e-12);
+        assert!((arc.way(arc.start, Point::new(5.0, 5.0)) - TAU / 8.0).abs() < 1e-12);
+        assert!((arc.way(Point::new(5.0, 5.0), arc.end) - TAU / 8.0).abs() < 1e-12);
     }
 }

@@ -43,13 +43,11 @@ pub struct Contour {
 /// A programmed motion.
 #[derive(Clone, Copy, Debug)]
 pub struct Motion {
-    /// Its way, machine coordinates.
+    /// Programmed way, machine coordinates.
     pub way: Route,
-    /// Its kind.
     pub kind: MotionKind,
     /// mm/min.
     pub feed: f64,
-    /// Place of its block.
     pub span: Span,
 }
 
@@ -112,7 +110,7 @@ pub fn finish(run: &mut Interpreter) -> Result<(), Halt> {
     Ok(())
 }
 
-/// The same; afterwards the program stands where the tool stands, and a contour begins anew.
+/// Drives what waits and ends the contour: the program stands where the tool stands then.
 pub fn leave(run: &mut Interpreter) -> Result<(), Halt> {
     let done = finish(run);
     run.contour = None;
@@ -140,7 +138,7 @@ impl Contour {
     fn rise(&mut self, run: &mut Interpreter, step: &Step) -> Result<(), Halt> {
         let rise = self.waiting(run, step, Piece::Rise);
         if self.waiting.is_empty() {
-            return drive::all(run, &self.plane, &[rise.way([0.0; 2], 0.0)]);
+            return drive::all(run, &self.plane, &[rise.way(Point::zeros(), 0.0)]);
         }
         self.waiting.push(rise);
         Ok(())
@@ -154,8 +152,7 @@ impl Contour {
         if !run.sim.control.make().registers && run.sim.control.tool == 0 {
             return refused(step.motion, "run-contour-tool"); // alarm 10750
         }
-        let beside = beside(run, step, step.by)?;
-        self.waiting = vec![self.waiting(run, step, Piece::Approach(beside))];
+        self.waiting = vec![self.waiting(run, step, Piece::Approach(beside(run, step, step.by)?))];
         Ok(())
     }
 
@@ -166,8 +163,7 @@ impl Contour {
             Some(_) => None,
             None => self.driven.take().map(|beside| (beside, 0.0)),
         };
-        let by = before.map_or(step.by, |(before, _)| before.by[1]);
-        let beside = beside(run, step, by)?;
+        let beside = beside(run, step, before.map_or(step.by, |(before, _)| before.by[1]))?;
         let corner = match &before {
             Some((before, begun)) => corner(before, &beside, *begun, run.modal.outside),
             None => Some(Corner::Smooth),

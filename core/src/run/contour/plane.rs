@@ -8,8 +8,7 @@ use crate::machine::route::Route;
 /// Unit vectors that differ by less are the same.
 const SAME: f64 = 1e-9;
 
-/// Directions of the working plane in machine coordinates: lengths are those of the machine whatever scales the frames
-/// have, as the tool is not scaled with the contour.
+/// Directions of the working plane in machine coordinates, unscaled: the tool is not scaled with the contour.
 #[derive(Clone, Copy, Debug)]
 pub struct Plane {
     /// Along the abscissa, across it in the plane, along the applicate: right-handed.
@@ -19,7 +18,7 @@ pub struct Plane {
 }
 
 impl Plane {
-    /// That of the active WCS.
+    /// The working plane of the active WCS.
     pub fn of(control: &Control) -> Plane {
         let zero = V3::from(control.to_machine(Wcs([0.0; 3])).0);
         let seen = control.plane.axes().map(|axis| {
@@ -42,13 +41,13 @@ impl Plane {
     pub fn split(&self, point: Mcs) -> (Point, f64) {
         let point = V3::from(point);
         let [x, y, height] = self.axes.map(|axis| axis.dot(&point));
-        ([x, y], height)
+        (Point::new(x, y), height)
     }
 
     /// The place of abscissa, ordinate and height.
-    pub fn place(&self, [x, y]: Point, height: f64) -> Mcs {
+    pub fn place(&self, at: Point, height: f64) -> Mcs {
         let [abscissa, across, up] = self.axes;
-        Mcs((abscissa * x + across * y + up * height).into())
+        Mcs((abscissa * at.x + across * at.y + up * height).into())
     }
 
     /// Direction of the tool in the machine, a unit vector.
@@ -58,19 +57,14 @@ impl Plane {
 
     /// A way as it is seen in the plane; none: it is an arc across it.
     pub fn element(&self, way: &Route) -> Option<Element> {
-        let round = match way.around {
-            Some(around) => {
-                let sense = self.axes[2].dot(&V3::from(around.axis));
-                if sense.abs() < 1.0 - SAME {
-                    return None;
-                }
-                Some(Round {
-                    centre: self.split(Mcs(around.centre)).0,
-                    sweep: around.degrees.radians() * sense.signum(),
-                })
-            }
-            None => None,
-        };
+        let sense = way.around.map_or(1.0, |around| self.axes[2].dot(&V3::from(around.axis)));
+        if sense.abs() < 1.0 - SAME {
+            return None;
+        }
+        let round = way.around.map(|around| Round {
+            centre: self.split(Mcs(around.centre)).0,
+            sweep: around.degrees.radians() * sense.signum(),
+        });
         Some(Element { start: self.split(way.from).0, end: self.split(way.to).0, round })
     }
 }
