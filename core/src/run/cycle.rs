@@ -129,8 +129,8 @@ pub fn carry_out(run: &mut Interpreter, cycle: &'static Cycle, checked: Checked,
     }
 }
 
-/// Runs the user's program of this text around a call of this cycle, where there is one (B:2476-2530): from the label of
-/// the cycle (`_M977`), else from its first block, to its end. It does not call itself. As delivered it is empty.
+/// Runs the user's program of this text around a call of this cycle, where there is one (B:2476-2530), to its end: from
+/// the label of the cycle (`_M977`), else from its first block. It does not call itself. As delivered it is empty.
 fn around(run: &mut Interpreter, program: &UserProgram, cycle: &Cycle, span: Span) -> Result<(), Halt> {
     let measures = cycle.is_measuring_cycle();
     let unit = run.programs.named(program.name).filter(|_| measures);
