@@ -7,7 +7,7 @@ use Found::{Both, Check, Nowhere, Run};
 
 /// An alarm or message.
 pub struct Alarm {
-    /// Its name.
+    /// Number, or text of the message.
     pub code: Code,
     /// What Probewright does about it.
     pub found: Found,

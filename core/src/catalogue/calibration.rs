@@ -1,14 +1,9 @@
 //! Checks that the cycles which calibrate a workpiece probe share (CYCLE973, CYCLE976).
 
-use super::place;
-use crate::check::refused;
-use crate::control::Control;
-use crate::diagnostic::Diagnostic;
-use crate::entry::{Inputs, names};
-use crate::own;
+use crate::catalogue::prelude::*;
 
-/// Ball radius that a calibration positions with: that of the active tool (B:5405, B:5486), not the stored one, which
-/// it may be about to find.
+/// Ball radius that a calibration positions with: that of the active tool, as the stored one is yet to be found
+/// (B:5405, B:5486).
 pub fn ball_radius(inputs: &Inputs, control: &Control) -> f64 {
     let active = control.active_edge().map_or(0.0, |edge| edge.radius);
     if active > 0.0 { active } else { place::ball_radius(inputs, control) }
@@ -21,8 +16,7 @@ pub fn band(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// The data are those of the machine's directions, so that no axis may be mirrored (B:4153-4154). The manual names no
-/// alarm.
+/// No axis may be mirrored, as the data are of machine directions (B:4153-4154). The manual names no alarm.
 pub fn unmirrored(control: &Control, found: &mut Vec<Diagnostic>) {
     if (0..3).any(|axis| control.mirrored(axis)) {
         found.push(own::CALIBRATION_MIRROR.finding());

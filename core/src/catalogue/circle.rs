@@ -1,12 +1,9 @@
 //! Points that lie on a circle, and checks for them, at a starting angle and steps of an indexing angle: CYCLE979,
 //! CYCLE997.
 
-use crate::check::refused;
-use crate::control::Control;
-use crate::diagnostic::{Diagnostic, Severity};
-use crate::entry::{Inputs, names};
+use crate::catalogue::prelude::*;
+use crate::diagnostic::Severity;
 use crate::evaluate::spread::{Circle, circle};
-use crate::own;
 
 /// The probe must have been calibrated with its ball diameter (B:6873, B:8221).
 pub fn ball_known(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {

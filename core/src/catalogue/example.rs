@@ -1,12 +1,10 @@
 //! The worked measurement of each variant.
 
+use crate::catalogue::prelude::*;
 use crate::check;
 use crate::control::{Plane, delivery};
-use crate::entry::{Cycle, Typed, Variant};
-use crate::name::Name;
 
-/// Values as typed: of the cycle's example what the variant knows, what chooses the variant, and what it needs beside
-/// that.
+/// Values as typed: of the cycle's example what the variant knows, what chooses it, and what it needs beside that.
 pub fn example(cycle: &'static Cycle, variant: &Variant) -> Typed {
     let mut values = worked(cycle);
     values.extend(choosing(cycle, variant.number));
@@ -18,8 +16,7 @@ pub fn example(cycle: &'static Cycle, variant: &Variant) -> Typed {
     values
 }
 
-/// Leaves out what the variant does not know: of another one it came along. Where addresses choose the variant, each
-/// says something by standing there.
+/// Leaves out what the variant does not know. An address that chooses a variant says something by standing there.
 fn known(cycle: &'static Cycle, values: &mut Typed) {
     if cycle.variant_param().is_none() {
         return;
@@ -51,8 +48,7 @@ pub fn choosing(cycle: &'static Cycle, number: i64) -> Typed {
         }
         let mut choices = param.chooses.iter().filter(|one| one.when.holds(&given));
         choices.clone().next()?;
-        let chosen = choices.find(|one| one.variant == number);
-        let typed = chosen.map_or("", |one| one.typed);
+        let typed = choices.find(|one| one.variant == number).map_or("", |one| one.typed);
         Some((param.name.to_string(), typed.to_owned()))
     };
     one_by_one(cycle.params.iter().filter_map(value))

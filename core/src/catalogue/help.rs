@@ -3,9 +3,7 @@
 
 use super::CYCLES;
 use super::common::{TOOL_OFFSET, ZERO_OFFSET};
-use crate::diagnostic::Code;
-use crate::entry::{Cycle, HelpLine, Inputs, Kind, Level, Need, Param, ResultField, Section, When, names};
-use crate::name::Name;
+use crate::catalogue::prelude::*;
 
 /// What the help page of one variant says.
 pub struct HelpPage {
@@ -40,8 +38,7 @@ impl HelpPage {
 
     /// The lines of a section.
     pub fn section(&self, section: Section) -> impl Iterator<Item = &'static HelpLine> {
-        let lines = self.lines.iter().copied();
-        lines.filter(move |line| line.section == section)
+        self.lines.iter().copied().filter(move |line| line.section == section)
     }
 }
 
@@ -55,8 +52,7 @@ fn required(param: &Param, inputs: &Inputs) -> bool {
 
 /// Whether some call of the variant uses this parameter.
 fn used(param: &Param, inputs: &Inputs) -> bool {
-    let mut needs = param.needs.iter();
-    needs.any(|need| need.when.of_variant(inputs) != Some(false))
+    param.needs.iter().any(|need| need.when.of_variant(inputs) != Some(false))
 }
 
 /// Alarms about parameters beside those that stand with a parameter: about the safe area, the tolerances, the tool or
@@ -70,15 +66,13 @@ const ABOUT: &[(Name, When, &[u32])] = &[
     (names::COR, When::Always, &[61321, 61412]),
 ];
 
-/// Whether a call of the variant can raise an alarm of the entry: not one about a parameter that the variant does not
-/// use.
+/// Whether a call of the variant can raise an alarm: not one about a parameter that the variant does not use.
 fn can_come(alarm: Code, inputs: &Inputs) -> bool {
     let is_used = |name: Name| {
         let param = inputs.cycle.param(name.as_str());
         param.is_some_and(|param| used(param, inputs))
     };
-    let params = CYCLES.iter().flat_map(|cycle| cycle.params);
-    let mut bound = params.filter(|param| param.alarm == Some(alarm)).peekable();
+    let mut bound = CYCLES.iter().flat_map(|cycle| cycle.params).filter(|param| param.alarm == Some(alarm)).peekable();
     if bound.peek().is_some() {
         return bound.any(|param| is_used(param.name));
     }

@@ -1,10 +1,9 @@
 //! Which cycle a call with arguments means.
 
 use super::CYCLES;
+use crate::catalogue::prelude::*;
 use crate::check::listed::{selection, too_many};
-use crate::diagnostic::Diagnostic;
 use crate::dialect::Dialect;
-use crate::entry::{AUXILIARY, AUXILIARY_ARGS, Arg, ArgumentList, Cycle};
 
 /// The cycle and the list that a call with so many arguments means; `number` tells what stands at an argument, where it
 /// is known. The name of a cycle without arguments is no such call: it takes the data as they are.

@@ -54,6 +54,7 @@ pub(crate) mod newer;
 pub(crate) mod older;
 pub mod operator_messages;
 pub(crate) mod place;
+pub(crate) mod prelude;
 pub(crate) mod shared_checks;
 pub(crate) mod shown_with;
 pub(crate) mod sinumerik;

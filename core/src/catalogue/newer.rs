@@ -48,7 +48,6 @@ const fn list(name: &'static str, when: When, args: &'static [Arg]) -> ArgumentL
     }
 }
 
-/// CYCLE961.
 pub const CYCLE961: ArgumentList = list(
     "CYCLE961",
     NEVER,
@@ -58,7 +57,6 @@ pub const CYCLE961: ArgumentList = list(
     ],
 );
 
-/// CYCLE971.
 pub const CYCLE971: ArgumentList = list(
     "CYCLE971",
     NEVER,
@@ -68,11 +66,9 @@ pub const CYCLE971: ArgumentList = list(
     ],
 );
 
-/// CYCLE973.
 pub const CYCLE973: ArgumentList =
     list("CYCLE973", NEVER, &[MVAR, PRNUM, CALNUM, SETVAL, MA, S_MD, FA, TSA, VMS, NMSP, S_MCBIT, DMODE, AMODE]);
 
-/// CYCLE974.
 pub const CYCLE974: ArgumentList = list(
     "CYCLE974",
     NEVER,
@@ -82,11 +78,9 @@ pub const CYCLE974: ArgumentList = list(
     ],
 );
 
-/// CYCLE976.
 pub const CYCLE976: ArgumentList =
     list("CYCLE976", NEVER, &[MVAR, PRNUM, SETVAL, S_SETV0, MA, S_MD, FA, TSA, VMS, STA1, NMSP, S_SETV1, DMODE, AMODE]);
 
-/// CYCLE977.
 pub const CYCLE977: ArgumentList = list(
     "CYCLE977",
     ELEMENTS,
@@ -96,8 +90,7 @@ pub const CYCLE977: ArgumentList = list(
     ],
 );
 
-/// CYCLE978. The measuring direction is an argument of its own, which programs leave out too; here the side on which
-/// the probe stands tells it.
+/// CYCLE978. Programs leave out the measuring direction too; here the side on which the probe stands tells it.
 pub const CYCLE978: ArgumentList = list(
     "CYCLE978",
     When::Variant(&[0, 100]),
@@ -107,7 +100,6 @@ pub const CYCLE978: ArgumentList = list(
     ],
 );
 
-/// CYCLE979.
 pub const CYCLE979: ArgumentList = list(
     "CYCLE979",
     NEVER,
@@ -117,14 +109,12 @@ pub const CYCLE979: ArgumentList = list(
     ],
 );
 
-/// CYCLE982.
 pub const CYCLE982: ArgumentList = list(
     "CYCLE982",
     NEVER,
     &[MVAR, S_KNUM, PRNUM, MA, S_MD, S_ID, FA, TSA, VMS, STA1, CORA, TZL, TDIF, NMSP, EVNUM, S_MCBIT, DMODE, AMODE],
 );
 
-/// CYCLE994.
 pub const CYCLE994: ArgumentList = list(
     "CYCLE994",
     NEVER,
@@ -134,7 +124,6 @@ pub const CYCLE994: ArgumentList = list(
     ],
 );
 
-/// CYCLE997.
 pub const CYCLE997: ArgumentList = list(
     "CYCLE997",
     NEVER,

@@ -80,7 +80,6 @@ const fn surface(when: When) -> ArgumentList {
     list("CYCLE_CAL_PROBE", when, &[], "B:11784-11797;A:13134-13139")
 }
 
-/// CYCLE974.
 pub const CYCLE974: ArgumentList =
     list("CYCLE_974", When::Always, &[MVAR, SETVAL, MA, TNUM, TNAME, KNUM, PRNUM, STA1], "B:12084-12098;A:13427-13434");
 
@@ -104,7 +103,6 @@ pub const CYCLE977_WIDTH: ArgumentList = list(
 pub const CYCLE977_RECTANGLE: ArgumentList =
     list("CYCLE_977_979C", mvar(1, &[5, 6]), &[MVAR, SETV0, SETV1, ID, SZA, SZO, TNUM, TNAME, KNUM], "B:11953-11985");
 
-/// CYCLE978.
 pub const CYCLE978: ArgumentList =
     list("CYCLE_978", When::Always, &[MVAR, SETVAL, MA, TNUM, TNAME, KNUM], "B:11987-11996");
 
@@ -124,7 +122,6 @@ pub const CYCLE979_WIDTH: ArgumentList = list(
     "B:11937-11951;A:13276-13289",
 );
 
-/// CYCLE994.
 pub const CYCLE994: ArgumentList = list(
     "CYCLE_994",
     When::Always,
@@ -132,6 +129,5 @@ pub const CYCLE994: ArgumentList = list(
     "B:12108-12121;A:13450-13458",
 );
 
-/// CYCLE998.
 pub const CYCLE998: ArgumentList =
     list("CYCLE_998", When::Always, &[MVAR, SETVAL, ID, RA, MA, KNUM, STA1, PRNUM], "B:12008-12015;A:13350-13357");

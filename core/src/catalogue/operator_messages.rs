@@ -80,8 +80,7 @@ pub fn shown_by(message: &OperatorMessage) -> Vec<&'static str> {
         Sender::Program(name) => vec![name],
         Sender::Jog => vec!["JOG"],
         Sender::EveryCycle => {
-            let measuring = CYCLES.iter().filter(|cycle| cycle.is_measuring_cycle());
-            measuring.map(|cycle| cycle.name).collect()
+            CYCLES.iter().filter(|cycle| cycle.is_measuring_cycle()).map(|cycle| cycle.name).collect()
         }
     }
 }

@@ -1,9 +1,8 @@
 //! Nominal parts and the probe in the active plane: what proposals and checks of the milling cycles share.
 
-use crate::control::{Control, Edge};
-use crate::entry::{Inputs, Proposal, ProposedTool, names};
+use crate::catalogue::prelude::*;
+use crate::control::Edge;
 use crate::evaluate::knum;
-use crate::geometry::Wcs;
 use crate::geometry::rigid::angles;
 use crate::workpiece::{PartErrors, Shape, Solid, Workpiece};
 use nalgebra::{Matrix3, Rotation3, Vector3};
@@ -36,8 +35,7 @@ pub fn side(control: &Control) -> f64 {
     if along < 0.0 { -1.0 } else { 1.0 }
 }
 
-/// A nominal solid: its origin and the directions of its X and Z axes, given as abscissa, ordinate, applicate of the
-/// WCS.
+/// A nominal solid by its origin and the directions of its X and Z axes: abscissa, ordinate, applicate of the WCS.
 pub fn solid(control: &Control, shape: Shape, at: [f64; 3], x: [f64; 3], z: [f64; 3]) -> Solid {
     let direction = |axis: [f64; 3]| Vector3::from(control.direction_to_machine(in_plane(control, axis)));
     let (x, z) = (direction(x), direction(z));

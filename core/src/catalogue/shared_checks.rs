@@ -1,16 +1,10 @@
 //! Checks over several parameters that the SINUMERIK workpiece cycles share.
 
 use super::common::MONO;
-use super::place;
-use crate::check::{error, refused};
-use crate::control::Control;
-use crate::diagnostic::{Code, Diagnostic};
-use crate::entry::{Inputs, When, names};
+use crate::catalogue::prelude::*;
+use crate::check::error;
 use crate::evaluate::knum;
 use crate::evaluate::knum::ZeroCode;
-use crate::message::Message;
-use crate::name::Name;
-use crate::own;
 use crate::own::Own;
 
 /// What every call that corrects a tool or a zero offset is checked for.
@@ -47,8 +41,7 @@ pub fn probe(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Memories of mean and empirical values beyond the arrays (`_EVMVNUM`, B:13717). What a control does then is not
-/// defined; the access would fail.
+/// Memories of mean and empirical values beyond the arrays (`_EVMVNUM`, B:13717), where an access would fail.
 pub fn memories(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     let Some(code) = inputs.given(names::EVNUM).map(|code| code as i64) else { return };
     let (mean, empirical) = if code > 9999 { (code / 10_000, code % 10_000) } else { (code, code) };
@@ -58,8 +51,7 @@ pub fn memories(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>)
         let size = control.number(array);
         if number as f64 > size {
             let finding = sentence.finding().number("number", number as f64);
-            let finding = finding.number("size", size).hint_text("array", array);
-            found.push(finding.at(names::EVNUM));
+            found.push(finding.number("size", size).hint_text("array", array).at(names::EVNUM));
             return;
         }
     }
@@ -90,8 +82,7 @@ pub fn tolerances(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
 /// A doubt when the second is smaller than the first.
 fn order(small: f64, large: Option<f64>, sentence: Own, at: Name, found: &mut Vec<Diagnostic>) {
     if let Some(large) = large.filter(|large| *large < small) {
-        let finding = sentence.finding().number("small", small);
-        found.push(finding.number("large", large).at(at));
+        found.push(sentence.finding().number("small", small).number("large", large).at(at));
     }
 }
 
@@ -144,9 +135,8 @@ pub fn rotation(control: &Control, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Differential measurement turns the spindle under a multi probe (B:6308, B:7297-7299). The alarm for the probe is
-/// ours:
-/// the manual names none.
+/// Differential measurement turns the spindle under a multi probe (B:6308, B:7297-7299). Alarm 61313 is ours: the
+/// manual names none.
 pub fn differential(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     if !control.spindle_positions {
         found.push(refused(61372, "check-differential-spindle", names::MVAR)); // A:15916
@@ -163,11 +153,6 @@ pub fn multi_probe(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// `_KNUM` of a measurement that turns a frame.
-pub fn rotation_target(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
-    takes_rotation(names::KNUM, inputs, found);
-}
-
 /// Global basic frames, named by this parameter, cannot take a rotation (B:1971).
 pub fn takes_rotation(name: Name, inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     let code = inputs.integer(name);
@@ -176,8 +161,7 @@ pub fn takes_rotation(name: Name, inputs: &Inputs, found: &mut Vec<Diagnostic>) 
     }
 }
 
-/// On a lathe the length of the probe has to end at the centre of its ball (B:5358, B:5480, B:5818, B:6400, B:6871,
-/// B:7528, B:7836).
+/// On a lathe the length ends at the centre of the ball (B:5358, B:5480, B:5818, B:6400, B:6871, B:7528, B:7836).
 pub fn lathe_length(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     if TURNING_TOOL.holds(inputs) && control.bit("_CBIT[14]") {
         found.push(own::LATHE_LENGTH.finding().at(names::PRNUM));

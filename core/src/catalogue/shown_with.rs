@@ -6,11 +6,9 @@ use crate::entry::address::{F, I, K, M, S, T, U, V, W, X, Y, Z};
 use crate::entry::{address, names};
 use crate::name::Name;
 
-/// Groups of parameters in whose figures a picture shows a parameter that has none of its own. The first group of which
-/// anything is drawn counts.
+/// Groups of parameters whose figures stand for a parameter without one; the first of which anything is drawn counts.
 pub fn shown_with(name: Name) -> &'static [&'static [Name]] {
-    let row = TABLE.iter().find(|(names, _)| names.contains(&name));
-    row.map_or(&[], |(_, groups)| groups)
+    TABLE.iter().find(|(names, _)| names.contains(&name)).map_or(&[], |(_, groups)| groups)
 }
 
 type Row = (&'static [Name], &'static [&'static [Name]]);

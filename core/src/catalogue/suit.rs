@@ -40,9 +40,8 @@ impl Setup {
     }
 
     /// Makes a turning machine of it where the cycle is for one, with a probe in its turret where the cycle uses it,
-    /// and brings such a probe for a milling cycle where the machine says that it is one; where
-    /// it uses a tool probe, the tool that the variant needs is in use, and where the probe stands is known. What the
-    /// machine says of itself counts more.
+    /// which a milling cycle gets where the machine says that it turns; for a tool probe its place and the tool that
+    /// the variant needs. What the machine says of itself counts more.
     pub fn suit(&mut self, cycle: &Cycle, variant: i64) {
         if cycle.dialect == Dialect::Nct {
             if cycle.purpose.probe == ProbeUse::Tool {
@@ -96,8 +95,7 @@ impl Setup {
         self.control.set(name, value);
     }
 
-    /// The reference tool of an NCT control in the spindle, and where the disk of its tool probe stands, unless the
-    /// machine says so itself.
+    /// Inserts the reference tool of an NCT control; places its tool probe, unless the machine does so itself.
     fn mount_reference_tool(&mut self) {
         (self.control.tool, self.control.edge) = (REFERENCE_REGISTER, REFERENCE_REGISTER);
         if NCT_TOOL_PROBE.iter().all(|(name, _)| self.control.number(name) == 0.0) {

@@ -41,9 +41,9 @@ pub struct Measurement {
 
 /// A call of the other control.
 pub struct Twin {
-    /// Its cycle.
+    /// Cycle that is called.
     pub cycle: &'static Cycle,
-    /// Its values as typed.
+    /// Values as typed.
     pub values: Typed,
     /// What both have in common.
     pub measurement: Measurement,
@@ -62,8 +62,7 @@ pub fn other(dialect: Dialect) -> Dialect {
     }
 }
 
-/// The same measurement on the other control, which is in the same plane and system of units; none where that control
-/// has no such task.
+/// A measurement as the other control does it in the same plane and system of units; none where it has no such task.
 pub fn twin(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Option<Twin> {
     let inputs = check::read(cycle, typed, control, &mut Vec::new());
     let (shared, measurement) = measured(&inputs, control)?;
@@ -80,8 +79,7 @@ pub fn twin(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Option<T
 
 /// What a call measures.
 pub fn measured(inputs: &Inputs, control: &Control) -> Option<(&'static Shared, Measurement)> {
-    let mut tasks = inputs.cycle.purpose.tasks.iter();
-    let shared = tasks.find(|shared| shared.when.holds(inputs))?;
+    let shared = inputs.cycle.purpose.tasks.iter().find(|shared| shared.when.holds(inputs))?;
     let given = |meaning: Meaning| shared.given(meaning, inputs);
     let (in_axis, nominal) = match in_axis(inputs, shared) {
         Some((axis, value)) => (Some(axis), Some(value)),
@@ -111,8 +109,7 @@ pub fn measured(inputs: &Inputs, control: &Control) -> Option<(&'static Shared, 
 /// The set value in the address of an axis: the part of the plane to which the axis belongs, and the value. The axis of
 /// the tool counts only where the surface lies across it; else its address is a depth.
 fn in_axis(inputs: &Inputs, shared: &Shared) -> Option<(usize, f64)> {
-    let mut named = shared.values.iter();
-    named.find_map(|(name, meaning)| {
+    shared.values.iter().find_map(|(name, meaning)| {
         let part = part_of(*meaning, *name, inputs).filter(|_| *meaning == Meaning::NominalInAxis)?;
         let counts = (part == 2) == along_tool(shared.task);
         Some((part, inputs.given(*name).filter(|_| counts)?))
@@ -122,8 +119,7 @@ fn in_axis(inputs: &Inputs, shared: &Shared) -> Option<(usize, f64)> {
 /// Part of the plane to which the axis belongs that an address names.
 pub fn part_of(meaning: Meaning, name: Name, inputs: &Inputs) -> Option<usize> {
     let axis = AXES.iter().position(|axis| *axis == name)?;
-    let axes = inputs.plane.axes();
-    let part = axes.iter().position(|of_plane| *of_plane == axis);
+    let part = inputs.plane.axes().iter().position(|of_plane| *of_plane == axis);
     part.filter(|_| matches!(meaning, Meaning::NominalInAxis | Meaning::CornerInAxis))
 }
 
@@ -135,10 +131,7 @@ fn along_tool(task: Task) -> bool {
 /// The cycle of a control that has the task.
 fn entry(dialect: Dialect, wanted: &Measurement) -> Option<(&'static Cycle, &'static Shared)> {
     let cycles = CYCLES.iter().filter(|cycle| cycle.dialect == dialect);
-    let mut all = cycles.flat_map(|cycle| {
-        let tasks = cycle.purpose.tasks.iter();
-        tasks.map(move |shared| (*cycle, shared))
-    });
+    let mut all = cycles.flat_map(|cycle| cycle.purpose.tasks.iter().map(move |shared| (*cycle, shared)));
     all.find(|(_, shared)| {
         let tool = shared.tool.is_none_or(|tool| tool == wanted.corrects_tool);
         shared.task == wanted.task && tool
@@ -148,7 +141,7 @@ fn entry(dialect: Dialect, wanted: &Measurement) -> Option<(&'static Cycle, &'st
 /// Values of a call.
 struct Values {
     all: Typed,
-    /// Those that the worked measurement gives, because the call needs them.
+    /// Parameters whose values the worked measurement gives, because the call needs them.
     of_example: Vec<Name>,
 }
 
@@ -182,8 +175,7 @@ fn written(cycle: &'static Cycle, shared: &Shared, wanted: &Measurement, control
 }
 
 fn required(param: &Param, read: &Inputs, control: &Control) -> bool {
-    let needed = param.need(read).map(|(level, _)| level);
-    needed == Some(Level::Required) && param.fallback(control).is_none()
+    param.need(read).map(|(level, _)| level) == Some(Level::Required) && param.fallback(control).is_none()
 }
 
 /// The number of a variant, or the addresses whose presence makes it in this plane.
@@ -253,11 +245,9 @@ fn told(inputs: &Inputs, shared: &Shared, measurement: &Measurement, control: &C
     if has_depth(measurement.task) {
         let [.., axis] = control.plane.axes();
         let height = twin_place::start(control.active_units) / control.active_factor();
-        let depth = Message::new("twin-depth");
-        all.push(depth.text("axis", AXES[axis]).number("height", height));
+        all.push(Message::new("twin-depth").text("axis", AXES[axis]).number("height", height));
     }
-    let always = measurement.task.differences().iter();
-    all.extend(always.copied().map(Message::new));
+    all.extend(measurement.task.differences().iter().copied().map(Message::new));
     all
 }
 
@@ -275,8 +265,7 @@ fn one_sided(inputs: &Inputs, shared: [&Shared; 2], there: &'static Cycle, value
 /// Parameters that count in this call and have no counterpart.
 fn only_here(inputs: &Inputs, [here, there]: [&Shared; 2]) -> Vec<Name> {
     let means = |name: Name| here.values.iter().any(|(known, meaning)| *known == name && has(there, *meaning));
-    let params = inputs.cycle.params.iter();
-    let counts = params.filter(|param| {
+    let counts = inputs.cycle.params.iter().filter(|param| {
         let variant = inputs.cycle.variant_param() == Some(param.name);
         let used = inputs.uses(param.name) && inputs.given(param.name).is_some();
         used && !variant && !means(param.name) && param.chooses.is_empty()
@@ -298,8 +287,7 @@ fn has(shared: &Shared, meaning: Meaning) -> bool {
         Axis => &[Axis, NominalInAxis],
         _ => &[meaning],
     };
-    let mut values = shared.values.iter();
-    values.any(|(_, other)| same.contains(other))
+    shared.values.iter().any(|(_, other)| same.contains(other))
 }
 
 /// A measurement without what the other call has no place for.

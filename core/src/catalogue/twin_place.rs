@@ -10,7 +10,7 @@ use crate::name::Name;
 /// the depth as a coordinate, one of SINUMERIK the way there from the start, which neither tells.
 pub const START: [f64; 2] = [20.0, 0.8 * 25.4];
 
-/// That height for a system of units.
+/// Height of the start for a system of units, mm.
 pub fn start(units: Units) -> f64 {
     START[usize::from(units == Units::Inch)]
 }
@@ -22,8 +22,7 @@ pub fn has_depth(task: Task) -> bool {
 
 /// The coordinate of the tool axis at which a boss or web is touched.
 pub fn depth(inputs: &Inputs, shared: &Shared, control: &Control) -> Option<f64> {
-    let mut values = shared.values.iter().filter(|_| has_depth(shared.task));
-    values.find_map(|(name, meaning)| match meaning {
+    shared.values.iter().filter(|_| has_depth(shared.task)).find_map(|(name, meaning)| match meaning {
         Meaning::Infeed => Some(start(control.active_units) - inputs.given(*name)?.abs()),
         _ if part_of(*meaning, *name, inputs) == Some(2) => inputs.given(*name),
         _ => None,
@@ -42,8 +41,7 @@ pub fn corner(inputs: &Inputs, shared: &Shared) -> Option<[f64; 2]> {
     }
     let named = |meaning: Meaning| shared.given(meaning, inputs);
     let [first, second] = [0, 1].map(|part| {
-        let mut values = shared.values.iter();
-        let found = values.find(|(name, meaning)| in_plane(*meaning, *name, inputs) == Some(part));
+        let found = shared.values.iter().find(|(name, meaning)| in_plane(*meaning, *name, inputs) == Some(part));
         found.map(|(name, _)| inputs.given(*name))
     });
     if let (Some(first), Some(second)) = (first, second) {

@@ -131,7 +131,8 @@ fn every_finding_has_words() {
     }
     assert!(seen > 100, "{seen}");
     // what helps against a refusal has the key of its cause and `-hint`
-    let ours = ["use crate::check::refused;", "use crate::check::{error, refused};"];
+    let prelude = "use crate::catalogue::prelude::*;";
+    let ours = ["use crate::check::refused;", "use crate::check::{error, refused};", prelude];
     let raising = files.iter().filter(|text| ours.iter().any(|import| text.contains(import)));
     let refused = raising.flat_map(|text| text.split("refused(6").skip(1));
     let keys: Vec<&str> = refused.filter_map(|rest| rest.split('"').nth(1)).collect();

@@ -1,9 +1,7 @@
 //! Tolerances and memories: when something is corrected, and by how much.
 
 use super::{ALWAYS_OPTIONAL, PARAM, TOOL_OFFSET, ZERO_OFFSET, optional};
-use crate::diagnostic::Code;
-use crate::entry::{DigitGroup, Kind, Param, Unit, names};
-use crate::range::Range;
+use crate::catalogue::prelude::*;
 
 /// Halves of `_EVNUM` (B:2325-2342).
 pub const MEMORY_DIGITS: &[DigitGroup] = &[

@@ -8,21 +8,17 @@ mod results;
 mod target;
 pub mod tasks;
 
-use crate::entry::PROBE_TYPE;
+use crate::catalogue::prelude::*;
 pub use limits::{EVNUM, K, TDIF, TLL, TMV, TSA, TUL, TZL};
 pub use place::{
-    ABSCISSA, APPLICATE, CORA, CPA, CPO, ID, INCA, MA, MD, MINUS, ORDINATE, PLUS, RF, SETV0, SETV1, SETVAL, STA1, SZA,
-    SZO,
+    ABSCISSA, APPLICATE, CORA, CORA_CALIBRATED, CPA, CPO, ID, INCA, MA, MD, MINUS, ORDINATE, PLUS, RF, SETV0, SETV1,
+    SETVAL, STA1, SZA, SZO, TURN,
 };
 pub use results::{angle, integer, length};
-pub use target::{DLNUM, KNUM, TENV, TNAME, TNUM};
+pub use target::{DLNUM, KNUM, KNUM_ZERO, TENV, TNAME, TNUM};
 
-use crate::diagnostic::Code;
 use crate::dialect::Dialect;
-use crate::entry::{Cycle, DigitGroup, Drawing, Help, Kind, Need, Param, Purpose, Unit, When, mvar, names};
-use crate::name::Name;
 use crate::picture::{Picture, View};
-use crate::range::Range;
 
 /// What an entry starts from: of a cycle on SINUMERIK that measures workpieces on milling machines and draws nothing.
 pub const CYCLE: Cycle = Cycle {
@@ -95,8 +91,10 @@ pub const ZERO_OFFSET: When = mvar(100, &[1]);
 /// Digit of `_MVAR`: what is corrected.
 pub const CORRECTION_DIGIT: DigitGroup =
     DigitGroup::one("mvar-correction", 100, &[(0, "correction-tool"), (1, "correction-zero")]);
-/// The same in a cycle that corrects no tool.
+/// Digit of `_MVAR` in a cycle that corrects zero offsets alone.
 pub const ZERO_DIGIT: DigitGroup = DigitGroup::one("mvar-correction", 100, &[(1, "correction-zero")]);
+/// Differential measurement, each point with the spindle at 180 and 0 degree.
+pub const DIFFERENTIAL: When = mvar(1000, &[1]);
 /// Digit of `_MVAR`: differential measurement.
 pub const DIFFERENTIAL_DIGIT: DigitGroup =
     DigitGroup::one("mvar-differential", 1000, &[(0, "differential-without"), (1, "differential-with")]);

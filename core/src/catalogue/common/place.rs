@@ -1,9 +1,7 @@
 //! Set values, axes and places that are touched.
 
-use super::{MONO, PARAM, required};
-use crate::diagnostic::Code;
-use crate::entry::{Kind, Param, Unit, When, names};
-use crate::range::Range;
+use super::{DIFFERENTIAL, MONO, PARAM, required};
+use crate::catalogue::prelude::*;
 
 const fn axis(is: &'static [i64]) -> When {
     When::Digit { param: names::MA, place: 1, is }
@@ -62,14 +60,8 @@ pub const MD: Param = Param {
     ..PARAM
 };
 
-pub const STA1: Param = Param {
-    name: names::STA1,
-    key: "sta1",
-    unit: Unit::Degree,
-    usual: Range::closed(-360.0, 360.0),
-    source: "B:15607",
-    ..PARAM
-};
+pub const STA1: Param =
+    Param { name: names::STA1, key: "sta1", unit: Unit::Degree, usual: TURN, source: "B:15607", ..PARAM };
 
 pub const INCA: Param = Param { name: names::INCA, key: "inca", unit: Unit::Degree, source: "B:15749", ..PARAM };
 
@@ -99,3 +91,10 @@ pub const CORA: Param = Param {
     source: "B:15629;A:2300-2311",
     ..PARAM
 };
+
+/// `_CORA` of a cycle that needs no calibrated probe for a differential measurement.
+pub const CORA_CALIBRATED: Param =
+    Param { needs: &[required(When::All(&[MONO, When::Not(&DIFFERENTIAL)]), "need-mono")], ..CORA };
+
+/// A whole turn in either direction, degree.
+pub const TURN: Range = Range::closed(-360.0, 360.0);

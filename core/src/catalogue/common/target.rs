@@ -1,9 +1,7 @@
 //! What is corrected: `_KNUM` and the tool that it means.
 
 use super::{ALWAYS_REQUIRED, PARAM, TOOL_OFFSET, ZERO_OFFSET, optional, required};
-use crate::diagnostic::Code;
-use crate::entry::{Kind, Param, When, names};
-use crate::range::Range;
+use crate::catalogue::prelude::*;
 
 /// The digit of `_KNUM` that tells length/radius from setup/additive offsets and `_TENV` (7th, or 9th with 5-digit D).
 const fn knum_kind(is: &'static [i64]) -> When {
@@ -24,6 +22,9 @@ pub const KNUM: Param = Param {
     source: "B:1894-2029",
     ..PARAM
 };
+
+/// `_KNUM` of a cycle that corrects zero offsets alone.
+pub const KNUM_ZERO: Param = Param { labels: &[(When::Always, "knum-zero")], ..KNUM };
 
 pub const TNUM: Param = Param {
     name: names::TNUM,

@@ -1,7 +1,6 @@
 //! What parameters mean to the other control, and which variants have a task that it has too.
 
-use crate::entry::{Meaning, Shared, Task, When, names};
-use crate::name::Name;
+use crate::catalogue::prelude::*;
 
 /// Set size or position.
 pub const SET: (Name, Meaning) = (names::SETVAL, Meaning::Nominal);

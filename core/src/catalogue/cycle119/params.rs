@@ -1,6 +1,6 @@
 //! The arrays that the program hands over, and what is to be done with the frame (B:8560-8576).
 
-use crate::catalogue::common::{ALWAYS_REQUIRED, KNUM, PARAM, required};
+use crate::catalogue::common::{ALWAYS_REQUIRED, KNUM_ZERO, PARAM, required};
 use crate::entry::{Param, Unit, When, names};
 use crate::name::Name;
 use crate::range::Range;
@@ -46,7 +46,7 @@ pub const PARAMS: &[Param] = &[
     measured(2, 0, "1"),
     measured(2, 1, "0"),
     measured(2, 2, "30"),
-    Param { name: TARGET, labels: &[(When::Always, "knum-zero")], example: "1", source: "B:8566-8572", ..KNUM },
+    Param { name: TARGET, example: "1", source: "B:8566-8572", ..KNUM_ZERO },
     Param {
         name: LIMIT,
         key: "119-limit",

@@ -12,8 +12,7 @@ const SLANT: f64 = 0.35;
 /// The set triangle in full, the measured one beside it; each coordinate is one leg of the way from the zero point.
 pub fn picture(inputs: &Inputs) -> Picture {
     let (set, measured) = (corners(inputs, SET), corners(inputs, MEASURED));
-    let all = set.iter().chain(&measured).flatten();
-    let size = all.fold(1.0_f64, |most, value| most.max(value.abs()));
+    let size = set.iter().chain(&measured).flatten().fold(1.0_f64, |most, value| most.max(value.abs()));
     let mut shapes = vec![
         polygon(ShapeKind::Material, set.map(seen).to_vec()).of(TARGET),
         polygon(ShapeKind::Path, measured.map(seen).to_vec()).of(LIMIT),
@@ -44,8 +43,5 @@ fn seen([x, y, z]: [f64; 3]) -> [f64; 2] {
 /// The way from the zero point along X, then Y, then Z, a leg each.
 fn legs(names: [Name; 3], [x, y, z]: [f64; 3]) -> [PictureShape; 3] {
     let places = [[0.0; 3], [x, 0.0, 0.0], [x, y, 0.0], [x, y, z]].map(seen);
-    [0, 1, 2].map(|leg| {
-        let ends = vec![places[leg], places[leg + 1]];
-        line(ShapeKind::Axis, ends).of(names[leg])
-    })
+    [0, 1, 2].map(|leg| line(ShapeKind::Axis, vec![places[leg], places[leg + 1]]).of(names[leg]))
 }

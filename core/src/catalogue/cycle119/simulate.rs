@@ -55,8 +55,7 @@ fn corrected(machine: &mut dyn Machine, inputs: &Inputs, position: &Position) ->
 fn frame(machine: &mut dyn Machine, position: &Position) {
     let turn = angles(&position.motion.rotation);
     for (axis, letter) in AXES.into_iter().enumerate() {
-        let way = position.motion.translation.vector[axis];
-        results::named_length(machine, &format!("_REFRAME[{letter},TR]"), way);
+        results::named_length(machine, &format!("_REFRAME[{letter},TR]"), position.motion.translation.vector[axis]);
         results::set(machine, &format!("_REFRAME[{letter},RT]"), turn[axis]);
     }
 }

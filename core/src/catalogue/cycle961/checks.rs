@@ -4,13 +4,9 @@ use super::corner::PARALLEL;
 use super::lines::{Point, away, shares};
 use super::params::{DISTANCES, PASSES, PLACES, POINTS, RECTANGLE};
 use super::propose::touched;
-use crate::catalogue::{place, shared_checks, spread};
-use crate::check::refused;
-use crate::control::Control;
-use crate::diagnostic::{Diagnostic, Severity};
-use crate::entry::{Inputs, names};
-use crate::name::Name;
-use crate::own;
+use crate::catalogue::prelude::*;
+use crate::catalogue::spread;
+use crate::diagnostic::Severity;
 
 /// How exactly the angles have to be known, degree (B:7923-7924).
 const TOLERANCE: f64 = 10.0;
@@ -20,7 +16,7 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     shared_checks::probe(inputs, control, found);
     shared_checks::mirror(control, found);
     shared_checks::multi_probe(inputs, found);
-    shared_checks::rotation_target(inputs, found);
+    shared_checks::takes_rotation(names::KNUM, inputs, found);
     shared_checks::lathe_length(inputs, control, found);
     if DISTANCES.holds(inputs) {
         distances(inputs, found);
@@ -57,8 +53,7 @@ fn spreads(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
 fn distances(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     for name in [names::SETV0, names::SETV1] {
         if let Some(distance) = inputs.given(name).filter(|distance| *distance <= 0.0) {
-            let finding = refused(61346, "check-corner-distance", name);
-            found.push(finding.text("param", name).number("distance", distance));
+            found.push(refused(61346, "check-corner-distance", name).text("param", name).number("distance", distance));
         }
     }
 }

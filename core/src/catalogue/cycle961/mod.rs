@@ -9,14 +9,14 @@ mod picture;
 mod propose;
 mod results;
 mod simulate;
-mod tasks;
 #[cfg(test)]
 mod tests;
 mod touches;
 
+use crate::catalogue::common::tasks::{ZERO, zero};
+use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::help::{AGAIN, CALIBRATED, MEASURING, PROBE};
-use crate::catalogue::{common, newer, older};
-use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, names};
+use crate::catalogue::{newer, older};
 
 /// Measuring variants (B:7862-7869).
 pub const VARIANTS: &[Variant] = &[
@@ -28,13 +28,29 @@ pub const VARIANTS: &[Variant] = &[
     Variant { number: 118, key: "cycle961-outside-points", source: "B:7869;B:8055;A:8651" },
 ];
 
+/// What the other control can do too, first those whose corner is one of a rectangle: there the zero may lie beside it.
+const TASKS: &[Shared] = &[
+    zero(Task::InnerCorner, 105, When::Variant(&[105]), BESIDE),
+    zero(Task::OuterCorner, 106, When::Variant(&[106]), BESIDE),
+    zero(Task::InnerCorner, 107, When::Variant(&[107, 117]), &[ZERO]),
+    zero(Task::OuterCorner, 108, When::Variant(&[108, 118]), &[ZERO]),
+];
+
+const BESIDE: &[(Name, Meaning)] = &[
+    (names::STA1, Meaning::EdgeAngle),
+    (names::SETV4, Meaning::ZeroAtCorner),
+    (names::SETV2, Meaning::ZeroAbscissa),
+    (names::SETV3, Meaning::ZeroOrdinate),
+    ZERO,
+];
+
 /// The entry. Example: the outside corner of B:7944-7972, A:8756-8793.
 pub static CYCLE961: Cycle = Cycle {
     name: "CYCLE961",
     key: "cycle961",
     variants: VARIANTS,
     params: params::PARAMS,
-    purpose: Purpose { tasks: tasks::TASKS, ..Purpose::MILLING },
+    purpose: Purpose { tasks: TASKS, ..Purpose::MILLING },
     lists: &[older::CYCLE961_W, older::CYCLE961_P, newer::CYCLE961],
     // B:7834: on a lathe the length ends at the centre of the ball
     settings: &["_CBIT[14]"],

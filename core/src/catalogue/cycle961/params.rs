@@ -1,10 +1,6 @@
 //! Parameters of CYCLE961 in the order of the manual's tables (B:7915-7942, B:8052-8072).
 
-use crate::catalogue::common;
-use crate::catalogue::common::required;
-use crate::entry::{Kind, Need, Param, When, names};
-use crate::name::Name;
-use crate::range::Range;
+use crate::catalogue::prelude::*;
 
 /// Directions and distances are given, the points follow from them.
 pub const DISTANCES: When = When::Variant(&[105, 106, 107, 108]);
@@ -107,12 +103,7 @@ pub const PARAMS: &[Param] = &[
         source: "B:7925;B:8006-8012;B:8058;B:15336",
         ..common::ID
     },
-    Param {
-        labels: &[(When::Always, "knum-zero")],
-        example: "2",
-        source: "B:7840-7844;B:7922;B:8057;B:15342-15343",
-        ..common::KNUM
-    },
+    Param { example: "2", source: "B:7840-7844;B:7922;B:8057;B:15342-15343", ..common::KNUM_ZERO },
     Param {
         kind: Kind::Digits(&[common::PROBE_NUMBER]),
         labels: &[(When::Always, "prnum-multi-only")],

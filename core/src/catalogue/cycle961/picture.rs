@@ -3,10 +3,9 @@
 
 use super::lines::{Point, across, along, away, direction};
 use super::params::{PASSES, PLACES, POINTS, RECTANGLE};
+use crate::catalogue::prelude::*;
 use crate::entry::stage::{Fields, Look, SIZE, Seen, Staging, ends, unit};
-use crate::entry::{Inputs, When, names};
 use crate::picture::figures::{circle, dimension, line, polar, ray};
-use crate::picture::{PictureShape, ShapeKind};
 
 /// The probe is led over the corner, not around it (B:8006-8012).
 const RISES: When = When::All(&[PASSES, When::Given(names::ID)]);

@@ -3,9 +3,7 @@
 use super::lines::{Point, across, along, away, direction, shares, unit};
 use super::params::{OUTSIDE, PASSES, POINTS};
 use super::touches::{TOLERANCE, Touch, edges, touches};
-use crate::catalogue::place;
-use crate::control::Control;
-use crate::entry::{Inputs, Proposal, names};
+use crate::catalogue::prelude::*;
 use crate::evaluate::spread::Touched;
 use crate::geometry::Degrees;
 use crate::workpiece::{Shape, Solid};
@@ -23,8 +21,7 @@ struct Nominal {
     edges: [Point; 2],
 }
 
-/// Part and start: opposite the corner at measuring depth, or above P2 at positioning height (B:7980-7988,
-/// B:8158-8166).
+/// Part and start: opposite the corner at measuring depth, or above P2 (B:7980-7988, B:8158-8166).
 pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let ball = place::ball_radius(inputs, control);
     let touches = touches(inputs, control, [0.0; 2]);

@@ -5,14 +5,12 @@ use super::corner::{Corner, corner};
 use super::lines::Point;
 use super::params::{OUTSIDE, POINTS, RECTANGLE};
 use super::touches::{Touch, touches};
+use crate::catalogue::prelude::*;
+use crate::catalogue::sinumerik::correct;
 use crate::catalogue::sinumerik::measuring_block::{Block, all_calibrated};
-use crate::catalogue::sinumerik::{alarm, correct, results};
-use crate::control::Control;
-use crate::entry::{Inputs, names};
 use crate::evaluate::zero_offset;
 use crate::evaluate::zero_offset::{Measured, Target};
-use crate::geometry::{Degrees, Rpy, Wcs, rigid};
-use crate::machine::{Machine, Stop};
+use crate::geometry::{Degrees, Rpy, rigid};
 
 /// Order in which the points are touched: P2, P1, P3, P4 (B:7998, B:8166).
 const ORDER: [usize; 4] = [1, 0, 2, 3];
@@ -31,8 +29,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     let target = correct::zero_target(machine, inputs)?;
     let probing = Probing { inputs, block: &block, touches: &touches, start: start.0 };
     let centres = probing.measure(machine)?;
-    let found = corner(&touches, &centres, probing.radius());
-    let corner = found.map_err(|number| alarm(machine, number))?;
+    let corner = corner(&touches, &centres, probing.radius()).map_err(|number| alarm(machine, number))?;
     let height = probing.height();
     report(machine, &corner, height);
     if let Some(target) = target {
@@ -50,8 +47,7 @@ struct Probing<'a> {
 }
 
 impl Probing<'_> {
-    /// A place at the height of the ball's centre while it touched: with places that of the start and the infeed below
-    /// it.
+    /// A place at the height of the ball's centre while it touched: of the start, with places the infeed below it.
     fn height(&self) -> [f64; 3] {
         let ball = self.block.ball_at(self.start);
         if POINTS.holds(self.inputs) { self.raised(ball) } else { ball }
@@ -62,8 +58,7 @@ impl Probing<'_> {
         if self.block.ball > 0.0 { self.block.ball } else { self.block.radius }
     }
 
-    /// Touches all points; the centres of the ball at switching, P1 first. Ends at the start, or above P4 (B:8016,
-    /// B:8170).
+    /// Touches all points; centres of the ball at switching, P1 first. Ends at the start or above P4 (B:8016, B:8170).
     fn measure(&self, machine: &mut dyn Machine) -> Result<Vec<Point>, Stop> {
         let Probing { block, touches, .. } = self;
         let mut centres = vec![[0.0; 2]; touches.len()];
@@ -89,8 +84,7 @@ impl Probing<'_> {
         Ok(centres)
     }
 
-    /// From P1 to P3 past an outside corner: over it by `_ID`, or around it through the start (B:8002-8012). Inside the
-    /// way is free.
+    /// From P1 to P3 past an outside corner: over it by `_ID`, or around through the start (B:8002-8012).
     fn pass(&self, machine: &mut dyn Machine, next: &Touch) -> Result<(), Stop> {
         if !OUTSIDE.holds(self.inputs) {
             return Ok(());
@@ -103,7 +97,7 @@ impl Probing<'_> {
         self.block.travel(machine, Wcs(self.raised(self.block.placed(self.start, next.at))))
     }
 
-    /// The same position, higher by `_ID`.
+    /// A position moved up by `_ID`.
     fn raised(&self, from: [f64; 3]) -> [f64; 3] {
         let mut to = from;
         to[self.block.axes[2]] += self.inputs.number(names::ID);

@@ -4,8 +4,7 @@
 
 use super::lines::{Point, across, along, away, direction, unit};
 use super::params::{OUTSIDE, PLACES, POINTS, RECTANGLE};
-use crate::control::Control;
-use crate::entry::{Inputs, names};
+use crate::catalogue::prelude::*;
 
 /// How exactly the angles are known: the way leads so much away from the edges, degree (B:7996).
 pub const TOLERANCE: f64 = 10.0;
@@ -57,8 +56,7 @@ pub fn edges(inputs: &Inputs, control: &Control) -> [f64; 2] {
     [first, first + sense(control) * inputs.number(names::INCA)]
 }
 
-/// 1 where angles of the WCS turn like those of the machine, from its abscissa to its ordinate; -1 where they turn
-/// against them.
+/// 1 where angles of the WCS turn like those of the machine, -1 where they turn against them.
 fn sense(control: &Control) -> f64 {
     let [abscissa, ordinate, applicate] = control.plane.axes();
     control.turn_axis(abscissa, ordinate)[applicate].signum()
@@ -88,11 +86,9 @@ fn by_distances(inputs: &Inputs, control: &Control, start: Point) -> Vec<Touch> 
     touches
 }
 
-/// From the places given: across the line of a pair, outside to the side on which the other pair lies, inside away from
-/// it (B:8046-8050).
+/// From the places, across the line of a pair: outside towards the other pair, inside away from it (B:8046-8050).
 fn by_points(inputs: &Inputs) -> Vec<Touch> {
-    let places = PLACES.map(|place| place.map(|name| inputs.number(name)));
-    let [p1, p2, p3, p4] = places;
+    let [p1, p2, p3, p4] = PLACES.map(|place| place.map(|name| inputs.number(name)));
     let path = inputs.number(names::FA).max(SHORTEST);
     let outside = if OUTSIDE.holds(inputs) { 1.0 } else { -1.0 };
     let pair = |one: Point, two: Point, other: Point| {
@@ -102,8 +98,7 @@ fn by_points(inputs: &Inputs) -> Vec<Touch> {
         [one, two].map(|at| Touch { at, axis, direction, path })
     };
     let middle = |a: Point, b: Point| [(a[0] + b[0]) / 2.0, (a[1] + b[1]) / 2.0];
-    let reference = pair(p1, p2, middle(p3, p4));
-    reference.into_iter().chain(pair(p3, p4, middle(p1, p2))).collect()
+    pair(p1, p2, middle(p3, p4)).into_iter().chain(pair(p3, p4, middle(p1, p2))).collect()
 }
 
 /// The axis that a direction is nearest to, the abscissa between both, and the sign along it.

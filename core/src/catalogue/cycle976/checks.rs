@@ -1,13 +1,8 @@
 //! What several values of CYCLE976 say together.
 
 use super::params::{HOLE, LENGTH, SKEW, SURFACE, UNKNOWN};
-use crate::catalogue::{calibration, place, shared_checks};
-use crate::check::refused;
-use crate::control::Control;
-use crate::diagnostic::Diagnostic;
-use crate::entry::{Inputs, Unit, factor, names, unit_behind};
-use crate::message::Message;
-use crate::own;
+use crate::catalogue::calibration;
+use crate::catalogue::prelude::*;
 
 /// All of them.
 pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {

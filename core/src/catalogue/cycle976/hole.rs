@@ -6,12 +6,11 @@
 
 use super::directions::{Direction, angle, directions, in_plane, turned};
 use super::params::{BALL, SKEW, UNKNOWN};
+use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::calibration;
 use crate::catalogue::sinumerik::calibration::{Calibration, Trigger};
 use crate::catalogue::sinumerik::measuring_block::{Block, Ray};
-use crate::entry::{Inputs, names};
-use crate::geometry::{Degrees, Wcs};
-use crate::machine::{Machine, Stop};
+use crate::geometry::Degrees;
 
 /// A hole to be touched.
 struct Hole<'a> {
@@ -68,8 +67,7 @@ impl Hole<'_> {
 
     /// A position in the plane, abscissa and ordinate, as a place.
     fn place(&self, [abscissa, ordinate]: [f64; 2]) -> [f64; 2] {
-        let from_start = [abscissa - self.start[self.block.axes[0]], ordinate - self.start[self.block.axes[1]]];
-        turned(from_start, self.angle)
+        turned([abscissa - self.start[self.block.axes[0]], ordinate - self.start[self.block.axes[1]]], self.angle)
     }
 
     /// Both runs, the first with the spindle turned by 180°: the touches of the second, and the centre of the hole,
@@ -114,8 +112,7 @@ impl Hole<'_> {
             set: [wall[self.block.axes[0]], wall[self.block.axes[1]]],
             path: self.block.path,
         };
-        let latched = self.block.latch_along(machine, &ray)?;
-        let place = self.place(latched);
+        let place = self.place(self.block.latch_along(machine, &ray)?);
         Ok(Touch { direction, along: place[direction.axis], across: place[1 - direction.axis] })
     }
 

@@ -1,9 +1,6 @@
 //! Parameters of CYCLE976 in the order of the manual's tables (B:5154-5166, B:5252-5260, B:5364-5373, B:5496-5509).
 
-use crate::catalogue::common;
-use crate::catalogue::common::required;
-use crate::entry::{DigitGroup, Kind, Param, When, mvar};
-use crate::range::Range;
+use crate::catalogue::prelude::*;
 
 /// In a hole.
 pub const HOLE: When = mvar(1, &[1, 8]);
@@ -94,4 +91,24 @@ pub const PARAMS: &[Param] = &[
         source: "B:5134;B:5166",
         ..common::TZL
     },
+];
+
+/// What the variants calibrate beside the ring: the surface of B:5423-5432, the length of B:5564-5569, and an unknown
+/// centre that the path bridges (B:5282-5289).
+pub const EXAMPLES: Examples = &[
+    (When::Any(&[ONE, TWO]), &[(names::MA, "1"), (names::MD, "0")]),
+    (ANGLE, &[(names::STA1, "30")]),
+    (UNKNOWN, &[(names::PRNUM, "2"), (names::FA, "55.123")]),
+    (
+        When::Any(&[SURFACE, LENGTH]),
+        &[
+            (names::SETVAL, "20"),
+            (names::MA, "3"),
+            (names::MD, "1"),
+            (names::PRNUM, "1"),
+            (names::TSA, "4"),
+            (names::FA, "2"),
+        ],
+    ),
+    (LENGTH, &[(names::TSA, "25"), (names::FA, "12")]),
 ];

@@ -3,10 +3,9 @@
 
 use super::directions::{Direction, angle, directions};
 use super::params::{ANGLE, BALL, FOUR, HOLE, LENGTH, ONE, SKEW, UNKNOWN};
+use crate::catalogue::prelude::*;
 use crate::entry::stage::{Fields, Look, SIZE, Seen, Staging, add};
-use crate::entry::{Inputs, names};
 use crate::picture::figures::{arrow, circle, dimension, line, polar, rectangle, turn};
-use crate::picture::{PictureShape, ShapeKind};
 
 /// From the zero point to a surface, mm.
 const SET: f64 = 60.0;
@@ -140,8 +139,7 @@ fn above(inputs: &Inputs, seen: &Seen, ball: [f64; 2], up: f64) -> Vec<PictureSh
     if LENGTH.holds(inputs) {
         let around = inputs.settings.get("_CBIT[14]") == Some(&1.0);
         let tip = add(ball, [-14.0, if around { -seen.ball * up } else { 0.0 }]);
-        let ends = vec![[tip[0], nose[1]], tip];
-        shapes.push(line(ShapeKind::Dimension, ends).text("L1").of(names::MVAR));
+        shapes.push(line(ShapeKind::Dimension, vec![[tip[0], nose[1]], tip]).text("L1").of(names::MVAR));
         shapes.push(line(ShapeKind::Axis, vec![add(tip, [-4.0, 0.0]), [ball[0], tip[1]]]).of(names::MVAR));
     }
     shapes

@@ -2,9 +2,8 @@
 //! position.
 
 use super::params::{HOLE, LENGTH};
-use crate::catalogue::{calibration, place};
-use crate::control::Control;
-use crate::entry::{Inputs, Proposal, names};
+use crate::catalogue::calibration;
+use crate::catalogue::prelude::*;
 use crate::workpiece::Shape;
 
 /// How deep in the ring the ball centre stands, mm.
@@ -23,8 +22,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
         let axis = (inputs.integer(names::MA).clamp(1, 3) - 1) as usize;
         let side = if inputs.integer(names::MD) == 1 { 1.0 } else { -1.0 };
         let beyond = if LENGTH.holds(inputs) { 0.0 } else { 5.0 };
-        let away = inputs.number(names::FA) + ball + beyond;
-        place::face(control, axis, inputs.number(names::SETVAL), side, away)
+        place::face(control, axis, inputs.number(names::SETVAL), side, inputs.number(names::FA) + ball + beyond)
     };
     place::proposal(part, start)
 }

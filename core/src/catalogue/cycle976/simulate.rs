@@ -3,12 +3,9 @@
 use super::directions::angle;
 use super::hole;
 use super::params::{HOLE, LENGTH, UNKNOWN};
+use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::calibration::{Calibration, Trigger, store};
 use crate::catalogue::sinumerik::measuring_block::{Block, Point, turnable};
-use crate::catalogue::sinumerik::{alarm, results, until_done};
-use crate::entry::{Inputs, names};
-use crate::geometry::Wcs;
-use crate::machine::{Machine, Stop};
 
 /// Runs the cycle from the present position: in the hole, or opposite the surface.
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {

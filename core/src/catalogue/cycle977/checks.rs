@@ -1,14 +1,8 @@
 //! What several values of CYCLE977 say together.
 
 use super::params::{OUTSIDE, RECTANGLE, ZONE};
-use crate::catalogue::{place, shared_checks};
+use crate::catalogue::prelude::*;
 use crate::check::error;
-use crate::control::Control;
-use crate::diagnostic::{Code, Diagnostic};
-use crate::entry::{Inputs, names};
-use crate::message::Message;
-use crate::name::Name;
-use crate::own;
 
 /// All of them.
 pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {

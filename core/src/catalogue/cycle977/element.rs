@@ -55,8 +55,7 @@ impl Element {
         }
     }
 
-    /// Axes whose size is a result: both lengths of a rectangle, the ordinate for a diameter (B:5773), else the
-    /// measuring axis.
+    /// Axes whose size is a result: both of a rectangle, the ordinate for a diameter (B:5773), else the measuring axis.
     pub fn sizes(&self) -> &'static [usize] {
         match (self.rectangle, self.round) {
             (true, _) => &[0, 1],

@@ -1,10 +1,7 @@
 //! Parameters of CYCLE977 in the order of the manual's tables (B:5989-6024, B:6181-6205).
 
-use crate::catalogue::common;
 pub use crate::catalogue::common::{TOOL_OFFSET as TOOL, ZERO_OFFSET as ZERO};
-use crate::catalogue::common::{optional, required};
-use crate::entry::{DigitGroup, Kind, Param, When, mvar};
-use crate::range::Range;
+use crate::catalogue::prelude::*;
 
 /// Hole or shaft.
 pub const ROUND: When = mvar(1, &[1, 2]);
@@ -36,6 +33,9 @@ const MVAR_DIGITS: &[DigitGroup] = &[
     DigitGroup::one("mvar-zone", 1000, &[(0, "zone-without"), (1, "zone-with")]),
 ];
 
+/// Both lengths of a rectangle.
+const LENGTHS: &[Need] = &[required(RECTANGLE, "need-rectangle")];
+
 /// In the order in which the snippet writes them.
 pub const PARAMS: &[Param] = &[
     Param { kind: Kind::Variant(MVAR_DIGITS), example: "1", source: "B:5641-5667", ..common::MVAR },
@@ -47,18 +47,8 @@ pub const PARAMS: &[Param] = &[
         source: "B:5830",
         ..common::SETVAL
     },
-    Param {
-        range: Range::POSITIVE,
-        needs: &[required(RECTANGLE, "need-rectangle")],
-        source: "B:5831",
-        ..common::SETV0
-    },
-    Param {
-        range: Range::POSITIVE,
-        needs: &[required(RECTANGLE, "need-rectangle")],
-        source: "B:5832",
-        ..common::SETV1
-    },
+    Param { range: Range::POSITIVE, needs: LENGTHS, source: "B:5831", ..common::SETV0 },
+    Param { range: Range::POSITIVE, needs: LENGTHS, source: "B:5832", ..common::SETV1 },
     Param {
         needs: &[required(ZONE, "need-infeed-zone"), required(OUTSIDE, "need-infeed-outside")],
         source: "B:5833;B:5915",
@@ -90,4 +80,13 @@ pub const PARAMS: &[Param] = &[
     Param { source: "B:5845;B:15664", ..common::TUL },
     Param { source: "B:5845;B:15665", ..common::TLL },
     Param { source: "B:5845;B:15659", ..common::TDIF },
+];
+
+/// What the variants measure: the rectangle and the protection zones of about the size of the hole in the example.
+pub const EXAMPLES: Examples = &[
+    (ZERO, &[(names::KNUM, "1")]),
+    (WIDTH, &[(names::MA, "1")]),
+    (RECTANGLE, &[(names::SETV0, "100"), (names::SETV1, "80")]),
+    (OUTSIDE, &[(names::ID, "-20"), (names::SZA, "180"), (names::SZO, "160")]),
+    (When::All(&[ZONE, When::Not(&OUTSIDE)]), &[(names::ID, "-20"), (names::SZA, "50"), (names::SZO, "40")]),
 ];

@@ -1,9 +1,8 @@
 //! CYCLE977 drawn: the element from above, and beside it the section with the infeed where there is one.
 
 use super::params::{OUTSIDE, RECTANGLE, TOOL, WIDTH, ZONE};
+use crate::catalogue::prelude::*;
 use crate::entry::stage::{Fields, Look, SIZE, Seen, Staging};
-use crate::entry::{Inputs, names};
-use crate::picture::PictureShape;
 
 /// From the start height to the measuring height, mm.
 const INFEED: f64 = -32.0;

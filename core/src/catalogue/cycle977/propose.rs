@@ -2,9 +2,7 @@
 
 use super::params::{OUTSIDE, RECTANGLE, ZONE};
 use super::protection::Protected;
-use crate::catalogue::place;
-use crate::control::Control;
-use crate::entry::{Inputs, Proposal, names};
+use crate::catalogue::prelude::*;
 use crate::workpiece::Shape;
 
 /// Measuring depth of the ball centre where `_ID` does not decide it, mm.

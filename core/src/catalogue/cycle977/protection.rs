@@ -2,9 +2,7 @@
 //! not meet (B:5892-5951).
 
 use super::params::{OUTSIDE, RECTANGLE, WIDTH};
-use crate::catalogue::place;
-use crate::control::Control;
-use crate::entry::{Inputs, names};
+use crate::catalogue::prelude::*;
 use crate::workpiece::{Shape, Solid};
 
 /// Distance of an obstacle from the wall of its zone, mm: more than a probe with errors needs.

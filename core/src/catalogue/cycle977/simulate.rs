@@ -1,14 +1,10 @@
 //! What CYCLE977 does: the order of probing, the ways between, what follows (B:5773-5809, B:5892-5957).
 
 use super::element::Element;
+use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::centred::{Found, Pair};
 use crate::catalogue::sinumerik::measuring_block::{Block, Point, all_calibrated};
 use crate::catalogue::sinumerik::target::Target;
-use crate::catalogue::sinumerik::{alarm, results, until_done};
-use crate::diagnostic::Code;
-use crate::entry::Inputs;
-use crate::geometry::Wcs;
-use crate::machine::{Machine, Stop};
 
 /// Runs the cycle from the present position, which is the set centre.
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
@@ -17,8 +13,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     results::integer(machine, 3, inputs.variant);
     let block = Block::prepare(machine, inputs)?;
     let paths = element.paths(&block).map_err(|number| alarm(machine, number))?;
-    let sides = element.axes().iter();
-    let sides: Vec<_> = sides.flat_map(|axis| [(*axis, 1.0), (*axis, -1.0)]).collect();
+    let sides: Vec<_> = element.axes().iter().flat_map(|axis| [(*axis, 1.0), (*axis, -1.0)]).collect();
     all_calibrated(machine, &block, &sides)?;
     let axis = (!element.round && !element.rectangle).then_some(element.axes()[0]);
     let target = Target::of(machine, inputs, axis)?;

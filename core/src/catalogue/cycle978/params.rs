@@ -1,12 +1,7 @@
 //! Parameters of CYCLE978 in the order of the manual's tables (B:6456-6468, B:6596-6612).
 
-use crate::catalogue::common;
-use crate::catalogue::common::required;
-pub use crate::catalogue::common::{TOOL_OFFSET as TOOL, ZERO_OFFSET as ZERO};
-use crate::entry::{DigitGroup, Kind, Param, When, mvar};
-
-/// Each point with the spindle at 180 and 0 degree.
-pub const DIFFERENTIAL: When = mvar(1000, &[1]);
+pub use crate::catalogue::common::{DIFFERENTIAL, TOOL_OFFSET as TOOL, ZERO_OFFSET as ZERO};
+use crate::catalogue::prelude::*;
 
 const MVAR_DIGITS: &[DigitGroup] = &[common::CORRECTION_DIGIT, common::DIFFERENTIAL_DIGIT];
 
@@ -38,11 +33,7 @@ pub const PARAMS: &[Param] = &[
     Param { labels: &[(When::Always, "tsa-position")], source: "B:6466;B:6486", ..common::TSA },
     Param { source: "B:6466;B:6610", ..common::VMS },
     Param { source: "B:6466;B:15705", ..common::NMSP },
-    Param {
-        needs: &[required(When::All(&[common::MONO, When::Not(&DIFFERENTIAL)]), "need-mono")],
-        source: "B:6468;B:6612",
-        ..common::CORA
-    },
+    Param { source: "B:6468;B:6612", ..common::CORA_CALIBRATED },
     Param { example: "20", source: "B:6466;B:6584-6588", ..common::EVNUM },
     Param { source: "B:6610;B:15690", ..common::K },
     Param { source: "B:6610;B:6614", ..common::TZL },

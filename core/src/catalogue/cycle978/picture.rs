@@ -1,10 +1,9 @@
 //! CYCLE978 drawn: from above for the axes of the plane, as a section for the applicate.
 
 use super::params::{DIFFERENTIAL, TOOL};
+use crate::catalogue::prelude::*;
 use crate::entry::stage::{Fields, Look, Seen, Staging};
-use crate::entry::{Inputs, names};
 use crate::picture::figures::circle;
-use crate::picture::{PictureShape, ShapeKind};
 
 /// From the zero point to the surface, mm.
 const SET: f64 = 50.0;

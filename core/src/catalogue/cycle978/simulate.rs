@@ -1,13 +1,11 @@
 //! What CYCLE978 does: one point of a surface, plain or differential (B:6376-6418).
 
 use crate::catalogue::lathe;
+use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::differential::twice;
 use crate::catalogue::sinumerik::measuring_block::{Block, all_calibrated, turnable};
 use crate::catalogue::sinumerik::one_point::OnePoint;
 use crate::catalogue::sinumerik::target::Target;
-use crate::catalogue::sinumerik::{results, until_done};
-use crate::entry::{Inputs, names};
-use crate::machine::{Machine, Stop};
 
 /// Runs the cycle from the present position, which is opposite the surface.
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {

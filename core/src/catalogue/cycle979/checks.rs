@@ -1,11 +1,8 @@
 //! What several values of CYCLE979 say together.
 
 use super::params::{FOUR_POINTS, OUTSIDE, ROUND, WEB};
-use crate::catalogue::{circle, place, shared_checks, spread};
-use crate::control::Control;
-use crate::diagnostic::Diagnostic;
-use crate::entry::{Inputs, names};
-use crate::own;
+use crate::catalogue::prelude::*;
+use crate::catalogue::{circle, spread};
 
 /// All of them.
 pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
@@ -49,7 +46,6 @@ fn lift(inputs: &Inputs, control: &Control, ball: f64, found: &mut Vec<Diagnosti
     if lift <= 0.0 {
         found.push(own::LIFT.finding().at(names::ID));
     } else if lift <= ball && !control.bit("_CBIT[14]") {
-        let finding = own::LIFT_BALL.finding().number("ball", ball);
-        found.push(finding.at(names::ID));
+        found.push(own::LIFT_BALL.finding().number("ball", ball).at(names::ID));
     }
 }

@@ -1,10 +1,7 @@
 //! Parameters of CYCLE979 in the order of the manual's tables (B:6975-7004, B:7157-7174).
 
-use crate::catalogue::common;
 pub use crate::catalogue::common::{TOOL_OFFSET as TOOL, ZERO_OFFSET as ZERO};
-use crate::catalogue::common::{optional, required};
-use crate::entry::{DigitGroup, Kind, PROBE_TYPE, Param, When, mvar, names};
-use crate::range::Range;
+use crate::catalogue::prelude::*;
 
 /// Hole or shaft: three or four points.
 pub const ROUND: When = mvar(1, &[1, 2]);
@@ -47,7 +44,7 @@ pub const PARAMS: &[Param] = &[
     Param { needs: common::ALWAYS_REQUIRED, example: "180", source: "B:6980-6981;B:6888-6893", ..common::CPA },
     Param { needs: common::ALWAYS_REQUIRED, example: "0", source: "B:6982-6983;B:6888-6893", ..common::CPO },
     Param {
-        range: Range::closed(-360.0, 360.0),
+        range: common::TURN,
         needs: common::ALWAYS_REQUIRED,
         labels: &[(ROUND, "sta1-first"), (WIDTH, "sta1-width")],
         example: "15",
@@ -55,7 +52,7 @@ pub const PARAMS: &[Param] = &[
         ..common::STA1
     },
     Param {
-        range: Range::closed(-360.0, 360.0),
+        range: common::TURN,
         needs: &[required(ROUND, "need-points")],
         example: "80",
         source: "B:6986",

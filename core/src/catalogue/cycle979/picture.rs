@@ -3,10 +3,9 @@
 
 use super::params::{FOUR_POINTS, ROUND, TOOL, WEB};
 use crate::catalogue::circle;
+use crate::catalogue::prelude::*;
 use crate::entry::stage::{Fields, Look, SIZE, Seen, Staging, add};
-use crate::entry::{Inputs, names};
 use crate::picture::figures::{dimension, line, polar};
-use crate::picture::{PictureShape, ShapeKind};
 
 /// From the zero point to the set centre in both axes, mm.
 const CENTRE: f64 = 1.05 * SIZE;

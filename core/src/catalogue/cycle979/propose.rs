@@ -1,9 +1,7 @@
 //! A nominal part for CYCLE979 about its set centre, its upper face at applicate 0.
 
 use super::params::{OUTSIDE, ROUND};
-use crate::catalogue::place;
-use crate::control::Control;
-use crate::entry::{Inputs, Proposal, names};
+use crate::catalogue::prelude::*;
 use crate::geometry::Degrees;
 
 /// Measuring depth of the ball centre below the face where `_ID` does not decide it, mm.
@@ -28,8 +26,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     Proposal { tools: place::corrected_tools(inputs), ..place::proposal(part, place::in_plane(control, start)) }
 }
 
-/// Below the face: so deep that a web is crossed clear of it by a third of what the ball leaves of `_ID`, at most 10
-/// mm.
+/// Below the face; a web is crossed clear of it by a third of what the ball leaves of `_ID`, at most 10 mm.
 fn depth(inputs: &Inputs, control: &Control, ball: f64) -> f64 {
     inputs.given(names::ID).map_or(DEPTH, |lift| place::above(lift * place::side(control), ball).1)
 }

@@ -2,13 +2,11 @@
 
 use super::params::{FOUR_POINTS, OUTSIDE, ROUND};
 use crate::catalogue::circle;
+use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::centred::{Found, Pair};
 use crate::catalogue::sinumerik::measuring_block::{Block, Ray, ball_known};
 use crate::catalogue::sinumerik::target::Target;
-use crate::catalogue::sinumerik::{alarm, results, until_done};
-use crate::entry::{Inputs, names};
 use crate::geometry::{Degrees, fit};
-use crate::machine::{Machine, Stop};
 
 /// The element as the call describes it; mm and degree.
 struct Element {
@@ -53,8 +51,7 @@ impl Element {
         Ray { angle: if self.inside { angle } else { angle + 180.0 }, set: [x + half * cosine, y + half * sine], path }
     }
 
-    /// Size and centre from where the ball stood at each point, all at one height; none where no circle goes through
-    /// them.
+    /// Size and centre from where the ball stood at the points, all at one height; none: no circle goes through them.
     fn evaluate(&self, balls: &[[f64; 2]], ball: f64, height: f64) -> Option<Found> {
         let (centre, between) = match (self.round, balls) {
             (true, _) => fit::circle(balls).map(|(centre, radius)| (centre, 2.0 * radius))?,

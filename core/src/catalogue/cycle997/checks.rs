@@ -2,15 +2,10 @@
 
 use super::params::{ANGLE, DIAMETER, FOUR_POINTS, THREE, TURNED};
 use super::points::{centres, sides};
-use crate::catalogue::{circle, place, shared_checks, spread};
-use crate::check::refused;
-use crate::control::Control;
-use crate::diagnostic::Diagnostic;
-use crate::entry::{Inputs, names};
+use crate::catalogue::prelude::*;
+use crate::catalogue::{circle, spread};
 use crate::evaluate::spread::Circle;
 use crate::geometry::{Degrees, fit};
-use crate::name::Name;
-use crate::own;
 use nalgebra::Vector3;
 
 /// All of them.
@@ -26,7 +21,7 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
         around(inputs, found);
     }
     if TURNED.holds(inputs) {
-        shared_checks::rotation_target(inputs, found);
+        shared_checks::takes_rotation(names::KNUM, inputs, found);
     }
     if THREE.holds(inputs) {
         triangle(inputs, ball, found);

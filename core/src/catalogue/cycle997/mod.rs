@@ -11,13 +11,46 @@ mod simulate;
 mod sphere;
 #[cfg(test)]
 mod tests;
-mod variants;
 
-pub use variants::VARIANTS;
-
+use crate::catalogue::newer;
+use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::help::{AGAIN, BLOCK, CALIBRATED, MEASURING, PROBE};
-use crate::catalogue::{common, newer};
-use crate::entry::{Cycle, Drawing, Help, Simulation, names};
+
+/// Where the variants stand (B:8242-8259). Four points at an angle with the diameter follow from the digits; the text
+/// names the digits of three points only (B:8371).
+const SOURCE: &str = "B:8246-8259;B:15850";
+
+const fn variant(number: i64, key: &'static str) -> Variant {
+    Variant { number, key, source: SOURCE }
+}
+
+/// One sphere, three spheres; in each parallel to the axes, then at an angle with three and with four points.
+pub const VARIANTS: &[Variant] = &[
+    variant(109, "cycle997-one"),
+    variant(119, "cycle997-one-repeat"),
+    variant(1_000_109, "cycle997-one-diameter"),
+    variant(1_000_119, "cycle997-one-diameter-repeat"),
+    variant(1109, "cycle997-one-angle"),
+    variant(1119, "cycle997-one-angle-repeat"),
+    variant(1_001_109, "cycle997-one-angle-diameter"),
+    variant(1_001_119, "cycle997-one-angle-diameter-repeat"),
+    variant(101_109, "cycle997-one-angle-four"),
+    variant(101_119, "cycle997-one-angle-four-repeat"),
+    variant(1_101_109, "cycle997-one-angle-four-diameter"),
+    variant(1_101_119, "cycle997-one-angle-four-diameter-repeat"),
+    variant(10_109, "cycle997-three"),
+    variant(10_119, "cycle997-three-repeat"),
+    variant(1_010_109, "cycle997-three-diameter"),
+    variant(1_010_119, "cycle997-three-diameter-repeat"),
+    variant(11_109, "cycle997-three-angle"),
+    variant(11_119, "cycle997-three-angle-repeat"),
+    variant(1_011_109, "cycle997-three-angle-diameter"),
+    variant(1_011_119, "cycle997-three-angle-diameter-repeat"),
+    variant(111_109, "cycle997-three-angle-four"),
+    variant(111_119, "cycle997-three-angle-four-repeat"),
+    variant(1_111_109, "cycle997-three-angle-four-diameter"),
+    variant(1_111_119, "cycle997-three-angle-four-diameter-repeat"),
+];
 
 /// The entry. Example: the three spheres of B:8480-8529. Its program writes `_KNUM` = 99999, which does not exist;
 /// meant is the active frame, there G54, which a form without a program has to name.

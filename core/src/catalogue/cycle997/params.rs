@@ -1,10 +1,6 @@
 //! Parameters of CYCLE997 in the order of the manual's tables (B:8309-8337).
 
-use crate::catalogue::common;
-use crate::catalogue::common::{optional, required};
-use crate::entry::{DigitGroup, Kind, Need, Param, Unit, When, mvar, names};
-use crate::name::Name;
-use crate::range::Range;
+use crate::catalogue::prelude::*;
 
 /// One sphere.
 pub const ONE: When = mvar(10_000, &[0]);
@@ -73,19 +69,14 @@ pub const PARAMS: &[Param] = &[
         source: "B:8327;B:8457",
         ..common::STA1
     },
-    Param {
-        range: Range::closed(-360.0, 360.0),
-        needs: &[required(ANGLE, "need-points")],
-        source: "B:8328;B:8457",
-        ..common::INCA
-    },
+    Param { range: common::TURN, needs: &[required(ANGLE, "need-points")], source: "B:8328;B:8457", ..common::INCA },
     Param {
         alarm: None, // 61365 is named for CYCLE979 only (A:15909)
         needs: &[required(ANGLE, "need-circular")],
         source: "B:8324-8325;B:8461",
         ..common::RF
     },
-    Param { labels: &[(When::Always, "knum-zero")], example: "1", source: "B:8326;B:15847-15848", ..common::KNUM },
+    Param { example: "1", source: "B:8326;B:15847-15848", ..common::KNUM_ZERO },
     Param {
         name: names::TNVL,
         key: "tnvl",

@@ -3,11 +3,9 @@
 
 use super::params::{ANGLE, DIAMETER, REPEATED, THREE};
 use super::points::{DIAMETER_SIDE, centres, directions};
+use crate::catalogue::prelude::*;
 use crate::entry::stage::{Fields, Look, SIZE, Seen, Staging, add, ends};
-use crate::entry::{Inputs, names};
-use crate::name::Name;
 use crate::picture::figures::{arrow, circle, dimension, line, polar, polygon};
-use crate::picture::{PictureShape, ShapeKind};
 
 /// From the zero point to the centre of the first sphere, mm.
 const CENTRE: f64 = 1.05 * SIZE;

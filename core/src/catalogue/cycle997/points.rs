@@ -2,11 +2,9 @@
 
 use super::params::{ANGLE, DIAMETER, FOUR_POINTS, ONE};
 use crate::catalogue::circle;
-use crate::entry::{Inputs, names};
-use crate::name::Name;
+use crate::catalogue::prelude::*;
 
-/// Direction of the additional point for the diameter: approached in plus direction, so on the minus side, degree
-/// (B:8371).
+/// Direction of the point for the diameter, which is approached in plus direction, degree (B:8371).
 pub const DIAMETER_SIDE: f64 = 180.0;
 
 /// Directions of the points from the centre in their order, degree; missing angles count as in the drawing. Parallel to
@@ -36,7 +34,7 @@ const CENTRES: &[[Name; 3]] = &[
     [names::SETV6, names::SETV7, names::SETV8],
 ];
 
-/// Those of the spheres that are measured, in their order.
+/// Names of the set centres of the spheres that are measured.
 pub fn centres(inputs: &Inputs) -> &'static [[Name; 3]] {
     let measured = if ONE.holds(inputs) { 1 } else { 3 };
     &CENTRES[..measured]

@@ -1,10 +1,7 @@
 //! Nominal spheres for CYCLE997 at their set centres, each on a post.
 
 use super::points::centres;
-use crate::catalogue::place;
-use crate::control::Control;
-use crate::entry::{Inputs, Proposal, names};
-use crate::geometry::Wcs;
+use crate::catalogue::prelude::*;
 use crate::workpiece::{Shape, Solid, Workpiece};
 
 /// Diameter of a post as a part of that of the sphere.

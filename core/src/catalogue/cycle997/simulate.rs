@@ -4,16 +4,14 @@ use super::params::{ANGLE, DIAMETER, THREE};
 use super::points::centres;
 use super::sphere::{Plan, Sphere};
 use crate::catalogue::place::in_plane;
+use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::measuring_block::{Block, all_calibrated, ball_known};
-use crate::catalogue::sinumerik::{Next, alarm, correct, results, tolerance};
-use crate::entry::{Inputs, names};
+use crate::catalogue::sinumerik::{correct, tolerance};
 use crate::evaluate::position::{correctable, position};
 use crate::evaluate::zero_offset;
 use crate::evaluate::zero_offset::Target;
 use crate::geometry::V3;
 use crate::machine::trace::Step;
-use crate::machine::{Machine, Stop};
-use crate::message::Message;
 
 /// Runs the cycle from the present position, which is above the first sphere at safety height.
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
@@ -34,8 +32,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     let mut spheres = Vec::new();
     for (index, names) in centres(inputs).iter().enumerate() {
         let set = Sphere { centre: names.map(|name| inputs.number(name)), diameter: inputs.number(names::SETVAL) };
-        let found = within_safe_area(machine, &plan, index, &set)?;
-        spheres.push((set, found));
+        spheres.push((set, within_safe_area(machine, &plan, index, &set)?));
     }
     match (target, spheres.as_slice()) {
         (Some(target), [sphere]) => move_frame(machine, &target, sphere),

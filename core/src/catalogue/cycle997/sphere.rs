@@ -3,10 +3,9 @@
 use super::params::{ANGLE, DIAMETER, REPEATED};
 use super::points;
 use super::simulate::failed;
+use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::measuring_block::{Block, Point, Ray};
-use crate::entry::{Inputs, names};
-use crate::geometry::{Degrees, Wcs, fit};
-use crate::machine::{Machine, Stop};
+use crate::geometry::{Degrees, fit};
 
 /// A sphere as it should be or as it was found, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -107,14 +106,12 @@ impl Plan<'_> {
             balls.push(self.block.ball_along(machine, &ray)?);
         }
         self.height(machine, self.above(expected))?;
-        let circle = fit::circle(&balls).ok_or_else(|| failed(machine, 61316))?;
-        Ok(circle.0)
+        Ok(fit::circle(&balls).ok_or_else(|| failed(machine, 61316))?.0)
     }
 
     /// One more point from the minus side of the abscissa at the height of the centre (B:8371).
     fn diameter(&self, machine: &mut dyn Machine, found: &Sphere) -> Result<f64, Stop> {
-        let side = self.side(machine, found, 0, -1.0)?;
-        Ok(2.0 * (found.centre[0] - side))
+        Ok(2.0 * (found.centre[0] - self.side(machine, found, 0, -1.0)?))
     }
 
     /// The point on top.

@@ -3,8 +3,7 @@
 //! Axes count 0 abscissa, 1 ordinate, 2 applicate. Angles are right-handed about an axis of the plane, degree.
 
 use super::params::ONE;
-use crate::control::Control;
-use crate::entry::{Inputs, names};
+use crate::catalogue::prelude::*;
 use nalgebra::Vector3;
 
 /// A way from the first point to another one.

@@ -2,14 +2,9 @@
 
 use super::angles::Surface;
 use super::params::{AT_ANGLE, DIFFERENTIAL, ONE};
-use crate::catalogue::{shared_checks, spread};
-use crate::check::refused;
-use crate::control::Control;
-use crate::diagnostic::Diagnostic;
-use crate::entry::{Inputs, names};
+use crate::catalogue::prelude::*;
+use crate::catalogue::spread;
 use crate::evaluate::spread::Touched;
-use crate::name::Name;
-use crate::own;
 
 /// Cosine of 1 degree: a rotary axis that is no nearer to the direction about which the angle turns cannot take it.
 const ALIKE: f64 = 0.9998;
@@ -19,7 +14,7 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     shared_checks::probe(inputs, control, found);
     shared_checks::mirror(control, found);
     shared_checks::memories(inputs, control, found);
-    shared_checks::rotation_target(inputs, found);
+    shared_checks::takes_rotation(names::KNUM, inputs, found);
     shared_checks::lathe_length(inputs, control, found);
     if DIFFERENTIAL.holds(inputs) {
         shared_checks::differential(inputs, control, found);
@@ -35,7 +30,7 @@ struct Leg {
     /// Names of the angle that the surface should have along it, and of the distance.
     name: Name,
     by: Name,
-    /// That angle without its sign, degree.
+    /// Set angle without its sign, degree.
     angle: f64,
     /// Distance of the points, mm.
     distance: f64,
@@ -65,8 +60,7 @@ fn legs(inputs: &Inputs) -> Vec<Leg> {
 fn bases(inputs: &Inputs) -> Option<Diagnostic> {
     let touched = |leg: &Leg, at: [f64; 2]| (leg.distance > 0.0).then_some(Touched { at, towards: [0.0, 1.0] });
     let doubt = |leg: &Leg| {
-        let ends = [[0.0, 0.0], [leg.distance, leg.rise(0.0)]];
-        let [one, two] = ends.map(|at| touched(leg, at));
+        let [one, two] = [[0.0, 0.0], [leg.distance, leg.rise(0.0)]].map(|at| touched(leg, at));
         spread::angle([one?, two?], leg.by)
     };
     let mut legs = legs(inputs);
@@ -74,8 +68,7 @@ fn bases(inputs: &Inputs) -> Option<Diagnostic> {
     legs.iter().find_map(doubt)
 }
 
-/// Between the points the probe keeps away from the set surface by `_TSA`; the measuring path has to bridge that
-/// (B:7422, B:7546).
+/// Between the points the probe keeps `_TSA` away from the set surface, which the path has to bridge (B:7422, B:7546).
 fn along_the_angle(inputs: &Inputs, leg: &Leg) -> Option<Diagnostic> {
     let (area, path) = (inputs.given(names::TSA)?, inputs.given(names::FA)?);
     if leg.angle + area >= 90.0 {

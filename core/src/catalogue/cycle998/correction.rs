@@ -4,13 +4,11 @@
 use super::angles::{Surface, normal};
 use super::params::ONE;
 use crate::catalogue::place::in_plane;
-use crate::catalogue::sinumerik::{alarm, correct, results};
-use crate::control::Control;
-use crate::entry::{Inputs, names};
+use crate::catalogue::prelude::*;
+use crate::catalogue::sinumerik::correct;
 use crate::evaluate::zero_offset;
 use crate::evaluate::zero_offset::Target;
 use crate::geometry::{Degrees, Rpy, V3, rigid};
-use crate::machine::{Machine, Stop};
 use nalgebra::{Rotation3, Vector3};
 
 /// Where the angle goes.
@@ -18,7 +16,7 @@ use nalgebra::{Rotation3, Vector3};
 pub struct Correction {
     /// The frame; none with `_KNUM` = 0.
     target: Option<Target>,
-    /// Its rotary axis; none: its rotation.
+    /// Rotary axis of the frame that is corrected; none: the rotation of the frame.
     rotary: Option<usize>,
 }
 
@@ -87,8 +85,7 @@ impl Correction {
     fn turn(&self, machine: &mut dyn Machine, turn: &Rotation3<f64>) {
         if let Some(target) = self.target {
             let control = machine.control();
-            let rotation = zero_offset::rotation(control, &target, turn);
-            let writes = zero_offset::turned(control, &target, rotation);
+            let writes = zero_offset::turned(control, &target, zero_offset::rotation(control, &target, turn));
             correct::frame(machine, &target, &writes);
         }
     }

@@ -1,17 +1,12 @@
 //! Parameters of CYCLE998 in the order of the manual's tables (B:7395-7422, B:7602-7620).
 
-use crate::catalogue::common;
-use crate::catalogue::common::{optional, required};
-use crate::diagnostic::Code;
-use crate::entry::{DigitGroup, Kind, Param, Unit, When, mvar, names};
-use crate::range::Range;
+pub use crate::catalogue::common::DIFFERENTIAL;
+use crate::catalogue::prelude::*;
 
 /// One angle, from two points.
 pub const ONE: When = mvar(1, &[5]);
 /// Two angles, from three points.
 pub const TWO: When = mvar(1, &[6]);
-/// The first point with the spindle at 180 and 0 degree.
-pub const DIFFERENTIAL: When = mvar(1000, &[1]);
 /// Between the points along the set angle and away from the surface.
 pub const AT_ANGLE: When = mvar(100_000, &[0]);
 /// Between the points along an axis.
@@ -106,12 +101,7 @@ pub const PARAMS: &[Param] = &[
         source: "B:7381-7391;B:7410-7411;A:15872",
         ..common::PARAM
     },
-    Param {
-        labels: &[(When::Always, "knum-zero")],
-        example: "1",
-        source: "B:7413;B:7612;B:15876-15882",
-        ..common::KNUM
-    },
+    Param { example: "1", source: "B:7413;B:7612;B:15876-15882", ..common::KNUM_ZERO },
     Param { source: "B:7290-7299;B:15895-15901", ..common::PRNUM },
     Param { example: "8", source: "B:7418;B:7538-7540;B:7554", ..common::FA },
     Param {
@@ -125,11 +115,7 @@ pub const PARAMS: &[Param] = &[
     },
     Param { source: "B:7418;B:7616", ..common::VMS },
     Param { source: "B:7418;B:7616", ..common::NMSP },
-    Param {
-        needs: &[required(When::All(&[common::MONO, When::Not(&DIFFERENTIAL)]), "need-mono")],
-        source: "B:7420;B:7618",
-        ..common::CORA
-    },
+    Param { source: "B:7420;B:7618", ..common::CORA_CALIBRATED },
     Param {
         needs: &[optional(When::Always, "need-memory-empirical")],
         example: "0",

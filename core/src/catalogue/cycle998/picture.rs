@@ -2,11 +2,9 @@
 //! each other.
 
 use super::params::{AT_ANGLE, DIFFERENTIAL, TWO};
+use crate::catalogue::prelude::*;
 use crate::entry::stage::{Fields, Look, SIZE, Seen, Staging, Touched, add};
-use crate::entry::{Inputs, names};
-use crate::name::Name;
 use crate::picture::figures::{arc, circle, dimension, line, polar, polygon, ray};
-use crate::picture::{PictureShape, ShapeKind};
 
 /// Steepest angle that is drawn, degree.
 const STEEP: f64 = 40.0;

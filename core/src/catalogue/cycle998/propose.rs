@@ -2,9 +2,7 @@
 
 use super::angles::{Surface, normal};
 use super::params::AT_ANGLE;
-use crate::catalogue::place;
-use crate::control::Control;
-use crate::entry::{Inputs, Proposal, names};
+use crate::catalogue::prelude::*;
 use crate::geometry::V3;
 use crate::workpiece::Shape;
 

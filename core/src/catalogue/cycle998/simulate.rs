@@ -4,13 +4,11 @@
 use super::angles::{Leg, Surface};
 use super::correction::Correction;
 use super::params::{AT_ANGLE, DIFFERENTIAL};
+use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::differential::twice;
 use crate::catalogue::sinumerik::measuring_block::{Block, Point, same_calibration, turnable};
-use crate::catalogue::sinumerik::{Next, alarm, results, tolerance, until_done};
-use crate::entry::{Inputs, names};
+use crate::catalogue::sinumerik::tolerance;
 use crate::evaluate::mean;
-use crate::geometry::Wcs;
-use crate::machine::{Machine, Stop};
 
 /// Runs the cycle from the present position, which is opposite the first point.
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
@@ -89,8 +87,7 @@ impl Probing<'_> {
             to[block.axes[leg.axis]] += leg.distance;
             to[block.axes[axis]] += if at_angle { self.beside(leg) } else { 0.0 };
             block.travel(machine, to)?;
-            let other = self.plain().measure_from_here(machine, axis, self.direction, 2.0 * block.path)?;
-            rises.push(other + skew - first);
+            rises.push(self.plain().measure_from_here(machine, axis, self.direction, 2.0 * block.path)? + skew - first);
         }
         Ok(rises)
     }
@@ -131,8 +128,7 @@ impl Probing<'_> {
 fn report(machine: &mut dyn Machine, surface: &Surface, rises: &[f64]) -> Vec<f64> {
     let legs = surface.legs.iter();
     let angles: Vec<f64> = legs.zip(rises).map(|(leg, rise)| leg.angle(*rise)).collect();
-    let by_axis = surface.legs.iter().zip(&angles).rev().enumerate();
-    for (index, (leg, angle)) in by_axis {
+    for (index, (leg, angle)) in surface.legs.iter().zip(&angles).rev().enumerate() {
         results::angle(machine, index, leg.set);
         results::angle(machine, 4 + index, *angle);
         results::angle(machine, 16 + index, angle - leg.set);

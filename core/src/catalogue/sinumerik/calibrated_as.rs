@@ -2,11 +2,9 @@
 //! (`_CBIT[16]`, B:13658-13667). The manual does not tell the code (B:13451-13452); this one is ours: the number of the
 //! plane, 100 more for a mono probe; 1 where L1 ends at the centre of the ball, 2 at its circumference; 0 unknown.
 
-use super::results;
 use crate::catalogue::common::MONO;
-use crate::control::{Control, MachineSort, Plane};
-use crate::entry::{Inputs, names};
-use crate::machine::Machine;
+use crate::catalogue::prelude::*;
+use crate::control::{MachineSort, Plane};
 
 /// Notes in the data field of the probe how a call calibrates it.
 pub fn note(machine: &mut dyn Machine, inputs: &Inputs) {
@@ -15,8 +13,7 @@ pub fn note(machine: &mut dyn Machine, inputs: &Inputs) {
     }
 }
 
-/// Whether plane, type of probe or reference of the length are others than at calibration. What was never noted is not
-/// compared.
+/// Whether plane, type of probe or reference of the length differ from what was noted at calibration.
 pub fn differs(control: &Control, inputs: &Inputs) -> bool {
     let noted = fields(inputs).map(|name| control.number(&name));
     control.bit("_CBIT[16]")

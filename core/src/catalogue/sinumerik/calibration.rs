@@ -1,13 +1,11 @@
 //! What a calibration found: the results, the comparison with what is stored, the new data (B:5134, B:5090-5118).
 
-use super::{Next, calibrated_as, correct, results, tolerance};
-use crate::control::{Control, MachineSort};
-use crate::entry::{Inputs, names};
+use super::{calibrated_as, correct, tolerance};
+use crate::catalogue::prelude::*;
+use crate::control::MachineSort;
 use crate::evaluate::Write;
 use crate::evaluate::tolerance::exceeds;
 use crate::machine::trace::Step;
-use crate::machine::{Machine, Stop};
-use crate::message::Message;
 
 /// A trigger value.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,8 +29,7 @@ pub struct Calibration {
     pub skew: [Option<f64>; 2],
     /// Centre of the hole in the WCS, abscissa and ordinate.
     pub centre: Option<[f64; 2]>,
-    /// What the length of the probe along the applicate has to be longer by: L1, where the lengths are assigned as on a
-    /// turning machine L3.
+    /// By how much the length of the probe along the applicate is too short: L1, on a turning machine L3.
     pub length: Option<f64>,
 }
 
@@ -83,9 +80,7 @@ pub fn store(machine: &mut dyn Machine, inputs: &Inputs, found: &Calibration, re
         exceeds((ball - before).abs(), limit)
     };
     let ball = found.ball.filter(|ball| renewed(machine, *ball));
-    let fields = fields(found);
-    let named = fields.into_iter().map(|(field, value)| (datum(inputs, field), value));
-    renew(machine, inputs, named.collect());
+    renew(machine, inputs, fields(found).into_iter().map(|(field, value)| (datum(inputs, field), value)).collect());
     let milling = inputs.cycle.purpose.machine == MachineSort::Milling;
     let into_tool = milling && machine.control().bit("_CBIT[15]");
     if let Some(ball) = ball.filter(|_| into_tool) {
@@ -128,8 +123,7 @@ fn report(machine: &mut dyn Machine, inputs: &Inputs, found: &Calibration) -> Ve
     differences
 }
 
-/// Stores lengths (mm) that differ by more than `_TZL` from the data of these names, and tells what is kept (B:5134,
-/// B:4324-4326).
+/// Stores lengths (mm) that differ by more than `_TZL` from the data, and tells what is kept (B:5134, B:4324-4326).
 pub fn renew(machine: &mut dyn Machine, inputs: &Inputs, found: Vec<(String, f64)>) {
     let limit = inputs.number(names::TZL);
     let per = machine.control().basic_factor();
@@ -151,10 +145,8 @@ pub fn renew(machine: &mut dyn Machine, inputs: &Inputs, found: Vec<(String, f64
 /// What was found by its place in `_WP[k,0..8]`.
 fn fields(found: &Calibration) -> Vec<(usize, f64)> {
     let mut fields: Vec<(usize, f64)> = found.ball.map(|ball| (BALL, ball)).into_iter().collect();
-    let triggers = found.triggers.iter();
-    fields.extend(triggers.map(|trigger| (trigger.field(), trigger.value)));
-    let skew = SKEW.into_iter().zip(found.skew);
-    fields.extend(skew.filter_map(|(field, value)| Some((field, value?))));
+    fields.extend(found.triggers.iter().map(|trigger| (trigger.field(), trigger.value)));
+    fields.extend(SKEW.into_iter().zip(found.skew).filter_map(|(field, value)| Some((field, value?))));
     fields
 }
 

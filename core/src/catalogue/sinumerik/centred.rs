@@ -1,11 +1,10 @@
 //! Sizes and a centre, which CYCLE977 and CYCLE979 find: results, and what they correct (B:5675-5724, B:6779-6814).
 
 use super::tolerance::Sizes;
-use super::{results, target, tolerance};
+use super::{target, tolerance};
 use crate::catalogue::place::in_plane;
-use crate::entry::Inputs;
+use crate::catalogue::prelude::*;
 use crate::evaluate::zero_offset::Measured;
-use crate::machine::Machine;
 
 /// A value as it should be and as it was measured, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]

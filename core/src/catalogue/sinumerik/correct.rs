@@ -1,13 +1,10 @@
 //! Writes corrections of tools and zero offsets, and records them.
 
 use super::tolerance::Sizes;
-use super::{alarm, results};
-use crate::entry::{Inputs, names};
+use crate::catalogue::prelude::*;
 use crate::evaluate::tool_offset::Target as Tool;
 use crate::evaluate::{Write, tool_offset, zero_offset};
 use crate::machine::trace::Step;
-use crate::machine::{Machine, Stop};
-use crate::message::Message;
 use nalgebra::IsometryMatrix3;
 
 /// Finds the quantity that a tool offset corrects; `axis` where there is one measuring axis. None: `_KNUM` = 0.
@@ -20,14 +17,12 @@ pub fn tool_target(machine: &mut dyn Machine, inputs: &Inputs, axis: Option<usiz
         environment: inputs.text(names::TENV),
         axis,
     };
-    let found = tool_offset::target(machine.control(), &names);
-    found.map_err(|number| alarm(machine, number))
+    tool_offset::target(machine.control(), &names).map_err(|number| alarm(machine, number))
 }
 
 /// Finds the frame that a zero offset corrects. None: `_KNUM` = 0.
 pub fn zero_target(machine: &mut dyn Machine, inputs: &Inputs) -> Result<Option<zero_offset::Target>, Stop> {
-    let found = zero_offset::target(machine.control(), inputs.integer(names::KNUM));
-    found.map_err(|number| alarm(machine, number))
+    zero_offset::target(machine.control(), inputs.integer(names::KNUM)).map_err(|number| alarm(machine, number))
 }
 
 /// Corrects a tool by a difference; the amount entered, mm. A length is shortened by a positive difference.

@@ -2,10 +2,8 @@
 //! it stood (B:6402-6418, B:7570-7582).
 
 use super::measuring_block::{Block, Point};
-use super::{alarm, results};
-use crate::entry::{Inputs, names};
+use crate::catalogue::prelude::*;
 use crate::geometry::Degrees;
-use crate::machine::{Machine, Stop};
 
 /// What the two touches tell.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,9 +36,8 @@ pub fn twice(machine: &mut dyn Machine, inputs: &Inputs, block: &Block, point: &
     Ok(Twice { surface: (turned + straight) / 2.0 - value, skew })
 }
 
-/// Stores trigger value, with the skew in it as after a calibration, and skew in the directions of the machine: `sense`
-/// is
-/// -1 where a frame mirrors the axis.
+/// Stores skew and trigger value with the skew in it, in directions of the machine; `sense`: -1 where the axis is
+/// mirrored.
 fn store(machine: &mut dyn Machine, inputs: &Inputs, point: &Point, sense: f64, [value, skew]: [f64; 2]) {
     let probe = inputs.integer(names::PRNUM) % 100 - 1;
     let factor = machine.control().basic_factor();

@@ -9,11 +9,9 @@ mod ray;
 
 pub use ray::Ray;
 
-use super::alarm;
-use crate::control::Control;
-use crate::geometry::{Degrees, Wcs};
+use crate::catalogue::prelude::*;
+use crate::geometry::Degrees;
 use crate::machine::trace::MotionKind;
-use crate::machine::{Machine, Stop};
 
 /// Pulled back between the fast and the slow touch, mm (B:13772).
 const PULL_BACK: f64 = 2.0;
@@ -88,7 +86,7 @@ impl Block {
         self.triggers[axis.min(2)][usize::from(direction > 0.0)]
     }
 
-    /// The same block with a probe that was never calibrated: plus or minus the radius (B:6402-6418), and along the
+    /// This block with a probe that was never calibrated: plus or minus the radius (B:6402-6418), and along the
     /// applicate from the point to which L1 refers (B:5581-5583).
     pub fn uncalibrated(&self) -> Block {
         let ideal = [self.radius, -self.radius];
@@ -100,12 +98,12 @@ impl Block {
         }
     }
 
-    /// The same block reckoning with the active ball alone, which needs no trigger values (B:10901-10906).
+    /// This block reckoning with the active ball alone, which needs no trigger values (B:10901-10906).
     pub fn by_ball(&self) -> Block {
         Block { triggers: [[self.ball, -self.ball]; 3], ..self.clone() }
     }
 
-    /// The same block with this measuring feed alone, mm/min, so many times.
+    /// This block with one measuring feed, mm/min, so many times.
     pub fn at_feed(&self, feed: f64, repeats: u32) -> Block {
         Block { feed, fast: None, repeats, ..self.clone() }
     }
@@ -147,13 +145,12 @@ impl Block {
         point.set + self.trigger(point.axis, point.direction) + point.direction * point.path
     }
 
-    /// Touches a surface `_NMSP` times from where the probe stands beside it, and returns to the start of the block.
-    /// Coordinate of the surface, mm.
+    /// Touches a surface `_NMSP` times and returns to the start of the block. Coordinate of the surface, mm.
     pub fn measure(&self, machine: &mut dyn Machine, point: &Point) -> Result<f64, Stop> {
         Ok(self.latch(machine, point)? - self.trigger(point.axis, point.direction))
     }
 
-    /// The same without the trigger value: mean position at switching, mm.
+    /// Touches as [`Block::measure`] does; mean position at switching, mm.
     pub fn latch(&self, machine: &mut dyn Machine, point: &Point) -> Result<f64, Stop> {
         if let Some(angle) = heading(point.axis, point.direction) {
             self.orient(machine, angle);
@@ -219,8 +216,7 @@ impl Block {
                 return Ok(position);
             }
         }
-        let number = if limited.is_some() { 61401 } else { 61301 };
-        Err(alarm(machine, number))
+        Err(alarm(machine, if limited.is_some() { 61401 } else { 61301 }))
     }
 
     /// Towards the surface; with `_CHBIT[17]` fast, back by 2 mm (not behind the start) and slowly again.
@@ -229,8 +225,7 @@ impl Block {
             let Some(first) = machine.probe(way.end, fast)? else { return Ok(None) };
             let gone = |axis: usize| (first[axis] - way.start[axis]) * way.direction[axis];
             let room = (0..3).map(gone).sum::<f64>().min(PULL_BACK);
-            let pulled = Wcs(std::array::from_fn(|axis| first[axis] - way.direction[axis] * room));
-            self.back(machine, pulled)?;
+            self.back(machine, Wcs(std::array::from_fn(|axis| first[axis] - way.direction[axis] * room)))?;
         }
         machine.probe(way.end, self.feed)
     }
@@ -311,12 +306,10 @@ fn calibrated(block: &Block, axis: usize, direction: f64) -> bool {
 
 /// Refuses a probe of which one of these triggers, axis and direction, was never found (61341).
 pub fn all_calibrated(machine: &mut dyn Machine, block: &Block, sides: &[(usize, f64)]) -> Result<(), Stop> {
-    let known = |(axis, direction): &(usize, f64)| calibrated(block, *axis, *direction);
-    holds(machine, sides.iter().all(known), 61341)
+    holds(machine, sides.iter().all(|(axis, direction)| calibrated(block, *axis, *direction)), 61341)
 }
 
-/// Refuses a probe without an active ball, with which nothing can be measured at an angle (61341, B:6873); as
-/// [`calibrated`].
+/// Refuses a probe without an active ball, which measures nothing at an angle (61341, B:6873); as [`calibrated`].
 pub fn ball_known(machine: &mut dyn Machine, block: &Block) -> Result<(), Stop> {
     holds(machine, block.ball > 0.0 && !block.other, 61341)
 }

@@ -17,8 +17,7 @@ pub mod target;
 pub mod testing;
 pub mod tolerance;
 
-use crate::diagnostic::Code;
-use crate::machine::{Machine, Stop};
+use crate::catalogue::prelude::*;
 
 /// A correction done, or the measurement to be repeated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

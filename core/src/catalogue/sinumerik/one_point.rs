@@ -2,11 +2,10 @@
 //! B:10461-10505, B:10936-10975).
 
 use super::tolerance::Sizes;
-use super::{results, target, tolerance};
-use crate::entry::{Inputs, names};
+use super::{target, tolerance};
+use crate::catalogue::prelude::*;
 use crate::evaluate::mean;
 use crate::evaluate::zero_offset::Measured;
-use crate::machine::Machine;
 
 /// What was measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,8 +41,8 @@ impl target::Found for OnePoint {
         report(machine, self, middle.setpoint);
         results::length(machine, 8, middle.upper);
         results::length(machine, 12, middle.lower);
-        let differences = vec![self.actual - middle.setpoint];
-        Sizes { differences, factor: 1.0 / self.per, radius_sign: self.direction }
+        let difference = self.actual - middle.setpoint;
+        Sizes { differences: vec![difference], factor: 1.0 / self.per, radius_sign: self.direction }
     }
 
     /// The position, less the empirical value, decides over the zero offset (B:6436-6450, B:10525).
@@ -51,8 +50,7 @@ impl target::Found for OnePoint {
         report(machine, self, self.set);
         tolerance::report_empirical(machine, inputs);
         results::begin_zero(machine, inputs);
-        let memories = mean::memories(inputs.integer(names::EVNUM));
-        results::integer(machine, 7, memories.empirical);
+        results::integer(machine, 7, mean::memories(inputs.integer(names::EVNUM)).empirical);
         let counted = self.actual - tolerance::empirical(machine.control(), inputs);
         let axes = machine.control().plane.axes();
         let [own, corrected] = [self.axis, self.corrected].map(|axis| axes[axis.min(2)]);

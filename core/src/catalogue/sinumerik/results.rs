@@ -1,9 +1,7 @@
 //! Result data `_OVR[]` and `_OVI[]`: written to the control and recorded.
 
-use crate::entry::{Inputs, Unit, names};
-use crate::machine::Machine;
+use crate::catalogue::prelude::*;
 use crate::machine::trace::Step;
-use crate::message::Message;
 
 /// The number of the alarm that the last call raised (B:5699).
 pub const ALARM: &str = "_OVI[9]";
@@ -29,8 +27,7 @@ pub fn hand_back(machine: &mut dyn Machine, name: &str, alarm: Option<u32>) {
     let number = f64::from(alarm.unwrap_or(0));
     set(machine, name, number);
     if alarm.is_some() {
-        let message = Message::new("evaluate-handed-back");
-        let message = message.number("alarm", number).text("name", name);
+        let message = Message::new("evaluate-handed-back").number("alarm", number).text("name", name);
         machine.record(Step::Decision { message });
     }
 }
@@ -59,8 +56,7 @@ pub fn begin(machine: &mut dyn Machine, inputs: &Inputs, cycle: i64) {
 
 /// Whether the safe area of the cycle is an angle (B:15921).
 pub fn watches_angle(inputs: &Inputs) -> bool {
-    let area = inputs.cycle.param(names::TSA.as_str());
-    area.is_some_and(|param| param.unit == Unit::Degree)
+    inputs.cycle.param(names::TSA.as_str()).is_some_and(|param| param.unit == Unit::Degree)
 }
 
 /// What a measurement with zero offset tells beside: the frame, no tool, nothing written yet (B:5692-5701).

@@ -41,7 +41,7 @@ pub fn with_edge(control: &Control) -> Result<&Edge, u32> {
     control.active_edge().ok_or(61311) // A:15850
 }
 
-/// The same of a turning machine: its probe, and no rotation (B:8708, A:15848, A:15856, A:15873).
+/// Alarm for a turning machine with a rotation, or without its probe in use (B:8708, A:15848, A:15856, A:15873).
 fn turning(control: &Control, edge: &Edge) -> Option<u32> {
     if !edge.is_turning() {
         return Some(61309);

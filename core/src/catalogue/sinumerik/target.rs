@@ -1,11 +1,10 @@
 //! What a measurement corrects: a tool or a zero offset, as the hundreds of `_MVAR` say.
 
 use super::tolerance::Sizes;
-use super::{Next, correct, tolerance};
-use crate::entry::Inputs;
+use super::{correct, tolerance};
+use crate::catalogue::prelude::*;
 use crate::evaluate::zero_offset::Measured;
 use crate::evaluate::{tool_offset, zero_offset};
-use crate::machine::{Machine, Stop};
 
 /// What is corrected; none of it where `_KNUM` is 0.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,16 +1,12 @@
 //! Safe area, tolerance chain and repetition as the workpiece cycles use them (B:1286-1390, B:6123-6137).
 
-use super::{Next, alarm, correct, results};
-use crate::control::Control;
-use crate::diagnostic::Code;
-use crate::entry::{Inputs, names};
+use super::correct;
+use crate::catalogue::prelude::*;
 use crate::evaluate::mean;
 use crate::evaluate::symmetry::{Symmetric, symmetric};
 use crate::evaluate::tolerance::{Bands, Branch, Decision, chain, exceeds};
 use crate::evaluate::tool_offset::Target as Tool;
 use crate::machine::trace::Step;
-use crate::machine::{Machine, Stop};
-use crate::message::Message;
 
 /// Repetitions after a violated limit (B:13572-13574).
 const REPETITIONS: u32 = 4;
@@ -36,7 +32,7 @@ pub fn empirical(control: &Control, inputs: &Inputs) -> f64 {
     memorized(control, inputs, |name| control.basic_length(name))
 }
 
-/// The same of an angle, degree.
+/// Empirical value of an angle, with the sign of [`empirical`], degree.
 pub fn empirical_angle(control: &Control, inputs: &Inputs) -> f64 {
     memorized(control, inputs, |name| control.number(name))
 }
@@ -132,8 +128,7 @@ fn report(machine: &mut dyn Machine, inputs: &Inputs, target: Option<&Tool>, dec
     results::integer(machine, 7, memories.empirical);
     results::integer(machine, 8, target.map_or(0, |target| target.tool));
     if inputs.cycle.results.iter().any(|field| field.name == "_OVI[13]") {
-        let location = target.and_then(|target| target.location);
-        results::integer(machine, 13, location.unwrap_or(0));
+        results::integer(machine, 13, target.and_then(|target| target.location).unwrap_or(0));
     }
 }
 
@@ -193,8 +188,8 @@ pub fn safe(machine: &mut dyn Machine, inputs: &Inputs, differences: &[f64], rep
         return Ok(Next::Done);
     };
     let key = if results::watches_angle(inputs) { "evaluate-safe-area-angle" } else { "evaluate-safe-area" };
-    let message = Message::new(key).number("difference", worst);
-    machine.record(Step::Decision { message: message.number("mean", 0.0) });
+    let message = Message::new(key).number("difference", worst).number("mean", 0.0);
+    machine.record(Step::Decision { message });
     if repeat(machine, 62303, repetition) {
         return Ok(Next::Again);
     }

@@ -1,13 +1,11 @@
 //! Ways of the probe between its measuring blocks, watched or in rapid traverse.
 
 use super::Block;
-use crate::catalogue::sinumerik::alarm;
-use crate::diagnostic::Code;
+use crate::catalogue::prelude::*;
 use crate::geometry::arc::Around;
-use crate::geometry::{Degrees, TOLERANCE, Wcs};
+use crate::geometry::{Degrees, TOLERANCE};
 use crate::machine::route::Route;
 use crate::machine::trace::MotionKind;
-use crate::machine::{Machine, Stop};
 
 /// Whether two coordinates are more than the last bits of a sum apart: what is shorter is no motion.
 fn apart(one: f64, other: f64) -> bool {
@@ -55,8 +53,7 @@ impl Block {
         if !on_machine.within_limits(control) {
             return Err(alarm(machine, 61401)); // A:15920
         }
-        let kind = MotionKind::Positioning;
-        told(machine, |machine| machine.travel_around(Wcs(to), &around, kind, feed, self.monitored))
+        told(machine, |machine| machine.travel_around(Wcs(to), &around, MotionKind::Positioning, feed, self.monitored))
     }
 
     /// Monitored: `_SPEED[1]` in the plane, `_SPEED[2]` in the applicate; else rapid traverse (B:13743-13763).

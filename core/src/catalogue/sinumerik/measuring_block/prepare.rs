@@ -2,11 +2,10 @@
 
 use super::{Block, Spindle, on_machine, turnable};
 use crate::catalogue::common::MONO;
-use crate::catalogue::sinumerik::{alarm, calibrated_as, state};
-use crate::control::{Control, Frame, MachineSort};
-use crate::entry::{Inputs, names};
+use crate::catalogue::prelude::*;
+use crate::catalogue::sinumerik::{calibrated_as, state};
+use crate::control::{Frame, MachineSort};
 use crate::geometry::{Degrees, TOLERANCE, V3, rigid};
-use crate::machine::{Machine, Stop};
 
 impl Block {
     /// Reads parameters and data and checks what must be true before the first motion (sequence of B:4147-4157).
@@ -19,7 +18,7 @@ impl Block {
         Ok(block)
     }
 
-    /// The same for the tool in use before a tool probe: what is touched lies where the position of the tool says, and
+    /// A block for the tool in use before a tool probe: what is touched lies where the position of the tool says, and
     /// the spindle is left alone. The path has no sign.
     pub fn for_tool(machine: &mut dyn Machine, inputs: &Inputs) -> Result<Block, Stop> {
         let control = machine.control();
@@ -140,10 +139,8 @@ fn follow_rotation(control: &Control, inputs: &Inputs) -> Option<f64> {
     let mut along = [0.0; 3];
     along[applicate] = 1.0;
     // a rotation about Y alone may be stored with 180 degree about X and Z, so that the angles do not tell
-    let tilted = |frame: &Frame| {
-        let stands = rigid::rotation(frame.rotation) * V3::from(along);
-        (stands - V3::from(along)).norm() > TOLERANCE
-    };
+    let along = V3::from(along);
+    let tilted = |frame: &Frame| (rigid::rotation(frame.rotation) * along - along).norm() > TOLERANCE;
     if control.chain().iter().any(tilted) {
         return None;
     }

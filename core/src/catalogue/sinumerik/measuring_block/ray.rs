@@ -5,8 +5,8 @@
 //! is stored with the skew in it.
 
 use super::{Block, Way};
-use crate::geometry::{Degrees, Wcs};
-use crate::machine::{Machine, Stop};
+use crate::catalogue::prelude::*;
+use crate::geometry::Degrees;
 
 /// A surface to be touched along any direction of the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,8 +28,7 @@ impl Ray {
 }
 
 impl Block {
-    /// Start of the measuring block, abscissa and ordinate of the spindle axis, mm: the ball `path` before the set
-    /// surface.
+    /// Start of the block: abscissa and ordinate of the spindle axis, mm, the ball `path` before the set surface.
     pub fn start_along(&self, ray: &Ray) -> [f64; 2] {
         self.on(ray, -ray.path)
     }
@@ -49,7 +48,7 @@ impl Block {
         Ok([x + self.skew[0], y + self.skew[1]])
     }
 
-    /// The same without anything known about the probe: mean position at switching, abscissa and ordinate, mm.
+    /// Touches as [`Block::ball_along`] does; mean position of the spindle at switching, abscissa and ordinate, mm.
     pub fn latch_along(&self, machine: &mut dyn Machine, ray: &Ray) -> Result<[f64; 2], Stop> {
         self.orient(machine, ray.angle);
         let here = machine.position().0;
