@@ -2,17 +2,13 @@
 
 use super::{Lobes, Path, V3};
 
-/// What of a quadrangle is face.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Trim {
-    /// All of it.
-    Whole,
-    /// What lies within the curve.
-    Within(Lobes),
-    /// What lies outside of the curve.
-    Outside(Lobes),
-    /// The ring between an inner and an outer curve.
-    Between(Lobes, Lobes),
+/// Round curves about the Z axis that leave a part of a face; without any it is whole.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Trim {
+    /// What lies within it is no face.
+    pub inner: Option<Lobes>,
+    /// What lies outside of it is no face.
+    pub outer: Option<Lobes>,
 }
 
 /// A flat face. Its corners run counter-clockwise seen from outside the material.
@@ -61,13 +57,9 @@ impl Quad {
 
     fn covers(&self, point: &V3, normal: &V3) -> bool {
         let within = self.edges().iter().all(|(a, b)| (b - a).cross(&(point - a)).dot(normal) >= 0.0);
-        let away = point.xy().norm();
+        let (away, Trim { inner, outer }) = (point.xy().norm(), self.trim);
         within
-            && match self.trim {
-                Trim::Whole => true,
-                Trim::Within(curve) => away <= curve.radius_at(point),
-                Trim::Outside(curve) => away >= curve.radius_at(point),
-                Trim::Between(inner, outer) => away >= inner.radius_at(point) && away <= outer.radius_at(point),
-            }
+            && inner.is_none_or(|curve| away >= curve.radius_at(point))
+            && outer.is_none_or(|curve| away <= curve.radius_at(point))
     }
 }

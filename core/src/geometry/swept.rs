@@ -67,13 +67,9 @@ impl Swept {
             return true;
         }
         let z = face.corners[0].z;
-        let ring = match &face.trim {
-            Trim::Whole => return false,
-            Trim::Within(curve) => [0.0, reach(curve, z)[1]],
-            Trim::Outside(curve) => [reach(curve, z)[0], f64::INFINITY],
-            Trim::Between(inner, outer) => [reach(inner, z)[0], reach(outer, z)[1]],
-        };
-        self.profile().clears_ring(ring, z)
+        let least = face.trim.inner.map_or(0.0, |curve| reach(&curve, z)[0]);
+        let most = face.trim.outer.map_or(f64::INFINITY, |curve| reach(&curve, z)[1]);
+        face.trim != Trim::default() && self.profile().clears_ring([least, most], z)
     }
 
     fn clears_edge(&self, Segment { a, b }: &Segment) -> bool {

@@ -143,11 +143,12 @@ impl Drawing {
     fn face(&mut self, quad: &Quad) {
         let [a, b, c, d] = quad.corners;
         let z = a.z;
-        let rows = match &quad.trim {
-            Trim::Whole => return self.whole(quad),
-            Trim::Within(curve) => vec![vec![V3::new(0.0, 0.0, z); self.angles.len()], self.curve(curve, z)],
-            Trim::Between(inner, outer) => vec![self.curve(inner, z), self.curve(outer, z)],
-            Trim::Outside(curve) => {
+        let Trim { inner, outer } = &quad.trim;
+        let rows = match (inner, outer) {
+            (None, None) => return self.whole(quad),
+            (None, Some(curve)) => vec![vec![V3::new(0.0, 0.0, z); self.angles.len()], self.curve(curve, z)],
+            (Some(inner), Some(outer)) => vec![self.curve(inner, z), self.curve(outer, z)],
+            (Some(curve), None) => {
                 let half = a.sup(&b).sup(&c).sup(&d);
                 let rim = self.curve(curve, z);
                 let border = rim.iter().map(|point| {

@@ -132,7 +132,7 @@ impl Body {
     fn add(&mut self, quads: Vec<Quad>, rims: bool) {
         for quad in quads {
             self.features.push(Feature::Quad(quad));
-            if !rims || quad.trim != Trim::Whole {
+            if !rims || quad.trim != Trim::default() {
                 continue;
             }
             for (a, b) in quad.edges() {

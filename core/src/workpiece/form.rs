@@ -158,15 +158,11 @@ impl Column {
             Column::Round(..) => self.hull().widened([1.0, 1.0]).ring(upper), // the curve decides
             Column::Straight(frustum) => frustum.ring(upper),
         };
-        let inner = opening.map(|(column, upper)| (curve(column), column.hull().ring(upper)));
-        let trim = match (curve(self), inner) {
-            (None, Some((None, inner))) => return between(corners, inner),
-            (None, None) => Trim::Whole,
-            (None, Some((Some(inner), _))) => Trim::Outside(inner),
-            (Some(outer), Some((Some(inner), _))) => Trim::Between(inner, outer),
-            (Some(outer), _) => Trim::Within(outer),
-        };
-        vec![Quad { corners, trim }]
+        let trim = Trim { inner: opening.and_then(|(column, _)| curve(column)), outer: curve(self) };
+        match opening {
+            Some((column, upper)) if trim == Trim::default() => between(corners, column.hull().ring(upper)),
+            _ => vec![Quad { corners, trim }],
+        }
     }
 }
 
@@ -248,7 +244,7 @@ impl Frustum {
         let (up, low) = (self.ring(true), self.ring(false));
         [0, 1, 2, 3].map(|i| {
             let next = (i + 1) % 4;
-            Quad { corners: [low[i], low[next], up[next], up[i]], trim: Trim::Whole }
+            Quad { corners: [low[i], low[next], up[next], up[i]], trim: Trim::default() }
         })
     }
 }
@@ -257,7 +253,7 @@ impl Frustum {
 pub(super) fn between([a, b, c, d]: [V3; 4], [i, j, k, l]: [V3; 4]) -> Vec<Quad> {
     let all = [[a, b, j, i], [b, c, k, j], [c, d, l, k], [d, a, i, l]];
     let room = |[a, b, c, d]: &[V3; 4]| (c - a).cross(&(d - b)) != V3::zeros();
-    all.into_iter().filter(room).map(|corners| Quad { corners, trim: Trim::Whole }).collect()
+    all.into_iter().filter(room).map(|corners| Quad { corners, trim: Trim::default() }).collect()
 }
 
 impl Quad {
