@@ -100,10 +100,7 @@ impl Data {
     pub fn get(&self, name: &str) -> Option<&Value> {
         #[cfg(test)]
         LOOKED_AT.with_borrow_mut(|names| names.as_mut().map(|names| names.insert(name.to_owned())));
-        match self.written.get(name) {
-            Some(written) => written.as_ref(),
-            None => self.delivered.get(name),
-        }
+        self.written.get(name).map_or_else(|| self.delivered.get(name), Option::as_ref)
     }
 
     /// Whether there is such a datum.

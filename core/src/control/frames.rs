@@ -120,8 +120,7 @@ impl Control {
         self.links().filter(mirrored).count() % 2 == 1
     }
 
-    /// What G54.., G500 do: the stored settable frame becomes the active one, and so do the stored basic and system
-    /// frames (B:1965). G500 (SINUMERIK 0) is a frame too.
+    /// What G54.., G500 do, which is a frame too: stored settable, basic and system frames become active (B:1965).
     pub fn activate(&mut self, number: usize) {
         self.settable = number;
         self.basic =

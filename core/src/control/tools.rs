@@ -66,10 +66,7 @@ impl Control {
     /// Edge in effect.
     pub fn active_edge(&self) -> Option<&Edge> {
         let (tool, edge) = self.active_place();
-        match edge {
-            0 => None,
-            _ => self.edge_of(tool, edge),
-        }
+        if edge == 0 { None } else { self.edge_of(tool, edge) }
     }
 
     /// Whether it is a turning machine by its tools: a turning tool is in use, or every tool is as long as one.
@@ -77,9 +74,8 @@ impl Control {
         self.active_edge().is_some_and(Edge::is_turning) || self.number(TOOL_LENGTH_TYPE) == AS_TURNING_TOOL
     }
 
-    /// Along which axis (0 abscissa, 1 ordinate, 2 applicate) L1, L2 and L3 of an edge count: from the applicate on
-    /// (B:762-817); of turning tools, and with SD 42950 = 2 of every tool, L1 in the ordinate and L2 in the abscissa
-    /// (B:828, B:974-985: X and Z in G18).
+    /// Axis (0 abscissa, 1 ordinate, 2 applicate) of L1, L2, L3: from the applicate on (B:762-817); of turning tools,
+    /// and with SD 42950 = 2 of all, L1 in the ordinate and L2 in the abscissa (B:828, B:974-985: X and Z in G18).
     pub fn length_axes(&self, edge: &Edge) -> [usize; 3] {
         if edge.is_turning() || self.number(TOOL_LENGTH_TYPE) == AS_TURNING_TOOL { [1, 0, 2] } else { [2, 1, 0] }
     }

@@ -193,8 +193,7 @@ impl Recogniser {
         self.controls * 5 > self.printable || self.nulls > 0 && self.printable + self.beyond == 0
     }
 
-    /// The one whose characters are those of a text, and which has next to no byte that it cannot have. What is western
-    /// text has no such pairs.
+    /// The one with the characters of a text, and next to no byte that it cannot have; western text has no such pairs.
     fn bytewise(&mut self) -> Encoding {
         let marked = self.head.starts_with(b"\xef\xbb\xbf");
         let utf8 = self.utf8.0.done();

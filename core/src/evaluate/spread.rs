@@ -135,8 +135,7 @@ pub fn corner(touched: &[Touched]) -> Option<f64> {
     Some(squares.sum::<V2>().max().sqrt())
 }
 
-/// The rotation of a frame from three points about the line nearest to them: how far it is off at [`LENGTH`] from that
-/// line. None where they lie on it.
+/// The rotation of a frame from three points: how far it is off at [`LENGTH`] from the line nearest to them.
 pub fn turn(points: [V3; 3]) -> Option<f64> {
     let middle = points.iter().sum::<V3>() / 3.0;
     let inertia = points

@@ -21,9 +21,8 @@ pub trait Convex {
     fn farthest(&self, direction: &V3) -> V3;
 }
 
-/// A plane that parts two bodies: how wide the gap across it is, mm, what is nearest to it on the second body, and its
-/// normal towards the first. The gap is the distance, to the square of the distance; none where the bodies touch or
-/// overlap.
+/// A plane that parts two bodies: width of the gap across it, mm, nearest point of the second body, normal towards the
+/// first. The gap is the distance, to the square of the distance; none where the bodies touch or overlap.
 fn parted(moving: &impl Convex, other: &impl Convex, moved: &V3) -> Option<(f64, V3, V3)> {
     let mut simplex = Simplex::default();
     let mut nearest = Corner::of(moving, other, moved, &V3::x());
@@ -164,8 +163,7 @@ fn nearest_of(simplex: &Simplex) -> Option<(Corner, Simplex)> {
     Some((nearest, chosen))
 }
 
-/// Weights of points with which they give the foot of the origin on what they span; none where the foot lies beside
-/// them, or where they span less than they should.
+/// Weights of points that give the foot of the origin on what they span; none: it lies beside, or they span less.
 fn weights(points: &[V3]) -> Option<[f64; 4]> {
     let (first, rest) = points.split_first()?;
     let side = |index: usize| rest.get(index).map(|point| point - first);

@@ -124,8 +124,7 @@ impl LobedWall {
     fn off_mean(&self, p: &V3, [low, high]: [f64; 2]) -> f64 {
         let Lobes { radius, slope, .. } = self.lobes;
         let out = p.xy().norm();
-        let down = ((out - radius) * slope - p.z) / (1.0 + slope * slope);
-        let down = down.max(low).min(high);
+        let down = (((out - radius) * slope - p.z) / (1.0 + slope * slope)).max(low).min(high);
         (out - radius - slope * down).hypot(p.z + down)
     }
 
@@ -139,8 +138,7 @@ impl LobedWall {
         let Lobes { radius, slope, amplitude, .. } = self.lobes;
         let top = radius + amplitude * wave;
         let out = p.x * at.re + p.y * at.im - top;
-        let depth = (out * slope - p.z) / (1.0 + slope * slope);
-        let depth = depth.max(low).min(high);
+        let depth = ((out * slope - p.z) / (1.0 + slope * slope)).max(low).min(high);
         let r = top + slope * depth;
         V3::new(r * at.re, r * at.im, -depth)
     }

@@ -41,9 +41,8 @@ pub fn angles(turn: &Rotation3<f64>) -> Rpy {
     Rpy([x, y, z].map(f64::to_degrees))
 }
 
-/// The rotation that takes one direction to another and does not turn about it; by sine and cosine both, so that
-/// directions that are one but for rounding differ by next to nothing. Opposite ones have none of their own: nothing
-/// turns.
+/// The rotation that takes one direction to another and does not turn about it, by sine and cosine, so that rounding
+/// makes next to nothing of it. Opposite directions have none of their own: nothing turns.
 pub fn between(from: &V3, to: &V3) -> Rotation3<f64> {
     let across = from.cross(to);
     let angle = across.norm().atan2(from.dot(to));

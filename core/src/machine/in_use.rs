@@ -63,10 +63,7 @@ impl InUse {
 
 /// How the spindle of a control stands.
 pub(super) fn stands(control: &Control) -> Spindle {
-    match control.spindle_speed {
-        0.0 => Spindle::Stands(control.turned()),
-        _ => Spindle::Turns,
-    }
+    if control.spindle_speed == 0.0 { Spindle::Stands(control.turned()) } else { Spindle::Turns }
 }
 
 fn spindle(sim: &Sim) -> Option<Spindle> {

@@ -30,8 +30,7 @@ pub enum Stop {
     Fault(Message),
 }
 
-/// What a measuring cycle may do on the machine. Positions include the tool length (the point to which L1 refers);
-/// feeds in mm/min.
+/// What a measuring cycle may do on the machine. Positions include the tool length (to where L1 refers), mm; mm/min.
 pub trait Machine {
     /// State of the control; a cycle writes results and corrections here.
     fn control(&mut self) -> &mut Control;

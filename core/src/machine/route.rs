@@ -202,8 +202,7 @@ impl Route {
         })
     }
 
-    /// What was met on a straight piece between two parts of the way, as it is on the way itself, which the piece
-    /// leaves by less than its sagitta.
+    /// What was met on a straight piece between two parts of the way, as on the way itself, less than a sagitta aside.
     fn on_arc(&self, part: &Boundary, radius: f64, shift: [f64; 3], [begin, end]: [f64; 2], met: Obstacle) -> Obstacle {
         if self.around.is_none() {
             return met;
@@ -261,9 +260,8 @@ fn straight(part: &Boundary, radius: f64, from: Mcs, to: Mcs, shift: [f64; 3]) -
     Ahead::Free
 }
 
-/// After which part of its way a ball that reaches into the part by `depth` is free again, more than 1 where the way is
-/// too short for that; none when it does not leave. A stylus that is deflected by pre-travel or delay leaves the part
-/// on its way back.
+/// After which part of its way a ball that reaches into the part by `depth` is free, as a deflected stylus on its way
+/// back; more than 1: the way is too short for that; none: it does not leave.
 fn released(from: Mcs, to: Mcs, normal: [f64; 3], depth: f64) -> Option<f64> {
     let way = to - from;
     let outward: f64 = (0..3).map(|i| way[i] * normal[i]).sum();

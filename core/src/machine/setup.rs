@@ -48,8 +48,7 @@ pub fn probe_data(turning: bool) -> Edge {
     }
 }
 
-/// The pair of reference grooves of the turning machine, `_KB[0,0]` to `[0,6]`, mm: the first as in B:10275-10285, the
-/// second turned by 90 degree.
+/// The reference grooves of the turning machine, `_KB[0,0..6]`, mm: as in B:10275-10285, and turned by 90 degree.
 const REFERENCE_GROOVES: [f64; 7] = [60.123, 50.054, 15.021, 40.118, 30.047, 32.015, 20.015];
 
 impl Setup {

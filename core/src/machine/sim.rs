@@ -62,8 +62,7 @@ pub struct Sim {
     touching: bool,
     /// Whether the stylus touched instead of the ball since this was last asked for.
     stylus_touched: bool,
-    /// What was looked at on arcs, and of a heavy part in each motion that is none of a measuring cycle, since this was
-    /// last asked for; see [`Route::search`].
+    /// What was looked at on arcs, and by a heavy part outside of cycles, since last asked for; see [`Route::search`].
     effort: usize,
 }
 

@@ -10,8 +10,7 @@ use super::{Layout, Scanned};
 use crate::geometry::V3;
 use std::ops::Range;
 
-/// Distance of a neighbour over the accuracy of the points, as long as that is less than the radius of the ball: a
-/// direction is then wrong by less than a hundredth.
+/// Distance of a neighbour over the accuracy, less than the ball radius: a direction is wrong by less than a hundredth.
 const FAR: f64 = 200.0;
 /// Points that are nearer than this are the same one, mm.
 const SAME: f64 = 1e-6;

@@ -5,8 +5,7 @@ const MIXING: usize = 0x9d5b_c3a7;
 
 /// The turn of each of so many things: every number below `count` once. However many of the first turns are taken, they
 /// lie evenly among all: of pieces of equal length each has one before any has a second one. Where in its piece is left
-/// to chance, so that nothing that repeats among the things (lines that are scanned one beside the other) shows as a
-/// pattern.
+/// to chance, so that nothing that repeats among the things (lines scanned side by side) shows as a pattern.
 pub fn turns(count: usize) -> Vec<usize> {
     let bits = count.next_power_of_two().trailing_zeros();
     let all = 1_usize << bits;

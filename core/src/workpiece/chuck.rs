@@ -3,9 +3,8 @@
 use super::{PartErrors, Shape, Solid};
 use crate::geometry::{Degrees, Rpy, V3, rigid};
 
-/// A solid as it stands with the spindle turned so far, positive about its Z: a turned part goes round the
-/// axis that it nominally has, so that its errors, clamped off the centre or askew, go round with it. Every other solid
-/// belongs to the machine and stays.
+/// A solid with the spindle turned so far, positive about its Z: a turned part goes round its nominal axis, with errors
+/// such as clamped off the centre or askew; every other solid belongs to the machine and stays.
 pub fn turned(solid: &Solid, angle: Degrees) -> Solid {
     if angle == Degrees(0.0) || !matches!(solid.shape, Shape::Turned { .. }) {
         return solid.clone();

@@ -81,9 +81,8 @@ impl Feeler {
         rods.into_iter().filter_map(|(by, rod)| rod.map(|rod| (by, rod)))
     }
 
-    /// What stylus and body meet first, the ball going straight from one place to another. What goes through their axis
-    /// at the start is met at once, unless the ball is pressed into the part: then the stylus leans, and where it goes
-    /// until the ball is free is not known.
+    /// What stylus and body meet first, the ball going straight. What goes through their axis at the start is met at
+    /// once; not where the ball is pressed into the part: the stylus leans, and where to, nobody knows.
     pub fn caught(&self, part: &Boundary, from: [f64; 3], to: [f64; 3]) -> Option<Caught> {
         let path = Path::new(from.into(), to.into());
         let way = Stretch::straight(from.into(), to.into());

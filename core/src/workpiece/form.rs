@@ -166,9 +166,8 @@ impl Column {
     }
 }
 
-/// Two pairs of walls facing each other, a lid and a base, over a rectangle or a parallelogram; the walls may lean.
-/// Lengths are counted along the edges: the first along X, the second along the direction that is turned from X by the
-/// angle between the edges.
+/// Two pairs of walls, which may lean, a lid and a base, over a rectangle or a parallelogram. Lengths are counted along
+/// the edges: the first along X, the second turned from X by the angle between them.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Frustum {
     /// Half lengths at the top, mm.

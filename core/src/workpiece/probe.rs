@@ -19,8 +19,7 @@ pub struct Touch {
     pub by: Touching,
 }
 
-/// Ball centre minus spindle axis with the probe turned by `turned` from the abscissa to the ordinate.
-/// `axis`: index of the tool axis (the applicate of the plane).
+/// Ball centre minus spindle axis, the probe turned from abscissa to ordinate; `axis`: index of the applicate.
 pub fn ball_offset(probe: &Probe, turned: Degrees, axis: usize) -> [f64; 3] {
     let [x, y] = probe.skew;
     (across(axis, turned) * x + across(axis, turned + Degrees(90.0)) * y).into()
@@ -82,8 +81,7 @@ fn first_met(part: &Boundary, feeler: &Feeler, ball: &Contact, [from, to]: [[f64
     before.or(Some(Caught { part: t, by: Touching::Ball, point, normal }))
 }
 
-/// Travel from contact to signal, mm: pre-travel (its lobes count with the part of the motion across the tool axis and
-/// turn with the probe), delay and scatter.
+/// Travel from contact to signal, mm: pre-travel (lobes by the motion across the tool axis, turned), delay, scatter.
 fn lateness(probe: &Probe, turned: Degrees, axis: usize, way: &V3, feed: f64, noise: &mut Noise) -> f64 {
     let (constant, lobes) = probe.pre_travel;
     let (abscissa, ordinate) = (way[(axis + 1) % 3], way[(axis + 2) % 3]);

@@ -279,8 +279,7 @@ pub enum Piece {
     },
 }
 
-/// Half of the section of a cutter through its axis: distance from the axis and height above the end, mm, a polygon
-/// whose border lies outwards by the corner radius.
+/// Half of the section of a cutter: distance from its axis and height, mm, a polygon within a border of `corner`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Profile {
     corner: f64,

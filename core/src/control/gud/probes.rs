@@ -44,8 +44,7 @@ pub(super) const OF_WORKPIECES: &[Gud] = &[
         .elements(&[element("k", "B:13240-13244").initial(33.3).not_negative()]),
 ];
 
-/// Tool probes in machine and in workpiece coordinates (B:13357-13421), their make and correction tables
-/// (B:13780-13821).
+/// Tool probes, machine and workpiece coordinates (B:13357-13421), their make and corrections (B:13780-13821).
 pub(super) const OF_TOOLS: &[Gud] = &[
     gud6("_TP", Real, &[99, 10]).counted("_CVAL[0]").elements(&[
         element("k,0", "B:13357").unit(LENGTH),

@@ -67,10 +67,8 @@ impl Control {
 
     /// Writes a frame by the name of its variable; false: there is no such frame.
     pub fn set_frame(&mut self, name: &str, frame: Frame) -> bool {
-        match whole_frame(name) {
-            Some(kept) => *self.frame_at_mut(kept) = frame,
-            None => return false,
-        }
+        let Some(kept) = whole_frame(name) else { return false };
+        *self.frame_at_mut(kept) = frame;
         true
     }
 

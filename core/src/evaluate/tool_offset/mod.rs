@@ -3,7 +3,7 @@
 #[cfg(test)]
 mod tests;
 
-use super::knum::{Quantity, ToolCode};
+use super::knum::Quantity;
 use super::{Write, knum};
 use crate::control::{Control, Environment};
 
@@ -49,16 +49,13 @@ pub(crate) fn target(control: &Control, names: &Names) -> Result<Option<Target>,
         true => Some(control.environments.get(names.environment).ok_or(61405_u32)?), // B:2086
         false => None,
     };
-    let (tool, edge) = tool_and_edge(control, names, &code, environment)?;
+    let (tool, edge) = tool_and_edge(control, names, code.edge, environment)?;
     let largest = control.number("MD18105");
     if largest > 0.0 && edge as f64 > largest {
         return Err(61345);
     }
     let data = control.edge_of(tool, edge).ok_or(61410_u32)?; // the quantity to be corrected does not exist, A:15931
-    let location = match (names.location, environment) {
-        (0, Some(environment)) => environment.location,
-        (location, _) => location,
-    };
+    let location = environment.filter(|_| names.location == 0).map_or(names.location, |stored| stored.location);
     let location = match (code.location, location) {
         (false, _) => None,
         (true, location @ 1..=6) => Some(location),
@@ -97,25 +94,16 @@ fn turned(control: &Control, environment: &Environment, axis: usize) -> usize {
 }
 
 /// T and D: by number, by name, or by the environment.
-fn tool_and_edge(
-    control: &Control,
-    names: &Names,
-    code: &ToolCode,
-    environment: Option<&Environment>,
-) -> Result<(i64, i64), u32> {
-    let tool = match (names.tool, environment) {
+fn tool_and_edge(control: &Control, names: &Names, edge: i64, stored: Option<&Environment>) -> Result<(i64, i64), u32> {
+    let tool = match (names.tool, stored) {
         (tool, _) if tool > 0 => tool,
-        (_, Some(environment)) => environment.tool,
+        (_, Some(stored)) => stored.tool,
         _ => by_name(control, names.tool_name)?,
     };
     if !control.tools.contains_key(&tool) {
         return Err(61320);
     }
-    let edge = match (code.edge, environment) {
-        (0, Some(environment)) => environment.edge,
-        (edge, _) => edge,
-    };
-    Ok((tool, edge))
+    Ok((tool, stored.filter(|_| edge == 0).map_or(edge, |stored| stored.edge)))
 }
 
 /// T number of a name; of several sister tools the one in the spindle, else the last (B:1890 "the one last used").

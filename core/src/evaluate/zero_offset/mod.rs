@@ -76,8 +76,7 @@ pub struct Measured {
 }
 
 impl Measured {
-    /// Nothing was measured yet; where it will be in the axes that are not. In a frame that is tilted against the
-    /// present one these count too.
+    /// Nothing is measured yet; axes that will not be are here, which counts in a frame tilted against the present one.
     pub fn at(here: [f64; 3]) -> Measured {
         Measured { actual: here, set: here, axes: [false; 3] }
     }
@@ -106,8 +105,7 @@ fn missing(control: &Control, (before, frame, after): (&[Frame], &Frame, &[Frame
     frame.turn(turned)
 }
 
-/// Frames outside of the target (outermost first), the target as stored, frames inside of it. Those around it are the
-/// ones in effect, which stay (B:1967).
+/// Frames in effect outside of the target (outermost first), which stay (B:1967), it as stored, frames inside of it.
 fn around(control: &Control, target: &Target) -> (Vec<Frame>, Frame, Vec<Frame>) {
     let mut before = vec![control.part_frame];
     let mut after = Vec::new();
@@ -139,8 +137,7 @@ fn stored(control: &Control, store: Store) -> Frame {
     .unwrap_or_default()
 }
 
-/// Into the fine part with MD18600 = 1; into the coarse part with MD18600 = 0, `_CHBIT[21]` = 1 or for `$P_SETFR`
-/// (B:1990-2003, B:14035-14039).
+/// Fine part with MD18600 = 1; coarse with 0, `_CHBIT[21]` = 1 or `$P_SETFR` (B:1990-2003, B:14035-14039).
 fn shifted(control: &Control, target: &Target, old: &Frame, shift: [f64; 3]) -> Vec<Write> {
     if target.store == Store::System || control.bit("_CHBIT[21]") || control.number("MD18600") == 0.0 {
         return coarse(target, old, shift);

@@ -18,8 +18,7 @@ pub fn seen_turn(control: &Control, target: &Target, turn: &Rotation3<f64>) -> R
     Rotation3::from_matrix_unchecked(towards(control, target) * turn.matrix())
 }
 
-/// Rotation of the frame to be corrected after which a part that is now turned by `turn`
-/// stands right. `turn` as [`seen_turn`] gives it.
+/// Rotation of the frame to correct after which a part turned by `turn` (as [`seen_turn`] gives it) stands right.
 pub fn rotation(control: &Control, target: &Target, turn: &Rotation3<f64>) -> Rpy {
     let (_, old, after) = around(control, target);
     let inner = of(&[Frame { rotation: Rpy::default(), ..old }]) * of(&after);

@@ -116,10 +116,8 @@ fn seen(contact: &Contact, way: &Route, error: [f64; 3]) -> Obstacle {
 
 /// Which part of a way so many mm are.
 fn share(way: &Route, length: f64) -> f64 {
-    match way.length() {
-        0.0 => 0.0,
-        whole => length / whole,
-    }
+    let whole = way.length();
+    if whole == 0.0 { 0.0 } else { length / whole }
 }
 
 #[cfg(test)]
