@@ -12,7 +12,7 @@ use crate::diagnostic::{Diagnostic, Severity};
 use crate::dialect::Dialect;
 use crate::entry::{ArgumentList, Cycle, Style, Typed, names};
 use crate::form::Field;
-use crate::machine::setup::Setup;
+use crate::machine::Setup;
 use crate::name::Name;
 use crate::picture::Picture;
 use crate::program::write::{Values, snippet_of};

@@ -4,7 +4,7 @@ use super::Error;
 use crate::SIMULATES;
 use crate::control::{Plane, UnitFunction, Units, Value};
 use crate::dialect::Dialect;
-use crate::machine::setup::Setup;
+use crate::machine::Setup;
 use crate::setup_file;
 use crate::setup_file::SetupFile;
 use serde::de::value::{MapAccessDeserializer, StringDeserializer};

@@ -11,8 +11,7 @@ use super::nct::walls::home;
 use super::nct::{correct, ring};
 use crate::entry::*;
 use crate::geometry::{Degrees, Wcs};
-use crate::machine::trace::Step;
-use crate::machine::{Machine, Stop};
+use crate::machine::{Machine, Step, Stop};
 use crate::message::Message;
 use crate::range::Range;
 

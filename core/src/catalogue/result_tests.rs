@@ -4,12 +4,10 @@
 use super::example::example;
 use super::*;
 use crate::check::check;
-use crate::control::data::LOOKED_AT;
-use crate::control::{Control, MachineSort, Plane};
+use crate::control::{Control, MachineSort, Plane, data::LOOKED_AT};
 use crate::dialect::Dialect;
 use crate::entry::{Cycle, Inputs, ProbeUse, Variant, names};
-use crate::machine::Setup;
-use crate::machine::trace::Step;
+use crate::machine::{Setup, Step};
 use crate::message::Arg;
 use crate::run::{Outcome, predict};
 use std::collections::BTreeSet;

@@ -3,8 +3,7 @@
 use super::text::Text;
 use super::{Parsed, error, parse, targets, text, variants};
 use crate::check::upkeep;
-use crate::control::tools::side;
-use crate::control::{Control, Edge, Transverse};
+use crate::control::{Control, Edge, Transverse, tools::side};
 use crate::diagnostic::{Code, Diagnostic, Severity};
 use crate::entry::{Cycle, Inputs, Kind, Level, Param, Typed, Unit, factor, unit_behind};
 use crate::evaluate::knum;

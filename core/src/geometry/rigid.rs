@@ -1,7 +1,6 @@
 //! Rotations and rigid motions as the control defines them.
 
-use super::place::numbers_of;
-use super::{Degrees, V3};
+use super::{Degrees, V3, place::numbers_of};
 use nalgebra::{IsometryMatrix3, Matrix3, Rotation3, Translation3, Unit};
 
 /// Angles about X, Y, Z, degree, taken as RPY: first about Z, then about the new Y, then about the new X.

@@ -9,7 +9,7 @@ mod text;
 
 pub use crate::refused::Refused as Error;
 
-use crate::machine::setup::Setup;
+use crate::machine::Setup;
 use crate::setup_file;
 use serde::Serialize;
 use serde::de::DeserializeOwned;

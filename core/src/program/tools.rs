@@ -1,9 +1,7 @@
 //! The tool in use at the calls of a program, and what the program itself says of it (`$TC_DP1[7,1]=120`).
 
 use super::flow::{State, Tool};
-use crate::control::machine_data::setting;
-use crate::control::probe::Unfit;
-use crate::control::{Control, Edge, Plane, Transverse};
+use crate::control::{Control, Edge, Plane, Transverse, machine_data::setting, probe::Unfit};
 use crate::diagnostic::Code;
 use std::collections::BTreeSet;
 

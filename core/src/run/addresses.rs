@@ -6,7 +6,7 @@ use super::interpret::Interpreter;
 use super::motion;
 use super::path::{Coordinate, Path};
 use super::statement::Address;
-use crate::control::variables::AXES;
+use crate::control::AXES;
 use crate::diagnostic::Severity;
 use crate::geometry::Degrees;
 use crate::machine::Machine;

@@ -4,9 +4,7 @@ use super::outcome::{Outcome, set};
 use crate::check::upkeep;
 use crate::diagnostic::Code;
 use crate::entry::{Cycle, Inputs, ProbeUse};
-use crate::machine::sim::Sim;
-use crate::machine::trace::Step;
-use crate::machine::{Setup, Stop};
+use crate::machine::{Setup, Sim, Step, Stop};
 use crate::message::Message;
 
 /// Entries of a trace after which a call of a form is given up, asked at every keystroke; scans need a third of them.

@@ -4,7 +4,7 @@ use super::datum::Type;
 use super::interpret::Interpreter;
 use super::locals::{Local, Variable};
 use super::{expression, names};
-use crate::control::variables::AXES;
+use crate::control::AXES;
 use crate::diagnostic::{Severity, Span};
 use crate::problem::Problem;
 use crate::syntax::tree::ExprId;

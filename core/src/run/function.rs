@@ -3,9 +3,7 @@
 use super::datum::Datum;
 use super::expression::{evaluate, list};
 use super::interpret::Interpreter;
-use crate::control::Frame;
-use crate::control::rotary::ROTARY;
-use crate::control::variables::{AXES, set_component};
+use crate::control::{AXES, Frame, ROTARY, variables::set_component};
 use crate::diagnostic::Span;
 use crate::geometry::Degrees;
 use crate::problem::Problem;

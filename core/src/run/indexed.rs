@@ -5,7 +5,7 @@ use super::expression::evaluate;
 use super::interpret::Interpreter;
 use super::locals;
 use super::statement::{Address, Words};
-use crate::control::variables::AXES;
+use crate::control::AXES;
 use crate::diagnostic::{Severity, Span};
 use crate::problem::Problem;
 use crate::syntax::tree::{Expr, ExprId};

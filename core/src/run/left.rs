@@ -3,7 +3,7 @@
 use super::outcome::{Outcome, set};
 use crate::catalogue;
 use crate::entry::{Cycle, Inputs, ResultField};
-use crate::machine::trace::{Entry, Step};
+use crate::machine::{Entry, Step};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What one call left.

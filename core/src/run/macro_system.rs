@@ -7,8 +7,7 @@ use super::macro_variables::local;
 use super::modal::FeedType;
 use crate::control::{Control, NCT, Units};
 use crate::diagnostic::Span;
-use crate::machine::Machine;
-use crate::machine::trace::Step;
+use crate::machine::{Machine, Step};
 use crate::problem::Problem;
 
 /// Stops with an alarm of the program, whose text is the comment of the block.

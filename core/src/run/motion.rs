@@ -7,15 +7,10 @@ use super::modal::{Compensation, FeedType, Motion};
 use super::path::{Coordinate, Measure, Path, Suppress};
 use super::statement::Address;
 use super::{addresses, contour, polar};
-use crate::control::variables::AXES;
-use crate::control::{Transverse, Units};
+use crate::control::{AXES, Transverse, Units};
 use crate::diagnostic::Severity;
-use crate::geometry::arc::Around;
-use crate::geometry::{Degrees, Mcs, Wcs, arc};
-use crate::machine::Machine;
-use crate::machine::route::Route;
-use crate::machine::sim::Sim;
-use crate::machine::trace::MotionKind;
+use crate::geometry::{Around, Degrees, Mcs, Wcs, arc};
+use crate::machine::{Machine, MotionKind, Route, Sim};
 use crate::problem::Problem;
 use std::f64::consts::TAU;
 

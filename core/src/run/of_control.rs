@@ -11,7 +11,7 @@ use crate::control::Frame;
 use crate::diagnostic::{Code, Span};
 use crate::geometry::rigid::{angles, rotation};
 use crate::geometry::{Degrees, V3};
-use crate::machine::trace::Step;
+use crate::machine::Step;
 use crate::problem::Problem;
 use crate::program::of_control::{SET_ALARM, STORE_ENVIRONMENT, SWIVEL};
 use crate::syntax::tree::{Expr, ExprId};

@@ -2,8 +2,7 @@
 
 use crate::entry::Inputs;
 use crate::geometry::{Mcs, Wcs};
-use crate::machine::sim::Sim;
-use crate::machine::{Machine, Scanner, Setup, Stop, too_many};
+use crate::machine::{Machine, Scanner, Setup, Sim, Stop, too_many};
 use crate::scan::{Cloud, Layout, POINTS};
 
 /// Part of the work that scanning is; the rest is the comparison.

@@ -7,7 +7,7 @@ use super::statement::{Address, Words};
 use super::{addresses, contour};
 use crate::control::Edge;
 use crate::diagnostic::Span;
-use crate::machine::trace::Step;
+use crate::machine::Step;
 use crate::problem::Problem;
 
 /// Applies T, D, M6 (NCT: T, H, D) of a block.

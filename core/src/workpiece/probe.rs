@@ -1,7 +1,6 @@
 //! When the probe switches, and where the control then believes the spindle to be.
 
-use super::tool::across;
-use super::{Boundary, Contact, Feeler, Noise, Probe, Touching, feeler::Caught};
+use super::{Boundary, Contact, Feeler, Noise, Probe, Touching, feeler::Caught, tool::across};
 use crate::geometry::{Degrees, Path, TOLERANCE, V3};
 
 /// A signal of the probe. Machine coordinates, mm.

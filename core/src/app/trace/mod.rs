@@ -7,8 +7,7 @@ mod turned_tests;
 
 use super::Raised;
 use crate::SIMULATES;
-use crate::machine::setup::Setup;
-use crate::machine::trace::{Entry, Step};
+use crate::machine::{Entry, Setup, Step};
 use crate::scene::Source;
 use crate::scene::frames::{Frame, frames};
 use crate::scene::tool::{Tool, tools};

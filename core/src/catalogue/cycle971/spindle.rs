@@ -6,8 +6,7 @@ use super::place::Task;
 use crate::catalogue::sinumerik::alarm;
 use crate::catalogue::sinumerik::measuring_block::Point;
 use crate::control::{Control, Units};
-use crate::machine::trace::Step;
-use crate::machine::{Machine, Stop};
+use crate::machine::{Machine, Step, Stop};
 use crate::message::Message;
 
 /// Speed, 1/min, and feed, mm/min.

@@ -8,9 +8,7 @@ use crate::catalogue::sinumerik::testing::{
 use crate::control::Plane;
 use crate::entry::{Inputs, names};
 use crate::geometry::{Degrees, Mcs, Rpy, Wcs};
-use crate::machine::sim::Sim;
-use crate::machine::trace::MotionKind;
-use crate::machine::{Setup, Stop};
+use crate::machine::{MotionKind, Setup, Sim, Stop};
 use crate::name::Name;
 use crate::workpiece::Shape;
 use proptest::prelude::*;

@@ -8,9 +8,7 @@ use super::params::{
     RADIAL, RADIUS, REVERSAL, UPPER, WITH_RADIUS, WORKPIECE,
 };
 use crate::catalogue::tool_probe::figures::{HALF, cube, label, limits};
-use crate::control::machine_data::TOOL_LENGTH_TYPE;
-use crate::control::tools::side;
-use crate::control::{Edge, Plane};
+use crate::control::{Edge, Plane, TOOL_LENGTH_TYPE, tools::side};
 use crate::entry::stage::{Fields, Look, Seen, Staging, Touched, add, unit};
 use crate::entry::{Inputs, names};
 use crate::name::Name;

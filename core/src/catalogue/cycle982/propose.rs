@@ -7,11 +7,10 @@ use super::params::{
 use super::stand::sides;
 use crate::catalogue::place;
 use crate::catalogue::tool_probe::Sides;
-use crate::control::tools::side;
-use crate::control::{Control, Edge, Plane};
+use crate::control::{Control, Edge, Plane, tools::side};
 use crate::entry::{Inputs, Proposal, ProposedTool, names};
 use crate::geometry::Wcs;
-use crate::workpiece::tool::{Cut, Tool};
+use crate::workpiece::{Cut, Tool};
 
 /// How far before the probe the tool starts beside the measuring path, mm.
 const AWAY: f64 = 20.0;

@@ -3,8 +3,7 @@
 use super::correct::Found;
 use super::{PRINT_ENABLED, axis_name};
 use crate::entry::{Inputs, address};
-use crate::machine::Machine;
-use crate::machine::trace::Step;
+use crate::machine::{Machine, Step};
 use crate::name::Name;
 
 /// Four decimals, no zero before the point, a blank after the minus sign: `.7810`, `- 15.0000`.

@@ -4,8 +4,7 @@
 
 use super::{FALSE_TRIGGER, NO_MOVEMENT, PROBE_FAIL};
 use crate::geometry::Wcs;
-use crate::machine::trace::MotionKind;
-use crate::machine::{Machine, Stop};
+use crate::machine::{Machine, MotionKind, Stop};
 
 /// First approach, mm/min.
 const FAST: f64 = 600.0;

@@ -6,8 +6,7 @@ use super::{given, part};
 use crate::control::Control;
 use crate::entry::{Chooses, Inputs, Proposal, When, address};
 use crate::geometry::Wcs;
-use crate::machine::trace::MotionKind;
-use crate::machine::{Machine, Stop};
+use crate::machine::{Machine, MotionKind, Stop};
 use crate::workpiece::Shape;
 
 /// The stylus stands between the walls.

@@ -4,8 +4,7 @@ use super::{CALIBRATE, diameter};
 use crate::control::{Control, Edge};
 use crate::entry::{Inputs, Proposal, ProposedTool, address};
 use crate::geometry::Mcs;
-use crate::workpiece::tool_probe::ToolProbe;
-use crate::workpiece::{Shape, Solid};
+use crate::workpiece::{Shape, Solid, ToolProbe};
 
 /// Height of the disk, mm.
 const DISK: f64 = 15.0;

@@ -6,12 +6,9 @@ use crate::catalogue::nct::bench::{PLANES, call, length, near};
 use crate::control::{Edge, Plane, Units};
 use crate::diagnostic::Code;
 use crate::geometry::{Degrees, Mcs, Rpy};
-use crate::machine::trace::{MotionKind, Step};
-use crate::machine::{Setup, Stop};
+use crate::machine::{MotionKind, Setup, Step, Stop};
 use crate::run::Outcome;
-use crate::workpiece::tool::{Cut, Cutter, Tool};
-use crate::workpiece::tool_probe::ToolProbe;
-use crate::workpiece::{PartErrors, Shape, Solid};
+use crate::workpiece::{Cut, Cutter, PartErrors, Shape, Solid, Tool, ToolProbe};
 use proptest::prelude::*;
 
 /// Centre of the disk and its upper side, machine coordinates, mm.

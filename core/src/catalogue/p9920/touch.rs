@@ -5,8 +5,7 @@ use super::{INCORRECT, TOO_SMALL};
 use crate::catalogue::nct::touch::{BACK, MEDIUM, POSITIONING, SLOW};
 use crate::entry::{Inputs, address};
 use crate::geometry::{Mcs, Wcs};
-use crate::machine::trace::MotionKind;
-use crate::machine::{Machine, Stop};
+use crate::machine::{Machine, MotionKind, Stop};
 
 /// Ways of a turning tool a revolution at the first and at the measuring touch, mm: so large is their error (C:1256).
 const PER_TURN: [f64; 2] = [0.1, 0.001];

@@ -13,8 +13,7 @@ use crate::catalogue::nct::{
 use crate::diagnostic::Code;
 use crate::entry::{Inputs, address};
 use crate::geometry::Wcs;
-use crate::machine::trace::MotionKind;
-use crate::machine::{Machine, Scanner, Stop};
+use crate::machine::{Machine, MotionKind, Scanner, Stop};
 use crate::scan::{Layout, Scanned};
 
 /// Feed where F is not given, mm/min: then the points are right to 0.01 mm (C:1320).

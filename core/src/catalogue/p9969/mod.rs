@@ -16,8 +16,7 @@ use crate::diagnostic::Diagnostic;
 use crate::entry::*;
 use crate::geometry::Wcs;
 use crate::message::Message;
-use crate::workpiece::Shape;
-use crate::workpiece::free::Example;
+use crate::workpiece::{Shape, free::Example};
 use addresses::{letter, spacing};
 
 /// The macro.

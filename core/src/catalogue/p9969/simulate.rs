@@ -3,8 +3,7 @@
 use super::follow;
 use crate::catalogue::nct::correct;
 use crate::entry::Inputs;
-use crate::machine::trace::Step;
-use crate::machine::{Machine, Scanner, Stop, too_many};
+use crate::machine::{Machine, Scanner, Step, Stop, too_many};
 use crate::message::Message;
 use crate::scan::text::{Form, piece};
 use crate::scan::{Cloud, Layout, POINTS, Sent, TOLD};

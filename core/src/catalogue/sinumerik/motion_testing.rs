@@ -4,8 +4,7 @@
 
 use super::testing::{Motion, motions};
 use crate::control::Plane;
-use crate::machine::sim::Sim;
-use crate::machine::trace::MotionKind;
+use crate::machine::{MotionKind, Sim};
 
 /// `_SPEED[1]` of these tests.
 pub const PLANE_FEED: f64 = 1200.0;

@@ -5,8 +5,7 @@ use crate::catalogue::place;
 use crate::control::Control;
 use crate::entry::{Inputs, names};
 use crate::geometry::TOLERANCE;
-use crate::workpiece::Shape;
-use crate::workpiece::tool_probe::ToolProbe;
+use crate::workpiece::{Shape, ToolProbe};
 
 /// One tool probe of a control.
 pub struct ProbeData<'a> {

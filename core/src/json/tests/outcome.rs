@@ -6,7 +6,7 @@ use crate::dialect::Dialect;
 use crate::entry::ProbeUse;
 use crate::json::asked::*;
 use crate::json::*;
-use crate::machine::setup::Setup;
+use crate::machine::Setup;
 use serde_json::json;
 
 // oracle: hand: three spheres turned together by 0.1 degree about Z, and nothing else, about the first one

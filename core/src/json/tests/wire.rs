@@ -1,7 +1,7 @@
 //! `www/src/wire.ts`: the types of questions and answers as the page sees them, with what is said of them here.
 
 use crate::app::*;
-use crate::machine::trace::Step;
+use crate::machine::Step;
 use crate::scan::text::Form;
 use std::collections::BTreeMap;
 use std::path::PathBuf;

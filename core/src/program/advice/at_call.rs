@@ -2,10 +2,7 @@
 
 use super::{Seen, inherited, unsaid, with_line};
 use crate::check::{error, warning};
-use crate::control::machine_data::TOOL_LENGTH_TYPE;
-use crate::control::probe::Unfit;
-use crate::control::tools::TURNING;
-use crate::control::{Control, MachineSort, delivery_in};
+use crate::control::{Control, MachineSort, TOOL_LENGTH_TYPE, delivery_in, probe::Unfit, tools::TURNING};
 use crate::diagnostic::{Code, Diagnostic, Severity};
 use crate::entry::{ProbeUse, names};
 use crate::message::Message;

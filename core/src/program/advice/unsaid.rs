@@ -1,8 +1,7 @@
 //! What the text does not say before a call, so that the machine or another program decides. Asked once a program.
 
 use super::{Seen, at_call, between, with_line};
-use crate::control::tools::TURNING;
-use crate::control::{MachineSort, Transverse};
+use crate::control::{MachineSort, Transverse, tools::TURNING};
 use crate::diagnostic::Diagnostic;
 use crate::entry::{Inputs, ProbeUse, names};
 use crate::own;

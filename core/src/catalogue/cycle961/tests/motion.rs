@@ -6,7 +6,7 @@ use crate::catalogue::sinumerik::motion_testing::{DEPTH_FEED, Lettered, PLANE_FE
 use crate::catalogue::sinumerik::testing::{at, call, run, setup, solid};
 use crate::control::Plane;
 use crate::geometry::{Degrees, Mcs};
-use crate::machine::sim::Sim;
+use crate::machine::Sim;
 use crate::workpiece::Shape;
 
 /// Motions at a right corner at the zero between plus abscissa and plus ordinate, part or pocket.

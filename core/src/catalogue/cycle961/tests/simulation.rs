@@ -9,8 +9,7 @@ use crate::catalogue::sinumerik::testing::{at, called, close, put, random_parts,
 use crate::control::{Frame, Plane, Units};
 use crate::entry::{Inputs, names};
 use crate::geometry::{Mcs, Rpy};
-use crate::machine::sim::Sim;
-use crate::machine::{Setup, Stop};
+use crate::machine::{Setup, Sim, Stop};
 use crate::name::Name;
 use crate::workpiece::Shape;
 use proptest::prelude::*;

@@ -6,10 +6,8 @@ use crate::catalogue::cycle971::CYCLE971;
 use crate::catalogue::sinumerik::testing;
 use crate::control::{Plane, Units};
 use crate::entry::Inputs;
-use crate::machine::Setup;
-use crate::machine::sim::Sim;
-use crate::workpiece::noise::Noise;
-use crate::workpiece::tool::{Cut, Cutter, Tool};
+use crate::machine::{Setup, Sim};
+use crate::workpiece::{Cut, Cutter, Noise, Tool};
 
 pub const PLANES: [Plane; 3] = [Plane::G17, Plane::G18, Plane::G19];
 

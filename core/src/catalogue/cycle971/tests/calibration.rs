@@ -5,7 +5,7 @@
 use super::bench::{PLANES, call, displace, measured, name, place, random, setup, side};
 use crate::catalogue::sinumerik::testing::{called, close, stopped};
 use crate::control::Plane;
-use crate::workpiece::noise::Noise;
+use crate::workpiece::Noise;
 
 /// Type of a disc that stands in this plane (B:13366).
 fn disc_in(plane: Plane) -> f64 {

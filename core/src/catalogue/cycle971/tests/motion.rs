@@ -7,10 +7,8 @@ use crate::catalogue::sinumerik::motion_testing::{DEPTH_FEED, MEASURING_FEED, PL
 use crate::catalogue::sinumerik::testing::{at, called, close, motions, stopped};
 use crate::control::Plane;
 use crate::geometry::{Degrees, Mcs};
-use crate::machine::Setup;
-use crate::machine::sim::Sim;
-use crate::machine::trace::{MotionKind, Step};
-use crate::workpiece::tool::Cutter;
+use crate::machine::{MotionKind, Setup, Sim, Step};
+use crate::workpiece::Cutter;
 
 /// The machine with the probe of the manual's examples, at feeds that tell axes apart; the tool at a position of the
 /// plane.

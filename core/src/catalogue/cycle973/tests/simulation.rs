@@ -7,9 +7,8 @@ use crate::catalogue::sinumerik::motion_testing::{MEASURING_FEED, PLANE_FEED};
 use crate::catalogue::sinumerik::testing::{at, close, motions, run, same, stopped};
 use crate::control::{Frame, Plane, Transverse, Units};
 use crate::entry::Inputs;
-use crate::machine::Setup;
-use crate::machine::sim::Sim;
 use crate::machine::trace::MotionKind::{Measuring, Positioning, Retract};
+use crate::machine::{Setup, Sim};
 use proptest::prelude::*;
 
 const PLANES: [Plane; 3] = [Plane::G17, Plane::G18, Plane::G19];

@@ -9,9 +9,7 @@ use crate::catalogue::sinumerik::testing::{Motion, called, close, motions, run, 
 use crate::control::{Plane, Transverse, Units};
 use crate::entry::{Inputs, names};
 use crate::geometry::Degrees;
-use crate::machine::sim::Sim;
-use crate::machine::trace::MotionKind;
-use crate::machine::{Setup, Stop};
+use crate::machine::{MotionKind, Setup, Sim, Stop};
 use proptest::prelude::*;
 
 const PLANES: [Plane; 3] = [Plane::G17, Plane::G18, Plane::G19];

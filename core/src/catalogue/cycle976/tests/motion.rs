@@ -11,8 +11,7 @@ use crate::catalogue::sinumerik::testing::{Motion, motions, run, same, turns};
 use crate::control::Plane;
 use crate::entry::{Inputs, names};
 use crate::geometry::Degrees;
-use crate::machine::sim::Sim;
-use crate::machine::trace::MotionKind;
+use crate::machine::{MotionKind, Sim};
 
 /// What [`moved`] tells: the motions, and the angles to which the spindle was turned.
 type Moved = (Vec<Motion>, Vec<f64>);

@@ -8,9 +8,7 @@ use super::simulate::{close, inputs, mm, ready, ring};
 use crate::catalogue::sinumerik::testing::{alarms, run, stopped};
 use crate::control::Plane;
 use crate::entry::{Inputs, names};
-use crate::machine::Setup;
-use crate::machine::sim::Sim;
-use crate::machine::trace::{Entry, Step};
+use crate::machine::{Entry, Setup, Sim, Step};
 use crate::message::Message;
 
 #[test]

@@ -6,8 +6,7 @@ use super::super::tests::{CENTRE, SIZE, hole, inputs, part, ready};
 use crate::catalogue::sinumerik::testing::{alarms, called, close, motions, put, stopped};
 use crate::control::Plane;
 use crate::entry::{Inputs, names};
-use crate::machine::Setup;
-use crate::machine::trace::{MotionKind, Step};
+use crate::machine::{MotionKind, Setup, Step};
 
 #[test]
 fn alarms_before_the_first_motion() {

@@ -8,7 +8,7 @@ use crate::catalogue::sinumerik::motion_testing::{DEPTH_FEED, PLANE_FEED, expand
 use crate::catalogue::sinumerik::testing::{Motion, at, motions, run, same};
 use crate::control::Plane;
 use crate::entry::{Inputs, names};
-use crate::machine::sim::Sim;
+use crate::machine::Sim;
 
 /// Ways as [`expand`] reads them, from the set centre.
 /// Ball of radius 3, `_FA` 5, sizes 60 and 44: inside 60/2 - 3 = 27 and 5 before it, outside 60/2 + 3 = 33 and 5 before

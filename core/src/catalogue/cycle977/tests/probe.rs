@@ -7,8 +7,7 @@ use crate::catalogue::sinumerik::testing::{at, close, motions, stopped, turns};
 use crate::control::Plane;
 use crate::entry::names;
 use crate::geometry::{Mcs, Rpy, Wcs};
-use crate::machine::trace::{MotionKind, Step};
-use crate::machine::{Setup, Stop};
+use crate::machine::{MotionKind, Setup, Step, Stop};
 
 /// The hole in coordinates that are turned by an angle about the tool axis.
 fn turned(setup: &mut Setup, angle: f64) {

@@ -8,10 +8,8 @@ use crate::catalogue::sinumerik::motion_testing::{DEPTH_FEED, MEASURING_FEED, PL
 use crate::catalogue::sinumerik::testing::{Motion, at, motions, run, same, solid, stopped};
 use crate::control::Plane;
 use crate::geometry::Degrees;
-use crate::machine::Stop;
-use crate::machine::sim::Sim;
 use crate::machine::trace::MotionKind::{Measuring, Positioning, Retract};
-use crate::machine::trace::Step;
+use crate::machine::{Sim, Step, Stop};
 use crate::message::Message;
 use crate::workpiece::Shape;
 

@@ -5,8 +5,7 @@
 use super::machine::{PROBE, Real, digit, inputs, machine, mount, place};
 use crate::catalogue::cycle982::CYCLE982;
 use crate::catalogue::sinumerik::testing::{called, random_parts};
-use crate::control::machine_data::TOOL_LENGTH_TYPE;
-use crate::control::{Plane, Units};
+use crate::control::{Plane, TOOL_LENGTH_TYPE, Units};
 use proptest::prelude::*;
 
 /// Variants that measure one length of a drill without reversal, in both systems of reference (B:10112-10120).

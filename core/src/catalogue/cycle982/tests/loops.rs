@@ -6,13 +6,10 @@
 use super::machine::{PROBE, Real, digit, inputs, machine, mount, place};
 use crate::catalogue::find;
 use crate::catalogue::sinumerik::testing::random_parts;
-use crate::control::Units;
-use crate::control::tools::side;
+use crate::control::{Units, tools::side};
 use crate::dialect::Dialect;
 use crate::evaluate::tool_offset::RADIUS;
-use crate::machine::Setup;
-use crate::machine::sim::Sim;
-use crate::machine::trace::Step;
+use crate::machine::{Setup, Sim, Step};
 use crate::run::{Outcome, predict};
 use proptest::prelude::*;
 

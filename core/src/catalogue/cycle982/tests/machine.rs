@@ -3,15 +3,12 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use crate::catalogue::sinumerik::testing::call;
-use crate::control::tools::{AS_TURNING_TOOL, side};
-use crate::control::{Edge, Frame, Plane, Transverse, Units};
+use crate::control::{AS_TURNING_TOOL, Edge, Frame, Plane, Transverse, Units, tools::side};
 use crate::dialect::Dialect;
 use crate::entry::Inputs;
 use crate::geometry::Mcs;
 use crate::machine::Setup;
-use crate::workpiece::tool::{Cut, Cutter, Nose, Tool};
-use crate::workpiece::tool_probe::ToolProbe;
-use crate::workpiece::{Shape, Solid};
+use crate::workpiece::{Cut, Cutter, Nose, Shape, Solid, Tool, ToolProbe};
 
 /// Trigger values of the manual's probe by axis, touched in minus and in plus direction, mm (B:9044-9047).
 pub const PROBE: [[f64; 2]; 2] = [[220.0, 200.0], [400.0, 380.0]];

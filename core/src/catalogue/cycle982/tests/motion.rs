@@ -5,9 +5,7 @@
 use super::machine::{Real, inputs, machine, mount, place};
 use crate::control::Units;
 use crate::entry::Inputs;
-use crate::machine::Setup;
-use crate::machine::sim::Sim;
-use crate::machine::trace::{MotionKind, Step};
+use crate::machine::{MotionKind, Setup, Sim, Step};
 
 /// Motions and turns as words: `x400` goes there in machine coordinates, `[x380]` measures until there and returns,
 /// `s195` turns the spindle.

@@ -5,12 +5,10 @@
 use super::machine::{PROBE, Real, SHIFT, digit, inputs, machine, mount, place};
 use crate::catalogue::cycle982::CYCLE982;
 use crate::catalogue::sinumerik::testing::random_parts;
-use crate::control::Units;
-use crate::control::tools::side;
+use crate::control::{Units, tools::side};
 use crate::entry::Inputs;
 use crate::evaluate::tool_offset::RADIUS;
-use crate::machine::sim::Sim;
-use crate::machine::{Setup, Stop};
+use crate::machine::{Setup, Sim, Stop};
 use proptest::prelude::*;
 
 /// How far before the probe a start lies, mm.

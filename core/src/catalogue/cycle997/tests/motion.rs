@@ -6,8 +6,7 @@ use super::super::VARIANTS;
 use super::simulation::{CENTRES, inputs, ready};
 use crate::catalogue::sinumerik::testing::run;
 use crate::control::Plane;
-use crate::machine::sim::Sim;
-use crate::machine::trace::{MotionKind, Step};
+use crate::machine::{MotionKind, Sim, Step};
 
 const PLANE_FEED: f64 = 1200.0;
 const DEPTH_FEED: f64 = 700.0;

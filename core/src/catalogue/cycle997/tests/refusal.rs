@@ -6,9 +6,7 @@ use super::simulation::{corrected, ready, written};
 use crate::catalogue::sinumerik::testing::{alarms, called, stopped};
 use crate::control::Plane;
 use crate::entry::{Inputs, names};
-use crate::machine::sim::Sim;
-use crate::machine::trace::Step;
-use crate::machine::{Setup, Stop};
+use crate::machine::{Setup, Sim, Step, Stop};
 
 /// Runs a variant on a machine and a part that were changed.
 fn changed(variant: i64, target: f64, change: impl Fn(&mut Setup, &mut Inputs)) -> (Sim, Result<(), Stop>) {

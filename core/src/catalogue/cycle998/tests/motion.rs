@@ -7,7 +7,7 @@ use crate::catalogue::sinumerik::testing::{at, call, run, setup, solid, touches,
 use crate::control::Plane;
 use crate::entry::{Inputs, names};
 use crate::geometry::{Degrees, Mcs};
-use crate::machine::sim::Sim;
+use crate::machine::Sim;
 use crate::workpiece::Shape;
 
 /// A straight block in the corner of the axes: its faces look to minus abscissa, minus ordinate and plus applicate, the
