@@ -18,9 +18,10 @@ async function server(options) {
   });
 }
 
-// Serves `www/` on a free port; `{ url, close }`.
-export async function serve() {
+// Serves `www/` on a free port, with these plugins of the build besides; `{ url, close }`.
+export async function serve(plugins = []) {
   const started = await server({
+    plugins,
     server: { host: "127.0.0.1", port: 0, hmr: false, watch: null, fs: { allow: [root] } },
   });
   await started.listen();

@@ -1,0 +1,54 @@
+// Whether all that a page shows has the room that it needs, and can be reached.
+import assert from "node:assert/strict";
+import { drawn } from "./start.mjs";
+
+export const PANELS = ["tasks", "form", "program", "view", "results", "help"];
+
+/** What is wrong with what can be seen now, as short texts. */
+export const faults = page =>
+  page.evaluate(() => {
+    const width = document.documentElement.clientWidth;
+    const found = [];
+    const say = (what, node) => found.push(`${what}: ${node.outerHTML.slice(0, 100)}`);
+    if (document.documentElement.scrollWidth > width)
+      found.push(`the page is ${document.documentElement.scrollWidth} wide`);
+    const shown = [...document.body.querySelectorAll("*")].filter(
+      node => node.checkVisibility({ visibilityProperty: true }) && !node.closest(".skip, .visually-hidden, svg"),
+    );
+    for (const node of shown) {
+      const style = getComputedStyle(node);
+      const wide = node.scrollWidth > node.clientWidth + 1 && node.clientWidth > 0;
+      if (wide && ["auto", "scroll"].includes(style.overflowX)) say("scrolls sideways", node);
+      if (
+        wide &&
+        ["hidden", "clip"].includes(style.overflowX) &&
+        style.textOverflow !== "ellipsis" &&
+        style.clipPath === "none"
+      )
+        say("is cut", node);
+      if (!node.matches("button, select, input, [role=tab], [role=treeitem], a")) continue;
+      const { left, right } = node.getBoundingClientRect();
+      if (left < -0.5 || right > width + 0.5) say("sticks out", node);
+      if (node.matches("button") && node.scrollWidth > node.clientWidth + 1) say("is cut", node);
+    }
+    return found;
+  });
+
+/** Whether the middle of an element, once it is scrolled to, is in the window and lies under nothing else. */
+export const reachable = node =>
+  node.evaluate(element => {
+    element.scrollIntoView({ block: "center", behavior: "instant" });
+    const { left, top, width, height } = element.getBoundingClientRect();
+    const hit = document.elementFromPoint(left + width / 2, top + height / 2);
+    return element.contains(hit) || (hit?.contains(element) === true && hit.matches("label, button"));
+  });
+
+/** Shows a panel where only one is to be seen. */
+export async function choosePanel(page, name) {
+  const tab = page.locator(`.panel-bar [aria-controls="panel-${name}"]`);
+  if (!(await tab.isVisible())) return;
+  assert.ok(await reachable(tab), `the tab of ${name}`);
+  await tab.click();
+  await page.locator(`#panel-${name}`).waitFor();
+  await drawn(page);
+}
