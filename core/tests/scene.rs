@@ -4,8 +4,10 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use probewright_core::geometry::V3;
+use probewright_core::name::Name;
+use probewright_core::picture::ShapeKind;
 use probewright_core::scene::solid::CHORD;
-use probewright_core::scene::{Matter, Piece, Place, Scene, Source};
+use probewright_core::scene::{LineKind, Matter, Piece, Place, Scene};
 use probewright_core::workpiece::contact::Boundary;
 use probewright_core::workpiece::{Shape, Solid, Workpiece};
 use probewright_core::{app, json};
@@ -13,7 +15,7 @@ use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngSeed, TestRunner};
 use serde_json::{Value, json};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Most vertices and triangles of a piece that are looked at.
 const LOOKED_AT: usize = 24;
@@ -30,8 +32,9 @@ fn sliders() -> impl Strategy<Value = Value> {
     })
 }
 
-/// Every variant of every cycle that is simulated, carried out with random errors: its name, and what is seen.
-fn variants() -> Vec<(String, Source)> {
+/// Every variant of every cycle that is simulated, carried out with random errors or with none: its name, and what its
+/// form shows.
+fn variants(spoilt: bool) -> Vec<(String, app::FormView)> {
     let seed = std::env::var("PROBEWRIGHT_SEED").ok().and_then(|seed| seed.parse().ok()).unwrap_or(1);
     let config = Config { rng_seed: RngSeed::Fixed(seed), failure_persistence: None, ..Config::default() };
     let mut runner = TestRunner::new(config);
@@ -43,14 +46,14 @@ fn variants() -> Vec<(String, Source)> {
             let own = variant["planes"].get(plane).unwrap_or(variant);
             let request = json!({
                 "control": cycle["control"], "cycle": cycle["cycle"], "values": own["example"], "predict": true,
-                "limits": found.len() % 20 == 0, "errors": sliders().new_tree(&mut runner).unwrap().current(),
+                "limits": spoilt && found.len() % 20 == 0,
+                "errors": if spoilt { sliders().new_tree(&mut runner).unwrap().current() } else { json!({}) },
                 "setup": { "own": { "plane": plane, "units": if cycle["control"] == "nct" { "G21" } else { "G71" } } },
             });
             let name = format!("{} {}", cycle["cycle"], variant["mvar"]);
             let asked = json::question(&request.to_string());
             let view = asked.and_then(app::form).unwrap_or_else(|why| panic!("{name}: {why:?}"));
-            let source = view.outcome.map(|outcome| outcome.trace);
-            found.extend(source.map(|source| (name, source)));
+            found.push((name, view));
         }
     }
     found
@@ -121,7 +124,8 @@ fn hold(name: &str, scene: &Scene, piece: &Piece, place: &Place, solid: &Solid) 
 #[test]
 fn every_drawn_point_is_on_the_surface_that_is_touched() {
     let mut looked_at: BTreeMap<&str, usize> = BTreeMap::new();
-    for (name, source) in variants() {
+    for (name, view) in variants(true) {
+        let Some(source) = view.outcome.map(|outcome| outcome.trace) else { continue };
         let scene = Scene::of(&source);
         let probes = source.setup.tool_probes.iter().map(|probe| &probe.solid);
         let solids: Vec<&Solid> = source.setup.workpiece.solids.iter().chain(probes).chain(&source.zones).collect();
@@ -161,4 +165,45 @@ fn word(matter: Matter, shape: &Shape) -> &'static str {
         (_, Shape::Sphere { .. }) => "sphere",
         (_, Shape::Free(_)) => "free",
     }
+}
+
+// oracle: self (what the entry declares, and what is to be seen whole), and hand: every dimension has a name and lines
+#[test]
+fn every_anchor_explains_a_parameter_of_its_entry_and_lies_within_the_scene() {
+    let mut carried: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
+    let mut lost = Vec::new();
+    for (name, view) in variants(false) {
+        let Some(source) = view.outcome.map(|outcome| outcome.trace) else { continue };
+        let scene = Scene::of(&source);
+        let cycle = source.call.as_ref().expect("a form asked").cycle;
+        let [low, high] = scene.view.standings[0].whole.map(V3::from);
+        let room = 0.25 * scene.view.size; // a dimension stands beside the part
+        for group in scene.view.groups.iter().filter(|group| group.field.is_some()) {
+            let field = group.field.unwrap();
+            assert!(cycle.param(&field).is_some(), "{name} has no {field}");
+            assert!(matches!(group.kind, LineKind::Size | LineKind::Anchor), "{name} {group:?}");
+            assert!(scene.view.labels.iter().any(|label| label.field == Some(field)), "{name} {field} has no name");
+            for point in scene.lines[6 * group.lines[0]..6 * group.lines[1]].chunks_exact(3) {
+                let beyond = (0..3).map(|axis| (low[axis] - point[axis]).max(point[axis] - high[axis]));
+                let off = beyond.fold(0.0, f64::max);
+                assert!(off <= room, "{name}: {field} at {point:?} is {off} mm beside {low:?} {high:?}");
+            }
+            carried.entry(cycle.name).or_default().insert(field.as_str());
+        }
+        let drawn = view.picture.iter().flat_map(|picture| &picture.shapes);
+        let lengths = drawn.filter(|shape| shape.kind == ShapeKind::Dimension).filter_map(|shape| {
+            let named = |field: &Name| shape.text.as_deref() == Some(field.as_str()); // else it stands for no parameter
+            shape.field.filter(named)
+        });
+        let there = |field: &Name| scene.view.groups.iter().any(|group| group.field == Some(*field));
+        lost.extend(lengths.filter(|field| !there(field)).map(|field| format!("{} {field}", cycle.name)));
+    }
+    assert_eq!(carried["CYCLE977"], BTreeSet::from(["_FA", "_ID", "_SETVAL", "_SETV[0]", "_SETV[1]", "_SZA", "_SZO"]));
+    // a way from far above the part, which is shown as large as it can be; and nothing is touched by the others
+    let from_above = ["G104 Z", "G106 Z", "P9920 Z"];
+    let untouched = ["CYCLE116", "G101"];
+    lost.retain(|one| {
+        !from_above.iter().any(|way| one.ends_with(way)) && !untouched.iter().any(|name| one.starts_with(name))
+    });
+    assert!(lost.is_empty(), "{lost:?}");
 }

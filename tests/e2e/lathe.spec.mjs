@@ -1,4 +1,5 @@
-// A turning machine in the 3D view: its diameters as on a drawing, and the words of the errors where a tool is touched.
+// Dimensions in the 3D view: those of the focused field; the diameters of a turning machine as on a drawing, and the
+// words of the errors where a tool is touched.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { open, shared } from "./browser.mjs";
@@ -14,6 +15,31 @@ async function chosen(browser, cycle) {
 }
 
 const letters = page => page.locator(".stage svg[aria-hidden] text").allTextContents();
+
+describe("dimensions in the 3D view", () => {
+  const chrome = shared("neither", { before, after });
+
+  // oracle: hand (the part's own size is there; a way comes with its field, and what is focused stands out)
+  test("explain the focused field", async () => {
+    const { context, page, problems } = await chosen(chrome.browser, "CYCLE977");
+    const named = name => page.locator(`.stage svg[aria-hidden] text[data-field="${name}"]`);
+    const ink = name => named(name).getAttribute("fill");
+    await named("_SETVAL").waitFor({ state: "attached" });
+    const plain = await ink("_SETVAL");
+    assert.equal(await named("_FA").count(), 0);
+    const figure = name => page.locator(`.field[data-field="${name}"] .figure`).first();
+    await figure("_FA").focus();
+    await named("_FA").waitFor({ state: "attached" });
+    const lit = await ink("_FA");
+    assert.notEqual(lit, plain);
+    assert.equal(await ink("_SETVAL"), plain);
+    await figure("_SETVAL").focus();
+    await named("_FA").waitFor({ state: "detached" });
+    assert.equal(await ink("_SETVAL"), lit);
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+});
 
 describe("a turning machine", () => {
   const chrome = shared("neither", { before, after });

@@ -217,7 +217,7 @@ test("a drawing has its diameters in words, and the reading counts as on the con
     ],
   };
   const say = ({ key, args }) => `${key}${args.diameter}`;
-  const found = labels.labelsOf(view, colours.LIGHT, say, true);
+  const found = labels.labelsOf(view, colours.LIGHT, say, { drawing: true, focus: null });
   assert.deepEqual(
     found.map(({ text }) => text),
     ["Ø40.000", "Ø40.100", "Ø40.100", "Ø40.000 +0.100"],
@@ -230,9 +230,34 @@ test("a drawing has its diameters in words, and the reading counts as on the con
     found.map(({ field }) => field),
     [undefined, undefined, "_SETVAL", "_SETVAL"],
   );
-  assert.deepEqual(labels.labelsOf(view, colours.LIGHT, say, false), []);
+  assert.deepEqual(labels.labelsOf(view, colours.LIGHT, say, { drawing: false, focus: null }), []);
   assert.equal(labels.readingText(reading, [-20, 0, 14]), "X Ø−40.000  Z 10.000");
   assert.equal(labels.readingText({ ...reading, diameter: false }, [-20, 0, 14]), "X −20.000  Z 10.000");
+});
+
+// oracle: hand (a size of the part is always there, a way with its field alone; what is focused stands out)
+test("the dimension of the focused field stands out, others than the part's own come with it", () => {
+  const line = field => ({ kind: field === "_SETVAL" ? "size" : "anchor", lines: [0, 1], field });
+  const name = field => ({ kind: line(field).kind, at: [0, 0, 0], text: [], field });
+  const fields = ["_SETVAL", "_FA"];
+  const { view } = arrays.NOTHING;
+  const data = {
+    ...arrays.NOTHING,
+    view: { ...view, groups: fields.map(line), labels: fields.map(name) },
+    lines: new Float64Array([0, 0, 0, 40, 0, 0]),
+  };
+  const lit = colours.LIGHT.lit;
+  const shown = focus => {
+    const { labels: words, lines } = scene.buildScene(data, colours.LIGHT, { focus });
+    const inks = lines.map(({ style }) => (style.colour.join() === colours.parse(lit).join() ? "lit" : "plain"));
+    return [words.map(({ text, colour }) => (colour === lit ? `${text}!` : text)), inks];
+  };
+  assert.deepEqual(shown(null), [["_SETVAL"], ["plain"]]);
+  assert.deepEqual(shown("_SETVAL"), [["_SETVAL!"], ["lit"]]);
+  assert.deepEqual(shown("_FA"), [
+    ["_SETVAL", "_FA!"],
+    ["plain", "lit"],
+  ]);
 });
 
 // oracle: hand (a zone is seen through and is not part of what hides lines; what moves is left where the probe is)

@@ -625,7 +625,7 @@ export type HelpView = {
 };
 
 /** What a label tells. */
-export type LabelKind = "frame" | "diameter" | "nominal" | "touched" | "collision";
+export type LabelKind = "frame" | "diameter" | "nominal" | "touched" | "collision" | "size" | "anchor";
 
 /** A part of the lines. */
 export type LineGroup = {
@@ -637,10 +637,12 @@ export type LineGroup = {
   place?: number,
   /** In which of the standings it is there; none: in all. */
   standing?: number,
+  /** Parameter that it explains; of a size and another dimension of a call. */
+  field?: Name,
 };
 
 /** What a group of lines is. */
-export type LineKind = "grid" | "edge" | "zone" | "limit" | "axisX" | "axisY" | "axisZ" | "beforeX" | "beforeY" | "beforeZ" | "dimension";
+export type LineKind = "grid" | "edge" | "zone" | "limit" | "axisX" | "axisY" | "axisZ" | "beforeX" | "beforeY" | "beforeZ" | "dimension" | "size" | "anchor";
 
 /** The machine of a question. */
 export type Machine = OwnMachine | Setup;
@@ -1175,7 +1177,7 @@ export type SceneLabel = {
   kind: LabelKind,
   /** Where, machine coordinates, mm. */
   at: [number, number, number],
-  /** What is said, one after the other. */
+  /** What is said, one after the other; nothing: the name of the parameter. */
   text: Array<Message>,
   /** Whether it stands at the upper end of a dimension line: neighbours have their words at different ends. */
   upper?: boolean,

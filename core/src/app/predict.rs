@@ -3,7 +3,7 @@
 use super::outcome::Outcome;
 use super::start::Start;
 use crate::control::Plane;
-use crate::entry::{How, Inputs, ProbeUse, Work};
+use crate::entry::{Inputs, ProbeUse, Work};
 use crate::geometry::{Degrees, Mcs, Rpy, V3, rigid};
 use crate::machine::{Setup, Stop, possible};
 use crate::message::Message;
@@ -84,11 +84,7 @@ pub(super) fn predict(work: &Work, inputs: &Inputs, start: Start, errors: &Error
     let zones = prepare(&mut setup, work, inputs, errors, described);
     let outcome = carried_out(inputs, &mut setup);
     let (limits, solids) = limits.unzip();
-    let edges = match inputs.cycle.picture.how() {
-        Some(How::Staged(staged)) => (staged.stage)(inputs).fields.edges,
-        _ => &[],
-    };
-    let source = Source { setup, outcome, zones, limits: solids.unwrap_or_default(), edges };
+    let source = Source { setup, outcome, zones, limits: solids.unwrap_or_default(), call: Some(inputs.clone()) };
     Outcome::new(inputs, source, limits)
 }
 

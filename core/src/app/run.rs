@@ -192,7 +192,7 @@ impl RunView {
             passed_over: outcome.passed_over.clone(),
             ending: outcome.ending(),
             assumed: None,
-            trace: Source { setup, outcome, zones: Vec::new(), limits: Vec::new(), edges: &[] },
+            trace: Source { setup, outcome, zones: Vec::new(), limits: Vec::new(), call: None },
         }
     }
 }

@@ -46,6 +46,19 @@ pub struct Cycle {
     pub source: &'static str,
 }
 
+/// Entries are told apart by their names.
+impl PartialEq for Cycle {
+    fn eq(&self, other: &Cycle) -> bool {
+        (self.dialect, self.name) == (other.dialect, other.name)
+    }
+}
+
+impl std::fmt::Debug for Cycle {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        f.write_str(self.name)
+    }
+}
+
 impl Cycle {
     /// Whether it is a measuring cycle, with the user data, the results and the user's programs of SINUMERIK; macros of
     /// NCT have none of these.

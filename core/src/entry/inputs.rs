@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 pub type Typed = BTreeMap<String, String>;
 
 /// What the call means: every used parameter has a value, lengths in mm, angles in degree, feeds in mm/min.
-#[derive(Clone)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Inputs {
     /// The cycle.
     pub cycle: &'static Cycle,

@@ -103,6 +103,14 @@ impl Drawing {
     pub fn how(&self) -> Option<&How> {
         self.how.as_ref()
     }
+
+    /// How its work is drawn; none where the figures are of its own.
+    pub fn at_work(&self) -> Option<&Staged> {
+        match self.how()? {
+            How::Staged(staged) => Some(staged),
+            How::Own(_) => None,
+        }
+    }
 }
 
 /// A nominal part with a start position from which the cycle may be called.

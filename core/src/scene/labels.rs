@@ -26,6 +26,10 @@ pub enum Kind {
     Touched,
     /// What must not touch and did.
     Collision,
+    /// A dimension of the part that a parameter gives, by its name.
+    Size,
+    /// Another dimension that a parameter gives, by its name.
+    Anchor,
 }
 
 /// Words at a place.
@@ -36,7 +40,7 @@ pub struct Label {
     pub kind: Kind,
     /// Where, machine coordinates, mm.
     pub at: [f64; 3],
-    /// What is said, one after the other.
+    /// What is said, one after the other; nothing: the name of the parameter.
     pub text: Vec<Message>,
     /// Whether it stands at the upper end of a dimension line: neighbours have their words at different ends.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
@@ -91,6 +95,12 @@ pub fn dimension(at: [f64; 3], upper: bool, [set, real]: [f64; 2], field: Option
         label(Kind::Diameter, Message::new("diameter-real").text("diameter", figure(real))),
         label(Kind::Nominal, nominal.text("diameter", figure(set))),
     ]
+}
+
+/// The name of a parameter at its dimension, mm; `own`: a dimension of the part.
+pub fn anchor(at: V3, field: Name, own: bool) -> Label {
+    let kind = if own { Kind::Size } else { Kind::Anchor };
+    Label { kind, at: at.into(), text: Vec::new(), upper: false, field: Some(field), from: None, to: None }
 }
 
 /// The diameter at a touched point, from the touch on until that point is touched again.

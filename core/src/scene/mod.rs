@@ -5,6 +5,7 @@
 //! What belongs together lies in flat arrays, so that it can be handed over as it is. A solid is drawn in its own
 //! frame, f32; [`View`] says what each part of the arrays is, where it stands and when it is there.
 
+pub mod anchors;
 pub mod fit;
 pub mod frames;
 pub mod labels;
@@ -18,11 +19,13 @@ mod tests;
 pub mod tool;
 pub mod turned;
 
+use crate::entry::Inputs;
 use crate::geometry::{Extent, V3};
 use crate::machine::{Entry, Setup, Step};
 use crate::name::Name;
 use crate::run::outcome::Outcome;
 use crate::workpiece::{Shape, Solid, Touching};
+use anchors::Anchor;
 use frames::Frame;
 use labels::Label;
 use mesh::Mesh;
@@ -83,6 +86,10 @@ pub enum LineKind {
     BeforeZ,
     /// Dimensions of a drawing.
     Dimension,
+    /// A dimension of the part that a parameter of the call gives.
+    Size,
+    /// Another dimension that a parameter of the call gives: a way, a zone, an angle.
+    Anchor,
 }
 
 /// A part of the triangles.
@@ -119,6 +126,9 @@ pub struct LineGroup {
     /// In which of the standings it is there; none: in all.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub standing: Option<usize>,
+    /// Parameter that it explains; of a size and another dimension of a call.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub field: Option<Name>,
 }
 
 /// Where the zero of a frame lies, machine coordinates, mm, and its directions.
@@ -249,8 +259,8 @@ pub struct Source {
     pub zones: Vec<Solid>,
     /// The part with the largest errors that a call survives, on both sides.
     pub limits: Vec<Solid>,
-    /// Parameters of the touched edges, in the order of the touches, the last for the rest; empty where no form asked.
-    pub edges: &'static [Name],
+    /// The call of the form that asked; none of a run.
+    pub call: Option<Inputs>,
 }
 
 /// Length of the normal at a touch: in radii of the ball at least, in sizes of the scene, in sizes of a solid at most.
@@ -264,7 +274,7 @@ const SAME: f64 = 1.0;
 impl Scene {
     /// What is to be seen of a run.
     pub fn of(source: &Source) -> Scene {
-        let Source { setup, outcome, zones, limits, edges } = source;
+        let Source { setup, outcome, zones, limits, call } = source;
         let entries = &outcome.trace.entries;
         let clamped = |solid: &Solid| setup.control.on_table(solid);
         let part: Vec<Solid> = setup.workpiece.solids.iter().map(clamped).collect();
@@ -285,8 +295,14 @@ impl Scene {
         scene.add_zones(zones, part.len() + probes.len());
         scene.add_frames();
         scene.view.labels = labels::frames(&scene.view.frames);
+        let staged = call.as_ref().and_then(|inputs| Some((inputs, inputs.cycle.picture.at_work()?)));
+        let staging = staged.map(|(inputs, staged)| (staged.stage)(inputs));
+        let edges = staging.as_ref().map_or(&[] as &[Name], |staging| staging.fields.edges);
         if turning {
             scene.add_drawing(&turned::drawing(setup, outcome), edges);
+        }
+        if let (Some((inputs, staged)), Some(staging)) = (staged, staging) {
+            scene.add_anchors(anchors::anchors(source, inputs, staged, staging), turning, edges);
         }
         scene.view.labels.extend(labels::collisions(entries));
         scene
@@ -446,6 +462,20 @@ impl Scene {
         self.view.reading = Some(drawing.reading);
     }
 
+    /// Dimensions of the call; `edges`: parameters of the part itself, of which a turned one has its diameters.
+    fn add_anchors(&mut self, anchors: Vec<Anchor>, turning: bool, edges: &[Name]) {
+        let whole = self.view.standings[0].whole.map(V3::from);
+        for anchor in anchors.into_iter().filter_map(|anchor| anchor.within(whole)) {
+            let own = !turning && edges.contains(&anchor.field);
+            let kind = if own { LineKind::Size } else { LineKind::Anchor };
+            self.add_lines(&anchor.lines(turned::OVER * self.view.size), kind, None, None);
+            if let Some(group) = self.view.groups.last_mut() {
+                group.field = Some(anchor.field);
+            }
+            self.view.labels.push(labels::anchor(anchor.at, anchor.field, own));
+        }
+    }
+
     fn add_mesh(&mut self, mesh: &Mesh, matter: Matter, place: Option<usize>, tool: Option<usize>) {
         if mesh.corners.is_empty() {
             return;
@@ -469,7 +499,7 @@ impl Scene {
         }
         let first = self.lines.len() / 6;
         self.lines.extend(lines.iter().flatten().flat_map(|point| point.iter().copied()));
-        self.view.groups.push(LineGroup { kind, lines: [first, self.lines.len() / 6], place, standing });
+        self.view.groups.push(LineGroup { kind, lines: [first, self.lines.len() / 6], place, standing, field: None });
     }
 }
 

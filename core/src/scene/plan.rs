@@ -1,6 +1,8 @@
 //! A help picture as the projection of a cycle at work: the proposed part, the touches and the ways of the simulation
 //! on it, carried out with values that can be drawn, seen onto the plane and in sections beside that.
 
+use super::Source;
+use super::frames::{UNITS, system};
 use super::plan_solid::{Cut, meets, outline};
 use crate::catalogue::example::example;
 use crate::check;
@@ -8,14 +10,14 @@ use crate::control::{AXES, Edge, MachineSort, Plane, Transverse};
 use crate::entry::stage::{Look, SIZE, Seen, Staging, Touched, add, distance, ring, unit};
 use crate::entry::{Inputs, Proposal, Staged, address, names};
 use crate::geometry::{Around, V3};
-use crate::machine::{Entry, InUse, MotionKind, Setup, Sim, Step, probe_place};
+use crate::machine::{Entry, InUse, MotionKind, Setup, Sim, Step, Trace, probe_place};
 use crate::name::Name;
 use crate::picture::figures::{circle, frame, line, polygon};
 use crate::picture::{Picture, PictureShape, ShapeKind, View};
 use crate::run::call::perform;
-use crate::workpiece::{Drawn, Shape, Solid, Tool, seen, tool::in_plane};
+use crate::workpiece::{Boundary, Drawn, Shape, Solid, Tool, Workpiece, seen};
 
-/// Entries of a trace after which nothing more is carried out.
+/// Entries of a trace after which nothing more is carried out, or looked at.
 const STEPS: usize = 1000;
 /// Pieces in which an arc is drawn.
 const PIECES: u32 = 48;
@@ -24,6 +26,9 @@ const GAP: f64 = 0.24 * SIZE;
 /// Largest and smallest radius of a touched point, mm.
 const TOUCH: f64 = 1.4;
 const LEAST_TOUCH: f64 = 0.8;
+/// Touches nearer to each other, mm, are one: in a picture, and of a part with errors that is touched several times.
+const SAME: f64 = 1e-3;
+const REPEATED: f64 = 0.2;
 /// Thickness of a forbidden area around an element, mm.
 const WALL: f64 = 0.12 * SIZE;
 /// Values that no picture shows and that no nominal part needs: nothing is corrected, and each place is touched once.
@@ -69,26 +74,42 @@ fn performed(inputs: &Inputs, staged: &Staged) -> Vec<Performed> {
 
 /// All views of it, one beside the other, with their marks.
 fn drawn(all: &[Performed], inputs: &Inputs, staged: &Staged) -> Picture {
-    let mut shapes = Vec::new();
-    let mut seen: Vec<Seen> = Vec::new();
-    let looks = all.iter().flat_map(|one| one.staging.looks.iter().map(move |look| (one, look)));
-    for (one, look) in looks.clone() {
-        let (mut figures, mut view) = one.view(look);
-        if let (Some(first), Some(before)) = (seen.first(), seen.last()) {
-            let middle = |extent: [[f64; 2]; 2]| (extent[0][1] + extent[1][1]) / 2.0;
-            let by = match look.below {
-                true => [first.middle()[0] - view.middle()[0], first.extent[0][1] - GAP - view.extent[1][1]],
-                false => [before.extent[1][0] + GAP - view.extent[0][0], middle(first.extent) - middle(view.extent)],
-            };
-            figures.iter_mut().for_each(|figure| figure.shift(by));
-            view.shift(by);
-        }
-        shapes.extend(figures);
-        seen.push(view);
-    }
+    let Laid { mut shapes, seen, .. } = laid(all, GAP);
     shapes.extend((staged.marks)(inputs, &seen));
-    let upright = looks.clone().next().is_some_and(|(_, look)| look.up[2] != 0.0);
+    let upright = all.iter().flat_map(|one| &one.staging.looks).next().is_some_and(|look| look.up[2] != 0.0);
     Picture { view: if upright { View::Section } else { View::Plane }, shapes }
+}
+
+/// Views on the paper: their figures, and of each what it shows and how far it was moved there.
+#[derive(Default)]
+pub(super) struct Laid {
+    shapes: Vec<PictureShape>,
+    pub(super) seen: Vec<Seen>,
+    pub(super) moved: Vec<[f64; 2]>,
+}
+
+/// Lays out all views; `gap`: free paper between two of them, mm.
+pub(super) fn laid(all: &[Performed], gap: f64) -> Laid {
+    let mut laid = Laid::default();
+    for (one, look) in all.iter().flat_map(|one| one.staging.looks.iter().map(move |look| (one, look))) {
+        let (mut figures, mut view) = one.view(look);
+        let middle = |extent: [[f64; 2]; 2]| (extent[0][1] + extent[1][1]) / 2.0;
+        let by = match (laid.seen.first(), laid.seen.last()) {
+            (Some(first), _) if look.below => {
+                [first.middle()[0] - view.middle()[0], first.extent[0][1] - gap - view.extent[1][1]]
+            }
+            (Some(first), Some(before)) => {
+                [before.extent[1][0] + gap - view.extent[0][0], middle(first.extent) - middle(view.extent)]
+            }
+            _ => [0.0; 2],
+        };
+        figures.iter_mut().for_each(|figure| figure.shift(by));
+        view.shift(by);
+        laid.shapes.extend(figures);
+        laid.seen.push(view);
+        laid.moved.push(by);
+    }
+    laid
 }
 
 /// The worked example of the variant in this plane.
@@ -116,17 +137,52 @@ struct Touch {
     start: V3,
 }
 
-struct Performed {
+/// Work of a cycle, as it is drawn.
+pub(super) struct Performed {
     proposal: Proposal,
-    staging: Staging,
+    pub(super) staging: Staging,
     /// The tool at the first touch, from the position of the machine on.
     tool: Vec<Drawn>,
     ways: Vec<Way>,
     touches: Vec<Touch>,
     start: V3,
-    axes: [usize; 3],
+    /// Zero of the call's coordinate system, and its abscissa, ordinate and applicate, machine coordinates.
+    zero: V3,
+    axes: [V3; 3],
     letters: [&'static str; 3],
+    /// mm of the paper for a mm of the machine.
+    scale: f64,
     complete: bool,
+}
+
+/// What was carried out: on what, what happened, in which plane; `same`: touches nearer than that, mm, are one.
+struct Done<'a> {
+    setup: &'a Setup,
+    trace: &'a Trace,
+    plane: Plane,
+    same: f64,
+}
+
+impl Done<'_> {
+    fn seen(&self, proposal: Proposal, staging: Staging) -> Performed {
+        let steps: Vec<&Step> = self.trace.entries.iter().take(STEPS).map(|entry| &entry.step).collect();
+        let to_ball = to_ball(&steps);
+        let (ways, touches) = motions(&steps, to_ball, staging.all_ways, self.same);
+        let (zero, axes) = system(&self.setup.control).unwrap_or(([0.0; 3], UNITS));
+        Performed {
+            complete: true,
+            start: V3::from(self.setup.position.0) + to_ball,
+            zero: zero.into(),
+            axes: self.plane.axes().map(|axis| axes[axis].into()),
+            letters: [""; 3],
+            scale: 1.0,
+            tool: before_touch(self.trace),
+            proposal,
+            staging,
+            ways,
+            touches,
+        }
+    }
 }
 
 impl Performed {
@@ -156,31 +212,54 @@ impl Performed {
         setup.position = setup.control.to_machine(proposal.start);
         let mut sim = Sim::new(&setup);
         sim.trace_limit = STEPS;
-        let stop = perform(&mut sim, &drawn).err();
-        let steps: Vec<&Step> = sim.trace.entries.iter().map(|entry| &entry.step).collect();
-        let to_ball = to_ball(&steps);
-        let (ways, touches) = motions(&steps, to_ball, staging.all_ways);
-        Performed {
-            complete: stop.is_none(),
-            start: V3::from(setup.position.0) + to_ball,
-            axes: drawn.plane.axes(),
-            letters: inputs.plane.axes().map(|axis| AXES[axis]),
-            tool: before_touch(&sim),
-            proposal,
-            staging,
-            ways,
-            touches,
-        }
+        let complete = perform(&mut sim, &drawn).is_ok();
+        let of = Done { setup: &setup, trace: &sim.trace, plane: drawn.plane, same: SAME };
+        Performed { complete, letters: inputs.plane.axes().map(|axis| AXES[axis]), ..of.seen(proposal, staging) }
+    }
+
+    /// The call as it was carried out on a setup, to be seen from where its picture is, in the size of a picture.
+    pub(super) fn done(inputs: &Inputs, mut staging: Staging, source: &Source) -> Performed {
+        let Source { setup, outcome, zones, .. } = source;
+        let proposal = Proposal {
+            workpiece: setup.workpiece.clone(),
+            tool_probes: setup.tool_probes.clone(),
+            zones: zones.clone(),
+            ..Proposal::default()
+        };
+        staging.ball = setup.probe.radius * staging.scale;
+        let of = Done { setup, trace: &outcome.trace, plane: inputs.plane, same: REPEATED };
+        let mut done = Performed { scale: staging.scale, ..of.seen(proposal, staging) };
+        let touches = &done.touches;
+        done.proposal.workpiece.solids.retain(|solid| {
+            let boundary = Boundary::of(&Workpiece { solids: vec![solid.clone()] });
+            touches.iter().any(|touch| boundary.distance(touch.at.into()).abs() < REPEATED)
+        });
+        done
     }
 
     /// To the right and upwards on the paper, machine axes.
     fn across(&self, look: &Look) -> [V3; 2] {
-        [look.right, look.up].map(|way| in_plane(self.axes, way))
+        let [abscissa, ordinate, applicate] = self.axes;
+        [look.right, look.up].map(|[x, y, z]| abscissa * x + ordinate * y + applicate * z)
     }
 
     /// A machine position or direction on the paper.
     fn seen(&self, look: &Look, point: V3) -> [f64; 2] {
-        self.across(look).map(|way| (way.dot(&point) * 1e6).round() / 1e6)
+        self.across(look).map(|way| (way.dot(&point) * self.scale * 1e6).round() / 1e6)
+    }
+
+    /// A place on the paper where the first touch that is shown lies, machine coordinates; none without a touch.
+    pub(super) fn at(&self, look: &Look, [x, y]: [f64; 2]) -> Option<V3> {
+        let (_, touch) = self.touches.iter().enumerate().find(|(index, _)| look.shows(*index))?;
+        let [right, up] = self.across(look);
+        let sight = self.sight(look);
+        Some((right * x + up * y) / self.scale + sight * sight.dot(&touch.at))
+    }
+
+    /// The line of sight, machine coordinates, away from the paper.
+    pub(super) fn sight(&self, look: &Look) -> V3 {
+        let [right, up] = self.across(look);
+        right.cross(&up)
     }
 
     fn view(&self, look: &Look) -> (Vec<PictureShape>, Seen) {
@@ -235,7 +314,7 @@ impl Performed {
         let extent = extent(&shapes);
         let letters = look.axes.map(|axis| self.letters[axis]);
         let part = self::extent(&edges);
-        let seen = Seen { touches, edges, part, zones, start, zero: place(V3::zeros()), extent, ball, letters };
+        let seen = Seen { touches, edges, part, zones, start, zero: place(self.zero), extent, ball, letters };
         (shapes, seen)
     }
 
@@ -447,9 +526,9 @@ fn machine(inputs: &Inputs, staging: &Staging) -> Setup {
 }
 
 /// The tool at the first touch, from the position of the machine on.
-fn before_touch(sim: &Sim) -> Vec<Drawn> {
+fn before_touch(trace: &Trace) -> Vec<Drawn> {
     let touches = |entry: &&Entry| matches!(entry.step, Step::Touch { .. });
-    let used = sim.trace.entries.iter().find(touches).and_then(|entry| sim.trace.in_use.get(entry.in_use));
+    let used = trace.entries.iter().find(touches).and_then(|entry| trace.in_use.get(entry.in_use));
     let tool = used.and_then(|used| Some((used, used.tool.as_ref()?)));
     let pieces = |(used, tool): (&InUse, &Tool)| seen::tool(tool, V3::from(used.length), used.plane, None).0;
     tool.map(pieces).unwrap_or_default()
@@ -464,8 +543,9 @@ fn to_ball(steps: &[&Step]) -> V3 {
     touch.unwrap_or_default()
 }
 
-/// Ways and touches of a trace, each place touched once; `all`: retracting and finding nothing are ways too.
-fn motions(steps: &[&Step], to_ball: V3, all: bool) -> (Vec<Way>, Vec<Touch>) {
+/// Ways and touches of a trace, each place touched once; `all`: retracting and finding nothing are ways too; `same`:
+/// places nearer than that, mm, are one.
+fn motions(steps: &[&Step], to_ball: V3, all: bool, same: f64) -> (Vec<Way>, Vec<Touch>) {
     let (mut ways, mut touches): (Vec<Way>, Vec<Touch>) = (Vec::new(), Vec::new());
     let mut measured = None;
     for (index, step) in steps.iter().enumerate() {
@@ -479,7 +559,7 @@ fn motions(steps: &[&Step], to_ball: V3, all: bool) -> (Vec<Way>, Vec<Touch>) {
                 ways.push(Way { points, round: around.is_some(), after: touches.len() });
             }
             Step::Touch { point, ball, .. } => {
-                let near = |touch: &Touch| (touch.at - V3::from(*point)).norm() < 1e-3;
+                let near = |touch: &Touch| (touch.at - V3::from(*point)).norm() < same;
                 if let (Some(start), false) = (measured, touches.iter().any(near)) {
                     touches.push(Touch { at: V3::from(*point), ball: V3::from(*ball), start });
                 }

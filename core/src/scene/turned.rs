@@ -133,13 +133,13 @@ fn touched(control: &Control, trace: &Trace) -> Vec<Touched> {
 /// it, which is also the length of an arrow: shares of the size of the scene.
 const FIRST: f64 = 0.14;
 const NEXT: f64 = 0.12;
-const OVER: f64 = 0.02;
+pub(super) const OVER: f64 = 0.02;
 /// Half of the width of an arrow, share of its length.
 const ARROW: f64 = 0.3;
 
 /// Dimension lines before the front of the part, those of small diameters next to it: the diameter, both ends of its
 /// dimension line, and its lines: from both ends of the diameter there, then the dimension line with its arrows.
-pub fn dimensions(diameters: &[Diameter], size: f64) -> Vec<(Diameter, [V3; 2], [[V3; 2]; 7])> {
+pub fn dimensions(diameters: &[Diameter], size: f64) -> Vec<(Diameter, [V3; 2], Vec<[V3; 2]>)> {
     let level = |diameter: &Diameter| diameter.ends.map(|end| V3::from(end).dot(&V3::from(diameter.out)));
     let front = diameters.iter().flat_map(level).fold(f64::NEG_INFINITY, f64::max);
     let mut sorted = diameters.to_vec();
@@ -150,18 +150,18 @@ pub fn dimensions(diameters: &[Diameter], size: f64) -> Vec<(Diameter, [V3; 2], 
         let place = front + (FIRST + i as f64 * NEXT) * size;
         let (ends, out, over) = (ends.map(V3::from), V3::from(out), OVER * size);
         let [low, high] = ends.map(|end| end + out * (place - end.dot(&out)));
-        let along = (high - low).try_normalize(0.0).unwrap_or_else(V3::x);
-        let arrow = |tip: V3, back: V3, aside: f64| [tip, tip + back * over + out * (aside * over)];
-        let lines = [
-            [ends[0], low + out * over],
-            [ends[1], high + out * over],
-            [low, high],
-            arrow(high, -along, ARROW),
-            arrow(high, -along, -ARROW),
-            arrow(low, along, ARROW),
-            arrow(low, along, -ARROW),
-        ];
+        let mut lines = vec![[ends[0], low + out * over], [ends[1], high + out * over]];
+        lines.extend(dimension_line([low, high], out, over));
         found.push((diameter, [low, high], lines));
     }
     found
+}
+
+/// A dimension line with an arrow at both ends; `aside`: direction in which the arrows open; `arrow`: their length, mm.
+pub fn dimension_line([low, high]: [V3; 2], aside: V3, arrow: f64) -> [[V3; 2]; 5] {
+    let along = (high - low).try_normalize(0.0).unwrap_or_else(V3::x) * arrow;
+    let head = |tip: V3, back: V3, side: f64| [tip, tip + back + aside * (side * ARROW * arrow)];
+    let heads = [(high, -along), (low, along)].map(|(tip, back)| [1.0, -1.0].map(|side| head(tip, back, side)));
+    let [[a, b], [c, d]] = heads;
+    [[low, high], a, b, c, d]
 }

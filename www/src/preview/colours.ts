@@ -25,6 +25,7 @@ export interface Colours {
   axisY: string;
   axisZ: string;
   text: string;
+  lit: string; // what belongs to the focused field
 }
 
 export const LIGHT: Colours = {
@@ -48,6 +49,7 @@ export const LIGHT: Colours = {
   axisY: "#3d7d5a",
   axisZ: "#2f5fa8",
   text: "#2a323a",
+  lit: "#b3400f",
 };
 
 export const DARK: Colours = {
@@ -71,6 +73,7 @@ export const DARK: Colours = {
   axisY: "#7bc79d",
   axisZ: "#84aef0",
   text: "#dbe2e8",
+  lit: "#ff9a6a",
 };
 
 /** `--view-part`, `--view-axis-x` … of an element; what is not set there comes from `fallback`. */

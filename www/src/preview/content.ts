@@ -12,6 +12,7 @@ export interface Content {
   colours: Colours;
   step: Step;
   drawing: boolean; // diameters of a turned part as on a drawing
+  focus: string | null; // parameter whose dimension stands out
 }
 /** Entry `index` of the trace is done to `fraction` (0 … 1). */
 export interface Step {
@@ -35,6 +36,6 @@ export function sameScene(data: SceneData, a: Step, b: Step): boolean {
   );
 }
 
-export function sceneOf({ data, colours, step, drawing }: Content, say: Say | undefined): Scene {
-  return buildScene(data, colours, { index: step.index, drawing, ...(say && { say }) });
+export function sceneOf({ data, colours, step, drawing, focus }: Content, say: Say | undefined): Scene {
+  return buildScene(data, colours, { index: step.index, drawing, focus, ...(say && { say }) });
 }

@@ -39,14 +39,17 @@ const LINES: Record<LineKind, Omit<Style, "colour"> & { ink: keyof Colours }> = 
   beforeY: { ink: "axisY", ...BEFORE },
   beforeZ: { ink: "axisZ", ...BEFORE },
   dimension: { ink: "text", width: 1.25, through: 0.5 },
+  size: { ink: "text", width: 1.25, through: 0.5 },
+  anchor: { ink: "text", width: 1.25, through: 0.5 },
 };
 const ORDER = Object.keys(LINES);
 
 export const rankOf = (kind: LineKind): number => ORDER.indexOf(kind);
 
-export function lineStyle(kind: LineKind, colours: Colours): Style {
+/** `lit`: it belongs to the focused field. */
+export function lineStyle(kind: LineKind, colours: Colours, lit: boolean): Style {
   const { ink, ...style } = LINES[kind];
-  return { colour: parse(colours[ink]), ...style };
+  return lit ? { colour: parse(colours.lit), width: 2.5, through: 0.8 } : { colour: parse(colours[ink]), ...style };
 }
 
 /** By the number that the core gives a kind of motion. */

@@ -1,6 +1,6 @@
 // Words beside what is drawn: what the core says, and how it stands there.
 
-import type { Reading, SceneLabel, SceneView } from "../core/scene";
+import type { LineGroup, Reading, SceneLabel, SceneView } from "../core/scene";
 import { fixed } from "../numbers";
 import type { LabelKind, Message, Vec3 } from "../wire";
 import type { Colours } from "./colours";
@@ -29,6 +29,7 @@ export type Say = (message: Message) => string;
 const UP = [10, -4] as const; // CSS pixels from the upper end of a dimension line up to both lines of its text
 const DOWN = [4, -10] as const; // and from the lower end
 const ABOVE = 14; // from a touched point to its diameter
+const OVER = 5; // from the middle of a dimension line to its name
 const LETTER = 1.14; // from the zero to the letter of an axis, in lengths of the axis
 
 const colourOf: Record<LabelKind, "text" | "touch" | "crash"> = {
@@ -37,6 +38,8 @@ const colourOf: Record<LabelKind, "text" | "touch" | "crash"> = {
   nominal: "text",
   touched: "touch",
   collision: "crash",
+  size: "text",
+  anchor: "text",
 };
 const PLACES: Record<LabelKind, (upper: boolean) => Partial<Label>> = {
   frame: () => ({ below: true, aside: true }),
@@ -44,24 +47,40 @@ const PLACES: Record<LabelKind, (upper: boolean) => Partial<Label>> = {
   nominal: upper => ({ beside: true, raised: (upper ? UP : DOWN)[1] }),
   touched: () => ({ raised: ABOVE }),
   collision: () => ({ below: true }),
+  size: () => ({ raised: OVER }),
+  anchor: () => ({ raised: OVER }),
 };
-const ON_DRAWINGS: LabelKind[] = ["diameter", "nominal", "touched"];
+const ON_DRAWINGS = ["diameter", "nominal", "touched", "dimension"];
 
-/** `drawing`: with the diameters of a turned part. */
-export function labelsOf(view: SceneView, colours: Colours, say: Say, drawing: boolean): Label[] {
-  const shown = view.labels.filter(({ kind }) => drawing || !ON_DRAWINGS.includes(kind));
-  return [...letters(view, colours), ...shown.map(label => placed(label, colours, say))];
+/** `drawing`: with the diameters of a turned part; `focus`: parameter of the focused field. */
+export interface Wanted {
+  drawing: boolean;
+  focus: string | null;
+}
+
+/** The part's own sizes are always there, the diameters of a turned part and what a field explains when wanted. */
+export function isWanted(
+  { kind, field }: Pick<LineGroup, "kind" | "field"> | SceneLabel,
+  { drawing, focus }: Wanted,
+): boolean {
+  return kind === "anchor" ? field === focus : drawing || !ON_DRAWINGS.includes(kind);
+}
+
+export function labelsOf(view: SceneView, colours: Colours, say: Say, wanted: Wanted): Label[] {
+  const shown = view.labels.filter(label => isWanted(label, wanted));
+  return [...letters(view, colours), ...shown.map(label => placed(label, colours, say, wanted))];
 }
 
 function placed(
   { kind, at, text, upper = false, field, from, to = Infinity }: SceneLabel,
   colours: Colours,
   say: Say,
+  { focus }: Wanted,
 ): Label {
   return {
     at,
-    text: text.map(say).filter(Boolean).join(", "),
-    colour: colours[colourOf[kind]],
+    text: text.map(say).filter(Boolean).join(", ") || (field ?? ""),
+    colour: field && field === focus ? colours.lit : colours[colourOf[kind]],
     ...PLACES[kind](upper),
     ...(from !== undefined && { during: [from, to] }),
     field,

@@ -13,7 +13,7 @@ import {
 import type { Vec3 } from "../wire";
 import type { Colours } from "./colours";
 import { colourOf, isClear, lineStyle, rankOf, touchStyles, wayStyles } from "./ink";
-import { type Label, labelsOf, type Say } from "./labels";
+import { isWanted, type Label, labelsOf, type Say, type Wanted } from "./labels";
 import { type Line, type Mesh, type Style, VERTEX_FLOATS } from "./mesh";
 import { drawnAround, probeAt, standingAt, toolIndexAt } from "./motion";
 import { add, type Box, boxCorners, centre, include, length, sub, times } from "./vec";
@@ -32,19 +32,19 @@ export interface Scene {
   radius: number; // everything lies within it around the origin, mm
 }
 
-/** `index`: the entry around which paths are drawn. `drawing`: with the diameters of a turned part. */
-export interface Shown {
+/** `index`: the entry around which paths are drawn. */
+export interface Shown extends Partial<Wanted> {
   index?: number;
-  drawing?: boolean;
   say?: Say;
 }
 
 export function buildScene(
   data: SceneData,
   colours: Colours,
-  { index = 0, drawing = false, say = ({ key }) => key }: Shown = {},
+  { index = 0, drawing = false, focus = null, say = ({ key }) => key }: Shown = {},
 ): Scene {
   const { view } = data;
+  const wanted: Wanted = { drawing, focus };
   const { standing, place } = standingAt(data, index);
   const inUse = toolIndexAt(data, index);
   const tool = inUse === undefined ? undefined : view.tools[inUse];
@@ -52,9 +52,14 @@ export function buildScene(
   const solid = pieces.filter(({ matter }) => !isClear(matter));
   const clear = pieces.filter(({ matter }) => isClear(matter));
   const groups = view.groups
-    .filter(one => (one.standing ?? place) === place && (drawing || one.kind !== "dimension"))
+    .filter(one => (one.standing ?? place) === place && isWanted(one, wanted))
     .sort((a, b) => rankOf(a.kind) - rankOf(b.kind));
-  const lines = [...groups.flatMap(group => linesOf(data, group, standing, colours)), ...paths(data, index, colours)];
+  const inked = (group: LineGroup): Style =>
+    lineStyle(group.kind, colours, group.field !== undefined && group.field === focus);
+  const lines = [
+    ...groups.flatMap(group => linesOf(data, group, standing, inked(group))),
+    ...paths(data, index, colours),
+  ];
   const box = boxOf(data, standing, tool, drawing);
   return {
     data,
@@ -62,7 +67,7 @@ export function buildScene(
     mesh: assemble(data, [...solid, ...clear], standing, colours),
     solidCorners: solid.reduce((sum, { corners: [from, to] }) => sum + to - from, 0),
     lines,
-    labels: labelsOf(view, colours, say, drawing),
+    labels: labelsOf(view, colours, say, wanted),
     tool,
     drawing,
     box,
@@ -107,11 +112,10 @@ function assemble({ vertices, corners }: SceneData, pieces: Piece[], standing: S
 
 function linesOf(
   { lines }: SceneData,
-  { kind, lines: [from, to], place: index }: LineGroup,
+  { lines: [from, to], place: index }: LineGroup,
   standing: Standing,
-  colours: Colours,
+  style: Style,
 ): Line[] {
-  const style = lineStyle(kind, colours);
   const place = index === undefined ? undefined : standing.places[index];
   return Array.from({ length: to - from }, (_, i) => {
     const [begin, end] = [vec(lines, 6 * (from + i)), vec(lines, 6 * (from + i) + 3)];
@@ -145,13 +149,13 @@ export function paths(data: SceneData, index: number, colours: Colours): Line[] 
 }
 
 /**
- * With a tool where the motions begin, and with a drawing's dimensions. What carries a tool may be cut off, and so may
+ * With a tool where the motions begin, and with the dimensions that no field must be focused for. What carries a tool may be cut off, and so may
  * a stylus: the part is looked at.
  */
 function boxOf(data: SceneData, { whole: [min, max] }: Standing, tool: Tool | undefined, drawing: boolean): Box {
   const begin = probeAt(data, 0, 0);
   const corners = tool?.extent && begin ? boxCorners({ min: tool.extent[0], max: tool.extent[1] }) : [];
-  const groups = drawing ? data.view.groups.filter(({ kind }) => kind === "dimension") : [];
+  const groups = data.view.groups.filter(({ kind }) => kind === "size" || (drawing && kind === "dimension"));
   const dimensions = groups.flatMap(({ lines: [from, to] }) =>
     Array.from({ length: 2 * (to - from) }, (_, i) => vec(data.lines, 6 * from + 3 * i)),
   );

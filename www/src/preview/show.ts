@@ -39,7 +39,13 @@ export async function createShow(stage: HTMLElement, options: ShowOptions): Prom
       options.onThinned?.(drawn);
     },
   });
-  let content: Content = { data: EMPTY, colours: options.colours ?? LIGHT, step: lastStep(EMPTY), drawing: false };
+  let content: Content = {
+    data: EMPTY,
+    colours: options.colours ?? LIGHT,
+    step: lastStep(EMPTY),
+    drawing: false,
+    focus: null,
+  };
   let scene: Scene;
   let cloud: Cloud | null = null;
   const sight = createSight(sizeOf(stage), {

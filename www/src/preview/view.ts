@@ -41,6 +41,8 @@ export interface Preview {
   setCovered(width: number): void;
   /** Diameters of a turned part as on a drawing. */
   setDrawing(shown: boolean): void;
+  /** The dimension of this parameter stands out, where there is one. */
+  setFocus(parameter: string | null): void;
   destroy(): void;
 }
 
@@ -90,7 +92,9 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
 }
 
 /** What may be shown otherwise, and what follows for the sight. */
-function changes(show: Show): Pick<Preview, "setScene" | "setStep" | "setCloud" | "setColours" | "setDrawing"> {
+function changes(
+  show: Show,
+): Pick<Preview, "setScene" | "setStep" | "setCloud" | "setColours" | "setDrawing" | "setFocus"> {
   return {
     setScene(data, colours = show.content.colours) {
       const first = show.content.data === EMPTY;
@@ -107,6 +111,11 @@ function changes(show: Show): Pick<Preview, "setScene" | "setStep" | "setCloud" 
       if (drawing === show.content.drawing) return;
       show.change({ drawing });
       show.sight.refit();
+    },
+    setFocus(parameter) {
+      const { data, focus } = show.content;
+      const explained = data.view.labels.some(({ field }) => field && field === parameter) ? parameter : null;
+      if (explained !== focus) show.change({ focus: explained });
     },
   };
 }

@@ -117,6 +117,7 @@ export function createScene(
       );
     preview.setCloud(points);
     preview.setDrawing(state.view.diameters);
+    preview.setFocus(source === "form" ? state.form.focus : null);
     show(drawing, !!derived.trace?.drawing);
     setAttribute(drawing, "aria-pressed", String(state.view.diameters));
     shown = { trace: derived.trace, dark: night, step, drawn };
