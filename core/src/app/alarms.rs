@@ -31,8 +31,7 @@ pub fn alarms() -> Vec<AlarmInfo> {
 
 /// The alarm or text with this name.
 pub fn alarm(name: &str) -> Option<AlarmInfo> {
-    let alarm = alarms::find(name).map(AlarmInfo::of);
-    alarm.or_else(|| operator_messages::find(name).map(AlarmInfo::of_message))
+    alarms::find(name).map(AlarmInfo::of).or_else(|| operator_messages::find(name).map(AlarmInfo::of_message))
 }
 
 impl AlarmInfo {

@@ -146,8 +146,7 @@ pub fn form(mut asked: FormRequest) -> Result<FormView, Error> {
     };
     let mut checked = judge(&values, control);
     if let (Some(support), Some(inputs)) = (support, &checked.inputs) {
-        let params = cycle.params.iter();
-        let found = params.filter_map(|param| support::finding(support, param, inputs));
+        let found = cycle.params.iter().filter_map(|param| support::finding(support, param, inputs));
         checked.diagnostics.extend(found);
     }
     let values_of = Values { typed: &values, expressions: &asked.expressions };
@@ -207,8 +206,7 @@ fn newer_list(cycle: &Cycle, written: Option<Style>) -> Option<&'static Argument
 
 /// The parameters whose values are known at run time only.
 fn unknown(checked: &Checked) -> Vec<Name> {
-    let found = checked.diagnostics.iter();
-    let found = found.filter(|one| one.code == own::EXPRESSION.code());
+    let found = checked.diagnostics.iter().filter(|one| one.code == own::EXPRESSION.code());
     found.filter_map(|one| one.param).collect()
 }
 

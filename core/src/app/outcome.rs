@@ -81,8 +81,7 @@ impl Outcome {
 
 fn results(inputs: &Inputs, outcome: &run::Outcome) -> Vec<Measured> {
     let unwritten = outcome.unwritten(inputs.cycle);
-    let results = outcome.results(inputs.cycle).into_iter();
-    let of_variant = results.filter(|(field, _)| field.when.holds(inputs));
+    let of_variant = outcome.results(inputs.cycle).into_iter().filter(|(field, _)| field.when.holds(inputs));
     let result = of_variant.map(|(field, value)| Measured {
         name: field.name,
         label: Message::new(field.key),

@@ -174,8 +174,7 @@ impl Scan {
     /// The turn of each point when they are drawn: the first ones are spread evenly over all, so that they show the
     /// surface where not all are drawn.
     pub fn turns(&self) -> Vec<u32> {
-        let count = self.session.as_ref();
-        let count = count.map_or(0, |session| session.deviations().len());
+        let count = self.session.as_ref().map_or(0, |session| session.deviations().len());
         turns(count).into_iter().map(|turn| turn as u32).collect()
     }
 

@@ -78,6 +78,5 @@ fn shared(measurement: &Measurement, control: &Control) -> Vec<Shared> {
         ("meaning-zero", whole(measurement.zero)),
         ("meaning-tool", whole(measurement.tool)),
     ];
-    let said = all.into_iter().filter_map(|(key, value)| Some(Shared { label: Message::new(key), value: value? }));
-    said.collect()
+    all.into_iter().filter_map(|(key, value)| Some(Shared { label: Message::new(key), value: value? })).collect()
 }

@@ -31,8 +31,7 @@ pub fn sort(param: &Param, value: &str, sort: Sort) -> Option<Diagnostic> {
 
 /// How many arguments a call has; omitted ones at its end say nothing.
 pub fn count<T>(arguments: &[Option<T>]) -> usize {
-    let last = arguments.iter().rposition(Option::is_some);
-    last.map_or(0, |index| index + 1)
+    arguments.iter().rposition(Option::is_some).map_or(0, |index| index + 1)
 }
 
 /// More arguments than the called program has parameters. How many those of newer controls have differs by their

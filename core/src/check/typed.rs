@@ -74,8 +74,7 @@ pub fn tool_in_use(inputs: &mut Inputs, control: &Control) {
     let edge = control.active_edge();
     inputs.tool_type = edge.map_or(0, |edge| edge.kind);
     inputs.body = edge.and_then(Edge::body);
-    let turning = edge.filter(|edge| edge.is_turning());
-    let nose = turning.map(|edge| side(edge.tip, inputs.recodes()));
+    let nose = edge.filter(|edge| edge.is_turning()).map(|edge| side(edge.tip, inputs.recodes()));
     inputs.nose = nose.filter(|sides| *sides != [0.0; 2]);
 }
 

@@ -114,8 +114,7 @@ pub fn fields(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Vec<Fi
     let inputs = check::read(cycle, typed, control, &mut Vec::new());
     let support = Support::of(cycle, control);
     let shown = |param: &&Param| support.is_none_or(|support| !support.hides(param, &inputs));
-    let params = cycle.params.iter().filter(shown);
-    params.filter_map(|param| field(param, &inputs, typed, control)).collect()
+    cycle.params.iter().filter(shown).filter_map(|param| field(param, &inputs, typed, control)).collect()
 }
 
 fn field(param: &'static Param, inputs: &Inputs, typed: &Typed, control: &Control) -> Option<Field> {

@@ -37,8 +37,7 @@ fn agree(groups: &[DigitGroup], one: i64, other: i64) -> bool {
 fn nearest(numbers: &[i64], groups: &[DigitGroup], index: usize, value: i64, number: i64) -> Option<i64> {
     let with = numbers.iter().copied().filter(|other| groups[index].value(*other) == value);
     with.min_by_key(|other| {
-        let changed = groups.iter().map(|group| group.value(*other) != group.value(number));
-        changed.collect::<Vec<bool>>()
+        groups.iter().map(|group| group.value(*other) != group.value(number)).collect::<Vec<bool>>()
     })
 }
 

@@ -27,8 +27,7 @@ fn is_own(asked: &str) -> bool {
 fn said(number: u16) -> Vec<(&'static str, &'static str)> {
     let ours = own::ALL.iter().filter(|one| one.number == number);
     let ours = ours.map(|one| (one.cause, one.hint));
-    let of_run = number.checked_sub(problem::FIRST);
-    let of_run = of_run.and_then(|at| problem::KEYS.get(usize::from(at)));
+    let of_run = number.checked_sub(problem::FIRST).and_then(|at| problem::KEYS.get(usize::from(at)));
     let of_run = of_run.map(|key| (*key, problem::cure(key).unwrap_or_default()));
     ours.chain(of_run).collect()
 }

@@ -50,8 +50,7 @@ pub fn help(text: &mut String, cycle: &'static Cycle, words: &Words) {
 fn said(cycle: &'static Cycle, variant: &Variant, words: &Words) -> Vec<Said> {
     let page = HelpPage::of(cycle, variant.number);
     let sentence = |key, source| format!("{} ({source})", words.key(key));
-    let lines = page.lines.iter();
-    let lines = lines.map(|line| Said::Line(line.section, sentence(line.key, Cited(line.source))));
+    let lines = page.lines.iter().map(|line| Said::Line(line.section, sentence(line.key, Cited(line.source))));
     let values = page.required.iter().map(|name| Said::Value(name.as_str()));
     let alarms = page.alarms.iter().map(|alarm| Said::Alarm(alarm.to_string()));
     lines.chain(values).chain(alarms).collect()
@@ -61,8 +60,7 @@ fn said(cycle: &'static Cycle, variant: &Variant, words: &Words) -> Vec<Said> {
 fn groups<'a>(pages: &[(&'a Variant, Vec<Said>)], every: &[Said]) -> Vec<(Vec<Said>, Vec<&'a Variant>)> {
     let mut groups: Vec<(Vec<Said>, Vec<&Variant>)> = Vec::new();
     for (variant, page) in pages {
-        let own = page.iter().filter(|one| !every.contains(one));
-        let own: Vec<Said> = own.cloned().collect();
+        let own: Vec<Said> = page.iter().filter(|one| !every.contains(one)).cloned().collect();
         match groups.iter_mut().find(|(known, _)| *known == own) {
             Some((_, variants)) => variants.push(variant),
             None => groups.push((own, vec![variant])),

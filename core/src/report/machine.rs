@@ -111,8 +111,7 @@ pub fn told(asked: impl Fn(&str) -> bool, words: &Words) -> Vec<(String, &'stati
         .flat_map(|subject| subject.data)
         .map(|datum| (datum.name.to_owned(), datum.element.source, datum.key(), datum.element.choices));
     let named = elements.chain(nct).filter(|(name, ..)| asked(name));
-    let told = named.chain(machine);
-    told.map(|(name, source, key, choices)| (name, source, lines(&key, choices, words))).collect()
+    named.chain(machine).map(|(name, source, key, choices)| (name, source, lines(&key, choices, words))).collect()
 }
 
 fn block(gud: &Gud) -> &'static str {

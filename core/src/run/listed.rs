@@ -108,8 +108,7 @@ fn newer_list(
 /// What is not 0 goes into the data (B:11734).
 fn auxiliary(run: &mut Interpreter, call: &Call) -> Result<bool, Halt> {
     let param = |name: &str| CYCLES.iter().find_map(|cycle| cycle.param(name));
-    let mut names = AUXILIARY_ARGS.iter().enumerate();
-    let wrong = names.find_map(|(index, name)| wrong(param(name)?, call.arg(index)?));
+    let wrong = AUXILIARY_ARGS.iter().enumerate().find_map(|(index, name)| wrong(param(name)?, call.arg(index)?));
     if let Some(finding) = list::unmatched(&call.name, listed::count(&call.args), |_| None).or(wrong) {
         return Err(stopped(run, call, &call.name, finding));
     }

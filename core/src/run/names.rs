@@ -112,8 +112,7 @@ pub fn write(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Re
             if count.is_some_and(|count| count > filled.len()) {
                 return Err(Problem::new("run-index", place, key));
             }
-            let mut filled = filled.iter().take(count.unwrap_or(usize::MAX));
-            filled.try_for_each(|element| write(run, element, value, place))
+            filled.iter().take(count.unwrap_or(usize::MAX)).try_for_each(|element| write(run, element, value, place))
         }
         Datum::Frame(frame) => match locals::home(run, key) {
             Home { keeper: Keeper::Control, key } => write_frame(run, &key, frame, place),

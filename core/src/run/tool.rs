@@ -65,8 +65,7 @@ pub fn sinumerik(run: &mut Interpreter, found: &Words) -> Result<(), Problem> {
 
 /// The T with which a turret turns at once, without M6: that of a turning tool, and any of a turning machine.
 fn turret<'a>(run: &Interpreter, found: &'a Words) -> Option<&'a Address> {
-    let tool = run.sim.control.tools.get(&run.modal.prepared?)?;
-    let turning = tool.edges.values().any(Edge::is_turning);
+    let turning = run.sim.control.tools.get(&run.modal.prepared?)?.edges.values().any(Edge::is_turning);
     last(found, "T").filter(|_| turning || run.sim.control.turns())
 }
 

@@ -181,8 +181,7 @@ pub fn known(run: &Interpreter, key: &str, place: Span) -> Result<(), Problem> {
 
 /// A call measures where the machine stands, with the tool in use and the data of the machine.
 pub fn measures(run: &Interpreter, place: Span) -> Result<(), Problem> {
-    let mut names = run.unread.keys();
-    names.find(|name| of_machine(run, name)).map_or(Ok(()), |name| known(run, name, place))
+    run.unread.keys().find(|name| of_machine(run, name)).map_or(Ok(()), |name| known(run, name, place))
 }
 
 /// Whether a name decides over every measurement: a place, the tool, data that no call hands over or leaves.

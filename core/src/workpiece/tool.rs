@@ -181,7 +181,7 @@ impl Cutter {
         }
     }
 
-    /// The teeth: distance from the spindle axis, mm, direction with the spindle at 0, how much lower than most, mm.
+    /// The teeth: distance from the spindle axis, mm, direction with the spindle at 0, how far below the mean, mm.
     pub fn edges(&self) -> Vec<(f64, Degrees, f64)> {
         let (away_sine, away_cosine) = self.runout_angle.sin_cos();
         let [aside, lower] = self.runout;

@@ -74,8 +74,7 @@ fn calculated(control: &Control, radius: f64) -> Vec<Probing> {
         (one, two) if two < 1.0 => vec![first * one, feed],
         (one, two) => vec![first * one, feed * two, feed],
     };
-    let feeds = feeds.into_iter().map(|feed| feed.min(limit(4)));
-    feeds.map(|feed| (speed, feed * control.basic_factor())).collect()
+    feeds.into_iter().map(|feed| feed.min(limit(4))).map(|feed| (speed, feed * control.basic_factor())).collect()
 }
 
 /// What is taken off the measured value, mm: nothing, or the entry of the user's own table. The tables of the makes

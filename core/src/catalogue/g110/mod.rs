@@ -154,8 +154,7 @@ const DEPTH: f64 = -20.0;
 
 /// The element from above, in the size of the picture.
 fn stage(inputs: &Inputs) -> Staging {
-    let stage = figures::stage(inputs, Look::ABOVE, &[address::D]);
-    stage.sized(inputs, &[address::D]).with(axis_of(inputs, 2), DEPTH)
+    figures::stage(inputs, Look::ABOVE, &[address::D]).sized(inputs, &[address::D]).with(axis_of(inputs, 2), DEPTH)
 }
 
 /// Size and limits.

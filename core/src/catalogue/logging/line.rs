@@ -58,8 +58,7 @@ fn field(text: &str) -> Field<'_> {
 
 /// Index of `_OVR[4]`.
 fn element(text: &str, array: &str) -> Option<usize> {
-    let index = text.strip_prefix(array)?.strip_prefix('[')?;
-    index.strip_suffix(']')?.trim().parse().ok()
+    text.strip_prefix(array)?.strip_prefix('[')?.strip_suffix(']')?.trim().parse().ok()
 }
 
 /// `R27`.

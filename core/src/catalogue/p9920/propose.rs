@@ -22,8 +22,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
         Some(length) if calibration && length > 0.0 => length,
         _ => LENGTH,
     };
-    let known = control.edge_of(0, register);
-    let length = known.map_or(assumed, |edge| edge.total_length(0));
+    let length = control.edge_of(0, register).map_or(assumed, |edge| edge.total_length(0));
     let [top, x, y] = place(control);
     let above = inputs.number(address::Z).abs() / 2.0;
     let mut point = [x, y, top + above];

@@ -41,8 +41,7 @@ enum Reached {
 /// What is not recorded of so many points.
 fn told(all: usize, outcome: Result<&Reached, &Stop>) -> Option<Message> {
     if outcome == Ok(&Reached::FormLimit) {
-        let message = Message::new("decision-p9969-form");
-        let message = message.number("followed", all as f64);
+        let message = Message::new("decision-p9969-form").number("followed", all as f64);
         return Some(message.number("most", POINTS as f64));
     }
     let message = Message::new("decision-p9969-told").number("told", TOLD as f64);

@@ -168,8 +168,7 @@ mod tests {
             // The stem alone is a label where it has words.
             let stems = param.labels.iter().map(|(_, stem)| *stem).chain([param.key]);
             for stem in stems {
-                let label = words.find(&Message::new(format!("param-{stem}")));
-                let label = label.unwrap_or_else(|| stem.to_owned());
+                let label = words.find(&Message::new(format!("param-{stem}"))).unwrap_or_else(|| stem.to_owned());
                 labels.entry((param.name.as_str(), label)).or_default().insert(stem);
             }
         }
