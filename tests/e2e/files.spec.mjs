@@ -141,7 +141,7 @@ describe("a program file", () => {
       Object.defineProperty(input, "files", { value: [large] });
       input.dispatchEvent(new Event("change"));
     });
-    assert.match(await refusal(page).textContent(), /large\.mpf was not opened: it has 100 MB/);
+    assert.match(await refusal(page).textContent(), /large\.mpf was not opened: it has 100\u00a0MB,/);
     assert.equal(await page.locator(".panel-program .refusal:visible").count(), 1);
     assert.deepEqual(await saved(page, ".panel-program", "Save"), earlier);
     await page.locator(".panel-program .refusal button").click();
@@ -197,27 +197,27 @@ describe("a setup file", () => {
     assert.equal(second.bytes.toString(), first.bytes.toString());
     assert.deepEqual(other.problems, []);
     await other.page.getByRole("button", { name: "Default machine" }).click();
-    await other.page.locator('.notice:has-text("Back to the default machine.")').waitFor();
+    await other.page.locator('.notice:has-text("Default machine restored.")').waitFor();
     await other.context.close();
   });
 
   const wrong = {
-    "no JSON": ["x.json", "G0 X0", /x\.json was not opened, it is no setup: .*line 1 column 1/],
+    "no JSON": ["x.json", "G0 X0", /x\.json was not opened, it is not a setup: .*line 1 column 1/],
     "another schema": [
       "package.json",
       '{ "name": "x", "version": 1 }',
-      /package\.json was not opened, it is no setup: .*name/,
+      /package\.json was not opened, it is not a setup: .*name/,
     ],
     "a control that there is not": [
       "f.json",
       '{ "control": "fanuc", "probe": { "radius": 1, "length": 1 } }',
-      /no setup: .*fanuc/,
+      /not a setup: .*fanuc/,
     ],
-    binary: ["b.json", Buffer.from([0, 255, 254, 1, 2]), /b\.json was not opened, it is no setup/],
+    binary: ["b.json", Buffer.from([0, 255, 254, 1, 2]), /b\.json was not opened, it is not a setup/],
     "far too large": [
       "large.json",
       Buffer.alloc(4_500_000, 32),
-      /large\.json was not opened: it has 5 MB, a setup has at most 4 MB/,
+      /large\.json was not opened: it has 5\u00a0MB, but a setup may have at most 4\u00a0MB\./,
     ],
   };
   for (const [name, [called, content, told]] of Object.entries(wrong)) {
@@ -251,7 +251,7 @@ describe("a kept setup", () => {
       localStorage.setItem("probewright-1", JSON.stringify({ ...kept, setup: { control: kept.control, gone: 1 } }));
     });
     await page.reload();
-    await page.locator('.notice:has-text("The kept setup does not fit this version")').waitFor();
+    await page.locator('.notice:has-text("The stored setup does not fit this version")').waitFor();
     await page.locator(".results tbody tr").first().waitFor();
     assert.deepEqual(problems, []);
     await context.close();

@@ -30,7 +30,7 @@ describe("help", () => {
     assert.deepEqual((await headings(page)).slice(0, 6), [
       "What it measures",
       "Where the probe stands before",
-      "To be given",
+      "Inputs",
       "What happens in order",
       "What it corrects",
       "What goes wrong",

@@ -1,4 +1,4 @@
-// A machine that is built for inches: chosen once, in force in the form, the program text, the simulation, links and
+// A machine that is basic system inches: chosen once, in force in the form, the program text, the simulation, links and
 // setups.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
@@ -21,7 +21,7 @@ async function dialog(page) {
 
 async function build(page, unit) {
   const shown = await dialog(page);
-  await shown.getByLabel("Built for").selectOption(unit);
+  await shown.getByLabel("Basic system").selectOption(unit);
   await shown.getByRole("button", { name: "Done" }).click();
 }
 
@@ -37,7 +37,7 @@ async function saved(page) {
   return JSON.parse(await readFile(await (await download).path(), "utf8"));
 }
 
-describe("a machine built for inches", () => {
+describe("a machine basic system inches", () => {
   const chrome = shared("neither", { before, after });
 
   // oracle: manual B:1787-1795 (units of parameters), hand (0.635 mm are 0.025 inch on the diameter, half of it on the
@@ -49,7 +49,7 @@ describe("a machine built for inches", () => {
     await build(page, "inch");
     await page.waitForFunction(() => document.querySelector("#machine-units").value === "G70");
     assert.equal(await unitOf(page, "_SETVAL"), "inch");
-    assert.equal(await fact(page, "Control"), "SINUMERIK, built for inch");
+    assert.equal(await fact(page, "Control"), "SINUMERIK, basic system inch");
     assert.equal(await fact(page, "Probe"), "ball Ø 0.2362 inch");
     const field = page.locator('.field[data-field="_SETVAL"] .entry-line > .figure');
     await field.fill("5.2");
@@ -78,7 +78,7 @@ describe("a machine built for inches", () => {
     const other = await open(chrome.browser, { path: new URL(address).hash });
     await other.page.locator(".results tbody tr").first().waitFor();
     assert.equal(await unitOf(other.page, "_SETVAL"), "inch");
-    assert.equal(await (await dialog(other.page)).getByLabel("Built for").inputValue(), "inch");
+    assert.equal(await (await dialog(other.page)).getByLabel("Basic system").inputValue(), "inch");
     await other.context.close();
     await build(page, "mm");
     await page.waitForFunction(() => document.querySelector("#machine-units").value === "G71");
@@ -102,7 +102,7 @@ describe("a machine built for inches", () => {
       return entry;
     };
     await datum("_WP[0,0]", "5.08");
-    await shown.getByLabel("Built for").selectOption("inch");
+    await shown.getByLabel("Basic system").selectOption("inch");
     assert.equal(await (await datum("_WP[0,0]")).inputValue(), "0.2");
     await datum("MD10240", "1");
     await page.waitForFunction(() => document.querySelector("#machine-data-basic").value === "mm");
@@ -117,7 +117,7 @@ describe("a machine built for inches", () => {
     await page.keyboard.press("Enter");
     const shown = page.getByRole("dialog", { name: "Machine data" });
     await shown.waitFor();
-    await shown.getByLabel("Built for").focus();
+    await shown.getByLabel("Basic system").focus();
     await page.keyboard.press("ArrowDown");
     await page.keyboard.press("Escape");
     await page.waitForFunction(() => document.querySelector("#machine-units").value === "G70");

@@ -72,7 +72,7 @@ describe("a turning machine", () => {
     await page.getByLabel("Length L1", { exact: true }).waitFor({ state: "attached" });
     assert.equal(await page.getByRole("button", { name: "Diameters" }).count(), 0);
     assert.equal(await page.getByLabel("Skew X", { exact: true }).count(), 0);
-    assert.equal(await page.getByLabel("Out of round", { exact: true }).isVisible(), false);
+    assert.equal(await page.getByLabel("Out-of-roundness", { exact: true }).isVisible(), false);
     assert.equal(await page.getByLabel("Taper", { exact: true }).isVisible(), true);
     assert.deepEqual(problems, []);
     await context.close();

@@ -75,7 +75,7 @@ describe("a long file", () => {
     const release = await holdFiles(page);
     await openFile(page, LONG);
     const activity = page.locator(".activity[data-work=opening]");
-    await activity.locator('text="Opening the program (0.3 MB). The one before stays until then."').waitFor();
+    await activity.locator('text="Opening the program (0.3 MB) … The previous one remains until then."').waitFor();
     await activity.getByRole("button", { name: "Stop" }).click();
     await activity.waitFor({ state: "hidden" });
     await release();
@@ -273,7 +273,7 @@ describe("a long program", () => {
     });
     assert.match(said, /\d %/);
     assert.equal(typed, "133.5");
-    await activity.locator('text="The reading was stopped. The calls of this program are not known."').waitFor();
+    await activity.locator('text="Reading was stopped. The calls of this program are not known."').waitFor();
     const shares = await page.evaluate(() => globalThis.shares);
     assert.deepEqual(
       shares,
@@ -295,7 +295,7 @@ describe("a long program", () => {
     await openFile(page, LONG);
     const activity = page.locator(".activity[data-work=reading]");
     await activity.getByRole("button", { name: "Stop" }).click();
-    await activity.locator('text="The reading was stopped. The calls of this program are not known."').waitFor();
+    await activity.locator('text="Reading was stopped. The calls of this program are not known."').waitFor();
     assert.equal(await rows(page).count(), 0);
     release();
     await activity.getByRole("button", { name: "Try again" }).click();
@@ -316,7 +316,7 @@ describe("a long program", () => {
     await page.waitForTimeout(1000); // the worker is there by now, and waits
     assert.equal(page.workers().length, 1);
     assert.equal(await activity.locator('text="The run is paused."').isVisible(), true);
-    await activity.getByRole("button", { name: "Go on" }).click();
+    await activity.getByRole("button", { name: "Continue" }).click();
     await activity.waitFor({ state: "hidden" });
     await page.locator(".results tbody tr").first().waitFor();
     assert.deepEqual(problems, []);

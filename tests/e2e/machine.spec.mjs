@@ -43,7 +43,7 @@ describe("machine data", () => {
     await again.getByRole("checkbox").check();
     assert.deepEqual(await again.locator(".datum code").allTextContents(), ["_WP[1,0]"]);
     assert.equal(await again.locator(".datum input").inputValue(), "5.995");
-    await again.getByRole("button", { name: "All as delivered" }).click();
+    await again.getByRole("button", { name: "Reset to defaults" }).click();
     await again.locator(".empty").waitFor();
     assert.deepEqual(problems, []);
     await context.close();

@@ -17,7 +17,7 @@ describe("print-out", () => {
     const shown = page.locator("pre.log", { hasText: "DIMENSION" });
     await shown.waitFor();
     const saving = page.waitForEvent("download");
-    await page.getByRole("button", { name: "Save as a file" }).click();
+    await page.getByRole("button", { name: "Save as file" }).click();
     const text = readFileSync(await (await saving).path(), "utf8");
     assert.equal(text, `${await shown.textContent()}\n`);
     assert.match(text, /TOOL {7}NOMINAL/);

@@ -50,8 +50,8 @@ describe("scanning a surface", () => {
     await page.locator("#scan-shown-surface").check();
     const count = Number((await status(page).textContent()).match(/\d+/)[0]);
     const lines = text => text.trimEnd().split("\n");
-    assert.equal(lines(await saved(page, "Save XYZ as sent")).length, count);
-    assert.equal(lines(await saved(page, "Save XYZ of the surface")).length, count);
+    assert.equal(lines(await saved(page, "Save XYZ as output")).length, count);
+    assert.equal(lines(await saved(page, "Save surface XYZ")).length, count);
     const program = await saved(page, "Save NC program");
     assert.match(program, /^%\nO1000\n/);
     assert.match(program, /G1 Z-?\d+\.\d{3} F120\.000\n/);

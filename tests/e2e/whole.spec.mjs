@@ -150,7 +150,7 @@ describe("a call whose values differ by the way", () => {
     await rows(page).first().click();
     await outcome(page)
       .locator(
-        'text="Only a run of the program tells _SETVAL. Let the whole program run in the 3D view, or type a number."',
+        'text="Known only when the program runs: _SETVAL. Run the whole program in the 3D view, or enter a number."',
       )
       .waitFor();
     await context.close();
@@ -185,11 +185,11 @@ describe("ways of writing", () => {
     await openProgram(page, GOOD);
     await rows(page).first().click();
     const ways = page.locator(".call-ways");
-    await ways.locator('text="Written: direct"').waitFor();
+    await ways.locator('text="Call style: direct"').waitFor();
     const value = page.locator('.field[data-field="_SETVAL"] .entry-line > .figure');
     assert.equal(await value.inputValue(), "132");
     await ways.locator('[data-style="indirect"]').click();
-    await ways.locator('text="Written: indirect"').waitFor();
+    await ways.locator('text="Call style: indirect"').waitFor();
     await programWhen(page, now => now.includes("CYCLE_PARA("));
     assert.equal(await value.inputValue(), "132");
     await page.locator(".cm-content").focus();

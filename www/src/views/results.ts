@@ -1,4 +1,4 @@
-// What would it do: results, decisions, changes, alarms; beside them problems, motions and the log.
+// Result of a call: values, decisions, changes, alarms; beside them problems, motions and the log.
 
 import { html, render } from "lit-html";
 import type { Actions } from "../desk/actions";

@@ -1,4 +1,4 @@
-// What to measure: a tree of what is measured on which machine, cycles and variants; a search over everything.
+// Measuring task: a tree of what is measured on which machine, cycles and variants; a search over everything.
 
 import type { Actions, Variant } from "../desk/actions";
 import { variantOf } from "../desk/actions";
