@@ -45,32 +45,43 @@ fn causes_and_cures_name_values_with_units() {
     let mut inch = metric.clone();
     inch.active_units = Units::Inch;
     for (values, param, control, text) in [
-        (&[("_SETVAL", "-5")][..], "_SETVAL", &metric, "_SETVAL cannot be -5 mm. Enter more than 0 mm."),
-        (&[("_SETVAL", "-5")], "_SETVAL", &inch, "_SETVAL cannot be -5 inch. Enter more than 0 inch."),
-        (&[("_FA", "0,5")], "_FA", &metric, "0.5 mm is unusual for _FA. Usual is 1 to 100 mm."),
-        (&[("_VMS", "5000")], "_VMS", &metric, "5000 mm/min is unusual"),
+        (&[("_SETVAL", "-5")][..], "_SETVAL", &metric, "_SETVAL cannot be -5\u{a0}mm. Enter a value above 0\u{a0}mm."),
+        (&[("_SETVAL", "-5")], "_SETVAL", &inch, "_SETVAL cannot be -5\u{a0}inch. Enter a value above 0\u{a0}inch."),
+        (&[("_FA", "0,5")], "_FA", &metric, "0.5\u{a0}mm is unusual for _FA. Usual range: 1 to 100\u{a0}mm."),
+        (&[("_VMS", "5000")], "_VMS", &metric, "5000\u{a0}mm/min is unusual"),
         (
             &[("_PRNUM", "101"), ("_CORA", "400")],
             "_CORA",
             &metric,
             "_CORA cannot be 400°. Enter a value from 0 to 360°.",
         ),
-        (&[("_PRNUM", "101")], "_CORA", &metric, "_CORA is not given; the delivered value 0° counts."),
-        (&[("_TUL", "-1"), ("_TLL", "0,5")], "_TUL", &metric, "-1 mm is below the lower one, 0.5 mm. Exchange"),
-        (&[("_TUL", "0,3"), ("_TLL", "-0,3")], "_TDIF", &metric, "0.3 mm, is wider than _TDIF, 0.06 mm"),
-        (&[("_TZL", "0,5")], "_TMV", &metric, "_TZL, 0.5 mm, is larger than _TMV, 0.02 mm"),
-        (&[("_TDIF", "3")], "_TSA", &metric, "_TDIF, 3 mm, is larger than _TSA, 1 mm"),
-        (&[("_SETVAL", "5,5")], "_SETVAL", &metric, "A ball of 6 mm does not fit in."),
-        (&[("_FA", "127")], "_FA", &metric, "only 126 mm of way. Choose _FA below 126 mm."),
+        (&[("_PRNUM", "101")], "_CORA", &metric, "_CORA is not set: the default 0° applies."),
+        (
+            &[("_TUL", "-1"), ("_TLL", "0,5")],
+            "_TUL",
+            &metric,
+            "-1\u{a0}mm, is below the lower tolerance, 0.5\u{a0}mm. Swap",
+        ),
+        (&[("_TUL", "0,3"), ("_TLL", "-0,3")], "_TDIF", &metric, "0.3\u{a0}mm, is larger than _TDIF, 0.06\u{a0}mm"),
+        (&[("_TZL", "0,5")], "_TMV", &metric, "_TZL, 0.5\u{a0}mm, is larger than _TMV, 0.02\u{a0}mm"),
+        (&[("_TDIF", "3")], "_TSA", &metric, "_TDIF, 3\u{a0}mm, is larger than _TSA, 1\u{a0}mm"),
+        (&[("_SETVAL", "5,5")], "_SETVAL", &metric, "The probe ball, 6\u{a0}mm, does not fit inside."),
+        (&[("_FA", "127")], "_FA", &metric, "only 126\u{a0}mm of travel. Reduce _FA below 126\u{a0}mm."),
         (
             &[("_MVAR", "1001"), ("_ID", "-20"), ("_SZA", "140")],
             "_SZA",
             &metric,
-            "The protection zone 140 mm is not smaller than the element, 132 mm. Choose a zone smaller than 120 mm",
+            "The protection zone, 140\u{a0}mm, is not smaller than the element, 132\u{a0}mm. \
+             Reduce the protection zone below 120\u{a0}mm",
         ),
-        (&[("_MVAR", "2"), ("_ID", "20")], "_ID", &metric, "The infeed 20 mm does not lead down"),
-        (&[("_MVAR", "101")], "_KNUM", &metric, "2001 names no zero offset. This is the code of a tool offset."),
-        (&[("_K", "0")], "_K", &metric, "_K cannot be 0. Enter more than 0."),
+        (&[("_MVAR", "2"), ("_ID", "20")], "_ID", &metric, "The infeed, 20\u{a0}mm, does not move the probe down"),
+        (
+            &[("_MVAR", "101")],
+            "_KNUM",
+            &metric,
+            "2001 is not the code of a zero offset. This is the code of a tool offset.",
+        ),
+        (&[("_K", "0")], "_K", &metric, "_K cannot be 0. Enter a value above 0."),
     ] {
         let found = told(values, param, control);
         assert!(found.contains(text), "{values:?}: {found}");

@@ -108,14 +108,14 @@ fn several_calls_with_the_same_value_show_it_and_with_others_say_so() {
     assert_eq!(changed(&text, 0, "_SETVAL", "41"), text.replace("(40)", "(41)"));
     let text = whole("MEASURE(40)\nMEASURE(50)\n", &[("MEASURE", MEASURE)]);
     assert_eq!(setpoint(&sites(&text).1[0]), "_D");
-    assert_eq!(said(&text, 0), "Differs by the way to this call: 40 (3), 50 (4).");
+    assert_eq!(said(&text, 0), "Depends on the path to this call: 40 (3), 50 (4).");
     assert_eq!(changed(&text, 0, "_SETVAL", "41"), text, "which of them, nobody knows");
     // Data that each caller writes: there is no text that says both.
     let hole = format!("{REST}CYCLE977\n");
     let main = "_SETVAL=40\nHOLE\n_SETVAL=50\nHOLE\n";
     let text = whole(main, &[("HOLE", &hole)]);
     assert_eq!(setpoint(&sites(&text).1[0]), "_SETVAL");
-    assert_eq!(said(&text, 0), "Differs by the way to this call: 40 (3), 50 (5).");
+    assert_eq!(said(&text, 0), "Depends on the path to this call: 40 (3), 50 (5).");
     assert_eq!(changed(&text, 0, "_SETVAL", "41"), text);
 }
 
@@ -175,7 +175,7 @@ fn what_a_branch_decides_is_told() {
     };
     let text = way("40", "50");
     assert_eq!(setpoint(&sites(&text).1[0]), "_SETVAL");
-    assert_eq!(said(&text, 0), "Differs by the way to this call: 40 (5), 50 (7).");
+    assert_eq!(said(&text, 0), "Depends on the path to this call: 40 (5), 50 (7).");
     assert_eq!(changed(&text, 0, "_SETVAL", "41"), text);
     let text = way("40", "40");
     assert_eq!(setpoint(&sites(&text).1[0]), "40");
@@ -200,7 +200,7 @@ fn a_loop_brings_back_what_its_end_leaves() {
         ("AGAIN:", "IF R1<5 GOTOB AGAIN"),
     ] {
         let text = around(begin, end);
-        assert_eq!(said(&text, 0), "Differs by the way to this call: 40 (4), 50 (7).", "{text}");
+        assert_eq!(said(&text, 0), "Depends on the path to this call: 40 (4), 50 (7).", "{text}");
     }
     let counted = whole(&format!("{REST}FOR R1=1 TO 3\n_SETVAL=R1*10\nCYCLE977\nENDFOR\n"), &[]);
     assert_eq!(setpoint(&sites(&counted).1[0]), "R1*10");

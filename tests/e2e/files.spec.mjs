@@ -202,7 +202,7 @@ describe("a setup file", () => {
   });
 
   const wrong = {
-    "no JSON": ["x.json", "G0 X0", /x\.json was not opened, it is not a setup: .*line 1 column 1/],
+    "no JSON": ["x.json", "G0 X0", /x\.json was not opened, it is not a setup: .*line 1, column 1/],
     "another schema": [
       "package.json",
       '{ "name": "x", "version": 1 }',

@@ -29,11 +29,11 @@ describe("help", () => {
     assert.equal(fetched.length, 1);
     assert.deepEqual((await headings(page)).slice(0, 6), [
       "What it measures",
-      "Where the probe stands before",
+      "Start position of the probe",
       "Inputs",
-      "What happens in order",
+      "Sequence",
       "What it corrects",
-      "What goes wrong",
+      "What can go wrong",
     ]);
     assert.ok(await page.locator(".panel-form .field").first().isVisible());
     assert.equal(await page.evaluate(() => document.activeElement?.id), "panel-help");

@@ -271,7 +271,7 @@ describe("a long program", () => {
       [...box.querySelectorAll("button")].find(button => button.textContent === "Stop").click();
       return [text, field.value];
     });
-    assert.match(said, /\d %/);
+    assert.match(said, /\d%/);
     assert.equal(typed, "133.5");
     await activity.locator('text="Reading was stopped. The calls of this program are not known."').waitFor();
     const shares = await page.evaluate(() => globalThis.shares);

@@ -120,7 +120,7 @@ describe("first visit", () => {
     await size.locator(".survived").waitFor();
     const [low, high] = (await size.locator(".survived").textContent()).match(/[0-9.]+/g).map(Number);
     assert.ok(low > 0 && high > 0, `${low} ${high}`);
-    assert.equal(await page.locator(".legend").getByText("largest error").count(), 1);
+    assert.equal(await page.locator(".legend").getByText("maximum measurable error").count(), 1);
     await page.getByRole("button", { name: "Limits" }).click();
     await size.locator(".survived").waitFor({ state: "hidden" });
     for (const [error, stops] of [

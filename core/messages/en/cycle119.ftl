@@ -1,35 +1,35 @@
 # CYCLE119: position in space.
 
 cycle119-title = Position in space from three points
-cycle119-help = Computes how a part lies in space from three points that should be somewhere, the reference triangle, and the same points as measured; corrects a frame by shift and rotation, if it is told to.
-cycle119-words = position in space frame three points triangle align alignment plane rotation shift zero offset rigid best fit helper datum work probe probing
-cycle119-position = Frame from three set and three measured points
+cycle119-help = Calculates the position of a part in space from the set and the measured positions of three points. If requested, it corrects a frame by translation and rotation.
+cycle119-words = position in space frame three points triangle align alignment plane rotation shift zero offset rigid best fit helper datum work probe probing set
+cycle119-position = Frame from three set and measured points
 
-check-119-set-line = The three set points lie on one line or upon each other: they do not tell how the part is turned.
-check-119-measured-line = The three measured points lie on one line or upon each other: they do not tell how the part is turned.
-check-119-line-hint = Choose three points that form a wide triangle, and enter them in the same order both times.
+check-119-set-line = The three set points are collinear or coincident: the rotation of the part cannot be calculated.
+check-119-measured-line = The three measured points are collinear or coincident: the rotation of the part cannot be calculated.
+check-119-line-hint = Choose three points that form a wide triangle, and enter both sets in the same order.
 
 param-119-set-x = Set point, 1st geometry axis
-param-119-set-x-help = Where the point should be, X in workpiece coordinates. The first index is the point (0 to 2), the second the axis (0: X, 1: Y, 2: Z).
+param-119-set-x-help = Set position of the point, X in workpiece coordinates. The first index is the point (0 to 2), the second the axis (0: X, 1: Y, 2: Z).
 param-119-set-y = Set point, 2nd geometry axis
-param-119-set-y-help = Where the point should be, Y in workpiece coordinates.
+param-119-set-y-help = Set position of the point, Y in workpiece coordinates.
 param-119-set-z = Set point, 3rd geometry axis
-param-119-set-z-help = Where the point should be, Z in workpiece coordinates.
+param-119-set-z-help = Set position of the point, Z in workpiece coordinates.
 param-119-measured-x = Measured point, 1st geometry axis
-param-119-measured-x-help = Where the same point was measured, X in workpiece coordinates; usually a result such as { "_OVR[5]" } of the measurement before.
+param-119-measured-x-help = Measured position of the same point, X in workpiece coordinates; usually a result of the previous measurement, such as { "_OVR[5]" }.
 param-119-measured-y = Measured point, 2nd geometry axis
-param-119-measured-y-help = Where the same point was measured, Y in workpiece coordinates.
+param-119-measured-y-help = Measured position of the same point, Y in workpiece coordinates.
 param-119-measured-z = Measured point, 3rd geometry axis
-param-119-measured-z-help = Where the same point was measured, Z in workpiece coordinates.
-param-119-limit = Limit of the distortion
-param-119-limit-help = The two triangles never have quite the same shape. The frame is corrected only if the deviations of the three points add up to less than this; otherwise { "_ALARM" } becomes 61414.
-need-119-corrected = A frame is corrected, so that a limit is needed.
+param-119-measured-z-help = Measured position of the same point, Z in workpiece coordinates.
+param-119-limit = Distortion limit
+param-119-limit-help = The two triangles never match exactly. The cycle corrects the frame only if the sum of the deviations of the three points is less than this limit; otherwise { "_ALARM" } is 61414.
+need-119-corrected = Correcting a frame requires a limit.
 
-result-119-alarm = 0, or the number of the alarm that says why there is no frame
-result-119-distortion = Sum of the deviations of the three points; below 0: no frame was computed
-result-119-frame-x = Frame that brings the measured triangle into the set position, chained to the active one: translation X
-result-119-frame-y = The same frame: translation Y
-result-119-frame-z = The same frame: translation Z
-result-119-turn-x = The same frame: rotation about X
-result-119-turn-y = The same frame: rotation about Y
-result-119-turn-z = The same frame: rotation about Z
+result-119-alarm = 0, or alarm number if no frame
+result-119-distortion = Sum of the three deviations; below 0: no frame
+result-119-frame-x = Frame (chained to the active one) that moves the measured triangle to the set position: translation X
+result-119-frame-y = Result frame: translation Y
+result-119-frame-z = Result frame: translation Z
+result-119-turn-x = Result frame: rotation about X
+result-119-turn-y = Result frame: rotation about Y
+result-119-turn-z = Result frame: rotation about Z

@@ -1,8 +1,8 @@
 # CYCLE978: titles, search words, variants.
 
 cycle978-title = Surface
-cycle978-help = Measures one point of a surface that lies across an axis. The probe stands opposite, further away than the measuring path; the side on which it stands decides the direction.
-cycle978-words = measure workpiece surface face edge plane wall point position single touch tool offset wear zero offset ZO paraxial differential probe probing pick up off finder datum work
+cycle978-help = Measures one point of a surface perpendicular to an axis. The probe is opposite the surface, further away than the measuring path; the side on which it is positioned determines the direction.
+cycle978-words = measure workpiece surface face edge plane wall point position single touch tool offset wear zero offset ZO paraxial differential probe probing pick up off finder datum work set
 cycle978-each-words = one point edge face
 
 cycle978-tool = Surface: correct a tool

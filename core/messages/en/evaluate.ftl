@@ -1,26 +1,26 @@
 # Decisions of a measuring cycle after measuring. Numbers in mm.
-evaluate-safe-area = Difference { $difference } mm exceeds the safe area: nothing is corrected, the program stops.
+evaluate-safe-area = Difference { $difference } mm exceeds the safe area: nothing is corrected, the program stops.
 evaluate-safe-area-angle = Difference { $difference }° exceeds the safe area: nothing is corrected, the program stops.
-evaluate-difference = Difference { $difference } mm exceeds the permissible dimensional difference: nothing is corrected, the program goes on.
-evaluate-oversize = Difference { $difference } mm is above the upper tolerance: the whole difference is corrected, the mean value begins again.
-evaluate-undersize = Difference { $difference } mm is below the lower tolerance: the whole difference is corrected, the mean value begins again.
-evaluate-whole = Difference { $difference } mm is within tolerance, but beyond the range of the mean value: the whole difference is corrected, the mean value begins again.
-evaluate-mean = Difference { $difference } mm gives the mean value { $mean } mm, which exceeds the zero offset area: the mean value is corrected and begins again.
-evaluate-small = Difference { $difference } mm gives the mean value { $mean } mm, which stays within the zero offset area: nothing is corrected.
-evaluate-kept = No more than { $limit } mm (_TZL) from what is stored, and therefore kept: { $data }.
-evaluate-repeat = Measured again after a violated limit, repetition { $count } of 4.
+evaluate-difference = Difference { $difference } mm exceeds the permissible dimensional difference: nothing is corrected, the program continues.
+evaluate-oversize = Difference { $difference } mm is above the upper tolerance: the whole difference is corrected and the mean value restarts.
+evaluate-undersize = Difference { $difference } mm is below the lower tolerance: the whole difference is corrected and the mean value restarts.
+evaluate-whole = Difference { $difference } mm is within tolerance but outside the range of the mean value: the whole difference is corrected and the mean value restarts.
+evaluate-mean = Difference { $difference } mm gives mean value { $mean } mm, which exceeds the zero compensation area: the mean value is corrected and restarts.
+evaluate-small = Difference { $difference } mm gives mean value { $mean } mm, which is within the zero compensation area: nothing is corrected.
+evaluate-kept = At most { $limit } mm (_TZL) from the stored value and therefore unchanged: { $data }.
+evaluate-repeat = Measured again because a limit was exceeded, repetition { $count } of 4.
 evaluate-halt = Programmed stop (M0): the operator continues with NC START.
-evaluate-activated = The corrected frame is active at once.
-evaluate-not-activated = The corrected frame becomes active when the program calls it again (G54, G500 …).
-evaluate-distortion = The measured triangle differs from the set one by { $distortion } mm; below { $limit } mm the frame is corrected.
-evaluate-handed-back = There is no result: { $name } becomes { $alarm }, and the program goes on.
-evaluate-tool-small = Difference { $difference } mm is no more than the zero offset area, { $limit } mm: nothing is corrected.
-evaluate-tool-geometry = Difference { $difference } mm is corrected: the geometry takes all of it, the wear is erased.
-evaluate-tool-wear = Difference { $difference } mm is corrected in the wear.
-evaluate-compensation-make = The table of this make of probe (_TP_CF = { $make }) is inside of the control and in no manual: nothing is taken off here. A table of your own in _MT_EC_R and _MT_EC_L, with _MT_COMP = 2, is.
-evaluate-compensation = The table { $table } takes { $amount } mm off the measured value.
+evaluate-activated = The corrected frame is active immediately.
+evaluate-not-activated = The corrected frame becomes active when the program programs it again (G54, G500 …).
+evaluate-distortion = The measured triangle differs from the setpoint triangle by { $distortion } mm; the frame is corrected below { $limit } mm.
+evaluate-handed-back = There is no result: { $name } is set to { $alarm } and the program continues.
+evaluate-tool-small = Difference { $difference } mm does not exceed the zero compensation area, { $limit } mm: nothing is corrected.
+evaluate-tool-geometry = Difference { $difference } mm is corrected: the geometry receives the whole difference, the wear is deleted.
+evaluate-tool-wear = Difference { $difference } mm is corrected in the wear.
+evaluate-compensation-make = The table of this probe make (_TP_CF = { $make }) is inside the control and in no manual: it is not applied here. Your own table in _MT_EC_R and _MT_EC_L, with _MT_COMP = 2, is applied.
+evaluate-compensation = Table { $table } subtracts { $amount } mm from the measured value.
 evaluate-screen = The control shows the measuring result screen until the cycle ends.
-evaluate-screen-stays = The control shows the measuring result screen until the next measuring cycle is called; the program goes on.
+evaluate-screen-stays = The control shows the measuring result screen until the next measuring cycle is called; the program continues.
 evaluate-screen-halt = The control shows the measuring result screen. Programmed stop (M0): the operator continues with NC START.
 # What a call does with data of the machine before it measures.
 check-erases = _CBIT[13]=1: this call first sets _TP[], _TPW[], _WP[], _KB[], _EV[], _MV[] and the bit itself to 0.
@@ -29,7 +29,7 @@ check-converts = { $bit } does not agree with the basic system of the machine (M
         [1] from inch to mm
        *[other] from mm to inch
     }.
-check-converts-hint = Where the data are right as they are, set { $bit } to { $value } before the call.
+check-converts-hint = If the data are already correct, set { $bit } to { $value } before the call.
 evaluate-erased = _CBIT[13]=1: _TP[], _TPW[], _WP[], _KB[], _EV[], _MV[] and the bit itself are now 0.
 evaluate-converted = { $bit } did not agree with the basic system of the machine: { $data } are converted { $value ->
         [1] from inch to mm

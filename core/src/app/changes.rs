@@ -177,8 +177,8 @@ mod tests {
             (Dialect::Sinumerik, "$P_CHBFR[0,Y,TR]", "$P_CHBFR[0], Y coarse"),
             (Dialect::Sinumerik, "$P_UIFR[1,X,SC]", "$P_UIFR[1,X,SC]"),
             (Dialect::Sinumerik, "_MV[9]", "Mean value memory 10"),
-            (Dialect::Sinumerik, "_WP[2,4]", "Probe 3, trigger value ordinate plus"),
-            (Dialect::Sinumerik, "_TPW[0,3]", "Trigger point, second axis plus"),
+            (Dialect::Sinumerik, "_WP[2,4]", "Probe 3, trigger point ordinate plus"),
+            (Dialect::Sinumerik, "_TPW[0,3]", "Trigger point, 2nd axis plus"),
             (Dialect::Nct, "G54 X", "G54, X"),
             (Dialect::Nct, "DW12", "Register 12, radius wear"),
         ] {

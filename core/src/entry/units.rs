@@ -49,6 +49,6 @@ pub fn unit_behind(unit: Unit, control: &Control) -> String {
     match unit_name(unit, control) {
         "" => String::new(),
         "deg" => "°".to_owned(),
-        name => format!(" {name}"),
+        name => format!("\u{a0}{name}"), // not broken from its value
     }
 }

@@ -249,7 +249,7 @@ fn allowed(setting: &Setting, number: f64) -> Result<(), Refusal> {
     };
     let unit = match setting.unit {
         "" => String::new(),
-        unit => format!(" {unit}"),
+        unit => format!("\u{a0}{unit}"),
     };
     let message = Message::new("check-range").text("param", &setting.name).number("value", number).text("unit", &unit);
     let hint = hint.number("min", range.min).number("max", range.max);

@@ -62,7 +62,7 @@ pub fn setup(shape: Shape, position: [f64; 3]) -> Setup {
     setup
 }
 
-/// Calibrated in another plane (B:13658-13667).
+/// Calibrate in another plane (B:13658-13667).
 pub const OTHER_PLANE: Case = Case { code: Code::Alarm(61341), change: "_WP[0,9]=18", prepare: |_| () };
 
 /// The cases that the cycles with tool offset share.

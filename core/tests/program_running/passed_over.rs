@@ -165,7 +165,7 @@ fn a_parameter_of_the_program_that_is_run_is_told_as_one() {
     for use_it in ["R1=DEPTH", "DEPTH=5", "G0 Z=DEPTH"] {
         let outcome = go(&format!("PROC BORE(INT N=3, REAL DEPTH)\n{use_it}\nM30"));
         let said = Words::english().text(&outcome.diagnostics[0].message);
-        let wanted = "DEPTH is a parameter of PROC BORE; nothing gives it a value here.";
+        let wanted = "DEPTH is a parameter of PROC BORE and has no value here.";
         assert_eq!(said, wanted, "{use_it}");
     }
     assert_eq!(number("PROC BORE(INT N=3, REAL DEPTH)\nR1=N\nM30", "R1"), 3.0);
@@ -186,7 +186,7 @@ fn a_tool_that_is_not_there_is_told_as_that_whatever_is_asked_of_it() {
         "R1=$TC_DP1[5,1]", "R1=$TC_DP6[5,1]", "R1=$TC_DP15[5,2]", "DEF STRING[20] N=$TC_TP2[5]", "T5 M6", "T5 D1 M6",
         "T=\"5\" M6",
     ] {
-        assert_eq!(said(text), "Tool 5 is not there.", "{text}");
+        assert_eq!(said(text), "Tool 5 does not exist.", "{text}");
     }
     assert_eq!(said("R1=$TC_DP6[9,7]"), "Tool 9 has no D7.");
     assert_eq!(said("T9 D7 M6"), "Tool 9 has no D7.");

@@ -50,8 +50,8 @@ fn explain_knows_cycles_variants_data_and_alarms() {
     let variant = explained(&["CYCLE977", "101"]);
     for part in [
         "CYCLE977 101: Hole: correct a zero offset\n",
-        "\nWhere the probe stands before\n  ",
-        "To be given: _SETVAL, _KNUM.\n",
+        "\nStart position of the probe\n  ",
+        "Inputs: _SETVAL, _KNUM.\n",
         "(Measuring Cycles 04/2006, 5.4.2)\n",
     ] {
         assert!(variant.contains(part), "{part}: {variant}");
@@ -64,8 +64,8 @@ fn explain_knows_cycles_variants_data_and_alarms() {
     assert!(result.contains("CYCLE977") && !result.contains("_OVR[5]"), "{result}");
     let finding = explained(&["pw135"]);
     assert!(
-        finding.starts_with("PW135: No call of this program calibrates probe …: ")
-            && finding.contains("\n  Check that the probe was calibrated"),
+        finding.starts_with("PW135: This program does not calibrate probe …: ")
+            && finding.contains("\n  Calibrate the probe on this machine first"),
         "{finding}"
     );
     let both = explained(&["PW137"]);

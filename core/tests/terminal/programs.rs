@@ -107,13 +107,13 @@ fn the_last_line_of_a_run_names_what_it_passed_over() {
         ("G0 X1\nM2\n", "The program ran to its end.", true, 0),
         (
             "G0 X1\nL105\nM2\n",
-            "The program ran to its end, but without: L105 (2). The line stands in brackets.",
+            "The program ran to its end, but without: L105 (2). Line numbers are in brackets.",
             true,
             1,
         ),
         (
             "_FA=1e-09\nR1=_FA\nM2\n",
-            "The program stopped in line 2; passed over before: _FA=1e-09 (1). The line stands in brackets.",
+            "The program stopped in line 2; skipped before that: _FA=1e-09 (1). Line numbers are in brackets.",
             false,
             1,
         ),
@@ -222,10 +222,10 @@ fn a_program_runs_without_a_setup_and_what_is_assumed_is_told() {
     let output = probewright(&["run", &path]);
     assert!(output.status.success(), "{}{}", out(&output), err(&output));
     for part in [
-        "No machine was given. Assumed is a milling machine with a SINUMERIK control",
-        "T1 \"TASTER\" D1 was not known. Assumed is a calibrated probe: L1 50 mm, radius 3 mm.",
-        "T20 D1 was not known. Assumed is an end mill",
-        "Line 8, CYCLE977: the part that the values describe stands at X180 Y130 Z",
+        "No machine was specified. Assumed: a milling machine with a SINUMERIK control",
+        "T1 \"TASTER\" D1 is not known. Assumed: a calibrated probe with L1 50\u{a0}mm, radius 3\u{a0}mm.",
+        "T20 D1 is not known. Assumed: an end mill",
+        "Line 8, CYCLE977: the part described by the values is at X180 Y130 Z",
         "_OVR[4] = 132 mm",
     ] {
         assert!(out(&output).contains(part), "{part}: {}", out(&output));
@@ -259,11 +259,6 @@ fn what_is_assumed_fits_every_call() {
     for (path, parts) in [(&sinumerik, 4), (&nct, 1)] {
         let output = probewright(&["run", path]);
         assert!(output.status.success(), "{}{}", out(&output), err(&output));
-        assert_eq!(
-            out(&output).matches("the part that the values describe stands at").count(),
-            parts,
-            "{}",
-            out(&output)
-        );
+        assert_eq!(out(&output).matches("the part described by the values is at").count(), parts, "{}", out(&output));
     }
 }

@@ -61,7 +61,7 @@ fn what_is_no_program_is_refused() {
     let picture = file("part.png", b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR");
     let noise: Vec<u8> = (0..100_000u32).map(|i| (i.wrapping_mul(2_654_435_761) >> 13) as u8).collect();
     let noise = file("noise.bin", &noise);
-    for (path, why) in [(&picture, "it is a picture"), (&noise, "it holds no text")] {
+    for (path, why) in [(&picture, "it is a picture"), (&noise, "it contains no text")] {
         for arguments in [&["check", path][..], &["read", path], &["run", path, "--setup", &example_setup()]] {
             let output = probewright(arguments);
             assert_eq!(output.status.code(), Some(2), "{arguments:?}");
@@ -94,7 +94,7 @@ fn a_wrong_setup_is_told_with_its_place_in_the_language_asked() {
     let program = file("for_wrong_setup.mpf", b"M30\n");
     let setup = file("wrong.json", b"{\n\"control\": \"nct\",\n\"probe\": {\"radius\": 0, \"length\": 50}\n}");
     for (language, told) in [
-        ("en", ":3:21: probe.radius is 0; allowed: more than 0, at most 1000000."),
+        ("en", ":3:21: probe.radius is 0; permitted: more than 0, at most 1000000."),
         ("zh", ":3:21: probe.radius 为 0；允许：大于 0，不超过 1000000。"),
     ] {
         let output = probewright(&["--lang", language, "run", &program, "--setup", &setup]);

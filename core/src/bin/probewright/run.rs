@@ -116,7 +116,7 @@ fn print_results(path: &Path, outcome: &Outcome, words: &Words, out: &mut dyn Wr
     for left in outcome.left() {
         let measured = left.results.iter().filter(|(field, _)| field.unit != Unit::None);
         let lines = measured.map(|(field, value)| {
-            let unit = unit_behind(field.unit, &outcome.control);
+            let unit = unit_behind(field.unit, &outcome.control).replace('\u{a0}', " "); // searched with plain blanks
             let meaning = words.text(&Message::new(field.key));
             format!("  {} = {}{unit}  {meaning}", field.name, rounded(*value))
         });

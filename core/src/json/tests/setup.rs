@@ -44,7 +44,7 @@ fn what_the_machine_can_do_is_read_and_written() {
 #[test]
 fn a_slip_in_a_setup_is_told() {
     for (text, part) in [
-        ("", "expected"),
+        ("", "ends before the JSON is complete"),
         ("{\"control\":\"fanuc\",\"probe\":{\"radius\":3,\"length\":50}}", "fanuc"),
         ("{\"control\":\"nct\",\"prope\":1}", "prope"),
         (
@@ -71,16 +71,16 @@ fn wrong(line: &str) -> String {
 #[test]
 fn an_error_of_a_setup_names_the_member_and_its_place() {
     for (line, path, column, english, chinese) in [
-        (
-            r#""position": [0, "x", 0],"#,
-            "position[1]",
-            17,
-            "a number is expected here, not a text",
-            "应为数字，而不是文本",
-        ),
+        (r#""position": [0, "x", 0],"#, "position[1]", 17, "expected a number, found a text", "应为数字，而不是文本"),
         (r#""position": [0, 0],"#, "position", 13, "has 2 values", "有 2 个值"),
-        (r#""prope": 1,"#, "prope", 10, "no member prope; known here: control, units", "没有成员 prope"),
-        (r#""tools": {"0": {"edges": {}}, "x": {}},"#, "tools.x", 36, "named by whole numbers", "以整数命名"),
+        (r#""prope": 1,"#, "prope", 10, "Member prope does not exist; known members: control, units", "没有成员 prope"),
+        (
+            r#""tools": {"0": {"edges": {}}, "x": {}},"#,
+            "tools.x",
+            36,
+            "member names must be whole numbers",
+            "以整数命名",
+        ),
         (r#""tools": {"0": {"edges": {"1": {}}}},"#, "tools.0.edges.1.type", 32, "is missing", "缺少"),
         (
             r#""tools": {"0": {"edges": {"1": {"type": 1.5}}}},"#,
@@ -90,23 +90,23 @@ fn an_error_of_a_setup_names_the_member_and_its_place() {
             "应为整数",
         ),
         (r#""skip": [1, 300],"#, "skip[1]", 13, "cannot be 300", "不能是 300"),
-        (r#""plane": "G20","#, "plane", 10, "“G20”; allowed: G17, G18, G19", "允许：G17, G18, G19"),
+        (r#""plane": "G20","#, "plane", 10, "“G20”; permitted: G17, G18, G19", "允许：G17, G18, G19"),
         (r##""data": {"#500": true},"##, "data.#500", 18, "a number or a text", "数字或文本"),
         (
             r#""workpiece": [{"shape": "web", "size": [1, 2], "at": [0, 0, 0]}],"#,
             "workpiece[0].size",
             40,
-            "Web takes 3",
+            "Web needs 3",
             "凸台需要 3",
         ),
         (
             r#""position": [0, 2e6, 0],"#,
             "position",
             13,
-            "2000000; allowed: -1000000 to 1000000",
+            "2000000; permitted: -1000000 to 1000000",
             "允许：-1000000 至 1000000",
         ),
-        (r#""units": "mm", "名": 1, "units": "mm","#, "units", 30, "stands there twice", "出现了两次"),
+        (r#""units": "mm", "名": 1, "units": "mm","#, "units", 30, "occurs twice", "出现了两次"),
     ] {
         let refused = setup_from_json(&wrong(line)).unwrap_err();
         assert_eq!((refused.path.to_string().as_str(), refused.position), (path, Some((3, column))), "{line}");
@@ -116,7 +116,7 @@ fn an_error_of_a_setup_names_the_member_and_its_place() {
         }
     }
     for (text, position, part) in
-        [("{\n", (2, 1), "ends"), ("{\"control\": nct}", (1, 14), "no JSON"), ("[]", (1, 1), "an object")]
+        [("{\n", (2, 1), "ends"), ("{\"control\": nct}", (1, 14), "not valid JSON"), ("[]", (1, 1), "an object")]
     {
         let refused = setup_from_json(text).unwrap_err();
         assert_eq!(refused.position, Some(position), "{text}");

@@ -23,7 +23,7 @@ const BESIDE: f64 = 14.0;
 pub struct Real {
     /// Where it is, mm.
     pub corner: Point,
-    /// Angle of the reference edge to the abscissa, degree.
+    /// Reference edge to abscissa, degree.
     pub edge: f64,
     /// From there to the second edge.
     pub opening: f64,

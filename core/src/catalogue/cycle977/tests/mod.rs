@@ -19,7 +19,7 @@ use crate::workpiece::Solid;
 use proptest::prelude::*;
 
 const PLANES: [Plane; 3] = [Plane::G17, Plane::G18, Plane::G19];
-/// Set centre, abscissa and ordinate.
+/// Setpoint centre, abscissa and ordinate.
 pub(super) const CENTRE: [f64; 2] = [40.0, -25.0];
 /// Set sizes.
 pub(super) const SIZE: [f64; 2] = [60.0, 44.0];

@@ -19,9 +19,9 @@ use crate::workpiece::Solid;
 use proptest::prelude::*;
 
 const PLANES: [Plane; 3] = [Plane::G17, Plane::G18, Plane::G19];
-/// Set centre, abscissa and ordinate.
+/// Setpoint centre, abscissa and ordinate.
 pub(super) const CENTRE: [f64; 2] = [40.0, -25.0];
-/// Set diameter or width.
+/// Setpoint diameter or width.
 pub(super) const SIZE: f64 = 60.0;
 /// Height of the ball centre while measuring; the upper face stands at 0.
 pub(super) const HEIGHT: f64 = -10.0;

@@ -20,7 +20,7 @@ use proptest::prelude::*;
 const PLANES: [Plane; 3] = [Plane::G17, Plane::G18, Plane::G19];
 /// Set centres: abscissa, ordinate, applicate.
 pub(super) const CENTRES: [[f64; 3]; 3] = [[100.0, 60.0, 20.0], [260.0, 90.0, 20.0], [180.0, 240.0, 20.0]];
-/// Set diameter.
+/// Setpoint diameter.
 const SIZE: f64 = 50.0;
 /// Radius of the ball.
 const BALL: f64 = 3.0;
