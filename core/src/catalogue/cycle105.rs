@@ -14,7 +14,7 @@ pub static CYCLE105: Cycle = Cycle {
         Variant { number: 0, key: "log-job-values", source: "B:11241" },
         Variant { number: 1, key: "log-job-header", source: "B:11242" },
     ],
-    lists: &[logging::call("CYCLE105", &[Arg::Param(JOB.name)], "B:11235-11242")],
+    lists: &[ArgumentList::direct("CYCLE105", &[Arg::Param(JOB.name)], "B:11235-11242")],
     params: log_params!(
         Param { key: "log-job", example: "0", source: "B:11235-11242", ..JOB };
         header HEADER;

@@ -14,7 +14,7 @@ pub static CYCLE106: Cycle = Cycle {
         Variant { number: 1, key: "log-job-header", source: "B:11250" },
         Variant { number: 2, key: "log-job-values", source: "B:11251" },
     ],
-    lists: &[logging::call("CYCLE106", &[Arg::Param(JOB.name)], "B:11244-11253")],
+    lists: &[ArgumentList::direct("CYCLE106", &[Arg::Param(JOB.name)], "B:11244-11253")],
     params: log_params!(
         Param { key: "log-job", example: "2", alarm: Some(Code::Alarm(61360)), source: "B:11244-11253", ..JOB },
         params::FILE;

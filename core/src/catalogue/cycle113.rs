@@ -15,7 +15,7 @@ pub static CYCLE113: Cycle = Cycle {
         Variant { number: 1, key: "cycle113-date", source: "B:11258;A:12576" },
         Variant { number: 2, key: "cycle113-time", source: "B:11259;A:12577" },
     ],
-    lists: &[logging::call("CYCLE113", &[Arg::Param(JOB.name), Arg::Output("PAR2")], "B:11255")],
+    lists: &[ArgumentList::direct("CYCLE113", &[Arg::Param(JOB.name), Arg::Output("PAR2")], "B:11255")],
     params: &[Param { key: "113-job", example: "1", source: "B:11258-11259", ..JOB }],
     results: &[integer("PAR2", "result-113-text", When::Always, "B:11260")],
     help: Help::new(&[&[

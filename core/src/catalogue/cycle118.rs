@@ -28,7 +28,7 @@ pub static CYCLE118: Cycle = Cycle {
     name: "CYCLE118",
     key: "cycle118",
     variants: &[Variant { number: 0, key: "cycle118-format", source: "B:11262;A:12580" }],
-    lists: &[logging::call(
+    lists: &[ArgumentList::direct(
         "CYCLE118",
         &[Arg::Param(NUMBER), Arg::Param(DECIMALS), Arg::Output("PAR3"), Arg::Param(COUNT), Arg::Param(REGISTER)],
         "B:11262",

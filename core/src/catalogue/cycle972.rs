@@ -9,12 +9,12 @@ use crate::catalogue::cycle982::params::{ABSCISSA, ORDINATE};
 use crate::catalogue::cycle982::{picture, propose, simulate as measuring};
 use crate::catalogue::sinumerik::alarm;
 use crate::catalogue::tool_probe::{ProbeData, checks as about, params as shared, turning};
-use crate::catalogue::{common, shared_checks, tool_probe};
-use crate::control::{Control, MachineSort};
+use crate::catalogue::{common, older, shared_checks, tool_probe};
+use crate::control::Control;
 use crate::diagnostic::Diagnostic;
 use crate::entry::{
-    Arg, ArgumentList, Cycle, Drawing, Help, HelpLine, Inputs, Kind, Param, ProbeUse, Purpose, ResultField, Simulation,
-    Style, Variant, When, before, corrects, measures, names, order, wrong,
+    Cycle, Drawing, Help, HelpLine, Inputs, Kind, Param, ProbeUse, Purpose, ResultField, Simulation, Variant, When,
+    before, corrects, measures, names, order, wrong,
 };
 use crate::machine::{Machine, Stop};
 
@@ -35,8 +35,9 @@ pub static CYCLE972: Cycle = Cycle {
     key: "cycle972",
     variants: VARIANTS,
     params: PARAMS,
-    purpose: Purpose { probe: ProbeUse::Tool, machine: MachineSort::Turning, calibrates: CALIBRATE, tasks: &[] },
-    lists: LISTS,
+    purpose: Purpose { probe: ProbeUse::Tool, calibrates: CALIBRATE, ..Purpose::TURNING },
+    // in the list of newer controls CYCLE972 is not known to us
+    lists: &[older::CYCLE972_CALIBRATION, older::CYCLE972],
     settings: &[
         "_TP", "_CVAL[0]", "_SPEED", "_EVMVNUM[0]", "_CBIT[0]", "_CBIT[1]", "_CHBIT[2]", "_CHBIT[3]", "_CHBIT[5]",
         "_CHBIT[15]", "_CHBIT[16]", "_CHBIT[17]",
@@ -83,32 +84,6 @@ const PARAMS: &[Param] = &[
     Param { needs: &[optional(MEASURE, "need-memory-empirical")], ..shared::EVNUM },
     Param { example: "0.001", ..shared::TZL },
     Param { needs: &[optional(MEASURE, "need-default")], example: "0.8", ..shared::TDIF },
-];
-
-/// The parameterizing calls (B:11755-11772, B:11881-11888). In the list of newer controls CYCLE972 is not known to us.
-const LISTS: &[ArgumentList] = &[
-    ArgumentList {
-        style: Style::Indirect,
-        name: "CYCLE_CAL_TOOLSETTER",
-        when: CALIBRATE,
-        base: 0,
-        args: &[
-            Arg::Is(972),
-            Arg::Param(names::MA),
-            Arg::Param(names::PRNUM),
-            Arg::Select(&[(0, 0), (1, 0)]), // counts for CYCLE971 only
-            Arg::Param(names::FA),
-        ],
-        source: "B:11767-11772;A:13108-13112",
-    },
-    ArgumentList {
-        style: Style::Indirect,
-        name: "CYCLE_972",
-        when: MEASURE,
-        base: 1,
-        args: &[Arg::Param(names::MA), Arg::Param(names::PRNUM)],
-        source: "B:11887-11888;A:13231-13232",
-    },
 ];
 
 const CALIBRATED_ABSCISSA: When = When::All(&[CALIBRATE, ABSCISSA]);

@@ -2,7 +2,7 @@
 //! has no `_MVAR`, selections add up to the number of the variant.
 
 use super::common::args::*;
-use super::{cycle961, cycle973, cycle976, cycle979};
+use super::{cycle961, cycle971, cycle973, cycle976, cycle979};
 use crate::entry::Arg::{Down, Is, Open, Select};
 use crate::entry::{Arg, ArgumentList, Style, When, mvar, names};
 
@@ -131,3 +131,29 @@ pub const CYCLE994: ArgumentList = list(
 
 pub const CYCLE998: ArgumentList =
     list("CYCLE_998", When::Always, &[MVAR, SETVAL, ID, RA, MA, KNUM, STA1, PRNUM], "B:12008-12015;A:13350-13357");
+
+/// Calibrating the tool probe of a milling machine, in the machine (B:11755-11772).
+pub const CYCLE971_CALIBRATION: ArgumentList =
+    calibration(When::Variant(&[0, 10_000]), &[Is(971), MA, PRNUM, Select(&[(0, 0), (1, 10_000)]), FA]);
+
+/// CYCLE971 (B:11856-11879). The speeds and feeds `_MFS[]` are printed the other way round than the data are defined
+/// (B:13515-13520), which count.
+pub const CYCLE971: ArgumentList = list(
+    "CYCLE_971",
+    cycle971::params::MEASURE,
+    &[MVAR, MA, ID, PRNUM, MFS0, MFS1, MFS2, MFS3, MFS4, MFS5],
+    "B:11870-11879;A:13210-13219",
+);
+
+/// Calibrating the tool probe of a turning machine (B:11755-11772); the selection counts for CYCLE971 only.
+pub const CYCLE972_CALIBRATION: ArgumentList =
+    calibration(When::Variant(&[0]), &[Is(972), MA, PRNUM, Select(&[(0, 0), (1, 0)]), FA]);
+
+/// CYCLE972 (B:11881-11888).
+pub const CYCLE972: ArgumentList =
+    ArgumentList { base: 1, ..list("CYCLE_972", When::Variant(&[1]), &[MA, PRNUM], "B:11887-11888;A:13231-13232") };
+
+/// A call that calibrates a tool probe.
+const fn calibration(when: When, args: &'static [Arg]) -> ArgumentList {
+    list("CYCLE_CAL_TOOLSETTER", when, args, "B:11767-11772;A:13108-13112")
+}

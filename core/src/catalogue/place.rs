@@ -26,6 +26,13 @@ pub fn in_plane(control: &Control, point: [f64; 3]) -> [f64; 3] {
     xyz
 }
 
+/// The direction of a geometry axis, or of an axis of the plane, of length 1.
+pub fn unit(axis: usize) -> [f64; 3] {
+    let mut unit = [0.0; 3];
+    unit[axis] = 1.0;
+    unit
+}
+
 /// On which side of a part the probe stands: +1 on the plus side of the applicate, -1 where its body lies on the minus
 /// side, as that of a turning machine's probe with cutting edge position 5 or 6.
 pub fn side(control: &Control) -> f64 {
@@ -103,7 +110,7 @@ pub fn proposal(part: Solid, start: [f64; 3]) -> Proposal {
 /// The tool that `_KNUM` and `_TNUM` or `_TNAME` name, as an end mill of 20 mm; none without a tool offset.
 pub fn corrected_tools(inputs: &Inputs) -> Vec<ProposedTool> {
     let code = knum::tool(inputs.integer(names::KNUM), inputs.five_digit_edges);
-    let (number, name) = (inputs.or_zero(names::TNUM) as i64, inputs.text(names::TNAME));
+    let (number, name) = (inputs.number(names::TNUM) as i64, inputs.text(names::TNAME));
     let tool = match (number, name) {
         (0, "") => return Vec::new(),
         (0, _) => NAMED,

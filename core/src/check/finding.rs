@@ -14,6 +14,11 @@ pub fn refused(alarm: u32, key: &'static str, at: Name) -> Diagnostic {
     error(Code::Alarm(alarm), Message::new(key)).hint(Message::new(format!("{key}-hint"))).at(at)
 }
 
+/// What an alarm of the control announces at a parameter, without stopping; words as of [`refused`].
+pub fn doubted(alarm: u32, key: &'static str, at: Name) -> Diagnostic {
+    Diagnostic { severity: Severity::Warning, ..refused(alarm, key, at) }
+}
+
 /// A colleague would ask.
 pub fn warning(code: Code, message: Message) -> Diagnostic {
     Diagnostic::new(Severity::Warning, code, message)

@@ -59,15 +59,9 @@ impl Inputs {
         }
     }
 
-    /// Number of a parameter that the call uses; 0 where it is left open.
+    /// Number of a parameter that the entry has; 0 where it is left open, and where this variant does not use it.
     #[track_caller]
     pub fn number(&self, name: Name) -> f64 {
-        self.or_zero(name)
-    }
-
-    /// Number of a parameter that the entry has; 0 also where this variant does not use it.
-    #[track_caller]
-    pub fn or_zero(&self, name: Name) -> f64 {
         self.given(name).unwrap_or(0.0)
     }
 

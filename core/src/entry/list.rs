@@ -74,6 +74,11 @@ pub const AUXILIARY_ARGS: &[Name] = &[
 ];
 
 impl ArgumentList {
+    /// A call with arguments beside or instead of assignments, of every variant.
+    pub const fn direct(name: &'static str, args: &'static [Arg], source: &'static str) -> ArgumentList {
+        ArgumentList { style: Style::Direct, name, when: When::Always, base: 0, args, source }
+    }
+
     /// Whether calls are written with it, or only read.
     pub fn is_written(&self) -> bool {
         !matches!(self.when, When::Any([]))

@@ -69,9 +69,9 @@ impl When {
             When::Always => true,
             When::Variant(numbers) => numbers.contains(&inputs.variant),
             When::Digit { param, place, is } => is.contains(&digit(inputs, *param, *place)),
-            When::Given(param) => inputs.or_zero(*param) != 0.0 || !inputs.text(*param).is_empty(),
-            When::Number { param, is } => is.contains(&inputs.or_zero(*param)),
-            When::Above { param, than } => inputs.or_zero(*param) > *than,
+            When::Given(param) => inputs.number(*param) != 0.0 || !inputs.text(*param).is_empty(),
+            When::Number { param, is } => is.contains(&inputs.number(*param)),
+            When::Above { param, than } => inputs.number(*param) > *than,
             When::Setting { name, is } => is.contains(&inputs.settings.get(name).copied().unwrap_or(0.0)),
             When::ToolType(from, to) => (*from..=*to).contains(&inputs.tool_type),
             When::Plane(plane) => inputs.plane == *plane,
@@ -111,7 +111,7 @@ fn decided(conditions: &[When], inputs: &Inputs, decisive: bool) -> Option<bool>
 /// One digit; those of `_KNUM` above its D number move by two where D numbers take five digits (B:2009).
 fn digit(inputs: &Inputs, name: Name, place: i64) -> i64 {
     let kind = inputs.cycle.params.iter().find(|param| param.name == name).map(|param| &param.kind);
-    let number = inputs.or_zero(name) as i64;
+    let number = inputs.number(name) as i64;
     match kind {
         Some(Kind::Variant(_)) => inputs.variant / place % 10,
         Some(Kind::Knum) if inputs.five_digit_edges && place >= 1000 => number / (place * 100) % 10,

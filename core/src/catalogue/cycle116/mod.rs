@@ -1,7 +1,6 @@
 //! CYCLE116: centre and radius of a circle through points that the program has (B:2408-2469). It measures nothing; a
 //! program calls it with variables of its own.
 
-mod help;
 mod params;
 mod simulate;
 #[cfg(test)]
@@ -12,10 +11,7 @@ use super::spread;
 use crate::check::refused;
 use crate::control::{Control, MachineSort};
 use crate::diagnostic::Diagnostic;
-use crate::entry::{
-    Arg, ArgumentList, Cycle, Drawing, Help, Inputs, NEVER, ProbeUse, Proposal, Purpose, Simulation, Style, Variant,
-    When,
-};
+use crate::entry::*;
 use crate::evaluate;
 use crate::geometry::fit;
 use crate::name::Name;
@@ -28,15 +24,8 @@ pub static CYCLE116: Cycle = Cycle {
     name: "CYCLE116",
     key: "cycle116",
     variants: &[Variant { number: 0, key: "cycle116-circle", source: "B:2408;A:2591" }],
-    purpose: Purpose { probe: ProbeUse::None, machine: MachineSort::Any, calibrates: NEVER, tasks: &[] },
-    lists: &[ArgumentList {
-        style: Style::Direct,
-        name: "CYCLE116",
-        when: When::Always,
-        base: 0,
-        args: &[Arg::Variable("_DATE"), Arg::Output("_ALM")],
-        source: "B:2422",
-    }],
+    purpose: Purpose { probe: ProbeUse::None, machine: MachineSort::Any, ..Purpose::MILLING },
+    lists: &[ArgumentList::direct("CYCLE116", &[Arg::Variable("_DATE"), Arg::Output("_ALM")], "B:2422")],
     params: params::PARAMS,
     results: &[
         length("_DATE[9]", "result-116-abscissa", When::Always, "B:2444;A:2632"),
@@ -47,7 +36,17 @@ pub static CYCLE116: Cycle = Cycle {
     ],
     alarms: &[&alarms([61316, 61317])], // B:2448
     checks,
-    help: Help::new(&[help::LINES]),
+    // B:2408-2469
+    help: Help::new(&[&[
+        measures(When::Always, "help-cycle116-does", "B:2414"),
+        before(When::Always, "help-cycle116-variables", "B:2418;B:2448"),
+        before(When::Always, "help-cycle116-points", "B:2430-2438"),
+        order(When::Always, "help-cycle116-circle", "B:2414;B:2430"),
+        corrects(When::Always, "help-cycle116-left", "B:2444-2448;A:2635"),
+        wrong(When::Always, "help-cycle116-line", "B:2448;A:15857"),
+        wrong(When::Always, "help-cycle116-count", "B:2448;A:15858"),
+        wrong(When::Always, "help-cycle116-unseen", "B:2448"),
+    ]]),
     picture: Drawing::new(picture),
     simulation: Some(Simulation::new(|_, _| Proposal::default(), simulate::simulate)),
     source: "B:2408-2469",

@@ -3,7 +3,6 @@
 //! call it with points of its own.
 
 mod checks;
-mod help;
 mod params;
 mod picture;
 mod simulate;
@@ -11,11 +10,7 @@ mod simulate;
 mod tests;
 
 use super::common::{CYCLE, alarms, angle, integer, length};
-use crate::control::MachineSort;
-use crate::entry::{
-    Arg, ArgumentList, Cycle, Drawing, Help, NEVER, ProbeUse, Proposal, Purpose, ResultField, Simulation, Style, Unit,
-    Variant, When,
-};
+use crate::entry::*;
 
 /// The cycle. Example: that of the manual, B:8600-8622; its active frame is G54, which a form without a program has to
 /// name.
@@ -23,13 +18,10 @@ pub static CYCLE119: Cycle = Cycle {
     name: "CYCLE119",
     key: "cycle119",
     variants: &[Variant { number: 0, key: "cycle119-position", source: "B:8541;A:9386" }],
-    purpose: Purpose { probe: ProbeUse::None, machine: MachineSort::Milling, calibrates: NEVER, tasks: &[] },
-    lists: &[ArgumentList {
-        style: Style::Direct,
-        name: "CYCLE119",
-        when: When::Always,
-        base: 0,
-        args: &[
+    purpose: Purpose { probe: ProbeUse::None, ..Purpose::MILLING },
+    lists: &[ArgumentList::direct(
+        "CYCLE119",
+        &[
             Arg::Variable("_SETPOINT"),
             Arg::Variable("_MEASPOINT"),
             Arg::Output("_ALARM"),
@@ -38,8 +30,8 @@ pub static CYCLE119: Cycle = Cycle {
             Arg::Param(params::TARGET),
             Arg::Param(params::LIMIT),
         ],
-        source: "B:8557",
-    }],
+        "B:8557",
+    )],
     params: params::PARAMS,
     results: &[
         integer("_ALARM", "result-119-alarm", When::Always, "B:8579"),
@@ -56,7 +48,24 @@ pub static CYCLE119: Cycle = Cycle {
     ],
     alarms: &[&alarms([61321, 61411, 61412, 61414])], // A:15862, A:15930-15933
     checks: checks::checks,
-    help: Help::new(&[help::LINES]),
+    // B:8541-8592
+    help: Help::new(&[&[
+        measures(When::Always, "help-cycle119-does", "B:8547"),
+        before(When::Always, "help-cycle119-variables", "B:8559-8586"),
+        before(When::Always, "help-cycle119-points", "B:8563-8565"),
+        before(When::Always, "help-cycle119-alarm", "B:8579-8580"),
+        order(When::Always, "help-cycle119-frame", "B:8581-8584"),
+        order(When::Always, "help-cycle119-decides", "B:8566-8576"),
+        corrects(When::Always, "help-cycle119-left", "B:8579-8586"),
+        corrects(When::Always, "help-cycle119-frame-moved", "B:8566-8573"),
+        corrects(When::Always, "help-cycle119-again", "B:8592"),
+        wrong(When::Always, "help-cycle119-line", "B:8582;A:15930"),
+        wrong(When::Always, "help-cycle119-distorted", "B:8575-8576;A:15933"),
+        wrong(When::Always, "help-cycle119-order", "B:8563-8565"),
+        wrong(When::Always, "help-cycle119-mirrored", "B:8588;A:15930"),
+        wrong(When::Always, "help-cycle119-absent", "B:8588;A:15862;A:15932"),
+        wrong(When::Always, "help-cycle119-unseen", "B:8579-8583"),
+    ]]),
     picture: Drawing::new(picture::picture),
     simulation: Some(Simulation::new(|_, _| Proposal::default(), simulate::simulate)),
     source: "B:8541-8622",

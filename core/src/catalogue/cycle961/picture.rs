@@ -173,7 +173,7 @@ fn stacked(corner: &Corner, above: &Seen, axis: usize, pair: [usize; 2], other: 
 fn zero_point(inputs: &Inputs, corner: &Corner, above: &Seen) -> Vec<PictureShape> {
     let abscissa = corner.edges[0];
     let ordinate = [-abscissa[1], abscissa[0]];
-    let selection = inputs.or_zero(names::SETV4) as i64;
+    let selection = inputs.number(names::SETV4) as i64;
     let moved = |name, selections: [i64; 2]| {
         let active = RECTANGLE.holds(inputs) && selections.contains(&selection);
         if active { inputs.given(name).unwrap_or(1.0).signum() * 0.25 * SIZE } else { 0.0 }

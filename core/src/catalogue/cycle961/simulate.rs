@@ -151,7 +151,7 @@ fn beside(inputs: &Inputs) -> Point {
     if !RECTANGLE.holds(inputs) {
         return [0.0; 2];
     }
-    let [x, y] = [names::SETV2, names::SETV3].map(|name| inputs.or_zero(name));
+    let [x, y] = [names::SETV2, names::SETV3].map(|name| inputs.number(name));
     match inputs.integer(names::SETV4) {
         2 => [x, 0.0],
         3 => [x, y],

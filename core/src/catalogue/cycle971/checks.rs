@@ -132,7 +132,7 @@ fn offset(inputs: &Inputs, data: &ProbeData, radius: f64, found: &mut Vec<Diagno
             finding.number("tool", 2.0 * radius).number("edge", edge)
         }
         Some(inward) if wide && inward > radius => own::OFFSET_LARGE.finding().number("radius", radius),
-        Some(_) if wide && inputs.or_zero(names::MA) as i64 == 3 => {
+        Some(_) if wide && inputs.number(names::MA) as i64 == 3 => {
             own::OFFSET_ABSCISSA.finding().number("tool", 2.0 * radius).number("edge", edge)
         }
         _ => return,

@@ -4,7 +4,6 @@
 mod calibrate;
 mod checks;
 mod help;
-mod lists;
 mod measure;
 pub(crate) mod params;
 mod picture;
@@ -18,10 +17,10 @@ mod spindle;
 mod tests;
 
 use crate::catalogue::common::{CYCLE, alarms};
-use crate::catalogue::tool_probe;
-use crate::control::MachineSort;
+use crate::catalogue::{newer, older, tool_probe};
 use crate::entry::{Cycle, Drawing, Help, ProbeUse, Purpose, Simulation, Variant, names};
-use crate::support;
+use crate::support::FORMS;
+use params::SPEEDS_IN_FORM;
 
 /// Measuring variants (B:4186-4196, B:4621-4628).
 pub const VARIANTS: &[Variant] = &[
@@ -43,38 +42,12 @@ pub static CYCLE971: Cycle = Cycle {
     key: "cycle971",
     variants: VARIANTS,
     params: params::PARAMS,
-    purpose: Purpose {
-        probe: ProbeUse::Tool,
-        machine: MachineSort::Milling,
-        calibrates: params::CALIBRATE,
-        tasks: &[],
-    },
-    lists: lists::LISTS,
+    purpose: Purpose { probe: ProbeUse::Tool, calibrates: params::CALIBRATE, ..Purpose::MILLING },
+    lists: &[older::CYCLE971_CALIBRATION, older::CYCLE971, newer::CYCLE971],
     settings: &[
-        "_TP",
-        "_TPW",
-        "_CVAL[0]",
-        "_CVAL[3]",
-        "_TP_CF",
-        "_MT_COMP",
-        "_MT_EC_R",
-        "_MT_EC_L",
-        "_CM",
-        "_MFS",
-        "_SPEED",
-        "_EVMVNUM[0]",
-        "_CBIT[0]",
-        "_CBIT[1]",
-        "_CBIT[12]",
-        "_CHBIT[2]",
-        "_CHBIT[3]",
-        "_CHBIT[5]",
-        "_CHBIT[15]",
-        "_CHBIT[16]",
-        "_CHBIT[17]",
-        "_CHBIT[22]",
-        support::FORMS,
-        params::SPEEDS_IN_FORM,
+        "_TP", "_TPW", "_CVAL[0]", "_CVAL[3]", "_TP_CF", "_MT_COMP", "_MT_EC_R", "_MT_EC_L", "_CM", "_MFS", "_SPEED",
+        "_EVMVNUM[0]", "_CBIT[0]", "_CBIT[1]", "_CBIT[12]", "_CHBIT[2]", "_CHBIT[3]", "_CHBIT[5]", "_CHBIT[15]",
+        "_CHBIT[16]", "_CHBIT[17]", "_CHBIT[22]", FORMS, SPEEDS_IN_FORM,
     ],
     results: results::RESULTS,
     alarms: &[

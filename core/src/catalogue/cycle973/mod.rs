@@ -2,7 +2,6 @@
 
 mod checks;
 mod groove;
-mod help;
 pub(crate) mod params;
 mod picture;
 mod propose;
@@ -13,7 +12,8 @@ mod tests;
 
 use crate::catalogue::sinumerik::help::{BLOCK, STORED};
 use crate::catalogue::{common, lathe, newer, older};
-use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, When, names};
+use crate::entry::*;
+use params::{BALL, GROOVE, ONE, SKEW, SURFACE, TWO};
 
 /// Measuring variants (B:10163-10177). 13 stands in the programs only, with axis and direction: it is 1013 (A:11504).
 pub const VARIANTS: &[Variant] = &[
@@ -47,10 +47,33 @@ pub static CYCLE973: Cycle = Cycle {
         &common::alarms([61326, 61333, 61401]),
     ],
     checks: checks::checks,
-    help: Help::new(&[STORED, help::LINES, BLOCK, lathe::help::PROBE]),
+    // B:10127-10451
+    help: Help::new(&[
+        STORED,
+        &[
+            measures(SURFACE, "help-cycle973-measures-surface", "B:10331-10333"),
+            measures(ONE, "help-cycle973-measures-groove-one", "B:10216"),
+            measures(TWO, "help-cycle973-measures-groove-two", "B:10216"),
+            before(SURFACE, "help-cycle973-before-surface", "B:10331;B:10411"),
+            before(GROOVE, "help-cycle973-before-groove", "B:10213;B:10317;B:13470-13482"),
+            before(When::Always, "help-cycle973-before-centre", "B:10275"),
+            order(SURFACE, "help-cycle973-order-surface", "B:10403-10415"),
+            order(GROOVE, "help-cycle973-order-into-groove", "B:10205-10230"),
+            order(ONE, "help-cycle973-order-one", "B:10205-10230"),
+            order(TWO, "help-cycle973-order-two", "B:10205-10230"),
+            order(GROOVE, "help-cycle973-order-end-groove", "B:10323"),
+            corrects(BALL, "help-cycle973-corrects-ball", "B:10163-10173"),
+            corrects(SKEW, "help-cycle973-corrects-skew", "B:10163-10173"),
+            wrong(GROOVE, "help-cycle973-wrong-groove-data", "B:13473-13482"),
+            wrong(GROOVE, "help-cycle973-wrong-position", "B:10145;B:10213"),
+            wrong(SURFACE, "help-cycle973-wrong-shank", "B:10331"),
+        ],
+        BLOCK,
+        lathe::help::PROBE,
+    ]),
     picture: Drawing::staged(picture::stage, picture::marks),
     // across the groove of position 7
-    examples: &[(params::GROOVE, &[(names::CALNUM, "1"), (names::MA, "2")])],
+    examples: &[(GROOVE, &[(names::CALNUM, "1"), (names::MA, "2")])],
     simulation: Some(Simulation::new(propose::propose, simulate::simulate)),
     source: "B:10128-10407",
     ..common::CYCLE

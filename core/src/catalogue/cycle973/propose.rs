@@ -45,16 +45,11 @@ fn groove(inputs: &Inputs, control: &Control, away: f64) -> Option<Proposal> {
     machine.take_frames();
     let axes = control.plane.axes();
     let [walls, base] = found.axes.map(|axis| axes[axis]);
-    let unit = |axis: usize| {
-        let mut unit = [0.0; 3];
-        unit[axis] = 1.0;
-        unit
-    };
     let mut at = [0.0; 3];
     (at[walls], at[base]) = (found.centre(), found.base + depth);
     let mut start = at;
     start[base] += away;
     let shape = found.shape(depth);
-    let groove = place::standing(&machine, shape, at, unit(walls), unit(base));
+    let groove = place::standing(&machine, shape, at, plane::unit(walls), plane::unit(base));
     Some(plane::proposal(groove, control.to_workpiece(Mcs(start)).0))
 }

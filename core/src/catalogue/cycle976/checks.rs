@@ -23,7 +23,7 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
 
 /// With `_CBIT[14]` = 1 the trigger value of the applicate is 0 itself (B:5583).
 fn first(inputs: &Inputs, control: &Control, ball: f64, found: &mut Vec<Diagnostic>) {
-    let applicate = inputs.or_zero(names::MA) as i64 == 3 && !HOLE.holds(inputs);
+    let applicate = inputs.number(names::MA) as i64 == 3 && !HOLE.holds(inputs);
     if !(applicate && control.bit("_CBIT[14]")) {
         calibration::first(inputs, control, ball, found);
     }

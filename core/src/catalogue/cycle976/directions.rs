@@ -22,13 +22,13 @@ impl Direction {
 
 /// In their order: plus before minus, abscissa before ordinate.
 pub fn directions(inputs: &Inputs) -> Vec<Direction> {
-    let one = usize::from(inputs.or_zero(names::MA) as i64 == 2);
+    let one = usize::from(inputs.number(names::MA) as i64 == 2);
     let axes: &[usize] = match (FOUR.holds(inputs), one) {
         (true, _) => &[0, 1],
         (false, 0) => &[0],
         (false, _) => &[1],
     };
-    let signs: &[f64] = match (ONE.holds(inputs), inputs.or_zero(names::MD) as i64) {
+    let signs: &[f64] = match (ONE.holds(inputs), inputs.number(names::MD) as i64) {
         (false, _) => &[1.0, -1.0],
         (true, 1) => &[-1.0],
         (true, _) => &[1.0],

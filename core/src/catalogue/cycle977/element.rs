@@ -40,9 +40,9 @@ impl Element {
             rectangle,
             inside,
             size,
-            zone: zoned.then(|| pair(inputs.number(names::SZA), inputs.or_zero(names::SZO))),
+            zone: zoned.then(|| pair(inputs.number(names::SZA), inputs.number(names::SZO))),
             infeed: if inside && !zoned { 0.0 } else { inputs.number(names::ID) },
-            axis: if inputs.or_zero(names::MA) as i64 == 2 { 1 } else { 0 },
+            axis: if inputs.number(names::MA) as i64 == 2 { 1 } else { 0 },
         }
     }
 

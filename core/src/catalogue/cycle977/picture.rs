@@ -26,7 +26,7 @@ pub fn stage(inputs: &Inputs) -> Staging {
         .with(names::ID, INFEED)
         .beside(outside || zone, section);
     [names::SZA, names::SZO].into_iter().zip(sizes.iter().cycle()).fold(stage, |stage, (name, size)| {
-        let (size, zone) = (stage.value(*size), inputs.or_zero(name) * stage.scale);
+        let (size, zone) = (stage.value(*size), inputs.number(name) * stage.scale);
         let most = if outside { 2.0 * size } else { size - 0.32 * SIZE };
         stage.with(name, zone.clamp(if outside { size + 0.32 * SIZE } else { 0.2 * most }, most))
     })

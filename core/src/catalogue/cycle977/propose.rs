@@ -17,7 +17,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
         (-DEPTH, DEPTH)
     };
     let height = depth + 2.0 * ball + 10.0;
-    let x = if inputs.or_zero(names::MA) as i64 == 2 { [0.0, 1.0, 0.0] } else { [1.0, 0.0, 0.0] };
+    let x = if inputs.number(names::MA) as i64 == 2 { [0.0, 1.0, 0.0] } else { [1.0, 0.0, 0.0] };
     let out = place::outward(control);
     let part = place::solid(control, shape(inputs, height), [0.0; 3], x, out);
     let protected = Protected::of(inputs, height, x);
@@ -30,7 +30,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
 }
 
 fn shape(inputs: &Inputs, height: f64) -> Shape {
-    let length = [inputs.or_zero(names::SETV0), inputs.number(names::SETV1)];
+    let length = [inputs.number(names::SETV0), inputs.number(names::SETV1)];
     match (inputs.variant % 10, RECTANGLE.holds(inputs)) {
         (kind, false) => place::element(kind, inputs.number(names::SETVAL), height),
         (5, true) => Shape::Pocket { length, depth: height },

@@ -34,7 +34,7 @@ impl Protected {
         if !super::params::ZONE.holds(inputs) {
             return None;
         }
-        let (size, zone) = (inputs.or_zero(names::SETVAL), inputs.number(names::SZA));
+        let (size, zone) = (inputs.number(names::SETVAL), inputs.number(names::SZA));
         let (rectangle, single) = (RECTANGLE.holds(inputs), WIDTH.holds(inputs));
         let (element, zone) = match (rectangle, single) {
             (true, _) => {

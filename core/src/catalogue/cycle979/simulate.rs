@@ -27,7 +27,7 @@ struct Element {
 impl Element {
     fn of(inputs: &Inputs) -> Element {
         let round = ROUND.holds(inputs);
-        let (start, step) = (inputs.number(names::STA1), inputs.or_zero(names::INCA));
+        let (start, step) = (inputs.number(names::STA1), inputs.number(names::INCA));
         Element {
             round,
             inside: !OUTSIDE.holds(inputs),
@@ -38,8 +38,8 @@ impl Element {
                 false => vec![start, start + 180.0],
             },
             step,
-            feed: inputs.or_zero(names::RF),
-            lift: inputs.or_zero(names::ID),
+            feed: inputs.number(names::RF),
+            lift: inputs.number(names::ID),
         }
     }
 

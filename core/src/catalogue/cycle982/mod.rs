@@ -20,7 +20,6 @@ mod variants;
 
 use crate::catalogue::common::{CYCLE, alarms};
 use crate::catalogue::{newer, tool_probe};
-use crate::control::MachineSort;
 use crate::control::machine_data::TOOL_LENGTH_TYPE;
 use crate::entry::{Cycle, Drawing, Examples, Help, ProbeUse, Purpose, Simulation, When, names};
 
@@ -38,12 +37,7 @@ pub static CYCLE982: Cycle = Cycle {
     key: "cycle982",
     variants: variants::VARIANTS,
     params: params::PARAMS,
-    purpose: Purpose {
-        probe: ProbeUse::Tool,
-        machine: MachineSort::Turning,
-        calibrates: params::CALIBRATE,
-        tasks: &[],
-    },
+    purpose: Purpose { probe: ProbeUse::Tool, calibrates: params::CALIBRATE, ..Purpose::TURNING },
     // The call for calibrating tool probes knows CYCLE971 and CYCLE972 only (B:11768, although B:11708 names CYCLE982
     // beside it), and the list of newer controls is not known to us.
     lists: &[newer::CYCLE982],

@@ -1,7 +1,6 @@
 //! CYCLE994: two opposite points of a turned part, for a tool offset (B:10873-11146).
 
 mod checks;
-mod help;
 pub(crate) mod params;
 mod picture;
 mod propose;
@@ -12,13 +11,17 @@ mod tests;
 
 use crate::catalogue::sinumerik::help::{AGAIN, BLOCK, CALIBRATED, CORRECTION, MEASURING};
 use crate::catalogue::{common, lathe, newer, older};
-use crate::entry::{Cycle, Drawing, Help, Purpose, Simulation, Variant, names};
+use crate::entry::*;
+use params::INSIDE_ZONE;
 
 /// Measuring variants (B:10930-10933). What A:12201 says about the second is a slip: there the zone counts outside.
 pub const VARIANTS: &[Variant] = &[
     Variant { number: 1, key: "cycle994-inside-zone", source: "B:10932;B:10981;A:12250" },
     Variant { number: 2, key: "cycle994-outside-inside", source: "B:10933;B:10982;A:12250" },
 ];
+
+/// Outside, or inside without a zone: where the probe stands decides.
+const EITHER: When = When::Variant(&[2]);
 
 /// The entry. Example: the outside diameter of B:11015-11090.
 pub static CYCLE994: Cycle = Cycle {
@@ -44,10 +47,30 @@ pub static CYCLE994: Cycle = Cycle {
         &common::alarms([61327, 61401, 61334]),
     ],
     checks: checks::checks,
-    help: Help::new(&[CORRECTION, help::LINES, BLOCK, lathe::help::PROBE, CALIBRATED, AGAIN, MEASURING]),
+    // B:10906-11170
+    help: Help::new(&[
+        CORRECTION,
+        &[
+            measures(When::Always, "help-cycle994-measures-diameter", "B:10886"),
+            before(When::Always, "help-cycle994-before-plus-side", "B:10889;B:10933"),
+            before(INSIDE_ZONE, "help-cycle994-before-inside", "B:10932"),
+            before(EITHER, "help-cycle994-before-either", "B:10933;B:11122-11142"),
+            order(When::Always, "help-cycle994-order-plus-first", "B:10889"),
+            order(INSIDE_ZONE, "help-cycle994-order-round-inside", "B:10932;B:11122-11142"),
+            order(EITHER, "help-cycle994-order-round-outside", "B:11122-11142"),
+            corrects(When::Always, "help-cycle994-corrects-half", "B:11076-11090"),
+            wrong(When::Always, "help-cycle994-wrong-zone", "B:10891"),
+            wrong(When::Always, "help-cycle994-wrong-ball", "B:10903-10906"),
+        ],
+        BLOCK,
+        lathe::help::PROBE,
+        CALIBRATED,
+        AGAIN,
+        MEASURING,
+    ]),
     picture: Drawing::staged(picture::stage, picture::marks),
     // inside the zone has to be smaller than the bore
-    examples: &[(params::INSIDE_ZONE, &[(names::SZO, "30")])],
+    examples: &[(INSIDE_ZONE, &[(names::SZO, "30")])],
     simulation: Some(Simulation::new(propose::propose, simulate::simulate)),
     source: "B:10873-11146",
     ..common::CYCLE

@@ -62,11 +62,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
 impl Element<'_> {
     /// A solid whose depth lies along the axis in which the zone is left and whose X is measured, its face at `end`.
     fn standing(&self, shape: Shape, end: f64) -> Solid {
-        let [measured, left] = self.zone.axes.map(|axis| {
-            let mut unit = [0.0; 3];
-            unit[axis] = 1.0;
-            unit
-        });
+        let [measured, left] = self.zone.axes.map(plane::unit);
         let at = left.map(|part| part * end);
         place::standing(self.control, shape, at, measured, left)
     }

@@ -24,7 +24,7 @@ impl Correction {
     /// Finds the frame, and the rotary axis of `_RA` (61329, A:15872).
     pub fn prepare(machine: &mut dyn Machine, inputs: &Inputs) -> Result<Correction, Stop> {
         let target = correct::zero_target(machine, inputs)?;
-        let number = inputs.or_zero(names::RA) as i64;
+        let number = inputs.number(names::RA) as i64;
         let rotary = machine.control().rotary_channel_axis(number);
         let wanted = ONE.holds(inputs) && number != 0;
         if wanted && rotary.is_none() {

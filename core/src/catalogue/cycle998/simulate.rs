@@ -98,7 +98,7 @@ impl Probing<'_> {
     }
 
     fn set_point(&self) -> Point {
-        self.block.point(self.surface.measuring, self.direction, self.inputs.or_zero(names::SETVAL))
+        self.block.point(self.surface.measuring, self.direction, self.inputs.number(names::SETVAL))
     }
 
     /// Coordinate of the surface at the first point, and what the skew of an uncalibrated probe adds at the others, mm.

@@ -3,11 +3,10 @@
 use super::line::{Field, fields, widths};
 use super::names::{COLUMN, FILE, LINE, TITLES, VALUES};
 use super::params::LONGEST_LINE;
-use crate::check::{error, warning};
+use crate::check::{doubted, refused};
 use crate::control::Control;
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::Diagnostic;
 use crate::entry::Inputs;
-use crate::message::Message;
 use crate::name::Name;
 use crate::own;
 
@@ -20,9 +19,8 @@ pub fn checks(inputs: &Inputs, _: &Control, found: &mut Vec<Diagnostic>) {
         file(inputs, found);
     }
     if inputs.number(LINE) > LONGEST_LINE {
-        let message = Message::new("check-log-line").number("most", LONGEST_LINE);
-        let hint = Message::new("check-log-line-hint").number("most", LONGEST_LINE);
-        found.push(warning(Code::Alarm(62310), message).hint(hint).at(LINE));
+        let finding = doubted(62310, "check-log-line", LINE).number("most", LONGEST_LINE);
+        found.push(finding.hint_number("most", LONGEST_LINE));
     }
     empty(inputs, found);
     let widths = columns(inputs, found);
@@ -58,11 +56,7 @@ fn empty(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     let given = all.any(|name| !inputs.text(*name).is_empty() || open(*name, found));
     if !given {
         let at = if inputs.uses(VALUES[0]) { VALUES[0] } else { TITLES[0] };
-        found.push(
-            error(Code::Alarm(61370), Message::new("check-log-empty"))
-                .hint(Message::new("check-log-empty-hint"))
-                .at(at),
-        );
+        found.push(refused(61370, "check-log-empty", at));
     }
 }
 
@@ -73,8 +67,7 @@ fn columns(inputs: &Inputs, found: &mut Vec<Diagnostic>) -> Vec<usize> {
     }
     let title = inputs.text(TITLES[0]);
     if title.is_empty() {
-        let message = Message::new("check-log-width");
-        found.push(warning(Code::Alarm(62308), message).hint(Message::new("check-log-width-hint")).at(COLUMN));
+        found.push(doubted(62308, "check-log-width", COLUMN));
         return Vec::new();
     }
     widths(title).collect()
@@ -85,8 +78,7 @@ fn values(inputs: &Inputs, name: Name, widths: &[usize], found: &mut Vec<Diagnos
     let line = inputs.text(name);
     for field in fields(line) {
         if let Field::Unknown(word) = field {
-            let message = Message::new("check-log-unknown").text("word", word);
-            found.push(error(Code::Alarm(61361), message).hint(Message::new("check-log-unknown-hint")).at(name));
+            found.push(refused(61361, "check-log-unknown", name).text("word", word));
         }
     }
     let fixed = match inputs.number(COLUMN) as usize {
@@ -99,11 +91,8 @@ fn values(inputs: &Inputs, name: Name, widths: &[usize], found: &mut Vec<Diagnos
         (needed > width(column)).then_some((column, needed))
     });
     if let Some((column, needed)) = wide {
-        let message = Message::new("check-log-narrow")
-            .number("column", column as f64 + 1.0)
-            .number("width", width(column) as f64)
-            .number("needed", needed as f64);
-        found.push(warning(Code::Alarm(62309), message).hint(Message::new("check-log-narrow-hint")).at(name));
+        let finding = doubted(62309, "check-log-narrow", name).number("column", column as f64 + 1.0);
+        found.push(finding.number("width", width(column) as f64).number("needed", needed as f64));
     }
     let total: usize = (0..fields(line).count()).map(width).sum();
     if !line.is_empty() {
@@ -113,18 +102,10 @@ fn values(inputs: &Inputs, name: Name, widths: &[usize], found: &mut Vec<Diagnos
 
 /// A line that is longer than allowed: by the cycles (A:15915), by the program (A:15944).
 fn long(inputs: &Inputs, name: Name, total: f64, found: &mut Vec<Diagnostic>) {
-    let message = |key, most| Message::new(key).number("total", total).number("most", most);
-    if total > LONGEST_LINE {
-        found.push(
-            error(Code::Alarm(61371), message("check-log-long", LONGEST_LINE))
-                .hint(Message::new("check-log-long-hint"))
-                .at(name),
-        );
-    } else if let Some(most) = inputs.given(LINE).filter(|most| total > *most) {
-        found.push(
-            warning(Code::Alarm(62307), message("check-log-longer", most))
-                .hint(Message::new("check-log-longer-hint"))
-                .at(name),
-        );
-    }
+    let (finding, most) = match inputs.given(LINE) {
+        _ if total > LONGEST_LINE => (refused(61371, "check-log-long", name), LONGEST_LINE),
+        Some(most) if total > most => (doubted(62307, "check-log-longer", name), most),
+        _ => return,
+    };
+    found.push(finding.number("total", total).number("most", most));
 }

@@ -21,17 +21,12 @@ use crate::diagnostic::Code;
 use crate::entry::*;
 
 /// All cycles of the log.
-const PURPOSE: Purpose = Purpose { probe: ProbeUse::Log, machine: MachineSort::Any, calibrates: NEVER, tasks: &[] };
+const PURPOSE: Purpose = Purpose { probe: ProbeUse::Log, machine: MachineSort::Any, ..Purpose::MILLING };
 
 /// What they start from.
 pub const LOG: Cycle = Cycle { purpose: PURPOSE, ..CYCLE };
 /// The same of those that print.
 pub const PRINTS: Cycle = Cycle { settings: SETTINGS, checks, picture: Drawing::new(picture), ..LOG };
-
-/// The call with arguments in brackets.
-pub const fn call(name: &'static str, args: &'static [Arg], source: &'static str) -> ArgumentList {
-    ArgumentList { style: Style::Direct, name, when: When::Always, base: 0, args, source }
-}
 
 /// Data of the machine that decide over the log: name and variant left out (B:11336), header of the user (B:11338).
 const SETTINGS: &[&str] = &["_CBIT[6]", OWN_HEADER];

@@ -34,14 +34,14 @@ pub fn stage(inputs: &Inputs) -> Staging {
         .with(address::T, if inputs.variant == CALIBRATE { 0.0 } else { REGISTER })
         .with(address::Z, -DOWN)
         .with(address::D, if over_centre { 0.0 } else { 2.0 * radius })
-        .with(address::E, inputs.or_zero(address::E).clamp(2.0, 6.0))
+        .with(address::E, inputs.number(address::E).clamp(2.0, 6.0))
         .with(address::K, lift(inputs))
         .beside(true, Look { called: false, flat: true, ..side }.touching(touches))
 }
 
 /// `K`, as far as it can be drawn.
 fn lift(inputs: &Inputs) -> f64 {
-    inputs.or_zero(address::K).clamp(3.0, 6.0)
+    inputs.number(address::K).clamp(3.0, 6.0)
 }
 
 /// Diameter, ways, heights, and how the tool turns.

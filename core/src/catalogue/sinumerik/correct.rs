@@ -11,9 +11,9 @@ use nalgebra::IsometryMatrix3;
 pub fn tool_target(machine: &mut dyn Machine, inputs: &Inputs, axis: Option<usize>) -> Result<Option<Tool>, Stop> {
     let names = tool_offset::Names {
         code: inputs.integer(names::KNUM),
-        tool: inputs.or_zero(names::TNUM) as i64,
+        tool: inputs.number(names::TNUM) as i64,
         tool_name: inputs.text(names::TNAME),
-        location: inputs.or_zero(names::DLNUM) as i64,
+        location: inputs.number(names::DLNUM) as i64,
         environment: inputs.text(names::TENV),
         axis,
     };

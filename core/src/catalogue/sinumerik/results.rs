@@ -50,7 +50,7 @@ pub fn begin(machine: &mut dyn Machine, inputs: &Inputs, cycle: i64) {
     if watches_angle(inputs) {
         angle(machine, 28, inputs.number(names::TSA));
     } else if inputs.cycle.param(names::TSA.as_str()).is_some() {
-        length(machine, 28, inputs.or_zero(names::TSA));
+        length(machine, 28, inputs.number(names::TSA));
     }
 }
 

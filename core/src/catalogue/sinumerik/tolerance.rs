@@ -38,7 +38,7 @@ pub fn empirical_angle(control: &Control, inputs: &Inputs) -> f64 {
 }
 
 fn memorized(control: &Control, inputs: &Inputs, read: impl Fn(&str) -> f64) -> f64 {
-    let number = mean::memories(inputs.or_zero(names::EVNUM) as i64).empirical;
+    let number = mean::memories(inputs.number(names::EVNUM) as i64).empirical;
     if number == 0 {
         return 0.0;
     }

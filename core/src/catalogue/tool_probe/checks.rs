@@ -33,7 +33,7 @@ pub fn number(inputs: &Inputs, control: &Control, workpiece: bool, found: &mut V
 /// An empirical value memory beyond the array (`_EVMVNUM[0]`, B:13717). What a control does then is not defined; the
 /// access would fail.
 pub fn memory(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
-    let number = (inputs.or_zero(names::EVNUM) as i64 % 10_000) as f64;
+    let number = (inputs.number(names::EVNUM) as i64 % 10_000) as f64;
     let size = control.number("_EVMVNUM[0]");
     if number > size {
         let finding = own::TOOL_MEMORY.finding().number("number", number).number("size", size);

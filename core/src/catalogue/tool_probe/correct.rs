@@ -71,10 +71,10 @@ pub fn active(control: &Control, part: usize) -> f64 {
 /// What all measurements of tools tell (B:4233-4240).
 fn report_call(machine: &mut dyn Machine, inputs: &Inputs) {
     let (tool, edge) = (machine.control().tool, machine.control().edge);
-    results::length(machine, 29, inputs.or_zero(names::TDIF));
+    results::length(machine, 29, inputs.number(names::TDIF));
     tolerance::report_empirical(machine, inputs);
     results::integer(machine, 0, edge);
-    let memories = mean::memories(inputs.or_zero(names::EVNUM) as i64);
+    let memories = mean::memories(inputs.number(names::EVNUM) as i64);
     results::integer(machine, 7, memories.empirical);
     results::integer(machine, 8, tool);
 }

@@ -19,7 +19,7 @@ pub struct Trigger {
 pub fn begin(machine: &mut dyn Machine, inputs: &Inputs, cycle: i64) {
     results::begin(machine, inputs, cycle);
     results::integer(machine, 3, inputs.variant);
-    results::length(machine, 27, inputs.or_zero(names::TZL));
+    results::length(machine, 27, inputs.number(names::TZL));
 }
 
 /// Reports, compares with the safe area, and stores what differs by more than `_TZL`; `beside`: differences that count

@@ -32,7 +32,7 @@ pub fn tool(inputs: &Inputs, edge: &Edge, calibrate: bool, found: &mut Vec<Diagn
 /// Tools with positions 5 and 7 lie along the abscissa and have no tip across it, those with 6 and 8 the other way
 /// round (B:4152, B:9702). No alarm is named; 61325 is the nearest.
 fn length(inputs: &Inputs, tip: i64, found: &mut Vec<Diagnostic>) {
-    let axis = inputs.or_zero(names::MA) as i64;
+    let axis = inputs.number(names::MA) as i64;
     if matches!((tip, axis), (5 | 7, 2) | (6 | 8, 1)) {
         let message = Message::new("check-tip-axis").number("tip", tip as f64);
         found.push(refused(61325, message, "check-tip-axis-hint", names::MA));

@@ -45,7 +45,7 @@ fn common(control: &Control, inputs: &Inputs, path: f64) -> Result<Block, u32> {
         skew: [0.0; 2],
         ball: 0.0,
         other: false,
-        feed: measuring_feed(inputs.or_zero(names::VMS), path),
+        feed: measuring_feed(inputs.number(names::VMS), path),
         fast: (control.bit("_CHBIT[17]") && path > 1.0).then(|| control.basic_length("_SPEED[3]")),
         attempts: if control.bit("_CHBIT[15]") { 1 } else { 5 },
         repeats: u32::try_from(inputs.integer(names::NMSP)).unwrap_or(1).max(1),
