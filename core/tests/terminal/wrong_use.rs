@@ -20,6 +20,22 @@ fn wrong_use_is_told_in_a_line() {
     }
 }
 
+// oracle: hand
+#[test]
+fn wrong_use_is_told_in_the_language_asked() {
+    for (language, told) in [
+        ("en", "error: there is no cycle CYCLE1; “probewright cycles” lists them\n"),
+        ("de", "Fehler: Es gibt keinen Zyklus CYCLE1; „probewright cycles“ listet alle auf\n"),
+        ("zh", "错误: 没有循环 CYCLE1；用“probewright cycles”列出全部循环\n"),
+    ] {
+        assert_eq!(err(&probewright(&["--lang", language, "write", "CYCLE1"])), told);
+    }
+    assert_eq!(
+        err(&probewright(&["--lang", "xx", "cycles"])),
+        "error: there is no language xx; there are de, en, zh\n"
+    );
+}
+
 // oracle: hand. Each unreadable thing is named, the other files are checked all the same.
 #[test]
 fn what_is_no_program_is_told_and_the_rest_is_checked() {

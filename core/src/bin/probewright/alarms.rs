@@ -1,6 +1,7 @@
 //! `probewright alarms`.
 
-use crate::file::{Problem, print_json};
+use crate::file::{Problem, print_json, wrong};
+use probewright_core::message::Message;
 use probewright_core::report::alarms::{Told, all, named};
 use probewright_core::words::Words;
 use probewright_core::{app, json};
@@ -9,7 +10,7 @@ use std::process::ExitCode;
 
 /// Explains one alarm or text for the operator, or lists all.
 pub fn alarms(number: Option<&str>, as_json: bool, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
-    let unknown = |text: &str| format!("no such alarm: {text}");
+    let unknown = |text: &str| wrong(Message::new("terminal-alarm").text("name", text));
     match (number, as_json) {
         (None, true) => print_json(json::document(&app::alarms()), words, out)?,
         (None, false) => {
@@ -20,23 +21,23 @@ pub fn alarms(number: Option<&str>, as_json: bool, words: &Words, out: &mut dyn 
         (Some(text), true) => {
             print_json(json::document(&app::alarm(text).ok_or_else(|| unknown(text))?), words, out)?;
         }
-        (Some(text), false) => explain(&named(text, words).ok_or_else(|| unknown(text))?, out)?,
+        (Some(text), false) => explain(&named(text, words).ok_or_else(|| unknown(text))?, words, out)?,
     }
     Ok(ExitCode::SUCCESS)
 }
 
-fn explain(told: &Told, out: &mut dyn Write) -> std::io::Result<()> {
+fn explain(told: &Told, words: &Words, out: &mut dyn Write) -> std::io::Result<()> {
     writeln!(out, "{}: {}", told.code, told.meaning)?;
-    for (name, text) in [
-        ("cause", told.cause.as_deref().unwrap_or_default()),
-        ("cure", &told.cure),
-        ("effect", &told.effect),
-        ("raised by", &told.sources),
-        ("found", &told.found),
-        ("source", &told.source.to_string()),
+    for (key, text) in [
+        ("terminal-told-cause", told.cause.as_deref().unwrap_or_default()),
+        ("terminal-told-cure", &told.cure),
+        ("terminal-told-effect", &told.effect),
+        ("terminal-told-sources", &told.sources),
+        ("terminal-told-found", &told.found),
+        ("terminal-told-source", &told.source.to_string()),
     ] {
         if !text.is_empty() {
-            writeln!(out, "  {name:9}  {text}")?;
+            writeln!(out, "  {:9}  {text}", words.key(key))?;
         }
     }
     Ok(())

@@ -3,6 +3,7 @@
 use crate::file;
 use crate::file::{Control, Problem};
 use probewright_core::diagnostic::{Diagnostic, Severity};
+use probewright_core::message::Message;
 use probewright_core::syntax::position::Positions;
 use probewright_core::words::Words;
 use probewright_core::{app, program, syntax};
@@ -24,10 +25,10 @@ pub fn check(
     let (mut errors, mut unread) = (0, false);
     let mut views = Vec::new();
     for path in files {
-        let source = match file::program(path, words) {
+        let source = match file::program(path) {
             Ok(source) => source,
             Err(problem) => {
-                file::complain(&format!("error: {problem}"));
+                file::complain_about(&problem, words);
                 unread = true;
                 continue;
             }
@@ -79,7 +80,8 @@ pub fn print_all(
     }
     let more = found.len().saturating_sub(PRINTED);
     if more > 0 {
-        writeln!(out, "{}: {more} more findings", path.display())?;
+        let more = Message::new("terminal-more").number("count", more as f64);
+        writeln!(out, "{}: {}", path.display(), words.text(&more))?;
     }
     let errors = found.iter().filter(|finding| finding.severity == Severity::Error);
     Ok(errors.count())

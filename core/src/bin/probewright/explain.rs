@@ -1,9 +1,10 @@
 //! `probewright explain`.
 
 use crate::alarms;
-use crate::file::Problem;
+use crate::file::{Problem, wrong};
 use probewright_core::catalogue::CYCLES;
 use probewright_core::entry::Cycle;
+use probewright_core::message::Message;
 use probewright_core::report::explain::{cycle, datum, variant};
 use probewright_core::report::findings::finding;
 use probewright_core::words::Words;
@@ -20,7 +21,7 @@ pub fn explain(name: &str, number: Option<i64>, words: &Words, out: &mut dyn Wri
     };
     if text.is_empty() {
         return alarms::alarms(Some(name), false, words, out)
-            .map_err(|_| format!("no cycle, datum, finding or alarm has this name: {name}").into());
+            .map_err(|_| wrong(Message::new("terminal-name").text("name", name)));
     }
     write!(out, "{text}")?;
     Ok(ExitCode::SUCCESS)
@@ -29,6 +30,7 @@ pub fn explain(name: &str, number: Option<i64>, words: &Words, out: &mut dyn Wri
 fn page(found: &'static Cycle, number: Option<i64>, words: &Words) -> Result<String, Problem> {
     let Some(number) = number else { return Ok(cycle(found, words)) };
     let chosen = found.variants.iter().find(|one| one.number == number);
-    let chosen = chosen.ok_or_else(|| format!("{} has no variant {number}", found.name))?;
+    let none = Message::new("terminal-variant").text("cycle", found.name).number("number", number as f64);
+    let chosen = chosen.ok_or_else(|| wrong(none))?;
     Ok(variant(found, chosen, words))
 }

@@ -5,10 +5,11 @@ use probewright_core::dialect::Dialect;
 use probewright_core::encoding::{Encoding, recognise};
 use probewright_core::json;
 use probewright_core::machine::setup::Setup;
+use probewright_core::message::Message;
 use probewright_core::words::Words;
 use serde_json::Value;
 use std::io::{BufWriter, Read, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Control as named on the command line.
 #[derive(Clone, Copy, ValueEnum)]
@@ -22,6 +23,48 @@ pub enum Control {
 /// Why a command did not work, as a line.
 pub type Problem = Box<dyn std::error::Error>;
 
+/// A problem that words tell, behind the file that it is about.
+#[derive(Debug)]
+struct Told {
+    path: Option<PathBuf>,
+    message: Message,
+}
+
+impl std::error::Error for Told {}
+
+impl std::fmt::Display for Told {
+    fn fmt(&self, to: &mut std::fmt::Formatter) -> std::fmt::Result {
+        to.write_str(&self.message.key)
+    }
+}
+
+/// A wrong use.
+pub fn wrong(message: Message) -> Problem {
+    Box::new(Told { path: None, message })
+}
+
+/// What is wrong with a file.
+pub fn wrong_file(path: &Path, key: &'static str) -> Problem {
+    wrong_in(path, Message::new(key))
+}
+
+/// The same with arguments.
+pub fn wrong_in(path: &Path, message: Message) -> Problem {
+    Box::new(Told { path: Some(path.to_owned()), message })
+}
+
+/// Tells a problem on standard error; where that is closed, nobody can be told.
+pub fn complain_about(problem: &Problem, words: &Words) {
+    let text = match problem.downcast_ref::<Told>() {
+        Some(Told { path, message }) => {
+            let file = path.as_ref().map_or(String::new(), |path| format!("{}: ", path.display()));
+            file + &words.text(message)
+        }
+        None => problem.to_string(),
+    };
+    complain(&format!("{}: {text}", words.key("terminal-error")));
+}
+
 /// Largest file that is read, bytes: far above every part program, and a device like /dev/zero never ends.
 const LARGEST: u64 = 100 << 20;
 
@@ -32,16 +75,16 @@ pub fn bytes(path: &Path) -> Result<Vec<u8>, Problem> {
         .and_then(|file| file.take(LARGEST + 1).read_to_end(&mut source))
         .map_err(|error| format!("{}: {error}", path.display()))?;
     if source.len() as u64 > LARGEST {
-        return Err(format!("{}: larger than {} MB", path.display(), LARGEST >> 20).into());
+        return Err(wrong_in(path, Message::new("terminal-large").number("most", (LARGEST >> 20) as f64)));
     }
     Ok(source)
 }
 
 /// A part program in UTF-8, whatever it is written in; the error names the file and says what it is instead. A byte
 /// that stands for no character becomes the sign for that, except in UTF-8, where it stays.
-pub fn program(path: &Path, words: &Words) -> Result<Vec<u8>, Problem> {
+pub fn program(path: &Path) -> Result<Vec<u8>, Problem> {
     let source = bytes(path)?;
-    let encoding = recognise(&source).map_err(|what| format!("{}: {}", path.display(), words.text(&what.message())))?;
+    let encoding = recognise(&source).map_err(|what| wrong_in(path, what.message()))?;
     Ok(match table(encoding) {
         None => source,
         Some(table) => table.decode(&source).0.into_owned().into_bytes(),
@@ -79,7 +122,7 @@ pub fn complain(line: &str) {
 
 /// Text of a file; the error names the file.
 pub fn text(path: &Path) -> Result<String, Problem> {
-    let text = String::from_utf8(bytes(path)?).map_err(|_| format!("{}: not UTF-8 text", path.display()))?;
+    let text = String::from_utf8(bytes(path)?).map_err(|_| wrong_file(path, "terminal-text"))?;
     Ok(text.trim_start_matches('\u{feff}').to_owned())
 }
 

@@ -12,6 +12,7 @@ mod write;
 
 use clap::{Parser, Subcommand};
 use file::Problem;
+use probewright_core::message::Message;
 use probewright_core::words::{LANGUAGES, Words};
 use std::io::{BufWriter, Write};
 use std::path::PathBuf;
@@ -98,15 +99,19 @@ enum Command {
 fn main() -> ExitCode {
     let mut out = BufWriter::new(std::io::stdout().lock());
     let Arguments { lang, command } = Arguments::parse();
-    let result = words(lang.as_deref())
-        .and_then(|words| run_command(command, &words, &mut out))
+    let (words, known) = match words(lang.as_deref()) {
+        Ok(words) => (words, Ok(())),
+        Err(problem) => (Words::english(), Err(problem)),
+    };
+    let result = known
+        .and_then(|()| run_command(command, &words, &mut out))
         .and_then(|code| out.flush().map(|()| code).map_err(Problem::from));
     match result {
         Ok(code) => code,
         // whoever reads the output (head, a pager) has seen enough
         Err(problem) if is_closed(&problem) => ExitCode::SUCCESS,
         Err(problem) => {
-            file::complain(&format!("error: {problem}"));
+            file::complain_about(&problem, &words);
             ExitCode::from(2)
         }
     }
@@ -122,7 +127,7 @@ fn words(asked: Option<&str>) -> Result<Words, Problem> {
     };
     Words::of(code).ok_or_else(|| {
         let known: Vec<&str> = LANGUAGES.iter().map(|language| language.code).collect();
-        format!("no language {code}; there are {}", known.join(", ")).into()
+        file::wrong(Message::new("terminal-language").text("code", code).text("known", known.join(", ")))
     })
 }
 

@@ -18,7 +18,7 @@ pub fn read(
     words: &Words,
     out: &mut dyn Write,
 ) -> Result<ExitCode, Problem> {
-    let source = file::program(path, words)?;
+    let source = file::program(path)?;
     let program = syntax::read(file::dialect(control, &source), &source);
     if as_json {
         file::print_json(json::document(&app::calls(&program)), words, out)?;

@@ -44,11 +44,11 @@ pub struct Arguments {
 /// Runs a program; 1 when it has an error or did not reach its end.
 pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
     let path = &arguments.file;
-    let source = file::program(path, words)?;
+    let source = file::program(path)?;
     let Assumed { setup, outcome, told } = match &arguments.setup {
         Some(setup) => {
             let mut setup = file::setup(setup, arguments.json, words, out)?;
-            arguments.scan.put_surface(&mut setup, words)?;
+            arguments.scan.put_surface(&mut setup)?;
             let program = syntax::read(setup.control.dialect, &source);
             Assumed { outcome: run::run(&program, &setup, Limits::default()), setup, told: Vec::new() }
         }

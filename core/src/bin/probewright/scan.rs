@@ -6,7 +6,6 @@ use probewright_core::app::{SurfaceChoice, put_surface};
 use probewright_core::machine::setup::Setup;
 use probewright_core::scan::Sent;
 use probewright_core::scan::text::{Form, piece};
-use probewright_core::words::Words;
 use probewright_core::workpiece::free::EXAMPLES;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
@@ -36,13 +35,12 @@ pub struct Files {
 
 impl Files {
     /// Puts the surface that is named into the setup.
-    pub fn put_surface(&self, setup: &mut Setup, words: &Words) -> Result<(), Problem> {
+    pub fn put_surface(&self, setup: &mut Setup) -> Result<(), Problem> {
         let Some(path) = &self.surface else { return Ok(()) };
-        let refused = |why: &str| format!("{}: {why}", path.display());
         let (name, bytes) = surface(path)?;
-        match put_surface(setup, &name, &bytes).map_err(|error| refused(&words.text(&error.message)))? {
+        match put_surface(setup, &name, &bytes).map_err(|error| file::wrong_in(path, error.message))? {
             true => Ok(()),
-            false => Err(refused("the setup has no free surface that it could replace").into()),
+            false => Err(file::wrong_file(path, "terminal-surface")),
         }
     }
 

@@ -1,13 +1,13 @@
 //! `probewright write`.
 
 use crate::check::one_line;
-use crate::file::{Problem, complain};
+use crate::file::{Problem, complain, wrong};
 use probewright_core::control::Plane;
 use probewright_core::diagnostic::Severity;
 use probewright_core::dialect::Dialect;
 use probewright_core::entry::{Cycle, Typed};
 use probewright_core::machine::setup::Setup;
-use probewright_core::message::printable;
+use probewright_core::message::Message;
 use probewright_core::program::write::snippet;
 use probewright_core::words::Words;
 use probewright_core::{catalogue, check};
@@ -47,20 +47,20 @@ fn find(name: &str) -> Result<&'static Cycle, Problem> {
     [Dialect::Sinumerik, Dialect::Nct]
         .into_iter()
         .find_map(|dialect| catalogue::find(dialect, name))
-        .ok_or_else(|| format!("there is no cycle {}; 'probewright cycles' lists them", printable(name)).into())
+        .ok_or_else(|| wrong(Message::new("terminal-cycle").text("name", name)))
 }
 
 fn typed(cycle: &Cycle, values: &[String]) -> Result<Typed, Problem> {
     let mut typed = Typed::new();
     for pair in values {
-        let (name, value) = pair.split_once('=').ok_or_else(|| format!("not NAME=VALUE: {}", printable(pair)))?;
-        let param = cycle
-            .params
-            .iter()
-            .find(|param| param.name.eq_ignore_ascii_case(name))
-            .ok_or_else(|| format!("{} has no parameter {}", cycle.name, printable(name)))?;
+        let (name, value) =
+            pair.split_once('=').ok_or_else(|| wrong(Message::new("terminal-pair").text("text", pair)))?;
+        let param =
+            cycle.params.iter().find(|param| param.name.eq_ignore_ascii_case(name)).ok_or_else(|| {
+                wrong(Message::new("terminal-parameter").text("cycle", cycle.name).text("name", name))
+            })?;
         if typed.insert(param.name.to_string(), value.to_owned()).is_some() {
-            return Err(format!("{} is given twice", param.name).into());
+            return Err(wrong(Message::new("terminal-twice").text("name", param.name)));
         }
     }
     Ok(typed)
