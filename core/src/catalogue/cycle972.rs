@@ -14,7 +14,7 @@ use crate::control::Control;
 use crate::diagnostic::Diagnostic;
 use crate::entry::{
     Cycle, Drawing, Help, HelpLine, Inputs, Kind, Param, ProbeUse, Purpose, ResultField, Simulation, Variant, When,
-    before, corrects, measures, names, order, wrong,
+    before, corrects, measures, order, wrong,
 };
 use crate::machine::{Machine, Stop};
 

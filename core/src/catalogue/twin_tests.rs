@@ -8,10 +8,24 @@ use crate::check;
 use crate::control::{Control, Plane, Units, delivery_in};
 use crate::diagnostic::Severity;
 use crate::dialect::Dialect;
-use crate::entry::{Cycle, TASKS, Typed};
+use crate::entry::{Cycle, Task, Typed};
 use crate::message::Arg;
 use proptest::prelude::*;
 use std::collections::BTreeSet;
+
+/// All tasks.
+const TASKS: [Task; 10] = [
+    Task::Bore,
+    Task::Boss,
+    Task::Pocket,
+    Task::Web,
+    Task::Wall,
+    Task::Face,
+    Task::InnerCorner,
+    Task::OuterCorner,
+    Task::Ball,
+    Task::Length,
+];
 
 fn control(dialect: Dialect, plane: Plane, units: Units) -> Control {
     let mut control = delivery_in(dialect, units);

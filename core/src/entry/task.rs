@@ -28,20 +28,6 @@ pub enum Task {
     Length,
 }
 
-/// All tasks.
-pub const TASKS: [Task; 10] = [
-    Task::Bore,
-    Task::Boss,
-    Task::Pocket,
-    Task::Web,
-    Task::Wall,
-    Task::Face,
-    Task::InnerCorner,
-    Task::OuterCorner,
-    Task::Ball,
-    Task::Length,
-];
-
 impl Task {
     /// Key of its name.
     pub fn key(self) -> &'static str {

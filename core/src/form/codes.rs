@@ -46,46 +46,25 @@ pub fn knum(param: &Param, inputs: &Inputs, control: &Control) -> Entry {
 pub const EDGE: DigitGroup = DigitGroup { key: "knum-edge", place: 1, digits: 3, choices: &[] };
 
 /// The digit above it: length or radius.
-pub const KIND: DigitGroup = DigitGroup {
-    key: "knum-kind",
-    place: 1000,
-    digits: 1,
-    choices: &[(0, "knum-kind-axis"), (1, "knum-kind-length"), (2, "knum-kind-radius")],
-};
+pub const KIND: DigitGroup =
+    DigitGroup::one("knum-kind", 1000, &[(0, "knum-kind-axis"), (1, "knum-kind-length"), (2, "knum-kind-radius")]);
 
 /// The digits above the D number, their places for D numbers of three digits (B:1902-1926).
 const ABOVE_EDGE: &[DigitGroup] = &[
     KIND,
-    DigitGroup {
-        key: "knum-sign",
-        place: 10_000,
-        digits: 1,
-        choices: &[(0, "knum-sign-normal"), (1, "knum-sign-inverted")],
-    },
-    DigitGroup {
-        key: "knum-quantity",
-        place: 100_000,
-        digits: 1,
-        choices: &[
-            (0, "knum-quantity-kind"),
-            (1, "knum-quantity-l1"),
-            (2, "knum-quantity-l2"),
-            (3, "knum-quantity-l3"),
-            (4, "knum-quantity-radius"),
-        ],
-    },
-    DigitGroup {
-        key: "knum-mode",
-        place: 1_000_000,
-        digits: 1,
-        choices: &[
-            (0, "knum-mode-tool"),
-            (1, "knum-mode-location"),
-            (2, "knum-mode-environment"),
-            (3, "knum-mode-both"),
-        ],
-    },
+    DigitGroup::one("knum-sign", 10_000, &[(0, "knum-sign-normal"), (1, "knum-sign-inverted")]),
+    DigitGroup::one("knum-quantity", 100_000, QUANTITIES),
+    DigitGroup::one("knum-mode", 1_000_000, MODES),
 ];
+const QUANTITIES: &[(i64, &str)] = &[
+    (0, "knum-quantity-kind"),
+    (1, "knum-quantity-l1"),
+    (2, "knum-quantity-l2"),
+    (3, "knum-quantity-l3"),
+    (4, "knum-quantity-radius"),
+];
+const MODES: &[(i64, &str)] =
+    &[(0, "knum-mode-tool"), (1, "knum-mode-location"), (2, "knum-mode-environment"), (3, "knum-mode-both")];
 
 /// With D numbers of five digits all others move by two (B:2009-2029).
 fn tool_digits(number: i64, five: bool) -> Vec<Group> {
@@ -97,21 +76,16 @@ fn tool_digits(number: i64, five: bool) -> Vec<Group> {
 
 /// Every target of a zero offset (B:1930-1965).
 fn zero_offsets() -> Vec<Choice> {
-    let none = std::iter::once(named(0, "knum-zero-none"));
-    let active = std::iter::once(named(9999, "knum-zero-active"));
-    let settable = (1..=99).map(|number| {
+    let mut choices = choices(&[(0, "knum-zero-none"), (9999, "knum-zero-active")]);
+    choices.extend((1..=99).map(|number| {
         let name = if number <= 4 { 53 + number } else { 500 + number };
         Choice { value: number, label: Message::new("knum-zero-settable").text("name", format!("G{name}")) }
-    });
-    let last = std::iter::once(named(1000, "knum-zero-last"));
-    let channel = (0..16).map(|index| frame(1011 + index, "$P_CHBFR", index, "knum-zero-channel"));
-    let global = (0..16).map(|index| frame(1051 + index, "$P_NCBFR", index, "knum-zero-global"));
-    let system = std::iter::once(named(2000, "knum-zero-system"));
-    none.chain(active).chain(settable).chain(last).chain(channel).chain(global).chain(system).collect()
-}
-
-fn named(value: i64, key: &'static str) -> Choice {
-    Choice { value, label: Message::new(key) }
+    }));
+    choices.extend(self::choices(&[(1000, "knum-zero-last")]));
+    choices.extend((0..16).map(|index| frame(1011 + index, "$P_CHBFR", index, "knum-zero-channel")));
+    choices.extend((0..16).map(|index| frame(1051 + index, "$P_NCBFR", index, "knum-zero-global")));
+    choices.extend(self::choices(&[(2000, "knum-zero-system")]));
+    choices
 }
 
 fn frame(value: i64, array: &str, index: i64, key: &'static str) -> Choice {

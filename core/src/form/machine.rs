@@ -197,6 +197,13 @@ pub struct Refusal {
     pub hint: Message,
 }
 
+impl Refusal {
+    /// With the cure whose key is that of the cause and `-hint`.
+    fn new(message: Message) -> Refusal {
+        Refusal { hint: Message::new(format!("{}-hint", message.key)), message }
+    }
+}
+
 /// The value that a typed text gives a setting; an empty one is answered by the caller with what is delivered.
 ///
 /// # Errors
@@ -210,16 +217,10 @@ pub fn accept(setting: &Setting, text: &str) -> Result<Value, Refusal> {
         _ => machine_data::number(text),
     };
     let Some(number) = number else {
-        return Err(Refusal {
-            message: Message::new("check-not-a-number").text("value", text),
-            hint: Message::new("check-not-a-number-hint"),
-        });
+        return Err(Refusal::new(Message::new("check-not-a-number").text("value", text)));
     };
     if setting.entry == Entry::Integer && number.fract() != 0.0 {
-        return Err(Refusal {
-            message: Message::new("check-not-whole").number("value", number),
-            hint: Message::new("check-not-whole-hint"),
-        });
+        return Err(Refusal::new(Message::new("check-not-whole").number("value", number)));
     }
     allowed(setting, number).map(|()| Value::Number(number))
 }
@@ -227,10 +228,7 @@ pub fn accept(setting: &Setting, text: &str) -> Result<Value, Refusal> {
 /// A text that fits between quotation marks.
 fn plain(text: &str) -> Result<Value, Refusal> {
     if text.contains('"') || text.chars().any(char::is_control) {
-        return Err(Refusal {
-            message: Message::new("check-text-characters"),
-            hint: Message::new("check-text-characters-hint"),
-        });
+        return Err(Refusal::new(Message::new("check-text-characters")));
     }
     Ok(Value::Text(text.to_owned()))
 }

@@ -1,23 +1,22 @@
 //! CYCLE116: centre and radius of a circle through points that the program has (B:2408-2469). It measures nothing; a
 //! program calls it with variables of its own.
 
-mod params;
-mod simulate;
 #[cfg(test)]
 mod tests;
 
-use super::common::{CYCLE, alarms, integer, length};
+use super::common::{CYCLE, PARAM, alarms, integer, length, required};
+use super::sinumerik::results;
 use super::spread;
 use crate::check::refused;
 use crate::control::{Control, MachineSort};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Code, Diagnostic};
 use crate::entry::*;
 use crate::evaluate;
 use crate::geometry::fit;
+use crate::machine::{Machine, Stop};
 use crate::name::Name;
 use crate::picture::figures::{circle, dimension};
 use crate::picture::{Picture, ShapeKind, View};
-use params::{COUNT, POINTS};
 
 /// The cycle. Example: that of the manual, B:2456-2466.
 pub static CYCLE116: Cycle = Cycle {
@@ -26,7 +25,7 @@ pub static CYCLE116: Cycle = Cycle {
     variants: &[Variant { number: 0, key: "cycle116-circle", source: "B:2408;A:2591" }],
     purpose: Purpose { probe: ProbeUse::None, machine: MachineSort::Any, ..Purpose::MILLING },
     lists: &[ArgumentList::direct("CYCLE116", &[Arg::Variable("_DATE"), Arg::Output("_ALM")], "B:2422")],
-    params: params::PARAMS,
+    params: PARAMS,
     results: &[
         length("_DATE[9]", "result-116-abscissa", When::Always, "B:2444;A:2632"),
         length("_DATE[10]", "result-116-ordinate", When::Always, "B:2445;A:2633"),
@@ -48,7 +47,7 @@ pub static CYCLE116: Cycle = Cycle {
         wrong(When::Always, "help-cycle116-unseen", "B:2448"),
     ]]),
     picture: Drawing::new(picture),
-    simulation: Some(Simulation::new(|_, _| Proposal::default(), simulate::simulate)),
+    simulation: Some(Simulation::new(|_, _| Proposal::default(), simulate)),
     source: "B:2408-2469",
     ..CYCLE
 };
@@ -98,4 +97,81 @@ fn picture(inputs: &Inputs) -> Picture {
         shapes.push(circle(ShapeKind::Touch, [x, y], size / 25.0));
     }
     Picture { view: View::Plane, shapes }
+}
+
+/// Number of points.
+const COUNT: Name = Name::new("_DATE[0]");
+/// Abscissa and ordinate of each point.
+const POINTS: [[Name; 2]; 4] = [
+    [Name::new("_DATE[1]"), Name::new("_DATE[2]")],
+    [Name::new("_DATE[3]"), Name::new("_DATE[4]")],
+    [Name::new("_DATE[5]"), Name::new("_DATE[6]")],
+    [Name::new("_DATE[7]"), Name::new("_DATE[8]")],
+];
+
+const FOUR: When = When::Number { param: COUNT, is: &[4.0] };
+
+/// The elements of the array that the program hands over (B:2430-2438), in their order.
+const PARAMS: &[Param] = &[
+    Param {
+        name: COUNT,
+        key: "116-count",
+        kind: Kind::Choice(&[(3, "cycle116-three"), (4, "cycle116-four")]),
+        alarm: Some(Code::Alarm(61317)),
+        needs: &[required(When::Always, "need-116-points")],
+        example: "3",
+        source: "B:2430;A:15858",
+        ..PARAM
+    },
+    abscissa(0, "0", "B:2431"),
+    ordinate(0, "10", "B:2432"),
+    abscissa(1, "-10", "B:2433"),
+    ordinate(1, "0", "B:2434"),
+    abscissa(2, "0", "B:2435"),
+    ordinate(2, "-10", "B:2436"),
+    Param { needs: &[required(FOUR, "need-116-fourth")], ..abscissa(3, "", "B:2437") },
+    Param { needs: &[required(FOUR, "need-116-fourth")], ..ordinate(3, "", "B:2438") },
+];
+
+const fn abscissa(point: usize, example: &'static str, source: &'static str) -> Param {
+    Param { name: POINTS[point][0], key: "116-abscissa", example, source, ..COORDINATE }
+}
+
+const fn ordinate(point: usize, example: &'static str, source: &'static str) -> Param {
+    Param { name: POINTS[point][1], key: "116-ordinate", example, source, ..COORDINATE }
+}
+
+/// The unit is not named; the result has the same (B:2431-2446).
+const COORDINATE: Param =
+    Param { unit: Unit::ActiveLength, needs: &[required(When::Always, "need-116-points")], ..PARAM };
+
+/// No circle through the points (A:15857).
+const NO_CIRCLE: u32 = 61316;
+/// The number of points is neither 3 nor 4 (A:15858).
+const NUMBER: u32 = 61317;
+
+/// What it computes and hands back (B:2440-2448), stopping no program: centre, radius and status into the array, the
+/// number of the alarm beside it.
+fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
+    let found = computed(inputs);
+    if let Ok(([abscissa, ordinate], radius)) = found {
+        for (name, value) in [("_DATE[9]", abscissa), ("_DATE[10]", ordinate), ("_DATE[11]", radius)] {
+            results::named_length(machine, name, value);
+        }
+    }
+    let failed = f64::from(u8::from(found.is_err()));
+    results::set(machine, "_DATE[12]", failed);
+    results::hand_back(machine, "_ALM", found.err());
+    Ok(())
+}
+
+/// Centre and radius, mm. Error: number of the alarm.
+fn computed(inputs: &Inputs) -> Result<([f64; 2], f64), u32> {
+    let count = inputs.number(COUNT);
+    if count != 3.0 && count != 4.0 {
+        return Err(NUMBER);
+    }
+    let places: Vec<[f64; 2]> = points(inputs).iter().map(|(_, place)| *place).collect();
+    let complete = places.len() as f64 == count;
+    complete.then(|| fit::circle(&places)).flatten().ok_or(NO_CIRCLE)
 }

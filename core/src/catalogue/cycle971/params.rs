@@ -35,7 +35,7 @@ const fn axis(is: &'static [i64]) -> When {
 }
 
 const MVAR_DIGITS: &[DigitGroup] = &[
-    tool_probe::digit("mvar-task", 1, &[(0, "task-calibrate"), (1, "task-still"), (2, "task-rotating")]),
+    DigitGroup::one("mvar-task", 1, &[(0, "task-calibrate"), (1, "task-still"), (2, "task-rotating")]),
     tool_probe::REFERENCE,
     DigitGroup {
         key: "mvar-approach",

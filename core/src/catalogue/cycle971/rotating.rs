@@ -1,11 +1,10 @@
 //! Speed, feed and compensation of a measurement with rotating spindle (B:4334-4387, B:4776-4807).
 
 use super::params::IN_PLANE;
-use crate::check::error;
+use crate::check::refused;
 use crate::control::Control;
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::Diagnostic;
 use crate::entry::{Inputs, names};
-use crate::message::Message;
 use crate::own;
 use crate::own::Own;
 
@@ -17,14 +16,6 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
         limits(control, found);
     }
     compensation(inputs, control, found);
-}
-
-/// An alarm at the variant, with `{name}` in its cause.
-fn alarm(number: u32, key: &'static str, name: &str) -> Diagnostic {
-    error(Code::Alarm(number), Message::new(key))
-        .hint(Message::new(format!("{key}-hint")))
-        .text("name", name)
-        .at(names::MVAR)
 }
 
 /// A finding of ours at the variant, with `{name}` in its cause.
@@ -40,7 +31,7 @@ fn own_speeds(control: &Control, found: &mut Vec<Diagnostic>) {
     let needed = [(true, 0), (true, 1), (second, 3), (third, 5)];
     for (_, index) in needed.into_iter().filter(|(needed, index)| *needed && value(*index) <= 0.0) {
         let name = format!("_MFS[{index}]");
-        found.push(alarm(61350, "check-mfs-missing", &name));
+        found.push(refused(61350, "check-mfs-missing", names::MVAR).text("name", name));
     }
     if !second && value(4) > 0.0 {
         found.push(finding(own::MFS_THIRD, "_MFS[2]"));
@@ -51,7 +42,7 @@ fn own_speeds(control: &Control, found: &mut Vec<Diagnostic>) {
 fn limits(control: &Control, found: &mut Vec<Diagnostic>) {
     let value = |index: usize| control.number(&format!("_CM[{index}]"));
     if ![3.0, 4.0].contains(&value(5)) {
-        found.push(alarm(61366, "check-cm-direction", "_CM[5]"));
+        found.push(refused(61366, "check-cm-direction", names::MVAR).text("name", "_CM[5]"));
     }
     for index in [0, 1, 3, 4].into_iter().filter(|index| value(*index) <= 0.0) {
         let name = format!("_CM[{index}]");

@@ -5,7 +5,7 @@ use super::params::{
     ABSCISSA, AUTOMATIC, BOTH, DRILL, DRILL_ALONG_APPLICATE, MILLING, ORDINATE, RADIAL, RADIUS, REVERSAL,
     SPINDLE_AS_IT_IS, UPPER, WITH_RADIUS,
 };
-use crate::catalogue::tool_probe::checks as shared;
+use crate::check::refused;
 use crate::control::machine_data::TOOL_LENGTH_TYPE;
 use crate::control::tools::AS_TURNING_TOOL;
 use crate::control::{Control, Edge, Plane};
@@ -33,16 +33,11 @@ pub fn checks(inputs: &Inputs, control: &Control, edge: &Edge, found: &mut Vec<D
     }
     assignment(control, found);
     if DRILL.holds(inputs) && WITH_RADIUS.holds(inputs) {
-        found.push(refused(61314, "check-drill-radius", "check-drill-radius-hint"));
+        found.push(refused(61314, "check-drill-radius", names::MVAR));
         return;
     }
     spindle(inputs, control, found);
     sizes(inputs, edge, found);
-}
-
-/// An alarm about the measuring variant.
-fn refused(number: u32, key: &'static str, hint: &'static str) -> Diagnostic {
-    shared::refused(number, Message::new(key), hint, names::MVAR)
 }
 
 /// A drill whose L1 counts along the applicate (B:10096-10126). No alarm is named there; 61314 is the nearest.
@@ -54,7 +49,8 @@ fn along_applicate(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     } else {
         return;
     };
-    found.push(refused(61314, key, "check-drill-applicate-hint"));
+    let hint = Message::new("check-drill-applicate-hint");
+    found.push(refused(61314, key, names::MVAR).hint(hint));
 }
 
 /// L1 lies along X and L2 along Z only with SD 42950 = 2 (B:9192, B:9507).
@@ -68,16 +64,16 @@ fn assignment(control: &Control, found: &mut Vec<Diagnostic>) {
 /// Turning the spindle: forbidden by `_CHBIT[20]`, or impossible (B:10088-10094, A:15916).
 fn spindle(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     if SPINDLE_HAS_TO_STAY.holds(inputs) {
-        found.push(refused(61307, "check-spindle-stays", "check-spindle-stays-hint"));
+        found.push(refused(61307, "check-spindle-stays", names::MVAR));
     } else if MILLING.holds(inputs) && !SPINDLE_AS_IT_IS.holds(inputs) && !control.spindle_positions {
-        found.push(refused(61372, "check-spindle-turns", "check-spindle-turns-hint"));
+        found.push(refused(61372, "check-spindle-turns", names::MVAR));
     }
 }
 
 /// Sizes in the tool data that the measurement needs (B:9206-9208, B:9636-9637).
 fn sizes(inputs: &Inputs, edge: &Edge, found: &mut Vec<Diagnostic>) {
     if FROM_THE_SIDE.holds(inputs) && edge.total_radius() == 0.0 {
-        found.push(refused(61351, "check-side-radius", "check-side-radius-hint"));
+        found.push(refused(61351, "check-side-radius", names::MVAR));
     }
     let along = usize::from(RADIAL.holds(inputs)); // L1 of an axial tool lies in the radius's axis, else L2
     if RADIUS.holds(inputs) && edge.total_length(along) == 0.0 {

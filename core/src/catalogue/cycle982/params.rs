@@ -5,43 +5,40 @@ use crate::catalogue::common;
 use crate::catalogue::common::{optional, required};
 use crate::catalogue::tool_probe::params as tool_probe;
 use crate::control::machine_data::TOOL_LENGTH_TYPE;
-use crate::entry::{DigitGroup, Kind, Param, When, names};
+use crate::entry::{DigitGroup, Kind, Param, When, mvar, names};
 use crate::range::Range;
 
-const fn digit(place: i64, is: &'static [i64]) -> When {
-    When::Digit { param: names::MVAR, place, is }
-}
 const fn axis(is: &'static [f64]) -> When {
     When::Number { param: names::MA, is }
 }
 
 /// The probe is calibrated.
-pub const CALIBRATE: When = digit(1, &[0]);
+pub const CALIBRATE: When = mvar(1, &[0]);
 /// A tool is measured.
 pub const MEASURE: When = When::Not(&CALIBRATE);
 /// All that the tool allows is measured one after the other.
-pub const AUTOMATIC: When = digit(1, &[2]);
+pub const AUTOMATIC: When = mvar(1, &[2]);
 /// The data are those of `_TPW`, which count in the active workpiece system.
-pub const WORKPIECE: When = digit(10, &[1]);
+pub const WORKPIECE: When = mvar(10, &[1]);
 /// In the active workpiece system: as digit 2 says, or with `_CBIT[5]`, from before that digit, with the data `_TP`
 /// (B:13602-13610).
 pub const IN_WORKPIECE: When = When::Any(&[WORKPIECE, When::Setting { name: "_CBIT[5]", is: &[1.0] }]);
 /// Each point is touched twice, the spindle turned in between.
-pub const REVERSAL: When = digit(100, &[1]);
+pub const REVERSAL: When = mvar(100, &[1]);
 /// Only the radius is measured.
-pub const RADIUS: When = digit(1000, &[1]);
+pub const RADIUS: When = mvar(1000, &[1]);
 /// Length and radius, from two sides.
-pub const BOTH: When = digit(1000, &[2]);
+pub const BOTH: When = mvar(1000, &[2]);
 /// The upper cutting edge, that is the one at the shank.
-pub const UPPER: When = digit(1000, &[3, 4]);
+pub const UPPER: When = mvar(1000, &[3, 4]);
 /// The same, with the length measured against the way of approach.
-pub const OPPOSITE: When = digit(1000, &[4]);
+pub const OPPOSITE: When = mvar(1000, &[4]);
 /// The radius is measured, alone or with a length.
-pub const WITH_RADIUS: When = digit(1000, &[1, 2, 3, 4]);
+pub const WITH_RADIUS: When = mvar(1000, &[1, 2, 3, 4]);
 /// The tool axis lies along the ordinate; otherwise along the abscissa.
-pub const RADIAL: When = digit(10_000, &[1]);
+pub const RADIAL: When = mvar(10_000, &[1]);
 /// Nothing but the measuring motion is travelled.
-pub const INCREMENTAL: When = digit(100_000, &[1]);
+pub const INCREMENTAL: When = mvar(100_000, &[1]);
 /// Positioned by the cycle.
 pub const POSITIONED: When = When::Not(&INCREMENTAL);
 
@@ -66,12 +63,12 @@ const REVERSED: When = When::All(&[MEASURE, REVERSAL, When::Not(&TURNING)]);
 
 /// The digits of `_MVAR`, units first (B:9224-9260, A:10287-10310).
 const MVAR_DIGITS: &[DigitGroup] = &[
-    tool_probe::digit("mvar-task", 1, &[(0, "task-calibrate"), (1, "task-measure-axis"), (2, "task-measure-all")]),
+    DigitGroup::one("mvar-task", 1, &[(0, "task-calibrate"), (1, "task-measure-axis"), (2, "task-measure-all")]),
     tool_probe::REFERENCE,
-    tool_probe::digit("mvar-edges", 100, &[(0, "second-edge-without"), (1, "second-edge-with")]),
-    tool_probe::digit("mvar-extent", 1000, EXTENTS),
-    tool_probe::digit("mvar-tool-axis", 10_000, &[(0, "tool-axis-axial"), (1, "tool-axis-radial")]),
-    tool_probe::digit("mvar-approach", 100_000, &[(0, "approach-normal"), (1, "approach-incremental")]),
+    DigitGroup::one("mvar-edges", 100, &[(0, "second-edge-without"), (1, "second-edge-with")]),
+    DigitGroup::one("mvar-extent", 1000, EXTENTS),
+    DigitGroup::one("mvar-tool-axis", 10_000, &[(0, "tool-axis-axial"), (1, "tool-axis-radial")]),
+    DigitGroup::one("mvar-approach", 100_000, &[(0, "approach-normal"), (1, "approach-incremental")]),
 ];
 const EXTENTS: &[(i64, &str)] = &[
     (0, "extent-plain"),

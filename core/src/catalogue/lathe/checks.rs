@@ -2,7 +2,7 @@
 
 use super::TIPS;
 use crate::catalogue::shared_checks;
-use crate::check::{error, warning};
+use crate::check::{doubted, error, refused};
 use crate::control::Control;
 use crate::control::probe::Unfit;
 use crate::diagnostic::{Code, Diagnostic};
@@ -25,12 +25,8 @@ pub fn measuring(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>
 pub fn tip(control: &Control, found: &mut Vec<Diagnostic>) -> Option<i64> {
     let edge = control.active_edge().filter(|edge| edge.kind != 0)?;
     if !edge.is_turning() {
-        let message = Message::new("check-lathe-probe").number("type", edge.kind as f64);
-        let code = Code::Alarm(61309);
-        let finding =
-            if control.unfit(edge) == Some(Unfit::Type) { error(code, message) } else { warning(code, message) };
-        let hint = Message::new("check-lathe-probe-hint");
-        found.push(finding.hint(hint).at(names::PRNUM));
+        let told = if control.unfit(edge) == Some(Unfit::Type) { refused } else { doubted };
+        found.push(told(61309, "check-lathe-probe", names::PRNUM).number("type", edge.kind as f64));
         return None;
     }
     if !TIPS.contains(&edge.tip) {

@@ -1,7 +1,7 @@
 //! Checks that the cycles at a tool probe share.
 
 use super::ProbeData;
-use crate::check::{error, warning};
+use crate::check::{doubted, error};
 use crate::control::{Control, Edge};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::entry::{Inputs, names};
@@ -66,11 +66,7 @@ pub fn tool_in_use<'a>(control: &'a Control, found: &mut Vec<Diagnostic>) -> Opt
     if edge.kind != WORKPIECE_PROBE {
         return Some(edge);
     }
-    found.push(
-        warning(Code::Alarm(61314), Message::new("check-tool-probe-in-use"))
-            .hint(Message::new("check-tool-probe-in-use-hint"))
-            .at(names::MVAR),
-    );
+    found.push(doubted(61314, "check-tool-probe-in-use", names::MVAR));
     None
 }
 

@@ -6,12 +6,8 @@ use crate::range::Range;
 
 /// Second digit of `_MVAR`: whether the probe stands in the machine (`_TP`) or in the active workpiece system (`_TPW`)
 /// (B:4186-4196, B:9224-9260).
-pub const REFERENCE: DigitGroup = digit("mvar-reference", 10, &[(0, "reference-machine"), (1, "reference-workpiece")]);
-
-/// One digit of `_MVAR`.
-pub const fn digit(key: &'static str, place: i64, choices: &'static [(i64, &'static str)]) -> DigitGroup {
-    DigitGroup { key, place, digits: 1, choices }
-}
+pub const REFERENCE: DigitGroup =
+    DigitGroup::one("mvar-reference", 10, &[(0, "reference-machine"), (1, "reference-workpiece")]);
 
 /// `_PRNUM`: a tool probe has no digit for its type (B:2277, B:15416).
 pub const PRNUM: Param = Param {
