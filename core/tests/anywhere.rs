@@ -10,7 +10,7 @@ use probewright_core::check::check;
 use probewright_core::control::{Control, Frame, MachineSort, Plane};
 use probewright_core::dialect::Dialect;
 use probewright_core::entry::{Cycle, Inputs, ProbeUse, Typed, Variant};
-use probewright_core::geometry::Rpy;
+use probewright_core::geometry::{Dir, Rpy};
 use probewright_core::machine::Setup;
 use probewright_core::run::{Outcome, predict};
 use probewright_core::workpiece::PartErrors;
@@ -73,7 +73,7 @@ fn stands(
     let inputs = inputs(cycle, variant, &setup.control, place.turn)?;
     let proposal = (cycle.work()?.propose)(&inputs, &setup.control);
     setup.workpiece = proposal.workpiece;
-    let shift = setup.control.direction_to_machine(seen(plane, wrong.shift));
+    let shift = setup.control.direction_to_machine(Dir::new(seen(plane, wrong.shift))).0;
     for solid in &mut setup.workpiece.solids {
         solid.errors = PartErrors {
             shift,

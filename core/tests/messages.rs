@@ -10,7 +10,7 @@ use probewright_core::diagnostic::{Diagnostic, Severity};
 use probewright_core::dialect::Dialect;
 use probewright_core::entry::{Kind, Typed};
 use probewright_core::form::{Choice, Entry, fields};
-use probewright_core::geometry::Mcs;
+use probewright_core::geometry::{Dir, Mcs};
 use probewright_core::machine::trace::{Entry as TraceEntry, Step};
 use probewright_core::scene::frames::{Frame, UNITS};
 use probewright_core::scene::labels::{self, Label};
@@ -168,6 +168,6 @@ fn what_is_written_beside_a_drawing_has_words() {
     for (moved, wanted) in [(None, "G54"), (Some("before"), "G54 before"), (Some("after"), "G54 after")] {
         assert_eq!(said(&labels::frames(&[at(moved)])[0]), wanted);
     }
-    let crash = Step::Crash { point: Mcs([0.0; 3]), normal: [0.0; 3], by: Touching::Stylus };
+    let crash = Step::Crash { point: Mcs([0.0; 3]), normal: Dir::default(), by: Touching::Stylus };
     assert_eq!(said(&labels::collisions(&[TraceEntry { line: None, step: crash, in_use: 0 }])[0]), "Crash: stylus");
 }

@@ -4,6 +4,7 @@ use crate::catalogue::prelude::*;
 use crate::control::Edge;
 use crate::evaluate::knum;
 use crate::geometry::rigid::angles;
+use crate::geometry::{Dir, Wcs};
 use crate::workpiece::{PartErrors, Shape, Solid, Workpiece};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
@@ -37,14 +38,14 @@ pub fn unit(axis: usize) -> [f64; 3] {
 /// side, as that of a turning machine's probe with cutting edge position 5 or 6.
 pub fn side(control: &Control) -> f64 {
     let Some(stands) = control.active_edge().and_then(Edge::stands) else { return 1.0 };
-    let up = control.direction_to_machine(in_plane(control, [0.0, 0.0, 1.0]));
-    let along: f64 = up.iter().zip(stands).map(|(a, b)| a * b).sum();
+    let up = control.direction_to_machine(Dir::new(in_plane(control, [0.0, 0.0, 1.0]))).0;
+    let along: f64 = up.iter().zip(stands.0).map(|(a, b)| a * b).sum();
     if along < 0.0 { -1.0 } else { 1.0 }
 }
 
 /// A nominal solid by its origin and the directions of its X and Z axes: abscissa, ordinate, applicate of the WCS.
 pub fn solid(control: &Control, shape: Shape, at: [f64; 3], x: [f64; 3], z: [f64; 3]) -> Solid {
-    let direction = |axis: [f64; 3]| Vector3::from(control.direction_to_machine(in_plane(control, axis)));
+    let direction = |axis: [f64; 3]| Vector3::from(control.direction_to_machine(Dir::new(in_plane(control, axis))).0);
     let (x, z) = (direction(x), direction(z));
     let columns = Matrix3::from_columns(&[x, z.cross(&x), z]);
     Solid {

@@ -7,7 +7,7 @@ use crate::control::{Frame, Plane, delivery};
 use crate::diagnostic::Code;
 use crate::dialect::Dialect;
 use crate::entry::{Cycle, Typed};
-use crate::geometry::Rpy;
+use crate::geometry::{Dir, Rpy};
 use crate::machine::setup::Setup;
 use crate::run::predict;
 
@@ -77,7 +77,7 @@ fn measured_in(
     let proposal = (cycle.work().unwrap().propose)(&inputs, &setup.control);
     setup.workpiece = proposal.workpiece;
     for solid in &mut setup.workpiece.solids {
-        solid.errors.shift = setup.control.direction_to_machine(SHIFT);
+        solid.errors.shift = setup.control.direction_to_machine(Dir::new(SHIFT)).0;
         solid.errors.size = SIZE;
     }
     setup.workpiece.solids.extend(proposal.fixture);

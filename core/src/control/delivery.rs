@@ -8,7 +8,7 @@ use super::{
     BasicFrames, Control, Data, Frame, Limits, Make, Plane, Transverse, Units, Value, gud, machine_data, nct_data,
 };
 use crate::dialect::Dialect;
-use crate::geometry::Degrees;
+use crate::geometry::{Degrees, Mcs};
 use std::collections::BTreeMap;
 
 /// Metres in a foot (feet/min on an inch machine, B:13498).
@@ -52,7 +52,7 @@ pub fn delivery_in(dialect: Dialect, units: Units) -> Control {
         spindle_speed: 0.0,
         spindle_positions: true,
         rotary: [Degrees(0.0); 3],
-        rotary_centre: [0.0; 3],
+        rotary_centre: Mcs::default(),
         limits: Limits::default(),
     }
 }

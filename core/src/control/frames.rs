@@ -4,7 +4,7 @@
 //! Lengths in mm, angles in degree.
 
 use super::{BasicFrames, Control, Frame, Value};
-use crate::geometry::{Mcs, Wcs};
+use crate::geometry::{Dir, Mcs, Wcs};
 use std::collections::BTreeSet;
 
 /// Which channel basic frames are in the chain: bit 0 is `$P_CHBFR[0]`.
@@ -105,13 +105,13 @@ impl Control {
     }
 
     /// A direction of the WCS in machine coordinates.
-    pub fn direction_to_machine(&self, direction: [f64; 3]) -> [f64; 3] {
-        self.links().rev().fold(direction, |direction, frame| frame.turn(direction))
+    pub fn direction_to_machine(&self, direction: Dir<Wcs>) -> Dir<Mcs> {
+        Dir::new(self.links().rev().fold(direction.0, |direction, frame| frame.turn(direction)))
     }
 
     /// A direction in machine coordinates in the WCS.
-    pub fn direction_to_workpiece(&self, direction: [f64; 3]) -> [f64; 3] {
-        self.links().fold(direction, |direction, frame| frame.turn_back(direction))
+    pub fn direction_to_workpiece(&self, direction: Dir<Mcs>) -> Dir<Wcs> {
+        Dir::new(self.links().fold(direction.0, |direction, frame| frame.turn_back(direction)))
     }
 
     /// Whether an axis X Y Z of the WCS runs against that of the machine: an odd number of frames mirrors it.

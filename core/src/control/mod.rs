@@ -34,7 +34,7 @@ pub use units::UnitFunction;
 pub use variables::AXES;
 
 use crate::dialect::Dialect;
-use crate::geometry::Degrees;
+use crate::geometry::{Degrees, Mcs};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -226,8 +226,8 @@ pub struct Control {
     pub spindle_positions: bool,
     /// Where the rotary axes A B C stand, machine.
     pub rotary: [Degrees; 3],
-    /// Point on the lines about which they turn, machine coordinates X Y Z, mm.
-    pub rotary_centre: [f64; 3],
+    /// Point on the lines about which they turn, mm.
+    pub rotary_centre: Mcs,
     /// Software limit switches.
     pub limits: Limits,
 }

@@ -1,7 +1,7 @@
 //! The workpiece probe by its tool data: whether the milling cycles may be called with it, and where its body lies.
 
 use super::{AS_TURNING_TOOL, Control, Edge, Plane, TOOL_LENGTH_TYPE};
-use crate::geometry::V3;
+use crate::geometry::{Dir, Mcs, V3};
 
 /// Type of a 3D probe.
 const PROBE: i64 = 710;
@@ -47,13 +47,13 @@ impl Control {
     }
 
     /// Direction from the ball to the body of the probe, X Y Z of the machine: [`Edge::stands`], or the applicate.
-    pub fn stands(&self) -> [f64; 3] {
+    pub fn stands(&self) -> Dir<Mcs> {
         self.active_edge().and_then(Edge::stands).unwrap_or_else(|| upright(self.plane))
     }
 }
 
 /// Along the applicate of a plane.
-pub fn upright(plane: Plane) -> [f64; 3] {
+pub fn upright(plane: Plane) -> Dir<Mcs> {
     let [_, _, applicate] = plane.axes();
     V3::ith(applicate, 1.0).into()
 }
@@ -75,8 +75,8 @@ impl Edge {
 
     /// Direction from the ball to its body on the machine, X Y Z: the cutting edge position is that of G18, as no plane
     /// turns the probe. So it stands on G17 with 5 and 7, on G19 with 6 and 8 (B:4152).
-    pub fn stands(&self) -> Option<[f64; 3]> {
-        self.body().map(|[z, x]| [x, 0.0, z])
+    pub fn stands(&self) -> Option<Dir<Mcs>> {
+        self.body().map(|[z, x]| Dir::new([x, 0.0, z]))
     }
 }
 
@@ -125,7 +125,7 @@ mod tests {
                     let edge = edge(kind, tip);
                     assert_eq!(control.unfit(&edge), unfit, "{plane:?} {tip}");
                     let stands = edge.stands();
-                    let along = stands.map(|to| to.map(f64::abs) == upright(plane));
+                    let along = stands.map(|to| to.map(f64::abs) == upright(plane).0);
                     assert_eq!(along == Some(true), unfit.is_none(), "{plane:?} {tip}");
                 }
             }

@@ -4,7 +4,7 @@
 //! counter-clockwise about the part (DIN 66217, B:627), so that the table turns clockwise; C is carried by B, B by A.
 
 use super::Control;
-use crate::geometry::{Degrees, Rpy, V3, rigid};
+use crate::geometry::{Degrees, Dir, Mcs, Rpy, V3, rigid};
 use nalgebra::Rotation3;
 
 /// Names by index.
@@ -35,14 +35,14 @@ impl Control {
 
     /// The direction in the machine about which a positive angle turns a direction of the WCS from one of its axes X Y
     /// Z (by index) towards another: the third axis, reversed where the WCS is mirrored.
-    pub fn turn_axis(&self, from: usize, to: usize) -> [f64; 3] {
+    pub fn turn_axis(&self, from: usize, to: usize) -> Dir<Mcs> {
         let direction = |axis| V3::from(self.direction_to_machine(V3::ith(axis, 1.0).into()));
         direction(from).cross(&direction(to)).into()
     }
 
     /// The direction in the machine about which a positive angle of a rotary axis turns the tool round the part, and
     /// the part the other way: that of its name, turned by the axes that carry it.
-    pub fn rotary_direction(&self, axis: usize) -> [f64; 3] {
+    pub fn rotary_direction(&self, axis: usize) -> Dir<Mcs> {
         let carrying = Rpy(std::array::from_fn(|i| if i < axis { self.rotary[i].0 } else { 0.0 }));
         (rigid::rotation(carrying).inverse() * V3::ith(axis.min(2), 1.0)).into()
     }

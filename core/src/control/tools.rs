@@ -1,6 +1,7 @@
 //! Tools and registers: which edge is active, what it is long and how thick, wear included. mm.
 
 use super::{Control, Edge, TOOL_LENGTH_TYPE};
+use crate::geometry::{Dir, Mcs};
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
@@ -86,8 +87,8 @@ impl Control {
     }
 
     /// Length in effect along X Y Z, see [`Control::length_axes`]. 0 without a correction.
-    pub fn active_length(&self) -> [f64; 3] {
-        let mut length = [0.0; 3];
+    pub fn active_length(&self) -> Dir<Mcs> {
+        let mut length = Dir::default();
         if let Some(edge) = self.active_edge() {
             let (axes, location) = (self.plane.axes(), edge.location(self.location));
             for (i, axis) in self.length_axes(edge).into_iter().enumerate() {

@@ -35,7 +35,7 @@ pub use lobed::{LobedWall, Lobes};
 pub use mesh::Mesh;
 pub use met::{Met, Stand, earliest};
 pub use path::Path;
-pub use place::{Mcs, Wcs};
+pub use place::{Dir, Mcs, Wcs};
 pub use quad::{Quad, Trim};
 pub use rigid::Rpy;
 pub use rod::Rod;
@@ -66,7 +66,7 @@ macro_rules! figures_of_the_page {
     )*};
 }
 #[cfg(test)]
-figures_of_the_page!(Degrees: "number", Rpy: "[number, number, number]");
+figures_of_the_page!(Degrees: "number", Rpy: "[number, number, number]", Dir<Mcs>: "[number, number, number]");
 
 /// The figures X Y Z of a vector, for serde.
 pub(crate) fn figures<S: serde::Serializer>(vector: &V3, to: S) -> Result<S::Ok, S::Error> {

@@ -2,6 +2,7 @@
 
 use super::Sim;
 use crate::control::{Control, Edge, Plane};
+use crate::geometry::{Dir, Mcs};
 use crate::workpiece::{Cut, Spindle, Tool};
 
 /// What is in use from one change to the next.
@@ -12,13 +13,13 @@ pub struct InUse {
     /// Working plane.
     pub plane: Plane,
     /// Length in effect along X Y Z, mm.
-    pub length: [f64; 3],
+    pub length: Dir<Mcs>,
     /// Its data; none: no correction is in effect.
     pub edge: Option<Edge>,
     /// The tool as it is; none without a correction.
     pub tool: Option<Tool>,
     /// From the position of the machine to the end of the tool, X Y Z, mm.
-    pub tip: [f64; 3],
+    pub tip: Dir<Mcs>,
     /// How the spindle stands, of a cutter whose teeth show it.
     pub spindle: Option<Spindle>,
     /// Whether it is a turning machine, as far as its tools tell.
@@ -34,7 +35,7 @@ impl InUse {
         let edge = control.active_edge().cloned();
         let nominal = || edge.as_ref().map(|edge| Tool::nominal(edge, control).recoded(sim.recoded()));
         let tool = sim.real_tool().cloned().or_else(nominal);
-        let tip = tool.as_ref().map_or([0.0; 3], |tool| tool.error(control));
+        let tip = tool.as_ref().map_or_else(Dir::default, |tool| tool.error(control));
         InUse {
             place: control.active_place(),
             plane: control.plane,

@@ -51,7 +51,7 @@ impl Setup {
         }
         small(&Path::of(&["active", "spindle"]), &[control.spindle.0])?;
         small(&Path::of(&["active", "rotary"]), &control.rotary.map(|angle| angle.0))?;
-        small(&Path::of(&["machine", "rotaryCentre"]), &control.rotary_centre)?;
+        small(&Path::of(&["machine", "rotaryCentre"]), &control.rotary_centre.0)?;
         in_spindle(control)?;
         control.data.iter().try_for_each(|(name, value)| datum(control, name, value))
     }

@@ -1,7 +1,7 @@
 //! The way of one motion, straight or round an axis, and what stops the probe on it.
 
 use crate::control::Control;
-use crate::geometry::{Around, FARTHEST, Mcs, Stretch, TOLERANCE, V3, roots};
+use crate::geometry::{Around, Dir, FARTHEST, Mcs, Stretch, TOLERANCE, V3, roots};
 use crate::workpiece::{Boundary, Contact, Feeler, Touching};
 
 /// How far a stretch of an arc that counts as straight may be from its chord, mm.
@@ -37,8 +37,8 @@ pub struct Obstacle {
     pub ball: Mcs,
     /// Point touched.
     pub point: Mcs,
-    /// Outward unit normal there, machine coordinates.
-    pub normal: [f64; 3],
+    /// Outward unit normal there.
+    pub normal: Dir<Mcs>,
     /// What of the probe touches; of a tool always what stands for its ball.
     pub by: Touching,
 }
@@ -50,7 +50,7 @@ impl Route {
     }
 
     /// Moved by so much, mm.
-    pub fn moved(&self, by: [f64; 3]) -> Route {
+    pub fn moved(&self, by: Dir<Mcs>) -> Route {
         Route {
             from: self.from + by,
             to: self.to + by,
@@ -71,14 +71,14 @@ impl Route {
         match &self.around {
             Some(around) => around.length(self.from.0, self.to.0),
             None => {
-                let [x, y, z] = self.to - self.from;
+                let [x, y, z] = (self.to - self.from).0;
                 x.hypot(y).hypot(z)
             }
         }
     }
 
     /// What lies between two parts of it, 0 to 1, seen so far away.
-    fn stretch(&self, parts: [f64; 2], shift: [f64; 3]) -> Stretch {
+    fn stretch(&self, parts: [f64; 2], shift: Dir<Mcs>) -> Stretch {
         let stretch = match &self.around {
             Some(around) => around.stretch(self.from.0, self.to.0, parts),
             None => {
@@ -103,7 +103,7 @@ impl Route {
         if self.around.is_none() {
             return control.within_limits(self.to);
         }
-        let stretch = self.stretch([0.0, 1.0], [0.0; 3]);
+        let stretch = self.stretch([0.0, 1.0], Dir::default());
         let bounds = [V3::x(), V3::y(), V3::z()].map(|axis| stretch.along(&axis));
         let corner = |side: usize| bounds.map(|bounds| bounds[side]);
         control.within_limits(Mcs(corner(0))) && control.within_limits(Mcs(corner(1)))
@@ -117,7 +117,7 @@ impl Route {
 
     /// Where the probe meets the part, whose ball has its centre `shift` away from the positions of the way. How much
     /// had to be looked at for that is added to `effort`: see [`Route::search`].
-    pub fn obstacle(&self, part: &Boundary, probe: &Feeler, shift: [f64; 3], effort: &mut usize) -> Option<Obstacle> {
+    pub fn obstacle(&self, part: &Boundary, probe: &Feeler, shift: Dir<Mcs>, effort: &mut usize) -> Option<Obstacle> {
         let mut looked = 0;
         let ball = self.stops_ball(part, probe, shift, &mut looked);
         let free = ball.map_or(*self, |met| self.until(met.part, met.stop));
@@ -134,7 +134,7 @@ impl Route {
     /// straight. Each stretch counts as one in `effort`, and one that is looked at as `LOOK`.
     pub fn search<T>(
         &self,
-        shift: [f64; 3],
+        shift: Dir<Mcs>,
         effort: &mut usize,
         near: impl Fn(&Stretch) -> bool,
         mut look: impl FnMut([f64; 2]) -> Option<T>,
@@ -164,7 +164,7 @@ impl Route {
     }
 
     /// Where the ball meets the part. One that reaches into the part at the start may leave it.
-    fn stops_ball(&self, part: &Boundary, probe: &Feeler, shift: [f64; 3], effort: &mut usize) -> Option<Obstacle> {
+    fn stops_ball(&self, part: &Boundary, probe: &Feeler, shift: Dir<Mcs>, effort: &mut usize) -> Option<Obstacle> {
         let mut leaving: Option<(f64, Obstacle)> = None;
         let near = |stretch: &Stretch| probe.ball_may_meet(part, stretch);
         let met = self.search(shift, effort, near, |[begin, end]| {
@@ -185,17 +185,17 @@ impl Route {
     }
 
     /// Where stylus or body of the probe meet the part on a way that is free for the ball.
-    fn catches(&self, part: &Boundary, probe: &Feeler, shift: [f64; 3], effort: &mut usize) -> Option<Obstacle> {
+    fn catches(&self, part: &Boundary, probe: &Feeler, shift: Dir<Mcs>, effort: &mut usize) -> Option<Obstacle> {
         let near = |stretch: &Stretch| probe.rods_may_meet(part, stretch);
         self.search(shift, effort, near, |[begin, end]| {
             let [from, to] = [begin, end].map(|part| self.at(part));
-            let met = probe.caught(part, (from + shift).0, (to + shift).0)?;
+            let met = probe.caught(part, from + shift, to + shift)?;
             let stop = between(from, to, met.part);
             Some(Obstacle {
                 part: begin + met.part * (end - begin),
                 stop,
                 ball: stop + shift,
-                point: Mcs(met.point),
+                point: met.point,
                 normal: met.normal,
                 by: met.by,
             })
@@ -203,11 +203,11 @@ impl Route {
     }
 
     /// What was met on a straight piece between two parts of the way, as on the way itself, less than a sagitta aside.
-    fn on_arc(&self, part: &Boundary, radius: f64, shift: [f64; 3], [begin, end]: [f64; 2], met: Obstacle) -> Obstacle {
+    fn on_arc(&self, part: &Boundary, radius: f64, shift: Dir<Mcs>, [begin, end]: [f64; 2], met: Obstacle) -> Obstacle {
         if self.around.is_none() {
             return met;
         }
-        let gap = |at: f64| part.distance((self.at(at) + shift).0) - radius;
+        let gap = |at: f64| part.distance(self.at(at) + shift) - radius;
         let straight = begin + met.part * (end - begin);
         let at = roots::bracketed(gap, begin, end).unwrap_or(straight);
         let stop = self.at(at);
@@ -226,12 +226,12 @@ enum Ahead {
 }
 
 /// What a ball meets on a straight way. One that reaches into the part at the start and leaves it goes on.
-fn straight(part: &Boundary, radius: f64, from: Mcs, to: Mcs, shift: [f64; 3]) -> Ahead {
-    let met = |part: f64, ball: Mcs, point: [f64; 3], normal: [f64; 3]| Obstacle {
+fn straight(part: &Boundary, radius: f64, from: Mcs, to: Mcs, shift: Dir<Mcs>) -> Ahead {
+    let met = |part: f64, ball: Mcs, point: Mcs, normal: Dir<Mcs>| Obstacle {
         part,
-        stop: ball + shift.map(|way| -way),
+        stop: ball + -shift,
         ball,
-        point: Mcs(point),
+        point,
         normal,
         by: Touching::Ball,
     };
@@ -239,10 +239,10 @@ fn straight(part: &Boundary, radius: f64, from: Mcs, to: Mcs, shift: [f64; 3]) -
     let mut start = from + shift;
     let mut gone = 0.0;
     for _ in 0..4 {
-        match part.first(radius, start.0, end.0) {
+        match part.first(radius, start, end) {
             Contact::None => return Ahead::Free,
             Contact::Hit { t, ball, point, normal } => {
-                return Ahead::Met(met(gone + t * (1.0 - gone), Mcs(ball), point, normal));
+                return Ahead::Met(met(gone + t * (1.0 - gone), ball, point, normal));
             }
             Contact::Already { point, normal, depth } => {
                 let pressed = met(gone, start, point, normal);
@@ -262,7 +262,7 @@ fn straight(part: &Boundary, radius: f64, from: Mcs, to: Mcs, shift: [f64; 3]) -
 
 /// After which part of its way a ball that reaches into the part by `depth` is free, as a deflected stylus on its way
 /// back; more than 1: the way is too short for that; none: it does not leave.
-fn released(from: Mcs, to: Mcs, normal: [f64; 3], depth: f64) -> Option<f64> {
+fn released(from: Mcs, to: Mcs, normal: Dir<Mcs>, depth: f64) -> Option<f64> {
     let way = to - from;
     let outward: f64 = (0..3).map(|i| way[i] * normal[i]).sum();
     (outward > 0.0).then(|| depth * (1.0 + 1e-9) / outward + 1e-12)
@@ -270,5 +270,5 @@ fn released(from: Mcs, to: Mcs, normal: [f64; 3], depth: f64) -> Option<f64> {
 
 /// The place after a part of the straight way, 0 to 1.
 fn between(from: Mcs, to: Mcs, part: f64) -> Mcs {
-    from + (to - from).map(|way| part * way)
+    from + (to - from) * part
 }

@@ -2,7 +2,7 @@
 //! What arcs meet, against the distance of the part at many places of them.
 
 use super::{Obstacle, Route};
-use crate::geometry::{Around, Degrees, Mcs, V3};
+use crate::geometry::{Around, Degrees, Dir, Mcs, V3};
 use crate::machine::ideal_probe;
 use crate::workpiece::feeler_tests::{any_solid, boundary, least};
 use crate::workpiece::{Boundary, Feeler, Shape, Solid, Touching};
@@ -20,7 +20,7 @@ fn around(from: V3, centre: V3, axis: V3, degrees: f64, climb: f64) -> Route {
 
 fn met(part: &Boundary, probe: &Feeler, way: &Route) -> (Option<Obstacle>, usize) {
     let mut effort = 0;
-    let met = way.obstacle(part, probe, [0.0; 3], &mut effort);
+    let met = way.obstacle(part, probe, Dir::default(), &mut effort);
     (met, effort)
 }
 
@@ -74,7 +74,7 @@ proptest! {
     #[test]
     fn a_stylus_is_stopped_where_the_part_is_as_near_as_its_radius(solid in any_solid(), way in any_arc()) {
         let part = boundary(vec![solid]);
-        let (probe, radius) = (Feeler::new(&ideal_probe(), [0.0, 0.0, 1.0]), ideal_probe().stylus_radius());
+        let (probe, radius) = (Feeler::new(&ideal_probe(), Dir::new([0.0, 0.0, 1.0])), ideal_probe().stylus_radius());
         prop_assume!(least(&part, way.from.into()) > RADIUS);
         let (found, _) = met(&part, &probe, &way);
         let end = found.map_or(1.0, |met| met.part);
@@ -102,7 +102,7 @@ fn circle(radius: f64, z: f64) -> Route {
 // centre of a sphere of 20 mm; a circle that is free by a millionth of that is told so without a look
 #[test]
 fn a_circle_close_to_a_round_wall_is_told_free_at_once() {
-    let probe = Feeler::new(&ideal_probe(), [0.0, 0.0, 1.0]);
+    let probe = Feeler::new(&ideal_probe(), Dir::new([0.0, 0.0, 1.0]));
     let depth = 30.0;
     let hole = Shape::Hole { diameter: 40.0, depth };
     let shaft = Shape::Shaft { diameter: 40.0, height: depth };
@@ -145,7 +145,7 @@ fn a_graze_is_met_where_it_is_deepest() {
 #[test]
 fn arcs_of_any_size_come_to_an_end() {
     let block = boundary(vec![solid(Shape::Block { size: [100.0, 100.0, 20.0] })]);
-    let probe = Feeler::new(&ideal_probe(), [0.0, 0.0, 1.0]);
+    let probe = Feeler::new(&ideal_probe(), Dir::new([0.0, 0.0, 1.0]));
     let huge = around(V3::new(0.0, 70.0, -5.0), V3::new(1e7, 70.0, -5.0), V3::z(), 360.0, 0.0);
     let (found, effort) = met(&block, &probe, &huge);
     let stop = V3::from(found.unwrap().stop);

@@ -176,7 +176,7 @@ impl Sim {
         let before = self.control.active_length();
         let outcome = change(&mut self.control);
         let after = self.control.active_length();
-        self.position = self.position + [0, 1, 2].map(|axis| before[axis] - after[axis]);
+        self.position = self.position + before + -after;
         outcome
     }
 
@@ -204,7 +204,7 @@ impl Sim {
 
     /// Distance of a point from the part, negative inside.
     pub fn distance(&self, point: Mcs) -> f64 {
-        self.part.distance(point.0)
+        self.part.distance(point)
     }
 
     /// Refuses to go on where the trace is full.
@@ -275,7 +275,7 @@ impl Machine for Sim {
     }
 
     fn in_contact(&self) -> bool {
-        let ball = (self.position + self.ball()).0;
+        let ball = self.position + self.ball();
         let contact = self.part.first(self.probe.radius, ball, ball);
         matches!(contact, Contact::Already { .. })
     }

@@ -3,7 +3,7 @@
 use super::InUse;
 use crate::control::ROTARY;
 use crate::diagnostic::Code;
-use crate::geometry::{Around, Degrees, Mcs};
+use crate::geometry::{Around, Degrees, Dir, Mcs};
 use crate::message::Message;
 use crate::workpiece::{Solid, Touching};
 use serde::{Serialize, Serializer};
@@ -51,7 +51,7 @@ pub enum Step {
         /// Point touched on the part.
         point: Mcs,
         /// Outward unit normal of the part there.
-        normal: [f64; 3],
+        normal: Dir<Mcs>,
         /// What of the probe touched; left out: the ball.
         #[serde(skip_serializing_if = "Touching::is_ball")]
         #[cfg_attr(test, ts(optional, as = "Option<Touching>"))]
@@ -62,7 +62,7 @@ pub enum Step {
         /// Point touched on the part.
         point: Mcs,
         /// Outward unit normal of the part there.
-        normal: [f64; 3],
+        normal: Dir<Mcs>,
         /// What of the probe touched; left out: the ball.
         #[serde(skip_serializing_if = "Touching::is_ball")]
         #[cfg_attr(test, ts(optional, as = "Option<Touching>"))]

@@ -330,7 +330,7 @@ impl Scene {
                 Step::Crash { point, normal, .. } => (point, normal, 2),
                 _ => continue,
             };
-            self.touches.extend(point.iter().chain(normal));
+            self.touches.extend(point.iter().chain(&normal.0));
             self.touch_entries.push(entry as u32);
             self.touch_sorts.push(sort);
         }

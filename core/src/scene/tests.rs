@@ -11,7 +11,7 @@ use super::{LineKind, Matter, Scene, Source, fit, labels, paths, tool};
 use crate::control::Plane;
 use crate::dialect::Dialect;
 use crate::entry::names::{SETVAL, TSA};
-use crate::geometry::{Around, Degrees, Extent, Mcs, Rpy, V3};
+use crate::geometry::{Around, Degrees, Dir, Extent, Mcs, Rpy, V3};
 use crate::machine::{Entry, InUse, MotionKind, Setup, Step, Trace};
 use crate::message::Message;
 use crate::run::outcome::Outcome;
@@ -31,7 +31,7 @@ fn motion(from: [f64; 3], to: [f64; 3]) -> Step {
 }
 
 fn touch(point: [f64; 3], by: Touching) -> Step {
-    Step::Touch { latched: Mcs(point), ball: Mcs(point), point: Mcs(point), normal: [0.0, 0.0, 1.0], by }
+    Step::Touch { latched: Mcs(point), ball: Mcs(point), point: Mcs(point), normal: Dir::new([0.0, 0.0, 1.0]), by }
 }
 
 fn near(found: [f64; 3], wanted: [f64; 3]) {
@@ -239,7 +239,7 @@ fn the_stylus_stands_along_the_axis_of_the_tool() {
 }
 
 fn holding(pieces: Vec<Drawn>) -> Tool {
-    Tool { length: [0.0; 3], ball: None, pieces, carrier: Vec::new(), tip: V3::zeros() }
+    Tool { length: Dir::default(), ball: None, pieces, carrier: Vec::new(), tip: V3::zeros() }
 }
 
 fn mill() -> Drawn {
@@ -270,7 +270,7 @@ fn another_length_in_effect_is_another_position() {
         .collect();
     entries[1].in_use = 1;
     entries[2].in_use = 1;
-    let tools = [holding(Vec::new()), Tool { length: [0.0, 0.0, 10.0], ..holding(Vec::new()) }];
+    let tools = [holding(Vec::new()), Tool { length: Dir::new([0.0, 0.0, 10.0]), ..holding(Vec::new()) }];
     assert_eq!(paths::stands(&entries, &tools), [[1.0, 0.0, 50.0], [1.0, 0.0, 40.0], [1.0, 0.0, 40.0]]);
 }
 
@@ -284,10 +284,10 @@ fn what_is_in_use_follows_the_tool_changes() {
     let probe = InUse {
         place: control.active_place(),
         plane: control.plane,
-        length: [0.0; 3],
+        length: Dir::default(),
         edge: None,
         tool: None,
-        tip: [0.0; 3],
+        tip: Dir::default(),
         spindle: None,
         turns: false,
         recoded: false,
@@ -364,7 +364,7 @@ fn what_must_not_touch_and_did_is_told() {
         touch(point, Touching::Ball),
         told(),
         Step::Alarm(crate::diagnostic::Code::Alarm(61302)),
-        Step::Crash { point: Mcs([4.0, 5.0, 6.0]), normal: [1.0, 0.0, 0.0], by: Touching::Body },
+        Step::Crash { point: Mcs([4.0, 5.0, 6.0]), normal: Dir::new([1.0, 0.0, 0.0]), by: Touching::Body },
     ];
     let entries: Vec<Entry> = steps.into_iter().map(entry).collect();
     let found = labels::collisions(&entries);

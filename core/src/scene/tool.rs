@@ -6,7 +6,7 @@ use super::{Matter, solid};
 use crate::catalogue::find;
 use crate::control::{Edge, LATHE_PROBE, upright};
 use crate::entry::ProbeUse;
-use crate::geometry::{V3, figures};
+use crate::geometry::{Dir, Mcs, V3, figures};
 use crate::machine::{InUse, Setup, Step};
 use crate::run::outcome::Outcome;
 use crate::workpiece::{Drawn, Probe, seen};
@@ -21,7 +21,7 @@ use std::f64::consts::TAU;
 #[cfg_attr(test, derive(ts_rs::TS), ts(rename = "ToolView", optional_fields))]
 pub struct Tool {
     /// Length in effect along X Y Z, mm: where it changes, the axes stand still.
-    pub length: [f64; 3],
+    pub length: Dir<Mcs>,
     /// Direction from the ball to what holds it; none: no probe.
     #[serde(skip_serializing_if = "Option::is_none", serialize_with = "direction")]
     #[cfg_attr(test, ts(as = "Option<[f64; 3]>"))]

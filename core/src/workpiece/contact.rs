@@ -2,7 +2,7 @@
 
 use super::{Body, Workpiece};
 use crate::geometry::feature::{first as first_on, foot};
-use crate::geometry::{Extent, Met, Path, Stand, TOLERANCE, V3, earliest};
+use crate::geometry::{Dir, Extent, Mcs, Met, Path, Stand, TOLERANCE, V3, earliest};
 
 /// What a ball meets on a straight way. Machine coordinates, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -12,9 +12,9 @@ pub enum Contact {
     /// It already reaches into the part at the start.
     Already {
         /// Nearest point of the surface.
-        point: [f64; 3],
+        point: Mcs,
         /// Outward unit normal there.
-        normal: [f64; 3],
+        normal: Dir<Mcs>,
         /// How deep the ball reaches into the part.
         depth: f64,
     },
@@ -23,11 +23,11 @@ pub enum Contact {
         /// Part of the way, 0 to 1.
         t: f64,
         /// Centre of the ball.
-        ball: [f64; 3],
+        ball: Mcs,
         /// Point touched.
-        point: [f64; 3],
+        point: Mcs,
         /// Outward unit normal of the part there.
-        normal: [f64; 3],
+        normal: Dir<Mcs>,
     },
 }
 
@@ -56,7 +56,7 @@ impl Boundary {
     }
 
     /// First contact of a ball whose centre moves from `from` to `to`.
-    pub fn first(&self, ball_radius: f64, from: [f64; 3], to: [f64; 3]) -> Contact {
+    pub fn first(&self, ball_radius: f64, from: Mcs, to: Mcs) -> Contact {
         let way = Path::new(V3::from(from), V3::from(to));
         let mut nearest: Option<Met> = None;
         for body in &self.bodies {
@@ -80,7 +80,7 @@ impl Boundary {
     }
 
     /// Distance of a point from the surface of the nearest solid, mm, negative inside; infinite where there is none.
-    pub fn distance(&self, p: [f64; 3]) -> f64 {
+    pub fn distance(&self, p: Mcs) -> f64 {
         self.bodies.iter().fold(f64::INFINITY, |least, body| {
             let own = body.place.inverse_transform_point(&V3::from(p).into()).coords;
             let distance = surface(body, &own, f64::INFINITY);

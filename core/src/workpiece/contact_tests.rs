@@ -2,7 +2,7 @@
 //! Identities of contact: they need no second implementation.
 
 use super::{Boundary, Contact, Heights, PartErrors, Shape, Solid, Workpiece};
-use crate::geometry::{Degrees, Rpy, V3, rigid};
+use crate::geometry::{Degrees, Mcs, Rpy, V3, rigid};
 use proptest::prelude::*;
 use std::sync::Arc;
 
@@ -11,11 +11,11 @@ fn part(shape: Shape, errors: PartErrors) -> Workpiece {
 }
 
 fn first(part: &Workpiece, radius: f64, from: [f64; 3], to: [f64; 3]) -> Contact {
-    Boundary::of(part).first(radius, from, to)
+    Boundary::of(part).first(radius, Mcs(from), Mcs(to))
 }
 
 fn distance(part: &Workpiece, point: [f64; 3]) -> f64 {
-    Boundary::of(part).distance(point)
+    Boundary::of(part).distance(Mcs(point))
 }
 
 fn shapes() -> Vec<Shape> {
@@ -138,7 +138,7 @@ proptest! {
             Contact::None => check_free(&part, radius, start, end)?,
             Contact::Hit { t, ball, point, normal } => {
                 prop_assert!((0.0..=1.0).contains(&t));
-                prop_assert!((distance(&part, ball) - radius).abs() < 1e-9);
+                prop_assert!((distance(&part, ball.0) - radius).abs() < 1e-9);
                 let away = V3::from(ball) - V3::from(point);
                 prop_assert!((away.norm() - radius).abs() < 1e-9);
                 prop_assert!((away / radius - V3::from(normal)).norm() < 1e-8);
@@ -165,7 +165,7 @@ proptest! {
             (Contact::Hit { t, point, .. }, Contact::Hit { t: other, point: touched, .. }) => {
                 let length = (V3::from(to) - V3::from(from)).norm();
                 prop_assert!((t - other).abs() * length < 1e-7, "{t} {other}");
-                prop_assert!((V3::from(there(point)) - V3::from(touched)).norm() < 1e-3);
+                prop_assert!((V3::from(there(point.0)) - V3::from(touched)).norm() < 1e-3);
             }
             (Contact::None, Contact::None) | (Contact::Already { .. }, Contact::Already { .. }) => {}
             (one, other) => prop_assert!(false, "{one:?} {other:?}"),
@@ -211,12 +211,12 @@ fn a_free_surface_is_touched_like_any_solid() {
     let surface = heights.surface().unwrap();
     let free = part(Shape::Free(Arc::new(surface)), PartErrors::default());
     let free = Boundary::of(&free);
-    let found = free.first(4.0, [0.0, 1.0, 30.0], [0.0, 1.0, -30.0]);
+    let found = free.first(4.0, Mcs([0.0, 1.0, 30.0]), Mcs([0.0, 1.0, -30.0]));
     let Contact::Hit { ball, normal, .. } = found else { panic!("{found:?}") };
     assert!((ball[2] - 5.0).abs() < 1e-9);
     assert!((normal[0] - 0.6).abs() < 1e-9 && (normal[2] - 0.8).abs() < 1e-9);
-    let under = free.first(4.0, [0.0, 0.0, -9.0], [0.0, 0.0, -9.0]);
+    let under = free.first(4.0, Mcs([0.0, 0.0, -9.0]), Mcs([0.0, 0.0, -9.0]));
     assert!(matches!(under, Contact::Already { .. }));
-    assert!((free.distance([0.0, 0.0, 5.0]) - 4.0).abs() < 1e-9);
-    assert!((free.distance([0.0, 0.0, -5.0]) + 4.0).abs() < 1e-9);
+    assert!((free.distance(Mcs([0.0, 0.0, 5.0])) - 4.0).abs() < 1e-9);
+    assert!((free.distance(Mcs([0.0, 0.0, -5.0])) + 4.0).abs() < 1e-9);
 }

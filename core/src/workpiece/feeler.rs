@@ -2,7 +2,7 @@
 
 use super::{Body, Boundary, Contact, Probe};
 use crate::geometry::rod::around;
-use crate::geometry::{Met, Path, Rod, Stretch, Swept, V3, earliest, rod};
+use crate::geometry::{Dir, Mcs, Met, Path, Rod, Stretch, Swept, V3, earliest, rod};
 use std::f64::consts::TAU;
 
 /// Rounding of the lower edge of a body, mm.
@@ -48,9 +48,9 @@ pub struct Caught {
     /// What touches.
     pub by: Touching,
     /// Point touched.
-    pub point: [f64; 3],
+    pub point: Mcs,
     /// Outward unit normal of the part there.
-    pub normal: [f64; 3],
+    pub normal: Dir<Mcs>,
 }
 
 impl Feeler {
@@ -60,7 +60,7 @@ impl Feeler {
     }
 
     /// Ball, stylus and body of a probe; `up`: unit vector from the ball to what holds it.
-    pub fn new(probe: &Probe, up: [f64; 3]) -> Feeler {
+    pub fn new(probe: &Probe, up: Dir<Mcs>) -> Feeler {
         let up = V3::from(up);
         let rod = |from: f64, to: f64, radius: f64| {
             (to > from && radius > 0.0).then(|| Rod { foot: up * from, up, length: to - from, radius })
@@ -83,7 +83,7 @@ impl Feeler {
 
     /// What stylus and body meet first, the ball going straight. What goes through their axis at the start is met at
     /// once; not where the ball is pressed into the part: the stylus leans, and where to, nobody knows.
-    pub fn caught(&self, part: &Boundary, from: [f64; 3], to: [f64; 3]) -> Option<Caught> {
+    pub fn caught(&self, part: &Boundary, from: Mcs, to: Mcs) -> Option<Caught> {
         let path = Path::new(from.into(), to.into());
         let way = Stretch::straight(from.into(), to.into());
         let met = self.rods().filter_map(|(by, rod)| {

@@ -4,11 +4,11 @@
 use super::{
     Boundary, Contact, Feeler, PartErrors, Probe, ProbeBody, Shape, Solid, Touching, Workpiece, feeler::Caught,
 };
-use crate::geometry::{Degrees, Rpy, V3};
+use crate::geometry::{Degrees, Dir, Mcs, Rpy, V3};
 use crate::machine::ideal_probe;
 use proptest::prelude::*;
 
-const UP: [f64; 3] = [0.0, 0.0, 1.0];
+const UP: Dir<Mcs> = Dir::new([0.0, 0.0, 1.0]);
 
 fn solid(shape: Shape, at: [f64; 3]) -> Solid {
     Solid::new(shape, at)
@@ -36,7 +36,7 @@ fn held() -> Feeler {
 }
 
 fn caught(part: &Boundary, probe: &Feeler, from: [f64; 3], to: [f64; 3]) -> Option<Caught> {
-    probe.caught(part, from, to)
+    probe.caught(part, Mcs(from), Mcs(to))
 }
 
 /// Where the ball is when stylus or body touch.
@@ -73,7 +73,7 @@ fn a_plate_above_is_met_by_the_stylus() {
         ([0.0, 5.0, -20.0], [40.0, -5.0, -30.0], [18.65, 0.3375, -24.6625]),
     ];
     for (from, to, expected) in ways {
-        let ball = part.first(3.0, from, to);
+        let ball = part.first(3.0, Mcs(from), Mcs(to));
         assert_eq!(ball, Contact::None);
         let met = caught(&part, &slim(), from, to).unwrap();
         near(stop(from, to, &met), expected);
@@ -222,9 +222,9 @@ proptest! {
         let part = boundary(vec![solid]);
         let radius = ideal_probe().stylus_radius();
         prop_assume!(least(&part, V3::from(from)) > radius + 0.01);
-        let to = match part.first(ideal_probe().radius, from, to) {
+        let to = match part.first(ideal_probe().radius, Mcs(from), Mcs(to)) {
             Contact::None => to,
-            Contact::Hit { ball, .. } => ball,
+            Contact::Hit { ball, .. } => ball.0,
             Contact::Already { .. } => return Err(TestCaseError::reject("the ball is in the part")),
         };
         let met = caught(&part, &slim(), from, to);

@@ -1,25 +1,25 @@
 //! When the probe switches, and where the control then believes the spindle to be.
 
 use super::{Boundary, Contact, Feeler, Noise, Probe, Touching, feeler::Caught, tool::across};
-use crate::geometry::{Degrees, Path, TOLERANCE, V3};
+use crate::geometry::{Degrees, Dir, Mcs, Path, TOLERANCE, V3};
 
 /// A signal of the probe. Machine coordinates, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Touch {
     /// Spindle axis, at the height of the ball centre, when the signal came.
-    pub latched: [f64; 3],
+    pub latched: Mcs,
     /// Centre of the ball at contact (before pre-travel and delay).
-    pub ball: [f64; 3],
+    pub ball: Mcs,
     /// Point touched.
-    pub point: [f64; 3],
+    pub point: Mcs,
     /// Outward unit normal of the part there.
-    pub normal: [f64; 3],
+    pub normal: Dir<Mcs>,
     /// What of the probe touches; the body gives no signal, so that nothing is latched: it stands where it touches.
     pub by: Touching,
 }
 
 /// Ball centre minus spindle axis, the probe turned from abscissa to ordinate; `axis`: index of the applicate.
-pub fn ball_offset(probe: &Probe, turned: Degrees, axis: usize) -> [f64; 3] {
+pub fn ball_offset(probe: &Probe, turned: Degrees, axis: usize) -> Dir<Mcs> {
     let [x, y] = probe.skew;
     (across(axis, turned) * x + across(axis, turned + Degrees(90.0)) * y).into()
 }
@@ -42,8 +42,8 @@ pub fn touch(
     part: &Boundary,
     probe: &Probe,
     stand: &Stand,
-    from: [f64; 3],
-    to: [f64; 3],
+    from: Mcs,
+    to: Mcs,
     feed: f64,
     noise: &mut Noise,
 ) -> Option<Touch> {
@@ -51,7 +51,7 @@ pub fn touch(
     let offset = V3::from(ball_offset(probe, *turned, *axis));
     let (from, to) = (V3::from(from), V3::from(to));
     let way = Path::new(from, to);
-    let ball = |gone: f64| -> [f64; 3] { (way.at(gone) + offset).into() };
+    let ball = |gone: f64| -> Mcs { (way.at(gone) + offset).into() };
     let contact = part.first(feeler.radius, ball(0.0), (to + offset).into());
     if let Contact::Already { point, normal, .. } = contact {
         return Some(Touch { latched: from.into(), ball: ball(0.0), point, normal, by: Touching::Ball });
@@ -72,7 +72,7 @@ pub fn touch(
 }
 
 /// What of the probe touches first, where the ball meets this.
-fn first_met(part: &Boundary, feeler: &Feeler, ball: &Contact, [from, to]: [[f64; 3]; 2]) -> Option<Caught> {
+fn first_met(part: &Boundary, feeler: &Feeler, ball: &Contact, [from, to]: [Mcs; 2]) -> Option<Caught> {
     let Contact::Hit { t, ball, point, normal } = *ball else { return feeler.caught(part, from, to) };
     let length = (V3::from(ball) - V3::from(from)).norm();
     let before = feeler.caught(part, from, ball).filter(|met| (1.0 - met.part) * length > TOLERANCE);

@@ -3,7 +3,7 @@
 
 use super::probe::{Stand, Touch, ball_offset, touch};
 use super::{Boundary, Feeler, Noise, PartErrors, Probe, Shape, Solid, Workpiece};
-use crate::geometry::{Degrees, Rpy};
+use crate::geometry::{Degrees, Dir, Mcs, Rpy};
 use crate::machine::ideal_probe;
 use proptest::prelude::*;
 
@@ -23,12 +23,12 @@ fn block() -> Workpiece {
 
 /// A probe in G17.
 fn upright(probe: &Probe, turned: f64) -> Stand {
-    Stand { turned: Degrees(turned), axis: 2, feeler: Feeler::new(probe, [0.0, 0.0, 1.0]) }
+    Stand { turned: Degrees(turned), axis: 2, feeler: Feeler::new(probe, Dir::new([0.0, 0.0, 1.0])) }
 }
 
 /// In the G17 plane, at the ball height −5.
 fn go(part: &Workpiece, probe: &Probe, turned: f64, from: [f64; 2], to: [f64; 2]) -> Option<Touch> {
-    let point = |p: [f64; 2]| [p[0], p[1], -5.0];
+    let point = |p: [f64; 2]| Mcs([p[0], p[1], -5.0]);
     touch(&Boundary::of(part), probe, &upright(probe, turned), point(from), point(to), 300.0, &mut Noise::new(1))
 }
 
@@ -83,7 +83,7 @@ fn scatter_repeats() {
     let series = || {
         let mut noise = Noise::new(probe.repeatability.1);
         let one = |_| {
-            let (from, to) = ([40.0, 0.0, -5.0], [0.0, 0.0, -5.0]);
+            let (from, to) = (Mcs([40.0, 0.0, -5.0]), Mcs([0.0, 0.0, -5.0]));
             touch(&Boundary::of(&block()), &probe, &upright(&probe, 0.0), from, to, 300.0, &mut noise).unwrap().latched
                 [0]
                 - 23.0

@@ -27,12 +27,13 @@ mod tests {
     use super::*;
     use crate::control::delivery;
     use crate::dialect::Dialect;
+    use crate::geometry::Mcs;
     use crate::workpiece::Shape;
 
     #[test]
     fn a_positive_angle_turns_the_table_clockwise() {
         let mut control = delivery(Dialect::Sinumerik);
-        control.rotary_centre = [10.0, 0.0, 0.0];
+        control.rotary_centre = Mcs([10.0, 0.0, 0.0]);
         control.rotary[2] = Degrees(90.0);
         let solid = Solid {
             shape: Shape::Sphere { diameter: 5.0 },

@@ -2,7 +2,7 @@
 //! axis, or the nose of a turning tool.
 
 use crate::control::{Control, Edge, Plane, tools::side};
-use crate::geometry::{Convex, Degrees, V3};
+use crate::geometry::{Convex, Degrees, Dir, Mcs, V3};
 use serde::{Deserialize, Serialize};
 
 /// Height of a drill's point per mm of its radius: the usual point of 118 degree.
@@ -141,7 +141,7 @@ impl Tool {
     }
 
     /// From the point to which the control's lengths in use refer to the one to which its own refer: X Y Z, mm.
-    pub fn error(&self, control: &Control) -> [f64; 3] {
+    pub fn error(&self, control: &Control) -> Dir<Mcs> {
         let mut error = control.active_length();
         if let Some(edge) = control.active_edge() {
             let axes = control.plane.axes();

@@ -1,7 +1,7 @@
 //! A tool probe of a machine: a cube or a disc that a tool touches, and when it switches.
 
 use super::{Column, Columns, Form, Noise, Solid, tool::Piece};
-use crate::geometry::{Convex, Met, Path, Stretch, TOLERANCE, V3, convex};
+use crate::geometry::{Convex, Mcs, Met, Path, Stretch, TOLERANCE, V3, convex};
 use nalgebra::IsometryMatrix3;
 
 /// Axes of the machine.
@@ -59,13 +59,13 @@ pub struct Contact {
 }
 
 /// First contact of a tool with one of the probes; `from` and `to` are the ends of the way of any of its points.
-pub fn first<T: Convex>(probes: &[ToolProbe], tool: &[T], from: [f64; 3], to: [f64; 3]) -> Option<Contact> {
+pub fn first<T: Convex>(probes: &[ToolProbe], tool: &[T], from: Mcs, to: Mcs) -> Option<Contact> {
     let path = Path::new(from.into(), to.into());
     least(probes, tool, &path, &|piece, cap| convex::first(piece, cap, &path))
 }
 
 /// Whether a tool that stands at `from` may meet one of the probes on a stretch of its way: false is sure.
-pub fn may_meet(probes: &[ToolProbe], tool: &[Piece], from: [f64; 3], way: &Stretch) -> bool {
+pub fn may_meet(probes: &[ToolProbe], tool: &[Piece], from: Mcs, way: &Stretch) -> bool {
     let way = way.moved(&-V3::from(from));
     let caps = probes.iter().filter_map(ToolProbe::cap);
     let mut pairs = caps.flat_map(|cap| tool.iter().map(move |piece| (piece, cap.clone())));
@@ -87,7 +87,7 @@ fn parts(piece: &impl Convex, cap: &Cap, moved: &Stretch, direction: &V3, gap: f
 }
 
 /// What stops a tool that does not measure: one in contact may leave the probe that has given way under it.
-pub fn obstacle(probes: &[ToolProbe], tool: &[Piece], from: [f64; 3], to: [f64; 3]) -> Option<Contact> {
+pub fn obstacle(probes: &[ToolProbe], tool: &[Piece], from: Mcs, to: Mcs) -> Option<Contact> {
     let path = Path::new(from.into(), to.into());
     least(probes, tool, &path, &|piece, cap| {
         let met = convex::first(piece, cap, &path)?;
@@ -142,8 +142,8 @@ fn least<T: Convex>(
 pub fn touch(
     probes: &[ToolProbe],
     tool: &[Piece],
-    from: [f64; 3],
-    to: [f64; 3],
+    from: Mcs,
+    to: Mcs,
     feed: f64,
     noise: &mut Noise,
 ) -> Option<(Contact, f64)> {

@@ -6,7 +6,7 @@ use super::tool_probe::{Contact, first, obstacle, touch};
 use super::{Cut, Cutter, Nose, PartErrors, Shape, Solid, Spindle, Tool, ToolProbe, Workpiece, tool::Piece};
 use crate::control::{Control, Edge, Plane, delivery, tools::side};
 use crate::dialect::Dialect;
-use crate::geometry::{Convex, Degrees, Rpy, V3, rigid};
+use crate::geometry::{Convex, Degrees, Mcs, Rpy, V3, rigid};
 use crate::workpiece::{Boundary, Noise, contact::Contact as BallContact};
 use proptest::prelude::*;
 
@@ -44,7 +44,7 @@ fn mill(cutter: Cutter) -> Tool {
 fn way(probe: &ToolProbe, tool: &Tool, plane: Plane, spindle: Spindle, from: [f64; 3], to: [f64; 3]) -> Option<f64> {
     let (from, to) = (at(plane, from), at(plane, to));
     let pieces = tool.pieces(V3::from(from), plane, spindle);
-    first(std::slice::from_ref(probe), &pieces, from, to).map(|contact| contact.meeting.way)
+    first(std::slice::from_ref(probe), &pieces, Mcs(from), Mcs(to)).map(|contact| contact.meeting.way)
 }
 
 fn near(found: Option<f64>, expected: f64) {
@@ -199,7 +199,7 @@ fn a_probe_that_gave_way_lets_the_tool_out() {
     let tool = mill(Cutter::smooth(5.0));
     let meets = |from: [f64; 3], to: [f64; 3]| -> Option<Contact> {
         let pieces: Vec<Piece> = tool.pieces(V3::from(from), Plane::G17, Spindle::Turns);
-        obstacle(&probes, &pieces, from, to)
+        obstacle(&probes, &pieces, Mcs(from), Mcs(to))
     };
     assert!(meets([53.9, 31.0, 76.0], [60.0, 31.0, 76.0]).is_none());
     assert!(meets([54.0, 31.0, 76.0], [60.0, 31.0, 76.0]).is_none());
@@ -213,7 +213,7 @@ fn the_signal_comes_late_and_scatters() {
     // oracle: hand: 0.02 mm of travel and 1 ms at 300 mm/min are 0.025 mm
     let late = ToolProbe { pre_travel: 0.02, delay: 0.001, ..cube(Plane::G17) };
     let tool = mill(Cutter::smooth(5.0));
-    let (from, to) = ([60.0, 31.0, 76.0], [48.0, 31.0, 76.0]);
+    let (from, to) = (Mcs([60.0, 31.0, 76.0]), Mcs([48.0, 31.0, 76.0]));
     let pieces = tool.pieces(V3::from(from), Plane::G17, Spindle::Turns);
     let mut noise = Noise::new(1);
     let (contact, signal) = touch(std::slice::from_ref(&late), &pieces, from, to, 300.0, &mut noise).unwrap();
@@ -247,10 +247,10 @@ proptest! {
         let mut solid = cube(Plane::G17).solid;
         (solid.at, solid.errors.tilt) = ([0.0; 3], Rpy(tilt));
         let part = Workpiece { solids: vec![solid.clone()] };
-        let ball = Boundary::of(&part).first(radius, from, to);
+        let ball = Boundary::of(&part).first(radius, Mcs(from), Mcs(to));
         let pieces = [Ball(V3::from(from), radius)];
         let length = (V3::from(to) - V3::from(from)).norm();
-        let met = first(&[ToolProbe::ideal(solid)], &pieces, from, to);
+        let met = first(&[ToolProbe::ideal(solid)], &pieces, Mcs(from), Mcs(to));
         match (ball, met) {
             (BallContact::None, None) => {}
             (BallContact::Already { .. }, Some(met)) => prop_assert_eq!(met.meeting.way, 0.0),

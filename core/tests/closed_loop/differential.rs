@@ -5,7 +5,7 @@ use super::bench::{PLANES, Values, at, inputs, near, place, result, run, with};
 use probewright_core::control::{Frame, Plane};
 use probewright_core::diagnostic::Code;
 use probewright_core::dialect::Dialect;
-use probewright_core::geometry::Degrees;
+use probewright_core::geometry::{Degrees, Dir};
 use probewright_core::machine::trace::Step;
 use probewright_core::machine::{Setup, Stop};
 use probewright_core::run::predict;
@@ -52,8 +52,10 @@ impl Rig {
         }
         let mut shift = [0.0; 3];
         shift[self.axis] = SHIFT;
-        let errors =
-            PartErrors { shift: setup.control.direction_to_machine(at(self.plane, shift)), ..PartErrors::default() };
+        let errors = PartErrors {
+            shift: setup.control.direction_to_machine(Dir::new(at(self.plane, shift))).0,
+            ..PartErrors::default()
+        };
         let web = [
             ("_MVAR", 104.0),
             ("_SETVAL", 2.0 * self.set.abs()),

@@ -12,7 +12,7 @@ use probewright_core::control::{Edge, Frame, Plane, Transverse};
 use probewright_core::diagnostic::Code;
 use probewright_core::dialect::Dialect;
 use probewright_core::entry::{Cycle, Inputs, Typed, Variant, names};
-use probewright_core::geometry::Rpy;
+use probewright_core::geometry::{Dir, Rpy};
 use probewright_core::machine::trace::Step;
 use probewright_core::machine::{Setup, Stop};
 use probewright_core::run::{Outcome, predict};
@@ -76,7 +76,7 @@ fn measure(setup: &mut Setup, inputs: &Inputs) -> Outcome {
     let proposal = (inputs.cycle.work().unwrap().propose)(inputs, &setup.control);
     setup.workpiece = proposal.workpiece;
     let plane = setup.control.plane;
-    let shift = setup.control.direction_to_machine(at(plane, [0.11, -0.07, 0.13]));
+    let shift = setup.control.direction_to_machine(Dir::new(at(plane, [0.11, -0.07, 0.13]))).0;
     for solid in &mut setup.workpiece.solids {
         solid.errors = PartErrors { shift, size: 0.05, tilt: Rpy(at(plane, [0.0, 0.0, 0.1])), ..PartErrors::default() };
     }

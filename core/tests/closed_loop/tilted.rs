@@ -4,7 +4,7 @@
 use super::bench::{PLANES, Values, at, inputs, near, place, result, run, with};
 use probewright_core::control::{Control, Frame, Plane, Units};
 use probewright_core::dialect::Dialect;
-use probewright_core::geometry::{Mcs, Rpy};
+use probewright_core::geometry::{Dir, Mcs, Rpy};
 use probewright_core::machine::Setup;
 use probewright_core::machine::trace::Step;
 use probewright_core::run::Outcome;
@@ -135,7 +135,8 @@ fn askew(setup: &mut Setup) {
 fn corrected(setup: &mut Setup, call: &Call, code: f64) -> Outcome {
     let plane = setup.control.plane;
     let inputs = inputs(setup, call.name, &with(&call.values, &[("_KNUM", code)]));
-    let errors = PartErrors { shift: setup.control.direction_to_machine(at(plane, SHIFT)), ..PartErrors::default() };
+    let errors =
+        PartErrors { shift: setup.control.direction_to_machine(Dir::new(at(plane, SHIFT))).0, ..PartErrors::default() };
     place(setup, &inputs, errors);
     run(setup, &inputs)
 }

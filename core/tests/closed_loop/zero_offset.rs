@@ -3,7 +3,7 @@
 use super::bench::{PLANES, Values, at, inputs, near, place, result, run, with};
 use probewright_core::control::{Frame, Plane, Units};
 use probewright_core::dialect::Dialect;
-use probewright_core::geometry::Rpy;
+use probewright_core::geometry::{Dir, Rpy};
 use probewright_core::machine::Setup;
 use probewright_core::workpiece::PartErrors;
 
@@ -142,8 +142,8 @@ pub fn closed(mut setup: Setup, target: Target, (name, values, differences): &Ca
     let tilt = if *name == "CYCLE998" { TILT } else { [0.0; 3] };
     let inputs = inputs(&setup, name, &with(values, &[("_KNUM", target.code)]));
     let errors = PartErrors {
-        shift: setup.control.direction_to_machine(at(plane, SHIFT)),
-        tilt: Rpy(setup.control.direction_to_machine(at(plane, tilt))),
+        shift: setup.control.direction_to_machine(Dir::new(at(plane, SHIFT))).0,
+        tilt: Rpy(setup.control.direction_to_machine(Dir::new(at(plane, tilt))).0),
         ..PartErrors::default()
     };
     place(&mut setup, &inputs, errors);

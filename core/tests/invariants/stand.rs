@@ -6,8 +6,8 @@ use probewright_core::catalogue::example::example;
 use probewright_core::check::{check, read};
 use probewright_core::control::{Control, Frame, MachineSort, Plane, Units};
 use probewright_core::entry::{Cycle, Inputs, ProbeUse, Typed, Unit, factor};
-use probewright_core::geometry::Rpy;
 use probewright_core::geometry::rigid::{angles, rotation};
+use probewright_core::geometry::{Dir, Rpy};
 use probewright_core::machine::Setup;
 use probewright_core::machine::setup::PROBE_TOOL;
 use probewright_core::run::{Outcome, predict};
@@ -58,7 +58,7 @@ fn put_part(setup: &mut Setup, inputs: &Inputs, drawn: &Drawn) {
     let proposal = (inputs.cycle.work().unwrap().propose)(inputs, &setup.control);
     let plane = setup.control.plane;
     let errors = PartErrors {
-        shift: setup.control.direction_to_machine(at(plane, drawn.part.shift)),
+        shift: setup.control.direction_to_machine(Dir::new(at(plane, drawn.part.shift))).0,
         size: drawn.part.size,
         tilt: on_the_machine(&setup.control, at(plane, tilt(inputs.cycle, drawn.part.tilt))),
         ..PartErrors::default()
@@ -100,7 +100,7 @@ fn on_the_machine(control: &Control, turn: [f64; 3]) -> Rpy {
     let axis = |own: usize| {
         let mut axis = [0.0; 3];
         axis[own] = 1.0;
-        Vector3::from(control.direction_to_machine(axis))
+        Vector3::from(control.direction_to_machine(Dir::new(axis)).0)
     };
     let axes = Matrix3::from_columns(&[axis(0), axis(1), axis(2)]);
     angles(&Rotation3::from_matrix_unchecked(axes * rotation(Rpy(turn)).matrix() * axes.transpose()))

@@ -71,7 +71,7 @@ fn frames_are_left_out_for_a_block() {
 #[test]
 fn the_swivel_cycle_turns_the_part_level() {
     let mut setup = setup();
-    setup.control.rotary_centre = [0.0, 0.0, -100.0];
+    setup.control.rotary_centre = Mcs([0.0, 0.0, -100.0]);
     setup.workpiece.solids.push(Solid {
         shape: Shape::Block { size: [40.0; 3] },
         at: [0.0, 5.0, 3.0],
@@ -180,7 +180,7 @@ fn askew() -> Setup {
         rotation: Rpy([4.0, -3.0, 5.0]),
         errors: PartErrors::default(),
     });
-    setup.control.rotary_centre = [30.0, 30.0, -80.0];
+    setup.control.rotary_centre = Mcs([30.0, 30.0, -80.0]);
     setup.position = Mcs([0.0, 0.0, 60.0]);
     setup
 }

@@ -5,7 +5,7 @@ use super::params::{OUTSIDE, PASSES, POINTS};
 use super::touches::{TOLERANCE, Touch, edges, touches};
 use crate::catalogue::prelude::*;
 use crate::evaluate::spread::Touched;
-use crate::geometry::Degrees;
+use crate::geometry::{Degrees, Dir};
 use crate::workpiece::{Shape, Solid};
 
 /// Measuring depth of the ball centre below the face where `_ID` does not decide it, mm.
@@ -124,7 +124,7 @@ fn by_points(touches: &[Touch], ball: f64) -> Nominal {
 /// -1 where the WCS is mirrored, or seen from its minus side: then counter-clockwise in it is clockwise for the part.
 fn handed(control: &Control) -> f64 {
     let [abscissa, ordinate, _] = control.plane.axes();
-    let up = control.direction_to_machine(place::in_plane(control, place::outward(control)));
+    let up = control.direction_to_machine(Dir::new(place::in_plane(control, place::outward(control)))).0;
     let about = control.turn_axis(abscissa, ordinate);
     (0..3).map(|i| up[i] * about[i]).sum::<f64>().signum()
 }

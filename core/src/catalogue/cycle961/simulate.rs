@@ -10,7 +10,7 @@ use crate::catalogue::sinumerik::correct;
 use crate::catalogue::sinumerik::measuring_block::{Block, all_calibrated};
 use crate::evaluate::zero_offset;
 use crate::evaluate::zero_offset::{Measured, Target};
-use crate::geometry::{Degrees, Rpy, rigid};
+use crate::geometry::{Degrees, Dir, Rpy, rigid};
 
 /// Order in which the points are touched: P2, P1, P3, P4 (B:7998, B:8166).
 const ORDER: [usize; 4] = [1, 0, 2, 3];
@@ -121,7 +121,7 @@ fn report(machine: &mut dyn Machine, corner: &Corner, height: [f64; 3]) {
     let axes = control.plane.axes();
     let edge = point(control, corner.edge, [0.0; 3]);
     let point = point(control, corner.point, height);
-    let machine_edge = control.direction_to_machine(edge);
+    let machine_edge = control.direction_to_machine(Dir::new(edge)).0;
     let machine_point = control.to_machine(Wcs(point));
     for (first, edge, point) in [(4, edge, point), (20, machine_edge, machine_point.0)] {
         let angle = edge[axes[1]].atan2(edge[axes[0]]).to_degrees();

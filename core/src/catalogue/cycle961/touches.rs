@@ -5,6 +5,7 @@
 use super::lines::{Point, across, along, away, direction, unit};
 use super::params::{OUTSIDE, PLACES, POINTS, RECTANGLE};
 use crate::catalogue::prelude::*;
+use crate::geometry::Dir;
 
 /// How exactly the angles are known: the way leads so much away from the edges, degree (B:7996).
 pub const TOLERANCE: f64 = 10.0;
@@ -51,7 +52,7 @@ pub fn edges(inputs: &Inputs, control: &Control) -> [f64; 2] {
     let [abscissa, ordinate, _] = control.plane.axes();
     let mut direction = [0.0; 3];
     [direction[abscissa], direction[ordinate]] = unit(inputs.number(names::STA1));
-    let seen = control.direction_to_workpiece(direction);
+    let seen = control.direction_to_workpiece(Dir::new(direction));
     let first = seen[ordinate].atan2(seen[abscissa]).to_degrees();
     [first, first + sense(control) * inputs.number(names::INCA)]
 }

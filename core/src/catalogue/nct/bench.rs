@@ -7,7 +7,7 @@ use crate::control::{Frame, Plane, Units};
 use crate::diagnostic::{Code, Severity};
 use crate::dialect::Dialect;
 use crate::entry::{Cycle, Typed};
-use crate::geometry::Wcs;
+use crate::geometry::{Dir, Wcs};
 use crate::machine::Setup;
 use crate::run::{Outcome, predict};
 use crate::workpiece::{PartErrors, Shape};
@@ -62,7 +62,7 @@ pub fn along(plane: Plane, values: [f64; 3]) -> [f64; 3] {
 pub fn put(setup: &mut Setup, shape: Shape, at: [f64; 3], shift: [f64; 3], size: f64) {
     let plane = setup.control.plane;
     let mut solid = part::in_plane(shape, at, &setup.control);
-    let shift = setup.control.direction_to_machine(along(plane, shift));
+    let shift = setup.control.direction_to_machine(Dir::new(along(plane, shift))).0;
     solid.errors = PartErrors { shift, size, ..PartErrors::default() };
     setup.workpiece.solids.push(solid);
 }

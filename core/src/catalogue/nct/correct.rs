@@ -4,6 +4,7 @@ use super::{OUT_OF_TOLERANCE, TOOL_TOO_LARGE, UPPER_TOLERANCE, axis_name, print}
 use crate::control::NCT;
 use crate::entry::{Inputs, address};
 use crate::evaluate::tolerance::exceeds;
+use crate::geometry::Dir;
 use crate::machine::Machine;
 use crate::machine::trace::Step;
 use crate::message::Message;
@@ -106,7 +107,7 @@ pub fn move_offset(machine: &mut dyn Machine, offset: usize, places: &[Place]) {
     let from = if offset == 0 { 0 } else { active };
     let mut shift = [0.0; 3];
     places.iter().for_each(|place| shift[place.axis] = place.deviation);
-    let by = machine.control().direction_to_machine(shift);
+    let by = machine.control().direction_to_machine(Dir::new(shift)).0;
     let measured = |axis: usize| places.iter().any(|place| place.axis == axis);
     for axis in (0..3).filter(|axis| measured(*axis) || by[*axis] != 0.0) {
         let control = machine.control();

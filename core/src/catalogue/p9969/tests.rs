@@ -8,6 +8,7 @@ use crate::catalogue::nct::part;
 use crate::check::check;
 use crate::control::Plane;
 use crate::diagnostic::Code;
+use crate::geometry::Mcs;
 use crate::machine::trace::Step;
 use crate::machine::{Setup, Stop};
 use crate::run::Outcome;
@@ -303,12 +304,12 @@ proptest! {
         let part = Boundary::of(&setup.workpiece);
         for entry in &run.trace.entries {
             if let Step::Touch { ball, .. } = entry.step {
-                prop_assert!((part.distance(ball.0) - 3.0).abs() < 1e-7);
+                prop_assert!((part.distance(ball) - 3.0).abs() < 1e-7);
             }
             if let Step::Motion { from, to, .. } = entry.step {
                 for share in 0..=4 {
                     let at = |axis: usize| from[axis] + (to[axis] - from[axis]) * f64::from(share) / 4.0;
-                    prop_assert!(part.distance([at(0), at(1), at(2) + 3.0]) > 3.0 - 1e-7);
+                    prop_assert!(part.distance(Mcs([at(0), at(1), at(2) + 3.0])) > 3.0 - 1e-7);
                 }
             }
         }

@@ -10,7 +10,7 @@ mod ray;
 pub use ray::Ray;
 
 use crate::catalogue::prelude::*;
-use crate::geometry::Degrees;
+use crate::geometry::{Degrees, Dir};
 use crate::machine::trace::MotionKind;
 
 /// Pulled back between the fast and the slow touch, mm (B:13772).
@@ -262,7 +262,7 @@ fn on_machine(control: &Control, angle: f64) -> f64 {
     let [abscissa, ordinate, _] = control.plane.axes();
     let mut direction = [0.0; 3];
     (direction[ordinate], direction[abscissa]) = Degrees(angle).sin_cos();
-    let seen = control.direction_to_machine(direction);
+    let seen = control.direction_to_machine(Dir::new(direction)).0;
     if seen == direction { angle } else { seen[ordinate].atan2(seen[abscissa]).to_degrees() }
 }
 

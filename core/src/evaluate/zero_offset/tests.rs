@@ -4,7 +4,7 @@
 use super::*;
 use crate::control::delivery;
 use crate::dialect::Dialect;
-use crate::geometry::{Degrees, Rpy, Wcs};
+use crate::geometry::{Degrees, Dir, Rpy, Wcs};
 
 fn control() -> Control {
     let mut control = delivery(Dialect::Sinumerik);
@@ -208,13 +208,13 @@ fn afterwards_a_turned_part_stands_right() {
         let target = target(&control, code).unwrap().unwrap();
         let machine = control.to_machine(Wcs(measured.actual));
         let actual = (turn * nalgebra::Vector3::from(set)).into();
-        let direction = control.direction_to_machine(actual);
+        let direction = control.direction_to_machine(Dir::new(actual)).0;
         let seen = seen_turn(&control, &target, &turn);
         let rotation = rotation(&control, &target, &seen);
         let writes = placed(&control, &target, rotation, &measured);
         write_all(&mut control, &writes);
         control.activate(if code == 2 { 2 } else { 1 });
-        let (found, place) = (control.direction_to_workpiece(direction), control.to_workpiece(machine));
+        let (found, place) = (control.direction_to_workpiece(Dir::new(direction)), control.to_workpiece(machine));
         for axis in 0..3 {
             assert!((found[axis] - set[axis]).abs() < 1e-9, "{code}: {found:?}");
             assert!((place[axis] - measured.set[axis]).abs() < 1e-9, "{code}");

@@ -3,7 +3,7 @@
 use super::Sim;
 use crate::control::{Edge, LATHE_PROBE};
 use crate::diagnostic::Code;
-use crate::geometry::{Degrees, Mcs};
+use crate::geometry::{Degrees, Dir, Mcs};
 use crate::machine::{MotionKind, Obstacle, Route, Step, Stop};
 use crate::message::Message;
 use crate::workpiece::probe::{Stand, ball_offset, touch};
@@ -36,9 +36,9 @@ impl Sim {
 
     /// From the point to which the tool length refers to the spindle axis at the height of the real ball centre:
     /// differs from zero when the probe is not as long as the control believes.
-    fn ball_height(&self) -> [f64; 3] {
+    fn ball_height(&self) -> Dir<Mcs> {
         let axis = self.tool_axis();
-        let mut height = [0.0; 3];
+        let mut height = Dir::default();
         if self.in_turret() {
             return self.real_tool().map_or(height, |tool| tool.error(&self.control));
         }
@@ -66,10 +66,8 @@ impl Sim {
     }
 
     /// From the point to which the tool length refers to the real centre of the ball.
-    pub(super) fn ball(&self) -> [f64; 3] {
-        let skew = ball_offset(&self.probe, self.probe_angle(), self.tool_axis());
-        let height = self.ball_height();
-        [0, 1, 2].map(|axis| height[axis] + skew[axis])
+    pub(super) fn ball(&self) -> Dir<Mcs> {
+        self.ball_height() + ball_offset(&self.probe, self.probe_angle(), self.tool_axis())
     }
 
     /// A straight measuring motion; where the probe switched, if it did.
@@ -80,23 +78,16 @@ impl Sim {
             return Ok(self.probe_with_tool(to, feed));
         }
         let height = self.ball_height();
-        let signal =
-            touch(&self.part, &self.probe, &self.stand(), (from + height).0, (to + height).0, feed, &mut self.noise);
-        let end = signal.map_or(to, |touch| Mcs(touch.latched) + height.map(|way| -way));
+        let signal = touch(&self.part, &self.probe, &self.stand(), from + height, to + height, feed, &mut self.noise);
+        let end = signal.map_or(to, |touch| touch.latched + -height);
         let way = Route::straight(from, end);
         if let Some(stop) = self.false_signal(&way, MotionKind::Measuring, feed) {
             return Ok(Some(stop));
         }
         self.go(&way, MotionKind::Measuring, feed);
         let Some(touch) = signal else { return Ok(None) };
-        let met = Obstacle {
-            part: 1.0,
-            stop: end,
-            ball: Mcs(touch.ball),
-            point: Mcs(touch.point),
-            normal: touch.normal,
-            by: touch.by,
-        };
+        let met =
+            Obstacle { part: 1.0, stop: end, ball: touch.ball, point: touch.point, normal: touch.normal, by: touch.by };
         if met.by == Touching::Body {
             return Err(self.crash(&met));
         }

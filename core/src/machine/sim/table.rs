@@ -1,7 +1,7 @@
 //! A rotary axis turns the part, and what it meets on its way: the ball of the probe, its stylus and its body.
 
 use super::Sim;
-use crate::geometry::{Around, Degrees, Mcs, Rod, V3};
+use crate::geometry::{Around, Degrees, Dir, Mcs, Rod, V3};
 use crate::machine::{Obstacle, Route, Step, Stop};
 use crate::message::Message;
 use crate::workpiece::{Feeler, Touching, Workpiece};
@@ -16,8 +16,8 @@ impl Sim {
         }
         // after a whole circle everything has passed by
         let turn = Around {
-            centre: self.control.rotary_centre,
-            axis: self.control.rotary_direction(axis),
+            centre: self.control.rotary_centre.0,
+            axis: self.control.rotary_direction(axis).0,
             degrees: Degrees((to - from).0.clamp(-360.0, 360.0)),
         };
         let met = self.met_by(&turn);
@@ -49,7 +49,7 @@ impl Sim {
                 around: Some(Around { degrees: turn.degrees * part, ..*turn }),
             };
             let ball = Feeler::ball(radius);
-            if let Some(met) = way.obstacle(&self.part, &ball, [0.0; 3], &mut self.effort) {
+            if let Some(met) = way.obstacle(&self.part, &ball, Dir::default(), &mut self.effort) {
                 let part = met.part * part;
                 first = Some(Obstacle { by, part, ..met });
             }
@@ -67,6 +67,6 @@ fn balls(rod: Rod, by: Touching, ball: Mcs) -> impl Iterator<Item = (Mcs, f64, T
     let count = (rod.length / apart) as usize;
     (1..=count).map(move |step| {
         let place = V3::from(ball.0) + rod.foot + rod.up * (step as f64 * apart);
-        (Mcs(place.into()), rod.radius, by)
+        (place.into(), rod.radius, by)
     })
 }

@@ -4,7 +4,7 @@ use super::*;
 use crate::control::{Frame, Plane};
 use crate::diagnostic::Code;
 use crate::dialect::Dialect;
-use crate::geometry::{Degrees, Mcs, Wcs};
+use crate::geometry::{Degrees, Dir, Mcs, Wcs};
 use crate::workpiece::{ProbeBody, Shape, Solid};
 
 /// A cube of 100 mm whose upper face is Z = 0 of the machine.
@@ -123,7 +123,7 @@ fn a_part_that_turns_may_meet_the_ball() {
     let crash = Err(Stop::Fault(Message::new("run-crash")));
     let (sim, outcome) = turned([0.0, -60.0, -10.0]);
     assert_eq!(outcome, crash);
-    assert!((sim.part.distance([0.0, -60.0, -10.0]) - 3.0).abs() < 1e-6);
+    assert!((sim.part.distance(Mcs([0.0, -60.0, -10.0])) - 3.0).abs() < 1e-6);
     assert!((sim.control.rotary[2].0 - (53.0_f64 / 60.0).acos().to_degrees()).abs() < 1e-6);
     let [.., table, last] = &sim.trace.entries[..] else {
         panic!("{:?}", sim.trace);
@@ -132,7 +132,7 @@ fn a_part_that_turns_may_meet_the_ball() {
     let Step::Crash { point, .. } = last.step else {
         panic!("{last:?}");
     };
-    assert!(sim.part.distance(point.0).abs() < 0.05, "{point:?}");
+    assert!(sim.part.distance(point).abs() < 0.05, "{point:?}");
     for free in [[0.0, -75.0, -10.0], [0.0, -60.0, 3.1], [0.0, 0.0, 20.0]] {
         let (sim, outcome) = turned(free);
         assert_eq!((outcome, sim.control.rotary[2]), (Ok(()), Degrees(90.0)));
@@ -174,7 +174,7 @@ fn a_stylus_that_touches_switches_the_probe() {
     let Step::Touch { by, normal, point, .. } = touch.step else {
         panic!("{touch:?}");
     };
-    assert_eq!((by, normal), (Touching::Stylus, [-1.0, 0.0, 0.0]));
+    assert_eq!((by, normal), (Touching::Stylus, Dir::new([-1.0, 0.0, 0.0])));
     assert!((point[0] - 20.0).abs() < 1e-9);
     assert_eq!(told.step, Step::Decision { message: Message::new("run-stylus") });
     assert!(sim.stylus_touched() && !sim.stylus_touched());

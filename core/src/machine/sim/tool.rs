@@ -1,7 +1,7 @@
 //! The simulated machine with a tool that touches tool probes.
 
 use super::Sim;
-use crate::geometry::{Mcs, Stretch, V3};
+use crate::geometry::{Dir, Mcs, Stretch, V3};
 use crate::machine::{MotionKind, Obstacle, Route, in_use};
 use crate::workpiece::tool_probe::Contact;
 use crate::workpiece::{Noise, Tool, ToolProbe, Touching, tool::Piece, tool_probe};
@@ -49,10 +49,10 @@ impl Sim {
     }
 
     /// What can touch of the tool in use with the machine at `at`, and the way from there to where its lengths refer.
-    fn tool_at(&self, at: Mcs) -> Option<(Vec<Piece>, [f64; 3])> {
+    fn tool_at(&self, at: Mcs) -> Option<(Vec<Piece>, Dir<Mcs>)> {
         let tool = self.real_tool()?;
         let error = tool.error(&self.control);
-        let point = V3::from((at + error).0);
+        let point = V3::from(at + error);
         let spindle = in_use::stands(&self.control);
         Some((tool.pieces(point, self.control.plane, spindle), error))
     }
@@ -66,12 +66,12 @@ impl Sim {
     pub(super) fn tool_obstacle(&mut self, way: &Route) -> Option<Obstacle> {
         self.take_up()?;
         let (tool, error) = self.tool_at(way.from)?;
-        let near = |stretch: &Stretch| tool_probe::may_meet(&self.tool_probes, &tool, way.from.0, stretch);
+        let near = |stretch: &Stretch| tool_probe::may_meet(&self.tool_probes, &tool, way.from, stretch);
         let mut effort = 0;
-        let met = way.search([0.0; 3], &mut effort, near, |[begin, end]| {
+        let met = way.search(Dir::default(), &mut effort, near, |[begin, end]| {
             let [from, to] = [begin, end].map(|part| way.at(part));
             let (tool, _) = self.tool_at(from)?;
-            let contact = tool_probe::obstacle(&self.tool_probes, &tool, from.0, to.0)?;
+            let contact = tool_probe::obstacle(&self.tool_probes, &tool, from, to)?;
             let met = seen(&contact, &Route::straight(from, to), error);
             let part = begin + met.part * (end - begin);
             Some(Obstacle { part, ..met })
@@ -86,7 +86,7 @@ impl Sim {
         let tool = self.take_up().and_then(|()| self.tool_at(way.from));
         let touched = tool.and_then(|(tool, error)| {
             let noise = &mut self.tool_noise;
-            let touched = tool_probe::touch(&self.tool_probes, &tool, way.from.0, to.0, feed, noise);
+            let touched = tool_probe::touch(&self.tool_probes, &tool, way.from, to, feed, noise);
             touched.map(|(contact, signal)| (seen(&contact, &way, error), signal))
         });
         let Some((met, signal)) = touched else {
@@ -100,7 +100,7 @@ impl Sim {
     }
 }
 
-fn seen(contact: &Contact, way: &Route, error: [f64; 3]) -> Obstacle {
+fn seen(contact: &Contact, way: &Route, error: Dir<Mcs>) -> Obstacle {
     let meeting = &contact.meeting;
     let part = share(way, meeting.way);
     let stop = way.at(part);
@@ -108,7 +108,7 @@ fn seen(contact: &Contact, way: &Route, error: [f64; 3]) -> Obstacle {
         part,
         stop,
         ball: stop + error,
-        point: Mcs(meeting.point.into()),
+        point: meeting.point.into(),
         normal: meeting.normal.into(),
         by: Touching::Ball,
     }

@@ -7,8 +7,8 @@ use super::element::{Point, Round};
 use super::plane::Plane;
 use crate::control::tools::side;
 use crate::diagnostic::Span;
-use crate::geometry::Degrees;
 use crate::geometry::arc::Around;
+use crate::geometry::{Degrees, Dir, Mcs};
 use crate::machine::Stop;
 use crate::machine::trace::MotionKind;
 use crate::run::halt::Halt;
@@ -64,9 +64,9 @@ pub struct Manner {
     /// Entries of the trace before it.
     behind: usize,
     /// Tool length, machine axes.
-    length: [f64; 3],
+    length: Dir<Mcs>,
     /// From the centre of a turning tool's nose to the point to which its lengths refer.
-    pub tip: [f64; 3],
+    pub tip: Dir<Mcs>,
 }
 
 impl Manner {
@@ -85,9 +85,9 @@ impl Manner {
 }
 
 /// From the centre of a turning tool's nose to its point P, machine axes; no way for other tools.
-fn tip(run: &Interpreter) -> [f64; 3] {
+fn tip(run: &Interpreter) -> Dir<Mcs> {
     let control = &run.sim.control;
-    let mut tip = [0.0; 3];
+    let mut tip = Dir::default();
     if let Some(edge) = control.active_edge().filter(|edge| edge.is_turning()) {
         let [a, o, _] = control.plane.axes();
         [tip[a], tip[o]] = side(edge.tip, false).map(|towards| towards * control.active_radius());
@@ -128,26 +128,25 @@ pub fn all(run: &mut Interpreter, plane: &Plane, ways: &[Way]) -> Result<(), Hal
 fn one(run: &mut Interpreter, plane: &Plane, way: &Way) -> Result<(), Stop> {
     let Manner { kind, feed, length, tip, .. } = way.manner;
     // the position is told as the tool length of that time has it
-    let now = run.sim.control.active_length();
-    let since = [0, 1, 2].map(|axis| now[axis] - length[axis]);
+    let since = run.sim.control.active_length() + -length;
     run.sim.position = run.sim.position + since;
-    let seen = |at| plane.place(at, way.height) + tip + length.map(|way| -way);
+    let seen = |at| plane.place(at, way.height) + tip + -length;
     let to = match way.at {
         Some(at) => seen(at),
         None => {
             let (_, height) = plane.split(run.sim.position + length);
-            run.sim.position + plane.up().map(|up| (way.height - height) * up)
+            run.sim.position + plane.up() * (way.height - height)
         }
     };
     let around = way.round.map(|round| Around {
         centre: seen(round.centre).0,
-        axis: plane.up(),
+        axis: plane.up().0,
         degrees: Degrees::of(round.sweep),
     });
     let still = around.is_none() && (0..3).all(|i| (to[i] - run.sim.position[i]).abs() < 1e-9);
     if !still {
         run.sim.travel_machine(to, around, kind, feed, false)?;
     }
-    run.sim.position = run.sim.position + since.map(|way| -way);
+    run.sim.position = run.sim.position + -since;
     Ok(())
 }

@@ -18,7 +18,7 @@ use super::halt::Halt;
 use super::interpret::Interpreter;
 use super::modal::Compensation;
 use crate::diagnostic::Span;
-use crate::geometry::Mcs;
+use crate::geometry::{Dir, Mcs};
 use crate::machine::route::Route;
 use crate::machine::trace::MotionKind;
 use crate::problem::Problem;
@@ -53,9 +53,8 @@ pub struct Motion {
 
 /// Where the program stands: the end of the last block as programmed, beside which the tool may be.
 pub fn stands(run: &Interpreter) -> Mcs {
-    let length = run.sim.control.active_length();
     match &run.contour {
-        Some(contour) => contour.programmed + length.map(|way| -way),
+        Some(contour) => contour.programmed + -run.sim.control.active_length(),
         None => run.sim.position,
     }
 }
@@ -197,7 +196,7 @@ impl Contour {
             return refused(step.motion, "run-contour-end"); // alarm 10754
         }
         let mut manner = Manner::now(run, step.motion);
-        manner.tip = [0.0; 3];
+        manner.tip = Dir::default();
         let way = Way { at: Some(step.element.end), height: step.heights[1], round: None, manner };
         drive::all(run, &self.plane, &[way])
     }

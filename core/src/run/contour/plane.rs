@@ -2,7 +2,7 @@
 
 use super::element::{Element, Point, Round};
 use crate::control::Control;
-use crate::geometry::{Mcs, V3, Wcs};
+use crate::geometry::{Dir, Mcs, V3, Wcs};
 use crate::machine::route::Route;
 
 /// Unit vectors that differ by less are the same.
@@ -47,11 +47,11 @@ impl Plane {
     /// The place of abscissa, ordinate and height.
     pub fn place(&self, at: Point, height: f64) -> Mcs {
         let [abscissa, across, up] = self.axes;
-        Mcs((abscissa * at.x + across * at.y + up * height).into())
+        (abscissa * at.x + across * at.y + up * height).into()
     }
 
-    /// Direction of the tool in the machine, a unit vector.
-    pub fn up(&self) -> [f64; 3] {
+    /// Direction of the tool, a unit vector.
+    pub fn up(&self) -> Dir<Mcs> {
         self.axes[2].into()
     }
 

@@ -5,7 +5,7 @@
 use super::bench::{PLANES, call, displace, measured, name, place, random, real, setup, setup_in, side};
 use crate::catalogue::sinumerik::testing::{alarms, called, close, stopped, touches};
 use crate::control::{Frame, Plane, Units};
-use crate::geometry::Rpy;
+use crate::geometry::{Dir, Rpy};
 use crate::machine::Setup;
 use crate::machine::sim::Sim;
 use crate::workpiece::noise::Noise;
@@ -115,7 +115,7 @@ fn the_frame_changes_nothing() {
         setup.control.activate(1);
         let mut setup = place(setup, &inputs);
         let shift = [0.2, -0.3, 0.1];
-        let moved = setup.control.direction_to_machine(shift);
+        let moved = setup.control.direction_to_machine(Dir::new(shift)).0;
         displace(&mut setup, moved, 0.0);
         let sim = measured(&setup, &inputs);
         for (axis, plus) in [(0, false), (0, true), (1, false), (1, true), (2, false)] {

@@ -9,7 +9,7 @@ use crate::catalogue::sinumerik::testing::{at, call, called, put, random_parts, 
 use crate::control::{Control, Frame, Plane, Units};
 use crate::dialect::Dialect;
 use crate::entry::{Inputs, names};
-use crate::geometry::Rpy;
+use crate::geometry::{Dir, Rpy};
 use crate::machine::sim::Sim;
 use crate::machine::{Setup, Stop};
 use proptest::prelude::*;
@@ -124,7 +124,7 @@ impl Case {
         if UNKNOWN.holds(inputs) {
             let [x, y] = self.shift;
             let shift = at(self.plane, [x, y, 0.0]);
-            setup.workpiece.solids[0].errors.shift = setup.control.direction_to_machine(shift);
+            setup.workpiece.solids[0].errors.shift = setup.control.direction_to_machine(Dir::new(shift)).0;
         }
         setup
     }

@@ -9,7 +9,7 @@ use crate::check::check;
 use crate::control::{Frame, Plane, Units};
 use crate::dialect::Dialect;
 use crate::entry::{Inputs, Typed, names};
-use crate::geometry::{Rpy, V3, Wcs, fit, rigid};
+use crate::geometry::{Dir, Rpy, V3, Wcs, fit, rigid};
 use crate::machine::Setup;
 use crate::machine::sim::Sim;
 use crate::machine::trace::Step;
@@ -207,7 +207,7 @@ proptest! {
                 setup.control.frames.insert(1, frame);
                 setup.control.activate(1);
                 let mut setup = spheres(setup, plane, variant);
-                let away = setup.control.direction_to_machine(at(plane, shift));
+                let away = setup.control.direction_to_machine(Dir::new(at(plane, shift))).0;
                 setup.workpiece.solids[0].errors.shift = away;
                 let mut sim = Sim::new(&setup);
                 prop_assert_eq!(run(&mut sim, &inputs(variant)), Ok(()), "variant {}", variant);

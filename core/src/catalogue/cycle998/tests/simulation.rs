@@ -7,7 +7,7 @@ use crate::catalogue::sinumerik::testing::{at, call, called, close, put, random_
 use crate::control::{Control, Frame, Plane};
 use crate::entry::{Inputs, names};
 use crate::geometry::rigid::{angles, rotation};
-use crate::geometry::{Degrees, Mcs, Rpy, V3, Wcs};
+use crate::geometry::{Degrees, Dir, Mcs, Rpy, V3, Wcs};
 use crate::machine::sim::Sim;
 use crate::machine::{Setup, Stop};
 use crate::name::Name;
@@ -35,7 +35,7 @@ fn face(control: &Control, inputs: &Inputs, actual: &[f64]) -> Solid {
         _ => panic!("{actual:?}"),
     }
     let out = out.normalize() * if surface.measuring == 2 { 1.0 } else { -1.0 };
-    let machine = |v: V3| V3::from(control.direction_to_machine(at(control.plane, v.into())));
+    let machine = |v: V3| V3::from(control.direction_to_machine(Dir::new(at(control.plane, v.into()))).0);
     let z = machine(out);
     let x = z.cross(&V3::new(0.3, 0.5, 0.8)).normalize();
     let columns = Matrix3::from_columns(&[x, z.cross(&x), z]);
@@ -222,7 +222,7 @@ proptest! {
         inputs.numbers.insert(names::RA, 4.0);
         let mut setup = ready(Plane::G17, &inputs, [0.0; 3], &[set + wrong]);
         setup.control.set("MD18600", f64::from(fine));
-        setup.control.rotary_centre = setup.workpiece.solids[0].at;
+        setup.control.rotary_centre = Mcs(setup.workpiece.solids[0].at);
         setup.control.frames.get_mut(&1).unwrap().rotary = [0.0, 0.0, 3.0].map(Degrees);
         setup.control.activate(1);
         let mut sim = Sim::new(&setup);
@@ -247,7 +247,7 @@ proptest! {
         let mut mirrors = [false; 3];
         mirrors[0] = mirror == 1;
         let mut setup = mirrored(mirrors, Plane::G17, &inputs, turned, &[wrong]);
-        setup.control.rotary_centre = setup.workpiece.solids[0].at;
+        setup.control.rotary_centre = Mcs(setup.workpiece.solids[0].at);
         let mut sim = Sim::new(&setup);
         prop_assert_eq!(run(&mut sim, &inputs), Ok(()));
         close(&sim, "_OVR[16]", wrong);
@@ -260,7 +260,7 @@ proptest! {
         let mut inputs = inputs(105, 102, [0.0; 2]);
         inputs.numbers.insert(names::RA, 4.0);
         let mut setup = ready(Plane::G17, &inputs, [0.0; 3], &[wrong]);
-        setup.control.rotary_centre = setup.workpiece.solids[0].at;
+        setup.control.rotary_centre = Mcs(setup.workpiece.solids[0].at);
         let under = if upside { 180.0 } else { 0.0 };
         setup.control.rotary[0] = Degrees(under);
         // as it is clamped, before the carrying table turned
