@@ -4,19 +4,12 @@
 #[cfg(test)]
 mod tests;
 
-use crate::catalogue::common::{alarms, integer, length, optional};
+use crate::catalogue::common::{alarms, integer, length};
 use crate::catalogue::cycle982::params::{ABSCISSA, ORDINATE};
 use crate::catalogue::cycle982::{picture, propose, simulate as measuring};
-use crate::catalogue::sinumerik::alarm;
+use crate::catalogue::prelude::*;
 use crate::catalogue::tool_probe::{ProbeData, checks as about, params as shared, turning};
-use crate::catalogue::{common, older, shared_checks, tool_probe};
-use crate::control::Control;
-use crate::diagnostic::Diagnostic;
-use crate::entry::{
-    Cycle, Drawing, Help, HelpLine, Inputs, Kind, Param, ProbeUse, Purpose, ResultField, Simulation, Variant, When,
-    before, corrects, measures, order, wrong,
-};
-use crate::machine::{Machine, Stop};
+use crate::catalogue::{older, tool_probe};
 
 /// Measuring variants (B:8766-8771).
 const VARIANTS: &[Variant] = &[

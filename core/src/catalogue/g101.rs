@@ -1,17 +1,13 @@
 //! G101: protected positioning of the stylus (C:106-144).
 
-use super::common::{PARAM, optional};
+use super::common::PARAM;
 use super::nct;
 use super::nct::part;
-use crate::control::Control;
-use crate::diagnostic::Diagnostic;
+use crate::catalogue::prelude::*;
 use crate::entry::*;
-use crate::geometry::Wcs;
-use crate::machine::{Machine, MotionKind, Stop};
-use crate::own;
+use crate::machine::MotionKind;
 use crate::picture::figures::{circle, dimension, line, rectangle};
-use crate::picture::{Picture, ShapeKind, View};
-use crate::range::Range;
+use crate::picture::{Picture, View};
 use crate::workpiece::Shape;
 
 const TARGET: Param = Param {

@@ -6,12 +6,9 @@ use super::nct::params::{ALONG_X, ALONG_Y, ALONG_Z};
 use super::nct::plane_axis::{X, Y, Z, depth_mark, index, nominal};
 use super::nct::walls::{home, travel};
 use super::nct::{axis_of, checks, correct, figures, given, params, part, plane_axis, surface};
-use crate::control::Control;
-use crate::diagnostic::Diagnostic;
+use crate::catalogue::prelude::*;
 use crate::entry::stage::{Look, Seen, Staging};
 use crate::entry::*;
-use crate::machine::{Machine, Stop};
-use crate::picture::PictureShape;
 use crate::workpiece::Shape;
 
 /// A nominal coordinate.

@@ -1,21 +1,15 @@
 //! G109: pocket or web along one axis of the plane (C:868-1028).
 
-use super::common::optional;
 use super::nct;
 use super::nct::correct::Place;
 use super::nct::params::{ALONG_X, ALONG_Y, ALONG_Z};
 use super::nct::plane_axis::{X, Y, Z, depth_mark, index, nominal};
 use super::nct::walls::{Walls, chord, depth, from_outside, home};
 use super::nct::{FORMAT_ERROR, axis_of, checks, correct, figures, params, part, plane_axis, walls};
+use crate::catalogue::prelude::*;
 use crate::check::error;
-use crate::control::Control;
-use crate::diagnostic::Diagnostic;
 use crate::entry::stage::{Look, Seen, Staging};
 use crate::entry::*;
-use crate::geometry::Wcs;
-use crate::machine::{Machine, Stop};
-use crate::message::Message;
-use crate::picture::PictureShape;
 
 /// The stylus stands between the walls.
 pub const POCKET: i64 = walls::INSIDE;

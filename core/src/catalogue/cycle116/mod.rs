@@ -7,16 +7,13 @@ mod tests;
 use super::common::{CYCLE, PARAM, alarms, integer, length, required};
 use super::sinumerik::results;
 use super::spread;
-use crate::check::refused;
-use crate::control::{Control, MachineSort};
-use crate::diagnostic::{Code, Diagnostic};
+use crate::catalogue::prelude::*;
+use crate::control::MachineSort;
 use crate::entry::*;
 use crate::evaluate;
 use crate::geometry::fit;
-use crate::machine::{Machine, Stop};
-use crate::name::Name;
 use crate::picture::figures::{circle, dimension};
-use crate::picture::{Picture, ShapeKind, View};
+use crate::picture::{Picture, View};
 
 /// The cycle. Example: that of the manual, B:2456-2466.
 pub static CYCLE116: Cycle = Cycle {

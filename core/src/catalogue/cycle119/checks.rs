@@ -1,14 +1,10 @@
 //! What the points and the target say together.
 
 use super::params::{MEASURED, Names, SET, TARGET};
-use crate::catalogue::{shared_checks, spread};
+use crate::catalogue::prelude::*;
+use crate::catalogue::spread;
 use crate::check::error;
-use crate::control::Control;
-use crate::diagnostic::{Code, Diagnostic};
-use crate::entry::Inputs;
 use crate::geometry::{V3, fit};
-use crate::message::Message;
-use crate::name::Name;
 
 /// Points that make no triangle determine no frame: the cycle hands 61411 back. A corrected frame has to take a
 /// rotation.

@@ -1,11 +1,7 @@
 //! Parameters of CYCLE971 (B:4410-4432, B:4636-4656, B:4830-4859).
 
-use crate::catalogue::common;
-use crate::catalogue::common::{optional, required};
+use crate::catalogue::prelude::*;
 use crate::catalogue::tool_probe::params as tool_probe;
-use crate::entry::{DigitGroup, Kind, Need, Param, Unit, When, names};
-use crate::name::Name;
-use crate::range::Range;
 use crate::support;
 
 /// The probe is calibrated.

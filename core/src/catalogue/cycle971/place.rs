@@ -3,12 +3,9 @@
 //! Axes count 0 abscissa, 1 ordinate, 2 applicate; directions are +1 and -1.
 
 use super::params::{MEASURE, WORKPIECE};
-use crate::catalogue::sinumerik::alarm;
+use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::measuring_block::{Block, Point};
 use crate::catalogue::tool_probe::{ProbeData, Sides};
-use crate::control::Control;
-use crate::entry::{Inputs, names};
-use crate::machine::{Machine, Stop};
 
 /// Edge length or diameter of the upper side in `_TP[k,i]` (B:13363).
 pub const EDGE_LENGTH: usize = 6;

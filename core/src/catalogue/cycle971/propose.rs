@@ -2,10 +2,7 @@
 
 use super::params::{APPLICATE, AUTOMATIC, INCREMENTAL, MEASURE, WORKPIECE};
 use super::place::Place;
-use crate::catalogue::place;
-use crate::control::Control;
-use crate::entry::{Inputs, Proposal, names};
-use crate::geometry::Wcs;
+use crate::catalogue::prelude::*;
 
 /// How far above and beside the probe the tool starts, mm.
 const AWAY: f64 = 20.0;

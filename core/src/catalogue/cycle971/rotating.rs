@@ -1,11 +1,7 @@
 //! Speed, feed and compensation of a measurement with rotating spindle (B:4334-4387, B:4776-4807).
 
 use super::params::IN_PLANE;
-use crate::check::refused;
-use crate::control::Control;
-use crate::diagnostic::Diagnostic;
-use crate::entry::{Inputs, names};
-use crate::own;
+use crate::catalogue::prelude::*;
 use crate::own::Own;
 
 /// All checks about it.

@@ -2,12 +2,8 @@
 
 use super::groove::Groove;
 use super::params::{GROOVE, TWO};
-use crate::catalogue::{calibration, lathe, shared_checks};
-use crate::check::refused;
-use crate::control::Control;
-use crate::diagnostic::Diagnostic;
-use crate::entry::{Inputs, names};
-use crate::own;
+use crate::catalogue::prelude::*;
+use crate::catalogue::{calibration, lathe};
 
 /// All of them.
 pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {

@@ -1,11 +1,7 @@
 //! Parameters of CYCLE973 in the order of the manual's tables (B:10239-10255, B:10347-10356).
 
-use crate::catalogue::common;
-use crate::catalogue::common::required;
 use crate::catalogue::lathe::params as lathe;
-use crate::diagnostic::Code;
-use crate::entry::{DigitGroup, Kind, Param, When, mvar, names};
-use crate::range::Range;
+use crate::catalogue::prelude::*;
 
 /// On a surface of the workpiece system.
 pub const SURFACE: When = When::Variant(&[0]);

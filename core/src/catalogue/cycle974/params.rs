@@ -1,10 +1,7 @@
 //! Parameters of CYCLE974 in the order of the manual's tables (B:10537-10547, B:10619-10639, B:10792-10811).
 
-use crate::catalogue::common;
-use crate::catalogue::common::required;
 use crate::catalogue::lathe::params as lathe;
-use crate::entry::{DigitGroup, Kind, Param, When, mvar};
-use crate::range::Range;
+use crate::catalogue::prelude::*;
 
 /// At two places of the turned part, 180 degree apart.
 pub const REVERSAL: When = mvar(1000, &[1]);

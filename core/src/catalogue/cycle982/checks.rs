@@ -4,13 +4,9 @@ use super::cutters;
 use super::params::{
     ABSCISSA, CALIBRATE, DRILL, IN_WORKPIECE, INCREMENTAL, MEASURE, MILLING, POSITIONED, TURNING, WORKPIECE,
 };
-use crate::catalogue::shared_checks;
+use crate::catalogue::prelude::*;
 use crate::catalogue::tool_probe::{ProbeData, checks as shared, turning};
-use crate::control::{Control, Edge};
-use crate::diagnostic::Diagnostic;
-use crate::entry::{Inputs, names};
-use crate::message::Message;
-use crate::own;
+use crate::control::Edge;
 
 /// Digits 3 to 5 of `_MVAR`, which count for milling tools and drills only (B:9224-9260).
 const CUTTER_DIGITS: std::ops::RangeInclusive<i64> = 1..=999;

@@ -5,14 +5,10 @@ use super::params::{
     ABSCISSA, AUTOMATIC, BOTH, DRILL, DRILL_ALONG_APPLICATE, MILLING, ORDINATE, RADIAL, RADIUS, REVERSAL,
     SPINDLE_AS_IT_IS, UPPER, WITH_RADIUS,
 };
-use crate::check::refused;
+use crate::catalogue::prelude::*;
 use crate::control::machine_data::TOOL_LENGTH_TYPE;
 use crate::control::tools::AS_TURNING_TOOL;
-use crate::control::{Control, Edge, Plane};
-use crate::diagnostic::Diagnostic;
-use crate::entry::{Inputs, When, names};
-use crate::message::Message;
-use crate::own;
+use crate::control::{Edge, Plane};
 
 /// Touched from the side, so that the radius takes part in the length (B:9637).
 const FROM_THE_SIDE: When = When::All(&[

@@ -1,12 +1,9 @@
 //! Parameters of CYCLE982 and the conditions that its variant and the tool in use make (B:9369-9375, B:9507-9525,
 //! B:9723-9731, B:9835-9841, B:9960-9973).
 
-use crate::catalogue::common;
-use crate::catalogue::common::{optional, required};
+use crate::catalogue::prelude::*;
 use crate::catalogue::tool_probe::params as tool_probe;
 use crate::control::machine_data::TOOL_LENGTH_TYPE;
-use crate::entry::{DigitGroup, Kind, Param, When, mvar, names};
-use crate::range::Range;
 
 const fn axis(is: &'static [f64]) -> When {
     When::Number { param: names::MA, is }

@@ -3,14 +3,11 @@
 //! Axes count 0 abscissa, 1 ordinate, directions are +1 and -1 along the axis.
 
 use super::params::WORKPIECE;
-use crate::catalogue::sinumerik::alarm;
+use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::measuring_block::Block;
 use crate::catalogue::tool_probe::correct::{Measured, active};
 use crate::catalogue::tool_probe::{ProbeData, Sides};
-use crate::control::Control;
-use crate::entry::{Inputs, names};
 use crate::evaluate::tool_offset::RADIUS;
-use crate::machine::{Machine, Stop};
 
 /// What a touch needs.
 pub struct Stand<'a> {

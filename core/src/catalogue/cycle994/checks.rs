@@ -1,14 +1,10 @@
 //! What several values of CYCLE994 say together.
 
 use super::params::INSIDE_ZONE;
+use crate::catalogue::lathe;
 use crate::catalogue::lathe::measure;
-use crate::catalogue::{lathe, place, shared_checks};
-use crate::check::refused;
-use crate::control::Control;
-use crate::diagnostic::{Diagnostic, Severity};
-use crate::entry::{Inputs, names};
-use crate::name::Name;
-use crate::own;
+use crate::catalogue::prelude::*;
+use crate::diagnostic::Severity;
 
 /// All of them.
 pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {

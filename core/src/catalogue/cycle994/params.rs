@@ -1,10 +1,7 @@
 //! Parameters of CYCLE994 in the order of the manual's table (B:10979-11001).
 
-use crate::catalogue::common;
-use crate::catalogue::common::{optional, required};
 use crate::catalogue::lathe::params as lathe;
-use crate::entry::{Need, Param, When};
-use crate::range::Range;
+use crate::catalogue::prelude::*;
 
 /// Inside, around a protection zone.
 pub const INSIDE_ZONE: When = When::Variant(&[1]);

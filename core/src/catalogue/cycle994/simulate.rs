@@ -3,14 +3,10 @@
 
 use super::params::INSIDE_ZONE;
 use crate::catalogue::lathe::measure;
+use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::measuring_block::Block;
 use crate::catalogue::sinumerik::one_point::OnePoint;
 use crate::catalogue::sinumerik::target::Target;
-use crate::catalogue::sinumerik::{alarm, until_done};
-use crate::control::Control;
-use crate::entry::{Inputs, names};
-use crate::machine::{Machine, Stop};
-use crate::name::Name;
 
 /// The border on which the ball's centre passes from one side to the other (B:10891, B:10986-11001).
 #[derive(Clone, Copy, Debug, PartialEq)]

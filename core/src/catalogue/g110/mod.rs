@@ -15,14 +15,9 @@ use super::nct::ring::D;
 use super::nct::touch::Calibration;
 use super::nct::walls::{Walls, chord, from_outside, home, travel};
 use super::nct::{axis_of, checks, correct, figures, params, walls};
-use crate::control::Control;
-use crate::diagnostic::Diagnostic;
+use crate::catalogue::prelude::*;
 use crate::entry::stage::{Look, Seen, Staging};
 use crate::entry::*;
-use crate::geometry::Wcs;
-use crate::machine::{Machine, Stop};
-use crate::picture::PictureShape;
-use crate::range::Range;
 use crate::workpiece::Shape;
 
 /// The stylus stands in the bore.

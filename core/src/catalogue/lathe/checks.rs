@@ -1,13 +1,9 @@
 //! Checks about the probe in use and the coordinate system.
 
 use super::TIPS;
-use crate::catalogue::shared_checks;
-use crate::check::{doubted, error, refused};
-use crate::control::Control;
+use crate::catalogue::prelude::*;
+use crate::check::{doubted, error};
 use crate::control::probe::Unfit;
-use crate::diagnostic::{Code, Diagnostic};
-use crate::entry::{Inputs, names};
-use crate::message::Message;
 
 /// What every call that measures a workpiece is checked for.
 pub fn measuring(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {

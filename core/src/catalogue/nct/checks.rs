@@ -1,13 +1,8 @@
 //! Checks over several addresses that macros share.
 
 use super::{FORMAT_ERROR, NO_MOVEMENT};
+use crate::catalogue::prelude::*;
 use crate::check::error;
-use crate::control::Control;
-use crate::diagnostic::Diagnostic;
-use crate::entry::{Inputs, address};
-use crate::message::Message;
-use crate::name::Name;
-use crate::own;
 
 /// S with T (C:1089), limits that make no sense together, M and T the same register.
 pub fn corrections(inputs: &Inputs, findings: &mut Vec<Diagnostic>) {

@@ -9,12 +9,9 @@ use super::params::{ALONG_X, ALONG_Y, ALONG_Z};
 use super::surface::{direction, touch_wall};
 use super::walls::{home, travel};
 use super::{FORMAT_ERROR, MACRO, axis_of, figures, part, ready_to_measure};
-use crate::catalogue::common::{PARAM, required};
-use crate::control::Control;
+use crate::catalogue::common::PARAM;
+use crate::catalogue::prelude::*;
 use crate::entry::stage::{Look, Seen, Staging};
-use crate::entry::{Cycle, Drawing, Inputs, Need, Param, Proposal, ResultField, Unit, When, address};
-use crate::machine::{Machine, Stop};
-use crate::picture::PictureShape;
 
 /// A macro that measures a corner.
 pub const CORNER: Cycle = Cycle { results: RESULTS, picture: Drawing::staged(stage, marks), ..MACRO };

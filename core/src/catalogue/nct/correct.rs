@@ -1,14 +1,11 @@
 //! What the measuring macros do with a deviation: results, operator messages, M, T and S (C:481-501, C:1079-1099).
 
 use super::{OUT_OF_TOLERANCE, TOOL_TOO_LARGE, UPPER_TOLERANCE, axis_name, print};
+use crate::catalogue::prelude::*;
 use crate::control::NCT;
-use crate::entry::{Inputs, address};
 use crate::evaluate::tolerance::exceeds;
 use crate::geometry::Dir;
-use crate::machine::Machine;
 use crate::machine::trace::Step;
-use crate::message::Message;
-use crate::name::Name;
 
 /// Letter of the part of a register that M and T mean where the side of the cutter made the surface: its radius.
 pub const RADIUS: &str = "D";

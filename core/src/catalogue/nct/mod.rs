@@ -27,13 +27,9 @@ mod proposal_tests;
 pub use crate::control::{FALSE_TRIGGER, PATH_OBSTRUCTED};
 
 use super::common::{CYCLE, PARAM, optional};
-use crate::control::{Control, Units};
-use crate::diagnostic::Code;
+use crate::catalogue::prelude::*;
+use crate::control::Units;
 use crate::dialect::Dialect;
-use crate::entry::{Cycle, Inputs, Kind, Need, Param, Unit, When, address};
-use crate::machine::{Machine, Stop};
-use crate::name::Name;
-use crate::range::Range;
 
 /// A value is missing, out of range, or excludes another (C:1123-1137).
 pub const FORMAT_ERROR: Code = Code::Nct("FORMAT ERROR");

@@ -1,9 +1,6 @@
 //! Parts that stand in the working plane.
 
-use crate::catalogue::place;
-use crate::control::Control;
-use crate::entry::Proposal;
-use crate::geometry::Wcs;
+use crate::catalogue::prelude::*;
 use crate::workpiece::{Shape, Solid, Workpiece};
 
 /// A solid whose X, Y, Z lie along abscissa, ordinate and applicate; `at` in the same order, active WCS, mm.

@@ -3,12 +3,8 @@
 use super::walls::{across, travel};
 use super::{FORMAT_ERROR, MACRO, OVERTRAVEL, checks, figures, overtravel, part};
 use crate::catalogue::common::{ALWAYS_REQUIRED, PARAM};
-use crate::control::Control;
+use crate::catalogue::prelude::*;
 use crate::entry::stage::{Fields, Look, Seen, Staging};
-use crate::entry::{Cycle, Drawing, Inputs, Param, Proposal, ResultField, Unit, When, address};
-use crate::machine::{Machine, Stop};
-use crate::picture::{PictureShape, ShapeKind};
-use crate::range::Range;
 use crate::workpiece::Shape;
 
 /// A macro that calibrates in the ring; one without room for the ball is refused.

@@ -5,12 +5,9 @@ use super::params::{ALONG_X, ALONG_Y, ALONG_Z};
 use super::touch::{Calibration, touch};
 use super::walls::home;
 use super::{FORMAT_ERROR, NO_MOVEMENT, axis_of, figures, part};
-use crate::catalogue::common::{PARAM, required};
-use crate::control::Control;
+use crate::catalogue::common::PARAM;
+use crate::catalogue::prelude::*;
 use crate::entry::stage::{Look, Seen, Staging};
-use crate::entry::{Inputs, Need, Param, Proposal, Unit, When, address};
-use crate::machine::{Machine, Stop};
-use crate::picture::PictureShape;
 use crate::workpiece::Shape;
 
 /// Height of a surface across the tool axis: X, in the plane of which it is that axis. Key and place in the manual are

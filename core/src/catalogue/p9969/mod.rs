@@ -10,12 +10,9 @@ mod tests;
 use super::nct;
 use super::nct::{FORMAT_ERROR, axis_of, params, part};
 use super::place;
+use crate::catalogue::prelude::*;
 use crate::check::error;
-use crate::control::Control;
-use crate::diagnostic::Diagnostic;
 use crate::entry::*;
-use crate::geometry::Wcs;
-use crate::message::Message;
 use crate::workpiece::{Shape, free::Example};
 use addresses::{letter, spacing};
 

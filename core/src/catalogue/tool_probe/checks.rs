@@ -1,13 +1,9 @@
 //! Checks that the cycles at a tool probe share.
 
 use super::ProbeData;
+use crate::catalogue::prelude::*;
 use crate::check::{doubted, error};
-use crate::control::{Control, Edge};
-use crate::diagnostic::{Code, Diagnostic};
-use crate::entry::{Inputs, names};
-use crate::message::Message;
-use crate::name::Name;
-use crate::own;
+use crate::control::Edge;
 
 /// Type of a 3D probe, `$TC_DP1` (B:4147).
 const WORKPIECE_PROBE: i64 = 710;

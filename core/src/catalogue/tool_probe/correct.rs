@@ -1,14 +1,10 @@
 //! What measuring a tool found: the results, the limits, the correction of the edge in use (B:4310-4326).
 
-use crate::catalogue::sinumerik::{Next, alarm, correct, results, tolerance};
-use crate::control::Control;
-use crate::entry::{Inputs, names};
+use crate::catalogue::prelude::*;
+use crate::catalogue::sinumerik::{correct, tolerance};
 use crate::evaluate::tolerance::{RESOLUTION, exceeds};
 use crate::evaluate::{mean, tool_offset};
 use crate::machine::trace::Step;
-use crate::machine::{Machine, Stop};
-use crate::message::Message;
-use crate::name::Name;
 
 /// A length or the radius of the tool in use.
 #[derive(Clone, Copy, Debug, PartialEq)]
