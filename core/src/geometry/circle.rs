@@ -47,7 +47,7 @@ impl Circle {
         };
         roots::polynomial(&quartic, -closest, path.length - closest)
             .into_iter()
-            .map(|root| roots::polished(&gap, root + closest))
+            .map(|root| roots::polished(gap, root + closest))
             .find(|&s| s > 0.0 && s <= path.length && gap(s).1 < 0.0)
     }
 }

@@ -62,7 +62,7 @@ impl Wall {
         roots::quadratic(a, b, c)
             .into_iter()
             .filter(|s| start + growth * s >= 0.0)
-            .map(|s| roots::polished(&gap, s))
+            .map(|s| roots::polished(gap, s))
             .find(|&s| s > 0.0 && s <= path.length && gap(s).1 < 0.0 && self.foot(&path.at(s)).is_some())
     }
 }
