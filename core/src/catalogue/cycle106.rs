@@ -3,8 +3,7 @@
 use super::logging;
 use super::logging::params::{JOB, log_params};
 use super::logging::{CONTENT_ALARMS, FILE_ALARMS, params};
-use crate::diagnostic::Code;
-use crate::entry::*;
+use crate::catalogue::prelude::*;
 
 /// The cycle.
 pub static CYCLE106: Cycle = Cycle {

@@ -4,11 +4,9 @@
 use super::common::{ALWAYS_REQUIRED, PARAM, alarms, integer, optional, required};
 use super::logging;
 use super::logging::cells::{CELL, ROW, cells, left};
-use crate::entry::*;
-use crate::name::Name;
+use crate::catalogue::prelude::*;
 use crate::picture::figures::{dimension, line};
-use crate::picture::{Picture, PictureShape, ShapeKind, View};
-use crate::range::Range;
+use crate::picture::{Picture, View};
 
 /// The number.
 const NUMBER: Name = Name::new("PAR1");

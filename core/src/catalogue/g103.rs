@@ -11,9 +11,7 @@ use super::nct::ring::D;
 use super::nct::touch::Calibration;
 use super::nct::walls::{home, travel};
 use super::nct::{correct, ring};
-use crate::entry::*;
-use crate::machine::{Machine, Stop};
-use crate::range::Range;
+use crate::catalogue::prelude::*;
 
 /// The macro.
 pub static G103: Cycle = Cycle {

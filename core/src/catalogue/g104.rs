@@ -7,9 +7,7 @@
 use super::common::ALWAYS_REQUIRED;
 use super::nct;
 use super::nct::{REGISTER, correct, overtravel, params, surface};
-use crate::entry::*;
-use crate::machine::{Machine, Stop};
-use crate::name::Name;
+use crate::catalogue::prelude::*;
 
 /// Height of the surface in the tool axis; T is the register of the stylus itself.
 const LENGTH_VALUES: &[(Name, Meaning)] =

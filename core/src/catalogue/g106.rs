@@ -5,8 +5,7 @@
 
 use super::nct;
 use super::nct::{checks, correct, params, surface};
-use crate::entry::*;
-use crate::machine::{Machine, Stop};
+use crate::catalogue::prelude::*;
 
 /// The macro.
 pub static G106: Cycle = Cycle {

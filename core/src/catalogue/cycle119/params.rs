@@ -1,9 +1,7 @@
 //! The arrays that the program hands over, and what is to be done with the frame (B:8560-8576).
 
 use crate::catalogue::common::{ALWAYS_REQUIRED, KNUM_ZERO, PARAM, required};
-use crate::entry::{Param, Unit, When, names};
-use crate::name::Name;
-use crate::range::Range;
+use crate::catalogue::prelude::*;
 
 /// Frame to be corrected, as `_KNUM` of a zero offset.
 pub const TARGET: Name = names::COR;

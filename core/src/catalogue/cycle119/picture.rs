@@ -1,10 +1,9 @@
 //! Both triangles, seen from above at a slant: X to the right, Y upwards, Z half as long to the upper right.
 
 use super::params::{LIMIT, MEASURED, Names, SET, TARGET};
-use crate::entry::Inputs;
-use crate::name::Name;
+use crate::catalogue::prelude::*;
 use crate::picture::figures::{circle, line, polygon};
-use crate::picture::{Picture, PictureShape, ShapeKind, View};
+use crate::picture::{Picture, View};
 
 /// How far a length along Z leads to the right and up.
 const SLANT: f64 = 0.35;

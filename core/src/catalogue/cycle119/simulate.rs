@@ -2,14 +2,13 @@
 
 use super::checks::points;
 use super::params::{LIMIT, MEASURED, SET, TARGET};
+use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::{correct, results};
 use crate::control::variables::AXES;
-use crate::entry::Inputs;
 use crate::evaluate::position::{NO_FRAME, Position, correctable, position};
 use crate::evaluate::zero_offset;
 use crate::evaluate::zero_offset::Target;
 use crate::geometry::rigid::angles;
-use crate::machine::{Machine, Stop};
 
 /// What stands in `_RES` where no frame was computed (B:8582: below 0).
 const NONE: f64 = -1.0;

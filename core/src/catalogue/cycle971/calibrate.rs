@@ -1,10 +1,9 @@
 //! Calibrating the tool probe: one side, one side with the middle found before, incrementally, all sides (B:4403-4743).
 
 use super::place::Task;
+use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::measuring_block::Point;
 use crate::catalogue::tool_probe::store::Trigger;
-use crate::entry::names;
-use crate::machine::{Machine, Stop};
 
 /// What was found: trigger points to be stored, and differences that count for the safe area only, mm.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -3,14 +3,12 @@
 use super::params::{APPLICATE, AUTOMATIC, CALIBRATE, IN_PLANE, INCREMENTAL, MEASURE, ROTATING, WORKPIECE};
 use super::place::{DEPTH, DIRECTIONS, EDGE_LENGTH, TYPE};
 use super::rotating;
+use crate::catalogue::prelude::*;
 use crate::catalogue::tool_probe;
 use crate::catalogue::tool_probe::ProbeData;
 use crate::catalogue::tool_probe::checks::refused;
-use crate::control::{Control, Edge, Plane};
-use crate::diagnostic::{Code, Diagnostic, Severity};
-use crate::entry::{Inputs, When, names};
-use crate::message::Message;
-use crate::own;
+use crate::control::{Edge, Plane};
+use crate::diagnostic::Severity;
 
 /// The radius is measured.
 const RADIUS: When = When::All(&[MEASURE, IN_PLANE]);

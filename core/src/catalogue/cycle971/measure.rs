@@ -3,11 +3,10 @@
 use super::params::{APPLICATE, ROTATING};
 use super::place::Task;
 use super::spindle;
+use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::measuring_block::Point;
 use crate::catalogue::tool_probe::correct::{Measured, active};
-use crate::entry::names;
 use crate::evaluate::tool_offset::RADIUS;
-use crate::machine::{Machine, Stop};
 
 /// Length or radius, as `_MA` says.
 pub fn measure(machine: &mut dyn Machine, task: &Task) -> Result<Measured, Stop> {

@@ -3,10 +3,9 @@
 use super::params::{AUTOMATIC, CALIBRATE, INCREMENTAL, WORKPIECE};
 use super::place::Task;
 use super::{calibrate, measure};
+use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::Next;
 use crate::catalogue::tool_probe::{carry_out, correct, store};
-use crate::entry::Inputs;
-use crate::machine::{Machine, Stop};
 
 /// Runs the cycle from the present position, from which the probe can be reached.
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {

@@ -3,11 +3,10 @@
 
 use super::params::IN_PLANE;
 use super::place::Task;
-use crate::catalogue::sinumerik::alarm;
+use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::measuring_block::Point;
-use crate::control::{Control, Units};
-use crate::machine::{Machine, Step, Stop};
-use crate::message::Message;
+use crate::control::Units;
+use crate::machine::Step;
 
 /// Speed, 1/min, and feed, mm/min.
 type Probing = (f64, f64);

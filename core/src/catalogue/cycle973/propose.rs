@@ -4,8 +4,7 @@ use super::groove::Groove;
 use super::params::GROOVE;
 use crate::catalogue::lathe::{measure, place};
 use crate::catalogue::place as plane;
-use crate::control::Control;
-use crate::entry::{Inputs, Proposal, names};
+use crate::catalogue::prelude::*;
 use crate::geometry::Mcs;
 
 /// How much further from the surface than the first block the probe starts, mm.

@@ -2,9 +2,8 @@
 //! the active unit counts. Trigger values are those of the axis and directions of the last call.
 
 use super::params::{BALL, ONE, SKEW, SURFACE, TWO};
-use crate::catalogue::common;
 use crate::catalogue::common::{ABSCISSA, APPLICATE, ORDINATE, integer, length};
-use crate::entry::{ResultField, When};
+use crate::catalogue::prelude::*;
 
 const SINGLE: When = When::Any(&[ONE, SURFACE]);
 const PLUS: When = When::Any(&[TWO, When::All(&[SINGLE, common::PLUS])]);

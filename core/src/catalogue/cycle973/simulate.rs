@@ -3,11 +3,10 @@
 use super::groove::{Groove, Place};
 use super::params::{BALL, GROOVE, SKEW, TWO};
 use crate::catalogue::lathe::measure;
+use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::calibration::{Calibration, Trigger, store};
 use crate::catalogue::sinumerik::measuring_block::{Block, Point};
 use crate::catalogue::sinumerik::{alarm, results, until_done};
-use crate::entry::{Inputs, names};
-use crate::machine::{Machine, Stop};
 
 /// Runs the cycle from the present position: above the groove, or opposite the surface.
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {

@@ -10,12 +10,9 @@ mod tests;
 use crate::catalogue::common::{TOOL_OFFSET, ZERO_OFFSET};
 use crate::catalogue::lathe::{measure, place};
 use crate::catalogue::place as plane;
+use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::help::{AGAIN, BLOCK, CALIBRATED, CORRECTION, MEASURING};
 use crate::catalogue::{common, lathe, newer, older};
-use crate::check::refused;
-use crate::control::Control;
-use crate::diagnostic::Diagnostic;
-use crate::entry::*;
 use params::REVERSAL;
 
 /// Measuring variants (B:10455-10459).

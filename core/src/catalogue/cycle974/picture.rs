@@ -5,10 +5,9 @@ use super::params::REVERSAL;
 use crate::catalogue::common::ZERO_OFFSET;
 use crate::catalogue::lathe::figures;
 use crate::catalogue::lathe::figures::{RADIUS, axis, per};
+use crate::catalogue::prelude::*;
 use crate::entry::stage::{Look, Seen, Staging, add};
-use crate::entry::{Inputs, names};
 use crate::picture::figures::{arc, arrow, circle, line, polar, turn};
-use crate::picture::{PictureShape, ShapeKind};
 
 /// From the zero point to an end face, mm.
 const FACE: f64 = 40.0;

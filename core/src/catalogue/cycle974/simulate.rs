@@ -2,13 +2,12 @@
 
 use super::params::REVERSAL;
 use crate::catalogue::lathe::measure;
+use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::measuring_block::{Block, Point, all_calibrated, turnable};
 use crate::catalogue::sinumerik::one_point::OnePoint;
 use crate::catalogue::sinumerik::target::Target;
 use crate::catalogue::sinumerik::until_done;
-use crate::entry::{Inputs, names};
 use crate::geometry::Degrees;
-use crate::machine::{Machine, Stop};
 
 /// Runs the cycle from the present position, which is opposite the point.
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {

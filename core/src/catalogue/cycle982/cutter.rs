@@ -4,10 +4,9 @@
 use super::edges::Edges;
 use super::params::{AUTOMATIC, BOTH, DRILL, INCREMENTAL, OPPOSITE, RADIAL, RADIUS, UPPER, WITH_RADIUS};
 use super::stand::{Stand, found, part};
-use crate::catalogue::sinumerik::alarm;
+use crate::catalogue::prelude::*;
 use crate::catalogue::tool_probe::correct::{Measured, active};
 use crate::evaluate::tool_offset;
-use crate::machine::{Machine, Stop};
 
 /// A milling tool or drill before the probe.
 struct Cutter<'a> {

@@ -3,11 +3,9 @@
 
 use super::params::{AUTOMATIC, INCREMENTAL, REVERSAL, WITH_RADIUS};
 use super::stand::{Stand, found};
-use crate::catalogue::sinumerik::alarm;
+use crate::catalogue::prelude::*;
 use crate::catalogue::tool_probe::correct::{Measured, active};
 use crate::control::Plane;
-use crate::entry::When;
-use crate::machine::{Machine, Stop};
 
 /// Axis of the plane in which is measured.
 const APPLICATE: usize = 2;

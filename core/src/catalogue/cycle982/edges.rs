@@ -1,11 +1,9 @@
 //! Which edge of a milling tool or drill touches: how the milling spindle is turned (B:9194-9200, B:9596-9610).
 
 use super::params::{DRILL, REVERSAL, SPINDLE_AS_IT_IS};
-use crate::catalogue::sinumerik::alarm;
+use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::measuring_block::turnable;
-use crate::entry::{Inputs, names};
 use crate::geometry::Degrees;
-use crate::machine::{Machine, Stop};
 
 /// Turn from one edge to the one opposite, degree.
 const OPPOSITE: f64 = 180.0;

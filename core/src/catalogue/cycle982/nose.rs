@@ -2,12 +2,10 @@
 
 use super::params::{AUTOMATIC, CALIBRATE, INCREMENTAL};
 use super::stand::Stand;
-use crate::catalogue::sinumerik::alarm;
+use crate::catalogue::prelude::*;
 use crate::catalogue::tool_probe::correct::Measured;
 use crate::catalogue::tool_probe::store::Trigger;
 use crate::control::tools::side;
-use crate::entry::Inputs;
-use crate::machine::{Machine, Stop};
 
 /// Cutting edge position of the calibration tool (B:8839).
 const CALIBRATION: i64 = 3;

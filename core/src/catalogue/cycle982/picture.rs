@@ -7,13 +7,11 @@ use super::params::{
     ABSCISSA, AUTOMATIC, BOTH, CALIBRATE, DRILL, DRILL_ALONG_APPLICATE, INCREMENTAL, MEASURE, MILLING, OPPOSITE,
     RADIAL, RADIUS, REVERSAL, UPPER, WITH_RADIUS, WORKPIECE,
 };
+use crate::catalogue::prelude::*;
 use crate::catalogue::tool_probe::figures::{HALF, cube, label, limits};
 use crate::control::{Edge, Plane, TOOL_LENGTH_TYPE, tools::side};
 use crate::entry::stage::{Fields, Look, Seen, Staging, Touched, add, unit};
-use crate::entry::{Inputs, names};
-use crate::name::Name;
 use crate::picture::figures::{arrow, circle, line, polar, polygon};
-use crate::picture::{PictureShape, ShapeKind};
 
 /// Centre of the spindle, mm.
 const SPINDLE: [f64; 2] = [-54.0, 24.0];

@@ -6,10 +6,9 @@ use super::params::{
 };
 use super::stand::sides;
 use crate::catalogue::place;
+use crate::catalogue::prelude::*;
 use crate::catalogue::tool_probe::Sides;
-use crate::control::{Control, Edge, Plane, tools::side};
-use crate::entry::{Inputs, Proposal, ProposedTool, names};
-use crate::geometry::Wcs;
+use crate::control::{Edge, Plane, tools::side};
 use crate::workpiece::{Cut, Tool};
 
 /// How far before the probe the tool starts beside the measuring path, mm.

@@ -6,11 +6,10 @@ use super::params::{
 };
 use super::stand::Stand;
 use super::{cutter, drill, nose};
+use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::measuring_block::Block;
 use crate::catalogue::sinumerik::{Next, alarm, results};
 use crate::catalogue::tool_probe::{carry_out, correct, store};
-use crate::entry::{Inputs, names};
-use crate::machine::{Machine, Stop};
 
 /// Runs the cycle from the present position, beside the probe.
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {

@@ -4,10 +4,8 @@
 use super::params::INSIDE_ZONE;
 use crate::catalogue::lathe::figures;
 use crate::catalogue::lathe::figures::{RADIUS, axis, per};
+use crate::catalogue::prelude::*;
 use crate::entry::stage::{Fields, Look, Seen, Staging};
-use crate::entry::{Inputs, names};
-use crate::name::Name;
-use crate::picture::PictureShape;
 
 /// The variant that measures inside.
 const INSIDE: i64 = 1;

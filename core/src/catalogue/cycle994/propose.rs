@@ -5,8 +5,7 @@ use super::params::INSIDE_ZONE;
 use super::simulate::Zone;
 use crate::catalogue::lathe::{measure, place};
 use crate::catalogue::place as plane;
-use crate::control::Control;
-use crate::entry::{Inputs, Proposal, names};
+use crate::catalogue::prelude::*;
 use crate::workpiece::{Shape, Solid};
 
 /// How much further from the surface than the first block the probe starts, mm.

@@ -1,10 +1,9 @@
 //! What the pictures of turned parts share: abscissa (G18: Z) to the right, ordinate (X) up, one size for all parts.
 
 use super::params::DIAMETER;
+use crate::catalogue::prelude::*;
 use crate::entry::stage::{Fields, Look, Seen, Staging};
-use crate::entry::{Inputs, names};
 use crate::picture::figures::{dimension, line, rectangle};
-use crate::picture::{PictureShape, ShapeKind};
 
 /// Ball radius, mm.
 pub const BALL: f64 = 3.5;

@@ -1,10 +1,8 @@
 //! Parameters and conditions. Abscissa and ordinate of a turning machine are Z and X, as G18 makes them (B:8718).
 
-use crate::catalogue::common;
 use crate::catalogue::common::{ABSCISSA, APPLICATE, ORDINATE};
+use crate::catalogue::prelude::*;
 use crate::control::Plane;
-use crate::entry::{Kind, Param, When};
-use crate::range::Range;
 
 /// Measured in the transverse axis X, where dimensions are diameters with DIAMON (B:10623, B:10975).
 const IN_X: When = When::Any(&[

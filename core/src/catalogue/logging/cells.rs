@@ -1,8 +1,7 @@
 //! A text as it stands in its variable: one cell a character.
 
-use crate::name::Name;
+use crate::catalogue::prelude::*;
 use crate::picture::figures::{line, rectangle};
-use crate::picture::{PictureShape, ShapeKind};
 
 /// Width of a cell, and of what is drawn beside it.
 pub const CELL: f64 = 4.0;

@@ -3,12 +3,8 @@
 use super::line::{Field, fields, widths};
 use super::names::{COLUMN, FILE, LINE, TITLES, VALUES};
 use super::params::LONGEST_LINE;
-use crate::check::{doubted, refused};
-use crate::control::Control;
-use crate::diagnostic::Diagnostic;
-use crate::entry::Inputs;
-use crate::name::Name;
-use crate::own;
+use crate::catalogue::prelude::*;
+use crate::check::doubted;
 
 /// Width of a column where the titles give none, characters (A:15945).
 const FIXED: usize = 12;

@@ -11,14 +11,13 @@ mod picture;
 #[cfg(test)]
 mod tests;
 
+use crate::catalogue::prelude::*;
 use checks::checks;
 pub use picture::closed;
 use picture::picture;
 
 use super::common::{CYCLE, alarms};
 use crate::control::MachineSort;
-use crate::diagnostic::Code;
-use crate::entry::*;
 
 /// All cycles of the log.
 const PURPOSE: Purpose = Purpose { probe: ProbeUse::Log, machine: MachineSort::Any, ..Purpose::MILLING };

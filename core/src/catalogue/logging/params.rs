@@ -4,9 +4,7 @@
 
 use super::names;
 use crate::catalogue::common::{ALWAYS_REQUIRED, PARAM, optional, required};
-use crate::diagnostic::Code;
-use crate::entry::{Kind, Need, Param, When};
-use crate::range::Range;
+use crate::catalogue::prelude::*;
 
 /// Longest line of a log, characters (A:15947).
 pub const LONGEST_LINE: f64 = 200.0;

@@ -1,9 +1,8 @@
 //! Addresses that macros share. A macro takes one and says what differs: `Param { source: "C:475", ..params::Q }`.
 
 use super::{FORMAT_ERROR, LENGTH, NUMBER, PRINT, REGISTER};
+use crate::catalogue::prelude::*;
 use crate::control::Plane;
-use crate::entry::{Param, ResultField, Unit, When, address};
-use crate::range::Range;
 
 /// X is the axis of the tool.
 pub const ALONG_X: When = When::Plane(Plane::G19);

@@ -3,10 +3,8 @@
 use super::correct::{Found, Place, RADIUS};
 use super::touch::{Calibration, POSITIONING, touch};
 use super::{given, part};
-use crate::control::Control;
-use crate::entry::{Chooses, Inputs, Proposal, When, address};
-use crate::geometry::Wcs;
-use crate::machine::{Machine, MotionKind, Stop};
+use crate::catalogue::prelude::*;
+use crate::machine::MotionKind;
 use crate::workpiece::Shape;
 
 /// The stylus stands between the walls.

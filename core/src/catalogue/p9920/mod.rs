@@ -12,10 +12,7 @@ mod touch;
 use super::nct;
 use super::nct::{params::length, ring};
 use super::tool_probe;
-use crate::control::Control;
-use crate::diagnostic::{Code, Diagnostic};
-use crate::entry::*;
-use crate::own;
+use crate::catalogue::prelude::*;
 
 /// A reference tool calibrates the probe: T0.
 pub const CALIBRATE: i64 = 0;

@@ -3,8 +3,7 @@
 use super::{AT_CALIBRATION, AT_MEASUREMENT, CALIBRATE, DIAMETER, LENGTH};
 use crate::catalogue::common::{ALWAYS_REQUIRED, PARAM, optional, required};
 use crate::catalogue::nct;
-use crate::entry::{Chooses, Kind, Param, Unit, When, address};
-use crate::range::Range;
+use crate::catalogue::prelude::*;
 
 /// The tool sinks beside the disk.
 const BESIDE: When = When::Variant(&[CALIBRATE, DIAMETER]);

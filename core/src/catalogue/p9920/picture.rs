@@ -2,10 +2,9 @@
 //! the scene does not carry is drawn here: the tool from the side in each of its places, and the stem of the probe.
 
 use super::{CALIBRATE, DIAMETER};
+use crate::catalogue::prelude::*;
 use crate::entry::stage::{Fields, Look, Seen, Staging, add};
-use crate::entry::{Inputs, address};
 use crate::picture::figures::{dimension, rectangle};
-use crate::picture::{PictureShape, ShapeKind};
 
 /// Radius of the disk, mm.
 const DISK: f64 = 13.0;

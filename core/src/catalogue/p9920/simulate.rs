@@ -5,10 +5,8 @@
 use super::touch::{Feeds, feed_and_speed, leave, nose, sink, touch, travel};
 use super::{CALIBRATE, DEPRESSED, DIAMETER, MEASURING_DEVICE, diameter};
 use crate::catalogue::nct::correct;
-use crate::control::{Control, Plane, Value};
-use crate::entry::{Inputs, address};
-use crate::machine::{Machine, Stop};
-use crate::message::Message;
+use crate::catalogue::prelude::*;
+use crate::control::{Plane, Value};
 
 /// Carries out the macro. It works along Z whatever the plane is, and leaves G49 (C:1191, C:1258).
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {

@@ -3,9 +3,7 @@
 use crate::catalogue::common::{ALWAYS_REQUIRED, optional};
 use crate::catalogue::nct::params::{ALONG_X, ALONG_Y, ALONG_Z};
 use crate::catalogue::nct::{FORMAT_ERROR, LENGTH, NUMBER};
-use crate::entry::{Inputs, Need, Param, Unit, When, address};
-use crate::name::Name;
-use crate::range::Range;
+use crate::catalogue::prelude::*;
 
 /// The address steps along an axis of these planes.
 const fn steps(planes: &'static [When]) -> Need {

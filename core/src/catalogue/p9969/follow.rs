@@ -10,10 +10,8 @@ use crate::catalogue::nct::{
     FALSE_TRIGGER, FORMAT_ERROR, OUT_OF_POSITION, PATH_OBSTRUCTED, SCANNING_FAIL, SCANNING_OBSTRUCTED,
     STYLUS_IN_CONTACT, axis_name,
 };
-use crate::diagnostic::Code;
-use crate::entry::{Inputs, address};
-use crate::geometry::Wcs;
-use crate::machine::{Machine, MotionKind, Scanner, Stop};
+use crate::catalogue::prelude::*;
+use crate::machine::{MotionKind, Scanner};
 use crate::scan::{Layout, Scanned};
 
 /// Feed where F is not given, mm/min: then the points are right to 0.01 mm (C:1320).

@@ -3,10 +3,9 @@
 
 use super::addresses::letter;
 use crate::catalogue::nct::{axis_of, given};
+use crate::catalogue::prelude::*;
 use crate::entry::stage::{Fields, Look, Seen, Staging, add};
-use crate::entry::{Inputs, address};
 use crate::picture::figures::{circle, dimension, line};
-use crate::picture::{PictureShape, ShapeKind};
 
 /// Longer side of the drawn rectangle and shortest side, mm.
 const SIDES: [f64; 2] = [64.0, 24.0];

@@ -2,9 +2,8 @@
 
 use super::follow;
 use crate::catalogue::nct::correct;
-use crate::entry::Inputs;
-use crate::machine::{Machine, Scanner, Step, Stop, too_many};
-use crate::message::Message;
+use crate::catalogue::prelude::*;
+use crate::machine::{Scanner, Step, too_many};
 use crate::scan::text::{Form, piece};
 use crate::scan::{Cloud, Layout, POINTS, Sent, TOLD};
 

@@ -2,8 +2,7 @@
 
 use super::store::Trigger;
 use crate::catalogue::place;
-use crate::control::Control;
-use crate::entry::{Inputs, names};
+use crate::catalogue::prelude::*;
 use crate::geometry::TOLERANCE;
 use crate::workpiece::{Shape, ToolProbe};
 

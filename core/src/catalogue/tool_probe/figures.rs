@@ -1,10 +1,8 @@
 //! What the pictures of the cycles at a tool probe share.
 
+use crate::catalogue::prelude::*;
 use crate::entry::stage::Seen;
-use crate::entry::{Inputs, names};
-use crate::name::Name;
 use crate::picture::figures::line;
-use crate::picture::{PictureShape, ShapeKind};
 
 /// Half the edge length of a drawn probe, mm.
 pub const HALF: f64 = 10.0;

@@ -10,12 +10,11 @@ pub mod params;
 pub mod store;
 pub mod turning;
 
+use crate::catalogue::prelude::*;
 pub use data::{ProbeData, Sides};
 
 use super::common::alarms;
 use super::sinumerik::{Next, until_done};
-use crate::diagnostic::Code;
-use crate::machine::{Machine, Stop};
 
 /// Alarms that the manual names for every cycle at a tool probe (A:15840-15943): those of all cycles but for the one
 /// about the workpiece probe, and those of tool measurement.

@@ -1,8 +1,6 @@
 //! Parameters of the cycles at a tool probe. A cycle fills in when it needs them.
 
-use crate::catalogue::common;
-use crate::entry::{DigitGroup, Kind, Param};
-use crate::range::Range;
+use crate::catalogue::prelude::*;
 
 /// Second digit of `_MVAR`: whether the probe stands in the machine (`_TP`) or in the active workpiece system (`_TPW`)
 /// (B:4186-4196, B:9224-9260).

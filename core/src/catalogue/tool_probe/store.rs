@@ -1,8 +1,7 @@
 //! What calibrating a tool probe found: the results, the comparison with what is stored, the new data (B:4324-4326).
 
+use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::{Next, calibration, results, tolerance};
-use crate::entry::{Inputs, names};
-use crate::machine::{Machine, Stop};
 
 /// A trigger point.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,10 +1,8 @@
 //! Checks about the turning tool with which a tool probe is calibrated, or that is measured there.
 
 use super::checks::refused;
+use crate::catalogue::prelude::*;
 use crate::control::Edge;
-use crate::diagnostic::Diagnostic;
-use crate::entry::{Inputs, names};
-use crate::message::Message;
 
 /// Types of turning tools (B:8838, B:9001).
 const TURNING: std::ops::RangeInclusive<i64> = 500..=599;
