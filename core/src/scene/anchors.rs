@@ -35,8 +35,8 @@ pub struct Anchor {
 }
 
 impl Anchor {
-    /// The anchor as near to what is to be seen as its room, share of its size, has it: marks may stand at places of the
-    /// paper, which are anywhere in space. None where its ends are farther, as those of a way from far above.
+    /// The anchor beside what is to be seen, within its room: a mark may stand at a place of the paper, which is
+    /// anywhere in space. None where its ends are farther, as those of a way from far above.
     pub fn within(mut self, [low, high]: [V3; 2]) -> Option<Anchor> {
         let room = V3::repeat(ROOM * (high - low).norm());
         let (low, high) = (low - room, high + room);
