@@ -149,8 +149,8 @@ export function paths(data: SceneData, index: number, colours: Colours): Line[] 
 }
 
 /**
- * With a tool where the motions begin, and with the dimensions that no field must be focused for. What carries a tool may be cut off, and so may
- * a stylus: the part is looked at.
+ * With a tool where the motions begin, and with the dimensions that no field must be focused for. What carries a tool
+ * may be cut off, and so may a stylus: the part is looked at.
  */
 function boxOf(data: SceneData, { whole: [min, max] }: Standing, tool: Tool | undefined, drawing: boolean): Box {
   const begin = probeAt(data, 0, 0);
