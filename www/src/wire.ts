@@ -843,7 +843,7 @@ export type PartSliders = {
 export type PassedOver = {
   /** As it stands in the program. */
   word: string,
-  /** Its line, from 1. */
+  /** Line of the word, from 1. */
   line: number,
 };
 
