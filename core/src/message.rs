@@ -42,7 +42,8 @@ impl Message {
         self
     }
 
-    /// With a text, shortened where a user or a file made it long; control characters, which a terminal obeys, as blanks.
+    /// With a text, shortened where a user or a file made it long; control characters, which a terminal obeys, as
+    /// blanks.
     pub fn text(mut self, name: &'static str, value: impl Into<String>) -> Self {
         self.args.push((name, Arg::Text(printable(&value.into()))));
         self

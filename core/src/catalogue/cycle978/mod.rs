@@ -82,8 +82,8 @@ fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// A block with a face at the set position, and a start opposite it, further away than `_FA` (B:6376-6384): on the minus
-/// side in the plane, above along the applicate.
+/// A block with a face at the set position, and a start opposite it, further away than `_FA` (B:6376-6384): on the
+/// minus side in the plane, above along the applicate.
 fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let axis = (inputs.integer(names::MA).clamp(1, 3) - 1) as usize;
     let away = inputs.number(names::FA) + place::ball_radius(inputs, control) + 5.0;

@@ -56,7 +56,8 @@ struct Extent {
     middle: V3,
     /// Distance of the farthest one, mm.
     farthest: f64,
-    /// Roots of the sums of squares along the directions in which they extend, the longest first, in parts of `farthest`.
+    /// Roots of the sums of squares along the directions in which they extend, the longest first, in parts of
+    /// `farthest`.
     sizes: [f64; 3],
 }
 
