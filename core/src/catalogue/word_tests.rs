@@ -136,6 +136,8 @@ fn every_finding_has_words() {
     let refused = raising.flat_map(|text| text.split("refused(6").skip(1).chain(text.split("doubted(6").skip(1)));
     let keys: Vec<&str> = refused.filter_map(|rest| rest.split('"').nth(1)).collect();
     assert!(keys.len() > 20);
-    let hints = keys.iter().filter(|key| words.contains_key(**key)).map(|key| format!("{key}-hint"));
+    // a hint that is handed over stands for itself
+    let causes = keys.iter().filter(|key| words.contains_key(**key) && !key.ends_with("-hint"));
+    let hints = causes.map(|key| format!("{key}-hint"));
     hints.for_each(|hint| assert!(words.contains_key(&hint), "no words for {hint}"));
 }
