@@ -27,7 +27,7 @@ check-variant-hint = 请从列表中选择测量方式。
 check-variant-near-hint = 相近的测量方式：{ $near }。并非每种数位组合都有效。
 
 check-knum-zero = { $code } 不是零点偏移的代码。
-check-knum-zero-hint = 1 到 99 为 G54 及其后各个，1000、1011 到 1026 和 1051 到 1066 为基本坐标框架，2000 为系统坐标框架，9999 为有效坐标框架，0 不作补偿。
+check-knum-zero-hint = 1 到 99：G54 及以后；1000、1011 到 1026、1051 到 1066：基本坐标框架；2000：系统坐标框架；9999：有效坐标框架；0：无。
 check-knum-is-tool-hint = 这是刀具补偿的代码。请选择带刀具补偿的测量方式，或给出坐标框架。
 check-knum-is-zero-hint = 这是零点偏移的代码。请选择带零点偏移的测量方式，或给出 D 号。
 check-knum-digit-4 = { $code } 的第 4 位（D 号为五位时第 6 位）不存在。

@@ -61,7 +61,7 @@ check-tool-probe-number-hint = 请选择 1 到 { $fields } 的号，或建立更
 check-tool-limits = { $small } 为 { $low } mm，不小于 { $large } 的 { $high } mm：其中之一永远不起作用。
 check-tool-limits-hint = 请保持次序：_TZL、_TDIF、_TSA。
 check-tool-speed = { $name } 使循环不能定位刀具。
-check-tool-speed-hint = 请把 _SPEED[0] 设为快速移动的百分比，_SPEED[1] 和 _SPEED[2] 设为大于 0 的进给；它们在碰撞监控（_CHBIT[2]=1）时起作用。
+check-tool-speed-hint = 请将 _SPEED[0] 设为快速移动的百分比，_SPEED[1]、_SPEED[2] 设为大于 0 的进给；碰撞监控（_CHBIT[2]=1）时有效。
 check-tool-probe-empty = 控制系统不知道刀具测头在哪里：{ $names } 为 0。
 check-tool-probe-empty-hint = 请在机床数据中输入其各面的近似位置；循环由此计算路径。
 check-tool-probe-sides = { $minus } 不大于 { $plus }：朝负方向触碰的面位于测头的正侧。
