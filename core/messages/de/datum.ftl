@@ -670,7 +670,7 @@ machine-field-mv = Speicher { $number }
 
 machine-user-programs = Anwenderprogramme vor und nach der Messung
 user-program-before = Am Anfang jedes Messzyklus
-    .help = Für Aktionen vor der Messung, z. B. Messtaster einschalten. Es springt zu einer Marke je Zyklus (_M977), dann M17: Ihre Sätze dazwischen. Ein CYCLE198 im Programm simuliert Probewright ab dieser Marke.
+    .help = Für Aktionen vor der Messung, z. B. Messtaster einschalten. Es springt zu einer Marke je Zyklus (_M977), dann M17: Ihre Sätze dazwischen. Ein CYCLE198 im Programm simuliert Probewright ab der Marke.
 user-program-behind = Nach abgeschlossener Messung
     .help = Für alles, was nach der Messung nötig ist, z. B. Messtaster ausschalten. Aufgebaut wie CYCLE198; auch nach Messungen in JOG aufgerufen.
 

@@ -13,7 +13,7 @@ help-cycle971-before-clear = Das Werkzeug steht frei auf der Seite, die es antas
 help-cycle971-before-parallel = Die Werkzeugachse liegt parallel zur Mittellinie des Messtasters.
 help-cycle971-before-over = Der Weg ist frei: von der Startposition auf- oder abwärts bis _FA über der Messtasteroberkante und dort quer zur Messtastermitte.
 help-cycle971-order-beside = Neben dem Messtaster: in der anderen Achse zur Mitte, dann vor die Seite, abwärts auf _TP[k,9] unter die Messtasteroberkante, antasten, zurück. Der Zyklus endet auf dieser Tiefe.
-help-cycle971-order-on-top = Oberseite (_MA = 3, 103, 203): über die Mitte, abwärts, antasten, Ende _FA darüber. Werkzeuge breiter als der Messtaster stehen um Radius minus _ID zur Startseite versetzt, Abszisse (3, 103) oder Ordinate (203), Bohrer nie.
+help-cycle971-order-on-top = Oberseite (_MA = 3, 103, 203): über die Mitte, abwärts, antasten, Ende _FA darüber. Werkzeuge breiter als der Messtaster stehen um Radius minus _ID zur Startseite versetzt: Abszisse (3, 103), Ordinate (203); Bohrer nie.
 help-cycle971-order-centre-first = Bei _MA = 102 oder 201 ermittelt der Zyklus vorher mit zwei Antastungen die Mitte in der anderen Achse.
 help-cycle971-order-widest = Für einen Radius fährt das Werkzeug um _ID tiefer: Es tastet mit dem größten Durchmesser an.
 help-cycle971-order-turning = Der Zyklus tastet ein- bis dreimal an, jedes Mal langsamer (_CM[6], _CM[7]); die letzte Antastung gilt. Stand die Spindel vorher, hält sie wieder an.

@@ -45,7 +45,7 @@ result-actual-radius = Actual radius
 result-difference-radius = Radius difference
 
 check-path-sign = The measuring path must be greater than 0.
-check-path-sign-hint = Enter _FA without a sign; the start position determines the direction. Only incremental calibration uses a sign.
+check-path-sign-hint = Enter _FA without a sign; the start position gives the direction. Only incremental calibration uses a sign.
 check-path-direction-hint = Enter the distance to the probe, with minus for the minus direction.
 check-tool-probe-type = { $name } is not a permitted type of tool probe.
 check-tool-probe-plane = The disc in { $name } cannot be touched in this plane.
@@ -66,20 +66,20 @@ check-offset-large-hint = Enter the distance from the radius inwards.
 check-offset-abscissa = The tool, { $tool } mm wide, is wider than the probe, { $edge } mm: the cycle offsets it in the abscissa.
 check-offset-abscissa-hint = Choose 103 or 203 to specify the axis of the offset.
 check-mfs-missing = { $name } is not set: speed or feed of a probing is missing.
-check-mfs-missing-hint = Set speeds in _MFS[0], [2], [4] and feeds in _MFS[1], [3], [5] in the machine data, or let the cycle calculate them with _CBIT[12]=0.
+check-mfs-missing-hint = Set speeds in _MFS[0], [2], [4] and feeds in _MFS[1], [3], [5], or let the cycle calculate them: _CBIT[12]=0.
 check-mfs-third = { $name } is 0: the 3rd probing with _MFS[4] and [5] is omitted.
 check-mfs-third-hint = Set speed and feed of the 2nd probing too, or set _MFS[4] to 0.
 check-cm-direction = { $name } specifies no direction of rotation for a stationary spindle.
 check-cm-direction-hint = Set 3 for M3 or 4 for M4 in the machine data.
 check-cm-zero = { $name } is 0, so speed or feed of the measurement would be 0.
-check-cm-zero-hint = Set the limits in the machine data: _CM[0] peripheral speed, [1] spindle speed, [3] accuracy, [4] maximum feed.
+check-cm-zero-hint = Set the limits: _CM[0] peripheral speed, [1] spindle speed, [3] accuracy, [4] maximum feed.
 check-cm-factor = { $name } is neither 0 nor at least 1.
 check-cm-factor-hint = 0 omits this probing; otherwise the feed is multiplied by the factor.
 check-cm-order = { $name } is not smaller than _CM[6], but each probing must be slower than the one before.
 check-cm-order-hint = Reduce feed factor 2, or set it to 0 for two probings.
 check-compensation-make = No compensation is applied: _MT_COMP=1 needs the probe make in { $name }.
 check-compensation-make-hint = Set _TP_CF to 1 (TT130) or 2 (TS27R), or use your own table with _MT_COMP=2.
-check-compensation-inside = The control subtracts the table of this probe make from the measured value. The table is inside the control and in no manual: the prediction subtracts nothing.
+check-compensation-inside = The control subtracts an internal, undocumented table of this probe make; the prediction subtracts nothing.
 check-compensation-inside-hint = With _MT_COMP=2 your own table in { $name } applies, on the control and in the simulation.
 check-compensation-table = Radii or peripheral speeds in { $name } are not in ascending order: the compensation may be wrong.
 check-compensation-table-hint = Enter the radii in [0,1] to [0,4] and the speeds in [1,0] to [5,0] in ascending order, or set _MT_COMP=0.

@@ -31,7 +31,7 @@ check-groove-number = Reference groove number { $number } does not exist.
 check-groove-number-hint = Enter a number from 1 to { $pairs }, or create more gauging block data and increase { "_CVAL[2]" }.
 check-groove-tip-hint = In a groove, the probe needs cutting edge position 7 or 8; calibrate other probes on a surface.
 check-groove-base = In this axis, the groove has only its base: only the minus direction is possible.
-check-groove-base-hint = Calibrate on the base with one direction and { "_MD" }=1; both directions are possible only on the walls, in the other axis.
+check-groove-base-hint = Calibrate on the base with one direction and { "_MD" }=1; both directions only on the walls, in the other axis.
 check-groove-empty = The groove data are not set: { $names } are 0.
 check-groove-empty-hint = Enter edges and base in the machine data, in machine coordinates and as radii.
 check-groove-edges = The edge in plus direction, { $plus }, is not greater than the edge in minus direction, { $minus }.

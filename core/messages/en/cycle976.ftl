@@ -1,7 +1,7 @@
 # CYCLE976: titles, search words, variants, words of its own parameters, checks and results.
 
 cycle976-title = Calibrate workpiece probe
-cycle976-help = Determines the positions at which the probe triggers, in a ring of known diameter or on a surface of known position, and stores them in the probe data _WP; all later measurements use them.
+cycle976-help = Determines where the probe triggers, in a ring of known diameter or on a surface of known position, and stores this in the probe data _WP. All later measurements use it.
 cycle976-words = calibrate calibration workpiece probe stylus ring gauge hole bore surface trigger point values ball diameter radius skew position deviation runout probe length L1 reference touch probing 3D taster edge finder positional
 cycle976-each-words = trigger point hole
 
@@ -76,7 +76,7 @@ param-fa-unknown-help = Must be larger than the distance from the start position
 param-fa-length = Measuring path
 param-fa-length-help = The surface must be within twice this distance from the position at the call. Always in mm.
 param-tsa-trigger = Safe area: trigger points
-param-tsa-trigger-help = If a new trigger point differs by more than this from the stored one, the program stops with alarm 61303. For the first calibration, with 0 stored, it must be larger than the ball radius.
+param-tsa-trigger-help = If a new trigger point differs more than this from the stored one: alarm 61303, the program stops. For a first calibration (0 stored) it must exceed the ball radius.
 param-tzl-trigger = Zero compensation area
 param-tzl-trigger-help = If a new trigger point differs by at most this value, the stored one is kept; 0 stores every new value.
 
@@ -89,7 +89,7 @@ need-angle-calibration = The variant calibrates at an angle.
 check-positive-hint = Enter a value above 0.
 check-reversal-spindle = This variant rotates the probe by 180°, but the spindle cannot be positioned.
 check-reversal-spindle-hint = Calibrate in a hole with known centre, or on a machine whose spindle can be oriented.
-check-first-calibration = No trigger points are stored for this probe: the difference is the whole new value, approximately { $ball } mm, and exceeds _TSA.
+check-first-calibration = No trigger points are stored: the difference is the whole new value, about { $ball } mm, and exceeds _TSA.
 check-first-calibration-hint = Increase _TSA above { $ball } mm for the first calibration.
 check-calibration-mirror = An axis is mirrored, but the probe is calibrated in coordinates without mirroring.
 check-calibration-mirror-hint = Deselect mirroring before the call; mirroring is permitted for measuring.

@@ -1,7 +1,7 @@
 # CYCLE977: titles, search words, variants.
 
 cycle977-title = Hole, shaft, groove, web, rectangle
-cycle977-help = Measures a size and its centre parallel to the axes, starting from the setpoint centre: two touches for a groove or web, four for the others. The result corrects a tool, a zero offset, or nothing.
+cycle977-help = Measures size and centre parallel to the axes, from the setpoint centre: two touches for groove or web, four otherwise. Corrects a tool, a zero offset, or nothing.
 cycle977-words = measure workpiece hole bore shaft boss groove slot web rib pocket island rectangle rectangular diameter width centre center inside outside tool offset wear zero offset ZO paraxial protection zone safety zone probe probing datum work dowel set
 
 cycle977-hole-tool = Hole: correct a tool

@@ -22,7 +22,7 @@ param-setval-width-angle-help = Width from the drawing, across the groove or web
 param-sta1-width = Direction of the width
 param-sta1-width-help = Angle to the abscissa in which the width is measured; the first point is on this side of the centre.
 param-id-lift = Lift over the web
-param-id-lift-help = Travel in the tool axis from the measuring height up to the crossing height, with its sign. If the length refers to the centre of the ball (_CBIT[14]=0), it must include the ball radius.
+param-id-lift-help = Travel in the tool axis from measuring height to crossing height, with sign. If the length refers to the ball centre (_CBIT[14]=0), it must include the ball radius.
 param-prnum-with-points = Probe and number of points
 param-prnum-with-points-help = Three or four points of a circle, type of the probe, number of its data in _WP.
 

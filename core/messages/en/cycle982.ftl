@@ -1,7 +1,7 @@
 # CYCLE982: titles, search words, variants, words of its own parameters, checks.
 
 cycle982-title = Turning: tool probe, turning and milling tools
-cycle982-help = Measures lengths L1 and L2 of a turning tool, milling tool or drill and the radius of a milling tool at a tool probe whose sides are parallel to the axes, or calibrates one side of this probe with a tool of cutting edge position 3 whose lengths and nose radius are known.
+cycle982-help = Measures L1 and L2 of a turning tool, milling tool or drill, of a mill the radius too, at a tool probe parallel to the axes, or calibrates one side with a known tool of position 3.
 cycle982-words = measure tool setter tool setting preset lathe turning mill-turn driven tool live tool tool probe cube calibrate calibration length L1 L2 radius diameter insert nose tip cutting edge position drill end mill groove mill T-slot reversal incremental automatic wear geometry trigger point
 cycle982-each-words = lathe measure tool
 
@@ -102,11 +102,11 @@ ma-lathe-l2-radius = L2 and radius, touched in the abscissa (G18: Z)
 ma-lathe-l1-radius = L1 and radius, touched in the ordinate (G18: X)
 
 param-ma-lathe-measured = Measured size
-param-ma-lathe-measured-help = Size to be measured, which also determines the axis of the touch. The radius is in the ordinate of an axial tool, in the abscissa of a radial tool. The start position is opposite the side of the probe to be touched.
+param-ma-lathe-measured-help = Size to be measured; also determines the axis of the touch. The radius is in the ordinate of an axial tool, in the abscissa of a radial tool. Start opposite the side to be touched.
 param-md-incremental = Measuring direction
 param-md-incremental-help = Direction in which the tool moves from its current position to the probe.
 param-sta1-milling-spindle = Milling spindle start angle
-param-sta1-milling-spindle-help = Angle to which the stationary milling spindle is positioned before the first touch, so that a cutting edge points at the probe. It has no effect while the spindle rotates, or with _CHBIT[20]=1.
+param-sta1-milling-spindle-help = Angle of the stationary milling spindle before the first touch, so that a cutting edge points at the probe. No effect while the spindle rotates, or with _CHBIT[20]=1.
 param-cora-second-edge = Offset angle of second edge
 param-cora-second-edge-help = Added to the 180° of the spindle for the second touch, if the second cutting edge is not exactly opposite.
 param-fa-present-position = Measuring path
@@ -118,8 +118,8 @@ need-start-angle-spindle = The stationary milling spindle is positioned to it; i
 need-start-angle-milling = Applies to milling tools.
 need-second-edge = Applies to the second touch of a measurement with reversal.
 
-check-tool-reference = _CBIT[5]=1: the values of _TP are interpreted in the active WCS, although digit 2 of _MVAR specifies machine-related.
-check-tool-reference-hint = This bit is older than digit 2 of _MVAR. Set it to 0, and choose the workpiece-related variant (_TPW) if required.
+check-tool-reference = _CBIT[5]=1: the values of _TP refer to the active WCS, although digit 2 of _MVAR says machine-related.
+check-tool-reference-hint = Set this bit to 0: it is older than digit 2 of _MVAR. Choose the workpiece-related variant (_TPW) if required.
 check-lathe-tool-type-hint = Use a turning tool (type 5xy), a milling tool (1xy, 711 to 799) or a drill (2xy); check $TC_DP1.
 check-turning-digits = Digits 3 to 5 of { $value } apply to milling tools and drills, but a turning tool is active.
 check-turning-digits-hint = Choose { $plain } for the turning tool, or change to the milling tool before the call.
@@ -129,13 +129,13 @@ check-drill-radius = The cycle does not measure the radius of a drill.
 check-drill-radius-hint = Choose a variant with digit 4 = 0, or change to a milling tool; check $TC_DP1.
 check-drill-plane = With setting data 42950 = 0 the length of a drill applies along Y in G18, which the cycle does not measure.
 check-drill-applicate = With setting data 42950 = 0 the cycle measures only the length of a drill: in one axis, without reversal.
-check-drill-applicate-hint = Choose 1, 11, 100001 or 100011 with G17 (drill along Z) or G19 (along X), or set the setting data to 2 and use G18.
-check-length-assignment = Setting data 42950 is { $value }: L1 and L2 of milling tools and drills are not assigned like those of turning tools.
+check-drill-applicate-hint = Choose 1, 11, 100001 or 100011 with G17 (along Z) or G19 (along X), or set the setting data to 2 and use G18.
+check-length-assignment = Setting data 42950 is { $value }: mills and drills do not have L1 and L2 assigned as turning tools have.
 check-length-assignment-hint = Set $SC_TOOL_LENGTH_TYPE to 2 before the call; for a drill in G17 or G19, 0 is also possible.
 check-spindle-stays = This variant rotates the spindle or measures twice, but _CHBIT[20]=1 suppresses spindle positioning.
 check-spindle-stays-hint = Set _CHBIT[20] to 0, or choose a variant xxx0x1 whose digits x are 0 or 1: one point, without reversal.
 check-spindle-turns = The milling spindle must be positioned to _STA1, but it cannot be positioned.
-check-spindle-turns-hint = Turn the cutting edge to the probe before the call, set _CHBIT[20] to 1 and choose a variant xxx0x1: one point, without reversal.
+check-spindle-turns-hint = Turn the cutting edge to the probe, set _CHBIT[20] to 1 and choose variant xxx0x1: one point, no reversal.
 check-side-radius = The tool touches with its side, but its radius is 0: the length cannot be calculated.
 check-side-radius-hint = Enter the radius in the tool data, or measure in the axis along the tool.
 check-radius-length = { $length } of the tool is 0, but the radius is calculated from it.

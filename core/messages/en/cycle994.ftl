@@ -16,9 +16,9 @@ param-setval-two-radius-help = Distance of both points from the workpiece zero, 
 param-sza-turned = Protection zone in the abscissa
 param-sza-turned-help = Position in the 1st axis of the plane (G18: Z) at which the probe passes the part, from the workpiece zero. It applies to the centre of the ball: add the ball radius.
 param-szo-turned = Protection zone in the ordinate
-param-szo-turned-help = Position in the 2nd axis of the plane (G18: X) to which the probe moves before it passes the part; with DIAMON a diameter, otherwise a radius. It applies to the centre of the ball: add the ball radius.
+param-szo-turned-help = Position in the 2nd axis (G18: X) to which the probe moves before it passes the part; a diameter with DIAMON, otherwise a radius. For the ball centre: add the ball radius.
 param-szo-turned-applicate = Protection zone in the applicate
-param-szo-turned-applicate-help = Position in the 3rd axis (G18: Y) to which the probe moves before it passes the part; a radius, or like X with _CHBIT[19]=1. It applies to the centre of the ball: add the ball radius.
+param-szo-turned-applicate-help = Position in the 3rd axis (G18: Y) to which the probe moves before it passes the part; a radius, or as X with _CHBIT[19]=1. For the ball centre: add the ball radius.
 
 need-zone-inside = This variant moves around a protection zone.
 need-zone-outside = Required outside; inside, this variant has no zone: leave the field empty.
@@ -33,7 +33,7 @@ check-two-no-zone = Without a protection zone this variant measures inside; outs
 check-two-no-zone-hint = Enter { "_SZA" } and { "_SZO" } for a measurement outside.
 check-two-half-zone = The protection zone is incomplete: for { $name } the value of an earlier call applies.
 check-two-half-zone-hint = Outside, enter both _SZA and _SZO; inside, neither of them.
-check-two-zone-outside = Outside, the ball would touch the part, { $size } mm, when it passes at { $zone } mm; inside, this zone does not apply.
+check-two-zone-outside = Outside, the ball would touch the part, { $size } mm, when it passes at { $zone } mm; inside, this zone is ignored.
 check-two-zone-outside-hint = Outside, increase the zone to at least { $limit } mm; inside, leave it empty.
 
 result-set-two = Setpoint diameter or radius

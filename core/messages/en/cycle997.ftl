@@ -1,7 +1,7 @@
 # CYCLE997: titles, search words, variants, words of its own parameters, checks and results.
 
 cycle997-title = Measure spheres
-cycle997-help = Determines the centre of one sphere, or of three spheres one after the other, and corrects a zero offset: one sphere translates it in three axes, three spheres translate and rotate it.
+cycle997-help = Determines the centre of one sphere, or of three spheres in turn, and corrects a zero offset: one sphere translates it in three axes, three also rotate it.
 cycle997-words = measure workpiece sphere ball spheres balls calibration ball centre center position in space three triangle plane rotation setup fixture diameter zero offset ZO frame G54 probe probing datum work set
 cycle997-each-words = position frame diameter
 
@@ -78,7 +78,7 @@ param-sphere3-applicate-help = In the tool axis (G17: Z), in the workpiece coord
 param-tnvl = Distortion limit
 param-tnvl-help = Limit for the sum of the deviations of the three centres from their set triangle. The zero offset is corrected only below it; otherwise alarm 61414 stops the program.
 param-fa-sphere = Measuring path
-param-fa-sphere-help = Distance from the start of the measuring block to the setpoint position; the probe travels the same distance past it, so every sphere may deviate by this value. Also the height above the sphere at which the probe crosses it. Always in mm.
+param-fa-sphere-help = Distance from the start of the measuring block to the setpoint position, and as far past it. Also the height at which the probe crosses the sphere. Always in mm.
 param-tsa-sphere = Safe area: spheres
 param-tsa-sphere-help = A larger difference of a diameter or a centre, in any axis, stops the program with alarm 61303.
 

@@ -670,7 +670,7 @@ machine-field-mv = Memory { $number }
 
 machine-user-programs = User programs around a measurement
 user-program-before = At the start of every measuring cycle
-    .help = For actions before a measurement, such as switching the probe on. By default it only jumps to a label for each cycle (_M977), followed by M17: insert your blocks between them. If the program text contains a CYCLE198, the simulation runs it from that label.
+    .help = For actions before a measurement, such as probe on. It jumps to a label per cycle (_M977), then M17: insert blocks between. A CYCLE198 in the program text is simulated from there.
 user-program-behind = After the measurement is complete
     .help = For actions after a measurement, such as switching the probe off. It is built like CYCLE198, and is also called after measurements in JOG.
 

@@ -13,11 +13,11 @@ help-cycle971-before-clear = The tool is clear of the probe on the side to be to
 help-cycle971-before-parallel = The tool axis is parallel to the centre line of the probe.
 help-cycle971-before-over = From its position the tool can move up or down to _FA above the top of the probe, and then across to its middle.
 help-cycle971-order-beside = Beside the probe: first to its middle in the other axis, then to the side, down by _TP[k,9] below the top, touch, back. End position: at depth.
-help-cycle971-order-on-top = On top (_MA = 3, 103, 203): above the middle, down, touch; a tool wider than the probe is offset towards the start side by its radius minus _ID, in the abscissa (3, 103) or ordinate (203), a drill never. End position: _FA above.
+help-cycle971-order-on-top = On top (_MA = 3, 103, 203): above the middle, down, touch; end _FA above. A tool wider than the probe is offset by radius minus _ID to the start: abscissa (3, 103), ordinate (203). No drill.
 help-cycle971-order-centre-first = With _MA = 102 or 201, two touches first determine the middle in the other axis.
 help-cycle971-order-widest = For a radius, the tool moves lower by _ID, so that its largest diameter touches.
 help-cycle971-order-turning = The tool touches one to three times, each time at lower speed (_CM[6], _CM[7]); the last touch is used. A spindle that was stationary stops again.
-help-cycle971-order-all-sides = The top above the nominal middle, both sides of the ordinate to determine its middle, there both sides of the abscissa, both sides of the ordinate through the measured middle, and the top once more. End position: _FA above the top.
+help-cycle971-order-all-sides = The top above the nominal middle, both sides of the ordinate, there both sides of the abscissa, those of the ordinate through the measured middle, and the top again. End _FA above it.
 help-cycle971-wrong-depth = _TP[k,9] is 0: beside the probe, the tool does not reach down to it, alarm 61349.
 help-cycle971-wrong-unclear = The tool position does not show which side to touch: alarm 61332.
 help-cycle971-wrong-edge = The cutting edge does not point at the probe: the measured radius is too small, as is the length of a tool with cutting edges of different height.
@@ -46,7 +46,7 @@ help-cycle982-order-spindle = A stationary milling spindle is positioned to _STA
 help-cycle982-order-reversal = Each point is touched twice, the second time with the spindle rotated by 180° and _CORA: the mean value of both cutting edges is used.
 help-cycle982-order-length = In the other axis to the middle of the probe, then with the tip to the side, touch, back. End position: _FA before this side.
 help-cycle982-order-radius = The side of the cutter touches, in the axis of the radius.
-help-cycle982-order-both = The side of the cutter touches the side of the probe at the start; then the cutter moves around the probe and touches the opposite side. Without reversal, the stationary spindle rotates by 180° for this, so that the same cutting edge touches.
+help-cycle982-order-both = The cutter touches the side of the probe at the start, moves around it and touches the opposite side. Without reversal the stationary spindle rotates by 180° for it: the same edge touches.
 help-cycle982-order-all = First in the abscissa, then in the ordinate, around the probe; each side of a milling tool touches with its cutting edge pointing at the probe. End position: the start position.
 help-cycle982-order-upper-behind = The tool moves around the probe on the side away from the start, touches the length from there, then both sides. End position: the start position.
 help-cycle982-order-upper-across = The tool crosses the probe first, touches the length back towards the start, then both sides. End position: the start position.
@@ -61,7 +61,7 @@ help-tool-probe-known = The approximate positions of the probe sides are entered
 help-tool-block = One touch: to _FA before the side, from there over at most twice _FA, back after the signal. If _NMSP is above 1, the touch is repeated and the mean value is used.
 help-tool-reach = Tool data or probe data are wrong by more than _FA: the probe does not switch (61301), or the tool touches on its path (61302).
 help-tool-trigger = The probe data: the trigger point in _TP (workpiece-related: _TPW), if it differs by more than _TZL from the stored one. Above _TSA: alarm 61303, nothing is stored.
-help-tool-data = The active tool: geometry, with the wear reset to 0; with _CHBIT[3]=1 only the wear. Differences up to _TZL are not corrected, from _TDIF message 62306 and no correction, from _TSA alarm 61303.
+help-tool-data = The active tool: geometry, with wear reset to 0; with _CHBIT[3]=1 only wear. No correction up to _TZL, from _TDIF message 62306 and no correction, from _TSA alarm 61303.
 help-tool-in-front = The tool is already in front of the side to be touched, at most twice _FA away; no probe data are required.
 help-tool-from-here = The tool touches from its position over at most twice _FA and moves back to the start position; nothing else moves.
 help-tool-trigger-always = The probe data: the trigger point in _TP (workpiece-related: _TPW) is stored, whatever its previous value.

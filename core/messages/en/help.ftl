@@ -13,18 +13,18 @@ help-values = Inputs: { $names }.
 help-alarms = Possible alarms: { $names }.
 
 help-probe-loaded = The probe is in the spindle (tool type 710 or 1x0) and its D number is active; G40 is programmed, no scale factor is active.
-help-probe-turning = On a turning machine with a third linear axis: tool type 5xy, length to the centre of the ball, SD42950 is 2. Cutting edge position 5 or 7 measures in G17, 6 or 8 in G19. Positions in X are radii, also with DIAMON.
+help-probe-turning = On a turning machine with a third linear axis: type 5xy, length to the ball centre, SD42950 is 2. Cutting edge position 5 or 7 measures in G17, 6 or 8 in G19. X as radius, also with DIAMON.
 help-wrong-tool = _TNUM, or the D number in _KNUM, is not that of the tool that cut this surface: a good tool gets a wrong offset.
 help-wrong-chip = A chip or burr on the surface falsifies the size: clean the surface, and set _TDIF so that such a value is not corrected.
 help-wrong-conditions = The probe was calibrated with another feed, plane or spindle position: all results are off by the same amount.
 help-wrong-kept = A parameter not written by this call still has the value of an earlier call: a limit, a protection zone or an angle.
-help-order-block = One touch: to _FA before the setpoint position, from there at the measuring feed over at most twice _FA, back after the signal. If _NMSP is above 1, the touch is repeated and the mean value is used.
+help-order-block = One touch: to _FA before the setpoint position, then at the measuring feed for at most twice _FA, back after the signal. With _NMSP above 1 it is repeated and the mean value applies.
 help-ends-at-start = End position: the start position.
 help-wrong-reach = The surface is further than _FA from its setpoint position: the probe does not switch, alarm 61301.
 help-wrong-in-the-way = There is an obstacle in the path: a touch during positioning raises alarm 61302.
 help-corrects-tool = A tool: _TNUM or _TNAME specifies the tool, _KNUM the cutting edge and length or radius. The wear is corrected, with _CHBIT[6]=1 the geometry. _KNUM=0 corrects nothing.
-help-corrects-chain = Deviation above _TSA: alarm 61303, the program stops. Above _TDIF: message 62306, no correction. Above _TUL, _TLL or _TMV: whole deviation. Within _TMV: mean value weighted with _K, once it exceeds _TZL.
-help-corrects-zero = The zero offset in _KNUM, by actual value minus setpoint: the measured point gets its setpoint coordinates, the rotation is unchanged. Target: fine offset if available, with _CHBIT[21]=1 coarse offset. _KNUM=0 corrects nothing.
+help-corrects-chain = Above _TSA: alarm 61303, the program stops. Above _TDIF: message 62306, no correction. Above _TUL, _TLL or _TMV: whole deviation. Within _TMV: mean value weighted with _K, from _TZL.
+help-corrects-zero = The zero offset in _KNUM, by actual value minus setpoint, without rotation: the point gets its setpoint. Target: fine offset if available, with _CHBIT[21]=1 coarse offset. _KNUM=0: nothing.
 help-corrects-zero-area = Deviation above _TSA: alarm 61303, the program stops, no correction.
 help-corrects-when = The correction applies when the G function (G54 …) is programmed again; only with _KNUM=9999 it applies immediately.
 help-corrects-trigger = The probe data: if a trigger point differs by more than _TZL from the value in _WP, the cycle stores it. Above _TSA: alarm 61303, nothing is stored.

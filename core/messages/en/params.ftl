@@ -69,7 +69,7 @@ param-sta1-help = Angle of the first point to the abscissa, counter-clockwise.
 param-sta1-first = Starting angle
 param-sta1-first-help = Angle of the first point to the abscissa, seen from the setpoint centre; counter-clockwise is positive.
 param-inca = Indexing angle
-param-inca-help = Angle from point to point, counter-clockwise positive; also the direction of travel. Useful: three points up to 120°, four points up to 90°. Starting angle plus all steps: at most 360°.
+param-inca-help = Angle from point to point, counter-clockwise positive; also the travel direction. Three points up to 120°, four up to 90°. Starting angle plus all steps: at most 360°.
 param-cpa = Setpoint centre in the abscissa
 param-cpa-help = In the 1st axis of the plane (G17: X), in the workpiece coordinate system.
 param-cpo = Setpoint centre in the ordinate
@@ -125,7 +125,7 @@ prnum-multi = Multi: switches in all directions
 prnum-mono = Mono or bidirectional: spindle is oriented
 prnum-number = Number
 param-fa = Measuring path
-param-fa-help = Distance from the start of the measuring block to the setpoint position; the probe travels the same distance past it. Always in mm. Also the clearance for moving around the element.
+param-fa-help = Distance from the start of the measuring block to the setpoint position, and as far past it. Always in mm. Also the clearance for moving around the element.
 param-tsa = Safe area
 param-tsa-help = A larger difference stops the program.
 param-tsa-size = Safe area: size
@@ -179,7 +179,7 @@ need-circular = Between the points of a circle, the probe moves on an arc.
 need-memory = Can be omitted: no mean value, no empirical value.
 need-memory-empirical = Can be omitted: no empirical value.
 need-own-speeds = The forms of the machine request feed and speed: _CBIT[12]=1 is written with them.
-need-tolerance = Part of the tool correction and must be valid, even if nothing is corrected; if omitted, the default applies.
+need-tolerance = Part of the tool offset and must be valid, even if nothing is corrected; if omitted, the default applies.
 
 result-set-size = Setpoint diameter or width
 result-set-centre-abscissa = Setpoint centre, abscissa

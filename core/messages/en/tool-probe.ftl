@@ -34,7 +34,7 @@ param-tsa-tool-probe-help = If a trigger point differs by more than this from th
 param-tsa-tool = Safe area: tool
 param-tsa-tool-help = A length or radius that differs by this value or more stops the program with alarm 61303; nothing is corrected.
 param-fa-tool = Measuring path
-param-fa-tool-help = Distance from the start of the measuring block to the expected trigger point; the tool travels the same distance past it. Always in mm, in X as a radius. Also the clearance around the probe, and the distance at the end.
+param-fa-tool-help = Distance from the start of the measuring block to the expected trigger point, and as far past it. Also the clearance around the probe. Always in mm, in X as a radius.
 param-ma-lathe-length = Measured length
 param-ma-lathe-length-help = Length to be measured, which also determines the axis of the touch. The start position is opposite the side of the probe that the cutting edge touches.
 param-ma-calibrate = Calibrated axis
@@ -61,7 +61,7 @@ check-tool-probe-number-hint = Enter a number from 1 to { $fields }, or create m
 check-tool-limits = { $small }, { $low } mm, is not smaller than { $large }, { $high } mm: one of them never takes effect.
 check-tool-limits-hint = Keep this order, smallest first: _TZL, _TDIF, _TSA.
 check-tool-speed = With { $name }, the cycle cannot position the tool.
-check-tool-speed-hint = Set _SPEED[0] in % of rapid traverse, _SPEED[1] and _SPEED[2] as feeds above 0; they apply with collision monitoring (_CHBIT[2]=1).
+check-tool-speed-hint = Set _SPEED[0] in % of rapid, _SPEED[1], _SPEED[2] as feeds above 0 (collision monitoring, _CHBIT[2]=1).
 check-tool-probe-empty = The position of the tool probe is not set: { $names } are 0.
 check-tool-probe-empty-hint = Enter the approximate positions of its sides in the machine data; the cycle calculates its paths from them.
 check-tool-probe-sides = { $minus } is not larger than { $plus }: the side touched in minus direction must be on the plus side of the probe.

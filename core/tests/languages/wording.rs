@@ -1,0 +1,201 @@
+//! What a machine can hold of the rules for words: lengths, full stops, words that a language does not use.
+
+use super::{files, folders, texts};
+use probewright_core::words::LANGUAGES;
+
+/// What a text is for. Its key says it.
+#[derive(Clone, Copy, PartialEq)]
+enum Sort {
+    /// Name of a parameter.
+    Label,
+    /// What is wrong, and why it matters.
+    Finding,
+    /// What to do, or the cause of an alarm.
+    Hint,
+    /// Help of a field or of a choice.
+    Help,
+    /// A line of a help page.
+    Page,
+    /// Shown for a moment.
+    Toast,
+}
+
+impl Sort {
+    fn of(file: &str, key: &str) -> Option<Sort> {
+        let begins = |starts: &[&str]| starts.iter().any(|start| key.starts_with(start));
+        let ends = |ends: &[&str]| ends.iter().any(|end| key.ends_with(end));
+        match () {
+            () if key.starts_with("notice-") => Some(Sort::Toast),
+            () if file == "page.ftl" || ends(&["-words"]) || begins(&["help-section-"]) => None,
+            () if begins(&["help-"]) => Some(Sort::Page),
+            () if ends(&["-hint", ".cure", ".cause"]) => Some(Sort::Hint),
+            () if ends(&["-help", ".help"]) => Some(Sort::Help),
+            () if begins(&["check-", "run-", "syntax-", "write-", "alarm-"]) => Some(Sort::Finding),
+            () if begins(&["param-"]) && !key.contains('.') => Some(Sort::Label),
+            () => None,
+        }
+    }
+
+    /// Characters that such a text may have. German is longer; Chinese needs about half of the English.
+    fn longest(self, language: &str) -> usize {
+        let [english, german] = match self {
+            Sort::Label => [32, 40],
+            Sort::Finding | Sort::Hint => [110, 130],
+            Sort::Help => [180, 200],
+            Sort::Page => [190, 220],
+            Sort::Toast => [60, 75],
+        };
+        match language {
+            "de" => german,
+            "zh" => english * 3 / 4,
+            _ => english,
+        }
+    }
+
+    /// Whether such a text is a sentence, with its full stop.
+    fn is_sentence(self) -> bool {
+        self != Sort::Label
+    }
+}
+
+/// Texts that may be longer, because they list what has to be listed.
+const LISTS: [&str; 1] = ["alarm-61309.cure"];
+
+/// Words that a language does not use, with what it says instead.
+const UNUSED: &[(&str, &[(&str, &str)])] = &[
+    (
+        "en",
+        &[
+            ("doubt", "warning"),
+            ("doubts", "warnings"),
+            ("mended", "fixed"),
+            ("delivered", "default"),
+            ("reckoned", "calculated"),
+            ("standing spindle", "stationary spindle"),
+            ("turning spindle", "rotating spindle"),
+            ("in force", "active"),
+            ("on its way", "loading"),
+            ("on their way", "loading"),
+            ("upon each other", "coincident"),
+            ("tool correction", "tool offset"),
+            ("safety zone", "protection zone or safe area"),
+            ("target value", "setpoint"),
+            ("please", ""),
+        ],
+    ),
+    (
+        "de",
+        &[
+            ("Formular", "Maske"),
+            ("Meßtaster", "Messtaster"),
+            ("Nullpunktoffset", "Nullpunktverschiebung"),
+            ("Sicherheitszone", "Schutzzone"),
+            ("Werkzeugoffset", "Werkzeugkorrektur"),
+            ("erfolgt", "the verb"),
+            ("mittels", "mit"),
+            ("seitens", "von"),
+            ("überprüfen", "prüfen"),
+            ("bitte", ""),
+            ("Kalibration", "Kalibrieren"),
+            ("Zielwert", "Sollwert"),
+        ],
+    ),
+    (
+        "zh",
+        &[
+            ("疑问", "警告"),
+            ("测量头", "测头"),
+            ("出厂值", "默认值"),
+            ("额定值", "设定值"),
+            ("置信", "安全区"),
+            ("可信范围", "安全区"),
+            ("重量因素", "加权系数"),
+            ("触发器", "触发点"),
+            ("标定", "校准"),
+            ("差分测量", "差值测量"),
+            ("测尖", "测球"),
+            ("圆轴", "回转轴"),
+        ],
+    ),
+];
+
+/// Whether a text has these words, in a language with spaces as whole words.
+fn has(text: &str, words: &str) -> bool {
+    let (text, words) = (text.to_lowercase(), words.to_lowercase());
+    let letter = |side: Option<char>| side.is_some_and(|one| one.is_alphabetic() && one.is_ascii());
+    text.match_indices(&words).any(|(at, _)| {
+        !letter(text[..at].chars().next_back()) && !letter(text[at + words.len()..].chars().next())
+    })
+}
+
+/// Characters of a text as it is shown, with five for each argument; none where the number decides which text it is.
+fn length(text: &str) -> Option<usize> {
+    if text.contains("->") {
+        return None;
+    }
+    let shown = text.trim().split('{').enumerate().map(|(at, part)| match part.split_once('}') {
+        Some((inside, behind)) if at > 0 => {
+            let inside = inside.trim();
+            let argument = if inside.starts_with('$') { 5 } else { inside.trim_matches('"').chars().count() };
+            argument + behind.chars().count()
+        }
+        _ => part.chars().count(),
+    });
+    Some(shown.sum())
+}
+
+/// Asks about every text with its language, file and key; what is answered is what is wrong with it.
+fn faults(wrong: impl Fn(&str, &str, &str, &str) -> Option<String>) -> Vec<String> {
+    let mut faults = Vec::new();
+    for folder in folders() {
+        for language in LANGUAGES {
+            for file in files(&folder.join(language.code)) {
+                let texts = texts(&folder.join(language.code).join(&file));
+                let found = texts.iter().filter_map(|(key, text)| Some((key, wrong(language.code, &file, key, text)?)));
+                faults.extend(found.map(|(key, fault)| format!("{}/{file} {key}: {fault}", language.code)));
+            }
+        }
+    }
+    faults
+}
+
+// oracle: hand (the rules for words: how long a text of each kind may be)
+#[test]
+fn texts_keep_the_length_of_their_kind() {
+    let long = faults(|language, file, key, text| {
+        let most = Sort::of(file, key).filter(|_| !LISTS.contains(&key))?.longest(language);
+        length(text).filter(|length| *length > most).map(|length| format!("{length} of {most} characters"))
+    });
+    assert!(long.is_empty(), "{}:\n{}", long.len(), long.join("\n"));
+}
+
+// oracle: hand (the rules for words: sentences end in a full stop, labels do not)
+#[test]
+fn sentences_end_in_a_full_stop_and_labels_do_not() {
+    let wrong = faults(|_, file, key, text| {
+        let stops = text.trim().ends_with(['.', '。', '?', '？', '…', '}']);
+        let label = text.trim().ends_with(['.', '。']);
+        let sentence = Sort::of(file, key)?.is_sentence();
+        (if sentence { !stops } else { label }).then(|| text.trim().to_owned())
+    });
+    assert!(wrong.is_empty(), "{}:\n{}", wrong.len(), wrong.join("\n"));
+}
+
+// oracle: hand (the rules for words: one word for one thing)
+#[test]
+fn no_text_uses_a_word_that_its_language_does_not() {
+    let wrong = faults(|language, _, key, text| {
+        let (_, unused) = UNUSED.iter().find(|(code, _)| *code == language).filter(|_| !key.ends_with("-words"))?;
+        let (word, instead) = unused.iter().find(|(word, _)| has(text, word))?;
+        Some(format!("“{word}”, better “{instead}”: {}", text.trim()))
+    });
+    assert!(wrong.is_empty(), "{}:\n{}", wrong.len(), wrong.join("\n"));
+}
+
+// oracle: hand
+#[test]
+fn whole_words_are_told_from_parts_of_others() {
+    assert!(has("Die Messung erfolgt hier", "erfolgt") && !has("nacherfolgte", "erfolgt"));
+    assert!(has("按额定值补偿", "额定值") && !has("", "please"));
+    assert_eq!(length(" { $value } mm, { \"_FA\" }."), Some(14));
+}
