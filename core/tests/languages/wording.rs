@@ -123,9 +123,8 @@ const UNUSED: &[(&str, &[(&str, &str)])] = &[
 fn has(text: &str, words: &str) -> bool {
     let (text, words) = (text.to_lowercase(), words.to_lowercase());
     let letter = |side: Option<char>| side.is_some_and(|one| one.is_alphabetic() && one.is_ascii());
-    text.match_indices(&words).any(|(at, _)| {
-        !letter(text[..at].chars().next_back()) && !letter(text[at + words.len()..].chars().next())
-    })
+    text.match_indices(&words)
+        .any(|(at, _)| !letter(text[..at].chars().next_back()) && !letter(text[at + words.len()..].chars().next()))
 }
 
 /// Characters of a text as it is shown, with five for each argument; none where the number decides which text it is.
