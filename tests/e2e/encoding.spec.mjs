@@ -229,7 +229,7 @@ describe("what is no program", () => {
     "c.pdf": [Buffer.from("%PDF-1.7\n%\xe2\xe3\xcf\xd3\n", "latin1"), /it is a PDF document/],
     "d.mpf": [
       Buffer.from(Array.from({ length: 4096 }, (_, i) => (Math.imul(i, 2654435761) >>> 13) & 0xff)),
-      /it holds no text/,
+      /it contains no text/,
     ],
   };
   for (const [name, [content, why]] of Object.entries(files)) {

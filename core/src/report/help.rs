@@ -36,9 +36,9 @@ pub fn help(text: &mut String, cycle: &'static Cycle, words: &Words) {
     let Some((_, first)) = pages.first() else { return };
     let of_all = |one: &Said| pages.iter().all(|(_, page)| page.contains(one));
     let every: Vec<Said> = first.iter().filter(|one| of_all(one)).cloned().collect();
-    line(text, "## Help");
+    line(text, &format!("## {}", words.key("report-help")));
     if pages.len() > 1 {
-        line(text, "### Every variant");
+        line(text, &format!("### {}", words.key("report-every-variant")));
     }
     write(text, cycle, &every, words);
     for (own, variants) in groups(&pages, &every) {

@@ -1,5 +1,6 @@
 //! The little Markdown that the generated pages need.
 
+use crate::words::Words;
 use std::fmt::Write;
 
 /// A paragraph.
@@ -18,9 +19,10 @@ pub fn row<T: AsRef<str>>(text: &mut String, cells: &[T]) {
     text.push('\n');
 }
 
-/// A heading with the head of a table under it.
-pub fn heading(text: &mut String, title: &str, columns: &[&str]) {
+/// A heading with the head of a table under it; columns by the end of the keys of their names.
+pub fn heading(text: &mut String, title: &str, columns: &[&str], words: &Words) {
     line(text, &format!("## {title}"));
-    row(text, columns);
+    let names: Vec<String> = columns.iter().map(|column| words.key(format!("report-column-{column}"))).collect();
+    row(text, &names);
     row(text, &vec!["---"; columns.len()]);
 }

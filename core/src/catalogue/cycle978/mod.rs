@@ -66,7 +66,7 @@ pub static CYCLE978: Cycle = Cycle {
     picture: Drawing::staged(picture::stage, picture::marks),
     examples: &[(params::ZERO, &[(names::KNUM, "1")])],
     simulation: Some(Simulation::new(propose, simulate::simulate)),
-    source: "B:6287-6735",
+    source: "B:6287-6705",
     ..common::CYCLE
 };
 
