@@ -1,19 +1,19 @@
 # Warnungen zum Programm als Ganzem, jede mit ihrer Abhilfe.
 
-advice-insert = { $text } davor einfügen
-advice-insert-behind = { $text } danach einfügen
-advice-insert-around = { $before } davor und { $behind } danach einfügen
+advice-insert = { $text } vor dem Aufruf einfügen
+advice-insert-behind = { $text } nach dem Aufruf einfügen
+advice-insert-around = { $before } vor und { $behind } nach dem Aufruf einfügen
 advice-write = { $name }={ $value } für diesen Aufruf schreiben
 
 advice-compensation = Werkzeugradiuskorrektur ist aktiv: { $word } in Zeile { $line }.
 advice-compensation-pass = Werkzeugradiuskorrektur ist aus dem vorigen Durchlauf noch aktiv: { $word } in Zeile { $line }.
-advice-compensation-hint = Zyklus mit G40 aufrufen.
+advice-compensation-hint = G40 vor dem Aufruf programmieren.
 advice-compensation-open = Vor diesem Aufruf fehlt G40, das Programm endet mit Werkzeugradiuskorrektur: Beim nächsten Lauf kann sie noch aktiv sein.
 advice-plane = Vor diesem Aufruf ist keine Arbeitsebene programmiert: Die Grundstellung der Maschine bestimmt, in welchen Achsen gemessen wird.
 advice-plane-hint = Ebene programmieren, z. B. { $plane }.
 advice-diameter = Vor diesem Aufruf ist weder DIAMON noch DIAMOF programmiert: Die Grundstellung bestimmt, ob Werte der Planachse Durchmesser sind.
 advice-diameter-hint = DIAMON für Durchmesser oder DIAMOF für Radien programmieren.
-advice-edge-none = Keine D-Nummer aktiv: Die Messtasterlänge wird nicht verrechnet.
+advice-edge-none = Keine D-Nummer ist aktiv: Die Steuerung verrechnet die Messtasterlänge nicht.
 advice-edge-open = Nach dem letzten T ist kein D programmiert: Maschinendaten bestimmen, ob eine Korrektur aktiv ist.
 advice-edge-hint = D-Nummer des Messtasters nach dem Werkzeugwechsel programmieren.
 advice-tool = Das aktive Werkzeug T{ $tool } ist kein Werkstückmesstaster (Typ { $type }).
@@ -22,7 +22,7 @@ advice-tool-digit = T{ $tool } hat Typ { $type }: Die Aufrufbedingungen verlange
 advice-tool-digit-hint = Messtaster als Typ 710 eintragen; die Steuerung kann diesen Typ ablehnen.
 advice-tool-assignment = T{ $tool } hat Typ { $type }, ist also ein Messtaster für Drehmaschinen: Dieser Zyklus akzeptiert ihn nur bei SD42950 = 2.
 advice-tool-assignment-hint = An der Drehmaschine SD42950 = 2 setzen; an der Fräsmaschine für den Messtaster Typ 710 eintragen.
-advice-tool-position = T{ $tool }, Typ { $type }, hat Schneidenlage { $position }: Messtaster für Drehmaschinen haben 5 bis 8.
+advice-tool-position = T{ $tool }, Typ { $type }, hat Schneidenlage { $position }: Messtaster an Drehmaschinen brauchen 5 bis 8.
 advice-tool-position-hint = Messtaster einwechseln oder seine Schneidenlage eintragen: 5 oder 7 steht senkrecht auf G17, 6 oder 8 auf G19.
 advice-tool-plane = T{ $tool } hat Schneidenlage { $position }: Der Messtaster steht nicht senkrecht auf der Messebene dieses Zyklus.
 advice-tool-plane-hint = Damit in { $plane } messen oder mit einem Messtaster, der senkrecht auf dieser Ebene steht: 5 und 7 auf G17, 6 und 8 auf G19.
@@ -39,7 +39,7 @@ advice-tool-none-hint = T und D vor dem Aufruf programmieren.
 advice-radius = Mit DIAMOF ist der Sollwert { $value } ein Radius: Der Durchmesser ist { $diameter }.
 advice-radius-hint = DIAMON vor dem Aufruf programmieren, wenn der Durchmesser aus der Zeichnung eingegeben ist.
 advice-calibration = Dieses Programm kalibriert Messtaster { $number } nicht: Es gelten die Daten in { $data }.
-advice-calibration-hint = Prüfen, ob der Messtaster an dieser Maschine kalibriert ist, oder zuerst die Kalibrierung aufrufen.
+advice-calibration-hint = Messtaster zuerst an dieser Maschine kalibrieren oder die Kalibrierung vor dieser Messung aufrufen.
 advice-inherited = { $name }={ $value } ist in Zeile { $line } für { $cycle } geschrieben und hat dort eine andere Einheit.
 advice-inherited-meaning = { $name }={ $value } ist in Zeile { $line } für { $cycle } geschrieben und bedeutet dort „{ $before }“, hier aber „{ $now }“.
 advice-inherited-hint = { $name } für diesen Aufruf schreiben.
@@ -65,5 +65,5 @@ advice-read-back-cure = Werte nach _MZ_MASK übernehmen
 advice-mask = Dieser Aufruf wurde mit anderen Maschineneinstellungen geschrieben: { $changes }.
 advice-mask-hint = Sobald die Steuerung den Aufruf rückübersetzt, stehen die geänderten Werte im Programm.
 advice-mask-cure = Einstellungen dieser Maschine eintragen
-advice-tool-programming = Die Steuerung kann diesen Aufruf nicht in ihre Maske zurücklesen. Seit dem Schreiben geändert: { $changes }.
+advice-tool-programming = Die Steuerung kann diesen Aufruf nicht in ihre Maske rückübersetzen. Seit dem Schreiben geändert: { $changes }.
 advice-tool-programming-hint = Aufruf mit der Maske neu schreiben; Werkzeug und D-Nummer prüfen, sie werden jetzt anders programmiert.

@@ -12,7 +12,7 @@ check-not-whole-hint = Wert ohne Nachkommastellen eingeben.
 check-text-long = Der Text ist länger als { $most } Zeichen.
 check-text-long-hint = Namen auf die Länge kürzen, die die Steuerung speichert.
 check-text-characters = Der Text enthält Anführungszeichen oder Steuerzeichen.
-check-text-characters-hint = Nur den Namen ohne diese Zeichen eingeben.
+check-text-characters-hint = Namen ohne diese Zeichen eingeben.
 check-range = { $param } darf nicht { $value }{ $unit } sein.
 check-range-choice-hint = Einen dieser Werte wählen: { $choices }.
 check-range-both-hint = Wert von { $min } bis { $max }{ $unit } eingeben.
@@ -51,18 +51,18 @@ check-memory-hint = Kleinere Nummer wählen oder das Feld und { $array } vergrö
 check-mean-off = Der Mittelwert wird nicht von Werkstück zu Werkstück gespeichert.
 check-mean-off-hint = _CHBIT[4]=1 setzen, wenn der Mittelwert gespeichert werden soll.
 check-tolerance-order = Die obere Toleranz, { $upper } mm, liegt unter der unteren, { $lower } mm.
-check-tolerance-order-hint = _TUL und _TLL vertauschen oder ihre Vorzeichen prüfen.
-check-band-difference = Das halbe Toleranzfeld, { $small } mm, ist größer als _TDIF, { $large } mm: Ein Werkstück in Toleranz würde als falsch bewertet.
-check-zero-mean = _TZL, { $small } mm, ist größer als _TMV, { $large } mm: Der Mittelwert korrigiert nie.
+check-tolerance-order-hint = _TUL und _TLL vertauschen oder ihre Vorzeichen korrigieren.
+check-band-difference = Das halbe Toleranzfeld, { $small } mm, ist größer als _TDIF, { $large } mm: Ein Werkstück in Toleranz würde abgewiesen.
+check-zero-mean = _TZL, { $small } mm, ist größer als _TMV, { $large } mm: Der Zyklus korrigiert nie über den Mittelwert.
 check-difference-safe = _TDIF, { $small } mm, ist größer als _TSA, { $large } mm: Das Programm hält an, bevor _TDIF wirkt.
 check-bands-hint = Reihenfolge vom kleinsten zum größten Wert einhalten: _TZL, _TMV, halbes Toleranzfeld, _TDIF, _TSA.
 check-rotation = Eine Koordinatendrehung ist aktiv.
-check-rotation-hint = Drehung vor dem Aufruf ausschalten: Dieser Zyklus arbeitet entlang der Maschinenachsen.
-check-infeed = Die Zustellung, { $infeed } mm, führt nicht nach unten zum Messelement.
+check-rotation-hint = Drehung vor dem Aufruf abwählen: Dieser Zyklus misst parallel zu den Maschinenachsen.
+check-infeed = Die Zustellung, { $infeed } mm, bringt den Messtaster nicht nach unten zum Messelement.
 check-infeed-hint = Negativen Wert eingeben, wenn die Werkzeugachse nach oben zeigt.
 
 check-ball = Die Messtasterkugel, { $ball } mm, passt nicht hinein.
-check-ball-hint = Sollwert prüfen oder kleineren Messtaster verwenden.
+check-ball-hint = Sollwert korrigieren oder Messtaster mit kleinerer Kugel verwenden.
 check-path-long = Der Messweg würde in der gegenüberliegenden Wand beginnen: Die Kugel hat nur { $free } mm Weg.
 check-path-long-hint = _FA kleiner als { $free } mm wählen.
 check-zone-wide = Die Schutzzone, { $zone } mm, ist nicht kleiner als das Messelement, { $size } mm.
@@ -71,12 +71,12 @@ check-zone-narrow = Die Schutzzone, { $zone } mm, ist nicht größer als das Me
 check-zone-narrow-hint = Schutzzone größer als { $limit } mm wählen, damit die Kugel neben das Messelement passt.
 check-zone-ball = Zwischen Messelement und Schutzzone ist kein Platz für die Messtasterkugel, { $ball } mm.
 check-zone-shortens = Die Schutzzone verkürzt den Messweg auf { $free } mm.
-check-zone-shortens-hint = Das Werkstück darf höchstens um diesen Weg abweichen; sonst die Schutzzone so ändern, dass mehr Platz bleibt.
+check-zone-shortens-hint = Schutzzone so ändern, dass mehr Weg bleibt; sonst darf das Werkstück höchstens um diesen Weg abweichen.
 check-differential-mono = Die Differenzmessung dreht die Spindel; ein Monotaster misst nur in einer Richtung.
 check-differential-mono-hint = Multitaster oder Messvariante ohne Differenzmessung verwenden.
 check-differential-axis = Differenzmessung ist nur in der Ebene möglich.
-check-differential-axis-hint = Achse 1 oder 2 wählen.
-check-mono-spindle = Ein Monotaster wird vor jeder Antastung gedreht, aber diese Spindel lässt sich nicht positionieren.
+check-differential-axis-hint = Messachse 1 oder 2 wählen.
+check-mono-spindle = Der Zyklus dreht einen Monotaster vor jeder Antastung, aber diese Spindel lässt sich nicht positionieren.
 check-mono-spindle-hint = Multitaster verwenden.
 check-differential-spindle = Die Differenzmessung dreht die Spindel, aber diese Spindel lässt sich nicht positionieren.
 check-differential-spindle-hint = Messvariante ohne Differenzmessung und einen kalibrierten Messtaster verwenden.
@@ -89,10 +89,10 @@ check-knum-no-setup-hint = Stattdessen Länge oder Radius korrigieren oder Bit 4
 
 check-knum-rotation = Das globale Basisframe { $code } kann keine Drehung aufnehmen.
 check-knum-rotation-hint = Einstellbares Frame oder Kanal-Basisframe wählen.
-check-lathe-length = Der Messtaster ist als Drehwerkzeug eingetragen, und seine Länge reicht bis zum Kugelumfang (_CBIT[14]=1).
+check-lathe-length = Der Messtaster ist als Drehwerkzeug eingetragen, und seine Länge bezieht sich auf den Kugelumfang (_CBIT[14]=1).
 check-lathe-length-hint = _CBIT[14]=0 setzen und die Länge bis zur Kugelmitte eintragen.
-check-mirror-datum = Eine Achse ist gespiegelt, und MD10610 ist nicht 0: Die Messzyklen sind nur für Spiegeln mit MD10610=0 ausgelegt.
-check-mirror-datum-hint = Ohne Spiegelung messen oder MD10610=0 setzen.
+check-mirror-datum = Eine Achse ist gespiegelt, und MD 10610 ist nicht 0: Messzyklen unterstützen Spiegeln nur mit MD 10610=0.
+check-mirror-datum-hint = Ohne Spiegelung messen oder MD 10610=0 setzen.
 check-multi-probe = Diese Messung erfordert einen Multitaster; ein Monotaster schaltet nur in einer Richtung.
 check-multi-probe-hint = Multitaster verwenden: { "_PRNUM" } mit zwei Stellen.
 check-angles-sum = Startwinkel und alle Fortschaltwinkel ergeben zusammen { $sum }°, mehr als 360°.

@@ -10,16 +10,16 @@ cycle116-no-circle = Die Punkte liegen auf einer Geraden oder aufeinander: Es l�
 cycle116-no-circle-hint = Punkte wählen, die auf dem Kreis weit auseinanderliegen, z. B. je ein Drittel des Umfangs.
 
 param-116-count = Anzahl der Punkte
-param-116-count-help = Drei Punkte bestimmen den Kreis; bei vier gehen alle ein, so dass ein ungenauer Punkt weniger Einfluss hat.
+param-116-count-help = Drei Punkte bestimmen den Kreis; bei vier gehen alle ein: Ein ungenauer Punkt hat weniger Einfluss.
 param-116-abscissa = Abszisse eines Punkts
-param-116-abscissa-help = Koordinate des Punkts in der ersten Achse der Ebene.
+param-116-abscissa-help = Koordinate des Punkts in der 1. Achse der Ebene.
 param-116-ordinate = Ordinate eines Punkts
-param-116-ordinate-help = Koordinate des Punkts in der zweiten Achse der Ebene.
+param-116-ordinate-help = Koordinate des Punkts in der 2. Achse der Ebene.
 need-116-points = Ein Kreis braucht mindestens drei Punkte.
 need-116-fourth = Vier Punkte sind gewählt.
 
 result-116-abscissa = Mittelpunkt, Abszisse
 result-116-ordinate = Mittelpunkt, Ordinate
 result-116-radius = Radius
-result-116-status = 0: Kreis gefunden; 1: kein Kreis
+result-116-status = 0: Kreis berechnet; 1: kein Kreis
 result-116-alarm = 0, ohne Kreis die Alarmnummer

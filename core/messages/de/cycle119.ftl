@@ -27,9 +27,9 @@ need-119-corrected = Die Korrektur eines Frames braucht einen Grenzwert.
 
 result-119-alarm = 0, ohne Frame die Alarmnummer
 result-119-distortion = Summe der Abweichungen der drei Punkte; unter 0: kein Frame
-result-119-frame-x = Frame, das, mit dem aktiven verkettet, das gemessene Dreieck in die Solllage bringt: Verschiebung X
-result-119-frame-y = Dasselbe Frame: Verschiebung Y
-result-119-frame-z = Dasselbe Frame: Verschiebung Z
-result-119-turn-x = Dasselbe Frame: Drehung um X
-result-119-turn-y = Dasselbe Frame: Drehung um Y
-result-119-turn-z = Dasselbe Frame: Drehung um Z
+result-119-frame-x = Ergebnisframe, das, mit dem aktiven verkettet, das gemessene Dreieck in die Solllage bringt: Verschiebung X
+result-119-frame-y = Ergebnisframe: Verschiebung Y
+result-119-frame-z = Ergebnisframe: Verschiebung Z
+result-119-turn-x = Ergebnisframe: Drehung um X
+result-119-turn-y = Ergebnisframe: Drehung um Y
+result-119-turn-z = Ergebnisframe: Drehung um Z

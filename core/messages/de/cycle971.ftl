@@ -34,10 +34,10 @@ param-id-length-help = Abstand des tiefsten Schneidenpunkts vom Radius nach inne
 param-id-radius = Unterkante bis größter Durchmesser
 param-id-radius-help = Abstand der Werkzeugunterkante vom größten Durchmesser; um diesen Wert fährt das Werkzeug tiefer. 0, wenn der größte Durchmesser an der Unterkante liegt.
 param-fa-incremental = Messweg mit Richtung
-param-fa-incremental-help = Abstand von der jetzigen Position zur anzutastenden Seite; plus misst in Plus-Richtung, minus in Minus-Richtung. Gemessen wird noch einmal so weit darüber hinaus. Immer in mm.
+param-fa-incremental-help = Abstand von der jetzigen Position zur anzutastenden Seite; plus misst in Plus-Richtung, minus in Minus-Richtung. Das Werkzeug fährt ebenso weit darüber hinaus. Immer in mm.
 
 need-axis-tool-probe = Der Zyklus braucht die Messachse.
-need-offset-edge = Der Zyklus positioniert damit das Werkzeug; sonst gilt der Wert eines früheren Aufrufs. Für eine gerade Schneide 0 eingeben.
+need-offset-edge = Der Zyklus positioniert damit das Werkzeug; ohne Angabe gilt der Wert eines früheren Aufrufs. Für eine gerade Schneide 0 eingeben.
 need-offset-wide = Gilt für ein Werkzeug, das breiter als der Messtaster ist.
 need-signed-path = Das Vorzeichen bestimmt die Messrichtung.
 
@@ -47,18 +47,18 @@ result-difference-radius = Differenz Radius
 check-path-sign = Der Messweg muss größer als 0 sein.
 check-path-sign-hint = _FA ohne Vorzeichen eingeben; die Startposition bestimmt die Richtung. Ein Vorzeichen gilt nur beim inkrementellen Kalibrieren.
 check-path-direction-hint = Abstand zum Messtaster eingeben, für die Minus-Richtung mit Minuszeichen.
-check-tool-probe-type = { $name } enthält keinen gültigen Werkzeugmesstastertyp.
+check-tool-probe-type = { $name } enthält keinen zulässigen Werkzeugmesstastertyp.
 check-tool-probe-plane = Die Scheibe in { $name } ist in dieser Ebene nicht antastbar.
 check-tool-probe-type-hint = 0 ist ein Würfel; 101 eine Scheibe in XY für G17, 201 in ZX für G18, 301 in YZ für G19.
 check-tool-probe-depth = { $name } ist 0: Neben dem Messtaster käme das Werkzeug nicht tiefer als die Messtasteroberkante.
 check-tool-probe-depth-hint = Abstand von der Messtasteroberkante zur Werkzeugunterkante eintragen.
-check-directions-code = { $name } = { $code } gibt keine gültigen Richtungen an.
+check-directions-code = { $name } = { $code } gibt keine zulässigen Richtungen an.
 check-directions-applicate = { $name } = { $code } gibt die Minus-Richtung der Werkzeugachse nicht frei.
 check-directions-hint = Hunderter Z, Zehner Y, Einer X: 0 keine, 1 minus, 2 plus, 3 beide. Die Werkzeugachse braucht 1 oder 3; Vorbesetzung: 133.
 check-tool-type-drill = Ein Bohrer (Typ { $type }) hat keinen messbaren Radius.
 check-tool-length-zero = Die Länge L1 des aktiven Werkzeugs ist 0.
 check-tool-radius-zero = Der Radius des aktiven Werkzeugs ist 0.
-check-tool-zero-hint = Ungefähres Maß in die Werkzeugdaten eintragen, bei einem Kalibrierwerkzeug das genaue.
+check-tool-zero-hint = Ungefähres Maß in den Werkzeugdaten eintragen, bei einem Kalibrierwerkzeug das genaue.
 check-offset-missing = Das Werkzeug, { $tool } mm breit, ist breiter als der Messtaster, { $edge } mm: _ID bestimmt seine Position.
 check-offset-missing-hint = 0 eingeben, wenn der äußerste Punkt über der Messtastermitte stehen soll.
 check-offset-large = _ID ist größer als der Werkzeugradius, { $radius } mm: Das Werkzeug würde zur anderen Seite versetzt.
@@ -79,8 +79,8 @@ check-cm-order = { $name } ist nicht kleiner als _CM[6], aber jede Antastung mus
 check-cm-order-hint = Vorschubfaktor 2 verkleinern oder für zwei Antastungen auf 0 setzen.
 check-compensation-make = Keine Messergebniskorrektur: Für _MT_COMP=1 fehlt der Messtasterhersteller in { $name }.
 check-compensation-make-hint = _TP_CF auf 1 (TT130) oder 2 (TS27R) setzen oder eine eigene Korrekturtabelle mit _MT_COMP=2 verwenden.
-check-compensation-inside = Die Steuerung korrigiert den Messwert mit einer internen, nicht dokumentierten Tabelle: Die Vorschau korrigiert nicht.
-check-compensation-inside-hint = Eigene Korrekturtabelle in { $name } eintragen und _MT_COMP=2 setzen: Sie gilt an der Steuerung und hier.
+check-compensation-inside = Die Steuerung subtrahiert Werte einer internen, nicht dokumentierten Herstellertabelle; die Simulation subtrahiert nichts.
+check-compensation-inside-hint = Mit _MT_COMP=2 gilt Ihre eigene Korrekturtabelle in { $name }, an der Steuerung und in der Simulation.
 check-compensation-table = Radien oder Umfangsgeschwindigkeiten in { $name } sind nicht aufsteigend: Die Korrektur kann falsch sein.
 check-compensation-table-hint = Radien in [0,1] bis [0,4] und Geschwindigkeiten in [1,0] bis [5,0] aufsteigend eintragen oder _MT_COMP=0 setzen.
 

@@ -1,7 +1,7 @@
 # CYCLE972: Titel, Suchwörter, Messvarianten.
 
 cycle972-title = Drehen: Werkzeugmesstaster kalibrieren, Drehwerkzeuge messen
-cycle972-help = Misst L1 oder L2 eines Drehwerkzeugs (Schneidenlage 1 bis 8) an einem achsparallelen Werkzeugmesstaster oder kalibriert eine Seite mit bekanntem Werkzeug der Lage 3. Das Handbuch empfiehlt CYCLE982.
+cycle972-help = Misst L1 oder L2 eines Drehwerkzeugs (Schneidenlage 1 bis 8) an einem achsparallelen Werkzeugmesstaster oder kalibriert eine Seite mit bekanntem Werkzeug der Schneidenlage 3. Besser: CYCLE982.
 cycle972-words = Werkzeug messen vermessen Werkzeugvermessung Werkzeugmessung Werkzeugvoreinstellung Voreinstellgerät Drehmaschine Drehen Werkzeugmesstaster Werkzeugtaster Messtaster Taster Messdose Würfel antasten kalibrieren abgleichen eichen einmessen Länge L1 L2 Wendeschneidplatte Platte Schneide Schneidenradius Spitze Schneidenlage Drehmeißel Drehstahl Stahl Verschleiß Geometrie Triggerpunkt Werkzeugkorrektur
 
 cycle972-calibrate = Werkzeugmesstaster kalibrieren

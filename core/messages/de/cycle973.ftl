@@ -27,7 +27,7 @@ param-calnum-help = Nummer des Kalibrierkörpers (Nutpaar); seine Kanten und Nut
 need-surface-position = Der Zyklus berechnet den Triggerpunkt aus der Position der Fläche.
 need-groove = Die Kalibriernut bestimmt die Positionen der Antastungen.
 
-check-groove-number = Ein Kalibrierkörper mit Nummer { $number } ist nicht vorhanden.
+check-groove-number = Eine Kalibriernut mit der Nummer { $number } gibt es nicht.
 check-groove-number-hint = Nummer von 1 bis { $pairs } wählen oder weitere Datenfelder für Kalibrierkörper anlegen und { "_CVAL[2]" } erhöhen.
 check-groove-tip-hint = In der Kalibriernut ist Schneidenlage 7 oder 8 nötig; andere Messtaster an einer Fläche kalibrieren.
 check-groove-base = In dieser Achse hat die Kalibriernut nur den Nutboden: Nur die Minus-Richtung ist möglich.

@@ -11,7 +11,7 @@ cycle974-reversal = 1-Punkt-Messung mit Umschlag, Werkzeug korrigieren
 
 mvar-reversal = Umschlag
 reversal-without = ohne
-reversal-with = mit: zweite Messung, Werkstück um 180° gedreht
+reversal-with = mit: 2. Antastung, Werkstück um 180° gedreht
 reversal-with-words = Umschlag Spindel 180 Grad Rundlauf Schlag Exzentrizität gegenüber
 
 param-setval-turned-diameter = Solldurchmesser

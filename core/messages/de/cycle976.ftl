@@ -92,13 +92,13 @@ check-reversal-spindle-hint = In einer Bohrung mit bekanntem Mittelpunkt kalibri
 check-first-calibration = Dieser Messtaster hat noch keine Triggerpunkte: Der ganze neue Wert, etwa { $ball } mm, gilt als Differenz und übersteigt _TSA.
 check-first-calibration-hint = Für das erste Kalibrieren _TSA größer als { $ball } mm wählen.
 check-calibration-mirror = Eine Achse ist gespiegelt: Der Messtaster ist in nicht gespiegelten Koordinaten zu kalibrieren.
-check-calibration-mirror-hint = Spiegelung vor dem Aufruf ausschalten; beim Messen darf sie aktiv sein.
+check-calibration-mirror-hint = Spiegelung vor dem Aufruf abwählen; beim Messen darf sie aktiv sein.
 check-calibration-band = Der Zyklus speichert keinen Wert: Die Differenz müsste größer als _TZL und höchstens gleich _TSA sein.
 check-calibration-band-hint = _TZL kleiner als _TSA wählen; 0 speichert jeden neuen Wert.
-check-skew-lost = Die Lageabweichung wird ermittelt, aber nicht gespeichert.
+check-skew-lost = Der Zyklus ermittelt die Lageabweichung, speichert sie aber nicht.
 check-skew-lost-hint = Für die Lageabweichung „ermitteln“ wählen, wenn spätere Messungen sie verrechnen sollen.
 check-applicate-plus = Der Messtaster müsste die Fläche entgegen der Zustellrichtung der Werkzeugachse antasten.
-check-applicate-plus-hint = Andere Richtung wählen (1, Minus, wenn die Werkzeugachse nach oben zeigt), wenn der Taststift nicht von unten antasten kann.
+check-applicate-plus-hint = Andere Richtung wählen (1, Minus, wenn die Werkzeugachse nach oben zeigt), falls der Taststift nicht von unten antasten kann.
 
 result-ball-diameter = wirksamer Kugeldurchmesser
 result-ball-difference = Differenz Kugeldurchmesser, neu − alt
