@@ -1,7 +1,7 @@
 # CYCLE982: Titel, Suchwörter, Messvarianten, Texte der eigenen Parameter, Prüfungen.
 
 cycle982-title = Drehen: Werkzeugmesstaster kalibrieren, Drehwerkzeuge, Fräswerkzeuge und Bohrer messen
-cycle982-help = Misst L1 und L2 von Dreh-, Fräswerkzeug oder Bohrer, beim Fräser auch den Radius, an einem achsparallelen Werkzeugmesstaster oder kalibriert eine Seite mit bekanntem Werkzeug der Lage 3.
+cycle982-help = Misst L1 und L2 von Drehwerkzeug, Fräser oder Bohrer, beim Fräser auch den Radius, an einem achsparallelen Werkzeugmesstaster oder kalibriert eine Seite mit bekanntem Werkzeug der Schneidenlage 3.
 cycle982-words = Werkzeug messen vermessen Werkzeugvermessung Werkzeugmessung Werkzeugvoreinstellung Voreinstellgerät Drehmaschine Drehen Drehfräsen angetriebenes Werkzeug Werkzeugmesstaster Werkzeugtaster Messtaster Taster Messdose Würfel antasten kalibrieren abgleichen eichen einmessen Länge L1 L2 Radius Durchmesser Wendeschneidplatte Platte Schneide Schneidenradius Spitze Schneidenlage Drehmeißel Drehstahl Stahl Bohrer Fräser Schaftfräser Nutfräser Scheibenfräser T-Nutenfräser Umschlag inkrementell automatisch Verschleiß Geometrie Triggerpunkt Werkzeugkorrektur
 cycle982-each-words = Drehmaschine Drehen messen vermessen Werkzeug Werkzeugvermessung
 
@@ -80,7 +80,7 @@ task-measure-all = Automatisch messen: alle Werte
 task-measure-all-words = automatisch alle Werte Wendeschneidplatte Drehmeißel angetriebenes Werkzeug Schaftfräser Fräser
 mvar-edges = Umschlag (Fräswerkzeug, Bohrer)
 second-edge-without = ohne
-second-edge-with = mit: jeden Punkt zweimal, Spindel um 180° gedreht
+second-edge-with = mit: 2. Antastung, Spindel um 180° gedreht
 second-edge-with-words = Umschlag zwei Schneiden Mittelwert 180°
 mvar-extent = Maße des Fräswerkzeugs
 extent-plain = eine Länge; automatisch: Längen und Radius
@@ -101,7 +101,7 @@ ma-lathe-radius-ordinate = Radius, in der Ordinate angetastet (G18: X)
 ma-lathe-l2-radius = L2 und Radius, in der Abszisse angetastet (G18: Z)
 ma-lathe-l1-radius = L1 und Radius, in der Ordinate angetastet (G18: X)
 
-param-ma-lathe-measured = Gemessenes Maß
+param-ma-lathe-measured = Zu messendes Maß
 param-ma-lathe-measured-help = Zu messendes Maß; es bestimmt auch die Achse der Antastung. Der Radius liegt axial in der Ordinate, radial in der Abszisse. Die Startposition liegt vor der anzutastenden Messtasterseite.
 param-md-incremental = Messrichtung
 param-md-incremental-help = Richtung, in der das Werkzeug von seiner jetzigen Position zum Messtaster fährt.
@@ -119,8 +119,8 @@ need-start-angle-milling = Gilt für Fräswerkzeuge.
 need-second-edge = Gilt für die 2. Antastung einer Messung mit Umschlag.
 
 check-tool-reference = _CBIT[5]=1: Die Werte in _TP gelten im aktiven WKS, obwohl die 2. Stelle von _MVAR maschinenbezogen angibt.
-check-tool-reference-hint = Diesen Schalter aus älteren Versionen auf 0 setzen und für das WKS die werkstückbezogene Variante (_TPW) wählen.
-check-lathe-tool-type-hint = Messbar sind Drehwerkzeuge (Typ 5xy), Fräswerkzeuge (1xy, 711 bis 799) und Bohrer (2xy); $TC_DP1 prüfen.
+check-tool-reference-hint = Dieses Bit auf 0 setzen: Es ist älter als die 2. Stelle von _MVAR. Für das WKS die werkstückbezogene Messvariante (_TPW) wählen.
+check-lathe-tool-type-hint = Drehwerkzeug (Typ 5xy), Fräswerkzeug (1xy, 711 bis 799) oder Bohrer (2xy) verwenden; $TC_DP1 prüfen.
 check-turning-digits = Die Stellen 3 bis 5 von { $value } gelten für Fräswerkzeuge und Bohrer, aktiv ist aber ein Drehwerkzeug.
 check-turning-digits-hint = Für das Drehwerkzeug { $plain } wählen oder vor dem Aufruf das Fräswerkzeug einwechseln.
 check-tip-direction = Ein Werkzeug mit Schneidenlage { $tip } zeigt in die andere Richtung: Sein Rücken würde den Messtaster berühren.
@@ -137,6 +137,6 @@ check-spindle-stays-hint = _CHBIT[20] auf 0 setzen oder eine Variante xxx0x1 wä
 check-spindle-turns = Die Frässpindel müsste auf _STA1 drehen, lässt sich aber nicht positionieren.
 check-spindle-turns-hint = Schneide vor dem Aufruf zum Messtaster drehen, _CHBIT[20]=1 setzen und eine Variante xxx0x1 wählen: ein Punkt, ohne Umschlag.
 check-side-radius = Das Werkzeug tastet mit dem Umfang an, sein Radius ist aber 0: Die Länge ist nicht berechenbar.
-check-side-radius-hint = Radius in die Werkzeugdaten eintragen oder in Richtung der Werkzeugachse messen.
+check-side-radius-hint = Radius in den Werkzeugdaten eintragen oder in Richtung der Werkzeugachse messen.
 check-radius-length = { $length } des Werkzeugs ist 0, aber der Radius wird aus dieser Länge berechnet.
 check-radius-length-hint = Diese Länge zuerst messen oder eintragen oder Länge und Radius zusammen messen (4. Stelle = 2).

@@ -10,7 +10,7 @@ cycle994-outside-inside = außen mit Umfahren der Schutzzone oder innen ohne
 cycle994-outside-inside-words = Drehen Drehmaschine Durchmesser Welle Bohrung zwei Punkte Schutzzone Werkzeugkorrektur Verschleiß
 
 param-setval-two-diameter = Solldurchmesser
-param-setval-two-diameter-help = Aus der Zeichnung. Mit DIAMON der Durchmesser, mit DIAMOF der Radius; beide Punkte liegen um den Werkstücknullpunkt.
+param-setval-two-diameter-help = Aus der Zeichnung. Mit DIAMON der Durchmesser, mit DIAMOF der Radius; beide Punkte liegen symmetrisch zum Werkstücknullpunkt.
 param-setval-two-radius = Sollabstand vom Nullpunkt
 param-setval-two-radius-help = Abstand beider Punkte vom Werkstücknullpunkt, einer in Plus- und einer in Minus-Richtung.
 param-sza-turned = Schutzzone in der Abszisse
@@ -29,7 +29,7 @@ check-two-ball = Ohne Kalibrierung ({ "_CHBIT[7]" }=1) gilt der Kugeldurchmesser
 check-two-ball-hint = Kugeldurchmesser eintragen ({ $name }) oder Messtaster kalibrieren und { "_CHBIT[7]" }=0 setzen.
 check-two-zone-inside = Die Schutzzone, { $zone } mm, lässt der Kugel im Innenmaß, { $size } mm, keinen Platz.
 check-two-zone-inside-hint = In der Messachse eine Schutzzone von höchstens { $limit } mm wählen.
-check-two-no-zone = Ohne Schutzzone misst diese Variante innen; außen würde die Schutzzone eines früheren Aufrufs gelten.
+check-two-no-zone = Ohne Schutzzone misst diese Messvariante innen; außen würde die Schutzzone eines früheren Aufrufs gelten.
 check-two-no-zone-hint = Für eine Außenmessung { "_SZA" } und { "_SZO" } eingeben.
 check-two-half-zone = Die Schutzzone ist unvollständig, { $name } fehlt: Es gilt der Wert eines früheren Aufrufs.
 check-two-half-zone-hint = Außen sowohl _SZA als auch _SZO eingeben, innen keinen von beiden.

@@ -50,12 +50,12 @@ param-ra-help = 0 dreht das Koordinatensystem um die nicht in _MA genannte Achse
 param-tsa-angle = Vertrauensbereich des Winkels
 param-tsa-angle-help = In Grad. Eine größere Differenz des Winkels stoppt das Programm mit Alarm 61303. Beim Positionieren unter dem Sollwinkel entfernt sich der Messtaster um diesen Winkel von der Fläche.
 
-need-set-position = Daraus folgen Messrichtung und erste Antastung.
+need-set-position = Sie bestimmt die Messrichtung und die erste Antastung.
 need-axes-angle = Der Winkel liegt in der Ebene zweier Achsen.
 need-direction-paraxial = Ohne Sollposition ist die Messrichtung anzugeben.
 need-third-point = Eine Ebene braucht einen dritten Punkt.
 need-second-angle = Eine Ebene hat zwei Winkel.
-need-rotary = Angeben, was den Winkel ausgleicht: 0 für das Koordinatensystem.
+need-rotary = Angeben, welche Achse den Winkel ausgleicht; 0: das Koordinatensystem.
 
 check-angle-steep = Winkel { $param } und Vertrauensbereich ergeben zusammen { $sum }°; ab 90° kann der Messtaster nicht positionieren.
 check-angle-steep-hint = _TSA kleiner als { $limit }° wählen. Hier ist _TSA ein Winkel, keine Länge.

@@ -5,20 +5,20 @@ evaluate-difference = Differenz { $difference } mm überschreitet die zulässig
 evaluate-oversize = Differenz { $difference } mm liegt über der oberen Toleranz: Die ganze Differenz wird korrigiert, der Mittelwert beginnt neu.
 evaluate-undersize = Differenz { $difference } mm liegt unter der unteren Toleranz: Die ganze Differenz wird korrigiert, der Mittelwert beginnt neu.
 evaluate-whole = Differenz { $difference } mm liegt in der Toleranz, aber außerhalb des Bereichs der Mittelwertbildung: Die ganze Differenz wird korrigiert, der Mittelwert beginnt neu.
-evaluate-mean = Differenz { $difference } mm ergibt Mittelwert { $mean } mm außerhalb des Nullkorrekturbereichs: Der Mittelwert wird korrigiert und beginnt neu.
+evaluate-mean = Differenz { $difference } mm ergibt Mittelwert { $mean } mm außerhalb des Nullkorrekturbereichs: Der Zyklus korrigiert um den Mittelwert, der danach neu beginnt.
 evaluate-small = Differenz { $difference } mm ergibt Mittelwert { $mean } mm im Nullkorrekturbereich: Nichts wird korrigiert.
-evaluate-kept = Höchstens { $limit } mm (_TZL) Unterschied zum gespeicherten Wert, daher unverändert: { $data }.
-evaluate-repeat = Messung nach Grenzwertüberschreitung wiederholt, Wiederholung { $count } von 4.
+evaluate-kept = Differenz zum gespeicherten Wert höchstens { $limit } mm (_TZL), daher unverändert: { $data }.
+evaluate-repeat = Messung wiederholt, weil ein Grenzwert überschritten ist: Wiederholung { $count } von 4.
 evaluate-halt = Programmierter Halt (M0): Weiter mit NC START.
 evaluate-activated = Das korrigierte Frame ist sofort aktiv.
 evaluate-not-activated = Das korrigierte Frame wird aktiv, wenn das Programm es wieder aufruft (G54, G500 …).
 evaluate-distortion = Das gemessene Dreieck weicht um { $distortion } mm vom Solldreieck ab; unter { $limit } mm wird das Frame korrigiert.
 evaluate-handed-back = Es gibt kein Ergebnis: { $name } erhält die Alarmnummer { $alarm }, das Programm läuft weiter.
 evaluate-tool-small = Differenz { $difference } mm liegt im Nullkorrekturbereich, { $limit } mm: Nichts wird korrigiert.
-evaluate-tool-geometry = Differenz { $difference } mm wird korrigiert: ganz in der Geometrie, der Verschleiß wird gelöscht.
+evaluate-tool-geometry = Differenz { $difference } mm geht ganz in die Geometrie; der Verschleiß wird gelöscht.
 evaluate-tool-wear = Differenz { $difference } mm wird im Verschleiß korrigiert.
-evaluate-compensation-make = Die Korrekturtabelle dieses Messtasterherstellers (_TP_CF = { $make }) liegt in der Steuerung und steht in keinem Handbuch: Die Simulation zieht nichts ab. Bei _MT_COMP = 2 gelten eigene Tabellen in _MT_EC_R und _MT_EC_L.
-evaluate-compensation = Korrekturtabelle { $table } zieht { $amount } mm vom Messwert ab.
+evaluate-compensation-make = Die Korrekturtabelle dieses Messtasterherstellers (_TP_CF = { $make }) liegt in der Steuerung und steht in keinem Handbuch: Die Simulation subtrahiert nichts. Bei _MT_COMP = 2 gelten eigene Tabellen in _MT_EC_R und _MT_EC_L.
+evaluate-compensation = Korrekturtabelle { $table } subtrahiert { $amount } mm vom Messwert.
 evaluate-screen = Die Steuerung zeigt das Messergebnisbild, bis der Zyklus endet.
 evaluate-screen-stays = Die Steuerung zeigt das Messergebnisbild bis zum Aufruf des nächsten Messzyklus; das Programm läuft weiter.
 evaluate-screen-halt = Die Steuerung zeigt das Messergebnisbild. Programmierter Halt (M0): Weiter mit NC START.

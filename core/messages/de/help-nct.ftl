@@ -1,10 +1,10 @@
 # Hilfeseiten der Messmakros der NCT-Steuerungen.
 
 help-stylus = Der Messtaster ist in der Spindel, seine Längenkorrektur ist aktiv, und er berührt nichts.
-help-guarded = Er wurde mit G101 dorthin gefahren; eine Kollision unterwegs hätte ihn angehalten.
+help-guarded = Der Messtaster wurde mit G101 dorthin gefahren; eine Kollision unterwegs hätte ihn angehalten.
 help-steps = Eine Antastung hat drei Schritte: schnell bis zum Signal, mit mittlerem Vorschub zurück, sehr langsam wieder vor; der letzte Schritt gilt.
 help-position-lost = Das letzte G101 hat sein Ziel nicht erreicht: OUT OF POSITION.
-help-result = S korrigiert eine Nullpunktverschiebung um Messwert minus Nennwert, T den Werkzeugkorrekturspeicher für das nächste Werkstück; M speichert nur, positiv, wo noch Material steht. Ohne S und T wird nichts korrigiert.
+help-result = S korrigiert eine Nullpunktverschiebung um Messwert minus Nennwert, T den Werkzeugkorrekturspeicher für das nächste Werkstück; M speichert nur die Abweichung, plus bei zu viel Material. Ohne S und T keine Korrektur.
 help-limits = Eine Abweichung größer als H ergibt OUT OF TOLERANCE; größer als U ergibt sie UPPER TOL EXEEDED, und nichts wird korrigiert.
 help-both-targets = S und T sind beide angegeben: Eine Abweichung gehört nur zu einem von beiden.
 help-middle-tolerance = Das Nennmaß ist nicht die Mitte der Toleranz: H gilt nach beiden Seiten (20 +0.1/−0.3 wird zu 19.9 mit H0.2).
@@ -14,7 +14,7 @@ help-g101-measures-nothing = Nichts: Das Makro fährt den Messtaster nach X, Y, 
 help-g101-before-free = Die Längenkorrektur des Messtasters ist aktiv, und er berührt nichts.
 help-g101-order-straight = Gerader Weg mit F, ohne Angabe 1500 mm/min; ein Signal hält die Bewegung sofort an.
 help-g101-corrects-nothing = Nichts. Nach einem Halt bleibt gespeichert, dass das Ziel verfehlt wurde: Jedes Messmakro bricht ab, bis ein G101 sein Ziel erreicht.
-help-g101-wrong-obstructed = Etwas ist im Weg: PATH OBSTRUCTED. Messtaster von Hand wegfahren und einen anderen Weg wählen.
+help-g101-wrong-obstructed = Ein Hindernis liegt im Weg: PATH OBSTRUCTED. Messtaster von Hand wegfahren und einen anderen Weg wählen.
 help-g101-wrong-incremental = Bei aktivem G91 sind die Adressen Wege, keine Positionen.
 
 help-g102-measures-offset = Versatz der Messtasterkugel zur Spindelachse in beiden Achsen der Ebene.
@@ -30,7 +30,7 @@ help-g103-corrects-radius = #500 und #501 für Plus und Minus der 1. Achse, #502
 help-g103-wrong-size = D ist nur ungefähr angegeben: Der halbe Fehler geht in jeden Radius ein. Genaues Maß des Rings angeben.
 
 help-g104-measures-length = Länge des Messtasters an einer Fläche, deren Koordinate in der Werkzeugachse angegeben ist.
-help-g104-before-above = Die Kugel ist über der Fläche; der Längenkorrekturspeicher enthält die Länge auf etwa 5 mm genau.
+help-g104-before-above = Die Kugel ist über der Fläche; der Längenkorrekturspeicher enthält die Länge auf 5 mm genau.
 help-g104-order-down = Der Messtaster tastet abwärts an, höchstens bis 10 mm unter die angegebene Koordinate.
 help-g104-corrects-register = Längenkorrekturspeicher T: Danach zeigt die Steuerung dort, wo die Kugel antastet, die angegebene Koordinate an.
 help-g104-wrong-coordinate = Die Koordinate gehört zu einer anderen Nullpunktverschiebung als der aktiven.
@@ -63,8 +63,8 @@ help-g109-measures-pocket = Breite und Mitte einer Tasche in einer Achse der Ebe
 help-g109-measures-web = Breite und Mitte eines Stegs in einer Achse der Ebene.
 help-g109-before-inside = Die Kugel ist auf Tiefe in der Nennmitte der Tasche.
 help-g109-before-above = Die Kugel ist über der Nennmitte des Stegs.
-help-g109-order-outwards = Eine Wand nach außen, dann die gegenüberliegende, jede höchstens bis Q hinter ihre Nennposition.
-help-g109-order-inwards = Auf jeder Seite im Abstand R neben die Wand, abwärts und nach innen antasten, höchstens bis Q hinter die Nennposition.
+help-g109-order-outwards = Der Messtaster tastet eine Wand nach außen an, dann die gegenüberliegende, jede höchstens bis Q hinter ihre Nennposition.
+help-g109-order-inwards = Auf jeder Seite fährt der Messtaster im Abstand R neben die Wand und abwärts und tastet nach innen an, höchstens bis Q hinter die Nennposition.
 help-g109-corrects-half = S wird um den Versatz der Mitte korrigiert; T, ein Radius, um die halbe Abweichung der Breite.
 help-g109-wrong-width = Die Breite fehlt oder ist 0: FORMAT ERROR.
 
@@ -72,8 +72,8 @@ help-g110-measures-bore = Mittelpunkt und Durchmesser einer Bohrung.
 help-g110-measures-boss = Durchmesser und Mittelpunkt eines Zapfens.
 help-g110-before-inside = Die Kugel ist auf Tiefe im Nennmittelpunkt der Bohrung.
 help-g110-before-above = Die Kugel ist über dem Nennmittelpunkt des Zapfens.
-help-g110-order-outwards = Beide Wände in der 1. Achse, dann beide in der 2. Achse, nach außen, jede höchstens bis Q hinter ihre Nennposition.
-help-g110-order-inwards = Beide Wände in der 1. Achse, dann beide in der 2. Achse: jedes Mal im Abstand R neben die Wand, abwärts, nach innen, höchstens bis Q hinter die Nennposition.
+help-g110-order-outwards = Der Messtaster tastet beide Wände in der 1. Achse an, dann beide in der 2. Achse, nach außen, jede höchstens bis Q hinter ihre Nennposition.
+help-g110-order-inwards = Beide Wände in der 1. Achse, dann beide in der 2. Achse: Der Messtaster fährt jedes Mal im Abstand R neben die Wand und abwärts und tastet nach innen an, höchstens bis Q hinter die Nennposition.
 help-g110-corrects-half = S wird in beiden Achsen um den Versatz des Mittelpunkts korrigiert; T, ein Radius, um die halbe Abweichung des Durchmessers.
 help-g110-wrong-room = Das korrigierte Werkzeug würde nicht mehr in die Bohrung passen: TOOL DIA OFFS TOO LARGE.
 
@@ -84,13 +84,13 @@ help-p9920-before-reference = Der Referenzpunkt ist angefahren, und die Achse de
 help-p9920-before-centre = Das Referenzwerkzeug mit genau bekanntem Durchmesser ist über dem Mittelpunkt der Scheibe.
 help-p9920-before-above = Das Werkzeug ist in Z über dem Werkzeugmesstaster, und dieser ist kalibriert.
 help-p9920-order-rim = Von +X, −X, +Y und −Y: um die halbe Summe beider Durchmesser plus E neben die Scheibe, um Z abwärts, zum Scheibenrand, wieder hoch.
-help-p9920-order-face = Dann über dem Mittelpunkt abwärts auf die Scheibe und hoch zur Ausgangshöhe.
+help-p9920-order-face = Dann über dem Mittelpunkt abwärts auf die Scheibe und hoch zur Startposition.
 help-p9920-order-length = Um D/2 neben dem Mittelpunkt, höchstens um Z abwärts bis zur Antastung.
-help-p9920-order-diameter = Von dort um K hoch, in +X um die halbe Summe beider Durchmesser plus E nach außen, abwärts bis K unter die Antasthöhe, zum Scheibenrand.
+help-p9920-order-diameter = Nach der Antastung um K hoch, in +X um die halbe Summe beider Durchmesser plus E nach außen, abwärts bis K unter die Antasthöhe, zum Scheibenrand.
 help-p9920-corrects-probe = #506, #507 und #508 erhalten die Position der Scheibe, #509 ihren Durchmesser, #513 die Länge des Referenzwerkzeugs.
 help-p9920-corrects-length = Länge im Speicher T, wie G43 sie verrechnet.
 help-p9920-corrects-radius = Radius im Speicher T.
 help-p9920-wrong-length = Nach dem Makro ist G49 aktiv, Vorschub und Drehzahl können geändert sein: vor Bewegungen in Z wieder eine Länge aktivieren.
 help-p9920-wrong-turning = Ein Werkzeug, das sich drehend absenkt (M3, M4), kann die Scheibe abreißen.
-help-p9920-wrong-lift = Mit einem Abhebeweg unter etwa 2 mm trifft das Werkzeug den Scheibenrand nicht.
-help-p9920-wrong-disk = Weicht der Scheibendurchmesser um mehr als 2 mm von den 40 mm in #509 ab, rechnet das Makro bis zum Kalibrieren mit falschen Wegen.
+help-p9920-wrong-lift = Mit einem Abhebeweg unter 2 mm kann das Werkzeug den Scheibenrand verfehlen.
+help-p9920-wrong-disk = Weicht der Scheibendurchmesser um mehr als 2 mm von den 40 mm in #509 ab, rechnet das Makro bis zum Kalibrieren falsch.

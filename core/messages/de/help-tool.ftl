@@ -51,14 +51,14 @@ help-cycle982-order-all = Zuerst in der Abszisse, dann in der Ordinate, um den M
 help-cycle982-order-upper-behind = Das Werkzeug umfährt den Messtaster auf der vom Start abgewandten Seite, tastet von dort die Länge an, dann beide Seiten. Der Zyklus endet an der Startposition.
 help-cycle982-order-upper-across = Das Werkzeug überquert zuerst den Messtaster, tastet die Länge zurück in Richtung Startposition an, dann beide Seiten. Der Zyklus endet an der Startposition.
 help-cycle982-corrects-geometry = Das aktive Werkzeug: Der Wert geht in die Geometrie, der Verschleiß wird 0, gleich wie groß er vorher war.
-help-cycle982-wrong-axis = Der Radius liegt nicht in _MA: Alarm 61325.
-help-cycle982-wrong-drill-radius = Das Werkzeug ist ein Bohrer, er hat keinen messbaren Radius: Alarm 61314.
-help-cycle982-wrong-fast = Die Frässpindel dreht beim Antasten schnell: Schneide und Messtaster nehmen Schaden. Spindel langsam drehen lassen.
+help-cycle982-wrong-axis = Der Radius liegt nicht in der Achse _MA: Alarm 61325.
+help-cycle982-wrong-drill-radius = Das Werkzeug ist ein Bohrer; dessen Radius misst der Zyklus nicht: Alarm 61314.
+help-cycle982-wrong-fast = Die Frässpindel dreht beim Antasten schnell: Schneide und Messtaster nehmen Schaden. Drehzahl verringern.
 help-cycle982-wrong-wrong-side = Die Startposition liegt auf der falschen Seite oder über dem Messtaster: Alarm 61332.
 help-cycle982-wrong-nose = Schneidenradius oder Längen des Kalibrierwerkzeugs sind falsch: Der Fehler geht in jedes später gemessene Werkzeug ein.
 
 help-tool-probe-known = Die Lage der Messtasterseiten ist ungefähr bekannt: Triggerpunkte in _TP (werkstückbezogen: _TPW).
-help-tool-block = Eine Antastung: bis _FA vor die Seite, von dort höchstens zweimal _FA weit, nach dem Signal zurück. Mit _NMSP über 1 wird wiederholt; es gilt der Mittelwert.
+help-tool-block = Eine Antastung: bis _FA vor die Seite, von dort höchstens zweimal _FA weit, nach dem Signal zurück. Ist _NMSP größer als 1, wiederholt der Zyklus die Antastung; es gilt der Mittelwert.
 help-tool-reach = Werkzeugdaten oder Messtasterdaten sind um mehr als _FA falsch: Der Messtaster schaltet nicht (Alarm 61301), oder das Werkzeug berührt ihn schon beim Anfahren (Alarm 61302).
 help-tool-trigger = Die Messtasterdaten: der Triggerpunkt in _TP (werkstückbezogen: _TPW), wenn er um mehr als _TZL vom gespeicherten abweicht. Über _TSA: Alarm 61303, nichts wird gespeichert.
 help-tool-data = Das aktive Werkzeug: Geometrie, der Verschleiß wird 0; mit _CHBIT[3]=1 nur der Verschleiß. Keine Korrektur bei einer Differenz bis _TZL oder ab _TDIF (Meldung 62306), ab _TSA Alarm 61303.
