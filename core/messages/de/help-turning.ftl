@@ -1,6 +1,6 @@
 # Hilfeseiten der Zyklen, die an Drehmaschinen ein Werkstück messen.
 
-help-turning-probe = Der Messtaster (Typ 5xy) ist in Arbeitsstellung, seine D-Nummer und G40 sind aktiv; das Koordinatensystem ist weder gedreht noch skaliert.
+help-turning-probe = Der Messtaster (Typ 5xy) ist in Arbeitsstellung, seine D-Nummer und G40 sind aktiv; weder Drehung noch Maßstabsfaktor ist aktiv.
 help-turning-diameter = Durchmesser und Radien sind verwechselt: Mit DIAMON sind Sollwert und Toleranzen in X Durchmesser, _FA und die Korrektur nicht.
 
 help-cycle974-measures-point = Die Position eines Punkts am Drehteil: ein Durchmesser von einer Seite, eine Stirnfläche oder ein Punkt in der dritten Achse.
@@ -15,7 +15,7 @@ help-cycle974-wrong-run-out = Das Werkstück läuft nicht rund: Ein einzelner Pu
 
 help-cycle994-measures-diameter = Ein Durchmesser eines Drehteils um den Werkstücknullpunkt, aus zwei gegenüberliegenden Punkten.
 help-cycle994-before-plus-side = Die Kugel steht dem Punkt auf der Plus-Seite gegenüber, weiter entfernt als _FA.
-help-cycle994-before-inside = Die Kugel steht in der Bohrung; _SZA und _SZO beschreiben, was dort zu umfahren ist, Kugelradius eingerechnet.
+help-cycle994-before-inside = Die Kugel steht in der Bohrung; _SZA und _SZO beschreiben das Hindernis dort, Kugelradius eingerechnet.
 help-cycle994-before-either = Die Position der Kugel entscheidet: Weiter außen als der Sollwert misst der Zyklus außen und umfährt die Schutzzone _SZA und _SZO, Kugelradius eingerechnet; weiter innen misst er innen.
 help-cycle994-order-plus-first = Der Zyklus tastet zuerst den Punkt auf der Plus-Seite an, dann den auf der Minus-Seite; Endposition _FA vor diesem.
 help-cycle994-order-round-inside = In der Bohrung fährt der Messtaster an der Schutzzone entlang: auf _SZO, weiter auf _SZA, hinüber und zurück.

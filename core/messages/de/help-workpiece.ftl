@@ -56,7 +56,7 @@ help-cycle977-wrong-infeed = _ID hat das falsche Vorzeichen oder ist zu kurz: Di
 help-cycle977-wrong-zone = _SZA oder _SZO lässt der Messtasterkugel keinen Platz: Alarm 61334.
 help-cycle977-wrong-start = Die Startposition ist nicht die Sollmitte: Ihr Fehler geht in die NV ein.
 
-help-cycle978-measures-point = Position eines Punkts auf einer Fläche quer zur Achse _MA.
+help-cycle978-measures-point = Position eines Punkts auf einer Fläche senkrecht zur Achse _MA.
 help-cycle978-before-opposite = Die Messtasterkugel steht gegenüber dem Punkt, weiter als _FA von der Fläche entfernt. Die Seite, auf der sie steht, bestimmt die Messrichtung.
 help-cycle978-order-axis = Nur _MA verfährt; Endposition: _FA vor der Fläche.
 help-cycle978-corrects-full = Länge oder Radius korrigiert der Zyklus um die ganze Abweichung.
@@ -80,10 +80,10 @@ help-cycle979-order-end = Endposition: _FA vor dem letzten Punkt, auf Messhöhe.
 help-cycle979-corrects-half = Einen Radius korrigiert der Zyklus um die halbe Abweichung von Durchmesser oder Breite.
 help-cycle979-corrects-both = Der Zyklus korrigiert beide Achsen der Ebene; bei Nut und Steg so weit, wie sich die Mitte auf der Linie verschoben hat.
 help-cycle979-wrong-arc = Der Kreisbogen neben einem Kreissegment trifft das Werkstück: Alarm 61302.
-help-cycle979-wrong-close = Die Punkte liegen dicht beieinander: Ein kleiner Fehler an einem Punkt verschiebt den Mittelpunkt stark. _INCA so groß wählen, wie es das Kreissegment zulässt.
+help-cycle979-wrong-close = Die Punkte liegen dicht beieinander: Ein kleiner Fehler an einem Punkt verschiebt den Mittelpunkt um ein Vielfaches. _INCA so groß wählen, wie es das Kreissegment zulässt.
 help-cycle979-wrong-speed = _RF ist 0: Alarm 61365.
 help-cycle979-wrong-skewed = Die Linie unter _STA1 steht nicht senkrecht zu den Wänden: Die gemessene Breite ist zu groß.
-help-cycle979-wrong-lift = _ID ist zu kurz; reicht die Messtasterlänge bis zur Kugelmitte (_CBIT[14]=0), muss _ID den Kugelradius enthalten.
+help-cycle979-wrong-lift = _ID ist zu kurz; bezieht sich die Messtasterlänge auf die Kugelmitte (_CBIT[14]=0), muss _ID den Kugelradius enthalten.
 
 help-cycle997-measures-one = Mittelpunkt einer Kugel.
 help-cycle997-measures-three = Mittelpunkte von drei Kugeln, daraus Verschiebung und Drehung des Werkstücks.
@@ -118,7 +118,7 @@ help-cycle998-order-two-paraxial = P1, P2 und P3, immer von der Starthöhe aus: 
 help-cycle998-order-end = Endposition: _FA vor dem letzten Punkt.
 help-cycle998-order-end-height = Endposition: über P3, auf Starthöhe.
 help-cycle998-corrects-rotation = Mit _RA=0 die Drehung der NV aus _KNUM, um Istwinkel minus Sollwinkel. Ihre Verschiebung bleibt: Position danach messen. _KNUM=0 korrigiert nichts.
-help-cycle998-corrects-axis = Mit _RA größer 0 stattdessen der Nullpunkt dieser Rundachse; danach die Rundachse verfahren.
+help-cycle998-corrects-axis = Mit _RA größer 0 stattdessen die NV dieser Rundachse; danach die Rundachse verfahren.
 help-cycle998-corrects-area = Weicht ein Winkel um mehr als _TSA (in °) vom Sollwinkel ab: Alarm 61303.
 help-cycle998-wrong-degrees = _TSA enthält noch einen Wert in mm aus einem anderen Zyklus; hier ist die Einheit °.
 help-cycle998-wrong-near = Die Punkte liegen dicht beieinander: 0.01 mm Grat auf 10 mm sind 0.06°.

@@ -17,5 +17,5 @@ newer-target-hint = Für eine NV die 3. Stelle von Argument 1 auf 1 setzen; Werk
 write-newer-tool = Neuere Steuerungen erwarten die Werkzeugkorrektur in Argument 3 (S_KNUM1), Code unbekannt. In Argument 2 führt sie zu Alarm 61328.
 write-newer-zero = Welche NV { $value } in der Argumentliste neuerer Steuerungen ist, ist unbekannt; bekannt sind nur 1 bis 99 und 9999.
 write-newer = { $param } = { $value } bedeutet in der Argumentliste neuerer Steuerungen etwas anderes, oder die Bedeutung ist unbekannt.
-convert-newer = { $param } = { $value }: Die Bedeutung in der Argumentliste neuerer Steuerungen ist unbekannt oder auf der älteren Steuerung nicht möglich.
+convert-newer = { $param } = { $value }: Die ältere Argumentliste hat keine Entsprechung für diesen Wert der neueren, oder die Bedeutung ist unbekannt.
 convert-newer-hint = Aufruf neu als Zuweisungen schreiben.
