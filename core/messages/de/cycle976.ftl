@@ -76,7 +76,7 @@ param-fa-unknown-help = Er muss den Abstand der Startposition vom Mittelpunkt ü
 param-fa-length = Messweg
 param-fa-length-help = Die Fläche muss innerhalb des doppelten Messwegs ab der Position beim Aufruf liegen. Immer in mm.
 param-tsa-trigger = Vertrauensbereich der Triggerpunkte
-param-tsa-trigger-help = Weicht ein neuer Triggerpunkt weiter vom gespeicherten ab, stoppt Alarm 61303 das Programm. Beim ersten Kalibrieren ist 0 gespeichert: Wert größer als den Kugelradius wählen.
+param-tsa-trigger-help = Weicht ein neuer Triggerpunkt um mehr als diesen Wert vom gespeicherten ab, hält Alarm 61303 das Programm an. Beim ersten Kalibrieren (gespeichert ist 0) muss der Wert größer als der Kugelradius sein.
 param-tzl-trigger = Nullkorrekturbereich der Triggerpunkte
 param-tzl-trigger-help = Weicht ein neuer Triggerpunkt höchstens so weit vom gespeicherten ab, bleibt der gespeicherte erhalten; 0 speichert jeden neuen Wert.
 

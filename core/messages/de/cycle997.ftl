@@ -76,11 +76,11 @@ param-sphere3-ordinate-help = In der 2. Achse der Ebene (G17: Y), im WKS.
 param-sphere3-applicate = Kugel 3: Sollmittelpunkt, Applikate
 param-sphere3-applicate-help = In der Werkzeugachse (G17: Z), im WKS. Auf dieser Höhe tastet der Zyklus die Punkte am Umfang der Kugel an.
 param-tnvl = Grenzwert der Verzerrung
-param-tnvl-help = Grenzwert für die Summe der Abweichungen der drei Mittelpunkte vom Solldreieck. Nur darunter korrigiert der Zyklus die Nullpunktverschiebung; sonst stoppt Alarm 61414 das Programm.
+param-tnvl-help = Grenzwert für die Summe der Abweichungen der drei Mittelpunkte vom Solldreieck. Nur darunter korrigiert der Zyklus die Nullpunktverschiebung; sonst hält Alarm 61414 das Programm an.
 param-fa-sphere = Messweg
 param-fa-sphere-help = Abstand vom Start eines Messsatzes zur Sollposition und ebenso weit darüber hinaus: So weit darf jede Kugel abweichen. Zugleich Höhe über der Kugel beim Überfahren. Immer in mm.
 param-tsa-sphere = Vertrauensbereich der Kugeln
-param-tsa-sphere-help = Eine größere Differenz im Durchmesser oder in einer Achse des Mittelpunkts stoppt das Programm mit Alarm 61303.
+param-tsa-sphere-help = Eine größere Differenz im Durchmesser oder in einer Achse des Mittelpunkts hält das Programm mit Alarm 61303 an.
 
 need-spheres = Die Variante misst drei Kugeln.
 need-start-angle = Die Variante misst unter einem Winkel.

@@ -48,7 +48,7 @@ param-inca-about-ordinate-help = Neigung von P1 zu P2. Beim Positionieren unter 
 param-ra = Rundachse
 param-ra-help = 0 dreht das Koordinatensystem um die nicht in _MA genannte Achse. Sonst Kanalnummer einer Rundachse: Der Winkel wird zu ihrer NV addiert; Verfahren der Achse richtet das Werkstück aus.
 param-tsa-angle = Vertrauensbereich des Winkels
-param-tsa-angle-help = In Grad. Eine größere Differenz des Winkels stoppt das Programm mit Alarm 61303. Beim Positionieren unter dem Sollwinkel entfernt sich der Messtaster um diesen Winkel von der Fläche.
+param-tsa-angle-help = In Grad. Eine größere Differenz des Winkels hält das Programm mit Alarm 61303 an. Beim Positionieren unter dem Sollwinkel entfernt sich der Messtaster um diesen Winkel von der Fläche.
 
 need-set-position = Sie bestimmt die Messrichtung und die erste Antastung.
 need-axes-angle = Der Winkel liegt in der Ebene zweier Achsen.

@@ -1,5 +1,5 @@
 # Was beim Lesen von Teileprogrammen unverständlich war.
-syntax-unknown = Dieser Text ist nicht verständlich.
+syntax-unknown = Dieser Text ist unbekannt.
 syntax-value = Hier fehlt ein Wert.
 syntax-operand = Hier wird eine Zahl, eine Variable oder eine Klammer erwartet.
 syntax-operator = Ein Wort kann nicht mit einem Operator beginnen.
@@ -13,7 +13,7 @@ syntax-depth = Klammern und Operatoren sind zu tief geschachtelt.
 syntax-comment = Ein Kommentar ist nicht abgeschlossen.
 syntax-too-large = Das Programm ist zu groß; der Rest wurde nicht gelesen.
 syntax-exponent = Die Steuerung schreibt Exponenten mit EX, zum Beispiel 1.5EX-3.
-block-twice = { $word } ist in diesem Satz doppelt programmiert: Die Steuerung hält dort an.
+block-twice = { $word } ist in diesem Satz doppelt programmiert: Die Steuerung hält an diesem Satz an.
 block-twice-hint = Nur eine Angabe schreiben oder jede in einen eigenen Satz.
 block-axis-name = { $word } ist eine Achse: Eine Variable darf nicht so heißen.
 block-axis-name-hint = Namen wählen, der mit zwei Buchstaben oder einem Unterstrich beginnt.

@@ -1,11 +1,11 @@
 # Dieselbe Aufgabe auf der anderen Steuerung.
-twin-middle = Bei einer Toleranz ist der Sollwert die Mitte der Toleranzgrenzen. Der Zyklus korrigiert ein Werkzeug auf diesen Wert.
+twin-middle = Bei einer Toleranz ist der Sollwert die Mitte des Toleranzfelds. Der Zyklus korrigiert ein Werkzeug auf diesen Wert.
 twin-no-zero = Die korrigierte Nullpunktverschiebung hat dort keine Entsprechung: eine Nullpunktverschiebung auswählen.
 twin-at-once = Bei NCT gilt die korrigierte Nullpunktverschiebung sofort, bei SINUMERIK erst nach neuem Programmieren, mit { "_KNUM" }=9999 sofort.
 twin-names = Die 5. und die 6. Nullpunktverschiebung heißen bei NCT G58 und G59, bei SINUMERIK G505 und G506.
 twin-register = Als Nummer des NCT-Korrekturspeichers ist die Werkzeugnummer angenommen; bei anderer Zuordnung korrigieren.
-twin-depth = Die Tiefe ist bei NCT eine Koordinate der Werkzeugachse, bei SINUMERIK ein Weg vom Start nach unten ({ "_ID" }). Berechnet für einen Start bei { $axis }{ $height }.
-twin-corner = Bei SINUMERIK dürfen die Kanten gedreht sein, und die Nullpunktverschiebung dreht sich mit der ersten; bei NCT liegen die Wände achsparallel. Welche der vier Ecken gemeint ist, bestimmen bei SINUMERIK { "_STA1" } und { "_INCA" }, bei NCT der Startpunkt.
+twin-depth = Die Tiefe ist bei NCT eine Koordinate der Werkzeugachse, bei SINUMERIK eine Zustellung ab der Startposition ({ "_ID" }). Berechnet ist sie für die Startposition { $axis }{ $height }.
+twin-corner = Bei SINUMERIK dürfen die Kanten gedreht sein, und die Nullpunktverschiebung dreht sich mit der ersten Kante; bei NCT sind die Wände achsparallel. Welche der vier Ecken gemessen wird, bestimmen bei SINUMERIK { "_STA1" } und { "_INCA" }, bei NCT die Startposition.
 twin-ball = SINUMERIK speichert die Triggerpunkte des Messtasters, NCT die wirksamen Kugelradien { "#500" } bis { "#503" }.
 twin-length = SINUMERIK korrigiert die Länge des aktiven Werkzeugs, NCT die Länge im Korrekturspeicher aus T.
 twin-only = Aus { $cycle } dort ohne Entsprechung: { $names }.

@@ -1,13 +1,13 @@
 # Schreibweisen eines Aufrufs und was sie nicht ausdrücken können.
 
 write-no-list = Einen solchen Aufruf gibt es für { $cycle } nicht.
-write-no-list-variant = { $cycle }: Diese Messvariante oder dieses Korrekturziel lässt sich so nicht aufrufen.
+write-no-list-variant = { $cycle }: Diese Messvariante oder dieses Korrekturziel lässt sich in dieser Schreibweise nicht aufrufen.
 write-variant-open = Die Argumente bestimmen die Messvariante, { $value } ist aber erst beim Programmlauf bekannt.
 write-no-list-hint = Als Zuweisungen und Aufruf schreiben.
 write-zero = { $name }={ $value } wird als eigene Zuweisung geschrieben: Eine 0 in CYCLE_PARA lässt den vorherigen Wert bestehen.
 write-beside = { $name }={ $value } wird als eigene Zuweisung geschrieben: Der Aufruf hat kein Argument dafür.
 write-lost = { $name } entfällt: Die Argumentliste neuerer Steuerungen hat kein Argument dafür.
-write-lost-hint = Aufruf als Zuweisungen schreiben, wenn der Wert wichtig ist, oder den Wert an der Steuerung einstellen.
+write-lost-hint = Aufruf als Zuweisungen schreiben, falls der Wert nötig ist, oder den Wert an der Steuerung einstellen.
 write-expression = { $name }={ $value } wird als eigene Zuweisung geschrieben: Wäre { $value } gleich 0, ließe CYCLE_PARA den vorherigen Wert bestehen.
 write-expression-lost = { $name }={ $value } ginge verloren: Die Argumentliste neuerer Steuerungen hat kein Argument dafür.
 
