@@ -6,7 +6,7 @@ help-steps = Eine Antastung hat drei Schritte: schnell bis zum Signal, mit mittl
 help-position-lost = Das letzte G101 hat sein Ziel nicht erreicht: OUT OF POSITION.
 help-result = S korrigiert eine Nullpunktverschiebung um Messwert minus Nennwert, T den Werkzeugkorrekturspeicher für das nächste Werkstück; M speichert nur die Abweichung, plus bei zu viel Material. Ohne S und T keine Korrektur.
 help-limits = Eine Abweichung größer als H ergibt OUT OF TOLERANCE; größer als U ergibt sie UPPER TOL EXEEDED, und nichts wird korrigiert.
-help-both-targets = S und T sind beide angegeben: Eine Abweichung gehört nur zu einem von beiden.
+help-both-targets = S und T sind beide angegeben: Eine Abweichung korrigiert nur eines von beiden.
 help-middle-tolerance = Das Nennmaß ist nicht die Mitte der Toleranz: H gilt nach beiden Seiten (20 +0.1/−0.3 wird zu 19.9 mit H0.2).
 help-one-system = Ein Teil ist in inch kalibriert, ein Teil metrisch: alles im selben Maßsystem kalibrieren.
 
