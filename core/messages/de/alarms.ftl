@@ -120,7 +120,7 @@ alarm-61350 = Drehzahl oder Vorschub für das Messen mit drehender Spindel fehlt
     .cure = { "_MFS[]" } in den Maschinendaten eintragen oder mit { "_CBIT[12]" }=0 vom Zyklus berechnen lassen.
 alarm-61351 = Länge oder Radius des aktiven Werkzeugs ist 0.
     .cure = Ungefähres Maß in den Werkzeugdaten eintragen.
-alarm-61346 = Der Abstand eines Messpunkts vom Startpunkt fehlt oder ist nicht größer als 0.
+alarm-61346 = Der Abstand eines Messpunkts von der Startposition fehlt oder ist nicht größer als 0.
     .cure = { "_SETV[0]" } und { "_SETV[1]" } ohne Vorzeichen eingeben; die Winkel bestimmen die Richtung.
 alarm-61347 = Der Winkel zwischen den beiden Kanten ist 0.
     .cure = { "_INCA" } eingeben: von der 1. zur 2. Kante, im Uhrzeigersinn negativ.

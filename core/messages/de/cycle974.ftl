@@ -23,7 +23,7 @@ param-sta1-spindle-help = Winkel, auf den die Spindel das Werkstück für die er
 
 need-angle-reversal = Beim Umschlag positioniert der Zyklus die Spindel.
 
-check-reversal-part = Beim Umschlag dreht der Zyklus das Werkstück um 180°, aber die Spindel ist nicht positionierbar.
-check-reversal-part-hint = Ohne Umschlag messen oder auf einer Maschine mit positionierbarer Hauptspindel.
+check-reversal-part = Beim Umschlag dreht der Zyklus das Werkstück um 180°, aber die Spindel lässt sich nicht positionieren.
+check-reversal-part-hint = Ohne Umschlag messen oder auf einer Maschine, deren Hauptspindel sich positionieren lässt.
 
 result-compensation-radius = Korrekturwert als Radius

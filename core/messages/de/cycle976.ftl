@@ -84,11 +84,11 @@ need-axis-calibrated = Nur eine Achse wird kalibriert.
 need-axis-calibration-surface = Die Fläche steht senkrecht zu einer Achse.
 need-axis-length = Die Länge wird in der Werkzeugachse ermittelt: 3.
 need-direction = Nur eine Richtung wird kalibriert.
-need-angle-calibration = Die Variante kalibriert unter einem Winkel.
+need-angle-calibration = Die Messvariante kalibriert unter einem Winkel.
 
 check-positive-hint = Wert größer als 0 eingeben.
-check-reversal-spindle = Diese Variante dreht den Messtaster um 180°, aber die Spindel ist nicht positionierbar.
-check-reversal-spindle-hint = In einer Bohrung mit bekanntem Mittelpunkt kalibrieren oder auf einer Maschine mit positionierbarer Spindel.
+check-reversal-spindle = Diese Messvariante dreht den Messtaster um 180°, aber die Spindel lässt sich nicht positionieren.
+check-reversal-spindle-hint = In einer Bohrung mit bekanntem Mittelpunkt kalibrieren oder auf einer Maschine, deren Spindel sich positionieren lässt.
 check-first-calibration = Dieser Messtaster hat noch keine Triggerpunkte: Der ganze neue Wert, etwa { $ball } mm, gilt als Differenz und übersteigt _TSA.
 check-first-calibration-hint = Für das erste Kalibrieren _TSA größer als { $ball } mm wählen.
 check-calibration-mirror = Eine Achse ist gespiegelt: Der Messtaster ist in nicht gespiegelten Koordinaten zu kalibrieren.

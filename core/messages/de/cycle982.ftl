@@ -113,7 +113,7 @@ param-fa-present-position = Messweg
 param-fa-present-position-help = Das Werkzeug steht vor dem Messtaster; die Antastung muss innerhalb des doppelten Messwegs ab dieser Position liegen. Immer in mm, in X als Radius.
 
 need-axis-ignored = Wird nicht ausgewertet: Die Länge dieses Bohrers liegt in der Applikate (Settingdatum 42950 = 0).
-need-direction-incremental = Inkrementelle Varianten werten die Startposition nicht aus.
+need-direction-incremental = Inkrementelle Messvarianten werten die Startposition nicht aus.
 need-start-angle-spindle = Die stehende Frässpindel dreht auf diesen Winkel; ohne Eingabe gilt der Wert eines früheren Aufrufs.
 need-start-angle-milling = Gilt für Fräswerkzeuge.
 need-second-edge = Gilt für die 2. Antastung einer Messung mit Umschlag.
@@ -126,16 +126,16 @@ check-turning-digits-hint = Für das Drehwerkzeug { $plain } wählen oder vor de
 check-tip-direction = Ein Werkzeug mit Schneidenlage { $tip } zeigt in die andere Richtung: Sein Rücken würde den Messtaster berühren.
 check-tip-direction-hint = Werkzeug auf der anderen Seite des Messtasters positionieren und _MD ändern oder $TC_DP2 prüfen.
 check-drill-radius = Der Zyklus misst bei einem Bohrer keinen Radius.
-check-drill-radius-hint = Variante mit 4. Stelle = 0 wählen oder ein Fräswerkzeug einwechseln; $TC_DP1 prüfen.
+check-drill-radius-hint = Messvariante mit 4. Stelle = 0 wählen oder ein Fräswerkzeug einwechseln; $TC_DP1 prüfen.
 check-drill-plane = Mit Settingdatum 42950 = 0 liegt die Bohrerlänge bei G18 in Y; in dieser Achse misst der Zyklus nicht.
 check-drill-applicate = Mit Settingdatum 42950 = 0 misst der Zyklus beim Bohrer nur die Länge: in einer Achse, ohne Umschlag.
 check-drill-applicate-hint = 1, 11, 100001 oder 100011 mit G17 (Bohrer in Z) oder G19 (in X) wählen oder das Settingdatum auf 2 setzen und mit G18 messen.
 check-length-assignment = Settingdatum 42950 ist { $value }: L1 und L2 von Fräswerkzeugen und Bohrern liegen in anderen Achsen als bei Drehwerkzeugen.
 check-length-assignment-hint = Vor dem Aufruf $SC_TOOL_LENGTH_TYPE auf 2 setzen; für einen Bohrer in G17 oder G19 ist auch 0 möglich.
-check-spindle-stays = Diese Variante dreht die Spindel oder misst zweimal, aber _CHBIT[20]=1 unterdrückt das Positionieren der Spindel.
-check-spindle-stays-hint = _CHBIT[20] auf 0 setzen oder eine Variante xxx0x1 wählen, bei der jedes x 0 oder 1 ist: ein Punkt, ohne Umschlag.
+check-spindle-stays = Diese Messvariante dreht die Spindel oder misst zweimal, aber _CHBIT[20]=1 unterdrückt das Positionieren der Spindel.
+check-spindle-stays-hint = _CHBIT[20] auf 0 setzen oder eine Messvariante xxx0x1 wählen, bei der jede Stelle x 0 oder 1 ist: ein Punkt, ohne Umschlag.
 check-spindle-turns = Die Frässpindel müsste auf _STA1 drehen, lässt sich aber nicht positionieren.
-check-spindle-turns-hint = Schneide vor dem Aufruf zum Messtaster drehen, _CHBIT[20]=1 setzen und eine Variante xxx0x1 wählen: ein Punkt, ohne Umschlag.
+check-spindle-turns-hint = Schneide zum Messtaster drehen, _CHBIT[20] auf 1 setzen und eine Messvariante xxx0x1 wählen: ein Punkt, ohne Umschlag.
 check-side-radius = Das Werkzeug tastet mit dem Umfang an, sein Radius ist aber 0: Die Länge ist nicht berechenbar.
 check-side-radius-hint = Radius in den Werkzeugdaten eintragen oder in Richtung der Werkzeugachse messen.
 check-radius-length = { $length } des Werkzeugs ist 0, aber der Radius wird aus dieser Länge berechnet.

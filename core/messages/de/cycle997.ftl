@@ -82,8 +82,8 @@ param-fa-sphere-help = Abstand vom Start eines Messsatzes zur Sollposition und e
 param-tsa-sphere = Vertrauensbereich der Kugeln
 param-tsa-sphere-help = Eine größere Differenz im Durchmesser oder in einer Achse des Mittelpunkts hält das Programm mit Alarm 61303 an.
 
-need-spheres = Die Variante misst drei Kugeln.
-need-start-angle = Die Variante misst unter einem Winkel.
+need-spheres = Die Messvariante misst drei Kugeln.
+need-start-angle = Die Messvariante misst unter einem Winkel.
 need-distortion = Nur die Korrektur über drei Kugeln überwacht die Verzerrung; ohne Eingabe gilt die Vorbesetzung.
 
 check-sphere-small = Die Kugel, { $size } mm, ist kleiner als das Doppelte der Messtasterkugel, { $ball } mm.

@@ -66,7 +66,7 @@ report-column-when = wann
 terminal-error = Fehler
 terminal-language = Es gibt keine Sprache { $code }, nur { $known }
 terminal-cycle = Es gibt keinen Zyklus { $name }; „probewright cycles“ listet alle auf
-terminal-variant = { $cycle } hat keine Variante { $number }
+terminal-variant = { $cycle } hat keine Messvariante { $number }
 terminal-parameter = { $cycle } hat keinen Parameter { $name }
 terminal-twice = { $name } ist zweimal angegeben
 terminal-pair = Nicht in der Form NAME=WERT: { $text }
