@@ -25,7 +25,7 @@ advice-tool-assignment-hint = An der Drehmaschine SD42950 = 2 setzen; an der Fr�
 advice-tool-position = T{ $tool }, Typ { $type }, hat Schneidenlage { $position }: Messtaster an Drehmaschinen brauchen 5 bis 8.
 advice-tool-position-hint = Messtaster einwechseln oder seine Schneidenlage eintragen: 5 oder 7 steht senkrecht auf G17, 6 oder 8 auf G19.
 advice-tool-plane = T{ $tool } hat Schneidenlage { $position }: Der Messtaster steht nicht senkrecht auf der Messebene dieses Zyklus.
-advice-tool-plane-hint = Damit in { $plane } messen oder mit einem Messtaster, der senkrecht auf dieser Ebene steht: 5 und 7 auf G17, 6 und 8 auf G19.
+advice-tool-plane-hint = In { $plane } messen oder einen Messtaster verwenden, der senkrecht auf dieser Ebene steht: 5 und 7 f체r G17, 6 und 8 f체r G19.
 advice-length = T{ $tool } hat keine L채nge in der Werkzeugachse: Drehwerkzeuge haben L1 in der Ordinate, L2 in der Abszisse, L3 in der Applikate.
 advice-length-hint = L채nge in der Werkzeugachse als L3 in einer D-Nummer f체r diese Ebene eintragen, falls nicht die L채ngen von G18 체berall gelten.
 advice-milled-diameter = DIAMON oder DIAM90 ist aktiv, aber dieser Zyklus rechnet ohne Durchmesser: Positionen in X gelten als Abstand von der Drehmitte.

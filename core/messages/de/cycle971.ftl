@@ -34,7 +34,7 @@ param-id-length-help = Abstand des tiefsten Schneidenpunkts vom Radius nach inne
 param-id-radius = Unterkante bis größter Durchmesser
 param-id-radius-help = Abstand der Werkzeugunterkante vom größten Durchmesser; um diesen Wert fährt das Werkzeug tiefer. 0, wenn der größte Durchmesser an der Unterkante liegt.
 param-fa-incremental = Messweg mit Richtung
-param-fa-incremental-help = Abstand von der jetzigen Position zur anzutastenden Seite; plus misst in Plus-Richtung, minus in Minus-Richtung. Das Werkzeug fährt ebenso weit darüber hinaus. Immer in mm.
+param-fa-incremental-help = Abstand von der aktuellen Position zur anzutastenden Seite; plus misst in Plus-Richtung, minus in Minus-Richtung. Das Werkzeug fährt ebenso weit darüber hinaus. Immer in mm.
 
 need-axis-tool-probe = Der Zyklus braucht die Messachse.
 need-offset-edge = Der Zyklus positioniert damit das Werkzeug; ohne Angabe gilt der Wert eines früheren Aufrufs. Für eine gerade Schneide 0 eingeben.

@@ -72,12 +72,12 @@ param-ma-calibrated-help = Die Triggerpunkte der anderen Achse bleiben erhalten.
 param-sta1-calibration = Kalibrierwinkel
 param-sta1-calibration-help = Der Messtaster tastet unter diesem Winkel zur Abszisse an, dann in Schritten von 90°, statt achsparallel.
 param-fa-unknown = Messweg
-param-fa-unknown-help = Er muss den Abstand der Startposition vom Mittelpunkt überbrücken: Der halbe Durchmesser ist ein guter Wert. Verfahren wird höchstens der doppelte Messweg. Immer in mm.
+param-fa-unknown-help = Er muss den Abstand der Startposition vom Mittelpunkt überbrücken: Der halbe Durchmesser ist ein guter Wert. Der Messtaster fährt höchstens den doppelten Messweg. Immer in mm.
 param-fa-length = Messweg
 param-fa-length-help = Die Fläche muss innerhalb des doppelten Messwegs ab der Position beim Aufruf liegen. Immer in mm.
 param-tsa-trigger = Vertrauensbereich der Triggerpunkte
 param-tsa-trigger-help = Weicht ein neuer Triggerpunkt um mehr als diesen Wert vom gespeicherten ab, hält Alarm 61303 das Programm an. Beim ersten Kalibrieren (gespeichert ist 0) muss der Wert größer als der Kugelradius sein.
-param-tzl-trigger = Nullkorrekturbereich der Triggerpunkte
+param-tzl-trigger = Nullkorrektur der Triggerpunkte
 param-tzl-trigger-help = Weicht ein neuer Triggerpunkt höchstens so weit vom gespeicherten ab, bleibt der gespeicherte erhalten; 0 speichert jeden neuen Wert.
 
 need-axis-calibrated = Nur eine Achse wird kalibriert.

@@ -102,9 +102,9 @@ ma-lathe-l2-radius = L2 und Radius, in der Abszisse angetastet (G18: Z)
 ma-lathe-l1-radius = L1 und Radius, in der Ordinate angetastet (G18: X)
 
 param-ma-lathe-measured = Zu messendes Maß
-param-ma-lathe-measured-help = Zu messendes Maß; es bestimmt auch die Achse der Antastung. Der Radius liegt axial in der Ordinate, radial in der Abszisse. Die Startposition liegt vor der anzutastenden Messtasterseite.
+param-ma-lathe-measured-help = Zu messendes Maß; es bestimmt auch die Achse der Antastung. Der Radius liegt bei axialem Werkzeug in der Ordinate, bei radialem in der Abszisse. Startposition: vor der anzutastenden Messtasterseite.
 param-md-incremental = Messrichtung
-param-md-incremental-help = Richtung, in der das Werkzeug von seiner jetzigen Position zum Messtaster fährt.
+param-md-incremental-help = Richtung, in der das Werkzeug von seiner aktuellen Position zum Messtaster fährt.
 param-sta1-milling-spindle = Startwinkel der Frässpindel
 param-sta1-milling-spindle-help = Winkel, auf den die stehende Frässpindel vor der 1. Antastung dreht, damit eine Schneide zum Messtaster zeigt. Ohne Wirkung bei drehender Spindel und mit _CHBIT[20]=1.
 param-cora-second-edge = Korrekturwinkel der zweiten Schneide

@@ -14,7 +14,7 @@ help-log-chosen = _PROTVAL[2] bis _PROTVAL[5] bestimmen den Inhalt der Wertezeil
 
 help-cycle100-does = Schaltet das Messprotokoll ein: Bis CYCLE101 schreibt jeder Messzyklus einen Werteblock. Keine Achse bewegt sich.
 help-cycle100-values = Vor jedem Messaufruf bestimmen _PROTVAL[2] bis _PROTVAL[5] den Inhalt seiner Wertezeilen: Ein anderer Zyklus oder eine andere Messvariante liefert andere Ergebnisse.
-help-cycle100-begin = Eine vorhandene Datei dieses Namens wird gelöscht und neu begonnen; dazu ruft CYCLE100 den CYCLE106 auf.
+help-cycle100-begin = Eine vorhandene Datei dieses Namens wird gelöscht und neu angelegt; dazu ruft CYCLE100 den CYCLE106 auf.
 help-cycle100-each = Jeder folgende Messaufruf schreibt seinen Werteblock selbst; weitere Protokollzyklen sind nicht aufzurufen.
 help-cycle100-lost = Das Protokoll des letzten Werkstücks wurde nicht ausgelesen: Es wird gelöscht. Für jedes Werkstück einen eigenen Dateinamen verwenden.
 help-cycle100-old = Folgedateien eines früheren Protokolls bleiben, bis dieses Protokoll ihre Namen braucht: Ihr Inhalt gehört nicht zu diesem Werkstück.
@@ -50,7 +50,7 @@ help-cycle118-does = Wandelt eine Realzahl in einen Text mit der gewählten Zahl
 help-cycle118-variable = Eine Variable nimmt den Text auf: DEF STRING[12] PAR3 am Programmanfang oder der Name einer eigenen Variablen im Aufruf.
 help-cycle118-registers = Mehrere Zahlen stehen in aufeinanderfolgenden R-Parametern; PAR5 ist die Nummer des ersten, PAR4 die Anzahl.
 help-cycle118-rounds = Eine Zahl: PAR1 wird auf PAR2 Nachkommastellen gerundet und als Text geschrieben.
-help-cycle118-many = Mehrere Zahlen: Die R-Parameter werden nacheinander auf PAR2 Nachkommastellen gerundet; PAR1 wird ignoriert.
+help-cycle118-many = Mehrere Zahlen: Die R-Parameter werden nacheinander auf PAR2 Nachkommastellen gerundet; der Zyklus ignoriert PAR1.
 help-cycle118-left = Der Text in der Variablen des Aufrufs. Bei mehreren Zahlen stehen die Texte in _TXT[0] bis _TXT[9], der letzte auch in der Variablen.
 help-cycle118-count = PAR4 ist größer als 10: Alarm 61362.
 help-cycle118-length = Eine Zahl braucht mit ihren Nachkommastellen mehr als 12 Zeichen: Der Text passt nicht hinein.
@@ -62,7 +62,7 @@ help-cycle116-circle = Drei Punkte bestimmen den Kreis; bei vier Punkten gehen a
 help-cycle116-left = Mittelpunkt in _DATE[9] und _DATE[10], Radius in _DATE[11], Status in _DATE[12], Alarmnummer in _ALM; Status und _ALM sind 0, wenn ein Kreis gefunden ist. Werkzeug und NV bleiben unverändert.
 help-cycle116-line = Die Punkte liegen auf einer Geraden oder aufeinander: _ALM ist 61316.
 help-cycle116-count = _DATE[0] ist weder 3 noch 4: _ALM ist 61317.
-help-cycle116-unseen = Das Programm wertet _ALM nach dem Aufruf nicht aus und läuft mit einem falschen Kreis weiter: Der Alarm hält es nicht an.
+help-cycle116-unseen = Wertet das Programm _ALM nach dem Aufruf nicht aus, läuft es mit einem falschen Kreis weiter: Der Alarm hält es nicht an.
 
 help-cycle119-does = Berechnet die Lage eines Werkstücks im Raum aus Soll- und Messpositionen dreier Punkte. Je nach _COR korrigiert der Zyklus ein Frame um Verschiebung und Drehung. Keine Achse bewegt sich.
 help-cycle119-variables = Die Variablen sind am Programmanfang definiert: DEF REAL _SETPOINT[3,3], _MEASPOINT[3,3], _RES, DEF INT _ALARM und DEF FRAME _REFRAME.
@@ -78,4 +78,4 @@ help-cycle119-distorted = Die Dreiecke weichen um _RESLIM oder mehr voneinander 
 help-cycle119-order = Soll- und Messpunkte stehen in verschiedener Reihenfolge: Die Dreiecke passen nicht aufeinander.
 help-cycle119-mirrored = Das Frame spiegelt oder skaliert: _ALARM ist 61411.
 help-cycle119-absent = Das Frame ist nicht vorhanden: _ALARM ist 61321. Fehlt bei _COR=1000, oder bei 9999 mit aktivem G500, ein Kanal-Basisframe, ist _ALARM 61412.
-help-cycle119-unseen = Das Programm wertet _ALARM nach dem Aufruf nicht aus und läuft mit unkorrigiertem Frame weiter: Der Alarm hält es nicht an.
+help-cycle119-unseen = Wertet das Programm _ALARM nach dem Aufruf nicht aus, läuft es mit unkorrigiertem Frame weiter: Der Alarm hält es nicht an.

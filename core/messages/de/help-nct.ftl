@@ -5,7 +5,7 @@ help-guarded = Der Messtaster wurde mit G101 dorthin gefahren; eine Kollision un
 help-steps = Eine Antastung hat drei Schritte: schnell bis zum Signal, mit mittlerem Vorschub zurück, sehr langsam wieder vor; der letzte Schritt gilt.
 help-position-lost = Das letzte G101 hat sein Ziel nicht erreicht: OUT OF POSITION.
 help-result = S korrigiert eine Nullpunktverschiebung um Messwert minus Nennwert, T den Werkzeugkorrekturspeicher für das nächste Werkstück; M speichert nur die Abweichung, plus bei zu viel Material. Ohne S und T keine Korrektur.
-help-limits = Eine Abweichung größer als H ergibt OUT OF TOLERANCE; größer als U ergibt sie UPPER TOL EXEEDED, und nichts wird korrigiert.
+help-limits = Eine Abweichung größer als H ergibt OUT OF TOLERANCE; größer als U ergibt sie UPPER TOL EXEEDED, und das Makro korrigiert nichts.
 help-both-targets = S und T sind beide angegeben: Eine Abweichung korrigiert nur eines von beiden.
 help-middle-tolerance = Das Nennmaß ist nicht die Mitte der Toleranz: H gilt nach beiden Seiten (20 +0.1/−0.3 wird zu 19.9 mit H0.2).
 help-one-system = Ein Teil ist in inch kalibriert, ein Teil metrisch: alles im selben Maßsystem kalibrieren.
@@ -25,7 +25,7 @@ help-g102-wrong-moved = Die Bohrung wurde nicht an dieser Spindelposition gefert
 
 help-g103-measures-radius = Wirksamer Kugelradius in beiden Richtungen beider Achsen der Ebene.
 help-g103-before-ring = G102 ist ausgeführt; die Kugel ist auf Tiefe, auf 10 mm genau in der Mitte eines Kalibrierrings.
-help-g103-order-centre = Vier Wände ergeben den Mittelpunkt des Rings; von dort wird jede Wand noch einmal angetastet.
+help-g103-order-centre = Vier Wände ergeben den Mittelpunkt des Rings; von dort tastet der Messtaster jede Wand noch einmal an.
 help-g103-corrects-radius = #500 und #501 für Plus und Minus der 1. Achse, #502 und #503 für die 2. Achse.
 help-g103-wrong-size = D ist nur ungefähr angegeben: Der halbe Fehler geht in jeden Radius ein. Genaues Maß des Rings angeben.
 

@@ -28,7 +28,7 @@ help-cycle971-wrong-direction = _CM[5] ist weder 3 noch 4: Alarm 61366.
 help-cycle972-measures-side = Lage einer Seite des Werkzeugmesstasters, mit einem Kalibrierwerkzeug der Schneidenlage 3.
 help-cycle972-measures-length = Eine Länge eines Drehwerkzeugs: L2 in der Abszisse, L1 in der Ordinate.
 help-cycle972-order-travel = In der anderen Achse zur Messtastermitte, dann vor die Seite, antasten, zurück. Der Zyklus endet _FA vor der Seite.
-help-cycle972-order-nose = Der Mittelpunkt des Schneidenradius steht vor der Messtastermitte; angetastet wird die Seite, auf der das Werkzeug startet.
+help-cycle972-order-nose = Der Mittelpunkt des Schneidenradius steht vor der Messtastermitte; der Zyklus tastet die Seite an, auf der das Werkzeug startet.
 help-cycle972-order-tip = Die Schneide tastet in der Richtung an, in die sie laut Schneidenlage zeigt.
 
 help-cycle982-measures-side = Lage einer Seite des Werkzeugmesstasters der Drehmaschine, mit einem Kalibrierwerkzeug der Schneidenlage 3, dessen Längen und Schneidenradius bekannt sind.

@@ -11,7 +11,7 @@ list-arguments-many-hint = Kommas zählen und überzählige Argumente löschen.
 list-selection = Argument { $place } in { $name } darf nicht { $value } sein.
 list-selection-hint = Einen dieser Werte wählen: { $choices }.
 
-newer-open = { $param } = { $value }: Bedeutung in der Argumentliste neuerer Steuerungen unbekannt. Der Wert bleibt stehen, wird aber weder geprüft noch simuliert.
+newer-open = { $param } = { $value }: Bedeutung in der Argumentliste neuerer Steuerungen unbekannt. Der Wert bleibt unverändert, wird aber weder geprüft noch simuliert.
 newer-target = { $value } steht in Argument 2, bei neueren Steuerungen die NV-Nummer; diese Messvariante korrigiert aber keine NV.
 newer-target-hint = Für eine NV die 3. Stelle von Argument 1 auf 1 setzen; Werkzeugkorrektur in Argument 3 (S_KNUM1); sonst Argument 2 leer lassen.
 write-newer-tool = Neuere Steuerungen erwarten die Werkzeugkorrektur in Argument 3 (S_KNUM1), Code unbekannt. In Argument 2 führt sie zu Alarm 61328.

@@ -53,7 +53,7 @@ param-log-file = Protokolldatei
 param-log-file-help = Name ohne Endung: Buchstaben, Ziffern, Unterstriche; am Anfang zwei Buchstaben oder Buchstabe und Unterstrich. Eine Datei dieses Namens wird überschrieben.
 param-log-program = Messprogramm
 param-log-program-help = Programmname im Protokollkopf.
-param-log-headline = Eigene Kopfzeile
+param-log-headline = Anwenderdefinierte Kopfzeile
 param-log-headline-help = Beliebiger Text, auch zusammengesetzt: { "\"Part number: \"<<PARTNUM" }. Mit { "_CBIT[11]" }=1 bilden diese Zeilen den ganzen Protokollkopf.
 param-log-page = Zeilen pro Seite
 param-log-page-help = Nach so vielen Zeilen, Kopf eingerechnet, beginnt eine neue Seite mit Protokollkopf. 0: Protokollkopf nur am Anfang.
@@ -61,7 +61,7 @@ param-log-line = Zeichen pro Zeile
 param-log-line-help = Höchstens 200. Ist eine Zeile länger, erscheint eine Meldung.
 param-log-first-page = Nummer der ersten Seite
 param-log-first-page-help = Nummer, mit der die Seitenzählung im Protokollkopf beginnt.
-param-log-head-lines = Anzahl eigener Kopfzeilen
+param-log-head-lines = Anzahl anwenderdefinierter Kopfzeilen
 param-log-head-lines-help = Anzahl der Zeilen { "_HEADLINE[]" }, die ins Protokoll kommen.
 param-log-value-lines = Anzahl der Wertezeilen
 param-log-value-lines-help = Anzahl der Zeilen pro Messung, höchstens vier.

@@ -419,7 +419,7 @@ twin-open = Dieselbe Aufgabe auf der anderen Steuerung
 twin-task = { $task }: dort { $cycle }.
 twin-shared = Was gleich ist
 twin-differences = Was anders ist
-twin-none = Für diese Werte hat die andere Steuerung keine solche Aufgabe.
+twin-none = Für diese Werte hat die andere Steuerung keine entsprechende Aufgabe.
 
 ways = Schreibweise
 ways-findings = In dieser Schreibweise nicht möglich
