@@ -3,67 +3,67 @@
 advice-insert = 在前面插入 { $text }
 advice-insert-behind = 在后面插入 { $text }
 advice-insert-around = 在前面插入 { $before }，在后面插入 { $behind }
-advice-write = 为此调用写 { $name }={ $value }
+advice-write = 为此调用写入 { $name }={ $value }
 
 advice-compensation = 刀具半径补偿有效：第 { $line } 行的 { $word }。
 advice-compensation-pass = 刀具半径补偿从程序循环的上一遍起一直有效：第 { $line } 行的 { $word }。
-advice-compensation-hint = 调用循环时必须为 G40。
+advice-compensation-hint = 请在调用前编程 G40。
 advice-compensation-open = 此调用之前没有编程 G40，而程序结束时刀具半径补偿仍接通：再次运行时补偿可能仍然有效。
 advice-plane = 此调用之前没有编程工作平面：在哪些轴上测量由机床的复位状态决定。
 advice-plane-hint = 请编程平面，例如 { $plane }。
 advice-diameter = 此调用之前没有编程 DIAMON 或 DIAMOF：横向轴的值是否为直径由机床的复位状态决定。
-advice-diameter-hint = 按直径编程用 DIAMON，按半径用 DIAMOF。
-advice-edge-none = 没有有效的 D 号：测头的长度不起作用。
+advice-diameter-hint = 请编程 DIAMON（直径）或 DIAMOF（半径）。
+advice-edge-none = 没有有效的 D 号：测头长度不生效。
 advice-edge-open = 最后一个 T 之后没有编程 D：补偿是否有效由机床数据决定。
 advice-edge-hint = 请在换刀之后编程测头的 D 号。
 advice-tool = 当前刀具 T{ $tool } 不是工件测头（类型 { $type }）。
-advice-tool-hint = 请在调用前换上测头，或更正刀具表中的类型（710，车床为 580）。
-advice-tool-digit = T{ $tool } 的类型为 { $type }：按调用条件，测量循环只接受 710 和以 0 结尾的类型；手册别处则写 100 到 199 均可。
-advice-tool-digit-hint = 请把测头输入为类型 710；控制系统可能拒绝现在的类型。
-advice-tool-assignment = T{ $tool } 的类型为 { $type }，即车床测头：仅当 SD42950 为 2 时，此循环才接受它。
-advice-tool-assignment-hint = 在车床上请设 SD42950 = 2；在铣床上测头的类型为 710。
-advice-tool-position = T{ $tool }（类型 { $type }）的刀沿位置为 { $position }：车床测头的刀沿位置为 5 到 8。
-advice-tool-position-hint = 请换上测头，或输入其刀沿位置：5 或 7 垂直于 G17，6 或 8 垂直于 G19。
+advice-tool-hint = 请在调用前换上测头，或改正刀具表中的类型（710，车床为 580）。
+advice-tool-digit = T{ $tool } 的类型为 { $type }：调用条件只允许 710 和以 0 结尾的类型，手册另一处允许 100 到 199。
+advice-tool-digit-hint = 请把测头的类型设为 710；控制系统可能拒绝现在的类型。
+advice-tool-assignment = T{ $tool } 的类型为 { $type }，即车床测头：仅当 SD42950 = 2 时，此循环才允许使用。
+advice-tool-assignment-hint = 请在车床上设 SD42950 = 2；在铣床上把测头的类型设为 710。
+advice-tool-position = T{ $tool }（类型 { $type }）的刀沿位置为 { $position }：车床测头的刀沿位置须为 5 到 8。
+advice-tool-position-hint = 请换上测头，或改正其刀沿位置：5 或 7 垂直于 G17，6 或 8 垂直于 G19。
 advice-tool-plane = T{ $tool } 的刀沿位置为 { $position }，因此不垂直于此循环测量所在的平面。
-advice-tool-plane-hint = 请用它在 { $plane } 中测量，或换用垂直于此平面的测头：5 和 7 对应 G17，6 和 8 对应 G19。
+advice-tool-plane-hint = 请在 { $plane } 中测量，或换用垂直于此平面的测头：5 和 7 对应 G17，6 和 8 对应 G19。
 advice-length = T{ $tool } 没有沿刀具轴起作用的长度：车床刀具的 L1 沿当前平面的纵坐标，L2 沿横坐标，L3 沿垂直坐标。
-advice-length-hint = 请在用于此平面的 D 号中把沿刀具轴的长度输入为 L3。有的机床在各平面中都保持 G18 的长度分配，此时数据无误。
-advice-milled-diameter = DIAMON 或 DIAM90 有效，但此循环没有横向轴的直径：X 的位置按原值计算，从回转中心算起。
-advice-milled-diameter-hint = 请按半径输入，并在调用前后编程 DIAMOF。
+advice-length-hint = 请在用于此平面的 D 号中把沿刀具轴的长度输入为 L3；若各平面都采用 G18 的长度分配，则不必更改。
+advice-milled-diameter = DIAMON 或 DIAM90 有效，但此循环忽略它：X 的位置从回转中心算起。
+advice-milled-diameter-hint = 请按半径输入位置；调用前编程 DIAMOF，调用后编程 DIAMON 或 DIAM90。
 advice-spindle = 主轴在旋转：M3 或 M4 与此调用之间没有停止主轴。
-advice-spindle-hint = 测头接近工件之前请用 M5 停止主轴。
-advice-open = 此调用时有效的状态取决于另一个程序或本程序的执行路径：{ $words }。
-advice-open-hint = 请确保每个执行到此处的程序都已按循环的要求编程，或在此处编程。
-advice-tool-none = 此调用之前没有编程刀具：使用主轴或刀塔中的任意刀具及当前有效的 D 号。
+advice-spindle-hint = 请在测头接近工件之前用 M5 停止主轴。
+advice-open = 此调用时的状态取决于另一个程序或本程序的执行路径：{ $words }。
+advice-open-hint = 请在调用前编程这些指令，或确保每个调用本程序的程序都已设定。
+advice-tool-none = 此调用之前没有编程刀具：循环使用主轴或刀塔中的刀具及其有效的 D 号。
 advice-tool-none-hint = 请在调用之前编程 T 和 D。
 advice-radius = DIAMOF 有效时设定值 { $value } 为半径：直径为 { $diameter }。
 advice-radius-hint = 若输入的是图纸上的直径，请在调用前编程 DIAMON。
-advice-calibration = 此程序没有校准 { $number } 号测头：以控制系统 { $data } 中的值为准。
-advice-calibration-hint = 请确认测头已在此机床上校准，或先调用校准。
-advice-inherited = { $name }={ $value } 是第 { $line } 行为 { $cycle } 写的，在那里单位不同。
-advice-inherited-meaning = { $name }={ $value } 是第 { $line } 行为 { $cycle } 写的，在那里表示“{ $before }”；在此处表示“{ $now }”。
-advice-inherited-hint = 请为此调用写出 { $name }。
-advice-frame = 补偿后的 { $frame } 尚未生效：程序仍在原坐标框架中继续。
+advice-calibration = 此程序不校准测头 { $number }：以 { $data } 中存储的数据为准。
+advice-calibration-hint = 请先在此机床上校准测头，或在此测量之前调用校准。
+advice-inherited = { $name }={ $value } 在第 { $line } 行为 { $cycle } 写入，单位与此处不同。
+advice-inherited-meaning = { $name }={ $value } 在第 { $line } 行为 { $cycle } 写入，在该处表示“{ $before }”，在此处表示“{ $now }”。
+advice-inherited-hint = 请为此调用写入 { $name }。
+advice-frame = 补偿后的 { $frame } 尚未生效：程序仍按原来的值继续。
 advice-frame-other = 已补偿 { $frame }，但程序在 { $other } 中继续，始终没有激活它。
-advice-frame-basic = 补偿后的基本坐标框架尚未生效：程序仍使用旧的坐标框架。
+advice-frame-basic = 补偿后的基本坐标框架尚未生效：程序仍按原来的值继续。
 advice-frame-hint = 请在调用之后再次编程 { $frame }。
 advice-frame-other-hint = 请在调用之后编程 { $frame }。
 advice-overwritten = { $name } 在调用时可能已是另一个值：第 { $line } 行调用的程序也写入它。
-advice-overwritten-hint = 请在该调用之后写出 { $name }。
+advice-overwritten-hint = 请在该调用之后写入 { $name }。
 arrives = 写在第 { $lines } 行。
-arrives-hint = 在此修改即修改那里的值。
-arrives-shared-hint = 其他调用也使用那里的值：在此修改只为此调用写入新值。
-arrives-many-hint = 许多调用给出此值：请在写出该值的地方修改。
+arrives-hint = 在此修改会同时改变该行。
+arrives-shared-hint = 其他调用也使用此值：在此修改只为此调用写入新值。
+arrives-many-hint = 许多调用使用此值：请在写入该值的地方修改。
 arrives-differing = 随到达此调用的路径而不同：{ $values }。
-arrives-differing-hint = 在此修改会对所有路径有效。请在写出该值的地方修改；括号中为行号。
-advice-level = 调用位于第 { $level } 程序级；测量循环只能在前五级运行。
-advice-level-hint = 请在更接近主程序的程序中调用。
+arrives-differing-hint = 在此修改会对所有路径有效。请在写入该值的地方修改；括号中为行号。
+advice-level = 调用位于程序级 { $level }；测量循环只能在前五级运行。
+advice-level-hint = 请把调用移到更接近主程序的程序级。
 
-advice-read-back = 控制系统的测量循环支持功能读回此调用时，会把它改成另一个调用：{ $changes }。
-advice-read-back-hint = 这些值来自机床的 _MZ_MASK。请现在就采用；若程序中的值正确，请修改该设置。
+advice-read-back = 控制系统的测量循环支持功能读回此调用时会作如下改动：{ $changes }。
+advice-read-back-hint = 这些值由机床的 _MZ_MASK 规定。请采用；若程序正确，则修改 _MZ_MASK。
 advice-read-back-cure = 采用 _MZ_MASK 给出的值
-advice-mask = 编写此调用时设置不同：{ $changes }。
-advice-mask-hint = 控制系统一读回此调用，由此产生的改动就会写进程序。
-advice-mask-cure = 注明此机床的设置
-advice-tool-programming = 控制系统不能把此调用读回输入画面：编写之后 { $changes }。
+advice-mask = 编写此调用时机床的设置不同：{ $changes }。
+advice-mask-hint = 控制系统一读回此调用，就会把这些改动写入程序。
+advice-mask-cure = 写入此机床的设置
+advice-tool-programming = 控制系统不能把此调用读回输入画面，编写之后有改变：{ $changes }。
 advice-tool-programming-hint = 请用表单重新编写此调用，并检查刀具号和 D 号：它们现在的编程方式不同。

@@ -1,18 +1,18 @@
 # 调用的数值有什么问题，以及如何纠正（-hint）。长度单位为 mm，原样引用的输入值除外。
 
 check-missing = 缺少 { $param }。
-check-delivered = 未给出 { $param }；按默认值 { $value }{ $unit } 计。
+check-delivered = 未设定 { $param }：按默认值 { $value }{ $unit }。
 check-not-a-number = “{ $value }”不是数字。
 check-not-a-number-hint = 请输入数字，小数用点或逗号，例如 12.5。
-check-expression = “{ $value }”在程序运行时才知道，这里不检查。
+check-expression = “{ $value }”在程序运行时才能确定，因此不检查。
 check-too-large = { $value } 超出任何机床的范围。
 check-too-large-hint = 请检查数字及其指数。
 check-not-whole = { $value } 不是整数。
 check-not-whole-hint = 请去掉小数。
 check-text-long = 文字超过 { $most } 个字符。
-check-text-long-hint = 请把名称缩短到控制系统能保存的长度。
+check-text-long-hint = 请把名称缩短到此长度。
 check-text-characters = 文字中含有引号或控制字符。
-check-text-characters-hint = 请只写名称本身。
+check-text-characters-hint = 请输入不含这些字符的名称。
 check-range = { $param } 不能是 { $value }{ $unit }。
 check-range-choice-hint = 请从 { $choices } 中选择。
 check-range-both-hint = 请输入 { $min } 到 { $max }{ $unit } 之间的值。
@@ -22,86 +22,86 @@ check-range-below-hint = 请输入不大于 { $max }{ $unit } 的值。
 check-unusual = { $param } 为 { $value }{ $unit } 不常见。
 check-unusual-hint = 通常为 { $min } 到 { $max }{ $unit }。
 check-variant = { $cycle } 没有测量方式 { $value }。
-check-variant-pair = “{ $one }：{ $first }”和“{ $other }：{ $second }”不能同时选用，因此 { $cycle } 没有测量方式 { $value }。
+check-variant-pair = “{ $one }：{ $first }”和“{ $other }：{ $second }”不能同时选用：{ $cycle } 没有测量方式 { $value }。
 check-variant-hint = 请从列表中选择测量方式。
 check-variant-near-hint = 相近的测量方式：{ $near }。并非每种数位组合都有效。
 
 check-knum-zero = { $code } 不是零点偏移的代码。
 check-knum-zero-hint = 1 到 99：G54 及以后；1000、1011 到 1026、1051 到 1066：基本坐标框架；2000：系统坐标框架；9999：有效坐标框架；0：无。
-check-knum-is-tool-hint = 这是刀具补偿的代码。请选择带刀具补偿的测量方式，或给出坐标框架。
-check-knum-is-zero-hint = 这是零点偏移的代码。请选择带零点偏移的测量方式，或给出 D 号。
-check-knum-digit-4 = { $code } 的第 4 位（D 号为五位时第 6 位）不存在。
-check-knum-digit-5 = { $code } 的第 5 位（D 号为五位时第 7 位）不存在。
-check-knum-digit-6 = { $code } 的第 6 位（D 号为五位时第 8 位）不存在。
-check-knum-digit-7 = { $code } 的第 7 位（D 号为五位时第 9 位）或更高位不存在。
-check-knum-edge-none = { $code } 没有给出 D 号。
+check-knum-is-tool-hint = 这是刀具补偿的代码。请选择带刀具补偿的测量方式，或输入坐标框架的代码。
+check-knum-is-zero-hint = 这是零点偏移的代码。请选择带零点偏移的测量方式，或输入 D 号。
+check-knum-digit-4 = { $code } 的第 4 位（D 号为五位时第 6 位）不允许。
+check-knum-digit-5 = { $code } 的第 5 位（D 号为五位时第 7 位）不允许。
+check-knum-digit-6 = { $code } 的第 6 位（D 号为五位时第 8 位）不允许。
+check-knum-digit-7 = { $code } 的第 7 位（D 号为五位时第 9 位）或更高位不允许。
+check-knum-edge-none = { $code } 不含 D 号。
 check-knum-edge-large = { $code } 中的 D 号大于 { $largest }，即此控制系统的最大 D 号。
 check-knum-seven-digits-hint = 从右起：三位 D 号；0 或 1 为长度，2 为半径；1 表示取反；1 到 3 为 L1 到 L3，4 为半径；0 到 3 为补偿种类。
 check-knum-nine-digits-hint = 从右起：五位 D 号；0 或 1 为长度，2 为半径；1 表示取反；1 到 3 为 L1 到 L3，4 为半径；0 到 3 为补偿种类。
 
-check-probe-number = 没有 { $number } 号测头。
-check-probe-number-hint = 请选择 1 到 { $fields } 的号。
-check-probe-type = 测头号的第三位不能是 { $type }。
+check-probe-number = 没有测头号 { $number }。
+check-probe-number-hint = 请输入 1 到 { $fields } 的编号。
+check-probe-type = 测头号的第 3 位不能是 { $type }。
 check-probe-type-hint = 0 为多向测头，1 为单向或双向测头。
 check-cora-off = 补偿角不起作用。
 check-cora-off-hint = 请设 _CBIT[8]=1，或输入 0。
-check-empirical-memory = 没有 { $number } 号经验值存储器；数组只有 { $size } 个。
-check-mean-memory = 没有 { $number } 号平均值存储器；数组只有 { $size } 个。
-check-memory-hint = 请选择较小的号，或扩大数组和 { $array }。
-check-mean-off = 平均值不会从一个工件保留到下一个工件。
-check-mean-off-hint = 需要保留时请设 _CHBIT[4]=1。
+check-empirical-memory = 没有经验值存储器 { $number }：数组只有 { $size } 个元素。
+check-mean-memory = 没有平均值存储器 { $number }：数组只有 { $size } 个元素。
+check-memory-hint = 请输入较小的编号，或扩大数组并加大 { $array }。
+check-mean-off = 平均值不会从一个工件保存到下一个工件。
+check-mean-off-hint = 要保存平均值，请设 _CHBIT[4]=1。
 check-tolerance-order = 公差上限 { $upper } mm 低于公差下限 { $lower } mm。
-check-tolerance-order-hint = 请交换 _TUL 和 _TLL，或检查它们的符号。
+check-tolerance-order-hint = 请交换 _TUL 和 _TLL，或改正它们的符号。
 check-band-difference = 公差带的一半 { $small } mm 大于 _TDIF { $large } mm：公差内的工件会被当作不合格。
-check-zero-mean = _TZL { $small } mm 大于 _TMV { $large } mm：平均值永远不会补偿。
+check-zero-mean = _TZL { $small } mm 大于 _TMV { $large } mm：永远不会按平均值补偿。
 check-difference-safe = _TDIF { $small } mm 大于 _TSA { $large } mm：在 _TDIF 起作用之前程序就停止。
-check-bands-hint = 请保持次序：_TZL、_TMV、公差带的一半、_TDIF、_TSA。
-check-rotation = 坐标系已旋转。
-check-rotation-hint = 调用前请取消旋转：此循环沿机床轴工作。
+check-bands-hint = 请按从小到大的次序：_TZL、_TMV、公差带的一半、_TDIF、_TSA。
+check-rotation = 坐标旋转有效。
+check-rotation-hint = 请在调用前取消旋转：此循环平行于机床轴测量。
 check-infeed = 按进刀深度 { $infeed } mm，测头不会下降到被测要素。
 check-infeed-hint = 刀具轴向上时请输入负值。
 
 check-ball = { $ball } mm 的测球放不进去。
-check-ball-hint = 请检查设定值，或换用测球较小的测针。
+check-ball-hint = 请改正设定值，或换用测球较小的测头。
 check-path-long = 测量行程会从对面的壁内开始：测球只有 { $free } mm 的行程。
-check-path-long-hint = 请选小于 { $free } mm 的 _FA。
+check-path-long-hint = 请把 _FA 减小到小于 { $free } mm。
 check-zone-wide = 保护区 { $zone } mm 不小于被测要素 { $size } mm。
-check-zone-wide-hint = 请选择小于 { $limit } mm 的保护区，使测球能从旁边通过。
+check-zone-wide-hint = 请把保护区减小到小于 { $limit } mm，使测球放得进旁边。
 check-zone-narrow = 保护区 { $zone } mm 不大于被测要素 { $size } mm。
-check-zone-narrow-hint = 请选择大于 { $limit } mm 的保护区，使测球能从旁边通过。
+check-zone-narrow-hint = 请把保护区加大到大于 { $limit } mm，使测球放得进被测要素旁。
 check-zone-ball = 被测要素与保护区之间容不下 { $ball } mm 的测球。
 check-zone-shortens = 保护区把测量行程缩短到 { $free } mm。
-check-zone-shortens-hint = 工件的偏差不能超过此值；否则请给保护区留出更多空间。
-check-differential-mono = 差值测量要转动主轴；单向测头只能朝一个方向测量。
+check-zone-shortens-hint = 请改变保护区以留出更多行程，或以此值为工件的最大偏差。
+check-differential-mono = 差值测量要转动主轴，而单向测头只能朝一个方向测量。
 check-differential-mono-hint = 请用多向测头，或选不带差值测量的测量方式。
 check-differential-axis = 差值测量只能在平面内进行。
-check-differential-axis-hint = 请选择轴 1 或 2。
+check-differential-axis-hint = 请把测量轴设为 1 或 2。
 check-mono-spindle = 单向测头每次触碰前都要转动，而此主轴不能定位。
 check-mono-spindle-hint = 请用多向测头。
 check-differential-spindle = 差值测量要转动主轴，而此主轴不能定位。
-check-differential-spindle-hint = 请用校准过的测头，选不带差值测量的测量方式。
+check-differential-spindle-hint = 请选不带差值测量的测量方式，并使用校准过的测头。
 check-knum-no-additive = 此机床没有附加补偿。
-check-knum-no-additive-hint = 请改为补偿长度或半径，或请机床厂设置 MD 18080 第 8 位。
+check-knum-no-additive-hint = 请改为补偿长度或半径，或设置 MD 18080 的第 8 位。
 check-target-not-offered = { $param } = { $value } 不在此机床输入画面所提供的补偿对象之中。
 check-target-not-offered-hint = 请选择可设定的零点偏移或最后一个基本坐标框架，或把机床数据中的 { $entry } 设为 1。
 check-knum-no-setup = 此机床没有设定补偿。
-check-knum-no-setup-hint = 请改为补偿长度或半径，或请机床厂设置 MD 18112 第 4 位。
+check-knum-no-setup-hint = 请改为补偿长度或半径，或设置 MD 18112 的第 4 位。
 
-check-knum-rotation = 全局基本坐标框架 { $code } 不能有旋转。
+check-knum-rotation = 全局基本坐标框架 { $code } 不能存储旋转。
 check-knum-rotation-hint = 请选择可设定坐标框架或通道基本坐标框架。
 check-lathe-length = 测头按车刀输入，其长度算到测球的圆周（_CBIT[14]=1）。
-check-lathe-length-hint = 请设 _CBIT[14]=0，使长度算到测球中心。
-check-mirror-datum = 有轴被镜像，而 MD10610 不为 0：测量循环只允许在 MD10610=0 时镜像。
-check-mirror-datum-hint = 请不带镜像测量，或设 MD10610=0。
-check-multi-probe = 此测量需要多向测头；单向测头只在一个方向触发。
+check-lathe-length-hint = 请设 _CBIT[14]=0，并输入到测球中心的长度。
+check-mirror-datum = 有轴被镜像，而 MD 10610 不为 0：测量循环只允许在 MD 10610=0 时镜像。
+check-mirror-datum-hint = 请不带镜像测量，或设 MD 10610=0。
+check-multi-probe = 此测量需要多向测头：单向测头只在一个方向触发。
 check-multi-probe-hint = 请使用多向测头：{ "_PRNUM" } 为两位数。
-check-angles-sum = 起始角与各步之和为 { $sum }°，大于 360°。
-check-angles-sum-hint = 请选较小的增量角，或带符号更接近 0 的起始角。
-check-angles-same = 用此增量角各点会重合，求不出圆。
-check-angles-same-hint = 三点时请选不超过 120°，四点时不超过 90°。
+check-angles-sum = 起始角与全部增量角之和为 { $sum }°，大于 360°。
+check-angles-sum-hint = 请减小增量角，或输入更接近 0 的起始角，带符号。
+check-angles-same = 用此增量角各点会重合：求不出圆。
+check-angles-same-hint = 请输入不超过 120°（三点）或不超过 90°（四点）的值。
 check-angles-wide = { $points } 点时增量角大于 { $useful }° 没有意义。
-check-angles-wide-hint = 请选不超过 { $useful }° 的值。
-check-ball-unknown = 此测头的测球直径未知；每个尺寸都会因此出错。
+check-angles-wide-hint = 请输入不超过 { $useful }° 的值。
+check-ball-unknown = 此测头的测球直径未知，每个测得的尺寸都会因此出错。
 check-ball-unknown-hint = 请在孔中校准测头，并求出测球直径。
 check-spread-circle = 各点靠得太近：直径的不确定度是单个测点的 { $diameter } 倍，圆心的是 { $centre } 倍。
 check-spread-centre = 各点靠得太近：圆心的不确定度是单个测点的 { $centre } 倍。

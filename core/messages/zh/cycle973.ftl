@@ -24,7 +24,7 @@ param-setval-surface-diameter-help = 表面在工件坐标系中的精确位置�
 param-calnum = 基准槽
 param-calnum-help = 槽对的号；其边和底在 _KB[n-1,…]，为机床坐标，X 按半径。
 
-need-surface-position = 触发值由表面的位置算出。
+need-surface-position = 触发点由表面的位置算出。
 need-groove = 槽给出触碰的位置。
 
 check-groove-number = 没有 { $number } 号基准槽对。

@@ -6,7 +6,7 @@ help-cycle976-measures-two = 轴 _MA 的两个方向。
 help-cycle976-measures-four = 两个轴的两个方向。
 help-cycle976-measures-centre = 同时求出环规的中心。
 help-cycle976-measures-surface = 测头在一个轴的一个方向上于何处触发：触碰位于 _SETVAL 的表面。
-help-cycle976-measures-length = 测头的长度 L1 及其在刀具轴上的触发值：触碰位于 _SETVAL 的表面。
+help-cycle976-measures-length = 测头的长度 L1 及其在刀具轴上的触发点：触碰位于 _SETVAL 的表面。
 help-cycle976-before-at-centre = 主轴轴线正好在孔中心，测球在校准深度。
 help-cycle976-before-near-centre = 测球在校准深度，靠近中心，偏离量小于 _FA。
 help-cycle976-before-spindle = 测头各方向都能触发，主轴可以定位。
@@ -25,8 +25,8 @@ help-cycle976-order-end-surface = 最后停在起点；在垂直坐标上停在�
 help-cycle976-corrects-ball = 还有有效测球直径 _WP[k,0]，CYCLE979 和成角度测量的 CYCLE997 需要它；_CBIT[15]=1 时还有测头的半径。
 help-cycle976-corrects-skew = 还有测针的位置偏差 _WP[k,7] 和 _WP[k,8]。
 help-cycle976-corrects-length = 偏差计入测头几何值中的 L1；_TSA 不监控它。
-help-cycle976-wrong-off-centre = 主轴不在中心：此误差以相反符号进入各触发值。
-help-cycle976-wrong-diameter = _SETVAL 不是环规的真实直径：误差的一半进入各触发值。
+help-cycle976-wrong-off-centre = 主轴不在中心：此误差以相反符号进入各触发点。
+help-cycle976-wrong-diameter = _SETVAL 不是环规的真实直径：误差的一半进入各触发点。
 help-cycle976-wrong-position = _SETVAL 不是表面在有效坐标系中的真实位置。
 
 help-cycle973-measures-surface = 测头在一个轴的一个方向上于何处触发：触碰工件上位于 _SETVAL 的表面。

@@ -20,13 +20,13 @@ help-g101-wrong-incremental = G91 有效时，各地址是行程而不是位置�
 help-g102-measures-offset = 测球在平面两个轴上偏离主轴轴线多少。
 help-g102-before-ring = 测球在直径 D 的孔中间，误差不超过 10 mm。该孔由本主轴刚镗出，或是环规，且 #510 中有使主轴转 180° 的 M 功能。
 help-g102-order-walls = 触碰两个轴的四个壁；设定了 #510 时，主轴转 180° 后再触碰一遍。
-help-g102-corrects-offset = #504 和 #505：平面第一轴和第二轴的径向偏置。
+help-g102-corrects-offset = #504 和 #505：平面第 1 轴和第 2 轴的径向偏置。
 help-g102-wrong-moved = 孔不是在主轴现在的位置加工的，主轴又不换向：孔位的误差被当作径向偏置。
 
 help-g103-measures-radius = 平面两个轴正负方向的有效测球半径。
 help-g103-before-ring = 已执行 G102；测球在环规中间，误差不超过 10 mm，在测量深度。
 help-g103-order-centre = 触碰四个壁求出环规中心；从中心再把每个壁触碰一次。
-help-g103-corrects-radius = 第一轴正、负方向为 #500 和 #501，第二轴为 #502 和 #503。
+help-g103-corrects-radius = 第 1 轴正、负方向为 #500 和 #501，第 2 轴为 #502 和 #503。
 help-g103-wrong-size = D 只是近似值：误差的一半进入各半径。请给出环规的精确尺寸。
 
 help-g104-measures-length = 测针的长度：触碰刀具轴坐标已知的表面。
@@ -49,13 +49,13 @@ help-g106-wrong-low = 测球已在公称坐标以下：NO MOVEMENT。
 
 help-g107-measures-corner = 内拐角两个壁的交点。
 help-g107-before-inside = 测球在内拐角中、测量深度，离开两个壁；两壁平行于轴。
-help-g107-order-walls = 先触碰垂直于第一轴的壁，退回，再触碰垂直于第二轴的壁，各最多超过公称坐标 Q。
+help-g107-order-walls = 先触碰垂直于第 1 轴的壁，退回，再触碰垂直于第 2 轴的壁，各最多超过公称坐标 Q。
 help-g107-corrects-offset = 工件偏置 S（未给出 S 时为当前偏置），两个轴：使拐角得到公称坐标。
 help-g107-wrong-turned = 工件装夹歪斜：只补偿拐角的位置，不补偿方向。
 
 help-g108-measures-corner = 外拐角两个壁的交点。
 help-g108-before-before = 测球在外拐角前、测量深度，在两个壁之外。起点在拐角前多远，就在拐角后多远处触碰。
-help-g108-order-walls = 越过拐角，触碰垂直于第一轴的壁并返回；第二轴同样，各最多超过公称坐标 Q。
+help-g108-order-walls = 越过拐角，触碰垂直于第 1 轴的壁并返回；第 2 轴同样，各最多超过公称坐标 Q。
 help-g108-corrects-offset = 工件偏置 S（未给出 S 时为当前偏置），两个轴，按拐角的偏差移动。
 help-g108-wrong-close = 起点离拐角太近：只碰到倒圆或倒角。
 
@@ -72,8 +72,8 @@ help-g110-measures-bore = 孔的中心和直径。
 help-g110-measures-boss = 圆凸台的直径和中心。
 help-g110-before-inside = 测球在孔的公称中心、测量深度。
 help-g110-before-above = 测球在圆凸台公称中心的上方。
-help-g110-order-outwards = 先第一轴的两壁，再第二轴的两壁，向外触碰，各最多超过公称位置 Q。
-help-g110-order-inwards = 先第一轴的两壁，再第二轴的两壁：每次移到壁旁 R 处，下降，向内触碰，最多超过公称位置 Q。
+help-g110-order-outwards = 先第 1 轴的两壁，再第 2 轴的两壁，向外触碰，各最多超过公称位置 Q。
+help-g110-order-inwards = 先第 1 轴的两壁，再第 2 轴的两壁：每次移到壁旁 R 处，下降，向内触碰，最多超过公称位置 Q。
 help-g110-corrects-half = 中心在两个轴上的偏移计入 S；T 为半径，计入直径偏差的一半。
 help-g110-wrong-room = 补偿后的刀具放不进孔：TOOL DIA OFFS TOO LARGE。
 

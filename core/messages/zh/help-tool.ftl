@@ -17,7 +17,7 @@ help-cycle971-order-on-top = 在顶面（_MA = 3、103、203）：移到中间�
 help-cycle971-order-centre-first = _MA = 102 或 201 时，先在另一轴触碰两次求出中间。
 help-cycle971-order-widest = 测半径时刀具再下降 _ID，以最宽处触碰。
 help-cycle971-order-turning = 触碰一到三次，一次比一次慢（_CM[6]、_CM[7]）；以最后一次为准。原来静止的主轴再停下。
-help-cycle971-order-all-sides = 先在标称中间触碰顶面，再触碰纵坐标两侧求出其中间，在此触碰横坐标两侧，经求出的中间触碰纵坐标两侧，最后再触碰顶面。最后停在其上方 _FA 处。
+help-cycle971-order-all-sides = 先在公称中间触碰顶面，再触碰纵坐标两侧求出其中间，在此触碰横坐标两侧，经求出的中间触碰纵坐标两侧，最后再触碰顶面。最后停在其上方 _FA 处。
 help-cycle971-wrong-depth = _TP[k,9] 为 0：刀具在侧面够不到测头，报警 61349。
 help-cycle971-wrong-unclear = 刀具所在处看不出要触碰哪一面：报警 61332。
 help-cycle971-wrong-edge = 刀刃没有转向测头：半径测得偏小，刀刃高度不同的刀具长度也偏小。
@@ -57,12 +57,12 @@ help-cycle982-wrong-fast = 触碰时铣削主轴转速高：损坏刀刃和测�
 help-cycle982-wrong-wrong-side = 起点在错误的一侧或在测头上方：报警 61332。
 help-cycle982-wrong-nose = 校准刀具的刀尖半径或长度不对：误差进入以后测量的每把刀具。
 
-help-tool-probe-known = 测头各面的位置大致已知：_TP（相对工件：_TPW）中的触发值。
+help-tool-probe-known = 测头各面的位置大致已知：_TP（相对工件：_TPW）中的触发点。
 help-tool-block = 对一个面：移到该面前 _FA 处，从那里最多走两倍 _FA 触碰，触发后退回。_NMSP 大于 1 时重复，取平均值。
 help-tool-reach = 刀具数据或测头数据的误差超过 _FA：不触发（61301），或途中触碰（61302）。
-help-tool-trigger = 测头数据：_TP（相对工件：_TPW）中的触发值，与原值相差大于 _TZL 时更新。超过 _TSA：报警 61303，不存储。
+help-tool-trigger = 测头数据：_TP（相对工件：_TPW）中的触发点，与原值相差大于 _TZL 时更新。超过 _TSA：报警 61303，不存储。
 help-tool-data = 当前刀具：写入几何值，磨损置 0；_CHBIT[3]=1 时只写磨损。差值不超过 _TZL：不补偿；达到 _TDIF：信息 62306，不补偿；达到 _TSA：报警 61303。
 help-tool-in-front = 刀具已在要触碰的面前，不超过两倍 _FA；不需要知道测头的数据。
 help-tool-from-here = 从当前位置最多走两倍 _FA 触碰，退回起点；没有其他移动。
-help-tool-trigger-always = 测头数据：_TP（相对工件：_TPW）中的触发值，不论原值如何都存储。
+help-tool-trigger-always = 测头数据：_TP（相对工件：_TPW）中的触发点，不论原值如何都存储。
 help-tool-unwatched = 没有极限监控结果：碰到别的东西也会当作测头存储。

@@ -22,4 +22,4 @@ help-cycle994-order-round-inside = 在孔内沿保护区移动：到 _SZO，再�
 help-cycle994-order-round-outside = 测外径时退到 _SZO，移到 _SZA，横过，返回；测内径时直接穿过孔。
 help-cycle994-corrects-half = 长度取直径偏差的一半。
 help-cycle994-wrong-zone = 保护区是以前的，或使测球放不下：撞到工件（61302），或无路可走（61334）。
-help-cycle994-wrong-ball = _CHBIT[7]=1 时用存储的测球直径代替两个触发值：它必须正确。
+help-cycle994-wrong-ball = _CHBIT[7]=1 时用存储的测球直径代替两个触发点：它必须正确。

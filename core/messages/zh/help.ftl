@@ -27,11 +27,11 @@ help-corrects-chain = 偏差超过 _TSA：报警 61303，程序停止。超过 _
 help-corrects-zero = 零点偏移，由 _KNUM 指定：移动量为实际值减设定值，使测得的位置得到其设定坐标；旋转不变。机床有精偏移时写入精偏移，_CHBIT[21]=1 时写入粗偏移。_KNUM=0 不补偿。
 help-corrects-zero-area = 偏差超过 _TSA 时报警 61303：程序停止，不作补偿。
 help-corrects-when = 重新编程其 G 功能（G54 …）后才生效；只有 _KNUM=9999 时立即生效。
-help-corrects-trigger = 测头数据：_WP 中与原值相差大于 _TZL 的触发值被更新。超过 _TSA：报警 61303，不存储。
+help-corrects-trigger = 测头数据：_WP 中与原值相差大于 _TZL 的触发点被更新。超过 _TSA：报警 61303，不存储。
 help-wrong-first = 首次校准：存储值为 0，_TSA 必须大于测球半径。
 help-wrong-later = 进给、平面、主轴位置或 _CBIT[14] 与以后测量时不同：存储的值在那里不适用。
 help-calibrated = 测头已在此平面、此测量的各方向、以相同的进给校准。
 help-uncalibrated = 测头不必校准；它各方向都能触发，主轴可以定位，_MA 在平面内。
 help-turned-over = 第一点先以主轴转过 180° 触碰，再以原位置触碰。取平均值，因此位置偏差抵消。
-help-turned-over-stored = 位置偏差和此方向的触发值（其中含位置偏差）也存入 _WP，只对主轴当前的角度有效。
+help-turned-over-stored = 位置偏差和此方向的触发点（其中含位置偏差）也存入 _WP，只对主轴当前的角度有效。
 help-no-spindle = 主轴不能定位：报警 61372。

@@ -10,4 +10,4 @@ param-fa-lathe-help = 从测量程序段起点到设定位置的距离；过了�
 check-lathe-probe = 当前刀具的类型为 { $type }：这些循环要用车床的测头。
 check-lathe-probe-hint = 请先用 D 号调用测头；其类型为 5xy，刀沿位置为 5 到 8。
 check-lathe-tip = 这里不允许测头的刀沿位置 { $tip }。
-check-lathe-tip-hint = 测头的位置为 5、6、7 或 8：测针所指的一侧。请更正 $TC_DP2。
+check-lathe-tip-hint = 测头的位置为 5、6、7 或 8：测针所指的一侧。请改正 $TC_DP2。

@@ -11,7 +11,7 @@ list-arguments-many-hint = 请核对逗号，删去多余的参数。
 list-selection = { $name } 的第 { $place } 个参数不能是 { $value }。
 list-selection-hint = 请选择 { $choices } 之一。
 
-newer-open = { $param } = { $value }：它在新型控制系统参数表中的含义这里不清楚。保留原样，不检查，也不仿真。
+newer-open = { $param } = { $value }：它在新型控制系统参数表中的含义这里不清楚。保留原样，不检查，也不模拟。
 newer-target = 第 2 个参数写了 { $value }：新型控制系统在这里写零点偏移号，而此测量方式不修正零点偏移。
 newer-target-hint = 零点偏移：参数 1 第 3 位设为 1；刀具补偿写在参数 3（S_KNUM1）；否则参数 2 留空。
 write-newer-tool = 新型控制系统的参数表把刀具补偿对象放在第 3 个参数（S_KNUM1），其编码这里不清楚。写在第 2 个参数，控制系统会以报警 61328 停止。
