@@ -6,7 +6,7 @@ cycle116-words = 圆 圆心 中心 半径 三点 四点 计算 圆弧 孔 轴 �
 cycle116-circle = 由点求圆心和半径
 cycle116-three = 三点
 cycle116-four = 四点
-cycle116-no-circle = 各点共线或重合；没有圆通过它们。
+cycle116-no-circle = 各点共线或重合：求不出圆。
 cycle116-no-circle-hint = 请在圆上选相距较远的点，例如每点相隔三分之一圆周。
 
 param-116-count = 点数
@@ -21,5 +21,5 @@ need-116-fourth = 选择了四点。
 result-116-abscissa = 圆心，横坐标
 result-116-ordinate = 圆心，纵坐标
 result-116-radius = 半径
-result-116-status = 0：已求出圆；1：未求出
-result-116-alarm = 0，或说明为何没有圆的报警号
+result-116-status = 0：已求出圆；1：没有圆
+result-116-alarm = 0，或没有圆时的报警号

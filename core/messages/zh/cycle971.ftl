@@ -6,15 +6,15 @@ cycle971-words = 测量 刀具 对刀仪 对刀 设定 预调 测量头 测头 �
 cycle971-each-words = 测量 刀具
 
 cycle971-calibrate = 校准刀具测头
-cycle971-calibrate-workpiece = 在工件坐标系中校准刀具测头
+cycle971-calibrate-workpiece = 校准刀具测头（工件坐标系）
 cycle971-still = 测量刀具，主轴静止
 cycle971-rotating = 测量刀具，主轴旋转
-cycle971-still-workpiece = 在工件坐标系中测量刀具，主轴静止
-cycle971-rotating-workpiece = 在工件坐标系中测量刀具，主轴旋转
+cycle971-still-workpiece = 测量刀具，主轴静止（工件坐标系）
+cycle971-rotating-workpiece = 测量刀具，主轴旋转（工件坐标系）
 cycle971-incremental = 增量校准刀具测头
-cycle971-incremental-workpiece = 在工件坐标系中增量校准刀具测头
-cycle971-automatic = 校准刀具测头的各面
-cycle971-automatic-workpiece = 在工件坐标系中校准刀具测头的各面
+cycle971-incremental-workpiece = 增量校准刀具测头（工件坐标系）
+cycle971-automatic = 自动校准刀具测头
+cycle971-automatic-workpiece = 自动校准刀具测头（工件坐标系）
 
 ma-abscissa-centred = 横坐标（G17：X），先在纵坐标求中心
 ma-ordinate-centred = 纵坐标（G17：Y），先在横坐标求中心
@@ -26,73 +26,73 @@ ma-length = 长度，在测头中心
 ma-length-abscissa = 长度，宽刀具在横坐标偏移（G17：X）
 ma-length-ordinate = 长度，宽刀具在纵坐标偏移（G17：Y）
 param-ma-measure-tool = 长度或半径
-param-ma-measure-tool-help = 测量什么，在哪个方向。比测头宽的刀具偏移其半径减 _ID，使其刀刃位于测头中心上方。
+param-ma-measure-tool-help = 测量的尺寸和方向。刀具比测头宽时偏移“刀具半径减 _ID”，使刀刃位于测头中心上方。
 param-id-calibrate = 宽校准刀具的偏移
-param-id-calibrate-help = 比测头宽的刀具从其中心偏移刀具半径减此值。通常为 0。
+param-id-calibrate-help = 刀具比测头宽时，偏离测头中心的量为刀具半径减此值。通常为 0。
 param-id-length = 从半径到刀刃最低点
-param-id-length-help = 刀刃最低点在半径以内的距离；刀具偏移其半径减此值。最低点就在半径处时为 0。
-param-id-radius = 从刀具端部到最宽处
-param-id-radius-help = 刀具最宽处高出端部的距离；刀具再下降这么多。端部最宽时为 0。
+param-id-length-help = 从半径向内到刀刃最低点的距离；刀具的偏移量为半径减此值。最低点就在半径处时为 0。
+param-id-radius = 刀具端部到最大直径处
+param-id-radius-help = 刀具端部到最大直径处的距离；刀具再下降此值。端部直径最大时为 0。
 param-fa-incremental = 带方向的测量行程
-param-fa-incremental-help = 从当前位置到触碰面的距离；正值朝正方向测量，负值朝负方向。过了该面再走同样的距离。始终以 mm 为单位。
+param-fa-incremental-help = 从当前位置到触碰面的距离；正值朝正方向测量，负值朝负方向。越过该面的行程与此相同。始终以 mm 为单位。
 
-need-axis-tool-probe = 必须给出测量轴。
-need-offset-edge = 循环用它放置刀具，否则沿用上次调用的值；普通刀刃请输入 0。
-need-offset-wide = 对比测头宽的刀具有意义。
-need-signed-path = 其符号就是测量方向。
+need-axis-tool-probe = 循环需要测量轴。
+need-offset-edge = 循环据此定位刀具；省略时沿用上次调用的值。普通刀刃请输入 0。
+need-offset-wide = 只在刀具比测头宽时有效。
+need-signed-path = 符号决定测量方向。
 
 result-actual-radius = 实际半径
 result-difference-radius = 半径的偏差
 
 check-path-sign = 测量行程必须大于 0。
-check-path-sign-hint = 请输入不带符号的 _FA；起点决定方向。只有增量校准用带符号的行程。
+check-path-sign-hint = 请不带符号输入 _FA；起点决定方向。只有增量校准使用符号。
 check-path-direction-hint = 请输入到测头的距离，负方向加负号。
-check-tool-probe-type = { $name } 不是刀具测头的类型。
+check-tool-probe-type = { $name } 不是允许的刀具测头类型。
 check-tool-probe-plane = { $name } 中的圆盘在此平面无法触碰。
 check-tool-probe-type-hint = 0 为方块；101 为 XY 平面的圆盘（G17），201 为 ZX（G18），301 为 YZ（G19）。
-check-tool-probe-depth = { $name } 为 0：在测头旁，刀具不会低于其上表面。
-check-tool-probe-depth-hint = 请输入测头上表面到刀具端部的距离。
-check-directions-code = { $name } = { $code } 没有给出方向。
+check-tool-probe-depth = { $name } 为 0：在测头旁，刀具不会下降到测头上沿之下。
+check-tool-probe-depth-hint = 请输入测头上沿到刀具下沿的距离。
+check-directions-code = { $name } = { $code } 不含允许的方向。
 check-directions-applicate = { $name } = { $code } 不允许在刀具轴负方向触碰。
 check-directions-hint = 百位 Z，十位 Y，个位 X：0 不触碰，1 负，2 正，3 两者。刀具轴须为 1 或 3；默认值为 133。
 check-tool-type-drill = 钻头（类型 { $type }）没有可测的半径。
 check-tool-length-zero = 当前刀具的长度 L1 为 0。
 check-tool-radius-zero = 当前刀具的半径为 0。
-check-tool-zero-hint = 请在刀具数据中输入近似尺寸；校准刀具请输入精确尺寸。
-check-offset-missing = 刀具宽 { $tool } mm，比测头的 { $edge } mm 宽；_ID 决定它放在哪里。
+check-tool-zero-hint = 请在刀具数据中输入近似尺寸，校准刀具则输入精确尺寸。
+check-offset-missing = 刀具宽 { $tool } mm，比测头的 { $edge } mm 宽：_ID 决定其位置。
 check-offset-missing-hint = 若其最外点应位于测头中心上方，请输入 0。
-check-offset-large = _ID 大于刀具半径 { $radius } mm：会偏移到另一侧。
+check-offset-large = _ID 大于刀具半径 { $radius } mm：刀具会偏移到另一侧。
 check-offset-large-hint = 请输入从半径向内的距离。
-check-offset-abscissa = 刀具宽 { $tool } mm，比测头的 { $edge } mm 宽；它在横坐标偏移。
+check-offset-abscissa = 刀具宽 { $tool } mm，比测头的 { $edge } mm 宽：循环使其在横坐标偏移。
 check-offset-abscissa-hint = 请选 103 或 203 指明偏移的轴。
 check-mfs-missing = 没有设置 { $name }：缺少某次触碰的转速或进给。
 check-mfs-missing-hint = 请在机床数据中设置 _MFS[0]、[2]、[4] 的转速和 _MFS[1]、[3]、[5] 的进给，或用 _CBIT[12]=0 让循环计算。
-check-mfs-third = { $name } 为 0：_MFS[4] 和 [5] 的第三次触碰不会发生。
+check-mfs-third = { $name } 为 0：省去第三次触碰（_MFS[4] 和 [5]）。
 check-mfs-third-hint = 请也设置第二次触碰的转速和进给，或把 _MFS[4] 设为 0。
 check-cm-direction = { $name } 没有给出主轴静止时的旋转方向。
-check-cm-direction-hint = 请在机床数据中设 3 为 M3，或 4 为 M4。
+check-cm-direction-hint = 请在机床数据中设为 3（M3）或 4（M4）。
 check-cm-zero = { $name } 为 0：测量的转速或进给会为 0。
 check-cm-zero-hint = 请在机床数据中设置极限：_CM[0] 圆周速度，[1] 主轴转速，[3] 精度，[4] 最大进给。
-check-cm-factor = { $name } 应为 0，或不小于 1。
+check-cm-factor = { $name } 必须为 0 或不小于 1。
 check-cm-factor-hint = 0 省去这次触碰；否则进给乘以该系数。
-check-cm-order = { $name } 应小于 _CM[6]：每次触碰都比前一次慢。
-check-cm-order-hint = 请设较小的进给系数 2，或设 0 只触碰两次。
-check-compensation-make = 不会补偿：_MT_COMP=1 需要 { $name } 中测头的型号。
+check-cm-order = { $name } 不小于 _CM[6]，而每次触碰必须比前一次慢。
+check-cm-order-hint = 请减小进给系数 2，或设为 0，只触碰两次。
+check-compensation-make = 不作补偿：_MT_COMP=1 时需要在 { $name } 中设置测头型号。
 check-compensation-make-hint = 请把 _TP_CF 设为 1（TT130）或 2（TS27R），或用自己的表并设 _MT_COMP=2。
-check-compensation-inside = 控制系统会按该型号测头的补偿表修正测量值。该表在控制系统内部，手册中没有：预测不作扣除。
-check-compensation-inside-hint = 设 _MT_COMP=2 时，控制系统和此处都使用 { $name } 中的用户自定义表。
-check-compensation-table = { $name } 中的半径或圆周速度没有递增；可能取到错误的补偿。
+check-compensation-inside = 控制系统扣除该型号测头的内部补偿表，手册中没有该表：预测不作扣除。
+check-compensation-inside-hint = 请设 _MT_COMP=2：控制系统和模拟都使用 { $name } 中的用户自定义表。
+check-compensation-table = { $name } 中的半径或圆周速度不是递增的：补偿可能错误。
 check-compensation-table-hint = 请在 [0,1] 到 [0,4] 输入递增的半径，在 [1,0] 到 [5,0] 输入递增的速度，或设 _MT_COMP=0。
 
 param-mfs-speed-1 = 转速，第一次触碰
-param-mfs-speed-1-help = 每分钟转数。
+param-mfs-speed-1-help = 单位 r/min。
 param-mfs-feed-1 = 进给，第一次触碰
 param-mfs-feed-1-help = 第一次触碰时朝向刀具测头的进给。
 param-mfs-speed-2 = 转速，第二次触碰
-param-mfs-speed-2-help = 每分钟转数。0：只触碰一次。
+param-mfs-speed-2-help = 单位 r/min。0：第一次触碰后结束测量。
 param-mfs-feed-2 = 进给，第二次触碰
 param-mfs-feed-2-help = 第二次触碰时朝向刀具测头的进给。
 param-mfs-speed-3 = 转速，第三次触碰
-param-mfs-speed-3-help = 每分钟转数。0：第二次为最后一次。
+param-mfs-speed-3-help = 单位 r/min。0：第二次触碰后结束测量。
 param-mfs-feed-3 = 进给，第三次触碰
 param-mfs-feed-3-help = 第三次触碰时朝向刀具测头的进给。

@@ -1,7 +1,7 @@
 # CYCLE976：标题、搜索词、测量方式，及其自有参数、检查和结果。
 
 cycle976-title = 校准工件测头
-cycle976-help = 在直径已知的环规或位置已知的表面上，求出测头在哪个位置触发，并存入测头数据 _WP，以后的测量都从那里取用。
+cycle976-help = 在直径已知的环规中或位置已知的表面上，求出测头的触发位置，并存入测头数据 _WP。以后的测量都使用它。
 cycle976-words = 校准 工件 测量头 测头 测针 环规 量规 孔 镗孔 表面 触发 点 值 测球 直径 半径 偏斜 位置 偏差 跳动 长度 L1 基准 探头
 cycle976-each-words = 触发 点 孔
 
@@ -68,15 +68,15 @@ param-setval-ring-help = 环规或孔的精确直径；其误差进入每个触�
 param-setval-surface = 表面的位置
 param-setval-surface-help = 测量轴上工件坐标系中的精确位置。
 param-ma-calibrated = 校准的轴
-param-ma-calibrated-help = 另一个轴保留其触发点。
+param-ma-calibrated-help = 另一个轴的触发点保持不变。
 param-sta1-calibration = 校准角度
-param-sta1-calibration-help = 测头以与横坐标所成的此角度触碰，然后每隔 90°，而不是沿轴。
+param-sta1-calibration-help = 测头不沿轴触碰，而是与横坐标成此角度，然后每隔 90° 触碰。
 param-fa-unknown = 测量行程
-param-fa-unknown-help = 必须大于起点偏离中心的距离：直径的一半是合适的值。最多走两倍行程。始终以 mm 为单位。
+param-fa-unknown-help = 必须大于起点到中心的距离，宜取直径的一半。测头最多走此行程的两倍。始终以 mm 为单位。
 param-fa-length = 测量行程
-param-fa-length-help = 从调用时的位置到表面不得超过此距离的两倍。始终以 mm 为单位。
+param-fa-length-help = 表面离调用时的位置不得超过此距离的两倍。始终以 mm 为单位。
 param-tsa-trigger = 触发点的安全区
-param-tsa-trigger-help = 新触发点与存储值相差更大时，程序以报警 61303 停止。首次校准时存储值为 0，此值必须大于测球半径。
+param-tsa-trigger-help = 新触发点与存储值相差大于此值时，程序以报警 61303 停止。首次校准（存储值为 0）时，此值必须大于测球半径。
 param-tzl-trigger = 触发点的零补偿区
 param-tzl-trigger-help = 新触发点与存储值相差不超过此值时，保留存储值；0 存储每个新值。
 
@@ -89,15 +89,15 @@ need-angle-calibration = 此测量方式成角度校准。
 check-positive-hint = 请输入大于 0 的值。
 check-reversal-spindle = 此测量方式要把测头转 180°，但主轴不能定位。
 check-reversal-spindle-hint = 请在中心已知的孔中校准，或在主轴可定向的机床上校准。
-check-first-calibration = 此测头没有存储触发点：新值全部算作偏差，约 { $ball } mm，大于 _TSA。
-check-first-calibration-hint = 首次校准时请把 _TSA 选得大于 { $ball } mm。
-check-calibration-mirror = 有轴被镜像：测头须在未镜像的坐标系中校准。
+check-first-calibration = 没有存储触发点：偏差就是整个新值，约 { $ball } mm，大于 _TSA。
+check-first-calibration-hint = 请在首次校准时把 _TSA 加大到大于 { $ball } mm。
+check-calibration-mirror = 有轴被镜像，而测头须在未镜像的坐标系中校准。
 check-calibration-mirror-hint = 请在调用前取消镜像；测量时可以有镜像。
 check-calibration-band = 不会存储任何值：偏差须大于 _TZL 且不大于 _TSA。
-check-calibration-band-hint = 请使 _TZL 小于 _TSA；0 存储每个新值。
-check-skew-lost = 位置偏差会顺便求出，但不存储。
+check-calibration-band-hint = 请把 _TZL 减小到小于 _TSA；0 存储每个新值。
+check-skew-lost = 循环求出位置偏差，但不存储。
 check-skew-lost-hint = 若以后的测量要用位置偏差，请选“求出”。
-check-applicate-plus = 测头须从下方朝刀具轴正方向触碰。
+check-applicate-plus = 测头须逆着刀具轴的进刀方向触碰。
 check-applicate-plus-hint = 除非测针能从下方触碰，否则请选另一个方向（刀具轴向上时为 1，即负）。
 
 result-ball-diameter = 有效测球直径
