@@ -1,7 +1,7 @@
 # CYCLE982：标题、搜索词、测量方式，及其自有参数、选项和检查。
 
 cycle982-title = 车床刀具测头：校准，测量车刀、铣刀和钻头
-cycle982-help = 在各面沿轴方向的刀具测头上测量车刀、铣刀或钻头的长度 L1 和 L2 以及铣刀的半径，或用刀沿位置 3、长度和刀尖半径已知的刀具校准该测头的一个面。
+cycle982-help = 在各面平行于轴的刀具测头上测量车刀、铣刀或钻头的长度 L1 和 L2 以及铣刀的半径，或用刀沿位置 3 的已知刀具校准测头的一个面。
 cycle982-words = 测量 刀具 对刀仪 对刀 预调 车床 车削 车铣 动力刀具 刀具测量头 测头 方块 校准 长度 L1 L2 半径 直径 刀片 刀尖 刀沿位置 钻头 立铣刀 槽铣刀 T形槽铣刀 反转 增量 自动 磨损 几何 触发点 车刀 刀补 磨耗
 cycle982-each-words = 车床 测量 刀具
 
@@ -89,11 +89,11 @@ extent-radius = 只测半径；用于单次测量
 extent-radius-words = 直径
 extent-length-radius = 长度和半径，从两个面；用于单次测量，非增量
 extent-length-radius-words = 直径 两点
-extent-upper = 上刀刃，绕过远侧；只用于自动测量
+extent-upper = 上刀刃，远侧；只用于自动测量
 extent-upper-words = 槽铣刀 T形槽铣刀 圆盘 长度 半径
 extent-upper-opposite = 上刀刃，逆接近方向测长度；只用于自动测量
 extent-upper-opposite-words = 槽铣刀 T形槽铣刀 圆盘 长度 半径 相反方向
-mvar-tool-axis = 铣刀或钻头的位置
+mvar-tool-axis = 铣刀或钻头的安装位置
 tool-axis-axial = 轴向：半径在纵坐标（G18：X）
 tool-axis-radial = 径向：半径在横坐标（G18：Z）
 ma-lathe-radius = 半径，在横坐标触碰（G18：Z）
@@ -102,41 +102,41 @@ ma-lathe-l2-radius = L2 和半径，在横坐标触碰（G18：Z）
 ma-lathe-l1-radius = L1 和半径，在纵坐标触碰（G18：X）
 
 param-ma-lathe-measured = 测量的尺寸
-param-ma-lathe-measured-help = 测量什么，也就决定在哪个轴触碰测头。轴向刀具的半径在纵坐标，径向刀具的半径在横坐标。起点对着测头要触碰的面。
+param-ma-lathe-measured-help = 要测量的尺寸，也决定在哪个轴触碰。轴向刀具的半径在纵坐标，径向刀具的半径在横坐标。起点对着要触碰的面。
 param-md-incremental = 测量方向
 param-md-incremental-help = 刀具从当前位置移向测头的方向。
 param-sta1-milling-spindle = 铣削主轴的起始角
 param-sta1-milling-spindle-help = 静止的铣削主轴在第一次触碰前转到的角度，使一个刀刃对着测头。主轴旋转时和 _CHBIT[20]=1 时无效。
 param-cora-second-edge = 第二刀刃的补偿角
-param-cora-second-edge-help = 加到第二次触碰前主轴所转的 180° 上；用于不正好在对面的第二刀刃。
+param-cora-second-edge-help = 第二刀刃不正好在对面时，加到第二次触碰前主轴所转的 180° 上。
 param-fa-present-position = 测量行程
-param-fa-present-position-help = 刀具在测头前；从该处起在此距离的两倍之内触碰。始终以 mm 为单位，X 轴按半径计。
+param-fa-present-position-help = 刀具位于测头前，必须在此距离的两倍之内触碰。始终以 mm 为单位，X 轴按半径计。
 
-need-axis-ignored = 不使用此值：该钻头的长度沿垂直坐标计（设定数据 42950 = 0）。
+need-axis-ignored = 忽略：该钻头的长度沿垂直坐标计（设定数据 42950 = 0）。
 need-direction-incremental = 增量方式不考虑起点。
-need-start-angle-spindle = 静止的铣削主轴转到此角度；否则沿用上次调用的值。
+need-start-angle-spindle = 静止的铣削主轴转到此角度；省略时沿用上次调用的值。
 need-start-angle-milling = 对铣刀有效。
 need-second-edge = 对 180° 换向的第二次触碰有效。
 
-check-tool-reference = _CBIT[5]=1：_TP 的值按有效工件坐标系取用，尽管 _MVAR 第 2 位写的是机床。
-check-tool-reference-hint = 该开关早于 _MVAR 第 2 位。请把它设为 0，需要工件坐标系（_TPW）时在测量方式中选择。
-check-lathe-tool-type-hint = 可测量车刀（类型 5xy）、铣刀（1xy、711 到 799）和钻头（2xy）；请检查 $TC_DP1。
+check-tool-reference = _CBIT[5]=1：_TP 的值按有效工件坐标系，尽管 _MVAR 第 2 位为机床坐标系。
+check-tool-reference-hint = 请把该位设为 0：它早于 _MVAR 第 2 位。需要时选择工件坐标系的测量方式（_TPW）。
+check-lathe-tool-type-hint = 请用车刀（类型 5xy）、铣刀（1xy、711 到 799）或钻头（2xy），并检查 $TC_DP1。
 check-turning-digits = { $value } 的第 3 到 5 位用于铣刀和钻头，而当前是车刀。
 check-turning-digits-hint = 车刀请选 { $plain }，或在调用前换上铣刀。
-check-tip-direction = 刀沿位置 { $tip } 的刀具朝向另一边：会用背面碰测头。
-check-tip-direction-hint = 请让刀具位于测头的另一侧并改变 _MD，或检查 $TC_DP2。
-check-drill-radius = 不测量钻头的半径。
-check-drill-radius-hint = 请选第 4 位为 0 的测量方式，或换上铣刀；请检查 $TC_DP1。
-check-drill-plane = 设定数据 42950 = 0 时，G18 中钻头的长度沿 Y 计，该轴不测量。
-check-drill-applicate = 设定数据 42950 = 0 时只测量钻头的长度：在一个轴，不换向。
-check-drill-applicate-hint = 请在 G17（钻头沿 Z）或 G19（沿 X）中选 1、11、100001 或 100011，或把该数据设为 2 并用 G18。
-check-length-assignment = 设定数据 42950 为 { $value }：铣刀和钻头的 L1 和 L2 与车刀的方向不同。
+check-tip-direction = 刀沿位置 { $tip } 的刀具朝向相反：背面会碰到测头。
+check-tip-direction-hint = 请从测头的另一侧开始并改变 _MD，或检查 $TC_DP2。
+check-drill-radius = 循环不测量钻头的半径。
+check-drill-radius-hint = 请选第 4 位为 0 的测量方式，或换上铣刀，并检查 $TC_DP1。
+check-drill-plane = 设定数据 42950 = 0 时，G18 中钻头的长度沿 Y 计，循环不测量该轴。
+check-drill-applicate = 设定数据 42950 = 0 时，循环只测量钻头的长度：在一个轴，不带 180° 换向。
+check-drill-applicate-hint = 请在 G17（钻头沿 Z）或 G19（沿 X）中选 1、11、100001 或 100011，或把该设定数据设为 2 并用 G18。
+check-length-assignment = 设定数据 42950 为 { $value }：铣刀和钻头的 L1、L2 分配与车刀不同。
 check-length-assignment-hint = 请在调用前把 $SC_TOOL_LENGTH_TYPE 设为 2；G17 或 G19 中的钻头也可以用 0。
-check-spindle-stays = 此方式要转动主轴或测量两次，而 _CHBIT[20]=1 使其保持不动。
-check-spindle-stays-hint = 请把 _CHBIT[20] 设为 0，或选 xxx0x1（x 为 0 或 1）的测量方式：一点，不换向。
-check-spindle-turns = 铣削主轴要转到 _STA1，但它不能定位。
-check-spindle-turns-hint = 请在调用前把刀刃转向测头，把 _CHBIT[20] 设为 1 并选 xxx0x1 的测量方式：一点，不换向。
-check-side-radius = 刀具用侧面触碰，但其半径为 0：无法求出长度。
+check-spindle-stays = 此测量方式要转动主轴或测量两次，而 _CHBIT[20]=1 禁止主轴定位。
+check-spindle-stays-hint = 请把 _CHBIT[20] 设为 0，或选 xxx0x1（x 为 0 或 1）的测量方式：一点，不带 180° 换向。
+check-spindle-turns = 铣削主轴须转到 _STA1，但主轴不能定位。
+check-spindle-turns-hint = 请把刀刃转向测头，把 _CHBIT[20] 设为 1 并选 xxx0x1 的测量方式：一点，不带 180° 换向。
+check-side-radius = 刀具用侧面触碰，但其半径为 0：求不出长度。
 check-side-radius-hint = 请在刀具数据中输入半径，或在沿刀具的轴上测量。
-check-radius-length = 刀具的 { $length } 为 0；半径以它为基准测量。
+check-radius-length = 刀具的 { $length } 为 0，而半径由该长度计算。
 check-radius-length-hint = 请先测量或输入该长度，或同时测长度和半径（第 4 位 = 2）。
