@@ -1,25 +1,25 @@
 # Help pages of the cycles at a tool probe.
 
-help-tool-in-use = 刀具已换上，其 D 号有效；已编程平面和 G40。其长度在刀具数据中（校准时精确，否则大致）。
-help-tool-not-turned = 没有坐标系旋转；测头各面平行于轴。
-help-tool-chip = 刀刃或测头上的切屑、冷却液使刀具显得偏长。
+help-tool-in-use = 刀具已换上，其 D 号有效；已编程平面和 G40。其长度已输入刀具数据：校准时精确，否则近似。
+help-tool-not-turned = 没有坐标旋转；测头各面平行于轴。
+help-tool-chip = 刀刃或测头上的切屑、冷却液使测得的刀具偏长。
 
 help-cycle971-measures-side = 用长度和半径已知的刀具测出刀具测头一个面的位置。
 help-cycle971-measures-sides = 用长度和半径已知的刀具测出 _TP[k,7]（相对工件：_TPW[k,7]）所列刀具测头各面的位置。
 help-cycle971-measures-tool = 铣刀或钻头的长度 L1（_MA = 3、103、203）或半径（_MA = 1、2）。
 help-cycle971-before-still = 主轴静止，刀刃已转向测头；循环不转动主轴。
-help-cycle971-before-rotating = 转速和进给在 _CM[] 中，_CBIT[12]=1 时在 _MFS[] 中。已旋转的主轴保持方向，静止的主轴取 _CM[5] 的方向。
+help-cycle971-before-rotating = 转速和进给已在 _CM[] 中设置，_CBIT[12]=1 时在 _MFS[] 中。旋转的主轴保持方向，静止的主轴取 _CM[5] 的方向。
 help-cycle971-before-clear = 刀具在要触碰的一侧，离开测头：测长度在其上方，测半径在其旁边。
 help-cycle971-before-parallel = 刀具轴平行于测头中心线。
-help-cycle971-before-over = 刀具从所在处能先沿刀具轴移到测头顶面上方 _FA 处，再横向移到其中间。
+help-cycle971-before-over = 刀具从所在位置能先上下移到测头顶面上方 _FA 处，再横向移到其中间。
 help-cycle971-order-beside = 在侧面：先在另一轴移到测头中间，再到该面旁，下降到顶面以下 _TP[k,9] 处，触碰，退回。最后停在该深度。
-help-cycle971-order-on-top = 在顶面（_MA = 3、103、203）：移到中间上方，下降，触碰；比测头宽的刀具朝起点一侧偏移其半径减 _ID，在横坐标（3、103）或纵坐标（203），钻头不偏移。最后停在上方 _FA 处。
+help-cycle971-order-on-top = 在顶面（_MA = 3、103、203）：移到中间上方，下降，触碰；比测头宽的刀具向起点一侧偏移“半径减 _ID”，在横坐标（3、103）或纵坐标（203），钻头不偏移。最后停在上方 _FA 处。
 help-cycle971-order-centre-first = _MA = 102 或 201 时，先在另一轴触碰两次求出中间。
-help-cycle971-order-widest = 测半径时刀具再下降 _ID，以最宽处触碰。
+help-cycle971-order-widest = 测半径时刀具再下降 _ID，以最大直径处触碰。
 help-cycle971-order-turning = 触碰一到三次，一次比一次慢（_CM[6]、_CM[7]）；以最后一次为准。原来静止的主轴再停下。
-help-cycle971-order-all-sides = 先在公称中间触碰顶面，再触碰纵坐标两侧求出其中间，在此触碰横坐标两侧，经求出的中间触碰纵坐标两侧，最后再触碰顶面。最后停在其上方 _FA 处。
-help-cycle971-wrong-depth = _TP[k,9] 为 0：刀具在侧面够不到测头，报警 61349。
-help-cycle971-wrong-unclear = 刀具所在处看不出要触碰哪一面：报警 61332。
+help-cycle971-order-all-sides = 先在设定的中间触碰顶面，再触碰纵坐标两侧，在此触碰横坐标两侧，经求出的中间触碰纵坐标两侧，最后再触碰顶面。最后停在其上方 _FA 处。
+help-cycle971-wrong-depth = _TP[k,9] 为 0：刀具在测头旁够不到测头，报警 61349。
+help-cycle971-wrong-unclear = 从刀具位置看不出要触碰哪一面：报警 61332。
 help-cycle971-wrong-edge = 刀刃没有转向测头：半径测得偏小，刀刃高度不同的刀具长度也偏小。
 help-cycle971-wrong-master = 校准刀具尺寸不准：其误差进入以后测量的每把刀具。
 help-cycle971-wrong-no-data = 刀具的长度或半径为 0：报警 61351。
@@ -35,7 +35,7 @@ help-cycle982-measures-side = 用刀沿位置 3、长度和刀尖半径已知的
 help-cycle982-measures-one-length = 车刀、铣刀或钻头的一个长度：_MA=1 为 L2，_MA=2 为 L1。
 help-cycle982-measures-radius = 铣刀的半径；半径所在轴上的长度必须已知。
 help-cycle982-measures-both = 铣刀的半径以及同一轴上的长度。
-help-cycle982-measures-all = 当前刀具所具有的一切：车刀的两个长度（刀沿位置 5 到 8 只有一个）、铣刀的两个长度和半径、钻头的长度。
+help-cycle982-measures-all = 当前刀具的全部值：车刀的两个长度（刀沿位置 5 到 8 只有一个）、铣刀的两个长度和半径、钻头的长度。
 help-cycle982-measures-upper = 铣刀在靠近刀柄的上刀刃处的长度和半径，例如切槽铣刀。
 help-cycle982-before-outside = 刀具在平面两个轴上都位于测头之外、要触碰的一侧；Y 轴对着测头中间。
 help-cycle982-before-setting = 测铣刀和钻头时 SD42950 为 2。
@@ -47,22 +47,22 @@ help-cycle982-order-reversal = 每点触碰两次，第二次主轴再转 180° 
 help-cycle982-order-length = 在另一轴移到测头中间，再以刀尖移到该面，触碰，退回。最后停在该面前 _FA 处。
 help-cycle982-order-radius = 以铣刀侧刃触碰，在半径所在的轴上。
 help-cycle982-order-both = 铣刀侧刃先触碰起点一侧的面，再绕过测头触碰对面。不换向时，静止的主轴为此转 180°，使同一刀刃触碰。
-help-cycle982-order-all = 先横坐标，后纵坐标，绕测头移动；铣刀的每一侧都以转到该处的刀刃触碰。最后停在起点。
+help-cycle982-order-all = 先横坐标，后纵坐标，绕测头移动；铣刀每一侧都以对着测头的刀刃触碰。最后停在起点。
 help-cycle982-order-upper-behind = 在背离起点的一侧绕过测头，从那里测长度，再测两侧。最后停在起点。
-help-cycle982-order-upper-across = 先越过测头，朝起点方向回头测长度，再测两侧。最后停在起点。
+help-cycle982-order-upper-across = 先越过测头，朝起点方向返回测长度，再测两侧。最后停在起点。
 help-cycle982-corrects-geometry = 当前刀具：值写入几何值，磨损置 0，不论原值如何。
 help-cycle982-wrong-axis = 半径不在 _MA 轴上：报警 61325。
-help-cycle982-wrong-drill-radius = 刀具是钻头，没有可测的半径：报警 61314。
-help-cycle982-wrong-fast = 触碰时铣削主轴转速高：损坏刀刃和测头。请低速旋转。
+help-cycle982-wrong-drill-radius = 刀具是钻头，循环不测量其半径：报警 61314。
+help-cycle982-wrong-fast = 触碰时铣削主轴转速高：损坏刀刃和测头。请降低转速。
 help-cycle982-wrong-wrong-side = 起点在错误的一侧或在测头上方：报警 61332。
 help-cycle982-wrong-nose = 校准刀具的刀尖半径或长度不对：误差进入以后测量的每把刀具。
 
-help-tool-probe-known = 测头各面的位置大致已知：_TP（相对工件：_TPW）中的触发点。
+help-tool-probe-known = 测头各面的近似位置已输入：_TP（相对工件：_TPW）中的触发点。
 help-tool-block = 对一个面：移到该面前 _FA 处，从那里最多走两倍 _FA 触碰，触发后退回。_NMSP 大于 1 时重复，取平均值。
 help-tool-reach = 刀具数据或测头数据的误差超过 _FA：不触发（61301），或途中触碰（61302）。
-help-tool-trigger = 测头数据：_TP（相对工件：_TPW）中的触发点，与原值相差大于 _TZL 时更新。超过 _TSA：报警 61303，不存储。
-help-tool-data = 当前刀具：写入几何值，磨损置 0；_CHBIT[3]=1 时只写磨损。差值不超过 _TZL：不补偿；达到 _TDIF：信息 62306，不补偿；达到 _TSA：报警 61303。
-help-tool-in-front = 刀具已在要触碰的面前，不超过两倍 _FA；不需要知道测头的数据。
-help-tool-from-here = 从当前位置最多走两倍 _FA 触碰，退回起点；没有其他移动。
+help-tool-trigger = 测头数据：_TP（相对工件：_TPW）中的触发点，与存储值相差大于 _TZL 时更新。超过 _TSA：报警 61303，不存储。
+help-tool-data = 当前刀具：写入几何值，磨损置 0；_CHBIT[3]=1 时只写磨损。偏差不超过 _TZL：不补偿；达到 _TDIF：信息 62306，不补偿；达到 _TSA：报警 61303。
+help-tool-in-front = 刀具已在要触碰的面前，不超过两倍 _FA；不需要测头的数据。
+help-tool-from-here = 从所在位置最多走两倍 _FA 触碰，退回起点；没有其他移动。
 help-tool-trigger-always = 测头数据：_TP（相对工件：_TPW）中的触发点，不论原值如何都存储。
-help-tool-unwatched = 没有极限监控结果：碰到别的东西也会当作测头存储。
+help-tool-unwatched = 没有极限监控结果：刀具若碰到测头以外的物体，也存储该位置。

@@ -1,6 +1,6 @@
 # Help pages of the cycles that measure a workpiece on turning machines.
 
-help-turning-probe = 测头（类型 5xy）在工作位置，其 D 号和 G40 有效；坐标系没有旋转和比例系数。
+help-turning-probe = 测头（类型 5xy）在工作位置，其 D 号和 G40 有效；没有旋转和比例系数。
 help-turning-diameter = 直径和半径混淆：DIAMON 有效时 X 的设定值和公差是直径，_FA 和补偿量不是。
 
 help-cycle974-measures-point = 车削件上一点的位置：从一侧测的直径、端面，或第三轴上的一点。
@@ -8,18 +8,18 @@ help-cycle974-before-opposite = 测球对着该点，距离大于 _FA；从那�
 help-cycle974-before-chuck = 夹持工件的主主轴可以定位。
 help-cycle974-order-axis = 只有测量轴移动；最后停在表面前 _FA 处。
 help-cycle974-order-reversal = 主轴转到 _STA1 触碰该点，再转 180° 触碰一次。取平均值，因此跳动抵消。
-help-cycle974-corrects-half = 长度取沿该轴的偏差：直径偏差的一半。
+help-cycle974-corrects-half = 长度按其轴向的偏差补偿：直径偏差的一半。
 help-cycle974-corrects-one-axis = 只补偿测量轴。
 help-cycle974-wrong-side = 起点在错误的一侧，或离表面在 _FA 以内。
 help-cycle974-wrong-run-out = 工件有跳动：一点不代表其直径。请用换向测量。
 
 help-cycle994-measures-diameter = 由相对的两点测量车削件以工件零点为中心的直径。
 help-cycle994-before-plus-side = 测球对着正侧的点，距离大于 _FA。
-help-cycle994-before-inside = 测球在孔内；_SZA 和 _SZO 描述孔内需绕过之物，并包含测球半径。
-help-cycle994-before-either = 测球所在位置决定内外：比设定值更外则测外径，需绕过保护区 _SZA、_SZO（包含测球半径）；更内则测内径。
+help-cycle994-before-inside = 测球在孔内；_SZA 和 _SZO 描述孔内的障碍物，并包含测球半径。
+help-cycle994-before-either = 起点决定内外：比设定值靠外则测外径，绕过保护区 _SZA、_SZO（包含测球半径）；靠内则测内径。
 help-cycle994-order-plus-first = 先触碰正侧的点，再触碰负侧的点；最后停在后者前 _FA 处。
 help-cycle994-order-round-inside = 在孔内沿保护区移动：到 _SZO，再到 _SZA，横过，返回。
 help-cycle994-order-round-outside = 测外径时退到 _SZO，移到 _SZA，横过，返回；测内径时直接穿过孔。
-help-cycle994-corrects-half = 长度取直径偏差的一半。
-help-cycle994-wrong-zone = 保护区是以前的，或使测球放不下：撞到工件（61302），或无路可走（61334）。
-help-cycle994-wrong-ball = _CHBIT[7]=1 时用存储的测球直径代替两个触发点：它必须正确。
+help-cycle994-corrects-half = 长度按直径偏差的一半补偿。
+help-cycle994-wrong-zone = 保护区沿用以前的调用，或放不下测球：测头撞到工件（61302），或没有可走的路径（61334）。
+help-cycle994-wrong-ball = _CHBIT[7]=1 时用存储的测球直径代替两个触发点：该直径必须正确。
