@@ -18,4 +18,4 @@ write-newer-tool = 新型控制系统的刀具补偿对象在第 3 个参数（S
 write-newer-zero = 新型控制系统参数表中零点偏移 { $value } 的含义未知；已知的只有 1 到 99 和 9999。
 write-newer = { $param } = { $value } 在新型控制系统参数表中含义不同或未知。
 convert-newer = { $param } = { $value }：旧型参数表没有与新型参数表中此值对应的值，或其含义未知。
-convert-newer-hint = 请把调用重新写成赋值和调用。
+convert-newer-hint = 请把调用重新写成赋值形式。

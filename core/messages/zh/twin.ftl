@@ -1,19 +1,19 @@
 # 另一种控制系统上的同一任务。
-twin-middle = 给出公差时，设定值取两个极限的中间值，刀具按此值补偿。
+twin-middle = 给出公差时，设定值为公差带的中值，刀具按此值补偿。
 twin-no-zero = 另一种控制系统中没有与所补偿的零点偏移对应的编号：请选择一个。
 twin-at-once = 在 NCT 上补偿后的零点偏移立即生效；在 SINUMERIK 上再次编程后生效，{ "_KNUM" }=9999 时立即生效。
 twin-names = 第五和第六个零点偏移在 NCT 上是 G58 和 G59，在 SINUMERIK 上是 G505 和 G506。
-twin-register = 假定 NCT 的寄存器号与刀具号相同；如不同请改正。
-twin-depth = 在 NCT 上深度是刀具轴坐标，在 SINUMERIK 上是从起点向下的行程（{ "_ID" }）。这里按起点在 { $axis }{ $height } 换算。
+twin-register = 假定 NCT 的寄存器号与刀具号相同；若不同请改正。
+twin-depth = 在 NCT 上深度是刀具轴坐标，在 SINUMERIK 上是从起点的进刀深度（{ "_ID" }）。这里按起点在 { $axis }{ $height } 换算。
 twin-corner = SINUMERIK：两条边可以倾斜，零点偏移随第一条边旋转；NCT：两壁平行于轴。四个拐角中是哪一个，在 SINUMERIK 由 { "_STA1" } 和 { "_INCA" } 决定，在 NCT 由起点决定。
 twin-ball = SINUMERIK 存储测头的触发点，NCT 存储有效测球半径 { "#500" } 至 { "#503" }。
 twin-length = SINUMERIK 补偿当前刀具的长度，NCT 补偿 T 中寄存器的长度。
 twin-only = 另一种控制系统没有对应项：{ $cycle } 的 { $names }。
-twin-example = 另一种控制系统需要而本调用没有，取自 { $cycle } 的示例：{ $names }。
+twin-example = 另一种控制系统需要而此调用没有，因此取自 { $cycle } 的示例数据：{ $names }。
 task-bore = 孔
 task-boss = 圆凸台
 task-pocket = 型腔或槽
-task-web = 凸台（键）
+task-web = 凸台
 task-wall = 垂直于平面轴的表面
 task-face = 垂直于刀具轴的表面
 task-inner-corner = 内拐角
@@ -23,8 +23,8 @@ task-length = 校准长度
 meaning-nominal = 设定值
 meaning-axis = 轴
 meaning-depth = 深度（坐标）
-meaning-corner-1 = 角点，第 1 轴
-meaning-corner-2 = 角点，第 2 轴
+meaning-corner-1 = 拐角，第 1 轴
+meaning-corner-2 = 拐角，第 2 轴
 meaning-half = 公差的一半
 meaning-limit = 超过此值不补偿
 meaning-reach = 越过设定位置的行程

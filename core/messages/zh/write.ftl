@@ -1,24 +1,24 @@
 # 调用的写法，以及各写法不能表达的内容。
 
 write-no-list = { $cycle } 没有这种调用。
-write-no-list-variant = { $cycle } 的这种测量方式或补偿对象不能写成这种调用。
-write-variant-open = 这种调用用参数选择测量方式，而 { $value } 在运行时才知道。
-write-no-list-hint = 请写成赋值和调用。
+write-no-list-variant = { $cycle } 的此测量方式或补偿对象不能用这种书写方式。
+write-variant-open = 参数决定测量方式，而 { $value } 在程序运行时才能确定。
+write-no-list-hint = 请改写成赋值和调用。
 write-zero = { $name }={ $value } 单独写成赋值：CYCLE_PARA 中的 0 保留原来的值。
 write-beside = { $name }={ $value } 单独写成赋值：该调用没有对应的参数。
-write-lost = 略去 { $name }：新型控制系统的参数表中没有它。
+write-lost = 略去 { $name }：新型控制系统的参数表中没有对应的参数。
 write-lost-hint = 若此值重要，请写成赋值和调用，或在控制系统上设置该数据。
 write-expression = { $name }={ $value } 单独写成赋值：若 { $value } 为 0，CYCLE_PARA 会保留原来的值。
-write-expression-lost = { $name }={ $value } 会丢失：新控制系统的参数表中没有它。
+write-expression-lost = { $name }={ $value } 会丢失：新型控制系统的参数表中没有对应的参数。
 
-convert-same = 调用已经是这种写法。
+convert-same = 调用已经是这种书写方式。
 convert-lost = 参数表中的 { $names } 略去：旧型控制系统没有对应的参数。
-convert-lost-hint = 请检查此调用是否可以没有它。
-convert-others = 第 { $line } 行的 { $cycle } 依赖此调用的值，转换后会得到别的值。
+convert-lost-hint = 请检查没有该参数时此调用能否正常工作。
+convert-others = 第 { $line } 行的 { $cycle } 使用此调用的值，转换后会得到别的值。
 convert-others-hint = 请一并转换那个调用，或在它前面写出这些值。
-convert-argument = 此调用的参数 { $value } 会丢失：换一种写法没有对应的位置。
+convert-argument = 此调用的参数 { $value } 会丢失：其他书写方式没有对应的位置。
 convert-expression = 调用保持不变：写给 { $name } 的 { $value } 在新文本所在处的值可能不同。
-convert-expression-hint = 请把 { $name }={ $value } 直接写在调用前面，其间不要改变它。
+convert-expression-hint = 请把 { $name }={ $value } 直接写在调用前面，其间不要改变该值。
 
-revise-taken = 新的测量方式没有 { $names }：已从调用中删去。
+revise-taken = 新的测量方式不使用 { $names }：已从调用中删去。
 revise-kept = 新的测量方式不使用 { $name }，但 { $name }={ $value } 是表达式，仍留在程序中。
