@@ -22,7 +22,7 @@ calibrate-position = 位置偏差（偏斜）
 param-setval-surface-diameter = 表面处的直径
 param-setval-surface-diameter-help = 表面在工件坐标系中的精确位置：DIAMON 时为直径，DIAMOF 时为半径。
 param-calnum = 基准槽
-param-calnum-help = 校准体（槽对）的号；其边和槽底在 _KB[n-1,…] 中，按机床坐标，X 按半径。
+param-calnum-help = 校准体（槽对）的编号；其边和槽底在 _KB[n-1,…] 中，按机床坐标，X 按半径。
 
 need-surface-position = 循环由表面的位置计算触发点。
 need-groove = 槽决定触碰的位置。

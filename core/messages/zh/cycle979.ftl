@@ -24,7 +24,7 @@ param-sta1-width-help = 测量宽度的方向与横坐标的夹角；第一点�
 param-id-lift = 越过凸台的抬高量
 param-id-lift-help = 沿刀具轴从测量高度到越过高度的行程，带符号。长度算到测球中心（_CBIT[14]=0）时必须包含测球半径。
 param-prnum-with-points = 测头和点数
-param-prnum-with-points-help = 圆周三点或四点、测头类型及其数据在 _WP 中的号。
+param-prnum-with-points-help = 圆周三点或四点、测头类型及其数据在 _WP 中的编号。
 
 need-lift = 测头必须越过凸台。
 

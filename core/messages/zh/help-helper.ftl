@@ -27,7 +27,7 @@ help-cycle101-missing = 缺少此调用：以后的测量也写入记录，并�
 
 help-cycle105-header = 不通过测量循环，把记录头写入记录。不产生运动。
 help-cycle105-values = 不通过测量循环，把最多四行的数值组写入记录，例如在自己的计算之后。不产生运动。
-help-cycle105-open = 记录已接通：已调用 CYCLE100。测量循环自行写入，不需要 CYCLE105。
+help-cycle105-open = 记录已接通：已调用 CYCLE100。测量循环自动写入，不需要 CYCLE105。
 help-cycle105-left-header = 记录文件中多一个记录头。
 help-cycle105-left-values = 记录文件中多一个数值组。
 help-cycle105-number = CYCLE106 的任务编号不同：其中 2 是数值组。手册的一个版本中这里的 0 和 1 顺序相反；请在控制系统上试一次。
@@ -50,7 +50,7 @@ help-cycle118-does = 把一个实数按给定的小数位数转换为文本；�
 help-cycle118-variable = 由一个变量接收文本：在程序开头声明 DEF STRING[12] PAR3，或在调用中写入自己的变量名。
 help-cycle118-registers = 多个数值位于连续的 R 参数中；PAR5 是第一个的编号，PAR4 是个数。
 help-cycle118-rounds = 一个数值：PAR1 四舍五入到 PAR2 位小数，写为文本。
-help-cycle118-many = 多个数值：各 R 参数依次四舍五入到 PAR2 位小数；不使用 PAR1。
+help-cycle118-many = 多个数值：各 R 参数依次四舍五入到 PAR2 位小数；忽略 PAR1。
 help-cycle118-left = 调用中变量里的文本。多个数值的文本在 _TXT[0] 到 _TXT[9] 中，最后一个也在该变量中。
 help-cycle118-count = PAR4 大于 10：报警 61362。
 help-cycle118-length = 数值连同小数超过 12 个字符：容纳不下文本。

@@ -12,7 +12,7 @@ help-cycle971-before-rotating = 转速和进给已在 _CM[] 中设置，_CBIT[12
 help-cycle971-before-clear = 刀具在要触碰的一侧，离开测头：测长度在其上方，测半径在其旁边。
 help-cycle971-before-parallel = 刀具轴平行于测头中心线。
 help-cycle971-before-over = 刀具从所在位置能先上下移到测头顶面上方 _FA 处，再横向移到其中间。
-help-cycle971-order-beside = 在侧面：先在另一轴移到测头中间，再到该面旁，下降到顶面以下 _TP[k,9] 处，触碰，退回。最后停在该深度。
+help-cycle971-order-beside = 在侧面：先在另一轴移到测头中间，再到该面旁，下降到低于顶面 _TP[k,9] 处，触碰，退回。最后停在该深度。
 help-cycle971-order-on-top = 在顶面（_MA = 3、103、203）：移到中间上方，下降，触碰；比测头宽的刀具向起点一侧偏移“半径减 _ID”，在横坐标（3、103）或纵坐标（203），钻头不偏移。最后停在上方 _FA 处。
 help-cycle971-order-centre-first = _MA = 102 或 201 时，先在另一轴触碰两次求出中间。
 help-cycle971-order-widest = 测半径时刀具再下降 _ID，以最大直径处触碰。

@@ -18,7 +18,7 @@ cycle106-title = 记录文件控制
 cycle106-help = 把记录头或数值组写入记录，并管理其文件和页。CYCLE100 会自动调用此循环。
 cycle106-words = 记录 页 后续文件 过程控制
 
-cycle113-title = 日期和时间文本
+cycle113-title = 日期或时间的文本
 cycle113-help = 把控制系统的日期（yy/mm/dd）或时间（hh:mm:ss）读入程序的一个变量。
 cycle113-words = 日期 时间 时钟 文本 字符串 记录
 cycle113-date = 日期
@@ -49,7 +49,7 @@ log-job-header = 记录头
 log-job-values = 数值组
 param-log-job = 写入的内容
 param-log-job-help = 记录头或数值组。
-param-log-file = 记录文件
+param-log-file = 测量记录文件
 param-log-file-help = 不带扩展名的名称：字母、数字和下划线，以两个字母或一个字母加下划线开头。同名文件会被覆盖。
 param-log-program = 测量程序
 param-log-program-help = 记录头中作为程序显示的名称。
