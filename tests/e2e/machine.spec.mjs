@@ -32,7 +32,10 @@ describe("machine data", () => {
     assert.ok((await shown.locator(".datum").count()) < 10, "the search narrows");
     const entry = row.locator("input");
     await entry.focus();
-    assert.match(await shown.locator(".datum-cited").textContent(), /_WP\[1,0\].*Ball diameter.*B:\d+/i);
+    assert.match(
+      await shown.locator(".datum-cited").textContent(),
+      /_WP\[1,0\].*Ball diameter.*Measuring Cycles 04\/2006, 9\.2\.3/i,
+    );
     await entry.fill("5,995");
     await entry.press("Tab");
     await shown.locator(".datum.changed").waitFor();

@@ -2,7 +2,7 @@
 
 cycle116-title = Circle through points
 cycle116-help = Calculates centre and radius of a circle from three or four points of the plane, for example from points measured one by one.
-cycle116-words = circle centre center radius three points four points compute calculate arc hole bore shaft helper
+cycle116-words = circle centre center radius three points four points compute calculate arc hole shaft helper
 cycle116-circle = Centre and radius from points
 cycle116-three = Three points
 cycle116-four = Four points
