@@ -14,7 +14,7 @@ const SIZES = [
   [390, 844],
 ];
 
-/** Words to be seen or heard that are no message: every message has its vowels accented. Titles of manuals are names. */
+/** Words to be seen or heard that are no message: every message has accents. Titles of manuals are names. */
 const plain = page =>
   page.evaluate(() => {
     const names = "code, kbd, pre, .cm-editor, .editor, .code, svg, #language, [data-name], .hit-control";

@@ -36,7 +36,7 @@ pub fn help(text: &mut String, cycle: &'static Cycle, words: &Words) {
     let Some((_, first)) = pages.first() else { return };
     let of_all = |one: &Said| pages.iter().all(|(_, page)| page.contains(one));
     let every: Vec<Said> = first.iter().filter(|one| of_all(one)).cloned().collect();
-    line(text, &format!("## {}", words.key("report-help")));
+    line(text, &format!("## {}", words.key("report-about")));
     if pages.len() > 1 {
         line(text, &format!("### {}", words.key("report-every-variant")));
     }

@@ -17,7 +17,10 @@ const SAME: &[&str] = &[
 /// Words that another language shares with English.
 const SHARED: &[(&str, &[&str])] = &[(
     "de",
-    &["Alarm", "minus", "Name", "null", "Optional", "Ordinate", "Pause", "plus", "Radius", "Scan", "Shift", "Standard"],
+    &[
+        "Alarm", "minus", "Name", "null", "optional", "Optional", "Ordinate", "Pause", "plus", "Radius", "Scan",
+        "Shift", "Standard",
+    ],
 )];
 
 /// Folders of the core's messages and of the page's.
