@@ -68,7 +68,7 @@ impl Serialize for Code {
 pub struct Diagnostic {
     /// How bad.
     pub severity: Severity,
-    /// Its name.
+    /// Name of the finding.
     pub code: Code,
     /// Cause.
     pub message: Message,

@@ -1,7 +1,7 @@
 //! Findings of ours, shown as `PW012`. Each sentence is declared here, once: its number, how bad it is, what it says
 //! and what helps. Checks raise it by its name, `probewright explain` tells every sentence of a number.
 //!
-//! Those of a run have their table in `run::problem`.
+//! Findings of a run have their table in `run::problem`.
 #![cfg_attr(not(feature = "simulation"), allow(dead_code))] // the cycle of the first visit raises few of them
 
 use crate::diagnostic::{Code, Diagnostic, Severity};
@@ -10,7 +10,7 @@ use crate::message::Message;
 /// One sentence of ours.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Own {
-    /// Its number. Sentences that share one say the same in other words.
+    /// Number of the finding. Sentences that share one say the same in other words.
     pub number: u16,
     /// How bad it is, unless the one who raises it says otherwise.
     pub severity: Severity,
@@ -21,12 +21,12 @@ pub struct Own {
 }
 
 impl Own {
-    /// Its number as a code.
+    /// Number of the finding as a code.
     pub const fn code(&self) -> Code {
         Code::Own(self.number)
     }
 
-    /// The same as a note.
+    /// The finding as a note.
     pub fn as_note(self) -> Own {
         Own { severity: Severity::Note, ..self }
     }

@@ -40,7 +40,7 @@ export type Active = {
 
 /** An alarm, or a text for the operator. */
 export type AlarmInfo = {
-  /** Its name: `61303`, `PROBE FAIL`; of a text for the operator the text itself. */
+  /** Name of the alarm: `61303`, `PROBE FAIL`; of a text for the operator the text itself. */
   code: string,
   /** Key of its words; `.cause` (where it says more) and `.cure` stand behind it. */
   key: string,
@@ -71,7 +71,7 @@ export type Around = {
 export type Arrival = {
   /** As it is written. */
   value: string,
-  /** Its line, from 1. */
+  /** Line of the assignment, from 1. */
   line: number,
 };
 
@@ -170,7 +170,7 @@ export type ChangeRequest = {
   call: number,
   /** Parameter. */
   name: string,
-  /** Its new value, as typed; empty: it goes. */
+  /** New value, as typed; empty: the parameter is removed. */
   value: string,
   /** Machine on which the program starts; absent: the core's own as it is. */
   setup?: Machine,
@@ -192,7 +192,7 @@ export type Changed = {
 export type Choice = {
   /** Number as it is written. */
   value: number,
-  /** Its name. */
+  /** Name of the choice. */
   label: Message,
 };
 
@@ -270,7 +270,7 @@ export type Cutter = {
 export type CycleInfo = {
   /** Control that has it. */
   control: Dialect,
-  /** Its name: `CYCLE977`. */
+  /** Name of the cycle: `CYCLE977`. */
   cycle: string,
   /** Stem of its messages: `cycle977` of `cycle977-title`, `cycle977-words`, `cycle977-help`. */
   key: string,
@@ -278,9 +278,9 @@ export type CycleInfo = {
   purpose: Purpose,
   /** The ways of writing that its call has, direct first. */
   styles: Array<Style>,
-  /** Its measuring variants. */
+  /** Measuring variants of the cycle. */
   variants: Array<VariantInfo>,
-  /** Its parameters, in the order in which they are written. */
+  /** Parameters of the cycle, in the order in which they are written. */
   parameters: Array<ParameterInfo>,
   /** What it leaves in the result data. */
   results: Array<ResultInfo>,
@@ -313,7 +313,7 @@ export type Deviation = {
 export type Diagnostic = {
   /** How bad. */
   severity: Severity,
-  /** Its name: `61307`, `FORMAT ERROR`, `PW012`. */
+  /** Name of the finding: `61307`, `FORMAT ERROR`, `PW012`. */
   code: Code,
   /** Cause. */
   message: Message,
@@ -370,7 +370,7 @@ export type DigitGroup = {
 export type Drawing = {
   /** Diameters of the part. */
   diameters: Array<Diameter>,
-  /** Those at which it was touched. */
+  /** Diameters at which the part was touched. */
   touched: Array<Touched>,
   /** How the control counts. */
   reading: Reading,
@@ -447,7 +447,7 @@ export type ErrorSliders = {
 export type Field = {
   /** Parameter, as the manual writes it: `_SETVAL`. */
   name: Name,
-  /** Its name in words. */
+  /** Name of the field in words. */
   label: Message,
   /** What it means. */
   help: Message,
@@ -598,7 +598,7 @@ export type HelpResult = {
 
 /** A section of a help page. */
 export type HelpSection = {
-  /** Its heading. */
+  /** Heading of the section. */
   label: Message,
   /** What it says. */
   lines: Array<HelpText>,
@@ -614,7 +614,7 @@ export type HelpText = {
 
 /** The help page of a variant. */
 export type HelpView = {
-  /** Its sections, in order; none is empty. */
+  /** Sections of the page, in order; none is empty. */
   sections: Array<HelpSection>,
   /** Parameters that every call of the variant gives. */
   required: Array<Name>,
@@ -631,7 +631,7 @@ export type LabelKind = "frame" | "diameter" | "nominal" | "touched" | "collisio
 export type LineGroup = {
   /** What it is. */
   kind: LineKind,
-  /** Its part of the lines, from and to (excluded), in lines. */
+  /** Part of the lines that belongs to the group, from and to (excluded), in lines. */
   lines: [number, number],
   /** Where it stands, by index in the places of a standing; none: machine coordinates. */
   place?: number,
@@ -674,7 +674,7 @@ export type MachineField = {
 export type MachineGroup = {
   /** The subject. */
   label: Message,
-  /** Its data. */
+  /** Data of the group. */
   fields: Array<MachineField>,
 };
 
@@ -705,9 +705,9 @@ export type MachineSort = "milling" | "turning" | "any";
 
 /** What is set once per machine. */
 export type MachineView = {
-  /** Its data by subject. */
+  /** Machine data by subject. */
   groups: Array<MachineGroup>,
-  /** Its basic system now. */
+  /** Basic system of the machine now. */
   basic: BasicSystem,
   /** What differs from delivery now, for the setup. */
   data: { [key in string]: Datum },
@@ -715,7 +715,7 @@ export type MachineView = {
   problems: Array<MachineProblem>,
   /** What differs, as blocks of a part program. */
   assignments: string,
-  /** The same as lines of the definition file. */
+  /** Changed data as lines of the definition file. */
   definitions: string,
 };
 
@@ -729,9 +729,9 @@ export type Mcs = [number, number, number];
 export type Measured = {
   /** `_OVR[4]`. */
   name: string,
-  /** Its meaning. */
+  /** Meaning of the result. */
   label: Message,
-  /** Its value. */
+  /** Value of the result. */
   value: number,
   /** Unit on this machine. */
   unit: string,
@@ -763,9 +763,9 @@ export type Nose = {
 
 /** The call of a program to which something belongs; absent: none. */
 export type OfCall = {
-  /** Its line, from 1. */
+  /** Line of the call, from 1. */
   line?: number,
-  /** Its cycle. */
+  /** Cycle that is called. */
   cycle?: string,
 };
 
@@ -953,7 +953,7 @@ export type Purpose = {
 
 /** An alarm that was raised, or why a simulation went no further. */
 export type Raised = {
-  /** Its name; empty: none of the control. */
+  /** Name of the alarm; empty: none of the control. */
   code: string,
   /** What it says. */
   message: Message,
@@ -979,7 +979,7 @@ export type Range = {
 export type ReadRequest = {
   /** Control. */
   control: Dialect,
-  /** Its text. */
+  /** Text of the program. */
   text: string,
   /** Machine on which it starts; absent: the core's own as it is. */
   setup?: Machine,
@@ -987,7 +987,7 @@ export type ReadRequest = {
 
 /** A program. */
 export type ReadView = {
-  /** Its measuring calls in order. */
+  /** Measuring calls of the program in order. */
   calls: Array<CallView>,
   /** What is wrong with it. */
   diagnostics: Array<Diagnostic>,
@@ -1034,7 +1034,7 @@ export type ResultInfo = {
 
 /** An alarm of a run. */
 export type RunAlarm = {
-  /** Its name; empty: none of the control. */
+  /** Name of the alarm; empty: none of the control. */
   code: string,
   /** What it says. */
   message: Message,
@@ -1042,9 +1042,9 @@ export type RunAlarm = {
   hint?: Message,
   /** Whether it stops the program. */
   stops: boolean,
-  /** Its line, from 1. */
+  /** Line of the call, from 1. */
   line?: number,
-  /** Its cycle. */
+  /** Cycle that is called. */
   cycle?: string,
 };
 
@@ -1060,9 +1060,9 @@ export type RunAssumed = {
 export type RunDecision = {
   /** What was decided. */
   message: Message,
-  /** Its line, from 1. */
+  /** Line of the call, from 1. */
   line?: number,
-  /** Its cycle. */
+  /** Cycle that is called. */
   cycle?: string,
 };
 
@@ -1080,15 +1080,15 @@ export type RunRequest = {
 export type RunResult = {
   /** `_OVR[4]`. */
   name: string,
-  /** Its value. */
+  /** Value of the result. */
   value: number,
-  /** Its meaning, where a call left it. */
+  /** Meaning of the result, where a call left it. */
   label?: Message,
-  /** Its unit, where a call left it. */
+  /** Unit of the result, where a call left it. */
   unit?: string,
-  /** Its line, from 1. */
+  /** Line of the call, from 1. */
   line?: number,
-  /** Its cycle. */
+  /** Cycle that is called. */
   cycle?: string,
 };
 
@@ -1149,7 +1149,7 @@ export type ScanView = {
   alarms: Array<Raised>,
   /** How far the points as sent are from the true surface. */
   sent: Deviation,
-  /** The same with the ball taken out. */
+  /** How far the points are from the true surface, with the ball taken out. */
   surface: Deviation,
   /** The part. */
   solids: Array<Solid>,
@@ -1163,9 +1163,9 @@ export type ScanView = {
 export type SceneFrame = {
   /** `MCS`, or the name of its zero offset. */
   name: string,
-  /** Its zero, mm. */
+  /** Zero of the frame, mm. */
   at: [number, number, number],
-  /** Its directions. */
+  /** Directions of the axes. */
   axes: [[number, number, number], [number, number, number], [number, number, number]],
   /** `before` and `after` of one that a correction moved. */
   moved?: "before" | "after",
@@ -1193,9 +1193,9 @@ export type SceneLabel = {
 export type ScenePiece = {
   /** What it is. */
   matter: Matter,
-  /** Its part of the corners, from and to (excluded). */
+  /** Part of the corners that belongs to the piece, from and to (excluded). */
   corners: [number, number],
-  /** Its part of the vertices. */
+  /** Part of the vertices that belongs to the piece. */
   vertices: [number, number],
   /** Where it stands, by index in the places of a standing; none: from the position of the machine on. */
   place?: number,
@@ -1219,7 +1219,7 @@ export type SceneProbe = {
 export type SceneTool = {
   /** Direction from the ball to what holds it; none: no probe. */
   ball?: [number, number, number],
-  /** Its end, from the position of the machine on. */
+  /** End of the tool, from the position of the machine on. */
   tip: [number, number, number],
   /** Box around a tool alone, from the position of the machine on; none for a probe, whose stylus may be cut off. */
   extent?: [[number, number, number], [number, number, number]],
@@ -1310,7 +1310,7 @@ export type ShapeName = "hole" | "shaft" | "groove" | "web" | "pocket" | "island
 export type Shared = {
   /** What it is. */
   label: Message,
-  /** Its value; a length in the active unit. */
+  /** Value on both controls; a length in the active unit. */
   value: number,
 };
 
@@ -1478,7 +1478,7 @@ export type ToolPiece = {
   /** Where it begins. */
   at: [number, number, number],
 } | {
-  /** Its corners in turn; convex. */
+  /** Corners in turn; convex. */
   corners: Array<[number, number, number]>,
   /** From there to the other face. */
   thick: [number, number, number],
@@ -1488,7 +1488,7 @@ export type ToolPiece = {
 
 /** A tool probe as it really is: a cube (`block`) or a disc (`turned` without bore). */
 export type ToolProbe = {
-  /** Its cap. */
+  /** Cap of the tool probe. */
   solid: Solid,
   /** Travel after contact until the signal. */
   preTravel: number,
@@ -1507,11 +1507,11 @@ export type ToolView = {
   length: [number, number, number],
   /** Direction from the ball to what holds it; none: no probe. */
   ball?: [number, number, number],
-  /** Its pieces. */
+  /** Pieces of the tool. */
   pieces: Array<ToolPiece>,
   /** What holds it on a turning machine. */
   carrier: Array<ToolPiece>,
-  /** Its end. */
+  /** End of the tool. */
   tip: [number, number, number],
 };
 
@@ -1525,7 +1525,7 @@ export type Touched = {
 
 /** A line that would be another one. */
 export type TouchedLine = {
-  /** Its number, from 1. */
+  /** Number of the line, from 1. */
   line: number,
   /** As it is. */
   before: string,
@@ -1573,11 +1573,11 @@ export type Turret = {
   width: number,
 };
 
-/** The same task on the other control. */
+/** A task as the other control does it. */
 export type TwinView = {
   /** That control. */
   control: Dialect,
-  /** Its cycle. */
+  /** Cycle of the other control. */
   cycle: string,
   /** Stem of its messages. */
   key: string,
@@ -1601,15 +1601,15 @@ export type UnitFunction = "G20" | "G21" | "G70" | "G71" | "G700" | "G710";
 
 /** Values of a variant as typed, by parameter name. */
 export type Values = {
-  /** Those that choose it. */
+  /** Values that choose the variant. */
   values: { [key in string]: string },
-  /** Those of its worked measurement. */
+  /** Values of the worked measurement. */
   example: { [key in string]: string },
 };
 
 /** A measuring variant. Its values, as typed, choose it; its example is a worked measurement. */
 export type VariantInfo = {
-  /** Its number. */
+  /** Number of the variant. */
   mvar: number,
   /** Key of its name. */
   key: string,
@@ -1619,9 +1619,9 @@ export type VariantInfo = {
   choices: Array<string>,
   /** In the planes in which other addresses name the axes. */
   planes: { [key in Plane]?: Values },
-  /** Those that choose it. */
+  /** Values that choose the variant. */
   values: { [key in string]: string },
-  /** Those of its worked measurement. */
+  /** Values of the worked measurement. */
   example: { [key in string]: string },
 };
 

@@ -10,7 +10,7 @@ use serde::Serialize;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct AlarmInfo {
-    /// Its name: `61303`, `PROBE FAIL`; of a text for the operator the text itself.
+    /// Name of the alarm: `61303`, `PROBE FAIL`; of a text for the operator the text itself.
     pub code: String,
     /// Key of its words; `.cause` (where it says more) and `.cure` stand behind it.
     pub key: String,

@@ -27,7 +27,7 @@ pub struct Catalogue {
 pub struct CycleInfo {
     /// Control that has it.
     pub control: Dialect,
-    /// Its name: `CYCLE977`.
+    /// Name of the cycle: `CYCLE977`.
     pub cycle: &'static str,
     /// Stem of its messages: `cycle977` of `cycle977-title`, `cycle977-words`, `cycle977-help`.
     pub key: &'static str,
@@ -35,9 +35,9 @@ pub struct CycleInfo {
     pub purpose: Purpose,
     /// The ways of writing that its call has, direct first.
     pub styles: Vec<Style>,
-    /// Its measuring variants.
+    /// Measuring variants of the cycle.
     pub variants: Vec<VariantInfo>,
-    /// Its parameters, in the order in which they are written.
+    /// Parameters of the cycle, in the order in which they are written.
     pub parameters: Vec<ParameterInfo>,
     /// What it leaves in the result data.
     pub results: &'static [ResultField],
@@ -73,7 +73,7 @@ pub struct Purpose {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct VariantInfo {
-    /// Its number.
+    /// Number of the variant.
     pub mvar: i64,
     /// Key of its name.
     pub key: &'static str,
@@ -92,9 +92,9 @@ pub struct VariantInfo {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Values {
-    /// Those that choose it.
+    /// Values that choose the variant.
     pub values: Typed,
-    /// Those of its worked measurement.
+    /// Values of the worked measurement.
     pub example: Typed,
 }
 

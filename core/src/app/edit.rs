@@ -25,7 +25,7 @@ pub struct ChangeRequest {
     pub call: usize,
     /// Parameter.
     pub name: String,
-    /// Its new value, as typed; empty: it goes.
+    /// New value, as typed; empty: the parameter is removed.
     pub value: String,
     /// Machine on which the program starts; absent: the core's own as it is.
     pub setup: Option<Machine>,

@@ -14,7 +14,7 @@ use serde::Serialize;
 pub struct Finding {
     /// How bad.
     pub severity: Severity,
-    /// Its name: `61307`, `FORMAT ERROR`, `PW012`.
+    /// Name of the finding: `61307`, `FORMAT ERROR`, `PW012`.
     pub code: Code,
     /// Cause.
     pub message: Message,
@@ -70,7 +70,7 @@ pub struct Edit {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct TouchedLine {
-    /// Its number, from 1.
+    /// Number of the line, from 1.
     pub line: u32,
     /// As it is.
     pub before: String,

@@ -26,7 +26,7 @@ pub struct HelpRequest {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct HelpView {
-    /// Its sections, in order; none is empty.
+    /// Sections of the page, in order; none is empty.
     pub sections: Vec<HelpSection>,
     /// Parameters that every call of the variant gives.
     pub required: Vec<Name>,
@@ -40,7 +40,7 @@ pub struct HelpView {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct HelpSection {
-    /// Its heading.
+    /// Heading of the section.
     pub label: Message,
     /// What it says.
     pub lines: Vec<HelpText>,

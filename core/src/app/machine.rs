@@ -30,9 +30,9 @@ pub struct MachineRequest {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct MachineView {
-    /// Its data by subject.
+    /// Machine data by subject.
     pub groups: Vec<MachineGroup>,
-    /// Its basic system now.
+    /// Basic system of the machine now.
     pub basic: Units,
     /// What differs from delivery now, for the setup.
     pub data: BTreeMap<String, Value>,
@@ -40,7 +40,7 @@ pub struct MachineView {
     pub problems: Vec<MachineProblem>,
     /// What differs, as blocks of a part program.
     pub assignments: String,
-    /// The same as lines of the definition file.
+    /// Changed data as lines of the definition file.
     pub definitions: String,
 }
 
@@ -61,7 +61,7 @@ pub struct MachineProblem {
 pub struct MachineGroup {
     /// The subject.
     pub label: Message,
-    /// Its data.
+    /// Data of the group.
     pub fields: Vec<MachineField>,
 }
 

@@ -37,9 +37,9 @@ pub struct Outcome {
 pub struct Measured {
     /// `_OVR[4]`.
     pub name: &'static str,
-    /// Its meaning.
+    /// Meaning of the result.
     pub label: Message,
-    /// Its value.
+    /// Value of the result.
     pub value: f64,
     /// Unit on this machine.
     pub unit: &'static str,
@@ -53,7 +53,7 @@ pub struct Measured {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 pub struct Raised {
-    /// Its name; empty: none of the control.
+    /// Name of the alarm; empty: none of the control.
     pub code: String,
     /// What it says.
     pub message: Message,

@@ -108,7 +108,7 @@ fn carried_out(inputs: &Inputs, setup: &mut Setup) -> run::Outcome {
 /// An error of the part by the name of its slider.
 type Slider = (&'static str, fn(&mut PartSliders) -> &mut f64);
 
-/// Those whose limits are looked for.
+/// Sliders whose limits are looked for.
 const SLIDERS: [Slider; 4] = [
     ("size", |part| &mut part.size),
     ("dx", |part| &mut part.dx),

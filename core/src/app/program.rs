@@ -22,7 +22,7 @@ use std::collections::BTreeMap;
 pub struct ReadRequest {
     /// Control.
     pub control: Dialect,
-    /// Its text.
+    /// Text of the program.
     pub text: String,
     /// Machine on which it starts; absent: the core's own as it is.
     pub setup: Option<Machine>,
@@ -32,7 +32,7 @@ pub struct ReadRequest {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct ReadView {
-    /// Its measuring calls in order.
+    /// Measuring calls of the program in order.
     pub calls: Vec<CallView>,
     /// What is wrong with it.
     pub diagnostics: Vec<Finding>,
@@ -85,7 +85,7 @@ pub struct CallView {
 pub struct Arrival {
     /// As it is written.
     pub value: String,
-    /// Its line, from 1.
+    /// Line of the assignment, from 1.
     pub line: u32,
 }
 

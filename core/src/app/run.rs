@@ -75,10 +75,10 @@ pub struct RunAssumed {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 pub struct OfCall {
-    /// Its line, from 1.
+    /// Line of the call, from 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub line: Option<u32>,
-    /// Its cycle.
+    /// Cycle that is called.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cycle: Option<&'static str>,
 }
@@ -89,12 +89,12 @@ pub struct OfCall {
 pub struct RunResult {
     /// `_OVR[4]`.
     pub name: String,
-    /// Its value.
+    /// Value of the result.
     pub value: f64,
-    /// Its meaning, where a call left it.
+    /// Meaning of the result, where a call left it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub label: Option<Message>,
-    /// Its unit, where a call left it.
+    /// Unit of the result, where a call left it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unit: Option<&'static str>,
     /// That call.

@@ -68,7 +68,7 @@ pub struct ScanView {
     pub alarms: Vec<Raised>,
     /// How far the points as sent are from the true surface.
     pub sent: Deviation,
-    /// The same with the ball taken out.
+    /// How far the points are from the true surface, with the ball taken out.
     pub surface: Deviation,
     /// The part.
     pub solids: Vec<Solid>,

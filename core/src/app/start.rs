@@ -58,7 +58,7 @@ impl<'de> Deserialize<'de> for Machine {
     }
 }
 
-/// Its first member tells which machine a document is.
+/// Reads a machine: the first member tells which document it is.
 struct Either;
 
 impl<'de> Visitor<'de> for Either {

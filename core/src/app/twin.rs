@@ -1,4 +1,4 @@
-//! The same task on the other control, beside the form.
+//! A task of the form on the other control, beside it.
 
 use crate::catalogue;
 use crate::catalogue::twin::{Measurement, other};
@@ -9,13 +9,13 @@ use crate::message::Message;
 use crate::program::write::snippet;
 use serde::Serialize;
 
-/// The same task on the other control.
+/// A task as the other control does it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct TwinView {
     /// That control.
     pub control: Dialect,
-    /// Its cycle.
+    /// Cycle of the other control.
     pub cycle: &'static str,
     /// Stem of its messages.
     pub key: &'static str,
@@ -37,7 +37,7 @@ pub struct TwinView {
 pub struct Shared {
     /// What it is.
     pub label: Message,
-    /// Its value; a length in the active unit.
+    /// Value on both controls; a length in the active unit.
     pub value: f64,
 }
 

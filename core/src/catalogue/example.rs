@@ -77,7 +77,7 @@ pub fn worked(cycle: &Cycle) -> Typed {
     typed(cycle.example())
 }
 
-/// The same with some values changed, for tests.
+/// An example with some values changed, for tests.
 #[cfg(test)]
 pub fn changed(cycle: &Cycle, changes: &[(&str, &str)]) -> Typed {
     let mut values = worked(cycle);

@@ -110,7 +110,7 @@ fn stage(inputs: &Inputs) -> Staging {
     if given(inputs, 2).is_some() { stage.with(axis_of(inputs, 2), SET[1]) } else { stage }
 }
 
-/// Its coordinate, the depth and the limits.
+/// Coordinate of the wall, depth and limits.
 fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
     let position = |seen: &Seen| seen.position(nominal(inputs).0, 0, None);
     let all = |seen: &Seen| [figures::limits(inputs, seen), position(seen), depth_mark(inputs, seen)].concat();

@@ -21,7 +21,7 @@ fn measured(cycle: &'static Cycle, variant: &Variant) -> (Inputs, Control) {
     (inputs, outcome.control)
 }
 
-/// The same on a machine that is changed before.
+/// Carries a variant out on a machine that is changed before.
 fn carried_out(cycle: &'static Cycle, variant: &Variant, change: impl Fn(&mut Control)) -> (Inputs, Outcome) {
     let (inputs, mut setup) = prepared(cycle, variant);
     change(&mut setup.control);
@@ -177,13 +177,13 @@ fn data_that_a_macro_sets_are_results_of_its_entry() {
 /// Bits and machine data that the steps common to all cycles look at: system of units, scale, erasing, result screen,
 /// frames.
 const EVERY: &[&str] = &["_CBIT[3]", "_CBIT[13]", "_CHBIT[10]", "_CHBIT[24]", "MD20050", "MD28082"];
-/// The same of a cycle with the workpiece probe: of its measuring block and its calibration.
+/// Switches of a cycle with the workpiece probe: of its measuring block and its calibration.
 const PROBE: &[&str] = &["_CBIT[8]", "_CBIT[14]", "_CBIT[16]"];
-/// The same on a milling machine.
+/// Switches of a cycle with the workpiece probe on a milling machine.
 const MILLING: &[&str] = &["_CHBIT[2]", "_CHBIT[13]", "_CHBIT[15]", "_CHBIT[16]", "_CHBIT[17]"];
-/// The same of a cycle that corrects what `_KNUM` names.
+/// Switches of a cycle that corrects what `_KNUM` names.
 const CORRECTING: &[&str] = &["_CHBIT[4]", "_CHBIT[5]", "_CHBIT[21]", "MD18102", "MD18105", "MD18600"];
-/// The same of the one that finds out which rotary axes there are.
+/// Data of the cycle that finds out which rotary axes there are.
 const ROTARY: &[&str] = &["MD20080", "MD30300"];
 
 // oracle: self: a cycle looks at no bit and no machine datum but those of its entry and of what its sort shares

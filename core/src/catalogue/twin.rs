@@ -1,5 +1,5 @@
-//! The same measurement on the other control: what a call means is taken from its values and written with those of the
-//! entry that has the task there.
+//! A measurement as the other control writes it: what a call means is taken from its values and written with those of
+//! the entry that has the task there.
 
 use super::example::example;
 use super::twin_place::has_depth;

@@ -1,4 +1,4 @@
-//! The same task on both controls: what is shared survives the way there and back.
+//! A task on both controls: what is shared survives the way there and back.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::example::example;

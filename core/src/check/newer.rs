@@ -48,7 +48,7 @@ pub fn foreign(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed, contro
     judged(cycle, list, &typed, control).foreign.first().copied()
 }
 
-/// The same of the values that are to be written.
+/// What [`foreign`] finds first among the values that are to be written.
 pub fn foreign_of(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed, control: &Control) -> Option<Name> {
     let foreign = judged(cycle, list, &with_omitted(cycle, typed), control).foreign;
     foreign.into_iter().find(|name| typed.contains_key(name.as_str()))

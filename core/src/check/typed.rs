@@ -15,7 +15,7 @@ use crate::range::Range;
 
 /// Beyond this no length, angle or feed of a machine makes sense, and contact could not be computed to 1e-9 mm.
 const LIMIT: f64 = 1e6;
-/// The same for numbers that count or name something; `_KNUM` has nine digits.
+/// Beyond this no number counts or names anything; `_KNUM` has nine digits.
 const WHOLE_LIMIT: f64 = 1e9;
 
 /// Result of a check.

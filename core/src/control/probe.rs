@@ -9,15 +9,15 @@ const PROBE: i64 = 710;
 /// Why a tool is none with which a milling cycle may be called.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unfit {
-    /// Its type is none of 1x0, 710 and 5xy (B:4147-4150).
+    /// The type is none of 1x0, 710 and 5xy (B:4147-4150).
     Type,
-    /// Its type is 1xy with another last digit than 0: a probe by B:906-910, none by B:4147.
+    /// The type is 1xy with another last digit than 0: a probe by B:906-910, none by B:4147.
     Digit,
     /// It is a turning tool, and the lengths are not assigned as on a turning machine: SD 42950 is not 2 (B:4151).
     Assignment,
     /// It is a turning tool with another cutting edge position than 5 to 8 (B:4150).
     Tip,
-    /// Its body does not stand on this plane: 5 and 7 measure in G17, 6 and 8 in G19 (B:4152).
+    /// The body does not stand on this plane: 5 and 7 measure in G17, 6 and 8 in G19 (B:4152).
     Plane,
 }
 

@@ -14,7 +14,7 @@ impl Units {
         }
     }
 
-    /// Its unit of length.
+    /// Unit of length.
     pub const fn name(self) -> &'static str {
         match self {
             Units::Metric => "mm",

@@ -21,5 +21,5 @@ pub const W: Name = Name::new("W");
 pub const X: Name = Name::new("X");
 pub const Y: Name = Name::new("Y");
 pub const Z: Name = Name::new("Z");
-/// Those of the axes.
+/// Addresses of the axes.
 pub const AXES: [Name; 3] = [X, Y, Z];

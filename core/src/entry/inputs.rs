@@ -72,7 +72,7 @@ impl Inputs {
         self.numbers.get(&name).copied()
     }
 
-    /// The same in what cycles share, of a parameter that not each of them has.
+    /// Number of a parameter that not each of the cycles has which share the code; none: open, or not used.
     pub fn any(&self, name: Name) -> Option<f64> {
         self.numbers.get(&name).copied()
     }

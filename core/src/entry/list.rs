@@ -49,13 +49,13 @@ pub enum Arg {
     Output(&'static str),
     /// Has no counterpart among our parameters, or its meaning is not known.
     Open,
-    /// The same in the list of a newer control, by its name there.
+    /// Without counterpart, in the list of a newer control: its name there.
     Newer(&'static str),
 }
 
 /// `CYCLE_PARA`: parameters that count for all cycles; 0 leaves the datum as it is (B:11734-11753).
 pub const AUXILIARY: &str = "CYCLE_PARA";
-/// Its arguments in order.
+/// Arguments of `CYCLE_PARA` in order.
 pub const AUXILIARY_ARGS: &[Name] = &[
     names::FA,
     names::VMS,

@@ -36,7 +36,7 @@ pub const MA: Name = Name::new("_MA");
 pub const MD: Name = Name::new("_MD");
 /// What is corrected.
 pub const KNUM: Name = Name::new("_KNUM");
-/// The same in CYCLE119.
+/// What CYCLE119 corrects.
 pub const COR: Name = Name::new("_COR");
 /// T number of the tool to be corrected.
 pub const TNUM: Name = Name::new("_TNUM");

@@ -16,7 +16,7 @@ pub struct Param {
     pub unit: Unit,
     /// Value when it is not written; `None`: it has to be.
     pub default: Option<f64>,
-    /// The same in inch, where the manual gives a round value of its own (NCT: 5 mm or 0.2 inch, C:94).
+    /// Default in inch, where the manual gives a round value of its own (NCT: 5 mm or 0.2 inch, C:94).
     pub default_inch: Option<f64>,
     /// Outside of this the control alarms (or the call makes no sense).
     pub range: Range,
@@ -57,7 +57,7 @@ pub enum Kind {
     Integer,
     /// One of these numbers, each with the key of its name.
     Choice(&'static [(i64, &'static str)]),
-    /// The same where other values decide what can be chosen: the first list whose condition holds.
+    /// A choice that other values decide: the first list whose condition holds.
     ChoiceBy(&'static [(When, &'static [(i64, &'static str)])]),
     /// One of these numbers, without a unit, in the variants for which the condition holds; else a real number.
     ChoiceIf(When, &'static [(i64, &'static str)]),

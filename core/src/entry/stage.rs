@@ -69,12 +69,12 @@ impl Look {
         Look { right, up: [0.0, 0.0, 1.0], cut: true, axes: [axis, 2], ..Look::ABOVE }
     }
 
-    /// The same with the ways, which explain this parameter.
+    /// A look with the ways, which explain this parameter.
     pub const fn ways(self, field: Name) -> Look {
         Look { way: Some(field), ..self }
     }
 
-    /// The same with some of the touches, a bit each.
+    /// A look with some of the touches, a bit each.
     pub const fn touching(self, touches: u32) -> Look {
         Look { touches, ..self }
     }
@@ -246,7 +246,7 @@ impl Staging {
 /// A touch on the paper, mm.
 #[derive(Clone, Copy, Debug)]
 pub struct Touched {
-    /// Its number, from 1.
+    /// Number of the touch, from 1.
     pub number: usize,
     /// The point of the part.
     pub at: [f64; 2],

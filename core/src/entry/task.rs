@@ -77,7 +77,7 @@ pub enum Meaning {
     EdgeAngle,
     /// How far the zero lies from the corner along the abscissa.
     ZeroAbscissa,
-    /// The same along the ordinate.
+    /// Zero point along the ordinate.
     ZeroOrdinate,
     /// Upper limit of the deviation.
     Upper,

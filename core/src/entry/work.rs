@@ -93,7 +93,7 @@ impl Drawing {
         Drawing { how }
     }
 
-    /// The same for a picture that follows from the work of the cycle.
+    /// A picture that follows from the work of the cycle.
     pub const fn staged(stage: fn(&Inputs) -> Staging, marks: fn(&Inputs, &[Seen]) -> Vec<PictureShape>) -> Drawing {
         let how = if SIMULATES { Some(How::Staged(Staged { stage, marks })) } else { None };
         Drawing { how }
@@ -142,6 +142,6 @@ pub struct ProposedTool {
     pub name: String,
     /// D number.
     pub edge: i64,
-    /// Its data.
+    /// Data of the tool.
     pub data: crate::control::Edge,
 }

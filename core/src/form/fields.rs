@@ -17,7 +17,7 @@ use serde::Serialize;
 pub struct Field {
     /// Parameter, as the manual writes it: `_SETVAL`.
     pub name: Name,
-    /// Its name in words.
+    /// Name of the field in words.
     pub label: Message,
     /// What it means.
     pub help: Message,
@@ -84,7 +84,7 @@ pub enum Entry {
 pub struct Choice {
     /// Number as it is written.
     pub value: i64,
-    /// Its name.
+    /// Name of the choice.
     pub label: Message,
 }
 

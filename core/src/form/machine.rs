@@ -59,7 +59,7 @@ pub struct Setting {
 pub struct Group {
     /// Key of its name.
     pub key: String,
-    /// Its settings, fields of the same number together.
+    /// Settings of the group, fields of the same number together.
     pub settings: Vec<Setting>,
 }
 

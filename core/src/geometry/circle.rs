@@ -12,7 +12,7 @@ pub struct Circle {
 }
 
 impl Circle {
-    /// Its point at an angle, radian.
+    /// Point of the circle at an angle, radian.
     pub fn point(&self, angle: f64) -> V3 {
         let (sine, cosine) = angle.sin_cos();
         V3::new(self.radius * cosine, self.radius * sine, self.z)

@@ -17,7 +17,7 @@ const PARALLEL: f64 = 1e-13;
 
 /// A convex body.
 pub trait Convex {
-    /// Its point that lies farthest in a direction of any length.
+    /// Point of the body that lies farthest in a direction of any length.
     fn farthest(&self, direction: &V3) -> V3;
 }
 
@@ -131,7 +131,7 @@ impl Simplex {
         }
     }
 
-    /// Those whose bit is set.
+    /// Corners whose bit is set.
     fn chosen(&self, bits: usize) -> impl Iterator<Item = &Corner> {
         self.corners().iter().enumerate().filter(move |(index, _)| bits >> index & 1 == 1).map(|(_, corner)| corner)
     }

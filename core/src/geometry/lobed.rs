@@ -41,7 +41,7 @@ impl Lobes {
         V3::new(cosine + aside * sine, sine - aside * cosine, self.slope).normalize()
     }
 
-    /// Its greatest radius down to a depth, mm.
+    /// Greatest radius down to a depth, mm.
     pub fn widest(&self, depth: f64) -> f64 {
         self.radius + (self.slope * depth).max(0.0) + self.amplitude.abs()
     }

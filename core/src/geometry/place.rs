@@ -68,7 +68,7 @@ impl<P> From<V3> for Dir<P> {
     }
 }
 
-/// Its numbers are read and written as those of an array; an array is none of it yet.
+/// Reads and writes the numbers of a type as those of an array; an array is none of it yet.
 macro_rules! numbers_of {
     ($own:ty $(, $of:ident)?) => {
         impl$(<$of>)? std::ops::Deref for $own {

@@ -14,7 +14,7 @@ pub struct InUse {
     pub plane: Plane,
     /// Length in effect along X Y Z, mm.
     pub length: Dir<Mcs>,
-    /// Its data; none: no correction is in effect.
+    /// Data of the cutting edge; none: no correction is in effect.
     pub edge: Option<Edge>,
     /// The tool as it is; none without a correction.
     pub tool: Option<Tool>,

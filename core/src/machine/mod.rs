@@ -43,7 +43,7 @@ pub trait Machine {
     /// # Errors
     /// What was hit or refused.
     fn travel(&mut self, to: Wcs, kind: MotionKind, feed: f64, monitored: bool) -> Result<(), Stop>;
-    /// The same round an axis of the WCS.
+    /// Positioning round an axis of the WCS.
     ///
     /// # Errors
     /// What was hit or refused.

@@ -45,7 +45,7 @@ pub struct Sim {
     tool_probes: Vec<ToolProbe>,
     /// Tools as they are, by T and D number: those that were told, and others as they were when they were first moved.
     real_tools: BTreeMap<(i64, i64), Tool>,
-    /// Those that were told.
+    /// Tools that were told.
     told_tools: BTreeSet<(i64, i64)>,
     /// Whether a turning tool that was not told lies mirrored in the ordinate now; see [`Sim::recode`].
     recoded: bool,

@@ -33,7 +33,7 @@ pub struct Scanned {
 /// A scan as it was sent, as far as it came.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sent {
-    /// Its points.
+    /// Points of the scan.
     pub cloud: Cloud,
     /// How they were scanned.
     pub layout: Layout,

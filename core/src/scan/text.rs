@@ -108,7 +108,7 @@ fn number(value: f64, layout: &Layout) -> String {
     text
 }
 
-/// Its usual resolution: 0.001 mm, 0.0001 inch.
+/// Usual resolution of a layout: 0.001 mm, 0.0001 inch.
 fn decimals(layout: &Layout) -> u32 {
     if layout.per == 1.0 { 3 } else { 4 }
 }

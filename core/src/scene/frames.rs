@@ -11,9 +11,9 @@ use std::collections::BTreeSet;
 pub struct Frame {
     /// `MCS`, or the name of its zero offset.
     pub name: String,
-    /// Its zero, mm.
+    /// Zero of the frame, mm.
     pub at: [f64; 3],
-    /// Its directions.
+    /// Directions of the axes.
     pub axes: [[f64; 3]; 3],
     /// `before` and `after` of one that a correction moved.
     #[serde(skip_serializing_if = "Option::is_none")]

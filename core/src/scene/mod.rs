@@ -72,17 +72,17 @@ pub enum LineKind {
     Zone,
     /// Edges of a part with the largest errors that a call survives.
     Limit,
-    /// Axis X, Y or Z of a coordinate system.
+    /// Axis X of a coordinate system.
     AxisX,
-    /// Y, of the same.
+    /// Axis Y of a coordinate system.
     AxisY,
-    /// Y, of the same.
+    /// Axis Z of a coordinate system.
     AxisZ,
-    /// The same before a correction moved it.
+    /// Axis X of a coordinate system before a correction moved it.
     BeforeX,
-    /// Y, of the same.
+    /// Axis Y before the correction.
     BeforeY,
-    /// Y, of the same.
+    /// Axis Z before the correction.
     BeforeZ,
     /// Dimensions of a drawing.
     Dimension,
@@ -99,9 +99,9 @@ pub enum LineKind {
 pub struct Piece {
     /// What it is.
     pub matter: Matter,
-    /// Its part of the corners, from and to (excluded).
+    /// Part of the corners that belongs to the piece, from and to (excluded).
     pub corners: [usize; 2],
-    /// Its part of the vertices.
+    /// Part of the vertices that belongs to the piece.
     pub vertices: [usize; 2],
     /// Where it stands, by index in the places of a standing; none: from the position of the machine on.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -118,7 +118,7 @@ pub struct Piece {
 pub struct LineGroup {
     /// What it is.
     pub kind: LineKind,
-    /// Its part of the lines, from and to (excluded), in lines.
+    /// Part of the lines that belongs to the group, from and to (excluded), in lines.
     pub lines: [usize; 2],
     /// Where it stands, by index in the places of a standing; none: machine coordinates.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -161,7 +161,7 @@ pub struct ToolView {
     /// Direction from the ball to what holds it; none: no probe.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ball: Option<[f64; 3]>,
-    /// Its end, from the position of the machine on.
+    /// End of the tool, from the position of the machine on.
     pub tip: [f64; 3],
     /// Box around a tool alone, from the position of the machine on; none for a probe, whose stylus may be cut off.
     #[serde(skip_serializing_if = "Option::is_none")]

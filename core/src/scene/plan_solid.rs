@@ -13,7 +13,7 @@ const AROUND: Material = Material { beside: [1.3, 0.0], below: [1.25, 0.0] };
 pub struct Outline {
     /// All of it, the opening left out where it is seen.
     pub body: PictureShape,
-    /// Its boundary: circles and straight lines.
+    /// Boundary of the outline: circles and straight lines.
     pub lines: Vec<PictureShape>,
 }
 
@@ -22,7 +22,7 @@ pub struct Outline {
 pub struct Cut {
     /// A point of it.
     pub at: V3,
-    /// Its normal, of length 1.
+    /// Normal of the cut, of length 1.
     pub normal: V3,
 }
 

@@ -15,11 +15,11 @@ const PIECES: f64 = 8.0;
 /// What is drawn of a solid, in its own frame.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Figure {
-    /// Its boundary.
+    /// Boundary of the solid.
     pub mesh: Mesh,
     /// Faces where it is cut open to show what is inside; nothing touches them.
     pub cut: Mesh,
-    /// Its edges, from and to.
+    /// Edges of the solid, from and to.
     pub edges: Vec<[V3; 2]>,
 }
 

@@ -26,11 +26,11 @@ pub struct Tool {
     #[serde(skip_serializing_if = "Option::is_none", serialize_with = "direction")]
     #[cfg_attr(test, ts(as = "Option<[f64; 3]>"))]
     pub ball: Option<V3>,
-    /// Its pieces.
+    /// Pieces of the tool.
     pub pieces: Vec<Drawn>,
     /// What holds it on a turning machine.
     pub carrier: Vec<Drawn>,
-    /// Its end.
+    /// End of the tool.
     #[serde(serialize_with = "figures")]
     #[cfg_attr(test, ts(as = "[f64; 3]"))]
     pub tip: V3,

@@ -23,7 +23,7 @@ const ALONG: f64 = 0.7;
 pub struct Drawing {
     /// Diameters of the part.
     pub diameters: Vec<Diameter>,
-    /// Those at which it was touched.
+    /// Diameters at which the part was touched.
     pub touched: Vec<Touched>,
     /// How the control counts.
     pub reading: Reading,

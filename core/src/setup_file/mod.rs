@@ -170,7 +170,7 @@ struct EdgeFile {
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
 #[cfg_attr(test, derive(ts_rs::TS), ts(rename = "ToolProbe"))]
 struct ToolProbeFile {
-    /// Its cap.
+    /// Cap of the tool probe.
     solid: SolidFile,
     /// Travel after contact until the signal.
     #[serde(default)]

@@ -14,7 +14,7 @@ use crate::own;
 pub enum Offer {
     /// It is offered, or not known.
     Same,
-    /// The same edge with the usual correction.
+    /// This edge with the usual correction.
     Instead(i64),
     /// It is not offered, and nothing comes instead.
     None,

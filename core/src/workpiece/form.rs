@@ -125,7 +125,7 @@ impl Column {
         }
     }
 
-    /// Its point that lies farthest in a direction, lobes aside.
+    /// Point of the column that lies farthest in a direction, lobes aside.
     pub fn farthest(&self, direction: &V3) -> V3 {
         let farthest = |ends: &[V3]| {
             let ends = ends.iter().max_by(|a, b| a.dot(direction).total_cmp(&b.dot(direction)));
@@ -256,7 +256,7 @@ pub(super) fn between([a, b, c, d]: [V3; 4], [i, j, k, l]: [V3; 4]) -> Vec<Quad>
 }
 
 impl Quad {
-    /// The same face seen from the other side.
+    /// A face seen from the other side.
     pub(super) fn reversed(self) -> Quad {
         let [a, b, c, d] = self.corners;
         Quad { corners: [d, c, b, a], ..self }

@@ -177,7 +177,7 @@ impl Solid {
         Solid { shape, at, rotation: Rpy::default(), errors: PartErrors::default() }
     }
 
-    /// Its own frame → machine, displacement and tilt included.
+    /// From the frame of the solid to the machine, displacement and tilt included.
     pub fn place(&self) -> IsometryMatrix3<f64> {
         let turn = rigid::rotation(self.errors.tilt) * rigid::rotation(self.rotation);
         rigid::placed(V3::from(self.at) + V3::from(self.errors.shift), turn)

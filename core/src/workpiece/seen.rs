@@ -46,7 +46,7 @@ pub enum Drawn {
     },
     /// A flat piece.
     Plate {
-        /// Its corners in turn; convex.
+        /// Corners in turn; convex.
         #[serde(serialize_with = "points")]
         #[cfg_attr(test, ts(as = "Vec<[f64; 3]>"))]
         corners: Vec<V3>,

@@ -259,7 +259,7 @@ impl Cutter {
 pub enum Piece {
     /// A profile turned about its axis, or one tooth that stands.
     Turned {
-        /// Its end in the axis.
+        /// End of the piece in the axis.
         end: V3,
         /// Along the axis, away from the end.
         up: V3,

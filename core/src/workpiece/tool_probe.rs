@@ -12,8 +12,8 @@ const GIVES_WAY: f64 = 5.0;
 /// A tool probe as it is, not as the control believes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ToolProbe {
-    /// Its cap: a [`super::Shape::Block`] (cube), or a [`super::Shape::Turned`] without bore (disc). Where it really
-    /// stands is a matter of its errors; of these shift, size, tilt and taper count.
+    /// Cap: a [`super::Shape::Block`] (cube), or a [`super::Shape::Turned`] without bore (disc). Its errors say
+    /// where it really is; shift, size, tilt and taper are used.
     pub solid: Solid,
     /// Travel after contact until the signal, mm.
     pub pre_travel: f64,

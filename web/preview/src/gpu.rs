@@ -39,7 +39,7 @@ fn announce() {
 pub struct Gpu {
     /// Device.
     pub device: Device,
-    /// Its queue.
+    /// Queue of the device.
     pub queue: Queue,
     /// Surface of the canvas.
     pub surface: Surface<'static>,

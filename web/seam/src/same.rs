@@ -5,7 +5,7 @@ use serde_json::Value;
 /// By how much numbers may differ, as a part of them or of 1: sine and cosine of a browser are not those of a
 /// processor.
 pub const SAME: f64 = 1e-8;
-/// The same of what has single precision.
+/// Tolerance of what has single precision.
 pub const SINGLE: f64 = 1e-6;
 
 /// Where two documents differ, as a path with both; none where they are the same. Numbers may differ in their last

@@ -48,7 +48,7 @@ pub fn wrong_file(path: &Path, key: &'static str) -> Problem {
     wrong_in(path, Message::new(key))
 }
 
-/// The same with arguments.
+/// A problem of a file, with arguments.
 pub fn wrong_in(path: &Path, message: Message) -> Problem {
     Box::new(Told { path: Some(path.to_owned()), message })
 }

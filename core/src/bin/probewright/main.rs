@@ -39,7 +39,7 @@ enum Command {
     /// Explain a cycle, an alarm, a finding, a parameter, a result or a datum of the machine, for example CYCLE977,
     /// 61303, PW135 or _SZA
     Explain {
-        /// Its name or number
+        /// Name or number
         name: String,
         /// Measuring variant of the cycle, for example 101: its help page
         variant: Option<i64>,

@@ -25,7 +25,7 @@ pub struct Files {
     /// Write what digitizing sends to a file: the NC program
     #[arg(long, value_name = "FILE")]
     scan_nc: Option<PathBuf>,
-    /// The same as lines X Y Z in mm
+    /// Points as lines X Y Z in mm
     #[arg(long, value_name = "FILE")]
     scan_xyz: Option<PathBuf>,
     /// Lines X Y Z in mm of the surface under the ball: its radius is taken out

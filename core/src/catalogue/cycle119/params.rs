@@ -17,7 +17,7 @@ pub const SET: Names = [
     [Name::new("_SETPOINT[1,0]"), Name::new("_SETPOINT[1,1]"), Name::new("_SETPOINT[1,2]")],
     [Name::new("_SETPOINT[2,0]"), Name::new("_SETPOINT[2,1]"), Name::new("_SETPOINT[2,2]")],
 ];
-/// The same points as measured.
+/// The points as measured.
 pub const MEASURED: Names = [
     [Name::new("_MEASPOINT[0,0]"), Name::new("_MEASPOINT[0,1]"), Name::new("_MEASPOINT[0,2]")],
     [Name::new("_MEASPOINT[1,0]"), Name::new("_MEASPOINT[1,1]"), Name::new("_MEASPOINT[1,2]")],

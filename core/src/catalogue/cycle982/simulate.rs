@@ -16,7 +16,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     run(machine, inputs, 982)
 }
 
-/// The same under the number of a cycle.
+/// Carries the measurement out under the number of a cycle.
 pub fn run(machine: &mut dyn Machine, inputs: &Inputs, number: i64) -> Result<(), Stop> {
     store::begin(machine, inputs, number);
     results::integer(machine, 12, 0);

@@ -81,7 +81,7 @@ impl Stand<'_> {
         self.block.latch(machine, &self.block.point(axis, direction, set))
     }
 
-    /// The same from where the tool stands, over twice the measuring path (B:9820).
+    /// Touches from where the tool stands, over twice the measuring path (B:9820).
     pub fn touch_from_here(&self, machine: &mut dyn Machine, axis: usize, direction: f64) -> Result<f64, Stop> {
         self.block.latch_from_here(machine, &self.block.point(axis, direction, 0.0))
     }
@@ -92,7 +92,7 @@ impl Stand<'_> {
         active(control, part(axis)) + latched - self.sides.trigger(axis, direction)
     }
 
-    /// The same as measured.
+    /// Length in an axis as measured.
     pub fn length(&self, machine: &mut dyn Machine, axis: usize, direction: f64, latched: f64) -> Measured {
         found(part(axis), self.apparent(machine.control(), axis, direction, latched))
     }

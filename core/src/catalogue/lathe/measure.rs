@@ -37,7 +37,7 @@ pub fn per(control: &Control, inputs: &Inputs) -> f64 {
     if TRANSVERSE.holds(inputs) { control.transverse.shown() } else { 1.0 }
 }
 
-/// The same of an axis, measured or not: of X, and of Y where it counts like X.
+/// Dimension per length of an axis, measured or not: of X, and of Y where it counts like X.
 pub fn per_axis(control: &Control, inputs: &Inputs, axis: usize) -> f64 {
     if control.plane.axes()[axis.min(2)] == 0 || axis == 2 && like_x(inputs) { control.transverse.shown() } else { 1.0 }
 }

@@ -10,7 +10,7 @@ const IN_X: When = When::Any(&[
     When::All(&[When::Plane(Plane::G17), ABSCISSA]),
     When::All(&[When::Plane(Plane::G19), APPLICATE]),
 ]);
-/// The same in CYCLE974 and CYCLE994, where `_CHBIT[19]` = 1 lets Y count like X in G18 (B:14023-14027).
+/// Measured in X by CYCLE974 or CYCLE994, where `_CHBIT[19]` = 1 lets Y count like X in G18 (B:14023-14027).
 pub const TRANSVERSE: When = When::Any(&[
     IN_X,
     When::All(&[When::Plane(Plane::G18), APPLICATE, When::Setting { name: "_CHBIT[19]", is: &[1.0] }]),
@@ -18,7 +18,7 @@ pub const TRANSVERSE: When = When::Any(&[
 
 /// The setpoint is a diameter.
 pub const DIAMETER: When = When::All(&[TRANSVERSE, When::Diameters]);
-/// The same in a cycle to which Y is never X.
+/// The setpoint is a diameter, in a cycle to which Y is never X.
 pub const DIAMETER_IN_X: When = When::All(&[IN_X, When::Diameters]);
 
 /// `_MA` with a third axis, where the machine has it (B:10354, B:10545).

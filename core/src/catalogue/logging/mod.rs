@@ -24,7 +24,7 @@ const PURPOSE: Purpose = Purpose { probe: ProbeUse::Log, machine: MachineSort::A
 
 /// What they start from.
 pub const LOG: Cycle = Cycle { purpose: PURPOSE, ..CYCLE };
-/// The same of those that print.
+/// What the cycles start from that print.
 pub const PRINTS: Cycle = Cycle { settings: SETTINGS, checks, picture: Drawing::new(picture), ..LOG };
 
 /// Data of the machine that decide over the log: name and variant left out (B:11336), header of the user (B:11338).

@@ -73,7 +73,7 @@ pub fn stand(setup: &mut Setup, at: [f64; 3]) {
     setup.position = setup.control.to_machine(Wcs(point));
 }
 
-/// The same machine after a call.
+/// The machine after a call.
 pub fn after(setup: &Setup, outcome: Outcome) -> Setup {
     Setup { control: outcome.control, position: outcome.position, ..setup.clone() }
 }

@@ -94,7 +94,7 @@ fn stage(inputs: &Inputs) -> Staging {
     })
 }
 
-/// Its coordinates and the limits.
+/// Coordinates of the corner and limits.
 fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
     let fields = [0, 1].map(|axis| axis_of(inputs, axis));
     let corner = |above: &Seen| match above.touches[..] {

@@ -9,7 +9,7 @@ use crate::machine::trace::Step;
 
 /// Letter of the part of a register that M and T mean where the side of the cutter made the surface: its radius.
 pub const RADIUS: &str = "D";
-/// The same where the face of the tool made it: the length.
+/// Letter of the part of a register where the face of the tool made the surface: its length.
 pub const LENGTH: &str = "H";
 
 /// A place that was measured along an axis of the WCS, mm.
@@ -44,7 +44,7 @@ impl Found<'_> {
         self.metal * self.deviation
     }
 
-    /// The same at one surface; T takes it out of its register.
+    /// Metal that is left at one surface; T takes it out of its register.
     fn at_surface(&self) -> f64 {
         if self.size.is_some() { self.excess() / 2.0 } else { self.excess() }
     }

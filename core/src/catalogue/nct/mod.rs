@@ -106,7 +106,7 @@ pub fn axis_of(inputs: &Inputs, index: usize) -> Name {
     axis_name(inputs.plane.axes()[index.min(2)])
 }
 
-/// Its value, where it is given, mm.
+/// Value along an axis, where it is given, mm.
 pub fn given(inputs: &Inputs, index: usize) -> Option<f64> {
     inputs.given(axis_of(inputs, index))
 }

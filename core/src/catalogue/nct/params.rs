@@ -6,9 +6,9 @@ use crate::control::Plane;
 
 /// X is the axis of the tool.
 pub const ALONG_X: When = When::Plane(Plane::G19);
-/// The same of Y.
+/// Y is the axis of the tool.
 pub const ALONG_Y: When = When::Plane(Plane::G18);
-/// The same of Z.
+/// Z is the axis of the tool.
 pub const ALONG_Z: When = When::Plane(Plane::G17);
 
 /// Clearance beside a wall: 5 mm or 0.2 inch (C:474).

@@ -10,9 +10,9 @@ use crate::entry::stage::Seen;
 /// X: a depth where it is the tool axis, else one of the two nominal values. Key and place in the manual are those of
 /// the macro.
 pub const X: Param = Param { name: address::X, needs: &needs(ALONG_X), ..AXIS };
-/// The same for Y.
+/// Y: a depth where it is the tool axis, else one of the two nominal values.
 pub const Y: Param = Param { name: address::Y, needs: &needs(ALONG_Y), ..AXIS };
-/// The same for Z.
+/// Z: a depth where it is the tool axis, else one of the two nominal values.
 pub const Z: Param = Param { name: address::Z, needs: &needs(ALONG_Z), ..AXIS };
 
 const AXIS: Param = Param { unit: Unit::ActiveLength, alarm: Some(FORMAT_ERROR), ..PARAM };

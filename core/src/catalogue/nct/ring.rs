@@ -63,7 +63,7 @@ fn stage(inputs: &Inputs) -> Staging {
     Staging::new(Look::ABOVE, Fields { path: Some(address::D), ..Fields::MACRO }).sized(inputs, &[address::D])
 }
 
-/// Its diameter, and the limit of the search behind the walls.
+/// Diameter of the ring, and limit of the search behind the walls.
 fn marks(_: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
     let limit = |above: &Seen| above.bands(ShapeKind::Zone, &[(address::D, -OVERTRAVEL[0], 0.0)]);
     let all = |above: &Seen| [figures::axes(above), limit(above), vec![above.size(address::D, 0)]].concat();

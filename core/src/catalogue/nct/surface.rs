@@ -13,9 +13,9 @@ use crate::workpiece::Shape;
 /// Height of a surface across the tool axis: X, in the plane of which it is that axis. Key and place in the manual are
 /// those of the macro.
 pub const X: Param = Param { name: address::X, needs: &[needed(ALONG_X)], ..HEIGHT };
-/// The same for Y.
+/// Height of a surface across the tool axis Y.
 pub const Y: Param = Param { name: address::Y, needs: &[needed(ALONG_Y)], ..HEIGHT };
-/// The same for Z.
+/// Height of a surface across the tool axis Z.
 pub const Z: Param = Param { name: address::Z, needs: &[needed(ALONG_Z)], ..HEIGHT };
 
 const HEIGHT: Param = Param { unit: Unit::ActiveLength, alarm: Some(FORMAT_ERROR), ..PARAM };
@@ -26,7 +26,7 @@ const fn needed(when: When) -> Need {
 
 /// A wall as found.
 pub struct Wall {
-    /// Its coordinate, WCS, mm.
+    /// Coordinate of the wall, WCS, mm.
     pub position: f64,
     /// Way of the ball towards it: +1 or −1.
     pub direction: f64,
@@ -99,7 +99,7 @@ pub fn stage_axially(inputs: &Inputs) -> Staging {
     figures::stage(inputs, Look::section(0), &[]).with(name, SET.copysign(inputs.number(name)))
 }
 
-/// Its height and limits.
+/// Height of the surface and limits.
 pub fn marks_axially(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
     let height = |seen: &Seen| seen.position(axis_of(inputs, 2), 1, None);
     looks.iter().flat_map(|seen| [figures::limits(inputs, seen), height(seen)].concat()).collect()

@@ -83,7 +83,7 @@ impl Sides {
         Trigger { name: self.names[axis][side].clone(), result: 8 + 4 * self.indices[axis] + 2 * side, value }
     }
 
-    /// The same sides with another upper one, mm.
+    /// These sides with another upper one, mm.
     pub fn with_top(mut self, top: f64) -> Sides {
         self.values[2][0] = top;
         self

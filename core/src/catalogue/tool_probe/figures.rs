@@ -6,11 +6,11 @@ use crate::picture::figures::line;
 
 /// Half the edge length of a drawn probe, mm.
 pub const HALF: f64 = 10.0;
-/// Its data: a cube about the zero point, touched on all sides; how deep a tool is measured beside it.
+/// Data of a cube about the zero point, touched on all sides; how deep a tool is measured beside it.
 const CUBE: [(usize, f64); 9] =
     [(0, HALF), (1, -HALF), (2, HALF), (3, -HALF), (4, HALF), (5, -HALF), (6, 2.0 * HALF), (7, 333.0), (9, 4.0)];
 
-/// The same by their names, of the machine and of the workpiece.
+/// Data of the cube by their names, of the machine and of the workpiece.
 pub fn cube() -> Vec<(String, f64)> {
     let of = |array: &'static str| CUBE.map(|(index, value)| (format!("{array}[0,{index}]"), value));
     [of("_TP"), of("_TPW")].concat()

@@ -6,7 +6,7 @@ use crate::catalogue::sinumerik::{Next, calibration, results, tolerance};
 /// A trigger point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trigger {
-    /// Its datum: `_TP[0,4]`.
+    /// Datum of the trigger point: `_TP[0,4]`.
     pub name: String,
     /// Index of the field in `_OVR[]` that takes it; the difference follows in the next.
     pub result: usize,

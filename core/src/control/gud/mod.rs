@@ -65,7 +65,7 @@ pub struct Gud {
 pub struct Subject<D: 'static = Gud> {
     /// Key of its name in the message files: `machine-group-` and this.
     pub key: &'static str,
-    /// Its data.
+    /// Data of the subject.
     pub data: &'static [D],
 }
 

@@ -28,7 +28,7 @@ pub struct MachineDatum {
     pub text: bool,
     /// Values with which the core begins: what a machine must have so that the cycles work (see DESIGN.md).
     pub initial: &'static [f64],
-    /// The same of names.
+    /// Names with which the core begins, where the datum holds names.
     pub initial_names: &'static [&'static str],
     /// Place in the manual.
     pub source: &'static str,

@@ -16,7 +16,7 @@ pub(in crate::control) struct Kept {
     pub(super) store: Store,
     /// That in effect, not the stored one.
     pub(super) in_effect: bool,
-    /// Its number; 0 where there is one only.
+    /// Number of the variable; 0 where there is one only.
     pub(super) number: usize,
 }
 

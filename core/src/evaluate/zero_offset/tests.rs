@@ -166,7 +166,7 @@ fn what_does_not_exist_alarms() {
     assert_eq!(target(&control, 1000).unwrap().unwrap().store, Store::ChannelBasic(2));
 }
 
-/// The same with X reversed in a basic frame, in the settable ones, or in the programmed one; 0: in none.
+/// A control with X reversed in a basic frame, in the settable ones, or in the programmed one; 0: in none.
 fn mirrored_in(place: usize) -> Control {
     let mut control = chained();
     let mirror = [true, false, false];

@@ -21,7 +21,7 @@ pub struct Mesh {
     corners: Vec<V3>,
     /// Indices of corners, in the order of the tree.
     triangles: Vec<[u32; 3]>,
-    /// The same triangles, ready to be held against a ball.
+    /// Triangles, ready to be held against a ball.
     faces: Vec<Face>,
     tree: Tree,
 }

@@ -131,7 +131,7 @@ fn spindle(seen: &Seen) -> Option<Diagnostic> {
 const TRIGGERS: RangeInclusive<usize> = 1..=6;
 
 /// Workpiece probes of which the machine has trigger values that are not those of the delivery: they were calibrated.
-/// Those of a tool probe say nothing, since approximate ones are entered before it is calibrated.
+/// Data of a tool probe say nothing, since approximate ones are entered before it is calibrated.
 fn on_machine(control: &Control, number: i64) -> bool {
     let delivered = delivery_in(control.dialect, control.basic_units);
     TRIGGERS

@@ -23,7 +23,7 @@ pub const LARGEST: f64 = 1e6;
 pub struct FreeSurface {
     /// What it was made of, where that is a grid of heights.
     pub heights: Option<Heights>,
-    /// Its triangles.
+    /// Triangles of the surface.
     pub mesh: Mesh,
 }
 

@@ -25,7 +25,7 @@ pub fn setup(inputs: &Inputs) -> Setup {
     setup_in(inputs, Units::Metric)
 }
 
-/// The same on a machine with this basic system of units.
+/// A setup on a machine with this basic system of units.
 pub fn setup_in(inputs: &Inputs, units: Units) -> Setup {
     let mut setup = Setup::calibrated_in(crate::dialect::Dialect::Sinumerik, inputs.plane, units);
     setup.suit(&CYCLE971, 0);

@@ -36,7 +36,7 @@ fn ways(variant: i64) -> String {
     if digit(10) { format!("{once} {once}") } else { once }
 }
 
-/// The same as motions about a centre, from where the probe stands.
+/// Ways as motions about a centre, from where the probe stands.
 fn expand(ways: &str, centre: [f64; 3], here: &mut [f64; 3]) -> Vec<Motion> {
     let mut motions = Vec::new();
     for word in ways.split(' ') {

@@ -35,7 +35,7 @@ pub(super) fn inputs(variant: i64) -> Inputs {
     call("CYCLE997", variant, &values)
 }
 
-/// The same with a target.
+/// Inputs of a variant with a target.
 pub(super) fn corrected(variant: i64, target: f64) -> Inputs {
     let mut inputs = inputs(variant);
     inputs.numbers.insert(names::KNUM, target);

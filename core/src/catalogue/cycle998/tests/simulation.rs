@@ -82,7 +82,7 @@ fn ready(plane: Plane, inputs: &Inputs, turned: [f64; 3], actual: &[f64]) -> Set
     setup
 }
 
-/// The same where axes of the WCS are reversed.
+/// A measurement where axes of the WCS are reversed.
 fn mirrored(mirror: [bool; 3], plane: Plane, inputs: &Inputs, turned: [f64; 3], actual: &[f64]) -> Setup {
     let mut setup = ready(plane, inputs, turned, actual);
     setup.control.frames.get_mut(&1).unwrap().mirror = mirror;
