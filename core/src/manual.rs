@@ -36,19 +36,18 @@ pub struct Cited(pub &'static str);
 
 impl fmt::Display for Cited {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut last = None;
         let mut said: Vec<(char, &str)> = Vec::new();
         for (letter, line) in self.0.split(';').flat_map(lines) {
             let Some(place) = chapter(letter, line).map(|chapter| (letter, chapter)) else { continue };
             if said.contains(&place) {
                 continue;
             }
-            match last.replace(letter) {
-                Some(before) if before == letter => to.write_str(", ")?,
-                None => write!(to, "{}, ", manual(letter).map_or("", |manual| manual.title))?,
-                Some(_) => write!(to, "; {}, ", manual(letter).map_or("", |manual| manual.title))?,
+            let last = said.last().map(|(letter, _)| *letter);
+            if last != Some(letter) {
+                let between = if last.is_some() { "; " } else { "" };
+                write!(to, "{between}{}", manual(letter).map_or("", |manual| manual.title))?;
             }
-            to.write_str(place.1)?;
+            write!(to, ", {}", place.1)?;
             said.push(place);
         }
         Ok(())

@@ -122,7 +122,7 @@ impl Tree {
 
     /// Tells the leaves by a measure, which no inner box has smaller, up to a limit; what is answered is the new limit.
     fn walk(&self, mut limit: f64, measure: impl Fn(&Node) -> f64, mut tell: impl FnMut(Range<usize>, f64) -> f64) {
-        let mut waiting = Vec::with_capacity(LEVELS);
+        let mut waiting = Waiting::default();
         let mut next = self.nodes.first().map(|root| (0, measure(root)));
         while let Some((place, at)) = next.take().or_else(|| waiting.pop()) {
             let Some(node) = self.nodes.get(place as usize).filter(|_| at <= limit) else { continue };
@@ -143,5 +143,31 @@ impl Tree {
             }
             next = Some(near);
         }
+    }
+}
+
+/// Boxes that wait, with their measure; no heap, since each touch of a probe walks many times.
+struct Waiting {
+    boxes: [(u32, f64); LEVELS],
+    count: usize,
+}
+
+impl Default for Waiting {
+    fn default() -> Waiting {
+        Waiting { boxes: [(0, 0.0); LEVELS], count: 0 }
+    }
+}
+
+impl Waiting {
+    fn push(&mut self, one: (u32, f64)) {
+        if let Some(free) = self.boxes.get_mut(self.count) {
+            *free = one;
+            self.count += 1;
+        }
+    }
+
+    fn pop(&mut self) -> Option<(u32, f64)> {
+        self.count = self.count.checked_sub(1)?;
+        self.boxes.get(self.count).copied()
     }
 }
