@@ -16,7 +16,7 @@ use probewright_core::workpiece::{Shape, Solid};
 /// A calibrated probe 20 mm above the middle of a block of 100 mm.
 fn go(text: &str) -> Outcome {
     let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
-    setup.workpiece.solids.push(Solid::new(Shape::Block { size: [100.0; 3] }, [0.0; 3]));
+    setup.workpiece.solids.push(Solid::new(Shape::Block { size: [100.0; 3] }, Mcs::default()));
     setup.position = Mcs([0.0, 0.0, 20.0]);
     let program = read(Dialect::Sinumerik, text.as_bytes());
     run(&program, &setup, Limits::default())

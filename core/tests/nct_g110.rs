@@ -4,7 +4,7 @@
 use probewright_core::catalogue::nct;
 use probewright_core::control::{Frame, Plane};
 use probewright_core::dialect::Dialect;
-use probewright_core::geometry::Rpy;
+use probewright_core::geometry::{Mcs, Rpy};
 use probewright_core::machine::trace::{MotionKind, Step};
 use probewright_core::machine::{Setup, Stop};
 use probewright_core::run::{Limits, Outcome, run};
@@ -42,7 +42,7 @@ fn setup(shift: [f64; 3], size: f64) -> Setup {
     setup.control.edge_made(0, 1).radius = 8.0;
     let errors = PartErrors { shift, size, ..PartErrors::default() };
     let shape = Shape::Hole { diameter: 50.0, depth: 30.0 };
-    let solid = Solid { shape, at: [420.0, 200.0, 300.0], rotation: Rpy([0.0, -90.0, -90.0]), errors };
+    let solid = Solid { shape, at: Mcs([420.0, 200.0, 300.0]), rotation: Rpy([0.0, -90.0, -90.0]), errors };
     setup.workpiece.solids.push(solid);
     setup
 }

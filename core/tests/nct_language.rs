@@ -297,7 +297,7 @@ fn the_control_tells_where_it_stands() {
 fn over_a_block() -> Setup {
     let mut setup = Setup::calibrated(Dialect::Nct, Plane::G17);
     let size = [60.0, 60.0, 20.0];
-    setup.workpiece.solids.push(Solid::new(Shape::Block { size }, setup.control.to_machine(Wcs([0.0; 3])).0));
+    setup.workpiece.solids.push(Solid::new(Shape::Block { size }, setup.control.to_machine(Wcs([0.0; 3]))));
     setup.position = setup.control.to_machine(Wcs([0.0, 0.0, 20.0]));
     setup
 }

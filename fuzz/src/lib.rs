@@ -3,6 +3,7 @@
 use probewright_core::control::{Edge, Plane, Tool, delivery};
 use probewright_core::dialect::Dialect;
 use probewright_core::entry::Style;
+use probewright_core::geometry::Mcs;
 use probewright_core::machine::Setup;
 use probewright_core::machine::trace::Step;
 use probewright_core::program::calls::{CallSite, calls};
@@ -83,5 +84,5 @@ fn machines() -> [Setup; 3] {
 }
 
 fn block() -> Solid {
-    Solid::new(Shape::Block { size: [100.0, 100.0, 50.0] }, [0.0; 3])
+    Solid::new(Shape::Block { size: [100.0, 100.0, 50.0] }, Mcs::default())
 }

@@ -50,7 +50,7 @@ pub fn solid(control: &Control, shape: Shape, at: [f64; 3], x: [f64; 3], z: [f64
     let columns = Matrix3::from_columns(&[x, z.cross(&x), z]);
     Solid {
         shape,
-        at: control.to_machine(Wcs(in_plane(control, at))).0,
+        at: control.to_machine(Wcs(in_plane(control, at))),
         rotation: angles(&Rotation3::from_matrix_unchecked(columns)),
         errors: PartErrors::default(),
     }

@@ -143,6 +143,7 @@ mod tests {
     use crate::diagnostic::{Code, Severity};
     use crate::dialect::Dialect;
     use crate::entry::Typed;
+    use crate::geometry::Mcs;
     use crate::machine::Setup;
     use crate::program::calls::calls_on;
     use crate::run::{Limits, Outcome, run};
@@ -158,7 +159,7 @@ mod tests {
         let mut setup = Setup::calibrated_in(Dialect::Sinumerik, Plane::G17, units);
         setup.control.set("_EV[1]", 0.01 / units.factor());
         setup.control.set("_KB[0,2]", 15.0 / units.factor());
-        setup.workpiece.solids.push(Solid::new(Shape::Hole { diameter: 40.02, depth: 30.0 }, [0.0; 3]));
+        setup.workpiece.solids.push(Solid::new(Shape::Hole { diameter: 40.02, depth: 30.0 }, Mcs::default()));
         setup
     }
 

@@ -195,7 +195,7 @@ fn cutter(path: &Path, cutter: &Cutter) -> Result<(), Refused> {
 pub(crate) fn solid(path: &Path, solid: &Solid) -> Result<(), Refused> {
     let errors = &solid.errors;
     let at = path.member("errors");
-    small(&path.member("at"), &solid.at)?;
+    small(&path.member("at"), &solid.at.0)?;
     small(&path.member("rotation"), &solid.rotation.0)?;
     small(&at.member("shift"), &errors.shift)?;
     small(&at.member("tilt"), &errors.tilt.0)?;

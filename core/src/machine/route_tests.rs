@@ -90,7 +90,7 @@ proptest! {
 }
 
 fn solid(shape: Shape) -> Solid {
-    Solid::new(shape, [0.0; 3])
+    Solid::new(shape, Mcs::default())
 }
 
 /// A full circle at this distance from the Z axis.
@@ -131,7 +131,7 @@ fn a_circle_close_to_a_round_wall_is_told_free_at_once() {
 fn a_graze_is_met_where_it_is_deepest() {
     let block = Shape::Block { size: [100.0, 100.0, 20.0] };
     for (deep, meets) in [(1e-4, true), (2e-5, true), (-1e-7, false)] {
-        let part = boundary(vec![Solid { at: [0.0, 50.5 - deep, 10.0], ..solid(block.clone()) }]);
+        let part = boundary(vec![Solid { at: Mcs([0.0, 50.5 - deep, 10.0]), ..solid(block.clone()) }]);
         let way = around(V3::new(-10.0, -12.5, 0.0), V3::new(0.0, -12.5, 0.0), V3::z(), -180.0, 0.0);
         let (found, effort) = met(&part, &Feeler::ball(RADIUS), &way);
         assert_eq!(found.is_some(), meets, "{deep}");

@@ -164,7 +164,7 @@ impl Made {
                 (true, Some(_)) => "assumed-tool-probe",
             };
             let told = Message::new(key).number("line", f64::from(line + 1));
-            self.told.push(placed(told.text("cycle", inputs.cycle.name), Mcs(at)));
+            self.told.push(placed(told.text("cycle", inputs.cycle.name), at));
         }
     }
 }

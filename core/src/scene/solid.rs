@@ -48,11 +48,11 @@ pub fn zone(solid: &Solid) -> Figure {
     draw(&Body::of(solid.place(), form), |face| face.normal().z.abs() < 0.5)
 }
 
-/// Solids that stand in the frame of another one.
-fn together(solids: &[Solid]) -> Figure {
+/// Bodies that stand in the frame of a solid.
+fn together(bodies: &[Body]) -> Figure {
     let mut all = Figure::default();
-    for solid in solids {
-        let (own, place) = (figure(solid), solid.place());
+    for body in bodies {
+        let (own, place) = (draw(body, |_| true), body.place);
         let point = |at: V3| place.transform_point(&at.into()).coords;
         all.mesh.append(&own.mesh, |[at, normal]| [point(*at), place.rotation * normal]);
         all.edges.extend(own.edges.iter().map(|ends| ends.map(point)));

@@ -19,7 +19,7 @@ use crate::workpiece::{Drawn, PartErrors, Shape, Solid, Touching};
 use std::f64::consts::TAU;
 
 fn solid(shape: Shape) -> Solid {
-    Solid::new(shape, [0.0; 3])
+    Solid::new(shape, Mcs::default())
 }
 
 fn entry(step: Step) -> Entry {
@@ -144,7 +144,7 @@ fn errors_of_a_part_are_where_they_belong() {
 #[test]
 fn a_part_stands_as_the_last_rotary_axis_before_left_it() {
     let part = solid(Shape::Hole { diameter: 30.0, depth: 18.0 });
-    let turned = Solid { at: [1.0, 2.0, 3.0], rotation: Rpy([0.0, 0.0, 90.0]), ..part.clone() };
+    let turned = Solid { at: Mcs([1.0, 2.0, 3.0]), rotation: Rpy([0.0, 0.0, 90.0]), ..part.clone() };
     let table = Step::Table { axis: 2, from: Degrees(0.0), to: Degrees(9.0), solids: vec![turned] };
     let scene = Scene::of(&happened(vec![part], vec![Step::Orient { angle: Degrees(0.0) }, table, Step::CallEnd]));
     let [before, after] = &scene.view.standings[..] else { unreachable!() };

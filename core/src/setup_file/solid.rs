@@ -1,7 +1,7 @@
 //! A solid of the part in the setup file: its shape by name and sizes, or a free surface.
 
 use crate::SIMULATES;
-use crate::geometry::{Degrees, Rpy};
+use crate::geometry::{Degrees, Mcs, Rpy};
 use crate::refused::{Path, Refused};
 use crate::workpiece::free::{EXAMPLES, LARGEST};
 use crate::workpiece::{FreeSurface, Heights, PartErrors, Shape, Solid};
@@ -160,7 +160,7 @@ impl SolidFile {
             (ShapeName::Surface, _) | (_, Some(_)) => return Err(shape.refused("setup-surface", path, size.len())),
             (shape, None) => shape.sized(&size).ok_or_else(|| shape.refused("setup-shape", path, size.len()))?,
         };
-        Ok(Solid { shape, at, rotation, errors })
+        Ok(Solid { shape, at: Mcs(at), rotation, errors })
     }
 }
 
@@ -171,7 +171,7 @@ impl From<&Solid> for SolidFile {
             Shape::Free(surface) => Some(SurfaceFile::of(surface)),
             _ => None,
         };
-        SolidFile { shape, size, surface, at: solid.at, rotation: solid.rotation, errors: solid.errors }
+        SolidFile { shape, size, surface, at: solid.at.0, rotation: solid.rotation, errors: solid.errors }
     }
 }
 

@@ -1,6 +1,6 @@
 //! A turned part in the chuck of a turning machine.
 
-use super::{PartErrors, Shape, Solid};
+use super::{Body, Form, PartErrors, Shape, Solid};
 use crate::geometry::{Degrees, Rpy, V3, rigid};
 
 /// A solid with the spindle turned so far, positive about its Z: a turned part goes round its nominal axis, with errors
@@ -27,10 +27,13 @@ const JAWS: u32 = 3;
 const JAW_WIDTH: f64 = 0.28;
 
 /// A chuck as it is drawn, in its own frame: jaws over the first third, which sweep what can be touched, and the body.
-pub fn seen(solid: &Solid) -> Vec<Solid> {
+pub(crate) fn seen(solid: &Solid) -> Vec<Body> {
     let Shape::Chuck { diameter, length, grip } = solid.shape else { return Vec::new() };
     let high = length / 3.0;
-    let part = |shape, at, turned| Solid { shape, at, rotation: Rpy::about(2, turned), errors: PartErrors::default() };
+    let part = |shape, at: [f64; 3], turned| {
+        let place = rigid::placed(at.into(), rigid::rotation(Rpy::about(2, turned)));
+        Body::of(place, Form::of(&shape, &PartErrors::default()))
+    };
     let body = Shape::Turned { diameter: diameter + solid.errors.size, length: length - high, bore: [0.0; 2] };
     let radius = diameter / 2.0;
     let reach = 0.94 * radius - grip / 2.0;
@@ -47,6 +50,7 @@ pub fn seen(solid: &Solid) -> Vec<Solid> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::Mcs;
     use crate::workpiece::{Boundary, Workpiece};
 
     #[test]
@@ -54,7 +58,7 @@ mod tests {
         // oracle: hand: a point of the machine that is turned with the part is as far from it as before
         let part = Solid {
             shape: Shape::Turned { diameter: 40.0, length: 60.0, bore: [20.0, 30.0] },
-            at: [5.0, -3.0, 10.0],
+            at: Mcs([5.0, -3.0, 10.0]),
             rotation: Rpy::default(),
             errors: PartErrors {
                 shift: [0.4, -0.3, 0.2],
@@ -83,7 +87,7 @@ mod tests {
     fn what_belongs_to_the_machine_stays() {
         let groove = Solid {
             shape: Shape::Groove { width: 10.0, depth: 20.0, length: 40.0 },
-            at: [60.0, 0.0, 0.0],
+            at: Mcs([60.0, 0.0, 0.0]),
             rotation: Rpy::default(),
             errors: PartErrors { shift: [0.1, 0.2, 0.3], ..PartErrors::default() },
         };

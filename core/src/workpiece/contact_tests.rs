@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use std::sync::Arc;
 
 fn part(shape: Shape, errors: PartErrors) -> Workpiece {
-    Workpiece { solids: vec![Solid { shape, at: [0.0; 3], rotation: Rpy::default(), errors }] }
+    Workpiece { solids: vec![Solid { shape, at: Mcs::default(), rotation: Rpy::default(), errors }] }
 }
 
 fn first(part: &Workpiece, radius: f64, from: [f64; 3], to: [f64; 3]) -> Contact {
@@ -158,7 +158,7 @@ proptest! {
     ) {
         let plain = PartErrors { shift: [0.0; 3], tilt: Rpy::default(), ..errors };
         let part = part(shape.clone(), plain);
-        let moved = Workpiece { solids: vec![Solid { shape, at, rotation: Rpy(turn), errors: plain }] };
+        let moved = Workpiece { solids: vec![Solid { shape, at: Mcs(at), rotation: Rpy(turn), errors: plain }] };
         let place = rigid::placed(V3::from(at), rigid::rotation(Rpy(turn)));
         let there = |p: [f64; 3]| <[f64; 3]>::from(place.transform_point(&V3::from(p).into()).coords);
         match (first(&part, radius, from, to), first(&moved, radius, there(from), there(to))) {

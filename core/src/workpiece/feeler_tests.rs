@@ -11,7 +11,7 @@ use proptest::prelude::*;
 const UP: Dir<Mcs> = Dir::new([0.0, 0.0, 1.0]);
 
 fn solid(shape: Shape, at: [f64; 3]) -> Solid {
-    Solid::new(shape, at)
+    Solid::new(shape, Mcs(at))
 }
 
 pub(crate) fn boundary(solids: Vec<Solid>) -> Boundary {
@@ -122,7 +122,7 @@ fn a_leaning_face_is_met_above_the_ball() {
 fn a_lying_shaft_and_a_ball_are_met_across() {
     let mut shaft = solid(Shape::Turned { diameter: 30.0, length: 80.0, bore: [0.0; 2] }, [0.0; 3]);
     shaft.rotation = Rpy([90.0, 0.0, 0.0]); // its axis along Y
-    shaft.at = [0.0, -40.0, 0.0];
+    shaft.at = Mcs([0.0, -40.0, 0.0]);
     let (from, to) = ([60.0, 0.0, -20.0], [0.0, 0.0, -20.0]);
     for (part, reach) in
         [(boundary(vec![shaft]), 16.35_f64), (boundary(vec![solid(Shape::Sphere { diameter: 30.0 }, [0.0; 3])]), 16.35)]
@@ -197,7 +197,7 @@ pub(crate) fn any_solid() -> impl Strategy<Value = Solid> {
     let round = prop_oneof![Just((0.0, 0)), Just((0.2, 3))];
     (shape, angles, -0.3..0.3, round).prop_map(|(shape, tilt, taper, out_of_round)| Solid {
         shape,
-        at: [0.0; 3],
+        at: Mcs::default(),
         rotation: Rpy::default(),
         errors: PartErrors { tilt: Rpy(tilt), taper, out_of_round, ..PartErrors::default() },
     })

@@ -32,7 +32,7 @@ pub use seen::{Drawn, Turret};
 pub use tool::{Cut, Cutter, Nose, Spindle, Tool};
 pub use tool_probe::ToolProbe;
 
-use crate::geometry::{Degrees, Rpy, V3, rigid};
+use crate::geometry::{Degrees, Mcs, Rpy, V3, rigid};
 use nalgebra::IsometryMatrix3;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -158,13 +158,19 @@ pub struct PartErrors {
 }
 
 /// One solid, placed in machine (basic) coordinates.
+///
+/// ```compile_fail
+/// use probewright_core::geometry::Wcs;
+/// use probewright_core::workpiece::{Shape, Solid};
+/// let ball = Solid::new(Shape::Sphere { diameter: 30.0 }, Wcs([1.0, 2.0, 3.0]));
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(as = "crate::setup_file::SolidFile"))]
 pub struct Solid {
     /// Shape. Its origin is the centre of the upper face (sphere: its own; corner: the corner), Z the depth axis.
     pub shape: Shape,
-    /// Position of the origin X Y Z, mm.
-    pub at: [f64; 3],
+    /// Position of the origin.
+    pub at: Mcs,
     /// Orientation about X Y Z (RPY), degree. G18/G19 elements are turned solids.
     pub rotation: Rpy,
     /// What is wrong with it.
@@ -172,8 +178,8 @@ pub struct Solid {
 }
 
 impl Solid {
-    /// One without errors whose axes are those of the machine; `at`: machine coordinates, mm.
-    pub fn new(shape: Shape, at: [f64; 3]) -> Solid {
+    /// One without errors whose axes are those of the machine.
+    pub fn new(shape: Shape, at: Mcs) -> Solid {
         Solid { shape, at, rotation: Rpy::default(), errors: PartErrors::default() }
     }
 

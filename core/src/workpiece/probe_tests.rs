@@ -11,13 +11,13 @@ const DIRECTIONS: [[f64; 2]; 4] = [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1
 
 fn hole(diameter: f64, errors: PartErrors) -> Workpiece {
     let shape = Shape::Hole { diameter, depth: 20.0 };
-    let solid = Solid { shape, at: [0.0; 3], rotation: Rpy::default(), errors };
+    let solid = Solid { shape, at: Mcs::default(), rotation: Rpy::default(), errors };
     Workpiece { solids: vec![solid] }
 }
 
 fn block() -> Workpiece {
     let shape = Shape::Block { size: [40.0, 40.0, 20.0] };
-    let solid = Solid::new(shape, [0.0; 3]);
+    let solid = Solid::new(shape, Mcs::default());
     Workpiece { solids: vec![solid] }
 }
 

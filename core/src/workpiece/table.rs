@@ -37,7 +37,7 @@ mod tests {
         control.rotary[2] = Degrees(90.0);
         let solid = Solid {
             shape: Shape::Sphere { diameter: 5.0 },
-            at: [30.0, 0.0, 7.0],
+            at: Mcs([30.0, 0.0, 7.0]),
             rotation: Rpy::default(),
             errors: PartErrors { shift: [1.0, 0.0, 0.0], tilt: Rpy([0.0, 0.0, 30.0]), ..PartErrors::default() },
         };

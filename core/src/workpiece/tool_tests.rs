@@ -25,7 +25,7 @@ fn probe(plane: Plane, shape: Shape) -> ToolProbe {
         Plane::G18 => [-90.0, 0.0, 0.0],
         Plane::G19 => [0.0, 90.0, 0.0],
     });
-    ToolProbe::ideal(Solid { shape, at: at(plane, [39.0, 31.0, 80.0]), rotation, errors: PartErrors::default() })
+    ToolProbe::ideal(Solid { shape, at: Mcs(at(plane, [39.0, 31.0, 80.0])), rotation, errors: PartErrors::default() })
 }
 
 fn at(plane: Plane, place: [f64; 3]) -> [f64; 3] {
@@ -245,7 +245,7 @@ proptest! {
         radius in 0.5..12.0_f64,
     ) {
         let mut solid = cube(Plane::G17).solid;
-        (solid.at, solid.errors.tilt) = ([0.0; 3], Rpy(tilt));
+        (solid.at, solid.errors.tilt) = (Mcs::default(), Rpy(tilt));
         let part = Workpiece { solids: vec![solid.clone()] };
         let ball = Boundary::of(&part).first(radius, Mcs(from), Mcs(to));
         let pieces = [Ball(V3::from(from), radius)];
@@ -276,7 +276,7 @@ proptest! {
         let from = [40.0 + start[0], start[1], start[2]];
         let to = [-10.0, start[1] / 2.0, -6.0];
         let mut probe = if round { disc(Plane::G17) } else { cube(Plane::G17) };
-        probe.solid.at = [0.0; 3];
+        probe.solid.at = Mcs::default();
         let reach = |probe: &ToolProbe, turned: f64, from: [f64; 3], to: [f64; 3]| {
             let spindle = spindle.map_or(Spindle::Turns, |angle| Spindle::Stands(Degrees(angle + turned)));
             way(probe, &tool, Plane::G17, spindle, from, to)
@@ -284,7 +284,7 @@ proptest! {
         let here = reach(&probe, 0.0, from, to);
         let motion = rigid::placed(shift.into(), rigid::rotation(Rpy([0.0, 0.0, turn])));
         let moved = |point: [f64; 3]| -> [f64; 3] { motion.transform_point(&V3::from(point).into()).coords.into() };
-        (probe.solid.at, probe.solid.rotation) = (moved([0.0; 3]), Rpy([0.0, 0.0, turn]));
+        (probe.solid.at, probe.solid.rotation) = (Mcs(moved([0.0; 3])), Rpy([0.0, 0.0, turn]));
         let there = reach(&probe, turn, moved(from), moved(to));
         prop_assert_eq!(here.is_some(), there.is_some());
         if let (Some(here), Some(there)) = (here, there) {

@@ -62,7 +62,7 @@ fn setup() -> Setup {
     let cycle = find(Dialect::Sinumerik, "CYCLE971").unwrap();
     let mut setup = Setup::for_cycle(cycle, Plane::G17);
     setup.tool_probes =
-        vec![ToolProbe::ideal(Solid::new(Shape::Block { size: [22.0, 22.0, 20.0] }, [39.0, 31.0, 80.0]))];
+        vec![ToolProbe::ideal(Solid::new(Shape::Block { size: [22.0, 22.0, 20.0] }, Mcs([39.0, 31.0, 80.0])))];
     setup.position = Mcs([70.0, 90.0, 120.0]);
     setup
 }

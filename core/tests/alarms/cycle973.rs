@@ -2,6 +2,7 @@
 
 use super::table::{Table, case, program};
 use super::{lathe, workpiece};
+use probewright_core::geometry::Mcs;
 use probewright_core::machine::Setup;
 use probewright_core::workpiece::{Shape, Solid};
 
@@ -37,7 +38,7 @@ fn setup() -> Setup {
     let mut setup = lathe::setup([55.0, 0.0, 60.0]);
     setup.workpiece.solids = vec![Solid::new(
         Shape::Groove { width: 60.123 - 50.054, depth: 12.0, length: 40.0 },
-        [(60.123 + 50.054) / 2.0, 0.0, 15.021 + 12.0],
+        Mcs([(60.123 + 50.054) / 2.0, 0.0, 15.021 + 12.0]),
     )];
     setup
 }

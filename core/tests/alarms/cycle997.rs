@@ -3,6 +3,7 @@
 use super::table::{Case, Table, case, program};
 use super::workpiece;
 use probewright_core::diagnostic::Code;
+use probewright_core::geometry::Mcs;
 use probewright_core::machine::Setup;
 use probewright_core::workpiece::Shape;
 
@@ -34,7 +35,7 @@ fn setup() -> Setup {
     let mut setup = workpiece::setup(sphere, [0.0, 0.0, 60.0]);
     for place in [[200.0, 0.0, 0.0], [0.0, 300.0, 0.0]] {
         let mut other = setup.workpiece.solids[0].clone();
-        other.at = place;
+        other.at = Mcs(place);
         setup.workpiece.solids.push(other);
     }
     setup

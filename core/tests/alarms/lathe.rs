@@ -18,7 +18,7 @@ pub fn setup(position: [f64; 3]) -> Setup {
     setup.control.tools.insert(20, turning::tool(0.0));
     setup.position = Mcs(position);
     setup.workpiece.solids =
-        vec![Solid::new(Shape::Turned { diameter: 60.0, length: 80.0, bore: [0.0; 2] }, [0.0, 0.0, 20.0])];
+        vec![Solid::new(Shape::Turned { diameter: 60.0, length: 80.0, bore: [0.0; 2] }, Mcs([0.0, 0.0, 20.0]))];
     setup
 }
 

@@ -121,7 +121,7 @@ pub fn p9969() -> Table {
     const USUAL: &str = "G65 P9969 X30 Y4 Z-24 J2 R2 Q1";
     let roof = |setup: &mut Setup| {
         let roof = Solid {
-            at: [0.0, -52.0, 0.0], // beside the stylus, above the ball
+            at: Mcs([0.0, -52.0, 0.0]), // beside the stylus, above the ball
             ..setup.workpiece.solids[0].clone()
         };
         setup.workpiece.solids.push(roof);
@@ -132,7 +132,7 @@ pub fn p9969() -> Table {
         usual: USUAL,
         setup: || {
             let mut setup = setup();
-            setup.workpiece.solids[0] = Solid::new(Shape::Block { size: [100.0, 100.0, 8.0] }, [0.0, 0.0, -20.0]);
+            setup.workpiece.solids[0] = Solid::new(Shape::Block { size: [100.0, 100.0, 8.0] }, Mcs([0.0, 0.0, -20.0]));
             setup
         },
         cases: vec![
@@ -184,7 +184,7 @@ fn measuring(
 fn setup() -> Setup {
     let mut setup = Setup::calibrated(Dialect::Nct, Plane::G17);
     setup.position = Mcs([0.0, 0.0, -10.0]);
-    setup.workpiece.solids = vec![Solid::new(Shape::Hole { diameter: 50.0, depth: 30.0 }, [0.0; 3])];
+    setup.workpiece.solids = vec![Solid::new(Shape::Hole { diameter: 50.0, depth: 30.0 }, Mcs::default())];
     setup
 }
 

@@ -33,7 +33,7 @@ fn setup() -> Setup {
     let mut setup = Setup::for_cycle(&P9920, Plane::G17);
     let register = setup.control.edge;
     *setup.control.edge_made(0, register) = Edge { length: [100.0, 0.0, 0.0], radius: 10.0, ..Edge::default() };
-    let disk = Solid::new(Shape::Turned { diameter: 40.0, length: 15.0, bore: [0.0; 2] }, [0.0; 3]);
+    let disk = Solid::new(Shape::Turned { diameter: 40.0, length: 15.0, bore: [0.0; 2] }, Mcs::default());
     setup.tool_probes.push(ToolProbe::ideal(disk));
     setup.position = Mcs([0.0, 0.0, 4.0]);
     setup

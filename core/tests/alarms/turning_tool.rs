@@ -72,7 +72,7 @@ fn setup() -> Setup {
     setup.real_tools.insert((3, 1), real);
     setup.control.tools.insert(3, turning);
     (setup.control.tool, setup.control.edge) = (3, 1);
-    setup.tool_probes = vec![ToolProbe::ideal(Solid::new(Shape::Block { size: [20.0; 3] }, [390.0, 0.0, 220.0]))];
+    setup.tool_probes = vec![ToolProbe::ideal(Solid::new(Shape::Block { size: [20.0; 3] }, Mcs([390.0, 0.0, 220.0])))];
     setup.position = Mcs([430.0, 0.0, 250.0]);
     setup
 }

@@ -58,7 +58,7 @@ pub fn setup(shape: Shape, position: [f64; 3]) -> Setup {
     let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
     setup.control.tools.insert(20, crate::mill::tool(&[1]));
     setup.position = Mcs(position);
-    setup.workpiece.solids = vec![Solid::new(shape, [0.0; 3])];
+    setup.workpiece.solids = vec![Solid::new(shape, Mcs::default())];
     setup
 }
 

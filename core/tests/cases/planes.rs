@@ -57,7 +57,7 @@ fn machine(setup: &Setup) -> Setup {
     turned.position = Mcs(along(turned.position.0));
     let turn = nalgebra::Matrix3::new(0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0);
     for solid in &mut turned.workpiece.solids {
-        solid.at = along(solid.at);
+        solid.at = Mcs(along(solid.at.0));
         solid.errors.shift = along(solid.errors.shift);
         let whole = turn * rigid::rotation(solid.rotation).matrix();
         solid.rotation = rigid::angles(&Rotation3::from_matrix_unchecked(whole));

@@ -155,7 +155,7 @@ impl View {
     fn solid(self, solid: &Solid) -> Solid {
         let mut seen = solid.clone();
         let turn = self.matrix() * rotation(solid.rotation).matrix();
-        seen.at = self.point(solid.at);
+        seen.at = Mcs(self.point(solid.at.0));
         seen.errors.shift = self.direction(solid.errors.shift);
         seen.errors.tilt = self.turn(solid.errors.tilt);
         seen.rotation = turned(turn);

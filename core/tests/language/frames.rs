@@ -74,7 +74,7 @@ fn the_swivel_cycle_turns_the_part_level() {
     setup.control.rotary_centre = Mcs([0.0, 0.0, -100.0]);
     setup.workpiece.solids.push(Solid {
         shape: Shape::Block { size: [40.0; 3] },
-        at: [0.0, 5.0, 3.0],
+        at: Mcs([0.0, 5.0, 3.0]),
         rotation: Rpy([30.0, 0.0, 0.0]),
         errors: PartErrors::default(),
     });
@@ -176,7 +176,7 @@ fn askew() -> Setup {
     let mut setup = setup();
     setup.workpiece.solids.push(Solid {
         shape: Shape::Block { size: [100.0, 80.0, 50.0] },
-        at: corner,
+        at: Mcs(corner),
         rotation: Rpy([4.0, -3.0, 5.0]),
         errors: PartErrors::default(),
     });

@@ -136,7 +136,7 @@ fn a_table_that_turns_the_part_into_the_probe_crashes() {
     let run = |way: &str| {
         let mut setup = setup();
         setup.workpiece.solids.push(block());
-        setup.control.rotary_centre = Mcs(setup.workpiece.solids[0].at);
+        setup.control.rotary_centre = setup.workpiece.solids[0].at;
         let [x, y, _] = setup.control.rotary_centre.0;
         setup.position = Mcs([x, y - 60.0, 40.0]);
         go_on(&setup, way)

@@ -7,6 +7,7 @@ use probewright_core::catalogue::find;
 use probewright_core::control::Frame;
 use probewright_core::diagnostic::Code;
 use probewright_core::dialect::Dialect;
+use probewright_core::geometry::Mcs;
 use probewright_core::machine::Stop;
 use probewright_core::machine::trace::Step;
 use probewright_core::run::{Limits, Outcome, run};
@@ -47,7 +48,7 @@ fn a_crash_ends_the_run_where_it_happens() {
 #[test]
 fn a_surface_is_measured_and_its_frame_corrected() {
     let mut setup = block_setup();
-    setup.workpiece.solids[0].at = [0.5, 0.0, 0.0];
+    setup.workpiece.solids[0].at = Mcs([0.5, 0.0, 0.0]);
     setup.control.frames.insert(1, Frame::translation([-50.0, 0.0, 0.0]));
     let text = "N10 G54 G17 G90 T9 D1\nN20 M6\nN30 G0 X-20 Y0\nN40 Z-10\n\
         N50 _TSA=6 _FA=4 _MVAR=100 _SETVAL=0 _MA=1 _KNUM=1 _EVNUM=0 _PRNUM=1 _VMS=0 _NMSP=1\nN60 CYCLE978\nN70 G54\n\
@@ -80,7 +81,7 @@ fn a_face_is_milled_and_measured_on_a_turning_machine() {
     // oracle: manual B:4148-4152; hand: the face lies 0.5 mm further in X than the call says, which names no diameters,
     // and the spindle that turns the part before leaves the probe as it is
     let mut setup = block_setup();
-    setup.workpiece.solids[0].at = [0.5, 0.0, 0.0];
+    setup.workpiece.solids[0].at = Mcs([0.5, 0.0, 0.0]);
     setup.control.set("SD42950", 2.0);
     setup.probe.skew = [0.0, 0.3];
     for (name, value) in [("$TC_DP1[9,1]", 580.0), ("$TC_DP2[9,1]", 7.0), ("$TC_DP3[9,1]", 0.0), ("$TC_DP5[9,1]", 50.0)]

@@ -34,7 +34,7 @@ fn bore(diameter: f64, at: [f64; 3]) -> Setup {
     let mut setup = Setup::calibrated(Dialect::Nct, Plane::G17);
     setup.workpiece.solids.push(Solid {
         shape: Shape::Hole { diameter, depth: 60.0 },
-        at,
+        at: Mcs(at),
         rotation: Rpy([-90.0, 0.0, 0.0]),
         errors: PartErrors::default(),
     });

@@ -4,6 +4,7 @@ mod mill;
 
 use probewright_core::control::Plane;
 use probewright_core::dialect::Dialect;
+use probewright_core::geometry::Mcs;
 use probewright_core::machine::Setup;
 use probewright_core::run::{Limits, Outcome, run};
 use probewright_core::syntax::read;
@@ -18,7 +19,7 @@ pub fn machine() -> Setup {
 
 /// A block of 100 by 100 by 50 mm, the middle of its upper face at the zero of the machine.
 pub fn block() -> Solid {
-    Solid::new(Shape::Block { size: [100.0, 100.0, 50.0] }, [0.0; 3])
+    Solid::new(Shape::Block { size: [100.0, 100.0, 50.0] }, Mcs::default())
 }
 
 /// What a program does on a machine.

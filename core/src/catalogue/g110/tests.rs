@@ -25,7 +25,7 @@ fn example(errors: PartErrors, shape: Shape, height: f64) -> Setup {
     setup.control.frames.insert(6, Frame::translation([11.0, 22.0, 33.0]));
     setup.control.activate(6);
     let at = setup.control.to_machine(Wcs([120.0, 0.0, 200.0]));
-    setup.workpiece.solids = vec![Solid { shape, at: at.0, rotation: Rpy([0.0, -90.0, -90.0]), errors }];
+    setup.workpiece.solids = vec![Solid { shape, at, rotation: Rpy([0.0, -90.0, -90.0]), errors }];
     setup.position = setup.control.to_machine(Wcs([120.0, height, 200.0]));
     setup
 }

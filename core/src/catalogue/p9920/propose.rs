@@ -51,5 +51,5 @@ fn place(control: &Control) -> [f64; 3] {
 
 fn disk(control: &Control, at: [f64; 3]) -> Solid {
     let shape = Shape::Turned { diameter: control.basic_length("#509").max(1.0), length: DISK, bore: [0.0; 2] };
-    Solid::new(shape, at)
+    Solid::new(shape, Mcs(at))
 }

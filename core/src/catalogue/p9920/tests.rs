@@ -26,7 +26,7 @@ fn machine(plane: Plane) -> Setup {
     let mut setup = Setup::for_cycle(&P9920, plane);
     setup.tool_probes = vec![ToolProbe::ideal(Solid {
         shape: Shape::Turned { diameter: 40.0, length: 15.0, bore: [0.0; 2] },
-        at: DISK,
+        at: Mcs(DISK),
         rotation: Rpy::default(),
         errors: PartErrors { size: 0.8, ..PartErrors::default() },
     })];

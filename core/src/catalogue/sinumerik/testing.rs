@@ -7,6 +7,7 @@ use crate::control::Plane;
 use crate::diagnostic::Code;
 use crate::dialect::Dialect;
 use crate::entry::{Inputs, ProbeUse};
+use crate::geometry::Mcs;
 use crate::machine::{MotionKind, Setup, Sim, Step, Stop};
 use crate::workpiece::{PartErrors, Shape, Solid};
 use nalgebra::{Matrix3, Rotation3};
@@ -59,7 +60,7 @@ pub fn solid(plane: Plane, shape: Shape, place: [f64; 3], across: bool) -> Solid
     let matrix = Matrix3::from_columns(&columns.map(Into::into));
     Solid {
         shape,
-        at: at(plane, place),
+        at: Mcs(at(plane, place)),
         rotation: crate::geometry::rigid::angles(&Rotation3::from_matrix_unchecked(matrix)),
         errors: PartErrors::default(),
     }

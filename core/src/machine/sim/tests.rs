@@ -11,7 +11,7 @@ use crate::workpiece::{ProbeBody, Shape, Solid};
 fn sim() -> Sim {
     let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
     let block = Shape::Block { size: [100.0, 100.0, 100.0] };
-    let solid = Solid::new(block, [0.0; 3]);
+    let solid = Solid::new(block, Mcs::default());
     setup.workpiece.solids.push(solid);
     setup.position = Mcs([0.0, 0.0, 20.0]);
     Sim::new(&setup)
@@ -155,7 +155,7 @@ fn a_part_that_turns_may_meet_the_stylus() {
 /// A plate that ends at X = 20, 10 mm thick, over the probe, which hangs beside it with its ball 20 mm lower.
 fn under_a_plate(body: Option<ProbeBody>) -> Sim {
     let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
-    setup.workpiece.solids.push(Solid::new(Shape::Block { size: [100.0, 100.0, 10.0] }, [70.0, 0.0, 0.0]));
+    setup.workpiece.solids.push(Solid::new(Shape::Block { size: [100.0, 100.0, 10.0] }, Mcs([70.0, 0.0, 0.0])));
     setup.probe.body = body;
     setup.position = Mcs([0.0, 0.0, -20.0]);
     Sim::new(&setup)

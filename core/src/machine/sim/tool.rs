@@ -141,7 +141,7 @@ mod tests {
         (setup.control.tool, setup.control.edge) = (3, 1);
         let real = Tool { length: [70.5, 0.0, 0.0], cut: Cut::Cutter(Cutter { teeth: 2, ..Cutter::smooth(5.2) }) };
         setup.real_tools.insert((3, 1), real);
-        setup.tool_probes.push(ToolProbe::ideal(Solid::new(Shape::Block { size: [20.0; 3] }, [0.0; 3])));
+        setup.tool_probes.push(ToolProbe::ideal(Solid::new(Shape::Block { size: [20.0; 3] }, Mcs::default())));
         setup.position = Mcs([0.0, 0.0, 30.0]);
         Sim::new(&setup)
     }

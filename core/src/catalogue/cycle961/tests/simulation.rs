@@ -89,7 +89,7 @@ proptest! {
         if target != 9999 {
             setup.control.activate(if target == 2 { 2 } else { 1 });
         }
-        let seen = setup.control.to_workpiece(Mcs(setup.workpiece.solids[0].at));
+        let seen = setup.control.to_workpiece(setup.workpiece.solids[0].at);
         let found = case.plane.axes().map(|axis| seen[axis]);
         prop_assert!((found[0] - wanted[0]).abs() < 1e-9 && (found[1] - wanted[1]).abs() < 1e-9, "{:?}", found);
         if let Some(before) = frames.get(&(target as usize)) {
@@ -184,7 +184,7 @@ fn a_measured_corner_may_be_none_though_the_points_make_one() {
                 let solid = setup.workpiece.solids[0].clone();
                 let block = |(size, at): &([f64; 3], [f64; 3])| crate::workpiece::Solid {
                     shape: Shape::Block { size: *size },
-                    at: *at,
+                    at: Mcs(*at),
                     rotation: Rpy::default(),
                     ..solid.clone()
                 };

@@ -161,7 +161,7 @@ proptest! {
             setup.position = setup.control.to_machine(start);
             let mut solid = part(plane, variant, false);
             solid.errors.shift = at(plane, [dx, dy, 0.0]);
-            solid.at = setup.control.to_machine(Wcs(solid.at)).0;
+            solid.at = setup.control.to_machine(Wcs(solid.at.0));
             setup.workpiece.solids.push(solid);
             let mut inputs = inputs(variant, 1.0);
             inputs.numbers.insert(names::KNUM, [1.0, 9999.0, 1011.0, 2000.0][code]);

@@ -13,7 +13,7 @@ use crate::machine::{MotionKind, Setup, Step, Stop};
 fn turned(setup: &mut Setup, angle: f64) {
     setup.control.active.rotation = Rpy([0.0, 0.0, angle]);
     setup.position = setup.control.to_machine(Wcs([CENTRE[0], CENTRE[1], -10.0]));
-    setup.workpiece.solids[0].at = setup.control.to_machine(Wcs([CENTRE[0], CENTRE[1], 0.0])).0;
+    setup.workpiece.solids[0].at = setup.control.to_machine(Wcs([CENTRE[0], CENTRE[1], 0.0]));
 }
 
 /// A multi probe whose ball stands beside the spindle axis, calibrated with the spindle at 0
@@ -231,7 +231,7 @@ fn a_programmed_stop_follows_an_alarm_that_informs() {
 fn mirrored(setup: &mut Setup, axes: [bool; 3]) {
     setup.control.active.mirror = axes;
     setup.position = setup.control.to_machine(Wcs([CENTRE[0], CENTRE[1], -10.0]));
-    setup.workpiece.solids[0].at = setup.control.to_machine(Wcs([CENTRE[0], CENTRE[1], 0.0])).0;
+    setup.workpiece.solids[0].at = setup.control.to_machine(Wcs([CENTRE[0], CENTRE[1], 0.0]));
 }
 
 #[test]

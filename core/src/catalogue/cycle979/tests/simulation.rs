@@ -131,7 +131,7 @@ proptest! {
             let start = Wcs(setup.position.0);
             setup.position = setup.control.to_machine(start);
             let mut part = part(plane, variant, angle + turn);
-            part.at = setup.control.to_machine(Wcs(part.at)).0;
+            part.at = setup.control.to_machine(Wcs(part.at.0));
             part.errors.shift = at(plane, [shift[0], shift[1], 0.0]);
             setup.workpiece.solids.push(part);
             let mut inputs = inputs(variant, 30.0, 80.0, false);

@@ -40,7 +40,7 @@ pub fn machine(units: Units) -> Setup {
     control.frames.insert(1, Frame::translation(SHIFT));
     control.settable = 1;
     control.activate(1);
-    setup.tool_probes = vec![ToolProbe::ideal(Solid::new(Shape::Block { size: [20.0; 3] }, [390.0, 0.0, 220.0]))];
+    setup.tool_probes = vec![ToolProbe::ideal(Solid::new(Shape::Block { size: [20.0; 3] }, Mcs([390.0, 0.0, 220.0])))];
     setup
 }
 

@@ -55,7 +55,7 @@ pub(super) fn ready(plane: Plane, variant: i64) -> Setup {
 fn spheres(mut setup: Setup, plane: Plane, variant: i64) -> Setup {
     for centre in &CENTRES[..count(variant)] {
         let mut sphere = solid(plane, Shape::Sphere { diameter: SIZE }, *centre, false);
-        sphere.at = setup.control.to_machine(Wcs(sphere.at)).0;
+        sphere.at = setup.control.to_machine(Wcs(sphere.at.0));
         setup.workpiece.solids.push(sphere);
     }
     setup.probe.stylus = Some(0.0); // frames are turned in space here, and the tool stays upright

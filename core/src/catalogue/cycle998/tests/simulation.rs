@@ -7,7 +7,7 @@ use crate::catalogue::sinumerik::testing::{at, call, called, close, put, random_
 use crate::control::{Control, Frame, Plane};
 use crate::entry::{Inputs, names};
 use crate::geometry::rigid::{angles, rotation};
-use crate::geometry::{Degrees, Dir, Mcs, Rpy, V3, Wcs};
+use crate::geometry::{Degrees, Dir, Rpy, V3, Wcs};
 use crate::machine::sim::Sim;
 use crate::machine::{Setup, Stop};
 use crate::name::Name;
@@ -41,7 +41,7 @@ fn face(control: &Control, inputs: &Inputs, actual: &[f64]) -> Solid {
     let columns = Matrix3::from_columns(&[x, z.cross(&x), z]);
     Solid {
         shape: Shape::Block { size: [400.0, 400.0, 50.0] },
-        at: control.to_machine(Wcs([0.0; 3])).0,
+        at: control.to_machine(Wcs([0.0; 3])),
         rotation: angles(&Rotation3::from_matrix_unchecked(columns)),
         errors: PartErrors::default(),
     }
@@ -205,7 +205,7 @@ proptest! {
                 setup.control.activate(1);
             }
             // the rotation of a basic frame carries the settable one along
-            let zero = setup.control.to_workpiece(Mcs(setup.workpiece.solids[0].at));
+            let zero = setup.control.to_workpiece(setup.workpiece.solids[0].at);
             setup.control.program_frame = Frame::translation(zero.0);
             stand(&mut setup, &inputs);
             let sim = done(&setup, &inputs);
@@ -222,7 +222,7 @@ proptest! {
         inputs.numbers.insert(names::RA, 4.0);
         let mut setup = ready(Plane::G17, &inputs, [0.0; 3], &[set + wrong]);
         setup.control.set("MD18600", f64::from(fine));
-        setup.control.rotary_centre = Mcs(setup.workpiece.solids[0].at);
+        setup.control.rotary_centre = setup.workpiece.solids[0].at;
         setup.control.frames.get_mut(&1).unwrap().rotary = [0.0, 0.0, 3.0].map(Degrees);
         setup.control.activate(1);
         let mut sim = Sim::new(&setup);
@@ -247,7 +247,7 @@ proptest! {
         let mut mirrors = [false; 3];
         mirrors[0] = mirror == 1;
         let mut setup = mirrored(mirrors, Plane::G17, &inputs, turned, &[wrong]);
-        setup.control.rotary_centre = Mcs(setup.workpiece.solids[0].at);
+        setup.control.rotary_centre = setup.workpiece.solids[0].at;
         let mut sim = Sim::new(&setup);
         prop_assert_eq!(run(&mut sim, &inputs), Ok(()));
         close(&sim, "_OVR[16]", wrong);
@@ -260,7 +260,7 @@ proptest! {
         let mut inputs = inputs(105, 102, [0.0; 2]);
         inputs.numbers.insert(names::RA, 4.0);
         let mut setup = ready(Plane::G17, &inputs, [0.0; 3], &[wrong]);
-        setup.control.rotary_centre = Mcs(setup.workpiece.solids[0].at);
+        setup.control.rotary_centre = setup.workpiece.solids[0].at;
         let under = if upside { 180.0 } else { 0.0 };
         setup.control.rotary[0] = Degrees(under);
         // as it is clamped, before the carrying table turned
