@@ -40,7 +40,7 @@ alarm-61309 = Der Typ des Messtasters ist unzulässig.
 alarm-61310 = Ein Maßstabsfaktor ist aktiv.
     .cause = Die gemessenen Längen würden mitskaliert.
     .cure = Skalierung vor dem Messen abwählen.
-alarm-61311 = Für den Messtaster ist keine Werkzeugkorrektur aktiv.
+alarm-61311 = Für den Messtaster ist keine D-Nummer aktiv.
     .cause = D0 ist programmiert, oder seit dem Start fehlt ein Werkzeugwechsel.
     .cure = Vor dem Aufruf eine D-Nummer für den Messtaster programmieren.
 alarm-61312 = Dieser Messzyklus ist hier unzulässig.
@@ -189,7 +189,7 @@ alarm-62306 = Die Maßdifferenz ist größer als { "_TDIF" }.
 
 alarm-61352 = Die Protokolldatei darf nicht in diesem Verzeichnis liegen.
     .cause = Der Pfad in { "_PROTNAME[1]" } hat nicht die Form, die die Steuerung verlangt.
-    .cure = Pfad korrigieren oder nur den Namen eingeben: Das Protokoll liegt dann im Verzeichnis des Programms.
+    .cure = Pfad korrigieren oder nur den Dateinamen eingeben: Das Protokoll liegt dann im Verzeichnis des Programms.
 alarm-61353 = Das Verzeichnis der Protokolldatei gibt es nicht.
     .cure = Verzeichnis anlegen oder den Pfad in { "_PROTNAME[1]" } korrigieren.
 alarm-61354 = Die Protokolldatei hat keinen Namen.

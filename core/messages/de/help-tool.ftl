@@ -16,7 +16,7 @@ help-cycle971-order-beside = Neben dem Messtaster: in der anderen Achse zur Mitt
 help-cycle971-order-on-top = Oberseite (_MA = 3, 103, 203): über die Mitte, abwärts, antasten, Ende _FA darüber. Werkzeuge breiter als der Messtaster stehen um Radius minus _ID zur Startseite versetzt: Abszisse (3, 103), Ordinate (203); Bohrer nie.
 help-cycle971-order-centre-first = Bei _MA = 102 oder 201 ermittelt der Zyklus vorher mit zwei Antastungen die Mitte in der anderen Achse.
 help-cycle971-order-widest = Für einen Radius fährt das Werkzeug um _ID tiefer: Es tastet mit dem größten Durchmesser an.
-help-cycle971-order-turning = Der Zyklus tastet ein- bis dreimal an, jedes Mal langsamer (_CM[6], _CM[7]); die letzte Antastung gilt. Stand die Spindel vorher, hält sie wieder an.
+help-cycle971-order-turning = Der Zyklus tastet ein- bis dreimal an, jedes Mal mit kleinerem Vorschub (_CM[6], _CM[7]); die letzte Antastung gilt. Stand die Spindel vorher, hält sie wieder an.
 help-cycle971-order-all-sides = Oberseite über der Sollmitte, beide Seiten der Ordinate (ergibt deren Mitte), dort beide Seiten der Abszisse, durch die ermittelte Mitte beide Seiten der Ordinate, noch einmal die Oberseite. Ende _FA darüber.
 help-cycle971-wrong-depth = _TP[k,9] ist 0: Neben dem Messtaster fährt das Werkzeug nicht tief genug, Alarm 61349.
 help-cycle971-wrong-unclear = Aus der Startposition des Werkzeugs geht nicht hervor, welche Seite anzutasten ist: Alarm 61332.

@@ -3,7 +3,7 @@
 help-turning-probe = Der Messtaster (Typ 5xy) ist in Arbeitsstellung, seine D-Nummer und G40 sind aktiv; weder Drehung noch Maßstabsfaktor ist aktiv.
 help-turning-diameter = Durchmesser und Radien sind verwechselt: Mit DIAMON sind Sollwert und Toleranzen in X Durchmesser, _FA und die Korrektur nicht.
 
-help-cycle974-measures-point = Die Position eines Punkts am Drehteil: ein Durchmesser von einer Seite, eine Stirnfläche oder ein Punkt in der dritten Achse.
+help-cycle974-measures-point = Die Position eines Punkts am Drehteil: ein Durchmesser von einer Seite, eine Stirnfläche oder ein Punkt in der 3. Achse.
 help-cycle974-before-opposite = Die Kugel steht dem Punkt gegenüber, weiter entfernt als _FA; von dort misst der Zyklus in Richtung _SETVAL.
 help-cycle974-before-chuck = Die Hauptspindel, die das Werkstück spannt, lässt sich positionieren.
 help-cycle974-order-axis = Nur die Messachse fährt; Endposition _FA vor der Fläche.

@@ -1,7 +1,7 @@
 # CYCLE974: titles, search words, variants, words of its own parameters, checks and results.
 
 cycle974-title = Turned part: 1-point measurement
-cycle974-help = Measures one point of a turned part, outside or inside, on a diameter, an end face or in the third axis, against the setpoint from the drawing.
+cycle974-help = Measures one point of a turned part, outside or inside, on a diameter, an end face or in the 3rd axis, against the setpoint from the drawing.
 cycle974-words = measure workpiece turning lathe turned part diameter outside inside shoulder end face length one point single X Z Y facing axis reversal runout spindle tool offset wear zero offset ZO probe probing datum work
 cycle974-each-words = turning lathe diameter face length L1 L2
 

@@ -30,7 +30,7 @@ need-lift = The probe must cross the web.
 
 check-points-unused = The number of points applies to a hole or shaft only.
 check-points-unused-hint = Choose 3 points, which is digit 0.
-check-path-centre = The measuring path starts beyond the centre: between the points, the probe would pass on the other side.
+check-path-centre = The measuring path starts on the far side of the centre: between the points, the probe would pass there.
 check-path-centre-hint = Reduce _FA below { $free } mm.
 check-lift = The probe does not lift before it crosses the web.
 check-lift-hint = If the tool axis points up, enter a positive value.

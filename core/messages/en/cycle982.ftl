@@ -91,7 +91,7 @@ extent-length-radius = Length and radius, two sides; not incremental
 extent-length-radius-words = diameter two points
 extent-upper = Upper cutting edge, far side; automatic only
 extent-upper-words = groove mill T-slot cutter disc length radius
-extent-upper-opposite = Upper edge, length against approach; automatic only
+extent-upper-opposite = Upper cutting edge, against approach; automatic only
 extent-upper-opposite-words = groove mill T-slot cutter disc length radius opposite direction
 mvar-tool-axis = Position of milling tool or drill
 tool-axis-axial = Axial: radius in the ordinate (G18: X)
@@ -123,7 +123,7 @@ check-tool-reference-hint = Set this bit to 0: it is older than digit 2 of _MVAR
 check-lathe-tool-type-hint = Use a turning tool (type 5xy), a milling tool (1xy, 711 to 799) or a drill (2xy); check $TC_DP1.
 check-turning-digits = Digits 3 to 5 of { $value } apply to milling tools and drills, but a turning tool is active.
 check-turning-digits-hint = Choose { $plain } for the turning tool, or change to the milling tool before the call.
-check-tip-direction = A tool with cutting edge position { $tip } points the other way: its back would hit the probe.
+check-tip-direction = A tool with cutting edge position { $tip } points in the other direction: its back would hit the probe.
 check-tip-direction-hint = Start on the other side of the probe and change _MD, or check $TC_DP2.
 check-drill-radius = The cycle does not measure the radius of a drill.
 check-drill-radius-hint = Choose a variant with digit 4 = 0, or change to a milling tool; check $TC_DP1.

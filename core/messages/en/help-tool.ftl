@@ -16,7 +16,7 @@ help-cycle971-order-beside = Beside the probe: first to its middle in the other 
 help-cycle971-order-on-top = On top (_MA = 3, 103, 203): above the middle, down, touch; end _FA above. A tool wider than the probe is offset by radius minus _ID to the start: abscissa (3, 103), ordinate (203). No drill.
 help-cycle971-order-centre-first = With _MA = 102 or 201, two touches first determine the middle in the other axis.
 help-cycle971-order-widest = For a radius, the tool moves lower by _ID, so that its largest diameter touches.
-help-cycle971-order-turning = The tool touches one to three times, each time at lower speed (_CM[6], _CM[7]); the last touch is used. A spindle that was stationary stops again.
+help-cycle971-order-turning = The tool touches one to three times, each time at lower feed (_CM[6], _CM[7]); the last touch is used. If the spindle was stationary before, it stops again.
 help-cycle971-order-all-sides = The top above the nominal middle, both sides of the ordinate, there both sides of the abscissa, those of the ordinate through the measured middle, and the top again. End _FA above it.
 help-cycle971-wrong-depth = _TP[k,9] is 0: beside the probe, the tool does not reach down to it, alarm 61349.
 help-cycle971-wrong-unclear = The tool position does not show which side to touch: alarm 61332.
@@ -59,7 +59,7 @@ help-cycle982-wrong-nose = Nose radius or lengths of the calibration tool are wr
 
 help-tool-probe-known = The approximate positions of the probe sides are entered: the trigger points in _TP (workpiece-related: _TPW).
 help-tool-block = One touch: to _FA before the side, from there over at most twice _FA, back after the signal. If _NMSP is above 1, the touch is repeated and the mean value is used.
-help-tool-reach = Tool data or probe data are wrong by more than _FA: the probe does not switch (61301), or the tool touches on its path (61302).
+help-tool-reach = Tool data or probe data are wrong by more than _FA: the probe does not switch (alarm 61301), or the tool touches on its path (61302).
 help-tool-trigger = The probe data: the trigger point in _TP (workpiece-related: _TPW), if it differs by more than _TZL from the stored one. Above _TSA: alarm 61303, nothing is stored.
 help-tool-data = The active tool: geometry, with wear reset to 0; with _CHBIT[3]=1 only wear. No correction up to _TZL, from _TDIF message 62306 and no correction, from _TSA alarm 61303.
 help-tool-in-front = The tool is already in front of the side to be touched, at most twice _FA away; no probe data are required.

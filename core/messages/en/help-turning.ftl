@@ -3,7 +3,7 @@
 help-turning-probe = The probe (type 5xy) is in the working position, its D number and G40 are active; no rotation and no scale factor is active.
 help-turning-diameter = Diameters and radii are mixed up: with DIAMON, setpoint and tolerances in X are diameters, _FA and the correction are not.
 
-help-cycle974-measures-point = The position of one point of a turned part: a diameter measured from one side, an end face, or a point in the third axis.
+help-cycle974-measures-point = The position of one point of a turned part: a diameter measured from one side, an end face, or a point in the 3rd axis.
 help-cycle974-before-opposite = The ball is opposite the point, further away than _FA; it measures from there towards _SETVAL.
 help-cycle974-before-chuck = The master spindle, which holds the part, can be positioned.
 help-cycle974-order-axis = Only the measuring axis moves; end position: _FA before the surface.
@@ -21,5 +21,5 @@ help-cycle994-order-plus-first = The cycle touches the point on the plus side fi
 help-cycle994-order-round-inside = Inside the bore, the probe moves along the zone: out to _SZO, along to _SZA, across and back.
 help-cycle994-order-round-outside = Outside, the probe moves out to _SZO, along to _SZA, across and back; inside, it moves straight through the bore.
 help-cycle994-corrects-half = A length is corrected by half of the diameter deviation.
-help-cycle994-wrong-zone = The zone is that of an earlier call or leaves no room for the ball: the probe hits the part (61302), or there is no path (61334).
+help-cycle994-wrong-zone = The zone is that of an earlier call or leaves no room for the ball: the probe hits the part (alarm 61302), or there is no path (61334).
 help-cycle994-wrong-ball = With _CHBIT[7]=1 the stored ball diameter is used instead of both trigger points: it must be correct.

@@ -22,7 +22,7 @@ help-cycle961-corrects-choice = With _SETV[4] from 2 to 4 the zero point is offs
 help-cycle961-wrong-angle = The edges differ by more than 10° from _STA1 and _INCA: a point misses its edge, alarm 61301.
 help-cycle961-wrong-not-opposite = The start position is not opposite the corner: the cycle searches for P3 beside its edge.
 help-cycle961-wrong-swapped = P1 and P2 are swapped: the coordinate system is then rotated by 180°.
-help-cycle961-wrong-same-points = Two points of an edge are identical (61367), or the edges are parallel (61368).
+help-cycle961-wrong-same-points = Two points of an edge are identical (alarm 61367), or the edges are parallel (61368).
 
 help-cycle977-measures-hole = Diameter and centre of a hole.
 help-cycle977-measures-shaft = Diameter and centre of a shaft.

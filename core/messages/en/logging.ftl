@@ -47,7 +47,7 @@ result-118-field = Text of one of several numbers
 
 log-job-header = Header
 log-job-values = Block of values
-param-log-job = Print
+param-log-job = Log job
 param-log-job-help = Header or block of values.
 param-log-file = Log file
 param-log-file-help = Name without extension: letters, digits and underscores, starting with two letters or with a letter and an underscore. A file of this name is overwritten.

@@ -1,6 +1,6 @@
 # CYCLE961：标题、搜索词、测量方式，及其自有参数和检查。
 
-cycle961-title = 拐角，内或外
+cycle961-title = 内拐角或外拐角
 cycle961-help = 求工件或型腔两条边的交点以及第一条边转过的角度，并把拐角设为工件零点。
 cycle961-words = 测量 工件 拐角 顶点 边 设定 零点 原点 矩形 虎钳 角度 旋转 找正 内 外 三点 四点 零点偏移 零偏 坐标框架 G54 分中 碰边
 
@@ -17,13 +17,13 @@ cycle961-inside-points-words = 型腔 坐标 零点偏移 零偏
 cycle961-outside-points = 外拐角，四个给定点
 cycle961-outside-points-words = 工件 坐标 零点偏移 零偏
 
-param-sta1-reference = 基准边的方向
+param-sta1-reference = 基准边方向
 param-sta1-reference-help = 近似值，误差不超过 10°：从横坐标正方向到基准边的角度，顺时针为负。按机床坐标系计。
-param-inca-second-edge = 到第二条边的角度
+param-inca-second-edge = 第二条边的夹角
 param-inca-second-edge-help = 近似值，误差不超过 10°：从基准边到第二条边的角度，顺时针为负。
-param-setv0-distance = 到 P2 的距离
+param-setv0-distance = 至 P2 距离
 param-setv0-distance-help = 从起点沿基准边到 P2 触碰处的距离，不带符号。P1 在其一半处。
-param-setv1-distance = 到 P4 的距离
+param-setv1-distance = 至 P4 距离
 param-setv1-distance-help = 从起点沿第二条边到 P4 触碰处的距离，不带符号。P3 在其一半处；矩形只需 P3。
 param-setv4-selection = 零点
 param-setv4-selection-help = 拐角本身，或其旁边的一点。
@@ -51,7 +51,7 @@ param-p4-abscissa = P4，横坐标
 param-p4-abscissa-help = 测头在此下降，然后再次触碰第二条边。
 param-p4-ordinate = P4，纵坐标
 param-p4-ordinate-help = 测头在此下降，然后再次触碰第二条边。
-param-id-over-corner = 越过拐角的抬高量
+param-id-over-corner = 越过拐角抬高量
 param-id-over-corner-help = P1 之后测头抬高的量，用于越过拐角到 P3。为 0 时在测量深度绕过拐角。
 param-prnum-multi-only = 测头
 param-prnum-multi-only-help = 多向测头数据在 _WP 中的编号。
@@ -68,15 +68,15 @@ need-corner-moved = 零点在此轴上偏移。
 need-corner-passing = 测头要从一条边移到另一条边；输入 0 则绕过拐角。
 need-corner-infeed = 测头在每点下降。
 
-result-edge-angle = 基准边与横坐标的角度
+result-edge-angle = 基准边与横坐标夹角
 result-corner-abscissa = 拐角，横坐标
 result-corner-ordinate = 拐角，纵坐标
-result-edge-angle-machine = 基准边与横坐标的角度，机床坐标
+result-edge-angle-machine = 基准边与横坐标夹角，机床坐标
 result-corner-abscissa-machine = 拐角，横坐标，机床坐标
 result-corner-ordinate-machine = 拐角，纵坐标，机床坐标
 
 check-corner-distance = 距离 { $param } 为 { $distance } mm，必须大于 0。
-check-corner-distance-hint = 请不带符号输入；方向由 _STA1 和 _INCA 决定。
+check-corner-distance-hint = 请输入不带符号的距离；方向由 _STA1 和 _INCA 决定。
 check-corner-straight = 第二条边与第一条边方向相同。
 check-corner-straight-hint = 请输入从基准边到第二条边的角度，例如 90 或 -90。
 check-corner-rectangle = 矩形的边相交成 90°，不是 { $angle }°。
@@ -89,5 +89,5 @@ check-corner-parallel = 通过 P1、P2 和通过 P3、P4 的直线不相交。
 check-corner-parallel-hint = 请把 P1 和 P2 选在一条边上，P3 和 P4 选在另一条边上。
 check-corner-between = 拐角位于一条边的两点之间。
 check-corner-between-hint = 请把每条边的两点选在拐角的同一侧。
-check-corner-turned = P2 在横坐标上位于 P1 之前：新坐标系会再转 180°。
+check-corner-turned = P2 的横坐标小于 P1：新坐标系会再转 180°。
 check-corner-turned-hint = 若非本意，请交换 P1 和 P2。

@@ -27,13 +27,13 @@ ma-length-abscissa = 长度，宽刀具在横坐标偏移（G17：X）
 ma-length-ordinate = 长度，宽刀具在纵坐标偏移（G17：Y）
 param-ma-measure-tool = 长度或半径
 param-ma-measure-tool-help = 测量的尺寸和方向。刀具比测头宽时偏移“刀具半径减 _ID”，使刀刃位于测头中心上方。
-param-id-calibrate = 宽校准刀具的偏移
+param-id-calibrate = 宽校准刀具偏移量
 param-id-calibrate-help = 刀具比测头宽时，偏离测头中心的量为刀具半径减此值。通常为 0。
 param-id-length = 从半径到刀刃最低点
 param-id-length-help = 从半径向内到刀刃最低点的距离；刀具的偏移量为半径减此值。最低点就在半径处时为 0。
 param-id-radius = 刀具端部到最大直径处
 param-id-radius-help = 刀具端部到最大直径处的距离；刀具再下降此值。端部直径最大时为 0。
-param-fa-incremental = 带方向的测量行程
+param-fa-incremental = 测量行程（带方向）
 param-fa-incremental-help = 从当前位置到触碰面的距离；正值朝正方向测量，负值朝负方向。越过该面的行程与此相同。始终以 mm 为单位。
 
 need-axis-tool-probe = 循环需要测量轴。
@@ -42,10 +42,10 @@ need-offset-wide = 只在刀具比测头宽时有效。
 need-signed-path = 符号决定测量方向。
 
 result-actual-radius = 实际半径
-result-difference-radius = 半径的偏差
+result-difference-radius = 半径偏差
 
 check-path-sign = 测量行程必须大于 0。
-check-path-sign-hint = 请不带符号输入 _FA；起点决定方向。只有增量校准使用符号。
+check-path-sign-hint = 请输入不带符号的 _FA；起点决定方向。只有增量校准使用符号。
 check-path-direction-hint = 请输入到测头的距离，负方向加负号。
 check-tool-probe-type = { $name } 不是允许的刀具测头类型。
 check-tool-probe-plane = { $name } 中的圆盘在此平面无法触碰。

@@ -19,7 +19,7 @@ calibrate-one-short = 未指定：一个方向，同 1
 calibrate-one-short-words = 一 13
 calibrate-position = 位置偏差（偏斜）
 
-param-setval-surface-diameter = 表面处的直径
+param-setval-surface-diameter = 表面处直径
 param-setval-surface-diameter-help = 表面在工件坐标系中的精确位置：DIAMON 时为直径，DIAMOF 时为半径。
 param-calnum = 基准槽
 param-calnum-help = 校准体（槽对）的编号；其边和槽底在 _KB[n-1,…] 中，按机床坐标，X 按半径。
@@ -32,9 +32,9 @@ check-groove-number-hint = 请输入 1 到 { $pairs } 的编号，或建立更�
 check-groove-tip-hint = 请在槽中使用刀沿位置 7 或 8 的测头；其他测头在表面上校准。
 check-groove-base = 在此轴上槽只有槽底：只能用负方向。
 check-groove-base-hint = 请用一个方向和 { "_MD" }=1 校准槽底；两个方向只能在另一轴的槽壁上。
-check-groove-empty = 槽的数据未设定：{ $names } 为 0。
+check-groove-empty = 基准槽数据未设定：{ $names } 为 0。
 check-groove-empty-hint = 请在机床数据中输入槽边和槽底，按机床坐标和半径。
 check-groove-edges = 正方向的边 { $plus } 不大于负方向的边 { $minus }。
 check-groove-edges-hint = 请交换两个值，或输入缺少的一个。
 check-shank = 刀沿位置 { $tip } 的测针指向相反方向：会以测针杆触碰。
-check-shank-hint = 请改变 { "_MD" }，或检查刀沿位置和测量轴。
+check-shank-hint = 请把 { "_MD" } 改为相反方向，或检查刀沿位置和测量轴。

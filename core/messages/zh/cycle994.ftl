@@ -11,13 +11,13 @@ cycle994-outside-inside-words = 车削 车床 直径 轴 镗孔 两 点 安全 �
 
 param-setval-two-diameter = 设定直径
 param-setval-two-diameter-help = 取自图纸。DIAMON 时为直径，DIAMOF 时为半径；两点对称于工件零点。
-param-setval-two-radius = 到零点的设定距离
+param-setval-two-radius = 至零点设定距离
 param-setval-two-radius-help = 两点到工件零点的距离，一点在正方向，一点在负方向。
-param-sza-turned = 横坐标方向的保护区
+param-sza-turned = 横坐标方向保护区
 param-sza-turned-help = 测头经过工件时在平面第 1 轴（G18：Z）的位置，从工件零点算起。按测球中心计：须加上测球半径。
-param-szo-turned = 纵坐标方向的保护区
+param-szo-turned = 纵坐标方向保护区
 param-szo-turned-help = 测头经过工件之前先移到的平面第 2 轴（G18：X）位置；DIAMON 时为直径，否则为半径。按测球中心计：须加上测球半径。
-param-szo-turned-applicate = 垂直坐标方向的保护区
+param-szo-turned-applicate = 垂直坐标方向保护区
 param-szo-turned-applicate-help = 测头经过工件之前先移到的第 3 轴（G18：Y）位置；为半径，_CHBIT[19]=1 时与 X 相同。按测球中心计：须加上测球半径。
 
 need-zone-inside = 此测量方式绕过保护区。
@@ -44,7 +44,7 @@ result-actual-two = 实际直径或半径
 result-actual-two-abscissa = 实际直径或半径，横坐标
 result-actual-two-ordinate = 实际直径或半径，纵坐标
 result-actual-two-applicate = 实际直径或半径，垂直坐标
-result-difference-two = 直径或半径的偏差
-result-difference-two-abscissa = 直径或半径的偏差，横坐标
-result-difference-two-ordinate = 直径或半径的偏差，纵坐标
-result-difference-two-applicate = 直径或半径的偏差，垂直坐标
+result-difference-two = 直径或半径偏差
+result-difference-two-abscissa = 直径或半径偏差，横坐标
+result-difference-two-ordinate = 直径或半径偏差，纵坐标
+result-difference-two-applicate = 直径或半径偏差，垂直坐标

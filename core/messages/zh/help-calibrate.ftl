@@ -25,8 +25,8 @@ help-cycle976-order-end-surface = 最后停在起点；在垂直坐标上停在�
 help-cycle976-corrects-ball = 还有有效测球直径 _WP[k,0]，CYCLE979 和成角度测量的 CYCLE997 需要它；_CBIT[15]=1 时还有测头的半径。
 help-cycle976-corrects-skew = 还有测针的位置偏差 _WP[k,7] 和 _WP[k,8]。
 help-cycle976-corrects-length = 测头几何值中的 L1 按偏差补偿；_TSA 不监控它。
-help-cycle976-wrong-off-centre = 主轴不在中心：此误差以相反符号进入各触发点。
-help-cycle976-wrong-diameter = _SETVAL 不是环规的真实直径：误差的一半进入各触发点。
+help-cycle976-wrong-off-centre = 主轴不在中心：此误差以相反符号计入各触发点。
+help-cycle976-wrong-diameter = _SETVAL 不是环规的真实直径：误差的一半会计入各触发点。
 help-cycle976-wrong-position = _SETVAL 不是表面在有效坐标系中的真实位置。
 
 help-cycle973-measures-surface = 测头在一个轴的一个方向上的触发点：触碰工件上位于 _SETVAL 的表面。
@@ -42,6 +42,6 @@ help-cycle973-order-two = 先触碰正方向的壁，横过槽，再触碰负方
 help-cycle973-order-end-groove = 最后停在槽中、最后触碰的面前 _FA 处。
 help-cycle973-corrects-ball = 还有有效测球直径 _WP[k,0]。
 help-cycle973-corrects-skew = 还有触碰轴上的位置偏差 _WP[k,7] 或 _WP[k,8]。
-help-cycle973-wrong-groove-data = _KB 中槽的数据在 X 上是直径：必须是半径。
+help-cycle973-wrong-groove-data = _KB 中的槽数据在 X 上是直径：必须是半径。
 help-cycle973-wrong-position = 测头的刀沿位置不是 7 或 8：报警 61315。
 help-cycle973-wrong-shank = 在此方向会以测针杆而不是测球触碰。

@@ -7,46 +7,46 @@ help-log-line = 列数乘以列宽超过 200 个字符：报警 61371。
 help-log-name = _PROTNAME[1] 指定文件名：字母、数字和下划线，以两个字母或一个字母加下划线开头。扩展名 MPF 会自动加上；目录是调用程序所在的目录。
 help-log-files = 记录文件。MD 11420 规定的千字节数容纳不下的内容写入最多九个后续文件，其名称以下划线和一个数字结尾。
 help-log-full = 第十个文件也写满：程序停止，要求输入新的记录名称；重新启动后继续。
-help-log-refused = 文件没有名称（61354），文件正被其他程序使用（61356），或其目录不存在（61353）。
+help-log-refused = 文件没有名称（报警 61354），文件正被其他程序使用（61356），或其目录不存在（61353）。
 help-log-header = 记录头：日期、时间和页码，程序 _PROTNAME[0]，自定义行 _HEADLINE[0] 等，标题行 _PROTVAL[0] 和 _PROTVAL[1]。_CBIT[11]=1 时只有自定义行。
 help-log-block = 一个数值组：测量循环的名称及其 _MVAR（_CBIT[6]=1 时不写），然后是 _PROTFORM[4] 规定的数值行数。超出 _TSA、_TDIF、_TUL 或 _TLL 的实际值和偏差带有 _PROTSYM[1] 标记。
 help-log-chosen = _PROTVAL[2] 到 _PROTVAL[5] 指定各行的内容：_OVR 中的结果、R 参数、文本。另一个测量循环或测量方式有不同的结果。
 
-help-cycle100-does = 接通测量记录：从此调用到 CYCLE101，每个测量循环都加入一个数值组。不产生运动。
+help-cycle100-does = 接通测量记录：从此调用到 CYCLE101，每个测量循环都加入一个数值组。轴不移动。
 help-cycle100-values = 每次测量调用之前，由 _PROTVAL[2] 到 _PROTVAL[5] 指定其各行的内容：另一个循环或测量方式有不同的结果。
 help-cycle100-begin = 删除同名文件并重新开始；CYCLE100 通过 CYCLE106 完成。
 help-cycle100-each = 此后每次测量调用都自动写入其数值组；程序不必调用其他记录循环。
 help-cycle100-lost = 上一个工件的记录没有读出：该记录会被删除。请给每个工件各自的名称。
 help-cycle100-old = 以前记录的后续文件保留，直到本次记录需要其名称：其内容不属于这个工件。
 
-help-cycle101-does = 关闭由 CYCLE100 接通的测量记录。不产生运动。
+help-cycle101-does = 关闭由 CYCLE100 接通的测量记录。轴不移动。
 help-cycle101-last = 应写入记录的最后一次测量调用已完成。
 help-cycle101-flag = 清除记录已接通的标志；此后的测量循环不再写入。
 help-cycle101-files = 记录文件，现在可以读出。
 help-cycle101-missing = 缺少此调用：以后的测量也写入记录，并且文件不能读出。
 
-help-cycle105-header = 不通过测量循环，把记录头写入记录。不产生运动。
-help-cycle105-values = 不通过测量循环，把最多四行的数值组写入记录，例如在自己的计算之后。不产生运动。
+help-cycle105-header = 不通过测量循环，把记录头写入记录。轴不移动。
+help-cycle105-values = 不通过测量循环，把最多四行的数值组写入记录，例如在自己的计算之后。轴不移动。
 help-cycle105-open = 记录已接通：已调用 CYCLE100。测量循环自动写入，不需要 CYCLE105。
 help-cycle105-left-header = 记录文件中多一个记录头。
 help-cycle105-left-values = 记录文件中多一个数值组。
 help-cycle105-number = CYCLE106 的任务编号不同：其中 2 是数值组。手册的一个版本中这里的 0 和 1 顺序相反；请在控制系统上试一次。
 
-help-cycle106-header = 把记录头写入记录，并管理其文件和页。不产生运动。
-help-cycle106-values = 把数值组写入记录，并管理其文件和页。不产生运动。
+help-cycle106-header = 把记录头写入记录，并管理其文件和页。轴不移动。
+help-cycle106-values = 把数值组写入记录，并管理其文件和页。轴不移动。
 help-cycle106-alone = 程序不用测量循环而要记录：使用测量循环时，CYCLE100 和测量调用已足够。
 help-cycle106-keeps = 需要时删除同名的旧文件，文件写满时打开下一个文件，达到 _PROTFORM[0] 行后另起一页。
 help-cycle106-number = PAR1 既不是 1 也不是 2：报警 61360。CYCLE105 的任务编号不同。
 
-help-cycle113-date = 把控制系统的日期读为文本。不产生运动。
-help-cycle113-time = 把控制系统的时间读为文本。不产生运动。
+help-cycle113-date = 把控制系统的日期读为文本。轴不移动。
+help-cycle113-time = 把控制系统的时间读为文本。轴不移动。
 help-cycle113-variable = 由一个变量接收文本：在程序开头声明 DEF STRING[10] PAR2，或在调用中写入自己的变量名。
 help-cycle113-year = 日期写为年、月、日，各两位数字，用斜线分开。
 help-cycle113-hour = 时间写为时、分、秒，各两位数字，用冒号分开。
 help-cycle113-left = 只有调用中变量里的文本。
 help-cycle113-short = 声明的变量少于 10 个字符：容纳不下文本。
 
-help-cycle118-does = 把一个实数按给定的小数位数转换为文本；一次最多 10 个数值。不产生运动。
+help-cycle118-does = 把一个实数按给定的小数位数转换为文本；一次最多 10 个数值。轴不移动。
 help-cycle118-variable = 由一个变量接收文本：在程序开头声明 DEF STRING[12] PAR3，或在调用中写入自己的变量名。
 help-cycle118-registers = 多个数值位于连续的 R 参数中；PAR5 是第一个的编号，PAR4 是个数。
 help-cycle118-rounds = 一个数值：PAR1 四舍五入到 PAR2 位小数，写为文本。
@@ -55,7 +55,7 @@ help-cycle118-left = 调用中变量里的文本。多个数值的文本在 _TXT
 help-cycle118-count = PAR4 大于 10：报警 61362。
 help-cycle118-length = 数值连同小数超过 12 个字符：容纳不下文本。
 
-help-cycle116-does = 由三点或四点（例如逐个测得的点）计算圆心和半径。不产生运动。
+help-cycle116-does = 由三点或四点（例如逐个测得的点）计算圆心和半径。轴不移动。
 help-cycle116-variables = 请在程序开头声明两个变量：DEF REAL _DATE[13] 和 DEF INT _ALM。
 help-cycle116-points = _DATE[0] 是点数；各点的横坐标和纵坐标成对写在 _DATE[1] 到 _DATE[8] 中。
 help-cycle116-circle = 三点确定一个圆；四点时全部参与计算。
@@ -64,7 +64,7 @@ help-cycle116-line = 各点共线或重合：_ALM 为 61316。
 help-cycle116-count = _DATE[0] 既不是 3 也不是 4：_ALM 为 61317。
 help-cycle116-unseen = 调用之后若不判断 _ALM，程序就带着错误的圆继续运行：报警不会使程序停止。
 
-help-cycle119-does = 由三个点的设定位置和测得位置计算工件在空间中的位置。_COR 指定时，对一个坐标框架作平移和旋转补偿。不产生运动。
+help-cycle119-does = 由三个点的设定位置和测得位置计算工件在空间中的位置。_COR 指定时，对一个坐标框架作平移和旋转补偿。轴不移动。
 help-cycle119-variables = 请在程序开头声明各变量：DEF REAL _SETPOINT[3,3], _MEASPOINT[3,3], _RES、DEF INT _ALARM 和 DEF FRAME _REFRAME。
 help-cycle119-points = 各点已逐个测量，例如用 CYCLE977 或 CYCLE997；_SETPOINT 和 _MEASPOINT 按相同的顺序包含各点在有效坐标框架中的 X、Y、Z。
 help-cycle119-alarm = _ALARM 为 0。

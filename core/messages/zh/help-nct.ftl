@@ -27,7 +27,7 @@ help-g103-measures-radius = 平面两个轴正负方向的有效测球半径。
 help-g103-before-ring = 已执行 G102；测球在环规中间，误差不超过 10 mm，在测量深度。
 help-g103-order-centre = 触碰四个壁求出环规中心；从中心再把每个壁触碰一次。
 help-g103-corrects-radius = 第 1 轴正、负方向为 #500 和 #501，第 2 轴为 #502 和 #503。
-help-g103-wrong-size = D 只是近似值：误差的一半进入各半径。请输入环规的精确尺寸。
+help-g103-wrong-size = D 只是近似值：误差的一半会计入各半径。请输入环规的精确尺寸。
 
 help-g104-measures-length = 测针的长度：触碰刀具轴坐标已知的表面。
 help-g104-before-above = 测球在表面上方；长度寄存器中的长度误差不超过 5 mm。
@@ -93,4 +93,4 @@ help-p9920-corrects-radius = 寄存器 T 的半径。
 help-p9920-wrong-length = 宏程序结束后 G49 有效，进给和转速可能已改变：在 Z 方向移动前须重新使长度补偿生效。
 help-p9920-wrong-turning = 旋转着下降（M3、M4）的刀具可能打掉圆盘。
 help-p9920-wrong-lift = 抬起量小于 2 mm 时，刀具可能碰不到圆盘边缘。
-help-p9920-wrong-disk = 圆盘直径与 #509 的 40 mm 相差超过 2 mm 时，校准前的计算不正确。
+help-p9920-wrong-disk = 圆盘直径与 #509 的 40 mm 相差超过 2 mm：校准之前宏程序按错误的直径计算。

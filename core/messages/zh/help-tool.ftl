@@ -11,17 +11,17 @@ help-cycle971-before-still = 主轴静止，刀刃已转向测头；循环不转
 help-cycle971-before-rotating = 转速和进给已在 _CM[] 中设置，_CBIT[12]=1 时在 _MFS[] 中。旋转的主轴保持方向，静止的主轴取 _CM[5] 的方向。
 help-cycle971-before-clear = 刀具在要触碰的一侧，离开测头：测长度在其上方，测半径在其旁边。
 help-cycle971-before-parallel = 刀具轴平行于测头中心线。
-help-cycle971-before-over = 刀具从所在位置能先上下移到测头顶面上方 _FA 处，再横向移到其中间。
+help-cycle971-before-over = 刀具可从当前位置先上下移动到测头顶面上方 _FA 处，再横向移到测头中间，途中没有障碍。
 help-cycle971-order-beside = 在侧面：先在另一轴移到测头中间，再到该面旁，下降到低于顶面 _TP[k,9] 处，触碰，退回。最后停在该深度。
 help-cycle971-order-on-top = 在顶面（_MA = 3、103、203）：移到中间上方，下降，触碰；比测头宽的刀具向起点一侧偏移“半径减 _ID”，在横坐标（3、103）或纵坐标（203），钻头不偏移。最后停在上方 _FA 处。
 help-cycle971-order-centre-first = _MA = 102 或 201 时，先在另一轴触碰两次求出中间。
 help-cycle971-order-widest = 测半径时刀具再下降 _ID，以最大直径处触碰。
-help-cycle971-order-turning = 触碰一到三次，一次比一次慢（_CM[6]、_CM[7]）；以最后一次为准。原来静止的主轴再停下。
+help-cycle971-order-turning = 触碰一到三次，进给一次比一次小（_CM[6]、_CM[7]）；以最后一次为准。原来静止的主轴再停下。
 help-cycle971-order-all-sides = 先在设定的中间触碰顶面，再触碰纵坐标两侧，在此触碰横坐标两侧，经求出的中间触碰纵坐标两侧，最后再触碰顶面。最后停在其上方 _FA 处。
 help-cycle971-wrong-depth = _TP[k,9] 为 0：刀具在测头旁够不到测头，报警 61349。
 help-cycle971-wrong-unclear = 从刀具位置看不出要触碰哪一面：报警 61332。
 help-cycle971-wrong-edge = 刀刃没有转向测头：半径测得偏小，刀刃高度不同的刀具长度也偏小。
-help-cycle971-wrong-master = 校准刀具尺寸不准：其误差进入以后测量的每把刀具。
+help-cycle971-wrong-master = 校准刀具尺寸不准：其误差会计入以后测量的每把刀具。
 help-cycle971-wrong-no-data = 刀具的长度或半径为 0：报警 61351。
 help-cycle971-wrong-direction = _CM[5] 既不是 3 也不是 4：报警 61366。
 
@@ -55,11 +55,11 @@ help-cycle982-wrong-axis = 半径不在 _MA 轴上：报警 61325。
 help-cycle982-wrong-drill-radius = 刀具是钻头，循环不测量其半径：报警 61314。
 help-cycle982-wrong-fast = 触碰时铣削主轴转速高：损坏刀刃和测头。请降低转速。
 help-cycle982-wrong-wrong-side = 起点在错误的一侧或在测头上方：报警 61332。
-help-cycle982-wrong-nose = 校准刀具的刀尖半径或长度不对：误差进入以后测量的每把刀具。
+help-cycle982-wrong-nose = 校准刀具的刀尖半径或长度不对：误差会计入以后测量的每把刀具。
 
 help-tool-probe-known = 测头各面的近似位置已输入：_TP（相对工件：_TPW）中的触发点。
 help-tool-block = 对一个面：移到该面前 _FA 处，从那里最多走两倍 _FA 触碰，触发后退回。_NMSP 大于 1 时重复，取平均值。
-help-tool-reach = 刀具数据或测头数据的误差超过 _FA：不触发（61301），或途中触碰（61302）。
+help-tool-reach = 刀具数据或测头数据的误差超过 _FA：不触发（报警 61301），或途中触碰（61302）。
 help-tool-trigger = 测头数据：_TP（相对工件：_TPW）中的触发点，与存储值相差大于 _TZL 时更新。超过 _TSA：报警 61303，不存储。
 help-tool-data = 当前刀具：写入几何值，磨损置 0；_CHBIT[3]=1 时只写磨损。偏差不超过 _TZL：不补偿；达到 _TDIF：信息 62306，不补偿；达到 _TSA：报警 61303。
 help-tool-in-front = 刀具已在要触碰的面前，不超过两倍 _FA；不需要测头的数据。

@@ -3,7 +3,7 @@
 help-turning-probe = 测头（类型 5xy）在工作位置，其 D 号和 G40 有效；没有旋转和比例系数。
 help-turning-diameter = 直径和半径混淆：DIAMON 有效时 X 的设定值和公差是直径，_FA 和补偿量不是。
 
-help-cycle974-measures-point = 车削件上一点的位置：从一侧测的直径、端面，或第三轴上的一点。
+help-cycle974-measures-point = 车削件上一点的位置：从一侧测的直径、端面，或第 3 轴上的一点。
 help-cycle974-before-opposite = 测球对着该点，距离大于 _FA；从那里朝 _SETVAL 测量。
 help-cycle974-before-chuck = 夹持工件的主主轴可以定位。
 help-cycle974-order-axis = 只有测量轴移动；最后停在表面前 _FA 处。
@@ -21,5 +21,5 @@ help-cycle994-order-plus-first = 先触碰正侧的点，再触碰负侧的点�
 help-cycle994-order-round-inside = 在孔内沿保护区移动：到 _SZO，再到 _SZA，横过，返回。
 help-cycle994-order-round-outside = 测外径时退到 _SZO，移到 _SZA，横过，返回；测内径时直接穿过孔。
 help-cycle994-corrects-half = 长度按直径偏差的一半补偿。
-help-cycle994-wrong-zone = 保护区沿用以前的调用，或放不下测球：测头撞到工件（61302），或没有可走的路径（61334）。
+help-cycle994-wrong-zone = 保护区沿用以前的调用，或放不下测球：测头撞到工件（报警 61302），或没有可走的路径（61334）。
 help-cycle994-wrong-ball = _CHBIT[7]=1 时用存储的测球直径代替两个触发点：该直径必须正确。

@@ -9,7 +9,7 @@ help-section-order = 执行顺序
 help-section-corrects = 补偿内容
 help-section-leaves = 输出结果
 help-section-wrong = 容易出错之处
-help-values = 必填参数：{ $names }。
+help-values = 输入参数：{ $names }。
 help-alarms = 可能出现的报警：{ $names }。
 
 help-probe-loaded = 测头在主轴中（刀具类型 710 或 1x0），其 D 号有效；已编程 G40，没有比例系数。

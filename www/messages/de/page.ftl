@@ -284,7 +284,7 @@ outcome-assumed = Diese Werte hängen vom Programmablauf ab. Gerechnet wird mit 
 outcome-assumed-value = { $name } = { $value } (Zeile { $line })
 outcome-unknown = Erst beim Programmlauf bekannt: { $names }. In der 3D-Ansicht das Programm laufen lassen oder eine Zahl eingeben.
 column-name = Name
-column-what = Was
+column-what = Größe
 column-meaning = Bedeutung
 column-value = Wert
 column-unit = Einheit

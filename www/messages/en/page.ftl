@@ -284,7 +284,7 @@ outcome-assumed = These values depend on the path through the program. Calculate
 outcome-assumed-value = { $name } = { $value } (line { $line })
 outcome-unknown = Known only when the program runs: { $names }. Run the whole program in the 3D view, or enter a number.
 column-name = Name
-column-what = What
+column-what = Item
 column-meaning = Meaning
 column-value = Value
 column-unit = Unit
@@ -297,7 +297,7 @@ problem-place = line { $line }, column { $column }
 log-save = Save as file
 log-none = Nothing was logged.
 
-sliders-title = Errors
+sliders-title = Simulated errors
 sliders-reset = Reset to zero
 sliders-part = Part errors
 sliders-probe = Probe errors

@@ -18,7 +18,7 @@ unit-mm = mm
 unit-inch = inch
 unit-deg = °
 unit-mm-per-min = mm/min
-unit-inch-per-min = inch/min
+unit-inch-per-min = in/min
 unit-m-per-min = m/min
 unit-ft-per-min = ft/min
 unit-rpm = r/min
@@ -89,7 +89,7 @@ help-close = 关闭
 help-coming = 正在加载帮助页…
 help-absent = 无法加载帮助页。请关闭后重新打开再试。
 help-no-variant = 帮助页随测量方式而变：请在表单中选择测量方式。
-help-values-title = 必填参数
+help-values-title = 输入参数
 help-results-title = 输出的结果（{ $count }）
 help-alarms-title = 可能出现的报警（{ $count }）
 
@@ -280,7 +280,7 @@ outcome-assumed = 这些值取决于程序的执行路径。此结果按最先�
 outcome-assumed-value = { $name } = { $value }（第 { $line } 行）
 outcome-unknown = { $names } 只有在程序运行时才能确定。请在 3D 视图中运行整个程序，或输入数值。
 column-name = 名称
-column-what = 对象
+column-what = 项目
 column-meaning = 含义
 column-value = 值
 column-unit = 单位
@@ -293,7 +293,7 @@ problem-place = 第 { $line } 行，第 { $column } 列
 log-save = 保存为文件
 log-none = 没有记录任何内容。
 
-sliders-title = 误差
+sliders-title = 模拟误差
 sliders-reset = 全部归零
 sliders-part = 工件误差
 sliders-probe = 测头误差
@@ -445,7 +445,7 @@ scan-example-step = 台阶
 scan-open = 打开 STL 或图片…
 scan-begin = 扫描
 scan-scanning-working = 正在扫描…
-scan-taking-working = 正在准备点…
+scan-taking-working = 正在准备扫描点…
 scan-taking-working-on = 正在准备点（{ $size } 百万个点）…
 scan-writing-working = 正在写文件…
 scan-writing-working-on = 正在写文件（{ $size } 百万个点）…
@@ -470,7 +470,7 @@ scan-save-points = 保存输出的 XYZ
 scan-save-surface = 保存曲面的 XYZ
 
 form-placed = 程序第 { $line } 行
-field-reset = 已清除 { $value }：该值是作为“{ $before }”输入的。
+field-reset = 已清除 { $value }：原输入为“{ $before }”。
 
 asks-title = 这会更改此调用以外的 { $count } 行
 asks-line = 第 { $line } 行
