@@ -72,7 +72,7 @@ impl Summary {
             return;
         };
         let source = match recognise(&bytes) {
-            Ok(encoding) => in_utf8(encoding.name(), bytes),
+            Ok(encoding) => in_utf8(&encoding.to_string(), bytes),
             Err(_) => {
                 *self.passed_over.entry("no program").or_default() += 1;
                 return;

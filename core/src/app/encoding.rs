@@ -1,6 +1,6 @@
 //! What a file is, by its bytes.
 
-use crate::encoding::{Encoding, NoProgram};
+use crate::encoding::Encoding;
 use crate::message::Message;
 use serde::Serialize;
 
@@ -21,11 +21,11 @@ pub enum Recognised {
     },
 }
 
-impl From<Result<Encoding, NoProgram>> for Recognised {
-    fn from(found: Result<Encoding, NoProgram>) -> Recognised {
+impl From<Result<Encoding, &'static str>> for Recognised {
+    fn from(found: Result<Encoding, &'static str>) -> Recognised {
         match found {
             Ok(encoding) => Recognised::Program { encoding },
-            Err(what) => Recognised::Other { why: what.message() },
+            Err(what) => Recognised::Other { why: Message::new(what) },
         }
     }
 }

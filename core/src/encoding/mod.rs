@@ -6,12 +6,13 @@ mod double;
 mod tests;
 mod units;
 
-use crate::message::Message;
 use double::{Gb18030, ShiftJis, Utf8};
+use serde::Serialize;
+use std::fmt;
 use units::Units;
 
 /// What is recognised. Whoever shows the text may know more, to be chosen by hand.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub enum Encoding {
     /// Also what is ASCII alone.
@@ -46,73 +47,30 @@ pub enum Encoding {
     Windows1252,
 }
 
-impl Encoding {
-    /// As the page calls it: the label of the WHATWG encoding standard, `-marked` with a byte order mark.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Encoding::Utf8 => "utf-8",
-            Encoding::Utf8Marked => "utf-8-marked",
-            Encoding::Utf16Le => "utf-16le",
-            Encoding::Utf16LeMarked => "utf-16le-marked",
-            Encoding::Utf16Be => "utf-16be",
-            Encoding::Utf16BeMarked => "utf-16be-marked",
-            Encoding::Gbk => "gbk",
-            Encoding::Gb18030 => "gb18030",
-            Encoding::ShiftJis => "shift_jis",
-            Encoding::Windows1252 => "windows-1252",
-        }
+/// As the page calls it: the label of the WHATWG encoding standard, `-marked` with a byte order mark.
+impl fmt::Display for Encoding {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        self.serialize(to)
     }
 }
 
-/// What a file is that is no part program.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum NoProgram {
-    /// PNG, JPEG, GIF, TIFF, WebP.
-    Picture,
-    /// ZIP and its like; office documents of today are such too.
-    Archive,
-    /// Portable document format.
-    Pdf,
-    /// Of a word processor or a table calculation.
-    Document,
-    /// Anything else that holds no text.
-    Binary,
-}
+/// What is no text at all.
+const BINARY: &str = "file-binary";
 
-impl NoProgram {
-    /// What it is, as a sentence.
-    #[must_use]
-    pub fn message(self) -> Message {
-        Message::new(match self {
-            NoProgram::Picture => "file-picture",
-            NoProgram::Archive => "file-archive",
-            NoProgram::Pdf => "file-pdf",
-            NoProgram::Document => "file-document",
-            NoProgram::Binary => "file-binary",
-        })
-    }
-}
-
-/// What files of other sorts begin with.
-const BEGINNINGS: [(&[u8], NoProgram); 17] = [
-    (b"\x89PNG\r\n\x1a\n", NoProgram::Picture),
-    (b"\xff\xd8\xff", NoProgram::Picture),
-    (b"GIF87a", NoProgram::Picture),
-    (b"GIF89a", NoProgram::Picture),
-    (b"II*\0", NoProgram::Picture),
-    (b"MM\0*", NoProgram::Picture),
-    (b"PK\x03\x04", NoProgram::Archive),
-    (b"PK\x05\x06", NoProgram::Archive),
-    (b"\x1f\x8b\x08", NoProgram::Archive),
-    (b"7z\xbc\xaf\x27\x1c", NoProgram::Archive),
-    (b"Rar!\x1a\x07", NoProgram::Archive),
-    (b"\xfd7zXZ\0", NoProgram::Archive),
-    (b"\x28\xb5\x2f\xfd", NoProgram::Archive),
-    (b"%PDF-", NoProgram::Pdf),
-    (b"{\\rtf", NoProgram::Document),
-    (b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", NoProgram::Document),
-    (b"\x7fELF", NoProgram::Binary),
+/// What files of other sorts begin with: pictures (PNG, JPEG, GIF, TIFF); ZIP and its like, which office documents of
+/// today are too; portable documents; those of a word processor or a table calculation; programs of a computer.
+const BEGINNINGS: [(&str, &[&[u8]]); 5] = [
+    ("file-picture", &[b"\x89PNG\r\n\x1a\n", b"\xff\xd8\xff", b"GIF87a", b"GIF89a", b"II*\0", b"MM\0*"]),
+    (
+        "file-archive",
+        &[
+            b"PK\x03\x04", b"PK\x05\x06", b"\x1f\x8b\x08", b"7z\xbc\xaf\x27\x1c", b"Rar!\x1a\x07", b"\xfd7zXZ\0",
+            b"\x28\xb5\x2f\xfd",
+        ],
+    ),
+    ("file-pdf", &[b"%PDF-"]),
+    ("file-document", &[b"{\\rtf", b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"]),
+    (BINARY, &[b"\x7fELF"]),
 ];
 
 /// Bytes at the begin that are kept to be compared.
@@ -166,11 +124,11 @@ impl Recogniser {
     }
 
     /// # Errors
-    /// It is no part program: what it is instead.
-    pub fn finish(mut self) -> Result<Encoding, NoProgram> {
-        let begins = |(beginning, _): &&(&[u8], NoProgram)| self.head.starts_with(beginning);
-        if let Some((_, what)) = BEGINNINGS.iter().find(begins) {
-            return Err(*what);
+    /// It is no part program: key of what it is instead.
+    pub fn finish(mut self) -> Result<Encoding, &'static str> {
+        let begins = |beginning: &&[u8]| self.head.starts_with(beginning);
+        if let Some((what, _)) = BEGINNINGS.iter().find(|(_, sort)| sort.iter().any(begins)) {
+            return Err(what);
         }
         match self.head[..] {
             [0xFF, 0xFE, ..] if self.units.marked(0) => return Ok(Encoding::Utf16LeMarked),
@@ -183,7 +141,7 @@ impl Recogniser {
             return Ok([Encoding::Utf16Le, Encoding::Utf16Be][order]);
         }
         if self.holds_no_text() {
-            return Err(NoProgram::Binary);
+            return Err(BINARY);
         }
         Ok(self.bytewise())
     }
@@ -212,8 +170,8 @@ impl Recogniser {
 /// The encoding of a whole file.
 ///
 /// # Errors
-/// It is no part program: what it is instead.
-pub fn recognise(bytes: &[u8]) -> Result<Encoding, NoProgram> {
+/// It is no part program: key of what it is instead.
+pub fn recognise(bytes: &[u8]) -> Result<Encoding, &'static str> {
     let mut recogniser = Recogniser::default();
     recogniser.take(bytes);
     recogniser.finish()

@@ -84,7 +84,7 @@ pub fn bytes(path: &Path) -> Result<Vec<u8>, Problem> {
 /// that stands for no character becomes the sign for that, except in UTF-8, where it stays.
 pub fn program(path: &Path) -> Result<Vec<u8>, Problem> {
     let source = bytes(path)?;
-    let encoding = recognise(&source).map_err(|what| wrong_in(path, what.message()))?;
+    let encoding = recognise(&source).map_err(|what| wrong_file(path, what))?;
     Ok(match table(encoding) {
         None => source,
         Some(table) => table.decode(&source).0.into_owned().into_bytes(),
@@ -93,8 +93,9 @@ pub fn program(path: &Path) -> Result<Vec<u8>, Problem> {
 
 /// The table that puts a text into UTF-8; none: it is.
 fn table(encoding: Encoding) -> Option<&'static encoding_rs::Encoding> {
-    let label = encoding.name().trim_end_matches("-marked");
-    encoding_rs::Encoding::for_label(label.as_bytes()).filter(|table| *table != encoding_rs::UTF_8)
+    let label = encoding.to_string();
+    let table = encoding_rs::Encoding::for_label(label.trim_end_matches("-marked").as_bytes());
+    table.filter(|table| *table != encoding_rs::UTF_8)
 }
 
 /// Writes texts one behind the other into a file; the error names it.
