@@ -1,6 +1,7 @@
 //! Reads a parsed document into a type of ours. What does not fit is told with a key and the member, which serde_json
 //! can only say in English.
 
+use crate::message::Arg;
 use crate::refused::{Path, Refused, Step};
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{
@@ -8,101 +9,79 @@ use serde::de::{
     Unexpected, Visitor,
 };
 use serde_json::Value;
-use serde_json::map::IntoIter as Members;
+use serde_json::map::{IntoIter as Members, Map};
+use std::borrow::Cow;
 use std::fmt::Display;
 use std::vec::IntoIter as Elements;
 
+/// Why a document does not fit; in a box, since every member that is read may say so.
+type Wrong = Box<Refused>;
+
+/// Names of members or choices.
+type Names = &'static [&'static str];
+
 /// The document as a `T`.
 pub(super) fn read<T: DeserializeOwned>(document: Value) -> Result<T, Refused> {
-    T::deserialize(Node(document)).map_err(|wrong| *wrong.0)
+    T::deserialize(Node(document)).map_err(|wrong| *wrong)
 }
 
-#[derive(Debug)]
-pub(super) struct Wrong(Box<Refused>);
-
-impl Wrong {
-    fn new(key: &'static str) -> Wrong {
-        Wrong(Box::new(Refused::new(key, Path::default())))
-    }
-
-    fn with(mut self, change: impl FnOnce(Refused) -> Refused) -> Wrong {
-        *self.0 = change(*self.0);
-        self
-    }
-
-    fn text(self, name: &'static str, value: impl Into<String>) -> Wrong {
-        self.with(|refused| refused.text(name, value))
-    }
-
-    fn within(self, step: Step) -> Wrong {
-        self.with(|refused| refused.within(step))
-    }
-
-    /// Something of another sort stands there than is wanted; both are keys.
-    fn sort(found: &'static str, wanted: &str) -> Wrong {
-        Wrong::new("document-sort").text("found", found).text("wanted", wanted)
-    }
+fn wrong(key: impl Into<Cow<'static, str>>) -> Refused {
+    Refused::new(key, Path::default())
 }
 
-impl Display for Wrong {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        self.0.message.key.fmt(f)
-    }
+/// Something of another sort stands there than is wanted; both are keys.
+fn other_sort(found: &'static str, wanted: &str) -> Wrong {
+    wrong("document-sort").text("found", found).text("wanted", wanted).into()
 }
 
-impl std::error::Error for Wrong {}
-
-/// Names as they are listed in a message; they are our own, so that none is cut off.
-fn listed(names: &[&str]) -> crate::message::Arg {
-    crate::message::Arg::Text(names.join(", "))
+/// Lists the known names; they are our own, so that none is cut off.
+fn listing(mut refused: Refused, known: Names) -> Wrong {
+    refused.message.args.push(("known", Arg::Text(known.join(", "))));
+    refused.into()
 }
 
 impl Error for Wrong {
     /// Types of ours that read themselves give a key.
     fn custom<T: Display>(key: T) -> Wrong {
-        Wrong(Box::new(Refused::new(key.to_string(), Path::default())))
+        wrong(key.to_string()).into()
     }
 
     /// What a type of ours expects is a key; of others it is known what they were asked for.
     fn invalid_type(found: Unexpected<'_>, expected: &dyn Expected) -> Wrong {
         let wanted = expected.to_string();
-        let wanted = if wanted.starts_with("document-") { wanted.as_str() } else { "document-something-else" };
-        Wrong::sort(sort(&found), wanted)
+        other_sort(sort(&found), if wanted.starts_with("document-") { &wanted } else { "document-something-else" })
     }
 
     fn invalid_value(found: Unexpected<'_>, _: &dyn Expected) -> Wrong {
-        let wrong = Wrong::new("document-value");
-        match found {
-            Unexpected::Unsigned(number) => wrong.with(|refused| refused.number("value", number as f64)),
-            Unexpected::Signed(number) => wrong.with(|refused| refused.number("value", number as f64)),
-            Unexpected::Float(number) => wrong.with(|refused| refused.number("value", number)),
+        let wrong = wrong("document-value");
+        let wrong = match found {
+            Unexpected::Unsigned(number) => wrong.number("value", number as f64),
+            Unexpected::Signed(number) => wrong.number("value", number as f64),
+            Unexpected::Float(number) => wrong.number("value", number),
             Unexpected::Str(text) => wrong.text("value", text),
             other => wrong.text("value", sort(&other)),
-        }
+        };
+        wrong.into()
     }
 
     fn invalid_length(count: usize, _: &dyn Expected) -> Wrong {
-        Wrong::new("document-count").with(|refused| refused.number("count", count as f64))
+        wrong("document-count").number("count", count as f64).into()
     }
 
-    fn unknown_variant(variant: &str, known: &'static [&'static str]) -> Wrong {
-        let mut wrong = Wrong::new("document-choice").text("value", variant);
-        wrong.0.message.args.push(("known", listed(known)));
-        wrong
+    fn unknown_variant(variant: &str, known: Names) -> Wrong {
+        listing(wrong("document-choice").text("value", variant), known)
     }
 
-    fn unknown_field(field: &str, known: &'static [&'static str]) -> Wrong {
-        let mut wrong = Wrong::new("document-unknown").within(Step::Member(field.to_owned()));
-        wrong.0.message.args.push(("known", listed(known)));
-        wrong
+    fn unknown_field(field: &str, known: Names) -> Wrong {
+        listing(wrong("document-unknown").within(Step::Member(field.to_owned())), known)
     }
 
     fn missing_field(field: &'static str) -> Wrong {
-        Wrong::new("document-missing").within(Step::Member(field.to_owned()))
+        wrong("document-missing").within(Step::Member(field.to_owned())).into()
     }
 
     fn duplicate_field(field: &'static str) -> Wrong {
-        Wrong::new("document-twice").within(Step::Member(field.to_owned()))
+        wrong("document-twice").within(Step::Member(field.to_owned())).into()
     }
 }
 
@@ -133,37 +112,19 @@ struct Node(Value);
 
 impl Node {
     fn number<'de, V: Visitor<'de>>(self, wanted: &str, visitor: V) -> Result<V::Value, Wrong> {
-        let Value::Number(number) = &self.0 else { return Err(Wrong::sort(sort_of(&self.0), wanted)) };
+        let Value::Number(number) = &self.0 else { return Err(other_sort(sort_of(&self.0), wanted)) };
         match (number.as_u64(), number.as_i64(), number.as_f64()) {
             (Some(number), ..) => visitor.visit_u64(number),
             (_, Some(number), _) => visitor.visit_i64(number),
             (.., Some(number)) => visitor.visit_f64(number),
-            _ => Err(Wrong::sort("document-number", wanted)),
+            _ => Err(other_sort("document-number", wanted)),
         }
     }
 
     fn whole<'de, V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Wrong> {
         match &self.0 {
-            Value::Number(number) if number.is_f64() => Err(Wrong::sort("document-fraction", "document-integer")),
+            Value::Number(number) if number.is_f64() => Err(other_sort("document-fraction", "document-integer")),
             _ => self.number("document-integer", visitor),
-        }
-    }
-
-    fn list<'de, V: Visitor<'de>>(self, count: Option<usize>, visitor: V) -> Result<V::Value, Wrong> {
-        let Value::Array(list) = self.0 else { return Err(Wrong::sort(sort_of(&self.0), "document-list")) };
-        if let Some(wanted) = count.filter(|wanted| *wanted != list.len()) {
-            let wrong = Wrong::new("document-length");
-            return Err(
-                wrong.with(|refused| refused.number("count", list.len() as f64).number("wanted", wanted as f64))
-            );
-        }
-        visitor.visit_seq(List { elements: list.into_iter(), index: 0 })
-    }
-
-    fn object<'de, V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Wrong> {
-        match self.0 {
-            Value::Object(members) => visitor.visit_map(Object { members: members.into_iter(), next: None }),
-            other => Err(Wrong::sort(sort_of(&other), "document-object")),
         }
     }
 }
@@ -183,7 +144,6 @@ impl<'de> Deserializer<'de> for Node {
     alike! {
         whole: deserialize_i8 deserialize_i16 deserialize_i32 deserialize_i64 deserialize_u8 deserialize_u16
             deserialize_u32 deserialize_u64;
-        object: deserialize_map;
         deserialize_str: deserialize_string deserialize_identifier;
     }
 
@@ -197,15 +157,15 @@ impl<'de> Deserializer<'de> for Node {
             Value::Bool(value) => visitor.visit_bool(value),
             Value::String(text) => visitor.visit_string(text),
             Value::Number(_) => self.number("document-number", visitor),
-            Value::Array(_) => self.list(None, visitor),
-            Value::Object(_) => self.object(visitor),
+            Value::Array(_) => self.deserialize_seq(visitor),
+            Value::Object(_) => self.deserialize_map(visitor),
         }
     }
 
     fn deserialize_bool<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Wrong> {
         match self.0 {
             Value::Bool(value) => visitor.visit_bool(value),
-            other => Err(Wrong::sort(sort_of(&other), "document-switch")),
+            other => Err(other_sort(sort_of(&other), "document-switch")),
         }
     }
 
@@ -216,7 +176,7 @@ impl<'de> Deserializer<'de> for Node {
     fn deserialize_str<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Wrong> {
         match self.0 {
             Value::String(text) => visitor.visit_string(text),
-            other => Err(Wrong::sort(sort_of(&other), "document-text")),
+            other => Err(other_sort(sort_of(&other), "document-text")),
         }
     }
 
@@ -228,38 +188,42 @@ impl<'de> Deserializer<'de> for Node {
     }
 
     fn deserialize_seq<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Wrong> {
-        self.list(None, visitor)
+        match self.0 {
+            Value::Array(list) => visitor.visit_seq(List { elements: list.into_iter(), index: 0 }),
+            other => Err(other_sort(sort_of(&other), "document-list")),
+        }
     }
 
-    fn deserialize_tuple<V: Visitor<'de>>(self, count: usize, visitor: V) -> Result<V::Value, Wrong> {
-        self.list(Some(count), visitor)
+    fn deserialize_tuple<V: Visitor<'de>>(self, wanted: usize, visitor: V) -> Result<V::Value, Wrong> {
+        let count = self.0.as_array().map_or(wanted, Vec::len);
+        if count != wanted {
+            return Err(wrong("document-length").number("count", count as f64).number("wanted", wanted as f64).into());
+        }
+        self.deserialize_seq(visitor)
+    }
+
+    fn deserialize_map<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Wrong> {
+        match self.0 {
+            Value::Object(members) => visitor.visit_map(Object::of(members)),
+            other => Err(other_sort(sort_of(&other), "document-object")),
+        }
     }
 
     fn deserialize_newtype_struct<V: Visitor<'de>>(self, _: &'static str, visitor: V) -> Result<V::Value, Wrong> {
         visitor.visit_newtype_struct(self)
     }
 
-    fn deserialize_struct<V: Visitor<'de>>(
-        self,
-        _: &'static str,
-        _: &'static [&'static str],
-        visitor: V,
-    ) -> Result<V::Value, Wrong> {
-        self.object(visitor)
+    fn deserialize_struct<V: Visitor<'de>>(self, _: &str, _: Names, visitor: V) -> Result<V::Value, Wrong> {
+        self.deserialize_map(visitor)
     }
 
-    fn deserialize_enum<V: Visitor<'de>>(
-        self,
-        _: &'static str,
-        _: &'static [&'static str],
-        visitor: V,
-    ) -> Result<V::Value, Wrong> {
+    fn deserialize_enum<V: Visitor<'de>>(self, _: &str, _: Names, visitor: V) -> Result<V::Value, Wrong> {
         match self.0 {
             Value::String(name) => visitor.visit_enum(IntoDeserializer::<Wrong>::into_deserializer(name)),
             Value::Object(members) if members.len() == 1 => {
-                visitor.visit_enum(MapAccessDeserializer::new(Object { members: members.into_iter(), next: None }))
+                visitor.visit_enum(MapAccessDeserializer::new(Object::of(members)))
             }
-            other => Err(Wrong::sort(sort_of(&other), "document-one-choice")),
+            other => Err(other_sort(sort_of(&other), "document-one-choice")),
         }
     }
 }
@@ -276,7 +240,7 @@ impl<'de> SeqAccess<'de> for List {
         let Some(element) = self.elements.next() else { return Ok(None) };
         let step = Step::Element(self.index);
         self.index += 1;
-        seed.deserialize(Node(element)).map(Some).map_err(|wrong| wrong.within(step))
+        seed.deserialize(Node(element)).map(Some).map_err(|wrong| wrong.within(step).into())
     }
 
     fn size_hint(&self) -> Option<usize> {
@@ -289,6 +253,12 @@ struct Object {
     next: Option<(String, Value)>,
 }
 
+impl Object {
+    fn of(members: Map<String, Value>) -> Object {
+        Object { members: members.into_iter(), next: None }
+    }
+}
+
 impl<'de> MapAccess<'de> for Object {
     type Error = Wrong;
 
@@ -298,8 +268,8 @@ impl<'de> MapAccess<'de> for Object {
     }
 
     fn next_value_seed<T: DeserializeSeed<'de>>(&mut self, seed: T) -> Result<T::Value, Wrong> {
-        let (name, value) = self.next.take().ok_or_else(|| Wrong::new("document-missing"))?;
-        seed.deserialize(Node(value)).map_err(|wrong| wrong.within(Step::Member(name)))
+        let (name, value) = self.next.take().ok_or_else(|| wrong("document-missing"))?;
+        seed.deserialize(Node(value)).map_err(|wrong| wrong.within(Step::Member(name)).into())
     }
 }
 
@@ -328,7 +298,7 @@ impl Name<'_> {
     fn whole<'de, V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Wrong> {
         match self.0.parse() {
             Ok(number) => visitor.visit_i64(number),
-            Err(_) => Err(Wrong::new("document-number-name").within(Step::Member(self.0.to_owned()))),
+            Err(_) => Err(wrong("document-number-name").within(Step::Member(self.0.to_owned())).into()),
         }
     }
 }
