@@ -1,6 +1,6 @@
 //! Edits of a program: a value changed in a form, a call in another way of writing.
 
-use super::finding::{Edit, Finding, TouchedLine, edits, placed, touched};
+use super::finding::{Edit, Finding, edits, placed};
 use super::start::{Machine, start};
 use super::{Error, unknown};
 use crate::dialect::Dialect;
@@ -9,6 +9,7 @@ use crate::name::Name;
 use crate::program::change::apply;
 use crate::program::convert as converting;
 use crate::program::revise::revise;
+use crate::program::touched::TouchedLine;
 use crate::syntax;
 use crate::syntax::position::Positions;
 use serde::{Deserialize, Serialize};
@@ -99,7 +100,7 @@ pub fn change(asked: ChangeRequest) -> Result<Changed, Error> {
     }
     Ok(Changed {
         steps,
-        elsewhere: touched(done.elsewhere),
+        elsewhere: done.elsewhere,
         taken: done.taken,
         findings: placed(&done.findings, &Positions::new(b"")),
     })

@@ -4,7 +4,7 @@ use crate::diagnostic;
 use crate::diagnostic::{Code, Diagnostic, Severity};
 use crate::message::Message;
 use crate::name::Name;
-use crate::program::touched::Line;
+use crate::program::touched::TouchedLine;
 use crate::syntax::position::Positions;
 use serde::Serialize;
 
@@ -66,18 +66,6 @@ pub struct Edit {
     pub insert: String,
 }
 
-/// A line that would be another one.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
-pub struct TouchedLine {
-    /// Number of the line, from 1.
-    pub line: u32,
-    /// As it is.
-    pub before: String,
-    /// As it would be; empty where it goes.
-    pub after: String,
-}
-
 impl Finding {
     /// Without a place: at a form.
     pub fn of(found: &Diagnostic) -> Finding {
@@ -127,9 +115,4 @@ pub(super) fn edits(list: &[diagnostic::Edit], positions: &Positions) -> Vec<Edi
         insert: edit.insert.clone(),
     };
     list.iter().map(edit).collect()
-}
-
-pub(super) fn touched(lines: Vec<Line>) -> Vec<TouchedLine> {
-    let line = |Line { line, before, after }| TouchedLine { line: line + 1, before, after };
-    lines.into_iter().map(line).collect()
 }

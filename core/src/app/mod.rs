@@ -25,7 +25,7 @@ pub use catalogue::{Catalogue, CycleInfo, ParameterInfo, Purpose, Values, Varian
 pub use changes::Change;
 pub use edit::{ChangeRequest, Changed, ConvertRequest, Converted, change, convert};
 pub use encoding::Recognised;
-pub use finding::{Cure, Edit, Finding, TouchedLine, findings};
+pub use finding::{Cure, Edit, Finding, findings};
 pub use form::{FormRequest, FormView, form};
 pub use help::{HelpRequest, HelpResult, HelpSection, HelpText, HelpView, help};
 pub use machine::{MachineField, MachineGroup, MachineProblem, MachineRequest, MachineView, machine};

@@ -1,7 +1,7 @@
 //! The measuring calls of a program, and what is wrong with it.
 
 use super::Error;
-use super::finding::{Finding, placed, touched};
+use super::finding::{Finding, placed};
 use super::start::{Machine, start};
 use crate::check::variants;
 use crate::control::{Control, Plane, Transverse, UnitFunction, delivery};
@@ -128,8 +128,7 @@ fn view(program: &Program, control: Control, told: &mut dyn FnMut(f64)) -> ReadV
     let mut found = program::findings_of(program, &sites, &control);
     found.truncate(MOST_FINDINGS);
     let finding = |one| {
-        let lines = cured_elsewhere(program, &sites, one);
-        let elsewhere = (!lines.is_empty()).then(|| touched(lines));
+        let elsewhere = Some(cured_elsewhere(program, &sites, one)).filter(|lines| !lines.is_empty());
         Finding { elsewhere, ..Finding::placed(one, &positions) }
     };
     ReadView {

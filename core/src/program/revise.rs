@@ -4,7 +4,7 @@ use super::arguments;
 use super::calls::{CallSite, calls_on};
 use super::change::{Edit, apply, change};
 use super::own_words::{emptied, own_words};
-use super::touched::{Line, elsewhere};
+use super::touched::{TouchedLine, elsewhere};
 use crate::check::variants;
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
@@ -19,7 +19,7 @@ pub struct Revision {
     /// Lists of edits, each for the text after the ones before it.
     pub steps: Vec<Vec<Edit>>,
     /// The lines outside of the call's own that they change.
-    pub elsewhere: Vec<Line>,
+    pub elsewhere: Vec<TouchedLine>,
     /// Parameters that another variant does not know: their values are taken out of the call.
     pub taken: Vec<Name>,
     /// What that means: which of them went, and which stay since their values are expressions.
