@@ -7,7 +7,7 @@ use super::start::{Machine, start};
 use super::twin::{TwinView, twin};
 use super::{Error, choose_units, cycle};
 use crate::check::{Checked, newer, variants};
-use crate::control::{Control, MachineSort, Plane, Transverse, UnitFunction, Units};
+use crate::control::{Control, MachineSort, Plane, Transverse, UnitFunction};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::dialect::Dialect;
 use crate::entry::{ArgumentList, Cycle, Style, Typed, names};
@@ -132,7 +132,7 @@ pub fn form(mut asked: FormRequest) -> Result<FormView, Error> {
     if !start.described {
         suit(&mut start.setup, cycle, &asked);
     }
-    let at_start = modal(&start.setup.control);
+    let Control { plane, transverse, active_units, data_follow, .. } = start.setup.control;
     at_call(&mut start.setup.control, cycle, &asked)?;
     let control = &mut start.setup.control;
     let support = Support::of(cycle, control);
@@ -151,7 +151,7 @@ pub fn form(mut asked: FormRequest) -> Result<FormView, Error> {
     }
     let values_of = Values { typed: &values, expressions: &asked.expressions };
     let style = asked.style.unwrap_or(preset);
-    let mut view = view(cycle, &values_of, &start.setup, &checked, style, asked.comments.as_ref());
+    let mut view = view(cycle, &values_of, control, &checked, style, asked.comments.as_ref());
     view.preset = preset;
     view.twin = (asked.twin && SIMULATES).then(|| twin(cycle, &values, &start.setup.control));
     if !asked.predict || !SIMULATES {
@@ -170,7 +170,8 @@ pub fn form(mut asked: FormRequest) -> Result<FormView, Error> {
         }
         _ => start.setup,
     };
-    set_modal(&mut setup.control, at_start);
+    // what a program begins with is not what counts at one of its calls
+    setup.control = Control { plane, transverse, active_units, data_follow, ..setup.control };
     support::restore(&mut setup.control, before);
     view.setup = Some(setup);
     Ok(view)
@@ -219,32 +220,16 @@ fn entered(support: Option<Support>, cycle: &'static Cycle, typed: Typed, contro
     (entered.values, before)
 }
 
-/// Plane, diameters and units of a control: what a program begins with is not what counts at one of its calls.
-type Modal = (Plane, Transverse, Units, bool);
-
-fn modal(control: &Control) -> Modal {
-    let Control { plane, transverse, active_units, data_follow, .. } = *control;
-    (plane, transverse, active_units, data_follow)
-}
-
-fn set_modal(control: &mut Control, (plane, transverse, units, data_follow): Modal) {
-    control.plane = plane;
-    control.transverse = transverse;
-    control.active_units = units;
-    control.data_follow = data_follow;
-}
-
 /// The form without what is simulated.
 fn view(
     cycle: &'static Cycle,
     values: &Values,
-    setup: &Setup,
+    control: &Control,
     checked: &Checked,
     style: Style,
     comments: Option<&Typed>,
 ) -> FormView {
     let word = |name: &str, _: &str| comments.and_then(|words| words.get(name)).cloned().unwrap_or_default();
-    let control = &setup.control;
     let words = comments.map(|_| &word as &dyn Fn(&str, &str) -> String);
     let written = snippet_of(cycle, values, control, style, words);
     let with_expression = |field: Field| {

@@ -79,8 +79,8 @@ pub struct ErrorLimit {
 
 /// Carries out the call on the proposed part: what it does, with what is to be seen of it.
 pub(super) fn predict(work: &Work, inputs: &Inputs, start: Start, errors: &ErrorSliders, limits: bool) -> Outcome {
+    let limits = limits.then(|| survived(work, inputs, &start, errors));
     let Start { mut setup, described } = start;
-    let limits = limits.then(|| survived(work, inputs, &setup, errors, described));
     let zones = prepare(&mut setup, work, inputs, errors, described);
     let outcome = carried_out(inputs, &mut setup);
     let (limits, solids) = limits.unzip();
@@ -118,18 +118,11 @@ const SLIDERS: [Slider; 4] = [
 
 /// The largest errors that the call survives, the others being as they are, and the part with the first of them that is
 /// limited: as it is on both sides.
-fn survived(
-    work: &Work,
-    inputs: &Inputs,
-    setup: &Setup,
-    errors: &ErrorSliders,
-    described: bool,
-) -> (Vec<ErrorLimit>, Vec<Solid>) {
+fn survived(work: &Work, inputs: &Inputs, start: &Start, errors: &ErrorSliders) -> (Vec<ErrorLimit>, Vec<Solid>) {
     let with = |(_, slider): Slider, error: f64| {
-        let mut setup = setup.clone();
-        let mut errors = *errors;
+        let (mut setup, mut errors) = (start.setup.clone(), *errors);
         *slider(&mut errors.part) = error;
-        prepare(&mut setup, work, inputs, &errors, described);
+        prepare(&mut setup, work, inputs, &errors, start.described);
         setup
     };
     let mut limits = Vec::new();
@@ -164,13 +157,12 @@ fn prepare(setup: &mut Setup, work: &Work, inputs: &Inputs, errors: &ErrorSlider
     }
     probe_errors(&mut setup.probe, &errors.probe);
     setup.position = setup.control.to_machine(proposal.start);
-    if described {
-        return proposal.zones;
-    }
-    for proposed in proposal.tools {
-        let tool = setup.control.tools.entry(proposed.tool).or_default();
-        tool.name = proposed.name;
-        tool.edges.entry(proposed.edge).or_insert(proposed.data);
+    if !described {
+        for proposed in proposal.tools {
+            let tool = setup.control.tools.entry(proposed.tool).or_default();
+            tool.name = proposed.name;
+            tool.edges.entry(proposed.edge).or_insert(proposed.data);
+        }
     }
     proposal.zones
 }

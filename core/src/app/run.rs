@@ -84,7 +84,7 @@ pub struct OfCall {
 }
 
 /// A result of a run.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 pub struct RunResult {
     /// `_OVR[4]`.
@@ -213,13 +213,7 @@ fn results(outcome: &Outcome) -> Vec<RunResult> {
         }
     }
     let rest = outcome.written().into_iter().filter(|(name, _)| !told.contains(name));
-    all.extend(rest.map(|(name, value)| RunResult {
-        name: name.to_owned(),
-        value,
-        label: None,
-        unit: None,
-        call: OfCall::default(),
-    }));
+    all.extend(rest.map(|(name, value)| RunResult { name: name.to_owned(), value, ..RunResult::default() }));
     all
 }
 
@@ -232,9 +226,6 @@ fn decisions(outcome: &Outcome) -> Vec<RunDecision> {
 }
 
 fn raised(outcome: &Outcome) -> Vec<RunAlarm> {
-    let steps = outcome.by_call();
-    let calls = steps.filter_map(|(call, step)| matches!(step, Step::Alarm(_)).then_some(call));
-    let last = outcome.by_call().last().and_then(|(call, _)| call);
-    let calls = calls.chain(std::iter::repeat(last)).map(OfCall::new);
+    let calls = outcome.calls_of_alarms().map(OfCall::new);
     alarms(outcome).into_iter().zip(calls).map(|(raised, call)| RunAlarm { raised, call }).collect()
 }

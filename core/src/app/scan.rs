@@ -11,7 +11,7 @@ use crate::machine::{Setup, Stop};
 use crate::refused::Path;
 use crate::run::scanning::{Deviation, Session};
 use crate::scan::text::{FORMS, piece};
-use crate::scan::{Layout, turns};
+use crate::scan::turns;
 use crate::scene::Scene;
 use crate::setup_file;
 use crate::workpiece::{FreeSurface, Heights, Shape, Solid, free::stl_triangles};
@@ -120,29 +120,28 @@ impl Scan {
 
     /// What came out.
     pub fn view(&self) -> ScanView {
-        let stop = match &self.session {
-            Ok(session) => session.stop(),
-            Err(stop) => Some(stop),
-        };
-        let session = self.session.as_ref().ok();
-        let cloud = session.map(Session::cloud);
+        let session = self.session.as_ref();
         let deviation = |which: usize| session.map_or(Deviation::default(), |one| one.deviation(which));
         ScanView {
-            points: cloud.map_or(0, |cloud| cloud.points().len()),
-            lines: cloud.map_or(0, |cloud| cloud.lines()),
-            alarms: stop.map(Raised::stop).into_iter().collect(),
+            points: session.map_or(0, |one| one.cloud().points().len()),
+            lines: session.map_or(0, |one| one.cloud().lines()),
+            alarms: session.map_or_else(Some, Session::stop).map(Raised::stop).into_iter().collect(),
             sent: deviation(0),
             surface: deviation(1),
             solids: drawn(&self.part),
-            radius: session.map_or(0.0, |session| session.layout().radius),
+            radius: self.radius(),
             origin: self.origin(),
         }
     }
 
     /// The part as it is drawn.
     pub fn scene(&self) -> Scene {
-        let radius = self.session.as_ref().map_or(0.0, |session| session.layout().radius);
-        Scene::still(&drawn(&self.part), radius)
+        Scene::still(&drawn(&self.part), self.radius())
+    }
+
+    /// Radius of the ball, mm.
+    fn radius(&self) -> f64 {
+        self.session.as_ref().map_or(0.0, |session| session.layout().radius)
     }
 
     /// Of these points, in the order of the scan, four numbers each: X Y Z from the origin in machine coordinates, and
@@ -151,21 +150,15 @@ impl Scan {
     pub fn cloud(&self, surface: bool, points: Range<usize>) -> Vec<f32> {
         let Ok(session) = &self.session else { return Vec::new() };
         let origin = self.origin();
-        let (cloud, layout) = (session.cloud(), session.layout());
-        let deviations = session.deviations();
+        let (cloud, deviations) = (session.cloud(), session.deviations());
         let numbers = |index: usize| {
-            let point = if surface {
-                cloud.surface(layout, index).into()
-            } else {
-                cloud.points().get(index).copied().unwrap_or_default()
+            let point = match surface {
+                true => cloud.surface(session.layout(), index).into(),
+                false => cloud.points().get(index).copied().unwrap_or_default(),
             };
-            let [x, y, z] = session.to_machine(Wcs(point)).0;
-            [
-                (x - origin[0]) as f32,
-                (y - origin[1]) as f32,
-                (z - origin[2]) as f32,
-                deviations[index][usize::from(surface)],
-            ]
+            let at = session.to_machine(Wcs(point)).0;
+            let [x, y, z] = [0, 1, 2].map(|axis| (at[axis] - origin[axis]) as f32);
+            [x, y, z, deviations[index][usize::from(surface)]]
         };
         let end = points.end.min(deviations.len());
         (points.start..end).flat_map(numbers).collect()
@@ -186,18 +179,13 @@ impl Scan {
         let known = FORMS.iter().find(|(name, _)| *name == form);
         let (_, form) = known.ok_or_else(|| unknown("document-form", form))?;
         let Ok(session) = &self.session else { return Ok(String::new()) };
-        let layout: &Layout = session.layout();
-        Ok(piece(session.cloud(), layout, *form, from..to))
+        Ok(piece(session.cloud(), session.layout(), *form, from..to))
     }
 
     /// The first point, machine coordinates.
     fn origin(&self) -> [f64; 3] {
-        let session = self.session.as_ref().ok();
-        let first = session.and_then(|session| {
-            let point = session.cloud().points().first()?;
-            Some(session.to_machine(Wcs(*point)).0)
-        });
-        first.unwrap_or_default()
+        let Ok(session) = &self.session else { return [0.0; 3] };
+        session.cloud().points().first().map_or([0.0; 3], |point| session.to_machine(Wcs(*point)).0)
     }
 }
 
@@ -240,14 +228,12 @@ fn instead(before: &FreeSurface, name: &SurfaceChoice, file: &[u8]) -> Result<Fr
 
 /// The part with surfaces that are not too fine to be drawn.
 fn drawn(part: &[Solid]) -> Vec<Solid> {
-    let coarse = |shape: &Shape| match shape {
-        Shape::Free(surface) => Some(Shape::Free(Arc::new(surface.coarser(DRAWN)?))),
-        _ => None,
-    };
     let mut part = part.to_vec();
     for solid in &mut part {
-        if let Some(shape) = coarse(&solid.shape) {
-            solid.shape = shape;
+        if let Shape::Free(surface) = &solid.shape
+            && let Some(coarse) = surface.coarser(DRAWN)
+        {
+            solid.shape = Shape::Free(Arc::new(coarse));
         }
     }
     part

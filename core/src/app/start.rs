@@ -19,9 +19,6 @@ use std::fmt;
 pub enum Machine {
     /// The core's own, with what is chosen for it.
     Own(OwnMachine),
-    /// One that the user described.
-    #[cfg_attr(test, ts(skip))]
-    Described(Box<Setup>),
     /// One that a setup file describes.
     File(Box<SetupFile>),
 }
@@ -115,7 +112,6 @@ pub(super) fn start(dialect: Dialect, machine: Option<Machine>) -> Result<Start,
         Some(Machine::File(file)) if SIMULATES => {
             return Ok(Start { setup: setup_file::setup(*file)?, described: true });
         }
-        Some(Machine::Described(setup)) if SIMULATES => return Ok(Start { setup: *setup, described: true }),
         Some(Machine::Own(OwnMachine { own })) => own,
         _ => Beginning::default(),
     };

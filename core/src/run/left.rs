@@ -42,6 +42,12 @@ impl Outcome {
         })
     }
 
+    /// The call in which each alarm was raised, in their order; behind them forever that in which the run ended.
+    pub fn calls_of_alarms(&self) -> impl Iterator<Item = Option<CallAt>> {
+        let calls = self.by_call().filter_map(|(call, step)| matches!(step, Step::Alarm(_)).then_some(call));
+        calls.chain(std::iter::repeat(self.by_call().last().and_then(|(call, _)| call)))
+    }
+
     /// Names of the results of a cycle that nothing wrote: they stand there from before.
     pub fn unwritten(&self, cycle: &'static Cycle) -> BTreeSet<&'static str> {
         let written = self.written();

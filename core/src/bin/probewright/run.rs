@@ -5,10 +5,10 @@ use crate::file::Problem;
 use crate::{file, scan};
 use probewright_core::app::{RunAssumed, RunView};
 use probewright_core::catalogue::alarms;
-use probewright_core::diagnostic::{Code, Diagnostic, Severity};
+use probewright_core::diagnostic::{Diagnostic, Severity};
 use probewright_core::entry::{Unit, unit_behind};
 use probewright_core::machine::trace::Step;
-use probewright_core::message::{Message, printable};
+use probewright_core::message::printable;
 use probewright_core::run::assumed::Assumed;
 use probewright_core::run::left::CallAt;
 use probewright_core::run::outcome::Outcome;
@@ -94,13 +94,8 @@ fn print_outcome(path: &Path, outcome: &Outcome, words: &Words, out: &mut dyn Wr
         let (before, after) = (rounded(change.before), rounded(change.after));
         writeln!(out, "{}: {before} -> {after}", change.name)?;
     }
-    let steps = outcome.by_call();
-    let calls = steps.filter_map(|(call, step)| matches!(step, Step::Alarm(_)).then_some(call));
-    let last = outcome.by_call().last().and_then(|(call, _)| call);
-    let mut calls = calls.chain(std::iter::repeat(last));
-    for alarm in outcome.alarms() {
-        let call = calls.next().flatten();
-        writeln!(out, "{}{}", place(path, call), alarm_line(alarm, words))?;
+    for (alarm, call) in outcome.alarms().into_iter().zip(outcome.calls_of_alarms()) {
+        writeln!(out, "{}alarm {alarm}: {}", place(path, call), words.key(alarms::key(alarm)))?;
     }
     writeln!(out, "{}", words.text(&outcome.ending()))?;
     Ok(())
@@ -117,7 +112,7 @@ fn print_results(path: &Path, outcome: &Outcome, words: &Words, out: &mut dyn Wr
         let measured = left.results.iter().filter(|(field, _)| field.unit != Unit::None);
         let lines = measured.map(|(field, value)| {
             let unit = unit_behind(field.unit, &outcome.control).replace('\u{a0}', " "); // searched with plain blanks
-            let meaning = words.text(&Message::new(field.key));
+            let meaning = words.key(field.key);
             format!("  {} = {}{unit}  {meaning}", field.name, rounded(*value))
         });
         let lines: Vec<String> = lines.collect();
@@ -127,9 +122,4 @@ fn print_results(path: &Path, outcome: &Outcome, words: &Words, out: &mut dyn Wr
         }
     }
     Ok(())
-}
-
-fn alarm_line(alarm: Code, words: &Words) -> String {
-    let key = alarms::key(alarm);
-    format!("alarm {alarm}: {}", words.text(&Message::new(key)))
 }
