@@ -60,7 +60,7 @@ export type Arg = number | string;
 /** How a way between two points goes round an axis. */
 export type Around = {
   /** A point of the axis. */
-  centre: [number, number, number],
+  centre: Mcs,
   /** Unit vector along it. */
   axis: [number, number, number],
   /** Degrees from start to end, right-handed about the axis; whole turns included. */

@@ -1,22 +1,23 @@
 //! A way round an axis: an arc, or with a climb along the axis a helix.
 
-use super::{Degrees, Stretch, V3};
+use super::{Degrees, Dir, Stretch, V3};
 
 /// How a way between two points goes round an axis.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
-pub struct Around {
+#[cfg_attr(test, derive(ts_rs::TS), ts(concrete(P = super::Mcs)))]
+pub struct Around<P> {
     /// A point of the axis.
-    pub centre: [f64; 3],
+    pub centre: P,
     /// Unit vector along it.
-    pub axis: [f64; 3],
+    #[cfg_attr(test, ts(as = "Dir<super::Mcs>"))]
+    pub axis: Dir<P>,
     /// Degrees from start to end, right-handed about the axis; whole turns included.
     pub degrees: Degrees,
 }
 
-impl Around {
+impl<P: Copy + From<V3> + Into<V3>> Around<P> {
     /// The place after a part of the way, 0 to 1: height and distance from the axis change evenly up to its end.
-    pub fn at(&self, from: [f64; 3], to: [f64; 3], part: f64) -> [f64; 3] {
+    pub fn at(&self, from: P, to: P, part: f64) -> P {
         if part >= 1.0 {
             return to;
         }
@@ -24,7 +25,13 @@ impl Around {
     }
 
     /// Where an arc from here ends that climbs by so much, mm.
-    pub fn end(&self, from: [f64; 3], climb: f64) -> [f64; 3] {
+    ///
+    /// ```compile_fail
+    /// use probewright_core::geometry::{Around, Degrees, Dir, Mcs, Wcs};
+    /// let turn = Around { centre: Wcs::default(), axis: Dir::new([0.0, 0.0, 1.0]), degrees: Degrees(90.0) };
+    /// let end = turn.end(Mcs([1.0, 2.0, 3.0]), 0.0);
+    /// ```
+    pub fn end(&self, from: P, climb: f64) -> P {
         let (start, height) = self.split(from);
         let angle = self.degrees.radians();
         let (away, heights) = ([start.norm(); 2], [height, height + climb]);
@@ -32,28 +39,28 @@ impl Around {
     }
 
     /// A point seen from the axis, and its height along it.
-    fn split(&self, point: [f64; 3]) -> (V3, f64) {
+    fn split(&self, point: P) -> (V3, f64) {
         let axis = V3::from(self.axis);
-        let away = V3::from(point) - V3::from(self.centre);
+        let away = point.into() - self.centre.into();
         let height = away.dot(&axis);
         (away - axis * height, height)
     }
 
     /// Length of the way, mm.
-    pub fn length(&self, from: [f64; 3], to: [f64; 3]) -> f64 {
+    pub fn length(&self, from: P, to: P) -> f64 {
         let [(start, height), (_, top)] = [from, to].map(|point| self.split(point));
         (start.norm() * self.degrees.radians()).hypot(top - height)
     }
 
     /// The way between two parts of it, 0 to 1.
-    pub fn stretch(&self, from: [f64; 3], to: [f64; 3], [begin, end]: [f64; 2]) -> Stretch {
+    pub fn stretch(&self, from: P, to: P, [begin, end]: [f64; 2]) -> Stretch {
         let axis = V3::from(self.axis);
         let [(start, height), (last, top)] = [from, to].map(|point| self.split(point));
         let angle = self.degrees.radians();
         let (sine, cosine) = (angle * begin).sin_cos();
         let between = |a: f64, b: f64| [begin, end].map(|part| a + part * (b - a));
         Stretch::round(
-            V3::from(self.centre),
+            self.centre.into(),
             axis,
             start * cosine + axis.cross(&start) * sine,
             angle * (end - begin),
@@ -63,21 +70,18 @@ impl Around {
     }
 
     /// Distance from the axis, where that is greatest, mm.
-    pub fn radius(&self, from: [f64; 3], to: [f64; 3]) -> f64 {
+    pub fn radius(&self, from: P, to: P) -> f64 {
         let [start, end] = [from, to].map(|point| self.split(point).0.norm());
         start.max(end)
     }
 
     /// The way as `map` moves its points; none where it is no circle there: the axes have different scales.
-    pub fn mapped(&self, map: impl Fn([f64; 3]) -> [f64; 3]) -> Option<Around> {
+    pub fn mapped<Q: From<V3> + Into<V3>>(&self, map: impl Fn(P) -> Q) -> Option<Around<Q>> {
         let axis = V3::from(self.axis);
         let upright = if axis.x.abs() < 0.9 { V3::x() } else { V3::y() };
         let first = axis.cross(&upright).normalize();
-        let centre = V3::from(map(self.centre));
-        let seen = |direction: V3| {
-            let point = V3::from(self.centre) + direction;
-            V3::from(map(point.into())) - centre
-        };
+        let centre: V3 = map(self.centre).into();
+        let seen = |direction: V3| map((self.centre.into() + direction).into()).into() - centre;
         let (first, second) = (seen(first), seen(axis.cross(&first)));
         let size = first.norm();
         let round = (second.norm() - size).abs() < 1e-9 * size && first.dot(&second).abs() < 1e-9 * size;
@@ -90,8 +94,8 @@ impl Around {
 }
 
 /// The way from start through a point to the end; none: the three lie on a line.
-pub fn through(start: [f64; 3], middle: [f64; 3], end: [f64; 3]) -> Option<Around> {
-    let [a, b, c] = [start, middle, end].map(V3::from);
+pub fn through<P: From<V3> + Into<V3>>(start: P, middle: P, end: P) -> Option<Around<P>> {
+    let [a, b, c] = [start, middle, end].map(P::into);
     let (to_middle, to_end) = (b - a, c - a);
     let normal = to_middle.cross(&to_end);
     let square = normal.norm_squared();
@@ -115,7 +119,8 @@ mod tests {
         assert!((V3::from(a) - V3::from(b)).norm() < 1e-9, "{a:?} {b:?}");
     }
 
-    const ABOUT: Around = Around { centre: [5.0, 2.0, 0.0], axis: [0.0, 0.0, 1.0], degrees: Degrees(90.0) };
+    const ABOUT: Around<[f64; 3]> =
+        Around { centre: [5.0, 2.0, 0.0], axis: Dir::new([0.0, 0.0, 1.0]), degrees: Degrees(90.0) };
 
     // oracle: hand
     #[test]

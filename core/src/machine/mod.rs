@@ -50,7 +50,7 @@ pub trait Machine {
     fn travel_around(
         &mut self,
         to: Wcs,
-        around: &Around,
+        around: &Around<Wcs>,
         kind: MotionKind,
         feed: f64,
         monitored: bool,

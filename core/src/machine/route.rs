@@ -23,7 +23,7 @@ pub struct Route {
     /// End.
     pub to: Mcs,
     /// Round what; none: straight.
-    pub around: Option<Around>,
+    pub around: Option<Around<Mcs>>,
 }
 
 /// Where part or tool probe stops a motion.
@@ -54,14 +54,14 @@ impl Route {
         Route {
             from: self.from + by,
             to: self.to + by,
-            around: self.around.map(|around| Around { centre: (Mcs(around.centre) + by).0, ..around }),
+            around: self.around.map(|around| Around { centre: around.centre + by, ..around }),
         }
     }
 
     /// The place after a part of it, 0 to 1.
     pub fn at(&self, part: f64) -> Mcs {
         match &self.around {
-            Some(around) => Mcs(around.at(self.from.0, self.to.0, part)),
+            Some(around) => around.at(self.from, self.to, part),
             None => between(self.from, self.to, part),
         }
     }
@@ -69,7 +69,7 @@ impl Route {
     /// Length, mm.
     pub fn length(&self) -> f64 {
         match &self.around {
-            Some(around) => around.length(self.from.0, self.to.0),
+            Some(around) => around.length(self.from, self.to),
             None => {
                 let [x, y, z] = (self.to - self.from).0;
                 x.hypot(y).hypot(z)
@@ -80,7 +80,7 @@ impl Route {
     /// What lies between two parts of it, 0 to 1, seen so far away.
     fn stretch(&self, parts: [f64; 2], shift: Dir<Mcs>) -> Stretch {
         let stretch = match &self.around {
-            Some(around) => around.stretch(self.from.0, self.to.0, parts),
+            Some(around) => around.stretch(self.from, self.to, parts),
             None => {
                 let [from, to] = parts.map(|part| V3::from(self.at(part).0));
                 Stretch::straight(from, to)
@@ -91,8 +91,8 @@ impl Route {
 
     /// Whether it lies where contact can be computed: both ends, and of an arc its axis.
     pub fn is_near(&self) -> bool {
-        let centre = self.around.map_or([0.0; 3], |around| around.centre);
-        [self.from.0, self.to.0, centre].into_iter().flatten().all(|value| value.abs() <= FARTHEST)
+        let centre = self.around.map_or(self.from, |around| around.centre);
+        [self.from.0, self.to.0, centre.0].into_iter().flatten().all(|value| value.abs() <= FARTHEST)
     }
 
     /// Whether all its places are within the software limit switches; of a straight way its end, as it may lead back.
@@ -140,7 +140,7 @@ impl Route {
         mut look: impl FnMut([f64; 2]) -> Option<T>,
     ) -> Option<T> {
         let Some(around) = &self.around else { return look([0.0, 1.0]) };
-        let radius = around.radius(self.from.0, self.to.0);
+        let radius = around.radius(self.from, self.to);
         let mut waiting = vec![[0.0, 1.0]];
         let mut looks = 0;
         while let Some([begin, end]) = waiting.pop() {

@@ -15,7 +15,7 @@ const PLACES: u32 = 200;
 /// From a place so far round an axis through a point, with a climb.
 fn around(from: V3, centre: V3, axis: V3, degrees: f64, climb: f64) -> Route {
     let around = Around { centre: centre.into(), axis: axis.normalize().into(), degrees: Degrees(degrees) };
-    Route { from: Mcs(from.into()), to: Mcs(around.end(from.into(), climb)), around: Some(around) }
+    Route { from: from.into(), to: around.end(from.into(), climb), around: Some(around) }
 }
 
 fn met(part: &Boundary, probe: &Feeler, way: &Route) -> (Option<Obstacle>, usize) {

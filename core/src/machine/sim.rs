@@ -104,7 +104,7 @@ impl Sim {
     pub(crate) fn travel_machine(
         &mut self,
         to: Mcs,
-        around: Option<Around>,
+        around: Option<Around<Mcs>>,
         kind: MotionKind,
         feed: f64,
         monitored: bool,
@@ -258,12 +258,12 @@ impl Machine for Sim {
     fn travel_around(
         &mut self,
         to: Wcs,
-        around: &Around,
+        around: &Around<Wcs>,
         kind: MotionKind,
         feed: f64,
         monitored: bool,
     ) -> Result<(), Stop> {
-        let on_machine = around.mapped(|point| self.control.to_machine(Wcs(point)).0);
+        let on_machine = around.mapped(|point| self.control.to_machine(point));
         let around = on_machine.ok_or_else(|| Stop::Fault(Message::new("run-arc")))?;
         let to = self.control.to_machine(to);
         self.travel_machine(to, Some(around), kind, feed, monitored)

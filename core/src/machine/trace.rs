@@ -38,7 +38,7 @@ pub enum Step {
         to: Mcs,
         /// Round what it went; none: straight.
         #[serde(skip_serializing_if = "Option::is_none")]
-        around: Option<Around>,
+        around: Option<Around<Mcs>>,
         /// mm/min; 0: rapid traverse.
         feed: f64,
     },

@@ -9,7 +9,7 @@ use super::statement::Address;
 use super::{addresses, contour, polar};
 use crate::control::{AXES, Transverse, Units};
 use crate::diagnostic::Severity;
-use crate::geometry::{Around, Degrees, Mcs, Wcs, arc};
+use crate::geometry::{Around, Degrees, Dir, Mcs, Wcs, arc};
 use crate::machine::{Machine, MotionKind, Route, Sim};
 use crate::problem::Problem;
 use std::f64::consts::TAU;
@@ -188,11 +188,15 @@ fn machine(run: &Interpreter, suppress: Suppress, point: [f64; 3]) -> Mcs {
 }
 
 /// The way round an axis to a target, both in the coordinates of the block; none: they make no arc.
-fn around(run: &Interpreter, path: &Path, from: [f64; 3], arc: Option<([f64; 3], Around)>) -> Result<Route, Problem> {
+fn around(
+    run: &Interpreter,
+    path: &Path,
+    from: [f64; 3],
+    arc: Option<([f64; 3], Around<[f64; 3]>)>,
+) -> Result<Route, Problem> {
     let seen = |point| machine(run, path.suppress, point);
-    let way = arc.and_then(|(to, around)| {
-        Some(Route { from: seen(from), to: seen(to), around: Some(around.mapped(|at| seen(at).0)?) })
-    });
+    let way =
+        arc.and_then(|(to, around)| Some(Route { from: seen(from), to: seen(to), around: Some(around.mapped(seen)?) }));
     way.ok_or_else(|| Problem::new("run-arc", path.span, ""))
 }
 
@@ -227,16 +231,16 @@ fn measured(run: &mut Interpreter, path: &Path, measure: Measure, to: [f64; 3], 
 }
 
 /// CIP: the target, and the way there.
-fn through(run: &Interpreter, path: &Path, from: [f64; 3], to: [f64; 3]) -> Option<([f64; 3], Around)> {
+fn through(run: &Interpreter, path: &Path, from: [f64; 3], to: [f64; 3]) -> Option<([f64; 3], Around<[f64; 3]>)> {
     let middle = std::array::from_fn(|i| target(run, from[i], from[i], path.middle[i], i));
     Some((to, arc::through(from, middle, to)?))
 }
 
 /// An arc or a helix in the working plane: the target, which an opening angle may tell, and the way there.
-fn in_plane(run: &Interpreter, path: &Path, from: [f64; 3], to: [f64; 3]) -> Option<([f64; 3], Around)> {
+fn in_plane(run: &Interpreter, path: &Path, from: [f64; 3], to: [f64; 3]) -> Option<([f64; 3], Around<[f64; 3]>)> {
     let [a, o, p] = run.sim.control.plane.axes();
     let arc = arc(run, path, from, to)?;
-    let (mut centre, mut axis, mut end) = (from, [0.0; 3], to);
+    let (mut centre, mut axis, mut end) = (from, Dir::default(), to);
     [centre[a], centre[o]] = arc.centre;
     [end[a], end[o]] = arc.end;
     axis[p] = 1.0;

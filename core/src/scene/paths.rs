@@ -26,11 +26,11 @@ pub fn ways(entries: &[Entry]) -> Vec<Way> {
     for (entry, one) in entries.iter().enumerate() {
         let Step::Motion { kind, from, to, around, .. } = &one.step else { continue };
         let count = around.map_or(1, |around| (around.degrees.0.abs() / PIECE).ceil().max(1.0) as usize);
-        let mut begin = (0.0, from.0);
+        let mut begin = (0.0, *from);
         for piece in 1..=count {
             let part = piece as f64 / count as f64;
-            let end = around.map_or(to.0, |around| around.at(from.0, to.0, part));
-            ways.push(Way { entry, kind: *kind, ends: [begin.1, end], during: [begin.0, part] });
+            let end = around.map_or(*to, |around| around.at(*from, *to, part));
+            ways.push(Way { entry, kind: *kind, ends: [begin.1.0, end.0], during: [begin.0, part] });
             begin = (part, end);
         }
     }

@@ -9,7 +9,7 @@ use crate::check;
 use crate::control::{AXES, Edge, MachineSort, Plane, Transverse};
 use crate::entry::stage::{Look, SIZE, Seen, Staging, Touched, add, distance, ring, unit};
 use crate::entry::{Inputs, Proposal, Staged, address, names};
-use crate::geometry::{Around, V3};
+use crate::geometry::{Around, Mcs, V3};
 use crate::machine::{Entry, InUse, MotionKind, Setup, Sim, Step, Trace, probe_place};
 use crate::name::Name;
 use crate::picture::figures::{circle, frame, line, polygon};
@@ -554,7 +554,7 @@ fn motions(steps: &[&Step], to_ball: V3, all: bool, same: f64) -> (Vec<Way>, Vec
         }
         match step {
             Step::Motion { kind, from, to, around, .. } if is_way(*kind, steps.get(index + 1), all) => {
-                let points = course(from.0, to.0, around.as_ref());
+                let points = course(*from, *to, around.as_ref());
                 let points = points.into_iter().map(|point| V3::from(point) + to_ball).collect();
                 ways.push(Way { points, round: around.is_some(), after: touches.len() });
             }
@@ -579,7 +579,7 @@ fn is_way(kind: MotionKind, next: Option<&&Step>, all: bool) -> bool {
     }
 }
 
-fn course(from: [f64; 3], to: [f64; 3], around: Option<&Around>) -> Vec<[f64; 3]> {
+fn course(from: Mcs, to: Mcs, around: Option<&Around<Mcs>>) -> Vec<Mcs> {
     match around {
         Some(around) => (0..=PIECES).map(|piece| around.at(from, to, f64::from(piece) / f64::from(PIECES))).collect(),
         None => vec![from, to],

@@ -189,8 +189,8 @@ fn an_arc_is_drawn_and_travelled_round_its_axis() {
         let (from, to) = (Mcs(from), Mcs(to));
         entry(Step::Motion { kind: MotionKind::Positioning, from, to, around: Some(around), feed: 900.0 })
     };
-    let half = Around { centre: [10.0, 0.0, 0.0], axis: [0.0, 0.0, 1.0], degrees: Degrees(-180.0) };
-    let turn = Around { centre: [20.0, 0.0, 0.0], axis: [1.0, 0.0, 0.0], degrees: Degrees(360.0) };
+    let half = Around { centre: Mcs([10.0, 0.0, 0.0]), axis: Dir::new([0.0, 0.0, 1.0]), degrees: Degrees(-180.0) };
+    let turn = Around { centre: Mcs([20.0, 0.0, 0.0]), axis: Dir::new([1.0, 0.0, 0.0]), degrees: Degrees(360.0) };
     let up = [20.0, 0.0, 4.0];
     let ways = paths::ways(&[arc([0.0; 3], up, half), arc(up, up, turn)]);
     let at = |entry: usize, part: f64| {

@@ -43,7 +43,7 @@ fn an_arc_goes_round_the_pole() {
     else {
         panic!("no arc");
     };
-    let [x, y, _] = around.at(from.0, to.0, 0.5);
+    let [x, y, _] = around.at(from, to, 0.5).0;
     near(x, 10.0 + 50.0_f64.sqrt(), text);
     near(y, 50.0_f64.sqrt(), text);
     at(text, [10.0, 10.0, 0.0]);

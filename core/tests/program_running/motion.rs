@@ -65,7 +65,7 @@ fn arcs_end_at_their_end() {
         panic!("{last:?}");
     };
     let half = 0.5_f64.sqrt() * 10.0;
-    near(around.at(from.0, to.0, 0.5), [half, half, 500.0]);
+    near(around.at(from, to, 0.5).0, [half, half, 500.0]);
     near(clean("G0 X10 Y0\nG2 X0 Y10 CR=-10 F100").end().0, [0.0, 10.0, 500.0]);
     let outcome = go("G0 X10 Y0\nG3 X0 Y20 I-10 J0 F100");
     assert!(matches!(outcome.stop, Some(Stop::Fault(message)) if message.key == "run-arc"));

@@ -16,8 +16,8 @@ impl Sim {
         }
         // after a whole circle everything has passed by
         let turn = Around {
-            centre: self.control.rotary_centre.0,
-            axis: self.control.rotary_direction(axis).0,
+            centre: self.control.rotary_centre,
+            axis: self.control.rotary_direction(axis),
             degrees: Degrees((to - from).0.clamp(-360.0, 360.0)),
         };
         let met = self.met_by(&turn);
@@ -27,12 +27,12 @@ impl Sim {
         self.note(Step::Table { axis, from, to: stop, solids });
         let Some(met) = met else { return Ok(()) };
         let back = Around { degrees: turn.degrees * -met.part, ..turn };
-        let [point, tip] = [met.point, met.point + met.normal].map(|place| Mcs(back.end(place.0, 0.0)));
+        let [point, tip] = [met.point, met.point + met.normal].map(|place| back.end(place, 0.0));
         Err(self.crash(&Obstacle { point, normal: tip - point, ..met }))
     }
 
     /// What of the probe a part meets first that turns against `turn`: seen from the part the probe goes round it.
-    fn met_by(&mut self, turn: &Around) -> Option<Obstacle> {
+    fn met_by(&mut self, turn: &Around<Mcs>) -> Option<Obstacle> {
         if !self.has_probe() || turn.degrees == Degrees(0.0) {
             return None;
         }
@@ -45,7 +45,7 @@ impl Sim {
             let part = first.map_or(1.0, |met| met.part);
             let way = Route {
                 from: place,
-                to: Mcs(turn.at(place.0, turn.end(place.0, 0.0), part)),
+                to: turn.at(place, turn.end(place, 0.0), part),
                 around: Some(Around { degrees: turn.degrees * part, ..*turn }),
             };
             let ball = Feeler::ball(radius);

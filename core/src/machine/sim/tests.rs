@@ -198,7 +198,7 @@ fn a_stylus_on_its_way_is_an_alarm_or_a_crash() {
     // a quarter of a circle about [-30, 0]: the stylus meets the edge where X is 18.65
     let mut round = under_a_plate(None);
     round.position = Mcs([-30.0, -50.0, -20.0]);
-    let around = Around { centre: [-30.0, 0.0, -20.0], axis: [0.0, 0.0, 1.0], degrees: Degrees(90.0) };
+    let around = Around { centre: Wcs([-30.0, 0.0, -20.0]), axis: Dir::new([0.0, 0.0, 1.0]), degrees: Degrees(90.0) };
     let end = [20.0, 0.0, -20.0];
     let stop = round.travel_around(Wcs(end), &around, MotionKind::Positioning, 1000.0, true);
     assert_eq!(stop, Err(Stop::Alarm(Code::Alarm(61302))));

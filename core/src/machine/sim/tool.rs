@@ -189,7 +189,8 @@ mod tests {
         let mut sim = sim();
         sim.spin(500.0);
         sim.position = Mcs([30.0, -40.0, -5.0]);
-        let around = Around { centre: [30.0, -20.0, -5.0], axis: [0.0, 0.0, 1.0], degrees: Degrees(-180.0) };
+        let around =
+            Around { centre: Wcs([30.0, -20.0, -5.0]), axis: Dir::new([0.0, 0.0, 1.0]), degrees: Degrees(-180.0) };
         let to = [30.0, 0.0, -5.0];
         let stop = sim.travel_around(Wcs(to), &around, MotionKind::Positioning, 1000.0, true);
         assert_eq!(stop, Err(Stop::Alarm(Code::Alarm(61302))));
@@ -200,9 +201,9 @@ mod tests {
         let mut sim = self::sim();
         sim.spin(500.0);
         sim.position = Mcs([30.0, -45.0, -5.0]);
-        let beside = Around { centre: [35.0, -25.0, -5.0], ..around };
-        let to = beside.end(sim.position.0, 0.0);
-        let free = sim.travel_around(Wcs(to), &beside, MotionKind::Positioning, 1000.0, true);
+        let beside = Around { centre: Wcs([35.0, -25.0, -5.0]), ..around };
+        let to = beside.end(sim.position(), 0.0);
+        let free = sim.travel_around(to, &beside, MotionKind::Positioning, 1000.0, true);
         assert_eq!(free, Ok(()));
     }
 }

@@ -7,8 +7,7 @@ use super::element::{Point, Round};
 use super::plane::Plane;
 use crate::control::tools::side;
 use crate::diagnostic::Span;
-use crate::geometry::arc::Around;
-use crate::geometry::{Degrees, Dir, Mcs};
+use crate::geometry::{Around, Degrees, Dir, Mcs};
 use crate::machine::Stop;
 use crate::machine::trace::MotionKind;
 use crate::run::halt::Halt;
@@ -139,8 +138,8 @@ fn one(run: &mut Interpreter, plane: &Plane, way: &Way) -> Result<(), Stop> {
         }
     };
     let around = way.round.map(|round| Around {
-        centre: seen(round.centre).0,
-        axis: plane.up().0,
+        centre: seen(round.centre),
+        axis: plane.up(),
         degrees: Degrees::of(round.sweep),
     });
     let still = around.is_none() && (0..3).all(|i| (to[i] - run.sim.position[i]).abs() < 1e-9);

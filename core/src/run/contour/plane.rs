@@ -62,7 +62,7 @@ impl Plane {
             return None;
         }
         let round = way.around.map(|around| Round {
-            centre: self.split(Mcs(around.centre)).0,
+            centre: self.split(around.centre).0,
             sweep: around.degrees.radians() * sense.signum(),
         });
         Some(Element { start: self.split(way.from).0, end: self.split(way.to).0, round })

@@ -66,7 +66,7 @@ fn around(sim: &Sim, plane: Plane, origin: [f64; 3]) -> Vec<f64> {
     for entry in &sim.trace.entries {
         let Step::Motion { from, to, around: Some(around), .. } = entry.step else { continue };
         let away = |part: f64| {
-            let at = around.at(from.0, to.0, part);
+            let at = around.at(from, to, part);
             let [x, y, _] = plane.axes().map(|i| at[i] - origin[i]);
             x.hypot(y)
         };

@@ -100,7 +100,7 @@ fn found(plane: Plane, variant: i64) -> Vec<Motion> {
     for entry in &sim.trace.entries {
         let Step::Motion { kind, from, to, around, feed } = entry.step else { continue };
         assert_eq!(around.is_some(), feed == ARC_FEED, "{variant}");
-        for place in around.iter().flat_map(|arc| [0.4, 1.0].map(|part| arc.at(from.0, to.0, part))) {
+        for place in around.iter().flat_map(|arc| [0.4, 1.0].map(|part| arc.at(from, to, part))) {
             let [x, y, _] = plane.axes().map(|axis| place[axis]);
             let away = |[a, b, _]: &[f64; 3]| (x - a).hypot(y - b);
             let radius = CENTRES.iter().map(away).fold(f64::INFINITY, f64::min);

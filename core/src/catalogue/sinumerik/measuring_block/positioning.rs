@@ -2,8 +2,7 @@
 
 use super::Block;
 use crate::catalogue::prelude::*;
-use crate::geometry::arc::Around;
-use crate::geometry::{Degrees, TOLERANCE};
+use crate::geometry::{Around, Degrees, Dir, TOLERANCE};
 use crate::machine::route::Route;
 use crate::machine::trace::MotionKind;
 
@@ -39,21 +38,21 @@ impl Block {
     ) -> Result<(), Stop> {
         let [abscissa, ordinate, applicate] = self.axes;
         let from = machine.position();
-        let mut around = Around { centre: from.0, axis: [0.0; 3], degrees };
+        let mut around = Around { centre: from, axis: Dir::default(), degrees };
         around.centre[abscissa] = centre[0] - self.skew[0];
         around.centre[ordinate] = centre[1] - self.skew[1];
         around.axis[applicate] = 1.0;
-        let to = around.end(from.0, 0.0);
+        let to = around.end(from, 0.0);
         let control = machine.control();
         let on_machine = Route {
             from: control.to_machine(from),
-            to: control.to_machine(Wcs(to)),
-            around: around.mapped(|point| control.to_machine(Wcs(point)).0),
+            to: control.to_machine(to),
+            around: around.mapped(|point| control.to_machine(point)),
         };
         if !on_machine.within_limits(control) {
             return Err(alarm(machine, 61401)); // A:15920
         }
-        told(machine, |machine| machine.travel_around(Wcs(to), &around, MotionKind::Positioning, feed, self.monitored))
+        told(machine, |machine| machine.travel_around(to, &around, MotionKind::Positioning, feed, self.monitored))
     }
 
     /// Monitored: `_SPEED[1]` in the plane, `_SPEED[2]` in the applicate; else rapid traverse (B:13743-13763).
