@@ -61,14 +61,17 @@ pub fn along(width: f64) -> f64 {
     (width * 1.5).max(40.0)
 }
 
-/// Hole, shaft, groove or web, as the last digit of `_MVAR` counts them from 1 in CYCLE977 and CYCLE979; diameter or
-/// width, depth or height in mm.
-pub fn element(kind: i64, size: f64, height: f64) -> Shape {
+/// Hole, shaft, groove, web, pocket or island, as the last digit of `_MVAR` counts them from 1 in CYCLE977 and CYCLE979
+/// (B:5645-5650, B:6766-6769); diameter, width or both lengths, depth or height in mm.
+pub fn element(kind: i64, length: [f64; 2], height: f64) -> Shape {
+    let [size, _] = length;
     match kind {
         1 => Shape::Hole { diameter: size, depth: height },
         2 => Shape::Shaft { diameter: size, height },
         3 => Shape::Groove { width: size, depth: height, length: along(size) },
-        _ => Shape::Web { width: size, height, length: along(size) },
+        4 => Shape::Web { width: size, height, length: along(size) },
+        5 => Shape::Pocket { length, depth: height },
+        _ => Shape::Island { length, height },
     }
 }
 

@@ -1,16 +1,12 @@
 //! CYCLE977 drawn: the element from above, and beside it the section with the infeed where there is one.
 
+use super::element::Element;
 use super::params::{OUTSIDE, RECTANGLE, TOOL, WIDTH, ZONE};
 use crate::catalogue::prelude::*;
 use crate::entry::stage::{Fields, Look, SIZE, Seen, Staging};
 
 /// From the start height to the measuring height, mm.
 const INFEED: f64 = -32.0;
-
-/// The axis of the plane that is measured first.
-fn first(inputs: &Inputs) -> usize {
-    usize::from(WIDTH.holds(inputs) && inputs.integer(names::MA) == 2)
-}
 
 /// The element, its zone no nearer to the walls than ball and way need.
 pub fn stage(inputs: &Inputs) -> Staging {
@@ -19,7 +15,7 @@ pub fn stage(inputs: &Inputs) -> Staging {
         true => (&[names::SETV0, names::SETV1], &[names::SETV0, names::SETV0, names::SETV1]),
         false => (&[names::SETVAL], &[names::SETVAL]),
     };
-    let section = Look::section(first(inputs)).ways(names::ID).touching(1);
+    let section = Look::section(Element::of(inputs).axes[0]).ways(names::ID).touching(1);
     let stage = Staging::new(Look::ABOVE, Fields { edges, beyond: outside, ..Fields::CYCLE })
         .sized(inputs, sizes)
         .short(inputs, names::FA, if zone { [0.06 * SIZE; 2] } else { [0.1 * SIZE, 0.25 * SIZE] })
@@ -35,7 +31,7 @@ pub fn stage(inputs: &Inputs) -> Staging {
 /// Sizes, infeed and limits.
 pub fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
     let [above, beside @ ..] = looks else { return Vec::new() };
-    let (tool, first) = (TOOL.holds(inputs), first(inputs));
+    let (tool, first) = (TOOL.holds(inputs), Element::of(inputs).axes[0]);
     let mut shapes: Vec<PictureShape> = above.limits(inputs, (!tool).then_some(above.middle()));
     let fields = [0, 1].map(|axis| match (WIDTH.holds(inputs), tool) {
         (true, _) if axis == first => Some(names::MA),

@@ -13,12 +13,10 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     results::integer(machine, 3, inputs.variant);
     let block = Block::prepare(machine, inputs)?;
     let paths = element.paths(&block).map_err(|number| alarm(machine, number))?;
-    let sides: Vec<_> = element.axes().iter().flat_map(|axis| [(*axis, 1.0), (*axis, -1.0)]).collect();
+    let sides: Vec<_> = element.axes.iter().flat_map(|axis| [(*axis, 1.0), (*axis, -1.0)]).collect();
     all_calibrated(machine, &block, &sides)?;
-    let axis = (!element.round && !element.rectangle).then_some(element.axes()[0]);
-    let target = Target::of(machine, inputs, axis)?;
-    let start = machine.position().0;
-    let probing = Probing { block: &block, element: &element, paths, start };
+    let target = Target::of(machine, inputs, element.single())?;
+    let probing = Probing { block: &block, element: &element, paths, start: machine.position().0 };
     until_done(|repetition| {
         let found = probing.measure(machine)?;
         target.finish(machine, inputs, &found, repetition)
@@ -36,18 +34,12 @@ struct Probing<'a> {
 impl Probing<'_> {
     /// Touches all sides and ends above the measured centre at the height of the start (B:5957).
     fn measure(&self, machine: &mut dyn Machine) -> Result<Found, Stop> {
-        let Probing { block, element, paths, start } = self;
+        let Probing { block, element, start, .. } = self;
         let set = [start[block.axes[0]], start[block.axes[1]]];
         let (mut size, mut centre) = (element.size, set);
-        for axis in element.axes().iter().copied() {
-            let mut sides = [0.0; 2];
-            for (side, coordinate) in [1.0, -1.0].into_iter().zip(&mut sides) {
-                let direction = if element.inside { side } else { -side };
-                let set = set[axis] + side * element.size[axis] / 2.0;
-                let point = Point { axis, direction, set, path: paths[axis] };
-                *coordinate = self.touch(machine, &point, centre)?;
-            }
-            let [plus, minus] = sides;
+        for axis in element.axes.iter().copied() {
+            let plus = self.touch(machine, axis, 1.0, centre)?;
+            let minus = self.touch(machine, axis, -1.0, centre)?;
             centre[axis] = (plus + minus) / 2.0;
             size[axis] = plus - minus;
             block.travel(machine, Wcs(block.placed(*start, centre)))?;
@@ -57,37 +49,34 @@ impl Probing<'_> {
             sizes: element.sizes().iter().map(|axis| pair(*axis, element.size, size)).collect(),
             centre: [0, 1].map(|axis| pair(axis, set, centre)),
             height: block.ball_at(*start)[block.axes[2]] + element.infeed,
-            axes: element.axes(),
+            axes: element.axes,
             inside: element.inside,
         })
     }
 
-    /// One side: to the start of its measuring block, there down by the infeed, measure, up again. Sideways the ball
-    /// runs through the centre found so far.
-    fn touch(&self, machine: &mut dyn Machine, point: &Point, centre: [f64; 2]) -> Result<f64, Stop> {
-        let Probing { block, element, start, .. } = self;
-        let other = 1 - point.axis;
+    /// The side of an axis, +1 or -1: to the start of its measuring block, there down by the infeed, measure, up again.
+    /// Sideways the ball runs through the centre found so far.
+    fn touch(&self, machine: &mut dyn Machine, axis: usize, side: f64, centre: [f64; 2]) -> Result<f64, Stop> {
+        let Probing { block, element, paths, start } = self;
+        let direction = if element.inside { side } else { -side };
+        let set = start[block.axes[axis]] + side * element.size[axis] / 2.0;
+        let point = Point { axis, direction, set, path: paths[axis] };
+        let other = 1 - axis;
         let mut beside = *start;
         beside[block.axes[other]] = centre[other] - block.skew[other];
-        let mut onto = machine.position();
-        onto[block.axes[other]] = beside[block.axes[other]];
-        block.travel(machine, onto)?;
-        beside[block.axes[point.axis]] = block.start(point);
-        let shortened = if element.inside {
-            block.travel(machine, Wcs(beside))?;
-            false
-        } else {
-            block.travel_as_far(machine, Wcs(beside))?
+        block.travel_along(machine, other, beside[block.axes[other]])?;
+        beside[block.axes[axis]] = block.start(&point);
+        let shortened = match element.inside {
+            true => block.travel(machine, Wcs(beside)).map(|()| false)?,
+            false => block.travel_as_far(machine, Wcs(beside))?,
         };
         let beside = machine.position();
-        let mut deep = beside;
-        deep[block.axes[2]] += element.infeed;
-        match block.travel(machine, deep) {
+        match block.travel_along(machine, 2, beside[block.axes[2]] + element.infeed) {
             // a collision after a way in the plane that a software limit switch shortened (A:15921)
             Err(Stop::Alarm(Code::Alarm(61302))) if shortened => return Err(alarm(machine, 61402)),
             outcome => outcome?,
         }
-        let coordinate = block.measure(machine, point)?;
+        let coordinate = block.measure(machine, &point)?;
         block.travel(machine, beside)?;
         Ok(coordinate)
     }

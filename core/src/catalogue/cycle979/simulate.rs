@@ -8,60 +8,94 @@ use crate::catalogue::sinumerik::measuring_block::{Block, Ray, ball_known};
 use crate::catalogue::sinumerik::target::Target;
 use crate::geometry::{Degrees, fit};
 
-/// The element as the call describes it; mm and degree.
-struct Element {
-    round: bool,
-    inside: bool,
-    size: f64,
-    centre: [f64; 2],
-    /// Direction from the centre to each point, in order.
-    angles: Vec<f64>,
-    /// From point to point of a circle.
-    step: f64,
-    /// Feed on the circle, mm/min.
-    feed: f64,
-    /// Way up over a web.
-    lift: f64,
+/// Runs the cycle from the present position: at measuring height, on a free straight line to the start of P1.
+pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
+    results::begin(machine, inputs, 979);
+    let block = Block::prepare(machine, inputs)?;
+    ball_known(machine, &block)?;
+    if ROUND.holds(inputs) && inputs.number(names::RF) <= 0.0 {
+        return Err(alarm(machine, 61365));
+    }
+    let target = Target::of(machine, inputs, None)?;
+    let probing = Probing::of(inputs, &block);
+    until_done(|repetition| {
+        if repetition > 0 {
+            let steps = (probing.rays.len() - 1) as f64;
+            probing.onward(machine, &probing.rays[0], -steps)?; // the way that led to the last point
+        }
+        let balls = probing.balls(machine)?;
+        let height = block.ball_at(machine.position().0)[block.axes[2]];
+        let Some(found) = probing.evaluate(&balls, height) else { return Err(alarm(machine, 61316)) };
+        target.finish(machine, inputs, &found, repetition)
+    })
 }
 
-impl Element {
-    fn of(inputs: &Inputs) -> Element {
-        let round = ROUND.holds(inputs);
-        let (start, step) = (inputs.number(names::STA1), inputs.number(names::INCA));
-        Element {
-            round,
-            inside: !OUTSIDE.holds(inputs),
-            size: inputs.number(names::SETVAL),
-            centre: [inputs.number(names::CPA), inputs.number(names::CPO)],
-            angles: match round {
-                true => circle::points(start, step, FOUR_POINTS.holds(inputs)),
-                false => vec![start, start + 180.0],
-            },
-            step,
-            feed: inputs.number(names::RF),
-            lift: inputs.number(names::ID),
-        }
+/// The element as the call describes it, and the measuring blocks of its points in order.
+struct Probing<'a> {
+    inputs: &'a Inputs,
+    block: &'a Block,
+    round: bool,
+    inside: bool,
+    /// Diameter or width, mm.
+    size: f64,
+    /// Set centre, mm.
+    centre: [f64; 2],
+    rays: Vec<Ray>,
+}
+
+impl<'a> Probing<'a> {
+    fn of(inputs: &'a Inputs, block: &'a Block) -> Self {
+        let (round, inside) = (ROUND.holds(inputs), !OUTSIDE.holds(inputs));
+        let [size, abscissa, ordinate, start, step] =
+            [names::SETVAL, names::CPA, names::CPO, names::STA1, names::INCA].map(|name| inputs.number(name));
+        let centre = [abscissa, ordinate];
+        let angles = match round {
+            true => circle::points(start, step, FOUR_POINTS.holds(inputs)),
+            false => vec![start, start + 180.0],
+        };
+        let ray = |angle| Ray::at(angle, centre, size / 2.0, inside, block.path);
+        Probing { inputs, block, round, inside, size, centre, rays: angles.into_iter().map(ray).collect() }
     }
 
-    /// The measuring block of a point: inside away from the centre, outside towards it.
-    fn ray(&self, angle: f64, path: f64) -> Ray {
-        let (sine, cosine) = Degrees(angle).sin_cos();
-        let [x, y] = self.centre;
-        let half = self.size / 2.0;
-        Ray { angle: if self.inside { angle } else { angle + 180.0 }, set: [x + half * cosine, y + half * sine], path }
+    /// Touches all points; where the ball centre stood at each. Ends at the start of the last block (B:6939).
+    fn balls(&self, machine: &mut dyn Machine) -> Result<Vec<[f64; 2]>, Stop> {
+        let mut balls = Vec::new();
+        for (index, ray) in self.rays.iter().enumerate() {
+            if index > 0 {
+                self.onward(machine, ray, 1.0)?;
+            }
+            balls.push(self.block.ball_along(machine, ray)?);
+        }
+        Ok(balls)
+    }
+
+    /// To another point: so many steps on the circle, straight through a groove, over a web by `_ID` (B:6907-6933). The
+    /// ball, not the spindle axis, keeps to the line.
+    fn onward(&self, machine: &mut dyn Machine, ray: &Ray, steps: f64) -> Result<(), Stop> {
+        let Probing { inputs, block, .. } = self;
+        if self.round {
+            let [step, feed] = [names::INCA, names::RF].map(|name| inputs.number(name));
+            return block.travel_around(machine, self.centre, Degrees(step) * steps, feed);
+        }
+        if self.inside {
+            return Ok(());
+        }
+        let height = machine.position()[block.axes[2]];
+        block.travel_along(machine, 2, height + inputs.number(names::ID))?;
+        block.travel_in_plane(machine, block.start_along(ray))?;
+        block.travel_along(machine, 2, height)
     }
 
     /// Size and centre from where the ball stood at the points, all at one height; none: no circle goes through them.
-    fn evaluate(&self, balls: &[[f64; 2]], ball: f64, height: f64) -> Option<Found> {
+    fn evaluate(&self, balls: &[[f64; 2]], height: f64) -> Option<Found> {
         let (centre, between) = match (self.round, balls) {
-            (true, _) => fit::circle(balls).map(|(centre, radius)| (centre, 2.0 * radius))?,
             (false, [one, other]) => {
                 let centre = [0, 1].map(|axis| (one[axis] + other[axis]) / 2.0);
                 (centre, (one[0] - other[0]).hypot(one[1] - other[1]))
             }
-            _ => return None,
+            _ => fit::circle(balls).map(|(centre, radius)| (centre, 2.0 * radius))?,
         };
-        let around = if self.inside { 2.0 } else { -2.0 } * ball;
+        let around = if self.inside { 2.0 } else { -2.0 } * self.block.ball;
         Some(Found {
             sizes: vec![Pair { set: self.size, actual: between + around }],
             centre: [0, 1].map(|axis| Pair { set: self.centre[axis], actual: centre[axis] }),
@@ -70,75 +104,4 @@ impl Element {
             inside: self.inside,
         })
     }
-}
-
-/// Runs the cycle from the present position: at measuring height, on a free straight line to the start of P1.
-pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
-    results::begin(machine, inputs, 979);
-    let block = Block::prepare(machine, inputs)?;
-    ball_known(machine, &block)?;
-    let element = Element::of(inputs);
-    if element.round && element.feed <= 0.0 {
-        return Err(alarm(machine, 61365));
-    }
-    let target = Target::of(machine, inputs, None)?;
-    until_done(|repetition| {
-        if repetition > 0 {
-            back(machine, &block, &element)?;
-        }
-        let balls = measure(machine, &block, &element)?;
-        let height = block.ball_at(machine.position().0)[block.axes[2]];
-        let Some(found) = element.evaluate(&balls, block.ball, height) else { return Err(alarm(machine, 61316)) };
-        target.finish(machine, inputs, &found, repetition)
-    })
-}
-
-/// Touches all points in order; where the ball centre stood at each. Ends at the start of the last block (B:6939).
-fn measure(machine: &mut dyn Machine, block: &Block, element: &Element) -> Result<Vec<[f64; 2]>, Stop> {
-    let mut balls = Vec::new();
-    for (index, angle) in element.angles.iter().enumerate() {
-        let ray = element.ray(*angle, block.path);
-        if index > 0 {
-            onward(machine, block, element, &ray, Degrees(element.step))?;
-        }
-        balls.push(block.ball_along(machine, &ray)?);
-    }
-    Ok(balls)
-}
-
-/// To the next point: on the circle, straight through a groove, over a web (B:6907-6933). The ball, not the spindle
-/// axis, keeps to the line.
-fn onward(
-    machine: &mut dyn Machine,
-    block: &Block,
-    element: &Element,
-    ray: &Ray,
-    degrees: Degrees,
-) -> Result<(), Stop> {
-    match (element.round, element.inside) {
-        (true, _) => block.travel_around(machine, element.centre, degrees, element.feed),
-        (false, true) => Ok(()),
-        (false, false) => across(machine, block, element, ray),
-    }
-}
-
-/// Up by `_ID`, straight to above the other side, down again (B:6921-6933).
-fn across(machine: &mut dyn Machine, block: &Block, element: &Element, ray: &Ray) -> Result<(), Stop> {
-    let [abscissa, ordinate, applicate] = block.axes;
-    let here = machine.position();
-    let mut to = here;
-    to[applicate] += element.lift;
-    block.travel(machine, to)?;
-    [to[abscissa], to[ordinate]] = block.start_along(ray);
-    block.travel(machine, to)?;
-    to[applicate] = here[applicate];
-    block.travel(machine, to)
-}
-
-/// Back to the first point the way that led to the last one, to measure again.
-fn back(machine: &mut dyn Machine, block: &Block, element: &Element) -> Result<(), Stop> {
-    let Some(first) = element.angles.first() else { return Ok(()) };
-    let steps = (element.angles.len() - 1) as f64;
-    let ray = element.ray(*first, block.path);
-    onward(machine, block, element, &ray, Degrees(-steps * element.step))
 }

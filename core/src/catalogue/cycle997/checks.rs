@@ -1,12 +1,12 @@
 //! What several values of CYCLE997 say together.
 
 use super::params::{ANGLE, DIAMETER, FOUR_POINTS, THREE, TURNED};
-use super::points::{centres, sides};
+use super::points::{CENTRES, sides};
 use crate::catalogue::prelude::*;
 use crate::catalogue::{circle, spread};
 use crate::evaluate::spread::Circle;
-use crate::geometry::{Degrees, fit};
-use nalgebra::Vector3;
+use crate::geometry::{Degrees, V3, fit};
+use crate::own::Own;
 
 /// All of them.
 pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
@@ -48,61 +48,53 @@ fn around(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     found.extend(finding);
 }
 
-/// A sphere with its number, and the parameter at which something is said about it.
-struct Sphere {
-    number: f64,
-    centre: Vector3<f64>,
-    field: Name,
+/// The set centres, where all three are given.
+fn centres(inputs: &Inputs) -> Option<[V3; 3]> {
+    let [first, second, third] = CENTRES.map(|names| {
+        let [x, y, z] = names.map(|name| inputs.given(name));
+        Some(V3::new(x?, y?, z?))
+    });
+    Some([first?, second?, third?])
 }
 
-fn spheres(inputs: &Inputs) -> Vec<Sphere> {
-    let all = centres(inputs).iter().zip([1.0, 2.0, 3.0]);
-    all.filter_map(|([x, y, z], number)| {
-        let centre = Vector3::new(inputs.given(*x)?, inputs.given(*y)?, inputs.given(*z)?);
-        Some(Sphere { number, centre, field: *x })
-    })
-    .collect()
+/// A finding about two spheres, which are counted from 0 here.
+fn about(sentence: Own, one: usize, other: usize) -> Diagnostic {
+    sentence.finding().number("one", (one + 1) as f64).number("other", (other + 1) as f64)
 }
 
 /// Three spheres: apart from each other, not on one line, with room for the ball.
 fn triangle(inputs: &Inputs, ball: f64, found: &mut Vec<Diagnostic>) {
-    let (spheres, size) = (spheres(inputs), inputs.given(names::SETVAL));
-    let ([first, second, third], Some(size)) = (&spheres[..], size) else { return };
-    for (one, other) in [(first, second), (first, third), (second, third)] {
-        let distance = (other.centre - one.centre).norm();
+    let Some((centres, size)) = centres(inputs).zip(inputs.given(names::SETVAL)) else { return };
+    for (one, other) in [(0, 1), (0, 2), (1, 2)] {
+        let distance = (centres[other] - centres[one]).norm();
         if distance < size {
-            let finding = own::SPHERES_OVERLAP.finding().number("one", one.number).number("other", other.number);
-            found.push(finding.number("distance", distance).hint_number("size", size).at(other.field));
+            let finding = about(own::SPHERES_OVERLAP, one, other).number("distance", distance);
+            found.push(finding.hint_number("size", size).at(CENTRES[other][0]));
             return;
         }
     }
-    let centres = [first.centre, second.centre, third.centre];
+    let [.., [third, ..]] = CENTRES;
     if TURNED.holds(inputs) && fit::in_line(centres) {
-        found.push(refused(61411, "check-spheres-line", third.field));
+        found.push(refused(61411, "check-spheres-line", third));
     } else if TURNED.holds(inputs) {
-        found.extend(spread::triangle(centres, third.field));
+        found.extend(spread::triangle(centres, third));
     }
-    beside(inputs, &spheres, size / 2.0, ball, found);
+    found.extend(beside(inputs, &centres, size / 2.0 + ball));
 }
 
-/// No measuring block may begin inside of another sphere (B:8429, B:8449).
-fn beside(inputs: &Inputs, spheres: &[Sphere], radius: f64, ball: f64, found: &mut Vec<Diagnostic>) {
-    let Some(path) = inputs.given(names::FA) else { return };
-    let starts = |sphere: &Sphere| {
-        let centre = sphere.centre;
-        sides(inputs).into_iter().map(move |side| {
-            let (sin, cos) = Degrees(side).sin_cos();
-            centre + Vector3::new(cos, sin, 0.0) * (radius + ball + path)
-        })
+/// No measuring block may begin where the ball, whose centre is so far from that of its sphere when it touches, meets
+/// another sphere (B:8429, B:8449).
+fn beside(inputs: &Inputs, centres: &[V3; 3], touching: f64) -> Option<Diagnostic> {
+    let path = inputs.given(names::FA)?;
+    let starts = sides(inputs).into_iter().map(|side| {
+        let (sin, cos) = Degrees(side).sin_cos();
+        V3::new(cos, sin, 0.0) * (touching + path)
+    });
+    let starts: Vec<V3> = starts.collect();
+    let meets = |one: usize, other: usize| {
+        one != other && starts.iter().any(|start| (centres[one] + start - centres[other]).norm() < touching)
     };
-    for one in spheres {
-        let hits = |other: &&Sphere| {
-            other.number != one.number && starts(one).any(|start| (start - other.centre).norm() < radius + ball)
-        };
-        if let Some(other) = spheres.iter().find(hits) {
-            let finding = own::SPHERES_CLOSE.finding().number("one", one.number).number("other", other.number);
-            found.push(finding.at(names::FA));
-            return;
-        }
-    }
+    let pairs = (0..3).flat_map(|one| (0..3).map(move |other| (one, other)));
+    let (one, other) = pairs.into_iter().find(|(one, other)| meets(*one, *other))?;
+    Some(about(own::SPHERES_CLOSE, one, other).at(names::FA))
 }

@@ -28,41 +28,32 @@ const MVAR_DIGITS: &[DigitGroup] = &[
     common::ZERO_DIGIT,
 ];
 
-/// Centres of the second and the third sphere.
-const OTHERS: &[Need] = &[required(THREE, "need-spheres")];
-
-/// A coordinate of a set centre.
-const fn centre(
-    name: Name,
-    key: &'static str,
-    needs: &'static [Need],
-    example: &'static str,
-    source: &'static str,
-) -> Param {
-    Param { name, key, needs, example, source, ..common::SETVAL }
-}
+/// A coordinate of the set centre of the first sphere.
+const FIRST: Param = Param { needs: common::ALWAYS_REQUIRED, example: "100", ..common::SETVAL };
+/// A coordinate of the set centre of the second or the third sphere.
+const OTHER: Param = Param { needs: &[required(THREE, "need-spheres")], ..FIRST };
 
 /// In the order in which the snippet writes them.
 pub const PARAMS: &[Param] = &[
     Param { kind: Kind::Variant(MVAR_DIGITS), example: "10109", source: "B:8242-8259;B:15849-15850", ..common::MVAR },
     Param {
         range: Range::POSITIVE,
-        alarm: Some(crate::diagnostic::Code::Alarm(61413)),
+        alarm: Some(Code::Alarm(61413)),
         needs: common::ALWAYS_REQUIRED,
         labels: &[(When::Always, "setval-sphere")],
         example: "50",
         source: "B:8311;A:15932",
         ..common::SETVAL
     },
-    centre(names::SETV0, "sphere1-abscissa", common::ALWAYS_REQUIRED, "100", "B:8312"),
-    centre(names::SETV1, "sphere1-ordinate", common::ALWAYS_REQUIRED, "100", "B:8313"),
-    centre(names::SETV2, "sphere1-applicate", common::ALWAYS_REQUIRED, "100", "B:8314"),
-    centre(names::SETV3, "sphere2-abscissa", OTHERS, "600", "B:8315"),
-    centre(names::SETV4, "sphere2-ordinate", OTHERS, "100", "B:8316"),
-    centre(names::SETV5, "sphere2-applicate", OTHERS, "100", "B:8317"),
-    centre(names::SETV6, "sphere3-abscissa", OTHERS, "1100", "B:8321"),
-    centre(names::SETV7, "sphere3-ordinate", OTHERS, "1100", "B:8322"),
-    centre(names::SETV8, "sphere3-applicate", OTHERS, "100", "B:8323"),
+    Param { name: names::SETV0, key: "sphere1-abscissa", source: "B:8312", ..FIRST },
+    Param { name: names::SETV1, key: "sphere1-ordinate", source: "B:8313", ..FIRST },
+    Param { name: names::SETV2, key: "sphere1-applicate", source: "B:8314", ..FIRST },
+    Param { name: names::SETV3, key: "sphere2-abscissa", example: "600", source: "B:8315", ..OTHER },
+    Param { name: names::SETV4, key: "sphere2-ordinate", source: "B:8316", ..OTHER },
+    Param { name: names::SETV5, key: "sphere2-applicate", source: "B:8317", ..OTHER },
+    Param { name: names::SETV6, key: "sphere3-abscissa", example: "1100", source: "B:8321", ..OTHER },
+    Param { name: names::SETV7, key: "sphere3-ordinate", example: "1100", source: "B:8322", ..OTHER },
+    Param { name: names::SETV8, key: "sphere3-applicate", source: "B:8323", ..OTHER },
     Param {
         needs: &[required(ANGLE, "need-start-angle")],
         labels: &[(When::Always, "sta1-first")],

@@ -2,7 +2,7 @@
 //! the sphere and the last point; with three spheres their triangle beside both.
 
 use super::params::{ANGLE, DIAMETER, REPEATED, THREE};
-use super::points::{DIAMETER_SIDE, centres, directions};
+use super::points::{CENTRES, DIAMETER_SIDE, centres, directions};
 use crate::catalogue::prelude::*;
 use crate::entry::stage::{Fields, Look, SIZE, Seen, Staging, add, ends};
 use crate::picture::figures::{arrow, circle, dimension, line, polar, polygon};
@@ -93,8 +93,7 @@ fn diameter(above: &Seen, middle: [f64; 2]) -> [PictureShape; 3] {
 /// The triangle of the set centres from above, at a scale of its own, with the order of the spheres. No view of the
 /// work can show it: the spheres are too small beside their distances.
 fn triangle(inputs: &Inputs, zero: [f64; 2]) -> Vec<PictureShape> {
-    let fields = centres(inputs);
-    let set: Vec<[f64; 2]> = fields.iter().map(|[x, y, _]| [inputs.number(*x), inputs.number(*y)]).collect();
+    let set: Vec<[f64; 2]> = centres(inputs).into_iter().map(|[x, y, _]| [x, y]).collect();
     let places = fitted(&set, zero.map(|value| value + 0.8 * SIZE), [3.0 * SIZE, 1.6 * SIZE]);
     let mut shapes = vec![polygon(ShapeKind::Axis, places.clone()).of(names::TNVL)];
     for pair in places.windows(2) {
@@ -104,13 +103,13 @@ fn triangle(inputs: &Inputs, zero: [f64; 2]) -> Vec<PictureShape> {
     let [right, top] = add(zero, [4.2 * SIZE, 2.5 * SIZE]);
     shapes.push(line(ShapeKind::Axis, vec![zero, [right, zero[1]]]).text("0").of(names::KNUM));
     shapes.push(line(ShapeKind::Axis, vec![zero, [zero[0], top]]).of(names::KNUM));
-    for (index, ([u, v], [x, y, z])) in places.into_iter().zip(fields).enumerate() {
+    for (index, ([u, v], [x, y, z])) in places.into_iter().zip(CENTRES).enumerate() {
         let under = zero[1] - SIZE * (0.05 + 0.42 * (index + 1) as f64);
-        shapes.push(dimension(*x, [zero[0], under], [u, under]));
-        shapes.push(line(ShapeKind::Axis, vec![[u, under], [u, zero[1]]]).of(*x));
-        shapes.push(dimension(*y, [u, zero[1]], [u, v]));
-        shapes.push(circle(ShapeKind::Edge, [u, v], 0.12 * SIZE).text((index + 1).to_string()).of(*x));
-        shapes.push(line(ShapeKind::Label, vec![[u, v + 0.3 * SIZE]]).text(*z).of(*z));
+        shapes.push(dimension(x, [zero[0], under], [u, under]));
+        shapes.push(line(ShapeKind::Axis, vec![[u, under], [u, zero[1]]]).of(x));
+        shapes.push(dimension(y, [u, zero[1]], [u, v]));
+        shapes.push(circle(ShapeKind::Edge, [u, v], 0.12 * SIZE).text((index + 1).to_string()).of(x));
+        shapes.push(line(ShapeKind::Label, vec![[u, v + 0.3 * SIZE]]).text(z).of(z));
     }
     shapes
 }

@@ -28,14 +28,14 @@ pub fn sides(inputs: &Inputs) -> Vec<f64> {
 }
 
 /// Names of the set centre of each sphere: abscissa, ordinate, applicate.
-const CENTRES: &[[Name; 3]] = &[
+pub const CENTRES: [[Name; 3]; 3] = [
     [names::SETV0, names::SETV1, names::SETV2],
     [names::SETV3, names::SETV4, names::SETV5],
     [names::SETV6, names::SETV7, names::SETV8],
 ];
 
-/// Names of the set centres of the spheres that are measured.
-pub fn centres(inputs: &Inputs) -> &'static [[Name; 3]] {
+/// Set centres of the spheres that are measured, mm.
+pub fn centres(inputs: &Inputs) -> Vec<[f64; 3]> {
     let measured = if ONE.holds(inputs) { 1 } else { 3 };
-    &CENTRES[..measured]
+    CENTRES[..measured].iter().map(|names| names.map(|name| inputs.number(name))).collect()
 }

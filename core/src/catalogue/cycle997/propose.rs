@@ -2,7 +2,7 @@
 
 use super::points::centres;
 use crate::catalogue::prelude::*;
-use crate::workpiece::{Shape, Solid, Workpiece};
+use crate::workpiece::{Shape, Workpiece};
 
 /// Diameter of a post as a part of that of the sphere.
 const POST: f64 = 0.4;
@@ -14,16 +14,15 @@ const ROOM: f64 = 10.0;
 /// Spheres, and a start above the first one from which all can be reached (B:8346, B:8421).
 pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let size = inputs.number(names::SETVAL);
-    let places: Vec<[f64; 3]> = centres(inputs).iter().map(|names| names.map(|name| inputs.number(name))).collect();
+    let places = centres(inputs);
     let upright = |shape, at| place::solid(control, shape, at, [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]);
     let sphere = |at: &[f64; 3]| upright(Shape::Sphere { diameter: size }, *at);
-    let post = |[x, y, z]: &[f64; 3]| -> Solid {
-        let shape = Shape::Shaft { diameter: POST * size, height: (0.5 - INSIDE) * size + ROOM };
-        upright(shape, [*x, *y, z - INSIDE * size])
-    };
+    let height = (0.5 - INSIDE) * size + ROOM;
+    let post =
+        |[x, y, z]: &[f64; 3]| upright(Shape::Shaft { diameter: POST * size, height }, [*x, *y, z - INSIDE * size]);
     let highest = places.iter().map(|[_, _, z]| *z).fold(f64::NEG_INFINITY, f64::max);
     let above = size / 2.0 + 2.0 * place::ball_radius(inputs, control) + inputs.number(names::FA);
-    let [x, y, _] = places.first().copied().unwrap_or_default();
+    let [x, y, _] = places[0];
     Proposal {
         workpiece: Workpiece { solids: places.iter().map(sphere).collect() },
         fixture: places.iter().map(post).collect(),

@@ -28,17 +28,22 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     if let Some(target) = target.filter(|_| THREE.holds(inputs)) {
         correctable(machine.control(), &target).map_err(|number| failed(machine, number))?;
     }
-    let plan = Plan { block: &block, inputs, safety: machine.position()[block.axes[2]], tip: block.centre };
+    let plan = Plan { block: &block, inputs, safety: machine.position()[block.axes[2]] };
     let mut spheres = Vec::new();
-    for (index, names) in centres(inputs).iter().enumerate() {
-        let set = Sphere { centre: names.map(|name| inputs.number(name)), diameter: inputs.number(names::SETVAL) };
-        spheres.push((set, within_safe_area(machine, &plan, index, &set)?));
+    for (index, centre) in centres(inputs).into_iter().enumerate() {
+        let set = Sphere { centre, diameter: inputs.number(names::SETVAL) };
+        let mut found = set;
+        until_done(|repetition| {
+            found = plan.measure(machine, &set)?;
+            let differences = report(machine, index, &set, &found);
+            tolerance::safe(machine, inputs, &differences, repetition) // sphere by sphere (B:8373-8379)
+        })?;
+        spheres.push((set, found));
     }
-    match (target, spheres.as_slice()) {
+    let limit = inputs.number(names::TNVL);
+    match (target, &spheres[..]) {
         (Some(target), [sphere]) => move_frame(machine, &target, sphere),
-        (Some(target), [first, second, third]) => {
-            turn_frame(machine, &target, inputs.number(names::TNVL), [first, second, third])?;
-        }
+        (Some(target), [one, two, three]) => turn_frame(machine, &target, limit, [one, two, three])?,
         _ => {}
     }
     Ok(())
@@ -53,18 +58,6 @@ fn sides(inputs: &Inputs) -> &'static [(usize, f64)] {
         (true, true) => &ALL[..2],
         (true, false) => &ALL[..1],
     }
-}
-
-/// Measures a sphere until its differences are within the safe area, as often as `_CBIT[0]` allows (B:8373-8379).
-fn within_safe_area(machine: &mut dyn Machine, plan: &Plan, index: usize, set: &Sphere) -> Result<Sphere, Stop> {
-    for repetition in 0.. {
-        let found = plan.measure(machine, set)?;
-        let differences = report(machine, index, set, &found);
-        if tolerance::safe(machine, plan.inputs, &differences, repetition)? == Next::Done {
-            return Ok(found);
-        }
-    }
-    Ok(*set)
 }
 
 /// A sphere as set and as found.
@@ -93,20 +86,16 @@ fn report(machine: &mut dyn Machine, index: usize, set: &Sphere, found: &Sphere)
 
 /// One sphere: its centre gets the set coordinates, the rotation stays (B:8383-8405).
 fn move_frame(machine: &mut dyn Machine, target: &Target, (set, found): &Measured) {
-    let control = machine.control();
-    let measured = zero_offset::Measured {
-        actual: in_plane(control, found.centre),
-        set: in_plane(control, set.centre),
-        axes: [true; 3],
-    };
-    correct::zero(machine, target, &measured);
+    let [set, actual] = [set, found].map(|sphere| in_plane(machine.control(), sphere.centre));
+    correct::zero(machine, target, &zero_offset::Measured { actual, set, axes: [true; 3] });
 }
 
 /// Three spheres: CYCLE119 finds translation and rotation; beyond `_TNVL` nothing is corrected (B:8407-8413).
 fn turn_frame(machine: &mut dyn Machine, target: &Target, limit: f64, spheres: [&Measured; 3]) -> Result<(), Stop> {
     let control = machine.control();
-    let set = spheres.map(|(set, _)| V3::from(in_plane(control, set.centre)));
-    let actual = spheres.map(|(_, found)| V3::from(in_plane(control, found.centre)));
+    let placed = |sphere: &Sphere| V3::from(in_plane(control, sphere.centre));
+    let set = spheres.map(|(set, _)| placed(set));
+    let actual = spheres.map(|(_, found)| placed(found));
     let position = position(&set, &actual).map_err(|number| failed(machine, number))?;
     let message = Message::new("evaluate-distortion").number("distortion", position.distortion).number("limit", limit);
     machine.record(Step::Decision { message });

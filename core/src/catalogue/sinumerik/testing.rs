@@ -66,15 +66,9 @@ pub fn solid(plane: Plane, shape: Shape, place: [f64; 3], across: bool) -> Solid
     }
 }
 
-/// The hole, shaft, groove, web, pocket or island that the last digit of a variant names (B:5645-5650, B:6766-6769), of
-/// this size.
+/// What the last digit of a variant names, of this size.
 pub fn element(variant: i64, length: [f64; 2]) -> Shape {
-    let height = 40.0;
-    match variant % 10 {
-        5 => Shape::Pocket { length, depth: height },
-        6 => Shape::Island { length, height },
-        round_or_wide => place::element(round_or_wide, length[0], height),
-    }
+    place::element(variant % 10, length, 40.0)
 }
 
 /// Bands so wide that errors of some mm are corrected, at once and without a mean value.

@@ -19,6 +19,19 @@ impl Block {
         self.go(machine, to)
     }
 
+    /// Intermediate positioning along one axis to this coordinate, mm.
+    pub fn travel_along(&self, machine: &mut dyn Machine, axis: usize, to: f64) -> Result<(), Stop> {
+        let mut place = machine.position();
+        place[self.axes[axis]] = to;
+        self.travel(machine, place)
+    }
+
+    /// Intermediate positioning in the plane to abscissa and ordinate, mm.
+    pub fn travel_in_plane(&self, machine: &mut dyn Machine, to: [f64; 2]) -> Result<(), Stop> {
+        let place = self.placed(machine.position().0, to);
+        self.travel(machine, Wcs(place))
+    }
+
     /// Intermediate positioning that ends at a software limit switch; whether it did (A:15921).
     pub fn travel_as_far(&self, machine: &mut dyn Machine, to: Wcs) -> Result<bool, Stop> {
         let from = machine.position();

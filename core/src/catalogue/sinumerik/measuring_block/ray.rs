@@ -20,6 +20,14 @@ pub struct Ray {
 }
 
 impl Ray {
+    /// Towards the point of a circle, or of two walls opposite each other, that lies at this angle from its centre:
+    /// from within or from outside; mm and degree.
+    pub fn at(angle: f64, centre: [f64; 2], radius: f64, inside: bool, path: f64) -> Ray {
+        let (sine, cosine) = Degrees(angle).sin_cos();
+        let set = [centre[0] + radius * cosine, centre[1] + radius * sine];
+        Ray { angle: if inside { angle } else { angle + 180.0 }, set, path }
+    }
+
     /// Unit vector of the direction: abscissa, ordinate.
     pub fn direction(&self) -> [f64; 2] {
         let (sine, cosine) = Degrees(self.angle).sin_cos();
