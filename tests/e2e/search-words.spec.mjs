@@ -32,12 +32,18 @@ const MEANT = [
   ["Ausrichten", /^cycle(998|119)/],
   ["Werkzeugvermessung", /^cycle9(71|72|82)/],
   ["Schutzzone", /-zone/],
+  ["Innendurchmesser", /^cycle97[79]-hole/],
+  ["Kantentaster", /^cycle978/],
+  ["Mitte setzen", /^cycle977/],
   ["镗孔", /^cycle977-hole/],
   ["工件零点", /^cycle961/],
   ["分中", /^cycle97[79]/],
   ["对刀", /^cycle9(71|72|82)/],
   ["找正", /^cycle(998|119)/],
   ["碰边", /^cycle978/],
+  ["寻边", /^cycle978/],
+  ["四面分中", /^cycle977-(pocket|island)/],
+  ["找中心", /^cycle97[79]/],
 ];
 
 test("words of every language are found in every language", async () => {

@@ -2,7 +2,7 @@
 
 cycle961-title = Ecke, innen oder außen
 cycle961-help = Ermittelt, wo sich zwei Kanten eines Werkstücks oder einer Tasche schneiden und wie die erste gedreht ist, und setzt den Werkstücknullpunkt auf die Ecke.
-cycle961-words = messen vermessen antasten Werkstück Ecke Eckpunkt Innenecke Außenecke Kante Kanten einrichten ausrichten Nullpunkt setzen Bezugspunkt Rechteck Schraubstock Winkel Drehung drehen innen außen drei Punkte vier Punkte Nullpunktverschiebung NV NPV Frame G54
+cycle961-words = messen vermessen antasten Werkstück Ecke Eckpunkt Innenecke Außenecke Kante Kanten einrichten ausrichten Nullpunkt setzen Bezugspunkt Rechteck Schraubstock Winkel Drehung drehen innen außen drei Punkte vier Punkte Nullpunktverschiebung NV NPV Frame G54 Taster Messtaster Kantentaster Bezug Anschlag
 
 cycle961-inside-rectangle = Innenecke eines Rechtecks, drei Punkte
 cycle961-inside-rectangle-words = innen Tasche quadratisch rechtwinklig rechter Winkel Abstand Nullpunktverschiebung NV NPV

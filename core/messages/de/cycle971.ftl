@@ -2,7 +2,7 @@
 
 cycle971-title = Fräsen: Werkzeugmesstaster kalibrieren, Werkzeuge messen
 cycle971-help = Misst Länge L1 oder Radius des Fräswerkzeugs oder Bohrers in der Spindel an einem Werkzeugmesstaster oder kalibriert diesen Messtaster mit einem Werkzeug, dessen Maße bekannt sind.
-cycle971-words = Werkzeug messen vermessen Werkzeugvermessung Werkzeugmessung Werkzeugvoreinstellung Voreinstellgerät Werkzeugmesstaster Werkzeugtaster Messtaster Taster Messdose Tischtaster Laser Würfel Scheibe Teller antasten kalibrieren abgleichen eichen einmessen Länge L1 Radius Durchmesser Fräser Schaftfräser Planfräser Messerkopf Bohrer Verschleiß Geometrie Bruch Werkzeugbruch Spindel drehend stehend Schneide Triggerpunkt Werkzeugkorrektur
+cycle971-words = Werkzeug messen vermessen Werkzeugvermessung Werkzeugmessung Werkzeugvoreinstellung Voreinstellgerät Werkzeugmesstaster Werkzeugtaster Messtaster Taster Messdose Tischtaster Laser Würfel Scheibe Teller antasten kalibrieren abgleichen eichen einmessen Länge L1 Radius Durchmesser Fräser Schaftfräser Planfräser Messerkopf Bohrer Verschleiß Geometrie Bruch Werkzeugbruch Spindel drehend stehend Schneide Triggerpunkt Werkzeugkorrektur Werkzeuglänge Werkzeugradius Bruchkontrolle Bruchüberwachung T-Taster
 cycle971-each-words = messen vermessen Werkzeug Werkzeugvermessung Messtaster Taster
 
 cycle971-calibrate = Werkzeugmesstaster kalibrieren

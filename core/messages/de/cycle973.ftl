@@ -2,7 +2,7 @@
 
 cycle973-title = Werkstückmesstaster kalibrieren (Drehen)
 cycle973-help = Ermittelt, wo der Messtaster einer Drehmaschine schaltet, und speichert die Triggerpunkte in den Messtasterdaten _WP; alle späteren Messungen verwenden sie.
-cycle973-words = kalibrieren Kalibrierung abgleichen eichen einmessen Werkstückmesstaster Messtaster Taster Drehen Drehmaschine Drehbank Kalibriernut Referenznut Kalibrierkörper Fläche Planfläche Triggerpunkt Triggerwert Schaltpunkt Kugeldurchmesser Lageabweichung Schieflage
+cycle973-words = kalibrieren Kalibrierung abgleichen eichen einmessen Werkstückmesstaster Messtaster Taster Drehen Drehmaschine Drehbank Kalibriernut Referenznut Kalibrierkörper Fläche Planfläche Triggerpunkt Triggerwert Schaltpunkt Kugeldurchmesser Lageabweichung Schieflage 3D-Taster Tastkugel
 cycle973-each-words = Drehen Drehmaschine Triggerpunkt Schaltpunkt
 
 cycle973-surface = Fläche: 1 Richtung

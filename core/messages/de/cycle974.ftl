@@ -2,7 +2,7 @@
 
 cycle974-title = Drehteil: 1-Punkt-Messung
 cycle974-help = Misst einen Punkt am Drehteil, außen oder innen, an Durchmesser, Stirnfläche oder in der 3. Achse, gegen den Sollwert aus der Zeichnung.
-cycle974-words = messen vermessen antasten Werkstück drehen Drehmaschine Drehteil Durchmesser außen innen Absatz Schulter Stirnfläche Planfläche Länge ein Punkt Einzelpunkt X Z Y Planachse Umschlag Umschlagmessung Rundlauf Schlag Spindel Werkzeugkorrektur Verschleiß Nullpunkt setzen Nullpunktverschiebung NV NPV
+cycle974-words = messen vermessen antasten Werkstück drehen Drehmaschine Drehteil Durchmesser außen innen Absatz Schulter Stirnfläche Planfläche Länge ein Punkt Einzelpunkt X Z Y Planachse Umschlag Umschlagmessung Rundlauf Schlag Spindel Werkzeugkorrektur Verschleiß Nullpunkt setzen Nullpunktverschiebung NV NPV Taster Messtaster Außendurchmesser Innendurchmesser plan
 cycle974-each-words = drehen Drehmaschine Durchmesser Stirnfläche Länge L1 L2
 
 cycle974-tool = 1-Punkt-Messung, Werkzeug korrigieren

@@ -2,8 +2,8 @@
 
 cycle976-title = Werkstückmesstaster kalibrieren
 cycle976-help = Ermittelt die Triggerpunkte des Messtasters an einem Ring mit bekanntem Durchmesser oder einer Fläche mit bekannter Position und speichert sie in _WP. Alle späteren Messungen rechnen damit.
-cycle976-words = kalibrieren Kalibrierung abgleichen eichen einmessen Werkstückmesstaster Messtaster Taster Tastkopf Tastkugel Kalibrierring Einstellring Lehrring Ring Bohrung Fläche Triggerpunkt Schaltpunkt Triggerwert Kugeldurchmesser Radius Lageabweichung Rundlauf Schlag Messtasterlänge L1 Länge Bezug
-cycle976-each-words = Triggerpunkt Bohrung
+cycle976-words = kalibrieren Kalibrierung abgleichen eichen einmessen Werkstückmesstaster Messtaster Taster Tastkopf Tastkugel Kalibrierring Einstellring Lehrring Ring Bohrung Fläche Triggerpunkt Schaltpunkt Triggerwert Kugeldurchmesser Radius Lageabweichung Rundlauf Schlag Messtasterlänge L1 Länge Bezug 3D-Taster Kantentaster Tasterradius Tasterlänge
+cycle976-each-words = Triggerpunkt Bohrung 3D-Taster Kantentaster
 
 cycle976-known-four = Bohrung, Mittelpunkt bekannt: 4 Achsrichtungen
 cycle976-known-four-ball = Bohrung, Mittelpunkt bekannt: 4 Achsrichtungen, mit Kugeldurchmesser

@@ -2,7 +2,7 @@
 
 cycle982-title = Drehen: Werkzeugmesstaster kalibrieren, Drehwerkzeuge, Fräswerkzeuge und Bohrer messen
 cycle982-help = Misst L1 und L2 von Drehwerkzeug, Fräser oder Bohrer, beim Fräser auch den Radius, an einem achsparallelen Werkzeugmesstaster oder kalibriert eine Seite mit bekanntem Werkzeug der Schneidenlage 3.
-cycle982-words = Werkzeug messen vermessen Werkzeugvermessung Werkzeugmessung Werkzeugvoreinstellung Voreinstellgerät Drehmaschine Drehen Drehfräsen angetriebenes Werkzeug Werkzeugmesstaster Werkzeugtaster Messtaster Taster Messdose Würfel antasten kalibrieren abgleichen eichen einmessen Länge L1 L2 Radius Durchmesser Wendeschneidplatte Platte Schneide Schneidenradius Spitze Schneidenlage Drehmeißel Drehstahl Stahl Bohrer Fräser Schaftfräser Nutfräser Scheibenfräser T-Nutenfräser Umschlag inkrementell automatisch Verschleiß Geometrie Triggerpunkt Werkzeugkorrektur
+cycle982-words = Werkzeug messen vermessen Werkzeugvermessung Werkzeugmessung Werkzeugvoreinstellung Voreinstellgerät Drehmaschine Drehen Drehfräsen angetriebenes Werkzeug Werkzeugmesstaster Werkzeugtaster Messtaster Taster Messdose Würfel antasten kalibrieren abgleichen eichen einmessen Länge L1 L2 Radius Durchmesser Wendeschneidplatte Platte Schneide Schneidenradius Spitze Schneidenlage Drehmeißel Drehstahl Stahl Bohrer Fräser Schaftfräser Nutfräser Scheibenfräser T-Nutenfräser Umschlag inkrementell automatisch Verschleiß Geometrie Triggerpunkt Werkzeugkorrektur Werkzeuglänge Messarm Bruchkontrolle
 cycle982-each-words = Drehmaschine Drehen messen vermessen Werkzeug Werkzeugvermessung
 
 cycle982-calibrate = Werkzeugmesstaster kalibrieren

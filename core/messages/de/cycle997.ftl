@@ -2,7 +2,7 @@
 
 cycle997-title = Kugeln messen
 cycle997-help = Ermittelt den Mittelpunkt einer Kugel oder nacheinander dreier Kugeln und korrigiert damit eine Nullpunktverschiebung: Eine Kugel verschiebt sie in drei Achsen, drei Kugeln verschieben und drehen sie.
-cycle997-words = messen vermessen antasten Werkstück Kugel Kugeln Prüfkugel Kalibrierkugel Messkugel Mittelpunkt Mitte Zentrum Lage im Raum drei Dreieck Ebene Drehung ausrichten einrichten Spannvorrichtung Vorrichtung Durchmesser Nullpunkt Nullpunktverschiebung NV NPV Frame G54
+cycle997-words = messen vermessen antasten Werkstück Kugel Kugeln Prüfkugel Kalibrierkugel Messkugel Mittelpunkt Mitte Zentrum Lage im Raum drei Dreieck Ebene Drehung ausrichten einrichten Spannvorrichtung Vorrichtung Durchmesser Nullpunkt Nullpunktverschiebung NV NPV Frame G54 Taster Messtaster Kugelmittelpunkt Spannlage
 cycle997-each-words = Lage Position Frame Durchmesser
 
 cycle997-one = 1 Kugel achsparallel

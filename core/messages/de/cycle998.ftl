@@ -2,7 +2,7 @@
 
 cycle998-title = Winkel einer Fläche
 cycle998-help = Misst, wie ein aufgespanntes Werkstück gedreht ist: einen Winkel aus zwei Punkten einer geraden Kante oder Fläche oder zwei Winkel einer schrägen Ebene aus drei Punkten.
-cycle998-words = messen vermessen antasten Werkstück Winkel ausrichten Ausrichtung Kante ausrichten Ebene ausrichten Grunddrehung Drehung drehen Lage Fläche Planfläche Ebene schräg geneigt Neigung schief verdreht aufgespannt Rundtisch Rundachse C-Achse Nullpunktverschiebung NV NPV Frame G54 zwei drei Punkte
+cycle998-words = messen vermessen antasten Werkstück Winkel ausrichten Ausrichtung Kante ausrichten Ebene ausrichten Grunddrehung Drehung drehen Lage Fläche Planfläche Ebene schräg geneigt Neigung schief verdreht aufgespannt Rundtisch Rundachse C-Achse Nullpunktverschiebung NV NPV Frame G54 zwei drei Punkte Taster Messtaster Schraubstock Messuhr ausuhren parallel Schräglage Nullpunkt
 cycle998-each-words = zwei Winkel
 
 cycle998-one = ein Winkel, Positionieren unter dem Sollwinkel

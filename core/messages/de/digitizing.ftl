@@ -2,7 +2,7 @@
 
 p9969-title = Fläche digitalisieren
 p9969-help = Tastet eine Freiformfläche über einem Rechteck Zeile für Zeile ab und gibt die Punkte als NC-Programm aus.
-p9969-words = digitalisieren Digitalisierung scannen Scan abtasten Freiformfläche Form Formenbau Gesenk kopieren Nachformen Punkte Punktewolke Höhe Relief STL
+p9969-words = digitalisieren Digitalisierung scannen Scan abtasten Freiformfläche Form Formenbau Gesenk kopieren Nachformen Punkte Punktewolke Höhe Relief STL Reverse Engineering
 p9969-rectangle = Rechteck digitalisieren
 param-p9969-end = Ende des Rechtecks
 param-p9969-end-help = Koordinate der Ecke, die der Position des Messtasters beim Aufruf gegenüberliegt, in dieser Achse der Ebene.

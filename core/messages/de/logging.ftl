@@ -2,7 +2,7 @@
 
 cycle100-title = Protokoll ein
 cycle100-help = Schaltet das Messprotokoll ein. Danach schreibt jeder Messzyklus einen Werteblock in die Datei, bis CYCLE101.
-cycle100-words = Protokoll Messprotokoll protokollieren Log drucken Datei Bericht Protokollkopf einschalten ein Start starten Protokollierung Messergebnisse Messwerte
+cycle100-words = Protokoll Messprotokoll protokollieren Log drucken Datei Bericht Protokollkopf einschalten ein Start starten Protokollierung Messergebnisse Messwerte Prüfprotokoll
 cycle100-on = Protokoll ein, mit Protokollkopf
 
 cycle101-title = Protokoll aus

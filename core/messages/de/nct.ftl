@@ -51,7 +51,7 @@ result-g104-deviation = Änderung der Länge
 
 g105-title = Fläche senkrecht zu einer Achse der Ebene
 g105-help = Tastet eine Fläche senkrecht zu einer Achse der Ebene an und korrigiert eine Nullpunktverschiebung oder einen Werkzeugradius.
-g105-words = Fläche Wand Seite Seitenfläche radial Einzelpunkt Position Antasten Taster Kante Anschlag NPV Nullpunkt setzen
+g105-words = Fläche Wand Seite Seitenfläche radial Einzelpunkt Position Antasten Taster Kante Anschlag NPV Nullpunkt setzen Nullpunktverschiebung NV Bezugspunkt Messtaster ankratzen
 g105-surface = radiale Fläche
 param-g105-nominal = Nennposition
 param-g105-nominal-help = Nennkoordinate der Fläche, in genau einer Achse der Ebene; mit H oder U die Mitte der beiden Grenzmaße. Der Messtaster fährt von seiner Position darauf zu.
@@ -68,7 +68,7 @@ result-nct-position-deviation = Abweichung von der Nennposition
 
 g106-title = Fläche senkrecht zur Werkzeugachse
 g106-help = Tastet eine Fläche von oben an und korrigiert eine Nullpunktverschiebung oder eine Werkzeuglänge.
-g106-words = Fläche Oberfläche Oberkante Höhe axial Länge Einzelpunkt Position Antasten Taster NPV Nullpunkt setzen
+g106-words = Fläche Oberfläche Oberkante Höhe axial Länge Einzelpunkt Position Antasten Taster NPV Nullpunkt setzen Nullpunktverschiebung NV Bezugspunkt Messtaster ankratzen Z
 g106-surface = axiale Fläche
 param-g106-surface = Nennhöhe
 param-g106-surface-help = Nennkoordinate der Fläche in der Werkzeugachse; mit H oder U die Mitte der beiden Grenzmaße.
@@ -96,7 +96,7 @@ g108-corner = Außenecke
 
 g109-title = Tasche oder Steg
 g109-help = Misst Breite und Mitte an zwei Wänden und korrigiert eine Nullpunktverschiebung oder ein Werkzeug.
-g109-words = Tasche Steg Nut Rippe Rille Breite Nutbreite Mitte Mittellinie mitteln antasten Taster NPV Nullpunkt setzen
+g109-words = Tasche Steg Nut Rippe Rille Breite Nutbreite Mitte Mittellinie mitteln antasten Taster NPV Nullpunkt setzen Nullpunktverschiebung NV zentrieren Messtaster
 g109-pocket = Tasche
 g109-web = Steg
 param-g109-width = Nennbreite
@@ -112,7 +112,7 @@ result-g109-shift = Versatz der Mitte zur Startposition
 
 g110-title = Bohrung oder Zapfen
 g110-help = Misst Mittelpunkt und Durchmesser mit vier Antastungen und korrigiert eine Nullpunktverschiebung oder ein Werkzeug.
-g110-words = Bohrung Zapfen Loch Welle Stift Kreis Durchmesser Mittelpunkt Bohrungsmitte Zentrum Zentrieren Ring innen außen antasten Taster NPV Nullpunkt setzen
+g110-words = Bohrung Zapfen Loch Welle Stift Kreis Durchmesser Mittelpunkt Bohrungsmitte Zentrum Zentrieren Ring innen außen antasten Taster NPV Nullpunkt setzen Nullpunktverschiebung NV Messtaster
 g110-bore = Bohrung
 g110-boss = Zapfen
 param-g110-d = Durchmesser
@@ -196,7 +196,7 @@ nct-tool-dia-offs-too-large = Mit dem korrigierten Speicher passt das Werkzeug n
 # G65 P9920: der Werkzeugmesstaster.
 p9920-title = Werkzeugmesstaster: Länge, Durchmesser
 p9920-help = Kalibriert die Scheibe des Werkzeugmesstasters mit einem Referenzwerkzeug (T0) oder misst ein Werkzeug und beschreibt seinen Speicher. Zuerst kalibrieren.
-p9920-words = Werkzeugmesstaster Werkzeugtaster Werkzeugvermessung Vermessen Länge Durchmesser Radius kalibrieren abgleichen Scheibe Teller Rad Referenzwerkzeug Fräser Bohrer drehend
+p9920-words = Werkzeugmesstaster Werkzeugtaster Werkzeugvermessung Vermessen Länge Durchmesser Radius kalibrieren abgleichen Scheibe Teller Referenzwerkzeug Fräser Bohrer drehend Messtaster Taster Werkzeuglänge Bruchkontrolle Verschleiß
 p9920-calibrate = Werkzeugmesstaster kalibrieren
 p9920-length = Länge messen
 p9920-diameter = Länge und Durchmesser messen

@@ -2,8 +2,8 @@
 
 cycle973-title = 校准车床工件测头
 cycle973-help = 求出车床测头的触发位置，并把触发点存入测头数据 _WP；以后的测量都使用它们。
-cycle973-words = 校准 工件 测量头 测头 车削 基准 槽 方块 表面 端面 触发 点 值 测球 直径 偏斜 位置 偏差 探头
-cycle973-each-words = 车削 触发 点
+cycle973-words = 校准 工件 测量头 测头 车削 基准 槽 方块 表面 端面 触发点 测球 直径 偏斜 位置偏差 探头 标定 探针
+cycle973-each-words = 车削 触发点 标定
 
 cycle973-surface = 表面：一个方向
 cycle973-groove-short = 基准槽：1 个方向，短写法

@@ -2,8 +2,8 @@
 
 cycle976-title = 校准工件测头
 cycle976-help = 在直径已知的环规中或位置已知的表面上，求出测头的触发位置，并存入测头数据 _WP。以后的测量都使用它。
-cycle976-words = 校准 工件 测量头 测头 测针 环规 量规 孔 镗孔 表面 触发 点 值 测球 直径 半径 偏斜 位置 偏差 跳动 长度 L1 基准 探头
-cycle976-each-words = 触发 点 孔
+cycle976-words = 校准 工件 测量头 测头 测针 环规 量规 孔 镗孔 表面 触发点 测球 直径 半径 偏斜 位置偏差 跳动 长度 L1 基准 探头 标定 探针 寻边器 偏心 校正
+cycle976-each-words = 触发点 孔 标定 校正
 
 cycle976-known-four = 孔，中心已知：4 个方向
 cycle976-known-four-ball = 孔，中心已知：4 个方向，测球直径
@@ -39,7 +39,7 @@ calibrate-place = 校准基准
 calibrate-known = 孔，中心已知
 calibrate-known-words = 环规 量规 镗孔
 calibrate-unknown = 孔，中心未知
-calibrate-unknown-words = 环规 量规 镗孔 主轴 反转 180 度
+calibrate-unknown-words = 环规 量规 镗孔 主轴 反转 180 度 换向
 calibrate-surface = 表面
 calibrate-surface-words = 端面 工件
 calibrate-ball = 测球直径
@@ -56,7 +56,7 @@ calibrate-two-words = 两
 calibrate-skew = 位置偏差（孔）或测头长度（表面）
 calibrate-skew-without = 保留存储值
 calibrate-skew-with = 求出
-calibrate-skew-with-words = 偏斜 位置 偏差 跳动
+calibrate-skew-with-words = 偏斜 位置偏差 跳动
 calibrate-angle = 触碰方向
 calibrate-paraxial = 平行于轴
 calibrate-paraxial-words = 平行于轴

@@ -2,12 +2,12 @@
 
 cycle994-title = 车削件：2 点测量
 cycle994-help = 在工件零点两侧、正负设定值处的相对两点测量车削件的外径或内径，并补偿刀具。
-cycle994-words = 测量 工件 车削 车床 直径 镗孔 轴 外 内 两 点 相对 安全 区 保护 X Y 刀具 补偿 磨损 外圆 内孔 刀补 磨耗
+cycle994-words = 测量 工件 车削 车床 直径 镗孔 轴 外 内 两点 相对 安全区 保护区 X Y 刀具补偿 磨损 外圆 内孔 刀补 磨耗 内径 外径 探头
 
 cycle994-inside-zone = 测内径，绕过保护区
-cycle994-inside-zone-words = 车削 车床 镗孔 直径 两 点 安全 障碍 销 刀具 补偿 磨损
+cycle994-inside-zone-words = 车削 车床 镗孔 直径 两点 安全 障碍 销 刀具补偿 磨损
 cycle994-outside-inside = 绕过保护区测外径，或无保护区测内径
-cycle994-outside-inside-words = 车削 车床 直径 轴 镗孔 两 点 安全 刀具 补偿 磨损
+cycle994-outside-inside-words = 车削 车床 直径 轴 镗孔 两点 安全 刀具补偿 磨损
 
 param-setval-two-diameter = 设定直径
 param-setval-two-diameter-help = 取自图纸。DIAMON 时为直径，DIAMOF 时为半径；两点对称于工件零点。

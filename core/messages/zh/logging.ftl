@@ -2,21 +2,21 @@
 
 cycle100-title = 测量记录：开
 cycle100-help = 接通测量记录。此后每个测量循环都向文件加入一个数值组，直到 CYCLE101。
-cycle100-words = 记录 测量记录 打印 文件 报告 记录头 打开 开始 测量结果
+cycle100-words = 记录 测量记录 打印 文件 报告 记录头 打开 开始 测量结果 检测报告 测量报告 日志 接通
 cycle100-on = 测量记录：开，写入记录头
 
 cycle101-title = 测量记录：关
 cycle101-help = 关闭由 CYCLE100 接通的测量记录。之后可以读出文件。无需输入。
-cycle101-words = 记录 关闭 停止 结束
+cycle101-words = 记录 关闭 停止 结束 日志 测量记录
 cycle101-off = 测量记录：关
 
 cycle105-title = 写入记录
 cycle105-help = 不通过测量循环，把记录头或数值组写入记录。
-cycle105-words = 记录 打印 记录头 数值 内容
+cycle105-words = 记录 打印 记录头 数值 内容 日志 测量记录
 
 cycle106-title = 记录文件控制
 cycle106-help = 把记录头或数值组写入记录，并管理其文件和页。CYCLE100 会自动调用此循环。
-cycle106-words = 记录 页 后续文件 过程控制
+cycle106-words = 记录 页 后续文件 日志 测量记录 分页
 
 cycle113-title = 日期或时间的文本
 cycle113-help = 把控制系统的日期（yy/mm/dd）或时间（hh:mm:ss）读入程序的一个变量。

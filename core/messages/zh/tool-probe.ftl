@@ -2,7 +2,7 @@
 
 mvar-task = 任务
 task-calibrate = 校准测头
-task-calibrate-words = 校准 测量头 测头 对刀仪 触发 点 边 面
+task-calibrate-words = 校准 测量头 测头 对刀仪 触发点 边 面 标定
 task-still = 测量刀具，主轴静止
 task-still-words = 长度 半径 钻头 立铣刀 边
 task-rotating = 测量刀具，主轴旋转
