@@ -20,8 +20,8 @@ advice-tool = Das aktive Werkzeug T{ $tool } ist kein Werkstückmesstaster (Typ 
 advice-tool-hint = Messtaster vor dem Aufruf einwechseln oder Typ in der Werkzeugliste korrigieren (710, an der Drehmaschine 580).
 advice-tool-digit = T{ $tool } hat Typ { $type }: Die Aufrufbedingungen verlangen 710 oder Typen mit 0 am Ende, andere Handbuchstellen nennen 100 bis 199.
 advice-tool-digit-hint = Messtaster als Typ 710 eintragen; die Steuerung kann diesen Typ ablehnen.
-advice-tool-assignment = T{ $tool } hat Typ { $type }, ist also ein Messtaster für Drehmaschinen: Dieser Zyklus akzeptiert ihn nur bei SD42950 = 2.
-advice-tool-assignment-hint = An der Drehmaschine SD42950 = 2 setzen; an der Fräsmaschine für den Messtaster Typ 710 eintragen.
+advice-tool-assignment = T{ $tool } hat Typ { $type }, ist also ein Messtaster für Drehmaschinen: Dieser Zyklus akzeptiert ihn nur bei SD 42950 = 2.
+advice-tool-assignment-hint = An der Drehmaschine SD 42950 = 2 setzen; an der Fräsmaschine für den Messtaster Typ 710 eintragen.
 advice-tool-position = T{ $tool }, Typ { $type }, hat Schneidenlage { $position }: Messtaster an Drehmaschinen brauchen 5 bis 8.
 advice-tool-position-hint = Messtaster einwechseln oder seine Schneidenlage eintragen: 5 oder 7 steht senkrecht auf G17, 6 oder 8 auf G19.
 advice-tool-plane = T{ $tool } hat Schneidenlage { $position }: Der Messtaster steht nicht senkrecht auf der Messebene dieses Zyklus.

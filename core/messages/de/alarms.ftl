@@ -36,7 +36,7 @@ alarm-61307 = Diese Messvariante gibt es nicht.
 alarm-61308 = Der Messweg muss größer als 0 sein.
     .cure = { "_FA" } in mm eingeben, auch an einer Maschine mit Grundsystem inch.
 alarm-61309 = Der Typ des Messtasters ist unzulässig.
-    .cure = Werkstückmessung: Messtaster einwechseln; zulässiger Werkzeugtyp 710 (3D-Taster) oder 1x0, auf Drehmaschinen 5xy mit Schneidenlage 5 bis 8. Fräszyklen nehmen 5xy bei SD42950 = 2, mit 5 und 7 in G17, mit 6 und 8 in G19. Werkzeugmessung: { "_TP[k,8]" } auf 0, 101, 201 oder 301 setzen.
+    .cure = Werkstückmessung: Messtaster einwechseln; zulässiger Werkzeugtyp 710 (3D-Taster) oder 1x0, auf Drehmaschinen 5xy mit Schneidenlage 5 bis 8. Fräszyklen nehmen 5xy bei SD 42950 = 2, mit 5 und 7 in G17, mit 6 und 8 in G19. Werkzeugmessung: { "_TP[k,8]" } auf 0, 101, 201 oder 301 setzen.
 alarm-61310 = Ein Maßstabsfaktor ist aktiv.
     .cause = Die gemessenen Längen würden mitskaliert.
     .cure = Skalierung vor dem Messen abwählen.

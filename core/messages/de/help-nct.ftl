@@ -93,4 +93,4 @@ help-p9920-corrects-radius = Radius im Speicher T.
 help-p9920-wrong-length = Nach dem Makro ist G49 aktiv, Vorschub und Drehzahl können geändert sein: vor Bewegungen in Z wieder eine Länge aktivieren.
 help-p9920-wrong-turning = Ein Werkzeug, das sich drehend absenkt (M3, M4), kann die Scheibe abreißen.
 help-p9920-wrong-lift = Mit einem Abhebeweg unter 2 mm kann das Werkzeug den Scheibenrand verfehlen.
-help-p9920-wrong-disk = Der Scheibendurchmesser weicht um mehr als 2 mm von den 40 mm in #509 ab: Bis zum Kalibrieren rechnet das Makro mit einem falschen Durchmesser.
+help-p9920-wrong-disk = Der Scheibendurchmesser weicht um mehr als 2 mm von den 40 mm in #509 ab: Bis zum Kalibrieren rechnet das Makro mit einem falschen Durchmesser.

@@ -13,7 +13,7 @@ help-values = Eingaben: { $names }.
 help-alarms = Mögliche Alarme: { $names }.
 
 help-probe-loaded = Der Messtaster ist in der Spindel (Werkzeugtyp 710 oder 1x0), seine D-Nummer ist aktiv; G40 ist programmiert, kein Maßstabsfaktor ist aktiv.
-help-probe-turning = Auf einer Drehmaschine mit dritter Linearachse: Werkzeugtyp 5xy, Länge bis zur Kugelmitte, SD42950 gleich 2. Schneidenlage 5 oder 7 misst in G17, 6 oder 8 in G19. Positionen in X sind Radien, auch mit DIAMON.
+help-probe-turning = Auf einer Drehmaschine mit dritter Linearachse: Werkzeugtyp 5xy, Länge bis zur Kugelmitte, SD 42950 gleich 2. Schneidenlage 5 oder 7 misst in G17, 6 oder 8 in G19. Positionen in X sind Radien, auch mit DIAMON.
 help-wrong-tool = _TNUM oder die D-Nummer in _KNUM gehört nicht zum Werkzeug, das diese Fläche bearbeitet hat: Ein gutes Werkzeug wird falsch korrigiert.
 help-wrong-chip = Ein Span oder Grat auf der Fläche verfälscht das Maß: Fläche reinigen und _TDIF so wählen, dass ein solcher Wert nicht korrigiert wird.
 help-wrong-conditions = Der Messtaster wurde mit anderem Vorschub, in anderer Ebene oder bei anderer Spindelstellung kalibriert: Alle Ergebnisse sind um denselben Betrag falsch.

@@ -15,7 +15,7 @@ found-nowhere = Not detected by Probewright yet: it occurs only on the machine.
 
 alarm-61016 = The system frame for cycles is missing.
     .cause = The frame that the cycles write is switched off by machine data.
-    .cure = Set bit 5 of MD 28082 (MM_SYSTEM_FRAME_MASK).
+    .cure = Set bit 5 of MD 28082 (MM_SYSTEM_FRAME_MASK).
 alarm-61230 = The tool probe diameter is too small.
     .cause = Measuring in JOG: the diameter entered for the tool probe is smaller than the real one, or missing.
     .cure = Enter the active diameter of the probe: { "E_MESS_MT_DL[]" } for lengths, { "E_MESS_MT_DR[]" } for radii.
@@ -36,7 +36,7 @@ alarm-61307 = This measuring variant does not exist.
 alarm-61308 = The measuring path must be greater than 0.
     .cure = Enter { "_FA" } in mm, even on an inch machine.
 alarm-61309 = The probe type is not permitted.
-    .cure = Workpiece: change to the probe; its tool type must be 710 (3D probe) or 1x0, on a lathe 5xy with cutting edge position 5 to 8. Milling cycles accept 5xy with SD42950 = 2: 5 and 7 in G17, 6 and 8 in G19. Tool probe: set { "_TP[k,8]" } to 0, 101, 201 or 301.
+    .cure = Workpiece: change to the probe; its tool type must be 710 (3D probe) or 1x0, on a lathe 5xy with cutting edge position 5 to 8. Milling cycles accept 5xy with SD 42950 = 2: 5 and 7 in G17, 6 and 8 in G19. Tool probe: set { "_TP[k,8]" } to 0, 101, 201 or 301.
 alarm-61310 = A scale factor is active.
     .cause = Measured lengths would also be scaled.
     .cure = Deselect the scaling before measuring.
@@ -86,7 +86,7 @@ alarm-61332 = The position of the tool tip does not show which side of the probe
 alarm-61333 = The reference groove number does not exist.
     .cure = Correct { "_CALNUM" }, or create more gauging block data and increase { "_CVAL[2]" }.
 alarm-61329 = The axis in { "_RA" } does not exist or is not a rotary axis.
-    .cure = Enter the channel number of a rotary axis (name MD 20080, rotary MD 30300), or 0 to rotate the coordinates.
+    .cure = Enter the channel number of a rotary axis (name MD 20080, rotary MD 30300), or 0 to rotate the coordinates.
 alarm-61331 = The angle is too large for this measuring axis.
     .cure = Swap measuring axis and offset axis in { "_MA" }: the angle is then below 45°.
 alarm-61334 = The protection zone is too large or too small.
@@ -244,7 +244,7 @@ alarm-62311 = The line length was adapted to { "_PROTFORM[1]" }.
     .cure = No action is required; match { "_PROTFORM[1]" } and the columns to avoid the message.
 
 message-new-log = The log file is full; the log continues in a new file with a number after its name.
-    .cure = No action is required. MD 11420 (LEN_PROTOCOL_FILE) sets the file size; after nine more files rename the log.
+    .cure = No action is required. MD 11420 (LEN_PROTOCOL_FILE) sets the file size; after nine more files rename the log.
 message-log-name = The log and its nine continuation files are full.
     .cure = Read out the files, enter another name in { "_PROTNAME[1]" }, and continue.
 message-result-screen = The measuring result is displayed and must be acknowledged.

@@ -110,5 +110,5 @@ check-spread-corner = The corner is { $factor } times as uncertain as one point:
 check-spread-corner-hint = Move the points further apart and nearer to the corner.
 check-spread-angle = The points are so close together that the direction is { $factor } times as uncertain as one point, at { $length } mm.
 check-spread-angle-hint = Place the points at least { $needed } mm apart.
-check-spread-triangle = The points are almost collinear: { $length } mm beside the line, the frame is { $factor } times as uncertain as a point.
+check-spread-triangle = The points are almost collinear: { $length } mm beside the line, the frame is { $factor } times as uncertain as a point.
 check-spread-triangle-hint = Move one point further from the line through the other two.

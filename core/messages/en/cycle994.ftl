@@ -33,7 +33,7 @@ check-two-no-zone = Without a protection zone this variant measures inside; outs
 check-two-no-zone-hint = Enter { "_SZA" } and { "_SZO" } for a measurement outside.
 check-two-half-zone = The protection zone is incomplete: for { $name } the value of an earlier call applies.
 check-two-half-zone-hint = Outside, enter both _SZA and _SZO; inside, neither of them.
-check-two-zone-outside = Outside, the ball would touch the part, { $size } mm, when it passes at { $zone } mm; inside, this zone is ignored.
+check-two-zone-outside = Outside, the ball would touch the part, { $size } mm, when it passes at { $zone } mm; inside, this zone is ignored.
 check-two-zone-outside-hint = Outside, increase the zone to at least { $limit } mm; inside, leave it empty.
 
 result-set-two = Setpoint diameter or radius

@@ -88,8 +88,8 @@ need-distortion = Only the correction with three spheres monitors the distortion
 
 check-sphere-small = The sphere, { $size } mm, is smaller than twice the probe ball, { $ball } mm.
 check-sphere-small-hint = Check the diameter, or use a probe with a smaller ball.
-check-spheres-overlap = The setpoint centres of spheres { $one } and { $other } are { $distance } mm apart, less than the diameter.
-check-spheres-overlap-hint = Correct the setpoint centres: they must be more than { $size } mm apart.
+check-spheres-overlap = The setpoint centres of spheres { $one } and { $other } are { $distance } mm apart, less than the diameter.
+check-spheres-overlap-hint = Correct the setpoint centres: they must be more than { $size } mm apart.
 check-spheres-line = The three setpoint centres are collinear: the rotation of the part about this line cannot be calculated.
 check-spheres-line-hint = Correct the setpoint centres, or use spheres that form a triangle.
 check-spheres-close = Beside sphere { $one } a measuring block would start inside sphere { $other }.

@@ -59,12 +59,12 @@ need-rotary = Enter the axis that receives the angle: 0 for the coordinate syste
 
 check-angle-steep = Angle { $param } plus safe area is { $sum }°: at 90° or more the probe cannot travel along it.
 check-angle-steep-hint = Reduce _TSA below { $limit }°. It is an angle here, not a length.
-check-angle-reach = The safe area moves the next point { $away } mm from the setpoint surface: more than the measuring path, { $path } mm.
+check-angle-reach = The safe area moves the next point { $away } mm from the setpoint surface: more than the measuring path, { $path } mm.
 check-angle-reach-hint = Increase _FA to at least { $needed } mm, or reduce _TSA.
 check-angle-reach-worst = An angle that deviates by the whole safe area, { $area }°, misses the next point: alarm 61301 instead of 61303.
-check-angle-paraxial = Between the points the setpoint surface rises by { $rise } mm, more than the whole measuring path of { $path } mm.
+check-angle-paraxial = Between the points the setpoint surface rises by { $rise } mm, more than the whole measuring path of { $path } mm.
 check-angle-paraxial-hint = Increase _FA above { $needed } mm, or choose a variant that travels along the angle.
 check-rotary-axis = Channel axis { $axis } has no name or is not a rotary axis.
 check-rotary-across = This rotary axis does not rotate about the axis of the measured angle, so it cannot correct the angle.
 check-rotary-across-hint = Enter the rotary axis that rotates in the plane of both axes of _MA, or 0 to rotate the coordinate system.
-check-rotary-axis-hint = Enter the channel number of a rotary axis (MD 20080, MD 30300), or 0 to rotate the coordinate system.
+check-rotary-axis-hint = Enter the channel number of a rotary axis (MD 20080, MD 30300), or 0 to rotate the coordinate system.

@@ -93,4 +93,4 @@ help-p9920-corrects-radius = The radius in register T.
 help-p9920-wrong-length = After the macro G49 is active, and feed and speed may have changed: activate a length again before moving in Z.
 help-p9920-wrong-turning = A tool that rotates while it moves down (M3, M4) may tear off the disc.
 help-p9920-wrong-lift = With a lift below 2 mm the tool may miss the rim of the disc.
-help-p9920-wrong-disk = The disc diameter differs by more than 2 mm from the 40 mm in #509: until the probe is calibrated, the macro calculates with a wrong diameter.
+help-p9920-wrong-disk = The disc diameter differs by more than 2 mm from the 40 mm in #509: until the probe is calibrated, the macro calculates with a wrong diameter.

@@ -13,7 +13,7 @@ help-values = Inputs: { $names }.
 help-alarms = Possible alarms: { $names }.
 
 help-probe-loaded = The probe is in the spindle (tool type 710 or 1x0) and its D number is active; G40 is programmed, no scale factor is active.
-help-probe-turning = On a turning machine with a third linear axis: type 5xy, length to the ball centre, SD42950 is 2. Cutting edge position 5 or 7 measures in G17, 6 or 8 in G19. X as radius, also with DIAMON.
+help-probe-turning = On a turning machine with a third linear axis: type 5xy, length to the ball centre, SD 42950 is 2. Cutting edge position 5 or 7 measures in G17, 6 or 8 in G19. X as radius, also with DIAMON.
 help-wrong-tool = _TNUM, or the D number in _KNUM, is not that of the tool that cut this surface: a good tool gets a wrong offset.
 help-wrong-chip = A chip or burr on the surface falsifies the size: clean the surface, and set _TDIF so that such a value is not corrected.
 help-wrong-conditions = The probe was calibrated with another feed, plane or spindle position: all results are off by the same amount.

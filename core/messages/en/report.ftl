@@ -71,7 +71,7 @@ terminal-twice = { $name } is given twice
 terminal-pair = not NAME=VALUE: { $text }
 terminal-alarm = there is no alarm or message { $name }
 terminal-name = no cycle, datum, finding or alarm has this name: { $name }
-terminal-large = larger than { $most } MB
+terminal-large = larger than { $most } MB
 terminal-text = not UTF-8 text
 terminal-surface = the setup has no free surface that could be replaced
 terminal-more = { $count } more findings

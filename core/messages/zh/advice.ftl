@@ -20,8 +20,8 @@ advice-tool = 当前刀具 T{ $tool } 不是工件测头（类型 { $type }）�
 advice-tool-hint = 请在调用前换上测头，或改正刀具表中的类型（710，车床为 580）。
 advice-tool-digit = T{ $tool } 的类型为 { $type }：调用条件只允许 710 和以 0 结尾的类型，手册另一处允许 100 到 199。
 advice-tool-digit-hint = 请把测头的类型设为 710；控制系统可能拒绝现在的类型。
-advice-tool-assignment = T{ $tool } 的类型为 { $type }，即车床测头：仅当 SD42950 = 2 时，此循环才允许使用。
-advice-tool-assignment-hint = 请在车床上设 SD42950 = 2；在铣床上把测头的类型设为 710。
+advice-tool-assignment = T{ $tool } 的类型为 { $type }，即车床测头：仅当 SD 42950 = 2 时，此循环才允许使用。
+advice-tool-assignment-hint = 请在车床上设 SD 42950 = 2；在铣床上把测头的类型设为 710。
 advice-tool-position = T{ $tool }（类型 { $type }）的刀沿位置为 { $position }：车床测头的刀沿位置须为 5 到 8。
 advice-tool-position-hint = 请换上测头，或改正其刀沿位置：5 或 7 垂直于 G17，6 或 8 垂直于 G19。
 advice-tool-plane = T{ $tool } 的刀沿位置为 { $position }，因此不垂直于此循环测量所在的平面。

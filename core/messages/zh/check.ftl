@@ -50,27 +50,27 @@ check-mean-memory = 没有平均值存储器 { $number }：数组只有 { $size 
 check-memory-hint = 请输入较小的编号，或扩大数组并加大 { $array }。
 check-mean-off = 平均值不会从一个工件保存到下一个工件。
 check-mean-off-hint = 要保存平均值，请设 _CHBIT[4]=1。
-check-tolerance-order = 公差上限 { $upper } mm 低于公差下限 { $lower } mm。
+check-tolerance-order = 公差上限 { $upper } mm 低于公差下限 { $lower } mm。
 check-tolerance-order-hint = 请交换 _TUL 和 _TLL，或改正它们的符号。
-check-band-difference = 公差带的一半 { $small } mm 大于 _TDIF { $large } mm：公差内的工件会被当作不合格。
-check-zero-mean = _TZL { $small } mm 大于 _TMV { $large } mm：永远不会按平均值补偿。
-check-difference-safe = _TDIF { $small } mm 大于 _TSA { $large } mm：在 _TDIF 起作用之前程序就停止。
+check-band-difference = 公差带的一半 { $small } mm 大于 _TDIF { $large } mm：公差内的工件会被当作不合格。
+check-zero-mean = _TZL { $small } mm 大于 _TMV { $large } mm：永远不会按平均值补偿。
+check-difference-safe = _TDIF { $small } mm 大于 _TSA { $large } mm：在 _TDIF 起作用之前程序就停止。
 check-bands-hint = 请按从小到大的顺序：_TZL、_TMV、公差带的一半、_TDIF、_TSA。
 check-rotation = 坐标旋转有效。
 check-rotation-hint = 请在调用前取消旋转：此循环平行于机床轴测量。
-check-infeed = 按进刀深度 { $infeed } mm，测头不会下降到被测要素。
+check-infeed = 按进刀深度 { $infeed } mm，测头不会下降到被测要素。
 check-infeed-hint = 刀具轴向上时请输入负值。
 
-check-ball = { $ball } mm 的测球放不进去。
+check-ball = { $ball } mm 的测球放不进去。
 check-ball-hint = 请改正设定值，或换用测球较小的测头。
-check-path-long = 测量行程会从对面的壁内开始：测球只有 { $free } mm 的行程。
-check-path-long-hint = 请把 _FA 减小到小于 { $free } mm。
-check-zone-wide = 保护区 { $zone } mm 不小于被测要素 { $size } mm。
-check-zone-wide-hint = 请把保护区减小到小于 { $limit } mm，使测球放得进旁边。
-check-zone-narrow = 保护区 { $zone } mm 不大于被测要素 { $size } mm。
-check-zone-narrow-hint = 请把保护区加大到大于 { $limit } mm，使测球放得进被测要素旁。
-check-zone-ball = 被测要素与保护区之间容不下 { $ball } mm 的测球。
-check-zone-shortens = 保护区把测量行程缩短到 { $free } mm。
+check-path-long = 测量行程会从对面的壁内开始：测球只有 { $free } mm 的行程。
+check-path-long-hint = 请把 _FA 减小到小于 { $free } mm。
+check-zone-wide = 保护区 { $zone } mm 不小于被测要素 { $size } mm。
+check-zone-wide-hint = 请把保护区减小到小于 { $limit } mm，使测球放得进旁边。
+check-zone-narrow = 保护区 { $zone } mm 不大于被测要素 { $size } mm。
+check-zone-narrow-hint = 请把保护区加大到大于 { $limit } mm，使测球放得进被测要素旁。
+check-zone-ball = 被测要素与保护区之间容不下 { $ball } mm 的测球。
+check-zone-shortens = 保护区把测量行程缩短到 { $free } mm。
 check-zone-shortens-hint = 请改变保护区以留出更多行程，或以此值为工件的最大偏差。
 check-differential-mono = 差值测量要转动主轴，而单向测头只能朝一个方向测量。
 check-differential-mono-hint = 请用多向测头，或选不带差值测量的测量方式。
@@ -81,18 +81,18 @@ check-mono-spindle-hint = 请用多向测头。
 check-differential-spindle = 差值测量要转动主轴，而此主轴不能定位。
 check-differential-spindle-hint = 请选不带差值测量的测量方式，并使用校准过的测头。
 check-knum-no-additive = 此机床没有附加补偿。
-check-knum-no-additive-hint = 请改为补偿长度或半径，或设置 MD 18080 的第 8 位。
+check-knum-no-additive-hint = 请改为补偿长度或半径，或设置 MD 18080 的第 8 位。
 check-target-not-offered = { $param } = { $value } 不在此机床输入画面所提供的补偿对象之中。
 check-target-not-offered-hint = 请选择可设定的零点偏移或最后一个基本坐标框架，或把机床数据中的 { $entry } 设为 1。
 check-knum-no-setup = 此机床没有设定补偿。
-check-knum-no-setup-hint = 请改为补偿长度或半径，或设置 MD 18112 的第 4 位。
+check-knum-no-setup-hint = 请改为补偿长度或半径，或设置 MD 18112 的第 4 位。
 
 check-knum-rotation = 全局基本坐标框架 { $code } 不能存储旋转。
 check-knum-rotation-hint = 请选择可设定坐标框架或通道基本坐标框架。
 check-lathe-length = 测头按车刀输入，其长度算到测球的圆周（_CBIT[14]=1）。
 check-lathe-length-hint = 请设 _CBIT[14]=0，并输入到测球中心的长度。
-check-mirror-datum = 有轴被镜像，而 MD 10610 不为 0：测量循环只允许在 MD 10610=0 时镜像。
-check-mirror-datum-hint = 请不带镜像测量，或设 MD 10610=0。
+check-mirror-datum = 有轴被镜像，而 MD 10610 不为 0：测量循环只允许在 MD 10610=0 时镜像。
+check-mirror-datum-hint = 请不带镜像测量，或设 MD 10610=0。
 check-multi-probe = 此测量需要多向测头：单向测头只在一个方向触发。
 check-multi-probe-hint = 请使用多向测头：{ "_PRNUM" } 为两位数。
 check-angles-sum = 起始角与全部增量角之和为 { $sum }°，大于 360°。
@@ -108,7 +108,7 @@ check-spread-centre = 各点靠得太近：圆心的不确定度是单个测点�
 check-spread-circle-hint = 请让各点分布在更长的圆弧上。
 check-spread-corner = 拐角的不确定度是单个测点的 { $factor } 倍：各点离拐角太远或彼此太近，或者两边夹角太小。
 check-spread-corner-hint = 请让各点彼此远一些，并离拐角近一些。
-check-spread-angle = 各点靠得太近：{ $length } mm 处方向的不确定度是单个测点的 { $factor } 倍。
-check-spread-angle-hint = 请让两点相距不小于 { $needed } mm。
-check-spread-triangle = 三点几乎在一条直线上：离直线 { $length } mm 处，坐标框架的不确定度是单个测点的 { $factor } 倍。
+check-spread-angle = 各点靠得太近：{ $length } mm 处方向的不确定度是单个测点的 { $factor } 倍。
+check-spread-angle-hint = 请让两点相距不小于 { $needed } mm。
+check-spread-triangle = 三点几乎在一条直线上：离直线 { $length } mm 处，坐标框架的不确定度是单个测点的 { $factor } 倍。
 check-spread-triangle-hint = 请让其中一点离另两点的连线远一些。

@@ -58,7 +58,7 @@ param-prnum-multi-only-help = 多向测头数据在 _WP 中的编号。
 param-fa-corner-distances = 测量行程
 param-fa-corner-distances-help = 只有大于循环算出的行程时才有效。始终以 mm 为单位。
 param-fa-corner-points = 测量行程
-param-fa-corner-points-help = 边离每点不得超过此距离的两倍；小于 20 mm 按 20 mm 计。始终以 mm 为单位。
+param-fa-corner-points-help = 边离每点不得超过此距离的两倍；小于 20 mm 按 20 mm 计。始终以 mm 为单位。
 
 need-corner-directions = 各点由边的方向决定。
 need-corner-distances = 各点由到起点的距离决定。
@@ -75,13 +75,13 @@ result-edge-angle-machine = 基准边与横坐标夹角，机床坐标
 result-corner-abscissa-machine = 拐角，横坐标，机床坐标
 result-corner-ordinate-machine = 拐角，纵坐标，机床坐标
 
-check-corner-distance = 距离 { $param } 为 { $distance } mm，必须大于 0。
+check-corner-distance = 距离 { $param } 为 { $distance } mm，必须大于 0。
 check-corner-distance-hint = 请输入不带符号的距离；方向由 _STA1 和 _INCA 决定。
 check-corner-straight = 第二条边与第一条边方向相同。
 check-corner-straight-hint = 请输入从基准边到第二条边的角度，例如 90 或 -90。
 check-corner-rectangle = 矩形的边相交成 90°，不是 { $angle }°。
 check-corner-rectangle-hint = 请选四点的测量方式，或把 _INCA 改为 90 或 -90。
-check-corner-lift = 越过拐角的抬高量为 { $lift } mm：测头向下会碰到工件。
+check-corner-lift = 越过拐角的抬高量为 { $lift } mm：测头向下会碰到工件。
 check-corner-lift-hint = 刀具轴向上时请输入大于 0 的值，或输入 0 绕过拐角。
 check-corner-same = 一条边上的两点重合：确定不了方向。
 check-corner-same-hint = 请在边允许的范围内选相距尽量远的点。

@@ -86,10 +86,10 @@ need-spheres = 测量三个球。
 need-start-angle = 此测量方式成角度测量。
 need-distortion = 只有用三个球补偿时才监控变形；省略时按默认值。
 
-check-sphere-small = 球的直径 { $size } mm 小于测球 { $ball } mm 的两倍。
+check-sphere-small = 球的直径 { $size } mm 小于测球 { $ball } mm 的两倍。
 check-sphere-small-hint = 请检查直径，或换用测球较小的测头。
-check-spheres-overlap = 球 { $one } 和球 { $other } 的设定球心相距 { $distance } mm，小于直径。
-check-spheres-overlap-hint = 请改正设定球心：相互距离必须大于 { $size } mm。
+check-spheres-overlap = 球 { $one } 和球 { $other } 的设定球心相距 { $distance } mm，小于直径。
+check-spheres-overlap-hint = 请改正设定球心：相互距离必须大于 { $size } mm。
 check-spheres-line = 三个设定球心共线：求不出工件绕该直线的旋转。
 check-spheres-line-hint = 请改正设定球心，或选构成三角形的球。
 check-spheres-close = 在球 { $one } 旁，有测量程序段会从球 { $other } 内开始。

@@ -59,12 +59,12 @@ need-rotary = 请输入写入角度的轴：0 为坐标系。
 
 check-angle-steep = 角度 { $param } 加安全区为 { $sum }°：不小于 90° 时测头无法沿其移动。
 check-angle-steep-hint = 请把 _TSA 减小到小于 { $limit }°。这里 _TSA 是角度，不是长度。
-check-angle-reach = 安全区使下一点离设定表面 { $away } mm：超出测量行程 { $path } mm。
-check-angle-reach-hint = 请把 _FA 加大到不小于 { $needed } mm，或减小 _TSA。
+check-angle-reach = 安全区使下一点离设定表面 { $away } mm：超出测量行程 { $path } mm。
+check-angle-reach-hint = 请把 _FA 加大到不小于 { $needed } mm，或减小 _TSA。
 check-angle-reach-worst = 角度偏差达到整个安全区 { $area }° 时找不到下一点：报警 61301 而不是 61303。
-check-angle-paraxial = 在各点之间设定表面升高 { $rise } mm，大于整个测量行程 { $path } mm。
-check-angle-paraxial-hint = 请把 _FA 加大到大于 { $needed } mm，或选沿角度移动的测量方式。
+check-angle-paraxial = 在各点之间设定表面升高 { $rise } mm，大于整个测量行程 { $path } mm。
+check-angle-paraxial-hint = 请把 _FA 加大到大于 { $needed } mm，或选沿角度移动的测量方式。
 check-rotary-axis = 通道轴 { $axis } 没有名称，或不是回转轴。
 check-rotary-across = 此回转轴不绕所测角度的轴旋转，因此不能补偿该角度。
 check-rotary-across-hint = 请输入在 _MA 两轴所在平面内旋转的回转轴，或输入 0 旋转坐标系。
-check-rotary-axis-hint = 请输入回转轴的通道轴号（MD 20080、MD 30300），或输入 0 旋转坐标系。
+check-rotary-axis-hint = 请输入回转轴的通道轴号（MD 20080、MD 30300），或输入 0 旋转坐标系。

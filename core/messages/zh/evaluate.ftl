@@ -1,32 +1,32 @@
 # 测量循环测量后的判断。数字单位为 mm。
 
-evaluate-safe-area = 偏差 { $difference } mm 超出安全区：不作补偿，程序停止。
+evaluate-safe-area = 偏差 { $difference } mm 超出安全区：不作补偿，程序停止。
 evaluate-safe-area-angle = 偏差 { $difference }° 超出安全区：不作补偿，程序停止。
-evaluate-difference = 偏差 { $difference } mm 超出允许尺寸差：不作补偿，程序继续。
-evaluate-oversize = 偏差 { $difference } mm 超过公差上限：补偿全部偏差，平均值重新开始计算。
-evaluate-undersize = 偏差 { $difference } mm 低于公差下限：补偿全部偏差，平均值重新开始计算。
-evaluate-whole = 偏差 { $difference } mm 在公差内，但超出平均值的范围：补偿全部偏差，平均值重新开始计算。
-evaluate-mean = 偏差 { $difference } mm 得到平均值 { $mean } mm，超出零补偿区：按平均值补偿，平均值重新开始计算。
-evaluate-small = 偏差 { $difference } mm 得到平均值 { $mean } mm，仍在零补偿区内：不作补偿。
-evaluate-kept = 与存储值相差不大于 { $limit } mm（_TZL），因此保持不变：{ $data }。
+evaluate-difference = 偏差 { $difference } mm 超出允许尺寸差：不作补偿，程序继续。
+evaluate-oversize = 偏差 { $difference } mm 超过公差上限：补偿全部偏差，平均值重新开始计算。
+evaluate-undersize = 偏差 { $difference } mm 低于公差下限：补偿全部偏差，平均值重新开始计算。
+evaluate-whole = 偏差 { $difference } mm 在公差内，但超出平均值的范围：补偿全部偏差，平均值重新开始计算。
+evaluate-mean = 偏差 { $difference } mm 得到平均值 { $mean } mm，超出零补偿区：按平均值补偿，平均值重新开始计算。
+evaluate-small = 偏差 { $difference } mm 得到平均值 { $mean } mm，仍在零补偿区内：不作补偿。
+evaluate-kept = 与存储值相差不大于 { $limit } mm（_TZL），因此保持不变：{ $data }。
 evaluate-repeat = 超限后重新测量，第 { $count } 次重复，共 4 次。
 evaluate-halt = 编程停止（M0）：操作者按 NC START 继续。
 evaluate-activated = 补偿后的坐标框架立即生效。
 evaluate-not-activated = 补偿后的坐标框架在程序再次调用它（G54、G500 …）时生效。
-evaluate-distortion = 测得的三角形与设定三角形相差 { $distortion } mm；小于 { $limit } mm 时才补偿坐标框架。
+evaluate-distortion = 测得的三角形与设定三角形相差 { $distortion } mm；小于 { $limit } mm 时才补偿坐标框架。
 evaluate-handed-back = 没有结果：{ $name } 设为 { $alarm }，程序继续。
-evaluate-tool-small = 偏差 { $difference } mm 不大于零补偿区 { $limit } mm：不作补偿。
-evaluate-tool-geometry = 补偿偏差 { $difference } mm：全部写入几何值，磨损值清零。
-evaluate-tool-wear = 偏差 { $difference } mm 补偿到磨损值中。
+evaluate-tool-small = 偏差 { $difference } mm 不大于零补偿区 { $limit } mm：不作补偿。
+evaluate-tool-geometry = 补偿偏差 { $difference } mm：全部写入几何值，磨损值清零。
+evaluate-tool-wear = 偏差 { $difference } mm 补偿到磨损值中。
 evaluate-compensation-make = 该型号测头（_TP_CF = { $make }）的补偿表在控制系统内部，手册中没有：模拟不作扣除。_MT_COMP = 2 时使用 _MT_EC_R 和 _MT_EC_L 中的用户自定义表。
-evaluate-compensation = 表 { $table } 从测量值中扣除 { $amount } mm。
+evaluate-compensation = 表 { $table } 从测量值中扣除 { $amount } mm。
 evaluate-screen = 控制系统显示测量结果画面，直到循环结束。
 evaluate-screen-stays = 控制系统显示测量结果画面，直到调用下一个测量循环；程序继续。
 evaluate-screen-halt = 控制系统显示测量结果画面。编程停止（M0）：操作者按 NC START 继续。
 # 调用在测量之前对机床数据所做的处理。
 check-erases = _CBIT[13]=1：此调用先将 _TP[]、_TPW[]、_WP[]、_KB[]、_EV[]、_MV[] 和该位本身设为 0。
 check-erases-hint = 请在调用前将 _CBIT[13] 设为 0，或重新校准所有测头。
-check-converts = { $bit } 与机床的基本单位制（MD10240）不一致：此调用先将 { $data } { $value ->
+check-converts = { $bit } 与机床的基本单位制（MD 10240）不一致：此调用先将 { $data } { $value ->
         [1] 从 inch 换算为 mm
        *[other] 从 mm 换算为 inch
     }。

@@ -12,26 +12,26 @@ help-one-system = 校准一部分用英制、一部分用公制：全部应在�
 
 help-g101-measures-nothing = 不测量：把测针移到 X、Y、Z，并监控途中的每个信号。
 help-g101-before-free = 测针的长度补偿有效，且没有触碰任何物体。
-help-g101-order-straight = 以 F 直线移动，默认 1500 mm/min；有信号立即停止。
+help-g101-order-straight = 以 F 直线移动，默认 1500 mm/min；有信号立即停止。
 help-g101-corrects-nothing = 不补偿。停止后存储“未到达目标”，在下一次 G101 成功之前拒绝执行各测量宏程序。
 help-g101-wrong-obstructed = 路径上有障碍物：PATH OBSTRUCTED。请手动移开测针，换一条路径。
 help-g101-wrong-incremental = G91 有效时，各地址是增量而不是位置。
 
 help-g102-measures-offset = 测球相对主轴轴线在平面两个轴上的偏移。
-help-g102-before-ring = 测球在直径 D 的孔中间，误差不超过 10 mm。该孔由本主轴刚镗出，或是环规，且 #510 中有使主轴转 180° 的 M 功能。
+help-g102-before-ring = 测球在直径 D 的孔中间，误差不超过 10 mm。该孔由本主轴刚镗出，或是环规，且 #510 中有使主轴转 180° 的 M 功能。
 help-g102-order-walls = 触碰两个轴的四个壁；设定了 #510 时，主轴转 180° 后再触碰一遍。
 help-g102-corrects-offset = #504 和 #505：平面第 1 轴和第 2 轴的径向偏置。
 help-g102-wrong-moved = 孔不是在主轴现在的位置加工的，主轴又不旋转：孔位的误差被存为径向偏置。
 
 help-g103-measures-radius = 平面两个轴正负方向的有效测球半径。
-help-g103-before-ring = 已执行 G102；测球在环规中间，误差不超过 10 mm，在测量深度。
+help-g103-before-ring = 已执行 G102；测球在环规中间，误差不超过 10 mm，在测量深度。
 help-g103-order-centre = 触碰四个壁求出环规中心；从中心再把每个壁触碰一次。
 help-g103-corrects-radius = 第 1 轴正、负方向为 #500 和 #501，第 2 轴为 #502 和 #503。
 help-g103-wrong-size = D 只是近似值：误差的一半会计入各半径。请输入环规的精确尺寸。
 
 help-g104-measures-length = 测针的长度：触碰刀具轴坐标已知的表面。
-help-g104-before-above = 测球在表面上方；长度寄存器中的长度误差不超过 5 mm。
-help-g104-order-down = 向下触碰，最多到给定坐标下方 10 mm。
+help-g104-before-above = 测球在表面上方；长度寄存器中的长度误差不超过 5 mm。
+help-g104-order-down = 向下触碰，最多到给定坐标下方 10 mm。
 help-g104-corrects-register = 长度寄存器 T：之后在测球触碰处控制系统显示给定坐标。
 help-g104-wrong-coordinate = 该坐标属于另一个工件偏置，而不是有效的工件偏置。
 
@@ -92,5 +92,5 @@ help-p9920-corrects-length = 寄存器 T 的长度，由 G43 使用。
 help-p9920-corrects-radius = 寄存器 T 的半径。
 help-p9920-wrong-length = 宏程序结束后 G49 有效，进给和转速可能已改变：在 Z 方向移动前须重新使长度补偿生效。
 help-p9920-wrong-turning = 旋转着下降（M3、M4）的刀具可能打掉圆盘。
-help-p9920-wrong-lift = 抬起量小于 2 mm 时，刀具可能碰不到圆盘边缘。
-help-p9920-wrong-disk = 圆盘直径与 #509 的 40 mm 相差超过 2 mm：校准之前宏程序按错误的直径计算。
+help-p9920-wrong-lift = 抬起量小于 2 mm 时，刀具可能碰不到圆盘边缘。
+help-p9920-wrong-disk = 圆盘直径与 #509 的 40 mm 相差超过 2 mm：校准之前宏程序按错误的直径计算。

@@ -15,7 +15,7 @@ help-cycle961-order-passes = 从 P1 到 P3 抬高 _ID，越过拐角再下降；
 help-cycle961-order-infeed = 依次 P2、P1、P3、P4：在每点上方下降 _ID，触碰，退回并抬起。
 help-cycle961-order-toward-pocket = 每次触碰都背离另一对点。
 help-cycle961-order-toward-part = 每次触碰都朝另一对点所在的一侧。
-help-cycle961-order-along-axis = 每次触碰沿有效坐标系的一个轴，从预期位置前 _FA 到其后 _FA，各至少 20 mm。
+help-cycle961-order-along-axis = 每次触碰沿有效坐标系的一个轴，从预期位置前 _FA 到其后 _FA，各至少 20 mm。
 help-cycle961-order-end-p4 = 最后停在 P4 上方的起始高度。
 help-cycle961-corrects-absolute = 由 _KNUM 指定的零点偏移，写入粗偏移，为绝对值：拐角成为平面内的零点，横坐标沿基准边。精偏移清零，垂直坐标不变。
 help-cycle961-corrects-choice = _SETV[4] 为 2 到 4 时，零点从拐角移开 _SETV[2]、_SETV[3] 或两者。
@@ -121,6 +121,6 @@ help-cycle998-corrects-rotation = _RA=0 时，由 _KNUM 指定的零点偏移的
 help-cycle998-corrects-axis = _RA 大于 0 时，改为补偿该回转轴的零点偏移；之后移动该回转轴。
 help-cycle998-corrects-area = 与设定角度相差超过 _TSA（以度计）时报警 61303。
 help-cycle998-wrong-degrees = _TSA 仍是其他循环以 mm 为单位的值；这里的单位是度。
-help-cycle998-wrong-near = 各点太近：10 mm 上 0.01 mm 的毛刺就是 0.06°。
+help-cycle998-wrong-near = 各点太近：10 mm 上 0.01 mm 的毛刺就是 0.06°。
 help-cycle998-wrong-limit = 工件转过超过 45°：报警 61331。
 help-cycle998-wrong-path = 在各点之间，表面偏差超过两倍 _FA：测头碰不到 P2。

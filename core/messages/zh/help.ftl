@@ -13,7 +13,7 @@ help-values = 输入参数：{ $names }。
 help-alarms = 可能出现的报警：{ $names }。
 
 help-probe-loaded = 测头在主轴中（刀具类型 710 或 1x0），其 D 号有效；已编程 G40，没有比例系数。
-help-probe-turning = 在有第三直线轴的车床上，其类型为 5xy，长度算到测球中心，SD42950 为 2。刀沿位置 5 或 7 在 G17 中测量，6 或 8 在 G19 中测量。即使 DIAMON 有效，X 的位置也是半径。
+help-probe-turning = 在有第三直线轴的车床上，其类型为 5xy，长度算到测球中心，SD 42950 为 2。刀沿位置 5 或 7 在 G17 中测量，6 或 8 在 G19 中测量。即使 DIAMON 有效，X 的位置也是半径。
 help-wrong-tool = _TNUM 或 _KNUM 中的 D 号不属于加工此表面的刀具：没有问题的刀具会得到错误的补偿。
 help-wrong-chip = 表面上的切屑或毛刺使尺寸失真：测量前清洁，并设定 _TDIF，使这样的值不被补偿。
 help-wrong-conditions = 校准测头时的进给、平面或主轴位置与现在不同：所有结果都偏差同样的量。

@@ -72,7 +72,7 @@ terminal-twice = { $name } 重复给出
 terminal-pair = 不是 NAME=VALUE 的形式：{ $text }
 terminal-alarm = 没有报警或信息 { $name }
 terminal-name = 没有这个名称的循环、数据、检查结果或报警：{ $name }
-terminal-large = 大于 { $most } MB
+terminal-large = 大于 { $most } MB
 terminal-text = 不是 UTF-8 文本
 terminal-surface = 机床配置中没有可替换的自由曲面
 terminal-more = 另有 { $count } 条检查结果

@@ -58,7 +58,7 @@ result-actual-l2 = 实际长度 L2
 result-difference-l2 = 长度 L2 偏差
 
 check-tool-probe-number-hint = 请输入 1 到 { $fields } 的编号，或建立更多测头数据并加大 { $array }。
-check-tool-limits = { $small } 为 { $low } mm，不小于 { $large } 的 { $high } mm：其中之一永远不起作用。
+check-tool-limits = { $small } 为 { $low } mm，不小于 { $large } 的 { $high } mm：其中之一永远不起作用。
 check-tool-limits-hint = 请按从小到大的顺序：_TZL、_TDIF、_TSA。
 check-tool-speed = { $name } 使循环不能定位刀具。
 check-tool-speed-hint = 请将 _SPEED[0] 设为快速移动的百分比，_SPEED[1]、_SPEED[2] 设为大于 0 的进给；碰撞监控（_CHBIT[2]=1）时有效。
@@ -76,5 +76,5 @@ check-tip-calibration-hint = 请用刀沿位置 3 的刀具校准测头，并检
 check-tip-hint = 请用刀沿位置 1 到 8 的刀具，并检查 $TC_DP2。
 check-tip-axis = 刀沿位置 { $tip } 的刀具在此轴方向上没有刀刃。
 check-tip-axis-hint = 请只在横坐标测量位置 5 和 7，只在纵坐标测量位置 6 和 8。
-check-tool-radius-negative = 当前刀具的半径与磨损之和为 { $radius } mm。不存在这样的刀具：模拟时半径取 0。
+check-tool-radius-negative = 当前刀具的半径与磨损之和为 { $radius } mm。不存在这样的刀具：模拟时半径取 0。
 check-tool-radius-negative-hint = 请改正刀具数据中的半径磨损。

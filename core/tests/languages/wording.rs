@@ -143,6 +143,25 @@ fn length(text: &str) -> Option<usize> {
     Some(shown.sum())
 }
 
+/// Symbols that a line break must not part from the number before them.
+const UNITS: [&str; 11] = ["mm", "mm/min", "in/min", "m/min", "ft/min", "rpm", "r/min", "1/min", "MB", "kB", "s"];
+
+/// A unit with a breakable blank before it, or `MD` and `SD` with one or none before their number.
+fn parted(text: &str) -> Option<&'static str> {
+    let number = |side: &str| side.ends_with(|one: char| one.is_ascii_digit() || one == '}');
+    let longer = |rest: &str| rest.starts_with(|one: char| one.is_ascii_alphanumeric() || one == '/');
+    let parts = |unit: &str| {
+        let breaks = |at: usize| text[..at].strip_suffix(' ').is_some_and(number) && !longer(&text[at + unit.len()..]);
+        text.match_indices(unit).any(|(at, _)| breaks(at))
+    };
+    let five = |rest: &str| rest.len() >= 5 && rest.bytes().take(5).all(|one| one.is_ascii_digit());
+    let joins = |name: &str| {
+        let alone = |at: usize| !text[..at].ends_with(['_', '$', '"']);
+        text.match_indices(name).any(|(at, _)| alone(at) && five(text[at + name.len()..].trim_start_matches(' ')))
+    };
+    UNITS.into_iter().find(|unit| parts(unit)).or_else(|| ["MD", "SD"].into_iter().find(|name| joins(name)))
+}
+
 /// Asks about every text with its language, file and key; what is answered is what is wrong with it.
 fn faults(wrong: impl Fn(&str, &str, &str, &str) -> Option<String>) -> Vec<String> {
     let mut faults = Vec::new();
@@ -189,6 +208,20 @@ fn no_text_uses_a_word_that_its_language_does_not() {
         Some(format!("“{word}”, better “{instead}”: {}", text.trim()))
     });
     assert!(wrong.is_empty(), "{}:\n{}", wrong.len(), wrong.join("\n"));
+}
+
+// oracle: hand (the rules for words: a number and its unit, MD and its number, stay on one line)
+#[test]
+fn numbers_stay_with_their_units() {
+    let wrong = faults(|_, _, key, text| {
+        let what = parted(text).filter(|_| !key.ends_with("-words"))?;
+        Some(format!("no-break space at {what}: {}", text.trim()))
+    });
+    assert!(wrong.is_empty(), "{}:\n{}", wrong.len(), wrong.join("\n"));
+    assert_eq!(
+        ["{ $path } mm,", "5 mm/min", "MD18080", "5\u{a0}mm", "MD\u{a0}18080", "3 mmx"].map(parted),
+        [Some("mm"), Some("mm/min"), Some("MD"), None, None, None]
+    );
 }
 
 // oracle: hand
