@@ -1,4 +1,4 @@
-//! What is wrong, where, and how to mend it.
+//! What is wrong, where, and how to fix it.
 
 use crate::message::Message;
 use crate::name::Name;
@@ -78,7 +78,7 @@ pub struct Diagnostic {
     pub param: Option<Name>,
     /// Place in the program.
     pub span: Option<Span>,
-    /// Edits of the program that mend it, with what they do in words.
+    /// Edits of the program that fix it, with what they do in words.
     pub cure: Option<Cure>,
 }
 
@@ -98,7 +98,7 @@ impl Diagnostic {
         Self { span: Some(span), ..self }
     }
 
-    /// With one click that mends it, where there is anything to edit.
+    /// With one click that fixes it, where there is anything to edit.
     pub fn cured(self, label: Message, edits: Vec<Edit>) -> Self {
         Self { cure: (!edits.is_empty()).then_some(Cure { label, edits }), ..self }
     }
@@ -134,7 +134,7 @@ impl Diagnostic {
     }
 }
 
-/// Edits that mend a finding.
+/// Edits that fix a finding.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cure {
     /// What they do.

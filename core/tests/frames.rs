@@ -12,7 +12,7 @@ use probewright_core::machine::{Setup, Stop};
 use probewright_core::run::{Limits, Outcome, run};
 use probewright_core::syntax::read;
 
-/// How far the measured face stands beside its set position, mm.
+/// How far the measured face stands beside its setpoint position, mm.
 const SHIFT: f64 = 0.3;
 
 /// A machine with two channel basic frames, a global one and G54; T5 a mill.
@@ -55,7 +55,7 @@ fn near(found: f64, expected: f64, what: &str) {
     assert!((found - expected).abs() < 1e-9, "{what}: {found} is not {expected}");
 }
 
-/// How far the WCS has moved behind the call, and behind the G function after it.
+/// How far the WCS has moved after the call, and after the G function behind it.
 fn moved(setup: Setup, code: i64, activation: &str) -> ([f64; 2], Outcome) {
     let origin = |n: u8| format!("R{n}=$AA_IM[X]-$AA_IW[X]");
     let after = format!("{}\n{activation}\n{}", origin(2), origin(3));

@@ -1,4 +1,4 @@
-//! What a user reads: every finding has words, names its values with units, and says the cure.
+//! What a user reads: every finding has words, names its values with units, and says the remedy.
 #![cfg(feature = "cli")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
@@ -25,7 +25,7 @@ fn findings(name: &str, values: &[(&str, &str)], control: &Control) -> Vec<Diagn
     check(cycle, &typed, control).diagnostics
 }
 
-/// Cause and cure of the findings at a parameter.
+/// Cause and remedy of the findings at a parameter.
 fn told(values: &[(&str, &str)], param: &str, control: &Control) -> String {
     let words = Words::english();
     let found = findings("CYCLE977", values, control);

@@ -154,7 +154,7 @@ fn the_main_program_may_begin_anew() {
     assert_eq!(number(text, "#600"), 3.0);
 }
 
-// oracle: hand: what is not known, or never ends, is told at its place
+// oracle: hand: what is not known, or never ends, is reported at its place
 #[test]
 fn wrong_programs_stop_at_their_place() {
     for (text, key, place) in [
@@ -277,7 +277,7 @@ fn the_control_tells_what_is_in_force() {
     }
 }
 
-// oracle: hand: the tip is where the program moved it, the spindle nose stands above it by the length in force
+// oracle: hand: the tip is where the program moved it, the spindle nose stands above it by the active length
 #[test]
 fn the_control_tells_where_it_stands() {
     let moved = "G90 G0 X12 Y34 Z56\n";
@@ -332,7 +332,7 @@ fn single_blocks_and_overrides_are_taken_and_read() {
     assert_eq!(number("#3002=2\n#600=FIX[#3002]", "#600"), 2.0);
 }
 
-// oracle: hand: a work offset that the program writes counts at once where it is in force
+// oracle: hand: a work offset that the program writes counts at once where it is active
 #[test]
 fn a_program_writes_work_offsets() {
     let text = "G54 G0 X10\n#1=#5021\n#5221=#5221+5\nX10\n#600=#5021-#1";

@@ -44,7 +44,7 @@ fn they_run_around_each_measurement() {
     assert_eq!(numbers(&outcome), [1.0, 2.0, 30.0, 10.0]);
 }
 
-// oracle: manual B:2488-2490 (empty as delivered)
+// oracle: manual B:2488-2490 (empty by default)
 #[test]
 fn without_them_nothing_happens() {
     let plain = outcome("");

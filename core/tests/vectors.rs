@@ -146,7 +146,7 @@ struct Deceleration {
 
 #[test]
 fn deceleration() {
-    // oracle: manual B:1168-1202; no cycle reckons this path, so a program does, with the formula of the manual
+    // oracle: manual B:1168-1202; no cycle calculates this path, so a program does, with the formula of the manual
     let setup = bare();
     for case in vectors().deceleration {
         let Deceleration { speed, deceleration, delay, gain, .. } = case;

@@ -75,7 +75,7 @@ fn same(one: &Diagnostic, other: &Diagnostic) -> bool {
     (one.code, &one.message, one.param) == (other.code, &other.message, other.param)
 }
 
-// oracle: self (what a cure promises)
+// oracle: self (what a remedy promises)
 #[test]
 fn every_cure_mends_its_finding() {
     let mut cured = 0;

@@ -1,4 +1,4 @@
-// A machine that is basic system inches: chosen once, in force in the form, the program text, the simulation, links and
+// A machine that is basic system inches: chosen once, active in the form, the program text, the simulation, links and
 // setups.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";

@@ -1,4 +1,4 @@
-// Whole programs: the outline of their calls, doubts with their cures, and ways of writing.
+// Whole programs: the outline of their calls, warnings with their remedies, and call styles.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";

@@ -205,7 +205,7 @@ export type Cited = string;
 /** Where a problem is named. */
 export type Code = string;
 
-/** A call in another way of writing. */
+/** A call in another style. */
 export type ConvertRequest = {
   /** Control. */
   control: Dialect,
@@ -213,7 +213,7 @@ export type ConvertRequest = {
   text: string,
   /** Which of its calls, from 0. */
   call: number,
-  /** The way of writing. */
+  /** The call style. */
   style: Style,
   /** Machine on which the program starts; absent: the core's own as it is. */
   setup?: Machine,
@@ -227,7 +227,7 @@ export type Converted = {
   findings: Array<Diagnostic>,
 };
 
-/** Edits that mend a finding. */
+/** Edits that fix a finding. */
 export type Cure = {
   /** What they do. */
   label: Message,
@@ -276,7 +276,7 @@ export type CycleInfo = {
   key: string,
   /** Where it belongs. */
   purpose: Purpose,
-  /** The ways of writing that its call has, direct first. */
+  /** The styles that its call has, direct first. */
   styles: Array<Style>,
   /** Measuring variants of the cycle. */
   variants: Array<VariantInfo>,
@@ -309,7 +309,7 @@ export type Deviation = {
   mean: number,
 };
 
-/** What is wrong, where, and how to mend it. */
+/** What is wrong, where, and how to fix it. */
 export type Diagnostic = {
   /** How bad. */
   severity: Severity,
@@ -329,7 +329,7 @@ export type Diagnostic = {
   line?: number,
   /** Character of that line, from 1. */
   column?: number,
-  /** Mends it at once. */
+  /** Fixes it at once. */
   cure?: Cure,
   /** Lines that the cure changes elsewhere than where the finding is told. */
   elsewhere?: Array<TouchedLine>,
@@ -507,9 +507,9 @@ export type FormRequest = {
   errors?: ErrorSliders,
   /** Words by parameter for a comment line each in the snippet. */
   comments?: { [key in string]: string },
-  /** Way of writing of the call of a program that the form shows: a list of newer controls has rules of its own. */
+  /** Call style of the call of a program that the form shows: a list of newer controls has rules of its own. */
   written?: Style,
-  /** Way of writing of the snippet; absent: as the machine's forms have it, else direct. */
+  /** Call style of the snippet; absent: as the machine's forms have it, else direct. */
   style?: Style,
   /** Whether to simulate. */
   predict?: boolean,
@@ -527,9 +527,9 @@ export type FormView = {
   diagnostics: Array<Diagnostic>,
   /** Text of the program, also for incomplete values as far as it can be written; empty: not in this way. */
   snippet: string,
-  /** What this way of writing cannot say. */
+  /** What this call style cannot say. */
   snippetFindings: Array<Diagnostic>,
-  /** Way of writing that counts until another is chosen: the machine may say so. */
+  /** Call style that counts until another is chosen: the machine may say so. */
   preset: Style,
   /** Whether there is no error. */
   complete: boolean,

@@ -33,7 +33,7 @@ pub struct CycleInfo {
     pub key: &'static str,
     /// Where it belongs.
     pub purpose: Purpose,
-    /// The ways of writing that its call has, direct first.
+    /// The styles that its call has, direct first.
     pub styles: Vec<Style>,
     /// Measuring variants of the cycle.
     pub variants: Vec<VariantInfo>,

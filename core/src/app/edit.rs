@@ -1,4 +1,4 @@
-//! Edits of a program: a value changed in a form, a call in another way of writing.
+//! Edits of a program: a value changed in a form, a call in another style.
 
 use super::finding::{Edit, Finding, edits, placed};
 use super::start::{Machine, start};
@@ -46,7 +46,7 @@ pub struct Changed {
     pub findings: Vec<Finding>,
 }
 
-/// A call in another way of writing.
+/// A call in another style.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 pub struct ConvertRequest {
@@ -56,7 +56,7 @@ pub struct ConvertRequest {
     pub text: String,
     /// Which of its calls, from 0.
     pub call: usize,
-    /// The way of writing.
+    /// The call style.
     pub style: Style,
     /// Machine on which the program starts; absent: the core's own as it is.
     pub setup: Option<Machine>,

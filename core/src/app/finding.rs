@@ -8,7 +8,7 @@ use crate::program::touched::TouchedLine;
 use crate::syntax::position::Positions;
 use serde::Serialize;
 
-/// What is wrong, where, and how to mend it.
+/// What is wrong, where, and how to fix it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Diagnostic", optional_fields))]
 pub struct Finding {
@@ -36,7 +36,7 @@ pub struct Finding {
     /// Character of that line, from 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub column: Option<u32>,
-    /// Mends it at once.
+    /// Fixes it at once.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cure: Option<Cure>,
     /// Lines that the cure changes elsewhere than where the finding is told.
@@ -44,7 +44,7 @@ pub struct Finding {
     pub elsewhere: Option<Vec<TouchedLine>>,
 }
 
-/// Edits that mend a finding.
+/// Edits that fix a finding.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Cure {
@@ -84,7 +84,7 @@ impl Finding {
         }
     }
 
-    /// With its place in a text and the edits that mend it.
+    /// With its place in a text and the edits that fix it.
     pub fn placed(found: &Diagnostic, positions: &Positions) -> Finding {
         let at = found.span.map(|span| positions.line_column(span.start));
         let cure = |cure: &diagnostic::Cure| Cure { label: cure.label.clone(), edits: edits(&cure.edits, positions) };

@@ -51,9 +51,9 @@ pub struct FormRequest {
     pub errors: Option<ErrorSliders>,
     /// Words by parameter for a comment line each in the snippet.
     pub comments: Option<Typed>,
-    /// Way of writing of the call of a program that the form shows: a list of newer controls has rules of its own.
+    /// Call style of the call of a program that the form shows: a list of newer controls has rules of its own.
     pub written: Option<Style>,
-    /// Way of writing of the snippet; absent: as the machine's forms have it, else direct.
+    /// Call style of the snippet; absent: as the machine's forms have it, else direct.
     pub style: Option<Style>,
     /// Whether to simulate.
     #[serde(default)]
@@ -80,9 +80,9 @@ pub struct FormView {
     pub diagnostics: Vec<Finding>,
     /// Text of the program, also for incomplete values as far as it can be written; empty: not in this way.
     pub snippet: String,
-    /// What this way of writing cannot say.
+    /// What this call style cannot say.
     pub snippet_findings: Vec<Finding>,
-    /// Way of writing that counts until another is chosen: the machine may say so.
+    /// Call style that counts until another is chosen: the machine may say so.
     pub preset: Style,
     /// Whether there is no error.
     pub complete: bool,

@@ -89,7 +89,7 @@ pub struct Arrival {
     pub line: u32,
 }
 
-/// Of reading: until the text is read, and until its calls are found. What is left are doubts about the whole.
+/// Of reading: until the text is read, and until its calls are found. What is left are warnings about the whole.
 const SHARES: [f64; 2] = [0.6, 0.9];
 
 /// Findings that travel: with more of them it is another sort of file, not a program with mistakes.

@@ -180,7 +180,7 @@ fn cycle979_finds_size_and_centre() {
     }
 }
 
-/// Set centres of three spheres, and points at an angle.
+/// Setpoint centres of three spheres, and points at an angle.
 const SPHERES: &[(&str, &str)] = &[
     ("_SETV[2]", "5"),
     ("_SETV[3]", "300"),

@@ -19,7 +19,7 @@ pub enum Style {
 
 /// An argument list that calls a cycle.
 pub struct ArgumentList {
-    /// The way of writing it belongs to; [`Style::Direct`]: arguments that the cycle takes beside the assignments.
+    /// The call style it belongs to; [`Style::Direct`]: arguments that the cycle takes beside the assignments.
     pub style: Style,
     /// Name as called.
     pub name: &'static str,

@@ -7,7 +7,7 @@ use crate::entry::{Cycle, DigitGroup};
 
 /// Groups of digits with what they are in this number. In a variant each group offers what goes with the groups before
 /// it; one that offers a single value is left out. A number that is no variant shows everything, so that it can be
-/// mended.
+/// fixed.
 pub fn groups(cycle: &Cycle, groups: &[DigitGroup], number: i64) -> Vec<Group> {
     let numbers: Vec<i64> = cycle.variants.iter().map(|variant| variant.number).collect();
     let is_variant = numbers.contains(&number);

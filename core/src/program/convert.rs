@@ -1,4 +1,4 @@
-//! One call from one way of writing to another, in place: its own assignments go, its new text comes where the call is.
+//! One call from one style to another, in place: its own assignments go, its new text comes where the call is.
 
 use super::calls::{CallSite, calls_on};
 use super::change::{Edit, apply, behind_label, line_end};
@@ -14,7 +14,7 @@ use crate::support::Mark;
 use crate::syntax::{Program, read};
 use crate::{check, own};
 
-/// Edits that turn a call into another way of writing, and what has to be said about it.
+/// Edits that turn a call into another style, and what has to be said about it.
 pub struct Converted {
     /// Empty where it is not possible, or already so.
     pub edits: Vec<Edit>,
@@ -52,7 +52,7 @@ pub fn convert(program: &Program, index: usize, style: Style, control: &Control)
     Converted { edits, findings }
 }
 
-/// Why no other way of writing says the same.
+/// Why no other call style says the same.
 fn foreign(program: &Program, site: &CallSite, control: &Control) -> Option<Diagnostic> {
     let list = site.list?;
     let value = |name: &str| site.values.get(name).map_or("", String::as_str);

@@ -55,7 +55,7 @@ impl Support {
         self.entries.get(entry).copied().unwrap_or(false)
     }
 
-    /// Way of writing that the first entry chooses, where the cycle has it (B:12501-12502).
+    /// Call style that the first entry chooses, where the cycle has it (B:12501-12502).
     pub fn style(&self, cycle: &Cycle) -> Style {
         let indirect = |list: &ArgumentList| list.style == Style::Indirect;
         if self.entry(0) || !cycle.lists.iter().any(indirect) { Style::Direct } else { Style::Indirect }

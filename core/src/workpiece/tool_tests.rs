@@ -236,7 +236,7 @@ impl Convex for Ball {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
 
-    /// oracle: the ball and the block of the workpiece, which are reckoned in another way
+    /// oracle: the ball and the block of the workpiece, which are calculated in another way
     #[test]
     fn a_ball_nose_meets_a_cube_as_a_ball_does(
         from in prop::array::uniform3(-60.0..60.0_f64),

@@ -35,7 +35,7 @@ fn cases() -> Vec<Case> {
         program(61302, "_SETVAL=80"),
         program(61316, "_INCA=180"),
         program(61321, "_MVAR=101 _KNUM=100"),
-        // at an angle the ball counts, not the trigger values (B:6873)
+        // at an angle the ball counts, not the trigger points (B:6873)
         program(61341, "_WP[0,0]=0"),
         program(61365, "_RF=0"),
         case(61372, "_CHBIT[13]=1", |setup| {

@@ -140,7 +140,7 @@ fn walk(cycle: &'static Cycle, add: &mut impl FnMut(Vec<Diagnostic>)) {
     }
 }
 
-/// As delivered; with tools of several types in use, in several planes; with data of the machine that are wrong.
+/// With default data; with tools of several types in use, in several planes; with data of the machine that are wrong.
 fn machines(cycle: &Cycle) -> Vec<Control> {
     let usual = delivery(cycle.dialect);
     let mut machines = vec![usual.clone()];

@@ -1,7 +1,7 @@
 //! A probe that the control believes to be ideal measures wrong as theory says; calibrated with CYCLE976 it measures
 //! right.
 //!
-//! Where the numbers come from: the control takes the delivered trigger values, 3 mm, and no skew. The ball of radius
+//! Where the numbers come from: the control takes the default trigger points, 3 mm, and no skew. The ball of radius
 //! `r` really switches `t` behind the contact, with the spindle `s` beside it. Between two walls that makes the size
 //! `2·(3 - r + t)` larger inside and smaller outside, and the middle wrong by `-s`.
 
@@ -175,7 +175,7 @@ fn faces(rig: Rig, setup: &mut Setup, expected: [f64; 4], tolerance: f64) {
     }
     for axis in [1.0, 2.0] {
         if !rig.mono {
-            let mut setup = setup.clone(); // it overwrites trigger value and skew
+            let mut setup = setup.clone(); // it overwrites trigger point and skew
             call(&mut setup, "CYCLE978", &face(rig, 1100.0, axis), PartErrors::default());
             let what = format!("{rig:?} differential {axis}");
             near(result(&setup, 16), expected[3], tolerance, &what);
@@ -234,7 +234,7 @@ fn a_probe_whose_length_was_found_is_right_from_above() {
     }
 }
 
-// oracle: hand: trigger values along the turned axes hold the skew along these; CYCLE979 takes ball and skew, which are
+// oracle: hand: trigger points along the turned axes hold the skew along these; CYCLE979 takes ball and skew, which are
 // the same whatever the angle
 #[test]
 fn calibrated_at_an_angle_the_probe_is_right_at_any_angle_and_along_the_turned_axes() {
@@ -265,7 +265,7 @@ fn calibrated_at_an_angle_the_probe_is_right_at_any_angle_and_along_the_turned_a
 }
 
 // oracle: hand: a size is the difference of two touches, so is the ball, and each touch scatters by σ: together 2σ; the
-// middle scatters by σ/√2 in the measurement and in the trigger values, together by σ
+// middle scatters by σ/√2 in the measurement and in the trigger points, together by σ
 #[test]
 fn what_remains_is_the_repeatability() {
     const SIGMA: f64 = 0.001;

@@ -91,7 +91,7 @@ impl Rig {
         result(setup, 16)
     }
 
-    /// Field of `_WP[]` with the trigger value of this direction, which is one of the machine.
+    /// Field of `_WP[]` with the trigger point of this direction, which is one of the machine.
     fn trigger(self) -> String {
         let towards_plus = (self.approach() > 0.0) != self.mirrored;
         format!("_WP[0,{}]", 2 * self.axis + if towards_plus { 2 } else { 1 })
@@ -173,7 +173,7 @@ fn after_an_angle_a_surface_is_found_too() {
     }
 }
 
-// oracle: manual A:7283-7284 (the trigger value of the direction that was touched), A:15882 (61341: not calibrated): of
+// oracle: manual A:7283-7284 (the trigger point of the direction that was touched), A:15882 (61341: not calibrated): of
 // the other direction nothing is known
 #[test]
 fn the_other_direction_is_still_to_be_calibrated() {
@@ -191,7 +191,7 @@ fn the_other_direction_is_still_to_be_calibrated() {
     }
 }
 
-// oracle: as above: the table names 61341 for CYCLE977 and CYCLE978; the others reckon with the same values
+// oracle: as above: the table names 61341 for CYCLE977 and CYCLE978; the others calculate with the same values
 #[test]
 fn no_cycle_reckons_with_a_value_that_was_never_found() {
     let sphere = [

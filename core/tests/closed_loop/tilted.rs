@@ -198,7 +198,7 @@ fn the_measured_point_has_the_set_coordinates_in_any_frame() {
 }
 
 // oracle: hand: an even part has one middle, from whatever side it is touched: measured again about the point that was
-// measured, with the frame in force that was corrected, nothing is wrong
+// measured, with the corrected frame active, nothing is wrong
 #[test]
 fn measured_again_in_the_tilted_frame_nothing_is_wrong() {
     for plane in PLANES {

@@ -3,7 +3,7 @@
 use super::{INHERITED, OVERWRITTEN, called, found, tells};
 use probewright_core::dialect::Dialect;
 
-/// Parameters about which a program raises the doubt that an earlier call left them.
+/// Parameters about which a program raises the warning that an earlier call left them.
 fn inherited(text: &str) -> Vec<&'static str> {
     let all = found(text);
     let doubts = all.iter().filter(|finding| finding.code == INHERITED);

@@ -1,4 +1,4 @@
-//! Doubts about whole programs: what is in force at a call, along the calls of subprograms and past branches.
+//! Warnings about whole programs: what is active at a call, along the calls of subprograms and past branches.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod corrected;

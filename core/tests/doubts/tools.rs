@@ -47,7 +47,7 @@ fn milled(kind: i64, tip: i64, assignment: Option<f64>, g: &str) -> Vec<Diagnost
     findings_on(&read(Dialect::Sinumerik, text.as_bytes()), control)
 }
 
-// oracle: manual B:4147-4152, A:15848: each of the conditions; what the text does not tell is a doubt, and so is 1xy,
+// oracle: manual B:4147-4152, A:15848: each of the conditions; what the text does not tell is a warning, and so is 1xy,
 // which B:906-910 takes for a probe
 #[test]
 fn the_probe_of_a_turning_machine_is_held_against_the_conditions_of_the_call() {
@@ -139,7 +139,7 @@ fn a_probe_that_a_subprogram_calibrates_is_calibrated() {
     assert!(tells(&called(&format!("{begin}{HOLE}L5"), ring), CALIBRATION));
 }
 
-// oracle: hand (trigger values that are no longer those of the delivery were determined by a calibration, B:5010-5060)
+// oracle: hand (trigger points other than the default ones were determined by a calibration, B:5010-5060)
 #[test]
 fn a_probe_that_was_calibrated_on_the_machine_is_not_doubted() {
     let text = format!("G17 G40 G54 T9 D1\n{HOLE}M30\n");
@@ -153,7 +153,7 @@ fn a_probe_that_was_calibrated_on_the_machine_is_not_doubted() {
     assert!(!doubted("_WP[0,1]", 2.98));
     assert!(!doubted("_WP[0,4]", -2.98));
     assert!(doubted("_WP[1,1]", 2.98), "another probe is, this one is not");
-    // Of a machine that nothing is known of nothing is said: every right program would be doubted.
+    // Of a machine that nothing is known of nothing is said: every right program would get a warning.
     assert!(!doubted("_WP[0,1]", 3.0), "as delivered");
     assert!(!doubted("_WP[0,7]", 0.01), "skew alone");
 }

@@ -1,4 +1,4 @@
-//! What nothing in the text says, and its cure.
+//! What nothing in the text says, and its remedy.
 
 use super::{COMPENSATION_LATER, DIAMETER, HOLE, NO_TOOL, OPEN, PLANE, RADIUS, called, found, tells};
 use probewright_core::control::{Control, Edge, delivery};
@@ -8,7 +8,7 @@ use probewright_core::program::change::apply;
 use probewright_core::program::findings_on;
 use probewright_core::syntax::read;
 
-/// The program mended by the cure of the first finding with this code.
+/// The program fixed by the remedy of the first finding with this code.
 fn mended(text: &str, control: &Control, code: Code) -> String {
     let program = read(Dialect::Sinumerik, text.as_bytes());
     let all = findings_on(&program, control.clone());

@@ -1,4 +1,4 @@
-//! What is in force along calls, branches and levels.
+//! What is active along calls, branches and levels.
 
 use super::{COMPENSATION, EDGE, HOLE, LEVEL, OPEN, OUTSIDE, PLANE, SPINDLE, called, found, tells};
 use probewright_core::diagnostic::Code::Alarm;
@@ -48,7 +48,7 @@ fn what_is_in_force_follows_the_calls() {
     assert!(tells(&ended, COMPENSATION), "M30 ends a subprogram like M17");
 }
 
-// oracle: hand (what the text does not tell is not doubted)
+// oracle: hand (what the text does not tell gets no warning)
 #[test]
 fn what_depends_on_the_run_is_not_doubted() {
     for way in [
@@ -144,7 +144,7 @@ fn every_way_to_call_counts_as_a_level() {
     }
 }
 
-// oracle: hand: what takes the state away stands between the values and the call, so the cure stands behind it
+// oracle: hand: what takes the state away stands between the values and the call, so the remedy stands behind it
 #[test]
 fn a_cure_stands_where_it_counts_at_the_call() {
     let begin = "G17 G40 G54 T9 D1 M6\n_MVAR=1 _SETVAL=132 _KNUM=0 _PRNUM=1 _FA=2 _TSA=2\n";
@@ -184,7 +184,7 @@ fn labels_variables_and_declarations_are_no_programs() {
     assert!(tells("G0 X1\nCYCLE987\nM30", OUTSIDE), "no cycle of the control");
 }
 
-// oracle: hand (a cycle that only drills leaves what is in force; one that nobody knows may change it)
+// oracle: hand (a cycle that only drills leaves what is active; one that nobody knows may change it)
 #[test]
 fn behind_an_unknown_cycle_nothing_is_known() {
     let open = |cycle: &str| tells(&format!("%_N_A_MPF\nG17 G40 G54 T9 D1\n{cycle}\n{HOLE}M30"), OPEN);

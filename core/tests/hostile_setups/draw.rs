@@ -1,6 +1,6 @@
 //! A sequence of pseudo-random numbers, and the numbers that nobody thinks of.
 
-/// Numbers that break what is reckoned with them.
+/// Numbers that break what is calculated with them.
 const HOSTILE: [f64; 36] = [
     0.0,
     -0.0,

@@ -42,7 +42,7 @@ pub struct Machine {
     pub upright: bool,
     /// Settable frame in use.
     pub settable: usize,
-    /// Bits of `_CBIT[]` and `_CHBIT[]` that are otherwise than delivered.
+    /// Bits of `_CBIT[]` and `_CHBIT[]` that are not as by default.
     pub bits: Vec<&'static str>,
     /// Radius of the ball.
     pub ball: f64,

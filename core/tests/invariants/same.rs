@@ -17,8 +17,8 @@ fn stopped(outcome: &Outcome) -> Passed {
     outcome.stop.as_ref().map(|stop| format!("{stop:?}"))
 }
 
-/// Cycles that calibrate or turn a frame, for which no axis may be mirrored, and the corner, whose set angle counts on
-/// the machine (B:7858).
+/// Cycles that calibrate or turn a frame, for which no axis may be mirrored, and the corner, whose setpoint angle applies
+/// to the machine (B:7858).
 const UNMIRRORED: [&str; 4] = ["CYCLE961", "CYCLE976", "CYCLE997", "CYCLE998"];
 
 /// Ends of all motions, machine coordinates, mm, with their feeds.
@@ -78,7 +78,7 @@ fn a_looking_glass_changes_nothing() {
 
 // oracle: self (part, zero offset and probe moved together and turned about the spindle are only another choice of
 // coordinates; a probe that stands beside the spindle axis does not turn with them). The corner has its test in
-// `anywhere.rs`, as its set angle counts on the machine.
+// `anywhere.rs`, as its setpoint angle applies to the machine.
 #[test]
 fn the_place_changes_nothing() {
     hold(milling().filter(|cycle| cycle.name != "CYCLE961"), 8, |drawn| {

@@ -166,7 +166,7 @@ fn frames(control: &mut Control, machine: &Machine, turns: [f64; 3], mirrors: bo
     control.program_frame = Frame { fine: [0.0; 3], ..frame(programmed, true) };
 }
 
-/// A probe as drawn, of which the control knows everything: trigger values are position at switching minus surface, so
+/// A probe as drawn, of which the control knows everything: trigger points are position at switching minus surface, so
 /// the skew is in them (DESIGN.md). A mono probe has none here.
 // oracle: hand (B:13441-13463: field 1 abscissa minus, 2 abscissa plus, …)
 fn calibrated(setup: &mut Setup, drawn: &Drawn) {

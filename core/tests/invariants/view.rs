@@ -182,7 +182,7 @@ fn renamed(plane: Plane, times: usize) -> Plane {
     [Plane::G17, Plane::G19, Plane::G18][(abscissa + times) % 3]
 }
 
-/// Trigger values and skew of a probe in a looking-glass: plus is minus with the other sign.
+/// Trigger points and skew of a probe in a looking-glass: plus is minus with the other sign.
 fn reflect_probe_data(control: &mut Control, axis: usize) {
     let axes = control.plane.axes();
     let place = axes.iter().position(|one| *one == axis).unwrap();

@@ -141,7 +141,7 @@ fn same(one: &[Route], other: &[Route], map: impl Fn([f64; 3]) -> [f64; 3]) -> b
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
-    // oracle: hand: distances from the programmed lines and arcs, reckoned without the offset
+    // oracle: hand: distances from the programmed lines and arcs, calculated without the offset
     #[test]
     fn the_path_keeps_the_radius_from_the_contour(
         closed in closed(), radius in 0.5..4.0, left in any::<bool>(), met in any::<bool>(),

@@ -106,7 +106,7 @@ fn the_swivel_cycle_turns_the_part_level() {
     }
 }
 
-// oracle: manual (SD 42440 and SD 42442 are 1 as delivered: an incremental motion goes along with a new frame or tool)
+// oracle: manual (SD 42440 and SD 42442 are 1 by default: an incremental motion goes along with a new frame or tool)
 #[test]
 fn increments_count_from_the_programmed_position() {
     at("G0 X1\nTRANS X100\nX=IC(1)", [102.0, 0.0, 0.0]);

@@ -1,5 +1,5 @@
 //! The program language: what each word does, a file a subject. Facts about the language are those of the programming
-//! guide of these controls ("Job planning", 03/2006), where a comment names it; everything else is reckoned by hand.
+//! guide of these controls ("Job planning", 03/2006), where a comment names it; everything else is calculated by hand.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod contour;

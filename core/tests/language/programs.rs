@@ -13,7 +13,7 @@ use probewright_core::syntax::read;
 use std::path::Path;
 
 /// What the programs together use, as it stands in a block without blanks; a line a subject: numbers and words, names
-/// and texts, arrays, reckoning, truth, flow, motions, frames and tools.
+/// and texts, arrays, arithmetic, truth, flow, motions, frames and tools.
 const CONSTRUCTS: &str = r#"
 X1.5 Y-2. C=90. B=-1.5 x100 N20 F=( S8000 M103M2M3M4M5 X1X=3
 DEFREAL DEFINT DEFSTRING[28] ="" R0=0 DEFINTbb,aa=12 lIFT Lift
@@ -105,7 +105,7 @@ fn every_construct_stands_in_a_program() {
     assert_eq!(missing, Vec::<&str>::new());
 }
 
-/// Short programs: text and the positions X Y Z of its blocks that move, reckoned by hand.
+/// Short programs: text and the positions X Y Z of its blocks that move, calculated by hand.
 const OWN: [(&str, &[[f64; 3]]); 7] = [
     (
         "DEF REAL STEP=2.5, TOP=6\nG1 X0 Y0 Z0 F500\nREPEAT\nZ=IC(STEP)\nUNTIL $AA_IW[Z]>=TOP-0.01\nTRANS Z20\n\

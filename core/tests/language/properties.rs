@@ -213,7 +213,7 @@ const WORDS: [&str; 51] = [
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(200))]
 
-    // oracle: f64, reckoned beside the text
+    // oracle: f64, calculated beside the text
     #[test]
     fn expressions_are_what_f64_makes_of_them(expression in expression()) {
         prop_assume!(expression.value.is_finite() && expression.value.abs() < 1e100);
@@ -221,7 +221,7 @@ proptest! {
         near(found, expression.value, &expression.text);
     }
 
-    // oracle: f64, reckoned beside the text
+    // oracle: f64, calculated beside the text
     #[test]
     fn products_bind_tighter_than_sums(
         terms in prop::collection::vec((any::<bool>(), prop::collection::vec((any::<bool>(), 1_u32..50), 1..4)), 1..5),

@@ -68,7 +68,7 @@ fn a_call_may_ask_for_several_passes() {
     assert_eq!(number(named, "R1"), 1.0);
 }
 
-// oracle: hand: SAVE brings back what was in force at the call
+// oracle: hand: SAVE brings back what was active at the call
 #[test]
 fn save_restores_the_modal_functions() {
     let called = |attributes: &str| {

@@ -42,7 +42,7 @@ fn the_spindle_is_turned() {
     assert_eq!(angles("SPOS=90\nSPOS=IC(45)\nSPOSA=DC(10)\nM19"), [90.0, 135.0, 10.0, 0.0]);
 }
 
-// oracle: hand: the first spindle, an axis by its name in a variable; what the machine does not have is told
+// oracle: hand: the first spindle, an axis by its name in a variable; what the machine does not have is reported
 #[test]
 fn addresses_may_be_written_with_an_index() {
     let outcome = clean("S[1]=500 M[1]=3\nSPOS[1]=AC(90)\nSPOSA[1]=IC(-30)");
@@ -162,7 +162,7 @@ fn what_changes_nothing_runs_through() {
     }
 }
 
-// oracle: hand: the axes that are here go on, what is left out is told where it stands
+// oracle: hand: the axes that are here go on, what is left out is reported where it stands
 #[test]
 fn what_is_left_out_leaves_the_axes_where_they_belong() {
     for (text, told, x) in [

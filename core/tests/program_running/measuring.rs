@@ -106,7 +106,7 @@ fn without(name: &str, variant: i64, left_out: &[&str]) -> String {
     format!("{}\n{name}\nM30\n", written.join("\n"))
 }
 
-/// Names of the parameters that are told to be missing.
+/// Names of the parameters that are reported missing.
 fn missing(outcome: &Outcome) -> Vec<&'static str> {
     let found = outcome.diagnostics.iter().filter(|one| one.code == Code::Own(1) && one.message.key == "check-missing");
     found.filter_map(|one| one.param.map(|name| name.as_str())).collect()

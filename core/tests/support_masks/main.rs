@@ -20,7 +20,7 @@ use probewright_core::support;
 use probewright_core::support::Support;
 use probewright_core::syntax::read;
 
-/// As delivered (B:12501-12539).
+/// With default data (B:12501-12539).
 const DELIVERED: [u8; 8] = [1, 0, 0, 0, 0, 0, 0, 0];
 
 fn machine(mask: [u8; 8]) -> Control {
@@ -32,7 +32,7 @@ fn machine(mask: [u8; 8]) -> Control {
     control
 }
 
-/// The delivered mask with one entry.
+/// The default mask with one entry.
 fn with(entry: usize, value: u8) -> Control {
     let mut mask = DELIVERED;
     mask[entry] = value;

@@ -1,4 +1,4 @@
-//! A call is turned into another way of writing, in its place.
+//! A call is turned into another call style, in its place.
 
 use super::{cycle, first_example, sites};
 use probewright_core::control::{Control, Units, delivery, delivery_in};
@@ -11,12 +11,12 @@ use probewright_core::program::write::snippet;
 use probewright_core::support;
 use probewright_core::syntax::read;
 
-/// The program with one call written in another way on a control as delivered, and the keys of what is said.
+/// The program with one call written in another style on a control with default data, and the keys of what is said.
 pub fn converted(text: &str, index: usize, style: Style) -> (String, Vec<String>) {
     converted_on(&delivery(Dialect::Sinumerik), text, index, style)
 }
 
-/// The program with one call written in another way on this machine, and the keys of what is said.
+/// The program with one call written in another style on this machine, and the keys of what is said.
 fn converted_on(control: &Control, text: &str, index: usize, style: Style) -> (String, Vec<String>) {
     let program = read(Dialect::Sinumerik, text.as_bytes());
     let done = convert(&program, index, style, control);

@@ -1,4 +1,4 @@
-//! Three ways of writing a call: what is written is read back, and a change changes one value.
+//! Three call styles: what is written is read back, and a change changes one value.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod convert;

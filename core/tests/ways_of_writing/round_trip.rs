@@ -44,7 +44,7 @@ fn used(cycle: &'static Cycle, typed: &Typed) -> impl Iterator<Item = &'static P
     cycle.params.iter().filter(move |param| param.need(&inputs).is_some())
 }
 
-/// Whether this way of writing says the parameter.
+/// Whether this call style says the parameter.
 fn says(site: &CallSite, style: Style, name: &str) -> bool {
     let named = |arg: &Arg| matches!(arg, Arg::Param(param) if *param == name);
     style != Style::Operate
@@ -98,7 +98,7 @@ fn changes_alone(program: &Program, site: &CallSite, name: &str, value: &str) ->
     Ok(())
 }
 
-/// A call of this variant with these numbers, in this way of writing where it has one.
+/// A call of this variant with these numbers, in this call style where it has one.
 fn there_and_back(
     (cycle, variant): (&'static Cycle, i64),
     style: Style,

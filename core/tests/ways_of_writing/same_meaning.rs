@@ -47,7 +47,7 @@ fn before_the_part(cycle: &'static Cycle, values: &Typed) -> Setup {
     setup
 }
 
-/// The values that a way of writing can say, and the text; none where it has no list for this variant, or cannot say
+/// The values that a call style can say, and the text; none where it has no list for this variant, or cannot say
 /// what is needed.
 fn whole(cycle: &'static Cycle, values: &Typed, style: Style) -> Option<(Typed, Written)> {
     let mut values = values.clone();

@@ -112,7 +112,7 @@ pub fn of_cycle(seam: &Seam, cycle: &Value, told: &mut Answers) {
     }
 }
 
-/// A program with one call: what is read in it, what it is in another way of writing, how its first number is changed,
+/// A program with one call: what is read in it, what it is in another call style, how its first number is changed,
 /// and what it does then.
 fn of_program(seam: &Seam, control: &Value, text: String, setup: Value) -> Vec<(&'static str, Value)> {
     let question = |more: Value| {

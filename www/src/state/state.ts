@@ -92,7 +92,7 @@ export interface FormState {
 export interface SnippetState {
   comments: boolean;
   twin: boolean; // the same task on the other control is shown
-  style: Style | ""; // way of writing, where the cycle has it; empty: as the machine has it
+  style: Style | ""; // call style, where the cycle has it; empty: as the machine has it
 }
 
 /** The part that is measured. */

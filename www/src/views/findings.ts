@@ -10,7 +10,7 @@ import { fieldId } from "./field";
 import { shownProblems } from "./form";
 import { problem } from "./problem";
 
-const LISTED = 200; // problems; the others stand in the editor, and come here when these are mended
+const LISTED = 200; // problems; the others stand in the editor, and come here when these are fixed
 
 interface Located {
   problem: Diagnostic;

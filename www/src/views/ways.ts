@@ -1,4 +1,4 @@
-// Ways of writing a call: chosen for the snippet, and for the call of the program that the form edits.
+// Call styles: chosen for the snippet, and for the call of the program that the form edits.
 
 import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";

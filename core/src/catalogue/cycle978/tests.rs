@@ -102,7 +102,7 @@ proptest! {
     }
 
     /// An uncalibrated, skewed probe measures right by turning the spindle, and its skew is known afterwards, alone and
-    /// in the trigger value.
+    /// in the trigger point.
     #[test]
     fn differential_measurement_finds_the_skew(
         skew in -0.5..0.5_f64, error in -1.0..1.0_f64, axis in 0..2_usize, plus in any::<bool>(), turned in 0..2_u32,

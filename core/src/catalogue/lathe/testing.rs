@@ -64,7 +64,7 @@ pub fn setup(plane: Plane, transverse: Transverse) -> Setup {
     setup
 }
 
-/// A call in this plane with delivered values of what is not given; wide bands, without a mean value.
+/// A call in this plane with default values of what is not given; wide bands, without a mean value.
 pub fn inputs(name: &str, plane: Plane, values: &[(&'static str, f64)]) -> Inputs {
     let variant = values.iter().find(|(name, _)| *name == "_MVAR");
     let variant = variant.map_or(0, |(_, value)| *value as i64);

@@ -78,7 +78,7 @@ pub fn after(setup: &Setup, outcome: Outcome) -> Setup {
     Setup { control: outcome.control, position: outcome.position, ..setup.clone() }
 }
 
-/// A length as typed in the system of units in force.
+/// A length as typed in the active system of units.
 pub fn length(setup: &Setup, mm: f64) -> String {
     format!("{}", mm / setup.control.active_factor())
 }

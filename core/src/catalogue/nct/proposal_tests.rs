@@ -14,7 +14,7 @@ use crate::run::predict;
 const SHIFT: [f64; 3] = [0.21, -0.13, 0.17];
 const SIZE: f64 = 0.01;
 
-/// Macros that measure a part, in the plane that is in force.
+/// Macros that measure a part, in the active plane.
 fn macros() -> impl Iterator<Item = (&'static Cycle, &'static Variant)> {
     let all = CYCLES.iter().copied();
     all.filter(|cycle| cycle.dialect == Dialect::Nct && cycle.purpose.probe == ProbeUse::Workpiece)

@@ -1,4 +1,4 @@
-//! G65 P9920: a calibrated probe finds every tool again, and each way to fail is told.
+//! G65 P9920: a calibrated probe finds every tool again, and each way to fail is reported.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::{CALIBRATE, DEPRESSED, DIAMETER, INCORRECT, LENGTH, MEASURING_DEVICE, P9920, TOO_SMALL};
@@ -35,7 +35,7 @@ fn machine(plane: Plane) -> Setup {
     setup
 }
 
-/// This register in force, its tool of this length 4 mm above the disk and beside the centre by so much.
+/// With this register active, its tool of this length 4 mm above the disk and beside the centre by so much.
 fn over(setup: &mut Setup, register: i64, long: f64, aside: [f64; 2]) {
     setup.control.edge = register;
     let length = setup.control.active_length();

@@ -1,5 +1,5 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
-//! Surfaces whose shape is known: what is sent, what is reckoned of it, and how far the ball is from the part.
+//! Surfaces whose shape is known: what is sent, what is calculated of it, and how far the ball is from the part.
 
 use super::P9969;
 use crate::catalogue::nct;

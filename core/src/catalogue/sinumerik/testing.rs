@@ -75,7 +75,7 @@ pub fn element(variant: i64, length: [f64; 2]) -> Shape {
 pub const WIDE_BANDS: [(&str, f64); 6] =
     [("_TSA", 3.0), ("_TDIF", 2.5), ("_TUL", 2.4), ("_TLL", -2.4), ("_TMV", 2.0), ("_TZL", 0.0)];
 
-/// A call: delivered values of all parameters, then these.
+/// A call: default values of all parameters, then these.
 pub fn call(name: &str, variant: i64, values: &[(&'static str, f64)]) -> Inputs {
     let cycle = find(Dialect::Sinumerik, name).unwrap();
     let mut inputs = Inputs::new(cycle, variant);

@@ -113,7 +113,7 @@ fn units(unit: Unit) -> &'static [&'static str] {
 fn default_agrees(gud: &Gud, element: &Element, row: &Row) {
     let printed = row[5].split([',', ' ']).next().unwrap();
     match element.initial {
-        // A probe is delivered calibrated: appendix A.1 (B:16259-16265).
+        // A probe is calibrated by default: appendix A.1 (B:16259-16265).
         Initial::Number(value) if gud.name == "_WP" && value != 0.0 => {
             assert_eq!(row[8].parse(), Ok(value), "{}", row[0]);
         }
@@ -200,7 +200,7 @@ fn a_name_is_found_with_its_index_only_inside_of_the_array() {
     assert_eq!(gud.places(gud.element(&[3, 2]).unwrap(), 0).len(), 20);
 }
 
-// oracle: self (every datum is delivered once, inside of what is allowed)
+// oracle: self (every datum has one default, inside of what is allowed)
 #[test]
 fn what_is_delivered_is_allowed() {
     let control = delivery(Dialect::Sinumerik);

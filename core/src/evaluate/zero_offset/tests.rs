@@ -139,7 +139,7 @@ fn a_table_stands_right_in_the_corrected_basic_frame_with_g500() {
 
 #[test]
 fn the_last_basic_frame_is_that_of_the_machine_data() {
-    // oracle: manual B:1938 (MD28081 says how many there are), A:15931 (the cure of 61412)
+    // oracle: manual B:1938 (MD28081 says how many there are), A:15931 (the remedy of 61412)
     let last = |control: &Control| target(control, 1000).map(|found| found.unwrap().store);
     let mut control = control();
     assert_eq!(last(&control), Err(61412));

@@ -149,7 +149,7 @@ fn what_stands_in_a_protection_zone_has_no_errors() {
     assert!(post["size"][0].as_f64() < Some(60.0), "{post}");
 }
 
-// oracle: hand: G500 is in force and G54 is corrected, by a rotation alone: both are drawn, the second before and after
+// oracle: hand: G500 is active and G54 is corrected, by a rotation alone: both are drawn, the second before and after
 #[test]
 fn a_corrected_frame_is_drawn_before_and_after() {
     let cycle = crate::catalogue::find(Dialect::Sinumerik, "CYCLE998").unwrap();
@@ -215,7 +215,7 @@ fn two_calls() -> Value {
     })
 }
 
-// oracle: manual B:5675, B:15997-16010 (of a hole _OVR[0] is the diameter, of a calibration _OVR[12] a trigger value)
+// oracle: manual B:5675, B:15997-16010 (of a hole _OVR[0] is the diameter, of a calibration _OVR[12] a trigger point)
 #[test]
 fn results_of_a_program_name_the_call_that_left_them() {
     let text = "G17 G54 G90 T9 D1\nM6\n_PRNUM=1 _FA=4 _TSA=2 _TZL=0 _NMSP=1 _VMS=0\n\
@@ -278,7 +278,7 @@ fn what_an_earlier_call_left_is_told_as_that_of_its_line() {
     assert_eq!(named("_OVI[2]")["earlier"], Value::Null);
 }
 
-// oracle: self (the place of the call, and the cure of the alarm as `probewright alarms` tells it)
+// oracle: self (the place of the call, and the remedy of the alarm as `probewright alarms` tells it)
 #[test]
 fn an_alarm_of_a_program_is_told_at_its_call_with_what_to_do() {
     let text = "G17 G54 G90 T9 D1\nM6\n_MVAR=101 _SETVAL=90 _KNUM=0 _PRNUM=1 _FA=4 _TSA=2\n  CYCLE977\nM30\n";

@@ -1,4 +1,4 @@
-//! SINUMERIK: assignments and the call, with the arguments that its way of writing takes.
+//! SINUMERIK: assignments and the call, with the arguments that its call style takes.
 
 use super::{Source, Written, assignments, is_expression, whole, word};
 use crate::check::{Parsed, Target, newer, parse, target};
@@ -8,7 +8,7 @@ use crate::name::Name;
 use crate::own;
 use crate::program::values::opposite;
 
-/// The call in this way of writing.
+/// The call in this call style.
 pub(super) fn write(source: &Source, style: Style) -> Written {
     let of_style = |list: &&ArgumentList| list.style == style;
     let mut lists = source.cycle.lists.iter().filter(of_style);

@@ -25,11 +25,11 @@ pub struct Written {
     pub text: String,
     /// The parameters whose values stand in it.
     pub said: Vec<Name>,
-    /// What this way of writing cannot say.
+    /// What this call style cannot say.
     pub findings: Vec<Diagnostic>,
 }
 
-/// What a way of writing starts from: the values that are used and can be written, in the order of the manual's tables.
+/// What a call style starts from: the values that are used and can be written, in the order of the manual's tables.
 struct Source<'a> {
     cycle: &'static Cycle,
     inputs: Inputs,

@@ -72,7 +72,7 @@ fn place() -> impl Strategy<Value = [f64; 3]> {
 proptest! {
     #![proptest_config(random_parts(1))]
 
-    // oracle: manual B:8566-8592 (afterwards the measured triangle has the set position; active when called again)
+    // oracle: manual B:8566-8592 (afterwards the measured triangle has the setpoint position; active when called again)
     #[test]
     fn a_corrected_frame_brings_the_triangle_to_its_place(at in place(), turn in place(), target in 0..4_usize) {
         let setup = setup();
@@ -93,7 +93,7 @@ proptest! {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
 
-    // oracle: manual B:8584 (the result frame chained to the active one gives the set position), in mm and in inch
+    // oracle: manual B:8584 (the result frame chained to the active one gives the setpoint position), in mm and in inch
     #[test]
     fn the_result_frame_may_be_chained_by_the_program(at in place(), turn in place(), inch in any::<bool>()) {
         let setup = setup();

@@ -1,4 +1,4 @@
-//! What CYCLE961 refuses and doubts, and how its calls are written and read.
+//! Errors and warnings of CYCLE961, and how its calls are written and read.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 

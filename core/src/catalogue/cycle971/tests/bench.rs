@@ -11,7 +11,7 @@ use crate::workpiece::{Cut, Cutter, Noise, Tool};
 
 pub const PLANES: [Plane; 3] = [Plane::G17, Plane::G18, Plane::G19];
 
-/// Delivered values, wide bands, and these.
+/// Default values, wide bands, and these.
 pub fn call(variant: i64, plane: Plane, values: &[(&'static str, f64)]) -> Inputs {
     let mut all = vec![("_FA", 4.0), ("_TZL", 0.0), ("_TDIF", 1.9), ("_TSA", 2.0)];
     all.extend(values);

@@ -209,7 +209,7 @@ fn compensation_needs_its_table() {
         control.set("_MT_COMP", 1.0);
         control.set("_TP_CF", 2.0);
     };
-    // the table of a make is in no manual, which is told
+    // the table of a make is in no manual, which is reported
     assert_eq!(found(ROTATING, made), vec![(Severity::Note, Code::Own(149))]);
     assert_eq!(found(RADIUS, made), []);
 }

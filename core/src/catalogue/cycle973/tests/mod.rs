@@ -1,4 +1,4 @@
-//! What CYCLE973 refuses and doubts, which results it leaves, and how it is called indirectly.
+//! Errors and warnings of CYCLE973, which results it returns, and how it is called indirectly.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
@@ -104,7 +104,7 @@ fn the_first_calibration_needs_a_wide_safe_area() {
     assert_eq!(found(&CYCLE973, &[("_TSA", "3.1")], erase), []);
 }
 
-/// Indices of the trigger values and skews that a call leaves.
+/// Indices of the trigger points and skews that a call leaves.
 fn triggers(variant: i64, axis: f64, direction: f64) -> Vec<usize> {
     let mut inputs = Inputs::new(&CYCLE973, variant);
     inputs.numbers.extend([(names::MA, axis), (names::MD, direction)]);

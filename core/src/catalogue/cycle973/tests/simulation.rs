@@ -39,7 +39,7 @@ fn ready(plane: Plane, tip: i64, call: &Inputs) -> Setup {
     placed(setup, call)
 }
 
-/// Trigger value of an axis and direction (1 minus, 2 plus).
+/// Trigger point of an axis and direction (1 minus, 2 plus).
 fn trigger(axis: usize, sign: usize) -> String {
     format!("_WP[0,{}]", 2 * axis + sign)
 }

@@ -1,4 +1,4 @@
-//! What CYCLE974 refuses and doubts, and what its form and its pictures follow.
+//! Errors and warnings of CYCLE974, and what its form and its pictures follow.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 

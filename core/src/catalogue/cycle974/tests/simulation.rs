@@ -231,7 +231,7 @@ fn an_inch_machine_finds_the_same() {
 
 #[test]
 fn a_skewed_probe_is_calibrated_away() {
-    // oracle: hand (trigger values as a calibration finds them: the ball stands 0.2 beside where it is believed)
+    // oracle: hand (trigger points as a calibration finds them: the ball stands 0.2 beside where it is believed)
     let plane = Plane::G18;
     let call = call(plane, 0.0, 1, 60.0);
     let mut setup = placed(setup(plane, Transverse::Diameter), &call);

@@ -1,4 +1,4 @@
-//! What CYCLE976 refuses and doubts, and which results it leaves.
+//! Errors and warnings of CYCLE976, and which results it returns.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
@@ -114,7 +114,7 @@ fn fields_follow_the_variant() {
     assert!(length.iter().any(|label| label == "param-fa-length"));
 }
 
-/// Indices of the trigger values that a call leaves.
+/// Indices of the trigger points that a call leaves.
 fn triggers(variant: i64, axis: f64, direction: f64) -> Vec<usize> {
     let mut inputs = crate::entry::Inputs::new(&CYCLE976, variant);
     inputs.numbers.extend([(names::MA, axis), (names::MD, direction)]);

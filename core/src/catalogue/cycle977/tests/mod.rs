@@ -123,7 +123,7 @@ proptest! {
             setup.workpiece.solids.push(solid);
             let mut sim = Sim::new(&setup);
             prop_assert_eq!(run(&mut sim, &inputs(variant, axis as f64)), Ok(()), "variant {}", variant);
-            // oracle: hand. A wall turned by a about (dx, dy) is met along the abscissa, from the set centre, at
+            // oracle: hand. A wall turned by a about (dx, dy) is met along the abscissa, from the setpoint centre, at
             // dx + dy·tan a ± (W/2 ∓ R)/cos a; then along the ordinate through that centre.
             let (tan, cos) = (tilt.to_radians().tan(), tilt.to_radians().cos());
             let ball = if variant % 2 == 1 { 6.0 } else { -6.0 };

@@ -10,7 +10,7 @@ use crate::control::Plane;
 use crate::entry::{Inputs, names};
 use crate::machine::Sim;
 
-/// Ways as [`expand`] reads them, from the set centre.
+/// Ways as [`expand`] reads them, from the setpoint centre.
 /// Ball of radius 3, `_FA` 5, sizes 60 and 44: inside 60/2 - 3 = 27 and 5 before it, outside 60/2 + 3 = 33 and 5 before
 /// it.
 fn table(variant: i64, axis: usize) -> &'static str {
@@ -26,7 +26,7 @@ fn table(variant: i64, axis: usize) -> &'static str {
     }
 }
 
-/// What a call does on the nominal part, from the set centre at the height of the start.
+/// What a call does on the nominal part, from the setpoint centre at the height of the start.
 fn driven(plane: Plane, variant: i64, inputs: &Inputs, across: bool) -> Vec<Motion> {
     let mut setup = ready(plane, variant);
     setup.workpiece.solids.push(part(plane, variant, across));

@@ -112,7 +112,7 @@ fn a_mono_probe_looks_along_turned_coordinates() {
 
 #[test]
 fn a_skewed_multi_probe_has_to_turn_with_the_coordinates() {
-    // oracle: manual B:13973-13987 (the same places of the ball are touched as in calibration, as delivered), and hand:
+    // oracle: manual B:13973-13987 (the same places of the ball are touched as in calibration, by default), and hand:
     // without coupling the cycle takes the skew as that of the WCS, where it is turned back by the angle.
     let case = |coupled: f64| {
         let (sim, outcome) = hole(|setup, _| {

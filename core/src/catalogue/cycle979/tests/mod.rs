@@ -1,4 +1,4 @@
-//! What CYCLE979 refuses and doubts.
+//! Errors and warnings of CYCLE979.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 

@@ -81,7 +81,7 @@ const CUTTERS: [(i64, bool); 8] =
 proptest! {
     #![proptest_config(random_parts(200))]
 
-    // oracle: hand: the trigger values take in where the probe stands, how large it is and how late it switches
+    // oracle: hand: the trigger points take in where the probe stands, how large it is and how late it switches
     #[test]
     fn a_calibrated_probe_finds_every_tool_and_then_nothing(
         shift in prop::array::uniform2(-1.0..1.0_f64),

@@ -10,7 +10,7 @@ use crate::geometry::Mcs;
 use crate::machine::Setup;
 use crate::workpiece::{Cut, Cutter, Nose, Shape, Solid, Tool, ToolProbe};
 
-/// Trigger values of the manual's probe by axis, touched in minus and in plus direction, mm (B:9044-9047).
+/// Trigger points of the manual's probe by axis, touched in minus and in plus direction, mm (B:9044-9047).
 pub const PROBE: [[f64; 2]; 2] = [[220.0, 200.0], [400.0, 380.0]];
 /// Shift of the workpiece system, X Y Z, mm.
 pub const SHIFT: [f64; 3] = [30.0, 0.0, 60.0];

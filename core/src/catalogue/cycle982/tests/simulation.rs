@@ -293,7 +293,7 @@ fn exact(real: Real, kind: i64) -> crate::control::Edge {
 
 #[test]
 fn calibrated_measured_corrected_and_measured_again_nothing_is_wrong() {
-    // oracle: hand: the probe switches late and stands elsewhere than believed; with its trigger values found, the
+    // oracle: hand: the probe switches late and stands elsewhere than believed; with its trigger points found, the
     // second measurement of a tool has no difference, whatever the first one was
     let real = Real { length: [100.0, 60.0], radius: 2.0 };
     for inch in [false, true] {

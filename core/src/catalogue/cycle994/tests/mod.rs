@@ -1,4 +1,4 @@
-//! What CYCLE994 refuses and doubts, and what its picture shows.
+//! Errors and warnings of CYCLE994, and what its picture shows.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 

@@ -1,4 +1,4 @@
-//! What CYCLE997 refuses and doubts, what it asks for, and where it touches.
+//! Errors and warnings of CYCLE997, what it asks for, and where it touches.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 

@@ -18,14 +18,14 @@ use crate::workpiece::Shape;
 use proptest::prelude::*;
 
 const PLANES: [Plane; 3] = [Plane::G17, Plane::G18, Plane::G19];
-/// Set centres: abscissa, ordinate, applicate.
+/// Setpoint centres: abscissa, ordinate, applicate.
 pub(super) const CENTRES: [[f64; 3]; 3] = [[100.0, 60.0, 20.0], [260.0, 90.0, 20.0], [180.0, 240.0, 20.0]];
 /// Setpoint diameter.
 const SIZE: f64 = 50.0;
 /// Radius of the ball.
 const BALL: f64 = 3.0;
 
-/// A call of a variant about the set centres.
+/// A call of a variant about the setpoint centres.
 pub(super) fn inputs(variant: i64) -> Inputs {
     let mut values =
         vec![("_SETVAL", SIZE), ("_STA1", 0.0), ("_INCA", 90.0), ("_RF", 900.0), ("_FA", 5.0), ("_TSA", 8.0)];
@@ -47,7 +47,7 @@ fn count(variant: i64) -> usize {
     if variant / 10_000 % 10 == 1 { 3 } else { 1 }
 }
 
-/// Spheres at their set centres in the active frame, and the probe 60 mm above the first one.
+/// Spheres at their setpoint centres in the active frame, and the probe 60 mm above the first one.
 pub(super) fn ready(plane: Plane, variant: i64) -> Setup {
     spheres(setup(plane), plane, variant)
 }

@@ -1,4 +1,4 @@
-//! What CYCLE998 refuses and doubts, and how its calls are written.
+//! Errors and warnings of CYCLE998, and how its calls are written.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
@@ -29,7 +29,7 @@ fn found(changes: &[(&str, &str)], prepare: impl Fn(&mut Control)) -> Vec<(Sever
     found.into_iter().map(|one| (one.severity, one.code, one.param.unwrap().as_str())).collect()
 }
 
-/// The oblique plane of B:7624-7694, whose program leaves the set position to an earlier call.
+/// The oblique plane of B:7624-7694, whose program leaves the setpoint position to an earlier call.
 const PLANE: &[(&str, &str)] = &[
     ("_MVAR", "106"),
     ("_SETVAL", "30"),
