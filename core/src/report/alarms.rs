@@ -1,7 +1,8 @@
 //! An alarm as a person reads it, for the terminal and for `docs/alarms.md`.
 
-use crate::catalogue::alarms::{ALARMS, Alarm, Found, key, raised_by, stops};
-use crate::catalogue::operator_messages::{MESSAGES, OperatorMessage, Sender, shown_by};
+use crate::app::AlarmInfo;
+use crate::catalogue::alarms::{ALARMS, Alarm, Found, stops};
+use crate::catalogue::operator_messages::{MESSAGES, OperatorMessage, Sender};
 use crate::catalogue::{CYCLES, alarms, operator_messages};
 use crate::manual::Cited;
 use crate::message::Message;
@@ -32,45 +33,38 @@ pub struct Told {
 /// All alarms, then all texts for the operator, in words.
 pub fn all(words: &Words) -> impl Iterator<Item = Told> {
     let messages = MESSAGES.iter().map(move |message| told_message(message, words));
-    ALARMS.iter().map(move |alarm| told(alarm, words)).chain(messages)
+    ALARMS.iter().map(move |alarm| told_alarm(alarm, words)).chain(messages)
 }
 
 /// The alarm or text with this name in words.
 pub fn named(name: &str, words: &Words) -> Option<Told> {
-    let alarm = alarms::find(name).map(|alarm| told(alarm, words));
+    let alarm = alarms::find(name).map(|alarm| told_alarm(alarm, words));
     alarm.or_else(|| operator_messages::find(name).map(|message| told_message(message, words)))
 }
 
-/// An alarm in words.
-fn told(alarm: &Alarm, words: &Words) -> Told {
-    let key = key(alarm.code);
-    Told {
-        code: alarm.code.to_string(),
-        meaning: words.key(key.clone()),
-        cause: words.find(&Message::new(format!("{key}.cause"))),
-        cure: words.key(format!("{key}.cure")),
-        effect: words.key(effect_key(alarm)),
-        sources: sources(alarm, words),
-        found: words.key(found_key(alarm.found)),
-        source: Cited(alarm.source),
-    }
+fn told_alarm(alarm: &Alarm, words: &Words) -> Told {
+    let mut measuring = CYCLES.iter().filter(|cycle| cycle.is_measuring_cycle());
+    let by_every_cycle = measuring.all(|cycle| cycle.alarms().contains(&alarm.code));
+    told(AlarmInfo::of(alarm), effect_key(alarm), by_every_cycle, words)
 }
 
-/// A text for the operator in words.
 fn told_message(message: &OperatorMessage, words: &Words) -> Told {
     let effect = if message.waits { "effect-start" } else { "effect-shown" };
+    told(AlarmInfo::of_message(message), effect, message.sender == Sender::EveryCycle, words)
+}
+
+/// What every measuring cycle raises does not name each of them.
+fn told(info: AlarmInfo, effect: &'static str, by_every_cycle: bool, words: &Words) -> Told {
+    let AlarmInfo { code, key, cycles, found, source, .. } = info;
     Told {
-        code: message.text.to_owned(),
-        meaning: words.key(message.key),
-        cause: None,
-        cure: words.key(format!("{}.cure", message.key)),
+        code,
+        cause: words.find(&Message::new(format!("{key}.cause"))),
+        cure: words.key(format!("{key}.cure")),
+        meaning: words.key(key),
         effect: words.key(effect),
-        sources: match message.sender {
-            Sender::EveryCycle => words.key("alarms-every-cycle"),
-            _ => shown_by(message).join(", "),
-        },
-        found: words.key(found_key(Found::Nowhere)),
-        source: Cited(message.source),
+        sources: if by_every_cycle { words.key("alarms-every-cycle") } else { cycles.join(", ") },
+        found: words.key(found_key(found)),
+        source,
     }
 }
 
@@ -93,13 +87,6 @@ fn found_key(found: Found) -> &'static str {
         Found::Both => "found-both",
         Found::Nowhere => "found-nowhere",
     }
-}
-
-/// Cycles and programs in a sentence; those that every measuring cycle raises do not name each.
-fn sources(alarm: &Alarm, words: &Words) -> String {
-    let mut measuring = CYCLES.iter().filter(|cycle| cycle.is_measuring_cycle());
-    let every = measuring.all(|cycle| cycle.alarms().contains(&alarm.code));
-    if every { words.key("alarms-every-cycle") } else { raised_by(alarm).join(", ") }
 }
 
 /// The page of all alarms, Markdown: a section each.
@@ -154,7 +141,7 @@ mod tests {
     fn every_message_of_the_macros_has_a_cause() {
         for words in ["en", "zh"].map(|code| Words::of(code).unwrap()) {
             for alarm in ALARMS {
-                let told = told(alarm, &words);
+                let told = told_alarm(alarm, &words);
                 let macros = matches!(alarm.code, crate::diagnostic::Code::Nct(_));
                 assert!(!macros || told.cause.is_some(), "{}", told.code);
             }

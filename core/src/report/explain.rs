@@ -25,8 +25,7 @@ pub fn cycle(cycle: &'static Cycle, words: &Words) -> String {
 /// The help page of a variant.
 pub fn variant(cycle: &'static Cycle, variant: &Variant, words: &Words) -> String {
     let (number, title) = (variant.number, words.key(variant.key));
-    let mut text = format!("{} {number}: {title}\n", cycle.name);
-    let _ = writeln!(text, "{}", summary(cycle, words));
+    let mut text = format!("{} {number}: {title}\n{}\n", cycle.name, summary(cycle, words));
     for (heading, items) in help::of_variant(cycle, variant, words) {
         let _ = writeln!(text, "\n{heading}\n  {}", items.join("\n  "));
     }

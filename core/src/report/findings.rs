@@ -7,8 +7,8 @@ use crate::{own, problem};
 
 /// What a finding means and what helps, for each sentence that it may say. Empty: there is none of this name.
 pub fn finding(asked: &str, words: &Words) -> String {
-    let number = asked.get(2..).filter(|_| is_own(asked));
-    let Some(number) = number.and_then(|digits| digits.parse().ok()) else { return String::new() };
+    let own = asked.split_at_checked(2).filter(|(sort, _)| sort.eq_ignore_ascii_case("PW"));
+    let Some(number) = own.and_then(|(_, digits)| digits.parse().ok()) else { return String::new() };
     let told = said(number).into_iter().map(|(cause, cure)| {
         let cure = match cure {
             "" => String::new(),
@@ -17,10 +17,6 @@ pub fn finding(asked: &str, words: &Words) -> String {
         format!("PW{number:03}: {}\n{cure}", sentence(cause, words))
     });
     told.collect()
-}
-
-fn is_own(asked: &str) -> bool {
-    asked.get(..2).is_some_and(|begin| begin.eq_ignore_ascii_case("pw"))
 }
 
 /// What may be said under a number, and what helps; that is empty where the sentence says it.

@@ -4,7 +4,7 @@
 use crate::catalogue::help::HelpPage;
 use crate::entry::{Cycle, SECTIONS, Section, Variant};
 use crate::manual::Cited;
-use crate::message::{Arg, Message};
+use crate::report;
 use crate::report::markdown::line;
 use crate::words::Words;
 
@@ -93,13 +93,8 @@ fn write(text: &mut String, cycle: &Cycle, page: &[Said], words: &Words) {
 fn sections(cycle: &Cycle, page: &[Said], mark: &str, words: &Words) -> Vec<(String, Vec<String>)> {
     let mut sections = Vec::new();
     for section in SECTIONS {
-        let of_section: Vec<&Said> = page.iter().filter(|one| one.section() == section).collect();
-        if of_section.is_empty() {
-            continue;
-        }
-        let mut items: Vec<String> = Vec::new();
-        let (mut values, mut alarms) = (Vec::new(), Vec::new());
-        for one in of_section {
+        let (mut items, mut values, mut alarms) = (Vec::new(), Vec::new(), Vec::new());
+        for one in page.iter().filter(|one| one.section() == section) {
             match one {
                 Said::Line(_, sentence) => items.push(sentence.clone()),
                 Said::Value(name) => values.push(format!("{mark}{name}{mark}")),
@@ -108,15 +103,14 @@ fn sections(cycle: &Cycle, page: &[Said], mark: &str, words: &Words) -> Vec<(Str
         }
         items.extend(listed("help-values", &values, words));
         items.extend(listed("help-alarms", &alarms, words));
-        sections.push((words.key(section.key(cycle)), items));
+        if !items.is_empty() {
+            sections.push((words.key(section.key(cycle)), items));
+        }
     }
     sections
 }
 
 /// A sentence that lists names; none without names.
 fn listed(key: &'static str, names: &[String], words: &Words) -> Option<String> {
-    let names = Some(names.join(", ")).filter(|names| !names.is_empty())?;
-    let mut message = Message::new(key);
-    message.args.push(("names", Arg::Text(names))); // whole: `text` would shorten it
-    Some(words.text(&message))
+    (!names.is_empty()).then(|| report::said(words, key, &[("names", names.join(", "))]))
 }

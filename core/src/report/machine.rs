@@ -1,6 +1,6 @@
 //! The reference of user and machine data in `docs/machine-data.md`, written from the tables and the message files.
 
-use super::markdown::{heading, line, row};
+use super::markdown::{line, table};
 use super::said;
 use crate::control::gud::{Block, Element, Gud, Initial, Kind, Subject, System, Unit};
 use crate::control::machine_data::{MACHINE_DATA, MachineDatum};
@@ -9,6 +9,7 @@ use crate::control::{gud, nct_data};
 use crate::manual::Cited;
 use crate::message::Message;
 use crate::program::user_programs;
+use crate::program::user_programs::UserProgram;
 use crate::range::Range;
 use crate::support;
 use crate::words::Words;
@@ -26,34 +27,21 @@ pub fn page(words: &Words) -> String {
     for subject in nct_data::SUBJECTS {
         nct_subject(&mut text, subject, words);
     }
-    while text.ends_with("\n\n") {
-        text.pop();
-    }
-    text
+    text.trim_end().to_owned() + "\n"
 }
 
-fn user_data(text: &mut String, subject: &Subject, words: &Words) {
+fn user_data(text: &mut String, subject: &'static Subject, words: &Words) {
     let title = words.key(format!("machine-group-{}", subject.key));
     let columns = ["name", "meaning", "block", "type", "default", "unit", "range", "source"];
-    heading(text, &title, &columns, words);
-    if subject.key == gud::MASKS {
-        row(text, &forms(words));
-    }
-    for gud in subject.data {
-        for element in gud.elements {
-            row(text, &cells(gud, element, words));
-        }
-    }
-    text.push('\n');
+    let own = (subject.key == gud::MASKS).then(|| forms(words));
+    let of_datum = |gud: &'static Gud| gud.elements.iter().map(move |element| cells(gud, element, words));
+    table(text, &title, columns, own.into_iter().chain(subject.data.iter().flat_map(of_datum)), words);
 }
 
 /// The setting of ours that lets the masks count.
 fn forms(words: &Words) -> [String; 8] {
-    let [kind, delivered, unit, allowed, source] = ["", "0", "", "", ""].map(str::to_owned);
-    let block = words.key("report-own-setting");
-    let name = format!("`{}`", support::FORMS);
-    let meaning = meaning(support::FORMS_KEY, &[0, 1], words);
-    [name, meaning, block, kind, delivered, unit, allowed, source]
+    let (name, meaning) = (format!("`{}`", support::FORMS), meaning(support::FORMS_KEY, &[0, 1], words));
+    [&name, &meaning, &words.key("report-own-setting"), "", "0", "", "", ""].map(str::to_owned)
 }
 
 fn cells(gud: &Gud, element: &Element, words: &Words) -> [String; 8] {
@@ -61,7 +49,7 @@ fn cells(gud: &Gud, element: &Element, words: &Words) -> [String; 8] {
         format!("`{}`", name(gud, element)),
         meaning(&gud.key(element), element.choices, words),
         block(gud, words),
-        kind(gud.kind).to_owned(),
+        gud.kind.name().to_owned(),
         initial(gud, element),
         unit(element.unit, words),
         range(element.range, words),
@@ -116,30 +104,14 @@ pub fn told(asked: impl Fn(&str) -> bool, words: &Words) -> Vec<(String, &'stati
 }
 
 fn block(gud: &Gud, words: &Words) -> String {
-    let name = match gud.block {
-        Block::Gud5 => "GUD5",
-        Block::Gud6 => "GUD6",
-        Block::Gud7 => "GUD7",
-    };
     let of = if gud.block == Block::Gud6 && !gud.channel { "report-of-control" } else { "report-of-channel" };
-    format!("{name}, {}", words.key(of))
-}
-
-fn kind(kind: Kind) -> &'static str {
-    match kind {
-        Kind::Real => "REAL",
-        Kind::Integer => "INT",
-        Kind::Bool => "BOOL",
-        Kind::Text => "STRING",
-        Kind::Frame => "FRAME",
-    }
+    format!("{}, {}", format!("{:?}", gud.block).to_uppercase(), words.key(of))
 }
 
 /// Parameters of a call have their defaults on the pages of the cycles.
 fn initial(gud: &Gud, element: &Element) -> String {
     match element.initial {
-        Initial::Number(_) if !gud.of_machine() || gud.kind == Kind::Frame => String::new(),
-        Initial::Number(_) if gud.text() => String::new(),
+        Initial::Number(_) if !gud.of_machine() || matches!(gud.kind, Kind::Frame | Kind::Text) => String::new(),
         _ => delivered(element),
     }
 }
@@ -184,10 +156,8 @@ fn between(from: impl ToString, to: impl ToString, words: &Words) -> String {
 
 fn machine_data(text: &mut String, words: &Words) {
     let columns = ["number", "name", "meaning", "standard", "cycles", "jog", "bounds", "effective", "used", "source"];
-    heading(text, &words.key("machine-group-machine-data"), &columns, words);
-    for datum in MACHINE_DATA {
-        row(text, &machine_cells(datum, words));
-    }
+    let rows = MACHINE_DATA.iter().map(|datum| machine_cells(datum, words));
+    table(text, &words.key("machine-group-machine-data"), columns, rows, words);
 }
 
 fn machine_cells(datum: &MachineDatum, words: &Words) -> [String; 10] {
@@ -214,34 +184,29 @@ fn machine_cells(datum: &MachineDatum, words: &Words) -> [String; 10] {
 
 /// Programs of the machine's user around each measurement.
 fn user_programs(text: &mut String, words: &Words) {
-    let columns = ["name", "called", "source"];
-    heading(text, &words.key("machine-user-programs"), &columns, words);
-    for program in user_programs::ALL {
-        let cells =
-            [format!("`{}`", program.name), meaning(program.key, &[], words), Cited(program.source).to_string()];
-        row(text, &cells);
-    }
-    text.push('\n');
+    let cells = |program: &UserProgram| {
+        [format!("`{}`", program.name), meaning(program.key, &[], words), Cited(program.source).to_string()]
+    };
+    let rows = user_programs::ALL.iter().map(cells);
+    table(text, &words.key("machine-user-programs"), ["name", "called", "source"], rows, words);
 }
 
 /// Variables and parameters of an NCT control.
 fn nct_subject(text: &mut String, subject: &Subject<NctDatum>, words: &Words) {
     let group = words.key(format!("machine-group-{}", subject.key));
     let columns = ["name", "meaning", "default", "unit", "range", "source"];
-    heading(text, &format!("NCT: {group}"), &columns, words);
-    for datum in subject.data {
+    let cells = |datum: &NctDatum| {
         let element = &datum.element;
-        let cells = [
+        [
             format!("`{}`", datum.name),
             meaning(&datum.key(), element.choices, words),
             delivered(element),
             unit(element.unit, words),
             range(element.range, words),
             Cited(element.source).to_string(),
-        ];
-        row(text, &cells);
-    }
-    text.push('\n');
+        ]
+    };
+    table(text, &format!("NCT: {group}"), columns, subject.data.iter().map(cells), words);
 }
 
 #[cfg(test)]

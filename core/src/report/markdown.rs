@@ -9,20 +9,25 @@ pub fn line(text: &mut String, paragraph: &str) {
     text.push_str("\n\n");
 }
 
-/// A row of a table.
-pub fn row<T: AsRef<str>>(text: &mut String, cells: &[T]) {
-    text.push('|');
-    for cell in cells {
-        let cell = cell.as_ref().replace('|', "\\|").replace('\n', " ");
-        let _ = write!(text, " {cell} |");
+/// A table under its heading, nothing without rows; columns by the end of the keys of their names.
+pub fn table<const COLUMNS: usize>(
+    text: &mut String,
+    title: &str,
+    columns: [&str; COLUMNS],
+    rows: impl Iterator<Item = [String; COLUMNS]>,
+    words: &Words,
+) {
+    let mut rows = rows.peekable();
+    if rows.peek().is_some() {
+        line(text, &format!("## {title}"));
+        row(text, columns.map(|column| words.key(format!("report-column-{column}"))));
+        row(text, columns.map(|_| "---".to_owned()));
+        rows.for_each(|cells| row(text, cells));
+        text.push('\n');
     }
-    text.push('\n');
 }
 
-/// A heading with the head of a table under it; columns by the end of the keys of their names.
-pub fn heading(text: &mut String, title: &str, columns: &[&str], words: &Words) {
-    line(text, &format!("## {title}"));
-    let names: Vec<String> = columns.iter().map(|column| words.key(format!("report-column-{column}"))).collect();
-    row(text, &names);
-    row(text, &vec!["---"; columns.len()]);
+fn row<const COLUMNS: usize>(text: &mut String, cells: [String; COLUMNS]) {
+    let cells = cells.map(|cell| cell.replace('|', "\\|").replace('\n', " "));
+    let _ = writeln!(text, "| {} |", cells.join(" | "));
 }

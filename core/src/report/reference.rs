@@ -2,12 +2,11 @@
 
 use crate::catalogue::alarms;
 use crate::diagnostic::Code;
-use crate::entry::{Cycle, Kind, Level, Param, ProbeUse, Unit, When};
+use crate::entry::{Cycle, Kind, Level, Param, ProbeUse, ResultField, Unit, Variant, When};
 use crate::manual::Cited;
-use crate::message::Message;
 use crate::range::Range;
 use crate::report::help::help;
-use crate::report::markdown::{heading, line, row};
+use crate::report::markdown::{line, table};
 use crate::report::said;
 use crate::words::Words;
 
@@ -24,10 +23,7 @@ pub fn page(cycle: &'static Cycle, words: &Words) -> String {
     parameters(&mut text, cycle, words);
     results(&mut text, cycle, words);
     alarms(&mut text, cycle, words);
-    while text.ends_with("\n\n") {
-        text.pop();
-    }
-    text
+    text.trim_end().to_owned() + "\n"
 }
 
 /// Key of how much of the cycle Probewright knows.
@@ -40,27 +36,15 @@ fn known(cycle: &Cycle) -> &'static str {
 }
 
 fn variants(text: &mut String, cycle: &Cycle, words: &Words) {
-    heading(text, &words.key("report-variants"), &["number", "measures", "source"], words);
-    for variant in cycle.variants {
-        row(text, &[variant.number.to_string(), words.key(variant.key), Cited(variant.source).to_string()]);
-    }
-    text.push('\n');
+    let cells = |one: &Variant| [one.number.to_string(), words.key(one.key), Cited(one.source).to_string()];
+    let columns = ["number", "measures", "source"];
+    table(text, &words.key("report-variants"), columns, cycle.variants.iter().map(cells), words);
 }
 
 fn parameters(text: &mut String, cycle: &Cycle, words: &Words) {
-    if cycle.params.is_empty() {
-        return;
-    }
-    heading(
-        text,
-        &words.key("report-parameters"),
-        &["name", "meaning", "need", "unit", "default", "range", "source"],
-        words,
-    );
-    for param in cycle.params {
-        row(text, &parameter(param, words));
-    }
-    text.push('\n');
+    let columns = ["name", "meaning", "need", "unit", "default", "range", "source"];
+    let rows = cycle.params.iter().map(|param| parameter(param, words));
+    table(text, &words.key("report-parameters"), columns, rows, words);
 }
 
 fn parameter(param: &Param, words: &Words) -> [String; 7] {
@@ -140,62 +124,45 @@ fn range(param: &Param, words: &Words) -> String {
         let list: Vec<String> = choices.iter().map(|(value, _)| value.to_string()).collect();
         list.join(", ")
     };
+    let under = |condition: &When, choices: &[(i64, &str)]| format!("{}: {}", when(condition, words), numbers(choices));
     match &param.kind {
-        Kind::Choice(choices) => return numbers(choices),
-        Kind::ChoiceIf(condition, choices) => return format!("{}: {}", when(condition, words), numbers(choices)),
+        Kind::Choice(choices) => numbers(choices),
+        Kind::ChoiceIf(condition, choices) => under(condition, choices),
         Kind::ChoiceBy(lists) => {
-            let list = |(condition, choices): &(When, &[(i64, &str)])| {
-                format!("{}: {}", when(condition, words), numbers(choices))
-            };
-            return lists.iter().map(list).collect::<Vec<_>>().join("; ");
+            let lists: Vec<String> = lists.iter().map(|(condition, choices)| under(condition, choices)).collect();
+            lists.join("; ")
         }
-        _ => {}
+        _ => bounds(param.range),
     }
-    let Range { min, min_included, max, max_included } = param.range;
-    let low = if min.is_finite() { format!("{} {min}", if min_included { "≥" } else { ">" }) } else { String::new() };
-    let high =
-        if max.is_finite() { format!("{} {max}", if max_included { "≤" } else { "<" }) } else { String::new() };
-    [low, high].into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", ")
+}
+
+fn bounds(Range { min, min_included, max, max_included }: Range) -> String {
+    let low = min.is_finite().then(|| format!("{} {min}", if min_included { "≥" } else { ">" }));
+    let high = max.is_finite().then(|| format!("{} {max}", if max_included { "≤" } else { "<" }));
+    let both: Vec<String> = low.into_iter().chain(high).collect();
+    both.join(", ")
 }
 
 fn results(text: &mut String, cycle: &Cycle, words: &Words) {
-    if cycle.results.is_empty() {
-        return;
-    }
-    heading(text, &words.key("report-results"), &["datum", "meaning", "when", "unit", "source"], words);
-    for field in cycle.results {
+    let cells = |field: &ResultField| {
         let condition = match field.when {
             When::Always => String::new(),
             _ => when(&field.when, words),
         };
-        let cells = [
-            format!("`{}`", field.name),
-            words.key(field.key),
-            condition,
-            unit(field.unit, words),
-            Cited(field.source).to_string(),
-        ];
-        row(text, &cells);
-    }
-    text.push('\n');
+        let (name, source) = (format!("`{}`", field.name), Cited(field.source).to_string());
+        [name, words.key(field.key), condition, unit(field.unit, words), source]
+    };
+    let columns = ["datum", "meaning", "when", "unit", "source"];
+    table(text, &words.key("report-results"), columns, cycle.results.iter().map(cells), words);
 }
 
 fn alarms(text: &mut String, cycle: &Cycle, words: &Words) {
-    let alarms = cycle.alarms();
-    if alarms.is_empty() {
-        return;
-    }
-    heading(text, &words.key("report-alarms-raised"), &["number", "meaning", "cure"], words);
-    for alarm in alarms {
-        row(text, &alarm_cells(alarm, words));
-    }
-    text.push('\n');
-}
-
-fn alarm_cells(alarm: Code, words: &Words) -> [String; 3] {
-    let key = alarms::key(alarm);
-    let cure = words.find(&Message::new(format!("{key}.cure"))).unwrap_or_default();
-    [alarm.to_string(), words.key(key), cure]
+    let cells = |alarm: Code| {
+        let key = alarms::key(alarm);
+        [alarm.to_string(), words.key(key.clone()), words.key(format!("{key}.cure"))]
+    };
+    let rows = cycle.alarms().into_iter().map(cells);
+    table(text, &words.key("report-alarms-raised"), ["number", "meaning", "cure"], rows, words);
 }
 
 #[cfg(test)]

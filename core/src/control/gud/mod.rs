@@ -43,6 +43,19 @@ pub enum Kind {
     Frame,
 }
 
+impl Kind {
+    /// As a program defines it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Kind::Real => "REAL",
+            Kind::Integer => "INT",
+            Kind::Bool => "BOOL",
+            Kind::Text => "STRING",
+            Kind::Frame => "FRAME",
+        }
+    }
+}
+
 /// A datum of the blocks GUD5, GUD6 and GUD7.
 pub struct Gud {
     /// Name without index.

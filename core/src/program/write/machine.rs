@@ -64,21 +64,21 @@ pub fn definitions(control: &Control, delivered: &Control) -> String {
         counts(gud) || changed.iter().any(own)
     };
     let mut text = String::new();
-    for gud in gud::all().filter(|gud| gud.block == Block::Gud6 && differs(gud)) {
-        let Some(kind) = kind(gud.kind) else { continue };
-        let _ = writeln!(text, "{}", definition(control, gud, kind));
+    let simple = |gud: &&Gud| gud.block == Block::Gud6 && !matches!(gud.kind, Kind::Text | Kind::Frame);
+    for gud in gud::all().filter(simple).filter(|gud| differs(gud)) {
+        let _ = writeln!(text, "{}", definition(control, gud));
     }
     text
 }
 
 /// `DEF NCK REAL _KB[3,7]=(0,…)`; fields that are counted have as many as there are.
-fn definition(control: &Control, gud: &Gud, kind: &str) -> String {
+fn definition(control: &Control, gud: &Gud) -> String {
     let scope = if gud.channel { "CHAN" } else { "NCK" };
     let mut sizes = gud.sizes.to_vec();
     if let Some(first) = sizes.first_mut().filter(|_| !gud.counted.is_empty()) {
         *first = (control.number(gud.counted) as usize).min(*first);
     }
-    let mut line = format!("DEF {scope} {kind} {}", gud.name);
+    let mut line = format!("DEF {scope} {} {}", gud.kind.name(), gud.name);
     if sizes.contains(&0) {
         return format!(";{line} not present"); // the manual turns such a line into a comment
     }
@@ -95,15 +95,6 @@ fn definition(control: &Control, gud: &Gud, kind: &str) -> String {
         let _ = write!(line, "=({})", values.join(","));
     }
     line
-}
-
-fn kind(kind: Kind) -> Option<&'static str> {
-    match kind {
-        Kind::Real => Some("REAL"),
-        Kind::Integer => Some("INT"),
-        Kind::Bool => Some("BOOL"),
-        Kind::Text | Kind::Frame => None,
-    }
 }
 
 /// Indices of every element, the last one counting first.
