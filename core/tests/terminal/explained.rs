@@ -21,7 +21,7 @@ fn cycles_as_json_have_the_agreed_shape() {
 fn alarms_explains_one_and_lists_all() {
     let one = out(&probewright(&["alarms", "61341"]));
     assert!(one.starts_with("61341: The probe is not calibrated"), "{one}");
-    for part in ["cure       Calibrate", "NC RESET", "CYCLE978, CYCLE979", "Measuring Cycles 10/2004, 11"] {
+    for part in ["remedy     Calibrate", "NC RESET", "CYCLE978, CYCLE979", "Measuring Cycles 10/2004, 11"] {
         assert!(one.contains(part), "{part}: {one}");
     }
     let message = out(&probewright(&["alarms", "probe fail"]));

@@ -11,20 +11,30 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+/// What is checked.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Part programs
+    #[arg(required = true)]
+    files: Vec<PathBuf>,
+    /// Control; otherwise told by the program
+    #[arg(long, conflicts_with = "setup")]
+    control: Option<Control>,
+    /// Setup file of the machine they are for, with its tools and data; otherwise one as delivered
+    #[arg(long)]
+    setup: Option<PathBuf>,
+    /// As JSON: the findings of each file
+    #[arg(long)]
+    json: bool,
+}
+
 /// Checks every file; 1 when there is an error in one of them, 2 when one cannot be read. The others are checked all
 /// the same. With a setup they are held against its machine.
-pub fn check(
-    files: &[PathBuf],
-    control: Option<Control>,
-    setup: Option<&Path>,
-    as_json: bool,
-    words: &Words,
-    out: &mut dyn Write,
-) -> Result<ExitCode, Problem> {
-    let machine = setup.map(|path| file::setup(path, as_json, words, out)).transpose()?;
+pub fn check(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
+    let machine = asked.setup.as_ref().map(|path| file::setup(path, asked.json, words, out)).transpose()?;
     let (mut errors, mut unread) = (0, false);
     let mut views = Vec::new();
-    for path in files {
+    for path in &asked.files {
         let source = match file::program(path) {
             Ok(source) => source,
             Err(problem) => {
@@ -38,17 +48,17 @@ pub fn check(
                 let program = syntax::read(setup.control.dialect, &source);
                 program::findings_on(&program, setup.control.clone())
             }
-            None => program::findings(&syntax::read(file::dialect(control, &source), &source)),
+            None => program::findings(&syntax::read(file::dialect(asked.control, &source), &source)),
         };
-        if as_json {
-            errors += found.iter().filter(|finding| finding.severity == Severity::Error).count();
+        errors += found.iter().filter(|finding| finding.severity == Severity::Error).count();
+        if asked.json {
             let name = path.display().to_string();
             views.push(serde_json::json!({ "file": name, "diagnostics": app::findings(&found, &source) }));
         } else {
-            errors += print_all(path, &source, &found, words, out)?;
+            print_all(path, &source, &found, words, out)?;
         }
     }
-    if as_json {
+    if asked.json {
         file::print_json(views.into(), words, out)?;
     }
     Ok(match (unread, errors) {
@@ -61,14 +71,14 @@ pub fn check(
 /// Findings that are printed for one file: more of them is another sort of file, not a program with mistakes.
 const PRINTED: usize = 200;
 
-/// Prints findings as `file:line:col: error[61307]: …`; gives the number of errors.
+/// Prints findings as `file:line:col: error[61307]: …`.
 pub fn print_all(
     path: &Path,
     source: &[u8],
     found: &[Diagnostic],
     words: &Words,
     out: &mut dyn Write,
-) -> std::io::Result<usize> {
+) -> std::io::Result<()> {
     let positions = Positions::new(source);
     for finding in found.iter().take(PRINTED) {
         let place = finding.span.map_or(String::new(), |span| {
@@ -83,8 +93,7 @@ pub fn print_all(
         let more = Message::new("terminal-more").number("count", more as f64);
         writeln!(out, "{}: {}", path.display(), words.text(&more))?;
     }
-    let errors = found.iter().filter(|finding| finding.severity == Severity::Error);
-    Ok(errors.count())
+    Ok(())
 }
 
 /// `error[61307]: cause. cure`, without a place.

@@ -44,12 +44,7 @@ pub fn wrong(message: Message) -> Problem {
 }
 
 /// What is wrong with a file.
-pub fn wrong_file(path: &Path, key: &'static str) -> Problem {
-    wrong_in(path, Message::new(key))
-}
-
-/// A problem of a file, with arguments.
-pub fn wrong_in(path: &Path, message: Message) -> Problem {
+pub fn wrong_file(path: &Path, message: Message) -> Problem {
     Box::new(Told { path: Some(path.to_owned()), message })
 }
 
@@ -75,7 +70,7 @@ pub fn bytes(path: &Path) -> Result<Vec<u8>, Problem> {
         .and_then(|file| file.take(LARGEST + 1).read_to_end(&mut source))
         .map_err(|error| format!("{}: {error}", path.display()))?;
     if source.len() as u64 > LARGEST {
-        return Err(wrong_in(path, Message::new("terminal-large").number("most", (LARGEST >> 20) as f64)));
+        return Err(wrong_file(path, Message::new("terminal-large").number("most", (LARGEST >> 20) as f64)));
     }
     Ok(source)
 }
@@ -84,7 +79,7 @@ pub fn bytes(path: &Path) -> Result<Vec<u8>, Problem> {
 /// that stands for no character becomes the sign for that, except in UTF-8, where it stays.
 pub fn program(path: &Path) -> Result<Vec<u8>, Problem> {
     let source = bytes(path)?;
-    let encoding = recognise(&source).map_err(|what| wrong_file(path, what))?;
+    let encoding = recognise(&source).map_err(|what| wrong_file(path, Message::new(what)))?;
     Ok(match table(encoding) {
         None => source,
         Some(table) => table.decode(&source).0.into_owned().into_bytes(),
@@ -123,7 +118,7 @@ pub fn complain(line: &str) {
 
 /// Text of a file; the error names the file.
 pub fn text(path: &Path) -> Result<String, Problem> {
-    let text = String::from_utf8(bytes(path)?).map_err(|_| wrong_file(path, "terminal-text"))?;
+    let text = String::from_utf8(bytes(path)?).map_err(|_| wrong_file(path, Message::new("terminal-text")))?;
     Ok(text.trim_start_matches('\u{feff}').to_owned())
 }
 

@@ -15,7 +15,6 @@ use file::Problem;
 use probewright_core::message::Message;
 use probewright_core::words::{LANGUAGES, Words};
 use std::io::{BufWriter, Write};
-use std::path::PathBuf;
 use std::process::ExitCode;
 
 #[derive(Parser)]
@@ -53,45 +52,11 @@ enum Command {
         json: bool,
     },
     /// Tell what is wrong in part programs; exit status 1 when there is an error, 2 when a file cannot be read
-    Check {
-        /// Part programs
-        #[arg(required = true)]
-        files: Vec<PathBuf>,
-        /// Control; otherwise told by the program
-        #[arg(long, conflicts_with = "setup")]
-        control: Option<file::Control>,
-        /// Setup file of the machine they are for, with its tools and data; otherwise one as delivered
-        #[arg(long)]
-        setup: Option<PathBuf>,
-        /// As JSON: the findings of each file
-        #[arg(long)]
-        json: bool,
-    },
+    Check(check::Arguments),
     /// Write the program text of one call to standard output
-    Write {
-        /// Name of the cycle, for example CYCLE977
-        cycle: String,
-        /// Values, for example _SETVAL=132
-        values: Vec<String>,
-        /// A comment line for each parameter
-        #[arg(long)]
-        comments: bool,
-        /// Way of writing: direct (assignments, then the call), indirect (CYCLE_PARA and a parameterizing call),
-        /// operate (parameter list of newer controls)
-        #[arg(long, default_value = "direct", value_parser = ["direct", "indirect", "operate"])]
-        style: String,
-    },
+    Write(write::Arguments),
     /// Find the measuring calls of a part program
-    Read {
-        /// Part program
-        file: PathBuf,
-        /// As JSON
-        #[arg(long)]
-        json: bool,
-        /// Control; otherwise told by the program
-        #[arg(long)]
-        control: Option<file::Control>,
-    },
+    Read(read::Arguments),
     /// Run a part program on a control against a part; exit status 1 when it has an error or does not reach its end
     Run(run::Arguments),
 }
@@ -136,14 +101,10 @@ fn run_command(command: Command, words: &Words, out: &mut dyn Write) -> Result<E
         Command::Alarms { number, json } => alarms::alarms(number.as_deref(), json, words, out),
         Command::Explain { name, variant } => explain::explain(&name, variant, words, out),
         Command::Cycles { json } => cycles::cycles(json, words, out),
-        Command::Check { files, control, setup, json } => {
-            check::check(&files, control, setup.as_deref(), json, words, out)
-        }
-        Command::Write { cycle, values, comments, style } => {
-            write::write(&cycle, &values, &style, comments, words, out)
-        }
-        Command::Read { file, json, control } => read::read(&file, json, control, words, out),
-        Command::Run(arguments) => run::run(&arguments, words, out),
+        Command::Check(asked) => check::check(&asked, words, out),
+        Command::Write(asked) => write::write(&asked, words, out),
+        Command::Read(asked) => read::read(&asked, words, out),
+        Command::Run(asked) => run::run(&asked, words, out),
     }
 }
 

@@ -7,27 +7,33 @@ use probewright_core::program::calls::calls;
 use probewright_core::words::Words;
 use probewright_core::{app, json, syntax};
 use std::io::Write;
-use std::path::Path;
+use std::path::PathBuf;
 use std::process::ExitCode;
 
-/// Lists the measuring calls of a program.
-pub fn read(
-    path: &Path,
-    as_json: bool,
+/// What is read.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Part program
+    file: PathBuf,
+    /// As JSON
+    #[arg(long)]
+    json: bool,
+    /// Control; otherwise told by the program
+    #[arg(long)]
     control: Option<Control>,
-    words: &Words,
-    out: &mut dyn Write,
-) -> Result<ExitCode, Problem> {
-    let source = file::program(path)?;
-    let program = syntax::read(file::dialect(control, &source), &source);
-    if as_json {
+}
+
+/// Lists the measuring calls of a program.
+pub fn read(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
+    let source = file::program(&asked.file)?;
+    let program = syntax::read(file::dialect(asked.control, &source), &source);
+    if asked.json {
         file::print_json(json::document(&app::calls(&program)), words, out)?;
         return Ok(ExitCode::SUCCESS);
     }
     for call in calls(&program) {
         let (first, last) = (call.first_line + 1, call.line + 1);
-        let (path, name) = (path.display(), call.cycle.name);
-        writeln!(out, "{path}:{first}-{last}: {name}")?;
+        writeln!(out, "{}:{first}-{last}: {}", asked.file.display(), call.cycle.name)?;
         for (name, value) in &call.values {
             writeln!(out, "    {name}={}", printable(value))?;
         }

@@ -4,6 +4,7 @@ use crate::file;
 use crate::file::Problem;
 use probewright_core::app::{SurfaceChoice, put_surface};
 use probewright_core::machine::setup::Setup;
+use probewright_core::message::Message;
 use probewright_core::scan::Sent;
 use probewright_core::scan::text::{Form, piece};
 use probewright_core::workpiece::free::EXAMPLES;
@@ -38,9 +39,9 @@ impl Files {
     pub fn put_surface(&self, setup: &mut Setup) -> Result<(), Problem> {
         let Some(path) = &self.surface else { return Ok(()) };
         let (name, bytes) = surface(path)?;
-        match put_surface(setup, &name, &bytes).map_err(|error| file::wrong_in(path, error.message))? {
+        match put_surface(setup, &name, &bytes).map_err(|error| file::wrong_file(path, error.message))? {
             true => Ok(()),
-            false => Err(file::wrong_file(path, "terminal-surface")),
+            false => Err(file::wrong_file(path, Message::new("terminal-surface"))),
         }
     }
 

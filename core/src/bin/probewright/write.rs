@@ -14,23 +14,32 @@ use probewright_core::{catalogue, check};
 use std::io::Write;
 use std::process::ExitCode;
 
-/// Writes the snippet, or every problem to standard error.
-pub fn write(
-    name: &str,
-    values: &[String],
-    style: &str,
+/// What is written.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Name of the cycle, for example CYCLE977
+    cycle: String,
+    /// Values, for example _SETVAL=132
+    values: Vec<String>,
+    /// A comment line for each parameter
+    #[arg(long)]
     comments: bool,
-    words: &Words,
-    out: &mut dyn Write,
-) -> Result<ExitCode, Problem> {
-    let cycle = find(name)?;
-    let typed = typed(cycle, values)?;
+    /// Way of writing: direct (assignments, then the call), indirect (CYCLE_PARA and a parameterizing call),
+    /// operate (parameter list of newer controls)
+    #[arg(long, default_value = "direct", value_parser = ["direct", "indirect", "operate"])]
+    style: String,
+}
+
+/// Writes the snippet, or every problem to standard error.
+pub fn write(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
+    let cycle = find(&asked.cycle)?;
+    let typed = typed(cycle, &asked.values)?;
     let plane = cycle.purpose.machine.plane().unwrap_or(Plane::G17);
     let control = Setup::for_cycle(cycle, plane).control;
     let checked = check::check(cycle, &typed, &control);
     let label = |_: &str, key: &str| words.key(key.to_owned());
-    let comments = comments.then_some(&label as &dyn Fn(&str, &str) -> String);
-    let style = serde_json::from_value(style.into())?;
+    let comments = asked.comments.then_some(&label as &dyn Fn(&str, &str) -> String);
+    let style = serde_json::from_value(asked.style.as_str().into())?;
     let written = snippet(cycle, &typed, &control, style, comments);
     let mut findings = checked.diagnostics.iter().chain(&written.findings);
     for finding in findings.clone() {
