@@ -4,18 +4,11 @@
 use std::fmt;
 use std::sync::LazyLock;
 
-/// A manual, as code names it and as it is titled.
-struct Manual {
-    letter: char,
-    title: &'static str,
-    /// Lines of its text.
-    lines: u32,
-}
-
-const MANUALS: [Manual; 3] = [
-    Manual { letter: 'A', title: "Measuring Cycles 10/2004", lines: 18399 },
-    Manual { letter: 'B', title: "Measuring Cycles 04/2006", lines: 16998 },
-    Manual { letter: 'C', title: "NCT Probing and Digitizing Cycles 2005", lines: 1354 },
+/// The manuals: letter that code names, title, and how many lines its text has.
+const MANUALS: [(char, &str, u32); 3] = [
+    ('A', "Measuring Cycles 10/2004", 18399),
+    ('B', "Measuring Cycles 04/2006", 16998),
+    ('C', "NCT Probing and Digitizing Cycles 2005", 1354),
 ];
 
 /// First line and number of each chapter of a manual, by its letter, in the order of the lines.
@@ -45,7 +38,7 @@ impl fmt::Display for Cited {
             let last = said.last().map(|(letter, _)| *letter);
             if last != Some(letter) {
                 let between = if last.is_some() { "; " } else { "" };
-                write!(to, "{between}{}", manual(letter).map_or("", |manual| manual.title))?;
+                write!(to, "{between}{}", manual(letter).map_or("", |(_, title, _)| *title))?;
             }
             write!(to, ", {}", place.1)?;
             said.push(place);
@@ -68,13 +61,13 @@ fn lines(citation: &str) -> impl Iterator<Item = (char, u32)> {
     numbers.filter_map(move |number| Some((letter?, number.parse().ok()?)))
 }
 
-fn manual(letter: char) -> Option<&'static Manual> {
-    MANUALS.iter().find(|manual| manual.letter == letter)
+fn manual(letter: char) -> Option<&'static (char, &'static str, u32)> {
+    MANUALS.iter().find(|(known, ..)| *known == letter)
 }
 
 /// Chapter in which a line stands; none before the first chapter and behind the end of the text.
 fn chapter(letter: char, line: u32) -> Option<&'static str> {
-    manual(letter).filter(|manual| line <= manual.lines)?;
+    manual(letter).filter(|(.., lines)| line <= *lines)?;
     let after = CHAPTERS.partition_point(|(manual, first, _)| (*manual, *first) <= (letter, line));
     CHAPTERS.get(after.checked_sub(1)?).filter(|(manual, _, _)| *manual == letter).map(|(_, _, chapter)| *chapter)
 }

@@ -13,6 +13,8 @@ use crate::control::{Environment, Frame, Plane, Transverse, Units, Value, delive
 use crate::dialect::Dialect;
 use crate::geometry::Degrees;
 use crate::workpiece::{Probe, Tool, Turret};
+#[cfg(feature = "cli")]
+use schemars::{generate::SchemaSettings, transform::RecursiveTransform};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -190,27 +192,13 @@ fn always() -> (f64, u64) {
 /// JSON Schema of the setup file. `Serialize` writes the default values into it.
 #[cfg(feature = "cli")]
 pub fn schema() -> serde_json::Value {
-    let mut schema = schemars::schema_for!(SetupFile).to_value();
-    unwrapped(&mut schema);
-    schema
-}
-
-/// Descriptions in whole lines: a doc comment breaks where the code does, a reader's window elsewhere.
-#[cfg(feature = "cli")]
-fn unwrapped(value: &mut serde_json::Value) {
-    match value {
-        serde_json::Value::Object(members) => {
-            for (name, member) in members {
-                match member {
-                    serde_json::Value::String(text) if name == "description" => {
-                        let paragraphs: Vec<String> = text.split("\n\n").map(|one| one.replace('\n', " ")).collect();
-                        *text = paragraphs.join("\n\n");
-                    }
-                    member => unwrapped(member),
-                }
-            }
+    // whole lines: a doc comment breaks where the code does, a reader's window elsewhere
+    let unwrapped = RecursiveTransform(|schema: &mut schemars::Schema| {
+        if let Some(serde_json::Value::String(text)) = schema.get_mut("description") {
+            let paragraphs: Vec<String> = text.split("\n\n").map(|one| one.replace('\n', " ")).collect();
+            *text = paragraphs.join("\n\n");
         }
-        serde_json::Value::Array(all) => all.iter_mut().for_each(unwrapped),
-        _ => {}
-    }
+    });
+    let generator = SchemaSettings::default().with_transform(unwrapped).into_generator();
+    generator.into_root_schema_for::<SetupFile>().to_value()
 }
