@@ -3,7 +3,7 @@
 
 use probewright_core::diagnostic::Span;
 use probewright_core::dialect::Dialect;
-use probewright_core::syntax::tree::{Expr, ExprId, Operator, WordKind};
+use probewright_core::syntax::tree::{Expr, ExprId, Operator, Word, WordKind};
 use probewright_core::syntax::{Program, read};
 
 /// An expression with every bracket that its tree implies.
@@ -36,7 +36,7 @@ fn words(dialect: Dialect, line: &str) -> Vec<String> {
     let program = read(dialect, line.as_bytes());
     let text = |span: Span| program.name(span);
     let optional = |id: &Option<ExprId>| id.map_or(String::new(), |id| show(&program, id));
-    let word = |kind: &WordKind| match kind {
+    let word = |word: &Word| match &word.kind {
         WordKind::Address { name, extension, mode, value } => {
             let extension = extension.map_or(String::new(), |number| number.to_string());
             let mode = mode.map_or(String::new(), &text);
@@ -56,10 +56,10 @@ fn words(dialect: Dialect, line: &str) -> Vec<String> {
         }
         WordKind::Label(name) => format!("label {}", text(*name)),
         WordKind::Keyword { name, value } => format!("{} {}", text(*name), optional(value)).trim().to_owned(),
-        WordKind::Header(span) => format!("header {}", text(*span)),
+        WordKind::Header => format!("header {}", text(word.span)),
         WordKind::Unknown => "unknown".to_owned(),
     };
-    program.words.iter().map(|found| word(&found.kind)).collect()
+    program.words.iter().map(word).collect()
 }
 
 fn sinumerik(line: &str) -> Vec<String> {

@@ -219,7 +219,7 @@ fn word_of(run: &mut Interpreter, word: &Word, found: &mut Words) -> Result<bool
             let args = if !own && ignores_arguments(&word_name) { &[] } else { &args[..] };
             found.calls.push(call(run, *name, args, word.span)?);
         }
-        WordKind::Label(_) | WordKind::Header(_) => {}
+        WordKind::Label(_) | WordKind::Header => {}
         WordKind::Keyword { name, value } => return keyword(run, *name, *value, found),
         WordKind::Unknown => {
             unread::pass(run, word, found)?;

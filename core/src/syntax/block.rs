@@ -1,7 +1,5 @@
 //! Lines: block number, skip level, words, comment.
 
-use super::bytes::is_digit;
-use super::grammar::Grammar;
 use super::reader::{Expect, Reader};
 use super::tree::{Block, Program, SyntaxError, WordKind};
 use crate::diagnostic::Span;
@@ -28,8 +26,8 @@ pub fn read_told(dialect: Dialect, source: &[u8], told: &mut dyn FnMut(f64)) -> 
     let whole = source.get(..u32::MAX as usize).unwrap_or(source);
     let end = whole.iter().position(|byte| *byte == END_OF_FILE).or_else(|| filled(whole));
     let readable = end.and_then(|end| whole.get(..end)).unwrap_or(whole);
-    let mut reader = Reader::new(Grammar::of(dialect), readable);
-    while reader.at < readable.len() || reader.blocks.is_empty() {
+    let mut reader = Reader::new(dialect, readable, source);
+    while reader.at < readable.len() || reader.tree.blocks.is_empty() {
         let start = reader.at;
         let length = reader.source.get(start..).unwrap_or_default().iter().position(|byte| *byte == b'\n');
         let stop = length.map_or(readable.len(), |length| start + length);
@@ -39,20 +37,20 @@ pub fn read_told(dialect: Dialect, source: &[u8], told: &mut dyn FnMut(f64)) -> 
         let ends = |at: &usize| rest.iter().skip(*at).all(u8::is_ascii_whitespace);
         if let Some(at) = alone.filter(|at| !ends(at)).map(|at| (start + at) as u32) {
             // the control ends a block with a line feed only
-            reader.errors.push(SyntaxError { span: Span { start: at, end: at + 1 }, sentence: &own::LONE_RETURN });
+            reader.tree.errors.push(SyntaxError { span: Span { start: at, end: at + 1 }, sentence: &own::LONE_RETURN });
         }
         line(&mut reader);
         reader.at = stop + 1;
-        if reader.blocks.len().is_multiple_of(BETWEEN) {
+        if reader.tree.blocks.len().is_multiple_of(BETWEEN) {
             told(reader.at as f64 / readable.len() as f64);
         }
     }
     if whole.len() < source.len() && end.is_none() {
         let span = Span { start: u32::MAX - 1, end: u32::MAX };
-        reader.errors.push(SyntaxError { span, sentence: &own::SYNTAX_TOO_LARGE });
+        reader.tree.errors.push(SyntaxError { span, sentence: &own::SYNTAX_TOO_LARGE });
     }
-    reader.errors.extend(behind_end(whole, readable.len()));
-    reader.finish(dialect, source)
+    reader.tree.errors.extend(behind_end(whole, readable.len()));
+    reader.tree
 }
 
 /// Where zeros begin with which a file is filled up to its end.
@@ -71,7 +69,7 @@ fn behind_end(whole: &[u8], end: usize) -> Option<SyntaxError> {
 
 fn line(reader: &mut Reader) {
     let span = Span { start: reader.at as u32, end: reader.end as u32 };
-    reader.first = reader.words.len();
+    reader.first = reader.tree.words.len();
     reader.expect = Expect::Words;
     if reader.at == 0 && reader.rest().starts_with(BYTE_ORDER_MARK) {
         reader.at = BYTE_ORDER_MARK.len();
@@ -89,17 +87,17 @@ fn line(reader: &mut Reader) {
         }
         reader.blanks();
     }
-    let words = reader.first as u32..reader.words.len() as u32;
-    reader.blocks.push(Block { span, number, skip, words, comment });
+    let words = reader.first as u32..reader.tree.words.len() as u32;
+    reader.tree.blocks.push(Block { span, number, skip, words, comment });
 }
 
 fn word(reader: &mut Reader) {
     let start = reader.at;
-    let (words, exprs, expect) = (reader.words.len(), reader.exprs.len(), reader.expect);
+    let (words, exprs, expect) = (reader.tree.words.len(), reader.tree.exprs.len(), reader.expect);
     if let Err(key) = (reader.grammar.word)(reader) {
         let place = reader.at;
-        reader.words.truncate(words);
-        reader.exprs.truncate(exprs);
+        reader.tree.words.truncate(words);
+        reader.tree.exprs.truncate(exprs);
         reader.list.clear();
         reader.depth = 0;
         reader.expect = expect;
@@ -113,7 +111,7 @@ fn skip(reader: &mut Reader) -> Option<u8> {
         return None;
     }
     reader.at += 1;
-    let level = Some(reader.byte(0)).filter(|digit| is_digit(*digit)).map(|digit| digit - b'0');
+    let level = Some(reader.byte(0)).filter(|digit| digit.is_ascii_digit()).map(|digit| digit - b'0');
     reader.at += usize::from(level.is_some());
     reader.blanks();
     level.or(Some(0))
@@ -123,12 +121,12 @@ fn skip(reader: &mut Reader) -> Option<u8> {
 fn number(reader: &mut Reader) -> Option<Span> {
     let first = reader.byte(0);
     let main = first == b':' && reader.grammar.main_blocks;
-    if !(main || first.eq_ignore_ascii_case(&b'N')) || !is_digit(reader.byte(1)) {
+    if !(main || first.eq_ignore_ascii_case(&b'N')) || !reader.byte(1).is_ascii_digit() {
         return None;
     }
     let start = reader.at;
     reader.at += 1;
-    while is_digit(reader.byte(0)) {
+    while reader.byte(0).is_ascii_digit() {
         reader.at += 1;
     }
     let span = reader.from(start);
@@ -145,7 +143,7 @@ fn take_comment(reader: &mut Reader) -> Option<Span> {
             reader.at = close.map_or(reader.end, |length| start + length + 1);
             if close.is_none() {
                 let span = reader.from(start);
-                reader.errors.push(SyntaxError { span, sentence: &own::SYNTAX_COMMENT });
+                reader.tree.errors.push(SyntaxError { span, sentence: &own::SYNTAX_COMMENT });
             }
         }
         _ => return None,

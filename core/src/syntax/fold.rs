@@ -12,26 +12,20 @@ pub(crate) const NOTHING: Known = &|_| None;
 
 /// A variable's name with its index in digits: `_SETV[R1]` is `_SETV[2]` while R1 is 2. None: the index is not known.
 pub(crate) fn name(program: &Program, name: Span, index: &[ExprId], known: Known) -> Option<String> {
-    let mut text = program.name(name);
+    let text = program.name(name);
     if index.is_empty() {
         return Some(text);
     }
     if text == "#" {
         return Some(format!("#{}", whole(program, *index.first()?, known)?));
     }
-    text.push('[');
-    for (place, id) in index.iter().enumerate() {
-        if place > 0 {
-            text.push(',');
-        }
-        match (whole(program, *id, known), program.expr(*id)) {
-            (Some(number), _) => text.push_str(&number.to_string()),
-            (None, Some(Expr::Name { name, index })) if index.is_empty() => text.push_str(&program.name(*name)),
-            _ => return None,
-        }
-    }
-    text.push(']');
-    Some(text)
+    let written = |id: &ExprId| match (whole(program, *id, known), program.expr(*id)) {
+        (Some(number), _) => Some(number.to_string()),
+        (None, Some(Expr::Name { name, index })) if index.is_empty() => Some(program.name(*name)),
+        _ => None,
+    };
+    let index: Vec<String> = index.iter().map(written).collect::<Option<_>>()?;
+    Some(format!("{text}[{}]", index.join(",")))
 }
 
 fn whole(program: &Program, id: ExprId, known: Known) -> Option<i64> {

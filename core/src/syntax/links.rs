@@ -1,7 +1,7 @@
 //! Where a program goes on: jumps, branches, loops. Structure is found once, before the run.
 
 use super::programs::Programs;
-use super::tree::{Expr, Program, Word, WordKind};
+use super::tree::{Program, Word, WordKind};
 use std::collections::BTreeMap;
 
 /// What stands at a block with a control structure, with the blocks that belong to it.
@@ -101,9 +101,9 @@ pub fn structural(program: &Program, words: &[Word]) -> Option<&'static str> {
 
 /// The number behind `DO` or `END` of NCT.
 fn loop_number(program: &Program, words: &[Word]) -> Option<f64> {
-    words.iter().find_map(|word| match &word.kind {
+    words.iter().find_map(|word| match word.kind {
         WordKind::Keyword { value: Some(value), .. } if program.is_keyword(word, &["DO", "END"]) => {
-            if let Some(Expr::Number(number, _)) = program.expr(*value) { Some(*number) } else { None }
+            program.number(value)
         }
         _ => None,
     })

@@ -1,6 +1,5 @@
 //! Words of the NCT language.
 
-use super::bytes::is_digit;
 use super::expression::expression;
 use super::nct_expression::{bracket, decimal_comma, variable};
 use super::number;
@@ -10,7 +9,7 @@ use crate::own;
 
 pub(super) fn word(reader: &mut Reader) -> Parsed<()> {
     let first = reader.byte(0);
-    if reader.words.len() == reader.first && begins_program(reader, first) {
+    if reader.tree.words.len() == reader.first && begins_program(reader, first) {
         return header(reader);
     }
     match first {
@@ -24,20 +23,20 @@ pub(super) fn word(reader: &mut Reader) -> Parsed<()> {
 
 /// Whether a program begins here: `%`, `%O0110`, `O0110`, `:0110`.
 fn begins_program(reader: &Reader, first: u8) -> bool {
-    first == b'%' || matches!(first, b'O' | b'o' | b':') && is_digit(reader.byte(1))
+    first == b'%' || matches!(first, b'O' | b'o' | b':') && reader.byte(1).is_ascii_digit()
 }
 
 fn header(reader: &mut Reader) -> Parsed<()> {
     let start = reader.at;
     reader.at += 1 + reader.rest().iter().skip(1).take_while(|byte| byte.is_ascii_alphanumeric()).count();
-    reader.word(start, WordKind::Header(reader.from(start)))
+    reader.word(start, WordKind::Header)
 }
 
 /// `#100=…`, `#[…]=…`.
 fn assignment(reader: &mut Reader) -> Parsed<()> {
     let start = reader.at;
     let target = variable(reader)?;
-    let Some(Expr::Name { name, index }) = reader.exprs.get(target.id as usize).cloned() else {
+    let Some(Expr::Name { name, index }) = reader.tree.exprs.get(target.id as usize).cloned() else {
         return Err(&own::SYNTAX_OPERAND);
     };
     if !reader.take(b'=') {
@@ -68,7 +67,7 @@ fn plain(reader: &mut Reader) -> Parsed<ExprId> {
     let start = reader.at;
     let sign = usize::from(matches!(reader.byte(0), b'+' | b'-'));
     let first = reader.byte(sign);
-    if is_digit(first) || first == b'.' {
+    if first.is_ascii_digit() || first == b'.' {
         reader.at += sign;
         let (value, length) = number::decimal(reader.rest()).ok_or(&own::SYNTAX_NUMBER)?;
         reader.at += length;

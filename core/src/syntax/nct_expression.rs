@@ -1,6 +1,5 @@
 //! Operators and operands of the NCT macro language: brackets are `[ ]`, variables `#100`, `#[…]`.
 
-use super::bytes::is_digit;
 use super::expression::{Strength, expression, unary};
 use super::keyword::is_one_of;
 use super::number;
@@ -39,7 +38,7 @@ pub(super) fn operand(reader: &mut Reader) -> Parsed<Node> {
         b'-' => unary(reader, Operator::Minus, 1, UNARY),
         b'[' => bracket(reader),
         b'#' => variable(reader),
-        byte if is_digit(byte) || byte == b'.' => {
+        byte if byte.is_ascii_digit() || byte == b'.' => {
             let (value, length) = number::decimal(reader.rest()).ok_or(&own::SYNTAX_NUMBER)?;
             reader.at += length;
             decimal_comma(reader)?;
@@ -55,7 +54,7 @@ pub(super) fn operand(reader: &mut Reader) -> Parsed<Node> {
 
 /// A decimal comma, as other languages write it; `,C1` behind a number is an address.
 pub(super) fn decimal_comma(reader: &Reader) -> Parsed<()> {
-    match (reader.byte(0), is_digit(reader.byte(1))) {
+    match (reader.byte(0), reader.byte(1).is_ascii_digit()) {
         (b',', true) => Err(&own::SYNTAX_COMMA),
         _ => Ok(()),
     }
@@ -72,7 +71,7 @@ pub(super) fn bracket(reader: &mut Reader) -> Parsed<Node> {
 pub(super) fn variable(reader: &mut Reader) -> Parsed<Node> {
     let start = reader.at;
     reader.at += 1;
-    let number = reader.rest().iter().take_while(|byte| is_digit(**byte)).count();
+    let number = reader.rest().iter().take_while(|byte| byte.is_ascii_digit()).count();
     if number > 0 {
         reader.at += number;
         let name = reader.from(start);

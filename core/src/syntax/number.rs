@@ -1,45 +1,13 @@
 //! Numbers: decimal with point, `EX` exponent, `'H7F'` and `'B101'`.
 
-use super::bytes::is_digit;
-
-/// Powers of ten that are exact in f64.
-const TENS: [f64; 23] = [
-    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
-    1e21, 1e22,
-];
-
-/// Largest mantissa whose value in f64 is exact.
-const EXACT: u64 = 1 << 53;
-
 /// Reads an unsigned decimal number at the start of `text`; its value and length. The value is the nearest f64.
 pub(super) fn decimal(text: &[u8]) -> Option<(f64, usize)> {
-    let mut mantissa: u64 = 0;
-    let mut at = 0;
-    while let Some(&byte) = text.get(at).filter(|byte| is_digit(**byte)) {
-        mantissa = mantissa.wrapping_mul(10).wrapping_add(u64::from(byte - b'0'));
-        at += 1;
-    }
-    let mut digits = at;
-    let mut places = 0;
-    if text.get(at) == Some(&b'.') {
-        at += 1;
-        while let Some(&byte) = text.get(at).filter(|byte| is_digit(**byte)) {
-            mantissa = mantissa.wrapping_mul(10).wrapping_add(u64::from(byte - b'0'));
-            at += 1;
-            places += 1;
-        }
-        digits += places;
-    }
-    if digits == 0 {
-        return None;
-    }
-    // At most 19 digits cannot have wrapped; mantissa and power exact: one division rounds correctly.
-    if digits <= 19 && mantissa <= EXACT && places < TENS.len() {
-        let value = if places == 0 { mantissa as f64 } else { mantissa as f64 / TENS[places] };
-        return Some((value, at));
-    }
-    let value = std::str::from_utf8(text.get(..at)?).ok()?.parse::<f64>().ok()?;
-    value.is_finite().then_some((value, at))
+    let digits = |from: usize| text.iter().skip(from).take_while(|byte| byte.is_ascii_digit()).count();
+    let whole = digits(0);
+    let point = text.get(whole) == Some(&b'.');
+    let length = if point { whole + 1 + digits(whole + 1) } else { whole };
+    let value = std::str::from_utf8(text.get(..length)?).ok()?.parse::<f64>().ok()?;
+    value.is_finite().then_some((value, length))
 }
 
 /// Reads a decimal number with an optional exponent: `1.5EX-3`.
@@ -50,7 +18,7 @@ pub(super) fn with_exponent(text: &[u8]) -> Option<(f64, usize)> {
         return Some((value, length));
     }
     let sign = usize::from(matches!(rest.get(2), Some(b'+' | b'-')));
-    let digits = rest.get(2 + sign..).unwrap_or_default().iter().take_while(|byte| is_digit(**byte)).count();
+    let digits = rest.get(2 + sign..).unwrap_or_default().iter().take_while(|byte| byte.is_ascii_digit()).count();
     if digits == 0 {
         return Some((value, length));
     }

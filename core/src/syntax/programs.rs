@@ -1,12 +1,11 @@
-//! The programs of a text: `%_N_NAME_SPF` begins one, a `PROC` behind blocks too, on NCT `O0110`; a `%` alone is the
-//! tape.
+//! The programs of a text: `%_N_NAME_SPF` begins one, a `PROC` behind blocks too, on NCT `O0110`; `%` alone the tape.
 
 use super::tree::{Block, Program, Word, WordKind};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 /// One program of a text.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Unit {
     /// Blocks, header excluded.
     pub blocks: Range<usize>,
@@ -49,7 +48,7 @@ impl Programs {
 /// Finds the programs of a text. There is always one.
 pub fn programs(program: &Program) -> Programs {
     let mut found = Programs::default();
-    let mut current = Unit { blocks: 0..0, signature: None, file: None };
+    let mut current = Unit::default();
     let mut empty = true;
     for (at, block) in program.blocks.iter().enumerate() {
         let header = header(program, block);
@@ -58,11 +57,7 @@ pub fn programs(program: &Program) -> Programs {
         if begins {
             close(&mut found, &mut current, at, empty);
             let first = at + usize::from(header.is_some());
-            current = Unit {
-                blocks: first..first,
-                signature: None,
-                file: header.as_deref().map(|name| bare(name).to_owned()),
-            };
+            current = Unit { blocks: first..first, file: header.clone(), ..Unit::default() };
         }
         // a call finds a program by its file; only where the text does not tell that, by its PROC
         let of_procedure = procedure.as_ref().filter(|_| current.file.is_none());
@@ -90,16 +85,15 @@ fn close(found: &mut Programs, current: &mut Unit, end: usize, empty: bool) {
 
 /// Whether a block has no words, or on NCT the `%` of the tape alone.
 fn says_nothing(program: &Program, block: &Block) -> bool {
-    program.words_of(block).iter().all(|word| matches!(word.kind, WordKind::Header(_)))
+    program.words_of(block).iter().all(|word| matches!(word.kind, WordKind::Header))
 }
 
 fn header(program: &Program, block: &Block) -> Option<String> {
-    let found = program.words_of(block).iter().find_map(|word| match word.kind {
-        WordKind::Header(span) => Some(program.name(span)),
-        _ => None,
-    })?;
+    let mut words = program.words_of(block).iter();
+    let word = words.find(|word| matches!(word.kind, WordKind::Header))?;
+    let found = program.name(word.span);
     let name = found.trim_start_matches('%');
-    if program.grammar().numbered { numbered(name.get(1..)?.parse().ok()?) } else { Some(name.to_owned()) }
+    if program.grammar().numbered { numbered(name.get(1..)?.parse().ok()?) } else { Some(bare(name).to_owned()) }
 }
 
 /// Name of the NCT program with this number: `O0110` and `:110` are `O110`.

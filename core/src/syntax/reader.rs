@@ -1,8 +1,8 @@
 //! The place in the source, and the arenas being filled. Asks the grammar where languages differ.
 
-use super::bytes::{in_name, is_blank, is_digit};
+use super::bytes::{in_name, is_blank};
 use super::grammar::Grammar;
-use super::tree::{Block, Expr, ExprId, Program, SyntaxError, Word, WordKind};
+use super::tree::{Expr, ExprId, Program, SyntaxError, Word, WordKind};
 use crate::diagnostic::Span;
 use crate::dialect::Dialect;
 use crate::own;
@@ -46,43 +46,35 @@ pub(super) struct Reader<'a> {
     pub end: usize,
     pub depth: u16,
     pub expect: Expect,
-    /// First word of the present line in `words`.
+    /// First word of the present line in the tree.
     pub first: usize,
-    pub blocks: Vec<Block>,
-    pub words: Vec<Word>,
-    pub exprs: Vec<Expr>,
-    pub errors: Vec<SyntaxError>,
+    /// What is read so far.
+    pub tree: Program,
     /// Elements of the lists being read; each list takes its own off the top.
     pub list: Vec<Option<ExprId>>,
 }
 
 impl<'a> Reader<'a> {
-    pub fn new(grammar: &'static Grammar, source: &'a [u8]) -> Self {
+    /// Reads `source`, the beginning of the whole text.
+    pub fn new(dialect: Dialect, source: &'a [u8], whole: &[u8]) -> Self {
         Self {
-            grammar,
+            grammar: Grammar::of(dialect),
             source,
             at: 0,
             end: 0,
             depth: 0,
             expect: Expect::Words,
             first: 0,
-            blocks: Vec::with_capacity(source.len() / 24),
-            words: Vec::with_capacity(source.len() / 6),
-            exprs: Vec::with_capacity(source.len() / 6),
-            errors: Vec::new(),
+            tree: Program {
+                dialect,
+                source: whole.to_vec(),
+                end: source.len() as u32,
+                blocks: Vec::with_capacity(source.len() / 24),
+                words: Vec::with_capacity(source.len() / 6),
+                exprs: Vec::with_capacity(source.len() / 6),
+                errors: Vec::new(),
+            },
             list: Vec::new(),
-        }
-    }
-
-    pub fn finish(self, dialect: Dialect, source: &[u8]) -> Program {
-        Program {
-            dialect,
-            source: source.to_vec(),
-            end: self.source.len() as u32,
-            blocks: self.blocks,
-            words: self.words,
-            exprs: self.exprs,
-            errors: self.errors,
         }
     }
 
@@ -140,8 +132,8 @@ impl<'a> Reader<'a> {
         if height > DEPTH {
             return Err(&own::SYNTAX_DEPTH);
         }
-        let id = self.exprs.len() as ExprId;
-        self.exprs.push(expr);
+        let id = self.tree.exprs.len() as ExprId;
+        self.tree.exprs.push(expr);
         Ok(Node { id, height })
     }
 
@@ -159,7 +151,7 @@ impl<'a> Reader<'a> {
     /// Whether an exponent as other languages write it stands here: `e-3` behind a number.
     pub fn exponent(&self) -> bool {
         let signed = usize::from(matches!(self.byte(1), b'+' | b'-'));
-        self.byte(0).eq_ignore_ascii_case(&b'e') && is_digit(self.byte(1 + signed))
+        self.byte(0).eq_ignore_ascii_case(&b'e') && self.byte(1 + signed).is_ascii_digit()
     }
 
     /// An address and its value, without extension and kind of dimension.
@@ -169,7 +161,7 @@ impl<'a> Reader<'a> {
 
     /// A word from a place to the present one.
     pub fn word(&mut self, start: usize, kind: WordKind) -> Parsed<()> {
-        self.words.push(Word { span: self.from(start), kind });
+        self.tree.words.push(Word { span: self.from(start), kind });
         Ok(())
     }
 
@@ -193,8 +185,8 @@ impl<'a> Reader<'a> {
     fn touched(&mut self, start: usize) -> usize {
         let value = |kind: &WordKind| matches!(kind, WordKind::Address { .. } | WordKind::Assign { .. });
         let touches = |word: &mut Word| word.span.end as usize == start && value(&word.kind);
-        let own = self.words.len() > self.first;
-        self.words.pop_if(|word| own && touches(word)).map_or(start, |word| word.span.start as usize)
+        let own = self.tree.words.len() > self.first;
+        self.tree.words.pop_if(|word| own && touches(word)).map_or(start, |word| word.span.start as usize)
     }
 
     /// Marks what was not understood, from `start` to the next blank behind `place`, where the reading failed; touching
@@ -209,14 +201,14 @@ impl<'a> Reader<'a> {
         }
         let start = self.touched(start);
         let span = self.from(start);
-        match (self.words.get_mut(self.first..).and_then(<[Word]>::last_mut), self.errors.last_mut()) {
+        match (self.tree.words.get_mut(self.first..).and_then(<[Word]>::last_mut), self.tree.errors.last_mut()) {
             (Some(word), Some(error)) if word.kind == WordKind::Unknown && word.span.end == span.start => {
                 (word.span.end, error.span.end) = (span.end, span.end);
             }
             _ => {
-                self.words.push(Word { span, kind: WordKind::Unknown });
+                self.tree.words.push(Word { span, kind: WordKind::Unknown });
                 let start = (place as u32).clamp(span.start, span.end.saturating_sub(1).max(span.start));
-                self.errors.push(SyntaxError { span: Span { start, ..span }, sentence });
+                self.tree.errors.push(SyntaxError { span: Span { start, ..span }, sentence });
             }
         }
     }

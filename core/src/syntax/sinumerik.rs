@@ -1,11 +1,11 @@
 //! Words of the SINUMERIK language.
 
-use super::bytes::{in_name, is_digit, is_letter, starts_name};
+use super::bytes::{in_name, is_letter, starts_name};
 use super::expression::expression;
 use super::keyword::{ADDRESSES, Keyword, MODES, TYPES, is_one_of};
 use super::language::BY_PATH;
 use super::reader::{Expect, Parsed, Reader};
-use super::sinumerik_expression::{arguments, foreign_exponent, index, text};
+use super::sinumerik_expression::{arguments, constant, foreign_exponent, index, text};
 use super::tree::{Expr, ExprId, WordKind};
 use super::{keyword, number};
 use crate::diagnostic::Span;
@@ -29,25 +29,27 @@ fn other(reader: &mut Reader) -> Parsed<()> {
     let start = reader.at;
     let first = reader.byte(0);
     let declaring = matches!(reader.expect, Expect::Definition | Expect::Parameters);
-    if first == b'%' && reader.words.len() == reader.first {
-        let rest = reader.rest();
-        reader.at += rest.iter().position(|byte| matches!(byte, b';' | b' ' | b'\t')).unwrap_or(rest.len());
-        return reader.word(start, WordKind::Header(reader.from(start)));
-    } else if first == b'"' {
-        let constant = text(reader)?;
-        return reader.word(start, WordKind::Constant(constant.id));
-    } else if first == b',' && declaring {
-        reader.at += 1;
-    } else if first == b')' && reader.expect == Expect::Parameters {
-        reader.at += 1;
-        reader.expect = Expect::Words;
-    } else if reader.expect == Expect::Constants || (declaring && is_digit(first)) {
-        let constant = expression(reader, 0)?;
-        return reader.word(start, WordKind::Constant(constant.id));
-    } else {
-        return Err(if first == b',' { &own::SYNTAX_COMMA } else { &own::SYNTAX_UNKNOWN });
-    }
-    Ok(())
+    let constant = match first {
+        b'%' if reader.tree.words.len() == reader.first => {
+            let rest = reader.rest();
+            reader.at += rest.iter().position(|byte| matches!(byte, b';' | b' ' | b'\t')).unwrap_or(rest.len());
+            return reader.word(start, WordKind::Header);
+        }
+        b'"' => text(reader)?,
+        b',' if declaring => {
+            reader.at += 1;
+            return Ok(());
+        }
+        b')' if reader.expect == Expect::Parameters => {
+            reader.at += 1;
+            reader.expect = Expect::Words;
+            return Ok(());
+        }
+        _ if reader.expect == Expect::Constants || (declaring && first.is_ascii_digit()) => expression(reader, 0)?,
+        b',' => return Err(&own::SYNTAX_COMMA),
+        _ => return Err(&own::SYNTAX_UNKNOWN),
+    };
+    reader.word(start, WordKind::Constant(constant.id))
 }
 
 /// One letter and a number: `X10`, `G54`, `S1=500`, `R10=…`, `L10`, `N100:`.
@@ -60,7 +62,7 @@ fn short(reader: &mut Reader) -> Parsed<()> {
     let (value, length) = number::with_exponent(reader.rest()).ok_or(&own::SYNTAX_NUMBER)?;
     reader.at += length;
     let name = Span { start: start as u32, end: number_start as u32 };
-    let whole = !signed && reader.text(reader.from(number_start)).iter().all(|byte| is_digit(*byte));
+    let whole = !signed && reader.text(reader.from(number_start)).iter().all(|byte| byte.is_ascii_digit());
     if whole
         && matches!(reader.byte(0), b'=' | b' ' | b'\t' | b':' | b'(' | b'[' | b'_')
         && let Some(done) = extended(reader, start, name, value)
@@ -80,7 +82,7 @@ fn short(reader: &mut Reader) -> Parsed<()> {
 fn extended(reader: &mut Reader, start: usize, letter: Span, number: f64) -> Option<Parsed<()>> {
     let behind = reader.at;
     let name = reader.from(start);
-    if reader.byte(0) == b':' && reader.words.len() == reader.first && !is_digit(reader.byte(1)) {
+    if reader.byte(0) == b':' && reader.tree.words.len() == reader.first && !reader.byte(1).is_ascii_digit() {
         return Some(finish_label(reader, start, name));
     }
     if in_name(reader.byte(0)) || reader.take(b'[') {
@@ -115,7 +117,7 @@ fn named(reader: &mut Reader) -> Parsed<()> {
         Expect::Procedure => return procedure(reader, start, name),
         _ => {}
     }
-    if reader.byte(0) == b':' && reader.words.len() == reader.first && text.first() != Some(&b'$') {
+    if reader.byte(0) == b':' && reader.tree.words.len() == reader.first && text.first() != Some(&b'$') {
         return finish_label(reader, start, name);
     }
     let (index, _) = index(reader)?;
@@ -175,7 +177,7 @@ fn value(reader: &mut Reader) -> Parsed<(ExprId, Span)> {
 
 /// Numbers as other languages write them: `12,5` and `1e-3`.
 fn foreign_number(reader: &Reader) -> Parsed<()> {
-    if reader.byte(0) == b',' && reader.expect == Expect::Words && is_digit(reader.byte(1)) {
+    if reader.byte(0) == b',' && reader.expect == Expect::Words && reader.byte(1).is_ascii_digit() {
         return Err(&own::SYNTAX_COMMA);
     }
     match reader.at.checked_sub(1).and_then(|at| reader.source.get(at)).is_some_and(u8::is_ascii_digit) {
@@ -208,10 +210,8 @@ fn spaced(reader: &mut Reader, start: usize, name: Span) -> Parsed<()> {
     reader.blanks();
     let value_start = reader.at;
     reader.at += usize::from(matches!(reader.byte(0), b'+' | b'-'));
-    let (value, length) = number::with_exponent(reader.rest()).ok_or(&own::SYNTAX_VALUE)?;
-    reader.at += length;
-    let value = reader.number(value_start, value)?.id;
-    reader.address(start, name, value)
+    let value = constant(reader, value_start, number::with_exponent).map_err(|_| &own::SYNTAX_VALUE)?;
+    reader.address(start, name, value.id)
 }
 
 /// `NAME`, `NAME(…)`; behind `PCALL` a path may stand before the next name.

@@ -3,7 +3,7 @@
 //! Order of the operators as in the control's own table: `NOT`; `* / DIV MOD`; `+ -`; `B_AND`; `B_XOR`; `B_OR`; `AND`;
 //! `XOR`; `OR`; `<<`; comparisons last. So `A == 1 AND B == 1` needs brackets.
 
-use super::bytes::{in_name, is_digit, starts_name};
+use super::bytes::{in_name, starts_name};
 use super::expression::{Strength, expression, unary};
 use super::reader::{Expect, Node, Parsed, Reader};
 use super::tree::{Expr, ExprId, Operator};
@@ -53,8 +53,8 @@ fn word(reader: &Reader) -> Option<(Operator, Strength, usize)> {
 
 pub(super) fn operand(reader: &mut Reader) -> Parsed<Node> {
     let first = reader.byte(0);
-    if is_digit(first) || first == b'.' {
-        let number = constant(reader, number::with_exponent)?;
+    if first.is_ascii_digit() || first == b'.' {
+        let number = constant(reader, reader.at, number::with_exponent)?;
         return foreign_exponent(reader).map(|()| number);
     }
     if starts_name(first) {
@@ -67,14 +67,14 @@ pub(super) fn operand(reader: &mut Reader) -> Parsed<Node> {
         b'(' => brackets(reader),
         b'"' => text(reader),
         b'\'' if reader.byte(2) == b'\'' => quoted(reader, 1),
-        b'\'' => constant(reader, number::quoted),
+        b'\'' => constant(reader, reader.at, number::quoted),
         _ => Err(&own::SYNTAX_OPERAND),
     }
 }
 
-fn constant(reader: &mut Reader, read: fn(&[u8]) -> Option<(f64, usize)>) -> Parsed<Node> {
+/// A number; its sign may stand from `start` on.
+pub(super) fn constant(reader: &mut Reader, start: usize, read: fn(&[u8]) -> Option<(f64, usize)>) -> Parsed<Node> {
     let (value, length) = read(reader.rest()).ok_or(&own::SYNTAX_NUMBER)?;
-    let start = reader.at;
     reader.at += length;
     reader.number(start, value)
 }

@@ -95,7 +95,7 @@ impl Program {
 
     /// Number of an address with these letters, where a number stands there and nothing else.
     pub fn literal(&self, word: &Word, letters: &str) -> Option<f64> {
-        if let Expr::Number(number, _) = self.expr(self.address(word, letters)?)? { Some(*number) } else { None }
+        self.number(self.address(word, letters)?)
     }
 
     /// Number of an M function of the main spindle, where no variable stands in it.
@@ -107,6 +107,11 @@ impl Program {
     /// An expression by its index.
     pub fn expr(&self, id: ExprId) -> Option<&Expr> {
         self.exprs.get(id as usize)
+    }
+
+    /// The number that an expression is, where it is one and nothing else.
+    pub fn number(&self, id: ExprId) -> Option<f64> {
+        if let Expr::Number(number, _) = self.expr(id)? { Some(*number) } else { None }
     }
 
     /// The word around a place.
@@ -224,7 +229,7 @@ pub enum WordKind {
         value: Option<ExprId>,
     },
     /// `%_N_NAME_MPF`, `%O0110`, `%`.
-    Header(Span),
+    Header,
     /// Not understood; where inside of it the reading failed is in [`Program::errors`].
     Unknown,
 }

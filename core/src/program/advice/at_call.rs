@@ -27,7 +27,7 @@ impl Asked {
     pub fn of(program: &Program) -> Asked {
         let whole = |word: &Word| {
             let kind = &word.kind;
-            matches!(kind, WordKind::Address { .. } | WordKind::Header(_) | WordKind::Keyword { .. })
+            matches!(kind, WordKind::Address { .. } | WordKind::Header | WordKind::Keyword { .. })
         };
         Asked { piece: !program.words.iter().any(whole), said: BTreeSet::new(), calibrated: BTreeSet::new() }
     }
