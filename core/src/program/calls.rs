@@ -17,7 +17,7 @@ use crate::diagnostic::{Diagnostic, Span};
 use crate::entry::{ArgumentList, Cycle, Style, Typed};
 use crate::name::Name;
 use crate::syntax::programs::programs;
-use crate::syntax::{BETWEEN, Program, fold};
+use crate::syntax::{BETWEEN, Program};
 use site::Found;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use subprograms::Subprograms;
@@ -167,10 +167,9 @@ pub fn calls_told(program: &Program, control: Control, told: &mut dyn FnMut(f64)
         program,
         forces: Forces::of(program),
         around: Subprograms::of(program, &programs),
-        names: Names::default(),
-        unsteady: fold::unsteady(program),
+        names: Names::of(program),
         arrays: HashMap::new(),
-        tools: Tools::of(&control),
+        tools: Tools { start: control.clone() },
         control,
         found: Found::default(),
         first_numbers: HashMap::new(),
@@ -178,11 +177,10 @@ pub fn calls_told(program: &Program, control: Control, told: &mut dyn FnMut(f64)
         passed: 0,
         told,
     };
-    let mut begin = Place::default();
     if program.grammar().by_address {
-        walk.macros(&mut begin)
+        walk.macros(&mut Place::default());
     } else {
-        follow(program, &programs, &mut walk, &begin)
+        follow(program, &programs, &mut walk);
     }
     walk.finished()
 }
@@ -199,8 +197,6 @@ struct Walk<'a> {
     forces: Forces<'a>,
     around: Subprograms<'a>,
     names: Names,
-    /// Variables whose number depends on the way through the program.
-    unsteady: HashMap<String, u32>,
     /// Arrays that the program declares, with their sizes.
     arrays: HashMap<String, Vec<usize>>,
     tools: Tools,

@@ -2,6 +2,7 @@
 //! each branch and each call of a program goes on with a copy of its own.
 
 use super::values::Value;
+use crate::syntax::{Program, fold};
 use std::collections::HashMap;
 use std::rc::Rc;
 
@@ -18,13 +19,23 @@ pub(super) struct Names {
     texts: Vec<Rc<str>>,
     /// The names of one variable, by its name without index: `_SETV[0]`, `_SETV[1]`.
     elements: HashMap<String, Vec<usize>>,
-    /// Variables whose number depends on how often the program passes.
-    unsteady: Vec<bool>,
+    /// Variables that a loop may assign anew, with how often they are assigned.
+    unsteady: HashMap<String, u32>,
 }
 
 impl Names {
+    /// Names of a program.
+    pub fn of(program: &Program) -> Names {
+        Names { unsteady: fold::unsteady(program), ..Names::default() }
+    }
+
+    /// Whether the number of a variable depends on how often the program passes.
+    pub fn is_unsteady(&self, name: &str) -> bool {
+        self.unsteady.contains_key(name)
+    }
+
     /// The number of a name, which may be new.
-    pub fn number(&mut self, name: &str, unsteady: &HashMap<String, u32>) -> usize {
+    pub fn number(&mut self, name: &str) -> usize {
         if let Some(id) = self.ids.get(name) {
             return *id;
         }
@@ -32,7 +43,6 @@ impl Names {
         let text: Rc<str> = name.into();
         self.ids.insert(Rc::clone(&text), id);
         self.texts.push(text);
-        self.unsteady.push(unsteady.contains_key(name));
         self.elements.entry(stem(name).to_owned()).or_default().push(id);
         id
     }
@@ -132,9 +142,7 @@ pub(super) struct Values {
 
 impl PartialEq for Values {
     fn eq(&self, other: &Self) -> bool {
-        let same = |at| self.chunk(at) == other.chunk(at);
-        let chunks = self.chunks.len().max(other.chunks.len());
-        Rc::ptr_eq(&self.chunks, &other.chunks) || (0..chunks).all(same)
+        self.changed(other).next().is_none()
     }
 }
 
@@ -146,20 +154,13 @@ impl Values {
 
     /// The number of a variable, where every way gives the same; none: it depends on how often the program passes.
     pub fn number(&self, names: &Names, name: &str) -> Option<f64> {
-        let id = names.find(name)?;
-        self.get(id).filter(|_| names.unsteady.get(id) == Some(&false))?.number()
+        self.get(names.find(name)?).filter(|_| !names.is_unsteady(name))?.number()
     }
 
     /// The number of a variable on the first pass; `first`: what right sides are worth then, by their first byte.
     pub fn first_number(&self, names: &Names, name: &str, first: &HashMap<u32, Option<f64>>) -> Option<f64> {
         let value = self.get(names.find(name)?)?.all().first()?;
         value.number.or_else(|| first.get(&value.place.start).copied().flatten())
-    }
-
-    /// Variables that are copied together; one without any is as good as none.
-    fn chunk(&self, at: usize) -> Option<&Chunk> {
-        let chunk = self.chunks.get(at)?;
-        (!chunk.iter().all(Option::is_none)).then_some(&**chunk)
     }
 
     /// Writes a variable.
@@ -175,21 +176,13 @@ impl Values {
     }
 
     /// The variables that are another in the other map, in order.
-    pub fn changed(&self, other: &Values) -> Vec<usize> {
-        let mut found = Vec::new();
-        if Rc::ptr_eq(&self.chunks, &other.chunks) {
-            return found;
-        }
-        let chunks = self.chunks.len().max(other.chunks.len());
-        for at in 0..chunks {
-            let (one, two) = (self.chunks.get(at), other.chunks.get(at));
-            if matches!((one, two), (Some(one), Some(two)) if Rc::ptr_eq(one, two)) {
-                continue;
-            }
-            let ids = at * CHUNK..(at + 1) * CHUNK;
-            found.extend(ids.filter(|id| self.get(*id) != other.get(*id)));
-        }
-        found
+    pub fn changed(&self, other: &Values) -> impl Iterator<Item = usize> {
+        let same = Rc::ptr_eq(&self.chunks, &other.chunks);
+        let chunks = if same { 0 } else { self.chunks.len().max(other.chunks.len()) };
+        let shared =
+            |at| matches!((self.chunks.get(at), other.chunks.get(at)), (Some(one), Some(two)) if Rc::ptr_eq(one, two));
+        let ids = (0..chunks).filter(move |at| !shared(*at)).flat_map(|at| at * CHUNK..(at + 1) * CHUNK);
+        ids.filter(|id| self.get(*id) != other.get(*id))
     }
 
     /// What holds where two ways meet. What one of them does not write is what the other left.
@@ -227,7 +220,7 @@ mod tests {
         assert!(one == other);
         other.set(3, Some(Held::One(value(77.0))));
         other.set(60, Some(Held::One(value(60.0))));
-        assert_eq!(one.changed(&other), [3, 60]);
+        assert_eq!(one.changed(&other).collect::<Vec<_>>(), [3, 60]);
         assert_eq!(one.get(3).unwrap().number(), Some(3.0));
         let met = one.meet(&other);
         assert_eq!(met.get(3).unwrap().all().len(), 2);

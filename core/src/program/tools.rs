@@ -1,9 +1,8 @@
 //! The tool in use at the calls of a program, and what the program itself says of it (`$TC_DP1[7,1]=120`).
 
 use super::flow::{State, Tool};
-use crate::control::{Control, Edge, Plane, Transverse, machine_data::setting, probe::Unfit};
+use crate::control::{Control, Edge, Transverse, machine_data::setting, probe::Unfit};
 use crate::diagnostic::Code;
-use std::collections::BTreeSet;
 
 /// The tool has no length or no radius.
 const SIZE: Code = Code::Alarm(61351);
@@ -27,28 +26,11 @@ pub struct ToolInUse {
 
 /// What is known of the tools while a program is read.
 pub struct Tools {
-    /// T and D with which the program starts.
-    start: (i64, i64),
-    /// Plane with which it starts.
-    plane: Plane,
-    /// Number of the G function of units with which it starts.
-    units: u16,
-    /// Edges that the control had before.
-    known: BTreeSet<(i64, i64)>,
+    /// The control on which the program starts.
+    pub start: Control,
 }
 
 impl Tools {
-    /// Tools of a program that starts on a control in this state.
-    pub fn of(control: &Control) -> Tools {
-        let edges = control.tools.iter().flat_map(|(tool, data)| data.edges.keys().map(|edge| (*tool, *edge)));
-        Tools {
-            start: (control.tool, control.edge),
-            plane: control.plane,
-            units: control.unit_function() as u16,
-            known: edges.collect(),
-        }
-    }
-
     /// A datum that the program writes; none: its value is not known.
     pub fn learn(&self, control: &mut Control, name: &str, number: Option<f64>) {
         if name.starts_with("$TC_") {
@@ -60,13 +42,13 @@ impl Tools {
 
     /// Puts in force what a call finds, and says what the tool is: none is in use where the text does not tell.
     pub fn use_at(&self, control: &mut Control, state: &State) -> Option<ToolInUse> {
-        (control.tool, control.edge) = self.start;
+        (control.tool, control.edge) = (self.start.tool, self.start.edge);
         match state.plane.is() {
             Some(plane) => control.plane = *plane,
-            None if state.plane.unset() => control.plane = self.plane,
+            None if state.plane.unset() => control.plane = self.start.plane,
             None => {}
         }
-        control.choose_units(state.units.is().copied().unwrap_or(self.units));
+        control.choose_units(state.units.is().copied().unwrap_or(self.start.unit_function() as u16));
         // where the text does not tell, diameters, as in a form
         control.transverse = state.transverse.is().copied().unwrap_or(Transverse::Diameter);
         if !state.tool.unset() {
@@ -86,13 +68,12 @@ impl Tools {
             });
         }
         let edge = control.active_edge().filter(|edge| edge.kind != 0)?;
-        let known = self.known.contains(&(control.tool, control.edge));
         Some(ToolInUse {
             number: control.tool,
             kind: edge.kind,
             tip: edge.tip,
             // a position that the program does not enter the machine may know
-            unfit: control.unfit(edge).filter(|unfit| *unfit != Unfit::Tip || edge.tip != 0 || known),
+            unfit: control.unfit(edge).filter(|unfit| *unfit != Unfit::Tip || edge.tip != 0 || self.had(control)),
             unassigned: control.turns() && lengthless(control, edge),
         })
     }
@@ -101,7 +82,12 @@ impl Tools {
     pub fn told(&self, control: &Control, code: Code) -> bool {
         let no_tip = || control.active_edge().is_none_or(|edge| edge.tip == 0);
         let left_open = code == SIZE || code == TIP && no_tip();
-        !left_open || self.known.contains(&(control.tool, control.edge))
+        !left_open || self.had(control)
+    }
+
+    /// Whether the control had the edge in use before the program.
+    fn had(&self, control: &Control) -> bool {
+        self.start.edge_of(control.tool, control.edge).is_some()
     }
 }
 

@@ -70,7 +70,7 @@ pub fn look(
         return;
     }
     let mut rules = Rules { program, sites, corrected, forgotten: BTreeMap::new() };
-    flow::follow(program, programs, &mut rules, &Pending::new());
+    flow::follow(program, programs, &mut rules);
     for (index, waiting) in rules.forgotten {
         if let Some((site, frame)) = sites.get(index).zip(corrected.get(&index)) {
             found.push(finding(program, site, frame, &waiting));

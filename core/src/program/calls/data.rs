@@ -74,14 +74,14 @@ impl Walk<'_> {
 
     fn learn(&mut self, name: &str, number: Option<f64>) {
         self.tools.learn(&mut self.control, name, number);
-        if let Some(number) = number.filter(|_| !self.unsteady.contains_key(name)) {
+        if let Some(number) = number.filter(|_| !self.names.is_unsteady(name)) {
             self.control.set(name, number);
         }
     }
 
     pub(super) fn assign(&mut self, place: &mut Place, name: &str, value: Value) {
         self.learn(name, value.number);
-        place.values.set(self.names.number(name, &self.unsteady), Some(Held::One(Rc::new(value))));
+        place.values.set(self.names.number(name), Some(Held::One(Rc::new(value))));
     }
 
     /// One value, or those of `SET(…)` or `REP(…)` spread over an array.
@@ -125,7 +125,7 @@ impl Walk<'_> {
             None => {
                 let number = fold::number(self.program, id, &self.numbers(place));
                 self.learn(element, number);
-                place.values.set(self.names.number(element, &self.unsteady), None);
+                place.values.set(self.names.number(element), None);
             }
         }
     }

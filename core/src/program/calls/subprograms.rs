@@ -165,7 +165,7 @@ impl Follow for Walk<'_> {
                 (None, Some(id)) => self.value(caller, id, values::place(self.program, id).unwrap_or_default()),
                 (None, None) => Value { argument: true, ..Value::at("0".to_owned(), Some(0.0), entry.place()) },
             };
-            values.set(self.names.number(&formal.name, &self.unsteady), Some(Held::One(Rc::new(held))));
+            values.set(self.names.number(&formal.name), Some(Held::One(Rc::new(held))));
         }
         Place { force: caller.force.clone(), values }
     }

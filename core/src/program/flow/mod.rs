@@ -58,7 +58,7 @@ impl Entry<'_> {
 }
 
 /// What holds at a place of a program.
-pub trait Meet: Clone + PartialEq {
+pub trait Meet: Clone + Default + PartialEq {
     /// What holds where two ways meet.
     fn meet(&self, other: &Self) -> Self;
 }
@@ -86,7 +86,7 @@ pub trait Follow {
 }
 
 /// Follows every program of the text from where it is called, those that nothing here calls from a state of their own.
-pub fn follow<F: Follow>(program: &Program, programs: &Programs, rules: &mut F, begin: &F::State) {
+pub fn follow<F: Follow>(program: &Program, programs: &Programs, rules: &mut F) {
     let mut walk = Walk {
         program,
         programs,
@@ -98,22 +98,16 @@ pub fn follow<F: Follow>(program: &Program, programs: &Programs, rules: &mut F, 
         entries: (ENTRIES * MANY / programs.units.len().max(1)).clamp(1, ENTRIES),
     };
     for unit in roots(program, programs) {
-        let main = walk.is_main(unit);
-        let mut state = begin.clone();
-        if !main {
-            walk.rules.elsewhere(&mut state);
-        }
-        let after = walk.unit(unit, state);
-        if main && let Some((_, state)) = after {
+        if !walk.is_main(unit) {
+            walk.foreign(unit);
+        } else if let Some((_, state)) = walk.unit(unit, F::State::default()) {
             walk.rules.end(&state);
         }
     }
     // Programs that call each other in a circle have no beginning.
     for unit in 0..walk.programs.units.len() {
         if !walk.seen.contains_key(&unit) {
-            let mut state = begin.clone();
-            walk.rules.elsewhere(&mut state);
-            walk.unit(unit, state);
+            walk.foreign(unit);
         }
     }
 }
@@ -122,11 +116,7 @@ pub fn follow<F: Follow>(program: &Program, programs: &Programs, rules: &mut F, 
 fn roots(program: &Program, programs: &Programs) -> Vec<usize> {
     let mut called_here = vec![false; programs.units.len()];
     for (from, called) in callers(program, programs).iter().enumerate() {
-        for to in called.iter().filter(|to| **to != from) {
-            if let Some(known) = called_here.get_mut(*to) {
-                *known = true;
-            }
-        }
+        called.iter().filter(|to| **to != from).for_each(|to| called_here[*to] = true);
     }
     let roots: Vec<usize> = (0..called_here.len()).filter(|unit| !called_here[*unit]).collect();
     if roots.is_empty() { vec![0] } else { roots }
@@ -152,18 +142,11 @@ struct Walk<'a, F: Follow> {
 type Passed<S> = (S, Option<S>);
 
 /// How a program was followed.
+#[derive(Default)]
 struct Seen<S> {
-    /// In states of its own.
-    each: Vec<Passed<S>>,
-    /// With what the further ones have in common.
-    common: Option<Passed<S>>,
+    /// In states of its own; behind as many as there may be, with what the further ones have in common.
+    passed: Vec<Passed<S>>,
     times: usize,
-}
-
-impl<S> Default for Seen<S> {
-    fn default() -> Self {
-        Self { each: Vec::new(), common: None, times: 0 }
-    }
 }
 
 impl<F: Follow> Walk<'_, F> {
@@ -172,6 +155,13 @@ impl<F: Follow> Walk<'_, F> {
         let Some(unit) = self.programs.units.get(unit) else { return false };
         let returns = |block: &Block| structure::returns(self.program, self.program.words_of(block));
         unit.signature.is_none() && !self.program.blocks_of(unit).iter().any(returns)
+    }
+
+    /// Follows one program that something outside of the text calls.
+    fn foreign(&mut self, unit: usize) {
+        let mut state = F::State::default();
+        self.rules.elsewhere(&mut state);
+        self.unit(unit, state);
     }
 
     /// Follows one program: the state with which it began, and the one behind it; none: it does not come back.
@@ -188,23 +178,19 @@ impl<F: Follow> Walk<'_, F> {
         self.open.pop();
         let seen = self.seen.entry(unit).or_default();
         seen.times += 1;
-        let passed = (before.clone(), after.clone());
-        if seen.each.len() < self.entries {
-            seen.each.push(passed);
-        } else {
-            seen.common = Some(passed);
-        }
+        seen.passed.truncate(self.entries);
+        seen.passed.push((before.clone(), after.clone()));
         after.map(|after| (before, after))
     }
 
     /// How a program that begins like this was followed already; else with what it is to be followed.
     fn known(&mut self, unit: usize, before: F::State) -> Result<Passed<F::State>, F::State> {
         let seen = self.seen.entry(unit).or_default();
-        if let Some(found) = seen.each.iter().rfind(|(entry, _)| *entry == before) {
+        if let Some(found) = seen.passed.iter().find(|(entry, _)| *entry == before) {
             return Ok(found.clone());
         }
-        let last = seen.common.as_ref().or(seen.each.last());
-        let Some((last, after)) = last.filter(|_| seen.each.len() >= self.entries) else { return Err(before) };
+        let last = seen.passed.last().filter(|_| seen.passed.len() >= self.entries);
+        let Some((last, after)) = last else { return Err(before) };
         let common = last.meet(&before);
         if common == *last || seen.times >= TIMES {
             return Ok((common, after.clone()));

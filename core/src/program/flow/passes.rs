@@ -17,6 +17,7 @@ pub struct Passes<S> {
 }
 
 /// The beginning of a loop.
+#[derive(Default)]
 struct Head<S> {
     /// With what its body is followed, and what the end of that pass leaves.
     passes: Vec<(S, Option<S>)>,
@@ -28,12 +29,6 @@ struct Head<S> {
     again: bool,
     /// What was open at the jump when it went back.
     left: Vec<Vec<Open<S>>>,
-}
-
-impl<S> Default for Head<S> {
-    fn default() -> Self {
-        Self { passes: Vec::new(), round: None, depth: 0, again: false, left: Vec::new() }
-    }
 }
 
 impl<S: PartialEq> Head<S> {

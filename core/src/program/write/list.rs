@@ -27,15 +27,11 @@ pub(super) fn write(source: &Source, style: Style) -> Written {
     }
     match list {
         Some(list) => listed(source, list),
-        None if style == Style::Direct && none => whole(
-            source,
-            format!(
-                "{}{}
-",
-                all(source),
-                source.cycle.name
-            ),
-        ),
+        None if style == Style::Direct && none => {
+            let words = source.values.iter().filter(|(param, value)| param.name != value.as_str());
+            let words: Vec<String> = words.map(|(param, value)| word(param.name.as_str(), value)).collect();
+            whole(source, format!("{}{}\n", assignments(&words), source.cycle.name))
+        }
         None => {
             let sentence = if none { own::WRITE_NO_LIST } else { own::WRITE_NO_LIST_VARIANT };
             nothing(sentence.finding().text("cycle", source.cycle.name))
@@ -73,12 +69,6 @@ fn target_elsewhere(source: &Source) -> Option<Diagnostic> {
             Some(own::WRITE_NEWER_ZERO.finding().text("value", text))
         }
     }
-}
-
-fn all(source: &Source) -> String {
-    let words = source.values.iter().filter(|(param, value)| param.name != value.as_str());
-    let words: Vec<String> = words.map(|(param, value)| word(param.name.as_str(), value)).collect();
-    assignments(&words)
 }
 
 fn listed(source: &Source, list: &ArgumentList) -> Written {
