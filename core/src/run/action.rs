@@ -1,10 +1,9 @@
 //! What the words of a block do together: functions first, then tool, motion, calls, and the end.
 
-use super::datum::Datum;
-use super::halt::Halt;
-use super::interpret::{Interpreter, Next};
-use super::statement::{Call, Words};
-use super::{addresses, cycle, frame, gcode, listed, macro_call, motion, of_control, repeat, subprogram, tool, unread};
+use super::{
+    Call, Datum, Halt, Interpreter, Next, Words, addresses, cycle, frame, gcode, listed, macro_call, motion,
+    of_control, repeat, subprogram, tool, unread,
+};
 use crate::diagnostic::{Severity, Span};
 use crate::geometry::Degrees;
 use crate::machine::{Machine, Step};

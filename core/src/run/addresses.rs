@@ -1,11 +1,6 @@
 //! Addresses of a block: axes, arcs, feed, speed, spindle angle.
 
-use super::action::machine_function;
-use super::datum::Datum;
-use super::interpret::Interpreter;
-use super::motion;
-use super::path::{Coordinate, Path};
-use super::statement::Address;
+use super::{Address, Coordinate, Datum, Interpreter, Path, action::machine_function, motion};
 use crate::control::AXES;
 use crate::diagnostic::Severity;
 use crate::geometry::Degrees;

@@ -1,10 +1,6 @@
 //! Where a block sends the program: `IF`, loops, `CASE`, jumps.
 
-use super::datum::Datum;
-use super::expression::evaluate;
-use super::interpret::{Interpreter, Next};
-use super::statement::Words;
-use super::{expression, locals, names};
+use super::{Datum, Interpreter, Next, Words, evaluate, expression, locals, names};
 use crate::diagnostic::Span;
 use crate::problem::Problem;
 use crate::syntax::links::{Link, canonical};

@@ -1,6 +1,6 @@
 //! One measuring call on the machine, with its begin, its end and the alarm that stops it; and what it would do.
 
-use super::outcome::{Outcome, set};
+use super::{Outcome, outcome::set};
 use crate::check::upkeep;
 use crate::diagnostic::Code;
 use crate::entry::{Cycle, Inputs, ProbeUse};

@@ -1,9 +1,6 @@
 //! A measuring call of a program: values as written in data or addresses, checked like typed ones, then carried out.
 
-use super::halt::Halt;
-use super::interpret::Interpreter;
-use super::statement::{Call, Words};
-use super::{call, contour, interpret, subprogram, unread};
+use super::{Call, Halt, Interpreter, Words, call, contour, interpret, subprogram, unread};
 use crate::check::{Checked, upkeep};
 use crate::control::Value;
 use crate::diagnostic::{Code, Diagnostic, Severity, Span};
@@ -11,8 +8,7 @@ use crate::entry::{Cycle, Kind, ProbeUse, Typed};
 use crate::machine::Machine;
 use crate::problem::Problem;
 use crate::program::user_programs::{BEFORE, BEHIND, UserProgram};
-use crate::syntax::links::canonical;
-use crate::syntax::programs::Unit;
+use crate::syntax::{links::canonical, programs::Unit};
 use crate::{check, own};
 
 /// SINUMERIK: the parameters are user data and keep their values from call to call (B:1696).

@@ -1,9 +1,6 @@
 //! `DEF`: variables of a program with sizes and first values.
 
-use super::datum::Type;
-use super::interpret::Interpreter;
-use super::locals::{Local, Variable};
-use super::{expression, names};
+use super::{Interpreter, Local, Type, Variable, expression, names};
 use crate::control::AXES;
 use crate::diagnostic::{Severity, Span};
 use crate::problem::Problem;

@@ -4,10 +4,7 @@
 //! One state is kept, and after twice as many jumps back the present one instead of it (Brent): so states of any period
 //! are found, for one comparison a jump.
 
-use super::interpret::Interpreter;
-use super::locals::Locals;
-use super::modal::Modal;
-use super::subprogram::Level;
+use super::{Interpreter, Level, Locals, Modal};
 use crate::geometry::{Mcs, Wcs};
 use crate::machine::sim::state::State;
 use std::collections::BTreeMap;

@@ -1,8 +1,6 @@
 //! Works out expressions. Numbers are f64; comparisons give 0 or 1, as on the control.
 
-use super::datum::Datum;
-use super::interpret::Interpreter;
-use super::{function, macro_variables, names};
+use super::{Datum, Interpreter, function, macro_variables, names};
 use crate::control::Frame;
 use crate::diagnostic::Span;
 use crate::problem::Problem;

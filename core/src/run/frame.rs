@@ -1,8 +1,7 @@
 //! Programmed frames: TRANS, ROT, SCALE, MIRROR replace what was programmed before, their forms with A add to it.
 //! Angles and factors are no lengths: the unit of the axis words is taken out again.
 
-use super::interpret::Interpreter;
-use super::statement::{Call, Words};
+use super::{Call, Interpreter, Words};
 use crate::control::Frame;
 use crate::geometry::Rpy;
 use crate::problem::Problem;

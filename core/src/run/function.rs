@@ -1,8 +1,6 @@
 //! Functions of expressions: arithmetic, texts, frames. Angles in degree.
 
-use super::datum::Datum;
-use super::expression::{evaluate, list};
-use super::interpret::Interpreter;
+use super::{Datum, Interpreter, evaluate, expression::list};
 use crate::control::{AXES, Frame, ROTARY, variables::set_component};
 use crate::diagnostic::Span;
 use crate::geometry::Degrees;

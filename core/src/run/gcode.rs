@@ -1,11 +1,8 @@
 //! G functions: motion, plane, frames, units, absolute and incremental; and words without a value that set something.
 
-use super::contour::Outside;
-use super::interpret::Interpreter;
-use super::modal::{Compensation, FeedType, Motion};
-use super::path::{Measure, Pole, Suppress};
-use super::statement::Words;
-use super::{motion, unread};
+use super::{
+    Compensation, FeedType, Interpreter, Measure, Motion, Pole, Suppress, Words, contour::Outside, motion, unread,
+};
 use crate::control::Plane;
 use crate::diagnostic::Severity;
 use crate::problem::Problem;

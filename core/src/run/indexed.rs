@@ -1,14 +1,9 @@
 //! Addresses that are written like elements of an array: `SPOS[1]=AC(90)`, `S[1]=500`, `M[1]=3`, `AX[NAME]=5`.
 
-use super::datum::Datum;
-use super::expression::evaluate;
-use super::interpret::Interpreter;
-use super::locals;
-use super::statement::{Address, Words};
-use crate::control::AXES;
-use crate::diagnostic::{Severity, Span};
+use super::{Address, Datum, Interpreter, Words, declare, evaluate, locals};
+use crate::diagnostic::Severity;
 use crate::problem::Problem;
-use crate::syntax::tree::{Expr, ExprId};
+use crate::syntax::tree::{Expr, ExprId, Word, WordKind};
 
 /// How a position may be meant.
 const MODES: [&str; 7] = ["AC", "IC", "DC", "ACP", "ACN", "CAC", "CIC"];
@@ -17,20 +12,19 @@ const MODES: [&str; 7] = ["AC", "IC", "DC", "ACP", "ACN", "CAC", "CIC"];
 const POSITIONING: [&str; 2] = ["POS", "POSA"];
 
 /// Takes such an address; false: it is none. Another spindle or axis than the machine's own is told and left out.
-pub fn take(
-    run: &mut Interpreter,
-    name: &str,
-    index: &[ExprId],
-    value: ExprId,
-    span: Span,
-    found: &mut Words,
-) -> Result<bool, Problem> {
-    let [index] = index else { return Ok(false) };
-    if POSITIONING.contains(&name) {
-        return positioning(run, *index, value, span, found).map(|()| true);
-    }
-    let (name, simulated) = match name {
-        "SPOS" | "SPOSA" | "S" | "M" => (name.to_owned(), evaluate(run, *index)?.number() == Some(1.0)),
+/// `POS[X]=10` is a rapid motion of its own behind that of the block; rotary axes (`POSA[C]=90`) turn with it.
+pub fn take(run: &mut Interpreter, word: &Word, found: &mut Words) -> Result<bool, Problem> {
+    let WordKind::Assign { name, index, value, .. } = &word.kind else { return Ok(false) };
+    let ([index], span) = (&index[..], word.span) else { return Ok(false) };
+    let name = run.program.name(*name);
+    let alone = POSITIONING.contains(&&*name);
+    let (name, simulated) = match &*name {
+        _ if alone => {
+            let axis = axis_name(run, *index)?;
+            let there = declare::is_axis(&axis) || run.sim.control.rotary_axis(&axis).is_some();
+            (axis, there)
+        }
+        "SPOS" | "SPOSA" | "S" | "M" => (name, evaluate(run, *index)?.number() == Some(1.0)),
         "AX" => (evaluate(run, *index)?.shown(), true),
         _ => return Ok(false),
     };
@@ -38,32 +32,14 @@ pub fn take(
         run.tell(Severity::Warning, &Problem::new("run-not-simulated", span, name));
         return Ok(true);
     }
-    let (mode, value) = meant(run, value)?;
-    found.addresses.push(Address { name, extension: None, mode, value, span });
-    Ok(true)
-}
-
-/// `POS[X]=10`, `POSA[C]=90`: a rapid motion of its own behind that of the block; rotary axes turn with it.
-fn positioning(
-    run: &mut Interpreter,
-    index: ExprId,
-    value: ExprId,
-    span: Span,
-    found: &mut Words,
-) -> Result<(), Problem> {
-    let name = axis_name(run, index)?;
-    let linear = AXES.contains(&name.as_str());
-    if !linear && run.sim.control.rotary_axis(&name).is_none() {
-        run.tell(Severity::Warning, &Problem::new("run-not-simulated", span, name));
-        return Ok(());
-    }
-    let (mode, value) = meant(run, value)?;
-    let list = if linear { &mut found.positioning } else { &mut found.addresses };
+    let (mode, value) = meant(run, *value)?;
+    let linear = alone && declare::is_axis(&name);
     if linear {
         run.tell(Severity::Note, &Problem::new("run-positioning", span, &*name));
     }
+    let list = if linear { &mut found.positioning } else { &mut found.addresses };
     list.push(Address { name, extension: None, mode, value, span });
-    Ok(())
+    Ok(true)
 }
 
 /// The axis between the brackets; a name that is no variable is itself one, as `U` on a machine without it.

@@ -1,24 +1,16 @@
 //! Runs a program block by block. A program that never ends is stopped by limits.
 
-use super::assumed::Made;
-use super::contour::Contour;
-use super::endless::Watch;
-use super::halt::Halt;
-use super::locals::Locals;
-use super::modal::Modal;
-use super::outcome::PassedOver;
-use super::rules::Rules;
-use super::subprogram::Level;
-use super::unread::Unread;
-use super::{Outcome, contour, endless, motion, repeat, statement, subprogram, unread};
+use super::{
+    Halt, Level, Locals, Modal, Outcome, assumed::Made, contour, contour::Contour, endless, endless::Watch, motion,
+    outcome::PassedOver, repeat, rules::Rules, statement, subprogram, unread, unread::Unread,
+};
 use crate::diagnostic::{Diagnostic, Severity, Span};
 use crate::geometry::{Mcs, Wcs};
 use crate::machine::{Setup, Sim, Step, Stop};
 use crate::message::Message;
 use crate::problem::Problem;
 use crate::syntax::links::{Link, Links};
-use crate::syntax::programs::Programs;
-use crate::syntax::{Program, links as flow, programs};
+use crate::syntax::{Program, links as flow, programs, programs::Programs};
 use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;

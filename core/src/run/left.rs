@@ -1,6 +1,6 @@
 //! What the measuring calls of a program left in their result data.
 
-use super::outcome::{Outcome, set};
+use super::{Outcome, outcome::set};
 use crate::catalogue;
 use crate::entry::{Cycle, Inputs, ResultField};
 use crate::machine::{Entry, Step};

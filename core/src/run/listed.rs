@@ -1,13 +1,8 @@
 //! Calls with arguments in brackets: `CYCLE_PARA(…)`, the parameterizing calls, the lists of newer controls.
 
-use super::datum::Datum;
-use super::halt::Halt;
-use super::interpret::Interpreter;
-use super::statement::Call;
-use super::{call, cycle, names, unread};
+use super::{Call, Datum, Halt, Interpreter, call, cycle, names};
 use crate::catalogue::{CYCLES, find, list};
-use crate::check;
-use crate::check::{Sort, listed, newer};
+use crate::check::{self, Sort, listed, newer};
 use crate::control::Value;
 use crate::diagnostic::{Diagnostic, Severity, Span};
 use crate::entry::{AUXILIARY, AUXILIARY_ARGS, Arg, ArgumentList, Cycle, Kind, Param, Style, Typed};
@@ -39,7 +34,7 @@ pub fn call(run: &mut Interpreter, call: &Call) -> Result<bool, Halt> {
         return Ok(true);
     }
     for (name, value) in values {
-        unread::written(run, name.as_str());
+        run.unread.remove(name.as_str());
         let data = &mut run.sim.control.data;
         match value.or_else(|| (list.style != Style::Direct).then(|| omitted(cycle, name.as_str()))) {
             Some(value) => data.insert(name.to_string(), value),
@@ -115,7 +110,7 @@ fn auxiliary(run: &mut Interpreter, call: &Call) -> Result<bool, Halt> {
     for (name, value) in AUXILIARY_ARGS.iter().zip(&call.args) {
         let number = value.as_ref().and_then(Datum::number);
         if let Some(number) = number.filter(|number| *number != 0.0) {
-            unread::written(run, name);
+            run.unread.remove(name.as_str());
             run.sim.control.set(*name, number);
         }
     }

@@ -1,7 +1,6 @@
 //! Variables of a program: declared with `DEF`, or parameters of its `PROC`. Elements stand in the order of `SET`.
 
-use super::datum::{Datum, Type};
-use super::interpret::Interpreter;
+use super::{Datum, Interpreter, Type};
 use crate::control::{arrays, variables};
 use crate::diagnostic::Span;
 use crate::problem::Problem;

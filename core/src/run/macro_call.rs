@@ -1,11 +1,7 @@
 //! Calls of programs on NCT: `M98 P110 L2`, `G65 P9110 A1. B2.` with arguments, and the way back, `M99`.
 
-use super::interpret::{Interpreter, Next};
-use super::locals::Locals;
 use super::macro_variables::{holding, local};
-use super::statement::{Call, Words};
-use super::subprogram::Variables;
-use super::{branch, repeat, subprogram};
+use super::{Call, Interpreter, Locals, Next, Words, branch, repeat, subprogram, subprogram::Variables};
 use crate::diagnostic::{Severity, Span};
 use crate::problem::Problem;
 use crate::syntax::programs;

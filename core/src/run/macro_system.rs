@@ -1,10 +1,7 @@
 //! What an NCT control tells its programs, and takes from them, by numbers from #3000: #3001 by C:90, signal positions
 //! and length offset by N 183, the others as on controls with this macro language.
 
-use super::datum::Datum;
-use super::interpret::Interpreter;
-use super::macro_variables::local;
-use super::modal::FeedType;
+use super::{Datum, FeedType, Interpreter, macro_variables::local};
 use crate::control::{Control, NCT, Units};
 use crate::diagnostic::Span;
 use crate::machine::{Machine, Step};
@@ -28,12 +25,10 @@ const OFFSETS: u32 = 5201;
 const APART: u32 = 20;
 
 /// Whether a number belongs here.
-pub fn is(number: u32) -> bool {
-    matches!(
-        number,
-        ALARM | CLOCK | HOURS | STOP | 4001..=4003 | 4005..=4008 | 4014
-            | 4107 | 4109 | 4111 | 4119 | 4120
-    ) || OPERATING.contains(&number)
+pub fn is(run: &Interpreter, number: u32) -> bool {
+    [ALARM, CLOCK, HOURS, STOP].contains(&number)
+        || OPERATING.contains(&number)
+        || modal(run, number).is_some()
         || position(number).is_some()
         || offset(number).is_some()
 }

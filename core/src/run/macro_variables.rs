@@ -1,10 +1,7 @@
 //! Variables of NCT programs, `#number`: of a level, of all programs, those that stay; vacant where nothing was
 //! written. Numbers by C:78-90 and, for levels, by the macro language that it builds on.
 
-use super::datum::{Datum, Type};
-use super::interpret::Interpreter;
-use super::locals::{Local, Variable};
-use super::macro_system;
+use super::{Datum, Interpreter, Local, Type, Variable, macro_system};
 use crate::diagnostic::Span;
 use crate::problem::Problem;
 use crate::syntax::tree::Operator;
@@ -23,13 +20,13 @@ enum Kind {
     System(u32),
 }
 
-fn kind(number: u32) -> Option<Kind> {
+fn kind(run: &Interpreter, number: u32) -> Option<Kind> {
     Some(match number {
         0 => Kind::Nothing,
         1..=33 => Kind::Local,
         100..=199 | 500..=999 => Kind::Common,
         1002 | 1003 => Kind::Input,
-        number if macro_system::is(number) => Kind::System(number),
+        number if macro_system::is(run, number) => Kind::System(number),
         _ => return None,
     })
 }
@@ -52,15 +49,15 @@ pub fn local(number: u32) -> String {
     format!("#{number}")
 }
 
-fn known(key: &str, place: Span) -> Result<Kind, Problem> {
+fn known(run: &Interpreter, key: &str, place: Span) -> Result<Kind, Problem> {
     let number = key.get(1..).and_then(|digits| digits.parse().ok());
     let offset = matches!(number, Some(2001..=2999 | 10_001..=13_999));
     let why = if offset { "run-offset-variable" } else { "run-unknown-variable" };
-    number.and_then(kind).ok_or_else(|| Problem::new(why, place, key))
+    number.and_then(|number| kind(run, number)).ok_or_else(|| Problem::new(why, place, key))
 }
 
 pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem> {
-    let value = match known(key, place)? {
+    let value = match known(run, key, place)? {
         Kind::Nothing => None,
         Kind::Local => {
             let local = run.levels.last().and_then(|level| level.locals.get(key)?.own());
@@ -76,7 +73,7 @@ pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem>
 pub fn write(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Result<(), Problem> {
     let number = value.number().ok_or_else(|| Problem::new("run-not-a-number", place, key))?;
     let vacant = *value == Datum::Vacant;
-    match known(key, place)? {
+    match known(run, key, place)? {
         Kind::Nothing | Kind::Input => Err(Problem::new("run-read-only", place, key)),
         Kind::System(system) => macro_system::write(run, system, number, place),
         Kind::Local => {

@@ -44,3 +44,13 @@ mod unread;
 pub use call::predict;
 pub use interpret::{Limits, Session, run};
 pub use outcome::{Change, Outcome};
+
+use datum::{Datum, Type};
+use expression::evaluate;
+use halt::Halt;
+use interpret::{Interpreter, Next};
+use locals::{Home, Keeper, Local, Locals, Variable, indices, stem};
+use modal::{Compensation, FeedType, Modal, Motion};
+use path::{Coordinate, Measure, Path, Pole, Suppress};
+use statement::{Address, Call, Words};
+use subprogram::Level;

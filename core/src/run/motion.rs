@@ -1,12 +1,9 @@
 //! Motion of a program: straight lines, arcs, measuring blocks.
 
-use super::arcs::Arc;
-use super::halt::Halt;
-use super::interpret::Interpreter;
-use super::modal::{Compensation, FeedType, Motion};
-use super::path::{Coordinate, Measure, Path, Suppress};
-use super::statement::Address;
-use super::{addresses, contour, polar};
+use super::{
+    Address, Compensation, Coordinate, FeedType, Halt, Interpreter, Measure, Motion, Path, Suppress, addresses,
+    arcs::Arc, contour, polar,
+};
 use crate::control::{AXES, Transverse, Units};
 use crate::diagnostic::Severity;
 use crate::geometry::{Around, Degrees, Dir, Mcs, Wcs, arc};

@@ -1,11 +1,9 @@
 //! Variables of a program: user data, tool and frame data, R parameters, local ones, and what the control tells.
 
-use super::action::machine_function;
-use super::datum::Datum;
-use super::expression::evaluate;
-use super::interpret::Interpreter;
-use super::locals::{Home, Keeper, indices, stem};
-use super::{locals, macro_variables, system, unread};
+use super::{
+    Datum, Home, Interpreter, Keeper, action::machine_function, evaluate, indices, locals, macro_variables, stem,
+    system, unread,
+};
 use crate::catalogue::CYCLES;
 use crate::control::{Frame, Value, arrays, gud, machine_data, rotary::is_angle};
 use crate::diagnostic::Span;
@@ -127,7 +125,7 @@ const TEXT: usize = 400;
 
 fn write_one(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Result<(), Problem> {
     run.work += 1;
-    unread::written(run, key);
+    run.unread.remove(key);
     if macro_variables::is(key) {
         return macro_variables::write(run, key, value, place);
     }

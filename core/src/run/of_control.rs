@@ -1,11 +1,6 @@
 //! What the control itself answers: operator texts, alarms of the program, the tool environment, the swivel table.
 
-use super::contour;
-use super::datum::Datum;
-use super::expression::evaluate;
-use super::halt::Halt;
-use super::interpret::Interpreter;
-use super::statement::Call;
+use super::{Call, Datum, Halt, Interpreter, contour, evaluate};
 use crate::catalogue::alarms;
 use crate::control::Frame;
 use crate::diagnostic::{Code, Span};

@@ -1,7 +1,6 @@
 //! Targets by an angle: from a pole in the working plane with a distance (G110 to G112, AP, RP), or of a line (ANG).
 
-use super::interpret::Interpreter;
-use super::path::{Coordinate, Path, Polar, Pole};
+use super::{Coordinate, Interpreter, Path, Pole, path::Polar};
 use crate::geometry::Degrees;
 
 /// G110, G111, G112: the pole that the block tells, cartesian or polar itself; `from` is where the axes stand.

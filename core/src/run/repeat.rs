@@ -1,8 +1,6 @@
 //! Repeated program parts: `REPEAT LABEL P=3`, `REPEAT FIRST LAST`, `REPEATB LABEL`, up to an `ENDLABEL` between them.
 
-use super::interpret::{Interpreter, Next};
-use super::statement::Address;
-use super::{branch, expression, subprogram};
+use super::{Address, Interpreter, Next, branch, expression, subprogram};
 use crate::diagnostic::Span;
 use crate::problem::Problem;
 use crate::syntax::tree::{ExprId, Word, WordKind};

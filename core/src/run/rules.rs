@@ -1,11 +1,6 @@
 //! What differs between the controls in how a program is run, chosen once by its language.
 
-use super::datum::Datum;
-use super::gcode::{self, Instead};
-use super::interpret::Interpreter;
-use super::modal::Motion;
-use super::statement::Words;
-use super::{expression, tool};
+use super::{Datum, Interpreter, Motion, Words, expression, gcode, gcode::Instead, tool};
 use crate::dialect::Dialect;
 use crate::problem::Problem;
 use crate::syntax::tree::Operator;

@@ -1,12 +1,9 @@
 //! One block: words in order (assignments act at once), then functions, motion and calls together.
 
-use super::datum::Datum;
-use super::declare::Declaring;
-use super::expression::evaluate;
-use super::halt::Halt;
-use super::interpret::{Interpreter, Next};
-use super::path::{Measure, Path};
-use super::{action, branch, contour, declare, indexed, locals, names, of_control, repeat, unread};
+use super::{
+    Datum, Halt, Interpreter, Measure, Next, Path, action, branch, contour, declare, declare::Declaring, evaluate,
+    indexed, locals, names, of_control, repeat, unread,
+};
 use crate::diagnostic::{Severity, Span};
 use crate::problem::Problem;
 use crate::program::words::{ignores_arguments, left_out as left_out_value};
@@ -192,7 +189,7 @@ fn word_of(run: &mut Interpreter, word: &Word, found: &mut Words) -> Result<bool
             if left_alone(run, &letters, word.span) {
                 return Ok(true);
             }
-            if !locals::declared(run, &letters) && indexed::take(run, &letters, index, *value, word.span, found)? {
+            if !locals::declared(run, &letters) && indexed::take(run, word, found)? {
                 return Ok(true);
             }
             let key = names::key(run, *name, index)?;

@@ -1,14 +1,10 @@
 //! Calls of programs of the same text: by name, by a text that names one, or again after each motion (`MCALL`);
 //! parameters by value and by reference, passes, `SAVE`, the way back.
 
-use super::datum::Datum;
-use super::declare::Declaring;
-use super::interpret::{Interpreter, Next};
-use super::locals::{Local, Locals, Variable};
-use super::modal::Modal;
-use super::repeat::Repetition;
-use super::statement::{Call, Words};
-use super::{declare, expression, locals, names, repeat};
+use super::{
+    Call, Datum, Interpreter, Local, Locals, Modal, Next, Variable, Words, declare, declare::Declaring, expression,
+    locals, names, repeat, repeat::Repetition,
+};
 use crate::control::{Frame, Plane, Units};
 use crate::diagnostic::{Severity, Span};
 use crate::problem::Problem;

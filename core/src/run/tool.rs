@@ -1,10 +1,6 @@
 //! Tool change and edges: `T9 D1`, `M6`; NCT `G43 H98`. The spindle nose stays; a trace step tells the change.
 
-use super::datum::Datum;
-use super::halt::Halt;
-use super::interpret::Interpreter;
-use super::statement::{Address, Words};
-use super::{addresses, contour};
+use super::{Address, Datum, Halt, Interpreter, Words, addresses, contour};
 use crate::control::Edge;
 use crate::diagnostic::Span;
 use crate::machine::Step;

@@ -1,9 +1,7 @@
 //! Words of a program that could not be read: told as reading tells them and named at the end. What they would have
 //! written is not known from then on, so that nothing is reckoned or measured with an older value.
 
-use super::interpret::Interpreter;
-use super::locals::stem;
-use super::statement::{Address, Words};
+use super::{Address, Interpreter, Words, stem};
 use crate::catalogue::CYCLES;
 use crate::check;
 use crate::control::{gud, nct_data};
@@ -13,8 +11,7 @@ use crate::entry::{Cycle, Typed};
 use crate::message::printable;
 use crate::problem::Problem;
 use crate::program::not_understood;
-use crate::syntax::Program;
-use crate::syntax::tree::{Word, WordKind};
+use crate::syntax::{Program, tree::Word, tree::WordKind};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -142,18 +139,8 @@ fn group(code: u32) -> Option<u32> {
     })
 }
 
-/// A variable is written: what was not known of it no longer counts.
-pub fn written(run: &mut Interpreter, key: &str) {
-    if !run.unread.is_empty() {
-        run.unread.remove(key);
-    }
-}
-
 /// The addresses of a block say anew where the axes stand and which tool is in use.
 pub fn placed(run: &mut Interpreter, addresses: &[Address]) {
-    if run.unread.is_empty() {
-        return;
-    }
     for address in addresses {
         if let ("G", Some(code)) = (&*address.name, address.value.number()) {
             let new = group(code as u32);
@@ -172,9 +159,6 @@ pub fn placed(run: &mut Interpreter, addresses: &[Address]) {
 
 /// A variable is read whose value may be unknown.
 pub fn known(run: &Interpreter, key: &str, place: Span) -> Result<(), Problem> {
-    if run.unread.is_empty() {
-        return Ok(());
-    }
     let unread = [key, stem(key)].into_iter().find_map(|name| run.unread.get(name));
     unread.map_or(Ok(()), |word| Err(unknown(run, key, *word, place)))
 }

@@ -1,17 +1,11 @@
 //! Blocks that waited, driven by the machine as if they had been when they were programmed: with their own line, before
 //! what was recorded since, with the tool length of that moment.
 
-use super::Motion;
-use super::corner::Beside;
-use super::element::{Point, Round};
-use super::plane::Plane;
+use super::{Beside, Halt, Interpreter, Motion, Plane, Point, Round};
 use crate::control::tools::side;
 use crate::diagnostic::Span;
 use crate::geometry::{Around, Degrees, Dir, Mcs};
-use crate::machine::Stop;
-use crate::machine::trace::MotionKind;
-use crate::run::halt::Halt;
-use crate::run::interpret::Interpreter;
+use crate::machine::{MotionKind, Stop};
 
 /// A block that waits.
 #[derive(Clone, Copy, Debug)]

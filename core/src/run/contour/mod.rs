@@ -14,13 +14,10 @@ mod plane;
 pub use corner::Outside;
 pub use element::distance;
 
-use super::halt::Halt;
-use super::interpret::Interpreter;
-use super::modal::Compensation;
+use super::{Compensation, Halt, Interpreter};
 use crate::diagnostic::Span;
 use crate::geometry::{Dir, Mcs};
-use crate::machine::route::Route;
-use crate::machine::trace::MotionKind;
+use crate::machine::{MotionKind, Route};
 use crate::problem::Problem;
 use corner::{Beside, Corner, corner};
 use drive::{Manner, Piece, Waiting, Way};

@@ -1,9 +1,9 @@
 //! The plane in which the contour lies, as it stands in the machine.
 
-use super::element::{Element, Point, Round};
+use super::{Element, Point, Round};
 use crate::control::Control;
 use crate::geometry::{Dir, Mcs, V3, Wcs};
-use crate::machine::route::Route;
+use crate::machine::Route;
 
 /// Unit vectors that differ by less are the same.
 const SAME: f64 = 1e-9;
