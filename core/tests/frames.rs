@@ -20,9 +20,9 @@ fn machine() -> Setup {
     let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
     let control = &mut setup.control;
     let along = |x: f64| Frame::translation([x, 0.0, 0.0]);
-    control.channel_basic.insert(0, along(10.0));
-    control.channel_basic.insert(1, along(20.0));
-    control.global_basic.insert(0, along(40.0));
+    control.stored.channel.insert(0, along(10.0));
+    control.stored.channel.insert(1, along(20.0));
+    control.stored.global.insert(0, along(40.0));
     control.frames.insert(1, along(80.0));
     let edge = Edge { kind: 120, length: [70.0, 0.0, 0.0], radius: 5.0, ..Edge::default() };
     let edges = [(1, edge.clone()), (2, edge)].into();

@@ -3,8 +3,8 @@
 use super::common::MONO;
 use crate::catalogue::prelude::*;
 use crate::check::error;
-use crate::evaluate::knum;
-use crate::evaluate::knum::ZeroCode;
+use crate::control::Store;
+use crate::evaluate::knum::{self, ZeroCode};
 use crate::own::Own;
 
 /// What every call that corrects a tool or a zero offset is checked for.
@@ -156,7 +156,7 @@ pub fn multi_probe(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
 /// Global basic frames, named by this parameter, cannot take a rotation (B:1971).
 pub fn takes_rotation(name: Name, inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     let code = inputs.integer(name);
-    if let Ok(Some(ZeroCode::GlobalBasic(_))) = knum::zero(code) {
+    if let Ok(Some(ZeroCode::Stored(Store::GlobalBasic(_)))) = knum::zero(code) {
         found.push(refused(61321, "check-knum-rotation", name).number("code", code as f64));
     }
 }

@@ -10,8 +10,7 @@ use crate::diagnostic::{Code, Diagnostic, Severity};
 use crate::entry::{ArgumentList, Cycle, Inputs, ProbeUse, Typed, names};
 use crate::message::Message;
 use crate::name::Name;
-use crate::own;
-use crate::own::Own;
+use crate::own::{self, Own};
 
 /// Highest number of a workpiece probe (61313).
 const PROBES: f64 = 12.0;
@@ -21,7 +20,7 @@ const SAME: [Own; 6] =
     [own::NOT_A_NUMBER, own::EXPRESSION, own::TOO_LARGE, own::TEXT_CHARACTERS, own::UNUSUAL, own::BALL];
 
 /// Alarms whose condition is published for newer controls: `S_FA` above 0, the protection zone.
-const SAME_ALARMS: [u32; 2] = [61308, 61334];
+const SAME_ALARMS: [Code; 2] = [Code::Alarm(61308), Code::Alarm(61334)];
 
 /// Doubts about two values that hold where both are written: what counts for an omitted one is another datum there.
 const ORDERS: [(Own, &[Name]); 4] = [
@@ -42,16 +41,9 @@ pub fn check_listed(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed, c
     Checked { diagnostics: judged.found, inputs: judged.inputs.filter(|_| older) }
 }
 
-/// The first parameter whose value means something else on the older control, or whose meaning is not known.
-pub fn foreign(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed, control: &Control) -> Option<Name> {
-    let typed = with_omitted(cycle, typed);
-    judged(cycle, list, &typed, control).foreign.first().copied()
-}
-
-/// What [`foreign`] finds first among the values that are to be written.
-pub fn foreign_of(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed, control: &Control) -> Option<Name> {
-    let foreign = judged(cycle, list, &with_omitted(cycle, typed), control).foreign;
-    foreign.into_iter().find(|name| typed.contains_key(name.as_str()))
+/// The parameters whose values mean something else on the older control, or whose meaning is not known.
+pub fn foreign(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed, control: &Control) -> Vec<Name> {
+    judged(cycle, list, &with_omitted(cycle, typed), control).foreign
 }
 
 /// Whether nothing is known of the variant.
@@ -177,7 +169,7 @@ impl<'a> Judged<'a> {
         let counts = match order {
             Some((_, values)) => values.iter().all(written),
             None if missing => one.param.is_some_and(|name| NEEDED.contains(&name)),
-            None => is_one_of(&one, &SAME) || is_same_alarm(one.code),
+            None => is_one_of(&one, &SAME) || SAME_ALARMS.contains(&one.code),
         };
         if counts {
             return self.found.push(one);
@@ -215,8 +207,4 @@ fn is_nothing(text: &str) -> bool {
 
 fn is_one_of(one: &Diagnostic, sentences: &[Own]) -> bool {
     sentences.iter().any(|sentence| sentence.code() == one.code)
-}
-
-fn is_same_alarm(code: Code) -> bool {
-    matches!(code, Code::Alarm(number) if SAME_ALARMS.contains(&number))
 }

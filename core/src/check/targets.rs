@@ -1,11 +1,10 @@
 //! `_KNUM` against the variant and the control: what it means, and which alarm a wrong one raises (B:1894-2029).
 
 use super::error;
-use crate::control::Control;
+use crate::control::{Control, Store};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::entry::{Inputs, Param, When};
-use crate::evaluate::knum::ZeroCode;
-use crate::evaluate::{knum, tool_offset, zero_offset};
+use crate::evaluate::{knum, knum::ZeroCode, tool_offset, zero_offset};
 use crate::message::Message;
 
 /// Sort of target that a variant asks for.
@@ -35,7 +34,7 @@ pub fn findings(param: &Param, inputs: &Inputs, control: &Control) -> Option<Dia
 fn zero(param: &Param, code: i64, control: &Control) -> Option<Diagnostic> {
     let alarm = match knum::zero(code) {
         Err(alarm) => alarm,
-        Ok(Some(ZeroCode::System)) if !zero_offset::system_frame(control) => 61321,
+        Ok(Some(ZeroCode::Stored(Store::System))) if !zero_offset::system_frame(control) => 61321,
         Ok(_) => return None,
     };
     let is_tool = matches!(knum::tool(code, knum::five_digit_edges(control)), Ok(Some(_)));

@@ -1,7 +1,6 @@
 //! From typed values to inputs, parameter by parameter.
 
-use super::text::Text;
-use super::{Parsed, error, parse, targets, text, variants};
+use super::{Parsed, Text, error, parse, targets, text, variants};
 use crate::check::upkeep;
 use crate::control::{Control, Edge, Transverse, tools::side};
 use crate::diagnostic::{Code, Diagnostic, Severity};
@@ -9,8 +8,7 @@ use crate::entry::{Cycle, Inputs, Kind, Level, Param, Typed, Unit, factor, unit_
 use crate::evaluate::knum;
 use crate::message::Message;
 use crate::name::Name;
-use crate::own;
-use crate::own::Own;
+use crate::own::{self, Own};
 use crate::range::Range;
 
 /// Beyond this no length, angle or feed of a machine makes sense, and contact could not be computed to 1e-9 mm.

@@ -12,11 +12,10 @@ pub fn cause(cycle: &Cycle, param: &Param, number: f64) -> Message {
         _ => None,
     };
     let message = match pair {
-        Some([one, other]) => Message::new("check-variant-pair")
-            .text("one", one.group.key)
-            .text("first", one.choice)
-            .text("other", other.group.key)
-            .text("second", other.choice),
+        Some([(one, first), (other, second)]) => {
+            let message = Message::new("check-variant-pair").text("one", one.key).text("first", first);
+            message.text("other", other.key).text("second", second)
+        }
         None => Message::new("check-variant"),
     };
     message.number("value", number).text("cycle", cycle.name)
@@ -32,34 +31,24 @@ pub fn chosen(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Option
     (known && given.is_none_or(meant)).then_some(number)
 }
 
-/// What a group of digits says in a number.
-#[derive(Clone, Copy)]
-struct Chosen {
-    group: &'static DigitGroup,
-    value: i64,
-    /// Key of its name.
-    choice: &'static str,
-}
+/// A group of digits, and the key of the name of what it says in a number.
+type Chosen = (&'static DigitGroup, &'static str);
 
 /// The first two choices that no variant has together. None: a digit says nothing that can be chosen, or it takes more
 /// than two choices to be wrong.
 fn pair(cycle: &Cycle, groups: &'static [DigitGroup], number: i64) -> Option<[Chosen; 2]> {
-    let chosen =
-        |group: &'static DigitGroup| Some(Chosen { group, value: group.value(number), choice: group.choice(number)? });
-    let all: Vec<Chosen> = groups.iter().map(chosen).collect::<Option<_>>()?;
-    let said: i64 = all.iter().map(|one| one.value * one.group.place).sum();
+    let chosen = groups.iter().map(|group| Some((group, group.choice(number)?)));
+    let all: Vec<Chosen> = chosen.collect::<Option<_>>()?;
+    let said: i64 = groups.iter().map(|group| group.value(number) * group.place).sum();
     if said != number {
         return None; // other digits are not 0
     }
-    let has = |one: &Chosen, variant: i64| one.group.value(variant) == one.value;
+    let has = |(group, _): &Chosen, variant: i64| group.value(variant) == group.value(number);
     let refused = |one: &Chosen, other: &Chosen| {
-        let mut variants = cycle.variants.iter().map(|variant| variant.number);
-        !variants.any(|variant| has(one, variant) && has(other, variant))
+        !cycle.variants.iter().any(|variant| has(one, variant.number) && has(other, variant.number))
     };
-    all.iter().enumerate().find_map(|(at, one)| {
-        let other = all.iter().skip(at + 1).find(|other| refused(one, other))?;
-        Some([*one, *other])
-    })
+    let mut pairs = all.iter().enumerate().flat_map(|(at, one)| all[at + 1..].iter().map(move |other| [*one, *other]));
+    pairs.find(|[one, other]| refused(one, other))
 }
 
 /// Names the variants that differ from a wrong number in the fewest digits; a number that is far from all gets none.
@@ -123,7 +112,7 @@ mod tests {
                     let Some([one, other]) = pair(cycle, groups, number) else { continue };
                     named += 1;
                     let both = cycle.variants.iter().find(|variant| {
-                        [one, other].iter().all(|chosen| chosen.group.value(variant.number) == chosen.value)
+                        [one, other].iter().all(|(group, _)| group.value(variant.number) == group.value(number))
                     });
                     assert!(both.is_none(), "{} {number}", cycle.name);
                 }

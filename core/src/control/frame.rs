@@ -61,7 +61,7 @@ impl Frame {
 
     /// Coarse and fine translation together, mm.
     pub fn origin(&self) -> [f64; 3] {
-        std::array::from_fn(|i| self.coarse[i] + self.fine[i])
+        add(self.coarse, self.fine)
     }
 
     /// A point of this system in the one before it, mm.
@@ -72,7 +72,8 @@ impl Frame {
 
     /// A point of the system before it in this one, mm.
     pub fn inward(&self, point: [f64; 3]) -> [f64; 3] {
-        let scaled = self.turn_back(subtract(point, self.origin()));
+        let origin = self.origin();
+        let scaled = self.turn_back(std::array::from_fn(|i| point[i] - origin[i]));
         std::array::from_fn(|i| scaled[i] / self.scale[i])
     }
 
@@ -132,12 +133,11 @@ impl Frame {
         let back = angles(&rotation(self.rotation).inverse());
         Some(Frame {
             coarse: self.inward([0.0; 3]),
-            fine: [0.0; 3],
             rotation: self.angles_outside(back),
             rotary: add(self.rotary, self.rotary_fine).map(Neg::neg),
-            rotary_fine: [Degrees(0.0); 3],
             scale: self.scale.map(|scale| 1.0 / scale),
             mirror: self.mirror,
+            ..Frame::default()
         })
     }
 
@@ -151,12 +151,11 @@ impl Frame {
         };
         Frame {
             coarse: self.outward(inner.origin()),
-            fine: [0.0; 3],
             rotation,
             rotary: add(add(self.rotary, self.rotary_fine), add(inner.rotary, inner.rotary_fine)),
-            rotary_fine: [Degrees(0.0); 3],
             scale: std::array::from_fn(|i| self.scale[i] * inner.scale[i]),
             mirror: std::array::from_fn(|i| self.mirror[i] != inner.mirror[i]),
+            ..Frame::default()
         }
     }
 }
@@ -165,15 +164,11 @@ fn add<T: Add<Output = T> + Copy>(a: [T; 3], b: [T; 3]) -> [T; 3] {
     std::array::from_fn(|i| a[i] + b[i])
 }
 
-fn subtract(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|i| a[i] - b[i])
-}
-
 #[cfg(test)]
-pub(super) mod tests {
+mod tests {
     use super::*;
 
-    pub fn near(a: [f64; 3], b: [f64; 3]) {
+    fn near(a: [f64; 3], b: [f64; 3]) {
         for i in 0..3 {
             assert!((a[i] - b[i]).abs() < 1e-9, "{a:?} {b:?}");
         }

@@ -60,7 +60,7 @@ impl Control {
     /// Numbers of the channel basic frames that exist: as many as MD28081 says (B:1938), and those that hold something.
     pub fn channel_basic_numbers(&self) -> BTreeSet<usize> {
         let told = self.number("MD28081").clamp(0.0, 16.0) as usize;
-        (0..told).chain(self.channel_basic.keys().copied()).collect()
+        (0..told).chain(self.stored.channel.keys().copied()).collect()
     }
 
     /// All frames from the machine to the WCS, outermost first.
@@ -120,15 +120,24 @@ impl Control {
         self.links().filter(mirrored).count() % 2 == 1
     }
 
+    /// The frame that is stored there.
+    pub fn stored_frame(&self, store: Store) -> Frame {
+        let frame = match store {
+            Store::System => Some(&self.stored.system),
+            Store::GlobalBasic(index) => self.stored.global.get(&index),
+            Store::ChannelBasic(index) => self.stored.channel.get(&index),
+            Store::Settable(number) => self.frames.get(&number),
+        };
+        frame.copied().unwrap_or_default()
+    }
+
     /// What G54.., G500 do, which is a frame too: stored settable, basic and system frames become active (B:1965).
     pub fn activate(&mut self, number: usize) {
         self.settable = number;
-        self.basic =
-            BasicFrames { system: self.system, global: self.global_basic.clone(), channel: self.channel_basic.clone() };
-        self.active = self.frames.get(&number).copied().unwrap_or_default();
+        self.basic = self.stored.clone();
+        self.active = self.stored_frame(Store::Settable(number));
         if self.make().common {
-            let common = self.frames.get(&0).copied().unwrap_or_default();
-            self.active = common.then(&self.active);
+            self.active = self.stored_frame(Store::Settable(0)).then(&self.active);
         }
     }
 
@@ -148,16 +157,20 @@ pub fn joined(chain: &[Frame]) -> Option<Frame> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::control::{delivery, frame::tests::near};
+    use crate::control::delivery;
     use crate::dialect::Dialect;
     use crate::geometry::{Mcs, Rpy, Wcs};
+
+    fn near(a: [f64; 3], b: [f64; 3]) {
+        assert!((0..3).all(|i| (a[i] - b[i]).abs() < 1e-9), "{a:?} {b:?}");
+    }
 
     #[test]
     fn the_chain_goes_both_ways() {
         let mut control = delivery(Dialect::Sinumerik);
-        control.system = Frame::translation([100.0, 0.0, 0.0]);
-        control.global_basic.insert(0, Frame::translation([0.0, 10.0, 0.0]));
-        control.channel_basic.insert(0, Frame { rotation: Rpy([0.0, 0.0, 90.0]), ..Frame::default() });
+        control.stored.system = Frame::translation([100.0, 0.0, 0.0]);
+        control.stored.global.insert(0, Frame::translation([0.0, 10.0, 0.0]));
+        control.stored.channel.insert(0, Frame { rotation: Rpy([0.0, 0.0, 90.0]), ..Frame::default() });
         control.frames.insert(1, Frame { coarse: [5.0, 0.0, 0.0], fine: [0.5, 0.0, 0.0], ..Frame::default() });
         control.activate(1);
         // oracle: hand: (1,0,0) -> settable (6.5,0,0) -> turned (0,6.5,0) -> +10 in Y -> +100 in X
@@ -170,9 +183,9 @@ mod tests {
         let mut control = delivery(Dialect::Sinumerik);
         let shifted = |control: &Control| control.to_machine(Wcs([0.0; 3]))[0];
         // oracle: manual B:1965 (G500, G54.. make them active), B:1944 (only those of the mask)
-        control.system = Frame::translation([1.0, 0.0, 0.0]);
-        control.global_basic.insert(3, Frame::translation([10.0, 0.0, 0.0]));
-        control.channel_basic.insert(0, Frame::translation([100.0, 0.0, 0.0]));
+        control.stored.system = Frame::translation([1.0, 0.0, 0.0]);
+        control.stored.global.insert(3, Frame::translation([10.0, 0.0, 0.0]));
+        control.stored.channel.insert(0, Frame::translation([100.0, 0.0, 0.0]));
         assert_eq!(shifted(&control), 0.0);
         control.activate(0);
         assert_eq!(shifted(&control), 111.0);

@@ -18,8 +18,8 @@ impl Limits {
         self.minus.iter().chain(&self.plus).any(Option::is_some)
     }
 
-    /// Whether the axes may stand there; the last bit of a sum does not take one over its limit.
-    fn contain(&self, axes: [f64; 3]) -> bool {
+    /// Whether the spindle nose may stand there; the last bit of a sum does not take one over its limit.
+    fn contain(&self, axes: Mcs) -> bool {
         (0..3).all(|i| {
             self.minus[i].is_none_or(|low| axes[i] >= low - TOLERANCE)
                 && self.plus[i].is_none_or(|high| axes[i] <= high + TOLERANCE)
@@ -27,7 +27,7 @@ impl Limits {
     }
 
     /// Part of the straight way that stays inside, 0 to 1. A way that begins outside may only lead back.
-    fn part(&self, from: [f64; 3], to: [f64; 3]) -> f64 {
+    fn part(&self, from: Mcs, to: Mcs) -> f64 {
         let along = |i: usize| {
             let limit = if to[i] > from[i] {
                 self.plus[i].filter(|high| to[i] > *high)
@@ -43,7 +43,7 @@ impl Limits {
 impl Control {
     /// Whether the point to which the tool length refers may stand there.
     pub fn within_limits(&self, position: Mcs) -> bool {
-        self.limits.contain(self.axes(position.0))
+        self.limits.contain(position + self.active_length())
     }
 
     /// Where a straight way from one point of the WCS to another is ended by a limit switch; none: it is not.
@@ -51,18 +51,12 @@ impl Control {
         if !self.limits.any() {
             return None;
         }
-        let [start, end] = [from, to].map(|point| self.axes(self.to_machine(point).0));
+        let [start, end] = [from, to].map(|point| self.to_machine(point) + self.active_length());
         if self.limits.contain(end) {
             return None;
         }
         let part = self.limits.part(start, end);
         Some(Wcs(std::array::from_fn(|i| from[i] + part * (to[i] - from[i]))))
-    }
-
-    /// Positions of the machine axes: the spindle nose stands above the point by the tool length.
-    fn axes(&self, position: [f64; 3]) -> [f64; 3] {
-        let length = self.active_length();
-        std::array::from_fn(|i| position[i] + length[i])
     }
 }
 
@@ -95,7 +89,7 @@ mod tests {
     fn from_beyond_a_limit_it_goes_only_back() {
         let limits = Limits { plus: [Some(10.0), None, None], ..Limits::default() };
         // oracle: hand
-        assert_eq!(limits.part([12.0, 0.0, 0.0], [14.0, 0.0, 0.0]), 0.0);
-        assert_eq!(limits.part([12.0, 0.0, 0.0], [9.0, 0.0, 0.0]), 1.0);
+        assert_eq!(limits.part(Mcs([12.0, 0.0, 0.0]), Mcs([14.0, 0.0, 0.0])), 0.0);
+        assert_eq!(limits.part(Mcs([12.0, 0.0, 0.0]), Mcs([9.0, 0.0, 0.0])), 1.0);
     }
 }

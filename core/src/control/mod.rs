@@ -117,11 +117,11 @@ pub enum Units {
 /// The frames between machine and settable frame.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct BasicFrames {
-    /// `$P_SETFRAME`.
+    /// System frame: `$P_SETFR`, in effect `$P_SETFRAME`.
     pub system: Frame,
-    /// `$P_NCBFRAME[0..15]`.
+    /// NCU-global: `$P_NCBFR[0..15]`, in effect `$P_NCBFRAME[0..15]`.
     pub global: BTreeMap<usize, Frame>,
-    /// `$P_CHBFRAME[0..15]`.
+    /// Of the channel: `$P_CHBFR[0..15]`, in effect `$P_CHBFRAME[0..15]`.
     pub channel: BTreeMap<usize, Frame>,
 }
 
@@ -191,12 +191,8 @@ pub struct Control {
     pub settable: usize,
     /// Settable frames by number (NCT: 0 common, 1..6).
     pub frames: BTreeMap<usize, Frame>,
-    /// Channel basic frames as stored, `$P_CHBFR[0..15]`.
-    pub channel_basic: BTreeMap<usize, Frame>,
-    /// NCU-global basic frames as stored, `$P_NCBFR[0..15]`.
-    pub global_basic: BTreeMap<usize, Frame>,
-    /// System frame as stored, `$P_SETFR`.
-    pub system: Frame,
+    /// Basic frames as stored.
+    pub stored: BasicFrames,
     /// Basic frames in effect: as stored when G500, G54.. was programmed last.
     pub basic: BasicFrames,
     /// Settable frame as activated by G54..; a correction becomes active only with the next G54...

@@ -1,6 +1,6 @@
 //! The workpiece probe by its tool data: whether the milling cycles may be called with it, and where its body lies.
 
-use super::{AS_TURNING_TOOL, Control, Edge, Plane, TOOL_LENGTH_TYPE};
+use super::{Control, Edge, Plane, tools::side};
 use crate::geometry::{Dir, Mcs, V3};
 
 /// Type of a 3D probe.
@@ -37,7 +37,7 @@ impl Control {
             100..=199 => Some(Unfit::Digit),
             _ if !edge.is_turning() => Some(Unfit::Type),
             _ if edge.tip != 0 && edge.body().is_none() => Some(Unfit::Tip),
-            _ if self.number(TOOL_LENGTH_TYPE) != AS_TURNING_TOOL => Some(Unfit::Assignment),
+            _ if !self.all_as_turning_tools() => Some(Unfit::Assignment),
             _ => match (edge.tip, self.plane) {
                 (5 | 7, Plane::G17) | (6 | 8, Plane::G19) => None,
                 (5..=8, _) => Some(Unfit::Plane),
@@ -63,14 +63,8 @@ impl Edge {
     /// its cutting edge position counts: with 5 and 7 it lies along the abscissa, with 6 and 8 along the ordinate, and
     /// 7 and 8 point in minus direction (B:974-1022, B:13474-13481).
     pub fn body(&self) -> Option<[f64; 2]> {
-        match self.tip {
-            _ if !self.is_turning() => None,
-            5 => Some([-1.0, 0.0]),
-            6 => Some([0.0, -1.0]),
-            7 => Some([1.0, 0.0]),
-            8 => Some([0.0, 1.0]),
-            _ => None,
-        }
+        let lies = self.is_turning() && (5..=8).contains(&self.tip);
+        lies.then(|| side(self.tip, false).map(|towards| 0.0 - towards)) // the body is behind P
     }
 
     /// Direction from the ball to its body on the machine, X Y Z: the cutting edge position is that of G18, as no plane
@@ -83,7 +77,7 @@ impl Edge {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::control::delivery;
+    use crate::control::{TOOL_LENGTH_TYPE, delivery};
     use crate::dialect::Dialect;
 
     fn edge(kind: i64, tip: i64) -> Edge {

@@ -70,15 +70,20 @@ impl Control {
         if edge == 0 { None } else { self.edge_of(tool, edge) }
     }
 
+    /// Whether the lengths of every tool count as those of a turning tool.
+    pub fn all_as_turning_tools(&self) -> bool {
+        self.number(TOOL_LENGTH_TYPE) == AS_TURNING_TOOL
+    }
+
     /// Whether it is a turning machine by its tools: a turning tool is in use, or every tool is as long as one.
     pub fn turns(&self) -> bool {
-        self.active_edge().is_some_and(Edge::is_turning) || self.number(TOOL_LENGTH_TYPE) == AS_TURNING_TOOL
+        self.active_edge().is_some_and(Edge::is_turning) || self.all_as_turning_tools()
     }
 
     /// Axis (0 abscissa, 1 ordinate, 2 applicate) of L1, L2, L3: from the applicate on (B:762-817); of turning tools,
     /// and with SD 42950 = 2 of all, L1 in the ordinate and L2 in the abscissa (B:828, B:974-985: X and Z in G18).
     pub fn length_axes(&self, edge: &Edge) -> [usize; 3] {
-        if edge.is_turning() || self.number(TOOL_LENGTH_TYPE) == AS_TURNING_TOOL { [1, 0, 2] } else { [2, 1, 0] }
+        if edge.is_turning() || self.all_as_turning_tools() { [1, 0, 2] } else { [2, 1, 0] }
     }
 
     /// Which of L1, L2 and L3 of an edge counts along the applicate: 0, 1 or 2.

@@ -59,15 +59,10 @@ impl Control {
 
     /// Makes the choice of the G function with this number; false: it is none of units.
     pub fn choose_units(&mut self, number: u16) -> bool {
-        for data_follow in [true, false] {
-            for units in [Units::Metric, Units::Inch] {
-                if self.function(units, data_follow) as u16 == number {
-                    (self.active_units, self.data_follow) = (units, data_follow);
-                    return true;
-                }
-            }
-        }
-        false
+        let choices = [true, false].into_iter().flat_map(|follow| [(Units::Metric, follow), (Units::Inch, follow)]);
+        let chosen = choices.into_iter().find(|(units, follow)| self.function(*units, *follow) as u16 == number);
+        (self.active_units, self.data_follow) = chosen.unwrap_or((self.active_units, self.data_follow));
+        chosen.is_some()
     }
 
     /// The G function whose choice is in force.

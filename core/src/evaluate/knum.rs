@@ -1,6 +1,6 @@
 //! The correction target `_KNUM` (B:1894-2029).
 
-use crate::control::Control;
+use crate::control::{Control, Store};
 
 /// Which quantity of the tool is corrected.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,21 +28,6 @@ pub struct ToolCode {
     pub environment: bool,
 }
 
-/// The digits of a tool offset code, counted from the right.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Digits {
-    /// Digits 1 to 3 (of five-digit D numbers 1 to 5).
-    pub edge: i64,
-    /// Digit 4 (6): 0 and 1 length, 2 radius.
-    pub kind: i64,
-    /// Digit 5 (7): 1 inverts.
-    pub inverted: i64,
-    /// Digit 6 (8): 0 by digit 4, 1 to 3 lengths, 4 radius.
-    pub quantity: i64,
-    /// Digit 7 (9) and all above it.
-    pub mode: i64,
-}
-
 /// Whether D numbers take five digits and all others move by two (B:2009-2029).
 pub fn five_digit_edges(control: &Control) -> bool {
     match control.number("MD18102") {
@@ -51,16 +36,17 @@ pub fn five_digit_edges(control: &Control) -> bool {
     }
 }
 
-/// Cuts a tool offset code into digits.
-pub fn digits(code: i64, five_digit_edges: bool) -> Digits {
-    let (places, rest) = if five_digit_edges { (100_000, code / 100_000) } else { (1000, code / 1000) };
-    Digits {
-        edge: code % places,
-        kind: rest % 10,
-        inverted: rest / 10 % 10,
-        quantity: rest / 100 % 10,
-        mode: rest / 1000,
-    }
+/// What one more counts in the digit behind the D number: digit 4, with five-digit D numbers digit 6.
+const fn behind_edge(five_digit_edges: bool) -> i64 {
+    if five_digit_edges { 100_000 } else { 1000 }
+}
+
+/// Cuts a tool offset code into digits, counted from the right (of five-digit D numbers two more): 1 to 3 D number;
+/// 4 kind, 0 and 1 length, 2 radius; 5 sign, 1 inverts; 6 quantity, 0 by digit 4, 1 to 3 lengths, 4 radius; 7 and all
+/// above it mode.
+pub fn digits(code: i64, five_digit_edges: bool) -> [i64; 5] {
+    let (edge, rest) = (code % behind_edge(five_digit_edges), code / behind_edge(five_digit_edges));
+    [edge, rest % 10, rest / 10 % 10, rest / 100 % 10, rest / 1000]
 }
 
 /// Reads a tool offset code. None: 0, nothing is corrected. Error: number of the alarm
@@ -75,37 +61,29 @@ pub fn tool(code: i64, five_digit_edges: bool) -> Result<Option<ToolCode>, u32> 
     if code < 0 {
         return Err(61407);
     }
-    let digits = digits(code, five_digit_edges);
-    let by_kind = match digits.kind {
+    let [edge, kind, inverted, quantity, mode] = digits(code, five_digit_edges);
+    let by_kind = match kind {
         0 | 1 => Quantity::MeasuringAxis,
         2 => Quantity::Radius,
         _ => return Err(61322),
     };
-    if digits.inverted > 1 {
+    if inverted > 1 {
         return Err(61323);
     }
-    let quantity = match digits.quantity {
+    let quantity = match quantity {
         0 => by_kind,
-        1 => Quantity::Length(1),
-        2 => Quantity::Length(2),
-        3 => Quantity::Length(3),
+        number @ 1..=3 => Quantity::Length(number as u8),
         4 => Quantity::Radius,
         _ => return Err(61324),
     };
-    if digits.mode > 3 {
+    if mode > 3 {
         return Err(61407);
     }
-    let environment = digits.mode >= 2;
-    if digits.edge == 0 && !environment {
+    let environment = mode >= 2;
+    if edge == 0 && !environment {
         return Err(61328);
     }
-    Ok(Some(ToolCode {
-        edge: digits.edge,
-        quantity,
-        inverted: digits.inverted == 1,
-        location: digits.mode % 2 == 1,
-        environment,
-    }))
+    Ok(Some(ToolCode { edge, quantity, inverted: inverted == 1, location: mode % 2 == 1, environment }))
 }
 
 /// The shortest code of a tool offset.
@@ -117,22 +95,17 @@ pub fn tool_code(code: &ToolCode, five_digit_edges: bool) -> i64 {
     };
     let mode = i64::from(code.location) + 2 * i64::from(code.environment);
     let rest = kind + 10 * i64::from(code.inverted) + 100 * quantity + 1000 * mode;
-    code.edge + rest * if five_digit_edges { 100_000 } else { 1000 }
+    code.edge + rest * behind_edge(five_digit_edges)
 }
 
 /// `_KNUM` of a zero offset.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ZeroCode {
-    /// Settable frame 1 to 99: G54 to G57, G505 to G599.
-    Settable(usize),
+    /// 1 to 99: G54 to G57, G505 to G599; 1011 to 1026: `$P_CHBFR[0..15]`; 1051 to 1066: `$P_NCBFR[0..15]`, which have
+    /// no rotation; 2000: `$P_SETFR`.
+    Stored(Store),
     /// 1000: the last active channel basic frame, reckoned with G500.
     LastBasic,
-    /// 1011 to 1026: `$P_CHBFR[0..15]`.
-    ChannelBasic(usize),
-    /// 1051 to 1066: `$P_NCBFR[0..15]`; has no rotation.
-    GlobalBasic(usize),
-    /// 2000: `$P_SETFR`.
-    System,
     /// 9999: the active frame, and active at once.
     Active,
 }
@@ -145,11 +118,11 @@ pub fn zero(code: i64) -> Result<Option<ZeroCode>, u32> {
     let index = |from: i64| usize::try_from(code - from).map_err(|_| 61321_u32);
     Ok(Some(match code {
         0 => return Ok(None),
-        1..=99 => ZeroCode::Settable(index(0)?),
+        1..=99 => ZeroCode::Stored(Store::Settable(index(0)?)),
         1000 => ZeroCode::LastBasic,
-        1011..=1026 => ZeroCode::ChannelBasic(index(1011)?),
-        1051..=1066 => ZeroCode::GlobalBasic(index(1051)?),
-        2000 => ZeroCode::System,
+        1011..=1026 => ZeroCode::Stored(Store::ChannelBasic(index(1011)?)),
+        1051..=1066 => ZeroCode::Stored(Store::GlobalBasic(index(1051)?)),
+        2000 => ZeroCode::Stored(Store::System),
         9999 => ZeroCode::Active,
         _ => return Err(61321),
     }))
@@ -220,9 +193,9 @@ mod tests {
     fn zero_offset_numbers() {
         // oracle: manual B:1930-1965, A:15862
         assert_eq!(zero(0), Ok(None));
-        assert_eq!(zero(5), Ok(Some(ZeroCode::Settable(5))));
-        assert_eq!(zero(1026), Ok(Some(ZeroCode::ChannelBasic(15))));
-        assert_eq!(zero(1066), Ok(Some(ZeroCode::GlobalBasic(15))));
+        assert_eq!(zero(5), Ok(Some(ZeroCode::Stored(Store::Settable(5)))));
+        assert_eq!(zero(1026), Ok(Some(ZeroCode::Stored(Store::ChannelBasic(15)))));
+        assert_eq!(zero(1066), Ok(Some(ZeroCode::Stored(Store::GlobalBasic(15)))));
         for wrong in [-1, 100, 1001, 1027, 1050, 1067, 2001, 99_999] {
             assert_eq!(zero(wrong), Err(61321));
         }

@@ -38,14 +38,14 @@ impl Setup {
         for (number, one) in &control.frames {
             frame(&frames.member(control.make().settable_name(*number)), one)?;
         }
-        for (store, stored) in [("$P_CHBFR", &control.channel_basic), ("$P_NCBFR", &control.global_basic)] {
+        for (store, stored) in [("$P_CHBFR", &control.stored.channel), ("$P_NCBFR", &control.stored.global)] {
             for (number, one) in stored {
                 let path = frames.member(format!("{store}[{number}]"));
                 within(&path, *number as f64, [0.0, BASIC_FRAMES - 1.0])?;
                 frame(&path, one)?;
             }
         }
-        frame(&frames.member("$P_SETFR"), &control.system)?;
+        frame(&frames.member("$P_SETFR"), &control.stored.system)?;
         for (number, tool) in &control.tools {
             tool.edges.iter().try_for_each(|(edge, data)| edge_data(*number, *edge, data))?;
         }

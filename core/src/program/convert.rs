@@ -66,7 +66,7 @@ fn foreign(program: &Program, site: &CallSite, control: &Control) -> Option<Diag
     if let Some((name, text)) = target.iter().find(|(name, _)| *name == TOOL_TARGET) {
         return Some(said(name, text));
     }
-    let name = newer::foreign(site.cycle, list, &site.values, control)?;
+    let name = *newer::foreign(site.cycle, list, &site.values, control).first()?;
     Some(said(name.as_str(), value(name.as_str())).at(name))
 }
 

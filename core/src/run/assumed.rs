@@ -2,13 +2,10 @@
 //! from the calls, a tool is made when it is selected and becomes a probe when a call measures with it, and at each
 //! call stands the part that its values describe. What was assumed is told.
 
-use super::call;
-use super::interpret::{Interpreter, Limits, Session};
-use super::outcome::{Outcome, set};
+use super::{Interpreter, Limits, Outcome, Session, call, outcome::set};
 use crate::check::variants;
-use crate::control::{AS_TURNING_TOOL, Control, Edge, LATHE_PROBE, MachineSort, Plane, TOOL_LENGTH_TYPE, Tool};
+use crate::control::{Edge, LATHE_PROBE, MachineSort, Plane, Tool};
 use crate::entry::{Cycle, Inputs, ProbeUse, Proposal, Typed};
-use crate::geometry::rigid::angles;
 use crate::geometry::{Degrees, Mcs, Rpy, V3, rigid};
 use crate::machine::{Setup, Sim, Step, probe_data, probe_place};
 use crate::message::Message;
@@ -46,16 +43,16 @@ pub fn run(program: &Program, limits: Limits) -> Assumed {
     while !session.advance(usize::MAX) {}
     let (mut outcome, made) = session.assumed();
     let mut told = vec![machine(&setup)];
-    told.extend(made.tools.iter().map(|((tool, edge), data)| made.told_tool((*tool, *edge), data, &outcome)));
-    told.extend(made.told);
     for ((tool, edge), data) in made.tools {
         let name = outcome.control.tools.get(&tool).map_or(String::new(), |tool| tool.name.clone());
+        told.push(told_tool((tool, edge), &name, &data));
         for control in [&mut setup.control, &mut outcome.before] {
             let tool = control.tools.entry(tool).or_default();
             tool.name.clone_from(&name);
             tool.edges.insert(edge, data.clone());
         }
     }
+    told.extend(made.told);
     setup.workpiece.solids = made.parts;
     setup.workpiece.solids.truncate(SHOWN);
     setup.tool_probes = made.tool_probes;
@@ -85,22 +82,33 @@ fn start(program: &Program) -> Setup {
 fn machine(setup: &Setup) -> Message {
     let sort = match setup.control.make().registers {
         true => "assumed-nct",
-        false if turns(&setup.control) => "assumed-turning",
+        false if setup.control.all_as_turning_tools() => "assumed-turning",
         false => "assumed-milling",
     };
     let plane = format!("{:?}", setup.control.plane);
     placed(Message::new("assumed-machine").text("sort", sort).text("plane", plane), setup.position)
 }
 
-/// Whether lengths count as those of turning tools.
-fn turns(control: &Control) -> bool {
-    control.number(TOOL_LENGTH_TYPE) == AS_TURNING_TOOL
-}
-
 /// With a position, to a thousandth.
 fn placed(message: Message, at: Mcs) -> Message {
     let names = ["x", "y", "z"].into_iter().zip(at.0);
     names.fold(message, |message, (name, value)| message.number(name, (value * 1e3).round() / 1e3))
+}
+
+/// What is said of a tool with this name that was made.
+fn told_tool((tool, edge): (i64, i64), name: &str, data: &Edge) -> Message {
+    let place = match (tool, name) {
+        (0, _) => format!("H{edge}"),
+        (_, "") => format!("T{tool} D{edge}"),
+        _ => format!("T{tool} \"{name}\" D{edge}"),
+    };
+    let sort = match data.kind {
+        PROBE | LATHE_PROBE => "assumed-probe",
+        500..=599 => "assumed-turning-tool",
+        _ => "assumed-mill",
+    };
+    let told = Message::new("assumed-tool").text("tool", place).text("sort", sort);
+    told.number("length", data.length[0]).number("radius", data.radius)
 }
 
 /// What was made on the way.
@@ -116,22 +124,6 @@ pub(super) struct Made {
 }
 
 impl Made {
-    fn told_tool(&self, (tool, edge): (i64, i64), data: &Edge, outcome: &Outcome) -> Message {
-        let name = outcome.control.tools.get(&tool).map_or("", |tool| tool.name.as_str());
-        let place = match (tool, name) {
-            (0, _) => format!("H{edge}"),
-            (_, "") => format!("T{tool} D{edge}"),
-            _ => format!("T{tool} \"{name}\" D{edge}"),
-        };
-        let sort = match data.kind {
-            PROBE | LATHE_PROBE => "assumed-probe",
-            500..=599 => "assumed-turning-tool",
-            _ => "assumed-mill",
-        };
-        let told = Message::new("assumed-tool").text("tool", place).text("sort", sort);
-        told.number("length", data.length[0]).number("radius", data.radius)
-    }
-
     /// Puts the part of a call where it can be measured, with the tools and tool probes that it needs.
     fn part(&mut self, sim: &mut Sim, inputs: &Inputs) {
         let Some(work) = inputs.cycle.work() else { return };
@@ -196,7 +188,7 @@ impl Stand {
         self.start = centre + turn * (self.start - centre);
         for solid in self.solids() {
             solid.at = (centre + turn * (V3::from(solid.at) - centre)).into();
-            solid.rotation = angles(&(turn * rigid::rotation(solid.rotation)));
+            solid.rotation = rigid::angles(&(turn * rigid::rotation(solid.rotation)));
         }
         self
     }
@@ -268,7 +260,7 @@ impl Interpreter {
     /// Makes the edge of a tool that is selected, where tools are made: as long as the probe, which it may become.
     pub(super) fn make_tool(&mut self, tool: i64, edge: i64) {
         let Some(made) = self.assumed.as_mut().filter(|_| tool > 0) else { return };
-        let turning = turns(&self.sim.control);
+        let turning = self.sim.control.all_as_turning_tools();
         let edges = &mut self.sim.control.tools.entry(tool).or_default().edges;
         if edge > 0 && !edges.contains_key(&edge) {
             let data = match turning {
@@ -287,7 +279,7 @@ impl Interpreter {
         let (tool, number) = control.active_place();
         let edge = control.edge_of(tool, number).cloned().unwrap_or_default();
         let is_probe = [PROBE, LATHE_PROBE].contains(&edge.kind);
-        let turning = turns(control);
+        let turning = control.all_as_turning_tools();
         let data = match (control.make().registers, cycle.purpose.probe) {
             (true, ProbeUse::Workpiece) if edge.length == [0.0; 3] => {
                 Edge { length: [53.0, 0.0, 0.0], ..probe_data(false) }

@@ -1,10 +1,6 @@
 //! What the control tells about itself: `$P_…`, `$AA_…`, `$AC_…`.
 
-use super::datum::Datum;
-use super::interpret::Interpreter;
-use super::locals::{indices, stem};
-use super::modal::Motion;
-use super::{contour, names, tool as tools};
+use super::{Datum, Interpreter, Motion, contour, indices, names, stem, tool as tools};
 use crate::control::frames::{CHANNEL_MASK, GLOBAL_MASK, joined};
 use crate::control::{AXES, Frame, Tool, UnitFunction, Units, Value, machine_data, variables::component};
 use crate::diagnostic::Span;
@@ -185,7 +181,7 @@ fn mask(run: &Interpreter, key: &str) -> f64 {
     }
     let numbers = match key == CHANNEL_MASK {
         true => control.channel_basic_numbers(),
-        false => control.global_basic.keys().copied().collect(),
+        false => control.stored.global.keys().copied().collect(),
     };
     numbers.into_iter().map(|index| 2.0_f64.powi(index as i32)).fold(0.0, |all, bit| all + bit)
 }
@@ -199,12 +195,9 @@ fn group(run: &Interpreter, key: &str) -> Option<f64> {
         "6" => control.plane as usize,
         "7" => run.modal.compensation as usize,
         "8" => control.settable,
-        "13" => match control.unit_function() {
-            UnitFunction::G70 => 0,
-            UnitFunction::G71 => 1,
-            UnitFunction::G700 => 2,
-            _ => 3,
-        },
+        "13" => [UnitFunction::G70, UnitFunction::G71, UnitFunction::G700, UnitFunction::G710]
+            .iter()
+            .position(|function| *function == control.unit_function())?,
         "14" => usize::from(!run.modal.absolute),
         "29" => control.transverse as usize,
         _ => return None,

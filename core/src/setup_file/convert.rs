@@ -65,11 +65,11 @@ fn tool_probe(file: ToolProbeFile, path: &Path) -> Result<ToolProbe, Refused> {
 fn place_frame(control: &mut Control, name: &str, frame: Frame) -> Result<(), Refused> {
     let index = |prefix: &str| -> Option<usize> { name.strip_prefix(prefix)?.strip_suffix(']')?.parse().ok() };
     if name == "$P_SETFR" {
-        control.system = frame;
+        control.stored.system = frame;
     } else if let Some(number) = index("$P_CHBFR[") {
-        control.channel_basic.insert(number, frame);
+        control.stored.channel.insert(number, frame);
     } else if let Some(number) = index("$P_NCBFR[") {
-        control.global_basic.insert(number, frame);
+        control.stored.global.insert(number, frame);
     } else {
         let unknown = || Refused::new("setup-frame", Path::of(&["frames", name])).text("name", name);
         control.frames.insert(control.make().settable_named(name).ok_or_else(unknown)?, frame);
@@ -158,9 +158,9 @@ fn tools(setup: &Setup) -> BTreeMap<i64, ToolFile> {
 
 fn frames(control: &Control) -> BTreeMap<String, Frame> {
     let settable = control.frames.iter().map(|(number, frame)| (control.make().settable_name(*number), *frame));
-    let channel = control.channel_basic.iter().map(|(number, frame)| (format!("$P_CHBFR[{number}]"), *frame));
-    let global = control.global_basic.iter().map(|(number, frame)| (format!("$P_NCBFR[{number}]"), *frame));
-    settable.chain(channel).chain(global).chain([("$P_SETFR".to_owned(), control.system)]).collect()
+    let channel = control.stored.channel.iter().map(|(number, frame)| (format!("$P_CHBFR[{number}]"), *frame));
+    let global = control.stored.global.iter().map(|(number, frame)| (format!("$P_NCBFR[{number}]"), *frame));
+    settable.chain(channel).chain(global).chain([("$P_SETFR".to_owned(), control.stored.system)]).collect()
 }
 
 impl From<&ToolProbe> for ToolProbeFile {

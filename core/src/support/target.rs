@@ -2,11 +2,10 @@
 
 use super::{Support, TARGETS, name};
 use crate::check::{Target, target};
-use crate::control::MachineSort;
+use crate::control::{MachineSort, Store};
 use crate::diagnostic::Diagnostic;
 use crate::entry::{Inputs, Kind, Param};
-use crate::evaluate::knum;
-use crate::evaluate::knum::{Quantity, ToolCode, ZeroCode};
+use crate::evaluate::knum::{self, Quantity, ToolCode, ZeroCode};
 use crate::own;
 
 /// What the settings make of a correction target.
@@ -31,7 +30,7 @@ pub fn usual(inputs: &Inputs) -> Quantity {
 
 /// Whether the limited choice holds this zero offset: none, the settable ones, the last basic frame of the channel.
 pub fn usual_zero(code: i64) -> bool {
-    matches!(knum::zero(code), Ok(None | Some(ZeroCode::Settable(_) | ZeroCode::LastBasic)))
+    matches!(knum::zero(code), Ok(None | Some(ZeroCode::Stored(Store::Settable(_)) | ZeroCode::LastBasic)))
 }
 
 /// What the settings make of the target that the values name.

@@ -111,7 +111,7 @@ fn machine(plane: Plane, mirror: [bool; 3]) -> Setup {
     let active = Frame { mirror, ..Frame::translation([40.0, 30.0, 20.0]) };
     setup.control.frames.insert(1, active);
     let basic = Frame::translation([10.0, 0.0, 2.0]);
-    setup.control.channel_basic.insert(0, basic);
+    setup.control.stored.channel.insert(0, basic);
     setup.control.activate(1);
     // the frame leans by some degree, and a straight one would meet the part above the ball
     setup.probe.stylus = Some(0.0);

@@ -183,13 +183,13 @@ fn with_frames(units: Units, settable: usize) -> Setup {
     let mut setup = Setup::turning_in(Plane::G18, units);
     let control = &mut setup.control;
     let frame = |origin, mirror| Frame { fine: [0.01, 0.02, -0.01], mirror, ..Frame::translation(origin) };
-    control.system = frame([0.0, -2.0, 3.0], [false; 3]);
+    control.stored.system = frame([0.0, -2.0, 3.0], [false; 3]);
     let global = frame([0.0, 6.0, -7.0], [false; 3]);
-    control.global_basic.insert(0, global);
+    control.stored.global.insert(0, global);
     let first = frame([0.0, 0.0, 2.0], [false, false, true]);
-    control.channel_basic.insert(0, first);
+    control.stored.channel.insert(0, first);
     let second = frame([0.0, 8.0, 1.0], [false; 3]);
-    control.channel_basic.insert(1, second);
+    control.stored.channel.insert(1, second);
     control.frames.insert(1, frame([0.0, 3.0, 220.0], [false; 3]));
     control.frames.insert(5, frame([0.0, 1.0, 90.0], [false, true, true]));
     control.activate(settable);

@@ -48,10 +48,10 @@ fn frame(origin: [f64; 3], rotation: [f64; 3]) -> Frame {
 fn machine(plane: Plane, units: Units, settable: usize) -> Setup {
     let mut setup = Setup::calibrated_in(Dialect::Sinumerik, plane, units);
     let control = &mut setup.control;
-    control.system = frame([1.0, -2.0, 3.0], [0.0, 0.0, 4.0]);
-    control.global_basic.insert(0, Frame::translation([5.0, 6.0, -7.0]));
-    control.channel_basic.insert(0, frame([10.0, 0.0, 2.0], [-3.0, 0.0, 20.0]));
-    control.channel_basic.insert(1, frame([0.0, 8.0, 1.0], [0.0, 7.0, 0.0]));
+    control.stored.system = frame([1.0, -2.0, 3.0], [0.0, 0.0, 4.0]);
+    control.stored.global.insert(0, Frame::translation([5.0, 6.0, -7.0]));
+    control.stored.channel.insert(0, frame([10.0, 0.0, 2.0], [-3.0, 0.0, 20.0]));
+    control.stored.channel.insert(1, frame([0.0, 8.0, 1.0], [0.0, 7.0, 0.0]));
     control.frames.insert(0, frame([7.0, -9.0, 4.0], [0.0, 0.0, 6.0])); // of G500
     control.frames.insert(1, frame([40.0, 30.0, 20.0], [0.0, 5.0, -15.0]));
     control.frames.insert(5, frame([-60.0, 15.0, 9.0], [2.0, 0.0, 33.0]));

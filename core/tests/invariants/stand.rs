@@ -154,9 +154,9 @@ fn frames(control: &mut Control, machine: &Machine, turns: [f64; 3], mirrors: bo
         ..Frame::default()
     };
     let [system, global, channel, settable, programmed] = &machine.frames;
-    control.system = frame(system, true);
-    control.global_basic.insert(0, frame(global, false));
-    control.channel_basic.insert(0, frame(channel, true));
+    control.stored.system = frame(system, true);
+    control.stored.global.insert(0, frame(global, false));
+    control.stored.channel.insert(0, frame(channel, true));
     for number in [0, 1, 5] {
         let mut frame = frame(settable, true);
         frame.coarse[0] += number as f64;

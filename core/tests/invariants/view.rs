@@ -118,15 +118,12 @@ impl View {
             View::Renamed(times) => renamed(control.plane, times),
             _ => control.plane,
         };
-        seen.system = self.outer(&control.system);
-        seen.global_basic = self.frames(&control.global_basic);
-        seen.channel_basic = self.frames(&control.channel_basic);
         seen.frames = self.frames(&control.frames);
-        seen.basic = BasicFrames {
-            system: self.outer(&control.basic.system),
-            global: self.frames(&control.basic.global),
-            channel: self.frames(&control.basic.channel),
-        };
+        [seen.stored, seen.basic] = [&control.stored, &control.basic].map(|basic| BasicFrames {
+            system: self.outer(&basic.system),
+            global: self.frames(&basic.global),
+            channel: self.frames(&basic.channel),
+        });
         seen.active = self.within(&control.active);
         seen.program_frame = self.within(&control.program_frame);
         if let View::Reflected(axis) = self {
@@ -214,8 +211,8 @@ pub fn differs(cycle: &str, a: &Control, b: &Control, tolerance: f64) -> Option<
     };
     let maps = [
         ("$P_UIFR", &a.frames, &b.frames),
-        ("$P_CHBFR", &a.channel_basic, &b.channel_basic),
-        ("$P_NCBFR", &a.global_basic, &b.global_basic),
+        ("$P_CHBFR", &a.stored.channel, &b.stored.channel),
+        ("$P_NCBFR", &a.stored.global, &b.stored.global),
     ];
     for (what, a, b) in maps {
         for number in a.keys().chain(b.keys()) {
@@ -226,7 +223,7 @@ pub fn differs(cycle: &str, a: &Control, b: &Control, tolerance: f64) -> Option<
             }
         }
     }
-    let single = [("$P_SETFR", &a.system, &b.system), ("active", &a.active, &b.active)];
+    let single = [("$P_SETFR", &a.stored.system, &b.stored.system), ("active", &a.active, &b.active)];
     let frames = single.into_iter().find_map(|(what, a, b)| frame(what.to_owned(), a, b));
     let numbers = || {
         let by_name = |name: &str| BY_NAME.iter().any(|(own, names)| *own == cycle && names.contains(&name));

@@ -10,9 +10,9 @@ pub use parts::{component, set_component};
 pub(super) use place::{Place, nct, sinumerik};
 
 use super::rotary::ROTARY;
-use super::{Control, Edge, Frame};
+use super::{Control, Edge, Frame, Store};
 use parts::{edge_quantity, part_of, set_edge_quantity, set_part};
-use place::{Kept, PARTS, REGISTERS, ROTARY_PARTS, Store, whole_frame};
+use place::{Kept, PARTS, REGISTERS, ROTARY_PARTS, whole_frame};
 
 /// Axis letters by index.
 pub const AXES: [&str; 3] = ["X", "Y", "Z"];
@@ -72,34 +72,30 @@ impl Control {
         true
     }
 
-    fn frame_at(&self, Kept { store, in_effect, number }: Kept) -> Frame {
-        let frame = match (store, in_effect) {
-            (Store::Settable, false) => self.frames.get(&number),
-            (Store::Settable, true) => Some(&self.active),
-            (Store::Channel, false) => self.channel_basic.get(&number),
-            (Store::Channel, true) => self.basic.channel.get(&number),
-            (Store::Global, false) => self.global_basic.get(&number),
-            (Store::Global, true) => self.basic.global.get(&number),
-            (Store::System, false) => Some(&self.system),
-            (Store::System, true) => Some(&self.basic.system),
-            (Store::Program, _) => Some(&self.program_frame),
-            (Store::Part, _) => Some(&self.part_frame),
-        };
-        frame.copied().unwrap_or_default()
+    fn frame_at(&self, kept: Kept) -> Frame {
+        match kept {
+            Kept::Stored(store) => self.stored_frame(store),
+            Kept::System => self.basic.system,
+            Kept::Global(index) => self.basic.global.get(&index).copied().unwrap_or_default(),
+            Kept::Channel(index) => self.basic.channel.get(&index).copied().unwrap_or_default(),
+            Kept::Active => self.active,
+            Kept::Program => self.program_frame,
+            Kept::Part => self.part_frame,
+        }
     }
 
-    fn frame_at_mut(&mut self, Kept { store, in_effect, number }: Kept) -> &mut Frame {
-        match (store, in_effect) {
-            (Store::Settable, false) => self.frames.entry(number).or_default(),
-            (Store::Settable, true) => &mut self.active,
-            (Store::Channel, false) => self.channel_basic.entry(number).or_default(),
-            (Store::Channel, true) => self.basic.channel.entry(number).or_default(),
-            (Store::Global, false) => self.global_basic.entry(number).or_default(),
-            (Store::Global, true) => self.basic.global.entry(number).or_default(),
-            (Store::System, false) => &mut self.system,
-            (Store::System, true) => &mut self.basic.system,
-            (Store::Program, _) => &mut self.program_frame,
-            (Store::Part, _) => &mut self.part_frame,
+    fn frame_at_mut(&mut self, kept: Kept) -> &mut Frame {
+        match kept {
+            Kept::Stored(Store::System) => &mut self.stored.system,
+            Kept::Stored(Store::GlobalBasic(index)) => self.stored.global.entry(index).or_default(),
+            Kept::Stored(Store::ChannelBasic(index)) => self.stored.channel.entry(index).or_default(),
+            Kept::Stored(Store::Settable(number)) => self.frames.entry(number).or_default(),
+            Kept::System => &mut self.basic.system,
+            Kept::Global(index) => self.basic.global.entry(index).or_default(),
+            Kept::Channel(index) => self.basic.channel.entry(index).or_default(),
+            Kept::Active => &mut self.active,
+            Kept::Program => &mut self.program_frame,
+            Kept::Part => &mut self.part_frame,
         }
     }
 }
@@ -108,7 +104,7 @@ impl Control {
 pub(super) fn sinumerik_names(control: &Control) -> Vec<String> {
     let mut names = Vec::new();
     let stores =
-        [("$P_UIFR", &control.frames), ("$P_CHBFR", &control.channel_basic), ("$P_NCBFR", &control.global_basic)];
+        [("$P_UIFR", &control.frames), ("$P_CHBFR", &control.stored.channel), ("$P_NCBFR", &control.stored.global)];
     for (store, frames) in stores {
         names.extend(frames.keys().flat_map(|number| control.frame_names(store, &format!("{number},"))));
     }

@@ -1,7 +1,7 @@
 //! What a name of a tool or frame variable means: where the quantity is stored.
 
 use super::AXES;
-use crate::control::{NCT, ROTARY};
+use crate::control::{NCT, ROTARY, Store};
 
 /// Where a quantity is stored.
 pub(in crate::control) enum Place {
@@ -11,21 +11,14 @@ pub(in crate::control) enum Place {
     Edge(i64, i64, Quantity),
 }
 
+/// A frame of the control: a stored one, or one in effect.
 #[derive(Clone, Copy)]
-pub(in crate::control) struct Kept {
-    pub(super) store: Store,
-    /// That in effect, not the stored one.
-    pub(super) in_effect: bool,
-    /// Number of the variable; 0 where there is one only.
-    pub(super) number: usize,
-}
-
-#[derive(Clone, Copy, PartialEq)]
-pub(in crate::control) enum Store {
-    Settable,
-    Channel,
-    Global,
+pub(in crate::control) enum Kept {
+    Stored(Store),
     System,
+    Global(usize),
+    Channel(usize),
+    Active,
     Program,
     Part,
 }
@@ -78,27 +71,23 @@ pub(in crate::control) fn sinumerik(name: &str) -> Option<Place> {
 
 /// The frame of a variable with a number, where there is more than one.
 fn kept(stem: &str, number: Option<&str>) -> Option<Kept> {
-    let (store, in_effect, largest) = match stem {
-        "$P_UIFR" => (Store::Settable, false, Some(99)),
-        "$P_CHBFR" => (Store::Channel, false, Some(15)),
-        "$P_NCBFR" => (Store::Global, false, Some(15)),
-        "$P_SETFR" => (Store::System, false, None),
-        "$P_IFRAME" => (Store::Settable, true, None),
-        "$P_CHBFRAME" => (Store::Channel, true, Some(15)),
-        "$P_NCBFRAME" => (Store::Global, true, Some(15)),
-        "$P_SETFRAME" => (Store::System, true, None),
-        "$P_UBFR" => (Store::Channel, false, None),
-        "$P_BFRAME" => (Store::Channel, true, None),
-        "$P_PFRAME" => (Store::Program, true, None),
-        "$P_PARTFRAME" => (Store::Part, true, None),
+    let up_to = |largest| number?.parse().ok().filter(|number| *number <= largest);
+    let basic = || up_to(15);
+    Some(match (stem, number) {
+        ("$P_UIFR", Some(_)) => Kept::Stored(Store::Settable(up_to(99)?)),
+        ("$P_CHBFR", Some(_)) => Kept::Stored(Store::ChannelBasic(basic()?)),
+        ("$P_NCBFR", Some(_)) => Kept::Stored(Store::GlobalBasic(basic()?)),
+        ("$P_SETFR", None) => Kept::Stored(Store::System),
+        ("$P_UBFR", None) => Kept::Stored(Store::ChannelBasic(0)),
+        ("$P_CHBFRAME", Some(_)) => Kept::Channel(basic()?),
+        ("$P_NCBFRAME", Some(_)) => Kept::Global(basic()?),
+        ("$P_SETFRAME", None) => Kept::System,
+        ("$P_BFRAME", None) => Kept::Channel(0),
+        ("$P_IFRAME", None) => Kept::Active,
+        ("$P_PFRAME", None) => Kept::Program,
+        ("$P_PARTFRAME", None) => Kept::Part,
         _ => return None,
-    };
-    let number = match (largest, number) {
-        (None, None) => 0,
-        (Some(largest), Some(number)) => number.parse().ok().filter(|number| *number <= largest)?,
-        _ => return None,
-    };
-    Some(Kept { store, in_effect, number })
+    })
 }
 
 /// The frame of a variable without axis and part: `$P_UIFR[1]`, `$P_SETFRAME`.
@@ -137,7 +126,7 @@ pub(super) const REGISTERS: [(&str, Quantity); 4] =
 /// What a name means on NCT.
 pub(in crate::control) fn nct(name: &str) -> Option<Place> {
     if let Some((offset, axis)) = name.split_once(' ') {
-        let kept = Kept { store: Store::Settable, in_effect: false, number: NCT.settable_named(offset)? };
+        let kept = Kept::Stored(Store::Settable(NCT.settable_named(offset)?));
         return Some(Place::Frame(kept, AXES.iter().position(|known| *known == axis)?, Part::Coarse));
     }
     let register = |letters: &str| name.strip_prefix(letters)?.parse().ok();

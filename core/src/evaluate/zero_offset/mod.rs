@@ -32,11 +32,8 @@ pub(crate) fn target(control: &Control, code: i64) -> Result<Option<Target>, u32
     let Some(code) = knum::zero(code)? else { return Ok(None) };
     let stored = |store| Target { store, without_settable: false, activate: false };
     Ok(Some(match code {
-        ZeroCode::Settable(number) => stored(Store::Settable(number)),
-        ZeroCode::ChannelBasic(index) => stored(Store::ChannelBasic(index)),
-        ZeroCode::GlobalBasic(index) => stored(Store::GlobalBasic(index)),
-        ZeroCode::System if !system_frame(control) => return Err(61321),
-        ZeroCode::System => stored(Store::System),
+        ZeroCode::Stored(Store::System) if !system_frame(control) => return Err(61321),
+        ZeroCode::Stored(store) => stored(store),
         ZeroCode::LastBasic => Target { without_settable: true, ..stored(last_basic(control)?) },
         ZeroCode::Active if control.settable == 0 => Target { activate: true, ..stored(last_basic(control)?) },
         ZeroCode::Active => Target { activate: true, ..stored(Store::Settable(control.settable)) },
@@ -59,7 +56,7 @@ fn last_basic(control: &Control) -> Result<Store, u32> {
 
 /// Whether a frame and those in effect with it only move and turn: no mirror, no scale factor.
 pub fn rigid(control: &Control, target: &Target) -> bool {
-    let own = stored(control, target.store);
+    let own = control.stored_frame(target.store);
     let plain = |frame: &Frame| !frame.scaled() && frame.mirror == [false; 3];
     plain(&own) && control.chain().iter().all(plain)
 }
@@ -111,7 +108,7 @@ fn around(control: &Control, target: &Target) -> (Vec<Frame>, Frame, Vec<Frame>)
     let mut after = Vec::new();
     let settable = match target.store {
         Store::Settable(_) => None,
-        _ if target.without_settable => Some((Store::Settable(0), stored(control, Store::Settable(0)))),
+        _ if target.without_settable => Some((Store::Settable(0), control.stored_frame(Store::Settable(0)))),
         _ => Some((Store::Settable(control.settable), control.active)),
     };
     let others = control.basic_in_effect().map(|(store, frame)| (store, *frame)).chain(settable);
@@ -123,18 +120,7 @@ fn around(control: &Control, target: &Target) -> (Vec<Frame>, Frame, Vec<Frame>)
         }
     }
     after.push(control.program_frame);
-    (before, stored(control, target.store), after)
-}
-
-/// The frame as stored.
-fn stored(control: &Control, store: Store) -> Frame {
-    match store {
-        Store::Settable(number) => control.frames.get(&number).copied(),
-        Store::ChannelBasic(index) => control.channel_basic.get(&index).copied(),
-        Store::GlobalBasic(index) => control.global_basic.get(&index).copied(),
-        Store::System => Some(control.system),
-    }
-    .unwrap_or_default()
+    (before, control.stored_frame(target.store), after)
 }
 
 /// Fine part with MD18600 = 1; coarse with 0, `_CHBIT[21]` = 1 or `$P_SETFR` (B:1990-2003, B:14035-14039).

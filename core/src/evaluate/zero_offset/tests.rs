@@ -57,10 +57,10 @@ fn chained() -> Control {
         rotation: Rpy([0.0, 0.0, turn]),
         ..Frame::default()
     };
-    control.system = Frame::translation([1.0, 2.0, 3.0]);
-    control.global_basic.insert(0, Frame::translation([5.0, 0.0, 0.0]));
-    control.channel_basic.insert(0, frame(10.0, 30.0));
-    control.channel_basic.insert(1, frame(-4.0, -12.0));
+    control.stored.system = Frame::translation([1.0, 2.0, 3.0]);
+    control.stored.global.insert(0, Frame::translation([5.0, 0.0, 0.0]));
+    control.stored.channel.insert(0, frame(10.0, 30.0));
+    control.stored.channel.insert(1, frame(-4.0, -12.0));
     control.frames.insert(1, frame(100.0, 20.0));
     control.frames.insert(2, frame(50.0, -75.0));
     control.program_frame = frame(7.0, 11.0);
@@ -127,7 +127,7 @@ fn a_table_stands_right_in_the_corrected_basic_frame_with_g500() {
     };
     control.frames.insert(0, about_z(2.0, 0.0));
     control.frames.insert(1, about_z(3.0, 0.5));
-    control.channel_basic.insert(0, about_z(10.0, 0.0));
+    control.stored.channel.insert(0, about_z(10.0, 0.0));
     control.activate(1);
     let stood = control.rotary_to_machine(2, Degrees(5.0)).0;
     let target = target(&control, 1000).unwrap().unwrap();
@@ -155,7 +155,7 @@ fn what_does_not_exist_alarms() {
     let mut control = control();
     assert_eq!(target(&control, 100), Err(61321));
     assert_eq!(target(&control, 0), Ok(None));
-    control.channel_basic.clear();
+    control.stored.channel.clear();
     control.set("$P_CHBFRMASK", 0.0);
     assert_eq!(target(&control, 1000), Err(61412));
     // oracle: manual B:1984
@@ -171,7 +171,7 @@ fn mirrored_in(place: usize) -> Control {
     let mut control = chained();
     let mirror = [true, false, false];
     match place {
-        1 => control.channel_basic.entry(0).or_default().mirror = mirror,
+        1 => control.stored.channel.entry(0).or_default().mirror = mirror,
         2 => {
             for frame in control.frames.values_mut() {
                 frame.mirror = mirror;

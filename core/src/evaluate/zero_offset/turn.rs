@@ -77,7 +77,7 @@ fn given_up(control: &Control, target: &Target, axis: usize) -> Degrees {
         return Degrees(0.0);
     }
     let moved = |frame: &Frame| frame.rotary[axis] + frame.rotary_fine[axis];
-    moved(&control.active) - moved(&super::stored(control, Store::Settable(0)))
+    moved(&control.active) - moved(&control.stored_frame(Store::Settable(0)))
 }
 
 /// What turns and moves a frame so that what lies where `motion` takes it from its set position has the set coordinates

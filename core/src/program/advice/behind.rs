@@ -2,10 +2,10 @@
 
 use super::{Seen, behind_call};
 use crate::check::{Target, target};
+use crate::control::Store;
 use crate::diagnostic::Diagnostic;
 use crate::entry::{Kind, ProbeUse, names};
-use crate::evaluate::knum;
-use crate::evaluate::knum::ZeroCode;
+use crate::evaluate::knum::{self, ZeroCode};
 use crate::own;
 use crate::program::calls::CallSite;
 use crate::program::flow;
@@ -42,7 +42,7 @@ pub fn corrected(seen: &Seen) -> Option<Corrected> {
     let code = knum::zero(seen.inputs.given(names::KNUM)? as i64).ok()??;
     let active = seen.force.frame.clone();
     let function = match code {
-        ZeroCode::Settable(number) => Some(function(u16::try_from(number).ok()?)),
+        ZeroCode::Stored(Store::Settable(number)) => Some(function(u16::try_from(number).ok()?)),
         _ => None,
     };
     let cure = match code {

@@ -53,7 +53,8 @@ fn open_variant<'a>(source: &'a Source) -> Option<&'a str> {
 /// A value that means something else in the list of newer controls.
 fn foreign(source: &Source, list: &ArgumentList) -> Option<Diagnostic> {
     let values: Typed = source.values.iter().map(|(param, text)| (param.name.to_string(), text.clone())).collect();
-    let name = newer::foreign_of(source.cycle, list, &values, source.control)?;
+    let foreign = newer::foreign(source.cycle, list, &values, source.control);
+    let name = foreign.into_iter().find(|name| values.contains_key(name.as_str()))?;
     Some(own::WRITE_NEWER.finding().text("param", name).text("value", values.get(name.as_str())?.as_str()).at(name))
 }
 

@@ -25,8 +25,8 @@ fn setup() -> Setup {
         rotation: Rpy(turn),
         ..Frame::default()
     };
-    setup.control.system = Frame::translation([1.0, 2.0, 3.0]);
-    setup.control.channel_basic.insert(0, frame(10.0, [5.0, 0.0, 0.0]));
+    setup.control.stored.system = Frame::translation([1.0, 2.0, 3.0]);
+    setup.control.stored.channel.insert(0, frame(10.0, [5.0, 0.0, 0.0]));
     setup.control.frames.insert(1, frame(100.0, [1.0, -2.0, 20.0]));
     setup.control.activate(1);
     setup

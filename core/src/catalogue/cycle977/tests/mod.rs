@@ -155,7 +155,7 @@ proptest! {
         for variant in VARIANTS.iter().map(|variant| variant.number).filter(|number| number / 100 % 10 == 1) {
             let mut setup = ready(plane, variant);
             setup.control.frames.insert(1, Frame::translation([3.0, -2.0, 1.0]));
-            setup.control.channel_basic.insert(0, Frame::translation([1.0, 1.0, 1.0]));
+            setup.control.stored.channel.insert(0, Frame::translation([1.0, 1.0, 1.0]));
             setup.control.activate(1);
             let start = Wcs(setup.position.0);
             setup.position = setup.control.to_machine(start);

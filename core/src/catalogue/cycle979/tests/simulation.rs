@@ -126,7 +126,7 @@ proptest! {
             };
             let angle = if mirrored { 150.0 } else { 30.0 };
             setup.control.frames.insert(1, turned);
-            setup.control.channel_basic.insert(0, Frame::translation([1.0, 1.0, 1.0]));
+            setup.control.stored.channel.insert(0, Frame::translation([1.0, 1.0, 1.0]));
             setup.control.activate(1);
             let start = Wcs(setup.position.0);
             setup.position = setup.control.to_machine(start);

@@ -181,8 +181,8 @@ fn framed(plane: Plane) -> Setup {
         rotation: Rpy(turn),
         ..Frame::default()
     };
-    control.system = Frame::translation([1.0, 2.0, 3.0]);
-    control.channel_basic.insert(0, frame(10.0, [0.0; 3]));
+    control.stored.system = Frame::translation([1.0, 2.0, 3.0]);
+    control.stored.channel.insert(0, frame(10.0, [0.0; 3]));
     control.frames.insert(1, frame(100.0, [0.4, -0.7, 20.0]));
     control.activate(1);
     setup
