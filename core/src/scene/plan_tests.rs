@@ -2,30 +2,40 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 use super::*;
+use crate::catalogue::example::turned;
 use crate::catalogue::{CYCLES, find};
 use crate::control::delivery;
 use crate::dialect::Dialect;
-use crate::entry::How;
+use crate::entry::{Cycle, How};
 
-/// The worked example of each variant of each cycle whose picture follows from its work.
+/// The worked example of each variant of each cycle whose picture follows from its work, in the usual plane.
 fn staged() -> impl Iterator<Item = (Inputs, &'static Staged)> {
+    let usual = |cycle: &Cycle| if cycle.purpose.machine == MachineSort::Turning { Plane::G18 } else { Plane::G17 };
+    in_planes().filter(move |(inputs, _)| inputs.plane == usual(inputs.cycle))
+}
+
+/// The worked examples in every plane, turned parts with diameters.
+fn in_planes() -> impl Iterator<Item = (Inputs, &'static Staged)> {
     let all = CYCLES.iter().flat_map(|cycle| cycle.variants.iter().map(move |variant| (*cycle, variant)));
-    all.filter_map(|(cycle, variant)| {
+    let all = all.flat_map(|each| [Plane::G17, Plane::G18, Plane::G19].map(|plane| (each, plane)));
+    all.filter_map(|((cycle, variant), plane)| {
         let Some(How::Staged(staged)) = cycle.picture.how() else { return None };
         let mut control = delivery(cycle.dialect);
+        control.plane = plane;
         if cycle.purpose.machine == MachineSort::Turning {
-            (control.plane, control.transverse) = (Plane::G18, Transverse::Diameter);
+            control.transverse = Transverse::Diameter;
         }
-        Some((check::read(cycle, &example(cycle, variant), &control, &mut Vec::new()), staged))
+        let values = turned(cycle, &example(cycle, variant), plane);
+        Some((check::read(cycle, &values, &control, &mut Vec::new()), staged))
     })
 }
 
 // oracle: self (the simulation itself says whether it came to its end)
 #[test]
 fn every_worked_example_is_carried_out_for_its_picture() {
-    for (inputs, staged) in staged() {
+    for (inputs, staged) in in_planes() {
         for one in performed(&inputs, staged) {
-            let told = format!("{} {}", inputs.cycle.name, inputs.variant);
+            let told = format!("{} {} {:?}", inputs.cycle.name, inputs.variant, inputs.plane);
             assert!(one.complete && !one.touches.is_empty(), "{told}");
         }
     }

@@ -23,14 +23,13 @@ pub fn stage(inputs: &Inputs) -> Staging {
     let inside = INSIDE_ZONE.holds(inputs);
     let look = if axis(inputs) == 2 { Look::section(0) } else { Look::ABOVE };
     let look = |cut| Look { cut, held: true, ..look.clone().ways(along) };
-    // sizes along the ordinate are diameters, where the call counts so
-    let ordinate = if inputs.diameters { 2.0 } else { 1.0 };
-    let factor = [[1.0, ordinate], [ordinate, 1.0], [1.0, 1.0]][axis(inputs)];
+    // sizes along X are diameters, where the call counts so
+    let factor = inputs.plane.axes().map(|axis| if axis == 0 && inputs.diameters { 2.0 } else { 1.0 });
     let at = |look: Look, half: f64| {
         figures::stage(inputs, look)
             .with(names::SETVAL, RADIUS * per(inputs))
-            .with(across, half * factor[0])
-            .with(along, ZONE[2] * factor[1])
+            .with(across, half * factor[axis(inputs)])
+            .with(along, ZONE[2] * factor[usize::from(axis(inputs) == 0)])
     };
     if inside {
         return at(look(true), ZONE[1]);

@@ -3,7 +3,7 @@
 use super::{CALIBRATE, diameter};
 use crate::control::{Control, Edge};
 use crate::entry::{Inputs, Proposal, ProposedTool, address};
-use crate::geometry::Mcs;
+use crate::geometry::{Dir, Mcs};
 use crate::workpiece::{Shape, Solid, ToolProbe};
 
 /// Height of the disk, mm.
@@ -24,14 +24,15 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     };
     let length = control.edge_of(0, register).map_or(assumed, |edge| edge.total_length(0));
     let [top, x, y] = place(control);
-    let above = inputs.number(address::Z).abs() / 2.0;
-    let mut point = [x, y, top + above];
-    if !calibration {
-        // at the call the length of another register may be in force
-        point[2] += length - control.active_length()[2];
+    let nose = [x, y, top + inputs.number(address::Z).abs() / 2.0 + length];
+    // the macro works along Z; at the call the length of another register may be in force, or in another axis
+    let mut in_force = control.active_length();
+    if calibration {
+        in_force = Dir::default();
+        in_force[control.plane.axes()[2]] = length;
     }
     Proposal {
-        start: control.to_workpiece(Mcs(point)),
+        start: control.to_workpiece(Mcs(std::array::from_fn(|axis| nose[axis] - in_force[axis]))),
         tools: vec![ProposedTool {
             tool: 0,
             name: String::new(),

@@ -1,6 +1,7 @@
 //! What a form foretells: the run, the scene, the largest errors.
 
 use super::{asked, request};
+use crate::catalogue::example::{example, turned};
 use crate::control::Plane;
 use crate::dialect::Dialect;
 use crate::entry::ProbeUse;
@@ -66,15 +67,19 @@ fn every_worked_example_is_complete_and_reaches_its_end() {
             continue;
         }
         for variant in cycle.variants {
-            reaches_its_end(cycle, variant);
+            for plane in [Plane::G17, Plane::G18, Plane::G19] {
+                reaches_its_end(cycle, variant, plane);
+            }
         }
     }
 }
 
-fn reaches_its_end(cycle: &'static crate::entry::Cycle, variant: &crate::entry::Variant) {
-    let what = format!("{} {}", cycle.name, variant.number);
-    let values = crate::catalogue::example::example(cycle, variant);
-    let view = form(&asked(cycle, &values)).unwrap();
+fn reaches_its_end(cycle: &'static crate::entry::Cycle, variant: &crate::entry::Variant, plane: Plane) {
+    let what = format!("{} {} {plane:?}", cycle.name, variant.number);
+    let values = turned(cycle, &example(cycle, variant), plane);
+    let mut document: Value = serde_json::from_str(&asked(cycle, &values)).unwrap();
+    document["setup"] = json!({ "own": { "plane": plane } });
+    let view = form(&document.to_string()).unwrap();
     assert_eq!(view["complete"], true, "{what}: {}", view["diagnostics"]);
     let alarms = view["outcome"]["alarms"].as_array().unwrap();
     assert!(alarms.iter().all(|alarm| alarm["stops"] == false), "{what}: {alarms:?}");
