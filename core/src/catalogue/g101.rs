@@ -1,6 +1,5 @@
 //! G101: protected positioning of the stylus (C:106-144).
 
-use super::common::PARAM;
 use super::nct;
 use super::nct::part;
 use crate::catalogue::prelude::*;
@@ -29,16 +28,13 @@ pub static G101: Cycle = Cycle {
         Param { name: address::Y, key: "g101-y", ..TARGET },
         Param { name: address::Z, key: "g101-z", example: "200", ..TARGET },
         Param {
-            name: address::F,
-            key: "g101-f",
             default: Some(1500.0),
             default_inch: Some(60.0),
             unit: Unit::BasicFeed,
             range: Range::POSITIVE,
             usual: Range::closed(1.0, 5000.0),
             needs: &[optional(When::Always, "need-nct-optional")],
-            source: "C:115",
-            ..PARAM
+            ..param(address::F, "g101-f", "C:115")
         },
     ],
     alarms: &[&[

@@ -1,6 +1,6 @@
 //! What nearly every file of a cycle names: the parts of an entry, what is read and said of a call, what a cycle moves.
 
-pub use super::common::{optional, required};
+pub use super::common::{PARAM, optional, param, required};
 pub use super::sinumerik::{Next, alarm, results, until_done};
 pub(crate) use super::{common, place, shared_checks};
 pub use crate::check::refused;

@@ -1,6 +1,6 @@
 //! Tolerances and memories: when something is corrected, and by how much.
 
-use super::{ALWAYS_OPTIONAL, PARAM, TOOL_OFFSET, ZERO_OFFSET, optional};
+use super::{ALWAYS_OPTIONAL, TOOL_OFFSET, ZERO_OFFSET};
 use crate::catalogue::prelude::*;
 
 /// Halves of `_EVNUM` (B:2325-2342).
@@ -9,39 +9,32 @@ pub const MEMORY_DIGITS: &[DigitGroup] = &[
     DigitGroup { key: "evnum-empirical", place: 1, digits: 4, choices: &[] },
 ];
 
+const WITH_TOOL: &[Need] = &[optional(TOOL_OFFSET, "need-tolerance")];
+
 /// A limit of the correction, which belongs to the tool offset.
-const LIMIT: Param = Param {
-    unit: Unit::BasicLength,
-    range: Range::POSITIVE,
-    needs: &[optional(TOOL_OFFSET, "need-tolerance")],
-    ..PARAM
-};
+const fn limit(name: Name, key: &'static str, source: &'static str) -> Param {
+    Param { unit: Unit::BasicLength, range: Range::POSITIVE, needs: WITH_TOOL, ..param(name, key, source) }
+}
 /// A limit of the size.
-const TOLERANCE: Param = Param { unit: Unit::ActiveLength, range: Range::ANY, ..LIMIT };
+const fn tolerance(name: Name, key: &'static str, source: &'static str) -> Param {
+    Param { unit: Unit::ActiveLength, range: Range::ANY, ..limit(name, key, source) }
+}
 
 pub const TSA: Param = Param {
-    name: names::TSA,
-    key: "tsa",
     default: Some(2.0),
     watches: true,
     needs: ALWAYS_OPTIONAL,
     example: "1",
-    source: "B:15666",
-    ..LIMIT
+    ..limit(names::TSA, "tsa", "B:15666")
 };
 pub const EVNUM: Param = Param {
-    name: names::EVNUM,
-    key: "evnum",
     kind: Kind::Digits(MEMORY_DIGITS),
     default: Some(0.0),
     range: Range::closed(0.0, 99_999_999.0),
     needs: &[optional(TOOL_OFFSET, "need-memory"), optional(ZERO_OFFSET, "need-memory-empirical")],
-    source: "B:2303-2342",
-    ..PARAM
+    ..param(names::EVNUM, "evnum", "B:2303-2342")
 };
 pub const K: Param = Param {
-    name: names::K,
-    key: "k",
     kind: Kind::Integer,
     default: Some(1.0),
     range: Range::POSITIVE,
@@ -49,36 +42,17 @@ pub const K: Param = Param {
     alarm: Some(Code::Alarm(61318)),
     needs: &[optional(TOOL_OFFSET, "need-memory")],
     example: "3",
-    source: "B:2358-2366;A:15859",
-    ..PARAM
+    ..param(names::K, "k", "B:2358-2366;A:15859")
 };
 pub const TZL: Param = Param {
-    name: names::TZL,
-    key: "tzl",
     default: Some(0.001),
     range: Range::NOT_NEGATIVE,
     example: "0.01",
-    source: "B:15667;A:2323",
-    ..LIMIT
+    ..limit(names::TZL, "tzl", "B:15667;A:2323")
 };
-pub const TMV: Param =
-    Param { name: names::TMV, key: "tmv", default: Some(0.7), example: "0.02", source: "B:15660", ..LIMIT };
-pub const TUL: Param =
-    Param { name: names::TUL, key: "tul", default: Some(1.0), example: "0.03", source: "B:15664;A:1896", ..TOLERANCE };
-pub const TLL: Param = Param {
-    name: names::TLL,
-    key: "tll",
-    default: Some(-1.0),
-    example: "-0.03",
-    source: "B:15665;A:1897",
-    ..TOLERANCE
-};
-pub const TDIF: Param = Param {
-    name: names::TDIF,
-    key: "tdif",
-    default: Some(1.2),
-    watches: true,
-    example: "0.06",
-    source: "B:15659",
-    ..LIMIT
-};
+pub const TMV: Param = Param { default: Some(0.7), example: "0.02", ..limit(names::TMV, "tmv", "B:15660") };
+pub const TUL: Param = Param { default: Some(1.0), example: "0.03", ..tolerance(names::TUL, "tul", "B:15664;A:1896") };
+pub const TLL: Param =
+    Param { default: Some(-1.0), example: "-0.03", ..tolerance(names::TLL, "tll", "B:15665;A:1897") };
+pub const TDIF: Param =
+    Param { default: Some(1.2), watches: true, example: "0.06", ..limit(names::TDIF, "tdif", "B:15659") };

@@ -59,6 +59,11 @@ pub const PARAM: Param = Param {
     source: "",
 };
 
+/// A parameter by its name, the stem of its message keys and its place in the manual; the rest as in [`PARAM`].
+pub const fn param(name: Name, key: &'static str, source: &'static str) -> Param {
+    Param { name, key, source, ..PARAM }
+}
+
 /// Needed under this condition, for this reason.
 pub const fn required(when: When, reason: &'static str) -> Need {
     Need { when, level: crate::entry::Level::Required, reason }
@@ -104,69 +109,54 @@ pub const BALL_DIGIT: DigitGroup =
 
 /// `_MVAR`; a cycle adds the digit groups.
 pub const MVAR: Param = Param {
-    name: names::MVAR,
-    key: "mvar",
     kind: Kind::Variant(&[]),
     alarm: Some(Code::Alarm(61307)),
     needs: ALWAYS_REQUIRED,
-    source: "B:1854",
-    ..PARAM
+    ..param(names::MVAR, "mvar", "B:1854")
 };
 
 /// `_PRNUM`.
 pub const PRNUM: Param = Param {
-    name: names::PRNUM,
-    key: "prnum",
     kind: Kind::Digits(PROBE_DIGITS),
     default: Some(1.0),
     range: Range::closed(1.0, 199.0),
     alarm: Some(Code::Alarm(61313)),
     needs: ALWAYS_OPTIONAL,
     example: "1",
-    source: "B:5632-5633",
-    ..PARAM
+    ..param(names::PRNUM, "prnum", "B:5632-5633")
 };
 
 /// `_FA`: always mm, also on an inch machine (B:1790).
 pub const FA: Param = Param {
-    name: names::FA,
-    key: "fa",
     unit: Unit::Millimetre,
     default: Some(2.0),
     range: Range::POSITIVE,
     usual: Range::closed(1.0, 100.0),
     alarm: Some(Code::Alarm(61308)),
     needs: ALWAYS_OPTIONAL,
-    source: "B:15635",
-    ..PARAM
+    ..param(names::FA, "fa", "B:15635")
 };
 
 /// `_VMS`: 0 lets the cycle choose by `_FA`.
 pub const VMS: Param = Param {
-    name: names::VMS,
-    key: "vms",
     unit: Unit::BasicFeed,
     default: Some(0.0),
     range: Range::NOT_NEGATIVE,
     usual: Range::closed(0.0, 2000.0),
     needs: ALWAYS_OPTIONAL,
     example: "0",
-    source: "B:15668",
-    ..PARAM
+    ..param(names::VMS, "vms", "B:15668")
 };
 
 /// `_NMSP`.
 pub const NMSP: Param = Param {
-    name: names::NMSP,
-    key: "nmsp",
     kind: Kind::Integer,
     default: Some(1.0),
     range: Range::POSITIVE,
     usual: Range::closed(1.0, 20.0),
     needs: ALWAYS_OPTIONAL,
     example: "1",
-    source: "B:15650",
-    ..PARAM
+    ..param(names::NMSP, "nmsp", "B:15650")
 };
 
 /// Alarms that the manual names for every SINUMERIK measuring cycle (A:15840-15940).

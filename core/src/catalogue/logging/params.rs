@@ -3,7 +3,7 @@
 //! the manual (B:11513-11600).
 
 use super::names;
-use crate::catalogue::common::{ALWAYS_REQUIRED, PARAM, optional, required};
+use crate::catalogue::common::ALWAYS_REQUIRED;
 use crate::catalogue::prelude::*;
 
 /// Longest line of a log, characters (A:15947).
@@ -14,22 +14,21 @@ const MOST_LINES: f64 = 4.0;
 /// The header is the one that the cycles print by themselves (B:11456).
 pub const STANDARD_HEADER: When = When::Setting { name: super::OWN_HEADER, is: &[0.0] };
 
-const fn text(most: usize) -> Param {
-    Param { kind: Kind::Text(most), ..PARAM }
+const fn text(most: usize, name: Name, key: &'static str, source: &'static str) -> Param {
+    Param { kind: Kind::Text(most), ..param(name, key, source) }
 }
 
-const NUMBER: Param = Param { kind: Kind::Integer, range: Range::NOT_NEGATIVE, ..PARAM };
+const fn number(name: Name, key: &'static str, source: &'static str) -> Param {
+    Param { kind: Kind::Integer, range: Range::NOT_NEGATIVE, ..param(name, key, source) }
+}
 
 /// What is printed, in CYCLE105 and CYCLE106, or which text is made, in CYCLE113: the variant.
 pub const JOB: Param = Param { name: names::JOB, kind: Kind::Variant(&[]), needs: ALWAYS_REQUIRED, ..PARAM };
 /// Name of the log file; the form asks for it where there is one, as the delivered one is empty.
 pub const FILE: Param = Param {
-    name: names::FILE,
-    key: "log-file",
     needs: &[required(When::Always, "need-log-file")],
     example: "LOG_1",
-    source: "B:11192;B:11346",
-    ..text(32)
+    ..text(32, names::FILE, "log-file", "B:11192;B:11346")
 };
 
 /// The data of a log in the order of the manual's table, behind parameters of the cycle's own: those of the header are
@@ -95,24 +94,17 @@ pub const fn rows(index: usize) -> When {
 
 /// A text of the user.
 pub const fn headline(index: usize, example: &'static str, needs: &'static [Need]) -> Param {
-    Param { name: names::HEADLINES[index], key: "log-headline", needs, example, source: "B:11347", ..text(80) }
+    Param { needs, example, ..text(80, names::HEADLINES[index], "log-headline", "B:11347") }
 }
 
 /// A title line; the definition of the data gives 100 characters, the text 80 (B:13167, B:11357).
 pub const fn title(index: usize, example: &'static str, needs: &'static [Need]) -> Param {
-    Param { name: names::TITLES[index], key: "log-title", needs, example, source: "B:11357-11358;B:11404", ..text(100) }
+    Param { needs, example, ..text(100, names::TITLES[index], "log-title", "B:11357-11358;B:11404") }
 }
 
 /// What a line of values shows.
 pub const fn values(index: usize, example: &'static str, needs: &'static [Need]) -> Param {
-    Param {
-        name: names::VALUES[index],
-        key: "log-values",
-        needs,
-        example,
-        source: "B:11359;B:11375-11411",
-        ..text(100)
-    }
+    Param { needs, example, ..text(100, names::VALUES[index], "log-values", "B:11359;B:11375-11411") }
 }
 
 /// The first title line also where the columns are made of it.
@@ -120,60 +112,35 @@ pub const TITLED: &[Need] = &[optional(STANDARD_HEADER, "need-log-titles")];
 const FORMAT: &[Need] = &[optional(When::Always, "need-log-format")];
 
 /// Program that is measured.
-pub const PROGRAM: Param =
-    Param { name: names::PROGRAM, key: "log-program", example: "MEASPROGRAM_1", source: "B:11345", ..text(32) };
+pub const PROGRAM: Param = Param { example: "MEASPROGRAM_1", ..text(32, names::PROGRAM, "log-program", "B:11345") };
 /// Lines of a page.
-pub const PAGE: Param = Param { name: names::PAGE, key: "log-page", source: "B:11349;B:11435;A:12759", ..NUMBER };
+pub const PAGE: Param = number(names::PAGE, "log-page", "B:11349;B:11435;A:12759");
 /// Characters of a line.
-pub const LINE: Param = Param {
-    name: names::LINE,
-    key: "log-line",
-    range: Range::POSITIVE,
-    needs: FORMAT,
-    source: "B:11350;A:15947",
-    ..NUMBER
-};
+pub const LINE: Param =
+    Param { range: Range::POSITIVE, needs: FORMAT, ..number(names::LINE, "log-line", "B:11350;A:15947") };
 /// First page number.
-pub const FIRST_PAGE: Param = Param { name: names::FIRST_PAGE, key: "log-first-page", source: "B:11351", ..NUMBER };
+pub const FIRST_PAGE: Param = number(names::FIRST_PAGE, "log-first-page", "B:11351");
 /// How many texts of the user there are.
 pub const HEAD_LINES: Param = Param {
-    name: names::HEAD_LINES,
-    key: "log-head-lines",
     range: Range::closed(0.0, names::HEADLINES.len() as f64),
     example: "3",
-    source: "B:11352;B:11347",
-    ..NUMBER
+    ..number(names::HEAD_LINES, "log-head-lines", "B:11352;B:11347")
 };
 /// How many lines a block of values has.
 pub const VALUE_LINES: Param = Param {
-    name: names::VALUE_LINES,
-    key: "log-value-lines",
     range: Range::closed(0.0, MOST_LINES),
     alarm: Some(Code::Alarm(61363)),
     example: "1",
-    source: "B:11353;A:15907",
-    ..NUMBER
+    ..number(names::VALUE_LINES, "log-value-lines", "B:11353;A:15907")
 };
 /// Width of a column.
 pub const COLUMN: Param =
-    Param { name: names::COLUMN, key: "log-column", needs: FORMAT, example: "12", source: "B:11354;B:11437", ..NUMBER };
+    Param { needs: FORMAT, example: "12", ..number(names::COLUMN, "log-column", "B:11354;B:11437") };
 /// Between two values.
-pub const SEPARATOR: Param = Param {
-    name: names::SEPARATOR,
-    key: "log-separator",
-    needs: FORMAT,
-    example: ",",
-    source: "B:11355;B:13165",
-    ..text(1)
-};
+pub const SEPARATOR: Param =
+    Param { needs: FORMAT, example: ",", ..text(1, names::SEPARATOR, "log-separator", "B:11355;B:13165") };
 /// Behind a value out of tolerance.
-pub const MARK: Param =
-    Param { name: names::MARK, key: "log-mark", example: "*", source: "B:11356;B:11439-11441", ..text(1) };
+pub const MARK: Param = Param { example: "*", ..text(1, names::MARK, "log-mark", "B:11356;B:11439-11441") };
 /// Decimals of all real numbers.
-pub const DIGITS: Param = Param {
-    name: names::DIGITS,
-    key: "log-digits",
-    usual: Range::closed(0.0, 6.0),
-    source: "B:11431;B:13174",
-    ..NUMBER
-};
+pub const DIGITS: Param =
+    Param { usual: Range::closed(0.0, 6.0), ..number(names::DIGITS, "log-digits", "B:11431;B:13174") };

@@ -11,24 +11,11 @@ pub const ALONG_Y: When = When::Plane(Plane::G18);
 /// Z is the axis of the tool.
 pub const ALONG_Z: When = When::Plane(Plane::G17);
 
+const WAY: Param = Param { range: Range::POSITIVE, ..LENGTH };
 /// Clearance beside a wall: 5 mm or 0.2 inch (C:474).
-pub const R: Param = Param {
-    name: address::R,
-    key: "nct-r",
-    default: Some(5.0),
-    default_inch: Some(0.2),
-    range: Range::POSITIVE,
-    ..LENGTH
-};
+pub const R: Param = Param { name: address::R, key: "nct-r", default: Some(5.0), default_inch: Some(0.2), ..WAY };
 /// Overtravel past the nominal surface: 10 mm or 0.4 inch (C:475).
-pub const Q: Param = Param {
-    name: address::Q,
-    key: "nct-q",
-    default: Some(10.0),
-    default_inch: Some(0.4),
-    range: Range::POSITIVE,
-    ..LENGTH
-};
+pub const Q: Param = Param { name: address::Q, key: "nct-q", default: Some(10.0), default_inch: Some(0.4), ..WAY };
 /// Work offset that is moved: 0 common, 1 to 6 (C:481).
 pub const S: Param =
     Param { name: address::S, key: "nct-s", range: Range::closed(0.0, 6.0), alarm: Some(FORMAT_ERROR), ..NUMBER };

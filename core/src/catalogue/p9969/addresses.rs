@@ -1,6 +1,6 @@
 //! Addresses of G65 P9969 (C:1284-1322).
 
-use crate::catalogue::common::{ALWAYS_REQUIRED, optional};
+use crate::catalogue::common::ALWAYS_REQUIRED;
 use crate::catalogue::nct::params::{ALONG_X, ALONG_Y, ALONG_Z};
 use crate::catalogue::nct::{FORMAT_ERROR, LENGTH, NUMBER};
 use crate::catalogue::prelude::*;
@@ -23,8 +23,11 @@ const SPACING: Param = Param {
     ..LENGTH
 };
 
-const REQUIRED_LENGTH: Param =
-    Param { range: Range::POSITIVE, alarm: Some(FORMAT_ERROR), needs: ALWAYS_REQUIRED, ..LENGTH };
+/// A length of every step.
+const fn step(name: Name, key: &'static str, source: &'static str) -> Param {
+    let needs = ALWAYS_REQUIRED;
+    Param { name, key, range: Range::POSITIVE, alarm: Some(FORMAT_ERROR), needs, source, ..LENGTH }
+}
 
 /// In the order of the block format.
 pub const PARAMS: &[Param] = &[
@@ -34,22 +37,8 @@ pub const PARAMS: &[Param] = &[
     Param { name: address::I, needs: &[steps(&[ALONG_Z, ALONG_Y])], source: "C:1289-1295", ..SPACING },
     Param { name: address::J, needs: &[steps(&[ALONG_Z, ALONG_X])], example: "8", source: "C:1286-1307", ..SPACING },
     Param { name: address::K, needs: &[steps(&[ALONG_Y, ALONG_X])], source: "C:1298-1304", ..SPACING },
-    Param {
-        name: address::R,
-        key: "p9969-r",
-        usual: Range::closed(0.01, 5.0),
-        example: "3",
-        source: "C:1316",
-        ..REQUIRED_LENGTH
-    },
-    Param {
-        name: address::Q,
-        key: "p9969-q",
-        usual: Range::closed(0.1, 20.0),
-        example: "4",
-        source: "C:1317",
-        ..REQUIRED_LENGTH
-    },
+    Param { usual: Range::closed(0.01, 5.0), example: "3", ..step(address::R, "p9969-r", "C:1316") },
+    Param { usual: Range::closed(0.1, 20.0), example: "4", ..step(address::Q, "p9969-q", "C:1317") },
     Param {
         name: address::F,
         key: "p9969-f",
@@ -61,10 +50,10 @@ pub const PARAMS: &[Param] = &[
         ..LENGTH
     },
     Param {
-        name: address::S,
-        key: "p9969-s",
         range: Range::closed(1.0, 9999.0),
         example: "1000",
+        name: address::S,
+        key: "p9969-s",
         source: "C:1322",
         ..NUMBER
     },
