@@ -1,11 +1,9 @@
 //! CYCLE113(PAR1,PAR2): reads date or time of the control as a text (B:11255-11260).
 
-use super::common::integer;
 use super::logging;
 use super::logging::cells::cells;
 use super::logging::params::JOB;
-use crate::entry::*;
-use crate::picture::{Picture, View};
+use crate::catalogue::prelude::*;
 
 /// The cycle.
 pub static CYCLE113: Cycle = Cycle {

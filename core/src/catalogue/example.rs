@@ -2,7 +2,7 @@
 
 use crate::catalogue::prelude::*;
 use crate::check;
-use crate::control::{Plane, delivery};
+use crate::control::delivery;
 
 /// Values as typed: of the cycle's example what the variant knows, what chooses it, and what it needs beside that.
 pub fn example(cycle: &'static Cycle, variant: &Variant) -> Typed {

@@ -3,11 +3,7 @@
 use super::nct;
 use super::nct::part;
 use crate::catalogue::prelude::*;
-use crate::entry::*;
 use crate::machine::MotionKind;
-use crate::picture::figures::{circle, dimension, line, rectangle};
-use crate::picture::{Picture, View};
-use crate::workpiece::Shape;
 
 const TARGET: Param = Param {
     kind: Kind::Real,

@@ -10,8 +10,6 @@ use super::nct::ring::D;
 use super::nct::walls::home;
 use super::nct::{correct, ring};
 use crate::catalogue::prelude::*;
-use crate::geometry::Degrees;
-use crate::machine::Step;
 
 /// The M function that turns the spindle by 180 degree. Where it cannot be indexed, the manual says 1 in one place
 /// (C:74) and 0 in another (C:156): both are no M functions that turn a spindle.

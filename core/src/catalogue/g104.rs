@@ -4,7 +4,6 @@
 //! right for both meanings of a length offset (C:355-379), the part of the tool outside the spindle and the axial
 //! coordinate of a work offset, because either is subtracted from where the spindle stands.
 
-use super::common::ALWAYS_REQUIRED;
 use super::nct;
 use super::nct::{REGISTER, correct, overtravel, params, surface};
 use crate::catalogue::prelude::*;

@@ -7,9 +7,6 @@ use super::nct::plane_axis::{X, Y, Z, depth_mark, index, nominal};
 use super::nct::walls::{home, travel};
 use super::nct::{axis_of, checks, correct, figures, given, params, part, plane_axis, surface};
 use crate::catalogue::prelude::*;
-use crate::entry::stage::{Look, Seen, Staging};
-use crate::entry::*;
-use crate::workpiece::Shape;
 
 /// A nominal coordinate.
 const NOMINAL: &str = "g105-nominal";

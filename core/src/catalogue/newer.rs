@@ -7,7 +7,7 @@
 //! the measuring direction counts differently (1 plus, 2 minus), and the tool target has an argument of its own.
 
 use super::common::args::*;
-use crate::entry::{Arg, ArgumentList, NEVER, Style, When};
+use crate::catalogue::prelude::*;
 
 const S_KNUM: Arg = Arg::Newer("S_KNUM");
 const S_KNUM1: Arg = Arg::Newer("S_KNUM1");

@@ -3,8 +3,8 @@
 
 use super::common::args::*;
 use super::{cycle961, cycle971, cycle973, cycle976, cycle979};
+use crate::catalogue::prelude::*;
 use crate::entry::Arg::{Down, Is, Open, Select};
-use crate::entry::{Arg, ArgumentList, Style, When, mvar, names};
 
 const fn list(name: &'static str, when: When, args: &'static [Arg], source: &'static str) -> ArgumentList {
     ArgumentList { style: Style::Indirect, name, when, base: 0, args, source }

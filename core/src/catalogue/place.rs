@@ -1,11 +1,9 @@
 //! Nominal parts and the probe in the active plane: what proposals and checks of the milling cycles share.
 
 use crate::catalogue::prelude::*;
-use crate::control::Edge;
 use crate::evaluate::knum;
 use crate::geometry::rigid::angles;
-use crate::geometry::{Dir, Wcs};
-use crate::workpiece::{PartErrors, Shape, Solid, Workpiece};
+use crate::workpiece::{PartErrors, Workpiece};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 /// Ball radius that the cycle reckons with, mm: half of `_WP[k,0]` of the probe in `_PRNUM` (B:13442), else the

@@ -2,7 +2,6 @@
 
 use super::common::MONO;
 use crate::catalogue::prelude::*;
-use crate::check::error;
 use crate::control::Store;
 use crate::evaluate::knum::{self, ZeroCode};
 use crate::own::Own;

@@ -2,9 +2,8 @@
 //! what is measured, the mean value at the tolerances.
 
 use super::logging::names as log;
+use crate::catalogue::prelude::*;
 use crate::entry::address::{F, I, K, M, S, T, U, V, W, X, Y, Z};
-use crate::entry::{address, names};
-use crate::name::Name;
 
 /// Groups of parameters whose figures stand for a parameter without one; the first of which anything is drawn counts.
 pub fn shown_with(name: Name) -> &'static [&'static [Name]] {

@@ -3,7 +3,6 @@
 use crate::catalogue::prelude::*;
 use crate::evaluate::spread;
 use crate::evaluate::spread::{Circle, DOUBTED, LENGTH, Touched, told};
-use crate::geometry::V3;
 use crate::own::Own;
 
 /// A circle through points, said at this parameter.

@@ -1,10 +1,9 @@
 //! Which machine a cycle needs.
 
+use crate::catalogue::prelude::*;
 use crate::control::machine_data::TOOL_LENGTH_TYPE;
 use crate::control::tools::{AS_TURNING_TOOL, LATHE_PROBE};
-use crate::control::{Edge, MachineSort, Plane};
 use crate::dialect::Dialect;
-use crate::entry::{Cycle, ProbeUse};
 use crate::machine::Setup;
 use crate::machine::setup::PROBE_TOOL;
 

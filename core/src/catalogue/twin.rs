@@ -4,13 +4,11 @@
 use super::example::example;
 use super::twin_place::has_depth;
 use super::{CYCLES, twin_place};
+use crate::catalogue::prelude::*;
 use crate::check;
+use crate::control::delivery_in;
 use crate::control::variables::AXES;
-use crate::control::{Control, delivery_in};
 use crate::dialect::Dialect;
-use crate::entry::{Cycle, Inputs, Level, Meaning, Param, Shared, Task, Typed, factor};
-use crate::message::Message;
-use crate::name::Name;
 
 /// What a measurement is, whatever a control calls it. Lengths in mm.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,9 +2,8 @@
 //! to become. Lengths in mm.
 
 use super::twin::part_of;
-use crate::control::{Control, Units};
-use crate::entry::{Inputs, Meaning, Shared, Task};
-use crate::name::Name;
+use crate::catalogue::prelude::*;
+use crate::control::Units;
 
 /// Height of the start in the axis of the tool for which a depth is reckoned: 20 mm or 0.8 inch. A call of NCT tells
 /// the depth as a coordinate, one of SINUMERIK the way there from the start, which neither tells.

@@ -18,7 +18,6 @@ pub use results::{angle, integer, length};
 pub use target::{DLNUM, KNUM, KNUM_ZERO, TENV, TNAME, TNUM};
 
 use crate::dialect::Dialect;
-use crate::picture::{Picture, View};
 
 /// What an entry starts from: of a cycle on SINUMERIK that measures workpieces on milling machines and draws nothing.
 pub const CYCLE: Cycle = Cycle {

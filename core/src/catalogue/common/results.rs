@@ -1,6 +1,6 @@
 //! Data that a cycle leaves.
 
-use crate::entry::{ResultField, Unit, When};
+use crate::catalogue::prelude::*;
 
 /// A length in `_OVR[]`.
 pub const fn length(name: &'static str, key: &'static str, when: When, source: &'static str) -> ResultField {

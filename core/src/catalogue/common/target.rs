@@ -1,6 +1,6 @@
 //! What is corrected: `_KNUM` and the tool that it means.
 
-use super::{ALWAYS_REQUIRED, TOOL_OFFSET, ZERO_OFFSET};
+use super::{TOOL_OFFSET, ZERO_OFFSET};
 use crate::catalogue::prelude::*;
 
 /// The digit of `_KNUM` that tells length/radius from setup/additive offsets and `_TENV` (7th, or 9th with 5-digit D).

@@ -1,7 +1,6 @@
 //! A text as it stands in its variable: one cell a character.
 
 use crate::catalogue::prelude::*;
-use crate::picture::figures::{line, rectangle};
 
 /// Width of a cell, and of what is drawn beside it.
 pub const CELL: f64 = 4.0;

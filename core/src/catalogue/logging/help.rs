@@ -1,6 +1,6 @@
 //! What the help pages of CYCLE100, CYCLE105 and CYCLE106 have in common.
 
-use crate::entry::{HelpLine, When, before, corrects, order, wrong};
+use crate::catalogue::prelude::*;
 
 /// What is printed, and how.
 pub const FORMAT: &[HelpLine] = &[

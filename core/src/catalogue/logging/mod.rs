@@ -16,8 +16,7 @@ use checks::checks;
 pub use picture::closed;
 use picture::picture;
 
-use super::common::{CYCLE, alarms};
-use crate::control::MachineSort;
+use super::common::CYCLE;
 
 /// All cycles of the log.
 const PURPOSE: Purpose = Purpose { probe: ProbeUse::Log, machine: MachineSort::Any, ..Purpose::MILLING };

@@ -3,7 +3,6 @@
 //! the manual (B:11513-11600).
 
 use super::names;
-use crate::catalogue::common::ALWAYS_REQUIRED;
 use crate::catalogue::prelude::*;
 
 /// Longest line of a log, characters (A:15947).

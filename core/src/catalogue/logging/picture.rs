@@ -5,8 +5,6 @@ use super::line::widths;
 use super::names::{COLUMN, FILE, HEADLINES, LINE, PROGRAM, SEPARATOR, TITLES, VALUES};
 use super::params::LONGEST_LINE;
 use crate::catalogue::prelude::*;
-use crate::picture::figures::{dimension, line, rectangle};
-use crate::picture::{Picture, View};
 
 /// Height of a line beside the width of a character.
 const HEIGHT: f64 = 4.0;

@@ -2,7 +2,6 @@
 
 use super::{FORMAT_ERROR, NO_MOVEMENT};
 use crate::catalogue::prelude::*;
-use crate::check::error;
 
 /// S with T (C:1089), limits that make no sense together, M and T the same register.
 pub fn corrections(inputs: &Inputs, findings: &mut Vec<Diagnostic>) {

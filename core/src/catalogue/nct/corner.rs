@@ -9,9 +9,7 @@ use super::params::{ALONG_X, ALONG_Y, ALONG_Z};
 use super::surface::{direction, touch_wall};
 use super::walls::{home, travel};
 use super::{FORMAT_ERROR, MACRO, axis_of, figures, part, ready_to_measure};
-use crate::catalogue::common::PARAM;
 use crate::catalogue::prelude::*;
-use crate::entry::stage::{Look, Seen, Staging};
 
 /// A macro that measures a corner.
 pub const CORNER: Cycle = Cycle { results: RESULTS, picture: Drawing::staged(stage, marks), ..MACRO };

@@ -4,8 +4,6 @@ use super::{OUT_OF_TOLERANCE, TOOL_TOO_LARGE, UPPER_TOLERANCE, axis_name, print}
 use crate::catalogue::prelude::*;
 use crate::control::NCT;
 use crate::evaluate::tolerance::exceeds;
-use crate::geometry::Dir;
-use crate::machine::trace::Step;
 
 /// Letter of the part of a register that M and T mean where the side of the cutter made the surface: its radius.
 pub const RADIUS: &str = "D";

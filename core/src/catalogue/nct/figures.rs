@@ -1,7 +1,6 @@
 //! What the pictures of the macros share. Clearance and overtravel are drawn longer than they are, limits wider.
 
 use crate::catalogue::prelude::*;
-use crate::entry::stage::{Fields, Look, Seen, Staging};
 
 /// Shortest and longest clearance or overtravel that is drawn, mm.
 const SHORT: [f64; 2] = [10.0, 20.0];

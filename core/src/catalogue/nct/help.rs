@@ -1,6 +1,6 @@
 //! What the help pages of the probing macros have in common, in groups.
 
-use crate::entry::{HelpLine, When, before, corrects, order, wrong};
+use crate::catalogue::prelude::*;
 
 /// What every probing macro of the NCT controls asks for.
 pub const MEASURING: &[HelpLine] = &[

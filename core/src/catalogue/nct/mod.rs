@@ -26,7 +26,7 @@ mod proposal_tests;
 
 pub use crate::control::{FALSE_TRIGGER, PATH_OBSTRUCTED};
 
-use super::common::{CYCLE, PARAM, optional};
+use super::common::CYCLE;
 use crate::catalogue::prelude::*;
 use crate::control::Units;
 use crate::dialect::Dialect;

@@ -2,7 +2,6 @@
 
 use super::{FORMAT_ERROR, LENGTH, NUMBER, PRINT, REGISTER};
 use crate::catalogue::prelude::*;
-use crate::control::Plane;
 
 /// X is the axis of the tool.
 pub const ALONG_X: When = When::Plane(Plane::G19);

@@ -1,7 +1,7 @@
 //! Parts that stand in the working plane.
 
 use crate::catalogue::prelude::*;
-use crate::workpiece::{Shape, Solid, Workpiece};
+use crate::workpiece::Workpiece;
 
 /// A solid whose X, Y, Z lie along abscissa, ordinate and applicate; `at` in the same order, active WCS, mm.
 pub fn in_plane(shape: Shape, at: [f64; 3], control: &Control) -> Solid {

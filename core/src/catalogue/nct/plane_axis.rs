@@ -2,10 +2,7 @@
 
 use super::params::{ALONG_X, ALONG_Y, ALONG_Z};
 use super::{FORMAT_ERROR, axis_of, given};
-use crate::catalogue::common::PARAM;
 use crate::catalogue::prelude::*;
-use crate::check::error;
-use crate::entry::stage::Seen;
 
 /// X: a depth where it is the tool axis, else one of the two nominal values. Key and place in the manual are those of
 /// the macro.

@@ -3,7 +3,6 @@
 use super::correct::Found;
 use super::{PRINT_ENABLED, axis_name};
 use crate::catalogue::prelude::*;
-use crate::machine::Step;
 
 /// Four decimals, no zero before the point, a blank after the minus sign: `.7810`, `- 15.0000`.
 pub fn number(value: f64) -> String {

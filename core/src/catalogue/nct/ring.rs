@@ -2,10 +2,7 @@
 
 use super::walls::{across, travel};
 use super::{FORMAT_ERROR, MACRO, OVERTRAVEL, checks, figures, overtravel, part};
-use crate::catalogue::common::{ALWAYS_REQUIRED, PARAM};
 use crate::catalogue::prelude::*;
-use crate::entry::stage::{Fields, Look, Seen, Staging};
-use crate::workpiece::Shape;
 
 /// A macro that calibrates in the ring; one without room for the ball is refused.
 pub const CALIBRATION: Cycle = Cycle {

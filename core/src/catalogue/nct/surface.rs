@@ -5,10 +5,7 @@ use super::params::{ALONG_X, ALONG_Y, ALONG_Z};
 use super::touch::{Calibration, touch};
 use super::walls::home;
 use super::{FORMAT_ERROR, NO_MOVEMENT, axis_of, figures, part};
-use crate::catalogue::common::PARAM;
 use crate::catalogue::prelude::*;
-use crate::entry::stage::{Look, Seen, Staging};
-use crate::workpiece::Shape;
 
 /// Height of a surface across the tool axis: X, in the plane of which it is that axis. Key and place in the manual are
 /// those of the macro.

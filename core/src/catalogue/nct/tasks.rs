@@ -1,7 +1,6 @@
 //! What the other control can do too of the macros that measure.
 
-use crate::entry::{Meaning, Shared, Task, When, address};
-use crate::name::Name;
+use crate::catalogue::prelude::*;
 
 /// S, T, H, U and Q mean the same in all of them (C:475-501).
 const LIMITS: [(Name, Meaning); 5] = [

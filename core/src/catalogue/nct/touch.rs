@@ -3,8 +3,8 @@
 //! naming: at 30 mm/min a delay of 1 ms makes 0.0005 mm.
 
 use super::{FALSE_TRIGGER, NO_MOVEMENT, PROBE_FAIL};
-use crate::geometry::Wcs;
-use crate::machine::{Machine, MotionKind, Stop};
+use crate::catalogue::prelude::*;
+use crate::machine::MotionKind;
 
 /// First approach, mm/min.
 const FAST: f64 = 600.0;

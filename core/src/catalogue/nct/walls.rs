@@ -5,7 +5,6 @@ use super::touch::{Calibration, POSITIONING, touch};
 use super::{given, part};
 use crate::catalogue::prelude::*;
 use crate::machine::MotionKind;
-use crate::workpiece::Shape;
 
 /// The stylus stands between the walls.
 pub const INSIDE: i64 = 0;

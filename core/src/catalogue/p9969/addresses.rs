@@ -1,6 +1,5 @@
 //! Addresses of G65 P9969 (C:1284-1322).
 
-use crate::catalogue::common::ALWAYS_REQUIRED;
 use crate::catalogue::nct::params::{ALONG_X, ALONG_Y, ALONG_Z};
 use crate::catalogue::nct::{FORMAT_ERROR, LENGTH, NUMBER};
 use crate::catalogue::prelude::*;

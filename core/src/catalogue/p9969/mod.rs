@@ -9,11 +9,8 @@ mod tests;
 
 use super::nct;
 use super::nct::{FORMAT_ERROR, axis_of, params, part};
-use super::place;
 use crate::catalogue::prelude::*;
-use crate::check::error;
-use crate::entry::*;
-use crate::workpiece::{Shape, free::Example};
+use crate::workpiece::free::Example;
 use addresses::{letter, spacing};
 
 /// The macro.

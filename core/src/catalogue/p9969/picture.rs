@@ -4,8 +4,6 @@
 use super::addresses::letter;
 use crate::catalogue::nct::{axis_of, given};
 use crate::catalogue::prelude::*;
-use crate::entry::stage::{Fields, Look, Seen, Staging, add};
-use crate::picture::figures::{circle, dimension, line};
 
 /// Longer side of the drawn rectangle and shortest side, mm.
 const SIDES: [f64; 2] = [64.0, 24.0];

@@ -3,7 +3,7 @@
 use super::follow;
 use crate::catalogue::nct::correct;
 use crate::catalogue::prelude::*;
-use crate::machine::{Scanner, Step, too_many};
+use crate::machine::{Scanner, too_many};
 use crate::scan::text::{Form, piece};
 use crate::scan::{Cloud, Layout, POINTS, Sent, TOLD};
 

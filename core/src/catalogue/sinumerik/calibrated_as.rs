@@ -4,7 +4,6 @@
 
 use crate::catalogue::common::MONO;
 use crate::catalogue::prelude::*;
-use crate::control::{MachineSort, Plane};
 
 /// Notes in the data field of the probe how a call calibrates it.
 pub fn note(machine: &mut dyn Machine, inputs: &Inputs) {

@@ -2,10 +2,8 @@
 
 use super::{calibrated_as, correct, tolerance};
 use crate::catalogue::prelude::*;
-use crate::control::MachineSort;
 use crate::evaluate::Write;
 use crate::evaluate::tolerance::exceeds;
-use crate::machine::trace::Step;
 
 /// A trigger value.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,7 +4,6 @@ use super::tolerance::Sizes;
 use crate::catalogue::prelude::*;
 use crate::evaluate::tool_offset::Target as Tool;
 use crate::evaluate::{Write, tool_offset, zero_offset};
-use crate::machine::trace::Step;
 use nalgebra::IsometryMatrix3;
 
 /// Finds the quantity that a tool offset corrects; `axis` where there is one measuring axis. None: `_KNUM` = 0.

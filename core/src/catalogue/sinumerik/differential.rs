@@ -1,9 +1,7 @@
 //! Differential measurement with a probe that was never calibrated: once with the spindle turned by 180 degree, once as
 //! it stood (B:6402-6418, B:7570-7582).
 
-use super::measuring_block::{Block, Point};
 use crate::catalogue::prelude::*;
-use crate::geometry::Degrees;
 
 /// What the two touches tell.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,7 +1,7 @@
 //! What the help pages of the SINUMERIK workpiece cycles have in common, in groups.
 
 use crate::catalogue::common::{DIFFERENTIAL as TURNED_OVER, TOOL_OFFSET, ZERO_OFFSET};
-use crate::entry::{HelpLine, When, before, corrects, order, wrong};
+use crate::catalogue::prelude::*;
 
 /// What every SINUMERIK cycle with the probe in the milling spindle asks for.
 pub const PROBE: &[HelpLine] = &[

@@ -10,7 +10,6 @@ mod ray;
 pub use ray::Ray;
 
 use crate::catalogue::prelude::*;
-use crate::geometry::{Degrees, Dir};
 use crate::machine::trace::MotionKind;
 
 /// Pulled back between the fast and the slow touch, mm (B:13772).

@@ -1,7 +1,6 @@
 //! Result data `_OVR[]` and `_OVI[]`: written to the control and recorded.
 
 use crate::catalogue::prelude::*;
-use crate::machine::trace::Step;
 
 /// The number of the alarm that the last call raised (B:5699).
 pub const ALARM: &str = "_OVI[9]";

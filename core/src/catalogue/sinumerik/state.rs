@@ -1,7 +1,8 @@
 //! What the workpiece cycles demand of the control before anything else (B:4141-4157, A:15840-15935).
 
 use crate::catalogue::lathe;
-use crate::control::{Control, Edge, Frame, MachineSort, Value, gud};
+use crate::catalogue::prelude::*;
+use crate::control::{Frame, Value, gud};
 
 /// Bit of MD28082 for the system frame of the cycles (A:15840, B:1977).
 const CYCLE_FRAME: u32 = 5;

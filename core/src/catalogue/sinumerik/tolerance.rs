@@ -6,7 +6,6 @@ use crate::evaluate::mean;
 use crate::evaluate::symmetry::{Symmetric, symmetric};
 use crate::evaluate::tolerance::{Bands, Branch, Decision, chain, exceeds};
 use crate::evaluate::tool_offset::Target as Tool;
-use crate::machine::trace::Step;
 
 /// Repetitions after a violated limit (B:13572-13574).
 const REPETITIONS: u32 = 4;

@@ -1,8 +1,7 @@
 //! Ways of the probe between its measuring blocks, watched or in rapid traverse.
 
-use super::Block;
 use crate::catalogue::prelude::*;
-use crate::geometry::{Around, Degrees, Dir, TOLERANCE};
+use crate::geometry::{Around, TOLERANCE};
 use crate::machine::route::Route;
 use crate::machine::trace::MotionKind;
 

@@ -1,11 +1,11 @@
 //! What a measuring block takes from parameters and data, and what must be true before the first motion.
 
-use super::{Block, Spindle, on_machine, turnable};
+use super::{Spindle, on_machine, turnable};
 use crate::catalogue::common::MONO;
 use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::{calibrated_as, state};
-use crate::control::{Frame, MachineSort};
-use crate::geometry::{Degrees, TOLERANCE, V3, rigid};
+use crate::control::Frame;
+use crate::geometry::{TOLERANCE, rigid};
 
 impl Block {
     /// Reads parameters and data and checks what must be true before the first motion (sequence of B:4147-4157).

@@ -4,9 +4,8 @@
 //! line, and the surface lies the radius of the active ball before it. Along an axis this is the trigger value, which
 //! is stored with the skew in it.
 
-use super::{Block, Way};
+use super::Way;
 use crate::catalogue::prelude::*;
-use crate::geometry::Degrees;
 
 /// A surface to be touched along any direction of the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
