@@ -37,108 +37,64 @@ const ELEMENTS: When = When::Variant(&[
     1106,
 ]);
 
-const fn list(name: &'static str, when: When, args: &'static [Arg]) -> ArgumentList {
-    ArgumentList {
-        style: Style::Operate,
-        name,
-        when,
-        base: 0,
-        args,
-        source: "practice: published lists and generated programs of newer controls",
-    }
+const fn list(name: &'static str, when: When) -> ArgumentList {
+    let source = "practice: published lists and generated programs of newer controls";
+    ArgumentList { style: Style::Operate, name, when, base: 0, args: &[], source }
 }
 
-pub const CYCLE961: ArgumentList = list(
-    "CYCLE961",
-    NEVER,
-    &[
-        MVAR, KNUM, PRNUM, SETV0, SETV1, SETV2, SETV3, SETV4, SETV5, SETV6, SETV7, S_SETV8, S_SETV9, STA1, INCA, ID,
-        FA, S_TSA, NMSP, S_MCBIT, DMODE, AMODE,
-    ],
-);
+pub const CYCLE961: ArgumentList = list("CYCLE961", NEVER).args(&[
+    MVAR, KNUM, PRNUM, SETV0, SETV1, SETV2, SETV3, SETV4, SETV5, SETV6, SETV7, S_SETV8, S_SETV9, STA1, INCA, ID, FA,
+    S_TSA, NMSP, S_MCBIT, DMODE, AMODE,
+]);
 
-pub const CYCLE971: ArgumentList = list(
-    "CYCLE971",
-    NEVER,
-    &[
-        MVAR, S_KNUM, PRNUM, MA, S_MD, ID, FA, TSA, VMS, TZL, TDIF, NMSP, MFS1, MFS0, MFS3, MFS2, MFS5, MFS4, EVNUM,
-        S_MCBIT, DMODE, AMODE,
-    ],
-);
+pub const CYCLE971: ArgumentList = list("CYCLE971", NEVER).args(&[
+    MVAR, S_KNUM, PRNUM, MA, S_MD, ID, FA, TSA, VMS, TZL, TDIF, NMSP, MFS1, MFS0, MFS3, MFS2, MFS5, MFS4, EVNUM,
+    S_MCBIT, DMODE, AMODE,
+]);
 
 pub const CYCLE973: ArgumentList =
-    list("CYCLE973", NEVER, &[MVAR, PRNUM, CALNUM, SETVAL, MA, S_MD, FA, TSA, VMS, NMSP, S_MCBIT, DMODE, AMODE]);
+    list("CYCLE973", NEVER).args(&[MVAR, PRNUM, CALNUM, SETVAL, MA, S_MD, FA, TSA, VMS, NMSP, S_MCBIT, DMODE, AMODE]);
 
-pub const CYCLE974: ArgumentList = list(
-    "CYCLE974",
-    NEVER,
-    &[
-        MVAR, KNUM, S_KNUM1, PRNUM, SETVAL, MA, FA, TSA, STA1, NMSP, TNAME, DLNUM, TZL, TDIF, TUL, TLL, TMV, K, EVNUM,
-        S_MCBIT, DMODE, AMODE, DP,
-    ],
-);
+pub const CYCLE974: ArgumentList = list("CYCLE974", NEVER).args(&[
+    MVAR, KNUM, S_KNUM1, PRNUM, SETVAL, MA, FA, TSA, STA1, NMSP, TNAME, DLNUM, TZL, TDIF, TUL, TLL, TMV, K, EVNUM,
+    S_MCBIT, DMODE, AMODE, DP,
+]);
 
-pub const CYCLE976: ArgumentList =
-    list("CYCLE976", NEVER, &[MVAR, PRNUM, SETVAL, S_SETV0, MA, S_MD, FA, TSA, VMS, STA1, NMSP, S_SETV1, DMODE, AMODE]);
+pub const CYCLE976: ArgumentList = list("CYCLE976", NEVER)
+    .args(&[MVAR, PRNUM, SETVAL, S_SETV0, MA, S_MD, FA, TSA, VMS, STA1, NMSP, S_SETV1, DMODE, AMODE]);
 
-pub const CYCLE977: ArgumentList = list(
-    "CYCLE977",
-    ELEMENTS,
-    &[
-        MVAR, KNUM, S_KNUM1, PRNUM, SETVAL, SETV0, SETV1, FA, TSA, S_STA1, ID, SZA, SZO, MA, NMSP, TNAME, DLNUM, TZL,
-        TDIF, TUL, TLL, TMV, K, EVNUM, S_MCBIT, DMODE, AMODE, S_XM, S_YM, DP,
-    ],
-);
+pub const CYCLE977: ArgumentList = list("CYCLE977", ELEMENTS).args(&[
+    MVAR, KNUM, S_KNUM1, PRNUM, SETVAL, SETV0, SETV1, FA, TSA, S_STA1, ID, SZA, SZO, MA, NMSP, TNAME, DLNUM, TZL, TDIF,
+    TUL, TLL, TMV, K, EVNUM, S_MCBIT, DMODE, AMODE, S_XM, S_YM, DP,
+]);
 
 /// CYCLE978. Programs leave out the measuring direction too; here the side on which the probe stands tells it.
-pub const CYCLE978: ArgumentList = list(
-    "CYCLE978",
-    When::Variant(&[0, 100]),
-    &[
-        MVAR, KNUM, S_KNUM1, PRNUM, SETVAL, FA, TSA, MA, S_MD, NMSP, TNAME, DLNUM, TZL, TDIF, TUL, TLL, TMV, K, EVNUM,
-        S_MCBIT, DMODE, AMODE, DP,
-    ],
-);
+pub const CYCLE978: ArgumentList = list("CYCLE978", When::Variant(&[0, 100])).args(&[
+    MVAR, KNUM, S_KNUM1, PRNUM, SETVAL, FA, TSA, MA, S_MD, NMSP, TNAME, DLNUM, TZL, TDIF, TUL, TLL, TMV, K, EVNUM,
+    S_MCBIT, DMODE, AMODE, DP,
+]);
 
-pub const CYCLE979: ArgumentList = list(
-    "CYCLE979",
-    NEVER,
-    &[
-        MVAR, KNUM, S_KNUM1, PRNUM, SETVAL, FA, TSA, CPA, CPO, STA1, INCA, NMSP, TNAME, DLNUM, TZL, TDIF, TUL, TLL,
-        TMV, K, EVNUM, S_MCBIT, DMODE, AMODE, S_MPVAL1, S_MPVAL2, DP,
-    ],
-);
+pub const CYCLE979: ArgumentList = list("CYCLE979", NEVER).args(&[
+    MVAR, KNUM, S_KNUM1, PRNUM, SETVAL, FA, TSA, CPA, CPO, STA1, INCA, NMSP, TNAME, DLNUM, TZL, TDIF, TUL, TLL, TMV, K,
+    EVNUM, S_MCBIT, DMODE, AMODE, S_MPVAL1, S_MPVAL2, DP,
+]);
 
-pub const CYCLE982: ArgumentList = list(
-    "CYCLE982",
-    NEVER,
-    &[MVAR, S_KNUM, PRNUM, MA, S_MD, S_ID, FA, TSA, VMS, STA1, CORA, TZL, TDIF, NMSP, EVNUM, S_MCBIT, DMODE, AMODE],
-);
+pub const CYCLE982: ArgumentList = list("CYCLE982", NEVER).args(&[
+    MVAR, S_KNUM, PRNUM, MA, S_MD, S_ID, FA, TSA, VMS, STA1, CORA, TZL, TDIF, NMSP, EVNUM, S_MCBIT, DMODE, AMODE,
+]);
 
-pub const CYCLE994: ArgumentList = list(
-    "CYCLE994",
-    NEVER,
-    &[
-        MVAR, KNUM, S_KNUM1, PRNUM, SETVAL, MA, SZA, SZO, FA, TSA, NMSP, TNAME, DLNUM, TZL, TDIF, TUL, TLL, TMV, K,
-        EVNUM, S_MCBIT, DMODE, AMODE, DP,
-    ],
-);
+pub const CYCLE994: ArgumentList = list("CYCLE994", NEVER).args(&[
+    MVAR, KNUM, S_KNUM1, PRNUM, SETVAL, MA, SZA, SZO, FA, TSA, NMSP, TNAME, DLNUM, TZL, TDIF, TUL, TLL, TMV, K, EVNUM,
+    S_MCBIT, DMODE, AMODE, DP,
+]);
 
-pub const CYCLE997: ArgumentList = list(
-    "CYCLE997",
-    NEVER,
-    &[
-        MVAR, KNUM, PRNUM, SETVAL, FA, TSA, STA1, INCA, SETV0, SETV1, SETV2, SETV3, SETV4, SETV5, SETV6, SETV7, SETV8,
-        TNVL, NMSP, S_MCBIT, DMODE, AMODE,
-    ],
-);
+pub const CYCLE997: ArgumentList = list("CYCLE997", NEVER).args(&[
+    MVAR, KNUM, PRNUM, SETVAL, FA, TSA, STA1, INCA, SETV0, SETV1, SETV2, SETV3, SETV4, SETV5, SETV6, SETV7, SETV8,
+    TNVL, NMSP, S_MCBIT, DMODE, AMODE,
+]);
 
 /// CYCLE998, of which only one angle with positioning at an angle is known.
-pub const CYCLE998: ArgumentList = list(
-    "CYCLE998",
-    When::Variant(&[105]),
-    &[
-        MVAR, KNUM, RA, PRNUM, SETVAL, STA1, INCA, FA, TSA, MA, S_MD, ID, SETV0, S_SETV1, S_SETV2, S_SETV3, NMSP,
-        EVNUM, DMODE, AMODE,
-    ],
-);
+pub const CYCLE998: ArgumentList = list("CYCLE998", When::Variant(&[105])).args(&[
+    MVAR, KNUM, RA, PRNUM, SETVAL, STA1, INCA, FA, TSA, MA, S_MD, ID, SETV0, S_SETV1, S_SETV2, S_SETV3, NMSP, EVNUM,
+    DMODE, AMODE,
+]);

@@ -56,27 +56,25 @@ pub enum Arg {
 /// `CYCLE_PARA`: parameters that count for all cycles; 0 leaves the datum as it is (B:11734-11753).
 pub const AUXILIARY: &str = "CYCLE_PARA";
 /// Arguments of `CYCLE_PARA` in order.
-pub const AUXILIARY_ARGS: &[Name] = &[
-    names::FA,
-    names::VMS,
-    names::NMSP,
-    names::RF,
-    names::PRNUM,
-    names::CORA,
-    names::TZL,
-    names::TMV,
-    names::TUL,
-    names::TLL,
-    names::TSA,
-    names::EVNUM,
-    names::K,
-    names::TDIF,
-];
+pub const AUXILIARY_ARGS: &[Name] = {
+    use names::*;
+    &[FA, VMS, NMSP, RF, PRNUM, CORA, TZL, TMV, TUL, TLL, TSA, EVNUM, K, TDIF]
+};
 
 impl ArgumentList {
     /// A call with arguments beside or instead of assignments, of every variant.
     pub const fn direct(name: &'static str, args: &'static [Arg], source: &'static str) -> ArgumentList {
         ArgumentList { style: Style::Direct, name, when: When::Always, base: 0, args, source }
+    }
+
+    /// This call with these arguments.
+    pub const fn args(self, args: &'static [Arg]) -> ArgumentList {
+        ArgumentList { args, ..self }
+    }
+
+    /// This call with arguments among which selections make the variant: they add to this number.
+    pub const fn selecting(self, base: i64, args: &'static [Arg]) -> ArgumentList {
+        ArgumentList { base, args, ..self }
     }
 
     /// Whether calls are written with it, or only read.
