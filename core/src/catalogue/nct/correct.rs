@@ -41,16 +41,6 @@ impl Found<'_> {
     fn excess(&self) -> f64 {
         self.metal * self.deviation
     }
-
-    /// Metal that is left at one surface; T takes it out of its register.
-    fn at_surface(&self) -> f64 {
-        if self.size.is_some() { self.excess() / 2.0 } else { self.excess() }
-    }
-
-    /// Width into which the tool of T has to fit: that between walls (C:984, C:1144).
-    fn room(&self) -> Option<f64> {
-        self.size.filter(|_| self.metal < 0.0)
-    }
 }
 
 /// Results, messages, corrections, print-out; `values` in mm.
@@ -82,13 +72,15 @@ fn correct(machine: &mut dyn Machine, inputs: &Inputs, found: &Found) {
     }
 }
 
-/// The wear takes the excess of metal: a smaller register brings the tool nearer to the surface.
+/// The wear takes the excess of metal at one surface: a smaller register brings the tool nearer to it. The tool has to
+/// fit between walls (C:984, C:1144).
 fn correct_tool(machine: &mut dyn Machine, register: i64, found: &Found) {
     let name = format!("{}W{register}", found.register);
     let before = machine.control().variable(&name).unwrap_or(0.0);
-    machine.write_correction(name, before - found.at_surface());
+    let surfaces = if found.size.is_some() { 2.0 } else { 1.0 };
+    machine.write_correction(name, before - found.excess() / surfaces);
     let diameter = 2.0 * machine.control().register(register).total_radius();
-    if found.room().is_some_and(|room| diameter > room) {
+    if found.metal < 0.0 && found.size.is_some_and(|room| diameter > room) {
         machine.record(Step::Alarm(TOOL_TOO_LARGE));
     }
 }

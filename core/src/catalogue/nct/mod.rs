@@ -112,9 +112,6 @@ pub fn given(inputs: &Inputs, index: usize) -> Option<f64> {
 }
 
 /// What every macro looks at first: a length is applied and the stylus is free (C:118-121).
-///
-/// # Errors
-/// The alarm of what is not so.
 pub fn ready(machine: &mut dyn Machine) -> Result<(), Stop> {
     if machine.control().active_edge().is_none() {
         return Err(Stop::Alarm(NO_TOOL_LENGTH));
@@ -126,9 +123,6 @@ pub fn ready(machine: &mut dyn Machine) -> Result<(), Stop> {
 }
 
 /// What a measuring macro looks at first; a failed G101 before it stops it (C:121-123).
-///
-/// # Errors
-/// The alarm of what is not so.
 pub fn ready_to_measure(machine: &mut dyn Machine) -> Result<(), Stop> {
     if machine.control().number(POSITION_LOST) == 1.0 {
         return Err(Stop::Alarm(OUT_OF_POSITION));

@@ -34,26 +34,15 @@ pub fn propose(inputs: &Inputs, control: &Control, shape: impl Fn(bool, f64) -> 
     part::propose(shape(depth(inputs).is_some(), height), [0.0, 0.0, top], [0.0, 0.0, start], control)
 }
 
-/// Where walls are looked for, mm.
-pub struct Walls {
-    /// How they are reached from outside; none: the stylus stands between them.
-    pub outside: Option<Outside>,
-    /// Nominal distance.
+/// Where walls are looked for.
+pub struct Walls<'a> {
+    inputs: &'a Inputs,
+    /// Nominal distance, mm.
     pub size: f64,
-    /// Overtravel Q past the nominal wall.
-    pub overtravel: f64,
-    /// Position at the call: over or in the nominal centre, WCS.
+    /// Position at the call: over or in the nominal centre, WCS, mm.
     pub start: [f64; 3],
     /// Axes of the plane, then that of the tool.
     pub axes: [usize; 3],
-}
-
-/// The way to walls that are touched from outside (C:911-912, C:1076-1077).
-pub struct Outside {
-    /// Coordinate of the tool axis at which they are touched, WCS, mm.
-    pub depth: f64,
-    /// Way between ball and nominal wall, mm.
-    pub clearance: f64,
 }
 
 /// Walls of one axis as found.
@@ -67,16 +56,10 @@ pub struct Chord {
     pub ball: f64,
 }
 
-impl Walls {
+impl Walls<'_> {
     /// Of a macro with this nominal distance.
-    pub fn of(machine: &mut dyn Machine, inputs: &Inputs, size: f64) -> Walls {
-        Walls {
-            outside: depth(inputs).map(|depth| Outside { depth, clearance: inputs.number(address::R) }),
-            size,
-            overtravel: inputs.number(address::Q),
-            start: machine.position().0,
-            axes: machine.control().plane.axes(),
-        }
+    pub fn of<'a>(machine: &mut dyn Machine, inputs: &'a Inputs, size: f64) -> Walls<'a> {
+        Walls { inputs, size, start: machine.position().0, axes: machine.control().plane.axes() }
     }
 
     /// What was found between them: deviation of their distance, and the places of their middle.
@@ -87,7 +70,19 @@ impl Walls {
     /// +1 where the material is between the walls (web, boss), so that a greater size is more metal; −1 where it is
     /// beyond them (pocket, bore).
     pub fn material(&self) -> f64 {
-        if self.outside.is_some() { 1.0 } else { -1.0 }
+        if depth(self.inputs).is_some() { 1.0 } else { -1.0 }
+    }
+
+    /// Over the part to the clearance beside it, down, to the wall, back and up (C:1076-1077).
+    fn outside(&self, machine: &mut dyn Machine, axis: usize, wall: f64, side: f64, depth: f64) -> Result<f64, Stop> {
+        let applicate = self.axes[2];
+        let beside = wall + side * self.inputs.number(address::R);
+        travel(machine, axis, beside)?;
+        travel(machine, applicate, depth)?;
+        let position = touch(machine, axis, wall - side * self.inputs.number(address::Q))?;
+        travel(machine, axis, beside)?;
+        travel(machine, applicate, self.start[applicate])?;
+        Ok(position)
     }
 }
 
@@ -95,20 +90,20 @@ impl Walls {
 pub fn chord(machine: &mut dyn Machine, walls: &Walls, index: usize) -> Result<Chord, Stop> {
     let calibration = Calibration::of(machine, index);
     let axis = walls.axes[index];
-    let moving = -walls.material();
-    let spindle = match &walls.outside {
-        Some(outside) => [
-            touch_outside(machine, walls, outside, &calibration, axis, 1.0)?,
-            touch_outside(machine, walls, outside, &calibration, axis, -1.0)?,
-        ],
+    let at = |side: f64, way: f64| walls.start[axis] + side * way - calibration.offset;
+    let spindle = match depth(walls.inputs) {
+        Some(depth) => {
+            let [upper, lower] = [1.0, -1.0].map(|side| at(side, walls.size / 2.0 + calibration.radius(-side)));
+            let first = walls.outside(machine, axis, upper, 1.0, depth)?;
+            [first, walls.outside(machine, axis, lower, -1.0, depth)?]
+        }
         None => {
-            let reach = |side: f64| {
-                let reach = walls.size / 2.0 - calibration.radius(side) + walls.overtravel;
-                walls.start[axis] + side * reach - calibration.offset
-            };
-            across(machine, axis, [reach(1.0), reach(-1.0)])?
+            let past = walls.inputs.number(address::Q);
+            let end = |side: f64| at(side, walls.size / 2.0 - calibration.radius(side) + past);
+            across(machine, axis, [1.0, -1.0].map(end))?
         }
     };
+    let moving = -walls.material();
     let ball_at = spindle.map(|position| position + calibration.offset);
     let (upper, lower) = (calibration.radius(moving), calibration.radius(-moving));
     let wall = [ball_at[0] + moving * upper, ball_at[1] - moving * lower];
@@ -125,26 +120,6 @@ pub fn across(machine: &mut dyn Machine, axis: usize, ends: [f64; 2]) -> Result<
         travel(machine, axis, from)?;
     }
     Ok(contacts)
-}
-
-/// Over the part to the clearance beside it, down, to the wall, back and up (C:1076-1077).
-fn touch_outside(
-    machine: &mut dyn Machine,
-    walls: &Walls,
-    outside: &Outside,
-    calibration: &Calibration,
-    axis: usize,
-    side: f64,
-) -> Result<f64, Stop> {
-    let applicate = walls.axes[2];
-    let wall = walls.start[axis] + side * (walls.size / 2.0 + calibration.radius(-side)) - calibration.offset;
-    let beside = wall + side * outside.clearance;
-    travel(machine, axis, beside)?;
-    travel(machine, applicate, outside.depth)?;
-    let position = touch(machine, axis, wall - side * walls.overtravel)?;
-    travel(machine, axis, beside)?;
-    travel(machine, applicate, walls.start[applicate])?;
-    Ok(position)
 }
 
 /// Protected positioning along one axis.

@@ -45,10 +45,9 @@ struct Follow {
     layout: Layout,
     /// Ball centre minus spindle axis (#504, #505).
     offset: [f64; 3],
-    /// Start and end of the rectangle, WCS.
+    /// Start of the rectangle, and its end at the deepest position, WCS.
     start: Wcs,
     end: Wcs,
-    deepest: f64,
     spacing: f64,
     raster: f64,
     retract: f64,
@@ -70,11 +69,10 @@ pub fn scanner(machine: &mut dyn Machine, inputs: &Inputs) -> Result<Box<dyn Sca
     let mut layout = Layout::of(machine.control(), along, across);
     let [.., axial] = layout.axes;
     let mut end = start;
-    for axis in [along, across] {
+    for axis in layout.axes {
         end[axis] = inputs.number(axis_name(axis));
     }
-    let deepest = inputs.number(axis_name(axial));
-    if deepest >= start[axial] {
+    if end[axial] >= start[axial] {
         return Err(format);
     }
     layout.height = start[axial];
@@ -87,9 +85,7 @@ pub fn scanner(machine: &mut dyn Machine, inputs: &Inputs) -> Result<Box<dyn Sca
     for (axis, one) in machine.control().plane.axes().into_iter().zip(&calibrations) {
         offset[axis] = one.offset;
     }
-    let mut corner = end;
-    corner[axial] = deepest;
-    if machine.control().limited(start, corner).is_some() {
+    if machine.control().limited(start, end).is_some() {
         return Err(Stop::Alarm(OUT_OF_POSITION));
     }
     Ok(Box::new(Follow {
@@ -98,7 +94,6 @@ pub fn scanner(machine: &mut dyn Machine, inputs: &Inputs) -> Result<Box<dyn Sca
         offset,
         start,
         end,
-        deepest,
         spacing,
         raster: inputs.number(address::R),
         retract: inputs.number(address::Q),
@@ -121,21 +116,13 @@ impl Scanner for Follow {
         loop {
             let found = match self.state {
                 State::Above => self.down(machine)?,
-                State::Surface => self.step(machine)?,
-                State::Wall => self.climb(machine)?,
+                State::Surface | State::Wall => self.onward(machine)?,
                 State::Bottom => self.along_bottom(machine)?,
-                State::End if self.line + 1 < self.lines => {
-                    self.next_line(machine)?;
-                    None
-                }
-                State::End => {
-                    self.leave(machine)?;
-                    return Ok(None);
-                }
+                State::End if self.line + 1 < self.lines => self.next_line(machine).map(|()| None)?,
+                State::End => return self.leave(machine).map(|()| None),
             };
             if let Some(at) = found {
-                let line = self.line;
-                return Ok(Some(Scanned { line, at }));
+                return Ok(Some(Scanned { line: self.line, at }));
             }
         }
     }
@@ -177,37 +164,16 @@ impl Follow {
     /// AXIAL PROBE: down to the surface, not below the deepest position (C:1280).
     fn down(&mut self, machine: &mut dyn Machine) -> Result<Option<[f64; 3]>, Stop> {
         let [.., axial] = self.layout.axes;
-        let found =
-            if machine.position()[axial] > self.deepest { self.search(machine, axial, self.deepest)? } else { None };
+        let deepest = self.end[axial];
+        let found = if machine.position()[axial] > deepest { self.search(machine, axial, deepest)? } else { None };
         if found.is_none() {
             self.state = State::Bottom;
         }
         Ok(found.map(|at| self.found(at, State::Surface)))
     }
 
-    /// PROBE RETRACT and STEP: up by Q, on by R along the tangent, then down. What is met beside is a wall
-    /// (C:1316-1317).
-    fn step(&mut self, machine: &mut dyn Machine) -> Result<Option<[f64; 3]>, Stop> {
-        let [along, _, axial] = self.layout.axes;
-        let rest = self.rest(machine);
-        if rest <= NOTHING {
-            self.state = State::End;
-            return Ok(None);
-        }
-        let [level, rise] = self.tangent.map(|part| part * self.raster);
-        let way = level.max(self.raster * LEAST).min(rest);
-        let position = machine.position();
-        let above = position[axial] + self.retract + rise.max(0.0);
-        free(machine, axial, above, MotionKind::Retract)?;
-        let to = position[along] + self.direction() * way;
-        if let Some(at) = self.search(machine, along, to)? {
-            return Ok(Some(self.found(at, State::Wall)));
-        }
-        self.down(machine)
-    }
-
-    /// At a wall: back by Q, up by R, and on towards it (RADIAL PROBE); where it has ended, down again.
-    fn climb(&mut self, machine: &mut dyn Machine) -> Result<Option<[f64; 3]>, Stop> {
+    /// On along the line from a point, then down. What is met beside is a wall (C:1316-1317).
+    fn onward(&mut self, machine: &mut dyn Machine) -> Result<Option<[f64; 3]>, Stop> {
         let [along, _, axial] = self.layout.axes;
         let rest = self.rest(machine);
         if rest <= NOTHING {
@@ -215,12 +181,20 @@ impl Follow {
             return Ok(None);
         }
         let position = machine.position();
-        let room = (position[along] - self.ends()[0]).abs();
-        let back = position[along] - self.direction() * self.retract.min(room);
-        free(machine, along, back, MotionKind::Retract)?;
-        let above = position[axial] + self.raster;
-        free(machine, axial, above, MotionKind::Positioning)?;
-        let to = position[along] + self.direction() * self.raster.min(rest);
+        let way = if self.state == State::Wall {
+            // back by Q, up by R, and on towards it (RADIAL PROBE)
+            let room = (position[along] - self.ends()[0]).abs();
+            let back = position[along] - self.direction() * self.retract.min(room);
+            free(machine, along, back, MotionKind::Retract)?;
+            free(machine, axial, position[axial] + self.raster, MotionKind::Positioning)?;
+            self.raster
+        } else {
+            // PROBE RETRACT and STEP: up by Q, on by R along the tangent
+            let [level, rise] = self.tangent.map(|part| part * self.raster);
+            free(machine, axial, position[axial] + self.retract + rise.max(0.0), MotionKind::Retract)?;
+            level.max(self.raster * LEAST)
+        };
+        let to = position[along] + self.direction() * way.min(rest);
         if let Some(at) = self.search(machine, along, to)? {
             return Ok(Some(self.found(at, State::Wall)));
         }
