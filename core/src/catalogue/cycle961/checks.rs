@@ -78,9 +78,8 @@ fn passing(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
 
 /// The points P1 to P4 where all are given.
 fn given(inputs: &Inputs) -> Option<[Point; 4]> {
-    let point = |[abscissa, ordinate]: [Name; 2]| Some([inputs.given(abscissa)?, inputs.given(ordinate)?]);
-    let [p1, p2, p3, p4] = PLACES;
-    Some([point(p1)?, point(p2)?, point(p3)?, point(p4)?])
+    let [p1, p2, p3, p4] = PLACES.map(|[abscissa, ordinate]| inputs.given(abscissa).zip(inputs.given(ordinate)));
+    Some([p1?, p2?, p3?, p4?].map(Point::from))
 }
 
 /// The four points have to make two lines that meet outside of them (A:15911-15913).
@@ -92,15 +91,13 @@ fn points(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
             return;
         }
     }
-    match shares([p1, p3], [away(p1, p2), away(p3, p4)], PARALLEL) {
-        None => found.push(refused(61368, "check-corner-parallel", names::SETV6)),
-        Some(shares) => {
-            let between = |share: &f64| (0.0..=1.0).contains(share);
-            if let Some(line) = shares.iter().position(between) {
-                found.push(refused(61369, "check-corner-between", [names::SETV0, names::SETV4][line]));
-            }
-        }
-    }
+    let between = |share: f64| (0.0..=1.0).contains(&share);
+    found.extend(match shares([p1, p3], [away(p1, p2), away(p3, p4)], PARALLEL) {
+        None => Some(refused(61368, "check-corner-parallel", names::SETV6)),
+        Some([share, _]) if between(share) => Some(refused(61369, "check-corner-between", names::SETV0)),
+        Some([_, share]) if between(share) => Some(refused(61369, "check-corner-between", names::SETV4)),
+        Some(_) => None,
+    });
     if p2[0] < p1[0] {
         found.push(own::CORNER_TURNED.finding().at(names::SETV2));
     }

@@ -3,7 +3,7 @@
 //! The ball touches an edge beside its foremost point unless the edge is parallel to an axis; therefore the lines run
 //! through the centres of the ball and are moved to the edges by its radius.
 
-use super::lines::{Point, across, along, away, direction, shares};
+use super::lines::{Point, across, along, direction, distance, shares};
 use super::touches::Touch;
 
 /// Sine of an angle between lines that do not meet: a position of 1e-9 mm at a line moves the corner by 0.001 mm.
@@ -22,17 +22,14 @@ pub struct Corner {
 /// upright on the first. Error: alarm 61368 where the edges do not meet, 61369 where they meet between two points of
 /// one (A:15912-15913).
 pub fn corner(touches: &[Touch], centres: &[Point], radius: f64) -> Result<Corner, u32> {
-    let (&[b1, b2, b3], rest) = centres.split_first_chunk::<3>().ok_or(61368_u32)?;
+    let [b1, b2, b3, ref rest @ ..] = *centres else { return Err(61368) };
     let edge = direction(b1, b2);
     let second = rest.first().map_or([-edge[1], edge[0]], |b4| direction(b3, *b4));
-    let first_at = moved(b1, edge, touches.first(), radius);
-    let second_at = moved(b3, second, touches.get(2), radius);
+    let first_at = moved(b1, edge, &touches[0], radius);
+    let second_at = moved(b3, second, &touches[2], radius);
     let [share, other] = shares([first_at, second_at], [edge, second], PARALLEL).ok_or(61368_u32)?;
     if let Some(b4) = rest.first() {
-        let within = |share: f64, from: Point, to: Point| {
-            let [x, y] = away(from, to);
-            (0.0..=x.hypot(y)).contains(&share)
-        };
+        let within = |share: f64, from: Point, to: Point| (0.0..=distance(from, to)).contains(&share);
         if within(share, b1, b2) || within(other, b3, *b4) {
             return Err(61369);
         }
@@ -41,8 +38,7 @@ pub fn corner(touches: &[Touch], centres: &[Point], radius: f64) -> Result<Corne
 }
 
 /// A line through the centre of the ball, moved to the edge that it touched.
-fn moved(centre: Point, line: Point, touch: Option<&Touch>, radius: f64) -> Point {
-    let towards = touch.map_or([0.0; 2], Touch::towards);
-    let side = if across(line, towards) < 0.0 { -1.0 } else { 1.0 };
+fn moved(centre: Point, line: Point, touch: &Touch, radius: f64) -> Point {
+    let side = if across(line, touch.towards()) < 0.0 { -1.0 } else { 1.0 };
     along(centre, [-line[1] * side, line[0] * side], radius)
 }

@@ -24,11 +24,16 @@ pub fn across(u: Point, v: Point) -> f64 {
     u[0] * v[1] - u[1] * v[0]
 }
 
+/// Distance of two points, mm.
+pub fn distance(from: Point, to: Point) -> f64 {
+    let [x, y] = away(from, to);
+    x.hypot(y)
+}
+
 /// Unit vector from one point to another; the abscissa where they are the same.
 pub fn direction(from: Point, to: Point) -> Point {
-    let [x, y] = away(from, to);
-    let length = x.hypot(y);
-    if length > 0.0 { [x / length, y / length] } else { [1.0, 0.0] }
+    let length = distance(from, to);
+    if length > 0.0 { away(from, to).map(|part| part / length) } else { [1.0, 0.0] }
 }
 
 /// Where the lines through two points meet, as shares of their directions from these points; none where the sine of the

@@ -25,13 +25,10 @@ const DIRECTION: &[Need] = &[required(DISTANCES, "need-corner-directions")];
 const PLACE: &[Need] = &[required(POINTS, "need-corner-points")];
 const DISTANCE: &[Need] = &[required(DISTANCES, "need-corner-distances"), required(POINTS, "need-corner-points")];
 
-/// The zero point is moved from the corner in this axis (B:7931-7935).
-const fn moved(selections: &'static [f64]) -> When {
-    When::Number { param: names::SETV4, is: selections }
-}
-
-const MOVED_ABSCISSA: When = When::All(&[RECTANGLE, moved(&[2.0, 3.0])]);
-const MOVED_ORDINATE: When = When::All(&[RECTANGLE, moved(&[3.0, 4.0])]);
+/// The zero point is moved from the corner in the abscissa (B:7931-7935).
+pub const MOVED_ABSCISSA: When = When::All(&[RECTANGLE, When::Number { param: names::SETV4, is: &[2.0, 3.0] }]);
+/// The zero point is moved from the corner in the ordinate (B:7931-7935).
+pub const MOVED_ORDINATE: When = When::All(&[RECTANGLE, When::Number { param: names::SETV4, is: &[3.0, 4.0] }]);
 
 /// In the order in which the snippet writes them.
 pub const PARAMS: &[Param] = &[

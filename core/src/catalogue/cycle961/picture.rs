@@ -2,7 +2,7 @@
 //! matters, the way in the applicate.
 
 use super::lines::{Point, across, along, away, direction};
-use super::params::{PASSES, PLACES, POINTS, RECTANGLE};
+use super::params::{MOVED_ABSCISSA, MOVED_ORDINATE, PASSES, PLACES, POINTS, RECTANGLE};
 use crate::catalogue::prelude::*;
 use crate::entry::stage::{Fields, Look, SIZE, Seen, Staging, ends, unit};
 use crate::picture::figures::{circle, dimension, line, polar, ray};
@@ -173,13 +173,10 @@ fn stacked(corner: &Corner, above: &Seen, axis: usize, pair: [usize; 2], other: 
 fn zero_point(inputs: &Inputs, corner: &Corner, above: &Seen) -> Vec<PictureShape> {
     let abscissa = corner.edges[0];
     let ordinate = [-abscissa[1], abscissa[0]];
-    let selection = inputs.number(names::SETV4) as i64;
-    let moved = |name, selections: [i64; 2]| {
-        let active = RECTANGLE.holds(inputs) && selections.contains(&selection);
-        if active { inputs.given(name).unwrap_or(1.0).signum() * 0.25 * SIZE } else { 0.0 }
-    };
-    let beside = along(corner.at, abscissa, moved(names::SETV2, [2, 3]));
-    let zero = along(beside, ordinate, moved(names::SETV3, [3, 4]));
+    let sized = |name| inputs.given(name).unwrap_or(1.0).signum() * 0.25 * SIZE;
+    let moved = |name, when: &When| if when.holds(inputs) { sized(name) } else { 0.0 };
+    let beside = along(corner.at, abscissa, moved(names::SETV2, &MOVED_ABSCISSA));
+    let zero = along(beside, ordinate, moved(names::SETV3, &MOVED_ORDINATE));
     let tips = [abscissa, ordinate].map(|axis| along(zero, axis, 0.22 * SIZE));
     let mut shapes: Vec<_> = tips.into_iter().flat_map(|tip| ray(names::KNUM, zero, tip, above.ball)).collect();
     if RECTANGLE.holds(inputs) {

@@ -1,6 +1,6 @@
 //! A nominal part for CYCLE961: a part or a pocket with a corner where the values say.
 
-use super::lines::{Point, across, along, away, direction, shares, unit};
+use super::lines::{Point, across, along, away, direction, distance, shares, unit};
 use super::params::{OUTSIDE, PASSES, POINTS};
 use super::touches::{TOLERANCE, Touch, edges, touches};
 use crate::catalogue::prelude::*;
@@ -26,7 +26,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let ball = place::ball_radius(inputs, control);
     let touches = touches(inputs, control, [0.0; 2]);
     let nominal = nominal(inputs, control, &touches, ball);
-    let (start, height, depth) = if POINTS.holds(inputs) {
+    let ([x, y], height, depth) = if POINTS.holds(inputs) {
         let (height, depth) = place::above(inputs.number(names::ID).abs(), ball);
         (touches[1].at, height, depth)
     } else {
@@ -34,7 +34,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
         ([0.0; 2], -depth, depth)
     };
     let part = solid(inputs, control, &nominal, &touches, depth + 2.0 * ball + 10.0);
-    place::proposal(part, place::in_plane(control, [start[0], start[1], height * place::side(control)]))
+    place::proposal(part, place::in_plane(control, [x, y, height * place::side(control)]))
 }
 
 fn nominal(inputs: &Inputs, control: &Control, touches: &[Touch], ball: f64) -> Nominal {
@@ -45,9 +45,9 @@ fn nominal(inputs: &Inputs, control: &Control, touches: &[Touch], ball: f64) -> 
 pub fn touched(inputs: &Inputs, control: &Control) -> Vec<Touched> {
     let touches = touches(inputs, control, [0.0; 2]);
     let nominal = nominal(inputs, control, &touches, place::ball_radius(inputs, control));
-    let all = touches.iter().enumerate();
-    all.filter_map(|(index, touch)| Some(Touched { at: met(&nominal, index, touch)?, towards: touch.towards() }))
-        .collect()
+    let touched =
+        |(index, touch): (usize, &Touch)| Some(Touched { at: met(&nominal, index, touch)?, towards: touch.towards() });
+    touches.iter().enumerate().filter_map(touched).collect()
 }
 
 /// Where a touch meets its edge.
@@ -59,11 +59,8 @@ fn met(nominal: &Nominal, index: usize, touch: &Touch) -> Option<Point> {
 
 /// Below the face; so deep that the ball passes over the corner clear of it by a third of what is left of `_ID`.
 fn depth(inputs: &Inputs, control: &Control, ball: f64) -> f64 {
-    let lift = inputs.given(names::ID).map(|lift| lift * place::side(control));
-    match lift.filter(|lift| *lift > 0.0) {
-        Some(lift) if PASSES.holds(inputs) => ((lift - ball) * 2.0 / 3.0).clamp(0.5, DEPTH),
-        _ => DEPTH,
-    }
+    let lift = inputs.number(names::ID) * place::side(control);
+    if PASSES.holds(inputs) && lift > 0.0 { ((lift - ball) * 2.0 / 3.0).clamp(0.5, DEPTH) } else { DEPTH }
 }
 
 /// The corner lies before the start where the edges part, outside; behind it inside.
@@ -105,11 +102,7 @@ fn by_points(touches: &[Touch], ball: f64) -> Nominal {
         along(one, lines[0], share)
     };
     let meeting = cross(p1.at, p3.at);
-    let reach = [p1, p2, p3, p4].map(|touch| {
-        let [x, y] = away(meeting, touch.at);
-        x.hypot(y)
-    });
-    let nearest = reach.into_iter().fold(f64::INFINITY, f64::min);
+    let nearest = touches.iter().map(|touch| distance(meeting, touch.at)).fold(f64::INFINITY, f64::min);
     let gap = (ball + CLEAR).min(nearest * 0.45).max(ball + 0.5);
     let before = |touch: Touch| along(touch.at, touch.towards(), gap);
     let corner = cross(before(p1), before(p3));
@@ -129,16 +122,6 @@ fn handed(control: &Control) -> f64 {
     (0..3).map(|i| up[i] * about[i]).sum::<f64>().signum()
 }
 
-/// The places before the touches, and where they meet their edges.
-fn visited(nominal: &Nominal, touches: &[Touch]) -> Vec<Point> {
-    let mut visited = Vec::new();
-    for (index, touch) in touches.iter().enumerate() {
-        visited.push(touch.at);
-        visited.extend(met(nominal, index, touch));
-    }
-    visited
-}
-
 fn solid(inputs: &Inputs, control: &Control, nominal: &Nominal, touches: &[Touch], height: f64) -> Solid {
     let [mut one, mut other] = nominal.edges;
     if across(one, other) * handed(control) < 0.0 {
@@ -146,20 +129,18 @@ fn solid(inputs: &Inputs, control: &Control, nominal: &Nominal, touches: &[Touch
     }
     let (sine, cosine) = (across(one, other).abs(), one[0] * other[0] + one[1] * other[1]);
     let beyond = BEYOND / sine.max(0.05);
-    let visited = visited(nominal, touches);
+    // the places before the touches, and where they meet their edges
+    let visited = touches.iter().enumerate().flat_map(|(index, touch)| [Some(touch.at), met(nominal, index, touch)]);
+    let visited: Vec<Point> = visited.flatten().collect();
     let reach = |from: Point, line: Point, across_to: Point| {
-        let furthest = visited
-            .iter()
-            .map(|place| across(away(from, *place), across_to) / across(line, across_to))
-            .fold(0.0, f64::max);
-        furthest + beyond
+        let shares = visited.iter().map(|place| across(away(from, *place), across_to) / across(line, across_to));
+        shares.fold(0.0, f64::max) + beyond
     };
     let length = [reach(nominal.corner, one, other), reach(nominal.corner, other, one)];
     let angle = Degrees::of(sine.atan2(cosine));
-    let shape = if OUTSIDE.holds(inputs) {
-        Shape::OuterCorner { angle, length, height }
-    } else {
-        Shape::InnerCorner { angle, length, depth: height }
+    let shape = match OUTSIDE.holds(inputs) {
+        true => Shape::OuterCorner { angle, length, height },
+        false => Shape::InnerCorner { angle, length, depth: height },
     };
     let [x, y] = nominal.corner;
     place::solid(control, shape, [x, y, 0.0], [one[0], one[1], 0.0], place::outward(control))

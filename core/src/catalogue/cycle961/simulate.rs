@@ -1,9 +1,9 @@
 //! What CYCLE961 does: touch two edges in three or four points, and make their corner the zero of a frame (B:7980-8026,
 //! B:8136-8170).
 
-use super::corner::{Corner, corner};
+use super::corner::corner;
 use super::lines::Point;
-use super::params::{OUTSIDE, POINTS, RECTANGLE};
+use super::params::{MOVED_ABSCISSA, MOVED_ORDINATE, OUTSIDE, POINTS};
 use super::touches::{Touch, touches};
 use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::correct;
@@ -30,10 +30,11 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     let probing = Probing { inputs, block: &block, touches: &touches, start: start.0 };
     let centres = probing.measure(machine)?;
     let corner = corner(&touches, &centres, probing.radius()).map_err(|number| alarm(machine, number))?;
-    let height = probing.height();
-    report(machine, &corner, height);
+    let edge = block.placed([0.0; 3], corner.edge);
+    let point = block.placed(probing.height(), corner.point);
+    report(machine, edge, point);
     if let Some(target) = target {
-        write(machine, inputs, &target, &corner, height);
+        write(machine, inputs, &target, edge, point);
     }
     Ok(())
 }
@@ -115,55 +116,31 @@ impl Probing<'_> {
     }
 }
 
-/// Edge and corner in the WCS, then in the machine (B:16033-16057).
-fn report(machine: &mut dyn Machine, corner: &Corner, height: [f64; 3]) {
+/// Direction of the edge and corner in the WCS, then in the machine (B:16033-16057).
+fn report(machine: &mut dyn Machine, edge: [f64; 3], point: [f64; 3]) {
     let control = machine.control();
-    let axes = control.plane.axes();
-    let edge = point(control, corner.edge, [0.0; 3]);
-    let point = point(control, corner.point, height);
-    let machine_edge = control.direction_to_machine(Dir::new(edge)).0;
-    let machine_point = control.to_machine(Wcs(point));
-    for (first, edge, point) in [(4, edge, point), (20, machine_edge, machine_point.0)] {
-        let angle = edge[axes[1]].atan2(edge[axes[0]]).to_degrees();
-        results::angle(machine, first, angle);
-        results::length(machine, first + 1, point[axes[0]]);
-        results::length(machine, first + 2, point[axes[1]]);
+    let [abscissa, ordinate, _] = control.plane.axes();
+    let (machine_edge, machine_point) = (control.direction_to_machine(Dir::new(edge)), control.to_machine(Wcs(point)));
+    for (first, edge, point) in [(4, edge, point), (20, machine_edge.0, machine_point.0)] {
+        results::angle(machine, first, edge[ordinate].atan2(edge[abscissa]).to_degrees());
+        results::length(machine, first + 1, point[abscissa]);
+        results::length(machine, first + 2, point[ordinate]);
     }
 }
 
-/// Abscissa along the reference edge, corner or a point beside it as zero; the applicate stays (B:7840-7844).
-fn write(machine: &mut dyn Machine, inputs: &Inputs, target: &Target, corner: &Corner, height: [f64; 3]) {
+/// Abscissa along the reference edge, corner or a point beside it as zero; the applicate stays (B:7840-7844). Where the
+/// zero lies from the corner counts in the turned system (B:7929-7935, B:8018-8026).
+fn write(machine: &mut dyn Machine, inputs: &Inputs, target: &Target, edge: [f64; 3], point: [f64; 3]) {
     let control = machine.control();
     let [abscissa, ordinate, applicate] = control.plane.axes();
-    let edge = zero_offset::seen(control, target, point(control, corner.edge, [0.0; 3]));
+    let edge = zero_offset::seen(control, target, edge);
     let turn = rigid::rotation(Rpy::about(applicate, Degrees::of(edge[ordinate].atan2(edge[abscissa]))));
     let rotation = zero_offset::rotation(control, target, &turn);
-    let [x, y] = beside(inputs);
-    let mut measured = Measured { actual: point(control, corner.point, height), set: height, axes: [true; 3] };
-    (measured.set[abscissa], measured.set[ordinate]) = (-x, -y);
-    measured.axes[applicate] = false;
+    let mut measured = Measured::at(point);
+    for (axis, moved, name) in [(abscissa, MOVED_ABSCISSA, names::SETV2), (ordinate, MOVED_ORDINATE, names::SETV3)] {
+        let beside = if moved.holds(inputs) { inputs.number(name) } else { 0.0 };
+        measured.put(axis, -beside, point[axis]);
+    }
     let writes = zero_offset::placed(control, target, rotation, &measured);
     correct::apply(machine, target, &writes); // no result tells so (B:7877-7888)
-}
-
-/// Where the zero lies from the corner, in the turned system (B:7929-7935, B:8018-8026).
-fn beside(inputs: &Inputs) -> Point {
-    if !RECTANGLE.holds(inputs) {
-        return [0.0; 2];
-    }
-    let [x, y] = [names::SETV2, names::SETV3].map(|name| inputs.number(name));
-    match inputs.integer(names::SETV4) {
-        2 => [x, 0.0],
-        3 => [x, y],
-        4 => [0.0, y],
-        _ => [0.0; 2],
-    }
-}
-
-/// Abscissa and ordinate of a point as X Y Z, at this height.
-fn point(control: &Control, at: Point, height: [f64; 3]) -> [f64; 3] {
-    let [abscissa, ordinate, _] = control.plane.axes();
-    let mut point = height;
-    (point[abscissa], point[ordinate]) = (at[0], at[1]);
-    point
 }

@@ -20,14 +20,10 @@ const BEHIND: f64 = 20.0;
 /// The measured element as the call describes it, mm.
 struct Element<'a> {
     control: &'a Control,
-    /// Distance of the points from the zero point.
-    radius: f64,
     /// The zone, and the axes in which it is passed.
     zone: Zone,
     /// How far part and pin reach in the axis in which the zone is left.
     end: f64,
-    /// Half of what stands in the zone.
-    pin: f64,
 }
 
 /// Part and start: opposite the positive point, inside only where the variant says so.
@@ -35,21 +31,18 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let index = (inputs.integer(names::MA).clamp(1, 3) - 1) as usize;
     let ball = plane::ball_radius(inputs, control);
     let zone = Zone::of(control, inputs, index);
-    let [measured, left] = zone.axes;
-    let element = Element {
-        control,
-        radius: inputs.number(names::SETVAL) / measure::per(control, inputs),
-        zone,
-        end: (zone.border[1] - ball - CLEAR).max(ball),
-        pin: zone.border[0] - ball - CLEAR,
-    };
-    let gap = ball + inputs.number(names::FA);
+    let ([measured, left], [border, end]) = (zone.axes, zone.border);
+    let element = Element { control, zone, end: (end - ball - CLEAR).max(ball) };
+    let radius = inputs.number(names::SETVAL) / measure::per(control, inputs);
+    let (width, gap) = (2.0 * radius, ball + inputs.number(names::FA));
+    // what stands in the zone; nothing where the ball hardly fits
+    let pin = 2.0 * (border - ball - CLEAR);
     let inside = INSIDE_ZONE.holds(inputs);
     let mut start = [0.0; 3];
     start[left] = (element.end - BEHIND).max(0.0);
-    start[measured] = if inside { (element.radius - gap).max(zone.border[0]) } else { element.radius + gap + AWAY };
-    let part = if inside { element.inside() } else { element.outside() };
-    let pin = element.pin().filter(|_| inside);
+    start[measured] = if inside { (radius - gap).max(border) } else { radius + gap + AWAY };
+    let part = if inside { element.bore(width) } else { element.outside([width, ACROSS, place::LENGTH]) };
+    let pin = (inside && pin > 0.0).then(|| element.outside([pin, ACROSS / 2.0, 2.0 * BEHIND]));
     Proposal {
         fixture: pin.into_iter().chain(place::chuck(&part)).collect(),
         zones: vec![element.shown()],
@@ -71,35 +64,23 @@ impl Element<'_> {
         self.zone.axes[1] == 2
     }
 
-    fn outside(&self) -> Solid {
-        let width = 2.0 * self.radius;
-        let length = place::LENGTH;
+    /// A turned part or a block: width in the measured axis, across both, length.
+    fn outside(&self, [width, across, length]: [f64; 3]) -> Solid {
         let shape = match self.turned() {
             true => Shape::Turned { diameter: width, length, bore: [0.0; 2] },
-            false => Shape::Block { size: [width, ACROSS, length] },
+            false => Shape::Block { size: [width, across, length] },
         };
         self.standing(shape, self.end)
     }
 
-    fn inside(&self) -> Solid {
-        let width = 2.0 * self.radius;
+    /// A bore in a turned part, or a groove.
+    fn bore(&self, width: f64) -> Solid {
         let depth = 2.0 * BEHIND;
         let shape = match self.turned() {
             true => Shape::Turned { diameter: width + BEHIND, length: place::LENGTH, bore: [width, depth] },
             false => Shape::Groove { width, depth, length: ACROSS },
         };
         self.standing(shape, self.end)
-    }
-
-    /// What stands in the zone; nothing where the ball hardly fits.
-    fn pin(&self) -> Option<Solid> {
-        let diameter = 2.0 * self.pin;
-        let length = 2.0 * BEHIND;
-        let shape = match self.turned() {
-            true => Shape::Turned { diameter, length, bore: [0.0; 2] },
-            false => Shape::Block { size: [diameter, ACROSS / 2.0, length] },
-        };
-        (self.pin > 0.0).then(|| self.standing(shape, self.end))
     }
 
     /// The zone, to be shown.

@@ -20,17 +20,9 @@ pub struct Zone {
 impl Zone {
     /// The zone of a call: `_SZA` in the abscissa, `_SZO` in the ordinate or, where it is measured, in the applicate.
     pub fn of(control: &Control, inputs: &Inputs, axis: usize) -> Zone {
-        let border = |axis: usize, name: Name| {
-            let size = inputs.number(name).abs();
-            (axis, size / measure::per_axis(control, inputs, axis))
-        };
-        let abscissa = border(0, names::SZA);
-        let beside = border(axis.max(1), names::SZO);
-        let both = match axis {
-            0 => [abscissa, beside],
-            _ => [beside, abscissa],
-        };
-        Zone { axes: both.map(|(axis, _)| control.plane.axes()[axis.min(2)]), border: both.map(|(_, size)| size) }
+        let both = if axis == 0 { [(0, names::SZA), (1, names::SZO)] } else { [(axis, names::SZO), (0, names::SZA)] };
+        let size = |(axis, name)| inputs.number(name).abs() / measure::per_axis(control, inputs, axis);
+        Zone { axes: both.map(|(axis, _)| control.plane.axes()[axis]), border: both.map(size) }
     }
 }
 
@@ -92,10 +84,8 @@ fn across(machine: &mut dyn Machine, block: &Block, zone: Option<&Zone>) -> Resu
     let mut to = machine.position();
     let [measured, left] = *axes;
     let before = to[left];
-    let side = 1.0_f64.copysign(to[measured]);
-    for (axis, value) in
-        [(measured, side * border[0]), (left, border[1]), (measured, -side * border[0]), (left, before)]
-    {
+    let from = border[0].copysign(to[measured]);
+    for (axis, value) in [(measured, from), (left, border[1]), (measured, -from), (left, before)] {
         to[axis] = value;
         block.travel(machine, to)?;
     }

@@ -4,7 +4,7 @@
 
 use super::params::ONE;
 use crate::catalogue::prelude::*;
-use nalgebra::Vector3;
+use crate::geometry::V3;
 
 /// A way from the first point to another one.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,9 +20,14 @@ pub struct Leg {
 }
 
 impl Leg {
+    /// How far the surface rises at this angle for each mm along the way, mm.
+    fn slope(&self, angle: f64) -> f64 {
+        (self.sense * angle).to_radians().tan()
+    }
+
     /// How far the surface rises along the way at this angle, mm.
     pub fn rise(&self, angle: f64) -> f64 {
-        self.distance * (self.sense * angle).to_radians().tan()
+        self.distance * self.slope(angle)
     }
 
     /// Angle of a surface that rises by this much along the way, degree.
@@ -31,43 +36,65 @@ impl Leg {
     }
 }
 
+/// Names of the set angle along each way and of the distance of its points (B:7506-7520, B:7796-7806).
+pub fn ways(inputs: &Inputs) -> &'static [[Name; 2]] {
+    match ONE.holds(inputs) {
+        true => &[[names::STA1, names::ID]],
+        false => &[[names::INCA, names::ID], [names::STA1, names::SETV0]],
+    }
+}
+
 /// What is measured.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surface {
     /// Measuring axis.
     pub measuring: usize,
-    /// The ways in their order.
+    /// The ways in their order, one or two.
     pub legs: Vec<Leg>,
 }
 
 impl Surface {
     /// One angle in the axes of `_MA` (B:7403-7408), or two above the plane (B:7792-7802). None: `_MA` is wrong.
     pub fn of(inputs: &Inputs) -> Option<Surface> {
-        let leg = |axis, distance, angle, sense| Leg {
-            axis,
-            distance: inputs.number(distance),
-            set: inputs.number(angle),
-            sense,
+        let axes = inputs.integer(names::MA);
+        let (offsets, measuring) = match ONE.holds(inputs) {
+            true => (vec![one_of(axes / 100)?], one_of(axes % 100)?),
+            false => (vec![0, 1], 2),
         };
-        if ONE.holds(inputs) {
-            let axes = inputs.integer(names::MA);
-            let (offset, measuring) = (one_of(axes / 100)?, one_of(axes % 100)?);
-            let sense = match (3 + measuring - offset) % 3 {
+        let leg = |(axis, [angle, distance]): (usize, &[Name; 2])| {
+            let sense = match (3 + measuring - axis) % 3 {
                 1 => 1.0,
                 2 => -1.0,
                 _ => return None,
             };
-            return Some(Surface { measuring, legs: vec![leg(offset, names::ID, names::STA1, sense)] });
+            Some(Leg { axis, distance: inputs.number(*distance), set: inputs.number(*angle), sense })
+        };
+        let legs = offsets.into_iter().zip(ways(inputs)).map(leg).collect::<Option<_>>()?;
+        Some(Surface { measuring, legs })
+    }
+
+    /// Normal of the surface when these angles are added to the set ones, in the order of the ways, its part in the
+    /// measuring axis 1: abscissa, ordinate, applicate.
+    pub fn normal(&self, more: &[f64]) -> V3 {
+        let mut normal = V3::from(place::unit(self.measuring));
+        for (leg, more) in self.legs.iter().zip(more) {
+            normal[leg.axis] = -leg.slope(leg.set + more);
         }
-        Some(Surface {
-            measuring: 2,
-            legs: vec![leg(0, names::ID, names::INCA, -1.0), leg(1, names::SETV0, names::STA1, 1.0)],
-        })
+        normal
+    }
+
+    /// Direction of the surface along its first way when this angle is added to the set one, its part in the axis of
+    /// the way 1: abscissa, ordinate, applicate.
+    pub fn along(&self, more: f64) -> V3 {
+        let leg = self.legs[0];
+        let mut along = V3::from(place::unit(leg.axis));
+        along[self.measuring] = leg.slope(leg.set + more);
+        along
     }
 
     /// The axis about which a single angle turns.
     pub fn third(&self) -> usize {
-        3 - self.measuring - self.legs.first().map_or(0, |leg| leg.axis)
+        3 - self.measuring - self.legs[0].axis
     }
 
     /// Cosine between the direction about which a single angle turns and that of a rotary axis as the table stands: 1
@@ -75,40 +102,10 @@ impl Surface {
     pub fn alike(&self, control: &Control, rotary: usize) -> f64 {
         let (axes, third) = (control.plane.axes(), self.third());
         let about = control.turn_axis(axes[(third + 1) % 3], axes[(third + 2) % 3]);
-        Vector3::from(about).dot(&Vector3::from(control.rotary_direction(rotary)))
+        V3::from(about).dot(&V3::from(control.rotary_direction(rotary)))
     }
 }
 
 fn one_of(digit: i64) -> Option<usize> {
     (1..=3).contains(&digit).then(|| digit as usize - 1)
-}
-
-/// Normal of a plane that is turned about abscissa and ordinate by these angles, as both are seen along the axes:
-/// abscissa, ordinate, applicate.
-pub fn normal(about_abscissa: f64, about_ordinate: f64) -> Vector3<f64> {
-    let (rise, fall) = (about_abscissa.to_radians().tan(), about_ordinate.to_radians().tan());
-    Vector3::new(fall, -rise, 1.0)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::geometry::rigid::between;
-    use proptest::prelude::*;
-
-    proptest! {
-        // oracle: definition: it takes one to the other, about a direction across both, however near they are
-        #[test]
-        fn the_rotation_between_two_normals_is_a_rotation(
-            about in prop::array::uniform2(-45.0..45.0_f64), off in prop::array::uniform2(-1.0..1.0_f64), near in 0..17,
-        ) {
-            let part = 0.1_f64.powi(near);
-            let from = normal(about[0], about[1]);
-            let to = normal(about[0] + off[0] * part, about[1] + off[1] * part);
-            let turn = between(&from, &to);
-            let missed = turn * from.normalize() - to.normalize();
-            prop_assert!(missed.norm() < 1e-15 * 8.0, "{missed}");
-            prop_assert!((turn.matrix() * from.cross(&to) - from.cross(&to)).norm() < 1e-15 * 8.0);
-        }
-    }
 }

@@ -1,6 +1,6 @@
 //! What several values of CYCLE998 say together.
 
-use super::angles::Surface;
+use super::angles::{Surface, ways};
 use super::params::{AT_ANGLE, DIFFERENTIAL, ONE};
 use crate::catalogue::prelude::*;
 use crate::catalogue::spread;
@@ -22,7 +22,7 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     rotary_axis(inputs, control, found);
     found.extend(bases(inputs));
     let said = if AT_ANGLE.holds(inputs) { along_the_angle } else { along_the_axis };
-    found.extend(legs(inputs).iter().find_map(|leg| said(inputs, leg)));
+    found.extend(legs(inputs).find_map(|leg| said(inputs, &leg)));
 }
 
 /// A way from the first point to another one.
@@ -43,29 +43,21 @@ impl Leg {
     }
 }
 
-/// The ways of this variant whose values are known (B:7506-7520, B:7796-7806).
-fn legs(inputs: &Inputs) -> Vec<Leg> {
-    let pairs: &[(Name, Name)] = if ONE.holds(inputs) {
-        &[(names::STA1, names::ID)]
-    } else {
-        &[(names::INCA, names::ID), (names::STA1, names::SETV0)]
-    };
-    let leg = |(name, distance): &(Name, Name)| {
-        Some(Leg { name: *name, by: *distance, angle: inputs.given(*name)?.abs(), distance: inputs.given(*distance)? })
-    };
-    pairs.iter().filter_map(leg).collect()
+/// The ways of this variant whose values are known.
+fn legs(inputs: &Inputs) -> impl Iterator<Item = Leg> {
+    ways(inputs).iter().filter_map(|[name, by]| {
+        Some(Leg { name: *name, by: *by, angle: inputs.given(*name)?.abs(), distance: inputs.given(*by)? })
+    })
 }
 
 /// The shortest of the ways, where it is too short for an angle. The surface is touched along the measuring axis.
 fn bases(inputs: &Inputs) -> Option<Diagnostic> {
-    let touched = |leg: &Leg, at: [f64; 2]| (leg.distance > 0.0).then_some(Touched { at, towards: [0.0, 1.0] });
-    let doubt = |leg: &Leg| {
-        let [one, two] = [[0.0, 0.0], [leg.distance, leg.rise(0.0)]].map(|at| touched(leg, at));
-        spread::angle([one?, two?], leg.by)
-    };
-    let mut legs = legs(inputs);
+    let mut legs: Vec<Leg> = legs(inputs).filter(|leg| leg.distance > 0.0).collect();
     legs.sort_by(|one, other| one.distance.total_cmp(&other.distance));
-    legs.iter().find_map(doubt)
+    legs.iter().find_map(|leg| {
+        let touched = [[0.0; 2], [leg.distance, leg.rise(0.0)]].map(|at| Touched { at, towards: [0.0, 1.0] });
+        spread::angle(touched, leg.by)
+    })
 }
 
 /// Between the points the probe keeps `_TSA` away from the set surface, which the path has to bridge (B:7422, B:7546).

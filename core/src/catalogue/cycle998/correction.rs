@@ -1,7 +1,7 @@
 //! What CYCLE998 corrects: the rotation of a frame, or the translation of the rotary axis on which the part is clamped
 //! (B:7262-7278, B:7371-7391).
 
-use super::angles::{Surface, normal};
+use super::angles::Surface;
 use super::params::ONE;
 use crate::catalogue::place::in_plane;
 use crate::catalogue::prelude::*;
@@ -9,7 +9,7 @@ use crate::catalogue::sinumerik::correct;
 use crate::evaluate::zero_offset;
 use crate::evaluate::zero_offset::Target;
 use crate::geometry::{Degrees, Rpy, V3, rigid};
-use nalgebra::{Rotation3, Vector3};
+use nalgebra::Rotation3;
 
 /// Where the angle goes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,23 +24,19 @@ impl Correction {
     /// Finds the frame, and the rotary axis of `_RA` (61329, A:15872).
     pub fn prepare(machine: &mut dyn Machine, inputs: &Inputs) -> Result<Correction, Stop> {
         let target = correct::zero_target(machine, inputs)?;
-        let number = inputs.number(names::RA) as i64;
+        let number = if ONE.holds(inputs) { inputs.integer(names::RA) } else { 0 };
         let rotary = machine.control().rotary_channel_axis(number);
-        let wanted = ONE.holds(inputs) && number != 0;
-        if wanted && rotary.is_none() {
+        if number != 0 && rotary.is_none() {
             return Err(alarm(machine, 61329));
         }
-        Ok(Correction { target, rotary: rotary.filter(|_| wanted) })
+        Ok(Correction { target, rotary })
     }
 
     /// Corrects by the angles by which the surface is wrong, in the order of its ways.
     pub fn write(&self, machine: &mut dyn Machine, surface: &Surface, wrong: &[f64]) {
-        match *wrong {
-            [angle] => self.one(machine, surface, angle),
-            [about_ordinate, about_abscissa] => {
-                self.two(machine, surface, [about_abscissa, about_ordinate]);
-            }
-            _ => {}
+        match wrong {
+            [angle] => self.one(machine, surface, *angle),
+            both => self.two(machine, surface, both),
         }
     }
 
@@ -56,19 +52,14 @@ impl Correction {
             let writes = zero_offset::rotary(machine.control(), &target, axis, Degrees(amount));
             return correct::frame(machine, &target, &writes);
         }
-        let turn = about(machine.control(), surface.third(), Degrees(amount));
-        self.turn(machine, &turn);
+        let axis = machine.control().plane.axes()[surface.third()];
+        self.turn(machine, &rigid::rotation(Rpy::about(axis, Degrees(amount))));
     }
 
-    fn two(&self, machine: &mut dyn Machine, surface: &Surface, wrong: [f64; 2]) {
+    fn two(&self, machine: &mut dyn Machine, surface: &Surface, wrong: &[f64]) {
         let control = machine.control();
-        let set = match surface.legs.as_slice() {
-            [ordinate, abscissa] => [abscissa.set, ordinate.set],
-            _ => return,
-        };
-        let place = |normal: Vector3<f64>| V3::from(in_plane(control, normal.into()));
-        let wanted = place(normal(set[0], set[1]));
-        let actual = place(normal(set[0] + wrong[0], set[1] + wrong[1]));
+        let normal = |wrong: &[f64]| V3::from(in_plane(control, surface.normal(wrong).into()));
+        let (wanted, actual) = (normal(&[0.0; 2]), normal(wrong));
         let seen = match &self.target {
             Some(target) => zero_offset::seen(control, target, actual.into()).into(),
             None => actual,
@@ -93,19 +84,10 @@ impl Correction {
 
 /// By how much a direction of the surface is wrong when the frame is active as it is stored.
 fn seen_wrong(control: &Control, target: &Target, surface: &Surface, wrong: f64) -> f64 {
-    let Some(leg) = surface.legs.first() else { return wrong };
-    let axes = control.plane.axes();
-    let mut direction = [0.0; 3];
-    direction[axes[leg.axis]] = leg.distance;
-    direction[axes[surface.measuring]] = leg.rise(leg.set + wrong);
-    let seen = zero_offset::seen(control, target, direction);
-    let (along, up) = (seen[axes[leg.axis]], seen[axes[surface.measuring]]);
+    let leg = surface.legs[0];
+    let seen = zero_offset::seen(control, target, in_plane(control, surface.along(wrong).into()));
+    let [along, up] = [leg.axis, surface.measuring].map(|axis| seen[control.plane.axes()[axis]]);
     let angle = leg.sense * up.atan2(along).to_degrees() - leg.set;
     // an edge has no beginning: turned by 180 degree it is the same
     angle - 180.0 * (angle / 180.0).round()
-}
-
-/// A rotation about an axis of the plane.
-fn about(control: &Control, axis: usize, angle: Degrees) -> Rotation3<f64> {
-    rigid::rotation(Rpy::about(control.plane.axes()[axis], angle))
 }

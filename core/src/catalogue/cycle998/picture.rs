@@ -1,7 +1,8 @@
 //! CYCLE998 drawn: the surface along the offset axis with its points. Of two angles both sections are drawn, beside
 //! each other.
 
-use super::params::{AT_ANGLE, DIFFERENTIAL, TWO};
+use super::angles::ways;
+use super::params::{AT_ANGLE, DIFFERENTIAL, ONE, TWO};
 use crate::catalogue::prelude::*;
 use crate::entry::stage::{Fields, Look, SIZE, Seen, Staging, Touched, add};
 use crate::picture::figures::{arc, circle, dimension, line, polar, polygon, ray};
@@ -13,12 +14,8 @@ const SET: f64 = 55.0;
 
 /// A view with one axis of the plane to the right and another one up.
 fn look(right: usize, up: usize) -> Look {
-    let unit = |axis: usize| {
-        let mut unit = [0.0; 3];
-        unit[axis.min(2)] = 1.0;
-        unit
-    };
-    Look { right: unit(right), up: unit(up), cut: up == 2, axes: [right, up], ..Look::ABOVE }.ways(names::MVAR)
+    let directions = [right, up].map(place::unit);
+    Look { right: directions[0], up: directions[1], cut: up == 2, axes: [right, up], ..Look::ABOVE }.ways(names::MVAR)
 }
 
 /// The axes of `_MA` from 0: offset axis and measuring axis.
@@ -56,17 +53,11 @@ pub fn stage(inputs: &Inputs) -> Staging {
 
 /// Set position, angles with their safe area, distances.
 pub fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
-    if let [first, second] = looks {
-        let mut shapes = leg(inputs, first, 0, [names::INCA, names::ID]);
-        shapes.extend(leg(inputs, second, 0, [names::STA1, names::SETV0]));
-        if AT_ANGLE.holds(inputs) {
-            shapes.extend(first.position(names::SETVAL, 1, None));
-        }
-        return shapes;
-    }
-    let ([seen], [offset, measuring]) = (looks, axes(inputs)) else { return Vec::new() };
+    let [offset, measuring] = axes(inputs);
     let along = usize::from(offset > measuring);
-    let mut shapes = leg(inputs, seen, along, [names::STA1, names::ID]);
+    let legs = looks.iter().zip(ways(inputs));
+    let mut shapes: Vec<_> = legs.flat_map(|(seen, names)| leg(inputs, seen, along, *names)).collect();
+    let Some(seen) = looks.first() else { return shapes };
     if DIFFERENTIAL.holds(inputs) {
         let turned = |touch: &Touched| circle(ShapeKind::Axis, touch.start, seen.ball * 1.8).text("180°/0°");
         shapes.extend(seen.touches.first().map(|touch| turned(touch).of(names::MVAR)));
@@ -74,7 +65,9 @@ pub fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
     if AT_ANGLE.holds(inputs) {
         shapes.extend(seen.position(names::SETVAL, 1 - along, None));
     }
-    shapes.extend(corrected(inputs, seen));
+    if ONE.holds(inputs) {
+        shapes.extend(corrected(inputs, seen));
+    }
     shapes
 }
 

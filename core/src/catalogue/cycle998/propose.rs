@@ -1,6 +1,6 @@
 //! A nominal part for CYCLE998: a block with a face at the set angles.
 
-use super::angles::{Surface, normal};
+use super::angles::Surface;
 use super::params::AT_ANGLE;
 use crate::catalogue::prelude::*;
 use crate::geometry::V3;
@@ -24,15 +24,13 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let axis = surface.measuring;
     let side = place::side(control);
     let towards = towards(inputs, axis, side);
-    let (first, start) = heights(inputs, control, &surface, towards);
-    let mut at = [0.0; 3];
-    at[axis] = first;
-    let mut from = [0.0; 3];
-    from[axis] = start;
-    let (outward, along) = directions(&surface, towards);
-    let size = size(&surface);
-    let middle = V3::from(at) + to_middle(&surface, &outward, side);
-    let part = place::solid(control, Shape::Block { size }, middle.into(), along.into(), outward.into());
+    let (mut at, mut from) = (V3::zeros(), [0.0; 3]);
+    (at[axis], from[axis]) = heights(inputs, control, &surface, towards);
+    let outward = surface.normal(&[0.0; 2]).normalize() * -towards;
+    let middle = at + to_middle(&surface, &outward, side);
+    let shape = Shape::Block { size: size(&surface, &outward) };
+    let along = surface.along(0.0).normalize();
+    let part = place::solid(control, shape, middle.into(), along.into(), outward.into());
     place::proposal(part, place::in_plane(control, from))
 }
 
@@ -54,26 +52,6 @@ fn heights(inputs: &Inputs, control: &Control, surface: &Surface, towards: f64) 
     (towards * (ball + path - (low + high) / 2.0), 0.0)
 }
 
-/// Normal of the face towards the probe, and a direction in it; abscissa, ordinate, applicate.
-fn directions(surface: &Surface, towards: f64) -> (V3, V3) {
-    let mut up = V3::zeros();
-    let mut along = V3::zeros();
-    match surface.legs.as_slice() {
-        [leg] => {
-            up[leg.axis] = -leg.rise(leg.set) / leg.distance;
-            up[surface.measuring] = 1.0;
-            along[leg.axis] = 1.0;
-            along[surface.measuring] = leg.rise(leg.set) / leg.distance;
-        }
-        [ordinate, abscissa, ..] => {
-            up = normal(abscissa.set, ordinate.set);
-            along = V3::new(1.0, 0.0, ordinate.rise(ordinate.set) / ordinate.distance);
-        }
-        [] => {}
-    }
-    (up.normalize() * -towards, along.normalize())
-}
-
 /// From the first point to the middle of the face.
 fn to_middle(surface: &Surface, outward: &V3, side: f64) -> V3 {
     let mut way = V3::zeros();
@@ -82,19 +60,18 @@ fn to_middle(surface: &Surface, outward: &V3, side: f64) -> V3 {
     }
     // along the measuring axis back into the face
     way[surface.measuring] = -way.dot(outward) / outward[surface.measuring];
-    let single = surface.legs.len() == 1;
-    if single && surface.third() == 2 {
+    if surface.legs.len() == 1 && surface.third() == 2 {
         way[2] += side * (DEPTH - WIDTH / 2.0);
     }
     way
 }
 
 /// Lengths of the face along its first way and across, and the thickness.
-fn size(surface: &Surface) -> [f64; 3] {
+fn size(surface: &Surface, outward: &V3) -> [f64; 3] {
     let length = |index: usize| {
         let leg = surface.legs.get(index)?;
         Some(leg.distance.hypot(leg.rise(leg.set)) + 2.0 * BEYOND)
     };
-    let slant = 1.0 / directions(surface, -1.0).0[surface.measuring].abs();
+    let slant = 1.0 / outward[surface.measuring].abs();
     [length(0).unwrap_or(WIDTH), length(1).map_or(WIDTH, |length| length * slant), THICKNESS]
 }

@@ -1,7 +1,7 @@
 //! What CYCLE998 does: touch two or three points of a surface, and correct what their heights tell (B:7530-7582,
 //! B:7788-7808).
 
-use super::angles::{Leg, Surface};
+use super::angles::Surface;
 use super::correction::Correction;
 use super::params::{AT_ANGLE, DIFFERENTIAL};
 use crate::catalogue::prelude::*;
@@ -23,10 +23,16 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     let correction = Correction::prepare(machine, inputs)?;
     begin(machine, inputs);
     let start = machine.position();
-    let here = start[block.axes[surface.measuring]];
-    let probing = Probing { inputs, block: &block, surface: &surface, direction: direction(inputs, here) };
+    let direction = direction(inputs, start[block.axes[surface.measuring]]);
+    let probing = Probing {
+        inputs,
+        block: &block,
+        plain: if DIFFERENTIAL.holds(inputs) { block.uncalibrated() } else { block.clone() },
+        surface: &surface,
+        point: block.point(surface.measuring, direction, inputs.number(names::SETVAL)),
+    };
     until_done(|repetition| {
-        let rises = probing.measure(machine, start.0)?;
+        let rises = probing.measure(machine, start)?;
         let angles = report(machine, &surface, &rises);
         let offset = tolerance::empirical_angle(machine.control(), inputs);
         let wrong: Vec<f64> = surface.legs.iter().zip(&angles).map(|(leg, angle)| angle - offset - leg.set).collect();
@@ -41,10 +47,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
 /// What is known before the first motion (B:7350-7356).
 fn begin(machine: &mut dyn Machine, inputs: &Inputs) {
     let memory = mean::memories(inputs.integer(names::EVNUM)).empirical;
-    let stored = match memory {
-        0 => 0.0,
-        number => machine.control().number(&format!("_EV[{}]", number - 1)),
-    };
+    let stored = machine.control().number(&format!("_EV[{}]", memory - 1)); // without a memory 0
     results::angle(machine, 30, stored);
     results::integer(machine, 0, inputs.integer(names::KNUM));
     results::integer(machine, 7, memory);
@@ -58,68 +61,59 @@ fn direction(inputs: &Inputs, here: f64) -> f64 {
     if minus { -1.0 } else { 1.0 }
 }
 
-/// A surface that is touched in this direction, +1 or -1, along its measuring axis.
+/// A surface that is touched.
 struct Probing<'a> {
     inputs: &'a Inputs,
     block: &'a Block,
+    /// The block with the probe as it is reckoned with: in differential measurement as one that was never calibrated.
+    plain: Block,
     surface: &'a Surface,
-    direction: f64,
+    /// The first point.
+    point: Point,
 }
 
 impl Probing<'_> {
     /// Touches the first point and the others, from it and back to it; ends at the last one. How much higher the
     /// surface is there than at the first, mm.
-    fn measure(&self, machine: &mut dyn Machine, start: [f64; 3]) -> Result<Vec<f64>, Stop> {
-        let (block, axis) = (self.block, self.surface.measuring);
-        let at_angle = AT_ANGLE.holds(self.inputs);
+    fn measure(&self, machine: &mut dyn Machine, start: Wcs) -> Result<Vec<f64>, Stop> {
+        let Probing { inputs, block, plain, surface, point } = self;
+        let Point { axis, direction, .. } = *point;
+        let at_angle = AT_ANGLE.holds(inputs);
         let mut first_start = start;
         if at_angle {
             // before the set position, without one where the cycle is called (B:7530-7560)
-            first_start[block.axes[axis]] = self.plain().start(&self.set_point());
+            first_start[block.axes[axis]] = plain.start(point);
         }
-        block.travel(machine, Wcs(first_start))?;
+        block.travel(machine, first_start)?;
         let (first, skew) = self.first_point(machine)?;
         let from = machine.position();
         let mut rises = Vec::new();
-        for leg in &self.surface.legs {
+        for leg in &surface.legs {
             block.travel(machine, from)?;
             let mut to = from;
             to[block.axes[leg.axis]] += leg.distance;
-            to[block.axes[axis]] += if at_angle { self.beside(leg) } else { 0.0 };
+            if at_angle {
+                // along the set angle, and away from the surface by the safe area (B:7546)
+                to[block.axes[axis]] += leg.rise(leg.set - leg.sense * direction * inputs.number(names::TSA));
+            }
             block.travel(machine, to)?;
-            rises.push(self.plain().measure_from_here(machine, axis, self.direction, 2.0 * block.path)? + skew - first);
+            rises.push(plain.measure_from_here(machine, axis, direction, 2.0 * block.path)? + skew - first);
         }
         Ok(rises)
     }
 
-    /// The probe as it is reckoned with: in differential measurement as one that was never calibrated.
-    fn plain(&self) -> Block {
-        if DIFFERENTIAL.holds(self.inputs) { self.block.uncalibrated() } else { self.block.clone() }
-    }
-
-    fn set_point(&self) -> Point {
-        self.block.point(self.surface.measuring, self.direction, self.inputs.number(names::SETVAL))
-    }
-
     /// Coordinate of the surface at the first point, and what the skew of an uncalibrated probe adds at the others, mm.
     fn first_point(&self, machine: &mut dyn Machine) -> Result<(f64, f64), Stop> {
-        let (block, point) = (self.block, self.set_point());
-        if DIFFERENTIAL.holds(self.inputs) {
-            let found = twice(machine, self.inputs, block, &point)?;
+        let Probing { inputs, block, point, .. } = self;
+        if DIFFERENTIAL.holds(inputs) {
+            let found = twice(machine, inputs, block, point)?;
             return Ok((found.surface, found.skew));
         }
-        let found = match AT_ANGLE.holds(self.inputs) {
-            true => block.measure(machine, &point)?,
-            false => block.measure_from_here(machine, point.axis, self.direction, 2.0 * block.path)?,
+        let found = match AT_ANGLE.holds(inputs) {
+            true => block.measure(machine, point)?,
+            false => block.measure_from_here(machine, point.axis, point.direction, 2.0 * block.path)?,
         };
         Ok((found, 0.0))
-    }
-
-    /// How far the measuring axis moves on the way to another point: along the set angle, and away from the surface by
-    /// the safe area (B:7546).
-    fn beside(&self, leg: &Leg) -> f64 {
-        let angle = leg.sense * leg.set - self.direction * self.inputs.number(names::TSA);
-        leg.distance * angle.to_radians().tan()
     }
 }
 

@@ -2,11 +2,11 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use super::super::angles::{Surface, normal};
+use super::super::angles::Surface;
 use crate::catalogue::sinumerik::testing::{at, call, called, close, put, random_parts, run, setup, stopped, touches};
 use crate::control::{Control, Frame, Plane};
 use crate::entry::{Inputs, names};
-use crate::geometry::rigid::{angles, rotation};
+use crate::geometry::rigid::{angles, between, rotation};
 use crate::geometry::{Degrees, Dir, Rpy, V3, Wcs};
 use crate::machine::sim::Sim;
 use crate::machine::{Setup, Stop};
@@ -20,6 +20,13 @@ pub(super) const AXES: [i64; 6] = [102, 103, 201, 203, 301, 302];
 /// Variants with one angle and with two.
 pub(super) const ONE: [i64; 3] = [105, 1105, 100_105];
 pub(super) const TWO: [i64; 2] = [106, 100_106];
+
+/// Normal of a plane that is turned about abscissa and ordinate by these angles, as both are seen along the axes:
+/// abscissa, ordinate, applicate.
+fn normal(about_abscissa: f64, about_ordinate: f64) -> V3 {
+    let (rise, fall) = (about_abscissa.to_radians().tan(), about_ordinate.to_radians().tan());
+    V3::new(fall, -rise, 1.0)
+}
 
 /// A face through the zero of the WCS at these angles, in the order of the ways; the probe is on the minus side of the
 /// measuring axis in the plane and on the plus side of the applicate.
@@ -399,5 +406,21 @@ fn an_inch_machine_measures_the_same_angle() {
     let sim = done(&setup, &inputs);
     for name in ["_OVR[0]", "_OVR[4]", "_OVR[5]", "_OVR[21]", "_OVR[22]", "_OVR[23]", "_OVR[28]"] {
         close(&sim, name, metric.control.number(name));
+    }
+}
+
+proptest! {
+    // oracle: definition: it takes one to the other, about a direction across both, however near they are
+    #[test]
+    fn the_rotation_between_two_normals_is_a_rotation(
+        about in prop::array::uniform2(-45.0..45.0_f64), off in prop::array::uniform2(-1.0..1.0_f64), near in 0..17,
+    ) {
+        let part = 0.1_f64.powi(near);
+        let from = normal(about[0], about[1]);
+        let to = normal(about[0] + off[0] * part, about[1] + off[1] * part);
+        let turn = between(&from, &to);
+        let missed = turn * from.normalize() - to.normalize();
+        prop_assert!(missed.norm() < 1e-15 * 8.0, "{missed}");
+        prop_assert!((turn.matrix() * from.cross(&to) - from.cross(&to)).norm() < 1e-15 * 8.0);
     }
 }
