@@ -2,7 +2,7 @@
 
 use crate::catalogue::prelude::*;
 
-/// A length in `_OVR[]`.
+/// A length in `_OVR[]`, whose unit the manual does not define: here the active unit counts.
 pub const fn length(name: &'static str, key: &'static str, when: When, source: &'static str) -> ResultField {
     ResultField { name, key, when, unit: Unit::ActiveLength, source: crate::cited(source) }
 }

@@ -4,9 +4,6 @@ use super::params::{DISTANCES, OUTSIDE, PASSES, POINTS, RECTANGLE};
 use crate::entry::{HelpLine, When, before, corrects, measures, order, wrong};
 
 const FREE: When = When::Variant(&[107, 108]);
-const PLANE_ONLY: When = When::Variant(&[105, 107]);
-const POINTS_INSIDE: When = When::Variant(&[117]);
-const POINTS_OUTSIDE: When = When::Variant(&[118]);
 
 /// Section by section, in the order in which they are read.
 pub const LINES: &[HelpLine] = &[
@@ -20,11 +17,11 @@ pub const LINES: &[HelpLine] = &[
     before(When::Always, "help-cycle961-before-multi", "B:7846"),
     order(RECTANGLE, "help-cycle961-order-three", "B:7978-7998"),
     order(FREE, "help-cycle961-order-four", "B:7978-7998"),
-    order(PLANE_ONLY, "help-cycle961-order-in-plane", "B:7906"),
+    order(When::Variant(&[105, 107]), "help-cycle961-order-in-plane", "B:7906"),
     order(PASSES, "help-cycle961-order-passes", "B:8002-8012"),
     order(POINTS, "help-cycle961-order-infeed", "B:8158-8170"),
-    order(POINTS_INSIDE, "help-cycle961-order-toward-pocket", "B:8046"),
-    order(POINTS_OUTSIDE, "help-cycle961-order-toward-part", "B:8046"),
+    order(When::Variant(&[117]), "help-cycle961-order-toward-pocket", "B:8046"),
+    order(When::Variant(&[118]), "help-cycle961-order-toward-part", "B:8046"),
     order(When::Always, "help-cycle961-order-along-axis", "B:7990;B:8148-8154"),
     order(DISTANCES, "help-ends-at-start", "B:8016"),
     order(POINTS, "help-cycle961-order-end-p4", "B:8158-8170"),

@@ -82,11 +82,6 @@ impl Corner {
         let way = line(ShapeKind::Axis, vec![to, self.starts[index]]).of(field);
         [above.along(field, axis, [above.zero, to], to[1 - axis]), way]
     }
-
-    /// Which way the second edge is turned from the first: 1 counter-clockwise, -1 clockwise.
-    fn sense(&self) -> f64 {
-        across(self.edges[0], self.edges[1]).signum()
-    }
 }
 
 /// Directions and distances or places, the new zero point, heights.
@@ -108,8 +103,10 @@ pub fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
 fn directions(inputs: &Inputs, corner: &Corner, above: &Seen) -> Vec<PictureShape> {
     let angle = |[x, y]: Point| y.atan2(x).to_degrees();
     let start = inputs.number(names::STA1) % 360.0;
+    // which way the second edge is turned from the first: 1 counter-clockwise, -1 clockwise
+    let sense = across(corner.edges[0], corner.edges[1]).signum();
     let turn = (angle(corner.edges[1]) - start).rem_euclid(360.0);
-    let turn = if corner.sense() < 0.0 { turn - 360.0 } else { turn };
+    let turn = if sense < 0.0 { turn - 360.0 } else { turn };
     let ray = |direction: Point| vec![above.start, along(above.start, direction, 1.15 * SIZE)];
     let mut shapes = vec![
         line(ShapeKind::Axis, ray([1.0, 0.0])).of(names::STA1),
@@ -120,7 +117,7 @@ fn directions(inputs: &Inputs, corner: &Corner, above: &Seen) -> Vec<PictureShap
     shapes.extend(above.angle(names::INCA, above.start, 0.2 * SIZE, [start, start + turn]));
     for (name, to, side) in [(names::SETV0, 1, -1.0), (names::SETV1, 3, 1.0)] {
         let [x, y] = direction(above.start, corner.starts[to]);
-        let aside = |point| along(point, [-y, x], side * corner.sense() * 5.0 * above.ball);
+        let aside = |point| along(point, [-y, x], side * sense * 5.0 * above.ball);
         shapes.push(dimension(name, aside(above.start), aside(corner.starts[to])));
     }
     shapes

@@ -1,5 +1,4 @@
-//! What CYCLE961 does: touch two edges in three or four points, and make their corner the zero of a frame (B:7980-8026,
-//! B:8136-8170).
+//! What CYCLE961 does: touch two edges, and make their corner the zero of a frame (B:7980-8026, B:8136-8170).
 
 use super::corner::corner;
 use super::lines::Point;
@@ -75,9 +74,7 @@ impl Probing<'_> {
                 block.travel(machine, Wcs(self.raised(over)))?;
             }
             centres[index] = self.ball(machine, touch)?;
-            if by_points {
-                block.travel(machine, Wcs(over))?;
-            }
+            block.travel(machine, Wcs(over))?; // up again
         }
         if !by_points {
             block.travel(machine, Wcs(self.start))?;
@@ -93,8 +90,8 @@ impl Probing<'_> {
         if self.inputs.number(names::ID) == 0.0 {
             return self.block.travel(machine, Wcs(self.start));
         }
-        let here = machine.position();
-        self.block.travel(machine, Wcs(self.raised(here.0)))?;
+        let here = machine.position().0;
+        self.block.travel(machine, Wcs(self.raised(here)))?;
         self.block.travel(machine, Wcs(self.raised(self.block.placed(self.start, next.at))))
     }
 

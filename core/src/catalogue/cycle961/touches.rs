@@ -47,20 +47,15 @@ pub fn touches(inputs: &Inputs, control: &Control, start: Point) -> Vec<Touch> {
 
 /// Directions of both edges in the WCS, the reference edge first, degree from the abscissa. That of the reference edge
 /// counts in the machine (B:7992); the angle between both is one of the part, so it counts in its plane, which may
-/// lean.
+/// lean, and turns against it where angles of the WCS turn against those of the machine.
 pub fn edges(inputs: &Inputs, control: &Control) -> [f64; 2] {
-    let [abscissa, ordinate, _] = control.plane.axes();
+    let [abscissa, ordinate, applicate] = control.plane.axes();
     let mut direction = [0.0; 3];
     [direction[abscissa], direction[ordinate]] = unit(inputs.number(names::STA1));
     let seen = control.direction_to_workpiece(Dir::new(direction));
     let first = seen[ordinate].atan2(seen[abscissa]).to_degrees();
-    [first, first + sense(control) * inputs.number(names::INCA)]
-}
-
-/// 1 where angles of the WCS turn like those of the machine, -1 where they turn against them.
-fn sense(control: &Control) -> f64 {
-    let [abscissa, ordinate, applicate] = control.plane.axes();
-    control.turn_axis(abscissa, ordinate)[applicate].signum()
+    let sense = control.turn_axis(abscissa, ordinate)[applicate].signum();
+    [first, first + sense * inputs.number(names::INCA)]
 }
 
 /// In the directions of the edges, turned away from them, at the distances and at half of them (B:7984-7998).
@@ -69,22 +64,16 @@ fn by_distances(inputs: &Inputs, control: &Control, start: Point) -> Vec<Touch> 
     let angles = edges(inputs, control);
     // outside the material lies between the edges
     let apart = outside * across(unit(angles[0]), unit(angles[1])).signum();
-    let distances = [names::SETV0, names::SETV1].map(|name| inputs.number(name));
-    let mut touches = Vec::new();
-    for ((edge, distance), away) in angles.into_iter().zip(distances).zip([-apart, apart]) {
+    let sides = [(angles[0], names::SETV0, -apart), (angles[1], names::SETV1, apart)];
+    let touches = sides.map(|(edge, name, away)| {
+        let distance = inputs.number(name);
         let way = unit(edge + TOLERANCE * away);
         let (axis, direction) = paraxial(unit(edge - 90.0 * away));
         let inner = distance * (2.0 * TOLERANCE).to_radians().tan();
-        for part in [0.5, 1.0] {
-            touches.push(Touch {
-                at: along(start, way, distance * part),
-                axis,
-                direction,
-                path: inputs.number(names::FA).max(SHORTEST).max(inner),
-            });
-        }
-    }
-    touches
+        let path = inputs.number(names::FA).max(SHORTEST).max(inner);
+        [0.5, 1.0].map(|part| Touch { at: along(start, way, distance * part), axis, direction, path })
+    });
+    touches.concat()
 }
 
 /// From the places, across the line of a pair: outside towards the other pair, inside away from it (B:8046-8050).
@@ -99,7 +88,7 @@ fn by_points(inputs: &Inputs) -> Vec<Touch> {
         [one, two].map(|at| Touch { at, axis, direction, path })
     };
     let middle = |a: Point, b: Point| [(a[0] + b[0]) / 2.0, (a[1] + b[1]) / 2.0];
-    pair(p1, p2, middle(p3, p4)).into_iter().chain(pair(p3, p4, middle(p1, p2))).collect()
+    [pair(p1, p2, middle(p3, p4)), pair(p3, p4, middle(p1, p2))].concat()
 }
 
 /// The axis that a direction is nearest to, the abscissa between both, and the sign along it.

@@ -9,10 +9,6 @@ const RAISED: When = When::Any(&[OUTSIDE, ZONE]);
 const ZONE_INSIDE: When = When::All(&[ZONE, INSIDE]);
 const ZONE_OUTSIDE: When = When::All(&[ZONE, OUTSIDE]);
 const TWO_AXES: When = When::Not(&WIDTH);
-const ZONE_RECTANGLE: When = When::All(&[ZONE, RECTANGLE]);
-const TOOL_RECTANGLE: When = When::All(&[TOOL, RECTANGLE]);
-const ZERO_BOTH: When = When::All(&[ZERO, TWO_AXES]);
-const ZERO_ONE: When = When::All(&[ZERO, WIDTH]);
 
 /// Section by section, in the order in which they are read.
 pub const LINES: &[HelpLine] = &[
@@ -28,7 +24,7 @@ pub const LINES: &[HelpLine] = &[
     before(RAISED, "help-cycle977-before-above", "B:5904-5915;B:5930-5941"),
     before(ZONE_INSIDE, "help-cycle977-before-zone-inside", "B:5801-5809"),
     before(ZONE_OUTSIDE, "help-cycle977-before-zone-outside", "B:5801-5809"),
-    before(ZONE_RECTANGLE, "help-cycle977-before-zone-lengths", "B:5801-5809"),
+    before(When::All(&[ZONE, RECTANGLE]), "help-cycle977-before-zone-lengths", "B:5801-5809"),
     order(TWO_AXES, "help-cycle977-order-two-axes", "B:5773-5799"),
     order(WIDTH, "help-cycle977-order-one-axis", "B:5773-5799"),
     order(LEVEL, "help-cycle977-order-straight", "B:5903-5957"),
@@ -40,9 +36,9 @@ pub const LINES: &[HelpLine] = &[
     order(RECTANGLE, "help-cycle977-order-lengths", "B:5773"),
     order(When::Always, "help-cycle977-order-end", "B:5957"),
     corrects(TOOL, "help-cycle977-corrects-half", "B:6130-6134"),
-    corrects(TOOL_RECTANGLE, "help-cycle977-corrects-mean", "B:6130-6134"),
-    corrects(ZERO_BOTH, "help-cycle977-corrects-both-axes", "B:6167-6171"),
-    corrects(ZERO_ONE, "help-cycle977-corrects-one-axis", "B:6167-6171"),
+    corrects(When::All(&[TOOL, RECTANGLE]), "help-cycle977-corrects-mean", "B:6130-6134"),
+    corrects(When::All(&[ZERO, TWO_AXES]), "help-cycle977-corrects-both-axes", "B:6167-6171"),
+    corrects(When::All(&[ZERO, WIDTH]), "help-cycle977-corrects-one-axis", "B:6167-6171"),
     wrong(LEVEL, "help-cycle977-wrong-depth", "B:5917-5928"),
     wrong(RAISED, "help-cycle977-wrong-infeed", "B:5904-5915"),
     wrong(ZONE, "help-cycle977-wrong-zone", "A:15877"),

@@ -1,5 +1,4 @@
-//! What CYCLE977 leaves in the result arrays (B:5673-5740). The unit of `_OVR[]` is not defined by the manual;
-//! here the active unit counts.
+//! What CYCLE977 leaves in the result arrays (B:5673-5740).
 
 use super::params::{RECTANGLE, SINGLE, TOOL, ZERO};
 use crate::catalogue::common::{integer, length};

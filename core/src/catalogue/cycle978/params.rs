@@ -17,7 +17,7 @@ pub const PARAMS: &[Param] = &[
     },
     Param {
         kind: Kind::Choice(&[(1, "ma-abscissa"), (2, "ma-ordinate"), (3, "ma-applicate")]),
-        range: crate::range::Range::closed(1.0, 3.0),
+        range: Range::closed(1.0, 3.0),
         needs: &[required(DIFFERENTIAL, "need-axis-differential"), required(When::Always, "need-axis-surface")],
         example: "1",
         source: "B:6459;B:15699",

@@ -1,5 +1,4 @@
-//! What CYCLE978 leaves in the result arrays (B:6336-6370). The unit of `_OVR[]` is not defined by the manual;
-//! here the active unit counts.
+//! What CYCLE978 leaves in the result arrays (B:6336-6370).
 
 use super::params::{TOOL, ZERO};
 use crate::catalogue::common::{ABSCISSA, APPLICATE, ORDINATE, integer, length};

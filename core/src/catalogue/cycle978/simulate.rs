@@ -1,5 +1,6 @@
 //! What CYCLE978 does: one point of a surface, plain or differential (B:6376-6418).
 
+use super::params::DIFFERENTIAL;
 use crate::catalogue::lathe;
 use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::differential::twice;
@@ -12,7 +13,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     results::begin(machine, inputs, 978);
     let block = Block::prepare(machine, inputs)?;
     let axis = lathe::measure::axis(machine, inputs)?;
-    let differential = inputs.variant / 1000 % 10 == 1;
+    let differential = DIFFERENTIAL.holds(inputs);
     if differential {
         turnable(machine)?;
     }

@@ -1,5 +1,4 @@
-//! CYCLE979 drawn: the element from above with its points at their angles, and the way over a web as a section beside
-//! it.
+//! CYCLE979 drawn: the element from above with its points at their angles, beside it a section with the way over a web.
 
 use super::params::{FOUR_POINTS, ROUND, TOOL, WEB};
 use crate::catalogue::circle;

@@ -1,5 +1,4 @@
-//! What CYCLE979 leaves in the result arrays (B:6779-6814). The unit of `_OVR[]` is not defined by the manual; here the
-//! active unit counts.
+//! What CYCLE979 leaves in the result arrays (B:6779-6814).
 
 use super::params::{TOOL, ZERO};
 use crate::catalogue::common::{integer, length};

@@ -1,6 +1,6 @@
 //! What several values of CYCLE994 say together.
 
-use super::params::INSIDE_ZONE;
+use super::params::{INSIDE_ZONE, zone};
 use crate::catalogue::lathe;
 use crate::catalogue::lathe::measure;
 use crate::catalogue::prelude::*;
@@ -34,16 +34,16 @@ fn ball_diameter(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>
     }
 }
 
-/// The zone in the direction of the measuring axis: `_SZA` in the abscissa, else `_SZO` (B:10986-11001).
-fn across(inputs: &Inputs) -> (Name, Option<f64>) {
-    let name = if inputs.integer(names::MA) == 1 { names::SZA } else { names::SZO };
-    (name, inputs.given(name))
+/// The zone in the direction of the measuring axis, where it is given.
+fn across(inputs: &Inputs) -> Option<(Name, f64)> {
+    let [name, _] = zone(inputs.integer(names::MA) == 1);
+    Some((name, inputs.given(name)?))
 }
 
 /// The ball's centre passes on the border of the zone (B:10891), inside the measured element; `ball` is its radius as
 /// the setpoint counts.
 fn inside(inputs: &Inputs, set: f64, ball: f64, found: &mut Vec<Diagnostic>) {
-    let (name, Some(zone)) = across(inputs) else { return };
+    let Some((name, zone)) = across(inputs) else { return };
     let limit = set - ball;
     if zone.abs() > limit {
         let finding = refused(61334, "check-two-zone-inside", name).number("zone", zone).number("size", set);
@@ -61,7 +61,7 @@ fn either(inputs: &Inputs, set: f64, ball: f64, found: &mut Vec<Diagnostic>) {
         (true, false) => Some(half(names::SZO)),
         (false, true) => Some(half(names::SZA)),
     });
-    let (name, Some(zone)) = across(inputs) else { return };
+    let Some((name, zone)) = across(inputs) else { return };
     let limit = set + ball;
     if zone.abs() < limit {
         let finding = refused(61334, "check-two-zone-outside", name).number("zone", zone).number("size", set);

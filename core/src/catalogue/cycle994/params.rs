@@ -9,6 +9,11 @@ pub const INSIDE_ZONE: When = When::Variant(&[1]);
 /// Outside with the second variant too; whether it is outside, the start position tells (B:10933, B:11122-11142).
 const ZONE: &[Need] = &[required(INSIDE_ZONE, "need-zone-inside"), optional(When::Always, "need-zone-outside")];
 
+/// Names of the zone in the measuring axis and along the part, by whether the abscissa is measured (B:10986-11001).
+pub fn zone(abscissa: bool) -> [Name; 2] {
+    if abscissa { [names::SZA, names::SZO] } else { [names::SZO, names::SZA] }
+}
+
 /// In the order in which the snippet writes them.
 pub const PARAMS: &[Param] = &[
     Param { example: "2", source: "B:10930-10933", ..common::MVAR },

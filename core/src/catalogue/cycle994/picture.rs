@@ -1,7 +1,7 @@
 //! CYCLE994 drawn: both points with the way between them, around the protection zone. The second variant is drawn
 //! twice, outside with the zone and inside without it.
 
-use super::params::INSIDE_ZONE;
+use super::params::{INSIDE_ZONE, zone};
 use crate::catalogue::lathe::figures;
 use crate::catalogue::lathe::figures::{RADIUS, axis, per};
 use crate::catalogue::prelude::*;
@@ -12,14 +12,9 @@ const INSIDE: i64 = 1;
 /// Half of the zone along the measuring axis, outside and inside, and along the other one, mm.
 const ZONE: [f64; 3] = [48.0, 18.0, 36.0];
 
-/// Parameters of the zone: in the measuring axis, and along the part (B:10986-11001).
-fn fields(inputs: &Inputs) -> [Name; 2] {
-    if axis(inputs) == 0 { [names::SZA, names::SZO] } else { [names::SZO, names::SZA] }
-}
-
 /// The part about the zero point.
 pub fn stage(inputs: &Inputs) -> Staging {
-    let [across, along] = fields(inputs);
+    let [across, along] = zone(axis(inputs) == 0);
     let inside = INSIDE_ZONE.holds(inputs);
     let look = if axis(inputs) == 2 { Look::section(0) } else { Look::ABOVE };
     let look = |cut| Look { cut, held: true, ..look.clone().ways(along) };
@@ -45,7 +40,7 @@ pub fn stage(inputs: &Inputs) -> Staging {
 /// Setpoint, zone and limits.
 pub fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
     let paper = usize::from(axis(inputs) != 0);
-    let [across, along] = fields(inputs);
+    let [across, along] = zone(axis(inputs) == 0);
     let mut shapes = Vec::new();
     for seen in looks {
         let [low, high] = seen.extent;

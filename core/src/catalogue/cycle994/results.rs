@@ -1,5 +1,4 @@
-//! What CYCLE994 leaves in the result arrays (B:10936-10975): diameters in the transverse axis with DIAMON, else radius
-//! dimensions. The unit of `_OVR[]` is not defined by the manual; here the active unit counts.
+//! What CYCLE994 leaves in the result arrays (B:10936-10975): diameters in the transverse axis with DIAMON, else radii.
 
 use crate::catalogue::common::{ABSCISSA, APPLICATE, ORDINATE, integer, length};
 use crate::entry::{ResultField, When};

@@ -1,6 +1,6 @@
-//! What CYCLE994 does: the positive point, the way to the other side, the negative point (B:10885-10891,
-//! B:11104-11142).
+//! What CYCLE994 does: the positive point, the way across, the negative point (B:10885-10891, B:11104-11142).
 
+use super::params;
 use super::params::INSIDE_ZONE;
 use crate::catalogue::lathe::measure;
 use crate::catalogue::prelude::*;
@@ -20,9 +20,10 @@ pub struct Zone {
 impl Zone {
     /// The zone of a call: `_SZA` in the abscissa, `_SZO` in the ordinate or, where it is measured, in the applicate.
     pub fn of(control: &Control, inputs: &Inputs, axis: usize) -> Zone {
-        let both = if axis == 0 { [(0, names::SZA), (1, names::SZO)] } else { [(axis, names::SZO), (0, names::SZA)] };
-        let size = |(axis, name)| inputs.number(name).abs() / measure::per_axis(control, inputs, axis);
-        Zone { axes: both.map(|(axis, _)| control.plane.axes()[axis]), border: both.map(size) }
+        let [one, other] = params::zone(axis == 0);
+        let axes = [axis, usize::from(axis == 0)];
+        let size = |name, axis| inputs.number(name).abs() / measure::per_axis(control, inputs, axis);
+        Zone { axes: axes.map(|axis| control.plane.axes()[axis]), border: [size(one, axes[0]), size(other, axes[1])] }
     }
 }
 

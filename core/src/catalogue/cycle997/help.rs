@@ -3,9 +3,6 @@
 use super::params::{ANGLE, DIAMETER, FOUR_POINTS, ONE, REPEATED, THREE};
 use crate::entry::{HelpLine, When, before, corrects, measures, order, wrong};
 
-const ANGLE_THREE: When = When::All(&[ANGLE, When::Not(&FOUR_POINTS)]);
-const ANGLE_FOUR: When = When::All(&[ANGLE, FOUR_POINTS]);
-
 /// Section by section, in the order in which they are read.
 pub const LINES: &[HelpLine] = &[
     measures(ONE, "help-cycle997-measures-one", "B:8190-8200"),
@@ -15,8 +12,8 @@ pub const LINES: &[HelpLine] = &[
     before(ANGLE, "help-cycle997-before-ball", "B:8371;B:6873"),
     before(When::Always, "help-cycle997-before-frame", "B:8228;B:8387;B:8407"),
     order(When::Not(&ANGLE), "help-cycle997-order-paraxial", "B:8433-8449"),
-    order(ANGLE_THREE, "help-cycle997-order-three-points", "B:8453-8467"),
-    order(ANGLE_FOUR, "help-cycle997-order-four-points", "B:8453-8467"),
+    order(When::All(&[ANGLE, When::Not(&FOUR_POINTS)]), "help-cycle997-order-three-points", "B:8453-8467"),
+    order(When::All(&[ANGLE, FOUR_POINTS]), "help-cycle997-order-four-points", "B:8453-8467"),
     order(When::Always, "help-cycle997-order-top", "B:8441-8449"),
     order(DIAMETER, "help-cycle997-order-diameter", "B:8371"),
     order(REPEATED, "help-cycle997-order-repeat", "B:8369"),

@@ -9,15 +9,8 @@ use crate::picture::figures::{arrow, circle, dimension, line, polar, polygon};
 
 /// From the zero point to the centre of the first sphere, mm.
 const CENTRE: f64 = 1.05 * SIZE;
-/// Where the other spheres stand, so far away that they are not in the way, mm.
-const OTHERS: [(Name, f64); 6] = [
-    (names::SETV3, 6.0 * SIZE),
-    (names::SETV4, CENTRE),
-    (names::SETV5, CENTRE),
-    (names::SETV6, CENTRE),
-    (names::SETV7, 6.0 * SIZE),
-    (names::SETV8, CENTRE),
-];
+/// How far away the other spheres stand, so that they are not in the way, mm.
+const FAR: f64 = 6.0 * SIZE;
 
 /// The first sphere.
 pub fn stage(inputs: &Inputs) -> Staging {
@@ -31,9 +24,8 @@ pub fn stage(inputs: &Inputs) -> Staging {
         .with(names::RF, 1000.0)
         .with(names::TNVL, SIZE)
         .beside(true, section);
-    let first = [names::SETV0, names::SETV1, names::SETV2].map(|name| (name, CENTRE));
-    stage.values.extend(first.into_iter().chain(OTHERS));
-    stage
+    stage.values.extend(CENTRES.as_flattened().iter().map(|name| (*name, CENTRE)));
+    stage.with(names::SETV3, FAR).with(names::SETV7, FAR)
 }
 
 /// Set centre, angles, the last points.

@@ -1,5 +1,4 @@
-//! What CYCLE997 leaves in the result arrays (B:8263-8307). The unit of `_OVR[]` is not defined by the manual; here the
-//! active unit counts.
+//! What CYCLE997 leaves in the result arrays (B:8263-8307).
 
 use super::params::THREE;
 use crate::catalogue::common::{integer, length};

@@ -5,7 +5,6 @@ use crate::entry::{HelpLine, When, before, corrects, measures, order, wrong};
 
 const ONE_AT_ANGLE: When = When::All(&[ONE, AT_ANGLE]);
 const ONE_PARAXIAL: When = When::All(&[ONE, PARAXIAL]);
-const TWO_AT_ANGLE: When = When::All(&[TWO, AT_ANGLE]);
 const TWO_PARAXIAL: When = When::All(&[TWO, PARAXIAL]);
 
 /// Section by section, in the order in which they are read.
@@ -17,7 +16,7 @@ pub const LINES: &[HelpLine] = &[
     before(TWO, "help-cycle998-before-over", "B:7792"),
     order(ONE_AT_ANGLE, "help-cycle998-order-one-angle", "B:7530-7546"),
     order(ONE_PARAXIAL, "help-cycle998-order-one-paraxial", "B:7548-7560"),
-    order(TWO_AT_ANGLE, "help-cycle998-order-two-angle", "B:7588-7622"),
+    order(When::All(&[TWO, AT_ANGLE]), "help-cycle998-order-two-angle", "B:7588-7622"),
     order(TWO_PARAXIAL, "help-cycle998-order-two-paraxial", "B:7788-7808"),
     order(When::Not(&TWO_PARAXIAL), "help-cycle998-order-end", "B:7564;B:7808"),
     order(TWO_PARAXIAL, "help-cycle998-order-end-height", "B:7808"),

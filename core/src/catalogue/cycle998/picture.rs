@@ -1,5 +1,4 @@
-//! CYCLE998 drawn: the surface along the offset axis with its points. Of two angles both sections are drawn, beside
-//! each other.
+//! CYCLE998 drawn: the surface along the offset axis with its points; of two angles both sections beside each other.
 
 use super::angles::ways;
 use super::params::{AT_ANGLE, DIFFERENTIAL, ONE, TWO};

@@ -1,5 +1,4 @@
-//! What CYCLE998 does: touch two or three points of a surface, and correct what their heights tell (B:7530-7582,
-//! B:7788-7808).
+//! What CYCLE998 does: touch points of a surface, and correct what their heights tell (B:7530-7582, B:7788-7808).
 
 use super::angles::Surface;
 use super::correction::Correction;
