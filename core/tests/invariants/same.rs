@@ -17,8 +17,8 @@ fn stopped(outcome: &Outcome) -> Passed {
     outcome.stop.as_ref().map(|stop| format!("{stop:?}"))
 }
 
-/// Cycles that calibrate or turn a frame, for which no axis may be mirrored, and the corner, whose setpoint angle applies
-/// to the machine (B:7858).
+/// Cycles that calibrate or turn a frame, for which no axis may be mirrored, and the corner, whose setpoint angle
+/// applies to the machine (B:7858).
 const UNMIRRORED: [&str; 4] = ["CYCLE961", "CYCLE976", "CYCLE997", "CYCLE998"];
 
 /// Ends of all motions, machine coordinates, mm, with their feeds.

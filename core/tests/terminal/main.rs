@@ -4,6 +4,7 @@
 
 mod explained;
 mod files;
+mod help;
 mod programs;
 mod wrong_use;
 

@@ -14,16 +14,12 @@ use std::process::ExitCode;
 /// What is checked.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// Part programs
     #[arg(required = true)]
     files: Vec<PathBuf>,
-    /// Control; otherwise told by the program
     #[arg(long, conflicts_with = "setup")]
     control: Option<Control>,
-    /// Setup file of the machine they are for, with its tools and data; otherwise one as delivered
     #[arg(long)]
     setup: Option<PathBuf>,
-    /// As JSON: the findings of each file
     #[arg(long)]
     json: bool,
 }

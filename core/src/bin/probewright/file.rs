@@ -14,9 +14,7 @@ use std::path::{Path, PathBuf};
 /// Control as named on the command line.
 #[derive(Clone, Copy, ValueEnum)]
 pub enum Control {
-    /// SINUMERIK 840D/840Di/810D
     Sinumerik,
-    /// NCT
     Nct,
 }
 

@@ -5,6 +5,7 @@ mod check;
 mod cycles;
 mod explain;
 mod file;
+mod help;
 mod read;
 mod run;
 mod scan;
@@ -17,10 +18,10 @@ use probewright_core::words::{LANGUAGES, Words};
 use std::io::{BufWriter, Write};
 use std::process::ExitCode;
 
+/// What the help says about each is a message: `terminal-…-about` of a command, `terminal-…-text` of an argument.
 #[derive(Parser)]
-#[command(version, about = "Programming assistant for CNC measuring cycles")]
+#[command(name = "probewright", version, hide_possible_values = true)]
 struct Arguments {
-    /// Language of what is said, for example zh; otherwise that of the environment, else English
     #[arg(long, global = true)]
     lang: Option<String>,
     #[command(subcommand)]
@@ -29,41 +30,28 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
-    /// List what can be measured
     Cycles {
-        /// As JSON, with variants, parameters and results
         #[arg(long)]
         json: bool,
     },
-    /// Explain a cycle, an alarm, a finding, a parameter, a result or a datum of the machine, for example CYCLE977,
-    /// 61303, PW135 or _SZA
     Explain {
-        /// Name or number
         name: String,
-        /// Measuring variant of the cycle, for example 101: its help page
         variant: Option<i64>,
     },
-    /// Say what an alarm means and what to do about it; without a number list them all
     Alarms {
-        /// Number, for example 61303, or message of an NCT control, for example "PROBE FAIL"
         number: Option<String>,
-        /// As JSON
         #[arg(long)]
         json: bool,
     },
-    /// Tell what is wrong in part programs; exit status 1 when there is an error, 2 when a file cannot be read
     Check(check::Arguments),
-    /// Write the program text of one call to standard output
     Write(write::Arguments),
-    /// Find the measuring calls of a part program
     Read(read::Arguments),
-    /// Run a part program on a control against a part; exit status 1 when it has an error or does not reach its end
     Run(run::Arguments),
 }
 
 fn main() -> ExitCode {
+    let Ok(Arguments { lang, command }) = Arguments::try_parse() else { return help::answer() };
     let mut out = BufWriter::new(std::io::stdout().lock());
-    let Arguments { lang, command } = Arguments::parse();
     let (words, known) = match words(lang.as_deref()) {
         Ok(words) => (words, Ok(())),
         Err(problem) => (Words::english(), Err(problem)),

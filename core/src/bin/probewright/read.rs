@@ -13,12 +13,9 @@ use std::process::ExitCode;
 /// What is read.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// Part program
     file: PathBuf,
-    /// As JSON
     #[arg(long)]
     json: bool,
-    /// Control; otherwise told by the program
     #[arg(long)]
     control: Option<Control>,
 }

@@ -8,7 +8,7 @@ use probewright_core::catalogue::alarms;
 use probewright_core::diagnostic::{Diagnostic, Severity};
 use probewright_core::entry::{Unit, unit_behind};
 use probewright_core::machine::trace::Step;
-use probewright_core::message::printable;
+use probewright_core::message::{Message, printable};
 use probewright_core::run::assumed::Assumed;
 use probewright_core::run::left::CallAt;
 use probewright_core::run::outcome::Outcome;
@@ -22,19 +22,13 @@ use std::process::ExitCode;
 /// What is run, and where what comes out goes.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// Part program
     file: PathBuf,
-    /// Setup file, see docs/setup.schema.json; otherwise a machine that fits the program is assumed, and what was
-    /// assumed is told
     #[arg(long)]
     setup: Option<PathBuf>,
-    /// Control of the assumed machine; otherwise told by the program
     #[arg(long, conflicts_with = "setup")]
     control: Option<file::Control>,
-    /// As JSON
     #[arg(long)]
     json: bool,
-    /// Write the print-out to a file: what addresses V and W of NCT macros print
     #[arg(long, value_name = "FILE")]
     print: Option<PathBuf>,
     #[command(flatten)]
@@ -88,14 +82,15 @@ fn print_outcome(path: &Path, outcome: &Outcome, words: &Words, out: &mut dyn Wr
     }
     print_results(path, outcome, words, out)?;
     for line in outcome.log() {
-        writeln!(out, "log: {}", printable(line))?;
+        writeln!(out, "{}: {}", words.key("terminal-log"), printable(line))?;
     }
     for change in outcome.changes() {
         let (before, after) = (rounded(change.before), rounded(change.after));
         writeln!(out, "{}: {before} -> {after}", change.name)?;
     }
     for (alarm, call) in outcome.alarms().into_iter().zip(outcome.calls_of_alarms()) {
-        writeln!(out, "{}alarm {alarm}: {}", place(path, call), words.key(alarms::key(alarm)))?;
+        let raised = words.text(&Message::new("terminal-raised").text("alarm", alarm.to_string()));
+        writeln!(out, "{}{raised}: {}", place(path, call), words.key(alarms::key(alarm)))?;
     }
     writeln!(out, "{}", words.text(&outcome.ending()))?;
     Ok(())

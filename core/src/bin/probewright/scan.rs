@@ -19,17 +19,12 @@ const BRIGHTNESS: [f64; 3] = [0.299, 0.587, 0.114];
 /// Surface and files of a scan.
 #[derive(clap::Args)]
 pub struct Files {
-    /// Surface in place of that in the setup file, as large as that one: a PNG picture (white is highest), one of ours
-    /// (dome, waves, saddle, step), or an STL file, which keeps its size
     #[arg(long, value_name = "FILE", requires = "setup")]
     surface: Option<PathBuf>,
-    /// Write what digitizing sends to a file: the NC program
     #[arg(long, value_name = "FILE")]
     scan_nc: Option<PathBuf>,
-    /// Points as lines X Y Z in mm
     #[arg(long, value_name = "FILE")]
     scan_xyz: Option<PathBuf>,
-    /// Lines X Y Z in mm of the surface under the ball: its radius is taken out
     #[arg(long, value_name = "FILE")]
     scan_surface: Option<PathBuf>,
 }

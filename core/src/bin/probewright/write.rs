@@ -17,16 +17,11 @@ use std::process::ExitCode;
 /// What is written.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// Name of the cycle, for example CYCLE977
     cycle: String,
-    /// Values, for example _SETVAL=132
     values: Vec<String>,
-    /// A comment line for each parameter
     #[arg(long)]
     comments: bool,
-    /// Way of writing: direct (assignments, then the call), indirect (CYCLE_PARA and a parameterizing call),
-    /// operate (parameter list of newer controls)
-    #[arg(long, default_value = "direct", value_parser = ["direct", "indirect", "operate"])]
+    #[arg(long, default_value = "direct", hide_default_value = true, value_parser = ["direct", "indirect", "operate"])]
     style: String,
 }
 
