@@ -169,7 +169,7 @@ impl Run {
 
     /// How much of the main program is done, 0 to 1.
     pub fn share(&self) -> f64 {
-        self.session.share()
+        self.session.share
     }
 
     /// What it did so far.
@@ -200,7 +200,7 @@ impl RunView {
 fn results(outcome: &Outcome) -> Vec<RunResult> {
     let mut all = Vec::new();
     let mut told = BTreeSet::new();
-    for Left { line, cycle, results } in outcome.left() {
+    for Left { call, results } in outcome.left() {
         for (field, value) in results {
             told.insert(field.name);
             all.push(RunResult {
@@ -208,7 +208,7 @@ fn results(outcome: &Outcome) -> Vec<RunResult> {
                 value,
                 label: Some(Message::new(field.key)),
                 unit: Some(unit_name(field.unit, &outcome.control)),
-                call: OfCall::new(Some(CallAt { line, cycle })),
+                call: OfCall::new(Some(call)),
             });
         }
     }

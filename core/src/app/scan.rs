@@ -123,9 +123,9 @@ impl Scan {
         let session = self.session.as_ref();
         let deviation = |which: usize| session.map_or(Deviation::default(), |one| one.deviation(which));
         ScanView {
-            points: session.map_or(0, |one| one.cloud().points().len()),
-            lines: session.map_or(0, |one| one.cloud().lines()),
-            alarms: session.map_or_else(Some, Session::stop).map(Raised::stop).into_iter().collect(),
+            points: session.map_or(0, |one| one.cloud.points().len()),
+            lines: session.map_or(0, |one| one.cloud.lines()),
+            alarms: session.map_or_else(Some, |one| one.stop.as_ref()).map(Raised::stop).into_iter().collect(),
             sent: deviation(0),
             surface: deviation(1),
             solids: drawn(&self.part),
@@ -150,7 +150,7 @@ impl Scan {
     pub fn cloud(&self, surface: bool, points: Range<usize>) -> Vec<f32> {
         let Ok(session) = &self.session else { return Vec::new() };
         let origin = self.origin();
-        let (cloud, deviations) = (session.cloud(), session.deviations());
+        let (cloud, deviations) = (&session.cloud, &session.deviations);
         let numbers = |index: usize| {
             let point = match surface {
                 true => cloud.surface(session.layout(), index).into(),
@@ -167,7 +167,7 @@ impl Scan {
     /// The turn of each point when they are drawn: the first ones are spread evenly over all, so that they show the
     /// surface where not all are drawn.
     pub fn turns(&self) -> Vec<u32> {
-        let count = self.session.as_ref().map_or(0, |session| session.deviations().len());
+        let count = self.session.as_ref().map_or(0, |session| session.deviations.len());
         turns(count).into_iter().map(|turn| turn as u32).collect()
     }
 
@@ -179,13 +179,13 @@ impl Scan {
         let known = FORMS.iter().find(|(name, _)| *name == form);
         let (_, form) = known.ok_or_else(|| unknown("document-form", form))?;
         let Ok(session) = &self.session else { return Ok(String::new()) };
-        Ok(piece(session.cloud(), session.layout(), *form, from..to))
+        Ok(piece(&session.cloud, session.layout(), *form, from..to))
     }
 
     /// The first point, machine coordinates.
     fn origin(&self) -> [f64; 3] {
         let Ok(session) = &self.session else { return [0.0; 3] };
-        session.cloud().points().first().map_or([0.0; 3], |point| session.to_machine(Wcs(*point)).0)
+        session.cloud.points().first().map_or([0.0; 3], |point| session.to_machine(Wcs(*point)).0)
     }
 }
 

@@ -48,7 +48,7 @@ pub fn unmatched(name: &str, count: usize, number: impl Fn(usize) -> Option<f64>
     let written = number(index)?;
     let known: Vec<(i64, i64)> = numbers.into_iter().map(|one| (one, 0)).collect();
     let wrong = known.iter().all(|one| one.0 as f64 != written);
-    wrong.then(|| selection(name, index, written, known.iter()))
+    wrong.then(|| selection(name, index, written, &known))
 }
 
 #[cfg(test)]

@@ -34,16 +34,14 @@ pub fn count<T>(arguments: &[Option<T>]) -> usize {
     arguments.iter().rposition(Option::is_some).map_or(0, |index| index + 1)
 }
 
-/// More arguments than the called program has parameters. How many those of newer controls have differs by their
-/// version.
+/// More arguments than the called program has parameters. Those of newer controls differ in this by their version.
 pub fn too_many(name: &str, most: usize, count: usize) -> Option<Diagnostic> {
     (count > most).then(|| {
         own::ARGUMENTS_MANY.finding().text("name", name).number("most", most as f64).number("count", count as f64)
     })
 }
 
-/// What is wrong with a call of a cycle that has so many arguments; `number` tells what stands at one, where it is
-/// known.
+/// What is wrong with a call of a cycle that has so many arguments; `number` tells what stands at one, if known.
 pub fn refused(
     cycle: &Cycle,
     list: Option<&'static ArgumentList>,
@@ -58,17 +56,12 @@ pub fn refused(
         return Some(found);
     }
     let (index, choices) = list.unselected(&number)?;
-    Some(selection(list.name, index, number(index)?, choices.iter()))
+    Some(selection(list.name, index, number(index)?, choices))
 }
 
 /// An argument that selects nothing.
-pub fn selection<'a>(
-    name: &str,
-    index: usize,
-    value: f64,
-    choices: impl Iterator<Item = &'a (i64, i64)>,
-) -> Diagnostic {
-    let choices: Vec<String> = choices.map(|(written, _)| written.to_string()).collect();
+pub fn selection(name: &str, index: usize, value: f64, choices: &[(i64, i64)]) -> Diagnostic {
+    let choices: Vec<String> = choices.iter().map(|(written, _)| written.to_string()).collect();
     let finding = own::SELECTION.finding().number("place", index as f64 + 1.0);
     finding.text("name", name).number("value", value).hint_text("choices", choices.join(", "))
 }

@@ -1,8 +1,7 @@
 //! Calls in the list of a newer control. The checks hold the rules of the older one, whose manuals we have; here stands
 //! which of them a newer control has as well. Of the others nothing is published: a value that only they refuse is
 //! named in a note where it is not one that programs of newer controls have, and the call is neither simulated nor
-//! written otherwise.
-//! An argument that is omitted is 0 there.
+//! written otherwise. An argument that is omitted is 0 there.
 
 use super::{Checked, Parsed, Target, check, error, parse, target, typed, variants};
 use crate::control::Control;

@@ -15,8 +15,7 @@ pub enum Parsed {
     Wrong,
 }
 
-/// Reads a number: blanks around it, decimal comma or point, sign, exponent `1.5e-3` or, as SINUMERIK writes it,
-/// `1.5EX-3`.
+/// Reads a number: blanks around it, decimal comma or point, sign, exponent `1.5e-3` or that of SINUMERIK, `1.5EX-3`.
 pub fn parse(text: &str) -> Parsed {
     let text = text.trim();
     if text.is_empty() {

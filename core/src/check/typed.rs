@@ -177,11 +177,8 @@ fn variant(cycle: &'static Cycle, inputs: &Inputs, said: &[Diagnostic]) -> Resul
     if cycle.variants.iter().any(|variant| variant.number as f64 == number) {
         return Ok(number as i64);
     }
-    Err(Box::new(
-        error(param.alarm.unwrap_or(own::RANGE.code()), variants::cause(cycle, param, number))
-            .hint(variants::hint(cycle, number))
-            .at(param.name),
-    ))
+    let finding = error(param.alarm.unwrap_or(own::RANGE.code()), variants::cause(cycle, param, number));
+    Err(Box::new(finding.hint(variants::hint(cycle, number)).at(param.name)))
 }
 
 /// The variant that an address chooses by being given; the first one where none does.

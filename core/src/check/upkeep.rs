@@ -59,8 +59,7 @@ pub fn perform(machine: &mut dyn Machine, cycle: &Cycle) {
     }
 }
 
-/// The measuring result screen at the end of a call: how long it stays, and whether the cycle waits for NC START
-/// (B:12564-12578, B:13953-13971).
+/// The measuring result screen at a call's end: its time, or that it waits for NC START (B:12564-12578, B:13953-13971).
 pub fn screen(machine: &mut dyn Machine, cycle: &Cycle) {
     let control = machine.control();
     if !cycle.is_measuring_cycle() || !control.bit("_CHBIT[10]") {
@@ -92,10 +91,8 @@ impl Due {
 
 /// Lengths, feeds and speeds of the control or of the channel, from the other basic system into that of the machine.
 fn convert(control: &Control, (bit, channel): (&'static str, bool)) -> Due {
-    let (basic, before, right) = match control.basic_units {
-        Units::Metric => (Units::Metric, Units::Inch, 1.0),
-        Units::Inch => (Units::Inch, Units::Metric, 0.0),
-    };
+    let basic = control.basic_units;
+    let (before, right) = if basic == Units::Metric { (Units::Inch, 1.0) } else { (Units::Metric, 0.0) };
     let ratio = |element: &Element| factor(element.unit, before) / factor(element.unit, basic);
     let counts = |gud: &&Gud| {
         gud.block != Block::Gud7

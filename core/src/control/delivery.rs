@@ -1,7 +1,6 @@
-//! The control as delivered: GUD data that measuring cycles read, with their initial values.
-//! Which they are stands in `gud`, `machine_data` and `nct_data`. Lengths and feeds stand in the basic system of the
-//! machine, as the manual says. Initial values of parameters (`_FA`, `_TSA`, …) are defaults of the catalogue and not
-//! repeated here: an unset datum means "as delivered".
+//! The control as delivered: data that measuring cycles read, with the initial values of `gud`, `machine_data` and
+//! `nct_data`. Lengths and feeds stand in the basic system of the machine, as the manual says. Initial values of
+//! parameters (`_FA`, `_TSA`, …) are defaults of the catalogue: an unset datum means "as delivered".
 
 use super::gud::{Element, Initial, System};
 use super::{

@@ -1,7 +1,5 @@
-//! Coordinate systems: workpiece (WCS) ↔ machine (basic) by the chain
-//! frame of the swivel table · system frame · NCU-global basic frames · channel basic frames · active settable frame ·
-//! programmed frame.
-//! Lengths in mm, angles in degree.
+//! Coordinate systems: workpiece (WCS) ↔ machine (basic) by the chain frame of the swivel table · system frame ·
+//! NCU-global basic frames · channel basic frames · active settable frame · programmed frame. mm, degree.
 
 use super::{BasicFrames, Control, Frame, Value};
 use crate::geometry::{Dir, Mcs, Wcs};

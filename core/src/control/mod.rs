@@ -54,13 +54,8 @@ pub enum Plane {
 
 impl Plane {
     /// The plane of G17, G18 or G19; none: another function.
-    pub const fn of(code: u16) -> Option<Plane> {
-        match code {
-            17 => Some(Plane::G17),
-            18 => Some(Plane::G18),
-            19 => Some(Plane::G19),
-            _ => None,
-        }
+    pub fn of(code: u16) -> Option<Plane> {
+        [Plane::G17, Plane::G18, Plane::G19].into_iter().nth(usize::from(code.checked_sub(17)?))
     }
 
     /// Indices (X = 0, Y = 1, Z = 2) of abscissa, ordinate, applicate.

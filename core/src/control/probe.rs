@@ -11,7 +11,7 @@ const PROBE: i64 = 710;
 pub enum Unfit {
     /// The type is none of 1x0, 710 and 5xy (B:4147-4150).
     Type,
-    /// The type is 1xy with another last digit than 0: a probe by B:906-910, none by B:4147.
+    /// The type is 1xy with another last digit than 0: a probe by B:906-910, none by B:4147. No call is refused.
     Digit,
     /// It is a turning tool, and the lengths are not assigned as on a turning machine: SD 42950 is not 2 (B:4151).
     Assignment,
@@ -19,13 +19,6 @@ pub enum Unfit {
     Tip,
     /// The body does not stand on this plane: 5 and 7 measure in G17, 6 and 8 in G19 (B:4152).
     Plane,
-}
-
-impl Unfit {
-    /// Whether the call is refused. That the manual says two things about a type is a doubt.
-    pub fn refuses(self) -> bool {
-        self != Unfit::Digit
-    }
 }
 
 impl Control {

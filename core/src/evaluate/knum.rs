@@ -49,11 +49,10 @@ pub fn digits(code: i64, five_digit_edges: bool) -> [i64; 5] {
     [edge, rest % 10, rest / 10 % 10, rest / 100 % 10, rest / 1000]
 }
 
-/// Reads a tool offset code. None: 0, nothing is corrected. Error: number of the alarm
-/// (61322 digit 4, 61323 digit 5, 61324 digit 6, 61407 digit 7 and above, 61328 D number 0).
+/// Reads a tool offset code. None: 0, nothing is corrected.
 ///
 /// # Errors
-/// The number of the alarm.
+/// The number of the alarm: 61322 digit 4, 61323 digit 5, 61324 digit 6, 61407 digit 7 and above, 61328 D number 0.
 pub fn tool(code: i64, five_digit_edges: bool) -> Result<Option<ToolCode>, u32> {
     if code == 0 {
         return Ok(None);

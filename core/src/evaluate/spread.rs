@@ -51,11 +51,8 @@ pub fn told(factor: f64) -> f64 {
 /// A circle through points in these directions from its centre, degree, touched along them: the covariance is (AᵀA)⁻¹,
 /// the rows of A (cos, sin, 1). None where the points do not determine it.
 pub fn circle(directions: &[f64]) -> Option<Circle> {
-    let rows: Vec<RowVector3<f64>> = directions
-        .iter()
-        .map(|direction| Degrees(*direction).sin_cos())
-        .map(|(sine, cosine)| RowVector3::new(cosine, sine, 1.0))
-        .collect();
+    let turned = directions.iter().map(|direction| Degrees(*direction).sin_cos());
+    let rows: Vec<_> = turned.map(|(sine, cosine)| RowVector3::new(cosine, sine, 1.0)).collect();
     if rows.len() < 3 {
         return None;
     }
@@ -138,12 +135,9 @@ pub fn corner(touched: &[Touched]) -> Option<f64> {
 /// The rotation of a frame from three points: how far it is off at [`LENGTH`] from the line nearest to them.
 pub fn turn(points: [V3; 3]) -> Option<f64> {
     let middle = points.iter().sum::<V3>() / 3.0;
-    let inertia = points
-        .iter()
-        .map(|point| point - middle)
-        .map(|p| Matrix3::from_diagonal_element(p.norm_squared()) - p * p.transpose())
-        .sum::<Matrix3<f64>>();
-    let least = inertia.symmetric_eigenvalues().min();
+    let from_middle = points.map(|point| point - middle);
+    let inertia = from_middle.map(|p| Matrix3::from_diagonal_element(p.norm_squared()) - p * p.transpose());
+    let least = inertia.iter().sum::<Matrix3<f64>>().symmetric_eigenvalues().min();
     (least > 0.0).then(|| LENGTH / least.sqrt())
 }
 

@@ -1,5 +1,4 @@
-//! Values while a program runs, and types of variables: what becomes of a value of another type is the table in Job
-//! planning, 03/2006, 1.9.
+//! Values while a program runs, and types of variables; conversions by the table in Job planning, 03/2006, 1.9.
 
 use crate::control::{Frame, Value};
 

@@ -4,7 +4,7 @@ use super::{Interpreter, Local, Type, Variable, expression, names};
 use crate::control::AXES;
 use crate::diagnostic::{Severity, Span};
 use crate::problem::Problem;
-use crate::syntax::tree::ExprId;
+use crate::syntax::tree::{ExprId, Word, WordKind};
 
 /// What the words of a declaration have said so far.
 #[derive(Clone, Copy, Debug, Default)]
@@ -20,20 +20,14 @@ const ELEMENTS: f64 = 10_000.0;
 /// Declared elements that count as one block's work.
 const WRITTEN: usize = 4;
 
-/// Takes a type or an attribute; false: the word is neither.
-pub fn attribute(
-    run: &Interpreter,
-    name: &str,
-    length: Option<ExprId>,
-    declaring: &mut Declaring,
-) -> Result<bool, Problem> {
-    if matches!(name, "NCK" | "CHAN") {
-        declaring.shared = true;
-        return Ok(true);
+impl Declaring {
+    /// Takes a word that may be a type, with its length, or an attribute.
+    pub fn take(&mut self, run: &Interpreter, name: &str, length: Option<ExprId>) -> Result<(), Problem> {
+        self.shared |= matches!(name, "NCK" | "CHAN");
+        let length = length.map(|length| expression::number(run, length)).transpose()?;
+        self.kind = Type::named(name, length).or(self.kind);
+        Ok(())
     }
-    let kind = Type::named(name, length.map(|length| expression::number(run, length)).transpose()?);
-    declaring.kind = kind.or(declaring.kind);
-    Ok(kind.is_some())
 }
 
 /// Whether every machine has an axis of this name, which no variable takes.
@@ -41,14 +35,10 @@ pub fn is_axis(name: &str) -> bool {
     AXES.contains(&name)
 }
 
-pub fn declare(
-    run: &mut Interpreter,
-    name: Span,
-    sizes: &[ExprId],
-    first: Option<ExprId>,
-    declaring: Declaring,
-) -> Result<(), Problem> {
-    let key = run.program.name(name);
+/// Makes the variable that a word declares, with its first value.
+pub fn declare(run: &mut Interpreter, word: &Word, declaring: Declaring) -> Result<(), Problem> {
+    let WordKind::Declare { name, index: sizes, value: first } = &word.kind else { return Ok(()) };
+    let (name, key) = (*name, run.program.name(*name));
     if is_axis(&key) {
         return Err(Problem::new("run-axis-name", name, &*key));
     }

@@ -115,14 +115,15 @@ pub fn run(program: &Program, setup: &Setup, limits: Limits) -> Outcome {
 pub struct Session {
     run: Interpreter,
     before: Setup,
-    furthest: f64,
+    /// How much of the main program lies behind it, 0 to 1; loops and jumps back do not make it less.
+    pub share: f64,
     ended: Option<Result<(), Halt>>,
 }
 
 impl Session {
     /// A run before its first block.
     pub fn new(program: Program, setup: &Setup, limits: Limits) -> Session {
-        Session { run: Interpreter::new(program, setup, limits), before: setup.clone(), furthest: 0.0, ended: None }
+        Session { run: Interpreter::new(program, setup, limits), before: setup.clone(), share: 0.0, ended: None }
     }
 
     /// A run of a program that came without a machine, before its first block: what it needs beyond the setup is made.
@@ -144,13 +145,8 @@ impl Session {
         while self.ended.is_none() && self.run.work < until {
             self.ended = one_block(&mut self.run).transpose();
         }
-        self.furthest = self.furthest.max(self.run.reached());
+        self.share = self.share.max(self.run.reached());
         self.ended.is_some()
-    }
-
-    /// How much of the main program lies behind it, 0 to 1; loops and jumps back do not make it less.
-    pub fn share(&self) -> f64 {
-        self.furthest
     }
 
     /// What came out so far; a run that was halted says so.
@@ -228,13 +224,13 @@ impl Interpreter {
         let mut sim = Sim::new(setup);
         sim.trace_limit = limits.trace;
         sim.point_limit = crate::scan::POINTS;
-        let modal = Modal::start(Rules::of(program.dialect).motion, sim.control.data_factor());
+        let (motion, feed_factor) = (Rules::of(program.dialect).motion, sim.control.data_factor());
         let programs = programs::programs(&program);
         let main = programs.units.first().map_or(0..0, |unit| unit.blocks.clone());
         Interpreter {
             programmed: motion::standing(&sim),
             sim,
-            modal,
+            modal: Modal { motion, absolute: true, feed_factor, ..Modal::default() },
             at: main.start,
             levels: vec![Level { blocks: main, ..Level::default() }],
             shared: Locals::new(),
@@ -295,12 +291,6 @@ impl Interpreter {
     /// Records that a datum was written.
     pub fn note_set(&mut self, name: &str, before: f64, after: f64) {
         self.sim.note(Step::Set { name: name.to_owned(), before, after });
-    }
-
-    /// Stored and active frames by name.
-    pub fn frame_values(&self) -> Vec<(String, f64)> {
-        let names = self.sim.control.variable_names().into_iter().filter(|name| name.starts_with("$P_"));
-        names.filter_map(|name| self.sim.control.variable(&name).map(|value| (name, value))).collect()
     }
 
     /// What is linked to a block.

@@ -9,10 +9,8 @@ use std::collections::{BTreeMap, BTreeSet};
 /// What one call left.
 #[derive(Clone)]
 pub struct Left {
-    /// Line of the call in the program, from 0.
-    pub line: u32,
-    /// Name of what was called.
-    pub cycle: &'static str,
+    /// The call.
+    pub call: CallAt,
     /// Results of the cycle with their values, in the order of the entry.
     pub results: Vec<(&'static ResultField, f64)>,
 }
@@ -60,20 +58,21 @@ impl Outcome {
         let begins = entries.iter().enumerate().filter_map(|(at, entry)| {
             let Step::CallBegin { cycle, variant } = entry.step else { return None };
             let cycle = catalogue::find(self.control.dialect, cycle)?;
-            Some((entry.line?, one(entry.line?, &Inputs::new(cycle, variant), entries.get(at + 1..)?)))
+            let call = CallAt { line: entry.line?, cycle: cycle.name };
+            Some((call.line, one(call, &Inputs::new(cycle, variant), entries.get(at + 1..)?)))
         });
         begins.collect::<BTreeMap<_, _>>().into_values().collect()
     }
 }
 
 /// What a call, of which only the variant is known, wrote before the next one began.
-fn one(line: u32, called: &Inputs, behind: &[Entry]) -> Left {
+fn one(call: CallAt, called: &Inputs, behind: &[Entry]) -> Left {
     let own = behind.iter().map(|entry| &entry.step);
     let own = own.take_while(|step| !matches!(step, Step::CallBegin { .. } | Step::CallEnd));
     let written: BTreeMap<&str, f64> = own.filter_map(set).collect();
     let fields = called.cycle.results.iter().filter(|field| field.when.holds(called));
     let results = fields.filter_map(|field| Some((field, *written.get(field.name)?))).collect();
-    Left { line, cycle: called.cycle.name, results }
+    Left { call, results }
 }
 
 #[cfg(test)]
@@ -121,7 +120,7 @@ mod tests {
             let found = left[call].results.iter().find(|(field, _)| field.name == name);
             found.map(|(field, value)| (field.key, *value))
         };
-        assert_eq!([left[0].line, left[1].line], [4, 7]);
+        assert_eq!([left[0].call.line, left[1].call.line], [4, 7]);
         let (key, radius) = value(0, "_DATE[11]").unwrap();
         assert!(key == "result-116-radius" && (radius - 3.0).abs() < 1e-9);
         assert_eq!(value(1, "_DATE[11]"), None);

@@ -4,7 +4,7 @@ use super::{Call, Datum, Halt, Interpreter, call, cycle, names};
 use crate::catalogue::{CYCLES, find, list};
 use crate::check::{self, Sort, listed, newer};
 use crate::control::Value;
-use crate::diagnostic::{Diagnostic, Severity, Span};
+use crate::diagnostic::{Diagnostic, Severity};
 use crate::entry::{AUXILIARY, AUXILIARY_ARGS, Arg, ArgumentList, Cycle, Kind, Param, Style, Typed};
 use crate::name::Name;
 use crate::problem::Problem;
@@ -23,17 +23,12 @@ pub fn call(run: &mut Interpreter, call: &Call) -> Result<bool, Halt> {
         return Err(stopped(run, call, cycle.name, finding));
     }
     if list.args.iter().any(|arg| matches!(arg, Arg::Variable(_) | Arg::Output(_))) {
-        helper(run, cycle, list, call)?;
-        return Ok(true);
+        return helper(run, cycle, list, call).map(|()| true);
     }
-    let values = values(cycle, list, call);
     if list.style == Style::Operate {
-        let typed =
-            |(name, value): &(Name, Option<Value>)| Some((name.to_string(), Datum::from(value.as_ref()?).exact()));
-        newer_list(run, cycle, list, &values.iter().filter_map(typed).collect(), call.span)?;
-        return Ok(true);
+        return newer_list(run, cycle, list, call).map(|()| true);
     }
-    for (name, value) in values {
+    for (name, value) in values(cycle, list, call) {
         run.unread.remove(name.as_str());
         let data = &mut run.sim.control.data;
         match value.or_else(|| (list.style != Style::Direct).then(|| omitted(cycle, name.as_str()))) {
@@ -83,21 +78,17 @@ fn stopped(run: &mut Interpreter, call: &Call, name: &str, finding: Diagnostic) 
 }
 
 /// The list of a newer control, as far as the older one does the same. What only the newer one has is told.
-fn newer_list(
-    run: &mut Interpreter,
-    cycle: &'static Cycle,
-    list: &ArgumentList,
-    typed: &Typed,
-    span: Span,
-) -> Result<(), Halt> {
-    run.fit(cycle, typed);
-    let checked = newer::check_listed(cycle, list, typed, &run.sim.control);
+fn newer_list(run: &mut Interpreter, cycle: &'static Cycle, list: &ArgumentList, call: &Call) -> Result<(), Halt> {
+    let values = values(cycle, list, call).into_iter();
+    let typed = values.filter_map(|(name, value)| Some((name.to_string(), Datum::from(&value?).exact()))).collect();
+    run.fit(cycle, &typed);
+    let checked = newer::check_listed(cycle, list, &typed, &run.sim.control);
     if checked.inputs.is_some() {
-        for (name, _) in arguments::only_newer(&run.program, list, span) {
-            run.tell(Severity::Warning, &Problem::new("run-not-simulated", span, name));
+        for (name, _) in arguments::only_newer(&run.program, list, call.span) {
+            run.tell(Severity::Warning, &Problem::new("run-not-simulated", call.span, name));
         }
     }
-    cycle::carry_out(run, cycle, checked, span)
+    cycle::carry_out(run, cycle, checked, call.span)
 }
 
 /// What is not 0 goes into the data (B:11734).

@@ -34,13 +34,6 @@ pub struct Modal {
     pub radius: i64,
 }
 
-impl Modal {
-    /// What is in force before the first block, but for this motion; `factor`: mm in the unit of F.
-    pub fn start(motion: Motion, factor: f64) -> Modal {
-        Modal { motion, absolute: true, feed_factor: factor, ..Modal::default() }
-    }
-}
-
 /// How a block with axis words moves, in the order in which the control counts these functions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Motion {

@@ -5,7 +5,7 @@ use super::{
     system, unread,
 };
 use crate::catalogue::CYCLES;
-use crate::control::{Frame, Value, arrays, gud, machine_data, rotary::is_angle};
+use crate::control::{Control, Frame, Value, arrays, gud, machine_data, rotary::is_angle};
 use crate::diagnostic::Span;
 use crate::problem::Problem;
 use crate::syntax::tree::{ExprId, WordKind};
@@ -82,11 +82,8 @@ fn parameter(run: &Interpreter, key: &str, place: Span) -> Option<Result<Datum, 
 /// Value that a parameter has when nobody wrote it: the default of the catalogue (B:1769-1785).
 fn delivered(run: &Interpreter, key: &str) -> f64 {
     let cycles = CYCLES.iter().filter(|cycle| cycle.dialect == run.program.dialect);
-    cycles
-        .flat_map(|cycle| cycle.params.iter())
-        .filter(|param| param.name == key)
-        .find_map(|param| param.fallback(&run.sim.control))
-        .unwrap_or(0.0)
+    let mut params = cycles.flat_map(|cycle| cycle.params).filter(|param| param.name == key);
+    params.find_map(|param| param.fallback(&run.sim.control)).unwrap_or(0.0)
 }
 
 /// Writes a variable; what changed is recorded.
@@ -210,12 +207,13 @@ fn constant(key: &str) -> Option<Datum> {
 }
 
 fn write_frame(run: &mut Interpreter, key: &str, frame: &Frame, place: Span) -> Result<(), Problem> {
-    let before: BTreeMap<String, f64> = run.frame_values().into_iter().collect();
+    let frames = |control: &Control| control.variables().filter(|(name, _)| name.starts_with("$P_")).collect();
+    let before: BTreeMap<String, f64> = frames(&run.sim.control);
     run.work += before.len() / 10;
     if !run.sim.control.set_frame(key, *frame) {
         return Err(Problem::new("run-read-only", place, key));
     }
-    for (name, after) in run.frame_values() {
+    for (name, after) in frames(&run.sim.control) {
         let old = before.get(&name).copied().unwrap_or(0.0);
         if old != after {
             run.note_set(&name, old, after);

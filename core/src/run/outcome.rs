@@ -171,13 +171,11 @@ pub(super) fn set(step: &Step) -> Option<(&str, f64)> {
 
 /// Every corrected quantity by the name a program would use for it, lengths in mm.
 fn addressable(control: &Control) -> BTreeMap<String, f64> {
-    let names = control.variable_names().into_iter();
-    let variables = names.filter_map(|name| control.variable(&name).map(|value| (name, value)));
     let memories = control.data.iter().filter_map(|(name, value)| match value {
         Value::Number(value) if remembered(name) => Some((name.clone(), value * control.basic_factor())),
         _ => None,
     });
-    variables.chain(memories).collect()
+    control.variables().chain(memories).collect()
 }
 
 /// User data in which later measurements find what this one left: empirical and mean values, calibration of probes.

@@ -22,11 +22,13 @@ pub struct Deviation {
 pub struct Session {
     sim: Sim,
     scanner: Box<dyn Scanner>,
-    cloud: Cloud,
+    /// What was scanned so far.
+    pub cloud: Cloud,
     scanned: bool,
-    stop: Option<Stop>,
-    /// Of each point: as sent, and with the ball taken out; outside of the surface positive, mm.
-    deviations: Vec<[f32; 2]>,
+    /// Why it ended before its end.
+    pub stop: Option<Stop>,
+    /// Of each point compared so far, as sent and with the ball taken out; outside of the surface positive, mm.
+    pub deviations: Vec<[f32; 2]>,
 }
 
 impl Session {
@@ -90,24 +92,9 @@ impl Session {
         SCANNING + (1.0 - SCANNING) * self.deviations.len() as f64 / self.cloud.points().len().max(1) as f64
     }
 
-    /// Why it ended before its end.
-    pub fn stop(&self) -> Option<&Stop> {
-        self.stop.as_ref()
-    }
-
-    /// What was scanned so far.
-    pub fn cloud(&self) -> &Cloud {
-        &self.cloud
-    }
-
     /// How it is scanned.
     pub fn layout(&self) -> &Layout {
         self.scanner.layout()
-    }
-
-    /// Of each point compared so far: deviation as sent, and with the ball taken out, mm.
-    pub fn deviations(&self) -> &[[f32; 2]] {
-        &self.deviations
     }
 
     /// Deviation of the points as sent (0), or with the ball taken out (1).

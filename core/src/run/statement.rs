@@ -199,9 +199,7 @@ fn word_of(run: &mut Interpreter, word: &Word, found: &mut Words) -> Result<bool
             };
             assign(run, &key, value, word.span, found)?;
         }
-        WordKind::Declare { name, index, value } => {
-            declare::declare(run, *name, index, *value, found.declaring)?;
-        }
+        WordKind::Declare { .. } => declare::declare(run, word, found.declaring)?,
         WordKind::Constant(value) => {
             let value = evaluate(run, *value)?;
             match (&found.case, found.calls.last_mut()) {
@@ -300,7 +298,7 @@ fn keyword(run: &mut Interpreter, place: Span, value: Option<ExprId>, found: &mu
         "WHILE" | "FOR" | "LOOP" | "UNTIL" | "ENDWHILE" | "ENDFOR" | "ENDLOOP" | "ELSE" | "ENDIF" | "TO" | "END"
         | "REPEAT" | "DO" => return branch::structure(run, place, value, found),
         "RET" => found.leaves = true,
-        _ => drop(declare::attribute(run, &name, value, &mut found.declaring)?),
+        _ => found.declaring.take(run, &name, value)?,
     }
     Ok(true)
 }

@@ -76,9 +76,8 @@ fn save(run: &Interpreter) -> Saved {
 
 /// Brings back what was in force at the call; the tool stays as it is.
 fn restore(run: &mut Interpreter, saved: Saved) {
-    let tools = (run.modal.prepared, run.modal.waiting_edge);
-    run.modal = saved.modal;
-    (run.modal.prepared, run.modal.waiting_edge) = tools;
+    let Modal { prepared, waiting_edge, .. } = run.modal;
+    run.modal = Modal { prepared, waiting_edge, ..saved.modal };
     run.sim.with_length(|control| control.plane = saved.plane);
     (run.sim.control.active_units, run.sim.control.data_follow) = saved.units;
     run.sim.control.program_frame = saved.frame;
@@ -176,7 +175,7 @@ fn parameters(run: &Interpreter, words: &[Word]) -> Result<Vec<Parameter>, Probl
         match &word.kind {
             WordKind::Keyword { name, value } => {
                 by_reference |= run.program.is(*name, "VAR");
-                declare::attribute(run, &run.program.name(*name), *value, &mut declaring)?;
+                declaring.take(run, &run.program.name(*name), *value)?;
             }
             WordKind::Declare { .. } if !named => named = true,
             WordKind::Declare { name, index, value } => {

@@ -21,8 +21,7 @@ pub struct Survived {
 }
 
 /// The limits of one error, of which `with` makes the machine and the part; where that cannot exist, it is not
-/// survived.
-/// None: the call does not even come to its end without it.
+/// survived. None: the call does not even come to its end without it.
 ///
 /// The limit is found by running the call: what `_FA`, `_TSA` and `_SZA` leave depends on ball, angles and order of
 /// touches, and running them is exact whatever decides. Larger errors are tried until one is not survived; between it

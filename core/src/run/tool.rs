@@ -92,15 +92,10 @@ pub fn no_edge(tool: i64, edge: i64, place: Span) -> Problem {
 
 fn select(run: &mut Interpreter, tool: i64, edge: i64, address: &Address) -> Result<(), Problem> {
     run.make_tool(tool, edge);
-    let there = match edge {
-        0 => tool == 0 || run.sim.control.tools.contains_key(&tool),
-        _ if tool == 0 => true,
-        _ => run.sim.control.edge_of(tool, edge).is_some(),
-    };
-    if !run.sim.control.tools.contains_key(&tool) && !there {
+    if tool != 0 && !run.sim.control.tools.contains_key(&tool) {
         return Err(Problem::new("run-no-tool", address.span, tool.to_string()));
     }
-    if !there {
+    if tool != 0 && edge != 0 && run.sim.control.edge_of(tool, edge).is_none() {
         return Err(no_edge(tool, edge, address.span));
     }
     let edge = if tool == 0 { 0 } else { edge };

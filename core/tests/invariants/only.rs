@@ -19,7 +19,7 @@ fn changed(before: &Control, after: &Control) -> BTreeSet<String> {
             names.insert(name.clone());
         }
     }
-    let stored = before.variable_names().into_iter().chain(after.variable_names());
+    let stored = before.variables().chain(after.variables()).map(|(name, _)| name);
     names.extend(stored.filter(|name| before.variable(name).unwrap_or(0.0) != after.variable(name).unwrap_or(0.0)));
     names
 }

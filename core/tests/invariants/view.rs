@@ -235,11 +235,8 @@ pub fn differs(cycle: &str, a: &Control, b: &Control, tolerance: f64) -> Option<
     };
     let more = || b.data.keys().find(|name| !a.data.contains_key(name)).cloned();
     let tools = || {
-        let names = a.variable_names();
-        names.into_iter().filter(|name| name.starts_with("$TC")).find_map(|name| {
-            let (one, other) = (a.variable(&name)?, b.variable(&name)?);
-            near(&name, one, other)
-        })
+        let mut of_tools = a.variables().filter(|(name, _)| name.starts_with("$TC"));
+        of_tools.find_map(|(name, one)| near(&name, one, b.variable(&name)?))
     };
     frames.or_else(numbers).or_else(more).or_else(tools)
 }

@@ -260,7 +260,7 @@ proptest! {
         let mut rounds = 0;
         while !session.advance(pieces) {
             rounds += 1;
-            prop_assert!(rounds <= limits.steps && (0.0..=1.0).contains(&session.share()));
+            prop_assert!(rounds <= limits.steps && (0.0..=1.0).contains(&session.share));
         }
         prop_assert_eq!(session.outcome(), whole);
     }
@@ -272,7 +272,7 @@ fn a_run_that_is_left_says_so() {
     let program = read(Dialect::Sinumerik, b"R1=1\nA: R1=R1+1\nGOTOB A");
     let mut session = Session::new(program, &setup(), Limits::default());
     assert!(!session.advance(100));
-    assert!(session.share() > 0.0 && session.share() < 1.0);
+    assert!(session.share > 0.0 && session.share < 1.0);
     let outcome = session.outcome();
     assert!(
         matches!(&outcome.stop, Some(probewright_core::machine::Stop::Fault(message)) if message.key == "run-cancelled")

@@ -112,7 +112,7 @@ fn print_results(path: &Path, outcome: &Outcome, words: &Words, out: &mut dyn Wr
         });
         let lines: Vec<String> = lines.collect();
         if !lines.is_empty() {
-            writeln!(out, "{}:{}: {}", path.display(), left.line + 1, left.cycle)?;
+            writeln!(out, "{}:{}: {}", path.display(), left.call.line + 1, left.call.cycle)?;
             writeln!(out, "{}", lines.join("\n"))?;
         }
     }

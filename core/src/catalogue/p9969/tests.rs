@@ -60,7 +60,7 @@ fn session(setup: &Setup, values: &[(String, String)]) -> Session {
 fn scanned(setup: &Setup, values: &[(String, String)]) -> Session {
     let mut session = session(setup, values);
     while !session.advance(100) {}
-    assert_eq!(session.stop(), None);
+    assert_eq!(session.stop, None);
     session
 }
 
@@ -77,12 +77,12 @@ fn an_inclined_plane_is_scanned_and_taken_out() {
         let setup = over(relief(|x, _| 0.75 * x), plane);
         let session = scanned(&setup, &rectangle(plane, EXACT, &[]));
         let axes = plane.axes();
-        for (index, point) in session.cloud().points().iter().enumerate() {
+        for (index, point) in session.cloud.points().iter().enumerate() {
             near(point[axes[2]], 0.75 * (point[axes[0]] - 15.0) + 0.25 * 3.0);
-            let under = session.cloud().surface(session.layout(), index);
+            let under = session.cloud.surface(session.layout(), index);
             assert!((under[axes[2]] - 0.75 * (under[axes[0]] - 15.0)).abs() < 1e-8, "{plane:?}");
         }
-        assert_eq!(session.cloud().lines(), 5);
+        assert_eq!(session.cloud.lines(), 5);
         assert!((session.deviation(0).greatest - 0.6).abs() < 1e-6); // 0.75 across the plane
         assert!(session.deviation(1).greatest < 1e-6);
     }
@@ -94,7 +94,7 @@ fn lines_go_back_and_forth_at_their_distances() {
     let plane = Plane::G17;
     let setup = over(relief(|_, _| 0.0), plane);
     let session = scanned(&setup, &rectangle(plane, EXACT, &[]));
-    let points = session.cloud().points();
+    let points = session.cloud.points();
     assert_eq!(points.len(), 5 * 21);
     for (index, point) in points.iter().enumerate() {
         let (line, place) = (index / 21, index % 21);
@@ -105,7 +105,7 @@ fn lines_go_back_and_forth_at_their_distances() {
     }
     let steep = over(relief(|x, _| 0.75 * x), plane);
     let session = scanned(&steep, &rectangle(plane, EXACT, &[]));
-    let [_, second, third, ..] = session.cloud().points() else { panic!() };
+    let [_, second, third, ..] = session.cloud.points() else { panic!() };
     near(third[0] - second[0], 1.5 * 0.8);
 }
 
@@ -117,8 +117,8 @@ fn a_sphere_is_recovered() {
     let dome = relief(|x, y| (size * size - x * x - y * y).sqrt() - size);
     let setup = over(dome, Plane::G17);
     let session = scanned(&setup, &rectangle(Plane::G17, EXACT, &[]));
-    for index in 0..session.cloud().points().len() {
-        let [x, y, z]: [f64; 3] = session.cloud().surface(session.layout(), index).into();
+    for index in 0..session.cloud.points().len() {
+        let [x, y, z]: [f64; 3] = session.cloud.surface(session.layout(), index).into();
         let away = ((x - 15.0).powi(2) + (y - 6.0).powi(2) + (z + size).powi(2)).sqrt();
         assert!((away - size).abs() < 0.02, "{index}: {away}");
     }
@@ -146,7 +146,7 @@ fn the_feed_decides_over_the_accuracy() {
     let exact = scanned(&setup, &rectangle(Plane::G17, EXACT, &[]));
     for (feed, accuracy) in [("12", 0.001), ("120", 0.01), ("1200", 0.1)] {
         let session = scanned(&setup, &rectangle(Plane::G17, feed, &[]));
-        let first = |session: &Session| session.cloud().points()[0][2];
+        let first = |session: &Session| session.cloud.points()[0][2];
         let error = first(&exact) - first(&session);
         assert!((0.0..=accuracy).contains(&error), "F{feed}: {error}");
         let worst = session.deviation(0).greatest - exact.deviation(0).greatest;
@@ -163,7 +163,7 @@ fn nothing_deeper_than_the_deepest_position_and_walls_upwards() {
     let mut values = rectangle(plane, EXACT, &[]);
     values[2].1 = "-10".into();
     let session = scanned(&setup, &values);
-    let points = session.cloud().points();
+    let points = session.cloud.points();
     assert!(points.iter().all(|point| point[2] > -10.0 - 1e-9));
     // the wall stands at 15.0 to 15.5 (a cell); the ball touches it from the side with its radius
     let wall: Vec<_> = points.iter().filter(|point| point[2] < -3.0 && point[1] == 0.0).collect();
@@ -207,7 +207,7 @@ fn the_letter_says_which_axis_is_stepped_along() {
         values[3].0 = letter.into();
         let session = scanned(&setup, &values);
         assert_eq!(session.layout().axes[0], axis_along, "{plane:?} {letter}");
-        let [first, second, ..] = session.cloud().points() else { panic!() };
+        let [first, second, ..] = session.cloud.points() else { panic!() };
         near((second[axis_along] - first[axis_along]).abs(), 1.5);
     }
 }
@@ -217,9 +217,9 @@ fn the_letter_says_which_axis_is_stepped_along() {
 fn the_program_that_is_sent_runs_through_the_points() {
     let setup = over(relief(|x, y| 0.2 * x + (0.3 * y).sin()), Plane::G17);
     let session = scanned(&setup, &rectangle(Plane::G17, "60", &[("S", "1234")]));
-    let all = session.cloud().points().len();
+    let all = session.cloud.points().len();
     let form = crate::scan::text::Form::Program;
-    let text = crate::scan::text::piece(session.cloud(), session.layout(), form, 0..all);
+    let text = crate::scan::text::piece(&session.cloud, session.layout(), form, 0..all);
     assert!(text.starts_with("%\nO1234\n"), "{text}");
     let program = crate::syntax::read(crate::dialect::Dialect::Nct, text.as_bytes());
     let mut empty = setup.clone();
@@ -236,12 +236,12 @@ fn the_program_that_is_sent_runs_through_the_points() {
         })
         .collect();
     assert_eq!(ends.len(), all);
-    for (end, point) in ends.iter().zip(session.cloud().points()) {
+    for (end, point) in ends.iter().zip(session.cloud.points()) {
         assert!((0..3).all(|axis| (end[axis] - point[axis]).abs() <= 0.0005 + 1e-9));
     }
     let pieces: String = (0..all)
         .step_by(7)
-        .map(|from| crate::scan::text::piece(session.cloud(), session.layout(), form, from..from + 7))
+        .map(|from| crate::scan::text::piece(&session.cloud, session.layout(), form, from..from + 7))
         .collect();
     assert_eq!(pieces, text);
 }

@@ -2,7 +2,7 @@
 
 use super::tolerance::Sizes;
 use crate::catalogue::prelude::*;
-use crate::evaluate::tool_offset::Target as Tool;
+use crate::evaluate::tool_offset::{GEOMETRY, Target as Tool};
 use crate::evaluate::{Write, tool_offset, zero_offset};
 use nalgebra::IsometryMatrix3;
 
@@ -29,7 +29,8 @@ pub fn tool(machine: &mut dyn Machine, target: &Tool, sizes: &Sizes, difference:
     let sign = if target.part == tool_offset::RADIUS { sizes.radius_sign } else { -1.0 };
     let inverted = if target.inverted { -1.0 } else { 1.0 };
     let amount = sizes.factor * sign * inverted * difference;
-    let writes = tool_offset::writes(machine.control(), target, amount);
+    let control = machine.control();
+    let writes = tool_offset::writes(control, target, amount, control.bit(GEOMETRY));
     write(machine, &writes);
     amount
 }

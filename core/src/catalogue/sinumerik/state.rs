@@ -2,7 +2,7 @@
 
 use crate::catalogue::lathe;
 use crate::catalogue::prelude::*;
-use crate::control::{Frame, Value, gud};
+use crate::control::{Frame, Value, gud, probe::Unfit};
 
 /// Bit of MD28082 for the system frame of the cycles (A:15840, B:1977).
 const CYCLE_FRAME: u32 = 5;
@@ -18,7 +18,7 @@ pub fn refusal(control: &Control, machine: MachineSort) -> Option<u32> {
     };
     match machine {
         MachineSort::Turning => turning(control, edge),
-        _ => control.unfit(edge).filter(|unfit| unfit.refuses()).map(|_| 61309), // B:4147-4152, A:15848
+        _ => control.unfit(edge).filter(|unfit| *unfit != Unfit::Digit).map(|_| 61309), // B:4147-4152, A:15848
     }
 }
 

@@ -126,6 +126,6 @@ fn decide(
 pub fn write(machine: &mut dyn Machine, part: usize, difference: f64, geometry: bool) {
     let control = machine.control();
     let target = tool_offset::Target { tool: control.tool, edge: control.edge, part, location: None, inverted: false };
-    let writes = tool_offset::writes_into(control, &target, difference, geometry);
+    let writes = tool_offset::writes(control, &target, difference, geometry);
     correct::write(machine, &writes);
 }

@@ -155,13 +155,9 @@ impl Gud {
     /// Key of the words for an element: `_WP[k,0]` has `datum-wp-0`, a range of elements that of its first.
     pub fn key(&self, element: &Element) -> String {
         let stem = self.name.trim_matches('_').to_lowercase().replace('_', "-");
-        element
-            .indices()
-            .filter_map(|index| match index {
-                Index::Any => None,
-                Index::At(from, _) => Some(from),
-            })
-            .fold(format!("datum-{stem}"), |key, index| format!("{key}-{index}"))
+        let numbers =
+            element.indices().filter_map(|index| if let Index::At(from, _) = index { Some(from) } else { None });
+        numbers.fold(format!("datum-{stem}"), |key, number| format!("{key}-{number}"))
     }
 
     /// Name of an element as a program writes it.

@@ -1,5 +1,4 @@
-//! Parameters of a call, block GUD5 (B:1744-1785), and its results. Ranges, defaults and words of the forms stand in
-//! the catalogue.
+//! Parameters of a call, block GUD5 (B:1744-1785), and its results; their ranges, defaults and words: the catalogue.
 
 use super::{ACTIVE, FEED, Gud, Integer, LENGTH, MM, Real, Text, Unit, element, gud5};
 

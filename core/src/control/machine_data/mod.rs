@@ -44,8 +44,7 @@ pub const TOOL_LENGTH_TYPE: &str = "SD42950";
 pub fn setting(name: &str) -> Option<&'static str> {
     let identifier = name.strip_prefix("$SC_")?;
     let mut settings = MACHINE_DATA.iter().filter(|datum| datum.number.starts_with("SD"));
-    let found = settings.find(|datum| datum.identifier == identifier)?;
-    Some(found.number)
+    settings.find(|datum| datum.identifier == identifier).map(|datum| datum.number)
 }
 
 impl MachineDatum {

@@ -39,9 +39,10 @@ impl Control {
         true
     }
 
-    /// Names of all stored tool and frame data.
-    pub fn variable_names(&self) -> Vec<String> {
-        (self.make().names)(self)
+    /// All stored tool and frame data by their names.
+    pub fn variables(&self) -> impl Iterator<Item = (String, f64)> {
+        let names = (self.make().names)(self).into_iter();
+        names.filter_map(|name| self.variable(&name).map(|value| (name, value)))
     }
 
     /// Tools and edges, each with what it holds.
@@ -100,7 +101,7 @@ impl Control {
     }
 }
 
-/// [`Control::variable_names`] of SINUMERIK.
+/// Names of all stored tool and frame data of SINUMERIK.
 pub(super) fn sinumerik_names(control: &Control) -> Vec<String> {
     let mut names = Vec::new();
     let stores =
@@ -115,7 +116,7 @@ pub(super) fn sinumerik_names(control: &Control) -> Vec<String> {
     names
 }
 
-/// [`Control::variable_names`] of NCT.
+/// Names of all stored tool and frame data of NCT.
 pub(super) fn nct_names(control: &Control) -> Vec<String> {
     let offsets = control.frames.keys().filter(|number| **number <= 6);
     let offsets = offsets.map(|number| control.make().settable_name(*number));

@@ -80,7 +80,7 @@ pub(crate) fn target(control: &Control, names: &Names) -> Result<Option<Target>,
 /// offsets, 61409 setup offsets (A:15927-15928). Which it needs, `_CHBIT[6]` and `_CHBIT[8]` say (B:2047-2060).
 pub fn missing_memory(control: &Control) -> Option<u32> {
     let only_setup = control.bit("_CHBIT[8]");
-    let setup = only_setup || control.bit("_CHBIT[6]");
+    let setup = only_setup || control.bit(GEOMETRY);
     if !only_setup && !control.machine_bit("MD18080", 8) {
         return Some(61408);
     }
@@ -118,14 +118,12 @@ fn by_name(control: &Control, name: &str) -> Result<i64, u32> {
     control.tools.keys().copied().rfind(named).ok_or(61343)
 }
 
-/// What a correction by `amount` (mm, sign included) writes. `_CHBIT[6]` and `_CHBIT[8]` choose the memories
-/// (B:2047-2060): wear and additive offset grow; or they are taken into geometry and setup offset and erased.
-pub fn writes(control: &Control, target: &Target, amount: f64) -> Vec<Write> {
-    writes_into(control, target, amount, control.bit("_CHBIT[6]"))
-}
+/// Whether corrections are taken into the geometry, and the wear is erased (B:2047-2060).
+pub const GEOMETRY: &str = "_CHBIT[6]";
 
-/// What a correction by `amount`, mm, writes where the caller says whether the geometry takes all of it.
-pub fn writes_into(control: &Control, target: &Target, amount: f64, geometry: bool) -> Vec<Write> {
+/// What a correction by `amount` (mm, sign included) writes: wear and additive offset grow; or, with `geometry`, they
+/// are taken into geometry and setup offset and erased. `_CHBIT[8]` chooses the setup offset alone (B:2047-2060).
+pub fn writes(control: &Control, target: &Target, amount: f64, geometry: bool) -> Vec<Write> {
     let Target { tool, edge, part, .. } = *target;
     let at = format!("[{tool},{edge}]");
     let (coarse, fine) = match target.location {

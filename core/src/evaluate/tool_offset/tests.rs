@@ -101,9 +101,12 @@ fn wear_or_geometry() {
     let target = find(&control, NAMES).unwrap();
     control.set_variable("$TC_DP15[20,1]", 0.1);
     let only = |name: &str, value: f64| Write { name: name.into(), value };
-    assert_eq!(writes(&control, &target, 0.025), [only("$TC_DP15[20,1]", 0.125)]);
+    assert_eq!(writes(&control, &target, 0.025, control.bit(GEOMETRY)), [only("$TC_DP15[20,1]", 0.125)]);
     control.set("_CHBIT[6]", 1.0);
-    assert_eq!(writes(&control, &target, 0.025), [only("$TC_DP6[20,1]", 10.125), only("$TC_DP15[20,1]", 0.0)]);
+    assert_eq!(
+        writes(&control, &target, 0.025, control.bit(GEOMETRY)),
+        [only("$TC_DP6[20,1]", 10.125), only("$TC_DP15[20,1]", 0.0)]
+    );
 }
 
 #[test]
@@ -115,9 +118,12 @@ fn setup_or_additive_offset() {
     control.set_variable("$TC_SCP33[5,2]", 0.25);
     control.set_variable("$TC_ECP33[5,2]", 1.0);
     let only = |name: &str, value: f64| Write { name: name.into(), value };
-    assert_eq!(writes(&control, &target, 0.5), [only("$TC_SCP33[5,2]", 0.75)]);
+    assert_eq!(writes(&control, &target, 0.5, control.bit(GEOMETRY)), [only("$TC_SCP33[5,2]", 0.75)]);
     control.set("_CHBIT[6]", 1.0);
-    assert_eq!(writes(&control, &target, 0.5), [only("$TC_ECP33[5,2]", 1.75), only("$TC_SCP33[5,2]", 0.0)]);
+    assert_eq!(
+        writes(&control, &target, 0.5, control.bit(GEOMETRY)),
+        [only("$TC_ECP33[5,2]", 1.75), only("$TC_SCP33[5,2]", 0.0)]
+    );
     control.set("_CHBIT[8]", 1.0);
-    assert_eq!(writes(&control, &target, 0.5), [only("$TC_ECP33[5,2]", 1.5)]);
+    assert_eq!(writes(&control, &target, 0.5, control.bit(GEOMETRY)), [only("$TC_ECP33[5,2]", 1.5)]);
 }

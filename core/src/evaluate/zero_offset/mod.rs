@@ -87,10 +87,15 @@ impl Measured {
 }
 
 /// What the correction writes. The chain is system : global basic : channel basic : settable : programmed frame.
+/// Fine part with MD18600 = 1; coarse with 0, `_CHBIT[21]` = 1 or `$P_SETFR` (B:1990-2003, B:14035-14039).
 pub fn writes(control: &Control, target: &Target, measured: &Measured) -> Vec<Write> {
     let (before, old, after) = around(control, target);
     let shift = missing(control, (&before, &old, &after), measured);
-    shifted(control, target, &old, shift)
+    if target.store == Store::System || control.bit("_CHBIT[21]") || control.number("MD18600") == 0.0 {
+        return coarse(target, &old, shift);
+    }
+    let fine = std::array::from_fn(|axis| old.fine[axis] + shift[axis]);
+    part(target, &AXES, "FI", fine, old.fine)
 }
 
 /// What has to be added to the translation of a frame, so that the point gets its set coordinates.
@@ -121,15 +126,6 @@ fn around(control: &Control, target: &Target) -> (Vec<Frame>, Frame, Vec<Frame>)
     }
     after.push(control.program_frame);
     (before, control.stored_frame(target.store), after)
-}
-
-/// Fine part with MD18600 = 1; coarse with 0, `_CHBIT[21]` = 1 or `$P_SETFR` (B:1990-2003, B:14035-14039).
-fn shifted(control: &Control, target: &Target, old: &Frame, shift: [f64; 3]) -> Vec<Write> {
-    if target.store == Store::System || control.bit("_CHBIT[21]") || control.number("MD18600") == 0.0 {
-        return coarse(target, old, shift);
-    }
-    let fine = std::array::from_fn(|axis| old.fine[axis] + shift[axis]);
-    part(target, &AXES, "FI", fine, old.fine)
 }
 
 /// Into the coarse part, the fine part included and erased (B:1990-2003).

@@ -1,5 +1,4 @@
-//! Rotations of a corrected frame: the part is turned, and afterwards it is not any more (B:7371, B:7844, B:8411).
-//! DESIGN.md derives the formulas.
+//! Rotations of a corrected frame, after which a turned part stands right (B:7371, B:7844, B:8411, DESIGN.md).
 
 use super::{Measured, SAME, Store, Target, around, coarse, missing, part};
 use crate::control::{AXES, Control, Frame, ROTARY};
@@ -52,22 +51,19 @@ pub fn rotary(control: &Control, target: &Target, axis: usize, angle: Degrees) -
     let settable = (Store::Settable(control.settable), &control.active);
     let mut in_effect = control.basic_in_effect().chain([settable]);
     let effective = in_effect.find(|(store, _)| *store == target.store).map_or(stored, |(_, frame)| *frame);
-    let with = |mut values: [Degrees; 3], value: Degrees| {
-        values[axis] = value;
-        values
+    let rotary_part = |name, value: Degrees, before: [Degrees; 3]| {
+        let before = before.map(|angle| angle.0);
+        let mut changed = before;
+        changed[axis] = value.0;
+        part(target, &ROTARY, name, changed, before)
     };
-    let plain = |values: [Degrees; 3]| values.map(|angle| angle.0);
-    let rotary_part = |name, now, before| part(target, &ROTARY, name, plain(now), plain(before));
     let (coarse, fine) = (effective.rotary[axis], effective.rotary_fine[axis]);
     let angle = angle + given_up(control, target, axis);
     if target.store != Store::System && control.number("MD18600") != 0.0 {
-        let changed = with(stored.rotary_fine, fine + angle);
-        return rotary_part("FI", changed, stored.rotary_fine);
+        return rotary_part("FI", fine + angle, stored.rotary_fine);
     }
-    let changed = with(stored.rotary, coarse + fine + angle);
-    let mut writes = rotary_part("TR", changed, stored.rotary);
-    let erased = with(stored.rotary_fine, Degrees(0.0));
-    writes.extend(rotary_part("FI", erased, stored.rotary_fine));
+    let mut writes = rotary_part("TR", coarse + fine + angle, stored.rotary);
+    writes.extend(rotary_part("FI", Degrees(0.0), stored.rotary_fine));
     writes
 }
 
