@@ -6,7 +6,7 @@ use crate::entry::{Inputs, delivered_factor};
 use crate::name::Name;
 
 /// A condition on the values of a call. Data, so that docs can print it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum When {
     /// Always.
     Always,

@@ -1,7 +1,8 @@
 //! The lines of the help page of CYCLE971 (B:4157-5029).
 
 use super::params::{AUTOMATIC, CALIBRATE, INCREMENTAL, MEASURE, ROTATING};
-use crate::entry::{HelpLine, When, before, corrects, measures, mvar, order, wrong};
+use crate::catalogue::tool_probe::help::lines;
+use crate::entry::{HelpLine, When, before, measures, mvar, order, wrong};
 
 const TRAVELS: When = When::Not(&INCREMENTAL);
 const STILL: When = mvar(1, &[1]);
@@ -10,6 +11,8 @@ const CALIBRATES_KNOWN: When = When::All(&[CALIBRATE, TRAVELS]);
 const ONE_SIDE: When = When::All(&[TRAVELS, When::Not(&AUTOMATIC)]);
 const CALIBRATES_ONE_SIDE: When = When::All(&[CALIBRATE, ONE_SIDE]);
 
+/// Lines that all cycles at a tool probe have.
+pub const SHARED: &[HelpLine] = &lines([TRAVELS, CALIBRATES_KNOWN, MEASURE], [INCREMENTAL, INCREMENTAL]);
 /// Section by section, in the order in which they are read.
 pub const LINES: &[HelpLine] = &[
     measures(CALIBRATE_ONE, "help-cycle971-measures-side", "B:4188-4196"),
@@ -20,25 +23,16 @@ pub const LINES: &[HelpLine] = &[
     before(When::Always, "help-cycle971-before-parallel", "B:4246-4250"),
     before(AUTOMATIC, "help-cycle971-before-over", "B:4686-4706"),
     before(ONE_SIDE, "help-cycle971-before-clear", "B:4246-4254"),
-    before(TRAVELS, "help-tool-probe-known", "B:4204-4215;B:13357-13384"),
-    before(INCREMENTAL, "help-tool-in-front", "B:4587;B:9825"),
     order(ONE_SIDE, "help-cycle971-order-beside", "B:4573;B:4593"),
     order(ONE_SIDE, "help-cycle971-order-on-top", "B:4593-4599"),
     order(CALIBRATES_ONE_SIDE, "help-cycle971-order-centre-first", "B:4605-4607"),
     order(MEASURE, "help-cycle971-order-widest", "B:4849"),
     order(ROTATING, "help-cycle971-order-turning", "B:4771-4805"),
     order(AUTOMATIC, "help-cycle971-order-all-sides", "B:4686-4743"),
-    order(TRAVELS, "help-tool-block", "B:1111-1121;B:2344-2356"),
-    order(INCREMENTAL, "help-tool-from-here", "B:4432;B:9825"),
-    corrects(CALIBRATES_KNOWN, "help-tool-trigger", "B:4326"),
-    corrects(MEASURE, "help-tool-data", "B:4324;B:4930-4937"),
-    corrects(INCREMENTAL, "help-tool-trigger-always", "B:4432;B:9840"),
     wrong(TRAVELS, "help-cycle971-wrong-depth", "B:13369"),
     wrong(ONE_SIDE, "help-cycle971-wrong-unclear", "B:4589;A:15875"),
     wrong(STILL, "help-cycle971-wrong-edge", "B:4189"),
     wrong(CALIBRATE, "help-cycle971-wrong-master", "B:4326"),
     wrong(MEASURE, "help-cycle971-wrong-no-data", "A:15893"),
     wrong(ROTATING, "help-cycle971-wrong-direction", "A:15910"),
-    wrong(TRAVELS, "help-tool-reach", "B:13999-14001"),
-    wrong(INCREMENTAL, "help-tool-unwatched", "B:4432;B:9840"),
 ];

@@ -56,7 +56,7 @@ pub static CYCLE971: Cycle = Cycle {
         &alarms([61309, 61349, 61350, 61351, 61366, 61401, 61415]),
     ],
     checks: checks::checks,
-    help: Help::new(&[help::LINES, tool_probe::help::ALL]),
+    help: Help::new(&[help::LINES, help::SHARED]),
     picture: Drawing::staged(picture::stage, picture::marks),
     // a side, as every variant but the automatic one can touch it
     examples: &[(params::CALIBRATE, &[(names::MA, "1")]), (params::INCREMENTAL, &[(names::FA, "-3")])],

@@ -4,6 +4,7 @@ use super::params::{
     AUTOMATIC, BOTH, CALIBRATE, INCREMENTAL, MEASURE, OPPOSITE, POSITIONED, RADIAL, RADIUS, REVERSAL, UPPER,
     WITH_RADIUS,
 };
+use crate::catalogue::tool_probe::help::lines;
 use crate::entry::{HelpLine, When, before, corrects, measures, mvar, order, wrong};
 
 const CALIBRATES_KNOWN: When = When::All(&[CALIBRATE, POSITIONED]);
@@ -18,6 +19,8 @@ const RADIUS_IN_AXIS: When = mvar(1000, &[1, 2]);
 const AXIAL_TOOL: When = When::All(&[MEASURE, When::Not(&RADIAL)]);
 const RADIAL_TOOL: When = When::All(&[MEASURE, RADIAL]);
 
+/// Lines that all cycles at a tool probe have.
+pub const SHARED: &[HelpLine] = &lines([POSITIONED, CALIBRATES_KNOWN, MEASURES_KNOWN], [INCREMENTAL, CALIBRATES_HERE]);
 /// Section by section, in the order in which they are read.
 pub const LINES: &[HelpLine] = &[
     measures(CALIBRATE, "help-cycle982-measures-side", "B:9224-9260"),
@@ -31,8 +34,6 @@ pub const LINES: &[HelpLine] = &[
     before(MEASURE, "help-cycle982-before-setting", "B:9208;B:9334-9336"),
     before(AXIAL_TOOL, "help-cycle982-before-axial", "B:9208;B:9516"),
     before(RADIAL_TOOL, "help-cycle982-before-radial", "B:9208;B:9516"),
-    before(POSITIONED, "help-tool-probe-known", "B:4204-4215;B:13357-13384"),
-    before(INCREMENTAL, "help-tool-in-front", "B:4587;B:9825"),
     order(CALIBRATES_KNOWN, "help-cycle982-order-calibrate", "B:9441"),
     order(MEASURE, "help-cycle982-order-spindle", "B:9600-9610;B:10088-10094"),
     order(REVERSAL, "help-cycle982-order-reversal", "B:9600-9602"),
@@ -42,17 +43,10 @@ pub const LINES: &[HelpLine] = &[
     order(EVERYTHING, "help-cycle982-order-all", "B:9702-9758"),
     order(UPPER_BEHIND, "help-cycle982-order-upper-behind", "B:9779"),
     order(OPPOSITE, "help-cycle982-order-upper-across", "B:9787-9793"),
-    order(POSITIONED, "help-tool-block", "B:1111-1121;B:2344-2356"),
-    order(INCREMENTAL, "help-tool-from-here", "B:4432;B:9825"),
     corrects(MEASURES_HERE, "help-cycle982-corrects-geometry", "B:9935-9972"),
-    corrects(CALIBRATES_KNOWN, "help-tool-trigger", "B:4326"),
-    corrects(MEASURES_KNOWN, "help-tool-data", "B:4324;B:4930-4937"),
-    corrects(CALIBRATES_HERE, "help-tool-trigger-always", "B:4432;B:9840"),
     wrong(RADIUS_IN_AXIS, "help-cycle982-wrong-axis", "B:9279"),
     wrong(WITH_RADIUS, "help-cycle982-wrong-drill-radius", "B:9208"),
     wrong(MEASURE, "help-cycle982-wrong-fast", "B:9604-9608"),
     wrong(POSITIONED, "help-cycle982-wrong-wrong-side", "A:15875"),
     wrong(CALIBRATE, "help-cycle982-wrong-nose", "B:9441;B:8943-8952"),
-    wrong(POSITIONED, "help-tool-reach", "B:13999-14001"),
-    wrong(INCREMENTAL, "help-tool-unwatched", "B:4432;B:9840"),
 ];

@@ -51,7 +51,7 @@ pub static CYCLE982: Cycle = Cycle {
     // in CYCLE972 (A:15873)
     alarms: &[tool_probe::ALARMS, &alarms([61315, 61326, 61330, 61351])],
     checks: checks::checks,
-    help: Help::new(&[help::LINES, tool_probe::help::ALL]),
+    help: Help::new(&[help::LINES, help::SHARED]),
     picture: Drawing::staged(picture::stage, picture::marks),
     examples: EXAMPLES,
     simulation: Some(Simulation::new(propose::propose, simulate::simulate).with_tool(propose::tool)),
