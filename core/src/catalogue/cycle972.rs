@@ -51,7 +51,7 @@ fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     if machine.control().rotated() {
         return Err(alarm(machine, 61330));
     }
-    measuring::run(machine, inputs, 972)
+    measuring::simulate(machine, inputs)
 }
 
 /// Parameters (B:8856-8862, B:9010-9018), in the order in which the snippet writes them.
@@ -125,12 +125,11 @@ const LINES: &[HelpLine] = &[
 
 /// What several values, the data of the tool probe and the tool in use say together.
 fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
-    about::number(inputs, control, false, found);
+    about::number(inputs, control, found);
     about::memory(inputs, control, found);
     about::limits(inputs, found);
     about::speeds(control, found);
-    let data = ProbeData::of(inputs, control, false);
-    about::place(&data, &[0, 1], found); // by axes of the plane, B:13370-13384
+    about::place(&ProbeData::of(inputs, control), found);
     shared_checks::rotation(control, found);
     if let Some(edge) = about::tool_in_use(control, found) {
         turning::tool(inputs, edge, CALIBRATE.holds(inputs), found);

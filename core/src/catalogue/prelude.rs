@@ -3,7 +3,7 @@
 
 pub use super::common::{ALWAYS_REQUIRED, PARAM, alarms, integer, optional, param, required};
 pub use super::sinumerik::measuring_block::{Block, Point};
-pub use super::sinumerik::{Next, alarm, results, until_done};
+pub use super::sinumerik::{Next, alarm, axis, carry_out, direction, results, until_done};
 pub(crate) use super::{common, place, shared_checks};
 pub use crate::check::{error, refused};
 pub use crate::control::{Control, Edge, MachineSort, Plane};

@@ -1,12 +1,10 @@
 //! What several values of CYCLE971, the data of the tool probe and the tool in use say together.
 
-use super::params::{APPLICATE, AUTOMATIC, CALIBRATE, IN_PLANE, INCREMENTAL, MEASURE, ROTATING, WORKPIECE};
-use super::place::{DEPTH, DIRECTIONS, EDGE_LENGTH, TYPE};
+use super::params::{APPLICATE, AUTOMATIC, CALIBRATE, IN_PLANE, INCREMENTAL, MEASURE, ROTATING};
 use super::rotating;
 use crate::catalogue::prelude::*;
-use crate::catalogue::tool_probe;
-use crate::catalogue::tool_probe::ProbeData;
 use crate::catalogue::tool_probe::checks::refused;
+use crate::catalogue::tool_probe::{DEPTH, DIRECTIONS, EDGE_LENGTH, ProbeData, TYPE, checks as shared};
 use crate::control::{Edge, Plane};
 use crate::diagnostic::Severity;
 
@@ -17,23 +15,21 @@ const OFFSET: When = When::Any(&[AUTOMATIC, When::All(&[When::Not(&INCREMENTAL),
 
 /// All of them.
 pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
-    let workpiece = WORKPIECE.holds(inputs);
-    tool_probe::checks::number(inputs, control, workpiece, found);
-    tool_probe::checks::memory(inputs, control, found);
-    tool_probe::checks::limits(inputs, found);
+    shared::number(inputs, control, found);
+    shared::memory(inputs, control, found);
+    shared::limits(inputs, found);
     path(inputs, found);
-    let data = ProbeData::of(inputs, control, workpiece);
+    let data = ProbeData::of(inputs, control);
     probe_type(&data, inputs.plane, found);
     if !INCREMENTAL.holds(inputs) {
-        tool_probe::checks::speeds(control, found);
-        let [abscissa, ordinate, _] = inputs.plane.axes();
-        tool_probe::checks::place(&data, &[abscissa, ordinate], found);
+        shared::speeds(control, found);
+        shared::place(&data, found);
         depth(inputs, &data, found);
     }
     if AUTOMATIC.holds(inputs) {
         directions(&data, inputs.plane, found);
     }
-    if let Some(edge) = tool_probe::checks::tool_in_use(control, found) {
+    if let Some(edge) = shared::tool_in_use(control, found) {
         tool(inputs, edge, found);
         offset(inputs, &data, edge.total_radius(), found);
     }
@@ -55,7 +51,7 @@ fn path(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
 
 /// A cube or a disc; a disc stands in one plane (B:13366, A:15848, A:15934).
 fn probe_type(data: &ProbeData, plane: Plane, found: &mut Vec<Diagnostic>) {
-    let (number, key) = match (data.number(TYPE) as i64, plane) {
+    let (number, key) = match (data.value(TYPE) as i64, plane) {
         (0, _) | (101, Plane::G17) | (201, Plane::G18) | (301, Plane::G19) => return,
         (101 | 201 | 301, _) => (61415, "check-tool-probe-plane"),
         _ => (61309, "check-tool-probe-type"),
@@ -67,7 +63,7 @@ fn probe_type(data: &ProbeData, plane: Plane, found: &mut Vec<Diagnostic>) {
 /// In the plane the tool has to reach below the probe's upper side: an alarm at a radius (A:15891), else a doubt.
 fn depth(inputs: &Inputs, data: &ProbeData, found: &mut Vec<Diagnostic>) {
     let beside = AUTOMATIC.holds(inputs) || IN_PLANE.holds(inputs);
-    if !beside || data.length(DEPTH) != 0.0 {
+    if !beside || data.value(DEPTH) != 0.0 {
         return;
     }
     let mut finding = own::TOOL_PROBE_DEPTH.finding();
@@ -81,7 +77,7 @@ fn depth(inputs: &Inputs, data: &ProbeData, found: &mut Vec<Diagnostic>) {
 /// Digits of `_TP[k,7]`: 0 not, 1 minus, 2 plus, 3 both; the applicate has to allow minus (B:4720-4741). No alarm is
 /// named there; 61309 is the nearest.
 fn directions(data: &ProbeData, plane: Plane, found: &mut Vec<Diagnostic>) {
-    let code = data.number(DIRECTIONS) as i64;
+    let code = data.value(DIRECTIONS) as i64;
     let digit = |axis: usize| code / 10_i64.pow(axis as u32) % 10;
     let [_, _, applicate] = plane.axes();
     let key = if code > 999 || (0..3).any(|axis| digit(axis) > 3) {
@@ -121,7 +117,7 @@ fn offset(inputs: &Inputs, data: &ProbeData, radius: f64, found: &mut Vec<Diagno
     if !OFFSET.holds(inputs) {
         return;
     }
-    let edge = data.length(EDGE_LENGTH);
+    let edge = data.value(EDGE_LENGTH);
     let wide = 2.0 * radius > edge;
     let given = inputs.given(names::ID);
     let finding = match given {

@@ -2,20 +2,15 @@
 
 use crate::catalogue::prelude::*;
 use crate::catalogue::tool_probe::params as tool_probe;
+pub use crate::catalogue::tool_probe::params::{CALIBRATE, MEASURE, WORKPIECE};
 use crate::support;
 
-/// The probe is calibrated.
-pub const CALIBRATE: When = When::Digit { param: names::MVAR, place: 1, is: &[0] };
-/// A tool is measured.
-pub const MEASURE: When = When::Not(&CALIBRATE);
 /// With the spindle turning.
-pub const ROTATING: When = When::Digit { param: names::MVAR, place: 1, is: &[2] };
-/// In the active workpiece system, with the data `_TPW`.
-pub const WORKPIECE: When = When::Digit { param: names::MVAR, place: 10, is: &[1] };
+pub const ROTATING: When = mvar(1, &[2]);
 /// The tool stands in front of the probe; nothing but the measuring block is travelled.
-pub const INCREMENTAL: When = When::Digit { param: names::MVAR, place: 10_000, is: &[1] };
+pub const INCREMENTAL: When = mvar(10_000, &[1]);
 /// All sides one after the other.
-pub const AUTOMATIC: When = When::Digit { param: names::MVAR, place: 100_000, is: &[1] };
+pub const AUTOMATIC: When = mvar(100_000, &[1]);
 /// Measured in the abscissa.
 pub const ABSCISSA: When = axis(&[1]);
 /// Measured in the ordinate.

@@ -89,7 +89,7 @@ fn reference(inputs: &Inputs, above: &Seen, section: &Seen) -> [PictureShape; 2]
     let end = |x: f64, y: f64| add(corner, [x * cos - y * sin, x * sin + y * cos]);
     let axes = vec![end(14.0, 0.0), corner, end(0.0, 14.0)];
     let at = [section.middle()[0], section.extent[0][1] - 14.0];
-    [line(ShapeKind::Axis, axes).of(names::MVAR), label(inputs, turned, at, 9)]
+    [line(ShapeKind::Axis, axes).of(names::MVAR), label(inputs, at, 9)]
 }
 
 /// The tool in the section; an edge whose widest point lies above the end, or whose deepest lies inside, is stepped.

@@ -1,8 +1,8 @@
 //! A nominal tool probe for CYCLE971, where the control believes it to be, and the tool before it.
 
 use super::params::{APPLICATE, AUTOMATIC, INCREMENTAL, MEASURE, WORKPIECE};
-use super::place::Place;
 use crate::catalogue::prelude::*;
+use crate::catalogue::tool_probe::{ProbeData, TYPE};
 
 /// How far above and beside the probe the tool starts, mm.
 const AWAY: f64 = 20.0;
@@ -17,11 +17,11 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     if !WORKPIECE.holds(inputs) {
         own.take_frames();
     }
-    let place = Place::of(inputs, &own);
-    let low = place.sides.trigger(2, 1.0);
-    let height = if low != 0.0 && place.top() > low { place.top() - low } else { HEIGHT };
-    let cap = place.sides.cap(&own, DISCS.contains(&place.kind), place.top(), height);
-    let start = place::in_plane(&own, start(inputs, &own, &place));
+    let probe = ProbeData::of(inputs, &own);
+    let low = probe.trigger(2, 1.0);
+    let height = if low != 0.0 && probe.top() > low { probe.top() - low } else { HEIGHT };
+    let cap = probe.cap(&own, DISCS.contains(&(probe.value(TYPE) as i64)), probe.top(), height);
+    let start = place::in_plane(&own, start(inputs, &own, &probe));
     Proposal {
         tool_probes: cap.into_iter().collect(),
         start: control.to_workpiece(own.to_machine(Wcs(start))),
@@ -31,10 +31,10 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
 
 /// Abscissa, ordinate, applicate: above the probe, on the plus side in what is measured or where the tool is offset; an
 /// incremental calibration begins in front of the side that it touches, or above the upper one.
-fn start(inputs: &Inputs, control: &Control, place: &Place) -> [f64; 3] {
+fn start(inputs: &Inputs, control: &Control, probe: &ProbeData) -> [f64; 3] {
     let path = inputs.number(names::FA);
-    let [abscissa, ordinate] = place.middle();
-    let mut start = [abscissa, ordinate, place.top() + path.abs() + AWAY];
+    let [abscissa, ordinate] = probe.centre();
+    let mut start = [abscissa, ordinate, probe.top() + path.abs() + AWAY];
     if AUTOMATIC.holds(inputs) {
         return start;
     }
@@ -44,14 +44,14 @@ fn start(inputs: &Inputs, control: &Control, place: &Place) -> [f64; 3] {
     if INCREMENTAL.holds(inputs) {
         let direction = path.signum();
         if axis == 2 {
-            start[2] = place.top() + path.abs();
+            start[2] = probe.top() + path.abs();
         } else {
-            start[axis] = place.sides.trigger(axis, direction) - path - direction * radius;
-            start[2] = place.low();
+            start[axis] = probe.trigger(axis, direction) - path - direction * radius;
+            start[2] = probe.low();
         }
         return start;
     }
-    let mut beside = |axis: usize| start[axis] = place.sides.trigger(axis, -1.0) + radius + path + AWAY;
+    let mut beside = |axis: usize| start[axis] = probe.trigger(axis, -1.0) + radius + path + AWAY;
     if APPLICATE.holds(inputs) {
         beside(usize::from(number / 100 == 2));
         return start;

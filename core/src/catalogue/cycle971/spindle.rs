@@ -2,9 +2,9 @@
 //! (B:4276-4310, B:4328-4383, B:4772-4807).
 
 use super::params::IN_PLANE;
-use super::place::Task;
 use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::measuring_block::Point;
+use crate::catalogue::tool_probe::Stand;
 use crate::control::Units;
 use crate::machine::Step;
 
@@ -13,7 +13,7 @@ type Probing = (f64, f64);
 
 /// Touches as often as `_CM[]` or `_MFS[]` say; the last probing counts. Gives its position, and what the table takes
 /// off the measured value, mm.
-pub fn touch(machine: &mut dyn Machine, task: &Task, point: &Point) -> Result<(f64, f64), Stop> {
+pub fn touch(machine: &mut dyn Machine, stand: &Stand, point: &Point) -> Result<(f64, f64), Stop> {
     let control = machine.control();
     let before = control.spindle_speed;
     let direction = match (before, control.number("_CM[5]")) {
@@ -22,22 +22,22 @@ pub fn touch(machine: &mut dyn Machine, task: &Task, point: &Point) -> Result<(f
         (_, 4.0) => -1.0,
         _ => return Err(alarm(machine, 61366)),
     };
-    let probings = if control.bit("_CBIT[12]") { own(control) } else { calculated(control, task.radius) };
+    let probings = if control.bit("_CBIT[12]") { own(control) } else { calculated(control, stand.block.radius) };
     if probings.is_empty() || probings.iter().any(|(_, feed)| *feed <= 0.0) {
         return Err(alarm(machine, 61350));
     }
     let mut last = (0.0, 0.0);
     for (index, (speed, feed)) in probings.iter().enumerate() {
         let counts = index + 1 == probings.len();
-        let repeats = if counts { task.block.repeats() } else { 1 };
+        let repeats = if counts { stand.block.repeats() } else { 1 };
         machine.spin(direction * speed);
-        last = (*speed, task.block.at_feed(*feed, repeats).latch(machine, point)?);
+        last = (*speed, stand.block.at_feed(*feed, repeats).latch(machine, point)?);
     }
     if before == 0.0 {
         machine.spin(0.0);
     }
     let (speed, touched) = last;
-    Ok((touched, compensation(machine, task, speed)))
+    Ok((touched, compensation(machine, stand, speed)))
 }
 
 /// `_MFS[]`: pairs of speed and feed; the first speed of 0 ends them (B:4779-4787).
@@ -78,7 +78,7 @@ fn calculated(control: &Control, radius: f64) -> Vec<Probing> {
 
 /// What is taken off the measured value, mm: nothing, or the entry of the user's own table. The tables of the makes
 /// (`_MT_COMP` = 1) are inside of the control and in no manual, so that nothing is taken off then, which is told.
-fn compensation(machine: &mut dyn Machine, task: &Task, speed: f64) -> f64 {
+fn compensation(machine: &mut dyn Machine, stand: &Stand, speed: f64) -> f64 {
     let control = machine.control();
     let (message, amount) = match control.number("_MT_COMP") as i64 {
         1 if control.number("_TP_CF") != 0.0 => {
@@ -86,8 +86,8 @@ fn compensation(machine: &mut dyn Machine, task: &Task, speed: f64) -> f64 {
             (Message::new("evaluate-compensation-make").number("make", make), 0.0)
         }
         2 => {
-            let table = if IN_PLANE.holds(task.inputs) { "_MT_EC_R" } else { "_MT_EC_L" };
-            let amount = entry(control, table, task.radius, speed);
+            let table = if IN_PLANE.holds(stand.inputs) { "_MT_EC_R" } else { "_MT_EC_L" };
+            let amount = entry(control, table, stand.block.radius, speed);
             let message = Message::new("evaluate-compensation").text("table", table);
             (message.number("amount", amount), amount)
         }

@@ -32,7 +32,7 @@ fn groove(inputs: &Inputs, control: &Control, tip: Option<i64>, ball: f64, found
         found.push(lathe::checks::wrong_tip(tip, "check-groove-tip-hint"));
         return;
     };
-    if inputs.integer(names::MA) == groove.base_axis {
+    if inputs.integer(names::MA) - 1 == groove.axes[1] as i64 {
         base(inputs, found);
     }
     if let Some(pair) = pair.filter(|_| known) {
@@ -77,7 +77,7 @@ fn data(inputs: &Inputs, control: &Control, groove: &Groove, pair: i64, ball: f6
     }
     let width = upper - lower;
     let room = shared_checks::fits(names::CALNUM, width, ball, found);
-    if room && inputs.integer(names::MA) != groove.base_axis {
+    if room && inputs.integer(names::MA) - 1 != groove.axes[1] as i64 {
         shared_checks::across(inputs, names::CALNUM, width, ball, found);
     }
 }

@@ -1,18 +1,15 @@
 //! The reference grooves of a turning machine, in `_KB[]` (B:13473-13482).
 
 use crate::control::Control;
-use crate::workpiece::Shape;
 
-/// Axis across both grooves of a pair, mm.
-const LENGTH: f64 = 40.0;
 /// Index of the upper face in `_KB` and of the base below it: both grooves of a pair have the same depth (B:13480).
 const DEPTH: [usize; 2] = [5, 6];
 
 /// One of the two grooves of a pair, seen by a probe with cutting edge position 7 or 8.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Groove {
-    /// Axis in which its base is touched, 1 abscissa, 2 ordinate; its walls lie in the other one.
-    pub base_axis: i64,
+    /// Axes of the plane, 0 abscissa and 1 ordinate: across the walls, and of the base.
+    pub axes: [usize; 2],
     /// Second indices of its data in `_KB`: edge in plus direction, edge in minus direction, base.
     data: [usize; 3],
 }
@@ -34,8 +31,8 @@ impl Groove {
     /// The groove of a cutting edge position.
     pub fn of(tip: i64) -> Option<Groove> {
         match tip {
-            7 => Some(Groove { base_axis: 1, data: [0, 1, 2] }),
-            8 => Some(Groove { base_axis: 2, data: [3, 4, 6] }),
+            7 => Some(Groove { axes: [1, 0], data: [0, 1, 2] }),
+            8 => Some(Groove { axes: [0, 1], data: [3, 4, 6] }),
             _ => None,
         }
     }
@@ -45,15 +42,11 @@ impl Groove {
         self.data.map(|index| format!("_KB[{pair},{index}]"))
     }
 
-    fn axes(&self) -> [usize; 2] {
-        if self.base_axis == 1 { [1, 0] } else { [0, 1] }
-    }
-
     /// Where it is.
     pub fn place(&self, control: &Control, pair: i64) -> Place {
         let [plus, minus, base] = self.names(pair).map(|name| control.basic_length(&name));
         let [upper, lower] = DEPTH.map(|index| control.basic_length(&format!("_KB[{pair},{index}]")));
-        Place { axes: self.axes(), walls: [plus, minus], base, depth: (upper - lower).max(0.0) }
+        Place { axes: self.axes, walls: [plus, minus], base, depth: (upper - lower).max(0.0) }
     }
 }
 
@@ -80,10 +73,5 @@ impl Place {
     pub fn path(&self, radius: f64, path: f64) -> f64 {
         let room = self.width() - 2.0 * radius;
         if path < room || room <= 0.0 { path } else { room / 2.0 }
-    }
-
-    /// The groove as a solid of this depth, its walls along its X.
-    pub fn shape(&self, depth: f64) -> Shape {
-        Shape::Groove { width: self.width(), depth, length: LENGTH }
     }
 }

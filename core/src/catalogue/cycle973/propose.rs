@@ -6,11 +6,14 @@ use crate::catalogue::lathe::{measure, place};
 use crate::catalogue::place as plane;
 use crate::catalogue::prelude::*;
 use crate::geometry::Mcs;
+use crate::workpiece::Shape;
 
 /// How much further from the surface than the first block the probe starts, mm.
 const AWAY: f64 = 5.0;
 /// Depth of a groove whose data do not tell it, mm.
 const DEPTH: f64 = 20.0;
+/// Axis across both grooves of a pair, mm.
+const LENGTH: f64 = 40.0;
 
 /// Part and start.
 pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
@@ -48,7 +51,7 @@ fn groove(inputs: &Inputs, control: &Control, away: f64) -> Option<Proposal> {
     (at[walls], at[base]) = (found.centre(), found.base + depth);
     let mut start = at;
     start[base] += away;
-    let shape = found.shape(depth);
+    let shape = Shape::Groove { width: found.width(), depth, length: LENGTH };
     let groove = place::standing(&machine, shape, at, plane::unit(walls), plane::unit(base));
     Some(plane::proposal(groove, control.to_workpiece(Mcs(start)).0))
 }

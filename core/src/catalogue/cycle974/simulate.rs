@@ -13,7 +13,7 @@ use crate::geometry::Degrees;
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     measure::begin(machine, inputs, 974);
     let block = Block::prepare(machine, inputs)?;
-    let axis = measure::axis(machine, inputs)?;
+    let axis = axis(machine, inputs, 1..=3)?;
     let reversal = REVERSAL.holds(inputs);
     if reversal {
         turnable(machine)?;

@@ -22,22 +22,17 @@ impl Direction {
 
 /// In their order: plus before minus, abscissa before ordinate.
 pub fn directions(inputs: &Inputs) -> Vec<Direction> {
-    let one = usize::from(inputs.number(names::MA) as i64 == 2);
-    let axes: &[usize] = match (FOUR.holds(inputs), one) {
+    let axes: &[usize] = match (FOUR.holds(inputs), inputs.integer(names::MA)) {
         (true, _) => &[0, 1],
-        (false, 0) => &[0],
-        (false, _) => &[1],
+        (false, 2) => &[1],
+        (false, _) => &[0],
     };
-    let signs: &[f64] = match (ONE.holds(inputs), inputs.number(names::MD) as i64) {
+    let signs: &[f64] = match (ONE.holds(inputs), inputs.integer(names::MD)) {
         (false, _) => &[1.0, -1.0],
         (true, 1) => &[-1.0],
         (true, _) => &[1.0],
     };
-    let both = |axis: &usize| {
-        let axis = *axis;
-        signs.iter().map(move |sign| Direction { axis, sign: *sign })
-    };
-    axes.iter().flat_map(both).collect()
+    axes.iter().flat_map(|axis| signs.iter().map(move |sign| Direction { axis: *axis, sign: *sign })).collect()
 }
 
 /// Angle of the first axis of calibration from the abscissa, degree: `_STA1`, or 0 where it is paraxial.

@@ -30,7 +30,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
 fn surface(machine: &mut dyn Machine, inputs: &Inputs, block: &Block, start: [f64; 3]) -> Result<Calibration, Stop> {
     let block = block.uncalibrated();
     let point = Point {
-        axis: axis(machine, inputs)?,
+        axis: axis(machine, inputs, if LENGTH.holds(inputs) { 3..=3 } else { 1..=3 })?,
         direction: if inputs.integer(names::MD) == 1 { -1.0 } else { 1.0 },
         set: inputs.number(names::SETVAL),
         path: block.path,
@@ -44,14 +44,5 @@ fn surface(machine: &mut dyn Machine, inputs: &Inputs, block: &Block, start: [f6
     let ideal = block.trigger(point.axis, point.direction);
     let (value, length) = if with_length { (ideal, Some(found - ideal)) } else { (found, None) };
     let trigger = Trigger { axis: point.axis, sign: point.direction, value };
-    Ok(Calibration { triggers: vec![trigger], ball: None, skew: [None; 2], centre: None, length })
-}
-
-/// Axis of `_MA`; with the length it is the applicate only (A:15866).
-fn axis(machine: &mut dyn Machine, inputs: &Inputs) -> Result<usize, Stop> {
-    match inputs.integer(names::MA) {
-        3 => Ok(2),
-        axis @ 1..=2 if !LENGTH.holds(inputs) => Ok(axis as usize - 1),
-        _ => Err(alarm(machine, 61325)),
-    }
+    Ok(Calibration { triggers: vec![trigger], length, ..Calibration::default() })
 }

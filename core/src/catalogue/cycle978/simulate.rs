@@ -1,7 +1,6 @@
 //! What CYCLE978 does: one point of a surface, plain or differential (B:6376-6418).
 
 use super::params::DIFFERENTIAL;
-use crate::catalogue::lathe;
 use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::differential::twice;
 use crate::catalogue::sinumerik::measuring_block::{Block, all_calibrated, turnable};
@@ -12,7 +11,7 @@ use crate::catalogue::sinumerik::target::Target;
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     results::begin(machine, inputs, 978);
     let block = Block::prepare(machine, inputs)?;
-    let axis = lathe::measure::axis(machine, inputs)?;
+    let axis = axis(machine, inputs, 1..=3)?;
     let differential = DIFFERENTIAL.holds(inputs);
     if differential {
         turnable(machine)?;

@@ -13,28 +13,22 @@ const CUTTER_DIGITS: std::ops::RangeInclusive<i64> = 1..=999;
 
 /// All of them.
 pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
-    let workpiece = WORKPIECE.holds(inputs);
-    shared::number(inputs, control, workpiece, found);
+    shared::number(inputs, control, found);
     shared::memory(inputs, control, found);
     shared::limits(inputs, found);
     if POSITIONED.holds(inputs) {
         shared::speeds(control, found);
-        let data = ProbeData::of(inputs, control, workpiece);
-        shared::place(&data, &[0, 1], found); // by axes of the plane, B:13370-13384
+        shared::place(&ProbeData::of(inputs, control), found);
     }
     if IN_WORKPIECE.holds(inputs) {
         shared_checks::rotation(control, found);
     }
-    old_switch(workpiece, control, found);
+    // from before the second digit of `_MVAR`: takes `_TP` for the workpiece system (B:13602-13608)
+    if control.bit("_CBIT[5]") && !WORKPIECE.holds(inputs) {
+        found.push(own::TOOL_REFERENCE.finding().at(names::MVAR));
+    }
     if let Some(edge) = shared::tool_in_use(control, found) {
         tool(inputs, control, edge, found);
-    }
-}
-
-/// `_CBIT[5]`, from before the second digit of `_MVAR`, takes `_TP` for the workpiece system (B:13602-13608).
-fn old_switch(workpiece: bool, control: &Control, found: &mut Vec<Diagnostic>) {
-    if !workpiece && control.bit("_CBIT[5]") {
-        found.push(own::TOOL_REFERENCE.finding().at(names::MVAR));
     }
 }
 

@@ -3,8 +3,9 @@
 
 use super::edges::Edges;
 use super::params::{AUTOMATIC, BOTH, DRILL, INCREMENTAL, OPPOSITE, RADIAL, RADIUS, UPPER, WITH_RADIUS};
-use super::stand::{Stand, found, part};
+use super::stand::{found, part};
 use crate::catalogue::prelude::*;
+use crate::catalogue::tool_probe::Stand;
 use crate::catalogue::tool_probe::correct::{Measured, active};
 use crate::evaluate::tool_offset;
 
@@ -25,22 +26,22 @@ pub fn measure(machine: &mut dyn Machine, stand: &Stand) -> Result<Vec<Measured>
     if AUTOMATIC.holds(inputs) {
         return cutter.automatic(machine);
     }
-    let axis = stand.axis(machine)?;
+    let axis = axis(machine, inputs, 1..=2)?;
     if WITH_RADIUS.holds(inputs) && axis != cutter.across {
         return Err(alarm(machine, 61325)); // the radius does not lie there (B:9279)
     }
-    if !WITH_RADIUS.holds(inputs) && axis == cutter.across && stand.radius == 0.0 {
+    if !WITH_RADIUS.holds(inputs) && axis == cutter.across && stand.block.radius == 0.0 {
         return Err(alarm(machine, 61351)); // touched with the side, whose distance is not known (B:9208)
     }
     if INCREMENTAL.holds(inputs) {
-        let direction = stand.told(machine)?;
+        let direction = direction(machine, inputs)?;
         let touch = |machine: &mut dyn Machine| stand.touch_from_here(machine, axis, direction);
         let touched = cutter.edges.touch(machine, false, touch)?;
         return Ok(vec![cutter.one(machine, axis, direction, touched)]);
     }
     let [first, second] = cutter.sides(machine)?;
     if BOTH.holds(inputs) {
-        return cutter.both(machine, second);
+        return cutter.both(machine, second, stand.start[along]);
     }
     let direction = if axis == along { first } else { second };
     match axis == along {
@@ -62,27 +63,27 @@ impl Cutter<'_> {
     /// Where the axis of the tool stands across so that its edge is over the middle of the probe (B:9590); `side`: on
     /// which side of the middle the axis stands.
     fn edge_on_probe(&self, side: f64) -> f64 {
-        self.stand.sides.middle(self.across) + side * self.stand.radius
+        self.stand.probe.middle(self.across) + side * self.stand.block.radius
     }
 
     /// Along the tool to the middle of the probe.
     fn go_to_middle(&self, machine: &mut dyn Machine) -> Result<(), Stop> {
-        self.stand.go(machine, self.along, self.stand.sides.middle(self.along))
+        self.stand.go(machine, self.along, self.stand.probe.middle(self.along))
     }
 
     /// Where the axis of the tool stands beside a side that is touched across in this direction.
     fn beside(&self, direction: f64) -> f64 {
-        self.stand.sides.trigger(self.across, direction) - direction * (self.stand.radius + self.stand.block.path)
+        self.stand.probe.trigger(self.across, direction) - direction * (self.stand.block.radius + self.stand.block.path)
     }
 
     /// How far the axis of the tool is from a touched side, mm.
     fn reach(&self, axis: usize, direction: f64) -> f64 {
-        if axis == self.across { direction * self.stand.radius } else { 0.0 }
+        if axis == self.across { direction * self.stand.block.radius } else { 0.0 }
     }
 
     /// Touches one side of the probe from where the tool stands beside it; its position at switching, mm.
     fn touch(&self, machine: &mut dyn Machine, axis: usize, direction: f64, turned: bool) -> Result<f64, Stop> {
-        let set = self.stand.sides.trigger(axis, direction) - self.reach(axis, direction);
+        let set = self.stand.probe.trigger(axis, direction) - self.reach(axis, direction);
         self.edges.touch(machine, turned, |machine| self.stand.touch(machine, axis, direction, set))
     }
 
@@ -97,21 +98,11 @@ impl Cutter<'_> {
         found(part(axis), apparent + self.reach(axis, direction))
     }
 
-    /// Length across and radius from two sides (B:9638, B:9644).
-    fn both(&self, machine: &mut dyn Machine, direction: f64) -> Result<Vec<Measured>, Stop> {
+    /// Length across and radius from two sides, round the probe to the second one: out along the tool, across, in again
+    /// (B:9638, B:9644).
+    fn both(&self, machine: &mut dyn Machine, direction: f64, out: f64) -> Result<Vec<Measured>, Stop> {
         self.go_to_middle(machine)?;
         let first = self.touch(machine, self.across, direction, false)?;
-        self.second_side(machine, direction, self.stand.start[self.along], first)
-    }
-
-    /// Round the probe to its other side, out along the tool, across, in again; length and radius from both.
-    fn second_side(
-        &self,
-        machine: &mut dyn Machine,
-        direction: f64,
-        out: f64,
-        first: f64,
-    ) -> Result<Vec<Measured>, Stop> {
         self.stand.go(machine, self.along, out)?;
         self.stand.go(machine, self.across, self.beside(-direction))?;
         self.go_to_middle(machine)?;
@@ -127,21 +118,19 @@ impl Cutter<'_> {
         let [towards, across] = self.sides(machine)?;
         let crosses = OPPOSITE.holds(self.stand.inputs);
         let start = self.stand.start;
+        let beyond = 2.0 * self.stand.probe.middle(self.along) - start[self.along];
         let way = match crosses {
-            true => {
-                Way { direction: -towards, across, out: 2.0 * self.stand.sides.middle(self.along) - start[self.along] }
-            }
+            true => Way { direction: -towards, across, out: beyond },
             false => Way { direction: towards, across, out: start[self.along] },
         };
+        let with_side = !DRILL.holds(self.stand.inputs);
         let mut found = Vec::new();
-        if DRILL.holds(self.stand.inputs) {
-            found.push(self.tip(machine, &way)?);
-        } else if self.along == 0 {
-            found.push(self.tip(machine, &way)?);
+        if with_side && self.across == 0 {
             found.extend(self.side(machine, &way)?);
-        } else {
+        }
+        found.push(self.tip(machine, &way)?);
+        if with_side && self.across == 1 {
             found.extend(self.side(machine, &way)?);
-            found.push(self.tip(machine, &way)?);
         }
         if crosses {
             self.stand.go(machine, self.along, way.out)?;
@@ -158,7 +147,7 @@ impl Cutter<'_> {
         self.stand.go(machine, self.along, way.out)?;
         self.stand.go(machine, self.across, self.edge_on_probe(-way.across))?;
         let mut latched = self.touch(machine, self.along, way.direction, false)?;
-        if self.stand.radius > 0.0 {
+        if self.stand.block.radius > 0.0 {
             if !upper {
                 self.stand.go(machine, self.across, self.edge_on_probe(way.across))?;
             }
@@ -172,11 +161,12 @@ impl Cutter<'_> {
     fn side(&self, machine: &mut dyn Machine, way: &Way) -> Result<Vec<Measured>, Stop> {
         self.stand.go(machine, self.along, way.out)?;
         self.stand.go(machine, self.across, self.beside(way.across))?;
-        self.go_to_middle(machine)?;
-        let first = self.touch(machine, self.across, way.across, false)?;
-        let found = match self.stand.radius == 0.0 {
-            true => vec![self.stand.length(machine, self.across, way.across, first)],
-            false => self.second_side(machine, way.across, way.out, first)?,
+        let found = if self.stand.block.radius == 0.0 {
+            self.go_to_middle(machine)?;
+            let latched = self.touch(machine, self.across, way.across, false)?;
+            vec![self.stand.length(machine, self.across, way.across, latched)]
+        } else {
+            self.both(machine, way.across, way.out)?
         };
         self.stand.go(machine, self.along, way.out)?;
         Ok(found)

@@ -2,8 +2,9 @@
 //! those of G18, as for turning tools.
 
 use super::params::{AUTOMATIC, INCREMENTAL, REVERSAL, WITH_RADIUS};
-use super::stand::{Stand, found};
+use super::stand::found;
 use crate::catalogue::prelude::*;
+use crate::catalogue::tool_probe::Stand;
 use crate::catalogue::tool_probe::correct::{Measured, active};
 use crate::control::Plane;
 
@@ -21,16 +22,16 @@ pub fn measure(machine: &mut dyn Machine, stand: &Stand) -> Result<Vec<Measured>
         _ => return Err(alarm(machine, 61314)),
     };
     let (latched, direction) = if INCREMENTAL.holds(stand.inputs) {
-        let direction = stand.told(machine)?;
+        let direction = direction(machine, stand.inputs)?;
         (stand.touch_from_here(machine, APPLICATE, direction)?, direction)
     } else {
-        let towards = stand.sides.towards(lies, stand.start[APPLICATE]);
+        let towards = stand.probe.towards(lies, stand.start[APPLICATE]);
         let direction = towards.ok_or_else(|| alarm(machine, 61332))?;
         let mut over = machine.position();
-        over[Plane::G18.axes()[1 - lies]] = stand.sides.middle(1 - lies);
+        over[Plane::G18.axes()[1 - lies]] = stand.probe.middle(1 - lies);
         stand.block.travel(machine, over)?;
-        (stand.touch(machine, APPLICATE, direction, stand.sides.trigger(lies, direction))?, direction)
+        (stand.touch(machine, APPLICATE, direction, stand.probe.trigger(lies, direction))?, direction)
     };
-    let actual = active(machine.control(), 0) + latched - stand.sides.trigger(lies, direction);
+    let actual = active(machine.control(), 0) + latched - stand.probe.trigger(lies, direction);
     Ok(vec![found(0, actual)])
 }

@@ -1,8 +1,8 @@
 //! Turning tools and the calibration tool, which is one (B:8816-9120, B:9441, B:9738).
 
 use super::params::{AUTOMATIC, CALIBRATE, INCREMENTAL};
-use super::stand::Stand;
 use crate::catalogue::prelude::*;
+use crate::catalogue::tool_probe::Stand;
 use crate::catalogue::tool_probe::correct::Measured;
 use crate::catalogue::tool_probe::store::Trigger;
 use crate::control::tools::side;
@@ -29,17 +29,17 @@ pub fn nose(machine: &mut dyn Machine, inputs: &Inputs) -> Result<[f64; 2], Stop
 /// ball touches, twice the radius behind its tip (B:8870, B:9441).
 pub fn calibrate(machine: &mut dyn Machine, stand: &Stand) -> Result<Trigger, Stop> {
     let nose = nose(machine, stand.inputs)?;
-    let axis = stand.axis(machine)?;
+    let axis = axis(machine, stand.inputs, 1..=2)?;
     let (direction, touched) = if INCREMENTAL.holds(stand.inputs) {
         from_here(machine, stand, nose, axis)?
     } else {
         let direction = stand.approach(machine, axis)?;
         before(machine, stand, nose, 1 - axis)?;
-        let behind = (direction - nose[axis]) * stand.radius;
-        let set = stand.sides.trigger(axis, direction) - behind;
+        let behind = (direction - nose[axis]) * stand.block.radius;
+        let set = stand.probe.trigger(axis, direction) - behind;
         (direction, stand.touch(machine, axis, direction, set)? + behind)
     };
-    Ok(stand.sides.found(axis, direction, touched))
+    Ok(stand.probe.found(axis, direction, touched))
 }
 
 /// The lengths that the task names.
@@ -48,7 +48,7 @@ pub fn measure(machine: &mut dyn Machine, stand: &Stand) -> Result<Vec<Measured>
     if AUTOMATIC.holds(stand.inputs) {
         return automatic(machine, stand, nose);
     }
-    let axis = stand.axis(machine)?;
+    let axis = axis(machine, stand.inputs, 1..=2)?;
     if INCREMENTAL.holds(stand.inputs) {
         let (direction, touched) = from_here(machine, stand, nose, axis)?;
         return Ok(vec![stand.length(machine, axis, direction, touched)]);
@@ -58,14 +58,14 @@ pub fn measure(machine: &mut dyn Machine, stand: &Stand) -> Result<Vec<Measured>
 
 /// Touches from where the tool stands: the direction, and where its tip would have touched, mm.
 fn from_here(machine: &mut dyn Machine, stand: &Stand, nose: [f64; 2], axis: usize) -> Result<(f64, f64), Stop> {
-    let direction = stand.told(machine)?;
+    let direction = direction(machine, stand.inputs)?;
     let latched = stand.touch_from_here(machine, axis, direction)?;
-    Ok((direction, latched + (direction - nose[axis]) * stand.radius))
+    Ok((direction, latched + (direction - nose[axis]) * stand.block.radius))
 }
 
 /// The nose before the middle of the probe in an axis; a tool without radius with its tip (B:9061).
 fn before(machine: &mut dyn Machine, stand: &Stand, nose: [f64; 2], axis: usize) -> Result<(), Stop> {
-    stand.go(machine, axis, stand.sides.middle(axis) + nose[axis] * stand.radius)
+    stand.go(machine, axis, stand.probe.middle(axis) + nose[axis] * stand.block.radius)
 }
 
 /// Length in an axis, touched with the tip: 61325 where the tool has none there, 61332 where it stands on the other
@@ -79,7 +79,7 @@ fn one(machine: &mut dyn Machine, stand: &Stand, nose: [f64; 2], axis: usize) ->
         return Err(alarm(machine, 61332));
     }
     before(machine, stand, nose, 1 - axis)?;
-    let latched = stand.touch(machine, axis, direction, stand.sides.trigger(axis, direction))?;
+    let latched = stand.touch(machine, axis, direction, stand.probe.trigger(axis, direction))?;
     Ok(stand.length(machine, axis, direction, latched))
 }
 
@@ -89,7 +89,7 @@ fn automatic(machine: &mut dyn Machine, stand: &Stand, nose: [f64; 2]) -> Result
     let mut lengths = Vec::new();
     for axis in [0, 1].into_iter().filter(|axis| nose[*axis] != 0.0) {
         if !lengths.is_empty() {
-            let out = stand.sides.trigger(axis, nose[axis]) - nose[axis] * stand.block.path;
+            let out = stand.probe.trigger(axis, nose[axis]) - nose[axis] * stand.block.path;
             stand.go(machine, axis, out)?;
         }
         lengths.push(one(machine, stand, nose, axis)?);

@@ -3,20 +3,15 @@
 
 use crate::catalogue::prelude::*;
 use crate::catalogue::tool_probe::params as tool_probe;
+pub use crate::catalogue::tool_probe::params::{CALIBRATE, MEASURE, WORKPIECE};
 use crate::control::machine_data::TOOL_LENGTH_TYPE;
 
 const fn axis(is: &'static [f64]) -> When {
     When::Number { param: names::MA, is }
 }
 
-/// The probe is calibrated.
-pub const CALIBRATE: When = mvar(1, &[0]);
-/// A tool is measured.
-pub const MEASURE: When = When::Not(&CALIBRATE);
 /// All that the tool allows is measured one after the other.
 pub const AUTOMATIC: When = mvar(1, &[2]);
-/// The data are those of `_TPW`, which count in the active workpiece system.
-pub const WORKPIECE: When = mvar(10, &[1]);
 /// In the active workpiece system: as digit 2 says, or with `_CBIT[5]`, from before that digit, with the data `_TP`
 /// (B:13602-13610).
 pub const IN_WORKPIECE: When = When::Any(&[WORKPIECE, When::Setting { name: "_CBIT[5]", is: &[1.0] }]);

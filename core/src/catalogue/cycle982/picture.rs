@@ -204,11 +204,10 @@ fn sizes(inputs: &Inputs, seen: &Seen, first: &Touched) -> Vec<PictureShape> {
 /// The data of the probe, and the axes of the system they belong to: square to the probe as the machine's, or a
 /// workpiece system with its own zero.
 fn reference(inputs: &Inputs, seen: &Seen) -> Vec<PictureShape> {
-    let workpiece = WORKPIECE.holds(inputs);
     let [x, y] = [-34.0 * clear(seen), below(seen)];
     let axes = line(ShapeKind::Axis, vec![[x + 14.0, y], [x, y], [x, y + 14.0]]).of(names::MVAR);
-    let mut shapes = vec![axes, label(inputs, workpiece, [x, y - 7.0], 3)];
-    shapes.extend(workpiece.then(|| circle(ShapeKind::Axis, [x, y], 2.5).of(names::MVAR)));
+    let mut shapes = vec![axes, label(inputs, [x, y - 7.0], 3)];
+    shapes.extend(WORKPIECE.holds(inputs).then(|| circle(ShapeKind::Axis, [x, y], 2.5).of(names::MVAR)));
     shapes
 }
 

@@ -4,10 +4,8 @@ use super::params::{
     ABSCISSA, AUTOMATIC, BOTH, CALIBRATE, DRILL_ALONG_APPLICATE, IN_WORKPIECE, INCREMENTAL, OPPOSITE, RADIAL, RADIUS,
     TURNING, UPPER,
 };
-use super::stand::sides;
-use crate::catalogue::place;
 use crate::catalogue::prelude::*;
-use crate::catalogue::tool_probe::Sides;
+use crate::catalogue::tool_probe::ProbeData;
 use crate::control::{Edge, Plane, tools::side};
 use crate::workpiece::{Cut, Tool};
 
@@ -44,8 +42,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     }
     let field = Field {
         inputs,
-        sides: sides(inputs, &own),
-        path: inputs.number(names::FA),
+        probe: ProbeData::of(inputs, &own),
         radius: own.active_radius(),
         nose: own.active_edge().map_or([-1.0; 2], |edge| side(edge.tip, inputs.recodes())),
     };
@@ -56,7 +53,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     };
     let start = place::in_plane(&own, [abscissa, ordinate, 0.0]);
     Proposal {
-        tool_probes: field.sides.cap(&own, false, HEIGHT / 2.0, HEIGHT).into_iter().collect(),
+        tool_probes: field.probe.cap(&own, false, HEIGHT / 2.0, HEIGHT).into_iter().collect(),
         real_tool: lying(inputs, control),
         start: control.to_workpiece(own.to_machine(Wcs(start))),
         ..Proposal::default()
@@ -77,22 +74,16 @@ fn lying(inputs: &Inputs, control: &Control) -> Option<Tool> {
 /// Probe and tool in the plane: abscissa and ordinate from which the call is safe.
 struct Field<'a> {
     inputs: &'a Inputs,
-    sides: Sides,
-    path: f64,
+    probe: ProbeData,
     radius: f64,
     /// From the centre of the nose of a turning tool to its tip, in nose radii.
     nose: [f64; 2],
 }
 
 impl Field<'_> {
-    /// Far enough before a side that is touched in this direction.
-    fn away(&self, axis: usize, direction: f64) -> f64 {
-        self.sides.trigger(axis, direction) - direction * (self.path + AWAY)
-    }
-
-    /// As far before a side as the path of an incremental measurement; `reach`: from there to what touches it.
-    fn before(&self, axis: usize, direction: f64, reach: f64) -> f64 {
-        self.sides.trigger(axis, direction) - direction * (self.path + reach)
+    /// The measuring path and so much more before a side that is touched in this direction.
+    fn before(&self, axis: usize, direction: f64, more: f64) -> f64 {
+        self.probe.trigger(axis, direction) - direction * (self.inputs.number(names::FA) + more)
     }
 
     /// Before the probe in the axis along which a drill is as long as on a milling machine, over its middle in the
@@ -100,11 +91,8 @@ impl Field<'_> {
     fn over(&self, plane: Plane) -> [f64; 2] {
         let lies = usize::from(plane == Plane::G19);
         let direction = self.told(-1.0);
-        let mut start = [0, 1].map(|axis| self.sides.middle(axis));
-        start[lies] = match INCREMENTAL.holds(self.inputs) {
-            true => self.before(lies, direction, 0.0),
-            false => self.away(lies, direction),
-        };
+        let mut start = self.probe.centre();
+        start[lies] = self.before(lies, direction, if INCREMENTAL.holds(self.inputs) { 0.0 } else { AWAY });
         start
     }
 
@@ -122,14 +110,14 @@ impl Field<'_> {
         let across = 1 - along;
         if INCREMENTAL.holds(self.inputs) && !AUTOMATIC.holds(self.inputs) && !BOTH.holds(self.inputs) {
             let axis = if RADIUS.holds(self.inputs) { across } else { self.measured() };
-            let mut start = [0, 1].map(|axis| self.sides.middle(axis));
+            let mut start = self.probe.centre();
             start[across] += self.radius;
             start[axis] = self.before(axis, self.told(-1.0), if axis == across { self.radius } else { 0.0 });
             return start;
         }
         let towards = if UPPER.holds(self.inputs) && !OPPOSITE.holds(self.inputs) { 1.0 } else { -1.0 };
-        let mut start = [self.away(along, towards); 2];
-        start[across] = self.away(across, -1.0) + self.radius;
+        let mut start = [self.before(along, towards, AWAY); 2];
+        start[across] = self.before(across, -1.0, AWAY) + self.radius;
         start
     }
 
@@ -142,13 +130,13 @@ impl Field<'_> {
     fn nose(&self) -> [f64; 2] {
         if !INCREMENTAL.holds(self.inputs) {
             return [0, 1].map(|axis| match self.nose[axis] {
-                0.0 => self.sides.middle(axis),
-                direction => self.away(axis, direction),
+                0.0 => self.probe.middle(axis),
+                direction => self.before(axis, direction, AWAY),
             });
         }
         let axis = if RADIUS.holds(self.inputs) { 0 } else { self.measured() };
         let direction = self.told(self.nose[axis]);
-        let mut start = [0, 1].map(|axis| self.sides.middle(axis) + self.nose[axis] * self.radius);
+        let mut start = [0, 1].map(|axis| self.probe.middle(axis) + self.nose[axis] * self.radius);
         let behind = (direction - self.nose[axis]) * self.radius;
         start[axis] = self.before(axis, direction, 0.0) - behind;
         start

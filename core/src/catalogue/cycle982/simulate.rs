@@ -2,28 +2,21 @@
 
 use super::cutters::SPINDLE_HAS_TO_STAY;
 use super::params::{
-    CALIBRATE, DRILL, DRILL_ALONG_APPLICATE, IN_WORKPIECE, INCREMENTAL, MILLING, TURNING, WITH_RADIUS, WORKPIECE,
+    CALIBRATE, DRILL, DRILL_ALONG_APPLICATE, IN_WORKPIECE, INCREMENTAL, MILLING, TURNING, WITH_RADIUS,
 };
-use super::stand::Stand;
 use super::{cutter, drill, nose};
 use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::measuring_block::Block;
-use crate::catalogue::sinumerik::{Next, alarm, results};
-use crate::catalogue::tool_probe::{carry_out, correct, store};
+use crate::catalogue::tool_probe::{Stand, correct, count, store};
 
 /// Runs the cycle from the present position, beside the probe.
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
-    run(machine, inputs, 982)
-}
-
-/// Carries the measurement out under the number of a cycle.
-pub fn run(machine: &mut dyn Machine, inputs: &Inputs, number: i64) -> Result<(), Stop> {
-    store::begin(machine, inputs, number);
+    store::begin(machine, inputs);
     results::integer(machine, 12, 0);
     let block = Block::for_tool(machine, inputs)?;
     admitted(machine, inputs)?;
     carry_out(machine, IN_WORKPIECE.holds(inputs), |machine, repetition| {
-        let stand = Stand::of(machine, inputs, block.clone());
+        let stand = Stand::of(machine, inputs, &block);
         task(machine, &stand, repetition)
     })
 }
@@ -31,12 +24,11 @@ pub fn run(machine: &mut dyn Machine, inputs: &Inputs, number: i64) -> Result<()
 fn task(machine: &mut dyn Machine, stand: &Stand, repetition: u32) -> Result<Next, Stop> {
     let inputs = stand.inputs;
     if CALIBRATE.holds(inputs) {
-        let found = [nose::calibrate(machine, stand)?];
-        if !INCREMENTAL.holds(inputs) {
-            return store::store(machine, inputs, &found, &[], repetition);
-        }
-        store::store_always(machine, &found);
-        return Ok(Next::Done);
+        let found = nose::calibrate(machine, stand)?;
+        return match INCREMENTAL.holds(inputs) {
+            true => Ok(store::store_always(machine, &found)),
+            false => store::store(machine, inputs, &[found], &[], repetition),
+        };
     }
     let found = if TURNING.holds(inputs) {
         nose::measure(machine, stand)?
@@ -45,19 +37,17 @@ fn task(machine: &mut dyn Machine, stand: &Stand, repetition: u32) -> Result<Nex
     } else {
         cutter::measure(machine, stand)?
     };
-    if !INCREMENTAL.holds(inputs) {
-        return correct::finish(machine, inputs, &found, repetition);
+    match INCREMENTAL.holds(inputs) {
+        true => Ok(correct::finish_always(machine, inputs, &found)),
+        false => correct::finish(machine, inputs, &found, repetition),
     }
-    correct::finish_always(machine, inputs, &found);
-    Ok(Next::Done)
 }
 
 /// What is refused before the first motion: the number of the probe (61313), a turned system (61330), a tool that the
 /// task does not know (61314), and what `_CHBIT[20]` does not allow (61307, B:10088-10094).
 fn admitted(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
-    let fields = if WORKPIECE.holds(inputs) { "_CVAL[3]" } else { "_CVAL[0]" };
     let probe = inputs.number(names::PRNUM);
-    if probe < 1.0 || probe > machine.control().number(fields) {
+    if probe < 1.0 || probe > machine.control().number(count(inputs)) {
         return Err(alarm(machine, 61313));
     }
     // lengths lie along the axes of the machine, so that a turned system would take them for others

@@ -31,7 +31,7 @@ impl Zone {
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     measure::begin(machine, inputs, 994);
     let block = Block::prepare(machine, inputs)?;
-    let axis = measure::axis(machine, inputs)?;
+    let axis = axis(machine, inputs, 1..=3)?;
     let block = if machine.control().bit("_CHBIT[7]") { block.by_ball() } else { block };
     let corrected = measure::corrected(inputs, axis);
     let target = Target::of(machine, inputs, Some(corrected))?;

@@ -3,7 +3,6 @@
 use super::params::TRANSVERSE;
 use crate::catalogue::common::APPLICATE;
 use crate::catalogue::prelude::*;
-use crate::catalogue::sinumerik::{alarm, results};
 use crate::control::Plane;
 
 /// Results that every call of these cycles begins with (B:16014-16022).
@@ -11,14 +10,6 @@ pub fn begin(machine: &mut dyn Machine, inputs: &Inputs, cycle: i64) {
     results::begin(machine, inputs, cycle);
     results::integer(machine, 3, inputs.variant);
     results::integer(machine, 12, 0);
-}
-
-/// Measuring axis: 0 abscissa, 1 ordinate, 2 applicate; 61325 where there is none (A:15866).
-pub fn axis(machine: &mut dyn Machine, inputs: &Inputs) -> Result<usize, Stop> {
-    match inputs.integer(names::MA) {
-        axis @ 1..=3 => Ok(axis as usize - 1),
-        _ => Err(alarm(machine, 61325)),
-    }
 }
 
 /// Axis in which tool and zero offset are corrected where this one is measured: itself, or with `_CHBIT[19]` = 1 in G18

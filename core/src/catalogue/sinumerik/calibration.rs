@@ -17,7 +17,7 @@ pub struct Trigger {
 }
 
 /// What was found, mm.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Calibration {
     /// In the order of probing.
     pub triggers: Vec<Trigger>,

@@ -1,6 +1,6 @@
 //! Checks that the cycles at a tool probe share.
 
-use super::ProbeData;
+use super::{ProbeData, count};
 use crate::catalogue::prelude::*;
 use crate::check::{doubted, error};
 use crate::control::Edge;
@@ -13,10 +13,9 @@ pub fn refused(number: u32, message: Message, hint: &'static str, at: Name) -> D
     error(Code::Alarm(number), message).hint(Message::new(hint)).at(at)
 }
 
-/// A probe number beyond the data fields; `_CVAL[0]` counts those of the machine, `_CVAL[3]` those of the workpiece
-/// (B:13345-13348, A:15852).
-pub fn number(inputs: &Inputs, control: &Control, workpiece: bool, found: &mut Vec<Diagnostic>) {
-    let array = if workpiece { "_CVAL[3]" } else { "_CVAL[0]" };
+/// A probe number beyond the data fields (A:15852).
+pub fn number(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
+    let array = count(inputs);
     let fields = control.number(array);
     let number = inputs.number(names::PRNUM);
     if number > fields {
@@ -90,19 +89,19 @@ pub fn speeds(control: &Control, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Whether the approximate place of the probe is known in the axes with these indices, with the side that is touched in
-/// minus direction on the plus side (B:4397, B:8848-8850). The cycle works out its ways from these values.
-pub fn place(data: &ProbeData, axes: &[usize], found: &mut Vec<Diagnostic>) {
-    let triggers = || axes.iter().map(|axis| (axis, data.triggers(*axis)));
-    if triggers().all(|(_, values)| values == [0.0; 2]) {
-        let names: Vec<String> = axes.iter().flat_map(|axis| [data.name(2 * axis), data.name(2 * axis + 1)]).collect();
+/// Whether the approximate place of the probe is known in the axes of the plane, with the side that is touched in minus
+/// direction on the plus side (B:4397, B:8848-8850). The cycle works out its ways from these values.
+pub fn place(data: &ProbeData, found: &mut Vec<Diagnostic>) {
+    let sides = [0, 1].map(|axis| [-1.0, 1.0].map(|direction| data.datum(axis, direction)));
+    if sides.iter().flatten().all(|datum| data.value(*datum) == 0.0) {
+        let names: Vec<String> = sides.iter().flatten().map(|datum| data.name(*datum)).collect();
         // the control does not know where it stands
         let finding = own::TOOL_PROBE_EMPTY.finding();
         found.push(finding.text("names", names.join(", ")).at(names::PRNUM));
         return;
     }
-    for (axis, _) in triggers().filter(|(_, [minus, plus])| minus <= plus) {
-        let finding = own::TOOL_PROBE_SIDES.finding().text("minus", data.name(2 * axis));
-        found.push(finding.text("plus", data.name(2 * axis + 1)).at(names::PRNUM));
+    for [minus, plus] in sides.into_iter().filter(|[minus, plus]| data.value(*minus) <= data.value(*plus)) {
+        let finding = own::TOOL_PROBE_SIDES.finding().text("minus", data.name(minus));
+        found.push(finding.text("plus", data.name(plus)).at(names::PRNUM));
     }
 }

@@ -17,19 +17,6 @@ pub struct Measured {
     pub value: f64,
 }
 
-/// What follows from a difference.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Verdict {
-    /// `_TSA` and more: 61303.
-    SafeArea,
-    /// `_TDIF` and more: 62306, nothing is corrected.
-    Difference,
-    /// No more than `_TZL`: nothing is corrected.
-    Small,
-    /// Corrected.
-    Correct,
-}
-
 /// Reports, decides, corrects; each value on its own.
 pub fn finish(machine: &mut dyn Machine, inputs: &Inputs, found: &[Measured], repetition: u32) -> Result<Next, Stop> {
     report_call(machine, inputs);
@@ -46,7 +33,7 @@ pub fn finish(machine: &mut dyn Machine, inputs: &Inputs, found: &[Measured], re
 }
 
 /// Reports and corrects without limits and into the geometry, as an incremental measurement does (B:9935).
-pub fn finish_always(machine: &mut dyn Machine, inputs: &Inputs, found: &[Measured]) {
+pub fn finish_always(machine: &mut dyn Machine, inputs: &Inputs, found: &[Measured]) -> Next {
     report_call(machine, inputs);
     for one in found {
         let difference = one.value - active(machine.control(), one.part);
@@ -54,6 +41,7 @@ pub fn finish_always(machine: &mut dyn Machine, inputs: &Inputs, found: &[Measur
         results::length(machine, one.result + 1, difference);
         write(machine, one.part, difference, true);
     }
+    Next::Done
 }
 
 /// The length or radius that counts now, wear included, mm.
@@ -75,19 +63,8 @@ fn report_call(machine: &mut dyn Machine, inputs: &Inputs) {
     results::integer(machine, 8, tool);
 }
 
-fn verdict(inputs: &Inputs, difference: f64) -> Verdict {
-    let reaches = |limit: Name| difference.abs() >= inputs.number(limit) - RESOLUTION;
-    if reaches(names::TSA) {
-        Verdict::SafeArea
-    } else if reaches(names::TDIF) {
-        Verdict::Difference
-    } else if exceeds(difference.abs(), inputs.number(names::TZL)) {
-        Verdict::Correct
-    } else {
-        Verdict::Small
-    }
-}
-
+/// From `_TSA` on the difference is an alarm (61303), from `_TDIF` on it is reported (62306); up to `_TZL` nothing is
+/// corrected.
 fn decide(
     machine: &mut dyn Machine,
     inputs: &Inputs,
@@ -95,35 +72,31 @@ fn decide(
     difference: f64,
     repetition: u32,
 ) -> Result<Next, Stop> {
-    let verdict = verdict(inputs, difference);
+    let reaches = |limit: Name| difference.abs() >= inputs.number(limit) - RESOLUTION;
     let remeasured = machine.control().bit("_CHBIT[3]");
-    let key = match (verdict, remeasured) {
-        (Verdict::SafeArea, _) => "evaluate-safe-area",
-        (Verdict::Difference, _) => "evaluate-difference",
-        (Verdict::Small, _) => "evaluate-tool-small",
-        (Verdict::Correct, false) => "evaluate-tool-geometry",
-        (Verdict::Correct, true) => "evaluate-tool-wear",
+    let corrected = exceeds(difference.abs(), inputs.number(names::TZL));
+    let (key, announced) = match (reaches(names::TSA), reaches(names::TDIF), corrected, remeasured) {
+        (true, ..) => ("evaluate-safe-area", Some(62303)),
+        (_, true, ..) => ("evaluate-difference", Some(62306)),
+        (_, _, false, _) => ("evaluate-tool-small", None),
+        (.., true) => ("evaluate-tool-wear", None),
+        _ => ("evaluate-tool-geometry", None),
     };
     let message = Message::new(key).number("difference", difference).number("limit", inputs.number(names::TZL));
     machine.record(Step::Decision { message });
-    let announced = match verdict {
-        Verdict::SafeArea => Some(62303),
-        Verdict::Difference => Some(62306),
-        _ => None,
-    };
     if announced.is_some_and(|number| tolerance::repeat(machine, number, repetition)) {
         return Ok(Next::Again);
     }
-    match verdict {
-        Verdict::SafeArea => return Err(alarm(machine, 61303)),
-        Verdict::Correct => write(machine, part, difference, !remeasured),
-        Verdict::Difference | Verdict::Small => tolerance::inform(machine, announced),
+    match announced {
+        Some(62303) => return Err(alarm(machine, 61303)),
+        None if corrected => write(machine, part, difference, !remeasured),
+        _ => tolerance::inform(machine, announced),
     }
     Ok(Next::Done)
 }
 
 /// First measurement: the geometry takes everything and the wear is erased; later ones change the wear (B:4314-4322).
-pub fn write(machine: &mut dyn Machine, part: usize, difference: f64, geometry: bool) {
+fn write(machine: &mut dyn Machine, part: usize, difference: f64, geometry: bool) {
     let control = machine.control();
     let target = tool_offset::Target { tool: control.tool, edge: control.edge, part, location: None, inverted: false };
     let writes = tool_offset::writes(control, &target, difference, geometry);

@@ -1,5 +1,6 @@
 //! What the pictures of the cycles at a tool probe share.
 
+use super::data::array;
 use crate::catalogue::prelude::*;
 use crate::entry::stage::Seen;
 use crate::picture::figures::line;
@@ -17,18 +18,16 @@ pub fn cube() -> Vec<(String, f64)> {
 }
 
 /// The data of the probe that the call names; `last`: index of the last one that counts.
-pub fn label(inputs: &Inputs, workpiece: bool, at: [f64; 2], last: usize) -> PictureShape {
-    let array = if workpiece { "_TPW" } else { "_TP" };
+pub fn label(inputs: &Inputs, at: [f64; 2], last: usize) -> PictureShape {
     let number = inputs.integer(names::PRNUM).clamp(1, 99) - 1;
-    line(ShapeKind::Label, vec![at]).text(format!("{array}[{number},0…{last}]")).of(names::PRNUM)
+    line(ShapeKind::Label, vec![at]).text(format!("{}[{number},0…{last}]", array(inputs))).of(names::PRNUM)
 }
 
-/// Limits of the difference, and half the widths of their bands, mm.
-const WIDTHS: [(Name, f64); 3] = [(names::TSA, 3.0), (names::TDIF, 1.8), (names::TZL, 0.8)];
+/// Limits of the difference with the ends of their bands, mm.
+const BANDS: [(Name, f64, f64); 3] = [(names::TSA, -3.0, 3.0), (names::TDIF, -1.8, 1.8), (names::TZL, -0.8, 0.8)];
 
 /// The limits of the difference that the call uses about the touched sides, wide ones first, wider than they are.
 pub fn limits(inputs: &Inputs, seen: &Seen) -> Vec<PictureShape> {
-    let used = WIDTHS.into_iter().filter(|(name, _)| inputs.uses(*name));
-    let used: Vec<_> = used.map(|(name, width)| (name, -width, width)).collect();
+    let used: Vec<_> = BANDS.into_iter().filter(|(name, ..)| inputs.uses(*name)).collect();
     seen.bands(ShapeKind::Tolerance, &used)
 }

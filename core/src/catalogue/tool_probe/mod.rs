@@ -7,14 +7,14 @@ mod data;
 pub mod figures;
 pub mod help;
 pub mod params;
+mod stand;
 pub mod store;
 pub mod turning;
 
-use crate::catalogue::prelude::*;
-pub use data::{ProbeData, Sides};
-
 use super::common::alarms;
-use super::sinumerik::{Next, until_done};
+use crate::diagnostic::Code;
+pub use data::{DEPTH, DIRECTIONS, EDGE_LENGTH, ProbeData, TYPE, count};
+pub use stand::Stand;
 
 /// Alarms that the manual names for every cycle at a tool probe (A:15840-15943): those of all cycles but for the one
 /// about the workpiece probe, and those of tool measurement.
@@ -23,18 +23,3 @@ pub const ALARMS: &[Code] = &alarms([
     61332, 61336, 61338, 61339, 61340, 61342, 61343, 61344, 61345, 61372, 61373, 61403, 61404, 61405, 61406, 61407,
     61408, 61409, 61410, 61416, 62303, 62306,
 ]);
-
-/// Carries a task out until it need not be repeated, counted from 0: in the workpiece system, or without frames, as
-/// what stands in `_TP` are machine coordinates.
-pub fn carry_out(
-    machine: &mut dyn Machine,
-    workpiece: bool,
-    task: impl Fn(&mut dyn Machine, u32) -> Result<Next, Stop>,
-) -> Result<(), Stop> {
-    let frames = (!workpiece).then(|| machine.control().take_frames());
-    let outcome = until_done(|repetition| task(machine, repetition));
-    if let Some(frames) = frames {
-        machine.control().put_frames(frames);
-    }
-    outcome
-}

@@ -2,6 +2,13 @@
 
 use crate::catalogue::prelude::*;
 
+/// The probe is calibrated.
+pub const CALIBRATE: When = mvar(1, &[0]);
+/// A tool is measured.
+pub const MEASURE: When = When::Not(&CALIBRATE);
+/// The data are those of `_TPW`, which count in the active workpiece system.
+pub const WORKPIECE: When = mvar(10, &[1]);
+
 /// Second digit of `_MVAR`: whether the probe stands in the machine (`_TP`) or in the active workpiece system (`_TPW`)
 /// (B:4186-4196, B:9224-9260).
 pub const REFERENCE: DigitGroup =

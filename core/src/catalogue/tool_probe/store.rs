@@ -1,7 +1,7 @@
 //! What calibrating a tool probe found: the results, the comparison with what is stored, the new data (B:4324-4326).
 
 use crate::catalogue::prelude::*;
-use crate::catalogue::sinumerik::{Next, calibration, results, tolerance};
+use crate::catalogue::sinumerik::{calibration, tolerance};
 
 /// A trigger point.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,9 +14,10 @@ pub struct Trigger {
     pub value: f64,
 }
 
-/// What every call tells about itself (B:4216-4221, B:4231-4241).
-pub fn begin(machine: &mut dyn Machine, inputs: &Inputs, cycle: i64) {
-    results::begin(machine, inputs, cycle);
+/// What every call tells about itself, with the number that the name of its cycle has (B:4216-4221, B:4231-4241).
+pub fn begin(machine: &mut dyn Machine, inputs: &Inputs) {
+    let number = inputs.cycle.name.trim_start_matches("CYCLE").parse();
+    results::begin(machine, inputs, number.unwrap_or_default());
     results::integer(machine, 3, inputs.variant);
     results::length(machine, 27, inputs.number(names::TZL));
 }
@@ -30,8 +31,7 @@ pub fn store(
     beside: &[f64],
     repetition: u32,
 ) -> Result<Next, Stop> {
-    let mut differences = beside.to_vec();
-    differences.extend(report(machine, found));
+    let differences = [beside, &report(machine, found)].concat();
     let next = tolerance::safe(machine, inputs, &differences, repetition)?;
     if next == Next::Done {
         let named = found.iter().map(|one| (one.name.clone(), one.value));
@@ -41,22 +41,20 @@ pub fn store(
 }
 
 /// Reports and stores without any comparison, as incremental calibration does (B:4432).
-pub fn store_always(machine: &mut dyn Machine, found: &[Trigger]) {
-    report(machine, found);
+pub fn store_always(machine: &mut dyn Machine, found: &Trigger) -> Next {
+    report(machine, std::slice::from_ref(found));
     let per = machine.control().basic_factor();
-    for one in found {
-        results::set(machine, &one.name, one.value / per);
-    }
+    results::set(machine, &found.name, found.value / per);
+    Next::Done
 }
 
 /// Results; the differences, mm.
 fn report(machine: &mut dyn Machine, found: &[Trigger]) -> Vec<f64> {
-    let mut differences = Vec::new();
-    for one in found {
+    let report = |one: &Trigger| {
         let difference = one.value - machine.control().basic_length(&one.name);
         results::length(machine, one.result, one.value);
         results::length(machine, one.result + 1, difference);
-        differences.push(difference);
-    }
-    differences
+        difference
+    };
+    found.iter().map(report).collect()
 }
