@@ -91,29 +91,10 @@ pub fn obstacle(probes: &[ToolProbe], tool: &[Piece], from: Mcs, to: Mcs) -> Opt
     let path = Path::new(from.into(), to.into());
     least(probes, tool, &path, &|piece, cap| {
         let met = convex::first(piece, cap, &path)?;
-        let leaves = met.way == 0.0 && way_out(piece, cap, &path) <= GIVES_WAY;
-        (!leaves).then_some(met)
+        // what a way leaves it does not meet again
+        let leaves = || convex::apart(piece, cap, &(path.direction * path.length.min(GIVES_WAY)));
+        (met.way > 0.0 || !leaves()).then_some(met)
     })
-}
-
-/// Way after which a piece in contact has left the cap, mm; endless where it stands in it at the end as well.
-fn way_out(piece: &Piece, cap: &Cap, path: &Path) -> f64 {
-    let back = Path { direction: -path.direction, ..*path };
-    let there = Moved(piece, path.direction * path.length);
-    match convex::first(&there, cap, &back) {
-        None => 0.0,
-        Some(met) if met.way == 0.0 => f64::INFINITY,
-        Some(met) => path.length - met.way,
-    }
-}
-
-/// A piece at the end of its way.
-struct Moved<'a>(&'a Piece, V3);
-
-impl Convex for Moved<'_> {
-    fn farthest(&self, direction: &V3) -> V3 {
-        self.0.farthest(direction) + self.1
-    }
 }
 
 /// The earliest contact; what an axis of the machine parts from a cap on all of the way is not looked at.
