@@ -560,7 +560,7 @@ datum-e-meas = Interner Wert
 datum-e-mess-rett = Internes Frame
 datum-e-mess-sett-0 = Spindel bei Koordinatendrehung
     .v0 = dreht mit
-    .v1 = behält die Spindelstellung des Aufrufs
+    .v1 = behält die Spindelstellung beim Aufruf
 datum-e-mess-sett-1 = Interner Schalter
 datum-e-mess-am = Interner Schalter
 

@@ -74,5 +74,5 @@ surface-example = { $path }: Es gibt keine Fläche „{ $name }“.
 surface-stl = Das ist keine STL-Datei: { $why }.
 stl-neither = sie ist weder Text noch binär
 stl-begin = sie beginnt nicht mit „solid“
-stl-vertex = ein Eckpunkt hat drei Zahlen
+stl-vertex = ein Eckpunkt braucht drei Zahlen
 stl-triangle = ein Dreieck hat drei Eckpunkte

@@ -8,7 +8,7 @@ advice-write = Write { $name }={ $value } for this call
 advice-compensation = Tool radius compensation is on: { $word } in line { $line }.
 advice-compensation-pass = Tool radius compensation is still on from the previous pass: { $word } in line { $line }.
 advice-compensation-hint = Program G40 before the call.
-advice-compensation-open = No G40 before this call, and the program ends with tool radius compensation on: it may be active next time.
+advice-compensation-open = No G40 before this call, and the program ends with tool radius compensation on: it may be on at the next run.
 advice-plane = No working plane is programmed before this call: the machine's reset state decides which axes are measured.
 advice-plane-hint = Program the plane, for example { $plane }.
 advice-diameter = No DIAMON or DIAMOF before this call: the reset state decides whether transverse-axis values are diameters.

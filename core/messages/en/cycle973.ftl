@@ -17,7 +17,7 @@ calibrate-groove = Reference groove
 calibrate-groove-words = gauging block
 calibrate-one-short = Not specified: one direction, as 1
 calibrate-one-short-words = one 13
-calibrate-position = Positional deviation (skew)
+calibrate-position = Skew (positional deviation)
 
 param-setval-surface-diameter = Diameter at the surface
 param-setval-surface-diameter-help = Exact position of the surface in the workpiece coordinate system: with DIAMON the diameter, with DIAMOF the radius.

@@ -17,7 +17,7 @@ reversal-with-words = reversal spindle 180 degree runout eccentricity opposite
 param-setval-turned-diameter = Setpoint diameter
 param-setval-turned-diameter-help = From the drawing. With DIAMON it is the diameter, with DIAMOF the radius.
 param-setval-turned-position = Setpoint position
-param-setval-turned-position-help = Nominal position of the surface in the workpiece coordinate system, in the measuring axis.
+param-setval-turned-position-help = Position of the surface from the drawing, in the workpiece coordinate system, in the measuring axis.
 param-sta1-spindle = Spindle position
 param-sta1-spindle-help = Angle to which the spindle rotates the part for the first touch; the second touch is 180° further.
 

@@ -105,7 +105,7 @@ param-ma-lathe-measured = Measured size
 param-ma-lathe-measured-help = Size to be measured; also determines the axis of the touch. The radius is in the ordinate of an axial tool, in the abscissa of a radial tool. Start opposite the side to be touched.
 param-md-incremental = Measuring direction
 param-md-incremental-help = Direction in which the tool moves from its current position to the probe.
-param-sta1-milling-spindle = Milling spindle start angle
+param-sta1-milling-spindle = Milling spindle starting angle
 param-sta1-milling-spindle-help = Angle of the stationary milling spindle before the first touch, so that a cutting edge points at the probe. No effect while the spindle rotates, or with _CHBIT[20]=1.
 param-cora-second-edge = Offset angle of second edge
 param-cora-second-edge-help = Added to the 180° of the spindle for the second touch, if the second cutting edge is not exactly opposite.

@@ -27,7 +27,7 @@ help-cycle976-corrects-skew = Also the skew of the stylus, _WP[k,7] and _WP[k,8]
 help-cycle976-corrects-length = L1 in the geometry of the probe is corrected by the difference; _TSA does not monitor it.
 help-cycle976-wrong-off-centre = The spindle is not at the centre: this error goes into every trigger point, with opposite signs.
 help-cycle976-wrong-diameter = _SETVAL is not the true diameter of the ring: half of the error goes into each trigger point.
-help-cycle976-wrong-position = _SETVAL is not the real position of the surface in the active coordinate system.
+help-cycle976-wrong-position = _SETVAL is not the actual position of the surface in the active coordinate system.
 
 help-cycle973-measures-surface = The trigger point of the probe in one direction of one axis, on a surface of the part at _SETVAL.
 help-cycle973-measures-groove-one = The trigger point of the probe in one direction, on a wall or the base of a reference groove.
@@ -41,7 +41,7 @@ help-cycle973-order-one = The cycle touches in direction _MD of axis _MA; on the
 help-cycle973-order-two = The cycle touches the wall in plus direction, crosses the groove and touches the wall in minus direction.
 help-cycle973-order-end-groove = End position: in the groove, _FA before the face touched last.
 help-cycle973-corrects-ball = Also the active ball diameter _WP[k,0].
-help-cycle973-corrects-skew = Also the positional deviation in the touched axis, _WP[k,7] or _WP[k,8].
+help-cycle973-corrects-skew = Also the skew in the touched axis, _WP[k,7] or _WP[k,8].
 help-cycle973-wrong-groove-data = The groove data in _KB are diameters in X: they must be radii.
 help-cycle973-wrong-position = The cutting edge position of the probe is not 7 or 8: alarm 61315.
 help-cycle973-wrong-shank = In this direction the shank would touch instead of the ball.

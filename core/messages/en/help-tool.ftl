@@ -17,7 +17,7 @@ help-cycle971-order-on-top = On top (_MA = 3, 103, 203): above the middle, down,
 help-cycle971-order-centre-first = With _MA = 102 or 201, two touches first determine the middle in the other axis.
 help-cycle971-order-widest = For a radius, the tool moves lower by _ID, so that its largest diameter touches.
 help-cycle971-order-turning = The tool touches one to three times, each time at lower feed (_CM[6], _CM[7]); the last touch is used. If the spindle was stationary before, it stops again.
-help-cycle971-order-all-sides = The top above the nominal middle, both sides of the ordinate, there both sides of the abscissa, those of the ordinate through the measured middle, and the top again. End _FA above it.
+help-cycle971-order-all-sides = The top above the setpoint middle, both sides of the ordinate, there both sides of the abscissa, those of the ordinate through the measured middle, and the top again. End _FA above it.
 help-cycle971-wrong-depth = _TP[k,9] is 0: beside the probe, the tool does not reach down to it, alarm 61349.
 help-cycle971-wrong-unclear = The tool position does not show which side to touch: alarm 61332.
 help-cycle971-wrong-edge = The cutting edge does not point at the probe: the measured radius is too small, as is the length of a tool with cutting edges of different height.

@@ -61,7 +61,7 @@ check-tool-probe-number-hint = Enter a number from 1 to { $fields }, or create m
 check-tool-limits = { $small }, { $low } mm, is not smaller than { $large }, { $high } mm: one of them never takes effect.
 check-tool-limits-hint = Keep this order, smallest first: _TZL, _TDIF, _TSA.
 check-tool-speed = With { $name }, the cycle cannot position the tool.
-check-tool-speed-hint = Set _SPEED[0] in % of rapid, _SPEED[1], _SPEED[2] as feeds above 0 (collision monitoring, _CHBIT[2]=1).
+check-tool-speed-hint = Set _SPEED[0] in % of rapid traverse; with collision monitoring (_CHBIT[2]=1) _SPEED[1] and _SPEED[2] above 0.
 check-tool-probe-empty = The position of the tool probe is not set: { $names } are 0.
 check-tool-probe-empty-hint = Enter the approximate positions of its sides in the machine data; the cycle calculates its paths from them.
 check-tool-probe-sides = { $minus } is not larger than { $plus }: the side touched in minus direction must be on the plus side of the probe.

@@ -63,7 +63,7 @@ check-offset-missing = 刀具宽 { $tool } mm，比测头的 { $edge } mm 宽�
 check-offset-missing-hint = 若其最外点应位于测头中心上方，请输入 0。
 check-offset-large = _ID 大于刀具半径 { $radius } mm：刀具会偏移到另一侧。
 check-offset-large-hint = 请输入从半径向内的距离。
-check-offset-abscissa = 刀具宽 { $tool } mm，比测头的 { $edge } mm 宽：循环使其在横坐标偏移。
+check-offset-abscissa = 刀具宽 { $tool } mm，比测头的 { $edge } mm 宽：循环使刀具沿横坐标偏移。
 check-offset-abscissa-hint = 请选 103 或 203 指明偏移的轴。
 check-mfs-missing = 没有设置 { $name }：缺少某次触碰的转速或进给。
 check-mfs-missing-hint = 请在机床数据中设置 _MFS[0]、[2]、[4] 的转速和 _MFS[1]、[3]、[5] 的进给，或用 _CBIT[12]=0 让循环计算。

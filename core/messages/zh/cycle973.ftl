@@ -17,7 +17,7 @@ calibrate-groove = 基准槽
 calibrate-groove-words = 方块
 calibrate-one-short = 未指定：一个方向，同 1
 calibrate-one-short-words = 一 13
-calibrate-position = 位置偏差（偏斜）
+calibrate-position = 位置偏差
 
 param-setval-surface-diameter = 表面处直径
 param-setval-surface-diameter-help = 表面在工件坐标系中的精确位置：DIAMON 时为直径，DIAMOF 时为半径。

@@ -17,7 +17,7 @@ reversal-with-words = 反转 主轴 180 度 跳动 偏心 相对 换向
 param-setval-turned-diameter = 设定直径
 param-setval-turned-diameter-help = 取自图纸。DIAMON 时为直径，DIAMOF 时为半径。
 param-setval-turned-position = 设定位置
-param-setval-turned-position-help = 表面在工件坐标系中的设定位置，在测量轴上。
+param-setval-turned-position-help = 图纸上的表面位置，工件坐标系，沿测量轴。
 param-sta1-spindle = 主轴位置
 param-sta1-spindle-help = 第一次触碰时主轴把工件转到的角度；第二次再转 180°。
 

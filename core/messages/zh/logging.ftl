@@ -83,7 +83,7 @@ need-log-values = 属于数值；为空时机床数据有效。
 need-log-titles = 属于记录头，并决定各列的宽度。
 need-log-format = 属于格式；为空时机床数据有效。
 
-check-log-file = 这不能作为记录文件的名称。
+check-log-file = 此名称不能用作测量记录文件的名称。
 check-log-file-hint = 请用字母、数字和下划线，以两个字母或一个字母加下划线开头。不写扩展名。
 check-log-line = 记录的一行最多有 { $most } 个字符；控制系统使用该数。
 check-log-line-hint = 请输入不大于 { $most } 的数。

@@ -137,7 +137,7 @@ param-tsa-position-help = 位置的偏差超过此值，程序以报警 61303 �
 param-vms = 测量进给
 param-vms-help = 为 0 时由循环选择：测量行程为 1 mm 时 150 mm/min，大于 1 mm 时 300 mm/min。
 param-nmsp = 同一位置测量次数
-param-nmsp-help = 每一点测量几次；取平均值。
+param-nmsp-help = 每个点的测量次数；取平均值。
 param-cora = 单向测头补偿角
 param-cora-help = 修正单向测头主轴位置的角度。只在 _CBIT[8]=1 时起作用。
 param-evnum = 平均值和经验值存储器

@@ -297,7 +297,7 @@ problem-place = Zeile { $line }, Spalte { $column }
 log-save = Als Datei speichern
 log-none = Nichts protokolliert.
 
-sliders-title = Abweichungen
+sliders-title = Simulierte Abweichungen
 sliders-reset = Auf 0
 sliders-part = Werkstückabweichungen
 sliders-probe = Messtasterabweichungen
