@@ -82,15 +82,13 @@ fn by_distances(inputs: &Inputs, control: &Control, ball: f64) -> Nominal {
 /// ball runs along an axis, which brings it nearer to the corner.
 fn room(inputs: &Inputs, angles: [f64; 2], half: f64, ball: f64) -> f64 {
     let (sine, cosine) = TOLERANCE.to_radians().sin_cos();
-    let edges = angles.into_iter().zip([names::SETV0, names::SETV1]);
-    edges
-        .map(|(angle, name)| {
-            let [x, y] = unit(angle).map(f64::abs);
-            let lean = x.min(y) / x.max(y);
-            let way = inputs.number(name) / 2.0 * (cosine - sine * lean);
-            (way - 2.0 * ball) / (1.0 / half.tan() + lean)
-        })
-        .fold(f64::INFINITY, f64::min)
+    let [one, other] = [(angles[0], names::SETV0), (angles[1], names::SETV1)].map(|(angle, name)| {
+        let [x, y] = unit(angle).map(f64::abs);
+        let lean = x.min(y) / x.max(y);
+        let way = inputs.number(name) / 2.0 * (cosine - sine * lean);
+        (way - 2.0 * ball) / (1.0 / half.tan() + lean)
+    });
+    one.min(other)
 }
 
 /// The edges lie before the points, parallel to their lines.

@@ -4,7 +4,7 @@ use super::params::{INSIDE_ZONE, zone};
 use crate::catalogue::lathe;
 use crate::catalogue::lathe::measure;
 use crate::catalogue::prelude::*;
-use crate::diagnostic::Severity;
+use crate::check::doubted;
 
 /// All of them.
 pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
@@ -17,13 +17,14 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     }
     let ball = place::ball_radius(inputs, control);
     let per = measure::per(control, inputs);
-    if INSIDE_ZONE.holds(inputs) {
-        if shared_checks::fits(names::SETVAL, 2.0 * set / per, ball, found) {
-            inside(inputs, set, per * ball, found);
-        }
-    } else {
-        either(inputs, set, per * ball, found);
+    let inside = INSIDE_ZONE.holds(inputs);
+    if inside && !shared_checks::fits(names::SETVAL, 2.0 * set / per, ball, found) {
+        return;
     }
+    if !inside {
+        found.extend(missing(inputs));
+    }
+    found.extend(border(inputs, set, per * ball));
 }
 
 /// Without calibration the stored ball diameter counts alone (B:10901-10906).
@@ -34,37 +35,25 @@ fn ball_diameter(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>
     }
 }
 
-/// The zone in the direction of the measuring axis, where it is given.
-fn across(inputs: &Inputs) -> Option<(Name, f64)> {
-    let [name, _] = zone(inputs.integer(names::MA) == 1);
-    Some((name, inputs.given(name)?))
-}
-
-/// The ball's centre passes on the border of the zone (B:10891), inside the measured element; `ball` is its radius as
-/// the setpoint counts.
-fn inside(inputs: &Inputs, set: f64, ball: f64, found: &mut Vec<Diagnostic>) {
-    let Some((name, zone)) = across(inputs) else { return };
-    let limit = set - ball;
-    if zone.abs() > limit {
-        let finding = refused(61334, "check-two-zone-inside", name).number("zone", zone).number("size", set);
-        found.push(finding.hint_number("limit", limit));
-    }
-}
-
 /// Outside the way goes around the zone, inside it has none; the start position alone tells which it is (B:10933).
-fn either(inputs: &Inputs, set: f64, ball: f64, found: &mut Vec<Diagnostic>) {
-    let given = |name| inputs.given(name).is_some();
+fn missing(inputs: &Inputs) -> Option<Diagnostic> {
     let half = |missing: Name| own::TWO_HALF_ZONE.finding().text("name", missing).at(missing);
-    found.extend(match (given(names::SZA), given(names::SZO)) {
-        (true, true) => None,
-        (false, false) => Some(own::TWO_NO_ZONE.finding()),
-        (true, false) => Some(half(names::SZO)),
-        (false, true) => Some(half(names::SZA)),
-    });
-    let Some((name, zone)) = across(inputs) else { return };
-    let limit = set + ball;
-    if zone.abs() < limit {
-        let finding = refused(61334, "check-two-zone-outside", name).number("zone", zone).number("size", set);
-        found.push(Diagnostic { severity: Severity::Warning, ..finding.hint_number("limit", limit) });
+    match (inputs.given(names::SZA), inputs.given(names::SZO)) {
+        (Some(_), Some(_)) => None,
+        (None, None) => Some(own::TWO_NO_ZONE.finding()),
+        (Some(_), None) => Some(half(names::SZO)),
+        (None, Some(_)) => Some(half(names::SZA)),
     }
+}
+
+/// The ball's centre passes on the border of the zone (B:10891), inside the measured element or, as far as the call
+/// tells, outside; `ball` is its radius as the setpoint counts.
+fn border(inputs: &Inputs, set: f64, ball: f64) -> Option<Diagnostic> {
+    let [name, _] = zone(inputs.integer(names::MA) == 1);
+    let zone = inputs.given(name)?;
+    let (beyond, limit, finding) = match INSIDE_ZONE.holds(inputs) {
+        true => (zone.abs() > set - ball, set - ball, refused(61334, "check-two-zone-inside", name)),
+        false => (zone.abs() < set + ball, set + ball, doubted(61334, "check-two-zone-outside", name)),
+    };
+    beyond.then(|| finding.number("zone", zone).number("size", set).hint_number("limit", limit))
 }

@@ -69,18 +69,16 @@ fn along_the_angle(inputs: &Inputs, leg: &Leg) -> Option<Diagnostic> {
     }
     let away = leg.rise(area) - leg.rise(0.0);
     let worst = leg.rise(area) - leg.rise(-area);
-    // µm are enough for a reader, and what is advised must be enough as well
-    let needed = |path: f64| (path * 1e3).ceil() / 1e3;
-    if away > path {
+    let finding = if away > path {
         let ahead = ((path + away) * 1e3).round() / 1e3;
-        let finding = own::ANGLE_REACH.finding().number("away", ahead).number("path", 2.0 * path);
-        return Some(finding.hint_number("needed", needed(worst)).at(names::FA));
-    }
-    if worst > path {
-        let finding = own::ANGLE_REACH_WORST.finding().number("area", area);
-        return Some(finding.hint_number("needed", needed(worst)).at(names::FA));
-    }
-    None
+        own::ANGLE_REACH.finding().number("away", ahead).number("path", 2.0 * path)
+    } else if worst > path {
+        own::ANGLE_REACH_WORST.finding().number("area", area)
+    } else {
+        return None;
+    };
+    // µm are enough for a reader, and what is advised must be enough as well
+    Some(finding.hint_number("needed", (worst * 1e3).ceil() / 1e3).at(names::FA))
 }
 
 /// Without a set position both points have to lie within the whole measuring path (B:7554).

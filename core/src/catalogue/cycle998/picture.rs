@@ -28,16 +28,15 @@ pub fn stage(inputs: &Inputs) -> Staging {
     let [offset, measuring] = axes(inputs);
     let steep = |name| inputs.number(name).clamp(-STEEP, STEEP);
     let set = SET.copysign(inputs.number(names::SETVAL));
-    let (edges, distances, looks): (&[_], &[_], _) = match TWO.holds(inputs) {
-        true => {
-            (&[names::INCA], &[names::ID, names::SETV0], vec![look(0, 2).touching(0b11), look(1, 2).touching(0b101)])
-        }
-        false => (&[names::STA1], &[names::ID], vec![look(offset.min(measuring), offset.max(measuring))]),
+    let looks = match TWO.holds(inputs) {
+        true => vec![look(0, 2).touching(0b11), look(1, 2).touching(0b101)],
+        false => vec![look(offset.min(measuring), offset.max(measuring))],
     };
-    let fields = Fields { edges, mark: Some("P"), ..Fields::CYCLE };
+    let fields = Fields { edges: &ways(inputs)[0][..1], mark: Some("P"), ..Fields::CYCLE };
+    let distances: Vec<Name> = ways(inputs).iter().map(|[_, distance]| *distance).collect();
     let variant = DIFFERENTIAL.holds(inputs).then_some(inputs.variant - 1000);
     let stage = Staging { looks, variant, ..Staging::new(Look::ABOVE, fields) }
-        .sized(inputs, distances)
+        .sized(inputs, &distances)
         .short(inputs, names::FA, [15.0, 30.0])
         .with(names::SETVAL, set)
         .with(names::STA1, steep(names::STA1))
