@@ -6,7 +6,7 @@ use super::params::{MOVED_ABSCISSA, MOVED_ORDINATE, OUTSIDE, POINTS};
 use super::touches::{Touch, touches};
 use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::correct;
-use crate::catalogue::sinumerik::measuring_block::{Block, all_calibrated};
+use crate::catalogue::sinumerik::measuring_block::{self, Block, all_calibrated};
 use crate::evaluate::zero_offset;
 use crate::evaluate::zero_offset::{Measured, Target};
 use crate::geometry::{Degrees, Dir, Rpy, rigid};
@@ -106,7 +106,8 @@ impl Probing<'_> {
     /// trigger value, which holds the skew, across from the skew.
     fn ball(&self, machine: &mut dyn Machine, touch: &Touch) -> Result<Point, Stop> {
         let Touch { axis, direction, path, .. } = *touch;
-        let surface = self.block.measure_from_here(machine, axis, direction, 2.0 * path)?;
+        let point = measuring_block::Point { axis, direction, set: 0.0, path };
+        let surface = self.block.measure_from_here(machine, &point)?;
         let mut centre = [0, 1].map(|axis| touch.at[axis] + self.block.skew[axis]);
         centre[axis] = surface - direction * self.radius();
         Ok(centre)

@@ -29,7 +29,7 @@ pub fn touch(machine: &mut dyn Machine, stand: &Stand, point: &Point) -> Result<
     let mut last = (0.0, 0.0);
     for (index, (speed, feed)) in probings.iter().enumerate() {
         let counts = index + 1 == probings.len();
-        let repeats = if counts { stand.block.repeats() } else { 1 };
+        let repeats = if counts { stand.block.repeats } else { 1 };
         machine.spin(direction * speed);
         last = (*speed, stand.block.at_feed(*feed, repeats).latch(machine, point)?);
     }

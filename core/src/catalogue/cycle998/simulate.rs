@@ -96,7 +96,7 @@ impl Probing<'_> {
                 to[block.axes[axis]] += leg.rise(leg.set - leg.sense * direction * inputs.number(names::TSA));
             }
             block.travel(machine, to)?;
-            rises.push(plain.measure_from_here(machine, axis, direction, 2.0 * block.path)? + skew - first);
+            rises.push(plain.measure_from_here(machine, point)? + skew - first);
         }
         Ok(rises)
     }
@@ -110,7 +110,7 @@ impl Probing<'_> {
         }
         let found = match AT_ANGLE.holds(inputs) {
             true => block.measure(machine, point)?,
-            false => block.measure_from_here(machine, point.axis, point.direction, 2.0 * block.path)?,
+            false => block.measure_from_here(machine, point)?,
         };
         Ok((found, 0.0))
     }

@@ -33,17 +33,13 @@ pub struct Calibration {
 
 /// Where in `_WP[k,0..8]` things stand (B:13441-13449).
 const BALL: usize = 0;
+const TRIGGERS: usize = 1;
 const SKEW: [usize; 2] = [7, 8];
 
 impl Trigger {
     /// 0 to 5: by axis, minus before plus.
     fn index(&self) -> usize {
         2 * self.axis + usize::from(self.sign > 0.0)
-    }
-
-    /// Index in `_WP[k,1..6]`.
-    fn field(&self) -> usize {
-        1 + self.index()
     }
 }
 
@@ -71,13 +67,8 @@ pub fn store(machine: &mut dyn Machine, inputs: &Inputs, found: &Calibration, re
         return Ok(next);
     }
     // what goes into the tool is the diameter as stored (B:13656): where that stays, the radius does
-    let diameter = datum(inputs, BALL);
-    let limit = inputs.number(names::TZL);
-    let renewed = |machine: &mut dyn Machine, ball: f64| {
-        let before = machine.control().basic_length(&diameter);
-        exceeds((ball - before).abs(), limit)
-    };
-    let ball = found.ball.filter(|ball| renewed(machine, *ball));
+    let before = stored(machine.control(), inputs, BALL);
+    let ball = found.ball.filter(|ball| exceeds((ball - before).abs(), inputs.number(names::TZL)));
     renew(machine, inputs, fields(found).into_iter().map(|(field, value)| (datum(inputs, field), value)).collect());
     let milling = inputs.cycle.purpose.machine == MachineSort::Milling;
     let into_tool = milling && machine.control().bit("_CBIT[15]");
@@ -87,8 +78,7 @@ pub fn store(machine: &mut dyn Machine, inputs: &Inputs, found: &Calibration, re
     calibrated_as::note(machine, inputs);
     if let Some(length) = found.length {
         let control = machine.control();
-        let along = control.active_edge();
-        let along = along.map_or(0, |edge| control.length_along_applicate(edge));
+        let along = control.active_edge().map_or(0, |edge| control.length_along_applicate(edge));
         let length = set_tool(machine, LENGTHS[along], |before| before + length);
         results::length(machine, 22, length);
     }
@@ -103,16 +93,14 @@ fn report(machine: &mut dyn Machine, inputs: &Inputs, found: &Calibration) -> Ve
         results::length(machine, 5, ball - before);
     }
     let centre = found.centre.map_or([None; 2], |centre| centre.map(Some));
-    for (first, pair) in [(6, centre), (20, found.skew)] {
-        for (index, value) in pair.into_iter().enumerate() {
-            if let Some(value) = value {
-                results::length(machine, first + index, value);
-            }
+    for (index, value) in [6, 7, 20, 21].into_iter().zip(centre.into_iter().chain(found.skew)) {
+        if let Some(value) = value {
+            results::length(machine, index, value);
         }
     }
     let mut differences = Vec::new();
     for trigger in &found.triggers {
-        let difference = trigger.value - stored(machine.control(), inputs, trigger.field());
+        let difference = trigger.value - stored(machine.control(), inputs, TRIGGERS + trigger.index());
         let first = 8 + 2 * trigger.index();
         results::length(machine, first, trigger.value);
         results::length(machine, first + 1, difference);
@@ -143,7 +131,7 @@ pub fn renew(machine: &mut dyn Machine, inputs: &Inputs, found: Vec<(String, f64
 /// What was found by its place in `_WP[k,0..8]`.
 fn fields(found: &Calibration) -> Vec<(usize, f64)> {
     let mut fields: Vec<(usize, f64)> = found.ball.map(|ball| (BALL, ball)).into_iter().collect();
-    fields.extend(found.triggers.iter().map(|trigger| (trigger.field(), trigger.value)));
+    fields.extend(found.triggers.iter().map(|trigger| (TRIGGERS + trigger.index(), trigger.value)));
     fields.extend(SKEW.into_iter().zip(found.skew).filter_map(|(field, value)| Some((field, value?))));
     fields
 }

@@ -47,7 +47,8 @@ pub struct Block {
     feed: f64,
     fast: Option<f64>,
     attempts: u32,
-    repeats: u32,
+    /// How often a place is touched (`_NMSP`).
+    pub repeats: u32,
     monitored: bool,
     feed_plane: f64,
     feed_depth: f64,
@@ -124,11 +125,6 @@ impl Block {
         to
     }
 
-    /// How often a place is touched (`_NMSP`).
-    pub fn repeats(&self) -> u32 {
-        self.repeats
-    }
-
     /// A surface to be touched along an axis with the path of this block; direction +1 or -1, set coordinate in mm.
     pub fn point(&self, axis: usize, direction: f64, set: f64) -> Point {
         Point { axis, direction, set, path: self.path }
@@ -151,45 +147,32 @@ impl Block {
 
     /// Touches as [`Block::measure`] does; mean position at switching, mm.
     pub fn latch(&self, machine: &mut dyn Machine, point: &Point) -> Result<f64, Stop> {
-        if let Some(angle) = heading(point.axis, point.direction) {
-            self.orient(machine, angle);
-        }
+        self.face(machine, point);
         let mut start = machine.position();
         start[self.axes[point.axis.min(2)]] = self.start(point);
         self.travel_as_far(machine, start)?;
-        self.towards(machine, point.axis, point.direction, self.end(point))
-    }
-
-    /// Touches a surface `_NMSP` times from where the probe stands, over a way of this length along an axis, and
-    /// returns there. Coordinate of the surface, mm.
-    pub fn measure_from_here(
-        &self,
-        machine: &mut dyn Machine,
-        axis: usize,
-        sign: f64,
-        length: f64,
-    ) -> Result<f64, Stop> {
-        if let Some(angle) = heading(axis, sign) {
-            self.orient(machine, angle);
-        }
-        let end = machine.position()[self.axes[axis.min(2)]] + sign * length;
-        Ok(self.towards(machine, axis, sign, end)? - self.trigger(axis, sign))
+        self.towards(machine, point, self.end(point))
     }
 
     /// Touches a surface whose place is not known `_NMSP` times from where the probe stands, on a way of twice the
-    /// path, and returns there. Mean position at switching, mm.
-    pub fn latch_from_here(&self, machine: &mut dyn Machine, point: &Point) -> Result<f64, Stop> {
-        let here = machine.position()[self.axes[point.axis.min(2)]];
-        let end = here + point.direction * 2.0 * point.path;
-        self.towards(machine, point.axis, point.direction, end)
+    /// path, and returns there. Coordinate of the surface, mm.
+    pub fn measure_from_here(&self, machine: &mut dyn Machine, point: &Point) -> Result<f64, Stop> {
+        Ok(self.latch_from_here(machine, point)? - self.trigger(point.axis, point.direction))
     }
 
-    /// From here along an axis as far as this coordinate; mean position at switching, mm.
-    fn towards(&self, machine: &mut dyn Machine, axis: usize, sign: f64, end: f64) -> Result<f64, Stop> {
-        let axis = self.axes[axis.min(2)];
+    /// Touches as [`Block::measure_from_here`] does; mean position at switching, mm.
+    pub fn latch_from_here(&self, machine: &mut dyn Machine, point: &Point) -> Result<f64, Stop> {
+        self.face(machine, point);
+        let here = machine.position()[self.axes[point.axis.min(2)]];
+        self.towards(machine, point, here + point.direction * 2.0 * point.path)
+    }
+
+    /// From here along the measuring axis as far as this coordinate; mean position at switching, mm.
+    fn towards(&self, machine: &mut dyn Machine, point: &Point, end: f64) -> Result<f64, Stop> {
+        let axis = self.axes[point.axis.min(2)];
         let start = machine.position();
         let mut way = Way { start, end: start, direction: [0.0; 3] };
-        (way.end[axis], way.direction[axis]) = (end, sign);
+        (way.end[axis], way.direction[axis]) = (end, point.direction);
         Ok(self.mean(machine, &way)?[axis])
     }
 
@@ -231,10 +214,8 @@ impl Block {
 
     /// Away from the surface (B:1121, B:14005-14007).
     fn back(&self, machine: &mut dyn Machine, to: Wcs) -> Result<(), Stop> {
-        let feed = match self.rapid_retract || !self.monitored {
-            true => 0.0,
-            false => self.positioning_feed(machine.position(), to),
-        };
+        let at_feed = self.monitored && !self.rapid_retract;
+        let feed = if at_feed { self.positioning_feed(machine.position(), to) } else { 0.0 };
         machine.travel(to, MotionKind::Retract, feed, false)
     }
 
@@ -245,6 +226,14 @@ impl Block {
             machine.orient(angle.positive());
         }
         multi
+    }
+
+    /// Turns a probe that follows towards a surface; along the applicate it stands as it is.
+    fn face(&self, machine: &mut dyn Machine, point: &Point) {
+        let backwards = if point.direction > 0.0 { 0.0 } else { 180.0 };
+        if point.axis < 2 {
+            self.orient(machine, 90.0 * point.axis as f64 + backwards);
+        }
     }
 
     /// Turns a probe that follows into the direction of probing, degree from the abscissa of the WCS.
@@ -263,17 +252,6 @@ fn on_machine(control: &Control, angle: f64) -> f64 {
     (direction[ordinate], direction[abscissa]) = Degrees(angle).sin_cos();
     let seen = control.direction_to_machine(Dir::new(direction)).0;
     if seen == direction { angle } else { seen[ordinate].atan2(seen[abscissa]).to_degrees() }
-}
-
-/// Direction of probing in the plane, degree; none along the applicate.
-fn heading(axis: usize, direction: f64) -> Option<f64> {
-    match (axis, direction > 0.0) {
-        (0, true) => Some(0.0),
-        (1, true) => Some(90.0),
-        (0, false) => Some(180.0),
-        (1, false) => Some(270.0),
-        _ => None,
-    }
 }
 
 /// Asks for a spindle that a measuring variant can turn (61372, A:15916).

@@ -14,7 +14,10 @@ impl Block {
     /// Intermediate positioning to a place. A target beyond a software limit switch is alarm 61401: what
     /// the setpoint asks for cannot be reached (A:15920).
     pub fn travel(&self, machine: &mut dyn Machine, to: Wcs) -> Result<(), Stop> {
-        reachable(machine, to)?;
+        let from = machine.position();
+        if machine.control().limited(from, to).is_some() {
+            return Err(alarm(machine, 61401));
+        }
         self.go(machine, to)
     }
 
@@ -76,12 +79,8 @@ impl Block {
         if !self.monitored {
             return machine.travel(to, MotionKind::Rapid, 0.0, false);
         }
-        self.position(machine, to, self.positioning_feed(from, to))
-    }
-
-    /// Positioning at a feed, watched if positioning is.
-    pub(super) fn position(&self, machine: &mut dyn Machine, to: Wcs, feed: f64) -> Result<(), Stop> {
-        told(machine, |machine| machine.travel(to, MotionKind::Positioning, feed, self.monitored))
+        let feed = self.positioning_feed(from, to);
+        told(machine, |machine| machine.travel(to, MotionKind::Positioning, feed, true))
     }
 
     /// Feed between two places, mm/min.
@@ -97,14 +96,5 @@ fn told(machine: &mut dyn Machine, travel: impl FnOnce(&mut dyn Machine) -> Resu
     match travel(machine) {
         Err(Stop::Alarm(Code::Alarm(number))) => Err(alarm(machine, number)),
         outcome => outcome,
-    }
-}
-
-/// Refuses a target beyond a software limit switch (A:15920).
-fn reachable(machine: &mut dyn Machine, to: Wcs) -> Result<(), Stop> {
-    let from = machine.position();
-    match machine.control().limited(from, to) {
-        Some(_) => Err(alarm(machine, 61401)),
-        None => Ok(()),
     }
 }

@@ -22,9 +22,7 @@ impl Block {
     /// the spindle is left alone. The path has no sign.
     pub fn for_tool(machine: &mut dyn Machine, inputs: &Inputs) -> Result<Block, Stop> {
         let control = machine.control();
-        let block = state::with_edge(control)
-            .map(|_| ())
-            .and_then(|()| common(control, inputs, inputs.number(names::FA).abs()));
+        let block = state::with_edge(control).and_then(|_| common(control, inputs, inputs.number(names::FA).abs()));
         block.map_err(|number| alarm(machine, number))
     }
 }
