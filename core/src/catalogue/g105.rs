@@ -75,11 +75,11 @@ fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
         travel(machine, applicate, depth)?;
     }
     let beside = machine.position()[axis];
-    let wall = surface::touch_wall(machine, index, nominal, inputs.number(address::Q))?;
+    let (wall, direction) = surface::touch_wall(machine, index, nominal, inputs.number(address::Q))?;
     travel(machine, axis, beside)?;
     home(machine, start)?;
-    let place = Place { axis, nominal, deviation: wall.position - nominal };
-    surface::corrected(machine, inputs, place, -wall.direction, correct::RADIUS);
+    let place = Place { axis, nominal, deviation: wall - nominal };
+    surface::corrected(machine, inputs, place, -direction, correct::RADIUS);
     Ok(())
 }
 

@@ -3,8 +3,7 @@
 //! number in an argument means is published for few of them; a list whose `_MVAR` is not is read and never written.
 //!
 //! Where an argument has the name and the meaning of one of our parameters it is that parameter. Others are named as
-//! there:
-//! the measuring direction counts differently (1 plus, 2 minus), and the tool target has an argument of its own.
+//! there: the measuring direction counts differently (1 plus, 2 minus), and the tool target has an argument of its own.
 
 use super::common::args::*;
 use crate::catalogue::prelude::*;

@@ -59,11 +59,9 @@ impl Setup {
             (false, ProbeUse::Workpiece) => self.stand_turning_probe(),
             _ => {}
         }
-        let simulation = cycle.simulation.as_ref();
-        if let Some(needed) = simulation.and_then(|simulation| simulation.tool(variant)) {
-            let tool = self.control.tools.entry(needed.tool).or_default();
-            tool.name = needed.name;
-            tool.edges.insert(needed.edge, needed.data);
+        if let Some(needed) = cycle.simulation.as_ref().and_then(|simulation| simulation.tool(variant)) {
+            *self.control.edge_made(needed.tool, needed.edge) = needed.data;
+            self.control.tools.entry(needed.tool).or_default().name = needed.name;
             (self.control.tool, self.control.edge) = (needed.tool, needed.edge);
         }
     }
@@ -71,10 +69,8 @@ impl Setup {
     /// A mill in the spindle, and the data of the first tool probe.
     fn insert_mill(&mut self) {
         let edge = Edge { kind: 120, length: [70.0, 0.0, 0.0], radius: 5.0, ..Edge::default() };
-        let control = &mut self.control;
-        let tool = control.tools.entry(MILL).or_default();
-        tool.edges.insert(1, edge);
-        (control.tool, control.edge) = (MILL, 1);
+        *self.control.edge_made(MILL, 1) = edge;
+        (self.control.tool, self.control.edge) = (MILL, 1);
         self.know_tool_probe(&TOOL_PROBE);
     }
 
@@ -108,15 +104,13 @@ impl Setup {
         if self.control.number(TOOL_LENGTH_TYPE) != AS_TURNING_TOOL {
             return;
         }
-        let edge = Edge {
+        *self.control.edge_made(PROBE_TOOL, 1) = Edge {
             kind: LATHE_PROBE,
             tip: if self.control.plane == Plane::G19 { 8 } else { 7 },
             length: [0.0, 0.0, self.probe.length],
             radius: self.probe.radius,
             ..Edge::default()
         };
-        let tool = self.control.tools.entry(PROBE_TOOL).or_default();
-        tool.edges.insert(1, edge);
     }
 }
 

@@ -69,10 +69,12 @@ pub fn twin(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Option<T
     there.active_units = control.active_units;
     let (cycle_there, shared_there) = entry(there.dialect, &measurement)?;
     let measurement = common(measurement, shared_there);
-    let values = written(cycle_there, shared_there, &measurement, &there);
+    let (values, of_example) = written(cycle_there, shared_there, &measurement, &there);
     let mut differences = told(&inputs, shared, &measurement, &there);
-    differences.extend(one_sided(&inputs, [shared, shared_there], cycle_there, &values));
-    Some(Twin { cycle: cycle_there, values: values.all, measurement, differences })
+    let only = only_here(&inputs, [shared, shared_there]);
+    differences.extend(one_sided("twin-only", &only, cycle));
+    differences.extend(one_sided("twin-example", &of_example, cycle_there));
+    Some(Twin { cycle: cycle_there, values, measurement, differences })
 }
 
 /// What a call measures.
@@ -136,15 +138,9 @@ fn entry(dialect: Dialect, wanted: &Measurement) -> Option<(&'static Cycle, &'st
     })
 }
 
-/// Values of a call.
-struct Values {
-    all: Typed,
-    /// Parameters whose values the worked measurement gives, because the call needs them.
-    of_example: Vec<Name>,
-}
-
-/// The values that say the same there, and from the worked measurement what is needed beside them.
-fn written(cycle: &'static Cycle, shared: &Shared, wanted: &Measurement, control: &Control) -> Values {
+/// The values that say the same there and what the call needs beside them; parameters that have that from the worked
+/// measurement.
+fn written(cycle: &'static Cycle, shared: &Shared, wanted: &Measurement, control: &Control) -> (Typed, Vec<Name>) {
     let mut inputs = Inputs::new(cycle, shared.variant);
     inputs.plane = control.plane;
     let mut all = choosing(cycle, shared.variant, &inputs);
@@ -169,7 +165,7 @@ fn written(cycle: &'static Cycle, shared: &Shared, wanted: &Measurement, control
             of_example.push(param.name);
         }
     }
-    Values { all, of_example }
+    (all, of_example)
 }
 
 fn required(param: &Param, read: &Inputs, control: &Control) -> bool {
@@ -250,14 +246,8 @@ fn told(inputs: &Inputs, shared: &Shared, measurement: &Measurement, control: &C
 }
 
 /// What only one of the two calls says.
-fn one_sided(inputs: &Inputs, shared: [&Shared; 2], there: &'static Cycle, values: &Values) -> Vec<Message> {
-    let listed = |key: &'static str, names: Vec<Name>, cycle: &Cycle| {
-        let message = Message::new(key).text("names", names.join(", "));
-        (!names.is_empty()).then(|| message.text("cycle", cycle.name))
-    };
-    let only = listed("twin-only", only_here(inputs, shared), inputs.cycle);
-    let example = listed("twin-example", values.of_example.clone(), there);
-    only.into_iter().chain(example).collect()
+fn one_sided(key: &'static str, names: &[Name], cycle: &Cycle) -> Option<Message> {
+    (!names.is_empty()).then(|| Message::new(key).text("names", names.join(", ")).text("cycle", cycle.name))
 }
 
 /// Parameters that count in this call and have no counterpart.

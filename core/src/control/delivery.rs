@@ -69,7 +69,7 @@ pub(super) fn sinumerik(units: Units) -> BTreeMap<String, Value> {
             _ => 0,
         };
         for element in gud.elements {
-            // fields that are counted exist by their entries (`state::refusal`)
+            // fields that are counted exist by their entries (`state::fit`)
             let value = delivered(element, units, !gud.counted.is_empty());
             let places = gud.places(element, fields).into_iter();
             data.extend(places.filter_map(|at| Some((gud.spelled(&at), value.clone()?))));

@@ -9,9 +9,7 @@ pub fn corrections(inputs: &Inputs, findings: &mut Vec<Diagnostic>) {
         let message = Message::new("nct-offset-and-tool");
         findings.push(error(FORMAT_ERROR, message).hint(Message::new("nct-offset-and-tool-hint")).at(address::T));
     }
-    if let (Some(tolerance), Some(limit)) = (inputs.given(address::H), inputs.given(address::U))
-        && limit <= tolerance
-    {
+    if inputs.given(address::H).zip(inputs.given(address::U)).is_some_and(|(tolerance, limit)| limit <= tolerance) {
         // the message about the tolerance would never come alone
         findings.push(own::NCT_LIMITS.finding().at(address::U));
     }

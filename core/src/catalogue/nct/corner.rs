@@ -57,7 +57,7 @@ pub fn measure<const OUTSIDE: bool>(machine: &mut dyn Machine, inputs: &Inputs) 
         if OUTSIDE {
             travel(machine, other, 2.0 * nominal[1 - index] - start[other])?;
         }
-        *found = touch_wall(machine, index, nominal[index], inputs.number(address::Q))?.position;
+        (*found, _) = touch_wall(machine, index, nominal[index], inputs.number(address::Q))?;
         travel(machine, axes[index], start[axes[index]])?;
         travel(machine, other, start[other])?;
     }

@@ -1,7 +1,6 @@
 //! Parts that stand in the working plane.
 
 use crate::catalogue::prelude::*;
-use crate::workpiece::Workpiece;
 
 /// A solid whose X, Y, Z lie along abscissa, ordinate and applicate; `at` in the same order, active WCS, mm.
 pub fn in_plane(shape: Shape, at: [f64; 3], control: &Control) -> Solid {
@@ -10,11 +9,7 @@ pub fn in_plane(shape: Shape, at: [f64; 3], control: &Control) -> Solid {
 
 /// Such a part with the stylus before it; `start` as `at`.
 pub fn propose(shape: Shape, at: [f64; 3], start: [f64; 3], control: &Control) -> Proposal {
-    Proposal {
-        workpiece: Workpiece { solids: vec![in_plane(shape, at, control)] },
-        start: Wcs(place::in_plane(control, start)),
-        ..Proposal::default()
-    }
+    place::proposal(in_plane(shape, at, control), place::in_plane(control, start))
 }
 
 /// A rectangle of walls: around an island (`outside`) or a pocket; height or depth in mm.

@@ -21,14 +21,6 @@ const fn needed(when: When) -> Need {
     required(when, "need-nct-tool-axis")
 }
 
-/// A wall as found.
-pub struct Wall {
-    /// Coordinate of the wall, WCS, mm.
-    pub position: f64,
-    /// Way of the ball towards it: +1 or −1.
-    pub direction: f64,
-}
-
 /// Way of the ball from its place to the nominal wall, +1 or −1; none where it stands there.
 pub fn direction(machine: &mut dyn Machine, axis: usize, index: usize, nominal: f64) -> Result<f64, Stop> {
     let ball = machine.position()[axis] + Calibration::of(machine, index).offset;
@@ -39,8 +31,8 @@ pub fn direction(machine: &mut dyn Machine, axis: usize, index: usize, nominal: 
 }
 
 /// Touches a wall across the first (0) or second (1) axis of the plane from where the machine stands; ends at the wall.
-/// `past`: overtravel past the nominal wall, mm.
-pub fn touch_wall(machine: &mut dyn Machine, index: usize, nominal: f64, past: f64) -> Result<Wall, Stop> {
+/// `past`: overtravel past the nominal wall, mm. Its coordinate, WCS, mm, and the way of the ball towards it: +1 or −1.
+pub fn touch_wall(machine: &mut dyn Machine, index: usize, nominal: f64, past: f64) -> Result<(f64, f64), Stop> {
     let axis = machine.control().plane.axes()[index.min(1)];
     let direction = direction(machine, axis, index, nominal)?;
     let spindle = spindle_at(machine, index, nominal, direction);
@@ -49,7 +41,7 @@ pub fn touch_wall(machine: &mut dyn Machine, index: usize, nominal: f64, past: f
         return Err(Stop::Alarm(NO_MOVEMENT));
     }
     let contact = touch(machine, axis, end)?;
-    Ok(Wall { position: nominal + contact - spindle, direction })
+    Ok((nominal + contact - spindle, direction))
 }
 
 /// Coordinate of the spindle when the ball, moving this way, touches a wall, mm.

@@ -10,15 +10,17 @@ const CYCLE_FRAME: u32 = 5;
 /// Arrays that must have as many fields as the control says (B:13345-13348).
 const FIELDS: [&str; 4] = ["_TP", "_WP", "_KB", "_TPW"];
 
-/// Number of the alarm with which the workpiece cycles of this sort of machine refuse a control in this state.
-pub fn refusal(control: &Control, machine: MachineSort) -> Option<u32> {
-    let edge = match with_edge(control) {
-        Ok(edge) => edge,
-        Err(number) => return Some(number),
-    };
+/// Whether the workpiece cycles of this sort of machine take a control in this state; else the number of the alarm. A
+/// turning machine needs its probe in use and no rotation (B:8708, A:15848, A:15856, A:15873).
+pub fn fit(control: &Control, machine: MachineSort) -> Result<(), u32> {
+    let edge = with_edge(control)?;
     match machine {
-        MachineSort::Turning => turning(control, edge),
-        _ => control.unfit(edge).filter(|unfit| *unfit != Unfit::Digit).map(|_| 61309), // B:4147-4152, A:15848
+        MachineSort::Turning if !edge.is_turning() => Err(61309),
+        MachineSort::Turning if !lathe::TIPS.contains(&edge.tip) => Err(61315),
+        MachineSort::Turning if control.rotated() => Err(61330),
+        MachineSort::Turning => Ok(()),
+        _ if control.unfit(edge).is_some_and(|unfit| unfit != Unfit::Digit) => Err(61309), // B:4147-4152, A:15848
+        _ => Ok(()),
     }
 }
 
@@ -40,17 +42,6 @@ pub fn with_edge(control: &Control) -> Result<&Edge, u32> {
         return Err(61310); // B:744, A:15849
     }
     control.active_edge().ok_or(61311) // A:15850
-}
-
-/// Alarm for a turning machine with a rotation, or without its probe in use (B:8708, A:15848, A:15856, A:15873).
-fn turning(control: &Control, edge: &Edge) -> Option<u32> {
-    if !edge.is_turning() {
-        return Some(61309);
-    }
-    if !lathe::TIPS.contains(&edge.tip) {
-        return Some(61315);
-    }
-    control.rotated().then_some(61330)
 }
 
 /// Version of the control software, `_SI[1]`: a text, of which the first digit counts; 0 where there is none.
@@ -83,7 +74,7 @@ mod tests {
     #[test]
     fn a_ready_control_is_not_refused() {
         let control = || Setup::calibrated(Dialect::Sinumerik, Plane::G17).control;
-        assert_eq!(refusal(&control(), MachineSort::Milling), None);
+        assert_eq!(fit(&control(), MachineSort::Milling), Ok(()));
         // oracle: manual A:15840, A:15878, A:15883, A:15935, B:744, A:15850, B:4147-4152
         let cases: [Case; 9] = [
             (61016, |control| control.set("MD28082", 1.0)),
@@ -101,7 +92,7 @@ mod tests {
         for (number, change) in cases {
             let mut control = control();
             change(&mut control);
-            assert_eq!(refusal(&control, MachineSort::Milling), Some(number));
+            assert_eq!(fit(&control, MachineSort::Milling), Err(number));
         }
     }
 
@@ -119,11 +110,11 @@ mod tests {
             (61311, |control| control.edge = 0),
         ];
         let control = || Setup::turning(Plane::G18).control;
-        assert_eq!(refusal(&control(), MachineSort::Turning), None);
+        assert_eq!(fit(&control(), MachineSort::Turning), Ok(()));
         for (number, change) in cases {
             let mut control = control();
             change(&mut control);
-            assert_eq!(refusal(&control, MachineSort::Turning), Some(number));
+            assert_eq!(fit(&control, MachineSort::Turning), Err(number));
         }
     }
 }

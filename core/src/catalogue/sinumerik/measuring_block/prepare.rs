@@ -57,9 +57,7 @@ fn common(control: &Control, inputs: &Inputs, path: f64) -> Result<Block, u32> {
 
 /// Everything from parameters and data; error: number of the alarm.
 fn read(control: &Control, inputs: &Inputs) -> Result<Block, u32> {
-    if let Some(number) = state::refusal(control, inputs.cycle.purpose.machine) {
-        return Err(number);
-    }
+    state::fit(control, inputs.cycle.purpose.machine)?;
     let (index, mono) = probe(control, inputs)?;
     let common = common(control, inputs, inputs.number(names::FA))?;
     let data = |i: usize| control.basic_length(&format!("_WP[{index},{i}]"));
