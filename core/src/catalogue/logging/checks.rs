@@ -20,10 +20,8 @@ pub fn checks(inputs: &Inputs, _: &Control, found: &mut Vec<Diagnostic>) {
     }
     empty(inputs, found);
     let widths = columns(inputs, found);
-    for name in VALUES {
-        if inputs.uses(name) {
-            values(inputs, name, &widths, found);
-        }
+    for name in VALUES.into_iter().filter(|name| inputs.uses(*name)) {
+        values(inputs, name, &widths, found);
     }
 }
 

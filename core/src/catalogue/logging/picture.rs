@@ -72,10 +72,9 @@ impl Page {
 pub fn picture(inputs: &Inputs) -> Picture {
     let width = inputs.positive(LINE, WIDTHS.1).clamp(WIDTHS.0, WIDTHS.1);
     let mut page = Page { width, columns: columns(inputs, width), lines: 0, shapes: Vec::new() };
-    for name in [PROGRAM].iter().chain(&HEADLINES) {
-        if inputs.uses(*name) {
-            page.text(*name);
-        }
+    let used = |name: &Name| inputs.uses(*name);
+    for name in [PROGRAM].into_iter().chain(HEADLINES).filter(used) {
+        page.text(name);
     }
     if inputs.uses(TITLES[1]) {
         page.rule();
@@ -84,10 +83,8 @@ pub fn picture(inputs: &Inputs) -> Picture {
         }
         page.rule();
     }
-    for name in VALUES {
-        if inputs.uses(name) {
-            page.fields(name, inputs.text(name));
-        }
+    for name in VALUES.into_iter().filter(used) {
+        page.fields(name, inputs.text(name));
     }
     let height = HEIGHT * page.lines.max(1) as f64;
     let top = HEIGHT / 2.0;

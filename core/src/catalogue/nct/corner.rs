@@ -5,10 +5,10 @@
 //! start is put decides where the walls are touched.
 
 use super::correct::{Place, move_offset, results};
-use super::params::{ALONG_X, ALONG_Y, ALONG_Z};
+use super::params::{ALONG_X, ALONG_Y, ALONG_Z, COORDINATE};
 use super::surface::{direction, touch_wall};
 use super::walls::{home, travel};
-use super::{FORMAT_ERROR, MACRO, axis_of, figures, part, ready_to_measure};
+use super::{MACRO, axis_of, figures, part, ready_to_measure};
 use crate::catalogue::prelude::*;
 
 /// A macro that measures a corner.
@@ -19,7 +19,7 @@ const fn needed(planes: &'static [When]) -> Need {
 }
 
 /// Nominal coordinate of the corner; both axes of the plane are needed (C:723).
-const AXIS: Param = Param { key: "nct-corner", unit: Unit::ActiveLength, alarm: Some(FORMAT_ERROR), ..PARAM };
+const AXIS: Param = Param { key: "nct-corner", ..COORDINATE };
 /// X, in G17 and G18.
 pub const X: Param = Param { name: address::X, needs: &[needed(&[ALONG_Z, ALONG_Y])], example: "100", ..AXIS };
 /// Y, in G17 and G19.

@@ -10,6 +10,9 @@ pub const ALONG_Y: When = When::Plane(Plane::G18);
 /// Z is the axis of the tool.
 pub const ALONG_Z: When = When::Plane(Plane::G17);
 
+/// A coordinate of what is measured.
+pub const COORDINATE: Param = Param { unit: Unit::ActiveLength, alarm: Some(FORMAT_ERROR), ..PARAM };
+
 const WAY: Param = Param { range: Range::POSITIVE, ..LENGTH };
 /// Clearance beside a wall: 5 mm or 0.2 inch (C:474).
 pub const R: Param = Param { name: address::R, key: "nct-r", default: Some(5.0), default_inch: Some(0.2), ..WAY };

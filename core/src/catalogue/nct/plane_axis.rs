@@ -1,18 +1,16 @@
 //! Macros of which one axis of the plane takes the nominal value, and the tool axis a depth: G105 and G109.
 
-use super::params::{ALONG_X, ALONG_Y, ALONG_Z};
+use super::params::{ALONG_X, ALONG_Y, ALONG_Z, COORDINATE};
 use super::{FORMAT_ERROR, axis_of, given};
 use crate::catalogue::prelude::*;
 
 /// X: a depth where it is the tool axis, else one of the two nominal values. Key and place in the manual are those of
 /// the macro.
-pub const X: Param = Param { name: address::X, needs: &needs(ALONG_X), ..AXIS };
+pub const X: Param = Param { name: address::X, needs: &needs(ALONG_X), ..COORDINATE };
 /// Y: a depth where it is the tool axis, else one of the two nominal values.
-pub const Y: Param = Param { name: address::Y, needs: &needs(ALONG_Y), ..AXIS };
+pub const Y: Param = Param { name: address::Y, needs: &needs(ALONG_Y), ..COORDINATE };
 /// Z: a depth where it is the tool axis, else one of the two nominal values.
-pub const Z: Param = Param { name: address::Z, needs: &needs(ALONG_Z), ..AXIS };
-
-const AXIS: Param = Param { unit: Unit::ActiveLength, alarm: Some(FORMAT_ERROR), ..PARAM };
+pub const Z: Param = Param { name: address::Z, needs: &needs(ALONG_Z), ..COORDINATE };
 
 const fn needs(along_tool: When) -> [Need; 2] {
     [optional(along_tool, "need-nct-depth"), optional(When::Always, "need-nct-one-axis")]

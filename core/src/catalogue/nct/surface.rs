@@ -1,21 +1,19 @@
 //! One surface: touched along the tool axis or across a wall, and drawn.
 
 use super::correct::{Found, Place, finish};
-use super::params::{ALONG_X, ALONG_Y, ALONG_Z};
+use super::params::{ALONG_X, ALONG_Y, ALONG_Z, COORDINATE};
 use super::touch::{Calibration, touch};
 use super::walls::home;
-use super::{FORMAT_ERROR, NO_MOVEMENT, axis_of, figures, part};
+use super::{NO_MOVEMENT, axis_of, figures, part};
 use crate::catalogue::prelude::*;
 
 /// Height of a surface across the tool axis: X, in the plane of which it is that axis. Key and place in the manual are
 /// those of the macro.
-pub const X: Param = Param { name: address::X, needs: &[needed(ALONG_X)], ..HEIGHT };
+pub const X: Param = Param { name: address::X, needs: &[needed(ALONG_X)], ..COORDINATE };
 /// Height of a surface across the tool axis Y.
-pub const Y: Param = Param { name: address::Y, needs: &[needed(ALONG_Y)], ..HEIGHT };
+pub const Y: Param = Param { name: address::Y, needs: &[needed(ALONG_Y)], ..COORDINATE };
 /// Height of a surface across the tool axis Z.
-pub const Z: Param = Param { name: address::Z, needs: &[needed(ALONG_Z)], ..HEIGHT };
-
-const HEIGHT: Param = Param { unit: Unit::ActiveLength, alarm: Some(FORMAT_ERROR), ..PARAM };
+pub const Z: Param = Param { name: address::Z, needs: &[needed(ALONG_Z)], ..COORDINATE };
 
 const fn needed(when: When) -> Need {
     required(when, "need-nct-tool-axis")
