@@ -14,7 +14,6 @@ pub enum Dialect {
 
 impl Dialect {
     /// The control of a program: NCT programs begin with `%O` or `O` and a number (C:1159), all others are SINUMERIK.
-    #[must_use]
     pub fn of(source: &[u8]) -> Dialect {
         let rest = source.strip_prefix(b"\xef\xbb\xbf").unwrap_or(source).trim_ascii_start();
         let rest = rest.strip_prefix(b"%").unwrap_or(rest).trim_ascii_start();

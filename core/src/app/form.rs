@@ -48,6 +48,7 @@ pub struct FormRequest {
     /// How X is given at the call; absent: as diameters in a turning cycle.
     pub transverse: Option<Transverse>,
     /// What is wrong with part and probe; absent: nothing.
+    #[cfg_attr(not(feature = "simulation"), serde(skip))]
     pub errors: Option<ErrorSliders>,
     /// Words by parameter for a comment line each in the snippet.
     pub comments: Option<Typed>,

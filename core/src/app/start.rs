@@ -124,7 +124,7 @@ pub(super) fn start(dialect: Dialect, machine: Option<Machine>) -> Result<Start,
         for (name, value) in own.data {
             setup.control.data.insert(name, value);
         }
-        setup.governs()?;
+        setup.has_its_data()?;
     }
     Ok(Start { setup, described: false })
 }

@@ -1,7 +1,6 @@
 //! What differs between the makes of controls, chosen once by the language of their programs.
 
 use super::units::UnitFunction::{self, G20, G21, G70, G71, G700, G710};
-use super::variables::{self, Place};
 use super::{Control, Units, Value, data, delivery};
 use crate::diagnostic::Code;
 use crate::dialect::Dialect;
@@ -37,10 +36,6 @@ pub struct Make {
     pub(super) delivered: fn(Units) -> BTreeMap<String, Value>,
     /// Whether it has a datum of this name that holds a text, or a number.
     pub(super) knows: fn(&str, bool) -> bool,
-    /// What the name of a tool or frame variable means.
-    pub(super) place: fn(&str) -> Option<Place>,
-    /// Names of all stored tool and frame data.
-    pub(super) names: fn(&Control) -> Vec<String>,
 }
 
 static SINUMERIK: Make = Make {
@@ -63,8 +58,6 @@ static SINUMERIK: Make = Make {
     unexpected: [Code::Alarm(61302); 2], // B:13743-13763
     delivered: delivery::sinumerik,
     knows: data::sinumerik,
-    place: variables::sinumerik,
-    names: variables::sinumerik_names,
 };
 
 /// NCT milling controls.
@@ -79,8 +72,6 @@ pub static NCT: Make = Make {
     unexpected: [FALSE_TRIGGER, PATH_OBSTRUCTED],
     delivered: delivery::nct,
     knows: data::nct,
-    place: variables::nct,
-    names: variables::nct_names,
 };
 
 impl Make {

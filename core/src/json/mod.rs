@@ -10,9 +10,10 @@ mod text;
 pub use crate::refused::Refused as Error;
 
 use crate::machine::Setup;
+use crate::message::Message;
 use crate::setup_file;
-use serde::Serialize;
 use serde::de::DeserializeOwned;
+use serde::{Serialize, Serializer};
 use serde_json::Value;
 
 /// Answers a question.
@@ -55,19 +56,27 @@ pub fn document<T: Serialize>(answer: &T) -> Value {
 }
 
 /// Why a document is refused, with its line and column where its text is known.
-pub fn refused(error: &Error) -> Value {
-    let mut view = document(&error.message);
-    if let Some((line, column)) = error.position {
-        view["line"] = line.into();
-        view["column"] = column.into();
+#[derive(Serialize)]
+struct Told<'a> {
+    #[serde(flatten)]
+    message: &'a Message,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    line: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    column: Option<usize>,
+}
+
+impl Serialize for Error {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        let (line, column) = self.position.unzip();
+        Told { message: &self.message, line, column }.serialize(to)
     }
-    view
 }
 
 /// As whoever knows a language takes it: its message as JSON.
 impl std::fmt::Display for Error {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(&text(&refused(self)))
+        f.write_str(&text(self))
     }
 }
 

@@ -12,19 +12,14 @@ use std::fmt;
 /// The document in a text. No member may stand in it twice: which one should count?
 pub(super) fn parse(text: &str) -> Result<Value, Refused> {
     serde_json::from_str(text).map(|Document(value)| value).map_err(|error| {
-        let refused = |key| Refused::new(key, Path::default());
         let said = error.to_string();
-        Refused {
-            position: Some((error.line(), column(text, &error))),
-            ..match error.classify() {
-                Category::Data => Refused::new(
-                    "document-twice",
-                    Path::of(&[said.rsplit_once(" at line ").map_or(said.as_str(), |(name, _)| name)]),
-                ),
-                Category::Eof => refused("document-ends"),
-                Category::Syntax | Category::Io => refused("document-syntax"),
-            }
-        }
+        let name = said.rsplit_once(" at line ").map_or(said.as_str(), |(name, _)| name);
+        let (key, path) = match error.classify() {
+            Category::Data => ("document-twice", Path::of(&[name])),
+            Category::Eof => ("document-ends", Path::default()),
+            Category::Syntax | Category::Io => ("document-syntax", Path::default()),
+        };
+        Refused { position: Some((error.line(), column(text, &error))), ..Refused::new(key, path) }
     })
 }
 

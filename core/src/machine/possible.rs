@@ -32,7 +32,7 @@ impl Setup {
     }
 
     /// Refuses frames and data with which a control cannot reckon.
-    pub(crate) fn governs(&self) -> Result<(), Refused> {
+    fn governs(&self) -> Result<(), Refused> {
         let control = &self.control;
         let frames = Path::of(&["frames"]);
         for (number, one) in &control.frames {
@@ -53,7 +53,12 @@ impl Setup {
         small(&Path::of(&["active", "rotary"]), &control.rotary.map(|angle| angle.0))?;
         small(&Path::of(&["machine", "rotaryCentre"]), &control.rotary_centre.0)?;
         in_spindle(control)?;
-        control.data.iter().try_for_each(|(name, value)| datum(control, name, value))
+        self.has_its_data()
+    }
+
+    /// Refuses data that the control does not have.
+    pub(crate) fn has_its_data(&self) -> Result<(), Refused> {
+        self.control.data.iter().try_for_each(|(name, value)| datum(&self.control, name, value))
     }
 
     /// Refuses a probe, tools, tool probes and a part that cannot exist.

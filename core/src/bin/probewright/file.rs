@@ -129,7 +129,7 @@ pub fn setup(path: &Path, as_json: bool, words: &Words, out: &mut dyn Write) -> 
     };
     if as_json {
         let file = path.display().to_string();
-        print_json(serde_json::json!({ "file": file, "refused": json::refused(&refused) }), words, out)?;
+        print_json(serde_json::json!({ "file": file, "refused": refused }), words, out)?;
         out.flush()?;
     }
     let place = refused.position.map_or(String::new(), |(line, column)| format!("{line}:{column}:"));

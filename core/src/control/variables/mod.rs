@@ -7,12 +7,12 @@ mod place;
 mod tests;
 
 pub use parts::{component, set_component};
-pub(super) use place::{Place, nct, sinumerik};
 
 use super::rotary::ROTARY;
 use super::{Control, Edge, Frame, Store};
+use crate::dialect::Dialect;
 use parts::{edge_quantity, part_of, set_edge_quantity, set_part};
-use place::{Kept, PARTS, REGISTERS, ROTARY_PARTS, whole_frame};
+use place::{Kept, PARTS, Place, REGISTERS, ROTARY_PARTS, whole_frame};
 
 /// Axis letters by index.
 pub const AXES: [&str; 3] = ["X", "Y", "Z"];
@@ -20,7 +20,7 @@ pub const AXES: [&str; 3] = ["X", "Y", "Z"];
 impl Control {
     /// Value of a tool or frame variable, lengths in mm; none when there is no such variable (or no such tool).
     pub fn variable(&self, name: &str) -> Option<f64> {
-        match (self.make().place)(name)? {
+        match self.place(name)? {
             Place::Frame(kept, axis, part) => Some(part_of(&self.frame_at(kept), part, axis)),
             Place::Edge(tool, edge, quantity) => {
                 let zero = self.make().registers.then(Edge::default);
@@ -31,7 +31,7 @@ impl Control {
 
     /// Writes a tool or frame variable; `$TC_DP1[t,d]` makes an edge that is not there. False: no such variable.
     pub fn set_variable(&mut self, name: &str, value: f64) -> bool {
-        match (self.make().place)(name) {
+        match self.place(name) {
             Some(Place::Frame(kept, axis, part)) => set_part(self.frame_at_mut(kept), part, axis, value),
             Some(Place::Edge(tool, edge, quantity)) => set_edge_quantity(self.edge_made(tool, edge), quantity, value),
             None => return false,
@@ -41,8 +41,20 @@ impl Control {
 
     /// All stored tool and frame data by their names.
     pub fn variables(&self) -> impl Iterator<Item = (String, f64)> {
-        let names = (self.make().names)(self).into_iter();
-        names.filter_map(|name| self.variable(&name).map(|value| (name, value)))
+        let names = match self.dialect {
+            Dialect::Sinumerik => sinumerik_names(self),
+            Dialect::Nct => nct_names(self),
+        };
+        names.into_iter().filter_map(|name| self.variable(&name).map(|value| (name, value)))
+    }
+
+    /// What the name of a tool or frame variable means. Not in [`super::Make`], as the names are not: the page's first
+    /// module asks for neither, and would carry what a table points to.
+    fn place(&self, name: &str) -> Option<Place> {
+        match self.dialect {
+            Dialect::Sinumerik => place::sinumerik(name),
+            Dialect::Nct => place::nct(name),
+        }
     }
 
     /// Tools and edges, each with what it holds.
@@ -102,7 +114,7 @@ impl Control {
 }
 
 /// Names of all stored tool and frame data of SINUMERIK.
-pub(super) fn sinumerik_names(control: &Control) -> Vec<String> {
+fn sinumerik_names(control: &Control) -> Vec<String> {
     let mut names = Vec::new();
     let stores =
         [("$P_UIFR", &control.frames), ("$P_CHBFR", &control.stored.channel), ("$P_NCBFR", &control.stored.global)];
@@ -117,7 +129,7 @@ pub(super) fn sinumerik_names(control: &Control) -> Vec<String> {
 }
 
 /// Names of all stored tool and frame data of NCT.
-pub(super) fn nct_names(control: &Control) -> Vec<String> {
+fn nct_names(control: &Control) -> Vec<String> {
     let offsets = control.frames.keys().filter(|number| **number <= 6);
     let offsets = offsets.map(|number| control.make().settable_name(*number));
     let offsets = offsets.flat_map(|offset| AXES.map(|axis| format!("{offset} {axis}")));

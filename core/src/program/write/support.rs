@@ -9,6 +9,7 @@ use crate::entry::names::{
 use crate::entry::{Cycle, Style, Typed};
 use crate::name::Name;
 use crate::support::{MEAN_BIT, Mark, SPEEDS_BIT, Support, decimal};
+use std::ops::Range;
 
 const SPEEDS: Name = Name::new(SPEEDS_BIT);
 const MEAN: Name = Name::new(MEAN_BIT);
@@ -50,17 +51,16 @@ pub(super) fn source<'a>(
 
 /// Assignments in two blocks and the call in one of its own.
 pub(super) fn blocks(source: &Source) -> String {
-    let values = source.values.iter().map(|(param, value)| (param.name.as_str(), word(param.name.as_str(), value)));
-    let bits = source.bits.iter().map(|(name, on)| (*name, bit(name, *on)));
-    let mut words: Vec<(&str, String)> = values.chain(bits).collect();
-    words.sort_by_key(|(name, _)| rank(name));
-    let second = words.partition_point(|(name, _)| rank(name) < FIRST.len());
-    let (first, second) = words.split_at(second);
-    let line = |words: &[(&str, String)]| {
-        let words: Vec<&str> = words.iter().map(|(_, word)| word.as_str()).collect();
+    let values = source.values.iter().map(|(param, value)| (rank(&param.name), word(&param.name, value)));
+    let bits = source.bits.iter().map(|(name, on)| (rank(name), bit(name, *on)));
+    let words: Vec<(usize, String)> = values.chain(bits).collect();
+    let line = |ranks: Range<usize>| {
+        let words = ranks.flat_map(|rank| words.iter().filter(move |(own, _)| *own == rank));
+        let words: Vec<&str> = words.map(|(_, word)| word.as_str()).collect();
         if words.is_empty() { String::new() } else { format!("{}\n", words.join(" ")) }
     };
-    format!("{}{}{}\n", line(first), line(second), source.cycle.name)
+    let [first, second] = [FIRST.len(), FIRST.len() + SECOND.len()];
+    format!("{}{}{}\n", line(0..first), line(first..second), source.cycle.name)
 }
 
 /// Place in the order, the second block behind the first.
