@@ -23,7 +23,7 @@ fn show(program: &Program, id: ExprId) -> String {
         }
         Expr::Call(name, arguments) => format!("{}({})", text(*name), list(arguments)),
         Expr::List(elements) => format!("LIST({})", list(elements)),
-        Expr::Omitted(_) => String::new(),
+        Expr::Omitted => String::new(),
     }
 }
 
@@ -50,9 +50,9 @@ fn words(dialect: Dialect, line: &str) -> Vec<String> {
             format!("declare {}[{}] {}", text(*name), index.len(), optional(value)).trim_end().to_owned()
         }
         WordKind::Constant(value) => format!("constant {}", show(&program, *value)),
-        WordKind::Call { name, args, brackets } => {
-            let arguments: Vec<String> = args.iter().map(optional).collect();
-            if *brackets { format!("{}({})", text(*name), arguments.join(",")) } else { text(*name) }
+        WordKind::Call { name, args } => {
+            let arguments: Vec<String> = args.iter().map(|id| show(&program, *id)).collect();
+            if word.span.end > name.end { format!("{}({})", text(*name), arguments.join(",")) } else { text(*name) }
         }
         WordKind::Label(name) => format!("label {}", text(*name)),
         WordKind::Keyword { name, value } => format!("{} {}", text(*name), optional(value)).trim().to_owned(),

@@ -6,42 +6,12 @@ use super::values::{Value, opposite};
 use crate::diagnostic::Span;
 use crate::entry::{AUXILIARY, Arg, ArgumentList, Cycle, Kind, Style};
 use crate::name::Name;
-use crate::syntax::Program;
+use crate::syntax::{Program, WordKind};
 
-/// Place of each argument of the call at `span`, blanks around it left out; an empty place where one is omitted.
+/// Place of each argument of the call at `span`; an empty one where one is omitted.
 pub(super) fn places(program: &Program, span: Span) -> Vec<Span> {
-    let text = program.text(span);
-    let Some(open) = text.iter().position(|byte| *byte == b'(') else { return Vec::new() };
-    let (mut found, mut start, mut depth, mut quoted) = (Vec::new(), open + 1, 0_u32, false);
-    for (at, byte) in text.iter().enumerate().skip(open + 1) {
-        match byte {
-            b'"' => quoted = !quoted,
-            _ if quoted => {}
-            b'(' | b'[' => depth += 1,
-            b')' if depth == 0 => {
-                found.push(trimmed(text, span, start, at));
-                break;
-            }
-            b')' | b']' => depth = depth.saturating_sub(1),
-            b',' if depth == 0 => {
-                found.push(trimmed(text, span, start, at));
-                start = at + 1;
-            }
-            _ => {}
-        }
-    }
-    if matches!(found[..], [Span { start, end }] if start == end) {
-        found.clear();
-    }
-    found
-}
-
-fn trimmed(text: &[u8], span: Span, start: usize, end: usize) -> Span {
-    let bytes = text.get(start..end).unwrap_or_default();
-    let kept = bytes.trim_ascii_start();
-    let from = start + bytes.len() - kept.len();
-    let to = from + kept.trim_ascii_end().len();
-    Span { start: span.start + from as u32, end: span.start + to as u32 }
+    let Some(WordKind::Call { args, .. }) = program.word_at(span).map(|word| &word.kind) else { return Vec::new() };
+    args.iter().map(|id| program.place(*id)).collect()
 }
 
 /// Whether a place is an argument of a call.

@@ -30,11 +30,12 @@ pub(super) fn block_rules(program: &Program) -> Vec<Diagnostic> {
             {
                 found.push(at(&own::BLOCK_AXIS_NAME, program, name, name));
             } else if let WordKind::Call { name, ref args, .. } = word.kind {
+                let given: Vec<_> = args.iter().map(|id| program.given(*id)).collect();
                 let number = |index: usize| {
-                    let id = args.get(index).copied().flatten();
+                    let id = given.get(index).copied().flatten();
                     id.map_or(Some(0.0), |id| fold::number(program, id, NOTHING))
                 };
-                let finding = unmatched(&program.name(name), count(args), number);
+                let finding = unmatched(&program.name(name), count(&given), number);
                 found.extend(finding.map(|finding| finding.on(word.span)));
             }
         }

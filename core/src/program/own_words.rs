@@ -97,8 +97,8 @@ pub fn mark_before(program: &Program, site: &CallSite) -> Option<(Mark, Span)> {
 fn sets_bits(program: &Program, block: &Block) -> bool {
     let words = program.words_of(block);
     let is_bit = |word: &Word| match &word.kind {
-        WordKind::Assign { value_span, .. } => {
-            let target = Span { end: value_span.start, ..word.span };
+        WordKind::Assign { value, .. } => {
+            let target = Span { end: program.place(*value).start, ..word.span };
             let text: String = program.name(target).chars().filter(|one| !one.is_whitespace()).collect();
             BITS.iter().any(|bit| text.strip_suffix('=') == Some(bit))
         }

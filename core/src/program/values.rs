@@ -90,8 +90,9 @@ fn closes_itself(text: &str) -> bool {
     })
 }
 
-/// The value of an expression that stands at `place`.
-pub(super) fn value(program: &Program, id: ExprId, place: Span, known: Known) -> Value {
+/// The value of an expression.
+pub(super) fn value(program: &Program, id: ExprId, known: Known) -> Value {
+    let place = program.place(id);
     let number = fold::number(program, id, known);
     let written = || program.written(place).trim().to_owned();
     match (program.expr(id), number) {
@@ -113,25 +114,6 @@ fn literal(program: &Program, expr: &Expr) -> bool {
             matches!(program.expr(*inner), Some(Expr::Number(_, span)) if decimal(span))
         }
         _ => false,
-    }
-}
-
-/// Place of an expression, as far as its parts tell it.
-pub(super) fn place(program: &Program, id: ExprId) -> Option<Span> {
-    match program.expr(id)? {
-        Expr::Number(_, span) | Expr::Omitted(span) | Expr::Text(span) => Some(*span),
-        Expr::Name { name, index } if index.is_empty() => Some(*name),
-        Expr::Unary(_, inner) => {
-            let inner = place(program, *inner)?;
-            let before = program.source.get(..inner.start as usize)?;
-            let blanks = before.iter().rev().take_while(|byte| byte.is_ascii_whitespace()).count();
-            let sign = before.len().checked_sub(blanks + 1)?;
-            matches!(before.get(sign), Some(b'+' | b'-')).then_some(Span { start: sign as u32, end: inner.end })
-        }
-        Expr::Binary(left, _, right) => {
-            Some(Span { start: place(program, *left)?.start, end: place(program, *right)?.end })
-        }
-        _ => None,
     }
 }
 

@@ -18,8 +18,8 @@ pub fn evaluate(run: &Interpreter, id: ExprId) -> Result<Datum, Problem> {
         }
         Expr::Binary(left, operator, right) => binary(run, *left, *operator, *right),
         Expr::Call(name, args) => function::call(run, *name, args),
-        Expr::List(items) => list(run, items),
-        Expr::Omitted(span) => Err(Problem::new("run-not-a-number", *span, "")),
+        Expr::List(items) => list(run, items).map(Datum::List),
+        Expr::Omitted => Err(Problem::new("run-not-a-number", run.program.place(id), "")),
     }
 }
 
@@ -29,18 +29,15 @@ pub fn number(run: &Interpreter, id: ExprId) -> Result<f64, Problem> {
 }
 
 /// Values of a list, omitted ones as none.
-pub fn list(run: &Interpreter, items: &[ExprId]) -> Result<Datum, Problem> {
-    let values = items.iter().map(|item| match run.program.expr(*item) {
-        Some(Expr::Omitted(_)) | None => Ok(None),
-        Some(_) => evaluate(run, *item).map(Some),
-    });
-    values.collect::<Result<Vec<_>, _>>().map(Datum::List)
+pub fn list(run: &Interpreter, items: &[ExprId]) -> Result<Vec<Option<Datum>>, Problem> {
+    items.iter().map(|item| run.program.given(*item).map(|item| evaluate(run, item)).transpose()).collect()
 }
 
 /// A place that belongs to an expression.
 pub fn span(run: &Interpreter, id: ExprId) -> Span {
     match run.program.expr(id) {
-        Some(Expr::Number(_, span) | Expr::Text(span) | Expr::Call(span, _) | Expr::Omitted(span)) => *span,
+        Some(Expr::Number(_, span) | Expr::Text(span) | Expr::Call(span, _)) => *span,
+        Some(Expr::Omitted) => run.program.place(id),
         Some(Expr::Name { name, .. }) => *name,
         Some(Expr::Unary(_, operand)) => span(run, *operand),
         Some(Expr::Binary(left, _, right)) => Span { start: span(run, *left).start, end: span(run, *right).end },

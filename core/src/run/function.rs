@@ -11,7 +11,7 @@ pub fn call(run: &Interpreter, place: Span, args: &[ExprId]) -> Result<Datum, Pr
     let name = run.program.name(place);
     let refused = || Problem::new("run-function", place, name.as_str());
     if name == "SET" {
-        return list(run, args);
+        return list(run, args).map(Datum::List);
     }
     let values = args.iter().map(|arg| evaluate(run, *arg)).collect::<Result<Vec<_>, _>>()?;
     if name == "REP" {

@@ -2,7 +2,7 @@
 
 use super::{
     Datum, Halt, Interpreter, Measure, Next, Path, action, branch, contour, declare, declare::Declaring, evaluate,
-    indexed, locals, names, of_control, repeat, unread,
+    expression, indexed, locals, names, of_control, repeat, unread,
 };
 use crate::diagnostic::{Severity, Span};
 use crate::problem::Problem;
@@ -246,15 +246,14 @@ fn hidden(run: &mut Interpreter, name: &str, span: Span) -> bool {
 }
 
 /// A call with the values of its arguments.
-fn call(run: &Interpreter, name: Span, args: &[Option<ExprId>], span: Span) -> Result<Call, Problem> {
-    let values = args.iter().map(|arg| arg.map(|arg| evaluate(run, arg)).transpose());
-    let places = args.iter().map(|arg| match arg.and_then(|arg| run.program.expr(arg)) {
+fn call(run: &Interpreter, name: Span, args: &[ExprId], span: Span) -> Result<Call, Problem> {
+    let places = args.iter().map(|arg| match run.program.expr(*arg) {
         Some(Expr::Name { name, index }) => names::key(run, *name, index).map(Some),
         _ => Ok(None),
     });
     Ok(Call {
         name: run.program.name(name),
-        args: values.collect::<Result<_, _>>()?,
+        args: expression::list(run, args)?,
         places: places.collect::<Result<_, _>>()?,
         span,
     })

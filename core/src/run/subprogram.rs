@@ -226,7 +226,7 @@ fn bind(run: &mut Interpreter, parameter: &Parameter, call: &Call, i: usize) -> 
 
 /// A variable of the parameter's sizes; an array that names none (`REAL F[,]`) has those of its argument.
 fn sized(run: &mut Interpreter, parameter: &Parameter, place: Option<&String>) -> Result<Variable, Problem> {
-    if !parameter.sizes.iter().any(|size| matches!(run.program.expr(*size), Some(Expr::Omitted(_)))) {
+    if !parameter.sizes.iter().any(|size| matches!(run.program.expr(*size), Some(Expr::Omitted))) {
         return declare::variable(run, parameter.name, parameter.kind, &parameter.sizes);
     }
     let argument = place.and_then(|place| locals::variable(run, &locals::home(run, place)));

@@ -98,6 +98,7 @@ fn word(reader: &mut Reader) {
         let place = reader.at;
         reader.tree.words.truncate(words);
         reader.tree.exprs.truncate(exprs);
+        reader.tree.places.truncate(exprs);
         reader.list.clear();
         reader.depth = 0;
         reader.expect = expect;

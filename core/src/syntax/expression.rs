@@ -20,6 +20,7 @@ pub(super) fn expression(reader: &mut Reader, least: Strength) -> Parsed<Node> {
 
 fn chain(reader: &mut Reader, least: Strength) -> Parsed<Node> {
     reader.blanks();
+    let start = reader.at;
     let mut left = (reader.grammar.operand)(reader)?;
     loop {
         let behind = reader.at;
@@ -31,13 +32,14 @@ fn chain(reader: &mut Reader, least: Strength) -> Parsed<Node> {
         };
         reader.at += length;
         let right = expression(reader, strength + 1)?;
-        left = reader.push(Expr::Binary(left.id, operator, right.id), left.height.max(right.height) + 1)?;
+        left = reader.push(start, Expr::Binary(left.id, operator, right.id), left.height.max(right.height) + 1)?;
     }
 }
 
 /// A sign or `NOT` before an operand that binds this tightly.
 pub(super) fn unary(reader: &mut Reader, operator: Operator, length: usize, strength: Strength) -> Parsed<Node> {
+    let start = reader.at;
     reader.at += length;
     let inner = expression(reader, strength)?;
-    reader.push(Expr::Unary(operator, inner.id), inner.height + 1)
+    reader.push(start, Expr::Unary(operator, inner.id), inner.height + 1)
 }

@@ -43,13 +43,11 @@ fn assignment(reader: &mut Reader) -> Parsed<()> {
         return Err(&own::SYNTAX_EQUALS);
     }
     reader.blanks();
-    let value_start = reader.at;
     if reader.done() {
         return Err(&own::SYNTAX_VALUE);
     }
     let value = expression(reader, 0)?.id;
-    let value_span = reader.from(value_start);
-    reader.word(start, WordKind::Assign { name, index, value_span, value })
+    reader.word(start, WordKind::Assign { name, index, value })
 }
 
 /// `X10`, `X-10.`, `X#100`, `X-#1`, `X[…]`.

@@ -62,9 +62,10 @@ pub(super) fn decimal_comma(reader: &Reader) -> Parsed<()> {
 
 /// `[…]`.
 pub(super) fn bracket(reader: &mut Reader) -> Parsed<Node> {
+    let start = reader.at;
     reader.at += 1;
     let inner = expression(reader, 0)?;
-    if reader.take(b']') { Ok(inner) } else { Err(&own::SYNTAX_BRACKET) }
+    if reader.take(b']') { Ok(reader.bracketed(start, inner)) } else { Err(&own::SYNTAX_BRACKET) }
 }
 
 /// `#100` as a name, `#[…]` and `##1` as the name `#` with an index.
@@ -75,7 +76,7 @@ pub(super) fn variable(reader: &mut Reader) -> Parsed<Node> {
     if number > 0 {
         reader.at += number;
         let name = reader.from(start);
-        return reader.push(Expr::Name { name, index: Box::default() }, 1);
+        return reader.push(start, Expr::Name { name, index: Box::default() }, 1);
     }
     let name = reader.from(start);
     let index = match reader.byte(0) {
@@ -83,7 +84,7 @@ pub(super) fn variable(reader: &mut Reader) -> Parsed<Node> {
         b'#' => expression(reader, UNARY)?,
         _ => return Err(&own::SYNTAX_OPERAND),
     };
-    reader.push(Expr::Name { name, index: Box::new([index.id]) }, index.height + 1)
+    reader.push(start, Expr::Name { name, index: Box::new([index.id]) }, index.height + 1)
 }
 
 /// `SIN[…]`, `SQRT #1`, `ATAN[…]/[…]` (two arguments).
@@ -102,7 +103,7 @@ fn function(reader: &mut Reader) -> Parsed<Node> {
     if reader.text(name).eq_ignore_ascii_case(b"ATAN") && reader.take(b'/') {
         let second = expression(reader, UNARY)?;
         let height = inner.height.max(second.height) + 1;
-        return reader.push(Expr::Call(name, Box::new([inner.id, second.id])), height);
+        return reader.push(start, Expr::Call(name, Box::new([inner.id, second.id])), height);
     }
-    reader.push(Expr::Call(name, Box::new([inner.id])), inner.height + 1)
+    reader.push(start, Expr::Call(name, Box::new([inner.id])), inner.height + 1)
 }

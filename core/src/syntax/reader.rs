@@ -51,7 +51,7 @@ pub(super) struct Reader<'a> {
     /// What is read so far.
     pub tree: Program,
     /// Elements of the lists being read; each list takes its own off the top.
-    pub list: Vec<Option<ExprId>>,
+    pub list: Vec<ExprId>,
 }
 
 impl<'a> Reader<'a> {
@@ -72,6 +72,7 @@ impl<'a> Reader<'a> {
                 blocks: Vec::with_capacity(source.len() / 24),
                 words: Vec::with_capacity(source.len() / 6),
                 exprs: Vec::with_capacity(source.len() / 6),
+                places: Vec::with_capacity(source.len() / 6),
                 errors: Vec::new(),
             },
             list: Vec::new(),
@@ -128,19 +129,21 @@ impl<'a> Reader<'a> {
         self.source.get(span.start as usize..span.end as usize).unwrap_or_default()
     }
 
-    pub fn push(&mut self, expr: Expr, height: u16) -> Parsed<Node> {
+    /// An expression from a place to the present one.
+    pub fn push(&mut self, start: usize, expr: Expr, height: u16) -> Parsed<Node> {
         if height > DEPTH {
             return Err(&own::SYNTAX_DEPTH);
         }
         let id = self.tree.exprs.len() as ExprId;
         self.tree.exprs.push(expr);
+        self.tree.places.push(self.from(start));
         Ok(Node { id, height })
     }
 
     /// A number from a place to the present one, where a sign may stand before the digits.
     pub fn number(&mut self, start: usize, value: f64) -> Parsed<Node> {
         let minus = self.source.get(start) == Some(&b'-');
-        self.push(Expr::Number(if minus { -value } else { value }, self.from(start)), 1)
+        self.push(start, Expr::Number(if minus { -value } else { value }, self.from(start)), 1)
     }
 
     /// Whether this word stands at the present place, whatever follows it.
@@ -165,11 +168,11 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    /// The elements of a list that began when `list` had this length.
-    pub fn elements(&mut self, base: usize) -> Box<[Option<ExprId>]> {
-        let elements = self.list.get(base..).unwrap_or_default().into();
-        self.list.truncate(base);
-        elements
+    /// An expression in brackets, which belong to its place and are closed here.
+    pub fn bracketed(&mut self, start: usize, inner: Node) -> Node {
+        let place = self.from(start);
+        self.tree.places.get_mut(inner.id as usize).into_iter().for_each(|known| *known = place);
+        inner
     }
 
     /// Where a block ends inside of a bracket, blanks left out; 0 where it does not.

@@ -5,7 +5,7 @@ use super::expression::expression;
 use super::keyword::{ADDRESSES, Keyword, MODES, TYPES, is_one_of};
 use super::language::BY_PATH;
 use super::reader::{Expect, Parsed, Reader};
-use super::sinumerik_expression::{arguments, constant, foreign_exponent, index, text};
+use super::sinumerik_expression::{constant, foreign_exponent, index, list, text};
 use super::tree::{Expr, ExprId, WordKind};
 use super::{keyword, number};
 use crate::diagnostic::Span;
@@ -72,7 +72,7 @@ fn short(reader: &mut Reader) -> Parsed<()> {
     foreign_number(reader)?;
     if whole && letter.eq_ignore_ascii_case(&b'L') {
         let name = reader.from(start);
-        return reader.word(start, WordKind::Call { name, args: Box::default(), brackets: false });
+        return reader.word(start, WordKind::Call { name, args: Box::default() });
     }
     let value = reader.number(number_start, value)?.id;
     reader.address(start, name, value)
@@ -136,7 +136,7 @@ fn named(reader: &mut Reader) -> Parsed<()> {
         return spaced(reader, start, name);
     }
     if reader.expect == Expect::Constants {
-        let value = reader.push(Expr::Name { name, index }, 1)?.id;
+        let value = reader.push(start, Expr::Name { name, index }, 1)?.id;
         return reader.word(start, WordKind::Constant(value));
     }
     call(reader, start, name)
@@ -161,18 +161,17 @@ fn assigns(reader: &mut Reader) -> bool {
 }
 
 fn assign(reader: &mut Reader, start: usize, name: Span, index: Box<[ExprId]>) -> Parsed<()> {
-    let (value, value_span) = value(reader)?;
-    reader.word(start, WordKind::Assign { name, index, value_span, value })
+    let value = value(reader)?;
+    reader.word(start, WordKind::Assign { name, index, value })
 }
 
-fn value(reader: &mut Reader) -> Parsed<(ExprId, Span)> {
-    let start = reader.at;
+fn value(reader: &mut Reader) -> Parsed<ExprId> {
     if reader.done() {
         return Err(&own::SYNTAX_VALUE);
     }
     let value = expression(reader, 0)?;
     foreign_number(reader)?;
-    Ok((value.id, reader.from(start)))
+    Ok(value.id)
 }
 
 /// Numbers as other languages write them: `12,5` and `1e-3`.
@@ -198,7 +197,7 @@ fn address(reader: &mut Reader, start: usize, name: Span, extension: Option<u32>
             reader.at = right;
         }
     }
-    let (value, _) = value(reader)?;
+    let value = value(reader)?;
     if mode.is_some() && !reader.take(b')') {
         return Err(&own::SYNTAX_BRACKET);
     }
@@ -217,8 +216,8 @@ fn spaced(reader: &mut Reader, start: usize, name: Span) -> Parsed<()> {
 /// `NAME`, `NAME(…)`; behind `PCALL` a path may stand before the next name.
 fn call(reader: &mut Reader, start: usize, name: Span) -> Parsed<()> {
     let brackets = reader.take(b'(');
-    let args = if brackets { arguments(reader)? } else { Box::default() };
-    reader.word(start, WordKind::Call { name, args, brackets })?;
+    let args = if brackets { list(reader, b')')?.0 } else { Box::default() };
+    reader.word(start, WordKind::Call { name, args })?;
     if !brackets && reader.text(name).eq_ignore_ascii_case(BY_PATH.as_bytes()) {
         folders(reader);
     }
@@ -264,7 +263,7 @@ fn declaration(reader: &mut Reader, start: usize, name: Span) -> Parsed<()> {
     if is_type {
         return reader.word(start, WordKind::Keyword { name, value: index.first().copied() });
     }
-    let value = if assigns(reader) { Some(value(reader)?.0) } else { None };
+    let value = if assigns(reader) { Some(value(reader)?) } else { None };
     reader.word(start, WordKind::Declare { name, index, value })
 }
 

@@ -96,7 +96,7 @@ fn quoted(reader: &mut Reader, length: usize) -> Parsed<Node> {
     reader.at = start + length;
     let span = reader.from(start);
     reader.at += 1;
-    reader.push(Expr::Text(span), 1)
+    reader.push(start - 1, Expr::Text(span), 1)
 }
 
 /// A variable, a function call, `NOT`.
@@ -115,10 +115,10 @@ fn named(reader: &mut Reader) -> Parsed<Node> {
     }
     if reader.take(b'(') {
         let (arguments, height) = list(reader, b')')?;
-        return reader.push(Expr::Call(name, arguments), height + 1);
+        return reader.push(start, Expr::Call(name, arguments), height + 1);
     }
     let (index, height) = index(reader)?;
-    reader.push(Expr::Name { name, index }, height + 1)
+    reader.push(start, Expr::Name { name, index }, height + 1)
 }
 
 /// `[1,X,TR]`, if there is one, with the height of its tallest element; a parameter may leave a size open: `F[]`.
@@ -127,7 +127,7 @@ pub(super) fn index(reader: &mut Reader) -> Parsed<(Box<[ExprId]>, u16)> {
         return Ok((Box::default(), 0));
     }
     if reader.expect == Expect::Parameters && reader.take(b']') {
-        let one = reader.push(Expr::Omitted(reader.from(reader.at)), 1)?;
+        let one = reader.push(reader.at, Expr::Omitted, 1)?;
         return Ok(([one.id].into(), one.height));
     }
     let (index, height) = list(reader, b']')?;
@@ -136,74 +136,36 @@ pub(super) fn index(reader: &mut Reader) -> Parsed<(Box<[ExprId]>, u16)> {
 
 /// `(…)`: a bracketed expression, or a list if there is a comma.
 fn brackets(reader: &mut Reader) -> Parsed<Node> {
+    let start = reader.at;
     reader.at += 1;
     reader.blanks();
-    let (elements, height) = if reader.byte(0) == b',' {
-        list(reader, b')')?
-    } else {
-        let inner = expression(reader, 0)?;
-        if reader.take(b')') {
-            return Ok(inner);
-        }
-        reader.list.push(Some(inner.id));
-        if !reader.take(b',') {
-            return Err(&own::SYNTAX_BRACKET);
-        }
-        let base = reader.list.len() - 1;
-        filled(reader, base, b')', inner.height)?
-    };
-    reader.push(Expr::List(elements), height + 1)
+    if reader.done() || matches!(reader.byte(0), b')' | b';') {
+        return Err(&own::SYNTAX_OPERAND);
+    }
+    let (elements, height) = list(reader, b')')?;
+    match elements[..] {
+        [id] => Ok(reader.bracketed(start, Node { id, height })),
+        _ => reader.push(start, Expr::List(elements), height + 1),
+    }
 }
 
-/// Elements up to the closing bracket; an omitted one is [`Expr::Omitted`].
-fn list(reader: &mut Reader, close: u8) -> Parsed<(Box<[ExprId]>, u16)> {
+/// Elements up to the closing bracket with the height of the tallest one; the opening bracket is already taken.
+pub(super) fn list(reader: &mut Reader, close: u8) -> Parsed<(Box<[ExprId]>, u16)> {
     if reader.take(close) {
         return Ok((Box::default(), 0));
     }
-    let base = reader.list.len();
-    filled(reader, base, close, 0)
-}
-
-fn filled(reader: &mut Reader, base: usize, close: u8, height: u16) -> Parsed<(Box<[ExprId]>, u16)> {
-    let height = elements(reader, close, height)?;
-    let mut ids = Vec::with_capacity(reader.list.len() - base);
-    for place in base..reader.list.len() {
-        ids.push(match reader.list.get(place).copied().flatten() {
-            Some(id) => id,
-            None => reader.push(Expr::Omitted(reader.from(reader.at)), 1)?.id,
-        });
-    }
-    reader.list.truncate(base);
-    Ok((ids.into(), height))
-}
-
-/// Arguments of a call, the opening bracket already taken.
-pub(super) fn arguments(reader: &mut Reader) -> Parsed<Box<[Option<ExprId>]>> {
-    if reader.take(b')') {
-        return Ok(Box::default());
-    }
-    let base = reader.list.len();
-    elements(reader, b')', 0)?;
-    Ok(reader.elements(base))
-}
-
-/// Pushes elements on `list` up to the closing bracket.
-fn elements(reader: &mut Reader, close: u8, least: u16) -> Parsed<u16> {
-    let mut height = least;
+    let (base, mut height) = (reader.list.len(), 0);
     loop {
         reader.blanks();
         if reader.done() || reader.byte(0) == b';' {
             return Err(&own::SYNTAX_BRACKET); // the block ends behind a comma or the opening bracket
         }
-        if reader.byte(0) == b',' || reader.byte(0) == close {
-            reader.list.push(None);
-        } else {
-            let element = expression(reader, 0)?;
-            height = height.max(element.height);
-            reader.list.push(Some(element.id));
-        }
+        let omitted = reader.byte(0) == b',' || reader.byte(0) == close;
+        let element = if omitted { reader.push(reader.at, Expr::Omitted, 0)? } else { expression(reader, 0)? };
+        height = height.max(element.height);
+        reader.list.push(element.id);
         if reader.take(close) {
-            return Ok(height);
+            return Ok((reader.list.drain(base..).collect(), height));
         }
         if !reader.take(b',') {
             return Err(&own::SYNTAX_BRACKET);

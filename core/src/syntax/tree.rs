@@ -25,6 +25,8 @@ pub struct Program {
     pub words: Vec<Word>,
     /// Expressions of all words.
     pub exprs: Vec<Expr>,
+    /// Place of each expression, with the brackets around it.
+    pub places: Vec<Span>,
     /// What was not understood.
     pub errors: Vec<SyntaxError>,
 }
@@ -107,6 +109,16 @@ impl Program {
     /// An expression by its index.
     pub fn expr(&self, id: ExprId) -> Option<&Expr> {
         self.exprs.get(id as usize)
+    }
+
+    /// Place of an expression, with the brackets around it.
+    pub fn place(&self, id: ExprId) -> Span {
+        self.places.get(id as usize).copied().unwrap_or_default()
+    }
+
+    /// An argument; none: it is omitted.
+    pub fn given(&self, id: ExprId) -> Option<ExprId> {
+        self.expr(id).filter(|expr| **expr != Expr::Omitted).map(|_| id)
     }
 
     /// The number that an expression is, where it is one and nothing else.
@@ -193,8 +205,6 @@ pub enum WordKind {
         name: Span,
         /// Indices, 0 to 3.
         index: Box<[ExprId]>,
-        /// Place of the whole right side.
-        value_span: Span,
         /// Right side.
         value: ExprId,
     },
@@ -214,10 +224,8 @@ pub enum WordKind {
     Call {
         /// Name.
         name: Span,
-        /// Arguments; `None` an omitted one. Empty also without brackets.
-        args: Box<[Option<ExprId>]>,
-        /// Whether there were brackets.
-        brackets: bool,
+        /// Arguments; none also without brackets.
+        args: Box<[ExprId]>,
     },
     /// `LABEL:`.
     Label(Span),
@@ -256,8 +264,8 @@ pub enum Expr {
     Call(Span, Box<[ExprId]>),
     /// `(1,2,3)` as first value of an array.
     List(Box<[ExprId]>),
-    /// Nothing between two commas of a [`Expr::Call`] or [`Expr::List`]: `SET(0,,9)`. Place where it is missing.
-    Omitted(Span),
+    /// Nothing between two commas of a call or list: `SET(0,,9)`.
+    Omitted,
 }
 
 /// Operator.

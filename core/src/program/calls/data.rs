@@ -4,10 +4,10 @@ use super::{Place, Walk};
 use crate::control::arrays;
 use crate::diagnostic::Span;
 use crate::program::held::{Held, stem};
+use crate::program::values;
 use crate::program::values::{Spread, Value, spread};
-use crate::program::{arguments, values};
 use crate::syntax::fold;
-use crate::syntax::tree::{Expr, ExprId, Word, WordKind};
+use crate::syntax::tree::{ExprId, Word, WordKind};
 use std::rc::Rc;
 
 /// Most elements of an array that a program declares.
@@ -23,13 +23,13 @@ impl Walk<'_> {
         let counts = says(&["FOR"]);
         for word in words {
             match &word.kind {
-                WordKind::Assign { name, index, value_span, value } => {
+                WordKind::Assign { name, index, value } => {
                     let Some(name) = fold::name(self.program, *name, index, &self.numbers(place)) else { continue };
                     if counts {
-                        self.keep_first(place, *value, *value_span);
-                        self.assign(place, &name, Value::at(name.clone(), None, *value_span));
+                        self.keep_first(place, *value);
+                        self.assign(place, &name, Value::at(name.clone(), None, self.program.place(*value)));
                     } else {
-                        self.write(place, &name, *value, *value_span);
+                        self.write(place, &name, *value);
                     }
                 }
                 WordKind::Declare { name, index, value } => self.declare(place, *name, index, *value),
@@ -44,10 +44,10 @@ impl Walk<'_> {
     }
 
     /// The value of an expression. Of a variable that another program wrote it is known where.
-    pub(super) fn value(&self, place: &Place, id: ExprId, at: Span) -> Value {
-        let value = values::value(self.program, id, at, &self.numbers(place));
+    pub(super) fn value(&self, place: &Place, id: ExprId) -> Value {
+        let value = values::value(self.program, id, &self.numbers(place));
         match self.held(place, id) {
-            Some(held) if value.number.is_some() && !self.around.unit(at).holds(held.source()) => {
+            Some(held) if value.number.is_some() && !self.around.unit(value.place).holds(held.source()) => {
                 Value { given: Some(held.source()), argument: held.argument, ..value }
             }
             _ => value,
@@ -64,11 +64,12 @@ impl Walk<'_> {
     }
 
     /// Remembers what a right side is worth on its first pass that is not always worth the same.
-    fn keep_first(&mut self, place: &Place, id: ExprId, at: Span) {
-        if !self.first_numbers.contains_key(&at.start) {
+    fn keep_first(&mut self, place: &Place, id: ExprId) {
+        let start = self.program.place(id).start;
+        if !self.first_numbers.contains_key(&start) {
             let known = |name: &str| place.values.first_number(&self.names, name, &self.first_numbers);
             let number = fold::number(self.program, id, &known);
-            self.first_numbers.insert(at.start, number);
+            self.first_numbers.insert(start, number);
         }
     }
 
@@ -85,47 +86,29 @@ impl Walk<'_> {
     }
 
     /// One value, or those of `SET(…)` or `REP(…)` spread over an array.
-    fn write(&mut self, place: &mut Place, name: &str, value: ExprId, span: Span) {
+    fn write(&mut self, place: &mut Place, name: &str, value: ExprId) {
         match spread(self.program, value) {
             Spread::One => {
-                let right = self.value(place, value, span);
+                let right = self.value(place, value);
                 if right.number.is_none() {
-                    self.keep_first(place, value, span);
+                    self.keep_first(place, value);
                 }
                 self.assign(place, name, right);
             }
+            // `_SETV[0]=SET(1,,3)` writes `_SETV[0]` and `_SETV[2]`
             Spread::Each(values) => {
-                let elements = self.elements(name);
-                let written = arguments::places(self.program, span);
-                for (index, (element, id)) in elements.into_iter().zip(values).enumerate() {
-                    let at = written.get(index).copied().filter(|_| written.len() == values.len());
-                    self.assign_element(place, &element, *id, at.or_else(|| values::place(self.program, *id)));
+                for (element, id) in self.elements(name).into_iter().zip(values) {
+                    if let Some(id) = self.program.given(*id) {
+                        let value = self.value(place, id);
+                        self.assign(place, &element, value);
+                    }
                 }
             }
             Spread::Same(id) => {
-                let at = values::place(self.program, id).unwrap_or(span);
-                let value = Value { shared: true, ..self.value(place, id, at) };
+                let value = Value { shared: true, ..self.value(place, id) };
                 for element in self.repeated(name) {
                     self.assign(place, &element, value.clone());
                 }
-            }
-        }
-    }
-
-    /// `_SETV[0]=SET(1,,3)` writes `_SETV[0]` and `_SETV[2]`. A value whose place is not known is at least forgotten.
-    fn assign_element(&mut self, place: &mut Place, element: &str, id: ExprId, at: Option<Span>) {
-        if matches!(self.program.expr(id), None | Some(Expr::Omitted(_))) {
-            return;
-        }
-        match at {
-            Some(at) => {
-                let value = self.value(place, id, at);
-                self.assign(place, element, value);
-            }
-            None => {
-                let number = fold::number(self.program, id, &self.numbers(place));
-                self.learn(element, number);
-                place.values.set(self.names.number(element), None);
             }
         }
     }
@@ -151,7 +134,7 @@ impl Walk<'_> {
             self.arrays.insert(name.clone(), sizes.into_iter().map(|size| size as usize).collect());
         }
         if let Some(value) = value {
-            self.write(place, &name, value, values::place(self.program, value).unwrap_or_default());
+            self.write(place, &name, value);
         }
     }
 }

@@ -19,10 +19,10 @@ pub(super) type Given = Vec<(Name, Held)>;
 
 impl Walk<'_> {
     /// A call of any cycle.
-    pub(super) fn cycle(&mut self, place: &mut Place, span: Span, name: Span, args: &[Option<ExprId>]) {
+    pub(super) fn cycle(&mut self, place: &mut Place, span: Span, name: Span, args: &[ExprId]) {
         let name = self.program.name(name);
-        let written = args.iter().copied().chain(std::iter::repeat(None)).zip(arguments::places(self.program, span));
-        let arguments: Vec<_> = written.map(|(id, at)| Some(self.value(place, id?, at))).collect();
+        let given = args.iter().map(|id| self.program.given(*id));
+        let arguments: Vec<_> = given.map(|id| Some(self.value(place, id?))).collect();
         if name == AUXILIARY {
             return self.auxiliary(place, arguments);
         }

@@ -48,8 +48,7 @@ impl Walk<'_> {
         for word in self.program.words_of(block) {
             let WordKind::Address { name, value, .. } = &word.kind else { continue };
             if let Some(param) = cycle.params.iter().find(|param| self.program.is(*name, param.name.as_str())) {
-                let at = Span { start: name.end, end: word.span.end };
-                let value = values::value(self.program, *value, at, &self.numbers(place));
+                let value = values::value(self.program, *value, &self.numbers(place));
                 given.push((param.name, Held::One(Rc::new(value))));
             }
         }

@@ -6,7 +6,6 @@ use crate::diagnostic::Span;
 use crate::program::flow::{Called, Entry, Follow, LEVELS, Meet, Mode, State, called};
 use crate::program::held::{Held, Names, Values, stem};
 use crate::program::values::Value;
-use crate::program::{arguments, values};
 use crate::syntax::programs::{Programs, Unit};
 use crate::syntax::{Expr, ExprId, Program, Word, WordKind, fold};
 use std::collections::{BTreeSet, HashMap};
@@ -158,11 +157,12 @@ impl Follow for Walk<'_> {
             }
         }
         let own = self.around.own(self.program, entry.unit);
-        let arguments = arguments_of(self.program, entry);
+        let arguments = arguments_of(entry);
         for (at, formal) in own.formal.iter().enumerate() {
-            let held = match (arguments.get(at).copied().flatten(), formal.default) {
-                (Some((id, place)), _) => Value { argument: true, ..self.value(caller, id, place) },
-                (None, Some(id)) => self.value(caller, id, values::place(self.program, id).unwrap_or_default()),
+            let argument = arguments.get(at).and_then(|id| self.program.given(*id));
+            let held = match (argument, formal.default) {
+                (Some(id), _) => Value { argument: true, ..self.value(caller, id) },
+                (None, Some(id)) => self.value(caller, id),
                 (None, None) => Value { argument: true, ..Value::at("0".to_owned(), Some(0.0), entry.place()) },
             };
             values.set(self.names.number(&formal.name), Some(Held::One(Rc::new(held))));
@@ -185,10 +185,9 @@ impl Follow for Walk<'_> {
         if !own.formal.iter().any(|formal| formal.by_reference) {
             return place;
         }
-        let arguments = own.formal.iter().zip(arguments_of(self.program, entry));
+        let arguments = own.formal.iter().zip(arguments_of(entry));
         for (formal, argument) in arguments.filter(|(formal, _)| formal.by_reference) {
-            let variable = argument.and_then(|(id, _)| self.variable(caller, id));
-            if let Some((variable, formal)) = variable.zip(self.names.find(&formal.name)) {
+            if let Some((variable, formal)) = self.variable(caller, *argument).zip(self.names.find(&formal.name)) {
                 place.values.set(variable, after.values.get(formal).cloned());
             }
         }
@@ -230,8 +229,8 @@ impl Walk<'_> {
     }
 }
 
-/// The arguments of a call of a program, each with its place; none: omitted.
-fn arguments_of(program: &Program, entry: &Entry) -> Vec<Option<(ExprId, Span)>> {
-    let Some(Word { kind: WordKind::Call { args, .. }, span }) = entry.word() else { return Vec::new() };
-    args.iter().zip(arguments::places(program, *span)).map(|(id, place)| id.map(|id| (id, place))).collect()
+/// The arguments of a call of a program.
+fn arguments_of<'a>(entry: &Entry<'a>) -> &'a [ExprId] {
+    let word = entry.words.get(entry.at);
+    if let Some(Word { kind: WordKind::Call { args, .. }, .. }) = word { args } else { &[] }
 }

@@ -92,7 +92,7 @@ impl Uses {
             }
             WordKind::Address { value, .. } => names_in(program, *value, &mut self.names),
             WordKind::Call { name, args, .. } => {
-                args.iter().flatten().for_each(|id| names_in(program, *id, &mut self.names));
+                args.iter().for_each(|id| names_in(program, *id, &mut self.names));
                 let cycle = catalogue::find(program.dialect, &program.name(*name));
                 let params = cycle.map_or(&[][..], |cycle| cycle.params).iter();
                 self.names.extend(params.map(|param| stem(param.name.as_str()).to_owned()));

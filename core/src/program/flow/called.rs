@@ -53,9 +53,9 @@ pub fn before(words: &[Word], at: usize) -> Option<&Word> {
 }
 
 /// The text in `EXTCALL("NAME")`.
-fn from_outside(program: &Program, name: Span, args: &[Option<ExprId>]) -> Option<Span> {
+fn from_outside(program: &Program, name: Span, args: &[ExprId]) -> Option<Span> {
     let text = args.first().filter(|_| program.is(name, FROM_OUTSIDE))?;
-    let Expr::Text(place) = program.expr((*text)?)? else { return None };
+    let Expr::Text(place) = program.expr(*text)? else { return None };
     Some(*place)
 }
 
