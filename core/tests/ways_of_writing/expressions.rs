@@ -299,7 +299,7 @@ fn a_change_says_which_lines_of_others_it_touches() {
     let program = read(Dialect::Sinumerik, text.as_bytes());
     let lines = revise(&program, 0, "_SETVAL", "41", &control()).unwrap().elsewhere;
     let lines: Vec<_> = lines.iter().map(|one| (one.line, &*one.before, &*one.after)).collect();
-    assert_eq!(lines, [(1, "MEASURE(40) ; ring", "MEASURE(41) ; ring")]);
+    assert_eq!(lines, [(2, "MEASURE(40) ; ring", "MEASURE(41) ; ring")]);
     let own = revise(&program, 0, "_FA", "4", &control()).unwrap();
     assert!(own.elsewhere.is_empty() && !own.steps.is_empty());
     let new = revise(&program, 0, "_VMS", "100", &control()).unwrap();
