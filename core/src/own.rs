@@ -34,10 +34,7 @@ impl Own {
     /// As a finding, without arguments and place.
     pub fn finding(&self) -> Diagnostic {
         let found = Diagnostic::new(self.severity, self.code(), Message::new(self.cause));
-        match self.hint {
-            "" => found,
-            key => found.hint(Message::new(key)),
-        }
+        if self.hint.is_empty() { found } else { found.hint(Message::new(self.hint)) }
     }
 }
 

@@ -81,8 +81,7 @@ impl Problem {
 
 /// Key of what helps.
 pub fn cure(key: &str) -> Option<&'static str> {
-    let (_, cure) = CURES.iter().find(|(problem, _)| *problem == key)?;
-    Some(cure)
+    CURES.iter().find(|(problem, _)| *problem == key).map(|(_, cure)| *cure)
 }
 
 /// Number of a problem of this module.

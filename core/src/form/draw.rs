@@ -8,8 +8,7 @@ use crate::entry::{Cycle, How, Kind, Typed};
 use crate::name::Name;
 use crate::picture::Picture;
 
-/// Draws the values; what is missing or wrong is taken from the cycle's worked example. None in a build that does not
-/// draw.
+/// Draws the values; missing and wrong ones come from the cycle's worked example. None in a build that does not draw.
 pub fn draw(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Option<Picture> {
     if !crate::SIMULATES {
         return None;
@@ -32,9 +31,7 @@ pub fn draw(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Option<P
         How::Own(draw) => draw(&inputs),
     };
     let used = cycle.params.iter().filter(|param| param.need(&inputs).is_some());
-    for param in used {
-        place(param.name, &mut picture);
-    }
+    used.for_each(|param| place(param.name, &mut picture));
     Some(picture)
 }
 

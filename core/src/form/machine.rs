@@ -68,19 +68,13 @@ pub fn groups(control: &Control) -> Vec<Group> {
     if control.dialect == Dialect::Nct {
         return nct(control.basic_units);
     }
-    let subjects = gud::SUBJECTS
-        .iter()
-        .map(|subject| Group { key: format!("machine-group-{}", subject.key), settings: of_subject(subject, control) });
-    let machine = Group {
-        key: "machine-group-machine-data".to_owned(),
-        settings: MACHINE_DATA.iter().flat_map(of_machine_datum).collect(),
-    };
+    let subjects = gud::SUBJECTS.iter().map(|subject| group(subject.key, of_subject(subject, control)));
+    let machine = group("machine-data", MACHINE_DATA.iter().flat_map(of_machine_datum).collect());
     subjects.chain([machine]).filter(|group| !group.settings.is_empty()).collect()
 }
 
 /// The groups of an NCT control.
 fn nct(basic: Units) -> Vec<Group> {
-    let subjects = nct_data::SUBJECTS.iter();
     let setting = |datum: &NctDatum| Setting {
         name: datum.name.to_owned(),
         key: datum.key(),
@@ -94,12 +88,12 @@ fn nct(basic: Units) -> Vec<Group> {
         range: datum.element.range,
         source: Cited(datum.element.source),
     };
-    subjects
-        .map(|subject| Group {
-            key: format!("machine-group-{}", subject.key),
-            settings: subject.data.iter().map(setting).collect(),
-        })
-        .collect()
+    let subjects = nct_data::SUBJECTS.iter();
+    subjects.map(|subject| group(subject.key, subject.data.iter().map(setting).collect())).collect()
+}
+
+fn group(subject: &str, settings: Vec<Setting>) -> Group {
+    Group { key: format!("machine-group-{subject}"), settings }
 }
 
 /// Settings of a subject; before those of the masks stands whether they count.
@@ -126,12 +120,8 @@ fn forms() -> Setting {
 fn of_datum(gud: &'static Gud, control: &Control) -> Vec<Setting> {
     let fields = (control.number(gud.counted) as usize).min(SHOWN);
     let shown = gud.elements.iter().filter(|one| !one.internal);
-    let mut places: Vec<(Vec<usize>, &Element)> = shown
-        .flat_map(|element| {
-            let places = gud.places(element, fields).into_iter();
-            places.map(move |at| (at, element))
-        })
-        .collect();
+    let places = shown.flat_map(|element| gud.places(element, fields).into_iter().map(move |at| (at, element)));
+    let mut places: Vec<(Vec<usize>, &Element)> = places.collect();
     if !gud.counted.is_empty() {
         places.sort_by_key(|(at, _)| at.first().copied()); // stable: elements keep their order
     }

@@ -10,10 +10,8 @@ use crate::support::{PROBE, Support, TARGETS, usual, usual_zero};
 pub fn groups(support: Option<Support>, mut groups: Vec<Group>) -> Vec<Group> {
     let Some(support) = support else { return groups };
     let set = i64::from(support.entry(PROBE));
-    for group in &mut groups {
-        if group.label.key == PROBE_TYPE.key {
-            group.choices.retain(|choice| choice.value == set);
-        }
+    for group in groups.iter_mut().filter(|group| group.label.key == PROBE_TYPE.key) {
+        group.choices.retain(|choice| choice.value == set);
     }
     groups
 }

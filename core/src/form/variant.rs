@@ -5,9 +5,8 @@ use super::codes;
 use super::fields::Group;
 use crate::entry::{Cycle, DigitGroup};
 
-/// Groups of digits with what they are in this number. In a variant each group offers what goes with the groups before
-/// it; one that offers a single value is left out. A number that is no variant shows everything, so that it can be
-/// fixed.
+/// Groups of digits and their values in this number. In a variant each group offers what goes with the groups before
+/// it; one with a single value is left out. A number that is no variant shows everything, so that it can be fixed.
 pub fn groups(cycle: &Cycle, groups: &[DigitGroup], number: i64) -> Vec<Group> {
     let numbers: Vec<i64> = cycle.variants.iter().map(|variant| variant.number).collect();
     let is_variant = numbers.contains(&number);
@@ -32,8 +31,7 @@ fn agree(groups: &[DigitGroup], one: i64, other: i64) -> bool {
     groups.iter().all(|group| group.value(one) == group.value(other))
 }
 
-/// The variant with this digit in the group at `index` that keeps as much of the number as can be, rather its earlier
-/// groups than its later ones.
+/// The variant with this digit in the group at `index` that keeps most of the number, earlier groups before later ones.
 fn nearest(numbers: &[i64], groups: &[DigitGroup], index: usize, value: i64, number: i64) -> Option<i64> {
     let with = numbers.iter().copied().filter(|other| groups[index].value(*other) == value);
     with.min_by_key(|other| {

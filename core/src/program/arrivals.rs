@@ -10,19 +10,16 @@ pub fn arrivals(program: &Program, site: &CallSite) -> Vec<Diagnostic> {
     let line = |origin: &Origin| program.line_of(origin.place.start) + 1;
     let mut notes = Vec::new();
     for (name, origins) in &site.origins {
+        let many = site.is_of_many(name);
         let finding = if site.differs(name) {
             let values = origins.iter().map(|origin| format!("{} ({})", origin.text, line(origin)));
-            let values = listed(values, site.is_of_many(name));
-            own::ARRIVES_DIFFERING.finding().text("values", values)
+            own::ARRIVES_DIFFERING.finding().text("values", listed(values, many))
         } else {
             let lines = origins.iter().map(|origin| line(origin).to_string());
-            let many = site.is_of_many(name);
-            let sentence = if many {
-                own::ARRIVES_MANY
-            } else if origins.iter().all(|origin| origin.own) {
-                own::ARRIVES
-            } else {
-                own::ARRIVES_SHARED
+            let sentence = match origins.iter().all(|origin| origin.own) {
+                _ if many => own::ARRIVES_MANY,
+                true => own::ARRIVES,
+                false => own::ARRIVES_SHARED,
             };
             sentence.finding().text("lines", listed(lines, many))
         };

@@ -33,10 +33,9 @@ fn is_literal(text: &str) -> bool {
 /// The first of these values that is an expression and may be worth something else directly before the call than where
 /// it is written. What is known of its worth is compared afterwards, see [`differs`].
 pub(super) fn moves(program: &Program, site: &CallSite, said: &[Name]) -> Option<Diagnostic> {
-    let name = said
-        .iter()
-        .copied()
-        .find(|name| site.expression(name).is_some_and(|text| text != *name && !stays(program, site, name, text)))?;
+    let moves = |text: &str, name: Name| text != name.as_str() && !stays(program, site, name.as_str(), text);
+    let mut names = said.iter().copied();
+    let name = names.find(|name| site.expression(name).is_some_and(|text| moves(text, *name)))?;
     Some(changing(site, name))
 }
 

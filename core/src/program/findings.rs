@@ -74,10 +74,7 @@ fn foreign_character(program: &Program, error: &SyntaxError) -> Option<Diagnosti
     }
     let rest = program.source.get(error.span.start as usize..)?;
     let text = rest.get(..rest.len().min(4))?;
-    let known = match std::str::from_utf8(text) {
-        Ok(text) => text.chars().next(),
-        Err(wrong) => std::str::from_utf8(text.get(..wrong.valid_up_to())?).ok()?.chars().next(),
-    };
+    let known = text.utf8_chunks().next()?.valid().chars().next();
     let character = known.unwrap_or(char::from(*rest.first()?)); // of an older code page
     if character.is_ascii_graphic() || matches!(character, ' ' | '\t' | '\r' | '\n') {
         return None;

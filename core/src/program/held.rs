@@ -98,11 +98,16 @@ impl Held {
         }
     }
 
+    /// What all have in common.
+    pub fn common<'a, T: PartialEq>(&'a self, of: impl Fn(&'a Value) -> T) -> Option<T> {
+        let (first, rest) = self.all().split_first()?;
+        let common = of(first);
+        rest.iter().all(|other| of(other) == common).then_some(common)
+    }
+
     /// The number, where every way gives the same.
     fn number(&self) -> Option<f64> {
-        let (first, rest) = self.all().split_first()?;
-        let number = first.number?;
-        rest.iter().all(|other| other.number == Some(number)).then_some(number)
+        self.common(|value| value.number)?
     }
 
     /// What holds where two ways meet.

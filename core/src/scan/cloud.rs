@@ -61,8 +61,8 @@ impl Cloud {
     /// Direction out of the surface at a point, of length 1. Where neighbours are missing the surface counts as level.
     pub fn normal(&self, layout: &Layout, index: usize) -> V3 {
         let [ahead, beside, up] = layout.axes.map(|axis| V3::ith(axis, 1.0));
-        let (line, range) = self.line_of(index);
-        let along = self.direction(index, &self.along_line(layout, index, &range));
+        let line = self.lines.partition_point(|first| *first <= index).saturating_sub(1);
+        let along = self.direction(index, &self.along_line(layout, index, &self.points_of(line)));
         let across = self.direction(index, &self.across_lines(layout, index, line));
         let normal = along.unwrap_or(ahead).cross(&across.unwrap_or(beside)).try_normalize(1e-9).unwrap_or(up);
         if normal.dot(&up) < 0.0 { -normal } else { normal }
@@ -70,12 +70,6 @@ impl Cloud {
 
     fn at(&self, index: usize) -> V3 {
         self.points.get(index).copied().unwrap_or_default().into()
-    }
-
-    /// Number of the line of a point among those that have any, and its points.
-    fn line_of(&self, index: usize) -> (usize, Range<usize>) {
-        let line = self.lines.partition_point(|first| *first <= index).saturating_sub(1);
-        (line, self.points_of(line))
     }
 
     fn points_of(&self, line: usize) -> Range<usize> {
@@ -106,15 +100,12 @@ impl Cloud {
         let far = |other: &usize, times: f64| (self.at(*other) - here).norm() >= (times * reach).max(SAME);
         let before = |times| (line.start..index).rev().find(|other| far(other, times));
         let behind = |times| (index + 1..line.end).find(|other| far(other, times));
-        let next = |one: usize| {
-            if one > index { one + 1 < line.end } else { one > line.start }
-        };
-        let beyond = |one: usize| if one > index { one + 1 } else { one - 1 };
+        let beyond = |one: usize| if one > index { Some(one + 1) } else { one.checked_sub(1) };
         match (before(1.0), behind(1.0)) {
             (Some(one), Some(other)) => vec![one, other],
             (Some(one), None) | (None, Some(one)) => {
                 let second = before(2.0).or(behind(2.0)).filter(|two| *two != one);
-                let second = second.or_else(|| next(one).then(|| beyond(one)));
+                let second = second.or_else(|| beyond(one).filter(|two| line.contains(two)));
                 [Some(one), second].into_iter().flatten().collect()
             }
             (None, None) => self.farthest(index, line).into_iter().collect(),

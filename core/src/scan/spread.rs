@@ -9,8 +9,7 @@ const MIXING: usize = 0x9d5b_c3a7;
 pub fn turns(count: usize) -> Vec<usize> {
     let bits = count.next_power_of_two().trailing_zeros();
     let all = 1_usize << bits;
-    // Each bit of the place follows from the turn and the bits above it: the pieces stay, their order in larger ones
-    // does not.
+    // Each bit of a place follows from the turn and the bits above it: pieces stay, but not their order in larger ones.
     let place = |turn: usize| {
         let mixed = turn.wrapping_mul(MIXING);
         let mixed = mixed ^ mixed.wrapping_mul(MIXING << 1);

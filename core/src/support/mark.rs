@@ -51,14 +51,12 @@ impl Mark {
 
     /// The entries of the mask that are others on a machine.
     pub fn mask_changed(&self, now: &Mark) -> Vec<Changed> {
-        let names = (0..ENTRIES).map(name);
-        changed(names, &self.mask, &now.mask)
+        changed((0..ENTRIES).map(name), &self.mask, &now.mask)
     }
 
     /// The kind of tool programming, where it is another on a machine.
     pub fn tools_changed(&self, now: &Mark) -> Vec<Changed> {
-        let names = TOOL_PROGRAMMING.iter().map(|name| (*name).to_owned());
-        changed(names, &self.tools, &now.tools)
+        changed(TOOL_PROGRAMMING.map(str::to_owned).into_iter(), &self.tools, &now.tools)
     }
 }
 

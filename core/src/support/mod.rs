@@ -42,8 +42,7 @@ pub struct Support {
 }
 
 impl Support {
-    /// What counts for a cycle on this machine: nothing where the forms show everything, and nothing for cycles for
-    /// which the support has no form.
+    /// What counts for a cycle on this machine: nothing where forms show everything, or the support has none for it.
     pub fn of(cycle: &Cycle, control: &Control) -> Option<Support> {
         let has_form = cycle.dialect == Dialect::Sinumerik && cycle.purpose.probe != ProbeUse::None;
         (has_form && control.bit(FORMS))

@@ -19,8 +19,7 @@ pub enum Offer {
     None,
 }
 
-/// The correction that is offered where the choice is limited: the radius on milling machines, the length in the
-/// measuring axis on lathes.
+/// The one correction of a limited choice: the radius on milling machines, the length in the measuring axis on lathes.
 pub fn usual(inputs: &Inputs) -> Quantity {
     match inputs.cycle.purpose.machine {
         MachineSort::Turning => Quantity::MeasuringAxis,
@@ -49,12 +48,10 @@ fn tool(code: i64, inputs: &Inputs) -> Offer {
     let Ok(Some(read)) = knum::tool(code, inputs.five_digit_edges) else { return Offer::Same };
     let offered =
         ToolCode { edge: read.edge, quantity: usual(inputs), inverted: false, location: false, environment: false };
-    if read == offered {
-        Offer::Same
-    } else if read.edge == 0 {
-        Offer::None
-    } else {
-        Offer::Instead(knum::tool_code(&offered, inputs.five_digit_edges))
+    match read.edge {
+        _ if read == offered => Offer::Same,
+        0 => Offer::None,
+        _ => Offer::Instead(knum::tool_code(&offered, inputs.five_digit_edges)),
     }
 }
 

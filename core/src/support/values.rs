@@ -18,22 +18,19 @@ pub const BITS: [&str; 2] = [MEAN_BIT, SPEEDS_BIT];
 struct Rule {
     param: Name,
     entries: &'static [usize],
-    value: Instead,
+    /// What is written where there is no field.
+    value: &'static str,
 }
 
-/// What is written where there is no field.
-enum Instead {
-    Number(&'static str),
-    /// `ABS(_TUL-_TLL)/3`.
-    ThirdOfTolerance,
-}
+/// A third of the tolerance, as a formula.
+const THIRD_OF_TOLERANCE: &str = "ABS(_TUL-_TLL)/3";
 
 const RULES: &[Rule] = &[
-    Rule { param: names::VMS, entries: &[FEED], value: Instead::Number("0") },
-    Rule { param: names::NMSP, entries: &[FEED], value: Instead::Number("1") },
-    Rule { param: names::EVNUM, entries: &[EMPIRICAL, MEAN], value: Instead::Number("0") },
-    Rule { param: names::TMV, entries: &[MEAN], value: Instead::ThirdOfTolerance },
-    Rule { param: names::K, entries: &[MEAN], value: Instead::Number("1") },
+    Rule { param: names::VMS, entries: &[FEED], value: "0" },
+    Rule { param: names::NMSP, entries: &[FEED], value: "1" },
+    Rule { param: names::EVNUM, entries: &[EMPIRICAL, MEAN], value: "0" },
+    Rule { param: names::TMV, entries: &[MEAN], value: THIRD_OF_TOLERANCE },
+    Rule { param: names::K, entries: &[MEAN], value: "1" },
 ];
 
 /// What a form with these settings holds.
@@ -107,8 +104,8 @@ impl Support {
     fn forced(&self, param: &Param, inputs: &Inputs, typed: &Typed, control: &Control) -> Option<String> {
         if let Some(rule) = rule(param).filter(|rule| self.without_field(rule, inputs)) {
             return match rule.value {
-                Instead::Number(number) => Some(number.to_owned()),
-                Instead::ThirdOfTolerance => third_of_tolerance(inputs.cycle, typed, control),
+                THIRD_OF_TOLERANCE => third_of_tolerance(inputs.cycle, typed, control),
+                number => Some(number.to_owned()),
             };
         }
         if param.name == names::PRNUM {
@@ -163,7 +160,7 @@ fn third_of_tolerance(cycle: &Cycle, typed: &Typed, control: &Control) -> Option
     };
     match (limit(names::TUL.as_str())?, limit(names::TLL.as_str())?) {
         (Parsed::Number(upper), Parsed::Number(lower)) => Some(decimal((upper - lower).abs() / 3.0)),
-        _ => Some(format!("ABS({}-{})/3", names::TUL, names::TLL)),
+        _ => Some(THIRD_OF_TOLERANCE.to_owned()),
     }
 }
 

@@ -14,12 +14,9 @@ pub(super) fn decimal(text: &[u8]) -> Option<(f64, usize)> {
 pub(super) fn with_exponent(text: &[u8]) -> Option<(f64, usize)> {
     let (value, length) = decimal(text)?;
     let rest = text.get(length..).unwrap_or_default();
-    if !rest.get(..2).is_some_and(|word| word.eq_ignore_ascii_case(b"EX")) {
-        return Some((value, length));
-    }
     let sign = usize::from(matches!(rest.get(2), Some(b'+' | b'-')));
-    let digits = rest.get(2 + sign..).unwrap_or_default().iter().take_while(|byte| byte.is_ascii_digit()).count();
-    if digits == 0 {
+    let digits = rest.iter().skip(2 + sign).take_while(|byte| byte.is_ascii_digit()).count();
+    if digits == 0 || !rest.get(..2).is_some_and(|word| word.eq_ignore_ascii_case(b"EX")) {
         return Some((value, length));
     }
     let end = length + 2 + sign + digits;

@@ -104,12 +104,9 @@ impl<'a> Reader<'a> {
     pub fn take(&mut self, wanted: u8) -> bool {
         let start = self.at;
         self.blanks();
-        if !self.done() && self.byte(0) == wanted {
-            self.at += 1;
-            return true;
-        }
-        self.at = start;
-        false
+        let found = self.byte(0) == wanted;
+        self.at = if found { self.at + 1 } else { start };
+        found
     }
 
     pub fn name(&mut self) -> Span {

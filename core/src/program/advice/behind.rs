@@ -118,8 +118,7 @@ impl Rules<'_> {
         pending.retain(|index, waiting| {
             let Some(corrected) = self.corrected.get(index) else { return false };
             match corrected.function {
-                // Who leaves the old one for another moves in it no more; who never was in it may have taken the
-                // wrong one.
+                // Who leaves the old one moves in it no more; who never was in it may have taken the wrong one.
                 Some(function) if function != code => {
                     waiting.other = (code != 500).then_some(code).or(waiting.other);
                     !corrected.in_force()

@@ -89,12 +89,10 @@ fn doubt(seen: &Seen, param: &'static Param, level: Level, site: &CallSite, ther
     if before == now || !counts(seen, param, site, (&before, &now)) {
         return None;
     }
-    let sentence = if before.unit != now.unit {
-        own::ADVICE_INHERITED
-    } else if level == Level::Required {
-        own::ADVICE_INHERITED_MEANING
-    } else {
-        own::ADVICE_INHERITED_MEANING.as_note()
+    let sentence = match level {
+        _ if before.unit != now.unit => own::ADVICE_INHERITED,
+        Level::Required => own::ADVICE_INHERITED_MEANING,
+        _ => own::ADVICE_INHERITED_MEANING.as_note(),
     };
     let finding = sentence
         .finding()

@@ -35,7 +35,7 @@ impl Walk<'_> {
         let refused = refused(cycle, list, count(&arguments), |index| arguments::number(&arguments, index));
         let called = Called { cycle, span, list, refused };
         let given = match list {
-            Some(list) => self.listed(place, cycle, list, span, &arguments),
+            Some(list) => self.listed(place, &called, list, &arguments),
             None => self.assigned(place, cycle),
         };
         self.meet_call(place, &called, given);
@@ -51,15 +51,9 @@ impl Walk<'_> {
     }
 
     /// The values of a call with arguments.
-    fn listed(
-        &mut self,
-        place: &mut Place,
-        cycle: &'static Cycle,
-        list: &ArgumentList,
-        span: Span,
-        arguments: &[Option<Value>],
-    ) -> Given {
-        let values = arguments::given(cycle, list, span, arguments);
+    fn listed(&mut self, place: &mut Place, call: &Called, list: &ArgumentList, arguments: &[Option<Value>]) -> Given {
+        let cycle = call.cycle;
+        let values = arguments::given(cycle, list, call.span, arguments);
         if list.style == Style::Indirect {
             // The called program puts every argument into the data, also those that are omitted.
             for (name, value) in values {

@@ -32,7 +32,7 @@ impl Walk<'_> {
     /// The macro that a G function calls, G65 by the number at P (C:58), with the place of the words that name it.
     fn macro_call(&self, place: &Place, code: f64, block: &Block, span: Span) -> Option<(&'static Cycle, Span)> {
         if code != 65.0 {
-            let cycle = catalogue::find(self.program.dialect, &format!("G{code}"))?;
+            let cycle = by_function(self.program, code)?;
             return (!foreign(self.program, cycle, block)).then_some((cycle, span));
         }
         let (named, number) = self.program.words_of(block).iter().find_map(|word| {
@@ -71,14 +71,17 @@ pub fn of_another_control(program: &Program) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     for block in &program.blocks {
         for word in program.words_of(block) {
-            let cycle =
-                program.literal(word, "G").and_then(|code| catalogue::find(program.dialect, &format!("G{code}")));
-            if let Some(cycle) = cycle.filter(|cycle| foreign(program, cycle, block)) {
-                found.push(cycle.foreign().on(word.span));
-            }
+            let cycle = program.literal(word, "G").and_then(|code| by_function(program, code));
+            let cycle = cycle.filter(|cycle| foreign(program, cycle, block));
+            found.extend(cycle.map(|cycle| cycle.foreign().on(word.span)));
         }
     }
     found
+}
+
+/// The macro that a G function calls.
+fn by_function(program: &Program, code: f64) -> Option<&'static Cycle> {
+    catalogue::find(program.dialect, &format!("G{code}"))
 }
 
 /// Plane and units by the G functions before the call.

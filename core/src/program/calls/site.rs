@@ -48,7 +48,7 @@ impl Walk<'_> {
     /// A way comes to a measuring call with these values.
     pub(super) fn meet_call(&mut self, place: &Place, called: &Called, given: Given) {
         let span = called.span;
-        let shown = |(name, held): &(Name, Held)| (name.to_string(), shown(self.program, name, held.all()));
+        let shown = |(name, held): &(Name, Held)| (name.to_string(), shown(self.program, name, held));
         let values: Typed = given.iter().map(shown).collect();
         let mut found = std::mem::take(&mut self.found);
         if self.around.several() {
@@ -98,7 +98,7 @@ impl Walk<'_> {
         };
         let unit = self.around.unit(span);
         for (name, held) in given {
-            if let Some(at) = one_place(held.all()) {
+            if let Some(at) = held.common(|value| value.place) {
                 site.places.insert(*name, at);
                 if at.start >= site.own_from && at.start < unit.end {
                     site.first_line = site.first_line.min(self.program.line_of(at.start));
@@ -199,19 +199,19 @@ impl Walk<'_> {
                     own: own(value.source().start),
                 };
                 let mut origins: Vec<Origin> = all.iter().map(origin).collect();
-                let first = arrives_first(all, &self.first_numbers, origin);
+                let first = arrives_first(held, &self.first_numbers, origin);
                 site.first.extend(first.map(|first| (*name, first)));
-                site.expressions.extend(expression(all).map(|text| (name.to_string(), text)));
+                site.expressions.extend(expression(held).map(|text| (name.to_string(), text)));
                 if all.len() < 2 && all.iter().all(|value| unit.holds(value.source())) {
                     continue;
                 }
                 if all.len() > 1 {
-                    let text = shown(self.program, name, all);
+                    let text = shown(self.program, name, held);
                     if site.values.get(name.as_str()) != Some(&text) {
                         keep(&mut site);
                         site.values.insert((*name).to_string(), text);
                     }
-                    if one_place(all).is_none() {
+                    if held.common(|value| value.place).is_none() {
                         site.places.remove(name);
                     }
                 }
@@ -227,15 +227,15 @@ impl Walk<'_> {
 
 /// Of values that differ by the way or the pass, the one that arrives first; `numbers` are those of the first pass.
 fn arrives_first(
-    values: &[Rc<Value>],
+    held: &Held,
     numbers: &HashMap<u32, Option<f64>>,
     origin: impl Fn(&Rc<Value>) -> Origin,
 ) -> Option<Origin> {
-    let (first, rest) = values.split_first()?;
+    let first = held.all().first()?;
     if let (None, Some(Some(number))) = (first.number, numbers.get(&first.place.start)) {
         return Some(Origin { text: number.to_string(), ..origin(first) });
     }
-    rest.iter().any(|other| other.text != first.text).then(|| origin(first))
+    held.common(|value| &value.text).is_none().then(|| origin(first))
 }
 
 /// Another way to a call: what the first one does not give, no form shows.
@@ -255,28 +255,18 @@ fn keep(site: &mut CallSite) {
 }
 
 /// What a form shows where one of these arrives.
-fn shown(program: &Program, name: &str, values: &[Rc<Value>]) -> String {
-    let Some((first, rest)) = values.split_first() else { return String::new() };
-    if rest.iter().all(|other| other.text == first.text) {
-        return first.text.clone();
-    }
-    match one_place(values) {
-        Some(place) => program.written(place).trim().to_owned(),
-        None => name.to_owned(),
+fn shown(program: &Program, name: &str, held: &Held) -> String {
+    match (held.common(|value| &value.text), held.common(|value| value.place)) {
+        (Some(text), _) => text.clone(),
+        (None, Some(place)) => program.written(place).trim().to_owned(),
+        (None, None) => name.to_owned(),
     }
 }
 
 /// The expression whose worth these are, where they are written in one place and worth the same.
-fn expression(values: &[Rc<Value>]) -> Option<String> {
-    let (first, rest) = values.split_first()?;
-    one_place(values).filter(|_| rest.iter().all(|other| other.text == first.text))?;
-    first.expression.clone()
-}
-
-/// The assignment of all values, where it is the same.
-fn one_place(values: &[Rc<Value>]) -> Option<Span> {
-    let (first, rest) = values.split_first()?;
-    rest.iter().all(|other| other.place == first.place).then_some(first.place)
+fn expression(held: &Held) -> Option<String> {
+    held.common(|value| (value.place, &value.text))?;
+    held.all().first()?.expression.clone()
 }
 
 /// Findings about the values of a way, each at its value. Of several that may arrive each is checked by itself.

@@ -1,7 +1,6 @@
 //! What the words of a block put in force.
 
 use super::state::{Mode, State, Tool};
-use crate::diagnostic::Span;
 use crate::program::words::{Setting, setting};
 use crate::syntax::fold::Known;
 use crate::syntax::{Expr, ExprId, Program, Word, WordKind, fold};
@@ -48,10 +47,7 @@ impl<'a> Forces<'a> {
         if let Some(Expr::Text(name)) = self.program.expr(value) {
             return Mode::Is(Tool::Name(self.program.name(*name)));
         }
-        match self.whole(value, known) {
-            Some(number) => Mode::Is(Tool::Number(number)),
-            None => Mode::Open,
-        }
+        self.whole(value, known).map_or(Mode::Open, |number| Mode::Is(Tool::Number(number)))
     }
 
     fn word(&self, state: &mut State, word: &Word, known: Known) {
@@ -60,7 +56,7 @@ impl<'a> Forces<'a> {
                 let number = |value| self.whole(value, known);
                 match self.program.text(*name) {
                     b"D" | b"d" => state.correct(number(*value).map_or(Mode::Open, Mode::Is)),
-                    b"G" | b"g" => function(state, number(*value), word.span),
+                    b"G" | b"g" => number(*value).into_iter().for_each(|code| state.function(code, word.span)),
                     b"M" | b"m" if extension.is_none() => {
                         number(*value).into_iter().for_each(|code| state.machine(code));
                     }
@@ -81,12 +77,6 @@ impl<'a> Forces<'a> {
     fn whole(&self, value: ExprId, known: Known) -> Option<i64> {
         let number = fold::number(self.program, value, known)?;
         (number.fract() == 0.0).then_some(number as i64)
-    }
-}
-
-fn function(state: &mut State, code: Option<i64>, at: Span) {
-    if let Some(code) = code.and_then(|code| u16::try_from(code).ok()) {
-        state.function(code, at);
     }
 }
 

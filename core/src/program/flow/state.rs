@@ -137,7 +137,8 @@ impl State {
     }
 
     /// A G function, and its place.
-    pub fn function(&mut self, code: u16, at: Span) {
+    pub fn function(&mut self, code: i64, at: Span) {
+        let Ok(code) = u16::try_from(code) else { return };
         match code {
             17..=19 => self.plane = Plane::of(code).map_or(Mode::Open, Mode::Is),
             40..=42 => self.compensation = Mode::Is(Compensation { code, at }),
