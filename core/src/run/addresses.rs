@@ -14,16 +14,15 @@ pub fn take(run: &mut Interpreter, address: &Address, path: &mut Path) -> Result
     let name = address.name.as_str();
     match name {
         "X" | "Y" | "Z" if address.extension.is_none() => {
-            put(&mut path.axes, AXES.iter().position(|axis| *axis == name), coordinate(address, factor)?);
+            put(&mut path.axes, AXES, name, coordinate(address, factor)?);
         }
         "I" | "J" | "K" => {
-            let axis = ["I", "J", "K"].iter().position(|centre| *centre == name);
             let list = match address.extension {
                 None => &mut path.centre,
                 Some(1) => &mut path.middle,
                 Some(_) => return Err(Problem::new("run-unknown-word", address.span, name)),
             };
-            put(list, axis, coordinate(address, factor)?);
+            put(list, ["I", "J", "K"], name, coordinate(address, factor)?);
         }
         "AP" => path.polar.angle = Some(coordinate(address, 1.0)?),
         "RP" => path.polar.radius = Some(coordinate(address, factor)?),
@@ -61,8 +60,10 @@ pub fn take(run: &mut Interpreter, address: &Address, path: &mut Path) -> Result
     Ok(())
 }
 
-fn put(list: &mut [Option<Coordinate>; 3], axis: Option<usize>, coordinate: Coordinate) {
-    if let Some(place) = axis.and_then(|axis| list.get_mut(axis)) {
+/// Puts a coordinate where its name stands among those of the axes.
+fn put(list: &mut [Option<Coordinate>; 3], names: [&str; 3], name: &str, coordinate: Coordinate) {
+    let mut places = list.iter_mut().zip(names);
+    if let Some((place, _)) = places.find(|(_, one)| *one == name) {
         *place = Some(coordinate);
     }
 }

@@ -12,7 +12,6 @@ const NO_ANGLE: f64 = 1e-9;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Arc {
     pub centre: [f64; 2],
-    pub start: [f64; 2],
     pub end: [f64; 2],
     /// Angle from start to end, radian, counter-clockwise positive; whole turns included.
     pub sweep: f64,
@@ -25,7 +24,7 @@ impl Arc {
         if from <= 0.0 || (from - to).abs() > TOLERANCE {
             return None;
         }
-        Some(Arc { centre, start, end, sweep: sweep(direction(centre, end) - direction(centre, start), counter) })
+        Some(Arc { centre, end, sweep: sweep(direction(centre, end) - direction(centre, start), counter) })
     }
 
     /// The arc with a radius, negative for more than a half circle.

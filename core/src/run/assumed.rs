@@ -39,9 +39,11 @@ pub struct Assumed {
 /// Runs a program on a machine that fits it.
 pub fn run(program: &Program, limits: Limits) -> Assumed {
     let mut setup = start(program);
-    let mut session = Session::assuming(program.clone(), &setup, limits);
+    let mut session = Session::new(program.clone(), &setup, limits);
+    session.run.assumed = Some(Made::default());
     while !session.advance(usize::MAX) {}
-    let (mut outcome, made) = session.assumed();
+    let made = session.run.assumed.take().unwrap_or_default();
+    let mut outcome = session.outcome();
     let mut told = vec![machine(&setup)];
     for ((tool, edge), data) in made.tools {
         let name = outcome.control.tools.get(&tool).map_or(String::new(), |tool| tool.name.clone());
@@ -62,13 +64,12 @@ pub fn run(program: &Program, limits: Limits) -> Assumed {
 /// The machine that the calls need, before its first block.
 fn start(program: &Program) -> Setup {
     let sites = calls(program);
-    let turning = sites.iter().find(|site| site.cycle.purpose.machine == MachineSort::Turning);
-    let plane = turning.and_then(|site| site.cycle.purpose.machine.plane());
-    let mut setup = Setup::calibrated(program.dialect, plane.unwrap_or(Plane::G17));
+    let turning = sites.iter().any(|site| site.cycle.purpose.machine == MachineSort::Turning);
+    let mut setup = Setup::calibrated(program.dialect, if turning { Plane::G18 } else { Plane::G17 });
     for site in sites.iter().rev() {
         setup.suit(site.cycle, variants::chosen(site.cycle, &site.values, &setup.control).unwrap_or(0));
     }
-    if turning.is_some() {
+    if turning {
         setup.position = Mcs([250.0, 0.0, 250.0]); // no program of a lathe moves along Y
     }
     let first = sites.iter().find(|site| site.cycle.purpose.probe != ProbeUse::None);

@@ -113,7 +113,7 @@ pub fn run(program: &Program, setup: &Setup, limits: Limits) -> Outcome {
 
 /// A run that can be halted between two blocks and goes on later.
 pub struct Session {
-    run: Interpreter,
+    pub(super) run: Interpreter,
     before: Setup,
     /// How much of the main program lies behind it, 0 to 1; loops and jumps back do not make it less.
     pub share: f64,
@@ -124,19 +124,6 @@ impl Session {
     /// A run before its first block.
     pub fn new(program: Program, setup: &Setup, limits: Limits) -> Session {
         Session { run: Interpreter::new(program, setup, limits), before: setup.clone(), share: 0.0, ended: None }
-    }
-
-    /// A run of a program that came without a machine, before its first block: what it needs beyond the setup is made.
-    pub(super) fn assuming(program: Program, setup: &Setup, limits: Limits) -> Session {
-        let mut session = Session::new(program, setup, limits);
-        session.run.assumed = Some(Made::default());
-        session
-    }
-
-    /// What came out, and what was made.
-    pub(super) fn assumed(mut self) -> (Outcome, Made) {
-        let made = self.run.assumed.take().unwrap_or_default();
-        (self.outcome(), made)
     }
 
     /// Carries out about this much work; true: the run is over.

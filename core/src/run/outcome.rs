@@ -129,10 +129,7 @@ impl Outcome {
 
     /// Lines of the measuring log or print-out, and blocks that were sent, in order.
     pub fn log(&self) -> Vec<&str> {
-        self.told(|step| match step {
-            Step::Log { text } | Step::Sent { text } => Some(text.as_str()),
-            _ => None,
-        })
+        self.told(|step| if let Step::Log { text } | Step::Sent { text } = step { Some(text.as_str()) } else { None })
     }
 
     /// Lines of the measuring log or print-out alone.

@@ -41,12 +41,10 @@ pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem>
         return Ok(Datum::Number(*value));
     }
     let value = tool(run, key).or_else(|| position(run, key)).or_else(|| state(run, key)).or_else(|| total(run, key));
-    if let (None, Some(problem)) = (value, absent(run, key, place)) {
-        return Err(problem);
-    }
     let latched = LATCHED.iter().any(|stem| key.starts_with(stem));
     let unknown = if latched { "run-not-measured" } else { "run-system-variable" };
-    value.map(Datum::Number).ok_or_else(|| Problem::new(unknown, place, key))
+    let problem = || absent(run, key, place).unwrap_or_else(|| Problem::new(unknown, place, key));
+    value.map(Datum::Number).ok_or_else(problem)
 }
 
 /// Data of a tool, or of an edge, that is not there: `$TC_DP6[5,1]`, `$TC_TP2[5]`.

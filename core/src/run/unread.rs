@@ -13,7 +13,6 @@ use crate::problem::Problem;
 use crate::program::not_understood;
 use crate::syntax::{Program, tree::Word, tree::WordKind};
 use std::collections::BTreeMap;
-use std::rc::Rc;
 
 /// What is not known, as a program names it (`_FA`, `_SETV[0]`, `R5`, `X`), with the word that would have written it.
 pub type Unread = BTreeMap<String, Span>;
@@ -69,23 +68,21 @@ pub fn leave_axes(run: &mut Interpreter, found: &Words) {
 }
 
 /// Findings of reading by their blocks.
-pub type Errors = BTreeMap<usize, Vec<usize>>;
+pub type Errors = BTreeMap<usize, Vec<Diagnostic>>;
 
 /// Where reading found what.
 pub fn errors(program: &Program) -> Errors {
     let mut found = Errors::new();
-    for (at, error) in program.errors.iter().enumerate() {
-        found.entry(program.line_of(error.span.start) as usize).or_default().push(at);
+    for error in &program.errors {
+        let block = program.line_of(error.span.start) as usize;
+        found.entry(block).or_default().push(not_understood(program, error));
     }
     found
 }
 
-/// Tells what reading found in a block.
+/// Tells what reading found in a block, when it comes for the first time.
 pub fn tell(run: &mut Interpreter, at: usize) {
-    let program = Rc::clone(&run.program);
-    let errors = run.errors.get(&at).into_iter().flatten().filter_map(|error| program.errors.get(*error));
-    let found: Vec<_> = errors.map(|error| not_understood(&program, error)).collect();
-    for one in found {
+    for one in run.errors.remove(&at).unwrap_or_default() {
         run.tell_once(one);
     }
 }
