@@ -99,8 +99,8 @@ fn mirrored(mirror: [bool; 3], plane: Plane, inputs: &Inputs, turned: [f64; 3], 
     setup
 }
 
-/// To the start of a call, which lies at the zero but in the measuring axis. Without a setpoint position both points are
-/// in the measuring path from there.
+/// To the start of a call, which lies at the zero but in the measuring axis. Without a setpoint position both points
+/// are in the measuring path from there.
 fn stand(setup: &mut Setup, inputs: &Inputs) {
     let measuring = Surface::of(inputs).unwrap().measuring;
     let mut start = [0.0; 3];
