@@ -1,12 +1,9 @@
 //! CYCLE118(PAR1,PAR2,PAR3,PAR4,PAR5): makes texts of real numbers with so many decimals (B:11262-11320): of one
 //! number, or of up to ten that stand in consecutive R parameters.
 
-use super::common::{ALWAYS_REQUIRED, PARAM, alarms, integer, optional, required};
 use super::logging;
 use super::logging::cells::{CELL, ROW, cells, left};
 use crate::catalogue::prelude::*;
-use crate::picture::figures::{dimension, line};
-use crate::picture::{Picture, View};
 
 /// The number.
 const NUMBER: Name = Name::new("PAR1");
@@ -64,42 +61,30 @@ pub static CYCLE118: Cycle = Cycle {
 /// The example is that of the manual, B:11296-11308.
 const PARAMS: &[Param] = &[
     Param {
-        name: NUMBER,
-        key: "118-number",
         needs: &[optional(MANY, "need-118-registers"), required(When::Always, "need-118-one")],
         example: "31.830988618",
-        source: "B:11288",
-        ..PARAM
+        ..param(NUMBER, "118-number", "B:11288")
     },
     Param {
-        name: DECIMALS,
-        key: "118-decimals",
         kind: Kind::Integer,
         range: Range::NOT_NEGATIVE,
         usual: Range::closed(0.0, 6.0),
         needs: ALWAYS_REQUIRED,
         example: "2",
-        source: "B:11289",
-        ..PARAM
+        ..param(DECIMALS, "118-decimals", "B:11289")
     },
     Param {
-        name: COUNT,
-        key: "118-count",
         kind: Kind::Integer,
         range: Range::closed(1.0, MOST),
         alarm: Some(alarms([61362])[0]),
         needs: &[optional(When::Always, "need-118-count")],
-        source: "B:11291;A:15904",
-        ..PARAM
+        ..param(COUNT, "118-count", "B:11291;A:15904")
     },
     Param {
-        name: REGISTER,
-        key: "118-register",
         kind: Kind::Integer,
         range: Range::NOT_NEGATIVE,
         needs: &[required(MANY, "need-118-registers")],
-        source: "B:11292",
-        ..PARAM
+        ..param(REGISTER, "118-register", "B:11292")
     },
 ];
 

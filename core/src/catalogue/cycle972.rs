@@ -4,7 +4,7 @@
 #[cfg(test)]
 mod tests;
 
-use crate::catalogue::common::{alarms, integer, length};
+use crate::catalogue::common::length;
 use crate::catalogue::cycle982::params::{ABSCISSA, ORDINATE};
 use crate::catalogue::cycle982::{picture, propose, simulate as measuring};
 use crate::catalogue::prelude::*;

@@ -7,9 +7,6 @@ use super::nct::plane_axis::{X, Y, Z, depth_mark, index, nominal};
 use super::nct::walls::{Walls, chord, depth, from_outside, home};
 use super::nct::{FORMAT_ERROR, axis_of, checks, correct, figures, params, part, plane_axis, walls};
 use crate::catalogue::prelude::*;
-use crate::check::error;
-use crate::entry::stage::{Look, Seen, Staging};
-use crate::entry::*;
 
 /// The stylus stands between the walls.
 pub const POCKET: i64 = walls::INSIDE;

@@ -4,16 +4,11 @@
 #[cfg(test)]
 mod tests;
 
-use super::common::{CYCLE, PARAM, alarms, integer, length, required};
-use super::sinumerik::results;
+use super::common::{CYCLE, length};
 use super::spread;
 use crate::catalogue::prelude::*;
-use crate::control::MachineSort;
-use crate::entry::*;
 use crate::evaluate;
 use crate::geometry::fit;
-use crate::picture::figures::{circle, dimension};
-use crate::picture::{Picture, View};
 
 /// The cycle. Example: that of the manual, B:2456-2466.
 pub static CYCLE116: Cycle = Cycle {
@@ -49,21 +44,20 @@ pub static CYCLE116: Cycle = Cycle {
     ..CYCLE
 };
 
-/// The points that are given completely, with the names of their coordinates.
-fn points(inputs: &Inputs) -> Vec<([Name; 2], [f64; 2])> {
+/// The names of the coordinates of the points that are given completely, and where these are.
+fn points(inputs: &Inputs) -> (Vec<[Name; 2]>, Vec<[f64; 2]>) {
     let count = inputs.integer(COUNT).clamp(3, 4) as usize;
     let given = |names: &[Name; 2]| {
         let [x, y] = names.map(|name| inputs.given(name));
         Some((*names, [x?, y?]))
     };
-    POINTS[..count].iter().filter_map(given).collect()
+    POINTS[..count].iter().filter_map(given).unzip()
 }
 
 /// Points in line or upon each other: the cycle gives 61316 back (B:2447-2448). Close together they determine it badly.
 fn checks(inputs: &Inputs, _: &Control, found: &mut Vec<Diagnostic>) {
-    let points = points(inputs);
-    let complete = inputs.given(COUNT) == Some(points.len() as f64);
-    let places: Vec<[f64; 2]> = points.iter().map(|(_, place)| *place).collect();
+    let (_, places) = points(inputs);
+    let complete = inputs.given(COUNT) == Some(places.len() as f64);
     let at = POINTS[0][0];
     match fit::circle(&places) {
         _ if !complete => {}
@@ -79,8 +73,7 @@ fn checks(inputs: &Inputs, _: &Control, found: &mut Vec<Diagnostic>) {
 
 /// The points with their coordinates, and the circle through them.
 fn picture(inputs: &Inputs) -> Picture {
-    let points = points(inputs);
-    let places: Vec<[f64; 2]> = points.iter().map(|(_, place)| *place).collect();
+    let (names, places) = points(inputs);
     let found = fit::circle(&places);
     let size = found.map_or(10.0, |(_, radius)| radius);
     let mut shapes = Vec::new();
@@ -88,7 +81,7 @@ fn picture(inputs: &Inputs) -> Picture {
         shapes.push(circle(ShapeKind::Edge, centre, radius).of(COUNT));
         shapes.push(circle(ShapeKind::Axis, centre, radius / 40.0));
     }
-    for ([abscissa, ordinate], [x, y]) in points {
+    for ([abscissa, ordinate], [x, y]) in names.into_iter().zip(places) {
         shapes.push(dimension(abscissa, [0.0, y], [x, y]));
         shapes.push(dimension(ordinate, [x, 0.0], [x, y]));
         shapes.push(circle(ShapeKind::Touch, [x, y], size / 25.0));
@@ -106,46 +99,37 @@ const POINTS: [[Name; 2]; 4] = [
     [Name::new("_DATE[7]"), Name::new("_DATE[8]")],
 ];
 
+const NEEDED: &[Need] = &[required(When::Always, "need-116-points")];
 const FOUR: When = When::Number { param: COUNT, is: &[4.0] };
 
 /// The elements of the array that the program hands over (B:2430-2438), in their order.
 const PARAMS: &[Param] = &[
     Param {
-        name: COUNT,
-        key: "116-count",
         kind: Kind::Choice(&[(3, "cycle116-three"), (4, "cycle116-four")]),
         alarm: Some(Code::Alarm(61317)),
-        needs: &[required(When::Always, "need-116-points")],
+        needs: NEEDED,
         example: "3",
-        source: "B:2430;A:15858",
-        ..PARAM
+        ..param(COUNT, "116-count", "B:2430;A:15858")
     },
-    abscissa(0, "0", "B:2431"),
-    ordinate(0, "10", "B:2432"),
-    abscissa(1, "-10", "B:2433"),
-    ordinate(1, "0", "B:2434"),
-    abscissa(2, "0", "B:2435"),
-    ordinate(2, "-10", "B:2436"),
-    Param { needs: &[required(FOUR, "need-116-fourth")], ..abscissa(3, "", "B:2437") },
-    Param { needs: &[required(FOUR, "need-116-fourth")], ..ordinate(3, "", "B:2438") },
+    coordinate(0, 0, "0", "B:2431"),
+    coordinate(0, 1, "10", "B:2432"),
+    coordinate(1, 0, "-10", "B:2433"),
+    coordinate(1, 1, "0", "B:2434"),
+    coordinate(2, 0, "0", "B:2435"),
+    coordinate(2, 1, "-10", "B:2436"),
+    Param { needs: &[required(FOUR, "need-116-fourth")], ..coordinate(3, 0, "", "B:2437") },
+    Param { needs: &[required(FOUR, "need-116-fourth")], ..coordinate(3, 1, "", "B:2438") },
 ];
 
-const fn abscissa(point: usize, example: &'static str, source: &'static str) -> Param {
-    Param { name: POINTS[point][0], key: "116-abscissa", example, source, ..COORDINATE }
+/// Abscissa (0) or ordinate (1) of a point. The unit is not named; the result has the same (B:2431-2446).
+const fn coordinate(point: usize, axis: usize, example: &'static str, source: &'static str) -> Param {
+    Param {
+        unit: Unit::ActiveLength,
+        needs: NEEDED,
+        example,
+        ..param(POINTS[point][axis], ["116-abscissa", "116-ordinate"][axis], source)
+    }
 }
-
-const fn ordinate(point: usize, example: &'static str, source: &'static str) -> Param {
-    Param { name: POINTS[point][1], key: "116-ordinate", example, source, ..COORDINATE }
-}
-
-/// The unit is not named; the result has the same (B:2431-2446).
-const COORDINATE: Param =
-    Param { unit: Unit::ActiveLength, needs: &[required(When::Always, "need-116-points")], ..PARAM };
-
-/// No circle through the points (A:15857).
-const NO_CIRCLE: u32 = 61316;
-/// The number of points is neither 3 nor 4 (A:15858).
-const NUMBER: u32 = 61317;
 
 /// What it computes and hands back (B:2440-2448), stopping no program: centre, radius and status into the array, the
 /// number of the alarm beside it.
@@ -162,13 +146,13 @@ fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     Ok(())
 }
 
-/// Centre and radius, mm. Error: number of the alarm.
+/// Centre and radius, mm. Error: 61317 for neither 3 nor 4 points (A:15858), 61316 without a circle through them (A:15857).
 fn computed(inputs: &Inputs) -> Result<([f64; 2], f64), u32> {
     let count = inputs.number(COUNT);
     if count != 3.0 && count != 4.0 {
-        return Err(NUMBER);
+        return Err(61317);
     }
-    let places: Vec<[f64; 2]> = points(inputs).iter().map(|(_, place)| *place).collect();
+    let (_, places) = points(inputs);
     let complete = places.len() as f64 == count;
-    complete.then(|| fit::circle(&places)).flatten().ok_or(NO_CIRCLE)
+    complete.then(|| fit::circle(&places)).flatten().ok_or(61316)
 }

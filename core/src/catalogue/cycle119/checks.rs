@@ -3,8 +3,7 @@
 use super::params::{MEASURED, Names, SET, TARGET};
 use crate::catalogue::prelude::*;
 use crate::catalogue::spread;
-use crate::check::error;
-use crate::geometry::{V3, fit};
+use crate::geometry::fit;
 
 /// Points that make no triangle determine no frame: the cycle hands 61411 back. A corrected frame has to take a
 /// rotation.
@@ -13,9 +12,8 @@ pub fn checks(inputs: &Inputs, _: &Control, found: &mut Vec<Diagnostic>) {
     for (names, key) in [(SET, "check-119-set-line"), (MEASURED, "check-119-measured-line")] {
         let Some(points) = points(inputs, names) else { continue };
         if fit::in_line(points) {
-            found.push(
-                error(Code::Alarm(61411), Message::new(key)).hint(Message::new("check-119-line-hint")).at(names[2][0]),
-            );
+            let hint = Message::new("check-119-line-hint");
+            found.push(error(Code::Alarm(61411), Message::new(key)).hint(hint).at(names[2][0]));
         } else if names == SET {
             found.extend(spread::triangle(points, names[2][0]));
         }

@@ -1,6 +1,6 @@
 //! The arrays that the program hands over, and what is to be done with the frame (B:8560-8576).
 
-use crate::catalogue::common::{ALWAYS_REQUIRED, KNUM_ZERO, PARAM, required};
+use crate::catalogue::common::KNUM_ZERO;
 use crate::catalogue::prelude::*;
 
 /// Frame to be corrected, as `_KNUM` of a zero offset.
@@ -46,36 +46,25 @@ pub const PARAMS: &[Param] = &[
     measured(2, 2, "30"),
     Param { name: TARGET, example: "1", source: "B:8566-8572", ..KNUM_ZERO },
     Param {
-        name: LIMIT,
-        key: "119-limit",
         unit: Unit::BasicLength,
         range: Range::POSITIVE,
         needs: &[required(When::Given(TARGET), "need-119-corrected")],
         example: "1.2",
-        source: "B:8573;A:9412",
-        ..PARAM
+        ..param(LIMIT, "119-limit", "B:8573;A:9412")
     },
 ];
 
 const fn set(point: usize, axis: usize, example: &'static str) -> Param {
-    Param {
-        name: SET[point][axis],
-        key: ["119-set-x", "119-set-y", "119-set-z"][axis],
-        example,
-        source: "B:8563-8564",
-        ..COORDINATE
-    }
+    let key = ["119-set-x", "119-set-y", "119-set-z"][axis];
+    coordinate(SET[point][axis], key, example, "B:8563-8564")
 }
 
 const fn measured(point: usize, axis: usize, example: &'static str) -> Param {
-    Param {
-        name: MEASURED[point][axis],
-        key: ["119-measured-x", "119-measured-y", "119-measured-z"][axis],
-        example,
-        source: "B:8565",
-        ..COORDINATE
-    }
+    let key = ["119-measured-x", "119-measured-y", "119-measured-z"][axis];
+    coordinate(MEASURED[point][axis], key, example, "B:8565")
 }
 
-/// Workpiece coordinates; the unit is not named (B:8563-8565).
-const COORDINATE: Param = Param { unit: Unit::ActiveLength, needs: ALWAYS_REQUIRED, ..PARAM };
+/// Workpiece coordinate; the unit is not named (B:8563-8565).
+const fn coordinate(name: Name, key: &'static str, example: &'static str, source: &'static str) -> Param {
+    Param { unit: Unit::ActiveLength, needs: ALWAYS_REQUIRED, example, ..param(name, key, source) }
+}

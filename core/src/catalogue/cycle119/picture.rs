@@ -2,8 +2,7 @@
 
 use super::params::{LIMIT, MEASURED, Names, SET, TARGET};
 use crate::catalogue::prelude::*;
-use crate::picture::figures::{circle, line, polygon};
-use crate::picture::{Picture, View};
+use crate::picture::figures::polygon;
 
 /// How far a length along Z leads to the right and up.
 const SLANT: f64 = 0.35;

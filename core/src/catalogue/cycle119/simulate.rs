@@ -3,7 +3,7 @@
 use super::checks::points;
 use super::params::{LIMIT, MEASURED, SET, TARGET};
 use crate::catalogue::prelude::*;
-use crate::catalogue::sinumerik::{correct, results};
+use crate::catalogue::sinumerik::correct;
 use crate::control::variables::AXES;
 use crate::evaluate::position::{NO_FRAME, Position, correctable, position};
 use crate::evaluate::zero_offset;
@@ -16,25 +16,17 @@ const NONE: f64 = -1.0;
 /// Computes the frame between both triangles; where one is to be corrected and all is well, corrects it. The corrected
 /// frame becomes active when the program calls it again, 9999 included (B:8592).
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
-    let found = computed(inputs);
-    match &found {
-        Ok(position) => {
-            // as its limit counts, whatever the program's units (B:8573, B:8583)
-            let factor = machine.control().basic_factor();
-            results::set(machine, "_RES", position.distortion / factor);
-            frame(machine, position);
-        }
-        Err(_) => results::set(machine, "_RES", NONE),
+    let points = points(inputs, SET).zip(points(inputs, MEASURED));
+    let found = points.ok_or(NO_FRAME).and_then(|(set, measured)| position(&set, &measured));
+    // as its limit counts, whatever the program's units (B:8573, B:8583)
+    let factor = machine.control().basic_factor();
+    results::set(machine, "_RES", found.as_ref().map_or(NONE, |position| position.distortion / factor));
+    if let Ok(position) = &found {
+        frame(machine, position);
     }
     let outcome = found.and_then(|position| corrected(machine, inputs, &position));
     results::hand_back(machine, "_ALARM", outcome.err());
     Ok(())
-}
-
-/// The position.
-fn computed(inputs: &Inputs) -> Result<Position, u32> {
-    let (Some(set), Some(measured)) = (points(inputs, SET), points(inputs, MEASURED)) else { return Err(NO_FRAME) };
-    position(&set, &measured)
 }
 
 /// Corrects the frame that `_COR` names, if the distortion is below its limit (B:8566-8576).

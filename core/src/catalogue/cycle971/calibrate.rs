@@ -1,7 +1,6 @@
 //! Calibrating the tool probe: one side, one side with the middle found before, incrementally, all sides (B:4403-4743).
 
 use crate::catalogue::prelude::*;
-use crate::catalogue::sinumerik::measuring_block::Point;
 use crate::catalogue::tool_probe::Stand;
 use crate::catalogue::tool_probe::store::Trigger;
 

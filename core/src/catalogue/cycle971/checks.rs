@@ -5,7 +5,6 @@ use super::rotating;
 use crate::catalogue::prelude::*;
 use crate::catalogue::tool_probe::checks::refused;
 use crate::catalogue::tool_probe::{DEPTH, DIRECTIONS, EDGE_LENGTH, ProbeData, TYPE, checks as shared};
-use crate::control::{Edge, Plane};
 use crate::diagnostic::Severity;
 
 /// The radius is measured.

@@ -3,7 +3,6 @@
 use super::params::{APPLICATE, ROTATING};
 use super::spindle;
 use crate::catalogue::prelude::*;
-use crate::catalogue::sinumerik::measuring_block::Point;
 use crate::catalogue::tool_probe::Stand;
 use crate::catalogue::tool_probe::correct::{Measured, active};
 use crate::evaluate::tool_offset::RADIUS;

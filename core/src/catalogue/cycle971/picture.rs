@@ -4,8 +4,7 @@
 use super::params::{APPLICATE, AUTOMATIC, CALIBRATE, INCREMENTAL, MEASURE, ROTATING, WORKPIECE};
 use crate::catalogue::prelude::*;
 use crate::catalogue::tool_probe::figures::{cube, label, limits};
-use crate::entry::stage::{Fields, Look, Seen, Staging, add};
-use crate::picture::figures::{arc, circle, corners, dimension, line, polygon};
+use crate::picture::figures::{arc, corners, polygon};
 
 /// Length of the drawn tool, mm.
 const TOOL: f64 = 22.0;

@@ -2,7 +2,6 @@
 
 use super::params::MEASURE;
 use crate::catalogue::prelude::*;
-use crate::catalogue::sinumerik::measuring_block::Point;
 use crate::catalogue::tool_probe::{EDGE_LENGTH, Stand};
 
 impl Stand<'_> {

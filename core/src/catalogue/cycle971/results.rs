@@ -3,9 +3,8 @@
 //! manual; here the active unit counts.
 
 use super::params::{ABSCISSA, APPLICATE, AUTOMATIC, CALIBRATE, IN_PLANE, MEASURE, ORDINATE};
-use crate::catalogue::common::{integer, length};
-use crate::control::Plane;
-use crate::entry::{ResultField, When};
+use crate::catalogue::common::length;
+use crate::catalogue::prelude::*;
 
 const G17: When = When::Plane(Plane::G17);
 const G18: When = When::Plane(Plane::G18);

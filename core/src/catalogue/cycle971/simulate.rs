@@ -3,7 +3,6 @@
 use super::params::{AUTOMATIC, CALIBRATE, INCREMENTAL, WORKPIECE};
 use super::{calibrate, measure};
 use crate::catalogue::prelude::*;
-use crate::catalogue::sinumerik::measuring_block::Block;
 use crate::catalogue::tool_probe::{Stand, correct, store};
 
 /// Runs the cycle from the present position, from which the probe can be reached.

@@ -3,10 +3,8 @@
 
 use super::params::IN_PLANE;
 use crate::catalogue::prelude::*;
-use crate::catalogue::sinumerik::measuring_block::Point;
 use crate::catalogue::tool_probe::Stand;
 use crate::control::Units;
-use crate::machine::Step;
 
 /// Speed, 1/min, and feed, mm/min.
 type Probing = (f64, f64);
@@ -42,14 +40,9 @@ pub fn touch(machine: &mut dyn Machine, stand: &Stand, point: &Point) -> Result<
 
 /// `_MFS[]`: pairs of speed and feed; the first speed of 0 ends them (B:4779-4787).
 fn own(control: &Control) -> Vec<Probing> {
-    let pairs = [0, 2, 4].into_iter();
-    pairs
-        .map(|index| {
-            let speed = control.number(&format!("_MFS[{index}]"));
-            (speed, control.basic_length(&format!("_MFS[{}]", index + 1)))
-        })
-        .take_while(|(speed, _)| *speed > 0.0)
-        .collect()
+    let pairs = [["_MFS[0]", "_MFS[1]"], ["_MFS[2]", "_MFS[3]"], ["_MFS[4]", "_MFS[5]"]];
+    let pairs = pairs.map(|[speed, feed]| (control.number(speed), control.basic_length(feed)));
+    pairs.into_iter().take_while(|(speed, _)| *speed > 0.0).collect()
 }
 
 /// Peripheral speed in the unit of `_CM[0]` (m/min, feet/min) of 1 mm or 1 inch of circumference a minute.

@@ -61,14 +61,11 @@ pub const PARAMS: &[Param] = &[
         ..common::MD
     },
     Param {
-        name: names::CALNUM,
-        key: "calnum",
         kind: Kind::Integer,
         range: Range { min: 1.0, min_included: true, ..Range::ANY },
         alarm: Some(Code::Alarm(61333)),
         needs: &[required(GROOVE, "need-groove")],
-        source: "B:10252;B:15486;A:15876",
-        ..common::PARAM
+        ..param(names::CALNUM, "calnum", "B:10252;B:15486;A:15876")
     },
     Param { source: "B:10253;B:10353;A:16310", ..common::PRNUM },
     Param { labels: &[(When::Always, "fa-lathe")], example: "3", source: "B:10255;B:10356;B:15491", ..common::FA },

@@ -6,8 +6,6 @@ use super::params::{BALL as DIAMETER, SKEW, SURFACE, TWO};
 use crate::catalogue::lathe::figures;
 use crate::catalogue::lathe::figures::{axis, named, per};
 use crate::catalogue::prelude::*;
-use crate::entry::stage::{Fields, Look, Seen, Staging, add};
-use crate::picture::figures::{circle, line, rectangle};
 
 /// Bands of the trigger value, mm.
 const BANDS: [(Name, f64, f64); 2] = [(names::TSA, -2.6, 2.6), (names::TZL, -1.2, 1.2)];

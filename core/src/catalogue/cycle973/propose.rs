@@ -6,7 +6,6 @@ use crate::catalogue::lathe::{measure, place};
 use crate::catalogue::place as plane;
 use crate::catalogue::prelude::*;
 use crate::geometry::Mcs;
-use crate::workpiece::Shape;
 
 /// How much further from the surface than the first block the probe starts, mm.
 const AWAY: f64 = 5.0;

@@ -2,7 +2,7 @@
 //! the active unit counts. Trigger values are those of the axis and directions of the last call.
 
 use super::params::{BALL, ONE, SKEW, SURFACE, TWO};
-use crate::catalogue::common::{ABSCISSA, APPLICATE, ORDINATE, integer, length};
+use crate::catalogue::common::{ABSCISSA, APPLICATE, ORDINATE, length};
 use crate::catalogue::prelude::*;
 
 const SINGLE: When = When::Any(&[ONE, SURFACE]);

@@ -5,7 +5,6 @@ use super::params::{BALL, GROOVE, SKEW, TWO};
 use crate::catalogue::lathe::measure;
 use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::calibration::{Calibration, Trigger, store};
-use crate::catalogue::sinumerik::measuring_block::{Block, Point};
 
 /// Runs the cycle from the present position: above the groove, or opposite the surface.
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {

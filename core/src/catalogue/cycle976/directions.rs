@@ -1,8 +1,7 @@
 //! In which directions a hole is touched, and how the axes of calibration lie (B:5202-5210, B:5316-5326).
 
 use super::params::{ANGLE, FOUR, ONE};
-use crate::entry::{Inputs, names};
-use crate::geometry::Degrees;
+use crate::catalogue::prelude::*;
 
 /// One direction: an axis of calibration (0 the first, 1 the second) and +1 or -1 along it.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -9,8 +9,7 @@ use super::params::{BALL, SKEW, UNKNOWN};
 use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::calibration;
 use crate::catalogue::sinumerik::calibration::{Calibration, Trigger};
-use crate::catalogue::sinumerik::measuring_block::{Block, Ray};
-use crate::geometry::Degrees;
+use crate::catalogue::sinumerik::measuring_block::Ray;
 
 /// A hole to be touched.
 struct Hole<'a> {
@@ -18,9 +17,7 @@ struct Hole<'a> {
     block: Block,
     /// Ball centre minus spindle axis as stored, in the axes of calibration; 0 for a mono probe.
     skew: [f64; 2],
-    size: f64,
-    angle: f64,
-    start: [f64; 3],
+    start: Wcs,
     directions: Vec<Direction>,
     inputs: &'a Inputs,
 }
@@ -33,32 +30,24 @@ struct Touch {
 }
 
 /// Touches the hole about the position `start` and ends in its middle at the height of the start.
-pub fn measure(
-    machine: &mut dyn Machine,
-    inputs: &Inputs,
-    block: &Block,
-    start: [f64; 3],
-) -> Result<Calibration, Stop> {
-    let angle = angle(inputs);
+pub fn measure(machine: &mut dyn Machine, inputs: &Inputs, block: &Block, start: Wcs) -> Result<Calibration, Stop> {
     let hole = Hole {
         block: block.uncalibrated(),
-        skew: turned(block.skew, angle),
-        size: inputs.number(names::SETVAL),
-        angle,
+        skew: turned(block.skew, angle(inputs)),
         start,
         directions: directions(inputs),
         inputs,
     };
     let (touches, centre) =
         if UNKNOWN.holds(inputs) { hole.reversed(machine)? } else { (hole.run(machine, [0.0; 2])?, [0.0; 2]) };
-    hole.block.travel(machine, Wcs(hole.position(centre)))?;
+    hole.block.travel(machine, hole.position(centre))?;
     Ok(hole.evaluate(machine, &touches, centre))
 }
 
 impl Hole<'_> {
     /// A place as position X Y Z of the WCS.
-    fn position(&self, place: [f64; 2]) -> [f64; 3] {
-        let [abscissa, ordinate] = in_plane(place, self.angle);
+    fn position(&self, place: [f64; 2]) -> Wcs {
+        let [abscissa, ordinate] = in_plane(place, angle(self.inputs));
         let mut position = self.start;
         position[self.block.axes[0]] += abscissa;
         position[self.block.axes[1]] += ordinate;
@@ -67,7 +56,10 @@ impl Hole<'_> {
 
     /// A position in the plane, abscissa and ordinate, as a place.
     fn place(&self, [abscissa, ordinate]: [f64; 2]) -> [f64; 2] {
-        turned([abscissa - self.start[self.block.axes[0]], ordinate - self.start[self.block.axes[1]]], self.angle)
+        turned(
+            [abscissa - self.start[self.block.axes[0]], ordinate - self.start[self.block.axes[1]]],
+            angle(self.inputs),
+        )
     }
 
     /// Both runs, the first with the spindle turned by 180°: the touches of the second, and the centre of the hole,
@@ -95,7 +87,7 @@ impl Hole<'_> {
                 centre = self.middle_of(&touches, centre);
             }
             if index == 0 || turn {
-                self.block.travel(machine, Wcs(self.position(centre)))?;
+                self.block.travel(machine, self.position(centre))?;
             }
             touches.push(self.touch(machine, *direction, centre)?);
         }
@@ -105,10 +97,10 @@ impl Hole<'_> {
     /// One direction on the line through a place.
     fn touch(&self, machine: &mut dyn Machine, direction: Direction, centre: [f64; 2]) -> Result<Touch, Stop> {
         let mut wall = centre;
-        wall[direction.axis] += direction.sign * self.size / 2.0;
+        wall[direction.axis] += direction.sign * self.inputs.number(names::SETVAL) / 2.0;
         let wall = self.position(wall);
         let ray = Ray {
-            angle: self.angle + direction.degrees(),
+            angle: angle(self.inputs) + direction.degrees(),
             set: [wall[self.block.axes[0]], wall[self.block.axes[1]]],
             path: self.block.path,
         };
@@ -155,16 +147,20 @@ impl Hole<'_> {
         let Direction { axis, sign } = touch.direction;
         let aside = touch.across - middle[1 - axis];
         let reach = (touch.along - middle[axis]).hypot(aside);
-        Trigger { axis, sign, value: middle[axis] - centre[axis] + sign * (reach - self.size / 2.0) }
+        Trigger {
+            axis,
+            sign,
+            value: middle[axis] - centre[axis] + sign * (reach - self.inputs.number(names::SETVAL) / 2.0),
+        }
     }
 
     /// Skew in abscissa and ordinate: as found in the axes that were touched from both sides, else as stored.
     fn skew(&self, stored: [f64; 2], found: [f64; 2]) -> [f64; 2] {
-        let mut skew = turned(stored, self.angle);
+        let mut skew = turned(stored, angle(self.inputs));
         for direction in &self.directions {
             skew[direction.axis] = found[direction.axis];
         }
-        in_plane(skew, self.angle)
+        in_plane(skew, angle(self.inputs))
     }
 }
 

@@ -4,8 +4,8 @@
 use super::directions::{Direction, angle, directions};
 use super::params::{ANGLE, BALL, FOUR, HOLE, LENGTH, ONE, SKEW, UNKNOWN};
 use crate::catalogue::prelude::*;
-use crate::entry::stage::{Fields, Look, SIZE, Seen, Staging, add};
-use crate::picture::figures::{arrow, circle, dimension, line, polar, rectangle, turn};
+use crate::entry::stage::SIZE;
+use crate::picture::figures::{arrow, polar, turn};
 
 /// From the zero point to a surface, mm.
 const SET: f64 = 60.0;

@@ -4,7 +4,6 @@
 use super::params::{HOLE, LENGTH};
 use crate::catalogue::calibration;
 use crate::catalogue::prelude::*;
-use crate::workpiece::Shape;
 
 /// How deep in the ring the ball centre stands, mm.
 const DEPTH: f64 = 10.0;

@@ -5,7 +5,7 @@ use super::hole;
 use super::params::{HOLE, LENGTH, UNKNOWN};
 use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::calibration::{Calibration, Trigger, store};
-use crate::catalogue::sinumerik::measuring_block::{Block, Point, turnable};
+use crate::catalogue::sinumerik::measuring_block::turnable;
 
 /// Runs the cycle from the present position: in the hole, or opposite the surface.
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
@@ -20,14 +20,14 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     let start = machine.position();
     let measure = if HOLE.holds(inputs) { hole::measure } else { surface };
     until_done(|repetition| {
-        let found = measure(machine, inputs, &block, start.0)?;
+        let found = measure(machine, inputs, &block, start)?;
         store(machine, inputs, &found, repetition)
     })
 }
 
 /// One direction of one axis. With the length the block begins where the probe stands and is twice `_FA` long: nobody
 /// knows yet where the surface will be met (B:5579, B:5589-5593).
-fn surface(machine: &mut dyn Machine, inputs: &Inputs, block: &Block, start: [f64; 3]) -> Result<Calibration, Stop> {
+fn surface(machine: &mut dyn Machine, inputs: &Inputs, block: &Block, start: Wcs) -> Result<Calibration, Stop> {
     let block = block.uncalibrated();
     let point = Point {
         axis: axis(machine, inputs, if LENGTH.holds(inputs) { 3..=3 } else { 1..=3 })?,
@@ -38,7 +38,7 @@ fn surface(machine: &mut dyn Machine, inputs: &Inputs, block: &Block, start: [f6
     let with_length = LENGTH.holds(inputs);
     let position = if with_length { block.latch_from_here(machine, &point)? } else { block.latch(machine, &point)? };
     if point.axis < 2 {
-        block.travel(machine, Wcs(start))?; // B:5449-5455: along the applicate it stays before the surface
+        block.travel(machine, start)?; // B:5449-5455: along the applicate it stays before the surface
     }
     let found = position - point.set;
     let ideal = block.trigger(point.axis, point.direction);

@@ -6,10 +6,6 @@ use super::params::{
 };
 use crate::catalogue::prelude::*;
 use crate::catalogue::tool_probe::{ProbeData, checks as shared, turning};
-use crate::control::Edge;
-
-/// Digits 3 to 5 of `_MVAR`, which count for milling tools and drills only (B:9224-9260).
-const CUTTER_DIGITS: std::ops::RangeInclusive<i64> = 1..=999;
 
 /// All of them.
 pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
@@ -47,9 +43,10 @@ fn tool(inputs: &Inputs, control: &Control, edge: &Edge, found: &mut Vec<Diagnos
     }
 }
 
-/// A turning tool is measured as without the digits for milling tools.
+/// A turning tool is measured as without digits 3 to 5 of `_MVAR`, which count for milling tools and drills only
+/// (B:9224-9260).
 fn idle_digits(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
-    if !MEASURE.holds(inputs) || !CUTTER_DIGITS.contains(&(inputs.variant / 100 % 1000)) {
+    if !MEASURE.holds(inputs) || inputs.variant / 100 % 1000 == 0 {
         return;
     }
     let plain = inputs.variant / 100_000 * 100_000 + inputs.variant % 100;

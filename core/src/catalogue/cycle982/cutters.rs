@@ -8,7 +8,6 @@ use super::params::{
 use crate::catalogue::prelude::*;
 use crate::control::machine_data::TOOL_LENGTH_TYPE;
 use crate::control::tools::AS_TURNING_TOOL;
-use crate::control::{Edge, Plane};
 
 /// Touched from the side, so that the radius takes part in the length (B:9637).
 const FROM_THE_SIDE: When = When::All(&[

@@ -6,7 +6,6 @@ use super::stand::found;
 use crate::catalogue::prelude::*;
 use crate::catalogue::tool_probe::Stand;
 use crate::catalogue::tool_probe::correct::{Measured, active};
-use crate::control::Plane;
 
 /// Axis of the plane in which is measured.
 const APPLICATE: usize = 2;

@@ -3,7 +3,6 @@
 use super::params::{DRILL, REVERSAL, SPINDLE_AS_IT_IS};
 use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::measuring_block::turnable;
-use crate::geometry::Degrees;
 
 /// Turn from one edge to the one opposite, degree.
 const OPPOSITE: f64 = 180.0;

@@ -9,9 +9,9 @@ use super::params::{
 };
 use crate::catalogue::prelude::*;
 use crate::catalogue::tool_probe::figures::{HALF, cube, label, limits};
-use crate::control::{Edge, Plane, TOOL_LENGTH_TYPE, tools::side};
-use crate::entry::stage::{Fields, Look, Seen, Staging, Touched, add, unit};
-use crate::picture::figures::{arrow, circle, line, polar, polygon};
+use crate::control::{TOOL_LENGTH_TYPE, tools::side};
+use crate::entry::stage::{Touched, unit};
+use crate::picture::figures::{arrow, polar, polygon};
 
 /// Centre of the spindle, mm.
 const SPINDLE: [f64; 2] = [-54.0, 24.0];

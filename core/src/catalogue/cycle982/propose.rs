@@ -6,7 +6,7 @@ use super::params::{
 };
 use crate::catalogue::prelude::*;
 use crate::catalogue::tool_probe::ProbeData;
-use crate::control::{Edge, Plane, tools::side};
+use crate::control::tools::side;
 use crate::workpiece::{Cut, Tool};
 
 /// How far before the probe the tool starts beside the measuring path, mm.

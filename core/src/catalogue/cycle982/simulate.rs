@@ -6,7 +6,6 @@ use super::params::{
 };
 use super::{cutter, drill, nose};
 use crate::catalogue::prelude::*;
-use crate::catalogue::sinumerik::measuring_block::Block;
 use crate::catalogue::tool_probe::{Stand, correct, count, store};
 
 /// Runs the cycle from the present position, beside the probe.

@@ -7,7 +7,6 @@
 #[cfg(test)]
 mod tests;
 
-use super::common::{PARAM, optional};
 use super::nct;
 use super::nct::correct::Place;
 use super::nct::params::{ALONG_X, ALONG_Y, ALONG_Z};
@@ -16,9 +15,6 @@ use super::nct::touch::Calibration;
 use super::nct::walls::{Walls, chord, from_outside, home, travel};
 use super::nct::{axis_of, checks, correct, figures, params, walls};
 use crate::catalogue::prelude::*;
-use crate::entry::stage::{Look, Seen, Staging};
-use crate::entry::*;
-use crate::workpiece::Shape;
 
 /// The stylus stands in the bore.
 pub const BORE: i64 = walls::INSIDE;

@@ -2,7 +2,7 @@
 
 use super::TIPS;
 use crate::catalogue::prelude::*;
-use crate::check::{doubted, error};
+use crate::check::doubted;
 use crate::control::probe::Unfit;
 
 /// What every call that measures a workpiece is checked for.

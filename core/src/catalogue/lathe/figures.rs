@@ -2,8 +2,6 @@
 
 use super::params::DIAMETER;
 use crate::catalogue::prelude::*;
-use crate::entry::stage::{Fields, Look, Seen, Staging};
-use crate::picture::figures::{dimension, line, rectangle};
 
 /// Ball radius, mm.
 pub const BALL: f64 = 3.5;

@@ -3,7 +3,6 @@
 use super::params::TRANSVERSE;
 use crate::catalogue::common::APPLICATE;
 use crate::catalogue::prelude::*;
-use crate::control::Plane;
 
 /// Results that every call of these cycles begins with (B:16014-16022).
 pub fn begin(machine: &mut dyn Machine, inputs: &Inputs, cycle: i64) {

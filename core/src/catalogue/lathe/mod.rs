@@ -9,8 +9,7 @@ pub mod place;
 #[cfg(test)]
 pub mod testing;
 
-use super::common::alarms;
-use crate::diagnostic::Code;
+use crate::catalogue::prelude::*;
 use std::ops::RangeInclusive;
 
 /// Alarms beside those of every cycle (A:15856, A:15866, A:15873).

@@ -2,7 +2,6 @@
 
 use crate::catalogue::common::{ABSCISSA, APPLICATE, ORDINATE};
 use crate::catalogue::prelude::*;
-use crate::control::Plane;
 
 /// Measured in the transverse axis X, where dimensions are diameters with DIAMON (B:10623, B:10975).
 const IN_X: When = When::Any(&[

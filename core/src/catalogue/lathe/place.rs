@@ -1,10 +1,8 @@
 //! Nominal turned parts about the Z axis of the workpiece system, and the tools that a call corrects there.
 
-use crate::catalogue::place;
-use crate::control::{Control, Edge};
-use crate::entry::{Inputs, Proposal, ProposedTool};
-use crate::geometry::{V3, rigid};
-use crate::workpiece::{PartErrors, Shape, Solid};
+use crate::catalogue::prelude::*;
+use crate::geometry::rigid;
+use crate::workpiece::PartErrors;
 
 /// Length of a proposed part, mm.
 pub const LENGTH: f64 = 60.0;

@@ -1,7 +1,6 @@
 //! Addresses of G65 P9920 (C:1216-1243), in the order of the block formats.
 
 use super::{AT_CALIBRATION, AT_MEASUREMENT, CALIBRATE, DIAMETER, LENGTH};
-use crate::catalogue::common::{ALWAYS_REQUIRED, PARAM, optional, required};
 use crate::catalogue::nct;
 use crate::catalogue::prelude::*;
 
@@ -27,69 +26,54 @@ const TURNS: &[(i64, &str)] = &[
 /// All of them.
 pub const PARAMS: &[Param] = &[
     Param {
-        name: address::Z,
-        key: "p9920-z",
+        unit: Unit::ActiveLength,
         range: Range { max: 0.0, ..Range::ANY },
         needs: ALWAYS_REQUIRED,
         example: "-8",
-        source: "C:1216;C:1236",
-        ..nct::LENGTH
+        ..param(address::Z, "p9920-z", "C:1216;C:1236")
     },
     Param {
-        name: address::K,
-        key: "p9920-k",
+        unit: Unit::ActiveLength,
         range: Range::POSITIVE,
         usual: Range::closed(2.0, 30.0), // "about 2 mm" at least, C:1252
         needs: &[optional(AT_MEASUREMENT, "need-p9920-k")],
         chooses: &[Chooses { when: When::Given(address::T), variant: DIAMETER, typed: "5" }],
-        source: "C:1237;C:1252",
-        ..nct::LENGTH
+        ..param(address::K, "p9920-k", "C:1237;C:1252")
     },
     Param {
-        name: address::D,
-        key: "p9920-d",
+        unit: Unit::ActiveLength,
         range: Range::NOT_NEGATIVE,
         needs: &[required(AT_CALIBRATION, "need-p9920-reference"), optional(When::Always, "need-p9920-d")],
         labels: &[(AT_CALIBRATION, "p9920-d-reference")],
         example: "12",
-        source: "C:1217;C:1238;C:1256",
-        ..nct::LENGTH
+        ..param(address::D, "p9920-d", "C:1217;C:1238;C:1256")
     },
     Param {
-        name: address::H,
-        key: "p9920-h",
+        unit: Unit::ActiveLength,
         default: Some(0.0),
         range: Range::NOT_NEGATIVE,
         needs: &[optional(AT_CALIBRATION, "need-nct-optional")],
-        source: "C:1218",
-        ..nct::LENGTH
+        ..param(address::H, "p9920-h", "C:1218")
     },
     Param {
-        name: address::T,
-        key: "p9920-t",
+        kind: Kind::Integer,
         range: Range::closed(0.0, 99.0),
         needs: ALWAYS_REQUIRED,
         chooses: BY_REGISTER,
         example: "1",
-        source: "C:1219;C:1239",
-        ..nct::NUMBER
+        ..param(address::T, "p9920-t", "C:1219;C:1239")
     },
     Param {
-        name: address::M,
-        key: "p9920-m",
         kind: Kind::Choice(TURNS),
         needs: &[optional(AT_MEASUREMENT, "need-nct-optional")],
-        source: "C:1240;C:1251",
-        ..PARAM
+        ..param(address::M, "p9920-m", "C:1240;C:1251")
     },
     Param {
-        name: address::E,
-        key: "p9920-e",
+        unit: Unit::ActiveLength,
         default: Some(2.0),
         range: Range::NOT_NEGATIVE,
         needs: &[optional(BESIDE, "need-nct-optional")],
-        source: "C:1220;C:1241;C:1256",
-        ..nct::LENGTH
+        ..param(address::E, "p9920-e", "C:1220;C:1241;C:1256")
     },
     Param {
         name: address::F,

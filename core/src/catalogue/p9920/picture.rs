@@ -3,8 +3,6 @@
 
 use super::{CALIBRATE, DIAMETER};
 use crate::catalogue::prelude::*;
-use crate::entry::stage::{Fields, Look, Seen, Staging, add};
-use crate::picture::figures::{dimension, rectangle};
 
 /// Radius of the disk, mm.
 const DISK: f64 = 13.0;

@@ -1,10 +1,9 @@
 //! A disk where the control believes it to be, the tool above it.
 
 use super::{CALIBRATE, diameter};
-use crate::control::{Control, Edge};
-use crate::entry::{Inputs, Proposal, ProposedTool, address};
-use crate::geometry::{Dir, Mcs};
-use crate::workpiece::{Shape, Solid, ToolProbe};
+use crate::catalogue::prelude::*;
+use crate::geometry::Mcs;
+use crate::workpiece::ToolProbe;
 
 /// Height of the disk, mm.
 const DISK: f64 = 15.0;

@@ -2,11 +2,11 @@
 //! diameter is their distance less that of the reference tool, and a tool is longer by as much as the spindle stands
 //! higher than with the reference tool.
 
-use super::touch::{Feeds, feed_and_speed, leave, nose, sink, touch, travel};
+use super::touch::{feed_and_speed, feeds, leave, nose, sink, touch, travel};
 use super::{CALIBRATE, DEPRESSED, DIAMETER, MEASURING_DEVICE, diameter};
 use crate::catalogue::nct::correct;
 use crate::catalogue::prelude::*;
-use crate::control::{Plane, Value};
+use crate::control::Value;
 
 /// Carries out the macro. It works along Z whatever the plane is, and leaves G49 (C:1191, C:1258).
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
@@ -32,17 +32,17 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
 
 /// The signals of the device: RDY at #1003 and TSIG at #1002 (C:1204). An input that was never set is as it should be.
 fn ready(control: &Control) -> Result<(), Stop> {
-    let input = |name: &str| match control.data.get(name) {
-        Some(Value::Number(value)) => Some(*value),
-        _ => None,
+    let input = |name: &str, otherwise: f64| match control.data.get(name) {
+        Some(Value::Number(value)) => *value,
+        _ => otherwise,
     };
-    if input("#1003") == Some(0.0) {
+    if input("#1003", 1.0) == 0.0 {
         return Err(Stop::Alarm(MEASURING_DEVICE));
     }
-    match input("#1002") {
-        Some(signal) if signal != 0.0 => Err(Stop::Alarm(DEPRESSED)),
-        _ => Ok(()),
+    if input("#1002", 0.0) != 0.0 {
+        return Err(Stop::Alarm(DEPRESSED));
     }
+    Ok(())
 }
 
 /// The register of the reference tool: that in force, else the one with the number of the tool in the spindle.
@@ -63,34 +63,26 @@ fn keep(machine: &mut dyn Machine, inputs: &Inputs) {
     }
 }
 
-/// Both contacts across the disk in one axis.
-struct Across {
-    middle: f64,
-    half: f64,
-}
-
 fn calibrate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     let start = nose(machine);
-    let (feed, _) = feed_and_speed(machine, inputs);
-    let feeds = Feeds::of(feed, None);
-    let first = across(machine, inputs, 0, start, feeds)?;
+    let [x, half_x] = across(machine, inputs, 0, start)?;
     // the second axis through the middle found in the first
     let mut over = start;
-    over[0] = first.middle;
-    let second = across(machine, inputs, 1, over, feeds)?;
-    over[1] = second.middle;
+    over[0] = x;
+    let [y, half_y] = across(machine, inputs, 1, over)?;
+    over[1] = y;
     leave(machine, over)?;
+    let feeds = standing(machine, inputs);
     let height = touch(machine, 2, start[2] + inputs.number(address::Z), feeds, start)?;
     leave(machine, over)?;
     // the first pair was touched beside the centre by what the second has found
-    let beside = start[1] - second.middle;
-    let wide = first.half.hypot(beside) + second.half;
+    let wide = half_x.hypot(start[1] - y) + half_y;
     correct::calibration(
         machine,
         &[
             ("#506", height),
-            ("#507", first.middle),
-            ("#508", second.middle),
+            ("#507", x),
+            ("#508", y),
             ("#509", wide - inputs.number(address::D)),
             ("#513", inputs.number(address::H)),
         ],
@@ -98,14 +90,10 @@ fn calibrate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     Ok(())
 }
 
-/// Out beside the disk, down, to the rim, up: from + and from − (C:1224).
-fn across(
-    machine: &mut dyn Machine,
-    inputs: &Inputs,
-    axis: usize,
-    over: [f64; 3],
-    feeds: Feeds,
-) -> Result<Across, Stop> {
+/// Out beside the disk, down, to the rim, up: from + and from − (C:1224). Middle of both contacts, and half of their
+/// distance, mm.
+fn across(machine: &mut dyn Machine, inputs: &Inputs, axis: usize, over: [f64; 3]) -> Result<[f64; 2], Stop> {
+    let feeds = standing(machine, inputs);
     let way = beside(machine.control(), inputs.number(address::D), inputs.number(address::E));
     let depth = over[2] + inputs.number(address::Z);
     let mut contacts = [0.0; 2];
@@ -117,7 +105,7 @@ fn across(
         *contact = touch(machine, axis, over[axis], feeds, over)?;
         leave(machine, out)?;
     }
-    Ok(Across { middle: (contacts[0] + contacts[1]) / 2.0, half: (contacts[0] - contacts[1]) / 2.0 })
+    Ok([(contacts[0] + contacts[1]) / 2.0, (contacts[0] - contacts[1]) / 2.0])
 }
 
 /// From the centre of the disk to the axis of a tool that sinks beside it, mm.
@@ -157,8 +145,13 @@ fn measure(machine: &mut dyn Machine, inputs: &Inputs, register: i64) -> Result<
     Ok(())
 }
 
+/// The feeds of a tool that stands.
+fn standing(machine: &mut dyn Machine, inputs: &Inputs) -> [f64; 2] {
+    feeds(feed_and_speed(machine, inputs).0, None)
+}
+
 /// Lets the tool turn where M asks for it (C:1240, C:1251); the feeds that go with it.
-fn turned(machine: &mut dyn Machine, inputs: &Inputs, rim: bool) -> Feeds {
+fn turned(machine: &mut dyn Machine, inputs: &Inputs, rim: bool) -> [f64; 2] {
     let (feed, speed) = feed_and_speed(machine, inputs);
     let direction = match (inputs.integer(address::M), rim) {
         (3, _) | (13, true) => 1.0,
@@ -166,7 +159,7 @@ fn turned(machine: &mut dyn Machine, inputs: &Inputs, rim: bool) -> Feeds {
         _ => 0.0,
     };
     machine.spin(direction * speed);
-    Feeds::of(feed, (direction != 0.0).then_some(speed))
+    feeds(feed, (direction != 0.0).then_some(speed))
 }
 
 /// Length and radius of the register, so that with its wear they are those measured.

@@ -10,15 +10,6 @@ use crate::machine::{Machine, MotionKind, Stop};
 /// Ways of a turning tool a revolution at the first and at the measuring touch, mm: so large is their error (C:1256).
 const PER_TURN: [f64; 2] = [0.1, 0.001];
 
-/// Feeds of the first and of the measuring touch, mm/min.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Feeds {
-    /// First.
-    pub fast: f64,
-    /// Measuring.
-    pub slow: f64,
-}
-
 /// Feed F or #512 and speed S or #511: mm/min, 1/min (C:1202).
 pub fn feed_and_speed(machine: &mut dyn Machine, inputs: &Inputs) -> (f64, f64) {
     let control = machine.control();
@@ -27,14 +18,10 @@ pub fn feed_and_speed(machine: &mut dyn Machine, inputs: &Inputs) -> (f64, f64) 
     (feed.unwrap_or_else(|| control.basic_length("#512")), speed.unwrap_or_else(|| control.number("#511")))
 }
 
-impl Feeds {
-    /// Of a tool that turns at this speed, or stands.
-    pub fn of(feed: f64, speed: Option<f64>) -> Feeds {
-        match speed {
-            None => Feeds { fast: feed, slow: SLOW.min(feed) },
-            Some(speed) => Feeds { fast: feed.min(PER_TURN[0] * speed), slow: SLOW.min(feed).min(PER_TURN[1] * speed) },
-        }
-    }
+/// Feeds of the first and of the measuring touch, mm/min, of a tool that turns at this speed, or stands.
+pub fn feeds(feed: f64, speed: Option<f64>) -> [f64; 2] {
+    let [first, measuring] = PER_TURN.map(|way| speed.map_or(f64::INFINITY, |speed| way * speed));
+    [feed.min(first), SLOW.min(feed).min(measuring)]
 }
 
 /// Where the spindle nose stands, machine coordinates, mm.
@@ -87,11 +74,11 @@ pub fn sink(machine: &mut dyn Machine, height: f64, start: [f64; 3]) -> Result<(
 /// Touches along one axis, quickly and slowly; where the spindle nose stood at last. Back by some way each time, so
 /// that nothing drags along the disk, and never behind where the touch began. No contact ends at the start with
 /// INCORRECT PROBING.
-pub fn touch(machine: &mut dyn Machine, axis: usize, end: f64, feeds: Feeds, start: [f64; 3]) -> Result<f64, Stop> {
+pub fn touch(machine: &mut dyn Machine, axis: usize, end: f64, feeds: [f64; 2], start: [f64; 3]) -> Result<f64, Stop> {
     let from = nose(machine)[axis];
     let target = at(machine, axis, end);
     let mut contact = from;
-    for feed in [feeds.fast, feeds.slow] {
+    for feed in feeds {
         if machine.probe(target, feed)?.is_none() {
             leave(machine, start)?;
             return Err(Stop::Alarm(INCORRECT));

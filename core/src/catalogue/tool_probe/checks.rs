@@ -2,8 +2,7 @@
 
 use super::{ProbeData, count};
 use crate::catalogue::prelude::*;
-use crate::check::{doubted, error};
-use crate::control::Edge;
+use crate::check::doubted;
 
 /// Type of a 3D probe, `$TC_DP1` (B:4147).
 const WORKPIECE_PROBE: i64 = 710;

@@ -4,7 +4,6 @@ use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::{correct, tolerance};
 use crate::evaluate::tolerance::{RESOLUTION, exceeds};
 use crate::evaluate::{mean, tool_offset};
-use crate::machine::trace::Step;
 
 /// A length or the radius of the tool in use.
 #[derive(Clone, Copy, Debug, PartialEq)]

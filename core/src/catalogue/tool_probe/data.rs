@@ -3,9 +3,8 @@
 use super::params::WORKPIECE;
 use super::store::Trigger;
 use crate::catalogue::prelude::*;
-use crate::control::MachineSort;
 use crate::geometry::TOLERANCE;
-use crate::workpiece::{Shape, ToolProbe};
+use crate::workpiece::ToolProbe;
 
 /// Edge length or diameter of the upper side (B:13363).
 pub const EDGE_LENGTH: usize = 6;

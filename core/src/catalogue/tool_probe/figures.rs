@@ -2,8 +2,6 @@
 
 use super::data::array;
 use crate::catalogue::prelude::*;
-use crate::entry::stage::Seen;
-use crate::picture::figures::line;
 
 /// Half the edge length of a drawn probe, mm.
 pub const HALF: f64 = 10.0;

@@ -11,8 +11,7 @@ mod stand;
 pub mod store;
 pub mod turning;
 
-use super::common::alarms;
-use crate::diagnostic::Code;
+use crate::catalogue::prelude::*;
 pub use data::{DEPTH, DIRECTIONS, EDGE_LENGTH, ProbeData, TYPE, count};
 pub use stand::Stand;
 

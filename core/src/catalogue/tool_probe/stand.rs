@@ -2,7 +2,6 @@
 
 use super::ProbeData;
 use crate::catalogue::prelude::*;
-use crate::catalogue::sinumerik::measuring_block::Block;
 
 /// Tool and tool probe. Axes count 0 abscissa, 1 ordinate, 2 applicate; directions are +1 and -1.
 #[derive(Clone)]

@@ -2,7 +2,6 @@
 
 use super::checks::refused;
 use crate::catalogue::prelude::*;
-use crate::control::Edge;
 
 /// Types of turning tools (B:8838, B:9001).
 const TURNING: std::ops::RangeInclusive<i64> = 500..=599;
