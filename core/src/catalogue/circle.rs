@@ -15,17 +15,17 @@ pub fn ball_known(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic
     }
 }
 
-/// Directions from the centre to three or four points in their order, degree.
-pub fn points(start: f64, step: f64, four: bool) -> Vec<f64> {
+/// Directions from the centre to three or four points in their order.
+pub fn points(start: Degrees, step: Degrees, four: bool) -> Vec<Degrees> {
     let count = if four { 4 } else { 3 };
-    (0..count).map(|index| start + f64::from(index) * step).collect()
+    (0..count).map(|index| start + step * f64::from(index)).collect()
 }
 
 /// How uncertain the circle through them is; none where their place is not known or told to be wrong.
 pub fn spread(inputs: &Inputs, four: bool, found: &[Diagnostic]) -> Option<Circle> {
     let (start, step) = (inputs.given(names::STA1)?, inputs.given(names::INCA)?);
     let wrong = |one: &Diagnostic| one.param == Some(names::INCA) && one.severity == Severity::Error;
-    (!found.iter().any(wrong)).then(|| circle(&points(start, step, four))).flatten()
+    (!found.iter().any(wrong)).then(|| circle(&points(Degrees(start), Degrees(step), four))).flatten()
 }
 
 /// Where three or four points lie: not upon each other, and within one turn (B:6850, B:6986, B:8471).

@@ -1,8 +1,9 @@
 //! The values of a call: as typed, and as checked.
 
-use super::Cycle;
+use super::{Cycle, Unit};
 use crate::control::Plane;
 use crate::control::tools::REVERSED;
+use crate::geometry::Degrees;
 use crate::name::Name;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -59,10 +60,30 @@ impl Inputs {
         }
     }
 
-    /// Number of a parameter that the entry has; 0 where it is left open, and where this variant does not use it.
+    /// Number of a parameter that the entry has and that is no angle; 0 as of [`Inputs::value`].
     #[track_caller]
     pub fn number(&self, name: Name) -> f64 {
+        debug_assert!(!self.is_angle(name), "{name} of {} is an angle", self.cycle.name);
+        self.value(name)
+    }
+
+    /// Angle of a parameter whose unit is degree; 0 as of [`Inputs::value`].
+    #[track_caller]
+    pub fn degrees(&self, name: Name) -> Degrees {
+        debug_assert!(self.is_angle(name), "{name} of {} is no angle", self.cycle.name);
+        Degrees(self.value(name))
+    }
+
+    /// Number of a parameter that the entry has, in whichever unit; 0 where it is left open, and where this variant
+    /// does not use it.
+    #[track_caller]
+    pub fn value(&self, name: Name) -> f64 {
         self.given(name).unwrap_or(0.0)
+    }
+
+    /// Whether the entry has this parameter as an angle.
+    pub fn is_angle(&self, name: Name) -> bool {
+        self.cycle.param(&name).is_some_and(|param| param.unit == Unit::Degree)
     }
 
     /// Number of a parameter that the entry has; none where the call does not use it or leaves it open.

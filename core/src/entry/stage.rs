@@ -228,7 +228,7 @@ impl Staging {
 
     /// With the angle of a parameter, less than a whole turn.
     pub fn angle(self, inputs: &Inputs, name: Name) -> Staging {
-        self.with(name, inputs.number(name) % 360.0)
+        self.with(name, inputs.degrees(name).within_turn().0)
     }
 
     /// The value that is drawn.

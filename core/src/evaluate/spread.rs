@@ -48,10 +48,10 @@ pub fn told(factor: f64) -> f64 {
     (factor / place).round() * place
 }
 
-/// A circle through points in these directions from its centre, degree, touched along them: the covariance is (AᵀA)⁻¹,
+/// A circle through points in these directions from its centre, touched along them: the covariance is (AᵀA)⁻¹,
 /// the rows of A (cos, sin, 1). None where the points do not determine it.
-pub fn circle(directions: &[f64]) -> Option<Circle> {
-    let turned = directions.iter().map(|direction| Degrees(*direction).sin_cos());
+pub fn circle(directions: &[Degrees]) -> Option<Circle> {
+    let turned = directions.iter().map(|direction| direction.sin_cos());
     let rows: Vec<_> = turned.map(|(sine, cosine)| RowVector3::new(cosine, sine, 1.0)).collect();
     if rows.len() < 3 {
         return None;
@@ -176,22 +176,22 @@ mod tests {
     fn circles_by_hand() {
         for count in [3, 4] {
             let n = f64::from(count);
-            let directions: Vec<f64> = (0..count).map(|i| 10.0 + 360.0 / n * f64::from(i)).collect();
+            let directions: Vec<Degrees> = (0..count).map(|i| Degrees(10.0 + 360.0 / n * f64::from(i))).collect();
             let found = circle(&directions).unwrap();
             near(found.diameter, 2.0 / n.sqrt(), 1e-12, "diameter");
             near(found.worse(), (2.0 / n).sqrt(), 1e-12, "centre");
         }
         for step in [20_f64, 45.0, 80.0] {
-            let found = circle(&[-step, 0.0, step]).unwrap();
+            let found = circle(&[-step, 0.0, step].map(Degrees)).unwrap();
             let cosine = step.to_radians().cos();
             let radius = (0.5 + cosine * cosine).sqrt() / (1.0 - cosine);
             near(found.diameter, 2.0 * radius, 1e-9, "diameter");
             near(found.centre[0], 1.5_f64.sqrt() / (1.0 - cosine), 1e-9, "abscissa");
             near(found.centre[1], 0.5_f64.sqrt() / step.to_radians().sin(), 1e-9, "ordinate");
         }
-        assert!(circle(&[0.0, 1e-3, 2e-3]).unwrap().diameter > 1e9);
-        assert_eq!(circle(&[5.0, 90.0]), None);
-        assert_eq!(circle(&[0.0; 3]), None);
+        assert!(circle(&[0.0, 1e-3, 2e-3].map(Degrees)).unwrap().diameter > 1e9);
+        assert_eq!(circle(&[5.0, 90.0].map(Degrees)), None);
+        assert_eq!(circle(&[Degrees(0.0); 3]), None);
     }
 
     // oracle: peer: 400,000 draws of another program (numpy): 0°, 20°, 40°: diameter 38.92 ± 0.04; 15°, 95°, 175° of
@@ -199,8 +199,8 @@ mod tests {
     // diameter 1.7585 ± 0.0020, abscissa 0.7270 ± 0.0008, ordinate 1.4741 ± 0.0017
     #[test]
     fn circles_by_draws() {
-        near(circle(&[0.0, 20.0, 40.0]).unwrap().diameter, 38.92, 0.004, "short");
-        let example = circle(&[15.0, 95.0, 175.0]).unwrap();
+        near(circle(&[0.0, 20.0, 40.0].map(Degrees)).unwrap().diameter, 38.92, 0.004, "short");
+        let example = circle(&[15.0, 95.0, 175.0].map(Degrees)).unwrap();
         near(example.diameter, 1.7585, 0.004, "diameter");
         near(example.centre[0], 0.7270, 0.004, "abscissa");
         near(example.centre[1], 1.4741, 0.004, "ordinate");
@@ -210,12 +210,13 @@ mod tests {
     #[test]
     fn circles_as_they_are_fitted() {
         for directions in [vec![0.0, 20.0, 40.0], vec![15.0, 95.0, 175.0], vec![-30.0, 10.0, 50.0, 90.0]] {
+            let directions: Vec<Degrees> = directions.into_iter().map(Degrees).collect();
             let fitted = differences(directions.len(), |moves| {
                 let points: Vec<[f64; 2]> = directions
                     .iter()
                     .zip(moves)
                     .map(|(direction, by)| {
-                        let (sine, cosine) = Degrees(*direction).sin_cos();
+                        let (sine, cosine) = direction.sin_cos();
                         [3.0 + (40.0 + by) * cosine, -7.0 + (40.0 + by) * sine]
                     })
                     .collect();

@@ -29,6 +29,11 @@ impl Degrees {
         Degrees(self.0.rem_euclid(360.0))
     }
 
+    /// Less whole turns, with its sign: between -360 and 360.
+    pub fn within_turn(self) -> Degrees {
+        Degrees(self.0 % 360.0)
+    }
+
     /// Sine and cosine; exact at multiples of 90.
     pub fn sin_cos(self) -> (f64, f64) {
         match self.positive().0 {

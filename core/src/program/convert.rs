@@ -157,7 +157,7 @@ fn means_the_same(one: &CallSite, other: &CallSite, control: &Control) -> bool {
     let inputs = |site: &CallSite| check::read(site.cycle, &site.values, control, &mut Vec::new());
     let (left, right) = (inputs(one), inputs(other));
     let same = |param: &Param| {
-        left.number(param.name) == right.number(param.name) && left.text(param.name) == right.text(param.name)
+        left.value(param.name) == right.value(param.name) && left.text(param.name) == right.text(param.name)
     };
     one.cycle.params.iter().all(same)
 }

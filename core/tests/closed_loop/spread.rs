@@ -8,6 +8,7 @@ use probewright_core::diagnostic::Code;
 use probewright_core::dialect::Dialect;
 use probewright_core::entry::Typed;
 use probewright_core::evaluate::spread;
+use probewright_core::geometry::Degrees;
 use probewright_core::machine::Setup;
 use probewright_core::message::Arg;
 use probewright_core::workpiece::PartErrors;
@@ -97,7 +98,7 @@ fn circles_scatter_as_they_are_told_to() {
         let values = common(&[("_MVAR", variant), ("_STA1", start), ("_INCA", step), ("_PRNUM", probe)]);
         let what = format!("{values:?}");
         let [diameter, x, y] = scattered("CYCLE979", &values, [4, 5, 6]);
-        let directions: Vec<f64> = (0..count).map(|i| start + step * f64::from(i)).collect();
+        let directions: Vec<Degrees> = (0..count).map(|i| Degrees(start + step * f64::from(i))).collect();
         let expected = spread::circle(&directions).unwrap();
         near(diameter, expected.diameter, &what);
         near(x, expected.centre[0], &what);

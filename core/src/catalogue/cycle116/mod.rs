@@ -63,8 +63,8 @@ fn checks(inputs: &Inputs, _: &Control, found: &mut Vec<Diagnostic>) {
         _ if !complete => {}
         None => found.push(refused(61316, "cycle116-no-circle", at)),
         Some(([x, y], _)) => {
-            let seen = |[a, b]: &[f64; 2]| (b - y).atan2(a - x).to_degrees();
-            let directions: Vec<f64> = places.iter().map(seen).collect();
+            let seen = |[a, b]: &[f64; 2]| Degrees::of((b - y).atan2(a - x));
+            let directions: Vec<Degrees> = places.iter().map(seen).collect();
             let uncertain = evaluate::spread::circle(&directions);
             found.extend(uncertain.and_then(|circle| spread::circle(circle, at)));
         }

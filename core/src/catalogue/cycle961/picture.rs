@@ -23,8 +23,8 @@ pub fn stage(inputs: &Inputs) -> Staging {
     if POINTS.holds(inputs) {
         return places(inputs, stage);
     }
-    let start = inputs.number(names::STA1) % 360.0;
-    let opening = match inputs.number(names::INCA) % 360.0 {
+    let start = inputs.degrees(names::STA1).within_turn().0;
+    let opening = match inputs.degrees(names::INCA).within_turn().0 {
         0.0 => 80.0,
         angle => angle.signum() * angle.abs().clamp(20.0, 160.0),
     };
@@ -102,7 +102,7 @@ pub fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
 /// Start, angles and distances.
 fn directions(inputs: &Inputs, corner: &Corner, above: &Seen) -> Vec<PictureShape> {
     let angle = |[x, y]: Point| y.atan2(x).to_degrees();
-    let start = inputs.number(names::STA1) % 360.0;
+    let start = inputs.degrees(names::STA1).within_turn().0;
     // which way the second edge is turned from the first: 1 counter-clockwise, -1 clockwise
     let sense = across(corner.edges[0], corner.edges[1]).signum();
     let turn = (angle(corner.edges[1]) - start).rem_euclid(360.0);

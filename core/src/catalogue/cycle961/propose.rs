@@ -5,7 +5,7 @@ use super::params::{OUTSIDE, PASSES, POINTS};
 use super::touches::{TOLERANCE, Touch, edges, touches};
 use crate::catalogue::prelude::*;
 use crate::evaluate::spread::Touched;
-use crate::geometry::{Degrees, Dir};
+use crate::geometry::Dir;
 use crate::workpiece::{Shape, Solid};
 
 /// Measuring depth of the ball centre below the face where `_ID` does not decide it, mm.
@@ -66,7 +66,7 @@ fn depth(inputs: &Inputs, control: &Control, ball: f64) -> f64 {
 /// The corner lies before the start where the edges part, outside; behind it inside.
 fn by_distances(inputs: &Inputs, control: &Control, ball: f64) -> Nominal {
     let angles = edges(inputs, control);
-    let half = inputs.number(names::INCA).abs().to_radians() / 2.0;
+    let half = inputs.degrees(names::INCA).radians().abs() / 2.0;
     let (sign, beside) = if OUTSIDE.holds(inputs) {
         let room = room(inputs, angles, half, ball);
         (1.0, (ball + CLEAR).min(room).max(ball + 0.5))

@@ -9,7 +9,7 @@ use crate::catalogue::sinumerik::correct;
 use crate::catalogue::sinumerik::measuring_block::{self, Block, all_calibrated};
 use crate::evaluate::zero_offset;
 use crate::evaluate::zero_offset::{Measured, Target};
-use crate::geometry::{Degrees, Dir, Rpy, rigid};
+use crate::geometry::{Dir, Rpy, rigid};
 
 /// Order in which the points are touched: P2, P1, P3, P4 (B:7998, B:8166).
 const ORDER: [usize; 4] = [1, 0, 2, 3];

@@ -51,11 +51,11 @@ pub fn touches(inputs: &Inputs, control: &Control, start: Point) -> Vec<Touch> {
 pub fn edges(inputs: &Inputs, control: &Control) -> [f64; 2] {
     let [abscissa, ordinate, applicate] = control.plane.axes();
     let mut direction = [0.0; 3];
-    [direction[abscissa], direction[ordinate]] = unit(inputs.number(names::STA1));
+    [direction[abscissa], direction[ordinate]] = unit(inputs.degrees(names::STA1).0);
     let seen = control.direction_to_workpiece(Dir::new(direction));
     let first = seen[ordinate].atan2(seen[abscissa]).to_degrees();
     let sense = control.turn_axis(abscissa, ordinate)[applicate].signum();
-    [first, first + sense * inputs.number(names::INCA)]
+    [first, first + sense * inputs.degrees(names::INCA).0]
 }
 
 /// In the directions of the edges, turned away from them, at the distances and at half of them (B:7984-7998).

@@ -50,7 +50,7 @@ pub fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
 /// The end of the part: both points, the turn between them, and how far it is turned for the first one. Of its own, as
 /// the probe stays where it is and the part turns.
 fn reversal(inputs: &Inputs, centre @ [x, y]: [f64; 2]) -> Vec<PictureShape> {
-    let angle = inputs.number(names::STA1).rem_euclid(360.0);
+    let angle = inputs.degrees(names::STA1).positive().0;
     let at = |radius: f64| add(centre, polar(90.0 + angle, radius));
     let point = |number: &str, end: f64| {
         circle(ShapeKind::Touch, [x, y + end * RADIUS], 0.3 * figures::BALL).text(number).of(names::NMSP)

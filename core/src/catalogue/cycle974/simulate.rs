@@ -7,7 +7,6 @@ use crate::catalogue::sinumerik::measuring_block::{Block, Point, all_calibrated,
 use crate::catalogue::sinumerik::one_point::OnePoint;
 use crate::catalogue::sinumerik::target::Target;
 use crate::catalogue::sinumerik::until_done;
-use crate::geometry::Degrees;
 
 /// Runs the cycle from the present position, which is opposite the point.
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
@@ -40,8 +39,8 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
 /// Mean of the same point with the part turned to `_STA1` and 180 degree further (B:10784).
 fn both_sides(machine: &mut dyn Machine, inputs: &Inputs, block: &Block, point: &Point) -> Result<f64, Stop> {
     let mut sum = 0.0;
-    for further in [0.0, 180.0] {
-        machine.orient(Degrees(inputs.number(names::STA1) + further).positive());
+    for further in [0.0, 180.0].map(Degrees) {
+        machine.orient((inputs.degrees(names::STA1) + further).positive());
         sum += block.measure(machine, point)?;
     }
     Ok(sum / 2.0)

@@ -13,9 +13,9 @@ pub struct Direction {
 }
 
 impl Direction {
-    /// Angle from the first axis of calibration, degree.
-    pub fn degrees(self) -> f64 {
-        90.0 * self.axis as f64 + if self.sign < 0.0 { 180.0 } else { 0.0 }
+    /// Angle from the first axis of calibration.
+    pub fn degrees(self) -> Degrees {
+        Degrees(90.0 * self.axis as f64 + if self.sign < 0.0 { 180.0 } else { 0.0 })
     }
 }
 
@@ -34,18 +34,18 @@ pub fn directions(inputs: &Inputs) -> Vec<Direction> {
     axes.iter().flat_map(|axis| signs.iter().map(move |sign| Direction { axis: *axis, sign: *sign })).collect()
 }
 
-/// Angle of the first axis of calibration from the abscissa, degree: `_STA1`, or 0 where it is paraxial.
-pub fn angle(inputs: &Inputs) -> f64 {
-    if ANGLE.holds(inputs) { inputs.number(names::STA1) } else { 0.0 }
+/// Angle of the first axis of calibration from the abscissa: `_STA1`, or 0 where it is paraxial.
+pub fn angle(inputs: &Inputs) -> Degrees {
+    if ANGLE.holds(inputs) { inputs.degrees(names::STA1) } else { Degrees(0.0) }
 }
 
 /// A vector from the axes of calibration, which are turned by `angle`, in abscissa and ordinate.
-pub fn in_plane([first, second]: [f64; 2], angle: f64) -> [f64; 2] {
-    let (sine, cosine) = Degrees(angle).sin_cos();
+pub fn in_plane([first, second]: [f64; 2], angle: Degrees) -> [f64; 2] {
+    let (sine, cosine) = angle.sin_cos();
     [first * cosine - second * sine, first * sine + second * cosine]
 }
 
 /// A vector from abscissa and ordinate in the axes of calibration.
-pub fn turned(vector: [f64; 2], angle: f64) -> [f64; 2] {
+pub fn turned(vector: [f64; 2], angle: Degrees) -> [f64; 2] {
     in_plane(vector, -angle)
 }

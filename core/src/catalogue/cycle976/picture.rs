@@ -1,7 +1,7 @@
 //! CYCLE976 drawn: the hole from above with the directions in their order, beside it the stylus with skew and ball
 //! diameter where they are determined; or the surface with the direction.
 
-use super::directions::{Direction, angle, directions};
+use super::directions::{angle, directions};
 use super::params::{ANGLE, BALL, FOUR, HOLE, LENGTH, ONE, SKEW, UNKNOWN};
 use crate::catalogue::prelude::*;
 use crate::entry::stage::SIZE;
@@ -49,7 +49,7 @@ pub fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
 
 /// The axes of the plane, those of calibration where they are turned, the measuring axis and its direction.
 fn axes(inputs: &Inputs, seen: &Seen) -> Vec<PictureShape> {
-    let (angle, reach) = (angle(inputs) % 360.0, 0.75 * SIZE);
+    let (angle, reach) = (angle(inputs).within_turn().0, 0.75 * SIZE);
     let through = |direction: f64, field| {
         let ends = [180.0, 0.0].map(|turn| polar(angle + direction + turn, reach));
         line(ShapeKind::Axis, ends.to_vec()).of(field)
@@ -62,7 +62,8 @@ fn axes(inputs: &Inputs, seen: &Seen) -> Vec<PictureShape> {
     if !FOUR.holds(inputs) {
         shapes.push(through(if inputs.integer(names::MA) == 2 { 90.0 } else { 0.0 }, names::MA));
     }
-    for direction in directions(inputs).into_iter().map(Direction::degrees).filter(|_| ONE.holds(inputs)) {
+    for direction in directions(inputs).into_iter().map(|direction| direction.degrees().0).filter(|_| ONE.holds(inputs))
+    {
         let tip = polar(angle + direction, 0.5 * SIZE - 2.0 * seen.ball);
         shapes.push(arrow(ShapeKind::Path, [0.0; 2], tip, 1.6 * seen.ball).of(names::MD));
     }

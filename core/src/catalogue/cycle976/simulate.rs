@@ -11,7 +11,7 @@ use crate::catalogue::sinumerik::measuring_block::turnable;
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     results::begin(machine, inputs, 976);
     results::integer(machine, 3, inputs.variant);
-    results::set(machine, "_OVR[24]", angle(inputs));
+    results::angle(machine, 24, angle(inputs).0);
     results::length(machine, 27, inputs.number(names::TZL));
     let block = Block::prepare(machine, inputs)?;
     if UNKNOWN.holds(inputs) {

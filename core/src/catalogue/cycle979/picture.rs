@@ -13,7 +13,7 @@ const LIFT: f64 = 0.4 * SIZE;
 
 /// The element at its angle.
 pub fn stage(inputs: &Inputs) -> Staging {
-    let start = inputs.number(names::STA1) % 360.0;
+    let start = inputs.degrees(names::STA1).within_turn().0;
     let [x, y] = polar(start, 1.0);
     let section = Look { right: [x, y, 0.0], ..Look::section(0).ways(names::ID) };
     Staging::new(Look::ABOVE, Fields { mark: Some("P"), ..Fields::CYCLE })
@@ -33,7 +33,7 @@ pub fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
     let [above, beside @ ..] = looks else { return Vec::new() };
     let (tool, round) = (TOOL.holds(inputs), ROUND.holds(inputs));
     let middle = add(above.zero, [CENTRE; 2]);
-    let start = inputs.number(names::STA1) % 360.0;
+    let start = inputs.degrees(names::STA1).within_turn().0;
     let mut shapes = above.limits(inputs, (!tool).then_some(middle));
     shapes.extend(above.centre(middle, [names::CPA, names::CPO], (!tool).then_some(names::KNUM)));
     let reach = 0.85 * SIZE;
@@ -42,9 +42,9 @@ pub fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
     shapes.push(line(ShapeKind::Axis, vec![from, ends[1]]).of(names::STA1));
     shapes.extend(above.angle(names::STA1, middle, reach, [0.0, start]));
     if round {
-        let step = inputs.number(names::INCA) % 360.0;
-        if let [first, second, ..] = circle::points(start, step, FOUR_POINTS.holds(inputs))[..] {
-            shapes.extend(above.angle(names::INCA, middle, 0.2 * SIZE, [first, second]));
+        let step = inputs.degrees(names::INCA).within_turn();
+        if let [first, second, ..] = circle::points(Degrees(start), step, FOUR_POINTS.holds(inputs))[..] {
+            shapes.extend(above.angle(names::INCA, middle, 0.2 * SIZE, [first.0, second.0]));
         }
         shapes.push(above.size(names::SETVAL, 0));
     } else {

@@ -2,7 +2,6 @@
 
 use super::params::{OUTSIDE, ROUND};
 use crate::catalogue::prelude::*;
-use crate::geometry::Degrees;
 
 /// Measuring depth of the ball centre below the face where `_ID` does not decide it, mm.
 const DEPTH: f64 = 10.0;
@@ -14,7 +13,7 @@ const AWAY: f64 = 5.0;
 pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let (ball, side) = (place::ball_radius(inputs, control), place::side(control));
     let [size, x, y] = [names::SETVAL, names::CPA, names::CPO].map(|name| inputs.number(name));
-    let (sine, cosine) = Degrees(inputs.number(names::STA1)).sin_cos();
+    let (sine, cosine) = inputs.degrees(names::STA1).sin_cos();
     let depth = inputs.given(names::ID).map_or(DEPTH, |lift| place::above(lift * side, ball).1);
     let out = if OUTSIDE.holds(inputs) { size / 2.0 + ball + inputs.number(names::FA) + AWAY } else { 0.0 };
     let start = place::in_plane(control, [x + out * cosine, y + out * sine, -depth * side]);

@@ -6,7 +6,7 @@ use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::centred::{Found, Pair};
 use crate::catalogue::sinumerik::measuring_block::{Block, Ray, ball_known};
 use crate::catalogue::sinumerik::target::Target;
-use crate::geometry::{Degrees, fit};
+use crate::geometry::fit;
 
 /// Runs the cycle from the present position: at measuring height, on a free straight line to the start of P1.
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
@@ -46,12 +46,12 @@ struct Probing<'a> {
 impl<'a> Probing<'a> {
     fn of(inputs: &'a Inputs, block: &'a Block) -> Self {
         let (round, inside) = (ROUND.holds(inputs), !OUTSIDE.holds(inputs));
-        let [size, abscissa, ordinate, start, step] =
-            [names::SETVAL, names::CPA, names::CPO, names::STA1, names::INCA].map(|name| inputs.number(name));
+        let [size, abscissa, ordinate] = [names::SETVAL, names::CPA, names::CPO].map(|name| inputs.number(name));
+        let [start, step] = [names::STA1, names::INCA].map(|name| inputs.degrees(name));
         let centre = [abscissa, ordinate];
         let angles = match round {
             true => circle::points(start, step, FOUR_POINTS.holds(inputs)),
-            false => vec![start, start + 180.0],
+            false => vec![start, start + Degrees(180.0)],
         };
         let ray = |angle| Ray::at(angle, centre, size / 2.0, inside, block.path);
         Probing { inputs, block, round, inside, size, centre, rays: angles.into_iter().map(ray).collect() }
@@ -74,8 +74,8 @@ impl<'a> Probing<'a> {
     fn onward(&self, machine: &mut dyn Machine, ray: &Ray, steps: f64) -> Result<(), Stop> {
         let Probing { inputs, block, .. } = self;
         if self.round {
-            let [step, feed] = [names::INCA, names::RF].map(|name| inputs.number(name));
-            return block.travel_around(machine, self.centre, Degrees(step) * steps, feed);
+            let (step, feed) = (inputs.degrees(names::INCA), inputs.number(names::RF));
+            return block.travel_around(machine, self.centre, step * steps, feed);
         }
         if self.inside {
             return Ok(());

@@ -235,7 +235,7 @@ fn spindle(inputs: &Inputs) -> Vec<PictureShape> {
         shapes.push(line(ShapeKind::Label, vec![at]).text(names::STA1).of(names::STA1));
     }
     if reversal {
-        shapes.extend(edge(names::CORA, start % 360.0 + 180.0 + inputs.number(names::CORA) % 360.0));
+        shapes.extend(edge(names::CORA, start % 360.0 + 180.0 + inputs.degrees(names::CORA).within_turn().0));
     }
     shapes
 }

@@ -5,7 +5,7 @@ use super::points::{CENTRES, sides};
 use crate::catalogue::prelude::*;
 use crate::catalogue::{circle, spread};
 use crate::evaluate::spread::Circle;
-use crate::geometry::{Degrees, V3, fit};
+use crate::geometry::{V3, fit};
 use crate::own::Own;
 
 /// All of them.
@@ -87,7 +87,7 @@ fn triangle(inputs: &Inputs, ball: f64, found: &mut Vec<Diagnostic>) {
 fn beside(inputs: &Inputs, centres: &[V3; 3], touching: f64) -> Option<Diagnostic> {
     let path = inputs.given(names::FA)?;
     let starts = sides(inputs).into_iter().map(|side| {
-        let (sin, cos) = Degrees(side).sin_cos();
+        let (sin, cos) = side.sin_cos();
         V3::new(cos, sin, 0.0) * (touching + path)
     });
     let starts: Vec<V3> = starts.collect();

@@ -65,15 +65,15 @@ pub fn marks(inputs: &Inputs, looks: &[Seen]) -> Vec<PictureShape> {
 fn angles(inputs: &Inputs, above: &Seen, middle: [f64; 2]) -> Vec<PictureShape> {
     let [first, second, ..] = directions(inputs)[..] else { return Vec::new() };
     let reach = 0.92 * SIZE;
-    let mut shapes = vec![line(ShapeKind::Axis, vec![middle, add(middle, polar(first, reach))]).of(names::STA1)];
-    shapes.extend(above.angle(names::STA1, middle, reach, [0.0, first]));
-    shapes.extend(above.angle(names::INCA, middle, 0.2 * SIZE, [first, second]));
+    let mut shapes = vec![line(ShapeKind::Axis, vec![middle, add(middle, polar(first.0, reach))]).of(names::STA1)];
+    shapes.extend(above.angle(names::STA1, middle, reach, [0.0, first.0]));
+    shapes.extend(above.angle(names::INCA, middle, 0.2 * SIZE, [first.0, second.0]));
     shapes
 }
 
 /// The additional point for the diameter.
 fn diameter(above: &Seen, middle: [f64; 2]) -> [PictureShape; 3] {
-    let at = |distance: f64| add(middle, polar(DIAMETER_SIDE, distance));
+    let at = |distance: f64| add(middle, polar(DIAMETER_SIDE.0, distance));
     let [tip, start, beyond] = [0.5 * SIZE + above.ball, 0.72 * SIZE, 0.86 * SIZE].map(at);
     [
         line(ShapeKind::Path, vec![beyond, tip]).of(names::MVAR),

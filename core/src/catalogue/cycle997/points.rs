@@ -4,22 +4,22 @@ use super::params::{ANGLE, DIAMETER, FOUR_POINTS, ONE};
 use crate::catalogue::circle;
 use crate::catalogue::prelude::*;
 
-/// Direction of the point for the diameter, which is approached in plus direction, degree (B:8371).
-pub const DIAMETER_SIDE: f64 = 180.0;
+/// Direction of the point for the diameter, which is approached in plus direction (B:8371).
+pub const DIAMETER_SIDE: Degrees = Degrees(180.0);
 
-/// Directions of the points from the centre in their order, degree; missing angles count as in the drawing. Parallel to
+/// Directions of the points from the centre in their order; missing angles count as in the drawing. Parallel to
 /// the axes the manual does not say on which side P1 lies; here on the plus side, as with a shaft (B:8437-8445).
-pub fn directions(inputs: &Inputs) -> Vec<f64> {
+pub fn directions(inputs: &Inputs) -> Vec<Degrees> {
     if !ANGLE.holds(inputs) {
-        return vec![0.0, 180.0, 90.0, 270.0];
+        return [0.0, 180.0, 90.0, 270.0].map(Degrees).to_vec();
     }
-    let start = inputs.number(names::STA1) % 360.0;
-    let step = inputs.given(names::INCA).unwrap_or(90.0) % 360.0;
+    let start = inputs.degrees(names::STA1).within_turn();
+    let step = Degrees(inputs.given(names::INCA).unwrap_or(90.0)).within_turn();
     circle::points(start, step, FOUR_POINTS.holds(inputs))
 }
 
 /// All directions from which the ball comes, the one for the diameter included.
-pub fn sides(inputs: &Inputs) -> Vec<f64> {
+pub fn sides(inputs: &Inputs) -> Vec<Degrees> {
     let mut all = directions(inputs);
     if DIAMETER.holds(inputs) && ANGLE.holds(inputs) {
         all.push(DIAMETER_SIDE);

@@ -5,7 +5,7 @@ use super::points;
 use super::simulate::failed;
 use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::measuring_block::{Block, Point, Ray};
-use crate::geometry::{Degrees, fit};
+use crate::geometry::fit;
 
 /// A sphere as it should be or as it was found, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -86,7 +86,7 @@ impl Plan<'_> {
     fn around(&self, machine: &mut dyn Machine, expected: &Sphere) -> Result<[f64; 2], Stop> {
         let Plan { block, inputs, .. } = self;
         let [x, y, _] = expected.centre;
-        let [step, feed] = [names::INCA, names::RF].map(|name| inputs.number(name));
+        let (step, feed) = (inputs.degrees(names::INCA), inputs.number(names::RF));
         let mut balls = Vec::new();
         for (index, angle) in points::directions(inputs).into_iter().enumerate() {
             let ray = Ray::at(angle, [x, y], expected.diameter / 2.0, false, block.path);
@@ -94,7 +94,7 @@ impl Plan<'_> {
                 block.travel_in_plane(machine, block.start_along(&ray))?;
                 self.down(machine, expected)?;
             } else {
-                block.travel_around(machine, [x, y], Degrees(step), feed)?;
+                block.travel_around(machine, [x, y], step, feed)?;
             }
             balls.push(block.ball_along(machine, &ray)?);
         }

@@ -67,7 +67,7 @@ impl Surface {
                 2 => -1.0,
                 _ => return None,
             };
-            Some(Leg { axis, distance: inputs.number(*distance), set: inputs.number(*angle), sense })
+            Some(Leg { axis, distance: inputs.number(*distance), set: inputs.degrees(*angle).0, sense })
         };
         let legs = offsets.into_iter().zip(ways(inputs)).map(leg).collect::<Option<_>>()?;
         Some(Surface { measuring, legs })

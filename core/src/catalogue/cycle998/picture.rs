@@ -26,7 +26,7 @@ fn axes(inputs: &Inputs) -> [usize; 2] {
 /// The surface at its angles, so steep at most that all of it is seen.
 pub fn stage(inputs: &Inputs) -> Staging {
     let [offset, measuring] = axes(inputs);
-    let steep = |name| inputs.number(name).clamp(-STEEP, STEEP);
+    let steep = |name| inputs.degrees(name).0.clamp(-STEEP, STEEP);
     let set = SET.copysign(inputs.number(names::SETVAL));
     let looks = match TWO.holds(inputs) {
         true => vec![look(0, 2).touching(0b11), look(1, 2).touching(0b101)],

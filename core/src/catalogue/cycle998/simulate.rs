@@ -93,7 +93,7 @@ impl Probing<'_> {
             to[block.axes[leg.axis]] += leg.distance;
             if at_angle {
                 // along the set angle, and away from the surface by the safe area (B:7546)
-                to[block.axes[axis]] += leg.rise(leg.set - leg.sense * direction * inputs.number(names::TSA));
+                to[block.axes[axis]] += leg.rise(leg.set - leg.sense * direction * inputs.degrees(names::TSA).0);
             }
             block.travel(machine, to)?;
             rises.push(plain.measure_from_here(machine, point)? + skew - first);

@@ -20,8 +20,8 @@ const PULL_BACK: f64 = 2.0;
 enum Spindle {
     /// As it is.
     Stays,
-    /// A mono probe is turned into the direction of probing, plus this angle in degree (B:864-871, B:13624).
-    Follows(f64),
+    /// A mono probe is turned into the direction of probing, plus this angle (B:864-871, B:13624).
+    Follows(Degrees),
 }
 
 /// Everything a measuring block needs besides the point.
@@ -232,26 +232,26 @@ impl Block {
     fn face(&self, machine: &mut dyn Machine, point: &Point) {
         let backwards = if point.direction > 0.0 { 0.0 } else { 180.0 };
         if point.axis < 2 {
-            self.orient(machine, 90.0 * point.axis as f64 + backwards);
+            self.orient(machine, Degrees(90.0 * point.axis as f64 + backwards));
         }
     }
 
-    /// Turns a probe that follows into the direction of probing, degree from the abscissa of the WCS.
-    fn orient(&self, machine: &mut dyn Machine, angle: f64) {
+    /// Turns a probe that follows into the direction of probing, from the abscissa of the WCS.
+    fn orient(&self, machine: &mut dyn Machine, angle: Degrees) {
         if let Spindle::Follows(offset) = self.spindle {
             let seen = on_machine(machine.control(), angle);
-            machine.orient(Degrees(offset - seen).positive());
+            machine.orient((offset - seen).positive());
         }
     }
 }
 
-/// A direction of the WCS on the machine, degree from the abscissa to the ordinate: frames may be turned and mirrored.
-fn on_machine(control: &Control, angle: f64) -> f64 {
+/// A direction of the WCS on the machine, from the abscissa to the ordinate: frames may be turned and mirrored.
+fn on_machine(control: &Control, angle: Degrees) -> Degrees {
     let [abscissa, ordinate, _] = control.plane.axes();
     let mut direction = [0.0; 3];
-    (direction[ordinate], direction[abscissa]) = Degrees(angle).sin_cos();
+    (direction[ordinate], direction[abscissa]) = angle.sin_cos();
     let seen = control.direction_to_machine(Dir::new(direction)).0;
-    if seen == direction { angle } else { seen[ordinate].atan2(seen[abscissa]).to_degrees() }
+    if seen == direction { angle } else { Degrees::of(seen[ordinate].atan2(seen[abscissa])) }
 }
 
 /// Asks for a spindle that a measuring variant can turn (61372, A:15916).

@@ -46,16 +46,11 @@ pub fn begin(machine: &mut dyn Machine, inputs: &Inputs, cycle: i64) {
     integer(machine, 2, cycle);
     integer(machine, 5, inputs.integer(names::PRNUM) % 100);
     integer(machine, 9, 0);
-    if watches_angle(inputs) {
-        angle(machine, 28, inputs.number(names::TSA));
+    if inputs.is_angle(names::TSA) {
+        angle(machine, 28, inputs.degrees(names::TSA).0);
     } else if inputs.cycle.param(names::TSA.as_str()).is_some() {
         length(machine, 28, inputs.number(names::TSA));
     }
-}
-
-/// Whether the safe area of the cycle is an angle (B:15921).
-pub fn watches_angle(inputs: &Inputs) -> bool {
-    inputs.cycle.param(names::TSA.as_str()).is_some_and(|param| param.unit == Unit::Degree)
 }
 
 /// What a measurement with zero offset tells beside: the frame, no tool, nothing written yet (B:5692-5701).

@@ -182,11 +182,11 @@ fn explain(decision: &Decision, differences: &[f64]) -> Message {
 
 /// Zero offset variants watch only the safe area, each difference for itself (B:6221, B:6276).
 pub fn safe(machine: &mut dyn Machine, inputs: &Inputs, differences: &[f64], repetition: u32) -> Result<Next, Stop> {
-    let limit = inputs.number(names::TSA);
+    let limit = inputs.value(names::TSA);
     let Some(worst) = differences.iter().copied().find(|difference| exceeds(difference.abs(), limit)) else {
         return Ok(Next::Done);
     };
-    let key = if results::watches_angle(inputs) { "evaluate-safe-area-angle" } else { "evaluate-safe-area" };
+    let key = if inputs.is_angle(names::TSA) { "evaluate-safe-area-angle" } else { "evaluate-safe-area" };
     let message = Message::new(key).number("difference", worst).number("mean", 0.0);
     machine.record(Step::Decision { message });
     if repeat(machine, 62303, repetition) {

@@ -211,6 +211,20 @@ fn compare_allowed(cycle: &'static Cycle, param: &Param, inputs: &Inputs, cell: 
     }
 }
 
+#[test]
+fn an_angle_is_read_as_nothing_else() {
+    // oracle: self: what the table calls degrees is read as an angle, all else as a number
+    let stops = |read: &dyn Fn() -> f64| std::panic::catch_unwind(std::panic::AssertUnwindSafe(read)).is_err();
+    for cycle in tabled() {
+        let inputs = Inputs::new(cycle, cycle.variants[0].number);
+        for param in cycle.params {
+            let angle = param.unit == Unit::Degree;
+            assert_eq!(stops(&|| inputs.number(param.name)), angle, "{}", param.name);
+            assert_eq!(stops(&|| inputs.degrees(param.name).0), !angle, "{}", param.name);
+        }
+    }
+}
+
 /// Whether another place allows a part only of what a row does: the axis in which the radius lies (B:9279), measuring
 /// axes in the plane (B:7582).
 fn narrowed(cycle: &Cycle, param: &Param, variant: i64) -> bool {

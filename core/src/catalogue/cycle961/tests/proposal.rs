@@ -37,7 +37,7 @@ fn the_worked_examples_are_measured_from_the_proposed_start() {
             let mut setup = setup(plane);
             let typed = example(&CYCLE961, variant);
             let inputs = check(&CYCLE961, &typed, &setup.control).inputs.unwrap();
-            let edge = if POINTS.holds(&inputs) { 0.0 } else { inputs.number(names::STA1) };
+            let edge = if POINTS.holds(&inputs) { 0.0 } else { inputs.degrees(names::STA1).0 };
             proposed(&mut setup, &inputs, edge);
         }
     }

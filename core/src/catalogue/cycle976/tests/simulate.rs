@@ -9,7 +9,7 @@ use crate::catalogue::sinumerik::testing::{at, call, called, put, random_parts, 
 use crate::control::{Control, Frame, Plane, Units};
 use crate::dialect::Dialect;
 use crate::entry::{Inputs, names};
-use crate::geometry::{Dir, Rpy};
+use crate::geometry::{Degrees, Dir, Rpy};
 use crate::machine::sim::Sim;
 use crate::machine::{Setup, Stop};
 use proptest::prelude::*;
@@ -90,7 +90,7 @@ fn cases() -> impl Strategy<Value = Case> {
 impl Case {
     /// The probe's skew as abscissa and ordinate of the WCS see it, which is turned.
     fn seen(&self) -> [f64; 2] {
-        turned(self.skew, self.rotation)
+        turned(self.skew, Degrees(self.rotation))
     }
 
     fn inputs(&self, variant: i64) -> Inputs {

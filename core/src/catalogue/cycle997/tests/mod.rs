@@ -110,7 +110,7 @@ fn points_lie_where_the_variant_says() {
     let of = |variant: i64| {
         let mut inputs = Inputs::new(&CYCLE997, variant);
         inputs.numbers.extend([(names::STA1, 10.0), (names::INCA, -60.0)]);
-        points::sides(&inputs)
+        points::sides(&inputs).into_iter().map(|side| side.0).collect::<Vec<_>>()
     };
     assert_eq!(of(109), [0.0, 180.0, 90.0, 270.0]);
     assert_eq!(of(1_000_109), [0.0, 180.0, 90.0, 270.0]);

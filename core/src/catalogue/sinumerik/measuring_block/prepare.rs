@@ -13,7 +13,7 @@ impl Block {
         let block = read(machine.control(), inputs).map_err(|number| alarm(machine, number))?;
         if let Some(angle) = follow_rotation(machine.control(), inputs) {
             turnable(machine)?;
-            machine.orient(Degrees(angle));
+            machine.orient(angle);
         }
         Ok(block)
     }
@@ -69,8 +69,8 @@ fn read(control: &Control, inputs: &Inputs) -> Result<Block, u32> {
     });
     let spindle = match (mono, control.bit("_CBIT[8]")) {
         (false, _) => Spindle::Stays,
-        (true, false) => Spindle::Follows(0.0),
-        (true, true) => Spindle::Follows(inputs.number(names::CORA)),
+        (true, false) => Spindle::Follows(Degrees(0.0)),
+        (true, true) => Spindle::Follows(inputs.degrees(names::CORA)),
     };
     Ok(Block {
         centre: if control.bit("_CBIT[14]") && !turning(inputs) { common.radius * sense[2] } else { 0.0 },
@@ -127,7 +127,7 @@ fn speeds(control: &Control, monitored: bool) -> Result<(f64, f64), u32> {
 /// With `_CHBIT[13]` a multi probe turns with the coordinate system: 90 degree of rotation about the applicate, and
 /// only about it, give 270 degree (with `_CHBIT[14]` 90) of the spindle (B:13973-13987). What frames mirror is not
 /// turned: the data of the probe take the other direction there.
-fn follow_rotation(control: &Control, inputs: &Inputs) -> Option<f64> {
+fn follow_rotation(control: &Control, inputs: &Inputs) -> Option<Degrees> {
     if turning(inputs) || !control.bit("_CHBIT[13]") || MONO.holds(inputs) {
         return None;
     }
@@ -140,7 +140,7 @@ fn follow_rotation(control: &Control, inputs: &Inputs) -> Option<f64> {
     if control.chain().iter().any(tilted) {
         return None;
     }
-    let rotation = if control.mirrored(abscissa) { on_machine(control, 180.0) } else { on_machine(control, 0.0) };
+    let rotation = on_machine(control, Degrees(if control.mirrored(abscissa) { 180.0 } else { 0.0 }));
     let angle = if control.bit("_CHBIT[14]") { rotation } else { -rotation };
-    Some(angle.rem_euclid(360.0))
+    Some(angle.positive())
 }

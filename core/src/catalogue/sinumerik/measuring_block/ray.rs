@@ -10,8 +10,8 @@ use crate::catalogue::prelude::*;
 /// A surface to be touched along any direction of the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
-    /// Direction of the probe from the abscissa towards the ordinate, degree.
-    pub angle: f64,
+    /// Direction of the probe from the abscissa towards the ordinate.
+    pub angle: Degrees,
     /// Where the surface is expected: abscissa, ordinate, mm.
     pub set: [f64; 2],
     /// Distance of start and end from the set switching position, mm.
@@ -20,16 +20,16 @@ pub struct Ray {
 
 impl Ray {
     /// Towards the point of a circle, or of two walls opposite each other, that lies at this angle from its centre:
-    /// from within or from outside; mm and degree.
-    pub fn at(angle: f64, centre: [f64; 2], radius: f64, inside: bool, path: f64) -> Ray {
-        let (sine, cosine) = Degrees(angle).sin_cos();
+    /// from within or from outside; mm.
+    pub fn at(angle: Degrees, centre: [f64; 2], radius: f64, inside: bool, path: f64) -> Ray {
+        let (sine, cosine) = angle.sin_cos();
         let set = [centre[0] + radius * cosine, centre[1] + radius * sine];
-        Ray { angle: if inside { angle } else { angle + 180.0 }, set, path }
+        Ray { angle: if inside { angle } else { angle + Degrees(180.0) }, set, path }
     }
 
     /// Unit vector of the direction: abscissa, ordinate.
     pub fn direction(&self) -> [f64; 2] {
-        let (sine, cosine) = Degrees(self.angle).sin_cos();
+        let (sine, cosine) = self.angle.sin_cos();
         [cosine, sine]
     }
 }
@@ -114,7 +114,11 @@ mod tests {
     /// Towards the wall whose outward normal stands at `angle`.
     fn ray(angle: f64) -> Ray {
         let (sine, cosine) = Degrees(angle).sin_cos();
-        Ray { angle: angle + 180.0, set: [MIDDLE[0] + cosine * WIDTH / 2.0, MIDDLE[1] + sine * WIDTH / 2.0], path: 4.0 }
+        Ray {
+            angle: Degrees(angle + 180.0),
+            set: [MIDDLE[0] + cosine * WIDTH / 2.0, MIDDLE[1] + sine * WIDTH / 2.0],
+            path: 4.0,
+        }
     }
 
     fn block(sim: &mut Sim, values: &[(&'static str, f64)]) -> Block {
@@ -164,7 +168,7 @@ mod tests {
             let mut sim = Sim::new(&setup);
             let block = block(&mut sim, &[]);
             for (angle, axis, direction) in [(0.0, 0, 1.0), (90.0, 1, 1.0), (180.0, 0, -1.0), (-90.0, 1, -1.0)] {
-                let ray = Ray { angle, set: [0.0; 2], path: block.path };
+                let ray = Ray { angle: Degrees(angle), set: [0.0; 2], path: block.path };
                 let start = block.start(&block.point(axis, direction, 0.0));
                 prop_assert!((block.start_along(&ray)[axis] - start).abs() < 1e-12, "{angle}");
             }
