@@ -91,7 +91,7 @@ impl Look {
 }
 
 /// Parameters that the figures explain which every picture of a sort has.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Fields {
     /// The touched edges, in the order in which they are touched; the last one counts for the rest.
     pub edges: &'static [Name],
@@ -124,10 +124,8 @@ impl Fields {
         probe: Some(names::PRNUM),
         touch: Some(names::NMSP),
         zone: Some(names::SZA),
-        beyond: false,
-        at_start: false,
-        marks: &[],
         mark: Some(""),
+        ..Fields::MACRO
     };
     /// Of a macro on NCT.
     pub const MACRO: Fields = Fields {
@@ -145,7 +143,7 @@ impl Fields {
 }
 
 /// What is carried out for a picture.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Staging {
     /// Values in place of those of the call; mm and degree.
     pub values: Vec<(Name, f64)>,
@@ -180,22 +178,7 @@ pub struct Staging {
 impl Staging {
     /// With the values of the call.
     pub fn new(look: Look, fields: Fields) -> Staging {
-        Staging {
-            values: Vec::new(),
-            left_out: Vec::new(),
-            all_ways: false,
-            variant: None,
-            proposed: None,
-            tip: None,
-            then: None,
-            tool: None,
-            plane: None,
-            data: Vec::new(),
-            scale: 1.0,
-            ball: BALL,
-            looks: vec![look],
-            fields,
-        }
+        Staging { scale: 1.0, ball: BALL, looks: vec![look], fields, ..Staging::default() }
     }
 
     /// With another value of a parameter.

@@ -10,7 +10,7 @@ pub mod sim;
 pub mod trace;
 
 pub use in_use::InUse;
-pub use route::{Obstacle, Route};
+pub use route::Route;
 pub use setup::{PROBE_TOOL, Setup, ideal_probe, probe_data, probe_place};
 pub use sim::Sim;
 pub use trace::{Entry, MotionKind, Step, Trace};

@@ -2,7 +2,7 @@
 
 use crate::control::Control;
 use crate::geometry::{Around, Dir, FARTHEST, Mcs, Stretch, TOLERANCE, V3, roots};
-use crate::workpiece::{Boundary, Contact, Feeler, Touching};
+use crate::workpiece::{Boundary, Contact, Feeler, Obstacle, Touching};
 
 /// How far a stretch of an arc that counts as straight may be from its chord, mm.
 const FLAT: f64 = 1e-5;
@@ -24,23 +24,6 @@ pub struct Route {
     pub to: Mcs,
     /// Round what; none: straight.
     pub around: Option<Around<Mcs>>,
-}
-
-/// Where part or tool probe stops a motion.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Obstacle {
-    /// Part of the way that is done, 0 to 1.
-    pub part: f64,
-    /// Position then.
-    pub stop: Mcs,
-    /// Centre of the ball then, or of a tool the point to which its lengths refer.
-    pub ball: Mcs,
-    /// Point touched.
-    pub point: Mcs,
-    /// Outward unit normal there.
-    pub normal: Dir<Mcs>,
-    /// What of the probe touches; of a tool always what stands for its ball.
-    pub by: Touching,
 }
 
 impl Route {
@@ -190,15 +173,8 @@ impl Route {
         self.search(shift, effort, near, |[begin, end]| {
             let [from, to] = [begin, end].map(|part| self.at(part));
             let met = probe.caught(part, from + shift, to + shift)?;
-            let stop = between(from, to, met.part);
-            Some(Obstacle {
-                part: begin + met.part * (end - begin),
-                stop,
-                ball: stop + shift,
-                point: met.point,
-                normal: met.normal,
-                by: met.by,
-            })
+            let (part, stop) = (begin + met.part * (end - begin), between(from, to, met.part));
+            Some(Obstacle { part, stop, ball: stop + shift, ..met })
         })
     }
 

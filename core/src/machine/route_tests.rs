@@ -1,11 +1,11 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 //! What arcs meet, against the distance of the part at many places of them.
 
-use super::{Obstacle, Route};
+use super::Route;
 use crate::geometry::{Around, Degrees, Dir, Mcs, V3};
 use crate::machine::ideal_probe;
 use crate::workpiece::feeler_tests::{any_solid, boundary, least};
-use crate::workpiece::{Boundary, Feeler, Shape, Solid, Touching};
+use crate::workpiece::{Boundary, Feeler, Obstacle, Shape, Solid, Touching};
 use proptest::prelude::*;
 
 const RADIUS: f64 = 3.0;

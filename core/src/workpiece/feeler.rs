@@ -40,17 +40,21 @@ pub struct Feeler {
     body: Option<Rod>,
 }
 
-/// What stylus or body meet.
+/// Where part or tool probe stops a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Caught {
-    /// Part of the way, 0 to 1.
+pub struct Obstacle {
+    /// Part of the way that is done, 0 to 1.
     pub part: f64,
-    /// What touches.
-    pub by: Touching,
+    /// Position then: of a measuring motion where the signal comes, after pre-travel and delay.
+    pub stop: Mcs,
+    /// Centre of the ball then, or of a tool the point to which its lengths refer.
+    pub ball: Mcs,
     /// Point touched.
     pub point: Mcs,
-    /// Outward unit normal of the part there.
+    /// Outward unit normal there.
     pub normal: Dir<Mcs>,
+    /// What of the probe touches; of a tool always what stands for its ball.
+    pub by: Touching,
 }
 
 impl Feeler {
@@ -81,9 +85,9 @@ impl Feeler {
         rods.into_iter().filter_map(|(by, rod)| rod.map(|rod| (by, rod)))
     }
 
-    /// What stylus and body meet first, the ball going straight. What goes through their axis at the start is met at
+    /// What stylus and body meet first, the ball going straight; its centre is the position. What goes through their axis at the start is met at
     /// once; not where the ball is pressed into the part: the stylus leans, and where to, nobody knows.
-    pub fn caught(&self, part: &Boundary, from: Mcs, to: Mcs) -> Option<Caught> {
+    pub fn caught(&self, part: &Boundary, from: Mcs, to: Mcs) -> Option<Obstacle> {
         let path = Path::new(from.into(), to.into());
         let way = Stretch::straight(from.into(), to.into());
         let met = self.rods().filter_map(|(by, rod)| {
@@ -101,12 +105,9 @@ impl Feeler {
             Some((by, met?))
         });
         let (by, met) = met.min_by(|(_, a), (_, b)| a.way.total_cmp(&b.way))?;
-        Some(Caught {
-            part: if path.length > 0.0 { met.way / path.length } else { 0.0 },
-            by,
-            point: met.point.into(),
-            normal: met.normal.into(),
-        })
+        let part = if path.length > 0.0 { met.way / path.length } else { 0.0 };
+        let ball = path.at(met.way).into();
+        Some(Obstacle { part, stop: ball, ball, point: met.point.into(), normal: met.normal.into(), by })
     }
 
     /// Whether the ball may meet the part on a stretch of its way.

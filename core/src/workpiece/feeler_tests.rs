@@ -1,9 +1,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 //! Stylus and body of the probe against parts: hand-made ones, and random ones against the distance of the part.
 
-use super::{
-    Boundary, Contact, Feeler, PartErrors, Probe, ProbeBody, Shape, Solid, Touching, Workpiece, feeler::Caught,
-};
+use super::{Boundary, Contact, Feeler, Obstacle, PartErrors, Probe, ProbeBody, Shape, Solid, Touching, Workpiece};
 use crate::geometry::{Degrees, Dir, Mcs, Rpy, V3};
 use crate::machine::ideal_probe;
 use proptest::prelude::*;
@@ -35,12 +33,12 @@ fn held() -> Feeler {
     Feeler::new(&probe, UP)
 }
 
-fn caught(part: &Boundary, probe: &Feeler, from: [f64; 3], to: [f64; 3]) -> Option<Caught> {
+fn caught(part: &Boundary, probe: &Feeler, from: [f64; 3], to: [f64; 3]) -> Option<Obstacle> {
     probe.caught(part, Mcs(from), Mcs(to))
 }
 
 /// Where the ball is when stylus or body touch.
-fn stop(from: [f64; 3], to: [f64; 3], met: &Caught) -> V3 {
+fn stop(from: [f64; 3], to: [f64; 3], met: &Obstacle) -> V3 {
     V3::from(from) + (V3::from(to) - V3::from(from)) * met.part
 }
 

@@ -24,7 +24,7 @@ mod tool_tests;
 
 pub(crate) use body::Body;
 pub use contact::{Boundary, Contact};
-pub use feeler::{Feeler, Touching};
+pub use feeler::{Feeler, Obstacle, Touching};
 pub(crate) use form::{Column, Columns, Form, Material};
 pub use free::{FreeSurface, Heights};
 pub use noise::Noise;

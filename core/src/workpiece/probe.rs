@@ -1,22 +1,7 @@
 //! When the probe switches, and where the control then believes the spindle to be.
 
-use super::{Boundary, Contact, Feeler, Noise, Probe, Touching, feeler::Caught, tool::across};
+use super::{Boundary, Contact, Feeler, Noise, Obstacle, Probe, Touching, tool::across};
 use crate::geometry::{Degrees, Dir, Mcs, Path, TOLERANCE, V3};
-
-/// A signal of the probe. Machine coordinates, mm.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Touch {
-    /// Spindle axis, at the height of the ball centre, when the signal came.
-    pub latched: Mcs,
-    /// Centre of the ball at contact (before pre-travel and delay).
-    pub ball: Mcs,
-    /// Point touched.
-    pub point: Mcs,
-    /// Outward unit normal of the part there.
-    pub normal: Dir<Mcs>,
-    /// What of the probe touches; the body gives no signal, so that nothing is latched: it stands where it touches.
-    pub by: Touching,
-}
 
 /// Ball centre minus spindle axis, the probe turned from abscissa to ordinate; `axis`: index of the applicate.
 pub fn ball_offset(probe: &Probe, turned: Degrees, axis: usize) -> Dir<Mcs> {
@@ -37,7 +22,8 @@ pub struct Stand {
 
 /// Moves the probe until it switches. `from` and `to`: spindle axis at the height of the ball centre; feed in mm/min.
 /// None where no signal comes before `to`, even if the ball already touches. A probe that reaches into the part at the
-/// start gives its signal at once. A stylus that is deflected gives it as the ball does, its body none.
+/// start gives its signal at once. A stylus that is deflected gives it as the ball does; its body gives none, so that
+/// nothing is latched, and stands where it touches.
 pub fn touch(
     part: &Boundary,
     probe: &Probe,
@@ -46,7 +32,7 @@ pub fn touch(
     to: Mcs,
     feed: f64,
     noise: &mut Noise,
-) -> Option<Touch> {
+) -> Option<Obstacle> {
     let Stand { turned, axis, feeler } = stand;
     let offset = V3::from(ball_offset(probe, *turned, *axis));
     let (from, to) = (V3::from(from), V3::from(to));
@@ -54,7 +40,8 @@ pub fn touch(
     let ball = |gone: f64| -> Mcs { (way.at(gone) + offset).into() };
     let contact = part.first(feeler.radius, ball(0.0), (to + offset).into());
     if let Contact::Already { point, normal, .. } = contact {
-        return Some(Touch { latched: from.into(), ball: ball(0.0), point, normal, by: Touching::Ball });
+        let (stop, ball) = (from.into(), ball(0.0));
+        return Some(Obstacle { part: 0.0, stop, ball, point, normal, by: Touching::Ball });
     }
     let met = first_met(part, feeler, &contact, [ball(0.0), (to + offset).into()])?;
     let gone = met.part * way.length;
@@ -62,22 +49,16 @@ pub fn touch(
         Touching::Body => gone,
         _ => (gone + lateness(probe, *turned, *axis, &way.direction, feed, noise)).max(0.0),
     };
-    (signal <= way.length).then(|| Touch {
-        latched: way.at(signal).into(),
-        ball: ball(gone),
-        point: met.point,
-        normal: met.normal,
-        by: met.by,
-    })
+    (signal <= way.length).then(|| Obstacle { stop: way.at(signal).into(), ball: ball(gone), ..met })
 }
 
 /// What of the probe touches first, where the ball meets this.
-fn first_met(part: &Boundary, feeler: &Feeler, ball: &Contact, [from, to]: [Mcs; 2]) -> Option<Caught> {
+fn first_met(part: &Boundary, feeler: &Feeler, ball: &Contact, [from, to]: [Mcs; 2]) -> Option<Obstacle> {
     let Contact::Hit { t, ball, point, normal } = *ball else { return feeler.caught(part, from, to) };
     let length = (V3::from(ball) - V3::from(from)).norm();
     let before = feeler.caught(part, from, ball).filter(|met| (1.0 - met.part) * length > TOLERANCE);
-    let before = before.map(|met| Caught { part: met.part * t, ..met });
-    before.or(Some(Caught { part: t, by: Touching::Ball, point, normal }))
+    let before = before.map(|met| Obstacle { part: met.part * t, ..met });
+    before.or(Some(Obstacle { part: t, stop: ball, ball, point, normal, by: Touching::Ball }))
 }
 
 /// Travel from contact to signal, mm: pre-travel (lobes by the motion across the tool axis, turned), delay, scatter.

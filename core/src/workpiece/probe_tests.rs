@@ -1,8 +1,8 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 //! The probe with and without errors of its own.
 
-use super::probe::{Stand, Touch, ball_offset, touch};
-use super::{Boundary, Feeler, Noise, PartErrors, Probe, Shape, Solid, Workpiece};
+use super::probe::{Stand, ball_offset, touch};
+use super::{Boundary, Feeler, Noise, Obstacle, PartErrors, Probe, Shape, Solid, Workpiece};
 use crate::geometry::{Degrees, Dir, Mcs, Rpy};
 use crate::machine::ideal_probe;
 use proptest::prelude::*;
@@ -27,7 +27,7 @@ fn upright(probe: &Probe, turned: f64) -> Stand {
 }
 
 /// In the G17 plane, at the ball height −5.
-fn go(part: &Workpiece, probe: &Probe, turned: f64, from: [f64; 2], to: [f64; 2]) -> Option<Touch> {
+fn go(part: &Workpiece, probe: &Probe, turned: f64, from: [f64; 2], to: [f64; 2]) -> Option<Obstacle> {
     let point = |p: [f64; 2]| Mcs([p[0], p[1], -5.0]);
     touch(&Boundary::of(part), probe, &upright(probe, turned), point(from), point(to), 300.0, &mut Noise::new(1))
 }
@@ -35,7 +35,7 @@ fn go(part: &Workpiece, probe: &Probe, turned: f64, from: [f64; 2], to: [f64; 2]
 // oracle: hand: the block's face is at X = 20, the ball of 3 mm comes from outside
 #[test]
 fn signal_comes_late() {
-    let latched = |probe: &Probe| go(&block(), probe, 0.0, [40.0, 0.0], [0.0, 0.0]).unwrap().latched[0];
+    let latched = |probe: &Probe| go(&block(), probe, 0.0, [40.0, 0.0], [0.0, 0.0]).unwrap().stop[0];
     let probe = ideal_probe();
     assert!((latched(&probe) - 23.0).abs() < 1e-12);
     let pre_travel = Probe { pre_travel: (0.01, 0.0), ..probe };
@@ -51,7 +51,7 @@ fn signal_comes_late() {
 fn lobes_turn_with_the_probe() {
     let probe = Probe { pre_travel: (0.01, 0.004), ..ideal_probe() };
     let part = hole(50.0, PartErrors::default());
-    let late = |turned: f64| go(&part, &probe, turned, [0.0, 0.0], [40.0, 0.0]).unwrap().latched[0] - 22.0;
+    let late = |turned: f64| go(&part, &probe, turned, [0.0, 0.0], [40.0, 0.0]).unwrap().stop[0] - 22.0;
     assert!((late(0.0) - 0.014).abs() < 1e-12 && (late(120.0) - 0.014).abs() < 1e-12);
     assert!((late(60.0) - 0.006).abs() < 1e-12 && (late(180.0) - 0.006).abs() < 1e-12);
     assert!((late(30.0) - 0.010).abs() < 1e-12);
@@ -84,8 +84,7 @@ fn scatter_repeats() {
         let mut noise = Noise::new(probe.repeatability.1);
         let one = |_| {
             let (from, to) = (Mcs([40.0, 0.0, -5.0]), Mcs([0.0, 0.0, -5.0]));
-            touch(&Boundary::of(&block()), &probe, &upright(&probe, 0.0), from, to, 300.0, &mut noise).unwrap().latched
-                [0]
+            touch(&Boundary::of(&block()), &probe, &upright(&probe, 0.0), from, to, 300.0, &mut noise).unwrap().stop[0]
                 - 23.0
         };
         (0..400).map(one).collect::<Vec<f64>>()
@@ -113,7 +112,7 @@ proptest! {
                 let ends = [0, 1].map(|side| {
                     let way = DIRECTIONS[2 * axis + side].map(|part| part * 80.0);
                     let to = [at[0] + way[0], at[1] + way[1]];
-                    go(&part, &probe, 0.0, at, to).unwrap().latched[axis]
+                    go(&part, &probe, 0.0, at, to).unwrap().stop[axis]
                 });
                 at[axis] = (ends[0] + ends[1]) / 2.0;
                 chord[axis] = ends[0] - ends[1] + 2.0 * radius;

@@ -4,10 +4,10 @@ use super::Sim;
 use crate::control::{Edge, LATHE_PROBE};
 use crate::diagnostic::Code;
 use crate::geometry::{Degrees, Dir, Mcs};
-use crate::machine::{MotionKind, Obstacle, Route, Step, Stop};
+use crate::machine::{MotionKind, Route, Step, Stop};
 use crate::message::Message;
 use crate::workpiece::probe::{Stand, ball_offset, touch};
-use crate::workpiece::{Feeler, Touching};
+use crate::workpiece::{Feeler, Obstacle, Touching};
 
 impl Sim {
     /// Whether the simulated probe is in use: type 710 or 580, or a measuring cycle of workpieces is running. Any other
@@ -79,15 +79,13 @@ impl Sim {
         }
         let height = self.ball_height();
         let signal = touch(&self.part, &self.probe, &self.stand(), from + height, to + height, feed, &mut self.noise);
-        let end = signal.map_or(to, |touch| touch.latched + -height);
+        let end = signal.map_or(to, |met| met.stop + -height);
         let way = Route::straight(from, end);
         if let Some(stop) = self.false_signal(&way, MotionKind::Measuring, feed) {
             return Ok(Some(stop));
         }
         self.go(&way, MotionKind::Measuring, feed);
-        let Some(touch) = signal else { return Ok(None) };
-        let met =
-            Obstacle { part: 1.0, stop: end, ball: touch.ball, point: touch.point, normal: touch.normal, by: touch.by };
+        let Some(met) = signal.map(|met| Obstacle { stop: end, ..met }) else { return Ok(None) };
         if met.by == Touching::Body {
             return Err(self.crash(&met));
         }

@@ -2,9 +2,9 @@
 
 use super::Sim;
 use crate::geometry::{Around, Degrees, Dir, Mcs, Rod, V3};
-use crate::machine::{Obstacle, Route, Step, Stop};
+use crate::machine::{Route, Step, Stop};
 use crate::message::Message;
-use crate::workpiece::{Feeler, Touching, Workpiece};
+use crate::workpiece::{Feeler, Obstacle, Touching, Workpiece};
 
 impl Sim {
     /// Turns a rotary axis (index A B C) to a position of the machine; the part turns with it. Where it meets

@@ -2,9 +2,9 @@
 
 use super::Sim;
 use crate::geometry::{Dir, Mcs, Stretch, V3};
-use crate::machine::{MotionKind, Obstacle, Route, in_use};
+use crate::machine::{MotionKind, Route, in_use};
 use crate::workpiece::tool_probe::Contact;
-use crate::workpiece::{Noise, Tool, ToolProbe, Touching, tool::Piece, tool_probe};
+use crate::workpiece::{Noise, Obstacle, Tool, ToolProbe, Touching, tool::Piece, tool_probe};
 
 /// The scatter of all tool probes comes from the sequence of the first.
 pub(super) fn noise(probes: &[ToolProbe]) -> Noise {
