@@ -1,8 +1,8 @@
 //! The way of one motion, straight or round an axis, and what stops the probe on it.
 
 use crate::control::Control;
-use crate::geometry::{Around, Dir, FARTHEST, Mcs, Stretch, TOLERANCE, V3, roots};
-use crate::workpiece::{Boundary, Contact, Feeler, Obstacle, Touching};
+use crate::geometry::{Around, Dir, FARTHEST, Mcs, Stretch, V3, roots};
+use crate::workpiece::{Boundary, Contact, Feeler, Obstacle};
 
 /// How far a stretch of an arc that counts as straight may be from its chord, mm.
 const FLAT: f64 = 1e-5;
@@ -107,9 +107,7 @@ impl Route {
         let caught = free.catches(part, probe, shift, &mut looked);
         *effort += looked * part.weight();
         let Some(ball) = ball else { return caught };
-        let before = caught.filter(|met| (1.0 - met.part) * free.length() > TOLERANCE);
-        let before = before.map(|met| Obstacle { part: met.part * ball.part, ..met });
-        before.or(Some(ball))
+        Some(ball.or_before(caught, free.length()))
     }
 
     /// What is met first. An arc is halved again and again: a stretch is left out where `near` is sure that nothing can
@@ -203,34 +201,22 @@ enum Ahead {
 
 /// What a ball meets on a straight way. One that reaches into the part at the start and leaves it goes on.
 fn straight(part: &Boundary, radius: f64, from: Mcs, to: Mcs, shift: Dir<Mcs>) -> Ahead {
-    let met = |part: f64, ball: Mcs, point: Mcs, normal: Dir<Mcs>| Obstacle {
-        part,
-        stop: ball + -shift,
-        ball,
-        point,
-        normal,
-        by: Touching::Ball,
-    };
     let end = to + shift;
     let mut start = from + shift;
     let mut gone = 0.0;
     for _ in 0..4 {
+        let seen = |met: Obstacle| Obstacle { part: gone + met.part * (1.0 - gone), stop: met.ball + -shift, ..met };
         match part.first(radius, start, end) {
             Contact::None => return Ahead::Free,
-            Contact::Hit { t, ball, point, normal } => {
-                return Ahead::Met(met(gone + t * (1.0 - gone), ball, point, normal));
-            }
-            Contact::Already { point, normal, depth } => {
-                let pressed = met(gone, start, point, normal);
-                match released(start, end, normal, depth) {
-                    None => return Ahead::Met(pressed),
-                    Some(share) if share >= 1.0 => return Ahead::Leaving(pressed),
-                    Some(share) => {
-                        start = between(start, end, share);
-                        gone += share * (1.0 - gone);
-                    }
+            Contact::Hit(met) => return Ahead::Met(seen(met)),
+            Contact::Already(met, depth) => match released(start, end, met.normal, depth) {
+                None => return Ahead::Met(seen(met)),
+                Some(share) if share >= 1.0 => return Ahead::Leaving(seen(met)),
+                Some(share) => {
+                    start = between(start, end, share);
+                    gone += share * (1.0 - gone);
                 }
-            }
+            },
         }
     }
     Ahead::Free

@@ -277,7 +277,7 @@ impl Machine for Sim {
     fn in_contact(&self) -> bool {
         let ball = self.position + self.ball();
         let contact = self.part.first(self.probe.radius, ball, ball);
-        matches!(contact, Contact::Already { .. })
+        matches!(contact, Contact::Already(..))
     }
 
     fn signal_stands(&self) -> bool {

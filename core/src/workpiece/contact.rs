@@ -1,45 +1,25 @@
 //! First contact of a moving ball with the part, to 1e-9 mm.
 
-use super::{Body, Workpiece};
+use super::{Body, Obstacle, Touching, Workpiece};
 use crate::geometry::feature::{first as first_on, foot};
-use crate::geometry::{Dir, Extent, Mcs, Met, Path, Stand, TOLERANCE, V3, earliest};
+use crate::geometry::{Extent, Mcs, Met, Path, Stand, TOLERANCE, V3, earliest};
 
-/// What a ball meets on a straight way. Machine coordinates, mm.
+/// What a ball meets on a straight way of its centre. Machine coordinates, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Contact {
     /// Nothing.
     None,
-    /// It already reaches into the part at the start.
-    Already {
-        /// Nearest point of the surface.
-        point: Mcs,
-        /// Outward unit normal there.
-        normal: Dir<Mcs>,
-        /// How deep the ball reaches into the part.
-        depth: f64,
-    },
+    /// It already reaches into the part at the start, so deep; the point is the nearest one of the surface.
+    Already(Obstacle, f64),
     /// It begins to touch; at 0 where it touches at the start and moves into the part, not along or away.
-    Hit {
-        /// Part of the way, 0 to 1.
-        t: f64,
-        /// Centre of the ball.
-        ball: Mcs,
-        /// Point touched.
-        point: Mcs,
-        /// Outward unit normal of the part there.
-        normal: Dir<Mcs>,
-    },
+    Hit(Obstacle),
 }
 
 impl Contact {
     /// What is met on a way of this length, mm; at once what the ball reaches into.
     pub(super) fn met(&self, length: f64) -> Option<Met> {
-        let (way, point, normal) = match *self {
-            Contact::None => return None,
-            Contact::Already { point, normal, .. } => (0.0, point, normal),
-            Contact::Hit { t, point, normal, .. } => (t * length, point, normal),
-        };
-        Some(Met { way, point: point.into(), normal: normal.into() })
+        let (Contact::Already(met, _) | Contact::Hit(met)) = self else { return None };
+        Some(Met { way: met.part * length, point: met.point.into(), normal: met.normal.into() })
     }
 }
 
@@ -63,20 +43,15 @@ impl Boundary {
             let own = way.seen(&body.place);
             let met = match stand(body, &own, ball_radius) {
                 Stand::Inside(point, normal, depth) => {
-                    let Met { point, normal, .. } = Met { way: 0.0, point, normal }.placed(&body.place);
-                    return Contact::Already { point: point.into(), normal: normal.into(), depth };
+                    let met = Met { way: 0.0, point, normal }.placed(&body.place);
+                    return Contact::Already(Obstacle::on(&way, &met, Touching::Ball), depth);
                 }
                 Stand::Pressed(point, normal) => Some(Met { way: 0.0, point, normal }),
                 Stand::Free => hit(body, &own, ball_radius),
             };
             nearest = earliest(nearest.into_iter().chain(met.map(|met| met.placed(&body.place))));
         }
-        nearest.map_or(Contact::None, |met| Contact::Hit {
-            t: if way.length > 0.0 { met.way / way.length } else { 0.0 },
-            ball: way.at(met.way).into(),
-            point: met.point.into(),
-            normal: met.normal.into(),
-        })
+        nearest.map_or(Contact::None, |met| Contact::Hit(Obstacle::on(&way, &met, Touching::Ball)))
     }
 
     /// Distance of a point from the surface of the nearest solid, mm, negative inside; infinite where there is none.

@@ -1,7 +1,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 //! Identities of contact: they need no second implementation.
 
-use super::{Boundary, Contact, Heights, PartErrors, Shape, Solid, Workpiece};
+use super::{Boundary, Contact, Heights, Obstacle, PartErrors, Shape, Solid, Workpiece};
 use crate::geometry::{Degrees, Mcs, Rpy, V3, rigid};
 use proptest::prelude::*;
 use std::sync::Arc;
@@ -58,7 +58,9 @@ fn hole_touched_centrally() {
     let hole = part(Shape::Hole { diameter: 50.0, depth: 20.0 }, PartErrors::default());
     for direction in [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0], [0.6, 0.8]] {
         let to = [40.0 * direction[0], 40.0 * direction[1], -5.0];
-        let Contact::Hit { t, point, normal, .. } = first(&hole, 2.0, [0.0, 0.0, -5.0], to) else { panic!("no hit") };
+        let Contact::Hit(Obstacle { part: t, point, normal, .. }) = first(&hole, 2.0, [0.0, 0.0, -5.0], to) else {
+            panic!("no hit")
+        };
         assert!((t * 40.0 - 23.0).abs() < 1e-12, "{t}");
         assert!((point[0] - 25.0 * direction[0]).abs() < 1e-12 && (normal[0] + direction[0]).abs() < 1e-12);
     }
@@ -68,7 +70,9 @@ fn hole_touched_centrally() {
 #[test]
 fn hole_touched_beside_the_centre() {
     let hole = part(Shape::Hole { diameter: 50.0, depth: 20.0 }, PartErrors::default());
-    let Contact::Hit { ball, .. } = first(&hole, 2.0, [0.0, 10.0, -5.0], [40.0, 10.0, -5.0]) else { panic!("no hit") };
+    let Contact::Hit(Obstacle { ball, .. }) = first(&hole, 2.0, [0.0, 10.0, -5.0], [40.0, 10.0, -5.0]) else {
+        panic!("no hit")
+    };
     assert!((ball[0] - (23.0f64 * 23.0 - 100.0).sqrt()).abs() < 1e-12);
 }
 
@@ -76,7 +80,7 @@ fn hole_touched_beside_the_centre() {
 #[test]
 fn rim_of_a_hole() {
     let hole = part(Shape::Hole { diameter: 50.0, depth: 20.0 }, PartErrors::default());
-    let Contact::Hit { ball, point, .. } = first(&hole, 2.0, [0.0, 0.0, 1.0], [40.0, 0.0, 1.0]) else {
+    let Contact::Hit(Obstacle { ball, point, .. }) = first(&hole, 2.0, [0.0, 0.0, 1.0], [40.0, 0.0, 1.0]) else {
         panic!("no hit")
     };
     assert!((ball[0] - (25.0 - 3f64.sqrt())).abs() < 1e-11, "{ball:?}");
@@ -87,7 +91,7 @@ fn rim_of_a_hole() {
 #[test]
 fn sphere_touched_beside_the_centre() {
     let sphere = part(Shape::Sphere { diameter: 50.0 }, PartErrors::default());
-    let Contact::Hit { ball, normal, .. } = first(&sphere, 3.0, [40.0, 4.0, 8.0], [0.0, 4.0, 8.0]) else {
+    let Contact::Hit(Obstacle { ball, normal, .. }) = first(&sphere, 3.0, [40.0, 4.0, 8.0], [0.0, 4.0, 8.0]) else {
         panic!("no hit")
     };
     let reached = (28.0_f64 * 28.0 - 80.0).sqrt();
@@ -103,7 +107,7 @@ fn lobed_hole_along_its_lobes() {
     let errors = PartErrors { out_of_round: (0.1, 3), ..PartErrors::default() };
     let hole = part(Shape::Hole { diameter: 50.0, depth: 20.0 }, errors);
     let reach = |x: f64| match first(&hole, 0.5, [0.0, 0.0, -5.0], [x, 0.0, -5.0]) {
-        Contact::Hit { ball, .. } => ball[0],
+        Contact::Hit(Obstacle { ball, .. }) => ball[0],
         other => panic!("{other:?}"),
     };
     assert!((reach(40.0) - 24.6).abs() < 1e-9, "{}", reach(40.0));
@@ -115,12 +119,12 @@ fn lobed_hole_along_its_lobes() {
 fn touching_at_the_start() {
     let block = part(Shape::Block { size: [60.0, 50.0, 20.0] }, PartErrors::default());
     let deep = first(&block, 2.0, [0.0, 0.0, 1.9], [0.0, 0.0, 10.0]);
-    assert!(matches!(deep, Contact::Already { depth, .. } if (depth - 0.1).abs() < 1e-12), "{deep:?}");
+    assert!(matches!(deep, Contact::Already(_, depth) if (depth - 0.1).abs() < 1e-12), "{deep:?}");
     let inside = first(&block, 2.0, [0.0, 0.0, -1.0], [0.0, 0.0, 10.0]);
-    assert!(matches!(inside, Contact::Already { depth, .. } if (depth - 3.0).abs() < 1e-12), "{inside:?}");
+    assert!(matches!(inside, Contact::Already(_, depth) if (depth - 3.0).abs() < 1e-12), "{inside:?}");
     assert_eq!(first(&block, 2.0, [0.0, 0.0, 2.0], [0.0, 0.0, 10.0]), Contact::None);
     assert_eq!(first(&block, 2.0, [0.0, 0.0, 2.0], [9.0, 0.0, 2.0]), Contact::None);
-    assert!(matches!(first(&block, 2.0, [0.0, 0.0, 2.0], [0.0, 0.0, 1.0]), Contact::Hit { t: 0.0, .. }));
+    assert!(matches!(first(&block, 2.0, [0.0, 0.0, 2.0], [0.0, 0.0, 1.0]), Contact::Hit(Obstacle { part: 0.0, .. })));
 }
 
 proptest! {
@@ -134,9 +138,9 @@ proptest! {
         let part = part(shape, errors);
         let (start, end) = (V3::from(from), V3::from(to));
         match first(&part, radius, from, to) {
-            Contact::Already { .. } => prop_assert!(distance(&part, from) < radius),
+            Contact::Already(..) => prop_assert!(distance(&part, from) < radius),
             Contact::None => check_free(&part, radius, start, end)?,
-            Contact::Hit { t, ball, point, normal } => {
+            Contact::Hit(Obstacle { part: t, ball, point, normal, .. }) => {
                 prop_assert!((0.0..=1.0).contains(&t));
                 prop_assert!((distance(&part, ball.0) - radius).abs() < 1e-9);
                 let away = V3::from(ball) - V3::from(point);
@@ -162,12 +166,12 @@ proptest! {
         let place = rigid::placed(V3::from(at), rigid::rotation(Rpy(turn)));
         let there = |p: [f64; 3]| <[f64; 3]>::from(place.transform_point(&V3::from(p).into()).coords);
         match (first(&part, radius, from, to), first(&moved, radius, there(from), there(to))) {
-            (Contact::Hit { t, point, .. }, Contact::Hit { t: other, point: touched, .. }) => {
+            (Contact::Hit(Obstacle { part: t, point, .. }), Contact::Hit(Obstacle { part: other, point: touched, .. })) => {
                 let length = (V3::from(to) - V3::from(from)).norm();
                 prop_assert!((t - other).abs() * length < 1e-7, "{t} {other}");
                 prop_assert!((V3::from(there(point.0)) - V3::from(touched)).norm() < 1e-3);
             }
-            (Contact::None, Contact::None) | (Contact::Already { .. }, Contact::Already { .. }) => {}
+            (Contact::None, Contact::None) | (Contact::Already(..), Contact::Already(..)) => {}
             (one, other) => prop_assert!(false, "{one:?} {other:?}"),
         }
     }
@@ -212,11 +216,11 @@ fn a_free_surface_is_touched_like_any_solid() {
     let free = part(Shape::Free(Arc::new(surface)), PartErrors::default());
     let free = Boundary::of(&free);
     let found = free.first(4.0, Mcs([0.0, 1.0, 30.0]), Mcs([0.0, 1.0, -30.0]));
-    let Contact::Hit { ball, normal, .. } = found else { panic!("{found:?}") };
+    let Contact::Hit(Obstacle { ball, normal, .. }) = found else { panic!("{found:?}") };
     assert!((ball[2] - 5.0).abs() < 1e-9);
     assert!((normal[0] - 0.6).abs() < 1e-9 && (normal[2] - 0.8).abs() < 1e-9);
     let under = free.first(4.0, Mcs([0.0, 0.0, -9.0]), Mcs([0.0, 0.0, -9.0]));
-    assert!(matches!(under, Contact::Already { .. }));
+    assert!(matches!(under, Contact::Already(..)));
     assert!((free.distance(Mcs([0.0, 0.0, 5.0])) - 4.0).abs() < 1e-9);
     assert!((free.distance(Mcs([0.0, 0.0, -5.0])) + 4.0).abs() < 1e-9);
 }

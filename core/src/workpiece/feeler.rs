@@ -2,7 +2,7 @@
 
 use super::{Body, Boundary, Contact, Probe};
 use crate::geometry::rod::around;
-use crate::geometry::{Dir, Mcs, Met, Path, Rod, Stretch, Swept, V3, earliest, rod};
+use crate::geometry::{Dir, Mcs, Met, Path, Rod, Stretch, Swept, TOLERANCE, V3, earliest, rod};
 use std::f64::consts::TAU;
 
 /// Rounding of the lower edge of a body, mm.
@@ -57,6 +57,21 @@ pub struct Obstacle {
     pub by: Touching,
 }
 
+impl Obstacle {
+    /// Of what is met on a way of the centre of the ball, which is the position.
+    pub(super) fn on(way: &Path, met: &Met, by: Touching) -> Obstacle {
+        let part = if way.length > 0.0 { met.way / way.length } else { 0.0 };
+        let ball = way.at(met.way).into();
+        Obstacle { part, stop: ball, ball, point: met.point.into(), normal: met.normal.into(), by }
+    }
+
+    /// What the ball meets, or what stylus or body meet on its way there, of this length, mm.
+    pub fn or_before(self, caught: Option<Obstacle>, length: f64) -> Obstacle {
+        let before = caught.filter(|met| (1.0 - met.part) * length > TOLERANCE);
+        before.map_or(self, |met| Obstacle { part: met.part * self.part, ..met })
+    }
+}
+
 impl Feeler {
     /// A ball alone.
     pub fn ball(radius: f64) -> Feeler {
@@ -96,7 +111,7 @@ impl Feeler {
             if !part.may_meet(&self.swept(&rod, by, &way)) {
                 return None;
             }
-            let pressed = || matches!(part.first(self.radius, from, from), Contact::Already { .. });
+            let pressed = || matches!(part.first(self.radius, from, from), Contact::Already(..));
             let met = match part.pierced(&placed) {
                 Some(_) if pressed() => None,
                 Some(met) => Some(met),
@@ -105,9 +120,7 @@ impl Feeler {
             Some((by, met?))
         });
         let (by, met) = met.min_by(|(_, a), (_, b)| a.way.total_cmp(&b.way))?;
-        let part = if path.length > 0.0 { met.way / path.length } else { 0.0 };
-        let ball = path.at(met.way).into();
-        Some(Obstacle { part, stop: ball, ball, point: met.point.into(), normal: met.normal.into(), by })
+        Some(Obstacle::on(&path, &met, by))
     }
 
     /// Whether the ball may meet the part on a stretch of its way.

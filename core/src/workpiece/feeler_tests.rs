@@ -222,8 +222,8 @@ proptest! {
         prop_assume!(least(&part, V3::from(from)) > radius + 0.01);
         let to = match part.first(ideal_probe().radius, Mcs(from), Mcs(to)) {
             Contact::None => to,
-            Contact::Hit { ball, .. } => ball.0,
-            Contact::Already { .. } => return Err(TestCaseError::reject("the ball is in the part")),
+            Contact::Hit(Obstacle { ball, .. }) => ball.0,
+            Contact::Already(..) => return Err(TestCaseError::reject("the ball is in the part")),
         };
         let met = caught(&part, &slim(), from, to);
         let end = met.map_or(1.0, |met| met.part);

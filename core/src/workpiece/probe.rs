@@ -1,7 +1,7 @@
 //! When the probe switches, and where the control then believes the spindle to be.
 
 use super::{Boundary, Contact, Feeler, Noise, Obstacle, Probe, Touching, tool::across};
-use crate::geometry::{Degrees, Dir, Mcs, Path, TOLERANCE, V3};
+use crate::geometry::{Degrees, Dir, Mcs, Path, V3};
 
 /// Ball centre minus spindle axis, the probe turned from abscissa to ordinate; `axis`: index of the applicate.
 pub fn ball_offset(probe: &Probe, turned: Degrees, axis: usize) -> Dir<Mcs> {
@@ -39,9 +39,8 @@ pub fn touch(
     let way = Path::new(from, to);
     let ball = |gone: f64| -> Mcs { (way.at(gone) + offset).into() };
     let contact = part.first(feeler.radius, ball(0.0), (to + offset).into());
-    if let Contact::Already { point, normal, .. } = contact {
-        let (stop, ball) = (from.into(), ball(0.0));
-        return Some(Obstacle { part: 0.0, stop, ball, point, normal, by: Touching::Ball });
+    if let Contact::Already(met, _) = contact {
+        return Some(Obstacle { stop: from.into(), ..met });
     }
     let met = first_met(part, feeler, &contact, [ball(0.0), (to + offset).into()])?;
     let gone = met.part * way.length;
@@ -54,11 +53,9 @@ pub fn touch(
 
 /// What of the probe touches first, where the ball meets this.
 fn first_met(part: &Boundary, feeler: &Feeler, ball: &Contact, [from, to]: [Mcs; 2]) -> Option<Obstacle> {
-    let Contact::Hit { t, ball, point, normal } = *ball else { return feeler.caught(part, from, to) };
-    let length = (V3::from(ball) - V3::from(from)).norm();
-    let before = feeler.caught(part, from, ball).filter(|met| (1.0 - met.part) * length > TOLERANCE);
-    let before = before.map(|met| Obstacle { part: met.part * t, ..met });
-    before.or(Some(Obstacle { part: t, stop: ball, ball, point, normal, by: Touching::Ball }))
+    let Contact::Hit(hit) = *ball else { return feeler.caught(part, from, to) };
+    let length = (V3::from(hit.ball) - V3::from(from)).norm();
+    Some(hit.or_before(feeler.caught(part, from, hit.ball), length))
 }
 
 /// Travel from contact to signal, mm: pre-travel (lobes by the motion across the tool axis, turned), delay, scatter.

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::tool_probe::{Contact, first, obstacle, touch};
-use super::{Cut, Cutter, Nose, PartErrors, Shape, Solid, Spindle, Tool, ToolProbe, Workpiece, tool::Piece};
+use super::{Cut, Cutter, Nose, Obstacle, PartErrors, Shape, Solid, Spindle, Tool, ToolProbe, Workpiece, tool::Piece};
 use crate::control::{Control, Edge, Plane, delivery, tools::side};
 use crate::dialect::Dialect;
 use crate::geometry::{Convex, Degrees, Mcs, Rpy, V3, rigid};
@@ -253,8 +253,8 @@ proptest! {
         let met = first(&[ToolProbe::ideal(solid)], &pieces, Mcs(from), Mcs(to));
         match (ball, met) {
             (BallContact::None, None) => {}
-            (BallContact::Already { .. }, Some(met)) => prop_assert_eq!(met.meeting.way, 0.0),
-            (BallContact::Hit { t, .. }, Some(met)) => {
+            (BallContact::Already(..), Some(met)) => prop_assert_eq!(met.meeting.way, 0.0),
+            (BallContact::Hit(Obstacle { part: t, .. }), Some(met)) => {
                 prop_assert!((t * length - met.meeting.way).abs() < 1e-9, "{} {:?}", t * length, met);
             }
             other => prop_assert!(false, "{other:?}"),
