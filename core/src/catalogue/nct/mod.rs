@@ -112,7 +112,7 @@ pub fn given(inputs: &Inputs, index: usize) -> Option<f64> {
 }
 
 /// What every macro looks at first: a length is applied and the stylus is free (C:118-121).
-pub fn ready(machine: &mut dyn Machine) -> Result<(), Stop> {
+pub(crate) fn ready(machine: &mut dyn Machine) -> Result<(), Stop> {
     if machine.control().active_edge().is_none() {
         return Err(Stop::Alarm(NO_TOOL_LENGTH));
     }
@@ -123,7 +123,7 @@ pub fn ready(machine: &mut dyn Machine) -> Result<(), Stop> {
 }
 
 /// What a measuring macro looks at first; a failed G101 before it stops it (C:121-123).
-pub fn ready_to_measure(machine: &mut dyn Machine) -> Result<(), Stop> {
+pub(crate) fn ready_to_measure(machine: &mut dyn Machine) -> Result<(), Stop> {
     if machine.control().number(POSITION_LOST) == 1.0 {
         return Err(Stop::Alarm(OUT_OF_POSITION));
     }
