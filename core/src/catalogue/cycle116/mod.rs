@@ -146,7 +146,8 @@ fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     Ok(())
 }
 
-/// Centre and radius, mm. Error: 61317 for neither 3 nor 4 points (A:15858), 61316 without a circle through them (A:15857).
+/// Centre and radius, mm. Error: 61317 for neither 3 nor 4 points (A:15858), 61316 without a circle through them
+/// (A:15857).
 fn computed(inputs: &Inputs) -> Result<([f64; 2], f64), u32> {
     let count = inputs.number(COUNT);
     if count != 3.0 && count != 4.0 {

@@ -27,8 +27,8 @@ impl Stand<'_> {
         self.go(machine, 2, low)
     }
 
-    /// Goes over this middle of the probe: a tool that is wider beside it in this axis, by its radius less `_ID`, to the
-    /// side of the start (B:4593-4599). A drill is always measured over the middle.
+    /// Goes over this middle of the probe: a tool that is wider beside it in this axis, by its radius less `_ID`, to
+    /// the side of the start (B:4593-4599). A drill is always measured over the middle.
     pub fn over(&self, machine: &mut dyn Machine, middle: [f64; 2], axis: usize) -> Result<(), Stop> {
         let kind = machine.control().active_edge().map_or(0, |edge| edge.kind);
         let drill = (200..300).contains(&kind) && MEASURE.holds(self.inputs);
