@@ -100,8 +100,9 @@ impl Feeler {
         rods.into_iter().filter_map(|(by, rod)| rod.map(|rod| (by, rod)))
     }
 
-    /// What stylus and body meet first, the ball going straight; its centre is the position. What goes through their axis at the start is met at
-    /// once; not where the ball is pressed into the part: the stylus leans, and where to, nobody knows.
+    /// What stylus and body meet first, the ball going straight; its centre is the position. What goes through their
+    /// axis at the start is met at once; not where the ball is pressed into the part: the stylus leans, and where to,
+    /// nobody knows.
     pub fn caught(&self, part: &Boundary, from: Mcs, to: Mcs) -> Option<Obstacle> {
         let path = Path::new(from.into(), to.into());
         let way = Stretch::straight(from.into(), to.into());
