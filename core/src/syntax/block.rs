@@ -93,12 +93,13 @@ fn line(reader: &mut Reader) {
 
 fn word(reader: &mut Reader) {
     let start = reader.at;
-    let (words, exprs, expect) = (reader.tree.words.len(), reader.tree.exprs.len(), reader.expect);
+    let Program { words, exprs, places, .. } = &reader.tree;
+    let (words, exprs, places, expect) = (words.len(), exprs.len(), places.len(), reader.expect);
     if let Err(key) = (reader.grammar.word)(reader) {
         let place = reader.at;
         reader.tree.words.truncate(words);
         reader.tree.exprs.truncate(exprs);
-        reader.tree.places.truncate(exprs);
+        reader.tree.places.truncate(places);
         reader.list.clear();
         reader.depth = 0;
         reader.expect = expect;

@@ -72,7 +72,7 @@ impl<'a> Reader<'a> {
                 blocks: Vec::with_capacity(source.len() / 24),
                 words: Vec::with_capacity(source.len() / 6),
                 exprs: Vec::with_capacity(source.len() / 6),
-                places: Vec::with_capacity(source.len() / 6),
+                places: Vec::new(),
                 errors: Vec::new(),
             },
             list: Vec::new(),
@@ -132,8 +132,10 @@ impl<'a> Reader<'a> {
             return Err(&own::SYNTAX_DEPTH);
         }
         let id = self.tree.exprs.len() as ExprId;
+        if !matches!(expr, Expr::Number(..)) {
+            self.tree.places.push((id, self.from(start)));
+        }
         self.tree.exprs.push(expr);
-        self.tree.places.push(self.from(start));
         Ok(Node { id, height })
     }
 
@@ -167,8 +169,8 @@ impl<'a> Reader<'a> {
 
     /// An expression in brackets, which belong to its place and are closed here.
     pub fn bracketed(&mut self, start: usize, inner: Node) -> Node {
-        let place = self.from(start);
-        self.tree.places.get_mut(inner.id as usize).into_iter().for_each(|known| *known = place);
+        self.tree.places.pop_if(|(of, _)| *of == inner.id);
+        self.tree.places.push((inner.id, self.from(start)));
         inner
     }
 

@@ -25,8 +25,8 @@ pub struct Program {
     pub words: Vec<Word>,
     /// Expressions of all words.
     pub exprs: Vec<Expr>,
-    /// Place of each expression, with the brackets around it.
-    pub places: Vec<Span>,
+    /// Places of what is no plain number, by their order: most of a large program are numbers, which have theirs.
+    pub places: Vec<(ExprId, Span)>,
     /// What was not understood.
     pub errors: Vec<SyntaxError>,
 }
@@ -113,7 +113,11 @@ impl Program {
 
     /// Place of an expression, with the brackets around it.
     pub fn place(&self, id: ExprId) -> Span {
-        self.places.get(id as usize).copied().unwrap_or_default()
+        match (self.places.binary_search_by_key(&id, |(of, _)| *of), self.expr(id)) {
+            (Ok(at), _) => self.places[at].1,
+            (_, Some(Expr::Number(_, place))) => *place,
+            _ => Span::default(),
+        }
     }
 
     /// An argument; none: it is omitted.
