@@ -24,7 +24,7 @@ evaluate-screen-stays = Die Steuerung zeigt das Messergebnisbild bis zum Aufruf 
 evaluate-screen-halt = Die Steuerung zeigt das Messergebnisbild. Programmierter Halt (M0): Weiter mit NC START.
 # Was ein Aufruf mit Daten der Maschine tut, bevor er misst.
 check-erases = _CBIT[13]=1: Dieser Aufruf setzt zuerst _TP[], _TPW[], _WP[], _KB[], _EV[], _MV[] und das Bit selbst auf 0.
-check-erases-hint = _CBIT[13] vor dem Aufruf auf 0 setzen oder alle Messtaster neu kalibrieren.
+check-erases-hint = _CBIT[13] vor dem Aufruf auf 0 setzen oder die Daten neu eintragen und neu kalibrieren.
 check-converts = { $bit } passt nicht zum Grundsystem der Maschine (MD 10240): Dieser Aufruf rechnet zuerst { $value ->
         [1] von inch in mm
        *[other] von mm in inch

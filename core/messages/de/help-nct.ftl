@@ -38,13 +38,13 @@ help-g104-wrong-coordinate = Die Koordinate gehört zu einer anderen Nullpunktve
 help-g105-measures-surface = Position einer Fläche senkrecht zu einer Achse der Ebene.
 help-g105-before-side = Die Kugel ist auf der freien Seite der Fläche: auf Tiefe oder, mit der Adresse der Werkzeugachse, darüber.
 help-g105-order-touch = Mit der Adresse der Werkzeugachse fährt der Messtaster im Abstand R vor die Fläche und abwärts; dann tastet er zur Nennkoordinate hin an, höchstens um Q darüber hinaus.
-help-g105-corrects-radius = T ist der Speicher eines Radius; er wird um die ganze Abweichung korrigiert.
+help-g105-corrects-radius = T, ein Radiuskorrekturspeicher, wird um die ganze Abweichung korrigiert.
 help-g105-wrong-far = Die Fläche liegt weiter als Q hinter ihrer Nennkoordinate: PROBE FAIL.
 
 help-g106-measures-surface = Höhe einer Fläche senkrecht zur Werkzeugachse.
 help-g106-before-above = Die Kugel ist über der Antaststelle.
 help-g106-order-down = Der Messtaster tastet abwärts an, höchstens bis Q unter die Nennkoordinate.
-help-g106-corrects-length = T ist der Speicher einer Länge; er wird um die ganze Abweichung korrigiert.
+help-g106-corrects-length = T, ein Längenkorrekturspeicher, wird um die ganze Abweichung korrigiert.
 help-g106-wrong-low = Die Kugel ist schon unter der Nennkoordinate: NO MOVEMENT.
 
 help-g107-measures-corner = Schnittpunkt der beiden Wände einer Innenecke.

@@ -1,7 +1,7 @@
 # CYCLE961: titles, search words, variants, words of its own parameters and checks.
 
 cycle961-title = Corner, inside or outside
-cycle961-help = Determines the intersection of two edges of a part or pocket and the rotation of the first edge, and sets the workpiece zero to the corner.
+cycle961-help = Determines the intersection of two edges of a part or pocket and the rotation of the reference edge, and sets the workpiece zero to the corner.
 cycle961-words = measure workpiece corner vertex edge edges set up setup zero point origin rectangle vice angle rotation rotate align inside outside internal external three points four points zero offset ZO frame G54 probe probing pick finder datum work a
 
 cycle961-inside-rectangle = Inside corner of a rectangle, three points
@@ -77,7 +77,7 @@ result-corner-ordinate-machine = Corner, ordinate, MCS
 
 check-corner-distance = The distance { $param } is { $distance } mm; it must be greater than 0.
 check-corner-distance-hint = Enter the distance without a sign; _STA1 and _INCA determine the direction.
-check-corner-straight = The second edge has the same direction as the first edge.
+check-corner-straight = The second edge has the same direction as the reference edge.
 check-corner-straight-hint = Enter the angle from the reference edge to the second edge, for example 90 or -90.
 check-corner-rectangle = The edges of a rectangle are at 90° to each other, not at { $angle }°.
 check-corner-rectangle-hint = Choose a variant with four points, or set _INCA to 90 or -90.

@@ -65,18 +65,18 @@ check-offset-large = _ID exceeds the tool radius, { $radius } mm: the tool woul
 check-offset-large-hint = Enter the distance from the radius inwards.
 check-offset-abscissa = The tool, { $tool } mm wide, is wider than the probe, { $edge } mm: the cycle offsets it in the abscissa.
 check-offset-abscissa-hint = Choose 103 or 203 to specify the axis of the offset.
-check-mfs-missing = { $name } is not set: speed or feed of a probing is missing.
+check-mfs-missing = { $name } is not set: speed or feed of a touch is missing.
 check-mfs-missing-hint = Set speeds in _MFS[0], [2], [4] and feeds in _MFS[1], [3], [5], or let the cycle calculate them: _CBIT[12]=0.
-check-mfs-third = { $name } is 0: the 3rd probing with _MFS[4] and [5] is omitted.
-check-mfs-third-hint = Set speed and feed of the 2nd probing too, or set _MFS[4] to 0.
+check-mfs-third = { $name } is 0: the third touch with _MFS[4] and [5] is omitted.
+check-mfs-third-hint = Set speed and feed of the second touch too, or set _MFS[4] to 0.
 check-cm-direction = { $name } specifies no direction of rotation for a stationary spindle.
 check-cm-direction-hint = Set 3 for M3 or 4 for M4 in the machine data.
 check-cm-zero = { $name } is 0, so speed or feed of the measurement would be 0.
 check-cm-zero-hint = Set the limits: _CM[0] peripheral speed, [1] spindle speed, [3] accuracy, [4] maximum feed.
 check-cm-factor = { $name } is neither 0 nor at least 1.
-check-cm-factor-hint = 0 omits this probing; otherwise the feed is multiplied by the factor.
-check-cm-order = { $name } is not smaller than _CM[6], but each probing must be slower than the one before.
-check-cm-order-hint = Reduce feed factor 2, or set it to 0 for two probings.
+check-cm-factor-hint = 0 omits this touch; otherwise the feed is multiplied by the factor.
+check-cm-order = { $name } is not smaller than _CM[6], but each touch must be slower than the one before.
+check-cm-order-hint = Reduce feed factor 2, or set it to 0 for two touches.
 check-compensation-make = No compensation is applied: _MT_COMP=1 needs the probe make in { $name }.
 check-compensation-make-hint = Set _TP_CF to 1 (TT130) or 2 (TS27R), or use your own table with _MT_COMP=2.
 check-compensation-inside = The control subtracts an internal, undocumented table of this probe make; the prediction subtracts nothing.

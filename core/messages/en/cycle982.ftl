@@ -1,7 +1,7 @@
 # CYCLE982: titles, search words, variants, words of its own parameters, checks.
 
 cycle982-title = Turning: tool probe, turning and milling tools
-cycle982-help = Measures L1 and L2 of a turning tool, milling tool or drill, of a mill the radius too, at a tool probe parallel to the axes, or calibrates one side with a known tool of position 3.
+cycle982-help = Measures L1 and L2 of a turning tool, milling tool or drill, and the radius of a milling tool, at a tool probe parallel to the axes, or calibrates one side with a tool of position 3.
 cycle982-words = measure tool setter tool setting preset lathe turning mill-turn driven tool live tool tool probe cube calibrate calibration length L1 L2 radius diameter insert nose tip cutting edge position drill end mill groove mill T-slot reversal incremental automatic wear geometry trigger point
 cycle982-each-words = lathe measure tool
 
@@ -112,7 +112,7 @@ param-cora-second-edge-help = Added to the 180° of the spindle for the second t
 param-fa-present-position = Measuring path
 param-fa-present-position-help = The tool is in front of the probe; it must touch within twice this distance. Always in mm, in X as a radius.
 
-need-axis-ignored = Ignored: the length of this drill applies along the applicate (setting data 42950 = 0).
+need-axis-ignored = Ignored: the length of this drill applies along the applicate (SD 42950 = 0).
 need-direction-incremental = Incremental variants ignore the start position.
 need-start-angle-spindle = The stationary milling spindle is positioned to it; if omitted, the value of an earlier call applies.
 need-start-angle-milling = Applies to milling tools.
@@ -127,11 +127,11 @@ check-tip-direction = A tool with cutting edge position { $tip } points in the o
 check-tip-direction-hint = Start on the other side of the probe and change _MD, or check $TC_DP2.
 check-drill-radius = The cycle does not measure the radius of a drill.
 check-drill-radius-hint = Choose a variant with digit 4 = 0, or change to a milling tool; check $TC_DP1.
-check-drill-plane = With setting data 42950 = 0 the length of a drill applies along Y in G18, which the cycle does not measure.
-check-drill-applicate = With setting data 42950 = 0 the cycle measures only the length of a drill: in one axis, without reversal.
-check-drill-applicate-hint = Choose 1, 11, 100001 or 100011 with G17 (along Z) or G19 (along X), or set the setting data to 2 and use G18.
-check-length-assignment = Setting data 42950 is { $value }: mills and drills do not have L1 and L2 assigned as turning tools have.
-check-length-assignment-hint = Set $SC_TOOL_LENGTH_TYPE to 2 before the call; for a drill in G17 or G19, 0 is also possible.
+check-drill-plane = With SD 42950 = 0 the length of a drill applies along Y in G18, which the cycle does not measure.
+check-drill-applicate = With SD 42950 = 0 the cycle measures only the length of a drill: in one axis, without reversal.
+check-drill-applicate-hint = Choose 1, 11, 100001 or 100011 with G17 (along Z) or G19 (along X), or set SD 42950 to 2 and use G18.
+check-length-assignment = SD 42950 is { $value }: milling tools and drills do not have L1 and L2 assigned as turning tools have.
+check-length-assignment-hint = Set SD 42950 ($SC_TOOL_LENGTH_TYPE) to 2 before the call; for a drill in G17 or G19, 0 also works.
 check-spindle-stays = This variant rotates the spindle or measures twice, but _CHBIT[20]=1 suppresses spindle positioning.
 check-spindle-stays-hint = Set _CHBIT[20] to 0, or choose a variant xxx0x1 whose digits x are 0 or 1: one point, without reversal.
 check-spindle-turns = The milling spindle must be positioned to _STA1, but it cannot be positioned.

@@ -22,7 +22,7 @@ positioning-paraxial = Along the axis
 positioning-paraxial-words = axis paraxial parallel direction without setpoint
 
 param-setval-point = Setpoint position of P1
-param-setval-point-help = Expected position of the surface at the first point, in the measuring axis. The start side determines the measuring direction. Further off than the measuring path: not found.
+param-setval-point-help = Expected position of the surface at P1, in the measuring axis. The start side determines the measuring direction. A surface further away than the measuring path is not found.
 param-setval-point-applicate = Setpoint height of P1
 param-setval-point-applicate-help = Expected position of the surface below the first point, in the applicate (G17: Z).
 param-ma-offset = Measuring axis and offset axis
@@ -46,7 +46,7 @@ param-sta1-about-abscissa-help = Inclination from P1 to P3. With travel along th
 param-inca-about-ordinate = Setpoint angle about ordinate
 param-inca-about-ordinate-help = Inclination from P1 to P2. With travel along the angles, the probe also follows it.
 param-ra = Rotary axis
-param-ra-help = 0 rotates the coordinate system about the axis not in _MA. Otherwise the channel number of a rotary axis: its zero offset receives the angle, moving it aligns the part.
+param-ra-help = 0 rotates the coordinate system about the axis not in _MA. Otherwise the channel axis number of a rotary axis: its zero offset receives the angle, moving it aligns the part.
 param-tsa-angle = Safe area: angle
 param-tsa-angle-help = In degrees. A larger difference of the angle stops the program with alarm 61303. With travel along the angle, the probe also moves away from the surface by this angle.
 
@@ -67,4 +67,4 @@ check-angle-paraxial-hint = Increase _FA above { $needed } mm, or choose a vari
 check-rotary-axis = Channel axis { $axis } has no name or is not a rotary axis.
 check-rotary-across = This rotary axis does not rotate about the axis of the measured angle, so it cannot correct the angle.
 check-rotary-across-hint = Enter the rotary axis that rotates in the plane of both axes of _MA, or 0 to rotate the coordinate system.
-check-rotary-axis-hint = Enter the channel number of a rotary axis (MD 20080, MD 30300), or 0 to rotate the coordinate system.
+check-rotary-axis-hint = Enter the channel axis number of a rotary axis (MD 20080, MD 30300), or 0 to rotate the coordinate system.

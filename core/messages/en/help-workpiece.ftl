@@ -8,8 +8,8 @@ help-cycle961-measures-given = Four points, each specified by its coordinates.
 help-cycle961-before-opposite = The probe is at measuring depth opposite the corner: inside the pocket, or outside the part. All points can be reached from there; _STA1 and _INCA are known within 10°.
 help-cycle961-before-above = The probe is at a height from which all points can be reached on straight paths; _ID is the infeed from there to the measuring depth, with minus sign.
 help-cycle961-before-multi = The probe switches in all directions of the plane (multi probe).
-help-cycle961-order-three = P2 at _SETV[0] along the reference edge, P1 at half of that distance, then P3 at half of _SETV[1] along the other edge.
-help-cycle961-order-four = P2 at _SETV[0] along the reference edge, P1 at half of that distance, then P3 at half of _SETV[1] and P4 at _SETV[1] along the other edge.
+help-cycle961-order-three = P2 at _SETV[0] along the reference edge, P1 at half of that distance, then P3 at half of _SETV[1] along the second edge.
+help-cycle961-order-four = P2 at _SETV[0] along the reference edge, P1 at half of that distance, then P3 at half of _SETV[1] and P4 at _SETV[1] along the second edge.
 help-cycle961-order-in-plane = All paths are at measuring depth, inside the pocket.
 help-cycle961-order-passes = From P1 to P3 the probe lifts by _ID, passes over the corner and infeeds again; with _ID=0 it moves around the corner through the start position.
 help-cycle961-order-infeed = P2, P1, P3, P4: above each point the probe infeeds by _ID, touches, moves back and up.
@@ -62,7 +62,7 @@ help-cycle978-order-axis = Only _MA moves; end position: _FA before the surface.
 help-cycle978-corrects-full = A length or radius is corrected by the whole deviation.
 help-cycle978-corrects-one-axis = Only _MA is corrected, minus the empirical value in _EVNUM.
 help-cycle978-wrong-side = The ball is on the wrong side: it moves away from the surface.
-help-cycle978-wrong-oblique = The surface is not square to _MA: the ball does not touch at its apex, and the result has that error.
+help-cycle978-wrong-oblique = The surface is not perpendicular to _MA: the ball does not touch at its outermost point, and the result is off.
 
 help-cycle979-measures-hole = Diameter and centre of a hole or a segment of a hole, from points on its circle.
 help-cycle979-measures-shaft = Diameter and centre of a shaft or a segment of a shaft, from points on its circle.
@@ -82,7 +82,7 @@ help-cycle979-corrects-both = Both axes of the plane are corrected; for a groove
 help-cycle979-wrong-arc = The arc beside a segment collides with the part: alarm 61302.
 help-cycle979-wrong-close = The points are close together: a small error of one point shifts the centre by a multiple. Set _INCA as large as the segment permits.
 help-cycle979-wrong-speed = _RF is 0: alarm 61365.
-help-cycle979-wrong-skewed = The line at _STA1 is not square to the walls: the measured width is too large.
+help-cycle979-wrong-skewed = The line at _STA1 is not perpendicular to the walls: the measured width is too large.
 help-cycle979-wrong-lift = _ID is too short; if lengths refer to the centre of the ball (_CBIT[14]=0), it must include the ball radius.
 
 help-cycle997-measures-one = The centre of a sphere.

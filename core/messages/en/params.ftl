@@ -155,7 +155,7 @@ param-tul-help = Permitted deviation above the setpoint, with its sign.
 param-tll = Lower tolerance
 param-tll-help = Permitted deviation below the setpoint, with its sign; usually negative.
 param-tdif = Dimensional difference check
-param-tdif-help = Permissible dimensional difference. A larger difference is not corrected and displays message 62306.
+param-tdif-help = Permissible dimensional difference. A larger difference is not corrected; the cycle outputs message 62306.
 
 need-always = The cycle requires it.
 need-default = Can be omitted: the default applies.

@@ -101,7 +101,7 @@ ma-lathe-radius-ordinate = 半径，在纵坐标触碰（G18：X）
 ma-lathe-l2-radius = L2 和半径，在横坐标触碰（G18：Z）
 ma-lathe-l1-radius = L1 和半径，在纵坐标触碰（G18：X）
 
-param-ma-lathe-measured = 测量尺寸
+param-ma-lathe-measured = 被测尺寸
 param-ma-lathe-measured-help = 要测量的尺寸，也决定在哪个轴触碰。轴向刀具的半径在纵坐标，径向刀具的半径在横坐标。起点对着要触碰的面。
 param-md-incremental = 测量方向
 param-md-incremental-help = 刀具从当前位置移向测头的方向。

@@ -2,7 +2,7 @@
 
 help-stylus = 测针在主轴中，其长度补偿有效，且没有触碰任何物体。
 help-guarded = 测针用 G101 移到该处，途中若有碰撞便会停止。
-help-steps = 一次触碰分三步：快速移到触发，以中等速度退回，再以很低的速度前进；以最后一步为准。
+help-steps = 一次触碰分三步：快速接近至触发，以中等速度退回，再以很低的速度前进；以最后一步为准。
 help-position-lost = 上一次 G101 没有到达目标：OUT OF POSITION。
 help-result = 编程 S 时，工件偏置按测量值减公称值补偿；编程 T 时补偿刀具寄存器，使下一个工件合格；编程 M 时只存储偏差，有余量为正。都省略则不补偿。
 help-limits = 偏差大于 H 为 OUT OF TOLERANCE；大于 U 为 UPPER TOL EXEEDED，不作补偿。

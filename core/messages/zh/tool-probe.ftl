@@ -35,7 +35,7 @@ param-tsa-tool = 刀具安全区
 param-tsa-tool-help = 长度或半径相差达到或超过此值时，程序以报警 61303 停止；不作补偿。
 param-fa-tool = 测量行程
 param-fa-tool-help = 从测量程序段起点到预期触发点的距离；过了该点再走同样的距离。也是测头四周的安全距离。始终以 mm 为单位，X 轴按半径计。
-param-ma-lathe-length = 测量长度
+param-ma-lathe-length = 被测长度
 param-ma-lathe-length-help = 要测量的长度，也决定在哪个轴触碰。起点对着刀刃要触碰的那一面。
 param-ma-calibrate = 校准轴
 param-ma-calibrate-help = 触碰测头的轴。起点决定方向。
@@ -59,7 +59,7 @@ result-difference-l2 = 长度 L2 偏差
 
 check-tool-probe-number-hint = 请输入 1 到 { $fields } 的编号，或建立更多测头数据并加大 { $array }。
 check-tool-limits = { $small } 为 { $low } mm，不小于 { $large } 的 { $high } mm：其中之一永远不起作用。
-check-tool-limits-hint = 请按从小到大的顺序：_TZL、_TDIF、_TSA。
+check-tool-limits-hint = 请按从小到大的顺序设定：_TZL、_TDIF、_TSA。
 check-tool-speed = { $name } 使循环不能定位刀具。
 check-tool-speed-hint = 请将 _SPEED[0] 设为快速移动的百分比，_SPEED[1]、_SPEED[2] 设为大于 0 的进给；碰撞监控（_CHBIT[2]=1）时有效。
 check-tool-probe-empty = 刀具测头的位置未设定：{ $names } 为 0。
