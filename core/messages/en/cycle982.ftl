@@ -1,7 +1,7 @@
 # CYCLE982: titles, search words, variants, words of its own parameters, checks.
 
 cycle982-title = Turning: tool probe, turning and milling tools
-cycle982-help = Measures L1 and L2 of a turning tool, milling tool or drill, and the radius of a milling tool, at a tool probe parallel to the axes, or calibrates one side with a tool of position 3.
+cycle982-help = Measures L1 and L2 of a turning tool, milling tool or drill, and a milling tool's radius, at a tool probe parallel to the axes, or calibrates one side with a tool of position 3.
 cycle982-words = measure tool setter tool setting preset lathe turning mill-turn driven tool live tool tool probe cube calibrate calibration length L1 L2 radius diameter insert nose tip cutting edge position drill end mill groove mill T-slot reversal incremental automatic wear geometry trigger point
 cycle982-each-words = lathe measure tool
 
