@@ -5,7 +5,7 @@
 mod tests;
 
 use crate::catalogue::common::length;
-use crate::catalogue::cycle982::params::{ABSCISSA, ORDINATE};
+use crate::catalogue::cycle982::params::{ABSCISSA, ORDINATE, TURNING};
 use crate::catalogue::cycle982::{picture, propose, simulate as measuring};
 use crate::catalogue::prelude::*;
 use crate::catalogue::tool_probe::{ProbeData, checks as about, params as shared, turning};
@@ -46,10 +46,14 @@ pub static CYCLE972: Cycle = Cycle {
     ..common::CYCLE
 };
 
-/// What CYCLE982 does with these variants; where the coordinate system is turned it is 61330 (A:15873).
+/// What CYCLE982 does with these variants; where the coordinate system is turned it is 61330 (A:15873), and only a
+/// turning tool is measured (B:8954-8968): 61314 (A:15855).
 fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     if machine.control().rotated() {
         return Err(alarm(machine, 61330));
+    }
+    if MEASURE.holds(inputs) && !TURNING.holds(inputs) {
+        return Err(alarm(machine, 61314));
     }
     measuring::simulate(machine, inputs)
 }
