@@ -18,7 +18,7 @@ pub const KEYS: &[&str] = &[
     "run-contour-approach", "run-offset-variable", "run-crash-stylus", "run-crash-body", "run-stylus", "run-endless",
     "run-repeated", "run-not-measured", "run-axis-name", "run-system-variable", "run-positioning", "run-axis-variable",
     "run-log", "run-scan-limit", "run-unread-value", "run-unread-way", "run-parameter", "run-no-edge", "run-far",
-    "run-no-value", "run-errors",
+    "run-no-value", "run-errors", "run-crash-tool",
 ];
 
 /// Keys of what a run goes on without: named at its end.

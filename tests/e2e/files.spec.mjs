@@ -202,18 +202,18 @@ describe("a setup file", () => {
   });
 
   const wrong = {
-    "no JSON": ["x.json", "G0 X0", /x\.json was not opened, it is not a setup: .*line 1, column 1/],
+    "no JSON": ["x.json", "G0 X0", /x\.json is not a setup and was not opened: .*line 1, column 1/],
     "another schema": [
       "package.json",
       '{ "name": "x", "version": 1 }',
-      /package\.json was not opened, it is not a setup: .*name/,
+      /package\.json is not a setup and was not opened: .*name/,
     ],
     "a control that there is not": [
       "f.json",
       '{ "control": "fanuc", "probe": { "radius": 1, "length": 1 } }',
-      /not a setup: .*fanuc/,
+      /not a setup and was not opened: .*fanuc/,
     ],
-    binary: ["b.json", Buffer.from([0, 255, 254, 1, 2]), /b\.json was not opened, it is not a setup/],
+    binary: ["b.json", Buffer.from([0, 255, 254, 1, 2]), /b\.json is not a setup and was not opened/],
     "far too large": [
       "large.json",
       Buffer.alloc(4_500_000, 32),

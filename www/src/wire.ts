@@ -1395,14 +1395,14 @@ export type Step = { "step": "motion",
   point: Mcs,
   /** Outward unit normal of the part there. */
   normal: [number, number, number],
-  /** What of the probe touched; left out: the ball. */
+  /** What touched; left out: what measures, the ball or a tool. */
   by?: Touching,
 } | { "step": "crash",
   /** Point touched on the part. */
   point: Mcs,
   /** Outward unit normal of the part there. */
   normal: [number, number, number],
-  /** What of the probe touched; left out: the ball. */
+  /** What touched; left out: what measures, the ball or a tool. */
   by?: Touching,
 } | { "step": "orient",
   /** Degree. */
@@ -1533,8 +1533,8 @@ export type TouchedLine = {
   after: string,
 };
 
-/** What of the probe touches. */
-export type Touching = "ball" | "stylus" | "body";
+/** What touches. */
+export type Touching = "ball" | "stylus" | "body" | "tool";
 
 /** Everything that happened, with what is needed to draw it. Machine coordinates, mm. */
 export type Trace = {

@@ -38,7 +38,7 @@ advice-tool-none = Vor diesem Aufruf ist kein Werkzeug programmiert: Verwendet w
 advice-tool-none-hint = T und D vor dem Aufruf programmieren.
 advice-radius = Mit DIAMOF ist der Sollwert { $value } ein Radius: Der Durchmesser ist { $diameter }.
 advice-radius-hint = DIAMON vor dem Aufruf programmieren, wenn der Durchmesser aus der Zeichnung eingegeben ist.
-advice-calibration = Dieses Programm kalibriert Messtaster { $number } nicht: Es gelten die Daten in { $data }.
+advice-calibration = Dieses Programm kalibriert Messtaster { $number } vor diesem Aufruf nicht: Es gelten die Daten in { $data }.
 advice-calibration-hint = Messtaster zuerst an dieser Maschine kalibrieren oder die Kalibrierung vor dieser Messung aufrufen.
 advice-inherited = { $name }={ $value } ist in Zeile { $line } für { $cycle } geschrieben und hat dort eine andere Einheit.
 advice-inherited-meaning = { $name }={ $value } ist in Zeile { $line } für { $cycle } geschrieben und bedeutet dort „{ $before }“, hier aber „{ $now }“.

@@ -52,14 +52,14 @@ check-mean-off = Der Mittelwert wird nicht von Werkstück zu Werkstück gespeich
 check-mean-off-hint = _CHBIT[4]=1 setzen, wenn der Mittelwert gespeichert werden soll.
 check-tolerance-order = Die obere Toleranz, { $upper } mm, liegt unter der unteren, { $lower } mm.
 check-tolerance-order-hint = _TUL und _TLL vertauschen oder ihre Vorzeichen korrigieren.
-check-band-difference = Das halbe Toleranzfeld, { $small } mm, ist größer als _TDIF, { $large } mm: Ein Werkstück in Toleranz würde abgewiesen.
+check-band-difference = Das halbe Toleranzfeld, { $small } mm, ist größer als _TDIF, { $large } mm: Bei manchen Gutteilen entfällt die Korrektur.
 check-zero-mean = _TZL, { $small } mm, ist größer als _TMV, { $large } mm: Der Zyklus korrigiert nie über den Mittelwert.
 check-difference-safe = _TDIF, { $small } mm, ist größer als _TSA, { $large } mm: Das Programm hält an, bevor _TDIF wirkt.
 check-bands-hint = Reihenfolge vom kleinsten zum größten Wert einhalten: _TZL, _TMV, halbes Toleranzfeld, _TDIF, _TSA.
 check-rotation = Eine Koordinatendrehung ist aktiv.
 check-rotation-hint = Drehung vor dem Aufruf abwählen: Dieser Zyklus misst parallel zu den Maschinenachsen.
 check-infeed = Die Zustellung, { $infeed } mm, bringt den Messtaster nicht nach unten zum Messelement.
-check-infeed-hint = Negativen Wert eingeben, wenn die Werkzeugachse nach oben zeigt.
+check-infeed-hint = Negativen Wert eingeben; liegt das Messtastergehäuse auf der Minus-Seite der Applikate, positiven.
 
 check-ball = Die Messtasterkugel, { $ball } mm, passt nicht hinein.
 check-ball-hint = Sollwert korrigieren oder Messtaster mit kleinerer Kugel verwenden.

@@ -25,7 +25,7 @@ param-119-limit = Grenzwert der Verzerrung
 param-119-limit-help = Die Dreiecke sind nie ganz gleich. Der Zyklus korrigiert das Frame nur, wenn die Summe der Abweichungen der drei Punkte kleiner als dieser Wert ist; sonst wird { "_ALARM" } 61414.
 need-119-corrected = Die Korrektur eines Frames braucht einen Grenzwert.
 
-result-119-alarm = 0, ohne Frame die Alarmnummer
+result-119-alarm = 0 oder die Alarmnummer
 result-119-distortion = Summe der Abweichungen der drei Punkte; unter 0: kein Frame
 result-119-frame-x = Ergebnisframe, das, mit dem aktiven verkettet, das gemessene Dreieck in die Solllage bringt: Verschiebung X
 result-119-frame-y = Ergebnisframe: Verschiebung Y

@@ -34,7 +34,7 @@ param-id-length-help = Abstand des tiefsten Schneidenpunkts vom Radius nach inne
 param-id-radius = Unterkante bis größter Durchmesser
 param-id-radius-help = Abstand der Werkzeugunterkante vom größten Durchmesser; um diesen Wert fährt das Werkzeug tiefer. 0, wenn der größte Durchmesser an der Unterkante liegt.
 param-fa-incremental = Messweg mit Richtung
-param-fa-incremental-help = Abstand von der aktuellen Position zur anzutastenden Seite; plus misst in Plus-Richtung, minus in Minus-Richtung. Das Werkzeug fährt ebenso weit darüber hinaus. Immer in mm.
+param-fa-incremental-help = Abstand von der aktuellen Position zur anzutastenden Seite; plus misst in Plus-Richtung, minus in Minus-Richtung. Verfahrweg höchstens das Doppelte. Immer in mm.
 
 need-axis-tool-probe = Der Zyklus braucht die Messachse.
 need-offset-edge = Der Zyklus positioniert damit das Werkzeug; ohne Angabe gilt der Wert eines früheren Aufrufs. Für eine gerade Schneide 0 eingeben.
@@ -44,7 +44,7 @@ need-signed-path = Das Vorzeichen bestimmt die Messrichtung.
 result-actual-radius = Istwert Radius
 result-difference-radius = Differenz Radius
 
-check-path-sign = Der Messweg muss größer als 0 sein.
+check-path-sign = Der Messweg ist 0 oder hat ein hier unzulässiges Vorzeichen.
 check-path-sign-hint = _FA ohne Vorzeichen eingeben; die Startposition bestimmt die Richtung. Ein Vorzeichen gilt nur beim inkrementellen Kalibrieren.
 check-path-direction-hint = Abstand zum Messtaster eingeben, für die Minus-Richtung mit Minuszeichen.
 check-tool-probe-type = { $name } enthält keinen zulässigen Werkzeugmesstastertyp.
@@ -52,7 +52,7 @@ check-tool-probe-plane = Die Scheibe in { $name } ist in dieser Ebene nicht anta
 check-tool-probe-type-hint = 0 ist ein Würfel; 101 eine Scheibe in XY für G17, 201 in ZX für G18, 301 in YZ für G19.
 check-tool-probe-depth = { $name } ist 0: Neben dem Messtaster käme das Werkzeug nicht tiefer als die Messtasteroberkante.
 check-tool-probe-depth-hint = Abstand von der Messtasteroberkante zur Werkzeugunterkante eintragen.
-check-directions-code = { $name } = { $code } gibt keine zulässigen Richtungen an.
+check-directions-code = { $name } = { $code } ist kein zulässiger Richtungscode.
 check-directions-applicate = { $name } = { $code } gibt die Minus-Richtung der Werkzeugachse nicht frei.
 check-directions-hint = Hunderter Z, Zehner Y, Einer X: 0 keine, 1 minus, 2 plus, 3 beide. Die Werkzeugachse braucht 1 oder 3; Vorbesetzung: 133.
 check-tool-type-drill = Ein Bohrer (Typ { $type }) hat keinen messbaren Radius.

@@ -30,7 +30,7 @@ report-required = erforderlich
 report-required-when = erforderlich bei { $condition }
 report-results = Ergebnisse
 report-source = Quelle: { $source }.
-report-standard = { $old }; { $new } ab Software 63
+report-standard = { $old }; { $new } ab NCK 63
 report-unit-rpm = 1/min
 report-variants = Messvarianten
 report-when-digit = Stelle { $place } von `{ $param }` ∈ { $numbers }
@@ -81,7 +81,7 @@ terminal-log = Protokoll
 terminal-told-cause = Ursache
 terminal-told-cure = Abhilfe
 terminal-told-effect = Wirkung
-terminal-told-sources = Quelle
+terminal-told-sources = Auslöser
 terminal-told-found = erkannt
 terminal-told-source = Fundstelle
 

@@ -5,6 +5,7 @@ frame-after = { $name } nachher
 collision-ball = Messtasterkugel
 collision-stylus = Tastschaft
 collision-body = Messtastergehäuse
+collision-tool = Werkzeug
 collision-crash = Kollision: { $what }
 collision-alarm = { $code }: { $what }
 collision-first = Berührt zuerst: { $what }

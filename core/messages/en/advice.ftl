@@ -18,7 +18,7 @@ advice-edge-open = No D is programmed after the last T: machine data decide whet
 advice-edge-hint = Program the D number of the probe after the tool change.
 advice-tool = The active tool, T{ $tool }, is not a workpiece probe (type { $type }).
 advice-tool-hint = Change to the probe before the call, or correct the type in the tool list (710, or 580 on a lathe).
-advice-tool-digit = T{ $tool } is of type { $type }. The call conditions permit 710 and types ending in 0, another place 100 to 199.
+advice-tool-digit = T{ $tool } is of type { $type }. The call conditions permit 1x0 and 710; elsewhere the manual permits 100 to 199.
 advice-tool-digit-hint = Enter the probe as type 710; the control may reject this type.
 advice-tool-assignment = T{ $tool } is of type { $type }, the probe of a turning machine: this cycle accepts it only with SD 42950 = 2.
 advice-tool-assignment-hint = Set SD 42950 = 2 on a turning machine; on a milling machine, enter the probe as type 710.
@@ -28,7 +28,7 @@ advice-tool-plane = T{ $tool } has cutting edge position { $position }, so it is
 advice-tool-plane-hint = Measure in { $plane }, or use a probe perpendicular to this plane: 5 and 7 for G17, 6 and 8 for G19.
 advice-length = T{ $tool } has no length along the tool axis: turning tools have L1 in the ordinate, L2 abscissa, L3 applicate.
 advice-length-hint = Enter the tool-axis length as L3 in a D number for this plane, unless the G18 assignment applies everywhere.
-advice-milled-diameter = DIAMON or DIAM90 is active, but this cycle ignores it: positions in X are from the centre of rotation.
+advice-milled-diameter = DIAMON or DIAM90 is active, but this cycle ignores it: positions in X are radii.
 advice-milled-diameter-hint = Enter the positions as radii; program DIAMOF before the call and DIAMON or DIAM90 after it.
 advice-spindle = The spindle is rotating: it is not stopped between M3 or M4 and this call.
 advice-spindle-hint = Stop the spindle with M5 before the probe approaches the part.
@@ -38,7 +38,7 @@ advice-tool-none = No tool is programmed before this call: the cycle uses the to
 advice-tool-none-hint = Program T and D before the call.
 advice-radius = With DIAMOF the setpoint { $value } is a radius: the diameter is { $diameter }.
 advice-radius-hint = If you entered the diameter from the drawing, program DIAMON before the call.
-advice-calibration = This program does not calibrate probe { $number }: the data stored in { $data } apply.
+advice-calibration = This program does not calibrate probe { $number } before this call: the data stored in { $data } apply.
 advice-calibration-hint = Calibrate the probe on this machine first, or call the calibration before this measurement.
 advice-inherited = { $name }={ $value } was written for { $cycle } in line { $line }, where it has another unit.
 advice-inherited-meaning = { $name }={ $value } was written for { $cycle } in line { $line }, where it means “{ $before }”; here it means “{ $now }”.

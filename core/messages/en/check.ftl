@@ -52,14 +52,14 @@ check-mean-off = No mean value is stored from part to part.
 check-mean-off-hint = Set _CHBIT[4]=1 to store the mean value.
 check-tolerance-order = The upper tolerance, { $upper } mm, is below the lower tolerance, { $lower } mm.
 check-tolerance-order-hint = Swap _TUL and _TLL, or correct their signs.
-check-band-difference = Half of the tolerance band, { $small } mm, is larger than _TDIF, { $large } mm: a good part would be rejected.
-check-zero-mean = _TZL, { $small } mm, is larger than _TMV, { $large } mm: the mean value is never corrected.
+check-band-difference = Half of the tolerance band, { $small } mm, is larger than _TDIF, { $large } mm: no correction for some good parts.
+check-zero-mean = _TZL, { $small } mm, is larger than _TMV, { $large } mm: the cycle never corrects by the mean value.
 check-difference-safe = _TDIF, { $small } mm, is larger than _TSA, { $large } mm: the program stops before _TDIF takes effect.
 check-bands-hint = Keep this order, smallest first: _TZL, _TMV, half of the tolerance band, _TDIF, _TSA.
 check-rotation = A coordinate rotation is active.
 check-rotation-hint = Deselect the rotation before the call: this cycle measures parallel to the machine axes.
 check-infeed = The infeed, { $infeed } mm, does not move the probe down to the element.
-check-infeed-hint = If the tool axis points up, enter a negative value.
+check-infeed-hint = Enter a negative value; if the probe body is on the minus side of the applicate, a positive one.
 
 check-ball = The probe ball, { $ball } mm, does not fit inside.
 check-ball-hint = Correct the setpoint, or use a probe with a smaller ball.

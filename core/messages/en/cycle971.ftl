@@ -34,7 +34,7 @@ param-id-length-help = Distance from the radius inwards to the deepest point of 
 param-id-radius = Tool end to largest diameter
 param-id-radius-help = Distance from the tool end up to its largest diameter; the tool moves down further by this value. 0 if the tool is widest at its end.
 param-fa-incremental = Measuring path with direction
-param-fa-incremental-help = Distance from the current position to the side to be touched; plus measures in plus direction, minus in minus direction. The tool travels the same distance past it. Always in mm.
+param-fa-incremental-help = Distance from the current position to the side to be touched; plus measures in plus direction, minus in minus direction. The tool travels at most twice this path. Always in mm.
 
 need-axis-tool-probe = The cycle requires the measuring axis.
 need-offset-edge = The cycle positions the tool with it; if omitted, the value of an earlier call applies. Enter 0 for a plain cutting edge.
@@ -44,15 +44,15 @@ need-signed-path = The sign determines the measuring direction.
 result-actual-radius = Actual radius
 result-difference-radius = Radius difference
 
-check-path-sign = The measuring path must be greater than 0.
+check-path-sign = The measuring path is 0 or has a sign that this variant does not permit.
 check-path-sign-hint = Enter _FA without a sign; the start position gives the direction. Only incremental calibration uses a sign.
-check-path-direction-hint = Enter the distance to the probe, with minus for the minus direction.
+check-path-direction-hint = Enter in _FA the distance to the probe, with minus for the minus direction.
 check-tool-probe-type = { $name } is not a permitted type of tool probe.
 check-tool-probe-plane = The disc in { $name } cannot be touched in this plane.
 check-tool-probe-type-hint = 0 is a cube; 101 is a disc in XY for G17, 201 in ZX for G18, 301 in YZ for G19.
 check-tool-probe-depth = { $name } is 0: beside the probe, the tool would not reach below its upper edge.
 check-tool-probe-depth-hint = Enter the distance from the upper edge of the probe to the lower edge of the tool.
-check-directions-code = { $name } = { $code } contains no permitted directions.
+check-directions-code = { $name } = { $code } is not a permitted direction code.
 check-directions-applicate = { $name } = { $code } does not permit touching in minus direction of the tool axis.
 check-directions-hint = Hundreds Z, tens Y, ones X: 0 none, 1 minus, 2 plus, 3 both. The tool axis needs 1 or 3; the default is 133.
 check-tool-type-drill = A drill (type { $type }) has no radius that can be measured.
@@ -60,17 +60,17 @@ check-tool-length-zero = Length L1 of the active tool is 0.
 check-tool-radius-zero = The radius of the active tool is 0.
 check-tool-zero-hint = Enter the approximate size in the tool data, for a calibration tool the exact size.
 check-offset-missing = The tool, { $tool } mm wide, is wider than the probe, { $edge } mm: _ID determines its position.
-check-offset-missing-hint = Enter 0 if the outermost point is to be above the centre of the probe.
+check-offset-missing-hint = Enter 0 in _ID if the outermost point is to be above the centre of the probe.
 check-offset-large = _ID exceeds the tool radius, { $radius } mm: the tool would be offset to the other side.
-check-offset-large-hint = Enter the distance from the radius inwards.
+check-offset-large-hint = Enter in _ID the distance from the radius inwards; it must not exceed the radius.
 check-offset-abscissa = The tool, { $tool } mm wide, is wider than the probe, { $edge } mm: the cycle offsets it in the abscissa.
-check-offset-abscissa-hint = Choose 103 or 203 to specify the axis of the offset.
+check-offset-abscissa-hint = Set _MA to 103 or 203 to specify the axis of the offset.
 check-mfs-missing = { $name } is not set: speed or feed of a touch is missing.
 check-mfs-missing-hint = Set speeds in _MFS[0], [2], [4] and feeds in _MFS[1], [3], [5], or let the cycle calculate them: _CBIT[12]=0.
 check-mfs-third = { $name } is 0: the third touch with _MFS[4] and [5] is omitted.
 check-mfs-third-hint = Set speed and feed of the second touch too, or set _MFS[4] to 0.
-check-cm-direction = { $name } specifies no direction of rotation for a stationary spindle.
-check-cm-direction-hint = Set 3 for M3 or 4 for M4 in the machine data.
+check-cm-direction = { $name } specifies no direction of rotation, which is needed if the spindle is stationary at the call.
+check-cm-direction-hint = Set _CM[5] to 3 for M3 or to 4 for M4 in the machine data.
 check-cm-zero = { $name } is 0, so speed or feed of the measurement would be 0.
 check-cm-zero-hint = Set the limits: _CM[0] peripheral speed, [1] spindle speed, [3] accuracy, [4] maximum feed.
 check-cm-factor = { $name } is neither 0 nor at least 1.

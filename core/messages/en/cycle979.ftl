@@ -1,7 +1,7 @@
 # CYCLE979: titles, search words, variants, words of its own parameters and checks.
 
 cycle979-title = Hole, shaft, groove, web at an angle
-cycle979-help = Measures a size and its centre at an angle to the axes: a hole, a shaft or a segment at three or four points on a circle; a groove or web across an oblique line.
+cycle979-help = Measures a size and its centre at an angle to the axes: a hole, a shaft or a segment at three or four points on a circle; a groove or web along an oblique line.
 cycle979-words = measure workpiece hole bore shaft boss groove slot web rib segment arc angle oblique inclined diameter width centre center three four points inside outside tool offset wear zero offset ZO probe probing datum work set
 cycle979-each-words = angle oblique segment arc
 
@@ -29,7 +29,7 @@ param-prnum-with-points-help = Three or four points of a circle, type of the pro
 need-lift = The probe must cross the web.
 
 check-points-unused = The number of points applies to a hole or shaft only.
-check-points-unused-hint = Choose 3 points, which is digit 0.
+check-points-unused-hint = Choose three points: 0 in the 4th digit of _PRNUM.
 check-path-centre = The measuring path starts on the far side of the centre: between the points, the probe would pass there.
 check-path-centre-hint = Reduce _FA below { $free } mm.
 check-lift = The probe does not lift before it crosses the web.

@@ -1,7 +1,7 @@
 # CYCLE982: titles, search words, variants, words of its own parameters, checks.
 
 cycle982-title = Turning: tool probe, turning and milling tools
-cycle982-help = Measures L1 and L2 of a turning tool, milling tool or drill, and a milling tool's radius, at a tool probe parallel to the axes, or calibrates one side with a tool of position 3.
+cycle982-help = Measures L1, L2 of turning tools, milling tools, drills, and R of milling tools at a tool probe parallel to the axes, or calibrates a side with a tool of cutting edge position 3.
 cycle982-words = measure tool setter tool setting preset lathe turning mill-turn driven tool live tool tool probe cube calibrate calibration length L1 L2 radius diameter insert nose tip cutting edge position drill end mill groove mill T-slot reversal incremental automatic wear geometry trigger point
 cycle982-each-words = lathe measure tool
 
@@ -80,12 +80,12 @@ task-measure-all = Measure automatically: all values
 task-measure-all-words = automatic all values insert driven tool end mill
 mvar-edges = Reversal (milling tool, drill)
 second-edge-without = Without
-second-edge-with = With: 2nd touch, spindle at 180°
+second-edge-with = With: 2nd touch, spindle +180°
 second-edge-with-words = two edges mean value 180°
 mvar-extent = Size of the milling tool
 extent-plain = One length; automatic: lengths and radius
 extent-plain-words = length L1 L2
-extent-radius = Radius only; single measurement
+extent-radius = Radius only; not automatic
 extent-radius-words = diameter
 extent-length-radius = Length and radius, two sides; not incremental
 extent-length-radius-words = diameter two points

@@ -5,6 +5,7 @@ frame-after = { $name } after
 collision-ball = ball
 collision-stylus = stylus
 collision-body = body
+collision-tool = tool
 collision-crash = Crash: { $what }
 collision-alarm = { $code }: { $what }
 collision-first = Touches first: { $what }

@@ -60,7 +60,7 @@ result-difference-l2 = Difference of length L2
 check-tool-probe-number-hint = Enter a number from 1 to { $fields }, or create more probe data and increase { $array }.
 check-tool-limits = { $small }, { $low } mm, is not smaller than { $large }, { $high } mm: one of them never takes effect.
 check-tool-limits-hint = Keep this order, smallest first: _TZL, _TDIF, _TSA.
-check-tool-speed = With { $name }, the cycle cannot position the tool.
+check-tool-speed = { $name } is 0 or less: the cycle cannot position the tool.
 check-tool-speed-hint = Set _SPEED[0] in % of rapid traverse; with collision monitoring (_CHBIT[2]=1) _SPEED[1] and _SPEED[2] above 0.
 check-tool-probe-empty = The position of the tool probe is not set: { $names } are 0.
 check-tool-probe-empty-hint = Enter the approximate positions of its sides in the machine data; the cycle calculates its paths from them.

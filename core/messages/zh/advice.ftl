@@ -38,7 +38,7 @@ advice-tool-none = 此调用之前没有编程刀具：循环使用主轴或刀�
 advice-tool-none-hint = 请在调用之前编程 T 和 D。
 advice-radius = DIAMOF 有效时设定值 { $value } 为半径：直径为 { $diameter }。
 advice-radius-hint = 若输入的是图纸上的直径，请在调用前编程 DIAMON。
-advice-calibration = 此程序不校准测头 { $number }：以 { $data } 中存储的数据为准。
+advice-calibration = 此程序在此调用之前不校准测头 { $number }：以 { $data } 中存储的数据为准。
 advice-calibration-hint = 请先在此机床上校准测头，或在此测量之前调用校准。
 advice-inherited = { $name }={ $value } 在第 { $line } 行为 { $cycle } 写入，单位与此处不同。
 advice-inherited-meaning = { $name }={ $value } 在第 { $line } 行为 { $cycle } 写入，在该处表示“{ $before }”，在此处表示“{ $now }”。

@@ -52,23 +52,23 @@ check-mean-off = 平均值不会从一个工件保存到下一个工件。
 check-mean-off-hint = 要保存平均值，请设 _CHBIT[4]=1。
 check-tolerance-order = 公差上限 { $upper } mm 低于公差下限 { $lower } mm。
 check-tolerance-order-hint = 请交换 _TUL 和 _TLL，或改正它们的符号。
-check-band-difference = 公差带的一半 { $small } mm 大于 _TDIF { $large } mm：公差内的工件会被当作不合格。
+check-band-difference = 公差带的一半 { $small } mm 大于 _TDIF { $large } mm：部分合格工件得不到补偿。
 check-zero-mean = _TZL { $small } mm 大于 _TMV { $large } mm：永远不会按平均值补偿。
 check-difference-safe = _TDIF { $small } mm 大于 _TSA { $large } mm：在 _TDIF 起作用之前程序就停止。
 check-bands-hint = 请按从小到大的顺序设定：_TZL、_TMV、公差带的一半、_TDIF、_TSA。
 check-rotation = 坐标旋转有效。
 check-rotation-hint = 请在调用前取消旋转：此循环平行于机床轴测量。
 check-infeed = 按进刀深度 { $infeed } mm，测头不会下降到被测要素。
-check-infeed-hint = 刀具轴向上时请输入负值。
+check-infeed-hint = 请输入负值；若测头本体位于垂直坐标的负侧，请输入正值。
 
 check-ball = { $ball } mm 的测球放不进去。
 check-ball-hint = 请改正设定值，或换用测球较小的测头。
 check-path-long = 测量行程会从对面的壁内开始：测球只有 { $free } mm 的行程。
 check-path-long-hint = 请把 _FA 减小到小于 { $free } mm。
 check-zone-wide = 保护区 { $zone } mm 不小于被测要素 { $size } mm。
-check-zone-wide-hint = 请把保护区减小到小于 { $limit } mm，使测球放得进旁边。
+check-zone-wide-hint = 请把保护区减小到小于 { $limit } mm，使旁边放得下测球。
 check-zone-narrow = 保护区 { $zone } mm 不大于被测要素 { $size } mm。
-check-zone-narrow-hint = 请把保护区加大到大于 { $limit } mm，使测球放得进被测要素旁。
+check-zone-narrow-hint = 请把保护区加大到大于 { $limit } mm，使被测要素旁放得下测球。
 check-zone-ball = 被测要素与保护区之间容不下 { $ball } mm 的测球。
 check-zone-shortens = 保护区把测量行程缩短到 { $free } mm。
 check-zone-shortens-hint = 请改变保护区以留出更多行程，或以此值为工件的最大偏差。
@@ -96,7 +96,7 @@ check-mirror-datum-hint = 请不带镜像测量，或设 MD 10610=0。
 check-multi-probe = 此测量需要多向测头：单向测头只在一个方向触发。
 check-multi-probe-hint = 请使用多向测头：{ "_PRNUM" } 为两位数。
 check-angles-sum = 起始角与全部增量角之和为 { $sum }°，大于 360°。
-check-angles-sum-hint = 请减小增量角，或输入更接近 0 的起始角，带符号。
+check-angles-sum-hint = 请减小增量角，或输入更接近 0 的起始角（可为负）。
 check-angles-same = 用此增量角各点会重合：求不出圆。
 check-angles-same-hint = 请输入不超过 120°（三点）或不超过 90°（四点）的值。
 check-angles-wide = 测量 { $points } 点时，增量角大于 { $useful }° 没有意义。

@@ -25,8 +25,8 @@ param-119-limit = 变形极限
 param-119-limit-help = 两个三角形的形状不会完全相同。只有三个点的偏差之和小于此值时才补偿坐标框架；否则 { "_ALARM" } 为 61414。
 need-119-corrected = 补偿坐标框架需要极限值。
 
-result-119-alarm = 0，或没有坐标框架时的报警号
-result-119-distortion = 三个点的偏差之和；小于 0：没有坐标框架
+result-119-alarm = 0，或报警号
+result-119-distortion = 三点偏差之和；小于 0：未算出坐标框架
 result-119-frame-x = 结果坐标框架（与有效坐标框架级联，把测得的三角形移到设定位置）：X 平移
 result-119-frame-y = 结果坐标框架：Y 平移
 result-119-frame-z = 结果坐标框架：Z 平移

@@ -1,7 +1,7 @@
 # CYCLE961：标题、搜索词、测量方式，及其自有参数和检查。
 
 cycle961-title = 内拐角或外拐角
-cycle961-help = 求工件或型腔两条边的交点以及第一条边转过的角度，并把拐角设为工件零点。
+cycle961-help = 求工件或型腔两条边的交点以及基准边转过的角度，并把拐角设为工件零点。
 cycle961-words = 测量 工件 拐角 顶点 边 设定 零点 原点 矩形 虎钳 角度 旋转 找正 内 外 三点 四点 零点偏移 零偏 坐标框架 G54 分中 碰边 寻边 寻边器 抓角 碰角 对刀 工件坐标系 设零 基准角
 
 cycle961-inside-rectangle = 矩形内拐角，三点
@@ -77,7 +77,7 @@ result-corner-ordinate-machine = 拐角，纵坐标，机床坐标
 
 check-corner-distance = 距离 { $param } 为 { $distance } mm，必须大于 0。
 check-corner-distance-hint = 请输入不带符号的距离；方向由 _STA1 和 _INCA 决定。
-check-corner-straight = 第二条边与第一条边方向相同。
+check-corner-straight = 第二条边与基准边方向相同。
 check-corner-straight-hint = 请输入从基准边到第二条边的角度，例如 90 或 -90。
 check-corner-rectangle = 矩形的边相交成 90°，不是 { $angle }°。
 check-corner-rectangle-hint = 请选四点的测量方式，或把 _INCA 改为 90 或 -90。

@@ -34,7 +34,7 @@ param-id-length-help = 从半径向内到刀刃最低点的距离；刀具的偏
 param-id-radius = 刀具端部到最大直径处
 param-id-radius-help = 刀具端部到最大直径处的距离；刀具再下降此值。端部直径最大时为 0。
 param-fa-incremental = 测量行程（带方向）
-param-fa-incremental-help = 从当前位置到触碰面的距离；正值朝正方向测量，负值朝负方向。越过该面的行程与此相同。始终以 mm 为单位。
+param-fa-incremental-help = 从当前位置到触碰面的距离；正值朝正方向测量，负值朝负方向。最大行程为其两倍。始终以 mm 为单位。
 
 need-axis-tool-probe = 循环需要测量轴。
 need-offset-edge = 循环据此定位刀具；省略时沿用上次调用的值。普通刀刃请输入 0。
@@ -44,7 +44,7 @@ need-signed-path = 符号决定测量方向。
 result-actual-radius = 实际半径
 result-difference-radius = 半径偏差
 
-check-path-sign = 测量行程必须大于 0。
+check-path-sign = 测量行程为 0，或带有此处不允许的符号。
 check-path-sign-hint = 请输入不带符号的 _FA；起点决定方向。只有增量校准使用符号。
 check-path-direction-hint = 请输入到测头的距离，负方向加负号。
 check-tool-probe-type = { $name } 不是允许的刀具测头类型。
@@ -52,24 +52,24 @@ check-tool-probe-plane = { $name } 中的圆盘在此平面无法触碰。
 check-tool-probe-type-hint = 0 为方块；101 为 XY 平面的圆盘（G17），201 为 ZX（G18），301 为 YZ（G19）。
 check-tool-probe-depth = { $name } 为 0：在测头旁，刀具不会下降到测头上沿之下。
 check-tool-probe-depth-hint = 请输入测头上沿到刀具下沿的距离。
-check-directions-code = { $name } = { $code } 不含允许的方向。
+check-directions-code = { $name } = { $code } 不是允许的方向代码。
 check-directions-applicate = { $name } = { $code } 不允许在刀具轴负方向触碰。
 check-directions-hint = 百位 Z，十位 Y，个位 X：0 不触碰，1 负，2 正，3 两者。刀具轴须为 1 或 3；默认值为 133。
 check-tool-type-drill = 钻头（类型 { $type }）没有可测的半径。
 check-tool-length-zero = 当前刀具的长度 L1 为 0。
 check-tool-radius-zero = 当前刀具的半径为 0。
 check-tool-zero-hint = 请在刀具数据中输入近似尺寸，校准刀具则输入精确尺寸。
-check-offset-missing = 刀具宽 { $tool } mm，比测头的 { $edge } mm 宽：_ID 决定其位置。
+check-offset-missing = 刀具直径 { $tool } mm 大于测头的 { $edge } mm：_ID 决定其位置。
 check-offset-missing-hint = 若其最外点应位于测头中心上方，请输入 0。
 check-offset-large = _ID 大于刀具半径 { $radius } mm：刀具会偏移到另一侧。
 check-offset-large-hint = 请输入从半径向内的距离。
-check-offset-abscissa = 刀具宽 { $tool } mm，比测头的 { $edge } mm 宽：循环使刀具沿横坐标偏移。
+check-offset-abscissa = 刀具直径 { $tool } mm 大于测头的 { $edge } mm：循环使刀具沿横坐标偏移。
 check-offset-abscissa-hint = 请选 103 或 203 指明偏移的轴。
 check-mfs-missing = 没有设置 { $name }：缺少某次触碰的转速或进给。
 check-mfs-missing-hint = 请在机床数据中设置 _MFS[0]、[2]、[4] 的转速和 _MFS[1]、[3]、[5] 的进给，或用 _CBIT[12]=0 让循环计算。
 check-mfs-third = { $name } 为 0：省去第三次触碰（_MFS[4] 和 [5]）。
 check-mfs-third-hint = 请也设置第二次触碰的转速和进给，或把 _MFS[4] 设为 0。
-check-cm-direction = { $name } 没有给出主轴静止时的旋转方向。
+check-cm-direction = { $name } 没有指定旋转方向；调用时主轴静止则需要它。
 check-cm-direction-hint = 请在机床数据中设为 3（M3）或 4（M4）。
 check-cm-zero = { $name } 为 0：测量的转速或进给会为 0。
 check-cm-zero-hint = 请在机床数据中设置极限：_CM[0] 圆周速度，[1] 主轴转速，[3] 精度，[4] 最大进给。
@@ -79,7 +79,7 @@ check-cm-order = { $name } 不小于 _CM[6]，而每次触碰必须比前一次�
 check-cm-order-hint = 请减小进给系数 2，或设为 0，只触碰两次。
 check-compensation-make = 不作补偿：_MT_COMP=1 时需要在 { $name } 中设置测头型号。
 check-compensation-make-hint = 请把 _TP_CF 设为 1（TT130）或 2（TS27R），或用自己的表并设 _MT_COMP=2。
-check-compensation-inside = 控制系统扣除该型号测头的内部补偿表，手册中没有该表：预测不作扣除。
+check-compensation-inside = 控制系统按该型号测头的内部补偿表作扣除，而手册中没有此表：模拟不作扣除。
 check-compensation-inside-hint = 请设 _MT_COMP=2：控制系统和模拟都使用 { $name } 中的用户自定义表。
 check-compensation-table = { $name } 中的半径或圆周速度不是递增的：补偿可能错误。
 check-compensation-table-hint = 请在 [0,1] 到 [0,4] 输入递增的半径，在 [1,0] 到 [5,0] 输入递增的速度，或设 _MT_COMP=0。

@@ -22,14 +22,14 @@ param-setval-width-angle-help = 图纸上槽或凸台的宽度，沿起始角方
 param-sta1-width = 宽度方向
 param-sta1-width-help = 测量宽度的方向与横坐标的夹角；第一点在中心的这一侧。
 param-id-lift = 越过凸台抬高量
-param-id-lift-help = 沿刀具轴从测量高度到越过高度的行程，带符号。长度算到测球中心（_CBIT[14]=0）时必须包含测球半径。
+param-id-lift-help = 沿刀具轴从测量高度到越过高度的行程，带符号。测头长度算到测球中心（_CBIT[14]=0）时，此值必须包含测球半径。
 param-prnum-with-points = 测头和点数
 param-prnum-with-points-help = 圆周三点或四点、测头类型及其数据在 _WP 中的编号。
 
 need-lift = 测头必须越过凸台。
 
 check-points-unused = 点数只对孔或轴（外圆）有效。
-check-points-unused-hint = 请选 3 点，即数位 0。
+check-points-unused-hint = 请选 3 点，即该数位为 0。
 check-path-centre = 测量行程从中心的另一侧开始：在各点之间测头会从那一侧经过。
 check-path-centre-hint = 请把 _FA 减小到小于 { $free } mm。
 check-lift = 测头越过凸台之前没有抬起。

@@ -1,7 +1,7 @@
 # docs/ 中生成页面的句子；其中的循环、报警和数据各有自己的文字。
 
 report-alarms = 报警和信息
-report-generated = 由目录生成，请勿编辑。
+report-generated = 由数据表生成，请勿编辑。
 report-known-simulated = 表单、检查、程序文本和模拟。
 report-known-passed = 表单、检查和程序文本；不模拟，运行时跳过。
 report-known-stops = 表单、检查和程序文本；不模拟，运行时在调用处停止。
@@ -30,7 +30,7 @@ report-required = 必需
 report-required-when = { $condition } 时必需
 report-results = 结果
 report-source = 出处：{ $source }。
-report-standard = { $old }；软件 63 起 { $new }
+report-standard = { $old }；NCK 63 起 { $new }
 report-unit-rpm = r/min
 report-variants = 测量方式
 report-when-digit = `{ $param }` 第 { $place } 位 ∈ { $numbers }
@@ -81,7 +81,7 @@ terminal-log = 测量记录
 terminal-told-cause = 原因
 terminal-told-cure = 措施
 terminal-told-effect = 影响
-terminal-told-sources = 来源
+terminal-told-sources = 引发
 terminal-told-found = 发现方式
 terminal-told-source = 出处
 

@@ -24,7 +24,7 @@ approach-automatic-words = 自动 全部 轴 方向 中心
 param-prnum-tool = 刀具测头
 param-prnum-tool-help = 刀具测头的编号：数据在 _TP[n-1,…] 中，在工件坐标系中测量时在 _TPW[n-1,…] 中。
 param-evnum-tool = 经验值存储器
-param-evnum-tool-help = 修正测量值的存储器 _EV[n-1] 的号 n；0：无。大于 9999 时只取后四位，因为不形成平均值。
+param-evnum-tool-help = 修正测量值的存储器 _EV[n-1] 的编号 n；0：无。大于 9999 时只取后四位，因为不形成平均值。
 param-tzl-tool = 零补偿区
 param-tzl-tool-help = 偏差不超过此值时不作补偿，也不报警。
 param-tdif-tool = 允许尺寸差
@@ -60,8 +60,8 @@ result-difference-l2 = 长度 L2 偏差
 check-tool-probe-number-hint = 请输入 1 到 { $fields } 的编号，或建立更多测头数据并加大 { $array }。
 check-tool-limits = { $small } 为 { $low } mm，不小于 { $large } 的 { $high } mm：其中之一永远不起作用。
 check-tool-limits-hint = 请按从小到大的顺序设定：_TZL、_TDIF、_TSA。
-check-tool-speed = { $name } 使循环不能定位刀具。
-check-tool-speed-hint = 请将 _SPEED[0] 设为快速移动的百分比，_SPEED[1]、_SPEED[2] 设为大于 0 的进给；碰撞监控（_CHBIT[2]=1）时有效。
+check-tool-speed = 按 { $name } 的值，循环无法定位刀具。
+check-tool-speed-hint = 请将 _SPEED[0] 设为快速移动的百分比；有碰撞监控（_CHBIT[2]=1）时，将 _SPEED[1]、_SPEED[2] 设为大于 0 的进给。
 check-tool-probe-empty = 刀具测头的位置未设定：{ $names } 为 0。
 check-tool-probe-empty-hint = 请在机床数据中输入其各面的近似位置；循环由此计算路径。
 check-tool-probe-sides = { $minus } 不大于 { $plus }：朝负方向触碰的面必须在测头的正侧。
@@ -75,6 +75,6 @@ check-tip = 这里不允许刀沿位置 { $tip }。
 check-tip-calibration-hint = 请用刀沿位置 3 的刀具校准测头，并检查 $TC_DP2。
 check-tip-hint = 请用刀沿位置 1 到 8 的刀具，并检查 $TC_DP2。
 check-tip-axis = 刀沿位置 { $tip } 的刀具在此轴方向上没有刀刃。
-check-tip-axis-hint = 请只在横坐标测量位置 5 和 7，只在纵坐标测量位置 6 和 8。
+check-tip-axis-hint = 请只在横坐标测量刀沿位置 5、7 的刀具，只在纵坐标测量刀沿位置 6、8 的刀具。
 check-tool-radius-negative = 当前刀具的半径与磨损之和为 { $radius } mm。不存在这样的刀具：模拟时半径取 0。
 check-tool-radius-negative-hint = 请改正刀具数据中的半径磨损。

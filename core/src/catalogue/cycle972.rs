@@ -5,7 +5,7 @@
 mod tests;
 
 use crate::catalogue::common::length;
-use crate::catalogue::cycle982::params::{ABSCISSA, ORDINATE, TURNING};
+use crate::catalogue::cycle982::params::{ABSCISSA, ORDINATE};
 use crate::catalogue::cycle982::{picture, propose, simulate as measuring};
 use crate::catalogue::prelude::*;
 use crate::catalogue::tool_probe::{ProbeData, checks as about, params as shared, turning};
@@ -52,7 +52,8 @@ fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     if machine.control().rotated() {
         return Err(alarm(machine, 61330));
     }
-    if MEASURE.holds(inputs) && !TURNING.holds(inputs) {
+    let other = machine.control().active_edge().is_some_and(|edge| !edge.is_turning());
+    if MEASURE.holds(inputs) && other {
         return Err(alarm(machine, 61314));
     }
     measuring::simulate(machine, inputs)

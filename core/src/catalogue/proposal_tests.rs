@@ -263,8 +263,8 @@ fn no_worked_measurement_is_doubted() {
     }
 }
 
-// oracle: self (a value that the entry does not know, or an angle read as a length, ends a test build): whatever tool is
-// in use and whatever its data, each task comes to its end or to an alarm
+// oracle: self (a value that the entry does not know, or an angle read as a length, ends a test build): whatever tool
+// is in use, each task comes to its end or to an alarm
 #[test]
 fn every_task_takes_any_tool() {
     const PLANES: [Plane; 3] = [Plane::G17, Plane::G18, Plane::G19];

@@ -63,14 +63,14 @@ impl Inputs {
     /// Number of a parameter that the entry has and that is no angle; 0 as of [`Inputs::value`].
     #[track_caller]
     pub fn number(&self, name: Name) -> f64 {
-        debug_assert!(!self.is_angle(name), "{name} of {} is an angle", self.cycle.name);
+        debug_assert!(!self.is_angle(name), "{} {name}", self.cycle.name);
         self.value(name)
     }
 
     /// Angle of a parameter whose unit is degree; 0 as of [`Inputs::value`].
     #[track_caller]
     pub fn degrees(&self, name: Name) -> Degrees {
-        debug_assert!(self.is_angle(name), "{name} of {} is no angle", self.cycle.name);
+        debug_assert!(self.is_angle(name), "{} {name}", self.cycle.name);
         Degrees(self.value(name))
     }
 

@@ -52,8 +52,8 @@ pub enum Step {
         point: Mcs,
         /// Outward unit normal of the part there.
         normal: Dir<Mcs>,
-        /// What of the probe touched; left out: the ball.
-        #[serde(skip_serializing_if = "Touching::is_ball")]
+        /// What touched; left out: what measures, the ball or a tool.
+        #[serde(skip_serializing_if = "Touching::measures")]
         #[cfg_attr(test, ts(optional, as = "Option<Touching>"))]
         by: Touching,
     },
@@ -63,8 +63,8 @@ pub enum Step {
         point: Mcs,
         /// Outward unit normal of the part there.
         normal: Dir<Mcs>,
-        /// What of the probe touched; left out: the ball.
-        #[serde(skip_serializing_if = "Touching::is_ball")]
+        /// What touched; left out: what measures, the ball or a tool.
+        #[serde(skip_serializing_if = "Touching::measures")]
         #[cfg_attr(test, ts(optional, as = "Option<Touching>"))]
         by: Touching,
     },

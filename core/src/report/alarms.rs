@@ -68,10 +68,13 @@ fn told(info: AlarmInfo, effect: &'static str, by_every_cycle: bool, words: &Wor
     }
 }
 
-/// Key of what the control does.
+/// Key of what the control does. Before each repetition of a measurement it waits (B:13535-13580); after an alarm of
+/// the tolerance with `_CBIT[2]` only (B:13537, B:13584-13586).
 fn effect_key(alarm: &Alarm) -> &'static str {
-    use crate::diagnostic::Code::Nct;
+    use crate::diagnostic::Code::{Alarm, Nct};
     match (alarm.code, stops(alarm.code)) {
+        (Alarm(62303), _) => "effect-repeat",
+        (Alarm(62304..=62306), _) => "effect-tolerance",
         (Nct(_), true) => "effect-abort",
         (Nct(_), false) => "effect-start",
         (_, true) => "effect-reset",

@@ -92,7 +92,7 @@ fn when(condition: &When, words: &Words) -> String {
             let numbers = format!("{is:?}");
             said(
                 "report-when-digit",
-                &[("param", param.to_string()), ("place", place.to_string()), ("numbers", numbers)],
+                &[("param", param.to_string()), ("place", (place.ilog10() + 1).to_string()), ("numbers", numbers)],
             )
         }
         When::Given(param) => said("report-when-given", &[("param", param.to_string())]),

@@ -116,7 +116,7 @@ pub fn collisions(entries: &[Entry]) -> Vec<Label> {
             Step::Crash { point, by, .. } => (point, by, Message::new("collision-crash")),
             Step::Touch { point, by, .. } => match raised(&entries[entry + 1..]) {
                 Some(alarm) => (point, by, Message::new("collision-alarm").text("code", alarm)),
-                None if *by == Touching::Ball => return None,
+                None if by.measures() => return None,
                 None => (point, by, Message::new("collision-first")),
             },
             _ => return None,
@@ -125,6 +125,7 @@ pub fn collisions(entries: &[Entry]) -> Vec<Label> {
             Touching::Ball => "collision-ball",
             Touching::Stylus => "collision-stylus",
             Touching::Body => "collision-body",
+            Touching::Tool => "collision-tool",
         };
         Some(Label { from: Some(entry), ..Label::new(Kind::Collision, point.0, text.text("what", what)) })
     });

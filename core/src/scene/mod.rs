@@ -24,7 +24,7 @@ use crate::geometry::{Extent, V3};
 use crate::machine::{Entry, Setup, Step};
 use crate::name::Name;
 use crate::run::outcome::Outcome;
-use crate::workpiece::{Shape, Solid, Touching};
+use crate::workpiece::{Shape, Solid};
 use anchors::Anchor;
 use frames::Frame;
 use labels::Label;
@@ -325,7 +325,7 @@ impl Scene {
         }
         for (entry, one) in entries.iter().enumerate() {
             let (point, normal, sort) = match &one.step {
-                Step::Touch { point, normal, by: Touching::Ball, .. } => (point, normal, 0),
+                Step::Touch { point, normal, by, .. } if by.measures() => (point, normal, 0),
                 Step::Touch { point, normal, .. } => (point, normal, 1),
                 Step::Crash { point, normal, .. } => (point, normal, 2),
                 _ => continue,

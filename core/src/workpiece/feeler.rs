@@ -10,7 +10,7 @@ const ROUNDED: f64 = 0.5;
 /// Pieces of a round edge that are looked at before the directions in them.
 const SECTORS: usize = 12;
 
-/// What of the probe touches.
+/// What touches.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
 #[cfg_attr(test, derive(ts_rs::TS))]
@@ -22,12 +22,14 @@ pub enum Touching {
     Stylus,
     /// The body: nothing is deflected.
     Body,
+    /// A tool, at a tool probe.
+    Tool,
 }
 
 impl Touching {
-    /// Whether it is the ball.
-    pub fn is_ball(&self) -> bool {
-        *self == Touching::Ball
+    /// Whether it is what measures: the ball, or a tool.
+    pub fn measures(&self) -> bool {
+        matches!(self, Touching::Ball | Touching::Tool)
     }
 }
 

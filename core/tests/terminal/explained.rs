@@ -64,7 +64,7 @@ fn explain_knows_cycles_variants_data_and_alarms() {
     assert!(result.contains("CYCLE977") && !result.contains("_OVR[5]"), "{result}");
     let finding = explained(&["pw135"]);
     assert!(
-        finding.starts_with("PW135: This program does not calibrate probe …: ")
+        finding.starts_with("PW135: This program does not calibrate probe … before this call: ")
             && finding.contains("\n  Calibrate the probe on this machine first"),
         "{finding}"
     );

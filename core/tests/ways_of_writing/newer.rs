@@ -298,7 +298,7 @@ proptest! {
                     let mean = |typed: &Typed| {
                         let inputs = check::read(cycle, typed, &control, &mut Vec::new());
                         let named = list.args.iter().filter_map(|arg| match arg {
-                            Arg::Param(name) if inputs.uses(*name) => Some((*name, inputs.number(*name))),
+                            Arg::Param(name) if inputs.uses(*name) => Some((*name, inputs.value(*name))),
                             _ => None,
                         });
                         named.collect::<BTreeMap<_, _>>()

@@ -405,6 +405,9 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
   };
 }
 
+/** Axis about which an error turns the part, X 0, Y 1, Z 2. */
+const APPLICATE: Record<Plane, number> = { G17: 2, G18: 1, G19: 0 };
+
 /** What is wrong with part and probe of a setup, for the sliders. The probe's own errors are in the setup already. */
 function errorsOf(setup: Setup): ErrorSliders {
   const errors = setup.workpiece[0]?.errors;
@@ -417,7 +420,7 @@ function errorsOf(setup: Setup): ErrorSliders {
       dy,
       dz,
       size: errors.size,
-      tilt: errors.tilt[2],
+      tilt: errors.tilt[APPLICATE[setup.plane]] ?? 0,
       taper: errors.taper,
       outOfRound: errors.outOfRound[0],
     },

@@ -13,11 +13,13 @@ interface Scale {
   reach: number;
   step: number;
   low?: number;
-  unit: "mm" | "deg";
+  unit: "mm" | "deg" | "mm-per-mm";
 }
 const LENGTH: Scale = { reach: 2, step: 0.01, unit: "mm" };
 const FINE: Scale = { reach: 0.2, step: 0.001, unit: "mm" };
 const ANGLE: Scale = { reach: 3, step: 0.01, unit: "deg" };
+/** Growth of the diameter per depth. */
+const TAPER: Scale = { reach: 0.1, step: 0.001, unit: "mm-per-mm" };
 const SCALES: { [G in keyof ErrorSliders]: Record<keyof ErrorSliders[G], Scale> } = {
   part: {
     size: { ...LENGTH, reach: 1 },
@@ -25,7 +27,7 @@ const SCALES: { [G in keyof ErrorSliders]: Record<keyof ErrorSliders[G], Scale> 
     dy: LENGTH,
     dz: LENGTH,
     tilt: ANGLE,
-    taper: ANGLE,
+    taper: TAPER,
     outOfRound: { ...FINE, low: 0 },
   },
   probe: {
@@ -67,9 +69,10 @@ const slug = (name: string): string => name.replace(/[A-Z]/g, letter => `-${lett
 type Limit = NonNullable<Outcome["limits"]>[number];
 
 /** Up to which errors on both sides, as figures; nothing where they are not looked for. */
-function range(limit: Limit | undefined): string {
+function range(limit: Limit | undefined, { step }: Scale): string {
   if (!limit) return "";
-  const side = (value: number | null): string => (value === null ? "∞" : plain(Math.abs(value), 2));
+  const digits = Math.round(-Math.log10(step));
+  const side = (value: number | null): string => (value === null ? "∞" : plain(Math.abs(value), digits));
   return t("slider-limits", { low: side(limit.low), high: side(limit.high) });
 }
 
@@ -101,7 +104,7 @@ function createSlider(
     update(label, value, limit) {
       setText(name, label);
       setAttribute(figure, "aria-label", t("slider-figure", { name: label }));
-      setText(survived, range(limit));
+      setText(survived, range(limit, scale));
       show(survived, !!limit);
       if (Number(slide.value) !== value) slide.value = String(value);
       if (parseNumber(figure.value) !== value) figure.value = plain(value);

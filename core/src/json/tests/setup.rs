@@ -79,7 +79,7 @@ fn an_error_of_a_setup_names_the_member_and_its_place() {
             "tools.x",
             36,
             "member names must be whole numbers",
-            "以整数命名",
+            "名称必须是整数",
         ),
         (r#""tools": {"0": {"edges": {"1": {}}}},"#, "tools.0.edges.1.type", 32, "is missing", "缺少"),
         (

@@ -72,7 +72,7 @@ fn what_cannot_be_is_refused_by_name() {
         ("/frames/G54/coarse", json!([1e308, 0, 0]), "G54"),
         ("/frames", json!({ "$P_CHBFR[16]": { "coarse": [0, 0, 0] } }), "$P_CHBFR"),
         ("/frames", json!({ "G999": { "coarse": [0, 0, 0] } }), "G999"),
-        ("/tools/20/edges/1/radius", json!(-1e9), "tools 20, edge 1"),
+        ("/tools/20/edges/1/radius", json!(-1e9), "tool 20, edge 1"),
         ("/active/tool", json!(77), "T77 D1"),
         ("/active/edge", json!(5), "T9 D5"),
         ("/data", json!({ "_NOTHING": 1 }), "_NOTHING"),

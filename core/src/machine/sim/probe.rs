@@ -103,13 +103,14 @@ impl Sim {
         self.note(Step::Touch { latched: met.stop, ball: met.ball, point: met.point, normal: met.normal, by: met.by });
     }
 
-    /// The probe hits something where nobody watches, or with what gives no signal.
+    /// Probe or tool hits something where nobody watches, or with what gives no signal.
     pub(super) fn crash(&mut self, met: &Obstacle) -> Stop {
         self.note(Step::Crash { point: met.point, normal: met.normal, by: met.by });
         Stop::Fault(Message::new(match met.by {
             Touching::Ball => "run-crash",
             Touching::Stylus => "run-crash-stylus",
             Touching::Body => "run-crash-body",
+            Touching::Tool => "run-crash-tool",
         }))
     }
 

@@ -110,7 +110,7 @@ fn seen(contact: &Contact, way: &Route, error: Dir<Mcs>) -> Obstacle {
         ball: stop + error,
         point: meeting.point.into(),
         normal: meeting.normal.into(),
-        by: Touching::Ball,
+        by: Touching::Tool,
     }
 }
 
