@@ -169,10 +169,19 @@ export function say(message: Message): string {
 
 /** Why the core refused something: a message as JSON, with its place; what anybody else says stays as it is. */
 export function sayProblem(problem: string): string {
-  if (!problem.startsWith('{"args"')) return problem;
-  const refused = JSON.parse(problem) as Message & { line?: number; column?: number };
+  const refused = refusal(problem);
+  if (!refused) return problem;
   const { line, column = 1 } = refused;
   return line === undefined ? say(refused) : t("refused-place", { line, column, text: say(refused) });
+}
+
+function refusal(problem: string): (Message & { line?: number; column?: number }) | null {
+  try {
+    const read = JSON.parse(problem);
+    return typeof read?.key === "string" ? read : null;
+  } catch {
+    return null; // the browser's own words
+  }
 }
 
 function spoken(value: string): string {
