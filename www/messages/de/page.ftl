@@ -17,7 +17,6 @@ control-nct = NCT
 unit-mm = mm
 unit-inch = inch
 unit-deg = °
-unit-mm-per-mm = mm/mm
 unit-mm-per-min = mm/min
 unit-inch-per-min = in/min
 unit-m-per-min = m/min

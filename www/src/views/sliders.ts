@@ -13,13 +13,13 @@ interface Scale {
   reach: number;
   step: number;
   low?: number;
-  unit: "mm" | "deg" | "mm-per-mm";
+  unit: "mm" | "deg";
 }
 const LENGTH: Scale = { reach: 2, step: 0.01, unit: "mm" };
 const FINE: Scale = { reach: 0.2, step: 0.001, unit: "mm" };
 const ANGLE: Scale = { reach: 3, step: 0.01, unit: "deg" };
-/** Growth of the diameter per depth. */
-const TAPER: Scale = { reach: 0.1, step: 0.001, unit: "mm-per-mm" };
+/** Growth of the diameter per mm of depth. */
+const TAPER: Scale = { reach: 0.1, step: 0.001, unit: "mm" };
 const SCALES: { [G in keyof ErrorSliders]: Record<keyof ErrorSliders[G], Scale> } = {
   part: {
     size: { ...LENGTH, reach: 1 },
