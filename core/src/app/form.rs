@@ -233,19 +233,20 @@ fn view(
     let word = |name: &str, _: &str| comments.and_then(|words| words.get(name)).cloned().unwrap_or_default();
     let words = comments.map(|_| &word as &dyn Fn(&str, &str) -> String);
     let written = snippet_of(cycle, values, control, style, words);
+    let inputs = check::read(cycle, values.typed, control, &mut Vec::new());
     let with_expression = |field: Field| {
         let expression = values.expressions.get(field.name.as_str()).cloned();
         Field { expression, ..field }
     };
     let findings = |list: &[Diagnostic]| list.iter().map(Finding::of).collect();
     FormView {
-        fields: form::fields(cycle, values.typed, control).into_iter().map(with_expression).collect(),
+        fields: form::fields_by(&inputs, values.typed, control).into_iter().map(with_expression).collect(),
         diagnostics: findings(&checked.diagnostics),
         snippet: written.text,
         snippet_findings: findings(&written.findings),
         preset: style,
         complete: checked.diagnostics.iter().all(|found| found.severity != Severity::Error),
-        mvar: variants::chosen(cycle, values.typed, control),
+        mvar: variants::chosen_by(&inputs, values.typed),
         picture: form::draw(cycle, values.typed, control).map(Picture::rounded),
         twin: None,
         unknown: None,

@@ -21,15 +21,20 @@ pub fn parse(text: &str) -> Parsed {
     if text.is_empty() {
         return Parsed::Empty;
     }
+    if text.bytes().all(|byte| matches!(byte, b'0'..=b'9' | b'.' | b'+' | b'-')) {
+        return finite(text);
+    }
     let plain = text.to_ascii_lowercase().replace("ex", "e").replace(',', ".");
     let digits = |c: char| c.is_ascii_digit() || matches!(c, '.' | '+' | '-' | 'e');
     if plain.chars().all(digits) {
-        return match plain.parse::<f64>() {
-            Ok(number) if number.is_finite() => Parsed::Number(number),
-            _ => Parsed::Wrong,
-        };
+        return finite(&plain);
     }
     if is_expression(text) && is_value(text) { Parsed::Expression } else { Parsed::Wrong }
+}
+
+/// A number in digits, sign, point and exponent.
+fn finite(digits: &str) -> Parsed {
+    digits.parse().ok().filter(|number: &f64| number.is_finite()).map_or(Parsed::Wrong, Parsed::Number)
 }
 
 /// Begins like a variable, a function, a bracket or a sign before one of them; `NaN` and `inf` are no variables.

@@ -2,7 +2,7 @@
 
 use super::Parsed;
 use crate::control::Control;
-use crate::entry::{Cycle, DigitGroup, Kind, Param, Typed};
+use crate::entry::{Cycle, DigitGroup, Inputs, Kind, Param, Typed};
 use crate::message::Message;
 
 /// Why there is no such variant: two choices that are right alone and not together, where its digits show them.
@@ -23,7 +23,12 @@ pub fn cause(cycle: &Cycle, param: &Param, number: f64) -> Message {
 
 /// Number of the variant that typed values choose on this machine; none where they choose none.
 pub fn chosen(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Option<i64> {
-    let number = super::read(cycle, typed, control, &mut Vec::new()).variant;
+    chosen_by(&super::read(cycle, typed, control, &mut Vec::new()), typed)
+}
+
+/// Number of the variant that typed values choose, which were read as these inputs; none where they choose none.
+pub fn chosen_by(inputs: &Inputs, typed: &Typed) -> Option<i64> {
+    let (cycle, number) = (inputs.cycle, inputs.variant);
     let name = cycle.variant_param();
     let given = name.and_then(|name| typed.get(name.as_str()));
     let meant = |text: &String| matches!(super::parse(text), Parsed::Number(one) if one == number as f64);

@@ -111,10 +111,14 @@ pub struct Group {
 /// The fields that these values ask for; those that they do not use are left out, and those that the settings of the
 /// machine leave out (`_MZ_MASK`, see [`crate::support`]).
 pub fn fields(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Vec<Field> {
-    let inputs = check::read(cycle, typed, control, &mut Vec::new());
-    let support = Support::of(cycle, control);
-    let shown = |param: &&Param| support.is_none_or(|support| !support.hides(param, &inputs));
-    cycle.params.iter().filter(shown).filter_map(|param| field(param, &inputs, typed, control)).collect()
+    fields_by(&check::read(cycle, typed, control, &mut Vec::new()), typed, control)
+}
+
+/// The fields that typed values ask for, which were read as these inputs.
+pub(crate) fn fields_by(inputs: &Inputs, typed: &Typed, control: &Control) -> Vec<Field> {
+    let support = Support::of(inputs.cycle, control);
+    let shown = |param: &&Param| support.is_none_or(|support| !support.hides(param, inputs));
+    inputs.cycle.params.iter().filter(shown).filter_map(|param| field(param, inputs, typed, control)).collect()
 }
 
 fn field(param: &'static Param, inputs: &Inputs, typed: &Typed, control: &Control) -> Option<Field> {

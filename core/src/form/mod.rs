@@ -8,4 +8,5 @@ mod masks;
 mod variant;
 
 pub use draw::draw;
+pub(crate) use fields::fields_by;
 pub use fields::{Choice, Entry, Field, Group, fields};

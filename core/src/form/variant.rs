@@ -34,9 +34,10 @@ fn agree(groups: &[DigitGroup], one: i64, other: i64) -> bool {
 /// The variant with this digit in the group at `index` that keeps most of the number, earlier groups before later ones.
 fn nearest(numbers: &[i64], groups: &[DigitGroup], index: usize, value: i64, number: i64) -> Option<i64> {
     let with = numbers.iter().copied().filter(|other| groups[index].value(*other) == value);
-    with.min_by_key(|other| {
-        groups.iter().map(|group| group.value(*other) != group.value(number)).collect::<Vec<bool>>()
-    })
+    let differs = |bits: u64, (other, group): (i64, &DigitGroup)| {
+        bits << 1 | u64::from(group.value(other) != group.value(number))
+    };
+    with.min_by_key(|other| groups.iter().map(|group| (*other, group)).fold(0, differs))
 }
 
 #[cfg(test)]

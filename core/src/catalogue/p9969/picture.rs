@@ -8,11 +8,11 @@ use crate::catalogue::prelude::*;
 /// Longer side of the drawn rectangle and shortest side, mm.
 const SIDES: [f64; 2] = [64.0, 24.0];
 /// Drawn lines less one.
-const SPACES: f64 = 5.0;
+const SPACES: f64 = 3.0;
 /// Drawn deepest position, mm.
 const DEEPEST: f64 = -18.0;
 /// Shortest and longest part of a drawn step, mm.
-const STEP: [f64; 2] = [6.0, 14.0];
+const STEP: [f64; 2] = [6.0, 16.0];
 /// Ball radius, mm.
 const BALL: f64 = 3.0;
 
