@@ -109,6 +109,6 @@ check-spread-circle-hint = Punkte über einen größeren Teil des Kreises vertei
 check-spread-corner = Die Ecke ist { $factor }-mal so unsicher wie ein Punkt: Punkte weit von der Ecke oder dicht beieinander, oder Kanten fast parallel.
 check-spread-corner-hint = Punkte weiter auseinander und näher an die Ecke legen.
 check-spread-angle = Die Punkte liegen zu dicht beieinander: Die Richtung ist nach { $length } mm { $factor }-mal so unsicher wie ein einzelner Punkt.
-check-spread-angle-hint = Punkte mindestens { $needed } mm auseinander legen.
+check-spread-angle-hint = Messpunkte mit mindestens { $needed } mm Abstand wählen.
 check-spread-triangle = Die drei Punkte liegen fast auf einer Geraden: { $length } mm daneben ist das Frame { $factor }-mal so unsicher wie ein einzelner Punkt.
 check-spread-triangle-hint = Einen der Punkte weiter von der Geraden durch die beiden anderen entfernen.

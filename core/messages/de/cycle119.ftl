@@ -7,7 +7,7 @@ cycle119-position = Frame aus drei Sollpunkten und drei Messpunkten
 
 check-119-set-line = Die drei Sollpunkte liegen auf einer Geraden oder aufeinander: Die Drehung des Werkstücks ist nicht berechenbar.
 check-119-measured-line = Die drei Messpunkte liegen auf einer Geraden oder aufeinander: Die Drehung des Werkstücks ist nicht berechenbar.
-check-119-line-hint = Drei Punkte wählen, die ein weites Dreieck bilden, und beide Male in gleicher Reihenfolge eingeben.
+check-119-line-hint = Drei Punkte wählen, die ein weites Dreieck bilden; Soll- und Messpunkte in gleicher Reihenfolge eingeben.
 
 param-119-set-x = Sollpunkt, 1. Geometrieachse
 param-119-set-x-help = Sollposition des Punkts, X in Werkstückkoordinaten. Der erste Index ist der Punkt (0 bis 2), der zweite die Achse (0: X, 1: Y, 2: Z).
@@ -27,7 +27,7 @@ need-119-corrected = Die Korrektur eines Frames braucht einen Grenzwert.
 
 result-119-alarm = 0 oder die Alarmnummer
 result-119-distortion = Summe der Abweichungen der drei Punkte; unter 0: kein Frame
-result-119-frame-x = Ergebnisframe, das, mit dem aktiven verkettet, das gemessene Dreieck in die Solllage bringt: Verschiebung X
+result-119-frame-x = Ergebnisframe; mit dem aktiven verkettet, bringt es das gemessene Dreieck in die Solllage: Verschiebung X
 result-119-frame-y = Ergebnisframe: Verschiebung Y
 result-119-frame-z = Ergebnisframe: Verschiebung Z
 result-119-turn-x = Ergebnisframe: Drehung um X

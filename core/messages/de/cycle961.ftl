@@ -1,7 +1,7 @@
 # CYCLE961: Titel, Suchwörter, Varianten, Texte der eigenen Parameter und Prüfungen.
 
 cycle961-title = Ecke, innen oder außen
-cycle961-help = Ermittelt, wo sich zwei Kanten eines Werkstücks oder einer Tasche schneiden und wie die erste gedreht ist, und setzt den Werkstücknullpunkt auf die Ecke.
+cycle961-help = Ermittelt, wo sich zwei Kanten eines Werkstücks oder einer Tasche schneiden und wie die Bezugskante gedreht ist, und setzt den Werkstücknullpunkt auf die Ecke.
 cycle961-words = messen vermessen antasten Werkstück Ecke Eckpunkt Innenecke Außenecke Kante Kanten einrichten ausrichten Nullpunkt setzen Bezugspunkt Rechteck Schraubstock Winkel Drehung drehen innen außen drei Punkte vier Punkte Nullpunktverschiebung NV NPV Frame G54 Taster Messtaster Kantentaster Bezug Anschlag
 
 cycle961-inside-rectangle = Innenecke eines Rechtecks, drei Punkte
@@ -77,12 +77,12 @@ result-corner-ordinate-machine = Eckpunkt, Ordinate, im MKS
 
 check-corner-distance = Der Abstand { $param } ist { $distance } mm; er muss größer als 0 sein.
 check-corner-distance-hint = Ohne Vorzeichen eingeben; die Richtung bestimmen _STA1 und _INCA.
-check-corner-straight = Die zweite Kante hat dieselbe Richtung wie die erste.
+check-corner-straight = Die zweite Kante hat dieselbe Richtung wie die Bezugskante.
 check-corner-straight-hint = Winkel von der Bezugskante zur zweiten Kante eingeben, z. B. 90 oder -90.
 check-corner-rectangle = Die Kanten eines Rechtecks stehen unter 90° zueinander, nicht unter { $angle }°.
 check-corner-rectangle-hint = Messvariante mit vier Punkten wählen oder _INCA auf 90 oder -90 setzen.
-check-corner-lift = Der Abhebeweg über die Ecke ist { $lift } mm: Nach unten würde der Messtaster mit dem Werkstück kollidieren.
-check-corner-lift-hint = Wert größer als 0 eingeben, wenn die Werkzeugachse nach oben zeigt, oder 0, um die Ecke zu umfahren.
+check-corner-lift = Der Abhebeweg über die Ecke ist { $lift } mm: In dieser Richtung kollidiert der Messtaster mit dem Werkstück.
+check-corner-lift-hint = Vorzeichen umkehren oder 0 eingeben, um die Ecke zu umfahren.
 check-corner-same = Zwei Punkte einer Kante sind gleich: Sie ergeben keine Richtung.
 check-corner-same-hint = Punkte so weit voneinander wählen, wie es die Kante zulässt.
 check-corner-parallel = Die Geraden durch P1 und P2 und durch P3 und P4 schneiden sich nicht.

@@ -18,7 +18,7 @@ prnum-points = Punkte am Kreis
 prnum-three = drei Punkte
 prnum-four = vier Punkte
 param-setval-width-angle = Sollbreite
-param-setval-width-angle-help = Breite aus der Zeichnung, quer zur Nut oder zum Steg, in Richtung des Startwinkels.
+param-setval-width-angle-help = Breite aus der Zeichnung, quer zur Nut oder zum Steg, unter dem Winkel _STA1.
 param-sta1-width = Richtung der Breite
 param-sta1-width-help = Winkel zur Abszisse, unter dem die Breite gemessen wird; der erste Punkt liegt auf dieser Seite der Mitte.
 param-id-lift = Abhebeweg über den Steg
@@ -29,7 +29,7 @@ param-prnum-with-points-help = Drei oder vier Punkte am Kreis, Messtastertyp, Nu
 need-lift = Der Messtaster muss den Steg überfahren.
 
 check-points-unused = Die Anzahl der Punkte gilt nur für Bohrung und Welle.
-check-points-unused-hint = Drei Punkte wählen; die Stelle ist dann 0.
+check-points-unused-hint = Drei Punkte wählen: 0 in der 4. Stelle von _PRNUM.
 check-path-centre = Der Messweg beginnt auf der anderen Seite des Mittelpunkts: Von Punkt zu Punkt würde der Messtaster dort vorbeifahren.
 check-path-centre-hint = _FA kleiner als { $free } mm wählen.
 check-lift = Der Messtaster hebt vor dem Überfahren des Stegs nicht ab.

@@ -85,9 +85,9 @@ second-edge-with-words = Umschlag zwei Schneiden Mittelwert 180°
 mvar-extent = Maße des Fräswerkzeugs
 extent-plain = eine Länge; automatisch: Längen und Radius
 extent-plain-words = Länge L1 L2
-extent-radius = nur Radius; Einzelmessung
+extent-radius = Radius; nicht automatisch
 extent-radius-words = Durchmesser
-extent-length-radius = Länge und Radius, zwei Seiten; Einzelmessung, nicht inkrementell
+extent-length-radius = Länge und Radius, 2 Seiten; weder automatisch noch inkrementell
 extent-length-radius-words = Durchmesser zwei Punkte
 extent-upper = obere Schneide, abgewandte Seite umfahren; nur automatisch
 extent-upper-words = Nutfräser Scheibenfräser T-Nutenfräser Scheibe Länge Radius
@@ -113,13 +113,13 @@ param-fa-present-position = Messweg
 param-fa-present-position-help = Das Werkzeug steht vor dem Messtaster; die Antastung muss innerhalb des doppelten Messwegs ab dieser Position liegen. Immer in mm, in X als Radius.
 
 need-axis-ignored = Wird nicht ausgewertet: Die Länge dieses Bohrers liegt in der Applikate (Settingdatum 42950 = 0).
-need-direction-incremental = Inkrementelle Messvarianten werten die Startposition nicht aus.
+need-direction-incremental = Bei inkrementellen Messvarianten bestimmt die Startposition die Messrichtung nicht.
 need-start-angle-spindle = Die stehende Frässpindel dreht auf diesen Winkel; ohne Eingabe gilt der Wert eines früheren Aufrufs.
 need-start-angle-milling = Gilt für Fräswerkzeuge.
 need-second-edge = Gilt für die 2. Antastung einer Messung mit Umschlag.
 
 check-tool-reference = _CBIT[5]=1: Die Werte in _TP gelten im aktiven WKS, obwohl die 2. Stelle von _MVAR maschinenbezogen angibt.
-check-tool-reference-hint = Dieses Bit auf 0 setzen: Es ist älter als die 2. Stelle von _MVAR. Für das WKS die werkstückbezogene Messvariante (_TPW) wählen.
+check-tool-reference-hint = _CBIT[5] auf 0 setzen oder die werkstückbezogene Messvariante (_TPW) wählen; danach Messtaster neu kalibrieren.
 check-lathe-tool-type-hint = Drehwerkzeug (Typ 5xy), Fräswerkzeug (1xy, 711 bis 799) oder Bohrer (2xy) verwenden; $TC_DP1 prüfen.
 check-turning-digits = Die Stellen 3 bis 5 von { $value } gelten für Fräswerkzeuge und Bohrer, aktiv ist aber ein Drehwerkzeug.
 check-turning-digits-hint = Für das Drehwerkzeug { $plain } wählen oder vor dem Aufruf das Fräswerkzeug einwechseln.
@@ -131,7 +131,7 @@ check-drill-plane = Mit Settingdatum 42950 = 0 liegt die Bohrerlänge bei G18 in
 check-drill-applicate = Mit Settingdatum 42950 = 0 misst der Zyklus beim Bohrer nur die Länge: in einer Achse, ohne Umschlag.
 check-drill-applicate-hint = 1, 11, 100001 oder 100011 mit G17 (Bohrer in Z) oder G19 (in X) wählen oder das Settingdatum auf 2 setzen und mit G18 messen.
 check-length-assignment = Settingdatum 42950 ist { $value }: L1 und L2 von Fräswerkzeugen und Bohrern liegen in anderen Achsen als bei Drehwerkzeugen.
-check-length-assignment-hint = Vor dem Aufruf $SC_TOOL_LENGTH_TYPE auf 2 setzen; für einen Bohrer in G17 oder G19 ist auch 0 möglich.
+check-length-assignment-hint = Settingdatum 42950 ($SC_TOOL_LENGTH_TYPE) vorher auf 2 setzen; für Bohrer in G17 oder G19 ist auch 0 möglich.
 check-spindle-stays = Diese Messvariante dreht die Spindel oder misst zweimal, aber _CHBIT[20]=1 unterdrückt das Positionieren der Spindel.
 check-spindle-stays-hint = _CHBIT[20] auf 0 setzen oder eine Messvariante xxx0x1 wählen, bei der jede Stelle x 0 oder 1 ist: ein Punkt, ohne Umschlag.
 check-spindle-turns = Die Frässpindel müsste auf _STA1 drehen, lässt sich aber nicht positionieren.
@@ -139,4 +139,4 @@ check-spindle-turns-hint = Schneide zum Messtaster drehen, _CHBIT[20] auf 1 setz
 check-side-radius = Das Werkzeug tastet mit dem Umfang an, sein Radius ist aber 0: Die Länge ist nicht berechenbar.
 check-side-radius-hint = Radius in den Werkzeugdaten eintragen oder in Richtung der Werkzeugachse messen.
 check-radius-length = { $length } des Werkzeugs ist 0, aber der Radius wird aus dieser Länge berechnet.
-check-radius-length-hint = Diese Länge zuerst messen oder eintragen oder Länge und Radius zusammen messen (4. Stelle = 2).
+check-radius-length-hint = Diese Länge zuerst messen oder eintragen oder mit dem Radius messen (4. Stelle = 2; nicht inkrementell).

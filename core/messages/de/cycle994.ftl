@@ -14,11 +14,11 @@ param-setval-two-diameter-help = Aus der Zeichnung. Mit DIAMON der Durchmesser, 
 param-setval-two-radius = Sollabstand vom Nullpunkt
 param-setval-two-radius-help = Abstand beider Punkte vom Werkstücknullpunkt, einer in Plus- und einer in Minus-Richtung.
 param-sza-turned = Schutzzone in der Abszisse
-param-sza-turned-help = Position in der 1. Achse der Ebene (G18: Z), auf der der Messtaster am Werkstück vorbeifährt, ab Werkstücknullpunkt. Sie gilt für die Kugelmitte: Kugelradius addieren.
+param-sza-turned-help = Grenze der Schutzzone in der 1. Achse der Ebene (G18: Z), ab Werkstücknullpunkt; auf ihr fährt die Kugelmitte um die Zone: Kugelradius addieren.
 param-szo-turned = Schutzzone in der Ordinate
-param-szo-turned-help = Maß in der 2. Achse der Ebene (G18: X), auf das der Messtaster vor dem Vorbeifahren fährt; mit DIAMON Durchmesser, sonst Radius. Es gilt für die Kugelmitte: Kugelradius addieren.
+param-szo-turned-help = Grenze der Schutzzone in der 2. Achse (G18: X); auf ihr fährt die Kugelmitte um die Zone: Radius plus Kugelradius, mit DIAMON Durchmesser plus Kugeldurchmesser.
 param-szo-turned-applicate = Schutzzone in der Applikate
-param-szo-turned-applicate-help = Maß in der 3. Achse (G18: Y), auf das der Messtaster vor dem Vorbeifahren fährt; Radius, mit _CHBIT[19]=1 wie X. Es gilt für die Kugelmitte: Kugelradius addieren.
+param-szo-turned-applicate-help = Grenze der Schutzzone in der 3. Achse (G18: Y); auf ihr fährt die Kugelmitte um die Zone: Radius plus Kugelradius, mit _CHBIT[19]=1 wie X.
 
 need-zone-inside = Diese Messvariante umfährt eine Schutzzone.
 need-zone-outside = Außen nötig; innen hat diese Messvariante keine Schutzzone, das Feld bleibt dann leer.

@@ -56,7 +56,7 @@ spheres-twice = vom ermittelten Mittelpunkt aus erneut messen
 spheres-twice-words = wiederholen Wiederholung zweimal nochmal
 
 param-setval-sphere = Solldurchmesser der Kugel
-param-setval-sphere-help = Genauer Durchmesser; bei drei Kugeln der von jeder. Wird er nicht ermittelt, geht sein Fehler in die Höhe des Mittelpunkts ein.
+param-setval-sphere-help = Genauer Durchmesser; bei drei Kugeln gilt er für jede. Wird er nicht ermittelt, geht sein halber Fehler in die Höhe des Mittelpunkts ein.
 param-sphere1-abscissa = Kugel 1: Sollmittelpunkt, Abszisse
 param-sphere1-abscissa-help = In der 1. Achse der Ebene (G17: X), im WKS.
 param-sphere1-ordinate = Kugel 1: Sollmittelpunkt, Ordinate

@@ -1,14 +1,14 @@
 # Entscheidungen eines Messzyklus nach dem Messen. Zahlen in mm.
-evaluate-safe-area = Differenz { $difference } mm überschreitet den Vertrauensbereich: Nichts wird korrigiert, das Programm hält an.
-evaluate-safe-area-angle = Differenz { $difference }° überschreitet den Vertrauensbereich: Nichts wird korrigiert, das Programm hält an.
-evaluate-difference = Differenz { $difference } mm überschreitet die zulässige Maßdifferenz: Nichts wird korrigiert, das Programm läuft weiter.
+evaluate-safe-area = Differenz { $difference } mm überschreitet den Vertrauensbereich: Nichts wird korrigiert.
+evaluate-safe-area-angle = Differenz { $difference }° überschreitet den Vertrauensbereich: Nichts wird korrigiert.
+evaluate-difference = Differenz { $difference } mm überschreitet die zulässige Maßdifferenz: Nichts wird korrigiert.
 evaluate-oversize = Differenz { $difference } mm liegt über der oberen Toleranz: Die ganze Differenz wird korrigiert, der Mittelwert beginnt neu.
 evaluate-undersize = Differenz { $difference } mm liegt unter der unteren Toleranz: Die ganze Differenz wird korrigiert, der Mittelwert beginnt neu.
 evaluate-whole = Differenz { $difference } mm liegt in der Toleranz, aber außerhalb des Bereichs der Mittelwertbildung: Die ganze Differenz wird korrigiert, der Mittelwert beginnt neu.
 evaluate-mean = Differenz { $difference } mm ergibt Mittelwert { $mean } mm außerhalb des Nullkorrekturbereichs: Der Zyklus korrigiert um den Mittelwert, der danach neu beginnt.
 evaluate-small = Differenz { $difference } mm ergibt Mittelwert { $mean } mm im Nullkorrekturbereich: Nichts wird korrigiert.
 evaluate-kept = Differenz zum gespeicherten Wert höchstens { $limit } mm (_TZL), daher unverändert: { $data }.
-evaluate-repeat = Messung wiederholt, weil ein Grenzwert überschritten ist: Wiederholung { $count } von 4.
+evaluate-repeat = Messung wiederholt, weil ein Grenzwert überschritten ist: Wiederholung { $count } von höchstens 4.
 evaluate-halt = Programmierter Halt (M0): Weiter mit NC START.
 evaluate-activated = Das korrigierte Frame ist sofort aktiv.
 evaluate-not-activated = Das korrigierte Frame wird aktiv, wenn das Programm es wieder aufruft (G54, G500 …).

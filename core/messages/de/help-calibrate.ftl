@@ -21,11 +21,11 @@ help-cycle976-order-twice = Alles zweimal: zuerst mit um 180° gedrehter Spindel
 help-cycle976-order-no-approach = Der Zyklus tastet von der Startposition aus in Richtung _MD an, über höchstens zweimal _FA, und fährt zurück.
 help-cycle976-order-end-centre = Endposition: die Startposition im Mittelpunkt.
 help-cycle976-order-end-found = Endposition: der ermittelte Mittelpunkt.
-help-cycle976-order-end-surface = Endposition: die Startposition; in der Applikate _FA vor der Fläche.
+help-cycle976-order-end-surface = Endposition: die Startposition; bei _MA=3 _FA vor der Fläche.
 help-cycle976-corrects-ball = Auch der wirksame Kugeldurchmesser _WP[k,0], den CYCLE979 und, bei Messung unter Winkel, CYCLE997 brauchen; mit _CBIT[15]=1 auch der Radius des Messtasters.
 help-cycle976-corrects-skew = Auch die Lageabweichung des Taststifts, _WP[k,7] und _WP[k,8].
 help-cycle976-corrects-length = Der Zyklus korrigiert L1 in der Geometrie des Messtasters um die Differenz; _TSA überwacht sie nicht.
-help-cycle976-wrong-off-centre = Die Spindel steht nicht im Mittelpunkt: Dieser Fehler geht in alle Triggerpunkte ein, mit entgegengesetzten Vorzeichen.
+help-cycle976-wrong-off-centre = Die Spindel steht nicht im Mittelpunkt: Dieser Fehler geht in alle Triggerpunkte ein und in jede später gemessene Position.
 help-cycle976-wrong-diameter = _SETVAL ist nicht der wahre Durchmesser des Rings: Der halbe Fehler geht in jeden Triggerpunkt ein.
 help-cycle976-wrong-position = _SETVAL ist nicht die tatsächliche Position der Fläche im aktiven Koordinatensystem.
 

@@ -6,14 +6,14 @@ help-log-column = Ein Wert ist breiter als seine Spalte: Die Steuerung verbreite
 help-log-line = Spaltenzahl mal Spaltenbreite ergibt mehr als 200 Zeichen: Alarm 61371.
 help-log-name = _PROTNAME[1] ist der Dateiname: Buchstaben, Ziffern, Unterstriche; am Anfang zwei Buchstaben oder Buchstabe und Unterstrich. MPF kommt automatisch dazu; Verzeichnis wie beim aufrufenden Programm.
 help-log-files = Die Protokolldatei. Was über die Dateigröße in MD 11420 (kB) hinausgeht, steht in bis zu neun Folgedateien, deren Namen auf Unterstrich und Ziffer enden.
-help-log-full = Auch die zehnte Datei ist voll: Das Programm hält an und verlangt einen neuen Protokollnamen; nach dem Start läuft es weiter.
+help-log-full = Auch die zehnte Datei ist voll: Das Programm hält an und verlangt einen neuen Protokollnamen; mit NC START läuft es weiter.
 help-log-refused = Die Datei hat keinen Namen (Alarm 61354), ein anderes Programm benutzt sie (Alarm 61356) oder ihr Verzeichnis fehlt (Alarm 61353).
 help-log-header = Protokollkopf: Datum, Uhrzeit, Seitennummer, Programm _PROTNAME[0], eigene Zeilen ab _HEADLINE[0], Überschriftzeilen _PROTVAL[0] und _PROTVAL[1]. Mit _CBIT[11]=1 nur die eigenen Zeilen.
-help-log-block = Werteblock: Name des Messzyklus und _MVAR, außer bei _CBIT[6]=1; dann _PROTFORM[4] Wertezeilen. _PROTSYM[1] kennzeichnet Istwert und Differenz außerhalb von _TSA, _TDIF, _TUL oder _TLL.
+help-log-block = Werteblock: Zyklusname und _MVAR, außer bei _CBIT[6]=1; danach _PROTFORM[4] Wertezeilen. _PROTSYM[1] kennzeichnet Istwert und Differenz außerhalb von _TSA, _TDIF, _TUL oder _TLL.
 help-log-chosen = _PROTVAL[2] bis _PROTVAL[5] bestimmen den Inhalt der Wertezeilen: Ergebnisse in _OVR, R-Parameter, Texte. Ein anderer Messzyklus oder eine andere Messvariante liefert andere Ergebnisse.
 
 help-cycle100-does = Schaltet das Messprotokoll ein: Bis CYCLE101 schreibt jeder Messzyklus einen Werteblock. Keine Achse bewegt sich.
-help-cycle100-values = Vor jedem Messaufruf bestimmen _PROTVAL[2] bis _PROTVAL[5] den Inhalt seiner Wertezeilen: Ein anderer Zyklus oder eine andere Messvariante liefert andere Ergebnisse.
+help-cycle100-values = Vor jedem Messaufruf _PROTVAL[2] bis _PROTVAL[5] auf den Inhalt seiner Wertezeilen setzen: Ein anderer Zyklus oder eine andere Messvariante liefert andere Ergebnisse.
 help-cycle100-begin = Eine vorhandene Datei dieses Namens wird gelöscht und neu angelegt; dazu ruft CYCLE100 den CYCLE106 auf.
 help-cycle100-each = Jeder folgende Messaufruf schreibt seinen Werteblock selbst; weitere Protokollzyklen sind nicht aufzurufen.
 help-cycle100-lost = Das Protokoll des letzten Werkstücks wurde nicht ausgelesen: Es wird gelöscht. Für jedes Werkstück einen eigenen Dateinamen verwenden.
@@ -71,7 +71,7 @@ help-cycle119-alarm = _ALARM ist 0.
 help-cycle119-frame = Der Zyklus berechnet das Frame zwischen beiden Dreiecken. _RES ist ihr Formunterschied, die Summe der Abweichungen der drei Punkte; unter 0 gibt es kein Frame.
 help-cycle119-decides = Bei _COR=0 korrigiert der Zyklus nichts. Sonst korrigiert er ein Frame, wenn _RES kleiner als _RESLIM ist.
 help-cycle119-left = _RES; in _REFRAME das Frame, das, mit dem aktiven verkettet, die gemessenen Punkte auf ihre Sollpositionen bringt; in _ALARM 0 oder eine Alarmnummer.
-help-cycle119-frame-moved = Das Frame nach _COR, Verschiebung und Drehung: 1 bis 99 einstellbares Frame, 1000 letztes aktives Kanal-Basisframe, 1011 bis 1026 Kanal-Basisframe, 2000 Systemframe für den Basisbezug, 9999 aktives Frame.
+help-cycle119-frame-moved = Das Frame nach _COR, Verschiebung und Drehung: 1 bis 99 einstellbares Frame, 1000 letztes aktives Kanal-Basisframe, 1011 bis 1026 Kanal-Basisframe, 2000 Basisbezug ($P_SETFR), 9999 aktives Frame.
 help-cycle119-again = Das korrigierte Frame wirkt, wenn seine G-Funktion (G54 …) erneut programmiert wird, auch bei _COR=9999.
 help-cycle119-line = Drei Punkte liegen auf einer Geraden oder aufeinander: _ALARM ist 61411.
 help-cycle119-distorted = Die Dreiecke weichen um _RESLIM oder mehr voneinander ab: _ALARM ist 61414, nichts wird korrigiert.

@@ -6,7 +6,7 @@ help-steps = Eine Antastung hat drei Schritte: schnell bis zum Signal, mit mittl
 help-position-lost = Das letzte G101 hat sein Ziel nicht erreicht: OUT OF POSITION.
 help-result = S korrigiert eine Nullpunktverschiebung um Messwert minus Nennwert, T den Werkzeugkorrekturspeicher für das nächste Werkstück; M speichert nur die Abweichung, plus bei zu viel Material. Ohne S und T keine Korrektur.
 help-limits = Eine Abweichung größer als H ergibt OUT OF TOLERANCE; größer als U ergibt sie UPPER TOL EXEEDED, und das Makro korrigiert nichts.
-help-both-targets = S und T sind beide angegeben: Eine Abweichung korrigiert nur eines von beiden.
+help-both-targets = S und T sind beide angegeben: FORMAT ERROR. Eine Abweichung korrigiert nur eines von beiden.
 help-middle-tolerance = Das Nennmaß ist nicht die Mitte der Toleranz: H gilt nach beiden Seiten (20 +0.1/−0.3 wird zu 19.9 mit H0.2).
 help-one-system = Ein Teil ist in inch kalibriert, ein Teil metrisch: alles im selben Maßsystem kalibrieren.
 
@@ -18,8 +18,8 @@ help-g101-wrong-obstructed = Ein Hindernis liegt im Weg: PATH OBSTRUCTED. Messta
 help-g101-wrong-incremental = Bei aktivem G91 sind die Adressen Wege, keine Positionen.
 
 help-g102-measures-offset = Versatz der Messtasterkugel zur Spindelachse in beiden Achsen der Ebene.
-help-g102-before-ring = Die Kugel ist auf 10 mm genau in der Mitte einer Bohrung mit Durchmesser D. Diese Spindel hat die Bohrung gerade ausgespindelt, oder es ist ein Ring und #510 enthält die M-Funktion, die die Spindel um 180° dreht.
-help-g102-order-walls = Vier Wände in beiden Achsen; wenn #510 gesetzt ist, noch einmal mit um 180° gedrehter Spindel.
+help-g102-before-ring = Die Kugel ist auf 10 mm genau in der Mitte einer eben mit dieser Spindel ausgespindelten Bohrung oder eines Kalibrierrings, wenn #510 die M-Funktion enthält, die die Spindel um 180° dreht. Durchmesser: D.
+help-g102-order-walls = Vier Wände in beiden Achsen; mit einer M-Funktion in #510 noch einmal mit um 180° gedrehter Spindel.
 help-g102-corrects-offset = #504 und #505, radialer Versatz in der 1. und 2. Achse der Ebene.
 help-g102-wrong-moved = Die Bohrung wurde nicht an dieser Spindelposition gefertigt, und es wird nicht mit Umschlag gemessen: Der Lagefehler der Bohrung geht in den Versatz ein.
 
@@ -45,7 +45,7 @@ help-g106-measures-surface = Höhe einer Fläche senkrecht zur Werkzeugachse.
 help-g106-before-above = Die Kugel ist über der Antaststelle.
 help-g106-order-down = Der Messtaster tastet abwärts an, höchstens bis Q unter die Nennkoordinate.
 help-g106-corrects-length = T, ein Längenkorrekturspeicher, wird um die ganze Abweichung korrigiert.
-help-g106-wrong-low = Die Kugel ist schon unter der Nennkoordinate: NO MOVEMENT.
+help-g106-wrong-low = Die Kugel ist schon um Q oder mehr unter der Nennkoordinate: NO MOVEMENT.
 
 help-g107-measures-corner = Schnittpunkt der beiden Wände einer Innenecke.
 help-g107-before-inside = Die Kugel ist auf Tiefe innerhalb der Ecke, frei von beiden Wänden; die Wände sind parallel zu den Achsen.

@@ -8,7 +8,7 @@ help-cycle971-measures-side = Lage einer Seite des Werkzeugmesstasters, mit eine
 help-cycle971-measures-sides = Lage aller Seiten des Werkzeugmesstasters, die _TP[k,7] freigibt (werkstückbezogen: _TPW[k,7]), mit einem Werkzeug, dessen Länge und Radius bekannt sind.
 help-cycle971-measures-tool = Länge L1 (_MA = 3, 103, 203) oder Radius (_MA = 1, 2) eines Fräswerkzeugs oder Bohrers.
 help-cycle971-before-still = Die Spindel steht, die Schneide zeigt zum Messtaster; der Zyklus dreht die Spindel nicht.
-help-cycle971-before-rotating = Drehzahl und Vorschub stehen in _CM[], mit _CBIT[12]=1 in _MFS[]. Eine drehende Spindel behält ihre Drehrichtung, für eine stehende gilt _CM[5].
+help-cycle971-before-rotating = Drehzahl und Vorschub berechnet der Zyklus aus _CM[], mit _CBIT[12]=1 nimmt er sie aus _MFS[]. Eine drehende Spindel behält ihre Drehrichtung, für eine stehende gilt _CM[5].
 help-cycle971-before-clear = Das Werkzeug steht frei auf der Seite, die es antasten soll: für eine Länge über dem Messtaster, für einen Radius daneben.
 help-cycle971-before-parallel = Die Werkzeugachse liegt parallel zur Mittellinie des Messtasters.
 help-cycle971-before-over = Der Weg ist frei: von der Startposition auf- oder abwärts bis _FA über der Messtasteroberkante und dort quer zur Messtastermitte.
@@ -38,7 +38,7 @@ help-cycle982-measures-both = Radius eines Fräswerkzeugs und die Länge in ders
 help-cycle982-measures-all = Alle Maße des aktiven Werkzeugs: beide Längen eines Drehwerkzeugs (bei Schneidenlage 5 bis 8 eine), beide Längen und Radius eines Fräswerkzeugs, Länge eines Bohrers.
 help-cycle982-measures-upper = Längen und Radius eines Fräswerkzeugs an der oberen Schneide, zum Schaft hin, zum Beispiel eines Scheibenfräsers.
 help-cycle982-before-outside = Das Werkzeug steht in beiden Achsen der Ebene außerhalb des Messtasters, auf der Seite, die es antasten soll; die Y-Achse steht auf der Messtastermitte.
-help-cycle982-before-setting = Für Fräswerkzeuge und Bohrer ist SD 42950 gleich 2.
+help-cycle982-before-setting = Für Fräswerkzeuge und Bohrer ist SD 42950 gleich 2; für eine Länge eines Bohrers in G17 oder G19 auch 0.
 help-cycle982-before-axial = Fräswerkzeug oder Bohrer liegt axial: Werkzeugachse in der Abszisse, Radius in der Ordinate.
 help-cycle982-before-radial = Fräswerkzeug oder Bohrer liegt radial: Werkzeugachse in der Ordinate, Radius in der Abszisse.
 help-cycle982-order-calibrate = In der anderen Achse mit dem Mittelpunkt des Schneidenradius zur Messtastermitte, dann vor die Seite, antasten, zurück. Der Zyklus endet _FA vor der Seite.
@@ -54,7 +54,7 @@ help-cycle982-corrects-geometry = Das aktive Werkzeug: Der Wert geht in die Geom
 help-cycle982-wrong-axis = Der Radius liegt nicht in der Achse _MA: Alarm 61325.
 help-cycle982-wrong-drill-radius = Das Werkzeug ist ein Bohrer; dessen Radius misst der Zyklus nicht: Alarm 61314.
 help-cycle982-wrong-fast = Die Frässpindel dreht beim Antasten schnell: Schneide und Messtaster nehmen Schaden. Drehzahl verringern.
-help-cycle982-wrong-wrong-side = Die Startposition liegt auf der falschen Seite oder über dem Messtaster: Alarm 61332.
+help-cycle982-wrong-wrong-side = Die Startposition liegt auf der falschen Seite oder zwischen zwei Seiten des Messtasters: Alarm 61332.
 help-cycle982-wrong-nose = Schneidenradius oder Längen des Kalibrierwerkzeugs sind falsch: Der Fehler geht in jedes später gemessene Werkzeug ein.
 
 help-tool-probe-known = Die Lage der Messtasterseiten ist ungefähr bekannt: Triggerpunkte in _TP (werkstückbezogen: _TPW).

@@ -23,8 +23,8 @@ help-ends-at-start = Endposition: wieder die Startposition.
 help-wrong-reach = Die Fläche liegt weiter als _FA von ihrer Sollposition entfernt: Der Messtaster schaltet nicht, Alarm 61301.
 help-wrong-in-the-way = Ein Hindernis liegt im Weg: Eine Berührung beim Positionieren löst Alarm 61302 aus.
 help-corrects-tool = Ein Werkzeug: _TNUM oder _TNAME bestimmt welches, _KNUM die Schneide und ob Länge oder Radius. Korrigiert wird der Verschleiß, mit _CHBIT[6]=1 die Geometrie. _KNUM=0 korrigiert nichts.
-help-corrects-chain = Differenz über _TSA: Alarm 61303, Programm hält an. Über _TDIF: Meldung 62306, keine Korrektur. Über _TUL, _TLL oder _TMV: ganze Differenz. Innerhalb _TMV: mit _K gewichteter Mittelwert, sobald er größer als _TZL ist.
-help-corrects-zero = Die NV aus _KNUM, um Istwert minus Sollwert: Der gemessene Ort erhält seine Sollkoordinaten, die Drehung bleibt. Ziel: Feinverschiebung, falls vorhanden; mit _CHBIT[21]=1 Grobverschiebung. _KNUM=0 korrigiert nichts.
+help-corrects-chain = Differenz über _TSA: Alarm 61303, Programm hält an. Über _TDIF: Meldung 62306, keine Korrektur. Außerhalb _TUL, _TLL oder _TMV: ganze Differenz. Innerhalb _TMV: mit _K gewichteter Mittelwert, wenn größer als _TZL.
+help-corrects-zero = Die NV aus _KNUM, um Istwert minus Sollwert: Der gemessene Punkt erhält die Sollkoordinaten, die Drehung bleibt. Ziel: Feinverschiebung, falls vorhanden; mit _CHBIT[21]=1 Grobverschiebung. _KNUM=0: keine Korrektur.
 help-corrects-zero-area = Differenz über _TSA: Alarm 61303, Programm hält an, keine Korrektur.
 help-corrects-when = Die Korrektur gilt, sobald die G-Funktion (G54 …) wieder programmiert wird; nur mit _KNUM=9999 gilt sie sofort.
 help-corrects-trigger = Die Messtasterdaten: Weicht ein Triggerpunkt um mehr als _TZL vom Wert in _WP ab, speichert der Zyklus ihn neu. Über _TSA: Alarm 61303, nichts wird gespeichert.

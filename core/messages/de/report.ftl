@@ -34,7 +34,7 @@ report-standard = { $old }; { $new } ab NCK 63
 report-unit-rpm = 1/min
 report-variants = Messvarianten
 report-when-digit = Stelle { $place } von `{ $param }` ∈ { $numbers }
-report-when-given = `{ $param }` vorhanden
+report-when-given = Angabe von `{ $param }`
 report-when-not = nicht ({ $condition })
 report-when-tool = Werkzeugtyp { $from } bis { $to }
 report-when-variant = Variante ∈ { $numbers }
@@ -83,7 +83,7 @@ terminal-told-cure = Abhilfe
 terminal-told-effect = Wirkung
 terminal-told-sources = Auslöser
 terminal-told-found = erkannt
-terminal-told-source = Fundstelle
+terminal-told-source = Quelle
 
 # Help pages of the terminal program and what it says about wrong arguments; names of its files stay.
 
@@ -139,7 +139,7 @@ terminal-value-style = SCHREIBWEISE
 terminal-wrong-argument = Es gibt kein Argument { $name }
 terminal-wrong-command = Es gibt keinen Befehl { $name }
 terminal-wrong-none = Ein Befehl fehlt
-terminal-wrong-value = „{ $value }“ ist unzulässig: { $name }; zulässig: { $known }
+terminal-wrong-value = { $name }: „{ $value }“ ist unzulässig; zulässig: { $known }
 terminal-wrong-empty = Ein Wert fehlt: { $name }
 terminal-wrong-number = „{ $value }“ ist keine Zahl: { $name }
 terminal-wrong-missing = Es fehlt: { $name }

@@ -28,7 +28,7 @@ param-evnum-tool-help = Nummer n des Speichers _EV[n-1], der den Messwert korrig
 param-tzl-tool = Nullkorrektur
 param-tzl-tool-help = Differenzen bis zu dieser Grenze korrigiert der Zyklus nicht; es erscheint kein Alarm.
 param-tdif-tool = Maßdifferenzkontrolle
-param-tdif-tool-help = Differenzen ab dieser Grenze korrigiert der Zyklus nicht; er zeigt Meldung 62306 an, das Programm läuft weiter.
+param-tdif-tool-help = Differenzen ab dieser Grenze korrigiert der Zyklus nicht; er zeigt Meldung 62306 an. Das Programm läuft weiter, mit _CBIT[2]=1 erst nach NC START.
 param-tsa-tool-probe = Vertrauensbereich des Triggerpunkts
 param-tsa-tool-probe-help = Weicht ein Triggerpunkt um mehr als diesen Wert vom gespeicherten ab, hält Alarm 61303 das Programm an, und nichts wird gespeichert.
 param-tsa-tool = Vertrauensbereich des Werkzeugs
@@ -60,7 +60,7 @@ result-difference-l2 = Differenz Länge L2
 check-tool-probe-number-hint = Nummer von 1 bis { $fields } wählen oder weitere Messtasterdaten anlegen und { $array } erhöhen.
 check-tool-limits = { $small }, { $low } mm, ist nicht kleiner als { $large }, { $high } mm: Eine der beiden Grenzen wirkt nie.
 check-tool-limits-hint = Reihenfolge vom kleinsten zum größten Wert einhalten: _TZL, _TDIF, _TSA.
-check-tool-speed = Mit { $name } kann der Zyklus das Werkzeug nicht positionieren.
+check-tool-speed = { $name } ist 0 oder negativ: Der Zyklus kann das Werkzeug nicht positionieren.
 check-tool-speed-hint = _SPEED[0] in % des Eilgangs eintragen, mit Kollisionsüberwachung (_CHBIT[2]=1) _SPEED[1] und _SPEED[2] als Vorschub über 0.
 check-tool-probe-empty = Die Position des Werkzeugmesstasters ist nicht eingetragen: gleich 0 sind { $names }.
 check-tool-probe-empty-hint = Ungefähre Positionen der Messtasterseiten in den Maschinendaten eintragen; der Zyklus berechnet daraus seine Wege.

@@ -12,7 +12,7 @@ write-expression = { $name }={ $value } wird als eigene Zuweisung geschrieben: W
 write-expression-lost = { $name }={ $value } ginge verloren: Die Argumentliste neuerer Steuerungen hat kein Argument dafür.
 
 convert-same = Der Aufruf hat bereits diese Schreibweise.
-convert-lost = In der Argumentliste entfallen: { $names }. Die ältere Steuerung hat keinen Parameter dafür.
+convert-lost = Beim Umwandeln entfallen: { $names }. Die ältere Steuerung hat keinen Parameter dafür.
 convert-lost-hint = Prüfen, ob der Aufruf ohne diese Werte auskommt.
 convert-others = { $cycle } in Zeile { $line } verwendet Werte dieses Aufrufs und erhielte andere Werte.
 convert-others-hint = Auch den späteren Aufruf umwandeln oder dessen Werte davor schreiben.

@@ -113,13 +113,13 @@ param-fa-present-position = Measuring path
 param-fa-present-position-help = The tool is in front of the probe; it must touch within twice this distance. Always in mm, in X as a radius.
 
 need-axis-ignored = Ignored: the length of this drill applies along the applicate (SD 42950 = 0).
-need-direction-incremental = Incremental variants ignore the start position.
+need-direction-incremental = In incremental variants, the start position does not determine the measuring direction.
 need-start-angle-spindle = The stationary milling spindle is positioned to it; if omitted, the value of an earlier call applies.
 need-start-angle-milling = Applies to milling tools.
 need-second-edge = Applies to the second touch of a measurement with reversal.
 
 check-tool-reference = _CBIT[5]=1: the values of _TP refer to the active WCS, although digit 2 of _MVAR says machine-related.
-check-tool-reference-hint = Set this bit to 0: it is older than digit 2 of _MVAR. Choose the workpiece-related variant (_TPW) if required.
+check-tool-reference-hint = Set _CBIT[5] to 0 or choose the workpiece-related variant (_TPW); then calibrate the tool probe again.
 check-lathe-tool-type-hint = Use a turning tool (type 5xy), a milling tool (1xy, 711 to 799) or a drill (2xy); check $TC_DP1.
 check-turning-digits = Digits 3 to 5 of { $value } apply to milling tools and drills, but a turning tool is active.
 check-turning-digits-hint = Choose { $plain } for the turning tool, or change to the milling tool before the call.
@@ -130,7 +130,7 @@ check-drill-radius-hint = Choose a variant with digit 4 = 0, or change to a mill
 check-drill-plane = With SD 42950 = 0 the length of a drill applies along Y in G18, which the cycle does not measure.
 check-drill-applicate = With SD 42950 = 0 the cycle measures only the length of a drill: in one axis, without reversal.
 check-drill-applicate-hint = Choose 1, 11, 100001 or 100011 with G17 (along Z) or G19 (along X), or set SD 42950 to 2 and use G18.
-check-length-assignment = SD 42950 is { $value }: milling tools and drills do not have L1 and L2 assigned as turning tools have.
+check-length-assignment = SD 42950 is { $value }: L1 and L2 of milling tools and drills are not assigned as for turning tools.
 check-length-assignment-hint = Set SD 42950 ($SC_TOOL_LENGTH_TYPE) to 2 before the call; for a drill in G17 or G19, 0 also works.
 check-spindle-stays = This variant rotates the spindle or measures twice, but _CHBIT[20]=1 suppresses spindle positioning.
 check-spindle-stays-hint = Set _CHBIT[20] to 0, or choose a variant xxx0x1 whose digits x are 0 or 1: one point, without reversal.
@@ -139,4 +139,4 @@ check-spindle-turns-hint = Turn the cutting edge to the probe, set _CHBIT[20] to
 check-side-radius = The tool touches with its side, but its radius is 0: the length cannot be calculated.
 check-side-radius-hint = Enter the radius in the tool data, or measure in the axis along the tool.
 check-radius-length = { $length } of the tool is 0, but the radius is calculated from it.
-check-radius-length-hint = Measure or enter this length first, or choose length and radius together (digit 4 = 2).
+check-radius-length-hint = Measure or enter this length first, or choose length and radius together (digit 4 = 2; not incremental).

@@ -56,7 +56,7 @@ spheres-twice = Repeat from the measured centre
 spheres-twice-words = repeat repetition twice
 
 param-setval-sphere = Setpoint diameter of the sphere
-param-setval-sphere-help = Exact diameter; with three spheres, of each. If it is not determined, its error goes into the height of the centre.
+param-setval-sphere-help = Exact diameter; with three spheres, of each. If it is not determined, half of its error goes into the height of the centre.
 param-sphere1-abscissa = Sphere 1: setpoint, abscissa
 param-sphere1-abscissa-help = In the 1st axis of the plane (G17: X), in the workpiece coordinate system.
 param-sphere1-ordinate = Sphere 1: setpoint, ordinate

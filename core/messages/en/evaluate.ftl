@@ -1,14 +1,14 @@
 # Decisions of a measuring cycle after measuring. Numbers in mm.
-evaluate-safe-area = Difference { $difference } mm exceeds the safe area: nothing is corrected, the program stops.
-evaluate-safe-area-angle = Difference { $difference }° exceeds the safe area: nothing is corrected, the program stops.
-evaluate-difference = Difference { $difference } mm exceeds the permissible dimensional difference: nothing is corrected, the program continues.
+evaluate-safe-area = Difference { $difference } mm exceeds the safe area: nothing is corrected.
+evaluate-safe-area-angle = Difference { $difference }° exceeds the safe area: nothing is corrected.
+evaluate-difference = Difference { $difference } mm exceeds the permissible dimensional difference: nothing is corrected.
 evaluate-oversize = Difference { $difference } mm is above the upper tolerance: the whole difference is corrected and the mean value restarts.
 evaluate-undersize = Difference { $difference } mm is below the lower tolerance: the whole difference is corrected and the mean value restarts.
 evaluate-whole = Difference { $difference } mm is within tolerance but outside the range of the mean value: the whole difference is corrected and the mean value restarts.
 evaluate-mean = Difference { $difference } mm gives mean value { $mean } mm, which exceeds the zero compensation area: the mean value is corrected and restarts.
 evaluate-small = Difference { $difference } mm gives mean value { $mean } mm, which is within the zero compensation area: nothing is corrected.
 evaluate-kept = At most { $limit } mm (_TZL) from the stored value and therefore unchanged: { $data }.
-evaluate-repeat = Measured again because a limit was exceeded, repetition { $count } of 4.
+evaluate-repeat = Measured again because a limit was exceeded, repetition { $count } of at most 4.
 evaluate-halt = Programmed stop (M0): the operator continues with NC START.
 evaluate-activated = The corrected frame is active immediately.
 evaluate-not-activated = The corrected frame becomes active when the program programs it again (G54, G500 …).

@@ -21,11 +21,11 @@ help-cycle976-order-twice = The whole sequence twice: first with the spindle rot
 help-cycle976-order-no-approach = The cycle touches from the start position in direction _MD, over at most twice _FA, and moves back.
 help-cycle976-order-end-centre = End position: the start position at the centre.
 help-cycle976-order-end-found = End position: the centre that was measured.
-help-cycle976-order-end-surface = End position: the start position; in the applicate, _FA before the surface.
+help-cycle976-order-end-surface = End position: the start position; with _MA=3, _FA before the surface.
 help-cycle976-corrects-ball = Also the active ball diameter _WP[k,0], which CYCLE979, and CYCLE997 at an angle, require; with _CBIT[15]=1 also the radius of the probe.
 help-cycle976-corrects-skew = Also the skew of the stylus, _WP[k,7] and _WP[k,8].
 help-cycle976-corrects-length = L1 in the geometry of the probe is corrected by the difference; _TSA does not monitor it.
-help-cycle976-wrong-off-centre = The spindle is not at the centre: this error goes into every trigger point, with opposite signs.
+help-cycle976-wrong-off-centre = The spindle is not at the centre: this error goes into every trigger point and into every position measured later.
 help-cycle976-wrong-diameter = _SETVAL is not the true diameter of the ring: half of the error goes into each trigger point.
 help-cycle976-wrong-position = _SETVAL is not the actual position of the surface in the active coordinate system.
 

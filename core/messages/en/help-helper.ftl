@@ -1,12 +1,12 @@
 # Help pages of the cycles that move nothing: the log (CYCLE100, 101, 105, 106, 113, 118), circle and position (CYCLE116, 119).
 
-help-log-data = The user data of the machine define what is printed, and how. They keep their values from program to program: write only the differences.
+help-log-data = The user data of the machine define what is printed, and how. They keep their values from program to program: write only what differs.
 help-log-title = Only one title line is written: the second line still contains the title of an earlier log. Write spaces in quotation marks into _PROTVAL[1].
 help-log-column = A value is wider than its column: the control widens the column and outputs message 62309; the columns are no longer aligned.
 help-log-line = Columns times width exceed 200 characters: alarm 61371.
 help-log-name = _PROTNAME[1] is the file name: letters, digits, underscores; two letters first, or a letter and an underscore. MPF is added automatically; the folder is that of the calling program.
 help-log-files = The log as a file. Text above the kilobytes of MD 11420 goes into up to nine more files, whose names end in an underscore and a digit.
-help-log-full = The tenth file is also full: the program stops and requests a new log name; after a restart it continues.
+help-log-full = The tenth file is also full: the program stops and requests a new log name; it continues with NC START.
 help-log-refused = The file has no name (alarm 61354), is in use by another program (61356), or its folder does not exist (61353).
 help-log-header = The header: date, time and page number, the program _PROTNAME[0], your own lines from _HEADLINE[0], the title lines _PROTVAL[0] and _PROTVAL[1]. With _CBIT[11]=1 only your own lines.
 help-log-block = A block: cycle and its _MVAR, unless _CBIT[6]=1, then as many value lines as _PROTFORM[4] specifies. _PROTSYM[1] marks actual value and difference outside _TSA, _TDIF, _TUL or _TLL.
@@ -71,7 +71,7 @@ help-cycle119-alarm = _ALARM is 0.
 help-cycle119-frame = The frame between both triangles is calculated. _RES is their difference in shape, the sum of the deviations of the three points; below 0 there is no frame.
 help-cycle119-decides = With _COR=0, nothing is corrected. Otherwise a frame is corrected if _RES is below _RESLIM.
 help-cycle119-left = _RES, the frame in _REFRAME, which, chained to the active frame, moves the measured points to their setpoints, and in _ALARM 0 or the alarm number.
-help-cycle119-frame-moved = The frame in _COR, translation and rotation: 1 to 99 settable, 1000 last active channel basic, 1011 to 1026 channel basic frame, 2000 system frame for setting actual values, 9999 active.
+help-cycle119-frame-moved = The frame in _COR, translation and rotation: 1 to 99 settable, 1000 last active channel basic, 1011 to 1026 channel basic frame, 2000 system frame $P_SETFR, 9999 active.
 help-cycle119-again = The corrected frame applies when its G function (G54 …) is programmed again, also with _COR=9999.
 help-cycle119-line = Three points are collinear or coincident: _ALARM is 61411.
 help-cycle119-distorted = The triangles differ by _RESLIM or more: _ALARM is 61414, nothing is corrected.

@@ -4,9 +4,9 @@ help-stylus = The stylus is in the spindle, its length offset is active, and it 
 help-guarded = The stylus was moved there with G101, so a collision on the path would have stopped it.
 help-steps = One touch has three steps: fast up to the signal, back at medium feed, forward again very slowly; the last step is used.
 help-position-lost = The last G101 did not reach its target: OUT OF POSITION.
-help-result = With S a work offset is corrected by measured minus nominal; with T the tool register, so that the next part is right; with M the deviation is only stored, plus: material left. Else nothing.
+help-result = S corrects a work offset by measured minus nominal, T the tool register so that the next part is right; M only stores the deviation, plus: material left. Without S and T no correction.
 help-limits = A deviation above H is OUT OF TOLERANCE; a deviation above U is UPPER TOL EXEEDED and corrects nothing.
-help-both-targets = S and T are both programmed: a deviation corrects only one of them.
+help-both-targets = S and T are both programmed: FORMAT ERROR. A deviation corrects only one of them.
 help-middle-tolerance = The nominal size is not the middle of the tolerance: H applies to both sides of it (20 +0.1/−0.3 is 19.9 with H0.2).
 help-one-system = Part of the calibration was made in inch, part in metric: calibrate everything in one system.
 
@@ -19,7 +19,7 @@ help-g101-wrong-incremental = With G91 active, the addresses are incremental, no
 
 help-g102-measures-offset = The offset of the ball from the spindle axis, in both axes of the plane.
 help-g102-before-ring = The ball is in the middle of a bore of diameter D, within 10 mm. Either this spindle has just bored it, or it is a ring gauge and #510 holds the M function that rotates the spindle by 180°.
-help-g102-order-walls = Four walls in both axes; with #510 set, once more with the spindle rotated by 180°.
+help-g102-order-walls = Four walls in both axes; with an M function in #510, once more with the spindle rotated by 180°.
 help-g102-corrects-offset = #504 and #505, the radial offset in the 1st and 2nd axis of the plane.
 help-g102-wrong-moved = The bore was not made at the current spindle position, and the spindle is not rotated: the position error is stored as offset.
 
@@ -45,7 +45,7 @@ help-g106-measures-surface = The height of a surface perpendicular to the tool a
 help-g106-before-above = The ball is above the touch point.
 help-g106-order-down = The stylus touches downwards, at most Q below the nominal coordinate.
 help-g106-corrects-length = T is a length register and is corrected by the whole deviation.
-help-g106-wrong-low = The ball is already below the nominal coordinate: NO MOVEMENT.
+help-g106-wrong-low = The ball is already at least Q below the nominal coordinate: NO MOVEMENT.
 
 help-g107-measures-corner = The intersection of the two walls of an internal corner.
 help-g107-before-inside = The ball is inside the corner at depth, away from both walls, which are parallel to the axes.

@@ -8,16 +8,16 @@ help-cycle971-measures-side = The position of one side of the tool probe, with a
 help-cycle971-measures-sides = The positions of all sides of the tool probe specified in _TP[k,7] (workpiece-related: _TPW[k,7]), with a tool of known length and radius.
 help-cycle971-measures-tool = Length L1 (_MA = 3, 103, 203) or radius (_MA = 1, 2) of a milling tool or drill.
 help-cycle971-before-still = The spindle is stationary, with the cutting edge pointing at the probe; the cycle does not rotate it.
-help-cycle971-before-rotating = Speed and feed are set in _CM[], with _CBIT[12]=1 in _MFS[]. A rotating spindle keeps its direction, a stationary spindle uses that of _CM[5].
+help-cycle971-before-rotating = The cycle calculates speed and feed from _CM[], or uses those in _MFS[] with _CBIT[12]=1. A rotating spindle keeps its direction, a stationary spindle uses that of _CM[5].
 help-cycle971-before-clear = The tool is clear of the probe on the side to be touched: above it for a length, beside it for a radius.
 help-cycle971-before-parallel = The tool axis is parallel to the centre line of the probe.
 help-cycle971-before-over = From its position the tool can move up or down to _FA above the top of the probe, and then across to its middle.
 help-cycle971-order-beside = Beside the probe: first to its middle in the other axis, then to the side, down by _TP[k,9] below the top, touch, back. End position: at depth.
-help-cycle971-order-on-top = On top (_MA = 3, 103, 203): above the middle, down, touch; end _FA above. A tool wider than the probe is offset by radius minus _ID to the start: abscissa (3, 103), ordinate (203). No drill.
+help-cycle971-order-on-top = On top (_MA = 3, 103, 203): above the middle, down, touch; end _FA above. Tools wider than the probe are offset to the start by radius − _ID: abscissa (3, 103), ordinate (203); drills never.
 help-cycle971-order-centre-first = With _MA = 102 or 201, two touches first determine the middle in the other axis.
 help-cycle971-order-widest = For a radius, the tool moves lower by _ID, so that its largest diameter touches.
 help-cycle971-order-turning = The tool touches one to three times, each time at lower feed (_CM[6], _CM[7]); the last touch is used. If the spindle was stationary before, it stops again.
-help-cycle971-order-all-sides = The top above the setpoint middle, both sides of the ordinate, there both sides of the abscissa, those of the ordinate through the measured middle, and the top again. End _FA above it.
+help-cycle971-order-all-sides = Top at the setpoint middle, both ordinate sides, both abscissa sides at the ordinate middle found, both ordinate sides at the abscissa middle found, top again. End _FA above it.
 help-cycle971-wrong-depth = _TP[k,9] is 0: beside the probe, the tool does not reach down to it, alarm 61349.
 help-cycle971-wrong-unclear = The tool position does not show which side to touch: alarm 61332.
 help-cycle971-wrong-edge = The cutting edge does not point at the probe: the measured radius is too small, as is the length of a tool with cutting edges of different height.
@@ -29,32 +29,32 @@ help-cycle972-measures-side = The position of one side of the tool probe, with a
 help-cycle972-measures-length = One length of a turning tool: L2 in the abscissa, L1 in the ordinate.
 help-cycle972-order-travel = In the other axis to the middle of the probe, then to the side, touch, back. End position: _FA before this side.
 help-cycle972-order-nose = The middle of the nose is at the middle of the probe; the cycle touches the side on which the tool starts.
-help-cycle972-order-tip = The cutting edge touches from the side to which it points, according to its cutting edge position.
+help-cycle972-order-tip = The cutting edge touches in the direction in which it points, according to its cutting edge position.
 
 help-cycle982-measures-side = The position of one side of the lathe's tool probe, with a calibration tool of cutting edge position 3 whose lengths and nose radius are known.
 help-cycle982-measures-one-length = One length of a turning tool, milling tool or drill: L2 with _MA=1, L1 with _MA=2.
 help-cycle982-measures-radius = The radius of a milling tool; the length in the axis of the radius must be known.
 help-cycle982-measures-both = The radius of a milling tool and the length along the same axis.
-help-cycle982-measures-all = All values of the active tool: both lengths of a turning tool (one with cutting edge position 5 to 8), both lengths and radius of a milling tool, the length of a drill.
+help-cycle982-measures-all = All values of the active tool: both lengths of a turning tool (only one at cutting edge position 5 to 8), both lengths and radius of a milling tool, the length of a drill.
 help-cycle982-measures-upper = Lengths and radius of a milling tool at its upper cutting edge, towards the shank, as with a groove cutter.
 help-cycle982-before-outside = The tool is outside the probe in both axes of the plane, on the side to be touched; the Y axis is at the middle of the probe.
-help-cycle982-before-setting = For milling tools and drills SD 42950 is 2.
+help-cycle982-before-setting = For milling tools and drills SD 42950 is 2; for one length of a drill in G17 or G19 it can also be 0.
 help-cycle982-before-axial = A milling tool or drill is in axial position: its axis along the abscissa, the radius in the ordinate.
 help-cycle982-before-radial = A milling tool or drill is in radial position: its axis along the ordinate, the radius in the abscissa.
 help-cycle982-order-calibrate = In the other axis, the middle of the nose moves to the middle of the probe, then to the side, touch, back. End position: _FA before this side.
 help-cycle982-order-spindle = A stationary milling spindle is positioned to _STA1 first, unless _CHBIT[20]=1.
-help-cycle982-order-reversal = Each point is touched twice, the second time with the spindle rotated by 180° and _CORA: the mean value of both cutting edges is used.
+help-cycle982-order-reversal = Each point is touched twice, the second time with the spindle rotated by 180° plus _CORA: the mean value of both cutting edges is used.
 help-cycle982-order-length = In the other axis to the middle of the probe, then with the tip to the side, touch, back. End position: _FA before this side.
 help-cycle982-order-radius = The side of the cutter touches, in the axis of the radius.
-help-cycle982-order-both = The cutter touches the probe on the start side, moves around the probe and touches the opposite side. Without reversal a stationary spindle then rotates by 180°: the same edge touches.
-help-cycle982-order-all = First in the abscissa, then in the ordinate, around the probe; each side of a milling tool touches with its cutting edge pointing at the probe. End position: the start position.
+help-cycle982-order-both = The cutter touches the probe on the start side, moves around it and touches the opposite side. Without reversal a stationary spindle rotates by 180° before that: the same edge touches.
+help-cycle982-order-all = First in the abscissa, then in the ordinate, around the probe; a milling tool touches each side with the cutting edge turned towards it. End position: the start position.
 help-cycle982-order-upper-behind = The tool moves around the probe on the side away from the start, touches the length from there, then both sides. End position: the start position.
 help-cycle982-order-upper-across = The tool crosses the probe first, touches the length back towards the start, then both sides. End position: the start position.
 help-cycle982-corrects-geometry = The active tool: the value is written to the geometry and the wear is reset to 0, whatever its previous value.
 help-cycle982-wrong-axis = The radius is not in _MA: alarm 61325.
 help-cycle982-wrong-drill-radius = The tool is a drill, whose radius the cycle does not measure: alarm 61314.
 help-cycle982-wrong-fast = The milling spindle rotates fast while the tool touches: cutting edge and probe are damaged. Reduce the speed.
-help-cycle982-wrong-wrong-side = The start position is on the wrong side, or above the probe: alarm 61332.
+help-cycle982-wrong-wrong-side = The start position is on the wrong side, or between two sides of the probe: alarm 61332.
 help-cycle982-wrong-nose = Nose radius or lengths of the calibration tool are wrong: their error goes into every tool measured later.
 
 help-tool-probe-known = The approximate positions of the probe sides are entered: the trigger points in _TP (workpiece-related: _TPW).

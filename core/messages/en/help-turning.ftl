@@ -18,8 +18,8 @@ help-cycle994-before-plus-side = The ball is opposite the point on the plus side
 help-cycle994-before-inside = The ball is inside the bore; _SZA and _SZO describe the obstacle there, ball radius included.
 help-cycle994-before-either = The start position decides: further out than the setpoint measures outside, around the zone _SZA and _SZO, ball radius included; nearer measures inside.
 help-cycle994-order-plus-first = The cycle touches the point on the plus side first, then the point on the minus side; end position: _FA before the latter.
-help-cycle994-order-round-inside = Inside the bore, the probe moves along the zone: out to _SZO, along to _SZA, across and back.
-help-cycle994-order-round-outside = Outside, the probe moves out to _SZO, along to _SZA, across and back; inside, it moves straight through the bore.
+help-cycle994-order-round-inside = Inside the bore, the probe moves along the zone: to _SZO, along to _SZA, across and back (with _MA=1 to _SZA first).
+help-cycle994-order-round-outside = Outside, the probe moves out to _SZO, along to _SZA, across and back (with _MA=1 to _SZA first); inside, it moves straight through the bore.
 help-cycle994-corrects-half = A length is corrected by half of the diameter deviation.
 help-cycle994-wrong-zone = The zone is that of an earlier call or leaves no room for the ball: the probe hits the part (alarm 61302), or there is no path (61334).
 help-cycle994-wrong-ball = With _CHBIT[7]=1 the stored ball diameter is used instead of both trigger points: it must be correct.

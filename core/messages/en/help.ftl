@@ -23,10 +23,10 @@ help-ends-at-start = End position: the start position.
 help-wrong-reach = The surface is further than _FA from its setpoint position: the probe does not switch, alarm 61301.
 help-wrong-in-the-way = There is an obstacle in the path: a touch during positioning raises alarm 61302.
 help-corrects-tool = A tool: _TNUM or _TNAME specifies the tool, _KNUM the cutting edge and length or radius. The wear is corrected, with _CHBIT[6]=1 the geometry. _KNUM=0 corrects nothing.
-help-corrects-chain = Above _TSA: alarm 61303, the program stops. Above _TDIF: message 62306, no correction. Above _TUL, _TLL or _TMV: whole deviation. Within _TMV: mean value weighted with _K, from _TZL.
+help-corrects-chain = Above _TSA: alarm 61303, program stop. Above _TDIF: message 62306, no correction. Outside _TUL, _TLL or _TMV: whole deviation. Within _TMV: mean value weighted by _K, if above _TZL.
 help-corrects-zero = The zero offset in _KNUM, by actual value minus setpoint, without rotation: the point gets its setpoint. Target: fine offset if available, with _CHBIT[21]=1 coarse offset. _KNUM=0: nothing.
 help-corrects-zero-area = Deviation above _TSA: alarm 61303, the program stops, no correction.
-help-corrects-when = The correction applies when the G function (G54 …) is programmed again; only with _KNUM=9999 it applies immediately.
+help-corrects-when = The correction applies when the G function (G54 …) is programmed again; only with _KNUM=9999 does it apply immediately.
 help-corrects-trigger = The probe data: if a trigger point differs by more than _TZL from the value in _WP, the cycle stores it. Above _TSA: alarm 61303, nothing is stored.
 help-wrong-first = First calibration: the stored values are 0, so _TSA must be larger than the ball radius.
 help-wrong-later = Feed, plane, spindle position or _CBIT[14] differ in later measurements: the stored values do not apply there.

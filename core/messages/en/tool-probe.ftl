@@ -28,7 +28,7 @@ param-evnum-tool-help = Number n of the memory _EV[n-1] that corrects the measur
 param-tzl-tool = Zero compensation area
 param-tzl-tool-help = Differences up to this limit are not corrected and raise no alarm.
 param-tdif-tool = Dimensional difference check
-param-tdif-tool-help = A difference of this size or more is not corrected: the cycle outputs message 62306 and the program continues.
+param-tdif-tool-help = A difference of this size or more is not corrected: the cycle outputs message 62306. The program continues, with _CBIT[2]=1 only after NC START.
 param-tsa-tool-probe = Safe area: trigger point
 param-tsa-tool-probe-help = If a trigger point differs by more than this from the stored one, the program stops with alarm 61303 and nothing is stored.
 param-tsa-tool = Safe area: tool

@@ -14,16 +14,16 @@ param-setval-two-diameter-help = 取自图纸。DIAMON 时为直径，DIAMOF 时
 param-setval-two-radius = 至零点设定距离
 param-setval-two-radius-help = 两点到工件零点的距离，一点在正方向，一点在负方向。
 param-sza-turned = 横坐标方向保护区
-param-sza-turned-help = 测头经过工件时在平面第 1 轴（G18：Z）的位置，从工件零点算起。按测球中心计：须加上测球半径。
+param-sza-turned-help = 保护区在平面第 1 轴（G18：Z）的边界，从工件零点算起；测头沿边界绕行。按测球中心计：须加上测球半径。
 param-szo-turned = 纵坐标方向保护区
-param-szo-turned-help = 测头经过工件之前先移到的平面第 2 轴（G18：X）位置；DIAMON 时为直径，否则为半径。按测球中心计：须加上测球半径。
+param-szo-turned-help = 保护区在平面第 2 轴（G18：X）的边界，从工件零点算起；测头沿边界绕行。按测球中心计：为半径，须加上测球半径；DIAMON 时为直径，须加上测球直径。
 param-szo-turned-applicate = 垂直坐标方向保护区
-param-szo-turned-applicate-help = 测头经过工件之前先移到的第 3 轴（G18：Y）位置；为半径，_CHBIT[19]=1 时与 X 相同。按测球中心计：须加上测球半径。
+param-szo-turned-applicate-help = 保护区在第 3 轴（G18：Y）的边界，从工件零点算起；测头沿边界绕行。按测球中心计：为半径，须加上测球半径；_CHBIT[19]=1 时与 X 相同。
 
 need-zone-inside = 此测量方式绕过保护区。
 need-zone-outside = 测外径时需要；此测量方式测内径时没有保护区：请留空。
 
-check-two-setpoint = 两点位于正负设定值处：{ $set } mm 使两点之间没有空间。
+check-two-setpoint = 设定值 { $set } mm 必须大于 0：两点位于正负设定值处，其间须有距离。
 check-two-setpoint-hint = 请输入大于 0 的直径或半径。
 check-two-ball = 不校准时（{ "_CHBIT[7]" }=1）循环使用测球直径 { $name }，而其值为 0。
 check-two-ball-hint = 请把测球直径输入 { $name }，或校准测头并设 { "_CHBIT[7]" }=0。

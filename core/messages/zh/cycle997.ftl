@@ -56,7 +56,7 @@ spheres-twice = 从求出的球心再测一次
 spheres-twice-words = 重复 两次
 
 param-setval-sphere = 球设定直径
-param-setval-sphere-help = 精确直径；三个球时为每个球的直径。不求出直径时，其误差会计入球心的高度。
+param-setval-sphere-help = 精确直径；三个球时为每个球的直径。不求出直径时，其误差的一半会计入球心的高度。
 param-sphere1-abscissa = 球 1：设定球心，横坐标
 param-sphere1-abscissa-help = 在平面第 1 轴（G17：X）上，工件坐标系。
 param-sphere1-ordinate = 球 1：设定球心，纵坐标
@@ -83,7 +83,7 @@ param-tsa-sphere = 球安全区
 param-tsa-sphere-help = 直径或任一轴上球心的偏差超过此值，程序以报警 61303 停止。
 
 need-spheres = 测量三个球。
-need-start-angle = 此测量方式成角度测量。
+need-start-angle = 此测量方式为成角度测量。
 need-distortion = 只有用三个球补偿时才监控变形；省略时按默认值。
 
 check-sphere-small = 球的直径 { $size } mm 小于测球 { $ball } mm 的两倍。

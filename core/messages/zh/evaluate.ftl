@@ -1,15 +1,15 @@
 # 测量循环测量后的判断。数字单位为 mm。
 
-evaluate-safe-area = 偏差 { $difference } mm 超出安全区：不作补偿，程序停止。
-evaluate-safe-area-angle = 偏差 { $difference }° 超出安全区：不作补偿，程序停止。
-evaluate-difference = 偏差 { $difference } mm 超出允许尺寸差：不作补偿，程序继续。
+evaluate-safe-area = 偏差 { $difference } mm 超出安全区：不作补偿。
+evaluate-safe-area-angle = 偏差 { $difference }° 超出安全区：不作补偿。
+evaluate-difference = 偏差 { $difference } mm 超出允许尺寸差：不作补偿。
 evaluate-oversize = 偏差 { $difference } mm 超过公差上限：补偿全部偏差，平均值重新开始计算。
 evaluate-undersize = 偏差 { $difference } mm 低于公差下限：补偿全部偏差，平均值重新开始计算。
 evaluate-whole = 偏差 { $difference } mm 在公差内，但超出平均值的范围：补偿全部偏差，平均值重新开始计算。
 evaluate-mean = 偏差 { $difference } mm 得到平均值 { $mean } mm，超出零补偿区：按平均值补偿，平均值重新开始计算。
 evaluate-small = 偏差 { $difference } mm 得到平均值 { $mean } mm，仍在零补偿区内：不作补偿。
 evaluate-kept = 与存储值相差不大于 { $limit } mm（_TZL），因此保持不变：{ $data }。
-evaluate-repeat = 超限后重新测量，第 { $count } 次重复，共 4 次。
+evaluate-repeat = 超限后重新测量，第 { $count } 次重复，最多 4 次。
 evaluate-halt = 编程停止（M0）：操作者按 NC START 继续。
 evaluate-activated = 补偿后的坐标框架立即生效。
 evaluate-not-activated = 补偿后的坐标框架在程序再次调用它（G54、G500 …）时生效。

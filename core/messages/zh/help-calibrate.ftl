@@ -21,11 +21,11 @@ help-cycle976-order-twice = 全部执行两遍：第一遍主轴转过 180°，�
 help-cycle976-order-no-approach = 从起点沿 _MD 方向最多走两倍 _FA 触碰，然后退回。
 help-cycle976-order-end-centre = 最后停在起点，即中心。
 help-cycle976-order-end-found = 最后停在求出的中心。
-help-cycle976-order-end-surface = 最后停在起点；在垂直坐标上停在表面前 _FA 处。
+help-cycle976-order-end-surface = 最后停在起点；_MA=3 时停在表面前 _FA 处。
 help-cycle976-corrects-ball = 还有有效测球直径 _WP[k,0]，CYCLE979 和成角度测量的 CYCLE997 需要它；_CBIT[15]=1 时还有测头的半径。
 help-cycle976-corrects-skew = 还有测针的位置偏差 _WP[k,7] 和 _WP[k,8]。
 help-cycle976-corrects-length = 测头几何值中的 L1 按偏差补偿；_TSA 不监控它。
-help-cycle976-wrong-off-centre = 主轴不在中心：此误差以相反符号计入各触发点。
+help-cycle976-wrong-off-centre = 主轴不在中心：此误差计入各触发点，并带入以后测得的每个位置。
 help-cycle976-wrong-diameter = _SETVAL 不是环规的真实直径：误差的一半会计入各触发点。
 help-cycle976-wrong-position = _SETVAL 不是表面在有效坐标系中的真实位置。
 

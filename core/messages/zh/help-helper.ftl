@@ -6,7 +6,7 @@ help-log-column = 数值比列宽：控制系统加宽该列并输出信息 6230
 help-log-line = 列数乘以列宽超过 200 个字符：报警 61371。
 help-log-name = _PROTNAME[1] 指定文件名：字母、数字和下划线，以两个字母或一个字母加下划线开头。扩展名 MPF 会自动加上；目录是调用程序所在的目录。
 help-log-files = 记录文件。MD 11420 规定的千字节数容纳不下的内容写入最多九个后续文件，其名称以下划线和一个数字结尾。
-help-log-full = 第十个文件也写满：程序停止，要求输入新的记录名称；重新启动后继续。
+help-log-full = 第十个文件也写满：程序停止，要求输入新的记录名称；按 NC START 后继续。
 help-log-refused = 文件没有名称（报警 61354），文件正被其他程序使用（61356），或其目录不存在（61353）。
 help-log-header = 记录头：日期、时间和页码，程序 _PROTNAME[0]，自定义行 _HEADLINE[0] 等，标题行 _PROTVAL[0] 和 _PROTVAL[1]。_CBIT[11]=1 时只有自定义行。
 help-log-block = 一个数值组：测量循环的名称及其 _MVAR（_CBIT[6]=1 时不写），然后是 _PROTFORM[4] 规定的数值行数。超出 _TSA、_TDIF、_TUL 或 _TLL 的实际值和偏差带有 _PROTSYM[1] 标记。
@@ -71,7 +71,7 @@ help-cycle119-alarm = _ALARM 为 0。
 help-cycle119-frame = 计算两个三角形之间的坐标框架。两者形状的差别，即三个点的偏差之和，写入 _RES；小于 0 表示没有坐标框架。
 help-cycle119-decides = _COR=0 时不作补偿。否则在 _RES 小于 _RESLIM 时补偿一个坐标框架。
 help-cycle119-left = _RES；_REFRAME 中的坐标框架，与有效坐标框架级联后把测得的各点移到设定坐标；_ALARM 中为 0 或报警号。
-help-cycle119-frame-moved = _COR 指定的坐标框架，其平移和旋转：1 到 99 为可设定坐标框架，1000 为最后一个有效的通道基本坐标框架，1011 到 1026 为通道基本坐标框架，2000 为实际值设定的系统坐标框架，9999 为有效坐标框架。
+help-cycle119-frame-moved = _COR 指定的坐标框架，其平移和旋转：1 到 99 为可设定坐标框架，1000 为最后一个有效的通道基本坐标框架，1011 到 1026 为通道基本坐标框架，2000 为系统坐标框架 $P_SETFR，9999 为有效坐标框架。
 help-cycle119-again = 重新编程其 G 功能（G54 …）后，补偿后的坐标框架才生效，_COR=9999 时也是如此。
 help-cycle119-line = 三个点共线或重合：_ALARM 为 61411。
 help-cycle119-distorted = 两个三角形相差不小于 _RESLIM：_ALARM 为 61414，不作补偿。

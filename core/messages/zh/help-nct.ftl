@@ -6,7 +6,7 @@ help-steps = 一次触碰分三步：快速接近至触发，以中等速度退�
 help-position-lost = 上一次 G101 没有到达目标：OUT OF POSITION。
 help-result = 编程 S 时，工件偏置按测量值减公称值补偿；编程 T 时补偿刀具寄存器，使下一个工件合格；编程 M 时只存储偏差，有余量为正。都省略则不补偿。
 help-limits = 偏差大于 H 为 OUT OF TOLERANCE；大于 U 为 UPPER TOL EXEEDED，不作补偿。
-help-both-targets = 同时编程了 S 和 T：偏差只能补偿其中之一。
+help-both-targets = 同时编程了 S 和 T：FORMAT ERROR。偏差只能补偿其中之一。
 help-middle-tolerance = 公称尺寸不是公差带中点：H 向两侧计算（20 +0.1/−0.3 写成 19.9 和 H0.2）。
 help-one-system = 校准一部分用英制、一部分用公制：全部应在同一单位制中进行。
 
@@ -19,7 +19,7 @@ help-g101-wrong-incremental = G91 有效时，各地址是增量而不是位置�
 
 help-g102-measures-offset = 测球相对主轴轴线在平面两个轴上的偏移。
 help-g102-before-ring = 测球在直径 D 的孔中间，误差不超过 10 mm。该孔由本主轴刚镗出，或是环规，且 #510 中有使主轴转 180° 的 M 功能。
-help-g102-order-walls = 触碰两个轴的四个壁；设定了 #510 时，主轴转 180° 后再触碰一遍。
+help-g102-order-walls = 触碰两个轴的四个壁；#510 中有 M 功能时，主轴转 180° 后再触碰一遍。
 help-g102-corrects-offset = #504 和 #505：平面第 1 轴和第 2 轴的径向偏置。
 help-g102-wrong-moved = 孔不是在主轴现在的位置加工的，主轴又不旋转：孔位的误差被存为径向偏置。
 
@@ -36,7 +36,7 @@ help-g104-corrects-register = 长度寄存器 T：之后在测球触碰处控制
 help-g104-wrong-coordinate = 该坐标属于另一个工件偏置，而不是有效的工件偏置。
 
 help-g105-measures-surface = 垂直于平面一个轴的表面的位置。
-help-g105-before-side = 测球在表面的空侧：在测量深度；编程了刀具轴地址时在其上方。
+help-g105-before-side = 测球在表面无材料的一侧：在测量深度；编程了刀具轴地址时在其上方。
 help-g105-order-touch = 编程了刀具轴地址时，先移到表面前 R 处并下降；然后朝公称坐标触碰，最多超过 Q。
 help-g105-corrects-radius = T 是半径寄存器，按全部偏差补偿。
 help-g105-wrong-far = 表面在公称坐标之后超过 Q：PROBE FAIL。
@@ -45,7 +45,7 @@ help-g106-measures-surface = 垂直于刀具轴的表面的高度。
 help-g106-before-above = 测球在触碰点上方。
 help-g106-order-down = 向下触碰，最多到公称坐标下方 Q。
 help-g106-corrects-length = T 是长度寄存器，按全部偏差补偿。
-help-g106-wrong-low = 测球已低于公称坐标：NO MOVEMENT。
+help-g106-wrong-low = 测球比公称坐标低 Q 或更多：NO MOVEMENT。
 
 help-g107-measures-corner = 内拐角两个壁的交点。
 help-g107-before-inside = 测球在内拐角中、测量深度，离开两个壁；两壁平行于轴。
@@ -83,10 +83,10 @@ help-p9920-measures-both = 刀具长度和直径。
 help-p9920-before-reference = 已返回参考点，且对刀仪轴线与 Z 平行。
 help-p9920-before-centre = 直径准确已知的标准刀具位于圆盘中心上方。
 help-p9920-before-above = 刀具在 Z 方向位于对刀仪上方，且对刀仪已校准。
-help-p9920-order-rim = 从 +X、−X、+Y、−Y：向外移动两直径之半加 E，下降 Z，触碰边缘，再上升。
+help-p9920-order-rim = 从 +X、−X、+Y、−Y：向外移动两直径之和的一半加 E，下降 Z，触碰边缘，再上升。
 help-p9920-order-face = 然后在中心上方下降到圆盘，再回到起点。
-help-p9920-order-length = 在离中心半个 D 处下降，最多 Z，直到触碰。
-help-p9920-order-diameter = 从触碰处抬起 K，向 +X 移动两直径之半加 E，下降到比触碰处低 K，触碰边缘。
+help-p9920-order-length = 在离中心 D/2 处下降，最多 Z，直到触碰。
+help-p9920-order-diameter = 从触碰处抬起 K，向 +X 移动两直径之和的一半加 E，下降到比触碰处低 K，触碰边缘。
 help-p9920-corrects-probe = #506、#507、#508 得到圆盘位置，#509 得到其直径，#513 得到标准刀具长度。
 help-p9920-corrects-length = 寄存器 T 的长度，由 G43 使用。
 help-p9920-corrects-radius = 寄存器 T 的半径。

@@ -8,7 +8,7 @@ help-cycle971-measures-side = 用长度和半径已知的刀具测出刀具测�
 help-cycle971-measures-sides = 用长度和半径已知的刀具测出 _TP[k,7]（相对工件：_TPW[k,7]）所列刀具测头各面的位置。
 help-cycle971-measures-tool = 铣刀或钻头的长度 L1（_MA = 3、103、203）或半径（_MA = 1、2）。
 help-cycle971-before-still = 主轴静止，刀刃已转向测头；循环不转动主轴。
-help-cycle971-before-rotating = 转速和进给已在 _CM[] 中设置，_CBIT[12]=1 时在 _MFS[] 中。旋转的主轴保持方向，静止的主轴取 _CM[5] 的方向。
+help-cycle971-before-rotating = 循环由 _CM[] 计算转速和进给，_CBIT[12]=1 时取自 _MFS[]。旋转的主轴保持方向，静止的主轴取 _CM[5] 的方向。
 help-cycle971-before-clear = 刀具在要触碰的一侧，离开测头：测长度在其上方，测半径在其旁边。
 help-cycle971-before-parallel = 刀具轴平行于测头中心线。
 help-cycle971-before-over = 刀具可从当前位置先上下移动到测头顶面上方 _FA 处，再横向移到测头中间，途中没有障碍。
@@ -17,7 +17,7 @@ help-cycle971-order-on-top = 在顶面（_MA = 3、103、203）：移到中间�
 help-cycle971-order-centre-first = _MA = 102 或 201 时，先在另一轴触碰两次求出中间。
 help-cycle971-order-widest = 测半径时刀具再下降 _ID，以最大直径处触碰。
 help-cycle971-order-turning = 触碰一到三次，进给一次比一次小（_CM[6]、_CM[7]）；以最后一次为准。原来静止的主轴再停下。
-help-cycle971-order-all-sides = 先在设定的中间触碰顶面，再触碰纵坐标两侧，在此触碰横坐标两侧，经求出的中间触碰纵坐标两侧，最后再触碰顶面。最后停在其上方 _FA 处。
+help-cycle971-order-all-sides = 先在设定的中间触碰顶面，再触碰纵坐标两侧，在这两侧的中间触碰横坐标两侧，再经求出的中间触碰纵坐标两侧，最后再触碰顶面，停在其上方 _FA 处。
 help-cycle971-wrong-depth = _TP[k,9] 为 0：刀具在测头旁够不到测头，报警 61349。
 help-cycle971-wrong-unclear = 从刀具位置看不出要触碰哪一面：报警 61332。
 help-cycle971-wrong-edge = 刀刃没有转向测头：半径测得偏小，刀刃高度不同的刀具长度也偏小。
@@ -29,7 +29,7 @@ help-cycle972-measures-side = 用刀沿位置 3 的校准刀具测出刀具测�
 help-cycle972-measures-length = 车刀的一个长度：横坐标上的 L2 或纵坐标上的 L1。
 help-cycle972-order-travel = 在另一轴移到测头中间，再移到该面，触碰，退回。最后停在该面前 _FA 处。
 help-cycle972-order-nose = 刀尖圆弧中心对着测头中间；触碰刀具起点所在一侧的面。
-help-cycle972-order-tip = 刀刃按其刀沿位置，从所指的一侧触碰。
+help-cycle972-order-tip = 刀刃按其刀沿位置，朝所指的方向触碰。
 
 help-cycle982-measures-side = 用刀沿位置 3、长度和刀尖半径已知的校准刀具，测出车床刀具测头一个面的位置。
 help-cycle982-measures-one-length = 车刀、铣刀或钻头的一个长度：_MA=1 为 L2，_MA=2 为 L1。
@@ -38,7 +38,7 @@ help-cycle982-measures-both = 铣刀的半径以及同一轴上的长度。
 help-cycle982-measures-all = 当前刀具的全部值：车刀的两个长度（刀沿位置 5 到 8 只有一个）、铣刀的两个长度和半径、钻头的长度。
 help-cycle982-measures-upper = 铣刀在靠近刀柄的上刀刃处的长度和半径，例如切槽铣刀。
 help-cycle982-before-outside = 刀具在平面两个轴上都位于测头之外、要触碰的一侧；Y 轴对着测头中间。
-help-cycle982-before-setting = 测铣刀和钻头时 SD 42950 为 2。
+help-cycle982-before-setting = 测铣刀和钻头时 SD 42950 为 2；在 G17、G19 中测钻头的一个长度时也可为 0。
 help-cycle982-before-axial = 铣刀或钻头轴向安装：其轴沿横坐标，半径在纵坐标上。
 help-cycle982-before-radial = 铣刀或钻头径向安装：其轴沿纵坐标，半径在横坐标上。
 help-cycle982-order-calibrate = 在另一轴刀尖圆弧中心移到测头中间，再移到该面，触碰，退回。最后停在该面前 _FA 处。
@@ -54,7 +54,7 @@ help-cycle982-corrects-geometry = 当前刀具：值写入几何值，磨损置 
 help-cycle982-wrong-axis = 半径不在 _MA 轴上：报警 61325。
 help-cycle982-wrong-drill-radius = 刀具是钻头，循环不测量其半径：报警 61314。
 help-cycle982-wrong-fast = 触碰时铣削主轴转速高：损坏刀刃和测头。请降低转速。
-help-cycle982-wrong-wrong-side = 起点在错误的一侧或在测头上方：报警 61332。
+help-cycle982-wrong-wrong-side = 起点在错误的一侧，或在测头两侧面之间：报警 61332。
 help-cycle982-wrong-nose = 校准刀具的刀尖半径或长度不对：误差会计入以后测量的每把刀具。
 
 help-tool-probe-known = 测头各面的近似位置已输入：_TP（相对工件：_TPW）中的触发点。

@@ -18,8 +18,8 @@ help-cycle994-before-plus-side = 测球对着正侧的点，距离大于 _FA。
 help-cycle994-before-inside = 测球在孔内；_SZA 和 _SZO 描述孔内的障碍物，并包含测球半径。
 help-cycle994-before-either = 起点决定内外：比设定值靠外则测外径，绕过保护区 _SZA、_SZO（包含测球半径）；靠内则测内径。
 help-cycle994-order-plus-first = 先触碰正侧的点，再触碰负侧的点；最后停在后者前 _FA 处。
-help-cycle994-order-round-inside = 在孔内沿保护区移动：到 _SZO，再到 _SZA，横过，返回。
-help-cycle994-order-round-outside = 测外径时退到 _SZO，移到 _SZA，横过，返回；测内径时直接穿过孔。
+help-cycle994-order-round-inside = 在孔内沿保护区移动：到 _SZO，再到 _SZA，横过，返回（_MA=1 时先到 _SZA）。
+help-cycle994-order-round-outside = 测外径时退到 _SZO，移到 _SZA，横过，返回（_MA=1 时先到 _SZA）；测内径时直接穿过孔。
 help-cycle994-corrects-half = 长度按直径偏差的一半补偿。
 help-cycle994-wrong-zone = 保护区沿用以前的调用，或放不下测球：测头撞到工件（报警 61302），或没有可走的路径（61334）。
 help-cycle994-wrong-ball = _CHBIT[7]=1 时用存储的测球直径代替两个触发点：该直径必须正确。

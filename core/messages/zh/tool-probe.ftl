@@ -28,7 +28,7 @@ param-evnum-tool-help = 修正测量值的存储器 _EV[n-1] 的编号 n；0：�
 param-tzl-tool = 零补偿区
 param-tzl-tool-help = 偏差不超过此值时不作补偿，也不报警。
 param-tdif-tool = 允许尺寸差
-param-tdif-tool-help = 偏差达到或超过此值时不作补偿并显示信息 62306；程序继续。
+param-tdif-tool-help = 偏差达到或超过此值时不作补偿并显示信息 62306；程序继续，_CBIT[2]=1 时按 NC START 后才继续。
 param-tsa-tool-probe = 触发点安全区
 param-tsa-tool-probe-help = 触发点与存储值相差大于此值时，程序以报警 61303 停止，不存储。
 param-tsa-tool = 刀具安全区
@@ -60,7 +60,7 @@ result-difference-l2 = 长度 L2 偏差
 check-tool-probe-number-hint = 请输入 1 到 { $fields } 的编号，或建立更多测头数据并加大 { $array }。
 check-tool-limits = { $small } 为 { $low } mm，不小于 { $large } 的 { $high } mm：其中之一永远不起作用。
 check-tool-limits-hint = 请按从小到大的顺序设定：_TZL、_TDIF、_TSA。
-check-tool-speed = 按 { $name } 的值，循环无法定位刀具。
+check-tool-speed = { $name } 为 0 或负值：循环无法定位刀具。
 check-tool-speed-hint = 请将 _SPEED[0] 设为快速移动的百分比；有碰撞监控（_CHBIT[2]=1）时，将 _SPEED[1]、_SPEED[2] 设为大于 0 的进给。
 check-tool-probe-empty = 刀具测头的位置未设定：{ $names } 为 0。
 check-tool-probe-empty-hint = 请在机床数据中输入其各面的近似位置；循环由此计算路径。

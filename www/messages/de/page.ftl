@@ -291,7 +291,7 @@ column-unit = Einheit
 column-before = alt
 column-after = neu
 column-difference = Änderung
-problems-more = { $count } weitere, im Programm markiert. Sie erscheinen hier, sobald diese behoben sind.
+problems-more = { $count } weitere, im Programm markiert. Sie erscheinen hier, sobald die aufgeführten behoben sind.
 problems-none = Keine Meldungen.
 problem-place = Zeile { $line }, Spalte { $column }
 log-save = Als Datei speichern
@@ -331,7 +331,7 @@ notice-no-clipboard = Kein Zugriff auf die Zwischenablage. Text markieren und vo
 notice-not-kept = Der Browser speichert Ihre Arbeit nicht. Programm speichern.
 notice-setup = Maschineneinrichtung geöffnet.
 notice-own-setup = Standardmaschine wiederhergestellt.
-notice-setup-outdated = Gespeicherte Maschineneinrichtung passt nicht zu dieser Version.
+notice-setup-outdated = Gespeicherte Einrichtung passt nicht zu dieser Version: nicht geladen.
 notice-nothing-to-save = Noch nichts zu speichern: Die Maschineneinrichtung wird geladen.
 notice-opened = Programm geöffnet.
 notice-example = Beispiel in die Maske eingesetzt.
@@ -427,7 +427,7 @@ way-direct = direkt
 way-indirect = indirekt
 way-operate = neuere Steuerungen
 way-now = Schreibweise: { $way }
-convert = Umwandeln in
+convert = Umwandeln:
 
 call-state-ok = OK
 call-state-note = OK
@@ -474,7 +474,7 @@ scan-save-points = XYZ wie ausgegeben speichern
 scan-save-surface = XYZ der Fläche speichern
 
 form-placed = Im Programm, Zeile { $line }
-field-reset = { $value } ist gelöscht: eingegeben als „{ $before }“.
+field-reset = { $value } ist gelöscht: Die Eingabe galt für „{ $before }“.
 
 asks-title = { $count ->
     [one] Das ändert eine Zeile außerhalb des Aufrufs
