@@ -121,12 +121,12 @@ need-second-edge = Gilt für die 2. Antastung einer Messung mit Umschlag.
 check-tool-reference = _CBIT[5]=1: Die Werte in _TP gelten im aktiven WKS, obwohl die 2. Stelle von _MVAR maschinenbezogen angibt.
 check-tool-reference-hint = _CBIT[5] auf 0 setzen oder die werkstückbezogene Messvariante (_TPW) wählen; danach Messtaster neu kalibrieren.
 check-lathe-tool-type-hint = Drehwerkzeug (Typ 5xy), Fräswerkzeug (1xy, 711 bis 799) oder Bohrer (2xy) verwenden; $TC_DP1 prüfen.
-check-turning-digits = Die Stellen 3 bis 5 von { $value } gelten für Fräswerkzeuge und Bohrer, aktiv ist aber ein Drehwerkzeug.
+check-turning-digits = Die 3. bis 5. Stelle von { $value } gelten für Fräswerkzeuge und Bohrer, aktiv ist aber ein Drehwerkzeug.
 check-turning-digits-hint = Für das Drehwerkzeug { $plain } wählen oder vor dem Aufruf das Fräswerkzeug einwechseln.
 check-tip-direction = Ein Werkzeug mit Schneidenlage { $tip } zeigt in die andere Richtung: Sein Rücken würde den Messtaster berühren.
 check-tip-direction-hint = Werkzeug auf der anderen Seite des Messtasters positionieren und _MD ändern oder $TC_DP2 prüfen.
 check-drill-radius = Der Zyklus misst bei einem Bohrer keinen Radius.
-check-drill-radius-hint = Messvariante mit 4. Stelle = 0 wählen oder ein Fräswerkzeug einwechseln; $TC_DP1 prüfen.
+check-drill-radius-hint = Messvariante mit 0 in der 4. Stelle wählen oder ein Fräswerkzeug einwechseln; $TC_DP1 prüfen.
 check-drill-plane = Mit Settingdatum 42950 = 0 liegt die Bohrerlänge bei G18 in Y; in dieser Achse misst der Zyklus nicht.
 check-drill-applicate = Mit Settingdatum 42950 = 0 misst der Zyklus beim Bohrer nur die Länge: in einer Achse, ohne Umschlag.
 check-drill-applicate-hint = 1, 11, 100001 oder 100011 mit G17 (Bohrer in Z) oder G19 (in X) wählen oder das Settingdatum auf 2 setzen und mit G18 messen.
@@ -139,4 +139,4 @@ check-spindle-turns-hint = Schneide zum Messtaster drehen, _CHBIT[20] auf 1 setz
 check-side-radius = Das Werkzeug tastet mit dem Umfang an, sein Radius ist aber 0: Die Länge ist nicht berechenbar.
 check-side-radius-hint = Radius in den Werkzeugdaten eintragen oder in Richtung der Werkzeugachse messen.
 check-radius-length = { $length } des Werkzeugs ist 0, aber der Radius wird aus dieser Länge berechnet.
-check-radius-length-hint = Diese Länge zuerst messen oder eintragen oder mit dem Radius messen (4. Stelle = 2; nicht inkrementell).
+check-radius-length-hint = Diese Länge zuerst messen oder eintragen oder mit dem Radius messen (2 in der 4. Stelle, nicht inkrementell).

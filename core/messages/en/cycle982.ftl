@@ -118,15 +118,15 @@ need-start-angle-spindle = The stationary milling spindle is positioned to it; i
 need-start-angle-milling = Applies to milling tools.
 need-second-edge = Applies to the second touch of a measurement with reversal.
 
-check-tool-reference = _CBIT[5]=1: the values of _TP refer to the active WCS, although digit 2 of _MVAR says machine-related.
+check-tool-reference = _CBIT[5]=1: the values of _TP refer to the active WCS, although the 2nd digit of _MVAR says machine-related.
 check-tool-reference-hint = Set _CBIT[5] to 0 or choose the workpiece-related variant (_TPW); then calibrate the tool probe again.
 check-lathe-tool-type-hint = Use a turning tool (type 5xy), a milling tool (1xy, 711 to 799) or a drill (2xy); check $TC_DP1.
-check-turning-digits = Digits 3 to 5 of { $value } apply to milling tools and drills, but a turning tool is active.
+check-turning-digits = The 3rd to 5th digits of { $value } apply to milling tools and drills, but a turning tool is active.
 check-turning-digits-hint = Choose { $plain } for the turning tool, or change to the milling tool before the call.
 check-tip-direction = A tool with cutting edge position { $tip } points in the other direction: its back would hit the probe.
 check-tip-direction-hint = Start on the other side of the probe and change _MD, or check $TC_DP2.
 check-drill-radius = The cycle does not measure the radius of a drill.
-check-drill-radius-hint = Choose a variant with digit 4 = 0, or change to a milling tool; check $TC_DP1.
+check-drill-radius-hint = Choose a variant with 0 in the 4th digit, or change to a milling tool; check $TC_DP1.
 check-drill-plane = With SD 42950 = 0 the length of a drill applies along Y in G18, which the cycle does not measure.
 check-drill-applicate = With SD 42950 = 0 the cycle measures only the length of a drill: in one axis, without reversal.
 check-drill-applicate-hint = Choose 1, 11, 100001 or 100011 with G17 (along Z) or G19 (along X), or set SD 42950 to 2 and use G18.
@@ -139,4 +139,4 @@ check-spindle-turns-hint = Turn the cutting edge to the probe, set _CHBIT[20] to
 check-side-radius = The tool touches with its side, but its radius is 0: the length cannot be calculated.
 check-side-radius-hint = Enter the radius in the tool data, or measure in the axis along the tool.
 check-radius-length = { $length } of the tool is 0, but the radius is calculated from it.
-check-radius-length-hint = Measure or enter this length first, or choose length and radius together (digit 4 = 2; not incremental).
+check-radius-length-hint = Measure or enter this length first, or choose length and radius (2 in the 4th digit, not incremental).

@@ -13,7 +13,7 @@ list-selection-hint = Permitted: { $choices }.
 
 newer-open = { $param } = { $value }: its meaning in the argument list of a newer control is not known. It is kept as written, not checked and not simulated.
 newer-target = { $value } is in argument 2, where newer controls expect the number of a zero offset, but this variant corrects no zero offset.
-newer-target-hint = Zero offset: set digit 3 of argument 1 to 1. Tool: use argument 3 (S_KNUM1). Otherwise leave argument 2 empty.
+newer-target-hint = Zero offset: set the 3rd digit of argument 1 to 1. Tool: use argument 3 (S_KNUM1). Or leave argument 2 empty.
 write-newer-tool = Newer controls have the tool target in argument 3 (S_KNUM1, see alarm 61328); its code is not known.
 write-newer-zero = The zero offset { $value } in the list of newer controls is not known; only 1 to 99 and 9999 are.
 write-newer = { $param } = { $value } has another meaning in the argument list of newer controls, or its meaning is not known.

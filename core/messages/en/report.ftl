@@ -33,7 +33,12 @@ report-source = Source: { $source }.
 report-standard = { $old }; { $new } from NCK 63
 report-unit-rpm = rpm
 report-variants = Measuring variants
-report-when-digit = digit { $place } of `{ $param }` ∈ { $numbers }
+report-when-digit = { $place ->
+        [1] 1st
+        [2] 2nd
+        [3] 3rd
+       *[other] { $place }th
+    } digit of `{ $param }` ∈ { $numbers }
 report-when-given = `{ $param }` given
 report-when-not = not ({ $condition })
 report-when-tool = tool type { $from } to { $to }

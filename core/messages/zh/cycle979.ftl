@@ -29,7 +29,7 @@ param-prnum-with-points-help = 圆周三点或四点、测头类型及其数据�
 need-lift = 测头必须越过凸台。
 
 check-points-unused = 点数只对孔或轴（外圆）有效。
-check-points-unused-hint = 请选 3 点，即该数位为 0。
+check-points-unused-hint = 请选三点：_PRNUM 的第 4 位为 0。
 check-path-centre = 测量行程从中心的另一侧开始：在各点之间测头会从那一侧经过。
 check-path-centre-hint = 请把 _FA 减小到小于 { $free } mm。
 check-lift = 测头越过凸台之前没有抬起。

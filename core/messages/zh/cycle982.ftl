@@ -118,7 +118,7 @@ need-start-angle-spindle = 静止的铣削主轴转到此角度；省略时沿�
 need-start-angle-milling = 对铣刀有效。
 need-second-edge = 对 180° 换向的第二次触碰有效。
 
-check-tool-reference = _CBIT[5]=1：_TP 的值按有效工件坐标系，尽管 _MVAR 第 2 位为机床坐标系。
+check-tool-reference = _CBIT[5]=1：_TP 的值按有效工件坐标系，尽管 _MVAR 的第 2 位为机床坐标系。
 check-tool-reference-hint = 请把 _CBIT[5] 设为 0，或选择工件坐标系的测量方式（_TPW），然后重新校准。
 check-lathe-tool-type-hint = 请用车刀（类型 5xy）、铣刀（1xy、711 到 799）或钻头（2xy），并检查 $TC_DP1。
 check-turning-digits = { $value } 的第 3 到 5 位用于铣刀和钻头，而当前是车刀。
@@ -139,4 +139,4 @@ check-spindle-turns-hint = 请把刀刃转向测头，把 _CHBIT[20] 设为 1 �
 check-side-radius = 刀具用侧面触碰，但其半径为 0：求不出长度。
 check-side-radius-hint = 请在刀具数据中输入半径，或在沿刀具的轴上测量。
 check-radius-length = 刀具的 { $length } 为 0，而半径由该长度计算。
-check-radius-length-hint = 请先测量或输入该长度，或同时测长度和半径（第 4 位 = 2，非增量方式）。
+check-radius-length-hint = 请先测量或输入该长度，或同时测长度和半径（第 4 位为 2，非增量方式）。

@@ -4,6 +4,7 @@ use crate::catalogue::alarms;
 use crate::diagnostic::Code;
 use crate::entry::{Cycle, Kind, Level, Param, ProbeUse, ResultField, Unit, Variant, When};
 use crate::manual::Cited;
+use crate::message::Message;
 use crate::range::Range;
 use crate::report::help::help;
 use crate::report::markdown::{line, table};
@@ -90,10 +91,9 @@ fn when(condition: &When, words: &Words) -> String {
         When::Variant(numbers) => said("report-when-variant", &[("numbers", format!("{numbers:?}"))]),
         When::Digit { param, place, is } => {
             let numbers = format!("{is:?}");
-            said(
-                "report-when-digit",
-                &[("param", param.to_string()), ("place", (place.ilog10() + 1).to_string()), ("numbers", numbers)],
-            )
+            let place = f64::from(place.ilog10() + 1);
+            let digit = Message::new("report-when-digit").text("param", param.as_str()).text("numbers", numbers);
+            words.text(&digit.number("place", place))
         }
         When::Given(param) => said("report-when-given", &[("param", param.to_string())]),
         When::Number { param, is } => format!("`{param}` ∈ {is:?}"),

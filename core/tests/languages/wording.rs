@@ -61,7 +61,7 @@ impl Sort {
 /// Texts that may be longer, because they list what has to be listed.
 const LISTS: [&str; 1] = ["alarm-61309.cure"];
 
-/// Words that a language does not use, with what it says instead.
+/// Words that a language does not use, with what it says instead. `#` is a digit or an argument.
 const UNUSED: &[(&str, &[(&str, &str)])] = &[
     (
         "en",
@@ -81,6 +81,8 @@ const UNUSED: &[(&str, &[(&str, &str)])] = &[
             ("safety zone", "protection zone or safe area"),
             ("target value", "setpoint"),
             ("please", ""),
+            ("digit #", "4th digit"),
+            ("digits #", "3rd to 5th digits"),
         ],
     ),
     (
@@ -98,6 +100,8 @@ const UNUSED: &[(&str, &[(&str, &str)])] = &[
             ("bitte", ""),
             ("Kalibration", "Kalibrieren"),
             ("Zielwert", "Sollwert"),
+            ("Stelle #", "4. Stelle"),
+            ("Stellen #", "3. bis 5. Stelle"),
         ],
     ),
     (
@@ -115,13 +119,15 @@ const UNUSED: &[(&str, &[(&str, &str)])] = &[
             ("差分测量", "差值测量"),
             ("测尖", "测球"),
             ("圆轴", "回转轴"),
+            ("该数位", "第 4 位"),
         ],
     ),
 ];
 
 /// Whether a text has these words, in a language with spaces as whole words.
 fn has(text: &str, words: &str) -> bool {
-    let (text, words) = (text.to_lowercase(), words.to_lowercase());
+    let number = |one: char| one.is_ascii_digit() || one == '{';
+    let (text, words) = (text.replace(number, "#").to_lowercase(), words.to_lowercase());
     let letter = |side: Option<char>| side.is_some_and(|one| one.is_alphabetic() && one.is_ascii());
     text.match_indices(&words)
         .any(|(at, _)| !letter(text[..at].chars().next_back()) && !letter(text[at + words.len()..].chars().next()))
@@ -229,5 +235,6 @@ fn numbers_stay_with_their_units() {
 fn whole_words_are_told_from_parts_of_others() {
     assert!(has("Die Messung erfolgt hier", "erfolgt") && !has("nacherfolgte", "erfolgt"));
     assert!(has("按额定值补偿", "额定值") && !has("", "please"));
+    assert!(has("Digit { $place } of it", "digit #") && !has("the 4th digit of 12", "digit #"));
     assert_eq!(length(" { $value } mm, { \"_FA\" }."), Some(14));
 }
