@@ -4,6 +4,7 @@
 use super::{CYCLES, nct, p9920};
 use crate::diagnostic::Code;
 use Found::{Both, Check, Nowhere, Run};
+use Waits::{Always, BeforeRepetition, Never, WithCbit2};
 
 /// An alarm or message.
 pub struct Alarm {
@@ -11,6 +12,8 @@ pub struct Alarm {
     pub code: Code,
     /// What Probewright does about it.
     pub found: Found,
+    /// When a program that goes on waits for NC START first.
+    pub waits: Waits,
     /// Programs beside the cycles of the catalogue that raise it: helpers of the cycles, measuring in JOG.
     pub programs: &'static [&'static str],
     /// Place in the manual.
@@ -30,6 +33,19 @@ pub enum Found {
     Both,
     /// Nothing raises it yet.
     Nowhere,
+}
+
+/// When a program that goes on after an alarm waits for NC START first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Waits {
+    /// Never, or it does not go on.
+    Never,
+    /// Always: an operator message of the NCT macros (C:1139-1145).
+    Always,
+    /// Before each repetition of a measurement (B:13535-13580).
+    BeforeRepetition,
+    /// With `_CBIT[2]` (B:13537, B:13584-13586).
+    WithCbit2,
 }
 
 const NONE: &[&str] = &[];
@@ -124,10 +140,10 @@ pub static ALARMS: &[Alarm] = &[
     alarm(61414, Run, NONE, "A:15933"),
     alarm(61415, Both, NONE, "A:15934"),
     alarm(61416, Run, NONE, "A:15935"),
-    alarm(62303, Run, NONE, "A:15940"),
-    alarm(62304, Run, NONE, "A:15941"),
-    alarm(62305, Run, NONE, "A:15942"),
-    alarm(62306, Run, NONE, "A:15943"),
+    waiting(BeforeRepetition, alarm(62303, Run, NONE, "A:15940")),
+    waiting(WithCbit2, alarm(62304, Run, NONE, "A:15941")),
+    waiting(WithCbit2, alarm(62305, Run, NONE, "A:15942")),
+    waiting(WithCbit2, alarm(62306, Run, NONE, "A:15943")),
     alarm(62307, Check, NONE, "A:15944"),
     alarm(62308, Check, NONE, "A:15945"),
     alarm(62309, Check, NONE, "A:15946"),
@@ -141,9 +157,9 @@ pub static ALARMS: &[Alarm] = &[
     message(nct::OUT_OF_POSITION, Run, "C:121-123;C:195-204"),
     message(nct::PROBE_FAIL, Run, "C:195-204"),
     message(nct::NO_MOVEMENT, Both, "C:195-204"),
-    message(nct::OUT_OF_TOLERANCE, Run, "C:1142"),
-    message(nct::UPPER_TOLERANCE, Run, "C:1143"),
-    message(nct::TOOL_TOO_LARGE, Run, "C:1144"),
+    waiting(Always, message(nct::OUT_OF_TOLERANCE, Run, "C:1142")),
+    waiting(Always, message(nct::UPPER_TOLERANCE, Run, "C:1143")),
+    waiting(Always, message(nct::TOOL_TOO_LARGE, Run, "C:1144")),
     message(p9920::MEASURING_DEVICE, Run, "C:1204"),
     message(p9920::DEPRESSED, Run, "C:1204"),
     message(p9920::TOO_SMALL, Run, "C:1224;C:1245"),
@@ -153,11 +169,15 @@ pub static ALARMS: &[Alarm] = &[
 ];
 
 const fn alarm(number: u32, found: Found, programs: &'static [&'static str], source: &'static str) -> Alarm {
-    Alarm { code: Code::Alarm(number), found, programs, source }
+    Alarm { code: Code::Alarm(number), found, waits: Never, programs, source }
 }
 
 const fn message(code: Code, found: Found, source: &'static str) -> Alarm {
-    Alarm { code, found, programs: NONE, source }
+    Alarm { code, found, waits: Never, programs: NONE, source }
+}
+
+const fn waiting(waits: Waits, alarm: Alarm) -> Alarm {
+    Alarm { waits, ..alarm }
 }
 
 /// The alarm with this number, or the message with this text (case does not matter).
@@ -193,7 +213,7 @@ pub fn key(alarm: Code) -> String {
 pub fn stops(code: Code) -> bool {
     match code {
         Code::Alarm(number) => number < 62000,
-        Code::Nct(_) => !nct::informs(code),
+        Code::Nct(_) => ALARMS.iter().all(|alarm| alarm.code != code || alarm.waits == Never),
         Code::Own(_) => true,
     }
 }

@@ -1,9 +1,10 @@
 //! An alarm as a person reads it, for the terminal and for `docs/alarms.md`.
 
 use crate::app::AlarmInfo;
-use crate::catalogue::alarms::{ALARMS, Alarm, Found, stops};
+use crate::catalogue::alarms::{ALARMS, Alarm, Found, Waits, stops};
 use crate::catalogue::operator_messages::{MESSAGES, OperatorMessage, Sender};
 use crate::catalogue::{CYCLES, alarms, operator_messages};
+use crate::diagnostic::Code;
 use crate::manual::Cited;
 use crate::message::Message;
 use crate::report::markdown::line;
@@ -68,17 +69,15 @@ fn told(info: AlarmInfo, effect: &'static str, by_every_cycle: bool, words: &Wor
     }
 }
 
-/// Key of what the control does. Before each repetition of a measurement it waits (B:13535-13580); after an alarm of
-/// the tolerance with `_CBIT[2]` only (B:13537, B:13584-13586).
+/// Key of what the control does.
 fn effect_key(alarm: &Alarm) -> &'static str {
-    use crate::diagnostic::Code::{Alarm, Nct};
-    match (alarm.code, stops(alarm.code)) {
-        (Alarm(62303), _) => "effect-repeat",
-        (Alarm(62304..=62306), _) => "effect-tolerance",
-        (Nct(_), true) => "effect-abort",
-        (Nct(_), false) => "effect-start",
-        (_, true) => "effect-reset",
-        (_, false) => "effect-message",
+    match (alarm.waits, alarm.code) {
+        (Waits::BeforeRepetition, _) => "effect-repeat",
+        (Waits::WithCbit2, _) => "effect-tolerance",
+        (Waits::Always, _) => "effect-start",
+        (Waits::Never, Code::Nct(_)) => "effect-abort",
+        (Waits::Never, code) if stops(code) => "effect-reset",
+        (Waits::Never, _) => "effect-message",
     }
 }
 
@@ -145,7 +144,7 @@ mod tests {
         for words in ["en", "zh"].map(|code| Words::of(code).unwrap()) {
             for alarm in ALARMS {
                 let told = told_alarm(alarm, &words);
-                let macros = matches!(alarm.code, crate::diagnostic::Code::Nct(_));
+                let macros = matches!(alarm.code, Code::Nct(_));
                 assert!(!macros || told.cause.is_some(), "{}", told.code);
             }
         }

@@ -129,8 +129,3 @@ pub(crate) fn ready_to_measure(machine: &mut dyn Machine) -> Result<(), Stop> {
     }
     ready(machine)
 }
-
-/// Whether it is an operator message after which the program goes on with START (C:1139-1145); the others stop.
-pub fn informs(code: Code) -> bool {
-    [OUT_OF_TOLERANCE, UPPER_TOLERANCE, TOOL_TOO_LARGE].contains(&code)
-}
