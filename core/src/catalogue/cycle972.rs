@@ -6,7 +6,7 @@ mod tests;
 
 use crate::catalogue::common::length;
 use crate::catalogue::cycle982::params::{ABSCISSA, ORDINATE};
-use crate::catalogue::cycle982::{picture, propose, simulate as measuring};
+use crate::catalogue::cycle982::{picture, propose, simulate};
 use crate::catalogue::prelude::*;
 use crate::catalogue::tool_probe::{ProbeData, checks as about, params as shared, turning};
 use crate::catalogue::{older, tool_probe};
@@ -41,23 +41,10 @@ pub static CYCLE972: Cycle = Cycle {
     checks,
     help: Help::new(&[LINES, &tool_probe::help::lines([When::Always, CALIBRATE, MEASURE], [NEVER; 2])]),
     picture: Drawing::staged(picture::stage, picture::marks),
-    simulation: Some(Simulation::new(propose::propose, simulate).with_tool(propose::tool)),
+    simulation: Some(Simulation::new(propose::propose, simulate::turning_tools).with_tool(propose::tool)),
     source: "B:8736-9090",
     ..common::CYCLE
 };
-
-/// What CYCLE982 does with these variants; where the coordinate system is turned it is 61330 (A:15873), and only a
-/// turning tool is measured (B:8954-8968): 61314 (A:15855).
-fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
-    if machine.control().rotated() {
-        return Err(alarm(machine, 61330));
-    }
-    let other = machine.control().active_edge().is_some_and(|edge| !edge.is_turning());
-    if MEASURE.holds(inputs) && other {
-        return Err(alarm(machine, 61314));
-    }
-    measuring::simulate(machine, inputs)
-}
 
 /// Parameters (B:8856-8862, B:9010-9018), in the order in which the snippet writes them.
 const PARAMS: &[Param] = &[
