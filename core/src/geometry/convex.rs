@@ -54,11 +54,6 @@ pub fn normal(moving: &impl Convex, other: &impl Convex, moved: &V3) -> Option<V
     parted(moving, other, moved).map(|(.., normal)| normal)
 }
 
-/// Whether both bodies are apart where the first one is moved so far.
-pub fn apart(moving: &impl Convex, other: &impl Convex, moved: &V3) -> bool {
-    normal(moving, other, moved).is_some()
-}
-
 /// First contact of a body that moves along the path, from where it stands; the path tells direction and length only.
 /// Where both touch at the start, the normal is against the way.
 pub fn first(moving: &impl Convex, other: &impl Convex, path: &Path) -> Option<Met> {

@@ -92,7 +92,7 @@ pub fn obstacle(probes: &[ToolProbe], tool: &[Piece], from: Mcs, to: Mcs) -> Opt
     least(probes, tool, &path, &|piece, cap| {
         let met = convex::first(piece, cap, &path)?;
         // what a way leaves it does not meet again
-        let leaves = || convex::apart(piece, cap, &(path.direction * path.length.min(GIVES_WAY)));
+        let leaves = || convex::normal(piece, cap, &(path.direction * path.length.min(GIVES_WAY))).is_some();
         (met.way > 0.0 || !leaves()).then_some(met)
     })
 }
