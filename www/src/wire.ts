@@ -144,6 +144,8 @@ export type CallView = {
 export type Catalogue = {
   /** In the order in which they are offered. */
   cycles: Array<CycleInfo>,
+  /** Axis of the machine (X 0, Y 1, Z 2) about which the error `tilt` of the sliders turns a part, by plane. */
+  applicate: Record<Plane, 0 | 1 | 2>,
 };
 
 /** A quantity that is different after a run. */

@@ -19,6 +19,9 @@ use std::collections::BTreeMap;
 pub struct Catalogue {
     /// In the order in which they are offered.
     pub cycles: Vec<CycleInfo>,
+    /// Axis of the machine (X 0, Y 1, Z 2) about which the error `tilt` of the sliders turns a part, by plane.
+    #[cfg_attr(test, ts(type = "Record<Plane, 0 | 1 | 2>"))]
+    pub applicate: BTreeMap<Plane, usize>,
 }
 
 /// A measuring cycle or macro.
@@ -116,7 +119,10 @@ pub struct ParameterInfo {
 
 /// Everything that can be measured.
 pub fn catalogue() -> Catalogue {
-    Catalogue { cycles: CYCLES.iter().map(|cycle| entry(cycle)).collect() }
+    Catalogue {
+        cycles: CYCLES.iter().map(|cycle| entry(cycle)).collect(),
+        applicate: Plane::ALL.map(|plane| (plane, plane.axes()[2])).into(),
+    }
 }
 
 fn entry(cycle: &'static Cycle) -> CycleInfo {

@@ -53,9 +53,12 @@ pub enum Plane {
 }
 
 impl Plane {
+    /// All of them.
+    pub const ALL: [Plane; 3] = [Plane::G17, Plane::G18, Plane::G19];
+
     /// The plane of G17, G18 or G19; none: another function.
     pub fn of(code: u16) -> Option<Plane> {
-        [Plane::G17, Plane::G18, Plane::G19].into_iter().nth(usize::from(code.checked_sub(17)?))
+        Plane::ALL.into_iter().nth(usize::from(code.checked_sub(17)?))
     }
 
     /// Indices (X = 0, Y = 1, Z = 2) of abscissa, ordinate, applicate.

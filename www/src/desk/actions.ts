@@ -248,7 +248,7 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
           : {};
       replace(setup ? "notice-setup" : "notice-own-setup", remember(now()), other, {
         machine: { setup },
-        ...(setup ? { part: { errors: errorsOf(setup) } } : {}),
+        ...(setup ? { part: { errors: errorsOf(setup, catalogue.applicate) } } : {}),
         view: { step: AT_END },
         page: { refused: null },
       });
@@ -405,11 +405,8 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
   };
 }
 
-/** Axis about which an error turns the part, X 0, Y 1, Z 2. */
-const APPLICATE: Record<Plane, number> = { G17: 2, G18: 1, G19: 0 };
-
-/** What is wrong with part and probe of a setup, for the sliders. The probe's own errors are in the setup already. */
-function errorsOf(setup: Setup): ErrorSliders {
+/** What is wrong with the part of a setup, for the sliders. The probe's own errors are in the setup already. */
+function errorsOf(setup: Setup, applicate: Catalogue["applicate"]): ErrorSliders {
   const errors = setup.workpiece[0]?.errors;
   if (!errors) return NO_ERRORS;
   const [dx, dy, dz] = errors.shift;
@@ -420,7 +417,7 @@ function errorsOf(setup: Setup): ErrorSliders {
       dy,
       dz,
       size: errors.size,
-      tilt: errors.tilt[APPLICATE[setup.plane]] ?? 0,
+      tilt: errors.tilt[applicate[setup.plane]],
       taper: errors.taper,
       outOfRound: errors.outOfRound[0],
     },
