@@ -13,13 +13,15 @@ interface Scale {
   reach: number;
   step: number;
   low?: number;
-  unit: "mm" | "deg";
+  unit: "mm" | "deg" | "percent";
+  /** How many of the unit make 1 of the core. */
+  per?: number;
 }
 const LENGTH: Scale = { reach: 2, step: 0.01, unit: "mm" };
 const FINE: Scale = { reach: 0.2, step: 0.001, unit: "mm" };
 const ANGLE: Scale = { reach: 3, step: 0.01, unit: "deg" };
-/** Growth of the diameter per mm of depth. */
-const TAPER: Scale = { reach: 0.1, step: 0.001, unit: "mm" };
+/** Growth of the diameter in percent of the depth. */
+const TAPER: Scale = { reach: 10, step: 0.1, unit: "percent", per: 100 };
 const SCALES: { [G in keyof ErrorSliders]: Record<keyof ErrorSliders[G], Scale> } = {
   part: {
     size: { ...LENGTH, reach: 1 },
@@ -69,10 +71,10 @@ const slug = (name: string): string => name.replace(/[A-Z]/g, letter => `-${lett
 type Limit = NonNullable<Outcome["limits"]>[number];
 
 /** Up to which errors on both sides, as figures; nothing where they are not looked for. */
-function range(limit: Limit | undefined, { step }: Scale): string {
+function range(limit: Limit | undefined, { step, per = 1 }: Scale): string {
   if (!limit) return "";
   const digits = Math.round(-Math.log10(step));
-  const side = (value: number | null): string => (value === null ? "∞" : plain(Math.abs(value), digits));
+  const side = (value: number | null): string => (value === null ? "∞" : plain(Math.abs(value) * per, digits));
   return t("slider-limits", { low: side(limit.low), high: side(limit.high) });
 }
 
@@ -81,13 +83,14 @@ function createSlider(
   scale: Scale,
   set: (value: number) => void,
 ): { root: HTMLElement; update(label: string, value: number, limit: Limit | undefined): void } {
+  const { per = 1 } = scale;
   const slide = el("input", { type: "range", id, min: scale.low ?? -scale.reach, max: scale.reach, step: scale.step });
   const figure = el("input", { type: "text", inputmode: "decimal", class: "figure", autocomplete: "off" });
   const name = el("label", { for: id });
-  on(slide, "input", () => set(Number(slide.value)));
+  on(slide, "input", () => set(Number(slide.value) / per));
   on(figure, "input", () => {
     const value = parseNumber(figure.value);
-    if (value !== null) set(value);
+    if (value !== null) set(value / per);
   });
   const survived = el("output", { class: "survived", for: id });
   const root = el(
@@ -106,8 +109,8 @@ function createSlider(
       setAttribute(figure, "aria-label", t("slider-figure", { name: label }));
       setText(survived, range(limit, scale));
       show(survived, !!limit);
-      if (Number(slide.value) !== value) slide.value = String(value);
-      if (parseNumber(figure.value) !== value) figure.value = plain(value);
+      if (Number(slide.value) / per !== value) slide.value = String(value * per);
+      if ((parseNumber(figure.value) ?? Number.NaN) / per !== value) figure.value = plain(value * per);
       root.classList.toggle("moved", value !== 0);
     },
   };
