@@ -1,6 +1,8 @@
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
 import { VitePWA } from "vite-plugin-pwa";
+import { icons } from "./icons";
+import { manifest } from "./manifest";
 import { chunkOfWords, words } from "./words";
 
 const here = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
@@ -10,32 +12,23 @@ const here = (path: string): string => fileURLToPath(new URL(path, import.meta.u
 export default defineConfig({
   base: "./",
   resolve: { alias: { "@pkg": here("../pkg") } },
-  // After the first load everything comes from the browser's store: shop networks are closed.
-  // `script`: registered by a file of its own, the content policy allows no inline script.
+  // After the first load everything comes from the browser's store: shop networks are closed. A new version waits until
+  // the user wants it (`src/page/update.ts`); only a first visit is served from the store at once.
   plugins: [
     words(here("../core/messages"), here("messages")),
+    icons(here("public/icon.svg")),
     VitePWA({
-      registerType: "autoUpdate",
-      injectRegister: "script-defer",
+      registerType: "prompt",
+      injectRegister: null,
       includeAssets: ["icon.svg"],
       workbox: {
-        globPatterns: ["**/*.{html,js,css,wasm,svg}"],
+        globPatterns: ["**/*.{html,js,css,wasm,svg,png}"],
         maximumFileSizeToCacheInBytes: 8_000_000,
         inlineWorkboxRuntime: true,
         sourcemap: false,
         clientsClaim: true,
-        skipWaiting: true,
       },
-      manifest: {
-        name: "Probewright",
-        short_name: "Probewright",
-        start_url: "./",
-        scope: "./",
-        display: "standalone",
-        background_color: "#eceff1",
-        theme_color: "#14202a",
-        icons: [{ src: "icon.svg", sizes: "any", type: "image/svg+xml", purpose: "any" }],
-      },
+      manifest,
     }),
   ],
   worker: { format: "es" },

@@ -381,6 +381,10 @@ keys-tabs = Pfeil links und rechts: Ergebnisreiter wechseln
 keys-undo = Strg+Z (außerhalb eines Textfelds): Ersetzung rückgängig machen, z. B. anderes Programm oder Beispiel
 keys-editor = Tab verlässt den Editor; Strg+F sucht; F8 springt zur nächsten Meldung, Strg+Umschalt+M zeigt alle mit Abhilfe; der Aufruf an der Schreibmarke öffnet seine Maske
 
+newer-ready = Eine neue Version ist bereit. Ihre Arbeit bleibt beim Neuladen erhalten.
+newer-reload = Neu laden
+newer-later = Später
+
 broken-title = Probewright läuft nicht mehr
 broken-kept = Das ist ein Fehler in Probewright, nicht in Ihren Eingaben. Maske und Programm sind in diesem Browser gespeichert.
 broken-reload = Neu laden

@@ -381,6 +381,10 @@ keys-tabs = Left and right arrow: change the result tab
 keys-undo = Ctrl+Z (outside a text field): undo a replacement, such as another program or the worked example
 keys-editor = Tab leaves the editor; Ctrl+F searches; F8 goes to the next problem; Ctrl+Shift+M lists all problems with remedies; the call at the cursor opens its form
 
+newer-ready = A new version is ready. Reloading keeps your work.
+newer-reload = Reload
+newer-later = Later
+
 broken-title = Probewright has stopped
 broken-kept = This is a bug in Probewright, not a mistake in your input. Your form and your program are saved in this browser.
 broken-reload = Reload

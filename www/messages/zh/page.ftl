@@ -377,6 +377,10 @@ keys-tabs = 左右方向键：切换结果页
 keys-undo = Ctrl+Z（文本框以外）：撤销替换，例如打开另一个程序或填入示例数据
 keys-editor = Tab 离开编辑器；Ctrl+F 查找；F8 转到下一个问题；Ctrl+Shift+M 列出所有问题及措施；光标处的调用会打开其表单
 
+newer-ready = 新版本已就绪。重新加载时您的工作会保留。
+newer-reload = 重新加载
+newer-later = 稍后
+
 broken-title = Probewright 已停止
 broken-kept = 这是 Probewright 的缺陷，不是您输入的问题。您的表单和程序已保存在此浏览器中。
 broken-reload = 重新加载

@@ -14,6 +14,7 @@ import { save } from "../state/keep";
 import { machine, patched } from "../state/state";
 import { createStore, type Store } from "../state/store";
 import type { Flat } from "../state/stored";
+import { watchForUpdate } from "../state/update";
 import { language } from "../texts";
 import { showBroken } from "../views/broken";
 import { createStage } from "../views/stage";
@@ -23,6 +24,7 @@ import { createBench, type Parts } from "./bench";
 import { startState } from "./first";
 import { createGoToField, type Shows } from "./goto";
 import { createKeeping, createNoticing } from "./keeping";
+import { takeLaunch } from "./launch";
 import { createModules, type Modules } from "./modules";
 import { createOpen } from "./open";
 import { keepPlaces } from "./places";
@@ -58,15 +60,18 @@ export async function startApp(core: Core, stored: Flat | null): Promise<void> {
     modules.goWithout();
     store.update({ page: { notice: "outcome-absent" } });
   };
-  draw = createDraw(createParts(catalogue, store, modules, absent));
+  const parts = createParts(catalogue, store, modules, absent);
+  draw = createDraw(parts);
   store.update({});
   await new Promise(requestAnimationFrame); // the form stands
+  afterLoad(() => void watchForUpdate(store));
   try {
     await modules.full();
     store.update({});
   } catch (problem) {
     absent(problem);
   }
+  takeLaunch(store, parts.actions, parts.open);
 }
 
 /** All that a bench is made of; `absent`: the second module does not come. */
@@ -93,6 +98,12 @@ function createParts(
     stage: createStage(store),
     goToField: createGoToField(catalogue, shows, store, actions),
   };
+}
+
+/** What would only hold up the page while it loads. */
+function afterLoad(run: () => void): void {
+  if (document.readyState === "complete") run();
+  else addEventListener("load", run, { once: true });
 }
 
 function guarded(plain: Actions, store: Store): Actions {

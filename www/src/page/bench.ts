@@ -14,6 +14,7 @@ import { createCard } from "../views/card";
 import { createForm } from "../views/form";
 import { createFound } from "../views/found";
 import { createHeader } from "../views/header";
+import { createNewer } from "../views/newer";
 import { createProgram } from "../views/program";
 import { createRefusal } from "../views/refusal";
 import { createScene } from "../views/scene";
@@ -59,6 +60,7 @@ export function createBench(parts: Parts): Bench {
   const program = createProgram(panels.program, store, actions, open, parts.editor);
   const activities = createActivities(store, parts.work);
   const refusals = [createRefusal(store, "program"), createRefusal(store, "setup")] as const;
+  const newer = createNewer(store);
   const sets = createSets(actions);
   const card = createCard(actions);
   document.body.append(sets.dialog, card.dialog);
@@ -66,7 +68,7 @@ export function createBench(parts: Parts): Bench {
     createFound(parts.catalogue, parts.modules.alarms, store, actions, parts.goToField, back);
   const { file, text, calls, motions } = activities;
   program.head.after(refusals[0].root, file.root, text.root, calls.root);
-  layout.header.after(refusals[1].root);
+  layout.header.after(refusals[1].root, newer.root);
   panels.view.append(motions.root);
   let shown: { state: State; derived: Derived } | null = null;
   const later = behind(
@@ -99,7 +101,7 @@ export function createBench(parts: Parts): Bench {
       shown = { state, derived };
       layout.draw(state);
       for (const view of views) view(state, derived);
-      for (const part of [...Object.values(activities), ...refusals]) part.draw(state);
+      for (const part of [...Object.values(activities), ...refusals, newer]) part.draw(state);
       setText(layout.notice, state.page.notice ? t(state.page.notice) : "");
       show(layout.undo, !!state.page.notice && !!state.page.undo);
     },

@@ -165,6 +165,7 @@ export interface PageState {
   search: string;
   card: Card | null;
   notice: string; // key of a short confirmation
+  newer: boolean; // a newer version of the page waits
   refused: (Refusal & { place: "program" | "setup" }) | null; // a file that could not be opened
   undo: Patch | null; // what the last replacement of work has replaced
 }
@@ -240,7 +241,16 @@ export function firstState(): State {
     run: { done: null, stopped: null },
     scan: { made: null, problem: "" },
     panels: { panel: "form", left: "form", right: "results", tab: "outcome", unfolded: {}, outline: true },
-    page: { theme: "system", language: "", search: "", card: null, notice: "", refused: null, undo: null },
+    page: {
+      theme: "system",
+      language: "",
+      search: "",
+      card: null,
+      notice: "",
+      newer: false,
+      refused: null,
+      undo: null,
+    },
   };
 }
 

@@ -1,12 +1,13 @@
 // The core broke. Say what happened, keep the work, offer the way on.
 
 import { el, on } from "../dom";
+import { reload as reloadPage } from "../state/update";
 import { t } from "../texts";
 
 export function showBroken(what: string): void {
   if (document.getElementById("broken")) return;
   const reload = el("button", { type: "button", class: "primary" }, t("broken-reload"));
-  on(reload, "click", () => location.reload());
+  on(reload, "click", () => void reloadPage());
   const dialog = el(
     "dialog",
     { id: "broken", class: "about", "aria-labelledby": "broken-title" },

@@ -107,6 +107,16 @@ function menuFor(list: HTMLElement): HTMLButtonElement {
   return open;
 }
 
+/** In the page, and in the frame that the system draws around it. */
+function drawTheme(theme: State["page"]["theme"]): void {
+  setAttribute(document.documentElement, "data-theme", theme === "system" ? null : theme);
+  for (const colour of document.querySelectorAll<HTMLMetaElement>('meta[name="theme-color"]')) {
+    const own = colour.dataset.theme;
+    const media = theme === "system" ? `(prefers-color-scheme: ${own})` : theme === own ? "all" : "not all";
+    setAttribute(colour, "media", media);
+  }
+}
+
 export function createHeader(
   root: HTMLElement,
   store: Store,
@@ -192,6 +202,6 @@ export function createHeader(
     );
     show(own, !!state.machine.setup);
     setText(theme, t(`theme-${state.page.theme}`));
-    setAttribute(document.documentElement, "data-theme", state.page.theme === "system" ? null : state.page.theme);
+    drawTheme(state.page.theme);
   };
 }

@@ -37,7 +37,7 @@ export function createProgram(
 ): ProgramView {
   const name = el("span", { class: "count" });
   const copy = el("button", { type: "button", class: "quiet" }, t("program-copy"));
-  const open = el("button", { type: "button", class: "quiet" }, t("program-open"));
+  const open = el("button", { type: "button", id: "program-open", class: "quiet" }, t("program-open"));
   const file = el("input", {
     type: "file",
     accept: ".mpf,.spf,.nc,.txt,.arc,.prg,text/plain",
