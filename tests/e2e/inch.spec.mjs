@@ -87,7 +87,8 @@ describe("a machine basic system inches", () => {
     await context.close();
   });
 
-  // oracle: manual B:13594-13596 (the data are converted), hand (5.08 mm are 0.2 inch)
+  // oracle: manual B:13594-13596 (the data are converted), B:13442 (active ball, 6 mm in truth), hand (5.08 mm are
+  // 0.2 inch)
   test("keeps the sizes of its data; the datum itself chooses too", async () => {
     const { context, page } = await start(chrome);
     const shown = await dialog(page);
@@ -101,7 +102,9 @@ describe("a machine basic system inches", () => {
       }
       return entry;
     };
+    assert.equal(await fact(page, "Calibration"), "matches the probe");
     await datum("_WP[0,0]", "5.08");
+    await page.locator('.facts dd:text-is("does not match the probe")').waitFor();
     await shown.getByLabel("Basic system").selectOption("inch");
     assert.equal(await (await datum("_WP[0,0]")).inputValue(), "0.2");
     await datum("MD10240", "1");

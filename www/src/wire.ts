@@ -547,6 +547,8 @@ export type FormView = {
   outcome?: Outcome,
   /** When simulating was asked for: the machine, for an outcome with the proposed part, its errors and the start. */
   setup?: Setup,
+  /** Whether the calibration data in that setup agree with its probe, for the probe that the call names. */
+  calibrated?: boolean,
 };
 
 /** Where Probewright finds what raises an alarm. */

@@ -10,9 +10,10 @@ use crate::check::{Checked, newer, variants};
 use crate::control::{Control, MachineSort, Plane, Transverse, UnitFunction};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::dialect::Dialect;
-use crate::entry::{ArgumentList, Cycle, Style, Typed, names};
+use crate::entry::{ArgumentList, Cycle, Inputs, ProbeUse, Style, Typed, names};
 use crate::form::Field;
 use crate::machine::Setup;
+use crate::machine::calibrated::ProbeInCall;
 use crate::name::Name;
 use crate::picture::Picture;
 use crate::program::write::{Values, snippet_of};
@@ -105,6 +106,9 @@ pub struct FormView {
     /// When simulating was asked for: the machine, for an outcome with the proposed part, its errors and the start.
     #[serde(skip_serializing_if = "absent")]
     pub setup: Option<Setup>,
+    /// Whether the calibration data in that setup agree with its probe, for the probe that the call names.
+    #[serde(skip_serializing_if = "absent")]
+    pub calibrated: Option<bool>,
 }
 
 /// Whether a member is left out; what only a build that simulates can tell, no other one writes.
@@ -158,8 +162,8 @@ pub fn form(mut asked: FormRequest) -> Result<FormView, Error> {
     if !asked.predict || !SIMULATES {
         return Ok(view);
     }
+    let mut values = values;
     if !asked.assumed.is_empty() {
-        let mut values = values;
         values.extend(asked.assumed);
         checked.inputs = judge(&values, &start.setup.control).inputs;
     }
@@ -174,8 +178,20 @@ pub fn form(mut asked: FormRequest) -> Result<FormView, Error> {
     // what a program begins with is not what counts at one of its calls
     setup.control = Control { plane, transverse, active_units, data_follow, ..setup.control };
     support::restore(&mut setup.control, before);
+    let inputs = checked.inputs.unwrap_or_else(|| check::read(cycle, &values, &setup.control, &mut Vec::new()));
+    view.calibrated = Some(setup.calibration_fits(probe_of(&inputs)));
     view.setup = Some(setup);
     Ok(view)
+}
+
+/// The workpiece probe of a call, probe 1 where it uses none; in a turret a mono probe is used as a multi probe
+/// (B:2277).
+fn probe_of(inputs: &Inputs) -> ProbeInCall {
+    let purpose = &inputs.cycle.purpose;
+    let measures = purpose.probe == ProbeUse::Workpiece;
+    let number = inputs.any(names::PRNUM).filter(|_| measures).unwrap_or(1.0) as i64;
+    let mono = purpose.machine == MachineSort::Milling && number / 100 % 10 == 1;
+    ProbeInCall { field: number % 100, mono, measures }
 }
 
 /// Brings to the core's own machine what the cycle needs: which probe that is may depend on the plane at the call.
@@ -252,5 +268,6 @@ fn view(
         unknown: None,
         outcome: None,
         setup: None,
+        calibrated: None,
     }
 }

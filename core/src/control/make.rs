@@ -1,7 +1,7 @@
 //! What differs between the makes of controls, chosen once by the language of their programs.
 
 use super::units::UnitFunction::{self, G20, G21, G70, G71, G700, G710};
-use super::{Control, Units, Value, data, delivery};
+use super::{Calibration, Control, Units, Value, calibration, data, delivery};
 use crate::diagnostic::Code;
 use crate::dialect::Dialect;
 use std::collections::BTreeMap;
@@ -30,6 +30,8 @@ pub struct Make {
     pub(super) common: bool,
     /// The data in which the ball of the workpiece probe is calibrated, each in radii of the ball.
     pub calibrated: &'static [(&'static str, f64)],
+    /// Data of a workpiece probe by the number of its data field, from 1.
+    pub(super) calibration: fn(&Control, i64) -> Calibration,
     /// The alarm of a probe signal where none may come: without and with a contact.
     pub unexpected: [Code; 2],
     /// The data with which it is delivered, in this basic system.
@@ -55,6 +57,7 @@ static SINUMERIK: Make = Make {
         ("_WP[0,5]", 1.0),
         ("_WP[0,6]", -1.0),
     ],
+    calibration: calibration::sinumerik,
     unexpected: [Code::Alarm(61302); 2], // B:13743-13763
     delivered: delivery::sinumerik,
     knows: data::sinumerik,
@@ -69,6 +72,7 @@ pub static NCT: Make = Make {
     first: 1,
     common: true,
     calibrated: &[("#500", 1.0), ("#501", 1.0), ("#502", 1.0), ("#503", 1.0)], // by axis and direction, C:304-307
+    calibration: calibration::nct,
     unexpected: [FALSE_TRIGGER, PATH_OBSTRUCTED],
     delivered: delivery::nct,
     knows: data::nct,

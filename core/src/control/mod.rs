@@ -1,6 +1,7 @@
 //! State of the control: plane, units, frames, tools, user data. Plain data with the manual's bookkeeping.
 
 pub mod arrays;
+mod calibration;
 pub mod data;
 pub mod delivery;
 pub mod environments;
@@ -18,6 +19,7 @@ pub mod tools;
 pub mod units;
 pub mod variables;
 
+pub use calibration::Calibration;
 pub use data::{Data, FORMS};
 pub use delivery::{delivery, delivery_in, rebuilt};
 pub use environments::Environment;

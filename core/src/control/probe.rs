@@ -4,7 +4,7 @@ use super::{Control, Edge, Plane, tools::side};
 use crate::geometry::{Dir, Mcs, V3};
 
 /// Type of a 3D probe.
-const PROBE: i64 = 710;
+pub const PROBE: i64 = 710;
 
 /// Why a tool is none with which a milling cycle may be called.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,5 +1,6 @@
 //! The simulated machine: what a cycle may do on it, what it starts from, what it records.
 
+pub mod calibrated;
 pub mod in_use;
 pub mod possible;
 pub mod route;

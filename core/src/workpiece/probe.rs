@@ -46,7 +46,11 @@ pub fn touch(
     let gone = met.part * way.length;
     let signal = match met.by {
         Touching::Body => gone,
-        _ => (gone + lateness(probe, *turned, *axis, &way.direction, feed, noise)).max(0.0),
+        _ => {
+            let late = pre_travel(probe, *turned, *axis, &way.direction);
+            let (deviation, _) = probe.repeatability;
+            (gone + late + probe.delay * feed / 60.0 + noise.scatter(deviation)).max(0.0)
+        }
     };
     (signal <= way.length).then(|| Obstacle { stop: way.at(signal).into(), ball: ball(gone), ..met })
 }
@@ -58,12 +62,11 @@ fn first_met(part: &Boundary, feeler: &Feeler, ball: &Contact, [from, to]: [Mcs;
     Some(hit.or_before(feeler.caught(part, from, hit.ball), length))
 }
 
-/// Travel from contact to signal, mm: pre-travel (lobes by the motion across the tool axis, turned), delay, scatter.
-fn lateness(probe: &Probe, turned: Degrees, axis: usize, way: &V3, feed: f64, noise: &mut Noise) -> f64 {
+/// Pre-travel in this direction, mm, the probe turned so far: lobes by the part of the motion across the tool axis.
+pub fn pre_travel(probe: &Probe, turned: Degrees, axis: usize, way: &V3) -> f64 {
     let (constant, lobes) = probe.pre_travel;
     let (abscissa, ordinate) = (way[(axis + 1) % 3], way[(axis + 2) % 3]);
     let across = abscissa.hypot(ordinate);
     let seen = ordinate.atan2(abscissa) - turned.radians();
-    let (deviation, _) = probe.repeatability;
-    constant + lobes * across * (3.0 * seen).cos() + probe.delay * feed / 60.0 + noise.scatter(deviation)
+    constant + lobes * across * (3.0 * seen).cos()
 }

@@ -10,6 +10,7 @@ use probewright_core::control::{Plane, Units};
 use probewright_core::dialect::Dialect;
 use probewright_core::geometry::Rpy;
 use probewright_core::machine::Setup;
+use probewright_core::machine::calibrated::ProbeInCall;
 use probewright_core::workpiece::{PartErrors, Probe};
 
 const RADIUS: f64 = 2.96;
@@ -215,6 +216,34 @@ fn a_calibrated_probe_is_right() {
             call(&mut setup, "CYCLE976", &values, PartErrors::default());
             faces(rig, &mut setup, [left, left, 0.0, 0.0], REMAINS);
         }
+    }
+}
+
+// oracle: hand (head of this file): each of the four deviations alone makes a size, a middle or a face wrong; a
+// calibration finds all of them
+#[test]
+fn the_data_fit_a_probe_that_measures_right_and_no_other() {
+    for rig in rigs() {
+        let fits = |setup: &Setup| setup.calibration_fits(ProbeInCall { field: 1, mono: rig.mono, measures: true });
+        let ideal = Setup::calibrated_in(Dialect::Sinumerik, rig.plane, rig.units);
+        assert!(fits(&ideal), "{rig:?}");
+        let probe = ideal.probe;
+        for wrong in [
+            Probe { radius: 2.99, ..probe },
+            Probe { skew: [0.01, 0.0], ..probe },
+            Probe { pre_travel: (0.01, 0.0), ..probe },
+            Probe { length: LENGTH, ..probe },
+        ] {
+            assert!(!fits(&Setup { probe: wrong, ..ideal.clone() }), "{rig:?} {wrong:?}");
+        }
+        let mut setup = rig.setup();
+        rig.calibrate(&mut setup, 10_108, 0.0);
+        assert!(!fits(&setup), "{rig:?}: nothing was touched from above");
+        let values = with(&face(rig, 0.0, 3.0), &[("_MD", 1.0)]);
+        call(&mut setup, "CYCLE976", &values, PartErrors::default());
+        assert!(fits(&setup), "{rig:?}");
+        let another = ProbeInCall { field: 2, mono: rig.mono, measures: true };
+        assert!(!setup.calibration_fits(another), "{rig:?}: of another probe nothing was found");
     }
 }
 

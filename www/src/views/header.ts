@@ -12,7 +12,7 @@ import type { State } from "../state/state";
 import type { Store } from "../state/store";
 import { shared } from "../state/stored";
 import { language, languages, t } from "../texts";
-import type { Setup } from "../wire";
+import type { FormView } from "../wire";
 import { createAbout } from "./about";
 import { copyText } from "./copy";
 import { createMachine } from "./machine";
@@ -21,8 +21,11 @@ import type { MachineData } from "./machine-data";
 const MM_PER_INCH = 25.4;
 const THEMES: State["page"]["theme"][] = ["system", "light", "dark"];
 
+/** The machine of a form, and whether its control has the right calibration data of its probe. */
+type Machine = Pick<FormView, "setup" | "calibrated">;
+
 /** Control, tool and probe as they count now. */
-export function facts(control: string, setup: Setup | undefined): { name: string; text: string }[] {
+export function facts(control: string, { setup, calibrated }: Machine): { name: string; text: string }[] {
   const name = t(`control-${control}`);
   const inch = setup?.units === "inch";
   const list = [
@@ -41,13 +44,8 @@ export function facts(control: string, setup: Setup | undefined): { name: string
         unit: t(inch ? "unit-inch" : "unit-mm"),
       }),
     },
-    { name: t("fact-calibration"), text: t(probeIsTrue(setup) ? "fact-true" : "fact-deviates") },
+    { name: t("fact-calibration"), text: t(calibrated ? "fact-true" : "fact-deviates") },
   ];
-}
-
-function probeIsTrue(setup: Setup): boolean {
-  const { skew = [0, 0], preTravel = [0, 0] } = setup.probe;
-  return [...skew, ...preTravel].every(value => value === 0);
 }
 
 const LONGEST_LINK = 200_000; // characters that every browser takes
@@ -135,7 +133,7 @@ export function createHeader(
     on(node, "click", run);
     return node;
   };
-  let setup: Setup | undefined; // the last that was used: it stays in sight while the form is incomplete
+  let shown: Machine = {}; // the last that was used: it stays in sight while the form is incomplete
   const file = el("input", {
     type: "file",
     accept: "application/json,.json",
@@ -155,7 +153,7 @@ export function createHeader(
   theme.id = "theme";
   const own = quiet("setup-own", () => actions.openSetup(null));
   const save = (): void => {
-    const saved = setup ?? store.state.machine.setup;
+    const saved = shown.setup ?? store.state.machine.setup;
     if (saved) saveFile(JSON.stringify(saved, null, 2), "setup.json", "application/json");
     else store.update({ page: { notice: "notice-nothing-to-save" } });
   };
@@ -188,10 +186,11 @@ export function createHeader(
   return (state, derived) => {
     machine.draw(state, derived);
     setAttribute(data, "disabled", core() === null || !machineData());
-    setup = derived.view.setup ?? (setup?.control === derived.cycle.control ? setup : undefined);
+    const { control } = derived.cycle;
+    if (derived.view.setup || shown.setup?.control !== control) shown = derived.view;
     keyed(
       list,
-      facts(derived.cycle.control, setup),
+      facts(control, shown),
       one => one.name,
       () => el("div", {}, el("dt", {}), el("dd", {})),
       (node, one) => {

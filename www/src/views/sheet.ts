@@ -25,7 +25,7 @@ function now(): string {
 }
 
 function heading(state: State, derived: Derived): HTMLElement {
-  const machine = facts(derived.cycle.control, derived.view.setup)
+  const machine = facts(derived.cycle.control, derived.view)
     .map(({ text }) => text)
     .join(" · ");
   return el(

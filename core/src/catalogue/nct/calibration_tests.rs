@@ -9,8 +9,9 @@ use crate::catalogue::g104::G104;
 use crate::catalogue::nct;
 use crate::control::{Plane, Units};
 use crate::dialect::Dialect;
+use crate::machine::calibrated::ProbeInCall;
 use crate::machine::{Setup, Stop};
-use crate::workpiece::Shape;
+use crate::workpiece::{Probe, Shape};
 use proptest::prelude::*;
 
 const RING: Shape = Shape::Hole { diameter: 50.0, depth: 30.0 };
@@ -61,6 +62,28 @@ fn an_indexed_spindle_gives_the_offset_in_any_ring() {
         near(setup.control.number("#504"), 0.12);
         near(setup.control.number("#505"), -0.07);
         assert_eq!(setup.control.spindle, spindle);
+    }
+}
+
+// oracle: manual C:161-177, C:304-307, C:369-371: offset, radii and length are found by G102, G103 and G104; hand: a
+// probe of which one of them was not found measures wrong
+#[test]
+fn the_data_fit_the_probe_after_the_last_calibration() {
+    for plane in PLANES {
+        for inch in [false, true] {
+            let fits = |setup: &Setup| setup.calibration_fits(ProbeInCall { field: 1, mono: false, measures: true });
+            let real = |setup: Setup| {
+                let probe = Probe { radius: 2.97, skew: [0.12, -0.07], pre_travel: (0.01, 0.0), ..setup.probe };
+                Setup { probe, ..setup }
+            };
+            let round = calibrate(&G102, 50.0, &real(ring(plane, inch, [0.0; 2])));
+            assert!(!fits(&round));
+            let round = calibrate(&G103, 50.0, &round);
+            assert!(!fits(&round));
+            let mut above = real(block(plane, inch, 0.3));
+            above.control.data = round.control.data.clone();
+            assert!(fits(&calibrate_length(&above)), "{plane:?} {inch}");
+        }
     }
 }
 

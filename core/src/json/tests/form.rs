@@ -18,6 +18,20 @@ fn a_form_without_values_has_fields_and_a_picture() {
     }
 }
 
+// oracle: hand (the core's own machine has a calibrated probe; a ball larger by 0.05 mm is none that its data know)
+#[test]
+fn a_form_says_whether_the_calibration_data_are_those_of_its_probe() {
+    for cycle in crate::catalogue::CYCLES {
+        for (sliders, fits) in [(json!({}), true), (json!({ "radius": 0.05 }), false)] {
+            let mut asked: Value = serde_json::from_str(&request(cycle)).unwrap();
+            asked["errors"]["probe"] = sliders;
+            let view = form(&asked.to_string()).unwrap();
+            let carried_out = cycle.work().is_some();
+            assert_eq!(view["calibrated"], json!(fits || !carried_out), "{}", cycle.name);
+        }
+    }
+}
+
 // oracle: self (the outcome of the form in which the value stands)
 #[test]
 fn an_outcome_counts_with_what_is_assumed_where_the_form_knows_no_value() {
