@@ -83,7 +83,7 @@ check-differential-spindle-hint = Messvariante ohne Differenzmessung und einen k
 check-knum-no-additive = Diese Maschine hat keine Summenkorrekturen.
 check-knum-no-additive-hint = Stattdessen Länge oder Radius korrigieren oder Bit 8 in MD 18080 setzen.
 check-target-not-offered = { $param } = { $value } gehört nicht zu den Korrekturzielen, die die Masken dieser Maschine anbieten.
-check-target-not-offered-hint = Einstellbare Nullpunktverschiebung oder letztes Basisframe wählen, oder { $entry } in den Maschinendaten auf 1 setzen.
+check-target-not-offered-hint = Einstellbare Nullpunktverschiebung oder letztes Basisframe wählen, oder { $entry } im Datenbaustein GUD6 auf 1 setzen.
 check-knum-no-setup = Diese Maschine hat keine Einrichtekorrekturen.
 check-knum-no-setup-hint = Stattdessen Länge oder Radius korrigieren oder Bit 4 in MD 18112 setzen.
 

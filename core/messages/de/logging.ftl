@@ -78,10 +78,10 @@ param-log-values-help = Spalten, durch Kommas getrennt: { "_OVR[4]" } und andere
 param-log-digits = Nachkommastellen
 param-log-digits-help = Stellen nach dem Dezimalpunkt für alle Werte.
 need-log-file = Das Protokoll braucht eine Datei.
-need-log-header = Gehört zum Protokollkopf; ohne Eingabe gilt der Wert der Maschinendaten.
-need-log-values = Gehört zu den Werten; ohne Eingabe gilt der Wert der Maschinendaten.
+need-log-header = Gehört zum Protokollkopf; ohne Eingabe gilt der Wert in GUD6.
+need-log-values = Gehört zu den Werten; ohne Eingabe gilt der Wert in GUD6.
 need-log-titles = Gehört zum Protokollkopf und bestimmt die Spaltenbreiten.
-need-log-format = Gehört zum Format; ohne Eingabe gilt der Wert der Maschinendaten.
+need-log-format = Gehört zum Format; ohne Eingabe gilt der Wert in GUD6.
 
 check-log-file = Dieser Name ist für eine Protokolldatei unzulässig.
 check-log-file-hint = Nur Buchstaben, Ziffern und Unterstriche verwenden; mit zwei Buchstaben oder Buchstabe und Unterstrich beginnen; Endung weglassen.

@@ -83,7 +83,7 @@ check-differential-spindle-hint = Use a variant without differential measurement
 check-knum-no-additive = This machine has no additive offsets.
 check-knum-no-additive-hint = Correct length or radius instead, or set bit 8 of MD 18080.
 check-target-not-offered = { $param } = { $value } is not among the targets offered by the forms of this machine.
-check-target-not-offered-hint = Choose a settable zero offset or the last basic frame, or set { $entry } to 1 in the machine data.
+check-target-not-offered-hint = Choose a settable zero offset or the last basic frame, or set { $entry } in GUD6 to 1.
 check-knum-no-setup = This machine has no setup offsets.
 check-knum-no-setup-hint = Correct length or radius instead, or set bit 4 of MD 18112.
 

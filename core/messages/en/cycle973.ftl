@@ -33,7 +33,7 @@ check-groove-tip-hint = In a groove, the probe needs cutting edge position 7 or 
 check-groove-base = In this axis, the groove has only its base: only the minus direction is possible.
 check-groove-base-hint = Calibrate on the base with one direction and { "_MD" }=1; both directions only on the walls, in the other axis.
 check-groove-empty = The groove data are not set: { $names } are 0.
-check-groove-empty-hint = Enter edges and base in the machine data, in machine coordinates and as radii.
+check-groove-empty-hint = Enter edges and base in _KB[] in GUD6, in machine coordinates and as radii.
 check-groove-edges = The edge in plus direction, { $plus }, is not greater than the edge in minus direction, { $minus }.
 check-groove-edges-hint = Swap both values, or enter the missing value.
 check-shank = A stylus with cutting edge position { $tip } points in the opposite direction: it would touch with its shank.

@@ -78,10 +78,10 @@ param-log-values-help = Columns, separated by commas: { "_OVR[4]" } and other re
 param-log-digits = Decimal places
 param-log-digits-help = Decimal places of all values.
 need-log-file = The log needs a file.
-need-log-header = Part of the header; if empty, the machine data apply.
-need-log-values = Part of the values; if empty, the machine data apply.
+need-log-header = Part of the header; if empty, the value in GUD6 applies.
+need-log-values = Part of the values; if empty, the value in GUD6 applies.
 need-log-titles = Part of the header; sets the widths of the columns.
-need-log-format = Part of the format; if empty, the machine data apply.
+need-log-format = Part of the format; if empty, the value in GUD6 applies.
 
 check-log-file = This is not a permitted name for a log file.
 check-log-file-hint = Use letters, digits and underscores; start with two letters or a letter and an underscore. No extension.

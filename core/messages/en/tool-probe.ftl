@@ -63,7 +63,7 @@ check-tool-limits-hint = Keep this order, smallest first: _TZL, _TDIF, _TSA.
 check-tool-speed = { $name } is 0 or less: the cycle cannot position the tool.
 check-tool-speed-hint = Set _SPEED[0] in % of rapid traverse; with collision monitoring (_CHBIT[2]=1) _SPEED[1] and _SPEED[2] above 0.
 check-tool-probe-empty = The position of the tool probe is not set: { $names } are 0.
-check-tool-probe-empty-hint = Enter the approximate positions of its sides in the machine data; the cycle calculates its paths from them.
+check-tool-probe-empty-hint = Enter the approximate positions of its sides in GUD6; the cycle calculates its paths from them.
 check-tool-probe-sides = { $minus } is not larger than { $plus }: the side touched in minus direction must be on the plus side of the probe.
 check-tool-probe-sides-hint = Swap both values, or enter the missing value.
 check-tool-probe-in-use = A workpiece probe is active.

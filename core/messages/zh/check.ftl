@@ -83,7 +83,7 @@ check-differential-spindle-hint = 请选不带差值测量的测量方式，并�
 check-knum-no-additive = 此机床没有附加补偿。
 check-knum-no-additive-hint = 请改为补偿长度或半径，或设置 MD 18080 的第 8 位。
 check-target-not-offered = { $param } = { $value } 不在此机床输入画面所提供的补偿对象之中。
-check-target-not-offered-hint = 请选择可设定的零点偏移或最后一个基本坐标框架，或把机床数据中的 { $entry } 设为 1。
+check-target-not-offered-hint = 请选择可设定的零点偏移或最后一个基本坐标框架，或把 GUD6 中的 { $entry } 设为 1。
 check-knum-no-setup = 此机床没有设定补偿。
 check-knum-no-setup-hint = 请改为补偿长度或半径，或设置 MD 18112 的第 4 位。
 

@@ -66,13 +66,13 @@ check-offset-large-hint = 请输入从半径向内的距离。
 check-offset-abscissa = 刀具直径 { $tool } mm 大于测头的 { $edge } mm：循环使刀具沿横坐标偏移。
 check-offset-abscissa-hint = 请选 103 或 203 指明偏移的轴。
 check-mfs-missing = 没有设置 { $name }：缺少某次触碰的转速或进给。
-check-mfs-missing-hint = 请在机床数据中设置 _MFS[0]、[2]、[4] 的转速和 _MFS[1]、[3]、[5] 的进给，或用 _CBIT[12]=0 让循环计算。
+check-mfs-missing-hint = 请设置 _MFS[0]、[2]、[4] 的转速和 _MFS[1]、[3]、[5] 的进给，或用 _CBIT[12]=0 让循环计算。
 check-mfs-third = { $name } 为 0：省去第三次触碰（_MFS[4] 和 [5]）。
 check-mfs-third-hint = 请也设置第二次触碰的转速和进给，或把 _MFS[4] 设为 0。
 check-cm-direction = { $name } 没有指定旋转方向；调用时主轴静止则需要它。
-check-cm-direction-hint = 请在机床数据中设为 3（M3）或 4（M4）。
+check-cm-direction-hint = 请把 GUD6 中的 _CM[5] 设为 3（M3）或 4（M4）。
 check-cm-zero = { $name } 为 0：测量的转速或进给会为 0。
-check-cm-zero-hint = 请在机床数据中设置极限：_CM[0] 圆周速度，[1] 主轴转速，[3] 精度，[4] 最大进给。
+check-cm-zero-hint = 请设置极限：_CM[0] 圆周速度，[1] 主轴转速，[3] 精度，[4] 最大进给。
 check-cm-factor = { $name } 必须为 0 或不小于 1。
 check-cm-factor-hint = 0 省去这次触碰；否则进给乘以该系数。
 check-cm-order = { $name } 不小于 _CM[6]，而每次触碰必须比前一次慢。

@@ -33,7 +33,7 @@ check-groove-tip-hint = 请在槽中使用刀沿位置 7 或 8 的测头；其�
 check-groove-base = 在此轴上槽只有槽底：只能用负方向。
 check-groove-base-hint = 请用一个方向和 { "_MD" }=1 校准槽底；两个方向只能在另一轴的槽壁上。
 check-groove-empty = 基准槽数据未设定：{ $names } 为 0。
-check-groove-empty-hint = 请在机床数据中输入槽边和槽底，按机床坐标和半径。
+check-groove-empty-hint = 请在 GUD6 的 _KB[] 中输入槽边和槽底，按机床坐标和半径。
 check-groove-edges = 正方向的边 { $plus } 不大于负方向的边 { $minus }。
 check-groove-edges-hint = 请交换两个值，或输入缺少的一个。
 check-shank = 刀沿位置 { $tip } 的测针指向相反方向：会以测针杆触碰。

@@ -23,7 +23,7 @@ evaluate-compensation = 表 { $table } 从测量值中扣除 { $amount } mm。
 evaluate-screen = 控制系统显示测量结果画面，直到循环结束。
 evaluate-screen-stays = 控制系统显示测量结果画面，直到调用下一个测量循环；程序继续。
 evaluate-screen-halt = 控制系统显示测量结果画面。编程停止（M0）：操作者按 NC START 继续。
-# 调用在测量之前对机床数据所做的处理。
+# 调用在测量之前对机床的数据所做的处理。
 check-erases = _CBIT[13]=1：此调用先将 _TP[]、_TPW[]、_WP[]、_KB[]、_EV[]、_MV[] 和该位本身设为 0。
 check-erases-hint = 请在调用前将 _CBIT[13] 设为 0，或重新输入数据并重新校准。
 check-converts = { $bit } 与机床的基本单位制（MD 10240）不一致：此调用先将 { $data } { $value ->

@@ -78,10 +78,10 @@ param-log-values-help = 各列的内容，用逗号分开：{ "_OVR[4]" } 等结
 param-log-digits = 小数位数
 param-log-digits-help = 所有数值小数点后的位数。
 need-log-file = 测量记录要写入一个文件。
-need-log-header = 属于记录头；为空时采用机床数据中的值。
-need-log-values = 属于数值；为空时采用机床数据中的值。
+need-log-header = 属于记录头；为空时采用 GUD6 中的值。
+need-log-values = 属于数值；为空时采用 GUD6 中的值。
 need-log-titles = 属于记录头，并决定各列的宽度。
-need-log-format = 属于格式；为空时采用机床数据中的值。
+need-log-format = 属于格式；为空时采用 GUD6 中的值。
 
 check-log-file = 此名称不能用作测量记录文件的名称。
 check-log-file-hint = 请用字母、数字和下划线，以两个字母或一个字母加下划线开头。不写扩展名。
