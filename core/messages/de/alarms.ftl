@@ -175,7 +175,7 @@ alarm-61416 = Die Anzahl der Messtasterdatenfelder passt nicht zu { "_CVAL[]" }.
     .cause = { "_CVAL[0]" } nennt die Anzahl von { "_TP[]" }, [1] von { "_WP[]" }, [2] von { "_KB[]" }, [3] von { "_TPW[]" }; mindestens eine Anzahl stimmt nicht.
     .cure = { "_CVAL[]" } auf die tatsächliche Anzahl der Datenfelder setzen.
 alarm-62303 = Die Differenz überschreitet den Vertrauensbereich.
-    .cause = Mit { "_CBIT[0]" }=1 und { "_CBIT[1]" }=1 hält der Zyklus vor jeder der höchstens 4 Wiederholungen an; danach Alarm 61303.
+    .cause = Mit { "_CBIT[0]" }=1 und { "_CBIT[1]" }=1 hält der Zyklus vor jeder der höchstens 4 Wiederholungen mit M0 an; danach Alarm 61303.
     .cure = Sollwert und Werkstück prüfen, dann mit NC START erneut messen; oder { "_TSA" } vergrößern.
 alarm-62304 = Das Werkstück hat Aufmaß.
     .cause = Der Istwert liegt über der Toleranzobergrenze { "_TUL" }: Werkzeug verschlissen, abgedrängt oder falsch gemessen.

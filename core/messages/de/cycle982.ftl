@@ -112,7 +112,7 @@ param-cora-second-edge-help = Wird zu den 180° addiert, um die die Spindel für
 param-fa-present-position = Messweg
 param-fa-present-position-help = Das Werkzeug steht vor dem Messtaster; die Antastung muss innerhalb des doppelten Messwegs ab dieser Position liegen. Immer in mm, in X als Radius.
 
-need-axis-ignored = Wird nicht ausgewertet: Die Länge dieses Bohrers liegt in der Applikate (Settingdatum 42950 = 0).
+need-axis-ignored = Wird nicht ausgewertet: Die Länge dieses Bohrers liegt in der Applikate (SD 42950 = 0).
 need-direction-incremental = Bei inkrementellen Messvarianten bestimmt die Startposition die Messrichtung nicht.
 need-start-angle-spindle = Die stehende Frässpindel dreht auf diesen Winkel; ohne Eingabe gilt der Wert eines früheren Aufrufs.
 need-start-angle-milling = Gilt für Fräswerkzeuge.
@@ -127,11 +127,11 @@ check-tip-direction = Ein Werkzeug mit Schneidenlage { $tip } zeigt in die ander
 check-tip-direction-hint = Werkzeug auf der anderen Seite des Messtasters positionieren und _MD ändern oder $TC_DP2 prüfen.
 check-drill-radius = Der Zyklus misst bei einem Bohrer keinen Radius.
 check-drill-radius-hint = Messvariante mit 0 in der 4. Stelle wählen oder ein Fräswerkzeug einwechseln; $TC_DP1 prüfen.
-check-drill-plane = Mit Settingdatum 42950 = 0 liegt die Bohrerlänge bei G18 in Y; in dieser Achse misst der Zyklus nicht.
-check-drill-applicate = Mit Settingdatum 42950 = 0 misst der Zyklus beim Bohrer nur die Länge: in einer Achse, ohne Umschlag.
-check-drill-applicate-hint = 1, 11, 100001 oder 100011 mit G17 (Bohrer in Z) oder G19 (in X) wählen oder das Settingdatum auf 2 setzen und mit G18 messen.
-check-length-assignment = Settingdatum 42950 ist { $value }: L1 und L2 von Fräswerkzeugen und Bohrern liegen in anderen Achsen als bei Drehwerkzeugen.
-check-length-assignment-hint = Settingdatum 42950 ($SC_TOOL_LENGTH_TYPE) vorher auf 2 setzen; für Bohrer in G17 oder G19 ist auch 0 möglich.
+check-drill-plane = Mit SD 42950 = 0 liegt die Bohrerlänge bei G18 in Y; in dieser Achse misst der Zyklus nicht.
+check-drill-applicate = Mit SD 42950 = 0 misst der Zyklus beim Bohrer nur die Länge: in einer Achse, ohne Umschlag.
+check-drill-applicate-hint = 1, 11, 100001 oder 100011 mit G17 (Bohrer in Z) oder G19 (in X) wählen oder SD 42950 auf 2 setzen und mit G18 messen.
+check-length-assignment = SD 42950 ist { $value }: L1 und L2 von Fräswerkzeugen und Bohrern liegen in anderen Achsen als bei Drehwerkzeugen.
+check-length-assignment-hint = SD 42950 ($SC_TOOL_LENGTH_TYPE) vorher auf 2 setzen; für Bohrer in G17 oder G19 ist auch 0 möglich.
 check-spindle-stays = Diese Messvariante dreht die Spindel oder misst zweimal, aber _CHBIT[20]=1 unterdrückt das Positionieren der Spindel.
 check-spindle-stays-hint = _CHBIT[20] auf 0 setzen oder eine Messvariante xxx0x1 wählen, bei der jede Stelle x 0 oder 1 ist: ein Punkt, ohne Umschlag.
 check-spindle-turns = Die Frässpindel müsste auf _STA1 drehen, lässt sich aber nicht positionieren.

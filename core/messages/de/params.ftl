@@ -145,7 +145,7 @@ param-evnum-help = Nummer n bis 9999 gilt für beide: _EV[n-1] und _MV[n-1]. Dar
 evnum-mean = Mittelwertspeicher, falls abweichend
 evnum-empirical = Erfahrungswertspeicher
 param-k = Wichtungsfaktor
-param-k-help = Je größer, desto langsamer folgt der Mittelwert; bei 1 gilt nur die neueste Differenz. Ohne gespeicherten Mittelwert (_EVNUM=0 oder _CHBIT[4]=0) gilt 1/_K der Differenz.
+param-k-help = Je größer, desto langsamer folgt der Mittelwert; bei 1 gilt nur die neueste Differenz. Ohne gespeicherten Mittelwert (_EVNUM=0 oder _CHBIT[4]=0) gilt bis _TMV 1/_K der Differenz.
 param-tzl = Nullkorrektur
 param-tzl-help = Mittelwerte bis zu dieser Grenze korrigiert der Zyklus nicht.
 param-tmv = Bereich der Mittelwertbildung

@@ -61,7 +61,7 @@ advice-level-hint = Move the call to a program level nearer to the main program.
 
 advice-read-back = Read back by the control's support, this call changes: { $changes }.
 advice-read-back-hint = _MZ_MASK of the machine sets these values. Use them, or change the mask if the program is correct.
-advice-read-back-cure = Use the values of the mask
+advice-read-back-cure = Use the values of _MZ_MASK
 advice-mask = This call was written with other machine settings: { $changes }.
 advice-mask-hint = The control writes these changes into the program as soon as it reads the call back.
 advice-mask-cure = Enter the settings of this machine

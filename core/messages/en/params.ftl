@@ -145,7 +145,7 @@ param-evnum-help = Number n up to 9999 applies to both: _EV[n-1] and _MV[n-1]. A
 evnum-mean = Mean value memory, if different
 evnum-empirical = Empirical value memory
 param-k = Weighting factor
-param-k-help = The larger the value, the slower the mean value follows; 1 uses only the latest difference. Without a stored mean value (_EVNUM=0 or _CHBIT[4]=0), 1/_K of the difference applies.
+param-k-help = The larger, the slower the mean value follows; 1 uses only the latest difference. Without a stored mean value (_EVNUM=0 or _CHBIT[4]=0), 1/_K of the difference applies up to _TMV.
 param-tzl = Zero compensation area
 param-tzl-help = Mean values up to this limit are not corrected. Older manuals: zero offset area.
 param-tmv = Mean value range

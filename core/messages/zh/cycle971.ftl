@@ -46,7 +46,7 @@ result-difference-radius = 半径偏差
 
 check-path-sign = 测量行程为 0，或带有此处不允许的符号。
 check-path-sign-hint = 请输入不带符号的 _FA；起点决定方向。只有增量校准使用符号。
-check-path-direction-hint = 请输入到测头的距离，负方向加负号。
+check-path-direction-hint = 请在 _FA 中输入到测头的距离，负方向加负号。
 check-tool-probe-type = { $name } 不是允许的刀具测头类型。
 check-tool-probe-plane = { $name } 中的圆盘在此平面无法触碰。
 check-tool-probe-type-hint = 0 为方块；101 为 XY 平面的圆盘（G17），201 为 ZX（G18），301 为 YZ（G19）。
@@ -60,11 +60,11 @@ check-tool-length-zero = 当前刀具的长度 L1 为 0。
 check-tool-radius-zero = 当前刀具的半径为 0。
 check-tool-zero-hint = 请在刀具数据中输入近似尺寸，校准刀具则输入精确尺寸。
 check-offset-missing = 刀具直径 { $tool } mm 大于测头的 { $edge } mm：_ID 决定其位置。
-check-offset-missing-hint = 若其最外点应位于测头中心上方，请输入 0。
+check-offset-missing-hint = 若其最外点应位于测头中心上方，请把 _ID 设为 0。
 check-offset-large = _ID 大于刀具半径 { $radius } mm：刀具会偏移到另一侧。
-check-offset-large-hint = 请输入从半径向内的距离。
+check-offset-large-hint = 请在 _ID 中输入从半径向内的距离，不得大于半径。
 check-offset-abscissa = 刀具直径 { $tool } mm 大于测头的 { $edge } mm：循环使刀具沿横坐标偏移。
-check-offset-abscissa-hint = 请选 103 或 203 指明偏移的轴。
+check-offset-abscissa-hint = 请把 _MA 设为 103 或 203，以指明偏移的轴。
 check-mfs-missing = 没有设置 { $name }：缺少某次触碰的转速或进给。
 check-mfs-missing-hint = 请设置 _MFS[0]、[2]、[4] 的转速和 _MFS[1]、[3]、[5] 的进给，或用 _CBIT[12]=0 让循环计算。
 check-mfs-third = { $name } 为 0：省去第三次触碰（_MFS[4] 和 [5]）。

@@ -112,7 +112,7 @@ param-cora-second-edge-help = 第二刀刃不正好在对面时，加到第二�
 param-fa-present-position = 测量行程
 param-fa-present-position-help = 刀具位于测头前，必须在此距离的两倍之内触碰。始终以 mm 为单位，X 轴按半径计。
 
-need-axis-ignored = 忽略：该钻头的长度沿垂直坐标计（设定数据 42950 = 0）。
+need-axis-ignored = 忽略：该钻头的长度沿垂直坐标计（SD 42950 = 0）。
 need-direction-incremental = 增量方式不按起点确定测量方向。
 need-start-angle-spindle = 静止的铣削主轴转到此角度；省略时沿用上次调用的值。
 need-start-angle-milling = 对铣刀有效。
@@ -127,11 +127,11 @@ check-tip-direction = 刀沿位置 { $tip } 的刀具朝向相反：背面会碰
 check-tip-direction-hint = 请从测头的另一侧开始，并把 _MD 改为相反方向，或检查 $TC_DP2。
 check-drill-radius = 循环不测量钻头的半径。
 check-drill-radius-hint = 请选第 4 位为 0 的测量方式，或换上铣刀，并检查 $TC_DP1。
-check-drill-plane = 设定数据 42950 = 0 时，G18 中钻头的长度沿 Y 计，而循环不在该轴测量。
-check-drill-applicate = 设定数据 42950 = 0 时，循环只测量钻头的长度：在一个轴，不带 180° 换向。
-check-drill-applicate-hint = 请在 G17（钻头沿 Z）或 G19（沿 X）中选 1、11、100001 或 100011，或把设定数据 42950 设为 2 并用 G18。
-check-length-assignment = 设定数据 42950 为 { $value }：铣刀和钻头的 L1、L2 分配与车刀不同。
-check-length-assignment-hint = 请在调用前把设定数据 42950（$SC_TOOL_LENGTH_TYPE）设为 2；G17 或 G19 中的钻头也可以用 0。
+check-drill-plane = SD 42950 = 0 时，G18 中钻头的长度沿 Y 计，而循环不在该轴测量。
+check-drill-applicate = SD 42950 = 0 时，循环只测量钻头的长度：在一个轴，不带 180° 换向。
+check-drill-applicate-hint = 请在 G17（钻头沿 Z）或 G19（沿 X）中选 1、11、100001 或 100011，或把 SD 42950 设为 2 并用 G18。
+check-length-assignment = SD 42950 为 { $value }：铣刀和钻头的 L1、L2 分配与车刀不同。
+check-length-assignment-hint = 请在调用前把 SD 42950（$SC_TOOL_LENGTH_TYPE）设为 2；G17 或 G19 中的钻头也可以用 0。
 check-spindle-stays = 此测量方式要转动主轴或测量两次，而 _CHBIT[20]=1 禁止主轴定位。
 check-spindle-stays-hint = 请把 _CHBIT[20] 设为 0，或选 xxx0x1（x 为 0 或 1）的测量方式：一点，不带 180° 换向。
 check-spindle-turns = 铣削主轴须转到 _STA1，但主轴不能定位。

@@ -23,6 +23,9 @@ const SHARED: &[(&str, &[&str])] = &[(
     ],
 )];
 
+/// Texts whose names differ by language: the key Home is Pos1 on a German keyboard.
+const OTHER_NAMES: &[&str] = &["keys-tree"];
+
 /// Folders of the core's messages and of the page's.
 fn folders() -> [PathBuf; 2] {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
@@ -65,6 +68,18 @@ fn placeables(text: &str) -> BTreeSet<&str> {
     text.split('{').skip(1).map(|rest| rest.split(['}', '-']).next().unwrap().trim()).collect()
 }
 
+/// Names that every language writes alike: parameters, variables, cycles, G and M functions (a capital, and a digit or
+/// a sign), and machine data and alarms (five digits).
+fn names(text: &str) -> BTreeSet<&str> {
+    let part = |c: char| c.is_ascii_alphanumeric() || "_$[]".contains(c);
+    let is_name = |word: &&str| {
+        let sign = |c: char| c.is_ascii_digit() || c == '_' || c == '$';
+        let number = word.len() == 5 && word.bytes().all(|one| one.is_ascii_digit());
+        number || word.contains(|c: char| c.is_ascii_uppercase()) && word.contains(sign)
+    };
+    text.split(|c| !part(c)).filter(is_name).collect()
+}
+
 /// Whether a text holds a word of English alone: not only shared ones, names, numbers and units of a letter or two.
 fn has_words(text: &str, language: &str) -> bool {
     let shared = SHARED.iter().find(|(code, _)| *code == language).map_or(&[][..], |(_, words)| words);
@@ -88,6 +103,8 @@ fn compare(english: &Path, other: &Path, language: &str) {
     for (key, text) in &english {
         let said = &other[key];
         assert_eq!(placeables(text), placeables(said), "{key}");
+        let alike = names(text) == names(said) || key.ends_with("-words") || OTHER_NAMES.contains(&key.as_str());
+        assert!(alike, "{key} in {language}: {:?} are {:?}", names(text), names(said));
         let translated = said != text || !has_words(text, language) || SAME.contains(&key.as_str());
         assert!(translated, "{key} is still English: {text}");
     }
@@ -123,6 +140,14 @@ fn every_folder_is_a_language_and_every_file_is_read() {
         let listed: BTreeSet<String> = listed.collect();
         assert_eq!(listed, files(&core.join(language.code)));
     }
+}
+
+// oracle: hand
+#[test]
+fn names_are_told_from_words() {
+    let text = " In { \"_TP[k,8]\" } with { $value } mm: MD\u{a0}18080, $TC_DP1=710, G54至G57, ALARM 61301, 100";
+    let told = ["$TC_DP1", "18080", "61301", "G54", "G57", "_TP[k"];
+    assert_eq!(names(text), BTreeSet::from(told));
 }
 
 // oracle: hand
