@@ -7,6 +7,7 @@ effect-reset = Das Programm hält an; Ursache beheben, NC RESET drücken und neu
 effect-message = Meldung; das Programm läuft weiter, die Löschtaste löscht die Meldung.
 effect-repeat = Meldung; das Programm wartet vor jeder Wiederholung auf NC START.
 effect-tolerance = Meldung; das Programm läuft weiter, mit { "_CBIT[2]" }=1 erst nach NC START.
+effect-difference = Meldung; das Programm läuft weiter, mit { "_CBIT[2]" }=1 oder vor einer Wiederholung ({ "_CBIT[1]" }=1) erst nach NC START.
 effect-abort = Das Makro bricht ab; Ursache beheben und das Programm neu starten.
 effect-shown = Text auf dem Bildschirm; nichts hält an.
 effect-start = Meldung; weiter mit START.

@@ -2,19 +2,28 @@
 evaluate-safe-area = Differenz { $difference } mm überschreitet den Vertrauensbereich: Nichts wird korrigiert.
 evaluate-safe-area-angle = Differenz { $difference }° überschreitet den Vertrauensbereich: Nichts wird korrigiert.
 evaluate-difference = Differenz { $difference } mm überschreitet die zulässige Maßdifferenz: Nichts wird korrigiert.
-evaluate-oversize = Differenz { $difference } mm liegt über der oberen Toleranz: Die ganze Differenz wird korrigiert, der Mittelwert beginnt neu.
-evaluate-undersize = Differenz { $difference } mm liegt unter der unteren Toleranz: Die ganze Differenz wird korrigiert, der Mittelwert beginnt neu.
-evaluate-whole = Differenz { $difference } mm liegt in der Toleranz, aber außerhalb des Bereichs der Mittelwertbildung: Die ganze Differenz wird korrigiert, der Mittelwert beginnt neu.
-evaluate-mean = Differenz { $difference } mm ergibt Mittelwert { $mean } mm außerhalb des Nullkorrekturbereichs: Der Zyklus korrigiert um den Mittelwert, der danach neu beginnt.
+evaluate-oversize = Differenz { $difference } mm liegt über der oberen Toleranz: { $follows }.
+evaluate-undersize = Differenz { $difference } mm liegt unter der unteren Toleranz: { $follows }.
+evaluate-whole = Differenz { $difference } mm liegt in der Toleranz, aber außerhalb des Bereichs der Mittelwertbildung: { $follows }.
+evaluate-mean = Differenz { $difference } mm ergibt Mittelwert { $mean } mm außerhalb des Nullkorrekturbereichs: { $follows }.
+# Was aus den vier davor folgt.
+evaluate-corrects-whole = Die ganze Differenz wird korrigiert
+evaluate-corrects-both = Das Mittel beider Differenzen wird korrigiert
+evaluate-corrects-zero = Das Mittel beider Differenzen ist 0, nichts wird korrigiert
+evaluate-corrects-mean = Der Mittelwert wird korrigiert
+evaluate-corrects-nothing = Wegen _KNUM=0 wird nichts korrigiert
+evaluate-restarts = Der Mittelwert beginnt neu: { $name } wird 0.
 evaluate-small = Differenz { $difference } mm ergibt Mittelwert { $mean } mm im Nullkorrekturbereich: Nichts wird korrigiert.
 evaluate-kept = Differenz zum gespeicherten Wert höchstens { $limit } mm (_TZL), daher unverändert: { $data }.
-evaluate-repeat = Messung wiederholt, weil ein Grenzwert überschritten ist: Wiederholung { $count } von höchstens 4.
+evaluate-repeat = Messung wiederholt, weil die Differenz zu groß ist: Wiederholung { $count } von höchstens 4.
 evaluate-halt = Programmierter Halt (M0): Weiter mit NC START.
 evaluate-activated = Das korrigierte Frame ist sofort aktiv.
 evaluate-not-activated = Das korrigierte Frame wird aktiv, wenn das Programm es wieder aufruft (G54, G500 …).
 evaluate-distortion = Das gemessene Dreieck weicht um { $distortion } mm vom Solldreieck ab; unter { $limit } mm wird das Frame korrigiert.
 evaluate-handed-back = Es gibt kein Ergebnis: { $name } erhält die Alarmnummer { $alarm }, das Programm läuft weiter.
-evaluate-tool-small = Differenz { $difference } mm liegt im Nullkorrekturbereich, { $limit } mm: Nichts wird korrigiert.
+evaluate-tool-safe-area = Differenz { $difference } mm erreicht oder überschreitet den Vertrauensbereich, { $limit } mm: Dieser Wert wird nicht korrigiert.
+evaluate-tool-difference = Differenz { $difference } mm erreicht oder überschreitet die zulässige Maßdifferenz, { $limit } mm: Dieser Wert wird nicht korrigiert.
+evaluate-tool-small = Differenz { $difference } mm liegt im Nullkorrekturbereich, { $limit } mm: Dieser Wert wird nicht korrigiert.
 evaluate-tool-geometry = Differenz { $difference } mm geht ganz in die Geometrie; der Verschleiß wird 0.
 evaluate-tool-wear = Differenz { $difference } mm wird im Verschleiß korrigiert.
 evaluate-compensation-make = Die Korrekturtabelle dieses Messtasterherstellers (_TP_CF = { $make }) liegt in der Steuerung und steht in keinem Handbuch: Die Simulation subtrahiert nichts. Bei _MT_COMP = 2 gelten eigene Tabellen in _MT_EC_R und _MT_EC_L.

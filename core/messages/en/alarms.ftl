@@ -7,6 +7,7 @@ effect-reset = The program stops; fix the cause, press NC RESET and restart.
 effect-message = Message; the program continues, the cancel key clears the message.
 effect-repeat = Message; the program waits for NC START before each repetition.
 effect-tolerance = Message; the program continues, with { "_CBIT[2]" }=1 only after NC START.
+effect-difference = Message; the program continues, with { "_CBIT[2]" }=1 or before a repetition ({ "_CBIT[1]" }=1) only after NC START.
 effect-abort = The macro is aborted; fix the cause and restart the program.
 effect-shown = Text on the screen; nothing stops.
 effect-start = Message; continue with START.

@@ -2,19 +2,28 @@
 evaluate-safe-area = Difference { $difference } mm exceeds the safe area: nothing is corrected.
 evaluate-safe-area-angle = Difference { $difference }° exceeds the safe area: nothing is corrected.
 evaluate-difference = Difference { $difference } mm exceeds the permissible dimensional difference: nothing is corrected.
-evaluate-oversize = Difference { $difference } mm is above the upper tolerance: the whole difference is corrected and the mean value restarts.
-evaluate-undersize = Difference { $difference } mm is below the lower tolerance: the whole difference is corrected and the mean value restarts.
-evaluate-whole = Difference { $difference } mm is within tolerance but outside the range of the mean value: the whole difference is corrected and the mean value restarts.
-evaluate-mean = Difference { $difference } mm gives mean value { $mean } mm, which exceeds the zero compensation area: the mean value is corrected and restarts.
+evaluate-oversize = Difference { $difference } mm is above the upper tolerance: { $follows }.
+evaluate-undersize = Difference { $difference } mm is below the lower tolerance: { $follows }.
+evaluate-whole = Difference { $difference } mm is within tolerance but outside the range of the mean value: { $follows }.
+evaluate-mean = Difference { $difference } mm gives mean value { $mean } mm, which exceeds the zero compensation area: { $follows }.
+# What follows from the four before.
+evaluate-corrects-whole = the whole difference is corrected
+evaluate-corrects-both = the mean of both differences is corrected
+evaluate-corrects-zero = the mean of both differences is 0, so nothing is corrected
+evaluate-corrects-mean = the mean value is corrected
+evaluate-corrects-nothing = nothing is corrected because _KNUM=0
+evaluate-restarts = The mean value restarts: { $name } is set to 0.
 evaluate-small = Difference { $difference } mm gives mean value { $mean } mm, which is within the zero compensation area: nothing is corrected.
 evaluate-kept = At most { $limit } mm (_TZL) from the stored value and therefore unchanged: { $data }.
-evaluate-repeat = Measured again because a limit was exceeded, repetition { $count } of at most 4.
+evaluate-repeat = Measured again because the difference is too large, repetition { $count } of at most 4.
 evaluate-halt = Programmed stop (M0): the operator continues with NC START.
 evaluate-activated = The corrected frame is active immediately.
 evaluate-not-activated = The corrected frame becomes active when the program programs it again (G54, G500 …).
 evaluate-distortion = The measured triangle differs from the setpoint triangle by { $distortion } mm; the frame is corrected below { $limit } mm.
 evaluate-handed-back = There is no result: { $name } is set to { $alarm } and the program continues.
-evaluate-tool-small = Difference { $difference } mm does not exceed the zero compensation area, { $limit } mm: nothing is corrected.
+evaluate-tool-safe-area = Difference { $difference } mm is not below the safe area, { $limit } mm: this value is not corrected.
+evaluate-tool-difference = Difference { $difference } mm is not below the permissible dimensional difference, { $limit } mm: this value is not corrected.
+evaluate-tool-small = Difference { $difference } mm does not exceed the zero compensation area, { $limit } mm: this value is not corrected.
 evaluate-tool-geometry = Difference { $difference } mm is corrected: the geometry receives the whole difference, the wear is deleted.
 evaluate-tool-wear = Difference { $difference } mm is corrected in the wear.
 evaluate-compensation-make = The table of this probe make (_TP_CF = { $make }) is inside the control and in no manual: it is not applied here. Your own table in _MT_EC_R and _MT_EC_L, with _MT_COMP = 2, is applied.

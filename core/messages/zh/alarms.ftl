@@ -6,6 +6,7 @@ effect-reset = 程序停止；排除原因后按 NC RESET，再重新启动。
 effect-message = 信息；程序继续，按清除键消除信息。
 effect-repeat = 信息；每次重复测量前，程序等待 NC START。
 effect-tolerance = 信息；程序继续，{ "_CBIT[2]" }=1 时按 NC START 后才继续。
+effect-difference = 信息；程序继续，{ "_CBIT[2]" }=1 时或重复测量前（{ "_CBIT[1]" }=1）按 NC START 后才继续。
 effect-abort = 宏程序中断；排除原因后重新启动程序。
 effect-shown = 屏幕上显示文字；程序不停止。
 effect-start = 信息；按 START 继续。

@@ -3,19 +3,28 @@
 evaluate-safe-area = 偏差 { $difference } mm 超出安全区：不作补偿。
 evaluate-safe-area-angle = 偏差 { $difference }° 超出安全区：不作补偿。
 evaluate-difference = 偏差 { $difference } mm 超出允许尺寸差：不作补偿。
-evaluate-oversize = 偏差 { $difference } mm 超过公差上限：补偿全部偏差，平均值重新开始计算。
-evaluate-undersize = 偏差 { $difference } mm 低于公差下限：补偿全部偏差，平均值重新开始计算。
-evaluate-whole = 偏差 { $difference } mm 在公差内，但超出平均值的范围：补偿全部偏差，平均值重新开始计算。
-evaluate-mean = 偏差 { $difference } mm 得到平均值 { $mean } mm，超出零补偿区：按平均值补偿，平均值重新开始计算。
+evaluate-oversize = 偏差 { $difference } mm 超过公差上限：{ $follows }。
+evaluate-undersize = 偏差 { $difference } mm 低于公差下限：{ $follows }。
+evaluate-whole = 偏差 { $difference } mm 在公差内，但超出平均值的范围：{ $follows }。
+evaluate-mean = 偏差 { $difference } mm 得到平均值 { $mean } mm，超出零补偿区：{ $follows }。
+# 以上四种情况的结果。
+evaluate-corrects-whole = 补偿全部偏差
+evaluate-corrects-both = 按两个偏差的平均补偿
+evaluate-corrects-zero = 两个偏差的平均为 0，不作补偿
+evaluate-corrects-mean = 按平均值补偿
+evaluate-corrects-nothing = _KNUM=0，不作补偿
+evaluate-restarts = 平均值重新开始计算：{ $name } 设为 0。
 evaluate-small = 偏差 { $difference } mm 得到平均值 { $mean } mm，仍在零补偿区内：不作补偿。
 evaluate-kept = 与存储值相差不大于 { $limit } mm（_TZL），因此保持不变：{ $data }。
-evaluate-repeat = 超限后重新测量，第 { $count } 次重复，最多 4 次。
+evaluate-repeat = 偏差过大，重新测量，第 { $count } 次重复，最多 4 次。
 evaluate-halt = 编程停止（M0）：操作者按 NC START 继续。
 evaluate-activated = 补偿后的坐标框架立即生效。
 evaluate-not-activated = 补偿后的坐标框架在程序再次调用它（G54、G500 …）时生效。
 evaluate-distortion = 测得的三角形与设定三角形相差 { $distortion } mm；小于 { $limit } mm 时才补偿坐标框架。
 evaluate-handed-back = 没有结果：{ $name } 设为 { $alarm }，程序继续。
-evaluate-tool-small = 偏差 { $difference } mm 不大于零补偿区 { $limit } mm：不作补偿。
+evaluate-tool-safe-area = 偏差 { $difference } mm 不小于安全区 { $limit } mm：该值不作补偿。
+evaluate-tool-difference = 偏差 { $difference } mm 不小于允许尺寸差 { $limit } mm：该值不作补偿。
+evaluate-tool-small = 偏差 { $difference } mm 不大于零补偿区 { $limit } mm：该值不作补偿。
 evaluate-tool-geometry = 补偿偏差 { $difference } mm：全部写入几何值，磨损值清零。
 evaluate-tool-wear = 偏差 { $difference } mm 补偿到磨损值中。
 evaluate-compensation-make = 该型号测头（_TP_CF = { $make }）的补偿表在控制系统内部，手册中没有：模拟不作扣除。_MT_COMP = 2 时使用 _MT_EC_R 和 _MT_EC_L 中的用户自定义表。

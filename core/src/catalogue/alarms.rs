@@ -4,7 +4,7 @@
 use super::{CYCLES, nct, p9920};
 use crate::diagnostic::Code;
 use Found::{Both, Check, Nowhere, Run};
-use Waits::{Always, BeforeRepetition, Never, WithCbit2};
+use Waits::{Always, BeforeRepetition, Never, WithCbit2, WithCbit2OrBeforeRepetition};
 
 /// An alarm or message.
 pub struct Alarm {
@@ -46,6 +46,8 @@ pub enum Waits {
     BeforeRepetition,
     /// With `_CBIT[2]` (B:13537, B:13584-13586).
     WithCbit2,
+    /// With `_CBIT[2]`, and before each repetition.
+    WithCbit2OrBeforeRepetition,
 }
 
 const NONE: &[&str] = &[];
@@ -143,7 +145,7 @@ pub static ALARMS: &[Alarm] = &[
     waiting(BeforeRepetition, alarm(62303, Run, NONE, "A:15940")),
     waiting(WithCbit2, alarm(62304, Run, NONE, "A:15941")),
     waiting(WithCbit2, alarm(62305, Run, NONE, "A:15942")),
-    waiting(WithCbit2, alarm(62306, Run, NONE, "A:15943")),
+    waiting(WithCbit2OrBeforeRepetition, alarm(62306, Run, NONE, "A:15943")),
     alarm(62307, Check, NONE, "A:15944"),
     alarm(62308, Check, NONE, "A:15945"),
     alarm(62309, Check, NONE, "A:15946"),

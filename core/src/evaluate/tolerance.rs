@@ -51,6 +51,11 @@ impl Branch {
             Branch::Whole | Branch::Mean | Branch::Small => None,
         }
     }
+
+    /// Whether a target is corrected and the mean value begins again.
+    pub const fn corrects(self) -> bool {
+        !matches!(self, Branch::SafeArea | Branch::Difference | Branch::Small)
+    }
 }
 
 /// What follows from a difference.

@@ -74,6 +74,7 @@ fn effect_key(alarm: &Alarm) -> &'static str {
     match (alarm.waits, alarm.code) {
         (Waits::BeforeRepetition, _) => "effect-repeat",
         (Waits::WithCbit2, _) => "effect-tolerance",
+        (Waits::WithCbit2OrBeforeRepetition, _) => "effect-difference",
         (Waits::Always, _) => "effect-start",
         (Waits::Never, Code::Nct(_)) => "effect-abort",
         (Waits::Never, code) if stops(code) => "effect-reset",

@@ -7,6 +7,7 @@ mod again;
 mod bits;
 mod draw;
 mod only;
+mod said;
 mod same;
 mod stand;
 mod view;

@@ -60,9 +60,10 @@ pub fn apply(machine: &mut dyn Machine, target: &zero_offset::Target, writes: &[
     if target.activate {
         let settable = machine.control().settable;
         machine.control().activate(settable);
-        machine.record(Step::Decision { message: Message::new("evaluate-activated") });
-    } else if !writes.is_empty() {
-        machine.record(Step::Decision { message: Message::new("evaluate-not-activated") });
+    }
+    if !writes.is_empty() {
+        let key = if target.activate { "evaluate-activated" } else { "evaluate-not-activated" };
+        machine.record(Step::Decision { message: Message::new(key) });
     }
 }
 

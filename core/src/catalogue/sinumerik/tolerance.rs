@@ -74,7 +74,7 @@ pub fn decide(
     let differences: Vec<f64> = sizes.differences.iter().map(|difference| difference - offset).collect();
     let decision = chain(&differences, &bands(inputs), old);
     report(machine, inputs, target, &decision);
-    machine.record(Step::Decision { message: explain(&decision, &differences) });
+    machine.record(Step::Decision { message: explain(&decision, &differences, target) });
     let announced = match decision.branch {
         Branch::SafeArea => Some(62303),
         Branch::Difference => Some(62306),
@@ -89,6 +89,9 @@ pub fn decide(
     inform(machine, decision.branch.alarm());
     if let Some(name) = memory {
         let value = decision.memory / machine.control().basic_factor();
+        if decision.branch.corrects() {
+            machine.record(Step::Decision { message: Message::new("evaluate-restarts").text("name", &name) });
+        }
         results::set(machine, &name, value);
     }
     let amount = match target {
@@ -165,8 +168,8 @@ pub fn inform(machine: &mut dyn Machine, alarm: Option<u32>) {
     }
 }
 
-/// The decision in words.
-fn explain(decision: &Decision, differences: &[f64]) -> Message {
+/// The decision in words. Its difference is the one that decided: the worst, for the mean value the mean of all.
+fn explain(decision: &Decision, differences: &[f64], target: Option<&Tool>) -> Message {
     let key = match decision.branch {
         Branch::SafeArea => "evaluate-safe-area",
         Branch::Difference => "evaluate-difference",
@@ -176,8 +179,26 @@ fn explain(decision: &Decision, differences: &[f64]) -> Message {
         Branch::Mean => "evaluate-mean",
         Branch::Small => "evaluate-small",
     };
-    let worst = differences.iter().copied().fold(0.0_f64, |a, b| if b.abs() > a.abs() { b } else { a });
-    Message::new(key).number("difference", worst).number("mean", decision.mean)
+    let difference = match decision.branch {
+        Branch::Mean | Branch::Small => differences.iter().sum::<f64>() / differences.len().max(1) as f64,
+        _ => differences.iter().copied().fold(0.0_f64, |a, b| if b.abs() > a.abs() { b } else { a }),
+    };
+    let message = Message::new(key).number("difference", difference).number("mean", decision.mean);
+    match decision.branch.corrects() {
+        true => message.text("follows", corrected(decision, differences.len(), target)),
+        false => message,
+    }
+}
+
+/// Key of what is corrected where the chain demands it, for so many differences.
+fn corrected(decision: &Decision, count: usize, target: Option<&Tool>) -> &'static str {
+    match (target, decision.branch) {
+        (None, _) => "evaluate-corrects-nothing",
+        (_, Branch::Mean) => "evaluate-corrects-mean",
+        _ if count < 2 => "evaluate-corrects-whole",
+        _ if decision.correction == 0.0 => "evaluate-corrects-zero",
+        _ => "evaluate-corrects-both",
+    }
 }
 
 /// Zero offset variants watch only the safe area, each difference for itself (B:6221, B:6276).

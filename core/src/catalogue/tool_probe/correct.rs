@@ -74,14 +74,14 @@ fn decide(
     let reaches = |limit: Name| difference.abs() >= inputs.number(limit) - RESOLUTION;
     let remeasured = machine.control().bit("_CHBIT[3]");
     let corrected = exceeds(difference.abs(), inputs.number(names::TZL));
-    let (key, announced) = match (reaches(names::TSA), reaches(names::TDIF), corrected, remeasured) {
-        (true, ..) => ("evaluate-safe-area", Some(62303)),
-        (_, true, ..) => ("evaluate-difference", Some(62306)),
-        (_, _, false, _) => ("evaluate-tool-small", None),
-        (.., true) => ("evaluate-tool-wear", None),
-        _ => ("evaluate-tool-geometry", None),
+    let (key, limit, announced) = match (reaches(names::TSA), reaches(names::TDIF), corrected, remeasured) {
+        (true, ..) => ("evaluate-tool-safe-area", names::TSA, Some(62303)),
+        (_, true, ..) => ("evaluate-tool-difference", names::TDIF, Some(62306)),
+        (_, _, false, _) => ("evaluate-tool-small", names::TZL, None),
+        (.., true) => ("evaluate-tool-wear", names::TZL, None),
+        _ => ("evaluate-tool-geometry", names::TZL, None),
     };
-    let message = Message::new(key).number("difference", difference).number("limit", inputs.number(names::TZL));
+    let message = Message::new(key).number("difference", difference).number("limit", inputs.number(limit));
     machine.record(Step::Decision { message });
     if announced.is_some_and(|number| tolerance::repeat(machine, number, repetition)) {
         return Ok(Next::Again);
