@@ -117,7 +117,7 @@ describe("a state", () => {
     const edits = [{ from: 20, to: 39, insert: "CYCLE_977(1)" }];
     const next = desk.next(rewriting, () => ({ edits, findings: [] }));
     assert.equal(state.programOf(next), `${TEXT.slice(0, 20)}CYCLE_977(1)${TEXT.slice(39)}`);
-    assert.deepEqual([next.desk.converting, next.desk.mended], [null, state.programOf(next)]);
+    assert.equal(next.desk.converting, null);
 
     const astray = read({ desk: { converting: { at: 7, style } } });
     assert.equal(desk.standing(astray).is, "astray");

@@ -99,9 +99,12 @@ describe("a long file", () => {
     await count(page, 3);
     assert.equal(await saved(page), LONG);
     await page.locator(".cm-line").first().click();
-    await page.keyboard.press("Control+z"); // in the editor: what was before is another program
+    await page.keyboard.press("Control+z");
+    await page.locator('.cm-line:has-text("G110 H1")').waitFor();
+    await page.keyboard.press("Control+y");
+    await count(page, 3);
     assert.equal(await saved(page), LONG);
-    await page.locator(".notice").getByRole("button", { name: "Undo" }).click();
+    await page.locator("#undo").click();
     await page.locator('.cm-line:has-text("G110 H1")').waitFor();
     assert.equal(await saved(page), `G110 H1\n${earlier}`);
     assert.deepEqual(problems, []);

@@ -4,6 +4,7 @@ import type { Encoding } from "../encoding";
 import { lineBreak, type Splice } from "../eol";
 import { speak } from "../language";
 import { fileOf, type ProgramFile } from "../state/files";
+import { stepped } from "../state/history";
 import {
   AT_END,
   asWritten,
@@ -26,7 +27,6 @@ import {
   unitsIn,
 } from "../state/state";
 import type { Store } from "../state/store";
-import { work } from "../state/stored";
 import type {
   Catalogue,
   CycleInfo,
@@ -85,7 +85,8 @@ export interface Actions {
   /** false: the name is taken, or it is none. */
   renameSet(name: string, next: string): boolean;
   deleteSet(name: string): void;
-  undo(): void;
+  /** So many steps back; forth where it is negative. */
+  step(back: number): void;
   /** The page in another language, as soon as its words are there. */
   speak(language: string): void;
 }
@@ -150,14 +151,14 @@ function turned(cycle: CycleInfo | undefined, state: State, plane: Plane): Patch
 export function createActions(store: Store, catalogue: Catalogue): Actions {
   const now = (): State => store.state;
 
-  /** A change that takes work away; until the next edit it can be undone. */
+  /** A change that takes work away: it is said, and can be undone beside that. */
   const replace = (notice: string, ...patches: Patch[]): void => {
-    store.update(...patches, { page: { notice, undo: work(now()) } });
+    store.update(...patches, { page: { notice, offer: true } });
     store.flush(); // editor and form have to hold it before the next key
   };
 
   const edits = (pairs: [string, string][]): void =>
-    store.update(state => patched(typedIn(state, pairs), { page: { undo: null } }));
+    store.update(state => patched(typedIn(state, pairs), { page: { offer: false } }));
 
   const withSets = (sets: Record<string, Record<string, string>>): Patch => ({
     form: { sets: { ...now().form.sets, [memoryKey(now().form)]: sets } },
@@ -187,7 +188,7 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
         },
         desk: { sought: null },
         view: { step: AT_END, source: "form" },
-        page: { undo: null },
+        page: { offer: false },
       });
     },
     edit: (name, value) => edits([[name, value]]),
@@ -211,7 +212,7 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
         });
     },
     editProgram: edits =>
-      store.update(state => patched(withEdits(state, edits), { desk: { follow: "text" }, page: { undo: null } })),
+      store.update(state => patched(withEdits(state, edits), { desk: { follow: "text" }, page: { offer: false } })),
     openProgram(text, file) {
       const { control } = now().form;
       const { texts: programs, files } = now().program;
@@ -233,7 +234,7 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
     encoding: encoding =>
       store.update(state => ({
         program: { files: { ...state.program.files, [state.form.control]: { ...fileOf(state), encoding } } },
-        page: { undo: null },
+        page: { offer: false },
       })),
     openSetup(setup) {
       const { control, remembered } = now().form;
@@ -316,7 +317,7 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
           program: { cursor: to },
           form: { open: null },
           desk: { sought: { from: place.from, to } },
-          page: { notice: "notice-inserted", undo: null },
+          page: { notice: "notice-inserted", offer: false },
         }),
       );
       store.flush(); // the editor has to hold it before the next key
@@ -326,7 +327,7 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
       store.update({
         part: { errors: { ...errors, [group]: { ...errors[group], [name]: value } } },
         view: { step: AT_END },
-        page: { undo: null },
+        page: { offer: false },
       });
     },
     noErrors: () => replace("notice-no-errors", { part: { errors: NO_ERRORS }, view: { step: AT_END } }),
@@ -366,9 +367,13 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
       const { [name]: _, ...rest } = setsOf(now());
       replace("notice-set-deleted", withSets(rest));
     },
-    undo() {
-      const before = now().page.undo;
-      if (before) replace("notice-undone", before, { desk: { sought: null, follow: null }, view: { step: AT_END } });
+    step(back) {
+      store.flush(); // what was typed just now is a step too
+      const there = stepped(now(), back);
+      if (!there) return;
+      const page = { notice: back > 0 ? "notice-undone" : "notice-redone", offer: false };
+      store.update(there, { desk: { sought: null, follow: null }, view: { step: AT_END }, page });
+      store.flush(); // editor and form have to hold it before the next key
     },
     speak(language) {
       speak(language).then(

@@ -85,6 +85,11 @@ export function next(state: State, answer: (question: AtOnce) => Answer | null):
   }
 }
 
+/** Whether nothing more follows from a state by itself, and nothing waits for a word. */
+export function isSettled(state: State): boolean {
+  return !state.desk.pending.length && ["settled", "stopped"].includes(standing(state).is);
+}
+
 function isLong(state: State): boolean {
   return programOf(state).length > SHORT;
 }

@@ -3,7 +3,6 @@
 import { asked, hasToAsk, isWaiting, type Pending } from "../core/pending";
 import type { ChangeRequest, ConvertRequest } from "../core/program";
 import { AT_END, machine, patched, programOf, type State } from "../state/state";
-import { work } from "../state/stored";
 import type { Changed, Converted, Edit } from "../wire";
 import { isCurrent, SOUGHT, withEdits } from "./program";
 
@@ -62,37 +61,25 @@ function stillTold(before: State, after: State): State {
 }
 
 /** What a change did beside the value: it is said, and can be taken back. */
-function told(
-  before: State,
-  after: State,
-  { at, call: index, pending }: ChangeRequest,
-  agreed: boolean,
-  done: Changed[],
-): State {
+function told(before: State, after: State, { at }: ChangeRequest, agreed: boolean, done: Changed[]): State {
   const taken = done.flatMap(one => one.taken);
   const findings = done.flatMap(one => one.findings);
   if (!agreed && !findings.length) return after;
-  const call = before.program.reading?.view.calls[index];
   const inForm = before.form.open === at;
-  const left = before.desk.pending.filter(one => !pending.includes(one));
-  const restored = call && inForm ? { form: { values: call.values } } : {};
-  const undo = work(patched(before, { desk: { pending: left } }, restored));
   const kept = Object.entries(after.form.values).filter(([name]) => !inForm || !taken.includes(name));
   const text = programOf(after);
   return patched(after, {
     form: inForm ? { values: Object.fromEntries(kept) } : {},
-    page: { undo, notice: agreed ? "notice-applied" : "notice-revised" },
+    page: { offer: true, notice: agreed ? "notice-applied" : "notice-revised" },
     desk: {
-      ...(agreed ? { mended: text } : {}),
       ...(findings.length ? { converted: { control: after.form.control, text, findings } } : {}),
     },
   });
 }
 
-/** Edits that the core proposes, made at once: one step in the editor, and undone as one. */
+/** Edits that the core proposes, made at once and undone as one. */
 export function mended(state: State, edits: readonly Edit[], notice: string): State {
-  const next = withEdits(state, edits);
-  return patched(next, { desk: { mended: programOf(next), follow: "edits" }, page: { notice, undo: work(state) } });
+  return patched(withEdits(state, edits), { desk: { follow: "edits" }, page: { notice, offer: true } });
 }
 
 /** The call that is to be written in another way; null: none is, or it is gone. */

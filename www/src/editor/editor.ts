@@ -1,7 +1,7 @@
 // The program editor. It lives in a shadow root: there CodeMirror puts its rules into adopted style sheets,
 // so that the page's content policy needs no 'unsafe-inline' for styles.
 
-import { defaultKeymap, history, historyKeymap, isolateHistory } from "@codemirror/commands";
+import { defaultKeymap } from "@codemirror/commands";
 import { closeLintPanel, lintGutter, lintKeymap, type Diagnostic as Mark, setDiagnostics } from "@codemirror/lint";
 import { closeSearchPanel, highlightSelectionMatches, search, searchKeymap } from "@codemirror/search";
 import {
@@ -13,7 +13,7 @@ import {
   StateEffect,
   StateField,
   type Text,
-  Transaction,
+  type Transaction,
 } from "@codemirror/state";
 import {
   Decoration,
@@ -52,14 +52,9 @@ export interface EditorWords {
   label: string;
   phrases: Record<string, string>;
 }
-/**
- * `origin`: where the program comes from; of another one nothing can be undone that was before. `apart`: a step of its
- * own to undo, however soon it follows. Places are those in the text as it is then.
- */
+/** Places are those in the text as it is then. */
 export interface Shown {
   text: string;
-  origin: unknown;
-  apart?: boolean;
   marks?: LineMarks;
   problems?: Mark[];
 }
@@ -135,12 +130,10 @@ export function createEditor(box: HTMLElement, words: EditorWords, host: EditorH
   const root = box.attachShadow({ mode: "open" });
   const language = new Compartment();
   const spoken = new Compartment();
-  const past = new Compartment();
   const wrapping = new Compartment();
   const wrapped = (): Extension => (small.matches ? EditorView.lineWrapping : []);
   let held = ""; // the program that is shown, with its own line breaks
   let looked: { held: string; text: string; edit: Splice | null } | null = null; // the last two that were compared
-  let cameFrom: unknown;
   let ours = false; // a change made by the page, not by the user
   let dialect: Dialect = "sinumerik";
 
@@ -163,7 +156,6 @@ export function createEditor(box: HTMLElement, words: EditorWords, host: EditorH
       extensions: [
         lineNumbers(),
         lintGutter(),
-        past.of(history()),
         wrapping.of(wrapped()),
         drawSelection(),
         highlightSpecialChars({ addSpecialChars: HELD_BYTE, render: special }),
@@ -175,7 +167,7 @@ export function createEditor(box: HTMLElement, words: EditorWords, host: EditorH
         language.of(LANGUAGES[dialect]),
         theme,
         listen,
-        keymap.of([...searchKeymap, ...lintKeymap, ...historyKeymap, ...defaultKeymap]),
+        keymap.of([...searchKeymap, ...lintKeymap, ...defaultKeymap]),
         spoken.of(speaking(words)),
         EditorView.contentAttributes.of({ tabindex: "0", autocapitalize: "characters", spellcheck: "false" }),
       ],
@@ -228,22 +220,15 @@ export function createEditor(box: HTMLElement, words: EditorWords, host: EditorH
       return () => apply(() => view.dispatch({ effects: place }));
     },
     takes: text => changeTo(text) !== undefined,
-    set({ text, origin, apart, marks, problems }) {
+    set({ text, marks, problems }) {
       const change = changeTo(text);
       if (change && change.to - change.from > LONG) keepLines(held, view.state.doc);
       held = text;
-      const other = origin !== cameFrom;
-      cameFrom = origin;
       const told = problems ? [setDiagnostics(view.state, problems).effects ?? []].flat() : [];
-      const effects = [...(marks ? [marksEffect.of(marks)] : []), ...told, ...(other ? [past.reconfigure([])] : [])];
-      const step = change
-        ? {
-            changes: change,
-            annotations: [Transaction.addToHistory.of(true), ...(apart ? [isolateHistory.of("full")] : [])],
-          }
-        : {};
+      const effects = [...(marks ? [marksEffect.of(marks)] : []), ...told];
+      const step = change ? { changes: change } : {};
       if (change || effects.length) apply(() => show(view.state.update({ ...step, effects }), change));
-      if (other) apply(() => view.dispatch({ effects: past.reconfigure(history()) }));
+      if (change && view.hasFocus) select(change.from + change.insert.length);
     },
     setDialect(next) {
       if (next === dialect) return;

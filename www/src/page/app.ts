@@ -5,7 +5,7 @@ import type { Core } from "../core/core";
 import { Broken } from "../core/module";
 import { type Actions, createActions } from "../desk/actions";
 import { createDerive } from "../desk/derive";
-import { createDesk } from "../desk/desk";
+import { createDesk, isSettled } from "../desk/desk";
 import { meant, type Seen } from "../desk/meaning";
 import { createEditorPlace } from "../editor/place";
 import { createJob } from "../pace";
@@ -28,6 +28,7 @@ import { takeLaunch } from "./launch";
 import { createModules, type Modules } from "./modules";
 import { createOpen } from "./open";
 import { keepPlaces } from "./places";
+import { createRecorder } from "./recorder";
 import { askRun, withRun } from "./running";
 
 /** Keeps the work and says so when something below breaks; every way into the core passes here. */
@@ -138,6 +139,7 @@ function createDraw(parts: Parts & { modules: Modules }): () => void {
   const derive = createDerive(() => modules.forms, parts.catalogue);
   const settle = createDesk(() => modules.program, reader);
   const [keep, notice] = [createKeeping(store), createNoticing(store)];
+  const record = createRecorder(state => !modules.program || isSettled(state));
   let bench = createBench(parts);
   let seen: Seen | null = null; // as it was drawn last
   /** The page in the words that count now; everything stays where it was, once the new one is drawn. */
@@ -151,6 +153,7 @@ function createDraw(parts: Parts & { modules: Modules }): () => void {
     };
   };
   return () => {
+    const typed = store.state.desk.follow === "text";
     let state = store.settle(withRun(runner.take(), settle(store.state)));
     keep();
     let derived = derive(state);
@@ -159,6 +162,7 @@ function createDraw(parts: Parts & { modules: Modules }): () => void {
       state = store.settle(settle(next));
       derived = derive(state);
     }
+    state = store.settle(record(state, typed));
     seen = { state, derived };
     askRun(runner, state, derived);
     const back = bench.language === language() ? null : remade();

@@ -103,7 +103,7 @@ export function createBench(parts: Parts): Bench {
       for (const view of views) view(state, derived);
       for (const part of [...Object.values(activities), ...refusals, newer]) part.draw(state);
       setText(layout.notice, state.page.notice ? t(state.page.notice) : "");
-      show(layout.undo, !!state.page.notice && !!state.page.undo);
+      show(layout.undo, !!state.page.notice && state.page.offer);
     },
     end() {
       stop.abort();

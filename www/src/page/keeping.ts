@@ -28,12 +28,12 @@ export function createKeeping(store: Store): () => void {
 export function createNoticing(store: Store): (state: State) => void {
   let noticed = "";
   let hiding = 0;
-  return ({ page: { notice, undo } }) => {
+  return ({ page: { notice, offer } }) => {
     if (notice === noticed) return;
     noticed = notice;
     clearTimeout(hiding);
     if (!notice) return;
     const hide = (): void => store.update({ page: { notice: "" } });
-    hiding = window.setTimeout(hide, undo ? UNDO_SHOWN : NOTICE_SHOWN);
+    hiding = window.setTimeout(hide, offer ? UNDO_SHOWN : NOTICE_SHOWN);
   };
 }

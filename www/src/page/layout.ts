@@ -54,7 +54,7 @@ export function createLayout(actions: Actions, end: AbortSignal): Layout {
   );
   const notice = el("span", { role: "status" });
   const undo = el("button", { type: "button", hidden: true, "aria-keyshortcuts": "Control+Z" }, t("undo"));
-  on(undo, "click", () => actions.undo());
+  on(undo, "click", () => actions.step(1));
   const main = el("main", { class: "bench" }, ...PANELS.map(name => panels[name]));
   document.body.append(skip, header, bar, main, el("div", { class: "notice" }, notice, undo));
 
@@ -79,14 +79,12 @@ export function createLayout(actions: Actions, end: AbortSignal): Layout {
     "keydown",
     event => {
       const editing = event.composedPath()[0];
-      if (event.key.toLowerCase() !== "z" || !(event.ctrlKey || event.metaKey) || event.shiftKey) return;
-      if (
-        editing instanceof Element &&
-        editing.matches('input:not([type="checkbox"], [type="range"]), [contenteditable="true"]')
-      )
-        return;
+      const key = event.key.toLowerCase();
+      if (!(event.ctrlKey || event.metaKey) || event.altKey || (key !== "z" && key !== "y")) return;
+      // words that are looked for or given as a name are no work
+      if (editing instanceof Element && editing.matches("input[type=search], dialog input, .cm-search input")) return;
       event.preventDefault();
-      actions.undo();
+      actions.step(key === "z" && !event.shiftKey ? 1 : -1);
     },
     { signal: end },
   );

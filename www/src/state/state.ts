@@ -117,7 +117,6 @@ export interface DeskState {
   sought: Sought | null;
   // the form follows the cursor, what was typed in the program, or edits of its call
   follow: "cursor" | "text" | "edits" | null;
-  mended: string | null; // the program as a cure or a conversion has left it: one step of the editor
   converting: { at: number; style: Style } | null; // the call that begins there is to be written in another way
   converted: ConvertedCall | null;
   curing: Curing | null;
@@ -167,7 +166,29 @@ export interface PageState {
   notice: string; // key of a short confirmation
   newer: boolean; // a newer version of the page waits
   refused: (Refusal & { place: "program" | "setup" }) | null; // a file that could not be opened
-  undo: Patch | null; // what the last replacement of work has replaced
+  offer: boolean; // the notice is about the last step: it can be undone beside it
+}
+
+/** What a step is called: a key of the texts, and what it names. */
+export interface StepName {
+  key: string;
+  args: Record<string, string | number>;
+}
+
+/** A step, and the work on its other side: before it what was done, after it what was undone. */
+export interface Step {
+  name: StepName;
+  work: Patch;
+  /** When it ended, ms. */
+  at: number;
+  /** What goes on with the same thing soon is the same step; empty: nothing does. */
+  subject: string;
+}
+
+/** The steps that were done, and those that were undone; the last one of each is the next. */
+export interface History {
+  past: Step[];
+  future: Step[];
 }
 
 export interface State {
@@ -182,6 +203,7 @@ export interface State {
   scan: ScanState;
   panels: PanelState;
   page: PageState;
+  history: History;
 }
 
 /** What changes of a state, by subject. */
@@ -231,7 +253,6 @@ export function firstState(): State {
       pending: [],
       sought: null,
       follow: null,
-      mended: null,
       converting: null,
       converted: null,
       curing: null,
@@ -249,8 +270,9 @@ export function firstState(): State {
       notice: "",
       newer: false,
       refused: null,
-      undo: null,
+      offer: false,
     },
+    history: { past: [], future: [] },
   };
 }
 

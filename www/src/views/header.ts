@@ -3,7 +3,7 @@
 import type { ProgramCore } from "../core/program";
 import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
-import { el, keyed, on, setAttribute, setText, show } from "../dom";
+import { el, keyed, on, setAttribute, setText, show, svg } from "../dom";
 import { nameOf } from "../language";
 import { pack } from "../link";
 import { plain } from "../numbers";
@@ -15,6 +15,7 @@ import { language, languages, t } from "../texts";
 import type { FormView } from "../wire";
 import { createAbout } from "./about";
 import { copyText } from "./copy";
+import { createHistory } from "./history";
 import { createMachine } from "./machine";
 import type { MachineData } from "./machine-data";
 
@@ -125,6 +126,7 @@ export function createHeader(
 ): (state: State, derived: Derived) => void {
   const about = createAbout();
   const machine = createMachine(actions);
+  const history = createHistory(actions);
   const data = el("button", { type: "button", class: "quiet", "aria-haspopup": "dialog" }, t("machine-data-open"));
   on(data, "click", () => machineData()?.open());
   const list = el("dl", { class: "facts", "aria-label": t("facts") });
@@ -151,6 +153,16 @@ export function createHeader(
     store.update({ page: { theme: next } });
   });
   theme.id = "theme";
+  const themeName = el("span", {}, "");
+  theme.replaceChildren(
+    svg(
+      "svg",
+      { class: "icon", viewBox: "0 0 20 20", "aria-hidden": "true" },
+      svg("path", { d: "M10 3a7 7 0 0 1 0 14z", fill: "currentcolor" }),
+      svg("circle", { cx: 10, cy: 10, r: 7 }),
+    ),
+    themeName,
+  );
   const own = quiet("setup-own", () => actions.openSetup(null));
   const save = (): void => {
     const saved = shown.setup ?? store.state.machine.setup;
@@ -178,6 +190,7 @@ export function createHeader(
       el("h1", {}, t("app-name")),
     ),
     machine.root,
+    history.root,
     list,
     menuFor(actionsBox),
     actionsBox,
@@ -185,6 +198,7 @@ export function createHeader(
   document.body.append(about);
   return (state, derived) => {
     machine.draw(state, derived);
+    history.draw(state);
     setAttribute(data, "disabled", core() === null || !machineData());
     const { control } = derived.cycle;
     if (derived.view.setup || shown.setup?.control !== control) shown = derived.view;
@@ -200,7 +214,8 @@ export function createHeader(
       },
     );
     show(own, !!state.machine.setup);
-    setText(theme, t(`theme-${state.page.theme}`));
+    setText(themeName, t(`theme-${state.page.theme}`));
+    setAttribute(theme, "title", themeName.textContent);
     drawTheme(state.page.theme);
   };
 }

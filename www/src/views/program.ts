@@ -150,8 +150,6 @@ export function createProgram(
     place.editor?.setDialect(state.form.control);
     place.editor?.set({
       text,
-      origin: `${state.form.control} ${state.program.files[state.form.control]?.opened ?? ""}`,
-      apart: text === state.desk.mended,
       ...marked(state, derived),
     });
   };

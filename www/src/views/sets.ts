@@ -43,7 +43,7 @@ export function createSets(actions: Actions): Sets {
     actions.saveSet(name.value.trim());
     name.value = "";
   });
-  on(undo, "click", () => actions.undo());
+  on(undo, "click", () => actions.step(1));
   on(close, "click", () => dialog.close());
 
   const make = (known: string): HTMLLIElement => {
@@ -89,9 +89,9 @@ export function createSets(actions: Actions): Sets {
         make,
         () => undefined,
       );
-      setText(said, state.page.undo && state.page.notice ? t(state.page.notice) : "");
-      show(undo, !!state.page.undo);
-      setAttribute(undo, "disabled", !state.page.undo);
+      setText(said, state.page.offer && state.page.notice ? t(state.page.notice) : "");
+      show(undo, state.page.offer);
+      setAttribute(undo, "disabled", !state.page.offer);
     },
   };
 }

@@ -1,0 +1,112 @@
+// Undo and redo of everything that changes the work, wherever the focus is, and the list of steps by name.
+import assert from "node:assert/strict";
+import { after, before, describe, test } from "node:test";
+import { isDeepStrictEqual } from "node:util";
+import { shared } from "./browser.mjs";
+import { lengthField, startWithEditor as start, stored } from "./start.mjs";
+
+const undo = page => page.locator("#undo");
+const redo = page => page.locator("#redo");
+const program = page => page.locator(".cm-content");
+const steps = page => page.locator(".history-list button").allInnerTexts();
+/** Longer than what is typed together counts as one step. */
+const pause = page => page.waitForTimeout(1100);
+
+async function changed(page, value) {
+  await lengthField(page).fill(value);
+  await page.locator(`.snippet:has-text("${value}")`).waitFor();
+  await pause(page);
+}
+
+describe("steps of the work", () => {
+  const chrome = shared("neither", { before, after });
+
+  // oracle: hand
+  test("are undone and done again in turn, with buttons that say what", async () => {
+    const { context, page, problems } = await start(chrome);
+    const first = await lengthField(page).inputValue();
+    assert.ok(await undo(page).isDisabled());
+    await changed(page, "41");
+    await changed(page, "42");
+    assert.match(await undo(page).getAttribute("aria-label"), /= 42/);
+    await undo(page).click();
+    assert.equal(await lengthField(page).inputValue(), "41");
+    await undo(page).click();
+    assert.equal(await lengthField(page).inputValue(), first);
+    assert.ok(await undo(page).isDisabled());
+    assert.match(await redo(page).getAttribute("aria-label"), /= 41/);
+    await redo(page).click();
+    await redo(page).click();
+    assert.equal(await lengthField(page).inputValue(), "42");
+    assert.ok(await redo(page).isDisabled());
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: hand: the work after each step, as it is kept
+  test("of all sorts come back one by one, and again forth, wherever the focus is", async () => {
+    const { context, page, problems } = await start(chrome);
+    const kept = async () => {
+      await page.waitForTimeout(400);
+      const { control, cycle, values, programs, errors, own, files } = await stored(page);
+      return { control, cycle, values, programs, errors, own, files };
+    };
+    const made = [
+      () => lengthField(page).fill("41"),
+      () => page.getByRole("button", { name: "Worked example" }).click(),
+      () => page.locator("button.primary:visible").first().click(),
+      () => lengthField(page).fill("43"),
+      () => page.locator(".sliders .figure, .sliders input[type=text]").first().fill("0.07"),
+      () => page.locator(".machine select").first().selectOption("G19"),
+      async () => {
+        await program(page).click();
+        await page.keyboard.press("Control+End");
+        await page.keyboard.insertText("M30");
+      },
+      () => page.locator(".call-ways [data-style=indirect]").click(),
+      () => page.locator("select.encoding").selectOption("save utf-16le"),
+    ];
+    const seen = [await kept()];
+    for (const step of made) {
+      await step();
+      await pause(page);
+      seen.push(await kept());
+    }
+    for (const [index, one] of seen.entries())
+      assert.ok(!index || !isDeepStrictEqual(one, seen[index - 1]), `${index}`);
+    await page.locator("#history-open").click();
+    const names = await steps(page);
+    assert.equal(names.length, seen.length, names.join(" | "));
+    await page.keyboard.press("Escape");
+    const places = ["#theme", ".cm-content", "#history-open"];
+    for (let left = made.length; left > 0; left--) {
+      await page.locator(places[left % places.length]).focus();
+      await page.keyboard.press("Control+z");
+      assert.deepEqual(await kept(), seen[left - 1], `back before ${names[made.length - left]}`);
+    }
+    for (let done = 1; done <= made.length; done++) {
+      await page.keyboard.press(done % 2 ? "Control+y" : "Control+Shift+z");
+      assert.deepEqual(await kept(), seen[done], `forth to ${names[made.length - done]}`);
+    }
+    await page.locator("#history-open").click();
+    await page.locator(".history-list button").last().click();
+    assert.deepEqual(await kept(), seen[0]);
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: hand
+  test("go on from where they were taken back: what was undone then is gone", async () => {
+    const { context, page } = await start(chrome);
+    await changed(page, "41");
+    await changed(page, "42");
+    await lengthField(page).focus();
+    await page.keyboard.press("Control+z");
+    assert.equal(await lengthField(page).inputValue(), "41");
+    await changed(page, "44");
+    assert.ok(await redo(page).isDisabled());
+    await page.keyboard.press("Control+z");
+    assert.equal(await lengthField(page).inputValue(), "41");
+    await context.close();
+  });
+});

@@ -1,0 +1,142 @@
+// What was done, step by step: undone and done again across form, program and machine. A step is told by what differs
+// between the work before and after it, so that nothing that changes the work has to say so.
+
+import type { Dialect } from "../wire";
+import type { History, Patch, State, Step, StepName } from "./state";
+import { work } from "./stored";
+
+/** Steps that are kept, and characters of different programs in them: each holds the whole program. */
+const MOST = 200;
+const MOST_TEXT = 32_000_000;
+/** What is typed into the same place within this time is one step, ms. */
+const TOGETHER = 1000;
+
+/** Whether two values of the state say the same. */
+function same(one: unknown, other: unknown): boolean {
+  if (one === other) return true;
+  if (typeof one !== "object" || typeof other !== "object" || !one || !other) return false;
+  const names = Object.keys(one);
+  const value = (of: object, name: string): unknown => (of as Record<string, unknown>)[name];
+  return names.length === Object.keys(other).length && names.every(name => same(value(one, name), value(other, name)));
+}
+
+/** Names of the values of one list that differ from those of the other. */
+function differing(one: Record<string, unknown>, other: Record<string, unknown>): string[] {
+  const names = new Set([...Object.keys(one), ...Object.keys(other)]);
+  return [...names].filter(name => !same(one[name] ?? "", other[name] ?? ""));
+}
+
+type Told = Omit<Step, "work" | "at">;
+
+const named = (key: string, args: StepName["args"] = {}): Told => ({ name: { key, args }, subject: "" });
+
+/** Notices of what the page itself has done: their step is called after them. */
+const DONE: Record<string, string> = {
+  "notice-inserted": "step-insert",
+  "notice-converted": "step-convert",
+  "notice-mended": "step-fix",
+  "notice-applied": "step-fix",
+  "notice-example": "step-example",
+  "notice-set-loaded": "step-set-load",
+};
+
+/** A step between two states; `inEditor`: the user typed into the program. */
+interface Between {
+  before: State;
+  after: State;
+  inEditor: boolean;
+}
+
+const textsDiffer = ({ before, after }: Between): boolean =>
+  differing(before.program.texts, after.program.texts).length > 0;
+const sameForm = ({ before, after }: Between): boolean =>
+  before.form.cycle === after.form.cycle && before.form.control === after.form.control;
+
+function ofFile({ before, after }: Between): Told | null {
+  const { control } = after.form;
+  const file = after.program.files[control];
+  return file?.opened === before.program.files[control]?.opened ? null : named("step-open", { file: file?.name ?? "" });
+}
+
+function ofPage(step: Between): Told | null {
+  const { before, after } = step;
+  const { notice } = after.page;
+  const key = notice === before.page.notice ? undefined : DONE[notice];
+  const differs = textsDiffer(step) || differing(before.form.values, after.form.values).length > 0;
+  return key && differs ? named(key) : null;
+}
+
+function ofEditor(step: Between): Told | null {
+  const { line } = step.after.program;
+  return step.inEditor && textsDiffer(step) ? { ...named("step-program", { line }), subject: `program ${line}` } : null;
+}
+
+/** Of another task the form has the values it had; another call that is looked at is no step. */
+function ofForm(step: Between): Told | null {
+  const [was, is] = [step.before.form, step.after.form];
+  if (!sameForm(step)) return is.open === null ? named("step-task", { cycle: is.cycle }) : null;
+  if (was.open !== is.open && !textsDiffer(step)) return null;
+  const names = differing(was.values, is.values);
+  const [field] = names;
+  if (field === undefined) return null;
+  if (names.length > 1) return named("step-values", { cycle: is.cycle });
+  return { ...named("step-field", { field, value: is.values[field] || "–" }), subject: `field ${field}` };
+}
+
+function ofRest(step: Between): Told | null {
+  const { before, after } = step;
+  if (textsDiffer(step)) return named("step-program", { line: after.program.line });
+  const encoding = after.program.files[after.form.control]?.encoding ?? "";
+  if (!same(before.program.files, after.program.files)) return named("step-encoding", { encoding });
+  if (!same(before.part.errors, after.part.errors)) return { ...named("step-errors"), subject: "errors" };
+  if (!same(before.machine, after.machine)) return named("step-machine");
+  return same(before.form.sets, after.form.sets) ? null : named("step-sets");
+}
+
+/** What was done between two states; none: nothing that could be undone. */
+export function toldStep(before: State, after: State, inEditor: boolean): Told | null {
+  const step = { before, after, inEditor };
+  return ofFile(step) ?? ofPage(step) ?? ofEditor(step) ?? ofForm(step) ?? ofRest(step);
+}
+
+/** Characters that a step holds and the step after it does not. */
+function weight(step: Step, next: Step | undefined): number {
+  const texts = Object.entries(step.work.program?.texts ?? {});
+  const held = next?.work.program?.texts;
+  return texts.filter(([one, text]) => held?.[one as Dialect] !== text).reduce((sum, [, text]) => sum + text.length, 0);
+}
+
+/** The last steps, no more than can be kept. */
+function bounded(steps: Step[]): Step[] {
+  let room = MOST_TEXT;
+  let first = steps.length;
+  while (first > Math.max(0, steps.length - MOST)) {
+    room -= weight(steps[first - 1] as Step, steps[first]);
+    if (room < 0) break;
+    first -= 1;
+  }
+  return steps.slice(first);
+}
+
+/** The history with a step more, or with the last step longer by it. */
+export function withStep({ past }: History, told: Told, before: State, at: number): History {
+  const last = past.at(-1);
+  const longer = last && told.subject && last.subject === told.subject && at - last.at < TOGETHER;
+  const step = { ...told, at, work: longer ? last.work : work(before) };
+  return { past: bounded([...(longer ? past.slice(0, -1) : past), step]), future: [] };
+}
+
+/** What goes back by so many steps, or forth where it is negative. */
+export function stepped(state: State, steps: number): Patch | null {
+  let { past, future } = state.history;
+  let now = work(state);
+  for (let left = Math.abs(steps); left > 0; left--) {
+    const [from, to] = steps > 0 ? [past, future] : [future, past];
+    const step = from.at(-1);
+    if (!step) return null;
+    const [rest, more] = [from.slice(0, -1), [...to, { ...step, work: now, subject: "" }]];
+    now = step.work;
+    [past, future] = steps > 0 ? [rest, more] : [more, rest];
+  }
+  return { ...now, history: { past, future } };
+}
