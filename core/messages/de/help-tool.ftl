@@ -57,12 +57,12 @@ help-cycle982-wrong-fast = Die Frässpindel dreht beim Antasten schnell: Schneid
 help-cycle982-wrong-wrong-side = Die Startposition liegt auf der falschen Seite oder zwischen zwei Seiten des Messtasters: Alarm 61332.
 help-cycle982-wrong-nose = Schneidenradius oder Längen des Kalibrierwerkzeugs sind falsch: Der Fehler geht in jedes später gemessene Werkzeug ein.
 
-help-tool-probe-known = Die Lage der Messtasterseiten ist ungefähr bekannt: Triggerpunkte in _TP (werkstückbezogen: _TPW).
+help-tool-probe-known = Zum Kalibrieren geben die Triggerpunkte in _TP (werkstückbezogen: _TPW) die Lage der Messtasterseiten ungefähr an; zum Messen eines Werkzeugs ist der Messtaster kalibriert.
 help-tool-block = Eine Antastung: bis _FA vor die Seite, von dort höchstens zweimal _FA weit, nach dem Signal zurück. Ist _NMSP größer als 1, wiederholt der Zyklus die Antastung; es gilt der Mittelwert.
 help-tool-reach = Werkzeugdaten oder Messtasterdaten sind um mehr als _FA falsch: Der Messtaster schaltet nicht (Alarm 61301), oder das Werkzeug berührt ihn schon beim Anfahren (Alarm 61302).
 help-tool-trigger = Die Messtasterdaten: der Triggerpunkt in _TP (werkstückbezogen: _TPW), wenn er um mehr als _TZL vom gespeicherten abweicht. Über _TSA: Alarm 61303, nichts wird gespeichert.
 help-tool-data = Das aktive Werkzeug: Geometrie, der Verschleiß wird 0; mit _CHBIT[3]=1 nur der Verschleiß. Keine Korrektur bei einer Differenz bis _TZL oder ab _TDIF (Meldung 62306), ab _TSA Alarm 61303.
-help-tool-in-front = Das Werkzeug steht schon vor der anzutastenden Seite, höchstens zweimal _FA entfernt; Messtasterdaten sind nicht nötig.
+help-tool-in-front = Das Werkzeug steht schon vor der anzutastenden Seite, höchstens zweimal _FA entfernt. Kalibrieren: ohne Messtasterdaten; Werkzeug messen: diese Seite ist kalibriert.
 help-tool-from-here = Das Werkzeug tastet von der Startposition aus an, höchstens zweimal _FA weit, und fährt zur Startposition zurück; keine andere Bewegung.
 help-tool-trigger-always = Die Messtasterdaten: Der Triggerpunkt in _TP (werkstückbezogen: _TPW) wird immer gespeichert, gleich wie groß er vorher war.
 help-tool-unwatched = Kein Grenzwert überwacht das Ergebnis: Berührt das Werkzeug etwas anderes als den Messtaster, speichert der Zyklus auch diese Position als Triggerpunkt.

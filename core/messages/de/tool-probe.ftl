@@ -38,7 +38,7 @@ param-fa-tool-help = Abstand vom Start des Messsatzes zum erwarteten Triggerpunk
 param-ma-lathe-length = Zu messende Länge
 param-ma-lathe-length-help = Zu messende Länge; sie bestimmt auch die Achse der Antastung. Die Startposition liegt vor der Messtasterseite, die die Schneide antastet.
 param-ma-calibrate = Kalibrierte Achse
-param-ma-calibrate-help = Achse, in der der Messtaster angetastet wird. Die Startposition bestimmt die Richtung.
+param-ma-calibrate-help = Achse, in der der Messtaster angetastet wird. Außer bei inkrementellem Anfahren bestimmt die Startposition die Richtung.
 
 result-trigger-minus-1 = Triggerpunkt in Minus-Richtung, 1. Geometrieachse, Istwert
 result-trigger-minus-1-difference = Triggerpunkt in Minus-Richtung, 1. Geometrieachse, Differenz

@@ -65,5 +65,5 @@ advice-read-back-cure = Use the values of _MZ_MASK
 advice-mask = This call was written with other machine settings: { $changes }.
 advice-mask-hint = The control writes these changes into the program as soon as it reads the call back.
 advice-mask-cure = Enter the settings of this machine
-advice-tool-programming = The control cannot read this call back into its form: { $changes } since it was written.
+advice-tool-programming = The control cannot read this call back. Changed since it was written: { $changes }.
 advice-tool-programming-hint = Write the call again with the form, and check tool and D number: they are now programmed differently.

@@ -57,12 +57,12 @@ help-cycle982-wrong-fast = The milling spindle rotates fast while the tool touch
 help-cycle982-wrong-wrong-side = The start position is on the wrong side, or between two sides of the probe: alarm 61332.
 help-cycle982-wrong-nose = Nose radius or lengths of the calibration tool are wrong: their error goes into every tool measured later.
 
-help-tool-probe-known = The approximate positions of the probe sides are entered: the trigger points in _TP (workpiece-related: _TPW).
+help-tool-probe-known = For calibration, the trigger points in _TP (workpiece-related: _TPW) contain the approximate positions of the probe sides; for measuring a tool, the probe is calibrated.
 help-tool-block = One touch: to _FA before the side, from there over at most twice _FA, back after the signal. If _NMSP is above 1, the touch is repeated and the mean value is used.
 help-tool-reach = Tool data or probe data are wrong by more than _FA: the probe does not switch (alarm 61301), or the tool touches on its path (61302).
 help-tool-trigger = The probe data: the trigger point in _TP (workpiece-related: _TPW), if it differs by more than _TZL from the stored one. Above _TSA: alarm 61303, nothing is stored.
 help-tool-data = The active tool: geometry, with wear reset to 0; with _CHBIT[3]=1 only wear. No correction up to _TZL, from _TDIF message 62306 and no correction, from _TSA alarm 61303.
-help-tool-in-front = The tool is already in front of the side to be touched, at most twice _FA away; no probe data are required.
+help-tool-in-front = The tool is already in front of the side to be touched, at most twice _FA away. Calibration needs no probe data; for measuring a tool, this side is calibrated.
 help-tool-from-here = The tool touches from its position over at most twice _FA and moves back to the start position; nothing else moves.
 help-tool-trigger-always = The probe data: the trigger point in _TP (workpiece-related: _TPW) is stored, whatever its previous value.
 help-tool-unwatched = No limit monitors the result: if the tool touches something other than the probe, that position is stored.

@@ -38,7 +38,7 @@ param-fa-tool-help = Distance from the start of the measuring block to the expec
 param-ma-lathe-length = Measured length
 param-ma-lathe-length-help = Length to be measured, which also determines the axis of the touch. The start position is opposite the side of the probe that the cutting edge touches.
 param-ma-calibrate = Calibrated axis
-param-ma-calibrate-help = Axis in which the probe is touched. The start position determines the direction.
+param-ma-calibrate-help = Axis in which the probe is touched. Unless the approach is incremental, the start position determines the direction.
 
 result-trigger-minus-1 = Trigger point −, 1st axis
 result-trigger-minus-1-difference = Trigger point −, difference, 1st axis

@@ -57,12 +57,12 @@ help-cycle982-wrong-fast = 触碰时铣削主轴转速高：损坏刀刃和测�
 help-cycle982-wrong-wrong-side = 起点在错误的一侧，或在测头两侧面之间：报警 61332。
 help-cycle982-wrong-nose = 校准刀具的刀尖半径或长度不对：误差会计入以后测量的每把刀具。
 
-help-tool-probe-known = 测头各面的近似位置已输入：_TP（相对工件：_TPW）中的触发点。
+help-tool-probe-known = 校准时，_TP（相对工件：_TPW）中的触发点是测头各面的近似位置；测量刀具时，测头必须已校准。
 help-tool-block = 对一个面：移到该面前 _FA 处，从那里最多走两倍 _FA 触碰，触发后退回。_NMSP 大于 1 时重复，取平均值。
 help-tool-reach = 刀具数据或测头数据的误差超过 _FA：不触发（报警 61301），或途中碰撞（61302）。
 help-tool-trigger = 测头数据：_TP（相对工件：_TPW）中的触发点，与存储值相差大于 _TZL 时更新。超过 _TSA：报警 61303，不存储。
 help-tool-data = 当前刀具：写入几何值，磨损置 0；_CHBIT[3]=1 时只写磨损。偏差不超过 _TZL：不补偿；达到 _TDIF：信息 62306，不补偿；达到 _TSA：报警 61303。
-help-tool-in-front = 刀具已在要触碰的面前，不超过两倍 _FA；不需要测头的数据。
+help-tool-in-front = 刀具已在要触碰的面前，不超过两倍 _FA。校准时不需要测头的数据；测量刀具时，此面必须已校准。
 help-tool-from-here = 从所在位置最多走两倍 _FA 触碰，退回起点；没有其他移动。
 help-tool-trigger-always = 测头数据：_TP（相对工件：_TPW）中的触发点，不论原值如何都存储。
 help-tool-unwatched = 没有极限监控结果：刀具若碰到测头以外的物体，也存储该位置。
