@@ -30,7 +30,8 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     outcome
 }
 
-/// The signals of the device: RDY at #1003 and TSIG at #1002 (C:1204). An input that was never set is as it should be.
+/// The signals of the device: RDY at #1003 and TSIG at #1002 (C:1204), assumed to be 1 while the disk is pressed. An
+/// input that was never set is as it should be.
 fn ready(control: &Control) -> Result<(), Stop> {
     let input = |name: &str, otherwise: f64| match control.data.get(name) {
         Some(Value::Number(value)) => *value,

@@ -191,7 +191,8 @@ fn the_length_alone() {
     assert_eq!(outcome.control.register(TOOL).radius, 0.0);
 }
 
-// oracle: manual C:1204: RDY at #1003, TSIG at #1002
+// oracle: manual C:1204: RDY at #1003, TSIG at #1002. That TSIG is 1 while the disk is pressed is an assumption
+// (DESIGN.md, P9920, signals): C:1204 has the alarm come "unless the TSIG signal arrives", which would make it 0.
 #[test]
 fn the_signals_of_the_device_count() {
     for (name, value, expected) in [
