@@ -11,10 +11,10 @@ effect-difference = Meldung; das Programm läuft weiter, mit { "_CBIT[2]" }=1 od
 effect-abort = Das Makro bricht ab; Ursache beheben und das Programm neu starten.
 effect-shown = Text auf dem Bildschirm; nichts hält an.
 effect-start = Meldung; weiter mit START.
-found-check = Erkannt beim Schreiben des Programms und von `probewright check`.
-found-run = Erkannt beim Programmlauf auf der simulierten Maschine.
-found-both = Erkannt beim Schreiben des Programms, von `probewright check` und auf der simulierten Maschine.
-found-nowhere = Von Probewright noch nicht erkannt: tritt nur an der Maschine auf.
+found-check = beim Schreiben des Programms und von `probewright check`
+found-run = beim Programmlauf auf der simulierten Maschine
+found-both = beim Schreiben des Programms, von `probewright check` und auf der simulierten Maschine
+found-nowhere = noch nicht von Probewright; tritt nur an der Maschine auf
 
 alarm-61016 = Das Systemframe für Zyklen fehlt.
     .cause = Das Frame, das die Zyklen selbst schreiben, ist durch Maschinendaten ausgeschaltet.

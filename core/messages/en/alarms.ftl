@@ -11,10 +11,10 @@ effect-difference = Message; the program continues, with { "_CBIT[2]" }=1 or bef
 effect-abort = The macro is aborted; fix the cause and restart the program.
 effect-shown = Text on the screen; nothing stops.
 effect-start = Message; continue with START.
-found-check = Detected while the program is written, and by `probewright check`.
-found-run = Detected when the program runs on the simulated machine.
-found-both = Detected while the program is written, by `probewright check`, and on the simulated machine.
-found-nowhere = Not detected by Probewright yet: it occurs only on the machine.
+found-check = while the program is written, and by `probewright check`
+found-run = when the program runs on the simulated machine
+found-both = while the program is written, by `probewright check`, and on the simulated machine
+found-nowhere = not yet by Probewright; it occurs only on the machine
 
 alarm-61016 = The system frame for cycles is missing.
     .cause = The frame that the cycles write is switched off by machine data.

@@ -25,7 +25,7 @@ report-optional = optional
 report-optional-when = optional if { $condition }
 report-or = or
 report-parameters = Parameters
-report-raised = Raised by: { $cycles }. Source: { $source }.
+report-raised = Raised by: { $cycles }. Detected: { $found }. Source: { $source }.
 report-required = required
 report-required-when = required if { $condition }
 report-results = Results
@@ -86,7 +86,7 @@ terminal-told-cause = cause
 terminal-told-cure = remedy
 terminal-told-effect = effect
 terminal-told-sources = raised by
-terminal-told-found = found
+terminal-told-found = detected
 terminal-told-source = source
 
 # Help pages of the terminal program and what it says about wrong arguments; names of its files stay.

@@ -10,10 +10,10 @@ effect-difference = 信息；程序继续，{ "_CBIT[2]" }=1 时或重复测量�
 effect-abort = 宏程序中断；排除原因后重新启动程序。
 effect-shown = 屏幕上显示文字；程序不停止。
 effect-start = 信息；按 START 继续。
-found-check = 编写程序时发现，也由 `probewright check` 发现。
-found-run = 程序在模拟机床上运行时发现。
-found-both = 编写程序时、由 `probewright check` 以及在模拟机床上发现。
-found-nowhere = Probewright 尚不能发现：只在机床上出现。
+found-check = 编写程序时和 `probewright check`
+found-run = 程序在模拟机床上运行时
+found-both = 编写程序时、`probewright check`、在模拟机床上
+found-nowhere = Probewright 尚不能；只在机床上出现
 
 alarm-61016 = 缺少循环的系统坐标框架。
     .cause = 机床数据关闭了循环要写入的坐标框架。

@@ -25,7 +25,7 @@ pub struct Told {
     pub effect: String,
     /// Cycles and programs that raise it.
     pub sources: String,
-    /// What Probewright does about it.
+    /// When Probewright detects it.
     pub found: String,
     /// Place in the manual.
     pub source: Cited,
@@ -82,7 +82,7 @@ fn effect_key(alarm: &Alarm) -> &'static str {
     }
 }
 
-/// Key of what Probewright does about it.
+/// Key of when Probewright detects it.
 fn found_key(found: Found) -> &'static str {
     match found {
         Found::Check => "found-check",
@@ -108,9 +108,8 @@ fn section(text: &mut String, told: Told, words: &Words) {
     let cause = told.cause.map_or(String::new(), |cause| format!(" {cause}"));
     line(text, &format!("**{}**{cause}", told.meaning));
     line(text, &told.cure);
-    let facts = [&told.effect, &told.found].map(String::as_str).join(" ");
-    line(text, &facts);
-    let raised = [("cycles", told.sources), ("source", told.source.to_string())];
+    line(text, &told.effect);
+    let raised = [("cycles", told.sources), ("found", told.found), ("source", told.source.to_string())];
     line(text, &said(words, "report-raised", &raised));
 }
 

@@ -86,6 +86,10 @@ fn when(condition: &When, words: &Words) -> String {
         all.join(&format!(" {} ", words.key(sign)))
     };
     let said = |key: &'static str, args: &[(&'static str, String)]| said(words, key, args);
+    let numbers = |name: &str, is: &[f64]| {
+        let list: Vec<String> = is.iter().map(f64::to_string).collect();
+        format!("`{name}` ∈ [{}]", list.join(", "))
+    };
     match condition {
         When::Always => words.key("report-always"),
         When::Variant(numbers) => said("report-when-variant", &[("numbers", format!("{numbers:?}"))]),
@@ -96,13 +100,16 @@ fn when(condition: &When, words: &Words) -> String {
             words.text(&digit.number("place", place))
         }
         When::Given(param) => said("report-when-given", &[("param", param.to_string())]),
-        When::Number { param, is } => format!("`{param}` ∈ {is:?}"),
+        When::Number { param, is } => numbers(param.as_str(), is),
         When::Above { param, than } => format!("`{param}` > {than}"),
-        When::Setting { name, is } => format!("`{name}` ∈ {is:?}"),
+        When::Setting { name, is } => numbers(name, is),
         When::ToolType(from, to) => said("report-when-tool", &[("from", from.to_string()), ("to", to.to_string())]),
         When::Plane(plane) => format!("{plane:?}"),
         When::Diameters => "DIAMON".to_owned(),
-        When::All(conditions) => list(conditions, "report-and"),
+        When::All(conditions) => {
+            let limiting: Vec<When> = conditions.iter().copied().filter(|one| *one != When::Always).collect();
+            list(&limiting, "report-and")
+        }
         When::Any(conditions) => format!("({})", list(conditions, "report-or")),
         When::Not(condition) => said("report-when-not", &[("condition", when(condition, words))]),
     }
