@@ -2,7 +2,7 @@
 //! and the simulation of the control. No browser, no clock, no random source of its own, no IO.
 //!
 //! Inside: millimetre, degree, mm/min, positions X Y Z of the machine unless something else is said. What is wrong is
-//! said with a key and arguments ([`message::Message`]); the words stand in Fluent files, with the feature `cli` in
+//! said with a key and arguments ([`message::Message`]); the words are in Fluent files, with the feature `cli` in
 //! `words`.
 //!
 //! # Check a call

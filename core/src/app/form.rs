@@ -42,7 +42,7 @@ pub struct FormRequest {
     pub assumed: Typed,
     /// Machine; absent: the core's own as it is.
     pub setup: Option<Machine>,
-    /// G function of units in force at the call, where it is not that of the machine.
+    /// G function of units active at the call, where it is not that of the machine.
     pub units: Option<UnitFunction>,
     /// Working plane at the call, where it is not that of the machine.
     pub plane: Option<Plane>,
@@ -204,7 +204,7 @@ fn suit(setup: &mut Setup, cycle: &'static Cycle, asked: &FormRequest) {
     setup.control.plane = own;
 }
 
-/// What is in force at the call. A form has no DIAMON before its call; it asks for diameters (B:10623).
+/// What is active at the call. A form has no DIAMON before its call; it asks for diameters (B:10623).
 fn at_call(control: &mut Control, cycle: &Cycle, asked: &FormRequest) -> Result<(), Error> {
     if cycle.purpose.machine == MachineSort::Turning {
         control.transverse = asked.transverse.unwrap_or(Transverse::Diameter);

@@ -48,7 +48,7 @@ fn cycle(dialect: Dialect, name: &str) -> Result<&'static Cycle, Error> {
     crate::catalogue::find(dialect, name).ok_or_else(|| unknown("document-cycle", name))
 }
 
-/// Makes a G function of units the one in force, where the control has it.
+/// Makes a G function of units the active one, where the control has it.
 fn choose_units(control: &mut Control, function: UnitFunction) -> Result<(), Error> {
     if control.choose_units(function as u16) {
         return Ok(());

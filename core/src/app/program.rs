@@ -71,7 +71,7 @@ pub struct CallView {
     pub plane: Plane,
     /// How X is given there.
     pub transverse: Transverse,
-    /// G function of units in force there.
+    /// G function of units active there.
     pub units: UnitFunction,
     /// What is wrong with it.
     pub diagnostics: Vec<Finding>,

@@ -43,7 +43,7 @@ pub struct ScanRequest {
     pub surface: Option<SurfaceChoice>,
 }
 
-/// What stands in the place of a surface, as large as that.
+/// What replaces a surface, as large as that.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "camelCase")]
 #[cfg_attr(test, derive(ts_rs::TS))]

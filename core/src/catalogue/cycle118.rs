@@ -1,5 +1,5 @@
 //! CYCLE118(PAR1,PAR2,PAR3,PAR4,PAR5): makes texts of real numbers with so many decimals (B:11262-11320): of one
-//! number, or of up to ten that stand in consecutive R parameters.
+//! number, or of up to ten that are in consecutive R parameters.
 
 use super::logging;
 use super::logging::cells::{CELL, ROW, cells, left};
@@ -115,7 +115,7 @@ fn one(number: f64, decimals: usize) -> Vec<PictureShape> {
     shapes
 }
 
-/// The decimals of a text whose first one stands in this cell.
+/// The decimals of a text whose first one is in this cell.
 fn digits(first: usize, decimals: usize, y: f64) -> PictureShape {
     let below = y - CELL * 1.2;
     let ends = [first, first + decimals].map(|cell| [left(cell), below]);

@@ -34,7 +34,7 @@ fn known(cycle: &'static Cycle, values: &mut Typed) {
 }
 
 /// Values, as typed, that choose a variant: its number, or the address whose presence makes it.
-/// An address that does so in one plane only stands in the plane of a control as delivered.
+/// An address that does so in one plane only is in the plane of a control as delivered.
 pub fn choosing(cycle: &'static Cycle, number: i64) -> Typed {
     let first = |param: &crate::entry::Param| {
         let typed = param.chooses.first()?.typed;
@@ -72,7 +72,7 @@ pub fn turned(cycle: &Cycle, values: &Typed, plane: Plane) -> Typed {
     one_by_one(values.iter().map(|(name, value)| (turn(name), value.clone())))
 }
 
-/// The worked measurement as it stands in the entry.
+/// The worked measurement as it is in the entry.
 pub fn worked(cycle: &Cycle) -> Typed {
     typed(cycle.example())
 }

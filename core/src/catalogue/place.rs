@@ -6,7 +6,7 @@ use crate::geometry::rigid::angles;
 use crate::workpiece::{PartErrors, Workpiece};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
-/// Ball radius that the cycle reckons with, mm: half of `_WP[k,0]` of the probe in `_PRNUM` (B:13442), else the
+/// Ball radius that the cycle calculates with, mm: half of `_WP[k,0]` of the probe in `_PRNUM` (B:13442), else the
 /// radius of the active tool, else 3 mm, the ball of the manual's examples.
 pub fn ball_radius(inputs: &Inputs, control: &Control) -> f64 {
     let index = inputs.integer(names::PRNUM) % 100 - 1;

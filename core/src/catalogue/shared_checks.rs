@@ -78,7 +78,7 @@ pub fn tolerances(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// A doubt when the second is smaller than the first.
+/// A warning when the second is smaller than the first.
 fn order(small: f64, large: Option<f64>, sentence: Own, at: Name, found: &mut Vec<Diagnostic>) {
     if let Some(large) = large.filter(|large| *large < small) {
         found.push(sentence.finding().number("small", small).number("large", large).at(at));

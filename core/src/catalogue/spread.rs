@@ -1,4 +1,4 @@
-//! Doubts about points that lie so that what follows from them is far more uncertain than each of them.
+//! Warnings about points that lie so that what follows from them is far more uncertain than each of them.
 
 use crate::catalogue::prelude::*;
 use crate::evaluate::spread;

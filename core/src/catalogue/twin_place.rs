@@ -5,7 +5,7 @@ use super::twin::part_of;
 use crate::catalogue::prelude::*;
 use crate::control::Units;
 
-/// Height of the start in the axis of the tool for which a depth is reckoned: 20 mm or 0.8 inch. A call of NCT tells
+/// Height of the start in the axis of the tool for which a depth is calculated: 20 mm or 0.8 inch. A call of NCT tells
 /// the depth as a coordinate, one of SINUMERIK the way there from the start, which neither tells.
 pub const START: [f64; 2] = [20.0, 0.8 * 25.4];
 

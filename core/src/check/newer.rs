@@ -21,7 +21,7 @@ const SAME: [Own; 6] =
 /// Alarms whose condition is published for newer controls: `S_FA` above 0, the protection zone.
 const SAME_ALARMS: [Code; 2] = [Code::Alarm(61308), Code::Alarm(61334)];
 
-/// Doubts about two values that hold where both are written: what counts for an omitted one is another datum there.
+/// Warnings about two values that hold where both are written: what counts for an omitted one is another datum there.
 const ORDERS: [(Own, &[Name]); 4] = [
     (own::TOLERANCE_ORDER, &[names::TUL, names::TLL]),
     (own::BAND_DIFFERENCE, &[names::TUL, names::TLL, names::TDIF]),

@@ -1,4 +1,4 @@
-//! What a measuring call does with the data of the control before anything else: arrays that stand in the other basic
+//! What a measuring call does with the data of the control before anything else: arrays that are in the other basic
 //! system are converted (B:13594-13598, B:14059-14061), and arrays are erased on demand (B:13644). And its last step,
 //! the measuring result screen.
 
@@ -20,7 +20,7 @@ const METRIC: [(&str, bool); 2] = [("_CBIT[3]", false), ("_CHBIT[24]", true)];
 
 /// One thing that a call does first.
 pub struct Due {
-    /// As a doubt before the call.
+    /// As a warning before the call.
     pub finding: Diagnostic,
     /// As what the call did.
     told: Message,

@@ -1,5 +1,5 @@
 //! The control as delivered: data that measuring cycles read, with the initial values of `gud`, `machine_data` and
-//! `nct_data`. Lengths and feeds stand in the basic system of the machine, as the manual says. Initial values of
+//! `nct_data`. Lengths and feeds are in the basic system of the machine, as the manual says. Initial values of
 //! parameters (`_FA`, `_TSA`, …) are defaults of the catalogue: an unset datum means "as delivered".
 
 use super::gud::{Element, Initial, System};
@@ -97,7 +97,7 @@ fn delivered(element: &Element, units: Units, always: bool) -> Option<Value> {
     }
 }
 
-/// Metric units in one unit of a datum as it stands in the control.
+/// Metric units in one unit of a datum as it is in the control.
 pub fn factor(unit: gud::Unit, basic: Units) -> f64 {
     match unit {
         gud::Unit::Length(System::Basic) | gud::Unit::Feed(System::Basic) => basic.factor(),

@@ -252,7 +252,7 @@ impl Control {
         }
     }
 
-    /// Writes a number. A 0 has no sign: what is reckoned with it later, and what is shown, has none either.
+    /// Writes a number. A 0 has no sign: what is calculated with it later, and what is shown, has none either.
     pub fn set(&mut self, name: impl Into<String>, value: f64) {
         self.data.insert(name.into(), Value::Number(value + 0.0));
     }

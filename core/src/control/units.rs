@@ -65,7 +65,7 @@ impl Control {
         chosen.is_some()
     }
 
-    /// The G function whose choice is in force.
+    /// The G function whose choice is active.
     pub fn unit_function(&self) -> UnitFunction {
         self.function(self.active_units, self.data_follow)
     }

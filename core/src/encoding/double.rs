@@ -18,7 +18,7 @@ impl Counts {
         self
     }
 
-    /// Whether it is such a text. One wrong byte is as much doubt as four rare characters.
+    /// Whether it is such a text. One wrong byte counts as much as four rare characters.
     pub fn likely(self) -> bool {
         self.usual > 0 && self.usual >= self.rare + 4 * self.wrong
     }

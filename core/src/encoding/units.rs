@@ -1,6 +1,6 @@
 //! Text in units of two bytes: a part program is mostly ASCII, of which one byte in two is NUL.
 
-/// What stands in the units, read with the low byte first (0) and with the high byte first (1).
+/// What is in the units, read with the low byte first (0) and with the high byte first (1).
 #[derive(Default)]
 pub struct Units {
     first: Option<u8>,

@@ -148,7 +148,7 @@ impl Param {
         }
     }
 
-    /// Whether it stands in the data of the machine, and a call may write it there (`_MFS[0]`).
+    /// Whether it is in the data of the machine, and a call may write it there (`_MFS[0]`).
     pub fn is_machine_datum(&self) -> bool {
         gud::named(self.name.as_str()).is_some_and(gud::Gud::of_machine)
     }

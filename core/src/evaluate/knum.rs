@@ -103,7 +103,7 @@ pub enum ZeroCode {
     /// 1 to 99: G54 to G57, G505 to G599; 1011 to 1026: `$P_CHBFR[0..15]`; 1051 to 1066: `$P_NCBFR[0..15]`, which have
     /// no rotation; 2000: `$P_SETFR`.
     Stored(Store),
-    /// 1000: the last active channel basic frame, reckoned with G500.
+    /// 1000: the last active channel basic frame, calculated with G500.
     LastBasic,
     /// 9999: the active frame, and active at once.
     Active,

@@ -1,13 +1,13 @@
 //! How much of the scatter of one measured point is left in what follows from several of them: standard deviations, as
 //! multiples of that of one point. All points scatter alike and independently of each other; to first order, as scatter
-//! is small against every distance. DESIGN.md says what is doubted.
+//! is small against every distance. DESIGN.md says what is reported.
 
 use crate::geometry::{Degrees, V3};
 use nalgebra::{Matrix3, MatrixXx3, RowVector3, Vector2};
 
 /// Length over which the uncertainty of a direction is told, mm.
 pub const LENGTH: f64 = 100.0;
-/// More than this is doubted: a decimal place of what the probe can do is lost.
+/// More than this is reported: a decimal place of what the probe can do is lost.
 pub const DOUBTED: f64 = 10.0;
 /// Sine of an angle between lines that do not meet.
 const PARALLEL: f64 = 1e-9;

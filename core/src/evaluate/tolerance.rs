@@ -2,7 +2,7 @@
 
 use super::mean;
 
-/// The bands, mm, each reckoned from 0. All comparisons are "more than": a difference on the limit is inside.
+/// The bands, mm, each measured from 0. All comparisons are "more than": a difference on the limit is inside.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bands {
     /// `_TSA`: beyond it something is wrong with the measurement itself.

@@ -1,5 +1,5 @@
 //! Points and directions by the coordinate system in which their numbers count, so that one does not pass for another.
-//! What is told in the frame of a solid, and what geometry reckons with, is a plain [`V3`].
+//! What is told in the frame of a solid, and what geometry calculates with, is a plain [`V3`].
 
 use super::V3;
 use std::marker::PhantomData;

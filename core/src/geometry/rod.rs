@@ -209,7 +209,7 @@ pub fn overrun(radius: f64) -> f64 {
     TAU / AROUND as f64 * radius
 }
 
-/// The earliest contact with what stands in all directions about an axis, `radius` mm from it, by its angle in radians.
+/// The earliest contact with what is in all directions about an axis, `radius` mm from it, by its angle in radians.
 /// Between two directions it comes sooner than in them: these are followed so far beyond the end of the path, and
 /// beyond the earliest contact so far, as they are apart.
 pub fn around(path: &Path, radius: f64, first: impl Fn(f64, &Path) -> Option<Met>) -> Option<Met> {

@@ -9,7 +9,7 @@ use serde_json::{Map, Value};
 use std::collections::BTreeMap;
 use std::fmt;
 
-/// The document in a text. No member may stand in it twice: which one should count?
+/// The document in a text. No member may be in it twice: which one would apply?
 pub(super) fn parse(text: &str) -> Result<Value, Refused> {
     serde_json::from_str(text).map(|Document(value)| value).map_err(|error| {
         let said = error.to_string();

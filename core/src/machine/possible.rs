@@ -31,7 +31,7 @@ impl Setup {
         self.exists()
     }
 
-    /// Refuses frames and data with which a control cannot reckon.
+    /// Refuses frames and data with which a control cannot calculate.
     fn governs(&self) -> Result<(), Refused> {
         let control = &self.control;
         let frames = Path::of(&["frames"]);
@@ -260,7 +260,7 @@ fn sizes(shape: &Shape) -> (Vec<f64>, f64) {
     }
 }
 
-/// Lengths, angles or times that can be reckoned with.
+/// Lengths, angles or times that can be calculated with.
 fn small(path: &Path, values: &[f64]) -> Result<(), Refused> {
     values.iter().try_for_each(|value| within(path, *value, [-LIMIT, LIMIT]))
 }

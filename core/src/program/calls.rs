@@ -56,11 +56,11 @@ pub struct CallSite {
     pub plane: Plane,
     /// How X is given at the call; diameters where the text does not tell.
     pub transverse: Transverse,
-    /// Number of the G function of units in force at the call: 70, 71, 700, 710 (NCT 20, 21).
+    /// Number of the G function of units active at the call: 70, 71, 700, 710 (NCT 20, 21).
     pub unit_function: UnitFunction,
     /// A main program of the text may end with tool radius compensation on: without G40 behind its last G41 or G42.
     pub left_on: bool,
-    /// The ways on which a program comes to it that differ in what is in force, or in values.
+    /// The ways on which a program comes to it that differ in what is active, or in values.
     pub ways: Vec<Way>,
     /// Assignments for this call that do not reach it, since a called program writes the same: name, place, that call.
     pub overwritten: Vec<(Name, Span, Span)>,
@@ -94,7 +94,7 @@ impl CallSite {
         self.list.filter(|list| list.style == Style::Operate)
     }
 
-    /// A control with the plane and the units that are in force at the call.
+    /// A control with the plane and the units that are active at the call.
     pub fn control_at(&self, control: &Control) -> Control {
         let mut control = control.clone();
         control.plane = self.plane;
@@ -142,7 +142,7 @@ pub struct Origin {
 pub struct Way {
     /// Place among all ways of the program, in the order of the run.
     pub order: usize,
-    /// What is in force at the call.
+    /// What is active at the call.
     pub state: State,
     /// Tool in use, where program and machine tell its type.
     pub tool: Option<ToolInUse>,

@@ -40,7 +40,7 @@ impl Tools {
         }
     }
 
-    /// Puts in force what a call finds, and says what the tool is: none is in use where the text does not tell.
+    /// Activates what a call finds, and says what the tool is: none is in use where the text does not tell.
     pub fn use_at(&self, control: &mut Control, state: &State) -> Option<ToolInUse> {
         (control.tool, control.edge) = (self.start.tool, self.start.edge);
         match state.plane.is() {

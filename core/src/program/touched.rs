@@ -38,7 +38,7 @@ fn one(program: &Program, edits: &[Edit], line: u32) -> Option<TouchedLine> {
         let begins = span.start <= edit.span.start && edit.span.start <= span.end;
         begins || edit.span.start < span.start && edit.span.end > span.start
     });
-    // what an edit writes stands in the line in which it begins
+    // what an edit writes is in the line in which it begins
     let part = |edit: &Edit| Edit {
         span: Span { start: within(edit.span.start), end: within(edit.span.end) },
         insert: if edit.span.start >= span.start { edit.insert.clone() } else { String::new() },

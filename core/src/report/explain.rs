@@ -72,7 +72,7 @@ fn meaning(name: &str, key: &str, words: &Words) -> String {
     }
 }
 
-/// Whether somebody who asks for this means the datum: by its name, or by that of the array that it stands in.
+/// Whether somebody who asks for this means the datum: by its name, or by that of the array that it is in.
 fn means(asked: &str, name: &str) -> bool {
     let array = name.split('[').next().unwrap_or(name);
     name.eq_ignore_ascii_case(asked) || array.eq_ignore_ascii_case(asked)

@@ -89,7 +89,7 @@ fn write(text: &mut String, cycle: &Cycle, page: &[Said], words: &Words) {
     }
 }
 
-/// The sections that say something; names of values stand in marks.
+/// The sections that say something; names of values are in marks.
 fn sections(cycle: &Cycle, page: &[Said], mark: &str, words: &Words) -> Vec<(String, Vec<String>)> {
     let mut sections = Vec::new();
     for section in SECTIONS {

@@ -26,7 +26,7 @@ pub fn settings(run: &mut Interpreter, found: &mut Words) {
     }
 }
 
-/// Whether a G function stands in a block beside the NCT macro that it calls (`G17 G110 D50`, C:1050).
+/// Whether a G function is in a block beside the NCT macro that it calls (`G17 G110 D50`, C:1050).
 pub fn beside_macro(code: f64) -> bool {
     code < 100.0 && code != 65.0
 }

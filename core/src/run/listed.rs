@@ -138,7 +138,7 @@ fn helper(run: &mut Interpreter, cycle: &'static Cycle, list: &ArgumentList, cal
     Ok(hand_back(run, cycle, list, call)?)
 }
 
-/// What stands in the variables and arguments, by parameter; what is wrong with it the cycle itself hands back.
+/// What is in the variables and arguments, by parameter; what is wrong with it the cycle itself hands back.
 fn taken(run: &Interpreter, cycle: &'static Cycle, list: &ArgumentList, call: &Call) -> Result<Typed, Problem> {
     let mut typed = Typed::new();
     for (index, arg) in list.args.iter().enumerate() {

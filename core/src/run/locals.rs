@@ -1,4 +1,4 @@
-//! Variables of a program: declared with `DEF`, or parameters of its `PROC`. Elements stand in the order of `SET`.
+//! Variables of a program: declared with `DEF`, or parameters of its `PROC`. Elements are in the order of `SET`.
 
 use super::{Datum, Interpreter, Type};
 use crate::control::{arrays, variables};

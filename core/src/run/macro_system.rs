@@ -33,7 +33,7 @@ pub fn is(run: &Interpreter, number: u32) -> bool {
         || offset(number).is_some()
 }
 
-/// Value of a number: lengths in the unit in force, angles and codes as they are.
+/// Value of a number: lengths in the active unit, angles and codes as they are.
 pub fn read(run: &Interpreter, number: u32) -> Datum {
     let control = &run.sim.control;
     if [CLOCK, HOURS].contains(&number) {
@@ -75,7 +75,7 @@ fn comment(run: &Interpreter) -> String {
     run.program.written(span).trim_matches(['(', ')']).trim().to_owned()
 }
 
-/// G functions in force by group, and the last D, F, H, S and T.
+/// Active G functions by group, and the last D, F, H, S and T.
 fn modal(run: &Interpreter, number: u32) -> Option<f64> {
     let (control, modal) = (&run.sim.control, &run.modal);
     Some(match number {

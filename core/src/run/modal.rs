@@ -1,4 +1,4 @@
-//! What stays in force until it is programmed anew.
+//! What stays active until it is programmed anew.
 
 use super::contour::Outside;
 

@@ -40,7 +40,7 @@ const NAMED: usize = 20;
 #[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct PassedOver {
-    /// As it stands in the program.
+    /// As it is in the program.
     pub word: String,
     /// Line of the word, from 1.
     pub line: u32,

@@ -7,7 +7,7 @@ use crate::syntax::tree::Operator;
 
 /// What is peculiar to the runs of a language.
 pub struct Rules {
-    /// The motion in force before the first block.
+    /// The motion active before the first block.
     pub motion: Motion,
     /// Carries out a G function that the other language does not have; false: there is none.
     pub function: fn(&mut Interpreter, u16, &mut Words) -> bool,

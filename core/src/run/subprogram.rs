@@ -63,7 +63,7 @@ pub fn room(run: &Interpreter, place: Span) -> Result<(), Problem> {
     Err(Problem::at("run-depth", place).number("limit", run.limits.depth as f64))
 }
 
-/// What is in force now.
+/// What is active now.
 fn save(run: &Interpreter) -> Saved {
     let control = &run.sim.control;
     Saved {
@@ -74,7 +74,7 @@ fn save(run: &Interpreter) -> Saved {
     }
 }
 
-/// Brings back what was in force at the call; the tool stays as it is.
+/// Brings back what was active at the call; the tool stays as it is.
 fn restore(run: &mut Interpreter, saved: Saved) {
     let Modal { prepared, waiting_edge, .. } = run.modal;
     run.modal = Modal { prepared, waiting_edge, ..saved.modal };

@@ -1,5 +1,5 @@
 //! Words of a program that could not be read: told as reading tells them and named at the end. What they would have
-//! written is not known from then on, so that nothing is reckoned or measured with an older value.
+//! written is not known from then on, so that nothing is calculated or measured with an older value.
 
 use super::{Address, Interpreter, Words, stem};
 use crate::catalogue::CYCLES;

@@ -1,7 +1,7 @@
 //! Scanned points in lines, and the surface under the ball.
 //!
 //! A ball that touches a surface has its centre one radius beside it, along the normal. The centres lie on a surface of
-//! their own with the same normals; these are reckoned from neighbours. Of three points the circle through them gives
+//! their own with the same normals; these are calculated from neighbours. Of three points the circle through them gives
 //! the direction at one of them; two such directions, along the line and across it, span the tangential plane. On a
 //! plane and on a sphere that is exact, elsewhere the error falls with the square of the distances. What is nearer than
 //! the accuracy of the points times `FAR` says nothing about directions and is passed over.

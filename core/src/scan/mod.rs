@@ -12,7 +12,7 @@ pub use spread::turns;
 
 use crate::control::{Control, Plane};
 
-/// Most points of a scan: they and what is reckoned of each must fit into the memory of a browser.
+/// Most points of a scan: they and what is calculated for each must fit into the memory of a browser.
 pub const POINTS: usize = 2_000_000;
 /// Points up to which a form follows a scan at every keystroke.
 pub const FORM_POINTS: usize = 1500;
@@ -44,7 +44,7 @@ pub struct Sent {
 pub struct Layout {
     /// Axis of the lines, axis from line to line, axis of the tool.
     pub axes: [usize; 3],
-    /// Ball radius that the control reckons with.
+    /// Ball radius that the control calculates with.
     pub radius: f64,
     /// Where the tool axis stood at the call.
     pub height: f64,

@@ -9,7 +9,7 @@ use std::ops::Range;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(rename = "ScanText", rename_all = "lowercase"))]
 pub enum Form {
-    /// Program of the control, in the units in force at the call.
+    /// Program of the control, in the units active at the call.
     Program,
     /// Points as sent, mm.
     Points,

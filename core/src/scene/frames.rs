@@ -64,7 +64,7 @@ pub fn system(control: &Control) -> Option<([f64; 3], [[f64; 3]; 3])> {
     axes.iter().flatten().chain(&at).all(|value| value.is_finite()).then_some((at, axes))
 }
 
-/// The zero offset in force before, then those that are in force after or were corrected.
+/// The zero offset that was active before, then those that are active after or were corrected.
 fn shown(before: &Control, after: &Control) -> Vec<usize> {
     let corrected =
         after.frames.iter().filter(|(number, frame)| before.frames.get(number).copied().unwrap_or_default() != **frame);

@@ -48,7 +48,7 @@ pub fn zone(solid: &Solid) -> Figure {
     draw(&Body::of(solid.place(), form), |face| face.normal().z.abs() < 0.5)
 }
 
-/// Bodies that stand in the frame of a solid.
+/// Bodies that are in the frame of a solid.
 fn together(bodies: &[Body]) -> Figure {
     let mut all = Figure::default();
     for body in bodies {

@@ -66,7 +66,7 @@ pub struct Reading {
     pub diameter: bool,
 }
 
-/// A drawing at the end of a run: a program says itself how it counts, so that what is in force there tells.
+/// A drawing at the end of a run: a program says itself how it counts, so that what is active there decides.
 pub fn drawing(setup: &Setup, outcome: &Outcome) -> Drawing {
     let diameters: Vec<Diameter> = setup.workpiece.solids.iter().flat_map(diameters).collect();
     let touched = if diameters.is_empty() { Vec::new() } else { touched(&outcome.control, &outcome.trace) };

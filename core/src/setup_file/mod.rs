@@ -34,7 +34,7 @@ pub struct SetupFile {
     /// Working plane at the start.
     #[serde(default)]
     plane: Plane,
-    /// What else is in force at the start.
+    /// What else is active at the start.
     #[serde(default)]
     active: ActiveFile,
     /// What the machine can do.
@@ -69,7 +69,7 @@ pub struct SetupFile {
     skip: BTreeSet<u8>,
 }
 
-/// What is in force at the start.
+/// What is active at the start.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]

@@ -35,7 +35,7 @@ pub const PROBE: usize = 5;
 /// Fields for feed and speed of CYCLE971 (B:12537-12539).
 pub const SPEEDS: usize = 7;
 
-/// The settings in force.
+/// The active settings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Support {
     entries: [bool; ENTRIES],

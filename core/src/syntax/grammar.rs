@@ -22,7 +22,7 @@ pub(crate) struct Grammar {
     pub numbered: bool,
     /// Whether `M2` and `M30` end the whole run, in a subprogram too; else they end that as `M17` does.
     pub ends_run: bool,
-    /// Whether a call has its values as addresses in its own block; else they stand in variables, written before it.
+    /// Whether a call has its values as addresses in its own block; else they are in variables, written before it.
     pub by_address: bool,
     /// A line as a comment.
     pub commented: fn(&str) -> String,

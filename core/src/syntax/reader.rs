@@ -193,7 +193,7 @@ impl<'a> Reader<'a> {
 
     /// Marks what was not understood, from `start` to the next blank behind `place`, where the reading failed; touching
     /// ones become one, and a word that it touches is not understood either: of `X10+5` and `_FA=2%` nobody knows what
-    /// they mean. What stands in a bracket that the block leaves open belongs to it, up to the end.
+    /// they mean. What is in a bracket that the block leaves open belongs to it, up to the end.
     pub fn unknown(&mut self, start: usize, place: usize, sentence: &'static Own, stop: u8) {
         let end = self.left_open(place, sentence, stop);
         self.at = if end == 0 { place } else { end }.max(start + 1);

@@ -90,7 +90,7 @@ impl Program {
         }
     }
 
-    /// Number of an address with these letters, where no variable stands in it.
+    /// Number of an address with these letters, where no variable is in it.
     pub fn constant(&self, word: &Word, letters: &str) -> Option<f64> {
         fold::number(self, self.address(word, letters)?, NOTHING)
     }
@@ -100,7 +100,7 @@ impl Program {
         self.number(self.address(word, letters)?)
     }
 
-    /// Number of an M function of the main spindle, where no variable stands in it.
+    /// Number of an M function of the main spindle, where no variable is in it.
     pub fn machine_function(&self, word: &Word) -> Option<f64> {
         let extended = matches!(word.kind, WordKind::Address { extension: Some(_), .. });
         if extended { None } else { self.constant(word, "M") }

@@ -86,7 +86,7 @@ pub struct Nose {
     pub side: [f64; 2],
 }
 
-/// How the spindle stands in which a cutter is.
+/// Whether the spindle that holds a cutter is stopped, and at which angle, or rotates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Spindle {
     /// It stands turned by this angle, positive from abscissa to ordinate of the cutter's own plane.

@@ -6,7 +6,7 @@ use nalgebra::IsometryMatrix3;
 
 /// Axes of the machine.
 const AXES: [V3; 3] = [V3::new(1.0, 0.0, 0.0), V3::new(0.0, 1.0, 0.0), V3::new(0.0, 0.0, 1.0)];
-/// How far a probe gives way without harm, mm: a tool that stands in it deeper cannot be drawn out of it.
+/// How far a probe gives way without harm, mm: a tool that is deeper in it cannot be drawn out of it.
 const GIVES_WAY: f64 = 5.0;
 
 /// A tool probe as it is, not as the control believes.
@@ -54,7 +54,7 @@ impl Convex for Cap {
 pub struct Contact {
     /// Index of the probe.
     pub probe: usize,
-    /// Way until then (0 where it stands in contact), what is touched, and the normal there.
+    /// Way until then (0 where it is in contact), what is touched, and the normal there.
     pub meeting: Met,
 }
 
@@ -119,7 +119,7 @@ fn least<T: Convex>(
 }
 
 /// Moves a tool until a probe switches: what is touched, and the way until the signal, mm. None where no signal comes
-/// before `to`. A tool that stands in contact gives its signal at once.
+/// before `to`. A tool that is in contact gives its signal at once.
 pub fn touch(
     probes: &[ToolProbe],
     tool: &[Piece],

@@ -10,7 +10,7 @@ use crate::evaluate::zero_offset;
 use crate::evaluate::zero_offset::Target;
 use crate::geometry::rigid::angles;
 
-/// What stands in `_RES` where no frame was computed (B:8582: below 0).
+/// What is in `_RES` where no frame was computed (B:8582: below 0).
 const NONE: f64 = -1.0;
 
 /// Computes the frame between both triangles; where one is to be corrected and all is well, corrects it. The corrected

@@ -124,7 +124,7 @@ fn directions(inputs: &Inputs, corner: &Corner, above: &Seen) -> Vec<PictureShap
 }
 
 /// The coordinates of the points from the workpiece zero. Along its line a pair has them one beside the other, outside
-/// of the part, across it each at its point, so that no two stand in one place.
+/// of the part, across it each at its point, so that no two are in one place.
 fn coordinates(corner: &Corner, above: &Seen) -> Vec<PictureShape> {
     let [x, y] = above.zero;
     let axes = [[[x - 0.1 * SIZE, y], [x + SIZE, y]], [[x, y - 0.1 * SIZE], [x, y + 0.8 * SIZE]]];

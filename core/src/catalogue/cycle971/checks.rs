@@ -48,7 +48,7 @@ fn path(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     found.push(refused(61308, Message::new("check-path-sign"), hint, names::FA));
 }
 
-/// A cube or a disc; a disc stands in one plane (B:13366, A:15848, A:15934).
+/// A cube or a disc; a disc is in one plane (B:13366, A:15848, A:15934).
 fn probe_type(data: &ProbeData, plane: Plane, found: &mut Vec<Diagnostic>) {
     let (number, key) = match (data.value(TYPE) as i64, plane) {
         (0, _) | (101, Plane::G17) | (201, Plane::G18) | (301, Plane::G19) => return,
@@ -59,7 +59,7 @@ fn probe_type(data: &ProbeData, plane: Plane, found: &mut Vec<Diagnostic>) {
     found.push(refused(number, message, "check-tool-probe-type-hint", names::PRNUM));
 }
 
-/// In the plane the tool has to reach below the probe's upper side: an alarm at a radius (A:15891), else a doubt.
+/// In the plane the tool has to reach below the probe's upper side: an alarm at a radius (A:15891), else a warning.
 fn depth(inputs: &Inputs, data: &ProbeData, found: &mut Vec<Diagnostic>) {
     let beside = AUTOMATIC.holds(inputs) || IN_PLANE.holds(inputs);
     if !beside || data.value(DEPTH) != 0.0 {

@@ -7,7 +7,7 @@ use crate::support;
 
 /// With the spindle turning.
 pub const ROTATING: When = mvar(1, &[2]);
-/// The tool stands in front of the probe; nothing but the measuring block is travelled.
+/// The tool is in front of the probe; nothing but the measuring block is travelled.
 pub const INCREMENTAL: When = mvar(10_000, &[1]);
 /// All sides one after the other.
 pub const AUTOMATIC: When = mvar(100_000, &[1]);

@@ -15,7 +15,7 @@ use crate::catalogue::{common, lathe, newer, older};
 use crate::entry::*;
 use params::{BALL, GROOVE, ONE, SKEW, SURFACE, TWO};
 
-/// Measuring variants (B:10163-10177). 13 stands in the programs only, with axis and direction: it is 1013 (A:11504).
+/// Measuring variants (B:10163-10177). 13 is in the programs only, with axis and direction: it is 1013 (A:11504).
 pub const VARIANTS: &[Variant] = &[
     Variant { number: 0, key: "cycle973-surface", source: "B:10166;B:10349;A:11361" },
     Variant { number: 13, key: "cycle973-groove-short", source: "B:10292;A:11504" },

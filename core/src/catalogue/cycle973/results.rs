@@ -12,7 +12,7 @@ const ABSCISSA_MINUS: When = When::All(&[ABSCISSA, MINUS]);
 const ABSCISSA_PLUS: When = When::All(&[ABSCISSA, PLUS]);
 const ORDINATE_MINUS: When = When::All(&[ORDINATE, MINUS]);
 const ORDINATE_PLUS: When = When::All(&[ORDINATE, PLUS]);
-/// The third axis stands in the general table only (B:15945-15948).
+/// The third axis is in the general table only (B:15945-15948).
 const APPLICATE_MINUS: When = When::All(&[SURFACE, APPLICATE, MINUS]);
 const APPLICATE_PLUS: When = When::All(&[SURFACE, APPLICATE, PLUS]);
 

@@ -13,7 +13,7 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     results::length(machine, 27, inputs.number(names::TZL));
     let block = Block::prepare(machine, inputs)?.uncalibrated();
     let find = if GROOVE.holds(inputs) { groove } else { surface };
-    // what stands in `_KB` are machine coordinates
+    // what is in `_KB` are machine coordinates
     carry_out(machine, !GROOVE.holds(inputs), |machine, repetition| {
         let found = find(machine, inputs, &block)?;
         store(machine, inputs, &found, repetition)

@@ -2,7 +2,7 @@
 //!
 //! Places are counted in the axes of calibration from the position at the call, mm. The ball rarely runs through the
 //! middle of the hole: its skew, and an unknown centre, let it meet the wall on a chord. How far beside the middle
-//! that was is measured with it, so that every touch is reckoned as if it had led through the middle.
+//! that was is measured with it, so that every touch is calculated as if it had led through the middle.
 
 use super::directions::{Direction, angle, directions, in_plane, turned};
 use super::params::{BALL, SKEW, UNKNOWN};

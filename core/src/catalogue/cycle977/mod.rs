@@ -17,7 +17,7 @@ use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::help::{AGAIN, BLOCK, CALIBRATED, CORRECTION, MEASURING, PROBE};
 use crate::catalogue::{newer, older};
 
-/// Measuring variants (B:5641-5667; 1106 stands in B:6192 only).
+/// Measuring variants (B:5641-5667; 1106 is in B:6192 only).
 pub const VARIANTS: &[Variant] = &[
     Variant { number: 1, key: "cycle977-hole-tool", source: "B:5645;B:5989;A:6491" },
     Variant { number: 2, key: "cycle977-shaft-tool", source: "B:5646;B:5990;A:6492" },

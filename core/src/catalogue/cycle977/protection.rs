@@ -44,7 +44,7 @@ impl Protected {
         self.placed(control, shape, [0.0; 2])
     }
 
-    /// What stands in the zone: a post, a rib or a block inside; a clamp before each measured wall outside.
+    /// What is in the zone: a post, a rib or a block inside; a clamp before each measured wall outside.
     pub fn obstacles(&self, control: &Control) -> Vec<Solid> {
         if !self.element.inside {
             return self.clamps(control);

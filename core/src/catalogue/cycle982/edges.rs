@@ -21,7 +21,7 @@ impl Edges {
     /// be one that can be positioned (61372).
     pub fn of(machine: &mut dyn Machine, inputs: &Inputs) -> Result<Edges, Stop> {
         let control = machine.control();
-        // a drill may stand in a holder without a spindle
+        // a drill may be in a holder without a spindle
         let held = DRILL.holds(inputs) && !control.spindle_positions;
         let stays = held || SPINDLE_AS_IT_IS.holds(inputs) || control.spindle_speed != 0.0;
         let second = REVERSAL.holds(inputs).then(|| inputs.degrees(names::CORA));

@@ -35,7 +35,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let element = Element { control, zone, end: (end - ball - CLEAR).max(ball) };
     let radius = inputs.number(names::SETVAL) / measure::per(control, inputs);
     let (width, gap) = (2.0 * radius, ball + inputs.number(names::FA));
-    // what stands in the zone; nothing where the ball hardly fits
+    // what is in the zone; nothing where the ball hardly fits
     let pin = 2.0 * (border - ball - CLEAR);
     let inside = INSIDE_ZONE.holds(inputs);
     let mut start = [0.0; 3];

@@ -64,7 +64,7 @@ fn direction(inputs: &Inputs, here: f64) -> f64 {
 struct Probing<'a> {
     inputs: &'a Inputs,
     block: &'a Block,
-    /// The block with the probe as it is reckoned with: in differential measurement as one that was never calibrated.
+    /// The block with the probe of the calculation: in differential measurement one that was never calibrated.
     plain: Block,
     surface: &'a Surface,
     /// The first point.

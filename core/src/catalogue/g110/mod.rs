@@ -16,7 +16,7 @@ use super::nct::walls::{Walls, chord, from_outside, home, travel};
 use super::nct::{axis_of, checks, correct, figures, params, walls};
 use crate::catalogue::prelude::*;
 
-/// The stylus stands in the bore.
+/// The stylus is in the bore.
 pub const BORE: i64 = walls::INSIDE;
 /// The stylus stands above the boss; the address of the tool axis says how deep to measure.
 pub const BOSS: i64 = walls::OUTSIDE;
@@ -109,7 +109,7 @@ fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     let second = chord(machine, &walls, 1)?;
     home(machine, Wcs(walls.start))?;
     let side = -walls.material();
-    // the first chord was taken where the ball centre stood in the second axis at the start
+    // the first chord was taken where the ball centre was in the second axis at the start
     let beside = walls.start[walls.axes[1]] + Calibration::of(machine, 1).offset - second.middle;
     let one = 2.0 * (first.half.hypot(beside) + side * first.ball);
     let two = 2.0 * (second.half + side * second.ball);

@@ -17,7 +17,7 @@ pub fn measuring(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>
 }
 
 /// Cutting edge position of the probe in use, where it is known and permitted. While a milling probe is in use, the
-/// right one is still to come: a doubt here, 61309 on the machine (B:8708, A:15848, A:15856).
+/// right one is still to come: a warning here, 61309 on the machine (B:8708, A:15848, A:15856).
 pub fn tip(control: &Control, found: &mut Vec<Diagnostic>) -> Option<i64> {
     let edge = control.active_edge().filter(|edge| edge.kind != 0)?;
     if !edge.is_turning() {

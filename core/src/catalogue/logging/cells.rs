@@ -1,4 +1,4 @@
-//! A text as it stands in its variable: one cell a character.
+//! A text as it is in its variable: one cell a character.
 
 use crate::catalogue::prelude::*;
 

@@ -1,4 +1,4 @@
-//! What stands in `_PROTVAL[2]` to `_PROTVAL[5]`: fields parted by commas, whatever separates them in the log
+//! What is in `_PROTVAL[2]` to `_PROTVAL[5]`: fields parted by commas, whatever separates them in the log
 //! (B:11375).
 
 /// A field of a line.

@@ -90,7 +90,7 @@ fn correct_tool(machine: &mut dyn Machine, register: i64, found: &Found) {
 /// (C:1159-1183).
 pub fn move_offset(machine: &mut dyn Machine, offset: usize, places: &[Place]) {
     let active = machine.control().settable;
-    // Another offset than the one in use is reckoned from that: there the deviation was found.
+    // An offset other than the one in use is calculated from that: there the deviation was found.
     let from = if offset == 0 { 0 } else { active };
     let mut shift = [0.0; 3];
     places.iter().for_each(|place| shift[place.axis] = place.deviation);

@@ -90,7 +90,7 @@ pub const PRINT: Param = Param {
 /// Overtravel Q where it is not given, as the calibrations have it: 10 mm or 0.4 inch (C:187, C:391). mm.
 pub const OVERTRAVEL: [f64; 2] = [10.0, 0.4 * 25.4];
 
-/// That overtravel for the system of units in force, mm.
+/// That overtravel for the active system of units, mm.
 pub fn overtravel(control: &Control) -> f64 {
     let inch = control.active_units == Units::Inch;
     OVERTRAVEL[usize::from(inch)]

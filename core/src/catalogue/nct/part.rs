@@ -1,4 +1,4 @@
-//! Parts that stand in the working plane.
+//! Parts that are in the working plane.
 
 use crate::catalogue::prelude::*;
 

@@ -21,13 +21,13 @@ pub const D: Param = Param {
     ..PARAM
 };
 
-/// A value of the calibration: stands in the basic system of the machine (C:92-94).
+/// A value of the calibration: in the basic system of the machine (C:92-94).
 pub const fn value(name: &'static str, key: &'static str, source: &'static str) -> ResultField {
     ResultField { name, key, when: When::Always, unit: Unit::BasicLength, source }
 }
 
 /// Coordinates of the spindle where the stylus is in the centre: middle between the walls in the first axis, and on
-/// that line in the second. The stylus then stands in the middle of the first axis.
+/// that line in the second. The stylus then is in the middle of the first axis.
 pub fn centre(machine: &mut dyn Machine, inputs: &Inputs) -> Result<[f64; 2], Stop> {
     let [abscissa, ordinate, _] = machine.control().plane.axes();
     let first = middle(walls(machine, inputs, abscissa)?);

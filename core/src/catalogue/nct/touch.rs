@@ -17,7 +17,7 @@ pub const POSITIONING: f64 = 1500.0;
 /// Way back off the surface, mm.
 pub const BACK: f64 = 1.0;
 
-/// Calibration of the stylus in one axis of the plane, mm (C:304-307, C:176-177). The data stand in the basic system
+/// Calibration of the stylus in one axis of the plane, mm (C:304-307, C:176-177). The data are in the basic system
 /// of the machine and are converted for whichever is active (C:92-94).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Calibration {

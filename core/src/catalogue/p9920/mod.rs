@@ -88,7 +88,7 @@ const fn calibrated(name: &'static str, key: &'static str, source: &'static str)
 /// What is contradictory or dangerous over several addresses.
 fn checks(inputs: &Inputs, control: &Control, findings: &mut Vec<Diagnostic>) {
     if diameter(inputs, control) == 0.0 && inputs.variant != LENGTH {
-        // beside the disk the way is reckoned with it
+        // beside the disk the path is calculated with it
         findings.push(own::P9920_NO_DIAMETER.finding().at(address::D));
     }
     if inputs.variant != CALIBRATE && matches!(inputs.integer(address::M), 3 | 4) {
@@ -103,7 +103,7 @@ fn checks(inputs: &Inputs, control: &Control, findings: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Diameter with which the ways are reckoned, mm: D, or that of the register (C:1238).
+/// Diameter with which the paths are calculated, mm: D, or that of the register (C:1238).
 fn diameter(inputs: &Inputs, control: &Control) -> f64 {
     let register = inputs.integer(address::T);
     let stored = || 2.0 * control.register(register).total_radius();

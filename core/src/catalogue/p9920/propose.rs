@@ -24,7 +24,7 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let length = control.edge_of(0, register).map_or(assumed, |edge| edge.total_length(0));
     let [top, x, y] = place(control);
     let nose = [x, y, top + inputs.number(address::Z).abs() / 2.0 + length];
-    // the macro works along Z; at the call the length of another register may be in force, or in another axis
+    // the macro works along Z; at the call the length of another register may be active, or in another axis
     let mut in_force = control.active_length();
     if calibration {
         in_force = Dir::default();

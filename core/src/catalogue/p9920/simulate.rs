@@ -1,4 +1,4 @@
-//! What G65 P9920 does (C:1208-1258). Formulas are not printed: the disk stands in the middle of its contacts, its
+//! What G65 P9920 does (C:1208-1258). Formulas are not printed: the disk is in the middle of its contacts, its
 //! diameter is their distance less that of the reference tool, and a tool is longer by as much as the spindle stands
 //! higher than with the reference tool.
 
@@ -46,7 +46,7 @@ fn ready(control: &Control) -> Result<(), Stop> {
     Ok(())
 }
 
-/// The register of the reference tool: that in force, else the one with the number of the tool in the spindle.
+/// The register of the reference tool: the active one, else the one with the number of the tool in the spindle.
 fn reference(control: &Control) -> Result<i64, Stop> {
     let known = |number: &i64| control.edge_of(0, *number).is_some();
     let found = [control.edge, control.tool].into_iter().find(known);

@@ -98,7 +98,7 @@ impl Block {
         }
     }
 
-    /// This block reckoning with the active ball alone, which needs no trigger values (B:10901-10906).
+    /// This block, calculating with the active ball alone, which needs no trigger values (B:10901-10906).
     pub fn by_ball(&self) -> Block {
         Block { triggers: [[self.ball, -self.ball]; 3], ..self.clone() }
     }

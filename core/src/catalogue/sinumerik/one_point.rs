@@ -16,7 +16,7 @@ pub struct OnePoint {
     pub corrected: usize,
     /// Direction of probing, +1 or -1.
     pub direction: f64,
-    /// Where the centre of the ball stood in the axes that were not measured, X Y Z of the WCS, mm.
+    /// Where the centre of the ball was in the axes that were not measured, X Y Z of the WCS, mm.
     pub ball: [f64; 3],
     /// As given, mm.
     pub set: f64,

@@ -134,7 +134,7 @@ fn report(machine: &mut dyn Machine, inputs: &Inputs, target: Option<&Tool>, dec
     }
 }
 
-/// The empirical value as stored, whichever way `_CHBIT[5]` reckons it (B:6359).
+/// The empirical value as stored, whichever way `_CHBIT[5]` calculates it (B:6359).
 pub fn report_empirical(machine: &mut dyn Machine, inputs: &Inputs) {
     let control = machine.control();
     let value = empirical(control, inputs);

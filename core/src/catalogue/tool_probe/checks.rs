@@ -38,7 +38,7 @@ pub fn memory(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
 /// Order of the limits: a difference is corrected between `_TZL` and `_TDIF` (measuring) or `_TSA` (calibrating), and
 /// `_TSA` lies beyond both (B:4324-4326).
 pub fn limits(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
-    // that delivered with the control is nobody's wish: only one that was written is doubted where it is too large
+    // that delivered with the control is nobody's wish: only one that was written gets a warning where it is too large
     let written = inputs.written.contains(names::TDIF.as_str()) || inputs.given(names::TSA) > inputs.given(names::TDIF);
     let limits = [names::TZL, names::TDIF, names::TSA].into_iter().filter(|name| *name != names::TDIF || written);
     let given: Vec<_> = limits.filter_map(|name| Some((name, inputs.given(name)?))).collect();
@@ -53,7 +53,7 @@ pub fn limits(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
 }
 
 /// The tool in use, to be looked at further; none where it is not known. While a workpiece probe is in use, the tool
-/// that is meant is still to come: a doubt here, 61314 on the machine (A:15855).
+/// that is meant is still to come: a warning here, 61314 on the machine (A:15855).
 pub fn tool_in_use<'a>(control: &'a Control, found: &mut Vec<Diagnostic>) -> Option<&'a Edge> {
     radius(control, found);
     let edge = control.active_edge().filter(|edge| edge.kind != 0)?;

@@ -9,7 +9,7 @@ pub const MEASURE: When = When::Not(&CALIBRATE);
 /// The data are those of `_TPW`, which count in the active workpiece system.
 pub const WORKPIECE: When = mvar(10, &[1]);
 
-/// Second digit of `_MVAR`: whether the probe stands in the machine (`_TP`) or in the active workpiece system (`_TPW`)
+/// Second digit of `_MVAR`: whether the probe is in the machine (`_TP`) or in the active workpiece system (`_TPW`)
 /// (B:4186-4196, B:9224-9260).
 pub const REFERENCE: DigitGroup =
     DigitGroup::one("mvar-reference", 10, &[(0, "reference-machine"), (1, "reference-workpiece")]);

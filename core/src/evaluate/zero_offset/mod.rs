@@ -21,7 +21,7 @@ const SAME: f64 = 1e-12;
 pub struct Target {
     /// Where it is stored.
     pub store: Store,
-    /// Reckoned as if G500 were active, whose frame is `$P_UIFR[0]` (`_KNUM` = 1000, B:1938).
+    /// Calculated as if G500 were active, whose frame is `$P_UIFR[0]` (`_KNUM` = 1000, B:1938).
     pub without_settable: bool,
     /// The cycle makes it active itself (`_KNUM` = 9999, B:1965).
     pub activate: bool,

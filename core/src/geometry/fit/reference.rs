@@ -1,5 +1,5 @@
 //! The fits against reference pairs: those of NIST (`tests/data/nist_fits.tsv`), and sets whose nearest element is
-//! known without reckoning it.
+//! known without calculating it.
 //!
 //! The latter are points of an element, each moved off it by an amount. Where the sum of these amounts is 0, and the
 //! sums of amounts times every way in which the element can be moved, nothing is left to move (the derivative of the

@@ -1,4 +1,4 @@
-//! What has to be in force at a call.
+//! What has to be active at a call.
 
 use super::{Seen, inherited, unsaid, with_line};
 use crate::check::{error, warning};
@@ -16,7 +16,7 @@ use std::ops::RangeInclusive;
 pub struct Asked {
     /// Nothing but assignments and calls: a piece of a program, whose surroundings are elsewhere.
     piece: bool,
-    /// Doubts about what the text does not say.
+    /// Warnings about what the text does not say.
     said: BTreeSet<Code>,
     /// Probes that a call of this program calibrated, or that were asked about.
     calibrated: BTreeSet<(bool, i64)>,

@@ -15,7 +15,7 @@ use crate::syntax::programs::Programs;
 use crate::syntax::{Program, Word, WordKind};
 use std::collections::BTreeMap;
 
-/// A frame that a call corrects where it is stored, and the one in force there.
+/// A frame that a call corrects where it is stored, and the one active there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Corrected {
     /// G function that takes it; none: a basic or system frame, which each of them takes.
@@ -47,7 +47,7 @@ pub fn corrected(seen: &Seen) -> Option<Corrected> {
     };
     let cure = match code {
         ZeroCode::Active => return None,
-        ZeroCode::LastBasic => Some(500), // reckoned for it, B:1945
+        ZeroCode::LastBasic => Some(500), // calculated for it, B:1945
         _ => function.or(active.is().copied()),
     };
     Some(Corrected { function, active, cure })
@@ -196,10 +196,10 @@ impl Meet for Pending {
     }
 }
 
-/// G functions beside which an axis word moves nothing in the frame in force: of the machine, or writing a frame.
+/// G functions beside which an axis word moves nothing in the active frame: of the machine, or writing a frame.
 const BESIDE: [f64; 6] = [53.0, 58.0, 59.0, 74.0, 75.0, 153.0];
 
-/// Whether an axis moves in the frame in force.
+/// Whether an axis moves in the active frame.
 fn moves(program: &Program, words: &[Word]) -> bool {
     let axis = |word: &Word| ["X", "Y", "Z"].iter().any(|axis| program.address(word, axis).is_some());
     let beside = |word: &Word| match word.called() {

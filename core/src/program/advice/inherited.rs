@@ -59,7 +59,7 @@ impl Meaning {
     }
 }
 
-/// The doubts about the values that a call did not write itself.
+/// Warnings about the values that a call did not write itself.
 pub fn look(seen: &Seen, found: &mut Vec<Diagnostic>) {
     // Most values were written for the same call.
     let mut writer: Option<(usize, Inputs)> = None;

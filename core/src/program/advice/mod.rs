@@ -1,4 +1,4 @@
-//! Doubts about a program as a whole: what a colleague who reads it from top to bottom would ask.
+//! Warnings about a program as a whole: what a colleague who reads it from top to bottom would ask.
 
 mod at_call;
 mod behind;
@@ -21,7 +21,7 @@ use crate::syntax::{Program, Word, WordKind};
 use crate::{check, own};
 use std::collections::BTreeMap;
 
-/// What the rules look at: a call, what is in force there, what it means.
+/// What the rules look at: a call, what is active there, what it means.
 struct Seen<'a> {
     program: &'a Program,
     control: &'a Control,
@@ -30,7 +30,7 @@ struct Seen<'a> {
     site: &'a CallSite,
     /// It changes tools with M6.
     changes_tools: bool,
-    /// What is in force on a way to the call.
+    /// What is active on a way to the call.
     force: &'a State,
     /// Tool in use on it.
     tool: Option<ToolInUse>,
@@ -41,7 +41,7 @@ struct Seen<'a> {
 }
 
 impl Seen<'_> {
-    /// Whether a place lies behind the call in the same program: what it puts in force comes back with the next pass.
+    /// Whether a place lies behind the call in the same program: what it activates comes back with the next pass.
     fn comes_back(&self, place: Span) -> bool {
         let line = self.program.line_of(place.start);
         let unit = self.programs.of_line(line);

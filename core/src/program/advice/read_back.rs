@@ -1,4 +1,4 @@
-//! What the control's own editor makes of a call that it reads back, by the settings in force (B:12549-12558).
+//! What the control's own editor makes of a call that it reads back, by the active settings (B:12549-12558).
 
 use super::Seen;
 use crate::check::{Parsed, parse};

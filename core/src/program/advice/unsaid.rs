@@ -7,7 +7,7 @@ use crate::entry::{Inputs, ProbeUse, names};
 use crate::own;
 use crate::program::flow::Mode;
 
-/// Every doubt of this sort at a call.
+/// Every warning of this sort at a call.
 pub fn doubts(seen: &Seen) -> impl Iterator<Item = Diagnostic> {
     let doubts = [open, plane, compensation, tool, diameter, radius, milled_diameter, length];
     doubts.into_iter().filter_map(|doubt| doubt(seen))
@@ -25,7 +25,7 @@ fn usual_plane(seen: &Seen) -> &'static str {
     }
 }
 
-/// Another program, or the way through this one, decides what is in force.
+/// Another program, or the way through this one, decides what is active.
 fn open(seen: &Seen) -> Option<Diagnostic> {
     let force = seen.force;
     let left_open = [

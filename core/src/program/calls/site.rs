@@ -119,7 +119,7 @@ impl Walk<'_> {
         }
     }
 
-    /// Checks the values of a way with what is in force on it.
+    /// Checks the values of a way with what is active on it.
     fn way(
         &mut self,
         site: &mut CallSite,

@@ -1,4 +1,4 @@
-//! What the words of a block put in force.
+//! What the words of a block activate.
 
 use super::state::{Mode, State, Tool};
 use crate::program::words::{Setting, setting};

@@ -1,10 +1,10 @@
-//! What is in force at a place of a program, as far as its text tells.
+//! What is active at a place of a program, as far as its text tells.
 
 use super::Meet;
 use crate::control::{Plane, Transverse};
 use crate::diagnostic::Span;
 
-/// One thing that is in force.
+/// One thing that is active.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Mode<T> {
     /// Nothing was programmed since the main program began.
@@ -17,7 +17,7 @@ pub enum Mode<T> {
 }
 
 impl<T: PartialEq + Clone> Mode<T> {
-    /// What is in force for certain.
+    /// What is active for certain.
     pub fn is(&self) -> Option<&T> {
         let Mode::Is(value) = self else { return None };
         Some(value)

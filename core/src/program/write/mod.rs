@@ -23,7 +23,7 @@ pub type Words<'a> = &'a dyn Fn(&str, &str) -> String;
 pub struct Written {
     /// Lines ended by LF; empty where the call cannot be written in this way.
     pub text: String,
-    /// The parameters whose values stand in it.
+    /// The parameters whose values are in it.
     pub said: Vec<Name>,
     /// What this call style cannot say.
     pub findings: Vec<Diagnostic>,

@@ -234,7 +234,7 @@ fn offset(run: &Interpreter, side: Compensation, hand: f64) -> f64 {
     side * (radius(run) + run.modal.allowance)
 }
 
-/// Radius in force with its wear, mm; on NCT that of the register in D.
+/// Active radius with its wear, mm; on NCT that of the register in D.
 fn radius(run: &Interpreter) -> f64 {
     let control = &run.sim.control;
     if control.make().registers { control.register(run.modal.radius).total_radius() } else { control.active_radius() }

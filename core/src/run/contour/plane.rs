@@ -1,4 +1,4 @@
-//! The plane in which the contour lies, as it stands in the machine.
+//! The plane in which the contour lies, as it is in the machine.
 
 use super::{Element, Point, Round};
 use crate::control::Control;

@@ -78,7 +78,7 @@ fn check_count(triangles: usize) -> Result<(), Refused> {
     }
 }
 
-/// Refuses coordinates with which nothing can be reckoned.
+/// Refuses coordinates with which nothing can be calculated.
 fn numbers<'a>(values: impl IntoIterator<Item = &'a f64>) -> Result<(), Refused> {
     match values.into_iter().all(|value| value.abs() <= LARGEST) {
         true => Ok(()),

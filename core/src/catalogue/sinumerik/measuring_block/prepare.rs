@@ -98,7 +98,7 @@ fn probe(control: &Control, inputs: &Inputs) -> Result<(i64, bool), u32> {
     Ok((field - 1, mono))
 }
 
-/// Whether the probe stands in the turret of a turning machine, where no spindle turns it.
+/// Whether the probe is in the turret of a turning machine, where no spindle turns it.
 fn turning(inputs: &Inputs) -> bool {
     inputs.cycle.purpose.machine == MachineSort::Turning
 }
