@@ -40,7 +40,7 @@ pub const K: Param = Param {
     range: Range::POSITIVE,
     usual: Range::closed(1.0, 100.0),
     alarm: Some(Code::Alarm(61318)),
-    needs: &[optional(TOOL_OFFSET, "need-memory")],
+    needs: &[optional(TOOL_OFFSET, "need-default")],
     example: "3",
     ..param(names::K, "k", "B:2358-2366;A:15859")
 };

@@ -11,6 +11,7 @@ mod logging;
 mod messages;
 mod nct;
 mod params;
+mod reasons;
 mod results;
 
 use super::*;
