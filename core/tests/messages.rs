@@ -88,6 +88,48 @@ fn causes_and_cures_name_values_with_units() {
     }
 }
 
+// oracle: hand (the text is held against values at and beyond the limit of each condition)
+#[test]
+fn a_finding_is_true_of_every_value_that_raises_it() {
+    let tool = [("_MVAR", "2"), ("_MA", "3"), ("_ID", "0")];
+    for (cycle, values, datum, text) in [
+        ("CYCLE971", &[("_FA", "0")][..], ("_CHBIT[3]", 0.0), "The measuring path is 0: "),
+        ("CYCLE971", &[("_FA", "0")], ("_CHBIT[3]", 0.0), "Enter _FA above 0"),
+        ("CYCLE971", &[("_FA", "-1")], ("_CHBIT[3]", 0.0), "The measuring path is negative"),
+        ("CYCLE971", &[("_MVAR", "10000"), ("_FA", "0")], ("_CHBIT[3]", 0.0), "with minus for the minus direction"),
+        ("CYCLE971", &tool, ("_CM[0]", 0.0), "_CM[0] is 0 or less"),
+        ("CYCLE971", &tool, ("_CM[0]", -5.0), "_CM[0] is 0 or less"),
+        ("CYCLE971", &tool, ("_MFS[0]", 0.0), "_MFS[0] is 0 or less"),
+        ("CYCLE971", &tool, ("_MFS[0]", -5.0), "_MFS[0] is 0 or less"),
+        ("CYCLE971", &tool, ("_MFS[2]", -5.0), "_MFS[2] is 0 or less"),
+        ("CYCLE994", &[], ("_WP[0,0]", -1.0), "_WP[0,0], but it is 0 or less"),
+        ("CYCLE977", &[("_MVAR", "101"), ("_KNUM", "2000")], ("MD28082", 0.0), "no system frame $P_SETFR, which 2000"),
+        (
+            "CYCLE977",
+            &[("_MVAR", "1001"), ("_ID", "-20"), ("_SETVAL", "10"), ("_SZA", "9")],
+            ("_CHBIT[3]", 0.0),
+            "No protection zone fits inside",
+        ),
+        (
+            "CYCLE979",
+            &[("_STA1", "-300"), ("_INCA", "31")],
+            ("_CHBIT[3]", 0.0),
+            "without their signs, is 362°, more than 360°",
+        ),
+    ] {
+        let mut control = delivery(Dialect::Sinumerik);
+        control.set("_CBIT[12]", f64::from(u8::from(datum.0.starts_with("_MFS"))));
+        control.set("_MFS[4]", 100.0);
+        control.set("_CHBIT[7]", 1.0);
+        control.set(datum.0, datum.1);
+        let words = Words::english();
+        let found = findings(cycle, values, &control);
+        let told = found.iter().flat_map(|one| std::iter::once(&one.message).chain(&one.hint));
+        let told: Vec<String> = told.map(|message| words.text(message)).collect();
+        assert!(told.iter().any(|one| one.contains(text)), "{values:?} {datum:?}: {told:#?}");
+    }
+}
+
 const VALUES: &[&str] = &[
     "", "0", "1", "-1", "3", "20", "132", "-132", "0,5", "1,2,3", "1e9", "1e308", "-1e308", "1.5e", "NaN", "inf", "٣",
     "R1", "R1+", "101", "1001", "1105", "2001", "9999", "1000000", "399999999", "12x", "\"", "A\nB", "360", "1e-9",

@@ -28,6 +28,8 @@ check-variant-near-hint = Ähnliche Messvarianten: { $near }. Nicht jede Kombina
 
 check-knum-zero = { $code } bezeichnet keine Nullpunktverschiebung.
 check-knum-zero-hint = 1 bis 99: G54 und folgende; 1000, 1011 bis 1026, 1051 bis 1066: Basisframes; 2000: Systemframe; 9999: aktives Frame; 0: keines.
+check-knum-no-system = Diese Maschine hat kein Systemframe $P_SETFR, das { $code } bezeichnet.
+check-knum-no-system-hint = Anderes Frame wählen oder Bit 0 in MD 28082 setzen.
 check-knum-is-tool-hint = Dieser Code gilt für eine Werkzeugkorrektur. Messvariante mit Werkzeugkorrektur wählen oder ein Frame angeben.
 check-knum-is-zero-hint = Dieser Code gilt für eine Nullpunktverschiebung. Messvariante mit NV-Korrektur wählen oder eine D-Nummer angeben.
 check-knum-digit-4 = Die 4. Stelle von { $code } (bei fünfstelligen D-Nummern die 6.) ist unzulässig.
@@ -67,6 +69,7 @@ check-path-long = Der Messweg würde in der gegenüberliegenden Wand beginnen: D
 check-path-long-hint = _FA kleiner als { $free } mm wählen.
 check-zone-wide = Die Schutzzone, { $zone } mm, ist nicht kleiner als das Messelement, { $size } mm.
 check-zone-wide-hint = Schutzzone kleiner als { $limit } mm wählen, damit die Kugel daneben passt.
+check-zone-none-hint = Keine Schutzzone passt hinein: Variante ohne Schutzzone wählen oder eine kleinere Kugel.
 check-zone-narrow = Die Schutzzone, { $zone } mm, ist nicht größer als das Messelement, { $size } mm.
 check-zone-narrow-hint = Schutzzone größer als { $limit } mm wählen, damit die Kugel neben das Messelement passt.
 check-zone-ball = Zwischen Messelement und Schutzzone ist kein Platz für die Messtasterkugel, { $ball } mm.
@@ -95,7 +98,7 @@ check-mirror-datum = Eine Achse ist gespiegelt, und MD 10610 ist nicht 0: Messz
 check-mirror-datum-hint = Ohne Spiegelung messen oder MD 10610=0 setzen.
 check-multi-probe = Diese Messung erfordert einen Multitaster; ein Monotaster schaltet nur in einer Richtung.
 check-multi-probe-hint = Multitaster verwenden: { "_PRNUM" } mit zwei Stellen.
-check-angles-sum = Startwinkel und alle Fortschaltwinkel ergeben zusammen { $sum }°, mehr als 360°.
+check-angles-sum = Startwinkel und alle Fortschaltwinkel ergeben ohne Vorzeichen zusammen { $sum }°, mehr als 360°.
 check-angles-sum-hint = Kleineren Fortschaltwinkel wählen oder einen Startwinkel näher bei 0, mit Vorzeichen.
 check-angles-same = Bei diesem Fortschaltwinkel fallen Punkte zusammen: Es lässt sich kein Kreis berechnen.
 check-angles-same-hint = Bei drei Punkten höchstens 120° wählen, bei vier Punkten höchstens 90°.

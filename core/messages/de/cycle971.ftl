@@ -44,7 +44,9 @@ need-signed-path = Das Vorzeichen bestimmt die Messrichtung.
 result-actual-radius = Istwert Radius
 result-difference-radius = Differenz Radius
 
-check-path-sign = Der Messweg ist 0 oder hat ein hier unzulässiges Vorzeichen.
+check-path-zero = Der Messweg ist 0: Das Werkzeug würde sich nicht auf den Messtaster zubewegen.
+check-path-zero-hint = _FA größer als 0 eingeben; die Startposition bestimmt die Richtung.
+check-path-sign = Der Messweg ist negativ, hat in dieser Variante aber kein Vorzeichen.
 check-path-sign-hint = _FA ohne Vorzeichen eingeben; die Startposition bestimmt die Richtung. Ein Vorzeichen gilt nur beim inkrementellen Kalibrieren.
 check-path-direction-hint = In _FA den Abstand zum Messtaster eingeben, für die Minus-Richtung mit Minuszeichen.
 check-tool-probe-type = { $name } enthält keinen zulässigen Werkzeugmesstastertyp.
@@ -65,13 +67,13 @@ check-offset-large = _ID ist größer als der Werkzeugradius, { $radius } mm: D
 check-offset-large-hint = In _ID den Abstand vom Radius nach innen eingeben; höchstens der Radius ist zulässig.
 check-offset-abscissa = Das Werkzeug, { $tool } mm breit, ist breiter als der Messtaster, { $edge } mm: Der Zyklus versetzt es in der Abszisse.
 check-offset-abscissa-hint = _MA auf 103 oder 203 setzen, um die Achse des Versatzes festzulegen.
-check-mfs-missing = { $name } ist nicht gesetzt: Drehzahl oder Vorschub einer Antastung fehlt.
+check-mfs-missing = { $name } ist nicht größer als 0: Drehzahl oder Vorschub einer Antastung fehlt.
 check-mfs-missing-hint = Drehzahlen in _MFS[0], [2], [4], Vorschübe in _MFS[1], [3], [5] eintragen oder mit _CBIT[12]=0 berechnen lassen.
-check-mfs-third = { $name } ist 0: Die 3. Antastung mit _MFS[4] und [5] entfällt.
+check-mfs-third = { $name } ist nicht größer als 0: Die 3. Antastung mit _MFS[4] und [5] entfällt.
 check-mfs-third-hint = Auch Drehzahl und Vorschub der 2. Antastung eintragen oder _MFS[4] auf 0 setzen.
 check-cm-direction = { $name } gibt keine Drehrichtung für eine stehende Spindel an.
 check-cm-direction-hint = _CM[5] im Datenbaustein GUD6 auf 3 für M3 oder auf 4 für M4 setzen.
-check-cm-zero = { $name } ist 0: Drehzahl oder Vorschub der Messung wäre 0.
+check-cm-zero = { $name } ist nicht größer als 0: Drehzahl und Vorschub der Messung sind nicht berechenbar.
 check-cm-zero-hint = Grenzwerte eintragen: _CM[0] Umfangsgeschwindigkeit, [1] Drehzahl, [3] Messgenauigkeit, [4] maximaler Antastvorschub.
 check-cm-factor = { $name } ist weder 0 noch mindestens 1.
 check-cm-factor-hint = Bei 0 entfällt diese Antastung; sonst wird der Vorschub mit dem Faktor multipliziert.

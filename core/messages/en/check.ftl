@@ -28,6 +28,8 @@ check-variant-near-hint = Closest variants: { $near }. Not every combination of 
 
 check-knum-zero = { $code } is not the code of a zero offset.
 check-knum-zero-hint = 1 to 99: G54 onwards; 1000, 1011 to 1026, 1051 to 1066: basic; 2000: system; 9999: active frame; 0: none.
+check-knum-no-system = This machine has no system frame $P_SETFR, which { $code } specifies.
+check-knum-no-system-hint = Choose another frame, or set bit 0 of MD 28082.
 check-knum-is-tool-hint = This is the code of a tool offset. Choose the variant with tool offset, or enter the code of a frame.
 check-knum-is-zero-hint = This is the code of a zero offset. Choose the variant with zero offset, or enter a D number.
 check-knum-digit-4 = The 4th digit of { $code } (6th with five-digit D numbers) is not permitted.
@@ -67,6 +69,7 @@ check-path-long = The measuring path would start inside the opposite wall: the b
 check-path-long-hint = Reduce _FA below { $free } mm.
 check-zone-wide = The protection zone, { $zone } mm, is not smaller than the element, { $size } mm.
 check-zone-wide-hint = Reduce the protection zone below { $limit } mm, so that the ball fits beside it.
+check-zone-none-hint = No protection zone fits inside: use a variant without protection zone, or a smaller ball.
 check-zone-narrow = The protection zone, { $zone } mm, is not larger than the element, { $size } mm.
 check-zone-narrow-hint = Increase the protection zone above { $limit } mm, so that the ball fits beside the element.
 check-zone-ball = The probe ball, { $ball } mm, does not fit between element and protection zone.
@@ -95,7 +98,7 @@ check-mirror-datum = An axis is mirrored and MD 10610 is not 0: measuring cycle
 check-mirror-datum-hint = Measure without mirroring, or set MD 10610=0.
 check-multi-probe = This measurement needs a multi probe: a mono probe switches in one direction only.
 check-multi-probe-hint = Use a multi probe: { "_PRNUM" } with two digits.
-check-angles-sum = Starting angle plus all indexing angles is { $sum }°, more than 360°.
+check-angles-sum = Starting angle plus all indexing angles, without their signs, is { $sum }°, more than 360°.
 check-angles-sum-hint = Reduce the indexing angle, or enter a starting angle nearer to 0, with its sign.
 check-angles-same = With this indexing angle, points coincide: no circle can be calculated.
 check-angles-same-hint = Enter 120° or less for three points, 90° or less for four.

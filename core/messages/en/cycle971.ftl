@@ -44,7 +44,9 @@ need-signed-path = The sign determines the measuring direction.
 result-actual-radius = Actual radius
 result-difference-radius = Radius difference
 
-check-path-sign = The measuring path is 0 or has a sign that this variant does not permit.
+check-path-zero = The measuring path is 0: the tool would not move towards the probe.
+check-path-zero-hint = Enter _FA above 0; the start position gives the direction.
+check-path-sign = The measuring path is negative, but in this variant it has no sign.
 check-path-sign-hint = Enter _FA without a sign; the start position gives the direction. Only incremental calibration uses a sign.
 check-path-direction-hint = Enter in _FA the distance to the probe, with minus for the minus direction.
 check-tool-probe-type = { $name } is not a permitted type of tool probe.
@@ -65,13 +67,13 @@ check-offset-large = _ID exceeds the tool radius, { $radius } mm: the tool woul
 check-offset-large-hint = Enter in _ID the distance from the radius inwards; it must not exceed the radius.
 check-offset-abscissa = The tool, { $tool } mm wide, is wider than the probe, { $edge } mm: the cycle offsets it in the abscissa.
 check-offset-abscissa-hint = Set _MA to 103 or 203 to specify the axis of the offset.
-check-mfs-missing = { $name } is not set: speed or feed of a touch is missing.
+check-mfs-missing = { $name } is 0 or less: speed or feed of a touch is missing.
 check-mfs-missing-hint = Set speeds in _MFS[0], [2], [4] and feeds in _MFS[1], [3], [5], or let the cycle calculate them: _CBIT[12]=0.
-check-mfs-third = { $name } is 0: the third touch with _MFS[4] and [5] is omitted.
+check-mfs-third = { $name } is 0 or less: the third touch with _MFS[4] and [5] is omitted.
 check-mfs-third-hint = Set speed and feed of the second touch too, or set _MFS[4] to 0.
 check-cm-direction = { $name } specifies no direction of rotation, which is needed if the spindle is stationary at the call.
 check-cm-direction-hint = Set _CM[5] in GUD6 to 3 for M3 or to 4 for M4.
-check-cm-zero = { $name } is 0, so speed or feed of the measurement would be 0.
+check-cm-zero = { $name } is 0 or less: the cycle cannot calculate speed and feed of the measurement.
 check-cm-zero-hint = Set the limits: _CM[0] peripheral speed, [1] spindle speed, [3] accuracy, [4] maximum feed.
 check-cm-factor = { $name } is neither 0 nor at least 1.
 check-cm-factor-hint = 0 omits this touch; otherwise the feed is multiplied by the factor.

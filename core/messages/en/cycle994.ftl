@@ -25,7 +25,7 @@ need-zone-outside = Required outside; inside, this variant has no zone: leave th
 
 check-two-setpoint = The two points are at plus and minus the setpoint: { $set } mm leaves no room between them.
 check-two-setpoint-hint = Enter the diameter or radius as a value above 0.
-check-two-ball = Without calibration ({ "_CHBIT[7]" }=1) the cycle uses the ball diameter { $name }, but it is 0.
+check-two-ball = Without calibration ({ "_CHBIT[7]" }=1) the cycle uses the ball diameter { $name }, but it is 0 or less.
 check-two-ball-hint = Enter the ball diameter in { $name }, or calibrate the probe and set { "_CHBIT[7]" }=0.
 check-two-zone-inside = The protection zone, { $zone } mm, leaves no room for the ball inside { $size } mm.
 check-two-zone-inside-hint = Reduce the protection zone to at most { $limit } mm, in the measuring axis.

@@ -28,6 +28,8 @@ check-variant-near-hint = 相近的测量方式：{ $near }。并非每种数位
 
 check-knum-zero = { $code } 不是零点偏移的代码。
 check-knum-zero-hint = 1 到 99：G54 及以后；1000、1011 到 1026、1051 到 1066：基本坐标框架；2000：系统坐标框架；9999：有效坐标框架；0：无。
+check-knum-no-system = 此机床没有 { $code } 所指的系统坐标框架 $P_SETFR。
+check-knum-no-system-hint = 请选择其他坐标框架，或设置 MD 28082 的第 0 位。
 check-knum-is-tool-hint = 这是刀具补偿的代码。请选择带刀具补偿的测量方式，或输入坐标框架的代码。
 check-knum-is-zero-hint = 这是零点偏移的代码。请选择带零点偏移的测量方式，或输入 D 号。
 check-knum-digit-4 = { $code } 的第 4 位（D 号为五位时第 6 位）不允许。
@@ -67,6 +69,7 @@ check-path-long = 测量行程会从对面的壁内开始：测球只有 { $free
 check-path-long-hint = 请把 _FA 减小到小于 { $free } mm。
 check-zone-wide = 保护区 { $zone } mm 不小于被测要素 { $size } mm。
 check-zone-wide-hint = 请把保护区减小到小于 { $limit } mm，使旁边放得下测球。
+check-zone-none-hint = 内部放不下保护区：请选择不带保护区的方式，或用更小的测球。
 check-zone-narrow = 保护区 { $zone } mm 不大于被测要素 { $size } mm。
 check-zone-narrow-hint = 请把保护区加大到大于 { $limit } mm，使被测要素旁放得下测球。
 check-zone-ball = 被测要素与保护区之间容不下 { $ball } mm 的测球。
@@ -95,7 +98,7 @@ check-mirror-datum = 有轴被镜像，而 MD 10610 不为 0：测量循环只�
 check-mirror-datum-hint = 请不带镜像测量，或设 MD 10610=0。
 check-multi-probe = 此测量需要多向测头：单向测头只在一个方向触发。
 check-multi-probe-hint = 请使用多向测头：{ "_PRNUM" } 为两位数。
-check-angles-sum = 起始角与全部增量角之和为 { $sum }°，大于 360°。
+check-angles-sum = 起始角与全部增量角不计符号之和为 { $sum }°，大于 360°。
 check-angles-sum-hint = 请减小增量角，或输入更接近 0 的起始角（可为负）。
 check-angles-same = 用此增量角各点会重合：求不出圆。
 check-angles-same-hint = 请输入不超过 120°（三点）或不超过 90°（四点）的值。

@@ -44,7 +44,9 @@ need-signed-path = 符号决定测量方向。
 result-actual-radius = 实际半径
 result-difference-radius = 半径偏差
 
-check-path-sign = 测量行程为 0，或带有此处不允许的符号。
+check-path-zero = 测量行程为 0：刀具不会向测头移动。
+check-path-zero-hint = 请输入大于 0 的 _FA；起点决定方向。
+check-path-sign = 测量行程为负，但此方式中它不带符号。
 check-path-sign-hint = 请输入不带符号的 _FA；起点决定方向。只有增量校准使用符号。
 check-path-direction-hint = 请在 _FA 中输入到测头的距离，负方向加负号。
 check-tool-probe-type = { $name } 不是允许的刀具测头类型。
@@ -65,13 +67,13 @@ check-offset-large = _ID 大于刀具半径 { $radius } mm：刀具会偏移到
 check-offset-large-hint = 请在 _ID 中输入从半径向内的距离，不得大于半径。
 check-offset-abscissa = 刀具直径 { $tool } mm 大于测头的 { $edge } mm：循环使刀具沿横坐标偏移。
 check-offset-abscissa-hint = 请把 _MA 设为 103 或 203，以指明偏移的轴。
-check-mfs-missing = 没有设置 { $name }：缺少某次触碰的转速或进给。
+check-mfs-missing = { $name } 不大于 0：缺少某次触碰的转速或进给。
 check-mfs-missing-hint = 请设置 _MFS[0]、[2]、[4] 的转速和 _MFS[1]、[3]、[5] 的进给，或用 _CBIT[12]=0 让循环计算。
-check-mfs-third = { $name } 为 0：省去第三次触碰（_MFS[4] 和 [5]）。
+check-mfs-third = { $name } 不大于 0：省去第三次触碰（_MFS[4] 和 [5]）。
 check-mfs-third-hint = 请也设置第二次触碰的转速和进给，或把 _MFS[4] 设为 0。
 check-cm-direction = { $name } 没有指定旋转方向；调用时主轴静止则需要它。
 check-cm-direction-hint = 请把 GUD6 中的 _CM[5] 设为 3（M3）或 4（M4）。
-check-cm-zero = { $name } 为 0：测量的转速或进给会为 0。
+check-cm-zero = { $name } 不大于 0：循环无法计算测量的转速和进给。
 check-cm-zero-hint = 请设置极限：_CM[0] 圆周速度，[1] 主轴转速，[3] 精度，[4] 最大进给。
 check-cm-factor = { $name } 必须为 0 或不小于 1。
 check-cm-factor-hint = 0 省去这次触碰；否则进给乘以该系数。

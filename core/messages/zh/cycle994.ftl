@@ -25,7 +25,7 @@ need-zone-outside = 测外径时需要；此测量方式测内径时没有保护
 
 check-two-setpoint = 设定值 { $set } mm 必须大于 0：两点位于正负设定值处，其间须有距离。
 check-two-setpoint-hint = 请输入大于 0 的直径或半径。
-check-two-ball = 不校准时（{ "_CHBIT[7]" }=1）循环使用测球直径 { $name }，而其值为 0。
+check-two-ball = 不校准时（{ "_CHBIT[7]" }=1）循环使用测球直径 { $name }，而其值不大于 0。
 check-two-ball-hint = 请把测球直径输入 { $name }，或校准测头并设 { "_CHBIT[7]" }=0。
 check-two-zone-inside = 保护区 { $zone } mm 使 { $size } mm 的孔内放不下测球。
 check-two-zone-inside-hint = 请在测量轴上把保护区减小到不超过 { $limit } mm。

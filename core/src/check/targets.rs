@@ -34,7 +34,11 @@ pub fn findings(param: &Param, inputs: &Inputs, control: &Control) -> Option<Dia
 fn zero(param: &Param, code: i64, control: &Control) -> Option<Diagnostic> {
     let alarm = match knum::zero(code) {
         Err(alarm) => alarm,
-        Ok(Some(ZeroCode::Stored(Store::System))) if !zero_offset::system_frame(control) => 61321,
+        Ok(Some(ZeroCode::Stored(Store::System))) if !zero_offset::system_frame(control) => {
+            let message = Message::new("check-knum-no-system").number("code", code as f64);
+            let finding = error(Code::Alarm(61321), message).hint(Message::new("check-knum-no-system-hint"));
+            return Some(finding.at(param.name));
+        }
         Ok(_) => return None,
     };
     let is_tool = matches!(knum::tool(code, knum::five_digit_edges(control)), Ok(Some(_)));

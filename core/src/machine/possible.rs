@@ -232,7 +232,8 @@ fn with_errors(path: &Path, shape: &Shape, errors: &PartErrors) -> Result<(), Re
     let least = across.iter().copied().fold(f64::INFINITY, f64::min) + errors.size - 2.0 * amplitude.abs();
     let bottom = least + errors.taper * deep;
     for (key, size) in [("setup-least", least), ("setup-bottom", bottom)] {
-        bound(size > 0.0 && size <= LIMIT, || Refused::new(key, path.clone()).number("value", size))?;
+        let refused = || Refused::new(key, path.clone()).number("value", size).number("max", LIMIT);
+        bound(size > 0.0 && size <= LIMIT, refused)?;
     }
     Ok(())
 }

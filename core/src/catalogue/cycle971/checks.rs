@@ -41,11 +41,12 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
 fn path(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     let Some(path) = inputs.given(names::FA) else { return };
     let incremental = INCREMENTAL.holds(inputs);
-    if path > 0.0 || incremental && path != 0.0 {
-        return;
+    if path == 0.0 {
+        let hint = if incremental { "check-path-direction-hint" } else { "check-path-zero-hint" };
+        found.push(refused(61308, Message::new("check-path-zero"), hint, names::FA));
+    } else if path < 0.0 && !incremental {
+        found.push(refused(61308, Message::new("check-path-sign"), "check-path-sign-hint", names::FA));
     }
-    let hint = if incremental { "check-path-direction-hint" } else { "check-path-sign-hint" };
-    found.push(refused(61308, Message::new("check-path-sign"), hint, names::FA));
 }
 
 /// A cube or a disc; a disc is in one plane (B:13366, A:15848, A:15934).

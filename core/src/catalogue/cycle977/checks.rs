@@ -34,7 +34,7 @@ fn room(inputs: &Inputs, name: Name, zone: Name, ball: f64, found: &mut Vec<Diag
 
 /// Beside a zone the path is shortened until the ball fits; where it cannot, the cycle stops with 61334.
 fn beside_zone(inputs: &Inputs, size: f64, (name, zone): (Name, f64), ball: f64) -> Option<Diagnostic> {
-    let (out, wrong, hint) = match OUTSIDE.holds(inputs) {
+    let (out, wrong, mut hint) = match OUTSIDE.holds(inputs) {
         true => (-1.0, "check-zone-narrow", "check-zone-narrow-hint"),
         false => (1.0, "check-zone-wide", "check-zone-wide-hint"),
     };
@@ -48,5 +48,8 @@ fn beside_zone(inputs: &Inputs, size: f64, (name, zone): (Name, f64), ball: f64)
     let message = Message::new(key).number("zone", zone).number("size", size).number("ball", 2.0 * ball);
     // the largest zone inside, the smallest one outside
     let limit = size - out * 4.0 * ball;
+    if limit <= 0.0 {
+        hint = "check-zone-none-hint";
+    }
     Some(error(Code::Alarm(61334), message).hint(Message::new(hint).number("limit", limit)).at(name))
 }

@@ -106,6 +106,20 @@ fn an_error_of_a_setup_names_the_member_and_its_place() {
             "2000000; permitted: -1000000 to 1000000",
             "允许：-1000000 至 1000000",
         ),
+        (
+            r#""workpiece": [{"shape": "hole", "size": [10, 5], "at": [0, 0, 0], "errors": {"size": 1e6}}],"#,
+            "workpiece[0]",
+            15,
+            "amplitude is 1000010; permitted: more than 0, at most 1000000",
+            "1000010；允许：大于 0，不超过 1000000",
+        ),
+        (
+            r#""workpiece": [{"shape": "hole", "size": [10, 5], "at": [0, 0, 0], "errors": {"taper": 1e6}}],"#,
+            "workpiece[0]",
+            15,
+            "bottom is 5000010; permitted: more than 0, at most 1000000",
+            "5000010；允许：大于 0，不超过 1000000",
+        ),
         (r#""units": "mm", "名": 1, "units": "mm","#, "units", 30, "occurs twice", "出现了两次"),
     ] {
         let refused = setup_from_json(&wrong(line)).unwrap_err();
