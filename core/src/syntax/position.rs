@@ -61,22 +61,6 @@ impl<'a> Positions<'a> {
         let before = self.marks.get(mark).copied().unwrap_or(0);
         before + count(self.text.get(mark * STEP..offset).unwrap_or_default())
     }
-
-    /// Byte offset of a UTF-16 offset; inside a character: its first byte; past the end: the end.
-    pub fn byte(&self, utf16: u32) -> u32 {
-        let mark = self.marks.partition_point(|before| *before <= utf16).saturating_sub(1);
-        let mut at = mark * STEP;
-        let mut passed = self.marks.get(mark).copied().unwrap_or(0);
-        while let Some(byte) = self.text.get(at) {
-            let next = passed + units(*byte);
-            if units(*byte) > 0 && next > utf16 {
-                break;
-            }
-            passed = next;
-            at += 1;
-        }
-        at.min(self.text.len()) as u32
-    }
 }
 
 #[cfg(test)]
@@ -85,19 +69,17 @@ mod tests {
 
     // oracle: hand (Rust's own encode_utf16 and chars)
     #[test]
-    fn every_character_start_maps_to_utf16_and_back() {
+    fn every_character_start_maps_to_utf16() {
         let text = "N10 ;测量 é 🔧\r\nX1\n".repeat(200);
         let positions = Positions::new(text.as_bytes());
         for (offset, _) in text.char_indices() {
             let expected = text[..offset].encode_utf16().count() as u32;
             assert_eq!(positions.utf16(offset as u32), expected);
-            assert_eq!(positions.byte(expected), offset as u32);
         }
         assert_eq!(positions.line_column(0), (1, 1));
         let second = "N10 ;测量 é 🔧\r\n".len() as u32;
         assert_eq!(positions.line_column(second), (2, 1));
         assert_eq!(positions.line_column(second - 2), (1, 12));
-        assert_eq!(positions.byte(u32::MAX), text.len() as u32);
     }
 
     // oracle: hand

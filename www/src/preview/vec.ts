@@ -1,7 +1,5 @@
-// Vectors and rotations, millimetres and degrees.
+// Vectors and boxes, millimetres.
 import type { Vec3 } from "../wire";
-
-export type Matrix3 = [Vec3, Vec3, Vec3]; // rows
 
 export const add = (a: Vec3, b: Vec3): Vec3 => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 export const sub = (a: Vec3, b: Vec3): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
@@ -22,37 +20,6 @@ export function unit(a: Vec3): Vec3 {
 }
 
 export const radians = (degree: number): number => (degree * Math.PI) / 180;
-
-/** Rotation about X, Y, Z by RPY angles in degree: the one about Z is applied last. */
-export function rpy([x, y, z]: Vec3): Matrix3 {
-  const [cx, sx] = [Math.cos(radians(x)), Math.sin(radians(x))];
-  const [cy, sy] = [Math.cos(radians(y)), Math.sin(radians(y))];
-  const [cz, sz] = [Math.cos(radians(z)), Math.sin(radians(z))];
-  return [
-    [cz * cy, cz * sy * sx - sz * cx, cz * sy * cx + sz * sx],
-    [sz * cy, sz * sy * sx + cz * cx, sz * sy * cx - cz * sx],
-    [-sy, cy * sx, cy * cx],
-  ];
-}
-
-export const apply = (m: Matrix3, p: Vec3): Vec3 => [dot(m[0], p), dot(m[1], p), dot(m[2], p)];
-
-/** The matrix that applies `b`, then `a`. */
-export function product(a: Matrix3, b: Matrix3): Matrix3 {
-  const row = (r: Vec3): Vec3 => add(add(times(b[0], r[0]), times(b[1], r[1])), times(b[2], r[2]));
-  return [row(a[0]), row(a[1]), row(a[2])];
-}
-
-/** The rotation that takes +Z to `axis`, a unit vector. */
-export function fromZ(axis: Vec3): Matrix3 {
-  const side = Math.abs(axis[0]) < 0.9 ? unit(cross([1, 0, 0], axis)) : unit(cross([0, 1, 0], axis));
-  const other = cross(side, axis);
-  return [
-    [other[0], side[0], axis[0]],
-    [other[1], side[1], axis[1]],
-    [other[2], side[2], axis[2]],
-  ];
-}
 
 /** Smallest box around points; null: no point yet. */
 export interface Box {
