@@ -3,6 +3,7 @@
 use super::common::MONO;
 use crate::catalogue::prelude::*;
 use crate::control::Store;
+use crate::control::tools::TURNING;
 use crate::evaluate::knum::{self, ZeroCode};
 use crate::own::Own;
 
@@ -160,12 +161,10 @@ pub fn takes_rotation(name: Name, inputs: &Inputs, found: &mut Vec<Diagnostic>) 
     }
 }
 
-/// On a lathe the length ends at the centre of the ball (B:5358, B:5480, B:5818, B:6400, B:6871, B:7528, B:7836).
+/// On a lathe the length of a probe that is entered as a turning tool ends at the centre of the ball (B:5358, B:5480,
+/// B:5818, B:6400, B:6871, B:7528, B:7836).
 pub fn lathe_length(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
-    if TURNING_TOOL.holds(inputs) && control.bit("_CBIT[14]") {
+    if TURNING.contains(&inputs.tool_type) && control.bit("_CBIT[14]") {
         found.push(own::LATHE_LENGTH.finding().at(names::PRNUM));
     }
 }
-
-/// A probe that is entered as a turning tool.
-const TURNING_TOOL: When = When::ToolType(500, 599);

@@ -1,14 +1,12 @@
 //! What several values of CYCLE971, the data of the tool probe and the tool in use say together.
 
-use super::params::{APPLICATE, AUTOMATIC, CALIBRATE, IN_PLANE, INCREMENTAL, MEASURE, ROTATING};
+use super::params::{APPLICATE, AUTOMATIC, CALIBRATE, IN_PLANE, INCREMENTAL, RADIUS, ROTATING};
 use super::rotating;
 use crate::catalogue::prelude::*;
 use crate::catalogue::tool_probe::checks::refused;
 use crate::catalogue::tool_probe::{DEPTH, DIRECTIONS, EDGE_LENGTH, ProbeData, TYPE, checks as shared};
 use crate::diagnostic::Severity;
 
-/// The radius is measured.
-const RADIUS: When = When::All(&[MEASURE, IN_PLANE]);
 /// The tool is offset from the centre of the probe where it is wider than that (B:4593-4599).
 const OFFSET: When = When::Any(&[AUTOMATIC, When::All(&[When::Not(&INCREMENTAL), APPLICATE])]);
 

@@ -1,5 +1,6 @@
 //! Parameters of CYCLE971 (B:4410-4432, B:4636-4656, B:4830-4859).
 
+pub use crate::catalogue::common::{ABSCISSA, APPLICATE, ORDINATE};
 use crate::catalogue::prelude::*;
 use crate::catalogue::tool_probe::params as tool_probe;
 pub use crate::catalogue::tool_probe::params::{CALIBRATE, MEASURE, WORKPIECE};
@@ -11,19 +12,10 @@ pub const ROTATING: When = mvar(1, &[2]);
 pub const INCREMENTAL: When = mvar(10_000, &[1]);
 /// All sides one after the other.
 pub const AUTOMATIC: When = mvar(100_000, &[1]);
-/// Measured in the abscissa.
-pub const ABSCISSA: When = axis(&[1]);
-/// Measured in the ordinate.
-pub const ORDINATE: When = axis(&[2]);
-/// Measured in the applicate.
-pub const APPLICATE: When = axis(&[3]);
-/// Measured in the plane.
-pub const IN_PLANE: When = axis(&[1, 2]);
-
-/// Last digit of `_MA` (B:15395-15401).
-const fn axis(is: &'static [i64]) -> When {
-    When::Digit { param: names::MA, place: 1, is }
-}
+/// Measured in the plane (B:15395-15401).
+pub const IN_PLANE: When = When::Digit { param: names::MA, place: 1, is: &[1, 2] };
+/// The radius is measured.
+pub const RADIUS: When = When::All(&[MEASURE, IN_PLANE]);
 
 const MVAR_DIGITS: &[DigitGroup] = &[
     DigitGroup::one("mvar-task", 1, &[(0, "task-calibrate"), (1, "task-still"), (2, "task-rotating")]),

@@ -2,7 +2,7 @@
 //! (B:4204-4215; the appendix names the axes of the plane, B:15937-15948). The unit of `_OVR[]` is not defined by the
 //! manual; here the active unit counts.
 
-use super::params::{ABSCISSA, APPLICATE, AUTOMATIC, CALIBRATE, IN_PLANE, MEASURE, ORDINATE};
+use super::params::{ABSCISSA, APPLICATE, AUTOMATIC, CALIBRATE, MEASURE, ORDINATE, RADIUS};
 use crate::catalogue::common::length;
 use crate::catalogue::prelude::*;
 
@@ -26,7 +26,6 @@ const THIRD: When = When::All(&[
     When::Any(&[AUTOMATIC, When::All(&[G17, APPLICATE]), When::All(&[G18, ABSCISSA]), When::All(&[G19, ORDINATE])]),
 ]);
 const LENGTH: When = When::All(&[MEASURE, APPLICATE]);
-const RADIUS: When = When::All(&[MEASURE, IN_PLANE]);
 
 /// In the order of the arrays. Of a pair of directions, the one that was touched is set.
 pub const RESULTS: &[ResultField] = &[

@@ -2,23 +2,17 @@
 
 use super::params::{AUTOMATIC, CALIBRATE, INCREMENTAL};
 use crate::catalogue::prelude::*;
-use crate::catalogue::tool_probe::Stand;
 use crate::catalogue::tool_probe::correct::Measured;
 use crate::catalogue::tool_probe::store::Trigger;
+use crate::catalogue::tool_probe::{Stand, turning};
 use crate::control::tools::side;
-
-/// Cutting edge position of the calibration tool (B:8839).
-const CALIBRATION: i64 = 3;
-/// Cutting edge positions that can be measured (B:9128).
-const MEASURED: std::ops::RangeInclusive<i64> = 1..=8;
 
 /// The nose of the tool in use: from its centre to its tip, in nose radii; 61314 where it is no turning tool, 61315 for
 /// a position that the task does not allow (A:15855-15856).
 pub fn nose(machine: &mut dyn Machine, inputs: &Inputs) -> Result<[f64; 2], Stop> {
     let edge = machine.control().active_edge();
-    let (turning, tip) = edge.map_or((false, 0), |edge| (edge.is_turning(), edge.tip));
-    let allowed = if CALIBRATE.holds(inputs) { tip == CALIBRATION } else { MEASURED.contains(&tip) };
-    match (turning, allowed) {
+    let (is_turning, tip) = edge.map_or((false, 0), |edge| (edge.is_turning(), edge.tip));
+    match (is_turning, turning::allowed(tip, CALIBRATE.holds(inputs))) {
         (false, _) => Err(alarm(machine, 61314)),
         (true, false) => Err(alarm(machine, 61315)),
         (true, true) => Ok(side(tip, inputs.recodes())),

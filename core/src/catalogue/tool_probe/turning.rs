@@ -3,24 +3,23 @@
 use super::checks::refused;
 use crate::catalogue::prelude::*;
 
-/// Types of turning tools (B:8838, B:9001).
-const TURNING: std::ops::RangeInclusive<i64> = 500..=599;
-/// Cutting edge position of the calibration tool (B:8839).
-const CALIBRATION_TIP: i64 = 3;
+/// Whether a tool with this cutting edge position can calibrate the probe (B:8839), or can be measured (B:9128).
+pub fn allowed(tip: i64, calibrate: bool) -> bool {
+    if calibrate { tip == 3 } else { (1..=8).contains(&tip) }
+}
 
-/// Type and cutting edge position of the tool in use (B:8834-8839, B:9000-9002, A:15855,
-/// A:15856).
+/// Type and cutting edge position of the tool in use (B:8834-8839, B:9000-9002, A:15855-15856).
 pub fn tool(inputs: &Inputs, edge: &Edge, calibrate: bool, found: &mut Vec<Diagnostic>) {
-    if !TURNING.contains(&edge.kind) {
+    if !edge.is_turning() {
         let message = Message::new("check-tool-type").number("type", edge.kind as f64);
         found.push(refused(61314, message, "check-turning-type-hint", names::MVAR));
         return;
     }
-    let hint = match edge.tip {
-        CALIBRATION_TIP if calibrate => return,
-        _ if calibrate => "check-tip-calibration-hint",
-        1..=8 => return length(inputs, edge.tip, found),
-        _ => "check-tip-hint",
+    let hint = match (allowed(edge.tip, calibrate), calibrate) {
+        (true, true) => return,
+        (true, false) => return length(inputs, edge.tip, found),
+        (false, true) => "check-tip-calibration-hint",
+        (false, false) => "check-tip-hint",
     };
     let message = Message::new("check-tip").number("tip", edge.tip as f64);
     found.push(refused(61315, message, hint, names::MVAR));
