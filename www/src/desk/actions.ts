@@ -119,6 +119,16 @@ function planeFor(state: State, { control, purpose: { plane } }: CycleInfo): Pat
   };
 }
 
+/** The sort of machine that was last chosen for, told by its usual plane. */
+function suits({ form: { control }, machine }: State, plane: Plane): Patch {
+  return { machine: { suits: { ...machine.suits, [control]: plane } } };
+}
+
+/** A form of no call of the program in what the machine begins with. */
+function asBegun({ form: { open } }: State): Patch {
+  return open === null ? { form: { around: null } } : {};
+}
+
 /** The worked measurement of the cycle, with the addresses of the plane. */
 function exampleOf(cycle: CycleInfo, plane: Plane): Record<string, string> {
   const own = cycle.variants.find(({ example }) =>
@@ -169,7 +179,9 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
       const state = now();
       const same = cycle.control === state.form.control && cycle.cycle === state.form.cycle;
       const suited = planeFor(state, cycle);
-      const plane = planeOf(same ? state : patched(state, suited, { form: { control: cycle.control, open: null } }));
+      const plane = planeOf(
+        same ? state : patched(state, suited, { form: { control: cycle.control, open: null, around: null } }),
+      );
       const variant = chosen && inPlane(chosen, plane);
       if (same && variant)
         return edits(Object.entries(isExample(cycle, state.form.values, plane) ? variant.example : variant.values));
@@ -182,6 +194,7 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
           cycle: cycle.cycle,
           values: { ...values, ...variant?.values },
           open: same ? state.form.open : null,
+          around: same ? state.form.around : null,
           resets: {},
           touched: {},
           checked: false,
@@ -243,7 +256,7 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
       const other: Patch =
         setup && cycle && values && setup.control !== control
           ? {
-              form: { control: setup.control, cycle: cycle.cycle, values, open: null, touched: {} },
+              form: { control: setup.control, cycle: cycle.cycle, values, open: null, around: null, touched: {} },
               desk: { sought: null },
             }
           : {};
@@ -266,13 +279,8 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
     },
     closeCall: () =>
       store.update(state => {
-        const cycle = findCycle(catalogue, state.form.control, state.form.cycle);
         const pending = state.desk.pending.filter(one => !one.asks);
-        return {
-          form: { values: asWritten(state), open: null },
-          desk: { sought: null, pending },
-          ...(cycle ? planeFor(state, cycle) : {}),
-        };
+        return { form: { values: asWritten(state), open: null }, desk: { sought: null, pending } };
       }),
     style: style => store.update({ snippet: { style } }),
     convert: style =>
@@ -384,12 +392,17 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
     begin(own) {
       const { control } = now().form;
       const { setup } = now().machine;
+      const turns = own.plane !== beginning(now()).plane;
+      const chosen = turns ? own : { units: own.units };
       const described: Patch["machine"] =
         setup?.control === control
           ? { setup: { ...setup, plane: own.plane, active: { ...setup.active, units: own.units } } }
-          : { own: { ...now().machine.own, [control]: { own: { ...ownMachine(now()), ...own } } } };
+          : { own: { ...now().machine.own, [control]: { own: { ...ownMachine(now()), ...chosen } } } };
       const cycle = findCycle(catalogue, control, now().form.cycle);
-      store.update({ machine: described }, turned(cycle, now(), own.plane), { view: { step: AT_END } });
+      const suited = turns && cycle?.purpose.plane ? suits(now(), cycle.purpose.plane) : {};
+      store.update({ machine: described }, suited, turned(cycle, now(), own.plane), asBegun(now()), {
+        view: { step: AT_END },
+      });
     },
     data({ basic, data }) {
       const { control } = now().form;
@@ -400,8 +413,8 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
       const described: Patch["machine"] =
         setup?.control === control
           ? { setup: { ...setup, units: basic, active: { ...setup.active, units }, data } }
-          : { own: { ...own, [control]: { own: { ...before, basic, units, data } } } };
-      store.update({ machine: described, view: { step: AT_END } });
+          : { own: { ...own, [control]: { own: { ...ownMachine(now()), basic, units, data } } } };
+      store.update({ machine: described }, asBegun(now()), { view: { step: AT_END } });
     },
     panel(panel) {
       store.update({ panels: { panel, [LEFT.includes(panel) ? "left" : "right"]: panel } });

@@ -1,8 +1,15 @@
 // Which call of the program the form edits, once the program is read.
 
-import { AT_END, patched, type Reading, remember, type State } from "../state/state";
+import { AT_END, patched, type Reading, remember, type State, type Surroundings } from "../state/state";
 import type { CallView } from "../wire";
 import { SOUGHT } from "./program";
+
+/** The form with what counts at its call. */
+function within(state: State, { plane, units, transverse }: Surroundings): State {
+  const { around } = state.form;
+  const same = around && around.plane === plane && around.units === units && around.transverse === transverse;
+  return same ? state : patched(state, { form: { around: { plane, units, transverse } } });
+}
 
 /** The form filled with a call; what is still on the way into the program counts already. */
 function filled(state: State, call: CallView): State {
@@ -17,7 +24,7 @@ function filled(state: State, call: CallView): State {
 
 /** Another call comes into the form; the values of the cycle that leaves it are kept. */
 export function opened(state: State, call: CallView): State {
-  return patched(filled(patched(state, remember(state)), call), { view: { source: "form" } });
+  return patched(within(filled(patched(state, remember(state)), call), call), { view: { source: "form" } });
 }
 
 /**
@@ -61,7 +68,9 @@ export function arrived(state: State, reading: Reading): State {
   const { calls } = reading.view;
   const open = callAt(calls, state.form.open)?.from ?? null;
   const anchored = patched(state, { program: { reading }, form: { open } });
-  const next = followed(found(anchored, calls), calls);
+  const shown = followed(found(anchored, calls), calls);
+  const call = calls.find(one => one.from === shown.form.open);
+  const next = call ? within(shown, call) : shown;
   const there = new Set(calls.map(call => call.from));
   const pending = next.desk.pending.filter(one => one.control !== state.form.control || there.has(one.at));
   return pending.length < next.desk.pending.length ? patched(next, { desk: { pending } }) : next;

@@ -197,9 +197,9 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
       state.part.limits,
       assumed,
       machine(state).setup,
-      opened?.plane,
-      opened?.units,
-      opened?.transverse,
+      state.form.around?.plane,
+      state.form.around?.units,
+      state.form.around?.transverse,
       opened?.style,
     );
     const all = problems(reading);

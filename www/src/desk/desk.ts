@@ -6,7 +6,7 @@
 
 import type { Answered, Aside } from "../core/aside";
 import type { AtOnce, ProgramCore } from "../core/program";
-import { machine, patched, programOf, type Reading, type State } from "../state/state";
+import { patched, programMachine, programOf, type Reading, type State } from "../state/state";
 import type { Changed, Converted, ReadView } from "../wire";
 import { arrived } from "./calls";
 import { isCurrent, isRead } from "./program";
@@ -33,7 +33,7 @@ export function standing(state: State): Standing {
   const { reading, stoppedReading } = state.program;
   if (!reading || !isRead(state)) {
     if (isLong(state) && isCurrent(stoppedReading, state)) return { is: "stopped" };
-    return { is: "unread", question: { ask: "read", control, text: programOf(state), ...machine(state) } };
+    return { is: "unread", question: { ask: "read", control, text: programOf(state), ...programMachine(state) } };
   }
   if (follow || sought) return { is: "looking", reading };
   const typed = change(state);

@@ -2,7 +2,7 @@
 
 import { asked, hasToAsk, isWaiting, type Pending } from "../core/pending";
 import type { ChangeRequest, ConvertRequest } from "../core/program";
-import { AT_END, machine, patched, programOf, type State } from "../state/state";
+import { AT_END, patched, programMachine, programOf, type State } from "../state/state";
 import type { Changed, Converted, Edit } from "../wire";
 import { isCurrent, SOUGHT, withEdits } from "./program";
 
@@ -29,7 +29,7 @@ export function change(state: State): ChangeRequest | null {
   const text = programOf(state);
   const first = pending.find(one => one.control === control && !isWaiting(one, text));
   const call = state.program.reading?.view.calls.findIndex(one => one.from === first?.at) ?? -1;
-  return first && call >= 0 ? { control, text, call, at: first.at, pending, ...machine(state) } : null;
+  return first && call >= 0 ? { control, text, call, at: first.at, pending, ...programMachine(state) } : null;
 }
 
 /**
@@ -88,7 +88,7 @@ export function conversion(state: State): ConvertRequest | null {
   const { converting } = state.desk;
   const call = state.program.reading?.view.calls.findIndex(one => one.from === converting?.at) ?? -1;
   return converting && call >= 0
-    ? { control, text: programOf(state), call, style: converting.style, ...machine(state) }
+    ? { control, text: programOf(state), call, style: converting.style, ...programMachine(state) }
     : null;
 }
 

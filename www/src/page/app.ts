@@ -7,11 +7,12 @@ import { type Actions, createActions } from "../desk/actions";
 import { createDerive } from "../desk/derive";
 import { createDesk, isSettled } from "../desk/desk";
 import { meant, type Seen } from "../desk/meaning";
+import { suited } from "../desk/program";
 import { createEditorPlace } from "../editor/place";
 import { createJob } from "../pace";
 import { createScanner } from "../scan/scanner";
 import { save } from "../state/keep";
-import { machine, patched } from "../state/state";
+import { machine, patched, type State } from "../state/state";
 import { createStore, type Store } from "../state/store";
 import type { Flat } from "../state/stored";
 import { watchForUpdate } from "../state/update";
@@ -137,7 +138,12 @@ function createDraw(parts: Parts & { modules: Modules }): () => void {
     work: { reader, runner },
   } = parts;
   const derive = createDerive(() => modules.forms, parts.catalogue);
-  const settle = createDesk(() => modules.program, reader);
+  const desk = createDesk(() => modules.program, reader);
+  const settle = (state: State): State => {
+    const read = desk(state);
+    const next = suited(read, parts.catalogue);
+    return next === read ? read : desk(next);
+  };
   const [keep, notice] = [createKeeping(store), createNoticing(store)];
   const record = createRecorder(state => !modules.program || isSettled(state));
   let bench = createBench(parts);

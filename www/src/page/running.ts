@@ -3,7 +3,7 @@
 import type { Answered, Aside } from "../core/aside";
 import type { Derived } from "../desk/derive";
 import { isCurrent } from "../desk/program";
-import { machine, patched, type State } from "../state/state";
+import { beginningIn, patched, programMachine, programPlane, type State } from "../state/state";
 import type { RunView } from "../wire";
 
 /** Lets the program run on the opened machine, else on that of the form, while its motions are shown. */
@@ -12,7 +12,7 @@ export function askRun(runner: Aside, state: State, { view, program: text }: Der
   const { done: ran, stopped: stoppedRun } = state.run;
   if (state.view.source !== "program") return;
   const opened = state.machine.setup?.control === control ? state.machine.setup : undefined;
-  const setup = opened ?? view.setup ?? machine(state).setup;
+  const setup = opened ?? (view.setup ? beginningIn(view.setup, programPlane(state)) : programMachine(state).setup);
   const done = isCurrent(ran, state) && ran?.setup === setup;
   if (!done && !isCurrent(stoppedRun, state)) runner.want({ ask: "run", control, text, ...(setup ? { setup } : {}) });
 }

@@ -74,6 +74,9 @@ export interface Stopped {
   why: string;
 }
 
+/** What counts at the call that the form has from a program: the form keeps it when it leaves the program. */
+export type Surroundings = Pick<CallView, "plane" | "units" | "transverse">;
+
 /** What is in the form. */
 export interface FormState {
   control: Dialect;
@@ -82,6 +85,7 @@ export interface FormState {
   remembered: Record<string, Record<string, string>>; // last values of the other cycles, by "control/cycle"
   sets: Record<string, Record<string, Record<string, string>>>; // named values, by "control/cycle" and name
   open: number | null; // where in the program the call begins that the form edits
+  around: Surroundings | null; // null: the call is that of no program, and the machine's beginning counts
   resets: Record<string, Reset>; // values that were taken away since they were codes of something else, by parameter
   checked: boolean; // problems are shown at every field
   touched: Record<string, true>; // fields whose problems are shown
@@ -103,6 +107,7 @@ export interface PartState {
 
 export interface ProgramState {
   texts: Partial<Record<Dialect, string>>;
+  usual: Partial<Record<Dialect, Plane>>; // the usual plane of the sort of machine that each is for
   files: Files;
   cursor: number;
   line: number; // of the cursor, from 1
@@ -241,6 +246,7 @@ export function firstState(): State {
       remembered: {},
       sets: {},
       open: null,
+      around: null,
       resets: {},
       checked: false,
       touched: {},
@@ -248,7 +254,16 @@ export function firstState(): State {
     },
     snippet: { comments: true, twin: false, style: "" },
     part: { errors: NO_ERRORS, limits: false },
-    program: { texts: {}, files: {}, cursor: 0, line: 1, reading: null, stoppedReading: null, stoppedLaying: null },
+    program: {
+      texts: {},
+      usual: {},
+      files: {},
+      cursor: 0,
+      line: 1,
+      reading: null,
+      stoppedReading: null,
+      stoppedLaying: null,
+    },
     desk: {
       pending: [],
       sought: null,
@@ -306,13 +321,48 @@ export function programOf(state: State): string {
   return state.program.texts[state.form.control] ?? "";
 }
 
-/** The imported machine, for a control that it has; else the core's own with what was chosen for it. */
+/** The machine of the form: for a call of the program that of the program. */
 export function machine(state: State): { setup?: Setup | OwnMachine } {
+  if (state.form.open !== null) return programMachine(state);
   const { control } = state.form;
   const { setup, own } = state.machine;
   if (setup?.control === control) return { setup };
   const chosen = own[control];
   return chosen ? { setup: chosen } : {};
+}
+
+/** The imported machine, for a control that it has; else the core's own with what was chosen for it. */
+export function programMachine(state: State): { setup?: Setup | OwnMachine } {
+  const { control } = state.form;
+  const { setup, own } = state.machine;
+  if (setup?.control === control) return { setup };
+  const chosen = own[control];
+  const plane = programPlane(state);
+  if (plane === ownMachine(state).plane) return chosen ? { setup: chosen } : {};
+  return { setup: beginningIn(chosen ?? BARE[control], plane) };
+}
+
+/**
+ * The plane in which the program begins: on the core's own machine, unless another one was chosen for it, the usual one
+ * of the sort of machine that it is for, whatever the form was for last.
+ */
+export function programPlane(state: State): Plane {
+  const { control } = state.form;
+  const { setup, suits } = state.machine;
+  const { plane } = ownMachine(state);
+  if (setup?.control === control) return setup.plane;
+  return plane === (suits[control] ?? PLANES[0]) ? (state.program.usual[control] ?? plane) : plane;
+}
+
+const made = new WeakMap<object, Partial<Record<Plane, object>>>();
+
+/** A machine that begins in this plane: always the same object. */
+export function beginningIn<M extends Setup | OwnMachine>(machine: M, plane: Plane): M {
+  if (plane === ("own" in machine ? machine.own.plane : machine.plane)) return machine;
+  const known = made.get(machine) ?? {};
+  made.set(machine, known);
+  known[plane] ??= "own" in machine ? { own: { ...machine.own, plane } } : { ...machine, plane };
+  return known[plane] as M;
 }
 
 /** The named values of the chosen cycle. */
@@ -332,7 +382,7 @@ export function beginning(state: State): OwnMachine["own"] {
   const { control } = state.form;
   const { setup } = state.machine;
   const own = ownMachine(state);
-  if (setup?.control !== control) return own;
+  if (setup?.control !== control) return state.form.open === null ? own : { ...own, plane: programPlane(state) };
   return {
     basic: setup.units,
     plane: setup.plane,
@@ -340,9 +390,9 @@ export function beginning(state: State): OwnMachine["own"] {
   };
 }
 
-/** The working plane of the call in the form: that of the opened call, else the one in which the machine begins. */
+/** The working plane of the call in the form: that of its place in a program, else that in which the machine begins. */
 export function planeOf(state: State): Plane {
-  return openCall(state)?.plane ?? beginning(state).plane;
+  return state.form.around?.plane ?? beginning(state).plane;
 }
 
 /** The G function of this kind, feeds and data included or not, that counts in this system. */
@@ -359,3 +409,9 @@ export const UNITS: Record<Dialect, UnitFunction[]> = {
   nct: ["G21", "G20"],
 };
 export const INCH: UnitFunction[] = ["G70", "G700", "G20"];
+
+/** The core's own machines as they are. */
+const BARE: Record<Dialect, OwnMachine> = {
+  sinumerik: { own: { plane: "G17", units: "G71" } },
+  nct: { own: { plane: "G17", units: "G21" } },
+};

@@ -3,7 +3,7 @@
 
 import type { Pending } from "../core/pending";
 import { ENCODINGS } from "../encoding";
-import type { Plane, Setup, Style, UnitFunction } from "../wire";
+import type { Plane, Setup, Style, Transverse, UnitFunction } from "../wire";
 import type { ProgramFile } from "./files";
 import { firstState, NO_ERRORS, type Patch, PLANES, patched, type State, UNITS } from "./state";
 
@@ -52,6 +52,18 @@ const isPending = (value: unknown): value is Pending =>
   ["control", "name", "value"].every(name => typeof value[name] === "string") &&
   Number.isInteger(value.at);
 
+const TRANSVERSE: Transverse[] = ["DIAMOF", "DIAMON", "DIAM90"];
+
+function around(value: unknown): State["form"]["around"] | undefined {
+  if (!plainObject(value)) return value === null ? null : undefined;
+  const plane = PLANES.find(one => one === value.plane);
+  const units = Object.values(UNITS)
+    .flat()
+    .find(one => one === value.units);
+  const transverse = TRANSVERSE.find(one => one === value.transverse);
+  return plane && units && transverse ? { plane, units, transverse } : undefined;
+}
+
 const STYLES: (Style | "")[] = ["", "direct", "indirect", "operate"];
 
 function data(value: unknown): Setup["data"] {
@@ -87,6 +99,7 @@ const FIELDS = {
   ),
   sets: field("form", "sets", orNone(orNone(texts))),
   open: field("form", "open", value => (Number.isInteger(value) || value === null ? (value as number) : undefined)),
+  around: field("form", "around", around),
   pending: field("desk", "pending", value =>
     Array.isArray(value)
       ? value.filter(isPending).map(({ control, at, name, value }) => ({ control, at, name, value }))
@@ -132,6 +145,7 @@ const WORK = [
   "files",
   "sets",
   "open",
+  "around",
   "pending",
   "errors",
   "setup",
@@ -147,6 +161,7 @@ const IN_LINK = [
   "programs",
   "files",
   "open",
+  "around",
   "errors",
   "comments",
   "style",

@@ -197,7 +197,7 @@ export function createHeader(
   );
   document.body.append(about);
   return (state, derived) => {
-    machine.draw(state, derived);
+    machine.draw(state);
     history.draw(state);
     setAttribute(data, "disabled", core() === null || !machineData());
     const { control } = derived.cycle;

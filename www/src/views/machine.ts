@@ -1,7 +1,6 @@
 // In which plane and with which units the machine begins. What a program says before a call counts there instead.
 
 import type { Actions } from "../desk/actions";
-import type { Derived } from "../desk/derive";
 import { el, keyed, on, setAttribute, setText } from "../dom";
 import { beginning, INCH, PLANES, type State, UNITS } from "../state/state";
 import { t } from "../texts";
@@ -22,7 +21,7 @@ function options(select: HTMLSelectElement, values: readonly string[], text: (va
   );
 }
 
-export function createMachine(actions: Actions): { root: HTMLElement; draw(state: State, derived: Derived): void } {
+export function createMachine(actions: Actions): { root: HTMLElement; draw(state: State): void } {
   const plane = el("select", { id: "machine-plane" });
   const units = el("select", { id: "machine-units" });
   const call = el("span", { class: "at-call" });
@@ -39,15 +38,14 @@ export function createMachine(actions: Actions): { root: HTMLElement; draw(state
   on(units, "change", change);
   return {
     root,
-    draw(state, { opened }) {
+    draw(state) {
       const now = beginning(state);
       options(plane, PLANES, value => `${value} · ${t(`plane-${value.toLowerCase()}`)}`);
       options(units, UNITS[state.form.control], value => unitText(state.form.control, value as UnitFunction));
       if (plane.value !== now.plane) plane.value = now.plane;
       if (units.value !== now.units) units.value = now.units;
-      const other = [opened?.plane !== now.plane && opened?.plane, opened?.units !== now.units && opened?.units].filter(
-        Boolean,
-      );
+      const { plane: at, units: unitsAt } = state.form.around ?? now;
+      const other = [at !== now.plane && at, unitsAt !== now.units && unitsAt].filter(Boolean);
       setText(call, other.length ? t("machine-at-call", { functions: other.join(" ") }) : "");
       setAttribute(call, "hidden", other.length === 0);
     },
