@@ -142,3 +142,100 @@ describe("plane and units of a call", () => {
     await context.close();
   });
 });
+
+describe("the call in the form", () => {
+  const chrome = shared("neither", { before, after });
+  const insert = page => page.getByRole("button", { name: "Insert at cursor" });
+  const placed = page => page.locator(".placed");
+  const field = (page, name) => page.locator(`.field[data-field="${name}"] .entry-line > .figure`);
+
+  /** Lines of the snippet. */
+  const lengthOf = async page => (await page.locator(".snippet").textContent()).trim().split("\n").length;
+
+  /** Either the button that inserts the call, or the line in which it stands; never both, never none. */
+  async function stands(page, line) {
+    const [one, other] = line === null ? [insert, placed] : [placed, insert];
+    await one(page).waitFor();
+    await other(page).waitFor({ state: "hidden" });
+    if (line !== null) await page.locator(`.placed:has-text("In the program, line ${line}")`).waitFor();
+  }
+
+  // oracle: hand (lines counted in the text)
+  test("is inserted, or in the program with its line, after every change of form and text", async () => {
+    const { context, page, problems } = await start(chrome);
+    await stands(page, 3); // of the first visit
+    await openProgram(page, `${MILLED}${MILLED}`);
+    await stands(page, null);
+    await openCall(page, 1);
+    await stands(page, 9); // of two equal calls the open one
+    await openCall(page, 0);
+    await stands(page, 4);
+    await field(page, "_SETVAL").fill("6.5");
+    await page.locator('.cm-line:has-text("_SETVAL=6.5")').waitFor();
+    await stands(page, 4);
+    await field(page, "_SETVAL").fill("6,5.5"); // nothing that can be written
+    await stands(page, null);
+    await field(page, "_SETVAL").fill("7");
+    await stands(page, 4);
+    await page.locator(".cm-content").focus();
+    await page.keyboard.press("Control+Home");
+    await page.keyboard.insertText("; above\n");
+    await stands(page, 5);
+    await detach(page);
+    await stands(page, null);
+    const lines = await lengthOf(page);
+    await insert(page).click(); // at the cursor, in line 2
+    await stands(page, 1 + lines);
+    await choose(page, "CYCLE979");
+    await stands(page, null);
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: hand
+  test("is found by its link", async () => {
+    const { context, page, problems } = await start(chrome);
+    await openProgram(page, "_MVAR=1 _SETVAL=5 _TNUM=1 _KNUM=2001 _FA=1\nCYCLE977\nG0 X100\nCYCLE977\nM30\n");
+    await openCall(page, 1);
+    await page.locator(".cm-content").focus();
+    await page.keyboard.press("Control+End");
+    await stands(page, 4);
+    await placed(page).focus();
+    await page.keyboard.press("Enter");
+    await page.locator('.cm-activeLine:has-text("CYCLE977")').waitFor();
+    assert.match(await page.locator(".cm-lineNumbers .cm-activeLineGutter").textContent(), /4/);
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: hand (the program holds 40 until the other line may change)
+  test("is not said to be there while a change of another line waits", async () => {
+    const { context, page, problems } = await start(chrome);
+    const hole = "%_N_HOLE_SPF\nPROC HOLE(REAL _D)\n_MVAR=1 _SETVAL=_D _TNUM=1 _KNUM=0 _FA=1\nCYCLE977\nM17\n";
+    await openProgram(page, `%_N_MAIN_MPF\nG17 T9 D1\nHOLE(40)\nM30\n${hole}`);
+    await openCall(page);
+    await stands(page, 8);
+    await field(page, "_SETVAL").fill("41");
+    await page.locator(".asks").waitFor();
+    await stands(page, null);
+    await page.locator(".asks").getByRole("button", { name: "Cancel" }).click();
+    await stands(page, 8);
+    await field(page, "_SETVAL").fill("41");
+    await page.locator(".asks").getByRole("button", { name: "Apply" }).click();
+    await stands(page, 8);
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: hand (a long program is read aside)
+  test("is in a long program at once when it is inserted there", async () => {
+    const { context, page, problems } = await start(chrome);
+    await openProgram(page, "G0 X1\n".repeat(3000));
+    await stands(page, null);
+    const lines = await lengthOf(page);
+    await insert(page).click();
+    await stands(page, lines);
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+});

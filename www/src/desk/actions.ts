@@ -320,11 +320,12 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
       const state = now();
       const place = insertion(programOf(state), state.program.cursor, snippet);
       const to = place.from + place.insert.length;
+      const next = withEdits(state, [place]);
       store.update(
-        patched(withEdits(state, [place]), {
+        patched(next, {
           program: { cursor: to },
           form: { open: null },
-          desk: { sought: { from: place.from, to } },
+          desk: { sought: { from: place.from, to }, pending: next.desk.pending.filter(one => !one.asks) },
           page: { notice: "notice-inserted", offer: false },
         }),
       );

@@ -86,7 +86,7 @@ export function createBench(parts: Parts): Bench {
   const views = [
     createHeader(layout.header, store, actions, open.setup, core, () => later()?.machineData ?? null),
     createTasks(panels.tasks, store, actions, found),
-    createForm(panels.form, store, actions, () => sets.dialog.showModal()),
+    createForm(panels.form, store, actions, () => sets.dialog.showModal(), program.goToLine),
     createScene(panels.view, store, program.goToLine, stage),
     (state: State, derived: Derived): void => later()?.drawResults(state, derived),
     createSliders(sliders, store, actions),

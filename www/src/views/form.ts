@@ -2,6 +2,7 @@
 
 import { type Actions, type Variant, variantOf } from "../desk/actions";
 import type { Derived } from "../desk/derive";
+import { placedIn } from "../desk/placed";
 import { el, keyed, on, setAttribute, setText, show } from "../dom";
 import type { State } from "../state/state";
 import type { Store } from "../state/store";
@@ -52,6 +53,7 @@ export function createForm(
   store: Store,
   actions: Actions,
   showSets: () => void,
+  goToLine: (line: number) => void,
 ): (state: State, derived: Derived) => void {
   const title = el("h2", { id: "form-title" });
   const explain = createExplain();
@@ -84,7 +86,13 @@ export function createForm(
   const comments = el("input", { type: "checkbox", id: "comments" });
   const copy = el("button", { type: "button" }, t("form-copy"));
   const insert = el("button", { type: "button", class: "primary" }, t("form-insert"));
-  const placed = el("span", { class: "placed" });
+  const placedText = el("span", {});
+  const placed = el(
+    "button",
+    { type: "button", class: "quiet placed" },
+    placedText,
+    el("span", { class: "placed-mark", "aria-hidden": "true" }, "✓"),
+  );
   const snippetBox = el(
     "section",
     { class: "snippet-box", "aria-label": t("form-snippet") },
@@ -127,6 +135,7 @@ export function createForm(
   const drawPicture = createPicture(pictureBox, focusField);
   let snippetText = "";
   let chosen: Variant | undefined;
+  let line: number | null = null; // in which the program has the call just so
 
   on(fields, "keydown", event => {
     if (!asks.waits() || event.target instanceof HTMLSelectElement) return;
@@ -147,6 +156,9 @@ export function createForm(
   on(insert, "click", () => {
     actions.insert(snippetText);
     actions.panel("program");
+  });
+  on(placed, "click", () => {
+    if (line !== null) goToLine(line);
   });
   on(check, "click", () => {
     actions.check();
@@ -198,10 +210,11 @@ export function createForm(
     setText(snippet, view.snippet);
     setAttribute(snippet, "data-style", derived.style);
     show(snippet, view.snippet !== "");
-    const inProgram = state.form.open !== null || state.desk.sought !== null;
-    show(insert, !inProgram);
-    show(placed, inProgram);
-    if (derived.opened) setText(placed, t("form-placed", { line: derived.opened.lastLine }));
+    line = placedIn(state, derived);
+    show(insert, line === null);
+    setAttribute(insert, "disabled", view.snippet === "");
+    show(placed, line !== null);
+    if (line !== null) setText(placedText, t("form-placed", { line }));
     asks.draw(state);
     ways.draw(state, derived);
     twin.draw(state, derived);
