@@ -176,6 +176,49 @@ describe("another variant", () => {
     await context.close();
   });
 
+  // oracle: manual B:5641-5667, hand (on the way there the number is that of no variant)
+  test("by its number keeps no code of the one before, also past a number that is none", async () => {
+    const { context, page, problems } = await start(chrome);
+    await openProgram(page, `_MVAR=1 _SETVAL=132 _TNUM=20 ${REST.replace("_KNUM=0", "_KNUM=2001")}\nCYCLE977\nM30\n`);
+    for (const number of ["99999", "101"]) {
+      await entry(page, "_MVAR").fill(number);
+      await entry(page, "_MVAR").press("Tab");
+      await programWhen(page, text => text.includes(`_MVAR=${number}`));
+    }
+    await field(page, "_KNUM").locator('.problem:has-text("2001")').waitFor();
+    await programWhen(page, text => !text.includes("_KNUM=2001"));
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: manual B:8208-8330 (the axes of a variant of CYCLE971)
+  test("clears a value that it does not take, with a note there", async () => {
+    const { context, page, problems } = await start(chrome);
+    await openProgram(page, "_MVAR=12 _MA=103 _PRNUM=1 _FA=1 _TSA=1\nCYCLE971\nM30\n");
+    assert.equal(await entry(page, "_MA").inputValue(), "103");
+    await entry(page, "_MVAR").fill("10000");
+    await entry(page, "_MVAR").press("Tab");
+    await field(page, "_MA").locator('.problem:has-text("103 was cleared")').waitFor();
+    const text = await programWhen(page, now => now.includes("_MVAR=10000") && !now.includes("_MA="));
+    assert.doesNotMatch(text, /_MA/);
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: hand (what is typed in the program stays as it is typed)
+  test("typed in the program takes nothing out of it", async () => {
+    const { context, page, problems } = await start(chrome);
+    const text = `_MVAR=1 _SETVAL=132 _TNUM=20 ${REST.replace("_KNUM=0", "_KNUM=1")}\nCYCLE977\nM30\n`;
+    await openProgram(page, text);
+    await page.locator(".cm-content").focus();
+    await page.keyboard.press("Control+Home");
+    for (let at = 0; at < "_MVAR=1".length; at++) await page.keyboard.press("ArrowRight");
+    await page.keyboard.type("01");
+    await still(page, text.replace("_MVAR=1", "_MVAR=101"));
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
   // oracle: hand
   test("marks a wrong value at its field though nobody typed it", async () => {
     const { context, page, problems } = await start(chrome);

@@ -500,6 +500,7 @@ scan-save-surface = XYZ der Fläche speichern
 
 form-placed = Im Programm, Zeile { $line }
 field-reset = { $value } ist gelöscht: Die Eingabe galt für „{ $before }“.
+field-unfit = { $value } ist gelöscht: Diese Messvariante lässt den Wert nicht zu.
 
 asks-title = { $count ->
     [one] Das ändert eine Zeile außerhalb des Aufrufs

@@ -500,6 +500,7 @@ scan-save-surface = Save surface XYZ
 
 form-placed = In the program, line { $line }
 field-reset = { $value } was cleared: it was entered as “{ $before }”.
+field-unfit = { $value } was cleared: this measuring variant does not take it.
 
 asks-title = { $count ->
     [one] This changes a line outside the call

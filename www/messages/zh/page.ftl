@@ -496,6 +496,7 @@ scan-save-surface = 保存曲面的 XYZ
 
 form-placed = 程序第 { $line } 行
 field-reset = 已清除 { $value }：该值是按“{ $before }”输入的。
+field-unfit = 已清除 { $value }：此测量方式不接受该值。
 
 asks-title = 这会更改此调用以外的 { $count } 行
 asks-line = 第 { $line } 行

@@ -168,7 +168,9 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
   };
 
   const edits = (pairs: [string, string][]): void =>
-    store.update(state => patched(typedIn(state, pairs), { page: { offer: false } }));
+    store.update(state =>
+      patched(typedIn(state, pairs), { form: { edits: state.form.edits + 1 }, page: { offer: false } }),
+    );
 
   const withSets = (sets: Record<string, Record<string, string>>): Patch => ({
     form: { sets: { ...now().form.sets, [memoryKey(now().form)]: sets } },

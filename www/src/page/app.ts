@@ -6,7 +6,7 @@ import { Broken } from "../core/module";
 import { type Actions, createActions } from "../desk/actions";
 import { createDerive } from "../desk/derive";
 import { createDesk, isSettled } from "../desk/desk";
-import { meant, type Seen } from "../desk/meaning";
+import { lastKnown, meant, type Seen } from "../desk/meaning";
 import { suited } from "../desk/program";
 import { createEditorPlace } from "../editor/place";
 import { createJob } from "../pace";
@@ -169,7 +169,7 @@ function createDraw(parts: Parts & { modules: Modules }): () => void {
       derived = derive(state);
     }
     state = store.settle(record(state, typed));
-    seen = { state, derived };
+    seen = lastKnown(seen, { state, derived });
     askRun(runner, state, derived);
     const back = bench.language === language() ? null : remade();
     bench.draw(state, derived);

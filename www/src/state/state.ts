@@ -55,10 +55,10 @@ export interface Card {
   cycles: CycleInfo[];
   others: string[];
 }
-/** A value, and the key of what it was a code of. */
+/** A value that was taken away: the key of what it was a code of; none: the new variant does not take it. */
 export interface Reset {
   value: string;
-  before: string;
+  before?: string;
 }
 /** A cure that would change lines elsewhere waits for a word. It counts while the program is still that text. */
 export interface Curing {
@@ -86,7 +86,8 @@ export interface FormState {
   sets: Record<string, Record<string, Record<string, string>>>; // named values, by "control/cycle" and name
   open: number | null; // where in the program the call begins that the form edits
   around: Surroundings | null; // null: the call is that of no program, and the machine's beginning counts
-  resets: Record<string, Reset>; // values that were taken away since they were codes of something else, by parameter
+  resets: Record<string, Reset>; // values that were taken away since they do not fit the new variant, by parameter
+  edits: number; // how often something was typed or chosen in the form
   checked: boolean; // problems are shown at every field
   touched: Record<string, true>; // fields whose problems are shown
   focus: string | null;
@@ -248,6 +249,7 @@ export function firstState(): State {
       open: null,
       around: null,
       resets: {},
+      edits: 0,
       checked: false,
       touched: {},
       focus: null,

@@ -29,7 +29,7 @@ export function located(state: State, derived: Derived, actions: Actions, goTo: 
   const ofOpened = (one: Diagnostic): boolean =>
     !!opened && (one.line ?? 0) >= opened.line && (one.line ?? 0) <= opened.lastLine;
   const told = new Set(derived.problems.filter(one => one.cure && ofOpened(one)).map(same));
-  const form = shownProblems(state, derived.view.diagnostics).filter(one => !told.has(same(one)));
+  const form = shownProblems(state, derived.view).filter(one => !told.has(same(one)));
   const inForm = new Set(opened ? form.map(same) : []);
   const cured = (problem: Diagnostic): Partial<Located> =>
     problem.cure && derived.fresh ? { cure: () => actions.cure(problem.cure?.edits ?? [], problem.elsewhere) } : {};

@@ -4,7 +4,7 @@ import { type Actions, type Variant, variantOf } from "../desk/actions";
 import type { Derived } from "../desk/derive";
 import { placedIn } from "../desk/placed";
 import { el, keyed, on, setAttribute, setText, show } from "../dom";
-import type { State } from "../state/state";
+import type { Reset, State } from "../state/state";
 import type { Store } from "../state/store";
 import { optional, t } from "../texts";
 import type { Diagnostic, Field } from "../wire";
@@ -19,15 +19,18 @@ import { createCallWays, createSnippetWays } from "./ways";
 
 /**
  * Problems of a field are shown once it was typed into, or after "check"; a value that came there otherwise is marked
- * at once; doubts about a call in which nothing is wrong or missing at once, as data of the machine may be behind them.
+ * at once, and what no field tells, which nobody could type into; doubts about a call in which nothing is wrong or
+ * missing at once, as data of the machine may be behind them.
  */
-export function shownProblems(state: State, all: Diagnostic[]): Diagnostic[] {
+export function shownProblems(state: State, { diagnostics: all, fields }: Derived["view"]): Diagnostic[] {
+  const names = new Set<string | undefined>(fields.map(field => field.name));
   const whole = all.every(one => one.severity !== "error");
   return all.filter(
     one =>
       whole ||
       state.form.checked ||
       one.severity === "note" ||
+      (one.severity === "error" && !names.has(one.param)) ||
       (one.param !== undefined && (state.form.touched[one.param] || isCarried(state, one.param))),
   );
 }
@@ -37,15 +40,13 @@ function isCarried({ form: { values, focus } }: State, name: string): boolean {
   return focus !== name && (values[name] ?? "").trim() !== "";
 }
 
+const resetSaid = ({ value, before }: Reset): Diagnostic["message"] =>
+  before === undefined ? { key: "field-unfit", args: { value } } : { key: "field-reset", args: { value, before } };
+
 /** What is said at a field whose value was taken away with the variant. */
 function resetNotes({ form: { resets, values } }: State): Diagnostic[] {
   const gone = Object.entries(resets).filter(([name]) => !values[name]);
-  return gone.map(([param, { value, before }]) => ({
-    severity: "note",
-    code: "",
-    param,
-    message: { key: "field-reset", args: { value, before } },
-  }));
+  return gone.map(([param, reset]) => ({ severity: "note", code: "", param, message: resetSaid(reset) }));
 }
 
 export function createForm(
@@ -186,7 +187,7 @@ export function createForm(
       setText(where, t("form-opened", { cycle: cycle.cycle, from: derived.opened.line, to: derived.opened.lastLine }));
     const names = new Set(view.fields.map(field => field.name));
     const arrivals = derived.opened?.arrivals.filter(one => names.has(one.param ?? "")) ?? [];
-    const problems = [...shownProblems(state, view.diagnostics), ...arrivals, ...resetNotes(state)];
+    const problems = [...shownProblems(state, view), ...arrivals, ...resetNotes(state)];
     keyed(
       fields,
       view.fields,
@@ -204,7 +205,7 @@ export function createForm(
       problems.filter(one => one.param === undefined || !names.has(one.param)),
     );
     if (view.picture) drawPicture(view.picture, state.form.focus, state.form.values);
-    renderCount(count, state, view.diagnostics, view.complete);
+    renderCount(count, state, view);
     if (comments.checked !== state.snippet.comments) comments.checked = state.snippet.comments;
     snippetText = view.snippet;
     setText(snippet, view.snippet);
@@ -223,9 +224,9 @@ export function createForm(
   };
 }
 
-function renderCount(node: HTMLElement, state: State, all: Diagnostic[], complete: boolean): void {
-  const errors = all.filter(one => one.severity === "error");
-  const seen = shownProblems(state, errors).length;
+function renderCount(node: HTMLElement, state: State, view: Derived["view"]): void {
+  const { complete } = view;
+  const seen = shownProblems(state, view).filter(one => one.severity === "error").length;
   const text = complete ? t("form-complete") : seen > 0 ? t("form-errors", { count: seen }) : t("form-incomplete");
   setText(node, text);
   setAttribute(node, "data-state", complete ? "complete" : seen > 0 ? "errors" : "incomplete");
