@@ -99,6 +99,37 @@ describe("a program in its own encoding", () => {
     await context.close();
   });
 
+  // oracle: peer (0xf8 is \u00f8 in Windows-1252; Shift JIS has no \u00d8, Windows-1252 no \u6c49, GBK has \u6c49 as ba ba)
+  test("tells in which line the character stands, and is saved in the encoding that is chosen instead", async () => {
+    const { context, page, problems } = await start(chrome);
+    const told = page.locator(".lacking:visible .problem");
+    await opened(page, "a.mpf", Buffer.from("; \xf8 20\r\nM30\r\n", "latin1"));
+    assert.equal(await choice(page).inputValue(), "read windows-1252");
+    await page.locator(".cm-content").focus();
+    await page.keyboard.press("Control+End");
+    await page.keyboard.insertText("; \u6c49");
+    await told.waitFor();
+    assert.match(await told.textContent(), /Line 3: Windows-1252.* no \u201c\u6c49\u201d/);
+    await page.keyboard.press("Control+Home");
+    await page.locator(".lacking").getByRole("button", { name: "Show character" }).click();
+    await page.locator('.cm-activeLine:has-text("\u6c49")').waitFor();
+    await choice(page).selectOption("save gb18030");
+    await told.waitFor({ state: "hidden" });
+    assert.match((await saved(page)).toString("latin1"), /\r\n; \xba\xba$/);
+    const japanese = NAMES.find(name => name.includes("shift_jis"));
+    await opened(page, japanese, bytesOf(japanese));
+    await type(page, "; \u00d8 20\n");
+    await told.waitFor();
+    assert.match(await told.textContent(), /Line 1: Shift JIS.* no \u201c\u00d8\u201d/);
+    await choice(page).selectOption("save windows-1252");
+    await told.filter({ hasText: "Windows-1252" }).waitFor(); // it has no kana
+    await choice(page).selectOption("save utf-8");
+    await told.waitFor({ state: "hidden" });
+    assert.match((await saved(page)).toString(), /^; \u00d8 20\r\n/);
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
   // oracle: hand (once it is gone, the bytes opened)
   test("says no more of a character that is taken out again", async () => {
     const { context, page } = await start(chrome);

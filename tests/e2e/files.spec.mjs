@@ -128,6 +128,44 @@ describe("a program file", () => {
     await context.close();
   });
 
+  const NO_PROGRAMS = {
+    "drawing.pdf": ["%PDF-1.7\n1 0 obj\n", /drawing\.pdf was not opened: it is a PDF document/],
+    "photo.png": ["\x89PNG\r\n\x1a\n\0\0\0\rIHDR", /photo\.png was not opened: it is a picture/],
+    "job.mpf": ["PK\x03\x04\x14\0\x08\0", /job\.mpf was not opened: it is an archive, such as ZIP/],
+    "tool.mpf": ["MZ\x90\0\x03\0\0\0\x04\0\0\0\xff\xff\0\0", /tool\.mpf was not opened: it contains no text/],
+  };
+  // oracle: hand (the beginnings that the formats prescribe)
+  test("that is no program is refused with what it is, and nothing of the work is lost", async () => {
+    const { context, page, problems } = await start(chrome);
+    await lengthField(page).fill("77");
+    await page.locator('.cm-line:has-text("77")').first().waitFor();
+    const earlier = await saved(page, ".panel-program", "Save");
+    const call = await page.locator(".opened").textContent();
+    for (const [name, [content, told]] of Object.entries(NO_PROGRAMS)) {
+      await programInput(page).setInputFiles(file(name, Buffer.from(content, "latin1")));
+      await refusal(page).filter({ hasText: name }).waitFor();
+      assert.match(await refusal(page).textContent(), told);
+      assert.match(await refusal(page).textContent(), /Your program is unchanged\./);
+    }
+    assert.deepEqual(await saved(page, ".panel-program", "Save"), earlier);
+    assert.equal(await page.locator(".opened").textContent(), call);
+    assert.equal(await lengthField(page).inputValue(), "77");
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: hand
+  test("that is refused while help covers the program is told all the same", async () => {
+    const { context, page, problems } = await start(chrome);
+    await page.getByRole("button", { name: "Help", exact: true }).first().click();
+    await page.locator("#panel-help[data-shown]").waitFor();
+    await drop(page, ".panel-form", "drawing.pdf", "%PDF-1.7\n");
+    await page.locator(".panel-program .refusal:visible").waitFor();
+    assert.equal(await page.locator(".panel-program").getAttribute("inert"), null);
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
   // oracle: hand
   test("that is too large is refused in the program panel, and the program stays", async () => {
     const { context, page } = await start(chrome);

@@ -6,13 +6,15 @@ import type { EditorPlace } from "../editor/place";
 import { asMarked, decode, type Encoding, encode } from "../encoding";
 import { type Job, within } from "../pace";
 import { fileOf, type Refusal, readProgram, readSetup } from "../state/files";
-import { programOf } from "../state/state";
+import { type Patch, programOf } from "../state/state";
 import type { Store } from "../state/store";
 import { sayProblem } from "../texts";
 import { acceptDrops } from "../views/drop";
 
+/** Told in the program panel, which help may cover and another panel replace: it is shown. */
 function refuse(store: Store, place: "program" | "setup", why: Refusal): void {
-  store.update({ page: { refused: { ...why, place } } });
+  const shown: Patch = place === "program" ? { panels: { panel: place, right: place } } : {};
+  store.update({ page: { refused: { ...why, place } } }, shown);
 }
 
 /** What opening a file needs; `full`: the core that reads it, as soon as it is there. */
