@@ -3,6 +3,8 @@
 
 use probewright_core::diagnostic::Span;
 use probewright_core::dialect::Dialect;
+use probewright_core::message::Message;
+use probewright_core::program::findings;
 use probewright_core::syntax::tree::WordKind;
 use probewright_core::syntax::{Program, read};
 use proptest::prelude::*;
@@ -136,6 +138,8 @@ fn deep_and_long_expressions_end_as_a_syntax_error() {
     for text in [&deep, &long, &signs] {
         let program = read(Dialect::Sinumerik, text.as_bytes());
         assert_eq!(program.errors[0].sentence.cause, "syntax-depth");
+        let limit = findings(&program).into_iter().map(|found| found.message).find(|one| one.key == "syntax-depth");
+        assert_eq!(limit, Some(Message::new("syntax-depth").number("most", 100.0)));
         check_places(&program);
     }
     for text in [format!("#1={}1", "[".repeat(100_000)), format!("#1={}1", "#".repeat(100_000))] {

@@ -94,6 +94,14 @@ describe("scanning a surface", () => {
       .locator("#page-scan input[type=file]")
       .setInputFiles({ name: "text.png", mimeType: "image/png", buffer: Buffer.from("no picture") });
     await page.waitForFunction(() => /neither/.test(document.querySelector("#page-scan > p[role=status]").textContent));
+    await page.evaluate(() => {
+      const large = new File(["x"], "large.stl");
+      Object.defineProperty(large, "size", { value: 64_000_001 });
+      const input = document.querySelector("#page-scan input[type=file]");
+      Object.defineProperty(input, "files", { value: [large] });
+      input.dispatchEvent(new Event("change"));
+    });
+    await page.locator("#page-scan > p[role=status]", { hasText: /large\.stl has 65\u00a0MB;.* 64\u00a0MB/ }).waitFor();
     assert.deepEqual(problems, []);
     await context.close();
   });

@@ -8,8 +8,8 @@ use crate::control::{Control, delivery};
 use crate::diagnostic::{Diagnostic, Edit, Severity, Span};
 use crate::dialect::Dialect;
 use crate::message::Message;
-use crate::own;
-use crate::syntax::{Program, SyntaxError};
+use crate::own::{self, Own};
+use crate::syntax::{DEPTH, LARGEST, Program, SyntaxError};
 
 /// What reading and checking found on a metric control as delivered, in the order of the text, the worst first.
 pub fn findings(program: &Program) -> Vec<Diagnostic> {
@@ -57,6 +57,10 @@ pub fn not_understood(program: &Program, error: &SyntaxError) -> Diagnostic {
         return found;
     }
     let found = error.sentence.finding().on(error.span);
+    let found = match limit(error.sentence) {
+        Some(most) => found.number("most", most),
+        None => found,
+    };
     let instead = match error.sentence.cause {
         cause if cause == own::SYNTAX_EXPONENT.cause => "EX",
         cause if cause == own::SYNTAX_COMMA.cause => ".",
@@ -65,6 +69,15 @@ pub fn not_understood(program: &Program, error: &SyntaxError) -> Diagnostic {
     let Some((number, edit)) = rewritten(program, error.span, instead) else { return found };
     let write = Message::new("syntax-write").text("value", number);
     found.hint(write.clone()).cured(write, vec![edit])
+}
+
+/// What a sentence says that reading takes at most: levels, or GB.
+fn limit(sentence: &Own) -> Option<f64> {
+    match sentence.cause {
+        cause if cause == own::SYNTAX_DEPTH.cause => Some(f64::from(DEPTH)),
+        cause if cause == own::SYNTAX_TOO_LARGE.cause => Some((f64::from(LARGEST) / f64::from(1 << 30)).round()),
+        _ => None,
+    }
 }
 
 /// A character that the language does not have where reading failed: from a text processor, or one that nobody sees.

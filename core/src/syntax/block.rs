@@ -15,6 +15,9 @@ const END_OF_FILE: u8 = 0x1A;
 /// Lines between two tellings of how far the work is.
 pub(crate) const BETWEEN: usize = 8192;
 
+/// Bytes of a program that are read, as places are u32: 4 GB; the rest is kept.
+pub const LARGEST: u32 = u32::MAX;
+
 /// Reads a program. Never fails: what is not understood is marked in the tree.
 pub fn read(dialect: Dialect, source: &[u8]) -> Program {
     read_told(dialect, source, &mut |_| {})
@@ -22,8 +25,7 @@ pub fn read(dialect: Dialect, source: &[u8]) -> Program {
 
 /// Reads a program, telling from time to time which share of the text is read.
 pub fn read_told(dialect: Dialect, source: &[u8], told: &mut dyn FnMut(f64)) -> Program {
-    // Places are u32; what lies beyond 4 GiB is kept but not read.
-    let whole = source.get(..u32::MAX as usize).unwrap_or(source);
+    let whole = source.get(..LARGEST as usize).unwrap_or(source);
     let end = whole.iter().position(|byte| *byte == END_OF_FILE).or_else(|| filled(whole));
     let readable = end.and_then(|end| whole.get(..end)).unwrap_or(whole);
     let mut reader = Reader::new(dialect, readable, source);
@@ -46,7 +48,7 @@ pub fn read_told(dialect: Dialect, source: &[u8], told: &mut dyn FnMut(f64)) -> 
         }
     }
     if whole.len() < source.len() && end.is_none() {
-        let span = Span { start: u32::MAX - 1, end: u32::MAX };
+        let span = Span { start: LARGEST - 1, end: LARGEST };
         reader.tree.errors.push(SyntaxError { span, sentence: &own::SYNTAX_TOO_LARGE });
     }
     reader.tree.errors.extend(behind_end(whole, readable.len()));

@@ -9,7 +9,7 @@ use crate::own;
 use crate::own::Own;
 
 /// Deepest nesting of brackets, and tallest expression; bounds every recursion over a tree.
-pub(super) const DEPTH: u16 = 100;
+pub const DEPTH: u16 = 100;
 
 /// A value, or what is wrong at the present place.
 pub(super) type Parsed<T> = Result<T, &'static Own>;

@@ -230,6 +230,26 @@ fn numbers_stay_with_their_units() {
     );
 }
 
+/// Texts of what is too large that name no limit, with the reason.
+const NO_LIMIT: [(&str, &str); 4] = [
+    ("alarm-", "sentence of the control's own alarm: the limit depends on machine and variant"),
+    ("nct-", "sentence of the control's own message: the limit is a value of the call"),
+    ("help-", "a help page says what a mistake does to the result"),
+    ("notice-link-long", "the limit is one of the packed text, which nobody can measure"),
+];
+
+// oracle: hand (the rules for words: what is wrong has its value, and the next step needs the limit)
+#[test]
+fn what_is_too_large_has_its_limit() {
+    let wrong = faults(|language, _, key, text| {
+        let limit = ["$most", "$limit", "$max"].iter().any(|name| text.contains(name));
+        let too = ["too large", "too many", "too long", "too deep", "too big"].iter().any(|words| text.contains(words));
+        let excused = NO_LIMIT.iter().any(|(start, _)| key.starts_with(start)) || key.ends_with("-words");
+        (language == "en" && too && !limit && !excused).then(|| text.trim().to_owned())
+    });
+    assert!(wrong.is_empty(), "{}:\n{}", wrong.len(), wrong.join("\n"));
+}
+
 // oracle: hand
 #[test]
 fn whole_words_are_told_from_parts_of_others() {

@@ -34,7 +34,8 @@ const LARGEST_PROGRAM = 64 * MEGABYTE;
 const LARGEST_SETUP = 4 * MEGABYTE;
 const PIECE = 2 ** 20; // bytes between two looks at the clock
 
-function tooLarge(key: string, file: File, most: number): Refusal {
+/** Why a file is not taken that has more than so many bytes. */
+export function tooLarge(key: string, file: File, most: number): Refusal {
   return { key, args: { name: file.name, size: Math.ceil(file.size / MEGABYTE), most: most / MEGABYTE } };
 }
 

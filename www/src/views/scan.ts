@@ -62,7 +62,7 @@ export function createScan(
       store.update({ scan: { problem: "" } });
     } catch (problem) {
       store.update({
-        scan: { problem: problem instanceof NotTaken ? t(problem.message, { name: picked.name }) : String(problem) },
+        scan: { problem: problem instanceof NotTaken ? t(problem.refusal.key, problem.refusal.args) : String(problem) },
       });
     }
   };
