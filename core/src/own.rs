@@ -126,20 +126,20 @@ sentences! {
     SPHERE_SMALL 93 Warning "check-sphere-small" "check-sphere-small-hint";
     SPHERES_OVERLAP 94 Error "check-spheres-overlap" "check-spheres-overlap-hint";
     SPHERES_CLOSE 95 Warning "check-spheres-close" "check-spheres-close-hint";
-    SYNTAX_UNKNOWN 100 Error "syntax-unknown" "";
-    SYNTAX_VALUE 100 Error "syntax-value" "";
+    SYNTAX_UNKNOWN 100 Error "syntax-unknown" "syntax-unknown-hint";
+    SYNTAX_VALUE 100 Error "syntax-value" "syntax-value-hint";
     SYNTAX_OPERAND 100 Error "syntax-operand" "";
-    SYNTAX_OPERATOR 100 Error "syntax-operator" "";
+    SYNTAX_OPERATOR 100 Error "syntax-operator" "syntax-operator-hint";
     SYNTAX_EQUALS 100 Error "syntax-equals" "";
     SYNTAX_BRACKET 100 Error "syntax-bracket" "";
     SYNTAX_INDEX 100 Error "syntax-index" "";
     SYNTAX_TEXT 100 Error "syntax-text" "";
-    SYNTAX_CHARACTER 100 Error "syntax-character" "";
-    SYNTAX_NUMBER 100 Error "syntax-number" "";
+    SYNTAX_CHARACTER 100 Error "syntax-character" "syntax-character-hint";
+    SYNTAX_NUMBER 100 Error "syntax-number" "syntax-number-hint";
     SYNTAX_COMMA 100 Error "syntax-comma" "";
-    SYNTAX_DEPTH 100 Error "syntax-depth" "";
+    SYNTAX_DEPTH 100 Error "syntax-depth" "syntax-depth-hint";
     SYNTAX_COMMENT 100 Error "syntax-comment" "";
-    SYNTAX_TOO_LARGE 100 Error "syntax-too-large" "";
+    SYNTAX_TOO_LARGE 100 Error "syntax-too-large" "syntax-too-large-hint";
     SYNTAX_EXPONENT 100 Error "syntax-exponent" "";
     SYNTAX_NO_EXPONENT 100 Error "syntax-no-exponent" "syntax-no-exponent-hint";
     BLOCK_TWICE 101 Error "block-twice" "block-twice-hint";
@@ -216,7 +216,7 @@ sentences! {
     WRITE_NEWER_TOOL 189 Error "write-newer-tool" "write-no-list-hint";
     WRITE_NEWER_ZERO 189 Error "write-newer-zero" "write-no-list-hint";
     WRITE_EXPRESSION_LOST 190 Error "write-expression-lost" "write-no-list-hint";
-    CONVERT_ARGUMENT 190 Error "convert-argument" "";
+    CONVERT_ARGUMENT 190 Error "convert-argument" "convert-argument-hint";
     WRITE_EXPRESSION 191 Note "write-expression" "";
     CONVERT_EXPRESSION 192 Error "convert-expression" "convert-expression-hint";
     REVISE_TAKEN 193 Note "revise-taken" "";
@@ -231,6 +231,23 @@ mod tests {
     #[test]
     fn sentences_stand_in_the_order_of_their_numbers() {
         assert!(ALL.is_sorted_by_key(|one| one.number));
+    }
+
+    /// Errors without a hint in the table.
+    const NO_HINT: [&str; 9] = [
+        "check-missing", // its hint is the reason why the variant needs the value
+        // the sentence names what to write
+        "syntax-operand", "syntax-equals", "syntax-bracket", "syntax-index", "syntax-text",
+        "syntax-comma", // where it is part of a number, that number is the hint
+        "syntax-comment", "syntax-exponent", // where it is part of a number, that number is the hint
+    ];
+
+    // oracle: hand (the rules for words: a finding says what is wrong, its hint what to do)
+    #[test]
+    fn an_error_says_what_to_do() {
+        let errors = ALL.iter().filter(|one| one.severity == Severity::Error && one.hint.is_empty());
+        let found: Vec<&str> = errors.map(|one| one.cause).collect();
+        assert_eq!(found, NO_HINT);
     }
 
     // oracle: self (those of a run begin behind)

@@ -1,17 +1,23 @@
 # Was beim Lesen von Teileprogrammen unverständlich war.
 syntax-unknown = Dieser Text ist unbekannt.
+syntax-unknown-hint = Schreibweise korrigieren oder Text löschen.
 syntax-value = Hier fehlt ein Wert.
+syntax-value-hint = Wert eintragen oder Wort löschen.
 syntax-operand = Hier wird eine Zahl, eine Variable oder eine Klammer erwartet.
 syntax-operator = Ein Wort kann nicht mit einem Operator beginnen.
+syntax-operator-hint = Den Ausdruck einer Variablen oder Adresse zuweisen oder den Operator löschen.
 syntax-equals = Hier wird „=“ erwartet.
 syntax-bracket = Eine Klammer ist nicht geschlossen.
 syntax-index = Ein Index hat ein bis drei Werte.
 syntax-text = Ein Text ist nicht mit einem Anführungszeichen abgeschlossen.
 syntax-number = Diese Zahl ist nicht lesbar.
+syntax-number-hint = Die Zahl mit Ziffern und höchstens einem Dezimalpunkt schreiben.
 syntax-comma = Die Steuerung verlangt einen Dezimalpunkt, kein Dezimalkomma.
 syntax-depth = Klammern und Operatoren sind tiefer als { $most } Ebenen geschachtelt.
+syntax-depth-hint = Einen Teil des Ausdrucks davor in einer Variablen berechnen.
 syntax-comment = Ein Kommentar ist nicht abgeschlossen.
 syntax-too-large = Das Programm ist größer als { $most } GB; der Rest wurde nicht gelesen.
+syntax-too-large-hint = Das Programm auf mehrere Dateien aufteilen.
 syntax-exponent = Die Steuerung schreibt Exponenten mit EX, zum Beispiel 1.5EX-3.
 block-twice = { $word } ist in diesem Satz doppelt programmiert: Die Steuerung hält an diesem Satz an.
 block-twice-hint = Nur eine Angabe schreiben oder jede in einen eigenen Satz.
@@ -27,6 +33,7 @@ nct-foreign-hint = Zum Messen mit { $cycle } dessen Adressen ergänzen. Satz ent
 syntax-no-exponent = Zahlen haben auf dieser Steuerung keinen Exponenten.
 syntax-no-exponent-hint = Alle Stellen ausschreiben, zum Beispiel 0.001.
 syntax-character = Die Steuerung kennt dieses Zeichen nicht ({ $number }).
+syntax-character-hint = Das Zeichen löschen oder durch einen Buchstaben von A bis Z ersetzen.
 syntax-character-blank = Normales Leerzeichen schreiben.
 syntax-lone-return = Ein Wagenrücklauf (CR) ohne Zeilenvorschub (LF) beendet keinen Satz: Der Text danach gehört zu dieser Zeile.
 syntax-lone-return-hint = Datei mit Zeilenvorschub (LF) speichern.

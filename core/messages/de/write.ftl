@@ -17,6 +17,7 @@ convert-lost-hint = Prüfen, ob der Aufruf ohne diese Werte auskommt.
 convert-others = { $cycle } in Zeile { $line } verwendet Werte dieses Aufrufs und erhielte andere Werte.
 convert-others-hint = Auch den späteren Aufruf umwandeln oder dessen Werte davor schreiben.
 convert-argument = Das Argument { $value } dieses Aufrufs ginge verloren: Andere Schreibweisen haben keinen Platz dafür.
+convert-argument-hint = Im Aufruf die Zahl statt { $value } schreiben, dann den Aufruf umwandeln.
 convert-expression = Der Aufruf bleibt unverändert: { $value } für { $name } kann an der Stelle des neuen Textes einen anderen Wert ergeben.
 convert-expression-hint = { $name }={ $value } direkt vor den Aufruf schreiben; dazwischen darf nichts den Wert ändern.
 

@@ -1,17 +1,23 @@
 # What the reader of part programs did not understand.
 syntax-unknown = This text is not recognised.
+syntax-unknown-hint = Correct the spelling, or delete the text.
 syntax-value = A value is missing.
+syntax-value-hint = Write the value, or delete the word.
 syntax-operand = Expected: a number, a variable or a bracket.
 syntax-operator = A word cannot start with an operator.
+syntax-operator-hint = Assign the expression to a variable or an address, or delete the operator.
 syntax-equals = Expected: “=”.
 syntax-bracket = A bracket is not closed.
 syntax-index = An index has one to three values.
 syntax-text = The closing quotation mark of a text is missing.
 syntax-number = This number cannot be read.
+syntax-number-hint = Write the number with digits and at most one decimal point.
 syntax-comma = The control writes decimals with a point, not with a comma.
 syntax-depth = Brackets and operators are nested deeper than { $most } levels.
+syntax-depth-hint = Calculate part of the expression before, in a variable.
 syntax-comment = A comment is not closed.
 syntax-too-large = The program is larger than { $most } GB; the rest was not read.
+syntax-too-large-hint = Divide the program into several files.
 syntax-exponent = The control writes an exponent as EX, for example 1.5EX-3.
 block-twice = { $word } is programmed twice in this block: the control stops at this block.
 block-twice-hint = Delete one of them, or program each in its own block.
@@ -27,6 +33,7 @@ nct-foreign-hint = To call { $cycle }, add its addresses. If the program is for 
 syntax-no-exponent = This control has no numbers with exponent.
 syntax-no-exponent-hint = Write all digits, for example 0.001.
 syntax-character = The control does not have this character ({ $number }).
+syntax-character-hint = Replace the character with a letter from A to Z, or delete it.
 syntax-character-blank = Replace it with a normal space.
 syntax-lone-return = A carriage return without a line feed does not end the block: the following text belongs to this line.
 syntax-lone-return-hint = Save the file with line feeds.

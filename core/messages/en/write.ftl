@@ -17,6 +17,7 @@ convert-lost-hint = Check that the call works without it.
 convert-others = { $cycle } in line { $line } uses values of this call and would get different ones.
 convert-others-hint = Convert that call too, or write its values before it.
 convert-argument = Argument { $value } of this call would be lost: no other call style has a place for it.
+convert-argument-hint = Write the number instead of { $value } in the call, then convert the call.
 convert-expression = The call is unchanged: { $value }, assigned to { $name }, may have another value at the place of the new text.
 convert-expression-hint = Write { $name }={ $value } directly before the call, with nothing in between that changes it.
 

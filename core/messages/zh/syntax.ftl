@@ -1,18 +1,24 @@
 # 读程序时没有看懂的内容。
 
 syntax-unknown = 无法识别此处的内容。
+syntax-unknown-hint = 请改正写法，或删除此内容。
 syntax-value = 这里缺少数值。
+syntax-value-hint = 请写出数值，或删除这个字。
 syntax-operand = 这里应为数字、变量或括号。
 syntax-operator = 字不能以运算符开头。
+syntax-operator-hint = 请把表达式赋值给变量或地址，或删除运算符。
 syntax-equals = 这里应为“=”。
 syntax-bracket = 括号没有闭合。
 syntax-index = 下标有一到三个值。
 syntax-text = 文本缺少右引号。
 syntax-number = 这个数字无法读取。
+syntax-number-hint = 请用数字和最多一个小数点书写这个数。
 syntax-comma = 控制系统用小数点，不用逗号。
 syntax-depth = 括号和运算符嵌套超过 { $most } 层。
+syntax-depth-hint = 请先把表达式的一部分算入一个变量。
 syntax-comment = 注释没有闭合。
 syntax-too-large = 程序大于 { $most } GB，其余部分没有读取。
+syntax-too-large-hint = 请将程序分成多个文件。
 syntax-exponent = 控制系统的指数写作 EX，例如 1.5EX-3。
 block-twice = 此程序段中 { $word } 编程了两次：控制系统会在此处停止。
 block-twice-hint = 请删除其中一个，或分别写入各自的程序段。
@@ -28,6 +34,7 @@ nct-foreign-hint = 若要用 { $cycle } 测量，请补上其地址；若程序�
 syntax-no-exponent = 此控制系统的数字没有指数。
 syntax-no-exponent-hint = 请写出全部数位，例如 0.001。
 syntax-character = 控制系统没有此字符（{ $number }）。
+syntax-character-hint = 请将此字符换成 A 到 Z 的字母，或删除。
 syntax-character-blank = 请换成普通空格。
 syntax-lone-return = 没有换行符的回车不结束程序段：其后的内容属于本行。
 syntax-lone-return-hint = 请用换行符保存文件。

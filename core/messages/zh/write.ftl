@@ -17,6 +17,7 @@ convert-lost-hint = 请检查没有该参数时此调用能否正常工作。
 convert-others = 第 { $line } 行的 { $cycle } 使用此调用的值，转换后会得到不同的值。
 convert-others-hint = 请一并转换那个调用，或在它前面写出这些值。
 convert-argument = 此调用的参数 { $value } 会丢失：其他书写方式没有对应的位置。
+convert-argument-hint = 请先在调用中把 { $value } 写成数字，然后再转换此调用。
 convert-expression = 调用保持不变：赋给 { $name } 的 { $value } 在新文本所在处的值可能不同。
 convert-expression-hint = 请把 { $name }={ $value } 直接写在调用前面，其间不要改变该值。
 

@@ -21,7 +21,7 @@ pub(super) fn stuck(program: &Program, site: &CallSite) -> Option<Diagnostic> {
         let text = program.written(place);
         let said = !text.is_empty() && !is_literal(&text);
         let lost = said && matches!(arg, Arg::Select(_) | Arg::Open | Arg::Is(_));
-        lost.then(|| own::CONVERT_ARGUMENT.finding().text("value", text))
+        lost.then(|| own::CONVERT_ARGUMENT.finding().text("value", &*text).hint_text("value", text))
     })
 }
 

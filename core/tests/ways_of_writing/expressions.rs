@@ -68,6 +68,8 @@ fn a_call_stays_where_an_expression_cannot_go_along() {
     refused(variant, Style::Indirect, "write-variant-open");
     let selected = "R5=1\nCYCLE_976(50,,R5,4,,,,,1)\n";
     refused(selected, Style::Direct, "convert-argument");
+    let number = selected.replace("R5,4", "1,4"); // as the hint says
+    assert!(converted(&number, 0, Style::Direct).0.contains("_MVAR="));
     // a selection that means the same stays when the variant changes
     let (after, ..) = revised(selected, "_MVAR", "12001");
     assert_eq!(after, selected.replace(",4,", ",2,"));
