@@ -38,6 +38,30 @@ fn told(values: &[(&str, &str)], param: &str, control: &Control) -> String {
         .collect()
 }
 
+/// Bits that have no effect unless another one or a parameter has this value, and where the manual says so.
+const DEPENDENT_BITS: [(&str, &[&str]); 8] = [
+    ("cbit-1", &["_CBIT[0]=1"]),                     // B:13576
+    ("chbit-6", &["_CHBIT[8]=0"]),                   // B:13937-13939, of additive and setup offsets
+    ("chbit-11", &["_CHBIT[10]=1", "_CHBIT[18]=0"]), // B:13962
+    ("chbit-14", &["_CHBIT[13]=1"]),                 // B:13983
+    ("chbit-16", &["_CHBIT[2]=1"]),                  // B:14007
+    ("chbit-17", &["_FA", "1\u{a0}mm"]),             // B:13772
+    ("chbit-18", &["_CHBIT[10]=1", "_CHBIT[11]=0"]), // B:13971
+    ("chbit-22", &["_CBIT[12]=0"]),                  // B:14043
+];
+
+// oracle: manual (the lines above)
+#[test]
+fn a_bit_says_what_its_effect_depends_on() {
+    for language in LANGUAGES {
+        let words = Words::of(language.code).unwrap();
+        for (bit, conditions) in DEPENDENT_BITS {
+            let help = words.key(format!("datum-{bit}.help"));
+            assert!(conditions.iter().all(|one| help.contains(one)), "{} {bit}: {help}", language.code);
+        }
+    }
+}
+
 // oracle: hand
 #[test]
 fn causes_and_cures_name_values_with_units() {

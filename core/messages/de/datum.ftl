@@ -225,7 +225,7 @@ datum-cbit-0 = Messwiederholung bei Grenzwertüberschreitung
     .v0 = sofort Alarm
     .v1 = bis zu vier Wiederholungen
 datum-cbit-1 = Halt vor der Messwiederholung
-    .help = Nur mit Messwiederholung.
+    .help = Gilt mit _CBIT[0]=1.
     .v0 = ohne Halt weiter
     .v1 = M0 und Alarm, weiter mit NC START
 datum-cbit-2 = M0 bei Toleranzalarm
@@ -299,6 +299,7 @@ datum-chbit-5 = Verrechnung des Erfahrungswerts
     .v0 = vom Istwert subtrahieren
     .v1 = zum Istwert addieren
 datum-chbit-6 = Automatische Werkzeugkorrektur
+    .help = Summen- und Einrichtekorrektur: gilt mit _CHBIT[8]=0.
     .v0 = in Verschleiß oder Summenkorrektur
     .v1 = in Geometrie/Einrichtekorrektur; Verschleiß/Summe dazu, dann 0
 datum-chbit-7 = CYCLE994: Messwertkorrektur
@@ -312,6 +313,7 @@ datum-chbit-10 = Messergebnisbild
     .v0 = aus
     .v1 = ein
 datum-chbit-11 = Messergebnisbild beenden
+    .help = Gilt mit _CHBIT[10]=1; die Einstellung 0 nur mit _CHBIT[18]=0.
     .v0 = am Zyklusende
     .v1 = mit NC START
 datum-chbit-12 = Nicht belegt
@@ -328,9 +330,11 @@ datum-chbit-15 = Messversuche ohne Schaltsignal
     .v0 = bis zu fünf
     .v1 = einer
 datum-chbit-16 = Rückzugsgeschwindigkeit von der Messstelle
+    .help = Gilt mit _CHBIT[2]=1.
     .v0 = wie beim Positionieren
     .v1 = Anteil vom Eilgang nach _SPEED[0]
 datum-chbit-17 = Ein- oder zweimal antasten
+    .help = Gilt mit _FA größer als 1 mm. Der schnelle Messvorschub ist _SPEED[3].
     .v0 = einmal, mit Messvorschub
     .v1 = schnell, 2 mm zurück, dann mit Messvorschub
 datum-chbit-18 = Messergebnisbild bleibt stehen
@@ -348,7 +352,7 @@ datum-chbit-21 = NV-Korrektur fein oder grob
     .v0 = fein, wenn über MD 18600 vorhanden
     .v1 = grob, samt Feinverschiebung (wird 0)
 datum-chbit-22 = CYCLE971: letzte Antastung, Spindel dreht
-    .help = Nicht simuliert: Das Handbuch sagt nicht, um wie viel der Zyklus die Drehzahl verringert.
+    .help = Gilt mit _CBIT[12]=0. Nicht simuliert: Das Handbuch sagt nicht, um wie viel der Zyklus die Drehzahl verringert.
     .v0 = mit verringerter Drehzahl
     .v1 = mit gleicher Drehzahl
 datum-chbit-23 = CYCLE982: Schneidenlage

@@ -225,7 +225,7 @@ datum-cbit-0 = Repeat a measurement outside the limits
     .v0 = Alarm immediately
     .v1 = Up to four repetitions
 datum-cbit-1 = Stop before a repetition
-    .help = Only with repetitions.
+    .help = Applies with _CBIT[0]=1.
     .v0 = Continue
     .v1 = M0 and alarm, continue with NC START
 datum-cbit-2 = M0 at a tolerance alarm
@@ -299,6 +299,7 @@ datum-chbit-5 = Empirical value is
     .v0 = Subtracted from the actual value
     .v1 = Added to the actual value
 datum-chbit-6 = Automatic tool offset corrects
+    .help = Additive and setup offsets: applies with _CHBIT[8]=0.
     .v0 = Wear or additive offset
     .v1 = Geometry or setup; wear or additive added, then 0
 datum-chbit-7 = CYCLE994 uses
@@ -312,6 +313,7 @@ datum-chbit-10 = Result screen
     .v0 = Off
     .v1 = On
 datum-chbit-11 = Result screen closes
+    .help = Applies with _CHBIT[10]=1; the setting 0 with _CHBIT[18]=0 only.
     .v0 = At the end of the cycle
     .v1 = With NC START
 datum-chbit-12 = Unassigned
@@ -328,9 +330,11 @@ datum-chbit-15 = Attempts without a signal
     .v0 = Up to five
     .v1 = One
 datum-chbit-16 = Retraction from the point
+    .help = Applies with _CHBIT[2]=1.
     .v0 = Like positioning
     .v1 = _SPEED[0] percent of rapid traverse
 datum-chbit-17 = Touches
+    .help = Applies with _FA above 1 mm. The fast measuring feed is _SPEED[3].
     .v0 = One, at measuring feed
     .v1 = Fast, 2 mm back, then at measuring feed
 datum-chbit-18 = Result screen remains
@@ -348,7 +352,7 @@ datum-chbit-21 = Zero offset correction target
     .v0 = Fine, if MD 18600 provides it
     .v1 = Coarse plus fine; fine reset to 0
 datum-chbit-22 = CYCLE971: last touch, rotating tool
-    .help = Not simulated: the manual does not state the reduced speed.
+    .help = Applies with _CBIT[12]=0. Not simulated: the manual does not state the reduced speed.
     .v0 = At reduced speed
     .v1 = At the same speed
 datum-chbit-23 = CYCLE982: cutting edge position

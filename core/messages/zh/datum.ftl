@@ -225,7 +225,7 @@ datum-cbit-0 = 超限时重复测量
     .v0 = 立即报警
     .v1 = 最多重复四次
 datum-cbit-1 = 重复前停止
-    .help = 仅在重复时。
+    .help = _CBIT[0]=1 时有效。
     .v0 = 继续
     .v1 = M0 和报警，按 NC START 继续
 datum-cbit-2 = 公差报警时以 M0 停止
@@ -299,6 +299,7 @@ datum-chbit-5 = 经验值
     .v0 = 从实际值中减去
     .v1 = 加到实际值上
 datum-chbit-6 = 自动刀具补偿写入
+    .help = 附加补偿和设定补偿：_CHBIT[8]=0 时有效。
     .v0 = 磨损或附加补偿
     .v1 = 几何或设定补偿，磨损或附加补偿并入清零
 datum-chbit-7 = CYCLE994 使用
@@ -312,6 +313,7 @@ datum-chbit-10 = 结果画面
     .v0 = 关
     .v1 = 开
 datum-chbit-11 = 结果画面退出方式
+    .help = _CHBIT[10]=1 时有效；设为 0 时还需 _CHBIT[18]=0。
     .v0 = 循环结束时
     .v1 = 按 NC START
 datum-chbit-12 = 未占用
@@ -328,9 +330,11 @@ datum-chbit-15 = 无信号时尝试次数
     .v0 = 最多五次
     .v1 = 一次
 datum-chbit-16 = 从测量点退回
+    .help = _CHBIT[2]=1 时有效。
     .v0 = 同定位
     .v1 = 快速移动百分比 _SPEED[0]
 datum-chbit-17 = 触碰次数
+    .help = _FA 大于 1 mm 时有效。快速测量进给为 _SPEED[3]。
     .v0 = 一次，用测量进给
     .v1 = 先快速，退回 2 mm，再用测量进给
 datum-chbit-18 = 结果画面保留
@@ -348,7 +352,7 @@ datum-chbit-21 = 零点偏移补偿写入
     .v0 = 精偏移（MD 18600=1 时）
     .v1 = 粗偏移并加上精偏移，精偏移置 0
 datum-chbit-22 = CYCLE971：最后一次触碰，旋转刀具
-    .help = 不模拟：手册没有说明降低后的转速。
+    .help = _CBIT[12]=0 时有效。不模拟：手册没有说明降低后的转速。
     .v0 = 较低转速
     .v1 = 同一转速
 datum-chbit-23 = CYCLE982：刀沿位置
