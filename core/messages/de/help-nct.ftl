@@ -67,6 +67,7 @@ help-g109-order-outwards = Der Messtaster tastet eine Wand nach außen an, dann 
 help-g109-order-inwards = Auf jeder Seite fährt der Messtaster im Abstand R neben die Wand und abwärts und tastet nach innen an, höchstens bis Q hinter die Nennposition.
 help-g109-corrects-half = S wird um den Versatz der Mitte korrigiert; T, ein Radius, um die halbe Abweichung der Breite.
 help-g109-wrong-width = Die Breite fehlt oder ist 0: FORMAT ERROR.
+help-g109-wrong-room = Das korrigierte Werkzeug würde nicht mehr in die Tasche passen: TOOL DIA OFFS TOO LARGE.
 
 help-g110-measures-bore = Mittelpunkt und Durchmesser einer Bohrung.
 help-g110-measures-boss = Durchmesser und Mittelpunkt eines Zapfens.

@@ -67,6 +67,7 @@ help-g109-order-outwards = One wall outwards, then the opposite wall, each at mo
 help-g109-order-inwards = On each side the stylus moves to R beside the wall, down, and touches inwards, at most Q past its nominal position.
 help-g109-corrects-half = S is corrected by the shift of the middle; T, a radius, by half of the width deviation.
 help-g109-wrong-width = No width, or 0: FORMAT ERROR.
+help-g109-wrong-room = The corrected tool would no longer fit into the pocket: TOOL DIA OFFS TOO LARGE.
 
 help-g110-measures-bore = The diameter and the centre of a bore.
 help-g110-measures-boss = The diameter and the centre of a boss.

@@ -67,6 +67,7 @@ help-g109-order-outwards = 向外触碰一壁，再触碰对面，各最多超�
 help-g109-order-inwards = 在每侧移到壁旁 R 处，下降，向内触碰，最多超过公称位置 Q。
 help-g109-corrects-half = S 按中线的偏移补偿；T 为半径，按宽度偏差的一半补偿。
 help-g109-wrong-width = 没有宽度或为 0：FORMAT ERROR。
+help-g109-wrong-room = 补偿后的刀具放不进槽：TOOL DIA OFFS TOO LARGE。
 
 help-g110-measures-bore = 内孔的直径和中心。
 help-g110-measures-boss = 圆凸台的直径和中心。

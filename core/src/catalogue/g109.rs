@@ -79,6 +79,7 @@ pub static G109: Cycle = Cycle {
             order(When::Variant(&[WEB]), "help-g109-order-inwards", "C:887-999"),
             corrects(When::Always, "help-g109-corrects-half", "C:925-960"),
             wrong(When::Always, "help-g109-wrong-width", "C:887-911"),
+            wrong(When::Variant(&[POCKET]), "help-g109-wrong-room", "C:984-985"),
         ],
         nct::help::MEASURING,
         nct::help::SHIFTS,

@@ -113,6 +113,19 @@ fn every_language_names_the_same_data_and_alarms() {
     }
 }
 
+// oracle: manual C:984-985, C:1144: a message of pocket and bore; C:1097: if a bore is measured
+#[test]
+fn a_tool_has_to_fit_into_what_it_cuts_inside_only() {
+    let words = Words::english();
+    let told = |page: &HelpPage| page.lines.iter().any(|line| words.key(line.key).contains("TOOL DIA OFFS TOO LARGE"));
+    let mut found = Vec::new();
+    for cycle in CYCLES.iter().copied() {
+        let variants = cycle.variants.iter().map(|variant| variant.number);
+        found.extend(variants.filter(|number| told(&HelpPage::of(cycle, *number))).map(|number| (cycle.name, number)));
+    }
+    assert_eq!(found, [("G109", super::g109::POCKET), ("G110", super::g110::BORE)]);
+}
+
 // oracle: self: a number that the words give is one of the alarms that the variant can raise
 #[test]
 fn an_alarm_in_the_words_is_one_that_the_variant_can_raise() {

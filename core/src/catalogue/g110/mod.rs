@@ -77,7 +77,7 @@ pub static G110: Cycle = Cycle {
             order(When::Variant(&[BORE]), "help-g110-order-outwards", "C:1048-1157"),
             order(When::Variant(&[BOSS]), "help-g110-order-inwards", "C:1048-1157"),
             corrects(When::Always, "help-g110-corrects-half", "C:1089-1144"),
-            wrong(When::Always, "help-g110-wrong-room", "C:1144"),
+            wrong(When::Variant(&[BORE]), "help-g110-wrong-room", "C:1144"),
         ],
         nct::help::MEASURING,
         nct::help::SHIFTS,
