@@ -20,7 +20,7 @@ export type Abilities = {
   turret: Turret,
 };
 
-/** What is in force at the start. */
+/** What is active at the start. */
 export type Active = {
   /** T number in the spindle, 0 none. */
   tool: number,
@@ -132,7 +132,7 @@ export type CallView = {
   plane: Plane,
   /** How X is given there. */
   transverse: Transverse,
-  /** G function of units in force there. */
+  /** G function of units active there. */
   units: UnitFunction,
   /** What is wrong with it. */
   diagnostics: Array<Diagnostic>,
@@ -499,7 +499,7 @@ export type FormRequest = {
   assumed?: { [key in string]: string },
   /** Machine; absent: the core's own as it is. */
   setup?: Machine,
-  /** G function of units in force at the call, where it is not that of the machine. */
+  /** G function of units active at the call, where it is not that of the machine. */
   units?: UnitFunction,
   /** Working plane at the call, where it is not that of the machine. */
   plane?: Plane,
@@ -845,7 +845,7 @@ export type PartSliders = {
 
 /** A word or call that the run went on without. */
 export type PassedOver = {
-  /** As it stands in the program. */
+  /** As it is in the program. */
   word: string,
   /** Line of the word, from 1. */
   line: number,
@@ -1275,7 +1275,7 @@ export type Setup = {
   units: BasicSystem,
   /** Working plane at the start. */
   plane: Plane,
-  /** What else is in force at the start. */
+  /** What else is active at the start. */
   active: Active,
   /** What the machine can do. */
   machine: Abilities,
@@ -1462,7 +1462,7 @@ export type Surface = { "example": {
   size: [number, number, number],
 } } | { "heights": Heights } | { "triangles": Array<[[number, number, number], [number, number, number], [number, number, number]]> };
 
-/** What stands in the place of a surface, as large as that. */
+/** What replaces a surface, as large as that. */
 export type SurfaceChoice = { "example": string } | { "picture": number } | "stl";
 
 /** A tool. */
