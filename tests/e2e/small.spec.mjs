@@ -52,7 +52,7 @@ describe("little room", () => {
         const menu = page.locator(".menu-open");
         if (width < 1200) await menu.click();
         const actions = page.locator("#page-actions").locator("button:visible, select:visible");
-        assert.equal(await actions.count(), 7);
+        assert.equal(await actions.count(), 8);
         for (const one of await actions.all()) assert.ok(await reachable(one), await one.textContent());
         await page.locator("#page-actions button").last().click();
         const dialog = page.locator("dialog[open]");

@@ -15,13 +15,17 @@ const SAME: &[&str] = &[
 ];
 
 /// Words that another language shares with English.
-const SHARED: &[(&str, &[&str])] = &[(
-    "de",
-    &[
-        "Alarm", "minus", "Name", "null", "optional", "Optional", "Ordinate", "Pause", "plus", "Radius", "Scan",
-        "Shift", "Standard",
-    ],
-)];
+const SHARED: &[(&str, &[&str])] = &[
+    (
+        "de",
+        &[
+            "Alarm", "minus", "Name", "null", "optional", "Optional", "Ordinate", "Pause", "plus", "Radius", "Scan",
+            "Shift", "Standard",
+        ],
+    ),
+    // as they stand on the keys
+    ("zh", &["Ctrl", "Down", "End", "Enter", "Home", "Page", "Shift", "Up"]),
+];
 
 /// Texts whose names differ by language: the key Home is Pos1 on a German keyboard.
 const OTHER_NAMES: &[&str] = &["keys-tree"];

@@ -5,6 +5,7 @@ import { lineBreak, type Splice } from "../eol";
 import { speak } from "../language";
 import { fileOf, type ProgramFile } from "../state/files";
 import { stepped } from "../state/history";
+import { withMark } from "../state/saved";
 import {
   AT_END,
   asWritten,
@@ -30,6 +31,7 @@ import type { Store } from "../state/store";
 import type {
   Catalogue,
   CycleInfo,
+  Dialect,
   Edit,
   ErrorSliders,
   MachineView,
@@ -53,9 +55,12 @@ export interface Actions {
   check(): void;
   example(variant: Variant | undefined): void;
   editProgram(edits: Splice[]): void;
-  openProgram(text: string, file: ProgramFile): void;
+  /** `mark`: of what the file holds; null: that is not known. */
+  openProgram(text: string, file: ProgramFile, mark: string | null): void;
   /** The program is saved in another encoding from now on. */
   encoding(encoding: Encoding): void;
+  /** The file that was opened then holds what has this mark. */
+  saved(control: Dialect, opened: number | undefined, mark: string): void;
   openSetup(setup: Setup | null): void;
   cursor(offset: number, line: number): void;
   openCall(index: number): void;
@@ -228,11 +233,11 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
     },
     editProgram: edits =>
       store.update(state => patched(withEdits(state, edits), { desk: { follow: "text" }, page: { offer: false } })),
-    openProgram(text, file) {
+    openProgram(text, file, mark) {
       const { control } = now().form;
       const { texts: programs, files } = now().program;
       const { pending } = now().desk;
-      replace("notice-opened", {
+      replace("notice-opened", withMark(now(), control, file.opened, mark), {
         program: {
           texts: { ...programs, [control]: text },
           files: { ...files, [control]: file },
@@ -251,6 +256,7 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
         program: { files: { ...state.program.files, [state.form.control]: { ...fileOf(state), encoding } } },
         page: { offer: false },
       })),
+    saved: (control, opened, mark) => store.update(state => withMark(state, control, opened, mark)),
     openSetup(setup) {
       const { control, remembered } = now().form;
       const cycle = catalogue.cycles.find(one => one.control === setup?.control);

@@ -2,8 +2,16 @@
 // so that the page's content policy needs no 'unsafe-inline' for styles.
 
 import { defaultKeymap } from "@codemirror/commands";
-import { closeLintPanel, lintGutter, lintKeymap, type Diagnostic as Mark, setDiagnostics } from "@codemirror/lint";
-import { closeSearchPanel, highlightSelectionMatches, search, searchKeymap } from "@codemirror/search";
+import {
+  closeLintPanel,
+  lintGutter,
+  lintKeymap,
+  type Diagnostic as Mark,
+  nextDiagnostic,
+  openLintPanel,
+  setDiagnostics,
+} from "@codemirror/lint";
+import { closeSearchPanel, highlightSelectionMatches, openSearchPanel, search, searchKeymap } from "@codemirror/search";
 import {
   Compartment,
   EditorSelection,
@@ -16,6 +24,7 @@ import {
   type Transaction,
 } from "@codemirror/state";
 import {
+  type Command as CodeCommand,
   Decoration,
   type DecorationSet,
   drawSelection,
@@ -30,6 +39,7 @@ import { difference } from "../difference";
 import { el } from "../dom";
 import { HELD_BYTE, heldByte } from "../encoding";
 import { type Splice, toEditor } from "../eol";
+import { type Command, KEYS, partsOf } from "../keys";
 import { LONG } from "../pace";
 import type { Dialect } from "../wire";
 import { keepLines, linesOf } from "./document";
@@ -111,6 +121,23 @@ const marksField = StateField.define<DecorationSet>({
   provide: field => EditorView.decorations.from(field),
 });
 
+/** The keys that the page's sheet names, in CodeMirror's way of writing. */
+const COMMANDS: Record<Exclude<Command<"editor">, "leave-editor">, CodeCommand> = {
+  find: openSearchPanel,
+  "next-problem": nextDiagnostic,
+  problems: openLintPanel,
+};
+const own = Object.entries(COMMANDS).flatMap(([command, run]) =>
+  KEYS.editor[command as keyof typeof COMMANDS].map((key: string) => {
+    const [name = "", ...held] = partsOf(key).reverse();
+    const parts = [
+      ...held.reverse().map(one => one.replace("Ctrl", "Mod")),
+      name.length === 1 ? name.toLowerCase() : name,
+    ];
+    return { key: parts.join("-"), run, preventDefault: true };
+  }),
+);
+
 function speaking({ label, phrases }: EditorWords): Extension {
   return [EditorState.phrases.of(phrases), EditorView.contentAttributes.of({ "aria-label": label })];
 }
@@ -167,7 +194,7 @@ export function createEditor(box: HTMLElement, words: EditorWords, host: EditorH
         language.of(LANGUAGES[dialect]),
         theme,
         listen,
-        keymap.of([...searchKeymap, ...lintKeymap, ...defaultKeymap]),
+        keymap.of([...own, ...searchKeymap, ...lintKeymap, ...defaultKeymap]),
         spoken.of(speaking(words)),
         EditorView.contentAttributes.of({ tabindex: "0", autocapitalize: "characters", spellcheck: "false" }),
       ],

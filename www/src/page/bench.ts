@@ -14,6 +14,7 @@ import { createCard } from "../views/card";
 import { createForm } from "../views/form";
 import { createFound } from "../views/found";
 import { createHeader } from "../views/header";
+import { createKeys } from "../views/keys";
 import { createNewer } from "../views/newer";
 import { createProgram } from "../views/program";
 import { createRefusal } from "../views/refusal";
@@ -27,6 +28,7 @@ import { createActivities, type Work } from "./activities";
 import { createLayout } from "./layout";
 import type { Modules } from "./modules";
 import type { Open } from "./open";
+import { listenToKeys } from "./shortcuts";
 
 /** What outlives a bench. */
 export interface Parts {
@@ -52,7 +54,7 @@ export function createBench(parts: Parts): Bench {
   const { store, actions, open, stage, scanner } = parts;
   const core = () => parts.modules.program;
   const stop = new AbortController();
-  const layout = createLayout(actions, stop.signal);
+  const layout = createLayout(actions);
   const { panels } = layout;
   const results = el("div", { class: "results-main" });
   const sliders = el("aside", { class: "sliders", "aria-label": t("sliders-title") });
@@ -63,13 +65,26 @@ export function createBench(parts: Parts): Bench {
   const newer = createNewer(store);
   const sets = createSets(actions);
   const card = createCard(actions);
-  document.body.append(sets.dialog, card.dialog);
+  const keys = createKeys();
+  document.body.append(sets.dialog, card.dialog, keys);
   const found = (back: () => void) =>
     createFound(parts.catalogue, parts.modules.alarms, store, actions, parts.goToField, back);
   const { file, text, calls, motions } = activities;
   program.head.after(refusals[0].root, file.root, text.root, calls.root);
   layout.header.after(refusals[1].root, newer.root);
   panels.view.append(motions.root);
+  listenToKeys(
+    {
+      save: program.save,
+      open: program.open,
+      undo: () => actions.step(1),
+      redo: () => actions.step(-1),
+      keys: () => keys.showModal(),
+      "next-panel": () => layout.step(1),
+      "previous-panel": () => layout.step(-1),
+    },
+    stop.signal,
+  );
   let shown: { state: State; derived: Derived } | null = null;
   const later = behind(
     pieces => {
@@ -84,7 +99,7 @@ export function createBench(parts: Parts): Bench {
     stop.signal,
   );
   const views = [
-    createHeader(layout.header, store, actions, open.setup, core, () => later()?.machineData ?? null),
+    createHeader(layout.header, store, actions, open.setup, core, () => later()?.machineData ?? null, keys),
     createTasks(panels.tasks, store, actions, found),
     createForm(panels.form, store, actions, () => sets.dialog.showModal(), program.goToLine),
     createScene(panels.view, store, program.goToLine, stage),

@@ -4,6 +4,8 @@ import type { Core } from "../core/core";
 import type { ProgramCore } from "../core/program";
 import { findCycle } from "../desk/derive";
 import { unpack } from "../link";
+import { markOf } from "../state/mark";
+import { withMark } from "../state/saved";
 import { firstState, NO_ERRORS, type Patch, patched, remember, type State } from "../state/state";
 import { type Flat, merge } from "../state/stored";
 import type { Catalogue, CycleInfo } from "../wire";
@@ -30,7 +32,10 @@ function firstVisit(core: Core, catalogue: Catalogue): State {
   return patched(state, {
     form: { control: cycle.control, cycle: cycle.cycle, values: cycle.example },
     part: { errors },
-    program: { texts: { [cycle.control]: snippet } },
+    program: {
+      texts: { [cycle.control]: snippet },
+      ...withMark(state, cycle.control, undefined, markOf(snippet, "utf-8")).program,
+    },
     desk: { sought: { from: 0, to: snippet.length } },
   });
 }

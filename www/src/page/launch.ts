@@ -26,7 +26,7 @@ export function takeLaunch(store: Store, actions: Actions, open: Open): void {
     document.querySelector<HTMLElement>(place.focus)?.focus();
   }
   const { launchQueue } = globalThis as { launchQueue?: LaunchQueue };
-  launchQueue?.setConsumer(async ({ files }) => {
-    for (const file of files ?? []) open.program(await file.getFile());
+  launchQueue?.setConsumer(({ files }) => {
+    for (const file of files ?? []) open.place(file);
   });
 }

@@ -1,7 +1,8 @@
-// The panels, the bar that chooses among them on small screens, skip links, and F6 from panel to panel.
+// The panels, the bar that chooses among them on small screens, skip links, and the way from panel to panel.
 
 import type { Actions } from "../desk/actions";
 import { el, on, setAttribute } from "../dom";
+import { ariaKey } from "../keys";
 import type { Panel, State } from "../state/state";
 import { t } from "../texts";
 
@@ -14,11 +15,11 @@ export interface Layout {
   panels: Record<Panel, HTMLElement>;
   notice: HTMLElement;
   undo: HTMLElement;
+  step(by: number): void;
   draw(state: State): void;
 }
 
-/** Listens to the keys of the whole page until `end`. */
-export function createLayout(actions: Actions, end: AbortSignal): Layout {
+export function createLayout(actions: Actions): Layout {
   const header = el("header", { class: "top" });
   const panels = Object.fromEntries(
     PANELS.map(name => [
@@ -53,7 +54,7 @@ export function createLayout(actions: Actions, end: AbortSignal): Layout {
     }),
   );
   const notice = el("span", { role: "status" });
-  const undo = el("button", { type: "button", hidden: true, "aria-keyshortcuts": "Control+Z" }, t("undo"));
+  const undo = el("button", { type: "button", hidden: true, "aria-keyshortcuts": ariaKey("page", "undo") }, t("undo"));
   on(undo, "click", () => actions.step(1));
   const main = el("main", { class: "bench" }, ...PANELS.map(name => panels[name]));
   document.body.append(skip, header, bar, main, el("div", { class: "notice" }, notice, undo));
@@ -62,32 +63,12 @@ export function createLayout(actions: Actions, end: AbortSignal): Layout {
     actions.panel(name);
     panels[name].focus();
   };
-  document.addEventListener(
-    "keydown",
-    event => {
-      if (event.key !== "F6" || document.querySelector("dialog[open]")) return;
-      event.preventDefault();
-      const shown = PANELS.filter(name => name !== "help" || panels.help.hasAttribute("data-shown"));
-      const here = shown.findIndex(name => panels[name].contains(document.activeElement));
-      const next = (here + (event.shiftKey ? -1 : 1) + shown.length) % shown.length;
-      enter(shown[next] ?? "form");
-    },
-    { signal: end },
-  );
-
-  document.addEventListener(
-    "keydown",
-    event => {
-      const editing = event.composedPath()[0];
-      const key = event.key.toLowerCase();
-      if (!(event.ctrlKey || event.metaKey) || event.altKey || (key !== "z" && key !== "y")) return;
-      // words that are looked for or given as a name are no work
-      if (editing instanceof Element && editing.matches("input[type=search], dialog input, .cm-search input")) return;
-      event.preventDefault();
-      actions.step(key === "z" && !event.shiftKey ? 1 : -1);
-    },
-    { signal: end },
-  );
+  /** To the panel that stands this many after the present one, among those that are shown. */
+  const step = (by: number): void => {
+    const shown = PANELS.filter(name => name !== "help" || panels.help.hasAttribute("data-shown"));
+    const here = shown.findIndex(name => panels[name].contains(document.activeElement));
+    enter(shown[(here + by + shown.length) % shown.length] ?? "form");
+  };
 
   let last: Panel | null = null;
   return {
@@ -95,6 +76,7 @@ export function createLayout(actions: Actions, end: AbortSignal): Layout {
     panels,
     notice,
     undo,
+    step,
     draw(state) {
       if (last !== null && last !== state.panels.panel && scrollY > bar.offsetTop)
         scrollTo({ top: bar.offsetTop, behavior: "instant" }); // where the page scrolls as a whole

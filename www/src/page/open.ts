@@ -6,6 +6,9 @@ import type { EditorPlace } from "../editor/place";
 import { asMarked, decode, type Encoding, encode } from "../encoding";
 import { type Job, within } from "../pace";
 import { fileOf, type Refusal, readProgram, readSetup } from "../state/files";
+import { markInPieces } from "../state/mark";
+import { keepPlace, movePlace } from "../state/places";
+import { isUnsaved } from "../state/saved";
 import { type Patch, programOf } from "../state/state";
 import type { Store } from "../state/store";
 import { sayProblem } from "../texts";
@@ -29,6 +32,8 @@ interface Needed {
 /** Files from buttons, from a drop, and the program once more in another encoding. */
 export interface Open {
   program(file: File): void;
+  /** A file that the page may write back to. */
+  place(place: FileSystemFileHandle): void;
   again(encoding: Encoding): void;
   setup(file: File): void;
 }
@@ -36,7 +41,8 @@ export interface Open {
 /** `absent`: the core that reads them does not come. */
 export function createOpen(needed: Needed, absent: (problem: unknown) => void): Open {
   const open: Open = {
-    program: file => void openProgramFile(file, needed).catch(absent),
+    program: file => void openProgramFile({ file }, needed).catch(absent),
+    place: place => void openPlace(place, needed).catch(absent),
     again: encoding => void readAgain(encoding, needed),
     setup: file => void openSetupFile(file, needed).catch(absent),
   };
@@ -47,13 +53,23 @@ export function createOpen(needed: Needed, absent: (problem: unknown) => void): 
 }
 
 /** Until all of it is ready to be shown the program before stays, and can go on being changed. */
-async function openProgramFile(file: File, { full, store, actions, opening, editor }: Needed): Promise<void> {
+async function openProgramFile(
+  { file, place }: { file: File; place?: FileSystemFileHandle },
+  { full, store, actions, opening, editor }: Needed,
+): Promise<void> {
   await opening.start(file.size, async pace => {
     const read = await readProgram(file, await full(), within(pace, 0, 0.4));
     if ("key" in read) return refuse(store, "program", read);
     await editor.prepare(read.text, within(pace, 0.4, 1));
-    actions.openProgram(read.text, read.file);
+    keepPlace(read.file.opened, place, file);
+    actions.openProgram(read.text, read.file, read.mark);
   });
+}
+
+async function openPlace(place: FileSystemFileHandle, needed: Needed): Promise<void> {
+  const file = await place.getFile().catch(() => null);
+  if (file) await openProgramFile({ file, place }, needed);
+  else refuse(needed.store, "program", { key: "refused-unreadable", args: { name: place.name } });
 }
 
 /** The bytes of the program, as they would be saved now, as characters of another encoding. */
@@ -65,7 +81,10 @@ async function readAgain(encoding: Encoding, { store, actions, opening, editor }
   await opening.start(bytes.length, async pace => {
     const text = await decode(bytes, next, within(pace, 0, 0.4));
     await editor.prepare(text, within(pace, 0.4, 1));
-    actions.openProgram(text, { ...file, encoding: next, opened: Date.now() });
+    const mark = isUnsaved(store.state) ? null : await markInPieces(text, next, pace);
+    const opened = Date.now();
+    movePlace(file.opened, opened);
+    actions.openProgram(text, { ...file, encoding: next, opened }, mark);
   });
 }
 

@@ -1,4 +1,5 @@
 // Mouse, touch, pen and keys: orbit, pan, zoom, standard views, fit, pick.
+import { type Command, meantBy } from "../keys";
 import { type Camera, orbit, pan, type ViewName, type Viewport, zoom } from "./camera";
 
 /** What the input works on. */
@@ -16,7 +17,6 @@ const KEY_TURN = Math.PI / 24;
 const KEY_PAN = 24; // CSS pixels
 const KEY_ZOOM = 1.2;
 const CLICK = 5; // CSS pixels that a click may wander
-const VIEWS: ViewName[] = ["top", "front", "right", "iso"];
 
 /** Listens until the returned function is called. */
 export function listen(element: HTMLElement, handle: Handle): () => void {
@@ -99,14 +99,21 @@ function wheel(element: HTMLElement, handle: Handle, event: WheelEvent): void {
 
 /** True if the key meant something here. */
 function key(handle: Handle, event: KeyboardEvent): boolean {
-  if (event.ctrlKey || event.metaKey || event.altKey) return false;
-  const arrow = ARROWS[event.key];
-  if (arrow) handle.move(arrowed(handle.camera(), arrow, event.shiftKey));
-  else if (event.key === "+" || event.key === "=") handle.move(zoom(handle.camera(), handle.view(), KEY_ZOOM));
-  else if (event.key === "-") handle.move(zoom(handle.camera(), handle.view(), 1 / KEY_ZOOM));
-  else if (event.key === "f" || event.key === "F") handle.fit();
-  else if (/^[1-4]$/.test(event.key)) handle.setView(VIEWS[Number(event.key) - 1]!);
-  else return false;
+  const command = meantBy(event, "view");
+  if (!command) return false;
+  const arrow = ARROWS[event.key] ?? [0, 0];
+  const commands: Record<Command<"view">, () => void> = {
+    turn: () => handle.move(arrowed(handle.camera(), arrow, false)),
+    shift: () => handle.move(arrowed(handle.camera(), arrow, true)),
+    "zoom-in": () => handle.move(zoom(handle.camera(), handle.view(), KEY_ZOOM)),
+    "zoom-out": () => handle.move(zoom(handle.camera(), handle.view(), 1 / KEY_ZOOM)),
+    fit: () => handle.fit(),
+    top: () => handle.setView("top"),
+    front: () => handle.setView("front"),
+    right: () => handle.setView("right"),
+    oblique: () => handle.setView("iso"),
+  };
+  commands[command]();
   return true;
 }
 

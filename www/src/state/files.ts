@@ -6,6 +6,7 @@ import { decode, type Encoding } from "../encoding";
 import { type Pace, within } from "../pace";
 import { say, t } from "../texts";
 import type { Dialect } from "../wire";
+import { markInPieces } from "./mark";
 
 /** `opened`: when, ms; what is not opened from a file has none. */
 export interface ProgramFile {
@@ -54,14 +55,16 @@ export async function readProgram(
   file: File,
   core: ProgramCore,
   pace: Pace,
-): Promise<{ text: string; file: ProgramFile } | Refusal> {
+): Promise<{ text: string; file: ProgramFile; mark: string } | Refusal> {
   if (file.size > LARGEST_PROGRAM) return tooLarge("refused-program-size", file, LARGEST_PROGRAM);
   const { name } = file;
   try {
     const bytes = new Uint8Array(await file.arrayBuffer());
     const encoding = await recognised(bytes, core, within(pace, 0, 0.5));
     if (typeof encoding !== "string") return { key: "refused-no-program", args: { name, ...encoding } };
-    return { text: await decode(bytes, encoding, within(pace, 0.5, 1)), file: { name, encoding, opened: Date.now() } };
+    const text = await decode(bytes, encoding, within(pace, 0.5, 0.9));
+    const mark = await markInPieces(text, encoding, within(pace, 0.9, 1));
+    return { text, file: { name, encoding, opened: Date.now() }, mark };
   } catch (problem) {
     if (!(problem instanceof DOMException)) throw problem;
     return { key: "refused-unreadable", args: { name } };

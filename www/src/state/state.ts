@@ -110,6 +110,7 @@ export interface ProgramState {
   texts: Partial<Record<Dialect, string>>;
   usual: Partial<Record<Dialect, Plane>>; // the usual plane of the sort of machine that each is for
   files: Files;
+  saved: Record<string, string>; // marks of what the files hold (saved.ts)
   cursor: number;
   line: number; // of the cursor, from 1
   reading: Reading | null;
@@ -260,6 +261,7 @@ export function firstState(): State {
       texts: {},
       usual: {},
       files: {},
+      saved: {},
       cursor: 0,
       line: 1,
       reading: null,

@@ -97,6 +97,7 @@ const FIELDS = {
     "files",
     all(value => (isFile(value) ? value : undefined)),
   ),
+  saved: field("program", "saved", texts),
   sets: field("form", "sets", orNone(orNone(texts))),
   open: field("form", "open", value => (Number.isInteger(value) || value === null ? (value as number) : undefined)),
   around: field("form", "around", around),

@@ -1,10 +1,9 @@
-// About: licence, marks, and what a simulation cannot do. Keys: what the keyboard does.
+// About: licence, marks, and what a simulation cannot do.
 
 import { el, on } from "../dom";
 import { t } from "../texts";
 
 const LINES = ["about-what", "about-offline", "about-prove-out", "about-marks", "about-independent", "about-licence"];
-const KEYS = ["keys-f6", "keys-tab", "keys-tree", "keys-tabs", "keys-undo", "keys-editor"];
 
 export function createAbout(): HTMLDialogElement {
   const close = el("button", { type: "button", class: "primary" }, t("about-close"));
@@ -13,8 +12,6 @@ export function createAbout(): HTMLDialogElement {
     { "aria-labelledby": "about-title", class: "about" },
     el("h2", { id: "about-title" }, t("about-title")),
     ...LINES.map(key => el("p", {}, t(key))),
-    el("h3", {}, t("keys-title")),
-    el("ul", {}, ...KEYS.map(key => el("li", {}, t(key)))),
     el("div", { class: "actions" }, close),
   );
   on(close, "click", () => dialog.close());

@@ -4,6 +4,7 @@
 import type { Actions } from "../desk/actions";
 import { isCurrent } from "../desk/program";
 import { el, keyed, on, setText, show } from "../dom";
+import { meantBy } from "../keys";
 import { programOf, type State } from "../state/state";
 import { t } from "../texts";
 import type { TouchedLine } from "../wire";
@@ -53,7 +54,7 @@ export function createAsks(actions: Actions): Asks {
   on(apply, "click", actions.agree);
   on(cancel, "click", actions.refuse);
   on(root, "keydown", event => {
-    if (event.key === "Escape") actions.refuse();
+    if (meantBy(event, "form") === "refuse") actions.refuse();
   });
   return {
     root,

@@ -2,6 +2,7 @@
 // that no field moves; a longer text unfolds over the fields.
 
 import { el, on, setAttribute, setText, show } from "../dom";
+import { meantBy } from "../keys";
 import { say, t } from "../texts";
 import type { Field } from "../wire";
 import { needText } from "./field";
@@ -36,7 +37,7 @@ export function createExplain(): Explain {
     fit();
   });
   on(root, "keydown", event => {
-    if (event.key !== "Escape" || !open) return;
+    if (meantBy(event, "page") !== "close" || !open) return;
     unfold(false);
     fit();
   });

@@ -4,6 +4,7 @@ import { type Actions, type Variant, variantOf } from "../desk/actions";
 import type { Derived } from "../desk/derive";
 import { placedIn } from "../desk/placed";
 import { el, keyed, on, setAttribute, setText, show } from "../dom";
+import { meantBy } from "../keys";
 import type { Reset, State } from "../state/state";
 import type { Store } from "../state/store";
 import { optional, t } from "../texts";
@@ -140,8 +141,9 @@ export function createForm(
 
   on(fields, "keydown", event => {
     if (!asks.waits() || event.target instanceof HTMLSelectElement) return;
-    if (event.key === "Enter") asks.focus();
-    else if (event.key === "Escape") actions.refuse();
+    const command = meantBy(event, "form");
+    if (command === "ask") asks.focus();
+    else if (command === "refuse") actions.refuse();
     else return;
     event.preventDefault();
   });

@@ -3,6 +3,7 @@
 
 import type { Actions } from "../desk/actions";
 import { el, on, setAttribute, setText, show } from "../dom";
+import { type Command, meantBy } from "../keys";
 import type { Group, Hit, Search } from "../search";
 import { pieces } from "../search/words";
 import type { State } from "../state/state";
@@ -71,14 +72,15 @@ export function createFound(
   on(list, "keydown", event => {
     const all = buttons();
     const at = all.indexOf(document.activeElement as HTMLElement);
-    const next: Record<string, HTMLElement | undefined> = {
-      ArrowDown: all[at + 1],
-      ArrowUp: all[at - 1],
-      Home: all[0],
-      End: all.at(-1),
+    const next: Partial<Record<Command<"list">, HTMLElement | undefined>> = {
+      next: all[at + 1],
+      previous: all[at - 1],
+      first: all[0],
+      last: all.at(-1),
     };
-    if (event.key === "Escape" || (event.key === "ArrowUp" && at === 0)) back();
-    else if (event.key in next) next[event.key]?.focus();
+    const command = meantBy(event, "list");
+    if (command === "leave" || (command === "previous" && at === 0)) back();
+    else if (command && command in next) next[command]?.focus();
     else return;
     event.preventDefault();
   });

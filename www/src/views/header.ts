@@ -4,6 +4,7 @@ import type { ProgramCore } from "../core/program";
 import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
 import { el, keyed, on, setAttribute, setText, show, svg } from "../dom";
+import { ariaKey, meantBy } from "../keys";
 import { nameOf } from "../language";
 import { pack } from "../link";
 import { plain } from "../numbers";
@@ -91,14 +92,14 @@ function menuFor(list: HTMLElement): HTMLButtonElement {
   const leaves = (to: EventTarget | null): boolean => !(to instanceof Node && (list.contains(to) || open.contains(to)));
   on(open, "click", () => set(!isOpen()));
   on(list, "click", event => {
-    if (event.target instanceof HTMLButtonElement && event.target.id !== "theme") set(false);
+    if (event.target instanceof Element && event.target.closest("button:not(#theme)")) set(false);
   });
   for (const part of [open, list]) {
     on(part, "focusout", event => {
       if (event.relatedTarget && leaves(event.relatedTarget)) set(false);
     });
     on(part, "keydown", event => {
-      if (event.key !== "Escape" || !isOpen()) return;
+      if (meantBy(event, "page") !== "close" || !isOpen()) return;
       set(false);
       open.focus();
     });
@@ -123,6 +124,7 @@ export function createHeader(
   openSetup: (file: File) => void,
   core: () => ProgramCore | null,
   machineData: () => MachineData | null,
+  keys: HTMLDialogElement,
 ): (state: State, derived: Derived) => void {
   const about = createAbout();
   const machine = createMachine(actions);
@@ -169,6 +171,11 @@ export function createHeader(
     if (saved) saveFile(JSON.stringify(saved, null, 2), "setup.json", "application/json");
     else store.update({ page: { notice: "notice-nothing-to-save" } });
   };
+  const keysOpen = quiet("keys-title", () => keys.showModal());
+  keysOpen.replaceChildren(el("span", {}, t("keys-title")), el("kbd", { "aria-hidden": "true" }, "?"));
+  setAttribute(keysOpen, "class", "quiet keys-open");
+  setAttribute(keysOpen, "title", t("keys-title"));
+  setAttribute(keysOpen, "aria-keyshortcuts", ariaKey("page", "keys"));
   const actionsBox = el(
     "div",
     { class: "head-actions", id: "page-actions" },
@@ -180,6 +187,7 @@ export function createHeader(
     quiet("link-copy", () => void copyLink(store)),
     theme,
     languageChoice(actions),
+    keysOpen,
     quiet("about-open", () => about.showModal()),
   );
   root.append(

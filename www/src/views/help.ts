@@ -5,6 +5,7 @@ import type { ProgramCore } from "../core/program";
 import { type Actions, variantOf } from "../desk/actions";
 import type { Derived } from "../desk/derive";
 import { el, on, setText, show } from "../dom";
+import { meantBy } from "../keys";
 import type { State } from "../state/state";
 import type { Store } from "../state/store";
 import { hasHelp, helpWords, language, optional, say, t } from "../texts";
@@ -31,7 +32,7 @@ export function createHelp(
   };
   on(close, "click", leave);
   on(root, "keydown", event => {
-    if (event.key === "Escape") leave();
+    if (meantBy(event, "page") === "close") leave();
   });
 
   const goTo = (name: string): void => {

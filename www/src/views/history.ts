@@ -2,6 +2,7 @@
 
 import type { Actions } from "../desk/actions";
 import { el, keyed, on, setAttribute, setText, svg } from "../dom";
+import { ariaKey } from "../keys";
 import type { History, State, Step } from "../state/state";
 import { t } from "../texts";
 
@@ -31,8 +32,8 @@ function places({ past, future }: History): { back: number; text: string }[] {
 }
 
 export function createHistory(actions: Actions): { root: HTMLElement; draw(state: State): void } {
-  const undo = iconButton("undo", { id: "undo", "aria-keyshortcuts": "Control+Z" });
-  const redo = iconButton("redo", { id: "redo", "aria-keyshortcuts": "Control+Y" });
+  const undo = iconButton("undo", { id: "undo", "aria-keyshortcuts": ariaKey("page", "undo") });
+  const redo = iconButton("redo", { id: "redo", "aria-keyshortcuts": ariaKey("page", "redo") });
   const open = iconButton("history", { id: "history-open", popovertarget: "history" });
   const list = el("ol", { class: "history-list" });
   const all = el("div", { id: "history", class: "history", popover: "auto", "aria-label": t("history") }, list);

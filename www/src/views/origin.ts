@@ -12,10 +12,12 @@ export interface Origin {
   root: HTMLElement;
   /** A character that the encoding lacks. */
   told: HTMLElement;
-  draw(file: ProgramFile, text: string): void;
+  draw(file: ProgramFile, text: string, unsaved: boolean): void;
   /** The program was to be saved and cannot be. */
   refuse(): void;
 }
+
+const UNSAVED = "●";
 
 const isMarked = (encoding: Encoding): boolean => encoding.endsWith("-marked");
 const nameOf = (encoding: Encoding): string => t(`encoding-${encoding}`);
@@ -43,6 +45,11 @@ export function createOrigin(
   save: () => void,
 ): Origin {
   const name = el("span", { class: "file-name" });
+  const mark = el(
+    "span",
+    { class: "unsaved", role: "img", "aria-label": t("program-unsaved"), title: t("program-unsaved") },
+    UNSAVED,
+  );
   const option =
     (how: string) =>
     (encoding: Encoding): HTMLOptionElement =>
@@ -75,12 +82,14 @@ export function createOrigin(
   on(where, "click", () => goTo(at));
 
   return {
-    root: el("div", { class: "origin" }, name, choice),
+    root: el("div", { class: "origin" }, mark, name, choice),
     told,
     refuse: () => asUtf8.focus(),
-    draw(file, program) {
+    draw(file, program, unsaved) {
       now = file.encoding;
       at = search(program, now);
+      show(mark, unsaved);
+      document.title = `${unsaved ? `${UNSAVED} ` : ""}${file.name} — ${t("app-name")}`;
       setText(name, file.name);
       setAttribute(name, "title", file.name);
       ENCODINGS.forEach((one, index) => {

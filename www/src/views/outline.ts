@@ -5,6 +5,7 @@ import { html, render } from "lit-html";
 import { repeat } from "lit-html/directives/repeat.js";
 import type { Derived } from "../desk/derive";
 import { el, on, setAttribute, show } from "../dom";
+import { type Command, meantBy } from "../keys";
 import type { State } from "../state/state";
 import { t } from "../texts";
 import type { CallView, Catalogue, Severity } from "../wire";
@@ -116,17 +117,16 @@ export function createOutline(openCall: (index: number) => void): {
   });
   on(list, "keydown", event => {
     const page = Math.max(1, Math.floor(list.clientHeight / height()) - 1);
-    const moves: Record<string, () => void> = {
-      ArrowDown: () => go(current + 1),
-      ArrowUp: () => go(current - 1),
-      PageDown: () => go(current + page),
-      PageUp: () => go(current - page),
-      Home: () => go(0),
-      End: () => go(Infinity),
-      Enter: () => openCall(current),
-      " ": () => openCall(current),
+    const moves: Partial<Record<Command<"list">, () => void>> = {
+      next: () => go(current + 1),
+      previous: () => go(current - 1),
+      "next-page": () => go(current + page),
+      "previous-page": () => go(current - page),
+      first: () => go(0),
+      last: () => go(Infinity),
+      choose: () => openCall(current),
     };
-    const move = moves[event.key];
+    const move = moves[meantBy(event, "list") ?? "leave"];
     if (!move) return;
     event.preventDefault();
     move();

@@ -8,7 +8,11 @@ import type { EditorHost, LineMarks, Shown } from "../editor/editor";
 import type { EditorPlace } from "../editor/place";
 import { type Encoding, encode } from "../encoding";
 import { lineBreak, toEditor, toProgram } from "../eol";
+import { ariaKey } from "../keys";
 import { fileOf, saveFile } from "../state/files";
+import { markOf } from "../state/mark";
+import { ENDINGS, pickPlace, writeBack } from "../state/places";
+import { isUnsaved } from "../state/saved";
 import { programOf, type State } from "../state/state";
 import type { Store } from "../state/store";
 import { say, t } from "../texts";
@@ -19,6 +23,7 @@ import { createOutline } from "./outline";
 /** A file from outside, and the bytes of the program in another encoding. */
 export interface Opening {
   program(file: File): void;
+  place(place: FileSystemFileHandle): void;
   again(encoding: Encoding): void;
 }
 export interface ProgramView {
@@ -26,6 +31,9 @@ export interface ProgramView {
   draw(state: State, derived: Derived): void;
   goTo(offset: number): void;
   goToLine(line: number): void;
+  /** As the buttons do. */
+  open(): void;
+  save(): void;
 }
 
 export function createProgram(
@@ -37,22 +45,47 @@ export function createProgram(
 ): ProgramView {
   const name = el("span", { class: "count" });
   const copy = el("button", { type: "button", class: "quiet" }, t("program-copy"));
-  const open = el("button", { type: "button", id: "program-open", class: "quiet" }, t("program-open"));
+  const open = el(
+    "button",
+    { type: "button", id: "program-open", class: "quiet", "aria-keyshortcuts": ariaKey("page", "open") },
+    t("program-open"),
+  );
   const file = el("input", {
     type: "file",
-    accept: ".mpf,.spf,.nc,.txt,.arc,.prg,text/plain",
+    accept: [...ENDINGS, "text/plain"].join(),
     hidden: true,
     tabindex: "-1",
     "aria-label": t("program-open"),
   });
-  const download = el("button", { type: "button", class: "quiet" }, t("program-save"));
+  const download = el(
+    "button",
+    { type: "button", class: "quiet", "aria-keyshortcuts": ariaKey("page", "save") },
+    t("program-save"),
+  );
   const calls = el("button", { type: "button", class: "quiet", "aria-controls": "outline" });
   const waiting = el("p", { class: "empty" }, t("program-loading"));
+  let saving = Promise.resolve(); // one after the other, in the order in which they were asked for
   const save = (): void => {
-    const { name, encoding } = fileOf(store.state);
+    store.flush(); // what was typed last
+    const { name, encoding, opened } = fileOf(store.state);
+    const { control } = store.state.form;
     const bytes = encode(text, encoding);
-    if (bytes) saveFile(bytes, name);
-    else origin.refuse();
+    if (!bytes) {
+      origin.refuse();
+      return;
+    }
+    const mark = markOf(text, encoding);
+    saving = saving.then(async () => {
+      const written = await writeBack(opened, bytes);
+      if (written !== "written") saveFile(bytes, name);
+      if (written !== "nowhere") store.update({ page: { notice: `notice-${written}` } });
+      actions.saved(control, opened, mark);
+    });
+  };
+  const pick = async (): Promise<void> => {
+    const place = await pickPlace(t("program-editor"));
+    if (place) opening.place(place);
+    else if (place === undefined) file.click();
   };
   const origin = createOrigin(actions, opening.again, offset => select({ offset }), save);
   const head = el(
@@ -80,7 +113,7 @@ export function createProgram(
   let told: Derived["problems"] | null = null;
 
   on(copy, "click", () => void copyText(text, store, "notice-copied"));
-  on(open, "click", () => file.click());
+  on(open, "click", () => void pick());
   on(calls, "click", () => store.update(state => ({ panels: { outline: !state.panels.outline } })));
   on(file, "change", () => {
     const chosen = file.files?.[0];
@@ -167,10 +200,12 @@ export function createProgram(
       show(place.box, laid || !place.editor);
       if (laid && target !== null) select(target);
       drawCalls(state, derived);
-      origin.draw(fileOf(state), text);
+      origin.draw(fileOf(state), text, isUnsaved(state));
     },
     goTo: offset => goTo({ offset }),
     goToLine: line => goTo({ line }),
+    open: () => void pick(),
+    save,
   };
 }
 

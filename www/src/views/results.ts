@@ -4,6 +4,7 @@ import { html, render } from "lit-html";
 import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
 import { el, on, setAttribute, setText, show } from "../dom";
+import { meantBy } from "../keys";
 import type { Scanner } from "../scan/scanner";
 import { saveFile } from "../state/files";
 import type { ResultTab, State } from "../state/state";
@@ -58,8 +59,9 @@ export function createResults(
     tabs.set(name, { button, page });
   }
   on(bar, "keydown", event => {
-    const move = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
-    if (!move) return;
+    const command = meantBy(event, "tabs");
+    if (!command) return;
+    const move = command === "next-tab" ? 1 : -1;
     const there = TABS.filter(name => !tabs.get(name)?.button.hidden);
     const next = there[(there.indexOf(store.state.panels.tab) + move + there.length) % there.length] ?? "outcome";
     store.update({ panels: { tab: next } });

@@ -4,6 +4,7 @@ import type { Actions, Variant } from "../desk/actions";
 import { variantOf } from "../desk/actions";
 import type { Derived } from "../desk/derive";
 import { el, keyed, on, setAttribute, setText, show } from "../dom";
+import { type Command, meantBy } from "../keys";
 import type { State } from "../state/state";
 import type { Store } from "../state/store";
 import { t } from "../texts";
@@ -137,18 +138,16 @@ export function createTasks(
     const node = shown[index];
     if (!node) return;
     const closed = !node.variant && !isOpen(node.id);
-    const moves: Record<string, () => void> = {
-      ArrowDown: () => focus(shown[index + 1]),
-      ArrowUp: () => focus(shown[index - 1]),
-      Home: () => focus(shown[0]),
-      End: () => focus(shown.at(-1)),
-      ArrowRight: () => (node.variant ? undefined : closed ? unfold(node.id, true) : focus(shown[index + 1])),
-      ArrowLeft: () =>
-        node.variant || closed ? focus(shown.find(one => one.id === node.parent)) : unfold(node.id, false),
-      Enter: () => pick(node),
-      " ": () => pick(node),
+    const moves: Partial<Record<Command<"list">, () => void>> = {
+      next: () => focus(shown[index + 1]),
+      previous: () => focus(shown[index - 1]),
+      first: () => focus(shown[0]),
+      last: () => focus(shown.at(-1)),
+      unfold: () => (node.variant ? undefined : closed ? unfold(node.id, true) : focus(shown[index + 1])),
+      fold: () => (node.variant || closed ? focus(shown.find(one => one.id === node.parent)) : unfold(node.id, false)),
+      choose: () => pick(node),
     };
-    const move = moves[event.key];
+    const move = moves[meantBy(event, "list") ?? "leave"];
     if (!move) return;
     event.preventDefault();
     move();
@@ -157,13 +156,14 @@ export function createTasks(
   on(input, "focus", () => found.load());
   on(input, "input", () => store.update({ page: { search: input.value } }));
   on(input, "keydown", event => {
-    if (event.key === "ArrowDown") {
+    const command = meantBy(event, "list");
+    if (command === "next") {
       event.preventDefault();
       store.flush();
       if (store.state.page.search) found.focusFirst();
       else focus(shown.find(node => node.variant) ?? shown[0]);
     }
-    if (event.key === "Escape") {
+    if (command === "leave") {
       input.value = "";
       store.update({ page: { search: "" } });
     }
