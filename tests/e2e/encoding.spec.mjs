@@ -99,7 +99,7 @@ describe("a program in its own encoding", () => {
     await context.close();
   });
 
-  // oracle: peer (0xf8 is \u00f8 in Windows-1252; Shift JIS has no \u00d8, Windows-1252 no \u6c49, GBK has \u6c49 as ba ba)
+  // oracle: peer (0xf8 is \u00f8 in Windows-1252; Shift JIS has no \u00d8, Windows-1252 no \u6c49; GBK has it as ba ba)
   test("tells in which line the character stands, and is saved in the encoding that is chosen instead", async () => {
     const { context, page, problems } = await start(chrome);
     const told = page.locator(".lacking:visible .problem");
