@@ -38,7 +38,7 @@ function guard<A extends unknown[], R>(store: () => Store, run: (...args: A) => 
     try {
       return run(...args);
     } catch (problem) {
-      void save(store().state);
+      save(store().state);
       if (!(problem instanceof Broken)) throw problem;
       showBroken(problem.message);
       return undefined;
@@ -56,14 +56,15 @@ export async function startApp(core: Core, stored: Flat | null): Promise<void> {
     () => store,
     () => draw(),
   );
-  const store = createStore(first, drawn);
+  const store = createStore(first, drawn, () => keep());
+  const keep = createKeeping(store);
   const absent = (problem: unknown): void => {
     console.error(problem);
     modules.goWithout();
     store.update({ page: { notice: "outcome-absent" } });
   };
   const parts = createParts(catalogue, store, modules, absent);
-  draw = createDraw(parts);
+  draw = createDraw(parts, keep);
   store.update({});
   await new Promise(requestAnimationFrame); // the form stands
   afterLoad(() => void watchForUpdate(store));
@@ -130,7 +131,7 @@ const createShows =
   };
 
 /** What is drawn follows from the state: first what the state itself becomes by it, then all that shows it. */
-function createDraw(parts: Parts & { modules: Modules }): () => void {
+function createDraw(parts: Parts & { modules: Modules }, keep: () => void): () => void {
   const {
     store,
     modules,
@@ -144,7 +145,7 @@ function createDraw(parts: Parts & { modules: Modules }): () => void {
     const next = suited(read, parts.catalogue);
     return next === read ? read : desk(next);
   };
-  const [keep, notice] = [createKeeping(store), createNoticing(store)];
+  const notice = createNoticing(store);
   const record = createRecorder(state => !modules.program || isSettled(state));
   let bench = createBench(parts);
   let seen: Seen | null = null; // as it was drawn last
@@ -161,7 +162,6 @@ function createDraw(parts: Parts & { modules: Modules }): () => void {
   return () => {
     const typed = store.state.desk.follow === "text";
     let state = store.settle(withRun(runner.take(), settle(store.state)));
-    keep();
     let derived = derive(state);
     const next = meant(seen, { state, derived });
     if (next !== state) {
@@ -169,6 +169,7 @@ function createDraw(parts: Parts & { modules: Modules }): () => void {
       derived = derive(state);
     }
     state = store.settle(record(state, typed));
+    keep();
     seen = lastKnown(seen, { state, derived });
     askRun(runner, state, derived);
     const back = bench.language === language() ? null : remade();

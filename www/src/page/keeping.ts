@@ -1,26 +1,37 @@
 // What goes on by itself after each change: the work is kept, and a notice goes again.
 
-import { save } from "../state/keep";
+import { lay, save } from "../state/keep";
 import type { State } from "../state/state";
 import type { Store } from "../state/store";
 
-const SAVE_AFTER = 200; // ms without a change; sooner when the page goes or the core breaks
 const NOTICE_SHOWN = 4000; // ms
 const UNDO_SHOWN = 12_000; // ms; the key works longer
 
 /** To be called after each change. Says once that nothing can be kept. */
 export function createKeeping(store: Store): () => void {
-  let saving = 0;
+  let waiting = 0; // for what is to be laid down
   let warned = false;
-  const keep = async (): Promise<void> => {
-    if ((await save(store.state)) || warned) return;
+  const tell = (kept: boolean): void => {
+    if (kept || warned) return;
     warned = true;
     store.update({ page: { notice: "notice-not-kept" } });
   };
-  addEventListener("pagehide", () => void save(store.state));
+  const layDown = async (): Promise<void> => {
+    clearTimeout(waiting);
+    waiting = 0;
+    tell(await lay(() => store.state));
+  };
+  const leave = (): void => {
+    if (waiting && document.visibilityState === "hidden") void layDown();
+  };
+  document.addEventListener("visibilitychange", leave); // before the page goes too
   return () => {
-    clearTimeout(saving);
-    saving = window.setTimeout(() => void keep(), SAVE_AFTER);
+    const { kept, layAfter } = save(store.state);
+    tell(kept);
+    if (layAfter === 0) return void layDown();
+    if (layAfter === undefined) return;
+    clearTimeout(waiting);
+    waiting = window.setTimeout(() => void layDown(), layAfter);
   };
 }
 

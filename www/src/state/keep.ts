@@ -1,54 +1,47 @@
-// The work is kept in the browser. Local storage is written even while the page is left, but holds little; a long
-// program lies in a database beside it. Where the page is open twice, the newest work of all is what a new tab begins
-// with, and each tab comes back to its own, which session storage holds; of long programs there is only the newest.
+// The work is kept in the browser with every change, before the key that made it is over. Local storage is written even
+// while the page is left, but holds little and is slow for much: of a longer program it has the key of a text in the
+// database, and what was edited since. Once nothing is typed any more, the database gets the whole text. A page that
+// dies therefore loses nothing, except a change of more than INLINE characters of such a program, as when a file is
+// opened: until the database has it, some milliseconds later, the text before is the one that is kept.
+// Where the page is open twice, the newest work of all is what a new tab begins with, and each tab comes back to its
+// own, which session storage holds.
 
+import { difference } from "../difference";
+import type { Splice } from "../eol";
 import type { Dialect } from "../wire";
+import { layText, removeText, textAt, tidy } from "./depot";
 import type { State } from "./state";
 import { type Flat, kept } from "./stored";
 
 const STORE = "probewright-1";
-const PROGRAMS = "programs";
-const LONG = 200_000; // characters of a program that no longer goes into local storage
+const INLINE = 20_000; // characters of a program, or of an edit of a longer one, that are written with every change
+const REST = 200; // ms without a change, after which the database gets a longer program
 
-/** `by`: which visit of the page wrote it. */
+/** A program in the database: under which key, and what was edited since. */
+interface Apart {
+  key: string;
+  edit?: Splice;
+}
+
+/** `by`: which visit of the page wrote it. An earlier page listed the long programs; each lies under its control. */
 interface Stored extends Flat {
   programs?: Partial<Record<Dialect, string>>;
-  apart?: Dialect[];
+  apart?: Dialect[] | Partial<Record<Dialect, Apart>>;
   by?: string;
+}
+
+/** `layAfter`: ms, after which long programs are to be laid down; none: they lie as they are. */
+export interface Saved {
+  kept: boolean;
+  layAfter?: number;
 }
 
 const visit = Math.random().toString(36).slice(2);
 
-function database(): Promise<IDBDatabase> {
-  return new Promise((resolve, reject) => {
-    const request = indexedDB.open(STORE, 1);
-    request.onupgradeneeded = () => request.result.createObjectStore(PROGRAMS);
-    request.onsuccess = () => resolve(request.result);
-    request.onerror = () => reject(request.error ?? new Error("no database"));
-  });
-}
-
-async function inPrograms<T>(mode: IDBTransactionMode, run: (programs: IDBObjectStore) => IDBRequest<T>): Promise<T> {
-  const open = await database();
-  try {
-    return await new Promise<T>((resolve, reject) => {
-      const transaction = open.transaction(PROGRAMS, mode);
-      const request = run(transaction.objectStore(PROGRAMS));
-      transaction.oncomplete = () => resolve(request.result);
-      transaction.onabort = () => reject(transaction.error ?? new Error("not kept"));
-    });
-  } finally {
-    open.close();
-  }
-}
-
-const lying: Partial<Record<Dialect, string>> = {}; // what the database holds
-
-async function put(control: Dialect, text: string): Promise<void> {
-  if (lying[control] === text) return;
-  await inPrograms("readwrite", programs => programs.put(text, control));
-  lying[control] = text;
-}
+/** What the database holds; `own`: this visit has put it there, and nobody else takes it away. */
+const lying: Partial<Record<Dialect, { key: string; text: string; own: boolean }>> = {};
+const said: Partial<Record<Dialect, Apart>> = {}; // where a long program is to be found, as it could be told last
+let last: Flat = {}; // as it was written
 
 const read = (storage: Storage): Stored | null => JSON.parse(storage.getItem(STORE) ?? "null") as Stored | null;
 
@@ -58,15 +51,28 @@ function newest(): Stored | null {
   return own && last?.by !== own.by ? own : last;
 }
 
+function apartIn({ apart = {} }: Stored): [Dialect, Apart][] {
+  if (Array.isArray(apart)) return apart.map(control => [control, { key: control }]);
+  return Object.entries(apart) as [Dialect, Apart][];
+}
+
+async function fetched({ key, edit }: Apart, control: Dialect): Promise<string | undefined> {
+  const text = await textAt(key);
+  if (text === undefined) return undefined;
+  lying[control] = { key, text, own: false };
+  return edit ? text.slice(0, edit.from) + edit.insert + text.slice(edit.to) : text;
+}
+
 export async function load(): Promise<Flat | null> {
   try {
     const stored = newest();
-    for (const control of stored?.apart ?? []) {
-      const text: unknown = await inPrograms("readonly", programs => programs.get(control));
-      if (!stored || typeof text !== "string") continue;
-      lying[control] = text;
-      stored.programs = { ...stored.programs, [control]: text };
+    const apart = stored ? apartIn(stored) : [];
+    for (const [control, one] of apart) {
+      const text = await fetched(one, control);
+      if (stored && text !== undefined) stored.programs = { ...stored.programs, [control]: text };
     }
+    const used = [newest(), read(localStorage)].flatMap(one => (one ? apartIn(one) : [])).map(([, { key }]) => key);
+    void tidy(used).catch(console.warn);
     return stored;
   } catch (problem) {
     console.warn("what is kept cannot be read", problem);
@@ -74,15 +80,59 @@ export async function load(): Promise<Flat | null> {
   }
 }
 
-/** false: the browser keeps nothing here (private window) or no more. What goes into local storage is there at once. */
-export async function save(state: State): Promise<boolean> {
-  const programs = Object.entries(state.program.texts) as [Dialect, string][];
-  const apart = programs.filter(([, text]) => text.length > LONG);
-  const short = Object.fromEntries(programs.filter(([, text]) => text.length <= LONG));
+const longPrograms = (state: State): [Dialect, string][] =>
+  (Object.entries(state.program.texts) as [Dialect, string][]).filter(([, text]) => text.length > INLINE);
+
+/** Whether it can be told where this program lies. */
+function told(control: Dialect, text: string): boolean {
+  const base = lying[control];
+  const edit = base && difference(base.text, text);
+  if (!base || (edit && edit.insert.length > INLINE)) return false;
+  said[control] = { key: base.key, ...(edit ? { edit } : {}) };
+  return true;
+}
+
+function asStored(state: State, flat: Flat, long: [Dialect, string][]): Stored {
+  const controls = long.map(([control]) => control);
+  const programs = Object.entries(state.program.texts).filter(([control]) => !controls.includes(control as Dialect));
+  const apart = controls.flatMap(control => (said[control] ? [[control, said[control]]] : []));
+  return { ...flat, programs: Object.fromEntries(programs), apart: Object.fromEntries(apart), by: visit };
+}
+
+function write(state: State, flat: Flat): Saved {
+  const long = longPrograms(state);
+  const all = long.map(([control, text]) => told(control, text)).every(Boolean);
+  const lies = long.every(([control, text]) => lying[control]?.own && lying[control].text === text);
+  const json = JSON.stringify(asStored(state, flat, long));
+  for (const storage of [localStorage, sessionStorage]) storage.setItem(STORE, json);
+  last = flat;
+  return { kept: true, ...(lies ? {} : { layAfter: all ? REST : 0 }) };
+}
+
+/** Keeps what has changed, at once. The browser may keep nothing here (private window) or no more. */
+export function save(state: State): Saved {
+  const flat = kept(state);
+  const names = Object.keys(flat) as (keyof Flat)[];
+  if (names.every(name => name in last && flat[name] === last[name])) return { kept: true };
   try {
-    const stored: Stored = { ...kept(state), programs: short, apart: apart.map(([control]) => control), by: visit };
-    for (const storage of [localStorage, sessionStorage]) storage.setItem(STORE, JSON.stringify(stored));
-    for (const [control, text] of apart) await put(control, text);
+    return write(state, flat);
+  } catch (problem) {
+    console.warn("the work is not kept", problem);
+    return { kept: false };
+  }
+}
+
+/** Lays the long programs down in the database. false: it takes nothing. */
+export async function lay(now: () => State): Promise<boolean> {
+  try {
+    for (const [control, text] of longPrograms(now())) {
+      if (lying[control]?.own && lying[control].text === text) continue;
+      const key = await layText(text);
+      const before = lying[control];
+      lying[control] = { key, text, own: true };
+      write(now(), kept(now()));
+      if (before?.own) await removeText(before.key);
+    }
     return true;
   } catch (problem) {
     console.warn("the work is not kept", problem);

@@ -14,12 +14,18 @@ export interface Store {
   settle(next: State): State;
 }
 
-export function createStore(first: State, draw: () => void): Store {
+/** `changed`: told of each change before the task is over that made it. */
+export function createStore(first: State, draw: () => void, changed: () => void): Store {
   let state = first;
+  let telling = false;
   let waiting = 0; // the frame asked for
   const frame = (): void => {
     waiting = 0;
     draw();
+  };
+  const tell = (): void => {
+    telling = false;
+    changed();
   };
   return {
     get state() {
@@ -28,6 +34,8 @@ export function createStore(first: State, draw: () => void): Store {
     update(...changes) {
       for (const change of changes) state = patched(state, typeof change === "function" ? change(state) : change);
       waiting ||= requestAnimationFrame(frame);
+      if (!telling) queueMicrotask(tell);
+      telling = true;
     },
     settle(next) {
       state = next;

@@ -1,7 +1,7 @@
 // A newer version of the page is there: a quiet line, which waits.
 
 import { el, on, setText, show } from "../dom";
-import { save } from "../state/keep";
+import { lay } from "../state/keep";
 import type { State } from "../state/state";
 import type { Store } from "../state/store";
 import { reload } from "../state/update";
@@ -12,7 +12,7 @@ export function createNewer(store: Store): { root: HTMLElement; draw(state: Stat
   const now = el("button", { type: "button" }, t("newer-reload"));
   const later = el("button", { type: "button", class: "quiet" }, t("newer-later"));
   const root = el("div", { class: "newer", "data-empty": true }, text, now, later);
-  on(now, "click", () => void save(store.state).then(reload));
+  on(now, "click", () => void lay(() => store.state).then(reload));
   on(later, "click", () => store.update({ page: { newer: false } }));
   return {
     root,
