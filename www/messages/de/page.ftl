@@ -391,6 +391,11 @@ sets-delete = Löschen
 sets-delete-named = { $name } löschen
 sets-name-taken = Dieser Name ist leer oder bereits vergeben.
 
+continuing-title = Welche Arbeit fortsetzen?
+continuing-why = Probewright ist in einem weiteren Tab offen. Jeder Tab behält seine eigene Arbeit. Der nächste Besuch öffnet die zuletzt geänderte.
+continuing-copy = Kopie von { $name }, geändert { $when }
+continuing-anew = Mit dem Beispiel neu anfangen
+
 about-title = Über Probewright
 about-what = Ein Assistent für CNC-Messzyklen: Maske ausfüllen, Programmtext erhalten, dem Messtaster an einem Werkstück mit Abweichungen zusehen und lesen, was die Steuerung tun würde.
 about-offline = Alles läuft in diesem Browser. Nach dem ersten Laden funktioniert es auch ohne Netz.

@@ -391,6 +391,11 @@ sets-delete = Delete
 sets-delete-named = Delete { $name }
 sets-name-taken = This name is empty or already used.
 
+continuing-title = Continue which work?
+continuing-why = Probewright is open in another tab. Each tab keeps its own work. The next visit opens the work changed last.
+continuing-copy = Copy of { $name }, changed { $when }
+continuing-anew = Start anew with the worked example
+
 about-title = About Probewright
 about-what = An assistant for CNC measuring cycles: fill in a form, get the program text, watch the probe measure a part with errors, and read what the control would do.
 about-offline = Everything runs in this browser. After the first load, it works without a network.

@@ -387,6 +387,11 @@ sets-delete = 删除
 sets-delete-named = 删除 { $name }
 sets-name-taken = 名称为空或已被使用。
 
+continuing-title = 继续哪一份工作？
+continuing-why = Probewright 已在另一个标签页中打开。每个标签页各自保存自己的工作。下次访问时打开最后修改的工作。
+continuing-copy = { $name } 的副本，{ $when } 修改
+continuing-anew = 从示例数据重新开始
+
 about-title = 关于 Probewright
 about-what = 数控测量循环的编程助手：填写表单，得到程序文本，观看测头测量带误差的工件，读出控制系统会作出的反应。
 about-offline = 一切都在此浏览器中运行。首次加载后无需网络。

@@ -12,9 +12,9 @@ import { createEditorPlace } from "../editor/place";
 import { createJob } from "../pace";
 import { createScanner } from "../scan/scanner";
 import { save } from "../state/keep";
-import { machine, patched, type State } from "../state/state";
+import { machine, NOBODY, patched, type State } from "../state/state";
 import { createStore, type Store } from "../state/store";
-import type { Flat } from "../state/stored";
+import { type Flat, worked } from "../state/stored";
 import { watchForUpdate } from "../state/update";
 import { language } from "../texts";
 import { showBroken } from "../views/broken";
@@ -22,7 +22,7 @@ import { createStage } from "../views/stage";
 import type { Catalogue } from "../wire";
 import type { Work } from "./activities";
 import { createBench, type Parts } from "./bench";
-import { startState } from "./first";
+import { packedWork, startState } from "./first";
 import { createGoToField, type Shows } from "./goto";
 import { createKeeping, createNoticing } from "./keeping";
 import { takeLaunch } from "./launch";
@@ -31,6 +31,7 @@ import { createOpen } from "./open";
 import { keepPlaces } from "./places";
 import { createRecorder } from "./recorder";
 import { askRun, withRun } from "./running";
+import { createTabs } from "./tabs";
 
 /** Keeps the work and says so when something below breaks; every way into the core passes here. */
 function guard<A extends unknown[], R>(store: () => Store, run: (...args: A) => R): (...args: A) => R | undefined {
@@ -46,11 +47,12 @@ function guard<A extends unknown[], R>(store: () => Store, run: (...args: A) => 
   };
 }
 
-/** `stored`: what was kept the last time. */
-export async function startApp(core: Core, stored: Flat | null): Promise<void> {
+/** `stored`: what was kept the last time; `returned`: to a tab that has its own work already. */
+export async function startApp(core: Core, stored: Flat | null, returned: boolean): Promise<void> {
   const catalogue = core.catalogue();
   const modules = createModules(core, catalogue);
-  const first = await startState(core, modules.full, catalogue, stored);
+  const packed = packedWork();
+  const first = await startState(core, modules.full, catalogue, stored, packed);
   let draw = (): void => undefined;
   const drawn = guard(
     () => store,
@@ -63,7 +65,10 @@ export async function startApp(core: Core, stored: Flat | null): Promise<void> {
     modules.goWithout();
     store.update({ page: { notice: "outcome-absent" } });
   };
-  const parts = createParts(catalogue, store, modules, absent);
+  const continuing = createTabs(store, !returned && !packed, work =>
+    startState(core, modules.full, catalogue, work, null),
+  );
+  const parts = { ...createParts(catalogue, store, modules, absent), continuing };
   draw = createDraw(parts, keep);
   store.update({});
   await new Promise(requestAnimationFrame); // the form stands
@@ -83,7 +88,7 @@ function createParts(
   store: Store,
   modules: Modules,
   absent: (problem: unknown) => void,
-): Parts & { modules: Modules } {
+): Omit<Parts, "continuing"> & { modules: Modules } {
   const actions = guarded(createActions(store, catalogue), store);
   const work = createWork(store, modules);
   const editor = createEditorPlace(work.laying, () => store.update({}));
@@ -112,9 +117,19 @@ function afterLoad(run: () => void): void {
 function guarded(plain: Actions, store: Store): Actions {
   const actions = Object.entries(plain).map(([name, run]) => [
     name,
-    guard(() => store, run as (...args: unknown[]) => void),
+    guard(() => store, working(store, run as (...args: unknown[]) => unknown)),
   ]);
   return Object.fromEntries(actions) as unknown as Actions;
+}
+
+/** The work is changed now, if this changes it. */
+function working<A extends unknown[], R>(store: Store, run: (...args: A) => R): (...args: A) => R {
+  return (...args) => {
+    const before = store.state;
+    const result = run(...args);
+    if (worked(before, store.state)) store.update({ page: { changed: Date.now(), others: NOBODY } });
+    return result;
+  };
 }
 
 function createWork(store: Store, modules: Modules): Work {

@@ -11,6 +11,7 @@ import type { Store } from "../state/store";
 import { language, t } from "../texts";
 import { behind } from "../views/behind";
 import { createCard } from "../views/card";
+import { type Choices, createContinuing } from "../views/continuing";
 import { createForm } from "../views/form";
 import { createFound } from "../views/found";
 import { createHeader } from "../views/header";
@@ -40,6 +41,7 @@ export interface Parts {
   editor: EditorPlace;
   stage: Stage;
   scanner: Scanner;
+  continuing: Choices;
   goToField(control: Dialect, name: string): void;
   modules: Pick<Modules, "program" | "alarms">;
 }
@@ -66,7 +68,8 @@ export function createBench(parts: Parts): Bench {
   const sets = createSets(actions);
   const card = createCard(actions);
   const keys = createKeys();
-  document.body.append(sets.dialog, card.dialog, keys);
+  const continuing = createContinuing(parts.continuing, stop.signal);
+  document.body.append(sets.dialog, card.dialog, keys, continuing.dialog);
   const found = (back: () => void) =>
     createFound(parts.catalogue, parts.modules.alarms, store, actions, parts.goToField, back);
   const { file, text, calls, motions } = activities;
@@ -108,6 +111,7 @@ export function createBench(parts: Parts): Bench {
     (state: State, derived: Derived): void => later()?.drawHelp(state, derived),
     sets.draw,
     card.draw,
+    continuing.draw,
     program.draw, // last: the editor asks for the selection, and that lays out the page
   ];
   return {

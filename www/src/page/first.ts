@@ -40,19 +40,23 @@ function firstVisit(core: Core, catalogue: Catalogue): State {
   });
 }
 
-/** `stored`: what was kept the last time. */
+/** What a link has brought; it is in the address no longer. null: nothing. */
+export function packedWork(): string | null {
+  const packed = /^#s=(.+)$/.exec(location.hash)?.[1] ?? null;
+  if (packed) history.replaceState(null, "", location.pathname + location.search);
+  return packed;
+}
+
+/** `stored`: what was kept; `packed`: what a link adds to it. It is nobody's work until it is changed. */
 export async function startState(
   core: Core,
   full: () => Promise<ProgramCore>,
   catalogue: Catalogue,
   stored: Flat | null,
+  packed: string | null,
 ): Promise<State> {
   let state = stored ? merge(firstState(), stored) : firstVisit(core, catalogue);
-  const packed = /^#s=(.+)$/.exec(location.hash)?.[1];
-  if (packed) {
-    state = merge(state, await unpack(packed));
-    history.replaceState(null, "", location.pathname + location.search);
-  }
+  if (packed) state = patched(merge(state, await unpack(packed)), { page: { changed: 0 } });
   const known = (): boolean => !!findCycle(catalogue, state.form.control, state.form.cycle);
   if (!known()) await full().catch(console.error); // the first module knows the cycle of the first visit alone
   if (!known()) state = patched(state, remember(state), pickFirst(catalogue));

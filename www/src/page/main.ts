@@ -9,9 +9,9 @@ import { startApp } from "./app";
 
 addEventListener("probewright-panic", event => showBroken(String((event as CustomEvent).detail)));
 try {
-  const [stored, core] = [await load(), loadCore()];
+  const [{ stored, returned }, core] = [await load(), loadCore()];
   await speak(merge(firstState(), stored).page.language).catch(console.warn); // words that cannot be fetched: English
-  await startApp(await core, stored);
+  await startApp(await core, stored, returned);
 } catch (problem) {
   console.error(problem);
   showBroken(problem instanceof Error ? problem.message : String(problem));

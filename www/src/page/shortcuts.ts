@@ -26,7 +26,7 @@ export function listenToKeys(does: Record<PageCommand, () => void>, end: AbortSi
       const [target] = event.composedPath();
       const except = EXCEPT[command];
       if (except && target instanceof Element && target.matches(except)) return;
-      if (NOT_BESIDE_DIALOG.includes(command) && document.querySelector("dialog[open]")) return;
+      if (NOT_BESIDE_DIALOG.includes(command) && document.querySelector("dialog:modal")) return;
       event.preventDefault();
       if (!event.repeat || !ONCE.includes(command)) does[command]();
     },

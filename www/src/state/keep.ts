@@ -3,19 +3,22 @@
 // database, and what was edited since. Once nothing is typed any more, the database gets the whole text. A page that
 // dies therefore loses nothing, except a change of more than INLINE characters of such a program, as when a file is
 // opened: until the database has it, some milliseconds later, the text before is the one that is kept.
-// Where the page is open twice, the newest work of all is what a new tab begins with, and each tab comes back to its
-// own, which session storage holds.
+// Where the page is open twice, each tab has its own work in session storage and comes back to it. Local storage has
+// the work that was changed last, in whatever tab: with that a later visit begins. A tab with earlier work leaves it
+// there.
 
 import { difference } from "../difference";
 import type { Splice } from "../eol";
 import type { Dialect } from "../wire";
 import { layText, removeText, textAt, tidy } from "./depot";
 import type { State } from "./state";
-import { type Flat, kept } from "./stored";
+import { type Flat, kept, preferences } from "./stored";
 
 const STORE = "probewright-1";
 const INLINE = 20_000; // characters of a program, or of an edit of a longer one, that are written with every change
 const REST = 200; // ms without a change, after which the database gets a longer program
+
+const EARLIER = 1; // ms: a page has kept it that did not tell when it was changed
 
 /** A program in the database: under which key, and what was edited since. */
 interface Apart {
@@ -63,9 +66,12 @@ async function fetched({ key, edit }: Apart, control: Dialect): Promise<string |
   return edit ? text.slice(0, edit.from) + edit.insert + text.slice(edit.to) : text;
 }
 
-export async function load(): Promise<Flat | null> {
+/** `returned`: the tab has been here before. */
+export async function load(): Promise<{ stored: Flat | null; returned: boolean }> {
   try {
     const stored = newest();
+    const returned = read(sessionStorage) !== null;
+    if (stored) stored.changed ??= EARLIER;
     const apart = stored ? apartIn(stored) : [];
     for (const [control, one] of apart) {
       const text = await fetched(one, control);
@@ -73,10 +79,10 @@ export async function load(): Promise<Flat | null> {
     }
     const used = [newest(), read(localStorage)].flatMap(one => (one ? apartIn(one) : [])).map(([, { key }]) => key);
     void tidy(used).catch(console.warn);
-    return stored;
+    return { stored, returned };
   } catch (problem) {
     console.warn("what is kept cannot be read", problem);
-    return null;
+    return { stored: null, returned: false };
   }
 }
 
@@ -104,7 +110,10 @@ function write(state: State, flat: Flat): Saved {
   const all = long.map(([control, text]) => told(control, text)).every(Boolean);
   const lies = long.every(([control, text]) => lying[control]?.own && lying[control].text === text);
   const json = JSON.stringify(asStored(state, flat, long));
-  for (const storage of [localStorage, sessionStorage]) storage.setItem(STORE, json);
+  sessionStorage.setItem(STORE, json);
+  const newest = read(localStorage);
+  const later = Number(newest?.changed ?? 0) > state.page.changed;
+  localStorage.setItem(STORE, later ? JSON.stringify({ ...newest, ...preferences(state) }) : json);
   last = flat;
   return { kept: true, ...(lies ? {} : { layAfter: all ? REST : 0 }) };
 }

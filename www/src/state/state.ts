@@ -165,7 +165,16 @@ export interface PanelState {
   outline: boolean; // the list of calls stands beside the program
 }
 
+/** The work of another tab; `changed`: ms; `name`: of its file, else of its cycle. */
+export interface OtherWork {
+  from: string;
+  changed: number;
+  name: string;
+}
+
 export interface PageState {
+  changed: number; // ms, when the user last changed the work; 0: it is as the page begins
+  others: readonly OtherWork[]; // which of them this tab continues is asked; none: nothing is
   theme: "system" | "light" | "dark";
   language: string; // its code; empty: what the browser wants
   search: string;
@@ -239,6 +248,9 @@ export const AT_END = Number.MAX_SAFE_INTEGER;
 /** How fast motions are played; at the highest a run of a thousand calls takes two minutes. */
 export const SPEEDS = [0.5, 1, 2, 5, 20, 100];
 
+/** Nothing is asked about other tabs. */
+export const NOBODY: PageState["others"] = [];
+
 export function firstState(): State {
   return {
     form: {
@@ -290,6 +302,8 @@ export function firstState(): State {
       newer: false,
       refused: null,
       offer: false,
+      changed: 0,
+      others: NOBODY,
     },
     history: { past: [], future: [] },
   };
@@ -318,6 +332,11 @@ export function asWritten(state: State): Record<string, string> {
 /** The values in the form among those that are kept. */
 export function remember(state: State): { form: Pick<FormState, "remembered"> } {
   return { form: { remembered: { ...state.form.remembered, [memoryKey(state.form)]: asWritten(state) } } };
+}
+
+/** By what the user knows the work: the file of its program, else the cycle in the form. */
+export function workName({ form: { control, cycle }, program }: State): string {
+  return program.files[control]?.name ?? cycle;
 }
 
 /** The program of the control that the form is for. */

@@ -129,6 +129,7 @@ const FIELDS = {
   left: field("panels", "left"),
   right: field("panels", "right"),
   tab: field("panels", "tab"),
+  changed: field("page", "changed"),
   theme: field("page", "theme"),
   language: field("page", "language"),
   unfolded: field("panels", "unfolded", all(flag)),
@@ -187,6 +188,12 @@ const flat = (state: State, names: readonly Name[]): Flat =>
 const put = (name: Name, value: unknown): Patch => ({ [FIELDS[name].group]: { [FIELDS[name].field]: value } });
 
 export const kept = (state: State): Flat => flat(state, NAMES);
+/** What is kept and is no work: how the user wants the page to be. */
+export const preferences = (state: State): Flat =>
+  flat(
+    state,
+    NAMES.filter(name => name !== "changed" && name !== "saved" && !WORK.some(one => one === name)),
+  );
 export const shared = (state: State): Flat => flat(state, IN_LINK);
 
 /** The work as it is, to come back to it. */
@@ -197,6 +204,14 @@ export function work(state: State): Patch {
     groups[group] = { ...groups[group], [field]: held(state, name) };
   }
   return groups as Patch;
+}
+
+const AUTHORED = ["programs", "files", "sets", "pending", "errors", "setup", "own"] as const satisfies Name[];
+
+/** Whether somebody has worked between these two: to open another call of the program is no work. */
+export function worked(before: State, after: State): boolean {
+  const names: Name[] = after.form.open === null ? [...AUTHORED, "control", "cycle", "values"] : [...AUTHORED];
+  return names.some(name => held(before, name) !== held(after, name));
 }
 
 /** A stored state or one out of a link may be old, cut or hand-made: only what has the right shape is taken. */
