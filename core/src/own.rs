@@ -184,6 +184,7 @@ sentences! {
     COMPENSATION_INSIDE 149 Note "check-compensation-inside" "check-compensation-inside-hint";
     ADVICE_OVERWRITTEN 150 Warning "advice-overwritten" "advice-overwritten-hint";
     ARRIVES 151 Note "arrives" "arrives-hint";
+    ARRIVES_LINES 151 Note "arrives-lines" "arrives-hint";
     ARRIVES_SHARED 151 Note "arrives" "arrives-shared-hint";
     ARRIVES_MANY 151 Note "arrives" "arrives-many-hint";
     ARRIVES_DIFFERING 151 Note "arrives-differing" "arrives-differing-hint";

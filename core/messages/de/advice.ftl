@@ -18,15 +18,15 @@ advice-edge-open = Nach dem letzten T ist kein D programmiert: Maschinendaten be
 advice-edge-hint = D-Nummer des aktiven Werkzeugs nach dem Werkzeugwechsel programmieren.
 advice-tool = Das aktive Werkzeug T{ $tool } ist kein Werkstückmesstaster (Typ { $type }).
 advice-tool-hint = Messtaster vor dem Aufruf einwechseln oder Typ in der Werkzeugliste korrigieren (710, an der Drehmaschine 580).
-advice-tool-digit = T{ $tool } hat Typ { $type }: Die Aufrufbedingungen verlangen 710 oder Typen mit 0 am Ende, andere Handbuchstellen nennen 100 bis 199.
-advice-tool-digit-hint = Messtaster als Typ 710 eintragen; die Steuerung kann diesen Typ ablehnen.
+advice-tool-digit = T{ $tool } hat Typ { $type }: Die Aufrufbedingungen verlangen 1x0 oder 710, andere Handbuchstellen nennen 100 bis 199.
+advice-tool-digit-hint = Messtaster einwechseln oder als Typ 710 eintragen; den jetzigen Typ kann die Steuerung ablehnen.
 advice-tool-assignment = T{ $tool } hat Typ { $type }, ist also ein Messtaster für Drehmaschinen: Dieser Zyklus akzeptiert ihn nur bei SD 42950 = 2.
 advice-tool-assignment-hint = An der Drehmaschine SD 42950 = 2 setzen; an der Fräsmaschine für den Messtaster Typ 710 eintragen.
 advice-tool-position = T{ $tool }, Typ { $type }, hat Schneidenlage { $position }: Messtaster an Drehmaschinen brauchen 5 bis 8.
 advice-tool-position-hint = Messtaster einwechseln oder seine Schneidenlage eintragen: 5 oder 7 steht senkrecht auf G17, 6 oder 8 auf G19.
 advice-tool-plane = T{ $tool } hat Schneidenlage { $position }: Der Messtaster steht nicht senkrecht auf der Messebene dieses Zyklus.
-advice-tool-plane-hint = In { $plane } messen oder einen Messtaster verwenden, der senkrecht auf dieser Ebene steht: 5 und 7 für G17, 6 und 8 für G19.
-advice-length = T{ $tool } hat keine Länge in der Werkzeugachse: Drehwerkzeuge haben L1 in der Ordinate, L2 in der Abszisse, L3 in der Applikate.
+advice-tool-plane-hint = In { $plane } messen oder Messtaster senkrecht zur aktiven Ebene verwenden: 5 und 7 für G17, 6 und 8 für G19.
+advice-length = T{ $tool } hat keine Länge in der Werkzeugachse: Hier wirkt L1 in der Ordinate, L2 in der Abszisse, L3 in der Applikate.
 advice-length-hint = Länge in der Werkzeugachse als L3 in einer D-Nummer für diese Ebene eintragen, falls die G18-Zuordnung nicht überall gilt.
 advice-milled-diameter = DIAMON oder DIAM90 ist aktiv, aber dieser Zyklus rechnet ohne Durchmesser: Positionen in X gelten als Abstand von der Drehmitte.
 advice-milled-diameter-hint = Positionen als Radien eingeben; DIAMOF vor dem Aufruf, danach wieder DIAMON oder DIAM90 programmieren.
@@ -45,18 +45,19 @@ advice-inherited-meaning = { $name }={ $value } ist in Zeile { $line } für { $c
 advice-inherited-hint = { $name } für diesen Aufruf schreiben.
 advice-frame = { $frame } wurde korrigiert, aber die Korrektur ist nicht aktiv: Das Programm läuft mit den alten Werten weiter.
 advice-frame-other = { $frame } wurde korrigiert, aber das Programm läuft mit { $other } weiter und aktiviert die Korrektur nie.
-advice-frame-basic = Das korrigierte Basisframe ist nicht aktiv: Das Programm läuft mit dem alten weiter.
-advice-frame-hint = { $frame } nach dem Aufruf erneut programmieren.
+advice-frame-basic = Das korrigierte Basis- oder Systemframe ist nicht aktiv: Das Programm läuft mit den alten Werten weiter.
+advice-frame-hint = Nach dem Aufruf mit { $frame } aktivieren.
 advice-frame-other-hint = { $frame } nach dem Aufruf programmieren.
 advice-overwritten = { $name } kann beim Aufruf einen anderen Wert haben: Auch das in Zeile { $line } aufgerufene Programm schreibt den Parameter.
 advice-overwritten-hint = { $name } nach jenem Aufruf schreiben.
 arrives = Geschrieben in Zeile { $lines }.
-arrives-hint = Eine Änderung hier ändert auch jene Zeile.
+arrives-lines = Geschrieben in den Zeilen { $lines }.
+arrives-hint = Eine Änderung hier ändert auch, was dort geschrieben ist.
 arrives-shared-hint = Andere Aufrufe verwenden den Wert ebenfalls: Eine Änderung hier wird nur für diesen Aufruf geschrieben.
 arrives-many-hint = Der Wert ist in vielen Zeilen geschrieben: dort ändern.
 arrives-differing = Hängt vom Programmablauf bis zu diesem Aufruf ab: { $values }.
 arrives-differing-hint = Eine Änderung hier würde für alle Abläufe gelten. Den Wert dort ändern, wo er geschrieben ist; die Zeile steht in Klammern.
-advice-level = Der Aufruf liegt auf Programmebene { $level }; Messzyklen laufen nur auf den ersten fünf.
+advice-level = Der Aufruf liegt auf Programmebene { $level }; Messzyklen sind nur auf den ersten fünf aufrufbar.
 advice-level-hint = Zyklus aus einem Programm aufrufen, das näher am Hauptprogramm liegt.
 
 advice-read-back = Die Messzyklenunterstützung der Steuerung ändert diesen Aufruf beim Rückübersetzen: { $changes }.

@@ -19,14 +19,14 @@ advice-edge-hint = Program the D number of the active tool after the tool change
 advice-tool = The active tool, T{ $tool }, is not a workpiece probe (type { $type }).
 advice-tool-hint = Change to the probe before the call, or correct the type in the tool list (710, or 580 on a lathe).
 advice-tool-digit = T{ $tool } is of type { $type }. The call conditions permit 1x0 and 710; elsewhere the manual permits 100 to 199.
-advice-tool-digit-hint = Enter the probe as type 710; the control may reject this type.
+advice-tool-digit-hint = Change to the probe, or enter it as type 710; the control may reject the present type.
 advice-tool-assignment = T{ $tool } is of type { $type }, the probe of a turning machine: this cycle accepts it only with SD 42950 = 2.
 advice-tool-assignment-hint = Set SD 42950 = 2 on a turning machine; on a milling machine, enter the probe as type 710.
 advice-tool-position = T{ $tool } of type { $type } has cutting edge position { $position }: a probe on a turning machine needs 5 to 8.
 advice-tool-position-hint = Change to the probe, or correct its position: 5 or 7 is perpendicular to G17, 6 or 8 to G19.
 advice-tool-plane = T{ $tool } has cutting edge position { $position }, so it is not perpendicular to the plane in which this cycle measures.
-advice-tool-plane-hint = Measure in { $plane }, or use a probe perpendicular to this plane: 5 and 7 for G17, 6 and 8 for G19.
-advice-length = T{ $tool } has no length along the tool axis: turning tools have L1 in the ordinate, L2 abscissa, L3 applicate.
+advice-tool-plane-hint = Measure in { $plane }, or use a probe perpendicular to the active plane: 5 and 7 for G17, 6 and 8 for G19.
+advice-length = T{ $tool } has no length along the tool axis: here L1 is in the ordinate, L2 abscissa, L3 applicate.
 advice-length-hint = Enter the tool-axis length as L3 in a D number for this plane, unless the G18 assignment applies everywhere.
 advice-milled-diameter = DIAMON or DIAM90 is active, but this cycle ignores it: positions in X are radii.
 advice-milled-diameter-hint = Enter the positions as radii; program DIAMOF before the call and DIAMON or DIAM90 after it.
@@ -45,18 +45,19 @@ advice-inherited-meaning = { $name }={ $value } was written for { $cycle } in li
 advice-inherited-hint = Write { $name } for this call.
 advice-frame = The corrected { $frame } is not active: the program continues with the old values.
 advice-frame-other = { $frame } was corrected, but the program continues in { $other } and never activates it.
-advice-frame-basic = The corrected basic frame is not active: the program continues with the old values.
-advice-frame-hint = Program { $frame } again after the call.
+advice-frame-basic = The corrected basic or system frame is not active: the program continues with the old values.
+advice-frame-hint = Activate it with { $frame } after the call.
 advice-frame-other-hint = Program { $frame } after the call.
 advice-overwritten = { $name } may have another value at the call: the program called in line { $line } also writes it.
 advice-overwritten-hint = Write { $name } after that call.
 arrives = Written in line { $lines }.
-arrives-hint = A change here also changes that line.
+arrives-lines = Written in lines { $lines }.
+arrives-hint = A change here also changes what is written there.
 arrives-shared-hint = Other calls use this value too: a change here is written for this call only.
 arrives-many-hint = This value is written in many lines: change it there.
 arrives-differing = Depends on the path to this call: { $values }.
 arrives-differing-hint = A change here would apply to all paths. Change the value where it is written; line numbers are in brackets.
-advice-level = The call is on program level { $level }; measuring cycles run on the first five levels only.
+advice-level = The call is on program level { $level }; measuring cycles may be called on the first five levels only.
 advice-level-hint = Move the call to a program level nearer to the main program.
 
 advice-read-back = Read back by the control's support, this call changes: { $changes }.

@@ -1,7 +1,7 @@
 # CYCLE961: titles, search words, variants, words of its own parameters and checks.
 
 cycle961-title = Corner, inside or outside
-cycle961-help = Determines the intersection of two edges of a part or pocket and the rotation of the reference edge, and sets the workpiece zero to the corner.
+cycle961-help = Determines the intersection of two edges of a part or pocket and the rotation of the reference edge. If requested, it sets the workpiece zero to the corner.
 cycle961-words = measure workpiece corner vertex edge edges set up setup zero point origin rectangle vice angle rotation rotate align inside outside internal external three points four points zero offset ZO frame G54 probe probing pick finder datum work a
 
 cycle961-inside-rectangle = Inside corner of a rectangle, three points

@@ -18,15 +18,15 @@ advice-edge-open = 最后一个 T 之后没有编程 D：补偿是否有效由�
 advice-edge-hint = 请在换刀之后编程当前刀具的 D 号。
 advice-tool = 当前刀具 T{ $tool } 不是工件测头（类型 { $type }）。
 advice-tool-hint = 请在调用前换上测头，或改正刀具表中的类型（710，车床为 580）。
-advice-tool-digit = T{ $tool } 的类型为 { $type }：调用条件只允许 710 和以 0 结尾的类型，手册另一处允许 100 到 199。
-advice-tool-digit-hint = 请把测头的类型设为 710；控制系统可能拒绝现在的类型。
+advice-tool-digit = T{ $tool } 的类型为 { $type }：调用条件只允许 1x0 和 710，手册另一处允许 100 到 199。
+advice-tool-digit-hint = 请换上测头，或把其类型设为 710；控制系统可能拒绝现在的类型。
 advice-tool-assignment = T{ $tool } 的类型为 { $type }，即车床测头：仅当 SD 42950 = 2 时，此循环才允许使用。
 advice-tool-assignment-hint = 请在车床上设 SD 42950 = 2；在铣床上把测头的类型设为 710。
 advice-tool-position = T{ $tool }（类型 { $type }）的刀沿位置为 { $position }：车床测头的刀沿位置须为 5 到 8。
 advice-tool-position-hint = 请换上测头，或改正其刀沿位置：5 或 7 垂直于 G17，6 或 8 垂直于 G19。
 advice-tool-plane = T{ $tool } 的刀沿位置为 { $position }，因此不垂直于此循环测量所在的平面。
-advice-tool-plane-hint = 请在 { $plane } 中测量，或换用垂直于此平面的测头：5 和 7 对应 G17，6 和 8 对应 G19。
-advice-length = T{ $tool } 没有沿刀具轴起作用的长度：车床刀具的 L1 沿当前平面的纵坐标，L2 沿横坐标，L3 沿垂直坐标。
+advice-tool-plane-hint = 请在 { $plane } 中测量，或换用垂直于当前平面的测头：5 和 7 对应 G17，6 和 8 对应 G19。
+advice-length = T{ $tool } 没有沿刀具轴起作用的长度：此处 L1 沿当前平面的纵坐标，L2 沿横坐标，L3 沿垂直坐标。
 advice-length-hint = 请在用于此平面的 D 号中把沿刀具轴的长度输入为 L3；若各平面都采用 G18 的长度分配，则不必更改。
 advice-milled-diameter = DIAMON 或 DIAM90 有效，但此循环忽略它：X 的位置从回转中心算起。
 advice-milled-diameter-hint = 请按半径输入位置；调用前编程 DIAMOF，调用后编程 DIAMON 或 DIAM90。
@@ -45,18 +45,19 @@ advice-inherited-meaning = { $name }={ $value } 在第 { $line } 行为 { $cycle
 advice-inherited-hint = 请为此调用写入 { $name }。
 advice-frame = 补偿后的 { $frame } 尚未生效：程序仍按原来的值继续。
 advice-frame-other = 已补偿 { $frame }，但程序在 { $other } 中继续，始终没有激活它。
-advice-frame-basic = 补偿后的基本坐标框架尚未生效：程序仍按原来的值继续。
-advice-frame-hint = 请在调用之后再次编程 { $frame }。
+advice-frame-basic = 补偿后的基本或系统坐标框架尚未生效：程序仍按原来的值继续。
+advice-frame-hint = 请在调用之后用 { $frame } 激活。
 advice-frame-other-hint = 请在调用之后编程 { $frame }。
 advice-overwritten = { $name } 在调用时可能已是另一个值：第 { $line } 行调用的程序也写入它。
 advice-overwritten-hint = 请在该调用之后写入 { $name }。
 arrives = 写在第 { $lines } 行。
-arrives-hint = 在此修改会同时改变该行。
+arrives-lines = 写在第 { $lines } 行。
+arrives-hint = 在此修改会同时改变该处写入的值。
 arrives-shared-hint = 其他调用也使用此值：在此修改只为此调用写入新值。
 arrives-many-hint = 此值写在许多行中：请在那里修改。
 arrives-differing = 随到达此调用的路径而不同：{ $values }。
 arrives-differing-hint = 在此修改会对所有路径有效。请在写入该值的地方修改；括号中为行号。
-advice-level = 调用位于程序级 { $level }；测量循环只能在前五级运行。
+advice-level = 调用位于程序级 { $level }；测量循环只能在前五级调用。
 advice-level-hint = 请把调用移到更接近主程序的程序级。
 
 advice-read-back = 控制系统的测量循环支持功能读回此调用时会作如下改动：{ $changes }。

@@ -1,6 +1,6 @@
 //! The tables of alarms and of texts for the operator: for search, and for a card that explains one.
 
-use crate::catalogue::alarms::{ALARMS, Found, key, raised_by, stops};
+use crate::catalogue::alarms::{ALARMS, key, raised_by, stops};
 use crate::catalogue::operator_messages::{MESSAGES, OperatorMessage, shown_by};
 use crate::catalogue::{alarms, operator_messages};
 use crate::manual::Cited;
@@ -19,7 +19,7 @@ pub struct AlarmInfo {
     /// Who raises it: cycles of the catalogue, then other programs.
     pub cycles: Vec<&'static str>,
     /// Where what raises it is found.
-    pub found: Found,
+    pub found: alarms::Found,
     /// Place in the manual.
     pub source: Cited,
 }
@@ -54,7 +54,7 @@ impl AlarmInfo {
             key: message.key.to_owned(),
             stops: false,
             cycles: shown_by(message),
-            found: Found::Nowhere,
+            found: message.found,
             source: Cited(message.source),
         }
     }

@@ -2,6 +2,7 @@
 //! (`message-new-log`, `.cure`). The text itself is that of the English control.
 
 use super::CYCLES;
+use super::alarms::Found;
 
 /// A text on the screen.
 pub struct OperatorMessage {
@@ -11,6 +12,8 @@ pub struct OperatorMessage {
     pub key: &'static str,
     /// Whether the program waits for NC START.
     pub waits: bool,
+    /// Whether the simulation shows it.
+    pub found: Found,
     /// Who shows it.
     pub sender: Sender,
     /// Place in the manual.
@@ -32,12 +35,15 @@ pub enum Sender {
 pub static MESSAGES: &[OperatorMessage] = &[
     shown("New log file has been created", "message-new-log", Sender::Program("CYCLE106"), "B:11194;A:12504"),
     waiting(shown("Please specify new log name", "message-log-name", Sender::Program("CYCLE106"), "B:11198;A:12510")),
-    waiting(shown(
-        "Please acknowledge measurement result screen with NC start",
-        "message-result-screen",
-        Sender::EveryCycle,
-        "B:12574;A:13773",
-    )),
+    OperatorMessage {
+        found: Found::Run,
+        ..waiting(shown(
+            "Please acknowledge measurement result screen with NC start",
+            "message-result-screen",
+            Sender::EveryCycle,
+            "B:12574;A:13773",
+        ))
+    },
     jog(
         "You have corrected in an inactive WO! / You have applied an offset in a non-active ZO!",
         "message-inactive-offset",
@@ -62,7 +68,7 @@ const fn jog(text: &'static str, key: &'static str, source: &'static str) -> Ope
 }
 
 const fn shown(text: &'static str, key: &'static str, sender: Sender, source: &'static str) -> OperatorMessage {
-    OperatorMessage { text, key, waits: false, sender, source }
+    OperatorMessage { text, key, waits: false, found: Found::Nowhere, sender, source }
 }
 
 const fn waiting(message: OperatorMessage) -> OperatorMessage {

@@ -32,11 +32,13 @@ pub fn probe(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
         let finding = refused(61313, "check-probe-number", names::PRNUM).number("number", number as f64);
         found.push(finding.hint_number("fields", fields));
     }
-    if kind == 1 && !control.spindle_positions {
+    // no spindle turns the probe of a lathe
+    let turned = kind == 1 && inputs.cycle.purpose.machine != MachineSort::Turning;
+    if turned && !control.spindle_positions {
         found.push(refused(61373, "check-mono-spindle", names::PRNUM)); // A:15917
     }
     let offset = inputs.any(names::CORA).unwrap_or(0.0);
-    if kind == 1 && offset != 0.0 && !control.bit("_CBIT[8]") {
+    if turned && offset != 0.0 && !control.bit("_CBIT[8]") {
         found.push(own::CORA_OFF.finding().at(names::CORA));
     }
 }

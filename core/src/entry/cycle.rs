@@ -134,6 +134,8 @@ pub struct Purpose {
     pub machine: MachineSort,
     /// Variants that calibrate the probe.
     pub calibrates: When,
+    /// Variants whose tool probe is described in the active workpiece system (`_TPW`, B:4186-4196).
+    pub in_workpiece: When,
     /// What of it the other control can do too.
     pub tasks: &'static [super::task::Shared],
 }
@@ -162,8 +164,13 @@ impl ProbeUse {
 
 impl Purpose {
     /// Measures workpieces on milling machines.
-    pub const MILLING: Purpose =
-        Purpose { probe: ProbeUse::Workpiece, machine: MachineSort::Milling, calibrates: NEVER, tasks: &[] };
+    pub const MILLING: Purpose = Purpose {
+        probe: ProbeUse::Workpiece,
+        machine: MachineSort::Milling,
+        calibrates: NEVER,
+        in_workpiece: NEVER,
+        tasks: &[],
+    };
     /// Measures workpieces on lathes.
     pub const TURNING: Purpose = Purpose { machine: MachineSort::Turning, ..Purpose::MILLING };
 }

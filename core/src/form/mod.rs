@@ -8,5 +8,6 @@ mod masks;
 mod variant;
 
 pub use draw::draw;
+#[cfg(feature = "json")]
 pub(crate) use fields::fields_by;
 pub use fields::{Choice, Entry, Field, Group, fields};

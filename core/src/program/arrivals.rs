@@ -15,13 +15,15 @@ pub fn arrivals(program: &Program, site: &CallSite) -> Vec<Diagnostic> {
             let values = origins.iter().map(|origin| format!("{} ({})", origin.text, line(origin)));
             own::ARRIVES_DIFFERING.finding().text("values", listed(values, many))
         } else {
-            let lines = origins.iter().map(|origin| line(origin).to_string());
+            let mut lines: Vec<String> = origins.iter().map(|origin| line(origin).to_string()).collect();
+            lines.dedup();
             let sentence = match origins.iter().all(|origin| origin.own) {
                 _ if many => own::ARRIVES_MANY,
+                true if lines.len() > 1 => own::ARRIVES_LINES,
                 true => own::ARRIVES,
                 false => own::ARRIVES_SHARED,
             };
-            sentence.finding().text("lines", listed(lines, many))
+            sentence.finding().text("lines", listed(lines.into_iter(), many))
         };
         notes.push(finding.at(*name));
     }

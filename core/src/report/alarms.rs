@@ -5,6 +5,7 @@ use crate::catalogue::alarms::{ALARMS, Alarm, Found, Waits, stops};
 use crate::catalogue::operator_messages::{MESSAGES, OperatorMessage, Sender};
 use crate::catalogue::{CYCLES, alarms, operator_messages};
 use crate::diagnostic::Code;
+use crate::entry::{Cycle, ProbeUse};
 use crate::manual::Cited;
 use crate::message::Message;
 use crate::report::markdown::line;
@@ -46,27 +47,41 @@ pub fn named(name: &str, words: &Words) -> Option<Told> {
 fn told_alarm(alarm: &Alarm, words: &Words) -> Told {
     let mut measuring = CYCLES.iter().filter(|cycle| cycle.is_measuring_cycle());
     let by_every_cycle = measuring.all(|cycle| cycle.alarms().contains(&alarm.code));
-    told(AlarmInfo::of(alarm), effect_key(alarm), by_every_cycle, words)
+    told(AlarmInfo::of(alarm), effect(alarm, words), by_every_cycle, words)
 }
 
 fn told_message(message: &OperatorMessage, words: &Words) -> Told {
     let effect = if message.waits { "effect-start" } else { "effect-shown" };
-    told(AlarmInfo::of_message(message), effect, message.sender == Sender::EveryCycle, words)
+    told(AlarmInfo::of_message(message), words.key(effect), message.sender == Sender::EveryCycle, words)
 }
 
 /// What every measuring cycle raises does not name each of them.
-fn told(info: AlarmInfo, effect: &'static str, by_every_cycle: bool, words: &Words) -> Told {
+fn told(info: AlarmInfo, effect: String, by_every_cycle: bool, words: &Words) -> Told {
     let AlarmInfo { code, key, cycles, found, source, .. } = info;
     Told {
         code,
         cause: words.find(&Message::new(format!("{key}.cause"))),
         cure: words.key(format!("{key}.cure")),
         meaning: words.key(key),
-        effect: words.key(effect),
+        effect,
         sources: if by_every_cycle { words.key("alarms-every-cycle") } else { cycles.join(", ") },
         found: words.key(found_key(found)),
         source,
     }
+}
+
+/// What the control does. Cycles that only compute hand the number back, and nothing stops (B:2448).
+fn effect(alarm: &Alarm, words: &Words) -> String {
+    let (computing, others): (Vec<&&Cycle>, Vec<&&Cycle>) = CYCLES
+        .iter()
+        .filter(|cycle| cycle.alarms().contains(&alarm.code))
+        .partition(|cycle| cycle.purpose.probe == ProbeUse::None);
+    let names: Vec<&str> = computing.iter().map(|cycle| cycle.name).collect();
+    let returned = Message::new("effect-returned").text("cycles", names.join(", "));
+    let raised = !others.is_empty() || names.is_empty() || !alarm.programs.is_empty();
+    let raised = raised.then(|| words.key(effect_key(alarm)));
+    let returned = (!names.is_empty()).then(|| words.text(&returned));
+    [raised, returned].into_iter().flatten().collect::<Vec<_>>().join(" ")
 }
 
 /// Key of what the control does.

@@ -42,7 +42,12 @@ pub static CYCLE971: Cycle = Cycle {
     key: "cycle971",
     variants: VARIANTS,
     params: params::PARAMS,
-    purpose: Purpose { probe: ProbeUse::Tool, calibrates: params::CALIBRATE, ..Purpose::MILLING },
+    purpose: Purpose {
+        probe: ProbeUse::Tool,
+        calibrates: params::CALIBRATE,
+        in_workpiece: tool_probe::params::WORKPIECE,
+        ..Purpose::MILLING
+    },
     lists: &[older::CYCLE971_CALIBRATION, older::CYCLE971, newer::CYCLE971],
     settings: &[
         "_TP", "_TPW", "_CVAL[0]", "_CVAL[3]", "_TP_CF", "_MT_COMP", "_MT_EC_R", "_MT_EC_L", "_CM", "_MFS", "_SPEED",

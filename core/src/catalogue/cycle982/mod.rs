@@ -37,7 +37,12 @@ pub static CYCLE982: Cycle = Cycle {
     key: "cycle982",
     variants: variants::VARIANTS,
     params: params::PARAMS,
-    purpose: Purpose { probe: ProbeUse::Tool, calibrates: params::CALIBRATE, ..Purpose::TURNING },
+    purpose: Purpose {
+        probe: ProbeUse::Tool,
+        calibrates: params::CALIBRATE,
+        in_workpiece: tool_probe::params::WORKPIECE,
+        ..Purpose::TURNING
+    },
     // The call for calibrating tool probes knows CYCLE971 and CYCLE972 only (B:11768, although B:11708 names CYCLE982
     // beside it), and the list of newer controls is not known to us.
     lists: &[newer::CYCLE982],

@@ -4,7 +4,7 @@ use super::{Seen, inherited, unsaid, with_line};
 use crate::check::{error, warning};
 use crate::control::{Control, MachineSort, TOOL_LENGTH_TYPE, delivery_in, probe::Unfit, tools::TURNING};
 use crate::diagnostic::{Code, Diagnostic, Severity};
-use crate::entry::{ProbeUse, names};
+use crate::entry::{Inputs, ProbeUse, names};
 use crate::message::Message;
 use crate::program::tools::ToolInUse;
 use crate::syntax::{Program, Word, WordKind};
@@ -19,7 +19,7 @@ pub struct Asked {
     /// Warnings about what the text does not say.
     said: BTreeSet<Code>,
     /// Probes that a call of this program calibrated, or that were asked about.
-    calibrated: BTreeSet<(bool, i64)>,
+    calibrated: BTreeSet<(&'static str, i64)>,
 }
 
 impl Asked {
@@ -144,12 +144,22 @@ fn known_machine(control: &Control) -> bool {
     (1..=control.number("_CVAL[1]").clamp(0.0, 99.0) as i64).any(|number| on_machine(control, number))
 }
 
+/// The array and the number of the data in which the probe of a call is calibrated.
+fn probe_data(inputs: &Inputs) -> Option<(&'static str, i64)> {
+    let purpose = &inputs.cycle.purpose;
+    let array = match (purpose.probe, purpose.in_workpiece.holds(inputs)) {
+        (ProbeUse::Tool, true) => "_TPW",
+        (ProbeUse::Tool, false) => "_TP",
+        _ => "_WP",
+    };
+    Some((array, inputs.given(names::PRNUM)? as i64 % 100))
+}
+
 /// Whether the program calibrates this probe anywhere.
-fn calibrates(seen: &Seen, (tool, number): (bool, i64)) -> bool {
-    seen.sites.iter().filter(|site| (site.cycle.purpose.probe == ProbeUse::Tool) == tool).any(|site| {
+fn calibrates(seen: &Seen, probe: (&'static str, i64)) -> bool {
+    seen.sites.iter().any(|site| {
         let inputs = check::read(site.cycle, &site.values, seen.control, &mut Vec::new());
-        let own = inputs.given(names::PRNUM).map(|digits| digits as i64 % 100);
-        own == Some(number) && site.cycle.purpose.calibrates.holds(&inputs)
+        probe_data(&inputs) == Some(probe) && site.cycle.purpose.calibrates.holds(&inputs)
     })
 }
 
@@ -164,17 +174,16 @@ fn calibration(seen: &Seen, asked: &mut Asked) -> Option<Diagnostic> {
     if seen.site.diagnostics.iter().any(instead) {
         return None; // the call does not measure like this; the next one is asked
     }
-    let number = seen.inputs.given(names::PRNUM)? as i64 % 100;
-    let probe = (purpose.probe == ProbeUse::Tool, number);
+    let probe @ (array, number) = probe_data(&seen.inputs)?;
     if !asked.calibrated.insert(probe) || purpose.calibrates.holds(&seen.inputs) {
         return None;
     }
     let machine = seen.control;
-    let missing = !probe.0 && known_machine(machine) && !on_machine(machine, number);
-    if !missing && (!calibrates(seen, probe) || !probe.0 && on_machine(machine, number)) {
+    let workpiece = purpose.probe != ProbeUse::Tool;
+    let missing = workpiece && known_machine(machine) && !on_machine(machine, number);
+    if !missing && (!calibrates(seen, probe) || workpiece && on_machine(machine, number)) {
         return None;
     }
-    let array = if probe.0 { "_TP" } else { "_WP" };
     let finding = own::ADVICE_CALIBRATION.finding().number("number", number as f64);
     Some(finding.text("data", format!("{array}[{},x]", number - 1)))
 }
