@@ -89,5 +89,5 @@ check-corner-parallel = Die Geraden durch P1 und P2 und durch P3 und P4 schneide
 check-corner-parallel-hint = P1 und P2 auf eine Kante legen, P3 und P4 auf die andere.
 check-corner-between = Die Ecke liegt zwischen zwei Punkten einer Kante.
 check-corner-between-hint = Beide Punkte jeder Kante auf derselben Seite der Ecke wählen.
-check-corner-turned = P2 hat eine kleinere Abszisse als P1: Das neue Koordinatensystem ist um weitere 180° gedreht.
+check-corner-turned = P2 hat eine kleinere Abszisse als P1: Gemessener Winkel und korrigierte NV sind um weitere 180° gedreht.
 check-corner-turned-hint = P1 und P2 tauschen, falls das nicht gewollt ist.

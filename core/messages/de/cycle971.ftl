@@ -1,7 +1,7 @@
 # CYCLE971: Titel, Suchwörter, Messvarianten, Texte der eigenen Parameter, Prüfungen und Ergebnisse.
 
 cycle971-title = Fräsen: Werkzeugmesstaster kalibrieren, Werkzeuge messen
-cycle971-help = Misst Länge L1 oder Radius des Fräswerkzeugs oder Bohrers in der Spindel an einem Werkzeugmesstaster oder kalibriert diesen Messtaster mit einem Werkzeug, dessen Maße bekannt sind.
+cycle971-help = Misst an einem Werkzeugmesstaster Länge L1 des Fräswerkzeugs oder Bohrers in der Spindel oder den Radius des Fräswerkzeugs; oder kalibriert ihn mit einem Werkzeug bekannter Maße.
 cycle971-words = Werkzeug messen vermessen Werkzeugvermessung Werkzeugmessung Werkzeugvoreinstellung Voreinstellgerät Werkzeugmesstaster Werkzeugtaster Messtaster Taster Messdose Tischtaster Laser Würfel Scheibe Teller antasten kalibrieren abgleichen eichen einmessen Länge L1 Radius Durchmesser Fräser Schaftfräser Planfräser Messerkopf Bohrer Verschleiß Geometrie Bruch Werkzeugbruch Spindel drehend stehend Schneide Triggerpunkt Werkzeugkorrektur Werkzeuglänge Werkzeugradius Bruchkontrolle Bruchüberwachung T-Taster
 cycle971-each-words = messen vermessen Werkzeug Werkzeugvermessung Messtaster Taster
 
@@ -26,18 +26,18 @@ ma-length = Länge, in der Messtastermitte
 ma-length-abscissa = Länge, breites Werkzeug in der Abszisse versetzt (G17: X)
 ma-length-ordinate = Länge, breites Werkzeug in der Ordinate versetzt (G17: Y)
 param-ma-measure-tool = Länge oder Radius
-param-ma-measure-tool-help = Zu messendes Maß und Richtung der Messung. Ein Werkzeug, das breiter als der Messtaster ist, wird um seinen Radius minus _ID versetzt, damit die Schneide über der Messtastermitte steht.
+param-ma-measure-tool-help = Zu messendes Maß und Messrichtung. Bei der Länge wird ein Fräswerkzeug, das breiter als der Messtaster ist, um Radius minus _ID versetzt: Die Schneide steht über der Messtastermitte.
 param-id-calibrate = Versatz eines breiten Kalibrierwerkzeugs
 param-id-calibrate-help = Ein Werkzeug, das breiter als der Messtaster ist, wird um den Werkzeugradius minus diesen Wert aus der Messtastermitte versetzt. Meist 0.
 param-id-length = Radius bis tiefster Punkt der Schneide
-param-id-length-help = Abstand des tiefsten Schneidenpunkts vom Radius nach innen. Das Werkzeug wird um seinen Radius minus diesen Wert versetzt. 0, wenn die Schneide außen am tiefsten ist.
+param-id-length-help = Abstand des tiefsten Schneidenpunkts vom Radius nach innen; ein Fräswerkzeug, das breiter als der Messtaster ist, wird um Radius minus diesen Wert versetzt. 0: außen am tiefsten.
 param-id-radius = Unterkante bis größter Durchmesser
 param-id-radius-help = Abstand der Werkzeugunterkante vom größten Durchmesser; um diesen Wert fährt das Werkzeug tiefer. 0, wenn der größte Durchmesser an der Unterkante liegt.
 param-fa-incremental = Messweg mit Richtung
 param-fa-incremental-help = Abstand von der aktuellen Position zur anzutastenden Seite; plus misst in Plus-Richtung, minus in Minus-Richtung. Verfahrweg höchstens das Doppelte. Immer in mm.
 
 need-axis-tool-probe = Der Zyklus braucht die Messachse.
-need-offset-edge = Der Zyklus positioniert damit das Werkzeug; ohne Angabe gilt der Wert eines früheren Aufrufs. Für eine gerade Schneide 0 eingeben.
+need-offset-edge = Der Zyklus positioniert damit Fräswerkzeuge; ohne Angabe gilt der Wert eines früheren Aufrufs. Gerade Schneide/Bohrer: 0 eingeben.
 need-offset-wide = Gilt für ein Werkzeug, das breiter als der Messtaster ist.
 need-signed-path = Das Vorzeichen bestimmt die Messrichtung.
 
@@ -46,13 +46,13 @@ result-difference-radius = Differenz Radius
 
 check-path-zero = Der Messweg ist 0: Das Werkzeug würde sich nicht auf den Messtaster zubewegen.
 check-path-zero-hint = _FA größer als 0 eingeben; die Startposition bestimmt die Richtung.
-check-path-sign = Der Messweg ist negativ, hat in dieser Variante aber kein Vorzeichen.
-check-path-sign-hint = _FA ohne Vorzeichen eingeben; die Startposition bestimmt die Richtung. Ein Vorzeichen gilt nur beim inkrementellen Kalibrieren.
+check-path-sign = Der Messweg ist negativ, was hier unzulässig ist.
+check-path-sign-hint = _FA ohne Vorzeichen eingeben; ein Vorzeichen, für die Richtung, gilt nur beim inkrementellen Kalibrieren.
 check-path-direction-hint = In _FA den Abstand zum Messtaster eingeben, für die Minus-Richtung mit Minuszeichen.
 check-tool-probe-type = { $name } enthält keinen zulässigen Werkzeugmesstastertyp.
 check-tool-probe-plane = Die Scheibe in { $name } ist in dieser Ebene nicht antastbar.
 check-tool-probe-type-hint = 0 ist ein Würfel; 101 eine Scheibe in XY für G17, 201 in ZX für G18, 301 in YZ für G19.
-check-tool-probe-depth = { $name } ist 0: Neben dem Messtaster käme das Werkzeug nicht tiefer als die Messtasteroberkante.
+check-tool-probe-depth = { $name } ist 0: Das Werkzeug würde nicht tiefer als an der Messtasteroberkante antasten.
 check-tool-probe-depth-hint = Abstand von der Messtasteroberkante zur Werkzeugunterkante eintragen.
 check-directions-code = { $name } = { $code } ist kein zulässiger Richtungscode.
 check-directions-applicate = { $name } = { $code } gibt die Minus-Richtung der Werkzeugachse nicht frei.
@@ -77,12 +77,12 @@ check-cm-zero = { $name } ist nicht größer als 0: Drehzahl und Vorschub der Me
 check-cm-zero-hint = Grenzwerte eintragen: _CM[0] Umfangsgeschwindigkeit, [1] Drehzahl, [3] Messgenauigkeit, [4] maximaler Antastvorschub.
 check-cm-factor = { $name } ist weder 0 noch mindestens 1.
 check-cm-factor-hint = Bei 0 entfällt diese Antastung; sonst wird der Vorschub mit dem Faktor multipliziert.
-check-cm-order = { $name } ist nicht kleiner als _CM[6], aber jede Antastung muss langsamer sein als die vorige.
+check-cm-order = { $name } ist nicht kleiner als _CM[6], aber jede Antastung soll langsamer sein als die vorige.
 check-cm-order-hint = Vorschubfaktor 2 verkleinern oder für zwei Antastungen auf 0 setzen.
 check-compensation-make = Keine Messergebniskorrektur: Für _MT_COMP=1 fehlt der Messtasterhersteller in { $name }.
 check-compensation-make-hint = _TP_CF auf 1 (TT130) oder 2 (TS27R) setzen oder eine eigene Korrekturtabelle mit _MT_COMP=2 verwenden.
 check-compensation-inside = Die Steuerung subtrahiert Werte einer internen, nicht dokumentierten Herstellertabelle; die Simulation subtrahiert nichts.
-check-compensation-inside-hint = Mit _MT_COMP=2 gilt Ihre eigene Korrekturtabelle in { $name }, an der Steuerung und in der Simulation.
+check-compensation-inside-hint = Mit _MT_COMP=2 gilt Ihre eigene Tabelle, auch in der Simulation: _MT_EC_R beim Radius, _MT_EC_L bei der Länge.
 check-compensation-table = Radien oder Umfangsgeschwindigkeiten in { $name } sind nicht aufsteigend: Die Korrektur kann falsch sein.
 check-compensation-table-hint = Radien in [0,1] bis [0,4] und Geschwindigkeiten in [1,0] bis [5,0] aufsteigend eintragen oder _MT_COMP=0 setzen.
 

@@ -14,9 +14,9 @@ param-setval-two-diameter-help = Aus der Zeichnung. Mit DIAMON der Durchmesser, 
 param-setval-two-radius = Sollabstand vom Nullpunkt
 param-setval-two-radius-help = Abstand beider Punkte vom Werkstücknullpunkt, einer in Plus- und einer in Minus-Richtung.
 param-sza-turned = Schutzzone in der Abszisse
-param-sza-turned-help = Grenze der Schutzzone in der 1. Achse der Ebene (G18: Z), ab Werkstücknullpunkt; auf ihr fährt die Kugelmitte um die Zone: Kugelradius addieren.
+param-sza-turned-help = Grenze der Schutzzone in der 1. Achse der Ebene (G18: Z), ab Werkstücknullpunkt; auf ihr fährt die Kugelmitte: Kugelradius addieren, zum Durchmesser (X, DIAMON) Kugeldurchmesser.
 param-szo-turned = Schutzzone in der Ordinate
-param-szo-turned-help = Grenze der Schutzzone in der 2. Achse (G18: X); auf ihr fährt die Kugelmitte um die Zone: Radius plus Kugelradius, mit DIAMON Durchmesser plus Kugeldurchmesser.
+param-szo-turned-help = Grenze der Schutzzone in der 2. Achse (G18: X); auf ihr fährt die Kugelmitte um die Zone: Radius plus Kugelradius, in X mit DIAMON Durchmesser plus Kugeldurchmesser.
 param-szo-turned-applicate = Schutzzone in der Applikate
 param-szo-turned-applicate-help = Grenze der Schutzzone in der 3. Achse (G18: Y); auf ihr fährt die Kugelmitte um die Zone: Radius plus Kugelradius, mit _CHBIT[19]=1 wie X.
 

@@ -78,7 +78,7 @@ param-sphere3-applicate-help = In der Werkzeugachse (G17: Z), im WKS. Auf dieser
 param-tnvl = Grenzwert der Verzerrung
 param-tnvl-help = Grenzwert für die Summe der Abweichungen der drei Mittelpunkte vom Solldreieck. Nur darunter korrigiert der Zyklus die Nullpunktverschiebung; sonst hält Alarm 61414 das Programm an.
 param-fa-sphere = Messweg
-param-fa-sphere-help = Abstand vom Start eines Messsatzes zur Sollposition und ebenso weit darüber hinaus: So weit darf jede Kugel abweichen. Zugleich Höhe über der Kugel beim Überfahren. Immer in mm.
+param-fa-sphere-help = Abstand vom Start eines Messsatzes zur Sollposition und ebenso weit darüber hinaus. Zugleich Höhe über der Kugel beim Überfahren. Immer in mm.
 param-tsa-sphere = Vertrauensbereich der Kugeln
 param-tsa-sphere-help = Eine größere Differenz im Durchmesser oder in einer Achse des Mittelpunkts hält das Programm mit Alarm 61303 an.
 
@@ -92,7 +92,7 @@ check-spheres-overlap = Die Sollmittelpunkte der Kugeln { $one } und { $other } 
 check-spheres-overlap-hint = Sollmittelpunkte korrigieren: Ihr Abstand muss größer als { $size } mm sein.
 check-spheres-line = Die drei Sollmittelpunkte liegen auf einer Geraden: Die Drehung des Werkstücks um diese Gerade ist nicht bestimmbar.
 check-spheres-line-hint = Sollmittelpunkte korrigieren oder Kugeln wählen, die ein Dreieck bilden.
-check-spheres-close = Neben Kugel { $one } würde ein Messsatz innerhalb von Kugel { $other } beginnen.
+check-spheres-close = Neben Kugel { $one } würde ein Messsatz dort beginnen, wo die Messtasterkugel auf Kugel { $other } trifft.
 check-spheres-close-hint = _FA verkleinern oder unter Winkel messen, mit Punkten, zwischen denen die andere Kugel nicht liegt.
 
 result-sphere1-set-diameter = Kugel 1: Solldurchmesser

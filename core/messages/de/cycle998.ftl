@@ -46,7 +46,7 @@ param-sta1-about-abscissa-help = Neigung von P1 zu P3; positiv, wenn die Fläche
 param-inca-about-ordinate = Sollwinkel um die Ordinate
 param-inca-about-ordinate-help = Neigung von P1 zu P2; positiv, wenn die Fläche fällt. Beim Positionieren unter den Sollwinkeln auch Verfahrrichtung.
 param-ra = Rundachse
-param-ra-help = 0 dreht das Koordinatensystem um die nicht in _MA genannte Achse. Sonst Kanalachsnummer der Rundachse: Der Winkel wird zu ihrer NV addiert; Drehen der Achse richtet das Werkstück aus.
+param-ra-help = 0 dreht das Koordinatensystem um die nicht in _MA genannte Achse. Sonst Kanalachsnummer der Rundachse: Die Differenz wird zu ihrer NV addiert; Drehen richtet das Werkstück aus.
 param-tsa-angle = Vertrauensbereich des Winkels
 param-tsa-angle-help = In Grad. Eine größere Differenz des Winkels hält das Programm mit Alarm 61303 an. Beim Positionieren unter dem Sollwinkel entfernt sich der Messtaster um diesen Winkel von der Fläche.
 
@@ -62,7 +62,7 @@ check-angle-steep-hint = _TSA kleiner als { $limit }° wählen. Hier ist _TSA ei
 check-angle-reach = Durch _TSA liegt die Sollfläche am nächsten Punkt { $away } mm vor dem Messtaster: weiter als der ganze Messweg, { $path } mm.
 check-angle-reach-hint = _FA auf mindestens { $needed } mm setzen oder _TSA verkleinern.
 check-angle-reach-worst = Bei { $area }° Abweichung, dem ganzen Vertrauensbereich, liegt der nächste Punkt außerhalb des Messwegs: Alarm 61301 statt 61303.
-check-angle-paraxial = Von Punkt zu Punkt steigt die Sollfläche um { $rise } mm: mehr als der ganze Messweg, { $path } mm.
+check-angle-paraxial = Von Punkt zu Punkt liegt die Sollfläche um { $rise } mm versetzt: mehr als der ganze Messweg, { $path } mm.
 check-angle-paraxial-hint = _FA größer als { $needed } mm oder eine Messvariante mit Positionieren unter dem Sollwinkel wählen.
 check-rotary-axis = Die Kanalachse { $axis } hat keinen Namen oder ist keine Rundachse.
 check-rotary-across = Diese Rundachse dreht nicht um die Achse, um die der Winkel gemessen wird: Sie kann ihn nicht ausgleichen.

@@ -1,7 +1,7 @@
 # CYCLE971: titles, search words, variants, words of its own parameters, checks and results.
 
 cycle971-title = Milling: calibrate tool probe, measure tools
-cycle971-help = Measures length L1 or radius of the milling tool or drill in the spindle at a tool probe, or calibrates this probe with a tool of known size.
+cycle971-help = Measures length L1 of the milling tool or drill in the spindle, or the radius of a milling tool, at a tool probe; or calibrates this probe with a tool of known size.
 cycle971-words = measure tool setter tool setting preset tool probe touch probe laser cube disc disk calibrate calibration length L1 radius diameter cutter end mill face mill drill wear geometry breakage spindle rotating stationary standing edge trigger point
 cycle971-each-words = measure tool probe
 
@@ -26,18 +26,18 @@ ma-length = Length, at the centre of the probe
 ma-length-abscissa = Length, wide tool offset in the abscissa (G17: X)
 ma-length-ordinate = Length, wide tool offset in the ordinate (G17: Y)
 param-ma-measure-tool = Length or radius
-param-ma-measure-tool-help = Measured size and direction. A tool wider than the probe is offset by its radius minus _ID, so that its cutting edge is above the centre of the probe.
+param-ma-measure-tool-help = Measured size and direction. For the length, a milling tool wider than the probe is offset by its radius minus _ID: its cutting edge is above the centre of the probe.
 param-id-calibrate = Offset of wide calibration tool
 param-id-calibrate-help = A tool wider than the probe is offset from its centre by the tool radius minus this value. Usually 0.
 param-id-length = Radius to deepest cutting point
-param-id-length-help = Distance from the radius inwards to the deepest point of the cutting edge; the tool is offset by its radius minus this value. 0 if the edge is deepest at its radius.
+param-id-length-help = From the radius inwards to the deepest point of the cutting edge; a milling tool wider than the probe is offset by radius minus this value. 0 if the edge is deepest at its radius.
 param-id-radius = Tool end to largest diameter
 param-id-radius-help = Distance from the tool end up to its largest diameter; the tool moves down further by this value. 0 if the tool is widest at its end.
 param-fa-incremental = Measuring path with direction
 param-fa-incremental-help = Distance from the current position to the side to be touched; plus measures in plus direction, minus in minus direction. The tool travels at most twice this path. Always in mm.
 
 need-axis-tool-probe = The cycle requires the measuring axis.
-need-offset-edge = The cycle positions the tool with it; if omitted, the value of an earlier call applies. Enter 0 for a plain cutting edge.
+need-offset-edge = A milling tool is positioned with it; if omitted, the value of an earlier call applies. Plain edge or drill: enter 0.
 need-offset-wide = Applies to a tool wider than the probe.
 need-signed-path = The sign determines the measuring direction.
 
@@ -46,13 +46,13 @@ result-difference-radius = Radius difference
 
 check-path-zero = The measuring path is 0: the tool would not move towards the probe.
 check-path-zero-hint = Enter _FA above 0; the start position gives the direction.
-check-path-sign = The measuring path is negative, but in this variant it has no sign.
-check-path-sign-hint = Enter _FA without a sign; the start position gives the direction. Only incremental calibration uses a sign.
+check-path-sign = The measuring path is negative, which this variant does not permit.
+check-path-sign-hint = Enter _FA without a sign; only incremental calibration uses a sign, for the direction.
 check-path-direction-hint = Enter in _FA the distance to the probe, with minus for the minus direction.
 check-tool-probe-type = { $name } is not a permitted type of tool probe.
 check-tool-probe-plane = The disc in { $name } cannot be touched in this plane.
 check-tool-probe-type-hint = 0 is a cube; 101 is a disc in XY for G17, 201 in ZX for G18, 301 in YZ for G19.
-check-tool-probe-depth = { $name } is 0: beside the probe, the tool would not reach below its upper edge.
+check-tool-probe-depth = { $name } is 0: the tool would touch no lower than the upper edge of the probe.
 check-tool-probe-depth-hint = Enter the distance from the upper edge of the probe to the lower edge of the tool.
 check-directions-code = { $name } = { $code } is not a permitted direction code.
 check-directions-applicate = { $name } = { $code } does not permit touching in minus direction of the tool axis.
@@ -77,12 +77,12 @@ check-cm-zero = { $name } is 0 or less: the cycle cannot calculate speed and fee
 check-cm-zero-hint = Set the limits: _CM[0] peripheral speed, [1] spindle speed, [3] accuracy, [4] maximum feed.
 check-cm-factor = { $name } is neither 0 nor at least 1.
 check-cm-factor-hint = 0 omits this touch; otherwise the feed is multiplied by the factor.
-check-cm-order = { $name } is not smaller than _CM[6], but each touch must be slower than the one before.
+check-cm-order = { $name } is not smaller than _CM[6], but each touch should be slower than the one before.
 check-cm-order-hint = Reduce feed factor 2, or set it to 0 for two touches.
 check-compensation-make = No compensation is applied: _MT_COMP=1 needs the probe make in { $name }.
 check-compensation-make-hint = Set _TP_CF to 1 (TT130) or 2 (TS27R), or use your own table with _MT_COMP=2.
-check-compensation-inside = The control subtracts an internal, undocumented table of this probe make; the prediction subtracts nothing.
-check-compensation-inside-hint = With _MT_COMP=2 your own table in { $name } applies, on the control and in the simulation.
+check-compensation-inside = The control subtracts an internal, undocumented table of this probe make; the simulation subtracts nothing.
+check-compensation-inside-hint = With _MT_COMP=2 your own table applies, in the simulation too: _MT_EC_R for a radius, _MT_EC_L for a length.
 check-compensation-table = Radii or peripheral speeds in { $name } are not in ascending order: the compensation may be wrong.
 check-compensation-table-hint = Enter the radii in [0,1] to [0,4] and the speeds in [1,0] to [5,0] in ascending order, or set _MT_COMP=0.
 

@@ -1,7 +1,7 @@
 # CYCLE982: titles, search words, variants, words of its own parameters, checks.
 
 cycle982-title = Turning: tool probe, turning and milling tools
-cycle982-help = Measures L1, L2 of turning tools, milling tools, drills, and R of milling tools at a tool probe parallel to the axes, or calibrates a side with a tool of cutting edge position 3.
+cycle982-help = Measures L1, L2 of turning tools, milling tools, drills, and R of milling tools at a paraxial tool probe, or calibrates a side with a known tool of cutting edge position 3.
 cycle982-words = measure tool setter tool setting preset lathe turning mill-turn driven tool live tool tool probe cube calibrate calibration length L1 L2 radius diameter insert nose tip cutting edge position drill end mill groove mill T-slot reversal incremental automatic wear geometry trigger point
 cycle982-each-words = lathe measure tool
 
@@ -33,26 +33,26 @@ cycle982-measure-radius-radial-workpiece = Measure: radius of a milling tool in 
 cycle982-measure-radius-radial-reversal-workpiece = Measure: radius of a milling tool in radial position, with reversal (WCS)
 cycle982-measure-both-radial-workpiece = Measure: length and radius of a milling tool in radial position (WCS)
 cycle982-measure-both-radial-reversal-workpiece = Measure: length and radius of a milling tool in radial position, with reversal (WCS)
-cycle982-automatic = Measure automatically: both lengths, radius; turning tool, milling tool or drill in axial position
-cycle982-automatic-reversal = Measure automatically: both lengths, radius; milling tool or drill in axial position, with reversal
+cycle982-automatic = Measure automatically: all values; turning tool, milling tool or drill in axial position
+cycle982-automatic-reversal = Measure automatically: all values; milling tool or drill in axial position, with reversal
 cycle982-automatic-upper = Measure automatically: upper cutting edge; milling tool in axial position
 cycle982-automatic-upper-reversal = Measure automatically: upper cutting edge; milling tool in axial position, with reversal
 cycle982-automatic-opposite = Measure automatically: upper cutting edge, length against the approach; milling tool in axial position
 cycle982-automatic-opposite-reversal = Measure automatically: upper cutting edge, length against the approach; milling tool in axial position, with reversal
-cycle982-automatic-radial = Measure automatically: both lengths, radius; milling tool or drill in radial position
-cycle982-automatic-radial-reversal = Measure automatically: both lengths, radius; milling tool or drill in radial position, with reversal
+cycle982-automatic-radial = Measure automatically: all values; milling tool or drill in radial position
+cycle982-automatic-radial-reversal = Measure automatically: all values; milling tool or drill in radial position, with reversal
 cycle982-automatic-upper-radial = Measure automatically: upper cutting edge; milling tool in radial position
 cycle982-automatic-upper-radial-reversal = Measure automatically: upper cutting edge; milling tool in radial position, with reversal
 cycle982-automatic-opposite-radial = Measure automatically: upper cutting edge, length against the approach; milling tool in radial position
 cycle982-automatic-opposite-radial-reversal = Measure automatically: upper cutting edge, length against the approach; milling tool in radial position, with reversal
-cycle982-automatic-workpiece = Measure automatically: both lengths, radius; turning tool, milling tool or drill in axial position (WCS)
-cycle982-automatic-reversal-workpiece = Measure automatically: both lengths, radius; milling tool or drill in axial position, with reversal (WCS)
+cycle982-automatic-workpiece = Measure automatically: all values; turning tool, milling tool or drill in axial position (WCS)
+cycle982-automatic-reversal-workpiece = Measure automatically: all values; milling tool or drill in axial position, with reversal (WCS)
 cycle982-automatic-upper-workpiece = Measure automatically: upper cutting edge; milling tool in axial position (WCS)
 cycle982-automatic-upper-reversal-workpiece = Measure automatically: upper cutting edge; milling tool in axial position, with reversal (WCS)
 cycle982-automatic-opposite-workpiece = Measure automatically: upper cutting edge, length against the approach; milling tool in axial position (WCS)
 cycle982-automatic-opposite-reversal-workpiece = Measure automatically: upper cutting edge, length against the approach; milling tool in axial position, with reversal (WCS)
-cycle982-automatic-radial-workpiece = Measure automatically: both lengths, radius; milling tool or drill in radial position (WCS)
-cycle982-automatic-radial-reversal-workpiece = Measure automatically: both lengths, radius; milling tool or drill in radial position, with reversal (WCS)
+cycle982-automatic-radial-workpiece = Measure automatically: all values; milling tool or drill in radial position (WCS)
+cycle982-automatic-radial-reversal-workpiece = Measure automatically: all values; milling tool or drill in radial position, with reversal (WCS)
 cycle982-automatic-upper-radial-workpiece = Measure automatically: upper cutting edge; milling tool in radial position (WCS)
 cycle982-automatic-upper-radial-reversal-workpiece = Measure automatically: upper cutting edge; milling tool in radial position, with reversal (WCS)
 cycle982-automatic-opposite-radial-workpiece = Measure automatically: upper cutting edge, length against the approach; milling tool in radial position (WCS)
@@ -115,7 +115,7 @@ param-fa-present-position-help = The tool is in front of the probe; it must touc
 need-axis-ignored = Ignored: the length of this drill applies along the applicate (SD 42950 = 0).
 need-direction-incremental = In incremental variants, the start position does not determine the measuring direction.
 need-start-angle-spindle = The stationary milling spindle is positioned to it; if omitted, the value of an earlier call applies.
-need-start-angle-milling = Applies to milling tools.
+need-start-angle-milling = Applies to a milling tool or drill in a spindle.
 need-second-edge = Applies to the second touch of a measurement with reversal.
 
 check-tool-reference = _CBIT[5]=1: the values of _TP refer to the active WCS, although the 2nd digit of _MVAR says machine-related.

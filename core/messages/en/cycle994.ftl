@@ -14,9 +14,9 @@ param-setval-two-diameter-help = From the drawing. With DIAMON it is the diamete
 param-setval-two-radius = Setpoint distance from zero
 param-setval-two-radius-help = Distance of both points from the workpiece zero, one in plus and one in minus direction.
 param-sza-turned = Protection zone in the abscissa
-param-sza-turned-help = Border of the zone in the 1st axis of the plane (G18: Z), from the workpiece zero. The centre of the ball moves along it: add the ball radius.
+param-sza-turned-help = Border of the zone in the 1st axis of the plane (G18: Z), from the workpiece zero. The ball centre moves along it: add the ball radius; to a diameter (X, DIAMON) the ball diameter.
 param-szo-turned = Protection zone in the ordinate
-param-szo-turned-help = Border of the zone in the 2nd axis (G18: X), along which the centre of the ball moves: a radius plus the ball radius, or with DIAMON a diameter plus the ball diameter.
+param-szo-turned-help = Border of the zone in the 2nd axis (G18: X), along which the centre of the ball moves: a radius plus the ball radius, or in X with DIAMON a diameter plus the ball diameter.
 param-szo-turned-applicate = Protection zone in the applicate
 param-szo-turned-applicate-help = Border of the zone in the 3rd axis (G18: Y), along which the centre of the ball moves: a radius plus the ball radius, or as X with _CHBIT[19]=1.
 

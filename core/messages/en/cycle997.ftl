@@ -78,7 +78,7 @@ param-sphere3-applicate-help = In the tool axis (G17: Z), in the workpiece coord
 param-tnvl = Distortion limit
 param-tnvl-help = Limit for the sum of the deviations of the three centres from their setpoint triangle. The zero offset is corrected only below it; otherwise alarm 61414 stops the program.
 param-fa-sphere = Measuring path
-param-fa-sphere-help = Distance from the start of the measuring block to the setpoint position, and as far past it. Also the height at which the probe crosses the sphere. Always in mm.
+param-fa-sphere-help = Distance from the start of the measuring block to the setpoint position, and as far past it. Also the height above the sphere when the probe crosses it. Always in mm.
 param-tsa-sphere = Safe area: spheres
 param-tsa-sphere-help = A larger difference of a diameter or a centre, in any axis, stops the program with alarm 61303.
 
@@ -92,7 +92,7 @@ check-spheres-overlap = The setpoint centres of spheres { $one } and { $other } 
 check-spheres-overlap-hint = Correct the setpoint centres: they must be more than { $size } mm apart.
 check-spheres-line = The three setpoint centres are collinear: the rotation of the part about this line cannot be calculated.
 check-spheres-line-hint = Correct the setpoint centres, or use spheres that form a triangle.
-check-spheres-close = Beside sphere { $one } a measuring block would start inside sphere { $other }.
+check-spheres-close = Beside sphere { $one } a measuring block would start where the ball meets sphere { $other }.
 check-spheres-close-hint = Reduce _FA, or measure at an angle so that the other sphere is not between the points.
 
 result-sphere1-set-diameter = Sphere 1: setpoint diameter

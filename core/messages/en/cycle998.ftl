@@ -46,7 +46,7 @@ param-sta1-about-abscissa-help = Inclination from P1 to P3, positive if the surf
 param-inca-about-ordinate = Setpoint angle about ordinate
 param-inca-about-ordinate-help = Inclination from P1 to P2, positive if the surface falls. With travel along the angles, the probe also follows it.
 param-ra = Rotary axis
-param-ra-help = 0 rotates the coordinate system about the axis not in _MA. Otherwise the channel axis number of a rotary axis: its zero offset receives the angle, moving it aligns the part.
+param-ra-help = 0 rotates the coordinate system about the axis not in _MA. Otherwise the channel axis number of a rotary axis: its zero offset receives the difference, moving it aligns the part.
 param-tsa-angle = Safe area: angle
 param-tsa-angle-help = In degrees. A larger difference of the angle stops the program with alarm 61303. With travel along the angle, the probe also moves away from the surface by this angle.
 
@@ -62,7 +62,7 @@ check-angle-steep-hint = Reduce _TSA below { $limit }°. It is an angle here, no
 check-angle-reach = With _TSA the next point starts { $away } mm from the setpoint surface; the whole measuring path is { $path } mm.
 check-angle-reach-hint = Increase _FA to at least { $needed } mm, or reduce _TSA.
 check-angle-reach-worst = If the angle deviates by the safe area, { $area }°, the probe misses the next point: alarm 61301, not 61303.
-check-angle-paraxial = Between the points the setpoint surface rises by { $rise } mm, more than the whole measuring path of { $path } mm.
+check-angle-paraxial = Between the points the setpoint surface is offset by { $rise } mm, more than the whole measuring path of { $path } mm.
 check-angle-paraxial-hint = Increase _FA above { $needed } mm, or choose a variant that travels along the angle.
 check-rotary-axis = Channel axis { $axis } has no name or is not a rotary axis.
 check-rotary-across = This rotary axis does not rotate about the axis of the measured angle, so it cannot correct the angle.

@@ -89,5 +89,5 @@ check-corner-parallel = 通过 P1、P2 和通过 P3、P4 的直线不相交。
 check-corner-parallel-hint = 请把 P1 和 P2 选在一条边上，P3 和 P4 选在另一条边上。
 check-corner-between = 拐角位于一条边的两点之间。
 check-corner-between-hint = 请把每条边的两点选在拐角的同一侧。
-check-corner-turned = P2 的横坐标小于 P1：新坐标系会再转 180°。
+check-corner-turned = P2 的横坐标小于 P1：测得的角度和补偿的零点偏移会再转 180°。
 check-corner-turned-hint = 若非本意，请交换 P1 和 P2。

@@ -1,7 +1,7 @@
 # CYCLE971：标题、搜索词、测量方式，及其自有参数、检查和结果。
 
 cycle971-title = 铣床刀具测头：校准，测量刀具
-cycle971-help = 在刀具测头上测量主轴中铣刀或钻头的长度 L1 或半径，或用尺寸已知的刀具校准该测头。
+cycle971-help = 在刀具测头上测量主轴中铣刀或钻头的长度 L1 或铣刀的半径，或用尺寸已知的刀具校准该测头。
 cycle971-words = 测量 刀具 对刀仪 对刀 设定 预调 测量头 测头 触碰 激光 方块 圆盘 校准 长度 L1 半径 直径 铣刀 端面 钻头 磨损 主轴 旋转 静止 刀刃 触发点 断刀 刀补 磨耗 刀长 刀长测量 对刀块 刀具检测 断刀检测 破损 标定 磨损补偿
 cycle971-each-words = 测量 刀具
 
@@ -26,18 +26,18 @@ ma-length = 长度，在测头中心
 ma-length-abscissa = 长度，宽刀具在横坐标偏移（G17：X）
 ma-length-ordinate = 长度，宽刀具在纵坐标偏移（G17：Y）
 param-ma-measure-tool = 长度或半径
-param-ma-measure-tool-help = 测量的尺寸和方向。刀具比测头宽时偏移“刀具半径减 _ID”，使刀刃位于测头中心上方。
+param-ma-measure-tool-help = 测量的尺寸和方向。测长度时，比测头宽的铣刀偏移“刀具半径减 _ID”，使刀刃位于测头中心上方。
 param-id-calibrate = 宽校准刀具偏移量
 param-id-calibrate-help = 刀具比测头宽时，偏离测头中心的量为刀具半径减此值。通常为 0。
 param-id-length = 从半径到刀刃最低点
-param-id-length-help = 从半径向内到刀刃最低点的距离；刀具的偏移量为半径减此值。最低点就在半径处时为 0。
+param-id-length-help = 从半径向内到刀刃最低点的距离；铣刀比测头宽时，偏移量为半径减此值。最低点就在半径处时为 0。
 param-id-radius = 刀具端部到最大直径处
 param-id-radius-help = 刀具端部到最大直径处的距离；刀具再下降此值。端部直径最大时为 0。
 param-fa-incremental = 测量行程（带方向）
 param-fa-incremental-help = 从当前位置到触碰面的距离；正值朝正方向测量，负值朝负方向。最大行程为其两倍。始终以 mm 为单位。
 
 need-axis-tool-probe = 循环需要测量轴。
-need-offset-edge = 循环据此定位刀具；省略时沿用上次调用的值。普通刀刃请输入 0。
+need-offset-edge = 循环据此定位铣刀；省略时沿用上次调用的值。普通刀刃或钻头请输入 0。
 need-offset-wide = 只在刀具比测头宽时有效。
 need-signed-path = 符号决定测量方向。
 
@@ -46,13 +46,13 @@ result-difference-radius = 半径偏差
 
 check-path-zero = 测量行程为 0：刀具不会向测头移动。
 check-path-zero-hint = 请输入大于 0 的 _FA；起点决定方向。
-check-path-sign = 测量行程为负，但此方式中它不带符号。
-check-path-sign-hint = 请输入不带符号的 _FA；起点决定方向。只有增量校准使用符号。
+check-path-sign = 测量行程为负，此处不允许。
+check-path-sign-hint = 请输入不带符号的 _FA；只有增量校准使用符号来表示方向。
 check-path-direction-hint = 请在 _FA 中输入到测头的距离，负方向加负号。
 check-tool-probe-type = { $name } 不是允许的刀具测头类型。
 check-tool-probe-plane = { $name } 中的圆盘在此平面无法触碰。
 check-tool-probe-type-hint = 0 为方块；101 为 XY 平面的圆盘（G17），201 为 ZX（G18），301 为 YZ（G19）。
-check-tool-probe-depth = { $name } 为 0：在测头旁，刀具不会下降到测头上沿之下。
+check-tool-probe-depth = { $name } 为 0：刀具的触碰点不会低于测头上沿。
 check-tool-probe-depth-hint = 请输入测头上沿到刀具下沿的距离。
 check-directions-code = { $name } = { $code } 不是允许的方向代码。
 check-directions-applicate = { $name } = { $code } 不允许在刀具轴负方向触碰。
@@ -77,12 +77,12 @@ check-cm-zero = { $name } 不大于 0：循环无法计算测量的转速和进�
 check-cm-zero-hint = 请设置极限：_CM[0] 圆周速度，[1] 主轴转速，[3] 精度，[4] 最大进给。
 check-cm-factor = { $name } 必须为 0 或不小于 1。
 check-cm-factor-hint = 0 省去这次触碰；否则进给乘以该系数。
-check-cm-order = { $name } 不小于 _CM[6]，而每次触碰必须比前一次慢。
+check-cm-order = { $name } 不小于 _CM[6]，而每次触碰应比前一次慢。
 check-cm-order-hint = 请减小进给系数 2，或设为 0，只触碰两次。
 check-compensation-make = 不作补偿：_MT_COMP=1 时需要在 { $name } 中设置测头型号。
 check-compensation-make-hint = 请把 _TP_CF 设为 1（TT130）或 2（TS27R），或用自己的表并设 _MT_COMP=2。
 check-compensation-inside = 控制系统按该型号测头的内部补偿表作扣除，而手册中没有此表：模拟不作扣除。
-check-compensation-inside-hint = 请设 _MT_COMP=2：控制系统和模拟都使用 { $name } 中的用户自定义表。
+check-compensation-inside-hint = 请设 _MT_COMP=2：控制系统和模拟都使用用户自定义表，半径为 _MT_EC_R，长度为 _MT_EC_L。
 check-compensation-table = { $name } 中的半径或圆周速度不是递增的：补偿可能错误。
 check-compensation-table-hint = 请在 [0,1] 到 [0,4] 输入递增的半径，在 [1,0] 到 [5,0] 输入递增的速度，或设 _MT_COMP=0。
 

@@ -70,7 +70,7 @@ param-setval-surface-help = 工件坐标系中的精确位置，沿测量轴。
 param-ma-calibrated = 校准轴
 param-ma-calibrated-help = 另一个轴的触发点保持不变。
 param-sta1-calibration = 校准角度
-param-sta1-calibration-help = 测头不沿轴触碰，而是与横坐标成此角度，然后每隔 90° 触碰。
+param-sta1-calibration-help = 各触碰方向相对于平面的轴转过此角度。
 param-fa-unknown = 测量行程
 param-fa-unknown-help = 必须大于起点到中心的距离，宜取直径的一半。测头最多走此行程的两倍。始终以 mm 为单位。
 param-fa-length = 测量行程
@@ -88,12 +88,12 @@ need-angle-calibration = 此测量方式成角度校准。
 
 check-positive-hint = 请输入大于 0 的值。
 check-reversal-spindle = 此测量方式要把测头转 180°，但主轴不能定位。
-check-reversal-spindle-hint = 请在中心已知的孔中校准，或在主轴可定向的机床上校准。
+check-reversal-spindle-hint = 请在中心已知的孔中校准，或在主轴可定位的机床上校准。
 check-first-calibration = 没有存储触发点：偏差就是整个新值，约 { $ball } mm，大于 _TSA。
 check-first-calibration-hint = 请在首次校准时把 _TSA 加大到大于 { $ball } mm。
 check-calibration-mirror = 有轴被镜像，而测头须在未镜像的坐标系中校准。
-check-calibration-mirror-hint = 请在调用前取消镜像；测量时允许镜像。
-check-calibration-band = 不会存储任何值：偏差须大于 _TZL 且不大于 _TSA。
+check-calibration-mirror-hint = 请在调用前取消镜像；测量时允许镜像（MD 10610=0）。
+check-calibration-band = 不会存储任何新触发点：偏差须大于 _TZL 且不大于 _TSA。
 check-calibration-band-hint = 请把 _TZL 减小到小于 _TSA；0 存储每个新值。
 check-skew-lost = 循环求出位置偏差，但不存储。
 check-skew-lost-hint = 若以后的测量要用位置偏差，请选“求出”。

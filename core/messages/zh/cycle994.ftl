@@ -14,9 +14,9 @@ param-setval-two-diameter-help = 取自图纸。DIAMON 时为直径，DIAMOF 时
 param-setval-two-radius = 至零点设定距离
 param-setval-two-radius-help = 两点到工件零点的距离，一点在正方向，一点在负方向。
 param-sza-turned = 横坐标方向保护区
-param-sza-turned-help = 保护区在平面第 1 轴（G18：Z）的边界，从工件零点算起；测头沿边界绕行。按测球中心计：须加上测球半径。
+param-sza-turned-help = 保护区在平面第 1 轴（G18：Z）的边界，从工件零点算起；测头沿边界绕行。按测球中心计：须加上测球半径；X 轴且 DIAMON 时为直径，须加上测球直径。
 param-szo-turned = 纵坐标方向保护区
-param-szo-turned-help = 保护区在平面第 2 轴（G18：X）的边界，从工件零点算起；测头沿边界绕行。按测球中心计：为半径，须加上测球半径；DIAMON 时为直径，须加上测球直径。
+param-szo-turned-help = 保护区在平面第 2 轴（G18：X）的边界，从工件零点算起；测头沿边界绕行。按测球中心计：为半径，须加上测球半径；X 轴且 DIAMON 时为直径，须加上测球直径。
 param-szo-turned-applicate = 垂直坐标方向保护区
 param-szo-turned-applicate-help = 保护区在第 3 轴（G18：Y）的边界，从工件零点算起；测头沿边界绕行。按测球中心计：为半径，须加上测球半径；_CHBIT[19]=1 时与 X 相同。
 

@@ -46,7 +46,7 @@ param-sta1-about-abscissa-help = 从 P1 到 P3 的倾斜，表面升高为正。
 param-inca-about-ordinate = 设定角度，绕纵坐标
 param-inca-about-ordinate-help = 从 P1 到 P2 的倾斜，表面下降为正。沿角度移动时测头也随此角度。
 param-ra = 回转轴
-param-ra-help = 0：坐标系绕 _MA 未指定的轴旋转。否则为回转轴的通道轴号：角度写入其零点偏移，移动该轴即找正工件。
+param-ra-help = 0：坐标系绕 _MA 未指定的轴旋转。否则为回转轴的通道轴号：角度偏差加到其零点偏移中，移动该轴即找正工件。
 param-tsa-angle = 角度安全区
 param-tsa-angle-help = 单位为度。角度的偏差超过此值，程序以报警 61303 停止。沿角度移动时，测头也按此角度离开表面。
 
@@ -62,7 +62,7 @@ check-angle-steep-hint = 请把 _TSA 减小到小于 { $limit }°。这里 _TSA 
 check-angle-reach = 按 _TSA，下一测量程序段的起点离设定表面 { $away } mm：大于整个测量行程 { $path } mm。
 check-angle-reach-hint = 请把 _FA 加大到不小于 { $needed } mm，或减小 _TSA。
 check-angle-reach-worst = 角度偏差达到整个安全区 { $area }° 时，下一点超出测量行程：报警 61301 而不是 61303。
-check-angle-paraxial = 在各点之间设定表面升高 { $rise } mm，大于整个测量行程 { $path } mm。
+check-angle-paraxial = 在各点之间设定表面的位置相差 { $rise } mm，大于整个测量行程 { $path } mm。
 check-angle-paraxial-hint = 请把 _FA 加大到大于 { $needed } mm，或选沿角度移动的测量方式。
 check-rotary-axis = 通道轴 { $axis } 没有名称，或不是回转轴。
 check-rotary-across = 此回转轴不在所测角度的平面内旋转，因此不能补偿该角度。
