@@ -1,6 +1,6 @@
 //! The tool in use at the calls of a program, and what the program itself says of it (`$TC_DP1[7,1]=120`).
 
-use super::flow::{State, Tool};
+use super::flow::{Mode, State, Tool};
 use crate::control::{Control, Edge, Transverse, machine_data::setting, probe::Unfit};
 use crate::diagnostic::Code;
 
@@ -51,6 +51,12 @@ impl Tools {
         control.choose_units(state.units.is().copied().unwrap_or(self.start.unit_function() as u16));
         // where the text does not tell, diameters, as in a form
         control.transverse = state.transverse.is().copied().unwrap_or(Transverse::Diameter);
+        // checks ask only whether it turns, not how fast; where the text does not tell, it may
+        control.spindle_speed = match state.turning {
+            Mode::Unset => self.start.spindle_speed,
+            Mode::Is(false) => 0.0,
+            Mode::Is(true) | Mode::Open => 1.0,
+        };
         if !state.tool.unset() {
             let number = match state.tool.is() {
                 Some(Tool::Number(number)) => Some(*number),

@@ -1,7 +1,7 @@
 //! The tool in use, and whether its probe is calibrated.
 
 use super::{CALIBRATION, EDGE, HOLE, LENGTH, PLANE, TURNED, called, found, tells};
-use probewright_core::control::delivery;
+use probewright_core::control::{Control, Edge, TOOL_LENGTH_TYPE, delivery};
 use probewright_core::diagnostic::Code::Alarm;
 use probewright_core::diagnostic::{Code, Diagnostic, Severity};
 use probewright_core::dialect::Dialect;
@@ -156,4 +156,37 @@ fn a_probe_that_was_calibrated_on_the_machine_is_not_doubted() {
     // Of a machine that nothing is known of nothing is said: every right program would get a warning.
     assert!(!doubted("_WP[0,1]", 3.0), "as delivered");
     assert!(!doubted("_WP[0,7]", 0.01), "skew alone");
+}
+
+/// Whether a check of this program on a machine, before whose calls the spindle is as `spindle` says, tells this alarm.
+fn stops(control: &Control, spindle: &str, call: &str, alarm: u32) -> bool {
+    let text = format!("G17 G40 G54\nT7 D1\n{spindle}\n{call}M30\n");
+    let found = findings_on(&read(Dialect::Sinumerik, text.as_bytes()), control.clone());
+    found.iter().any(|one| one.code == Alarm(alarm))
+}
+
+// oracle: manual B:4783, B:4807 (CYCLE971), B:9194 (CYCLE982)
+#[test]
+fn only_a_spindle_that_stands_is_asked_for_its_direction_or_turned() {
+    let mut control = delivery(Dialect::Sinumerik);
+    control.set("_CM[5]", 0.0);
+    control.set(TOOL_LENGTH_TYPE, 2.0);
+    control.spindle_positions = false;
+    let edge = Edge { kind: 120, length: [60.0, 10.0, 0.0], radius: 4.0, ..Edge::default() };
+    control.tools.entry(7).or_default().edges.insert(1, edge);
+    let turning = "_MVAR=2 _MA=1 _ID=0 _PRNUM=1 _FA=10 _TSA=5\nCYCLE971\n";
+    let standing = "_MVAR=1 _MA=1 _STA1=0 _PRNUM=1 _FA=10 _TSA=5\nCYCLE982\n";
+    for (call, alarm) in [(turning, 61366), (standing, 61372)] {
+        for (spindle, expected) in [
+            ("", true),
+            ("M3 S500", false),
+            ("M4 S500", false),
+            ("M3 S500\nM5", true),
+            ("M3 S500\nSPOS=0", true),
+            // the text does not tell
+            ("IF R1==1\nM3 S500\nENDIF", false),
+        ] {
+            assert_eq!(stops(&control, spindle, call, alarm), expected, "{spindle} {call}");
+        }
+    }
 }

@@ -1,6 +1,7 @@
 //! What several values of CYCLE971, the data of the tool probe and the tool in use say together.
 
 use super::params::{APPLICATE, AUTOMATIC, CALIBRATE, IN_PLANE, INCREMENTAL, RADIUS, ROTATING};
+use super::place::over_the_middle;
 use super::rotating;
 use crate::catalogue::prelude::*;
 use crate::catalogue::tool_probe::checks::refused;
@@ -28,7 +29,7 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     }
     if let Some(edge) = shared::tool_in_use(control, found) {
         tool(inputs, edge, found);
-        offset(inputs, &data, edge.total_radius(), found);
+        offset(inputs, &data, edge, found);
     }
     if ROTATING.holds(inputs) {
         rotating::checks(inputs, control, found);
@@ -111,11 +112,11 @@ fn tool(inputs: &Inputs, edge: &Edge, found: &mut Vec<Diagnostic>) {
 }
 
 /// A tool that is wider than the probe is offset by its radius less `_ID` (B:4593-4599).
-fn offset(inputs: &Inputs, data: &ProbeData, radius: f64, found: &mut Vec<Diagnostic>) {
-    if !OFFSET.holds(inputs) {
+fn offset(inputs: &Inputs, data: &ProbeData, tool: &Edge, found: &mut Vec<Diagnostic>) {
+    if !OFFSET.holds(inputs) || over_the_middle(inputs, tool) {
         return;
     }
-    let edge = data.value(EDGE_LENGTH);
+    let (radius, edge) = (tool.total_radius(), data.value(EDGE_LENGTH));
     let wide = 2.0 * radius > edge;
     let given = inputs.given(names::ID);
     let finding = match given {

@@ -4,6 +4,11 @@ use super::params::MEASURE;
 use crate::catalogue::prelude::*;
 use crate::catalogue::tool_probe::{EDGE_LENGTH, Stand};
 
+/// Whether a tool is measured over the middle of the probe however wide it is: a drill (B:4844-4846).
+pub fn over_the_middle(inputs: &Inputs, tool: &Edge) -> bool {
+    (200..300).contains(&tool.kind) && MEASURE.holds(inputs)
+}
+
 impl Stand<'_> {
     /// Side of the middle on which the tool stands at the call, +1 or -1.
     pub fn side(&self, axis: usize) -> f64 {
@@ -28,12 +33,11 @@ impl Stand<'_> {
     }
 
     /// Goes over this middle of the probe: a tool that is wider beside it in this axis, by its radius less `_ID`, to
-    /// the side of the start (B:4593-4599). A drill is always measured over the middle.
+    /// the side of the start (B:4593-4599).
     pub fn over(&self, machine: &mut dyn Machine, middle: [f64; 2], axis: usize) -> Result<(), Stop> {
-        let kind = machine.control().active_edge().map_or(0, |edge| edge.kind);
-        let drill = (200..300).contains(&kind) && MEASURE.holds(self.inputs);
+        let middle_only = machine.control().active_edge().is_some_and(|tool| over_the_middle(self.inputs, tool));
         let mut over = middle;
-        if 2.0 * self.block.radius > self.probe.value(EDGE_LENGTH) && !drill {
+        if 2.0 * self.block.radius > self.probe.value(EDGE_LENGTH) && !middle_only {
             over[axis] += self.side(axis) * (self.block.radius - self.inputs.number(names::ID));
         }
         let over = self.block.placed(machine.position().0, over);

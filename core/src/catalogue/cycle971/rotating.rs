@@ -6,6 +6,7 @@ use crate::own::Own;
 
 /// All checks about it.
 pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
+    direction(control, found);
     if control.bit("_CBIT[12]") {
         own_speeds(control, found);
     } else {
@@ -17,6 +18,14 @@ pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
 /// A finding of ours at the variant, with `{name}` in its cause.
 fn finding(sentence: Own, name: &str) -> Diagnostic {
     sentence.finding().text("name", name).at(names::MVAR)
+}
+
+/// `_CM[5]`: 3 as M3 or 4 as M4, whoever sets the speeds (B:4783, A:15910); a spindle that turns already keeps its
+/// direction (B:4807).
+fn direction(control: &Control, found: &mut Vec<Diagnostic>) {
+    if control.spindle_speed == 0.0 && ![3.0, 4.0].contains(&control.number("_CM[5]")) {
+        found.push(refused(61366, "check-cm-direction", names::MVAR).text("name", "_CM[5]"));
+    }
 }
 
 /// `_MFS[0..5]`: speed and feed of up to three probings; a speed of 0 ends them (B:4779-4787, A:15892).
@@ -34,12 +43,9 @@ fn own_speeds(control: &Control, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// `_CM[0..7]`: limits from which the cycle works out speed and feed (B:4789-4803, A:15910).
+/// `_CM[]`: limits from which the cycle works out speed and feed (B:4789-4803).
 fn limits(control: &Control, found: &mut Vec<Diagnostic>) {
     let value = |index: usize| control.number(&format!("_CM[{index}]"));
-    if ![3.0, 4.0].contains(&value(5)) {
-        found.push(refused(61366, "check-cm-direction", names::MVAR).text("name", "_CM[5]"));
-    }
     for index in [0, 1, 3, 4].into_iter().filter(|index| value(*index) <= 0.0) {
         let name = format!("_CM[{index}]");
         found.push(finding(own::CM_ZERO, &name));
@@ -49,7 +55,8 @@ fn limits(control: &Control, found: &mut Vec<Diagnostic>) {
     for (name, _) in [("_CM[6]", first), ("_CM[7]", second)].into_iter().filter(|(_, value)| !factor(*value)) {
         found.push(finding(own::CM_FACTOR, name));
     }
-    if second >= 1.0 && second >= first {
+    // the second counts only behind the first (B:4800)
+    if first >= 1.0 && second >= first {
         found.push(finding(own::CM_ORDER, "_CM[7]"));
     }
 }

@@ -56,11 +56,15 @@ fn assignment(control: &Control, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Turning the spindle: forbidden by `_CHBIT[20]`, or impossible (B:10088-10094, A:15916).
+/// Turning the spindle: forbidden by `_CHBIT[20]`, or impossible (B:10088-10094, A:15916). Only one that stands is turned
+/// to `_STA1` (B:9194).
 fn spindle(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     if SPINDLE_HAS_TO_STAY.holds(inputs) {
         found.push(refused(61307, "check-spindle-stays", names::MVAR));
-    } else if MILLING.holds(inputs) && !SPINDLE_AS_IT_IS.holds(inputs) && !control.spindle_positions {
+        return;
+    }
+    let turned = MILLING.holds(inputs) && !SPINDLE_AS_IT_IS.holds(inputs) && control.spindle_speed == 0.0;
+    if turned && !control.spindle_positions {
         found.push(refused(61372, "check-spindle-turns", names::MVAR));
     }
 }

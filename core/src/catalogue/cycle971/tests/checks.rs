@@ -165,6 +165,12 @@ fn a_wide_tool_is_offset() {
     assert_eq!(found(&[("_ID", "19")], |_| ()), doubt(64));
     let told = vec![(Severity::Note, Code::Own(65))];
     assert_eq!(found(&[("_MA", "3")], |_| ()), told);
+    // oracle: manual B:4844-4846: a drill is measured at the centre, an offset is for milling tools
+    let drill = |control: &mut Control| edge(control).kind = 200;
+    assert_eq!(found(&[("_ID", "19")], drill), []);
+    assert_eq!(found(&[("_MA", "3")], drill), []);
+    // oracle: manual B:4593-4599: a calibration tool is offset whatever its type
+    assert_eq!(found(&calibrate("3"), drill), missing);
 }
 
 #[test]
@@ -189,6 +195,39 @@ fn speeds_and_limits_of_a_turning_spindle() {
     assert_eq!(limit("_CM[7]", 10.0), doubt(69));
     assert_eq!(limit("_CM[7]", 5.0), []);
     assert_eq!(found(RADIUS, |control| control.set("_CM[5]", 5.0)), []);
+}
+
+#[test]
+fn the_second_feed_factor_counts_behind_the_first_only() {
+    // oracle: manual B:4796 (0 in _CM[6]: one probing), B:4800 (_CM[7] only active when _CM[6]>0)
+    let factors = |first, second| {
+        found(ROTATING, |control| {
+            control.set("_CM[6]", first);
+            control.set("_CM[7]", second);
+        })
+    };
+    assert_eq!(factors(0.0, 10.0), []);
+    assert_eq!(factors(1.0, 1.0), doubt(69));
+    assert_eq!(factors(2.0, 1.0), []);
+}
+
+#[test]
+fn a_spindle_that_stands_needs_a_direction() {
+    // oracle: manual B:4783 (also with speeds of the user), B:4807 (one that rotates keeps its direction)
+    for own in [0.0, 1.0] {
+        let turning_at = |speed: f64| {
+            found(ROTATING, |control| {
+                control.set("_CBIT[12]", own);
+                control.set("_MFS[0]", 500.0);
+                control.set("_MFS[1]", 20.0);
+                control.set("_CM[5]", 0.0);
+                control.spindle_speed = speed;
+            })
+        };
+        assert_eq!(turning_at(0.0), alarm(61366), "{own}");
+        assert_eq!(turning_at(700.0), [], "{own}");
+        assert_eq!(turning_at(-700.0), [], "{own}");
+    }
 }
 
 #[test]

@@ -208,7 +208,7 @@ fn own_speeds_and_feeds() {
 
 #[test]
 fn a_spindle_that_turns_goes_on_in_its_direction() {
-    // oracle: manual B:4807
+    // oracle: manual B:4783, B:4807
     let inputs = call(2, Plane::G17, &[("_MA", 1.0), ("_ID", 0.0)]);
     let mut setup = setup(&inputs);
     setup.control.spindle_speed = 700.0;
@@ -217,6 +217,10 @@ fn a_spindle_that_turns_goes_on_in_its_direction() {
     setup.control.set("_CM[5]", 5.0);
     assert!(called(&setup, &inputs).1.is_ok());
     setup.control.spindle_speed = 0.0;
+    assert_eq!(stopped(called(&setup, &inputs).1), 61366);
+    for (name, value) in [("_CBIT[12]", 1.0), ("_MFS[0]", 500.0), ("_MFS[1]", 20.0)] {
+        setup.control.set(name, value);
+    }
     assert_eq!(stopped(called(&setup, &inputs).1), 61366);
 }
 

@@ -158,6 +158,12 @@ fn a_spindle_that_stays_allows_one_point_without_reversal() {
     // oracle: manual B:10092, A:15916
     let fixed = |control: &mut Control| control.spindle_positions = false;
     assert_eq!(found(&[], fixed), alarm(61372));
+    // oracle: manual B:9194 (a stationary spindle is positioned at the start angle), B:9610 (one that rotates measures)
+    let rotating = |control: &mut Control| {
+        fixed(control);
+        control.spindle_speed = -200.0;
+    };
+    assert_eq!(found(&[], rotating), []);
     let both = |control: &mut Control| {
         fixed(control);
         spindle_stays(control);
