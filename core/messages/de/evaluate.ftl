@@ -20,11 +20,11 @@ evaluate-halt = Programmierter Halt (M0): Weiter mit NC START.
 evaluate-activated = Das korrigierte Frame ist sofort aktiv.
 evaluate-not-activated = Das korrigierte Frame wird aktiv, wenn das Programm es wieder aufruft (G54, G500 …).
 evaluate-distortion = Das gemessene Dreieck weicht um { $distortion } mm vom Solldreieck ab; unter { $limit } mm wird das Frame korrigiert.
-evaluate-handed-back = Es gibt kein Ergebnis: { $name } erhält die Alarmnummer { $alarm }, das Programm läuft weiter.
+evaluate-handed-back = Kein Alarm hält an: { $name } erhält die Alarmnummer { $alarm }, das Programm läuft weiter.
 evaluate-tool-safe-area = Differenz { $difference } mm erreicht oder überschreitet den Vertrauensbereich, { $limit } mm: Dieser Wert wird nicht korrigiert.
 evaluate-tool-difference = Differenz { $difference } mm erreicht oder überschreitet die zulässige Maßdifferenz, { $limit } mm: Dieser Wert wird nicht korrigiert.
 evaluate-tool-small = Differenz { $difference } mm liegt im Nullkorrekturbereich, { $limit } mm: Dieser Wert wird nicht korrigiert.
-evaluate-tool-geometry = Differenz { $difference } mm geht ganz in die Geometrie; der Verschleiß wird 0.
+evaluate-tool-geometry = Differenz { $difference } mm und bisheriger Verschleiß gehen in die Geometrie; der Verschleiß wird 0.
 evaluate-tool-wear = Differenz { $difference } mm wird im Verschleiß korrigiert.
 evaluate-compensation-make = Die Korrekturtabelle dieses Messtasterherstellers (_TP_CF = { $make }) liegt in der Steuerung und steht in keinem Handbuch: Die Simulation subtrahiert nichts. Bei _MT_COMP = 2 gelten eigene Tabellen in _MT_EC_R und _MT_EC_L.
 evaluate-compensation = Korrekturtabelle { $table } subtrahiert { $amount } mm vom Messwert.

@@ -35,7 +35,7 @@ help-cycle105-number = CYCLE106 nummeriert seine Aufträge anders: Dort ist 2 de
 help-cycle106-header = Schreibt den Protokollkopf ins Protokoll und verwaltet Dateien und Seiten. Keine Achse bewegt sich.
 help-cycle106-values = Schreibt einen Werteblock ins Protokoll und verwaltet Dateien und Seiten. Keine Achse bewegt sich.
 help-cycle106-alone = Das Programm protokolliert ohne Messzyklen; mit Messzyklen genügen CYCLE100 und die Messaufrufe.
-help-cycle106-keeps = Bei Bedarf löscht der Zyklus alte Dateien dieses Namens, öffnet die nächste Datei, wenn eine voll ist, und beginnt nach _PROTFORM[0] Zeilen eine neue Seite.
+help-cycle106-keeps = Bei Bedarf löscht der Zyklus alte Dateien dieses Namens, öffnet die nächste Datei, wenn eine voll ist, und beginnt nach _PROTFORM[0] Zeilen eine neue Seite (bei 0 keine).
 help-cycle106-number = PAR1 ist weder 1 noch 2: Alarm 61360. CYCLE105 nummeriert seine Aufträge anders.
 
 help-cycle113-date = Liest das Datum der Steuerung als Text. Keine Achse bewegt sich.
@@ -44,7 +44,7 @@ help-cycle113-variable = Eine Variable nimmt den Text auf: DEF STRING[10] PAR2 a
 help-cycle113-year = Das Datum besteht aus Jahr, Monat und Tag mit je zwei Stellen, durch Schrägstriche getrennt.
 help-cycle113-hour = Die Uhrzeit besteht aus Stunden, Minuten und Sekunden mit je zwei Stellen, durch Doppelpunkte getrennt.
 help-cycle113-left = Der Text in der Variablen des Aufrufs, sonst nichts.
-help-cycle113-short = Die Variable ist mit weniger als 10 Zeichen definiert: Der Text passt nicht hinein.
+help-cycle113-short = Die Variable ist mit weniger als 10 Zeichen definiert: Der Zyklus verlangt STRING[10].
 
 help-cycle118-does = Wandelt eine Realzahl in einen Text mit der gewählten Zahl von Nachkommastellen um; bis zu 10 Zahlen auf einmal. Keine Achse bewegt sich.
 help-cycle118-variable = Eine Variable nimmt den Text auf: DEF STRING[12] PAR3 am Programmanfang oder der Name einer eigenen Variablen im Aufruf.

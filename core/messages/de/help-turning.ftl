@@ -1,17 +1,17 @@
 # Hilfeseiten der Zyklen, die an Drehmaschinen ein Werkstück messen.
 
 help-turning-probe = Der Messtaster (Typ 5xy) ist in Arbeitsstellung, seine D-Nummer und G40 sind aktiv; weder Drehung noch Maßstabsfaktor ist aktiv.
-help-turning-diameter = Durchmesser und Radien sind verwechselt: Mit DIAMON sind Sollwert und Toleranzen in X Durchmesser, _FA und die Korrektur nicht.
+help-turning-diameter = Durchmesser und Radien sind verwechselt: Mit DIAMON sind Sollwert und, beim Messen, Toleranzen in X Durchmesser; _FA, Triggerpunkte und Korrektur nicht.
 
 help-cycle974-measures-point = Die Position eines Punkts am Drehteil: ein Durchmesser von einer Seite, eine Stirnfläche oder ein Punkt in der 3. Achse.
 help-cycle974-before-opposite = Die Kugel steht dem Punkt gegenüber, weiter entfernt als _FA; von dort misst der Zyklus in Richtung _SETVAL.
 help-cycle974-before-chuck = Die Hauptspindel, die das Werkstück spannt, lässt sich positionieren.
-help-cycle974-order-axis = Nur die Messachse fährt; Endposition _FA vor der Fläche.
+help-cycle974-order-axis = Der Messtaster fährt nur in der Messachse; Endposition _FA vor der Fläche.
 help-cycle974-order-reversal = Die Spindel fährt auf _STA1, der Zyklus tastet an; die Spindel dreht um 180°, der Zyklus tastet erneut an. Der Mittelwert gilt: Die Rundlaufabweichung hebt sich auf.
 help-cycle974-corrects-half = Eine Länge wird um die Abweichung in ihrer Achse korrigiert: um die halbe Abweichung eines Durchmessers.
-help-cycle974-corrects-one-axis = Nur die Messachse wird korrigiert.
+help-cycle974-corrects-one-axis = Nur die Messachse wird korrigiert; mit _CHBIT[19]=1 in G18 X statt Y.
 help-cycle974-wrong-side = Die Startposition liegt auf der falschen Seite oder näher als _FA an der Fläche.
-help-cycle974-wrong-run-out = Das Werkstück läuft nicht rund: Ein einzelner Punkt ergibt nicht den Durchmesser. Mit Umschlag messen.
+help-cycle974-wrong-run-out = Das Werkstück läuft nicht rund: Das Ergebnis hängt von der Spindelstellung ab. Für eine Werkzeugkorrektur mit Umschlag messen.
 
 help-cycle994-measures-diameter = Ein Durchmesser eines Drehteils um den Werkstücknullpunkt, aus zwei gegenüberliegenden Punkten.
 help-cycle994-before-plus-side = Die Kugel steht dem Punkt auf der Plus-Seite gegenüber, weiter entfernt als _FA.

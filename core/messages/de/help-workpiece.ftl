@@ -15,9 +15,9 @@ help-cycle961-order-passes = Von P1 nach P3 hebt der Messtaster um _ID ab, fähr
 help-cycle961-order-infeed = P2, P1, P3, P4: Über jedem Punkt stellt der Messtaster um _ID zu, tastet an, fährt zurück und hebt ab.
 help-cycle961-order-toward-pocket = Jede Antastung ist vom anderen Punktepaar weg gerichtet.
 help-cycle961-order-toward-part = Jede Antastung ist zu der Seite gerichtet, auf der das andere Punktepaar liegt.
-help-cycle961-order-along-axis = Jede Antastung verläuft parallel zu einer Achse des aktiven Koordinatensystems: von _FA vor bis _FA hinter der erwarteten Position, jeweils mindestens 20 mm.
+help-cycle961-order-along-axis = Jede Antastung liegt parallel zu einer Achse des aktiven Koordinatensystems, höchstens zweimal _FA lang; für ein kleineres _FA gilt der Mindestwert des Zyklus, 20 mm oder mehr.
 help-cycle961-order-end-p4 = Endposition: über P4, auf Starthöhe.
-help-cycle961-corrects-absolute = Die NV aus _KNUM, Grobverschiebung, absolut: Die Ecke wird zum Nullpunkt der Ebene, die Abszisse liegt auf der Bezugskante. Der Zyklus löscht die Feinverschiebung, die Applikate bleibt.
+help-cycle961-corrects-absolute = Mit _KNUM größer 0 diese NV, Grobverschiebung, absolut: Die Ecke wird zum Nullpunkt der Ebene, die Abszisse liegt auf der Bezugskante. Feinverschiebung gelöscht, Applikate bleibt.
 help-cycle961-corrects-choice = Mit _SETV[4]=2 liegt der Nullpunkt um _SETV[2] neben der Ecke, mit 4 um _SETV[3], mit 3 um beide Werte.
 help-cycle961-wrong-angle = Die Kanten weichen um mehr als 10° von _STA1 und _INCA ab: Ein Punkt verfehlt seine Kante, Alarm 61301.
 help-cycle961-wrong-not-opposite = Die Startposition liegt nicht gegenüber der Ecke: Der Zyklus sucht P3 neben der Kante.
@@ -53,7 +53,7 @@ help-cycle977-corrects-both-axes = Der Zyklus korrigiert beide Achsen der Ebene.
 help-cycle977-corrects-one-axis = Der Zyklus korrigiert nur _MA.
 help-cycle977-wrong-depth = Die Messtasterkugel ist zu hoch: Sie trifft eine Fase oder nichts.
 help-cycle977-wrong-infeed = _ID hat das falsche Vorzeichen oder ist zu kurz: Die Messtasterkugel fährt über das Messelement hinweg. Zu lang: Sie trifft auf den Grund, Alarm 61302.
-help-cycle977-wrong-zone = _SZA oder _SZO lässt der Messtasterkugel keinen Platz: Alarm 61334.
+help-cycle977-wrong-zone = Die Schutzzone lässt der Messtasterkugel keinen Platz: Alarm 61334.
 help-cycle977-wrong-start = Die Startposition ist nicht die Sollmitte: Ihr Fehler geht in die NV ein.
 
 help-cycle978-measures-point = Position eines Punkts auf einer Fläche senkrecht zur Achse _MA.
@@ -62,7 +62,7 @@ help-cycle978-order-axis = Nur _MA verfährt; Endposition: _FA vor der Fläche.
 help-cycle978-corrects-full = Länge oder Radius korrigiert der Zyklus um die ganze Abweichung.
 help-cycle978-corrects-one-axis = Der Zyklus korrigiert nur _MA; vorher subtrahiert er den Erfahrungswert aus _EVNUM vom Istwert (mit _CHBIT[5]=1 addiert er ihn).
 help-cycle978-wrong-side = Die Messtasterkugel steht auf der falschen Seite: Sie fährt von der Fläche weg.
-help-cycle978-wrong-oblique = Die Fläche steht nicht senkrecht zu _MA: Die Kugel tastet nicht mit ihrem Scheitel an; das Ergebnis ist um diesen Betrag falsch.
+help-cycle978-wrong-oblique = Die Fläche steht nicht senkrecht zu _MA: Die Kugel tastet nicht mit ihrem Scheitel an; das Ergebnis ist dadurch falsch.
 
 help-cycle979-measures-hole = Durchmesser und Mittelpunkt einer Bohrung oder eines Kreissegments davon, aus Punkten auf dem Kreis.
 help-cycle979-measures-shaft = Durchmesser und Mittelpunkt einer Welle oder eines Kreissegments davon, aus Punkten auf dem Kreis.
@@ -90,7 +90,7 @@ help-cycle997-measures-three = Mittelpunkte von drei Kugeln, daraus Verschiebung
 help-cycle997-measures-diameter = Durchmesser jeder Kugel.
 help-cycle997-before-above = Die Messtasterkugel steht auf Sicherheitshöhe über dem Sollmittelpunkt von Kugel 1; auf dieser Höhe ist jede Kugel ohne Berührung erreichbar.
 help-cycle997-before-ball = CYCLE976 hat vorher den wirksamen Kugeldurchmesser des Messtasters ermittelt.
-help-cycle997-before-frame = Die aktive NV ist so genau, dass jede Kugel höchstens um _FA von ihrer Sollposition abweicht; sie enthält weder Spiegelung noch Skalierung.
+help-cycle997-before-frame = Die aktive NV ist so genau, dass jede Kugel höchstens um _FA von ihrer Sollposition abweicht; kein Maßstabsfaktor ist aktiv, bei drei Kugeln auch keine Spiegelung.
 help-cycle997-order-paraxial = Auf Höhe des Sollmittelpunkts: Abszisse Plus- und Minus-Seite, dann durch die ermittelte Mitte Ordinate Plus- und Minus-Seite; zwischen den Punkten fährt der Messtaster _FA über der Kugel.
 help-cycle997-order-three-points = Auf Höhe des Sollmittelpunkts: drei Punkte, der erste unter _STA1, jeder folgende um _INCA weiter, dazwischen Kreisbögen mit _RF.
 help-cycle997-order-four-points = Auf Höhe des Sollmittelpunkts: vier Punkte, der erste unter _STA1, jeder folgende um _INCA weiter, dazwischen Kreisbögen mit _RF.
@@ -100,7 +100,7 @@ help-cycle997-order-repeat = Der Zyklus misst die ganze Kugel noch einmal, vom e
 help-cycle997-order-next = Kugel 2 und Kugel 3 folgen ebenso; der Weg zur nächsten Kugel liegt auf Sicherheitshöhe.
 help-cycle997-order-end = Endposition: auf Sicherheitshöhe über der letzten Kugel.
 help-cycle997-corrects-shift = Die NV aus _KNUM, in allen drei Achsen: Die Kugel erhält ihre Sollkoordinaten; die Drehung der NV bleibt. _KNUM=0 korrigiert nichts.
-help-cycle997-corrects-turn = Die NV aus _KNUM, Grobverschiebung und Drehung: Danach liegen die drei Kugeln auf ihren Sollpositionen. Ist ihre Verzerrung größer als _TNVL: Alarm 61414, keine Korrektur.
+help-cycle997-corrects-turn = Mit _KNUM größer 0 diese NV, Grobverschiebung und Drehung: Danach liegen die drei Kugeln auf ihren Sollpositionen. Verzerrung über _TNVL: Alarm 61414, keine Korrektur.
 help-cycle997-corrects-area = Jede Differenz über _TSA hält das Programm mit Alarm 61303 an.
 help-cycle997-wrong-holder = Der Halter der Kugel steht dort, wo ein Messpunkt liegt oder der Messtaster zustellt.
 help-cycle997-wrong-no-ball = Der Messtaster wurde ohne Kugeldurchmesser kalibriert: Fehlt der Wert, folgt Alarm 61341; ein falscher Wert verschiebt jede Anfahrposition an der Kugel.
@@ -117,10 +117,10 @@ help-cycle998-order-two-angle = P1, Weg unter dem Sollwinkel zu P2, auf demselbe
 help-cycle998-order-two-paraxial = P1, P2 und P3, immer von der Starthöhe aus: in der Abszisse weiter, zurück, in der Ordinate weiter.
 help-cycle998-order-end = Endposition: _FA vor dem letzten Punkt.
 help-cycle998-order-end-height = Endposition: über P3, auf Starthöhe.
-help-cycle998-corrects-rotation = Mit _RA=0 die Drehung der NV aus _KNUM, um Istwinkel minus Sollwinkel. Ihre Verschiebung bleibt: Position danach messen. _KNUM=0 korrigiert nichts.
+help-cycle998-corrects-rotation = Die Drehung der NV aus _KNUM (ein Winkel: mit _RA=0), um Istwinkel minus Sollwinkel. Ihre Verschiebung bleibt: Position danach messen. _KNUM=0 korrigiert nichts.
 help-cycle998-corrects-axis = Mit _RA größer 0 stattdessen die NV dieser Rundachse; danach die Rundachse verfahren.
 help-cycle998-corrects-area = Weicht ein Winkel um mehr als _TSA (in °) vom Sollwinkel ab: Alarm 61303.
 help-cycle998-wrong-degrees = _TSA enthält noch einen Wert in mm aus einem anderen Zyklus; hier ist die Einheit °.
 help-cycle998-wrong-near = Die Punkte liegen dicht beieinander: 0.01 mm Grat auf 10 mm sind 0.06°.
 help-cycle998-wrong-limit = Das Werkstück ist um mehr als 45° gedreht: Das kann der Zyklus nicht messen; ein solches _STA1 löst Alarm 61331 aus.
-help-cycle998-wrong-path = Die Fläche weicht über den Abstand der Punkte um mehr als zweimal _FA ab: Der Messtaster erreicht P2 nicht.
+help-cycle998-wrong-path = Ein Punkt liegt in der Messachse mehr als zweimal _FA von der Startposition entfernt: Der Messtaster schaltet dort nicht, Alarm 61301.

@@ -20,11 +20,11 @@ evaluate-halt = Programmed stop (M0): the operator continues with NC START.
 evaluate-activated = The corrected frame is active immediately.
 evaluate-not-activated = The corrected frame becomes active when the program programs it again (G54, G500 …).
 evaluate-distortion = The measured triangle differs from the setpoint triangle by { $distortion } mm; the frame is corrected below { $limit } mm.
-evaluate-handed-back = There is no result: { $name } is set to { $alarm } and the program continues.
+evaluate-handed-back = The cycle raises no alarm: { $name } is set to { $alarm } and the program continues.
 evaluate-tool-safe-area = Difference { $difference } mm is not below the safe area, { $limit } mm: this value is not corrected.
 evaluate-tool-difference = Difference { $difference } mm is not below the permissible dimensional difference, { $limit } mm: this value is not corrected.
 evaluate-tool-small = Difference { $difference } mm does not exceed the zero compensation area, { $limit } mm: this value is not corrected.
-evaluate-tool-geometry = Difference { $difference } mm is corrected: the geometry receives the whole difference, the wear is deleted.
+evaluate-tool-geometry = Difference { $difference } mm and the previous wear go into the geometry; the wear is set to 0.
 evaluate-tool-wear = Difference { $difference } mm is corrected in the wear.
 evaluate-compensation-make = The table of this probe make (_TP_CF = { $make }) is inside the control and in no manual: it is not applied here. Your own table in _MT_EC_R and _MT_EC_L, with _MT_COMP = 2, is applied.
 evaluate-compensation = Table { $table } subtracts { $amount } mm from the measured value.

@@ -35,7 +35,7 @@ help-cycle105-number = CYCLE106 numbers its jobs differently: there, 2 is the bl
 help-cycle106-header = Prints the header to the log and controls its files and pages. Nothing moves.
 help-cycle106-values = Prints a block of values to the log and controls its files and pages. Nothing moves.
 help-cycle106-alone = The program keeps a log without measuring cycles: with measuring cycles, CYCLE100 and the measuring calls are sufficient.
-help-cycle106-keeps = If required, old files of the same name are deleted, the next file is opened when one is full, and a new page starts after _PROTFORM[0] lines.
+help-cycle106-keeps = If required, old files of the same name are deleted, the next file is opened when one is full, and a new page starts after _PROTFORM[0] lines (0: no new page).
 help-cycle106-number = PAR1 is neither 1 nor 2: alarm 61360. CYCLE105 numbers its jobs differently.
 
 help-cycle113-date = Reads the date of the control as a text. Nothing moves.
@@ -44,7 +44,7 @@ help-cycle113-variable = A variable receives the text: DEF STRING[10] PAR2 at th
 help-cycle113-year = The date is written as year, month, day, two digits each, separated by slashes.
 help-cycle113-hour = The time is written as hours, minutes, seconds, two digits each, separated by colons.
 help-cycle113-left = Only the text in the variable of the call.
-help-cycle113-short = The variable is declared with fewer than 10 characters: the text does not fit.
+help-cycle113-short = The variable is declared with fewer than 10 characters: the cycle requires STRING[10].
 
 help-cycle118-does = Converts a real number with the specified decimal places to a text; up to 10 numbers at once. Nothing moves.
 help-cycle118-variable = A variable receives the text: DEF STRING[12] PAR3 at the start of the program, or the name of your own variable in the call.

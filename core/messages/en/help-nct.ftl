@@ -18,7 +18,7 @@ help-g101-wrong-obstructed = There is an obstacle in the path: PATH OBSTRUCTED. 
 help-g101-wrong-incremental = With G91 active, the addresses are incremental, not positions.
 
 help-g102-measures-offset = The offset of the ball from the spindle axis, in both axes of the plane.
-help-g102-before-ring = The ball is in the middle of a bore of diameter D, within 10 mm. Either this spindle has just bored it, or it is a ring gauge and #510 holds the M function that rotates the spindle by 180°.
+help-g102-before-ring = The spindle is still on the axis of a bore of diameter D it has just bored; or #510 holds the M function that rotates it by 180° and the ball is within 10 mm of the middle of a ring gauge.
 help-g102-order-walls = Four walls in both axes; with an M function in #510, once more with the spindle rotated by 180°.
 help-g102-corrects-offset = #504 and #505, the radial offset in the 1st and 2nd axis of the plane.
 help-g102-wrong-moved = The bore was not made at the current spindle position, and the spindle is not rotated: the position error is stored as offset.
@@ -56,7 +56,7 @@ help-g107-wrong-turned = The part is clamped at an angle: the corner is correcte
 help-g108-measures-corner = The intersection of the two walls of an external corner.
 help-g108-before-before = The ball is in front of the corner at depth, outside both walls. It is as far in front of the corner as it must touch behind it.
 help-g108-order-walls = The stylus passes the corner, touches the wall perpendicular to the 1st axis and returns; then the same for the 2nd axis, each at most Q past its nominal coordinate.
-help-g108-corrects-offset = The work offset S, without S the active one, in both axes, by the difference of the corner.
+help-g108-corrects-offset = The work offset S, without S the active one, in both axes, by the deviation of the corner.
 help-g108-wrong-close = The start position is too near the corner: only its rounding or chamfer is touched.
 
 help-g109-measures-pocket = The width of a pocket and its middle, in one axis of the plane.

@@ -2,28 +2,29 @@
 
 help-tool-in-use = The tool and its D number are active; plane and G40 are programmed. Its lengths are in the tool data, exact for calibration, otherwise approximate.
 help-tool-not-turned = No coordinate rotation is active; the sides of the probe are parallel to the axes.
-help-tool-chip = A chip or coolant on cutting edge or probe makes the measured tool too long.
+help-tool-parallel = The sides of the probe are parallel to the machine axes.
+help-tool-chip = A chip or coolant on cutting edge or probe: the probe switches too early, the result is wrong.
 
 help-cycle971-measures-side = The position of one side of the tool probe, with a tool of known length and radius.
 help-cycle971-measures-sides = The positions of all sides of the tool probe specified in _TP[k,7] (workpiece-related: _TPW[k,7]), with a tool of known length and radius.
-help-cycle971-measures-tool = Length L1 (_MA = 3, 103, 203) or radius (_MA = 1, 2) of a milling tool or drill.
+help-cycle971-measures-tool = Length L1 (_MA = 3, 103, 203) of a milling tool or drill, or radius (_MA = 1, 2) of a milling tool.
 help-cycle971-before-still = The spindle is stationary, with the cutting edge pointing at the probe; the cycle does not rotate it.
 help-cycle971-before-rotating = The cycle calculates speed and feed from _CM[], or uses those in _MFS[] with _CBIT[12]=1. A rotating spindle keeps its direction, a stationary spindle uses that of _CM[5].
-help-cycle971-before-clear = The tool is clear of the probe on the side to be touched: above it for a length, beside it for a radius.
+help-cycle971-before-clear = The tool is clear of the probe on the side to be touched: above it with _MA = 3, 103, 203, otherwise beside it.
 help-cycle971-before-parallel = The tool axis is parallel to the centre line of the probe.
 help-cycle971-before-over = From its position the tool can move up or down to _FA above the top of the probe, and then across to its middle.
-help-cycle971-order-beside = Beside the probe: first to its middle in the other axis, then to the side, down by _TP[k,9] below the top, touch, back. End position: at depth.
+help-cycle971-order-beside = Beside the probe: first to its middle in the other axis, then to the side, down by _TP[k,9] or _TPW[k,9] below the top, touch, back. End position: at depth.
 help-cycle971-order-on-top = On top (_MA = 3, 103, 203): above the middle, down, touch; end _FA above. Tools wider than the probe are offset to the start by radius − _ID: abscissa (3, 103), ordinate (203); drills never.
 help-cycle971-order-centre-first = With _MA = 102 or 201, two touches first determine the middle in the other axis.
 help-cycle971-order-widest = For a radius, the tool moves lower by _ID, so that its largest diameter touches.
-help-cycle971-order-turning = The tool touches one to three times, each time at lower feed (_CM[6], _CM[7]); the last touch is used. If the spindle was stationary before, it stops again.
-help-cycle971-order-all-sides = Top at the setpoint middle, both ordinate sides, both abscissa sides at the ordinate middle found, both ordinate sides at the abscissa middle found, top again. End _FA above it.
-help-cycle971-wrong-depth = _TP[k,9] is 0: beside the probe, the tool does not reach down to it, alarm 61349.
+help-cycle971-order-turning = The tool touches one to three times, as specified by _CM[6] and _CM[7], or _MFS[] with _CBIT[12]=1; the last touch is used. If the spindle was stationary before, it stops again.
+help-cycle971-order-all-sides = If all sides are permitted: top, both ordinate sides (give its middle), both abscissa sides there, both ordinate sides at the abscissa middle found, top again. End _FA above it.
+help-cycle971-wrong-depth = _TP[k,9] (workpiece-related: _TPW[k,9]) is 0: beside the probe, the tool does not reach down to it; when a radius is measured, alarm 61349.
 help-cycle971-wrong-unclear = The tool position does not show which side to touch: alarm 61332.
 help-cycle971-wrong-edge = The cutting edge does not point at the probe: the measured radius is too small, as is the length of a tool with cutting edges of different height.
 help-cycle971-wrong-master = The size of the calibration tool is not exact: its error goes into every tool measured later.
 help-cycle971-wrong-no-data = Length or radius of the tool is 0: alarm 61351.
-help-cycle971-wrong-direction = _CM[5] is neither 3 nor 4: alarm 61366.
+help-cycle971-wrong-direction = The spindle is stationary and _CM[5] is neither 3 nor 4: alarm 61366.
 
 help-cycle972-measures-side = The position of one side of the tool probe, with a calibration tool of cutting edge position 3.
 help-cycle972-measures-length = One length of a turning tool: L2 in the abscissa, L1 in the ordinate.
@@ -32,24 +33,24 @@ help-cycle972-order-nose = The middle of the nose is at the middle of the probe;
 help-cycle972-order-tip = The cutting edge touches in the direction in which it points, according to its cutting edge position.
 
 help-cycle982-measures-side = The position of one side of the lathe's tool probe, with a calibration tool of cutting edge position 3 whose lengths and nose radius are known.
-help-cycle982-measures-one-length = One length of a turning tool, milling tool or drill: L2 with _MA=1, L1 with _MA=2.
+help-cycle982-measures-one-length = One length of a turning tool, milling tool or drill: L2 with _MA=1, L1 with _MA=2; of a drill with SD 42950 = 0 always L1.
 help-cycle982-measures-radius = The radius of a milling tool; the length in the axis of the radius must be known.
 help-cycle982-measures-both = The radius of a milling tool and the length along the same axis.
-help-cycle982-measures-all = All values of the active tool: both lengths of a turning tool (only one at cutting edge position 5 to 8), both lengths and radius of a milling tool, the length of a drill.
+help-cycle982-measures-all = Turning tool: both lengths, only one at cutting edge position 5 to 8; milling tool: both lengths and radius (lengths only if the radius is entered as 0); drill: its length.
 help-cycle982-measures-upper = Lengths and radius of a milling tool at its upper cutting edge, towards the shank, as with a groove cutter.
 help-cycle982-before-outside = The tool is outside the probe in both axes of the plane, on the side to be touched; the Y axis is at the middle of the probe.
 help-cycle982-before-setting = For milling tools and drills SD 42950 is 2; for one length of a drill in G17 or G19 it can also be 0.
 help-cycle982-before-axial = A milling tool or drill is in axial position: its axis along the abscissa, the radius in the ordinate.
 help-cycle982-before-radial = A milling tool or drill is in radial position: its axis along the ordinate, the radius in the abscissa.
 help-cycle982-order-calibrate = In the other axis, the middle of the nose moves to the middle of the probe, then to the side, touch, back. End position: _FA before this side.
-help-cycle982-order-spindle = A stationary milling spindle is positioned to _STA1 first, unless _CHBIT[20]=1.
+help-cycle982-order-spindle = With a milling tool or drill, a stationary milling spindle is positioned to _STA1 first, unless _CHBIT[20]=1.
 help-cycle982-order-reversal = Each point is touched twice, the second time with the spindle rotated by 180° plus _CORA: the mean value of both cutting edges is used.
-help-cycle982-order-length = In the other axis to the middle of the probe, then with the tip to the side, touch, back. End position: _FA before this side.
+help-cycle982-order-length = In the other axis to the middle of the probe, to the side, touch with the tip (a milling tool or drill across its axis with its side), back. End position: _FA before this side.
 help-cycle982-order-radius = The side of the cutter touches, in the axis of the radius.
 help-cycle982-order-both = The cutter touches the probe on the start side, moves around it and touches the opposite side. Without reversal a stationary spindle rotates by 180° before that: the same edge touches.
-help-cycle982-order-all = First in the abscissa, then in the ordinate, around the probe; a milling tool touches each side with the cutting edge turned towards it. End position: the start position.
-help-cycle982-order-upper-behind = The tool moves around the probe on the side away from the start, touches the length from there, then both sides. End position: the start position.
-help-cycle982-order-upper-across = The tool crosses the probe first, touches the length back towards the start, then both sides. End position: the start position.
+help-cycle982-order-all = First in the abscissa, then in the ordinate, around the probe, a drill only along its axis; a milling tool touches with the edge turned towards each side. End: the start position.
+help-cycle982-order-upper-behind = The tool moves around the probe on the side away from the start, touches the length from there, and both sides: first what lies in the abscissa. End position: the start position.
+help-cycle982-order-upper-across = The tool crosses the probe first, touches the length back towards the start, and both sides: first what lies in the abscissa. End position: the start position.
 help-cycle982-corrects-geometry = The active tool: the value is written to the geometry and the wear is reset to 0, whatever its previous value.
 help-cycle982-wrong-axis = The radius is not in _MA: alarm 61325.
 help-cycle982-wrong-drill-radius = The tool is a drill, whose radius the cycle does not measure: alarm 61314.
@@ -65,4 +66,4 @@ help-tool-data = The active tool: geometry, with wear reset to 0; with _CHBIT[3]
 help-tool-in-front = The tool is already in front of the side to be touched, at most twice _FA away. Calibration needs no probe data; for measuring a tool, this side is calibrated.
 help-tool-from-here = The tool touches from its position over at most twice _FA and moves back to the start position; nothing else moves.
 help-tool-trigger-always = The probe data: the trigger point in _TP (workpiece-related: _TPW) is stored, whatever its previous value.
-help-tool-unwatched = No limit monitors the result: if the tool touches something other than the probe, that position is stored.
+help-tool-unwatched = No limit monitors the result: if the tool touches something other than the probe, the wrong value is stored.

@@ -1,17 +1,17 @@
 # Help pages of the cycles that measure a workpiece on turning machines.
 
 help-turning-probe = The probe (type 5xy) is in the working position, its D number and G40 are active; no rotation and no scale factor is active.
-help-turning-diameter = Diameters and radii are mixed up: with DIAMON, setpoint and tolerances in X are diameters, _FA and the correction are not.
+help-turning-diameter = Diameters and radii are mixed up: with DIAMON, setpoint and, when measuring, tolerances in X are diameters; _FA, trigger points and the correction are not.
 
 help-cycle974-measures-point = The position of one point of a turned part: a diameter measured from one side, an end face, or a point in the 3rd axis.
 help-cycle974-before-opposite = The ball is opposite the point, further away than _FA; it measures from there towards _SETVAL.
 help-cycle974-before-chuck = The master spindle, which holds the part, can be positioned.
-help-cycle974-order-axis = Only the measuring axis moves; end position: _FA before the surface.
+help-cycle974-order-axis = The probe moves only in the measuring axis; end position: _FA before the surface.
 help-cycle974-order-reversal = The spindle moves to _STA1 and the point is touched; the spindle rotates by 180° and the point is touched again. The mean value is used, so run-out cancels.
 help-cycle974-corrects-half = A length is corrected by the deviation along its axis: half of a diameter deviation.
-help-cycle974-corrects-one-axis = Only the measuring axis is corrected.
+help-cycle974-corrects-one-axis = Only the measuring axis is corrected; with _CHBIT[19]=1, in G18, X instead of Y.
 help-cycle974-wrong-side = The start position is on the wrong side or within _FA of the surface.
-help-cycle974-wrong-run-out = The part has run-out: one point does not give its diameter. Measure with reversal.
+help-cycle974-wrong-run-out = The part has run-out: the result depends on the spindle position. For a tool offset, measure with reversal.
 
 help-cycle994-measures-diameter = A diameter of a turned part about the workpiece zero, from two opposite points.
 help-cycle994-before-plus-side = The ball is opposite the point on the plus side, further away than _FA.

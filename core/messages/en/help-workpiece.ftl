@@ -15,9 +15,9 @@ help-cycle961-order-passes = From P1 to P3 the probe lifts by _ID, passes over t
 help-cycle961-order-infeed = P2, P1, P3, P4: above each point the probe infeeds by _ID, touches, moves back and up.
 help-cycle961-order-toward-pocket = Each touch is directed away from the other pair of points.
 help-cycle961-order-toward-part = Each touch is directed to the side of the other pair of points.
-help-cycle961-order-along-axis = Every touch is parallel to an axis of the active coordinate system, from _FA before to _FA behind the expected position, each at least 20 mm.
+help-cycle961-order-along-axis = Every touch is parallel to an axis of the active coordinate system, at most twice _FA long; a smaller _FA is increased to the minimum of the cycle, 20 mm or more.
 help-cycle961-order-end-p4 = End position: above P4, at start height.
-help-cycle961-corrects-absolute = The zero offset in _KNUM, coarse and absolute: the corner becomes zero in the plane, the abscissa is along the reference edge. The fine offset is deleted, the applicate is unchanged.
+help-cycle961-corrects-absolute = With _KNUM above 0 this zero offset, coarse and absolute: the corner becomes zero in the plane, the abscissa is along the reference edge. Fine offset deleted, applicate unchanged.
 help-cycle961-corrects-choice = With _SETV[4]=2 the zero point is offset from the corner by _SETV[2], with 4 by _SETV[3], with 3 by both.
 help-cycle961-wrong-angle = The edges differ by more than 10° from _STA1 and _INCA: a point misses its edge, alarm 61301.
 help-cycle961-wrong-not-opposite = The start position is not opposite the corner: the cycle searches for P3 beside its edge.
@@ -53,7 +53,7 @@ help-cycle977-corrects-both-axes = Both axes of the plane are corrected.
 help-cycle977-corrects-one-axis = Only _MA is corrected.
 help-cycle977-wrong-depth = The ball is too high: it touches a chamfer or nothing.
 help-cycle977-wrong-infeed = _ID has the wrong sign or is too short: the ball passes over the element. Too long: it hits the bottom, alarm 61302.
-help-cycle977-wrong-zone = _SZA or _SZO leaves no room for the ball: alarm 61334.
+help-cycle977-wrong-zone = The protection zone leaves no room for the ball: alarm 61334.
 help-cycle977-wrong-start = The start position is not the setpoint centre: its error goes into the zero offset.
 
 help-cycle978-measures-point = The position of one point on a surface perpendicular to axis _MA.
@@ -90,7 +90,7 @@ help-cycle997-measures-three = The centres of three spheres, and from them the t
 help-cycle997-measures-diameter = The diameter of each sphere.
 help-cycle997-before-above = The ball is at safety height above the setpoint centre of sphere 1; every sphere can be reached from that height without a touch.
 help-cycle997-before-ball = CYCLE976 has already determined the active ball diameter.
-help-cycle997-before-frame = The active zero offset is accurate enough for each sphere to be within _FA of its setpoint position, and contains no mirroring or scaling.
+help-cycle997-before-frame = The active zero offset is accurate enough for each sphere to be within _FA of its setpoint position; no scale factor is active and, with three spheres, no mirroring.
 help-cycle997-order-paraxial = At the height of the setpoint centre: abscissa plus and minus side, then ordinate plus and minus side through the measured middle; between the points the probe rises to _FA above the sphere.
 help-cycle997-order-three-points = At the height of the setpoint centre: three points, the first at _STA1, each following _INCA further, with arcs at _RF between them.
 help-cycle997-order-four-points = At the height of the setpoint centre: four points, the first at _STA1, each following _INCA further, with arcs at _RF between them.
@@ -100,7 +100,7 @@ help-cycle997-order-repeat = The whole sphere is measured once more, starting fr
 help-cycle997-order-next = Sphere 2 and sphere 3 follow in the same way; the path to the next sphere is at safety height.
 help-cycle997-order-end = End position: at safety height above the last sphere.
 help-cycle997-corrects-shift = The zero offset in _KNUM, in all three axes: the sphere gets its setpoint coordinates; the rotation is unchanged. _KNUM=0 corrects nothing.
-help-cycle997-corrects-turn = The zero offset in _KNUM, coarse offset and rotation: the three spheres are then at their setpoint positions. If their distortion exceeds _TNVL: alarm 61414, no correction.
+help-cycle997-corrects-turn = With _KNUM above 0 this zero offset, coarse offset and rotation: the three spheres are then at their setpoint positions. Distortion above _TNVL: alarm 61414, no correction.
 help-cycle997-corrects-area = Any difference above _TSA stops the program with alarm 61303.
 help-cycle997-wrong-holder = The holder of the sphere is at a measuring point or in the infeed path.
 help-cycle997-wrong-no-ball = The probe was calibrated without ball diameter: if none is stored, alarm 61341 occurs; a wrong value shifts every approach to the sphere.
@@ -117,10 +117,10 @@ help-cycle998-order-two-angle = P1, along the setpoint angle to P2, back on the 
 help-cycle998-order-two-paraxial = P1, P2 and P3, always from start height: in the abscissa, back, in the ordinate.
 help-cycle998-order-end = End position: _FA before the last point.
 help-cycle998-order-end-height = End position: above P3, at start height.
-help-cycle998-corrects-rotation = With _RA=0, the rotation of the zero offset in _KNUM, by actual angle minus setpoint angle. Its position is unchanged: measure the position afterwards. _KNUM=0 corrects nothing.
+help-cycle998-corrects-rotation = The rotation of the zero offset in _KNUM (one angle: with _RA=0), by actual angle minus setpoint angle. Position unchanged: measure it afterwards. _KNUM=0 corrects nothing.
 help-cycle998-corrects-axis = With _RA above 0, the zero offset of that rotary axis instead; move the rotary axis afterwards.
 help-cycle998-corrects-area = An angle that differs by more than _TSA (in degrees) from the setpoint angle raises alarm 61303.
 help-cycle998-wrong-degrees = _TSA still contains a value in mm from another cycle; here the unit is degrees.
 help-cycle998-wrong-near = The points are close together: 0.01 mm of burr over 10 mm is 0.06°.
 help-cycle998-wrong-limit = The part is rotated by more than 45°, which the cycle cannot measure; such an _STA1 raises alarm 61331.
-help-cycle998-wrong-path = Over the distance of the points, the surface deviates by more than twice _FA: the probe does not reach P2.
+help-cycle998-wrong-path = In the measuring axis a point is more than twice _FA from the start position: the probe does not switch there, alarm 61301.

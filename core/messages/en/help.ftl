@@ -16,22 +16,22 @@ help-probe-loaded = The probe is in the spindle (tool type 710 or 1x0) and its D
 help-probe-turning = On a turning machine with a third linear axis: type 5xy, length to the ball centre, SD 42950 is 2. Cutting edge position 5 or 7 measures in G17, 6 or 8 in G19. X as radius, also with DIAMON.
 help-wrong-tool = _TNUM, or the D number in _KNUM, is not that of the tool that cut this surface: a good tool gets a wrong offset.
 help-wrong-chip = A chip or burr on the surface falsifies the size: clean the surface, and set _TDIF so that such a value is not corrected.
-help-wrong-conditions = The probe was calibrated with another feed, plane or spindle position: all results are off by the same amount.
+help-wrong-conditions = The probe data used here come from another feed or spindle position: the results have a constant error. Another plane: the same, with _CBIT[16]=1 an alarm.
 help-wrong-kept = A parameter not written by this call still has the value of an earlier call: a limit, a protection zone or an angle.
 help-order-block = One touch: to _FA before the setpoint position, then at the measuring feed for at most twice _FA, back after the signal. With _NMSP above 1 it is repeated and the mean value applies.
 help-ends-at-start = End position: the start position.
-help-wrong-reach = The surface is further than _FA from its setpoint position: the probe does not switch, alarm 61301.
-help-wrong-in-the-way = There is an obstacle in the path: a touch during positioning raises alarm 61302.
-help-corrects-tool = A tool: _TNUM or _TNAME specifies the tool, _KNUM the cutting edge and length or radius. The wear is corrected, with _CHBIT[6]=1 the geometry. _KNUM=0 corrects nothing.
+help-wrong-reach = The surface is more than _FA behind its setpoint position: the probe does not switch, alarm 61301.
+help-wrong-in-the-way = There is an obstacle in the path: with _CHBIT[2]=1, a touch during positioning raises alarm 61302.
+help-corrects-tool = A tool (_TNUM, _TNAME or _TENV): its wear, with _CHBIT[6]=1 its geometry. _KNUM selects edge, length or radius, or a setup or additive offset instead. _KNUM=0 corrects nothing.
 help-corrects-chain = Above _TSA: alarm 61303, program stop. Above _TDIF: message 62306, no correction. Outside _TUL, _TLL or _TMV: whole deviation. Within _TMV: mean value weighted by _K, if above _TZL.
-help-corrects-zero = The zero offset in _KNUM, by actual value minus setpoint, without rotation: the point gets its setpoint. Target: fine offset if available, with _CHBIT[21]=1 coarse offset. _KNUM=0: nothing.
+help-corrects-zero = The zero offset in _KNUM, by actual value minus setpoint; its rotation is unchanged. Target: fine offset if available, with _CHBIT[21]=1 or _KNUM=2000 coarse offset. _KNUM=0: no correction.
 help-corrects-zero-area = Deviation above _TSA: alarm 61303, the program stops, no correction.
 help-corrects-when = The correction applies when the G function (G54 …) is programmed again; only with _KNUM=9999 does it apply immediately.
 help-corrects-trigger = The probe data: if a trigger point differs by more than _TZL from the value in _WP, the cycle stores it. Above _TSA: alarm 61303, nothing is stored.
 help-wrong-first = First calibration: the stored values are 0, so _TSA must be larger than the ball radius.
-help-wrong-later = Feed, plane, spindle position or _CBIT[14] differ in later measurements: the stored values do not apply there.
+help-wrong-later = Feed, plane, spindle position or, in milling cycles, _CBIT[14] differ in later measurements: the stored values do not apply there.
 help-calibrated = The probe is calibrated in this plane and in the directions of this measurement, at the same feed.
-help-uncalibrated = The probe need not be calibrated; it switches in all directions, the spindle can be positioned, and _MA is in the plane.
+help-uncalibrated = The probe need not be calibrated; it switches in all directions, the spindle can be positioned, and the measuring axis is in the plane.
 help-turned-over = The first point is touched with the spindle rotated by 180°, then in the original spindle position. The mean value is used, so the skew cancels.
 help-turned-over-stored = The cycle also stores in _WP the skew, and the trigger point of this direction including the skew. They apply to this spindle position only.
 help-no-spindle = The spindle cannot be positioned: alarm 61372.

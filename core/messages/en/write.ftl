@@ -12,8 +12,8 @@ write-expression = { $name }={ $value } is written as a separate assignment: if 
 write-expression-lost = { $name }={ $value } would be lost: the argument list of newer controls has no argument for it.
 
 convert-same = The call is already written in this style.
-convert-lost = Omitted from the list: { $names }. The older control has no parameter for it.
-convert-lost-hint = Check that the call works without it.
+convert-lost = No parameter on the older control, therefore omitted: { $names }.
+convert-lost-hint = Check that the call works without these values.
 convert-others = { $cycle } in line { $line } uses values of this call and would get different ones.
 convert-others-hint = Convert that call too, or write its values before it.
 convert-argument = Argument { $value } of this call would be lost: no other call style has a place for it.

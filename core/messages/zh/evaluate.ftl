@@ -21,11 +21,11 @@ evaluate-halt = 编程停止（M0）：操作者按 NC START 继续。
 evaluate-activated = 补偿后的坐标框架立即生效。
 evaluate-not-activated = 补偿后的坐标框架在程序再次调用它（G54、G500 …）时生效。
 evaluate-distortion = 测得的三角形与设定三角形相差 { $distortion } mm；小于 { $limit } mm 时才补偿坐标框架。
-evaluate-handed-back = 没有结果：{ $name } 设为 { $alarm }，程序继续。
+evaluate-handed-back = 循环不报警：{ $name } 设为 { $alarm }，程序继续。
 evaluate-tool-safe-area = 偏差 { $difference } mm 不小于安全区 { $limit } mm：该值不作补偿。
 evaluate-tool-difference = 偏差 { $difference } mm 不小于允许尺寸差 { $limit } mm：该值不作补偿。
 evaluate-tool-small = 偏差 { $difference } mm 不大于零补偿区 { $limit } mm：该值不作补偿。
-evaluate-tool-geometry = 补偿偏差 { $difference } mm：全部写入几何值，磨损值清零。
+evaluate-tool-geometry = 偏差 { $difference } mm 和原磨损值一并计入几何值，磨损值清零。
 evaluate-tool-wear = 偏差 { $difference } mm 补偿到磨损值中。
 evaluate-compensation-make = 该型号测头（_TP_CF = { $make }）的补偿表在控制系统内部，手册中没有：模拟不作扣除。_MT_COMP = 2 时使用 _MT_EC_R 和 _MT_EC_L 中的用户自定义表。
 evaluate-compensation = 表 { $table } 从测量值中扣除 { $amount } mm。

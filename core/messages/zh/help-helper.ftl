@@ -35,7 +35,7 @@ help-cycle105-number = CYCLE106 的任务编号不同：其中 2 是数值组。
 help-cycle106-header = 把记录头写入记录，并管理其文件和页。轴不移动。
 help-cycle106-values = 把数值组写入记录，并管理其文件和页。轴不移动。
 help-cycle106-alone = 程序不用测量循环而要记录：使用测量循环时，CYCLE100 和测量调用已足够。
-help-cycle106-keeps = 需要时删除同名的旧文件，文件写满时打开下一个文件，达到 _PROTFORM[0] 行后另起一页。
+help-cycle106-keeps = 需要时删除同名的旧文件，文件写满时打开下一个文件，达到 _PROTFORM[0] 行后另起一页（为 0 时不另起）。
 help-cycle106-number = PAR1 既不是 1 也不是 2：报警 61360。CYCLE105 的任务编号不同。
 
 help-cycle113-date = 把控制系统的日期读为文本。轴不移动。
@@ -44,7 +44,7 @@ help-cycle113-variable = 由一个变量接收文本：在程序开头声明 DEF
 help-cycle113-year = 日期写为年、月、日，各两位数字，用斜线分开。
 help-cycle113-hour = 时间写为时、分、秒，各两位数字，用冒号分开。
 help-cycle113-left = 只有调用中变量里的文本。
-help-cycle113-short = 声明的变量少于 10 个字符：容纳不下文本。
+help-cycle113-short = 声明的变量少于 10 个字符：循环要求 STRING[10]。
 
 help-cycle118-does = 把一个实数按给定的小数位数转换为文本；一次最多 10 个数值。轴不移动。
 help-cycle118-variable = 由一个变量接收文本：在程序开头声明 DEF STRING[12] PAR3，或在调用中写入自己的变量名。

@@ -4,7 +4,7 @@ help-stylus = 测针在主轴中，其长度补偿有效，且没有触碰任何
 help-guarded = 测针用 G101 移到该处，途中若有碰撞便会停止。
 help-steps = 一次触碰分三步：快速接近至触发，以中等速度退回，再以很低的速度前进；以最后一步为准。
 help-position-lost = 上一次 G101 没有到达目标：OUT OF POSITION。
-help-result = 编程 S 时，工件偏置按测量值减公称值补偿；编程 T 时补偿刀具寄存器，使下一个工件合格；编程 M 时只存储偏差，有余量为正。都省略则不补偿。
+help-result = 编程 S 时，工件偏置按测量值减公称值补偿；编程 T 时补偿刀具寄存器，使下一个工件合格；编程 M 时只存储偏差，有余量为正。S 和 T 都省略则不补偿。
 help-limits = 偏差大于 H 为 OUT OF TOLERANCE；大于 U 为 UPPER TOL EXEEDED，不作补偿。
 help-both-targets = 同时编程了 S 和 T：FORMAT ERROR。偏差只能补偿其中之一。
 help-middle-tolerance = 公称尺寸不是公差带中点：H 向两侧计算（20 +0.1/−0.3 写成 19.9 和 H0.2）。
@@ -18,7 +18,7 @@ help-g101-wrong-obstructed = 路径上有障碍物：PATH OBSTRUCTED。请手动
 help-g101-wrong-incremental = G91 有效时，各地址是增量而不是位置。
 
 help-g102-measures-offset = 测球相对主轴轴线在平面两个轴上的偏移。
-help-g102-before-ring = 测球在直径 D 的孔中间，误差不超过 10 mm。该孔由本主轴刚镗出，或是环规，且 #510 中有使主轴转 180° 的 M 功能。
+help-g102-before-ring = 主轴仍在其刚镗出的直径 D 孔的轴线上；或 #510 中有使主轴转 180° 的 M 功能，且测球在环规中间，误差不超过 10 mm。
 help-g102-order-walls = 触碰两个轴的四个壁；#510 中有 M 功能时，主轴转 180° 后再触碰一遍。
 help-g102-corrects-offset = #504 和 #505：平面第 1 轴和第 2 轴的径向偏置。
 help-g102-wrong-moved = 孔不是在主轴现在的位置加工的，主轴又不旋转：孔位的误差被存为径向偏置。

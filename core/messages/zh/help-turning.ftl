@@ -1,17 +1,17 @@
 # Help pages of the cycles that measure a workpiece on turning machines.
 
 help-turning-probe = 测头（类型 5xy）在工作位置，其 D 号和 G40 有效；没有旋转和比例系数。
-help-turning-diameter = 直径和半径混淆：DIAMON 有效时 X 的设定值和公差是直径，_FA 和补偿量不是。
+help-turning-diameter = 直径和半径混淆：DIAMON 有效时 X 的设定值以及测量时的公差是直径，_FA、触发点和补偿量不是。
 
 help-cycle974-measures-point = 车削件上一点的位置：从一侧测的直径、端面，或第 3 轴上的一点。
 help-cycle974-before-opposite = 测球对着该点，距离大于 _FA；从那里朝 _SETVAL 测量。
 help-cycle974-before-chuck = 夹持工件的主主轴可以定位。
-help-cycle974-order-axis = 只有测量轴移动；最后停在表面前 _FA 处。
+help-cycle974-order-axis = 测头只沿测量轴移动；最后停在表面前 _FA 处。
 help-cycle974-order-reversal = 主轴转到 _STA1 触碰该点，再转 180° 触碰一次。取平均值，因此跳动抵消。
 help-cycle974-corrects-half = 长度按其轴向的偏差补偿：直径偏差的一半。
-help-cycle974-corrects-one-axis = 只补偿测量轴。
+help-cycle974-corrects-one-axis = 只补偿测量轴；_CHBIT[19]=1 时，在 G18 中补偿 X 而不是 Y。
 help-cycle974-wrong-side = 起点在错误的一侧，或离表面在 _FA 以内。
-help-cycle974-wrong-run-out = 工件有跳动：一点不代表其直径。请用换向测量。
+help-cycle974-wrong-run-out = 工件有跳动：结果取决于主轴位置。补偿刀具时请用换向测量。
 
 help-cycle994-measures-diameter = 由相对的两点测量车削件以工件零点为中心的直径。
 help-cycle994-before-plus-side = 测球对着正侧的点，距离大于 _FA。

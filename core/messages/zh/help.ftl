@@ -16,22 +16,22 @@ help-probe-loaded = 测头在主轴中（刀具类型 710 或 1x0），其 D 号
 help-probe-turning = 在有第三直线轴的车床上，测头类型为 5xy，长度算到测球中心，SD 42950 为 2。刀沿位置 5 或 7 在 G17 中测量，6 或 8 在 G19 中测量。即使 DIAMON 有效，X 的位置也是半径。
 help-wrong-tool = _TNUM 或 _KNUM 中的 D 号不属于加工此表面的刀具：没有问题的刀具会得到错误的补偿。
 help-wrong-chip = 表面上的切屑或毛刺使尺寸失真：测量前清洁，并设定 _TDIF，使这样的值不被补偿。
-help-wrong-conditions = 校准测头时的进给、平面或主轴位置与现在不同：所有结果都有相同的误差。
+help-wrong-conditions = 所用测头数据在其他进给或主轴位置下校准：结果有固定的误差。平面不同时也是如此，_CBIT[16]=1 时报警。
 help-wrong-kept = 此调用没有写入的参数仍为以前调用的值：极限、保护区或角度。
 help-order-block = 一次触碰：移到设定位置前 _FA 处，从那里以测量进给最多走两倍 _FA，触发后退回。_NMSP 大于 1 时重复触碰，取平均值。
 help-ends-at-start = 最后停在起点。
-help-wrong-reach = 表面离其设定位置超过 _FA：测头不触发，报警 61301。
-help-wrong-in-the-way = 路径上有障碍物：定位时碰撞，报警 61302。
-help-corrects-tool = 刀具：_TNUM 或 _TNAME 指定刀具，_KNUM 指定刀沿以及长度或半径。补偿写入磨损，_CHBIT[6]=1 时写入几何值。_KNUM=0 不补偿。
+help-wrong-reach = 表面在其设定位置之后超过 _FA：测头不触发，报警 61301。
+help-wrong-in-the-way = 路径上有障碍物：_CHBIT[2]=1 时，定位时碰撞则报警 61302。
+help-corrects-tool = 刀具（_TNUM、_TNAME 或 _TENV）：补偿写入磨损，_CHBIT[6]=1 时写入几何值。_KNUM 指定刀沿、长度或半径，也可改为设定补偿或附加补偿。_KNUM=0 不补偿。
 help-corrects-chain = 偏差超过 _TSA：报警 61303，程序停止。超过 _TDIF：信息 62306，不补偿。超出 _TUL、_TLL 或 _TMV：补偿全部偏差。在 _TMV 以内：以 _K 加权的平均值，大于 _TZL 时才补偿。
-help-corrects-zero = 零点偏移，由 _KNUM 指定：移动量为实际值减设定值，使测得的位置得到其设定坐标；旋转不变。机床有精偏移时写入精偏移，_CHBIT[21]=1 时写入粗偏移。_KNUM=0 不补偿。
+help-corrects-zero = 由 _KNUM 指定的零点偏移，移动量为实际值减设定值；旋转不变。机床有精偏移时写入精偏移，_CHBIT[21]=1 或 _KNUM=2000 时写入粗偏移。_KNUM=0 不补偿。
 help-corrects-zero-area = 偏差超过 _TSA 时报警 61303：程序停止，不作补偿。
 help-corrects-when = 重新编程其 G 功能（G54 …）后才生效；只有 _KNUM=9999 时立即生效。
 help-corrects-trigger = 测头数据：触发点与 _WP 中的值相差大于 _TZL 时更新。超过 _TSA：报警 61303，不存储。
 help-wrong-first = 首次校准：存储值为 0，_TSA 必须大于测球半径。
-help-wrong-later = 以后测量时的进给、平面、主轴位置或 _CBIT[14] 不同：存储的值不适用。
+help-wrong-later = 以后测量时的进给、平面、主轴位置或（铣削测量循环中）_CBIT[14] 不同：存储的值不适用。
 help-calibrated = 测头已在此平面、此测量的各方向、以相同的进给校准。
-help-uncalibrated = 测头不必校准；它各方向都能触发，主轴可以定位，_MA 在平面内。
+help-uncalibrated = 测头不必校准；它各方向都能触发，主轴可以定位，测量轴在平面内。
 help-turned-over = 第一点先以主轴转过 180° 触碰，再以原位置触碰。取平均值，因此位置偏差抵消。
 help-turned-over-stored = 位置偏差和此方向的触发点（其中含位置偏差）也存入 _WP，只对主轴当前的角度有效。
 help-no-spindle = 主轴不能定位：报警 61372。

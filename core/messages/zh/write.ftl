@@ -13,7 +13,7 @@ write-expression-lost = { $name }={ $value } 会丢失：新型控制系统的�
 
 convert-same = 调用已经是这种书写方式。
 convert-lost = 参数表中的 { $names } 略去：旧型控制系统没有对应的参数。
-convert-lost-hint = 请检查没有该参数时此调用能否正常工作。
+convert-lost-hint = 请检查没有这些值时此调用能否正常工作。
 convert-others = 第 { $line } 行的 { $cycle } 使用此调用的值，转换后会得到不同的值。
 convert-others-hint = 请一并转换那个调用，或在它前面写出这些值。
 convert-argument = 此调用的参数 { $value } 会丢失：其他书写方式没有对应的位置。

@@ -68,7 +68,7 @@ fn binary_and_huge_lines_give_short_clean_messages() {
     let path = file("noise.mpf", &noise);
     let output = probewright(&["check", &path]);
     assert_eq!(output.status.code(), Some(1));
-    assert!(out(&output).lines().count() <= 201 && out(&output).contains("more findings"));
+    assert!(out(&output).lines().count() <= 201 && out(&output).contains("More findings"));
 }
 
 // oracle: hand (the beginnings that the formats prescribe)

@@ -2,7 +2,7 @@
 
 use super::params::{
     AUTOMATIC, BOTH, CALIBRATE, INCREMENTAL, MEASURE, OPPOSITE, POSITIONED, RADIAL, RADIUS, REVERSAL, UPPER,
-    WITH_RADIUS,
+    WITH_RADIUS, WORKPIECE,
 };
 use crate::catalogue::tool_probe::help::lines;
 use crate::entry::{HelpLine, When, before, corrects, measures, mvar, order, wrong};
@@ -29,7 +29,8 @@ pub const LINES: &[HelpLine] = &[
     measures(BOTH, "help-cycle982-measures-both", "B:9578-9655"),
     measures(EVERYTHING, "help-cycle982-measures-all", "B:9702-9752"),
     measures(UPPER, "help-cycle982-measures-upper", "B:9779-9793"),
-    before(When::Always, "help-tool-not-turned", "A:15873;B:9819"),
+    before(WORKPIECE, "help-tool-not-turned", "A:15873;B:9819"),
+    before(When::Not(&WORKPIECE), "help-tool-parallel", "B:9819"),
     before(POSITIONED, "help-cycle982-before-outside", "B:9642"),
     before(MEASURE, "help-cycle982-before-setting", "B:9208;B:9334-9336"),
     before(AXIAL_TOOL, "help-cycle982-before-axial", "B:9208;B:9516"),
