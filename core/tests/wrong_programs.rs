@@ -56,6 +56,7 @@ fn wrong_programs_give_helpful_messages() {
         let wanted = std::fs::read_to_string(&expected).unwrap_or_default();
         assert_eq!(printed, wanted.replace("\r\n", "\n"), "{name:?}");
         assert!(!printed.is_empty(), "{name:?} is not wrong");
+        assert!(!printed.contains("{$"), "{name:?} lacks an argument: {printed}");
     }
 }
 

@@ -56,8 +56,8 @@ fn assignment(control: &Control, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Turning the spindle: forbidden by `_CHBIT[20]`, or impossible (B:10088-10094, A:15916). Only one that stands is turned
-/// to `_STA1` (B:9194).
+/// Turning the spindle to `_STA1`: forbidden by `_CHBIT[20]`, or impossible (B:10088-10094, A:15916); one that turns
+/// already stays so (B:9194).
 fn spindle(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     if SPINDLE_HAS_TO_STAY.holds(inputs) {
         found.push(refused(61307, "check-spindle-stays", names::MVAR));

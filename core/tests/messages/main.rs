@@ -2,13 +2,14 @@
 #![cfg(feature = "cli")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+mod every_finding;
+
 use probewright_core::catalogue::example::worked;
 use probewright_core::catalogue::{CYCLES, find};
 use probewright_core::check::check;
 use probewright_core::control::{Control, Units, delivery};
-use probewright_core::diagnostic::{Diagnostic, Severity};
+use probewright_core::diagnostic::Diagnostic;
 use probewright_core::dialect::Dialect;
-use probewright_core::entry::{Kind, Typed};
 use probewright_core::form::{Choice, Entry, fields};
 use probewright_core::geometry::{Dir, Mcs};
 use probewright_core::machine::trace::{Entry as TraceEntry, Step};
@@ -16,7 +17,6 @@ use probewright_core::scene::frames::{Frame, UNITS};
 use probewright_core::scene::labels::{self, Label};
 use probewright_core::words::{LANGUAGES, Words};
 use probewright_core::workpiece::feeler::Touching;
-use proptest::prelude::*;
 
 fn findings(name: &str, values: &[(&str, &str)], control: &Control) -> Vec<Diagnostic> {
     let cycle = find(Dialect::Sinumerik, name).unwrap();
@@ -151,44 +151,6 @@ fn a_finding_is_true_of_every_value_that_raises_it() {
         let told = found.iter().flat_map(|one| std::iter::once(&one.message).chain(&one.hint));
         let told: Vec<String> = told.map(|message| words.text(message)).collect();
         assert!(told.iter().any(|one| one.contains(text)), "{values:?} {datum:?}: {told:#?}");
-    }
-}
-
-const VALUES: &[&str] = &[
-    "", "0", "1", "-1", "3", "20", "132", "-132", "0,5", "1,2,3", "1e9", "1e308", "-1e308", "1.5e", "NaN", "inf", "٣",
-    "R1", "R1+", "101", "1001", "1105", "2001", "9999", "1000000", "399999999", "12x", "\"", "A\nB", "360", "1e-9",
-];
-
-// oracle: self (a missing argument or word would show its name)
-proptest! {
-    #![proptest_config(ProptestConfig { max_shrink_iters: 200, ..ProptestConfig::with_cases(300) })]
-
-    #[test]
-    fn every_finding_has_all_its_words(
-        picks in proptest::collection::vec(any::<prop::sample::Index>(), 40), variant in 0..24_usize, example: bool
-    ) {
-        let words = Words::english();
-        for cycle in CYCLES {
-            let mut typed = Typed::new();
-            for (param, pick) in cycle.params.iter().zip(&picks) {
-                let text = match (&param.kind, param.example) {
-                    (Kind::Variant(_), _) => cycle.variants[variant % cycle.variants.len()].number.to_string(),
-                    (_, value) if !value.is_empty() && example && pick.index(3) > 0 => value.to_owned(),
-                    _ => VALUES[pick.index(VALUES.len())].to_owned(),
-                };
-                typed.insert(param.name.into(), text);
-            }
-            for finding in check(cycle, &typed, &delivery(cycle.dialect)).diagnostics {
-                let messages = std::iter::once(&finding.message).chain(&finding.hint);
-                for message in messages {
-                    let text = words.find(message);
-                    prop_assert!(text.is_some(), "{}", message.key);
-                    let text = text.unwrap();
-                    prop_assert!(!text.contains("{$") && !text.chars().any(char::is_control), "{}", text);
-                }
-                prop_assert!(finding.hint.is_some() || finding.severity == Severity::Note, "{:?}", finding.message);
-            }
-        }
     }
 }
 
