@@ -66,7 +66,7 @@ prop_compose! {
 
 /// What is drawn instead with this number, where one in so many values is another one.
 fn other(number: usize, one_in: usize) -> Option<usize> {
-    (number % one_in == 0).then_some(number / one_in)
+    number.is_multiple_of(one_in).then_some(number / one_in)
 }
 
 impl Drawn {
