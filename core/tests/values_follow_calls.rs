@@ -104,7 +104,7 @@ fn an_argument_arrives_in_the_subprogram_and_is_changed_at_its_call() {
 fn several_calls_with_the_same_value_show_it_and_with_others_say_so() {
     let text = whole("MEASURE(40)\nG0 X9\nMEASURE(40)\n", &[("MEASURE", MEASURE)]);
     assert_eq!(setpoint(&sites(&text).1[0]), "40");
-    assert_eq!(said(&text, 0), "Written in line 3, 5.");
+    assert_eq!(said(&text, 0), "Written in lines 3, 5.");
     assert_eq!(changed(&text, 0, "_SETVAL", "41"), text.replace("(40)", "(41)"));
     let text = whole("MEASURE(40)\nMEASURE(50)\n", &[("MEASURE", MEASURE)]);
     assert_eq!(setpoint(&sites(&text).1[0]), "_D");
