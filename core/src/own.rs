@@ -189,6 +189,7 @@ sentences! {
     ARRIVES_MANY 151 Note "arrives" "arrives-many-hint";
     ARRIVES_DIFFERING 151 Note "arrives-differing" "arrives-differing-hint";
     WRITE_VARIANT_OPEN 153 Error "write-variant-open" "write-no-list-hint";
+    CONVERT_VARIANT_OPEN 153 Error "write-variant-open" "convert-argument-hint";
     MIRROR_DATUM 154 Warning "check-mirror-datum" "check-mirror-datum-hint";
     ROTARY_ACROSS 155 Warning "check-rotary-across" "check-rotary-across-hint";
     ERASES 160 Warning "check-erases" "check-erases-hint";

@@ -198,6 +198,8 @@ fn wrong_programs_stop_at_their_place() {
     let groups = "I1".repeat(11);
     let text = format!("G65 P20 {groups}\nM30\nO20\nM99");
     assert_eq!(fault(&text).0, "run-arguments");
+    let Some(Stop::Fault(message)) = go(&text).stop else { panic!("{text}") };
+    assert_eq!(message.word("word"), Some("G65"));
 }
 
 // oracle: hand (G103 limits the look-ahead on controls with other macros; an address that the macro knows makes it a

@@ -280,6 +280,8 @@ export type CycleInfo = {
   purpose: Purpose,
   /** The styles that its call has, direct first. */
   styles: Array<Style>,
+  /** Whether a parameter takes the number of the variant; else that number is ours, and no program writes it. */
+  numbered: boolean,
   /** Measuring variants of the cycle. */
   variants: Array<VariantInfo>,
   /** Parameters of the cycle, in the order in which they are written. */
@@ -928,9 +930,9 @@ export type ProbeBody = {
 
 /** What is wrong with a probe, mm. */
 export type ProbeSliders = {
-  /** Centre of the ball off the axis, along X; of a tool its length L1. */
+  /** Centre of the ball off the axis, along the abscissa; of a tool its length L1. */
   skewX: number,
-  /** Along Y; of a tool its length L2. */
+  /** Centre of the ball off the axis, along the ordinate; of a tool its length L2. */
   skewY: number,
   /** Added to the radius of the ball, or of the tool. */
   radius: number,

@@ -38,6 +38,8 @@ pub struct CycleInfo {
     pub purpose: Purpose,
     /// The styles that its call has, direct first.
     pub styles: Vec<Style>,
+    /// Whether a parameter takes the number of the variant; else that number is ours, and no program writes it.
+    pub numbered: bool,
     /// Measuring variants of the cycle.
     pub variants: Vec<VariantInfo>,
     /// Parameters of the cycle, in the order in which they are written.
@@ -132,6 +134,7 @@ fn entry(cycle: &'static Cycle) -> CycleInfo {
         key: cycle.key,
         purpose: purpose(cycle),
         styles: styles(cycle),
+        numbered: cycle.variant_param().is_some(),
         variants: cycle.variants.iter().map(|one| variant(cycle, one)).collect(),
         parameters: cycle.params.iter().map(parameter).collect(),
         results: cycle.results,

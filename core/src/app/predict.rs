@@ -52,9 +52,9 @@ pub struct PartSliders {
 #[serde(default, rename_all = "camelCase")]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct ProbeSliders {
-    /// Centre of the ball off the axis, along X; of a tool its length L1.
+    /// Centre of the ball off the axis, along the abscissa; of a tool its length L1.
     pub skew_x: f64,
-    /// Along Y; of a tool its length L2.
+    /// Centre of the ball off the axis, along the ordinate; of a tool its length L2.
     pub skew_y: f64,
     /// Added to the radius of the ball, or of the tool.
     pub radius: f64,

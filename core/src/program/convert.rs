@@ -58,7 +58,8 @@ fn foreign(program: &Program, site: &CallSite, control: &Control) -> Option<Diag
     let value = |name: &str| site.values.get(name).map_or("", String::as_str);
     let variant = site.cycle.variant_param()?;
     if !list.has_variant(site.cycle) && parse(value(variant.as_str())) == Parsed::Expression {
-        return Some(own::WRITE_VARIANT_OPEN.finding().text("value", value(variant.as_str())));
+        let number = value(variant.as_str());
+        return Some(own::CONVERT_VARIANT_OPEN.finding().text("value", number).hint_text("value", number));
     }
     let list = site.newer_list()?;
     let said = |name: &str, value: &str| own::CONVERT_NEWER.finding().text("param", name).text("value", value);
@@ -67,7 +68,8 @@ fn foreign(program: &Program, site: &CallSite, control: &Control) -> Option<Diag
         return Some(said(name, text));
     }
     let name = *newer::foreign(site.cycle, list, &site.values, control).first()?;
-    Some(said(name.as_str(), value(name.as_str())).at(name))
+    let written = Some(value(name.as_str())).filter(|text| !text.is_empty());
+    Some(said(name.as_str(), written.unwrap_or("0")).at(name)) // an omitted argument is 0 there
 }
 
 /// The argument of newer controls for the tool that is corrected.

@@ -31,7 +31,7 @@ pub fn condition(
 }
 
 fn truth(run: &Interpreter, place: Span, value: Option<ExprId>) -> Result<bool, Problem> {
-    let value = value.ok_or_else(|| Problem::new("run-not-a-number", place, ""))?;
+    let value = value.ok_or_else(|| Problem::new("run-not-a-number", place, run.program.name(place)))?;
     Ok(expression::number(run, value)? != 0.0)
 }
 

@@ -23,6 +23,12 @@ pub fn evaluate(run: &Interpreter, id: ExprId) -> Result<Datum, Problem> {
     }
 }
 
+/// Value of an argument or index of what stands at `of`; an omitted one is told by that name.
+pub fn element(run: &Interpreter, id: ExprId, of: Span) -> Result<Datum, Problem> {
+    let omitted = || Problem::new("run-not-a-number", run.program.place(id), run.program.name(of));
+    evaluate(run, run.program.given(id).ok_or_else(omitted)?)
+}
+
 /// Value of an expression that has to be a number.
 pub fn number(run: &Interpreter, id: ExprId) -> Result<f64, Problem> {
     evaluate(run, id)?.number().ok_or_else(|| wrong(run, id))
@@ -92,8 +98,8 @@ fn binary(run: &Interpreter, left: ExprId, operator: Operator, right: ExprId) ->
     let result = (run.rules().operate)(operator, a, b, vacancy).or_else(|| numbers(operator, a, b));
     match result.ok_or_else(|| wrong(run, left))? {
         Datum::Number(number) if !number.is_finite() => {
-            let place = span(run, left);
-            Err(Problem::new("run-range", place, run.program.name(place)))
+            let whole = Span { start: run.program.place(left).start, end: run.program.place(right).end };
+            Err(Problem::new("run-range", whole, run.program.written(whole)))
         }
         value => Ok(value),
     }

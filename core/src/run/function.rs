@@ -1,6 +1,6 @@
 //! Functions of expressions: arithmetic, texts, frames. Angles in degree.
 
-use super::{Datum, Interpreter, evaluate, expression::list};
+use super::{Datum, Interpreter, expression::element, expression::list};
 use crate::control::{AXES, Frame, ROTARY, variables::set_component};
 use crate::diagnostic::Span;
 use crate::geometry::Degrees;
@@ -13,7 +13,7 @@ pub fn call(run: &Interpreter, place: Span, args: &[ExprId]) -> Result<Datum, Pr
     if name == "SET" {
         return list(run, args).map(Datum::List);
     }
-    let values = args.iter().map(|arg| evaluate(run, *arg)).collect::<Result<Vec<_>, _>>()?;
+    let values = args.iter().map(|arg| element(run, *arg, place)).collect::<Result<Vec<_>, _>>()?;
     if name == "REP" {
         return repeated(values).ok_or_else(refused);
     }

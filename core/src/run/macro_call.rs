@@ -65,7 +65,7 @@ fn arguments(run: &mut Interpreter, found: &Words) -> Result<Locals, Problem> {
             place += 3;
         }
         if place > LAST {
-            return Err(Problem::new("run-arguments", address.span, name));
+            return Err(Problem::new("run-arguments", address.span, "G65"));
         }
         locals.insert(local(place), holding(number, address.span));
     }

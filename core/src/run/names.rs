@@ -1,8 +1,8 @@
 //! Variables of a program: user data, tool and frame data, R parameters, local ones, and what the control tells.
 
 use super::{
-    Datum, Home, Interpreter, Keeper, action::machine_function, evaluate, indices, locals, macro_variables, stem,
-    system, unread,
+    Datum, Home, Interpreter, Keeper, action::machine_function, evaluate, expression::element, indices, locals,
+    macro_variables, stem, system, unread,
 };
 use crate::catalogue::CYCLES;
 use crate::control::{Control, Frame, Value, arrays, gud, machine_data, rotary::is_angle};
@@ -28,7 +28,7 @@ pub fn key(run: &Interpreter, place: Span, index: &[ExprId]) -> Result<String, P
     }
     let mut parts = Vec::new();
     for id in index {
-        match evaluate(run, *id)? {
+        match element(run, *id, place)? {
             Datum::Number(value) if value.is_finite() => parts.push(format!("{}", value.trunc() as i64)),
             Datum::Word(word) => parts.push(word),
             _ => return Err(Problem::new("run-index", place, name)),

@@ -1,6 +1,7 @@
 //! Variables of all types, conversions, operators and functions.
 
 use super::{clean, fault, findings, go, messages, near, number};
+use probewright_core::machine::Stop;
 
 // oracle: manual (Job planning 03/2006, 1.9: conversions at an assignment)
 #[test]
@@ -35,6 +36,20 @@ fn a_variable_keeps_its_type() {
         assert_eq!(fault(text), key, "{text}");
     }
     assert_eq!(findings("DEF INT A\nDEF INT A"), ["run-declared-twice"]);
+}
+
+// oracle: hand
+#[test]
+fn a_fault_names_what_is_written() {
+    for (text, key, word) in [
+        ("R1=ATAN2(1,)", "run-not-a-number", "ATAN2"),
+        ("R1=_OVR[,1]", "run-not-a-number", "_OVR"),
+        ("R1=2*(1EX300*1EX300)", "run-range", "1EX300*1EX300"),
+        ("R1=(1EX300+1)*ABS(1EX300)", "run-range", "(1EX300+1)*ABS(1EX300)"),
+    ] {
+        let Some(Stop::Fault(message)) = go(text).stop else { panic!("{text}") };
+        assert_eq!((&*message.key, message.word("word")), (key, Some(word)), "{text}");
+    }
 }
 
 // oracle: hand

@@ -12,6 +12,7 @@ use probewright_core::entry::{Arg, ArgumentList, Cycle, Style, Typed};
 use probewright_core::name::Name;
 use probewright_core::program::calls::calls;
 use probewright_core::program::change::change;
+use probewright_core::program::convert::convert;
 use probewright_core::program::findings;
 use probewright_core::syntax::read;
 use proptest::prelude::*;
@@ -174,6 +175,17 @@ fn a_list_is_written_otherwise_with_all_that_it_means() {
     ] {
         let (same, why) = converted(foreign, 0, Style::Direct);
         assert_eq!((same.as_str(), why), (foreign, vec!["convert-newer".to_owned()]));
+    }
+}
+
+// oracle: hand (an omitted argument is 0 there; the older control needs the infeed)
+#[test]
+fn an_omitted_argument_is_named_as_0() {
+    for text in ["CYCLE998(105,1,,1,1,,,5)\n", "CYCLE977(1103,1,,1,132,,,2,1)\n"] {
+        let program = read(Dialect::Sinumerik, text.as_bytes());
+        let found = convert(&program, 0, Style::Direct, &delivery(Dialect::Sinumerik)).findings;
+        let words = ["param", "value"].map(|name| found[0].message.word(name));
+        assert_eq!((&*found[0].message.key, words), ("convert-newer", [Some("_ID"), Some("0")]), "{text}");
     }
 }
 

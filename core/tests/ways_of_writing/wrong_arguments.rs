@@ -3,11 +3,12 @@
 use super::convert::converted;
 use super::newer::of_calls;
 use probewright_core::catalogue::CYCLES;
-use probewright_core::control::Plane;
+use probewright_core::control::{Plane, delivery};
 use probewright_core::diagnostic::Severity;
 use probewright_core::dialect::Dialect;
 use probewright_core::entry::{Style, names};
 use probewright_core::machine::setup::Setup;
+use probewright_core::program::convert::convert;
 use probewright_core::run;
 use probewright_core::run::Limits;
 use probewright_core::syntax::read;
@@ -74,6 +75,10 @@ fn a_selection_that_the_run_tells_is_no_missing_variant() {
     assert_eq!(found, [(Severity::Note, "check-expression".to_owned())]);
     let (same, why) = converted(text, 0, Style::Direct);
     assert_eq!((same.as_str(), why), (text, vec!["write-variant-open".to_owned()]));
+    let program = read(Dialect::Sinumerik, text.as_bytes());
+    let found = convert(&program, 0, Style::Direct, &delivery(Dialect::Sinumerik)).findings;
+    let hint = found[0].hint.as_ref().unwrap();
+    assert_eq!((&*hint.key, hint.word("value")), ("convert-argument-hint", found[0].message.word("value")));
 }
 
 // oracle: peer (a trailing comma runs on newer controls), hand (an omitted argument says nothing)

@@ -4,7 +4,7 @@ import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
 import { el, on, setAttribute, setText, show } from "../dom";
 import { parseNumber, plain } from "../numbers";
-import type { State } from "../state/state";
+import { planeOf, type State } from "../state/state";
 import type { Store } from "../state/store";
 import { t } from "../texts";
 import type { ErrorSliders, Outcome, Purpose, Solid } from "../wire";
@@ -65,6 +65,9 @@ function acts(group: keyof ErrorSliders, name: string, solids: Solid[], probe: P
   const touched = solids.filter(({ shape }) => shape !== "chuck");
   return !shows || touched.length === 0 || touched.some(({ shape }) => shows(shape));
 }
+
+/** Axis along which a skew lies. Behind the applicate, in the order X Y Z, come the abscissa and the ordinate. */
+const axisOf = (name: string, applicate: number): string => "XYZ".charAt((applicate + (name === "skewX" ? 1 : 2)) % 3);
 
 const slug = (name: string): string => name.replace(/[A-Z]/g, letter => `-${letter.toLowerCase()}`);
 
@@ -127,7 +130,13 @@ export function createSliders(
   on(limits, "click", () => store.update({ part: { limits: !store.state.part.limits } }));
   const title = el("h3", {});
   root.append(el("div", { class: "sliders-head" }, title, limits, reset));
-  const updates: ((errors: ErrorSliders, survived: Limit[], probe: Purpose["probe"], solids: Solid[]) => void)[] = [];
+  const updates: ((
+    errors: ErrorSliders,
+    survived: Limit[],
+    probe: Purpose["probe"],
+    solids: Solid[],
+    applicate: number,
+  ) => void)[] = [];
   for (const group of Object.keys(SCALES) as (keyof ErrorSliders)[]) {
     const head = el("h4", {});
     const box = el("div", { class: "slider-group", role: "group" }, head);
@@ -142,10 +151,10 @@ export function createSliders(
       box.append(slider.root);
       const limitOf = (survived: Limit[]): Limit | undefined =>
         survived.find(limit => group === "part" && limit.error === name);
-      updates.push((errors, survived, probe, solids) => {
+      updates.push((errors, survived, probe, solids, applicate) => {
         show(slider.root, acts(group, name, solids, probe));
         slider.update(
-          t(`error-${wordsOf(id, probe)}`),
+          t(`error-${wordsOf(id, probe)}`, { axis: axisOf(name, applicate) }),
           (errors[group] as Record<string, number>)[name] ?? 0,
           limitOf(survived),
         );
@@ -153,11 +162,13 @@ export function createSliders(
     }
     root.append(box);
   }
-  return (state, { cycle, view }) => {
+  return (state, { catalogue, cycle, view }) => {
     show(root, cycle.simulated && TOUCHING.includes(cycle.purpose.probe)); // elsewhere nothing would come of them
     setText(title, t("sliders-title"));
     setAttribute(limits, "aria-pressed", String(state.part.limits));
+    const applicate = catalogue.applicate[planeOf(state)];
+    const solids = view.outcome?.trace.solids ?? [];
     for (const update of updates)
-      update(state.part.errors, view.outcome?.limits ?? [], cycle.purpose.probe, view.outcome?.trace.solids ?? []);
+      update(state.part.errors, view.outcome?.limits ?? [], cycle.purpose.probe, solids, applicate);
   };
 }

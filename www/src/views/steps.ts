@@ -2,11 +2,12 @@
 
 import { fixed, plain } from "../numbers";
 import { say, t } from "../texts";
-import type { Step, Vec3 } from "../wire";
+import type { CycleInfo, Step, Vec3 } from "../wire";
 
 const at = (p: Vec3): string => `X ${fixed(p[0], 3)}  Y ${fixed(p[1], 3)}  Z ${fixed(p[2], 3)}`;
 
-export function describe(step: Step): string {
+/** The number of a variant is told where `cycles` has a cycle whose programs write one. */
+export function describe(step: Step, cycles: CycleInfo[]): string {
   switch (step.step) {
     case "motion":
       return t(`motion-${step.kind}`, { to: at(step.to), feed: plain(step.feed, 1) });
@@ -35,7 +36,9 @@ export function describe(step: Step): string {
     case "log":
       return step.text;
     case "call":
-      return t("step-call", { cycle: step.cycle, variant: step.variant });
+      return cycles.some(({ cycle, numbered }) => numbered && cycle === step.cycle)
+        ? t("step-call", { cycle: step.cycle, variant: step.variant })
+        : t("step-call-only", { cycle: step.cycle });
     case "return":
       return t("step-return");
   }

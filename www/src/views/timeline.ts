@@ -91,8 +91,9 @@ export function createTimeline(
     setAttribute(scrub, "max", Math.max(0, count - 1));
     if (Number(scrub.value) !== step) scrub.value = String(step);
     setText(where, count ? `${step + 1} / ${count}` : "–");
-    setText(what, entry ? describe(entry) : t("motions-none"));
-    setAttribute(scrub, "aria-valuetext", entry ? describe(entry) : null);
+    const words = entry && describe(entry, derived.catalogue.cycles);
+    setText(what, words ?? t("motions-none"));
+    setAttribute(scrub, "aria-valuetext", words ?? null);
     line = state.view.source === "program" ? (entry?.line ?? null) : (derived.opened?.lastLine ?? null);
     setText(place, line === null ? "" : t("motions-line", { line }));
     place.hidden = line === null;

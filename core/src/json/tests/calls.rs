@@ -226,6 +226,7 @@ fn the_catalogue_says_where_a_cycle_belongs_and_how_it_is_written() {
     }
     assert_eq!(cycle("CYCLE977")["styles"], json!(["direct", "indirect", "operate"]));
     assert_eq!(cycle("G110")["styles"], json!(["direct"]));
+    assert_eq!([&cycle("CYCLE977")["numbered"], &cycle("G110")["numbered"]], [true, false]);
 }
 
 // oracle: hand
