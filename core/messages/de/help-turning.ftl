@@ -17,6 +17,7 @@ help-cycle994-measures-diameter = Ein Durchmesser eines Drehteils um den Werkst�
 help-cycle994-before-plus-side = Die Kugel steht dem Punkt auf der Plus-Seite gegenüber, weiter entfernt als _FA.
 help-cycle994-before-inside = Die Kugel steht in der Bohrung; _SZA und _SZO beschreiben das Hindernis dort, Kugelradius eingerechnet.
 help-cycle994-before-either = Die Startposition entscheidet: Liegt sie weiter außen als der Sollwert, misst der Zyklus außen und umfährt die Schutzzone _SZA und _SZO (Kugelradius eingerechnet), sonst misst er innen.
+help-cycle994-before-calibrated = Der Messtaster ist in dieser Ebene und in den Messrichtungen mit demselben Vorschub kalibriert; mit _CHBIT[7]=1 genügt der gespeicherte Kugeldurchmesser.
 help-cycle994-order-plus-first = Der Zyklus tastet zuerst den Punkt auf der Plus-Seite an, dann den auf der Minus-Seite; Endposition _FA vor diesem.
 help-cycle994-order-round-inside = In der Bohrung fährt der Messtaster an der Schutzzone entlang: auf _SZO, weiter auf _SZA, hinüber und zurück (bei _MA=1 zuerst auf _SZA).
 help-cycle994-order-round-outside = Außen fährt der Messtaster auf _SZO heraus, weiter auf _SZA, hinüber und zurück (bei _MA=1 zuerst auf _SZA); innen fährt er gerade durch die Bohrung.

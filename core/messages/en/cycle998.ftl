@@ -47,6 +47,8 @@ param-inca-about-ordinate = Setpoint angle about ordinate
 param-inca-about-ordinate-help = Inclination from P1 to P2, positive if the surface falls. With travel along the angles, the probe also follows it.
 param-ra = Rotary axis
 param-ra-help = 0 rotates the coordinate system about the axis not in _MA. Otherwise the channel axis number of a rotary axis: its zero offset receives the difference, moving it aligns the part.
+param-fa-paraxial = Measuring path
+param-fa-paraxial-help = The surface must be within twice this distance from the position before each point. Always in mm.
 param-tsa-angle = Safe area: angle
 param-tsa-angle-help = In degrees. A larger difference of the angle stops the program with alarm 61303. With travel along the angle, the probe also moves away from the surface by this angle.
 

@@ -17,6 +17,7 @@ help-cycle994-measures-diameter = A diameter of a turned part about the workpiec
 help-cycle994-before-plus-side = The ball is opposite the point on the plus side, further away than _FA.
 help-cycle994-before-inside = The ball is inside the bore; _SZA and _SZO describe the obstacle there, ball radius included.
 help-cycle994-before-either = The start position decides: further out than the setpoint measures outside, around the zone _SZA and _SZO, ball radius included; nearer measures inside.
+help-cycle994-before-calibrated = The probe is calibrated in this plane and in the measuring directions, at the same feed; with _CHBIT[7]=1 the stored ball diameter suffices.
 help-cycle994-order-plus-first = The cycle touches the point on the plus side first, then the point on the minus side; end position: _FA before the latter.
 help-cycle994-order-round-inside = Inside the bore, the probe moves along the zone: to _SZO, along to _SZA, across and back (with _MA=1 to _SZA first).
 help-cycle994-order-round-outside = Outside, the probe moves out to _SZO, along to _SZA, across and back (with _MA=1 to _SZA first); inside, it moves straight through the bore.

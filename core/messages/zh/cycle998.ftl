@@ -47,6 +47,8 @@ param-inca-about-ordinate = 设定角度，绕纵坐标
 param-inca-about-ordinate-help = 从 P1 到 P2 的倾斜，表面下降为正。沿角度移动时测头也随此角度。
 param-ra = 回转轴
 param-ra-help = 0：坐标系绕 _MA 未指定的轴旋转。否则为回转轴的通道轴号：角度偏差加到其零点偏移中，移动该轴即找正工件。
+param-fa-paraxial = 测量行程
+param-fa-paraxial-help = 每个点处，表面离测头位置不得超过此距离的两倍。始终以 mm 为单位。
 param-tsa-angle = 角度安全区
 param-tsa-angle-help = 单位为度。角度的偏差超过此值，程序以报警 61303 停止。沿角度移动时，测头也按此角度离开表面。
 

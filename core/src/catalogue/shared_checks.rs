@@ -5,6 +5,7 @@ use crate::catalogue::prelude::*;
 use crate::control::Store;
 use crate::control::tools::TURNING;
 use crate::evaluate::knum::{self, ZeroCode};
+use crate::evaluate::mean::{self, Memories};
 use crate::own::Own;
 
 /// What every call that corrects a tool or a zero offset is checked for.
@@ -43,10 +44,12 @@ pub fn probe(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Memories of mean and empirical values beyond the arrays (`_EVMVNUM`, B:13717), where an access would fail.
+/// Memories of mean and empirical values beyond the arrays (`_EVMVNUM`, B:13717), where an access would fail; a mean
+/// value counts with tool offset alone (B:1307).
 pub fn memories(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     let Some(code) = inputs.given(names::EVNUM).map(|code| code as i64) else { return };
-    let (mean, empirical) = if code > 9999 { (code / 10_000, code % 10_000) } else { (code, code) };
+    let Memories { empirical, mean } = mean::memories(code);
+    let mean = if common::ZERO_OFFSET.holds(inputs) { 0 } else { mean };
     for (number, array, sentence) in
         [(empirical, "_EVMVNUM[0]", own::EMPIRICAL_MEMORY), (mean, "_EVMVNUM[1]", own::MEAN_MEMORY)]
     {

@@ -27,12 +27,14 @@ pub const TSA: Param = Param {
     example: "1",
     ..limit(names::TSA, "tsa", "B:15666")
 };
+/// `_EVNUM`: a mean value counts with tool offset alone (B:1307).
 pub const EVNUM: Param = Param {
     kind: Kind::Digits(MEMORY_DIGITS),
     default: Some(0.0),
     range: Range::closed(0.0, 99_999_999.0),
     needs: &[optional(TOOL_OFFSET, "need-memory"), optional(ZERO_OFFSET, "need-memory-empirical")],
-    ..param(names::EVNUM, "evnum", "B:2303-2342")
+    labels: &[(ZERO_OFFSET, "evnum-tool")],
+    ..param(names::EVNUM, "evnum", "B:2303-2342;B:1307")
 };
 pub const K: Param = Param {
     kind: Kind::Integer,

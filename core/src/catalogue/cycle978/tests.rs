@@ -2,11 +2,15 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+use crate::catalogue::example::changed;
 use crate::catalogue::sinumerik::testing::{
     WIDE_BANDS, at, call, called, close, motions, put, random_parts, run, setup, solid, stopped, touches, turns,
 };
-use crate::control::Plane;
+use crate::check::check;
+use crate::control::{Plane, delivery};
+use crate::diagnostic::Code;
 use crate::entry::{Inputs, names};
+use crate::form::fields;
 use crate::geometry::{Degrees, Mcs, Rpy, Wcs};
 use crate::machine::{MotionKind, Setup, Sim, Stop};
 use crate::name::Name;
@@ -299,4 +303,19 @@ fn differential_measurement_in_a_mirrored_axis_stores_what_the_machine_knows() {
     close(&sim, "_OVR[16]", -0.5);
     close(&sim, "_WP[0,2]", -3.2);
     close(&sim, "_WP[0,7]", 0.2);
+}
+
+#[test]
+fn a_zero_offset_has_no_mean_value_memory() {
+    // oracle: manual B:1307
+    let cycle = &super::CYCLE978;
+    for (variant, memory) in [("0", "param-evnum"), ("100", "param-evnum-tool"), ("1100", "param-evnum-tool")] {
+        let typed = changed(cycle, &[("_MVAR", variant), ("_EVNUM", "210001"), ("_KNUM", "1")]);
+        let shown = fields(cycle, &typed, &delivery(cycle.dialect));
+        let field = shown.iter().find(|field| field.name == names::EVNUM);
+        assert_eq!(field.map(|field| &*field.label.key), Some(memory), "{variant}");
+        let found = check(cycle, &typed, &delivery(cycle.dialect)).diagnostics;
+        let refused = found.iter().any(|one| one.code == Code::Own(21));
+        assert_eq!(refused, memory == "param-evnum", "{variant}");
+    }
 }

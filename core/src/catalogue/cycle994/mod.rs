@@ -9,7 +9,7 @@ mod simulate;
 #[cfg(test)]
 mod tests;
 
-use crate::catalogue::sinumerik::help::{AGAIN, BLOCK, CALIBRATED, CORRECTION, MEASURING};
+use crate::catalogue::sinumerik::help::{AGAIN, BLOCK, CORRECTION, MEASURING};
 use crate::catalogue::{common, lathe, newer, older};
 use crate::entry::*;
 use params::INSIDE_ZONE;
@@ -64,7 +64,7 @@ pub static CYCLE994: Cycle = Cycle {
         ],
         BLOCK,
         lathe::help::PROBE,
-        CALIBRATED,
+        &[before(When::Always, "help-cycle994-before-calibrated", "B:10901-10906")],
         AGAIN,
         MEASURING,
     ]),

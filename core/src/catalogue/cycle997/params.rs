@@ -79,7 +79,12 @@ pub const PARAMS: &[Param] = &[
         source: "B:8329-8331;B:15859;B:1774",
         ..common::PARAM
     },
-    Param { source: "B:8201;B:15852", ..common::PRNUM },
+    Param {
+        kind: Kind::Digits(&[common::PROBE_NUMBER]),
+        labels: &[(When::Always, "prnum-multi-only")],
+        source: "B:8201;B:15852",
+        ..common::PRNUM
+    },
     Param { labels: &[(When::Always, "fa-sphere")], example: "5", source: "B:8337;B:8429;B:8437-8445", ..common::FA },
     Param { labels: &[(When::Always, "tsa-sphere")], example: "", source: "B:8373-8379", ..common::TSA },
     Param { example: "200", source: "B:8337", ..common::VMS },

@@ -103,7 +103,7 @@ pub const PARAMS: &[Param] = &[
     },
     Param { example: "1", source: "B:7413;B:7612;B:15876-15882", ..common::KNUM_ZERO },
     Param { source: "B:7290-7299;B:15895-15901", ..common::PRNUM },
-    Param { example: "8", source: "B:7418;B:7538-7540;B:7554", ..common::FA },
+    Param { labels: &[(PARAXIAL, "fa-paraxial")], example: "8", source: "B:7418;B:7538-7540;B:7554", ..common::FA },
     Param {
         unit: Unit::Degree,
         usual: Range::closed(0.0, 30.0),
@@ -117,9 +117,12 @@ pub const PARAMS: &[Param] = &[
     Param { source: "B:7418;B:7616", ..common::NMSP },
     Param { source: "B:7420;B:7618", ..common::CORA_CALIBRATED },
     Param {
+        kind: Kind::Integer,
+        key: "evnum-tool",
         needs: &[optional(When::Always, "need-memory-empirical")],
+        labels: &[],
         example: "0",
-        source: "B:7286;B:7418;B:7616",
+        source: "B:7286;B:7418;B:7616;B:1307",
         ..common::EVNUM
     },
 ];

@@ -23,8 +23,14 @@ pub const PRNUM: Param = Param {
     ..common::PRNUM
 };
 /// `_EVNUM`: tool measurement forms no mean value, so that only the lower four digits count (B:2328, B:4322).
-pub const EVNUM: Param =
-    Param { kind: Kind::Integer, key: "evnum-tool", example: "0", source: "B:2303-2342;B:4322", ..common::EVNUM };
+pub const EVNUM: Param = Param {
+    kind: Kind::Integer,
+    key: "evnum-tool",
+    labels: &[],
+    example: "0",
+    source: "B:2303-2342;B:4322",
+    ..common::EVNUM
+};
 /// `_TZL`.
 pub const TZL: Param =
     Param { needs: common::ALWAYS_OPTIONAL, key: "tzl-tool", source: "B:1382-1394;B:4324-4326", ..common::TZL };

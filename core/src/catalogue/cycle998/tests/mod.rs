@@ -92,6 +92,8 @@ fn mistakes_are_told() {
         (&[("_MA", "203"), ("_RA", "0")], None),
         (&[("_KNUM", "1051")], Some((error, alarm(61321), "_KNUM"))),
         (&[("_SETVAL", "")], Some((error, own(1), "_SETVAL"))),
+        (&[("_EVNUM", "21")], Some((error, own(21), "_EVNUM"))),
+        (&[("_EVNUM", "210001")], None), // no mean value (B:1307)
         (&[("_TSA", "31"), ("_FA", "50")], Some((warning, own(7), "_TSA"))),
         (&[("_MVAR", "1105")], None),
         (&[("_MVAR", "1105"), ("_MA", "203"), ("_RA", "0")], Some((error, alarm(61325), "_MA"))),
@@ -161,6 +163,20 @@ fn the_oblique_plane_of_the_manual() {
             "_EVNUM"
         ]
     );
+}
+
+#[test]
+fn labels_follow_the_variant() {
+    // oracle: manual B:1307, B:7538-7540, B:7554
+    let labels = |changes: &[(&str, &str)]| -> Vec<_> {
+        let all = fields(&CYCLE998, &values(changes), &delivery(CYCLE998.dialect));
+        all.into_iter().map(|field| field.label.key).collect()
+    };
+    for (variant, path) in [("105", "param-fa"), ("100105", "param-fa-paraxial"), ("100106", "param-fa-paraxial")] {
+        let shown = labels(&[("_MVAR", variant)]);
+        assert!(shown.iter().any(|label| label == path), "{variant}");
+        assert!(shown.iter().any(|label| label == "param-evnum-tool"), "{variant}");
+    }
 }
 
 #[test]
