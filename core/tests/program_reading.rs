@@ -199,3 +199,18 @@ fn own_programs_are_understood() {
     }
     assert!(left.is_empty(), "{left:#?}");
 }
+
+// oracle: Unicode (halfwidth and fullwidth forms, U+FF01 to U+FF5E: ASCII moved by FEE0)
+#[test]
+fn characters_of_full_width_are_replaced_by_those_of_the_language() {
+    let mut text = "G0 X１０．５\n_MVAR＝１ CYCLE977（）\n".to_owned();
+    for _ in 0..20 {
+        let found = findings(&read(Dialect::Sinumerik, text.as_bytes()));
+        let mut foreign = found.into_iter().filter(|finding| finding.message.key == "syntax-character");
+        let Some(cure) = foreign.find_map(|finding| finding.cure) else { break };
+        for edit in cure.edits {
+            text.replace_range(edit.span.start as usize..edit.span.end as usize, &edit.insert);
+        }
+    }
+    assert_eq!(text, "G0 X10.5\n_MVAR=1 CYCLE977()\n");
+}

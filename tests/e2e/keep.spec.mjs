@@ -49,12 +49,12 @@ describe("a page that dies right after a key", () => {
     await context.close();
   });
 
+  // oracle: hand
   for (const [how, size] of [
     ["a short", 2_000],
     ["a long", 150_000],
     ["a very long", 400_000],
   ])
-    // oracle: hand
     test(`has kept what was typed in ${how} program, each time`, async () => {
       const { context, page } = await startWithEditor(chrome);
       await page.locator(".tree:not([aria-busy])").waitFor({ state: "attached" });

@@ -47,7 +47,11 @@ describe("a new tab beside one with work", () => {
     const { cycle } = await stored(page);
     assert.match(await choices(other).first().textContent(), new RegExp(`${cycle}.* \\d\\d:\\d\\d`));
     assert.equal(await choices(other).count(), 2, "the copy that is shown, and to start anew");
-    assert.ok(await choices(other).first().evaluate(one => one.matches(":focus")));
+    assert.ok(
+      await choices(other)
+        .first()
+        .evaluate(one => one.matches(":focus")),
+    );
     await other.keyboard.press("Escape");
     await question(other).waitFor({ state: "detached" });
     assert.equal(await value(other), "31.25");

@@ -17,7 +17,7 @@ advice-edge-none = No D number is active, so the length of the active tool is no
 advice-edge-open = No D is programmed after the last T: machine data decide whether an offset is active.
 advice-edge-hint = Program the D number of the active tool after the tool change.
 advice-tool = The active tool, T{ $tool }, is not a workpiece probe (type { $type }).
-advice-tool-hint = Change to the probe before the call, or correct the type in the tool list (710, or 580 on a lathe).
+advice-tool-hint = Change to the probe before the call, or correct the type in the tool list (710, or 580 on a turning machine).
 advice-tool-digit = T{ $tool } is of type { $type }. The call conditions permit 1x0 and 710; elsewhere the manual permits 100 to 199.
 advice-tool-digit-hint = Change to the probe, or enter it as type 710; the control may reject the present type.
 advice-tool-assignment = T{ $tool } is of type { $type }, the probe of a turning machine: this cycle accepts it only with SD 42950 = 2.

@@ -644,7 +644,7 @@ datum-md20060 = Names of the geometry axes
     .help = If missing, alarm 61336.
 datum-md9021 = Screen layout
 datum-sd42950 = Tool length assignment
-    .help = 2: drills and milling tools on a lathe are assigned like turning tools.
+    .help = 2: drills and milling tools on a turning machine are assigned like turning tools.
 
 # Subjects of the machine form.
 machine-group-fields = Number of data fields, gauging blocks

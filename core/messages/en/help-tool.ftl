@@ -32,7 +32,7 @@ help-cycle972-order-travel = In the other axis to the middle of the probe, then 
 help-cycle972-order-nose = The middle of the nose is at the middle of the probe; the cycle touches the side on which the tool starts.
 help-cycle972-order-tip = The cutting edge touches in the direction in which it points, according to its cutting edge position.
 
-help-cycle982-measures-side = The position of one side of the lathe's tool probe, with a calibration tool of cutting edge position 3 whose lengths and nose radius are known.
+help-cycle982-measures-side = The position of one side of the tool probe, with a calibration tool of cutting edge position 3 whose lengths and nose radius are known.
 help-cycle982-measures-one-length = One length of a turning tool, milling tool or drill: L2 with _MA=1, L1 with _MA=2; of a drill with SD 42950 = 0 always L1.
 help-cycle982-measures-radius = The radius of a milling tool; the length in the axis of the radius must be known.
 help-cycle982-measures-both = The radius of a milling tool and the length along the same axis.

@@ -96,16 +96,18 @@ fn foreign_character(program: &Program, error: &SyntaxError) -> Option<Diagnosti
     let number = format!("U+{:04X}", u32::from(character));
     let found = own::SYNTAX_CHARACTER.finding().text("number", number).on(error.span);
     let instead = match character {
-        '\u{2010}'..='\u{2015}' | '\u{2212}' => "-",
-        '\u{201C}'..='\u{201F}' | '\u{AB}' | '\u{BB}' => "\"",
+        '\u{2010}'..='\u{2015}' | '\u{2212}' => '-',
+        '\u{201C}'..='\u{201F}' | '\u{AB}' | '\u{BB}' => '"',
+        // full width, as a Chinese keyboard types them: each lies as far behind its ASCII character
+        '\u{FF01}'..='\u{FF5E}' => char::from_u32(u32::from(character) - 0xFEE0)?,
         _ if character.is_alphanumeric() => return Some(found),
-        _ => " ",
+        _ => ' ',
     };
     let span = Span { start: error.span.start, end: error.span.start + length };
     let edit = Edit::replace(span, instead);
     let label = match instead {
-        " " => Message::new("syntax-character-blank"),
-        written => Message::new("syntax-write").text("value", written),
+        ' ' => Message::new("syntax-character-blank"),
+        written => Message::new("syntax-write").text("value", written.to_string()),
     };
     Some(found.hint(label.clone()).cured(label, vec![edit]))
 }
