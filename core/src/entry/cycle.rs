@@ -173,6 +173,15 @@ impl Purpose {
     };
     /// Measures workpieces on lathes.
     pub const TURNING: Purpose = Purpose { machine: MachineSort::Turning, ..Purpose::MILLING };
+
+    /// The array with the data of the probe of a call.
+    pub fn probe_array(&self, inputs: &Inputs) -> &'static str {
+        match (self.probe, self.in_workpiece.holds(inputs)) {
+            (ProbeUse::Tool, true) => "_TPW",
+            (ProbeUse::Tool, false) => "_TP",
+            _ => "_WP",
+        }
+    }
 }
 
 /// One measuring variant.

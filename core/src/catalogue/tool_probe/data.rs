@@ -15,11 +15,6 @@ pub const TYPE: usize = 8;
 /// From the upper side to the tool's end at a measurement in the plane (B:13369).
 pub const DEPTH: usize = 9;
 
-/// The array with the data of the probe of a call.
-pub fn array(inputs: &Inputs) -> &'static str {
-    if WORKPIECE.holds(inputs) { "_TPW" } else { "_TP" }
-}
-
 /// The datum that counts the probes of the machine or of the workpiece (B:13345-13348).
 pub fn count(inputs: &Inputs) -> &'static str {
     if WORKPIECE.holds(inputs) { "_CVAL[3]" } else { "_CVAL[0]" }
@@ -44,7 +39,7 @@ impl ProbeData {
     pub fn of(inputs: &Inputs, control: &Control) -> Self {
         let milling = inputs.cycle.purpose.machine == MachineSort::Milling;
         let mut data = Self {
-            array: array(inputs),
+            array: inputs.cycle.purpose.probe_array(inputs),
             index: inputs.integer(names::PRNUM) - 1,
             values: [0.0; 10],
             indices: if milling { control.plane.axes() } else { [0, 1, 2] },

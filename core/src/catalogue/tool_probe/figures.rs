@@ -1,6 +1,5 @@
 //! What the pictures of the cycles at a tool probe share.
 
-use super::data::array;
 use crate::catalogue::prelude::*;
 
 /// Half the edge length of a drawn probe, mm.
@@ -18,7 +17,8 @@ pub fn cube() -> Vec<(String, f64)> {
 /// The data of the probe that the call names; `last`: index of the last one that counts.
 pub fn label(inputs: &Inputs, at: [f64; 2], last: usize) -> PictureShape {
     let number = inputs.integer(names::PRNUM).clamp(1, 99) - 1;
-    line(ShapeKind::Label, vec![at]).text(format!("{}[{number},0…{last}]", array(inputs))).of(names::PRNUM)
+    let array = inputs.cycle.purpose.probe_array(inputs);
+    line(ShapeKind::Label, vec![at]).text(format!("{array}[{number},0…{last}]")).of(names::PRNUM)
 }
 
 /// Limits of the difference with the ends of their bands, mm.

@@ -146,13 +146,7 @@ fn known_machine(control: &Control) -> bool {
 
 /// The array and the number of the data in which the probe of a call is calibrated.
 fn probe_data(inputs: &Inputs) -> Option<(&'static str, i64)> {
-    let purpose = &inputs.cycle.purpose;
-    let array = match (purpose.probe, purpose.in_workpiece.holds(inputs)) {
-        (ProbeUse::Tool, true) => "_TPW",
-        (ProbeUse::Tool, false) => "_TP",
-        _ => "_WP",
-    };
-    Some((array, inputs.given(names::PRNUM)? as i64 % 100))
+    Some((inputs.cycle.purpose.probe_array(inputs), inputs.given(names::PRNUM)? as i64 % 100))
 }
 
 /// Whether the program calibrates this probe anywhere.
