@@ -350,6 +350,7 @@ notice-undone = Rückgängig gemacht.
 notice-redone = Wiederhergestellt.
 print-lines = { $more } weitere Zeilen sind ausgelassen. Die gespeicherte Datei enthält alle { $all }.
 undo = Rückgängig
+redo = Wiederherstellen
 history = Verlauf
 history-begin = Anfang
 history-undo = Rückgängig: { $step } (Strg+Z)

@@ -350,6 +350,7 @@ notice-undone = Undone.
 notice-redone = Redone.
 print-lines = { $more } more lines are omitted. The saved file contains all { $all }.
 undo = Undo
+redo = Redo
 history = History
 history-begin = Start
 history-undo = Undo: { $step } (Ctrl+Z)

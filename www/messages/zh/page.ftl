@@ -346,6 +346,7 @@ notice-undone = 已撤销。
 notice-redone = 已重做。
 print-lines = 此处省略 { $more } 行；保存的文件含全部 { $all } 行。
 undo = 撤销
+redo = 重做
 history = 历史记录
 history-begin = 开始
 history-undo = 撤销：{ $step }（Ctrl+Z）

@@ -32,8 +32,16 @@ function places({ past, future }: History): { back: number; text: string }[] {
 }
 
 export function createHistory(actions: Actions): { root: HTMLElement; draw(state: State): void } {
-  const undo = iconButton("undo", { id: "undo", "aria-keyshortcuts": ariaKey("page", "undo") });
-  const redo = iconButton("redo", { id: "redo", "aria-keyshortcuts": ariaKey("page", "redo") });
+  const undo = iconButton("undo", {
+    id: "undo",
+    "aria-label": t("undo"),
+    "aria-keyshortcuts": ariaKey("page", "undo"),
+  });
+  const redo = iconButton("redo", {
+    id: "redo",
+    "aria-label": t("redo"),
+    "aria-keyshortcuts": ariaKey("page", "redo"),
+  });
   const open = iconButton("history", { id: "history-open", popovertarget: "history" });
   const list = el("ol", { class: "history-list" });
   const all = el("div", { id: "history", class: "history", popover: "auto", "aria-label": t("history") }, list);
@@ -46,10 +54,8 @@ export function createHistory(actions: Actions): { root: HTMLElement; draw(state
   });
   let shown: History | null = null;
   const tell = (button: HTMLButtonElement, key: string, step: Step | undefined): void => {
-    const text = step ? t(key, { step: nameOf(step) }) : t(`${key}-none`);
     setAttribute(button, "disabled", !step);
-    setAttribute(button, "aria-label", text);
-    setAttribute(button, "title", text);
+    setAttribute(button, "title", step ? t(key, { step: nameOf(step) }) : t(`${key}-none`));
   };
   const draw = ({ history }: State): void => {
     if (history === shown) return;
