@@ -22,7 +22,7 @@ export default defineConfig({
       injectRegister: null,
       includeAssets: ["icon.svg"],
       workbox: {
-        globPatterns: ["**/*.{html,js,css,wasm,svg,png}"],
+        globPatterns: ["**/*.{html,js,css,wasm,svg,png,woff2}"],
         maximumFileSizeToCacheInBytes: 8_000_000,
         inlineWorkboxRuntime: true,
         sourcemap: false,

@@ -69,6 +69,7 @@ link-copy = Link kopieren
 theme-system = Farben: System
 theme-light = Farben: hell
 theme-dark = Farben: dunkel
+theme-contrast = Farben: hoher Kontrast
 menu = Menü
 about-open = Info
 

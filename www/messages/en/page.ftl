@@ -69,6 +69,7 @@ link-copy = Copy link
 theme-system = Theme: system
 theme-light = Theme: light
 theme-dark = Theme: dark
+theme-contrast = Theme: high contrast
 menu = Menu
 about-open = About
 

@@ -69,6 +69,7 @@ link-copy = 复制链接
 theme-system = 外观：随系统
 theme-light = 外观：浅色
 theme-dark = 外观：深色
+theme-contrast = 外观：高对比度
 menu = 菜单
 about-open = 关于
 

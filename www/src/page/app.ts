@@ -72,6 +72,7 @@ export async function startApp(core: Core, stored: Flat | null, returned: boolea
   draw = createDraw(parts, keep);
   store.update({});
   await new Promise(requestAnimationFrame); // the form stands
+  void import("../styles/fonts.css").catch(console.error);
   afterLoad(() => void watchForUpdate(store));
   try {
     await modules.full();

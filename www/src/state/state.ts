@@ -3,6 +3,7 @@
 
 import type { Pending } from "../core/pending";
 import type { SceneData } from "../core/scene";
+import type { Theme } from "../theme";
 import type {
   BasicSystem,
   CallView,
@@ -175,7 +176,7 @@ export interface OtherWork {
 export interface PageState {
   changed: number; // ms, when the user last changed the work; 0: it is as the page begins
   others: readonly OtherWork[]; // which of them this tab continues is asked; none: nothing is
-  theme: "system" | "light" | "dark";
+  theme: Theme;
   language: string; // its code; empty: what the browser wants
   search: string;
   card: Card | null;

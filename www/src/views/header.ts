@@ -3,7 +3,8 @@
 import type { ProgramCore } from "../core/program";
 import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
-import { el, keyed, on, setAttribute, setText, show, svg } from "../dom";
+import { el, keyed, on, setAttribute, setText, show } from "../dom";
+import { icon } from "../icons";
 import { ariaKey, meantBy } from "../keys";
 import { nameOf } from "../language";
 import { pack } from "../link";
@@ -13,6 +14,7 @@ import type { State } from "../state/state";
 import type { Store } from "../state/store";
 import { shared } from "../state/stored";
 import { language, languages, t } from "../texts";
+import { drawTheme, THEMES } from "../theme";
 import type { FormView } from "../wire";
 import { createAbout } from "./about";
 import { copyText } from "./copy";
@@ -21,7 +23,6 @@ import { createMachine } from "./machine";
 import type { MachineData } from "./machine-data";
 
 const MM_PER_INCH = 25.4;
-const THEMES: State["page"]["theme"][] = ["system", "light", "dark"];
 
 /** The machine of a form, and whether its control has the right calibration data of its probe. */
 type Machine = Pick<FormView, "setup" | "calibrated">;
@@ -107,16 +108,6 @@ function menuFor(list: HTMLElement): HTMLButtonElement {
   return open;
 }
 
-/** In the page, and in the frame that the system draws around it. */
-function drawTheme(theme: State["page"]["theme"]): void {
-  setAttribute(document.documentElement, "data-theme", theme === "system" ? null : theme);
-  for (const colour of document.querySelectorAll<HTMLMetaElement>('meta[name="theme-color"]')) {
-    const own = colour.dataset.theme;
-    const media = theme === "system" ? `(prefers-color-scheme: ${own})` : theme === own ? "all" : "not all";
-    setAttribute(colour, "media", media);
-  }
-}
-
 export function createHeader(
   root: HTMLElement,
   store: Store,
@@ -156,15 +147,6 @@ export function createHeader(
   });
   theme.id = "theme";
   const themeName = el("span", {}, "");
-  theme.replaceChildren(
-    svg(
-      "svg",
-      { class: "icon", viewBox: "0 0 20 20", "aria-hidden": "true" },
-      svg("path", { d: "M10 3a7 7 0 0 1 0 14z", fill: "currentcolor" }),
-      svg("circle", { cx: 10, cy: 10, r: 7 }),
-    ),
-    themeName,
-  );
   const own = quiet("setup-own", () => actions.openSetup(null));
   const save = (): void => {
     const saved = shown.setup ?? store.state.machine.setup;
@@ -222,6 +204,10 @@ export function createHeader(
       },
     );
     show(own, !!state.machine.setup);
+    if (theme.dataset.shown !== state.page.theme) {
+      theme.dataset.shown = state.page.theme;
+      theme.replaceChildren(icon(state.page.theme), themeName);
+    }
     setText(themeName, t(`theme-${state.page.theme}`));
     setAttribute(theme, "title", themeName.textContent);
     drawTheme(state.page.theme);

@@ -1,23 +1,14 @@
 // Undo and redo, and all steps by name: a click on one goes back or forth to where it was done.
 
 import type { Actions } from "../desk/actions";
-import { el, keyed, on, setAttribute, setText, svg } from "../dom";
+import { el, keyed, on, setAttribute, setText } from "../dom";
+import { type IconName, icon } from "../icons";
 import { ariaKey } from "../keys";
 import type { History, State, Step } from "../state/state";
 import { t } from "../texts";
 
-const ARROWS = {
-  undo: "M8 4 3.5 8.5 8 13M4 8.5h8a4.5 4.5 0 0 1 0 9h-2",
-  redo: "M12 4l4.5 4.5L12 13M16 8.5H8a4.5 4.5 0 0 0 0 9h2",
-  history: "M6 8l4 4 4-4",
-};
-
-function icon(name: keyof typeof ARROWS): SVGSVGElement {
-  return svg("svg", { class: "icon", viewBox: "0 0 20 20", "aria-hidden": "true" }, svg("path", { d: ARROWS[name] }));
-}
-
-function iconButton(name: keyof typeof ARROWS, attributes: Record<string, string>): HTMLButtonElement {
-  return el("button", { type: "button", class: "quiet icon-button", ...attributes }, icon(name) as unknown as Node);
+function iconButton(name: IconName, attributes: Record<string, string>): HTMLButtonElement {
+  return el("button", { type: "button", class: "quiet icon-button", ...attributes }, icon(name));
 }
 
 function nameOf({ name: { key, args } }: Step): string {
@@ -42,7 +33,7 @@ export function createHistory(actions: Actions): { root: HTMLElement; draw(state
     "aria-label": t("redo"),
     "aria-keyshortcuts": ariaKey("page", "redo"),
   });
-  const open = iconButton("history", { id: "history-open", popovertarget: "history" });
+  const open = iconButton("down", { id: "history-open", popovertarget: "history" });
   const list = el("ol", { class: "history-list" });
   const all = el("div", { id: "history", class: "history", popover: "auto", "aria-label": t("history") }, list);
   on(undo, "click", () => actions.step(1));

@@ -9,9 +9,10 @@ import type { Scanned } from "../state/scanned";
 import { AT_END, type State } from "../state/state";
 import type { Store } from "../state/store";
 import { t } from "../texts";
+import { type Shown, shownTheme } from "../theme";
 import { createLegend, type Thinned } from "./legend";
 import { missing } from "./missing";
-import { isDark, type Stage } from "./stage";
+import type { Stage } from "./stage";
 import { createTimeline, paceAt } from "./timeline";
 
 const SOURCES = ["form", "program", "scan"] as const;
@@ -55,9 +56,9 @@ export function createScene(
   });
   const drawTimeline = createTimeline(timeline, store, goToLine);
 
-  let shown: Pick<Derived, "trace"> & { dark: boolean; step: number; drawn: number } = {
+  let shown: Pick<Derived, "trace"> & { theme: Shown | null; step: number; drawn: number } = {
     trace: null,
-    dark: false,
+    theme: null,
     step: -1,
     drawn: 0,
   };
@@ -96,12 +97,12 @@ export function createScene(
           : t(derived.run ? "motions-none" : "motions-running"),
     );
     show(empty, !!empty.textContent);
-    const night = isDark(state);
-    const colours = stage.colours(night);
-    if (colours && night !== shown.dark) preview.setColours(colours);
+    const theme = shownTheme(state.page.theme);
+    const colours = stage.colours(theme);
+    if (colours && theme !== shown.theme) preview.setColours(colours);
     const fresh = derived.trace !== shown.trace;
     const drawn = points ? stage.drawn : 0;
-    if (colours && (fresh || night !== shown.dark || drawn !== shown.drawn)) {
+    if (colours && (fresh || theme !== shown.theme || drawn !== shown.drawn)) {
       legend.draw(derived.trace, colours, thinned(drawn, scan));
       preview.setCovered(legend.root.offsetWidth + legend.root.offsetLeft);
     }
@@ -120,7 +121,7 @@ export function createScene(
     preview.setFocus(source === "form" ? state.form.focus : null);
     show(drawing, !!derived.trace?.drawing);
     setAttribute(drawing, "aria-pressed", String(state.view.diameters));
-    shown = { trace: derived.trace, dark: night, step, drawn };
+    shown = { trace: derived.trace, theme, step, drawn };
   };
 }
 

@@ -2,9 +2,9 @@
 
 import { el } from "../dom";
 import type { Preview } from "../preview/view";
-import type { State } from "../state/state";
 import type { Store } from "../state/store";
 import { say, t } from "../texts";
+import { type Shown, shownTheme, watchTheme } from "../theme";
 
 type Colours = Parameters<Preview["setColours"]>[0];
 export interface Stage {
@@ -16,14 +16,8 @@ export interface Stage {
   readonly drawn: number;
   /** Fetches the drawing unless it is there or on its way. */
   fetch(): void;
-  colours(night: boolean): Colours | null;
-}
-
-const dark = matchMedia("(prefers-color-scheme: dark)");
-
-/** The stage takes its colours from the tokens that count now. */
-export function isDark(state: State): boolean {
-  return state.page.theme === "dark" || (state.page.theme === "system" && dark.matches);
+  /** From the tokens of that theme, which the page has now. */
+  colours(theme: Shown): Colours | null;
 }
 
 export function createStage(store: Store): Stage {
@@ -32,7 +26,7 @@ export function createStage(store: Store): Stage {
   let failed = "";
   let drawn = 0;
   let fetching = false;
-  let colours = (_: boolean): Colours | null => null;
+  let colours = (_: Shown): Colours | null => null;
 
   const onThinned = (points: number): void => {
     if (points === drawn) return;
@@ -42,16 +36,16 @@ export function createStage(store: Store): Stage {
   const start = async (): Promise<void> => {
     try {
       const { createPreview, coloursFrom, LIGHT, DARK } = await import("../preview/view");
-      const known = new Map<boolean, Colours>(); // to ask makes the browser work out all styles: once is enough
-      const of = (night: boolean): Colours => {
-        const found = known.get(night) ?? coloursFrom(box, night ? DARK : LIGHT);
-        known.set(night, found);
+      const known = new Map<Shown, Colours>(); // to ask makes the browser work out all styles: once is enough
+      const of = (theme: Shown): Colours => {
+        const found = known.get(theme) ?? coloursFrom(box, theme === "light" ? LIGHT : DARK);
+        known.set(theme, found);
         return found;
       };
       colours = of;
       preview = await createPreview(box, {
         label: t("view-canvas"),
-        colours: of(isDark(store.state)),
+        colours: of(shownTheme(store.state.page.theme)),
         say,
         onThinned,
       });
@@ -61,7 +55,7 @@ export function createStage(store: Store): Stage {
     }
     store.update({});
   };
-  dark.addEventListener("change", () => store.update({}));
+  watchTheme(() => store.update({}));
   return {
     box,
     get preview() {
@@ -78,6 +72,6 @@ export function createStage(store: Store): Stage {
       fetching = true;
       void start();
     },
-    colours: night => colours(night),
+    colours: theme => colours(theme),
   };
 }
