@@ -38,6 +38,16 @@ export type Active = {
   rotary: [number, number, number],
 };
 
+/** What a variant is for. */
+export type Aim = {
+  /** What is measured. */
+  element: Element,
+  /** What is corrected. */
+  corrects: Array<Corrected>,
+  /** What is left to choose: keys of question and answer. */
+  options: Array<[string, string]>,
+};
+
 /** An alarm, or a text for the operator. */
 export type AlarmInfo = {
   /** Name of the alarm: `61303`, `PROBE FAIL`; of a text for the operator the text itself. */
@@ -229,6 +239,19 @@ export type Converted = {
   findings: Array<Diagnostic>,
 };
 
+/** What a variant corrects. */
+export type Corrected = {
+  /** What it is. */
+  corrects: Corrects,
+  /** Key of its name. */
+  key: string,
+  /** Values, as typed, that the worked measurement has for it instead. */
+  values: { [key in string]: string },
+};
+
+/** What is corrected, in the order in which it is offered. */
+export type Corrects = "zero" | "tool" | "probe" | "setter" | "nothing";
+
 /** Edits that fix a finding. */
 export type Cure = {
   /** What they do. */
@@ -413,6 +436,9 @@ export type Edit = {
   /** What comes. */
   insert: string,
 };
+
+/** What is measured, in the order in which it is offered. */
+export type Element = "hole" | "shaft" | "groove" | "web" | "pocket" | "boss" | "edge" | "corner" | "angle" | "sphere" | "turned" | "tool" | "probe" | "points" | "surface" | "move";
 
 /** What is recognised. Whoever shows the text may know more, to be chosen by hand. */
 export type Encoding = "utf-8" | "utf-8-marked" | "utf-16le" | "utf-16le-marked" | "utf-16be" | "utf-16be-marked" | "gbk" | "gb18030" | "shift_jis" | "windows-1252";
@@ -1623,6 +1649,8 @@ export type VariantInfo = {
   source: Cited,
   /** Keys of what the digits of its number choose, the lowest place first. */
   choices: Array<string>,
+  /** What it is for; none: it is found by its number alone. */
+  aim: Aim | null,
   /** In the planes in which other addresses name the axes. */
   planes: { [key in Plane]?: Values },
   /** Values that choose the variant. */

@@ -5,7 +5,7 @@ use crate::catalogue::example::{choosing, example, turned, worked};
 use crate::control::{MachineSort, Plane, delivery};
 use crate::diagnostic::Code;
 use crate::dialect::Dialect;
-use crate::entry::{Cycle, Param, ProbeUse, ResultField, Style, Typed, Unit};
+use crate::entry::{Aim, Cycle, Param, ProbeUse, ResultField, Style, Typed, Unit};
 use crate::manual::Cited;
 use crate::name::Name;
 use crate::workpiece::free::EXAMPLES;
@@ -86,6 +86,8 @@ pub struct VariantInfo {
     pub source: Cited,
     /// Keys of what the digits of its number choose, the lowest place first.
     pub choices: Vec<&'static str>,
+    /// What it is for; none: it is found by its number alone.
+    pub aim: Option<Aim>,
     /// In G17.
     #[serde(flatten)]
     pub usual: Values,
@@ -180,7 +182,8 @@ fn variant(cycle: &'static Cycle, variant: &entry::Variant) -> VariantInfo {
             planes.insert(plane, there);
         }
     }
-    VariantInfo { mvar: variant.number, key: variant.key, source: Cited(variant.source), choices, usual, planes }
+    let aim = cycle.aim(&check::read(cycle, &usual.values, &delivery(cycle.dialect), &mut Vec::new()));
+    VariantInfo { mvar: variant.number, key: variant.key, source: Cited(variant.source), choices, aim, usual, planes }
 }
 
 fn parameter(param: &Param) -> ParameterInfo {

@@ -42,6 +42,11 @@ pub static CYCLE972: Cycle = Cycle {
     help: Help::new(&[LINES, &tool_probe::help::lines([When::Always, CALIBRATE, MEASURE], [NEVER; 2])]),
     picture: Drawing::staged(picture::stage, picture::marks),
     simulation: Some(Simulation::new(propose::propose, simulate::turning_tools).with_tool(propose::tool)),
+    aims: Aims {
+        elements: &[(CALIBRATE, Element::Probe), (When::Always, Element::Tool)],
+        corrects: &[(CALIBRATE, Corrects::Setter, &[]), (When::Not(&CALIBRATE), Corrects::Tool, &[])],
+        options: &[(When::Always, "aim-tools", "aim-tools-turning")],
+    },
     source: "B:8736-9090",
     ..common::CYCLE
 };

@@ -51,6 +51,11 @@ pub static G101: Cycle = Cycle {
     ]]),
     picture: Drawing::new(picture),
     simulation: Some(Simulation::new(propose, simulate)),
+    aims: Aims {
+        elements: &[(When::Always, Element::Move)],
+        corrects: &[(When::Always, Corrects::Nothing, &[])],
+        options: &[],
+    },
     source: "C:106-144",
     ..nct::MACRO
 };

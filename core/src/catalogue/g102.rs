@@ -35,6 +35,11 @@ pub static G102: Cycle = Cycle {
         nct::help::CALIBRATING,
     ]),
     simulation: Some(Simulation::new(ring::propose, simulate)),
+    aims: Aims {
+        elements: &[(When::Always, Element::Probe)],
+        corrects: &[(When::Always, Corrects::Probe, &[])],
+        options: &[(When::Always, "aim-measured", "g102-offset")],
+    },
     source: "C:150-278",
     ..ring::CALIBRATION
 };

@@ -42,6 +42,11 @@ pub static G103: Cycle = Cycle {
         nct::help::CALIBRATING,
     ]),
     simulation: Some(Simulation::new(ring::propose, simulate)),
+    aims: Aims {
+        elements: &[(When::Always, Element::Probe)],
+        corrects: &[(When::Always, Corrects::Probe, &[])],
+        options: &[(When::Always, "aim-measured", "g103-radius")],
+    },
     source: "C:282-370",
     ..ring::CALIBRATION
 };

@@ -45,6 +45,11 @@ pub static G104: Cycle = Cycle {
     ]),
     picture: Drawing::staged(surface::stage_axially, surface::marks_axially),
     simulation: Some(Simulation::new(surface::propose_axially, simulate)),
+    aims: Aims {
+        elements: &[(When::Always, Element::Probe)],
+        corrects: &[(When::Always, Corrects::Probe, &[])],
+        options: &[(When::Always, "aim-measured", "g104-length")],
+    },
     source: "C:351-427",
     ..nct::MACRO
 };

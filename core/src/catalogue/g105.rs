@@ -51,6 +51,11 @@ pub static G105: Cycle = Cycle {
     ]),
     picture: Drawing::staged(stage, marks),
     simulation: Some(Simulation::new(propose, simulate)),
+    aims: Aims {
+        elements: &[(When::Always, Element::Edge)],
+        corrects: nct::CORRECTED,
+        options: &[(When::Always, "aim-across", "aim-across-plane")],
+    },
     source: "C:430-560",
     ..nct::MACRO
 };

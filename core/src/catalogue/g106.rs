@@ -44,6 +44,11 @@ pub static G106: Cycle = Cycle {
     ]),
     picture: Drawing::staged(surface::stage_axially, surface::marks_axially),
     simulation: Some(Simulation::new(surface::propose_axially, simulate)),
+    aims: Aims {
+        elements: &[(When::Always, Element::Edge)],
+        corrects: nct::CORRECTED,
+        options: &[(When::Always, "aim-across", "aim-across-tool")],
+    },
     source: "C:562-694",
     ..nct::MACRO
 };

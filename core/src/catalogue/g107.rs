@@ -28,6 +28,11 @@ pub static G107: Cycle = Cycle {
         nct::help::MEASURING,
     ]),
     simulation: Some(Simulation::new(corner::propose::<false>, corner::measure::<false>)),
+    aims: Aims {
+        elements: &[(When::Always, Element::Corner)],
+        corrects: &[(When::Always, Corrects::Zero, &[])],
+        options: &[(When::Always, "aim-side", "aim-inside")],
+    },
     source: "C:696-781",
     ..corner::CORNER
 };

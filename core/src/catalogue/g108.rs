@@ -29,6 +29,11 @@ pub static G108: Cycle = Cycle {
         nct::help::MEASURING,
     ]),
     simulation: Some(Simulation::new(corner::propose::<true>, corner::measure::<true>)),
+    aims: Aims {
+        elements: &[(When::Always, Element::Corner)],
+        corrects: &[(When::Always, Corrects::Zero, &[])],
+        options: &[(When::Always, "aim-side", "aim-outside")],
+    },
     source: "C:785-865",
     ..corner::CORNER
 };

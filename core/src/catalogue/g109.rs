@@ -86,6 +86,11 @@ pub static G109: Cycle = Cycle {
     ]),
     picture: Drawing::staged(stage, marks),
     simulation: Some(Simulation::new(propose, simulate)),
+    aims: Aims {
+        elements: &[(When::Variant(&[POCKET]), Element::Groove), (When::Variant(&[WEB]), Element::Web)],
+        corrects: nct::CORRECTED,
+        options: &[],
+    },
     source: "C:868-1028",
     ..nct::MACRO
 };

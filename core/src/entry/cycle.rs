@@ -23,6 +23,8 @@ pub struct Cycle {
     pub params: &'static [Param],
     /// Where it belongs: the probe it uses, the sort of machine, whether it calibrates.
     pub purpose: Purpose,
+    /// What its variants are for: by this they are found.
+    pub aims: super::Aims,
     /// Calls with arguments in brackets that mean this cycle.
     pub lists: &'static [super::ArgumentList],
     /// Data of the machine that decide what the form shows or what is right in it: `_CBIT[12]`, `_MT_COMP`, …

@@ -1,6 +1,7 @@
 //! The shape of an entry of the catalogue: plain data that form, check, program, run and the documents read.
 
 pub mod address;
+mod aim;
 mod cycle;
 mod help;
 mod inputs;
@@ -14,6 +15,7 @@ mod units;
 mod when;
 mod work;
 
+pub use aim::*;
 pub use cycle::*;
 pub use help::*;
 pub use inputs::{Inputs, Typed};

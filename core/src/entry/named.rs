@@ -5,7 +5,7 @@ use super::{Arg, ArgumentList, Cycle, Kind, Param, When};
 use crate::name::Name;
 
 impl Cycle {
-    /// Stops the build where parameters, lists, results, tasks, help or examples name a parameter that is none of the
+    /// Stops the build where parameters, lists, results, tasks, aims, help or examples name a parameter that is none of the
     /// entry's, or a condition looks at a datum of the machine that is none of its settings.
     pub const fn names_its_own(&self) {
         let mut params = self.params;
@@ -29,11 +29,31 @@ impl Cycle {
             tasks = rest;
         }
         self.when_names(&self.purpose.calibrates);
+        self.aims_name();
         let mut examples = self.examples;
         while let [(when, values), rest @ ..] = examples {
             self.when_names(when);
             self.values_names(values);
             examples = rest;
+        }
+    }
+
+    const fn aims_name(&self) {
+        let mut elements = self.aims.elements;
+        while let [(when, _), rest @ ..] = elements {
+            self.when_names(when);
+            elements = rest;
+        }
+        let mut corrects = self.aims.corrects;
+        while let [(when, _, values), rest @ ..] = corrects {
+            self.when_names(when);
+            self.values_names(values);
+            corrects = rest;
+        }
+        let mut options = self.aims.options;
+        while let [(when, ..), rest @ ..] = options {
+            self.when_names(when);
+            options = rest;
         }
     }
 

@@ -40,6 +40,11 @@ pub static CYCLE116: Cycle = Cycle {
     ]]),
     picture: Drawing::new(picture),
     simulation: Some(Simulation::new(|_, _| Proposal::default(), simulate)),
+    aims: Aims {
+        elements: &[(When::Always, Element::Points)],
+        corrects: &[(When::Always, Corrects::Nothing, &[])],
+        options: &[(When::Always, "aim-from", "aim-from-circle")],
+    },
     source: "B:2408-2469",
     ..CYCLE
 };

@@ -68,6 +68,11 @@ pub static CYCLE119: Cycle = Cycle {
     ]]),
     picture: Drawing::new(picture::picture),
     simulation: Some(Simulation::new(|_, _| Proposal::default(), simulate::simulate)),
+    aims: Aims {
+        elements: &[(When::Always, Element::Points)],
+        corrects: &[(When::Always, Corrects::Zero, &[]), (When::Always, Corrects::Nothing, &[(params::TARGET, "0")])],
+        options: &[(When::Always, "aim-from", "aim-from-position")],
+    },
     source: "B:8541-8622",
     ..CYCLE
 };

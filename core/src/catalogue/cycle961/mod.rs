@@ -83,6 +83,17 @@ pub static CYCLE961: Cycle = Cycle {
         ),
     ],
     simulation: Some(Simulation::new(propose::propose, simulate::simulate)),
+    aims: Aims {
+        elements: &[(When::Always, Element::Corner)],
+        corrects: common::ZERO_CORRECTED,
+        options: &[
+            (When::Variant(&[105, 107, 117]), "aim-side", "aim-inside"),
+            (When::Variant(&[106, 108, 118]), "aim-side", "aim-outside"),
+            (When::Variant(&[105, 106]), "aim-corner-points", "aim-corner-right"),
+            (When::Variant(&[107, 108]), "aim-corner-points", "aim-corner-any"),
+            (When::Variant(&[117, 118]), "aim-corner-points", "aim-corner-given"),
+        ],
+    },
     source: "B:7816-8170",
     ..common::CYCLE
 };

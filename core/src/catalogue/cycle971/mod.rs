@@ -18,7 +18,9 @@ mod tests;
 
 use crate::catalogue::common::{CYCLE, alarms};
 use crate::catalogue::{newer, older, tool_probe};
-use crate::entry::{Cycle, Drawing, Help, ProbeUse, Purpose, Simulation, Variant, names};
+use crate::entry::{
+    Aims, Corrects, Cycle, Drawing, Element, Help, ProbeUse, Purpose, Simulation, Variant, When, names,
+};
 use crate::support::FORMS;
 use params::SPEEDS_IN_FORM;
 
@@ -66,6 +68,11 @@ pub static CYCLE971: Cycle = Cycle {
     // a side, as every variant but the automatic one can touch it
     examples: &[(params::CALIBRATE, &[(names::MA, "1")]), (params::INCREMENTAL, &[(names::FA, "-3")])],
     simulation: Some(Simulation::new(propose::propose, simulate::simulate)),
+    aims: Aims {
+        elements: &[(params::CALIBRATE, Element::Probe), (When::Always, Element::Tool)],
+        corrects: &[(params::CALIBRATE, Corrects::Setter, &[]), (When::Not(&params::CALIBRATE), Corrects::Tool, &[])],
+        options: &[],
+    },
     source: "B:4157-5029",
     ..CYCLE
 };

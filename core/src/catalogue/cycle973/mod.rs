@@ -75,6 +75,11 @@ pub static CYCLE973: Cycle = Cycle {
     // across the groove of position 7
     examples: &[(GROOVE, &[(names::CALNUM, "1"), (names::MA, "2")])],
     simulation: Some(Simulation::new(propose::propose, simulate::simulate)),
+    aims: Aims {
+        elements: &[(When::Always, Element::Probe)],
+        corrects: &[(When::Always, Corrects::Probe, &[])],
+        options: &[],
+    },
     source: "B:10128-10407",
     ..common::CYCLE
 };

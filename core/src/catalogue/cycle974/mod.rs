@@ -69,6 +69,11 @@ pub static CYCLE974: Cycle = Cycle {
     picture: Drawing::staged(picture::stage, picture::marks),
     examples: &[(REVERSAL, &[(names::STA1, "0")])],
     simulation: Some(Simulation::new(propose, simulate::simulate)),
+    aims: Aims {
+        elements: &[(When::Always, Element::Turned)],
+        corrects: common::CORRECTED,
+        options: &[(When::Always, "aim-touches", "aim-touches-one")],
+    },
     source: "B:10409-10872",
     ..common::CYCLE
 };

@@ -84,6 +84,11 @@ pub static CYCLE976: Cycle = Cycle {
     picture: Drawing::staged(picture::stage, picture::marks),
     examples: params::EXAMPLES,
     simulation: Some(Simulation::new(propose::propose, simulate::simulate)),
+    aims: Aims {
+        elements: &[(When::Always, Element::Probe)],
+        corrects: &[(When::Always, Corrects::Probe, &[])],
+        options: &[],
+    },
     source: "B:5029-5593",
     ..common::CYCLE
 };

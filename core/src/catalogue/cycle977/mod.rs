@@ -79,6 +79,18 @@ pub static CYCLE977: Cycle = Cycle {
     picture: Drawing::staged(picture::stage, picture::marks),
     examples: params::EXAMPLES,
     simulation: Some(Simulation::new(propose::propose, simulate::simulate)),
+    aims: Aims {
+        elements: &[
+            (mvar(1, &[1]), Element::Hole),
+            (mvar(1, &[2]), Element::Shaft),
+            (mvar(1, &[3]), Element::Groove),
+            (mvar(1, &[4]), Element::Web),
+            (mvar(1, &[5]), Element::Pocket),
+            (mvar(1, &[6]), Element::Boss),
+        ],
+        corrects: common::CORRECTED,
+        options: &[(When::Always, "aim-alignment", "aim-paraxial")],
+    },
     source: "B:5600-6285",
     ..common::CYCLE
 };

@@ -66,6 +66,7 @@ pub static CYCLE978: Cycle = Cycle {
     picture: Drawing::staged(picture::stage, picture::marks),
     examples: &[(params::ZERO, &[(names::KNUM, "1")])],
     simulation: Some(Simulation::new(propose, simulate::simulate)),
+    aims: Aims { elements: &[(When::Always, Element::Edge)], corrects: common::CORRECTED, options: &[] },
     source: "B:6287-6705",
     ..common::CYCLE
 };

@@ -12,7 +12,7 @@ mod tests;
 
 use crate::catalogue::sinumerik::help::{AGAIN, BLOCK, CALIBRATED, CORRECTION, MEASURING, PROBE};
 use crate::catalogue::{common, newer, older};
-use crate::entry::{Cycle, Drawing, Help, Simulation, Variant, names};
+use crate::entry::{Aims, Cycle, Drawing, Element, Help, Simulation, Variant, When, mvar, names};
 
 /// Measuring variants (B:6764-6773).
 pub const VARIANTS: &[Variant] = &[
@@ -54,6 +54,16 @@ pub static CYCLE979: Cycle = Cycle {
         (params::WEB, &[(names::ID, "20")]),
     ],
     simulation: Some(Simulation::new(propose::propose, simulate::simulate)),
+    aims: Aims {
+        elements: &[
+            (mvar(1, &[1]), Element::Hole),
+            (mvar(1, &[2]), Element::Shaft),
+            (mvar(1, &[3]), Element::Groove),
+            (mvar(1, &[4]), Element::Web),
+        ],
+        corrects: common::CORRECTED,
+        options: &[(When::Always, "aim-alignment", "aim-at-angle")],
+    },
     source: "B:6736-7250",
     ..common::CYCLE
 };

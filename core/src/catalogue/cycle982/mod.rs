@@ -21,7 +21,9 @@ mod variants;
 use crate::catalogue::common::{CYCLE, alarms};
 use crate::catalogue::{newer, tool_probe};
 use crate::control::machine_data::TOOL_LENGTH_TYPE;
-use crate::entry::{Cycle, Drawing, Examples, Help, ProbeUse, Purpose, Simulation, When, names};
+use crate::entry::{
+    Aims, Corrects, Cycle, Drawing, Element, Examples, Help, ProbeUse, Purpose, Simulation, When, names,
+};
 
 /// What the worked measurement of a variant has beside the example.
 const EXAMPLES: Examples = &[
@@ -60,6 +62,11 @@ pub static CYCLE982: Cycle = Cycle {
     picture: Drawing::staged(picture::stage, picture::marks),
     examples: EXAMPLES,
     simulation: Some(Simulation::new(propose::propose, simulate::simulate).with_tool(propose::tool)),
+    aims: Aims {
+        elements: &[(params::CALIBRATE, Element::Probe), (When::Always, Element::Tool)],
+        corrects: &[(params::CALIBRATE, Corrects::Setter, &[]), (When::Not(&params::CALIBRATE), Corrects::Tool, &[])],
+        options: &[(When::Always, "aim-tools", "aim-tools-all")],
+    },
     source: "B:9124-10126",
     ..CYCLE
 };

@@ -72,6 +72,15 @@ pub static CYCLE994: Cycle = Cycle {
     // inside the zone has to be smaller than the bore
     examples: &[(INSIDE_ZONE, &[(names::SZO, "30")])],
     simulation: Some(Simulation::new(propose::propose, simulate::simulate)),
+    aims: Aims {
+        elements: &[(When::Always, Element::Turned)],
+        corrects: &[(When::Always, Corrects::Tool, &[]), (When::Always, Corrects::Nothing, common::UNCORRECTED)],
+        options: &[
+            (When::Always, "aim-touches", "aim-touches-two"),
+            (When::Variant(&[1]), "aim-where", "cycle994-inside-zone"),
+            (When::Variant(&[2]), "aim-where", "cycle994-outside-inside"),
+        ],
+    },
     source: "B:10873-11146",
     ..common::CYCLE
 };

@@ -73,6 +73,7 @@ pub static CYCLE997: Cycle = Cycle {
     picture: Drawing::staged(picture::stage, picture::marks),
     examples: &[(params::ANGLE, &[(names::STA1, "0"), (names::INCA, "90"), (names::RF, "1000")])],
     simulation: Some(Simulation::new(propose::propose, simulate::simulate)),
+    aims: Aims { elements: &[(When::Always, Element::Sphere)], corrects: common::ZERO_CORRECTED, options: &[] },
     source: "B:8178-8539",
     ..common::CYCLE
 };

@@ -14,7 +14,7 @@ mod tests;
 
 use crate::catalogue::sinumerik::help::{AGAIN, DIFFERENTIAL, MEASURING, PROBE};
 use crate::catalogue::{common, newer, older};
-use crate::entry::{Cycle, Drawing, Help, Simulation, Variant, names};
+use crate::entry::{Aims, Cycle, Drawing, Element, Help, Simulation, Variant, When, names};
 
 /// Measuring variants (B:7318-7324).
 pub const VARIANTS: &[Variant] = &[
@@ -61,6 +61,7 @@ pub static CYCLE998: Cycle = Cycle {
         ),
     ],
     simulation: Some(Simulation::new(propose::propose, simulate::simulate)),
+    aims: Aims { elements: &[(When::Always, Element::Angle)], corrects: common::ZERO_CORRECTED, options: &[] },
     source: "B:7252-7812",
     ..common::CYCLE
 };

@@ -84,6 +84,11 @@ pub static G110: Cycle = Cycle {
     ]),
     picture: Drawing::staged(stage, marks),
     simulation: Some(Simulation::new(propose, simulate)),
+    aims: Aims {
+        elements: &[(When::Variant(&[BORE]), Element::Hole), (When::Variant(&[BOSS]), Element::Shaft)],
+        corrects: nct::CORRECTED,
+        options: &[],
+    },
     source: "C:1036-1183",
     ..nct::MACRO
 };

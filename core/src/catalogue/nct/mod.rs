@@ -67,6 +67,13 @@ pub const LIMITS: &[Code] = &[OUT_OF_TOLERANCE, UPPER_TOLERANCE];
 /// What every macro starts from.
 pub const MACRO: Cycle = Cycle { dialect: Dialect::Nct, alarms: &[MEASURING], ..CYCLE };
 
+/// What is corrected by a macro whose address S or T says it; the worked measurement has S (C:1089).
+pub const CORRECTED: &[(When, Corrects, &[(Name, &str)])] = &[
+    (When::Always, Corrects::Zero, &[]),
+    (When::Always, Corrects::Tool, &[(address::S, ""), (address::T, "3")]),
+    (When::Always, Corrects::Nothing, &[(address::S, "")]),
+];
+
 /// Datum that a failed G101 leaves at 1 and the measuring macros look at. The manual gives it no number (C:121-123).
 pub const POSITION_LOST: &str = "OUT_OF_POSITION";
 /// Machine parameter PRNT: 0 switches the print-out off (C:60). Where it is not set, the macros print.

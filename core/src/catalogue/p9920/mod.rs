@@ -77,6 +77,14 @@ pub static P9920: Cycle = Cycle {
     ]]),
     picture: Drawing::staged(picture::stage, picture::marks),
     simulation: Some(Simulation::new(propose::propose, simulate::simulate)),
+    aims: Aims {
+        elements: &[(AT_CALIBRATION, Element::Probe), (When::Always, Element::Tool)],
+        corrects: &[(AT_CALIBRATION, Corrects::Setter, &[]), (When::Not(&AT_CALIBRATION), Corrects::Tool, &[])],
+        options: &[
+            (When::Variant(&[LENGTH]), "aim-measured", "p9920-length"),
+            (AT_DIAMETER, "aim-measured", "p9920-diameter"),
+        ],
+    },
     source: "C:1185-1258",
     ..nct::MACRO
 };

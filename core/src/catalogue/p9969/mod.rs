@@ -49,6 +49,11 @@ pub static P9969: Cycle = Cycle {
     ]]),
     picture: Drawing::staged(picture::stage, picture::marks),
     simulation: Some(Simulation::new(propose, simulate::simulate).with_scan(follow::scanner)),
+    aims: Aims {
+        elements: &[(When::Always, Element::Surface)],
+        corrects: &[(When::Always, Corrects::Nothing, &[])],
+        options: &[],
+    },
     source: "C:1276-1355",
     ..nct::MACRO
 };

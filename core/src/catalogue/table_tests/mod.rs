@@ -1,6 +1,7 @@
 //! The catalogue against the tables of the manual (`tests/data/`), row by row in both directions.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+mod aims;
 mod alarms;
 mod allowed;
 mod cells;
