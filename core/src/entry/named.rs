@@ -5,8 +5,8 @@ use super::{Arg, ArgumentList, Cycle, Kind, Param, When};
 use crate::name::Name;
 
 impl Cycle {
-    /// Stops the build where parameters, lists, results, tasks, aims, help or examples name a parameter that is none of the
-    /// entry's, or a condition looks at a datum of the machine that is none of its settings.
+    /// Stops the build where parameters, lists, results, tasks, aims, help or examples name a parameter that is none of
+    /// the entry's, or a condition looks at a datum of the machine that is none of its settings.
     pub const fn names_its_own(&self) {
         let mut params = self.params;
         while let [param, rest @ ..] = params {

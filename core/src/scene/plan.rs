@@ -599,6 +599,9 @@ fn extent(shapes: &[PictureShape]) -> [[f64; 2]; 2] {
     if low[0] > high[0] { [[0.0; 2]; 2] } else { [low, high] }
 }
 
+#[cfg(all(test, feature = "json"))]
+#[path = "pictogram/mod.rs"]
+mod pictogram;
 #[cfg(test)]
 #[path = "plan_tests.rs"]
 mod tests;
