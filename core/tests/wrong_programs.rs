@@ -146,7 +146,7 @@ fn right_programs_give_no_finding() {
 
 // oracle: manual: its own programs (`tests/cases`) take their points far enough apart
 #[test]
-fn the_points_of_the_manual_are_not_doubted() {
+fn the_points_of_the_manual_are_not_warned_about() {
     let setup = std::fs::read_to_string(folder().join("machine.json")).unwrap();
     let control = setup_from_json(&setup).unwrap().control;
     let entries = std::fs::read_dir(folder().join("../cases")).unwrap();

@@ -89,6 +89,19 @@ describe("a program in its own encoding", () => {
     await page.locator(".panel-program").getByRole("button", { name: "Save", exact: true }).click();
     await page.waitForFunction(() => document.activeElement?.textContent === "Save as UTF-8");
     assert.equal(downloads, 0);
+    const offered = page.locator(".lacking:visible option");
+    assert.deepEqual(await offered.evaluateAll(all => all.map(one => one.value)), [
+      "utf-8",
+      "utf-8-marked",
+      "utf-16le",
+      "utf-16le-marked",
+      "utf-16be",
+      "utf-16be-marked",
+      "gb18030",
+    ]);
+    await page.locator(".lacking:visible select").selectOption("gb18030");
+    await page.getByRole("button", { name: "Save as GB 18030", exact: true }).waitFor();
+    await page.locator(".lacking:visible select").selectOption("utf-8");
     const bytes = await saved(page, "Save as UTF-8");
     assert.equal(
       bytes.toString(),

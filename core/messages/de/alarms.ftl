@@ -30,13 +30,13 @@ alarm-61302 = Der Messtaster hat beim Positionieren etwas berührt.
     .cause = Ein Hindernis liegt im Verfahrweg, oder der Weg ab der Startposition trifft das Werkstück.
     .cure = Hindernis entfernen oder Startposition, Zustellung oder Schutzzone korrigieren.
 alarm-61303 = Die Differenz zwischen Istwert und Sollwert überschreitet den Vertrauensbereich.
-    .cause = Der Zyklus korrigiert nichts: Ursache ist meist ein falscher Sollwert, ein Span oder schlechtes Spannen, kein falsches Maß.
+    .cause = Keine Korrektur dieses Werts: Ursache ist meist ein falscher Sollwert, ein Span oder schlechtes Spannen, kein falsches Maß.
     .cure = Sollwert und Werkstück prüfen; { "_TSA" } nur vergrößern, wenn solche Abweichungen möglich sind (1. Kalibrieren).
 alarm-61306 = Die Maßdifferenz ist größer als zulässig.
     .cause = Werkzeug, Aufspannung oder Sollwert passen nicht zum Programm.
     .cure = Sollwert prüfen oder { "_TDIF" } vergrößern.
-alarm-61307 = Diese Messvariante gibt es nicht.
-    .cure = Für { "_MVAR" } eine Messvariante dieses Zyklus eingeben.
+alarm-61307 = Diese Messvariante ist unzulässig.
+    .cure = Für { "_MVAR" } eine Messvariante dieses Zyklus eingeben, die Werkzeug, Spindel und Startposition zulassen.
 alarm-61308 = Der Messweg muss größer als 0 sein.
     .cure = { "_FA" } in mm eingeben, auch an einer Maschine mit Grundsystem inch.
 alarm-61309 = Der Typ des Messtasters ist unzulässig.
@@ -181,13 +181,13 @@ alarm-62303 = Die Differenz überschreitet den Vertrauensbereich.
     .cure = Sollwert und Werkstück prüfen, dann mit NC START erneut messen; oder { "_TSA" } vergrößern.
 alarm-62304 = Das Werkstück hat Aufmaß.
     .cause = Der Istwert liegt über der Toleranzobergrenze { "_TUL" }: Werkzeug verschlissen, abgedrängt oder falsch gemessen.
-    .cure = Werkstück und Werkzeug prüfen; ist { "_KNUM" } nicht 0, korrigiert der Zyklus das Werkzeug um die ganze Differenz.
+    .cure = Werkstück und Werkzeug prüfen; ist { "_KNUM" } nicht 0, wird um die ganze Differenz korrigiert (Rechteck: Mittel beider).
 alarm-62305 = Das Werkstück hat Untermaß.
     .cause = Der Istwert liegt unter der Toleranzuntergrenze { "_TLL" }: Werkzeug verschlissen, abgedrängt oder falsch gemessen.
-    .cure = Werkstück und Werkzeug prüfen; ist { "_KNUM" } nicht 0, korrigiert der Zyklus das Werkzeug um die ganze Differenz.
+    .cure = Werkstück und Werkzeug prüfen; ist { "_KNUM" } nicht 0, wird um die ganze Differenz korrigiert (Rechteck: Mittel beider).
 alarm-62306 = Die Maßdifferenz ist größer als { "_TDIF" }.
     .cause = Werkzeug, Aufspannung oder Sollwert passen vielleicht nicht zum Programm.
-    .cure = Der Zyklus korrigiert nichts. Vor dem Fortsetzen Aufspannung, Sollwert und Werkzeug prüfen.
+    .cure = Dieser Wert wird nicht korrigiert. Vor dem Fortsetzen Aufspannung, Sollwert und Werkzeug prüfen.
 
 # Protokollierung: CYCLE105 schreibt Werte, CYCLE106 die Datei, CYCLE118 formatiert Zahlen (A:15894 bis A:15915, A:15944 bis A:15948).
 

@@ -134,6 +134,10 @@ check-length-assignment = SD 42950 ist { $value }: L1 und L2 von Fräswerkzeuge
 check-length-assignment-hint = SD 42950 ($SC_TOOL_LENGTH_TYPE) vorher auf 2 setzen; für Bohrer in G17 oder G19 ist auch 0 möglich.
 check-spindle-stays = Diese Messvariante dreht die Spindel oder misst zweimal, aber _CHBIT[20]=1 unterdrückt das Positionieren der Spindel.
 check-spindle-stays-hint = _CHBIT[20] auf 0 setzen oder eine Messvariante xxx0x1 wählen, bei der jede Stelle x 0 oder 1 ist: ein Punkt, ohne Umschlag.
+check-reversal-rotating = Die Spindel dreht, aber die Messung mit Umschlag braucht eine stehende Spindel.
+check-reversal-rotating-hint = Spindel vor dem Aufruf mit M5 anhalten oder Messvariante mit 0 in der 3. Stelle wählen: ohne Umschlag.
+check-reversal-held = Der Umschlag dreht den Bohrer auf die zweite Schneide, aber die Spindel lässt sich nicht positionieren.
+check-reversal-held-hint = Messvariante mit 0 in der 3. Stelle wählen: ohne Umschlag.
 check-spindle-turns = Die Frässpindel müsste auf _STA1 drehen, lässt sich aber nicht positionieren.
 check-spindle-turns-hint = Schneide zum Messtaster drehen, _CHBIT[20] auf 1 setzen und eine Messvariante xxx0x1 wählen: ein Punkt, ohne Umschlag.
 check-side-radius = Das Werkzeug tastet mit dem Umfang an, sein Radius ist aber 0: Die Länge ist nicht berechenbar.

@@ -301,7 +301,7 @@ datum-chbit-5 = Verrechnung des Erfahrungswerts
 datum-chbit-6 = Automatische Werkzeugkorrektur
     .help = Summen- und Einrichtekorrektur: gilt mit _CHBIT[8]=0.
     .v0 = in Verschleiß oder Summenkorrektur
-    .v1 = in Geometrie/Einrichtekorrektur; Verschleiß/Summe dazu, dann 0
+    .v1 = in Geometrie/Einrichtekorrektur, Verschleiß/Summe 0
 datum-chbit-7 = CYCLE994: Messwertkorrektur
     .v0 = mit den Triggerpunkten
     .v1 = mit dem Kugeldurchmesser

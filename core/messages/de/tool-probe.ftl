@@ -10,6 +10,7 @@ task-rotating-words = Länge Radius drehend rotierend größte Schneide Fräser 
 mvar-reference = Messtasterdaten
 reference-machine = maschinenbezogen (_TP)
 reference-machine-words = Maschine MKS _TP
+reference-setting = werkstückbezogen (_CBIT[5]=1, _TP)
 reference-workpiece = werkstückbezogen (_TPW)
 reference-workpiece-words = Werkstück WKS Frame _TPW
 ma-lathe-l2 = L2, in der Abszisse angetastet (G18: Z)
@@ -22,7 +23,7 @@ approach-automatic = automatisch: alle Seiten
 approach-automatic-words = automatisch alle Achsen Richtungen Mitte
 
 param-prnum-tool = Werkzeugmesstaster
-param-prnum-tool-help = Nummer des Werkzeugmesstasters: Seine Daten sind _TP[n-1,…], bei werkstückbezogener Messung _TPW[n-1,…].
+param-prnum-tool-help = Nummer des Werkzeugmesstasters: Seine Daten sind _TP[n-1,…] oder, bei einer _TPW-Messvariante, _TPW[n-1,…].
 param-evnum-tool = Erfahrungswertspeicher
 param-evnum-tool-help = Nummer n des Speichers _EV[n-1], der den Messwert korrigiert; 0: keiner. Über 9999 gelten nur die letzten vier Stellen, da der Zyklus keinen Mittelwert bildet.
 param-tzl-tool = Nullkorrektur

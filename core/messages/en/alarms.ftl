@@ -30,13 +30,13 @@ alarm-61302 = The probe touched something during positioning.
     .cause = There is an obstacle in the path, or the path from the start position runs into the part.
     .cure = Clear the path: correct the start position, the infeed or the protection zone.
 alarm-61303 = The difference between actual value and setpoint exceeds the safe area.
-    .cause = Nothing is corrected: the cause is usually a wrong setpoint, a chip or bad clamping, not a wrong size.
+    .cause = This value is not corrected: the cause is usually a wrong setpoint, a chip or bad clamping, not a wrong size.
     .cure = Check setpoint and part; increase { "_TSA" } only if so large a deviation is possible, as in a first calibration.
 alarm-61306 = The dimensional difference exceeds the permissible value.
     .cause = Tool, clamping or setpoint does not match the program.
     .cure = Check the setpoint, or increase { "_TDIF" }.
-alarm-61307 = This measuring variant does not exist.
-    .cure = Enter a measuring variant of this cycle in { "_MVAR" }.
+alarm-61307 = This measuring variant is not permitted.
+    .cure = Enter a variant of this cycle in { "_MVAR" } that tool, spindle and start position permit.
 alarm-61308 = The measuring path must be greater than 0.
     .cure = Enter { "_FA" } in mm, even on an inch machine.
 alarm-61309 = The probe type is not permitted.
@@ -181,13 +181,13 @@ alarm-62303 = The difference exceeds the safe area.
     .cure = Check the setpoint and the part, or increase { "_TSA" }. NC START repeats the measurement.
 alarm-62304 = The part is oversize.
     .cause = The actual value is above the upper tolerance limit { "_TUL" }: tool worn, deflected or measured incorrectly.
-    .cure = Check the part and the tool; if { "_KNUM" } is not 0, the cycle corrects the tool by the whole difference.
+    .cure = Check part and tool; if { "_KNUM" } is not 0, the whole difference corrects the tool (rectangle: mean of both).
 alarm-62305 = The part is undersize.
     .cause = The actual value is below the lower tolerance limit { "_TLL" }: tool worn, deflected or measured incorrectly.
-    .cure = Check the part and the tool; if { "_KNUM" } is not 0, the cycle corrects the tool by the whole difference.
+    .cure = Check part and tool; if { "_KNUM" } is not 0, the whole difference corrects the tool (rectangle: mean of both).
 alarm-62306 = The dimensional difference exceeds { "_TDIF" }.
     .cause = Tool, clamping or setpoint may not match the program.
-    .cure = Nothing is corrected. Check clamping, setpoint and tool before continuing.
+    .cure = This value is not corrected. Check clamping, setpoint and tool before continuing.
 
 # Logging: CYCLE105 writes values, CYCLE106 the file, CYCLE118 formats numbers (A:15894 to A:15915, A:15944 to A:15948).
 

@@ -134,6 +134,10 @@ check-length-assignment = SD 42950 is { $value }: L1 and L2 of milling tools an
 check-length-assignment-hint = Set SD 42950 ($SC_TOOL_LENGTH_TYPE) to 2 before the call; for a drill in G17 or G19, 0 also works.
 check-spindle-stays = This variant rotates the spindle or measures twice, but _CHBIT[20]=1 suppresses spindle positioning.
 check-spindle-stays-hint = Set _CHBIT[20] to 0, or choose a variant xxx0x1 whose digits x are 0 or 1: one point, without reversal.
+check-reversal-rotating = The spindle rotates, but measurement with reversal needs a stationary spindle.
+check-reversal-rotating-hint = Stop the spindle with M5 before the call, or choose a variant with 0 in the 3rd digit: without reversal.
+check-reversal-held = Reversal turns the drill to its second edge, but the spindle cannot be positioned.
+check-reversal-held-hint = Choose a variant with 0 in the 3rd digit: without reversal.
 check-spindle-turns = The milling spindle must be positioned to _STA1, but it cannot be positioned.
 check-spindle-turns-hint = Turn the cutting edge to the probe, set _CHBIT[20] to 1 and choose variant xxx0x1: one point, no reversal.
 check-side-radius = The tool touches with its side, but its radius is 0: the length cannot be calculated.

@@ -10,6 +10,7 @@ task-rotating-words = length radius rotating turning largest edge cutter face mi
 mvar-reference = Probe data
 reference-machine = Machine-related (_TP)
 reference-machine-words = machine _TP
+reference-setting = Workpiece-related (_CBIT[5]=1, _TP)
 reference-workpiece = Workpiece-related (_TPW)
 reference-workpiece-words = workpiece WCS frame _TPW
 ma-lathe-l2 = L2, touched in the abscissa (G18: Z)
@@ -22,7 +23,7 @@ approach-automatic = Automatic: all sides
 approach-automatic-words = automatic all axes directions centre
 
 param-prnum-tool = Tool probe
-param-prnum-tool-help = Number of the tool probe: its data are _TP[n-1,…], for workpiece-related measurement _TPW[n-1,…].
+param-prnum-tool-help = Number of the tool probe: its data are _TP[n-1,…] or, with a _TPW variant, _TPW[n-1,…].
 param-evnum-tool = Empirical value memory
 param-evnum-tool-help = Number n of the memory _EV[n-1] that corrects the measured value; 0: none. Above 9999 only the last four digits apply, because no mean value is formed.
 param-tzl-tool = Zero compensation area

@@ -134,6 +134,10 @@ check-length-assignment = SD 42950 为 { $value }：铣刀和钻头的 L1、L2 
 check-length-assignment-hint = 请在调用前把 SD 42950（$SC_TOOL_LENGTH_TYPE）设为 2；G17 或 G19 中的钻头也可以用 0。
 check-spindle-stays = 此测量方式要转动主轴或测量两次，而 _CHBIT[20]=1 禁止主轴定位。
 check-spindle-stays-hint = 请把 _CHBIT[20] 设为 0，或选 xxx0x1（x 为 0 或 1）的测量方式：一点，不带 180° 换向。
+check-reversal-rotating = 主轴正在旋转，而带 180° 换向的测量要求主轴停止。
+check-reversal-rotating-hint = 请在调用之前用 M5 停止主轴，或选第 3 位为 0（不带 180° 换向）的测量方式。
+check-reversal-held = 180° 换向要把钻头转到第二个刀刃，但主轴不能定位。
+check-reversal-held-hint = 请选第 3 位为 0（不带 180° 换向）的测量方式。
 check-spindle-turns = 铣削主轴须转到 _STA1，但主轴不能定位。
 check-spindle-turns-hint = 请把刀刃转向测头，把 _CHBIT[20] 设为 1 并选 xxx0x1 的测量方式：一点，不带 180° 换向。
 check-side-radius = 刀具用侧面触碰，但其半径为 0：求不出长度。

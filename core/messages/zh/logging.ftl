@@ -10,11 +10,11 @@ cycle101-help = 关闭由 CYCLE100 接通的测量记录。之后可以读出文
 cycle101-words = 记录 关闭 停止 结束 日志 测量记录
 cycle101-off = 测量记录：关
 
-cycle105-title = 写入记录
+cycle105-title = 写入测量记录
 cycle105-help = 不通过测量循环，把记录头或数值组写入记录。
 cycle105-words = 记录 打印 记录头 数值 内容 日志 测量记录
 
-cycle106-title = 记录文件控制
+cycle106-title = 测量记录文件控制
 cycle106-help = 把记录头或数值组写入记录，并管理其文件和页。CYCLE100 会自动调用此循环。
 cycle106-words = 记录 页 后续文件 日志 测量记录 分页
 
@@ -47,7 +47,7 @@ result-118-field = 多个数值中一个的文本
 
 log-job-header = 记录头
 log-job-values = 数值组
-param-log-job = 记录任务
+param-log-job = 测量记录任务
 param-log-job-help = 记录头或数值组。
 param-log-file = 测量记录文件
 param-log-file-help = 不带扩展名的名称：字母、数字和下划线，以两个字母或一个字母加下划线开头。同名文件会被覆盖。
@@ -85,7 +85,7 @@ need-log-format = 属于格式；为空时采用 GUD6 中的值。
 
 check-log-file = 此名称不能用作测量记录文件的名称。
 check-log-file-hint = 请用字母、数字和下划线，以两个字母或一个字母加下划线开头。不写扩展名。
-check-log-line = 记录的一行最多有 { $most } 个字符；控制系统使用该数。
+check-log-line = 测量记录的一行最多有 { $most } 个字符；控制系统使用该数。
 check-log-line-hint = 请输入不大于 { $most } 的数。
 check-log-empty = 没有要记录的内容：标题行和数值行都是空的。
 check-log-empty-hint = 请输入列标题，或在数值行中输入要记录的内容，例如 { "_OVR[0],_OVR[4],_OVR[16]" }。
@@ -95,7 +95,7 @@ check-log-unknown = { $word } 不能记录。
 check-log-unknown-hint = 可用 { "_OVR[0]" } 到 { "_OVR[31]" }、R 参数、{ "_TXT[0]" } 到 { "_TXT[99]" }、{ "_AXIS" }、{ "_AXIS1" } 到 { "_AXIS3" }、{ "_TIME" }。
 check-log-narrow = 第 { $column } 列宽 { $width } 个字符，而其文本需要 { $needed } 个。
 check-log-narrow-hint = 请加宽该列或缩短文本；否则控制系统会加宽该列并输出信息。
-check-log-long = 该行有 { $total } 个字符；记录最多允许 { $most } 个。
+check-log-long = 该行有 { $total } 个字符；测量记录最多允许 { $most } 个。
 check-log-long-hint = 请减小列宽，或在一行中少记录几个值。
 check-log-longer = 该行有 { $total } 个字符，而只允许 { $most } 个。
 check-log-longer-hint = 请增大每行字符数，或减小列宽。

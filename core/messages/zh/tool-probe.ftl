@@ -10,6 +10,7 @@ task-rotating-words = 长度 半径 旋转 最大 边 铣刀 端面 转速 进�
 mvar-reference = 坐标系
 reference-machine = 机床坐标系（_TP）
 reference-machine-words = 机床 _TP
+reference-setting = 工件坐标系（_CBIT[5]=1，_TP）
 reference-workpiece = 工件坐标系（_TPW）
 reference-workpiece-words = 工件 WCS 坐标框架 _TPW
 ma-lathe-l2 = L2，在横坐标触碰（G18：Z）
@@ -22,7 +23,7 @@ approach-automatic = 自动：各面
 approach-automatic-words = 自动 全部 轴 方向 中心
 
 param-prnum-tool = 刀具测头
-param-prnum-tool-help = 刀具测头的编号：数据在 _TP[n-1,…] 中，在工件坐标系中测量时在 _TPW[n-1,…] 中。
+param-prnum-tool-help = 刀具测头的编号：数据在 _TP[n-1,…] 中，测量方式使用 _TPW 时在 _TPW[n-1,…] 中。
 param-evnum-tool = 经验值存储器
 param-evnum-tool-help = 修正测量值的存储器 _EV[n-1] 的编号 n；0：无。大于 9999 时只取后四位，因为不形成平均值。
 param-tzl-tool = 零补偿区

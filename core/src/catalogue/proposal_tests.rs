@@ -252,7 +252,7 @@ fn results_do_not_depend_on_where_the_part_stands() {
 
 // oracle: hand (a worked measurement is one that can be taken as it stands)
 #[test]
-fn no_worked_measurement_is_doubted() {
+fn no_worked_measurement_is_warned_about() {
     for cycle in CYCLES {
         for variant in cycle.variants {
             let values = example::example(cycle, variant);

@@ -207,7 +207,7 @@ fn a_corner_gets_the_same_coordinates() {
 
 // oracle: hand: from the height that is told down to the coordinate
 #[test]
-fn a_depth_is_reckoned_from_the_start() {
+fn a_depth_is_measured_from_the_start() {
     let boss = typed(&[("D", "40"), ("Z", "-12"), ("S", "1")]);
     let there = over(cycle(Dialect::Nct, "G110"), &boss, Plane::G17, Units::Metric);
     assert_eq!(there.values["_ID"], "-32");

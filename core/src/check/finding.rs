@@ -15,7 +15,7 @@ pub fn refused(alarm: u32, key: &'static str, at: Name) -> Diagnostic {
 }
 
 /// What an alarm of the control announces at a parameter, without stopping; words as of [`refused`].
-pub fn doubted(alarm: u32, key: &'static str, at: Name) -> Diagnostic {
+pub fn announced(alarm: u32, key: &'static str, at: Name) -> Diagnostic {
     Diagnostic { severity: Severity::Warning, ..refused(alarm, key, at) }
 }
 

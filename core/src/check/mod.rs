@@ -12,7 +12,7 @@ mod typed;
 pub mod upkeep;
 pub mod variants;
 
-pub use finding::{doubted, error, refused, warning};
+pub use finding::{announced, error, refused, warning};
 pub use listed::Sort;
 pub use number::{Parsed, parse};
 pub use targets::{Target, target};

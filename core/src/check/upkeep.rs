@@ -220,7 +220,7 @@ mod tests {
 
     // oracle: hand (the first call erases; a program that computes measures nothing)
     #[test]
-    fn a_program_is_doubted_at_the_call_that_does_it() {
+    fn a_program_is_warned_about_at_the_call_that_does_it() {
         let text = format!("_CBIT[13]=1\n{PROGRAM}");
         let program = read(Dialect::Sinumerik, text.as_bytes());
         let sites = calls_on(&program, setup(Units::Metric).control);

@@ -80,7 +80,7 @@ mod tests {
     use crate::control::delivery;
     use crate::dialect::Dialect;
 
-    // oracle: self (a choice made is the one in force)
+    // oracle: self (a choice made is the active one)
     #[test]
     fn every_function_chooses_itself() {
         for (dialect, numbers) in [(Dialect::Sinumerik, &[70, 71, 700, 710][..]), (Dialect::Nct, &[20, 21][..])] {

@@ -1,6 +1,6 @@
 //! A parameter of an entry: what can be entered, in which unit and range, when it is needed.
 
-use super::When;
+use super::{Inputs, When};
 use crate::name::Name;
 use crate::range::Range;
 
@@ -81,12 +81,21 @@ pub struct DigitGroup {
     pub digits: u32,
     /// Named values; empty: any number of that many digits.
     pub choices: &'static [(i64, &'static str)],
+    /// Other names of a value where a condition holds: the first that holds.
+    pub renamed: &'static [(When, i64, &'static str)],
+    /// Where the digits have an effect: they are asked for there alone.
+    pub when: When,
 }
 
 impl DigitGroup {
     /// One digit with a name for each number that it can be.
     pub const fn one(key: &'static str, place: i64, choices: &'static [(i64, &'static str)]) -> DigitGroup {
-        DigitGroup { key, place, digits: 1, choices }
+        DigitGroup { choices, ..DigitGroup::number(key, place, 1) }
+    }
+
+    /// A number of so many digits.
+    pub const fn number(key: &'static str, place: i64, digits: u32) -> DigitGroup {
+        DigitGroup { key, place, digits, choices: &[], renamed: &[], when: When::Always }
     }
 
     /// What the group is in a number.
@@ -98,6 +107,13 @@ impl DigitGroup {
     pub fn choice(&self, number: i64) -> Option<&'static str> {
         let value = self.value(number);
         self.choices.iter().find(|(choice, _)| *choice == value).map(|(_, key)| *key)
+    }
+
+    /// Its named values with these inputs, each with the key of its name.
+    pub fn choices_with(&self, inputs: &Inputs) -> Vec<(i64, &'static str)> {
+        let named = |value: i64| self.renamed.iter().find(|(when, of, _)| *of == value && when.holds(inputs));
+        let name = |(value, key): &(i64, &'static str)| (*value, named(*value).map_or(*key, |(_, _, other)| *other));
+        self.choices.iter().map(name).collect()
     }
 }
 

@@ -8,7 +8,7 @@ use nalgebra::{Matrix3, MatrixXx3, RowVector3, Vector2};
 /// Length over which the uncertainty of a direction is told, mm.
 pub const LENGTH: f64 = 100.0;
 /// More than this is reported: a decimal place of what the probe can do is lost.
-pub const DOUBTED: f64 = 10.0;
+pub const MOST_SPREAD: f64 = 10.0;
 /// Sine of an angle between lines that do not meet.
 const PARALLEL: f64 = 1e-9;
 
@@ -148,7 +148,7 @@ mod tests {
     use crate::evaluate::position::position;
     use crate::geometry::{fit, rigid};
 
-    /// By how much each result changes with each of the numbers from which it is reckoned, summed up as scatter is:
+    /// By how much each result changes with each of the numbers from which it is calculated, summed up as scatter is:
     /// central differences.
     fn differences<const N: usize>(count: usize, reckon: impl Fn(&[f64]) -> [f64; N]) -> [f64; N] {
         const STEP: f64 = 1e-4;
@@ -261,7 +261,7 @@ mod tests {
         }
     }
 
-    // oracle: hand: where the two lines meet, reckoned anew with each point displaced along its direction of probing
+    // oracle: hand: where the two lines meet, calculated anew with each point displaced along its direction of probing
     #[test]
     fn any_corner_by_differences() {
         let places = [[50.0, 20.0], [150.0, 24.0], [15.0, 40.0], [21.0, 80.0]];

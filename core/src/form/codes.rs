@@ -17,18 +17,20 @@ pub fn variants(cycle: &Cycle) -> Vec<Choice> {
     cycle.variants.iter().map(|variant| Choice { value: variant.number, label: Message::new(variant.key) }).collect()
 }
 
-/// Groups of digits with what they are in this number.
-pub fn groups(groups: &[DigitGroup], number: i64) -> Vec<Group> {
-    groups.iter().map(|group| read(group, group.place, number)).collect()
+/// Groups of digits that have an effect with these inputs, with what they are in this number.
+pub fn groups(groups: &[DigitGroup], number: i64, inputs: &Inputs) -> Vec<Group> {
+    let asked = groups.iter().filter(|group| group.when.holds(inputs));
+    asked.map(|group| read(group, group.place, number, inputs)).collect()
 }
 
-fn read(group: &DigitGroup, place: i64, number: i64) -> Group {
+/// A group with its lowest digit at this place.
+pub fn read(group: &DigitGroup, place: i64, number: i64, inputs: &Inputs) -> Group {
     Group {
         label: Message::new(group.key),
         place,
         digits: group.digits,
         value: DigitGroup { place, ..*group }.value(number),
-        choices: choices(group.choices),
+        choices: choices(&group.choices_with(inputs)),
         leads: Vec::new(),
     }
 }
@@ -38,12 +40,12 @@ pub fn knum(param: &Param, inputs: &Inputs, control: &Control) -> Entry {
     let number = inputs.given(param.name).unwrap_or(0.0) as i64;
     match target(param, inputs) {
         Target::Zero => Entry::Choice { choices: zero_offsets() },
-        Target::Tool => Entry::Digits { digits: tool_digits(number, knum::five_digit_edges(control)) },
+        Target::Tool => Entry::Digits { digits: tool_digits(number, knum::five_digit_edges(control), inputs) },
     }
 }
 
 /// The D number, with up to three digits.
-pub const EDGE: DigitGroup = DigitGroup { key: "knum-edge", place: 1, digits: 3, choices: &[] };
+pub const EDGE: DigitGroup = DigitGroup::number("knum-edge", 1, 3);
 
 /// The digit above it: length or radius.
 pub const KIND: DigitGroup =
@@ -67,10 +69,10 @@ const MODES: &[(i64, &str)] =
     &[(0, "knum-mode-tool"), (1, "knum-mode-location"), (2, "knum-mode-environment"), (3, "knum-mode-both")];
 
 /// With D numbers of five digits all others move by two (B:2009-2029).
-fn tool_digits(number: i64, five: bool) -> Vec<Group> {
+fn tool_digits(number: i64, five: bool, inputs: &Inputs) -> Vec<Group> {
     let (edge_digits, shift) = if five { (5, 100) } else { (3, 1) };
-    let edge = read(&DigitGroup { digits: edge_digits, ..EDGE }, 1, number);
-    let above = ABOVE_EDGE.iter().map(|group| read(group, group.place * shift, number));
+    let edge = read(&DigitGroup { digits: edge_digits, ..EDGE }, 1, number, inputs);
+    let above = ABOVE_EDGE.iter().map(|group| read(group, group.place * shift, number, inputs));
     std::iter::once(edge).chain(above).collect()
 }
 

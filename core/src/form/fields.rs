@@ -158,8 +158,8 @@ fn entry(param: &Param, inputs: &Inputs, range: Range, control: &Control) -> Ent
             None => Entry::Real { range },
         },
         Kind::Variant([]) => Entry::Choice { choices: codes::variants(inputs.cycle) },
-        Kind::Variant(groups) => Entry::Digits { digits: variant::groups(inputs.cycle, groups, number) },
-        Kind::Digits(groups) => Entry::Digits { digits: masks::groups(support, codes::groups(groups, number)) },
+        Kind::Variant(groups) => Entry::Digits { digits: variant::groups(inputs, groups, number) },
+        Kind::Digits(groups) => Entry::Digits { digits: masks::groups(support, codes::groups(groups, number, inputs)) },
         Kind::Knum => masks::target(support, codes::knum(param, inputs, control), inputs),
     }
 }

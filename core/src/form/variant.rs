@@ -3,15 +3,16 @@
 
 use super::codes;
 use super::fields::Group;
-use crate::entry::{Cycle, DigitGroup};
+use crate::entry::{DigitGroup, Inputs};
 
 /// Groups of digits and their values in this number. In a variant each group offers what goes with the groups before
 /// it; one with a single value is left out. A number that is no variant shows everything, so that it can be fixed.
-pub fn groups(cycle: &Cycle, groups: &[DigitGroup], number: i64) -> Vec<Group> {
+pub fn groups(inputs: &Inputs, groups: &[DigitGroup], number: i64) -> Vec<Group> {
+    let cycle = inputs.cycle;
     let numbers: Vec<i64> = cycle.variants.iter().map(|variant| variant.number).collect();
     let is_variant = numbers.contains(&number);
     let mut shown = Vec::new();
-    for (index, mut group) in codes::groups(groups, number).into_iter().enumerate() {
+    for (index, mut group) in groups.iter().map(|group| codes::read(group, group.place, number, inputs)).enumerate() {
         if is_variant {
             let going = numbers.iter().filter(|other| agree(&groups[..index], number, **other));
             let offered: Vec<i64> = going.map(|other| groups[index].value(*other)).collect();
@@ -46,13 +47,21 @@ mod tests {
 
     use super::*;
     use crate::catalogue::CYCLES;
-    use crate::entry::Kind;
+    use crate::check;
+    use crate::control::{MachineSort, Units, delivery_in};
+    use crate::entry::{Cycle, Kind, names};
+
+    /// A call of which the variant alone is given, on a machine as delivered.
+    fn inputs(cycle: &'static Cycle, number: i64) -> Inputs {
+        let typed = cycle.variant_param().map(|name| (name.to_string(), number.to_string()));
+        check::read(cycle, &typed.into_iter().collect(), &delivery_in(cycle.dialect, Units::Metric), &mut Vec::new())
+    }
 
     /// The groups of a cycle for a number.
-    fn of(cycle: &Cycle, number: i64) -> Vec<Group> {
+    fn of(cycle: &'static Cycle, number: i64) -> Vec<Group> {
         let param = cycle.params.iter().find(|param| matches!(param.kind, Kind::Variant(_)));
         match param.map(|param| &param.kind) {
-            Some(Kind::Variant(digits)) => groups(cycle, digits, number),
+            Some(Kind::Variant(digits)) => groups(&inputs(cycle, number), digits, number),
             _ => Vec::new(),
         }
     }
@@ -118,6 +127,28 @@ mod tests {
                 reached.dedup();
             }
             assert!(numbers.iter().all(|number| reached.contains(number)), "{}", cycle.name);
+        }
+    }
+
+    #[test]
+    fn digits_that_have_no_effect_are_not_asked_for() {
+        // oracle: manual B:1307 (a mean value, which _K weights, with tool offset alone), B:6748 (points of a circle),
+        // B:15555 (no type of a probe in a turret)
+        for cycle in CYCLES {
+            for variant in cycle.variants {
+                let inputs = inputs(cycle, variant.number);
+                let asked = |param: &&crate::entry::Param| param.need(&inputs).is_some();
+                let digits = cycle.params.iter().filter(asked).filter_map(|param| match &param.kind {
+                    Kind::Digits(groups) => Some(codes::groups(groups, 0, &inputs)),
+                    _ => None,
+                });
+                let keys: Vec<String> = digits.flatten().map(|group| group.label.key.to_string()).collect();
+                let shows = |key: &str| keys.iter().any(|one| one == key);
+                let name = format!("{} {}", cycle.name, variant.number);
+                assert_eq!(shows("evnum-mean"), inputs.uses(names::K), "{name}");
+                assert_eq!(shows("prnum-points"), cycle.name == "CYCLE979" && inputs.uses(names::INCA), "{name}");
+                assert!(!shows("prnum-type") || cycle.purpose.machine != MachineSort::Turning, "{name}");
+            }
         }
     }
 }

@@ -100,7 +100,7 @@ mod tests {
         }
     }
 
-    // oracle: another method: the singular value decomposition of the sum of products, reckoned with 40 digits
+    // oracle: another method: the singular value decomposition of the sum of products, calculated with 40 digits
     #[test]
     fn the_best_motion_is_that_of_the_singular_values() {
         let onto = [[103.25, 99.5, 101.75], [599.0, 130.5, 64.25], [468.5, 721.75, 131.0]];

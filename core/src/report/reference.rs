@@ -9,6 +9,7 @@ use crate::range::Range;
 use crate::report::help::help;
 use crate::report::markdown::{line, table};
 use crate::report::said;
+use crate::support::{FORMS, FORMS_KEY};
 use crate::words::Words;
 
 /// The page of one cycle, Markdown.
@@ -88,7 +89,7 @@ fn when(condition: &When, words: &Words) -> String {
     let said = |key: &'static str, args: &[(&'static str, String)]| said(words, key, args);
     let numbers = |name: &str, is: &[f64]| {
         let list: Vec<String> = is.iter().map(f64::to_string).collect();
-        format!("`{name}` ∈ [{}]", list.join(", "))
+        format!("{name} ∈ [{}]", list.join(", "))
     };
     match condition {
         When::Always => words.key("report-always"),
@@ -100,9 +101,10 @@ fn when(condition: &When, words: &Words) -> String {
             words.text(&digit.number("place", place))
         }
         When::Given(param) => said("report-when-given", &[("param", param.to_string())]),
-        When::Number { param, is } => numbers(param.as_str(), is),
+        When::Number { param, is } => numbers(&format!("`{param}`"), is),
         When::Above { param, than } => format!("`{param}` > {than}"),
-        When::Setting { name, is } => numbers(name, is),
+        When::Setting { name: FORMS, is } => numbers(&words.key(FORMS_KEY), is),
+        When::Setting { name, is } => numbers(&format!("`{name}`"), is),
         When::ToolType(from, to) => said("report-when-tool", &[("from", from.to_string()), ("to", to.to_string())]),
         When::Plane(plane) => format!("{plane:?}"),
         When::Diameters => "DIAMON".to_owned(),

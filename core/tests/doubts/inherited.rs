@@ -12,7 +12,7 @@ fn inherited(text: &str) -> Vec<&'static str> {
 
 // oracle: hand (labels, units and choices of both calls)
 #[test]
-fn a_value_that_means_something_else_at_a_later_call_is_doubted() {
+fn a_value_that_means_something_else_at_a_later_call_is_warned_about() {
     let hole = "_MVAR=1 _SETVAL=132 _KNUM=0 _PRNUM=2 _FA=4 _TSA=2 _VMS=200 _EVNUM=7\nCYCLE977\n";
     let edge = hole.replace("_MVAR=1 ", "_MVAR=100 _MA=1 ").replace("977", "978").replace("=132", "=0");
     for (program, expected) in [
@@ -71,10 +71,10 @@ fn a_call_that_is_written_in_full_inherits_nothing() {
 
 // oracle: hand (parameters are data of the channel: what a subprogram writes counts behind it)
 #[test]
-fn a_value_that_a_subprogram_writes_anew_is_doubted() {
+fn a_value_that_a_subprogram_writes_anew_is_warned_about() {
     let begin = "G17 G40 G54 T9 D1\n";
     let values = "_MVAR=1 _SETVAL=132 _KNUM=0 _PRNUM=1 _FA=2 _TSA=2\n";
-    for (main, sub, doubted) in [
+    for (main, sub, warned) in [
         ("L5\nCYCLE977", "_SETVAL=4", true),
         ("L5\nCYCLE977", "_SETVAL=R1", true),
         ("L5\nCYCLE977", "_SETVAL=132 _FA=2", false),
@@ -84,6 +84,6 @@ fn a_value_that_a_subprogram_writes_anew_is_doubted() {
         ("L5\nCYCLE977", "L6\nM17\n%_N_L6_SPF\n_SETVAL=4", true),
     ] {
         let text = called(&format!("{begin}{values}{main}"), sub);
-        assert_eq!(tells(&text, OVERWRITTEN), doubted, "{text}");
+        assert_eq!(tells(&text, OVERWRITTEN), warned, "{text}");
     }
 }

@@ -141,21 +141,21 @@ fn a_probe_that_a_subprogram_calibrates_is_calibrated() {
 
 // oracle: hand (trigger points other than the default ones were determined by a calibration, B:5010-5060)
 #[test]
-fn a_probe_that_was_calibrated_on_the_machine_is_not_doubted() {
+fn a_probe_that_was_calibrated_on_the_machine_is_not_warned_about() {
     let text = format!("G17 G40 G54 T9 D1\n{HOLE}M30\n");
-    let doubted = |name: &str, value: f64| {
+    let warned = |name: &str, value: f64| {
         let mut control = delivery(Dialect::Sinumerik);
         control.set(name, value);
         let program = read(Dialect::Sinumerik, text.as_bytes());
         let found = findings_on(&program, control);
         found.iter().any(|finding| finding.code == CALIBRATION)
     };
-    assert!(!doubted("_WP[0,1]", 2.98));
-    assert!(!doubted("_WP[0,4]", -2.98));
-    assert!(doubted("_WP[1,1]", 2.98), "another probe is, this one is not");
+    assert!(!warned("_WP[0,1]", 2.98));
+    assert!(!warned("_WP[0,4]", -2.98));
+    assert!(warned("_WP[1,1]", 2.98), "another probe is, this one is not");
     // Of a machine that nothing is known of nothing is said: every right program would get a warning.
-    assert!(!doubted("_WP[0,1]", 3.0), "as delivered");
-    assert!(!doubted("_WP[0,7]", 0.01), "skew alone");
+    assert!(!warned("_WP[0,1]", 3.0), "as delivered");
+    assert!(!warned("_WP[0,7]", 0.01), "skew alone");
 }
 
 /// Whether a check of this program on a machine, before whose calls the spindle is as `spindle` says, tells this alarm.

@@ -50,7 +50,7 @@ fn what_is_in_force_follows_the_calls() {
 
 // oracle: hand (what the text does not tell gets no warning)
 #[test]
-fn what_depends_on_the_run_is_not_doubted() {
+fn what_depends_on_the_run_is_not_warned_about() {
     for way in [
         "IF R1>0\nG41\nENDIF",
         "IF R1>0\nG40\nELSE\nG41\nENDIF",

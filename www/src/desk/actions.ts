@@ -237,7 +237,7 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
       const { control } = now().form;
       const { texts: programs, files } = now().program;
       const { pending } = now().desk;
-      replace("notice-opened", withMark(now(), control, file.opened, mark), {
+      replace(text ? "notice-opened" : "notice-opened-empty", withMark(now(), control, file.opened, mark), {
         program: {
           texts: { ...programs, [control]: text },
           files: { ...files, [control]: file },

@@ -18,6 +18,8 @@ export interface Origin {
 }
 
 const UNSAVED = "●";
+/** A longer program is not searched in every encoding: only those that have all characters are offered. */
+const SEARCHED = 2 ** 20;
 
 const isMarked = (encoding: Encoding): boolean => encoding.endsWith("-marked");
 const nameOf = (encoding: Encoding): string => t(`encoding-${encoding}`);
@@ -34,6 +36,39 @@ function createSearch(): (text: string, encoding: Encoding) => number {
   return (text, encoding) => {
     if (known.text !== text || known.encoding !== encoding) known = { text, encoding, at: found(text, encoding) };
     return known.at;
+  };
+}
+
+/** The other encodings that have all characters of a program. */
+function holding(text: string, now: Encoding): Encoding[] {
+  const holds = (one: Encoding): boolean => hasAll(one) || (text.length <= SEARCHED && lacking(text, one) < 0);
+  return ENCODINGS.filter(one => one !== now && holds(one));
+}
+
+/** A button that saves in an encoding which has all characters, UTF-8 at first, and the choice of another one. */
+function createSaveAs(save: (encoding: Encoding) => void): {
+  button: HTMLButtonElement;
+  choice: HTMLSelectElement;
+  draw(text: string, now: Encoding): void;
+} {
+  const button = el("button", { type: "button" });
+  const choice = el("select", { "aria-label": t("encoding-save") });
+  const name = (): void => setText(button, t("encoding-save-as", { encoding: nameOf(choice.value as Encoding) }));
+  on(choice, "change", name);
+  on(button, "click", () => save(choice.value as Encoding));
+  let drawn: { text: string; now: Encoding } | null = null;
+  return {
+    button,
+    choice,
+    draw(text, now) {
+      if (drawn?.text === text && drawn.now === now) return;
+      drawn = { text, now };
+      const wanted = choice.value;
+      const offered = holding(text, now);
+      choice.replaceChildren(...offered.map(one => el("option", { value: one }, nameOf(one))));
+      if (offered.some(one => one === wanted)) choice.value = wanted;
+      name();
+    },
   };
 }
 
@@ -62,9 +97,12 @@ export function createOrigin(
     el("optgroup", { label: t("encoding-save") }, ...ENCODINGS.map(option("save"))),
   );
   const text = el("p", { class: "problem", "data-severity": "warning", role: "status" });
-  const asUtf8 = el("button", { type: "button" }, t("encoding-save-utf-8"));
+  const saveAs = createSaveAs(encoding => {
+    actions.encoding(encoding);
+    save();
+  });
   const where = el("button", { type: "button", class: "quiet" }, t("encoding-show"));
-  const told = el("div", { class: "lacking", hidden: true }, text, asUtf8, where);
+  const told = el("div", { class: "lacking", hidden: true }, text, saveAs.button, saveAs.choice, where);
   const search = createSearch();
   let at = -1;
   let now: Encoding = "utf-8";
@@ -75,16 +113,12 @@ export function createOrigin(
     if (how === "save") actions.encoding(wanted);
     else again(wanted);
   });
-  on(asUtf8, "click", () => {
-    actions.encoding("utf-8");
-    save();
-  });
   on(where, "click", () => goTo(at));
 
   return {
     root: el("div", { class: "origin" }, mark, name, choice),
     told,
-    refuse: () => asUtf8.focus(),
+    refuse: () => saveAs.button.focus(),
     draw(file, program, unsaved) {
       now = file.encoding;
       at = search(program, now);
@@ -99,6 +133,7 @@ export function createOrigin(
       choice.value = `read ${now}`;
       show(told, at >= 0);
       if (at < 0) return;
+      saveAs.draw(program, now);
       const line = program.slice(0, at).split(/\r\n?|\n/).length;
       setText(
         text,

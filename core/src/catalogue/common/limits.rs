@@ -3,10 +3,10 @@
 use super::{ALWAYS_OPTIONAL, TOOL_OFFSET, ZERO_OFFSET};
 use crate::catalogue::prelude::*;
 
-/// Halves of `_EVNUM` (B:2325-2342).
+/// Halves of `_EVNUM`; a mean value counts with tool offset alone (B:2325-2342, B:1307).
 pub const MEMORY_DIGITS: &[DigitGroup] = &[
-    DigitGroup { key: "evnum-mean", place: 10_000, digits: 4, choices: &[] },
-    DigitGroup { key: "evnum-empirical", place: 1, digits: 4, choices: &[] },
+    DigitGroup { when: TOOL_OFFSET, ..DigitGroup::number("evnum-mean", 10_000, 4) },
+    DigitGroup::number("evnum-empirical", 1, 4),
 ];
 
 const WITH_TOOL: &[Need] = &[optional(TOOL_OFFSET, "need-tolerance")];

@@ -75,7 +75,7 @@ pub const fn optional(when: When, reason: &'static str) -> Need {
 }
 
 /// First and second digit of `_PRNUM`.
-pub const PROBE_NUMBER: DigitGroup = DigitGroup { key: "prnum-number", place: 1, digits: 2, choices: &[] };
+pub const PROBE_NUMBER: DigitGroup = DigitGroup::number("prnum-number", 1, 2);
 
 /// Digits of `_PRNUM` (B:5632, A:1966: 102 is mono probe number 2).
 const PROBE_DIGITS: &[DigitGroup] = &[PROBE_TYPE, PROBE_NUMBER];

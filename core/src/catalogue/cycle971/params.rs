@@ -21,10 +21,8 @@ const MVAR_DIGITS: &[DigitGroup] = &[
     DigitGroup::one("mvar-task", 1, &[(0, "task-calibrate"), (1, "task-still"), (2, "task-rotating")]),
     tool_probe::REFERENCE,
     DigitGroup {
-        key: "mvar-approach",
-        place: 10_000,
-        digits: 2,
         choices: &[(0, "approach-normal"), (1, "approach-incremental"), (10, "approach-automatic")],
+        ..DigitGroup::number("mvar-approach", 10_000, 2)
     },
 ];
 

@@ -19,10 +19,8 @@ pub const SKEW: When = mvar(10_000, &[1]);
 /// B:10163-10173.
 const MVAR_DIGITS: &[DigitGroup] = &[
     DigitGroup {
-        key: "calibrate-place",
-        place: 1,
-        digits: 2,
         choices: &[(0, "calibrate-surface"), (13, "calibrate-groove")],
+        ..DigitGroup::number("calibrate-place", 1, 2)
     },
     DigitGroup::one(
         "calibrate-directions",
@@ -67,7 +65,7 @@ pub const PARAMS: &[Param] = &[
         needs: &[required(GROOVE, "need-groove")],
         ..param(names::CALNUM, "calnum", "B:10252;B:15486;A:15876")
     },
-    Param { source: "B:10253;B:10353;A:16310", ..common::PRNUM },
+    Param { source: "B:10253;B:10353;A:16310", ..lathe::PRNUM },
     Param { labels: &[(When::Always, "fa-lathe")], example: "3", source: "B:10255;B:10356;B:15491", ..common::FA },
     Param { labels: &[(When::Always, "tsa-trigger")], source: "B:10263;B:10360;B:15520", ..common::TSA },
     Param { source: "B:10255;B:10356;B:15522", ..common::VMS },

@@ -35,7 +35,7 @@ pub const PARAMS: &[Param] = &[
     Param { source: "B:10629-10630", ..common::TNAME },
     Param { source: "B:10631-10632", ..common::DLNUM },
     Param { source: "B:10633", ..common::TENV },
-    Param { source: "B:10547;B:15555", ..common::PRNUM },
+    Param { source: "B:10547;B:15555", ..lathe::PRNUM },
     Param { labels: &[(When::Always, "fa-lathe")], example: "1", source: "B:10547;B:15541", ..common::FA },
     Param { labels: &[(When::Always, "tsa-position")], example: "0.5", source: "B:10547;B:10740", ..common::TSA },
     Param { source: "B:10547;B:10567-10571", ..common::VMS },

@@ -25,14 +25,14 @@ pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
     let target = Target::of(machine, inputs, Some(axis))?;
     let point = block.point(axis, direction, set);
     until_done(|repetition| {
-        let (actual, reckoned) = match differential {
+        let (actual, calculated) = match differential {
             true => {
                 let found = twice(machine, inputs, &block, &point)?;
                 (found.surface, block.uncalibrated()) // turned over, the ball stood evenly about the spindle axis
             }
             false => (block.measure(machine, &point)?, block.clone()),
         };
-        let ball = reckoned.ball_at(machine.position().0);
+        let ball = calculated.ball_at(machine.position().0);
         let found = OnePoint { axis, corrected: axis, direction, ball, set, actual, per: 1.0 };
         target.finish(machine, inputs, &found, repetition)
     })

@@ -25,7 +25,7 @@ const MVAR_DIGITS: &[DigitGroup] = &[
 
 /// Points, type and number of the probe (B:6744-6752).
 const PRNUM_DIGITS: &[DigitGroup] = &[
-    DigitGroup::one("prnum-points", 1000, &[(0, "prnum-three"), (1, "prnum-four")]),
+    DigitGroup { when: ROUND, ..DigitGroup::one("prnum-points", 1000, &[(0, "prnum-three"), (1, "prnum-four")]) },
     PROBE_TYPE,
     common::PROBE_NUMBER,
 ];

@@ -59,9 +59,17 @@ fn assignment(control: &Control, found: &mut Vec<Diagnostic>) {
 /// Turning the spindle to `_STA1`: forbidden by `_CHBIT[20]`, or impossible (B:10088-10094, A:15916); one that turns
 /// already stays so (B:9194).
 fn spindle(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
-    if SPINDLE_HAS_TO_STAY.holds(inputs) {
+    let drill_reversed = DRILL.holds(inputs) && REVERSAL.holds(inputs);
+    if SPINDLE_HAS_TO_STAY.holds(inputs) || drill_reversed && SPINDLE_AS_IT_IS.holds(inputs) {
         found.push(refused(61307, "check-spindle-stays", names::MVAR));
         return;
+    }
+    if REVERSAL.holds(inputs) && control.spindle_speed != 0.0 {
+        found.push(refused(61307, "check-reversal-rotating", names::MVAR));
+        return;
+    }
+    if drill_reversed && !control.spindle_positions {
+        found.push(refused(61307, "check-reversal-held", names::MVAR));
     }
     let turned = MILLING.holds(inputs) && !SPINDLE_AS_IT_IS.holds(inputs) && control.spindle_speed == 0.0;
     if turned && !control.spindle_positions {

@@ -14,7 +14,8 @@ const fn axis(is: &'static [f64]) -> When {
 pub const AUTOMATIC: When = mvar(1, &[2]);
 /// In the active workpiece system: as digit 2 says, or with `_CBIT[5]`, from before that digit, with the data `_TP`
 /// (B:13602-13610).
-pub const IN_WORKPIECE: When = When::Any(&[WORKPIECE, When::Setting { name: "_CBIT[5]", is: &[1.0] }]);
+pub const IN_WORKPIECE: When = When::Any(&[WORKPIECE, BY_SETTING]);
+const BY_SETTING: When = When::Setting { name: "_CBIT[5]", is: &[1.0] };
 /// Each point is touched twice, the spindle turned in between.
 pub const REVERSAL: When = mvar(100, &[1]);
 /// Only the radius is measured.
@@ -56,7 +57,7 @@ const REVERSED: When = When::All(&[MEASURE, REVERSAL, When::Not(&TURNING)]);
 /// The digits of `_MVAR`, units first (B:9224-9260, A:10287-10310).
 const MVAR_DIGITS: &[DigitGroup] = &[
     DigitGroup::one("mvar-task", 1, &[(0, "task-calibrate"), (1, "task-measure-axis"), (2, "task-measure-all")]),
-    tool_probe::REFERENCE,
+    DigitGroup { renamed: &[(BY_SETTING, 0, "reference-setting")], ..tool_probe::REFERENCE },
     DigitGroup::one("mvar-edges", 100, &[(0, "second-edge-without"), (1, "second-edge-with")]),
     DigitGroup::one("mvar-extent", 1000, EXTENTS),
     DigitGroup::one("mvar-tool-axis", 10_000, &[(0, "tool-axis-axial"), (1, "tool-axis-radial")]),

@@ -4,7 +4,7 @@ use super::params::{INSIDE_ZONE, zone};
 use crate::catalogue::lathe;
 use crate::catalogue::lathe::measure;
 use crate::catalogue::prelude::*;
-use crate::check::doubted;
+use crate::check::announced;
 
 /// All of them.
 pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
@@ -53,7 +53,7 @@ fn border(inputs: &Inputs, set: f64, ball: f64) -> Option<Diagnostic> {
     let zone = inputs.given(name)?;
     let (beyond, limit, finding) = match INSIDE_ZONE.holds(inputs) {
         true => (zone.abs() > set - ball, set - ball, refused(61334, "check-two-zone-inside", name)),
-        false => (zone.abs() < set + ball, set + ball, doubted(61334, "check-two-zone-outside", name)),
+        false => (zone.abs() < set + ball, set + ball, announced(61334, "check-two-zone-outside", name)),
     };
     beyond.then(|| finding.number("zone", zone).number("size", set).hint_number("limit", limit))
 }

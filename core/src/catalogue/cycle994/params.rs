@@ -46,7 +46,7 @@ pub const PARAMS: &[Param] = &[
     Param { source: "B:10994-10995", ..common::TNAME },
     Param { source: "B:10996", ..common::DLNUM },
     Param { source: "B:10997", ..common::TENV },
-    Param { source: "B:11009;B:15555", ..common::PRNUM },
+    Param { source: "B:11009;B:15555", ..lathe::PRNUM },
     Param { labels: &[(When::Always, "fa-lathe")], example: "1", source: "B:11009;B:15541", ..common::FA },
     Param { labels: &[(When::Always, "tsa-size")], example: "0.5", source: "B:11009;B:15574", ..common::TSA },
     Param { source: "B:11009;B:15576", ..common::VMS },

@@ -2,7 +2,7 @@
 
 use super::TIPS;
 use crate::catalogue::prelude::*;
-use crate::check::doubted;
+use crate::check::announced;
 use crate::control::probe::Unfit;
 
 /// What every call that measures a workpiece is checked for.
@@ -21,7 +21,7 @@ pub fn measuring(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>
 pub fn tip(control: &Control, found: &mut Vec<Diagnostic>) -> Option<i64> {
     let edge = control.active_edge().filter(|edge| edge.kind != 0)?;
     if !edge.is_turning() {
-        let told = if control.unfit(edge) == Some(Unfit::Type) { refused } else { doubted };
+        let told = if control.unfit(edge) == Some(Unfit::Type) { refused } else { announced };
         found.push(told(61309, "check-lathe-probe", names::PRNUM).number("type", edge.kind as f64));
         return None;
     }

@@ -20,6 +20,10 @@ pub const DIAMETER: When = When::All(&[TRANSVERSE, When::Diameters]);
 /// The setpoint is a diameter, in a cycle to which Y is never X.
 pub const DIAMETER_IN_X: When = When::All(&[IN_X, When::Diameters]);
 
+/// `_PRNUM`: a probe in the turret has no digit for its type (B:2277, B:15555-15556).
+pub const PRNUM: Param =
+    Param { kind: Kind::Digits(&[common::PROBE_NUMBER]), labels: &[(When::Always, "prnum-lathe")], ..common::PRNUM };
+
 /// `_MA` with a third axis, where the machine has it (B:10354, B:10545).
 pub const MA: Param = Param {
     kind: Kind::Choice(&[(1, "ma-lathe-abscissa"), (2, "ma-lathe-ordinate"), (3, "ma-lathe-applicate")]),

@@ -4,7 +4,7 @@ use super::line::{Field, fields, widths};
 use super::names::{COLUMN, FILE, LINE, TITLES, VALUES};
 use super::params::LONGEST_LINE;
 use crate::catalogue::prelude::*;
-use crate::check::doubted;
+use crate::check::announced;
 
 /// Width of a column where the titles give none, characters (A:15945).
 const FIXED: usize = 12;
@@ -15,7 +15,7 @@ pub fn checks(inputs: &Inputs, _: &Control, found: &mut Vec<Diagnostic>) {
         file(inputs, found);
     }
     if inputs.number(LINE) > LONGEST_LINE {
-        let finding = doubted(62310, "check-log-line", LINE).number("most", LONGEST_LINE);
+        let finding = announced(62310, "check-log-line", LINE).number("most", LONGEST_LINE);
         found.push(finding.hint_number("most", LONGEST_LINE));
     }
     empty(inputs, found);
@@ -61,7 +61,7 @@ fn columns(inputs: &Inputs, found: &mut Vec<Diagnostic>) -> Vec<usize> {
     }
     let title = inputs.text(TITLES[0]);
     if title.is_empty() {
-        found.push(doubted(62308, "check-log-width", COLUMN));
+        found.push(announced(62308, "check-log-width", COLUMN));
         return Vec::new();
     }
     widths(title).collect()
@@ -85,7 +85,7 @@ fn values(inputs: &Inputs, name: Name, widths: &[usize], found: &mut Vec<Diagnos
         (needed > width(column)).then_some((column, needed))
     });
     if let Some((column, needed)) = wide {
-        let finding = doubted(62309, "check-log-narrow", name).number("column", column as f64 + 1.0);
+        let finding = announced(62309, "check-log-narrow", name).number("column", column as f64 + 1.0);
         found.push(finding.number("width", width(column) as f64).number("needed", needed as f64));
     }
     let total: usize = (0..fields(line).count()).map(width).sum();
@@ -98,7 +98,7 @@ fn values(inputs: &Inputs, name: Name, widths: &[usize], found: &mut Vec<Diagnos
 fn long(inputs: &Inputs, name: Name, total: f64, found: &mut Vec<Diagnostic>) {
     let (finding, most) = match inputs.given(LINE) {
         _ if total > LONGEST_LINE => (refused(61371, "check-log-long", name), LONGEST_LINE),
-        Some(most) if total > most => (doubted(62307, "check-log-longer", name), most),
+        Some(most) if total > most => (announced(62307, "check-log-longer", name), most),
         _ => return,
     };
     found.push(finding.number("total", total).number("most", most));

@@ -2,7 +2,7 @@
 
 use super::{ProbeData, count};
 use crate::catalogue::prelude::*;
-use crate::check::doubted;
+use crate::check::announced;
 
 /// Type of a 3D probe, `$TC_DP1` (B:4147).
 const WORKPIECE_PROBE: i64 = 710;
@@ -60,7 +60,7 @@ pub fn tool_in_use<'a>(control: &'a Control, found: &mut Vec<Diagnostic>) -> Opt
     if edge.kind != WORKPIECE_PROBE {
         return Some(edge);
     }
-    found.push(doubted(61314, "check-tool-probe-in-use", names::MVAR));
+    found.push(announced(61314, "check-tool-probe-in-use", names::MVAR));
     None
 }
 

@@ -164,13 +164,13 @@ fn a_safe_area_beyond_the_measuring_path_switches_the_monitoring_off() {
 
 // oracle: hand (what nobody wrote is nobody's mistake)
 #[test]
-fn the_delivered_dimension_difference_is_not_doubted() {
-    let doubted = |changes: &[(&str, &str)]| {
+fn the_delivered_dimension_difference_is_not_warned_about() {
+    let warned = |changes: &[(&str, &str)]| {
         let checked = changed("CYCLE977", changes);
         checked.diagnostics.iter().any(|one| one.code == Code::Own(25))
     };
-    assert!(!doubted(&[("_TDIF", ""), ("_TSA", "1")]));
-    assert!(doubted(&[("_TDIF", "1.2"), ("_TSA", "1")]));
+    assert!(!warned(&[("_TDIF", ""), ("_TSA", "1")]));
+    assert!(warned(&[("_TDIF", "1.2"), ("_TSA", "1")]));
 }
 
 #[test]

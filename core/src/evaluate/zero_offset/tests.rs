@@ -100,7 +100,7 @@ fn another_settable_frame_keeps_its_rotation() {
 }
 
 #[test]
-fn the_last_basic_frame_is_reckoned_without_a_settable_one() {
+fn the_last_basic_frame_is_calculated_without_a_settable_one() {
     // oracle: self (B:1938: right as soon as G500 is activated, which has a frame of its own)
     let mut control = chained();
     let own =

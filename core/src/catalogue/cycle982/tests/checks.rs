@@ -172,6 +172,26 @@ fn a_spindle_that_stays_allows_one_point_without_reversal() {
 }
 
 #[test]
+fn reversal_needs_a_stationary_spindle_that_can_be_positioned() {
+    // oracle: manual B:9600 (the second edge is turned to the probe), B:9604 (a rotating spindle has no certain edge);
+    // what the simulation raises in `edges`
+    let rotating = |control: &mut Control| control.spindle_speed = 200.0;
+    for variant in CYCLE982.variants.iter().map(|one| one.number).filter(|number| digit(*number, 3) == 1) {
+        assert_eq!(of_variant(variant, axis_of(variant), rotating), alarm(61307), "{variant}");
+        if digit(variant, 4) > 0 {
+            continue;
+        }
+        for change in [rotating, spindle_stays, |control: &mut Control| control.spindle_positions = false] {
+            let drill = |control: &mut Control| {
+                edge(control).kind = 200;
+                change(control);
+            };
+            assert_eq!(of_variant(variant, axis_of(variant), drill), alarm(61307), "{variant}");
+        }
+    }
+}
+
+#[test]
 fn drills_have_no_radius() {
     // oracle: manual B:9136, B:9703; 61314 is ours
     for variant in CYCLE982.variants.iter().map(|one| one.number) {

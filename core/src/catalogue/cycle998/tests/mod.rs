@@ -41,11 +41,11 @@ const PLANE: &[(&str, &str)] = &[
 ];
 
 #[test]
-fn a_rotary_axis_that_turns_otherwise_is_doubted() {
+fn a_rotary_axis_that_turns_otherwise_is_warned_about() {
     // oracle: hand (a table C turns about Z, so it takes angles between X and Y only; carried by a table A at 90 degree
     // it turns about Y, and those between X and Z)
     use crate::control::Plane::{G17, G18, G19};
-    let doubted = |plane, axes: &str, tilted: f64| {
+    let warned = |plane, axes: &str, tilted: f64| {
         let mut control = delivery(CYCLE998.dialect);
         control.plane = plane;
         control.rotary[0] = Degrees(tilted);
@@ -54,23 +54,23 @@ fn a_rotary_axis_that_turns_otherwise_is_doubted() {
     };
     let across = [(G17, "103"), (G17, "203"), (G18, "102"), (G19, "201")];
     let alike = [(G17, "102"), (G17, "201"), (G18, "203"), (G19, "103")];
-    assert!(across.iter().all(|(plane, axes)| doubted(*plane, axes, 0.0)));
-    assert!(!alike.iter().any(|(plane, axes)| doubted(*plane, axes, 0.0)));
-    assert!(doubted(G17, "102", 90.0) && !doubted(G17, "103", 90.0));
+    assert!(across.iter().all(|(plane, axes)| warned(*plane, axes, 0.0)));
+    assert!(!alike.iter().any(|(plane, axes)| warned(*plane, axes, 0.0)));
+    assert!(warned(G17, "102", 90.0) && !warned(G17, "103", 90.0));
 }
 
 #[test]
-fn mirrored_axes_are_doubted_where_the_machine_mirrors_otherwise() {
+fn mirrored_axes_are_warned_about_where_the_machine_mirrors_otherwise() {
     // oracle: manual B:4154, B:8709
-    let doubted = |datum: f64, mirrored: bool| {
+    let warned = |datum: f64, mirrored: bool| {
         let mut control = delivery(CYCLE998.dialect);
         control.set("MD10610", datum);
         control.program_frame.mirror[0] = mirrored;
         let found = check(&CYCLE998, &values(&[]), &control).diagnostics;
         found.iter().any(|one| one.code == Code::Own(154))
     };
-    assert!(doubted(1.0, true));
-    assert!(!doubted(0.0, true) && !doubted(1.0, false));
+    assert!(warned(1.0, true));
+    assert!(!warned(0.0, true) && !warned(1.0, false));
 }
 
 #[test]
@@ -113,12 +113,12 @@ fn mistakes_are_told() {
 fn points_are_far_enough_apart_for_an_angle() {
     // oracle: hand. Over 100 mm sqrt(2)·100/15 = 9.4 times one point, sqrt(2)·100/14 = 10.1 times; at 40 degree 0.59 of
     // it
-    let doubted = (Severity::Warning, Code::Own(172), "_ID");
+    let warned = (Severity::Warning, Code::Own(172), "_ID");
     let unusual = (Severity::Warning, Code::Own(7), "_ID");
     assert_eq!(found(&[("_ID", "15")], |_| ()), []);
-    assert_eq!(found(&[("_ID", "14")], |_| ()), [doubted]);
+    assert_eq!(found(&[("_ID", "14")], |_| ()), [warned]);
     assert_eq!(found(&[("_ID", "14"), ("_STA1", "40")], |_| ()), []);
-    assert_eq!(found(&[("_ID", "2")], |_| ()), [unusual, doubted]);
+    assert_eq!(found(&[("_ID", "2")], |_| ()), [unusual, warned]);
 }
 
 #[test]
