@@ -1,8 +1,8 @@
 # 对整个程序的疑问，各附纠正办法。
 
-advice-insert = 在前面插入 { $text }
-advice-insert-behind = 在后面插入 { $text }
-advice-insert-around = 在前面插入 { $before }，在后面插入 { $behind }
+advice-insert = 在调用之前插入 { $text }
+advice-insert-behind = 在调用之后插入 { $text }
+advice-insert-around = 在调用之前插入 { $before }，之后插入 { $behind }
 advice-write = 为此调用写入 { $name }={ $value }
 
 advice-compensation = 刀具半径补偿有效：第 { $line } 行的 { $word }。

@@ -53,7 +53,7 @@ help-cycle118-rounds = 一个数值：PAR1 四舍五入到 PAR2 位小数，写�
 help-cycle118-many = 多个数值：各 R 参数依次四舍五入到 PAR2 位小数；忽略 PAR1。
 help-cycle118-left = 调用中变量里的文本。多个数值的文本在 _TXT[0] 到 _TXT[9] 中，最后一个也在该变量中。
 help-cycle118-count = PAR4 大于 10：报警 61362。
-help-cycle118-length = 数值连同小数超过 12 个字符：容纳不下文本。
+help-cycle118-length = 数值连同小数超过 12 个字符：文本容纳不下。
 
 help-cycle116-does = 由三点或四点（例如逐个测得的点）计算圆心和半径。轴不移动。
 help-cycle116-variables = 请在程序开头声明两个变量：DEF REAL _DATE[13] 和 DEF INT _ALM。
