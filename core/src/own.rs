@@ -62,6 +62,7 @@ sentences! {
     OFFSET_MISSING 1 Error "check-offset-missing" "check-offset-missing-hint";
     NOT_A_NUMBER 2 Error "check-not-a-number" "check-not-a-number-hint";
     EXPRESSION 3 Note "check-expression" "";
+    NO_VALUE 3 Note "check-no-value" "check-no-value-hint";
     NOT_WHOLE 4 Error "check-not-whole" "check-not-whole-hint";
     RANGE 5 Error "check-range" "check-range-both-hint";
     TOO_LARGE 5 Error "check-too-large" "check-too-large-hint";

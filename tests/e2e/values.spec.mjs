@@ -59,6 +59,7 @@ describe("an expression of the program", () => {
     await entry(page, "_SETVAL").fill("R2+1");
     await field(page, "_SETVAL").locator('.worth:text-is("= 51.02")').waitFor();
     await entry(page, "_SETVAL").fill("51");
+    await field(page, "_SETVAL").getByRole("button", { name: "Replace here" }).click();
     await field(page, "_SETVAL").locator(".worth").waitFor({ state: "hidden" });
     assert.match(await programWhen(page, now => now.includes("_SETVAL=51")), /^R2=50\.02$/m);
     assert.deepEqual(problems, []);

@@ -26,3 +26,9 @@ export function signed(value: number, digits = 4): string {
   const text = fixed(value, digits);
   return Number(value.toFixed(digits)) > 0 ? `+${text}` : text;
 }
+
+/** Whether a program writes what was typed so: with decimal points, without blanks, where it calculates in brackets. */
+export function writtenAs(typed: string, written: string): boolean {
+  const bare = (text: string): string => text.replace(/\s+/g, "").replace(/(?<=\d),(?=\d)/g, ".");
+  return [bare(typed), `[${bare(typed)}]`].includes(bare(written));
+}

@@ -85,6 +85,16 @@ export type Arrival = {
   line: number,
 };
 
+/** An assignment that would be another. */
+export type Assignment = {
+  /** The number that it would assign, as it is written. */
+  value: string,
+  /** The only places of the text that change. */
+  edits: Array<Edit>,
+  /** Its line, as it is and as it would be. */
+  line: TouchedLine,
+};
+
 /** Ball, stylus and body of the probe. */
 export type Ball = {
   /** Radius of the ball. */
@@ -194,6 +204,8 @@ export type Changed = {
   steps: Array<Array<Edit>>,
   /** Lines outside of the call's own that they change. */
   elsewhere: Array<TouchedLine>,
+  /** The expression of the program that the value takes the place of; null: there is none, or the value is one too. */
+  replaced: Replaced | null,
   /** Parameters that the new variant does not know, taken out of the call. */
   taken: Array<Name>,
   /** What that means. */
@@ -1052,6 +1064,16 @@ export type Recognised = {
   why: Message,
 };
 
+/** An expression of a call that another value would take the place of. */
+export type Replaced = {
+  /** As the call has it. */
+  text: string,
+  /** What it is worth there; null: only the run tells. */
+  worth: string | null,
+  /** Its variables. */
+  variables: Array<Variable>,
+};
+
 /** A datum that a cycle leaves. */
 export type ResultInfo = {
   /** `_OVR[4]`, `_OVI[0]`; of NCT a name of ours: `deviation`, … */
@@ -1637,6 +1659,20 @@ export type Values = {
   values: { [key in string]: string },
   /** Values of the worked measurement. */
   example: { [key in string]: string },
+};
+
+/** A variable of an expression. */
+export type Variable = {
+  /** Its name, in upper case. */
+  name: string,
+  /** Lines, from 1, that read what it holds at the call. */
+  uses: Array<number>,
+  /** Lines, from 1, that may have given it its value. */
+  assigned: Array<number>,
+  /** The assignment with which the expression is worth the new value; null: see `why`. */
+  change: Assignment | null,
+  /** Why there is none. */
+  why: Message | null,
 };
 
 /** A measuring variant. Its values, as typed, choose it; its example is a worked measurement. */

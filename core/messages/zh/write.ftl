@@ -23,3 +23,10 @@ convert-expression-hint = 请把 { $name }={ $value } 直接写在调用前面�
 
 revise-taken = 新的测量方式不使用 { $names }：已从调用中删去。
 revise-kept = 新的测量方式不使用 { $name }，但 { $name }={ $value } 是表达式，仍留在程序中。
+variable-before = 无法更改 { $name }：调用之前没有程序行为其赋值。
+variable-several = 无法更改 { $name }：其值取决于程序路径，来自多处（第 { $lines } 行）。
+variable-unclear = 无法更改 { $name }：其内容由调用、循环或下标决定。
+variable-calculated = 无法更改 { $name }：它在第 { $lines } 行中计算得出。
+variable-number = 输入数字后可更改 { $name }。
+variable-unsolved = 无法更改 { $name }：由该表达式求不出此数字对应的值。
+variable-same = { $name } 已是此值。

@@ -5,10 +5,11 @@ use super::start::{Machine, start};
 use super::{Error, unknown};
 use crate::dialect::Dialect;
 use crate::entry::Style;
+use crate::message::Message;
 use crate::name::Name;
 use crate::program::change::apply;
 use crate::program::convert as converting;
-use crate::program::revise::revise;
+use crate::program::revise::{self, revise};
 use crate::program::touched::TouchedLine;
 use crate::syntax;
 use crate::syntax::position::Positions;
@@ -40,10 +41,69 @@ pub struct Changed {
     pub steps: Vec<Vec<Edit>>,
     /// Lines outside of the call's own that they change.
     pub elsewhere: Vec<TouchedLine>,
+    /// The expression of the program that the value takes the place of; null: there is none, or the value is one too.
+    pub replaced: Option<Replaced>,
     /// Parameters that the new variant does not know, taken out of the call.
     pub taken: Vec<Name>,
     /// What that means.
     pub findings: Vec<Finding>,
+}
+
+/// An expression of a call that another value would take the place of.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct Replaced {
+    /// As the call has it.
+    pub text: String,
+    /// What it is worth there; null: only the run tells.
+    pub worth: Option<String>,
+    /// Its variables.
+    pub variables: Vec<Variable>,
+}
+
+/// A variable of an expression.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct Variable {
+    /// Its name, in upper case.
+    pub name: String,
+    /// Lines, from 1, that read what it holds at the call.
+    pub uses: Vec<u32>,
+    /// Lines, from 1, that may have given it its value.
+    pub assigned: Vec<u32>,
+    /// The assignment with which the expression is worth the new value; null: see `why`.
+    pub change: Option<Assignment>,
+    /// Why there is none.
+    pub why: Option<Message>,
+}
+
+/// An assignment that would be another.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct Assignment {
+    /// The number that it would assign, as it is written.
+    pub value: String,
+    /// The only places of the text that change.
+    pub edits: Vec<Edit>,
+    /// Its line, as it is and as it would be.
+    pub line: TouchedLine,
+}
+
+impl Replaced {
+    fn placed(found: &revise::Replaced, positions: &Positions) -> Replaced {
+        let variables = found.variables.iter().map(|one| Variable {
+            name: one.name.clone(),
+            uses: one.uses.clone(),
+            assigned: one.assigned.clone(),
+            change: one.change.as_ref().ok().map(|change| Assignment {
+                value: change.value.clone(),
+                edits: edits(std::slice::from_ref(&change.edit), positions),
+                line: change.line.clone(),
+            }),
+            why: one.change.as_ref().err().cloned(),
+        });
+        Replaced { text: found.text.clone(), worth: found.worth.clone(), variables: variables.collect() }
+    }
 }
 
 /// A call in another style.
@@ -93,6 +153,7 @@ pub fn change(asked: ChangeRequest) -> Result<Changed, Error> {
     let control = start(asked.control, asked.setup)?.setup.control;
     let done = revise(&program, asked.call, &asked.name, &asked.value, &control);
     let done = done.ok_or_else(|| unknown("document-call", &asked.call.to_string()))?;
+    let replaced = done.replaced.as_ref().map(|found| Replaced::placed(found, &Positions::new(&program.source)));
     let mut steps = Vec::new();
     for step in &done.steps {
         steps.push(edits(step, &Positions::new(&program.source)));
@@ -101,6 +162,7 @@ pub fn change(asked: ChangeRequest) -> Result<Changed, Error> {
     Ok(Changed {
         steps,
         elsewhere: done.elsewhere,
+        replaced,
         taken: done.taken,
         findings: placed(&done.findings, &Positions::new(b"")),
     })

@@ -6,11 +6,11 @@ use super::predict::{ErrorSliders, predict};
 use super::start::{Machine, start};
 use super::twin::{TwinView, twin};
 use super::{Error, choose_units, cycle};
-use crate::check::{Checked, newer, variants};
+use crate::check::{Checked, Parsed, expression, newer, parse, variants};
 use crate::control::{Control, MachineSort, Plane, Transverse, UnitFunction};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::dialect::Dialect;
-use crate::entry::{ArgumentList, Cycle, Inputs, ProbeUse, Style, Typed, names};
+use crate::entry::{ArgumentList, Cycle, Inputs, Kind, ProbeUse, Style, Typed, names};
 use crate::form::Field;
 use crate::machine::Setup;
 use crate::machine::calibrated::ProbeInCall;
@@ -134,6 +134,8 @@ fn absent<T>(member: &Option<T>) -> bool {
 pub fn form(mut asked: FormRequest) -> Result<FormView, Error> {
     let cycle = cycle(asked.control, &asked.cycle)?;
     let mut start = start(cycle.dialect, asked.setup.take())?;
+    let begun = |name: &str| expression::begun(&start.setup.control, name).filter(|_| asked.written.is_none());
+    reckon(cycle, &mut asked.values, &mut asked.expressions, &begun);
     if !start.described {
         suit(&mut start.setup, cycle, &asked);
     }
@@ -153,6 +155,9 @@ pub fn form(mut asked: FormRequest) -> Result<FormView, Error> {
     if let (Some(support), Some(inputs)) = (support, &checked.inputs) {
         let found = cycle.params.iter().filter_map(|param| support::finding(support, param, inputs));
         checked.diagnostics.extend(found);
+    }
+    if asked.written.is_none() {
+        checked.diagnostics.iter_mut().for_each(|found| name_missing(found, &values, control));
     }
     let values_of = Values { typed: &values, expressions: &asked.expressions };
     let style = asked.style.unwrap_or(preset);
@@ -220,6 +225,31 @@ fn at_call(control: &mut Control, cycle: &Cycle, asked: &FormRequest) -> Result<
 fn newer_list(cycle: &Cycle, written: Option<Style>) -> Option<&'static ArgumentList> {
     let of_newer = |list: &&ArgumentList| list.style == Style::Operate;
     cycle.lists.iter().find(of_newer).filter(|_| written == Some(Style::Operate))
+}
+
+/// What the values are worth that are expressions of what is known, and how these are written.
+fn reckon(cycle: &Cycle, values: &mut Typed, expressions: &mut Typed, known: &dyn Fn(&str) -> Option<f64>) {
+    for (name, text) in values {
+        let number = cycle.param(name).is_some_and(|param| !matches!(param.kind, Kind::Text(_)));
+        if !number || expressions.contains_key(name) || parse(text) != Parsed::Expression {
+            continue;
+        }
+        let Some(written) = expression::written(cycle.dialect, text) else { continue };
+        if let Some(worth) = expression::worth(cycle.dialect, &written, known) {
+            *text = expression::shown(worth);
+            expressions.insert(name.clone(), written);
+        }
+    }
+}
+
+/// Says of a value that is known at run time only which variable in it nothing gave a value.
+fn name_missing(found: &mut Diagnostic, values: &Typed, control: &Control) {
+    let text = found.param.filter(|_| found.code == own::EXPRESSION.code()).and_then(|name| values.get(name.as_str()));
+    let names = text.map(|text| expression::names(control.dialect, text)).unwrap_or_default();
+    let missing = |name: &String| expression::is_parameter(name) && expression::begun(control, name).is_none();
+    if let Some(name) = names.into_iter().find(missing) {
+        *found = Diagnostic { param: found.param, ..own::NO_VALUE.finding().text("name", name) };
+    }
 }
 
 /// The parameters whose values are known at run time only.

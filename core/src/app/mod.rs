@@ -23,7 +23,7 @@ pub use crate::refused::Refused as Error;
 pub use alarms::{AlarmInfo, alarm, alarms};
 pub use catalogue::{Catalogue, CycleInfo, ParameterInfo, Purpose, Values, VariantInfo, catalogue};
 pub use changes::Change;
-pub use edit::{ChangeRequest, Changed, ConvertRequest, Converted, change, convert};
+pub use edit::{Assignment, ChangeRequest, Changed, ConvertRequest, Converted, Replaced, Variable, change, convert};
 pub use encoding::Recognised;
 pub use finding::{Cure, Edit, Finding, findings};
 pub use form::{FormRequest, FormView, form};

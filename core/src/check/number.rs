@@ -1,6 +1,7 @@
 //! Numbers as people and programs write them.
 
-use crate::syntax::is_value;
+use super::expression::written;
+use crate::dialect::Dialect;
 
 /// What a text is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,19 +23,24 @@ pub fn parse(text: &str) -> Parsed {
         return Parsed::Empty;
     }
     if text.bytes().all(|byte| matches!(byte, b'0'..=b'9' | b'.' | b'+' | b'-')) {
-        return finite(text);
+        return finite(text).unwrap_or_else(|| calculated(text));
     }
     let plain = text.to_ascii_lowercase().replace("ex", "e").replace(',', ".");
     let digits = |c: char| c.is_ascii_digit() || matches!(c, '.' | '+' | '-' | 'e');
-    if plain.chars().all(digits) {
-        return finite(&plain);
-    }
-    if is_expression(text) && is_value(text) { Parsed::Expression } else { Parsed::Wrong }
+    let number = if plain.chars().all(digits) { finite(&plain) } else { None };
+    number.unwrap_or_else(|| calculated(text))
 }
 
 /// A number in digits, sign, point and exponent.
-fn finite(digits: &str) -> Parsed {
-    digits.parse().ok().filter(|number: &f64| number.is_finite()).map_or(Parsed::Wrong, Parsed::Number)
+fn finite(digits: &str) -> Option<Parsed> {
+    digits.parse().ok().filter(|number: &f64| number.is_finite()).map(Parsed::Number)
+}
+
+/// What is no number by itself.
+fn calculated(text: &str) -> Parsed {
+    let value = |dialect| written(dialect, text).is_some();
+    let known = is_expression(text) && (value(Dialect::Sinumerik) || value(Dialect::Nct));
+    if known { Parsed::Expression } else { Parsed::Wrong }
 }
 
 /// Begins like a variable, a function, a bracket or a sign before one of them; `NaN` and `inf` are no variables.
@@ -42,7 +48,7 @@ fn is_expression(text: &str) -> bool {
     let body = text.trim_start_matches(['-', '+', ' ']);
     let words = ["nan", "inf", "infinity"];
     let starts = body.starts_with(|c: char| c.is_ascii_alphabetic() || matches!(c, '_' | '$' | '(' | '#' | '['));
-    let joins = body.contains(['*', '/', '+']) && body.contains(|c: char| c.is_ascii_alphanumeric());
+    let joins = body.contains(['*', '/', '+', '-']) && body.contains(|c: char| c.is_ascii_alphanumeric());
     let known = |c: char| c.is_ascii_graphic() || c == ' ';
     (starts || joins) && body.chars().all(known) && !words.contains(&body.to_ascii_lowercase().as_str())
 }

@@ -1,6 +1,6 @@
 //! From typed values to inputs, parameter by parameter.
 
-use super::{Parsed, Text, error, parse, targets, text, variants};
+use super::{Parsed, Text, error, expression::written, parse, targets, text, variants};
 use crate::check::upkeep;
 use crate::control::{Control, Edge, Transverse, tools::side};
 use crate::diagnostic::{Code, Diagnostic, Severity};
@@ -125,8 +125,8 @@ fn value(param: &Param, unit: Unit, text: &str, control: &Control) -> Result<Opt
     let number = match parse(text) {
         Parsed::Empty => return Ok(param.fallback(control).map(|number| number * factor(unit, control))),
         Parsed::Number(number) => number,
-        Parsed::Expression => return Err(Box::new(expression(text))),
-        Parsed::Wrong => return Err(Box::new(own::NOT_A_NUMBER.finding().text("value", text))),
+        Parsed::Expression if written(control.dialect, text).is_some() => return Err(Box::new(expression(text))),
+        Parsed::Expression | Parsed::Wrong => return Err(Box::new(own::NOT_A_NUMBER.finding().text("value", text))),
     };
     let limit = if whole(&param.kind) { WHOLE_LIMIT } else { LIMIT };
     if number.abs() > limit && !param.watches {

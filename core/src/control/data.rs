@@ -103,6 +103,11 @@ impl Data {
         self.written.get(name).map_or_else(|| self.delivered.get(name), Option::as_ref)
     }
 
+    /// A datum that was written since the delivery.
+    pub fn given(&self, name: &str) -> Option<&Value> {
+        self.written.get(name)?.as_ref()
+    }
+
     /// Whether there is such a datum.
     pub fn contains_key(&self, name: &str) -> bool {
         self.get(name).is_some()

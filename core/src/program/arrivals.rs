@@ -1,4 +1,5 @@
-//! What a form says beside the values that other programs of the text give to a call, or several ways to it.
+//! What a form says beside the values that other programs of the text give to a call, or several ways to it; and
+//! beside those that nothing gives.
 
 use super::calls::{CallSite, Origin};
 use crate::diagnostic::Diagnostic;
@@ -8,7 +9,8 @@ use crate::syntax::Program;
 /// Notes at the fields of a call. They say how the program works, and nothing against it.
 pub fn arrivals(program: &Program, site: &CallSite) -> Vec<Diagnostic> {
     let line = |origin: &Origin| program.line_of(origin.place.start) + 1;
-    let mut notes = Vec::new();
+    let missing = site.missing.iter().map(|(name, variable)| own::NO_VALUE.finding().text("name", variable).at(*name));
+    let mut notes: Vec<_> = missing.collect();
     for (name, origins) in &site.origins {
         let many = site.is_of_many(name);
         let finding = if site.differs(name) {

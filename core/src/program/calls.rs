@@ -36,6 +36,8 @@ pub struct CallSite {
     pub values: Typed,
     /// As they are written, those of the values that are the worth of an expression: `R2` of 50.02.
     pub expressions: Typed,
+    /// Of the values that are expressions without a known worth: a variable in each that nothing gave a value.
+    pub missing: BTreeMap<Name, String>,
     /// Place of each value, its newest assignment, also that of an earlier call; none where several come here.
     pub places: BTreeMap<Name, Span>,
     /// Where the values were written that come from other programs of the text, or on more ways than one.

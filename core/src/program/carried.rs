@@ -3,7 +3,7 @@
 
 use super::arguments;
 use super::calls::CallSite;
-use crate::check::parse;
+use crate::check::{expression::is_parameter, parse};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::dialect::Dialect;
 use crate::entry::{AUXILIARY, Arg};
@@ -84,11 +84,6 @@ impl Reads {
             names,
         }
     }
-}
-
-fn is_parameter(name: &str) -> bool {
-    let number = name.strip_prefix('R').unwrap_or_default();
-    !number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit())
 }
 
 /// The names in an expression, without functions, in upper case; one that is no name where it cannot be read.

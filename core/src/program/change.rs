@@ -2,7 +2,7 @@
 
 use super::calls::{CallSite, Origin};
 use super::{arguments, write};
-use crate::check::{Text, newer, parse_text};
+use crate::check::{Parsed, Text, newer, parse, parse_text};
 use crate::control::delivery;
 pub use crate::diagnostic::Edit;
 use crate::diagnostic::Span;
@@ -15,11 +15,12 @@ pub fn change(program: &Program, site: &CallSite, name: &str, value: &str) -> Ve
     let Some(param) = site.cycle.param(name) else { return Vec::new() };
     let (name, text) = (param.name.as_str(), matches!(param.kind, Kind::Text(_)));
     // what cannot be written as one value stays in the form, where its problem is told
-    let written = write::value(param, value).unwrap_or_default();
+    let written = write::value(program.dialect, param, value).unwrap_or_default();
     if written.is_empty() && !value.trim().is_empty() {
         return Vec::new();
     }
-    let value = if text { written } else { plain(value) };
+    let calculated = !text && parse(value) == Parsed::Expression;
+    let value = if text || calculated { written } else { plain(value) };
     if param.name == names::KNUM && takes_no_tool(program, site, &value) {
         return Vec::new();
     }

@@ -18,6 +18,7 @@ pub mod tools;
 pub mod touched;
 pub mod user_programs;
 mod values;
+pub mod variables;
 pub mod words;
 
 pub use arrivals::arrivals;

@@ -5,6 +5,7 @@ use super::calls::{CallSite, calls_on};
 use super::change::{Edit, apply, change};
 use super::own_words::{emptied, own_words};
 use super::touched::{TouchedLine, elsewhere};
+use super::variables::{Variable, variables};
 use crate::check::variants;
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
@@ -22,8 +23,21 @@ pub struct Revision {
     pub elsewhere: Vec<TouchedLine>,
     /// Parameters that another variant does not know: their values are taken out of the call.
     pub taken: Vec<Name>,
+    /// The expression that the value takes the place of; none: there is none, or an expression that is worth something.
+    pub replaced: Option<Replaced>,
     /// What that means: which of them went, and which stay since their values are expressions.
     pub findings: Vec<Diagnostic>,
+}
+
+/// An expression of a call that another value would take the place of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Replaced {
+    /// As the call has it.
+    pub text: String,
+    /// What it is worth there, where that is known.
+    pub worth: Option<String>,
+    /// Its variables, each with what would make the value the new one.
+    pub variables: Vec<Variable>,
 }
 
 /// Gives a parameter of the call at `index` this value, as [`change`] does; of a call that becomes another variant
@@ -39,6 +53,9 @@ pub fn revise(program: &Program, index: usize, name: &str, value: &str, control:
     let idle = idle(site, name, value, control);
     let after = read(program.dialect, &apply(&program.source, &edits));
     revision.steps.push(edits);
+    revision.replaced = replaced(program, site, name, value).filter(|_| {
+        !calls_on(&after, control.clone()).get(index).is_some_and(|site| site.expressions.contains_key(name))
+    });
     if idle.is_empty() {
         return Some(revision);
     }
@@ -55,6 +72,13 @@ pub fn revise(program: &Program, index: usize, name: &str, value: &str, control:
         revision.taken = taken;
     }
     Some(revision)
+}
+
+/// The expression that a value takes the place of.
+fn replaced(program: &Program, site: &CallSite, name: &str, value: &str) -> Option<Replaced> {
+    let text = site.expression(name).filter(|text| *text != name && *text != value.trim())?.to_owned();
+    let worth = site.expressions.get(name).and_then(|_| site.values.get(name)).cloned();
+    Some(Replaced { text, worth, variables: variables(program, site, name, value) })
 }
 
 /// The parameters that the call uses now, and does not know any more as the variant that this value chooses.

@@ -1,6 +1,6 @@
 //! Right sides as text for a form: numbers and texts as written, constants worked out, else the expression itself.
 
-use crate::check::{Parsed, Sort, parse, typed_text};
+use crate::check::{Parsed, Sort, expression::shown, parse, typed_text};
 use crate::diagnostic::Span;
 use crate::syntax::fold::Known;
 use crate::syntax::{Expr, ExprId, Operator, Program, fold};
@@ -16,6 +16,8 @@ pub(super) struct Value {
     pub quoted: bool,
     /// As it is written, where `text` is what that is worth.
     pub expression: Option<String>,
+    /// A variable in it that nothing gave a value.
+    pub missing: Option<String>,
     /// Whether others take their value from the same place (`REP`).
     pub shared: bool,
     /// Where the value is written, when `place` only names the variable of another program that holds it.
@@ -100,13 +102,13 @@ pub(super) fn value(program: &Program, id: ExprId, known: Known) -> Value {
             Value { quoted: true, ..Value::at(typed_text(&program.written(*inside)), number, *inside) }
         }
         (Some(expr), Some(_)) if literal(program, expr) => Value::at(written().replace(' ', ""), number, place),
-        (Some(_), Some(worth)) => Value { expression: Some(written()), ..Value::at(worth.to_string(), number, place) },
+        (Some(_), Some(worth)) => Value { expression: Some(written()), ..Value::at(shown(worth), number, place) },
         _ => Value::at(written(), number, place),
     }
 }
 
 /// A decimal number with at most a sign.
-fn literal(program: &Program, expr: &Expr) -> bool {
+pub(super) fn literal(program: &Program, expr: &Expr) -> bool {
     let decimal = |span: &Span| program.text(*span).iter().all(|byte| byte.is_ascii_digit() || b".+-".contains(byte));
     match expr {
         Expr::Number(_, span) => decimal(span),

@@ -157,7 +157,12 @@ fn take_comment(reader: &mut Reader) -> Option<Span> {
 
 /// Whether a text is one value behind a name (SINUMERIK `_FA=…`) or address (NCT `D…`); `R1+` and `R1 M30` are not.
 pub fn is_value(text: &str) -> bool {
-    stands(Dialect::Sinumerik, "_X=", text) || stands(Dialect::Nct, "D", text)
+    is_value_of(Dialect::Sinumerik, text) || is_value_of(Dialect::Nct, text)
+}
+
+/// Whether a text is one such value in this language.
+pub fn is_value_of(dialect: Dialect, text: &str) -> bool {
+    stands(dialect, if dialect == Dialect::Nct { "D" } else { "_X=" }, text)
 }
 
 fn stands(dialect: Dialect, before: &str, text: &str) -> bool {

@@ -19,7 +19,7 @@ mod sinumerik_expression;
 pub mod tree;
 
 pub(crate) use block::BETWEEN;
-pub use block::{LARGEST, is_value, read, read_told};
+pub use block::{LARGEST, is_value, is_value_of, read, read_told};
 pub(crate) use grammar::Grammar;
 pub use reader::DEPTH;
 pub use tree::{Block, Expr, ExprId, Operator, Program, SyntaxError, Word, WordKind};

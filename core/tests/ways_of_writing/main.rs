@@ -6,6 +6,8 @@ mod expressions;
 mod newer;
 mod round_trip;
 mod same_meaning;
+#[cfg(feature = "json")]
+mod worth;
 mod wrong_arguments;
 
 use probewright_core::catalogue::example::worked;

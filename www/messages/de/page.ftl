@@ -363,6 +363,7 @@ step-open = { $file } öffnen
 step-insert = Aufruf einfügen
 step-convert = Aufruf umwandeln
 step-fix = Änderung anwenden
+step-assign = Variable ändern
 step-example = Beispiel laden
 step-set-load = Wertesatz laden
 step-program = Zeile { $line } ändern
@@ -572,6 +573,17 @@ asks-after = neu
 asks-apply = Übernehmen
 asks-cancel = Abbrechen
 notice-applied = Übernommen.
+replaced-title = Im Programm steht hier { $text }, zurzeit { $worth }.
+replaced-open = Im Programm steht hier { $text }.
+replaced-uses = { $name } wird in { $count ->
+    [one] 1 Zeile verwendet:
+   *[other] { $count } Zeilen verwendet:
+}
+replaced-assign = { $name } auf { $value } ändern
+replaced-here = Nur hier ersetzen
+replaced-remove = Nur hier entfernen
+replaced-keep = { $text } behalten
+notice-assigned = Variable geändert.
 notice-revised = Der Aufruf hat jetzt eine andere Messvariante.
 of-call = { $cycle }, Zeile { $line }
 of-program = Vom Programm gesetzt

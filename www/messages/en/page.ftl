@@ -363,6 +363,7 @@ step-open = Open { $file }
 step-insert = Insert call
 step-convert = Convert call
 step-fix = Apply change
+step-assign = Change variable
 step-example = Load worked example
 step-set-load = Load value set
 step-program = Edit line { $line }
@@ -572,6 +573,17 @@ asks-after = new
 asks-apply = Apply
 asks-cancel = Cancel
 notice-applied = Applied.
+replaced-title = The program has { $text } here, worth { $worth }.
+replaced-open = The program has { $text } here.
+replaced-uses = { $name } is used in { $count ->
+    [one] 1 line:
+   *[other] { $count } lines:
+}
+replaced-assign = Change { $name } to { $value }
+replaced-here = Replace here
+replaced-remove = Remove here
+replaced-keep = Keep { $text }
+notice-assigned = Variable changed.
 notice-revised = The call now has another measuring variant.
 of-call = { $cycle }, line { $line }
 of-program = Set by the program

@@ -44,7 +44,7 @@ import type {
 import { opened } from "./calls";
 import { type Derived, findCycle } from "./derive";
 import { isCurrent, isRead, withEdits } from "./program";
-import { mended, typedIn } from "./typing";
+import { mended, replacing, typedIn, withoutReplacing } from "./typing";
 
 export type Variant = CycleInfo["variants"][number];
 
@@ -75,6 +75,12 @@ export interface Actions {
   agree(): void;
   /** It is not, and the form shows again what the program holds. */
   refuse(): void;
+  /** The variable by its place in the expression that a field waits with is assigned so that the value comes true. */
+  assign(name: string, variable: number): void;
+  /** The value of the field takes the place of the expression. */
+  replaceHere(name: string): void;
+  /** The expression stays. */
+  keep(name: string): void;
   card(card: Card | null): void;
   insert(snippet: string): void;
   error<G extends keyof ErrorSliders>(group: G, name: keyof ErrorSliders[G], value: number): void;
@@ -306,23 +312,39 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
     agree: () =>
       store.update(state => {
         const { curing } = state.desk;
-        const pending = state.desk.pending.map(({ asks, ...one }) => (asks ? { ...one, agreed: true } : one));
+        const pending = state.desk.pending.map(one =>
+          one.asks && !one.asks.replaced ? { ...one, asks: undefined, agreed: true } : one,
+        );
         const next = patched(state, { desk: { pending, curing: null } });
         return curing && isCurrent(curing, state) ? mended(next, curing.edits, "notice-applied") : next;
       }),
     refuse: () =>
       store.update(state => {
         const call = openCall(state);
-        const gone = state.desk.pending.filter(one => one.asks);
+        const gone = state.desk.pending.filter(one => one.asks && !one.asks.replaced);
         const names = gone
           .filter(one => one.control === state.form.control && one.at === call?.from)
           .map(one => one.name);
         const back = Object.fromEntries(names.map(name => [name, call?.values[name] ?? ""]));
         return {
-          desk: { pending: state.desk.pending.filter(one => !one.asks), curing: null },
+          desk: { pending: state.desk.pending.filter(one => !gone.includes(one)), curing: null },
           form: { values: { ...state.form.values, ...back } },
         };
       }),
+    assign: (name, variable) =>
+      store.update(state => {
+        const change = replacing(state, name)?.asks.replaced.variables[variable]?.change;
+        return change ? mended(withoutReplacing(state, name), change.edits, "notice-assigned") : {};
+      }),
+    replaceHere: name =>
+      store.update(state => {
+        const here = replacing(state, name);
+        const pending = state.desk.pending.map(one =>
+          one === here ? { ...one, asks: undefined, agreed: "here" as const } : one,
+        );
+        return { desk: { pending } };
+      }),
+    keep: name => store.update(state => withoutReplacing(state, name)),
     card: card => store.update({ page: { card } }),
     insert(snippet) {
       const state = now();

@@ -4,6 +4,7 @@
 
 import type { FormCore, Formed } from "../core/core";
 import type { SceneData } from "../core/scene";
+import { writtenAs } from "../numbers";
 import { type FormState, machine, type PartState, programOf, type State } from "../state/state";
 import { language, say } from "../texts";
 import type {
@@ -103,7 +104,7 @@ function worth(
   values: FormState["values"],
 ): { values: FormState["values"]; expressions: Record<string, string> } {
   const still = Object.entries(opened?.expressions ?? {}).filter(
-    ([name, text]) => values[name] === opened?.values[name] || values[name]?.trim() === text,
+    ([name, text]) => values[name] === opened?.values[name] || writtenAs(values[name] ?? "", text),
   );
   if (!still.length) return { values, expressions: NO_EXPRESSIONS };
   return {

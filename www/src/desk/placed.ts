@@ -1,6 +1,6 @@
 // Whether the call in the form stands in the program just so, and where.
 
-import { parseNumber } from "../numbers";
+import { parseNumber, writtenAs } from "../numbers";
 import { programOf, type State } from "../state/state";
 import type { Derived } from "./derive";
 
@@ -30,7 +30,7 @@ function isAhead(state: State, { opened, fresh, view }: Derived): boolean {
     ({ name }) =>
       !onTheWay.has(name) &&
       !same(values[name], opened.values[name]) &&
-      !same(values[name], opened.expressions[name] ?? opened.values[name]),
+      !writtenAs(values[name] ?? "", opened.expressions[name] ?? opened.values[name] ?? ""),
   );
 }
 

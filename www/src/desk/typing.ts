@@ -2,8 +2,8 @@
 
 import { asked, hasToAsk, isWaiting, type Pending } from "../core/pending";
 import type { ChangeRequest, ConvertRequest } from "../core/program";
-import { AT_END, patched, programMachine, programOf, type State } from "../state/state";
-import type { Changed, Converted, Edit } from "../wire";
+import { AT_END, openCall, patched, programMachine, programOf, type State } from "../state/state";
+import type { Changed, Converted, Edit, Replaced } from "../wire";
 import { isCurrent, SOUGHT, withEdits } from "./program";
 
 /** The form with these values typed; where it edits a call of the program, they are on their way there. */
@@ -19,6 +19,24 @@ export function typedIn(state: State, pairs: [string, string][]): State {
     form: { values: { ...state.form.values, ...Object.fromEntries(pairs) }, resets },
     view: { step: AT_END },
     desk: { pending },
+  });
+}
+
+/** What waits for a word since it would take the place of an expression in the call that the form edits. */
+export function replacing(state: State, name: string): (Pending & { asks: { replaced: Replaced } }) | undefined {
+  const { control, open } = state.form;
+  const one = state.desk.pending.find(one => one.control === control && one.at === open && one.name === name);
+  const waits = one?.asks?.replaced && isWaiting(one, programOf(state));
+  return waits ? (one as Pending & { asks: { replaced: Replaced } }) : undefined;
+}
+
+/** The field as the program has it, and nothing in it that waits for a word. */
+export function withoutReplacing(state: State, name: string): State {
+  const here = replacing(state, name);
+  const value = openCall(state)?.values[name] ?? "";
+  return patched(state, {
+    desk: { pending: state.desk.pending.filter(one => one !== here) },
+    form: { values: { ...state.form.values, [name]: value } },
   });
 }
 
@@ -42,13 +60,15 @@ export function changed(state: State, request: ChangeRequest, answers: Changed[]
   const mine = asked(request.pending, request);
   const waits = mine.flatMap((one, index): Pending[] => {
     const answer = answers[index];
-    return answer && hasToAsk(one, answer) ? [{ ...one, asks: { text, lines: answer.elsewhere } }] : [];
+    if (!answer || !hasToAsk(one, answer)) return [];
+    const { elsewhere: lines, replaced } = answer; // where it lands in other lines, these tell what it replaces
+    return [{ ...one, asks: { text, lines, ...(replaced && !lines.length ? { replaced } : {}) } }];
   });
   const done = answers.filter((answer, index) => !hasToAsk(mine[index] as Pending, answer));
   const pending = [...state.desk.pending.filter(one => !mine.includes(one)), ...waits];
   const next = done.flatMap(({ steps }) => steps).reduce(withEdits, patched(state, { desk: { pending } }));
   const after = mine.every(one => one.value === "" && state.form.resets[one.name]) ? stillTold(state, next) : next;
-  const agreed = mine.some(one => one.agreed);
+  const agreed = mine.some(one => one.agreed === true);
   return told(state, after, request, agreed, done);
 }
 

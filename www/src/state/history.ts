@@ -36,6 +36,7 @@ const DONE: Record<string, string> = {
   "notice-converted": "step-convert",
   "notice-mended": "step-fix",
   "notice-applied": "step-fix",
+  "notice-assigned": "step-assign",
   "notice-example": "step-example",
   "notice-set-loaded": "step-set-load",
 };

@@ -20,7 +20,9 @@ export interface Asks {
 /** Each line once; of several changes the last one that concerns it counts. */
 function lines(state: State): TouchedLine[] {
   const text = programOf(state);
-  const typed = state.desk.pending.filter(one => one.control === state.form.control && one.asks?.text === text);
+  const typed = state.desk.pending.filter(
+    one => one.control === state.form.control && one.asks?.text === text && !one.asks.replaced,
+  );
   const cured = state.desk.curing && isCurrent(state.desk.curing, state) ? state.desk.curing.lines : [];
   const all = [...typed.flatMap(one => one.asks?.lines ?? []), ...cured];
   return [...new Map(all.map(one => [one.line, one])).values()].sort((a, b) => a.line - b.line);

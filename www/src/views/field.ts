@@ -2,14 +2,17 @@
 
 import type { Actions } from "../desk/actions";
 import { el, keyed, on, setAttribute, setText, show } from "../dom";
+import { meantBy } from "../keys";
 import { parseNumber, plain } from "../numbers";
 import { allWords, say, t } from "../texts";
-import type { Choice, Diagnostic, DigitGroup, Field, Range } from "../wire";
+import type { Choice, Diagnostic, DigitGroup, Field, Range, Replaced } from "../wire";
 import { listProblems } from "./problem";
+import { createReplaced } from "./replaced";
 
 export interface FieldView {
   root: HTMLElement;
-  update(field: Field, typed: string, problems: Diagnostic[]): void;
+  /** `replaced`: the expression of the program whose place the typed value would take. */
+  update(field: Field, typed: string, problems: Diagnostic[], replaced: Replaced | null): void;
 }
 
 const PAUSE = 700; // ms without a key after which a value counts as typed
@@ -58,7 +61,12 @@ function withDigits(number: number, group: Pick<DigitGroup, "place" | "digits">,
   return Math.abs(number) + (Math.trunc(value) - size_) * group.place;
 }
 
-export function createField(first: Field, actions: Actions, focused: (name: string | null) => void): FieldView {
+export function createField(
+  first: Field,
+  actions: Actions,
+  focused: (name: string | null) => void,
+  goToLine: (line: number) => void,
+): FieldView {
   const name = first.name;
   const id = fieldId(name);
   let field = first;
@@ -79,6 +87,7 @@ export function createField(first: Field, actions: Actions, focused: (name: stri
     inputmode: first.kind === "text" ? "text" : "decimal",
     "aria-describedby": `${id}-worth ${id}-meta ${id}-problems`,
   });
+  const mark = el("span", { class: "fx", "aria-hidden": "true" }, "fx");
   const worth = el("span", { class: "worth", id: `${id}-worth` }); // of an expression
   const unit = el("span", { class: "unit" });
   const select = el("select", { class: "choice" });
@@ -87,12 +96,14 @@ export function createField(first: Field, actions: Actions, focused: (name: stri
   const why = el("span", { class: "visually-hidden" }); // in sight beside the drawing while the field has the focus
   const meta = el("p", { class: "meta", id: `${id}-meta` }, limits, why);
   const list = el("ul", { class: "field-problems", id: `${id}-problems`, "aria-live": "polite" });
+  const replacedNote = createReplaced(name, actions, goToLine, () => input.focus());
   const root = el(
     "div",
     { class: `field kind-${first.kind}`, "data-field": name },
     el("div", { class: "field-head" }, el("span", { class: "field-title" }, label, required), code),
-    el("div", { class: "entry-line" }, input, worth, unit, first.kind === "choice" ? select : null, meta),
+    el("div", { class: "entry-line" }, mark, input, worth, unit, first.kind === "choice" ? select : null, meta),
     first.kind === "digits" ? groups : null,
+    replacedNote.root,
     list,
   );
 
@@ -114,6 +125,14 @@ export function createField(first: Field, actions: Actions, focused: (name: stri
     actions.edit(name, select.value);
     actions.touch(name);
   });
+  on(input, "keydown", event => {
+    const command = replacedNote.waits() ? meantBy(event, "form") : null;
+    if (command === "ask") replacedNote.focus();
+    else if (command === "refuse") actions.keep(name);
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  });
   root.addEventListener("focusin", () => focused(name));
 
   const editGroup = (group: DigitGroup, value: number): void => {
@@ -125,20 +144,22 @@ export function createField(first: Field, actions: Actions, focused: (name: stri
 
   return {
     root,
-    update(next, typed, problems) {
+    update(next, typed, problems, replaced) {
       field = next;
       const written = next.expression ?? next.value; // settings of the machine may give part of it
       const text = typing ?? (document.activeElement === input && typed !== next.value ? typed : written);
       if (input.value !== text) input.value = text;
       // Most fields say the same after a keystroke. Entries are put right all the same: what was typed may be gone
       // again before it was ever drawn.
-      const now = JSON.stringify([next, typed, problems, allWords()]);
+      const now = JSON.stringify([next, typed, problems, replaced, allWords()]);
       if (now === drawn && field.kind !== "digits" && field.kind !== "choice") return;
       drawn = now;
       setText(label, say(field.label));
       show(required, field.required);
       setText(worth, field.expression === undefined ? "" : `= ${field.value}`);
       root.classList.toggle("reckoned", field.expression !== undefined);
+      show(mark, field.expression !== undefined);
+      replacedNote.draw(replaced, typed.trim() === "");
       setText(unit, field.unit ? t(`unit-${field.unit.replace("/", "-per-")}`) : "");
       setAttribute(input, "placeholder", field.fallback === undefined ? null : plain(field.fallback));
       setAttribute(input, "aria-required", String(field.required));

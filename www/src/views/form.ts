@@ -3,6 +3,7 @@
 import { type Actions, type Variant, variantOf } from "../desk/actions";
 import type { Derived } from "../desk/derive";
 import { placedIn } from "../desk/placed";
+import { replacing } from "../desk/typing";
 import { el, keyed, on, setAttribute, setText, show } from "../dom";
 import { meantBy } from "../keys";
 import type { Reset, State } from "../state/state";
@@ -170,7 +171,7 @@ export function createForm(
   });
 
   const make = (field: Field): HTMLElement => {
-    const view = createField(field, actions, focused);
+    const view = createField(field, actions, focused, goToLine);
     views.set(view.root, view);
     return view.root;
   };
@@ -200,6 +201,7 @@ export function createForm(
           field,
           state.form.values[field.name] ?? "",
           problems.filter(one => one.param === field.name),
+          replacing(state, field.name)?.asks.replaced ?? null,
         ),
     );
     listProblems(

@@ -1,6 +1,7 @@
 //! What assignments and declarations leave: the newest value of every variable, and its number where it is known.
 
 use super::{Place, Walk};
+use crate::check::expression::{begun, is_parameter};
 use crate::control::arrays;
 use crate::diagnostic::Span;
 use crate::program::held::{Held, stem};
@@ -8,6 +9,7 @@ use crate::program::values;
 use crate::program::values::{Spread, Value, spread};
 use crate::syntax::fold;
 use crate::syntax::tree::{ExprId, Word, WordKind};
+use std::collections::BTreeSet;
 use std::rc::Rc;
 
 /// Most elements of an array that a program declares.
@@ -40,12 +42,28 @@ impl Walk<'_> {
 
     /// The numbers that variables hold at a place.
     pub(super) fn numbers<'a>(&'a self, place: &'a Place) -> impl Fn(&str) -> Option<f64> + 'a {
-        |name| place.values.number(&self.names, name)
+        |name| match self.names.find(name).and_then(|id| place.values.get(id)) {
+            Some(_) => place.values.number(&self.names, name),
+            None => begun(&self.tools.start, name),
+        }
+    }
+
+    /// An expression with what it is worth there; where that is not known, with a variable that nothing gave a value.
+    pub(super) fn right_side(&self, place: &Place, id: ExprId) -> Value {
+        let value = values::value(self.program, id, &self.numbers(place));
+        if value.number.is_some() || value.quoted {
+            return value;
+        }
+        let mut names = BTreeSet::new();
+        fold::names_in(self.program, id, &mut names);
+        let held = |name: &String| self.names.find(name).is_some_and(|id| place.values.get(id).is_some());
+        let missing = |name: &String| is_parameter(name) && !held(name) && begun(&self.tools.start, name).is_none();
+        Value { missing: names.into_iter().find(missing), ..value }
     }
 
     /// The value of an expression. Of a variable that another program wrote it is known where.
     pub(super) fn value(&self, place: &Place, id: ExprId) -> Value {
-        let value = values::value(self.program, id, &self.numbers(place));
+        let value = self.right_side(place, id);
         match self.held(place, id) {
             Some(held) if value.number.is_some() && !self.around.unit(value.place).holds(held.source()) => {
                 Value { given: Some(held.source()), argument: held.argument, ..value }

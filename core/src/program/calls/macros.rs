@@ -7,7 +7,6 @@ use crate::control::{Control, Plane};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::entry::Cycle;
 use crate::program::held::Held;
-use crate::program::values;
 use crate::syntax::{Block, Program, WordKind, fold};
 use std::rc::Rc;
 
@@ -48,7 +47,7 @@ impl Walk<'_> {
         for word in self.program.words_of(block) {
             let WordKind::Address { name, value, .. } = &word.kind else { continue };
             if let Some(param) = cycle.params.iter().find(|param| self.program.is(*name, param.name.as_str())) {
-                let value = values::value(self.program, *value, &self.numbers(place));
+                let value = self.right_side(place, *value);
                 given.push((param.name, Held::One(Rc::new(value))));
             }
         }

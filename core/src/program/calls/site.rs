@@ -80,6 +80,7 @@ impl Walk<'_> {
             span,
             values,
             expressions: Typed::new(),
+            missing: BTreeMap::new(),
             places: BTreeMap::new(),
             origins: BTreeMap::new(),
             first: BTreeMap::new(),
@@ -202,6 +203,8 @@ impl Walk<'_> {
                 let first = arrives_first(held, &self.first_numbers, origin);
                 site.first.extend(first.map(|first| (*name, first)));
                 site.expressions.extend(expression(held).map(|text| (name.to_string(), text)));
+                let missing = held.common(|value| &value.missing).and_then(Option::clone);
+                site.missing.extend(missing.map(|variable| (*name, variable)));
                 if all.len() < 2 && all.iter().all(|value| unit.holds(value.source())) {
                     continue;
                 }

@@ -5,9 +5,10 @@ pub mod machine;
 mod support;
 
 use crate::check;
-use crate::check::{Parsed, Text, parse, parse_text};
+use crate::check::{Parsed, Text, expression, parse, parse_text};
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
+use crate::dialect::Dialect;
 use crate::entry::{Cycle, Inputs, Kind, Param, Style, Typed};
 use crate::name::Name;
 use crate::support::Support;
@@ -123,7 +124,7 @@ pub(super) fn is_expression(param: &Param, text: &str) -> bool {
 fn source<'a>(cycle: &'static Cycle, typed: &Typed, control: &'a Control) -> Source<'a> {
     let inputs = check::read(cycle, typed, control, &mut Vec::new());
     let written = cycle.params.iter().filter_map(|param| {
-        let text = value(param, typed.get(param.name.as_str())?)?;
+        let text = value(cycle.dialect, param, typed.get(param.name.as_str())?)?;
         let set = || param.is_machine_datum() && parse(&text) != Parsed::Number(0.0);
         (param.need(&inputs).is_some() || set()).then_some((param, text))
     });
@@ -142,8 +143,8 @@ fn addresses(source: &Source) -> String {
     text
 }
 
-/// A value as a program writes it; none for one that cannot be written.
-pub fn value(param: &Param, typed: &str) -> Option<String> {
+/// A value as a program of this control writes it; none for one that cannot be written.
+pub fn value(dialect: Dialect, param: &Param, typed: &str) -> Option<String> {
     let typed = typed.trim();
     if let Kind::Text(_) = param.kind {
         let Text::Plain(inner) = parse_text(typed) else { return Some(typed.to_owned()) };
@@ -152,7 +153,7 @@ pub fn value(param: &Param, typed: &str) -> Option<String> {
     }
     match parse(typed) {
         Parsed::Number(number) => Some(format!("{number}")),
-        Parsed::Expression => Some(typed.to_owned()),
+        Parsed::Expression => expression::written(dialect, typed),
         Parsed::Empty | Parsed::Wrong => None,
     }
 }

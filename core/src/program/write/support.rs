@@ -41,7 +41,7 @@ pub(super) fn source<'a>(
             let typed = entered.values.get(param.name.as_str()).map_or("", |text| text.trim());
             let text = match typed {
                 "" => param.fallback(control).map(decimal),
-                typed => value(param, typed),
+                typed => value(cycle.dialect, param, typed),
             };
             Some((param, text?))
         })
