@@ -3,12 +3,12 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { modules, program } from "./sources.mjs";
 
-let sources, camera, scene, hole, colours, pick, motion, vec, arrays, labels, points;
+let sources, places, camera, scene, hole, colours, pick, motion, vec, arrays, labels, points;
 before(async () => {
   sources = await modules();
   const load = name => sources.load(`/src/${name}.ts`);
   let demo;
-  [camera, scene, demo, colours, pick, motion, vec, arrays, labels, points] = await Promise.all(
+  [camera, scene, demo, colours, pick, motion, vec, arrays, labels, points, places] = await Promise.all(
     [
       "preview/camera",
       "preview/scene",
@@ -20,6 +20,7 @@ before(async () => {
       "core/scene",
       "preview/labels",
       "preview/points",
+      "preview/places",
     ].map(load),
   );
   hole = demo.hole(await program());
@@ -105,7 +106,7 @@ const moving = motions => ({
 
 // oracle: hand
 test("a part stands as the last rotary axis before left it", () => {
-  const [before, turned] = [0, 1].map(entry => ({ entry, places: [], whole: [[], []] }));
+  const [before, turned] = [0, 1].map(entry => ({ entry, places: [], whole: [[], []], ground: [0, 10] }));
   const data = made({ view: { standings: [before, turned] } });
   assert.deepEqual(
     [-1, 0, 1, 2, 9].map(index => motion.standingAt(data, index).standing === turned),
@@ -182,7 +183,7 @@ test("what is in use follows the tool changes, and the fit has room for it", () 
     [-3, -3, -3],
     [4, 3, 3],
   ];
-  const standings = [{ entry: 0, places: [], whole }];
+  const standings = [{ entry: 0, places: [], whole, ground: [0, 10] }];
   const using = inUse => made({ ...moving(motions), stands: new Float64Array(12), view: { tools, inUse, standings } });
   const data = using([
     [0, 0],
@@ -278,6 +279,7 @@ test("a protection zone is drawn through, and each piece where it stands", () =>
         [0, 0, 0],
         [1, 1, 1],
       ],
+      ground: [0, 10],
     },
   ];
   const piece = (matter, at) => ({ matter, corners: [3 * at, 3 * at + 3], vertices: [3 * at, 3 * at + 3] });
@@ -285,8 +287,8 @@ test("a protection zone is drawn through, and each piece where it stands", () =>
   const vertices = Float32Array.from([0, 1].flatMap(() => [0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 1]));
   const pieces = [{ ...piece("zone", 0), place: 0 }, piece("ball", 1)];
   const built = scene.buildScene(made({ corners, vertices, view: { pieces, standings } }), colours.LIGHT);
-  assert.equal(built.solidCorners, 3);
-  const vertex = i => [...built.mesh.vertices.slice(11 * i, 11 * i + 3), built.mesh.vertices[11 * i + 10]];
+  assert.deepEqual(built.ends, [3, 3, 3]);
+  const vertex = i => [...built.mesh.vertices.slice(12 * i, 12 * i + 3), built.mesh.vertices[12 * i + 10]];
   near([0, 1, 2].flatMap(vertex), [0, 0, 0, 1, 1, 0, 0, 1, 0, 1, 0, 1]); // the ball comes first, and moves
   near([3, 4, 5].flatMap(vertex), [10, 20, 30, 0, 10, 21, 30, 0, 9, 20, 30, 0]);
   assert.deepEqual([...built.mesh.corners], [0, 1, 2, 3, 4, 5]);
@@ -328,4 +330,44 @@ test("of a cloud as many points are drawn as the device bears", () => {
     const drawn = settled(2_000_000, 20, point);
     assert.ok(drawn * point > 15 && drawn < 2_000_000, `${drawn} points at ${point} ms each`);
   }
+});
+
+// oracle: hand (identities; half of the eased way is no farther from one end than from the other)
+test("in central projection matrix and projection agree, and what is fitted is seen whole", () => {
+  const box = { min: [100, -20, 5], max: [180, 40, 25] };
+  const looking = camera.fit({ ...camera.turn(camera.initial(), "iso"), central: true }, view, box);
+  const m = camera.matrix(looking, view, 500);
+  for (const point of vec.boxCorners(box)) {
+    const { x, y } = camera.projector(looking, view)(point);
+    const row = i => m[i] * point[0] + m[4 + i] * point[1] + m[8 + i] * point[2] + m[12 + i];
+    near([row(0) / row(3), row(1) / row(3)], [x / (view.width / 2) - 1, 1 - y / (view.height / 2)], 1e-9);
+    assert.ok(row(2) / row(3) > 0 && row(2) / row(3) < 1, "between the nearest and the farthest");
+    assert.ok(x > 0 && x < view.width && y > 0 && y < view.height);
+  }
+  const [from, to] = [0.1, 2 * Math.PI - 0.1].map(yaw => ({ ...looking, yaw }));
+  near([Math.cos(camera.between(from, to, 0.5).yaw)], [1], 1e-9);
+});
+
+// oracle: hand (three words at one place, beside a box that is taken)
+test("words lie neither on each other nor on what is taken", () => {
+  const taken = [{ left: 80, top: 80, right: 160, bottom: 120 }];
+  const words = [0, 1, 2].map(() => ({ width: 60, height: 14, spots: places.near({ x: 120, y: 100 }, 60, 14) }));
+  const boxes = [...taken, ...places.placed(words, taken).map(spot => places.around(spot, 56, 10))];
+  for (const [i, a] of boxes.entries())
+    for (const b of boxes.slice(0, i))
+      assert.ok(
+        a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top,
+        JSON.stringify([a, b]),
+      );
+});
+
+// oracle: hand (measured in four directions: the half of the hole towards the viewer is cut away)
+test("a section goes through what was touched, across the axis that points to the viewer", async () => {
+  const section = await sources.load("/src/preview/section.ts");
+  const cut = (name, open) =>
+    section.sectionOf(scene.buildScene(hole, colours.LIGHT, { section: open }), camera.turn(camera.initial(), name));
+  assert.equal(cut("front", false), null);
+  const { normal, distance } = cut("front", true);
+  near([...normal, distance], [0, -1, 0, -280], 1e-6);
+  near(cut("top", true).normal, [0, 0, 1]);
 });

@@ -73,10 +73,10 @@ impl Answer {
         std::mem::take(&mut self.view)
     }
 
-    /// What is to be seen, where something was carried out; asked for once.
+    /// What is to be seen, where something was carried out, with the errors of the part so many times as large.
     #[must_use]
-    pub fn scene(&mut self) -> Option<Scene> {
-        self.seen.take().map(|seen| probewright_core::scene::Scene::of(&seen).into())
+    pub fn scene(&self, times: f64) -> Option<Scene> {
+        self.seen.as_ref().map(|seen| probewright_core::scene::Scene::exaggerated(seen, times).into())
     }
 }
 

@@ -95,4 +95,10 @@ impl Scene {
     pub fn stands(&self) -> Float64Array {
         view!(Float64Array, self.0.stands)
     }
+
+    /// When each entry of the trace begins, and the last one ends, s.
+    #[must_use]
+    pub fn begins(&self) -> Float64Array {
+        view!(Float64Array, self.0.begins)
+    }
 }

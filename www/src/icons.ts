@@ -3,6 +3,7 @@
 
 import { guard } from "lit-html/directives/guard.js";
 import ArrowRight from "lucide/dist/esm/icons/arrow-right.mjs";
+import Box from "lucide/dist/esm/icons/box.mjs";
 import Check from "lucide/dist/esm/icons/check.mjs";
 import ChevronDown from "lucide/dist/esm/icons/chevron-down.mjs";
 import ChevronLeft from "lucide/dist/esm/icons/chevron-left.mjs";
@@ -89,6 +90,7 @@ const ICONS = {
   next: StepForward,
   open: FolderOpen,
   pause: Pause,
+  perspective: Box,
   play: Play,
   plus: Plus,
   previous: StepBack,

@@ -669,7 +669,7 @@ export type HelpView = {
 };
 
 /** What a label tells. */
-export type LabelKind = "frame" | "diameter" | "nominal" | "touched" | "collision" | "size" | "anchor";
+export type LabelKind = "frame" | "diameter" | "nominal" | "touched" | "touch" | "collision" | "size" | "anchor";
 
 /** A part of the lines. */
 export type LineGroup = {
@@ -686,7 +686,7 @@ export type LineGroup = {
 };
 
 /** What a group of lines is. */
-export type LineKind = "grid" | "edge" | "zone" | "limit" | "axisX" | "axisY" | "axisZ" | "beforeX" | "beforeY" | "beforeZ" | "dimension" | "size" | "anchor";
+export type LineKind = "grid" | "edge" | "zone" | "limit" | "nominal" | "axisX" | "axisY" | "axisZ" | "beforeX" | "beforeY" | "beforeZ" | "dimension" | "size" | "anchor";
 
 /** The machine of a question. */
 export type Machine = OwnMachine | Setup;
@@ -764,7 +764,7 @@ export type MachineView = {
 };
 
 /** What a piece of the triangles is. */
-export type Matter = "part" | "cut" | "chuck" | "ball" | "stylus" | "body" | "carrier" | "zone";
+export type Matter = "part" | "cut" | "chuck" | "ball" | "stem" | "ring" | "stylus" | "body" | "carrier" | "zone";
 
 /** A point X Y Z in machine (basic) coordinates, mm. */
 export type Mcs = [number, number, number];
@@ -1235,6 +1235,8 @@ export type SceneLabel = {
   text: Array<Message>,
   /** Whether it stands at the upper end of a dimension line: neighbours have their words at different ends. */
   upper?: boolean,
+  /** Which touch of its call it is, from 1 on. */
+  number?: number,
   /** Parameter that the dimension explains, where a form asked. */
   field?: Name,
   /** Entry of the trace with which it comes; none: it is always there. */
@@ -1283,7 +1285,7 @@ export type SceneTool = {
 
 /** What the arrays of a scene hold. */
 export type SceneView = {
-  /** Parts of the triangles: what hides, then what is seen through. */
+  /** Parts of the triangles: what is always there, then what may hide a part, then what is seen through. */
   pieces: Array<ScenePiece>,
   /** Parts of the lines. */
   groups: Array<LineGroup>,
@@ -1311,6 +1313,8 @@ export type SceneView = {
   turning: boolean,
   /** How many entries the trace has. */
   entries: number,
+  /** How many times as large the errors of the part are drawn; none: as they are. */
+  exaggerated?: number,
 };
 
 /**
@@ -1426,6 +1430,8 @@ export type Standing = {
   places: Array<Place>,
   /** What is to be seen whole, without the tool: least and greatest coordinates. */
   whole: [[number, number, number], [number, number, number]],
+  /** Of the ground: its height along the upright axis, and the spacing of its grid, mm. */
+  ground: [number, number],
 };
 
 /** One step. Directions are in machine (basic) coordinates X Y Z, as the points. */

@@ -12,3 +12,4 @@ collision-first = Touches first: { $what }
 diameter-real = Ø{ $diameter }
 diameter-exact = = Ø{ $diameter }
 diameter-off = Ø{ $diameter } { $off }
+touch-value = { $axis } { $value }

@@ -57,11 +57,22 @@ pub fn grid_spacing(length: f64) -> f64 {
     power * [1.0, 2.0, 5.0].into_iter().find(|step| step * power >= rough).unwrap_or(10.0)
 }
 
+/// Axes of the ground: two in it, and the upright one. On a turning machine X is upright.
+fn axes(turning: bool) -> (usize, usize, usize) {
+    if turning { (2, 1, 0) } else { (0, 1, 2) }
+}
+
+/// Height of the ground below what is there, and the spacing of its grid, mm.
+pub fn ground(below: &Extent, turning: bool) -> [f64; 2] {
+    let (across, along, up) = axes(turning);
+    let size = (below.high - below.low)[across].max((below.high - below.low)[along]);
+    [below.low[up], grid_spacing(size)]
+}
+
 /// Grid below what is there, lines on round coordinates, in X-Y of the machine, of a turning machine in Z-Y.
 pub fn grid(below: &Extent, turning: bool) -> Vec<[V3; 2]> {
-    let (across, along, up) = if turning { (2, 1, 0) } else { (0, 1, 2) };
-    let size = (below.high - below.low)[across].max((below.high - below.low)[along]);
-    let spacing = grid_spacing(size);
+    let (across, along, up) = axes(turning);
+    let [height, spacing] = ground(below, turning);
     let range = |axis: usize| {
         let low = (below.low[axis] / spacing).floor() - 2.0;
         let high = (below.high[axis] / spacing).ceil() + 2.0;
@@ -70,7 +81,7 @@ pub fn grid(below: &Extent, turning: bool) -> Vec<[V3; 2]> {
     let (first, second) = (range(across), range(along));
     let at = |x: f64, y: f64| {
         let mut point = V3::zeros();
-        (point[across], point[along], point[up]) = (x, y, below.low[up]);
+        (point[across], point[along], point[up]) = (x, y, height);
         point
     };
     let columns = (0..=first.2).map(|i| first.0 + i as f64 * spacing).map(|x| [at(x, second.0), at(x, second.1)]);

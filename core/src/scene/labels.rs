@@ -1,7 +1,8 @@
 //! What is written beside what is drawn: keys of messages with their arguments, where they stand, and when.
 
 use super::frames::Frame;
-use crate::geometry::V3;
+use crate::control::{Control, Transverse};
+use crate::geometry::{Dir, Mcs, V3};
 use crate::machine::{Entry, Step};
 use crate::message::Message;
 use crate::name::Name;
@@ -24,6 +25,8 @@ pub enum Kind {
     Nominal,
     /// The diameter at a touched point as the control reads it.
     Touched,
+    /// A touch that measures: its number in the call, and the coordinate of the touched point.
+    Touch,
     /// What must not touch and did.
     Collision,
     /// A dimension of the part that a parameter gives, by its name.
@@ -46,6 +49,9 @@ pub struct Label {
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     #[cfg_attr(test, ts(optional, as = "Option<bool>"))]
     pub upper: bool,
+    /// Which touch of its call it is, from 1 on.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub number: Option<usize>,
     /// Parameter that the dimension explains, where a form asked.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub field: Option<Name>,
@@ -59,7 +65,7 @@ pub struct Label {
 
 impl Label {
     fn new(kind: Kind, at: [f64; 3], text: Message) -> Label {
-        Label { kind, at, text: vec![text], upper: false, field: None, from: None, to: None }
+        Label { kind, at, text: vec![text], upper: false, number: None, field: None, from: None, to: None }
     }
 }
 
@@ -100,7 +106,16 @@ pub fn dimension(at: [f64; 3], upper: bool, [set, real]: [f64; 2], field: Option
 /// The name of a parameter at its dimension, mm; `own`: a dimension of the part.
 pub fn anchor(at: V3, field: Name, own: bool) -> Label {
     let kind = if own { Kind::Size } else { Kind::Anchor };
-    Label { kind, at: at.into(), text: Vec::new(), upper: false, field: Some(field), from: None, to: None }
+    Label {
+        kind,
+        at: at.into(),
+        text: Vec::new(),
+        upper: false,
+        number: None,
+        field: Some(field),
+        from: None,
+        to: None,
+    }
 }
 
 /// The diameter at a touched point, from the touch on until that point is touched again.
@@ -147,4 +162,45 @@ pub fn explained(edges: &[Name], touches: &[[f64; 3]], middle: V3, axis: V3, dia
     let across = |point: &[f64; 3]| 2.0 * (V3::from(*point) - middle).cross(&axis).norm();
     let first = touches.iter().position(|point| (across(point) - diameter).abs() < NEAR)?;
     edges.get(first).or(edges.last()).copied()
+}
+
+/// Points that are nearer to each other, mm, are the same.
+const SAME: f64 = 1.0;
+
+/// The coordinate of each touched point along which was measured, mm in the workpiece coordinate system that was active
+/// first, and the direction; until the point is touched again or the next cycle begins.
+pub fn touches(control: &Control, entries: &[Entry]) -> Vec<Label> {
+    let mut found: Vec<Label> = Vec::new();
+    let mut first = 0; // of the present call
+    for (index, entry) in entries.iter().enumerate() {
+        let label = match &entry.step {
+            Step::CallBegin { .. } => {
+                found[first..].iter_mut().filter(|label| label.to.is_none()).for_each(|label| label.to = Some(index));
+                first = found.len();
+                continue;
+            }
+            Step::Touch { point, normal, by, .. } if by.measures() => touch(control, *point, *normal),
+            _ => continue,
+        };
+        let number = found.len() - first + 1;
+        for before in found[first..].iter_mut().filter(|before| before.to.is_none()) {
+            if (V3::from(before.at) - V3::from(label.at)).norm() < SAME {
+                before.to = Some(index);
+            }
+        }
+        found.push(Label { number: Some(number), from: Some(index), ..label });
+    }
+    found
+}
+
+/// The coordinate of a touched point, a diameter where X counts so, and in which direction it was touched.
+fn touch(control: &Control, point: Mcs, normal: Dir<Mcs>) -> Label {
+    const AXES: [&str; 3] = ["X", "Y", "Z"];
+    let [along, at] = [control.direction_to_workpiece(normal).0, control.to_workpiece(point).0];
+    let axis = (0..3).max_by(|a, b| along[*a].abs().total_cmp(&along[*b].abs())).unwrap_or_default();
+    let diameter = axis == 0 && control.transverse != Transverse::Radius;
+    let value = if diameter { 2.0 * at[0] } else { at[axis] };
+    let direction = format!("{}{}", AXES[axis], if along[axis] > 0.0 { '−' } else { '+' });
+    let text = Message::new("touch-value").text("axis", direction).text("value", figure(value).replace('-', "−"));
+    Label::new(Kind::Touch, point.0, text)
 }

@@ -6,6 +6,7 @@
 //! frame, f32; [`View`] says what each part of the arrays is, where it stands and when it is there.
 
 pub mod anchors;
+mod crooked;
 pub mod fit;
 pub mod frames;
 pub mod labels;
@@ -49,9 +50,13 @@ pub enum Matter {
     Chuck,
     /// The ball of the probe, or what cuts.
     Ball,
-    /// The stylus and its body, or the rest of a tool.
+    /// The stylus of a probe.
+    Stem,
+    /// The signal ring of a probe.
+    Ring,
+    /// A tool besides what of it cuts.
     Stylus,
-    /// The body of a probe of which nothing is known.
+    /// The body of a probe.
     Body,
     /// What carries a tool.
     Carrier,
@@ -72,6 +77,8 @@ pub enum LineKind {
     Zone,
     /// Edges of a part with the largest errors that a call survives.
     Limit,
+    /// Edges of a part without its errors, where these are exaggerated.
+    Nominal,
     /// Axis X of a coordinate system.
     AxisX,
     /// Axis Y of a coordinate system.
@@ -151,6 +158,8 @@ pub struct Standing {
     pub places: Vec<Place>,
     /// What is to be seen whole, without the tool: least and greatest coordinates.
     pub whole: [[f64; 3]; 2],
+    /// Of the ground: its height along the upright axis, and the spacing of its grid, mm.
+    pub ground: [f64; 2],
 }
 
 /// What is in use.
@@ -189,7 +198,7 @@ pub struct Probe {
 #[serde(rename_all = "camelCase")]
 #[cfg_attr(test, derive(ts_rs::TS), ts(rename = "SceneView", optional_fields))]
 pub struct View {
-    /// Parts of the triangles: what hides, then what is seen through.
+    /// Parts of the triangles: what is always there, then what may hide a part, then what is seen through.
     pub pieces: Vec<Piece>,
     /// Parts of the lines.
     pub groups: Vec<LineGroup>,
@@ -218,6 +227,9 @@ pub struct View {
     pub turning: bool,
     /// How many entries the trace has.
     pub entries: usize,
+    /// How many times as large the errors of the part are drawn; none: as they are.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub exaggerated: Option<f64>,
 }
 
 /// Everything that is to be seen.
@@ -243,6 +255,8 @@ pub struct Scene {
     pub touch_sorts: Vec<u8>,
     /// Three numbers an entry: centre of the ball when it is done, machine, mm. Empty where nothing moves.
     pub stands: Vec<f64>,
+    /// When each entry begins, and the last one ends, s: motions take their time at their feed.
+    pub begins: Vec<f64>,
     /// What all this is.
     pub view: View,
 }
@@ -274,6 +288,11 @@ const SAME: f64 = 1.0;
 impl Scene {
     /// What is to be seen of a run.
     pub fn of(source: &Source) -> Scene {
+        Scene::made(source, source)
+    }
+
+    /// What is to be seen of the first one, labelled with the values of the second one.
+    fn made(source: &Source, told: &Source) -> Scene {
         let Source { setup, outcome, zones, limits, call } = source;
         let entries = &outcome.trace.entries;
         let clamped = |solid: &Solid| setup.control.on_table(solid);
@@ -295,17 +314,30 @@ impl Scene {
         scene.add_zones(zones, part.len() + probes.len());
         scene.add_frames();
         scene.view.labels = labels::frames(&scene.view.frames);
+        scene.begins = paths::begins(&told.outcome.trace.entries);
         let staged = call.as_ref().and_then(|inputs| Some((inputs, inputs.cycle.picture.at_work()?)));
         let staging = staged.map(|(inputs, staged)| (staged.stage)(inputs));
         let edges = staging.as_ref().map_or(&[] as &[Name], |staging| staging.fields.edges);
         if turning {
-            scene.add_drawing(&turned::drawing(setup, outcome), edges);
+            scene.add_drawing(&turned::drawing(&told.setup, &told.outcome), edges);
         }
         if let (Some((inputs, staged)), Some(staging)) = (staged, staging) {
             scene.add_anchors(anchors::anchors(source, inputs, staged, staging), turning, edges);
         }
         scene.view.labels.extend(labels::collisions(entries));
+        scene.add_touches(told);
         scene
+    }
+
+    /// The values at the touches, each where its touch is drawn.
+    fn add_touches(&mut self, told: &Source) {
+        let places: Vec<[f64; 3]> = self.touches.chunks_exact(6).map(|touch| [touch[0], touch[1], touch[2]]).collect();
+        for mut label in labels::touches(&told.outcome.before, &told.outcome.trace.entries) {
+            let place = label.from.and_then(|entry| self.touch_entries.binary_search(&(entry as u32)).ok());
+            let Some(at) = place.and_then(|place| places.get(place)) else { continue };
+            label.at = *at;
+            self.view.labels.push(label);
+        }
     }
 
     /// What is to be seen of solids on which nothing happens; `radius`: of the ball, mm.
@@ -374,7 +406,8 @@ impl Scene {
             if standing == 0 {
                 self.view.size = fit::size(&whole);
             }
-            self.view.standings.push(Standing { entry, places, whole: corners(&whole) });
+            let ground = fit::ground(below, self.view.turning);
+            self.view.standings.push(Standing { entry, places, whole: corners(&whole), ground });
         }
         own.iter().take(part.len()).map(|one| (one.high - one.low).max()).fold(f64::INFINITY, f64::min)
     }
@@ -387,7 +420,7 @@ impl Scene {
         let stylus = tool::stylus_radius(&setup.probe);
         self.view.probe = Probe { ball: setup.probe.radius, length: setup.probe.length, stylus, reach };
         self.view.in_use = in_use;
-        let mut clear = Vec::new();
+        let mut over = Vec::new();
         for (index, one) in tools.iter().enumerate() {
             let mut extent = Extent::default();
             for (matter, mesh) in tool::meshes(one, &setup.probe, reach) {
@@ -396,7 +429,7 @@ impl Scene {
                 }
                 match matter {
                     _ if self.stands.is_empty() => {}
-                    Matter::Body | Matter::Carrier => clear.push((mesh, matter, index)),
+                    Matter::Body | Matter::Ring | Matter::Carrier => over.push((mesh, matter, index)),
                     _ => self.add_mesh(&mesh, matter, None, Some(index)),
                 }
             }
@@ -408,7 +441,7 @@ impl Scene {
                 carried: !carrier.is_empty(),
             });
         }
-        for (mesh, matter, index) in clear {
+        for (mesh, matter, index) in over {
             self.add_mesh(&mesh, matter, None, Some(index));
         }
     }

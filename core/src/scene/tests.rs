@@ -409,3 +409,85 @@ fn a_dimension_carries_the_parameter_of_its_touch() {
     assert_eq!([20.1, 40.0, 50.0, 60.0].map(of), [Some(SETVAL), Some(TSA), Some(TSA), None]);
     assert_eq!(labels::explained(&[], &touches, V3::zeros(), V3::z(), 20.0), None);
 }
+
+/// A hole of 40 mm whose diameter is off by so much, measured towards +X by a ball that meets it.
+fn measured_hole(off: f64) -> Source {
+    let mut hole = solid(Shape::Hole { diameter: 40.0, depth: 25.0 });
+    hole.errors.size = off;
+    let mut source = happened(vec![hole], Vec::new());
+    let wall = 20.0 + off / 2.0;
+    let ball = wall - source.setup.probe.radius;
+    let at = |x: f64| [x, 0.0, -8.0];
+    let measuring = |from: f64, to: f64, kind| Step::Motion {
+        kind,
+        from: Mcs(at(from)),
+        to: Mcs(at(to)),
+        around: None,
+        feed: 300.0,
+    };
+    let touched = Step::Touch {
+        latched: Mcs(at(ball)),
+        ball: Mcs(at(ball)),
+        point: Mcs(at(wall)),
+        normal: Dir::new([-1.0, 0.0, 0.0]),
+        by: Touching::Ball,
+    };
+    let steps = [measuring(0.0, ball, MotionKind::Measuring), touched, measuring(ball, 0.0, MotionKind::Retract)];
+    source.outcome.trace.entries = steps.into_iter().map(entry).collect();
+    source
+}
+
+// oracle: hand (0.02 mm a hundred times is 2 mm: the wall lies 1 mm farther out than in a hole without errors)
+#[test]
+fn exaggerated_errors_move_the_touch_and_its_motion_and_leave_its_value() {
+    let source = measured_hole(0.02);
+    let scene = Scene::exaggerated(&source, 100.0);
+    let radius = source.setup.probe.radius;
+    assert_eq!(scene.view.exaggerated, Some(100.0));
+    near([scene.touches[0], scene.touches[1], scene.touches[2]], [21.0, 0.0, -8.0]);
+    assert!((scene.ways[3] - (21.0 - radius)).abs() < 1e-6 && (scene.ways[8] - (21.0 - radius)).abs() < 1e-6);
+    let told = scene.view.labels.iter().find(|label| label.kind == Kind::Touch).unwrap();
+    assert_eq!((said(told).as_str(), told.number), ("touch-value X+ 20.010", Some(1)));
+    near(told.at, [21.0, 0.0, -8.0]);
+    let nominal = scene.view.groups.iter().filter(|group| group.kind == LineKind::Nominal).count();
+    assert_eq!(nominal, 1);
+    assert_eq!(Scene::exaggerated(&source, 1.0), Scene::of(&source));
+}
+
+// oracle: hand (1 mm a thousand times would leave nothing of a part of 80 × 80 × 25 mm)
+#[test]
+fn errors_are_no_more_exaggerated_than_still_draws_the_part() {
+    let times = Scene::exaggerated(&measured_hole(1.0), 1000.0).view.exaggerated.unwrap();
+    assert!((10.0..40.0).contains(&times), "{times}");
+    assert_eq!(Scene::exaggerated(&measured_hole(0.0), 1000.0).view.exaggerated, Some(1000.0));
+}
+
+// oracle: hand (50 mm at 100 mm/min are half a minute; rapid traverse of 100 mm at 10 m/min is 0.6 s)
+#[test]
+fn motions_take_their_time_at_their_feed() {
+    let rapid = Step::Motion {
+        kind: MotionKind::Rapid,
+        from: Mcs([50.0, 0.0, 0.0]),
+        to: Mcs([150.0, 0.0, 0.0]),
+        around: None,
+        feed: 0.0,
+    };
+    let steps = [motion([0.0; 3], [50.0, 0.0, 0.0]), touch([50.0, 0.0, 0.0], Touching::Ball), rapid].map(entry);
+    let begins = paths::begins(&steps);
+    let wanted = [0.0, 30.0, 30.0, 30.6];
+    assert!(begins.iter().zip(wanted).all(|(found, wanted)| (found - wanted).abs() < 1e-9), "{begins:?}");
+}
+
+// oracle: hand (the second touch is at the place of the first; a cycle begins its own count)
+#[test]
+fn touches_are_numbered_in_their_call_and_shown_until_the_next_one() {
+    let call = || Step::CallBegin { cycle: "CYCLE977", variant: 1 };
+    let at = |x: f64| touch([x, 0.0, 5.0], Touching::Ball);
+    let entries = [call(), at(1.0), at(1.2), at(9.0), call(), at(3.0)].map(entry);
+    let setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+    let found = labels::touches(&setup.control, &entries);
+    let told: Vec<_> = found.iter().map(|label| (label.number, label.from, label.to)).collect();
+    let wanted = [(1, 1, Some(2)), (2, 2, Some(4)), (3, 3, Some(4)), (1, 5, None)];
+    assert_eq!(told, wanted.map(|(number, from, to)| (Some(number), Some(from), to)));
+    assert_eq!(said(&found[0]), "touch-value Z− 5.000");
+}

@@ -125,8 +125,23 @@ fn moved(pieces: Vec<Drawn>, tip: V3) -> Vec<Drawn> {
 }
 
 /// Radius of the body of a probe where nothing is told of it, and of a stylus, in radii of the ball.
-const BODY: f64 = 5.0;
+const BODY: f64 = 4.4;
 const USUAL: f64 = 0.45;
+/// Where the signal ring of a body lies, share of its length.
+const RING: [f64; 2] = [0.1, 0.24];
+/// Outline of what holds a body in a spindle, in radii of the body: distance from the axis and height above the body.
+const NOSE: [[f64; 2]; 10] = [
+    [0.7, 0.0],
+    [0.95, 0.25],
+    [1.2, 0.25],
+    [1.2, 0.5],
+    [1.04, 0.62],
+    [1.2, 0.74],
+    [1.2, 1.0],
+    [0.86, 1.0],
+    [0.98, 2.6],
+    [0.0, 2.6],
+];
 
 /// Of the stylus as it is drawn, mm.
 pub fn stylus_radius(probe: &Probe) -> f64 {
@@ -148,13 +163,14 @@ pub fn meshes(tool: &Tool, probe: &Probe, reach: f64) -> Vec<(Matter, Mesh)> {
         let cuts = matches!(piece, Drawn::Plate { cuts: true, .. });
         (if cuts { Matter::Ball } else { Matter::Stylus }, drawn(piece))
     });
-    let stylus = tool.ball.iter().flat_map(|axis| stylus(probe, *axis, reach));
+    let free = tool.carrier.is_empty() && tool.pieces.is_empty();
+    let stylus = tool.ball.iter().flat_map(|axis| stylus(probe, *axis, reach, free));
     let carrier = tool.carrier.iter().map(|piece| (Matter::Carrier, drawn(piece)));
     pieces.chain(stylus).chain(carrier).collect()
 }
 
-/// Ball and stylus, then the body. One of which nothing is known is seen through, and nothing touches it.
-fn stylus(probe: &Probe, axis: V3, reach: f64) -> Vec<(Matter, Mesh)> {
+/// Ball, stylus and body of a probe. Where nothing is told of the body, a usual one is drawn, which nothing touches.
+fn stylus(probe: &Probe, axis: V3, reach: f64, free: bool) -> Vec<(Matter, Mesh)> {
     let (r, thin) = (probe.radius, stylus_radius(probe));
     let round = |outline: &[[f64; 2]]| revolved(outline, axis, V3::zeros());
     let mut ball = Mesh::default();
@@ -162,16 +178,56 @@ fn stylus(probe: &Probe, axis: V3, reach: f64) -> Vec<(Matter, Mesh)> {
     let mut rows = solid::ball(r, solid::turns(2.0 * r, CHORD));
     rows.iter_mut().flatten().for_each(|vertex| *vertex = vertex.map(|one| own * one));
     ball.sheet(&rows, true);
-    let ball = (Matter::Ball, ball);
-    if let Some(body) = probe.body {
-        let end = probe.length.max(body.distance + body.radius);
-        let (radius, distance) = (body.radius, body.distance);
-        let outline = [[thin, distance.min(0.8 * r)], [thin, distance], [radius, distance], [radius, end], [0.0, end]];
-        return vec![ball, (Matter::Stylus, round(&outline))];
+    let begin = reach.min(0.8 * r);
+    let stem = round(&[[thin, begin], [thin, reach]]);
+    let body = body(probe, thin, reach);
+    let mut drawn = vec![(Matter::Ball, ball), (Matter::Stem, stem)];
+    drawn.extend(body.outlines().map(|(matter, outline)| (matter, round(&outline))));
+    if free {
+        drawn.push((Matter::Carrier, round(&body.nose())));
     }
-    let end = (reach + 6.0 * r).min(probe.length.max(4.0 * r)).max(reach + 9.0 * r);
-    let body = [[thin, reach], [BODY * r, reach + 3.0 * r], [BODY * r, end], [0.0, end]];
-    vec![ball, (Matter::Stylus, round(&[[thin, 0.8 * r], [thin, reach]])), (Matter::Body, round(&body))]
+    drawn
+}
+
+/// A probe body about its axis: where its lower face is, how wide that is there, where the cylinder begins, how wide
+/// that is, and where it ends, mm from the centre of the ball.
+struct BodyShape {
+    face: [f64; 2],
+    begins: f64,
+    radius: f64,
+    ends: f64,
+}
+
+fn body(probe: &Probe, thin: f64, reach: f64) -> BodyShape {
+    let r = probe.radius;
+    match probe.body {
+        Some(body) => {
+            let ends = probe.length.max(body.distance + body.radius);
+            BodyShape { face: [thin, body.distance], begins: body.distance, radius: body.radius, ends }
+        }
+        None => {
+            let ends = (reach + 9.0 * r).max((reach + 14.0 * r).min(probe.length));
+            BodyShape { face: [thin, reach], begins: reach + 3.0 * r, radius: BODY * r, ends }
+        }
+    }
+}
+
+impl BodyShape {
+    /// The body below, its signal ring, and the body above.
+    fn outlines(&self) -> impl Iterator<Item = (Matter, Vec<[f64; 2]>)> {
+        let BodyShape { face, begins, radius, ends } = *self;
+        let along = |part: f64| begins + part * (ends - begins);
+        let [low, high] = RING.map(along);
+        let lower = vec![face, [radius, begins], [radius, low]];
+        let upper = vec![[radius, high], [radius, ends], [0.0, ends]];
+        [(Matter::Body, lower), (Matter::Ring, vec![[radius, low], [radius, high]]), (Matter::Body, upper)].into_iter()
+    }
+
+    /// What holds the body in the spindle: a flange with its groove, and the nose above.
+    fn nose(&self) -> Vec<[f64; 2]> {
+        let (radius, ends) = (self.radius, self.ends);
+        NOSE.map(|[out, up]| [out * radius, ends + up * radius]).to_vec()
+    }
 }
 
 fn drawn(piece: &Drawn) -> Mesh {

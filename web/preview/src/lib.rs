@@ -10,6 +10,7 @@ mod layout;
 mod pipelines;
 mod renderer;
 mod scene;
+mod sky;
 mod target;
 
 pub use renderer::Renderer;

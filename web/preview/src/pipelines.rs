@@ -1,4 +1,5 @@
-//! The five ways of drawing: solid parts, clear parts, lines in sight, lines behind a part, clouds of points.
+//! The ways of drawing: the ground, solid parts, faded and clear ones, lines in sight, lines behind a part, clouds of
+//! points.
 
 use wgpu::{BindGroupLayout, CompareFunction, RenderPipeline};
 
@@ -8,8 +9,12 @@ use crate::target::DEPTH;
 
 /// All pipelines; they share one bind group.
 pub struct Pipelines {
+    /// The ground, behind everything.
+    pub ground: RenderPipeline,
     /// Parts that hide what is behind them.
     pub solid: RenderPipeline,
+    /// Parts that fade, as else they would hide another.
+    pub faded: RenderPipeline,
     /// Parts that are seen through.
     pub clear: RenderPipeline,
     /// Lines before the parts.
@@ -22,7 +27,7 @@ pub struct Pipelines {
 
 /// What the shaders find beside their vertices: the uniform block, and for a cloud its texture too.
 pub struct Bindings {
-    /// The uniform block.
+    /// The uniform block, and the map over the ground.
     pub view: BindGroupLayout,
     /// The texture that holds the points of a cloud.
     pub cloud: BindGroupLayout,
@@ -36,6 +41,7 @@ struct Way<'a> {
     layout: &'a wgpu::PipelineLayout,
     writes_depth: bool,
     compare: CompareFunction,
+    cull: Option<wgpu::Face>,
 }
 
 /// Compiles the pipelines.
@@ -52,13 +58,14 @@ pub fn build(gpu: &Gpu, bindings: &Bindings) -> Pipelines {
     let plain = layout(&[Some(&bindings.view)]);
     let with_cloud = layout(&[Some(&bindings.view), Some(&bindings.cloud)]);
     let make = |way: &Way<'_>| pipeline(gpu, &module, way);
-    let mesh = |writes_depth| Way {
+    let mesh = |fragment, writes_depth| Way {
         vertex: "mesh_vertex",
-        fragment: "mesh_fragment",
+        fragment,
         buffer: Some(layout::vertex()),
         layout: &plain,
         writes_depth,
         compare: CompareFunction::LessEqual,
+        cull: None,
     };
     let line = |fragment, compare| Way {
         vertex: "line_vertex",
@@ -67,6 +74,7 @@ pub fn build(gpu: &Gpu, bindings: &Bindings) -> Pipelines {
         layout: &plain,
         writes_depth: false,
         compare,
+        cull: None,
     };
     let point = Way {
         vertex: "point_vertex",
@@ -75,10 +83,22 @@ pub fn build(gpu: &Gpu, bindings: &Bindings) -> Pipelines {
         layout: &with_cloud,
         writes_depth: true,
         compare: CompareFunction::LessEqual,
+        cull: None,
+    };
+    let ground = Way {
+        vertex: "ground_vertex",
+        fragment: "ground_fragment",
+        buffer: None,
+        layout: &plain,
+        writes_depth: false,
+        compare: CompareFunction::LessEqual,
+        cull: None,
     };
     Pipelines {
-        solid: make(&mesh(true)),
-        clear: make(&mesh(false)),
+        ground: make(&ground),
+        solid: make(&mesh("mesh_fragment", true)),
+        faded: make(&Way { cull: Some(wgpu::Face::Back), ..mesh("mesh_faded_fragment", false) }),
+        clear: make(&mesh("mesh_fragment", false)),
         line: make(&line("line_fragment", CompareFunction::LessEqual)),
         hidden: make(&line("line_hidden_fragment", CompareFunction::Greater)),
         point: make(&point),
@@ -96,7 +116,7 @@ fn pipeline(gpu: &Gpu, module: &wgpu::ShaderModule, way: &Way<'_>) -> RenderPipe
             compilation_options: Default::default(),
             buffers: &buffers,
         },
-        primitive: wgpu::PrimitiveState::default(),
+        primitive: wgpu::PrimitiveState { cull_mode: way.cull, ..Default::default() },
         depth_stencil: Some(depth(way)),
         multisample: wgpu::MultisampleState { count: gpu.samples, ..Default::default() },
         fragment: Some(wgpu::FragmentState {

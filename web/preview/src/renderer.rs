@@ -1,20 +1,21 @@
 //! The one class that the page sees.
 
+use std::ops::Range;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use wasm_bindgen::prelude::wasm_bindgen;
 use web_sys::HtmlCanvasElement;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
-use wgpu::{BindGroup, BindGroupLayout, Buffer, CurrentSurfaceTexture, Device, RenderPass};
+use wgpu::{BindGroup, Buffer, CurrentSurfaceTexture, RenderPass};
 
 use crate::cloud::Cloud;
 use crate::gpu::Gpu;
-use crate::layout::UNIFORM_FLOATS;
+use crate::layout::{SKY_FLOATS, UNIFORM_FLOATS};
 use crate::pipelines::{Bindings, Pipelines};
 use crate::scene::Scene;
 use crate::target::Target;
-use crate::{cloud, gpu, pipelines, scene, target};
+use crate::{cloud, gpu, pipelines, scene, sky, target};
 
 /// Draws on one canvas. Every failure is a text; after one the page takes the next way of drawing.
 #[wasm_bindgen]
@@ -44,8 +45,8 @@ impl Renderer {
             contents: bytemuck::cast_slice(&[0.0_f32; UNIFORM_FLOATS]),
             usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
         });
-        let bindings = Bindings { view: bind_layout(&gpu.device), cloud: cloud::bind_layout(&gpu.device) };
-        let bind = bind_group(&gpu.device, &bindings.view, &uniforms);
+        let bindings = Bindings { view: sky::bind_layout(&gpu.device), cloud: cloud::bind_layout(&gpu.device) };
+        let bind = sky::bind(&gpu, &bindings.view, &uniforms, 1, &[0.0; SKY_FLOATS])?;
         Ok(Renderer {
             target: target::attach(&gpu),
             pipelines: pipelines::build(&gpu, &bindings),
@@ -60,19 +61,22 @@ impl Renderer {
         })
     }
 
-    /// Replaces what is drawn. Layouts: see `layout.rs`. `solid_corners`: how many of the corners belong to parts
-    /// that hide what is behind them; the rest is seen through.
+    /// Replaces what is drawn. Layouts: see `layout.rs`. `ends`: where in the corners the solid parts end, then what
+    /// stands and may fade, then what moves and may fade; the rest is seen through.
     ///
     /// # Errors
     /// More than the device holds.
-    pub fn set_scene(
-        &mut self,
-        vertices: &[f32],
-        corners: &[u32],
-        solid_corners: u32,
-        lines: &[f32],
-    ) -> Result<(), String> {
-        self.scene = scene::upload(&self.gpu.device, vertices, corners, solid_corners, lines)?;
+    pub fn set_scene(&mut self, vertices: &[f32], corners: &[u32], ends: &[u32], lines: &[f32]) -> Result<(), String> {
+        self.scene = scene::upload(&self.gpu.device, vertices, corners, ends, lines)?;
+        Ok(())
+    }
+
+    /// Replaces the map over the ground: rows of so many cells.
+    ///
+    /// # Errors
+    /// More than the device holds.
+    pub fn set_sky(&mut self, columns: u32, cells: &[f32]) -> Result<(), String> {
+        self.bind = sky::bind(&self.gpu, &self.bindings.view, &self.uniforms, columns, cells)?;
         Ok(())
     }
 
@@ -124,11 +128,12 @@ impl Renderer {
         self.target = target::attach(gpu);
     }
 
-    /// Draws one frame with the first `points` of the cloud.
+    /// Draws one frame with the first `points` of the cloud. `faded`: 1 if what stands and may fade does, 2 more if
+    /// what moves does.
     ///
     /// # Errors
     /// The device is lost.
-    pub fn render(&self, points: u32) -> Result<(), String> {
+    pub fn render(&self, points: u32, faded: u32) -> Result<(), String> {
         if let Some(reason) = self.gpu.fault.reason() {
             return Err(reason);
         }
@@ -144,7 +149,7 @@ impl Renderer {
                 ..Default::default()
             });
             pass.set_bind_group(0, &self.bind, &[]);
-            self.draw(&mut pass, points);
+            self.draw(&mut pass, points, faded);
         }
         self.gpu.queue.submit([encoder.finish()]);
         self.gpu.queue.present(frame);
@@ -204,10 +209,17 @@ impl Renderer {
         }
     }
 
-    /// Solid parts, the cloud, lines behind them, lines before them, clear parts.
-    fn draw(&self, pass: &mut RenderPass<'_>, points: u32) {
+    /// The ground, solid parts, the cloud, lines behind them, lines before them, faded and clear parts.
+    fn draw(&self, pass: &mut RenderPass<'_>, points: u32, faded: u32) {
         let scene = &self.scene;
-        self.draw_mesh(pass, &self.pipelines.solid, 0..scene.solid_corners);
+        let [solid, stands, moves, clear] = &scene.corners;
+        let fading = [(stands, faded & 1 != 0), (moves, faded & 2 != 0)];
+        pass.set_pipeline(&self.pipelines.ground);
+        pass.draw(0..6, 0..1);
+        self.draw_mesh(pass, &self.pipelines.solid, solid);
+        for (corners, _) in fading.iter().filter(|(_, fades)| !fades) {
+            self.draw_mesh(pass, &self.pipelines.solid, corners);
+        }
         if let Some(cloud) = &self.cloud {
             pass.set_bind_group(1, &cloud.bind, &[]);
             pass.set_pipeline(&self.pipelines.point);
@@ -220,11 +232,13 @@ impl Renderer {
             pass.set_pipeline(&self.pipelines.line);
             pass.draw(0..6, 0..scene.line_count);
         }
-        let clear = scene.solid_corners..scene.corners;
+        for (corners, _) in fading.iter().filter(|(_, fades)| *fades) {
+            self.draw_mesh(pass, &self.pipelines.faded, corners);
+        }
         self.draw_mesh(pass, &self.pipelines.clear, clear);
     }
 
-    fn draw_mesh(&self, pass: &mut RenderPass<'_>, pipeline: &wgpu::RenderPipeline, corners: std::ops::Range<u32>) {
+    fn draw_mesh(&self, pass: &mut RenderPass<'_>, pipeline: &wgpu::RenderPipeline, corners: &Range<u32>) {
         let Some((vertices, indices)) = &self.scene.mesh else {
             return;
         };
@@ -234,30 +248,6 @@ impl Renderer {
         pass.set_pipeline(pipeline);
         pass.set_vertex_buffer(0, vertices.slice(..));
         pass.set_index_buffer(indices.slice(..), wgpu::IndexFormat::Uint32);
-        pass.draw_indexed(corners, 0, 0..1);
+        pass.draw_indexed(corners.clone(), 0, 0..1);
     }
-}
-
-fn bind_layout(device: &Device) -> BindGroupLayout {
-    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-        label: None,
-        entries: &[wgpu::BindGroupLayoutEntry {
-            binding: 0,
-            visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
-            ty: wgpu::BindingType::Buffer {
-                ty: wgpu::BufferBindingType::Uniform,
-                has_dynamic_offset: false,
-                min_binding_size: None,
-            },
-            count: None,
-        }],
-    })
-}
-
-fn bind_group(device: &Device, layout: &BindGroupLayout, uniforms: &Buffer) -> BindGroup {
-    device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: None,
-        layout,
-        entries: &[wgpu::BindGroupEntry { binding: 0, resource: uniforms.as_entire_binding() }],
-    })
 }

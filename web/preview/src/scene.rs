@@ -1,5 +1,7 @@
 //! What is drawn: buffers made from the arrays of the page.
 
+use std::ops::Range;
+
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{Buffer, BufferUsages, Device};
 
@@ -8,12 +10,10 @@ use crate::layout::{LINE_FLOATS, VERTEX_FLOATS};
 /// Buffers of one scene; an absent buffer means that there is nothing of its kind.
 #[derive(Default)]
 pub struct Scene {
-    /// Vertices and triangle corners, solid parts first.
+    /// Vertices and triangle corners.
     pub mesh: Option<(Buffer, Buffer)>,
-    /// Corners of the solid parts.
-    pub solid_corners: u32,
-    /// Corners of all parts.
-    pub corners: u32,
+    /// Corners one behind the other: solid parts, what stands and may fade, what moves and may fade, clear parts.
+    pub corners: [Range<u32>; 4],
     /// Line instances.
     pub lines: Option<Buffer>,
     /// Number of them.
@@ -25,10 +25,12 @@ pub fn upload(
     device: &Device,
     vertices: &[f32],
     corners: &[u32],
-    solid_corners: u32,
+    ends: &[u32],
     lines: &[f32],
 ) -> Result<Scene, String> {
-    check(vertices, corners, solid_corners, lines)?;
+    let all = count(corners.len())?;
+    let ends: [u32; 3] = ends.try_into().map_err(|_| "corners: not three ends")?;
+    check(vertices, corners, [ends[0], ends[1], ends[2], all], lines)?;
     let mesh = (!corners.is_empty()).then(|| {
         (
             buffer(device, bytemuck::cast_slice(vertices), BufferUsages::VERTEX),
@@ -38,14 +40,13 @@ pub fn upload(
     let lines_buffer = (!lines.is_empty()).then(|| buffer(device, bytemuck::cast_slice(lines), BufferUsages::VERTEX));
     Ok(Scene {
         mesh,
-        solid_corners,
-        corners: count(corners.len())?,
+        corners: [0..ends[0], ends[0]..ends[1], ends[1]..ends[2], ends[2]..all],
         lines: lines_buffer,
         line_count: count(lines.len() / LINE_FLOATS)?,
     })
 }
 
-fn check(vertices: &[f32], corners: &[u32], solid: u32, lines: &[f32]) -> Result<(), String> {
+fn check(vertices: &[f32], corners: &[u32], ends: [u32; 4], lines: &[f32]) -> Result<(), String> {
     let vertex_count = count(vertices.len() / VERTEX_FLOATS)?;
     if !vertices.len().is_multiple_of(VERTEX_FLOATS) {
         return Err("vertices: incomplete vertex".into());
@@ -53,10 +54,10 @@ fn check(vertices: &[f32], corners: &[u32], solid: u32, lines: &[f32]) -> Result
     if !lines.len().is_multiple_of(LINE_FLOATS) {
         return Err("lines: incomplete line".into());
     }
-    if !corners.len().is_multiple_of(3) || !solid.is_multiple_of(3) {
+    if ends.iter().any(|end| !end.is_multiple_of(3)) {
         return Err("corners: incomplete triangle".into());
     }
-    if solid > count(corners.len())? || corners.iter().any(|&corner| corner >= vertex_count) {
+    if !ends.is_sorted() || corners.iter().any(|&corner| corner >= vertex_count) {
         return Err("corners: out of range".into());
     }
     Ok(())

@@ -10,7 +10,7 @@ import type { SceneData } from "./scene";
 
 /** `scene`: what is to be seen of a call that was carried out, made when it is first asked for. */
 export interface Formed extends FormView {
-  scene?: () => SceneData;
+  scene?: (times: number) => SceneData;
 }
 
 export interface FormCore {

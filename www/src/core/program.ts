@@ -47,7 +47,7 @@ export type Question =
   | ({ ask: "read" } & ReadRequest)
   | ({ ask: "change" } & ChangeRequest)
   | ({ ask: "convert" } & ConvertRequest)
-  | ({ ask: "run" } & RunRequest);
+  | ({ ask: "run"; times: number } & RunRequest);
 
 export interface ProgramCore extends FormCore {
   module: WebAssembly.Module; // for the workers
@@ -97,23 +97,30 @@ function formed(request: FormRequest): Formed {
     answer.free();
     return view;
   }
-  let scene: SceneData | undefined;
-  return { ...view, scene: () => (scene ??= sceneIn(answer) ?? NOTHING) };
+  const scenes = new Map<number, SceneData>();
+  const scene = (times: number): SceneData => {
+    const made = scenes.get(times) ?? sceneIn(answer, times);
+    scenes.set(times, made);
+    return made;
+  };
+  return { ...view, scene };
 }
 
-/** Takes the scene out of an answer, with which nothing else is done. */
-function sceneIn(answer: wasm.Answer): SceneData | undefined {
-  const scene = answer.scene();
-  answer.free();
-  return scene && takeScene(scene);
+/** The scene of an answer, in which the errors of the part are so many times as large. */
+function sceneIn(answer: wasm.Answer, times: number): SceneData {
+  const scene = answer.scene(times);
+  return scene ? takeScene(scene) : NOTHING;
 }
 
 const PIECE = 500; // blocks between two looks at the clock
 const SLICE = 40; // ms between two messages of others
 
-/** Runs a program. Before each slice `between` is told how much is done, and the run waits for it. */
+/**
+ * Runs a program; errors of the part are drawn so many times as large. Before each slice `between` is told how much is
+ * done, and the run waits for it.
+ */
 export async function runInPieces(
-  { ask: _, ...request }: RunRequest & { ask: "run" },
+  { ask: _, times, ...request }: RunRequest & { ask: "run"; times: number },
   between: (share: number) => Promise<void>,
 ): Promise<{ json: string; scene: SceneData }> {
   const run = new wasm.Run(JSON.stringify(request));
@@ -123,7 +130,10 @@ export async function runInPieces(
     while (!over && performance.now() < until) over = run.advance(PIECE);
   }
   const answer = run.finish();
-  return { json: answer.view(), scene: sceneIn(answer) ?? NOTHING };
+  const scene = sceneIn(answer, times);
+  const json = answer.view();
+  answer.free();
+  return { json, scene };
 }
 
 function setupOf(text: string): Setup | { why: string } {

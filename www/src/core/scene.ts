@@ -18,7 +18,8 @@ export type {
 
 /**
  * vertices: 6 numbers each, place in the frame of the piece and normal; lines: 6; ways: 8, with the parts of the motion
- * between which they are travelled; touches: 6, point and normal; stands: 3 an entry, where it leaves the probe.
+ * between which they are travelled; touches: 6, point and normal; stands: 3 an entry, where it leaves the probe;
+ * begins: 1 an entry and one for the end, s.
  * Written by hand, as these are no JSON: the module hands each out by a method of its own (web/src/scene.rs), of which
  * its declaration tells the type.
  */
@@ -34,6 +35,7 @@ export interface SceneData {
   touchEntries: Uint32Array;
   touchSorts: Uint8Array;
   stands: Float64Array;
+  begins: Float64Array;
 }
 
 /** Takes it out of the module. */
@@ -50,6 +52,7 @@ export function takeScene(source: SceneSource): SceneData {
     touchEntries: source.touch_entries().slice(),
     touchSorts: source.touch_sorts().slice(),
     stands: source.stands().slice(),
+    begins: source.begins().slice(),
   };
   source.free();
   return data;
@@ -72,6 +75,7 @@ export const NOTHING: SceneData = {
           [-20, -20, -20],
           [20, 20, 20],
         ],
+        ground: [-20, 5],
       },
     ],
     tools: [],
@@ -95,6 +99,7 @@ export const NOTHING: SceneData = {
   touchEntries: new Uint32Array(),
   touchSorts: new Uint8Array(),
   stands: new Float64Array(),
+  begins: new Float64Array(1),
 };
 
 /** Three numbers of an array. */

@@ -43,7 +43,7 @@ export interface Derived {
   style: Style; // of the snippet
   run: RunView | null; // only while the program's motions are shown
   trace: Trace | null;
-  scene: (() => SceneData) | null; // what is to be seen of it
+  scene: ((times: number) => SceneData) | null; // what is to be seen of it, with errors so many times as large
   step: number; // of the trace, from 0; within it
   problems: Diagnostic[]; // of the program, by place
 }

@@ -13,19 +13,21 @@ export function askRun(runner: Aside, state: State, { view, program: text }: Der
   if (state.view.source !== "program") return;
   const opened = state.machine.setup?.control === control ? state.machine.setup : undefined;
   const setup = opened ?? (view.setup ? beginningIn(view.setup, programPlane(state)) : programMachine(state).setup);
-  const done = isCurrent(ran, state) && ran?.setup === setup;
-  if (!done && !isCurrent(stoppedRun, state)) runner.want({ ask: "run", control, text, ...(setup ? { setup } : {}) });
+  const { errors: times } = state.view;
+  const done = isCurrent(ran, state) && ran?.setup === setup && ran?.times === times;
+  if (!done && !isCurrent(stoppedRun, state))
+    runner.want({ ask: "run", control, text, times, ...(setup ? { setup } : {}) });
 }
 
 /** With what a run did, or why there is nothing. */
 export function withRun(answered: Answered | null, state: State): State {
   if (answered?.question.ask !== "run" || !isCurrent(answered.question, state)) return state;
   const {
-    question: { control, text, setup },
+    question: { control, text, setup, times },
     json,
     scene,
     problem,
   } = answered;
   if (json === undefined || !scene) return patched(state, { run: { stopped: { control, text, why: problem ?? "" } } });
-  return patched(state, { run: { done: { control, text, setup, view: JSON.parse(json) as RunView, scene } } });
+  return patched(state, { run: { done: { control, text, setup, times, view: JSON.parse(json) as RunView, scene } } });
 }

@@ -7,9 +7,14 @@ export type Rgba = [number, number, number, number];
 export interface Colours {
   background: string;
   part: string;
+  cut: string; // where a part is cut open
   edge: string;
   grid: string;
   stylus: string;
+  stem: string;
+  body: string;
+  ring: string;
+  chuck: string;
   ball: string;
   rapid: string;
   positioning: string;
@@ -25,21 +30,32 @@ export interface Colours {
   axisY: string;
   axisZ: string;
   text: string;
+  nominal: string; // a part without its errors
+  chip: string; // value of a touch: its ground, edge, number and ink
+  chipEdge: string;
+  chipNumber: string;
+  chipInk: string;
+  chipPresent: string; // number of the present one
   lit: string; // what belongs to the focused field
 }
 
 export const LIGHT: Colours = {
-  background: "#f4f5f6",
-  part: "#cfd4d9",
-  edge: "#5c6670",
+  background: "#f1f3f6",
+  part: "#c6cdd4",
+  cut: "#d98a54",
+  edge: "#4d5762",
   grid: "#d9dde1",
-  stylus: "#7c8791",
-  ball: "#b3263c",
+  stylus: "#98a2ac",
+  stem: "#f3f1ec",
+  body: "#23272d",
+  ring: "#35c47c",
+  chuck: "#7c8791",
+  ball: "#c01830",
   rapid: "#1f6fb8",
-  positioning: "#6b7680",
-  measuring: "#d96b00",
-  retract: "#e0a866",
-  touch: "#1b2127",
+  positioning: "#5b6f8a",
+  measuring: "#f59e0b",
+  retract: "#d9a860",
+  touch: "#9a3d00",
   crash: "#c0007a",
   zone: "#b57900",
   outside: "#c0460a",
@@ -49,21 +65,32 @@ export const LIGHT: Colours = {
   axisY: "#3d7d5a",
   axisZ: "#2f5fa8",
   text: "#2a323a",
+  nominal: "#2353d1",
+  chip: "#ffffff",
+  chipEdge: "#808a99",
+  chipNumber: "#fff3dc",
+  chipInk: "#9a4d00",
+  chipPresent: "#14181f",
   lit: "#b3400f",
 };
 
 export const DARK: Colours = {
   background: "#15191d",
   part: "#6f7982",
-  edge: "#b4bec8",
+  cut: "#b9703f",
+  edge: "#0c1014",
   grid: "#2a3138",
-  stylus: "#a9b4be",
-  ball: "#d8425a",
+  stylus: "#8b959f",
+  stem: "#e6e3dc",
+  body: "#2a2f36",
+  ring: "#3ddc8c",
+  chuck: "#5c6670",
+  ball: "#d41c38",
   rapid: "#5fb0f5",
-  positioning: "#9aa6b1",
-  measuring: "#ff9d3c",
+  positioning: "#8fa3bf",
+  measuring: "#f59e0b",
   retract: "#c98f4e",
-  touch: "#f3f6f8",
+  touch: "#ffdfae",
   crash: "#ff5cc0",
   zone: "#f0c060",
   outside: "#ff8a4a",
@@ -73,6 +100,12 @@ export const DARK: Colours = {
   axisY: "#7bc79d",
   axisZ: "#84aef0",
   text: "#dbe2e8",
+  nominal: "#84a9ff",
+  chip: "#14191f",
+  chipEdge: "#6d7887",
+  chipNumber: "#33260f",
+  chipInk: "#ffb84d",
+  chipPresent: "#14181f",
   lit: "#ff9a6a",
 };
 

@@ -12,6 +12,7 @@ export interface Content {
   colours: Colours;
   step: Step;
   drawing: boolean; // diameters of a turned part as on a drawing
+  section: boolean; // the part is cut open
   focus: string | null; // parameter whose dimension stands out
 }
 /** Entry `index` of the trace is done to `fraction` (0 … 1). */
@@ -36,6 +37,6 @@ export function sameScene(data: SceneData, a: Step, b: Step): boolean {
   );
 }
 
-export function sceneOf({ data, colours, step, drawing, focus }: Content, say: Say | undefined): Scene {
-  return buildScene(data, colours, { index: step.index, drawing, focus, ...(say && { say }) });
+export function sceneOf({ data, colours, step, drawing, section, focus }: Content, say: Say | undefined): Scene {
+  return buildScene(data, colours, { index: step.index, drawing, section, focus, ...(say && { say }) });
 }

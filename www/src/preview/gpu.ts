@@ -1,21 +1,28 @@
 // WebGPU and WebGL2: the same drawing code in two builds, of which the browser loads the one that it can run.
 // An adapter alone proves nothing, the canvas may stay blank: a picture is drawn and its pixels are looked at first.
+
+import type { Vec3 } from "../wire";
 import type { Backend, BackendName, Cloud, Frame, Hooks } from "./backend";
 import { COMING, dotSize } from "./backend";
-import { basis, matrix } from "./camera";
+import { basis, type Camera, eye, matrix } from "./camera";
 import { parse } from "./colours";
+import { createEffects } from "./effects";
+import { fadedFor } from "./fade";
+import { stands } from "./ground";
 import { packLines, packVertices } from "./mesh";
 import { createPoints, type PointRenderer } from "./points";
 import type { Scene } from "./scene";
+import { sectionOf } from "./section";
 import { dot, length, sub } from "./vec";
 
 /** The exports of web/preview that are used here. */
 interface Renderer extends PointRenderer {
-  set_scene(vertices: Float32Array, corners: Uint32Array, solidCorners: number, lines: Float32Array): void;
+  set_scene(vertices: Float32Array, corners: Uint32Array, ends: Uint32Array, lines: Float32Array): void;
+  set_sky(columns: number, cells: Float32Array): void;
   set_view(uniforms: Float32Array): void;
   set_background(r: number, g: number, b: number): void;
   resize(width: number, height: number): void;
-  render(points: number): void;
+  render(points: number, faded: number): void;
   free(): void;
 }
 interface Module {
@@ -26,7 +33,7 @@ interface Module {
 const LOST_EVENT = "probewright-preview-lost";
 const PROBE_SIZE = 64;
 const DEPTH_BIAS = 0.0015;
-const NO_CLOUD = new Array<number>(20).fill(0);
+const NOTHING_MORE = new Array<number>(44).fill(0);
 
 const load: Record<"webgpu" | "webgl2", () => Promise<Module>> = {
   webgpu: () => import("@pkg/preview-webgpu/preview.js") as Promise<Module>,
@@ -66,18 +73,20 @@ async function available(name: BackendName): Promise<void> {
 // top.
 
 async function prove(renderer: Renderer, canvas: HTMLCanvasElement): Promise<void> {
-  const face = (x: number, y: number) => [x, y, 0, 0, 0, 1, 0.1, 0.8, 0.2, 1, 0];
+  const face = (x: number, y: number) => [x, y, 0, 0, 0, 1, 0.1, 0.8, 0.2, 1, 0, 0];
   const vertices = Float32Array.from([...face(-1, -1), ...face(0, -1), ...face(0, 1), ...face(-1, 1)]);
   const line = Float32Array.from([-1, 0.75, 0.5, 1, 0.75, 0.5, 1, 0.5, 0, 1, 10, 0, -1, 0, 0, 1]);
   const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -0.5, 0, 0, 0, 0.5, 1];
-  const axes = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0];
-  renderer.set_scene(vertices, Uint32Array.of(0, 1, 2, 0, 2, 3), 6, line);
-  renderer.set_view(Float32Array.from([...identity, ...axes, PROBE_SIZE, PROBE_SIZE, 0, 1, 0, 0, 0, 0, ...NO_CLOUD]));
+  const axes = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1000]; // and the eye
+  renderer.set_scene(vertices, Uint32Array.of(0, 1, 2, 0, 2, 3), Uint32Array.of(6, 6, 6), line);
+  renderer.set_view(
+    Float32Array.from([...identity, ...axes, PROBE_SIZE, PROBE_SIZE, 0, 1, 0, 0, 0, 0, ...NOTHING_MORE]),
+  );
   renderer.set_background(0.2, 0.2, 0.6);
-  renderer.render(0);
+  renderer.render(0, 0);
   look(canvas);
   await shown();
-  renderer.render(0);
+  renderer.render(0, 0);
   look(canvas);
 }
 
@@ -103,6 +112,20 @@ function backend(name: "webgpu" | "webgl2", canvas: HTMLCanvasElement, renderer:
   let scene: Scene | null = null;
   const points = createPoints(renderer, hooks);
   let size: [number, number] = [0, 0];
+  const effects = createEffects(renderer, hooks);
+  let full = true; // what the device has is for all effects
+  /** Gives the device what it needs of a scene. */
+  const hand = (next: Scene, ratio: number): void => {
+    full = effects.all;
+    const lines = full ? next.lines.filter(({ style }) => !style.onGround) : next.lines;
+    renderer.set_scene(
+      packVertices(next.mesh, next.origin),
+      next.mesh.corners,
+      Uint32Array.from(next.ends),
+      packLines(lines, next.origin, ratio),
+    );
+    if (full) renderer.set_sky(next.ground.columns, next.ground.cells());
+  };
   const stop = new AbortController();
   canvas.addEventListener("webglcontextlost", () => hooks.lost("WebGL context lost"), { signal: stop.signal });
   window.addEventListener(LOST_EVENT, () => hooks.lost(), { signal: stop.signal });
@@ -113,12 +136,7 @@ function backend(name: "webgpu" | "webgl2", canvas: HTMLCanvasElement, renderer:
       scene = next;
       const [r, g, b] = parse(next.colours.background);
       renderer.set_background(r, g, b);
-      renderer.set_scene(
-        packVertices(next.mesh, next.origin),
-        next.mesh.corners,
-        next.solidCorners,
-        packLines(next.lines, next.origin, ratio),
-      );
+      hand(next, ratio);
     },
     setCloud: cloud => points.set(cloud),
     draw(frame) {
@@ -130,14 +148,17 @@ function backend(name: "webgpu" | "webgl2", canvas: HTMLCanvasElement, renderer:
         [canvas.width, canvas.height] = size = [width, height];
         renderer.resize(width, height);
       }
+      if (full !== effects.all) hand(scene, frame.ratio);
       const count = points.bring();
-      renderer.set_view(uniforms(scene, frame, width, height, points.cloud, count));
-      renderer.render(count);
-      points.follow();
+      renderer.set_view(uniforms(scene, frame, [width, height], points.cloud, count, full));
+      renderer.render(count, fadedFor(scene, frame));
+      if (points.cloud) points.follow();
+      else effects.follow(width * height);
     },
     destroy() {
       stop.abort();
       points.end();
+      effects.end();
       canvas.remove();
       renderer.free();
     },
@@ -148,24 +169,25 @@ function backend(name: "webgpu" | "webgl2", canvas: HTMLCanvasElement, renderer:
 function uniforms(
   scene: Scene,
   frame: Frame,
-  width: number,
-  height: number,
+  [width, height]: [number, number],
   cloud: Cloud | null,
   count: number,
+  full: boolean,
 ): Float32Array {
   const camera = { ...frame.camera, target: sub(frame.camera.target, scene.origin) };
   const { right, up, back } = basis(camera);
   const reach = scene.radius + Math.abs(dot(camera.target, back)) + length(camera.target);
+  const from = eye(camera, frame.view, reach);
   const { colours } = scene;
   const probe = frame.probe ? sub(frame.probe, scene.origin) : [0, 0, 0];
   return Float32Array.from([
     ...matrix(camera, frame.view, reach),
     ...right,
-    0,
+    from[0],
     ...up,
-    0,
+    from[1],
     ...back,
-    0,
+    from[2],
     width,
     height,
     frame.time,
@@ -178,8 +200,32 @@ function uniforms(
     ...parse(colours.level),
     ...parse(colours.inside),
     cloud?.full ?? 1,
+    full ? 1 : 0,
+    scene.radius,
     0,
-    0,
-    0,
+    ...onGround(scene, back, full),
+    ...parse(colours.grid),
+    ...beyond(scene, frame.camera),
+    ...parse(colours.cut),
   ]);
+}
+
+/** Twelve numbers: where the map over the ground lies, the ground, and its grid; from below there is no ground. */
+function onGround({ ground, origin }: Scene, back: Vec3, full: boolean): number[] {
+  const { turning, middle, size, height, spacing, radius, reaches } = ground;
+  const [u, v, up] = stands(origin, turning);
+  const low = [middle[0] - size / 2 - u, middle[1] - size / 2 - v];
+  const phase = [u, v].map(at => -(at - Math.floor(at / spacing) * spacing));
+  const seen = full && stands(back, turning)[2] > 0.02;
+  return [
+    ...[...low, 1 / size, 1 / size],
+    ...[height - up, spacing, seen ? radius : 0, turning ? 1 : 0],
+    ...[...phase, 1 / reaches[0], 1 / reaches[1]],
+  ];
+}
+
+/** Four numbers: the plane beyond which the part is cut away. */
+function beyond(scene: Scene, camera: Camera): number[] {
+  const plane = sectionOf(scene, camera);
+  return plane ? [...plane.normal, plane.distance - dot(plane.normal, scene.origin)] : [0, 0, 0, 1];
 }

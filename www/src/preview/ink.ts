@@ -4,34 +4,47 @@ import { type Colours, parse, type Rgba } from "./colours";
 import type { Style } from "./mesh";
 
 const BEHIND = 0.42; // opacity of paths behind a part
-const THROUGH: Partial<Record<Matter, number>> = { zone: 0.22, body: 0.4, carrier: 0.35 }; // else nothing shows through
 
-const INK: Record<Matter, keyof Colours> = {
-  part: "part",
-  cut: "part",
-  chuck: "stylus",
-  ball: "ball",
-  stylus: "stylus",
-  body: "stylus",
-  carrier: "stylus",
-  zone: "zone",
+/**
+ * How light plays on a surface: the numbers of web/preview/src/layout.rs. Only what is of the part itself is cut open.
+ */
+export const Finish = { flat: 0, part: 1, metal: 2, satin: 3, ceramic: 4, ruby: 5, luminous: 6 };
+
+/** When it hides nothing: `stands`, `moves`: it fades while it would hide what is measured; `clear`: seen through. */
+export type Layer = "solid" | "stands" | "moves" | "clear";
+export const LAYERS: Layer[] = ["solid", "stands", "moves", "clear"];
+
+const LOOKS: Record<Matter, { ink: keyof Colours; finish: keyof typeof Finish; layer: Layer; through?: number }> = {
+  part: { ink: "part", finish: "part", layer: "solid" },
+  cut: { ink: "part", finish: "part", layer: "solid" },
+  chuck: { ink: "chuck", finish: "metal", layer: "stands" },
+  ball: { ink: "ball", finish: "ruby", layer: "solid" },
+  stem: { ink: "stem", finish: "ceramic", layer: "solid" },
+  stylus: { ink: "stylus", finish: "metal", layer: "solid" },
+  body: { ink: "body", finish: "satin", layer: "moves" },
+  ring: { ink: "ring", finish: "luminous", layer: "moves" },
+  carrier: { ink: "stylus", finish: "metal", layer: "moves" },
+  zone: { ink: "zone", finish: "flat", layer: "clear", through: 0.22 },
 };
 
 export function colourOf(matter: Matter, colours: Colours): Rgba {
-  const [red, green, blue, alpha] = parse(colours[INK[matter]]);
-  return [red, green, blue, THROUGH[matter] ?? alpha];
+  const { ink, through } = LOOKS[matter];
+  const [red, green, blue, alpha] = parse(colours[ink]);
+  return [red, green, blue, through ?? alpha];
 }
 
-export const isClear = (matter: Matter): boolean => THROUGH[matter] !== undefined;
+export const finishOf = (matter: Matter): number => Finish[LOOKS[matter].finish];
+export const layerOf = (matter: Matter): Layer => LOOKS[matter].layer;
 
 const AXIS = { width: 2.5, through: 0.45 };
 const BEFORE = { width: 1.75, dash: 5, through: 0.45 };
 /** In the order in which they are drawn. */
 const LINES: Record<LineKind, Omit<Style, "colour"> & { ink: keyof Colours }> = {
-  grid: { ink: "grid", width: 1 },
-  edge: { ink: "edge", width: 1.25, through: 0.16 },
+  grid: { ink: "grid", width: 1, onGround: true },
+  edge: { ink: "edge", width: 1, cut: true },
   zone: { ink: "zone", width: 1.5, dash: 7, through: 0.5 },
   limit: { ink: "crash", width: 1.25, dash: 6, through: 0.7 },
+  nominal: { ink: "nominal", width: 1.75, dash: 9, through: 0.55 },
   axisX: { ink: "axisX", ...AXIS },
   axisY: { ink: "axisY", ...AXIS },
   axisZ: { ink: "axisZ", ...AXIS },
@@ -55,10 +68,10 @@ export function lineStyle(kind: LineKind, colours: Colours, lit: boolean): Style
 /** By the number that the core gives a kind of motion. */
 export function wayStyles(colours: Colours): Style[] {
   return [
-    { colour: parse(colours.rapid), width: 1.75, dash: 9, through: BEHIND },
-    { colour: parse(colours.positioning), width: 1.75, through: BEHIND },
-    { colour: parse(colours.measuring), width: 3.5, through: 0.6 },
-    { colour: parse(colours.retract), width: 1.5, through: BEHIND },
+    { colour: parse(colours.rapid), width: 2.25, dash: 9, through: BEHIND },
+    { colour: parse(colours.positioning), width: 3, through: BEHIND, tube: true },
+    { colour: parse(colours.measuring), width: 5, through: 0.6, tube: true },
+    { colour: parse(colours.retract), width: 2.25, through: BEHIND, tube: true },
   ];
 }
 

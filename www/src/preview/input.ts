@@ -80,8 +80,11 @@ type Point = { x: number; y: number };
 function dragged(camera: Camera, event: PointerEvent, before: Point, now: Point): Camera {
   const [dx, dy] = [now.x - before.x, now.y - before.y];
   const shifts = event.shiftKey || (event.buttons & 6) !== 0; // right or middle button
-  return shifts ? pan(camera, dx, dy) : orbit(camera, -dx * TURN, dy * TURN);
+  return shifts ? pan(camera, dx, dy) : turned(camera, dx, dy);
 }
+
+/** As a drag by so many CSS pixels turns it. */
+export const turned = (camera: Camera, dx: number, dy: number): Camera => orbit(camera, -dx * TURN, dy * TURN);
 
 /** Two fingers: what is between them stays between them. */
 function pinched(handle: Handle, before: Point, now: Point, other: Point): Camera {

@@ -21,6 +21,7 @@ export interface Label {
   beside?: boolean;
   during?: readonly [number, number];
   field?: string | undefined;
+  number?: number | undefined; // of a touch
 }
 
 /** Puts what the core says into words. */
@@ -37,6 +38,7 @@ const colourOf: Record<LabelKind, "text" | "touch" | "crash"> = {
   diameter: "text",
   nominal: "text",
   touched: "touch",
+  touch: "text",
   collision: "crash",
   size: "text",
   anchor: "text",
@@ -46,6 +48,7 @@ const PLACES: Record<LabelKind, (upper: boolean) => Partial<Label>> = {
   diameter: upper => ({ beside: true, raised: (upper ? UP : DOWN)[0] }),
   nominal: upper => ({ beside: true, raised: (upper ? UP : DOWN)[1] }),
   touched: () => ({ raised: ABOVE }),
+  touch: () => ({}),
   collision: () => ({ below: true }),
   size: () => ({ raised: OVER }),
   anchor: () => ({ raised: OVER }),
@@ -63,16 +66,25 @@ export function isWanted(
   { kind, field }: Pick<LineGroup, "kind" | "field"> | SceneLabel,
   { drawing, focus }: Wanted,
 ): boolean {
+  if (kind === "touch") return !drawing;
   return kind === "anchor" ? field === focus : drawing || !ON_DRAWINGS.includes(kind);
 }
 
-export function labelsOf(view: SceneView, colours: Colours, say: Say, wanted: Wanted): Label[] {
-  const shown = view.labels.filter(label => isWanted(label, wanted));
+/** `around`: entries of the trace of which paths are drawn. */
+export function labelsOf(
+  view: SceneView,
+  colours: Colours,
+  say: Say,
+  wanted: Wanted,
+  [first, end]: readonly [number, number] = [0, Infinity],
+): Label[] {
+  const near = ({ from = first, to = end }: SceneLabel): boolean => from < end && to >= first;
+  const shown = view.labels.filter(label => near(label) && isWanted(label, wanted));
   return [...letters(view, colours), ...shown.map(label => placed(label, colours, say, wanted))];
 }
 
 function placed(
-  { kind, at, text, upper = false, field, from, to = Infinity }: SceneLabel,
+  { kind, at, text, upper = false, number, field, from, to = Infinity }: SceneLabel,
   colours: Colours,
   say: Say,
   { focus }: Wanted,
@@ -84,6 +96,7 @@ function placed(
     ...PLACES[kind](upper),
     ...(from !== undefined && { during: [from, to] }),
     field,
+    number,
   };
 }
 

@@ -3,7 +3,9 @@ import type { Vec3 } from "../wire";
 import type { Rgba } from "./colours";
 import { sub } from "./vec";
 
-export const VERTEX_FLOATS = 11;
+export const VERTEX_FLOATS = 12;
+export const MOVES = 10; // place of the number that tells whether a vertex moves with the probe
+export const FINISH = 11; // place of its finish
 const LINE_FLOATS = 16;
 
 /** Vertices with their colours, in machine coordinates unless they move with the probe; three corners a triangle. */
@@ -20,6 +22,9 @@ export interface Style {
   entry?: number; // place in the trace; absent: always there
   during?: readonly [number, number]; // between which parts of its entry it is travelled; absent: the whole of it
   unseenBefore?: boolean; // else faint
+  tube?: boolean; // drawn as one
+  cut?: boolean; // cut away with the part
+  onGround?: boolean; // of the grid, which a device draws with the ground
   through?: number; // opacity behind a part
 }
 export interface Line {
@@ -39,6 +44,8 @@ export function packLines(lines: Line[], origin: Vec3, ratio: number): Float32Ar
       entry = -1,
       during: [begin, end] = [0, 1],
       unseenBefore = false,
+      tube = false,
+      cut = false,
       through = 0,
     } = style;
     const numbers = [
@@ -48,7 +55,7 @@ export function packLines(lines: Line[], origin: Vec3, ratio: number): Float32Ar
       width * ratio,
       dash * ratio,
       entry + begin,
-      unseenBefore ? 1 : 0,
+      (unseenBefore ? 1 : 0) + (tube ? 2 : 0) + (cut ? 4 : 0),
       through,
       end - begin,
     ];
@@ -61,7 +68,7 @@ export function packLines(lines: Line[], origin: Vec3, ratio: number): Float32Ar
 export function packVertices({ vertices }: Mesh, origin: Vec3): Float32Array {
   const packed = new Float32Array(vertices);
   for (let i = 0; i < packed.length; i += VERTEX_FLOATS) {
-    if (vertices[i + VERTEX_FLOATS - 1] === 1) continue;
+    if (vertices[i + MOVES] === 1) continue;
     for (let axis = 0; axis < 3; axis++) packed[i + axis] = vertices[i + axis]! - origin[axis]!;
   }
   return packed;

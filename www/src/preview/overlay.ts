@@ -4,20 +4,20 @@ import { svg } from "../dom";
 import { type Drawn, drawInto } from "../draw";
 import type { Frame } from "./backend";
 import { basis, projector } from "./camera";
+import { chipsOf, drawChip } from "./chips";
 import type { Colours } from "./colours";
-import { readingText } from "./labels";
+import { type Label, readingText } from "./labels";
+import { around, near, placed, type Rect, type Spot, type Words } from "./places";
 import type { Scene } from "./scene";
 import { swept } from "./sweep";
-import { add } from "./vec";
+import { add, times } from "./vec";
 
 const CORNER = { x: 46, y: 44 }; // CSS pixels from the lower left corner
 const ARM = 24;
 const SMALLEST = 4; // radius of the ring around the ball
 const BELOW = 18; // from an origin to its name
-const LINE = 14; // from one name to the next
 const BESIDE = 6; // from a place to the words that begin or end beside it
 const READING = 26; // from the ring up to the reading, clear of a touched diameter
-const NEAR = 80; // names that are closer than this side by side would touch
 
 export function overlay(host: HTMLElement): SVGSVGElement {
   const element = svg("svg", { "aria-hidden": "true" });
@@ -32,13 +32,14 @@ export function overlay(host: HTMLElement): SVGSVGElement {
   return element;
 }
 
-export function drawOverlay(element: SVGSVGElement, scene: Scene, frame: Frame): void {
+/** `taken`: what covers the view, where no words should stand. */
+export function drawOverlay(element: SVGSVGElement, scene: Scene, frame: Frame, taken: readonly Rect[] = []): void {
   drawInto(element, [
     ...swept(scene, frame),
     ...ring(scene, frame),
-    ...names(scene, frame),
+    ...names(element, scene, frame, taken),
     ...reading(scene, frame),
-    ...triad(scene.colours, frame),
+    ...triad(scene.colours, frame, taken),
   ]);
 }
 
@@ -46,8 +47,8 @@ export function drawOverlay(element: SVGSVGElement, scene: Scene, frame: Frame):
 function ring(scene: Scene, { camera, view, probe }: Frame): Drawn[] {
   if (!probe) return [];
   const { tool } = scene;
-  const { x, y } = projector(camera, view)(tool ? add(probe, tool.tip) : probe);
-  const r = ringRadius(scene, camera.scale);
+  const { x, y, scale } = projector(camera, view)(tool ? add(probe, tool.tip) : probe);
+  const r = ringRadius(scene, scale);
   const circle = (stroke: string, width: number): Drawn => ({
     tag: "circle",
     attributes: { cx: x, cy: y, r, fill: "none", stroke, "stroke-width": width },
@@ -63,30 +64,75 @@ function reading(scene: Scene, { camera, view, probe }: Frame): Drawn[] {
   const { data, colours, drawing: shown } = scene;
   const { reading: counts } = data.view;
   if (!shown || !counts || !probe) return [];
-  const { x, y } = projector(camera, view)(probe);
-  return [text(x, y - ringRadius(scene, camera.scale) - READING, readingText(counts, probe), colours.text, colours)];
+  const { x, y, scale } = projector(camera, view)(probe);
+  return [text(x, y - ringRadius(scene, scale) - READING, readingText(counts, probe), colours.text, colours)];
 }
 
-/** One below the other where several coordinate systems have their origins at one place. */
-function names(scene: Scene, frame: Frame): Drawn[] {
+const HEIGHT = 14; // of a line of words
+let brush: CanvasRenderingContext2D | null | undefined;
+const widths = new Map<string, number>();
+
+function widthOf(words: string, host: Element): number {
+  const known = widths.get(words);
+  if (known !== undefined) return known;
+  brush ??= document.createElement("canvas").getContext("2d");
+  if (brush) brush.font = `600 12px ${getComputedStyle(host).fontFamily || "sans-serif"}`;
+  const width = brush?.measureText(words).width ?? 7 * words.length;
+  widths.set(words, width);
+  return width;
+}
+
+/** Names, and chips of the touches: none lies on another, on the ball, or on what covers the view. */
+function names(host: Element, scene: Scene, frame: Frame, taken: readonly Rect[]): Drawn[] {
   const project = projector(frame.camera, frame.view);
-  const taken: { x: number; y: number }[] = [];
   const there = scene.labels.filter(({ during }) => !during || (frame.time > during[0] && frame.time <= during[1]));
-  return there.map(({ at, text: words, colour, below, aside, beside, raised = 0, field }) => {
-    const place = project(at);
-    const spot = { x: place.x + (beside ? BESIDE : aside ? -BESIDE : 0), y: place.y + (below ? BELOW : -raised) };
-    while (below && taken.some(({ x, y }) => Math.abs(x - spot.x) < NEAR && Math.abs(y - spot.y) < LINE))
-      spot.y += LINE;
-    if (below) taken.push(spot);
-    const anchor = beside ? "start" : aside ? "end" : "middle";
-    const { attributes, ...drawn } = text(spot.x, spot.y, words, colour, scene.colours, anchor);
-    return { ...drawn, attributes: { ...attributes, ...(field && { "data-field": field }) } };
-  });
+  const words = there.filter(({ number }) => number === undefined).map(label => named(label, project(label.at), host));
+  const chips = chipsOf(there, frame);
+  const held = heldBy(scene, frame);
+  const points = scene.touched.map(at => around(project(at), 6, 6));
+  const spots = placed([...words, ...chips], [...taken, ...held, ...points]);
+  return [
+    ...words.map(({ label }, i) => {
+      const { attributes, ...drawn } = text(spots[i]!.x, spots[i]!.y, label.text, label.colour, scene.colours);
+      return { ...drawn, attributes: { ...attributes, ...(label.field && { "data-field": label.field }) } };
+    }),
+    ...chips.flatMap((chip, i) => drawChip(chip, spots[words.length + i]!, scene.colours)),
+  ];
 }
 
-function triad(colours: Colours, frame: Frame): Drawn[] {
+const ROOM = 28; // kept free around the ball, CSS pixels
+const BODY = 5.3; // half of the width of a probe body that is kept free, in radii of the ball
+const STEP = 4; // from one place of the body to the next
+const TALL = 28; // height of the body
+
+/** What the ball and the body of the probe cover. */
+function heldBy({ tool, data }: Scene, { camera, view, probe }: Frame): Rect[] {
+  if (!probe) return [];
+  const project = projector(camera, view);
+  const axis = tool?.ball;
+  const { ball, reach } = data.view.probe;
+  const body = (up: number): Rect => {
+    const at = project(add(probe, times(axis!, reach + up * ball)));
+    return around(at, 2 * BODY * ball * at.scale, 2 * BODY * ball * at.scale);
+  };
+  const heights = Array.from({ length: TALL / STEP }, (_, i) => STEP * (i + 1));
+  return [around(project(probe), ROOM, ROOM), ...(axis ? heights.map(body) : [])];
+}
+
+/** A name with the places where it may stand. */
+function named(label: Label, at: Spot, host: Element): Words & { label: Label } {
+  const { below, aside, beside, raised = 0 } = label;
+  const width = widthOf(label.text, host);
+  const out = beside ? BESIDE + width / 2 : aside ? -BESIDE - width / 2 : 0;
+  const spot = { x: at.x + out, y: at.y + (below ? BELOW : -raised) };
+  return { label, width, height: HEIGHT, spots: near(spot, width, HEIGHT) };
+}
+
+function triad(colours: Colours, frame: Frame, taken: readonly Rect[]): Drawn[] {
   const { right, up, back } = basis(frame.camera);
-  const [x0, y0] = [CORNER.x, frame.view.height - CORNER.y];
+  const y0 = frame.view.height - CORNER.y;
+  const beside = taken.filter(({ left, bottom }) => left < 2 * CORNER.x && bottom > y0 - CORNER.y);
+  const x0 = Math.max(0, ...beside.map(({ right }) => right)) + CORNER.x;
   const axes = (["X", "Y", "Z"] as const).map((name, i) => ({
     name,
     dx: right[i]!,

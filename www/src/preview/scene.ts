@@ -12,18 +12,22 @@ import {
 } from "../core/scene";
 import type { Vec3 } from "../wire";
 import type { Colours } from "./colours";
-import { colourOf, isClear, lineStyle, rankOf, touchStyles, wayStyles } from "./ink";
+import { type Ground, groundOf } from "./ground";
+import { colourOf, finishOf, LAYERS, layerOf, lineStyle, rankOf, touchStyles, wayStyles } from "./ink";
 import { isWanted, type Label, labelsOf, type Say, type Wanted } from "./labels";
-import { type Line, type Mesh, type Style, VERTEX_FLOATS } from "./mesh";
+import { FINISH, type Line, type Mesh, MOVES, type Style, VERTEX_FLOATS } from "./mesh";
 import { drawnAround, probeAt, standingAt, toolIndexAt } from "./motion";
 import { add, type Box, boxCorners, centre, include, length, sub, times } from "./vec";
 
 export interface Scene {
   data: SceneData;
   colours: Colours;
-  mesh: Mesh; // solid parts first
-  solidCorners: number;
+  mesh: Mesh; // layer by layer
+  ends: number[]; // of the corners of each layer but the last
   lines: Line[];
+  ground: Ground;
+  section: boolean; // the part is cut open
+  touched: Vec3[]; // places of touches around the step
   labels: Label[];
   tool: Tool | undefined; // in use at this step
   drawing: boolean; // diameters are shown as on a drawing
@@ -35,13 +39,14 @@ export interface Scene {
 /** `index`: the entry around which paths are drawn. */
 export interface Shown extends Partial<Wanted> {
   index?: number;
+  section?: boolean;
   say?: Say;
 }
 
 export function buildScene(
   data: SceneData,
   colours: Colours,
-  { index = 0, drawing = false, focus = null, say = ({ key }) => key }: Shown = {},
+  { index = 0, drawing = false, section = false, focus = null, say = ({ key }) => key }: Shown = {},
 ): Scene {
   const { view } = data;
   const wanted: Wanted = { drawing, focus };
@@ -49,8 +54,7 @@ export function buildScene(
   const inUse = toolIndexAt(data, index);
   const tool = inUse === undefined ? undefined : view.tools[inUse];
   const pieces = view.pieces.filter(piece => piece.tool === undefined || piece.tool === inUse);
-  const solid = pieces.filter(({ matter }) => !isClear(matter));
-  const clear = pieces.filter(({ matter }) => isClear(matter));
+  const layers = LAYERS.map(layer => pieces.filter(({ matter }) => layerOf(matter) === layer));
   const groups = view.groups
     .filter(one => (one.standing ?? place) === place && isWanted(one, wanted))
     .sort((a, b) => rankOf(a.kind) - rankOf(b.kind));
@@ -61,13 +65,18 @@ export function buildScene(
     ...paths(data, index, colours),
   ];
   const box = boxOf(data, standing, tool, drawing);
+  const counts = layers.map(layer => layer.reduce((sum, { corners: [from, to] }) => sum + to - from, 0));
+  const mesh = assemble(data, layers.flat(), standing, colours);
   return {
     data,
     colours,
-    mesh: assemble(data, [...solid, ...clear], standing, colours),
-    solidCorners: solid.reduce((sum, { corners: [from, to] }) => sum + to - from, 0),
+    mesh,
+    ends: counts.slice(0, -1).map((_, i) => counts.slice(0, i + 1).reduce((sum, count) => sum + count, 0)),
+    ground: groundOf(mesh, standing, view.turning),
     lines,
-    labels: labelsOf(view, colours, say, wanted),
+    touched: lines.filter(({ from, to, style }) => from === to && style.unseenBefore).map(({ from }) => from),
+    labels: labelsOf(view, colours, say, wanted, drawnAround(index)),
+    section,
     tool,
     drawing,
     box,
@@ -97,6 +106,7 @@ function assemble({ vertices, corners }: SceneData, pieces: Piece[], standing: S
   } of pieces) {
     const place = index === undefined ? undefined : standing.places[index];
     const colour = colourOf(matter, colours);
+    const finish = finishOf(matter);
     for (let i = first; i < end; i++) mesh.corners[corner++] = corners[i]! - from + vertex;
     for (let i = from; i < to; i++, vertex++) {
       const normal = vec(vertices, 6 * i + 3);
@@ -104,7 +114,8 @@ function assemble({ vertices, corners }: SceneData, pieces: Piece[], standing: S
       mesh.vertices.set(at, VERTEX_FLOATS * vertex);
       mesh.vertices.set(place ? turned(place, normal) : normal, VERTEX_FLOATS * vertex + 3);
       mesh.vertices.set(colour, VERTEX_FLOATS * vertex + 6);
-      mesh.vertices[VERTEX_FLOATS * vertex + 10] = place ? 0 : 1;
+      mesh.vertices[VERTEX_FLOATS * vertex + MOVES] = place ? 0 : 1;
+      mesh.vertices[VERTEX_FLOATS * vertex + FINISH] = finish;
     }
   }
   return mesh;

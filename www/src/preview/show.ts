@@ -1,10 +1,15 @@
 // What is shown, from where, by which way of drawing and when: the four of them together.
+
+import { firstFrom, vec } from "../core/scene";
 import type { BackendName, Cloud, Frame } from "./backend";
+import { type Camera, projector } from "./camera";
 import { type Colours, LIGHT } from "./colours";
-import { type Content, EMPTY, lastStep, type Say, sceneOf } from "./content";
+import { type Content, EMPTY, lastStep, type Say, type Step, sceneOf } from "./content";
+import { flash } from "./flash";
 import { probeAt, toolAt } from "./motion";
 import { drawOverlay, overlay } from "./overlay";
 import { createPainter, type Painter } from "./painter";
+import type { Rect } from "./places";
 import type { Scene } from "./scene";
 import { createSight, type Sight } from "./sight";
 import { sizeOf } from "./stage";
@@ -26,11 +31,19 @@ export interface Show {
   /** Shows this part of it otherwise, with a new scene unless the old one still shows it. */
   change(part: Partial<Content>, same?: boolean): void;
   setCloud(cloud: Cloud | null): void;
+  onDraw(callback: (camera: Camera) => void): void;
+  /** What covers the view, where no words should stand. */
+  setTaken(taken: readonly Rect[]): void;
 }
 
 export async function createShow(stage: HTMLElement, options: ShowOptions): Promise<Show> {
   const letters = overlay(stage);
-  const painter = createPainter(() => draw(show, letters));
+  let taken: readonly Rect[] = [];
+  let drawn: (camera: Camera) => void = () => undefined;
+  const painter = createPainter(() => {
+    draw(show, letters, taken);
+    drawn(show.sight.camera);
+  });
   const ways = await openWays(stage, {
     replaced: adopt,
     again: painter.soon,
@@ -44,6 +57,7 @@ export async function createShow(stage: HTMLElement, options: ShowOptions): Prom
     colours: options.colours ?? LIGHT,
     step: lastStep(EMPTY),
     drawing: false,
+    section: false,
     focus: null,
   };
   let scene: Scene;
@@ -79,6 +93,7 @@ export async function createShow(stage: HTMLElement, options: ShowOptions): Prom
     sight,
     painter,
     change(part, same = false) {
+      if (part.step && same) flashed(show, part.step, stage);
       content = { ...content, ...part };
       if (!same) build();
       painter.now();
@@ -90,6 +105,14 @@ export async function createShow(stage: HTMLElement, options: ShowOptions): Prom
       ways.backend.setCloud(cloud);
       painter.now();
     },
+    setTaken(next) {
+      taken = next;
+      painter.soon();
+    },
+    onDraw(callback) {
+      drawn = callback;
+      painter.soon();
+    },
   };
   adopt();
   return show;
@@ -99,13 +122,28 @@ function fill(element: Element & ElementCSSInlineStyle): void {
   Object.assign(element.style, { position: "absolute", inset: "0", width: "100%", height: "100%", display: "block" });
 }
 
-function draw({ content, scene, ways, sight: { camera, view } }: Show, letters: SVGSVGElement): void {
+const SOON = 4; // steps that may lie between two frames of playing
+
+/** The touches between the last step and this one flash, where it is played and not leapt. */
+function flashed({ content, sight: { camera, view } }: Show, next: Step, stage: HTMLElement): void {
+  const { data, step, colours } = content;
+  if (next.index <= step.index || next.index > step.index + SOON) return;
+  const project = projector(camera, view);
+  for (let i = firstFrom(data.touchEntries, step.index + 1); data.touchEntries[i]! <= next.index; i++)
+    flash(stage, project(vec(data.touches, 6 * i)), colours.measuring);
+}
+
+function draw(
+  { content, scene, ways, sight: { camera, view } }: Show,
+  letters: SVGSVGElement,
+  taken: readonly Rect[],
+): void {
   const { index, fraction } = content.step;
   const probe = probeAt(content.data, index, fraction);
   const frame: Frame = { camera, view, ratio: devicePixelRatio, time: index + fraction, probe };
   try {
     ways.backend.draw(frame);
-    drawOverlay(letters, scene, frame);
+    drawOverlay(letters, scene, frame, taken);
   } catch (reason) {
     void ways.replace(reason);
   }

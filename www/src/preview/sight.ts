@@ -1,6 +1,6 @@
 // From where the scene is seen: what the user chose and moved, fitted again for as long as nobody moved it.
 import type { Vec3 } from "../wire";
-import { type Camera, fit, initial, turn, type ViewName, type Viewport } from "./camera";
+import { between, type Camera, fit, initial, turn, type ViewName, type Viewport } from "./camera";
 import type { Box } from "./vec";
 
 export interface Sight {
@@ -8,7 +8,12 @@ export interface Sight {
   readonly view: Viewport;
   move(camera: Camera): void;
   setView(name: ViewName): void;
+  /** In parallel or in central projection. */
+  project(central: boolean): void;
   fit(): void;
+  /** Whether it is on its way to another view. */
+  readonly turning: boolean;
+  end(): void;
   resize(view: Viewport): void;
   /** So many CSS pixels at the left are covered. */
   cover(width: number): void;
@@ -25,6 +30,10 @@ export interface Seen {
   changed(): void; // it is seen from elsewhere now
 }
 
+const EASE = 240; // ms
+const still = (): boolean => matchMedia("(prefers-reduced-motion: reduce)").matches;
+const eased = (part: number): number => part * part * (3 - 2 * part);
+
 const WIDE = 1.5; // width of a view over its height from which on there is room at its side
 const MOST_COVERED = 0.35; // of its width that is left free; what is broader covers the view anyway
 
@@ -35,9 +44,31 @@ export function createSight(view: Viewport, seen: Seen): Sight {
   let chosen: ViewName | null = "iso"; // until somebody moved the camera
 
   const beside = (): number => (view.width > WIDE * view.height && covered < MOST_COVERED * view.width ? covered : 0);
+  let easing = 0;
+  const stop = (): void => {
+    cancelAnimationFrame(easing);
+    easing = 0;
+  };
   const fitted = (): void => {
+    stop();
     camera = fit(camera, view, seen.box(), beside());
     seen.changed();
+  };
+  /** To where a change leads, not at once. */
+  const ease = (change: () => void): void => {
+    const from = camera;
+    change();
+    if (still()) return;
+    const to = camera;
+    const begun = performance.now();
+    const step = (now: number): void => {
+      const part = Math.min(1, Math.max(0, (now - begun) / EASE));
+      camera = part < 1 ? between(from, to, eased(part)) : to;
+      easing = part < 1 ? requestAnimationFrame(step) : 0;
+      seen.changed();
+    };
+    camera = from;
+    easing = requestAnimationFrame(step);
   };
   const look = (): void => {
     if (chosen) camera = turn(camera, chosen, seen.held());
@@ -49,7 +80,12 @@ export function createSight(view: Viewport, seen: Seen): Sight {
     get view() {
       return view;
     },
+    get turning() {
+      return easing !== 0;
+    },
+    end: stop,
     move(next) {
+      stop();
       camera = next;
       untouched = false;
       chosen = null;
@@ -58,12 +94,19 @@ export function createSight(view: Viewport, seen: Seen): Sight {
     setView(name) {
       chosen = name;
       untouched = true;
-      look();
+      ease(() => {
+        look();
+        fitted();
+      });
+    },
+    project(central) {
+      if (central === !!camera.central) return;
+      camera = { ...camera, central };
       fitted();
     },
     fit() {
       untouched = true;
-      fitted();
+      ease(fitted);
     },
     resize(next) {
       view = next;

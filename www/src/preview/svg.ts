@@ -7,10 +7,13 @@ import { type Backend, type Cloud, COMING, dotSize, type Frame, type Hooks } fro
 import { basis, type Projected, projector } from "./camera";
 import { css, parse, type Rgba } from "./colours";
 import { cover, type Depth, emptyDepth, hidden } from "./depth";
+import { fadedFor } from "./fade";
+import { Finish } from "./ink";
 import { shader } from "./light";
-import { type Line, type Mesh, VERTEX_FLOATS } from "./mesh";
+import { FINISH, type Line, type Mesh, MOVES, VERTEX_FLOATS } from "./mesh";
 import type { Scene } from "./scene";
-import { add, cross, dot, mix, sub, unit } from "./vec";
+import { isCut, sectionOf } from "./section";
+import { add, mix, times, unit } from "./vec";
 
 const PIECE = 5; // CSS pixels between two looks at whether a line is hidden
 const PIECES = 400; // at most so many looks a line
@@ -43,9 +46,19 @@ export function openSvg(host: HTMLElement, { thinned }: Pick<Hooks, "thinned">):
 function paint(element: SVGSVGElement, scene: Scene, cloud: Cloud | null, frame: Frame): void {
   const { width, height } = frame.view;
   const depth = emptyDepth(frame.view);
-  const solid = faces(scene, frame, 0, scene.solidCorners);
+  const faded = fadedFor(scene, frame);
+  const [end, stands, moves] = scene.ends as [number, number, number];
+  const layer = (from: number, to: number, bit: number) => ({
+    found: faces(scene, frame, from, to),
+    fades: faded & bit,
+  });
+  const fading = [layer(end, stands, 1), layer(stands, moves, 2)];
+  const solid = [faces(scene, frame, 0, end), ...fading.filter(({ fades }) => !fades).map(({ found }) => found)]
+    .flat()
+    .sort((a, b) => a.near - b.near);
   for (const { points } of solid) cover(depth, points);
-  const clear = faces(scene, frame, scene.solidCorners, scene.mesh.corners.length);
+  const through = fading.filter(({ fades }) => fades).flatMap(({ found }) => found.map(faint));
+  const clear = [...through, ...faces(scene, frame, moves, scene.mesh.corners.length)];
   const lines = scene.lines.flatMap(line => strokes(line, scene, frame, depth));
   element.setAttribute("viewBox", `0 0 ${width} ${height}`);
   const ground: Drawn = { tag: "rect", attributes: { width, height, fill: scene.colours.background } };
@@ -101,18 +114,29 @@ function faces(scene: Scene, frame: Frame, from: number, to: number): Face[] {
   const project = projector(frame.camera, frame.view);
   const directions = basis(frame.camera);
   const lit = shader(directions);
+  const plane = sectionOf(scene, frame.camera);
+  const cut = parse(scene.colours.cut);
   const found: Face[] = [];
   for (let i = from; i < to; i += 3) {
     const corners = [...scene.mesh.corners.subarray(i, i + 3)];
     const at = corners.map(corner => position(scene.mesh, corner, frame.probe)) as [Vec3, Vec3, Vec3];
-    if (dot(cross(sub(at[1], at[0]), sub(at[2], at[0])), directions.back) <= 0) continue;
-    const normal = unit(corners.map(corner => read(scene.mesh, corner, 3)).reduce(add));
     const points = at.map(project) as [Projected, Projected, Projected];
-    const near = (points[0].near + points[1].near + points[2].near) / 3;
-    found.push({ near, points, colour: lit(normal, paintOf(scene.mesh, corners[0]!)) });
+    const [a, b, c] = points;
+    const finish = scene.mesh.vertices[corners[0]! * VERTEX_FLOATS + FINISH];
+    const opened = plane && finish === Finish.part;
+    if (opened && isCut(plane, times(at.reduce(add), 1 / 3))) continue;
+    const near = (a.near + b.near + c.near) / 3;
+    if ((b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y) >= 0) {
+      if (opened) found.push({ near, points, colour: cut });
+      continue;
+    }
+    const normal = unit(corners.map(corner => read(scene.mesh, corner, 3)).reduce(add));
+    found.push({ near, points, colour: lit(normal, paintOf(scene.mesh, corners[0]!), finish) });
   }
   return found.sort((a, b) => a.near - b.near);
 }
+
+const faint = (face: Face): Face => ({ ...face, colour: [face.colour[0], face.colour[1], face.colour[2], 0.3] });
 
 /** A thin border of the same colour closes the seams between neighbours. */
 function polygon({ points, colour }: Face): Drawn {
@@ -132,7 +156,7 @@ function read({ vertices }: Mesh, corner: number, offset: number): Vec3 {
 
 function position(mesh: Mesh, corner: number, probe: Vec3 | null): Vec3 {
   const at = read(mesh, corner, 0);
-  const moves = mesh.vertices[corner * VERTEX_FLOATS + VERTEX_FLOATS - 1] === 1;
+  const moves = mesh.vertices[corner * VERTEX_FLOATS + MOVES] === 1;
   return moves && probe ? add(at, probe) : at;
 }
 
@@ -157,10 +181,13 @@ function spans({ from, to, style }: Line, time: number): { from: Vec3; to: Vec3;
 function strokes(line: Line, scene: Scene, frame: Frame, depth: Depth): Drawn[] {
   const project = projector(frame.camera, frame.view);
   const slack = SLACK * scene.radius;
+  const plane = line.style.cut ? sectionOf(scene, frame.camera) : null;
+  if (isCut(plane, mix(line.from, line.to, 0.5))) return [];
   return spans(line, frame.time).flatMap(({ from, to, opacity }) => {
     const [a, b] = [project(from), project(to)];
     const length = Math.hypot(b.x - a.x, b.y - a.y);
     const between = (t: number): Projected => ({
+      ...a,
       x: a.x + t * (b.x - a.x),
       y: a.y + t * (b.y - a.y),
       near: a.near + t * (b.near - a.near),

@@ -61,7 +61,7 @@ export function swept({ data, tool, colours }: Scene, { camera, view, time }: Fr
       fill,
       stroke: colour,
       opacity: THROUGH,
-      "stroke-width": 2 * radius * camera.scale,
+      "stroke-width": 2 * radius * low[0]!.scale,
       "stroke-linecap": "round",
       "stroke-linejoin": "round",
     },

@@ -1,18 +1,19 @@
 // The 3D view of a trace. Draws when something changed and never otherwise.
 import type { SceneData } from "../core/scene";
 import type { BackendName, Cloud } from "./backend";
-import type { Camera, ViewName } from "./camera";
+import { type Basis, basis, type Camera, turn, type ViewName } from "./camera";
 import type { Colours } from "./colours";
 import { EMPTY, lastStep, sameScene } from "./content";
-import { listen } from "./input";
+import { listen, turned } from "./input";
 import { pick } from "./pick";
+import type { Rect } from "./places";
 import { createShow, type Show, type ShowOptions } from "./show";
 import { makeStage, watchSize } from "./stage";
 import type { Refusal } from "./ways";
 
 export type { SceneData } from "../core/scene";
 export type { BackendName } from "./backend";
-export type { ViewName } from "./camera";
+export type { Camera, ViewName } from "./camera";
 export { type Colours, coloursFrom, DARK, LIGHT } from "./colours";
 export type { Refusal } from "./ways";
 
@@ -31,6 +32,16 @@ export interface Preview {
   /** Scanned points, over whatever else is shown. */
   setCloud(cloud: Cloud | null): void;
   setView(name: ViewName): void;
+  /** As if it was dragged by so many CSS pixels. */
+  turn(dx: number, dy: number): void;
+  /** In central projection, else in parallel projection. */
+  setCentral(central: boolean): void;
+  /** Directions of a standard view, of what is seen now where none is named. */
+  basisOf(name: ViewName | null): Basis;
+  /** Whether the camera is on its way. */
+  readonly turning: boolean;
+  /** Told whenever it was drawn. */
+  onDraw(callback: (camera: Camera) => void): void;
   fit(): void;
   /** What a screen reader says. */
   setLabel(label: string): void;
@@ -41,6 +52,10 @@ export interface Preview {
   setCovered(width: number): void;
   /** Diameters of a turned part as on a drawing. */
   setDrawing(shown: boolean): void;
+  /** The part is cut open. */
+  setSection(shown: boolean): void;
+  /** What covers the view, where no words should stand. */
+  setTaken(taken: readonly Rect[]): void;
   /** The dimension of this parameter stands out, where there is one. */
   setFocus(parameter: string | null): void;
   destroy(): void;
@@ -75,6 +90,14 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
       return sight.camera;
     },
     setView: sight.setView,
+    turn: (dx, dy) => sight.move(turned(sight.camera, dx, dy)),
+    basisOf: name => basis(name ? turn(sight.camera, name) : sight.camera),
+    setCentral: sight.project,
+    get turning() {
+      return sight.turning;
+    },
+    onDraw: show.onDraw,
+    setTaken: show.setTaken,
     fit: sight.fit,
     setCovered: sight.cover,
     setLabel: label => stage.setAttribute("aria-label", label),
@@ -83,6 +106,7 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
     },
     destroy() {
       show.painter.end();
+      sight.end();
       unwatch();
       silence();
       show.ways.end();
@@ -94,7 +118,7 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
 /** What may be shown otherwise, and what follows for the sight. */
 function changes(
   show: Show,
-): Pick<Preview, "setScene" | "setStep" | "setCloud" | "setColours" | "setDrawing" | "setFocus"> {
+): Pick<Preview, "setScene" | "setStep" | "setCloud" | "setColours" | "setDrawing" | "setSection" | "setFocus"> {
   return {
     setScene(data, colours = show.content.colours) {
       const first = show.content.data === EMPTY;
@@ -111,6 +135,9 @@ function changes(
       if (drawing === show.content.drawing) return;
       show.change({ drawing });
       show.sight.refit();
+    },
+    setSection(section) {
+      if (section !== show.content.section) show.change({ section });
     },
     setFocus(parameter) {
       const { data, focus } = show.content;

@@ -37,6 +37,7 @@ export interface Ran {
   control: Dialect;
   text: string;
   setup?: Setup | OwnMachine;
+  times?: number; // how many times as large the errors of the part are drawn
   view: RunView;
   scene: SceneData;
 }
@@ -143,6 +144,9 @@ export interface ViewState {
   playing: boolean;
   speed: number; // of playing
   diameters: boolean; // of a turned part, as on a drawing
+  errors: number; // how many times as large those of the part are drawn
+  section: boolean; // the part is cut open
+  central: boolean; // projection
 }
 
 /** The run of the program. */
@@ -246,6 +250,9 @@ export const NO_ERRORS: ErrorSliders = {
 /** Step of a trace that stands for its last: everything done, all touches to be seen. */
 export const AT_END = Number.MAX_SAFE_INTEGER;
 
+/** How many times as large the errors of a part can be drawn. */
+export const EXAGGERATIONS = [1, 10, 100, 1000];
+
 /** How fast motions are played; at the highest a run of a thousand calls takes two minutes. */
 export const SPEEDS = [0.5, 1, 2, 5, 20, 100];
 
@@ -290,7 +297,16 @@ export function firstState(): State {
       curing: null,
     },
     machine: { setup: null, own: {}, suits: {} },
-    view: { source: "form", step: AT_END, playing: false, speed: 1, diameters: false },
+    view: {
+      source: "form",
+      step: AT_END,
+      playing: false,
+      speed: 1,
+      diameters: false,
+      errors: 1,
+      section: false,
+      central: false,
+    },
     run: { done: null, stopped: null },
     scan: { made: null, problem: "" },
     panels: { panel: "form", left: "form", right: "results", tab: "outcome", unfolded: {}, outline: true },

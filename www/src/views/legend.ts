@@ -37,7 +37,7 @@ function present(trace: Trace | null): Kind[] {
   if (trace?.zones?.length) found.add("zone");
   if (trace?.limits?.length) found.add("limit");
   const moves = trace?.entries.some(({ step }) => step === "motion"); // else no tool is drawn
-  if (moves && trace?.tools?.some(({ carrier }) => carrier.length)) found.add("carrier");
+  if (moves && (!trace?.tools || trace.tools.some(({ ball, carrier }) => ball || carrier.length))) found.add("carrier");
   if (moves && (!trace?.tools || trace.tools.some(({ ball }) => ball))) found.add("swept");
   return KINDS.filter(kind => found.has(kind));
 }

@@ -1,15 +1,19 @@
 // The 3D view with its timeline. The drawing itself is loaded when it is first shown.
 
-import { NOTHING } from "../core/scene";
+import { NOTHING, type SceneData } from "../core/scene";
 import type { Derived } from "../desk/derive";
 import { el, on, setAttribute, setText, show } from "../dom";
+import { type IconName, icon } from "../icons";
 import type { Cloud } from "../preview/backend";
-import type { Preview, ViewName } from "../preview/view";
+import type { Rect } from "../preview/places";
+import type { Preview } from "../preview/view";
 import type { Scanned } from "../state/scanned";
 import { AT_END, type State } from "../state/state";
 import type { Store } from "../state/store";
 import { t } from "../texts";
 import { type Shown, shownTheme } from "../theme";
+import { createCube } from "./cube";
+import { createExaggeration } from "./exaggerate";
 import { createLegend, type Thinned } from "./legend";
 import { missing } from "./missing";
 import type { Stage } from "./stage";
@@ -17,7 +21,6 @@ import { createTimeline, paceAt } from "./timeline";
 
 const SOURCES = ["form", "program", "scan"] as const;
 const FULL = 0.9; // of the greatest deviation: from there on a point has the full colour
-const VIEWS: ViewName[] = ["iso", "top", "front", "right"];
 const still = matchMedia("(prefers-reduced-motion: reduce)");
 
 export function createScene(
@@ -37,11 +40,24 @@ export function createScene(
   const note = el("p", { class: "empty", role: "status" }, t("view-loading"));
   const empty = el("p", { class: "empty over-stage", role: "status", hidden: true });
   const legend = createLegend();
+  const errors = createExaggeration(store);
+  const corner = el("div", { class: "stage-corner" });
+  const section = tool("cut", t("view-section"), () => store.update({ view: { section: !store.state.view.section } }));
+  const central = tool("perspective", t("view-central"), () =>
+    store.update({ view: { central: !store.state.view.central } }),
+  );
   const timeline = el("div", { class: "timeline", role: "group", "aria-label": t("timeline-scrub") });
   root.append(
     el("header", { class: "panel-head" }, el("h2", {}, t("view-title")), segments, tools),
     note,
-    el("div", { class: "stage-box" }, stage.box, legend.root, empty),
+    el(
+      "div",
+      { class: "stage-box" },
+      stage.box,
+      el("div", { class: "stage-cards" }, errors.root, legend.root),
+      corner,
+      empty,
+    ),
     timeline,
   );
   const drawing = el(
@@ -56,8 +72,9 @@ export function createScene(
   });
   const drawTimeline = createTimeline(timeline, store, goToLine);
 
-  let shown: Pick<Derived, "trace"> & { theme: Shown | null; step: number; drawn: number } = {
+  let shown: Pick<Derived, "trace"> & { data: SceneData; theme: Shown | null; step: number; drawn: number } = {
     trace: null,
+    data: NOTHING,
     theme: null,
     step: -1,
     drawn: 0,
@@ -68,7 +85,17 @@ export function createScene(
     if (dressed) return;
     dressed = true;
     preview.setLabel(t("view-canvas"));
-    tools.append(drawing, ...viewButtons(preview));
+    const cube = createCube(preview);
+    corner.append(
+      cube.root,
+      tool("view", t("view-iso"), () => preview.setView("iso")),
+      tool("fit", t("view-fit"), () => preview.fit()),
+      section,
+      central,
+    );
+    preview.onDraw(cube.draw);
+    watchTaken(stage.box, [legend.root, errors.root, corner], preview.setTaken);
+    tools.append(drawing);
     show(note, false);
   };
 
@@ -79,7 +106,7 @@ export function createScene(
       setAttribute(one.button, "aria-pressed", String(one.source === source));
       show(one.button, one.source !== "scan" || !!scan);
     }
-    drawTimeline(state, derived);
+    drawTimeline(state, derived, shown.data.begins);
     const { preview, failed } = stage;
     if (failed) setText(note, t("view-failed", { problem: failed }));
     if (!preview) {
@@ -106,22 +133,25 @@ export function createScene(
       legend.draw(derived.trace, colours, thinned(drawn, scan));
       preview.setCovered(legend.root.offsetWidth + legend.root.offsetLeft);
     }
-    if (fresh) preview.setScene(derived.scene?.() ?? NOTHING);
+    const data = derived.scene?.(state.view.errors) ?? NOTHING;
+    const other = data !== shown.data;
+    if (other) preview.setScene(data);
+    errors.draw(state, data.view);
     const { step } = derived;
-    if (fresh || step !== shown.step)
-      move(
-        preview,
-        step,
-        state.view.playing && derived.trace?.entries[step]?.step === "motion" && !still.matches
-          ? paceAt(state.view.speed)
-          : 0,
-      );
+    if (other || step !== shown.step) {
+      const runs = state.view.playing && derived.trace?.entries[step]?.step === "motion" && !still.matches;
+      move(preview, step, runs ? paceAt(data.begins, step, state.view.speed) : 0);
+    }
     preview.setCloud(points);
     preview.setDrawing(state.view.diameters);
+    preview.setSection(state.view.section);
+    preview.setCentral(state.view.central);
+    setAttribute(section, "aria-pressed", String(state.view.section));
+    setAttribute(central, "aria-pressed", String(state.view.central));
     preview.setFocus(source === "form" ? state.form.focus : null);
     show(drawing, !!derived.trace?.drawing);
     setAttribute(drawing, "aria-pressed", String(state.view.diameters));
-    shown = { trace: derived.trace, theme, step, drawn };
+    shown = { trace: derived.trace, data, theme, step, drawn };
   };
 }
 
@@ -161,13 +191,26 @@ function move(preview: Preview, step: number, pace: number): void {
   frame(begin);
 }
 
-function viewButtons(preview: Preview): HTMLButtonElement[] {
-  const views = VIEWS.map(name => {
-    const button = el("button", { type: "button", class: "quiet" }, t(`view-${name}`));
-    on(button, "click", () => preview.setView(name));
-    return button;
+/** A button of the stage that shows an icon and says its name. */
+function tool(name: IconName, label: string, run: () => void): HTMLButtonElement {
+  const button = el("button", { type: "button", class: "stage-tool", "aria-label": label, title: label }, icon(name));
+  on(button, "click", run);
+  return button;
+}
+
+/** Tells the preview what covers it, whenever that is another. */
+function watchTaken(stage: HTMLElement, cards: readonly HTMLElement[], tell: (taken: Rect[]) => void): void {
+  const sizes = new ResizeObserver(() => {
+    const { left, top } = stage.getBoundingClientRect();
+    const boxes = cards.map(card => card.getBoundingClientRect()).filter(({ width }) => width > 0);
+    tell(
+      boxes.map(box => ({
+        left: box.left - left,
+        top: box.top - top,
+        right: box.right - left,
+        bottom: box.bottom - top,
+      })),
+    );
   });
-  const fit = el("button", { type: "button", class: "quiet" }, t("view-fit"));
-  on(fit, "click", () => preview.fit());
-  return [...views, fit];
+  for (const node of [stage, ...cards]) sizes.observe(node);
 }

@@ -46,7 +46,7 @@ function view(stage: Stage, state: State, derived: Derived, { drawStill }: Draw)
   const colours = drawStill(
     picture,
     {
-      data: scene(),
+      data: scene(1),
       step,
       cloud: scan && cloudOf(scan),
       drawing: state.view.diameters,

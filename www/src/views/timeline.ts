@@ -2,6 +2,7 @@
 
 import type { Derived } from "../desk/derive";
 import { el, on, setAttribute, setText } from "../dom";
+import { type IconName, icon } from "../icons";
 import { plain } from "../numbers";
 import { SPEEDS, type State } from "../state/state";
 import type { Store } from "../state/store";
@@ -9,51 +10,77 @@ import { t } from "../texts";
 import type { Trace } from "../wire";
 import { describe } from "./steps";
 
-const PACE = 450; // ms that a motion takes while playing
-const PACE_STILL = 130; // and a step in which nothing moves
+type Entries = Trace["entries"];
+
+const PACE_STILL = 130; // ms that a step takes in which nothing moves, so that it is seen
 const FRAME = 16; // ms; more often nothing is drawn
 const LATE = 1000; // ms; what comes later, as after a pause of the whole machine, is not made up for
+const NONE: Entries = [];
+const MARKS = 300; // places of the line that are told apart
 
-type Entries = Trace["entries"];
-const paceOf = (entries: Entries, step: number): number => (entries[step]?.step === "motion" ? PACE : PACE_STILL);
+/** Milliseconds that a step takes at its real feed. `begins`: of each entry, s. */
+function paceOf(begins: Float64Array, step: number): number {
+  const long = 1000 * ((begins[step + 1] ?? 0) - (begins[step] ?? 0));
+  return long > 0 ? long : PACE_STILL;
+}
 
 /** Milliseconds that a motion takes at this speed; 0 where several of them pass between two frames. */
-export function paceAt(speed: number): number {
-  return PACE / speed < FRAME ? 0 : PACE / speed;
+export function paceAt(begins: Float64Array, step: number, speed: number): number {
+  const pace = paceOf(begins, step) / speed;
+  return pace < FRAME ? 0 : pace;
 }
 
 /** The step that is played after so many ms, the next one at least: at high speed several pass from frame to frame. */
-function reached(entries: Entries, step: number, ms: number, speed: number): number {
+function reached(begins: Float64Array, count: number, step: number, ms: number, speed: number): number {
   let left = ms * speed;
   let next = step;
   do {
-    left -= paceOf(entries, next);
+    left -= paceOf(begins, next);
     next += 1;
-  } while (next < entries.length - 1 && left >= paceOf(entries, next));
+  } while (next < count - 1 && left >= paceOf(begins, next));
   return next;
+}
+
+/** Where it measures, as a picture behind the line. */
+function marksOf(entries: Entries): string {
+  const last = Math.max(1, entries.length - 1);
+  const marked = new Set<number>();
+  entries.forEach((entry, step) => {
+    if (entry.step === "motion" && entry.kind === "measuring") marked.add(Math.round((step / last) * MARKS));
+  });
+  const half = 50 / MARKS;
+  const stops = [...marked].flatMap(place => {
+    const [from, to] = [(100 * place) / MARKS - 2 * half, (100 * place) / MARKS + 2 * half];
+    return [`transparent ${from}%`, `var(--measure) ${from}% ${to}%`, `transparent ${to}%`];
+  });
+  return stops.length ? `linear-gradient(to right, ${stops.join(", ")})` : "none";
 }
 
 export function createTimeline(
   root: HTMLElement,
   store: Store,
   goToLine: (line: number) => void,
-): (state: State, derived: Derived) => void {
+): (state: State, derived: Derived, begins: Float64Array) => void {
   let count = 0;
   let current = 0;
   let timer = 0;
   let line: number | null = null;
+  let runs = false;
   const go = (step: number, playing = false): void =>
     store.update({ view: { step: Math.max(0, Math.min(count - 1, step)), playing } });
-  const button = (sign: string, label: string, run: () => void): HTMLButtonElement => {
-    const node = el("button", { type: "button", class: "transport", "aria-label": label, title: label }, sign);
+  const button = (sign: IconName, label: string, run: () => void): HTMLButtonElement => {
+    const node = el("button", { type: "button", class: "transport", "aria-label": label, title: label }, icon(sign));
     on(node, "click", run);
     return node;
   };
-  const play = button("▶", t("timeline-play"), () => {
+  const play = button("play", t("timeline-play"), () => {
     const { playing } = store.state.view;
     go(!playing && current >= count - 1 ? 0 : current, !playing);
   });
   const scrub = el("input", { type: "range", min: 0, step: 1, "aria-label": t("timeline-scrub") });
+  const marks = el("div", { class: "marks", "aria-hidden": "true" });
+  const track = el("div", { class: "track" }, marks, scrub);
+  let marked: Entries | null = null;
   const where = el("output", { class: "figure" });
   const what = el("p", { class: "step-text" });
   const place = el("button", { type: "button", class: "quiet place" });
@@ -71,23 +98,25 @@ export function createTimeline(
     el(
       "div",
       { class: "transport-row" },
-      button("|◀◀", t("timeline-first"), () => go(0)),
-      button("|◀", t("timeline-back"), () => go(current - 1)),
+      button("first", t("timeline-first"), () => go(0)),
+      button("previous", t("timeline-back"), () => go(current - 1)),
       play,
-      button("▶|", t("timeline-on"), () => go(current + 1)),
-      button("▶▶|", t("timeline-last"), () => go(count - 1)),
-      scrub,
+      button("next", t("timeline-on"), () => go(current + 1)),
+      button("last", t("timeline-last"), () => go(count - 1)),
+      track,
       where,
       speed,
     ),
     el("div", { class: "step-row" }, what, place),
   );
-  return (state, derived) => {
-    const entries = derived.trace?.entries ?? [];
+  return (state, derived, begins) => {
+    const entries = derived.trace?.entries ?? NONE;
     count = entries.length;
     const { step } = derived;
     current = step;
     const entry = entries[step];
+    if (entries !== marked) marks.style.background = marksOf(entries);
+    marked = entries;
     setAttribute(scrub, "max", Math.max(0, count - 1));
     if (Number(scrub.value) !== step) scrub.value = String(step);
     setText(where, count ? `${step + 1} / ${count}` : "–");
@@ -97,7 +126,8 @@ export function createTimeline(
     line = state.view.source === "program" ? (entry?.line ?? null) : (derived.opened?.lastLine ?? null);
     setText(place, line === null ? "" : t("motions-line", { line }));
     place.hidden = line === null;
-    setText(play, state.view.playing ? "❚❚" : "▶");
+    if (state.view.playing !== runs) play.replaceChildren(icon(state.view.playing ? "pause" : "play"));
+    runs = state.view.playing;
     for (const name of ["aria-label", "title"])
       setAttribute(play, name, t(state.view.playing ? "timeline-pause" : "timeline-play"));
     speed.value = String(state.view.speed);
@@ -106,9 +136,9 @@ export function createTimeline(
     const began = performance.now();
     const tick = (): void => {
       if (!store.state.view.playing) return;
-      const next = reached(entries, step, Math.min(LATE, performance.now() - began), state.view.speed);
+      const next = reached(begins, count, step, Math.min(LATE, performance.now() - began), state.view.speed);
       go(next, next < count - 1);
     };
-    timer = window.setTimeout(tick, Math.max(FRAME, paceOf(entries, step) / state.view.speed));
+    timer = window.setTimeout(tick, Math.max(FRAME, paceOf(begins, step) / state.view.speed));
   };
 }

@@ -81,7 +81,7 @@ function run({ Run }: typeof Program, text: string, workpiece: Solid[]): SceneDa
   };
   const run = new Run(JSON.stringify({ control: "sinumerik", text, setup }));
   while (!run.advance(1000));
-  const scene = run.finish().scene();
+  const scene = run.finish().scene(1);
   if (!scene) throw new Error("nothing to be seen");
   return takeScene(scene);
 }

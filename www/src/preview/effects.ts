@@ -1,0 +1,56 @@
+// Whether a device has the time for all effects: a graphics card has, a processor lights the corners of the surfaces
+// only and draws the ground as lines. It is measured at the first frames, and again where the view has another size.
+import type { Hooks } from "./backend";
+import type { PointRenderer } from "./points";
+
+export interface Effects {
+  readonly all: boolean;
+  /** After a frame of so many pixels: looks how long the device needs for it, while that is not known. */
+  follow(pixels: number): void;
+  end(): void;
+}
+
+const SLOW = 45; // ms until the page hears of a frame, two frames of the page included
+const LOOKS = 3; // frames of which the quickest counts: others may have held one up
+
+export function createEffects(renderer: PointRenderer, { again }: Pick<Hooks, "again">): Effects {
+  let all = true;
+  let measured = 0; // pixels of the frames that were measured
+  let looks = 0;
+  let quickest = Infinity;
+  let looking = 0;
+  const judge = (took: number): void => {
+    quickest = Math.min(quickest, took);
+    looks += 1;
+    const sure = quickest < SLOW || looks >= LOOKS;
+    if (sure) all = quickest < SLOW;
+    if (!sure || !all) again();
+    if (sure) looks = LOOKS;
+  };
+  const look = (begun: number): void => {
+    looking = requestAnimationFrame(() => {
+      looking = 0;
+      if (renderer.is_drawn()) judge(performance.now() - begun);
+      else look(begun);
+    });
+  };
+  return {
+    get all() {
+      return all;
+    },
+    follow(pixels) {
+      if (pixels > 1.2 * measured && all) {
+        measured = pixels;
+        looks = 0;
+        quickest = Infinity;
+      }
+      if (looking || looks >= LOOKS) return;
+      renderer.watch();
+      look(performance.now());
+    },
+    end() {
+      cancelAnimationFrame(looking);
+      looking = 0;
+    },
+  };
+}
