@@ -5,6 +5,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 import { launch, open } from "./browser.mjs";
+import { searchTasks } from "./start.mjs";
 
 const row = (name, cells) => console.log(name.padEnd(50), ...cells.map(cell => String(cell).padStart(11)));
 // Figure over goal, and whether the goal is met; `more` where more is better.
@@ -351,8 +352,8 @@ async function million(page) {
 // drawn, and while the view is turned then. A visit of its own, so that nothing else is drawn.
 async function scanInPage(browser) {
   const { page, context } = await open(browser, { serviceWorkers: "block" });
-  await page.locator(".tree:not([aria-busy])").waitFor();
-  await page.locator("#task-search").fill("G65 P9969");
+  await page.locator(".tree:not([aria-busy])").waitFor({ state: "attached" });
+  await searchTasks(page, "G65 P9969");
   await page.locator('.hits[data-search="G65 P9969"] .hit').first().click();
   for (const [name, value] of Object.entries(MILLION))
     await page.locator(`.field[data-field="${name}"] input`).first().fill(value);

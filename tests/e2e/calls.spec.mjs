@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
-import { startWithEditor } from "./start.mjs";
+import { openMachine, searchTasks, startWithEditor } from "./start.mjs";
 
 async function start(chrome, options) {
   const opened = await startWithEditor(chrome, options);
@@ -19,7 +19,7 @@ async function openProgram(page, text) {
 
 /** Chooses a cycle by the search. */
 async function choose(page, name) {
-  await page.locator("#task-search").fill(name);
+  await searchTasks(page, name);
   await page.locator(`.hits[data-search="${name}"] .hit`).first().click();
   await page.waitForFunction(text => document.querySelector(".snippet")?.textContent.includes(text), name);
 }
@@ -87,9 +87,11 @@ describe("plane and units of a call", () => {
     await page.reload();
     await page.locator(".results tbody tr").first().waitFor({ state: "attached" });
     await standsIn(page, "ZX", "inch");
+    await openMachine(page);
     await page.locator("#machine-plane").selectOption("G19");
     await standsIn(page, "YZ", "mm");
     await page.locator(".at-call").waitFor({ state: "hidden" });
+    await openMachine(page);
     await page.locator("#machine-plane").selectOption("G17");
     await openCall(page);
     await standsIn(page, "ZX", "inch");
@@ -108,10 +110,13 @@ describe("plane and units of a call", () => {
     await openCall(page);
     await standsIn(page, "ZX", "mm");
     assert.equal(await page.locator("#machine-plane").inputValue(), "G18");
+    await openMachine(page);
     await page.locator("#machine-units").selectOption("G70");
     await standsIn(page, "ZX", "inch");
+    await openMachine(page);
     await page.locator("#machine-plane").selectOption("G17");
     await standsIn(page, "XY", "inch");
+    await openMachine(page);
     await page.locator("#machine-units").selectOption("G71");
     await standsIn(page, "XY", "mm");
     assert.deepEqual(problems, []);

@@ -5,7 +5,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
-import { lengthField, startWithEditor as start } from "./start.mjs";
+import { fromFormMenu, fromPageMenu, lengthField, openErrors, startWithEditor as start } from "./start.mjs";
 
 const programInput = page => page.locator(".panel-program input[type=file]");
 const setupInput = page => page.locator(".top input[type=file]");
@@ -18,7 +18,8 @@ const refusal = page => page.locator(".refusal:visible .problem");
 
 async function saved(page, panel, name) {
   const download = page.waitForEvent("download");
-  await page.locator(panel).getByRole("button", { name, exact: true }).click();
+  if (panel === ".top") await fromPageMenu(page, name);
+  else await page.locator(panel).getByRole("button", { name, exact: true }).click();
   const done = await download;
   return { name: done.suggestedFilename(), bytes: await readFile(await done.path()) };
 }
@@ -217,6 +218,7 @@ describe("a setup file", () => {
   // oracle: self (the file that the page wrote)
   test("comes back the same in another browser", async () => {
     const { context, page } = await start(chrome);
+    await openErrors(page);
     await page.locator("#error-probe-skew-x").fill("0.1");
     await page.locator("#error-part-dx").fill("0.5");
     await page.locator('.results td:text-is("0.0300")').first().waitFor();
@@ -234,7 +236,7 @@ describe("a setup file", () => {
     const second = await saved(other.page, ".top", "Save setup");
     assert.equal(second.bytes.toString(), first.bytes.toString());
     assert.deepEqual(other.problems, []);
-    await other.page.getByRole("button", { name: "Default machine" }).click();
+    await fromPageMenu(other.page, "Default machine");
     await other.page.locator('.notice:has-text("Default machine restored.")').waitFor();
     await other.context.close();
   });
@@ -339,8 +341,7 @@ describe("work that is replaced", () => {
   test("by the worked example comes back with Ctrl+Z, and goes again with Ctrl+Y", async () => {
     const { context, page } = await start(chrome);
     await lengthField(page).fill("31.25");
-    const example = page.getByRole("button", { name: "Worked example" });
-    await example.click();
+    await fromFormMenu(page, "Worked example");
     await page.waitForFunction(() => document.querySelector(".snippet").textContent.includes("31.25") === false);
     await page.keyboard.press("Control+z");
     await page.locator('.snippet:has-text("31.25")').waitFor();
@@ -355,7 +356,7 @@ describe("work that is replaced", () => {
     const { context, page } = await start(chrome);
     const first = await lengthField(page).inputValue();
     await lengthField(page).fill("12.5");
-    await page.getByRole("button", { name: "Worked example" }).click();
+    await fromFormMenu(page, "Worked example");
     await page.locator(".notice").getByRole("button", { name: "Undo" }).waitFor();
     await lengthField(page).fill("31.25");
     await page.locator(".notice").getByRole("button", { name: "Undo" }).waitFor({ state: "hidden" });
@@ -381,6 +382,8 @@ describe("value sets", () => {
       for (const key of keys) await page.keyboard.press(key);
     };
     const openSets = async () => {
+      await page.locator("#form-menu-open").focus();
+      await press("Enter");
       await page.getByRole("button", { name: "Value sets" }).focus();
       await press("Enter");
       await page.locator("dialog .sets-new").waitFor();
@@ -427,7 +430,7 @@ describe("value sets", () => {
     const { context, page } = await start(chrome);
     await page.locator(".opened").waitFor();
     const field = await lengthField(page).evaluate(input => input.closest(".field").dataset.field);
-    await page.getByRole("button", { name: "Value sets" }).click();
+    await fromFormMenu(page, "Value sets");
     await page.locator("#sets-name").fill("first");
     await page.keyboard.press("Enter");
     await page.locator(".sets li").waitFor();
@@ -435,7 +438,7 @@ describe("value sets", () => {
     const earlier = await saved(page, ".panel-program", "Save");
     await lengthField(page).fill("77.5");
     await page.locator(`.cm-line:has-text("${field}=77.5")`).waitFor();
-    await page.getByRole("button", { name: "Value sets" }).click();
+    await fromFormMenu(page, "Value sets");
     await page.locator('.sets button[aria-label="Load first"]').click();
     await page.locator(`.cm-line:has-text("${field}=77.5")`).waitFor({ state: "detached" });
     assert.deepEqual(await saved(page, ".panel-program", "Save"), earlier);

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { isDeepStrictEqual } from "node:util";
 import { shared } from "./browser.mjs";
-import { lengthField, startWithEditor as start, stored } from "./start.mjs";
+import { fromFormMenu, lengthField, openErrors, openMachine, startWithEditor as start, stored } from "./start.mjs";
 
 const undo = page => page.locator("#undo");
 const redo = page => page.locator("#redo");
@@ -53,11 +53,17 @@ describe("steps of the work", () => {
     };
     const made = [
       () => lengthField(page).fill("41"),
-      () => page.getByRole("button", { name: "Worked example" }).click(),
-      () => page.locator("button.primary:visible").first().click(),
+      () => fromFormMenu(page, "Worked example"),
+      () => page.getByRole("button", { name: "Insert at cursor" }).click(),
       () => lengthField(page).fill("43"),
-      () => page.locator(".sliders .figure, .sliders input[type=text]").first().fill("0.07"),
-      () => page.locator(".machine select").first().selectOption("G19"),
+      async () => {
+        await openErrors(page);
+        await page.locator(".sliders .figure, .sliders input[type=text]").first().fill("0.07");
+      },
+      async () => {
+        await openMachine(page);
+        await page.locator(".machine select").first().selectOption("G19");
+      },
       async () => {
         await program(page).click();
         await page.keyboard.press("Control+End");

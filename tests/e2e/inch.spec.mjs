@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, before, describe, test } from "node:test";
 import { open, packages, shared } from "./browser.mjs";
+import { fromPageMenu, openErrors } from "./start.mjs";
 
 const axe = packages.resolve("axe-core/axe.min.js");
 
@@ -15,7 +16,7 @@ async function start(chrome, options) {
 
 /** The dialog, opened from the header. */
 async function dialog(page) {
-  await page.getByRole("button", { name: "Machine", exact: true }).click();
+  await fromPageMenu(page, "Machine");
   return page.getByRole("dialog", { name: "Machine data" });
 }
 
@@ -33,7 +34,7 @@ const changes = page => page.locator(".changes tbody tr td").allTextContents();
 
 async function saved(page) {
   const download = page.waitForEvent("download");
-  await page.getByRole("button", { name: "Save setup" }).click();
+  await fromPageMenu(page, "Save setup");
   return JSON.parse(await readFile(await (await download).path(), "utf8"));
 }
 
@@ -53,6 +54,7 @@ describe("a machine basic system inches", () => {
     assert.equal(await fact(page, "Probe"), "ball Ø 0.2362 inch");
     const field = page.locator('.field[data-field="_SETVAL"] .entry-line > .figure');
     await field.fill("5.2");
+    await openErrors(page);
     await page.locator(".slider:has(#error-part-size) .figure").fill("0.635");
     await page.locator('.changes tbody td:text-is("inch")').first().waitFor();
     assert.match(await page.locator(".snippet").textContent(), /_SETVAL=5\.2\b/);
@@ -72,7 +74,7 @@ describe("a machine basic system inches", () => {
     await page.reload();
     await page.locator(".results tbody tr").first().waitFor();
     assert.equal(await unitOf(page, "_SETVAL"), "inch");
-    await page.getByRole("button", { name: "Copy link" }).click();
+    await fromPageMenu(page, "Copy link");
     await page.waitForFunction(() => location.hash.startsWith("#s="));
     const address = page.url();
     const other = await open(chrome.browser, { path: new URL(address).hash });
@@ -104,7 +106,7 @@ describe("a machine basic system inches", () => {
     };
     assert.equal(await fact(page, "Calibration"), "matches the probe");
     await datum("_WP[0,0]", "5.08");
-    await page.locator('.facts dd:text-is("does not match the probe")').waitFor();
+    await page.locator('.facts dd:text-is("does not match the probe")').waitFor({ state: "attached" });
     await shown.getByLabel("Basic system").selectOption("inch");
     assert.equal(await (await datum("_WP[0,0]")).inputValue(), "0.2");
     await datum("MD10240", "1");
@@ -116,6 +118,7 @@ describe("a machine basic system inches", () => {
   // oracle: axe-core
   test("is chosen with the keyboard alone, and nothing keeps anyone out", async () => {
     const { context, page } = await start(chrome, { colorScheme: "dark", bypassCSP: true });
+    await page.locator(".menu-open").click();
     await page.getByRole("button", { name: "Machine", exact: true }).focus();
     await page.keyboard.press("Enter");
     const shown = page.getByRole("dialog", { name: "Machine data" });

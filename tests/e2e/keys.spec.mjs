@@ -4,7 +4,7 @@ import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
 import { faults } from "./room.mjs";
 import { modules } from "./sources.mjs";
-import { drawn, startWithEditor as start, start as startForm } from "./start.mjs";
+import { drawn, openTasks, startWithEditor as start, start as startForm } from "./start.mjs";
 
 const sheet = page => page.locator("dialog.keys[open]");
 
@@ -14,6 +14,7 @@ describe("the sheet of keys", () => {
   // oracle: hand
   test("opens with ? where nothing is typed, and from the menu", async () => {
     const { context, page, problems } = await start(chrome);
+    await openTasks(page);
     await page.locator("#task-search").focus();
     await page.keyboard.press("?");
     assert.equal(await page.locator("#task-search").inputValue(), "?");

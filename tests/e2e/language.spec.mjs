@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { open, shared } from "./browser.mjs";
+import { searchTasks } from "./start.mjs";
 
 const HAN = /\p{Script=Han}/u;
 
@@ -50,7 +51,7 @@ describe("language", () => {
 
     await speak(page, "zh");
     for (const selector of [
-      ".top .head-actions button",
+      "#page-actions button",
       ".field-label",
       ".field .problem-text",
       ".tabs button",
@@ -95,7 +96,7 @@ describe("language", () => {
   test("the search finds Chinese words and English ones", async () => {
     const { context, page } = await start(chrome, { locale: "zh-CN" });
     for (const asked of ["孔", "hole", "61303"]) {
-      await page.locator("#task-search").fill(asked);
+      await searchTasks(page, asked);
       await page.locator(`.hits[data-search="${asked}"] .hit`).first().waitFor();
     }
     await context.close();

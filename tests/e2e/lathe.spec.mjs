@@ -3,11 +3,12 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { open, shared } from "./browser.mjs";
+import { openErrors, searchTasks } from "./start.mjs";
 
 /** The page with the worked measurement of this cycle's first variant in the form; everything is drawn. */
 async function chosen(browser, cycle) {
   const { context, page, problems } = await open(browser);
-  await page.locator("#task-search").fill(cycle);
+  await searchTasks(page, cycle);
   await page.locator(`.hits[data-search="${cycle}"] .hit`).first().click();
   await page.locator(".results tbody tr").first().waitFor({ state: "attached" });
   await page.locator("[data-backend]").first().waitFor({ state: "attached" });
@@ -53,6 +54,7 @@ describe("a turning machine", () => {
     assert.ok(!(await letters(page)).some(text => text.includes("Ø")));
     await button.click();
     await page.getByRole("button", { name: "Diameters", pressed: true }).waitFor();
+    await openErrors(page);
     await page.getByRole("textbox", { name: /^Size/ }).fill("0.2");
     await page.locator(".stage text", { hasText: "Ø45.000 +0.200" }).waitFor({ state: "attached" });
     const shown = await letters(page);
@@ -69,6 +71,7 @@ describe("a turning machine", () => {
   // oracle: hand
   test("has no such button where nothing turns, and says what the sliders are for a tool at its probe", async () => {
     const { context, page, problems } = await chosen(chrome.browser, "CYCLE971");
+    await openErrors(page);
     await page.getByLabel("Length L1", { exact: true }).waitFor({ state: "attached" });
     assert.equal(await page.getByRole("button", { name: "Diameters" }).count(), 0);
     assert.equal(await page.getByLabel("Skew X", { exact: true }).count(), 0);

@@ -15,7 +15,7 @@ async function dialog(page) {
   await menu.waitFor({ state: "attached" });
   if (await menu.isVisible()) await menu.click();
   const button = page.getByRole("button", { name: "Machine", exact: true });
-  await page.locator(".head-actions button:not([disabled])", { hasText: /^Machine$/ }).waitFor();
+  await page.locator("#page-actions button:not([disabled])", { hasText: /^Machine$/ }).waitFor();
   await button.click();
   return page.getByRole("dialog", { name: "Machine data" });
 }

@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { open, shared } from "./browser.mjs";
+import { openMachine, searchTasks } from "./start.mjs";
 
 const MACROS = [
   "G101",
@@ -19,7 +20,7 @@ const MACROS = [
 ];
 
 async function choose(page, name) {
-  await page.locator("#task-search").fill(name);
+  await searchTasks(page, name);
   await page.locator(`.hits[data-search="${name}"] .hit`).first().click();
   await page.waitForFunction(text => document.querySelector(".snippet")?.textContent.includes(text), name);
 }
@@ -35,6 +36,7 @@ describe("NCT macros", () => {
     for (const name of MACROS) {
       await choose(page, name);
       for (const plane of ["G18", "G19", "G17"]) {
+        await openMachine(page);
         await page.locator("#machine-plane").selectOption(plane);
         const axis = { G17: "Z", G18: "Y", G19: "X" }[plane];
         await page.waitForFunction(

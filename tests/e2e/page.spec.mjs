@@ -2,7 +2,19 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { open, shared } from "./browser.mjs";
-import { drawn, keptWhen, lengthField, STORE, start, stored } from "./start.mjs";
+import {
+  drawn,
+  fromFormMenu,
+  fromPageMenu,
+  keptWhen,
+  lengthField,
+  openErrors,
+  openMachine,
+  openTasks,
+  STORE,
+  start,
+  stored,
+} from "./start.mjs";
 
 /** Opens every branch of the task tree. */
 async function unfoldAll(page) {
@@ -115,6 +127,7 @@ describe("first visit", () => {
   test("the largest errors that still work are told when they are asked for", async () => {
     const { context, page, problems } = await start(chrome);
     const size = page.locator(".slider", { has: page.locator("#error-part-size") });
+    await openErrors(page);
     assert.equal(await size.locator(".survived").isVisible(), false);
     await page.getByRole("button", { name: "Limits" }).click();
     await size.locator(".survived").waitFor();
@@ -144,6 +157,7 @@ describe("first visit", () => {
 
   test("what is wrong with the part moves the result", async () => {
     const { context, page } = await start(chrome);
+    await openErrors(page);
     const figure = page.locator(".slider .figure").first();
     await figure.fill("0,01");
     await page.locator('.results td:text-is("0.0100")').first().waitFor();
@@ -154,6 +168,7 @@ describe("first visit", () => {
   test("another variant brings its own worked measurement until something is typed", async () => {
     const { context, page } = await start(chrome);
     const VARIANTS = '[role="treeitem"][aria-level="3"]';
+    await openTasks(page);
     const chosen = () =>
       page.evaluate(
         all => [...document.querySelectorAll(all)].findIndex(node => node.ariaSelected === "true"),
@@ -163,6 +178,7 @@ describe("first visit", () => {
     const variant = index => page.locator(VARIANTS).nth(first + index);
     const results = page.locator(".results tbody tr");
     const choose = async index => {
+      await openTasks(page);
       await variant(index).click();
       await page.waitForFunction(
         ([all, wanted]) => document.querySelectorAll(all)[wanted]?.ariaSelected === "true",
@@ -189,12 +205,14 @@ describe("first visit", () => {
     });
     await page.reload();
     const variants = page.locator('[role="treeitem"][aria-level="3"]');
+    await openTasks(page);
     await variants.first().waitFor();
     await unfoldAll(page);
     for (let index = 0; index < (await variants.count()); index++) {
+      await openTasks(page);
       await variants.nth(index).click();
       await page.waitForFunction(clicked => clicked.ariaSelected === "true", await variants.nth(index).elementHandle());
-      await page.getByRole("button", { name: "Check" }).click();
+      await fromFormMenu(page, "Check");
     }
     await drawn(page);
     assert.deepEqual(missing, []);
@@ -240,6 +258,7 @@ describe("form", () => {
   test("a reload loses nothing", async () => {
     const { context, page } = await start(chrome);
     await lengthField(page).fill("28.125");
+    await openErrors(page);
     await page.locator(".slider .figure").nth(1).fill("0.4");
     const field = await lengthField(page).evaluate(input => input.closest(".field").dataset.field);
     const earlier = await keptWhen(
@@ -269,7 +288,7 @@ describe("form", () => {
   test("a link carries the form and the program to another browser", async () => {
     const { context, page } = await start(chrome);
     await lengthField(page).fill("27.75");
-    await page.getByRole("button", { name: "Copy link" }).click();
+    await fromPageMenu(page, "Copy link");
     await page.waitForFunction(() => location.hash.startsWith("#s="));
     const link = page.url();
     const other = await start(chrome, { path: new URL(link).hash });
@@ -288,10 +307,13 @@ describe("machine", () => {
     const { context, page, problems } = await start(chrome);
     const form = page.locator(".fields");
     await form.locator('.unit:text-is("mm")').first().waitFor();
+    await openMachine(page);
     await page.locator("#machine-units").selectOption("G70");
     await form.locator('.unit:text-is("inch")').first().waitFor();
+    await openMachine(page);
     await page.locator("#machine-units").selectOption("G71");
     await page.locator('.picture .axis:has-text("X")').first().waitFor();
+    await openMachine(page);
     await page.locator("#machine-plane").selectOption("G18");
     await page.locator('.picture .axis:has-text("Z")').first().waitFor();
     await page.locator(".results tbody tr").first().waitFor();
@@ -299,7 +321,7 @@ describe("machine", () => {
     await page.reload();
     await page.locator('.picture .axis:has-text("Z")').first().waitFor();
     assert.equal(await page.locator("#machine-plane").inputValue(), "G18");
-    await page.getByRole("button", { name: "Copy link" }).click();
+    await fromPageMenu(page, "Copy link");
     await page.waitForFunction(() => location.hash.startsWith("#s="));
     const other = await start(chrome, { path: new URL(page.url()).hash });
     await other.page.waitForFunction(() => document.querySelector("#machine-plane").value === "G18");

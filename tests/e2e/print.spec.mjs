@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, describe, test } from "node:test";
 import { open, shared } from "./browser.mjs";
+import { searchTasks } from "./start.mjs";
 
 describe("print-out", () => {
   const chrome = shared("neither", { before, after });
@@ -11,7 +12,7 @@ describe("print-out", () => {
   test("is saved as it is shown", async () => {
     const { context, page, problems } = await open(chrome.browser);
     await page.locator(".tree:not([aria-busy])").waitFor({ state: "attached" }); // all cycles are known
-    await page.locator("#task-search").fill("G110");
+    await searchTasks(page, "G110");
     await page.locator("button, [role=option], [role=treeitem]", { hasText: "G110" }).first().click();
     await page.getByRole("tab", { name: "Log" }).click();
     const shown = page.locator("pre.log", { hasText: "DIMENSION" });

@@ -6,7 +6,7 @@ import { open, shared } from "./browser.mjs";
 import { PSEUDO, speaksPseudo } from "./pseudo.mjs";
 import { choosePanel, faults, PANELS } from "./room.mjs";
 import { serve } from "./sources.mjs";
-import { drawn } from "./start.mjs";
+import { drawn, searchTasks } from "./start.mjs";
 
 const SIZES = [
   [1280, 800],
@@ -104,10 +104,10 @@ describe("a fourth language", () => {
         await holds(await tab.textContent());
       }
       await choosePanel(page, "tasks");
-      await page.locator("#task-search").fill("CYCLE977");
+      await searchTasks(page, "CYCLE977");
       await page.locator(".hit").first().waitFor();
       await holds("search");
-      await page.locator("#task-search").fill("");
+      await searchTasks(page, "");
       for (const end of ["first", "last"]) {
         const menu = page.locator(".menu-open");
         if (await menu.isVisible()) await menu.click();

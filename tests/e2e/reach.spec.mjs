@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { packages, shared } from "./browser.mjs";
-import { drawn, keptWhen, lengthField, start } from "./start.mjs";
+import { drawn, fromFormMenu, keptWhen, lengthField, start } from "./start.mjs";
 
 const axe = packages.resolve("axe-core/axe.min.js");
 
@@ -23,11 +23,10 @@ describe("reach", () => {
     await press("Escape", "ArrowDown");
     await page.waitForFunction(() => document.activeElement?.getAttribute("role") === "treeitem");
     await press("ArrowDown", "Enter");
-    // the variant under the focus is chosen
-    await page.waitForFunction(() => document.activeElement?.matches('[role="treeitem"][aria-selected="true"]'));
-    assert.equal(await page.locator('[role="treeitem"][aria-selected="true"]').count(), 1);
-    await press("F6");
+    // the variant under the focus is chosen, and its form takes the place of the list
     await page.waitForFunction(() => document.activeElement?.id === "panel-form");
+    assert.equal(await page.locator('[role="treeitem"][aria-selected="true"]').count(), 1);
+    assert.ok(await page.locator(".tree").isHidden());
     for (
       let tries = 0;
       tries < 30 && !(await page.evaluate(() => document.activeElement?.matches(".field input")));
@@ -35,7 +34,7 @@ describe("reach", () => {
     )
       await press("Tab");
     assert.equal(await inside(), "form");
-    for (const panel of ["program", "view", "results", "tasks"]) {
+    for (const panel of ["view", "program", "results", "form"]) {
       await press("F6");
       await page.waitForFunction(name => document.activeElement?.id === `panel-${name}`, panel);
     }
@@ -54,7 +53,7 @@ describe("reach", () => {
       // oracle: axe-core
       test(`axe finds nothing serious, ${colorScheme}, ${viewport.width} wide`, async () => {
         const { context, page } = await start(chrome, { colorScheme, viewport, bypassCSP: true });
-        await page.getByRole("button", { name: "Check" }).click();
+        await fromFormMenu(page, "Check");
         await drawn(page);
         await page.addScriptTag({ path: axe });
         const found = await page.evaluate(() => axe.run(document, { resultTypes: ["violations"] }));
@@ -78,7 +77,7 @@ describe("reach", () => {
       const { context, page } = await start(chrome, { viewport: { width, height } });
       const wide = await page.evaluate(() => document.documentElement.scrollWidth);
       assert.equal(wide, width);
-      for (const name of ["Measure", "Form", "Program", "3D view", "Result"]) {
+      for (const name of ["Tasks", "Form", "Program", "3D view", "Result"]) {
         const tab = page.locator(".panel-bar").getByRole("button", { name, exact: true });
         if (await tab.isVisible()) await tab.click();
         await drawn(page);

@@ -43,10 +43,27 @@ export const reachable = node =>
     return element.contains(hit) || (hit?.contains(element) === true && hit.matches("label, button"));
   });
 
+/** By the button of the form, where help has no tab. */
+async function openHelp(page) {
+  await choosePanel(page, "form");
+  assert.ok(await reachable(page.locator(".help-open")), "the way to the help");
+  await page.locator(".help-open").click();
+  await page.locator("#panel-help").waitFor();
+  await drawn(page);
+}
+
+/** Closes the help, which lies over what is always in sight. */
+async function uncover(page) {
+  if (!(await page.locator("#panel-help").isVisible())) return;
+  await page.locator('.panel-bar [aria-controls="panel-help"]').click();
+  await page.locator("#panel-help").waitFor({ state: "hidden" });
+}
+
 /** Shows a panel where only one is to be seen. */
 export async function choosePanel(page, name) {
   const tab = page.locator(`.panel-bar [aria-controls="panel-${name}"]`);
-  if (!(await tab.isVisible())) return;
+  if (name === "help" && !(await tab.isVisible())) return openHelp(page);
+  if (!(await tab.isVisible())) return uncover(page);
   assert.ok(await reachable(tab), `the tab of ${name}`);
   await tab.click();
   await page.locator(`#panel-${name}`).waitFor();

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, before, describe, test } from "node:test";
 import { address, shared } from "./browser.mjs";
-import { lengthField, startWithEditor as start } from "./start.mjs";
+import { lengthField, openTasks, startWithEditor as start } from "./start.mjs";
 
 const CALL = "_MVAR=1 _SETVAL=132 _TNUM=20 _KNUM=2001\r\nCYCLE977\r\n";
 const mark = page => page.locator(".panel-program .unsaved");
@@ -144,6 +144,7 @@ describe("a file that was picked", () => {
   // oracle: hand (the bytes on disk, with what was typed)
   test("is opened and saved by keys, in place, with its encoding and line ends", async () => {
     const { context, page } = await startWithDisk(chrome);
+    await openTasks(page);
     await page.locator("#task-search").focus();
     await page.keyboard.press("Control+o");
     await titled(page, "FLANGE.MPF — Probewright");

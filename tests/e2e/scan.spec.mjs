@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, before, describe, test } from "node:test";
 import { open, packages, shared } from "./browser.mjs";
+import { searchTasks } from "./start.mjs";
 
 const axe = packages.resolve("axe-core/axe.min.js");
 const { PNG } = packages("pngjs");
@@ -11,8 +12,8 @@ const { PNG } = packages("pngjs");
 async function start(chrome, options) {
   const opened = await open(chrome.browser, options);
   const { page } = opened;
-  await page.locator(".tree:not([aria-busy])").waitFor(); // all cycles are known
-  await page.locator("#task-search").fill("G65 P9969");
+  await page.locator(".tree:not([aria-busy])").waitFor({ state: "attached" }); // all cycles are known
+  await searchTasks(page, "G65 P9969");
   await page.locator('.hits[data-search="G65 P9969"] .hit').first().click();
   await page.locator('.field[data-field="R"]').waitFor();
   await page.locator("#tab-scan").click();

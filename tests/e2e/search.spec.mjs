@@ -2,10 +2,10 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { open, shared } from "./browser.mjs";
-import { startWithCycles as start } from "./start.mjs";
+import { openTasks, searchTasks, startWithCycles as start } from "./start.mjs";
 
 async function search(page, text) {
-  await page.locator("#task-search").fill(text);
+  await searchTasks(page, text);
   await page.locator(`.hits[data-search="${text}"] .hit`).first().waitFor();
 }
 
@@ -67,7 +67,7 @@ describe("search", () => {
     assert.ok((await page.locator("mark").count()) > 0, "what was found is marked");
     await measurements.first().click();
     await page.locator("#form-title").waitFor();
-    await page.locator("#task-search").fill("");
+    await searchTasks(page, "");
     await page.locator('[role="treeitem"][aria-selected="true"]:has-text("Web")').waitFor();
     await context.close();
   });
@@ -92,6 +92,7 @@ describe("search", () => {
   // oracle: hand
   test("the keyboard alone is enough, and nothing found is said", async () => {
     const { context, page } = await start(chrome);
+    await openTasks(page);
     await page.locator("#task-search").focus();
     await page.keyboard.type("61303");
     await page.locator(".hit").first().waitFor();
@@ -101,7 +102,7 @@ describe("search", () => {
     await card(page).waitFor();
     await page.keyboard.press("Escape");
     await card(page).waitFor({ state: "hidden" });
-    await page.locator("#task-search").fill("qqqqqq");
+    await searchTasks(page, "qqqqqq");
     await page.locator('.found:has-text("Nothing found for “qqqqqq”")').waitFor();
     assert.equal(await page.locator(".hit").count(), 0);
     await page.locator("#task-search").press("Escape");
@@ -131,6 +132,7 @@ describe("the list of what can be measured", () => {
   // oracle: hand
   test("is open around the choice only, and stays as it was set", async () => {
     const { context, page } = await start(chrome);
+    await openTasks(page);
     assert.ok((await items(page, 1).count()) > 2, "groups by machine and purpose");
     assert.equal(await page.locator('[aria-level="1"][aria-expanded="true"]').count(), 1);
     assert.equal(await page.locator('[aria-level="2"][aria-expanded="true"]').count(), 1);
@@ -149,6 +151,7 @@ describe("the list of what can be measured", () => {
   // oracle: hand (the catalogue as the page holds it)
   test("holds every cycle once", async () => {
     const { context, page } = await start(chrome);
+    await openTasks(page);
     const closed = page.locator('[aria-level="1"][aria-expanded="false"]');
     for (let left = await closed.count(); left > 0; left--) {
       await closed.first().click();

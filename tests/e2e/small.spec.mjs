@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
 import { choosePanel, faults, PANELS, reachable } from "./room.mjs";
-import { drawn, lengthField, start } from "./start.mjs";
+import { drawn, lengthField, openTasks, start } from "./start.mjs";
 
 const SIZES = [
   [320, 640],
@@ -50,8 +50,8 @@ describe("little room", () => {
       test(`the page's own actions are there, ${width} × ${height}, ${locale}`, async () => {
         const { context, page } = await start(chrome, { viewport: { width, height }, locale });
         const menu = page.locator(".menu-open");
-        if (width < 1200) await menu.click();
-        const actions = page.locator("#page-actions").locator("button:visible, select:visible");
+        await menu.click();
+        const actions = page.locator("#page-actions, .top-actions").locator("button:visible, select:visible");
         assert.equal(await actions.count(), 8);
         for (const one of await actions.all()) assert.ok(await reachable(one), await one.textContent());
         await page.locator("#page-actions button").last().click();
@@ -136,6 +136,7 @@ describe("little room", () => {
   // oracle: hand (one of each list is chosen)
   test("forced colours mark what is chosen and nothing else", async () => {
     const { context, page } = await start(chrome, { forcedColors: "active" });
+    await openTasks(page);
     await page.locator(".call-row").waitFor();
     const marked = await page.evaluate(() => {
       const colourOf = name => {

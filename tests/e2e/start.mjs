@@ -47,3 +47,39 @@ export async function keptWhen(page, wanted) {
 /** The first field that has to be filled and counts in mm. */
 export const lengthField = page =>
   page.locator('.field:has(.unit:text-is("mm")):has([aria-required="true"]) .entry-line > .figure').first();
+
+/** The tree of tasks, where it is not to be seen already. */
+export async function openTasks(page) {
+  if (!(await page.locator("#task-search").isVisible()))
+    await page.locator('.panel-bar [aria-controls="panel-tasks"]').click();
+  await page.locator("#task-search").waitFor();
+}
+
+/** Words in the search over everything. */
+export async function searchTasks(page, words) {
+  await openTasks(page);
+  await page.locator("#task-search").fill(words);
+}
+
+/** The panel of simulated errors, where it is not to be seen already. */
+export async function openErrors(page) {
+  if (!(await page.locator(".sliders").isVisible())) await page.locator(".errors-open").click();
+  await page.locator(".sliders").waitFor();
+}
+
+/** A further action of the form, from its menu. */
+export async function fromFormMenu(page, name) {
+  await page.locator("#form-menu-open").click();
+  await page.locator("#form-menu").getByRole("button", { name }).click();
+}
+
+/** An action of the page, from its menu. */
+export async function fromPageMenu(page, name) {
+  if (!(await page.locator("#page-actions").isVisible())) await page.locator(".menu-open").click();
+  await page.locator("#page-actions").getByRole("button", { name, exact: true }).click();
+}
+
+/** What the machine begins with, where it is not to be seen already. */
+export async function openMachine(page) {
+  if (!(await page.locator("#machine-menu").isVisible())) await page.locator("#machine-menu-open").click();
+}

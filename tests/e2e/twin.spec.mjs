@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
-import { startWithCycles as start } from "./start.mjs";
+import { searchTasks, startWithCycles as start } from "./start.mjs";
 
 const twin = page => page.locator("details.twin");
 const codes = page => twin(page).locator(".twin-code").allTextContents();
@@ -41,7 +41,7 @@ describe("twin", () => {
         text,
       );
     const choose = async name => {
-      await page.locator("#task-search").fill(name);
+      await searchTasks(page, name);
       await page.locator(`.hits[data-search="${name}"] .hit`).first().click();
     };
     await choose("G107");

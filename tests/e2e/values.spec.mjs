@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
-import { keptWhen, startWithEditor as start } from "./start.mjs";
+import { fromFormMenu, keptWhen, openTasks, searchTasks, startWithEditor as start } from "./start.mjs";
 
 async function openProgram(page, text) {
   await page
@@ -27,7 +27,7 @@ async function still(page, text) {
 }
 
 async function choose(page, name) {
-  await page.locator("#task-search").fill(name);
+  await searchTasks(page, name);
   await page.locator(`.hits[data-search="${name}"] .hit`).first().click();
   await page.waitForFunction(text => document.querySelector(".snippet")?.textContent.includes(text), name);
 }
@@ -166,9 +166,11 @@ describe("another variant", () => {
     const { context, page, problems } = await start(chrome);
     await page.locator(".opened").waitFor();
     const first = await programWhen(page, now => /_TNUM=/.test(now));
+    await openTasks(page);
     await page.locator('[role="treeitem"]', { hasText: /^101/ }).first().click();
     const zero = await programWhen(page, now => /_MVAR=101\b/.test(now) && /_KNUM=1\b/.test(now));
     for (const name of ["_TNUM", "_TZL", "_TMV", "_TDIF"]) assert.doesNotMatch(zero, new RegExp(`${name}=`), zero);
+    await openTasks(page);
     await page.locator('[role="treeitem"]', { hasText: /^1/ }).first().click();
     const again = await programWhen(page, now => /_MVAR=1\b/.test(now) && /_KNUM=2001/.test(now));
     const words = text => text.split(/\s+/).filter(Boolean).sort();
@@ -224,7 +226,7 @@ describe("another variant", () => {
   test("marks a wrong value at its field though nobody typed it", async () => {
     const { context, page, problems } = await start(chrome);
     await page.getByRole("button", { name: "Detach" }).click();
-    await page.getByRole("button", { name: "Worked example" }).click();
+    await fromFormMenu(page, "Worked example");
     await zeroOffset(page);
     await field(page, "_KNUM").locator('.problem:has-text("2001")').waitFor();
     assert.equal(await entry(page, "_KNUM").inputValue(), "");

@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { open, shared } from "./browser.mjs";
+import { openTasks } from "./start.mjs";
 
 /** After the redraw that follows what was done last. */
 const drawn = page =>
@@ -17,6 +18,8 @@ describe("the digits of a variant", () => {
     const field = page.locator('.field[data-field="_MVAR"]');
     await field.waitFor();
     await page.locator(".results tbody tr").first().waitFor(); // all cycles are there
+    await openTasks(page);
+    await openTasks(page);
     const closed = page.locator('[role="treeitem"][aria-expanded="false"]');
     while ((await closed.count()) > 0) {
       await closed.first().click();

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
-import { keptWhen, startWithEditor as start } from "./start.mjs";
+import { fromPageMenu, keptWhen, startWithEditor as start } from "./start.mjs";
 
 async function openProgram(page, text) {
   await page
@@ -170,7 +170,7 @@ describe("ways of writing", () => {
     await page.waitForFunction(() => JSON.parse(localStorage.getItem("probewright-1") ?? "{}").style === "indirect");
     await page.reload();
     await page.locator('.snippet[data-style="indirect"]').waitFor();
-    await page.getByRole("button", { name: "Copy link" }).click();
+    await fromPageMenu(page, "Copy link");
     await page.waitForFunction(() => location.hash.startsWith("#s="));
     const other = await start(chrome, { path: new URL(page.url()).hash });
     await other.page.locator('.snippet[data-style="indirect"]').waitFor();

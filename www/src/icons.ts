@@ -23,6 +23,7 @@ import Expand from "lucide/dist/esm/icons/expand.mjs";
 import Eye from "lucide/dist/esm/icons/eye.mjs";
 import FileCode from "lucide/dist/esm/icons/file-code.mjs";
 import FolderOpen from "lucide/dist/esm/icons/folder-open.mjs";
+import Gauge from "lucide/dist/esm/icons/gauge.mjs";
 import House from "lucide/dist/esm/icons/house.mjs";
 import Info from "lucide/dist/esm/icons/info.mjs";
 import Keyboard from "lucide/dist/esm/icons/keyboard.mjs";
@@ -73,6 +74,7 @@ const ICONS = {
   file: FileCode,
   first: SkipBack,
   fit: Maximize,
+  gauge: Gauge,
   good: CircleCheck,
   help: CircleHelp,
   history: History,
@@ -101,6 +103,7 @@ const ICONS = {
   save: Save,
   search: Search,
   settings: SlidersHorizontal,
+  solid: Box,
   start: ArrowRight,
   system: SunMoon,
   table: Table,

@@ -36,6 +36,13 @@ export const KEYS = {
     "next-tab": ["ArrowRight"],
     "previous-tab": ["ArrowLeft"],
   },
+  splitter: {
+    nearer: ["ArrowLeft", "ArrowUp"],
+    further: ["ArrowRight", "ArrowDown"],
+    least: ["Home"],
+    most: ["End"],
+    maximise: ["Enter"],
+  },
   // Tab is the browser's own; the editor has more keys, which are those of every editor
   editor: {
     "leave-editor": ["Tab"],

@@ -2,12 +2,16 @@
 
 app-name = Probewright
 panels = Bereiche
-panel-tasks = Messen
+panel-tasks = Aufgaben
 panel-form = Maske
 panel-program = Programm
 panel-view = 3D-Ansicht
 panel-results = Ergebnis
 panel-help = Hilfe
+splitter-form = Breite der Maske
+splitter-dock = Höhe von Programm und Ergebnis
+splitter-program = Breite des Programms
+splitter-help = Ziehen ändert die Größe, Doppelklick maximiert oder stellt wieder her.
 skip = Springen
 skip-to = Gehe zu: { $panel }
 
@@ -74,6 +78,7 @@ menu = Menü
 about-open = Info
 
 tasks-title = Messaufgabe
+search-open = Suchen
 tasks-search = Zyklen, Parameter, Ergebnisse und Alarme suchen
 tasks-search-hint = Zyklus, Alarm, Wörter
 tasks-coming = Weitere Zyklen werden geladen …
@@ -99,6 +104,10 @@ form-check = Prüfung
 form-example = Beispiel einsetzen
 form-snippet = Programmtext
 form-comments = Werte kommentieren
+form-call = Aufruf
+form-copy-call = Aufruf kopieren
+form-more = Mehr
+form-variant-open = Alle Aufgaben
 form-copy = Kopieren
 form-insert = An Schreibmarke einfügen
 form-complete = Vollständig
@@ -158,6 +167,8 @@ program-call-count = { $count ->
  }
 program-call-line = Zeile { $line }
 program-no-call = kein Messaufruf
+program-file = Datei
+program-copy-all = Programm kopieren
 program-copy = Kopieren
 program-open = Öffnen
 program-save = Speichern
@@ -309,6 +320,8 @@ problem-place = Zeile { $line }, Spalte { $column }
 log-save = Als Datei speichern
 log-none = Nichts protokolliert.
 
+sliders-open = Fehler
+sliders-open-help = Simulierte Fehler von Werkstück und Messtaster
 sliders-title = Simulierte Abweichungen
 sliders-reset = Auf 0
 sliders-part = Werkstückabweichungen
@@ -453,6 +466,12 @@ keys-editor-leave-editor = Editor verlassen
 keys-editor-find = Suchen
 keys-editor-next-problem = Nächste Meldung
 keys-editor-problems = Alle Meldungen mit Abhilfe
+keys-splitter = Trenner zwischen Bereichen
+keys-splitter-nearer = Nach links oder oben
+keys-splitter-further = Nach rechts oder unten
+keys-splitter-least = Kleinste Größe
+keys-splitter-most = Größte Größe
+keys-splitter-maximise = Maximieren oder zurück
 keys-view = 3D-Ansicht
 keys-view-turn = Drehen
 keys-view-shift = Verschieben

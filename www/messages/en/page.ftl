@@ -2,12 +2,16 @@
 
 app-name = Probewright
 panels = Panels
-panel-tasks = Measure
+panel-tasks = Tasks
 panel-form = Form
 panel-program = Program
 panel-view = 3D view
 panel-results = Result
 panel-help = Help
+splitter-form = Width of the form
+splitter-dock = Height of the program and results
+splitter-program = Width of the program
+splitter-help = Drag to resize. Double-click to maximise or restore.
 skip = Skip
 skip-to = Go to: { $panel }
 
@@ -74,6 +78,7 @@ menu = Menu
 about-open = About
 
 tasks-title = Measuring task
+search-open = Search
 tasks-search = Search cycles, parameters, results and alarms
 tasks-search-hint = Cycle, alarm, words
 tasks-coming = Loading the other cycles …
@@ -99,6 +104,10 @@ form-check = Check
 form-example = Worked example
 form-snippet = Program text
 form-comments = Add comments
+form-call = Call
+form-copy-call = Copy call
+form-more = More
+form-variant-open = All tasks
 form-copy = Copy
 form-insert = Insert at cursor
 form-complete = Complete
@@ -158,6 +167,8 @@ program-call-count = { $count ->
  }
 program-call-line = line { $line }
 program-no-call = no measuring call
+program-file = File
+program-copy-all = Copy program
 program-copy = Copy
 program-open = Open
 program-save = Save
@@ -309,6 +320,8 @@ problem-place = line { $line }, column { $column }
 log-save = Save as file
 log-none = Nothing was logged.
 
+sliders-open = Errors
+sliders-open-help = Simulated errors of part and probe
 sliders-title = Simulated errors
 sliders-reset = Reset to zero
 sliders-part = Part errors
@@ -453,6 +466,12 @@ keys-editor-leave-editor = Leave the editor
 keys-editor-find = Search
 keys-editor-next-problem = Next problem
 keys-editor-problems = All problems, with remedies
+keys-splitter = Dividers between areas
+keys-splitter-nearer = Move left or up
+keys-splitter-further = Move right or down
+keys-splitter-least = Smallest
+keys-splitter-most = Largest
+keys-splitter-maximise = Maximise or restore
 keys-view = 3D view
 keys-view-turn = Rotate
 keys-view-shift = Move

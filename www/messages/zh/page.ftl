@@ -2,12 +2,16 @@
 
 app-name = Probewright
 panels = 面板
-panel-tasks = 测量
+panel-tasks = 任务
 panel-form = 表单
 panel-program = 程序
 panel-view = 3D 视图
 panel-results = 结果
 panel-help = 帮助
+splitter-form = 表单宽度
+splitter-dock = 程序和结果区高度
+splitter-program = 程序区宽度
+splitter-help = 拖动可调整大小，双击可最大化或还原。
 skip = 跳转
 skip-to = 转到{ $panel }
 
@@ -74,6 +78,7 @@ menu = 菜单
 about-open = 关于
 
 tasks-title = 选择测量任务
+search-open = 搜索
 tasks-search = 搜索循环、参数、结果和报警
 tasks-search-hint = 循环、报警、关键词
 tasks-coming = 正在加载其他循环…
@@ -99,6 +104,10 @@ form-check = 检查
 form-example = 示例数据
 form-snippet = 程序文本
 form-comments = 每个值加注释
+form-call = 调用
+form-copy-call = 复制调用
+form-more = 更多
+form-variant-open = 全部任务
 form-copy = 复制
 form-insert = 插入到光标处
 form-complete = 完整
@@ -154,6 +163,8 @@ program-call-count = { $count ->
  }
 program-call-line = 第 { $line } 行
 program-no-call = 没有测量调用
+program-file = 文件
+program-copy-all = 复制程序
 program-copy = 复制
 program-open = 打开
 program-save = 保存
@@ -305,6 +316,8 @@ problem-place = 第 { $line } 行，第 { $column } 列
 log-save = 保存为文件
 log-none = 没有记录任何内容。
 
+sliders-open = 误差
+sliders-open-help = 工件和测头的模拟误差
 sliders-title = 模拟误差
 sliders-reset = 全部归零
 sliders-part = 工件误差
@@ -449,6 +462,12 @@ keys-editor-leave-editor = 离开编辑器
 keys-editor-find = 查找
 keys-editor-next-problem = 下一个问题
 keys-editor-problems = 列出所有问题及措施
+keys-splitter = 区域分隔条
+keys-splitter-nearer = 左移或上移
+keys-splitter-further = 右移或下移
+keys-splitter-least = 最小
+keys-splitter-most = 最大
+keys-splitter-maximise = 最大化或还原
 keys-view = 3D 视图
 keys-view-turn = 旋转
 keys-view-shift = 平移

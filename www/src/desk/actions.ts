@@ -448,7 +448,14 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
       store.update({ machine: described }, asBegun(now()), { view: { step: AT_END } });
     },
     panel(panel) {
-      store.update({ panels: { panel, [LEFT.includes(panel) ? "left" : "right"]: panel } });
+      const docked = panel === "program" || panel === "results";
+      store.update({
+        panels: {
+          panel,
+          [LEFT.includes(panel) ? "left" : "right"]: panel,
+          ...(docked ? { dock: panel } : {}),
+        },
+      });
       store.flush(); // who shows a panel goes on in it, mostly with the focus
     },
   };

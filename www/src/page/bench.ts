@@ -5,6 +5,7 @@ import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
 import { el, setText, show } from "../dom";
 import type { EditorPlace } from "../editor/place";
+import { icon } from "../icons";
 import type { Scanner } from "../scan/scanner";
 import type { State } from "../state/state";
 import type { Store } from "../state/store";
@@ -56,11 +57,19 @@ export function createBench(parts: Parts): Bench {
   const { store, actions, open, stage, scanner } = parts;
   const core = () => parts.modules.program;
   const stop = new AbortController();
-  const layout = createLayout(actions);
+  const layout = createLayout(actions, sizes => store.update({ panels: { sizes } }));
   const { panels } = layout;
   const results = el("div", { class: "results-main" });
-  const sliders = el("aside", { class: "sliders", "aria-label": t("sliders-title") });
-  panels.results.append(results, sliders);
+  panels.results.append(results);
+  const sliders = el("aside", { class: "sliders", id: "sliders", "aria-label": t("sliders-title") });
+  const errors = el(
+    "button",
+    { type: "button", class: "errors-open", "aria-controls": "sliders", title: t("sliders-open-help") },
+    icon("settings"),
+    t("sliders-open"),
+  );
+  const scene = el("div", { class: "view-main" });
+  panels.view.append(scene, sliders);
   const program = createProgram(panels.program, store, actions, open, parts.editor);
   const activities = createActivities(store, parts.work);
   const refusals = [createRefusal(store, "program"), createRefusal(store, "setup")] as const;
@@ -75,7 +84,6 @@ export function createBench(parts: Parts): Bench {
   const { file, text, calls, motions } = activities;
   program.head.after(refusals[0].root, file.root, text.root, calls.root);
   layout.header.after(refusals[1].root, newer.root);
-  panels.view.append(motions.root);
   listenToKeys(
     {
       save: program.save,
@@ -102,18 +110,30 @@ export function createBench(parts: Parts): Bench {
     stop.signal,
   );
   const views = [
-    createHeader(layout.header, store, actions, open.setup, core, () => later()?.machineData ?? null, keys),
+    createHeader(
+      layout.header,
+      store,
+      actions,
+      open.setup,
+      core,
+      () => later()?.machineData ?? null,
+      keys,
+      program,
+      stop.signal,
+    ),
     createTasks(panels.tasks, store, actions, found),
     createForm(panels.form, store, actions, () => sets.dialog.showModal(), program.goToLine),
-    createScene(panels.view, store, program.goToLine, stage),
+    createScene(scene, store, program.goToLine, stage),
     (state: State, derived: Derived): void => later()?.drawResults(state, derived),
-    createSliders(sliders, store, actions),
+    createSliders(sliders, errors, store, actions),
     (state: State, derived: Derived): void => later()?.drawHelp(state, derived),
     sets.draw,
     card.draw,
     continuing.draw,
     program.draw, // last: the editor asks for the selection, and that lays out the page
   ];
+  scene.append(motions.root);
+  scene.querySelector(".segments")?.after(errors);
   return {
     language: language(),
     draw(state, derived) {

@@ -16,7 +16,7 @@ import { acceptDrops } from "../views/drop";
 
 /** Told in the program panel, which help may cover and another panel replace: it is shown. */
 function refuse(store: Store, place: "program" | "setup", why: Refusal): void {
-  const shown: Patch = place === "program" ? { panels: { panel: place, right: place } } : {};
+  const shown: Patch = place === "program" ? { panels: { panel: place, right: place, dock: place } } : {};
   store.update({ page: { refused: { ...why, place } } }, shown);
 }
 

@@ -168,7 +168,14 @@ export interface PanelState {
   tab: ResultTab;
   unfolded: Record<string, boolean>; // branches of the task tree that were opened or closed by hand
   outline: boolean; // the list of calls stands beside the program
+  dock: DockPanel; // the one that is shown where they do not stand side by side
+  errors: boolean; // the panel of simulated errors stands beside the view
+  sizes: Sizes; // of areas, as they were drawn
 }
+
+export type DockPanel = "program" | "results";
+/** CSS pixels of areas, by name; none: as the page has it. */
+export type Sizes = Partial<Record<"form" | "dock" | "program", number>>;
 
 /** The work of another tab; `changed`: ms; `name`: of its file, else of its cycle. */
 export interface OtherWork {
@@ -309,7 +316,17 @@ export function firstState(): State {
     },
     run: { done: null, stopped: null },
     scan: { made: null, problem: "" },
-    panels: { panel: "form", left: "form", right: "results", tab: "outcome", unfolded: {}, outline: true },
+    panels: {
+      panel: "form",
+      left: "form",
+      right: "results",
+      tab: "outcome",
+      unfolded: {},
+      outline: true,
+      dock: "program",
+      errors: false,
+      sizes: {},
+    },
     page: {
       theme: "system",
       language: "",

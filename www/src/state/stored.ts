@@ -85,6 +85,9 @@ function ownMachines(value: unknown): State["machine"]["own"] {
 
 const planes = all(value => (PLANES.includes(value as Plane) ? (value as Plane) : undefined));
 
+const DOCKS: State["panels"]["dock"][] = ["program", "results"];
+const pixels = (value: unknown): number | undefined => (Number.isFinite(value) ? (value as number) : undefined);
+
 /** All kept fields, by the names under which they are stored. */
 const FIELDS = {
   control: field("form", "control"),
@@ -134,6 +137,9 @@ const FIELDS = {
   language: field("page", "language"),
   unfolded: field("panels", "unfolded", all(flag)),
   outline: field("panels", "outline"),
+  dock: field("panels", "dock", value => DOCKS.find(one => one === value)),
+  errorsShown: field("panels", "errors"),
+  sizes: field("panels", "sizes", all(pixels)),
 };
 type Name = keyof typeof FIELDS;
 const NAMES = Object.keys(FIELDS) as Name[];

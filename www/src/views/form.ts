@@ -2,7 +2,6 @@
 
 import { type Actions, type Variant, variantOf } from "../desk/actions";
 import type { Derived } from "../desk/derive";
-import { placedIn } from "../desk/placed";
 import { replacing } from "../desk/typing";
 import { el, keyed, on, setAttribute, setText, show } from "../dom";
 import { meantBy } from "../keys";
@@ -11,9 +10,9 @@ import type { Store } from "../state/store";
 import { optional, t } from "../texts";
 import type { Diagnostic, Field } from "../wire";
 import { createAsks } from "./asks";
-import { copyText } from "./copy";
 import { createExplain } from "./explain";
 import { createField, type FieldView, fieldId } from "./field";
+import { createFoot } from "./foot";
 import { createPicture } from "./picture";
 import { listProblems } from "./problem";
 import { createTwin } from "./twin";
@@ -61,6 +60,7 @@ export function createForm(
   const title = el("h2", { id: "form-title" });
   const explain = createExplain();
   const where = el("span", {});
+  const chip = el("button", { type: "button", class: "chip", "aria-controls": "panel-tasks" });
   const help = el(
     "button",
     { type: "button", class: "quiet help-open", "aria-controls": "panel-help" },
@@ -87,15 +87,7 @@ export function createForm(
   const example = el("button", { type: "button" }, t("form-example"));
   const snippet = el("pre", { class: "snippet", tabindex: "0", "aria-label": t("form-snippet") });
   const comments = el("input", { type: "checkbox", id: "comments" });
-  const copy = el("button", { type: "button" }, t("form-copy"));
-  const insert = el("button", { type: "button", class: "primary" }, t("form-insert"));
-  const placedText = el("span", {});
-  const placed = el(
-    "button",
-    { type: "button", class: "quiet placed" },
-    placedText,
-    el("span", { class: "placed-mark", "aria-hidden": "true" }, "✓"),
-  );
+  const foot = createFoot(store, actions, goToLine, [check, example, sets]);
   const snippetBox = el(
     "section",
     { class: "snippet-box", "aria-label": t("form-snippet") },
@@ -105,29 +97,22 @@ export function createForm(
       el("h3", {}, t("form-snippet")),
       el("label", { class: "check", for: "comments" }, comments, t("form-comments")),
     ),
+    opened,
+    callWays.root,
     el("div", { class: "ways" }, ways.choice),
     snippet,
     ways.said,
-    el("div", { class: "actions" }, insert, placed, copy),
     twin.root,
   );
-  const scroll = el(
-    "div",
-    { class: "scroll" },
-    loose,
-    fields,
-    el("div", { class: "actions" }, check, example, sets),
-    snippetBox,
-  );
+  const scroll = el("div", { class: "scroll" }, loose, fields, snippetBox);
   root.append(
-    el("header", { class: "panel-head" }, title, count, help),
-    opened,
-    callWays.root,
+    el("header", { class: "panel-head form-head" }, el("div", { class: "form-name" }, title, chip), count, help),
     pictureBox,
     explain.root,
     scroll,
     asks.root,
     asks.said,
+    foot.root,
   );
 
   const views = new WeakMap<Element, FieldView>();
@@ -136,9 +121,7 @@ export function createForm(
   };
   const focusField = (name: string): void => document.getElementById(fieldId(name))?.focus();
   const drawPicture = createPicture(pictureBox, focusField);
-  let snippetText = "";
   let chosen: Variant | undefined;
-  let line: number | null = null; // in which the program has the call just so
 
   on(fields, "keydown", event => {
     if (!asks.waits() || event.target instanceof HTMLSelectElement) return;
@@ -156,13 +139,9 @@ export function createForm(
   on(example, "click", () => actions.example(chosen));
   on(sets, "click", showSets);
   on(comments, "change", () => store.update({ snippet: { comments: comments.checked } }));
-  on(copy, "click", () => void copyText(snippetText, store, "notice-copied"));
-  on(insert, "click", () => {
-    actions.insert(snippetText);
-    actions.panel("program");
-  });
-  on(placed, "click", () => {
-    if (line !== null) goToLine(line);
+  on(chip, "click", () => {
+    actions.panel("tasks");
+    document.querySelector<HTMLElement>('.tree [tabindex="0"]')?.focus();
   });
   on(check, "click", () => {
     actions.check();
@@ -179,7 +158,9 @@ export function createForm(
   return (state, derived) => {
     const { view, cycle } = derived;
     chosen = variantOf(derived);
-    setText(title, t(`${cycle.key}-title`));
+    setText(title, t(chosen?.key ?? `${cycle.key}-title`));
+    setText(chip, chosen ? `${cycle.cycle} · ${chosen.mvar}` : cycle.cycle);
+    setAttribute(chip, "title", t("form-variant-open"));
     setAttribute(help, "aria-expanded", String(state.panels.right === "help"));
     explain.draw(
       optional(`${cycle.key}-help`),
@@ -211,15 +192,10 @@ export function createForm(
     if (view.picture) drawPicture(view.picture, state.form.focus, state.form.values);
     renderCount(count, state, view);
     if (comments.checked !== state.snippet.comments) comments.checked = state.snippet.comments;
-    snippetText = view.snippet;
     setText(snippet, view.snippet);
     setAttribute(snippet, "data-style", derived.style);
     show(snippet, view.snippet !== "");
-    line = placedIn(state, derived);
-    show(insert, line === null);
-    setAttribute(insert, "disabled", view.snippet === "");
-    show(placed, line !== null);
-    if (line !== null) setText(placedText, t("form-placed", { line }));
+    foot.draw(state, derived);
     asks.draw(state);
     ways.draw(state, derived);
     twin.draw(state, derived);

@@ -4,13 +4,13 @@ import type { ProgramCore } from "../core/program";
 import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
 import { el, keyed, on, setAttribute, setText, show } from "../dom";
-import { icon } from "../icons";
-import { ariaKey, meantBy } from "../keys";
+import { type IconName, icon } from "../icons";
+import { ariaKey } from "../keys";
 import { nameOf } from "../language";
 import { pack } from "../link";
 import { plain } from "../numbers";
 import { saveFile } from "../state/files";
-import type { State } from "../state/state";
+import { beginning, INCH, type State } from "../state/state";
 import type { Store } from "../state/store";
 import { shared } from "../state/stored";
 import { language, languages, t } from "../texts";
@@ -18,9 +18,11 @@ import { drawTheme, THEMES } from "../theme";
 import type { FormView } from "../wire";
 import { createAbout } from "./about";
 import { copyText } from "./copy";
+import { createFileMenu, type FileActions } from "./file-menu";
 import { createHistory } from "./history";
 import { createMachine } from "./machine";
 import type { MachineData } from "./machine-data";
+import { createMenu } from "./menu";
 
 const MM_PER_INCH = 25.4;
 
@@ -73,40 +75,15 @@ function languageChoice(actions: Actions): HTMLSelectElement {
   return choice;
 }
 
-/** Where there is no room for the page's actions side by side, this opens and closes them. */
-function menuFor(list: HTMLElement): HTMLButtonElement {
-  const open = el(
-    "button",
-    { type: "button", class: "quiet menu-open", "aria-controls": list.id, "aria-expanded": "false" },
-    t("menu"),
-  );
-  const elsewhere = (event: PointerEvent): void => {
-    if (leaves(event.target)) set(false);
-  };
-  const set = (shown: boolean): void => {
-    setAttribute(open, "aria-expanded", String(shown));
-    setAttribute(list, "data-open", shown);
-    if (shown) addEventListener("pointerdown", elsewhere);
-    else removeEventListener("pointerdown", elsewhere);
-  };
-  const isOpen = (): boolean => list.hasAttribute("data-open");
-  const leaves = (to: EventTarget | null): boolean => !(to instanceof Node && (list.contains(to) || open.contains(to)));
-  on(open, "click", () => set(!isOpen()));
-  on(list, "click", event => {
-    if (event.target instanceof Element && event.target.closest("button:not(#theme)")) set(false);
-  });
-  for (const part of [open, list]) {
-    on(part, "focusout", event => {
-      if (event.relatedTarget && leaves(event.relatedTarget)) set(false);
-    });
-    on(part, "keydown", event => {
-      if (meantBy(event, "page") !== "close" || !isOpen()) return;
-      set(false);
-      open.focus();
-    });
-  }
-  return open;
+/** An action of the page in a menu: an icon and its words. */
+function entry(of: IconName, words: string, run: () => void): HTMLButtonElement {
+  const node = el("button", { type: "button", class: "quiet" }, icon(of), el("span", {}, t(words)));
+  on(node, "click", run);
+  return node;
 }
+
+/** Where the first line has room for theme, language and keys. */
+const ROOMY = matchMedia("(min-width: 1200px)");
 
 export function createHeader(
   root: HTMLElement,
@@ -116,18 +93,16 @@ export function createHeader(
   core: () => ProgramCore | null,
   machineData: () => MachineData | null,
   keys: HTMLDialogElement,
+  files: FileActions,
+  end: AbortSignal,
 ): (state: State, derived: Derived) => void {
   const about = createAbout();
   const machine = createMachine(actions);
   const history = createHistory(actions);
-  const data = el("button", { type: "button", class: "quiet", "aria-haspopup": "dialog" }, t("machine-data-open"));
+  const data = entry("machine", "machine-data-open", () => undefined);
+  setAttribute(data, "aria-haspopup", "dialog");
   on(data, "click", () => machineData()?.open());
   const list = el("dl", { class: "facts", "aria-label": t("facts") });
-  const quiet = (key: string, run: () => void): HTMLButtonElement => {
-    const node = el("button", { type: "button", class: "quiet" }, t(key));
-    on(node, "click", run);
-    return node;
-  };
   let shown: Machine = {}; // the last that was used: it stays in sight while the form is incomplete
   const file = el("input", {
     type: "file",
@@ -141,37 +116,66 @@ export function createHeader(
     if (chosen) openSetup(chosen);
     file.value = "";
   });
-  const theme = quiet("theme-system", () => {
+  const theme = entry("system", "theme-system", () => {
     const next = THEMES[(THEMES.indexOf(store.state.page.theme) + 1) % THEMES.length] ?? "system";
     store.update({ page: { theme: next } });
   });
   theme.id = "theme";
+  setAttribute(theme, "data-stays", true);
   const themeName = el("span", {}, "");
-  const own = quiet("setup-own", () => actions.openSetup(null));
+  const own = entry("undo", "setup-own", () => actions.openSetup(null));
   const save = (): void => {
     const saved = shown.setup ?? store.state.machine.setup;
     if (saved) saveFile(JSON.stringify(saved, null, 2), "setup.json", "application/json");
     else store.update({ page: { notice: "notice-nothing-to-save" } });
   };
-  const keysOpen = quiet("keys-title", () => keys.showModal());
-  keysOpen.replaceChildren(el("span", {}, t("keys-title")), el("kbd", { "aria-hidden": "true" }, "?"));
-  setAttribute(keysOpen, "class", "quiet keys-open");
+  const keysOpen = entry("keys", "keys-title", () => keys.showModal());
   setAttribute(keysOpen, "title", t("keys-title"));
   setAttribute(keysOpen, "aria-keyshortcuts", ariaKey("page", "keys"));
-  const actionsBox = el(
-    "div",
-    { class: "head-actions", id: "page-actions" },
-    data,
-    quiet("setup-import", () => file.click()),
-    file,
-    quiet("setup-export", save),
-    own,
-    quiet("link-copy", () => void copyLink(store)),
-    theme,
-    languageChoice(actions),
-    keysOpen,
-    quiet("about-open", () => about.showModal()),
+  const menu = createMenu(
+    "page-actions",
+    t("menu"),
+    [
+      data,
+      entry("open", "setup-import", () => file.click()),
+      file,
+      entry("save", "setup-export", save),
+      own,
+      entry("copy", "link-copy", () => void copyLink(store)),
+      entry("info", "about-open", () => about.showModal()),
+    ],
+    [icon("menu")],
+    { class: "quiet menu-open" },
   );
+  const bar = el("div", { class: "top-actions" });
+  const own3 = [theme, languageChoice(actions), keysOpen];
+  /** Where the line has no room for them they stand in the menu. */
+  const place = (): void => {
+    if (ROOMY.matches) bar.append(...own3);
+    else menu.list.lastElementChild?.before(...own3);
+  };
+  ROOMY.addEventListener("change", place, { signal: end });
+  place();
+  const machineName = el("strong", {});
+  const machineText = el("span", { class: "machine-text" });
+  const chip = createMenu(
+    "machine-menu",
+    t("facts"),
+    [machine.root, list],
+    [icon("machine"), machineName, " ", machineText, icon("down")],
+    { class: "machine-open" },
+  );
+  const search = el(
+    "button",
+    { type: "button", id: "search-open", class: "search-open", title: t("tasks-search") },
+    icon("search"),
+    el("span", {}, t("search-open")),
+  );
+  on(search, "click", () => {
+    actions.panel("tasks");
+    document.getElementById("task-search")?.focus();
+  });
+  const program = createFileMenu(files);
   root.append(
     el(
       "div",
@@ -179,22 +183,27 @@ export function createHeader(
       el("span", { class: "brand-mark", "aria-hidden": "true" }),
       el("h1", {}, t("app-name")),
     ),
-    machine.root,
+    program.root,
     history.root,
-    list,
-    menuFor(actionsBox),
-    actionsBox,
+    search,
+    chip.button,
+    chip.list,
+    bar,
+    menu.button,
+    menu.list,
   );
   document.body.append(about);
   return (state, derived) => {
     machine.draw(state);
     history.draw(state);
+    program.draw(state);
     setAttribute(data, "disabled", core() === null || !machineData());
     const { control } = derived.cycle;
     if (derived.view.setup || shown.setup?.control !== control) shown = derived.view;
+    const known = facts(control, shown);
     keyed(
       list,
-      facts(control, shown),
+      known,
       one => one.name,
       () => el("div", {}, el("dt", {}), el("dd", {})),
       (node, one) => {
@@ -203,6 +212,11 @@ export function createHeader(
         setText(text, one.text);
       },
     );
+    const { plane, units } = state.form.around ?? beginning(state);
+    setText(machineName, t(`control-${control}`));
+    const tool = known.find(one => one.name === t("fact-tool"))?.text;
+    setText(machineText, [plane, t(INCH.includes(units) ? "unit-inch" : "unit-mm"), tool].filter(Boolean).join(" · "));
+    setAttribute(chip.button, "aria-label", `${machineName.textContent} ${machineText.textContent}`);
     show(own, !!state.machine.setup);
     if (theme.dataset.shown !== state.page.theme) {
       theme.dataset.shown = state.page.theme;

@@ -8,6 +8,7 @@ import type { EditorHost, LineMarks, Shown } from "../editor/editor";
 import type { EditorPlace } from "../editor/place";
 import { type Encoding, encode } from "../encoding";
 import { lineBreak, toEditor, toProgram } from "../eol";
+import { type IconName, icon } from "../icons";
 import { ariaKey } from "../keys";
 import { fileOf, saveFile } from "../state/files";
 import { markOf } from "../state/mark";
@@ -34,6 +35,17 @@ export interface ProgramView {
   /** As the buttons do. */
   open(): void;
   save(): void;
+  copy(): void;
+}
+
+/** A button of the program's head: its words are its name and its tooltip. */
+function tool(of: IconName, words: string, attributes: Record<string, string> = {}): HTMLButtonElement {
+  const name = t(words);
+  return el(
+    "button",
+    { type: "button", class: "quiet icon-button", "aria-label": name, title: name, ...attributes },
+    icon(of),
+  );
 }
 
 export function createProgram(
@@ -44,12 +56,8 @@ export function createProgram(
   place: EditorPlace,
 ): ProgramView {
   const name = el("span", { class: "count" });
-  const copy = el("button", { type: "button", class: "quiet" }, t("program-copy"));
-  const open = el(
-    "button",
-    { type: "button", id: "program-open", class: "quiet", "aria-keyshortcuts": ariaKey("page", "open") },
-    t("program-open"),
-  );
+  const copy = tool("copy", "program-copy");
+  const open = tool("open", "program-open", { id: "program-open", "aria-keyshortcuts": ariaKey("page", "open") });
   const file = el("input", {
     type: "file",
     accept: [...ENDINGS, "text/plain"].join(),
@@ -57,11 +65,7 @@ export function createProgram(
     tabindex: "-1",
     "aria-label": t("program-open"),
   });
-  const download = el(
-    "button",
-    { type: "button", class: "quiet", "aria-keyshortcuts": ariaKey("page", "save") },
-    t("program-save"),
-  );
+  const download = tool("save", "program-save", { "aria-keyshortcuts": ariaKey("page", "save") });
   const calls = el("button", { type: "button", class: "quiet", "aria-controls": "outline" });
   const waiting = el("p", { class: "empty" }, t("program-loading"));
   let saving = Promise.resolve(); // one after the other, in the order in which they were asked for
@@ -206,6 +210,7 @@ export function createProgram(
     goToLine: line => goTo({ line }),
     open: () => void pick(),
     save,
+    copy: () => void copyText(text, store, "notice-copied"),
   };
 }
 

@@ -4,7 +4,7 @@ import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
 import { el, on, setAttribute, setText, show } from "../dom";
 import { parseNumber, plain } from "../numbers";
-import { planeOf, type State } from "../state/state";
+import { NO_ERRORS, planeOf, type State } from "../state/state";
 import type { Store } from "../state/store";
 import { t } from "../texts";
 import type { ErrorSliders, Outcome, Purpose, Solid } from "../wire";
@@ -119,11 +119,19 @@ function createSlider(
   };
 }
 
+/** Whether anything is wrong at all. */
+function isMoved(errors: ErrorSliders): boolean {
+  return Object.values(errors).some(group => Object.values(group).some(value => value !== 0));
+}
+
+/** `open` shows and hides them. */
 export function createSliders(
   root: HTMLElement,
+  open: HTMLButtonElement,
   store: Store,
   actions: Actions,
 ): (state: State, derived: Derived) => void {
+  on(open, "click", () => store.update(state => ({ panels: { errors: !state.panels.errors } })));
   const reset = el("button", { type: "button", class: "quiet" }, t("sliders-reset"));
   on(reset, "click", actions.noErrors);
   const limits = el("button", { type: "button", class: "quiet", title: t("sliders-limits-help") }, t("sliders-limits"));
@@ -163,7 +171,11 @@ export function createSliders(
     root.append(box);
   }
   return (state, { catalogue, cycle, view }) => {
-    show(root, cycle.simulated && TOUCHING.includes(cycle.purpose.probe)); // elsewhere nothing would come of them
+    const counts = cycle.simulated && TOUCHING.includes(cycle.purpose.probe); // elsewhere nothing would come of them
+    show(root, counts && state.panels.errors);
+    show(open, counts);
+    setAttribute(open, "aria-expanded", String(state.panels.errors));
+    setAttribute(open, "data-moved", state.part.errors !== NO_ERRORS && isMoved(state.part.errors));
     setText(title, t("sliders-title"));
     setAttribute(limits, "aria-pressed", String(state.part.limits));
     const applicate = catalogue.applicate[planeOf(state)];

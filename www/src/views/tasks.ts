@@ -116,11 +116,18 @@ export function createTasks(
     store.update(({ panels: { unfolded } }) => ({
       panels: { unfolded: { ...Object.fromEntries([...holding].map(id => [id, true])), ...unfolded } },
     }));
+  /** The variant is chosen: its form takes the place of the tree. */
+  const leave = (): void => {
+    const inside = root.contains(document.activeElement);
+    actions.panel("form");
+    if (inside) document.getElementById("panel-form")?.focus();
+  };
   const pick = (node: Node): void => {
     active = node.id;
     if (node.variant && node.cycle) {
       keepOpen();
       actions.chooseCycle(node.cycle, node.variant);
+      leave();
     } else unfold(node.id, !isOpen(node.id));
   };
   const focus = (node: Node | undefined): void => {
@@ -163,7 +170,8 @@ export function createTasks(
       if (store.state.page.search) found.focusFirst();
       else focus(shown.find(node => node.variant) ?? shown[0]);
     }
-    if (command === "leave") {
+    if (command === "leave" && input.value !== "") {
+      event.preventDefault();
       input.value = "";
       store.update({ page: { search: "" } });
     }
@@ -221,6 +229,7 @@ export function createTasks(
     );
     setAttribute(tree, "aria-busy", derived.simulates === "coming" ? "true" : null);
     found.draw(state);
+    if (state.panels.left !== "tasks") return;
     if (chosen && chosen.id !== inSight) bringIntoSight(tree, tree.querySelector('[aria-selected="true"]'));
     inSight = chosen?.id ?? "";
   };

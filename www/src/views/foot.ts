@@ -1,0 +1,80 @@
+// The footer of the form, always in sight: the call as it stands now, and what is done with it.
+
+import type { Actions } from "../desk/actions";
+import type { Derived } from "../desk/derive";
+import { placedIn } from "../desk/placed";
+import { el, on, setAttribute, setText, show } from "../dom";
+import { icon } from "../icons";
+import type { State } from "../state/state";
+import type { Store } from "../state/store";
+import { t } from "../texts";
+import type { Dialect } from "../wire";
+import { copyText } from "./copy";
+import { createMenu } from "./menu";
+
+/** A comment, and what must not be taken for one. */
+const COMMENTS: Record<Dialect, RegExp> = {
+  sinumerik: /("[^"\n]*")|\s*;.*$/gm,
+  nct: /("[^"\n]*")|\s*\([^)\n]*\)/g,
+};
+
+/** The blocks of a snippet one after the other, without what is only said about them. */
+export function inOneLine(snippet: string, control: Dialect): string {
+  const plain = snippet.replace(COMMENTS[control], (_, quoted?: string) => quoted ?? "");
+  return plain
+    .split("\n")
+    .map(line => line.trim())
+    .filter(line => line !== "")
+    .join(" ");
+}
+
+/** `entries`: further actions of the form, in the menu. */
+export function createFoot(
+  store: Store,
+  actions: Actions,
+  goToLine: (line: number) => void,
+  entries: readonly HTMLElement[],
+): { root: HTMLElement; draw(state: State, derived: Derived): void } {
+  const call = el("code", { class: "foot-call" });
+  const copy = el("button", { type: "button", class: "primary" }, icon("copy"), t("form-copy-call"));
+  const insert = el("button", { type: "button", class: "insert" }, t("form-insert"));
+  const placedText = el("span", {});
+  const placed = el(
+    "button",
+    { type: "button", class: "placed" },
+    placedText,
+    el("span", { class: "placed-mark", "aria-hidden": "true" }, "✓"),
+  );
+  const more = createMenu("form-menu", t("form-more"), entries);
+  const root = el(
+    "footer",
+    { class: "form-foot", "aria-label": t("form-call") },
+    call,
+    el("div", { class: "foot-actions" }, copy, insert, placed, more.button),
+    more.list,
+  );
+  let snippet = "";
+  let line: number | null = null; // in which the program has the call just so
+  on(copy, "click", () => void copyText(snippet, store, "notice-copied"));
+  on(insert, "click", () => {
+    actions.insert(snippet);
+    actions.panel("program");
+  });
+  on(placed, "click", () => {
+    if (line !== null) goToLine(line);
+  });
+  return {
+    root,
+    draw(state, derived) {
+      snippet = derived.view.snippet;
+      setText(call, inOneLine(snippet, derived.cycle.control));
+      setAttribute(call, "title", snippet);
+      setAttribute(copy, "disabled", snippet === "");
+      line = placedIn(state, derived);
+      show(insert, line === null);
+      setAttribute(insert, "disabled", snippet === "");
+      show(placed, line !== null);
+      if (line !== null) setText(placedText, t("form-placed", { line }));
+    },
+  };
+}

@@ -1,0 +1,49 @@
+// A button that opens a list of further actions above or below itself.
+
+import { type Attributes, el, on } from "../dom";
+import { icon } from "../icons";
+
+/** `label` names the button, which shows three dots or what it is given. */
+export function createMenu(
+  id: string,
+  label: string,
+  entries: readonly HTMLElement[],
+  face: readonly (Node | string)[] = [icon("more")],
+  attributes: Attributes = {},
+): { button: HTMLButtonElement; list: HTMLElement } {
+  const button = el(
+    "button",
+    {
+      type: "button",
+      id: `${id}-open`,
+      class: "icon-button",
+      "aria-label": label,
+      title: label,
+      popovertarget: id,
+      ...attributes,
+    },
+    ...face,
+  );
+  const list = el("div", { id, class: "menu", popover: "auto", role: "group", "aria-label": label }, ...entries);
+  on(list, "beforetoggle", () => place(list, button.getBoundingClientRect()));
+  on(list, "click", event => {
+    if (event.target instanceof Element && event.target.closest("button:not([data-stays])")) list.hidePopover();
+  });
+  on(list, "focusout", ({ relatedTarget: to }) => {
+    if (to instanceof Node && !list.contains(to) && !button.contains(to)) list.hidePopover();
+  });
+  return { button, list };
+}
+
+/** On the side of the button on which there is more room. */
+function place(list: HTMLElement, { left, right, top, bottom }: DOMRect): void {
+  const set = (name: string, value: number | null): void =>
+    value === null ? void list.style.removeProperty(name) : list.style.setProperty(name, `${Math.max(0, value)}px`);
+  const below = innerHeight - bottom > top;
+  const after = innerWidth - left > right;
+  set("--from-top", below ? bottom : null);
+  set("--from-bottom", below ? null : innerHeight - top);
+  set("--from-left", after ? left : null);
+  set("--from-right", after ? null : innerWidth - right);
+  set("--room", (below ? innerHeight - bottom : top) - 8);
+}
