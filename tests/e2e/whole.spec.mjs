@@ -199,3 +199,92 @@ describe("ways of writing", () => {
     await context.close();
   });
 });
+
+/** Three holes one after the other; the second one is looked for where it is not. */
+const HOLES = `G17 G54 G40 D1
+T1 D1
+M5
+${VALUES} _TMV=0.02 _TDIF=0.06 _K=1
+CYCLE977
+G0 X0
+_SETVAL=131.98
+CYCLE977
+_SETVAL=132
+CYCLE977
+M30
+`;
+
+describe("the measurements of a whole program", () => {
+  const chrome = shared("neither", { before, after });
+  const row = page => page.locator(".whole-row");
+
+  async function whole(page, text) {
+    await openProgram(page, text);
+    await page.getByRole("button", { name: "Whole program" }).click();
+    await row(page).first().waitFor();
+  }
+
+  // oracle: hand
+  test("have a row each, which is its line and its step", async () => {
+    const { context, page, problems } = await start(chrome, { viewport: { width: 1440, height: 900 } });
+    await whole(page, HOLES);
+    const shown = await row(page).allTextContents();
+    assert.ok(shown.length >= 1, shown.join("\n"));
+    assert.match(shown[0], /^1.*Hole.*5/);
+    await row(page).first().click();
+    await page.locator('.whole-row[aria-selected="true"][data-place="0"]').waitFor();
+    await page.locator('.cm-activeLine:has-text("CYCLE977")').waitFor();
+    await page.locator(".whole-table").focus();
+    await page.keyboard.press("End");
+    await page.keyboard.press("Enter");
+    await page.locator(`.whole-row[aria-selected="true"][data-place="${shown.length - 1}"]`).waitFor();
+    await page.locator('.cm-line:has-text("CYCLE977")').first().click();
+    await page.locator('.whole-row[aria-selected="true"][data-place="0"]').waitFor();
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: hand (RFC 4180; a mark of UTF-8, a decimal comma and semicolons in German)
+  test("are saved as a table for the language that is shown", async () => {
+    for (const [locale, comma] of [
+      ["en", ","],
+      ["de", ";"],
+    ]) {
+      const { context, page } = await start(chrome, { locale });
+      await page
+        .locator(".panel-program input[type=file]")
+        .setInputFiles({ name: "part.mpf", mimeType: "text/plain", buffer: Buffer.from(HOLES) });
+      await page.locator(".call-row").first().waitFor();
+      await page.locator(".panel-view .segments button").nth(1).click();
+      await row(page).first().waitFor();
+      const [download] = await Promise.all([
+        page.waitForEvent("download"),
+        page.locator('.whole-top button:has-text("CSV")').click(),
+      ]);
+      assert.equal(download.suggestedFilename(), "part.csv");
+      const bytes = await download.createReadStream().then(async stream => Buffer.concat(await stream.toArray()));
+      assert.deepEqual([...bytes.subarray(0, 3)], [0xef, 0xbb, 0xbf]);
+      const lines = bytes.toString("utf8").slice(1).trimEnd().split("\r\n");
+      assert.equal(lines[0].split(comma).length, 15, lines[0]);
+      assert.ok(lines[1].includes(`CYCLE977${comma}`), lines[1]);
+      await context.close();
+    }
+  });
+
+  // oracle: hand
+  test("of a thousand calls hold few elements, and the worst comes first at once", async () => {
+    const { context, page } = await start(chrome, { viewport: { width: 1440, height: 900 } });
+    const calls = "CYCLE977\n".repeat(400);
+    await whole(page, HOLES.replace("CYCLE977\nG0 X0\n", calls));
+    assert.ok((await row(page).count()) < 60, "only rows in sight exist");
+    const took = await page.evaluate(async () => {
+      const began = performance.now();
+      [...document.querySelectorAll(".whole-top button")][0].click();
+      await new Promise(requestAnimationFrame);
+      return performance.now() - began;
+    });
+    assert.ok(took < 500, `${took} ms`);
+    assert.equal(await page.locator('[role="columnheader"][aria-sort="ascending"] [data-column="verdict"]').count(), 1);
+    await context.close();
+  });
+});

@@ -64,6 +64,26 @@ export type AlarmInfo = {
   source: Cited,
 };
 
+/** What a call came to. */
+export type Answer = {
+  /** What is measured, in words. */
+  feature: Message,
+  /** What was measured, the most important first. */
+  figures: Array<Figure>,
+  /** What was corrected; none: nothing. */
+  corrected: Array<Correction>,
+  /** Where the deviations lie in their limits; absent: nothing limits them. */
+  gauge?: Gauge,
+  /** What follows. */
+  verdict: Verdict,
+  /** The verdict in words. */
+  verdict_words: Message,
+  /** Number or text of the alarm or operator message behind the verdict. */
+  alarm?: string,
+  /** Why, in a sentence. */
+  why: Message,
+};
+
 /** One argument of a message. */
 export type Arg = number | string;
 
@@ -106,6 +126,19 @@ export type Ball = {
   /** What holds the stylus, where that is known. */
   body?: ProbeBody,
 };
+
+/** A part of a scale. */
+export type Band = {
+  /** What a deviation there means. */
+  kind: BandKind,
+  /** Left end. */
+  from: number,
+  /** Right end. */
+  to: number,
+};
+
+/** What a deviation means. */
+export type BandKind = "good" | "mean" | "bad";
 
 /** System of units. */
 export type BasicSystem = "mm" | "inch";
@@ -259,6 +292,14 @@ export type Corrected = {
   key: string,
   /** Values, as typed, that the worked measurement has for it instead. */
   values: { [key in string]: string },
+};
+
+/** A frame, tool, register or probe that was corrected. */
+export type Correction = {
+  /** What it is. */
+  target: Message,
+  /** By how much; none: its data are new. */
+  parts: Array<Part>,
 };
 
 /** What is corrected, in the order in which it is offered. */
@@ -525,6 +566,26 @@ export type Field = {
   digits: Array<DigitGroup>,
 } | { "kind": "text" });
 
+/** A quantity that was measured. */
+export type Figure = {
+  /** The result that has its actual value: `_OVR[4]`. */
+  name: string,
+  /** Meaning of the result. */
+  label: Message,
+  /** Sort of the quantity in a word or two. */
+  heading: Message,
+  /** What stands before its value: `Ø`, `X`, `L1`; empty: nothing. */
+  symbol: string,
+  /** As measured, in its unit. */
+  actual: number,
+  /** As it should be. */
+  set?: number,
+  /** Actual minus set; of a calibration, new minus stored. */
+  deviation?: number,
+  /** Unit at the call. */
+  unit: string,
+};
+
 /** What a form is asked for. */
 export type FormRequest = {
   /** Control. */
@@ -610,6 +671,22 @@ export type Frame = {
   scale: [number, number, number],
   /** Whether the direction of X Y Z is reversed; counts before scale and rotation. */
   mirror: [boolean, boolean, boolean],
+};
+
+/** A scale with limits and needles; all figures in one unit. */
+export type Gauge = {
+  /** Unit of all figures. */
+  unit: string,
+  /** Left end. */
+  low: number,
+  /** Right end. */
+  high: number,
+  /** From end to end, in order. */
+  bands: Array<Band>,
+  /** Limits that lie on the scale. */
+  marks: Array<Mark>,
+  /** What was measured; beyond an end it is drawn there. */
+  needles: Array<Needle>,
 };
 
 /** Heights in rows along X, the first row at the least Y. The middle of the grid is the origin. */
@@ -763,6 +840,14 @@ export type MachineView = {
   definitions: string,
 };
 
+/** A limit. */
+export type Mark = {
+  /** Parameter that gives it. */
+  name: string,
+  /** Where it is. */
+  value: number,
+};
+
 /** What a piece of the triangles is. */
 export type Matter = "part" | "cut" | "chuck" | "ball" | "stem" | "ring" | "stylus" | "body" | "carrier" | "zone";
 
@@ -797,6 +882,16 @@ export type MotionKind = "rapid" | "positioning" | "measuring" | "retract";
 /** Name of a parameter as the manual writes it (`_SETV[0]`, `D`): one constant for an entry and what reads it. */
 export type Name = string;
 
+/** A deviation. */
+export type Needle = {
+  /** Axis or quantity; empty: the only one. */
+  label: string,
+  /** Deviation that the limits watch, empirical value included. */
+  value: number,
+  /** Where it lies. */
+  kind: BandKind,
+};
+
 /** The nose of a turning tool. It lies in the plane. */
 export type Nose = {
   /** Radius, mm. */
@@ -815,6 +910,8 @@ export type OfCall = {
 
 /** What a call does. */
 export type Outcome = {
+  /** What it came to; absent where nothing is measured. */
+  answer?: Answer,
   /** What it wrote, and what it would have written but left as it was. */
   results: Array<Measured>,
   /** Decisions of the tolerance chain in order, the branch taken last. */
@@ -849,6 +946,16 @@ export type ParameterInfo = {
   default: number | null,
   /** Place in the manual. */
   source: Cited,
+};
+
+/** A value of it. */
+export type Part = {
+  /** Axis, length or radius: `X`, `L1`, `R`. */
+  name: string,
+  /** After minus before, in its unit. */
+  by: number,
+  /** Unit of the basic system of the machine, or degree. */
+  unit: string,
 };
 
 /** What is wrong with a part. All zero: nothing. A sphere has neither taper nor lobes. */
@@ -1102,6 +1209,34 @@ export type RunAlarm = {
   cycle?: string,
 };
 
+/** What a measuring call of a run came to. */
+export type RunAnswer = {
+  /** Index of its first entry of the trace. */
+  from: number,
+  /** Index of its last one. */
+  to: number,
+  /** What is measured, in words. */
+  feature: Message,
+  /** What was measured, the most important first. */
+  figures: Array<Figure>,
+  /** What was corrected; none: nothing. */
+  corrected: Array<Correction>,
+  /** Where the deviations lie in their limits; absent: nothing limits them. */
+  gauge?: Gauge,
+  /** What follows. */
+  verdict: Verdict,
+  /** The verdict in words. */
+  verdict_words: Message,
+  /** Number or text of the alarm or operator message behind the verdict. */
+  alarm?: string,
+  /** Why, in a sentence. */
+  why: Message,
+  /** Line of the call, from 1. */
+  line?: number,
+  /** Cycle that is called. */
+  cycle?: string,
+};
+
 /** What was assumed for a program that came without a machine. */
 export type RunAssumed = {
   /** In words. */
@@ -1154,6 +1289,8 @@ export type RunView = {
   diagnostics: Array<Diagnostic>,
   /** The results of each call; behind them what the program wrote beside them. */
   results: Array<RunResult>,
+  /** What each measuring call came to, in order. */
+  answers: Array<RunAnswer>,
   /** What the cycles decided, in order. */
   decisions: Array<RunDecision>,
   /** What is different afterwards. */
@@ -1700,6 +1837,9 @@ export type VariantInfo = {
   /** Values of the worked measurement. */
   example: { [key in string]: string },
 };
+
+/** What follows from a measurement. */
+export type Verdict = "within" | "beyond" | "rework" | "scrap" | "alarm" | "stopped" | "measured";
 
 /** From where the drawing is seen. */
 export type View = "plane" | "section";

@@ -44,3 +44,39 @@ evaluate-converted = { $bit } passte nicht zum Grundsystem der Maschine und ist 
         [1] von inch in mm
        *[other] von mm in inch
     }: { $data }.
+
+# A measurement in one line: what was measured.
+answer-diameter = Durchmesser
+answer-width = Breite
+answer-length = Länge
+answer-centre = Mittelpunkt
+answer-position = Position
+answer-angle = Winkel
+answer-corner = Eckpunkt
+answer-tool-length = Werkzeuglänge
+answer-radius = Radius
+answer-trigger = Triggerpunkt
+answer-skew = Lageabweichung
+answer-probe-length = Länge des Messtasters
+answer-value = Messwert
+# What is corrected.
+answer-frame = { $frame }
+answer-frame-fine = { $frame }, fein
+answer-tool = T{ $tool } D{ $edge }
+answer-tool-offset = T{ $tool } D{ $edge } DL{ $offset }
+answer-register = Register { $register }
+answer-probe = Messtasterdaten
+# What follows.
+answer-within = Innerhalb der Grenzen
+answer-beyond = Außerhalb der Grenzen
+answer-rework = Nacharbeit
+answer-scrap = Ausschuss
+answer-alarm = Alarm { $code }
+answer-stopped = Nicht weiter simuliert
+answer-measured = Gemessen
+answer-why-within = Die Abweichung beträgt höchstens { $limit }{ $unit ->
+        [deg] °
+        [inch]  inch
+       *[mm]  mm
+    }.
+answer-why-measured = Für diese Messung ist keine Grenze gesetzt.

@@ -44,3 +44,39 @@ evaluate-converted = { $bit } did not agree with the basic system of the machine
         [1] from inch to mm
        *[other] from mm to inch
     }, and the bit is { $value } now.
+
+# A measurement in one line: what was measured.
+answer-diameter = Diameter
+answer-width = Width
+answer-length = Length
+answer-centre = Centre
+answer-position = Position
+answer-angle = Angle
+answer-corner = Corner
+answer-tool-length = Tool length
+answer-radius = Radius
+answer-trigger = Trigger point
+answer-skew = Probe skew
+answer-probe-length = Probe length
+answer-value = Measured value
+# What is corrected.
+answer-frame = { $frame }
+answer-frame-fine = { $frame }, fine
+answer-tool = T{ $tool } D{ $edge }
+answer-tool-offset = T{ $tool } D{ $edge } DL{ $offset }
+answer-register = Register { $register }
+answer-probe = Probe data
+# What follows.
+answer-within = Within limits
+answer-beyond = Out of limits
+answer-rework = Rework
+answer-scrap = Scrap
+answer-alarm = Alarm { $code }
+answer-stopped = Not simulated further
+answer-measured = Measured
+answer-why-within = The deviation is at most { $limit }{ $unit ->
+        [deg] °
+        [inch]  inch
+       *[mm]  mm
+    }.
+answer-why-measured = No limit is set for this measurement.

@@ -45,3 +45,39 @@ evaluate-converted = { $bit } 与机床的基本单位制不一致：{ $data } �
         [1] 从 inch 换算为 mm
        *[other] 从 mm 换算为 inch
     }，该位现为 { $value }。
+
+# A measurement in one line: what was measured.
+answer-diameter = 直径
+answer-width = 宽度
+answer-length = 长度
+answer-centre = 中心
+answer-position = 位置
+answer-angle = 角度
+answer-corner = 拐角
+answer-tool-length = 刀具长度
+answer-radius = 半径
+answer-trigger = 触发点
+answer-skew = 测头位置偏差
+answer-probe-length = 测头长度
+answer-value = 测量值
+# What is corrected.
+answer-frame = { $frame }
+answer-frame-fine = { $frame } 精偏移
+answer-tool = T{ $tool } D{ $edge }
+answer-tool-offset = T{ $tool } D{ $edge } DL{ $offset }
+answer-register = 寄存器 { $register }
+answer-probe = 测头数据
+# What follows.
+answer-within = 在限值内
+answer-beyond = 超出限值
+answer-rework = 返修
+answer-scrap = 报废
+answer-alarm = 报警 { $code }
+answer-stopped = 仿真未继续
+answer-measured = 已测量
+answer-why-within = 偏差不超过 { $limit }{ $unit ->
+        [deg] °
+        [inch]  inch
+       *[mm]  mm
+    }。
+answer-why-measured = 此测量未设置限值。

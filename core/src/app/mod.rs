@@ -2,6 +2,7 @@
 //! same; `json` only writes them down.
 
 mod alarms;
+mod answer;
 mod catalogue;
 mod changes;
 mod edit;
@@ -21,6 +22,7 @@ mod twin;
 
 pub use crate::refused::Refused as Error;
 pub use alarms::{AlarmInfo, alarm, alarms};
+pub use answer::{Answer, Band, BandKind, Correction, Figure, Gauge, Mark, Needle, Part, Verdict};
 pub use catalogue::{Catalogue, CycleInfo, ParameterInfo, Purpose, Values, VariantInfo, catalogue};
 pub use changes::Change;
 pub use edit::{Assignment, ChangeRequest, Changed, ConvertRequest, Converted, Replaced, Variable, change, convert};
@@ -32,7 +34,7 @@ pub use machine::{MachineField, MachineGroup, MachineProblem, MachineRequest, Ma
 pub use outcome::{Measured, Outcome, Raised};
 pub use predict::{ErrorLimit, ErrorSliders, PartSliders, ProbeSliders};
 pub use program::{Arrival, CallView, ReadRequest, ReadView, calls, read};
-pub use run::{OfCall, Run, RunAlarm, RunAssumed, RunDecision, RunRequest, RunResult, RunView};
+pub use run::{OfCall, Run, RunAlarm, RunAnswer, RunAssumed, RunDecision, RunRequest, RunResult, RunView};
 pub use scan::{Scan, ScanRequest, ScanView, SurfaceChoice, put_surface};
 pub use start::{Beginning, Machine, OwnMachine};
 pub use trace::Trace;

@@ -1,5 +1,6 @@
 //! What a call did.
 
+use super::answer::{self, Answer};
 use super::changes::{Change, changes};
 use super::predict::ErrorLimit;
 use crate::diagnostic::Code;
@@ -14,6 +15,9 @@ use serde::Serialize;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 pub struct Outcome {
+    /// What it came to; absent where nothing is measured.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub answer: Option<Answer>,
     /// What it wrote, and what it would have written but left as it was.
     pub results: Vec<Measured>,
     /// Decisions of the tolerance chain in order, the branch taken last.
@@ -68,6 +72,7 @@ impl Outcome {
     pub(super) fn new(inputs: &Inputs, trace: Source, limits: Option<Vec<ErrorLimit>>) -> Outcome {
         let outcome = &trace.outcome;
         Outcome {
+            answer: answer::of_call(inputs, outcome),
             results: results(inputs, outcome),
             decisions: outcome.decisions().into_iter().cloned().collect(),
             alarms: alarms(outcome),

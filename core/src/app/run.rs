@@ -1,6 +1,7 @@
 //! A program carried out.
 
 use super::Error;
+use super::answer::{Answer, answer};
 use super::changes::{Change, changes};
 use super::finding::{Finding, placed};
 use super::outcome::{Raised, alarms};
@@ -10,6 +11,7 @@ use crate::entry::unit_name;
 use crate::machine::setup::Setup;
 use crate::machine::trace::Step;
 use crate::message::Message;
+use crate::run::called::Called;
 use crate::run::left::{CallAt, Left};
 use crate::run::outcome::{Outcome, PassedOver};
 use crate::run::{Limits, Session};
@@ -42,6 +44,8 @@ pub struct RunView {
     pub diagnostics: Vec<Finding>,
     /// The results of each call; behind them what the program wrote beside them.
     pub results: Vec<RunResult>,
+    /// What each measuring call came to, in order.
+    pub answers: Vec<RunAnswer>,
     /// What the cycles decided, in order.
     pub decisions: Vec<RunDecision>,
     /// What is different afterwards.
@@ -111,6 +115,22 @@ pub struct RunDecision {
     /// By which call.
     #[serde(flatten)]
     pub call: OfCall,
+}
+
+/// What a measuring call of a run came to.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct RunAnswer {
+    /// What it came to.
+    #[serde(flatten)]
+    pub answer: Answer,
+    /// Which call.
+    #[serde(flatten)]
+    pub call: OfCall,
+    /// Index of its first entry of the trace.
+    pub from: usize,
+    /// Index of its last one.
+    pub to: usize,
 }
 
 /// An alarm of a run.
@@ -184,6 +204,7 @@ impl RunView {
         RunView {
             diagnostics: placed(&outcome.diagnostics, &Positions::new(source)),
             results: results(&outcome),
+            answers: answers(&outcome),
             decisions: decisions(&outcome),
             changes: changes(&outcome),
             alarms: raised(&outcome),
@@ -215,6 +236,20 @@ fn results(outcome: &Outcome) -> Vec<RunResult> {
     let rest = outcome.written().into_iter().filter(|(name, _)| !told.contains(name));
     all.extend(rest.map(|(name, value)| RunResult { name: name.to_owned(), value, ..RunResult::default() }));
     all
+}
+
+fn answers(outcome: &Outcome) -> Vec<RunAnswer> {
+    let answer = |called: &Called| {
+        let (entries, _) = called.entries(outcome);
+        let line = entries.first().and_then(|entry| entry.line).map(|line| line + 1);
+        RunAnswer {
+            answer: answer(called, outcome),
+            call: OfCall { line, cycle: Some(called.inputs.cycle.name) },
+            from: called.at,
+            to: called.at + entries.len().saturating_sub(1),
+        }
+    };
+    outcome.called.iter().map(answer).collect()
 }
 
 fn decisions(outcome: &Outcome) -> Vec<RunDecision> {

@@ -1,10 +1,11 @@
 //! A measuring call of a program: values as written in data or addresses, checked like typed ones, then carried out.
 
+use super::called::{self, Called};
 use super::{Call, Halt, Interpreter, Words, call, contour, interpret, subprogram, unread};
 use crate::check::{Checked, upkeep};
 use crate::control::Value;
 use crate::diagnostic::{Code, Diagnostic, Severity, Span};
-use crate::entry::{Cycle, Kind, ProbeUse, Typed};
+use crate::entry::{Cycle, Inputs, Kind, ProbeUse, Typed};
 use crate::machine::Machine;
 use crate::problem::Problem;
 use crate::program::user_programs::{BEFORE, BEHIND, UserProgram};
@@ -107,11 +108,13 @@ pub fn carry_out(run: &mut Interpreter, cycle: &'static Cycle, checked: Checked,
         count(run, span)?;
         around(run, &BEFORE, cycle, span)?;
         run.put_part(inputs);
+        keep(run, inputs.clone());
         call::perform(&mut run.sim, inputs).map_err(Halt::at(span))?;
         return around(run, &BEHIND, cycle, span);
     }
     match code {
         Some(code) => {
+            keep(run, Inputs::new(cycle, i64::MIN));
             upkeep::perform(&mut run.sim, cycle);
             // its number is a result of the cycle also where that refuses what it was given (B:5699)
             if let (Some(result), Code::Alarm(number)) = (cycle.alarm_result(), code) {
@@ -122,6 +125,14 @@ pub fn carry_out(run: &mut Interpreter, cycle: &'static Cycle, checked: Checked,
         // a list of a newer control of which not everything is known
         None if errors == 0 => Err(Problem::new("run-no-simulation", span, cycle.name).into()),
         None => Err(Problem::new("run-call", span, cycle.name).into()),
+    }
+}
+
+/// Keeps a measuring call that begins now.
+fn keep(run: &mut Interpreter, inputs: Inputs) {
+    if called::measures(inputs.cycle) && run.called.len() < called::MOST {
+        let (at, units) = (run.sim.trace.entries.len(), run.sim.control.active_units);
+        run.called.push(Called { at, inputs, units });
     }
 }
 

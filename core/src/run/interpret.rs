@@ -1,8 +1,8 @@
 //! Runs a program block by block. A program that never ends is stopped by limits.
 
 use super::{
-    Halt, Level, Locals, Modal, Outcome, assumed::Made, contour, contour::Contour, endless, endless::Watch, motion,
-    outcome::PassedOver, repeat, rules::Rules, statement, subprogram, unread, unread::Unread,
+    Halt, Level, Locals, Modal, Outcome, assumed::Made, called::Called, contour, contour::Contour, endless,
+    endless::Watch, motion, outcome::PassedOver, repeat, rules::Rules, statement, subprogram, unread, unread::Unread,
 };
 use crate::diagnostic::{Diagnostic, Severity, Span};
 use crate::geometry::{Mcs, Wcs};
@@ -82,6 +82,8 @@ pub struct Interpreter {
     seen: BTreeSet<(u32, String)>,
     /// What the run went on without, in its order.
     pub passed: Vec<PassedOver>,
+    /// The measuring calls so far.
+    pub called: Vec<Called>,
 }
 
 /// Words passed over that are kept.
@@ -142,8 +144,8 @@ impl Session {
             Some(ended) => ended.err().map(|halt| halt.stop),
             None => Some(Stop::Fault(Message::new("run-cancelled"))),
         };
-        let Interpreter { sim, diagnostics, passed: passed_over, .. } = self.run;
-        Outcome { diagnostics, passed_over, ..Outcome::left_by(sim, &self.before, stop) }
+        let Interpreter { sim, diagnostics, passed: passed_over, called, .. } = self.run;
+        Outcome { diagnostics, passed_over, called, ..Outcome::left_by(sim, &self.before, stop) }
     }
 }
 
@@ -240,6 +242,7 @@ impl Interpreter {
             assumed: None,
             seen: BTreeSet::new(),
             passed: Vec::new(),
+            called: Vec::new(),
             program: Rc::new(program),
         }
     }

@@ -6,6 +6,7 @@ mod arcs;
 pub mod assumed;
 mod branch;
 pub(crate) mod call;
+pub mod called;
 mod contour;
 mod cycle;
 mod datum;

@@ -1,5 +1,6 @@
 //! What came out of a run, put the way a page or a terminal shows it.
 
+use super::called::Called;
 use crate::control::{Control, Value, gud, nct_data};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::dialect::Dialect;
@@ -31,6 +32,8 @@ pub struct Outcome {
     pub passed_over: Vec<PassedOver>,
     /// Line of the last block, from 1; none for a single call.
     pub line: Option<u32>,
+    /// The measuring calls of a program, in their order; empty for a single call.
+    pub called: Vec<Called>,
 }
 
 /// Most words that the end of a run names.
@@ -156,8 +159,8 @@ impl Outcome {
     pub fn left_by(sim: Sim, before: &Setup, stop: Option<Stop>) -> Outcome {
         let (before, line) = (before.control.clone(), sim.line.map(|line| line + 1));
         let Sim { control, position, trace, scans, .. } = sim;
-        let (diagnostics, passed_over) = (Vec::new(), Vec::new());
-        Outcome { before, control, position, trace, scans, stop, diagnostics, passed_over, line }
+        let (diagnostics, passed_over, called) = (Vec::new(), Vec::new(), Vec::new());
+        Outcome { before, control, position, trace, scans, stop, diagnostics, passed_over, line, called }
     }
 }
 

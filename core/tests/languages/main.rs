@@ -19,8 +19,8 @@ const SHARED: &[(&str, &[&str])] = &[
     (
         "de",
         &[
-            "Alarm", "minus", "Name", "null", "optional", "Optional", "Ordinate", "Pause", "plus", "Radius", "Scan",
-            "Shift", "Standard",
+            "Alarm", "minus", "Name", "null", "optional", "Optional", "Ordinate", "Pause", "plus", "Position",
+            "Radius", "Register", "Scan", "Shift", "Standard",
         ],
     ),
     // as they stand on the keys

@@ -53,7 +53,12 @@ function followed(state: State, calls: CallView[]): State {
   if (!follow) return state;
   const rest = patched(state, { desk: { follow: null } });
   const under = follow === "edits" ? undefined : calls.find(call => call.line <= line && line <= call.lastLine);
-  if (under && under.from !== state.form.open) return opened(rest, under);
+  if (under && under.from !== state.form.open) {
+    const { source, step } = state.view;
+    // beside the whole program the cursor goes from measurement to measurement
+    const whole = follow === "cursor" && source === "program";
+    return whole ? patched(opened(rest, under), { view: { source, step } }) : opened(rest, under);
+  }
   const call = calls.find(one => one.from === state.form.open);
   return follow !== "cursor" && call ? filled(rest, call) : rest;
 }

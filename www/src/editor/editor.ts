@@ -17,7 +17,6 @@ import {
   EditorSelection,
   EditorState,
   type Extension,
-  RangeSetBuilder,
   StateEffect,
   StateField,
   type Text,
@@ -34,6 +33,7 @@ import {
   highlightSpecialChars,
   keymap,
   lineNumbers,
+  WidgetType,
 } from "@codemirror/view";
 import { difference } from "../difference";
 import { el } from "../dom";
@@ -51,6 +51,7 @@ import { theme } from "./theme";
 export interface LineMarks {
   calls: { from: number; to: number; open: boolean }[];
   step: number | null;
+  hints?: { line: number; text: string }[]; // behind a line, no part of the text; each line once, in their order
 }
 /** `typed` gives back the program as it is then. */
 export interface EditorHost {
@@ -96,6 +97,22 @@ const MUCH = 20_000; // characters, some hundred lines
 const small = matchMedia("(max-width: 560px), (max-width: 1199px) and (max-height: 500px)");
 const marksEffect = StateEffect.define<LineMarks>();
 
+/** What a call came to, behind it. */
+class Hint extends WidgetType {
+  constructor(readonly text: string) {
+    super();
+  }
+  override eq(other: Hint): boolean {
+    return other.text === this.text;
+  }
+  toDOM(): HTMLElement {
+    return el("span", { class: "cm-hint" }, this.text);
+  }
+  override ignoreEvent(): boolean {
+    return false;
+  }
+}
+
 function decorate(state: EditorState, marks: LineMarks): DecorationSet {
   const classes = new Map<number, string>();
   for (const call of marks.calls)
@@ -103,12 +120,14 @@ function decorate(state: EditorState, marks: LineMarks): DecorationSet {
       classes.set(line, call.open ? "cm-call-open" : "cm-call");
   if (marks.step !== null && marks.step >= 1 && marks.step <= state.doc.lines)
     classes.set(marks.step, `${classes.get(marks.step) ?? ""} cm-step`);
-  const builder = new RangeSetBuilder<Decoration>();
-  for (const [line, name] of [...classes].sort((a, b) => a[0] - b[0])) {
-    const at = state.doc.line(line).from;
-    builder.add(at, at, Decoration.line({ class: name.trim() }));
-  }
-  return builder.finish();
+  const lines = [...classes].map(([line, name]) =>
+    Decoration.line({ class: name.trim() }).range(state.doc.line(line).from),
+  );
+  const hints = (marks.hints ?? []).filter(({ line }) => line >= 1 && line <= state.doc.lines);
+  const behind = hints.map(({ line, text }) =>
+    Decoration.widget({ widget: new Hint(text), side: 1 }).range(state.doc.line(line).to),
+  );
+  return Decoration.set([...lines, ...behind], true);
 }
 
 const marksField = StateField.define<DecorationSet>({

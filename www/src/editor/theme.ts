@@ -32,6 +32,14 @@ const look = EditorView.theme({
     fontSize: "0.8em",
     paddingInline: "1px",
   },
+  ".cm-hint": {
+    marginLeft: "2ch",
+    color: v("ink-code"),
+    fontFamily: v("sans"),
+    fontSize: v("text-small"),
+    userSelect: "none",
+    pointerEvents: "none",
+  },
   ".cm-tooltip": { backgroundColor: v("surface-raised"), color: v("ink"), border: `1px solid ${v("rule-strong")}` },
   ".cm-diagnostic": { fontFamily: v("sans"), fontSize: v("text-small") },
   "@media (forced-colors: active)": {

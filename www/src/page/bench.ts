@@ -101,7 +101,7 @@ export function createBench(parts: Parts): Bench {
     pieces => {
       pieces.createSheet(stage, () => shown, stop.signal);
       return {
-        drawResults: pieces.createResults(results, store, actions, scanner, program.goTo),
+        drawResults: pieces.createResults(results, store, actions, scanner, program.goTo, program.goToLine),
         drawHelp: pieces.createHelp(panels.help, store, actions, core),
         machineData: pieces.createMachineData(store, actions, core),
       };

@@ -3,12 +3,15 @@
 import { html, nothing, render, type TemplateResult } from "lit-html";
 import { guard } from "lit-html/directives/guard.js";
 import type { Derived } from "../desk/derive";
+import { el } from "../dom";
 import { fixed, plain, signed } from "../numbers";
 import type { State } from "../state/state";
+import type { Store } from "../state/store";
 import { say, t } from "../texts";
 import type { OfCall, Outcome } from "../wire";
 import { missing } from "./missing";
 import { problem } from "./problem";
+import { createWhole } from "./whole";
 
 // earlier: not written by this call
 type ShownResult = { name: string; label: string; value: number; unit: string; earlier?: number } & OfCall;
@@ -158,9 +161,17 @@ function body({ alarms, changes, decisions, results }: Shown): TemplateResult {
     </div>`;
 }
 
-export function createOutcome(root: HTMLElement): (state: State, derived: Derived) => void {
+export function createOutcome(
+  page: HTMLElement,
+  store: Store,
+  goToLine: (line: number) => void,
+): (state: State, derived: Derived) => void {
+  const whole = createWhole(store, goToLine);
+  const root = el("div");
+  page.append(whole.root, root);
   const shownNow = keptOutcome();
   return (state, derived) => {
+    whole.draw(state, derived);
     const outcome = shownNow(state, derived);
     const counted = outcome && !derived.run ? assumptions(derived) : "";
     const ending = outcome && derived.run ? say(derived.run.ending) : "";

@@ -17,6 +17,7 @@ import { isUnsaved } from "../state/saved";
 import { programOf, type State } from "../state/state";
 import type { Store } from "../state/store";
 import { say, t } from "../texts";
+import { hintText } from "./amounts";
 import { copyText } from "./copy";
 import { createOrigin } from "./origin";
 import { createOutline } from "./outline";
@@ -168,6 +169,7 @@ export function createProgram(
     const step = state.view.source === "program" ? (derived.trace?.entries[derived.step]?.line ?? null) : null;
     const next: LineMarks = {
       step,
+      hints: hints(state, derived),
       calls: derived.read.calls.map(call => ({
         from: call.line,
         to: call.lastLine,
@@ -212,6 +214,17 @@ export function createProgram(
     save,
     copy: () => void copyText(text, store, "notice-copied"),
   };
+}
+
+/** What the open call came to, or each call of the run that is shown; of a call that ran often the last. */
+function hints({ view }: State, { run, opened, view: { outcome } }: Derived): { line: number; text: string }[] {
+  if (view.source === "program") {
+    const last = new Map(
+      (run?.answers ?? []).flatMap(one => (one.line === undefined ? [] : [[one.line, one] as const])),
+    );
+    return [...last].map(([line, answer]) => ({ line, text: hintText(answer) }));
+  }
+  return opened && outcome?.answer ? [{ line: opened.lastLine, text: hintText(outcome.answer) }] : [];
 }
 
 const MARKED = 2000; // problems that the editor marks, the first ones: with each change it goes through them all

@@ -10,6 +10,7 @@ import { saveFile } from "../state/files";
 import type { ResultTab, State } from "../state/state";
 import type { Store } from "../state/store";
 import { t } from "../texts";
+import { createAnswer } from "./answer";
 import { createFindings, located } from "./findings";
 import { createMotions } from "./motions";
 import { createOutcome, shownOutcome } from "./outcome";
@@ -40,9 +41,11 @@ export function createResults(
   actions: Actions,
   scanner: Scanner,
   goTo: (offset: number) => void,
+  goToLine: (line: number) => void,
 ): Draw {
   const bar = el("div", { role: "tablist", class: "tabs", "aria-label": t("panel-results") });
-  root.append(el("h2", { class: "visually-hidden" }, t("panel-results")), bar);
+  const answer = createAnswer();
+  root.append(el("h2", { class: "visually-hidden" }, t("panel-results")), answer.root, bar);
   const tabs = new Map<ResultTab, { button: HTMLButtonElement; page: HTMLElement }>();
   for (const name of TABS) {
     const button = el("button", { type: "button", role: "tab", id: `tab-${name}`, "aria-controls": `page-${name}` });
@@ -69,13 +72,14 @@ export function createResults(
   });
   const page = (name: ResultTab): HTMLElement => tabs.get(name)?.page ?? root;
   const draws: Draw[] = [
-    createOutcome(page("outcome")),
+    createOutcome(page("outcome"), store, goToLine),
     createFindings(page("problems"), actions, goTo),
     createMotions(page("motions"), store),
     createLog(page("log")),
     createScan(page("scan"), store, scanner),
   ];
   return (state, derived) => {
+    answer.draw(state, derived);
     const problems = located(state, derived, actions, goTo).length;
     for (const [name, { button, page: body }] of tabs) {
       const chosen =

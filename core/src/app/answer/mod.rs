@@ -1,0 +1,226 @@
+//! What a call came to, in one line: what was measured, what is corrected, where in its limits, and why.
+
+mod corrected;
+mod figures;
+mod gauge;
+#[cfg(test)]
+mod tests;
+
+pub use corrected::{Correction, Part};
+pub use figures::Figure;
+pub use gauge::{Band, BandKind, Gauge, Mark, Needle};
+
+use super::outcome::Raised;
+use crate::catalogue::alarms;
+use crate::catalogue::nct::{OUT_OF_TOLERANCE, UPPER_TOLERANCE};
+use crate::control::Control;
+use crate::diagnostic::Code;
+use crate::entry::{Element, Inputs};
+use crate::machine::{Entry, Step, Stop};
+use crate::message::Message;
+use crate::run;
+use crate::run::called::{Called, measures};
+use serde::Serialize;
+
+/// What a call came to.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
+pub struct Answer {
+    /// What is measured, in words.
+    pub feature: Message,
+    /// What was measured, the most important first.
+    pub figures: Vec<Figure>,
+    /// What was corrected; none: nothing.
+    pub corrected: Vec<Correction>,
+    /// Where the deviations lie in their limits; absent: nothing limits them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gauge: Option<Gauge>,
+    /// What follows.
+    pub verdict: Verdict,
+    /// The verdict in words.
+    pub verdict_words: Message,
+    /// Number or text of the alarm or operator message behind the verdict.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub alarm: Option<String>,
+    /// Why, in a sentence.
+    pub why: Message,
+}
+
+/// What follows from a measurement.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub enum Verdict {
+    /// Within all limits.
+    Within,
+    /// Beyond a limit, the program goes on.
+    Beyond,
+    /// Beyond the tolerance, metal is left.
+    Rework,
+    /// Beyond the tolerance, metal is missing.
+    Scrap,
+    /// An alarm stopped it.
+    Alarm,
+    /// The simulation went no further.
+    Stopped,
+    /// Nothing limits it.
+    Measured,
+}
+
+impl Verdict {
+    fn key(self) -> &'static str {
+        match self {
+            Verdict::Within => "answer-within",
+            Verdict::Beyond => "answer-beyond",
+            Verdict::Rework => "answer-rework",
+            Verdict::Scrap => "answer-scrap",
+            Verdict::Alarm => "answer-alarm",
+            Verdict::Stopped => "answer-stopped",
+            Verdict::Measured => "answer-measured",
+        }
+    }
+}
+
+/// The call of a form; none of one that is no measurement.
+pub(super) fn of_call(inputs: &Inputs, outcome: &run::Outcome) -> Option<Answer> {
+    let called = Called { at: 0, inputs: inputs.clone(), units: outcome.before.active_units };
+    measures(inputs.cycle).then(|| answer(&called, outcome))
+}
+
+/// What a call came to in a run.
+pub(super) fn answer(called: &Called, outcome: &run::Outcome) -> Answer {
+    let (entries, ended) = called.entries(outcome);
+    let stop = outcome.stop.as_ref().filter(|_| !ended);
+    let inputs = &called.inputs;
+    let figures = figures::figures(called, entries);
+    let gauge = gauge::gauge(called, entries, &outcome.control);
+    let raised = raised(entries);
+    let over = gauge.as_ref().and_then(Gauge::worst).map(|worst| worst > 0.0);
+    let (verdict, alarm) = verdict(inputs, stop, raised, over, gauge.is_some());
+    Answer {
+        feature: feature(inputs),
+        corrected: corrected::corrected(entries, &outcome.control),
+        verdict,
+        verdict_words: words(verdict, alarm),
+        alarm: alarm.map(|code| code.to_string()),
+        why: why(stop, entries, alarm, gauge.as_ref()),
+        figures,
+        gauge,
+    }
+}
+
+/// What is measured; where that is not known, the cycle.
+fn feature(inputs: &Inputs) -> Message {
+    let [name, _] = element(inputs).map_or([""; 2], Element::keys);
+    if name.is_empty() { Message::new(format!("{}-title", inputs.cycle.key)) } else { Message::new(name) }
+}
+
+/// The element of a call.
+fn element(inputs: &Inputs) -> Option<Element> {
+    let mut elements = inputs.cycle.aims.elements.iter();
+    elements.find(|(when, _)| when.holds(inputs)).map(|(_, element)| *element)
+}
+
+/// Whether a larger size is metal that is missing; none of what has no size.
+fn inside(inputs: &Inputs) -> Option<bool> {
+    match element(inputs)? {
+        Element::Hole | Element::Groove | Element::Pocket => Some(true),
+        Element::Shaft | Element::Web | Element::Boss => Some(false),
+        _ => None,
+    }
+}
+
+/// The steps of the last attempt: a measurement that is repeated counts as it was done last.
+fn last_attempt(entries: &[Entry]) -> &[Entry] {
+    let repeats = |entry: &Entry| decision(entry).is_some_and(|message| message.key == "evaluate-repeat");
+    let from = entries.iter().rposition(repeats).map_or(0, |at| at + 1);
+    entries.get(from..).unwrap_or_default()
+}
+
+fn decision(entry: &Entry) -> Option<&Message> {
+    if let Step::Decision { message } = &entry.step { Some(message) } else { None }
+}
+
+/// The alarm or message of the last attempt that says a limit was exceeded.
+fn raised(entries: &[Entry]) -> Option<Code> {
+    let mut codes = last_attempt(entries).iter().filter_map(|entry| match entry.step {
+        Step::Alarm(code) => Some(code),
+        _ => None,
+    });
+    codes.find(|code| matches!(code, Code::Alarm(62304..=62306)) || [OUT_OF_TOLERANCE, UPPER_TOLERANCE].contains(code))
+}
+
+/// What follows, and the alarm behind it. `over`: whether the deviation that decides is one of a larger size.
+fn verdict(
+    inputs: &Inputs,
+    stop: Option<&Stop>,
+    raised: Option<Code>,
+    over: Option<bool>,
+    limited: bool,
+) -> (Verdict, Option<Code>) {
+    match (stop, raised) {
+        (Some(Stop::Alarm(code)), _) => (Verdict::Alarm, Some(*code)),
+        (Some(Stop::Fault(_)), _) => (Verdict::Stopped, None),
+        (None, None) if limited => (Verdict::Within, None),
+        (None, None) => (Verdict::Measured, None),
+        (None, Some(code)) => {
+            let tolerance = matches!(code, Code::Alarm(62304 | 62305)) || code == OUT_OF_TOLERANCE;
+            let verdict = match (inside(inputs).filter(|_| tolerance), over) {
+                (Some(inside), Some(over)) if inside == over => Verdict::Scrap,
+                (Some(_), Some(_)) => Verdict::Rework,
+                _ => Verdict::Beyond,
+            };
+            (verdict, Some(code))
+        }
+    }
+}
+
+fn words(verdict: Verdict, alarm: Option<Code>) -> Message {
+    let message = Message::new(verdict.key());
+    match (verdict, alarm) {
+        (Verdict::Alarm, Some(code)) => message.text("code", code.to_string()),
+        _ => message,
+    }
+}
+
+/// Decisions that say what a difference means.
+const CHAIN: [&str; 14] = [
+    "evaluate-safe-area", "evaluate-safe-area-angle", "evaluate-difference", "evaluate-oversize", "evaluate-undersize",
+    "evaluate-whole", "evaluate-mean", "evaluate-small", "evaluate-tool-safe-area", "evaluate-tool-difference",
+    "evaluate-tool-small", "evaluate-tool-geometry", "evaluate-tool-wear", "decision-nct-no-update",
+];
+
+/// Why: what the cycle decided, else what stopped it, else what the limits say.
+fn why(stop: Option<&Stop>, entries: &[Entry], alarm: Option<Code>, gauge: Option<&Gauge>) -> Message {
+    let mut decisions = last_attempt(entries).iter().filter_map(decision);
+    let decided = decisions.rfind(|message| CHAIN.contains(&message.key.as_ref()));
+    let limit = gauge.and_then(|gauge| gauge.limit());
+    match (stop, alarm) {
+        (Some(Stop::Alarm(Code::Alarm(61303))) | None, _) if decided.is_some() => {
+            decided.cloned().unwrap_or_else(|| Message::new("answer-why-measured"))
+        }
+        (Some(stop), _) => Raised::stop(stop).message,
+        (None, Some(code)) => Message::new(alarms::key(code)),
+        (None, None) => match (gauge, limit) {
+            (Some(gauge), Some(limit)) => {
+                Message::new("answer-why-within").number("limit", limit).text("unit", gauge.unit)
+            }
+            _ => Message::new("answer-why-measured"),
+        },
+    }
+}
+
+/// A value of mm or degree in its unit.
+fn shown(value: f64, unit: &str, control_factor: f64) -> f64 {
+    if unit == "deg" { value } else { value / control_factor }
+}
+
+/// Names of the axes of the plane at a call: abscissa, ordinate, applicate.
+fn axes(inputs: &Inputs) -> [&'static str; 3] {
+    inputs.plane.axes().map(|axis| ["X", "Y", "Z"][axis.min(2)])
+}
+
+/// Whether a name is one that a correction of this control writes: a tool, a frame or a register.
+fn is_corrected(control: &Control, name: &str) -> bool {
+    control.variable(name).is_some()
+}

@@ -1,0 +1,42 @@
+//! The measuring calls that a run carried out, with what they were given.
+
+use super::Outcome;
+use crate::control::Units;
+use crate::entry::{Cycle, Inputs};
+use crate::machine::{Entry, Step};
+
+/// Most calls that a run keeps.
+pub const MOST: usize = 10_000;
+
+/// A call that was carried out, or that its check refused.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Called {
+    /// Index of the entry of the trace with which it begins.
+    pub at: usize,
+    /// What it was given; of one that was refused nothing.
+    pub inputs: Inputs,
+    /// Active system of units at the call.
+    pub units: Units,
+}
+
+/// Whether a call of this cycle is a measurement: it touches, and leaves what it found.
+pub fn measures(cycle: &Cycle) -> bool {
+    cycle.purpose.probe.measures() && !cycle.results.is_empty()
+}
+
+impl Called {
+    /// What happened in it, and whether it came to its end.
+    pub fn entries<'a>(&self, outcome: &'a Outcome) -> (&'a [Entry], bool) {
+        let all = outcome.trace.entries.get(self.at..).unwrap_or_default();
+        let mut depth = 0_usize;
+        for (index, entry) in all.iter().enumerate() {
+            match entry.step {
+                Step::CallBegin { .. } => depth += 1,
+                Step::CallEnd if depth <= 1 => return (&all[..=index], true),
+                Step::CallEnd => depth -= 1,
+                _ => {}
+            }
+        }
+        (all, false)
+    }
+}

@@ -1,0 +1,83 @@
+// The line that says what a call came to: in sight in every state, in figures, words and a gauge, and behind its call.
+import assert from "node:assert/strict";
+import { after, before, describe, test } from "node:test";
+import { shared } from "./browser.mjs";
+import { start, startWithEditor, stored } from "./start.mjs";
+
+const bar = page => page.locator(".answer");
+const verdict = page => bar(page).locator(".verdict");
+const error = (page, name) => page.locator(`.slider:has(#error-part-${name}) .figure`);
+
+/** Waits until the verdict is this one. */
+const judged = (page, wanted) => page.locator(`.answer .verdict[data-verdict="${wanted}"]`).waitFor();
+
+describe("the answer", () => {
+  const chrome = shared("neither", { before, after });
+
+  // oracle: hand (a hole of 132 mm in the first form, tolerance 0.03; a hole too large is scrap)
+  test("says diameter, deviation, correction, verdict and why, all in sight at 1280 × 800", async () => {
+    const { context, page, problems } = await start(chrome, { viewport: { width: 1280, height: 800 } });
+    await verdict(page).waitFor();
+    await error(page, "size").fill("0.028");
+    await page.locator('.answer .off:text-is("+0.028")').waitFor();
+    await judged(page, "within");
+    assert.match(await bar(page).textContent(), /Diameter.*Ø \d+\.\d{3}.*\+0\.028.*T\d+ D\d.*R.\+0\.014/s);
+    await error(page, "size").fill("0.04");
+    await judged(page, "scrap");
+    assert.equal(await page.locator(".answer .needle-bad").count(), 1);
+    assert.match(await bar(page).locator(".why").textContent(), /0\.04.mm/);
+    const box = await bar(page).boundingBox();
+    assert.ok(box.y >= 0 && box.y + box.height <= 800, JSON.stringify(box));
+    assert.ok(box.width > 300 && box.height >= 72, JSON.stringify(box));
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: hand
+  test("names the alarm, and does not rely on colour", async () => {
+    const { context, page } = await start(chrome);
+    await verdict(page).waitFor();
+    await error(page, "size").fill("1.5");
+    await judged(page, "alarm");
+    assert.match(await verdict(page).textContent(), /61303/);
+    assert.equal(await verdict(page).locator("svg").count(), 1);
+    await context.close();
+  });
+
+  // oracle: hand (WCAG 4.1.3: told once, when nothing more follows)
+  test("is told once it rests", async () => {
+    const { context, page } = await start(chrome);
+    await verdict(page).waitFor();
+    await page.waitForFunction(() => document.querySelector(".answer [role=status]").textContent !== "");
+    await page.evaluate(() => {
+      const live = document.querySelector(".answer [role=status]");
+      window.said = [];
+      new MutationObserver(() => window.said.push(live.textContent)).observe(live, { childList: true, subtree: true });
+    });
+    await error(page, "size").evaluate(field => {
+      for (const value of ["0.01", "0.015", "0.02", "0.025"]) {
+        field.value = value;
+        field.dispatchEvent(new InputEvent("input", { bubbles: true }));
+      }
+    });
+    await page.waitForFunction(() => window.said.at(-1)?.includes("+0.025"));
+    assert.equal(await page.evaluate(() => window.said.length), 1, "not at every key");
+    await context.close();
+  });
+
+  // oracle: hand
+  test("stands behind the call in the program and is no part of it", async () => {
+    const { context, page } = await startWithEditor(chrome);
+    await verdict(page).waitFor();
+    const text = "G17 G54 G90\n_MVAR=101 _SETVAL=50 _KNUM=1 _PRNUM=1 _FA=6 _TSA=0.5\nCYCLE977\nM30\n";
+    await page
+      .locator(".panel-program input[type=file]")
+      .setInputFiles({ name: "part.mpf", mimeType: "text/plain", buffer: Buffer.from(text) });
+    await page.locator(".call-row").first().click();
+    await error(page, "dx").fill("0.084");
+    const hint = page.locator('.cm-line:has-text("CYCLE977") .cm-hint');
+    await hint.filter({ hasText: /Ø 50\.030 · X.\+0\.084/ }).waitFor();
+    assert.equal((await stored(page)).programs.sinumerik, text);
+    await context.close();
+  });
+});

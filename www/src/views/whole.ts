@@ -1,0 +1,307 @@
+// The measurements of a whole program: a row each, by line or with the worst first. The row, its line in the program
+// and its step in the 3D view are one selection. Only the rows in sight exist.
+
+import { html, render, svg, type TemplateResult } from "lit-html";
+import { repeat } from "lit-html/directives/repeat.js";
+import type { Derived } from "../desk/derive";
+import { el, on, setAttribute, setText, show } from "../dom";
+import { icon, iconPart } from "../icons";
+import { type Command, meantBy } from "../keys";
+import { fileOf, saveFile } from "../state/files";
+import type { State } from "../state/state";
+import type { Store } from "../state/store";
+import { language, say, t } from "../texts";
+import type { RunView } from "../wire";
+import { amount, correctedText, mainFigures } from "./amounts";
+import { VERDICT_ICONS } from "./answer";
+import { csv } from "./csv";
+
+type Row = RunView["answers"][number];
+const BEYOND = 6; // rows drawn above and below what is in sight
+const WORST: Row["verdict"][] = ["alarm", "stopped", "scrap", "rework", "beyond", "measured", "within"];
+const COLUMNS = [
+  "number",
+  "feature",
+  "line",
+  "nominal",
+  "actual",
+  "limits",
+  "deviation",
+  "verdict",
+  "corrects",
+] as const;
+type Column = (typeof COLUMNS)[number];
+
+/** The deviation that decides, as a share of its limit. */
+function share({ gauge, figures }: Row): number {
+  if (!gauge) return Math.abs(figures[0]?.deviation ?? 0) * 1e-9;
+  const wide = Math.max(-gauge.low, gauge.high);
+  return Math.max(...gauge.needles.map(one => Math.abs(one.value))) / wide;
+}
+
+/** What a column is sorted by. */
+const SORTED: Record<Column, (row: Row, index: number) => number | string> = {
+  number: (_, index) => index,
+  feature: row => say(row.feature),
+  line: row => row.line ?? 0,
+  nominal: row => row.figures[0]?.set ?? -Infinity,
+  actual: row => row.figures[0]?.actual ?? -Infinity,
+  limits: row => -share(row),
+  deviation: row => -Math.abs(row.figures[0]?.deviation ?? 0),
+  verdict: row => WORST.indexOf(row.verdict) - share(row) * 1e-3,
+  corrects: row => correctedText(row),
+};
+
+function sorted(rows: Row[], column: Column, down: boolean): number[] {
+  const keys = rows.map((row, index) => SORTED[column](row, index));
+  const order = [...rows.keys()].sort((a, b) => {
+    const [one, other] = [keys[a] ?? 0, keys[b] ?? 0];
+    const by = typeof one === "string" ? one.localeCompare(String(other), language()) : one - Number(other);
+    return by || a - b;
+  });
+  return down ? order.reverse() : order;
+}
+
+/** A deviation from the middle within its limits; what the table says in figures beside it. */
+function bar({ gauge }: Row): TemplateResult | string {
+  if (!gauge) return "";
+  const at = (value: number): number => {
+    const part = (value - gauge.low) / (gauge.high - gauge.low);
+    return 2 + Math.min(1, Math.max(0, part)) * 92;
+  };
+  const good = gauge.bands.filter(one => one.kind !== "bad");
+  const [from, to] = [at(good[0]?.from ?? gauge.low), at(good[good.length - 1]?.to ?? gauge.high)];
+  return html`<svg class="gauge deviation-bar" viewBox="0 0 96 16" aria-hidden="true">
+    <rect class="band band-good" x=${from} y="4" width=${to - from} height="8"></rect>
+    <line class="mark" x1=${at(0)} x2=${at(0)} y1="2" y2="14"></line>
+    ${gauge.needles.map(
+      one => svg`<g class=${`needle needle-${one.kind}`}>
+        <path d=${`M${at(0)} 8H${at(one.value)}`}></path><circle cx=${at(one.value)} cy="8" r="3"></circle>
+      </g>`,
+    )}
+  </svg>`;
+}
+
+const lines = (texts: string[]): TemplateResult[] => texts.map(text => html`<span>${text}</span>`);
+
+function cells(row: Row, index: number): Record<Column, unknown> {
+  const main = mainFigures(row);
+  const off = main.map(one => (one.deviation === undefined ? "–" : amount(one.deviation, one.unit, true)));
+  const size = (value: number | undefined, unit: string): string =>
+    value === undefined ? "–" : `${amount(value, unit)}${unit === "deg" ? "°" : ""}`;
+  return {
+    number: index + 1,
+    feature: say(row.feature),
+    line: row.line ?? "–",
+    nominal: lines(main.map(one => size(one.set, one.unit))),
+    actual: lines(main.length ? main.map(one => `${one.symbol} ${size(one.actual, one.unit)}`.trim()) : ["–"]),
+    limits: bar(row),
+    deviation: lines(off.length ? off : ["–"]),
+    verdict: html`<span class="verdict" data-verdict=${row.verdict} title=${say(row.why)}
+      >${iconPart(VERDICT_ICONS[row.verdict])}${say(row.verdict_words)}</span
+    >`,
+    corrects: correctedText(row) || t("bar-nothing"),
+  };
+}
+
+/** Of one selection: the call in which the step is. */
+function indexAt(rows: Row[], step: number): number {
+  return rows.findLastIndex(one => one.from <= step);
+}
+
+export function createWhole(
+  store: Store,
+  goToLine: (line: number) => void,
+): { root: HTMLElement; draw(state: State, derived: Derived): void } {
+  const counts = el("p", { class: "whole-counts" });
+  const worst = el("button", { type: "button" }, t("whole-worst"));
+  const save = el("button", { type: "button", title: t("whole-csv-hint") }, icon("download"), t("whole-csv"));
+  const head = el("div", { class: "whole-head", role: "row" });
+  const space = el("div", { class: "whole-space", role: "rowgroup" });
+  const table = el(
+    "div",
+    { class: "whole-table", role: "grid", tabindex: "0", "aria-label": t("whole-title") },
+    el("div", { role: "rowgroup", class: "whole-heads" }, head),
+    space,
+  );
+  const error = el("p", { class: "whole-error", role: "note" });
+  const top = el("div", { class: "whole-top" }, el("h3", {}, t("whole-title")), counts, worst, save);
+  const root = el("section", { class: "whole" }, top, error, table);
+
+  let run: RunView | null = null;
+  let order: number[] = [];
+  let column: Column = "number";
+  let down = false;
+  let current = 0; // place in the order
+  let step = -1;
+  let line = -1;
+  let spoken = "";
+  let name = "";
+
+  const rows = (): Row[] => run?.answers ?? [];
+  const height = (): number => parseFloat(getComputedStyle(table).getPropertyValue("--row")) || 36;
+  const above = (): number => head.offsetHeight;
+  const chosen = (): number => indexAt(rows(), step);
+
+  const drawHead = (): void => {
+    render(
+      COLUMNS.map(
+        one => html`<span role="columnheader" class=${`cell cell-${one}`}
+          aria-sort=${one === column ? (down ? "descending" : "ascending") : "none"}
+          ><button type="button" tabindex="-1" data-column=${one} aria-label=${t(`whole-${one}-name`)}
+            >${t(`whole-${one}`)}${one === column ? iconPart(down ? "up" : "down") : ""}</button
+          ></span>`,
+      ),
+      head,
+    );
+  };
+
+  const drawRows = (): void => {
+    const all = rows();
+    const tall = height();
+    const selected = chosen();
+    const first = Math.max(0, Math.floor((table.scrollTop - above()) / tall) - BEYOND);
+    const last = Math.min(all.length, Math.ceil((table.scrollTop + table.clientHeight) / tall) + BEYOND);
+    space.style.height = `${all.length * tall}px`;
+    setAttribute(table, "aria-rowcount", all.length + 1);
+    const shown = order.slice(first, last).map((index, offset) => ({ index, place: first + offset }));
+    render(
+      repeat(
+        shown,
+        one => one.index,
+        ({ index, place }) => {
+          const row = all[index];
+          if (!row) return "";
+          const of = cells(row, index);
+          return html`<div role="row" class=${place === current ? "whole-row current" : "whole-row"}
+            id=${`whole-${index}`} data-place=${place} data-verdict=${row.verdict}
+            aria-rowindex=${place + 2} aria-selected=${String(index === selected)}
+            .style=${`top: ${place * tall}px`}
+            >${COLUMNS.map(one => html`<span role="gridcell" class=${`cell cell-${one}`}>${of[one]}</span>`)}</div>`;
+        },
+      ),
+      space,
+    );
+    const there = order[current];
+    setAttribute(table, "aria-activedescendant", current >= first && current < last ? `whole-${there}` : null);
+  };
+
+  const bring = (place: number): void => {
+    const tall = height();
+    const top = place * tall;
+    if (top < table.scrollTop) table.scrollTop = top;
+    const bottom = top + tall + above();
+    if (bottom > table.scrollTop + table.clientHeight) table.scrollTop = bottom - table.clientHeight;
+  };
+  const go = (place: number): void => {
+    current = Math.max(0, Math.min(place, order.length - 1));
+    bring(current);
+    drawRows();
+  };
+  /** Its last step in the 3D view, and its line in the program where that stands beside. */
+  const choose = (place: number): void => {
+    const row = rows()[order[place] ?? -1];
+    if (!row) return;
+    store.update({ view: { step: row.to, playing: false } });
+    if (row.line !== undefined && matchMedia("(min-width: 1200px)").matches) {
+      line = row.line; // it comes back from the editor
+      goToLine(row.line);
+    }
+  };
+  const sortBy = (next: Column, downwards: boolean): void => {
+    const kept = order[current] ?? 0;
+    [column, down] = [next, downwards];
+    order = sorted(rows(), column, down);
+    current = Math.max(0, next === "verdict" && !downwards ? 0 : order.indexOf(kept));
+    drawHead();
+    go(current);
+  };
+
+  on(worst, "click", () => sortBy("verdict", false));
+  on(save, "click", () => saveFile(csv(rows()), `${name}.csv`, "text/csv;charset=utf-8"));
+  on(head, "click", event => {
+    const next = (event.target as Element).closest<HTMLElement>("[data-column]")?.dataset.column as Column | undefined;
+    if (next) sortBy(next, next === column && !down);
+  });
+  on(table, "scroll", drawRows);
+  on(space, "click", event => {
+    const place = (event.target as Element).closest<HTMLElement>("[data-place]")?.dataset.place;
+    if (place === undefined) return;
+    go(Number(place));
+    choose(Number(place));
+  });
+  on(table, "keydown", event => {
+    if (event.target !== table) return;
+    const page = Math.max(1, Math.floor(table.clientHeight / height()) - 2);
+    const moves: Partial<Record<Command<"list">, () => void>> = {
+      next: () => go(current + 1),
+      previous: () => go(current - 1),
+      "next-page": () => go(current + page),
+      "previous-page": () => go(current - page),
+      first: () => go(0),
+      last: () => go(Infinity),
+      choose: () => choose(current),
+    };
+    const move = moves[meantBy(event, "list") ?? "leave"];
+    if (!move) return;
+    event.preventDefault();
+    move();
+  });
+  new ResizeObserver(drawRows).observe(table);
+
+  const count = (): string => {
+    const bad = rows().filter(one => ["beyond", "rework", "scrap"].includes(one.verdict)).length;
+    const alarms = rows().filter(one => one.verdict === "alarm" || one.verdict === "stopped").length;
+    return t("whole-counts", { all: rows().length, within: rows().length - bad - alarms, bad, alarms });
+  };
+  const stopped = (): string => {
+    const last = rows()[rows().length - 1];
+    if (!run || run.finished || !last || (last.verdict !== "alarm" && last.verdict !== "stopped")) return "";
+    const { cycle = "", line: at = 0 } = last;
+    return t("whole-error", { cycle, line: at, feature: say(last.feature), why: say(last.why) });
+  };
+
+  /** The selection follows the step; the step follows the cursor where that comes to a call. */
+  const follow = (state: State, derived: Derived): void => {
+    if (state.program.line !== line) {
+      line = state.program.line;
+      const found = rows().findLast(one => one.line === line);
+      const inside = found && derived.step >= found.from && derived.step <= found.to;
+      if (found && !inside && !state.view.playing)
+        queueMicrotask(() => store.update({ view: { step: found.to, playing: false } }));
+    }
+    if (derived.step === step) return;
+    const before = chosen();
+    step = derived.step;
+    if (chosen() === before) return;
+    current = Math.max(0, order.indexOf(chosen()));
+    bring(current);
+    drawRows();
+  };
+
+  return {
+    root,
+    draw(state, derived) {
+      const visible = state.view.source === "program" && (derived.run?.answers.length ?? 0) > 0;
+      show(root, visible);
+      if (!visible) return;
+      name = (fileOf(state).name || "program").replace(/\.[^.]*$/, "");
+      const shownIn = language();
+      if (run !== derived.run || spoken !== shownIn) {
+        run = derived.run;
+        spoken = shownIn;
+        step = derived.step;
+        line = state.program.line;
+        order = sorted(rows(), column, down);
+        current = Math.max(0, order.indexOf(chosen()));
+        setText(counts, count());
+        setText(error, stopped());
+        show(error, stopped() !== "");
+        drawHead();
+        bring(current);
+        drawRows();
+      }
+      follow(state, derived);
+    },
+  };
+}
