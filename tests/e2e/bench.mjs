@@ -426,7 +426,7 @@ async function wire(browser) {
   const page = await context.newPage();
   const fetched = [];
   page.on("response", response => fetched.push(response));
-  await page.goto(process.env.PROBEWRIGHT_URL, { waitUntil: "load" });
+  await page.goto(new URL("#measure", process.env.PROBEWRIGHT_URL).href, { waitUntil: "load" });
   await page.locator(".field").first().waitFor();
   await page.waitForLoadState("networkidle");
   const sums = Object.fromEntries(["first usable form", ...PARTS.map(([name]) => name)].map(name => [name, 0]));

@@ -41,9 +41,10 @@ export async function launch(setup = "neither") {
   });
 }
 
-// Opens the page in a fresh profile. `problems` fills with everything that must not happen: errors in the console,
-// uncaught errors, failed answers, requests to other origins. `options` are Playwright's (viewport, colorScheme, …).
-export async function open(browser, { path = "", ...options } = {}) {
+// Opens the page in a fresh profile, at the form of a first visit. `problems` fills with everything that must not
+// happen: errors in the console, uncaught errors, failed answers, requests to other origins. `options` are
+// Playwright's (viewport, colorScheme, …).
+export async function open(browser, { path = "#measure", ...options } = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, locale: "en-GB", ...options });
   context.setDefaultTimeout(15_000);
   const page = await context.newPage();

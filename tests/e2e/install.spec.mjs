@@ -163,7 +163,7 @@ describe("a new version of the page", () => {
 
   async function opened(context) {
     const page = await context.newPage();
-    await page.goto(url);
+    await page.goto(`${url}#measure`);
     await page.locator(".tree:not([aria-busy])").waitFor({ state: "attached" });
     await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
     return page;

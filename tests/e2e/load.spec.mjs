@@ -26,7 +26,7 @@ describe("without the part of the core that simulates", () => {
     const context = await chrome.browser.newContext({ locale: "en-GB", serviceWorkers: "block" });
     const page = await context.newPage();
     await page.route(/\/program_bg-[^/]*\.wasm$/, route => route.abort());
-    await page.goto(address);
+    await page.goto(`${address}#measure`);
     await page.locator("#page-outcome .empty", { hasText: "could not be loaded" }).waitFor();
     const field = page.locator('[id="field-_SETVAL"]');
     await field.fill("-1");

@@ -77,7 +77,12 @@ describe("a fourth language", () => {
 
   const start = async ([width, height]) => {
     const viewport = { width, height };
-    const opened = await open(chrome.browser, { path: served.url, bypassCSP: true, locale: PSEUDO, viewport });
+    const opened = await open(chrome.browser, {
+      path: `${served.url}#measure`,
+      bypassCSP: true,
+      locale: PSEUDO,
+      viewport,
+    });
     await opened.page.locator(".results tbody tr").first().waitFor({ state: "attached", timeout: 60_000 });
     await opened.page.locator(".tree:not([aria-busy])").waitFor({ state: "attached" });
     return opened;

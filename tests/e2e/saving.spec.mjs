@@ -132,7 +132,7 @@ async function startWithDisk(chrome) {
   const context = await chrome.browser.newContext({ locale: "en-GB", serviceWorkers: "block" });
   await withDisk(context);
   const page = await context.newPage();
-  await page.goto(address);
+  await page.goto(`${address}#measure`);
   await page.locator(".cm-content").waitFor();
   await page.locator(".tree:not([aria-busy])").waitFor({ state: "attached" });
   return { context, page };

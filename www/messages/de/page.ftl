@@ -656,3 +656,21 @@ whole-low-name = Untere Grenze
 whole-high-name = Obere Grenze
 whole-alarm-name = Alarm
 whole-why-name = Grund
+
+# Die Startseite
+start-place = Startseite
+start-title = Was wollen Sie messen?
+start-lead = Messelement auswählen, dann die Korrektur. Probewright schreibt den Aufruf und zeigt, was die Maschine tut.
+start-corrects = Was wird korrigiert?
+start-coming = Wird geladen …
+start-open-form = Maske öffnen
+start-others = Weitere Einstiege
+start-program = Programm öffnen
+start-drop = Programm hierher ziehen
+start-stays = Es bleibt auf diesem Rechner.
+start-open = Öffnen
+start-variants = Alle Varianten nach Nummer
+start-recent = Zuletzt
+start-counts = Aufrufe: { $calls }, Zeilen: { $lines }
+start-form = { $cycle }, Maske
+start-remove = { $name } aus der Liste entfernen

@@ -656,3 +656,21 @@ whole-low-name = Lower limit
 whole-high-name = Upper limit
 whole-alarm-name = Alarm
 whole-why-name = Reason
+
+# The start screen
+start-place = Start
+start-title = What do you want to measure?
+start-lead = Choose the element, then what it corrects. Probewright writes the call and shows what the machine does.
+start-corrects = What is corrected?
+start-coming = Loading …
+start-open-form = Open form
+start-others = More ways to start
+start-program = Open a program
+start-drop = Drop a program here
+start-stays = It stays on this computer.
+start-open = Open
+start-variants = All variants by number
+start-recent = Recent
+start-counts = Calls: { $calls }, lines: { $lines }
+start-form = { $cycle }, form
+start-remove = Remove { $name } from the list

@@ -646,3 +646,21 @@ whole-low-name = 下限
 whole-high-name = 上限
 whole-alarm-name = 报警
 whole-why-name = 原因
+
+# 开始页面
+start-place = 开始
+start-title = 您要测量什么？
+start-lead = 先选择被测要素，再选择补偿目标。Probewright 生成调用，并显示机床的动作。
+start-corrects = 补偿什么？
+start-coming = 正在加载…
+start-open-form = 打开表单
+start-others = 其他入口
+start-program = 打开程序
+start-drop = 将程序拖放到此处
+start-stays = 程序仅保留在本机。
+start-open = 打开
+start-variants = 按编号列出所有变体
+start-recent = 最近
+start-counts = { $calls } 个调用，{ $lines } 行
+start-form = { $cycle }，表单
+start-remove = 从列表中删除 { $name }

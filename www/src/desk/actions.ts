@@ -50,6 +50,11 @@ export type Variant = CycleInfo["variants"][number];
 
 export interface Actions {
   chooseCycle(cycle: CycleInfo, variant?: Variant): void;
+  /**
+   * A form of its own for this variant: its worked measurement, with these values instead. On a first visit, while
+   * nothing is anybody's work, its part lies off, so that there is something to correct.
+   */
+  measure(cycle: CycleInfo, variant: Variant, values: Record<string, string>): void;
   edit(name: string, value: string): void;
   touch(name: string): void;
   check(): void;
@@ -101,6 +106,9 @@ export interface Actions {
   /** The page in another language, as soon as its words are there. */
   speak(language: string): void;
 }
+
+/** How far the part of a first visit lies off, mm. */
+const LIES_OFF = { dx: 0.084, dy: -0.046 };
 
 const LEFT: Panel[] = ["tasks", "form"];
 
@@ -214,6 +222,22 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
         },
         desk: { sought: null },
         view: { step: AT_END, source: "form" },
+        page: { offer: false },
+      });
+    },
+    measure(cycle, chosen, given) {
+      const state = now();
+      const suited = planeFor(state, cycle);
+      const own: Patch = { form: { control: cycle.control, open: null, around: null } };
+      const { example } = inPlane(chosen, planeOf(patched(state, suited, own)));
+      const { errors } = state.part;
+      const lies: Patch =
+        state.page.changed === 0 ? { part: { errors: { ...errors, part: { ...errors.part, ...LIES_OFF } } } } : {};
+      store.update(remember(state), suited, own, lies, {
+        form: { cycle: cycle.cycle, values: { ...example, ...given }, resets: {}, touched: {}, checked: false },
+        desk: { sought: null },
+        view: { step: AT_END, source: "form" },
+        panels: { panel: "form", left: "form" },
         page: { offer: false },
       });
     },

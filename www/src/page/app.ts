@@ -32,6 +32,7 @@ import { keepPlaces } from "./places";
 import { createRecorder } from "./recorder";
 import { askRun, withRun } from "./running";
 import { createTabs } from "./tabs";
+import { createWhere, firstPlace } from "./where";
 
 /** Keeps the work and says so when something below breaks; every way into the core passes here. */
 function guard<A extends unknown[], R>(store: () => Store, run: (...args: A) => R): (...args: A) => R | undefined {
@@ -52,7 +53,8 @@ export async function startApp(core: Core, stored: Flat | null, returned: boolea
   const catalogue = core.catalogue();
   const modules = createModules(core, catalogue);
   const packed = packedWork();
-  const first = await startState(core, modules.full, catalogue, stored, packed);
+  const place = packed ? "work" : firstPlace(stored);
+  const first = patched(await startState(core, modules.full, catalogue, stored, packed), { page: { place } });
   let draw = (): void => undefined;
   const drawn = guard(
     () => store,
@@ -105,6 +107,7 @@ function createParts(
     open: createOpen({ full: modules.full, store, actions, opening, editor }, absent),
     scanner: createScanner(() => modules.program?.module, store),
     stage: createStage(store),
+    where: createWhere(store),
     goToField: createGoToField(catalogue, shows, store, actions),
   };
 }

@@ -31,6 +31,8 @@ import { createLayout } from "./layout";
 import type { Modules } from "./modules";
 import type { Open } from "./open";
 import { listenToKeys } from "./shortcuts";
+import { createStartPlace } from "./start";
+import type { Where } from "./where";
 
 /** What outlives a bench. */
 export interface Parts {
@@ -41,10 +43,11 @@ export interface Parts {
   work: Work;
   editor: EditorPlace;
   stage: Stage;
+  where: Where;
   scanner: Scanner;
   continuing: Choices;
   goToField(control: Dialect, name: string): void;
-  modules: Pick<Modules, "program" | "alarms">;
+  modules: Pick<Modules, "program" | "alarms" | "full">;
 }
 
 export interface Bench {
@@ -96,6 +99,7 @@ export function createBench(parts: Parts): Bench {
     },
     stop.signal,
   );
+  const start = createStartPlace(layout, parts, program.open, stop.signal);
   let shown: { state: State; derived: Derived } | null = null;
   const later = behind(
     pieces => {
@@ -121,6 +125,7 @@ export function createBench(parts: Parts): Bench {
       program,
       stop.signal,
     ),
+    start.drawButton,
     createTasks(panels.tasks, store, actions, found),
     createForm(panels.form, store, actions, () => sets.dialog.showModal(), program.goToLine),
     createScene(scene, store, program.goToLine, stage),
@@ -139,6 +144,7 @@ export function createBench(parts: Parts): Bench {
     draw(state, derived) {
       shown = { state, derived };
       layout.draw(state);
+      start.draw(state, derived);
       for (const view of views) view(state, derived);
       for (const part of [...Object.values(activities), ...refusals, newer]) part.draw(state);
       setText(layout.notice, state.page.notice ? t(state.page.notice) : "");

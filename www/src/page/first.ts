@@ -43,7 +43,7 @@ function firstVisit(core: Core, catalogue: Catalogue): State {
 /** What a link has brought; it is in the address no longer. null: nothing. */
 export function packedWork(): string | null {
   const packed = /^#s=(.+)$/.exec(location.hash)?.[1] ?? null;
-  if (packed) history.replaceState(null, "", location.pathname + location.search);
+  if (packed) history.replaceState({ place: "work" }, "", location.pathname + location.search);
   return packed;
 }
 

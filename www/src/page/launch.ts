@@ -20,7 +20,7 @@ const PLACES: Record<string, { panel: Panel; focus: string }> = {
 export function takeLaunch(store: Store, actions: Actions, open: Open): void {
   const place = PLACES[/^#start=(\w+)$/.exec(location.hash)?.[1] ?? ""];
   if (place) {
-    history.replaceState(null, "", location.pathname + location.search);
+    history.replaceState({ place: "work" }, "", location.pathname + location.search);
     actions.panel(place.panel);
     store.flush();
     document.querySelector<HTMLElement>(place.focus)?.focus();

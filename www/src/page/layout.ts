@@ -16,6 +16,7 @@ const COVERED: Panel[] = ["program", "view", "results"];
 
 export interface Layout {
   header: HTMLElement;
+  main: HTMLElement;
   panels: Record<Panel, HTMLElement>;
   /** Under the stage: what came out. */
   answer: HTMLElement;
@@ -93,6 +94,7 @@ export function createLayout(actions: Actions, sizes: Parameters<typeof createSp
 
   return {
     header,
+    main,
     panels,
     answer,
     rail: rail.root,

@@ -3,7 +3,7 @@
 
 /** What browsers that have it add to what TypeScript knows. */
 interface Place extends FileSystemFileHandle {
-  requestPermission?(how: { mode: "readwrite" }): Promise<PermissionState>;
+  requestPermission?(how: { mode: "read" | "readwrite" }): Promise<PermissionState>;
 }
 interface Picker {
   showOpenFilePicker?(options: {
@@ -28,6 +28,21 @@ export function keepPlace(opened: number | undefined, place: FileSystemFileHandl
   if (place) known.set(opened, { place, changed: file.lastModified });
   else known.delete(opened);
 }
+
+/** Whether the page may read it now; the user may be asked. */
+export async function mayRead(place: FileSystemFileHandle): Promise<boolean> {
+  try {
+    await place.getFile();
+    return true;
+  } catch {
+    const asked = await (place as Place).requestPermission?.({ mode: "read" }).catch(() => "denied");
+    return asked === "granted";
+  }
+}
+
+/** Where the file is that was opened then. */
+export const placeAt = (opened: number | undefined): FileSystemFileHandle | undefined =>
+  opened === undefined ? undefined : known.get(opened)?.place;
 
 /** The same file, read once more. */
 export function movePlace(from: number | undefined, to: number): void {

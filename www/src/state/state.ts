@@ -185,6 +185,7 @@ export interface OtherWork {
 }
 
 export interface PageState {
+  place: "start" | "work"; // where the reader is
   changed: number; // ms, when the user last changed the work; 0: it is as the page begins
   others: readonly OtherWork[]; // which of them this tab continues is asked; none: nothing is
   theme: Theme;
@@ -328,6 +329,7 @@ export function firstState(): State {
       sizes: {},
     },
     page: {
+      place: "work",
       theme: "system",
       language: "",
       search: "",
