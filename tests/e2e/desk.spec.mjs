@@ -3,11 +3,11 @@ import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { modules } from "./sources.mjs";
 
-let sources, desk, state, stored;
+let sources, desk, state, stored, typing;
 before(async () => {
   sources = await modules();
-  [desk, state, stored] = await Promise.all(
-    ["desk/desk", "state/state", "state/stored"].map(name => sources.load(`/src/${name}.ts`)),
+  [desk, state, stored, typing] = await Promise.all(
+    ["desk/desk", "state/state", "state/stored", "desk/typing"].map(name => sources.load(`/src/${name}.ts`)),
   );
 });
 after(() => sources.close());
@@ -111,15 +111,18 @@ describe("a state", () => {
 
   test("is rewriting while a call is to be written in another way, and astray when that call is gone", () => {
     const style = "indirect";
-    const rewriting = read({ desk: { converting: { at: 20, style } } });
+    const rewriting = read({ desk: { converting: { at: 20, style, all: false } } });
     assert.equal(desk.standing(rewriting).is, "rewriting");
     assert.deepEqual([desk.standing(rewriting).question.call, desk.standing(rewriting).question.style], [1, style]);
     const edits = [{ from: 20, to: 39, insert: "CYCLE_977(1)" }];
-    const next = desk.next(rewriting, () => ({ edits, findings: [] }));
-    assert.equal(state.programOf(next), `${TEXT.slice(0, 20)}CYCLE_977(1)${TEXT.slice(39)}`);
-    assert.equal(next.desk.converting, null);
+    const next = desk.next(rewriting, () => ({ edits, findings: [], values: [], calls: 1 }));
+    assert.equal(state.programOf(next), TEXT, "it is shown first");
+    assert.deepEqual([next.desk.converting, next.desk.proposed.edits], [null, edits]);
+    const done = typing.agreed(next);
+    assert.equal(state.programOf(done), `${TEXT.slice(0, 20)}CYCLE_977(1)${TEXT.slice(39)}`);
+    assert.equal(done.desk.proposed, null);
 
-    const astray = read({ desk: { converting: { at: 7, style } } });
+    const astray = read({ desk: { converting: { at: 7, style, all: false } } });
     assert.equal(desk.standing(astray).is, "astray");
     assert.equal(desk.next(astray, none).desk.converting, null);
   });

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { isDeepStrictEqual } from "node:util";
 import { shared } from "./browser.mjs";
-import { fromFormMenu, lengthField, openErrors, openMachine, startWithEditor as start, stored } from "./start.mjs";
+import { convert, fromFormMenu, lengthField, openErrors, openMachine, startWithEditor as start, stored } from "./start.mjs";
 
 const undo = page => page.locator("#undo");
 const redo = page => page.locator("#redo");
@@ -69,7 +69,7 @@ describe("steps of the work", () => {
         await page.keyboard.press("Control+End");
         await page.keyboard.insertText("M30");
       },
-      () => page.locator(".call-ways [data-style=indirect]").click(),
+      () => convert(page, "indirect"),
       () => page.locator("select.encoding").selectOption("save utf-16le"),
     ];
     const seen = [await kept()];

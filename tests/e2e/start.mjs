@@ -83,3 +83,13 @@ export async function fromPageMenu(page, name) {
 export async function openMachine(page) {
   if (!(await page.locator("#machine-menu").isVisible())) await page.locator("#machine-menu-open").click();
 }
+
+/** The change that is shown before it is made. */
+export const shownChange = page => page.locator("dialog.difference[open]");
+
+/** Converts the open call to this style, and applies what is shown. */
+export async function convert(page, style) {
+  await page.locator(`.call-ways [data-style="${style}"]`).click();
+  await shownChange(page).getByRole("button", { name: "Apply" }).click();
+  await shownChange(page).waitFor({ state: "hidden" });
+}

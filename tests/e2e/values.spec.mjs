@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
-import { fromFormMenu, keptWhen, openTasks, searchTasks, startWithEditor as start } from "./start.mjs";
+import { convert, fromFormMenu, keptWhen, openTasks, searchTasks, startWithEditor as start } from "./start.mjs";
 
 async function openProgram(page, text) {
   await page
@@ -51,10 +51,10 @@ describe("an expression of the program", () => {
     await page.locator('.results-main tr:has-text("_OVR[0]"):has-text("50.02")').waitFor();
     await entry(page, "_FA").fill("4");
     assert.equal(await programWhen(page, now => now.includes("_FA=4")), text.replace("_FA=2", "_FA=4"));
-    await page.locator('.call-ways [data-style="indirect"]').click();
+    await convert(page, "indirect");
     const indirect = await programWhen(page, now => now.includes("CYCLE_PARA("));
     assert.match(indirect, /\(977,1,R2[,)]/);
-    await page.locator('.call-ways [data-style="direct"]').click();
+    await convert(page, "direct");
     assert.match(await programWhen(page, now => !now.includes("CYCLE_PARA(")), /_SETVAL=R2/);
     await entry(page, "_SETVAL").fill("R2+1");
     await field(page, "_SETVAL").locator('.worth:text-is("= 51.02")').waitFor();

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
-import { fromPageMenu, keptWhen, startWithEditor as start } from "./start.mjs";
+import { convert, fromPageMenu, keptWhen, startWithEditor as start } from "./start.mjs";
 
 async function openProgram(page, text) {
   await page
@@ -188,7 +188,7 @@ describe("ways of writing", () => {
     await ways.locator('text="Call style: direct"').waitFor();
     const value = page.locator('.field[data-field="_SETVAL"] .entry-line > .figure');
     assert.equal(await value.inputValue(), "132");
-    await ways.locator('[data-style="indirect"]').click();
+    await convert(page, "indirect");
     await ways.locator('text="Call style: indirect"').waitFor();
     await programWhen(page, now => now.includes("CYCLE_PARA("));
     assert.equal(await value.inputValue(), "132");

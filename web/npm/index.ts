@@ -6,6 +6,8 @@ import type {
   Catalogue,
   Changed,
   Converted,
+  CuredAll,
+  CureRequest,
   Dialect,
   FormRequest,
   FormView,
@@ -31,9 +33,9 @@ export interface ChangeRequest extends ReadRequest {
   value: string;
 }
 
-/** A call of a program, to be written in another way. */
+/** A call of a program, or all of them where none is given, to be written in another way. */
 export interface ConvertRequest extends ReadRequest {
-  call: number;
+  call?: number;
   style: Style;
 }
 
@@ -55,8 +57,10 @@ export interface Probewright {
   read(request: ReadRequest): ReadView;
   /** The edits that give a value of a call; nothing else of the text changes. See `apply`. */
   change(request: ChangeRequest): Changed;
-  /** The edits that write a call in another way. */
+  /** The edits that write calls in another way. */
   convert(request: ConvertRequest): Converted;
+  /** The edits that cure all findings of a kind. */
+  cure(request: CureRequest): CuredAll;
   /** Runs a part program on a machine (`setup`): motions, touches, results, corrections, alarms, log. */
   run(request: RunRequest): RunView;
   /** What a measuring variant does, what it needs, what can go wrong. */
@@ -88,6 +92,7 @@ export async function load(module?: BufferSource | WebAssembly.Module | URL | st
     read: request => ask(wasm.read, request),
     change: request => ask(wasm.change, request),
     convert: request => ask(wasm.convert, request),
+    cure: request => ask(wasm.cure, request),
     run: request => run(request),
     help: request => ask(wasm.help, request),
     machine: request => ask(wasm.machine, request),

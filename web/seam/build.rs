@@ -24,6 +24,7 @@ const CORE: Seam = Seam {
     read: answered!(|asked| app::read(asked, &mut |_| {})),
     change: answered!(app::change),
     convert: answered!(app::convert),
+    cure: answered!(app::cure),
     run: |question| {
         let mut run = json::question(question).and_then(app::Run::new).map_err(|error| error.to_string())?;
         while !run.advance(500) {}

@@ -58,6 +58,15 @@ pub fn convert(request: &str) -> Result<String, JsError> {
     Ok(json::answer(request, app::convert)?)
 }
 
+/// `CureRequest` → `CuredAll`.
+///
+/// # Errors
+/// A request of the wrong shape.
+#[wasm_bindgen]
+pub fn cure(request: &str) -> Result<String, JsError> {
+    Ok(json::answer(request, app::cure)?)
+}
+
 /// An answer, and what is to be seen of it.
 #[wasm_bindgen]
 pub struct Answer {

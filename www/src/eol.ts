@@ -101,9 +101,13 @@ export interface Splice {
 
 /** Splices that do not overlap, offsets in the text before all of them. */
 export function splice(text: string, edits: readonly Splice[]): string {
-  let result = text;
-  for (const edit of [...edits].sort((a, b) => b.from - a.from || b.to - a.to))
-    result = result.slice(0, edit.from) + edit.insert + result.slice(edit.to);
+  const pieces: string[] = [];
+  let at = 0;
+  for (const edit of [...edits].sort((a, b) => a.from - b.from || a.to - b.to)) {
+    pieces.push(text.slice(at, edit.from), edit.insert);
+    at = edit.to;
+  }
+  const result = pieces.join("") + text.slice(at);
   const [only] = edits;
   const known = lately.find(one => one.text === text);
   if (only && edits.length === 1 && known) remember(result, pairsAfter(known.pairs, only, result), text);

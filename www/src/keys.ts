@@ -20,6 +20,13 @@ export const KEYS = {
     ask: ["Enter"],
     refuse: ["Escape"],
   },
+  // while a change is shown before it is made
+  difference: {
+    apply: ["Enter"],
+    cancel: ["Escape"],
+    "next-change": ["F7"],
+    "previous-change": ["Shift+F7"],
+  },
   list: {
     next: ["ArrowDown"],
     previous: ["ArrowUp"],

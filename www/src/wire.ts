@@ -262,26 +262,46 @@ export type Cited = string;
 /** Where a problem is named. */
 export type Code = string;
 
+/** A value that a call has in one way of writing only, or otherwise in the other. */
+export type ComparedValue = {
+  /** Line of the call as it is, from 1. */
+  line: number,
+  /** Cycle. */
+  cycle: string,
+  /** Parameter, or the argument of a newer control. */
+  param: string,
+  /** Key of its label; empty: it has none. */
+  key: string,
+  /** As it arrives at the call now; null: it does not, and the value is added. */
+  before: string | null,
+  /** As it would arrive; null: it would not, and the value is lost. */
+  after: string | null,
+};
+
 /** A call in another style. */
 export type ConvertRequest = {
   /** Control. */
   control: Dialect,
   /** Text of the program. */
   text: string,
-  /** Which of its calls, from 0. */
-  call: number,
+  /** Which of its calls, from 0; absent: all that can be written so. */
+  call?: number,
   /** The call style. */
   style: Style,
   /** Machine on which the program starts; absent: the core's own as it is. */
   setup?: Machine,
 };
 
-/** Edits that write a call in another way. */
+/** Edits that write calls in another way. */
 export type Converted = {
   /** The only places of the text that change; none: it is not possible, see the findings. */
   edits: Array<Edit>,
   /** What has to be said about it. */
   findings: Array<Diagnostic>,
+  /** The values that the calls would gain, lose or have otherwise. */
+  values: Array<ComparedValue>,
+  /** How many calls are written anew. */
+  calls: number,
 };
 
 /** What a variant corrects. */
@@ -311,6 +331,30 @@ export type Cure = {
   label: Message,
   /** The only places of the text that change. */
   edits: Array<Edit>,
+};
+
+/** All findings of a kind, to be cured at once. */
+export type CureRequest = {
+  /** Control. */
+  control: Dialect,
+  /** Text of the program. */
+  text: string,
+  /** Name of the findings. */
+  code: string,
+  /** Key of their cause. */
+  key: string,
+  /** Machine on which the program starts; absent: the core's own as it is. */
+  setup?: Machine,
+};
+
+/** Edits that cure findings of a kind. */
+export type CuredAll = {
+  /** The only places of the text that change. */
+  edits: Array<Edit>,
+  /** Findings that are gone then. */
+  gone: number,
+  /** Findings with a cure that are left then. */
+  left: number,
 };
 
 /** What cuts. */

@@ -8,7 +8,9 @@ use crate::entry::Style;
 use crate::message::Message;
 use crate::name::Name;
 use crate::program::change::apply;
+use crate::program::compared::ComparedValue;
 use crate::program::convert as converting;
+use crate::program::cure::cure_all;
 use crate::program::revise::{self, revise};
 use crate::program::touched::TouchedLine;
 use crate::syntax;
@@ -114,15 +116,15 @@ pub struct ConvertRequest {
     pub control: Dialect,
     /// Text of the program.
     pub text: String,
-    /// Which of its calls, from 0.
-    pub call: usize,
+    /// Which of its calls, from 0; absent: all that can be written so.
+    pub call: Option<usize>,
     /// The call style.
     pub style: Style,
     /// Machine on which the program starts; absent: the core's own as it is.
     pub setup: Option<Machine>,
 }
 
-/// Edits that write a call in another way.
+/// Edits that write calls in another way.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Converted {
@@ -130,6 +132,38 @@ pub struct Converted {
     pub edits: Vec<Edit>,
     /// What has to be said about it.
     pub findings: Vec<Finding>,
+    /// The values that the calls would gain, lose or have otherwise.
+    pub values: Vec<ComparedValue>,
+    /// How many calls are written anew.
+    pub calls: usize,
+}
+
+/// All findings of a kind, to be cured at once.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
+pub struct CureRequest {
+    /// Control.
+    pub control: Dialect,
+    /// Text of the program.
+    pub text: String,
+    /// Name of the findings.
+    pub code: String,
+    /// Key of their cause.
+    pub key: String,
+    /// Machine on which the program starts; absent: the core's own as it is.
+    pub setup: Option<Machine>,
+}
+
+/// Edits that cure findings of a kind.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct CuredAll {
+    /// The only places of the text that change.
+    pub edits: Vec<Edit>,
+    /// Findings that are gone then.
+    pub gone: usize,
+    /// Findings with a cure that are left then.
+    pub left: usize,
 }
 
 /// Gives a parameter of a call another value.
@@ -168,14 +202,34 @@ pub fn change(asked: ChangeRequest) -> Result<Changed, Error> {
     })
 }
 
-/// Writes a call in another way.
+/// Writes calls in another way.
 ///
 /// # Errors
 /// The machine has no such G function of units.
 pub fn convert(asked: ConvertRequest) -> Result<Converted, Error> {
     let program = syntax::read(asked.control, asked.text.as_bytes());
     let control = start(asked.control, asked.setup)?.setup.control;
-    let done = converting::convert(&program, asked.call, asked.style, &control);
+    let done = match asked.call {
+        Some(call) => converting::convert(&program, call, asked.style, &control),
+        None => converting::convert_all(&program, asked.style, &control),
+    };
     let positions = Positions::new(&program.source);
-    Ok(Converted { edits: edits(&done.edits, &positions), findings: placed(&done.findings, &positions) })
+    Ok(Converted {
+        edits: edits(&done.edits, &positions),
+        findings: placed(&done.findings, &positions),
+        values: done.values,
+        calls: done.calls,
+    })
+}
+
+/// Cures all findings of a kind.
+///
+/// # Errors
+/// The machine has no such G function of units.
+pub fn cure(asked: CureRequest) -> Result<CuredAll, Error> {
+    let program = syntax::read(asked.control, asked.text.as_bytes());
+    let control = start(asked.control, asked.setup)?.setup.control;
+    let done = cure_all(&program, &asked.code, &asked.key, &control);
+    let edits = edits(&done.edits, &Positions::new(&program.source));
+    Ok(CuredAll { edits, gone: done.gone, left: done.left })
 }

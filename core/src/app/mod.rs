@@ -25,7 +25,10 @@ pub use alarms::{AlarmInfo, alarm, alarms};
 pub use answer::{Answer, Band, BandKind, Correction, Figure, Gauge, Mark, Needle, Part, Verdict};
 pub use catalogue::{Catalogue, CycleInfo, ParameterInfo, Purpose, Values, VariantInfo, catalogue};
 pub use changes::Change;
-pub use edit::{Assignment, ChangeRequest, Changed, ConvertRequest, Converted, Replaced, Variable, change, convert};
+pub use edit::{
+    Assignment, ChangeRequest, Changed, ConvertRequest, Converted, CureRequest, CuredAll, Replaced, Variable, change,
+    convert, cure,
+};
 pub use encoding::Recognised;
 pub use finding::{Cure, Edit, Finding, findings};
 pub use form::{FormRequest, FormView, form};

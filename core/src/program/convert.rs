@@ -1,7 +1,8 @@
-//! One call from one style to another, in place: its own assignments go, its new text comes where the call is.
+//! Calls from one style to another, in place: the call's own assignments go, its new text comes where the call is.
 
 use super::calls::{CallSite, calls_on};
 use super::change::{Edit, apply, behind_label, line_end};
+use super::compared::{ComparedValue, compared};
 use super::own_words::{Lines, emptied, mark_before, own_words, without_comment};
 use super::write::{Values, Written, snippet_of};
 use super::{arguments, carried};
@@ -14,42 +15,138 @@ use crate::support::Mark;
 use crate::syntax::{Program, read};
 use crate::{check, own};
 
-/// Edits that turn a call into another style, and what has to be said about it.
+/// Edits that turn calls into another style, and what has to be said about it.
+#[derive(Default)]
 pub struct Converted {
     /// Empty where it is not possible, or already so.
     pub edits: Vec<Edit>,
     /// What the new way cannot say, and calls behind it that rely on values which are no longer in the data.
     pub findings: Vec<Diagnostic>,
+    /// The values that differ between the calls as they are and as they would be.
+    pub values: Vec<ComparedValue>,
+    /// How many calls are written anew.
+    pub calls: usize,
+}
+
+/// A call in another style, before it is known what that does to others.
+struct Plan {
+    index: usize,
+    edits: Vec<Edit>,
+    written: Written,
 }
 
 /// Writes the call at `index` of the program's calls in this way; the program starts on a control in this state.
 pub fn convert(program: &Program, index: usize, style: Style, control: &Control) -> Converted {
     let sites = calls_on(program, control.clone());
     let Some(site) = sites.get(index) else { return refused(Vec::new()) };
-    if site.list.map_or(Style::Direct, |list| list.style) == style {
+    if style_of(site) == style {
         return refused(vec![own::CONVERT_SAME.finding()]);
     }
+    match planned(program, &sites, index, style, control) {
+        Ok(plan) => together(program, &sites, vec![plan], control),
+        Err(findings) => refused(findings),
+    }
+}
+
+/// Writes all calls in this way whose cycle has it; those that cannot be written so stay, and the reason is told there.
+pub fn convert_all(program: &Program, style: Style, control: &Control) -> Converted {
+    let sites = calls_on(program, control.clone());
+    let mut plans = Vec::new();
+    let mut stay = Vec::new();
+    for (index, site) in sites.iter().enumerate() {
+        let has_it = style == Style::Direct || site.cycle.lists.iter().any(|list| list.style == style);
+        if style_of(site) == style || !has_it {
+            continue;
+        }
+        match planned(program, &sites, index, style, control) {
+            Ok(plan) => plans.push(plan),
+            Err(findings) => stay.extend(findings.into_iter().map(|one| one.on(site.span))),
+        }
+    }
+    if plans.is_empty() && stay.is_empty() {
+        return refused(vec![own::CONVERT_SAME.finding()]);
+    }
+    let mut done = together(program, &sites, plans, control);
+    done.findings.splice(0..0, stay);
+    done
+}
+
+fn style_of(site: &CallSite) -> Style {
+    site.list.map_or(Style::Direct, |list| list.style)
+}
+
+/// The edits of one call, or why there are none.
+fn planned(
+    program: &Program,
+    sites: &[CallSite],
+    index: usize,
+    style: Style,
+    control: &Control,
+) -> Result<Plan, Vec<Diagnostic>> {
+    let site = sites.get(index).ok_or_else(Vec::new)?;
     let at_call = site.control_at(control);
     if let Some(finding) = foreign(program, site, &at_call) {
-        return refused(vec![finding]);
+        return Err(vec![finding]);
     }
     let values = Values { typed: &explicit(site, &at_call), expressions: &site.expressions };
     let written = snippet_of(site.cycle, &values, &at_call, style, None);
     if written.text.is_empty() {
-        return refused(written.findings);
+        return Err(written.findings);
     }
-    if let Some(finding) = carried::stuck(program, site).or_else(|| carried::moves(program, site, &written.said)) {
-        return refused(vec![finding]);
+    match carried::stuck(program, site).or_else(|| carried::moves(program, site, &written.said)) {
+        Some(finding) => Err(vec![finding]),
+        None => Ok(Plan { index, edits: rewritten(program, site, &written), written }),
     }
-    let edits = rewritten(program, site, &written);
-    let after = calls_on(&read(program.dialect, &apply(&program.source, &edits)), control.clone());
-    if let Some(name) = after.get(index).and_then(|after| carried::differs(site, after, &written.said)) {
-        return refused(vec![carried::changing(site, name)]);
+}
+
+/// All plans at once. One that would give an expression another worth is left out, and the reason is told at its call.
+fn together(program: &Program, sites: &[CallSite], mut plans: Vec<Plan>, control: &Control) -> Converted {
+    let alone = plans.len() == 1;
+    let mut stay = Vec::new();
+    loop {
+        let mut edits: Vec<Edit> = plans.iter().flat_map(|plan| plan.edits.iter().cloned()).collect();
+        edits.sort_by_key(|edit| (edit.span.start, edit.span.end));
+        let after = calls_on(&read(program.dialect, &apply(&program.source, &edits)), control.clone());
+        let before = plans.len();
+        plans.retain(|plan| {
+            let pair = sites.get(plan.index).zip(after.get(plan.index));
+            let differs =
+                pair.and_then(|(site, after)| Some((site, carried::differs(site, after, &plan.written.said)?)));
+            let finding = differs.map(|(site, name)| (site.span, carried::changing(site, name)));
+            let fits = finding.is_none();
+            stay.extend(finding.map(|(span, one)| if alone { one } else { one.on(span) }));
+            fits
+        });
+        if plans.len() == before || plans.is_empty() {
+            return told(program, sites, &after, Told { plans, edits, stay }, control);
+        }
     }
-    let mut findings = written.findings;
-    findings.extend(left_out(program, site));
-    findings.extend(others(&sites, &after, index, control));
-    Converted { edits, findings }
+}
+
+/// What is left of plans, and why others are not done.
+struct Told {
+    plans: Vec<Plan>,
+    edits: Vec<Edit>,
+    stay: Vec<Diagnostic>,
+}
+
+fn told(program: &Program, sites: &[CallSite], after: &[CallSite], done: Told, control: &Control) -> Converted {
+    let Told { plans, edits, stay } = done;
+    if plans.is_empty() {
+        return refused(stay);
+    }
+    let mut converted = Converted { edits, findings: stay, calls: plans.len(), ..Converted::default() };
+    let mut indices = Vec::with_capacity(plans.len());
+    for Plan { index, written, .. } in plans {
+        indices.push(index);
+        converted.findings.extend(written.findings);
+        if let Some((site, after)) = sites.get(index).zip(after.get(index)) {
+            converted.findings.extend(left_out(program, site));
+            converted.values.extend(compared(program, site, after));
+        }
+    }
+    converted.findings.extend(others(sites, after, &indices, control));
+    converted
 }
 
 /// Why no other call style says the same.
@@ -100,7 +197,7 @@ fn left_out(program: &Program, site: &CallSite) -> Option<Diagnostic> {
 
 /// Nothing is done, and why.
 fn refused(findings: Vec<Diagnostic>) -> Converted {
-    Converted { edits: Vec::new(), findings }
+    Converted { findings, ..Converted::default() }
 }
 
 fn rewritten(program: &Program, site: &CallSite, written: &Written) -> Vec<Edit> {
@@ -165,10 +262,10 @@ fn means_the_same(one: &CallSite, other: &CallSite, control: &Control) -> bool {
 }
 
 /// Calls that would have other values afterwards.
-fn others(sites: &[CallSite], after: &[CallSite], index: usize, control: &Control) -> Vec<Diagnostic> {
+fn others(sites: &[CallSite], after: &[CallSite], converted: &[usize], control: &Control) -> Vec<Diagnostic> {
     let mut findings = Vec::new();
     for (place, (before, after)) in sites.iter().zip(after).enumerate() {
-        if place != index && !means_the_same(before, after, control) {
+        if converted.binary_search(&place).is_err() && !means_the_same(before, after, control) {
             let finding = own::CONVERT_OTHERS.finding().text("cycle", before.cycle.name);
             findings.push(finding.number("line", f64::from(before.line + 1)).on(before.span));
         }

@@ -1,6 +1,7 @@
 //! Three call styles: what is written is read back, and a change changes one value.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+mod compared;
 mod convert;
 mod expressions;
 mod newer;

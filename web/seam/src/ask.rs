@@ -26,6 +26,8 @@ pub struct Seam {
     pub change: Question,
     /// `ConvertRequest` → `Converted`.
     pub convert: Question,
+    /// `CureRequest` → `CuredAll`.
+    pub cure: Question,
     /// `RunRequest` → `RunView`.
     pub run: Question,
     /// Text of a setup file → `Setup`.
@@ -124,6 +126,9 @@ fn of_program(seam: &Seam, control: &Value, text: String, setup: Value) -> Vec<(
     };
     let read = read_value((seam.read)(&question(json!({}))));
     let convert = read_value((seam.convert)(&question(json!({ "call": 0, "style": "direct" }))));
+    let all = read_value((seam.convert)(&question(json!({ "style": "operate" }))));
+    let found = &read["diagnostics"][0];
+    let cure = read_value((seam.cure)(&question(json!({ "code": found["code"], "key": found["message"]["key"] }))));
     let values = read["calls"][0]["values"].as_object();
     let number = values.into_iter().flatten().find_map(|(name, value)| {
         let number: f64 = value.as_str()?.parse().ok().filter(|number: &f64| number.fract() != 0.0)?;
@@ -134,7 +139,9 @@ fn of_program(seam: &Seam, control: &Value, text: String, setup: Value) -> Vec<(
     let changed = changed(&text, &change);
     let run = json!({ "control": control, "text": changed, "setup": setup });
     let run = read_value((seam.run)(&run.to_string()));
-    vec![("read", read), ("convert", convert), ("change", change), ("text", changed.into()), ("run", run)]
+    let text = changed.into();
+    let converted = [("convert", convert), ("all", all), ("cure", cure)];
+    [("read", read), ("change", change), ("text", text), ("run", run)].into_iter().chain(converted).collect()
 }
 
 /// The text behind the steps of a change. All of it is ASCII here, so that units of UTF-16 are bytes.
@@ -154,13 +161,14 @@ fn changed(text: &str, change: &Value) -> String {
 /// Questions of the wrong shape, about what is not there, and with numbers that are none: each answer is a sentence or
 /// a document, never a broken module.
 fn wrong(seam: &Seam, told: &mut Answers) {
-    let asked: [(&str, Question); 8] = [
+    let asked: [(&str, Question); 9] = [
         ("form", seam.form),
         ("help", seam.help),
         ("machine", seam.machine),
         ("read", seam.read),
         ("change", seam.change),
         ("convert", seam.convert),
+        ("cure", seam.cure),
         ("run", seam.run),
         ("setup", seam.setup),
     ];

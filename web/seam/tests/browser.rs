@@ -38,6 +38,7 @@ const BROWSER: Seam = Seam {
     read: answered!(web::read),
     change: answered!(web::change),
     convert: answered!(web::convert),
+    cure: answered!(web::cure),
     run: |question| {
         let mut run = web::Run::new(question).map_err(sentence)?;
         while !run.advance(500) {}

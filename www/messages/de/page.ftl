@@ -674,3 +674,61 @@ start-recent = Zuletzt
 start-counts = Aufrufe: { $calls }, Zeilen: { $lines }
 start-form = { $cycle }, Maske
 start-remove = { $name } aus der Liste entfernen
+
+difference-convert = Zeile { $line }: Aufruf in „{ $way }“ umwandeln
+difference-convert-all = { $count ->
+    [one] Einen Aufruf in „{ $way }“ umwandeln
+   *[other] { $count } Aufrufe in „{ $way }“ umwandeln
+}
+difference-cure = { $count ->
+    [one] Eine Meldung beheben
+   *[other] { $count } Meldungen beheben
+}
+difference-left = { $count ->
+    [one] Eine Meldung dieser Art bleibt: Ihre Korrektur allein behebt sie nicht.
+   *[other] { $count } Meldungen dieser Art bleiben: Ihre Korrektur allein behebt sie nicht.
+}
+difference-summary = { $count ->
+    [0] Es ändert sich nichts.
+    [one] 1 Stelle im Programm ändert sich.
+   *[other] { $count } Stellen im Programm ändern sich.
+}
+difference-values-none = Kein Wert kommt hinzu, fällt weg oder ändert sich.
+difference-added = Kommt hinzu
+difference-lost = Fällt weg
+difference-changed = Anderer Wert
+difference-findings = Prüfen
+difference-value = { $name } = { $value }
+difference-becomes = { $name } = { $before } → { $after }
+difference-lines = { $count ->
+    [one] Zeile { $lines }
+   *[other] { $count } Aufrufe: Zeilen { $lines }
+}
+difference-more = { $count } weitere
+difference-scope = Welche Aufrufe
+difference-scope-one = Dieser Aufruf
+difference-scope-all = Alle { $count } Aufrufe
+difference-before = Jetzt
+difference-after = Danach
+difference-line = Zeile
+difference-list = Geänderte Zeilen
+difference-gone = entfällt:
+difference-came = neu:
+difference-changed-from = vorher:
+difference-changed-to = nachher:
+difference-next = Nächste Änderung
+difference-previous = Vorige Änderung
+difference-place = { $number } von { $count }
+difference-further = { $count ->
+    [one] Eine weitere Änderung zeigen
+   *[other] { $count } weitere Änderungen zeigen
+}
+difference-undo = Rückgängig nimmt es zurück
+difference-close = Schließen
+problems-cure-all = Alle { $count } dieser Art beheben …
+
+keys-difference = Vergleich vor einer Änderung
+keys-difference-apply = Übernehmen
+keys-difference-cancel = Abbrechen
+keys-difference-next-change = Nächste Änderung
+keys-difference-previous-change = Vorige Änderung

@@ -674,3 +674,61 @@ start-recent = Recent
 start-counts = Calls: { $calls }, lines: { $lines }
 start-form = { $cycle }, form
 start-remove = Remove { $name } from the list
+
+difference-convert = Line { $line }: convert the call to “{ $way }”
+difference-convert-all = { $count ->
+    [one] Convert one call to “{ $way }”
+   *[other] Convert { $count } calls to “{ $way }”
+}
+difference-cure = { $count ->
+    [one] Fix one finding
+   *[other] Fix { $count } findings
+}
+difference-left = { $count ->
+    [one] One finding of this kind stays: its fix alone does not resolve it.
+   *[other] { $count } findings of this kind stay: their fixes alone do not resolve them.
+}
+difference-summary = { $count ->
+    [0] Nothing changes.
+    [one] 1 place in the program changes.
+   *[other] { $count } places in the program change.
+}
+difference-values-none = No value is added, lost or changed.
+difference-added = Added
+difference-lost = Lost
+difference-changed = Different value
+difference-findings = Check
+difference-value = { $name } = { $value }
+difference-becomes = { $name } = { $before } → { $after }
+difference-lines = { $count ->
+    [one] line { $lines }
+   *[other] { $count } calls: lines { $lines }
+}
+difference-more = { $count } more
+difference-scope = Which calls
+difference-scope-one = This call
+difference-scope-all = All { $count } calls
+difference-before = Now
+difference-after = After
+difference-line = Line
+difference-list = Changed lines
+difference-gone = removed:
+difference-came = new:
+difference-changed-from = before:
+difference-changed-to = after:
+difference-next = Next change
+difference-previous = Previous change
+difference-place = { $number } of { $count }
+difference-further = { $count ->
+    [one] Show one more change
+   *[other] Show { $count } more changes
+}
+difference-undo = Undo takes it back
+difference-close = Close
+problems-cure-all = Fix all { $count } of this kind …
+
+keys-difference = Comparison before a change
+keys-difference-apply = Apply
+keys-difference-cancel = Cancel
+keys-difference-next-change = Next change
+keys-difference-previous-change = Previous change

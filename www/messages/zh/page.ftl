@@ -664,3 +664,48 @@ start-recent = 最近
 start-counts = { $calls } 个调用，{ $lines } 行
 start-form = { $cycle }，表单
 start-remove = 从列表中删除 { $name }
+
+difference-convert = 第 { $line } 行：将调用转换为“{ $way }”
+difference-convert-all = 将 { $count } 个调用转换为“{ $way }”
+difference-cure = 修正 { $count } 个问题
+difference-left = 还剩 { $count } 个此类问题：仅靠其修正方法无法解决。
+difference-summary = { $count ->
+    [0] 没有任何更改。
+   *[other] 程序中有 { $count } 处更改。
+}
+difference-values-none = 没有新增、丢失或改变的值。
+difference-added = 新增
+difference-lost = 丢失
+difference-changed = 值不同
+difference-findings = 请检查
+difference-value = { $name } = { $value }
+difference-becomes = { $name } = { $before } → { $after }
+difference-lines = { $count ->
+    [1] 第 { $lines } 行
+   *[other] { $count } 个调用：第 { $lines } 行
+}
+difference-more = 另有 { $count } 项
+difference-scope = 哪些调用
+difference-scope-one = 此调用
+difference-scope-all = 全部 { $count } 个调用
+difference-before = 现在
+difference-after = 之后
+difference-line = 行
+difference-list = 更改的行
+difference-gone = 删除：
+difference-came = 新增：
+difference-changed-from = 原来：
+difference-changed-to = 之后：
+difference-next = 下一处更改
+difference-previous = 上一处更改
+difference-place = 第 { $number } 处，共 { $count } 处
+difference-further = 再显示 { $count } 处更改
+difference-undo = 可用“撤销”恢复
+difference-close = 关闭
+problems-cure-all = 修正全部 { $count } 个此类问题…
+
+keys-difference = 更改前的对比
+keys-difference-apply = 应用
+keys-difference-cancel = 取消
+keys-difference-next-change = 下一处更改
+keys-difference-previous-change = 上一处更改

@@ -9,6 +9,8 @@ import type {
   Catalogue,
   Changed,
   Converted,
+  CuredAll,
+  CureRequest,
   FormRequest,
   FormView,
   HelpRequest,
@@ -36,9 +38,9 @@ export interface ChangeRequest extends ReadRequest {
   pending: readonly Pending[];
 }
 
-/** A call, by its number, in another way of writing. */
+/** A call, by its number, in another way of writing; without a number all calls that have it. */
 export interface ConvertRequest extends ReadRequest {
-  call: number;
+  call?: number;
   style: Style;
 }
 
@@ -47,6 +49,7 @@ export type Question =
   | ({ ask: "read" } & ReadRequest)
   | ({ ask: "change" } & ChangeRequest)
   | ({ ask: "convert" } & ConvertRequest)
+  | ({ ask: "cure" } & CureRequest)
   | ({ ask: "run"; times: number } & RunRequest);
 
 export interface ProgramCore extends FormCore {
@@ -54,6 +57,7 @@ export interface ProgramCore extends FormCore {
   read(request: ReadRequest): ReadView;
   change(request: ChangeRequest): Changed[];
   convert(request: ConvertRequest): Converted;
+  cure(request: CureRequest): CuredAll;
   catalogue(): Catalogue; // of all cycles
   alarms(): AlarmInfo[];
   help(request: HelpRequest): HelpView;
@@ -160,6 +164,7 @@ export async function loadProgramCore(): Promise<ProgramCore> {
     recogniser,
     form: formed,
     read: request => JSON.parse(answer({ ask: "read", ...request })) as ReadView,
+    cure: request => JSON.parse(answer({ ask: "cure", ...request })) as CuredAll,
     convert: request => JSON.parse(answer({ ask: "convert", ...request })) as Converted,
     help: request => JSON.parse(call("help", () => wasm.help(JSON.stringify(request)))) as HelpView,
     machine: request => JSON.parse(call("machine", () => wasm.machine(JSON.stringify(request)))) as MachineView,

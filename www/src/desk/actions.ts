@@ -31,6 +31,7 @@ import type { Store } from "../state/store";
 import type {
   Catalogue,
   CycleInfo,
+  Diagnostic,
   Dialect,
   Edit,
   ErrorSliders,
@@ -43,8 +44,8 @@ import type {
 } from "../wire";
 import { opened } from "./calls";
 import { type Derived, findCycle } from "./derive";
-import { isCurrent, isRead, withEdits } from "./program";
-import { mended, replacing, typedIn, withoutReplacing } from "./typing";
+import { isRead, withEdits } from "./program";
+import { agreed, mended, proposed, replacing, typedIn, withoutReplacing } from "./typing";
 
 export type Variant = CycleInfo["variants"][number];
 
@@ -72,10 +73,16 @@ export interface Actions {
   closeCall(): void;
   /** Way of writing of the snippet; empty: as the machine has it. */
   style(style: State["snippet"]["style"]): void;
-  /** The call in the form, in the program, in another way of writing. */
-  convert(style: Style): void;
-  /** The edits that a finding of the present program proposes. */
+  /** The call in the form, in the program, in another way of writing; or all calls. It is shown before it is done. */
+  convert(style: Style, all?: boolean): void;
+  /** The edits that a finding of the present program proposes; shown before they are made where they reach further. */
   cure(edits: Edit[], elsewhere?: TouchedLine[]): void;
+  /** What cures all findings like this one; it is shown before it is done. */
+  cureAll(like: Diagnostic): void;
+  /** What is shown is done. */
+  apply(): void;
+  /** It is not. */
+  discard(): void;
   /** What waits for a word since it changes lines elsewhere is done. */
   agree(): void;
   /** It is not, and the form shows again what the program holds. */
@@ -321,27 +328,32 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
         return { form: { values: asWritten(state), open: null }, desk: { sought: null, pending } };
       }),
     style: style => store.update({ snippet: { style } }),
-    convert: style =>
-      store.update(state => (state.form.open === null ? {} : { desk: { converting: { at: state.form.open, style } } })),
+    convert: (style, all = false) =>
+      store.update(state => {
+        const at = state.form.open ?? (all ? 0 : null);
+        return at === null ? {} : { desk: { converting: { at, style, all } } };
+      }),
     cure(edits, elsewhere = []) {
       const state = now();
       if (!isRead(state)) return;
-      const { control } = state.form;
       if (!elsewhere.length) return store.update(mended(state, edits, "notice-mended"));
-      store.update({
-        desk: { curing: { control, text: programOf(state), edits, lines: elsewhere } },
-        panels: { panel: "form", left: "form" },
-      });
+      const title = { key: "asks-title", args: { count: elsewhere.length } };
+      store.update(proposed(state, { edits, title, notice: "notice-applied" }));
     },
+    cureAll: ({ code, message: { key } }) => store.update({ desk: { curing: { code, key } } }),
+    apply() {
+      store.update(agreed);
+      store.flush(); // editor and form have to hold it before the next key
+    },
+    discard: () => store.update({ desk: { proposed: null } }),
     agree: () =>
-      store.update(state => {
-        const { curing } = state.desk;
-        const pending = state.desk.pending.map(one =>
-          one.asks && !one.asks.replaced ? { ...one, asks: undefined, agreed: true } : one,
-        );
-        const next = patched(state, { desk: { pending, curing: null } });
-        return curing && isCurrent(curing, state) ? mended(next, curing.edits, "notice-applied") : next;
-      }),
+      store.update(state => ({
+        desk: {
+          pending: state.desk.pending.map(one =>
+            one.asks && !one.asks.replaced ? { ...one, asks: undefined, agreed: true } : one,
+          ),
+        },
+      })),
     refuse: () =>
       store.update(state => {
         const call = openCall(state);
@@ -351,7 +363,7 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
           .map(one => one.name);
         const back = Object.fromEntries(names.map(name => [name, call?.values[name] ?? ""]));
         return {
-          desk: { pending: state.desk.pending.filter(one => !gone.includes(one)), curing: null },
+          desk: { pending: state.desk.pending.filter(one => !gone.includes(one)) },
           form: { values: { ...state.form.values, ...back } },
         };
       }),
@@ -435,7 +447,7 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
       const there = stepped(now(), back);
       if (!there) return;
       const page = { notice: back > 0 ? "notice-undone" : "notice-redone", offer: false };
-      store.update(there, { desk: { sought: null, follow: null }, view: { step: AT_END }, page });
+      store.update(there, { desk: { sought: null, follow: null, proposed: null }, view: { step: AT_END }, page });
       store.flush(); // editor and form have to hold it before the next key
     },
     speak(language) {

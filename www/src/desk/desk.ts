@@ -7,15 +7,15 @@
 import type { Answered, Aside } from "../core/aside";
 import type { AtOnce, ProgramCore } from "../core/program";
 import { patched, programMachine, programOf, type Reading, type State } from "../state/state";
-import type { Changed, Converted, ReadView } from "../wire";
+import type { Changed, Converted, CuredAll, ReadView } from "../wire";
 import { arrived } from "./calls";
 import { isCurrent, isRead } from "./program";
-import { change, changed, conversion, converted } from "./typing";
+import { change, changed, conversion, converted, cured, curing } from "./typing";
 
 /** Of a program that is read between two keystrokes, in characters. */
 const SHORT = 8_000;
 
-export type Answer = ReadView | Changed[] | Converted;
+export type Answer = ReadView | Changed[] | Converted | CuredAll;
 
 /** How program and form stand to each other; the first that is so counts. */
 export type Standing =
@@ -23,7 +23,7 @@ export type Standing =
   | { is: "unread"; question: AtOnce } // it is not known what the program holds: it is read
   | { is: "looking"; reading: Reading } // the form is to show another call: it does
   | { is: "typed"; question: AtOnce } // the form is ahead of the program: it is written into it
-  | { is: "rewriting"; question: AtOnce } // a call is to be written in another way: it is
+  | { is: "rewriting"; question: AtOnce } // calls are to be written in another way, findings to be cured: it is shown
   | { is: "astray" } // that call is gone: nobody waits for it any more
   | { is: "settled" };
 
@@ -40,6 +40,8 @@ export function standing(state: State): Standing {
   if (typed) return { is: "typed", question: { ask: "change", ...typed } };
   const rewritten = conversion(state);
   if (rewritten) return { is: "rewriting", question: { ask: "convert", ...rewritten } };
+  const cures = curing(state);
+  if (cures) return { is: "rewriting", question: { ask: "cure", ...cures } };
   return { is: converting ? "astray" : "settled" };
 }
 
@@ -53,14 +55,16 @@ export function answered(state: State, question: AtOnce, answer: Answer): State 
     case "change":
       return changed(state, question, answer as Changed[]);
     case "convert":
-      return state.desk.converting ? converted(state, answer as Converted) : state;
+      return converted(state, answer as Converted);
+    case "cure":
+      return cured(state, answer as CuredAll);
   }
 }
 
 /** The state without an answer: nothing is asked about this text any more. */
 export function failed(state: State, { ask, control, text }: AtOnce, why: string): State {
   return patched(state, {
-    desk: { converting: null, pending: ask === "change" ? [] : state.desk.pending },
+    desk: { converting: null, curing: null, pending: ask === "change" ? [] : state.desk.pending },
     program: { stoppedReading: { control, text, why } },
   });
 }
@@ -102,6 +106,8 @@ function atOnce(core: ProgramCore, question: AtOnce): Answer {
       return core.change(question);
     case "convert":
       return core.convert(question);
+    case "cure":
+      return core.cure(question);
   }
 }
 

@@ -2,8 +2,8 @@
 
 import { asked, hasToAsk, isWaiting, type Pending } from "../core/pending";
 import type { ChangeRequest, ConvertRequest } from "../core/program";
-import { AT_END, openCall, patched, programMachine, programOf, type State } from "../state/state";
-import type { Changed, Converted, Edit, Replaced } from "../wire";
+import { AT_END, openCall, type Proposal, patched, programMachine, programOf, type State } from "../state/state";
+import type { Changed, Converted, CuredAll, CureRequest, Edit, Message, Replaced } from "../wire";
 import { isCurrent, SOUGHT, withEdits } from "./program";
 
 /** The form with these values typed; where it edits a call of the program, they are on their way there. */
@@ -102,18 +102,65 @@ export function mended(state: State, edits: readonly Edit[], notice: string): St
   return patched(withEdits(state, edits), { desk: { follow: "edits" }, page: { notice, offer: true } });
 }
 
-/** The call that is to be written in another way; null: none is, or it is gone. */
+/** The call that is to be written in another way, or all; null: none is, or it is gone. */
 export function conversion(state: State): ConvertRequest | null {
   const { control } = state.form;
   const { converting } = state.desk;
-  const call = state.program.reading?.view.calls.findIndex(one => one.from === converting?.at) ?? -1;
-  return converting && call >= 0
-    ? { control, text: programOf(state), call, style: converting.style, ...programMachine(state) }
-    : null;
+  if (!converting) return null;
+  const call = state.program.reading?.view.calls.findIndex(one => one.from === converting.at) ?? -1;
+  const wanted = converting.all ? {} : { call };
+  const asked = { control, text: programOf(state), style: converting.style, ...wanted, ...programMachine(state) };
+  return converting.all || call >= 0 ? asked : null;
 }
 
-export function converted(state: State, { edits, findings }: Converted): State {
-  const rest = patched(state, { desk: { converting: null } });
-  const next = edits.length ? mended(rest, edits, "notice-converted") : rest;
-  return patched(next, { desk: { converted: { control: next.form.control, text: programOf(next), findings } } });
+/** The findings that are to be cured together. */
+export function curing(state: State): CureRequest | null {
+  const { control } = state.form;
+  const { curing } = state.desk;
+  return curing && { control, text: programOf(state), code: curing.code, key: curing.key, ...programMachine(state) };
+}
+
+type Shown = Pick<Proposal, "edits" | "title" | "notice"> & Partial<Proposal>;
+
+/** Edits of the present program that are shown before they are made. */
+export function proposed(state: State, shown: Shown): State {
+  const { control } = state.form;
+  const nothing = { values: [], findings: [], converting: null, said: null };
+  const desk = { converting: null, curing: null, proposed: { ...nothing, control, text: programOf(state), ...shown } };
+  return patched(state, { desk });
+}
+
+/** A conversion is shown; where there is none of the call, the reason is told beside it. */
+export function converted(state: State, { edits, findings, values, calls }: Converted): State {
+  const { converting } = state.desk;
+  if (!converting) return state;
+  const { all, style } = converting;
+  if (!edits.length && !all) {
+    const said = { control: state.form.control, text: programOf(state), findings };
+    return patched(state, { desk: { converting: null, converted: said } });
+  }
+  const way = `way-${style}`;
+  const line = state.program.reading?.view.calls.find(one => one.from === converting.at)?.lastLine ?? 0;
+  const title: Message = all
+    ? { key: "difference-convert-all", args: { way, count: calls } }
+    : { key: "difference-convert", args: { way, line } };
+  return proposed(state, { edits, findings, values, converting, title, notice: "notice-converted" });
+}
+
+/** What curing all findings of a kind would do is shown. */
+export function cured(state: State, { edits, gone, left }: CuredAll): State {
+  const said = left ? { key: "difference-left", args: { count: left } } : null;
+  const title = { key: "difference-cure", args: { count: gone } };
+  return state.desk.curing ? proposed(state, { edits, said, title, notice: "notice-mended" }) : state;
+}
+
+/** The edits that were shown are made. */
+export function agreed(state: State): State {
+  const { proposed } = state.desk;
+  const next = patched(state, { desk: { proposed: null } });
+  if (!proposed?.edits.length || !isCurrent(proposed, state)) return next;
+  const after = mended(next, proposed.edits, proposed.notice);
+  const { control, findings, converting } = proposed;
+  const ofOpen = converting && converting.at === openCall(state)?.from && findings.length > 0;
+  return ofOpen ? patched(after, { desk: { converted: { control, text: programOf(after), findings } } }) : after;
 }

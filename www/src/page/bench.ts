@@ -104,8 +104,11 @@ export function createBench(parts: Parts): Bench {
   const later = behind(
     pieces => {
       pieces.createSheet(stage, () => shown, stop.signal);
+      const difference = pieces.createDifference(actions);
+      document.body.append(difference.dialog);
       return {
         drawResults: pieces.createResults(results, store, actions, scanner, program.goTo, program.goToLine),
+        drawDifference: difference.draw,
         drawHelp: pieces.createHelp(panels.help, store, actions, core),
         machineData: pieces.createMachineData(store, actions, core),
       };
@@ -132,6 +135,7 @@ export function createBench(parts: Parts): Bench {
     (state: State, derived: Derived): void => later()?.drawResults(state, derived),
     createSliders(sliders, errors, store, actions),
     (state: State, derived: Derived): void => later()?.drawHelp(state, derived),
+    (state: State, derived: Derived): void => later()?.drawDifference(state, derived),
     sets.draw,
     card.draw,
     continuing.draw,

@@ -7,18 +7,19 @@ import type { Theme } from "../theme";
 import type {
   BasicSystem,
   CallView,
+  ComparedValue,
   CycleInfo,
   Diagnostic,
   Dialect,
   Edit,
   ErrorSliders,
+  Message,
   OwnMachine,
   Plane,
   ReadView,
   RunView,
   Setup,
   Style,
-  TouchedLine,
   UnitFunction,
 } from "../wire";
 import type { Files, Refusal } from "./files";
@@ -62,12 +63,31 @@ export interface Reset {
   value: string;
   before?: string;
 }
-/** A cure that would change lines elsewhere waits for a word. It counts while the program is still that text. */
-export interface Curing {
+/** A call that begins at this place is to be written in another way; `all`: so are the others. */
+export interface Converting {
+  at: number;
+  style: Style;
+  all: boolean;
+}
+/** All findings of a kind are to be cured: their name, and the key of their cause. */
+export interface CuringAll {
+  code: string;
+  key: string;
+}
+/**
+ * Edits that are shown before they are made: they touch more than what is open, or all of it. They count while the
+ * program is still that text.
+ */
+export interface Proposal {
   control: Dialect;
   text: string;
   edits: Edit[];
-  lines: TouchedLine[];
+  title: Message;
+  said: Message | null; // what there is to say beside the values
+  values: ComparedValue[];
+  findings: Diagnostic[];
+  converting: Converting | null; // what led to it
+  notice: string; // key of what is said once they are made
 }
 /** Nothing is asked about this text any more: the user stopped it, or it failed for a reason. */
 export interface Stopped {
@@ -126,9 +146,10 @@ export interface DeskState {
   sought: Sought | null;
   // the form follows the cursor, what was typed in the program, or edits of its call
   follow: "cursor" | "text" | "edits" | null;
-  converting: { at: number; style: Style } | null; // the call that begins there is to be written in another way
+  converting: Converting | null;
   converted: ConvertedCall | null;
-  curing: Curing | null;
+  curing: CuringAll | null;
+  proposed: Proposal | null;
 }
 
 export interface MachineState {
@@ -303,6 +324,7 @@ export function firstState(): State {
       converting: null,
       converted: null,
       curing: null,
+      proposed: null,
     },
     machine: { setup: null, own: {}, suits: {} },
     view: {

@@ -2,7 +2,6 @@
 // before it is agreed to.
 
 import type { Actions } from "../desk/actions";
-import { isCurrent } from "../desk/program";
 import { el, keyed, on, setText, show } from "../dom";
 import { meantBy } from "../keys";
 import { programOf, type State } from "../state/state";
@@ -23,8 +22,7 @@ function lines(state: State): TouchedLine[] {
   const typed = state.desk.pending.filter(
     one => one.control === state.form.control && one.asks?.text === text && !one.asks.replaced,
   );
-  const cured = state.desk.curing && isCurrent(state.desk.curing, state) ? state.desk.curing.lines : [];
-  const all = [...typed.flatMap(one => one.asks?.lines ?? []), ...cured];
+  const all = typed.flatMap(one => one.asks?.lines ?? []);
   return [...new Map(all.map(one => [one.line, one])).values()].sort((a, b) => a.line - b.line);
 }
 

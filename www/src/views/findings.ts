@@ -17,6 +17,21 @@ interface Located {
   place: string;
   go: () => void;
   cure?: () => void;
+  /** Cures all of its kind, which are so many; told at the first of them. */
+  all?: { count: number; cure: () => void };
+}
+
+/** The first finding of each kind of which several can be cured, and how many. */
+function together({ fresh, problems }: Derived): Map<Diagnostic, number> {
+  const kinds = new Map<string, Diagnostic[]>();
+  for (const one of problems.filter(one => fresh && one.cure)) {
+    const kind = `${one.code}/${one.message.key}`;
+    const known = kinds.get(kind);
+    if (known) known.push(one);
+    else kinds.set(kind, [one]);
+  }
+  const several = [...kinds.values()].filter(kind => kind.length > 1);
+  return new Map(several.map(kind => [kind[0] as Diagnostic, kind.length]));
 }
 
 /**
@@ -33,6 +48,7 @@ export function located(state: State, derived: Derived, actions: Actions, goTo: 
   const inForm = new Set(opened ? form.map(same) : []);
   const cured = (problem: Diagnostic): Partial<Located> =>
     problem.cure && derived.fresh ? { cure: () => actions.cure(problem.cure?.edits ?? [], problem.elsewhere) } : {};
+  const alike = together(derived);
   const place = (problem: Diagnostic): Located => ({
     problem,
     place: t("problem-place", { line: problem.line ?? 0, column: problem.column ?? 1 }),
@@ -51,7 +67,11 @@ export function located(state: State, derived: Derived, actions: Actions, goTo: 
     ),
     ...derived.problems
       .filter(one => !inForm.has(same(one)) || !ofOpened(one))
-      .map(problem => ({ ...place(problem), ...cured(problem) })),
+      .map(problem => {
+        const count = alike.get(problem);
+        const all = count ? { all: { count, cure: () => actions.cureAll(problem) } } : {};
+        return { ...place(problem), ...cured(problem), ...all };
+      }),
     ...(derived.run?.diagnostics ?? [])
       .filter(one => !derived.problems.some(known => known.code === one.code && known.from === one.from))
       .map(place),
@@ -63,7 +83,7 @@ export function createFindings(
   actions: Actions,
   goTo: (offset: number) => void,
 ): (state: State, derived: Derived) => void {
-  const item = ({ problem: one, place, go, cure }: Located) => {
+  const item = ({ problem: one, place, go, cure, all }: Located) => {
     const mend = (): void => {
       cure?.();
       root.focus(); // the button goes with its finding: the focus stays in the list
@@ -74,6 +94,9 @@ export function createFindings(
         ><button type="button" class="quiet place" @click=${go}>${place}</button
         ><button type="button" class="cure" ?hidden=${!cure} @click=${mend}>
           ${one.cure ? say(one.cure.label) : ""}
+        </button
+        ><button type="button" class="cure-all" ?hidden=${!all} @click=${all?.cure}>
+          ${all ? t("problems-cure-all", { count: all.count }) : ""}
         </button></span
       >`,
     );

@@ -1,6 +1,7 @@
 // The pieces of the screen that come behind the first form, in one part: what it does, its help, data of the machine,
-// and all of it on paper.
+// changes before they are made, and all of it on paper.
 
+export { createDifference } from "./difference";
 export { createHelp } from "./help";
 export { createMachineData } from "./machine-data";
 export { createResults } from "./results";
