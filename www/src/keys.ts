@@ -8,6 +8,7 @@ export const KEYS = {
     open: ["Ctrl+O"],
     undo: ["Ctrl+Z"],
     redo: ["Ctrl+Y", "Ctrl+Shift+Z"],
+    palette: ["Ctrl+K"],
     "next-panel": ["F6"],
     "previous-panel": ["Shift+F6"],
     keys: ["?"],

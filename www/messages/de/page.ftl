@@ -732,3 +732,31 @@ keys-difference-apply = Übernehmen
 keys-difference-cancel = Abbrechen
 keys-difference-next-change = Nächste Änderung
 keys-difference-previous-change = Vorige Änderung
+
+palette = Suchen oder ausführen
+palette-hint = Befehl, Aufgabe, Zeile, Parameter …
+palette-results = Suchergebnisse
+palette-recent = Zuletzt benutzt
+palette-command = Befehle
+palette-line = Zu Zeile { $line }
+palette-field = Felder dieses Formulars
+palette-call = Aufrufe im Programm
+palette-measurement = Messaufgaben
+palette-parameter = Parameter
+palette-result = Ergebnisse
+palette-alarm = Alarme
+palette-finding = Probleme
+palette-help = Hilfeseiten
+palette-datum = Anwender- und Maschinendaten
+command-copy-call = Aufruf kopieren
+command-copy-program = Programm kopieren
+command-convert = Aufruf in „{ $way }“ umwandeln …
+command-convert-all = { $count ->
+    [one] Den Aufruf im Programm in „{ $way }“ umwandeln …
+   *[other] Alle { $count } Aufrufe in „{ $way }“ umwandeln …
+}
+command-panel = Gehe zu: { $panel }
+command-run-form = Diesen Aufruf simulieren
+command-run-program = Ganzes Programm simulieren
+command-print = Drucken
+keys-page-palette = Alles suchen oder ausführen

@@ -732,3 +732,31 @@ keys-difference-apply = Apply
 keys-difference-cancel = Cancel
 keys-difference-next-change = Next change
 keys-difference-previous-change = Previous change
+
+palette = Search or run
+palette-hint = Command, task, line, parameter, alarm …
+palette-results = Search results
+palette-recent = Used last
+palette-command = Commands
+palette-line = Go to line { $line }
+palette-field = Fields of this form
+palette-call = Calls in the program
+palette-measurement = Measuring tasks
+palette-parameter = Parameters
+palette-result = Results
+palette-alarm = Alarms
+palette-finding = Problems
+palette-help = Help pages
+palette-datum = User and machine data
+command-copy-call = Copy call
+command-copy-program = Copy program
+command-convert = Convert call to “{ $way }” …
+command-convert-all = { $count ->
+    [one] Convert the call of the program to “{ $way }” …
+   *[other] Convert all { $count } calls to “{ $way }” …
+}
+command-panel = Go to: { $panel }
+command-run-form = Simulate this call
+command-run-program = Simulate the whole program
+command-print = Print
+keys-page-palette = Search or run anything

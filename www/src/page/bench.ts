@@ -27,12 +27,14 @@ import type { Stage } from "../views/stage";
 import { createTasks } from "../views/tasks";
 import type { Catalogue, Dialect } from "../wire";
 import { createActivities, type Work } from "./activities";
+import { commandsOf } from "./commands";
 import { createLayout } from "./layout";
 import type { Modules } from "./modules";
 import type { Open } from "./open";
 import { listenToKeys } from "./shortcuts";
 import { createStartPlace } from "./start";
 import type { Where } from "./where";
+import { showKeys } from "./tips";
 
 /** What outlives a bench. */
 export interface Parts {
@@ -94,21 +96,45 @@ export function createBench(parts: Parts): Bench {
       undo: () => actions.step(1),
       redo: () => actions.step(-1),
       keys: () => keys.showModal(),
+      palette: () => later()?.openPalette(),
       "next-panel": () => layout.step(1),
       "previous-panel": () => layout.step(-1),
     },
     stop.signal,
   );
   const start = createStartPlace(layout, parts, program.open, stop.signal);
+  showKeys(stop.signal);
   let shown: { state: State; derived: Derived } | null = null;
+  const commands = commandsOf(store, actions, {
+    save: program.save,
+    open: program.open,
+    keys: () => keys.showModal(),
+    machineData: () => later()?.machineData.open(),
+  });
   const later = behind(
     pieces => {
       pieces.createSheet(stage, () => shown, stop.signal);
       const difference = pieces.createDifference(actions);
-      document.body.append(difference.dialog);
+      const palette = pieces.createPalette(
+        store,
+        actions,
+        {
+          catalogue: parts.catalogue,
+          alarms: parts.modules.alarms,
+          core,
+          commands,
+          goTo: program.goTo,
+          goToLine: program.goToLine,
+          goToField: parts.goToField,
+          machineData: words => later()?.machineData.open(words),
+        },
+        () => shown?.derived ?? null,
+      );
+      document.body.append(difference.dialog, palette.dialog);
       return {
         drawResults: pieces.createResults(results, store, actions, scanner, program.goTo, program.goToLine),
         drawDifference: difference.draw,
+        openPalette: palette.open,
         drawHelp: pieces.createHelp(panels.help, store, actions, core),
         machineData: pieces.createMachineData(store, actions, core),
       };

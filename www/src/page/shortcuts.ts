@@ -12,9 +12,9 @@ const TEXT = 'input:not([type="checkbox"], [type="range"], [type="file"]), texta
 /** Where a key keeps the meaning that it has there by itself. */
 const EXCEPT: Partial<Record<PageCommand, string>> = { undo: NO_WORK, redo: NO_WORK, keys: TEXT };
 /** A dialog keeps the focus. */
-const NOT_BESIDE_DIALOG: PageCommand[] = ["next-panel", "previous-panel", "keys"];
+const NOT_BESIDE_DIALOG: PageCommand[] = ["next-panel", "previous-panel", "keys", "palette"];
 /** What a key that is held down does once. */
-const ONCE: PageCommand[] = ["save", "open", "keys"];
+const ONCE: PageCommand[] = ["save", "open", "keys", "palette"];
 
 /** Listens until `end`. */
 export function listenToKeys(does: Record<PageCommand, () => void>, end: AbortSignal): void {

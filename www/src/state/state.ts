@@ -212,6 +212,7 @@ export interface PageState {
   theme: Theme;
   language: string; // its code; empty: what the browser wants
   search: string;
+  recent: readonly string[]; // names of the commands that were run last, the newest first
   card: Card | null;
   notice: string; // key of a short confirmation
   newer: boolean; // a newer version of the page waits
@@ -355,6 +356,7 @@ export function firstState(): State {
       theme: "system",
       language: "",
       search: "",
+      recent: [],
       card: null,
       notice: "",
       newer: false,

@@ -134,6 +134,9 @@ const FIELDS = {
   tab: field("panels", "tab"),
   changed: field("page", "changed"),
   theme: field("page", "theme"),
+  recent: field("page", "recent", value =>
+    Array.isArray(value) ? value.filter(one => typeof one === "string") : undefined,
+  ),
   language: field("page", "language"),
   unfolded: field("panels", "unfolded", all(flag)),
   outline: field("panels", "outline"),

@@ -55,7 +55,8 @@ export function facts(control: string, { setup, calibrated }: Machine): { name: 
 
 const LONGEST_LINK = 200_000; // characters that every browser takes
 
-async function copyLink(store: Store): Promise<void> {
+/** An address that holds the work. */
+export async function copyLink(store: Store): Promise<void> {
   const packed = await pack(shared(store.state));
   if (packed.length > LONGEST_LINK) return store.update({ page: { notice: "notice-link-long" } });
   const address = `${location.href.split("#")[0]}#s=${packed}`;

@@ -19,14 +19,20 @@ function label(part: string): string {
   return SYMBOLS[part] ?? (optional(`key-${part === " " ? "space" : part.toLowerCase()}`) || part);
 }
 
-function combination(key: string): HTMLElement {
+/** A combination of keys as text. */
+export function keyText(key: string): string {
+  return partsOf(key).map(label).join("+");
+}
+
+/** A combination of keys, as it stands on the keyboard. */
+export function keyLabel(key: string): HTMLElement {
   const parts = partsOf(key).flatMap(part => ["+", el("kbd", {}, label(part))]);
   return el("span", { class: "key" }, ...parts.slice(1));
 }
 
 function group([name, commands]: [string, Record<string, readonly string[]>]): HTMLElement {
   const lines = Object.entries(commands).flatMap(([command, keys]) => [
-    el("dt", {}, ...keys.map(combination)),
+    el("dt", {}, ...keys.map(keyLabel)),
     el("dd", {}, t(`keys-${name}-${command}`)),
   ]);
   return el("section", {}, el("h3", {}, t(`keys-${name}`)), el("dl", {}, ...lines));

@@ -4,5 +4,6 @@
 export { createDifference } from "./difference";
 export { createHelp } from "./help";
 export { createMachineData } from "./machine-data";
+export { createPalette } from "./palette";
 export { createResults } from "./results";
 export { createSheet } from "./sheet";

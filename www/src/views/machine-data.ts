@@ -18,8 +18,8 @@ import { rangeText } from "./field";
 type Row = { title: string; datum: null } | { title: null; datum: MachineField };
 
 export interface MachineData {
-  /** Shows the dialog. */
-  open(): void;
+  /** Shows the dialog, with what these words find. */
+  open(words?: string): void;
 }
 
 const BASIC: BasicSystem[] = ["mm", "inch"];
@@ -212,10 +212,11 @@ export function createMachineData(store: Store, actions: Actions, core: () => Pr
     take(ask({ values: Object.fromEntries(names.map(name => [name, ""])) }));
   });
   return {
-    open() {
+    open(words = "") {
       view = ask();
       if (!view) return; // the module is still on its way
       typed = {};
+      if (words) search.value = words;
       dialog.showModal();
       drawAll(true);
     },

@@ -1,0 +1,156 @@
+// The palette: one field that finds and runs everything, by keyboard, by the words of other languages and controls.
+import assert from "node:assert/strict";
+import { after, before, describe, test } from "node:test";
+import { shared } from "./browser.mjs";
+import { lengthField, shownChange, startWithEditor, stored } from "./start.mjs";
+
+const palette = page => page.locator("dialog.palette[open]");
+const items = (page, group) => palette(page).locator(`[aria-labelledby="palette-group-${group}"] .palette-item`);
+const chosen = page => palette(page).locator('[aria-selected="true"]');
+
+async function start(chrome, options) {
+  const opened = await startWithEditor(chrome, options);
+  await opened.page.locator(".tree:not([aria-busy])").waitFor({ state: "attached" });
+  return opened;
+}
+async function openProgram(page, text) {
+  await page
+    .locator(".panel-program input[type=file]")
+    .setInputFiles({ name: "part.mpf", mimeType: "text/plain", buffer: Buffer.from(text) });
+  await page.locator('.notice:has-text("Program opened.")').waitFor();
+}
+/** Opens the palette by its key and types into it, until all that is searched has come. */
+async function find(page, text) {
+  if (!(await palette(page).count())) await page.keyboard.press("Control+k");
+  await page.locator("#palette-search").fill(text);
+  await page.locator(`#palette-list[data-search="${text}"][data-complete]`).waitFor();
+}
+
+const CALL = "_MVAR=1 _SETVAL=132 _TUL=0.03 _TLL=-0.03 _TNUM=20 _KNUM=0 _TSA=1 _PRNUM=1 _NMSP=1 _FA=2\nCYCLE977\n";
+
+describe("the palette", () => {
+  const chrome = shared("neither", { before, after });
+
+  // oracle: hand
+  test("runs what has a key and shows that key, those that were run last first", async () => {
+    const { context, page, problems } = await start(chrome);
+    await lengthField(page).fill("41");
+    await page.locator('.snippet:has-text("41")').waitFor();
+    await find(page, "undo");
+    assert.match(await chosen(page).textContent(), /Undo.*Ctrl\+Z/);
+    await page.keyboard.press("Enter");
+    await palette(page).waitFor({ state: "detached" });
+    assert.notEqual(await lengthField(page).inputValue(), "41");
+    await find(page, "theme dark");
+    await page.keyboard.press("Enter");
+    await page.locator('html[data-theme="dark"]').waitFor();
+    await find(page, "go to form");
+    await page.keyboard.press("Enter");
+    await page.waitForFunction(() => document.activeElement?.id === "panel-form");
+    await page.keyboard.press("Control+k");
+    assert.equal(await items(page, "recent").first().locator(".palette-title").textContent(), "Go to: Form");
+    assert.match(await chosen(page).textContent(), /Go to: Form/);
+    await page.keyboard.press("Escape");
+    await page.waitForTimeout(400);
+    assert.deepEqual((await stored(page)).recent, ["panel-form", "theme-dark", "undo"]);
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: hand (words of the manuals, of German and of Chinese for the same thing)
+  test("leads from the words of others to our measurements, and back to the form", async () => {
+    const { context, page, problems } = await start(chrome);
+    for (const [words, wanted] of [
+      ["Bohrung", /Hole/],
+      ["bore", /Hole/],
+      ["孔", /Hole/],
+      ["boss G110", /G110/],
+    ]) {
+      await find(page, words);
+      assert.match(await items(page, "measurement").first().textContent(), wanted, words);
+    }
+    await find(page, "gear web too wide");
+    await items(page, "measurement").first().click();
+    await palette(page).waitFor({ state: "detached" });
+    await page.locator('[role="treeitem"][aria-selected="true"]:has-text("Web")').waitFor();
+    for (const words of ["work offset", "工件零点", "Nullpunktverschiebung"]) {
+      await find(page, words);
+      assert.ok((await palette(page).locator(".palette-item").count()) > 0, words);
+    }
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: hand
+  test("goes to fields, calls, lines, problems, alarms and data", async () => {
+    const { context, page, problems } = await start(chrome);
+    await openProgram(page, `G17 G54 G42 D1\nT1 D1\nM5\n${CALL}${"G0 X1\n".repeat(5)}${CALL}M30\n`);
+    await page.locator(".call-row").nth(1).waitFor();
+    await find(page, "CYCLE977");
+    assert.equal(await items(page, "call").count(), 2);
+    await items(page, "call").nth(1).click();
+    await page.locator('.opened:has-text("lines 11 to 12")').waitFor();
+    await find(page, "_TSA");
+    await items(page, "field").first().click();
+    await page.waitForFunction(() => document.activeElement?.closest(".field")?.dataset.field === "_TSA");
+    await find(page, "2");
+    await page.keyboard.press("Enter");
+    await page.locator('.cm-activeLine:has-text("T1 D1")').waitFor();
+    await find(page, "G40");
+    assert.ok((await items(page, "finding").count()) > 0, "what is wrong is found by its words");
+    await find(page, "61303");
+    await page.keyboard.press("Enter");
+    await page.locator("dialog.card[open] h2:has-text('61303')").waitFor();
+    await page.keyboard.press("Escape");
+    await find(page, "_CBIT[0]");
+    await items(page, "datum").first().click();
+    await page.locator("dialog.machine-data[open] .datum").first().waitFor();
+    await page.keyboard.press("Escape");
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: hand (the change is shown first)
+  test("converts all calls, and moves by the arrow keys alone", async () => {
+    const { context, page, problems } = await start(chrome);
+    await openProgram(page, `T1 D1\n${CALL}${CALL}M30\n`);
+    await page.locator(".call-row").nth(1).waitFor();
+    await page.locator(".cm-content").focus();
+    await find(page, "convert all indirect");
+    assert.match(await chosen(page).textContent(), /all 2 calls/);
+    await page.keyboard.press("Enter");
+    await shownChange(page).locator('h2:has-text("2 calls")').waitFor();
+    await page.keyboard.press("Escape");
+    await shownChange(page).waitFor({ state: "hidden" });
+    await page.keyboard.press("Control+k");
+    const first = await chosen(page).getAttribute("id");
+    assert.equal(await page.locator("#palette-search").getAttribute("aria-activedescendant"), first);
+    await page.keyboard.press("ArrowUp");
+    const last = await chosen(page).getAttribute("id");
+    assert.notEqual(last, first);
+    await page.keyboard.press("ArrowDown");
+    assert.equal(await chosen(page).getAttribute("id"), first);
+    await page.locator("#palette-search").fill("qqqqqq");
+    await palette(page).locator('.empty:has-text("Nothing found")').waitFor();
+    await page.keyboard.press("Escape");
+    await palette(page).waitFor({ state: "detached" });
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+});
+
+describe("the tooltip of a button with a key", () => {
+  const chrome = shared("neither", { before, after });
+
+  // oracle: hand (the table of keys)
+  test("says the key", async () => {
+    const { context, page } = await start(chrome);
+    for (const button of await page.locator("button[aria-keyshortcuts]:visible:enabled").all()) {
+      await button.hover();
+      const [key] = (await button.getAttribute("aria-keyshortcuts")).split(" ");
+      const told = key.replace("Control", "Ctrl");
+      assert.ok((await button.getAttribute("title"))?.endsWith(`(${told})`), `${await button.textContent()} ${key}`);
+    }
+    await context.close();
+  });
+});

@@ -1,0 +1,128 @@
+// What the page can do, as a list: each with its name, and the key that does the same.
+
+import { type Actions, variantOf } from "../desk/actions";
+import { type Derived, findCycle } from "../desk/derive";
+import { KEYS } from "../keys";
+import { nameOf } from "../language";
+import type { State } from "../state/state";
+import type { Store } from "../state/store";
+import { language, languages, t } from "../texts";
+import { THEMES } from "../theme";
+import { copyText } from "../views/copy";
+import { copyLink } from "../views/header";
+import type { PageCommand } from "../views/palette";
+import type { Style } from "../wire";
+
+/** What is done elsewhere on the page. */
+export interface Does {
+  save(): void;
+  open(): void;
+  keys(): void;
+  machineData(): void;
+}
+
+const STYLES: Style[] = ["direct", "indirect", "operate"];
+const PANELS = ["tasks", "form", "program", "view", "results"] as const;
+const TABS = ["problems", "motions", "log"] as const; // the first one is what the panel shows
+
+function ofWork(actions: Actions, does: Does, { history }: State): PageCommand[] {
+  const [undo] = KEYS.page.undo;
+  const [redo] = KEYS.page.redo;
+  const steps = [
+    history.past.length > 0 && { id: "undo", title: t("undo"), key: undo, run: () => actions.step(1) },
+    history.future.length > 0 && { id: "redo", title: t("redo"), key: redo, run: () => actions.step(-1) },
+  ];
+  return [
+    { id: "open", title: t("keys-page-open"), key: KEYS.page.open[0], run: does.open },
+    { id: "save", title: t("keys-page-save"), key: KEYS.page.save[0], run: does.save },
+    ...steps.filter(one => one !== false),
+  ];
+}
+
+/** The call in the form and the program. */
+function ofCall(store: Store, actions: Actions, state: State, derived: Derived): PageCommand[] {
+  const { view, opened, read, program, cycle, catalogue } = derived;
+  const { control } = state.form;
+  const all: PageCommand[] = [];
+  if (view.snippet) {
+    const copy = (): void => void copyText(view.snippet, store, "notice-copied");
+    all.push({ id: "copy-call", title: t("command-copy-call"), run: copy });
+    if (!opened) all.push({ id: "insert", title: t("form-insert"), run: () => actions.insert(view.snippet) });
+  }
+  if (opened) all.push({ id: "detach", title: t("form-detach"), run: actions.closeCall });
+  all.push({ id: "example", title: t("form-example"), run: () => actions.example(variantOf(derived)) });
+  if (program) {
+    const copy = (): void => void copyText(program, store, "notice-copied");
+    all.push({ id: "copy-program", title: t("command-copy-program"), run: copy });
+  }
+  for (const style of STYLES) {
+    const way = t(`way-${style}`);
+    const others = read.calls.filter(
+      one => one.style !== style && findCycle(catalogue, control, one.cycle)?.styles.includes(style),
+    );
+    const convert = { title: t("command-convert", { way }), run: () => actions.convert(style) };
+    if (opened && opened.style !== style && cycle.styles.includes(style))
+      all.push({ id: `convert-${style}`, ...convert });
+    const title = t("command-convert-all", { way, count: others.length });
+    if (others.length) all.push({ id: `convert-all-${style}`, title, run: () => actions.convert(style, true) });
+  }
+  return all;
+}
+
+function ofView(store: Store, actions: Actions, does: Does, { view, page, snippet }: State): PageCommand[] {
+  const themes = THEMES.filter(one => one !== page.theme).map(theme => ({
+    id: `theme-${theme}`,
+    title: t(`theme-${theme}`),
+    run: () => store.update({ page: { theme } }),
+  }));
+  const spoken = languages().filter(one => one !== language());
+  return [
+    ...PANELS.map(panel => ({
+      id: `panel-${panel}`,
+      title: t("command-panel", { panel: t(`panel-${panel}`) }),
+      run: () => {
+        actions.panel(panel);
+        document.getElementById(`panel-${panel}`)?.focus();
+      },
+    })),
+    ...TABS.map(tab => ({
+      id: `tab-${tab}`,
+      title: t("command-panel", { panel: t(`tab-${tab}`) }),
+      run: () => {
+        store.update({ panels: { tab } });
+        actions.panel("results");
+      },
+    })),
+    ...(["form", "program"] as const)
+      .filter(source => source !== view.source)
+      .map(source => ({
+        id: `run-${source}`,
+        title: t(`command-run-${source}`),
+        run: () => {
+          store.update({ view: { source } });
+          actions.panel("view");
+        },
+      })),
+    { id: "help", title: t("help-open"), run: actions.help },
+    { id: "machine-data", title: t("machine-data-open"), run: does.machineData },
+    { id: "twin", title: t("twin-open"), run: () => store.update({ snippet: { twin: !snippet.twin } }) },
+    { id: "link", title: t("link-copy"), run: () => void copyLink(store) },
+    { id: "print", title: t("command-print"), key: "Ctrl+P", run: () => print() },
+    ...themes,
+    ...spoken.map(one => ({
+      id: `language-${one}`,
+      title: `${t("language")}: ${nameOf(one)}`,
+      run: () => actions.speak(one),
+    })),
+    { id: "keys", title: t("keys-title"), key: KEYS.page.keys[0], run: does.keys },
+  ];
+}
+
+/** All that can be done now. */
+export function commandsOf(store: Store, actions: Actions, does: Does): (derived: Derived) => PageCommand[] {
+  return derived => [
+    ...ofWork(actions, does, store.state),
+    ...ofCall(store, actions, store.state, derived),
+    ...ofView(store, actions, does, store.state),
+  ];
+}
