@@ -3,7 +3,15 @@ import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { isDeepStrictEqual } from "node:util";
 import { shared } from "./browser.mjs";
-import { convert, fromFormMenu, lengthField, openErrors, openMachine, startWithEditor as start, stored } from "./start.mjs";
+import {
+  convert,
+  fromFormMenu,
+  lengthField,
+  openErrors,
+  openMachine,
+  startWithEditor as start,
+  stored,
+} from "./start.mjs";
 
 const undo = page => page.locator("#undo");
 const redo = page => page.locator("#redo");

@@ -5,10 +5,19 @@ import { open } from "./browser.mjs";
 /** Where the work of the browser is kept. */
 export const STORE = "probewright-1";
 
+/** All sections of the form stand open, as who knows the cycle has them; `folded: true` leaves them as they come. */
+async function unfold(page) {
+  await page.locator(".field").first().waitFor({ state: "attached" });
+  await page.locator('.fields-all[aria-pressed="false"]').evaluateAll(buttons => {
+    for (const button of buttons) button.click();
+  });
+}
+
 /** The page with its first form drawn. */
-export async function start(chrome, options) {
+export async function start(chrome, { folded = false, ...options } = {}) {
   const opened = await open(chrome.browser, options);
   await opened.page.locator(".field").first().waitFor();
+  if (!folded) await unfold(opened.page);
   return opened;
 }
 
@@ -17,6 +26,7 @@ export async function startWithEditor(chrome, options) {
   const opened = await open(chrome.browser, { serviceWorkers: "block", ...options });
   await opened.page.locator(".cm-content").waitFor();
   await opened.page.locator(".field").first().waitFor();
+  await unfold(opened.page);
   return opened;
 }
 
@@ -24,6 +34,7 @@ export async function startWithEditor(chrome, options) {
 export async function startWithCycles(chrome, options) {
   const opened = await open(chrome.browser, options);
   await opened.page.locator(".tree:not([aria-busy])").waitFor({ state: "attached" });
+  await unfold(opened.page);
   return opened;
 }
 

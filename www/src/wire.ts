@@ -578,6 +578,8 @@ export type Field = {
   label: Message,
   /** What it means. */
   help: Message,
+  /** Section of the form in which it is asked for. */
+  topic: Topic,
   /** As typed; empty: nothing is. */
   value: string,
   /** The expression of the program of which the value is the worth. */
@@ -1755,6 +1757,9 @@ export type ToolView = {
   /** End of the tool. */
   tip: [number, number, number],
 };
+
+/** A section of a form; sections are shown in this order. */
+export type Topic = "task" | "correction" | "approach" | "tolerances" | "statistics" | "probe";
 
 /** A diameter as the control reads it, mm. */
 export type Touched = {

@@ -3,7 +3,7 @@
 use super::{codes, masks, variant};
 use crate::check;
 use crate::control::Control;
-use crate::entry::{Cycle, Inputs, Kind, Level, Param, Typed, factor, unit_name};
+use crate::entry::{Cycle, Inputs, Kind, Level, Param, Topic, Typed, factor, unit_name};
 use crate::manual::Cited;
 use crate::message::Message;
 use crate::name::Name;
@@ -21,6 +21,8 @@ pub struct Field {
     pub label: Message,
     /// What it means.
     pub help: Message,
+    /// Section of the form in which it is asked for.
+    pub topic: Topic,
     /// How it is entered.
     #[serde(flatten)]
     pub entry: Entry,
@@ -128,6 +130,7 @@ fn field(param: &'static Param, inputs: &Inputs, typed: &Typed, control: &Contro
         name: param.name,
         label: Message::new(format!("param-{stem}")),
         help: Message::new(format!("param-{stem}-help")),
+        topic: param.topic(),
         entry: entry(param, inputs, shown(param.range, factor(unit, control)), control),
         value: typed.get(param.name.as_str()).cloned().unwrap_or_default(),
         expression: None,

@@ -760,3 +760,13 @@ command-run-form = Diesen Aufruf simulieren
 command-run-program = Ganzes Programm simulieren
 command-print = Drucken
 keys-page-palette = Alles suchen oder ausführen
+# Sections of the form.
+topic-task = Aufgabe
+topic-correction = Korrektur
+topic-approach = Anfahren
+topic-tolerances = Toleranzen
+topic-statistics = Statistik
+topic-probe = Messtaster
+group-more = { $count } weitere
+group-as-delivered = Auslieferungswerte
+fields-all = Alle Felder

@@ -760,3 +760,13 @@ command-run-form = Simulate this call
 command-run-program = Simulate the whole program
 command-print = Print
 keys-page-palette = Search or run anything
+# Sections of the form.
+topic-task = Task
+topic-correction = Correction
+topic-approach = Approach
+topic-tolerances = Tolerances
+topic-statistics = Statistics
+topic-probe = Probe
+group-more = { $count } more
+group-as-delivered = as delivered
+fields-all = All fields

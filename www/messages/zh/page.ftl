@@ -734,3 +734,13 @@ command-run-form = 模拟此调用
 command-run-program = 模拟整个程序
 command-print = 打印
 keys-page-palette = 搜索或执行任何操作
+# Sections of the form.
+topic-task = 任务
+topic-correction = 修正
+topic-approach = 接近
+topic-tolerances = 公差
+topic-statistics = 统计
+topic-probe = 测头
+group-more = 另有 { $count } 项
+group-as-delivered = 出厂值
+fields-all = 全部字段

@@ -33,8 +33,8 @@ import type { Modules } from "./modules";
 import type { Open } from "./open";
 import { listenToKeys } from "./shortcuts";
 import { createStartPlace } from "./start";
-import type { Where } from "./where";
 import { showKeys } from "./tips";
+import type { Where } from "./where";
 
 /** What outlives a bench. */
 export interface Parts {

@@ -4,7 +4,7 @@ import { type Actions, inPlane, type Variant } from "../desk/actions";
 import { findCycle } from "../desk/derive";
 import { planeOf, type State } from "../state/state";
 import type { Store } from "../state/store";
-import { fieldId } from "../views/field";
+import { focusField } from "../views/field";
 import type { Catalogue, CycleInfo, Dialect } from "../wire";
 
 /** Whether a form with these values has this field. */
@@ -44,6 +44,6 @@ export function createGoToField(
     const found = place(catalogue, shows, store.state, control, name);
     if (found) actions.chooseCycle(found.cycle, found.variant);
     actions.panel("form");
-    document.getElementById(fieldId(name))?.focus();
+    focusField(name);
   };
 }

@@ -6,6 +6,7 @@ import { meantBy } from "../keys";
 import { parseNumber, plain } from "../numbers";
 import { allWords, say, t } from "../texts";
 import type { Choice, Diagnostic, DigitGroup, Field, Range, Replaced } from "../wire";
+import { reveal } from "./groups";
 import { listProblems } from "./problem";
 import { createReplaced } from "./replaced";
 
@@ -19,6 +20,13 @@ const PAUSE = 700; // ms without a key after which a value counts as typed
 
 export function fieldId(name: string): string {
   return `field-${name.replace(/[^A-Za-z0-9_]/g, "-")}`;
+}
+
+/** In the section that has it, which opens for that. */
+export function focusField(name: string): void {
+  const field = document.getElementById(fieldId(name));
+  reveal(field);
+  field?.focus();
 }
 
 /** What may be entered, in the manual's way of writing an interval. */

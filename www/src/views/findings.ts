@@ -6,7 +6,7 @@ import type { Derived } from "../desk/derive";
 import type { State } from "../state/state";
 import { say, t } from "../texts";
 import type { Diagnostic } from "../wire";
-import { fieldId } from "./field";
+import { focusField } from "./field";
 import { shownProblems } from "./form";
 import { problem } from "./problem";
 
@@ -61,7 +61,7 @@ export function located(state: State, derived: Derived, actions: Actions, goTo: 
         place: problem.param ?? t("panel-form"),
         go: () => {
           actions.panel("form");
-          document.getElementById(fieldId(problem.param ?? ""))?.focus();
+          focusField(problem.param ?? "");
         },
       }),
     ),

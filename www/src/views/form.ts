@@ -3,16 +3,17 @@
 import { type Actions, type Variant, variantOf } from "../desk/actions";
 import type { Derived } from "../desk/derive";
 import { replacing } from "../desk/typing";
-import { el, keyed, on, setAttribute, setText, show } from "../dom";
+import { el, on, setAttribute, setText, show } from "../dom";
 import { meantBy } from "../keys";
 import type { Reset, State } from "../state/state";
 import type { Store } from "../state/store";
 import { optional, t } from "../texts";
-import type { Diagnostic, Field } from "../wire";
+import type { Diagnostic } from "../wire";
 import { createAsks } from "./asks";
 import { createExplain } from "./explain";
-import { createField, type FieldView, fieldId } from "./field";
+import { createField, type FieldView, focusField } from "./field";
 import { createFoot } from "./foot";
+import { createGroups } from "./groups";
 import { createPicture } from "./picture";
 import { listProblems } from "./problem";
 import { createTwin } from "./twin";
@@ -80,6 +81,34 @@ export function createForm(
   const twin = createTwin(store);
   const pictureBox = el("div", { class: "picture-box" });
   const fields = el("div", { class: "fields", role: "group", "aria-labelledby": "form-title" });
+  let shown: { cycle: Derived["cycle"]; state: State; problems: Diagnostic[] } | null = null;
+  const views = new WeakMap<Element, FieldView>();
+  const focused = (name: string | null): void => {
+    if (store.state.form.focus !== name) store.update({ form: { focus: name } });
+  };
+  const groups = createGroups(
+    fields,
+    store,
+    field => `${shown?.cycle.control}/${shown?.cycle.cycle}/${field.name}/${field.kind}`,
+    field => {
+      const view = createField(field, actions, focused, goToLine);
+      views.set(view.root, view);
+      return view.root;
+    },
+    (node, field) => {
+      const problems = shown?.problems.filter(one => one.param === field.name) ?? [];
+      const { name } = field;
+      if (shown)
+        views
+          .get(node)
+          ?.update(
+            field,
+            shown.state.form.values[name] ?? "",
+            problems,
+            replacing(shown.state, name)?.asks.replaced ?? null,
+          );
+    },
+  );
   const loose = el("ul", { class: "loose-problems", "aria-live": "polite" });
   const count = el("p", { class: "form-state", role: "status" });
   const check = el("button", { type: "button" }, t("form-check"));
@@ -104,7 +133,7 @@ export function createForm(
     ways.said,
     twin.root,
   );
-  const scroll = el("div", { class: "scroll" }, loose, fields, snippetBox);
+  const scroll = el("div", { class: "scroll" }, loose, fields, el("div", { class: "actions" }, groups.all), snippetBox);
   root.append(
     el("header", { class: "panel-head form-head" }, el("div", { class: "form-name" }, title, chip), count, help),
     pictureBox,
@@ -115,11 +144,6 @@ export function createForm(
     foot.root,
   );
 
-  const views = new WeakMap<Element, FieldView>();
-  const focused = (name: string | null): void => {
-    if (store.state.form.focus !== name) store.update({ form: { focus: name } });
-  };
-  const focusField = (name: string): void => document.getElementById(fieldId(name))?.focus();
   const drawPicture = createPicture(pictureBox, focusField);
   let chosen: Variant | undefined;
 
@@ -149,12 +173,6 @@ export function createForm(
     root.querySelector<HTMLElement>('[aria-invalid="true"]')?.focus();
   });
 
-  const make = (field: Field): HTMLElement => {
-    const view = createField(field, actions, focused, goToLine);
-    views.set(view.root, view);
-    return view.root;
-  };
-
   return (state, derived) => {
     const { view, cycle } = derived;
     chosen = variantOf(derived);
@@ -172,19 +190,9 @@ export function createForm(
     const names = new Set(view.fields.map(field => field.name));
     const arrivals = derived.opened?.arrivals.filter(one => names.has(one.param ?? "")) ?? [];
     const problems = [...shownProblems(state, view), ...arrivals, ...resetNotes(state)];
-    keyed(
-      fields,
-      view.fields,
-      field => `${cycle.control}/${cycle.cycle}/${field.name}/${field.kind}`,
-      make,
-      (node, field) =>
-        views.get(node)?.update(
-          field,
-          state.form.values[field.name] ?? "",
-          problems.filter(one => one.param === field.name),
-          replacing(state, field.name)?.asks.replaced ?? null,
-        ),
-    );
+    shown = { cycle, state, problems };
+    const troubled = problems.flatMap(({ severity, param }) => (severity !== "note" && param ? [param] : []));
+    groups.draw(view.fields, state, new Set(troubled));
     listProblems(
       loose,
       problems.filter(one => one.param === undefined || !names.has(one.param)),

@@ -10,7 +10,7 @@ import type { State } from "../state/state";
 import type { Store } from "../state/store";
 import { hasHelp, helpWords, language, optional, say, t } from "../texts";
 import type { AlarmInfo, HelpView } from "../wire";
-import { fieldId } from "./field";
+import { focusField } from "./field";
 
 export function createHelp(
   root: HTMLElement,
@@ -37,7 +37,7 @@ export function createHelp(
 
   const goTo = (name: string): void => {
     actions.panel("form");
-    document.getElementById(fieldId(name))?.focus();
+    focusField(name);
   };
   let asking = ""; // the language whose words are on their way
   let failed = false;
