@@ -132,7 +132,15 @@ export function createBench(parts: Parts): Bench {
       );
       document.body.append(difference.dialog, palette.dialog);
       return {
-        drawResults: pieces.createResults(results, store, actions, scanner, program.goTo, program.goToLine),
+        drawResults: pieces.createResults(
+          results,
+          layout.answer,
+          store,
+          actions,
+          scanner,
+          program.goTo,
+          program.goToLine,
+        ),
         drawDifference: difference.draw,
         openPalette: palette.open,
         drawHelp: pieces.createHelp(panels.help, store, actions, core),
@@ -143,17 +151,7 @@ export function createBench(parts: Parts): Bench {
     stop.signal,
   );
   const views = [
-    createHeader(
-      layout.header,
-      store,
-      actions,
-      open.setup,
-      core,
-      () => later()?.machineData ?? null,
-      keys,
-      program,
-      stop.signal,
-    ),
+    createHeader(layout.header, store, actions, open.setup, core, later, keys, program, stop.signal),
     start.drawButton,
     createTasks(panels.tasks, store, actions, found),
     createForm(panels.form, store, actions, () => sets.dialog.showModal(), program.goToLine),

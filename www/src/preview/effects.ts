@@ -10,7 +10,7 @@ export interface Effects {
   end(): void;
 }
 
-const SLOW = 45; // ms until the page hears of a frame, two frames of the page included
+const SLOW = 30; // ms until the page hears of a frame, two frames of the page included
 const LOOKS = 3; // frames of which the quickest counts: others may have held one up
 
 export function createEffects(renderer: PointRenderer, { again }: Pick<Hooks, "again">): Effects {

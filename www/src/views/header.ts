@@ -92,7 +92,7 @@ export function createHeader(
   actions: Actions,
   openSetup: (file: File) => void,
   core: () => ProgramCore | null,
-  machineData: () => MachineData | null,
+  later: () => { machineData: MachineData; openPalette(): void } | null,
   keys: HTMLDialogElement,
   files: FileActions,
   end: AbortSignal,
@@ -102,7 +102,7 @@ export function createHeader(
   const history = createHistory(actions);
   const data = entry("machine", "machine-data-open", () => undefined);
   setAttribute(data, "aria-haspopup", "dialog");
-  on(data, "click", () => machineData()?.open());
+  on(data, "click", () => later()?.machineData.open());
   const list = el("dl", { class: "facts", "aria-label": t("facts") });
   let shown: Machine = {}; // the last that was used: it stays in sight while the form is incomplete
   const file = el("input", {
@@ -172,10 +172,8 @@ export function createHeader(
     icon("search"),
     el("span", {}, t("search-open")),
   );
-  on(search, "click", () => {
-    actions.panel("tasks");
-    document.getElementById("task-search")?.focus();
-  });
+  setAttribute(search, "aria-keyshortcuts", ariaKey("page", "palette"));
+  on(search, "click", () => later()?.openPalette());
   const program = createFileMenu(files);
   root.append(
     el(
@@ -198,7 +196,7 @@ export function createHeader(
     machine.draw(state);
     history.draw(state);
     program.draw(state);
-    setAttribute(data, "disabled", core() === null || !machineData());
+    setAttribute(data, "disabled", core() === null || !later());
     const { control } = derived.cycle;
     if (derived.view.setup || shown.setup?.control !== control) shown = derived.view;
     const known = facts(control, shown);

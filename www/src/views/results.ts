@@ -35,8 +35,10 @@ function createLog(root: HTMLElement): Draw {
   };
 }
 
+/** `answered`: where the line stands that says what the call came to. */
 export function createResults(
   root: HTMLElement,
+  answered: HTMLElement,
   store: Store,
   actions: Actions,
   scanner: Scanner,
@@ -45,7 +47,8 @@ export function createResults(
 ): Draw {
   const bar = el("div", { role: "tablist", class: "tabs", "aria-label": t("panel-results") });
   const answer = createAnswer();
-  root.append(el("h2", { class: "visually-hidden" }, t("panel-results")), answer.root, bar);
+  root.append(el("h2", { class: "visually-hidden" }, t("panel-results")), bar);
+  answered.append(answer.root);
   const tabs = new Map<ResultTab, { button: HTMLButtonElement; page: HTMLElement }>();
   for (const name of TABS) {
     const button = el("button", { type: "button", role: "tab", id: `tab-${name}`, "aria-controls": `page-${name}` });
