@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
-import { start, startWithEditor, stored } from "./start.mjs";
+import { openErrors, start, startWithEditor, stored } from "./start.mjs";
 
 const bar = page => page.locator(".answer");
 const verdict = page => bar(page).locator(".verdict");
@@ -18,6 +18,7 @@ describe("the answer", () => {
   test("says diameter, deviation, correction, verdict and why, all in sight at 1280 × 800", async () => {
     const { context, page, problems } = await start(chrome, { viewport: { width: 1280, height: 800 } });
     await verdict(page).waitFor();
+    await openErrors(page);
     await error(page, "size").fill("0.028");
     await page.locator('.answer .off:text-is("+0.028")').waitFor();
     await judged(page, "within");
@@ -37,6 +38,7 @@ describe("the answer", () => {
   test("names the alarm, and does not rely on colour", async () => {
     const { context, page } = await start(chrome);
     await verdict(page).waitFor();
+    await openErrors(page);
     await error(page, "size").fill("1.5");
     await judged(page, "alarm");
     assert.match(await verdict(page).textContent(), /61303/);
@@ -74,6 +76,7 @@ describe("the answer", () => {
       .locator(".panel-program input[type=file]")
       .setInputFiles({ name: "part.mpf", mimeType: "text/plain", buffer: Buffer.from(text) });
     await page.locator(".call-row").first().click();
+    await openErrors(page);
     await error(page, "dx").fill("0.084");
     const hint = page.locator('.cm-line:has-text("CYCLE977") .cm-hint');
     await hint.filter({ hasText: /Ø 50\.030 · X.\+0\.084/ }).waitFor();

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
-import { keptWhen, startWithEditor as start } from "./start.mjs";
+import { keptWhen, searchTasks, startWithEditor as start } from "./start.mjs";
 
 const REST = "_KNUM=0 _PRNUM=1 _FA=2 _TSA=2";
 
@@ -186,7 +186,7 @@ describe("an expression typed into a field", () => {
   // oracle: hand (an address takes a variable as it is, what is calculated in brackets)
   test("is put into brackets where the control needs them", async () => {
     const { context, page, problems } = await start(chrome);
-    await page.locator("#task-search").fill("G101");
+    await searchTasks(page, "G101");
     await page.locator('.hits[data-search="G101"] .hit').first().click();
     await page.waitForFunction(() => document.querySelector(".snippet")?.textContent.includes("G101"));
     await openProgram(page, "%O0001\nG17 G54 G90\n#101=40\nG101 X#101\nM30\n", "part.nc");

@@ -3,11 +3,12 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { open, shared } from "./browser.mjs";
-import { openErrors, searchTasks } from "./start.mjs";
+import { openErrors, searchTasks, unfold } from "./start.mjs";
 
 /** The page with the worked measurement of this cycle's first variant in the form; everything is drawn. */
 async function chosen(browser, cycle) {
   const { context, page, problems } = await open(browser);
+  await unfold(page);
   await searchTasks(page, cycle);
   await page.locator(`.hits[data-search="${cycle}"] .hit`).first().click();
   await page.locator(".results tbody tr").first().waitFor({ state: "attached" });

@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { open, packages, shared } from "./browser.mjs";
+import { unfold } from "./start.mjs";
 
 const axe = packages.resolve("axe-core/axe.min.js");
 
@@ -70,6 +71,7 @@ describe("machine data", () => {
   // oracle: manual B:12501-12506, B:12518-12532, B:12549-12553
   test("forms are those of the control where chosen: the mask decides them, its change is told", async () => {
     const { context, page, problems } = await open(chrome.browser);
+    await unfold(page);
     const field = name => page.locator(`.field[data-field="${name}"]`);
     const snippet = page.locator(".snippet");
     const set = async (name, value) => {

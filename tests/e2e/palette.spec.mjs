@@ -72,7 +72,7 @@ describe("the palette", () => {
     await find(page, "gear web too wide");
     await items(page, "measurement").first().click();
     await palette(page).waitFor({ state: "detached" });
-    await page.locator('[role="treeitem"][aria-selected="true"]:has-text("Web")').waitFor();
+    await page.locator('[role="treeitem"][aria-selected="true"]:has-text("Web")').waitFor({ state: "attached" });
     for (const words of ["work offset", "工件零点", "Nullpunktverschiebung"]) {
       await find(page, words);
       assert.ok((await palette(page).locator(".palette-item").count()) > 0, words);

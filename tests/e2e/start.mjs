@@ -6,7 +6,7 @@ import { open } from "./browser.mjs";
 export const STORE = "probewright-1";
 
 /** All sections of the form stand open, as who knows the cycle has them; `folded: true` leaves them as they come. */
-async function unfold(page) {
+export async function unfold(page) {
   await page.locator(".field").first().waitFor({ state: "attached" });
   await page.locator('.fields-all[aria-pressed="false"]').evaluateAll(buttons => {
     for (const button of buttons) button.click();

@@ -24,9 +24,9 @@ convert-expression-hint = Write { $name }={ $value } directly before the call, w
 revise-taken = The new variant does not use { $names }: removed from the call.
 revise-kept = { $name }={ $value } remains in the program, although the new variant does not use it: it is an expression.
 variable-before = { $name } cannot be changed: no line of the program assigns it before the call.
-variable-several = { $name } cannot be changed: it comes from several places (lines { $lines }), depending on the way through the program.
-variable-unclear = { $name } cannot be changed: a call, a loop or an index decides what it holds.
+variable-several = { $name } cannot be changed: it comes from several places (lines { $lines }), depending on the path through the program.
+variable-unclear = { $name } cannot be changed: a call, a loop or an index determines its value.
 variable-calculated = { $name } cannot be changed: it is calculated in line { $lines }.
-variable-number = { $name } can be changed when a number is entered.
+variable-number = { $name } can be changed once a number is entered.
 variable-unsolved = { $name } cannot be changed: the expression does not give its value for this number.
 variable-same = { $name } already has this value.

@@ -70,10 +70,10 @@ answer-probe = 测头数据
 # What follows.
 answer-within = 在限值内
 answer-beyond = 超出限值
-answer-rework = 返修
+answer-rework = 返工
 answer-scrap = 报废
 answer-alarm = 报警 { $code }
-answer-stopped = 仿真未继续
+answer-stopped = 模拟未继续
 answer-measured = 已测量
 answer-why-within = 偏差不超过 { $limit }{ $unit ->
         [deg] °

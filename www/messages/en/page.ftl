@@ -238,7 +238,7 @@ view-cube = View from
 view-section = Cut open
 view-central = Perspective
 view-errors = Errors shown
-view-errors-most = { $times } at most: the part would no longer be recognized
+view-errors-most = { $times } at most: the part would no longer be recognised
 view-nominal = dashed: nominal; labels and values are true
 view-diameters = Diameters
 view-diameters-help = Diameters as on a drawing: actual, below it nominal and deviation; at a touch point, the position read by the control. X as the control displays it. In mm.
@@ -601,8 +601,8 @@ asks-after = new
 asks-apply = Apply
 asks-cancel = Cancel
 notice-applied = Applied.
-replaced-title = The program has { $text } here, worth { $worth }.
-replaced-open = The program has { $text } here.
+replaced-title = The program contains { $text } here, currently { $worth }.
+replaced-open = The program contains { $text } here.
 replaced-uses = { $name } is used in { $count ->
     [one] 1 line:
    *[other] { $count } lines:
@@ -633,12 +633,12 @@ whole-csv-hint = Save as CSV: UTF-8, decimal point, fields separated by commas
 whole-error = Stopped at { $cycle } in line { $line } ({ $feature }): { $why }
 whole-number = #
 whole-number-name = Number
-whole-feature = Feature
-whole-feature-name = Feature
+whole-feature = Element
+whole-feature-name = Element
 whole-line = Line
 whole-line-name = Line
-whole-nominal = Nominal
-whole-nominal-name = Nominal
+whole-nominal = Setpoint
+whole-nominal-name = Setpoint
 whole-actual = Actual
 whole-actual-name = Actual
 whole-limits = Limits
@@ -685,7 +685,7 @@ difference-cure = { $count ->
    *[other] Fix { $count } findings
 }
 difference-left = { $count ->
-    [one] One finding of this kind stays: its fix alone does not resolve it.
+    [one] One finding of this kind remains: its fix alone does not resolve it.
    *[other] { $count } findings of this kind stay: their fixes alone do not resolve them.
 }
 difference-summary = { $count ->
@@ -723,7 +723,7 @@ difference-further = { $count ->
     [one] Show one more change
    *[other] Show { $count } more changes
 }
-difference-undo = Undo takes it back
+difference-undo = Undo reverts this
 difference-close = Close
 problems-cure-all = Fix all { $count } of this kind …
 
@@ -736,7 +736,7 @@ keys-difference-previous-change = Previous change
 palette = Search or run
 palette-hint = Command, task, line, parameter, alarm …
 palette-results = Search results
-palette-recent = Used last
+palette-recent = Recently used
 palette-command = Commands
 palette-line = Go to line { $line }
 palette-field = Fields of this form
@@ -768,5 +768,5 @@ topic-tolerances = Tolerances
 topic-statistics = Statistics
 topic-probe = Probe
 group-more = { $count } more
-group-as-delivered = as delivered
+group-as-delivered = defaults
 fields-all = All fields
