@@ -46,7 +46,7 @@ describe("the colours", () => {
         await page.locator("#theme").evaluate(button => button.click());
         await drawn(page);
       }
-      const names = [...new Set(pairs.flat())];
+      const names = [...new Set(pairs.flatMap(pair => pair.slice(0, 2)))];
       const value = await page.evaluate(
         all =>
           Object.fromEntries(all.map(name => [name, getComputedStyle(document.body).getPropertyValue(`--${name}`)])),

@@ -119,15 +119,15 @@ impl Corrects {
     }
 }
 
-/// Values as typed.
-type Given = &'static [(Name, &'static str)];
+/// What is corrected under a condition, and the values, as typed, that the example of the variant has for it instead.
+pub type MayCorrect = (When, Corrects, &'static [(Name, &'static str)]);
 
 /// What the variants of a cycle are for.
 pub struct Aims {
     /// What is measured; the first condition that holds decides.
     pub elements: &'static [(When, Element)],
-    /// What is corrected, and the values that the example of the variant has for it instead; each that holds.
-    pub corrects: &'static [(When, Corrects, Given)],
+    /// What is corrected; each that holds.
+    pub corrects: &'static [MayCorrect],
     /// Keys of a question and its answer that no digit of the number gives; each that holds.
     pub options: &'static [(When, &'static str, &'static str)],
 }
@@ -189,7 +189,7 @@ impl Cycle {
     }
 }
 
-fn corrected(corrects: Corrects, given: Given) -> Corrected {
+fn corrected(corrects: Corrects, given: &'static [(Name, &'static str)]) -> Corrected {
     let mut values = Typed::new();
     values.extend(given.iter().map(|(name, value)| (name.to_string(), (*value).to_owned())));
     Corrected { corrects, key: corrects.key(), values }

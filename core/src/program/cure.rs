@@ -145,6 +145,7 @@ fn edits_of(pieces: Vec<Piece>, length: u32) -> Vec<Edit> {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::panic)]
 mod tests {
     use super::*;
     use crate::control::delivery;

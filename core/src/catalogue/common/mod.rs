@@ -96,13 +96,13 @@ pub const ZERO_OFFSET: When = mvar(100, &[1]);
 /// Values of a call that measures only (B:1894-1896).
 pub const UNCORRECTED: &[(Name, &str)] = &[(names::KNUM, "0")];
 /// What is corrected by a cycle that corrects a tool or a zero offset.
-pub const CORRECTED: &[(When, Corrects, &[(Name, &str)])] = &[
+pub const CORRECTED: &[MayCorrect] = &[
     (TOOL_OFFSET, Corrects::Tool, &[]),
     (ZERO_OFFSET, Corrects::Zero, &[]),
     (ZERO_OFFSET, Corrects::Nothing, UNCORRECTED),
 ];
 /// What is corrected by a cycle that corrects zero offsets alone.
-pub const ZERO_CORRECTED: &[(When, Corrects, &[(Name, &str)])] =
+pub const ZERO_CORRECTED: &[MayCorrect] =
     &[(When::Always, Corrects::Zero, &[]), (When::Always, Corrects::Nothing, UNCORRECTED)];
 
 /// Digit of `_MVAR`: what is corrected.

@@ -68,7 +68,7 @@ pub const LIMITS: &[Code] = &[OUT_OF_TOLERANCE, UPPER_TOLERANCE];
 pub const MACRO: Cycle = Cycle { dialect: Dialect::Nct, alarms: &[MEASURING], ..CYCLE };
 
 /// What is corrected by a macro whose address S or T says it; the worked measurement has S (C:1089).
-pub const CORRECTED: &[(When, Corrects, &[(Name, &str)])] = &[
+pub const CORRECTED: &[MayCorrect] = &[
     (When::Always, Corrects::Zero, &[]),
     (When::Always, Corrects::Tool, &[(address::S, ""), (address::T, "3")]),
     (When::Always, Corrects::Nothing, &[(address::S, "")]),

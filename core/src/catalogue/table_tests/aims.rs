@@ -13,8 +13,9 @@ fn each_variant_is_found_by_one_way() {
             assert!(aim.is_some_and(|aim| !aim.corrects.is_empty()), "{} {}", cycle.cycle, variant.mvar);
         }
     }
+    type Way = (Element, Corrects, BTreeSet<[&'static str; 2]>);
     for control in [crate::dialect::Dialect::Sinumerik, crate::dialect::Dialect::Nct] {
-        let mut ways: BTreeMap<(Element, Corrects, BTreeSet<[&str; 2]>), (&str, i64)> = BTreeMap::new();
+        let mut ways: BTreeMap<Way, (&str, i64)> = BTreeMap::new();
         for cycle in catalogue().cycles.iter().filter(|cycle| cycle.control == control) {
             for variant in &cycle.variants {
                 for corrected in variant.aim.iter().flat_map(|aim| &aim.corrects) {
