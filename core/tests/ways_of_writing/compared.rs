@@ -110,7 +110,7 @@ fn all_calls_of_a_program_are_converted_as_each_by_itself() {
             Some(program_of(cycle, &values, Style::Direct))
         };
         let cycles = CYCLES.iter().filter(|cycle| cycle.dialect == Dialect::Sinumerik && cycle.lists.len() > 1);
-        let text: String = cycles.filter_map(|cycle| call(cycle)).collect::<String>() + "M30\n";
+        let text: String = cycles.filter_map(call).collect::<String>() + "M30\n";
         let program = read(Dialect::Sinumerik, text.as_bytes());
         let control = delivery(Dialect::Sinumerik);
         let all = convert_all(&program, style, &control);
