@@ -18,9 +18,9 @@ pub const CLOUD_ROW: u32 = 2048;
 /// eye in mm), screen 4 (width px, height px, time, faintness of what is still to come), probe 4 (offset in mm, depth
 /// bias), cloud 4 (its place in mm, size of a point in px), colours 4 and 4 and 4 of points that lie outside, on the
 /// surface and inside, then 4 (deviation of full colour in mm, 1 with all effects, radius of the scene in mm), sky 4
-/// (place of the map over the ground in mm, one over its sizes), ground 4 (height, spacing of its grid and radius in mm,
-/// 1 where X is upright), phase 4 (place of a line of the grid in mm, one over both reaches of occlusion in mm), colour
-/// 4 of the grid, plane 4 behind which the part is cut away (normal, distance in mm), colour 4 of what is cut.
+/// (place of the map over the ground in mm, one over its sizes), ground 4 (height, spacing of its grid and radius in
+/// mm, 1 where X is upright), phase 4 (place of a line of the grid in mm, one over both reaches of occlusion in mm),
+/// colour 4 of the grid, plane 4 behind which the part is cut away (normal, distance in mm), colour 4 of what is cut.
 pub const UNIFORM_FLOATS: usize = 80;
 /// Floats of one cell of the map over the ground: heights of the part, blurred little and much, in mm above the ground,
 /// and the shadow on the ground, 0 to 1; the last is unused.
