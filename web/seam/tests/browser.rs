@@ -51,7 +51,7 @@ const BROWSER: Seam = Seam {
         recogniser.finish()
     },
     seen: |question| {
-        let Some(scene) = web::form_seen(question).map_err(sentence)?.scene() else {
+        let Some(scene) = web::form_seen(question).map_err(sentence)?.scene(1.0) else {
             return Ok(Seen::default());
         };
         let arrays = vec![
