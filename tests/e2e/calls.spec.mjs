@@ -2,20 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
-import { openMachine, searchTasks, startWithEditor } from "./start.mjs";
-
-async function start(chrome, options) {
-  const opened = await startWithEditor(chrome, options);
-  await opened.page.locator(".tree:not([aria-busy])").waitFor({ state: "attached" });
-  return opened;
-}
-
-async function openProgram(page, text) {
-  await page
-    .locator(".panel-program input[type=file]")
-    .setInputFiles({ name: "part.mpf", mimeType: "text/plain", buffer: Buffer.from(text) });
-  await page.locator('.notice:has-text("Program opened.")').waitFor();
-}
+import { openMachine, openProgram, searchTasks, startWithAll as start } from "./start.mjs";
 
 /** Chooses a cycle by the search. */
 async function choose(page, name) {

@@ -4,19 +4,13 @@ import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
 import { modules } from "./sources.mjs";
-import { keptWhen, shownChange, startWithEditor as start } from "./start.mjs";
+import { keptWhen, openProgram, shownChange, startWithEditor as start } from "./start.mjs";
 
 const VALUES = "_MVAR=1 _SETVAL=132 _TUL=0.03 _TLL=-0.03 _TNUM=20 _KNUM=2001 _TSA=1 _PRNUM=1 _NMSP=1 _FA=2";
 const CALL = `${VALUES}\nCYCLE977\n`;
 const HEAD = "G17 G54 G40 D1\nT1 D1\nM5\n";
 const ZERO = "_MVAR=101 _SETVAL=132 _KNUM=1 _TSA=1 _PRNUM=1 _VMS=300 _NMSP=1 _FA=2 _SZA=3\nCYCLE977\n";
 
-async function openProgram(page, text) {
-  await page
-    .locator(".panel-program input[type=file]")
-    .setInputFiles({ name: "part.mpf", mimeType: "text/plain", buffer: Buffer.from(text) });
-  await page.locator('.notice:has-text("Program opened.")').waitFor();
-}
 const program = async (page, wanted = () => true) => {
   const { control, programs } = await keptWhen(page, ({ control, programs }) => wanted(programs?.[control] ?? ""));
   return programs[control];

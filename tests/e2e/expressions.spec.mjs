@@ -3,29 +3,9 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
-import { keptWhen, searchTasks, startWithEditor as start } from "./start.mjs";
+import { openFirstCall, programWhen, searchTasks, startWithEditor as start, still } from "./start.mjs";
 
 const REST = "_KNUM=0 _PRNUM=1 _FA=2 _TSA=2";
-
-async function openProgram(page, text, name = "part.mpf") {
-  await page
-    .locator(".panel-program input[type=file]")
-    .setInputFiles({ name, mimeType: "text/plain", buffer: Buffer.from(text) });
-  await page.locator('.notice:has-text("Program opened.")').waitFor();
-  await page.locator(".call-row").first().click();
-  await page.locator(".opened").waitFor();
-}
-
-async function programWhen(page, wanted) {
-  const program = ({ control, programs }) => programs?.[control] ?? "";
-  return program(await keptWhen(page, state => wanted(program(state))));
-}
-
-/** The program is still this one, a while after what was done last. */
-async function still(page, text) {
-  await page.waitForTimeout(400);
-  assert.equal(await programWhen(page, now => now === text), text);
-}
 
 const field = (page, name) => page.locator(`.field[data-field="${name}"]`);
 const entry = (page, name) => field(page, name).locator(".entry-line > .figure");
@@ -48,7 +28,7 @@ describe("a number typed over an expression", () => {
   // oracle: hand (R2 of line 3 is read in lines 4 and 6; that of line 1 in line 2)
   test("waits, and the variable can be changed where it is assigned", async () => {
     const { context, page, problems } = await start(chrome);
-    await openProgram(page, text);
+    await openFirstCall(page, text);
     await worth(page, "_SETVAL", "= 50.02").waitFor();
     await mark(page, "_SETVAL").waitFor();
     await type(page, "_SETVAL", "51,5");
@@ -78,7 +58,7 @@ describe("a number typed over an expression", () => {
   // oracle: hand
   test("takes its place only when that is chosen, by key too", async () => {
     const { context, page, problems } = await start(chrome);
-    await openProgram(page, text);
+    await openFirstCall(page, text);
     await worth(page, "_SETVAL", "= 50.02").waitFor();
     await type(page, "_SETVAL", "60");
     await note(page, "_SETVAL").waitFor();
@@ -117,7 +97,7 @@ describe("a number typed over an expression", () => {
   test("is solved for the variable, and what cannot be changed says why", async () => {
     const { context, page, problems } = await start(chrome);
     const other = `R3=25\nR1=R3/5\n_MVAR=1 _SETVAL=2*R3 ${REST.replace("_FA=2", "_FA=R1")}\nCYCLE977\nM30\n`;
-    await openProgram(page, other);
+    await openFirstCall(page, other);
     await worth(page, "_SETVAL", "= 50").waitFor();
     await type(page, "_FA", "4");
     await note(page, "_FA").getByText("it is calculated in line 2").waitFor();
@@ -138,7 +118,7 @@ describe("an expression typed into a field", () => {
   // oracle: hand
   test("is written as it is typed, with a decimal point, and counts with its worth", async () => {
     const { context, page, problems } = await start(chrome);
-    await openProgram(page, `R2=50\n_MVAR=1 _SETVAL=40 ${REST}\nCYCLE977\nM30\n`);
+    await openFirstCall(page, `R2=50\n_MVAR=1 _SETVAL=40 ${REST}\nCYCLE977\nM30\n`);
     await entry(page, "_SETVAL").waitFor();
     await type(page, "_SETVAL", "R2+0,5");
     await programWhen(page, now => now.includes("_SETVAL=R2+0.5 "));
@@ -155,7 +135,7 @@ describe("an expression typed into a field", () => {
   test("without a value says so at the field, and takes no expression away", async () => {
     const { context, page, problems } = await start(chrome);
     const text = `R2=50\n_MVAR=1 _SETVAL=R2 _KNUM=0 _PRNUM=1 _FA=2 _TSA=2\nCYCLE977\nM30\n`;
-    await openProgram(page, text);
+    await openFirstCall(page, text);
     await worth(page, "_SETVAL", "= 50").waitFor();
     await type(page, "_SETVAL", "R9");
     await note(page, "_SETVAL").waitFor();
@@ -189,7 +169,7 @@ describe("an expression typed into a field", () => {
     await searchTasks(page, "G101");
     await page.locator('.hits[data-search="G101"] .hit').first().click();
     await page.waitForFunction(() => document.querySelector(".snippet")?.textContent.includes("G101"));
-    await openProgram(page, "%O0001\nG17 G54 G90\n#101=40\nG101 X#101\nM30\n", "part.nc");
+    await openFirstCall(page, "%O0001\nG17 G54 G90\n#101=40\nG101 X#101\nM30\n", "part.nc");
     await worth(page, "X", "= 40").waitFor();
     assert.equal(await entry(page, "X").inputValue(), "#101");
     await type(page, "X", "#101+1,5");

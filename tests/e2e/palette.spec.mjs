@@ -2,23 +2,12 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
-import { lengthField, shownChange, startWithEditor, stored } from "./start.mjs";
+import { lengthField, openProgram, shownChange, startWithAll as start, stored } from "./start.mjs";
 
 const palette = page => page.locator("dialog.palette[open]");
 const items = (page, group) => palette(page).locator(`[aria-labelledby="palette-group-${group}"] .palette-item`);
 const chosen = page => palette(page).locator('[aria-selected="true"]');
 
-async function start(chrome, options) {
-  const opened = await startWithEditor(chrome, options);
-  await opened.page.locator(".tree:not([aria-busy])").waitFor({ state: "attached" });
-  return opened;
-}
-async function openProgram(page, text) {
-  await page
-    .locator(".panel-program input[type=file]")
-    .setInputFiles({ name: "part.mpf", mimeType: "text/plain", buffer: Buffer.from(text) });
-  await page.locator('.notice:has-text("Program opened.")').waitFor();
-}
 /** Opens the palette by its key and types into it, until all that is searched has come. */
 async function find(page, text) {
   if (!(await palette(page).count())) await page.keyboard.press("Control+k");

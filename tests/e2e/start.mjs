@@ -104,3 +104,37 @@ export async function convert(page, style) {
   await shownChange(page).getByRole("button", { name: "Apply" }).click();
   await shownChange(page).waitFor({ state: "hidden" });
 }
+
+/** Opens this program as a file. */
+export async function openProgram(page, text, name = "part.mpf") {
+  await page
+    .locator(".panel-program input[type=file]")
+    .setInputFiles({ name, mimeType: "text/plain", buffer: Buffer.from(text) });
+  await page.locator('.notice:has-text("Program opened.")').waitFor();
+}
+
+/** Opens this program as a file, and its first call as a form. */
+export async function openFirstCall(page, text, name) {
+  await openProgram(page, text, name);
+  await page.locator(".call-row").first().click();
+  await page.locator(".opened").waitFor();
+}
+
+/** The program, once it is kept and is what is waited for. */
+export async function programWhen(page, wanted) {
+  const program = ({ control, programs }) => programs?.[control] ?? "";
+  return program(await keptWhen(page, state => wanted(program(state))));
+}
+
+/** The program is still this one, a while after what was done last. */
+export async function still(page, text) {
+  await page.waitForTimeout(400);
+  assert.equal(await programWhen(page, now => now === text), text);
+}
+
+/** The page with its editor, its first form and all cycles known. */
+export async function startWithAll(chrome, options) {
+  const opened = await startWithEditor(chrome, options);
+  await opened.page.locator(".tree:not([aria-busy])").waitFor({ state: "attached" });
+  return opened;
+}

@@ -3,28 +3,16 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
-import { convert, fromFormMenu, keptWhen, openTasks, searchTasks, startWithEditor as start } from "./start.mjs";
-
-async function openProgram(page, text) {
-  await page
-    .locator(".panel-program input[type=file]")
-    .setInputFiles({ name: "part.mpf", mimeType: "text/plain", buffer: Buffer.from(text) });
-  await page.locator('.notice:has-text("Program opened.")').waitFor();
-  await page.locator(".call-row").first().click();
-  await page.locator(".opened").waitFor();
-}
-
-/** The program, once it is kept and is what is waited for. */
-async function programWhen(page, wanted) {
-  const program = ({ control, programs }) => programs?.[control] ?? "";
-  return program(await keptWhen(page, state => wanted(program(state))));
-}
-
-/** The program is still this one, a while after what was done last. */
-async function still(page, text) {
-  await page.waitForTimeout(400);
-  assert.equal(await programWhen(page, now => now === text), text);
-}
+import {
+  convert,
+  fromFormMenu,
+  openFirstCall,
+  openTasks,
+  programWhen,
+  searchTasks,
+  startWithEditor as start,
+  still,
+} from "./start.mjs";
 
 async function choose(page, name) {
   await searchTasks(page, name);
@@ -44,7 +32,7 @@ describe("an expression of the program", () => {
   // oracle: hand (R2 is 50.02 today)
   test("is shown with its worth, and stays when another field is edited and the call is converted", async () => {
     const { context, page, problems } = await start(chrome);
-    await openProgram(page, text);
+    await openFirstCall(page, text);
     await field(page, "_SETVAL").locator('.worth:text-is("= 50.02")').waitFor();
     assert.equal(await entry(page, "_SETVAL").inputValue(), "R2");
     assert.match(await snippet(page).textContent(), /_SETVAL=R2/);
@@ -69,7 +57,7 @@ describe("an expression of the program", () => {
   // oracle: hand
   test("goes along when the form leaves the program", async () => {
     const { context, page, problems } = await start(chrome);
-    await openProgram(page, text);
+    await openFirstCall(page, text);
     await field(page, "_SETVAL").locator(".worth").waitFor();
     await page.getByRole("button", { name: "Detach" }).click();
     await page.locator(".opened").waitFor({ state: "hidden" });
@@ -83,7 +71,7 @@ describe("an expression of the program", () => {
   test("keeps a call from being converted where it would mean something else, and the reason is told", async () => {
     const { context, page, problems } = await start(chrome);
     const moved = `R2=50\n_MVAR=1 _SETVAL=R2 ${REST}\nR2=7\nCYCLE977\nM30\n`;
-    await openProgram(page, moved);
+    await openFirstCall(page, moved);
     await page.locator('.call-ways [data-style="indirect"]').click();
     await page.locator('.call-ways .problem:has-text("PW192")').waitFor();
     await still(page, moved);
@@ -101,7 +89,7 @@ describe("a change that lands in another line", () => {
   // oracle: hand
   test("is asked first, with the line as it is and as it would be", async () => {
     const { context, page, problems } = await start(chrome);
-    await openProgram(page, text);
+    await openFirstCall(page, text);
     const value = entry(page, "_SETVAL");
     await field(page, "_SETVAL").locator('.worth:text-is("= 40")').waitFor();
     await value.fill("41");
@@ -182,7 +170,7 @@ describe("another variant", () => {
   // oracle: manual B:5641-5667, hand (on the way there the number is that of no variant)
   test("by its number keeps no code of the one before, also past a number that is none", async () => {
     const { context, page, problems } = await start(chrome);
-    await openProgram(page, `_MVAR=1 _SETVAL=132 _TNUM=20 ${REST.replace("_KNUM=0", "_KNUM=2001")}\nCYCLE977\nM30\n`);
+    await openFirstCall(page, `_MVAR=1 _SETVAL=132 _TNUM=20 ${REST.replace("_KNUM=0", "_KNUM=2001")}\nCYCLE977\nM30\n`);
     for (const number of ["99999", "101"]) {
       await entry(page, "_MVAR").fill(number);
       await entry(page, "_MVAR").press("Tab");
@@ -197,7 +185,7 @@ describe("another variant", () => {
   // oracle: manual B:8208-8330 (the axes of a variant of CYCLE971)
   test("clears a value that it does not take, with a note there", async () => {
     const { context, page, problems } = await start(chrome);
-    await openProgram(page, "_MVAR=12 _MA=103 _PRNUM=1 _FA=1 _TSA=1\nCYCLE971\nM30\n");
+    await openFirstCall(page, "_MVAR=12 _MA=103 _PRNUM=1 _FA=1 _TSA=1\nCYCLE971\nM30\n");
     assert.equal(await entry(page, "_MA").inputValue(), "103");
     await entry(page, "_MVAR").fill("10000");
     await entry(page, "_MVAR").press("Tab");
@@ -212,7 +200,7 @@ describe("another variant", () => {
   test("typed in the program takes nothing out of it", async () => {
     const { context, page, problems } = await start(chrome);
     const text = `_MVAR=1 _SETVAL=132 _TNUM=20 ${REST.replace("_KNUM=0", "_KNUM=1")}\nCYCLE977\nM30\n`;
-    await openProgram(page, text);
+    await openFirstCall(page, text);
     await page.locator(".cm-content").focus();
     await page.keyboard.press("Control+Home");
     for (let at = 0; at < "_MVAR=1".length; at++) await page.keyboard.press("ArrowRight");
@@ -268,7 +256,7 @@ describe("the results of a program", () => {
   // oracle: hand
   test("stand under the call that left them", async () => {
     const { context, page, problems } = await start(chrome);
-    await openProgram(
+    await openFirstCall(
       page,
       `G17 G54 G40 T9 D1\nM6\n_MVAR=1 _SETVAL=132 ${REST}\nCYCLE977\n_SETVAL=131\nCYCLE977\nM30\n`,
     );

@@ -2,20 +2,11 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
-import { convert, fromPageMenu, keptWhen, startWithEditor as start } from "./start.mjs";
+import { convert, fromPageMenu, openProgram, programWhen, startWithEditor as start } from "./start.mjs";
 
-async function openProgram(page, text) {
-  await page
-    .locator(".panel-program input[type=file]")
-    .setInputFiles({ name: "part.mpf", mimeType: "text/plain", buffer: Buffer.from(text) });
-  await page.locator('.notice:has-text("Program opened.")').waitFor();
+async function openWithCalls(page, text) {
+  await openProgram(page, text);
   await page.locator(".call-row").first().waitFor();
-}
-
-/** The program, once it is kept and is what is waited for. */
-async function programWhen(page, wanted) {
-  const program = ({ control, programs }) => programs?.[control] ?? "";
-  return program(await keptWhen(page, state => wanted(program(state))));
 }
 
 const VALUES =
@@ -30,7 +21,7 @@ describe("the outline of a program", () => {
   // oracle: hand
   test("tells line, cycle, variant and state of each call, and opens it", async () => {
     const { context, page, problems } = await start(chrome);
-    await openProgram(page, `${VALUES}\nCYCLE977\n_MVAR=77777\nCYCLE977\nM30\n`);
+    await openWithCalls(page, `${VALUES}\nCYCLE977\n_MVAR=77777\nCYCLE977\nM30\n`);
     await rows(page).nth(1).waitFor();
     assert.match(await rows(page).first().textContent(), /CYCLE977.*line 2.*Hole/);
     assert.equal(await rows(page).nth(1).getAttribute("data-state"), "error");
@@ -50,7 +41,7 @@ describe("the outline of a program", () => {
   // oracle: hand
   test("of a thousand calls holds few elements and reaches the last", async () => {
     const { context, page, problems } = await start(chrome);
-    await openProgram(page, `${`${VALUES}\nCYCLE977\n`.repeat(1000)}M30\n`);
+    await openWithCalls(page, `${`${VALUES}\nCYCLE977\n`.repeat(1000)}M30\n`);
     await page.getByRole("button", { name: "1000 calls" }).waitFor();
     assert.ok((await rows(page).count()) < 60, "only rows in sight exist");
     await page.locator(".outline").focus();
@@ -65,7 +56,7 @@ describe("the outline of a program", () => {
   // oracle: hand
   test("follows what is pasted", async () => {
     const { context, page } = await start(chrome);
-    await openProgram(page, `${VALUES}\nCYCLE977\nM30\n`);
+    await openWithCalls(page, `${VALUES}\nCYCLE977\nM30\n`);
     await page.locator(".cm-line").last().click();
     await page.keyboard.insertText(`\n${VALUES}\nCYCLE978\nM30\n`);
     await page.locator('.call-row:has-text("CYCLE978")').waitFor();
@@ -86,7 +77,7 @@ describe("a finding that can be mended", () => {
   // oracle: hand (the line that the button names is there afterwards, and nothing else is different)
   test("is mended by one click in the list, and by one step undone", async () => {
     const { context, page, problems } = await start(chrome);
-    await openProgram(page, wrong);
+    await openWithCalls(page, wrong);
     await openProblems(page);
     const cure = cures(page).filter({ hasText: "G40" }).first();
     await cure.focus();
@@ -105,7 +96,7 @@ describe("a finding that can be mended", () => {
   // oracle: hand
   test("is mended in the editor, with the keyboard", async () => {
     const { context, page, problems } = await start(chrome);
-    await openProgram(page, wrong);
+    await openWithCalls(page, wrong);
     await openProblems(page);
     await page.locator(".cm-content").focus();
     await page.keyboard.press("Control+Shift+M");
@@ -127,7 +118,7 @@ describe("a call whose values differ by the way", () => {
   // oracle: hand (the first call of the subprogram gives 40, part 0.03 mm too big)
   test("is worked out with what arrives first, and says so until another value is typed", async () => {
     const { context, page, problems } = await start(chrome);
-    await openProgram(page, `%_N_MAIN_MPF\nG17 G40 G54 T9 D1\nHOLE(40)\nHOLE(25)\nM30\n${sub}`);
+    await openWithCalls(page, `%_N_MAIN_MPF\nG17 G40 G54 T9 D1\nHOLE(40)\nHOLE(25)\nM30\n${sub}`);
     await rows(page).first().click();
     const assumed = outcome(page).locator(".assumed");
     await assumed.filter({ hasText: "_SETVAL = 40 (line 3)" }).waitFor();
@@ -143,7 +134,7 @@ describe("a call whose values differ by the way", () => {
   // oracle: hand (where the axis stands only the machine knows)
   test("names what only a run tells", async () => {
     const { context, page } = await start(chrome);
-    await openProgram(
+    await openWithCalls(
       page,
       "G17 G40 G54 T9 D1\nR1=$AA_IW[X]\n_MVAR=1 _SETVAL=R1 _KNUM=0 _PRNUM=1 _FA=3 _TSA=2\nCYCLE977\nM30\n",
     );
@@ -182,7 +173,7 @@ describe("ways of writing", () => {
   // oracle: self (back in the first way the call means the same)
   test("a call of a program is converted in place, in one step, and back", async () => {
     const { context, page, problems } = await start(chrome);
-    await openProgram(page, GOOD);
+    await openWithCalls(page, GOOD);
     await rows(page).first().click();
     const ways = page.locator(".call-ways");
     await ways.locator('text="Call style: direct"').waitFor();
@@ -219,7 +210,7 @@ describe("the measurements of a whole program", () => {
   const row = page => page.locator(".whole-row");
 
   async function whole(page, text) {
-    await openProgram(page, text);
+    await openWithCalls(page, text);
     await page.getByRole("button", { name: "Whole program" }).click();
     await row(page).first().waitFor();
   }

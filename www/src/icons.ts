@@ -19,7 +19,6 @@ import Cpu from "lucide/dist/esm/icons/cpu.mjs";
 import Crosshair from "lucide/dist/esm/icons/crosshair.mjs";
 import Download from "lucide/dist/esm/icons/download.mjs";
 import Ellipsis from "lucide/dist/esm/icons/ellipsis.mjs";
-import Expand from "lucide/dist/esm/icons/expand.mjs";
 import Eye from "lucide/dist/esm/icons/eye.mjs";
 import FileCode from "lucide/dist/esm/icons/file-code.mjs";
 import FolderOpen from "lucide/dist/esm/icons/folder-open.mjs";
@@ -30,11 +29,9 @@ import Keyboard from "lucide/dist/esm/icons/keyboard.mjs";
 import ListTree from "lucide/dist/esm/icons/list-tree.mjs";
 import Maximize from "lucide/dist/esm/icons/maximize.mjs";
 import Menu from "lucide/dist/esm/icons/menu.mjs";
-import Minimize from "lucide/dist/esm/icons/minimize.mjs";
 import Moon from "lucide/dist/esm/icons/moon.mjs";
 import Pause from "lucide/dist/esm/icons/pause.mjs";
 import Play from "lucide/dist/esm/icons/play.mjs";
-import Plus from "lucide/dist/esm/icons/plus.mjs";
 import Printer from "lucide/dist/esm/icons/printer.mjs";
 import Redo2 from "lucide/dist/esm/icons/redo-2.mjs";
 import History from "lucide/dist/esm/icons/rotate-ccw-clock.mjs";
@@ -50,7 +47,6 @@ import StepForward from "lucide/dist/esm/icons/step-forward.mjs";
 import Sun from "lucide/dist/esm/icons/sun.mjs";
 import SunMoon from "lucide/dist/esm/icons/sun-moon.mjs";
 import Table from "lucide/dist/esm/icons/table.mjs";
-import Trash from "lucide/dist/esm/icons/trash.mjs";
 import TriangleAlert from "lucide/dist/esm/icons/triangle-alert.mjs";
 import Undo2 from "lucide/dist/esm/icons/undo-2.mjs";
 import Wrench from "lucide/dist/esm/icons/wrench.mjs";
@@ -66,11 +62,9 @@ const ICONS = {
   copy: Copy,
   cut: Scissors,
   dark: Moon,
-  delete: Trash,
   down: ChevronDown,
   download: Download,
   error: CircleX,
-  expand: Expand,
   file: FileCode,
   first: SkipBack,
   fit: Maximize,
@@ -87,14 +81,12 @@ const ICONS = {
   machine: Cpu,
   measure: Ruler,
   menu: Menu,
-  minimize: Minimize,
   more: Ellipsis,
   next: StepForward,
   open: FolderOpen,
   pause: Pause,
   perspective: Box,
   play: Play,
-  plus: Plus,
   previous: StepBack,
   print: Printer,
   probe: Crosshair,
