@@ -9,7 +9,7 @@ const FALLBACK = "en"; // comes with the page, in two parts; another language co
 // What is asked for only when the form stands: cures, search words and results of the core, and all that measuring,
 // running, alarms and machine data say. The page's own words stand from the start.
 const LATER_WORDS = /^([a-z0-9-]+-(help|hint|words)|result-[a-z0-9-]+) =/;
-const LATER_FILES = /^(advice|alarms|changes|datum|evaluate|lists|run|setup|syntax|twin)\.ftl$/;
+const LATER_FILES = /^(advice|alarms|changes|datum|equipment|evaluate|lists|run|setup|syntax|twin)\.ftl$/;
 const TERMINAL = "report.ftl"; // never shown in the page
 
 type Part = "first" | "later" | "help";

@@ -224,6 +224,7 @@ sentences! {
     CONVERT_EXPRESSION 192 Error "convert-expression" "convert-expression-hint";
     REVISE_TAKEN 193 Note "revise-taken" "";
     REVISE_KEPT 193 Note "revise-kept" "";
+    REVISE_SHARED 193 Note "revise-shared" "";
 }
 
 #[cfg(all(test, feature = "cli"))]

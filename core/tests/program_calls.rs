@@ -72,7 +72,8 @@ fn a_variable_that_a_loop_changes_is_not_taken_for_constant() {
 fn elements_of_a_list_are_values_with_their_own_places() {
     let (_, open) = sinumerik("R1=4\n_MVAR=105 _SETV[0]=SET((1+R1)*2, SIN(R1))\nCYCLE977\n");
     assert_eq!(open[0].expressions["_SETV[0]"], "(1+R1)*2");
-    assert_eq!(open[0].values["_SETV[1]"], "SIN(R1)");
+    assert_eq!(open[0].expressions["_SETV[1]"], "SIN(R1)");
+    assert_eq!(open[0].values["_SETV[1]"], "0.06975647374413"); // sin 4°
     let text = "_MVAR=105 _SETV[0]=SET(100, -20.5)\nCYCLE977\n";
     let (program, sites) = sinumerik(text);
     assert_eq!((value(&sites[0], "_SETV[0]"), value(&sites[0], "_SETV[1]")), ("100", "-20.5"));

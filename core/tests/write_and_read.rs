@@ -6,7 +6,7 @@ use probewright_core::check;
 use probewright_core::check::{Parsed, parse};
 use probewright_core::control::{Control, Plane, Units, delivery};
 use probewright_core::dialect::Dialect;
-use probewright_core::entry::{Cycle, Kind, Param, Style, Typed, When};
+use probewright_core::entry::{Cycle, Kind, Param, ProbeUse, Style, Typed, When};
 use probewright_core::program::calls::{CallSite, calls};
 use probewright_core::program::change::{apply, change};
 use probewright_core::program::write::{Words, snippet};
@@ -150,7 +150,8 @@ proptest! {
                 let inputs = check::read(cycle, &typed, &control, &mut none);
                 for param in cycle.params {
                     let given = typed.get(param.name.as_str()).filter(|text| {
-                        let set = param.is_machine_datum() && parse(text) != Parsed::Number(0.0);
+                        let of_log = cycle.purpose.probe == ProbeUse::Log;
+                        let set = !of_log && param.is_machine_datum() && parse(text) != Parsed::Number(0.0);
                         set || param.need(&inputs).is_some()
                     });
                     let read = site.values.get(param.name.as_str());

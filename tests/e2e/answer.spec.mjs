@@ -46,6 +46,25 @@ describe("the answer", () => {
     await context.close();
   });
 
+  // oracle: hand (a call with a value that its check refuses is not carried out: no older figure stays in sight)
+  test("is empty while the check refuses the call, and comes back", async () => {
+    const { context, page, problems } = await start(chrome);
+    await verdict(page).waitFor();
+    const setpoint = page.locator('.field[data-field="_SETVAL"] .entry-line > .figure');
+    const before = await setpoint.inputValue();
+    await setpoint.fill("-1");
+    await bar(page).locator(".answer-none").waitFor();
+    assert.equal(await verdict(page).count(), 0);
+    assert.doesNotMatch(await page.locator(".answer-line").textContent(), /Ø/);
+    await page.waitForFunction(() => document.querySelector(".answer [role=status]").textContent === "");
+    await setpoint.fill("");
+    await bar(page).locator(".answer-none").waitFor();
+    await setpoint.fill(before);
+    await verdict(page).waitFor();
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
   // oracle: hand (WCAG 4.1.3: told once, when nothing more follows)
   test("is told once it rests", async () => {
     const { context, page } = await start(chrome);

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
-import { openMachine, openProgram, searchTasks, startWithAll as start } from "./start.mjs";
+import { openMachine, openProgram, searchTasks, shownChange, startWithAll as start } from "./start.mjs";
 
 /** Chooses a cycle by the search. */
 async function choose(page, name) {
@@ -149,7 +149,7 @@ describe("the call in the form", () => {
     const [one, other] = line === null ? [insert, placed] : [placed, insert];
     await one(page).waitFor();
     await other(page).waitFor({ state: "hidden" });
-    if (line !== null) await page.locator(`.placed:has-text("In the program, line ${line}")`).waitFor();
+    if (line !== null) await page.locator(`.placed:has-text("In program, line ${line}")`).waitFor();
   }
 
   // oracle: hand (lines counted in the text)
@@ -213,7 +213,10 @@ describe("the call in the form", () => {
     await page.locator(".asks").getByRole("button", { name: "Cancel" }).click();
     await stands(page, 8);
     await field(page, "_SETVAL").fill("41");
-    await page.locator(".asks").getByRole("button", { name: "Apply" }).click();
+    await page.locator(".asks").getByRole("button", { name: "Show the change" }).click();
+    await shownChange(page).locator('ins:has-text("HOLE(41)")').waitFor();
+    await stands(page, null);
+    await shownChange(page).getByRole("button", { name: "Apply" }).click();
     await stands(page, 8);
     assert.deepEqual(problems, []);
     await context.close();

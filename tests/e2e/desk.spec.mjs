@@ -49,7 +49,11 @@ describe("a state", () => {
       assert.deepEqual(standing.question, { ask: "read", control: "sinumerik", text: TEXT });
     }
     const setup = { control: "sinumerik" };
-    assert.equal(desk.standing(read({ machine: { setup } })).question.setup, setup, "read on another machine");
+    assert.equal(
+      desk.standing(read({ machine: { setups: { sinumerik: setup } } })).question.setup,
+      setup,
+      "read on another machine",
+    );
   });
 
   test("is stopped where a long program is not to be read; a short one is read all the same", () => {
@@ -92,21 +96,42 @@ describe("a state", () => {
     const { ask, call, at } = standing.question;
     assert.deepEqual({ ask, call, at }, { ask: "change", call: 0, at: 0 });
     const edit = { from: 8, to: 10, insert: "41.5" };
-    const answer = { steps: [[edit]], elsewhere: [], findings: [], taken: [] };
+    const answer = { steps: [[edit]], elsewhere: [], findings: [], taken: [], values: [], reaches: false };
     const next = desk.next(ahead, () => [answer]);
     assert.equal(state.programOf(next), TEXT.replace("40", "41.5"));
     assert.deepEqual([next.desk.pending, next.form.open], [[], 22]);
     assert.equal(desk.standing(next).is, "unread");
   });
 
-  test("keeps what was typed back while it would change lines elsewhere", () => {
-    const elsewhere = [{ line: 3, before: "_SETVAL=30", after: "_SETVAL=41" }];
-    const next = desk.next(read({ desk: { pending: [typed(0, "41")] } }), () => [
-      { steps: [[]], elsewhere, findings: [], taken: [] },
-    ]);
-    assert.deepEqual(next.desk.pending, [{ ...typed(0, "41"), asks: { text: TEXT, lines: elsewhere } }]);
+  test("keeps what was typed back while it would change more than its value, and shows it", () => {
+    const lines = [{ line: 1, before: "_SETVAL=40", after: "_SETVAL=41" }];
+    const steps = [[{ from: 8, to: 10, insert: "41" }]];
+    const values = [{ line: 4, cycle: "CYCLE977", param: "_SETVAL", key: "", before: "40", after: "41" }];
+    const answer = { steps, elsewhere: lines, findings: [], taken: [], values, reaches: true };
+    const next = desk.next(read({ desk: { pending: [typed(0, "41")] } }), () => [answer]);
+    assert.deepEqual(next.desk.pending, [{ ...typed(0, "41"), asks: { text: TEXT, steps, lines, values } }]);
     assert.equal(state.programOf(next), TEXT);
     assert.equal(desk.standing(next).is, "settled");
+    const shown = typing.typedShown(next);
+    assert.deepEqual([shown.desk.proposed.edits, shown.desk.proposed.values], [steps[0], values]);
+    assert.deepEqual(typing.declined(shown).desk, { ...next.desk, pending: [] }, "as it was");
+    const agreed = typing.agreed(shown);
+    assert.equal(desk.standing(agreed).is, "typed");
+    const done = desk.next(agreed, () => [answer]);
+    assert.deepEqual([state.programOf(done), done.desk.pending], [TEXT.replace("40", "41"), []]);
+  });
+
+  test("asks at the field first where an expression would go, then about the rest", () => {
+    const replaced = { text: "R2", worth: "40", variables: [] };
+    const steps = [[{ from: 8, to: 10, insert: "41" }]];
+    const answer = { steps, elsewhere: [], findings: [], taken: [], values: [], replaced, reaches: true };
+    const next = desk.next(read({ desk: { pending: [typed(0, "41")] } }), () => [answer]);
+    assert.deepEqual(next.desk.pending[0].asks.replaced, replaced);
+    assert.equal(typing.typedShown(next), next, "nothing to be shown yet");
+    const here = { ...typed(0, "41"), agreed: "here" };
+    const after = desk.next(read({ desk: { pending: [here] } }), () => [answer]);
+    assert.equal(after.desk.pending[0].asks.replaced, undefined);
+    assert.ok(typing.typedShown(after).desk.proposed);
   });
 
   test("is rewriting while a call is to be written in another way, and astray when that call is gone", () => {

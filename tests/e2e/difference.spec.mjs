@@ -119,7 +119,7 @@ describe("a conversion", () => {
     assert.match(await shownChange(page).locator('[data-sort="lost"]').textContent(), /_VMS = 300/);
     assert.deepEqual(await changed(page).locator("del").allTextContents(), ZERO.trimEnd().split("\n"));
     assert.match((await changed(page).locator("ins").allTextContents()).join(), /^CYCLE977\(101,1/);
-    assert.equal(await page.evaluate(() => document.activeElement?.textContent), "Apply");
+    await page.waitForFunction(() => document.activeElement?.textContent === "Apply");
     assert.equal(await program(page), text, "nothing is done yet");
     await page.keyboard.press("Escape");
     await gone(page);
@@ -222,6 +222,82 @@ describe("fixes of several findings", () => {
       node => node.scrollWidth <= node.clientWidth && node.getBoundingClientRect().right <= innerWidth + 1,
     );
     assert.ok(fits, "nothing is cut off");
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+});
+
+describe("what is typed and changes more than its own value", () => {
+  const chrome = shared("neither", { before, after });
+  const entry = (page, name) => page.locator(`.field[data-field="${name}"] .entry-line > .figure`);
+  const SHARED = "G17 T1 D1\n_MVAR=1 _SETVAL=132 _KNUM=0 _TSA=1 _PRNUM=1 _FA=2\nCYCLE977\n_SETVAL=40\nCYCLE977\nM30\n";
+
+  const opened = async text => {
+    const { context, page, problems } = await start(chrome);
+    await openProgram(page, text);
+    await rows(page).first().click();
+    await page.locator(".opened").waitFor();
+    return { context, page, problems };
+  };
+
+  // oracle: hand (data of the channel: the second call reads what the first one was given)
+  test("is shown with the other calls that read it, and done or left as one", async () => {
+    const { context, page, problems } = await opened(SHARED);
+    await entry(page, "_SETVAL").fill("133");
+    assert.equal(await program(page, now => now !== SHARED), SHARED.replace("132", "133"), "its own value alone");
+    await page.keyboard.press("Control+Z");
+    await program(page, now => now === SHARED);
+    await entry(page, "_FA").fill("3");
+    await page.locator(".asks").waitFor();
+    await page.keyboard.press("Tab");
+    await page.locator(".asks").waitFor();
+    await entry(page, "_TSA").focus(); // the field is left
+    await shownChange(page).locator('[data-sort="changed"]').waitFor();
+    assert.match(await shownChange(page).locator('[data-sort="changed"]').textContent(), /_FA = 2 → 3.*3, 5/s);
+    await press(page, "Cancel");
+    await gone(page);
+    assert.equal(await entry(page, "_FA").inputValue(), "2");
+    assert.equal(await program(page), SHARED);
+    await entry(page, "_FA").fill("3");
+    await page.locator(".asks").waitFor();
+    await page.keyboard.press("Enter");
+    await press(page, "Apply");
+    await gone(page);
+    assert.equal(await program(page, now => now !== SHARED), SHARED.replace("_FA=2", "_FA=3"));
+    await page.keyboard.press("Control+Z");
+    assert.equal(await program(page, now => now === SHARED), SHARED);
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: manual B:5641-5667 (with a zero offset there is no tool, and no tolerance band)
+  test("names the values that another variant does not know before they go", async () => {
+    const { context, page, problems } = await opened(`${HEAD}${CALL}M30\n`);
+    const text = `${HEAD}${CALL}M30\n`;
+    const choose = async () => {
+      await page.locator('.field[data-field="_MVAR"] .entry-line > .figure').fill("101");
+      await page.keyboard.press("Tab");
+      await shownChange(page).locator('[data-sort="lost"]').waitFor();
+    };
+    await choose();
+    assert.match(await shownChange(page).locator('[data-sort="lost"]').textContent(), /_TNUM = 20.*_TUL = 0\.03/s);
+    assert.equal(await program(page), text);
+    await press(page, "Cancel");
+    await gone(page);
+    assert.equal(await entry(page, "_MVAR").inputValue(), "1");
+    assert.equal(await program(page), text);
+    await choose();
+    await press(page, "Apply");
+    await gone(page);
+    const after = await program(page, now => now.includes("_MVAR=101"));
+    assert.doesNotMatch(after, /_TNUM|_TUL|_TLL/);
+    await page.locator('.field[data-field="_KNUM"]:has-text("2001 was cleared")').waitFor();
+    await program(page, now => !now.includes("2001"));
+    for (let steps = 0; (await program(page)) !== text && steps < 3; steps++) {
+      await page.keyboard.press("Control+Z");
+      await page.waitForTimeout(200);
+    }
+    assert.equal(await program(page), text, "undo brings back every byte");
     assert.deepEqual(problems, []);
     await context.close();
   });

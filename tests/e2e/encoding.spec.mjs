@@ -4,6 +4,7 @@ import { readdirSync, readFileSync } from "node:fs";
 import { readFile } from "node:fs/promises";
 import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
+import { modules } from "./sources.mjs";
 import { startWithEditor as start } from "./start.mjs";
 
 const FOLDER = new URL("../encodings/", import.meta.url);
@@ -290,4 +291,70 @@ describe("what is no program", () => {
       await context.close();
     });
   }
+});
+
+/** Numbers from 0 to 1, the same in every run. */
+function numbers(seed) {
+  let state = seed;
+  return () => {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    return state / 2 ** 32;
+  };
+}
+
+// oracle: self (what is read is written again, whatever the bytes are, and a change touches its own)
+describe("any bytes at all", () => {
+  let sources, encoding;
+  before(async () => {
+    sources = await modules();
+    encoding = await sources.load("/src/encoding.ts");
+  });
+  after(() => sources.close());
+
+  const ascii = (text, label) => {
+    const bytes = Buffer.from(text, label.startsWith("utf-16") ? "utf16le" : "latin1");
+    return label.startsWith("utf-16be") ? bytes.swap16() : bytes;
+  };
+  /** Bytes as text has them and as nothing has, an even number; the last one begins no character. */
+  const drawn = (next, label) => {
+    const kinds = [() => next() * 256, () => 128 + next() * 128, () => 32 + next() * 96, () => 0x81 + next() * 0x1e];
+    const bytes = Array.from({ length: 2 * Math.floor(next() * 40) }, () =>
+      Math.floor(kinds[Math.floor(next() * 4)]()),
+    );
+    return Buffer.concat([Buffer.from(bytes), ascii("\n", label)]);
+  };
+
+  test("in any encoding come back, and of a changed value only its own are others", async () => {
+    const pace = { turn: async () => {} };
+    for (const label of encoding.ENCODINGS) {
+      const next = numbers(17);
+      for (let round = 0; round < 300; round++) {
+        const [begin, end] = [drawn(next, label), drawn(next, label)];
+        const whole = value => Buffer.concat([begin, ascii(`_SETVAL=${value}\n`, label), end]);
+        const bytes = whole("132");
+        const found = encoding.asMarked(bytes, label);
+        const text = await encoding.decode(bytes, found, pace);
+        const what = `${label}, ${bytes.toString("hex")}`;
+        assert.deepEqual(Buffer.from(encoding.encode(text, found)), bytes, what);
+        const at = text.indexOf("_SETVAL=132\n") + "_SETVAL=".length;
+        assert.ok(at >= 8, what);
+        const changed = `${text.slice(0, at)}51.25${text.slice(at + 3)}`;
+        assert.equal(encoding.lacking(changed, found), -1, what);
+        assert.deepEqual(Buffer.from(encoding.encode(changed, found)), whole("51.25"), what);
+      }
+    }
+  });
+
+  // oracle: self (what is said to be lacking is what cannot be saved)
+  test("are told as lacking where a character is typed that the encoding has not, and nowhere else", () => {
+    const next = numbers(4);
+    for (const label of encoding.ENCODINGS) {
+      for (let round = 0; round < 500; round++) {
+        const typed = String.fromCodePoint(Math.floor(next() ** 2 * 0x2fa20) % 0xd800 || 0x6e2c);
+        const text = `; ${typed}\n`;
+        const lacks = encoding.lacking(text, label) >= 0;
+        assert.equal(encoding.encode(text, label) === null, lacks, `${label} ${typed.codePointAt(0).toString(16)}`);
+      }
+    }
+  });
 });

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
-import { openFirstCall, programWhen, searchTasks, startWithEditor as start, still } from "./start.mjs";
+import { openFirstCall, programWhen, searchTasks, shownChange, startWithEditor as start, still } from "./start.mjs";
 
 const REST = "_KNUM=0 _PRNUM=1 _FA=2 _TSA=2";
 
@@ -44,6 +44,13 @@ describe("a number typed over an expression", () => {
     await page.locator('.cm-activeLine:has-text("G1 X=R2+1")').waitFor();
     await still(page, text);
     await note(page, "_SETVAL").getByRole("button", { name: "Change R2 to 51.5" }).click();
+    await shownChange(page).locator('ins:has-text("R2=51.5 ; bore")').waitFor();
+    await shownChange(page).locator('[data-sort="changed"] code:text-is("_SETVAL = 50.02 → 51.5")').waitFor();
+    await page.keyboard.press("Escape");
+    await shownChange(page).waitFor({ state: "hidden" });
+    await still(page, text);
+    await note(page, "_SETVAL").getByRole("button", { name: "Change R2 to 51.5" }).click();
+    await shownChange(page).getByRole("button", { name: "Apply" }).click();
     assert.equal(await programWhen(page, now => now !== text), text.replace("50.02", "51.5"));
     await worth(page, "_SETVAL", "= 51.5").waitFor();
     assert.equal(await entry(page, "_SETVAL").inputValue(), "R2");
@@ -105,6 +112,7 @@ describe("a number typed over an expression", () => {
     await note(page, "_FA").getByRole("button", { name: "Keep R1" }).click();
     await type(page, "_SETVAL", "60");
     await note(page, "_SETVAL").getByRole("button", { name: "Change R3 to 30" }).click();
+    await shownChange(page).getByRole("button", { name: "Apply" }).click();
     assert.equal(await programWhen(page, now => now !== other), other.replace("R3=25", "R3=30"));
     await worth(page, "_SETVAL", "= 60").waitFor();
     assert.deepEqual(problems, []);
@@ -127,6 +135,30 @@ describe("an expression typed into a field", () => {
     await type(page, "_SETVAL", "50+0,25");
     await programWhen(page, now => now.includes("_SETVAL=50+0.25 "));
     await worth(page, "_SETVAL", "= 50.25").waitFor();
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: hand (atan2 of 1 and 1 is 45 degrees)
+  test("may use functions, and its decimal commas are told, but for those between arguments", async () => {
+    const { context, page, problems } = await start(chrome);
+    await openFirstCall(page, `R1=2500\n_MVAR=1 _SETVAL=40 ${REST}\nCYCLE977\nM30\n`);
+    await entry(page, "_SETVAL").waitFor();
+    for (const [typed, written, number] of [
+      ["SQRT(R1)+0,5", "SQRT(R1)+0.5", "50.5"],
+      ["ABS(-50)", "ABS(-50)", "50"],
+      ["ATAN2(1,1)+5,5", "ATAN2(1,1)+5.5", "50.5"],
+      ["ROUND(49.7)", "ROUND(49.7)", "50"],
+    ]) {
+      await type(page, "_SETVAL", typed);
+      await programWhen(page, now => now.includes(`_SETVAL=${written} `));
+      await worth(page, "_SETVAL", `= ${number}`).waitFor();
+      const told = field(page, "_SETVAL").getByText(`Decimal point in the program: ${written}`);
+      await told.waitFor({ state: typed === written ? "detached" : "visible" });
+    }
+    await type(page, "_FA", "2,25");
+    await programWhen(page, now => now.includes("_FA=2.25 "));
+    await field(page, "_FA").getByText("Decimal point in the program: 2.25").waitFor();
     assert.deepEqual(problems, []);
     await context.close();
   });
@@ -177,6 +209,7 @@ describe("an expression typed into a field", () => {
     await worth(page, "X", "= 41.5").waitFor();
     await type(page, "X", "50");
     await note(page, "X").getByRole("button", { name: "Change #101 to 48.5" }).click();
+    await shownChange(page).getByRole("button", { name: "Apply" }).click();
     await programWhen(page, now => now.includes("#101=48.5\nG101 X[#101+1.5]\n"));
     assert.deepEqual(problems, []);
     await context.close();

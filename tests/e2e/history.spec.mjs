@@ -109,6 +109,57 @@ describe("steps of the work", () => {
     await context.close();
   });
 
+  // oracle: self (drawn at random, the same in every run: whatever was done is undone to the byte, and done again)
+  test("drawn at random are undone to the byte and done again", async () => {
+    const { context, page, problems } = await start(chrome);
+    const work = async () => {
+      await page.waitForTimeout(300);
+      const { cycle, values, programs, errors, own, files } = await stored(page);
+      return { cycle, values, programs, errors, own, files };
+    };
+    const can = {
+      value: number => lengthField(page).fill(String(30 + number)),
+      variant: async number => {
+        await page
+          .locator('.field[data-field="_MVAR"] .entry-line > .figure')
+          .fill(["1", "2", "101", "102"][number % 4]);
+        await page.keyboard.press("Tab");
+        await page.waitForTimeout(300);
+        const dialog = page.locator("dialog.difference[open]");
+        if (await dialog.isVisible())
+          await dialog.getByRole("button", { name: number % 3 ? "Apply" : "Cancel" }).click();
+      },
+      insert: () => page.getByRole("button", { name: "Insert at cursor" }).click(),
+      example: () => fromFormMenu(page, "Worked example"),
+      text: async number => {
+        await program(page).click();
+        await page.keyboard.press("Control+Home");
+        await page.keyboard.insertText(`; ${number} \u6d4b\u91cf\n`);
+      },
+      convert: async () => {
+        const other = page.locator('.call-ways [data-style="indirect"]:not([aria-pressed="true"])');
+        if (await other.isVisible()) await convert(page, "indirect");
+      },
+    };
+    const order = "insert variant value convert text variant insert value variant example text".split(" ");
+    const first = await work();
+    for (const [index, name] of order.entries()) {
+      if (name === "insert" && !(await page.getByRole("button", { name: "Insert at cursor" }).isVisible())) continue;
+      await can[name](7 * index + 3);
+      await pause(page);
+    }
+    const last = await work();
+    await page.locator("#history-open").click();
+    for (const name of await steps(page)) assert.ok(name.trim(), "each step has a name");
+    await page.keyboard.press("Escape");
+    while (await undo(page).isEnabled()) await undo(page).click();
+    assert.deepEqual(await work(), first);
+    while (await redo(page).isEnabled()) await redo(page).click();
+    assert.deepEqual(await work(), last);
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
   // oracle: hand
   test("go on from where they were taken back: what was undone then is gone", async () => {
     const { context, page } = await start(chrome);

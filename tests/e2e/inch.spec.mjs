@@ -16,7 +16,7 @@ async function start(chrome, options) {
 
 /** The dialog, opened from the header. */
 async function dialog(page) {
-  await fromPageMenu(page, "Machine");
+  await fromPageMenu(page, "Machine data");
   return page.getByRole("dialog", { name: "Machine data" });
 }
 
@@ -119,7 +119,7 @@ describe("a machine basic system inches", () => {
   test("is chosen with the keyboard alone, and nothing keeps anyone out", async () => {
     const { context, page } = await start(chrome, { colorScheme: "dark", bypassCSP: true });
     await page.locator(".menu-open").click();
-    await page.getByRole("button", { name: "Machine", exact: true }).focus();
+    await page.getByRole("button", { name: "Machine data", exact: true }).focus();
     await page.keyboard.press("Enter");
     const shown = page.getByRole("dialog", { name: "Machine data" });
     await shown.waitFor();

@@ -4,7 +4,7 @@ import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
 import { faults } from "./room.mjs";
 import { modules } from "./sources.mjs";
-import { drawn, openTasks, startWithEditor as start, start as startForm } from "./start.mjs";
+import { drawn, lengthField, openTasks, startWithEditor as start, start as startForm } from "./start.mjs";
 
 const sheet = page => page.locator("dialog.keys[open]");
 
@@ -86,6 +86,22 @@ describe("the sheet of keys", () => {
         await context.close();
       }
     }
+  });
+
+  // oracle: hand
+  test("and tooltips name the command key where the keyboard has one", async () => {
+    const { context, page } = await start(chrome);
+    await page.addInitScript(() => Object.defineProperty(navigator, "platform", { get: () => "MacIntel" }));
+    await page.reload();
+    const search = page.locator("#search-open");
+    await search.hover();
+    assert.match(await search.getAttribute("title"), /\(⌘\+K\)$/);
+    assert.equal(await search.getAttribute("aria-keyshortcuts"), "Meta+K");
+    await lengthField(page).fill("41");
+    await page.locator('.snippet:has-text("41")').waitFor();
+    await page.locator("#undo").hover();
+    assert.match(await page.locator("#undo").getAttribute("title"), /\(⌘\+Z\)$/);
+    await context.close();
   });
 
   // oracle: hand

@@ -15,8 +15,8 @@ async function dialog(page) {
   const menu = page.locator(".menu-open");
   await menu.waitFor({ state: "attached" });
   if (await menu.isVisible()) await menu.click();
-  const button = page.getByRole("button", { name: "Machine", exact: true });
-  await page.locator("#page-actions button:not([disabled])", { hasText: /^Machine$/ }).waitFor();
+  const button = page.getByRole("button", { name: "Machine data", exact: true });
+  await page.locator("#page-actions button:not([disabled])", { hasText: /^Machine data$/ }).waitFor();
   await button.click();
   return page.getByRole("dialog", { name: "Machine data" });
 }

@@ -12,6 +12,7 @@ import {
   openMachine,
   openTasks,
   STORE,
+  shownChange,
   start,
   stored,
 } from "./start.mjs";
@@ -168,6 +169,8 @@ describe("first visit", () => {
   test("another variant brings its own worked measurement until something is typed", async () => {
     const { context, page } = await start(chrome);
     const VARIANTS = '[role="treeitem"][aria-level="3"]';
+    // what the call loses by it is shown before
+    await page.addLocatorHandler(shownChange(page), change => change.getByRole("button", { name: "Apply" }).click());
     await openTasks(page);
     const chosen = () =>
       page.evaluate(
@@ -377,7 +380,7 @@ describe("program", () => {
     const count = await calls.count();
     const insert = page.getByRole("button", { name: "Insert at cursor" });
     assert.equal(await insert.isVisible(), false, "the form's call stands in the program already");
-    await page.locator('.placed:has-text("In the program, line")').waitFor();
+    await page.locator('.placed:has-text("In program, line")').waitFor();
     await page.getByRole("button", { name: "Detach" }).click();
     await page.locator(".placed").waitFor({ state: "hidden" });
     await insert.click();

@@ -52,7 +52,7 @@ describe("little room", () => {
         const menu = page.locator(".menu-open");
         await menu.click();
         const actions = page.locator("#page-actions, .top-actions").locator("button:visible, select:visible");
-        assert.equal(await actions.count(), 8);
+        assert.equal(await actions.count(), 10);
         for (const one of await actions.all()) assert.ok(await reachable(one), await one.textContent());
         await page.locator("#page-actions button").last().click();
         const dialog = page.locator("dialog[open]");
@@ -94,10 +94,10 @@ describe("little room", () => {
     test(`the data of the machine can be changed, ${width} × ${height}`, async () => {
       const { context, page } = await start(chrome, { viewport: { width, height } });
       await page
-        .locator("#page-actions button:not([disabled])", { hasText: /^Machine$/ })
+        .locator("#page-actions button:not([disabled])", { hasText: /^Machine data$/ })
         .waitFor({ state: "attached" });
       await page.locator(".menu-open").click();
-      await page.locator("#page-actions button", { hasText: /^Machine$/ }).click();
+      await page.locator("#page-actions button", { hasText: /^Machine data$/ }).click();
       const dialog = page.locator("dialog[open]");
       await dialog.locator("summary").nth(1).click();
       const entry = dialog.locator(".datum input:visible, .datum select:visible").first();

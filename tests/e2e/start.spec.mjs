@@ -137,6 +137,21 @@ describe("the elements", () => {
   });
 });
 
+describe("what is chosen", () => {
+  // oracle: hand
+  test("is what the pictogram shows, and stays in another language", async () => {
+    const { context, page } = await visit();
+    await tile(page, "corner").click();
+    assert.ok((await pressed(page)).includes("Outside"), "an outer corner is drawn");
+    await page.getByRole("button", { name: "Inside", exact: true }).click();
+    await page.locator("#language").selectOption("de");
+    await page.locator('.start h2:has-text("messen")').waitFor();
+    assert.equal(await tile(page, "corner").getAttribute("aria-checked"), "true");
+    assert.match(await page.locator(".start-code").textContent(), /· 105/);
+    await context.close();
+  });
+});
+
 describe("the start screen has room", () => {
   const SIZES = [
     [1280, 800],

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
-import { searchTasks, startWithCycles as start } from "./start.mjs";
+import { searchTasks, shownChange, startWithCycles as start } from "./start.mjs";
 
 const twin = page => page.locator("details.twin");
 const codes = page => twin(page).locator(".twin-code").allTextContents();
@@ -14,6 +14,8 @@ describe("twin", () => {
   test("shows both calls side by side while it is unfolded", async () => {
     const { context, page, problems } = await start(chrome);
     await page.locator("#field-_MVAR").fill("101");
+    await page.locator("#field-_MVAR").press("Tab");
+    await shownChange(page).getByRole("button", { name: "Apply" }).click();
     await page.locator("#field-_SETVAL").fill("40");
     await page.locator("#field-_KNUM").first().waitFor();
     await twin(page).locator("summary").focus();

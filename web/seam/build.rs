@@ -21,6 +21,8 @@ const CORE: Seam = Seam {
     form: answered!(app::form),
     help: answered!(app::help),
     machine: answered!(app::machine),
+    equip: answered!(app::equip),
+    story: answered!(app::story),
     read: answered!(|asked| app::read(asked, &mut |_| {})),
     change: answered!(app::change),
     convert: answered!(app::convert),
@@ -55,6 +57,7 @@ const CORE: Seam = Seam {
             ("touchEntries", numbers(&scene.touch_entries)),
             ("touchSorts", numbers(&scene.touch_sorts)),
             ("stands", numbers(&scene.stands)),
+            ("begins", numbers(&scene.begins)),
         ];
         Ok(Seen { view: json::text(&scene.view), arrays })
     },

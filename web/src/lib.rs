@@ -17,7 +17,9 @@ mod scene;
 pub use catalogue::catalogue;
 pub use form::form;
 #[cfg(feature = "program")]
-pub use program::{Answer, Recogniser, Run, alarms, change, convert, cure, form_seen, help, machine, read, setup};
+pub use program::{
+    Answer, Recogniser, Run, alarms, change, convert, cure, equip, form_seen, help, machine, read, setup, story,
+};
 #[cfg(feature = "program")]
 pub use scan::Scan;
 #[cfg(feature = "program")]

@@ -159,6 +159,24 @@ pub fn machine(request: &str) -> Result<String, JsError> {
     Ok(json::answer(request, app::machine)?)
 }
 
+/// `EquipRequest` → `EquipView`.
+///
+/// # Errors
+/// A request or a setup of the wrong shape, or a machine that cannot be.
+#[wasm_bindgen]
+pub fn equip(request: &str) -> Result<String, JsError> {
+    Ok(json::answer(request, app::equip)?)
+}
+
+/// `FormRequest` → `Story`.
+///
+/// # Errors
+/// A request of the wrong shape, an unknown cycle or a machine that cannot be.
+#[wasm_bindgen]
+pub fn story(request: &str) -> Result<String, JsError> {
+    Ok(json::answer(request, app::story)?)
+}
+
 /// Tells by its bytes, which come in pieces, whether a file is a part program and how it is encoded.
 #[wasm_bindgen]
 #[derive(Default)]

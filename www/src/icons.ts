@@ -32,6 +32,7 @@ import Menu from "lucide/dist/esm/icons/menu.mjs";
 import Moon from "lucide/dist/esm/icons/moon.mjs";
 import Pause from "lucide/dist/esm/icons/pause.mjs";
 import Play from "lucide/dist/esm/icons/play.mjs";
+import Plus from "lucide/dist/esm/icons/plus.mjs";
 import Printer from "lucide/dist/esm/icons/printer.mjs";
 import Redo2 from "lucide/dist/esm/icons/redo-2.mjs";
 import History from "lucide/dist/esm/icons/rotate-ccw-clock.mjs";
@@ -47,6 +48,7 @@ import StepForward from "lucide/dist/esm/icons/step-forward.mjs";
 import Sun from "lucide/dist/esm/icons/sun.mjs";
 import SunMoon from "lucide/dist/esm/icons/sun-moon.mjs";
 import Table from "lucide/dist/esm/icons/table.mjs";
+import Trash from "lucide/dist/esm/icons/trash.mjs";
 import TriangleAlert from "lucide/dist/esm/icons/triangle-alert.mjs";
 import Undo2 from "lucide/dist/esm/icons/undo-2.mjs";
 import Wrench from "lucide/dist/esm/icons/wrench.mjs";
@@ -62,6 +64,7 @@ const ICONS = {
   copy: Copy,
   cut: Scissors,
   dark: Moon,
+  delete: Trash,
   down: ChevronDown,
   download: Download,
   error: CircleX,
@@ -88,6 +91,7 @@ const ICONS = {
   perspective: Box,
   play: Play,
   previous: StepBack,
+  plus: Plus,
   print: Printer,
   probe: Crosshair,
   redo: Redo2,

@@ -92,6 +92,9 @@ export function meantBy<G extends Group>(event: KeyboardEvent, group: G): Comman
   return (found?.[0] as Command<G> | undefined) ?? null;
 }
 
+/** Whether the command key of the reader's keyboard is that of Apple; false where nobody reads. */
+export const isMac = /Mac|iPhone|iPad/.test(globalThis.navigator?.platform ?? "");
+
 /** The names of the keys that are pressed together. */
 export function partsOf(key: string): string[] {
   return key.split(/\+(?=.)/);
@@ -100,5 +103,5 @@ export function partsOf(key: string): string[] {
 /** The first key of a command, for assistive technology. */
 export function ariaKey<G extends Group>(group: G, command: Command<G>): string {
   const [first = ""] = KEYS[group][command] as readonly string[];
-  return first.replace("Ctrl", "Control");
+  return first.replace("Ctrl", isMac ? "Meta" : "Control");
 }

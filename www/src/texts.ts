@@ -167,6 +167,10 @@ export function say(message: Message): string {
   return t(message.key, args);
 }
 
+/** Names one behind the other, as the language lists them. */
+export const listed = (names: readonly string[]): string =>
+  names.reduce((one, other) => (one ? t("list-pair", { one, other }) : other), "");
+
 /** Why the core refused something: a message as JSON, with its place; what anybody else says stays as it is. */
 export function sayProblem(problem: string): string {
   const refused = refusal(problem);

@@ -113,6 +113,8 @@ export type Assignment = {
   edits: Array<Edit>,
   /** Its line, as it is and as it would be. */
   line: TouchedLine,
+  /** What the calls of the program would say otherwise. */
+  values: Array<ComparedValue>,
 };
 
 /** Ball, stylus and body of the probe. */
@@ -181,6 +183,8 @@ export type CallView = {
   expressions: { [key in string]: string },
   /** Of the values that differ by the way or from pass to pass: those that arrive first. */
   first: { [key in Name]: Arrival },
+  /** Where each value is written that is written in one place: first UTF-16 unit, and one past the end. */
+  places: { [key in Name]: [number, number] },
   /** Working plane there. */
   plane: Plane,
   /** How X is given there. */
@@ -199,6 +203,59 @@ export type Catalogue = {
   cycles: Array<CycleInfo>,
   /** Axis of the machine (X 0, Y 1, Z 2) about which the error `tilt` of the sliders turns a part, by plane. */
   applicate: Record<Plane, 0 | 1 | 2>,
+};
+
+/** A text for a field. */
+export type CellText = {
+  /** Its table. */
+  table: EquipmentTable,
+  /** Its row. */
+  row: string,
+  /** Key of its name. */
+  cell: string,
+  /** What is typed. */
+  text: string,
+};
+
+/** The limits of a form. Places are mm, or degrees where the limits are angles, from the setpoint. */
+export type Chain = {
+  /** The scale reaches so far on both sides. */
+  end: number,
+  /**
+   * Up to about here the scale is even, beyond it ever closer: the widest limit may be a hundred times the
+   * narrowest.
+   */
+  bend: number,
+  /** A bar each, in the order in which a deviation is compared: the widest first. */
+  bars: Array<ChainBar>,
+};
+
+/** A bar between two limits, or of one limit to both sides. */
+export type ChainBar = {
+  /** Place from which its limits count. */
+  zero: number,
+  /** One that counts to both sides, or the lower and the upper one. */
+  limits: Array<ChainLimit>,
+};
+
+/** An end of a bar. Its figures are in the unit of its field. */
+export type ChainLimit = {
+  /** Parameter. */
+  name: Name,
+  /** Its name in words. */
+  label: Message,
+  /** Unit of its field. */
+  unit: string,
+  /** mm in one of that unit. */
+  per: number,
+  /** What it is: what was entered, else what counts then. */
+  value: number,
+  /** Least value that keeps the order of the limits. */
+  least: number,
+  /** Greatest one; none: any. */
+  most?: number,
+  /** Smallest difference that matters. */
+  step: number,
 };
 
 /** A quantity that is different after a run. */
@@ -241,6 +298,10 @@ export type Changed = {
   replaced: Replaced | null,
   /** Parameters that the new variant does not know, taken out of the call. */
   taken: Array<Name>,
+  /** What the calls of the program would say otherwise. */
+  values: Array<ComparedValue>,
+  /** Whether more changes than this value of this call: other lines, other calls that read it, other values of it. */
+  reaches: boolean,
   /** What that means. */
   findings: Array<Diagnostic>,
 };
@@ -457,6 +518,8 @@ export type Diagnostic = {
   cure?: Cure,
   /** Lines that the cure changes elsewhere than where the finding is told. */
   elsewhere?: Array<TouchedLine>,
+  /** What the machine lacks, each a fix. */
+  offers?: Array<Offer>,
 };
 
 /** The language of the part program, and with it the control. */
@@ -552,6 +615,81 @@ export type Environment = {
   plane: Plane,
 };
 
+/** Which machine is changed how. */
+export type EquipRequest = {
+  /** Control. */
+  control: Dialect,
+  /** Machine; absent: the core's own as it is. */
+  setup?: Machine,
+  /** What is done to it; absent: nothing. */
+  change?: EquipmentChange,
+  /** The program that it is for. */
+  text?: string,
+  /** The call whose part it gets. */
+  call?: FormRequest,
+};
+
+/** The machine afterwards. */
+export type EquipView = {
+  /** The machine. */
+  setup: Setup,
+  /** Its tables. */
+  tables: Array<EquipmentRows>,
+  /** The row that was changed or added, as it is called now. */
+  row?: string,
+  /** Why nothing was changed. */
+  problem?: Refusal,
+};
+
+/** A field. */
+export type EquipmentCell = {
+  /** As typed. */
+  value: string,
+  /** As a program writes it: `_WP[0,1]`, `MD18600`. */
+  name: string,
+  /** Key of its name; `.help`, and `.v0`, `.v1`, … of a choice, may stand behind it. */
+  key: string,
+  /** Unit as it counts on this machine. */
+  unit: string,
+  /** What is allowed, in that unit. */
+  range: Range,
+  /** Place in the manual. */
+  source: Cited,
+} & ({ "kind": "real" } | { "kind": "integer" } | { "kind": "choice",
+  /** The numbers. */
+  choices: Array<number>,
+} | { "kind": "text" });
+
+/** What is done to a machine. */
+export type EquipmentChange = { "give": Supply } | { "set": CellText } | { "add": RowOf } | { "copy": RowOf } | { "remove": RowOf } | { "use": RowOf } | { "earlier": RowOf } | { "later": RowOf } | "measured";
+
+/** A row of a table. */
+export type EquipmentRow = {
+  /** Which one it is in its table. */
+  id: string,
+  /** What it is called. */
+  title: Message,
+  /** Whether it is in use at the start; absent: none of its table ever is. */
+  active?: boolean,
+  /** Whether it can be taken away. */
+  removable: boolean,
+  /** Its fields. */
+  cells: Array<EquipmentCell>,
+};
+
+/** A table with its rows. */
+export type EquipmentRows = {
+  /** Which table. */
+  table: EquipmentTable,
+  /** Its rows. */
+  rows: Array<EquipmentRow>,
+  /** Sorts of rows that can be added: keys of their names, empty where there is one sort only; none: no row can. */
+  adds: Array<string>,
+};
+
+/** A table of the machine. */
+export type EquipmentTable = "machine" | "tools" | "offsets" | "probe" | "toolprobes" | "part";
+
 /** Up to which errors of the part a call comes to its end, the others being as they are. */
 export type ErrorLimit = {
   /** Name of the error among those of the part. */
@@ -584,6 +722,8 @@ export type Field = {
   value: string,
   /** The expression of the program of which the value is the worth. */
   expression?: string,
+  /** As a program has the value, where it was typed with a decimal comma. */
+  written?: string,
   /** There where it chooses the variant, on which the other fields depend. */
   chooses?: boolean,
   /** What the number is a code of, where that is not the same in all variants. */
@@ -676,6 +816,8 @@ export type FormView = {
   diagnostics: Array<Diagnostic>,
   /** Text of the program, also for incomplete values as far as it can be written; empty: not in this way. */
   snippet: string,
+  /** Where the values are written in it: first UTF-16 unit, and one past the end; only from a build that simulates. */
+  snippetPlaces?: { [key in Name]: [number, number] },
   /** What this call style cannot say. */
   snippetFindings: Array<Diagnostic>,
   /** Call style that counts until another is chosen: the machine may say so. */
@@ -684,6 +826,8 @@ export type FormView = {
   complete: boolean,
   /** The variant that the values choose. */
   mvar: number | null,
+  /** The limits of the tolerances as a picture; only from a build that simulates, and where there are any. */
+  chain?: Chain,
   /** What the values mean, drawn; only from a build that simulates. */
   picture?: Picture,
   /** When asked for: the same task on the other control; null where that has none. */
@@ -938,6 +1082,18 @@ export type Needle = {
   kind: BandKind,
 };
 
+/** A tool that is not there. */
+export type NewTool = {
+  /** T number; 0: the next free one, of an NCT control the registers. */
+  tool: number,
+  /** Name under tool management. */
+  name: string,
+  /** D number (NCT: H). */
+  edge: number,
+  /** `$TC_DP1`. */
+  kind: number,
+};
+
 /** The nose of a turning tool. It lies in the plane. */
 export type Nose = {
   /** Radius, mm. */
@@ -952,6 +1108,14 @@ export type OfCall = {
   line?: number,
   /** Cycle that is called. */
   cycle?: string,
+};
+
+/** Something that fixes a finding by giving it to the machine. */
+export type Offer = {
+  /** What it does. */
+  label: Message,
+  /** What is given. */
+  supply: Supply,
 };
 
 /** What a call does. */
@@ -1158,6 +1322,8 @@ export type Raised = {
   hint?: Message,
   /** Whether it stops the program. */
   stops: boolean,
+  /** What the machine lacks, each a fix. */
+  offers?: Array<Offer>,
 };
 
 /** Range of a number. `f64::NEG_INFINITY`/`INFINITY` for an open end. */
@@ -1217,6 +1383,14 @@ export type Recognised = {
   why: Message,
 };
 
+/** Why a typed value is not taken, and what would be. */
+export type Refusal = {
+  /** What is wrong. */
+  message: Message,
+  /** The cure. */
+  hint: Message,
+};
+
 /** An expression of a call that another value would take the place of. */
 export type Replaced = {
   /** As the call has it. */
@@ -1239,6 +1413,14 @@ export type ResultInfo = {
   source: string,
 };
 
+/** A row, or the sort of a new one. */
+export type RowOf = {
+  /** Its table. */
+  table: EquipmentTable,
+  /** Which one it is in its table; of a new one its sort. */
+  row: string,
+};
+
 /** An alarm of a run. */
 export type RunAlarm = {
   /** Name of the alarm; empty: none of the control. */
@@ -1249,6 +1431,8 @@ export type RunAlarm = {
   hint?: Message,
   /** Whether it stops the program. */
   stops: boolean,
+  /** What the machine lacks, each a fix. */
+  offers?: Array<Offer>,
   /** Line of the call, from 1. */
   line?: number,
   /** Cycle that is called. */
@@ -1508,6 +1692,8 @@ export type SceneView = {
 export type Setup = {
   /** Control. */
   control: Dialect,
+  /** What the user calls the machine. */
+  name?: string,
   /** Basic system of units of the machine. */
   units: BasicSystem,
   /** Working plane at the start. */
@@ -1690,8 +1876,17 @@ export type Step = { "step": "motion",
   variant: number,
 } | { "step": "return" };
 
+/** The program of a story. */
+export type Story = {
+  /** Its text; empty where the call corrects no zero offset. */
+  text: string,
+};
+
 /** A way to write a call. */
 export type Style = "direct" | "indirect" | "operate";
+
+/** What a machine is given. */
+export type Supply = { "tool": NewTool } | "tools" | "parts";
 
 /** Free surface of a solid; its own X and Y along the part, Z up, lengths in mm. */
 export type Surface = { "example": {

@@ -45,7 +45,7 @@ result-actual-radius = Istwert Radius
 result-difference-radius = Differenz Radius
 
 check-path-zero = Der Messweg ist 0: Das Werkzeug würde sich nicht auf den Messtaster zubewegen.
-check-path-zero-hint = _FA größer als 0 eingeben; die Startposition bestimmt die Richtung.
+check-path-zero-hint = _FA größer als 0 eingeben, ohne Vorzeichen.
 check-path-sign = Der Messweg ist negativ, was hier unzulässig ist.
 check-path-sign-hint = _FA ohne Vorzeichen eingeben; ein Vorzeichen, für die Richtung, gilt nur beim inkrementellen Kalibrieren.
 check-path-direction-hint = In _FA den Abstand zum Messtaster eingeben, für die Minus-Richtung mit Minuszeichen.

@@ -578,7 +578,7 @@ datum-md18130 = Anzahl der kanalspezifischen Anwendervariablen-Namen
     .help = Die Zyklen brauchen 60, Messen in JOG 30 mehr.
 datum-md18150 = Speicherplatz für Anwendervariablen-Werte
 datum-md28082 = Systemframes
-    .help = Bit 0: Basisbezug ($P_SETFR), nötig für Korrekturnummer 2000. Bit 5: Zyklen; ohne dieses Bit arbeiten sie nicht.
+    .help = Bit 0: Systemframe $P_SETFR, nötig für Korrekturnummer 2000. Bit 5: Zyklen; ohne dieses Bit arbeiten sie nicht.
 datum-md28083 = Systemframes im SRAM
     .help = Bleiben gespeichert. Bits wie in MD 28082.
 datum-md18170 = Anzahl von Zusatzfunktionen (Zyklen)
@@ -602,9 +602,9 @@ datum-md20112 = Grundstellung nach Programmstart
 datum-md20310 = Aktivierung der Werkzeugverwaltungsfunktionen
     .help = Bit 0: ein. Bit 14: Werkzeugwechsel bei Reset und Start nach MD 20110.
 datum-md24006 = Aktive Systemframes nach Reset
-    .help = Bit 0: Basisbezug ($P_SETFR) bleibt aktiv.
+    .help = Bit 0: Systemframe $P_SETFR bleibt aktiv.
 datum-md24007 = Löschen von Systemframes bei Reset
-    .help = Bit 0 = 0: Basisbezug ($P_SETFR) bleibt erhalten.
+    .help = Bit 0 = 0: Systemframe $P_SETFR bleibt erhalten.
 datum-md10050 = Systemgrundtakt
     .help = Ergibt mit MD 10070 die Verzögerung des Schaltsignals.
 datum-md10070 = Faktor für Interpolatortakt

@@ -71,7 +71,7 @@ help-cycle119-alarm = _ALARM ist 0.
 help-cycle119-frame = Der Zyklus berechnet das Frame zwischen beiden Dreiecken. _RES ist ihr Formunterschied, die Summe der Abweichungen der drei Punkte; unter 0 gibt es kein Frame.
 help-cycle119-decides = Bei _COR=0 korrigiert der Zyklus nichts. Sonst korrigiert er ein Frame, wenn _RES kleiner als _RESLIM ist.
 help-cycle119-left = _RES; in _REFRAME das Frame, das, mit dem aktiven verkettet, die gemessenen Punkte auf ihre Sollpositionen bringt; in _ALARM 0 oder eine Alarmnummer.
-help-cycle119-frame-moved = Das Frame nach _COR, Verschiebung und Drehung: 1 bis 99 einstellbares Frame, 1000 letztes aktives Kanal-Basisframe, 1011 bis 1026 Kanal-Basisframe, 2000 Basisbezug ($P_SETFR), 9999 aktives Frame.
+help-cycle119-frame-moved = Das Frame nach _COR, Verschiebung und Drehung: 1 bis 99 einstellbares Frame, 1000 letztes aktives Kanal-Basisframe, 1011 bis 1026 Kanal-Basisframe, 2000 Systemframe $P_SETFR, 9999 aktives Frame.
 help-cycle119-again = Das korrigierte Frame wirkt, wenn seine G-Funktion (G54 …) erneut programmiert wird, auch bei _COR=9999.
 help-cycle119-line = Drei Punkte liegen auf einer Geraden oder aufeinander: _ALARM ist 61411.
 help-cycle119-distorted = Die Dreiecke weichen um _RESLIM oder mehr voneinander ab: _ALARM ist 61414, nichts wird korrigiert.

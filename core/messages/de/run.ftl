@@ -87,3 +87,7 @@ assumed-turning-tool = ein Drehwerkzeug
 assumed-tool-probe = Zeile { $line }, { $cycle }: Der Werkzeugmesstaster steht auf X{ $x } Y{ $y } Z{ $z }, wie in der Steuerung gespeichert.
 assumed-part = Zeile { $line }, { $cycle }: Das Werkstück laut Aufruf liegt auf X{ $x } Y{ $y } Z{ $z }, ohne Abweichungen.
 assumed-no-part = Zeile { $line }, { $cycle }: Von der Startposition aus ist keine Messung möglich. Werkstück oder Werkzeugmesstaster: X{ $x } Y{ $y } Z{ $z }.
+supply-tool = Werkzeug { $tool } anlegen
+supply-probe = Messtaster { $tool } anlegen
+supply-tools = Alle Werkzeuge des Programms anlegen
+supply-parts = Werkstücke des Programms aufspannen

@@ -23,6 +23,7 @@ convert-expression-hint = { $name }={ $value } direkt vor den Aufruf schreiben; 
 
 revise-taken = Von der neuen Messvariante nicht verwendet und aus dem Aufruf entfernt: { $names }.
 revise-kept = { $name }={ $value } bleibt im Programm, obwohl die neue Messvariante den Wert nicht verwendet: Er ist ein Ausdruck.
+revise-shared = { $names } bleiben im Programm, obwohl die neue Messvariante sie nicht verwendet: Ein späterer Aufruf liest sie.
 variable-before = { $name } lässt sich nicht ändern: Keine Programmzeile weist es vor dem Aufruf zu.
 variable-several = { $name } lässt sich nicht ändern: Es kommt je nach Weg durch das Programm aus mehreren Stellen (Zeilen { $lines }).
 variable-unclear = { $name } lässt sich nicht ändern: Ein Aufruf, eine Schleife oder ein Index bestimmt den Inhalt.

@@ -45,7 +45,7 @@ result-actual-radius = Actual radius
 result-difference-radius = Radius difference
 
 check-path-zero = The measuring path is 0: the tool would not move towards the probe.
-check-path-zero-hint = Enter _FA above 0; the start position gives the direction.
+check-path-zero-hint = Enter _FA above 0, without a sign.
 check-path-sign = The measuring path is negative, which this variant does not permit.
 check-path-sign-hint = Enter _FA without a sign; only incremental calibration uses a sign, for the direction.
 check-path-direction-hint = Enter in _FA the distance to the probe, with minus for the minus direction.

@@ -87,3 +87,7 @@ assumed-turning-tool = a turning tool
 assumed-tool-probe = Line { $line }, { $cycle }: the tool probe is at X{ $x } Y{ $y } Z{ $z }, as stored in the control.
 assumed-part = Line { $line }, { $cycle }: the part described by the values is at X{ $x } Y{ $y } Z{ $z }, without errors.
 assumed-no-part = Line { $line }, { $cycle }: no measurement is possible from the start position. The part or tool probe is at X{ $x } Y{ $y } Z{ $z }.
+supply-tool = Add tool { $tool }
+supply-probe = Add probe { $tool }
+supply-tools = Add all tools of the program
+supply-parts = Set up the parts of the program

@@ -23,6 +23,7 @@ convert-expression-hint = Write { $name }={ $value } directly before the call, w
 
 revise-taken = The new variant does not use { $names }: removed from the call.
 revise-kept = { $name }={ $value } remains in the program, although the new variant does not use it: it is an expression.
+revise-shared = { $names } remain in the program, although the new variant does not use them: a later call reads them.
 variable-before = { $name } cannot be changed: no line of the program assigns it before the call.
 variable-several = { $name } cannot be changed: it comes from several places (lines { $lines }), depending on the path through the program.
 variable-unclear = { $name } cannot be changed: a call, a loop or an index determines its value.

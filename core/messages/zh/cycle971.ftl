@@ -18,13 +18,13 @@ cycle971-automatic-workpiece = 自动校准刀具测头（工件坐标系）
 
 ma-abscissa-centred = 横坐标（G17：X），先在纵坐标求中心
 ma-ordinate-centred = 纵坐标（G17：Y），先在横坐标求中心
-ma-applicate-abscissa = 垂直坐标（G17：Z），宽刀具在横坐标偏移
-ma-applicate-ordinate = 垂直坐标（G17：Z），宽刀具在纵坐标偏移
+ma-applicate-abscissa = 垂直坐标（G17：Z），宽刀具沿横坐标偏移
+ma-applicate-ordinate = 垂直坐标（G17：Z），宽刀具沿纵坐标偏移
 ma-radius-abscissa = 半径，在横坐标触碰（G17：X）
 ma-radius-ordinate = 半径，在纵坐标触碰（G17：Y）
 ma-length = 长度，在测头中心
-ma-length-abscissa = 长度，宽刀具在横坐标偏移（G17：X）
-ma-length-ordinate = 长度，宽刀具在纵坐标偏移（G17：Y）
+ma-length-abscissa = 长度，宽刀具沿横坐标偏移（G17：X）
+ma-length-ordinate = 长度，宽刀具沿纵坐标偏移（G17：Y）
 param-ma-measure-tool = 长度或半径
 param-ma-measure-tool-help = 测量的尺寸和方向。测长度时，比测头宽的铣刀偏移“刀具半径减 _ID”，使刀刃位于测头中心上方。
 param-id-calibrate = 宽校准刀具偏移量
@@ -37,7 +37,7 @@ param-fa-incremental = 测量行程（带方向）
 param-fa-incremental-help = 从当前位置到触碰面的距离；正值朝正方向测量，负值朝负方向。最大行程为其两倍。始终以 mm 为单位。
 
 need-axis-tool-probe = 循环需要测量轴。
-need-offset-edge = 循环据此定位铣刀；省略时沿用上次调用的值。普通刀刃或钻头请输入 0。
+need-offset-edge = 循环据此定位铣刀；省略时沿用以前调用的值。普通刀刃或钻头请输入 0。
 need-offset-wide = 只在刀具比测头宽时有效。
 need-signed-path = 符号决定测量方向。
 
@@ -45,7 +45,7 @@ result-actual-radius = 实际半径
 result-difference-radius = 半径偏差
 
 check-path-zero = 测量行程为 0：刀具不会向测头移动。
-check-path-zero-hint = 请输入大于 0 的 _FA；起点决定方向。
+check-path-zero-hint = 请输入大于 0 的 _FA，不带符号。
 check-path-sign = 测量行程为负，此处不允许。
 check-path-sign-hint = 请输入不带符号的 _FA；只有增量校准使用符号来表示方向。
 check-path-direction-hint = 请在 _FA 中输入到测头的距离，负方向加负号。
@@ -62,7 +62,7 @@ check-tool-length-zero = 当前刀具的长度 L1 为 0。
 check-tool-radius-zero = 当前刀具的半径为 0。
 check-tool-zero-hint = 请在刀具数据中输入近似尺寸，校准刀具则输入精确尺寸。
 check-offset-missing = 刀具直径 { $tool } mm 大于测头的 { $edge } mm：_ID 决定其位置。
-check-offset-missing-hint = 若其最外点应位于测头中心上方，请把 _ID 设为 0。
+check-offset-missing-hint = 若刀具的最外点应位于测头中心上方，请把 _ID 设为 0。
 check-offset-large = _ID 大于刀具半径 { $radius } mm：刀具会偏移到另一侧。
 check-offset-large-hint = 请在 _ID 中输入从半径向内的距离，不得大于半径。
 check-offset-abscissa = 刀具直径 { $tool } mm 大于测头的 { $edge } mm：循环使刀具沿横坐标偏移。

@@ -74,7 +74,7 @@ cycle982-incremental-measure-radial-reversal-workpiece = 增量测量：径向�
 cycle982-incremental-measure-radius-radial-workpiece = 增量测量：径向铣刀的半径（工件坐标系）
 cycle982-incremental-measure-radius-radial-reversal-workpiece = 增量测量：径向铣刀的半径，180° 换向（工件坐标系）
 
-task-measure-axis = 在一个轴测量
+task-measure-axis = 沿一个轴测量
 task-measure-axis-words = 测量 刀片 动力刀具 立铣刀
 task-measure-all = 自动测量：全部值
 task-measure-all-words = 自动 全部 值 刀片 动力刀具 立铣刀
@@ -85,9 +85,9 @@ second-edge-with-words = 两刃 平均值 180°
 mvar-extent = 铣刀测量项
 extent-plain = 一个长度；自动时：两个长度和半径
 extent-plain-words = 长度 L1 L2
-extent-radius = 只测半径；用于单次测量
+extent-radius = 只测半径；非自动测量
 extent-radius-words = 直径
-extent-length-radius = 长度和半径，从两个面；用于单次测量，非增量
+extent-length-radius = 长度和半径，从两个面；非自动、非增量测量
 extent-length-radius-words = 直径 两点
 extent-upper = 上刀刃，绕到对侧；只用于自动测量
 extent-upper-words = 槽铣刀 T形槽铣刀 圆盘 长度 半径
@@ -114,12 +114,12 @@ param-fa-present-position-help = 刀具位于测头前，必须在此距离的�
 
 need-axis-ignored = 忽略：该钻头的长度沿垂直坐标计（SD 42950 = 0）。
 need-direction-incremental = 增量方式不按起点确定测量方向。
-need-start-angle-spindle = 静止的铣削主轴转到此角度；省略时沿用上次调用的值。
+need-start-angle-spindle = 静止的铣削主轴转到此角度；省略时沿用以前调用的值。
 need-start-angle-milling = 对主轴中的铣刀或钻头有效。
 need-second-edge = 对 180° 换向的第二次触碰有效。
 
 check-tool-reference = _CBIT[5]=1：_TP 的值按有效工件坐标系，尽管 _MVAR 的第 2 位为机床坐标系。
-check-tool-reference-hint = 请把 _CBIT[5] 设为 0，或选择工件坐标系的测量方式（_TPW），然后重新校准。
+check-tool-reference-hint = 请把 _CBIT[5] 设为 0，或选择工件坐标系的测量方式（_TPW），然后重新校准刀具测头。
 check-lathe-tool-type-hint = 请用车刀（类型 5xy）、铣刀（1xy、711 到 799）或钻头（2xy），并检查 $TC_DP1。
 check-turning-digits = { $value } 的第 3 到 5 位用于铣刀和钻头，而当前是车刀。
 check-turning-digits-hint = 车刀请选 { $plain }，或在调用前换上铣刀。
@@ -128,7 +128,7 @@ check-tip-direction-hint = 请从测头的另一侧开始，并把 _MD 改为相
 check-drill-radius = 循环不测量钻头的半径。
 check-drill-radius-hint = 请选第 4 位为 0 的测量方式，或换上铣刀，并检查 $TC_DP1。
 check-drill-plane = SD 42950 = 0 时，G18 中钻头的长度沿 Y 计，而循环不在该轴测量。
-check-drill-applicate = SD 42950 = 0 时，循环只测量钻头的长度：在一个轴，不带 180° 换向。
+check-drill-applicate = SD 42950 = 0 时，循环只测量钻头的长度：沿一个轴，不带 180° 换向。
 check-drill-applicate-hint = 请在 G17（钻头沿 Z）或 G19（沿 X）中选 1、11、100001 或 100011，或把 SD 42950 设为 2 并用 G18。
 check-length-assignment = SD 42950 为 { $value }：铣刀和钻头的 L1、L2 分配与车刀不同。
 check-length-assignment-hint = 请在调用前把 SD 42950（$SC_TOOL_LENGTH_TYPE）设为 2；G17 或 G19 中的钻头也可以用 0。

@@ -27,11 +27,11 @@ check-two-setpoint = 设定值 { $set } mm 必须大于 0：两点位于正负�
 check-two-setpoint-hint = 请输入大于 0 的直径或半径。
 check-two-ball = 不校准时（{ "_CHBIT[7]" }=1）循环使用测球直径 { $name }，而其值不大于 0。
 check-two-ball-hint = 请把测球直径输入 { $name }，或校准测头并设 { "_CHBIT[7]" }=0。
-check-two-zone-inside = 保护区 { $zone } mm 使 { $size } mm 的孔内放不下测球。
+check-two-zone-inside = 保护区为 { $zone } mm 时，内尺寸 { $size } mm 中放不下测球。
 check-two-zone-inside-hint = 请在测量轴上把保护区减小到不超过 { $limit } mm。
-check-two-no-zone = 没有保护区时此测量方式测内径；测外径时会沿用上次调用的保护区。
+check-two-no-zone = 没有保护区时此测量方式测内径；测外径时会沿用以前调用的保护区。
 check-two-no-zone-hint = 请在测外径时输入 { "_SZA" } 和 { "_SZO" }。
-check-two-half-zone = 保护区不完整：{ $name } 沿用上次调用的值。
+check-two-half-zone = 保护区不完整：{ $name } 沿用以前调用的值。
 check-two-half-zone-hint = 请在测外径时输入 _SZA 和 _SZO，测内径时两者都不输入。
 check-two-zone-outside = 测外径时，测球在 { $zone } mm 处经过会碰到 { $size } mm 的工件；测内径时忽略此保护区。
 check-two-zone-outside-hint = 请在测外径时把保护区加大到不小于 { $limit } mm，测内径时留空。

@@ -92,7 +92,7 @@ check-spheres-overlap = 球 { $one } 和球 { $other } 的设定球心相距 { $
 check-spheres-overlap-hint = 请改正设定球心：相互距离必须大于 { $size } mm。
 check-spheres-line = 三个设定球心共线：求不出工件绕该直线的旋转。
 check-spheres-line-hint = 请改正设定球心，或选构成三角形的球。
-check-spheres-close = 在球 { $one } 旁，有测量程序段的起点会使测球碰到球 { $other }。
+check-spheres-close = 在球 { $one } 旁，某个测量程序段的起点处，测球会碰到球 { $other }。
 check-spheres-close-hint = 请减小 _FA，或成角度测量，使各点之间没有另一个球。
 
 result-sphere1-set-diameter = 球 1：设定直径

@@ -44,4 +44,4 @@ help-p9969-corrects = 不作补偿。输出数控程序（编程 S 时编号为 
 help-p9969-wrong-fast = 精度取决于进给：1200 mm/min 时为 0.1 mm。
 help-p9969-wrong-step = 表面在行与行之间升高超过 Q：STYLUS IN CONTACT。请加大 Q 或减小行距。
 help-p9969-wrong-cavity = 测针卡在凹处：SCANNING OBSTRUCTED。
-help-p9969-wrong-ball = 这些点是测球的点，不是表面的点：用其他尺寸的刀具时必须换算。
+help-p9969-wrong-ball = 这些点是测球位置，不是表面上的点：用其他尺寸的刀具时必须换算。

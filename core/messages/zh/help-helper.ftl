@@ -14,9 +14,9 @@ help-log-chosen = _PROTVAL[2] 到 _PROTVAL[5] 指定各行的内容：_OVR 中�
 
 help-cycle100-does = 接通测量记录：从此调用到 CYCLE101，每个测量循环都加入一个数值组。轴不移动。
 help-cycle100-values = 每次测量调用之前，由 _PROTVAL[2] 到 _PROTVAL[5] 指定其各行的内容：另一个循环或测量方式有不同的结果。
-help-cycle100-begin = 删除同名文件并重新开始；CYCLE100 通过 CYCLE106 完成。
+help-cycle100-begin = 删除同名文件并重新创建；CYCLE100 为此调用 CYCLE106。
 help-cycle100-each = 此后每次测量调用都自动写入其数值组；程序不必调用其他记录循环。
-help-cycle100-lost = 上一个工件的记录没有读出：该记录会被删除。请给每个工件各自的名称。
+help-cycle100-lost = 上一个工件的记录没有读出：该记录会被删除。请为每个工件使用单独的文件名。
 help-cycle100-old = 以前记录的后续文件保留，直到本次记录需要其名称：其内容不属于这个工件。
 
 help-cycle101-does = 关闭由 CYCLE100 接通的测量记录。轴不移动。
@@ -34,7 +34,7 @@ help-cycle105-number = CYCLE106 的任务编号不同：其中 2 是数值组。
 
 help-cycle106-header = 把记录头写入记录，并管理其文件和页。轴不移动。
 help-cycle106-values = 把数值组写入记录，并管理其文件和页。轴不移动。
-help-cycle106-alone = 程序不用测量循环而要记录：使用测量循环时，CYCLE100 和测量调用已足够。
+help-cycle106-alone = 程序中没有测量循环而要作记录；有测量循环时，用 CYCLE100 和测量调用即可。
 help-cycle106-keeps = 需要时删除同名的旧文件，文件写满时打开下一个文件，达到 _PROTFORM[0] 行后另起一页（为 0 时不另起）。
 help-cycle106-number = PAR1 既不是 1 也不是 2：报警 61360。CYCLE105 的任务编号不同。
 
@@ -53,7 +53,7 @@ help-cycle118-rounds = 一个数值：PAR1 四舍五入到 PAR2 位小数，写�
 help-cycle118-many = 多个数值：各 R 参数依次四舍五入到 PAR2 位小数；忽略 PAR1。
 help-cycle118-left = 调用中变量里的文本。多个数值的文本在 _TXT[0] 到 _TXT[9] 中，最后一个也在该变量中。
 help-cycle118-count = PAR4 大于 10：报警 61362。
-help-cycle118-length = 数值连同小数超过 12 个字符：文本容纳不下。
+help-cycle118-length = 数值连同小数位超过 12 个字符：变量容纳不下该文本。
 
 help-cycle116-does = 由三点或四点（例如逐个测得的点）计算圆心和半径。轴不移动。
 help-cycle116-variables = 请在程序开头声明两个变量：DEF REAL _DATE[13] 和 DEF INT _ALM。

@@ -39,7 +39,7 @@ help-g105-measures-surface = 垂直于平面一个轴的表面的位置。
 help-g105-before-side = 测球在表面无材料的一侧：在测量深度；编程了刀具轴地址时在其上方。
 help-g105-order-touch = 编程了刀具轴地址时，先移到表面前 R 处并下降；然后朝公称坐标触碰，最多超过 Q。
 help-g105-corrects-radius = T 是半径寄存器，按全部偏差补偿。
-help-g105-wrong-far = 表面在公称坐标之后超过 Q：PROBE FAIL。
+help-g105-wrong-far = 表面位于公称坐标后方，且距离大于 Q：PROBE FAIL。
 
 help-g106-measures-surface = 垂直于刀具轴的表面的高度。
 help-g106-before-above = 测球在触碰点上方。

@@ -6,7 +6,7 @@ help-tool-parallel = 测头各面平行于机床轴。
 help-tool-chip = 刀刃或测头上有切屑、冷却液：测头过早触发，结果不准。
 
 help-cycle971-measures-side = 用长度和半径已知的刀具测出刀具测头一个面的位置。
-help-cycle971-measures-sides = 用长度和半径已知的刀具测出 _TP[k,7]（相对工件：_TPW[k,7]）所列刀具测头各面的位置。
+help-cycle971-measures-sides = 用长度和半径已知的刀具，测出刀具测头上由 _TP[k,7]（相对工件：_TPW[k,7]）指定的各面的位置。
 help-cycle971-measures-tool = 铣刀或钻头的长度 L1（_MA = 3、103、203），或铣刀的半径（_MA = 1、2）。
 help-cycle971-before-still = 主轴静止，刀刃已转向测头；循环不转动主轴。
 help-cycle971-before-rotating = 循环由 _CM[] 计算转速和进给，_CBIT[12]=1 时取自 _MFS[]。旋转的主轴保持方向，静止的主轴取 _CM[5] 的方向。
@@ -15,10 +15,10 @@ help-cycle971-before-parallel = 刀具轴平行于测头中心线。
 help-cycle971-before-over = 刀具可从当前位置先上下移动到测头顶面上方 _FA 处，再横向移到测头中间，途中没有障碍。
 help-cycle971-order-beside = 在侧面：先在另一轴移到测头中间，再到该面旁，下降到低于顶面 _TP[k,9] 或 _TPW[k,9] 处，触碰，退回。最后停在该深度。
 help-cycle971-order-on-top = 在顶面（_MA = 3、103、203）：移到中间上方，下降，触碰；比测头宽的刀具向起点一侧偏移“半径减 _ID”，在横坐标（3、103）或纵坐标（203），钻头不偏移。最后停在上方 _FA 处。
-help-cycle971-order-centre-first = _MA = 102 或 201 时，先在另一轴触碰两次求出中间。
+help-cycle971-order-centre-first = _MA = 102 或 201 时，先在另一轴触碰两次，求出该轴的中间。
 help-cycle971-order-widest = 测半径时刀具再下降 _ID，以最大直径处触碰。
-help-cycle971-order-turning = 触碰一到三次，由 _CM[6] 和 _CM[7] 决定，_CBIT[12]=1 时由 _MFS[] 决定；以最后一次为准。原来静止的主轴再停下。
-help-cycle971-order-all-sides = 各面均可触碰时：先触碰顶面，再触碰纵坐标两侧（得到其中间），在该中间触碰横坐标两侧，再经求出的中间触碰纵坐标两侧，最后再触碰顶面，停在其上方 _FA 处。
+help-cycle971-order-turning = 触碰一到三次，由 _CM[6] 和 _CM[7] 决定，_CBIT[12]=1 时由 _MFS[] 决定；以最后一次为准。主轴原来静止时，测量后再次停止。
+help-cycle971-order-all-sides = 各面均可触碰时：先触碰顶面，再触碰纵坐标两侧（得到其中间），在该中间触碰横坐标两侧，再在求出的横坐标中间触碰纵坐标两侧，最后再触碰顶面，停在其上方 _FA 处。
 help-cycle971-wrong-depth = _TP[k,9]（相对工件：_TPW[k,9]）为 0：刀具在测头旁够不到测头；测半径时报警 61349。
 help-cycle971-wrong-unclear = 从刀具位置看不出要触碰哪一面：报警 61332。
 help-cycle971-wrong-edge = 刀刃没有转向测头：半径测得偏小，刀刃高度不同的刀具长度也偏小。
@@ -63,7 +63,7 @@ help-tool-block = 对一个面：移到该面前 _FA 处，从那里最多走两
 help-tool-reach = 刀具数据或测头数据的误差超过 _FA：不触发（报警 61301），或途中碰撞（61302）。
 help-tool-trigger = 测头数据：_TP（相对工件：_TPW）中的触发点，与存储值相差大于 _TZL 时更新。超过 _TSA：报警 61303，不存储。
 help-tool-data = 当前刀具：写入几何值，磨损置 0；_CHBIT[3]=1 时只写磨损。偏差不超过 _TZL：不补偿；达到 _TDIF：信息 62306，不补偿；达到 _TSA：报警 61303。
-help-tool-in-front = 刀具已在要触碰的面前，不超过两倍 _FA。校准时不需要测头的数据；测量刀具时，此面必须已校准。
+help-tool-in-front = 刀具已对着要触碰的面，距离不超过两倍 _FA。校准时不需要测头的数据；测量刀具时，此面必须已校准。
 help-tool-from-here = 从所在位置最多走两倍 _FA 触碰，退回起点；没有其他移动。
 help-tool-trigger-always = 测头数据：_TP（相对工件：_TPW）中的触发点，不论原值如何都存储。
 help-tool-unwatched = 没有极限监控结果：刀具若碰到测头以外的物体，错误的值也会被存储。

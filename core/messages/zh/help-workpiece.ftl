@@ -68,7 +68,7 @@ help-cycle979-measures-hole = 由圆周上的点求孔或其一段圆弧的直�
 help-cycle979-measures-shaft = 由圆周上的点求轴（外圆）或其一段圆弧的直径和中心。
 help-cycle979-measures-groove = 斜槽的宽度，以及它在 _STA1 直线上的中点。
 help-cycle979-measures-web = 斜凸台的宽度，以及它在 _STA1 直线上的中点。
-help-cycle979-before-near = 测球在测量高度靠近 P1，离轮廓大于 _FA，到 P1 的直线路径上无障碍。P1 从设定中心 _CPA、_CPO 看位于角度 _STA1。
+help-cycle979-before-near = 测球在测量高度靠近 P1，离轮廓的距离大于 _FA，到 P1 的直线路径上无障碍。P1 从设定中心 _CPA、_CPO 看位于角度 _STA1。
 help-cycle979-before-ball = 已校准测头的有效测球直径（带测球直径的 CYCLE976）。
 help-cycle979-order-circle = 三点（_PRNUM 的第 4 位为 1 时四点），每点再转过 _INCA；点与点之间以 _RF 沿圆弧移动。
 help-cycle979-order-outwards = 每次触碰背离设定中心。
@@ -108,16 +108,16 @@ help-cycle997-wrong-line = 三个设定球心在一条直线上：报警 61411�
 
 help-cycle998-measures-one = 一个角度：由两点求直边或表面相对于一个轴转过的角度。
 help-cycle998-measures-two = 两个角度：由三点求平面绕横坐标和纵坐标的倾斜。
-help-cycle998-before-opposite = 测球对着 P1，离 _SETVAL 大于 _FA；P2 在偏移轴正方向 _ID 处。
+help-cycle998-before-opposite = 测球对着 P1，离 _SETVAL 的距离大于 _FA；P2 在偏移轴正方向 _ID 处。
 help-cycle998-before-both-near = 测球对着 P1；两点在测量轴上离此位置都不超过两倍 _FA。
 help-cycle998-before-over = 测球在 P1 上方，所在高度能到达 P2（横坐标再走 _ID）和 P3（纵坐标再走 _SETV[0]）。
-help-cycle998-order-one-angle = 先 P1，然后沿设定角度 _STA1、按 _TSA 让开表面移到 P2，测 P2。
+help-cycle998-order-one-angle = 先测 P1，然后沿设定角度 _STA1、再偏离表面一个角度 _TSA 移到 P2，测 P2。
 help-cycle998-order-one-paraxial = 沿 _MD 方向测 P1，退回起点，在偏移轴走 _ID，再测 P2；不用 _SETVAL。
-help-cycle998-order-two-angle = 先 P1，沿设定角度到 P2，按原路返回，再沿另一设定角度到 P3；各路径都按 _TSA 让开表面。
+help-cycle998-order-two-angle = 先 P1，沿设定角度到 P2，按原路返回，再沿另一设定角度到 P3；各路径都再偏离表面一个角度 _TSA。
 help-cycle998-order-two-paraxial = P1、P2、P3，始终从起始高度测：沿横坐标，返回，沿纵坐标。
 help-cycle998-order-end = 最后停在最后一点前 _FA 处。
 help-cycle998-order-end-height = 最后停在 P3 上方的起始高度。
-help-cycle998-corrects-rotation = 由 _KNUM 指定的零点偏移的旋转（测一个角度时：_RA=0），量为实际角度减设定角度；位置不变，请在之后测量。_KNUM=0 不补偿。
+help-cycle998-corrects-rotation = 由 _KNUM 指定的零点偏移的旋转（测一个角度时：_RA=0），补偿量为实际角度减设定角度。位置不变：请在之后测量位置。_KNUM=0 不补偿。
 help-cycle998-corrects-axis = _RA 大于 0 时，改为补偿该回转轴的零点偏移；之后移动该回转轴。
 help-cycle998-corrects-area = 与设定角度相差超过 _TSA（以度计）时报警 61303。
 help-cycle998-wrong-degrees = _TSA 仍是其他循环以 mm 为单位的值；这里的单位是度。

@@ -15,12 +15,12 @@ help-alarms = 可能出现的报警：{ $names }。
 help-probe-loaded = 测头在主轴中（刀具类型 710 或 1x0），其 D 号有效；已编程 G40，没有比例系数。
 help-probe-turning = 在有第三直线轴的车床上，测头类型为 5xy，长度算到测球中心，SD 42950 为 2。刀沿位置 5 或 7 在 G17 中测量，6 或 8 在 G19 中测量。即使 DIAMON 有效，X 的位置也是半径。
 help-wrong-tool = _TNUM 或 _KNUM 中的 D 号不属于加工此表面的刀具：没有问题的刀具会得到错误的补偿。
-help-wrong-chip = 表面上的切屑或毛刺使尺寸失真：测量前清洁，并设定 _TDIF，使这样的值不被补偿。
+help-wrong-chip = 表面上的切屑或毛刺使尺寸失真：测量前请清洁表面，并设定 _TDIF，使这样的值不用于补偿。
 help-wrong-conditions = 所用测头数据在其他进给或主轴位置下校准：结果有固定的误差。平面不同时也是如此，_CBIT[16]=1 时报警。
 help-wrong-kept = 此调用没有写入的参数仍为以前调用的值：极限、保护区或角度。
 help-order-block = 一次触碰：移到设定位置前 _FA 处，从那里以测量进给最多走两倍 _FA，触发后退回。_NMSP 大于 1 时重复触碰，取平均值。
 help-ends-at-start = 最后停在起点。
-help-wrong-reach = 表面在其设定位置之后超过 _FA：测头不触发，报警 61301。
+help-wrong-reach = 表面位于设定位置后方，且距离大于 _FA：测头不触发，报警 61301。
 help-wrong-in-the-way = 路径上有障碍物：_CHBIT[2]=1 时，定位时碰撞则报警 61302。
 help-corrects-tool = 刀具（_TNUM、_TNAME 或 _TENV）：补偿写入磨损，_CHBIT[6]=1 时写入几何值。_KNUM 指定刀沿、长度或半径，也可改为设定补偿或附加补偿。_KNUM=0 不补偿。
 help-corrects-chain = 偏差超过 _TSA：报警 61303，程序停止。超过 _TDIF：信息 62306，不补偿。超出 _TUL、_TLL 或 _TMV：补偿全部偏差。在 _TMV 以内：以 _K 加权的平均值，大于 _TZL 时才补偿。

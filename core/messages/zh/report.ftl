@@ -116,7 +116,7 @@ terminal-check-setup-text = 机床配置文件，包括刀具和数据；省略�
 terminal-cycle-text = 循环名称，例如 CYCLE977
 terminal-values-text = 参数值，例如 _SETVAL=132
 terminal-comments-text = 为每个参数写一行注释
-terminal-style-text = 书写方式：direct（先赋值，后调用；默认），indirect（CYCLE_PARA 和参数化调用），operate（新型控制系统的参数列表）
+terminal-style-text = 书写方式：direct（先赋值，后调用；默认），indirect（CYCLE_PARA 和参数化调用），operate（新型控制系统的参数表）
 terminal-print-text = 打印输出文件：NCT 宏程序的地址 V 和 W 所打印的内容
 terminal-surface-text = 代替机床配置中的曲面，大小相同：PNG 图片（白色最高）、dome、waves、saddle 或 step；STL 文件保持自身大小
 terminal-scan-nc-text = 数字化输出文件：数控程序

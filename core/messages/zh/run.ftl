@@ -87,3 +87,7 @@ assumed-turning-tool = 车刀
 assumed-tool-probe = 第 { $line } 行，{ $cycle }：刀具测头位于 X{ $x } Y{ $y } Z{ $z }，即控制系统中存储的位置。
 assumed-part = 第 { $line } 行，{ $cycle }：各值所描述的工件位于 X{ $x } Y{ $y } Z{ $z }，没有误差。
 assumed-no-part = 第 { $line } 行，{ $cycle }：从起点无法测量。工件或刀具测头位于 X{ $x } Y{ $y } Z{ $z }。
+supply-tool = 添加刀具 { $tool }
+supply-probe = 添加测头 { $tool }
+supply-tools = 添加程序中的全部刀具
+supply-parts = 装夹程序所需的工件

@@ -47,6 +47,10 @@ pub struct Changed {
     pub replaced: Option<Replaced>,
     /// Parameters that the new variant does not know, taken out of the call.
     pub taken: Vec<Name>,
+    /// What the calls of the program would say otherwise.
+    pub values: Vec<ComparedValue>,
+    /// Whether more changes than this value of this call: other lines, other calls that read it, other values of it.
+    pub reaches: bool,
     /// What that means.
     pub findings: Vec<Finding>,
 }
@@ -89,6 +93,8 @@ pub struct Assignment {
     pub edits: Vec<Edit>,
     /// Its line, as it is and as it would be.
     pub line: TouchedLine,
+    /// What the calls of the program would say otherwise.
+    pub values: Vec<ComparedValue>,
 }
 
 impl Replaced {
@@ -101,6 +107,7 @@ impl Replaced {
                 value: change.value.clone(),
                 edits: edits(std::slice::from_ref(&change.edit), positions),
                 line: change.line.clone(),
+                values: change.values.clone(),
             }),
             why: one.change.as_ref().err().cloned(),
         });
@@ -198,6 +205,8 @@ pub fn change(asked: ChangeRequest) -> Result<Changed, Error> {
         elsewhere: done.elsewhere,
         replaced,
         taken: done.taken,
+        values: done.values,
+        reaches: done.reaches,
         findings: placed(&done.findings, &Positions::new(b"")),
     })
 }

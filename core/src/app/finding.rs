@@ -1,5 +1,6 @@
 //! Findings as they are shown, with their places in the text.
 
+use super::supply::Offer;
 use crate::diagnostic;
 use crate::diagnostic::{Code, Diagnostic, Severity};
 use crate::message::Message;
@@ -42,6 +43,10 @@ pub struct Finding {
     /// Lines that the cure changes elsewhere than where the finding is told.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub elsewhere: Option<Vec<TouchedLine>>,
+    /// What the machine lacks, each a fix.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(test, ts(optional, as = "Option<Vec<Offer>>"))]
+    pub offers: Vec<Offer>,
 }
 
 /// Edits that fix a finding.
@@ -81,6 +86,7 @@ impl Finding {
             column: None,
             cure: None,
             elsewhere: None,
+            offers: Vec::new(),
         }
     }
 

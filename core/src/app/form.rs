@@ -1,9 +1,11 @@
 //! A form at every keystroke: fields, findings, snippet, picture, and what the call would do.
 
 use super::finding::Finding;
-use super::outcome::Outcome;
+use super::outcome::{Outcome, Raised};
+use super::places::{self, Places};
 use super::predict::{ErrorSliders, predict};
 use super::start::{Machine, start};
+use super::supply::{Supply, corrected};
 use super::twin::{TwinView, twin};
 use super::{Error, choose_units, cycle};
 use crate::check::{Checked, Parsed, expression, newer, parse, variants};
@@ -11,12 +13,13 @@ use crate::control::{Control, MachineSort, Plane, Transverse, UnitFunction};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::dialect::Dialect;
 use crate::entry::{ArgumentList, Cycle, Inputs, Kind, ProbeUse, Style, Typed, names};
-use crate::form::Field;
+use crate::form::{Chain, Field};
 use crate::machine::Setup;
 use crate::machine::calibrated::ProbeInCall;
 use crate::name::Name;
 use crate::picture::Picture;
-use crate::program::write::{Values, snippet_of};
+use crate::program::write::{self, Values, snippet_of};
+use crate::scene::Source;
 use crate::support::{Before, Support};
 use crate::{SIMULATES, check, form, own, support};
 use serde::{Deserialize, Serialize};
@@ -82,6 +85,9 @@ pub struct FormView {
     pub diagnostics: Vec<Finding>,
     /// Text of the program, also for incomplete values as far as it can be written; empty: not in this way.
     pub snippet: String,
+    /// Where the values are written in it: first UTF-16 unit, and one past the end; only from a build that simulates.
+    #[serde(skip_serializing_if = "absent")]
+    pub snippet_places: Option<Places>,
     /// What this call style cannot say.
     pub snippet_findings: Vec<Finding>,
     /// Call style that counts until another is chosen: the machine may say so.
@@ -91,6 +97,9 @@ pub struct FormView {
     /// The variant that the values choose.
     #[cfg_attr(test, ts(optional = false))]
     pub mvar: Option<i64>,
+    /// The limits of the tolerances as a picture; only from a build that simulates, and where there are any.
+    #[serde(skip_serializing_if = "absent")]
+    pub chain: Option<Chain>,
     /// What the values mean, drawn; only from a build that simulates.
     #[serde(skip_serializing_if = "absent")]
     pub picture: Option<Picture>,
@@ -135,6 +144,7 @@ pub fn form(mut asked: FormRequest) -> Result<FormView, Error> {
     let cycle = cycle(asked.control, &asked.cycle)?;
     let mut start = start(cycle.dialect, asked.setup.take())?;
     let begun = |name: &str| expression::begun(&start.setup.control, name).filter(|_| asked.written.is_none());
+    let pointed = pointed(cycle, &asked.values);
     reckon(cycle, &mut asked.values, &mut asked.expressions, &begun);
     if !start.described {
         suit(&mut start.setup, cycle, &asked);
@@ -163,6 +173,9 @@ pub fn form(mut asked: FormRequest) -> Result<FormView, Error> {
     let style = asked.style.unwrap_or(preset);
     let mut view = view(cycle, &values_of, control, &checked, style, asked.comments.as_ref());
     view.preset = preset;
+    for field in &mut view.fields {
+        field.written = pointed.get(field.name.as_str()).cloned();
+    }
     view.twin = (asked.twin && SIMULATES).then(|| twin(cycle, &values, &start.setup.control));
     if !asked.predict || !SIMULATES {
         return Ok(view);
@@ -176,6 +189,7 @@ pub fn form(mut asked: FormRequest) -> Result<FormView, Error> {
     let mut setup = match (cycle.work(), &checked.inputs) {
         (Some(work), Some(inputs)) => {
             let outcome = predict(work, inputs, start, &asked.errors.unwrap_or_default(), asked.limits);
+            view.diagnostics.extend(missing_tool(cycle, &values, &outcome.trace));
             view.outcome.insert(outcome).trace.setup.clone()
         }
         _ => start.setup,
@@ -227,6 +241,17 @@ fn newer_list(cycle: &Cycle, written: Option<Style>) -> Option<&'static Argument
     cycle.lists.iter().find(of_newer).filter(|_| written == Some(Style::Operate))
 }
 
+/// The values that were typed with a decimal comma, as a program has them: with a point.
+fn pointed(cycle: &Cycle, values: &Typed) -> Typed {
+    let commas = |text: &str| text.matches(',').count();
+    let written = values.iter().filter_map(|(name, text)| {
+        let param = cycle.param(name).filter(|param| commas(text) > 0 && !matches!(param.kind, Kind::Text(_)))?;
+        let written = write::value(cycle.dialect, param, text).filter(|written| commas(written) < commas(text))?;
+        Some((name.clone(), written))
+    });
+    written.collect()
+}
+
 /// What the values are worth that are expressions of what is known, and how these are written.
 fn reckon(cycle: &Cycle, values: &mut Typed, expressions: &mut Typed, known: &dyn Fn(&str) -> Option<f64>) {
     for (name, text) in values {
@@ -267,6 +292,17 @@ fn entered(support: Option<Support>, cycle: &'static Cycle, typed: Typed, contro
     (entered.values, before)
 }
 
+/// The tool to be corrected is not on the machine: at the field that names it, with what gives it.
+fn missing_tool(cycle: &Cycle, values: &Typed, done: &Source) -> Option<Finding> {
+    let control = &done.setup.control;
+    let missing = |code| Some((code, corrected(code, cycle, values, control)?));
+    let (code, new) = done.outcome.alarms().into_iter().find_map(missing)?;
+    let param = if new.name.is_empty() { names::TNUM } else { names::TNAME };
+    let Raised { message, hint, .. } = Raised::alarm(code);
+    let found = Diagnostic { hint, ..Diagnostic::new(Severity::Error, code, message) }.at(param);
+    Some(Finding { offers: vec![Supply::Tool(new).offer()], ..Finding::of(&found) })
+}
+
 /// The form without what is simulated.
 fn view(
     cycle: &'static Cycle,
@@ -285,9 +321,12 @@ fn view(
         Field { expression, ..field }
     };
     let findings = |list: &[Diagnostic]| list.iter().map(Finding::of).collect();
+    let fields: Vec<Field> = form::fields_by(&inputs, values.typed, control).into_iter().map(with_expression).collect();
     FormView {
-        fields: form::fields_by(&inputs, values.typed, control).into_iter().map(with_expression).collect(),
+        chain: SIMULATES.then(|| form::chain(&fields, &inputs, control)).flatten(),
+        fields,
         diagnostics: findings(&checked.diagnostics),
+        snippet_places: SIMULATES.then(|| places::in_snippet(&written.text, control)),
         snippet: written.text,
         snippet_findings: findings(&written.findings),
         preset: style,

@@ -7,16 +7,20 @@ mod catalogue;
 mod changes;
 mod edit;
 mod encoding;
+mod equip;
 mod finding;
 mod form;
 mod help;
 mod machine;
 mod outcome;
+mod places;
 mod predict;
 mod program;
 mod run;
 mod scan;
 mod start;
+mod story;
+mod supply;
 mod trace;
 mod twin;
 
@@ -30,6 +34,7 @@ pub use edit::{
     convert, cure,
 };
 pub use encoding::Recognised;
+pub use equip::{CellText, EquipRequest, EquipView, EquipmentChange, EquipmentRows, RowOf, equip};
 pub use finding::{Cure, Edit, Finding, findings};
 pub use form::{FormRequest, FormView, form};
 pub use help::{HelpRequest, HelpResult, HelpSection, HelpText, HelpView, help};
@@ -40,6 +45,8 @@ pub use program::{Arrival, CallView, ReadRequest, ReadView, calls, read};
 pub use run::{OfCall, Run, RunAlarm, RunAnswer, RunAssumed, RunDecision, RunRequest, RunResult, RunView};
 pub use scan::{Scan, ScanRequest, ScanView, SurfaceChoice, put_surface};
 pub use start::{Beginning, Machine, OwnMachine};
+pub use story::{Story, story};
+pub use supply::{NewTool, Offer, Supply};
 pub use trace::Trace;
 pub use twin::{Shared, TwinView};
 

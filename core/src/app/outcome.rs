@@ -3,6 +3,7 @@
 use super::answer::{self, Answer};
 use super::changes::{Change, changes};
 use super::predict::ErrorLimit;
+use super::supply::Offer;
 use crate::diagnostic::Code;
 use crate::entry::{Inputs, unit_name};
 use crate::machine::Stop;
@@ -66,6 +67,10 @@ pub struct Raised {
     pub hint: Option<Message>,
     /// Whether it stops the program.
     pub stops: bool,
+    /// What the machine lacks, each a fix.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(test, ts(optional, as = "Option<Vec<Offer>>"))]
+    pub offers: Vec<Offer>,
 }
 
 impl Outcome {
@@ -112,6 +117,7 @@ impl Raised {
             hint: Some(Message::new(format!("{key}.cure"))),
             message: Message::new(key),
             stops: catalogue::alarms::stops(code),
+            offers: Vec::new(),
         }
     }
 
@@ -119,7 +125,9 @@ impl Raised {
     pub fn stop(stop: &Stop) -> Raised {
         match stop {
             Stop::Alarm(code) => Raised::alarm(*code),
-            Stop::Fault(message) => Raised { code: String::new(), message: message.clone(), hint: None, stops: true },
+            Stop::Fault(message) => {
+                Raised { code: String::new(), message: message.clone(), hint: None, stops: true, offers: Vec::new() }
+            }
         }
     }
 }

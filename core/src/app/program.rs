@@ -2,6 +2,7 @@
 
 use super::Error;
 use super::finding::{Finding, placed};
+use super::places::{self, Places};
 use super::start::{Machine, start};
 use crate::check::variants;
 use crate::control::{Control, Plane, Transverse, UnitFunction, delivery};
@@ -67,6 +68,8 @@ pub struct CallView {
     pub expressions: Typed,
     /// Of the values that differ by the way or from pass to pass: those that arrive first.
     pub first: BTreeMap<Name, Arrival>,
+    /// Where each value is written that is written in one place: first UTF-16 unit, and one past the end.
+    pub places: Places,
     /// Working plane there.
     pub plane: Plane,
     /// How X is given there.
@@ -155,6 +158,7 @@ fn call(program: &Program, site: &CallSite, positions: &Positions) -> CallView {
         values: site.values.clone(),
         expressions: site.expressions.clone(),
         first: site.first.iter().map(|(name, origin)| (*name, arrival(origin))).collect(),
+        places: places::of_call(program, site, positions),
         plane: site.plane,
         transverse: site.transverse,
         units: site.unit_function,

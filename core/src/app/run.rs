@@ -6,8 +6,10 @@ use super::changes::{Change, changes};
 use super::finding::{Finding, placed};
 use super::outcome::{Raised, alarms};
 use super::start::{Machine, start};
+use super::supply::{Needs, curable, lacking};
 use crate::dialect::Dialect;
 use crate::entry::unit_name;
+use crate::machine::Stop;
 use crate::machine::setup::Setup;
 use crate::machine::trace::Step;
 use crate::message::Message;
@@ -194,7 +196,7 @@ impl Run {
 
     /// What it did so far.
     pub fn view(self) -> RunView {
-        RunView::new(self.setup, self.session.outcome(), &self.source)
+        RunView::new(self.setup, self.session.outcome(), &self.source).with_offers(&self.source)
     }
 }
 
@@ -215,6 +217,30 @@ impl RunView {
             assumed: None,
             trace: Source { setup, outcome, zones: Vec::new(), limits: Vec::new(), call: None },
         }
+    }
+
+    /// With what the machine lacks for the program of this text.
+    fn with_offers(mut self, source: &[u8]) -> RunView {
+        let Source { setup, outcome, .. } = &self.trace;
+        let fault =
+            outcome.stop.iter().filter_map(|stop| if let Stop::Fault(message) = stop { Some(message) } else { None });
+        let problems: Vec<&Message> = outcome.diagnostics.iter().map(|found| &found.message).chain(fault).collect();
+        let codes = outcome.alarms();
+        if !codes.iter().any(|code| curable(*code)) && !problems.iter().any(|problem| lacking(problem)) {
+            return self;
+        }
+        let needs = Needs::of(&syntax::read(setup.control.dialect, source), setup);
+        let offers: Vec<_> = problems.iter().map(|problem| needs.offers(problem)).collect();
+        for (finding, offers) in self.diagnostics.iter_mut().zip(&offers) {
+            finding.offers.clone_from(offers);
+        }
+        let faults = offers.into_iter().skip(self.diagnostics.len());
+        let lines: Vec<Option<u32>> = self.alarms.iter().map(|alarm| alarm.call.line).collect();
+        let alarms = codes.into_iter().zip(lines).map(|(code, line)| needs.offers_at(code, line));
+        for (alarm, offers) in self.alarms.iter_mut().zip(alarms.chain(faults)) {
+            alarm.raised.offers = offers;
+        }
+        self
     }
 }
 

@@ -11,17 +11,30 @@ use std::collections::BTreeSet;
 pub fn written(dialect: Dialect, text: &str) -> Option<String> {
     let text = text.trim();
     let pointed = pointed(text);
-    let all = [text.to_owned(), pointed.clone(), format!("[{text}]"), format!("[{pointed}]")];
+    let all = [pointed.clone(), text.to_owned(), format!("[{pointed}]"), format!("[{text}]")];
     let brackets = Grammar::of(dialect).by_address;
     all.into_iter().take(if brackets { 4 } else { 2 }).find(|text| is_value_of(dialect, text))
 }
 
-/// With each comma between two digits as a point.
+/// With each comma between two digits as a point, but for those between the arguments of a function or index.
 fn pointed(text: &str) -> String {
     let bytes = text.as_bytes();
     let digit = |at: Option<usize>| at.and_then(|at| bytes.get(at)).is_some_and(u8::is_ascii_digit);
     let between = |at: usize| digit(at.checked_sub(1)) && digit(Some(at + 1));
-    text.char_indices().map(|(at, c)| if c == ',' && between(at) { '.' } else { c }).collect()
+    let mut lists: Vec<bool> = Vec::new(); // of the open brackets: whether a name stands before it
+    let mut named = false;
+    let point = |(at, c): (usize, char)| {
+        match c {
+            '(' | '[' => lists.push(named),
+            ')' | ']' => drop(lists.pop()),
+            _ => {}
+        }
+        if !c.is_whitespace() {
+            named = c.is_alphanumeric() || matches!(c, '_' | '#' | '$');
+        }
+        if c == ',' && between(at) && lists.last() != Some(&true) { '.' } else { c }
+    };
+    text.char_indices().map(point).collect()
 }
 
 /// What an expression is worth that is written so, by what is known of its variables.
@@ -87,6 +100,9 @@ mod tests {
             ("50-0.5", Some("50-0.5"), Some("[50-0.5]")),
             ("_EV[1]+0,5", Some("_EV[1]+0.5"), None),
             ("MIN(1,5)", Some("MIN(1,5)"), None),
+            ("ATAN2(50,5)+0,5", Some("ATAN2(50,5)+0.5"), None),
+            ("SQRT((50+0,5)*2)", Some("SQRT((50+0.5)*2)"), None),
+            ("(50+0,5)*R1", Some("(50+0.5)*R1"), None),
             ("#101", None, Some("#101")),
             ("#101+1", None, Some("[#101+1]")),
             ("[#101+1]/2,5", None, Some("[[#101+1]/2.5]")),
@@ -109,6 +125,16 @@ mod tests {
             (Dialect::Sinumerik, "R2", Some(50.02)),
             (Dialect::Sinumerik, "2*R2-0.04", Some(100.0)),
             (Dialect::Sinumerik, "R9+1", None),
+            (Dialect::Sinumerik, "SQRT(R2-1.02)", Some(7.0)),
+            (Dialect::Sinumerik, "100*SIN(30)", Some(100.0 * 30.0_f64.to_radians().sin())),
+            (Dialect::Sinumerik, "ABS(-R2)", Some(50.02)),
+            (Dialect::Sinumerik, "ROUND(R2)+TRUNC(2.9)", Some(52.0)),
+            (Dialect::Sinumerik, "POT(3)", Some(9.0)),
+            (Dialect::Sinumerik, "ATAN2(1,1)", Some(45.0)),
+            (Dialect::Sinumerik, "SQRT(-1)", None),
+            (Dialect::Sinumerik, "SQRT(1,2)", None),
+            (Dialect::Sinumerik, "1/(R2-50.02)", None),
+            (Dialect::Nct, "[SQRT[#101+2]]", Some(3.0)),
             (Dialect::Nct, "[#101+1]", Some(8.0)),
             (Dialect::Nct, "-#101", Some(-7.0)),
         ] {

@@ -39,6 +39,11 @@ impl Control {
         self.tools.iter().find(|(_, tool)| tool.name.eq_ignore_ascii_case(name)).map(|(number, _)| *number)
     }
 
+    /// The next T number that no tool has.
+    pub fn free_tool(&self) -> i64 {
+        (1..).find(|number| !self.tools.contains_key(number)).unwrap_or_default()
+    }
+
     /// Edge D of tool T, as stored.
     pub fn edge_of(&self, tool: i64, edge: i64) -> Option<&Edge> {
         self.tools.get(&tool)?.edges.get(&edge)

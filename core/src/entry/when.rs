@@ -140,6 +140,11 @@ impl Param {
         self.needs.iter().find(|need| need.when.holds(inputs)).map(|need| (need.level, need.reason))
     }
 
+    /// Whether the variant asks for it, on some machine, with some tool and some other values.
+    pub fn is_known(&self, inputs: &Inputs) -> bool {
+        self.needs.iter().any(|need| need.when.of_variant(inputs) != Some(false))
+    }
+
     /// Unit with these values: a selection has none.
     pub fn unit_with(&self, inputs: &Inputs) -> Unit {
         match &self.kind {

@@ -31,6 +31,9 @@ pub struct Field {
     /// The expression of the program of which the value is the worth.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub expression: Option<String>,
+    /// As a program has the value, where it was typed with a decimal comma.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub written: Option<String>,
     /// There where it chooses the variant, on which the other fields depend.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     #[cfg_attr(test, ts(optional, as = "Option<bool>"))]
@@ -134,6 +137,7 @@ fn field(param: &'static Param, inputs: &Inputs, typed: &Typed, control: &Contro
         entry: entry(param, inputs, shown(param.range, factor(unit, control)), control),
         value: typed.get(param.name.as_str()).cloned().unwrap_or_default(),
         expression: None,
+        written: None,
         chooses: matches!(param.kind, Kind::Variant(_)),
         code: matches!(param.kind, Kind::Knum).then_some(stem),
         fallback: param.fallback(control),

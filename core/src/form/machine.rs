@@ -9,6 +9,7 @@ use crate::dialect::Dialect;
 use crate::manual::Cited;
 use crate::message::Message;
 use crate::range::Range;
+use crate::refused::Refused;
 use crate::support;
 use serde::Serialize;
 
@@ -189,8 +190,15 @@ pub struct Refusal {
 
 impl Refusal {
     /// With the cure whose key is that of the cause and `-hint`.
-    fn new(message: Message) -> Refusal {
+    pub(crate) fn new(message: Message) -> Refusal {
         Refusal { hint: Message::new(format!("{}-hint", message.key)), message }
+    }
+}
+
+impl Refusal {
+    /// What a machine cannot be.
+    pub(crate) fn of(refused: Refused) -> Refusal {
+        Refusal { message: refused.message, hint: Message::new("equip-hint") }
     }
 }
 

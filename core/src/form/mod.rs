@@ -1,12 +1,15 @@
 //! Catalogue × values → fields to show, and a drawing of them.
 
+mod chain;
 mod codes;
 mod draw;
+pub mod equipment;
 mod fields;
 pub mod machine;
 mod masks;
 mod variant;
 
+pub use chain::{Bar, Chain, Limit, chain};
 pub use draw::draw;
 #[cfg(feature = "json")]
 pub(crate) use fields::fields_by;

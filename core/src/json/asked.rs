@@ -33,6 +33,14 @@ pub(crate) fn machine(request: &str) -> Result<Value, Error> {
     parsed(answer(request, app::machine))
 }
 
+pub(crate) fn equip(request: &str) -> Result<Value, Error> {
+    parsed(answer(request, app::equip))
+}
+
+pub(crate) fn story(request: &str) -> Result<Value, Error> {
+    parsed(answer(request, app::story))
+}
+
 pub(crate) fn catalogue() -> Value {
     super::document(&app::catalogue())
 }

@@ -1,6 +1,7 @@
 //! What a run starts from: the control, the probe as it really is, the part, and where the machine stands.
 
 use crate::control::machine_data::TOOL_LENGTH_TYPE;
+use crate::control::probe::PROBE;
 use crate::control::tools::{AS_TURNING_TOOL, LATHE_PROBE};
 use crate::control::{Control, Edge, Make, Plane, Transverse, Units, delivery_in};
 use crate::dialect::Dialect;
@@ -12,6 +13,8 @@ use std::collections::{BTreeMap, BTreeSet};
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(as = "crate::setup_file::SetupFile"))]
 pub struct Setup {
+    /// What the user calls the machine.
+    pub name: String,
     /// State of the control.
     pub control: Control,
     /// The probe as it is.
@@ -73,6 +76,7 @@ impl Setup {
         let mut position = [0.0; 3];
         position[applicate] = 500.0;
         Setup {
+            name: String::new(),
             control,
             probe: ideal_probe(),
             workpiece: Workpiece::default(),
@@ -114,6 +118,29 @@ impl Setup {
             if self.control.number(&name) == 0.0 {
                 self.control.set(name, value / self.control.basic_factor());
             }
+        }
+    }
+}
+
+impl Setup {
+    /// Data of a new tool of this type; a probe is as long and as thick as the real one.
+    pub(crate) fn new_edge(&self, kind: i64) -> Edge {
+        let (length, radius) = (self.probe.length, self.probe.radius);
+        match kind {
+            LATHE_PROBE if self.control.plane == Plane::G18 => Edge { radius, ..probe_data(true) },
+            LATHE_PROBE => Edge {
+                kind,
+                tip: if self.control.plane == Plane::G19 { 8 } else { 7 },
+                length: [0.0, 0.0, length],
+                radius,
+                ..Edge::default()
+            },
+            PROBE if self.control.make().registers => {
+                Edge { kind, length: [length + radius, 0.0, 0.0], radius, ..Edge::default() }
+            }
+            PROBE => Edge { kind, length: [length, 0.0, 0.0], radius, ..Edge::default() },
+            500..=599 => Edge { kind, tip: 3, radius: 0.8, ..probe_data(true) },
+            _ => Edge { kind, length: [70.0, 0.0, 0.0], radius: 5.0, ..Edge::default() },
         }
     }
 }

@@ -172,7 +172,7 @@ pub(super) fn blanks_behind(program: &Program, line: Span, at: u32) -> u32 {
 }
 
 /// The whole assignment around a value; the value itself where it is an element of a list.
-fn word_around(program: &Program, place: Span) -> Span {
+pub(super) fn word_around(program: &Program, place: Span) -> Span {
     let Some(word) = program.word_at(place) else { return place };
     let between = |start, end| program.text(Span { start, end });
     let element = between(word.span.start, place.start).contains(&b',') && !program.grammar().by_address;

@@ -36,7 +36,15 @@ pub fn compared(program: &Program, site: &CallSite, after: &CallSite) -> Vec<Com
         after,
     };
     let differing = names.into_iter().filter(|name| !same(site, after, name));
-    let mut all: Vec<_> = differing.map(|name| value(name, written(site, name), written(after, name))).collect();
+    let mut all: Vec<_> = differing
+        .map(|name| match (written(site, name), written(after, name)) {
+            // of the same expression it is its worth that differs
+            (before, now) if before == now => {
+                value(name, site.values.get(name).cloned(), after.values.get(name).cloned())
+            }
+            (before, now) => value(name, before, now),
+        })
+        .collect();
     if let (Some(list), None) = (site.newer_list(), after.newer_list()) {
         let lost = arguments::only_newer(program, list, site.span).into_iter();
         all.extend(lost.map(|(name, text)| value(name, Some(text), None)));

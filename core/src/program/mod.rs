@@ -15,6 +15,7 @@ pub mod flow;
 mod held;
 pub mod of_control;
 mod own_words;
+pub mod places;
 pub mod revise;
 pub mod tools;
 pub mod touched;

@@ -3,6 +3,7 @@
 use super::arguments;
 use super::calls::{CallSite, calls_on};
 use super::change::{Edit, apply, change};
+use super::compared::{ComparedValue, compared};
 use super::own_words::{emptied, own_words};
 use super::touched::{TouchedLine, elsewhere};
 use super::variables::{Variable, variables};
@@ -25,7 +26,11 @@ pub struct Revision {
     pub taken: Vec<Name>,
     /// The expression that the value takes the place of; none: there is none, or an expression that is worth something.
     pub replaced: Option<Replaced>,
-    /// What that means: which of them went, and which stay since their values are expressions.
+    /// What the calls of the program say otherwise then.
+    pub values: Vec<ComparedValue>,
+    /// Whether that is more than the value of this call: it takes others out of it, or calls behind it read the same.
+    pub reaches: bool,
+    /// What that means: which of them went, and which stay since they are expressions or other calls read them.
     pub findings: Vec<Diagnostic>,
 }
 
@@ -51,37 +56,92 @@ pub fn revise(program: &Program, index: usize, name: &str, value: &str, control:
     }
     let mut revision = Revision { elsewhere: elsewhere(program, site, &edits), ..Revision::default() };
     let idle = idle(site, name, value, control);
-    let after = read(program.dialect, &apply(&program.source, &edits));
+    let mut text = apply(&program.source, &edits);
+    let mut after = calls_on(&read(program.dialect, &text), control.clone());
     revision.steps.push(edits);
-    revision.replaced = replaced(program, site, name, value).filter(|_| {
-        !calls_on(&after, control.clone()).get(index).is_some_and(|site| site.expressions.contains_key(name))
-    });
-    if idle.is_empty() {
-        return Some(revision);
+    let stays = |site: &CallSite| site.expressions.contains_key(name);
+    if !after.get(index).is_some_and(stays) {
+        revision.replaced = replaced(program, (&sites, index), (name, value), control);
     }
-    if let Some(site) = calls_on(&after, control.clone()).get(index) {
+    if !idle.is_empty() {
+        revision.take(&read(program.dialect, &text), (&after, index), idle, control);
+        for step in revision.steps.iter().skip(1) {
+            text = apply(&text, step);
+        }
+        after = calls_on(&read(program.dialect, &text), control.clone());
+    }
+    revision.values = differing(program, &sites, &after);
+    let others = sites.iter().zip(&after).enumerate().any(|(at, (one, other))| {
+        let changes = |site: &ComparedValue| at != index || site.param != name;
+        compared(program, one, other).iter().any(changes)
+    });
+    revision.reaches = others || !revision.elsewhere.is_empty();
+    Some(revision)
+}
+
+/// What calls say otherwise than the same calls of another text.
+fn differing(program: &Program, before: &[CallSite], after: &[CallSite]) -> Vec<ComparedValue> {
+    before.iter().zip(after).flat_map(|(one, other)| compared(program, one, other)).collect()
+}
+
+impl Revision {
+    /// Takes these values out of a call, of the program as it is by then, but for expressions and what others read.
+    fn take(&mut self, program: &Program, (sites, index): (&[CallSite], usize), idle: Vec<Name>, control: &Control) {
+        let Some(site) = sites.get(index) else { return };
         let own = idle.into_iter().filter(|name| site.own_place(name).is_some());
-        let (kept, taken): (Vec<_>, Vec<_>) = own.partition(|name| site.expression(name).is_some());
-        revision.steps.extend(without(&after, site, &taken));
+        let (kept, mut taken): (Vec<_>, Vec<_>) = own.partition(|name| site.expression(name).is_some());
+        let read_by_others = others_read(program, (sites, index), &taken, control);
+        taken.retain(|name| !read_by_others.contains(name));
+        self.steps.extend(without(program, site, &taken));
         let went = (!taken.is_empty()).then(|| own::REVISE_TAKEN.finding().text("names", taken.join(", ")));
         let stay = kept.iter().map(|name| {
             let value = site.expression(name).unwrap_or_default();
             own::REVISE_KEPT.finding().text("name", *name).text("value", value)
         });
-        revision.findings = went.into_iter().chain(stay).collect();
-        revision.taken = taken;
+        let shared =
+            (!read_by_others.is_empty()).then(|| own::REVISE_SHARED.finding().text("names", read_by_others.join(", ")));
+        self.findings = went.into_iter().chain(stay).chain(shared).collect();
+        self.taken = taken;
     }
-    Some(revision)
+}
+
+/// Those of the values of a call that other calls would miss without them.
+fn others_read(
+    program: &Program,
+    (sites, index): (&[CallSite], usize),
+    names: &[Name],
+    control: &Control,
+) -> Vec<Name> {
+    let Some(edits) = sites.get(index).and_then(|site| without(program, site, names)).filter(|_| sites.len() > 1)
+    else {
+        return Vec::new();
+    };
+    let after = calls_on(&read(program.dialect, &apply(&program.source, &edits)), control.clone());
+    let others = sites.iter().zip(&after).enumerate().filter(|(at, _)| *at != index);
+    let missed: Vec<_> = others.flat_map(|(_, (one, other))| compared(program, one, other)).collect();
+    names.iter().copied().filter(|name| missed.iter().any(|one| one.param == name.as_str())).collect()
 }
 
 /// The expression that a value takes the place of.
-fn replaced(program: &Program, site: &CallSite, name: &str, value: &str) -> Option<Replaced> {
+fn replaced(
+    program: &Program,
+    (sites, index): (&[CallSite], usize),
+    (name, value): (&str, &str),
+    control: &Control,
+) -> Option<Replaced> {
+    let site = sites.get(index)?;
     let text = site.expression(name).filter(|text| *text != name && *text != value.trim())?.to_owned();
     let worth = site.expressions.get(name).and_then(|_| site.values.get(name)).cloned();
-    Some(Replaced { text, worth, variables: variables(program, site, name, value) })
+    let mut variables = variables(program, site, name, value);
+    for change in variables.iter_mut().filter_map(|variable| variable.change.as_mut().ok()) {
+        let text = apply(&program.source, std::slice::from_ref(&change.edit));
+        change.values = differing(program, sites, &calls_on(&read(program.dialect, &text), control.clone()));
+    }
+    Some(Replaced { text, worth, variables })
 }
 
-/// The parameters that the call uses now, and does not know any more as the variant that this value chooses.
+/// The parameters that the variant which this value chooses does not know: none of the cycle's own that it asks for on
+/// no machine, and none that the call uses now and would not use then.
 fn idle(site: &CallSite, name: &str, value: &str, control: &Control) -> Vec<Name> {
     let cycle = site.cycle;
     if cycle.variant_param().is_none_or(|own| own != name) {
@@ -98,7 +158,10 @@ fn idle(site: &CallSite, name: &str, value: &str, control: &Control) -> Vec<Name
     }
     let inputs = |values| check::read(cycle, values, &control, &mut Vec::new());
     let (before, now) = (inputs(&site.values), inputs(&values));
-    let idle = |param: &&Param| param.need(&before).is_some() && param.need(&now).is_none();
+    let idle = |param: &&Param| {
+        let unknown = !param.is_machine_datum() && !param.is_known(&now);
+        unknown || param.need(&before).is_some() && param.need(&now).is_none()
+    };
     cycle.params.iter().filter(idle).map(|param| param.name).collect()
 }
 

@@ -3,6 +3,7 @@
 
 use super::calls::CallSite;
 use super::change::Edit;
+use super::compared::ComparedValue;
 use super::flow::{Follow, Meet, follow};
 use super::held::stem;
 use super::touched::{TouchedLine, touched};
@@ -38,6 +39,8 @@ pub struct Change {
     pub edit: Edit,
     /// Its line.
     pub line: TouchedLine,
+    /// What the calls of the program would say otherwise.
+    pub values: Vec<ComparedValue>,
 }
 
 /// The variables of the expression that is a value of a call, each with what would make that value this one, as typed.
@@ -123,7 +126,7 @@ fn change(
     let edit = Edit::replace(program.place(right), value.clone());
     let line = touched(program, std::slice::from_ref(&edit)).into_iter().next();
     let line = line.ok_or_else(|| why("variable-same"))?;
-    Ok(Change { value, edit, line })
+    Ok(Change { value, edit, line, values: Vec::new() })
 }
 
 /// The right side that begins here.

@@ -38,7 +38,11 @@ pub struct Assumed {
 
 /// Runs a program on a machine that fits it.
 pub fn run(program: &Program, limits: Limits) -> Assumed {
-    let mut setup = start(program);
+    run_on(program, start(program), limits)
+}
+
+/// Runs a program on this machine with what it lacks.
+pub fn run_on(program: &Program, mut setup: Setup, limits: Limits) -> Assumed {
     let mut session = Session::new(program.clone(), &setup, limits);
     session.run.assumed = Some(Made::default());
     while !session.advance(usize::MAX) {}
@@ -252,7 +256,7 @@ impl Interpreter {
     pub(super) fn tool_named(&mut self, name: &str) -> Option<i64> {
         let control = &mut self.sim.control;
         if let (None, Some(_)) = (control.tool_named(name), &self.assumed) {
-            let free = (1..).find(|number| !control.tools.contains_key(number))?;
+            let free = control.free_tool();
             control.tools.insert(free, Tool { name: name.to_owned(), edges: BTreeMap::new() });
         }
         control.tool_named(name)

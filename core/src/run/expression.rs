@@ -4,6 +4,7 @@ use super::{Datum, Interpreter, function, macro_variables, names};
 use crate::control::Frame;
 use crate::diagnostic::Span;
 use crate::problem::Problem;
+use crate::syntax::arithmetic::operate;
 use crate::syntax::tree::{Expr, ExprId, Operator};
 
 /// Value of an expression.
@@ -148,21 +149,10 @@ fn chain(outer: &Frame, inner: &Frame) -> Frame {
 }
 
 pub fn numbers(operator: Operator, a: f64, b: f64) -> Option<Datum> {
-    let (x, y) = (a as i64, b as i64);
-    let number = match operator {
-        Operator::Plus => a + b,
-        Operator::Minus => a - b,
-        Operator::Times => a * b,
-        Operator::Over => a / b,
-        Operator::Div => (a / b).trunc(),
-        Operator::Mod => a % b,
-        Operator::BitAnd => (x & y) as f64,
-        Operator::BitOr => (x | y) as f64,
-        Operator::BitXor => (x ^ y) as f64,
-        Operator::And => return Some(Datum::from(a != 0.0 && b != 0.0)),
-        Operator::Or => return Some(Datum::from(a != 0.0 || b != 0.0)),
-        Operator::Xor => return Some(Datum::from((a != 0.0) != (b != 0.0))),
-        _ => return compared(operator, a == b, a, b),
-    };
-    Some(Datum::Number(number))
+    match operator {
+        Operator::And => Some(Datum::from(a != 0.0 && b != 0.0)),
+        Operator::Or => Some(Datum::from(a != 0.0 || b != 0.0)),
+        Operator::Xor => Some(Datum::from((a != 0.0) != (b != 0.0))),
+        _ => operate(operator, a, b).map(Datum::Number).or_else(|| compared(operator, a == b, a, b)),
+    }
 }

@@ -3,8 +3,8 @@
 use super::{Datum, Interpreter, expression::element, expression::list};
 use crate::control::{AXES, Frame, ROTARY, variables::set_component};
 use crate::diagnostic::Span;
-use crate::geometry::Degrees;
 use crate::problem::Problem;
+use crate::syntax::arithmetic;
 use crate::syntax::tree::ExprId;
 
 pub fn call(run: &Interpreter, place: Span, args: &[ExprId]) -> Result<Datum, Problem> {
@@ -30,7 +30,11 @@ pub fn call(run: &Interpreter, place: Span, args: &[ExprId]) -> Result<Datum, Pr
     if numbers.len() < values.len() {
         return Err(refused());
     }
-    match arithmetic(&name, &numbers, run.rules().not) {
+    let value = match numbers[..] {
+        [number] if name == "NOT" => Some((run.rules().not)(number)),
+        _ => arithmetic::function(&name, &numbers),
+    };
+    match value {
         Some(value) if value.is_finite() => Ok(Datum::Number(value)),
         Some(_) => Err(refused()),
         None => Err(Problem::new("run-unknown-word", place, name.as_str())),
@@ -46,34 +50,6 @@ fn repeated(values: Vec<Datum>) -> Option<Datum> {
         Some(count) => Some(count.number().filter(|count| *count >= 1.0)? as usize),
     };
     values.next().is_none().then_some(Datum::Repeat(value, count))
-}
-
-fn arithmetic(name: &str, values: &[f64], not: fn(f64) -> f64) -> Option<f64> {
-    let value = match (name, values) {
-        ("SIN", [a]) => Degrees(*a).sin_cos().0,
-        ("COS", [a]) => Degrees(*a).sin_cos().1,
-        ("TAN", [a]) => a.to_radians().tan(),
-        ("ASIN", [a]) => a.asin().to_degrees(),
-        ("ACOS", [a]) => a.acos().to_degrees(),
-        ("ATAN", [a]) => a.atan().to_degrees(),
-        ("ATAN2" | "ATAN", [a, b]) => a.atan2(*b).to_degrees(),
-        ("SQRT", [a]) => a.sqrt(),
-        ("ABS", [a]) => a.abs(),
-        ("POT", [a]) => a * a,
-        ("TRUNC" | "FIX", [a]) => a.trunc(),
-        ("FUP", [a]) => a.signum() * a.abs().ceil(),
-        ("ROUND", [a]) => a.round(),
-        ("ROUNDUP", [a]) => a.ceil(),
-        ("LN", [a]) => a.ln(),
-        ("EXP", [a]) => a.exp(),
-        ("MINVAL", [a, b]) => a.min(*b),
-        ("MAXVAL", [a, b]) => a.max(*b),
-        ("BOUND", [low, high, value]) if low <= high => value.clamp(*low, *high),
-        ("BOUND", [_, _, _]) => f64::NAN,
-        ("NOT", [a]) => not(*a),
-        _ => return None,
-    };
-    Some(value)
 }
 
 /// `GETT("NAME",1)`: number of the tool with this name, -1 where there is none.

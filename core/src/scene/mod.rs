@@ -6,6 +6,7 @@
 //! frame, f32; [`View`] says what each part of the arrays is, where it stands and when it is there.
 
 pub mod anchors;
+mod crease;
 mod crooked;
 pub mod fit;
 pub mod frames;

@@ -1,5 +1,6 @@
 //! A solid as triangles and edges: each piece of the boundary that can be touched, in the solid's own frame.
 
+use super::crease::creased;
 use super::mesh::{Mesh, Vertex};
 use crate::geometry::{Feature, LobedWall, Lobes, Quad, Segment, Trim, V3};
 use crate::workpiece::{Body, Column, Columns, Form, FreeSurface, Heights, Shape, Solid, chuck};
@@ -236,16 +237,12 @@ pub fn ball(radius: f64, around: usize) -> Vec<Vec<Vertex>> {
     (0..=rows).map(row).collect()
 }
 
-/// A free surface: heights over a grid shaded smoothly, with their border; else each triangle flat.
+/// A free surface: heights over a grid shaded smoothly, with their border; other triangles as [`creased`] finds them.
 fn surface(free: &FreeSurface) -> Figure {
     let mut drawn = Figure::default();
     let corners = free.mesh.corners();
     let Some(heights) = &free.heights else {
-        for triangle in free.triangles() {
-            let corners = triangle.map(V3::from);
-            let [a, b, c] = corners;
-            drawn.mesh.flat(&corners, (b - a).cross(&(c - a)).normalize());
-        }
+        (drawn.mesh, drawn.edges) = creased(corners, free.mesh.triangles());
         return drawn;
     };
     let Heights { columns, step, values } = heights;

@@ -1,5 +1,6 @@
 //! The tools and the probe by the steps in which they are in use.
 
+use super::crease::CREASE;
 use super::mesh::{Mesh, Vertex};
 use super::solid::CHORD;
 use super::{Matter, solid};
@@ -249,21 +250,34 @@ fn revolved(outline: &[[f64; 2]], axis: V3, at: V3) -> Mesh {
     let own = along(axis);
     let widest = outline.iter().fold(0.0_f64, |most, [r, _]| most.max(*r));
     let around = solid::turns(widest, CHORD);
-    let mut mesh = Mesh::default();
-    for ends in outline.windows(2) {
-        let ([r0, z0], [r1, z1]) = (ends[0], ends[1]);
-        let row = |[r, z]: [f64; 2]| -> Vec<Vertex> {
-            let vertex = |i: usize| {
-                let (sine, cosine) = (TAU * i as f64 / around as f64).sin_cos();
-                let slope = V3::new((z1 - z0) * cosine, (z1 - z0) * sine, r0 - r1);
-                let normal = slope.try_normalize(0.0).unwrap_or_else(V3::z);
-                [at + own * V3::new(r * cosine, r * sine, z), own * normal]
-            };
-            (0..around).map(vertex).collect()
+    let row = |[r, z]: [f64; 2], [out, up]: [f64; 2]| -> Vec<Vertex> {
+        let vertex = |i: usize| {
+            let (sine, cosine) = (TAU * i as f64 / around as f64).sin_cos();
+            let normal = V3::new(out * cosine, out * sine, up);
+            [at + own * V3::new(r * cosine, r * sine, z), own * normal]
         };
-        mesh.sheet(&[row(ends[0]), row(ends[1])], true);
+        (0..around).map(vertex).collect()
+    };
+    let mut mesh = Mesh::default();
+    for (place, ends) in outline.windows(2).enumerate() {
+        let [begin, end] = [place, place + 1].map(|corner| slope_at(outline, place, corner));
+        mesh.sheet(&[row(ends[0], begin), row(ends[1], end)], true);
     }
     mesh
+}
+
+/// Normal of a piece of an outline at one of its corners, out and up: that of both pieces there where they bend little.
+fn slope_at(outline: &[[f64; 2]], piece: usize, corner: usize) -> [f64; 2] {
+    let slope = |piece: usize| {
+        let [[r0, z0], [r1, z1]] = [*outline.get(piece)?, *outline.get(piece + 1)?];
+        let length = (z1 - z0).hypot(r0 - r1);
+        (length > 0.0).then(|| [(z1 - z0) / length, (r0 - r1) / length])
+    };
+    let Some([out, up]) = slope(piece) else { return [0.0, 1.0] };
+    let other = if corner == piece { piece.checked_sub(1).and_then(slope) } else { slope(corner) };
+    let Some([o, u]) = other.filter(|[o, u]| out * o + up * u > CREASE) else { return [out, up] };
+    let length = (out + o).hypot(up + u);
+    [(out + o) / length, (up + u) / length]
 }
 
 /// Both faces of a flat piece, and its border.

@@ -38,6 +38,7 @@ pub fn setup(file: SetupFile) -> Result<Setup, Refused> {
     }
     activate(&mut control, &file.active)?;
     let setup = Setup {
+        name: file.name,
         control,
         probe: file.probe,
         workpiece: Workpiece { solids: each("workpiece", file.workpiece, SolidFile::solid)? },
@@ -107,6 +108,7 @@ impl From<&Setup> for SetupFile {
         let control = &setup.control;
         SetupFile {
             control: control.dialect,
+            name: setup.name.clone(),
             units: control.basic_units,
             plane: control.plane,
             active: ActiveFile {

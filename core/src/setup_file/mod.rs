@@ -28,6 +28,10 @@ use std::collections::{BTreeMap, BTreeSet};
 pub struct SetupFile {
     /// Control.
     control: Dialect,
+    /// What the user calls the machine.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    #[cfg_attr(test, ts(optional, as = "Option<String>"))]
+    name: String,
     /// Basic system of units of the machine.
     #[serde(default)]
     units: Units,

@@ -1,5 +1,6 @@
 //! Names and constant values as far as they can be known without running the program.
 
+use super::arithmetic;
 use super::tree::{Expr, ExprId, Operator, Program, WordKind};
 use crate::diagnostic::Span;
 use std::collections::{BTreeSet, HashMap};
@@ -33,7 +34,7 @@ fn whole(program: &Program, id: ExprId, known: Known) -> Option<i64> {
     (value.fract() == 0.0 && value.abs() < 1e9).then_some(value as i64)
 }
 
-/// Value of an expression made of numbers, known variables and arithmetic.
+/// Value of an expression made of numbers, known variables, arithmetic and its functions.
 pub(crate) fn number(program: &Program, id: ExprId, known: Known) -> Option<f64> {
     let value = match program.expr(id)? {
         Expr::Number(value, _) => *value,
@@ -41,23 +42,15 @@ pub(crate) fn number(program: &Program, id: ExprId, known: Known) -> Option<f64>
         Expr::Unary(Operator::Minus, inner) => -number(program, *inner, known)?,
         Expr::Unary(Operator::Plus, inner) => number(program, *inner, known)?,
         Expr::Binary(left, operator, right) => {
-            binary(number(program, *left, known)?, *operator, number(program, *right, known)?)?
+            arithmetic::operate(*operator, number(program, *left, known)?, number(program, *right, known)?)?
+        }
+        Expr::Call(name, values) => {
+            let values: Vec<f64> = values.iter().map(|id| number(program, *id, known)).collect::<Option<_>>()?;
+            arithmetic::function(&program.name(*name), &values)?
         }
         _ => return None,
     };
     value.is_finite().then_some(value)
-}
-
-fn binary(left: f64, operator: Operator, right: f64) -> Option<f64> {
-    Some(match operator {
-        Operator::Plus => left + right,
-        Operator::Minus => left - right,
-        Operator::Times => left * right,
-        Operator::Over => left / right,
-        Operator::Div => (left / right).trunc(),
-        Operator::Mod => left % right,
-        _ => return None,
-    })
 }
 
 /// The names in an expression, without functions, in upper case.

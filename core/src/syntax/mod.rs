@@ -1,5 +1,6 @@
 //! Part programs as text: one lossless tree, in the language of each control. What is not understood is kept and said.
 
+pub(crate) mod arithmetic;
 mod block;
 mod bytes;
 mod expression;

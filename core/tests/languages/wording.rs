@@ -150,7 +150,7 @@ fn length(text: &str) -> Option<usize> {
 }
 
 /// Symbols that a line break must not part from the number before them.
-const UNITS: [&str; 11] = ["mm", "mm/min", "in/min", "m/min", "ft/min", "rpm", "r/min", "1/min", "MB", "kB", "s"];
+const UNITS: [&str; 12] = ["mm", "mm/min", "in/min", "m/min", "ft/min", "rpm", "r/min", "1/min", "MB", "kB", "s", "V"];
 
 /// A unit with a breakable blank before it, or `MD` and `SD` with one or none before their number.
 fn parted(text: &str) -> Option<&'static str> {

@@ -279,6 +279,34 @@ fn what_another_variant_does_not_know_leaves_the_call() {
     }
 }
 
+// oracle: hand (data of the channel: what a call is given counts at those behind it)
+#[test]
+fn a_value_that_later_calls_read_is_theirs_too() {
+    let text = "_MVAR=1 _KNUM=2001 _PRNUM=1 _SETVAL=132 _FA=2 _TSA=1 _TNUM=20 _TUL=0.03 _TLL=-0.03\nCYCLE977\n\
+        _SETVAL=40\nCYCLE977\nM30\n";
+    let done = |index, name, value| {
+        let program = read(Dialect::Sinumerik, text.as_bytes());
+        let done = revise(&program, index, name, value, &control()).unwrap();
+        let values = done.values.into_iter().map(|one| (one.line, one.param, one.before, one.after));
+        (done.reaches, values.collect::<Vec<_>>())
+    };
+    let value =
+        |line, before: &str, after: &str| (line, "_FA".to_owned(), Some(before.to_owned()), Some(after.to_owned()));
+    assert_eq!(done(0, "_FA", "3"), (true, vec![value(2, "2", "3"), value(4, "2", "3")]));
+    assert_eq!(done(1, "_FA", "3"), (false, vec![value(4, "2", "3")]));
+    assert!(!done(0, "_SETVAL", "133").0);
+    let (reaches, values) = done(0, "_MVAR", "101");
+    assert!(reaches && values.iter().all(|(_, name, ..)| name == "_MVAR"), "{values:?}");
+}
+
+// oracle: manual B:9519 (the start angle is one of measuring a tool; with which one the program runs, nobody knows)
+#[test]
+fn what_only_another_tool_uses_leaves_the_call_too() {
+    let text = "_MVAR=1 _MA=1 _STA1=15 _PRNUM=1 _FA=3 _TSA=3\nCYCLE982\nM30\n";
+    assert_eq!(revised(text, "_MVAR", "0").0, text.replace("_MVAR=1", "_MVAR=0").replace(" _STA1=15", ""));
+    assert_eq!(revised(text, "_MVAR", "1001").0, text.replace("_MVAR=1", "_MVAR=1001"));
+}
+
 // oracle: hand
 #[test]
 fn arguments_that_another_variant_does_not_know_are_emptied() {

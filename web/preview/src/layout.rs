@@ -9,6 +9,8 @@ pub const VERTEX_FLOATS: usize = 12;
 /// there), its sort (1 if unseen before its place, else faint; 2 more for a tube; 4 more if it is cut away with the
 /// part), opacity behind the part, part of an entry that it is travelled in.
 pub const LINE_FLOATS: usize = 16;
+/// Among them, the opacity behind the part.
+pub const LINE_THROUGH: usize = 14;
 /// Floats of one point of a cloud: position 3, deviation in mm.
 pub const POINT_FLOATS: usize = 4;
 /// Points in a row of the texture that holds a cloud (`shader.wgsl` says the same): every device has textures of that
@@ -17,10 +19,10 @@ pub const CLOUD_ROW: u32 = 2048;
 /// Floats of the uniform block: matrix 16, right 4, up 4, towards the viewer 4 (the last of each is the place of the
 /// eye in mm), screen 4 (width px, height px, time, faintness of what is still to come), probe 4 (offset in mm, depth
 /// bias), cloud 4 (its place in mm, size of a point in px), colours 4 and 4 and 4 of points that lie outside, on the
-/// surface and inside, then 4 (deviation of full colour in mm, 1 with all effects, radius of the scene in mm), sky 4
-/// (place of the map over the ground in mm, one over its sizes), ground 4 (height, spacing of its grid and radius in
-/// mm, 1 where X is upright), phase 4 (place of a line of the grid in mm, one over both reaches of occlusion in mm),
-/// colour 4 of the grid, plane 4 behind which the part is cut away (normal, distance in mm), colour 4 of what is cut.
+/// surface and inside, then 4 (deviation of full colour and radius of the scene in mm), sky 4 (place of the map over
+/// the ground in mm, one over its sizes), ground 4 (height, spacing of its grid, radius in mm; 1 where X is upright),
+/// phase 4 (place of a line of the grid in mm, one over both reaches of occlusion in mm), colour 4 of the grid, plane 4
+/// behind which the part is cut away (normal, distance in mm), colour 4 of what is cut.
 pub const UNIFORM_FLOATS: usize = 80;
 /// Floats of one cell of the map over the ground: heights of the part, blurred little and much, in mm above the ground,
 /// and the shadow on the ground, 0 to 1; the last is unused.

@@ -1,7 +1,7 @@
 //! The ways of drawing: the ground, solid parts, faded and clear ones, lines in sight, lines behind a part, clouds of
 //! points.
 
-use wgpu::{BindGroupLayout, CompareFunction, RenderPipeline};
+use wgpu::{BindGroupLayout, CompareFunction, PipelineLayout, RenderPipeline, ShaderModule};
 
 use crate::gpu::Gpu;
 use crate::layout;
@@ -11,6 +11,16 @@ use crate::target::DEPTH;
 pub struct Pipelines {
     /// The ground, behind everything.
     pub ground: RenderPipeline,
+    /// Parts, and lines before and behind them.
+    pub lit: Lit,
+    /// Points of a cloud.
+    pub point: RenderPipeline,
+    module: ShaderModule,
+    plain: PipelineLayout,
+}
+
+/// The ways of drawing that depend on [`Light`].
+pub struct Lit {
     /// Parts that hide what is behind them.
     pub solid: RenderPipeline,
     /// Parts that fade, as else they would hide another.
@@ -21,8 +31,15 @@ pub struct Pipelines {
     pub line: RenderPipeline,
     /// Lines behind the parts, fainter.
     pub hidden: RenderPipeline,
-    /// Points of a cloud.
-    pub point: RenderPipeline,
+}
+
+/// What the light of parts is worked out from.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub struct Light {
+    /// Each pixel is lit, by what stands around too; else the corners of the surfaces only.
+    pub all: bool,
+    /// Something of the part is cut away.
+    pub cut: bool,
 }
 
 /// What the shaders find beside their vertices: the uniform block, and for a cloud its texture too.
@@ -38,14 +55,16 @@ struct Way<'a> {
     fragment: &'a str,
     /// What a vertex is made of; none where the shader fetches it by its number.
     buffer: Option<wgpu::VertexBufferLayout<'static>>,
-    layout: &'a wgpu::PipelineLayout,
+    layout: &'a PipelineLayout,
     writes_depth: bool,
     compare: CompareFunction,
     cull: Option<wgpu::Face>,
+    /// Of the shader, by name.
+    constants: &'a [(&'a str, f64)],
 }
 
 /// Compiles the pipelines.
-pub fn build(gpu: &Gpu, bindings: &Bindings) -> Pipelines {
+pub fn build(gpu: &Gpu, bindings: &Bindings, light: Light) -> Pipelines {
     let device = &gpu.device;
     let module = device.create_shader_module(wgpu::include_wgsl!("shader.wgsl"));
     let layout = |bound: &[Option<&BindGroupLayout>]| {
@@ -58,24 +77,6 @@ pub fn build(gpu: &Gpu, bindings: &Bindings) -> Pipelines {
     let plain = layout(&[Some(&bindings.view)]);
     let with_cloud = layout(&[Some(&bindings.view), Some(&bindings.cloud)]);
     let make = |way: &Way<'_>| pipeline(gpu, &module, way);
-    let mesh = |fragment, writes_depth| Way {
-        vertex: "mesh_vertex",
-        fragment,
-        buffer: Some(layout::vertex()),
-        layout: &plain,
-        writes_depth,
-        compare: CompareFunction::LessEqual,
-        cull: None,
-    };
-    let line = |fragment, compare| Way {
-        vertex: "line_vertex",
-        fragment,
-        buffer: Some(layout::line()),
-        layout: &plain,
-        writes_depth: false,
-        compare,
-        cull: None,
-    };
     let point = Way {
         vertex: "point_vertex",
         fragment: "point_fragment",
@@ -84,6 +85,7 @@ pub fn build(gpu: &Gpu, bindings: &Bindings) -> Pipelines {
         writes_depth: true,
         compare: CompareFunction::LessEqual,
         cull: None,
+        constants: &[],
     };
     let ground = Way {
         vertex: "ground_vertex",
@@ -93,27 +95,56 @@ pub fn build(gpu: &Gpu, bindings: &Bindings) -> Pipelines {
         writes_depth: false,
         compare: CompareFunction::LessEqual,
         cull: None,
+        constants: &[],
     };
-    Pipelines {
-        ground: make(&ground),
-        solid: make(&mesh("mesh_fragment", true)),
-        faded: make(&Way { cull: Some(wgpu::Face::Back), ..mesh("mesh_faded_fragment", false) }),
-        clear: make(&mesh("mesh_fragment", false)),
-        line: make(&line("line_fragment", CompareFunction::LessEqual)),
-        hidden: make(&line("line_hidden_fragment", CompareFunction::Greater)),
-        point: make(&point),
+    Pipelines { ground: make(&ground), lit: lit(gpu, &module, &plain, light), point: make(&point), module, plain }
+}
+
+impl Pipelines {
+    /// Parts stand in another light from now on.
+    pub fn relight(&mut self, gpu: &Gpu, light: Light) {
+        self.lit = lit(gpu, &self.module, &self.plain, light);
     }
 }
 
-fn pipeline(gpu: &Gpu, module: &wgpu::ShaderModule, way: &Way<'_>) -> RenderPipeline {
+fn lit(gpu: &Gpu, module: &ShaderModule, layout: &PipelineLayout, light: Light) -> Lit {
+    let constants = [("ALL", f64::from(light.all)), ("CUT", f64::from(light.cut))];
+    let mesh = |fragment, writes_depth, cull| Way {
+        vertex: "mesh_vertex",
+        fragment,
+        buffer: Some(layout::vertex()),
+        layout,
+        writes_depth,
+        compare: CompareFunction::LessEqual,
+        cull,
+        constants: &constants,
+    };
+    let line = |fragment, compare| Way {
+        vertex: "line_vertex",
+        buffer: Some(layout::line()),
+        compare,
+        ..mesh(fragment, false, None)
+    };
+    let make = |way: Way<'_>| pipeline(gpu, module, &way);
+    Lit {
+        solid: make(mesh("mesh_fragment", true, None)),
+        faded: make(mesh("mesh_faded_fragment", false, Some(wgpu::Face::Back))),
+        clear: make(mesh("mesh_fragment", false, None)),
+        line: make(line("line_fragment", CompareFunction::LessEqual)),
+        hidden: make(line("line_hidden_fragment", CompareFunction::Greater)),
+    }
+}
+
+fn pipeline(gpu: &Gpu, module: &ShaderModule, way: &Way<'_>) -> RenderPipeline {
     let buffers: Vec<_> = way.buffer.iter().cloned().map(Some).collect();
+    let options = wgpu::PipelineCompilationOptions { constants: way.constants, ..Default::default() };
     let descriptor = wgpu::RenderPipelineDescriptor {
         label: Some(way.fragment),
         layout: Some(way.layout),
         vertex: wgpu::VertexState {
             module,
             entry_point: Some(way.vertex),
-            compilation_options: Default::default(),
+            compilation_options: options.clone(),
             buffers: &buffers,
         },
         primitive: wgpu::PrimitiveState { cull_mode: way.cull, ..Default::default() },
@@ -122,7 +153,7 @@ fn pipeline(gpu: &Gpu, module: &wgpu::ShaderModule, way: &Way<'_>) -> RenderPipe
         fragment: Some(wgpu::FragmentState {
             module,
             entry_point: Some(way.fragment),
-            compilation_options: Default::default(),
+            compilation_options: options,
             targets: &[Some(wgpu::ColorTargetState {
                 format: gpu.config.format,
                 blend: Some(wgpu::BlendState::ALPHA_BLENDING),

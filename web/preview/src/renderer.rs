@@ -12,7 +12,7 @@ use wgpu::{BindGroup, Buffer, CurrentSurfaceTexture, RenderPass};
 use crate::cloud::Cloud;
 use crate::gpu::Gpu;
 use crate::layout::{SKY_FLOATS, UNIFORM_FLOATS};
-use crate::pipelines::{Bindings, Pipelines};
+use crate::pipelines::{Bindings, Light, Pipelines};
 use crate::scene::Scene;
 use crate::target::Target;
 use crate::{cloud, gpu, pipelines, scene, sky, target};
@@ -24,6 +24,7 @@ pub struct Renderer {
     target: Target,
     bindings: Bindings,
     pipelines: Pipelines,
+    light: Light,
     uniforms: Buffer,
     bind: BindGroup,
     scene: Scene,
@@ -47,9 +48,11 @@ impl Renderer {
         });
         let bindings = Bindings { view: sky::bind_layout(&gpu.device), cloud: cloud::bind_layout(&gpu.device) };
         let bind = sky::bind(&gpu, &bindings.view, &uniforms, 1, &[0.0; SKY_FLOATS])?;
+        let light = Light { all: true, cut: false };
         Ok(Renderer {
             target: target::attach(&gpu),
-            pipelines: pipelines::build(&gpu, &bindings),
+            pipelines: pipelines::build(&gpu, &bindings, light),
+            light,
             bindings,
             uniforms,
             bind,
@@ -111,6 +114,16 @@ impl Renderer {
         let bytes = bytemuck::cast_slice(uniforms);
         self.gpu.queue.write_buffer(&self.uniforms, 0, bytes);
         Ok(())
+    }
+
+    /// Whether each pixel is lit, by what stands around too, or the corners of the surfaces only; and whether something
+    /// of the part is cut away.
+    pub fn set_light(&mut self, all: bool, cut: bool) {
+        let light = Light { all, cut };
+        if light != self.light {
+            self.light = light;
+            self.pipelines.relight(&self.gpu, light);
+        }
     }
 
     /// Colour behind everything, 0 to 1.
@@ -216,9 +229,9 @@ impl Renderer {
         let fading = [(stands, faded & 1 != 0), (moves, faded & 2 != 0)];
         pass.set_pipeline(&self.pipelines.ground);
         pass.draw(0..6, 0..1);
-        self.draw_mesh(pass, &self.pipelines.solid, solid);
+        self.draw_mesh(pass, &self.pipelines.lit.solid, solid);
         for (corners, _) in fading.iter().filter(|(_, fades)| !fades) {
-            self.draw_mesh(pass, &self.pipelines.solid, corners);
+            self.draw_mesh(pass, &self.pipelines.lit.solid, corners);
         }
         if let Some(cloud) = &self.cloud {
             pass.set_bind_group(1, &cloud.bind, &[]);
@@ -227,15 +240,15 @@ impl Renderer {
         }
         if let Some(lines) = &scene.lines {
             pass.set_vertex_buffer(0, lines.slice(..));
-            pass.set_pipeline(&self.pipelines.hidden);
-            pass.draw(0..6, 0..scene.line_count);
-            pass.set_pipeline(&self.pipelines.line);
-            pass.draw(0..6, 0..scene.line_count);
+            pass.set_pipeline(&self.pipelines.lit.hidden);
+            pass.draw(0..6, scene.through.clone());
+            pass.set_pipeline(&self.pipelines.lit.line);
+            pass.draw(0..6, 0..scene.through.end);
         }
         for (corners, _) in fading.iter().filter(|(_, fades)| *fades) {
-            self.draw_mesh(pass, &self.pipelines.faded, corners);
+            self.draw_mesh(pass, &self.pipelines.lit.faded, corners);
         }
-        self.draw_mesh(pass, &self.pipelines.clear, clear);
+        self.draw_mesh(pass, &self.pipelines.lit.clear, clear);
     }
 
     fn draw_mesh(&self, pass: &mut RenderPass<'_>, pipeline: &wgpu::RenderPipeline, corners: &Range<u32>) {

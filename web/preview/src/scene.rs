@@ -5,7 +5,7 @@ use std::ops::Range;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{Buffer, BufferUsages, Device};
 
-use crate::layout::{LINE_FLOATS, VERTEX_FLOATS};
+use crate::layout::{LINE_FLOATS, LINE_THROUGH, VERTEX_FLOATS};
 
 /// Buffers of one scene; an absent buffer means that there is nothing of its kind.
 #[derive(Default)]
@@ -16,8 +16,8 @@ pub struct Scene {
     pub corners: [Range<u32>; 4],
     /// Line instances.
     pub lines: Option<Buffer>,
-    /// Number of them.
-    pub line_count: u32,
+    /// Those from the first one that is seen through the parts to the last of all.
+    pub through: Range<u32>,
 }
 
 /// Uploads a scene; says what is wrong if the arrays do not fit together.
@@ -42,8 +42,13 @@ pub fn upload(
         mesh,
         corners: [0..ends[0], ends[0]..ends[1], ends[1]..ends[2], ends[2]..all],
         lines: lines_buffer,
-        line_count: count(lines.len() / LINE_FLOATS)?,
+        through: count(hidden(lines))?..count(lines.len() / LINE_FLOATS)?,
     })
+}
+
+/// How many lines at the beginning nobody sees behind a part: edges, and the grid.
+fn hidden(lines: &[f32]) -> usize {
+    lines.chunks_exact(LINE_FLOATS).take_while(|line| line[LINE_THROUGH] == 0.0).count()
 }
 
 fn check(vertices: &[f32], corners: &[u32], ends: [u32; 4], lines: &[f32]) -> Result<(), String> {

@@ -7,7 +7,7 @@ struct View {
     probe: vec4<f32>,  // offset mm, depth bias
     cloud: vec4<f32>,  // place mm, size of a point px
     outside: vec4<f32>, level: vec4<f32>, inside: vec4<f32>, // colours of points by their deviation
-    full: vec4<f32>,   // deviation of full colour mm, 1 with all effects, radius of the scene mm
+    full: vec4<f32>,   // deviation of full colour mm, radius of the scene mm
     sky: vec4<f32>,    // place of the map over the ground mm, one over its sizes
     ground: vec4<f32>, // height mm, spacing of its grid mm, radius mm (0: none), 1 where X is upright
     phase: vec4<f32>,  // place of a line of the grid mm, one over both reaches of occlusion mm
@@ -15,6 +15,10 @@ struct View {
     plane: vec4<f32>,  // what is beyond it is cut away: normal, distance mm
     cut: vec4<f32>,    // colour of what is cut
 }
+/// Each pixel is lit, by what stands around too; else the corners of the surfaces only. Constants of a pipeline: a
+/// processor that draws goes both ways wherever a number decides.
+override ALL: bool = true;
+override CUT: bool = true; // something of the part is cut away
 @group(0) @binding(0) var<uniform> view: View;
 // Over the ground: heights of the part, blurred little and much, mm above the ground; shadow on the ground.
 @group(0) @binding(1) var sky: texture_2d<f32>;
@@ -68,7 +72,7 @@ struct Surface {
     @location(1) colour: vec4<f32>,
     @location(2) at: vec3<f32>,
     @location(3) @interpolate(flat) finish: f32,
-    @location(4) lit: vec3<f32>, // where the device has no time to light each pixel
+    @location(4) lit: vec4<f32>, // where not each pixel is lit
 }
 
 @vertex
@@ -79,8 +83,8 @@ fn mesh_vertex(
     @location(3) more: vec2<f32>, // 1 if it moves with the probe, finish
 ) -> Surface {
     let place = at + more.x * view.probe.xyz;
-    var lit = colour.rgb;
-    if (view.full.y < 0.5) { lit = shaded(colour.rgb, more.y, normal, place); }
+    var lit = colour;
+    if (!ALL) { lit = vec4<f32>(shaded(colour.rgb, more.y, normal, place), colour.a); }
     return Surface(view.matrix * vec4<f32>(place, 1.0), normal, colour, place, more.y, lit);
 }
 
@@ -115,39 +119,42 @@ fn shaded(colour: vec3<f32>, finish: f32, outwards: vec3<f32>, at: vec3<f32>) ->
     let towards = normalize(vec3<f32>(view.right.w, view.up.w, view.back.w) - at);
     let n = facing(outwards, towards);
     let seen = to_viewer(n);
-    let shift = vec3<f32>(to_viewer(at).xy * 0.1 / view.full.z, 0.0);
+    let shift = vec3<f32>(to_viewer(at).xy * 0.1 / view.full.y, 0.0);
     let way = to_viewer(reflect(-towards, n)) + shift;
     let soft = 0.72 + 0.3 * seen.y - 0.12 * seen.x;
     let mirror = max(dot(way, vec3<f32>(-0.45, 0.6, 0.66)), 0.0);
     let eighth = mirror * mirror * mirror * mirror * mirror * mirror * mirror * mirror;
     let shine = eighth * eighth * eighth * eighth * eighth; // a power of 40
+    let room = studio(way);
     if (finish < 0.5) { return colour * (0.6 + 0.4 * max(dot(seen, vec3<f32>(-0.38, 0.63, 0.67)), 0.0)); }
-    if (finish < 2.5) { return colour * (0.45 * soft + 0.85 * studio(way)) + 0.1 * shine; }
-    if (finish < 3.5) { return colour * (0.7 * soft + 0.25) + 0.1 * studio(way) * shine + 0.05 * studio(way); }
+    if (finish < 2.5) { return colour * (0.45 * soft + 0.85 * room) + 0.1 * shine; }
+    if (finish < 3.5) { return colour * (0.7 * soft + 0.25) + 0.1 * room * shine + 0.05 * room; }
     if (finish < 4.5) { return colour * (0.78 + 0.22 * soft) + 0.25 * shine; }
     if (finish < 5.5) { return colour * (0.5 + 0.55 * soft) + 0.9 * shine + 0.12 * (1.0 - seen.z); }
     return colour * (0.85 + 0.2 * soft);
 }
 
-fn surface(in: Surface, front: bool) -> vec3<f32> {
-    if (in.finish == 1.0 && dot(view.plane.xyz, in.at) > view.plane.w) { discard; }
-    if (in.finish == 1.0 && !front && dot(view.plane.xyz, view.plane.xyz) > 0.0) { return view.cut.rgb; }
-    if (view.full.y < 0.5) { return min(in.lit, vec3<f32>(1.0)); }
+fn surface(in: Surface, front: bool) -> vec4<f32> {
+    if (CUT) {
+        if (in.finish == 1.0 && dot(view.plane.xyz, in.at) > view.plane.w) { discard; }
+        if (in.finish == 1.0 && !front) { return vec4<f32>(view.cut.rgb, in.colour.a); }
+    }
+    if (!ALL) { return in.lit; }
     let outwards = normalize(in.normal);
     let n = select(outwards, -outwards, dot(outwards, view.back.xyz) < 0.0);
     var colour = shaded(in.colour.rgb, in.finish, n, in.at);
     if (in.finish == 1.0 || in.finish == 2.0) { colour *= openness(in.at, n); }
-    return min(colour, vec3<f32>(1.0));
+    return vec4<f32>(min(colour, vec3<f32>(1.0)), in.colour.a);
 }
 
 @fragment
 fn mesh_fragment(in: Surface, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
-    return vec4<f32>(surface(in, front), in.colour.a);
+    return surface(in, front);
 }
 
 @fragment
 fn mesh_faded_fragment(in: Surface, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
-    return vec4<f32>(surface(in, front), 0.3);
+    return vec4<f32>(surface(in, front).rgb, 0.3);
 }
 
 // Lines and points: a capsule of constant width on the screen; a point is a line without length.
@@ -158,7 +165,7 @@ struct Stroke {
     @location(1) local: vec2<f32>,  // px along the line from its start, px across
     @location(2) shape: vec4<f32>,  // length px, half width px, dash period px, part of it already travelled
     @location(3) style: vec3<f32>,  // opacity of the part still to come, opacity behind the part, side of the light
-    @location(4) at: vec4<f32>,     // place mm, 1 if it is cut away with the part
+    @location(4) at: vec4<f32>,     // place mm, 1 if it is cut away with the part; where something is
 }
 
 fn to_pixels(clip: vec4<f32>) -> vec2<f32> {
@@ -215,7 +222,7 @@ fn coverage(in: Stroke) -> f32 {
     }
     let ahead = in.local.x > in.shape.w * in.shape.x || in.shape.w <= 0.0;
     if (ahead && in.shape.w < 1.0) { cover *= in.style.x; }
-    if (in.at.w > 0.5 && dot(view.plane.xyz, in.at.xyz) > view.plane.w) { cover = 0.0; }
+    if (CUT && in.at.w > 0.5 && dot(view.plane.xyz, in.at.xyz) > view.plane.w) { cover = 0.0; }
     return cover * in.colour.a;
 }
 

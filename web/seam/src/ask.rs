@@ -20,6 +20,10 @@ pub struct Seam {
     pub help: Question,
     /// `MachineRequest` → `MachineView`.
     pub machine: Question,
+    /// `EquipRequest` → `EquipView`.
+    pub equip: Question,
+    /// `FormRequest` → `Story`.
+    pub story: Question,
     /// `ReadRequest` → `ReadView`.
     pub read: Question,
     /// `ChangeRequest` → `Changed`.
@@ -79,6 +83,10 @@ pub fn cycles(seam: &Seam) -> Vec<Value> {
 pub fn beside(seam: &Seam, told: &mut Answers) {
     told.insert("catalogue".into(), read_value(Ok((seam.catalogue)())));
     told.insert("alarms".into(), read_value(Ok((seam.alarms)())));
+    for control in ["sinumerik", "nct"] {
+        let add = json!({ "control": control, "change": { "add": { "table": "tools", "row": "" } } });
+        told.insert(format!("equip {control}"), read_value((seam.equip)(&add.to_string())));
+    }
     wrong(seam, told);
     bytes(seam, told);
 }
@@ -97,6 +105,7 @@ pub fn of_cycle(seam: &Seam, cycle: &Value, told: &mut Answers) {
         let form = json!({ "control": control, "cycle": name, "values": values, "plane": plane, "predict": true,
             "twin": true });
         keep("seen", seen(seam, &form));
+        keep("story", read_value((seam.story)(&form.to_string())));
         let form = read_value((seam.form)(&form.to_string()));
         keep("help", read_value((seam.help)(&json!({ "control": control, "cycle": name, "mvar": mvar }).to_string())));
         let end = if control == "nct" { "M30\n%\n" } else { "M30\n" };
@@ -161,10 +170,12 @@ fn changed(text: &str, change: &Value) -> String {
 /// Questions of the wrong shape, about what is not there, and with numbers that are none: each answer is a sentence or
 /// a document, never a broken module.
 fn wrong(seam: &Seam, told: &mut Answers) {
-    let asked: [(&str, Question); 9] = [
+    let asked: [(&str, Question); 11] = [
         ("form", seam.form),
         ("help", seam.help),
         ("machine", seam.machine),
+        ("equip", seam.equip),
+        ("story", seam.story),
         ("read", seam.read),
         ("change", seam.change),
         ("convert", seam.convert),

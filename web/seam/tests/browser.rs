@@ -35,6 +35,8 @@ const BROWSER: Seam = Seam {
     form: answered!(web::form),
     help: answered!(web::help),
     machine: answered!(web::machine),
+    equip: answered!(web::equip),
+    story: answered!(web::story),
     read: answered!(web::read),
     change: answered!(web::change),
     convert: answered!(web::convert),
@@ -65,6 +67,7 @@ const BROWSER: Seam = Seam {
             ("touchEntries", copied!(scene.touch_entries())),
             ("touchSorts", copied!(scene.touch_sorts())),
             ("stands", copied!(scene.stands())),
+            ("begins", copied!(scene.begins())),
         ];
         Ok(Seen { view: scene.view(), arrays })
     },

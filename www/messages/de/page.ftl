@@ -12,6 +12,13 @@ splitter-form = Breite der Maske
 splitter-dock = Höhe von Programm und Ergebnis
 splitter-program = Breite des Programms
 splitter-help = Ziehen ändert die Größe, Doppelklick maximiert oder stellt wieder her.
+sheet = Programm und Ergebnis
+sheet-help = Ziehen oder Pfeiltasten: Streifen, halb oder ganz hoch.
+sheet-up = Vergrößern
+sheet-down = Verkleinern
+sheet-peek = Streifen
+sheet-half = Halb
+sheet-full = Ganz
 skip = Springen
 skip-to = Gehe zu: { $panel }
 
@@ -49,7 +56,7 @@ fact-calibration = Kalibrierung
 fact-true = passt zum Messtaster
 fact-deviates = weicht vom Messtaster ab
 
-machine-data-open = Maschine
+list-pair = { $one }, { $other }
 machine-data-title = Maschinendaten
 machine-data-basic = Grundsystem
 machine-data-basic-help = Einheit der Maschinendaten und, bei manchen G-Funktionen, der Vorschübe. Umstellen rechnet die Maschinendaten um; Zahlen in Masken und Programmen bleiben.
@@ -109,7 +116,7 @@ form-copy-call = Aufruf kopieren
 form-more = Mehr
 form-variant-open = Alle Aufgaben
 form-copy = Kopieren
-form-insert = An Schreibmarke einfügen
+form-insert = Einfügen
 form-complete = Vollständig
 form-incomplete = Unvollständig
 form-errors = { $count ->
@@ -262,6 +269,7 @@ timeline-on = Schritt vor
 timeline-last = Letzter Schritt
 timeline-scrub = Schritt
 timeline-speed = Geschwindigkeit
+timeline-seconds = { $seconds } s
 timeline-times = { $times } ×
 motions-running = Die Bewegungen erscheinen hier, wenn der Lauf beendet ist.
 motions-none = Keine Bewegungen.
@@ -354,6 +362,7 @@ notice-link-long = Das Programm ist zu lang für einen Link. Als Datei speichern
 notice-link = Link kopiert. Er enthält Maske, Programm, Einrichtung und Abweichungen.
 notice-no-clipboard = Kein Zugriff auf die Zwischenablage. Text markieren und von Hand kopieren.
 notice-not-kept = Der Browser speichert Ihre Arbeit nicht. Programm speichern.
+notice-given = An der Maschine angelegt.
 notice-setup = Maschineneinrichtung geöffnet.
 notice-own-setup = Standardmaschine wiederhergestellt.
 notice-setup-outdated = Gespeicherte Einrichtung passt nicht zu dieser Version: nicht geladen.
@@ -373,13 +382,18 @@ notice-set-deleted = Werte gelöscht.
 notice-undone = Rückgängig gemacht.
 notice-redone = Wiederhergestellt.
 print-lines = { $more } weitere Zeilen sind ausgelassen. Die gespeicherte Datei enthält alle { $all }.
+print-sheet = Einrichteblatt drucken
+print-report = Bericht drucken
+paper-report = Messbericht
+paper-line = Zeile { $line }
+paper-more = { $more } weitere Aufrufe sind ausgelassen.
 undo = Rückgängig
 redo = Wiederherstellen
 history = Verlauf
 history-begin = Anfang
-history-undo = Rückgängig: { $step } (Strg+Z)
+history-undo = Rückgängig: { $step }
 history-undo-none = Nichts rückgängig zu machen
-history-redo = Wiederherstellen: { $step } (Strg+Y)
+history-redo = Wiederherstellen: { $step }
 history-redo-none = Nichts wiederherzustellen
 step-open = { $file } öffnen
 step-insert = Aufruf einfügen
@@ -587,14 +601,17 @@ scan-save-program = NC-Programm speichern
 scan-save-points = XYZ wie ausgegeben speichern
 scan-save-surface = XYZ der Fläche speichern
 
-form-placed = Im Programm, Zeile { $line }
+form-placed = In Zeile { $line }
 field-reset = { $value } ist gelöscht: Die Eingabe galt für „{ $before }“.
 field-unfit = { $value } ist gelöscht: Diese Messvariante lässt den Wert nicht zu.
+field-pointed = Im Programm mit Dezimalpunkt: { $value }
 
 asks-title = { $count ->
     [one] Das ändert eine Zeile außerhalb des Aufrufs
    *[other] Das ändert { $count } Zeilen außerhalb des Aufrufs
 }
+asks-more = Das ändert mehr als diesen Wert
+asks-show = Änderung zeigen
 asks-line = Zeile { $line }
 asks-before = alt
 asks-after = neu
@@ -624,9 +641,31 @@ bar-nothing = nichts
 bar-new = neue Werte
 bar-none = Das Ergebnis erscheint hier, sobald der Aufruf simuliert werden kann.
 bar-gauge = { $needles }; Grenzen { $low } bis { $high }
+# The worked example, told in steps.
+story-title = Beispiel ausprobieren
+story-lead = Ein Werkstück liegt versetzt. Messen, Nullpunktverschiebung korrigieren, nochmals messen: fünf Schritte.
+story-start = Beispiel starten
+story-back = Zurück
+story-next = Weiter
+story-leave = Verlassen
+story-count = Beispiel, Schritt { $step } von { $of }
+story-part = Das Werkstück liegt um X { $x } und Y { $y } mm versetzt, 100-fach vergrößert gezeichnet. Die Nullpunktverschiebung berücksichtigt das noch nicht.
+story-call = Die Maske enthält den Messaufruf. Jede Eingabe schreibt ihn neu, unter der Maske und im Programm.
+story-probe = Der Messtaster tastet die Bohrung an vier Punkten an, mit dem Vorschub der Maschine.
+story-correct = Der Zyklus korrigiert { $corrected }: Die Nullpunktverschiebung rückt dorthin, wo das Werkstück wirklich liegt.
+story-again = Das Programm misst mit der korrigierten Nullpunktverschiebung noch einmal. Jetzt korrigiert es: { $left }.
+notice-story-left = Das Beispiel bleibt geöffnet.
 # The measurements of a whole program.
 whole-title = Messungen
-whole-counts = { $all } Aufrufe: { $within } innerhalb, { $bad } außerhalb, { $alarms } mit Alarm
+whole-counts = { $all ->
+    [one] 1 Aufruf: { $parts }
+   *[other] { $all } Aufrufe: { $parts }
+ }
+whole-count-within = { $count } innerhalb
+whole-count-beyond = { $count } außerhalb
+whole-count-measured = { $count } gemessen
+whole-count-alarm = { $count } mit Alarm
+whole-count-stopped = { $count } nicht simuliert
 whole-worst = Schlechteste zuerst
 whole-csv = CSV
 whole-csv-hint = Als CSV speichern: UTF-8, Dezimalkomma, Felder durch Semikolon getrennt
@@ -688,6 +727,8 @@ difference-left = { $count ->
     [one] Eine Meldung dieser Art bleibt: Ihre Korrektur allein behebt sie nicht.
    *[other] { $count } Meldungen dieser Art bleiben: Ihre Korrektur allein behebt sie nicht.
 }
+difference-typed = { $name } auf { $value } ändern
+difference-typed-several = { $count } Werte ändern
 difference-summary = { $count ->
     [0] Es ändert sich nichts.
     [one] 1 Stelle im Programm ändert sich.
@@ -765,8 +806,56 @@ topic-task = Aufgabe
 topic-correction = Korrektur
 topic-approach = Anfahren
 topic-tolerances = Toleranzen
+chain-title = Grenzen auf einer Skala
 topic-statistics = Statistik
 topic-probe = Messtaster
 group-more = { $count } weitere
 group-as-delivered = Vorbesetzung
 fields-all = Alle Felder
+
+profile-own = Standardmaschine
+profile-new = Maschine 1
+profile-list = Maschinenprofile
+profile-edit = Maschine bearbeiten …
+profile-name = Name
+profile-create = Neue Maschine …
+profile-copy = Duplizieren
+profile-delete = Löschen
+profile-export = Einrichtung exportieren
+profile-import = Einrichtung importieren …
+notice-profile-new = Neues Maschinenprofil.
+notice-profile-deleted = Maschinenprofil gelöscht.
+step-profile-delete = Maschinenprofil löschen
+step-profile-name = Maschine umbenennen: { $name }
+step-equip-set = { $row }: { $cell }
+step-equip-use = { $row } aktivieren
+step-equip-move = { $row } verschieben
+step-equip-copy = { $row } duplizieren
+step-equip-remove = { $row } löschen
+step-equip-add-tools = Werkzeug anlegen
+step-equip-add-offsets = NV anlegen
+step-equip-add-part = { $shape } hinzufügen
+step-equip-measured = Werkstück des Aufrufs hinzufügen
+equipment-title = Maschine
+equipment-of = Maschine: { $name }
+equipment-tab-machine = Maschine
+equipment-tab-tools = Werkzeuge
+equipment-tab-offsets = NV
+equipment-tab-probe = Messtaster
+equipment-tab-toolprobes = Werkzeugmesstaster
+equipment-tab-part = Werkstück
+equipment-offset = NV
+equipment-actions = Aktionen
+equipment-use = Aktiv
+equipment-copy = Duplizieren
+equipment-remove = Löschen
+equipment-earlier = Nach oben
+equipment-later = Nach unten
+equipment-add-tools = Werkzeug anlegen
+equipment-add-offsets = NV anlegen
+equipment-add-part = Hinzufügen
+equipment-measured = Hinzufügen, was der Aufruf misst
+equipment-shape = Element
+equipment-empty = Noch keine Werkzeuge. Das erste anlegen.
+equipment-no-toolprobes = Noch kein Werkzeugmesstaster.
+equipment-no-part = Noch kein Werkstück. Ein Element hinzufügen oder das, was der Aufruf misst.

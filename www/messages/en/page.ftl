@@ -12,6 +12,13 @@ splitter-form = Width of the form
 splitter-dock = Height of the program and results
 splitter-program = Width of the program
 splitter-help = Drag to resize. Double-click to maximise or restore.
+sheet = Program and results
+sheet-help = Drag, or use the arrow keys: strip, half or full height.
+sheet-up = Raise
+sheet-down = Lower
+sheet-peek = Strip
+sheet-half = Half
+sheet-full = Full height
 skip = Skip
 skip-to = Go to: { $panel }
 
@@ -49,7 +56,7 @@ fact-calibration = Calibration
 fact-true = matches the probe
 fact-deviates = does not match the probe
 
-machine-data-open = Machine
+list-pair = { $one }, { $other }
 machine-data-title = Machine data
 machine-data-basic = Basic system
 machine-data-basic-help = Unit of the machine data and, with some G functions, of feeds. Changing it converts the machine data; values in forms and programs keep their numbers.
@@ -262,6 +269,7 @@ timeline-on = Step forward
 timeline-last = Last step
 timeline-scrub = Step
 timeline-speed = Speed
+timeline-seconds = { $seconds } s
 timeline-times = { $times } ×
 motions-running = The motions appear here when the run has finished.
 motions-none = No motions.
@@ -354,6 +362,7 @@ notice-link-long = The program is too long for a link. Save it as a file.
 notice-link = Link copied: form, program, setup and simulated errors.
 notice-no-clipboard = No access to the clipboard. Select and copy manually.
 notice-not-kept = The browser does not store your work. Save the program.
+notice-given = Added to the machine.
 notice-setup = Setup opened.
 notice-own-setup = Default machine restored.
 notice-setup-outdated = The stored setup does not fit this version: not loaded.
@@ -373,13 +382,18 @@ notice-set-deleted = Values deleted.
 notice-undone = Undone.
 notice-redone = Redone.
 print-lines = { $more } more lines are omitted. The saved file contains all { $all }.
+print-sheet = Print set-up sheet
+print-report = Print report
+paper-report = Measuring report
+paper-line = Line { $line }
+paper-more = { $more } more calls are omitted.
 undo = Undo
 redo = Redo
 history = History
 history-begin = Start
-history-undo = Undo: { $step } (Ctrl+Z)
+history-undo = Undo: { $step }
 history-undo-none = Nothing to undo
-history-redo = Redo: { $step } (Ctrl+Y)
+history-redo = Redo: { $step }
 history-redo-none = Nothing to redo
 step-open = Open { $file }
 step-insert = Insert call
@@ -587,14 +601,17 @@ scan-save-program = Save NC program
 scan-save-points = Save XYZ as output
 scan-save-surface = Save surface XYZ
 
-form-placed = In the program, line { $line }
+form-placed = In program, line { $line }
 field-reset = { $value } was cleared: it was entered as “{ $before }”.
 field-unfit = { $value } was cleared: this measuring variant does not take it.
+field-pointed = Decimal point in the program: { $value }
 
 asks-title = { $count ->
     [one] This changes a line outside the call
    *[other] This changes { $count } lines outside the call
 }
+asks-more = This changes more than this value
+asks-show = Show the change
 asks-line = Line { $line }
 asks-before = old
 asks-after = new
@@ -624,9 +641,31 @@ bar-nothing = nothing
 bar-new = new values
 bar-none = The result appears here when the call can be simulated.
 bar-gauge = { $needles }; limits { $low } to { $high }
+# The worked example, told in steps.
+story-title = Try the example
+story-lead = A part is shifted. Measure it, correct its zero offset, measure again: five steps.
+story-start = Start the example
+story-back = Back
+story-next = Next
+story-leave = Leave
+story-count = Example, step { $step } of { $of }
+story-part = The part is shifted by X { $x } and Y { $y } mm, drawn 100 times as large. The zero offset does not include this yet.
+story-call = The form holds the measuring call. Each entry writes it anew, below the form and in the program.
+story-probe = The probe touches the bore at four points, at the feed of the machine.
+story-correct = The cycle corrects { $corrected }: the zero offset moves to where the part really is.
+story-again = The program measures once more with the corrected offset. Now it corrects: { $left }.
+notice-story-left = The example stays open.
 # The measurements of a whole program.
 whole-title = Measurements
-whole-counts = { $all } calls: { $within } within, { $bad } out, { $alarms } with alarm
+whole-counts = { $all ->
+    [one] 1 call: { $parts }
+   *[other] { $all } calls: { $parts }
+ }
+whole-count-within = { $count } within
+whole-count-beyond = { $count } out
+whole-count-measured = { $count } measured
+whole-count-alarm = { $count } with alarm
+whole-count-stopped = { $count } not simulated
 whole-worst = Worst first
 whole-csv = CSV
 whole-csv-hint = Save as CSV: UTF-8, decimal point, fields separated by commas
@@ -688,6 +727,8 @@ difference-left = { $count ->
     [one] One finding of this kind remains: its fix alone does not resolve it.
    *[other] { $count } findings of this kind stay: their fixes alone do not resolve them.
 }
+difference-typed = Change { $name } to { $value }
+difference-typed-several = Change { $count } values
 difference-summary = { $count ->
     [0] Nothing changes.
     [one] 1 place in the program changes.
@@ -765,8 +806,56 @@ topic-task = Task
 topic-correction = Correction
 topic-approach = Approach
 topic-tolerances = Tolerances
+chain-title = Limits on one scale
 topic-statistics = Statistics
 topic-probe = Probe
 group-more = { $count } more
 group-as-delivered = defaults
 fields-all = All fields
+
+profile-own = Default machine
+profile-new = Machine 1
+profile-list = Machine profiles
+profile-edit = Edit machine …
+profile-name = Name
+profile-create = New machine …
+profile-copy = Duplicate
+profile-delete = Delete
+profile-export = Export setup
+profile-import = Import setup …
+notice-profile-new = New machine profile.
+notice-profile-deleted = Machine profile deleted.
+step-profile-delete = Delete machine profile
+step-profile-name = Rename machine: { $name }
+step-equip-set = { $row }: { $cell }
+step-equip-use = Use { $row }
+step-equip-move = Move { $row }
+step-equip-copy = Duplicate { $row }
+step-equip-remove = Delete { $row }
+step-equip-add-tools = Add tool
+step-equip-add-offsets = Add zero offset
+step-equip-add-part = Add { $shape }
+step-equip-measured = Add part of the call
+equipment-title = Machine
+equipment-of = Machine: { $name }
+equipment-tab-machine = Machine
+equipment-tab-tools = Tools
+equipment-tab-offsets = Zero offsets
+equipment-tab-probe = Probe
+equipment-tab-toolprobes = Tool probes
+equipment-tab-part = Part
+equipment-offset = Zero offset
+equipment-actions = Actions
+equipment-use = Active
+equipment-copy = Duplicate
+equipment-remove = Delete
+equipment-earlier = Move up
+equipment-later = Move down
+equipment-add-tools = Add tool
+equipment-add-offsets = Add zero offset
+equipment-add-part = Add
+equipment-measured = Add what the open call measures
+equipment-shape = Element
+equipment-empty = No tools yet. Add the first one.
+equipment-no-toolprobes = No tool probe yet.
+equipment-no-part = No part yet. Add an element, or what the open call measures.

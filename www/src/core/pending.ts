@@ -1,16 +1,24 @@
 // Values that were typed in the form and are not in the program yet.
 
-import type { Changed, Dialect, Replaced, TouchedLine } from "../wire";
+import type { Changed, ComparedValue, Dialect, Edit, Replaced, TouchedLine } from "../wire";
+
+/** What is waited with: edits of that text which reach further than the value, or the expression that it replaces. */
+export interface Asks {
+  text: string;
+  steps: Edit[][];
+  lines: TouchedLine[]; // outside of the call
+  values: ComparedValue[];
+  replaced?: Replaced;
+}
 
 // A value changed in the form and not yet in the program: of the call that begins at UTF-16 offset `at` there. asks: it
-// would change these lines of that text outside of its call, or take the place of an expression in it, and waits for a
-// word; agreed: that was given.
+// waits for a word; agreed: that was given.
 export interface Pending {
   control: Dialect;
   at: number;
   name: string;
   value: string;
-  asks?: { text: string; lines: TouchedLine[]; replaced?: Replaced };
+  asks?: Asks;
   agreed?: boolean | "here"; // here: in place of the expression
 }
 
@@ -27,7 +35,12 @@ export function asked(
   return pending.filter(one => one.control === control && one.at === at && !isWaiting(one, text));
 }
 
+/** Whether a value would take the place of an expression, and it is not known yet whether it may. */
+export function hasToReplace({ agreed }: Pending, { elsewhere, replaced }: Changed): boolean {
+  return !!replaced && !elsewhere.length && !agreed; // where it lands in other lines, these tell what it replaces
+}
+
 /** Whether a change of the program needs a word first. */
-export function hasToAsk({ agreed }: Pending, { elsewhere, replaced }: Changed): boolean {
-  return (elsewhere.length > 0 || !!replaced) && !agreed;
+export function hasToAsk(one: Pending, changed: Changed): boolean {
+  return hasToReplace(one, changed) || (changed.reaches && one.agreed !== true);
 }

@@ -11,6 +11,8 @@ import type {
   Converted,
   CuredAll,
   CureRequest,
+  EquipRequest,
+  EquipView,
   FormRequest,
   FormView,
   HelpRequest,
@@ -22,11 +24,12 @@ import type {
   Recognised,
   RunRequest,
   Setup,
+  Story,
   Style,
 } from "../wire";
 import type { FormCore, Formed } from "./core";
 import { call, compile } from "./module";
-import { asked, hasToAsk, type Pending } from "./pending";
+import { asked, hasToReplace, type Pending } from "./pending";
 import { NOTHING, type SceneData, takeScene } from "./scene";
 
 /**
@@ -44,13 +47,19 @@ export interface ConvertRequest extends ReadRequest {
   style: Style;
 }
 
+/** A run, with the errors of the part drawn so many times as large. `known`: what it came to; then its scene only. */
+export interface RunQuestion extends RunRequest {
+  times: number;
+  known: boolean;
+}
+
 /** What is asked about a whole program. */
 export type Question =
   | ({ ask: "read" } & ReadRequest)
   | ({ ask: "change" } & ChangeRequest)
   | ({ ask: "convert" } & ConvertRequest)
   | ({ ask: "cure" } & CureRequest)
-  | ({ ask: "run"; times: number } & RunRequest);
+  | ({ ask: "run" } & RunQuestion);
 
 export interface ProgramCore extends FormCore {
   module: WebAssembly.Module; // for the workers
@@ -62,13 +71,15 @@ export interface ProgramCore extends FormCore {
   alarms(): AlarmInfo[];
   help(request: HelpRequest): HelpView;
   machine(request: MachineRequest): MachineView;
+  equip(request: EquipRequest): EquipView;
+  story(request: FormRequest): Story;
   /** Takes the bytes of a file in pieces. */
   recogniser(): { take(bytes: Uint8Array): void; finish(): Recognised };
   /** The setup of a file, with its defaults; or why it is none. */
   setup(text: string): Setup | { why: string };
 }
 
-/** One answer a value, each for the text after the ones before it. What has to be asked first is not done in it. */
+/** One answer a value, each for the text after the ones before it, but for what would replace an expression. */
 function changes({ control, text, setup, call: index, at, pending }: ChangeRequest): Changed[] {
   let now = text;
   return asked(pending, { control, text, at }).map(one => {
@@ -78,7 +89,7 @@ function changes({ control, text, setup, call: index, at, pending }: ChangeReque
         wasm.change(JSON.stringify({ control, text: now, call: index, name, value, ...(setup ? { setup } : {}) })),
       ),
     ) as Changed;
-    if (!hasToAsk(one, changed)) now = changed.steps.reduce(splice, now);
+    if (!hasToReplace(one, changed)) now = changed.steps.reduce(splice, now);
     return changed;
   });
 }
@@ -119,25 +130,32 @@ function sceneIn(answer: wasm.Answer, times: number): SceneData {
 const PIECE = 500; // blocks between two looks at the clock
 const SLICE = 40; // ms between two messages of others
 
-/**
- * Runs a program; errors of the part are drawn so many times as large. Before each slice `between` is told how much is
- * done, and the run waits for it.
- */
-export async function runInPieces(
-  { ask: _, times, ...request }: RunRequest & { ask: "run"; times: number },
-  between: (share: number) => Promise<void>,
-): Promise<{ json: string; scene: SceneData }> {
-  const run = new wasm.Run(JSON.stringify(request));
+/** The last run, and what was asked for: to draw it with other errors it is not run again. */
+let ran: { asked: string; answer: wasm.Answer; json: string } | null = null;
+
+/** Runs a program. Before each slice `between` is told how much is done, and the run waits for it. */
+async function runOf(asked: string, between: (share: number) => Promise<void>): Promise<NonNullable<typeof ran>> {
+  if (ran?.asked === asked) return ran;
+  ran?.answer.free();
+  ran = null;
+  const run = new wasm.Run(asked);
   for (let over = false; !over; ) {
     await between(run.share());
     const until = performance.now() + SLICE;
     while (!over && performance.now() < until) over = run.advance(PIECE);
   }
   const answer = run.finish();
-  const scene = sceneIn(answer, times);
-  const json = answer.view();
-  answer.free();
-  return { json, scene };
+  ran = { asked, answer, json: answer.view() }; // which it hands out once
+  return ran;
+}
+
+/** What a run came to, as JSON text (empty where that is known), and its scene. */
+export async function runInPieces(
+  { ask: _, times, known, ...request }: RunQuestion & { ask: "run" },
+  between: (share: number) => Promise<void>,
+): Promise<{ json: string; scene: SceneData }> {
+  const { answer, json } = await runOf(JSON.stringify(request), between);
+  return { json: known ? "" : json, scene: sceneIn(answer, times) };
 }
 
 function setupOf(text: string): Setup | { why: string } {
@@ -167,6 +185,8 @@ export async function loadProgramCore(): Promise<ProgramCore> {
     cure: request => JSON.parse(answer({ ask: "cure", ...request })) as CuredAll,
     convert: request => JSON.parse(answer({ ask: "convert", ...request })) as Converted,
     help: request => JSON.parse(call("help", () => wasm.help(JSON.stringify(request)))) as HelpView,
+    equip: request => JSON.parse(call("equip", () => wasm.equip(JSON.stringify(request)))) as EquipView,
+    story: request => JSON.parse(call("story", () => wasm.story(JSON.stringify(request)))) as Story,
     machine: request => JSON.parse(call("machine", () => wasm.machine(JSON.stringify(request)))) as MachineView,
     catalogue: () => JSON.parse(call("catalogue", () => wasm.catalogue())) as Catalogue,
     alarms: () => JSON.parse(call("alarms", () => wasm.alarms())) as AlarmInfo[],

@@ -1,5 +1,6 @@
 // Everything that can happen. Views call these; only these change what is kept.
 
+import type { ProgramCore } from "../core/program";
 import type { Encoding } from "../encoding";
 import { lineBreak, type Splice } from "../eol";
 import { speak } from "../language";
@@ -14,28 +15,34 @@ import {
   firstState,
   memoryKey,
   NO_ERRORS,
-  openCall,
   ownMachine,
   type Panel,
   type Patch,
   PLANES,
   patched,
   planeOf,
+  profile,
+  programMachine,
   programOf,
   remember,
+  type Sheet,
   type State,
   setsOf,
   unitsIn,
 } from "../state/state";
 import type { Store } from "../state/store";
+import { t } from "../texts";
 import type {
   Catalogue,
   CycleInfo,
   Diagnostic,
   Dialect,
   Edit,
+  EquipRequest,
   ErrorSliders,
   MachineView,
+  Message,
+  Offer,
   OwnMachine,
   Plane,
   Setup,
@@ -44,8 +51,19 @@ import type {
 } from "../wire";
 import { opened } from "./calls";
 import { type Derived, findCycle } from "./derive";
-import { isRead, withEdits } from "./program";
-import { agreed, mended, proposed, replacing, typedIn, withoutReplacing } from "./typing";
+import { isCurrent, isRead, withEdits } from "./program";
+import { STEPS } from "./story";
+import {
+  agreed,
+  declined,
+  mended,
+  proposed,
+  refused,
+  replacing,
+  typedIn,
+  typedShown,
+  withoutReplacing,
+} from "./typing";
 
 export type Variant = CycleInfo["variants"][number];
 
@@ -56,6 +74,13 @@ export interface Actions {
    * nothing is anybody's work, its part lies off, so that there is something to correct.
    */
   measure(cycle: CycleInfo, variant: Variant, values: Record<string, string>): void;
+  /**
+   * The worked example is told of a variant that corrects a zero offset: `told` is the program of its values. The part
+   * lies off.
+   */
+  tell(cycle: CycleInfo, variant: Variant, values: Record<string, string>, told: (state: State) => string): void;
+  /** To a step of it, from 1; 0: it ends, and what it opened stays. */
+  story(step: number): void;
   edit(name: string, value: string): void;
   touch(name: string): void;
   check(): void;
@@ -67,7 +92,20 @@ export interface Actions {
   encoding(encoding: Encoding): void;
   /** The file that was opened then holds what has this mark. */
   saved(control: Dialect, opened: number | undefined, mark: string): void;
+  /** A profile is used from now on; null: the core's own machine. The one before stays among the others. */
   openSetup(setup: Setup | null): void;
+  /** The form and the program of a control, as they were. */
+  chooseControl(control: Dialect): void;
+  /** One of the other profiles. */
+  chooseProfile(setup: Setup): void;
+  /** The profile in use is otherwise: what was done to it. */
+  equip(setup: Setup, told: Message): void;
+  /** A profile of the core's own machine, and it is used. */
+  newProfile(): void;
+  /** The profile in use once more, under another name. */
+  duplicateProfile(): void;
+  /** Takes the profile in use away. */
+  deleteProfile(): void;
   cursor(offset: number, line: number): void;
   openCall(index: number): void;
   closeCall(): void;
@@ -83,11 +121,11 @@ export interface Actions {
   apply(): void;
   /** It is not. */
   discard(): void;
-  /** What waits for a word since it changes lines elsewhere is done. */
-  agree(): void;
+  /** What was typed and changes more than its own value is shown. */
+  show(): void;
   /** It is not, and the form shows again what the program holds. */
   refuse(): void;
-  /** The variable by its place in the expression that a field waits with is assigned so that the value comes true. */
+  /** That the variable by its place in the expression of a field is assigned so that the value comes true is shown. */
   assign(name: string, variable: number): void;
   /** The value of the field takes the place of the expression. */
   replaceHere(name: string): void;
@@ -99,8 +137,12 @@ export interface Actions {
   begin(machine: OwnMachine["own"]): void;
   /** What the machine is built for, and what differs from delivery in its data. */
   data(machine: Pick<MachineView, "basic" | "data">): void;
+  /** The machine gets what it lacks. */
+  give(offer: Offer): void;
   noErrors(): void;
   panel(panel: Panel): void;
+  /** How far the dock of a tablet is drawn up. */
+  sheet(sheet: Sheet): void;
   /** Shows the help page of the variant in the form, or closes it. */
   help(): void;
   saveSet(name: string): void;
@@ -184,7 +226,7 @@ function turned(cycle: CycleInfo | undefined, state: State, plane: Plane): Patch
   return held && open === null && sought === null ? { form: { values: inPlane(held, plane).example } } : {};
 }
 
-export function createActions(store: Store, catalogue: Catalogue): Actions {
+export function createActions(store: Store, catalogue: Catalogue, core: () => ProgramCore | null): Actions {
   const now = (): State => store.state;
 
   /** A change that takes work away: it is said, and can be undone beside that. */
@@ -202,7 +244,7 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
     form: { sets: { ...now().form.sets, [memoryKey(now().form)]: sets } },
   });
 
-  return {
+  const actions: Actions = {
     chooseCycle(cycle, chosen) {
       const state = now();
       const same = cycle.control === state.form.control && cycle.cycle === state.form.cycle;
@@ -247,6 +289,20 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
         panels: { panel: "form", left: "form" },
         page: { offer: false },
       });
+    },
+    tell(cycle, chosen, given, told) {
+      actions.measure(cycle, chosen, given);
+      store.update({ part: { errors: { ...NO_ERRORS, part: { ...NO_ERRORS.part, ...LIES_OFF } } } });
+      const { control } = cycle;
+      const file: ProgramFile = { name: t(`program-file-${control}`), encoding: "utf-8", opened: Date.now() };
+      actions.openProgram(told(now()), file, null);
+      store.update({ desk: { sought: { call: 0 } }, page: { notice: "" } });
+      actions.story(1);
+    },
+    story(step) {
+      const telling = STEPS[step - 1];
+      if (telling) store.update({ page: { story: step } }, telling.show);
+      else store.update({ page: { story: 0, notice: "notice-story-left", offer: true }, view: { playing: false } });
     },
     edit: (name, value) => edits([[name, value]]),
     touch(name) {
@@ -306,11 +362,55 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
             }
           : {};
       replace(setup ? "notice-setup" : "notice-own-setup", remember(now()), other, {
-        machine: { setup },
+        machine: inUse(now(), setup?.control ?? control, setup),
         ...(setup ? { part: { errors: errorsOf(setup, catalogue.applicate) } } : {}),
         view: { step: AT_END },
         page: { refused: null },
       });
+    },
+    chooseControl(control) {
+      const state = now();
+      if (control === state.form.control) return;
+      const known = findCycle(catalogue, control, state.machine.before[control] ?? "");
+      const cycle = known ?? catalogue.cycles.find(one => one.control === control);
+      if (!cycle) return;
+      actions.chooseCycle(cycle);
+      store.update({ machine: { before: { ...state.machine.before, [state.form.control]: state.form.cycle } } });
+    },
+    chooseProfile(setup) {
+      actions.chooseControl(setup.control);
+      actions.openSetup(setup);
+    },
+    equip(setup, told) {
+      const { machine } = now();
+      const first = profile(now()) === undefined;
+      store.update(
+        {
+          machine: { setups: { ...machine.setups, [setup.control]: first ? withName(now(), setup) : setup }, told },
+          view: { step: AT_END },
+          page: { offer: false },
+        },
+        first ? { part: { errors: errorsOf(setup, catalogue.applicate) } } : {},
+        asBegun(now()),
+      );
+    },
+    newProfile() {
+      const { control } = now().form;
+      const view = core()?.equip({ control, setup: { own: ownMachine(now()) } });
+      if (!view) return; // the module is still on its way
+      const setup = { ...view.setup, name: freeName(now(), t("profile-new")) };
+      replace("notice-profile-new", { machine: inUse(now(), control, setup), view: { step: AT_END } });
+    },
+    duplicateProfile() {
+      const setup = profile(now());
+      if (!setup) return;
+      const name = freeName(now(), setup.name ?? "");
+      replace("notice-profile-new", { machine: inUse(now(), setup.control, { ...setup, name }) });
+    },
+    deleteProfile() {
+      const { control } = now().form;
+      const { [control]: _, ...setups } = now().machine.setups;
+      replace("notice-profile-deleted", { machine: { setups, told: { key: "step-profile-delete", args: {} } } });
     },
     cursor: (cursor, cursorLine) =>
       store.update(state => ({
@@ -345,32 +445,17 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
       store.update(agreed);
       store.flush(); // editor and form have to hold it before the next key
     },
-    discard: () => store.update({ desk: { proposed: null } }),
-    agree: () =>
-      store.update(state => ({
-        desk: {
-          pending: state.desk.pending.map(one =>
-            one.asks && !one.asks.replaced ? { ...one, asks: undefined, agreed: true } : one,
-          ),
-        },
-      })),
-    refuse: () =>
-      store.update(state => {
-        const call = openCall(state);
-        const gone = state.desk.pending.filter(one => one.asks && !one.asks.replaced);
-        const names = gone
-          .filter(one => one.control === state.form.control && one.at === call?.from)
-          .map(one => one.name);
-        const back = Object.fromEntries(names.map(name => [name, call?.values[name] ?? ""]));
-        return {
-          desk: { pending: state.desk.pending.filter(one => !gone.includes(one)) },
-          form: { values: { ...state.form.values, ...back } },
-        };
-      }),
+    discard: () => store.update(declined),
+    show: () => store.update(state => (state.desk.proposed ? {} : typedShown(state))),
+    refuse: () => store.update(refused),
     assign: (name, variable) =>
       store.update(state => {
         const change = replacing(state, name)?.asks.replaced.variables[variable]?.change;
-        return change ? mended(withoutReplacing(state, name), change.edits, "notice-assigned") : {};
+        const found = replacing(state, name)?.asks.replaced.variables[variable]?.name ?? "";
+        if (!change) return {};
+        const title = { key: "difference-typed", args: { name: found, value: change.value } };
+        const { edits, values } = change;
+        return proposed(state, { edits, values, title, notice: "notice-assigned", typed: { field: name } });
       }),
     replaceHere: name =>
       store.update(state => {
@@ -458,13 +543,12 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
     },
     begin(own) {
       const { control } = now().form;
-      const { setup } = now().machine;
+      const setup = profile(now());
       const turns = own.plane !== beginning(now()).plane;
       const chosen = turns ? own : { units: own.units };
-      const described: Patch["machine"] =
-        setup?.control === control
-          ? { setup: { ...setup, plane: own.plane, active: { ...setup.active, units: own.units } } }
-          : { own: { ...now().machine.own, [control]: { own: { ...ownMachine(now()), ...chosen } } } };
+      const described: Patch["machine"] = setup
+        ? used(now(), { ...setup, plane: own.plane, active: { ...setup.active, units: own.units } })
+        : { own: { ...now().machine.own, [control]: { own: { ...ownMachine(now()), ...chosen } } } };
       const cycle = findCycle(catalogue, control, now().form.cycle);
       const suited = turns && cycle?.purpose.plane ? suits(now(), cycle.purpose.plane) : {};
       store.update({ machine: described }, suited, turned(cycle, now(), own.plane), asBegun(now()), {
@@ -473,15 +557,23 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
     },
     data({ basic, data }) {
       const { control } = now().form;
-      const { setup, own } = now().machine;
+      const { own } = now().machine;
+      const setup = profile(now());
       const before = beginning(now());
       // rebuilt, it begins in the new system
       const units = basic === (before.basic ?? "mm") ? before.units : unitsIn(control, before.units, basic);
-      const described: Patch["machine"] =
-        setup?.control === control
-          ? { setup: { ...setup, units: basic, active: { ...setup.active, units }, data } }
-          : { own: { ...own, [control]: { own: { ...ownMachine(now()), basic, units, data } } } };
+      const described: Patch["machine"] = setup
+        ? used(now(), { ...setup, units: basic, active: { ...setup.active, units }, data })
+        : { own: { ...own, [control]: { own: { ...ownMachine(now()), basic, units, data } } } };
       store.update({ machine: described }, asBegun(now()), { view: { step: AT_END } });
+    },
+    give(offer) {
+      const state = now();
+      const view = core()?.equip(supplied(state, offer));
+      if (!view) return; // the module is still on its way
+      actions.equip(view.setup, offer.label);
+      store.update({ page: { notice: "notice-given", offer: true } });
+      store.flush();
     },
     panel(panel) {
       const docked = panel === "program" || panel === "results";
@@ -490,11 +582,63 @@ export function createActions(store: Store, catalogue: Catalogue): Actions {
           panel,
           [LEFT.includes(panel) ? "left" : "right"]: panel,
           ...(docked ? { dock: panel } : {}),
+          sheet: sheetFor(panel, now().panels.sheet),
         },
       });
       store.flush(); // who shows a panel goes on in it, mostly with the focus
     },
+    sheet: sheet => store.update({ panels: { sheet } }),
   };
+  return actions;
+}
+
+/**
+ * On the machine on which the program ran, with the part that stood there; one that fits the whole program is made of
+ * the machine as it was before.
+ */
+function supplied(state: State, { supply }: Offer): EquipRequest {
+  const { control } = state.form;
+  const { done } = state.run;
+  const ran = done && supply !== "parts" && state.view.source === "program" && isCurrent(done, state);
+  const { setup } = ran ? done : programMachine(state);
+  return { control, text: programOf(state), change: { give: supply }, ...(setup ? { setup } : {}) };
+}
+
+/** The profile in use, changed. */
+function used({ machine: { setups } }: State, setup: Setup): Patch["machine"] {
+  return { setups: { ...setups, [setup.control]: setup } };
+}
+
+/** Another profile in use; the one before stays among the others. */
+function inUse({ machine: { setups, parked } }: State, control: Dialect, setup: Setup | null): Patch["machine"] {
+  const { [control]: before, ...rest } = setups;
+  const others = parked.filter(one => one !== setup);
+  return {
+    setups: setup ? { ...rest, [control]: setup } : rest,
+    parked: before && before !== setup ? [...others, before] : others,
+    told: null,
+  };
+}
+
+/** A name that no profile has: this one, or with a number behind it. */
+function freeName({ machine: { setups, parked } }: State, wanted: string): string {
+  const taken = [...Object.values(setups), ...parked].map(one => one.name ?? "");
+  if (!taken.includes(wanted)) return wanted;
+  const stem = wanted.replace(/\s+\d+$/, "");
+  let number = 2;
+  while (taken.includes(`${stem} ${number}`)) number++;
+  return `${stem} ${number}`;
+}
+
+/** A machine that becomes a profile by what is done to it. */
+function withName(state: State, setup: Setup): Setup {
+  return setup.name ? setup : { ...setup, name: freeName(state, t("profile-new")) };
+}
+
+/** The sheet leaves room for a panel that is wanted. */
+function sheetFor(panel: Panel, sheet: Sheet): Sheet {
+  const docked = panel === "program" || panel === "results";
+  return (docked && sheet === "peek") || (panel === "view" && sheet === "full") ? "half" : sheet;
 }
 
 /** What is wrong with the part of a setup, for the sliders. The probe's own errors are in the setup already. */

@@ -169,7 +169,9 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
       });
       const before = names;
       names = comments !== null ? labels(view) : names;
-      return alike(before, names) ? view : { ...view, snippet: core.form({ ...request, comments: names }).snippet };
+      if (alike(before, names)) return view;
+      const { snippet, snippetPlaces } = core.form({ ...request, comments: names });
+      return { ...view, snippet, ...(snippetPlaces && { snippetPlaces }) };
     },
   );
   const assume = memo(assumptions);

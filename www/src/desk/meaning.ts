@@ -7,7 +7,7 @@ import { patched, planeOf, type Reset, type State } from "../state/state";
 import type { Field } from "../wire";
 import { isExample } from "./actions";
 import type { Derived } from "./derive";
-import { typedIn } from "./typing";
+import { typedIn, unseen } from "./typing";
 
 export interface Seen {
   state: State;
@@ -19,10 +19,10 @@ function callOf({ derived: { read, opened } }: Seen): number {
   return opened ? read.calls.indexOf(opened) : -1;
 }
 
-/** What was drawn last with a variant: of one whose number is half typed nothing is known. */
+/** What was drawn last with a variant that counts: of one whose number is half typed nothing is known. */
 export function lastKnown(before: Seen | null, now: Seen): Seen {
-  const waits = now.derived.view.mvar === null && before?.derived.cycle === now.derived.cycle;
-  return waits ? before : now;
+  const waits = now.derived.view.mvar === null || unseen(now.state).length > 0;
+  return waits && before?.derived.cycle === now.derived.cycle ? before : now;
 }
 
 /** Whether a field takes a number by itself, whatever the others hold. */
@@ -45,7 +45,7 @@ function reset(old: Field, now: Field, value: string): Reset | null {
 /** The state without the values of the variant before that do not fit the one that was chosen in the form. */
 export function meant(before: Seen | null, { state, derived }: Seen): State {
   if (!before || before.derived.cycle !== derived.cycle || callOf(before) !== callOf({ state, derived })) return state;
-  if (before.state.form.edits === state.form.edits) return state;
+  if (before.state.form.edits === state.form.edits || unseen(state).length) return state;
   const [was, is] = [before.derived.view, derived.view];
   if (
     was.mvar === null ||

@@ -1,9 +1,11 @@
 // What was typed in the form on its way into the program, and edits that the core proposes.
 
-import { asked, hasToAsk, isWaiting, type Pending } from "../core/pending";
+import { type Asks, asked, hasToAsk, hasToReplace, isWaiting, type Pending } from "../core/pending";
 import type { ChangeRequest, ConvertRequest } from "../core/program";
+import { difference } from "../difference";
+import { splice } from "../eol";
 import { AT_END, openCall, type Proposal, patched, programMachine, programOf, type State } from "../state/state";
-import type { Changed, Converted, CuredAll, CureRequest, Edit, Message, Replaced } from "../wire";
+import type { Changed, ComparedValue, Converted, CuredAll, CureRequest, Edit, Message, Replaced } from "../wire";
 import { isCurrent, SOUGHT, withEdits } from "./program";
 
 /** The form with these values typed; where it edits a call of the program, they are on their way there. */
@@ -52,24 +54,36 @@ export function change(state: State): ChangeRequest | null {
 
 /**
  * The program with what the form typed, unless something else was typed meanwhile: then that is asked anew. What would
- * change lines outside of the call waits for a word.
+ * change more than its own value waits for a word, with all that was typed at once with it.
  */
 export function changed(state: State, request: ChangeRequest, answers: Changed[]): State {
   if (state.desk.pending !== request.pending) return state;
-  const { text } = request;
-  const mine = asked(request.pending, request);
-  const waits = mine.flatMap((one, index): Pending[] => {
-    const answer = answers[index];
-    if (!answer || !hasToAsk(one, answer)) return [];
-    const { elsewhere: lines, replaced } = answer; // where it lands in other lines, these tell what it replaces
-    return [{ ...one, asks: { text, lines, ...(replaced && !lines.length ? { replaced } : {}) } }];
-  });
-  const done = answers.filter((answer, index) => !hasToAsk(mine[index] as Pending, answer));
-  const pending = [...state.desk.pending.filter(one => !mine.includes(one)), ...waits];
-  const next = done.flatMap(({ steps }) => steps).reduce(withEdits, patched(state, { desk: { pending } }));
-  const after = mine.every(one => one.value === "" && state.form.resets[one.name]) ? stillTold(state, next) : next;
-  const agreed = mine.some(one => one.agreed === true);
-  return told(state, after, request, agreed, done);
+  const mine = asked(request.pending, request).map((one, index) => ({ one, answer: answers[index] as Changed }));
+  const replaces = mine.filter(({ one, answer }) => hasToReplace(one, answer));
+  const others = mine.filter(pair => !replaces.includes(pair));
+  const shows = others.some(({ one, answer }) => hasToAsk(one, answer));
+  const waits = shows ? mine : replaces;
+  const done = shows ? [] : others;
+  const waiting = waits.map(({ one, answer }): Pending => ({ ...one, asks: asksOf(one, answer, request.text) }));
+  const left = new Set(mine.map(({ one }) => one));
+  const pending = [...state.desk.pending.filter(one => !left.has(one)), ...waiting];
+  const next = done.flatMap(({ answer }) => answer.steps).reduce(withEdits, patched(state, { desk: { pending } }));
+  const after = mine.every(({ one }) => one.value === "" && state.form.resets[one.name])
+    ? stillTold(state, next)
+    : next;
+  const agreed = done.some(({ one }) => one.agreed === true);
+  return told(
+    state,
+    after,
+    request,
+    agreed,
+    done.map(({ answer }) => answer),
+  );
+}
+
+function asksOf(one: Pending, answer: Changed, text: string): Asks {
+  const { elsewhere: lines, steps, values, replaced } = answer;
+  return { text, lines, steps, values, ...(replaced && hasToReplace(one, answer) ? { replaced } : {}) };
 }
 
 /** What was said of a new variant is said on while the values go that were codes of something else before. */
@@ -90,7 +104,7 @@ function told(before: State, after: State, { at }: ChangeRequest, agreed: boolea
   const text = programOf(after);
   return patched(after, {
     form: inForm ? { values: Object.fromEntries(kept) } : {},
-    page: { offer: true, notice: agreed ? "notice-applied" : "notice-revised" },
+    page: { offer: true, notice: findings.length ? "notice-revised" : "notice-applied" },
     desk: {
       ...(findings.length ? { converted: { control: after.form.control, text, findings } } : {}),
     },
@@ -120,12 +134,69 @@ export function curing(state: State): CureRequest | null {
   return curing && { control, text: programOf(state), code: curing.code, key: curing.key, ...programMachine(state) };
 }
 
+/** What was typed and waits until it was seen what it changes, about the program as it is. */
+export function unseen({ form: { control }, desk, program }: State): (Pending & { asks: Asks })[] {
+  const text = program.texts[control] ?? "";
+  const waits = (one: Pending): one is Pending & { asks: Asks } =>
+    one.control === control && isWaiting(one, text) && !one.asks?.replaced;
+  return desk.pending.filter(waits);
+}
+
+/** The values of several steps: those of the first as they are, of the last as they would be. */
+function overall(values: readonly ComparedValue[]): ComparedValue[] {
+  const all = new Map<string, ComparedValue>();
+  for (const one of values) {
+    const key = `${one.line} ${one.param}`;
+    all.set(key, { ...one, before: (all.get(key) ?? one).before });
+  }
+  return [...all.values()].filter(one => one.before !== one.after);
+}
+
+/** What was typed and reaches further is shown. */
+export function typedShown(state: State): State {
+  const waiting = unseen(state);
+  const [first] = waiting;
+  if (!first) return state;
+  const text = programOf(state);
+  const steps = waiting.flatMap(one => one.asks.steps);
+  const whole = difference(text, steps.reduce(splice, text));
+  const title: Message =
+    waiting.length > 1
+      ? { key: "difference-typed-several", args: { count: waiting.length } }
+      : { key: "difference-typed", args: { name: first.name, value: first.value.trim() || "–" } };
+  return proposed(state, {
+    edits: steps.length === 1 ? (steps[0] ?? []) : whole ? [whole] : [],
+    title,
+    values: overall(waiting.flatMap(one => one.asks.values)),
+    notice: "notice-applied",
+    typed: "values",
+  });
+}
+
+/** All that waited until it was seen may be done. */
+function seen(state: State): State {
+  const pending = state.desk.pending.map(one =>
+    one.asks && !one.asks.replaced ? { ...one, asks: undefined, agreed: true } : one,
+  );
+  return patched(state, { desk: { pending } });
+}
+
+/** What waited until it was seen is not done, and the form shows again what the program holds. */
+export function refused(state: State): State {
+  const call = openCall(state);
+  const gone = state.desk.pending.filter(one => one.asks && !one.asks.replaced);
+  const names = gone.filter(one => one.control === state.form.control && one.at === call?.from).map(one => one.name);
+  const back = Object.fromEntries(names.map(name => [name, call?.values[name] ?? ""]));
+  const pending = state.desk.pending.filter(one => !gone.includes(one));
+  return patched(state, { desk: { pending }, form: { values: { ...state.form.values, ...back } } });
+}
+
 type Shown = Pick<Proposal, "edits" | "title" | "notice"> & Partial<Proposal>;
 
 /** Edits of the present program that are shown before they are made. */
 export function proposed(state: State, shown: Shown): State {
   const { control } = state.form;
-  const nothing = { values: [], findings: [], converting: null, said: null };
+  const nothing = { values: [], findings: [], converting: null, said: null, typed: null };
   const desk = { converting: null, curing: null, proposed: { ...nothing, control, text: programOf(state), ...shown } };
   return patched(state, { desk });
 }
@@ -154,12 +225,20 @@ export function cured(state: State, { edits, gone, left }: CuredAll): State {
   return state.desk.curing ? proposed(state, { edits, said, title, notice: "notice-mended" }) : state;
 }
 
+/** What was shown is not done. */
+export function declined(state: State): State {
+  const next = patched(state, { desk: { proposed: null } });
+  return state.desk.proposed?.typed === "values" ? refused(next) : next;
+}
+
 /** The edits that were shown are made. */
 export function agreed(state: State): State {
   const { proposed } = state.desk;
   const next = patched(state, { desk: { proposed: null } });
   if (!proposed?.edits.length || !isCurrent(proposed, state)) return next;
-  const after = mended(next, proposed.edits, proposed.notice);
+  if (proposed.typed === "values") return seen(next);
+  const typed = proposed.typed ? withoutReplacing(next, proposed.typed.field) : next;
+  const after = mended(typed, proposed.edits, proposed.notice);
   const { control, findings, converting } = proposed;
   const ofOpen = converting && converting.at === openCall(state)?.from && findings.length > 0;
   return ofOpen ? patched(after, { desk: { converted: { control, text: programOf(after), findings } } }) : after;

@@ -53,6 +53,12 @@ export interface LineMarks {
   step: number | null;
   hints?: { line: number; text: string }[]; // behind a line, no part of the text; each line once, in their order
 }
+/** A value of the open call; places in the text. */
+export interface CodeValue {
+  field: string;
+  from: number;
+  to: number;
+}
 /** `typed` gives back the program as it is then. */
 export interface EditorHost {
   typed(changes: { from: number; to: number; insert: string }[]): string;
@@ -68,6 +74,7 @@ export interface Shown {
   text: string;
   marks?: LineMarks;
   problems?: Mark[];
+  values?: { all: CodeValue[]; lit: string | null }; // of the open call, and which of them is in focus
 }
 export interface Editor {
   view: EditorView;
@@ -96,6 +103,7 @@ const MUCH = 20_000; // characters, some hundred lines
 // as in small.css: long lines are wrapped
 const small = matchMedia("(max-width: 560px), (max-width: 1199px) and (max-height: 500px)");
 const marksEffect = StateEffect.define<LineMarks>();
+const valuesEffect = StateEffect.define<NonNullable<Shown["values"]>>();
 
 /** What a call came to, behind it. */
 class Hint extends WidgetType {
@@ -139,6 +147,24 @@ const marksField = StateField.define<DecorationSet>({
   },
   provide: field => EditorView.decorations.from(field),
 });
+
+const valuesField = StateField.define<DecorationSet>({
+  create: () => Decoration.none,
+  update(value, { state, effects, changes }) {
+    for (const effect of effects) if (effect.is(valuesEffect)) return valued(state, effect.value);
+    return value.map(changes);
+  },
+  provide: field => EditorView.decorations.from(field),
+});
+
+function valued(state: EditorState, { all, lit }: NonNullable<Shown["values"]>): DecorationSet {
+  const inside = all.filter(({ from, to }) => from < to && to <= state.doc.length);
+  const marks = inside.map(({ field, from, to }) => {
+    const name = field === lit ? "cm-value cm-lit" : "cm-value";
+    return Decoration.mark({ class: name, attributes: { "data-field": field } }).range(from, to);
+  });
+  return Decoration.set(marks, true);
+}
 
 /** The keys that the page's sheet names, in CodeMirror's way of writing. */
 const COMMANDS: Record<Exclude<Command<"editor">, "leave-editor">, CodeCommand> = {
@@ -210,6 +236,7 @@ export function createEditor(box: HTMLElement, words: EditorWords, host: EditorH
         search({ top: true }),
         highlightSelectionMatches(),
         marksField,
+        valuesField,
         language.of(LANGUAGES[dialect]),
         theme,
         listen,
@@ -266,12 +293,16 @@ export function createEditor(box: HTMLElement, words: EditorWords, host: EditorH
       return () => apply(() => view.dispatch({ effects: place }));
     },
     takes: text => changeTo(text) !== undefined,
-    set({ text, marks, problems }) {
+    set({ text, marks, problems, values }) {
       const change = changeTo(text);
       if (change && change.to - change.from > LONG) keepLines(held, view.state.doc);
       held = text;
       const told = problems ? [setDiagnostics(view.state, problems).effects ?? []].flat() : [];
-      const effects = [...(marks ? [marksEffect.of(marks)] : []), ...told];
+      const effects = [
+        ...(marks ? [marksEffect.of(marks)] : []),
+        ...(values ? [valuesEffect.of(values)] : []),
+        ...told,
+      ];
       const step = change ? { changes: change } : {};
       if (change || effects.length) apply(() => show(view.state.update({ ...step, effects }), change));
       if (change && view.hasFocus) select(change.from + change.insert.length);

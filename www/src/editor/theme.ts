@@ -24,6 +24,11 @@ const look = EditorView.theme({
   ".cm-activeLine, .cm-activeLineGutter": { backgroundColor: v("active-line") },
   ".cm-call": { boxShadow: `inset 3px 0 0 ${v("rule-strong")}` },
   ".cm-call-open": { boxShadow: `inset 3px 0 0 ${v("accent")}`, backgroundColor: v("accent-soft") },
+  ".cm-lit": {
+    borderRadius: "3px",
+    backgroundColor: v("measure-soft"),
+    boxShadow: `0 0 0 1px ${v("touch")}`,
+  },
   ".cm-step": { backgroundColor: v("step-line") },
   ".cm-held": {
     color: v("warning"),
@@ -44,6 +49,7 @@ const look = EditorView.theme({
   ".cm-diagnostic": { fontFamily: v("sans"), fontSize: v("text-small") },
   "@media (forced-colors: active)": {
     ".cm-call-open": { borderLeft: "3px solid Highlight" },
+    ".cm-lit": { outline: "2px solid Highlight" },
     ".cm-step": { outline: "2px solid Highlight", outlineOffset: "-2px" },
   },
   ".cm-panels": { backgroundColor: v("ground"), color: v("ink") },

@@ -13,11 +13,12 @@ import { createJob } from "../pace";
 import { createScanner } from "../scan/scanner";
 import { save } from "../state/keep";
 import { machine, NOBODY, patched, type State } from "../state/state";
-import { createStore, type Store } from "../state/store";
+import { createStore, type Rest, type Store } from "../state/store";
 import { type Flat, worked } from "../state/stored";
 import { watchForUpdate } from "../state/update";
 import { language } from "../texts";
 import { showBroken } from "../views/broken";
+import { createPointing, type Pointing } from "../views/pointing";
 import { createStage } from "../views/stage";
 import type { Catalogue } from "../wire";
 import type { Work } from "./activities";
@@ -55,11 +56,12 @@ export async function startApp(core: Core, stored: Flat | null, returned: boolea
   const packed = packedWork();
   const place = packed ? "work" : firstPlace(stored);
   const first = patched(await startState(core, modules.full, catalogue, stored, packed), { page: { place } });
-  let draw = (): void => undefined;
-  const drawn = guard(
-    () => store,
-    () => draw(),
-  );
+  let draw = (): Rest | undefined => undefined;
+  const guardedly = <R>(run: () => R): (() => R | undefined) => guard(() => store, run);
+  const drawn = guardedly(() => {
+    const rest = draw();
+    return rest && guardedly(rest);
+  });
   const store = createStore(first, drawn, () => keep());
   const keep = createKeeping(store);
   const absent = (problem: unknown): void => {
@@ -73,6 +75,7 @@ export async function startApp(core: Core, stored: Flat | null, returned: boolea
   const parts = { ...createParts(catalogue, store, modules, absent), continuing };
   draw = createDraw(parts, keep);
   store.update({});
+  for (const leaving of ["focusin", "pointerdown", "drop"]) addEventListener(leaving, store.finish, true);
   await new Promise(requestAnimationFrame); // the form stands
   void import("../styles/fonts.css").catch(console.error);
   afterLoad(() => void watchForUpdate(store));
@@ -91,11 +94,15 @@ function createParts(
   store: Store,
   modules: Modules,
   absent: (problem: unknown) => void,
-): Omit<Parts, "continuing"> & { modules: Modules } {
-  const actions = guarded(createActions(store, catalogue), store);
+): Omit<Parts, "continuing"> & { modules: Modules; pointing: Pointing } {
+  const actions = guarded(
+    createActions(store, catalogue, () => modules.program),
+    store,
+  );
   const work = createWork(store, modules);
   const editor = createEditorPlace(work.laying, () => store.update({}));
   const { opening } = work;
+  const pointing = createPointing(store);
   const shows = guard(() => store, createShows(store, modules));
   return {
     catalogue,
@@ -106,7 +113,8 @@ function createParts(
     editor,
     open: createOpen({ full: modules.full, store, actions, opening, editor }, absent),
     scanner: createScanner(() => modules.program?.module, store),
-    stage: createStage(store),
+    stage: createStage(store, pointing),
+    pointing,
     where: createWhere(store),
     goToField: createGoToField(catalogue, shows, store, actions),
   };
@@ -149,8 +157,20 @@ const createShows =
     return modules.forms.form({ control, cycle, values, ...own }).fields.some(field => field.name === name);
   };
 
+/** Whether somebody types values of the form, which shows everything else as it did. */
+function isTyping(before: State | null, { form, panels, page, view }: State): boolean {
+  return (
+    form.values !== before?.form.values &&
+    form.cycle === before?.form.cycle &&
+    !form.open === !before.form.open && // what is typed moves the call
+    panels === before.panels &&
+    page.place === before.page.place &&
+    view.source === before.view.source
+  );
+}
+
 /** What is drawn follows from the state: first what the state itself becomes by it, then all that shows it. */
-function createDraw(parts: Parts & { modules: Modules }, keep: () => void): () => void {
+function createDraw(parts: Parts & { modules: Modules; pointing: Pointing }, keep: () => void): () => Rest | undefined {
   const {
     store,
     modules,
@@ -165,9 +185,10 @@ function createDraw(parts: Parts & { modules: Modules }, keep: () => void): () =
     return next === read ? read : desk(next);
   };
   const notice = createNoticing(store);
-  const record = createRecorder(state => !modules.program || isSettled(state));
+  const record = createRecorder(state => !state.desk.held && (!modules.program || isSettled(state)));
   let bench = createBench(parts);
   let seen: Seen | null = null; // as it was drawn last
+  let before: State | null = null;
   /** The page in the words that count now; everything stays where it was, once the new one is drawn. */
   const remade = (): (() => void) => {
     const [places, place] = [keepPlaces(), editor.editor?.keepPlace()];
@@ -179,7 +200,8 @@ function createDraw(parts: Parts & { modules: Modules }, keep: () => void): () =
     };
   };
   return () => {
-    const typed = store.state.desk.follow === "text";
+    const { follow } = store.state.desk;
+    const typed = follow === "text";
     let state = store.settle(withRun(runner.take(), settle(store.state)));
     let derived = derive(state);
     const next = meant(seen, { state, derived });
@@ -192,8 +214,17 @@ function createDraw(parts: Parts & { modules: Modules }, keep: () => void): () =
     seen = lastKnown(seen, { state, derived });
     askRun(runner, state, derived);
     const back = bench.language === language() ? null : remade();
-    bench.draw(state, derived);
-    back?.();
-    notice(state);
+    const drawRest = bench.draw(state, derived);
+    const rest = (): void => {
+      drawRest();
+      parts.pointing.draw(state);
+      back?.();
+      notice(state);
+    };
+    const later = !follow && !back && !state.desk.held && isTyping(before, state);
+    before = state;
+    if (later) return rest;
+    rest();
+    return undefined;
   };
 }

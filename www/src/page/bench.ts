@@ -3,15 +3,16 @@
 
 import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
-import { el, setText, show } from "../dom";
+import { el, on, setText, show } from "../dom";
 import type { EditorPlace } from "../editor/place";
 import { icon } from "../icons";
 import type { Scanner } from "../scan/scanner";
 import type { State } from "../state/state";
-import type { Store } from "../state/store";
+import type { Rest, Store } from "../state/store";
 import { language, t } from "../texts";
 import { behind } from "../views/behind";
 import { createCard } from "../views/card";
+import { createCoach } from "../views/coach";
 import { type Choices, createContinuing } from "../views/continuing";
 import { createForm } from "../views/form";
 import { createFound } from "../views/found";
@@ -31,6 +32,7 @@ import { commandsOf } from "./commands";
 import { createLayout } from "./layout";
 import type { Modules } from "./modules";
 import type { Open } from "./open";
+import { railButton } from "./rail";
 import { listenToKeys } from "./shortcuts";
 import { createStartPlace } from "./start";
 import { showKeys } from "./tips";
@@ -54,7 +56,8 @@ export interface Parts {
 
 export interface Bench {
   readonly language: string;
-  draw(state: State, derived: Derived): void;
+  /** Draws what stands where and the form; gives back what draws the rest. */
+  draw(state: State, derived: Derived): Rest;
   end(): void;
 }
 
@@ -75,6 +78,7 @@ export function createBench(parts: Parts): Bench {
   );
   const scene = el("div", { class: "view-main" });
   panels.view.append(scene, sliders);
+  const chain = el("div", { class: "chain" }); // of the form
   const program = createProgram(panels.program, store, actions, open, parts.editor);
   const activities = createActivities(store, parts.work);
   const refusals = [createRefusal(store, "program"), createRefusal(store, "setup")] as const;
@@ -102,6 +106,8 @@ export function createBench(parts: Parts): Bench {
     },
     stop.signal,
   );
+  const coach = createCoach(actions);
+  layout.header.after(coach.root);
   const start = createStartPlace(layout, parts, program.open, stop.signal);
   showKeys(stop.signal);
   let shown: { state: State; derived: Derived } | null = null;
@@ -110,10 +116,12 @@ export function createBench(parts: Parts): Bench {
     open: program.open,
     keys: () => keys.showModal(),
     machineData: () => later()?.machineData.open(),
+    paper: which => void later()?.paper(which),
   });
   const later = behind(
     pieces => {
       pieces.createSheet(stage, () => shown, stop.signal);
+      const machineData = pieces.createMachineData(store, actions, core);
       const difference = pieces.createDifference(actions);
       const palette = pieces.createPalette(
         store,
@@ -132,6 +140,7 @@ export function createBench(parts: Parts): Bench {
       );
       document.body.append(difference.dialog, palette.dialog);
       return {
+        paper: pieces.createPaper(core, () => shown, stop.signal),
         drawResults: pieces.createResults(
           results,
           layout.answer,
@@ -141,25 +150,33 @@ export function createBench(parts: Parts): Bench {
           program.goTo,
           program.goToLine,
         ),
+        drawChain: pieces.createChain(chain, store, actions),
         drawDifference: difference.draw,
         openPalette: palette.open,
         drawHelp: pieces.createHelp(panels.help, store, actions, core),
-        machineData: pieces.createMachineData(store, actions, core),
+        machineData,
+        equipment: pieces.createEquipment(store, actions, core, machineData),
       };
     },
     () => store.update({}),
     stop.signal,
   );
+  const drawForm = createForm(panels.form, store, actions, chain, () => sets.dialog.showModal(), program.goToLine);
+  const machine = railButton(t("facts"), "machine", { class: "rail-machine", "aria-haspopup": "dialog" });
+  on(machine, "click", () => later()?.equipment.open());
+  layout.rail.lastElementChild?.before(machine);
   const views = [
     createHeader(layout.header, store, actions, open.setup, core, later, keys, program, stop.signal),
     start.drawButton,
+    coach.draw,
     createTasks(panels.tasks, store, actions, found),
-    createForm(panels.form, store, actions, () => sets.dialog.showModal(), program.goToLine),
+    (state: State, derived: Derived): void => later()?.drawChain(state, derived),
     createScene(scene, store, program.goToLine, stage),
     (state: State, derived: Derived): void => later()?.drawResults(state, derived),
     createSliders(sliders, errors, store, actions),
     (state: State, derived: Derived): void => later()?.drawHelp(state, derived),
     (state: State, derived: Derived): void => later()?.drawDifference(state, derived),
+    (state: State): void => later()?.equipment.draw(state),
     sets.draw,
     card.draw,
     continuing.draw,
@@ -173,10 +190,13 @@ export function createBench(parts: Parts): Bench {
       shown = { state, derived };
       layout.draw(state);
       start.draw(state, derived);
-      for (const view of views) view(state, derived);
-      for (const part of [...Object.values(activities), ...refusals, newer]) part.draw(state);
-      setText(layout.notice, state.page.notice ? t(state.page.notice) : "");
-      show(layout.undo, !!state.page.notice && state.page.offer);
+      drawForm(state, derived);
+      return () => {
+        for (const view of views) view(state, derived);
+        for (const part of [...Object.values(activities), ...refusals, newer]) part.draw(state);
+        setText(layout.notice, state.page.notice ? t(state.page.notice) : "");
+        show(layout.undo, !!state.page.notice && state.page.offer);
+      };
     },
     end() {
       stop.abort();

@@ -11,6 +11,7 @@ import { THEMES } from "../theme";
 import { copyText } from "../views/copy";
 import { copyLink } from "../views/header";
 import type { PageCommand } from "../views/palette";
+import type { Paper } from "../views/paper";
 import type { Style } from "../wire";
 
 /** What is done elsewhere on the page. */
@@ -19,6 +20,7 @@ export interface Does {
   open(): void;
   keys(): void;
   machineData(): void;
+  paper(which: Paper): void;
 }
 
 const STYLES: Style[] = ["direct", "indirect", "operate"];
@@ -104,9 +106,11 @@ function ofView(store: Store, actions: Actions, does: Does, { view, page, snippe
         },
       })),
     { id: "help", title: t("help-open"), run: actions.help },
-    { id: "machine-data", title: t("machine-data-open"), run: does.machineData },
+    { id: "machine-data", title: t("machine-data-title"), run: does.machineData },
     { id: "twin", title: t("twin-open"), run: () => store.update({ snippet: { twin: !snippet.twin } }) },
     { id: "link", title: t("link-copy"), run: () => void copyLink(store) },
+    { id: "print-sheet", title: t("print-sheet"), run: () => does.paper("sheet") },
+    { id: "print-report", title: t("print-report"), run: () => does.paper("report") },
     { id: "print", title: t("command-print"), key: "Ctrl+P", run: () => print() },
     ...themes,
     ...spoken.map(one => ({

@@ -6,9 +6,9 @@ import { findCycle } from "../desk/derive";
 import { unpack } from "../link";
 import { markOf } from "../state/mark";
 import { withMark } from "../state/saved";
-import { firstState, NO_ERRORS, type Patch, patched, remember, type State } from "../state/state";
+import { firstState, NO_ERRORS, type Patch, patched, profile, remember, type State } from "../state/state";
 import { type Flat, merge } from "../state/stored";
-import type { Catalogue, CycleInfo } from "../wire";
+import type { Catalogue, CycleInfo, Setup } from "../wire";
 
 const FIRST_OVERSIZE = 0.03; // mm: the part of the first visit is this much too big
 
@@ -56,19 +56,27 @@ export async function startState(
   packed: string | null,
 ): Promise<State> {
   let state = stored ? merge(firstState(), stored) : firstVisit(core, catalogue);
-  if (packed) state = patched(merge(state, await unpack(packed)), { page: { changed: 0 } });
+  if (packed) state = patched(withLink(state, await unpack(packed)), { page: { changed: 0 } });
   const known = (): boolean => !!findCycle(catalogue, state.form.control, state.form.cycle);
   if (!known()) await full().catch(console.error); // the first module knows the cycle of the first visit alone
   if (!known()) state = patched(state, remember(state), pickFirst(catalogue));
-  if (!state.machine.setup) return state;
-  return setupFits(await full(), state)
-    ? state
-    : patched(state, { machine: { setup: null }, page: { notice: "notice-setup-outdated" } });
+  const setup = profile(state);
+  if (!setup || setupFits(await full(), state, setup)) return state;
+  const { [state.form.control]: _, ...setups } = state.machine.setups;
+  return patched(state, { machine: { setups }, page: { notice: "notice-setup-outdated" } });
+}
+
+/** The work of a link; the profiles that it takes the place of stay among the others. */
+function withLink(before: State, data: unknown): State {
+  const after = merge(before, data);
+  const gone = Object.values(before.machine.setups).filter(
+    one => !Object.values(after.machine.setups).some(other => JSON.stringify(one) === JSON.stringify(other)),
+  );
+  return patched(after, { machine: { parked: [...after.machine.parked, ...gone] } });
 }
 
 /** A kept setup may come from an earlier version. */
-function setupFits(core: ProgramCore, { form: { control, cycle }, machine: { setup } }: State): boolean {
-  if (setup?.control !== control) return true;
+function setupFits(core: ProgramCore, { form: { control, cycle } }: State, setup: Setup): boolean {
   try {
     core.form({ control, cycle, values: {}, setup });
     return true;

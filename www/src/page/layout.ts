@@ -7,6 +7,7 @@ import { ariaKey, meantBy } from "../keys";
 import type { Panel, State } from "../state/state";
 import { t } from "../texts";
 import { createRail } from "./rail";
+import { createSheetBar } from "./sheet";
 import { createSplitters } from "./splitters";
 
 /** In the order of work, which is that of the focus. */
@@ -63,7 +64,9 @@ export function createLayout(actions: Actions, sizes: Parameters<typeof createSp
   const { tasks, form, view, program, results, help } = panels;
   const main = el("main", { class: "bench" });
   const splitters = createSplitters(main, sizes);
-  main.append(tasks, form, splitters.form, view, answer, splitters.dock, program, splitters.program, results, help);
+  const sheet = createSheetBar(main, actions);
+  main.append(tasks, form, splitters.form, view, answer, splitters.dock, sheet.root);
+  main.append(program, splitters.program, results, help);
 
   const enter = (name: Panel): void => {
     actions.panel(name);
@@ -108,6 +111,7 @@ export function createLayout(actions: Actions, sizes: Parameters<typeof createSp
       shown = now;
       for (const name of COVERED) setAttribute(panels[name], "inert", now.right === "help");
       setAttribute(answer, "inert", now.right === "help");
+      setAttribute(sheet.root, "inert", now.right === "help");
       for (const name of PANELS) {
         setAttribute(panels[name], "data-active", name === now.panel);
         setAttribute(panels[name], "data-shown", name === now.left || name === now.right);
@@ -116,6 +120,7 @@ export function createLayout(actions: Actions, sizes: Parameters<typeof createSp
       setAttribute(main, "data-dock", now.dock);
       rail.draw(state);
       splitters.draw(now);
+      sheet.draw(state);
     },
   };
 }

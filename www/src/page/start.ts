@@ -4,6 +4,7 @@ import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
 import { el, on, setAttribute, show } from "../dom";
 import { icon } from "../icons";
+import type { Way } from "../start/aims";
 import { mayRead } from "../state/places";
 import type { Recent } from "../state/recent";
 import type { State } from "../state/state";
@@ -68,6 +69,13 @@ export function createStartPlace(
     actions.measure(cycle, variant, item.values);
     toWork();
   };
+  const tell = async ({ cycle, variant, values }: Way): Promise<void> => {
+    const core = await full();
+    const told = ({ form: { control, cycle, values }, part: { errors } }: State): string =>
+      core.story({ control, cycle, values, errors }).text;
+    actions.tell(cycle, variant, values, told);
+    where.go("work");
+  };
   const note = createNoting();
   let draw: Draw | null = null;
   let coming = false;
@@ -75,7 +83,7 @@ export function createStartPlace(
     coming = true;
     const { createStart } = await import("../start/start");
     if (stop.aborted) return;
-    draw = createStart(root, actions, { toWork, openProgram, again });
+    draw = createStart(root, actions, { toWork, openProgram, again, tell: way => void tell(way).catch(console.error) });
     store.update({});
   };
   return {

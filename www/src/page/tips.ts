@@ -11,7 +11,7 @@ export function showKeys(end: AbortSignal): void {
     const node = target instanceof Element ? target.closest(`button[${KEY}]`) : null;
     const [first = ""] = (node?.getAttribute(KEY) ?? "").split(" ");
     if (!node || !first) return;
-    const key = ` (${keyText(first.replace("Control", "Ctrl"))})`;
+    const key = ` (${keyText(first.replace(/Control|Meta/, "Ctrl"))})`;
     const name = node.getAttribute("title") ?? node.getAttribute("aria-label") ?? node.textContent?.trim() ?? "";
     if (!name.endsWith(key)) setAttribute(node, "title", name + key);
   };

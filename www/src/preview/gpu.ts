@@ -20,6 +20,7 @@ interface Renderer extends PointRenderer {
   set_scene(vertices: Float32Array, corners: Uint32Array, ends: Uint32Array, lines: Float32Array): void;
   set_sky(columns: number, cells: Float32Array): void;
   set_view(uniforms: Float32Array): void;
+  set_light(all: boolean, cut: boolean): void;
   set_background(r: number, g: number, b: number): void;
   resize(width: number, height: number): void;
   render(points: number, faded: number): void;
@@ -160,6 +161,7 @@ function backend(name: "webgpu" | "webgl2", canvas: HTMLCanvasElement, renderer:
       }
       if (full !== effects.all) hand(scene, frame.ratio);
       const count = points.bring();
+      renderer.set_light(full, scene.section);
       renderer.set_view(uniforms(scene, frame, [width, height], points.cloud, count, full));
       renderer.render(count, fadedFor(scene, frame));
       if (points.cloud) points.follow();
@@ -210,8 +212,8 @@ function uniforms(
     ...parse(colours.level),
     ...parse(colours.inside),
     cloud?.full ?? 1,
-    full ? 1 : 0,
     scene.radius,
+    0,
     0,
     ...onGround(scene, back, full),
     ...parse(colours.grid),

@@ -10,6 +10,9 @@ export interface Handle {
   setView(name: ViewName): void;
   fit(): void;
   pick(x: number, y: number): void;
+  /** A pointer is there, and nothing is dragged. */
+  point(x: number, y: number): void;
+  leave(): void;
 }
 
 const TURN = 0.008; // radians a CSS pixel
@@ -38,7 +41,11 @@ export function listen(element: HTMLElement, handle: Handle): () => void {
     "pointermove",
     event => {
       const before = pointers.get(event.pointerId);
-      if (!before) return;
+      if (!before) {
+        const { x, y } = place(element, event);
+        if (event.pointerType !== "touch") handle.point(x, y);
+        return;
+      }
       const now = place(element, event);
       wandered += Math.hypot(now.x - before.x, now.y - before.y);
       const other = [...pointers].find(([id]) => id !== event.pointerId)?.[1];
@@ -57,6 +64,7 @@ export function listen(element: HTMLElement, handle: Handle): () => void {
   };
   element.addEventListener("pointerup", up, options);
   element.addEventListener("pointercancel", up, options);
+  element.addEventListener("pointerleave", () => handle.leave(), options);
   element.addEventListener("contextmenu", event => event.preventDefault(), options);
   element.addEventListener("dblclick", () => handle.fit(), options);
   element.addEventListener("wheel", event => wheel(element, handle, event), { ...options, passive: false });

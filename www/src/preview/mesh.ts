@@ -20,6 +20,7 @@ export interface Style {
   width: number; // CSS pixels
   dash?: number; // period in CSS pixels
   entry?: number; // place in the trace; absent: always there
+  field?: string; // parameter that it explains
   during?: readonly [number, number]; // between which parts of its entry it is travelled; absent: the whole of it
   unseenBefore?: boolean; // else faint
   tube?: boolean; // drawn as one

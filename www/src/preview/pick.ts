@@ -1,8 +1,29 @@
-// Which motion or touch is under the pointer.
+// Which motion or touch is under the pointer, and which dimension.
 import { type Camera, type Projected, projector, type Viewport } from "./camera";
 import type { Line } from "./mesh";
 
 const WITHIN = 9; // CSS pixels
+const BESIDE = 5; // from the line of a dimension
+
+/** Parameter of the dimension whose words or line are there; null: none. */
+export function fieldAt(
+  stage: HTMLElement,
+  lines: readonly Line[],
+  { camera, view }: { camera: Camera; view: Viewport },
+  x: number,
+  y: number,
+): string | null {
+  const { left, top } = stage.getBoundingClientRect();
+  for (const words of stage.querySelectorAll<SVGElement>("text[data-field]")) {
+    const box = words.getBoundingClientRect();
+    const inside = x + left >= box.left && x + left <= box.right && y + top >= box.top && y + top <= box.bottom;
+    if (inside) return words.dataset.field ?? null;
+  }
+  const project = projector(camera, view);
+  const away = ({ from, to }: Line): number => nearest(project(from), project(to), x, y).distance;
+  const near = lines.filter(line => line.style.field !== undefined && away(line) <= BESIDE);
+  return near.sort((a, b) => away(a) - away(b))[0]?.style.field ?? null;
+}
 
 /** Entry of the nearest path on the screen, the nearer to the viewer where several are equally close; null: none. */
 export function pick(lines: Line[], camera: Camera, view: Viewport, x: number, y: number): number | null {

@@ -58,8 +58,10 @@ export function buildScene(
   const groups = view.groups
     .filter(one => (one.standing ?? place) === place && isWanted(one, wanted))
     .sort((a, b) => rankOf(a.kind) - rankOf(b.kind));
-  const inked = (group: LineGroup): Style =>
-    lineStyle(group.kind, colours, group.field !== undefined && group.field === focus);
+  const inked = ({ kind, field }: LineGroup): Style => ({
+    ...lineStyle(kind, colours, field !== undefined && field === focus),
+    ...(field !== undefined && { field }),
+  });
   const lines = [
     ...groups.flatMap(group => linesOf(data, group, standing, inked(group))),
     ...paths(data, index, colours),

@@ -5,7 +5,7 @@ import { type Basis, basis, type Camera, turn, type ViewName } from "./camera";
 import type { Colours } from "./colours";
 import { EMPTY, lastStep, sameScene } from "./content";
 import { listen, turned } from "./input";
-import { pick } from "./pick";
+import { fieldAt, pick } from "./pick";
 import type { Rect } from "./places";
 import { createShow, type Show, type ShowOptions } from "./show";
 import { makeStage, watchSize } from "./stage";
@@ -47,6 +47,8 @@ export interface Preview {
   setLabel(label: string): void;
   /** A click on a motion or touch. */
   onPick(callback: (entry: number) => void): void;
+  /** The pointer is on the dimension of a parameter, or on none; a click on one. */
+  onField(pointed: (parameter: string | null) => void, chosen: (parameter: string) => void): void;
   setColours(colours: Colours): void;
   /** So many CSS pixels at the left are covered: what is fitted stands beside them where there is room. */
   setCovered(width: number): void;
@@ -65,14 +67,21 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
   const stage = makeStage(host, options.label);
   const show = await createShow(stage, options);
   let picked: (entry: number) => void = () => undefined;
+  let pointed: (parameter: string | null) => void = () => undefined;
+  let chosen: (parameter: string) => void = () => undefined;
   const { sight } = show;
+  const at = (x: number, y: number): string | null => fieldAt(stage, show.scene.lines, sight, x, y);
   const silence = listen(stage, {
     camera: () => sight.camera,
     view: () => sight.view,
     move: sight.move,
     setView: sight.setView,
     fit: sight.fit,
+    point: (x, y) => pointed(at(x, y)),
+    leave: () => pointed(null),
     pick(x, y) {
+      const field = at(x, y);
+      if (field !== null) return chosen(field);
       const entry = pick(show.scene.lines, sight.camera, sight.view, x, y);
       if (entry !== null) picked(entry);
     },
@@ -103,6 +112,9 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
     setLabel: label => stage.setAttribute("aria-label", label),
     onPick(callback) {
       picked = callback;
+    },
+    onField(onPoint, onChoose) {
+      [pointed, chosen] = [onPoint, onChoose];
     },
     destroy() {
       show.painter.end();

@@ -73,10 +73,17 @@ export function answered(ways: readonly Way[], way: Way, question: string, answe
   return all.sort((a, b) => kept(b).localeCompare(kept(a)))[0] ?? way;
 }
 
-/** The first way to an element, with this correction where there is one. */
-export function firstWay(ways: readonly Way[], element: Element, corrects?: Corrects): Way | undefined {
+/** The way to an element that is most like the one shown, with this correction where there is one. */
+export function firstWay(
+  ways: readonly Way[],
+  { element, options }: { element: Element; options: Record<string, string> },
+  corrects?: Corrects,
+): Way | undefined {
   const own = ways.filter(one => one.element === element);
-  return own.find(one => one.corrects === corrects) ?? own[0];
+  const wanted = own.some(one => one.corrects === corrects) ? corrects : own[0]?.corrects;
+  const alike = (one: Way): number =>
+    Object.entries(options).filter(([question, answer]) => one.options[question] === answer).length;
+  return own.filter(one => one.corrects === wanted).sort((a, b) => alike(b) - alike(a))[0];
 }
 
 /** Whether these values, of a form of this way's variant, are of this way and of no other one. */

@@ -9,6 +9,8 @@ interface Pictogram {
   /** Keys of its name and of what is measured of it. */
   keys: [string, string];
   controls: Dialect[];
+  /** The answers of the variant that is drawn. */
+  options: Record<string, string>;
   /** What each area is, and its outline, from the back to the front. */
   areas: [string, string][];
 }
@@ -18,6 +20,10 @@ export const PICTOGRAMS = drawn as unknown as readonly Pictogram[];
 /** The elements that a control measures. */
 export const elementsOf = (control: Dialect): Pictogram[] =>
   PICTOGRAMS.filter(({ controls }) => controls.includes(control));
+
+/** What the pictogram of an element shows. */
+export const shownOf = (element: Element): Pick<Pictogram, "element" | "options"> =>
+  PICTOGRAMS.find(one => one.element === element) ?? { element, options: {} };
 
 /** It says nothing: its name stands beside it. */
 export function pictogram({ areas }: Pictogram): SVGSVGElement {

@@ -11,7 +11,7 @@ import type { State } from "../state/state";
 import { language, t } from "../texts";
 import type { CycleInfo, Dialect, Element as Measured } from "../wire";
 import { answered, firstWay, isAt, openWay, questions, type Way, waysOf } from "./aims";
-import { elementsOf, PICTOGRAMS, pictogram } from "./pictogram";
+import { elementsOf, PICTOGRAMS, pictogram, shownOf } from "./pictogram";
 import "../styles/start.css";
 
 const CONTROLS: Dialect[] = ["sinumerik", "nct"];
@@ -24,20 +24,23 @@ export interface Leads {
   toWork(): void;
   /** A program is picked to be opened. */
   openProgram(): void;
+  /** The worked example is told of a way. */
+  tell(way: Way): void;
 }
 
 interface Chosen {
-  control: Dialect;
   element: Measured;
   way: Way | undefined;
 }
+
+/** What is chosen; it outlives this screen, which another language makes anew. */
+let chosen: Chosen | null = null;
 
 export function createStart(
   root: HTMLElement,
   actions: Actions,
   leads: Leads,
 ): (state: State, derived: Derived) => void {
-  let chosen: Chosen | null = null;
   let ways: readonly Way[] = [];
   let known: unknown = null; // cycles and control that the ways are of
   let shown: { state: State; derived: Derived } | null = null;
@@ -47,7 +50,7 @@ export function createStart(
     draw();
   };
   const chooseElement = (element: Measured): void =>
-    choose({ element, way: firstWay(ways, element, chosen?.way?.corrects) });
+    choose({ element, way: firstWay(ways, shownOf(element), chosen?.way?.corrects) });
   const open = (): void => {
     const way = chosen?.way;
     if (!way || !shown) return;
@@ -124,7 +127,7 @@ export function createStart(
   };
   /** With another correction, what is left to choose stays as far as it can. */
   const nearestWith = (way: Way | undefined, corrects: Way["corrects"]): Way | undefined => {
-    const first = chosen && firstWay(ways, chosen.element, corrects);
+    const first = chosen && firstWay(ways, shownOf(chosen.element), corrects);
     if (!first || !way) return first ?? undefined;
     return Object.entries(way.options).reduce((to, [question, answer]) => answered(ways, to, question, answer), first);
   };
@@ -175,7 +178,7 @@ export function createStart(
     `;
   };
 
-  const controls = ({ control }: Chosen): TemplateResult => html`
+  const controls = (control: Dialect): TemplateResult => html`
     <div class="start-control" role="group" aria-label=${t("fact-control")}>
       ${CONTROLS.map(
         one => html`
@@ -183,7 +186,7 @@ export function createStart(
             type="button"
             class="chip"
             aria-pressed=${String(one === control)}
-            @click=${() => choose({ control: one })}
+            @click=${() => actions.chooseControl(one)}
           >
             ${t(`control-${one}`)}
           </button>
@@ -231,6 +234,21 @@ export function createStart(
     </section>
   `;
 
+  /** The worked example: a bore that corrects a zero offset. */
+  const example = (): TemplateResult | typeof nothing => {
+    const way = ways.find(one => one.corrects === "zero" && one.element === "hole");
+    if (!way) return nothing;
+    return html`
+      <section class="start-card">
+        <h3>${t("story-title")}</h3>
+        <p>${t("story-lead")}</p>
+        <button type="button" class="start-story" @click=${() => leads.tell(way)}>
+          ${iconPart("start")}${t("story-start")}
+        </button>
+      </section>
+    `;
+  };
+
   const side = (cycles: readonly CycleInfo[]): TemplateResult => html`
     <aside class="start-side" aria-label=${t("start-others")}>
       <section class="start-card">
@@ -240,6 +258,7 @@ export function createStart(
           ${iconPart("open")}${t("start-open")}
         </button>
       </section>
+      ${example()}
       ${recent.length ? lately(cycles) : nothing}
       <button
         type="button"
@@ -257,21 +276,22 @@ export function createStart(
   const draw = (): void => {
     if (!shown) return;
     const { derived } = shown;
-    const [first] = elementsOf(derived.cycle.control);
+    const { control } = derived.cycle;
+    const elements = elementsOf(control);
+    const [first] = elements;
     if (!first) return;
-    chosen ??= { control: derived.cycle.control, element: first.element, way: undefined };
-    const mark = `${chosen.control} ${derived.catalogue.cycles.length}`;
+    chosen ??= { element: first.element, way: undefined };
+    const mark = `${control} ${derived.catalogue.cycles.length}`;
     if (known !== mark) {
-      ways = waysOf(derived.catalogue, chosen.control);
+      ways = waysOf(derived.catalogue, control);
       known = mark;
     }
-    const elements = elementsOf(chosen.control);
     if (!elements.some(({ element }) => element === chosen?.element))
       chosen = { ...chosen, element: first.element, way: undefined };
     const { way, element } = chosen;
     const same = (one: Way): boolean =>
       one.cycle.cycle === way?.cycle.cycle && one.variant.mvar === way.variant.mvar && one.corrects === way.corrects;
-    const now: Chosen = { ...chosen, way: ways.find(same) ?? firstWay(ways, element, way?.corrects) };
+    const now: Chosen = { ...chosen, way: ways.find(same) ?? firstWay(ways, shownOf(element), way?.corrects) };
     chosen = now;
     render(
       html`
@@ -281,7 +301,7 @@ export function createStart(
               <h2 id="start-title">${t("start-title")}</h2>
               <p>${t("start-lead")}</p>
             </div>
-            ${controls(now)}
+            ${controls(control)}
           </div>
           <div class="start-grid" role="radiogroup" aria-labelledby="start-title" @keydown=${moved}>
             ${elements.map(one => tile(one, one.element === now.element))}

@@ -84,13 +84,19 @@ function ofForm(step: Between): Told | null {
   return { ...named("step-field", { field, value: is.values[field] || "–" }), subject: `field ${field}` };
 }
 
+/** What says itself what it does to the machine is called so. */
+function ofMachine({ before, after }: Between): Told {
+  const { told } = after.machine;
+  return told && told !== before.machine.told ? named(told.key, told.args) : named("step-machine");
+}
+
 function ofRest(step: Between): Told | null {
   const { before, after } = step;
   if (textsDiffer(step)) return named("step-program", { line: after.program.line });
   const encoding = after.program.files[after.form.control]?.encoding ?? "";
   if (!same(before.program.files, after.program.files)) return named("step-encoding", { encoding });
   if (!same(before.part.errors, after.part.errors)) return { ...named("step-errors"), subject: "errors" };
-  if (!same(before.machine, after.machine)) return named("step-machine");
+  if (!same({ ...before.machine, told: null }, { ...after.machine, told: null })) return ofMachine(step);
   return same(before.form.sets, after.form.sets) ? null : named("step-sets");
 }
 

@@ -88,6 +88,8 @@ export interface Proposal {
   findings: Diagnostic[];
   converting: Converting | null; // what led to it
   notice: string; // key of what is said once they are made
+  /** What was typed and leads to it: values that wait, or one over an expression, in whose place a variable changes. */
+  typed: "values" | { field: string } | null;
 }
 /** Nothing is asked about this text any more: the user stopped it, or it failed for a reason. */
 export interface Stopped {
@@ -112,7 +114,8 @@ export interface FormState {
   edits: number; // how often something was typed or chosen in the form
   checked: boolean; // problems are shown at every field
   touched: Record<string, true>; // fields whose problems are shown
-  focus: string | null;
+  focus: string | null; // field that has the keyboard's focus, or had it last
+  pointed: string | null; // what the pointer is on wherever it is named, or the cursor in the program
 }
 
 /** How the form becomes a piece of program. */
@@ -150,12 +153,16 @@ export interface DeskState {
   converted: ConvertedCall | null;
   curing: CuringAll | null;
   proposed: Proposal | null;
+  held: boolean; // something is being dragged: what that changes until its end is one step
 }
 
 export interface MachineState {
-  setup: Setup | null; // imported machine; null: the core's own
+  setups: Partial<Record<Dialect, Setup>>; // the profile in use of each control; none: the core's own machine
+  parked: readonly Setup[]; // the other profiles
   own: Partial<Record<Dialect, OwnMachine>>; // how the core's own begins, where that was chosen
+  before: Partial<Record<Dialect, string>>; // the cycle that the form had when the other control was chosen
   suits: Partial<Record<Dialect, Plane>>; // the usual plane of the sort of machine that it last was for a form
+  told: Message | null; // what was done to it last
 }
 
 /** The 3D view and the motions in it. */
@@ -192,9 +199,13 @@ export interface PanelState {
   dock: DockPanel; // the one that is shown where they do not stand side by side
   errors: boolean; // the panel of simulated errors stands beside the view
   sizes: Sizes; // of areas, as they were drawn
+  sheet: Sheet; // how far the dock of a tablet is drawn up
 }
 
 export type DockPanel = "program" | "results";
+/** From a strip to all that the answer leaves. */
+export const SHEETS = ["peek", "half", "full"] as const;
+export type Sheet = (typeof SHEETS)[number];
 /** CSS pixels of areas, by name; none: as the page has it. */
 export type Sizes = Partial<Record<"form" | "dock" | "program", number>>;
 
@@ -212,6 +223,7 @@ export interface PageState {
   theme: Theme;
   language: string; // its code; empty: what the browser wants
   search: string;
+  story: number; // step of the worked example that is told, from 1; 0: none
   recent: readonly string[]; // names of the commands that were run last, the newest first
   card: Card | null;
   notice: string; // key of a short confirmation
@@ -304,6 +316,7 @@ export function firstState(): State {
       checked: false,
       touched: {},
       focus: null,
+      pointed: null,
     },
     snippet: { comments: true, twin: false, style: "" },
     part: { errors: NO_ERRORS, limits: false },
@@ -326,8 +339,9 @@ export function firstState(): State {
       converted: null,
       curing: null,
       proposed: null,
+      held: false,
     },
-    machine: { setup: null, own: {}, suits: {} },
+    machine: { setups: {}, parked: [], own: {}, before: {}, suits: {}, told: null },
     view: {
       source: "form",
       step: AT_END,
@@ -350,12 +364,14 @@ export function firstState(): State {
       dock: "program",
       errors: false,
       sizes: {},
+      sheet: "half",
     },
     page: {
       place: "work",
       theme: "system",
       language: "",
       search: "",
+      story: 0,
       recent: [],
       card: null,
       notice: "",
@@ -372,6 +388,11 @@ export function firstState(): State {
 /** Under what the values and value sets of a cycle are kept. */
 export function memoryKey({ control, cycle }: Pick<FormState, "control" | "cycle">): string {
   return `${control}/${cycle}`;
+}
+
+/** The parameter in focus: it is lit wherever it is named or drawn. */
+export function inFocus({ form: { pointed, focus } }: State): string | null {
+  return pointed ?? focus;
 }
 
 /** The call of the program that the form edits, as it was read last. */
@@ -407,18 +428,23 @@ export function programOf(state: State): string {
 /** The machine of the form: for a call of the program that of the program. */
 export function machine(state: State): { setup?: Setup | OwnMachine } {
   if (state.form.open !== null) return programMachine(state);
-  const { control } = state.form;
-  const { setup, own } = state.machine;
-  if (setup?.control === control) return { setup };
-  const chosen = own[control];
+  const setup = profile(state);
+  if (setup) return { setup };
+  const chosen = state.machine.own[state.form.control];
   return chosen ? { setup: chosen } : {};
 }
 
-/** The imported machine, for a control that it has; else the core's own with what was chosen for it. */
+/** The profile in use of the control that the form is for. */
+export function profile({ form: { control }, machine: { setups } }: State): Setup | undefined {
+  return setups[control];
+}
+
+/** The profile in use; else the core's own machine with what was chosen for it. */
 export function programMachine(state: State): { setup?: Setup | OwnMachine } {
   const { control } = state.form;
-  const { setup, own } = state.machine;
-  if (setup?.control === control) return { setup };
+  const { own } = state.machine;
+  const setup = profile(state);
+  if (setup) return { setup };
   const chosen = own[control];
   const plane = programPlane(state);
   if (plane === ownMachine(state).plane) return chosen ? { setup: chosen } : {};
@@ -431,9 +457,10 @@ export function programMachine(state: State): { setup?: Setup | OwnMachine } {
  */
 export function programPlane(state: State): Plane {
   const { control } = state.form;
-  const { setup, suits } = state.machine;
+  const { suits } = state.machine;
   const { plane } = ownMachine(state);
-  if (setup?.control === control) return setup.plane;
+  const setup = profile(state);
+  if (setup) return setup.plane;
   return plane === (suits[control] ?? PLANES[0]) ? (state.program.usual[control] ?? plane) : plane;
 }
 
@@ -460,12 +487,12 @@ export function ownMachine({ form: { control }, machine: { own } }: State): OwnM
   return own[control]?.own ?? { plane, units };
 }
 
-/** How the machine that counts begins: the opened one, else the core's own. */
+/** How the machine that counts begins: the profile in use, else the core's own. */
 export function beginning(state: State): OwnMachine["own"] {
   const { control } = state.form;
-  const { setup } = state.machine;
+  const setup = profile(state);
   const own = ownMachine(state);
-  if (setup?.control !== control) return state.form.open === null ? own : { ...own, plane: programPlane(state) };
+  if (!setup) return state.form.open === null ? own : { ...own, plane: programPlane(state) };
   return {
     basic: setup.units,
     plane: setup.plane,

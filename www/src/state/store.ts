@@ -1,4 +1,4 @@
-// One state, one listener for drawing, at most one redraw a frame.
+// One state, one listener for drawing, at most one redraw a frame; of what somebody types the rest follows its paint.
 
 import { type Patch, patched, type State } from "./state";
 
@@ -10,18 +10,40 @@ export interface Store {
    * Draws what is still to be drawn, now: for whoever goes on with what the redraw shows, as moving the focus there.
    */
   flush(): void;
+  /** Draws the rest of what was drawn last, unless that is done. */
+  finish(): void;
   /** What follows from the state is part of it, before it is drawn: no redraw. */
   settle(next: State): State;
 }
 
-/** `changed`: told of each change before the task is over that made it. */
-export function createStore(first: State, draw: () => void, changed: () => void): Store {
+/** What may be drawn a moment later than what the user looks at. */
+export type Rest = () => void;
+
+/**
+ * `draw`: gives back what is to be drawn once the browser has painted the frame; `changed`: told of each change before
+ * the task is over that made it.
+ */
+export function createStore(first: State, draw: () => Rest | undefined, changed: () => void): Store {
   let state = first;
   let telling = false;
   let waiting = 0; // the frame asked for
+  let rest: Rest | undefined;
+  const finish = (): void => {
+    const left = rest;
+    rest = undefined;
+    left?.();
+  };
   const frame = (): void => {
     waiting = 0;
-    draw();
+    rest = undefined; // this frame draws all of it anew
+    const left = draw();
+    rest = left;
+    if (!left) return;
+    const painted = (): void => {
+      if (rest === left && !waiting) finish();
+    };
+    setTimeout(painted);
+    requestAnimationFrame(painted);
   };
   const tell = (): void => {
     telling = false;
@@ -42,9 +64,12 @@ export function createStore(first: State, draw: () => void, changed: () => void)
       return state;
     },
     flush() {
-      if (!waiting) return;
-      cancelAnimationFrame(waiting);
-      frame();
+      if (waiting) {
+        cancelAnimationFrame(waiting);
+        frame();
+      }
+      finish();
     },
+    finish,
   };
 }

@@ -5,7 +5,7 @@ import type { Pending } from "../core/pending";
 import { ENCODINGS } from "../encoding";
 import type { Plane, Setup, Style, Transverse, UnitFunction } from "../wire";
 import type { ProgramFile } from "./files";
-import { firstState, NO_ERRORS, type Patch, PLANES, patched, type State, UNITS } from "./state";
+import { firstState, NO_ERRORS, type Patch, PLANES, patched, SHEETS, type State, UNITS } from "./state";
 
 /** A kept field: where it stands, and what of a stored value has the right shape; undefined: nothing, it stays. */
 interface Field<G extends keyof State, F extends keyof State[G]> {
@@ -83,6 +83,13 @@ function ownMachines(value: unknown): State["machine"]["own"] {
   return Object.fromEntries(pairs) as State["machine"]["own"];
 }
 
+const isSetup = (value: unknown): value is Setup => plainObject(value) && String(value.control) in UNITS;
+
+/** The profiles in use, each under its control. */
+function setupsIn(values: unknown[]): State["machine"]["setups"] {
+  return Object.fromEntries(values.filter(isSetup).map(one => [one.control, one]));
+}
+
 const planes = all(value => (PLANES.includes(value as Plane) ? (value as Plane) : undefined));
 
 const DOCKS: State["panels"]["dock"][] = ["program", "results"];
@@ -117,7 +124,9 @@ const FIELDS = {
   comments: field("snippet", "comments"),
   twin: field("snippet", "twin"),
   style: field("snippet", "style", value => STYLES.find(one => one === value)),
-  setup: field("machine", "setup", value => (plainObject(value) ? (value as unknown as Setup) : undefined)),
+  setups: field("machine", "setups", value => (plainObject(value) ? setupsIn(Object.values(value)) : undefined)),
+  parked: field("machine", "parked", value => (Array.isArray(value) ? value.filter(isSetup) : undefined)),
+  before: field("machine", "before", texts),
   own: field("machine", "own", value => (value === undefined ? undefined : ownMachines(value))),
   suits: field("machine", "suits", planes),
   checked: field("form", "checked"),
@@ -143,6 +152,7 @@ const FIELDS = {
   dock: field("panels", "dock", value => DOCKS.find(one => one === value)),
   errorsShown: field("panels", "errors"),
   sizes: field("panels", "sizes", all(pixels)),
+  sheet: field("panels", "sheet", value => SHEETS.find(one => one === value)),
 };
 type Name = keyof typeof FIELDS;
 const NAMES = Object.keys(FIELDS) as Name[];
@@ -159,7 +169,8 @@ const WORK = [
   "around",
   "pending",
   "errors",
-  "setup",
+  "setups",
+  "parked",
   "own",
   "suits",
   "checked",
@@ -176,7 +187,7 @@ const IN_LINK = [
   "errors",
   "comments",
   "style",
-  "setup",
+  "setups",
   "own",
   "suits",
   "checked",
@@ -215,7 +226,16 @@ export function work(state: State): Patch {
   return groups as Patch;
 }
 
-const AUTHORED = ["programs", "files", "sets", "pending", "errors", "setup", "own"] as const satisfies Name[];
+const AUTHORED = [
+  "programs",
+  "files",
+  "sets",
+  "pending",
+  "errors",
+  "setups",
+  "parked",
+  "own",
+] as const satisfies Name[];
 
 /** Whether somebody has worked between these two: to open another call of the program is no work. */
 export function worked(before: State, after: State): boolean {
@@ -223,9 +243,15 @@ export function worked(before: State, after: State): boolean {
   return names.some(name => held(before, name) !== held(after, name));
 }
 
+/** An earlier page kept one machine. */
+function earlierSetup({ setup }: Record<string, unknown>): State["machine"]["setups"] | undefined {
+  return plainObject(setup) ? setupsIn([setup]) : undefined;
+}
+
 /** A stored state or one out of a link may be old, cut or hand-made: only what has the right shape is taken. */
-export function merge(state: State, data: unknown): State {
-  if (!plainObject(data)) return state;
+export function merge(state: State, stored: unknown): State {
+  if (!plainObject(stored)) return state;
+  const data: Record<string, unknown> = { ...stored, setups: earlierSetup(stored) ?? stored.setups };
   const first = firstState();
   const taken = NAMES.flatMap((name): Patch[] => {
     const read = FIELDS[name].read as (value: unknown, first: unknown) => unknown;

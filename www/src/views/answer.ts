@@ -7,7 +7,7 @@ import type { Derived } from "../desk/derive";
 import { el, setText } from "../dom";
 import { type IconName, iconPart } from "../icons";
 import type { State } from "../state/state";
-import { say, t } from "../texts";
+import { listed, say, t } from "../texts";
 import type { Answer, Figure, RunView } from "../wire";
 import { amount, correctedText, figureText, mainFigures, partsText, unitBehind } from "./amounts";
 import { gaugePicture } from "./gauge";
@@ -56,7 +56,7 @@ function corrected(answer: Answer): TemplateResult {
   const none = answer.corrected.length === 0;
   const name = none
     ? t("bar-corrects")
-    : t("bar-corrects-what", { what: answer.corrected.map(one => say(one.target)).join(", ") });
+    : t("bar-corrects-what", { what: listed(answer.corrected.map(one => say(one.target))) });
   const parts = answer.corrected.map(partsText).filter(Boolean).join("  ");
   return html`<div class="answer-part"><span class="answer-name">${name}</span
     ><b>${none ? t("bar-nothing") : parts || t("bar-new")}</b></div>`;

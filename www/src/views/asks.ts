@@ -1,10 +1,11 @@
-// What would change lines elsewhere in the program: which ones, as they are and as they would be. Nothing is done
-// before it is agreed to.
+// What was typed and would change more than its own value: which lines elsewhere, as they are and as they would be.
+// Nothing is done before all of it was shown and agreed to.
 
 import type { Actions } from "../desk/actions";
+import { unseen } from "../desk/typing";
 import { el, keyed, on, setText, show } from "../dom";
 import { meantBy } from "../keys";
-import { programOf, type State } from "../state/state";
+import type { State } from "../state/state";
 import { t } from "../texts";
 import type { TouchedLine } from "../wire";
 
@@ -18,11 +19,7 @@ export interface Asks {
 
 /** Each line once; of several changes the last one that concerns it counts. */
 function lines(state: State): TouchedLine[] {
-  const text = programOf(state);
-  const typed = state.desk.pending.filter(
-    one => one.control === state.form.control && one.asks?.text === text && !one.asks.replaced,
-  );
-  const all = typed.flatMap(one => one.asks?.lines ?? []);
+  const all = unseen(state).flatMap(one => one.asks.lines);
   return [...new Map(all.map(one => [one.line, one])).values()].sort((a, b) => a.line - b.line);
 }
 
@@ -42,16 +39,16 @@ export function createAsks(actions: Actions): Asks {
   const title = el("h3", { id: "asks-title" });
   const said = el("p", { class: "visually-hidden", role: "status" }); // there before it says something
   const list = el("ul", {});
-  const apply = el("button", { type: "button", class: "primary" }, t("asks-apply"));
+  const look = el("button", { type: "button", class: "primary" }, t("asks-show"));
   const cancel = el("button", { type: "button" }, t("asks-cancel"));
   const root = el(
     "section",
     { class: "asks", "aria-labelledby": "asks-title", hidden: true },
     title,
     list,
-    el("div", { class: "actions" }, apply, cancel),
+    el("div", { class: "actions" }, look, cancel),
   );
-  on(apply, "click", actions.agree);
+  on(look, "click", actions.show);
   on(cancel, "click", actions.refuse);
   on(root, "keydown", event => {
     if (meantBy(event, "form") === "refuse") actions.refuse();
@@ -60,14 +57,15 @@ export function createAsks(actions: Actions): Asks {
     root,
     said,
     waits: () => !root.hidden,
-    focus: () => apply.focus(),
+    focus: () => look.focus(),
     draw(state) {
       const all = lines(state);
-      const came = root.hidden && all.length > 0;
-      show(root, all.length > 0);
+      const waits = unseen(state).length > 0;
+      const came = root.hidden && waits;
+      show(root, waits);
       // it takes room from the fields
       if (came) document.activeElement?.closest(".field")?.scrollIntoView({ block: "nearest" });
-      const text = all.length ? t("asks-title", { count: all.length }) : "";
+      const text = all.length ? t("asks-title", { count: all.length }) : waits ? t("asks-more") : "";
       setText(title, text);
       setText(said, text);
       keyed(

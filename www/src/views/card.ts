@@ -3,7 +3,7 @@
 import type { Actions } from "../desk/actions";
 import { el, on, setText, show } from "../dom";
 import type { Card, State } from "../state/state";
-import { optional, t } from "../texts";
+import { listed, optional, t } from "../texts";
 import type { CycleInfo } from "../wire";
 
 export interface CardView {
@@ -72,7 +72,7 @@ export function createCard(actions: Actions): CardView {
     show(cyclesTitle, card.cycles.length + card.others.length > 0);
     setText(cyclesTitle, t(`card-${kind}-cycles`));
     cycles.replaceChildren(...card.cycles.map(entry));
-    setText(others, card.others.join(", "));
+    setText(others, listed(card.others));
   };
   return {
     dialog,

@@ -7,7 +7,7 @@ import { isCurrent } from "../desk/program";
 import { el, on, setAttribute, setText, show } from "../dom";
 import { meantBy } from "../keys";
 import type { Proposal, State } from "../state/state";
-import { optional, say, t } from "../texts";
+import { listed, optional, say, t } from "../texts";
 import type { ComparedValue } from "../wire";
 import { listProblems } from "./problem";
 
@@ -125,7 +125,7 @@ function named(values: readonly ComparedValue[], many: boolean): HTMLElement[] {
       before !== null && after !== null
         ? t("difference-becomes", { name: param, before, after })
         : t("difference-value", { name: param, value: before ?? after ?? "" });
-    const lines = all.map(one => one.line).join(", ");
+    const lines = listed(all.map(one => String(one.line)));
     return el(
       "li",
       {},
@@ -153,11 +153,14 @@ function createNotes(): { root: HTMLElement; show(proposal: Proposal): void } {
   return {
     root,
     show({ values, findings: all, converting, said }) {
+      const lines = new Set(values.map(one => one.line));
       const parts = SORTS.flatMap(sort => {
         const own = values.filter(one => sortOf(one) === sort);
         if (!own.length) return [];
         const title = el("h3", {}, t(`difference-${sort}`));
-        return [el("section", { "data-sort": sort }, title, el("ul", {}, ...named(own, converting?.all ?? false)))];
+        return [
+          el("section", { "data-sort": sort }, title, el("ul", {}, ...named(own, converting?.all ?? lines.size > 1))),
+        ];
       });
       const none = converting && !values.length ? el("p", {}, t("difference-values-none")) : null;
       listProblems(findings, all);

@@ -109,7 +109,7 @@ export function createField(
     "div",
     { class: `field kind-${first.kind}`, "data-field": name },
     el("div", { class: "field-head" }, el("span", { class: "field-title" }, label, required), code),
-    el("div", { class: "entry-line" }, mark, input, worth, unit, first.kind === "choice" ? select : null, meta),
+    el("div", { class: "entry-line" }, mark, input, unit, worth, first.kind === "choice" ? select : null, meta),
     first.kind === "digits" ? groups : null,
     replacedNote.root,
     list,
@@ -169,6 +169,7 @@ export function createField(
       show(mark, field.expression !== undefined);
       replacedNote.draw(replaced, typed.trim() === "");
       setText(unit, field.unit ? t(`unit-${field.unit.replace("/", "-per-")}`) : "");
+      setAttribute(input, "data-unit", field.unit || null);
       setAttribute(input, "placeholder", field.fallback === undefined ? null : plain(field.fallback));
       setAttribute(input, "aria-required", String(field.required));
       if (field.kind === "choice") updateChoice(select, field, field.expression === undefined ? typed : field.value);
@@ -183,7 +184,7 @@ export function createField(
       root.classList.toggle("needed", field.required);
       setText(limits, limitsText(field));
       setText(why, ` ${needText(field)}`);
-      listProblems(list, problems);
+      listProblems(list, problems, actions.give);
       const wrong = problems.some(one => one.severity === "error");
       setAttribute(input, "aria-invalid", wrong ? "true" : null);
       root.classList.toggle("wrong", wrong);

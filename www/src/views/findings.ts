@@ -5,10 +5,10 @@ import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
 import type { State } from "../state/state";
 import { say, t } from "../texts";
-import type { Diagnostic } from "../wire";
+import type { Diagnostic, Offer } from "../wire";
 import { focusField } from "./field";
 import { shownProblems } from "./form";
-import { problem } from "./problem";
+import { offersOf, problem } from "./problem";
 
 const LISTED = 200; // problems; the others stand in the editor, and come here when these are fixed
 
@@ -88,6 +88,10 @@ export function createFindings(
       cure?.();
       root.focus(); // the button goes with its finding: the focus stays in the list
     };
+    const given = (offer: Offer): void => {
+      actions.give(offer);
+      root.focus();
+    };
     return problem(
       one,
       html`<span class="problem-actions"
@@ -97,7 +101,7 @@ export function createFindings(
         </button
         ><button type="button" class="cure-all" ?hidden=${!all} @click=${all?.cure}>
           ${all ? t("problems-cure-all", { count: all.count }) : ""}
-        </button></span
+        </button>${offersOf(one, given)}</span
       >`,
     );
   };

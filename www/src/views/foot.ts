@@ -5,28 +5,12 @@ import type { Derived } from "../desk/derive";
 import { placedIn } from "../desk/placed";
 import { el, on, setAttribute, setText, show } from "../dom";
 import { icon } from "../icons";
-import type { State } from "../state/state";
+import { inFocus, type State } from "../state/state";
 import type { Store } from "../state/store";
 import { t } from "../texts";
-import type { Dialect } from "../wire";
+import { createCode, inOneLine, piecesOf } from "./code";
 import { copyText } from "./copy";
 import { createMenu } from "./menu";
-
-/** A comment, and what must not be taken for one. */
-const COMMENTS: Record<Dialect, RegExp> = {
-  sinumerik: /("[^"\n]*")|\s*;.*$/gm,
-  nct: /("[^"\n]*")|\s*\([^)\n]*\)/g,
-};
-
-/** The blocks of a snippet one after the other, without what is only said about them. */
-export function inOneLine(snippet: string, control: Dialect): string {
-  const plain = snippet.replace(COMMENTS[control], (_, quoted?: string) => quoted ?? "");
-  return plain
-    .split("\n")
-    .map(line => line.trim())
-    .filter(line => line !== "")
-    .join(" ");
-}
 
 /** `entries`: further actions of the form, in the menu. */
 export function createFoot(
@@ -53,6 +37,8 @@ export function createFoot(
     el("div", { class: "foot-actions" }, copy, insert, placed, more.button),
     more.list,
   );
+  const drawCall = createCode(call);
+  let lit: string | null = null;
   let snippet = "";
   let line: number | null = null; // in which the program has the call just so
   on(copy, "click", () => void copyText(snippet, store, "notice-copied"));
@@ -67,7 +53,10 @@ export function createFoot(
     root,
     draw(state, derived) {
       snippet = derived.view.snippet;
-      setText(call, inOneLine(snippet, derived.cycle.control));
+      drawCall(inOneLine(piecesOf(snippet, derived.view.snippetPlaces ?? {}), derived.cycle.control));
+      const name = inFocus(state);
+      if (name !== lit) bringInSight(call, name);
+      lit = name;
       setAttribute(call, "title", snippet);
       setAttribute(copy, "disabled", snippet === "");
       line = placedIn(state, derived);
@@ -77,4 +66,12 @@ export function createFoot(
       if (line !== null) setText(placedText, t("form-placed", { line }));
     },
   };
+}
+
+/** The line shows its beginning, or where this parameter is when that is cut off. */
+function bringInSight(call: HTMLElement, name: string | null): void {
+  const value = name === null ? null : call.querySelector<HTMLElement>(`[data-field="${CSS.escape(name)}"]`);
+  const end = value ? value.offsetLeft + value.offsetWidth - call.offsetLeft : 0;
+  call.classList.toggle("shifted", end > call.clientWidth); // what ends in dots draws nothing behind them
+  call.scrollLeft = end > call.clientWidth ? end - call.clientWidth / 2 : 0;
 }

@@ -5,11 +5,12 @@ import type { Derived } from "../desk/derive";
 import { replacing } from "../desk/typing";
 import { el, on, setAttribute, setText, show } from "../dom";
 import { meantBy } from "../keys";
-import type { Reset, State } from "../state/state";
+import { inFocus, type Reset, type State } from "../state/state";
 import type { Store } from "../state/store";
 import { optional, t } from "../texts";
 import type { Diagnostic } from "../wire";
 import { createAsks } from "./asks";
+import { createCode, piecesOf } from "./code";
 import { createExplain } from "./explain";
 import { createField, type FieldView, focusField } from "./field";
 import { createFoot } from "./foot";
@@ -51,10 +52,22 @@ function resetNotes({ form: { resets, values } }: State): Diagnostic[] {
   return gone.map(([param, reset]) => ({ severity: "note", code: "", param, message: resetSaid(reset) }));
 }
 
+const commas = (text: string): number => text.split(",").length;
+
+/** What is said at a field whose value was typed with a decimal comma: it is written with a point. */
+function pointedNotes({ form: { values } }: State, { fields }: Derived["view"]): Diagnostic[] {
+  return fields.flatMap(({ name: param, written, expression = "" }): Diagnostic[] => {
+    const pointed = commas(values[param] ?? "") > commas(expression) ? expression : "";
+    const value = written || pointed;
+    return value ? [{ severity: "note", code: "", param, message: { key: "field-pointed", args: { value } } }] : [];
+  });
+}
+
 export function createForm(
   root: HTMLElement,
   store: Store,
   actions: Actions,
+  chain: HTMLElement,
   showSets: () => void,
   goToLine: (line: number) => void,
 ): (state: State, derived: Derived) => void {
@@ -90,6 +103,7 @@ export function createForm(
     fields,
     store,
     field => `${shown?.cycle.control}/${shown?.cycle.cycle}/${field.name}/${field.kind}`,
+    { tolerances: chain },
     field => {
       const view = createField(field, actions, focused, goToLine);
       views.set(view.root, view);
@@ -115,6 +129,7 @@ export function createForm(
   const sets = el("button", { type: "button" }, t("sets-open"));
   const example = el("button", { type: "button" }, t("form-example"));
   const snippet = el("pre", { class: "snippet", tabindex: "0", "aria-label": t("form-snippet") });
+  const drawSnippet = createCode(snippet);
   const comments = el("input", { type: "checkbox", id: "comments" });
   const foot = createFoot(store, actions, goToLine, [check, example, sets]);
   const snippetBox = el(
@@ -150,10 +165,19 @@ export function createForm(
   on(fields, "keydown", event => {
     if (!asks.waits() || event.target instanceof HTMLSelectElement) return;
     const command = meantBy(event, "form");
-    if (command === "ask") asks.focus();
+    if (command === "ask") actions.show();
     else if (command === "refuse") actions.refuse();
     else return;
     event.preventDefault();
+  });
+  /** Whether somebody types into a field, or decides beside it. */
+  const isBusy = (at: Element | null): boolean =>
+    (at instanceof HTMLInputElement && fields.contains(at)) || asks.root.contains(at);
+  const showIfLeft = (at: Element | null): void => {
+    if (asks.waits() && document.hasFocus() && !isBusy(at) && !store.state.desk.proposed) actions.show();
+  };
+  on(fields, "focusout", event => {
+    if (!asks.root.contains(event.relatedTarget as Element | null)) showIfLeft(null);
   });
   on(detach, "click", () => actions.closeCall());
   on(help, "click", () => {
@@ -189,22 +213,28 @@ export function createForm(
       setText(where, t("form-opened", { cycle: cycle.cycle, from: derived.opened.line, to: derived.opened.lastLine }));
     const names = new Set(view.fields.map(field => field.name));
     const arrivals = derived.opened?.arrivals.filter(one => names.has(one.param ?? "")) ?? [];
-    const problems = [...shownProblems(state, view), ...arrivals, ...resetNotes(state)];
+    // what is said of how a value arrives there tells more than that it is not known
+    const told = (one: Diagnostic): boolean =>
+      arrivals.some(other => other.param === one.param && other.code === one.code);
+    const own = shownProblems(state, view).filter(one => !told(one));
+    const problems = [...own, ...arrivals, ...resetNotes(state), ...pointedNotes(state, view)];
     shown = { cycle, state, problems };
     const troubled = problems.flatMap(({ severity, param }) => (severity !== "note" && param ? [param] : []));
     groups.draw(view.fields, state, new Set(troubled));
     listProblems(
       loose,
       problems.filter(one => one.param === undefined || !names.has(one.param)),
+      actions.give,
     );
-    if (view.picture) drawPicture(view.picture, state.form.focus, state.form.values);
+    if (view.picture) drawPicture(view.picture, inFocus(state), state.form.values);
     renderCount(count, state, view);
     if (comments.checked !== state.snippet.comments) comments.checked = state.snippet.comments;
-    setText(snippet, view.snippet);
+    drawSnippet(piecesOf(view.snippet, view.snippetPlaces ?? {}));
     setAttribute(snippet, "data-style", derived.style);
     show(snippet, view.snippet !== "");
     foot.draw(state, derived);
     asks.draw(state);
+    queueMicrotask(() => showIfLeft(document.activeElement)); // what nobody types any more
     ways.draw(state, derived);
     twin.draw(state, derived);
     callWays.draw(state, derived);

@@ -1,7 +1,7 @@
 // A scale with limits, and needles for what was measured; all figures are the core's.
 
 import { html, svg, type TemplateResult } from "lit-html";
-import { t } from "../texts";
+import { listed, t } from "../texts";
 import type { Gauge, Needle } from "../wire";
 import { amount, unitBehind } from "./amounts";
 
@@ -25,7 +25,7 @@ function named(needles: Needle[], at: (value: number) => number): Map<Needle, st
 
 /** "X +0.084 mm, Y −0.046 mm": what the needles show. */
 export function needlesText({ needles, unit }: Gauge): string {
-  return needles.map(one => `${one.label} ${amount(one.value, unit, true)}${unitBehind(unit)}`.trim()).join(", ");
+  return listed(needles.map(one => `${one.label} ${amount(one.value, unit, true)}${unitBehind(unit)}`.trim()));
 }
 
 /** Beside a text that says the same: the limits and how far the needles are. */
@@ -40,17 +40,21 @@ export function gaugePicture(gauge: Gauge): TemplateResult {
     high: amount(outer[1]?.value ?? gauge.high, unit, true),
   });
   const single = needles.length === 1;
-  return html`<svg class="gauge" viewBox="0 0 240 50" role="img" aria-label=${label}>
+  return html`<svg class="gauge leads" viewBox="0 0 240 50" role="img" aria-label=${label}>
     ${bands.map(
       ({ kind, from, to }) =>
         svg`<rect class=${`band band-${kind}`} x=${at(from)} width=${Math.max(0, at(to) - at(from))} y="20" height="8"
         ></rect>`,
     )}
-    ${marks.map(({ value }) => svg`<line class="mark" x1=${at(value)} x2=${at(value)} y1="18" y2="31"></line>`)}
+    ${marks.map(
+      ({ name, value }) =>
+        svg`<line class="mark" data-field=${name} x1=${at(value)} x2=${at(value)} y1="18" y2="31"></line>`,
+    )}
     <line class="mark zero" x1=${at(0)} x2=${at(0)} y1="20" y2="31"></line>
     ${outer.map(
-      ({ value }) =>
-        svg`<text class="limit" x=${at(value)} y="43" text-anchor="middle">${amount(value, unit, true)}</text>`,
+      ({ name, value }) =>
+        svg`<text class="limit" data-field=${name} x=${at(value)} y="43" text-anchor="middle"
+        >${amount(value, unit, true)}</text>`,
     )}
     <text class="limit" x=${at(0)} y="43" text-anchor="middle">0</text>
     ${needles.map(one => {

@@ -1,7 +1,7 @@
 // The fields of a form in sections by what they are about. A section with something to fill in stands open; of another
 // one line says what in it differs from delivery.
 
-import { el, keyed, on, setAttribute, setText, show } from "../dom";
+import { el, keyed, on, setAttribute, show } from "../dom";
 import { icon } from "../icons";
 import { plain } from "../numbers";
 import type { State } from "../state/state";
@@ -11,6 +11,7 @@ import type { Field, Topic } from "../wire";
 
 const TOPICS: readonly Topic[] = ["task", "correction", "approach", "tolerances", "statistics", "probe"];
 const NAMED = 3; // values in the line of a folded section
+const ENTRY = ".entry-line > .figure";
 
 /** Asks the section around a node to open; it does so at once. */
 export function reveal(node: Element | null): void {
@@ -35,11 +36,26 @@ function differs({ value, expression, fallback }: Field): boolean {
   return typed !== "" && (fallback === undefined || typed !== plain(fallback));
 }
 
-function summaryOf(fields: readonly Field[]): string {
+/** A piece of the line of a folded section: a value is the way to its field. */
+interface Said {
+  text: string;
+  field?: string;
+}
+
+function summaryOf(fields: readonly Field[]): Said[] {
   const changed = fields.filter(differs);
-  const named = changed.slice(0, NAMED).map(field => `${say(field.label)} ${worthOf(field)}`);
+  const named = changed
+    .slice(0, NAMED)
+    .map(field => ({ text: `${say(field.label)} ${worthOf(field)}`, field: field.name }));
   const more = changed.length - named.length;
-  return [...named, ...(more > 0 ? [t("group-more", { count: more })] : [])].join(" · ") || t("group-as-delivered");
+  const all: Said[] = more > 0 ? [...named, { text: t("group-more", { count: more }) }] : named;
+  return all.length ? all : [{ text: t("group-as-delivered") }];
+}
+
+function drawSummary(node: HTMLElement, all: readonly Said[]): void {
+  if (node.textContent === all.map(({ text }) => text).join(" · ")) return;
+  const piece = ({ text, field }: Said): HTMLElement => el("span", { "data-leads": field }, text);
+  node.replaceChildren(...all.flatMap((one, index) => [...(index ? [" · "] : []), piece(one)]));
 }
 
 interface Group {
@@ -75,6 +91,7 @@ export function createGroups(
   root: HTMLElement,
   store: Store,
   keyOf: (field: Field) => string,
+  drawings: Partial<Record<Topic, HTMLElement>>, // above the fields of a section
   make: (field: Field) => HTMLElement,
   update: (node: HTMLElement, field: Field) => void,
 ): Groups {
@@ -95,7 +112,17 @@ export function createGroups(
       el("span", { class: "group-sum" }),
     );
     const body = el("div", { id, class: "group-fields" });
-    on(head, "click", () => choose({ [idOf(topic)]: body.hasAttribute("hidden") }));
+    on(head, "click", event => {
+      const opens = body.hasAttribute("hidden");
+      const name = (event.target as Element).closest<HTMLElement>("[data-leads]")?.dataset.leads;
+      choose({ [idOf(topic)]: opens });
+      store.flush();
+      if (!opens) return;
+      body.parentElement?.scrollIntoView({ block: "nearest" });
+      const field = name ? body.querySelector<HTMLElement>(`[data-field="${name}"] ${ENTRY}`) : null;
+      field?.focus();
+      if (field instanceof HTMLInputElement) field.select();
+    });
     on(body, "focusin", () => {
       if (!store.state.panels.unfolded[idOf(topic)] && !store.state.panels.unfolded[ALL])
         choose({ [idOf(topic)]: true });
@@ -104,7 +131,7 @@ export function createGroups(
       show(body, true);
       choose({ [idOf(topic)]: true });
     });
-    return el("section", { class: "group", "data-topic": topic }, el("h3", {}, head), body);
+    return el("section", { class: "group", "data-topic": topic }, el("h3", {}, head), drawings[topic] ?? null, body);
   };
 
   return {
@@ -120,12 +147,14 @@ export function createGroups(
         makeGroup,
         (node, group) => {
           const open = groups.length === 1 || isOpen(group, state, troubled);
-          const [heading, body] = node.children as unknown as [HTMLElement, HTMLElement];
+          const [heading, body] = [node.firstElementChild, node.lastElementChild] as [HTMLElement, HTMLElement];
+          const drawing = drawings[group.topic];
           const head = heading.firstElementChild as HTMLElement;
           show(heading, groups.length > 1);
           setAttribute(head, "aria-expanded", String(open));
-          setText(head.lastElementChild as HTMLElement, open ? "" : summaryOf(group.fields));
+          drawSummary(head.lastElementChild as HTMLElement, open ? [] : summaryOf(group.fields));
           show(body, open);
+          if (drawing) show(drawing, open);
           keyed(body, group.fields, keyOf, make, update);
         },
       );

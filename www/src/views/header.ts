@@ -10,7 +10,7 @@ import { nameOf } from "../language";
 import { pack } from "../link";
 import { plain } from "../numbers";
 import { saveFile } from "../state/files";
-import { beginning, INCH, type State } from "../state/state";
+import { beginning, INCH, profile, type State } from "../state/state";
 import type { Store } from "../state/store";
 import { shared } from "../state/stored";
 import { language, languages, t } from "../texts";
@@ -18,11 +18,13 @@ import { drawTheme, THEMES } from "../theme";
 import type { FormView } from "../wire";
 import { createAbout } from "./about";
 import { copyText } from "./copy";
+import type { Equipment } from "./equipment";
 import { createFileMenu, type FileActions } from "./file-menu";
 import { createHistory } from "./history";
 import { createMachine } from "./machine";
 import type { MachineData } from "./machine-data";
 import { createMenu } from "./menu";
+import { createProfile, profileName } from "./profile";
 
 const MM_PER_INCH = 25.4;
 
@@ -92,15 +94,26 @@ export function createHeader(
   actions: Actions,
   openSetup: (file: File) => void,
   core: () => ProgramCore | null,
-  later: () => { machineData: MachineData; openPalette(): void } | null,
+  later: () => {
+    machineData: MachineData;
+    equipment: Equipment;
+    openPalette(): void;
+    paper(which: "sheet" | "report"): Promise<void>;
+  } | null,
   keys: HTMLDialogElement,
   files: FileActions,
   end: AbortSignal,
 ): (state: State, derived: Derived) => void {
   const about = createAbout();
   const machine = createMachine(actions);
+  const profiles = createProfile(
+    store,
+    actions,
+    () => file.click(),
+    () => later()?.equipment ?? null,
+  );
   const history = createHistory(actions);
-  const data = entry("machine", "machine-data-open", () => undefined);
+  const data = entry("machine", "machine-data-title", () => undefined);
   setAttribute(data, "aria-haspopup", "dialog");
   on(data, "click", () => later()?.machineData.open());
   const list = el("dl", { class: "facts", "aria-label": t("facts") });
@@ -126,7 +139,7 @@ export function createHeader(
   const themeName = el("span", {}, "");
   const own = entry("undo", "setup-own", () => actions.openSetup(null));
   const save = (): void => {
-    const saved = shown.setup ?? store.state.machine.setup;
+    const saved = shown.setup ?? profile(store.state);
     if (saved) saveFile(JSON.stringify(saved, null, 2), "setup.json", "application/json");
     else store.update({ page: { notice: "notice-nothing-to-save" } });
   };
@@ -143,6 +156,8 @@ export function createHeader(
       entry("save", "setup-export", save),
       own,
       entry("copy", "link-copy", () => void copyLink(store)),
+      entry("print", "print-sheet", () => void later()?.paper("sheet")),
+      entry("print", "print-report", () => void later()?.paper("report")),
       entry("info", "about-open", () => about.showModal()),
     ],
     [icon("menu")],
@@ -162,7 +177,7 @@ export function createHeader(
   const chip = createMenu(
     "machine-menu",
     t("facts"),
-    [machine.root, list],
+    [profiles.root, machine.root, list],
     [icon("machine"), machineName, " ", machineText, icon("down")],
     { class: "machine-open" },
   );
@@ -185,6 +200,7 @@ export function createHeader(
     program.root,
     history.root,
     search,
+    profiles.control,
     chip.button,
     chip.list,
     bar,
@@ -193,6 +209,7 @@ export function createHeader(
   );
   document.body.append(about);
   return (state, derived) => {
+    profiles.draw(state, derived);
     machine.draw(state);
     history.draw(state);
     program.draw(state);
@@ -212,11 +229,12 @@ export function createHeader(
       },
     );
     const { plane, units } = state.form.around ?? beginning(state);
-    setText(machineName, t(`control-${control}`));
+    const used = profile(state);
+    setText(machineName, used ? profileName(used) : t(`control-${control}`));
     const tool = known.find(one => one.name === t("fact-tool"))?.text;
     setText(machineText, [plane, t(INCH.includes(units) ? "unit-inch" : "unit-mm"), tool].filter(Boolean).join(" · "));
     setAttribute(chip.button, "aria-label", `${machineName.textContent} ${machineText.textContent}`);
-    show(own, !!state.machine.setup);
+    show(own, !!profile(state));
     if (theme.dataset.shown !== state.page.theme) {
       theme.dataset.shown = state.page.theme;
       theme.replaceChildren(icon(state.page.theme), themeName);

@@ -1,7 +1,7 @@
 // The sheet of keys: all that the keyboard does, by where it does it.
 
 import { el, on } from "../dom";
-import { KEYS, partsOf } from "../keys";
+import { isMac, KEYS, partsOf } from "../keys";
 import { optional, t } from "../texts";
 
 const SYMBOLS: Record<string, string> = {
@@ -11,7 +11,6 @@ const SYMBOLS: Record<string, string> = {
   ArrowDown: "↓",
   Escape: "Esc",
 };
-const isMac = /Mac|iPhone|iPad/.test(navigator.platform);
 
 /** As it stands on the keyboard of who reads it. */
 function label(part: string): string {

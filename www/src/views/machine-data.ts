@@ -67,7 +67,7 @@ const entryId = (name: string): string => `datum-${name.replace(/[^A-Za-z0-9_]/g
 /** Which datum it is, and where the manual has it; what it means stands at its entry. */
 function citedText({ name, key, set, source }: MachineField): string {
   const words = [name, set ? say(set) : "", t(key)].filter(Boolean).join(" · ");
-  return source ? `${words}. ${t("field-source", { source })}` : words;
+  return source ? `${words} · ${t("field-source", { source })}` : words;
 }
 
 const choiceText = (key: string, value: number): string => `${plain(value)} · ${optional(`${key}.v${value}`)}`;

@@ -1,7 +1,7 @@
 // What the form still lacks.
 
 import type { Derived } from "../desk/derive";
-import { t } from "../texts";
+import { listed, t } from "../texts";
 
 /** Why there is no outcome yet: by name, what the form still lacks. */
 export function missing(derived: Derived): string {
@@ -10,10 +10,10 @@ export function missing(derived: Derived): string {
   if (derived.simulates === "coming" && derived.view.complete) return t("outcome-coming");
   if (derived.opened?.style === "operate" && derived.view.complete && !derived.view.unknown?.length)
     return t("outcome-newer");
-  const names = [
-    ...new Set(derived.view.diagnostics.filter(one => one.severity === "error" && one.param).map(one => one.param)),
-  ];
-  if (names.length) return t("outcome-missing", { names: names.join(", ") });
+  const names = new Set(
+    derived.view.diagnostics.flatMap(one => (one.severity === "error" && one.param ? [one.param] : [])),
+  );
+  if (names.size) return t("outcome-missing", { names: listed([...names]) });
   const { unknown = [] } = derived.view;
-  return unknown.length ? t("outcome-unknown", { names: unknown.join(", ") }) : t("outcome-incomplete");
+  return unknown.length ? t("outcome-unknown", { names: listed(unknown) }) : t("outcome-incomplete");
 }

@@ -2,15 +2,16 @@
 
 import { html, nothing, render, type TemplateResult } from "lit-html";
 import { guard } from "lit-html/directives/guard.js";
+import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
 import { el } from "../dom";
 import { fixed, plain, signed } from "../numbers";
 import type { State } from "../state/state";
 import type { Store } from "../state/store";
-import { say, t } from "../texts";
+import { listed, say, t } from "../texts";
 import type { OfCall, Outcome } from "../wire";
 import { missing } from "./missing";
-import { problem } from "./problem";
+import { offersOf, problem } from "./problem";
 import { createWhole } from "./whole";
 
 // earlier: not written by this call
@@ -75,7 +76,7 @@ function assumptions({ assumed }: Derived): string {
   const values = Object.entries(assumed).map(([name, { value, line }]) =>
     t("outcome-assumed-value", { name, value, line }),
   );
-  return values.length ? t("outcome-assumed", { values: values.join(", ") }) : "";
+  return values.length ? t("outcome-assumed", { values: listed(values) }) : "";
 }
 
 function absent(state: State, derived: Derived): string {
@@ -125,7 +126,7 @@ function byCall(results: ShownResult[]): (ShownResult | string)[] {
 const decided = (one: Shown["decisions"][number]): string =>
   [callText(one), say(one.message)].filter(Boolean).join(": ");
 
-function body({ alarms, changes, decisions, results }: Shown): TemplateResult {
+function body({ alarms, changes, decisions, results }: Shown, give: Actions["give"]): TemplateResult {
   const rows = byCall(results);
   const unseen = rows.slice(ROWS).filter(one => typeof one !== "string").length;
   const last = decisions.length - 1;
@@ -133,7 +134,8 @@ function body({ alarms, changes, decisions, results }: Shown): TemplateResult {
       ${alarms.map(one =>
         problem(
           { ...one, severity: one.stops ? "error" : "note" },
-          html`<span class="of-call">${callText(one)}</span>`,
+          html`<span class="of-call">${callText(one)}</span
+            ><span class="problem-actions">${offersOf(one, give)}</span>`,
         ),
       )}
     </ul>
@@ -164,9 +166,10 @@ function body({ alarms, changes, decisions, results }: Shown): TemplateResult {
 export function createOutcome(
   page: HTMLElement,
   store: Store,
+  actions: Actions,
   goToLine: (line: number) => void,
 ): (state: State, derived: Derived) => void {
-  const whole = createWhole(store, goToLine);
+  const whole = createWhole(store, actions, goToLine);
   const root = el("div");
   page.append(whole.root, root);
   const shownNow = keptOutcome();
@@ -176,7 +179,7 @@ export function createOutcome(
     const counted = outcome && !derived.run ? assumptions(derived) : "";
     const ending = outcome && derived.run ? say(derived.run.ending) : "";
     // each step that is played comes by here, and a long run has a thousand lines
-    const all = guard([outcome], () => (outcome ? body(outcome) : nothing));
+    const all = guard([outcome], () => (outcome ? body(outcome, actions.give) : nothing));
     render(
       html`<p class="empty" ?hidden=${!!outcome}>${outcome ? "" : absent(state, derived)}</p>
         <p class="assumed" role="note" ?hidden=${!counted}>${counted}</p>

@@ -231,6 +231,7 @@ function hatching(): SVGElement {
 export function createPicture(
   root: HTMLElement,
   pick: (field: string) => void,
+  fixed?: Size,
 ): (picture: Picture, focus: string | null, values: Record<string, string>) => void {
   const shapes = svg("g");
   const drawing = svg("svg", { role: "img", class: "picture" }, hatching(), shapes);
@@ -241,7 +242,7 @@ export function createPicture(
     const field = (event.target as Element).closest("[data-field]")?.getAttribute("data-field");
     if (field) pick(field);
   });
-  let size: Size = { width: 120, height: 100 };
+  let size: Size = fixed ?? { width: 120, height: 100 };
   const draw = ({ picture, values }: NonNullable<typeof drawn>): void => {
     setAttribute(drawing, "viewBox", `0 0 ${size.width} ${size.height}`);
     const { place, scale } = placing(picture.shapes, size);
@@ -278,11 +279,12 @@ export function createPicture(
     drawing.classList.toggle("has-lit", any);
   };
   // To ask for the size while drawing would lay out the page once more at each keystroke.
-  new ResizeObserver(() => {
+  const observer = new ResizeObserver(() => {
     size = { width: Math.max(drawing.clientWidth, 120), height: Math.max(drawing.clientHeight, 100) };
     if (drawn) draw(drawn);
     light();
-  }).observe(drawing);
+  });
+  if (!fixed) observer.observe(drawing);
   return (picture, focus, values) => {
     show(root, picture.shapes.length > 0);
     lit = focus;

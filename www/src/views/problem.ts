@@ -3,7 +3,7 @@
 import { html, nothing, render, type TemplateResult } from "lit-html";
 import { repeat } from "lit-html/directives/repeat.js";
 import { say, t } from "../texts";
-import type { Diagnostic } from "../wire";
+import type { Diagnostic, Offer } from "../wire";
 
 const MARKS = { error: "✕", warning: "!", note: "i" };
 
@@ -22,14 +22,26 @@ export function problem(
   </li>`;
 }
 
+/** What the machine lacks: a click gives it. */
+export function offersOf({ offers = [] }: Pick<Diagnostic, "offers">, give: (offer: Offer) => void): TemplateResult[] {
+  return offers.map(
+    one => html`<button type="button" class="cure" @click=${() => give(one)}>${say(one.label)}</button>`,
+  );
+}
+
 /** A list shows these, what is said twice once. What stays keeps its element: it is not read out again. */
-export function listProblems(list: HTMLElement, all: readonly Told[]): void {
+export function listProblems(
+  list: HTMLElement,
+  all: readonly (Told & Pick<Diagnostic, "offers">)[],
+  give?: (offer: Offer) => void,
+): void {
   const once = new Map(all.map(one => [`${one.code}/${JSON.stringify(one.message)}`, one]));
   render(
     repeat(
       once,
       ([key]) => key,
-      ([, one]) => problem(one),
+      ([, one]) =>
+        problem(one, give && one.offers ? html`<span class="problem-actions">${offersOf(one, give)}</span>` : nothing),
     ),
     list,
   );

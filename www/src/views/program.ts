@@ -4,7 +4,7 @@ import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
 import { isCurrent } from "../desk/program";
 import { el, on, setAttribute, setText, show } from "../dom";
-import type { EditorHost, LineMarks, Shown } from "../editor/editor";
+import type { CodeValue, EditorHost, LineMarks, Shown } from "../editor/editor";
 import type { EditorPlace } from "../editor/place";
 import { type Encoding, encode } from "../encoding";
 import { lineBreak, toEditor, toProgram } from "../eol";
@@ -14,9 +14,10 @@ import { fileOf, saveFile } from "../state/files";
 import { markOf } from "../state/mark";
 import { ENDINGS, pickPlace, writeBack } from "../state/places";
 import { isUnsaved } from "../state/saved";
-import { programOf, type State } from "../state/state";
+import { inFocus, programOf, type State } from "../state/state";
 import type { Store } from "../state/store";
 import { say, t } from "../texts";
+import type { CallView } from "../wire";
 import { hintText } from "./amounts";
 import { copyText } from "./copy";
 import { createOrigin } from "./origin";
@@ -115,6 +116,7 @@ export function createProgram(
   let target: { offset: number } | { line: number } | null = null;
   let laid = false; // the editor shows `text`
   let lines = "";
+  let lit = "";
   let told: Derived["problems"] | null = null;
 
   on(copy, "click", () => void copyText(text, store, "notice-copied"));
@@ -139,7 +141,12 @@ export function createProgram(
       text = programOf(store.state);
       return text;
     },
-    moved: (offset, line) => actions.cursor(toProgram(text, offset), line),
+    moved(offset, line) {
+      const place = toProgram(text, offset);
+      actions.cursor(place, line);
+      const pointed = last?.fresh ? valueAt(last.opened, place) : null;
+      if (pointed !== store.state.form.pointed) store.update({ form: { pointed } });
+    },
   };
   place.serve(host);
   const select = (wanted: { offset: number } | { line: number }): void => {
@@ -164,7 +171,7 @@ export function createProgram(
   };
 
   /** Calls, step and problems. Until the program is read again the editor moves the old ones along by itself. */
-  const marked = (state: State, derived: Derived): Pick<Shown, "marks" | "problems"> => {
+  const marked = (state: State, derived: Derived): Pick<Shown, "marks" | "problems" | "values"> => {
     if (!derived.fresh) return {};
     const step = state.view.source === "program" ? (derived.trace?.entries[derived.step]?.line ?? null) : null;
     const next: LineMarks = {
@@ -176,11 +183,14 @@ export function createProgram(
         open: call.from === state.form.open,
       })),
     };
-    const [before, known] = [lines, told];
+    const values = { all: valuesOf(derived), lit: inFocus(state) };
+    const [before, known, had] = [lines, told, lit];
     lines = JSON.stringify(next);
+    lit = JSON.stringify(values);
     told = derived.problems;
     return {
       ...(lines !== before && { marks: next }),
+      ...(lit !== had && { values }),
       ...(told !== known && { problems: marks(derived, actions.cure) }),
     };
   };
@@ -214,6 +224,18 @@ export function createProgram(
     save,
     copy: () => void copyText(text, store, "notice-copied"),
   };
+}
+
+/** The values of the open call, where the editor has them. */
+function valuesOf({ opened, program }: Derived): CodeValue[] {
+  const at = (place: number): number => toEditor(program, place);
+  return Object.entries(opened?.places ?? {}).map(([field, [from, to]]) => ({ field, from: at(from), to: at(to) }));
+}
+
+/** The parameter of a call whose value is at this place. */
+function valueAt(call: CallView | null, place: number): string | null {
+  const found = Object.entries(call?.places ?? {}).find(([, [from, to]]) => from <= place && place <= to);
+  return found?.[0] ?? null;
 }
 
 /** What the open call came to, or each call of the run that is shown; of a call that ran often the last. */

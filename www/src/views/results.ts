@@ -75,7 +75,7 @@ export function createResults(
   });
   const page = (name: ResultTab): HTMLElement => tabs.get(name)?.page ?? root;
   const draws: Draw[] = [
-    createOutcome(page("outcome"), store, goToLine),
+    createOutcome(page("outcome"), store, actions, goToLine),
     createFindings(page("problems"), actions, goTo),
     createMotions(page("motions"), store),
     createLog(page("log")),

@@ -8,7 +8,7 @@ import type { Cloud } from "../preview/backend";
 import type { Rect } from "../preview/places";
 import type { Preview } from "../preview/view";
 import type { Scanned } from "../state/scanned";
-import { AT_END, type State } from "../state/state";
+import { AT_END, inFocus, type State } from "../state/state";
 import type { Store } from "../state/store";
 import { t } from "../texts";
 import { type Shown, shownTheme } from "../theme";
@@ -106,8 +106,9 @@ export function createScene(
       setAttribute(one.button, "aria-pressed", String(one.source === source));
       show(one.button, one.source !== "scan" || !!scan);
     }
-    drawTimeline(state, derived, shown.data.begins);
     const { preview, failed } = stage;
+    const data = (preview && derived.scene?.(state.view.errors)) ?? NOTHING;
+    drawTimeline(state, derived, data.begins);
     if (failed) setText(note, t("view-failed", { problem: failed }));
     if (!preview) {
       if (root.offsetParent) stage.fetch();
@@ -133,7 +134,6 @@ export function createScene(
       legend.draw(derived.trace, colours, thinned(drawn, scan));
       preview.setCovered(legend.root.offsetWidth + legend.root.offsetLeft);
     }
-    const data = derived.scene?.(state.view.errors) ?? NOTHING;
     const other = data !== shown.data;
     if (other) preview.setScene(data);
     errors.draw(state, data.view);
@@ -148,7 +148,7 @@ export function createScene(
     preview.setCentral(state.view.central);
     setAttribute(section, "aria-pressed", String(state.view.section));
     setAttribute(central, "aria-pressed", String(state.view.central));
-    preview.setFocus(source === "form" ? state.form.focus : null);
+    preview.setFocus(source === "form" ? inFocus(state) : null);
     show(drawing, !!derived.trace?.drawing);
     setAttribute(drawing, "aria-pressed", String(state.view.diameters));
     shown = { trace: derived.trace, data, theme, step, drawn };

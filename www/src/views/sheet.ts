@@ -24,7 +24,8 @@ function now(): string {
   return new Date().toLocaleString(customs, { dateStyle: "long", timeStyle: "short" });
 }
 
-function heading(state: State, derived: Derived): HTMLElement {
+/** File, machine and date above a sheet. */
+export function heading(state: State, derived: Derived): HTMLElement {
   const machine = facts(derived.cycle.control, derived.view)
     .map(({ text }) => text)
     .join(" · ");
@@ -97,7 +98,7 @@ export function createSheet(
     () => {
       clear();
       const here = shown();
-      if (!here) return;
+      if (!here || document.documentElement.dataset.paper) return;
       const { state, derived } = here;
       const head = heading(state, derived);
       const picture = draw && view(stage, state, derived, draw);

@@ -5,6 +5,7 @@ import type { Preview } from "../preview/view";
 import type { Store } from "../state/store";
 import { say, t } from "../texts";
 import { type Shown, shownTheme, watchTheme } from "../theme";
+import type { Pointing } from "./pointing";
 
 type Colours = Parameters<Preview["setColours"]>[0];
 export interface Stage {
@@ -20,7 +21,7 @@ export interface Stage {
   colours(theme: Shown): Colours | null;
 }
 
-export function createStage(store: Store): Stage {
+export function createStage(store: Store, pointing: Pointing): Stage {
   const box = el("div", { class: "stage" });
   let preview: Preview | null = null;
   let failed = "";
@@ -49,6 +50,7 @@ export function createStage(store: Store): Stage {
         say,
         onThinned,
       });
+      preview.onField(pointing.at, pointing.choose);
       preview.onPick(entry => store.update({ view: { step: entry, playing: false } }));
     } catch (problem) {
       failed = problem instanceof Error ? problem.message : String(problem);

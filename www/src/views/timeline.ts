@@ -9,14 +9,13 @@ import type { Store } from "../state/store";
 import { t } from "../texts";
 import type { Trace } from "../wire";
 import { describe } from "./steps";
-
-type Entries = Trace["entries"];
+import { clockText, createTrack } from "./track";
 
 const PACE_STILL = 130; // ms that a step takes in which nothing moves, so that it is seen
 const FRAME = 16; // ms; more often nothing is drawn
 const LATE = 1000; // ms; what comes later, as after a pause of the whole machine, is not made up for
-const NONE: Entries = [];
-const MARKS = 300; // places of the line that are told apart
+const NONE: Trace["entries"] = [];
+const still = matchMedia("(prefers-reduced-motion: reduce)");
 
 /** Milliseconds that a step takes at its real feed. `begins`: of each entry, s. */
 function paceOf(begins: Float64Array, step: number): number {
@@ -41,21 +40,6 @@ function reached(begins: Float64Array, count: number, step: number, ms: number, 
   return next;
 }
 
-/** Where it measures, as a picture behind the line. */
-function marksOf(entries: Entries): string {
-  const last = Math.max(1, entries.length - 1);
-  const marked = new Set<number>();
-  entries.forEach((entry, step) => {
-    if (entry.step === "motion" && entry.kind === "measuring") marked.add(Math.round((step / last) * MARKS));
-  });
-  const half = 50 / MARKS;
-  const stops = [...marked].flatMap(place => {
-    const [from, to] = [(100 * place) / MARKS - 2 * half, (100 * place) / MARKS + 2 * half];
-    return [`transparent ${from}%`, `var(--measure) ${from}% ${to}%`, `transparent ${to}%`];
-  });
-  return stops.length ? `linear-gradient(to right, ${stops.join(", ")})` : "none";
-}
-
 export function createTimeline(
   root: HTMLElement,
   store: Store,
@@ -78,11 +62,11 @@ export function createTimeline(
     go(!playing && current >= count - 1 ? 0 : current, !playing);
   });
   const scrub = el("input", { type: "range", min: 0, step: 1, "aria-label": t("timeline-scrub") });
-  const marks = el("div", { class: "marks", "aria-hidden": "true" });
-  const track = el("div", { class: "track" }, marks, scrub);
-  let marked: Entries | null = null;
+  const track = createTrack(scrub, step => go(step));
+  let running = 0; // frame that draws where a step is that is being played
   const where = el("output", { class: "figure" });
   const what = el("p", { class: "step-text" });
+  const time = el("span", { class: "figure step-time" });
   const place = el("button", { type: "button", class: "quiet place" });
   on(scrub, "input", () => go(Number(scrub.value)));
   on(place, "click", () => {
@@ -103,11 +87,11 @@ export function createTimeline(
       play,
       button("next", t("timeline-on"), () => go(current + 1)),
       button("last", t("timeline-last"), () => go(count - 1)),
-      track,
+      track.root,
       where,
       speed,
     ),
-    el("div", { class: "step-row" }, what, place),
+    el("div", { class: "step-row" }, what, time, place),
   );
   return (state, derived, begins) => {
     const entries = derived.trace?.entries ?? NONE;
@@ -115,8 +99,9 @@ export function createTimeline(
     const { step } = derived;
     current = step;
     const entry = entries[step];
-    if (entries !== marked) marks.style.background = marksOf(entries);
-    marked = entries;
+    const times = track.show(entries, begins);
+    track.at(times.end(step));
+    setText(time, times.total ? `${clockText(times.end(step) * times.total, times.total, 2)}` : "");
     setAttribute(scrub, "max", Math.max(0, count - 1));
     if (Number(scrub.value) !== step) scrub.value = String(step);
     setText(where, count ? `${step + 1} / ${count}` : "–");
@@ -132,8 +117,16 @@ export function createTimeline(
       setAttribute(play, name, t(state.view.playing ? "timeline-pause" : "timeline-play"));
     speed.value = String(state.view.speed);
     clearTimeout(timer);
+    cancelAnimationFrame(running);
     if (!state.view.playing) return;
     const began = performance.now();
+    const lasts = entry?.step === "motion" && !still.matches ? paceAt(begins, step, state.view.speed) : 0;
+    const run = (now: number): void => {
+      const fraction = Math.min(1, Math.max(0, now - began) / lasts);
+      track.at(times.during(step, fraction));
+      if (fraction < 1) running = requestAnimationFrame(run);
+    };
+    if (lasts) run(began);
     const tick = (): void => {
       if (!store.state.view.playing) return;
       const next = reached(begins, count, step, Math.min(LATE, performance.now() - began), state.view.speed);

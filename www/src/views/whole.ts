@@ -3,6 +3,7 @@
 
 import { html, render, svg, type TemplateResult } from "lit-html";
 import { repeat } from "lit-html/directives/repeat.js";
+import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
 import { el, on, setAttribute, setText, show } from "../dom";
 import { icon, iconPart } from "../icons";
@@ -10,7 +11,7 @@ import { type Command, meantBy } from "../keys";
 import { fileOf, saveFile } from "../state/files";
 import type { State } from "../state/state";
 import type { Store } from "../state/store";
-import { language, say, t } from "../texts";
+import { language, listed, say, t } from "../texts";
 import type { RunView } from "../wire";
 import { amount, correctedText, mainFigures } from "./amounts";
 import { VERDICT_ICONS } from "./answer";
@@ -19,6 +20,14 @@ import { csv } from "./csv";
 type Row = RunView["answers"][number];
 const BEYOND = 6; // rows drawn above and below what is in sight
 const WORST: Row["verdict"][] = ["alarm", "stopped", "scrap", "rework", "beyond", "measured", "within"];
+/** What is counted under the title; `always`: also where there is none. */
+const COUNTED: { key: string; verdicts: Row["verdict"][]; always: boolean }[] = [
+  { key: "whole-count-within", verdicts: ["within"], always: true },
+  { key: "whole-count-beyond", verdicts: ["beyond", "rework", "scrap"], always: true },
+  { key: "whole-count-measured", verdicts: ["measured"], always: false },
+  { key: "whole-count-stopped", verdicts: ["stopped"], always: false },
+  { key: "whole-count-alarm", verdicts: ["alarm"], always: true },
+];
 const COLUMNS = [
   "number",
   "feature",
@@ -111,6 +120,7 @@ function indexAt(rows: Row[], step: number): number {
 
 export function createWhole(
   store: Store,
+  actions: Pick<Actions, "cursor">,
   goToLine: (line: number) => void,
 ): { root: HTMLElement; draw(state: State, derived: Derived): void } {
   const counts = el("p", { class: "whole-counts" });
@@ -129,6 +139,7 @@ export function createWhole(
   const root = el("section", { class: "whole" }, top, error, table);
 
   let run: RunView | null = null;
+  let calls: Derived["read"]["calls"] = [];
   let order: number[] = [];
   let column: Column = "number";
   let down = false;
@@ -198,15 +209,17 @@ export function createWhole(
     bring(current);
     drawRows();
   };
-  /** Its last step in the 3D view, and its line in the program where that stands beside. */
+  /** Its last step in the 3D view, its call in the form, and its line in the program where that stands beside. */
   const choose = (place: number): void => {
     const row = rows()[order[place] ?? -1];
     if (!row) return;
     store.update({ view: { step: row.to, playing: false } });
-    if (row.line !== undefined && matchMedia("(min-width: 1200px)").matches) {
-      line = row.line; // it comes back from the editor
-      goToLine(row.line);
-    }
+    const at = row.line;
+    if (at === undefined) return;
+    line = at; // it comes back from the editor
+    const call = calls.find(one => one.line <= at && at <= one.lastLine);
+    if (call) actions.cursor(call.from, at);
+    if (matchMedia("(min-width: 1200px)").matches) goToLine(at);
   };
   const sortBy = (next: Column, downwards: boolean): void => {
     const kept = order[current] ?? 0;
@@ -250,9 +263,11 @@ export function createWhole(
   new ResizeObserver(drawRows).observe(table);
 
   const count = (): string => {
-    const bad = rows().filter(one => ["beyond", "rework", "scrap"].includes(one.verdict)).length;
-    const alarms = rows().filter(one => one.verdict === "alarm" || one.verdict === "stopped").length;
-    return t("whole-counts", { all: rows().length, within: rows().length - bad - alarms, bad, alarms });
+    const parts = COUNTED.flatMap(({ key, verdicts, always }) => {
+      const count = rows().filter(one => verdicts.includes(one.verdict)).length;
+      return count > 0 || always ? [t(key, { count })] : [];
+    });
+    return t("whole-counts", { all: rows().length, parts: listed(parts) });
   };
   const stopped = (): string => {
     const last = rows()[rows().length - 1];
@@ -285,6 +300,7 @@ export function createWhole(
       const visible = state.view.source === "program" && (derived.run?.answers.length ?? 0) > 0;
       show(root, visible);
       if (!visible) return;
+      calls = derived.read.calls;
       name = (fileOf(state).name || "program").replace(/\.[^.]*$/, "");
       const shownIn = language();
       if (run !== derived.run || spoken !== shownIn) {

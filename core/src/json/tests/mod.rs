@@ -2,12 +2,15 @@
 #![allow(clippy::unwrap_used)]
 
 mod calls;
+mod equipment;
 mod form;
 mod machine;
 mod outcome;
 mod setup;
 mod setup_limits;
 mod setup_tools;
+mod story;
+mod supply;
 mod wire;
 
 use crate::entry::Typed;

@@ -73,7 +73,13 @@ fn an_error_of_a_setup_names_the_member_and_its_place() {
     for (line, path, column, english, chinese) in [
         (r#""position": [0, "x", 0],"#, "position[1]", 17, "expected a number, found a text", "应为数字，而不是文本"),
         (r#""position": [0, 0],"#, "position", 13, "position: 2; expected: 3", "有 2 个值"),
-        (r#""prope": 1,"#, "prope", 10, "Member prope does not exist; known members: control, units", "没有成员 prope"),
+        (
+            r#""prope": 1,"#,
+            "prope",
+            10,
+            "Member prope does not exist; known members: control, name, units",
+            "没有成员 prope",
+        ),
         (
             r#""tools": {"0": {"edges": {}}, "x": {}},"#,
             "tools.x",

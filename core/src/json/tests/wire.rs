@@ -110,6 +110,9 @@ fn the_types_of_the_page_are_those_of_the_core() {
     types.visit::<HelpView>();
     types.visit::<MachineRequest>();
     types.visit::<MachineView>();
+    types.visit::<EquipRequest>();
+    types.visit::<EquipView>();
+    types.visit::<Story>();
     types.visit::<ReadRequest>();
     types.visit::<ReadView>();
     types.visit::<ChangeRequest>();

@@ -9,7 +9,7 @@ use crate::check::{Parsed, Text, expression, parse, parse_text};
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
 use crate::dialect::Dialect;
-use crate::entry::{Cycle, Inputs, Kind, Param, Style, Typed};
+use crate::entry::{Cycle, Inputs, Kind, Param, ProbeUse, Style, Typed};
 use crate::name::Name;
 use crate::support::Support;
 use crate::syntax::Grammar;
@@ -125,7 +125,8 @@ fn source<'a>(cycle: &'static Cycle, typed: &Typed, control: &'a Control) -> Sou
     let inputs = check::read(cycle, typed, control, &mut Vec::new());
     let written = cycle.params.iter().filter_map(|param| {
         let text = value(cycle.dialect, param, typed.get(param.name.as_str())?)?;
-        let set = || param.is_machine_datum() && parse(&text) != Parsed::Number(0.0);
+        let of_log = cycle.purpose.probe == ProbeUse::Log; // its data are those of the log as a whole
+        let set = || !of_log && param.is_machine_datum() && parse(&text) != Parsed::Number(0.0);
         (param.need(&inputs).is_some() || set()).then_some((param, text))
     });
     let values = written.collect();

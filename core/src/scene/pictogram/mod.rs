@@ -10,7 +10,7 @@ use crate::catalogue::CYCLES;
 use crate::catalogue::example::choosing;
 use crate::control::delivery;
 use crate::dialect::Dialect;
-use crate::entry::{Cycle, Element, How, ProbeUse, Variant};
+use crate::entry::{Aim, Cycle, Element, How, ProbeUse, Variant};
 use crate::scene::mesh::Mesh;
 use crate::scene::solid::figure;
 use crate::workpiece::PartErrors;
@@ -24,7 +24,14 @@ const MARGIN: f64 = 26.0;
 /// Most dots for a mm, so that a small part does not fill everything.
 const LARGEST: f64 = 9.0;
 /// Towards the eye; abscissa, ordinate, applicate: from where the touched faces are seen best, the first one else.
-const EYES: [[f64; 3]; 4] = [[1.0, -1.35, 0.95], [-1.0, -1.35, 0.95], [1.0, 1.35, 0.95], [-1.0, 1.35, 0.95]];
+const EYES: [[f64; 3]; 6] = [
+    [1.0, -1.35, 0.95],
+    [-1.0, -1.35, 0.95],
+    [1.0, 1.35, 0.95],
+    [-1.0, 1.35, 0.95],
+    [-1.6, -0.5, 0.95],
+    [1.6, -0.5, 0.95],
+];
 /// Radius of a way and of a line that is drawn, mm.
 const ROD: f64 = 1.1;
 /// Size of a figure that is laid on a plate, mm.
@@ -189,8 +196,9 @@ fn near([a, b, c]: &[V3; 3], point: V3) -> bool {
     inside(a, b) && inside(b, c) && inside(c, a)
 }
 
-/// The variant that stands for an element: the first that measures it.
-fn shown(element: Element) -> Option<(&'static Cycle, &'static Variant, Inputs)> {
+/// The variant that stands for an element, with what is left to choose there: the first that measures it; of a corner
+/// the outer one, since an inner one looks like a pocket.
+fn shown(element: Element) -> Option<(Inputs, Aim)> {
     let all = CYCLES.iter().flat_map(|cycle| cycle.variants.iter().map(move |variant| (*cycle, variant)));
     let of = |(cycle, variant): (&'static Cycle, &'static Variant)| {
         let chosen = check::read(cycle, &choosing(cycle, variant.number), &delivery(cycle.dialect), &mut Vec::new());
@@ -198,11 +206,12 @@ fn shown(element: Element) -> Option<(&'static Cycle, &'static Variant, Inputs)>
         let mut control = delivery(cycle.dialect);
         control.plane = cycle.purpose.machine.plane().unwrap_or(Plane::G17);
         let inputs = check::read(cycle, &example(cycle, variant), &control, &mut Vec::new());
-        (aim.element == element).then_some((cycle, variant, inputs))
+        (aim.element == element).then_some((inputs, aim))
     };
-    let least = |(cycle, ..): &(&'static Cycle, &'static Variant, Inputs)| {
-        let purpose = &cycle.purpose;
-        (purpose.probe != ProbeUse::Workpiece, purpose.machine == MachineSort::Turning)
+    let least = |(inputs, aim): &(Inputs, Aim)| {
+        let purpose = &inputs.cycle.purpose;
+        let inner = aim.options.contains(&["aim-side", "aim-inside"]);
+        (purpose.probe != ProbeUse::Workpiece, purpose.machine == MachineSort::Turning, inner)
     };
     all.filter_map(of).min_by_key(least)
 }
@@ -360,11 +369,15 @@ fn controls(element: Element) -> Vec<Dialect> {
 fn all() -> String {
     let mut text = String::from("[\n");
     let one = |element: Element| {
-        let areas = shown(element).map(|(_, _, inputs)| drawn_areas(&sight(&inputs))).unwrap_or_default();
+        let shown = shown(element);
+        let areas = shown.as_ref().map(|(inputs, _)| drawn_areas(&sight(inputs))).unwrap_or_default();
+        let options = shown.map(|(_, aim)| aim.options.iter().map(|[key, answer]| (*key, *answer)).collect());
+        let options: BTreeMap<&str, &str> = options.unwrap_or_default();
         let mut one = Map::new();
         one.insert("element".into(), json!(element));
         one.insert("keys".into(), json!(element.keys()));
         one.insert("controls".into(), json!(controls(element)));
+        one.insert("options".into(), json!(options));
         one.insert("areas".into(), Value::Array(areas));
         Value::Object(one).to_string()
     };

@@ -1,0 +1,90 @@
+// Set-up sheets and the report of a program, as they come out of the printer: pages of the PDF, and their words.
+import assert from "node:assert/strict";
+import { after, before, describe, test } from "node:test";
+import { shared } from "./browser.mjs";
+import { fromPageMenu, openProgram, startWithAll as start } from "./start.mjs";
+
+const chrome = shared("neither", { before, after });
+const paper = page => page.locator(".paper");
+
+/** The page with what is printed, which stays there. */
+async function printed(page, what) {
+  await page.evaluate(() => {
+    window.print = () => document.documentElement.setAttribute("data-printed", "");
+    document.documentElement.removeAttribute("data-printed");
+  });
+  await fromPageMenu(page, what);
+  await page.locator("html[data-printed]").waitFor({ state: "attached" });
+}
+
+async function pages(page, format) {
+  const pdf = await page.pdf({ format, printBackground: false });
+  return pdf.toString("latin1").match(/\/Type\s*\/Page\b(?!s)/g).length;
+}
+
+describe("a set-up sheet", () => {
+  // oracle: hand (a call is a page, whatever is measured)
+  test("is one page for each kind of element, on A4 and on Letter", async () => {
+    const { context, page, problems } = await start(chrome);
+    for (const element of ["hole", "corner", "angle", "sphere", "turned", "tool", "probe", "points"]) {
+      await page.locator(".to-start").click();
+      const tile = page.locator(`.tile[data-element="${element}"]`);
+      if (!(await tile.count())) continue;
+      await tile.click();
+      await page.locator(".start-answer button.primary").click();
+      await page.locator("#panel-form .field").first().waitFor();
+      for (const format of ["A4", "Letter"]) {
+        await printed(page, "Print set-up sheet");
+        assert.equal(await paper(page).locator(".paper-sheet").count(), 1);
+        assert.equal(await pages(page, format), 1, `${element} ${format}`);
+      }
+      await page.evaluate(() => dispatchEvent(new Event("afterprint")));
+      assert.equal(await paper(page).count(), 0);
+    }
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: hand
+  test("says file, date, call, values with unit and meaning, and the result, black on white in the dark", async () => {
+    const { context, page } = await start(chrome, { colorScheme: "dark" });
+    await printed(page, "Print set-up sheet");
+    await page.emulateMedia({ media: "print" });
+    const text = await paper(page).innerText();
+    assert.match(text, /program\.mpf/);
+    assert.match(text, new RegExp(`${new Date().getFullYear()}`));
+    assert.match(text, /Hole: correct a tool/);
+    assert.match(text, /_SETVAL\s+Setpoint diameter\s+132\smm/);
+    assert.match(text, /Ø 132\.030/);
+    assert.match(text, /_MVAR=1 _SETVAL=132/);
+    assert.ok((await paper(page).locator(".paper-stage path").count()) > 10);
+    assert.ok((await paper(page).locator(".paper-picture .shape").count()) > 3);
+    assert.equal(await paper(page).evaluate(node => getComputedStyle(node).color), "rgb(0, 0, 0)");
+    await context.close();
+  });
+});
+
+describe("a report", () => {
+  // oracle: hand (a table, and behind it a page a call)
+  test("has a table of the measurements and a page a call", async () => {
+    const { context, page, problems } = await start(chrome);
+    const call = size => `_MVAR=1 _SETVAL=${size} _TNUM=20 _KNUM=2001 _TUL=0.05 _TLL=-0.05 _FA=2 _TSA=1\nCYCLE977\n`;
+    await openProgram(page, `G17 G54\n${call(40)}${call(50)}${call(60)}M30\n`, "FLANGE.MPF");
+    await page.locator(".call-row").nth(2).waitFor();
+    await printed(page, "Print report");
+    await page.emulateMedia({ media: "print" });
+    assert.match(await paper(page).locator(".paper-table").innerText(), /FLANGE\.MPF.*40\.030.*50\.030.*60\.030/s);
+    assert.deepEqual(await paper(page).locator(".paper-sheet h2 small").allInnerTexts(), [
+      "CYCLE977 · 1 · Line 3",
+      "CYCLE977 · 1 · Line 5",
+      "CYCLE977 · 1 · Line 7",
+    ]);
+    await page.emulateMedia({ media: null });
+    for (const format of ["A4", "Letter"]) {
+      await printed(page, "Print report");
+      assert.equal(await pages(page, format), 4, format);
+    }
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+});

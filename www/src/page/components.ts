@@ -1,0 +1,220 @@
+// Every component in every state, made by the functions of the page, for the test that looks at them
+// (tests/e2e/components.spec.mjs). ?theme=dark shows the dark theme. Not part of the built page.
+
+import "../styles/main.css";
+import "../styles/fonts.css";
+import "../styles/start.css";
+import "../styles/components.css";
+import { render } from "lit-html";
+import { changes } from "../changes";
+import { loadCore } from "../core/core";
+import type { Actions } from "../desk/actions";
+import { el, setAttribute } from "../dom";
+import { icon } from "../icons";
+import { speak } from "../language";
+import { PICTOGRAMS, pictogram } from "../start/pictogram";
+import { firstState, type Panel, patched, SHEETS } from "../state/state";
+import { createStore } from "../state/store";
+import { t } from "../texts";
+import { createChangeList } from "../views/difference";
+import { createExaggeration } from "../views/exaggerate";
+import { createField } from "../views/field";
+import { gaugePicture } from "../views/gauge";
+import { createKeys } from "../views/keys";
+import { createMenu } from "../views/menu";
+import { listProblems } from "../views/problem";
+import type { BandKind, Diagnostic, Field } from "../wire";
+import { createRail } from "./rail";
+import { createSheetBar } from "./sheet";
+
+type States = [state: string, node: Node][];
+
+/** Nothing that is done here has consequences. */
+const actions = new Proxy({}, { get: () => () => undefined }) as Actions;
+const store = createStore(
+  firstState(),
+  () => undefined,
+  () => undefined,
+);
+const PANELS: Panel[] = ["tasks", "form", "view", "program", "results", "help"];
+const SEVERITIES = ["error", "warning", "note"] as const;
+
+function component(name: string, states: States): HTMLElement {
+  const figures = states.map(([state, node]) => el("figure", { "data-state": state }, node));
+  return el("section", { "data-component": name }, el("h2", {}, name), el("div", { class: "states" }, ...figures));
+}
+
+function buttons(): States {
+  const kinds = { primary: "primary", plain: "", quiet: "quiet" };
+  const pairs = Object.entries(kinds).flatMap(([name, sort]): States => {
+    const one = (disabled: boolean): HTMLElement =>
+      el("button", { type: "button", class: sort, disabled }, t("form-copy-call"));
+    return [
+      [name, one(false)],
+      [`${name}, disabled`, one(true)],
+    ];
+  });
+  const name = t("history");
+  return [
+    ...pairs,
+    ["icon", el("button", { type: "button", class: "quiet icon-button", "aria-label": name }, icon("history"))],
+  ];
+}
+
+const told = (severity: Diagnostic["severity"]): Diagnostic =>
+  ({
+    severity,
+    code: "PW000",
+    message: { key: "history-undo-none" },
+    hint: { key: "history-redo-none" },
+  }) as Diagnostic;
+
+function fields(all: readonly Field[]): States {
+  const made: States = [];
+  const one = (state: string, field: Field | undefined, problems: Diagnostic[] = []): void => {
+    if (!field) return;
+    const name = `${field.name}-${made.length}`; // an identity of its own
+    const view = createField(
+      { ...field, name },
+      actions,
+      () => undefined,
+      () => undefined,
+    );
+    view.update({ ...field, name }, field.value, problems, null);
+    made.push([state, view.root]);
+  };
+  const real = all.find(field => field.kind === "real" && field.unit && field.required);
+  one("value", real && { ...real, value: "50.02" });
+  one("empty", real && { ...real, value: "" });
+  one("expression", real && { ...real, value: "50.02", expression: "R2" });
+  for (const severity of SEVERITIES) one(severity, real, [told(severity)]);
+  for (const kind of ["choice", "digits", "text", "integer"] as const)
+    one(
+      kind,
+      all.find(field => field.kind === kind),
+    );
+  return made;
+}
+
+function gauges(): States {
+  const one = (kind: BandKind, value: number): [string, Node] => {
+    const root = el("div", {});
+    const bands = [
+      { kind: "bad" as const, from: -0.04, to: -0.03 },
+      { kind: "mean" as const, from: -0.03, to: -0.02 },
+      { kind: "good" as const, from: -0.02, to: 0.02 },
+      { kind: "mean" as const, from: 0.02, to: 0.03 },
+      { kind: "bad" as const, from: 0.03, to: 0.04 },
+    ];
+    const marks = [{ value: -0.03 }, { value: 0.03 }] as Parameters<typeof gaugePicture>[0]["marks"];
+    const needles = [{ label: "", value, kind }];
+    render(gaugePicture({ unit: "mm", low: -0.04, high: 0.04, bands, marks, needles }), root);
+    return [kind, root];
+  };
+  return [one("good", 0.01), one("mean", 0.025), one("bad", 0.05)];
+}
+
+function findings(): States {
+  return SEVERITIES.map(severity => {
+    const list = el("ul", {});
+    listProblems(list, [told(severity)]);
+    return [severity, list];
+  });
+}
+
+function rails(): States {
+  return (["form", "program"] as const).map(panel => {
+    const rail = createRail(actions, PANELS);
+    rail.draw(patched(store.state, { panels: { panel } }));
+    return [panel, rail.root];
+  });
+}
+
+function sheets(): States {
+  return SHEETS.map(sheet => {
+    const bar = createSheetBar(el("div"), actions);
+    bar.draw(patched(store.state, { panels: { sheet } }));
+    return [sheet, bar.root];
+  });
+}
+
+function tabs(): States {
+  return [0, 1].map(chosen => {
+    const all = ["form", "program"].map((name, at) =>
+      el("button", { type: "button", role: "tab", "aria-selected": String(at === chosen) }, t(`panel-${name}`)),
+    );
+    return [String(chosen), el("div", { class: "tabs", role: "tablist", "aria-label": t("panels") }, ...all)];
+  });
+}
+
+function segments(): States {
+  return [0, 1].map(chosen => {
+    const all = ["form", "program"].map((name, at) =>
+      el("button", { type: "button", "aria-pressed": String(at === chosen) }, t(`view-${name}`)),
+    );
+    return [String(chosen), el("div", { class: "segments", role: "group", "aria-label": t("view-source") }, ...all)];
+  });
+}
+
+function floating(): States {
+  const entries = (["undo", "redo"] as const).map(name =>
+    el("button", { type: "button", class: "quiet" }, icon(name), el("span", {}, t(name))),
+  );
+  const menu = createMenu("menu-shown", t("form-more"), entries);
+  const toast = el("div", { class: "notice" }, el("span", {}, t("notice-copied")), el("button", {}, t("undo")));
+  const keys = createKeys();
+  setAttribute(keys, "open", true);
+  const list = createChangeList();
+  list.show(changes("G0 X1\nG1 Y2\nM5\n", [{ from: 10, to: 11, insert: "3" }]));
+  return [
+    ["menu", el("div", {}, menu.button, menu.list)],
+    ["notice", toast],
+    ["difference", list.root],
+    ["dialog", keys],
+  ];
+}
+
+function tables(): States {
+  const row = (cell: "th" | "td", ...texts: string[]): HTMLElement =>
+    el("tr", {}, ...texts.map(one => el(cell, {}, one)));
+  const head = el("thead", {}, row("th", t("panel-form"), t("panel-results")));
+  return [["table", el("table", {}, head, el("tbody", {}, row("td", "A", "+0.030"), row("td", "B", "-0.010")))]];
+}
+
+function sliders(): States {
+  return [1, 100].map(errors => {
+    const card = createExaggeration(store);
+    card.draw(patched(store.state, { view: { errors } }), null);
+    return [`×${errors}`, card.root];
+  });
+}
+
+const theme = new URLSearchParams(location.search).get("theme");
+setAttribute(document.documentElement, "data-theme", theme ?? "light");
+const core = await loadCore();
+await speak("en");
+const [cycle] = core.catalogue().cycles;
+const form = cycle && core.form({ control: cycle.control, cycle: cycle.cycle, values: {} });
+document.body.append(
+  el(
+    "main",
+    { class: "components" },
+    component("button", buttons()),
+    component("field", fields(form?.fields ?? [])),
+    component("finding", findings()),
+    component("gauge", gauges()),
+    component("segments", segments()),
+    component("tabs", tabs()),
+    component("table", tables()),
+    component("slider", sliders()),
+    component("sheet", sheets()),
+    component("rail", rails()),
+    component("floating", floating()),
+    component(
+      "pictogram",
+      PICTOGRAMS.map(one => [one.element, pictogram(one)]),
+    ),
+  ),
+);
+await document.fonts.ready;
+setAttribute(document.documentElement, "data-ready", true);
