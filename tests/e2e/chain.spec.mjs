@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { open, shared } from "./browser.mjs";
-import { drawn, openProgram, unfold } from "./start.mjs";
+import { drawn, focused, openProgram, unfold } from "./start.mjs";
 
 const LINE = "_TNUM=1 _FA=1 _TSA=1 _TDIF=0.06 _TUL=0.03 _TLL=-0.03 _TMV=0.02 _TZL=0.01";
 const PROGRAM = `R2=0.03\nT1 D1\nM6\n_MVAR=1 _SETVAL=50 _KNUM=2001\n${LINE} ;\nCYCLE977\nM30\n`;
@@ -109,8 +109,8 @@ describe("the limits of the tolerances", () => {
     await written(page, "_TUL", 0.021);
     await page.keyboard.press("End");
     await written(page, "_TUL", 0.09);
-    assert.equal(await upper.evaluate(node => node === document.activeElement), true);
-    assert.equal(await page.locator('.field[data-field="_TUL"].lit').count(), 1);
+    await focused(page, upper);
+    await page.locator('.field[data-field="_TUL"].lit').waitFor();
     assert.deepEqual(problems, []);
     await context.close();
   });

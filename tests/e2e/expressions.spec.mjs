@@ -76,7 +76,7 @@ describe("a number typed over an expression", () => {
     await type(page, "_SETVAL", "60");
     await note(page, "_SETVAL").waitFor();
     await page.keyboard.press("Enter");
-    assert.match(await page.evaluate(() => document.activeElement.textContent), /Change R2 to 60/);
+    await page.waitForFunction(() => document.activeElement?.textContent.includes("Change R2 to 60"));
     await page.keyboard.press("Tab");
     await page.keyboard.press("Enter");
     const replaced = text.replace("_SETVAL=R2", "_SETVAL=60");

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
-import { drawn, keptWhen, start } from "./start.mjs";
+import { drawn, focused, keptWhen, start } from "./start.mjs";
 
 const folded = page => page.locator('.group-head[aria-expanded="false"]');
 const open = page => page.locator('.group-head[aria-expanded="true"]');
@@ -34,7 +34,7 @@ describe("sections of a form", () => {
     await page.keyboard.press("Enter");
     await it.locator(".field").first().waitFor();
     await page.keyboard.press("Tab");
-    assert.ok(await it.locator(".group-fields").evaluate(node => node.contains(document.activeElement)));
+    await focused(page, it.locator(".group-fields :focus"));
     await keptWhen(page, state => state.unfolded?.[`form/${topic}`] === true);
     await page.reload();
     await it.locator(".field").first().waitFor();

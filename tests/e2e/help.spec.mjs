@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { packages, shared } from "./browser.mjs";
-import { startWithCycles as start } from "./start.mjs";
+import { focused, startWithCycles as start } from "./start.mjs";
 
 const panel = page => page.locator("#panel-help");
 const headings = page => panel(page).locator(".help-page h3").allTextContents();
@@ -36,10 +36,10 @@ describe("help", () => {
       "What can go wrong",
     ]);
     assert.ok(await page.locator(".panel-form .field").first().isVisible());
-    assert.equal(await page.evaluate(() => document.activeElement?.id), "panel-help");
+    await focused(page, "#panel-help");
     await page.keyboard.press("Escape");
     await panel(page).waitFor({ state: "hidden" });
-    assert.ok(await page.evaluate(() => document.activeElement?.classList.contains("help-open")));
+    await focused(page, ".help-open");
     assert.deepEqual(problems, []);
     await context.close();
   });

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, before, describe, test } from "node:test";
 import { packages, shared } from "./browser.mjs";
-import { keptWhen, startWithCycles, startWithEditor } from "./start.mjs";
+import { focused, keptWhen, startWithCycles, startWithEditor } from "./start.mjs";
 
 const axe = packages.resolve("axe-core/axe.min.js");
 
@@ -234,7 +234,7 @@ describe("machine profiles", () => {
     await dialog.locator("#equipment-tab-machine").focus();
     await page.addScriptTag({ path: axe });
     for (const tab of ["machine", "tools", "offsets", "probe", "toolprobes", "part"]) {
-      assert.equal(await page.evaluate(() => document.activeElement.id), `equipment-tab-${tab}`);
+      await focused(page, `#equipment-tab-${tab}`);
       const found = await page.evaluate(() => globalThis.axe.run(".equipment"));
       const told = found.violations.map(one => `${tab}: ${one.id} ${one.nodes.map(node => node.html).join(" ")}`);
       assert.deepEqual(told, []);
@@ -246,7 +246,7 @@ describe("machine profiles", () => {
     await page.keyboard.press("Enter");
     await dialog.locator("#equipment-add").focus();
     await page.keyboard.press("Enter");
-    assert.equal(await page.evaluate(() => document.activeElement.id), "part-0-equip-diameter");
+    await focused(page, "#part-0-equip-diameter");
     await page.keyboard.press("Control+A");
     await page.keyboard.type("32");
     await page.keyboard.press("Tab");

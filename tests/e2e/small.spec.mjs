@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
 import { choosePanel, faults, PANELS, reachable } from "./room.mjs";
-import { drawn, lengthField, openTasks, start } from "./start.mjs";
+import { drawn, focused, lengthField, openTasks, start } from "./start.mjs";
 
 const SIZES = [
   [320, 640],
@@ -122,7 +122,7 @@ describe("little room", () => {
     await opens();
     await page.keyboard.press("Escape");
     await list.waitFor({ state: "hidden" });
-    assert.equal(await page.evaluate(() => document.activeElement?.className), "quiet menu-open");
+    await focused(page, ".quiet.menu-open");
     await opens();
     await page.locator(".panel-form h2").click();
     await list.waitFor({ state: "hidden" });

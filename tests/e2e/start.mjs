@@ -42,6 +42,12 @@ export async function startWithCycles(chrome, options) {
 export const drawn = page =>
   page.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done))));
 
+/** Once the focus is there: it may come with the redraw. */
+export async function focused(page, target) {
+  const wanted = typeof target === "string" ? page.locator(target) : target;
+  await wanted.and(page.locator(":focus")).waitFor();
+}
+
 /** The work as it is kept now. */
 export const stored = page => page.evaluate(name => JSON.parse(localStorage.getItem(name) ?? "{}"), STORE);
 

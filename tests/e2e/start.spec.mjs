@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { open, packages, shared } from "./browser.mjs";
 import { faults } from "./room.mjs";
-import { drawn, lengthField } from "./start.mjs";
+import { drawn, focused, lengthField } from "./start.mjs";
 
 const chrome = shared("neither", { before, after });
 
@@ -61,9 +61,9 @@ describe("a first visit", () => {
     await page.keyboard.press("ArrowDown");
     await page.keyboard.press("ArrowUp");
     await page.keyboard.press("Home");
-    assert.equal(await page.locator(":focus").getAttribute("data-element"), "hole");
+    await focused(page, "[data-element=hole]");
     await page.keyboard.press("Enter");
-    assert.ok(await primary(page).evaluate(node => node === document.activeElement));
+    await focused(page, primary(page));
     await page.keyboard.press("Enter");
     await page.locator("#panel-form .field").first().waitFor();
     assert.equal(await page.locator(":focus").getAttribute("aria-required"), "true");

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
-import { convert, fromPageMenu, openProgram, programWhen, startWithEditor as start } from "./start.mjs";
+import { convert, focused, fromPageMenu, openProgram, programWhen, startWithEditor as start } from "./start.mjs";
 
 async function openWithCalls(page, text) {
   await openProgram(page, text);
@@ -85,7 +85,7 @@ describe("a finding that can be mended", () => {
     const text = await programWhen(page, now => now.includes("G40"));
     assert.equal(text.replace(/^.*G40.*\n/m, ""), wrong, "only a line is added");
     await cures(page).filter({ hasText: "G40" }).first().waitFor({ state: "detached" });
-    assert.equal(await page.evaluate(() => document.activeElement?.id), "page-problems", "the focus stays in the list");
+    await focused(page, "#page-problems"); // the focus stays in the list
     await page.locator(".cm-content").click();
     await page.keyboard.press("Control+z");
     assert.equal(await programWhen(page, now => !now.includes("G40")), wrong);
