@@ -11,6 +11,7 @@ export async function unfold(page) {
   await page.locator('.fields-all[aria-pressed="false"]').evaluateAll(buttons => {
     for (const button of buttons) button.click();
   });
+  await drawn(page); // a field that is folded takes no focus
 }
 
 /** The page with its first form drawn. */
