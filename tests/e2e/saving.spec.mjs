@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, before, describe, test } from "node:test";
 import { address, shared } from "./browser.mjs";
-import { lengthField, openTasks, startWithEditor as start } from "./start.mjs";
+import { drawn, lengthField, openTasks, startWithEditor as start } from "./start.mjs";
 
 const CALL = "_MVAR=1 _SETVAL=132 _TNUM=20 _KNUM=2001\r\nCYCLE977\r\n";
 const mark = page => page.locator(".panel-program .unsaved");
@@ -235,7 +235,10 @@ describe("a file that was picked", () => {
     await page.evaluate(() => {
       globalThis.showOpenFilePicker = undefined;
     });
-    const [chooser] = await Promise.all([page.waitForEvent("filechooser"), page.keyboard.press("Control+o")]);
+    const coming = page.waitForEvent("filechooser");
+    await drawn(page); // by then the browser hands its pickers over
+    await page.keyboard.press("Control+o");
+    const chooser = await coming;
     await chooser.setFiles({ name: "C.MPF", mimeType: "text/plain", buffer: Buffer.from(CALL) });
     await titled(page, "C.MPF — Probewright");
     await context.close();
