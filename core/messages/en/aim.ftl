@@ -62,5 +62,5 @@ aim-tools-all = Turning and milling tools
 aim-tools-turning = Turning tools only
 aim-measured = Value
 aim-across = Surface
-aim-across-plane = Beside
-aim-across-tool = On top
+aim-across-plane = Side face
+aim-across-tool = Top face

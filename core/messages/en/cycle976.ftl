@@ -76,7 +76,7 @@ param-fa-unknown-help = Must be larger than the distance from the start position
 param-fa-length = Measuring path
 param-fa-length-help = The surface must be within twice this distance from the position at the call. Always in mm.
 param-tsa-trigger = Safe area: trigger points
-param-tsa-trigger-help = If a new trigger point differs more than this from the stored one: alarm 61303, the program stops. For a first calibration (0 stored) it must exceed the ball radius.
+param-tsa-trigger-help = If a new trigger point differs by more than this from the stored one: alarm 61303, the program stops. For a first calibration (0 stored) it must exceed the ball radius.
 param-tzl-trigger = Zero compensation area
 param-tzl-trigger-help = If a new trigger point differs by at most this value, the stored one is kept; 0 stores every new value.
 

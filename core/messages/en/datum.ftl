@@ -313,7 +313,7 @@ datum-chbit-10 = Result screen
     .v0 = Off
     .v1 = On
 datum-chbit-11 = Result screen closes
-    .help = Applies with _CHBIT[10]=1; the setting 0 with _CHBIT[18]=0 only.
+    .help = Applies with _CHBIT[10]=1; setting 0 also requires _CHBIT[18]=0.
     .v0 = At the end of the cycle
     .v1 = With NC START
 datum-chbit-12 = Unassigned

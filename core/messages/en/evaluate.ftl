@@ -26,7 +26,7 @@ evaluate-tool-difference = Difference { $difference } mm is not below the permi
 evaluate-tool-small = Difference { $difference } mm does not exceed the zero compensation area, { $limit } mm: this value is not corrected.
 evaluate-tool-geometry = Difference { $difference } mm and the previous wear go into the geometry; the wear is set to 0.
 evaluate-tool-wear = Difference { $difference } mm is corrected in the wear.
-evaluate-compensation-make = The table of this probe make (_TP_CF = { $make }) is inside the control and in no manual: it is not applied here. Your own table in _MT_EC_R and _MT_EC_L, with _MT_COMP = 2, is applied.
+evaluate-compensation-make = The table of this probe make (_TP_CF = { $make }) is internal to the control and not in any manual: it is not applied here. Your own table in _MT_EC_R and _MT_EC_L, with _MT_COMP = 2, is applied.
 evaluate-compensation = Table { $table } subtracts { $amount } mm from the measured value.
 evaluate-screen = The control shows the measuring result screen until the cycle ends.
 evaluate-screen-stays = The control shows the measuring result screen until the next measuring cycle is called; the program continues.

@@ -32,7 +32,7 @@ cycle976-unknown-angle-four-ball = 孔，中心未知：4 个方向，成角度�
 cycle976-unknown-angle-four-skew = 孔，中心未知：4 个方向，成角度，位置偏差
 cycle976-unknown-angle-four-skew-ball = 孔，中心未知：4 个方向，成角度，位置偏差，测球直径
 cycle976-surface = 表面：一个轴，一个方向
-cycle976-length = 刀具轴上的表面，求测头长度
+cycle976-length = 刀具轴方向的表面，求出测头长度
 cycle976-length-words = L1 垂直坐标
 
 calibrate-place = 校准基准

@@ -159,7 +159,7 @@ param-tul-help = 允许高于设定值的偏差，带符号。
 param-tll = 公差下限
 param-tll-help = 允许低于设定值的偏差，带符号；通常为负。
 param-tdif = 允许尺寸差
-param-tdif-help = 允许尺寸差。偏差超过此值时不作补偿，并显示信息 62306。
+param-tdif-help = 允许尺寸差。偏差超过此值时不作补偿，并输出信息 62306。
 
 need-always = 循环需要此值。
 need-default = 可以省略：沿用以前调用的值，否则按默认值。
