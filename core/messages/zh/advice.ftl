@@ -8,7 +8,7 @@ advice-write = 为此调用写入 { $name }={ $value }
 advice-compensation = 刀具半径补偿有效：第 { $line } 行的 { $word }。
 advice-compensation-pass = 刀具半径补偿从程序循环的上一遍起一直有效：第 { $line } 行的 { $word }。
 advice-compensation-hint = 请在调用前编程 G40。
-advice-compensation-open = 此调用之前没有编程 G40，而程序结束时刀具半径补偿仍接通：再次运行时补偿可能仍然有效。
+advice-compensation-open = 此调用之前没有编程 G40，而程序结束时刀具半径补偿仍有效：再次运行时补偿可能仍然有效。
 advice-plane = 此调用之前没有编程工作平面：在哪些轴上测量由机床的复位状态决定。
 advice-plane-hint = 请编程平面，例如 { $plane }。
 advice-diameter = 此调用之前没有编程 DIAMON 或 DIAMOF：横向轴的值是否为直径由机床的复位状态决定。

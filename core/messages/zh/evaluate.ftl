@@ -6,15 +6,15 @@ evaluate-difference = 偏差 { $difference } mm 超出允许尺寸差：不作�
 evaluate-oversize = 偏差 { $difference } mm 超过公差上限：{ $follows }。
 evaluate-undersize = 偏差 { $difference } mm 低于公差下限：{ $follows }。
 evaluate-whole = 偏差 { $difference } mm 在公差内，但超出平均值的范围：{ $follows }。
-evaluate-mean = 偏差 { $difference } mm 得到平均值 { $mean } mm，超出零补偿区：{ $follows }。
+evaluate-mean = 由偏差 { $difference } mm 得到平均值 { $mean } mm，超出零补偿区：{ $follows }。
 # 以上四种情况的结果。
 evaluate-corrects-whole = 补偿全部偏差
-evaluate-corrects-both = 按两个偏差的平均补偿
-evaluate-corrects-zero = 两个偏差的平均为 0，不作补偿
+evaluate-corrects-both = 按两个偏差的平均值补偿
+evaluate-corrects-zero = 两个偏差的平均值为 0，不作补偿
 evaluate-corrects-mean = 按平均值补偿
 evaluate-corrects-nothing = _KNUM=0，不作补偿
 evaluate-restarts = 平均值重新开始计算：{ $name } 设为 0。
-evaluate-small = 偏差 { $difference } mm 得到平均值 { $mean } mm，仍在零补偿区内：不作补偿。
+evaluate-small = 由偏差 { $difference } mm 得到平均值 { $mean } mm，仍在零补偿区内：不作补偿。
 evaluate-kept = 与存储值相差不大于 { $limit } mm（_TZL），因此保持不变：{ $data }。
 evaluate-repeat = 偏差过大，重新测量，第 { $count } 次重复，最多 4 次。
 evaluate-halt = 编程停止（M0）：操作者按 NC START 继续。

@@ -22,8 +22,8 @@ help-cycle976-order-no-approach = 从起点沿 _MD 方向最多走两倍 _FA 触
 help-cycle976-order-end-centre = 最后停在起点，即中心。
 help-cycle976-order-end-found = 最后停在求出的中心。
 help-cycle976-order-end-surface = 最后停在起点；_MA=3 时停在表面前 _FA 处。
-help-cycle976-corrects-ball = 还有有效测球直径 _WP[k,0]，CYCLE979 和成角度测量的 CYCLE997 需要它；_CBIT[15]=1 时还有测头的半径。
-help-cycle976-corrects-skew = 还有测针的位置偏差 _WP[k,7] 和 _WP[k,8]。
+help-cycle976-corrects-ball = 以及有效测球直径 _WP[k,0]，CYCLE979 和成角度测量的 CYCLE997 需要它；_CBIT[15]=1 时还有测头的半径。
+help-cycle976-corrects-skew = 以及测针的位置偏差 _WP[k,7] 和 _WP[k,8]。
 help-cycle976-corrects-length = 测头几何值中的 L1 按偏差补偿；_TSA 不监控它。
 help-cycle976-wrong-off-centre = 主轴不在中心：此误差计入各触发点，并带入以后测得的每个位置。
 help-cycle976-wrong-diameter = _SETVAL 不是环规的真实直径：误差的一半会计入各触发点。
@@ -39,9 +39,9 @@ help-cycle973-order-surface = 只有测量轴 _MA 沿方向 _MD 移动；最后�
 help-cycle973-order-into-groove = 按机床坐标。测头平行于轴移到槽的中间上方，再进入槽。
 help-cycle973-order-one = 在轴 _MA 的方向 _MD 触碰；槽底只有负方向。
 help-cycle973-order-two = 先触碰正方向的壁，横过槽，再触碰负方向的壁。
-help-cycle973-order-end-groove = 最后停在槽中、最后触碰的面前 _FA 处。
-help-cycle973-corrects-ball = 还有有效测球直径 _WP[k,0]。
-help-cycle973-corrects-skew = 还有测量轴上的位置偏差 _WP[k,7] 或 _WP[k,8]。
+help-cycle973-order-end-groove = 最后在槽中，停在最后触碰的面前 _FA 处。
+help-cycle973-corrects-ball = 以及有效测球直径 _WP[k,0]。
+help-cycle973-corrects-skew = 以及测量轴上的位置偏差 _WP[k,7] 或 _WP[k,8]。
 help-cycle973-wrong-groove-data = _KB 中的槽数据在 X 上是直径：必须是半径。
 help-cycle973-wrong-position = 测头的刀沿位置不是 7 或 8：报警 61315。
 help-cycle973-wrong-shank = 在此方向会以测针杆而不是测球触碰。

@@ -50,7 +50,7 @@ help-g106-wrong-low = 测球比公称坐标低 Q 或更多：NO MOVEMENT。
 help-g107-measures-corner = 内拐角两个壁的交点。
 help-g107-before-inside = 测球在内拐角中，处于测量深度，不接触两壁；两壁平行于轴。
 help-g107-order-walls = 先触碰垂直于第 1 轴的壁，退回，再触碰垂直于第 2 轴的壁，各最多超过公称坐标 Q。
-help-g107-corrects-offset = 工件偏置 S（省略 S 时为有效的工件偏置），两个轴：使拐角得到公称坐标。
+help-g107-corrects-offset = 工件偏置 S（省略 S 时为有效的工件偏置），两个轴：使拐角处于公称坐标。
 help-g107-wrong-turned = 工件装夹歪斜：只补偿拐角的位置，不补偿方向。
 
 help-g108-measures-corner = 外拐角两个壁的交点。
@@ -88,7 +88,7 @@ help-p9920-order-rim = 从 +X、−X、+Y、−Y：向外移动两直径之和�
 help-p9920-order-face = 然后在中心上方下降到圆盘，再回到起点。
 help-p9920-order-length = 在离中心 D/2 处下降，最多 Z，直到触碰。
 help-p9920-order-diameter = 从触碰处抬起 K，向 +X 移动两直径之和的一半加 E，下降到比触碰处低 K，触碰边缘。
-help-p9920-corrects-probe = #506、#507、#508 得到圆盘位置，#509 得到其直径，#513 得到标准刀具长度。
+help-p9920-corrects-probe = 圆盘位置存入 #506、#507、#508，其直径存入 #509，标准刀具长度存入 #513。
 help-p9920-corrects-length = 寄存器 T 的长度，由 G43 使用。
 help-p9920-corrects-radius = 寄存器 T 的半径。
 help-p9920-wrong-length = 宏程序结束后 G49 有效，进给和转速可能已改变：在 Z 方向移动前须重新使长度补偿生效。

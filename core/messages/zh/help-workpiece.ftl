@@ -99,7 +99,7 @@ help-cycle997-order-diameter = 再在求出的球心高度、沿横坐标正方�
 help-cycle997-order-repeat = 从求出的球心开始，把整个球再测一遍。
 help-cycle997-order-next = 球 2 和球 3 以同样方式测量；到下一个球的路径在安全高度。
 help-cycle997-order-end = 最后停在最后一个球上方的安全高度。
-help-cycle997-corrects-shift = 由 _KNUM 指定的零点偏移，三个轴：球得到其设定坐标；旋转不变。_KNUM=0 不补偿。
+help-cycle997-corrects-shift = 由 _KNUM 指定的零点偏移，三个轴：使球处于设定坐标；旋转不变。_KNUM=0 不补偿。
 help-cycle997-corrects-turn = _KNUM 大于 0 时补偿该零点偏移的粗偏移和旋转：使三个球处于设定位置。变形超过 _TNVL：报警 61414，不补偿。
 help-cycle997-corrects-area = 任何偏差超过 _TSA，程序都以报警 61303 停止。
 help-cycle997-wrong-holder = 球的支座位于测点处或进刀路径上。

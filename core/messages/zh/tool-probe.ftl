@@ -31,7 +31,7 @@ param-tzl-tool-help = 偏差不超过此值时不作补偿，也不报警。
 param-tdif-tool = 允许尺寸差
 param-tdif-tool-help = 偏差达到或超过此值时不作补偿并输出信息 62306；程序继续，_CBIT[2]=1 时按 NC START 后才继续。
 param-tsa-tool-probe = 触发点安全区
-param-tsa-tool-probe-help = 触发点与存储值相差大于此值时，程序以报警 61303 停止，不存储。
+param-tsa-tool-probe-help = 触发点与存储值相差大于此值时，程序以报警 61303 停止，不存储任何值。
 param-tsa-tool = 刀具安全区
 param-tsa-tool-help = 长度或半径相差达到或超过此值时，该值不作补偿，程序以报警 61303 停止。
 param-fa-tool = 测量行程
