@@ -18,13 +18,13 @@ help-g101-wrong-obstructed = 路径上有障碍物：PATH OBSTRUCTED。请手动
 help-g101-wrong-incremental = G91 有效时，各地址是增量而不是位置。
 
 help-g102-measures-offset = 测球相对主轴轴线在平面两个轴上的偏移。
-help-g102-before-ring = 主轴仍在其刚镗出的直径 D 孔的轴线上；或 #510 中有使主轴转 180° 的 M 功能，且测球在环规中间，误差不超过 10 mm。
+help-g102-before-ring = 主轴仍在其刚镗出的直径 D 孔的轴线上；或 #510 中有使主轴转 180° 的 M 功能，且测球在环规中间，偏离不超过 10 mm。
 help-g102-order-walls = 触碰两个轴的四个壁；#510 中有 M 功能时，主轴转 180° 后再触碰一遍。
 help-g102-corrects-offset = #504 和 #505：平面第 1 轴和第 2 轴的径向偏置。
 help-g102-wrong-moved = 孔不是在主轴现在的位置加工的，主轴又不旋转：孔位的误差被存为径向偏置。
 
 help-g103-measures-radius = 平面两个轴正负方向的有效测球半径。
-help-g103-before-ring = 已执行 G102；测球在环规中间，误差不超过 10 mm，在测量深度。
+help-g103-before-ring = 已执行 G102；测球在环规中间，偏离不超过 10 mm，处于测量深度。
 help-g103-order-centre = 触碰四个壁求出环规中心；从中心再把每个壁触碰一次。
 help-g103-corrects-radius = 第 1 轴正、负方向为 #500 和 #501，第 2 轴为 #502 和 #503。
 help-g103-wrong-size = D 只是近似值：误差的一半会计入各半径。请输入环规的精确尺寸。
@@ -84,7 +84,7 @@ help-p9920-measures-both = 刀具长度和直径。
 help-p9920-before-reference = 已返回参考点，且对刀仪轴线与 Z 平行。
 help-p9920-before-centre = 直径准确已知的标准刀具位于圆盘中心上方。
 help-p9920-before-above = 刀具在 Z 方向位于对刀仪上方，且对刀仪已校准。
-help-p9920-order-rim = 从 +X、−X、+Y、−Y：向外移动两直径之和的一半加 E，下降 Z，触碰边缘，再上升。
+help-p9920-order-rim = 依次从 +X、−X、+Y、−Y 方向：向外移动两直径之和的一半加 E，下降 Z，触碰边缘，再上升。
 help-p9920-order-face = 然后在中心上方下降到圆盘，再回到起点。
 help-p9920-order-length = 在离中心 D/2 处下降，最多 Z，直到触碰。
 help-p9920-order-diameter = 从触碰处抬起 K，向 +X 移动两直径之和的一半加 E，下降到比触碰处低 K，触碰边缘。

@@ -4,7 +4,7 @@ help-turning-probe = 测头（类型 5xy）在工作位置，其 D 号和 G40 �
 help-turning-diameter = 直径和半径混淆：DIAMON 有效时 X 的设定值以及测量时的公差是直径，_FA、触发点和补偿量不是。
 
 help-cycle974-measures-point = 车削件上一点的位置：从一侧测的直径、端面，或第 3 轴上的一点。
-help-cycle974-before-opposite = 测球对着该点，距离大于 _FA；从那里朝 _SETVAL 测量。
+help-cycle974-before-opposite = 测球对着该点，距离大于 _FA；从该处朝 _SETVAL 测量。
 help-cycle974-before-chuck = 夹持工件的主主轴可以定位。
 help-cycle974-order-axis = 测头只沿测量轴移动；最后停在表面前 _FA 处。
 help-cycle974-order-reversal = 主轴转到 _STA1 触碰该点，再转 180° 触碰一次。取平均值，因此跳动抵消。
