@@ -389,7 +389,7 @@ datum-mz-mask-3 = 经验值字段
     .v0 = 没有：_EVNUM=0
     .v1 = 有
 datum-mz-mask-4 = 平均值字段
-    .help = 没有时以公差的三分之一作 _TMV。
+    .help = 没有这些字段时，以公差的三分之一作为 _TMV。
     .v0 = 没有，_CHBIT[4]=0
     .v1 = 有，_CHBIT[4]=1
 datum-mz-mask-5 = 工件测头

@@ -4,9 +4,9 @@ twin-no-zero = 另一种控制系统中没有与所补偿的零点偏移对应�
 twin-at-once = 在 NCT 上补偿后的零点偏移立即生效；在 SINUMERIK 上再次编程后生效，{ "_KNUM" }=9999 时立即生效。
 twin-names = 第五和第六个零点偏移在 NCT 上是 G58 和 G59，在 SINUMERIK 上是 G505 和 G506。
 twin-register = 假定 NCT 的寄存器号与刀具号相同；若不同请改正。
-twin-depth = 在 NCT 上深度是刀具轴坐标，在 SINUMERIK 上是从起点的进刀深度（{ "_ID" }）。这里按起点在 { $axis }{ $height } 换算。
+twin-depth = 在 NCT 上深度是刀具轴坐标，在 SINUMERIK 上是从起点的进刀深度（{ "_ID" }）。这里按起点 { $axis }{ $height } 换算。
 twin-corner = SINUMERIK：两条边可以与轴成角度，所补偿的零点偏移随基准边旋转；由 { "_STA1" } 和 { "_INCA" } 或四个点决定是哪个拐角。NCT：两壁平行于轴；由起点决定是哪个拐角。
-twin-ball = SINUMERIK 存储测头的触发点，NCT 存储有效测球半径 { "#500" } 至 { "#503" }。
+twin-ball = SINUMERIK 存储测头的触发点，NCT 存储有效测球半径 { "#500" } 到 { "#503" }。
 twin-length = SINUMERIK 补偿当前刀具的长度，NCT 补偿寄存器 T 中的长度。
 twin-only = 另一种控制系统没有对应项：{ $cycle } 的 { $names }。
 twin-example = 另一种控制系统需要而此调用没有，因此取自 { $cycle } 的示例数据：{ $names }。
