@@ -91,7 +91,7 @@ check-reversal-spindle = 此测量方式要把测头转 180°，但主轴不能�
 check-reversal-spindle-hint = 请在中心已知的孔中校准，或在主轴可定位的机床上校准。
 check-first-calibration = 没有存储触发点：偏差就是整个新值，约 { $ball } mm，大于 _TSA。
 check-first-calibration-hint = 请在首次校准时把 _TSA 加大到大于 { $ball } mm。
-check-calibration-mirror = 有轴被镜像，而测头须在未镜像的坐标系中校准。
+check-calibration-mirror = 有轴已镜像，而测头须在未镜像的坐标系中校准。
 check-calibration-mirror-hint = 请在调用前取消镜像；测量时允许镜像（MD 10610=0）。
 check-calibration-band = 不会存储任何新触发点：偏差须大于 _TZL 且不大于 _TSA。
 check-calibration-band-hint = 请把 _TZL 减小到小于 _TSA；0 存储每个新值。
