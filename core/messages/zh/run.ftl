@@ -77,9 +77,9 @@ run-ended-early = 程序在第 { $line } 行停止。
 run-ended-early-without = 程序在第 { $line } 行停止；此前跳过了：{ $words }。括号中为行号。
 
 assumed-machine = 未给出机床。假定为{ $sort }，数据为默认值，公制，平面 { $plane }，所有零点偏移为 0，测头理想且已校准。起点 X{ $x } Y{ $y } Z{ $z }。
-assumed-milling = 带 SINUMERIK 控制系统的铣床
-assumed-turning = 带 SINUMERIK 控制系统的车床
-assumed-nct = 带 NCT 控制系统的机床
+assumed-milling = 带 SINUMERIK 数控系统的铣床
+assumed-turning = 带 SINUMERIK 数控系统的车床
+assumed-nct = 带 NCT 数控系统的机床
 assumed-tool = { $tool } 未知。假定为{ $sort }：L1 { $length } mm，半径 { $radius } mm。
 assumed-probe = 已校准的测头
 assumed-mill = 立铣刀
