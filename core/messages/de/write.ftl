@@ -1,6 +1,6 @@
 # Schreibweisen eines Aufrufs und was sie nicht ausdrücken können.
 
-write-no-list = Einen solchen Aufruf gibt es für { $cycle } nicht.
+write-no-list = { $cycle } lässt sich in dieser Schreibweise nicht aufrufen.
 write-no-list-variant = { $cycle }: Diese Messvariante oder dieses Korrekturziel lässt sich in dieser Schreibweise nicht aufrufen.
 write-variant-open = Die Argumente bestimmen die Messvariante, { $value } ist aber erst beim Programmlauf bekannt.
 write-no-list-hint = Als Zuweisungen und Aufruf schreiben.

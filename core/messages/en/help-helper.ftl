@@ -70,7 +70,7 @@ help-cycle119-points = The points were measured one by one, for example with CYC
 help-cycle119-alarm = _ALARM is 0.
 help-cycle119-frame = The frame between both triangles is calculated. _RES is their difference in shape, the sum of the deviations of the three points; below 0 there is no frame.
 help-cycle119-decides = With _COR=0, nothing is corrected. Otherwise a frame is corrected if _RES is below _RESLIM.
-help-cycle119-left = _RES, the frame in _REFRAME, which, chained to the active frame, moves the measured points to their setpoints, and in _ALARM 0 or the alarm number.
+help-cycle119-left = _RES, the frame _REFRAME, and in _ALARM 0 or the alarm number. Chained to the active frame, _REFRAME moves the measured points to their setpoints.
 help-cycle119-frame-moved = The frame in _COR, translation and rotation: 1 to 99 settable, 1000 last active channel basic, 1011 to 1026 channel basic frame, 2000 system frame $P_SETFR, 9999 active.
 help-cycle119-again = The corrected frame applies when its G function (G54 …) is programmed again, also with _COR=9999.
 help-cycle119-line = Three points are collinear or coincident: _ALARM is 61411.

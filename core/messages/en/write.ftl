@@ -1,6 +1,6 @@
 # Ways of writing a call, and what they cannot say.
 
-write-no-list = { $cycle } has no such call.
+write-no-list = { $cycle } cannot be written in this call style.
 write-no-list-variant = This variant or target of { $cycle } cannot be written in this call style.
 write-variant-open = The arguments determine the measuring variant, and { $value } is known only when the program runs.
 write-no-list-hint = Write assignments and the call instead.

@@ -46,7 +46,7 @@ result-difference-radius = 半径偏差
 
 check-path-zero = 测量行程为 0：刀具不会向测头移动。
 check-path-zero-hint = 请输入大于 0 的 _FA，不带符号。
-check-path-sign = 测量行程为负，此处不允许。
+check-path-sign = 测量行程为负，此测量方式不允许。
 check-path-sign-hint = 请输入不带符号的 _FA；只有增量校准使用符号来表示方向。
 check-path-direction-hint = 请在 _FA 中输入到测头的距离，负方向加负号。
 check-tool-probe-type = { $name } 不是允许的刀具测头类型。
@@ -71,7 +71,7 @@ check-mfs-missing = { $name } 不大于 0：缺少某次触碰的转速或进给
 check-mfs-missing-hint = 请设置 _MFS[0]、[2]、[4] 的转速和 _MFS[1]、[3]、[5] 的进给，或用 _CBIT[12]=0 让循环计算。
 check-mfs-third = { $name } 不大于 0：省去第三次触碰（_MFS[4] 和 [5]）。
 check-mfs-third-hint = 请也设置第二次触碰的转速和进给，或把 _MFS[4] 设为 0。
-check-cm-direction = { $name } 没有指定旋转方向；调用时主轴静止则需要它。
+check-cm-direction = { $name } 没有指定旋转方向；若调用时主轴静止，则必须指定。
 check-cm-direction-hint = 请把 GUD6 中的 _CM[5] 设为 3（M3）或 4（M4）。
 check-cm-zero = { $name } 不大于 0：循环无法计算测量的转速和进给。
 check-cm-zero-hint = 请设置极限：_CM[0] 圆周速度，[1] 主轴转速，[3] 精度，[4] 最大进给。
@@ -80,7 +80,7 @@ check-cm-factor-hint = 0 省去这次触碰；否则进给乘以该系数。
 check-cm-order = { $name } 不小于 _CM[6]，而每次触碰应比前一次慢。
 check-cm-order-hint = 请减小进给系数 2，或设为 0，只触碰两次。
 check-compensation-make = 不作补偿：_MT_COMP=1 时需要在 { $name } 中设置测头型号。
-check-compensation-make-hint = 请把 _TP_CF 设为 1（TT130）或 2（TS27R），或用自己的表并设 _MT_COMP=2。
+check-compensation-make-hint = 请把 _TP_CF 设为 1（TT130）或 2（TS27R），或采用用户自定义表并设 _MT_COMP=2。
 check-compensation-inside = 控制系统按该型号测头的内部补偿表作扣除，而手册中没有此表：模拟不作扣除。
 check-compensation-inside-hint = 请设 _MT_COMP=2：控制系统和模拟都使用用户自定义表，半径为 _MT_EC_R，长度为 _MT_EC_L。
 check-compensation-table = { $name } 中的半径或圆周速度不是递增的：补偿可能错误。

@@ -118,7 +118,7 @@ need-start-angle-spindle = 静止的铣削主轴转到此角度；省略时沿�
 need-start-angle-milling = 对主轴中的铣刀或钻头有效。
 need-second-edge = 对 180° 换向的第二次触碰有效。
 
-check-tool-reference = _CBIT[5]=1：_TP 的值按有效工件坐标系，尽管 _MVAR 的第 2 位为机床坐标系。
+check-tool-reference = _CBIT[5]=1：_TP 的值以有效工件坐标系为基准，但 _MVAR 的第 2 位指定机床坐标系。
 check-tool-reference-hint = 请把 _CBIT[5] 设为 0，或选择工件坐标系的测量方式（_TPW），然后重新校准刀具测头。
 check-lathe-tool-type-hint = 请用车刀（类型 5xy）、铣刀（1xy、711 到 799）或钻头（2xy），并检查 $TC_DP1。
 check-turning-digits = { $value } 的第 3 到 5 位用于铣刀和钻头，而当前是车刀。

@@ -26,7 +26,7 @@ help-corrects-tool = 刀具（_TNUM、_TNAME 或 _TENV）：补偿写入磨损�
 help-corrects-chain = 偏差超过 _TSA：报警 61303，程序停止。超过 _TDIF：信息 62306，不补偿。超出 _TUL、_TLL 或 _TMV：补偿全部偏差。在 _TMV 以内：以 _K 加权的平均值，大于 _TZL 时才补偿。
 help-corrects-zero = 由 _KNUM 指定的零点偏移，移动量为实际值减设定值；旋转不变。机床有精偏移时写入精偏移，_CHBIT[21]=1 或 _KNUM=2000 时写入粗偏移。_KNUM=0 不补偿。
 help-corrects-zero-area = 偏差超过 _TSA 时报警 61303：程序停止，不作补偿。
-help-corrects-when = 重新编程其 G 功能（G54 …）后才生效；只有 _KNUM=9999 时立即生效。
+help-corrects-when = 重新编程零点偏移的 G 功能（G54 …）后，补偿才生效；只有 _KNUM=9999 时立即生效。
 help-corrects-trigger = 测头数据：触发点与 _WP 中的值相差大于 _TZL 时更新。超过 _TSA：报警 61303，不存储。
 help-wrong-first = 首次校准：存储值为 0，_TSA 必须大于测球半径。
 help-wrong-later = 以后测量时的进给、平面、主轴位置或（铣削测量循环中）_CBIT[14] 不同：存储的值不适用。

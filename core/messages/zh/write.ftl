@@ -1,6 +1,6 @@
 # 调用的写法，以及各写法不能表达的内容。
 
-write-no-list = { $cycle } 没有这种调用。
+write-no-list = { $cycle } 不能用这种书写方式。
 write-no-list-variant = { $cycle } 的此测量方式或补偿对象不能用这种书写方式。
 write-variant-open = 参数决定测量方式，而 { $value } 在程序运行时才能确定。
 write-no-list-hint = 请改写成赋值和调用。

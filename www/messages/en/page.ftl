@@ -242,10 +242,10 @@ view-back = Back
 view-left = Left
 view-bottom = Bottom
 view-cube = View from
-view-section = Cut open
+view-section = Section
 view-central = Perspective
 view-errors = Errors shown
-view-errors-most = { $times } at most: the part would no longer be recognised
+view-errors-most = at most { $times }: beyond that, the part would be unrecognisable
 view-nominal = dashed: nominal; labels and values are true
 view-diameters = Diameters
 view-diameters-help = Diameters as on a drawing: actual, below it nominal and deviation; at a touch point, the position read by the control. X as the control displays it. In mm.
@@ -259,7 +259,7 @@ legend-swept = space swept by the probe
 legend-crash = crash
 legend-zone = protection zone
 legend-limit = maximum measurable error
-legend-carrier = holder: drawn only
+legend-carrier = holder: drawn only, not checked for collisions
 legend-thinned = { $drawn } of { $points } points are drawn, evenly selected; figures and files contain all points
 timeline-first = First step
 timeline-back = Step back
@@ -603,7 +603,7 @@ scan-save-surface = Save surface XYZ
 
 form-placed = In program, line { $line }
 field-reset = { $value } was cleared: it was entered as “{ $before }”.
-field-unfit = { $value } was cleared: this measuring variant does not take it.
+field-unfit = { $value } was cleared: this measuring variant does not permit it.
 field-pointed = Decimal point in the program: { $value }
 
 asks-title = { $count ->
@@ -649,9 +649,9 @@ story-back = Back
 story-next = Next
 story-leave = Leave
 story-count = Example, step { $step } of { $of }
-story-part = The part is shifted by X { $x } and Y { $y } mm, drawn 100 times as large. The zero offset does not include this yet.
+story-part = The part is shifted by X { $x } and Y { $y } mm; the view shows this 100 times as large. The zero offset does not include it yet.
 story-call = The form holds the measuring call. Each entry writes it anew, below the form and in the program.
-story-probe = The probe touches the bore at four points, at the feed of the machine.
+story-probe = The probe touches the bore at four points, at the real feedrate of the machine.
 story-correct = The cycle corrects { $corrected }: the zero offset moves to where the part really is.
 story-again = The program measures once more with the corrected offset. Now it corrects: { $left }.
 notice-story-left = The example stays open.
@@ -725,7 +725,7 @@ difference-cure = { $count ->
 }
 difference-left = { $count ->
     [one] One finding of this kind remains: its fix alone does not resolve it.
-   *[other] { $count } findings of this kind stay: their fixes alone do not resolve them.
+   *[other] { $count } findings of this kind remain: their fixes alone do not resolve them.
 }
 difference-typed = Change { $name } to { $value }
 difference-typed-several = Change { $count } values
@@ -835,7 +835,7 @@ step-equip-remove = Delete { $row }
 step-equip-add-tools = Add tool
 step-equip-add-offsets = Add zero offset
 step-equip-add-part = Add { $shape }
-step-equip-measured = Add part of the call
+step-equip-measured = Add what the call measures
 equipment-title = Machine
 equipment-of = Machine: { $name }
 equipment-tab-machine = Machine
