@@ -703,8 +703,8 @@ start-remove = 从列表中删除 { $name }
 
 difference-convert = 第 { $line } 行：将调用转换为“{ $way }”
 difference-convert-all = 将 { $count } 个调用转换为“{ $way }”
-difference-cure = 修正 { $count } 个问题
-difference-left = 还剩 { $count } 个此类问题：仅靠其修正方法无法解决。
+difference-cure = 改正 { $count } 个问题
+difference-left = 还剩 { $count } 个此类问题：仅靠其改正方法无法解决。
 difference-typed = 将 { $name } 改为 { $value }
 difference-typed-several = 更改 { $count } 个数值
 difference-summary = { $count ->
@@ -740,7 +740,7 @@ difference-place = 第 { $number } 处，共 { $count } 处
 difference-further = 再显示 { $count } 处更改
 difference-undo = 可用“撤销”恢复
 difference-close = 关闭
-problems-cure-all = 修正全部 { $count } 个此类问题…
+problems-cure-all = 改正全部 { $count } 个此类问题…
 
 keys-difference = 更改前的对比
 keys-difference-apply = 应用
