@@ -62,8 +62,8 @@ setup-shape-chuck = Chuck
 setup-shape-disc = Disc
 setup-shape-cube = Cube
 setup-shape-sphere = Sphere
-setup-shape-outer-corner = Outer corner
-setup-shape-inner-corner = Inner corner
+setup-shape-outer-corner = Outside corner
+setup-shape-inner-corner = Inside corner
 setup-shape-surface = Surface
 
 surface-empty = The surface has no triangles.

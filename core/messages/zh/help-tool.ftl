@@ -10,7 +10,7 @@ help-cycle971-measures-sides = 用长度和半径已知的刀具，测出刀具�
 help-cycle971-measures-tool = 铣刀或钻头的长度 L1（_MA = 3、103、203），或铣刀的半径（_MA = 1、2）。
 help-cycle971-before-still = 主轴静止，刀刃已转向测头；循环不转动主轴。
 help-cycle971-before-rotating = 循环由 _CM[] 计算转速和进给，_CBIT[12]=1 时取自 _MFS[]。旋转的主轴保持方向，静止的主轴取 _CM[5] 的方向。
-help-cycle971-before-clear = 刀具在要触碰的一侧，离开测头：_MA = 3、103、203 时在其上方，否则在其旁边。
+help-cycle971-before-clear = 刀具在要触碰的一侧，与测头保持距离：_MA = 3、103、203 时在其上方，否则在其旁边。
 help-cycle971-before-parallel = 刀具轴平行于测头中心线。
 help-cycle971-before-over = 刀具可从当前位置先上下移动到测头顶面上方 _FA 处，再横向移到测头中间，途中没有障碍。
 help-cycle971-order-beside = 在侧面：先在另一轴移到测头中间，再到该面旁，下降到低于顶面 _TP[k,9] 或 _TPW[k,9] 处，触碰，退回。最后停在该深度。
@@ -54,13 +54,13 @@ help-cycle982-order-upper-across = 先越过测头，朝起点方向返回测长
 help-cycle982-corrects-geometry = 当前刀具：值写入几何值，磨损置 0，不论原值如何。
 help-cycle982-wrong-axis = 半径不在 _MA 轴上：报警 61325。
 help-cycle982-wrong-drill-radius = 刀具是钻头，循环不测量其半径：报警 61314。
-help-cycle982-wrong-fast = 触碰时铣削主轴转速高：损坏刀刃和测头。请降低转速。
+help-cycle982-wrong-fast = 触碰时铣削主轴转速过高：会损坏刀刃和测头。请降低转速。
 help-cycle982-wrong-wrong-side = 起点在错误的一侧，或在测头两侧面之间：报警 61332。
 help-cycle982-wrong-nose = 校准刀具的刀尖半径或长度不对：误差会计入以后测量的每把刀具。
 
 help-tool-probe-known = 校准时，_TP（相对工件：_TPW）中的触发点是测头各面的近似位置；测量刀具时，测头必须已校准。
 help-tool-block = 对一个面：移到该面前 _FA 处，从那里最多走两倍 _FA 触碰，触发后退回。_NMSP 大于 1 时重复，取平均值。
-help-tool-reach = 刀具数据或测头数据的误差超过 _FA：不触发（报警 61301），或途中碰撞（61302）。
+help-tool-reach = 刀具数据或测头数据的误差超过 _FA：测头不触发（报警 61301），或途中碰撞（61302）。
 help-tool-trigger = 测头数据：_TP（相对工件：_TPW）中的触发点，与存储值相差大于 _TZL 时更新。超过 _TSA：报警 61303，不存储。
 help-tool-data = 当前刀具：写入几何值，磨损置 0；_CHBIT[3]=1 时只写磨损。偏差不超过 _TZL：不补偿；达到 _TDIF：信息 62306，不补偿；达到 _TSA：报警 61303。
 help-tool-in-front = 刀具已对着要触碰的面，距离不超过两倍 _FA。校准时不需要测头的数据；测量刀具时，此面必须已校准。

@@ -477,7 +477,7 @@ keys-tabs-next-tab = Next tab
 keys-tabs-previous-tab = Previous tab
 keys-editor = Program editor
 keys-editor-leave-editor = Leave the editor
-keys-editor-find = Search
+keys-editor-find = Find
 keys-editor-next-problem = Next problem
 keys-editor-problems = All problems, with remedies
 keys-splitter = Dividers between areas
@@ -699,7 +699,7 @@ whole-why-name = Reason
 # The start screen
 start-place = Start
 start-title = What do you want to measure?
-start-lead = Choose the element, then what it corrects. Probewright writes the call and shows what the machine does.
+start-lead = Choose the element, then what to correct. Probewright writes the call and shows what the machine does.
 start-corrects = What is corrected?
 start-coming = Loading …
 start-open-form = Open form
