@@ -1,7 +1,7 @@
 # CYCLE978: Titel, Suchwörter, Varianten.
 
 cycle978-title = Fläche
-cycle978-help = Misst einen Punkt einer Fläche senkrecht zu einer Achse. Der Messtaster startet gegenüber der Fläche, weiter weg als der Messweg; seine Seite bestimmt die Messrichtung.
+cycle978-help = Misst einen Punkt einer Fläche senkrecht zu einer Achse. Der Messtaster startet gegenüber der Fläche, weiter entfernt als der Messweg; die Seite, auf der er steht, bestimmt die Messrichtung.
 cycle978-words = messen vermessen antasten ankratzen Werkstück Fläche Kante Planfläche Ebene Wand Punkt Position Einzelpunkt Werkzeugkorrektur Verschleiß Nullpunkt setzen Nullpunktverschiebung NV NPV achsparallel Differenzmessung Taster Messtaster Kantentaster Höhe Oberfläche Z Bezugspunkt anfahren
 cycle978-each-words = ein Punkt Kante Planfläche Höhe Oberfläche Kantentaster
 

@@ -1,7 +1,7 @@
 # CYCLE979: Titel, Suchwörter, Varianten, Texte der eigenen Parameter, Prüfungen und Ergebnisse.
 
 cycle979-title = Bohrung, Welle, Nut, Steg unter Winkel
-cycle979-help = Misst ein Maß und dessen Mitte unter einem Winkel zu den Achsen: Bohrung, Welle oder Kreissegment an drei oder vier Punkten eines Kreises; Nut oder Steg entlang einer schrägen Linie.
+cycle979-help = Misst Maß und Mitte unter einem Winkel zu den Achsen: Bohrung, Welle oder Kreissegment an drei oder vier Punkten eines Kreises; Nut oder Steg entlang einer schrägen Linie.
 cycle979-words = messen vermessen antasten Werkstück Bohrung Loch Bohrungsmitte Welle Zapfen Kreiszapfen Nut Steg Rippe Segment Kreissegment Bogen Winkel schräg Durchmesser Breite Mitte Mittelpunkt drei vier Punkte innen außen Werkzeugkorrektur Verschleiß Nullpunkt setzen Nullpunktverschiebung NV NPV Taster Messtaster zentrieren Teilkreis Bezugspunkt
 cycle979-each-words = Winkel schräg Segment Bogen
 

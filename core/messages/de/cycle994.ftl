@@ -25,7 +25,7 @@ need-zone-outside = Außen nötig; innen hat diese Messvariante keine Schutzzone
 
 check-two-setpoint = Die beiden Punkte liegen bei plus und minus Sollwert: Bei { $set } mm ist kein Platz dazwischen.
 check-two-setpoint-hint = Durchmesser oder Radius als Zahl größer als 0 eingeben.
-check-two-ball = Ohne Kalibrierung ({ "_CHBIT[7]" }=1) gilt der Kugeldurchmesser { $name }, und er ist nicht größer als 0.
+check-two-ball = Ohne Kalibrierung ({ "_CHBIT[7]" }=1) gilt der Kugeldurchmesser { $name }, aber er ist nicht größer als 0.
 check-two-ball-hint = Kugeldurchmesser eintragen ({ $name }) oder Messtaster kalibrieren und { "_CHBIT[7]" }=0 setzen.
 check-two-zone-inside = Die Schutzzone, { $zone } mm, lässt der Kugel im Innenmaß, { $size } mm, keinen Platz.
 check-two-zone-inside-hint = In der Messachse eine Schutzzone von höchstens { $limit } mm wählen.

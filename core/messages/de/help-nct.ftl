@@ -8,7 +8,7 @@ help-result = S korrigiert eine Nullpunktverschiebung um Messwert minus Nennwert
 help-limits = Eine Abweichung größer als H ergibt OUT OF TOLERANCE; größer als U ergibt sie UPPER TOL EXEEDED, und das Makro korrigiert nichts.
 help-both-targets = S und T sind beide angegeben: FORMAT ERROR. Eine Abweichung korrigiert nur eines von beiden.
 help-middle-tolerance = Das Nennmaß ist nicht die Mitte der Toleranz: H gilt nach beiden Seiten (20 +0.1/−0.3 wird zu 19.9 mit H0.2).
-help-one-system = Ein Teil ist in inch kalibriert, ein Teil metrisch: alles im selben Maßsystem kalibrieren.
+help-one-system = Teils in inch, teils metrisch kalibriert: alles im selben Maßsystem kalibrieren.
 
 help-g101-measures-nothing = Nichts: Das Makro fährt den Messtaster nach X, Y, Z und überwacht unterwegs jedes Signal.
 help-g101-before-free = Die Längenkorrektur des Messtasters ist aktiv, und er berührt nichts.
@@ -18,7 +18,7 @@ help-g101-wrong-obstructed = Ein Hindernis liegt im Weg: PATH OBSTRUCTED. Messta
 help-g101-wrong-incremental = Bei aktivem G91 sind die Adressen Wege, keine Positionen.
 
 help-g102-measures-offset = Versatz der Messtasterkugel zur Spindelachse in beiden Achsen der Ebene.
-help-g102-before-ring = Die Spindel steht noch auf der Achse der Bohrung D, die sie eben ausgespindelt hat; oder #510 enthält die M-Funktion, die sie um 180° dreht, und die Kugel ist auf 10 mm genau mitten im Kalibrierring.
+help-g102-before-ring = Die Spindel steht noch auf der Achse der Bohrung mit Durchmesser D, die sie soeben ausgespindelt hat; oder #510 enthält die M-Funktion, die sie um 180° dreht, und die Kugel ist auf 10 mm genau mitten im Kalibrierring.
 help-g102-order-walls = Vier Wände in beiden Achsen; mit einer M-Funktion in #510 noch einmal mit um 180° gedrehter Spindel.
 help-g102-corrects-offset = #504 und #505, radialer Versatz in der 1. und 2. Achse der Ebene.
 help-g102-wrong-moved = Die Bohrung wurde nicht an dieser Spindelposition gefertigt, und es wird nicht mit Umschlag gemessen: Der Lagefehler der Bohrung geht in den Versatz ein.
@@ -42,7 +42,7 @@ help-g105-corrects-radius = T, ein Radiuskorrekturspeicher, wird um die ganze Ab
 help-g105-wrong-far = Die Fläche liegt weiter als Q hinter ihrer Nennkoordinate: PROBE FAIL.
 
 help-g106-measures-surface = Höhe einer Fläche senkrecht zur Werkzeugachse.
-help-g106-before-above = Die Kugel ist über der Antaststelle.
+help-g106-before-above = Die Kugel ist über dem Antastpunkt.
 help-g106-order-down = Der Messtaster tastet abwärts an, höchstens bis Q unter die Nennkoordinate.
 help-g106-corrects-length = T, ein Längenkorrekturspeicher, wird um die ganze Abweichung korrigiert.
 help-g106-wrong-low = Die Kugel ist schon um Q oder mehr unter der Nennkoordinate: NO MOVEMENT.
@@ -69,7 +69,7 @@ help-g109-corrects-half = S wird um den Versatz der Mitte korrigiert; T, ein Rad
 help-g109-wrong-width = Die Breite fehlt oder ist 0: FORMAT ERROR.
 help-g109-wrong-room = Das korrigierte Werkzeug würde nicht mehr in die Tasche passen: TOOL DIA OFFS TOO LARGE.
 
-help-g110-measures-bore = Mittelpunkt und Durchmesser einer Bohrung.
+help-g110-measures-bore = Durchmesser und Mittelpunkt einer Bohrung.
 help-g110-measures-boss = Durchmesser und Mittelpunkt eines Zapfens.
 help-g110-before-inside = Die Kugel ist auf Tiefe im Nennmittelpunkt der Bohrung.
 help-g110-before-above = Die Kugel ist über dem Nennmittelpunkt des Zapfens.

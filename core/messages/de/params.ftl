@@ -126,7 +126,7 @@ param-prnum-lathe = Messtaster
 param-prnum-lathe-help = Nummer der Daten des Messtasters in _WP.
 prnum-type = Typ
 prnum-multi = Multitaster: schaltet in allen Richtungen
-prnum-mono = mono oder bidirektional
+prnum-mono = Monotaster oder bidirektionaler Messtaster
 prnum-number = Nummer
 param-fa = Messweg
 param-fa-help = Abstand vom Start des Messsatzes zur Sollposition; ebenso weit fährt der Messtaster darüber hinaus. Immer in mm. Umfährt der Zyklus das Messelement: auch Sicherheitsabstand.
@@ -182,7 +182,7 @@ need-points = Dieser Winkel liegt zwischen den Punkten eines Kreises.
 need-circular = Zwischen den Punkten eines Kreises fährt der Messtaster auf einem Kreisbogen.
 need-memory = Kann entfallen: Ohne früheren Wert arbeitet der Zyklus ohne Mittelwertspeicher und ohne Erfahrungswert.
 need-memory-empirical = Kann entfallen: Ohne früheren Wert arbeitet der Zyklus ohne Erfahrungswert.
-need-own-speeds = Die Masken der Maschine fragen Vorschub und Drehzahl ab und schreiben _CBIT[12]=1 mit.
+need-own-speeds = Die Masken der Maschine fragen Vorschub und Drehzahl ab und schreiben dazu _CBIT[12]=1.
 need-tolerance = Gehört zur Werkzeugkorrektur; muss auch ohne Korrektur gültig sein. Ohne Angabe: früherer Wert, sonst Vorbesetzung.
 
 result-set-size = Sollwert Durchmesser/Breite

@@ -1,7 +1,7 @@
 # Dieselbe Aufgabe auf der anderen Steuerung.
 twin-middle = Bei einer Toleranz ist der Sollwert die Mitte des Toleranzfelds. Der Zyklus korrigiert ein Werkzeug auf diesen Wert.
 twin-no-zero = Die korrigierte Nullpunktverschiebung hat dort keine Entsprechung: eine Nullpunktverschiebung auswählen.
-twin-at-once = Bei NCT gilt die korrigierte Nullpunktverschiebung sofort, bei SINUMERIK erst nach neuem Programmieren, mit { "_KNUM" }=9999 sofort.
+twin-at-once = Bei NCT gilt die korrigierte Nullpunktverschiebung sofort, bei SINUMERIK erst, wenn sie erneut programmiert wird, mit { "_KNUM" }=9999 sofort.
 twin-names = Die 5. und die 6. Nullpunktverschiebung heißen bei NCT G58 und G59, bei SINUMERIK G505 und G506.
 twin-register = Als Nummer des NCT-Korrekturspeichers ist die Werkzeugnummer angenommen; bei anderer Zuordnung korrigieren.
 twin-depth = Die Tiefe ist bei NCT eine Koordinate der Werkzeugachse, bei SINUMERIK eine Zustellung ab der Startposition ({ "_ID" }). Berechnet ist sie für die Startposition { $axis }{ $height }.

@@ -102,7 +102,7 @@ datum-wp-9 = Calibration status
     .help = Written by the calibration: 17, 18 or 19 for the plane, plus 100 for a mono probe; 0: unknown. _CBIT[16] monitors it. A real control uses its own code.
 datum-wp-10 = Calibration status, second word
     .help = Written by the calibration: 1 if the length refers to the centre of the ball, 2 if to its circumference; 0: unknown. A real control uses its own code.
-datum-mc-mtl = Stylus length to ball radius
+datum-mc-mtl = Ratio stylus length/ball radius
     .help = CYCLE997 with diameter: ratio for this probe. Without it, the trigger points are not corrected. Not simulated: the manual prints no formula.
 datum-tp-0 = Trigger point, 1st axis minus
     .help = Milling: 1st geometry axis (X). Turning: abscissa. Written by calibration in machine coordinates, by CYCLE982 with _CBIT[5]=1 in workpiece coordinates.
@@ -211,7 +211,7 @@ datum-cm-5 = Direction of rotation
 datum-cm-6 = Feed factor 1
     .help = First touch at the calculated feed multiplied by this factor. 0: one touch only, at the calculated feed.
 datum-cm-7 = Feed factor 2
-    .help = Second touch at the calculated feed multiplied by this factor, then a third. 0: no third touch. Smaller than factor 1.
+    .help = Second touch at the calculated feed multiplied by this factor, then a third. 0: no third touch. Must be smaller than factor 1.
 datum-mfs-0 = Speed, first touch
 datum-mfs-1 = Feed, first touch
 datum-mfs-2 = Speed, second touch
