@@ -32,7 +32,7 @@ check-groove-number-hint = Nummer von 1 bis { $pairs } wählen oder weitere Date
 check-groove-tip-hint = In der Kalibriernut ist Schneidenlage 7 oder 8 nötig; andere Messtaster an einer Fläche kalibrieren.
 check-groove-base = In dieser Achse hat die Kalibriernut nur den Nutboden: Nur die Minus-Richtung ist möglich.
 check-groove-base-hint = Nutboden mit einer Richtung und { "_MD" }=1 kalibrieren; beide Richtungen gibt es nur an den Wänden, in der anderen Achse.
-check-groove-empty = Die Kalibriernut ist nicht eingetragen: gleich 0 sind { $names }.
+check-groove-empty = Die Kalibriernut ist nicht eingetragen (Wert 0): { $names }.
 check-groove-empty-hint = Kanten und Nutboden in _KB[] im Datenbaustein GUD6 eintragen, in Maschinenkoordinaten und als Radien.
 check-groove-edges = Die Kante in Plus-Richtung, { $plus }, ist nicht größer als die Kante in Minus-Richtung, { $minus }.
 check-groove-edges-hint = Beide Werte tauschen oder den fehlenden eintragen.

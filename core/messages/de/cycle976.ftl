@@ -72,7 +72,7 @@ param-ma-calibrated-help = Die Triggerpunkte der anderen Achse bleiben erhalten.
 param-sta1-calibration = Kalibrierwinkel
 param-sta1-calibration-help = Um diesen Winkel sind die Antastrichtungen gegenüber den Achsen der Ebene gedreht.
 param-fa-unknown = Messweg
-param-fa-unknown-help = Länger als der Abstand der Startposition vom Mittelpunkt; gut ist der halbe Durchmesser. Der Messtaster fährt höchstens den doppelten Messweg. Immer in mm.
+param-fa-unknown-help = Muss größer sein als der Abstand der Startposition vom Mittelpunkt; gut ist der halbe Durchmesser. Der Messtaster fährt höchstens den doppelten Messweg. Immer in mm.
 param-fa-length = Messweg
 param-fa-length-help = Die Fläche muss innerhalb des doppelten Messwegs ab der Position beim Aufruf liegen. Immer in mm.
 param-tsa-trigger = Vertrauensbereich der Triggerpunkte
@@ -91,7 +91,7 @@ check-reversal-spindle = Diese Messvariante dreht den Messtaster um 180°, aber 
 check-reversal-spindle-hint = In einer Bohrung mit bekanntem Mittelpunkt kalibrieren oder auf einer Maschine, deren Spindel sich positionieren lässt.
 check-first-calibration = Dieser Messtaster hat noch keine Triggerpunkte: Der ganze neue Wert, etwa { $ball } mm, gilt als Differenz und übersteigt _TSA.
 check-first-calibration-hint = Für das erste Kalibrieren _TSA größer als { $ball } mm wählen.
-check-calibration-mirror = Eine Achse ist gespiegelt: Der Messtaster ist in nicht gespiegelten Koordinaten zu kalibrieren.
+check-calibration-mirror = Eine Achse ist gespiegelt, der Messtaster ist aber in nicht gespiegelten Koordinaten zu kalibrieren.
 check-calibration-mirror-hint = Spiegelung vor dem Aufruf abwählen; beim Messen darf sie mit MD 10610=0 aktiv sein.
 check-calibration-band = Der Zyklus speichert keinen Triggerpunkt: Die Differenz müsste größer als _TZL und höchstens gleich _TSA sein.
 check-calibration-band-hint = _TZL kleiner als _TSA wählen; 0 speichert jeden neuen Wert.

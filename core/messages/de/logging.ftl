@@ -80,7 +80,7 @@ param-log-digits-help = Stellen nach dem Dezimalpunkt für alle Werte.
 need-log-file = Das Protokoll braucht eine Datei.
 need-log-header = Gehört zum Protokollkopf; ohne Eingabe gilt der Wert in GUD6.
 need-log-values = Gehört zu den Werten; ohne Eingabe gilt der Wert in GUD6.
-need-log-titles = Gehört zum Protokollkopf und bestimmt bei „Zeichen pro Spalte“ 0 die Spaltenbreiten.
+need-log-titles = Gehört zum Protokollkopf; bestimmt die Spaltenbreiten, wenn „Zeichen pro Spalte“ 0 ist.
 need-log-format = Gehört zum Format; ohne Eingabe gilt der Wert in GUD6.
 
 check-log-file = Dieser Name ist für eine Protokolldatei unzulässig.

@@ -161,7 +161,7 @@ decision-nct-no-update = Die Abweichung ist größer als U: Werkzeug und Nullpun
 
 nct-format-error = Ein Wert fehlt, liegt außerhalb des Bereichs oder schließt einen anderen aus.
     .cause = Eine Adresse fehlt, die das Makro braucht, ein Wert liegt außerhalb seines Bereichs, oder zwei Adressen schließen sich aus.
-    .cure = Satz korrigieren: G104 bis G110 S 0 bis 6, T und M 1 bis 99, S nicht mit T; P9969 nur eine von I, J, K.
+    .cure = Satz korrigieren. G104 bis G110: S 0 bis 6, T und M 1 bis 99, S nicht zusammen mit T. P9969: nur eine von I, J, K.
 nct-no-tool-length = Die Längenkorrektur des Messtasters ist nicht aktiv.
     .cause = Alle Wege gelten für die Spitze des Messtasters; ohne G43 und H ist seine Länge nicht eingerechnet.
     .cure = Zuerst die Länge des Messtasters mit G43 und seinem H-Speicher aktivieren.
