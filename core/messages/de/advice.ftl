@@ -8,9 +8,9 @@ advice-write = { $name }={ $value } für diesen Aufruf schreiben
 advice-compensation = Werkzeugradiuskorrektur ist aktiv: { $word } in Zeile { $line }.
 advice-compensation-pass = Werkzeugradiuskorrektur ist aus dem vorigen Durchlauf noch aktiv: { $word } in Zeile { $line }.
 advice-compensation-hint = G40 vor dem Aufruf programmieren.
-advice-compensation-open = Vor diesem Aufruf fehlt G40, das Programm endet mit Werkzeugradiuskorrektur: Beim nächsten Lauf kann sie noch aktiv sein.
+advice-compensation-open = Vor diesem Aufruf fehlt G40, und das Programm endet mit aktiver Werkzeugradiuskorrektur: Beim nächsten Lauf kann sie noch aktiv sein.
 advice-plane = Vor diesem Aufruf ist keine Arbeitsebene programmiert: Die Grundstellung der Maschine bestimmt, in welchen Achsen gemessen wird.
-advice-plane-hint = Ebene programmieren, z. B. { $plane }.
+advice-plane-hint = Ebene programmieren, zum Beispiel { $plane }.
 advice-diameter = Vor diesem Aufruf ist weder DIAMON noch DIAMOF programmiert: Die Grundstellung bestimmt, ob Werte der Planachse Durchmesser sind.
 advice-diameter-hint = DIAMON für Durchmesser oder DIAMOF für Radien programmieren.
 advice-edge-none = Keine D-Nummer ist aktiv: Die Steuerung verrechnet die Länge des aktiven Werkzeugs nicht.

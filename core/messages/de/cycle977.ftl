@@ -1,7 +1,7 @@
 # CYCLE977: Titel, Suchwörter, Varianten.
 
 cycle977-title = Bohrung, Welle, Nut, Steg, Rechteck
-cycle977-help = Misst Maß und Mitte achsparallel, von der Sollmitte aus: zwei Antastungen bei Nut und Steg, sonst vier. Das Ergebnis korrigiert ein Werkzeug, eine Nullpunktverschiebung oder nichts.
+cycle977-help = Ermittelt Maß und Mitte achsparallel, von der Sollmitte aus: zwei Antastungen bei Nut und Steg, sonst vier. Das Ergebnis korrigiert ein Werkzeug, eine Nullpunktverschiebung oder nichts.
 cycle977-words = messen vermessen antasten Werkstück Bohrung Loch Bohrungsmitte Welle Zapfen Kreiszapfen Nut Steg Rippe Tasche Kreistasche Rechtecktasche Insel Rechteck Rechteckzapfen Durchmesser Breite Mitte Mittelpunkt innen außen Werkzeugkorrektur Verschleiß Nullpunkt setzen Nullpunktverschiebung NV NPV achsparallel Schutzzone Sicherheitszone Taster Messtaster Kantentaster zentrieren Passung Passfedernut Langloch Innendurchmesser Außendurchmesser Bezugspunkt
 
 cycle977-hole-tool = Bohrung, Werkzeug korrigieren

@@ -1,7 +1,7 @@
 # CYCLE982: Titel, Suchwörter, Messvarianten, Texte der eigenen Parameter, Prüfungen.
 
 cycle982-title = Drehen: Werkzeugmesstaster kalibrieren, Drehwerkzeuge, Fräswerkzeuge und Bohrer messen
-cycle982-help = Misst L1 und L2 von Drehwerkzeug, Fräser oder Bohrer, beim Fräser auch den Radius, an einem achsparallelen Werkzeugmesstaster oder kalibriert eine Seite mit bekanntem Werkzeug der Schneidenlage 3.
+cycle982-help = Misst L1 und L2 von Drehwerkzeug, Fräswerkzeug oder Bohrer, beim Fräswerkzeug auch R, an einem achsparallelen Werkzeugmesstaster oder kalibriert eine Seite mit bekanntem Werkzeug der Schneidenlage 3.
 cycle982-words = Werkzeug messen vermessen Werkzeugvermessung Werkzeugmessung Werkzeugvoreinstellung Voreinstellgerät Drehmaschine Drehen Drehfräsen angetriebenes Werkzeug Werkzeugmesstaster Werkzeugtaster Messtaster Taster Messdose Würfel antasten kalibrieren abgleichen eichen einmessen Länge L1 L2 Radius Durchmesser Wendeschneidplatte Platte Schneide Schneidenradius Spitze Schneidenlage Drehmeißel Drehstahl Stahl Bohrer Fräser Schaftfräser Nutfräser Scheibenfräser T-Nutenfräser Umschlag inkrementell automatisch Verschleiß Geometrie Triggerpunkt Werkzeugkorrektur Werkzeuglänge Messarm Bruchkontrolle
 cycle982-each-words = Drehmaschine Drehen messen vermessen Werkzeug Werkzeugvermessung
 
@@ -118,7 +118,7 @@ need-start-angle-spindle = Die stehende Frässpindel dreht auf diesen Winkel; oh
 need-start-angle-milling = Gilt für Fräswerkzeug oder Bohrer in einer Spindel.
 need-second-edge = Gilt für die 2. Antastung einer Messung mit Umschlag.
 
-check-tool-reference = _CBIT[5]=1: Die Werte in _TP gelten im aktiven WKS, obwohl die 2. Stelle von _MVAR maschinenbezogen angibt.
+check-tool-reference = _CBIT[5]=1: Die Werte in _TP gelten im aktiven WKS, obwohl die 2. Stelle von _MVAR „maschinenbezogen“ bedeutet.
 check-tool-reference-hint = _CBIT[5] auf 0 setzen oder die werkstückbezogene Messvariante (_TPW) wählen; danach Messtaster neu kalibrieren.
 check-lathe-tool-type-hint = Drehwerkzeug (Typ 5xy), Fräswerkzeug (1xy, 711 bis 799) oder Bohrer (2xy) verwenden; $TC_DP1 prüfen.
 check-turning-digits = Die 3. bis 5. Stelle von { $value } gelten für Fräswerkzeuge und Bohrer, aktiv ist aber ein Drehwerkzeug.

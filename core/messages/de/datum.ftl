@@ -675,9 +675,9 @@ machine-field-mv = Speicher { $number }
 
 machine-user-programs = Anwenderprogramme vor und nach der Messung
 user-program-before = Am Anfang jedes Messzyklus
-    .help = Für Aktionen vor der Messung, z. B. Messtaster einschalten. Springt je Zyklus zu einer Sprungmarke (_M977): dort Sätze vor M17 einfügen. Ein CYCLE198 im Programmtext wird ab der Marke simuliert.
+    .help = Für Aktionen vor der Messung, etwa Messtaster einschalten. Springt je Zyklus zu einer Sprungmarke (_M977): dort Sätze vor M17 einfügen. Ein CYCLE198 im Programmtext wird ab der Marke simuliert.
 user-program-behind = Nach abgeschlossener Messung
-    .help = Für Aktionen nach der Messung, z. B. Messtaster ausschalten. Aufgebaut wie CYCLE198. Läuft in JOG nach einer Messung mit mehreren Zyklusaufrufen noch einmal.
+    .help = Für Aktionen nach der Messung, etwa Messtaster ausschalten. Aufgebaut wie CYCLE198. Läuft in JOG nach einer Messung mit mehreren Zyklusaufrufen noch einmal.
 
 # NCT
 datum-nct-500 = Kugelradius, 1. Achse +

@@ -64,7 +64,7 @@ answer-frame = { $frame }
 answer-frame-fine = { $frame }, fein
 answer-tool = T{ $tool } D{ $edge }
 answer-tool-offset = T{ $tool } D{ $edge } DL{ $offset }
-answer-register = Register { $register }
+answer-register = Korrekturspeicher { $register }
 answer-probe = Messtasterdaten
 # What follows.
 answer-within = Innerhalb der Grenzen

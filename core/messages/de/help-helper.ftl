@@ -26,7 +26,7 @@ help-cycle101-files = Die Protokolldateien; sie lassen sich jetzt auslesen.
 help-cycle101-missing = Der Aufruf fehlt: Auch spätere Messungen stehen dann im Protokoll, und die Datei lässt sich nicht auslesen.
 
 help-cycle105-header = Schreibt den Protokollkopf ins Protokoll, ohne Messzyklus. Keine Achse bewegt sich.
-help-cycle105-values = Schreibt einen Werteblock mit bis zu vier Zeilen ins Protokoll, ohne Messzyklus, z. B. nach einer eigenen Berechnung. Keine Achse bewegt sich.
+help-cycle105-values = Schreibt einen Werteblock mit bis zu vier Zeilen ins Protokoll, ohne Messzyklus, zum Beispiel nach einer eigenen Berechnung. Keine Achse bewegt sich.
 help-cycle105-open = Das Protokoll ist mit CYCLE100 eingeschaltet. Messzyklen schreiben selbst und brauchen CYCLE105 nicht.
 help-cycle105-left-header = Ein weiterer Protokollkopf in der Protokolldatei.
 help-cycle105-left-values = Ein weiterer Werteblock in der Protokolldatei.
@@ -55,7 +55,7 @@ help-cycle118-left = Der Text in der Variablen des Aufrufs. Bei mehreren Zahlen 
 help-cycle118-count = PAR4 ist größer als 10: Alarm 61362.
 help-cycle118-length = Eine Zahl braucht mit ihren Nachkommastellen mehr als 12 Zeichen: Der Text passt nicht hinein.
 
-help-cycle116-does = Berechnet Mittelpunkt und Radius eines Kreises aus drei oder vier Punkten, z. B. aus einzeln gemessenen Punkten. Keine Achse bewegt sich.
+help-cycle116-does = Berechnet Mittelpunkt und Radius eines Kreises aus drei oder vier Punkten, zum Beispiel aus einzeln gemessenen Punkten. Keine Achse bewegt sich.
 help-cycle116-variables = Beide Variablen sind am Programmanfang definiert: DEF REAL _DATE[13] und DEF INT _ALM.
 help-cycle116-points = _DATE[0] ist die Anzahl der Punkte; Abszisse und Ordinate jedes Punkts stehen paarweise in _DATE[1] bis _DATE[8].
 help-cycle116-circle = Drei Punkte bestimmen den Kreis; bei vier Punkten gehen alle in die Rechnung ein.
@@ -66,7 +66,7 @@ help-cycle116-unseen = Wertet das Programm _ALM nach dem Aufruf nicht aus, läuf
 
 help-cycle119-does = Berechnet die Lage eines Werkstücks im Raum aus Soll- und Messpositionen dreier Punkte. Je nach _COR korrigiert der Zyklus ein Frame um Verschiebung und Drehung. Keine Achse bewegt sich.
 help-cycle119-variables = Die Variablen sind am Programmanfang definiert: DEF REAL _SETPOINT[3,3], _MEASPOINT[3,3], _RES, DEF INT _ALARM und DEF FRAME _REFRAME.
-help-cycle119-points = Die Punkte sind einzeln gemessen, z. B. mit CYCLE977 oder CYCLE997; _SETPOINT und _MEASPOINT enthalten sie in gleicher Reihenfolge, je X, Y und Z, im aktiven Frame.
+help-cycle119-points = Die Punkte sind einzeln gemessen, zum Beispiel mit CYCLE977 oder CYCLE997; _SETPOINT und _MEASPOINT enthalten sie in gleicher Reihenfolge, je X, Y und Z, im aktiven Frame.
 help-cycle119-alarm = _ALARM ist 0.
 help-cycle119-frame = Der Zyklus berechnet das Frame zwischen beiden Dreiecken. _RES ist ihr Formunterschied, die Summe der Abweichungen der drei Punkte; unter 0 gibt es kein Frame.
 help-cycle119-decides = Bei _COR=0 korrigiert der Zyklus nichts. Sonst korrigiert er ein Frame, wenn _RES kleiner als _RESLIM ist.

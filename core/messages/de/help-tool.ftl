@@ -54,7 +54,7 @@ help-cycle982-order-upper-across = Das Werkzeug überquert zuerst den Messtaster
 help-cycle982-corrects-geometry = Das aktive Werkzeug: Der Wert geht in die Geometrie, der Verschleiß wird 0, gleich wie groß er vorher war.
 help-cycle982-wrong-axis = Der Radius liegt nicht in der Achse _MA: Alarm 61325.
 help-cycle982-wrong-drill-radius = Das Werkzeug ist ein Bohrer; dessen Radius misst der Zyklus nicht: Alarm 61314.
-help-cycle982-wrong-fast = Die Frässpindel dreht beim Antasten schnell: Schneide und Messtaster nehmen Schaden. Drehzahl verringern.
+help-cycle982-wrong-fast = Die Frässpindel dreht beim Antasten zu schnell: Schneide und Messtaster nehmen Schaden. Drehzahl verringern.
 help-cycle982-wrong-wrong-side = Die Startposition liegt auf der falschen Seite oder zwischen zwei Seiten des Messtasters: Alarm 61332.
 help-cycle982-wrong-nose = Schneidenradius oder Längen des Kalibrierwerkzeugs sind falsch: Der Fehler geht in jedes später gemessene Werkzeug ein.
 

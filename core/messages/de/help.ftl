@@ -32,6 +32,6 @@ help-wrong-first = Erste Kalibrierung: Die gespeicherten Werte sind 0, daher mus
 help-wrong-later = Vorschub, Ebene, Spindelstellung oder, in Fräszyklen, _CBIT[14] sind bei späteren Messungen anders: Die gespeicherten Werte gelten dort nicht.
 help-calibrated = Der Messtaster ist in dieser Ebene und in den Richtungen dieser Messung kalibriert, mit demselben Vorschub.
 help-uncalibrated = Der Messtaster muss nicht kalibriert sein; er schaltet in allen Richtungen, die Spindel lässt sich positionieren, und die Messachse liegt in der Ebene.
-help-turned-over = Den ersten Punkt tastet der Zyklus mit um 180° gedrehter Spindel an, dann in der ursprünglichen Spindelstellung. Es gilt der Mittelwert, die Lageabweichung hebt sich auf.
+help-turned-over = Den ersten Punkt tastet der Zyklus mit um 180° gedrehter Spindel an, dann in der ursprünglichen Spindelstellung. Es gilt der Mittelwert: Die Lageabweichung hebt sich auf.
 help-turned-over-stored = Der Zyklus speichert in _WP auch die Lageabweichung und den Triggerpunkt dieser Richtung samt Lageabweichung. Sie gelten nur für diese Spindelstellung.
 help-no-spindle = Die Spindel lässt sich nicht positionieren: Alarm 61372.

@@ -24,10 +24,10 @@ convert-expression-hint = { $name }={ $value } direkt vor den Aufruf schreiben; 
 revise-taken = Von der neuen Messvariante nicht verwendet und aus dem Aufruf entfernt: { $names }.
 revise-kept = { $name }={ $value } bleibt im Programm, obwohl die neue Messvariante den Wert nicht verwendet: Er ist ein Ausdruck.
 revise-shared = { $names } bleiben im Programm, obwohl die neue Messvariante sie nicht verwendet: Ein späterer Aufruf liest sie.
-variable-before = { $name } lässt sich nicht ändern: Keine Programmzeile weist es vor dem Aufruf zu.
-variable-several = { $name } lässt sich nicht ändern: Es kommt je nach Weg durch das Programm aus mehreren Stellen (Zeilen { $lines }).
-variable-unclear = { $name } lässt sich nicht ändern: Ein Aufruf, eine Schleife oder ein Index bestimmt den Inhalt.
-variable-calculated = { $name } lässt sich nicht ändern: Es wird in Zeile { $lines } berechnet.
+variable-before = { $name } lässt sich nicht ändern: Keine Programmzeile vor dem Aufruf weist einen Wert zu.
+variable-several = { $name } lässt sich nicht ändern: Den Wert schreiben je nach Programmablauf verschiedene Zeilen: { $lines }.
+variable-unclear = { $name } lässt sich nicht ändern: Ein Aufruf, eine Schleife oder ein Index bestimmt den Wert.
+variable-calculated = { $name } lässt sich nicht ändern: Der Wert wird in Zeile { $lines } berechnet.
 variable-number = { $name } lässt sich ändern, sobald eine Zahl eingegeben ist.
 variable-unsolved = { $name } lässt sich nicht ändern: Aus dem Ausdruck folgt für diese Zahl kein Wert.
 variable-same = { $name } hat diesen Wert schon.

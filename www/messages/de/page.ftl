@@ -244,9 +244,9 @@ view-bottom = Unten
 view-cube = Ansicht von
 view-section = Aufschneiden
 view-central = Perspektive
-view-errors = Abweichungen gezeigt
-view-errors-most = höchstens { $times }: sonst wäre das Werkstück nicht zu erkennen
-view-nominal = gestrichelt: Soll; Beschriftung und Werte sind wahr
+view-errors = Abweichungen überhöht
+view-errors-most = höchstens { $times }: sonst wäre das Werkstück nicht mehr zu erkennen
+view-nominal = gestrichelt: Sollform; Beschriftung und Werte sind nicht überhöht
 view-diameters = Durchmesser
 view-diameters-help = Durchmesser wie auf der Zeichnung: Istmaß, darunter Sollmaß und Abweichung; am Antastpunkt die Position, die die Steuerung liest. X wie an der Steuerung angezeigt. In mm.
 legend = Legende
@@ -372,11 +372,11 @@ notice-opened-empty = Geöffnet: Die Datei ist leer.
 notice-written = In der Datei gespeichert.
 notice-denied = Der Browser darf nicht in die Datei schreiben. Als Download gespeichert.
 notice-changed = Ein anderes Programm hat die Datei geändert. Als Download gespeichert.
-notice-failed = Die Datei ist nicht beschreibbar. Als Download gespeichert.
+notice-failed = Die Datei ließ sich nicht schreiben. Als Download gespeichert.
 notice-example = Beispiel in die Maske eingesetzt.
 notice-no-errors = Alle Abweichungen auf 0 gesetzt.
 notice-set-saved = Werte gespeichert.
-notice-set-replaced = Werte gespeichert; der gleichnamige Wertesatz ist ersetzt.
+notice-set-replaced = Werte gespeichert; der gleichnamige Wertesatz wurde ersetzt.
 notice-set-loaded = Werte geladen.
 notice-set-deleted = Werte gelöscht.
 notice-undone = Rückgängig gemacht.
@@ -411,12 +411,12 @@ step-errors = Abweichungen
 step-machine = Maschine
 step-sets = Wertesätze
 
-refused-program-size = { $name } wurde nicht geöffnet: Die Datei hat { $size } MB, zulässig sind { $most } MB für ein Programm. Ihr Programm ist unverändert.
-refused-setup-size = { $name } wurde nicht geöffnet: Die Datei hat { $size } MB, zulässig sind { $most } MB für eine Maschineneinrichtung. Ihre Maschineneinrichtung ist unverändert.
+refused-program-size = { $name } wurde nicht geöffnet: Die Datei hat { $size } MB, ein Programm darf höchstens { $most } MB haben. Ihr Programm ist unverändert.
+refused-setup-size = { $name } wurde nicht geöffnet: Die Datei hat { $size } MB, eine Maschineneinrichtung darf höchstens { $most } MB haben. Ihre Maschineneinrichtung ist unverändert.
 refused-no-program = { $name } wurde nicht geöffnet: { $why }. Ihr Programm ist unverändert.
 refused-unreadable = { $name } wurde nicht geöffnet: Der Browser kann die Datei nicht lesen. Vielleicht wurde sie inzwischen verschoben oder geändert.
 refused-folder = { $name } wurde nicht geöffnet: Das ist ein Ordner. Die Datei selbst hierher ziehen.
-refused-setup = { $name } wurde nicht geöffnet, das ist keine Maschineneinrichtung: { $why } „Einrichtung speichern“ schreibt eine zum Vergleich. Ihre Maschineneinrichtung ist unverändert.
+refused-setup = { $name } ist keine Maschineneinrichtung und wurde nicht geöffnet: { $why } „Einrichtung speichern“ schreibt eine zum Vergleich. Ihre Maschineneinrichtung ist unverändert.
 refused-place = Zeile { $line }, Spalte { $column }: { $text }
 refused-close = Schließen
 
@@ -433,7 +433,7 @@ sets-delete-named = { $name } löschen
 sets-name-taken = Dieser Name ist leer oder bereits vergeben.
 
 continuing-title = Welche Arbeit fortsetzen?
-continuing-why = Probewright ist in einem weiteren Tab offen. Jeder Tab behält seine eigene Arbeit. Der nächste Besuch öffnet die zuletzt geänderte.
+continuing-why = Probewright ist in einem weiteren Tab offen. Jeder Tab behält seine eigene Arbeit. Beim nächsten Besuch öffnet sich die zuletzt geänderte.
 continuing-copy = Kopie von { $name }, geändert { $when }
 continuing-anew = Mit dem Beispiel neu anfangen
 
@@ -483,9 +483,9 @@ keys-editor-problems = Alle Meldungen mit Abhilfe
 keys-splitter = Trenner zwischen Bereichen
 keys-splitter-nearer = Nach links oder oben
 keys-splitter-further = Nach rechts oder unten
-keys-splitter-least = Kleinste Größe
-keys-splitter-most = Größte Größe
-keys-splitter-maximise = Maximieren oder zurück
+keys-splitter-least = Minimale Größe
+keys-splitter-most = Maximale Größe
+keys-splitter-maximise = Maximieren oder wiederherstellen
 keys-view = 3D-Ansicht
 keys-view-turn = Drehen
 keys-view-shift = Verschieben
@@ -649,10 +649,10 @@ story-back = Zurück
 story-next = Weiter
 story-leave = Verlassen
 story-count = Beispiel, Schritt { $step } von { $of }
-story-part = Das Werkstück liegt um X { $x } und Y { $y } mm versetzt, 100-fach vergrößert gezeichnet. Die Nullpunktverschiebung berücksichtigt das noch nicht.
+story-part = Das Werkstück liegt um X { $x } und Y { $y } mm versetzt; die Zeichnung zeigt den Versatz 100-fach überhöht. Die Nullpunktverschiebung berücksichtigt das noch nicht.
 story-call = Die Maske enthält den Messaufruf. Jede Eingabe schreibt ihn neu, unter der Maske und im Programm.
-story-probe = Der Messtaster tastet die Bohrung an vier Punkten an, mit dem Vorschub der Maschine.
-story-correct = Der Zyklus korrigiert { $corrected }: Die Nullpunktverschiebung rückt dorthin, wo das Werkstück wirklich liegt.
+story-probe = Der Messtaster tastet die Bohrung an vier Punkten an, mit dem gleichen Vorschub wie an der Maschine.
+story-correct = Der Zyklus korrigiert { $corrected }: Die Nullpunktverschiebung stimmt dann mit der wirklichen Lage des Werkstücks überein.
 story-again = Das Programm misst mit der korrigierten Nullpunktverschiebung noch einmal. Jetzt korrigiert es: { $left }.
 notice-story-left = Das Beispiel bleibt geöffnet.
 # The measurements of a whole program.
@@ -681,7 +681,7 @@ whole-nominal-name = Sollwert
 whole-actual = Istwert
 whole-actual-name = Istwert
 whole-limits = Grenzen
-whole-limits-name = Anteil an den Grenzen
+whole-limits-name = Ausnutzung der Grenzen
 whole-deviation = Abweichung
 whole-deviation-name = Abweichung
 whole-verdict = Bewertung
@@ -724,8 +724,8 @@ difference-cure = { $count ->
    *[other] { $count } Meldungen beheben
 }
 difference-left = { $count ->
-    [one] Eine Meldung dieser Art bleibt: Ihre Korrektur allein behebt sie nicht.
-   *[other] { $count } Meldungen dieser Art bleiben: Ihre Korrektur allein behebt sie nicht.
+    [one] Eine Meldung dieser Art bleibt: Die vorgeschlagene Änderung allein behebt sie nicht.
+   *[other] { $count } Meldungen dieser Art bleiben: Die vorgeschlagenen Änderungen allein beheben sie nicht.
 }
 difference-typed = { $name } auf { $value } ändern
 difference-typed-several = { $count } Werte ändern
@@ -738,7 +738,7 @@ difference-values-none = Kein Wert kommt hinzu, fällt weg oder ändert sich.
 difference-added = Kommt hinzu
 difference-lost = Fällt weg
 difference-changed = Anderer Wert
-difference-findings = Prüfen
+difference-findings = Zu prüfen
 difference-value = { $name } = { $value }
 difference-becomes = { $name } = { $before } → { $after }
 difference-lines = { $count ->
@@ -800,7 +800,7 @@ command-panel = Gehe zu: { $panel }
 command-run-form = Diesen Aufruf simulieren
 command-run-program = Ganzes Programm simulieren
 command-print = Drucken
-keys-page-palette = Alles suchen oder ausführen
+keys-page-palette = Suchen oder Befehl ausführen
 # Sections of the form.
 topic-task = Aufgabe
 topic-correction = Korrektur
