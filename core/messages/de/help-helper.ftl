@@ -5,7 +5,7 @@ help-log-title = Nur eine Überschriftzeile ist geschrieben: Die zweite zeigt no
 help-log-column = Ein Wert ist breiter als seine Spalte: Die Steuerung verbreitert die Spalte und gibt Meldung 62309 aus; die Werte stehen nicht mehr untereinander.
 help-log-line = Spaltenzahl mal Spaltenbreite ergibt mehr als 200 Zeichen: Alarm 61371.
 help-log-name = _PROTNAME[1] ist der Dateiname: Buchstaben, Ziffern, Unterstriche; am Anfang zwei Buchstaben oder Buchstabe und Unterstrich. MPF kommt automatisch dazu; Verzeichnis wie beim aufrufenden Programm.
-help-log-files = Die Protokolldatei. Was über die Dateigröße in MD 11420 (kB) hinausgeht, steht in bis zu neun Folgedateien, deren Namen auf Unterstrich und Ziffer enden.
+help-log-files = Die Protokolldatei. Was über die Dateigröße in MD 11420 (KB) hinausgeht, steht in bis zu neun Folgedateien, deren Namen auf Unterstrich und Ziffer enden.
 help-log-full = Auch die zehnte Datei ist voll: Das Programm hält an und verlangt einen neuen Protokollnamen; mit NC START läuft es weiter.
 help-log-refused = Die Datei hat keinen Namen (Alarm 61354), ein anderes Programm benutzt sie (Alarm 61356) oder ihr Verzeichnis fehlt (Alarm 61353).
 help-log-header = Protokollkopf: Datum, Uhrzeit, Seitennummer, Programm _PROTNAME[0], eigene Zeilen ab _HEADLINE[0], Überschriftzeilen _PROTVAL[0] und _PROTVAL[1]. Mit _CBIT[11]=1 nur die eigenen Zeilen.
@@ -15,7 +15,7 @@ help-log-chosen = _PROTVAL[2] bis _PROTVAL[5] bestimmen den Inhalt der Wertezeil
 help-cycle100-does = Schaltet das Messprotokoll ein: Bis CYCLE101 schreibt jeder Messzyklus einen Werteblock. Keine Achse bewegt sich.
 help-cycle100-values = Vor jedem Messaufruf _PROTVAL[2] bis _PROTVAL[5] auf den Inhalt seiner Wertezeilen setzen: Ein anderer Zyklus oder eine andere Messvariante liefert andere Ergebnisse.
 help-cycle100-begin = Eine vorhandene Datei dieses Namens wird gelöscht und neu angelegt; dazu ruft CYCLE100 den CYCLE106 auf.
-help-cycle100-each = Jeder folgende Messaufruf schreibt seinen Werteblock selbst; weitere Protokollzyklen sind nicht aufzurufen.
+help-cycle100-each = Jeder folgende Messaufruf schreibt seinen Werteblock selbst; das Programm ruft keinen weiteren Protokollzyklus auf.
 help-cycle100-lost = Das Protokoll des letzten Werkstücks wurde nicht ausgelesen: Es wird gelöscht. Für jedes Werkstück einen eigenen Dateinamen verwenden.
 help-cycle100-old = Folgedateien eines früheren Protokolls bleiben, bis dieses Protokoll ihre Namen braucht: Ihr Inhalt gehört nicht zu diesem Werkstück.
 
@@ -59,7 +59,7 @@ help-cycle116-does = Berechnet Mittelpunkt und Radius eines Kreises aus drei ode
 help-cycle116-variables = Beide Variablen sind am Programmanfang definiert: DEF REAL _DATE[13] und DEF INT _ALM.
 help-cycle116-points = _DATE[0] ist die Anzahl der Punkte; Abszisse und Ordinate jedes Punkts stehen paarweise in _DATE[1] bis _DATE[8].
 help-cycle116-circle = Drei Punkte bestimmen den Kreis; bei vier Punkten gehen alle in die Rechnung ein.
-help-cycle116-left = Mittelpunkt in _DATE[9] und _DATE[10], Radius in _DATE[11], Status in _DATE[12], Alarmnummer in _ALM; Status und _ALM sind 0, wenn ein Kreis gefunden ist. Werkzeug und NV bleiben unverändert.
+help-cycle116-left = Mittelpunkt in _DATE[9] und _DATE[10], Radius in _DATE[11], Status in _DATE[12], Alarmnummer in _ALM; Status und _ALM sind 0, wenn ein Kreis berechnet ist. Werkzeug und NV bleiben unverändert.
 help-cycle116-line = Die Punkte liegen auf einer Geraden oder aufeinander: _ALM ist 61316.
 help-cycle116-count = _DATE[0] ist weder 3 noch 4: _ALM ist 61317.
 help-cycle116-unseen = Wertet das Programm _ALM nach dem Aufruf nicht aus, läuft es mit einem falschen Kreis weiter: Der Alarm hält es nicht an.

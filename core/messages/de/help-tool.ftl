@@ -51,7 +51,7 @@ help-cycle982-order-both = Das Fräswerkzeug tastet mit dem Umfang die Seite an,
 help-cycle982-order-all = Zuerst in der Abszisse, dann in der Ordinate, um den Messtaster herum, ein Bohrer nur längs; ohne Umschlag dreht die stehende Spindel die Schneide zu jeder Seite. Ende: Startposition.
 help-cycle982-order-upper-behind = Das Werkzeug umfährt den Messtaster auf der vom Start abgewandten Seite, tastet von dort die Länge an und beide Seiten: zuerst, was in der Abszisse liegt. Ende: Startposition.
 help-cycle982-order-upper-across = Das Werkzeug überquert zuerst den Messtaster, tastet die Länge zurück in Richtung Start an und beide Seiten: zuerst, was in der Abszisse liegt. Ende: Startposition.
-help-cycle982-corrects-geometry = Das aktive Werkzeug: Der Wert geht in die Geometrie, der Verschleiß wird 0, gleich wie groß er vorher war.
+help-cycle982-corrects-geometry = Das aktive Werkzeug: Der Wert geht in die Geometrie, der Verschleiß wird 0, unabhängig vom vorherigen Wert.
 help-cycle982-wrong-axis = Der Radius liegt nicht in der Achse _MA: Alarm 61325.
 help-cycle982-wrong-drill-radius = Das Werkzeug ist ein Bohrer; dessen Radius misst der Zyklus nicht: Alarm 61314.
 help-cycle982-wrong-fast = Die Frässpindel dreht beim Antasten zu schnell: Schneide und Messtaster nehmen Schaden. Drehzahl verringern.
@@ -65,5 +65,5 @@ help-tool-trigger = Die Messtasterdaten: der Triggerpunkt in _TP (werkstückbezo
 help-tool-data = Das aktive Werkzeug: Geometrie, der Verschleiß wird 0; mit _CHBIT[3]=1 nur der Verschleiß. Keine Korrektur bei einer Differenz bis _TZL oder ab _TDIF (Meldung 62306), ab _TSA Alarm 61303.
 help-tool-in-front = Das Werkzeug steht schon vor der anzutastenden Seite, höchstens zweimal _FA entfernt. Kalibrieren: ohne Messtasterdaten; Werkzeug messen: diese Seite ist kalibriert.
 help-tool-from-here = Das Werkzeug tastet von der Startposition aus an, höchstens zweimal _FA weit, und fährt zur Startposition zurück; keine andere Bewegung.
-help-tool-trigger-always = Die Messtasterdaten: Der Triggerpunkt in _TP (werkstückbezogen: _TPW) wird immer gespeichert, gleich wie groß er vorher war.
+help-tool-trigger-always = Die Messtasterdaten: Der Triggerpunkt in _TP (werkstückbezogen: _TPW) wird immer gespeichert, unabhängig vom vorherigen Wert.
 help-tool-unwatched = Kein Grenzwert überwacht das Ergebnis: Berührt das Werkzeug etwas anderes als den Messtaster, speichert der Zyklus den falschen Wert.

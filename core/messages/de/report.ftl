@@ -143,6 +143,6 @@ terminal-wrong-value = { $name }: „{ $value }“ ist unzulässig; zulässig: {
 terminal-wrong-empty = Ein Wert fehlt: { $name }
 terminal-wrong-number = „{ $value }“ ist keine Zahl: { $name }
 terminal-wrong-missing = Es fehlt: { $name }
-terminal-wrong-conflict = { $name } und { $other } schließen sich aus
+terminal-wrong-conflict = { $name } und { $other } schließen einander aus
 terminal-wrong-similar = Ähnlich: { $known }
 terminal-wrong-more = Hilfe: --help
