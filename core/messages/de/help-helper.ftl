@@ -17,7 +17,7 @@ help-cycle100-values = Vor jedem Messaufruf _PROTVAL[2] bis _PROTVAL[5] auf den 
 help-cycle100-begin = Eine vorhandene Datei dieses Namens wird gelöscht und neu angelegt; dazu ruft CYCLE100 den CYCLE106 auf.
 help-cycle100-each = Jeder folgende Messaufruf schreibt seinen Werteblock selbst; das Programm ruft keinen weiteren Protokollzyklus auf.
 help-cycle100-lost = Das Protokoll des letzten Werkstücks wurde nicht ausgelesen: Es wird gelöscht. Für jedes Werkstück einen eigenen Dateinamen verwenden.
-help-cycle100-old = Folgedateien eines früheren Protokolls bleiben, bis dieses Protokoll ihre Namen braucht: Ihr Inhalt gehört nicht zu diesem Werkstück.
+help-cycle100-old = Folgedateien eines früheren Protokolls bleiben, bis dieses Protokoll ihre Namen braucht: Der Inhalt gehört nicht zu diesem Werkstück.
 
 help-cycle101-does = Schaltet das mit CYCLE100 eingeschaltete Protokoll aus. Keine Achse bewegt sich.
 help-cycle101-last = Der letzte Messaufruf, der ins Protokoll gehört, ist abgearbeitet.

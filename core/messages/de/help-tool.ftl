@@ -22,7 +22,7 @@ help-cycle971-order-all-sides = Sind alle Seiten freigegeben: Oberseite, beide S
 help-cycle971-wrong-depth = _TP[k,9] (werkstückbezogen: _TPW[k,9]) ist 0: Neben dem Messtaster fährt das Werkzeug nicht tief genug; bei der Radiusmessung Alarm 61349.
 help-cycle971-wrong-unclear = Aus der Startposition des Werkzeugs geht nicht hervor, welche Seite anzutasten ist: Alarm 61332.
 help-cycle971-wrong-edge = Die Schneide zeigt nicht zum Messtaster: Der Radius wird zu klein gemessen, ebenso die Länge eines Werkzeugs mit ungleich hohen Schneiden.
-help-cycle971-wrong-master = Die Maße des Kalibrierwerkzeugs sind nicht genau bekannt: Ihr Fehler geht in jedes später gemessene Werkzeug ein.
+help-cycle971-wrong-master = Die Maße des Kalibrierwerkzeugs sind nicht genau bekannt: Der Fehler geht in jedes später gemessene Werkzeug ein.
 help-cycle971-wrong-no-data = Länge oder Radius des Werkzeugs ist 0: Alarm 61351.
 help-cycle971-wrong-direction = Die Spindel steht, und _CM[5] ist weder 3 noch 4: Alarm 61366.
 

@@ -54,7 +54,7 @@ help-cycle977-corrects-one-axis = Der Zyklus korrigiert nur _MA.
 help-cycle977-wrong-depth = Die Messtasterkugel ist zu hoch: Sie trifft eine Fase oder nichts.
 help-cycle977-wrong-infeed = _ID hat das falsche Vorzeichen oder ist zu kurz: Die Messtasterkugel fährt über das Messelement hinweg. Zu lang: Sie trifft auf den Grund, Alarm 61302.
 help-cycle977-wrong-zone = Die Schutzzone lässt der Messtasterkugel keinen Platz: Alarm 61334.
-help-cycle977-wrong-start = Die Startposition ist nicht die Sollmitte: Ihr Fehler geht in die NV ein.
+help-cycle977-wrong-start = Die Startposition ist nicht die Sollmitte: Der Fehler geht in die NV ein.
 
 help-cycle978-measures-point = Position eines Punkts auf einer Fläche senkrecht zur Achse _MA.
 help-cycle978-before-opposite = Die Messtasterkugel steht gegenüber dem Punkt, weiter als _FA von der Fläche entfernt. Die Seite, auf der sie steht, bestimmt die Messrichtung.
@@ -117,7 +117,7 @@ help-cycle998-order-two-angle = P1, Weg unter dem Sollwinkel zu P2, auf demselbe
 help-cycle998-order-two-paraxial = P1, P2 und P3, immer von der Starthöhe aus: in der Abszisse weiter, zurück, in der Ordinate weiter.
 help-cycle998-order-end = Endposition: _FA vor dem letzten Punkt.
 help-cycle998-order-end-height = Endposition: über P3, auf Starthöhe.
-help-cycle998-corrects-rotation = Die Drehung der NV aus _KNUM (ein Winkel: mit _RA=0), um Istwinkel minus Sollwinkel. Ihre Verschiebung bleibt: Position danach messen. _KNUM=0 korrigiert nichts.
+help-cycle998-corrects-rotation = Die Drehung der NV aus _KNUM (ein Winkel: mit _RA=0), um Istwinkel minus Sollwinkel. Die Verschiebung bleibt: Position danach messen. _KNUM=0 korrigiert nichts.
 help-cycle998-corrects-axis = Mit _RA größer 0 stattdessen die NV dieser Rundachse; danach die Rundachse verfahren.
 help-cycle998-corrects-area = Weicht ein Winkel um mehr als _TSA (in °) vom Sollwinkel ab: Alarm 61303.
 help-cycle998-wrong-degrees = _TSA enthält noch einen Wert in mm aus einem anderen Zyklus; hier ist die Einheit °.
