@@ -25,7 +25,7 @@ revise-taken = Von der neuen Messvariante nicht verwendet und aus dem Aufruf ent
 revise-kept = { $name }={ $value } bleibt im Programm, obwohl die neue Messvariante den Wert nicht verwendet: Er ist ein Ausdruck.
 revise-shared = { $names } bleiben im Programm, obwohl die neue Messvariante sie nicht verwendet: Ein späterer Aufruf liest sie.
 variable-before = { $name } lässt sich nicht ändern: Keine Programmzeile vor dem Aufruf weist einen Wert zu.
-variable-several = { $name } lässt sich nicht ändern: Den Wert schreiben je nach Programmablauf verschiedene Zeilen: { $lines }.
+variable-several = { $name } lässt sich nicht ändern: Je nach Programmablauf wird der Wert in verschiedenen Zeilen geschrieben: { $lines }.
 variable-unclear = { $name } lässt sich nicht ändern: Ein Aufruf, eine Schleife oder ein Index bestimmt den Wert.
 variable-calculated = { $name } lässt sich nicht ändern: Der Wert wird in Zeile { $lines } berechnet.
 variable-number = { $name } lässt sich ändern, sobald eine Zahl eingegeben ist.
