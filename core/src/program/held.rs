@@ -1,4 +1,4 @@
-//! What variables hold at a place of a program: a map that is copied in one step and shares what did not change, since
+//! What variables hold at a place of a program: a tree that is copied in one step and shares what did not change, since
 //! each branch and each call of a program goes on with a copy of its own.
 
 use super::values::Value;
@@ -9,8 +9,8 @@ use std::rc::Rc;
 /// Values of one variable that are told apart; what comes to a place on more ways is not listed.
 pub(super) const ALTERNATIVES: usize = 8;
 
-/// Variables that are copied together.
-const CHUNK: usize = 16;
+/// Variables that are copied together, and parts of the map.
+const WIDTH: usize = 16;
 
 /// Numbers for names, so that a name is looked up once.
 #[derive(Debug, Default)]
@@ -137,24 +137,45 @@ fn replace_double(all: &mut [Rc<Value>], value: &Rc<Value>) {
     }
 }
 
-type Chunk = [Option<Held>; CHUNK];
+/// A part of the map; equal parts are mostly the same one.
+#[derive(Clone, Debug)]
+enum Node {
+    Held([Option<Held>; WIDTH]),
+    Parts([Part; WIDTH]),
+}
 
-/// What each variable holds, by the numbers of [`Names`].
+/// None: nothing is held there.
+type Part = Option<Rc<Node>>;
+
+/// What each variable holds, by the numbers of [`Names`]. What two maps share is neither copied nor compared: a program
+/// with as many branches as variables takes time in proportion to its length.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Values {
-    chunks: Rc<Vec<Rc<Chunk>>>,
+    top: Part,
+    /// Levels of parts above those that hold.
+    height: u32,
 }
 
 impl PartialEq for Values {
     fn eq(&self, other: &Self) -> bool {
-        self.changed(other).next().is_none()
+        self.changed(other).is_empty()
     }
 }
 
 impl Values {
     /// What a variable holds; none: nothing wrote it.
     pub fn get(&self, id: usize) -> Option<&Held> {
-        self.chunks.get(id / CHUNK)?.get(id % CHUNK)?.as_ref()
+        if id >= room(self.height) {
+            return None;
+        }
+        let mut node = self.top.as_deref()?;
+        for height in (0..=self.height).rev() {
+            match node {
+                Node::Held(held) => return held.get(place(id, height))?.as_ref(),
+                Node::Parts(parts) => node = parts.get(place(id, height))?.as_deref()?,
+            }
+        }
+        None
     }
 
     /// The number of a variable, where every way gives the same; none: it depends on how often the program passes.
@@ -170,37 +191,146 @@ impl Values {
 
     /// Writes a variable.
     pub fn set(&mut self, id: usize, held: Option<Held>) {
-        let chunks = Rc::make_mut(&mut self.chunks);
-        if chunks.len() <= id / CHUNK {
-            chunks.resize_with(id / CHUNK + 1, Rc::default);
+        while id >= room(self.height) {
+            self.raise();
         }
-        let chunk = chunks.get_mut(id / CHUNK).map(Rc::make_mut);
-        if let Some(place) = chunk.and_then(|chunk| chunk.get_mut(id % CHUNK)) {
-            *place = held;
+        let mut part = &mut self.top;
+        for height in (0..=self.height).rev() {
+            let node = part.get_or_insert_with(|| Rc::new(Node::empty(height)));
+            match Rc::make_mut(node) {
+                Node::Held(all) => {
+                    if let Some(one) = all.get_mut(place(id, height)) {
+                        *one = held;
+                    }
+                    return;
+                }
+                Node::Parts(parts) => match parts.get_mut(place(id, height)) {
+                    Some(next) => part = next,
+                    None => return,
+                },
+            }
         }
     }
 
+    /// Room for more variables.
+    fn raise(&mut self) {
+        let below = self.top.take();
+        self.height += 1;
+        self.top = below.map(|below| {
+            let mut parts = [const { None }; WIDTH];
+            parts[0] = Some(below);
+            Rc::new(Node::Parts(parts))
+        });
+    }
+
+    /// Both with the same height.
+    fn level(&self, other: &Values) -> (Values, Values) {
+        let (mut one, mut two) = (self.clone(), other.clone());
+        while one.height < two.height {
+            one.raise();
+        }
+        while two.height < one.height {
+            two.raise();
+        }
+        (one, two)
+    }
+
     /// The variables that are another in the other map, in order.
-    pub fn changed(&self, other: &Values) -> impl Iterator<Item = usize> {
-        let same = Rc::ptr_eq(&self.chunks, &other.chunks);
-        let chunks = if same { 0 } else { self.chunks.len().max(other.chunks.len()) };
-        let shared =
-            |at| matches!((self.chunks.get(at), other.chunks.get(at)), (Some(one), Some(two)) if Rc::ptr_eq(one, two));
-        let ids = (0..chunks).filter(move |at| !shared(*at)).flat_map(|at| at * CHUNK..(at + 1) * CHUNK);
-        ids.filter(|id| self.get(*id) != other.get(*id))
+    pub fn changed(&self, other: &Values) -> Vec<usize> {
+        let (one, two) = self.level(other);
+        let mut found = Vec::new();
+        changed(&one.top, &two.top, 0, one.height, &mut found);
+        found
     }
 
     /// What holds where two ways meet. What one of them does not write is what the other left.
     pub fn meet(&self, other: &Values) -> Values {
-        let mut met = self.clone();
-        for id in self.changed(other) {
-            let held = match (self.get(id), other.get(id)) {
-                (Some(one), Some(two)) => Some(one.meet(two)),
-                (one, two) => one.or(two).cloned(),
-            };
-            met.set(id, held);
+        let (one, two) = self.level(other);
+        Values { top: meet(&one.top, &two.top), height: one.height }
+    }
+}
+
+impl Node {
+    fn empty(height: u32) -> Node {
+        if height == 0 { Node::Held([const { None }; WIDTH]) } else { Node::Parts([const { None }; WIDTH]) }
+    }
+}
+
+/// How many variables a map of this height has room for.
+fn room(height: u32) -> usize {
+    WIDTH.saturating_pow(height + 1)
+}
+
+/// Place of a variable in a part of this height.
+fn place(id: usize, height: u32) -> usize {
+    id / WIDTH.saturating_pow(height) % WIDTH
+}
+
+/// Whether two parts are one.
+fn shared(one: &Part, two: &Part) -> bool {
+    match (one, two) {
+        (Some(one), Some(two)) => Rc::ptr_eq(one, two),
+        (one, two) => one.is_none() && two.is_none(),
+    }
+}
+
+/// The variables that are another in two parts which begin with this one.
+fn changed(one: &Part, two: &Part, from: usize, height: u32, found: &mut Vec<usize>) {
+    if shared(one, two) {
+        return;
+    }
+    let width = WIDTH.saturating_pow(height);
+    for at in 0..WIDTH {
+        let from = from + at * width;
+        if height > 0 {
+            changed(below(one, at), below(two, at), from, height - 1, found);
+        } else if held(one, at) != held(two, at) {
+            found.push(from);
         }
-        met
+    }
+}
+
+fn below(part: &Part, at: usize) -> &Part {
+    match part.as_deref() {
+        Some(Node::Parts(parts)) => parts.get(at).unwrap_or(&None),
+        _ => &None,
+    }
+}
+
+fn held(part: &Part, at: usize) -> Option<&Held> {
+    match part.as_deref() {
+        Some(Node::Held(all)) => all.get(at)?.as_ref(),
+        _ => None,
+    }
+}
+
+/// What both hold; one of the two where that is all of it, so that it stays shared.
+fn meet(one: &Part, two: &Part) -> Part {
+    let (Some(first), Some(second)) = (one, two) else { return one.as_ref().or(two.as_ref()).cloned() };
+    if Rc::ptr_eq(first, second) {
+        return one.clone();
+    }
+    let (met, as_first, as_second) = match (&**first, &**second) {
+        (Node::Held(first), Node::Held(second)) => {
+            let met: [Option<Held>; WIDTH] = std::array::from_fn(|at| match (&first[at], &second[at]) {
+                (Some(one), Some(two)) => Some(one.meet(two)),
+                (one, two) => one.as_ref().or(two.as_ref()).cloned(),
+            });
+            let (as_first, as_second) = (met == *first, met == *second);
+            (Node::Held(met), as_first, as_second)
+        }
+        (Node::Parts(first), Node::Parts(second)) => {
+            let met: [Part; WIDTH] = std::array::from_fn(|at| meet(&first[at], &second[at]));
+            let same = |parts: &[Part; WIDTH]| met.iter().zip(parts).all(|(met, part)| shared(met, part));
+            let (as_first, as_second) = (same(first), same(second));
+            (Node::Parts(met), as_first, as_second)
+        }
+        _ => return one.clone(), // both have the same height
+    };
+    match (as_first, as_second) {
+        (true, _) => one.clone(),
+        (_, true) => two.clone(),
+        _ => Some(Rc::new(met)),
     }
 }
 
@@ -209,6 +339,8 @@ mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
     use crate::diagnostic::Span;
+    use proptest::{collection, prelude::*};
+    use std::collections::{BTreeMap, BTreeSet};
 
     fn value(number: f64) -> Rc<Value> {
         Rc::new(Value::at(number.to_string(), Some(number), Span::default()))
@@ -225,13 +357,52 @@ mod tests {
         assert!(one == other);
         other.set(3, Some(Held::One(value(77.0))));
         other.set(60, Some(Held::One(value(60.0))));
-        assert_eq!(one.changed(&other).collect::<Vec<_>>(), [3, 60]);
+        assert_eq!(one.changed(&other), [3, 60]);
         assert_eq!(one.get(3).unwrap().number(), Some(3.0));
         let met = one.meet(&other);
         assert_eq!(met.get(3).unwrap().all().len(), 2);
         assert_eq!(met.get(3).unwrap().number(), None);
         assert_eq!(met.get(60).unwrap().number(), Some(60.0));
         assert!(met.meet(&other) == met, "nothing new");
+        assert!(shared(&met.meet(&other).top, &met.top), "nor copied");
+    }
+
+    // oracle: peer (a plain map, for any writing, copying and meeting)
+    #[test]
+    fn it_holds_what_a_plain_map_holds() {
+        let at = |values: &Values, ids: &[usize]| -> Vec<Option<Held>> {
+            ids.iter().map(|id| values.get(*id).cloned()).collect()
+        };
+        proptest!(|(steps in collection::vec((0..4_usize, 0..4_usize, 0..5000_usize, 0..3_u32), 1..120))| {
+            let mut trees = vec![Values::default(); 4];
+            let mut maps: Vec<BTreeMap<usize, Held>> = vec![BTreeMap::new(); 4];
+            for (to, from, id, number) in steps {
+                if number == 0 {
+                    trees[to] = trees[to].meet(&trees[from]);
+                    for (id, held) in maps[from].clone() {
+                        let met = maps[to].get(&id).map_or_else(|| held.clone(), |one| one.meet(&held));
+                        maps[to].insert(id, met);
+                    }
+                } else if id % 7 == 0 {
+                    trees[to] = trees[from].clone();
+                    maps[to] = maps[from].clone();
+                } else {
+                    let held = (number == 1).then(|| Held::One(value(id as f64)));
+                    trees[to].set(id, held.clone());
+                    maps[to].remove(&id);
+                    maps[to].extend(held.map(|held| (id, held)));
+                }
+            }
+            let ids: Vec<usize> = maps.iter().flat_map(|map| map.keys().copied()).chain([0, 15, 16, 4999, 9999]).collect();
+            for (tree, map) in trees.iter().zip(&maps) {
+                prop_assert_eq!(at(tree, &ids), ids.iter().map(|id| map.get(id).cloned()).collect::<Vec<_>>());
+                for (other, that) in trees.iter().zip(&maps) {
+                    let all: BTreeSet<usize> = map.keys().chain(that.keys()).copied().collect();
+                    let differ: Vec<usize> = all.into_iter().filter(|id| map.get(id) != that.get(id)).collect();
+                    prop_assert_eq!(tree.changed(other), differ);
+                }
+            }
+        });
     }
 
     // oracle: hand (what is told apart has an end, so that loops come to one)
