@@ -69,7 +69,7 @@ help-g109-corrects-half = S wird um den Versatz der Mitte korrigiert; T, ein Rad
 help-g109-wrong-width = Die Breite fehlt oder ist 0: FORMAT ERROR.
 help-g109-wrong-room = Das korrigierte Werkzeug würde nicht mehr in die Tasche passen: TOOL DIA OFFS TOO LARGE.
 
-help-g110-measures-bore = Durchmesser und Mittelpunkt einer Bohrung.
+help-g110-measures-bore = Mittelpunkt und Durchmesser einer Bohrung.
 help-g110-measures-boss = Durchmesser und Mittelpunkt eines Zapfens.
 help-g110-before-inside = Die Kugel ist auf Tiefe im Nennmittelpunkt der Bohrung.
 help-g110-before-above = Die Kugel ist über dem Nennmittelpunkt des Zapfens.
