@@ -393,7 +393,8 @@ mod tests {
                     maps[to].extend(held.map(|held| (id, held)));
                 }
             }
-            let ids: Vec<usize> = maps.iter().flat_map(|map| map.keys().copied()).chain([0, 15, 16, 4999, 9999]).collect();
+            let more = [0, 15, 16, 4999, 9999];
+            let ids: Vec<usize> = maps.iter().flat_map(|map| map.keys().copied()).chain(more).collect();
             for (tree, map) in trees.iter().zip(&maps) {
                 prop_assert_eq!(at(tree, &ids), ids.iter().map(|id| map.get(id).cloned()).collect::<Vec<_>>());
                 for (other, that) in trees.iter().zip(&maps) {
