@@ -35,13 +35,22 @@ export const faults = page =>
   });
 
 /** Whether the middle of an element, once it is scrolled to, is in the window and lies under nothing else. */
-export const reachable = node =>
+const uncovered = node =>
   node.evaluate(element => {
     element.scrollIntoView({ block: "center", behavior: "instant" });
     const { left, top, width, height } = element.getBoundingClientRect();
     const hit = document.elementFromPoint(left + width / 2, top + height / 2);
     return element.contains(hit) || (hit?.contains(element) === true && hit.matches("label, button"));
   });
+
+/** The same, at the latest when what is still being drawn has found its place. */
+export async function reachable(node) {
+  for (let tries = 0; tries < 10; tries++) {
+    if (await uncovered(node)) return true;
+    await node.page().waitForTimeout(100);
+  }
+  return false;
+}
 
 /** By the button of the form, where help has no tab. */
 async function openHelp(page) {
