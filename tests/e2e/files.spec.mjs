@@ -5,7 +5,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
-import { fromFormMenu, fromPageMenu, lengthField, openErrors, startWithEditor as start } from "./start.mjs";
+import { fromFormMenu, fromMachineMenu, lengthField, openErrors, startWithEditor as start } from "./start.mjs";
 
 const programInput = page => page.locator(".panel-program input[type=file]");
 const setupInput = page => page.locator(".top input[type=file]");
@@ -18,7 +18,7 @@ const refusal = page => page.locator(".refusal:visible .problem");
 
 async function saved(page, panel, name) {
   const download = page.waitForEvent("download");
-  if (panel === ".top") await fromPageMenu(page, name);
+  if (panel === ".top") await fromMachineMenu(page, name);
   else await page.locator(panel).getByRole("button", { name, exact: true }).click();
   const done = await download;
   return { name: done.suggestedFilename(), bytes: await readFile(await done.path()) };
@@ -223,7 +223,7 @@ describe("a setup file", () => {
     await page.locator("#error-probe-skew-x").fill("0.1");
     await page.locator("#error-part-dx").fill("0.5");
     await page.locator('.results td:text-is("0.0300")').first().waitFor();
-    const first = await saved(page, ".top", "Save setup");
+    const first = await saved(page, ".top", "Export setup");
     const setup = JSON.parse(first.bytes.toString());
     assert.equal(setup.probe.skew[0], 0.1);
     await context.close();
@@ -234,10 +234,10 @@ describe("a setup file", () => {
       buffer: first.bytes,
     });
     await other.page.locator('.notice:has-text("Setup opened.")').waitFor();
-    const second = await saved(other.page, ".top", "Save setup");
+    const second = await saved(other.page, ".top", "Export setup");
     assert.equal(second.bytes.toString(), first.bytes.toString());
     assert.deepEqual(other.problems, []);
-    await fromPageMenu(other.page, "Default machine");
+    await fromMachineMenu(other.page, /^Default machine/);
     await other.page.locator('.notice:has-text("Default machine restored.")').waitFor();
     await other.context.close();
   });
@@ -267,11 +267,11 @@ describe("a setup file", () => {
       const { context, page, problems } = await start(chrome);
       await lengthField(page).fill("31.25");
       await page.locator('.snippet:has-text("31.25")').waitFor();
-      const earlier = await saved(page, ".top", "Save setup");
+      const earlier = await saved(page, ".top", "Export setup");
       await setupInput(page).setInputFiles(file(called, content, "application/json"));
       await refusal(page).waitFor();
       assert.match(await refusal(page).textContent(), told);
-      assert.deepEqual(await saved(page, ".top", "Save setup"), earlier);
+      assert.deepEqual(await saved(page, ".top", "Export setup"), earlier);
       assert.equal(await lengthField(page).inputValue(), "31.25");
       assert.equal(await page.locator("#broken").count(), 0);
       assert.deepEqual(problems, []);

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, before, describe, test } from "node:test";
 import { open, packages, shared } from "./browser.mjs";
-import { fromPageMenu, openErrors } from "./start.mjs";
+import { fromMachineMenu, fromPageMenu, openErrors } from "./start.mjs";
 
 const axe = packages.resolve("axe-core/axe.min.js");
 
@@ -34,7 +34,7 @@ const changes = page => page.locator(".changes tbody tr td").allTextContents();
 
 async function saved(page) {
   const download = page.waitForEvent("download");
-  await fromPageMenu(page, "Save setup");
+  await fromMachineMenu(page, "Export setup");
   return JSON.parse(await readFile(await (await download).path(), "utf8"));
 }
 

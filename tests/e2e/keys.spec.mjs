@@ -4,7 +4,7 @@ import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
 import { faults } from "./room.mjs";
 import { modules } from "./sources.mjs";
-import { drawn, lengthField, openTasks, startWithEditor as start, start as startForm } from "./start.mjs";
+import { drawn, lengthField, openPageMenu, openTasks, startWithEditor as start, start as startForm } from "./start.mjs";
 
 const sheet = page => page.locator("dialog.keys[open]");
 
@@ -32,7 +32,7 @@ describe("the sheet of keys", () => {
     await sheet(page).getByRole("button", { name: "Close" }).click();
     await sheet(page).waitFor({ state: "detached" });
     await page.setViewportSize({ width: 390, height: 844 });
-    await page.locator(".menu-open").click();
+    await openPageMenu(page);
     await page.getByRole("button", { name: "Keys" }).click();
     await sheet(page).waitFor();
     assert.deepEqual(problems, []);

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { open, packages, shared } from "./browser.mjs";
-import { unfold } from "./start.mjs";
+import { openPageMenu, unfold } from "./start.mjs";
 
 const axe = packages.resolve("axe-core/axe.min.js");
 
@@ -12,9 +12,7 @@ const PROGRAM =
 
 /** The dialog, opened from the header; where that is narrow, from its menu. */
 async function dialog(page) {
-  const menu = page.locator(".menu-open");
-  await menu.waitFor({ state: "attached" });
-  if (await menu.isVisible()) await menu.click();
+  await openPageMenu(page);
   const button = page.getByRole("button", { name: "Machine data", exact: true });
   await page.locator("#page-actions button:not([disabled])", { hasText: /^Machine data$/ }).waitFor();
   await button.click();

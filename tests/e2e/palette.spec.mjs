@@ -1,8 +1,9 @@
 // The palette: one field that finds and runs everything, by keyboard, by the words of other languages and controls.
 import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
 import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
-import { lengthField, openProgram, shownChange, startWithAll as start, stored } from "./start.mjs";
+import { drawn, lengthField, openProgram, shownChange, startWithAll as start, stored } from "./start.mjs";
 
 const palette = page => page.locator("dialog.palette[open]");
 const items = (page, group) => palette(page).locator(`[aria-labelledby="palette-group-${group}"] .palette-item`);
@@ -42,6 +43,28 @@ describe("the palette", () => {
     await page.keyboard.press("Escape");
     await page.waitForTimeout(400);
     assert.deepEqual((await stored(page)).recent, ["panel-form", "theme-dark", "undo"]);
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: hand
+  test("keeps the machine in a file and takes one, as its menu does", async () => {
+    const { context, page, problems } = await start(chrome);
+    await find(page, "export setup");
+    const download = page.waitForEvent("download");
+    await page.keyboard.press("Enter");
+    assert.equal((await download).suggestedFilename(), "setup.json");
+    const file = await (await download).path();
+    await palette(page).waitFor({ state: "detached" });
+    await find(page, "import setup");
+    const chooser = page.waitForEvent("filechooser");
+    await drawn(page); // by then the browser hands its pickers over
+    await page.keyboard.press("Enter");
+    await (await chooser).setFiles({ name: "mill.json", mimeType: "application/json", buffer: await readFile(file) });
+    await page.locator('.notice:has-text("Setup opened.")').waitFor();
+    await find(page, "edit machine");
+    await page.keyboard.press("Enter");
+    await page.getByRole("dialog", { name: /^Machine: / }).waitFor();
     assert.deepEqual(problems, []);
     await context.close();
   });

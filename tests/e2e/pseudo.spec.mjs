@@ -6,7 +6,7 @@ import { open, shared } from "./browser.mjs";
 import { PSEUDO, speaksPseudo } from "./pseudo.mjs";
 import { choosePanel, faults, PANELS } from "./room.mjs";
 import { serve } from "./sources.mjs";
-import { drawn, searchTasks } from "./start.mjs";
+import { drawn, openPageMenu, searchTasks } from "./start.mjs";
 
 const SIZES = [
   [1280, 800],
@@ -114,9 +114,8 @@ describe("a fourth language", () => {
       await holds("search");
       await searchTasks(page, "");
       for (const end of ["first", "last"]) {
-        const menu = page.locator(".menu-open");
-        if (await menu.isVisible()) await menu.click();
-        await page.locator("#page-actions button")[end]().click(); // the machine's data; about the page
+        await openPageMenu(page);
+        await page.locator("#page-actions button:not(.on-phone)")[end]().click(); // the machine's data; about the page
         await page.locator("dialog[open]").waitFor();
         await holds(`${end} dialog`);
         await page.keyboard.press("Escape");

@@ -1,6 +1,6 @@
 // Whether all that a page shows has the room that it needs, and can be reached.
 import assert from "node:assert/strict";
-import { drawn } from "./start.mjs";
+import { drawn, openTasks } from "./start.mjs";
 
 export const PANELS = ["tasks", "form", "program", "view", "results", "help"];
 
@@ -72,6 +72,11 @@ async function uncover(page) {
 export async function choosePanel(page, name) {
   const tab = page.locator(`.panel-bar [aria-controls="panel-${name}"]`);
   if (name === "help" && !(await tab.isVisible())) return openHelp(page);
+  if (name === "tasks" && !(await tab.isVisible())) {
+    assert.ok(await reachable(page.locator(".rail-more")), "the tab of the menu");
+    await openTasks(page);
+    return drawn(page);
+  }
   if (!(await tab.isVisible())) return uncover(page);
   assert.ok(await reachable(tab), `the tab of ${name}`);
   await tab.click();

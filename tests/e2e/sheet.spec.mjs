@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
 import { faults } from "./room.mjs";
-import { drawn, keptWhen, start } from "./start.mjs";
+import { drawn, focused, keptWhen, start } from "./start.mjs";
 
 const chrome = shared("neither", { before, after });
 const grip = page => page.locator(".sheet-grip");
@@ -113,7 +113,7 @@ describe("the sheet", () => {
   });
 
   // oracle: hand
-  test("stands beside a rail that leads to the machine, which a phone has in its first line", async () => {
+  test("stands beside a rail that leads to the machine, which a phone has in its menu", async () => {
     const { context, page } = await tablet([1024, 768]);
     const machine = page.locator(".panel-bar").getByRole("button", { name: "Machine" });
     await machine.click();
@@ -123,7 +123,16 @@ describe("the sheet", () => {
     await drawn(page);
     assert.ok(await machine.isHidden());
     assert.equal(await page.locator(".panel-bar button:visible").count(), 5);
-    assert.ok(await page.locator("#machine-menu-open").isVisible());
+    const more = page.locator(".rail-more");
+    await more.click();
+    await page.locator("#page-actions").getByRole("button", { name: "Machine", exact: true }).click();
+    await page.locator("#profile-edit").waitFor();
+    await page.keyboard.press("Escape");
+    await focused(page, more);
+    await more.click();
+    await page.locator("#page-actions").getByRole("button", { name: "Help" }).click();
+    await focused(page, "#panel-help");
+    await page.locator(".rail-more[aria-current]").waitFor();
     await context.close();
   });
 

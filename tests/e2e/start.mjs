@@ -66,10 +66,22 @@ export async function keptWhen(page, wanted) {
 export const lengthField = page =>
   page.locator('.field:has(.unit:text-is("mm")):has([aria-required="true"]) .entry-line > .figure').first();
 
-/** The tree of tasks, where it is not to be seen already. */
+/** The menu of the page, by the button that it has here. */
+export async function openPageMenu(page) {
+  if (!(await page.locator("#page-actions").isVisible()))
+    await page.locator('[popovertarget="page-actions"]:visible').click();
+  await page.locator("#page-actions").waitFor();
+}
+
+/** The tree of tasks, where it is not to be seen already; a phone has it in its menu. */
 export async function openTasks(page) {
-  if (!(await page.locator("#task-search").isVisible()))
-    await page.locator('.panel-bar [aria-controls="panel-tasks"]').click();
+  const tab = page.locator('.panel-bar [aria-controls="panel-tasks"]');
+  if (await page.locator("#task-search").isVisible()) return;
+  if (await tab.isVisible()) await tab.click();
+  else {
+    await openPageMenu(page);
+    await page.locator("#page-actions .on-phone").first().click();
+  }
   await page.locator("#task-search").waitFor();
 }
 
@@ -93,13 +105,19 @@ export async function fromFormMenu(page, name) {
 
 /** An action of the page, from its menu. */
 export async function fromPageMenu(page, name) {
-  if (!(await page.locator("#page-actions").isVisible())) await page.locator(".menu-open").click();
+  await openPageMenu(page);
   await page.locator("#page-actions").getByRole("button", { name, exact: true }).click();
 }
 
 /** What the machine begins with, where it is not to be seen already. */
 export async function openMachine(page) {
   if (!(await page.locator("#machine-menu").isVisible())) await page.locator("#machine-menu-open").click();
+}
+
+/** Something done with the machine profiles, from the machine's menu. */
+export async function fromMachineMenu(page, name) {
+  await openMachine(page);
+  await page.locator("#machine-menu").getByRole("button", { name }).click();
 }
 
 /** The change that is shown before it is made. */

@@ -8,6 +8,7 @@ panel-program = Programm
 panel-view = 3D-Ansicht
 panel-results = Ergebnis
 panel-help = Hilfe
+panel-more = Mehr
 splitter-form = Breite der Maske
 splitter-dock = Höhe von Programm und Ergebnis
 splitter-program = Breite des Programms
@@ -73,9 +74,6 @@ machine-data-definitions = Als Definitionen kopieren
 machine-data-reset = Alles auf Vorbesetzung
 machine-data-close = Fertig
 
-setup-import = Einrichtung öffnen
-setup-export = Einrichtung speichern
-setup-own = Standardmaschine
 link-copy = Link kopieren
 theme-system = Farben: System
 theme-light = Farben: hell
@@ -125,6 +123,7 @@ form-errors = { $count ->
  }
 
 field-default = Vorbesetzung { $value }
+field-otherwise = sonst { $value }
 field-required = Pflichtfeld: { $reason }
 field-optional = Optional: { $reason }
 field-source = Quelle: { $source }.
@@ -416,7 +415,7 @@ refused-setup-size = { $name } wurde nicht geöffnet: Die Datei hat { $size } M
 refused-no-program = { $name } wurde nicht geöffnet: { $why }. Ihr Programm ist unverändert.
 refused-unreadable = { $name } wurde nicht geöffnet: Der Browser kann die Datei nicht lesen. Vielleicht wurde sie inzwischen verschoben oder geändert.
 refused-folder = { $name } wurde nicht geöffnet: Das ist ein Ordner. Die Datei selbst hierher ziehen.
-refused-setup = { $name } ist keine Maschineneinrichtung und wurde nicht geöffnet: { $why } „Einrichtung speichern“ schreibt eine zum Vergleich. Ihre Maschineneinrichtung ist unverändert.
+refused-setup = { $name } ist keine Maschineneinrichtung und wurde nicht geöffnet: { $why } „Einrichtung exportieren“ schreibt eine zum Vergleich. Ihre Maschineneinrichtung ist unverändert.
 refused-place = Zeile { $line }, Spalte { $column }: { $text }
 refused-close = Schließen
 
@@ -807,6 +806,7 @@ topic-correction = Korrektur
 topic-approach = Anfahren
 topic-tolerances = Toleranzen
 chain-title = Grenzen auf einer Skala
+chain-measured = Ist
 topic-statistics = Statistik
 topic-probe = Messtaster
 group-more = { $count } weitere

@@ -8,6 +8,7 @@ panel-program = Program
 panel-view = 3D view
 panel-results = Result
 panel-help = Help
+panel-more = More
 splitter-form = Width of the form
 splitter-dock = Height of the program and results
 splitter-program = Width of the program
@@ -73,9 +74,6 @@ machine-data-definitions = Copy as definitions
 machine-data-reset = Reset to defaults
 machine-data-close = Done
 
-setup-import = Open setup
-setup-export = Save setup
-setup-own = Default machine
 link-copy = Copy link
 theme-system = Theme: system
 theme-light = Theme: light
@@ -125,6 +123,7 @@ form-errors = { $count ->
  }
 
 field-default = default { $value }
+field-otherwise = default { $value }
 field-required = Required: { $reason }
 field-optional = Optional: { $reason }
 field-source = Source: { $source }.
@@ -416,7 +415,7 @@ refused-setup-size = { $name } was not opened: it has { $size } MB, but a setup
 refused-no-program = { $name } was not opened: { $why }. Your program is unchanged.
 refused-unreadable = { $name } was not opened: the browser cannot read it. The file may have been moved or changed.
 refused-folder = { $name } was not opened: it is a folder. Drop the file itself.
-refused-setup = { $name } is not a setup and was not opened: { $why } “Save setup” writes one for comparison. Your setup is unchanged.
+refused-setup = { $name } is not a setup and was not opened: { $why } “Export setup” writes one for comparison. Your setup is unchanged.
 refused-place = line { $line }, column { $column }: { $text }
 refused-close = Close
 
@@ -807,6 +806,7 @@ topic-correction = Correction
 topic-approach = Approach
 topic-tolerances = Tolerances
 chain-title = Limits on one scale
+chain-measured = Actual
 topic-statistics = Statistics
 topic-probe = Probe
 group-more = { $count } more

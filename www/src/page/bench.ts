@@ -19,6 +19,7 @@ import { createFound } from "../views/found";
 import { createHeader } from "../views/header";
 import { createKeys } from "../views/keys";
 import { createNewer } from "../views/newer";
+import { createSetupFile, exportSetup } from "../views/profile";
 import { createProgram } from "../views/program";
 import { createRefusal } from "../views/refusal";
 import { createScene } from "../views/scene";
@@ -111,11 +112,15 @@ export function createBench(parts: Parts): Bench {
   const start = createStartPlace(layout, parts, program.open, stop.signal);
   showKeys(stop.signal);
   let shown: { state: State; derived: Derived } | null = null;
+  const setupFile = createSetupFile(open.setup);
   const commands = commandsOf(store, actions, {
     save: program.save,
     open: program.open,
     keys: () => keys.showModal(),
+    machine: () => later()?.equipment.open(),
     machineData: () => later()?.machineData.open(),
+    importSetup: () => setupFile.click(),
+    exportSetup: () => exportSetup(store, shown?.derived.view.setup),
     paper: which => void later()?.paper(which),
   });
   const later = behind(
@@ -164,9 +169,9 @@ export function createBench(parts: Parts): Bench {
   const drawForm = createForm(panels.form, store, actions, chain, () => sets.dialog.showModal(), program.goToLine);
   const machine = railButton(t("facts"), "machine", { class: "rail-machine", "aria-haspopup": "dialog" });
   on(machine, "click", () => later()?.equipment.open());
-  layout.rail.lastElementChild?.before(machine);
+  layout.rail.querySelector('[data-panel-button="help"]')?.before(machine);
   const views = [
-    createHeader(layout.header, store, actions, open.setup, core, later, keys, program, stop.signal),
+    createHeader(layout.header, store, actions, setupFile, core, later, keys, program, stop.signal),
     start.drawButton,
     coach.draw,
     createTasks(panels.tasks, store, actions, found),

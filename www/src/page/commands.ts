@@ -19,7 +19,10 @@ export interface Does {
   save(): void;
   open(): void;
   keys(): void;
+  machine(): void;
   machineData(): void;
+  importSetup(): void;
+  exportSetup(): void;
   paper(which: Paper): void;
 }
 
@@ -106,6 +109,9 @@ function ofView(store: Store, actions: Actions, does: Does, { view, page, snippe
         },
       })),
     { id: "help", title: t("help-open"), run: actions.help },
+    { id: "machine", title: t("profile-edit"), run: does.machine },
+    { id: "setup-import", title: t("profile-import"), run: does.importSetup },
+    { id: "setup-export", title: t("profile-export"), run: does.exportSetup },
     { id: "machine-data", title: t("machine-data-title"), run: does.machineData },
     { id: "twin", title: t("twin-open"), run: () => store.update({ snippet: { twin: !snippet.twin } }) },
     { id: "link", title: t("link-copy"), run: () => void copyLink(store) },

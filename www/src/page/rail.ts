@@ -1,4 +1,5 @@
-// The way to the areas of the page: beside them on a large screen, under them on a phone.
+// The way to the areas of the page: beside them on a large screen; on a phone five tabs under them, the last of which
+// opens the menu with all that has no tab.
 
 import type { Actions } from "../desk/actions";
 import { el, on, setAttribute } from "../dom";
@@ -14,6 +15,9 @@ const ICONS: Record<Panel, IconName> = {
   results: "gauge",
   help: "help",
 };
+
+/** What a phone has in its menu. */
+const WITHOUT_TAB: Panel[] = ["tasks", "help"];
 
 /** A button with an icon and its name below. */
 export function railButton(name: string, of: IconName, attributes: Record<string, string> = {}): HTMLButtonElement {
@@ -37,6 +41,8 @@ export function createRail(
     root.append(button);
     buttons.set(name, button);
   }
+  const more = railButton(t("panel-more"), "more", { class: "rail-more", popovertarget: "page-actions" });
+  root.append(more);
   return {
     root,
     draw({ panels: { panel, left, right } }) {
@@ -44,6 +50,7 @@ export function createRail(
         setAttribute(button, "aria-current", name === panel ? "true" : null);
         setAttribute(button, "data-shown", name === left || name === right);
       }
+      setAttribute(more, "aria-current", WITHOUT_TAB.includes(panel) ? "true" : null);
     },
   };
 }

@@ -1,15 +1,16 @@
 // The limits of the tolerances as bars over one scale: each is drawn wider or narrower by its ends, which writes its
-// field. A drag is one step of the history; a value that is an expression is asked about once the drag is over.
+// field. A drag is one step of the history; a value that is an expression is asked about once the drag is over. What
+// was measured last stands above the bars, and goes through them as a line.
 
 import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
-import { el, keyed, on, setAttribute, setText } from "../dom";
+import { el, keyed, on, setAttribute, setText, show } from "../dom";
 import { plain } from "../numbers";
 import type { State } from "../state/state";
 import type { Store } from "../state/store";
 import { say, t } from "../texts";
-import type { Chain, ChainBar, ChainLimit } from "../wire";
-import { unitBehind } from "./amounts";
+import type { Chain, ChainBar, ChainLimit, Gauge, Needle } from "../wire";
+import { amount, unitBehind } from "./amounts";
 
 /** A handle that is dragged: `side`: -1 on the left of a bar to both sides. */
 interface Drag {
@@ -75,12 +76,43 @@ function figuresOf({ limits }: ChainBar): string {
   return limits.map(one => `${one.value > 0 ? "+" : ""}${textOf(one, one.value)}`).join("\n");
 }
 
+const MM_PER_INCH = 25.4;
+const FIGURES = 2; // needles with a figure; of more the farthest has one
+
+/** A deviation on the scale: it counts from the middle of the tolerances. */
+interface Measured {
+  needle: Needle;
+  at: number;
+}
+
+function measuredOn({ bars }: Chain, gauge: Gauge | undefined): Measured[] {
+  const middle = bars.find(bar => bar.limits.length === 1)?.zero ?? middleOf(bars[0]);
+  const per = gauge?.unit === "inch" ? MM_PER_INCH : 1;
+  return gauge?.needles.map(needle => ({ needle, at: middle + needle.value * per })) ?? [];
+}
+
+/** Between two limits. */
+function middleOf(bar: ChainBar | undefined): number {
+  const places = bar?.limits.map(limit => limit.value * limit.per) ?? [];
+  return places.reduce((sum, place) => sum + place, 0) / (places.length || 1);
+}
+
+/** "+0.030 mm"; below each other "X +0.084 mm", "Y −0.046 mm". */
+function measuredText({ needles, unit }: Gauge): string {
+  const far = [...needles].sort((a, b) => Math.abs(b.value) - Math.abs(a.value));
+  const told = needles.length > FIGURES ? far.slice(0, 1) : needles;
+  return told.map(one => `${one.label} ${amount(one.value, unit, true)}${unitBehind(unit)}`.trim()).join("\n");
+}
+
 export function createChain(
   root: HTMLElement,
   store: Store,
   actions: Actions,
 ): (state: State, derived: Derived) => void {
   const bars = el("div", { class: "chain-bars", role: "group", "aria-label": t("chain-title") });
+  const tips = el("div", { class: "chain-scale" });
+  const found = el("span", { class: "chain-figures" });
+  const measured = el("div", { class: "chain-bar measured" }, el("span", {}, t("chain-measured")), tips, found);
   let chain: Chain | null = null;
   let drag: Drag | null = null;
   let expressions: ReadonlySet<string> = new Set();
@@ -160,13 +192,15 @@ export function createChain(
         el("div", { class: "chain-zero" }),
         ...handles,
         ...mirrored,
+        el("div", { class: "chain-needles", "aria-hidden": "true" }),
       ),
       el("span", { class: "chain-figures" }),
     );
   };
 
   const place = (node: HTMLElement, scale: Chain, at: number): void => {
-    node.style.left = `${(50 * (1 + shareOf(scale, at))).toFixed(3)}%`;
+    const share = Math.max(-1, Math.min(1, shareOf(scale, at))); // beyond an end it stays there
+    node.style.left = `${(50 * (1 + share)).toFixed(3)}%`;
   };
   const drawHandle = (node: HTMLElement, limit: ChainLimit, typed: boolean, at: number, scale: Chain): void => {
     place(node, scale, at);
@@ -179,9 +213,28 @@ export function createChain(
     setAttribute(node, "aria-valuetext", textOf(limit, limit.value));
     setAttribute(node, "title", `${say(limit.label)}: ${textOf(limit, limit.value)}`);
   };
-  const drawBar = (node: HTMLElement, bar: ChainBar, scale: Chain, state: State): void => {
+  const drawNeedles = (box: HTMLElement, all: Measured[], scale: Chain): void =>
+    keyed(
+      box,
+      all,
+      (_, index) => String(index),
+      () => el("div", {}),
+      (node, { needle, at }) => {
+        place(node, scale, at);
+        setAttribute(node, "class", `chain-needle needle-${needle.kind}`);
+      },
+    );
+  const drawMeasured = (all: Measured[], gauge: Gauge | undefined, scale: Chain): void => {
+    show(measured, all.length > 0);
+    drawNeedles(tips, all, scale);
+    setText(found, gauge && all.length ? measuredText(gauge) : "");
+  };
+  const drawBar = (node: HTMLElement, bar: ChainBar, all: Measured[], scale: Chain, state: State): void => {
     const [, body, figures] = node.children as unknown as [HTMLElement, HTMLElement, HTMLElement];
-    const [fill, zero, ...handles] = body.children as unknown as [HTMLElement, HTMLElement, ...HTMLElement[]];
+    const [fill, zero, ...others] = body.children as unknown as [HTMLElement, HTMLElement, ...HTMLElement[]];
+    const handles = others.slice(0, -1);
+    const needles = others.at(-1);
+    if (needles) drawNeedles(needles, all, scale);
     const { limits } = bar;
     const places = limits.map(limit => limit.value * limit.per);
     const ends = limits.length > 1 ? places : [bar.zero + (places[0] ?? 0), bar.zero - (places[0] ?? 0)];
@@ -206,15 +259,18 @@ export function createChain(
       root.replaceChildren();
       return;
     }
-    if (!bars.isConnected) root.replaceChildren(bars);
+    if (!bars.isConnected) root.replaceChildren(measured, bars);
     expressions = new Set(view.fields.filter(one => one.expression !== undefined).map(one => one.name));
     const scale = drag?.scale ?? chain;
+    const gauge = view.outcome?.answer?.gauge;
+    const all = measuredOn(chain, gauge);
+    drawMeasured(all, gauge, scale);
     keyed(
       bars,
       chain.bars.map(bar => (drag ? dragged(bar, drag) : bar)),
       bar => bar.limits.map(limit => limit.name).join(),
       makeBar,
-      (node, bar) => drawBar(node, bar, scale, state),
+      (node, bar) => drawBar(node, bar, all, scale, state),
     );
   };
 }

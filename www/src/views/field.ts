@@ -41,20 +41,11 @@ export function rangeText(range: Range): string {
 
 const choicesOf = (field: Field): Choice[] => (field.kind === "choice" ? field.choices : []);
 
-function fallbackText(field: Field): string {
-  if (field.fallback === undefined) return "";
-  const named = choicesOf(field).find(choice => choice.value === field.fallback);
-  return t("field-default", {
-    value: named ? `${plain(field.fallback)} (${say(named.label)})` : plain(field.fallback),
-  });
-}
-
-/** What may be entered and what counts when nothing is; a choice shows both by itself. */
-function limitsText(field: Field): string {
-  const range = field.kind === "real" || field.kind === "integer" ? rangeText(field.range) : "";
-  return [range, field.kind === "choice" || field.kind === "digits" ? "" : fallbackText(field)]
-    .filter(Boolean)
-    .join(" · ");
+/** What may be entered and what counts when nothing is, in pieces; a choice shows both by itself. */
+function limitsTexts({ kind, fallback, ...field }: Field): string[] {
+  const range = "range" in field ? rangeText(field.range) : "";
+  const without = kind === "choice" || kind === "digits" || fallback === undefined ? "" : plain(fallback);
+  return [range, without && t("field-otherwise", { value: without })].filter(Boolean);
 }
 
 /** Whether the field has to be filled in, and why. */
@@ -182,7 +173,7 @@ export function createField(
           (node, group, index) => updateGroup(node, group, `${id}-digit-${index}`),
         );
       root.classList.toggle("needed", field.required);
-      setText(limits, limitsText(field));
+      limits.replaceChildren(...limitsTexts(field).flatMap((text, at) => [at ? " · " : "", el("span", {}, text)]));
       setText(why, ` ${needText(field)}`);
       listProblems(list, problems, actions.give);
       const wrong = problems.some(one => one.severity === "error");

@@ -3,14 +3,13 @@
 import type { ProgramCore } from "../core/program";
 import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
-import { el, keyed, on, setAttribute, setText, show } from "../dom";
+import { el, keyed, on, setAttribute, setText } from "../dom";
 import { type IconName, icon } from "../icons";
 import { ariaKey } from "../keys";
 import { nameOf } from "../language";
 import { pack } from "../link";
 import { plain } from "../numbers";
-import { saveFile } from "../state/files";
-import { beginning, INCH, profile, type State } from "../state/state";
+import { beginning, INCH, type Panel, profile, type State } from "../state/state";
 import type { Store } from "../state/store";
 import { shared } from "../state/stored";
 import { language, languages, t } from "../texts";
@@ -79,10 +78,18 @@ function languageChoice(actions: Actions): HTMLSelectElement {
 }
 
 /** An action of the page in a menu: an icon and its words. */
-function entry(of: IconName, words: string, run: () => void): HTMLButtonElement {
-  const node = el("button", { type: "button", class: "quiet" }, icon(of), el("span", {}, t(words)));
+function entry(of: IconName, words: string, run: () => void, sort = ""): HTMLButtonElement {
+  const node = el("button", { type: "button", class: `quiet ${sort}`.trim() }, icon(of), el("span", {}, t(words)));
   on(node, "click", run);
   return node;
+}
+
+/** What stands in the menu of a phone alone: it has no tab, or no room in the first line. */
+const PHONE = "on-phone";
+
+function goTo(actions: Actions, panel: Panel): void {
+  actions.panel(panel);
+  document.getElementById(`panel-${panel}`)?.focus();
 }
 
 /** Where the first line has room for theme, language and keys. */
@@ -92,7 +99,7 @@ export function createHeader(
   root: HTMLElement,
   store: Store,
   actions: Actions,
-  openSetup: (file: File) => void,
+  setupFile: HTMLInputElement,
   core: () => ProgramCore | null,
   later: () => {
     machineData: MachineData;
@@ -106,30 +113,13 @@ export function createHeader(
 ): (state: State, derived: Derived) => void {
   const about = createAbout();
   const machine = createMachine(actions);
-  const profiles = createProfile(
-    store,
-    actions,
-    () => file.click(),
-    () => later()?.equipment ?? null,
-  );
+  const profiles = createProfile(store, actions, setupFile, () => later()?.equipment ?? null);
   const history = createHistory(actions);
-  const data = entry("machine", "machine-data-title", () => undefined);
+  const data = entry("table", "machine-data-title", () => undefined);
   setAttribute(data, "aria-haspopup", "dialog");
   on(data, "click", () => later()?.machineData.open());
   const list = el("dl", { class: "facts", "aria-label": t("facts") });
   let shown: Machine = {}; // the last that was used: it stays in sight while the form is incomplete
-  const file = el("input", {
-    type: "file",
-    accept: "application/json,.json",
-    hidden: true,
-    tabindex: "-1",
-    "aria-label": t("setup-import"),
-  });
-  on(file, "change", () => {
-    const chosen = file.files?.[0];
-    if (chosen) openSetup(chosen);
-    file.value = "";
-  });
   const theme = entry("system", "theme-system", () => {
     const next = THEMES[(THEMES.indexOf(store.state.page.theme) + 1) % THEMES.length] ?? "system";
     store.update({ page: { theme: next } });
@@ -137,24 +127,21 @@ export function createHeader(
   theme.id = "theme";
   setAttribute(theme, "data-stays", true);
   const themeName = el("span", {}, "");
-  const own = entry("undo", "setup-own", () => actions.openSetup(null));
-  const save = (): void => {
-    const saved = shown.setup ?? profile(store.state);
-    if (saved) saveFile(JSON.stringify(saved, null, 2), "setup.json", "application/json");
-    else store.update({ page: { notice: "notice-nothing-to-save" } });
-  };
   const keysOpen = entry("keys", "keys-title", () => keys.showModal());
   setAttribute(keysOpen, "title", t("keys-title"));
   setAttribute(keysOpen, "aria-keyshortcuts", ariaKey("page", "keys"));
+  const openMachine = (): void => {
+    menu.list.hidePopover(); // first: its button has the focus back when the machine's closes
+    chip.list.showPopover();
+  };
   const menu = createMenu(
     "page-actions",
     t("menu"),
     [
+      entry("calls", "panel-tasks", () => goTo(actions, "tasks"), PHONE),
+      entry("help", "panel-help", () => goTo(actions, "help"), PHONE),
+      entry("machine", "facts", openMachine, PHONE),
       data,
-      entry("open", "setup-import", () => file.click()),
-      file,
-      entry("save", "setup-export", save),
-      own,
       entry("copy", "link-copy", () => void copyLink(store)),
       entry("print", "print-sheet", () => void later()?.paper("sheet")),
       entry("print", "print-report", () => void later()?.paper("report")),
@@ -164,11 +151,11 @@ export function createHeader(
     { class: "quiet menu-open" },
   );
   const bar = el("div", { class: "top-actions" });
-  const own3 = [theme, languageChoice(actions), keysOpen];
+  const own = [theme, languageChoice(actions), keysOpen];
   /** Where the line has no room for them they stand in the menu. */
   const place = (): void => {
-    if (ROOMY.matches) bar.append(...own3);
-    else menu.list.lastElementChild?.before(...own3);
+    if (ROOMY.matches) bar.append(...own);
+    else menu.list.lastElementChild?.before(...own);
   };
   ROOMY.addEventListener("change", place, { signal: end });
   place();
@@ -234,7 +221,6 @@ export function createHeader(
     const tool = known.find(one => one.name === t("fact-tool"))?.text;
     setText(machineText, [plane, t(INCH.includes(units) ? "unit-inch" : "unit-mm"), tool].filter(Boolean).join(" · "));
     setAttribute(chip.button, "aria-label", `${machineName.textContent} ${machineText.textContent}`);
-    show(own, !!profile(state));
     if (theme.dataset.shown !== state.page.theme) {
       theme.dataset.shown = state.page.theme;
       theme.replaceChildren(icon(state.page.theme), themeName);

@@ -3,7 +3,10 @@
 import { type Attributes, el, on } from "../dom";
 import { icon } from "../icons";
 
-/** `label` names the button, which shows three dots or what it is given. */
+/**
+ * `label` names the button, which shows three dots or what it is given. Other buttons may have the menu as their
+ * `popovertarget`.
+ */
 export function createMenu(
   id: string,
   label: string,
@@ -25,12 +28,16 @@ export function createMenu(
     ...face,
   );
   const list = el("div", { id, class: "menu", popover: "auto", role: "group", "aria-label": label }, ...entries);
-  on(list, "beforetoggle", () => place(list, button.getBoundingClientRect()));
+  const opens = `[popovertarget="${id}"]`;
+  on(list, "beforetoggle", () => {
+    const all = [...document.querySelectorAll(opens)];
+    place(list, (all.find(one => one.checkVisibility()) ?? button).getBoundingClientRect());
+  });
   on(list, "click", event => {
     if (event.target instanceof Element && event.target.closest("button:not([data-stays])")) list.hidePopover();
   });
   on(list, "focusout", ({ relatedTarget: to }) => {
-    if (to instanceof Node && !list.contains(to) && !button.contains(to)) list.hidePopover();
+    if (to instanceof Element && !list.contains(to) && !to.closest(opens)) list.hidePopover();
   });
   return { button, list };
 }

@@ -46,10 +46,34 @@ export interface Profiles {
   draw(state: State, derived: Derived): void;
 }
 
+/** Picks a setup file; it is part of the menu. */
+export function createSetupFile(open: (file: File) => void): HTMLInputElement {
+  const file = el("input", {
+    type: "file",
+    accept: "application/json,.json",
+    hidden: true,
+    tabindex: "-1",
+    "aria-label": t("profile-import"),
+  });
+  on(file, "change", () => {
+    const chosen = file.files?.[0];
+    if (chosen) open(chosen);
+    file.value = "";
+  });
+  return file;
+}
+
+/** The profile in use as a file; without one `derived`, the machine of the form with what its call needs. */
+export function exportSetup(store: Store, derived: Setup | undefined): void {
+  const setup = profile(store.state) ?? derived;
+  if (setup) saveFile(JSON.stringify(setup, null, 2), fileName(setup), "application/json");
+  else store.update({ page: { notice: "notice-nothing-to-save" } });
+}
+
 export function createProfile(
   store: Store,
   actions: Actions,
-  openFile: () => void,
+  file: HTMLInputElement,
   equipment: () => { open(): void } | null,
 ): Profiles {
   // in the first line where it has room, else in the menu
@@ -81,13 +105,10 @@ export function createProfile(
   });
   const copy = act("copy", "profile-copy", () => actions.duplicateProfile());
   const remove = act("delete", "profile-delete", () => actions.deleteProfile());
-  const save = act("download", "profile-export", () => {
-    const setup = profile(store.state) ?? latest;
-    if (setup) saveFile(JSON.stringify(setup, null, 2), fileName(setup), "application/json");
-    else store.update({ page: { notice: "notice-nothing-to-save" } });
-  });
-  const open = act("open", "profile-import", openFile);
-  const root = el("div", { class: "profile" }, controls[1].root, list, edit, named, fresh, copy, open, save, remove);
+  const save = act("download", "profile-export", () => exportSetup(store, latest));
+  const open = act("open", "profile-import", () => file.click());
+  const kept = [edit, named, fresh, copy, open, file, save, remove];
+  const root = el("div", { class: "profile" }, controls[1].root, list, ...kept);
   const draw = (state: State, derived: Derived): void => {
     for (const control of controls) control.draw(state);
     const now = profile(state);
