@@ -73,6 +73,56 @@ describe("the limits of the tolerances", () => {
     await context.close();
   });
 
+  // oracle: hand (the hole of the first example is 0.03 mm too large, its upper tolerance is 0.03 mm)
+  test("have the deviation that was measured between them, which stays when they are moved", async () => {
+    const { context, page, problems } = await open(chrome.browser);
+    await page.locator(".field").first().waitFor();
+    await unfold(page);
+    const tip = page.locator(".chain .measured .chain-needle");
+    await tip.waitFor();
+    assert.equal(await page.locator(".chain .measured .chain-figures").textContent(), "+0.030\u00a0mm");
+    const middle = async target => {
+      const { x, width } = await target.boundingBox();
+      return x + width / 2;
+    };
+    assert.ok(Math.abs((await middle(tip)) - (await middle(slider(page, "_TUL")))) < 1.5, "on the upper tolerance");
+    const lines = await page.locator(".chain-bars .chain-needle").all();
+    assert.equal(lines.length, await page.locator(".chain-bars .chain-bar").count());
+    for (const line of lines) assert.ok(Math.abs((await middle(line)) - (await middle(tip))) < 1);
+    await slider(page, "_TUL").focus();
+    for (let presses = 0; presses < 10; presses++) await page.keyboard.press("ArrowRight");
+    await page.waitForFunction(
+      () => Number(document.querySelector('.field[data-field="_TUL"] .entry-line > .figure').value) === 0.04,
+    );
+    await page.waitForFunction(() => document.querySelector(".measured .needle-good, .measured .needle-mean"));
+    assert.equal(await page.locator(".chain .measured .chain-figures").textContent(), "+0.030\u00a0mm");
+    assert.ok((await middle(slider(page, "_TUL"))) - (await middle(tip)) > 2, "the limit left the needle");
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: hand
+  test("leave the range of a field two lines at most, and a choice in its column", async () => {
+    for (const [locale, width] of [
+      ["de-DE", 1280],
+      ["de-DE", 390],
+      ["en-GB", 1280],
+    ]) {
+      const { context, page } = await open(chrome.browser, { locale, viewport: { width, height: 800 } });
+      await page.locator(".field").first().waitFor();
+      await page.waitForFunction(() => document.querySelectorAll("#panel-form .chain-bar").length > 1);
+      await page.locator('.fields-all[aria-pressed="false"]').click();
+      await drawn(page);
+      const high = await page.evaluate(() =>
+        [...document.querySelectorAll(".field:not(.kind-choice) .meta")]
+          .filter(node => node.getBoundingClientRect().height > 2 * 12 * 1.25 + 2)
+          .map(node => node.textContent),
+      );
+      assert.deepEqual(high, [], `${locale}, ${width}`);
+      await context.close();
+    }
+  });
+
   // oracle: hand
   test("are one step in the middle of which somebody waits, and Escape takes it back", async () => {
     const { context, page, problems } = await begun(chrome);
