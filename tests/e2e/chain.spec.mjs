@@ -73,8 +73,9 @@ describe("the limits of the tolerances", () => {
     await context.close();
   });
 
-  // oracle: hand (the hole of the first example is 0.03 mm too large, its upper tolerance is 0.03 mm)
-  test("have the deviation that was measured between them, which stays when they are moved", async () => {
+  // oracle: hand (the hole of the first example is 0.03 mm too large, its upper tolerance is 0.03 mm); manual B:1310-1394
+  // (with 0.04 the control compares with the middle of the tolerances, 0.005 mm above the setpoint)
+  test("have the deviation that was measured between them", async () => {
     const { context, page, problems } = await open(chrome.browser);
     await page.locator(".field").first().waitFor();
     await unfold(page);
@@ -94,8 +95,7 @@ describe("the limits of the tolerances", () => {
     await page.waitForFunction(
       () => Number(document.querySelector('.field[data-field="_TUL"] .entry-line > .figure').value) === 0.04,
     );
-    await page.waitForFunction(() => document.querySelector(".measured .needle-good, .measured .needle-mean"));
-    assert.equal(await page.locator(".chain .measured .chain-figures").textContent(), "+0.030\u00a0mm");
+    await page.locator('.chain .measured .chain-figures:text-is("+0.025\u00a0mm")').waitFor();
     assert.ok((await middle(slider(page, "_TUL"))) - (await middle(tip)) > 2, "the limit left the needle");
     assert.deepEqual(problems, []);
     await context.close();

@@ -5,7 +5,7 @@
 import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
 import { el, keyed, on, setAttribute, setText, show } from "../dom";
-import { plain } from "../numbers";
+import { parseNumber, plain } from "../numbers";
 import type { State } from "../state/state";
 import type { Store } from "../state/store";
 import { say, t } from "../texts";
@@ -165,7 +165,9 @@ export function createChain(
     on(node, "pointerup", () => end(true));
     on(node, "pointercancel", () => end(false));
     on(node, "keydown", event => {
-      const limit = chain?.bars.flatMap(bar => bar.limits).find(one => one.name === name);
+      const drawn = chain?.bars.flatMap(bar => bar.limits).find(one => one.name === name);
+      // keys may come faster than the bars are drawn
+      const limit = drawn && { ...drawn, value: parseNumber(store.state.form.values[name] ?? "") ?? drawn.value };
       const value = limit ? keyTo(limit, event.key) : null;
       if (event.key === "Escape" && drag) end(false);
       else if (value === null) return;
