@@ -76,7 +76,7 @@ check-cm-direction-hint = _CM[5] im Datenbaustein GUD6 auf 3 für M3 oder auf 4 
 check-cm-zero = { $name } ist nicht größer als 0: Drehzahl und Vorschub der Messung sind nicht berechenbar.
 check-cm-zero-hint = Grenzwerte eintragen: _CM[0] Umfangsgeschwindigkeit, [1] Drehzahl, [3] Messgenauigkeit, [4] maximaler Antastvorschub.
 check-cm-factor = { $name } ist weder 0 noch mindestens 1.
-check-cm-factor-hint = Bei 0 entfällt diese Antastung; sonst wird der Vorschub mit dem Faktor multipliziert.
+check-cm-factor-hint = 0 eingeben, wenn diese Antastung entfallen soll, sonst mindestens 1: Der Vorschub wird mit diesem Faktor multipliziert.
 check-cm-order = { $name } ist nicht kleiner als _CM[6], aber jede Antastung soll langsamer sein als die vorige.
 check-cm-order-hint = Vorschubfaktor 2 verkleinern oder für zwei Antastungen auf 0 setzen.
 check-compensation-make = Keine Messergebniskorrektur: Für _MT_COMP=1 fehlt der Messtasterhersteller in { $name }.

@@ -48,7 +48,7 @@ param-inca-about-ordinate-help = Neigung von P1 zu P2; positiv, wenn die Fläche
 param-ra = Rundachse
 param-ra-help = 0 dreht das Koordinatensystem um die nicht in _MA genannte Achse. Sonst Kanalachsnummer der Rundachse: Die Differenz wird zu ihrer NV addiert; Drehen richtet das Werkstück aus.
 param-fa-paraxial = Messweg
-param-fa-paraxial-help = Die Fläche muss vor jedem Punkt innerhalb des doppelten Messwegs liegen. Immer in mm.
+param-fa-paraxial-help = Die Fläche muss innerhalb des doppelten Messwegs ab der Position vor jedem Punkt liegen. Immer in mm.
 param-tsa-angle = Vertrauensbereich des Winkels
 param-tsa-angle-help = In Grad. Eine größere Differenz des Winkels hält das Programm mit Alarm 61303 an. Beim Positionieren unter dem Sollwinkel entfernt sich der Messtaster um diesen Winkel von der Fläche.
 

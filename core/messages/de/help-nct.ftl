@@ -18,7 +18,7 @@ help-g101-wrong-obstructed = Ein Hindernis liegt im Weg: PATH OBSTRUCTED. Messta
 help-g101-wrong-incremental = Bei aktivem G91 sind die Adressen Wege, keine Positionen.
 
 help-g102-measures-offset = Versatz der Messtasterkugel zur Spindelachse in beiden Achsen der Ebene.
-help-g102-before-ring = Die Spindel steht noch auf der Achse der Bohrung mit Durchmesser D, die sie soeben ausgespindelt hat; oder #510 enthält die M-Funktion, die sie um 180° dreht, und die Kugel ist auf 10 mm genau mitten im Kalibrierring.
+help-g102-before-ring = Die orientierte Spindel steht auf der Achse einer soeben ausgespindelten Bohrung über 20 mm; oder #510 enthält die M-Funktion, die sie um 180° dreht, und die Kugel ist auf 10 mm mitten im Ring.
 help-g102-order-walls = Vier Wände in beiden Achsen; mit einer M-Funktion in #510 noch einmal mit um 180° gedrehter Spindel.
 help-g102-corrects-offset = #504 und #505, radialer Versatz in der 1. und 2. Achse der Ebene.
 help-g102-wrong-moved = Die Bohrung wurde nicht an dieser Spindelposition gefertigt, und es wird nicht mit Umschlag gemessen: Der Lagefehler der Bohrung geht in den Versatz ein.

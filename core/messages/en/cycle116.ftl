@@ -1,7 +1,7 @@
 # CYCLE116: circle through points.
 
 cycle116-title = Circle through points
-cycle116-help = Calculates centre and radius of a circle from three or four points of the plane, for example from points measured one by one.
+cycle116-help = Calculates centre and radius of a circle from three or four points in the plane, for example from points measured one by one.
 cycle116-words = circle centre center radius three points four points compute calculate arc hole shaft helper
 cycle116-circle = Centre and radius from points
 cycle116-three = Three points

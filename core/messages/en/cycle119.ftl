@@ -1,9 +1,9 @@
 # CYCLE119: position in space.
 
 cycle119-title = Position in space from three points
-cycle119-help = Calculates the position of a part in space from the set and the measured positions of three points. If requested, it corrects a frame by translation and rotation.
+cycle119-help = Calculates the position of a part in space from the setpoints and the measured positions of three points. If requested, it corrects a frame by translation and rotation.
 cycle119-words = position in space frame three points triangle align alignment plane rotation shift zero offset rigid best fit helper datum work probe probing set
-cycle119-position = Frame from three set and measured points
+cycle119-position = Frame from three setpoints and measured points
 
 check-119-set-line = The three setpoints are collinear or coincident: the rotation of the part cannot be calculated.
 check-119-measured-line = The three measured points are collinear or coincident: the rotation of the part cannot be calculated.

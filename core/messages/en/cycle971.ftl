@@ -76,7 +76,7 @@ check-cm-direction-hint = Set _CM[5] in GUD6 to 3 for M3 or to 4 for M4.
 check-cm-zero = { $name } is 0 or less: the cycle cannot calculate speed and feed of the measurement.
 check-cm-zero-hint = Set the limits: _CM[0] peripheral speed, [1] spindle speed, [3] accuracy, [4] maximum feed.
 check-cm-factor = { $name } is neither 0 nor at least 1.
-check-cm-factor-hint = 0 omits this touch; otherwise the feed is multiplied by the factor.
+check-cm-factor-hint = Enter 0 to omit this touch, or at least 1: the feed is multiplied by this factor.
 check-cm-order = { $name } is not smaller than _CM[6], but each touch should be slower than the one before.
 check-cm-order-hint = Reduce feed factor 2, or set it to 0 for two touches.
 check-compensation-make = No compensation is applied: _MT_COMP=1 needs the probe make in { $name }.

@@ -64,7 +64,7 @@ help-cycle116-line = The points are collinear or coincident: _ALM is 61316.
 help-cycle116-count = _DATE[0] is neither 3 nor 4: _ALM is 61317.
 help-cycle116-unseen = If the program does not evaluate _ALM after the call, it continues with a wrong circle: the alarm does not stop it.
 
-help-cycle119-does = Calculates the position of a part in space from the set and the measured positions of three points. If _COR specifies it, corrects a frame by translation and rotation. Nothing moves.
+help-cycle119-does = Calculates the position of a part in space from the setpoints and the measured positions of three points. If _COR specifies it, corrects a frame by translation and rotation. Nothing moves.
 help-cycle119-variables = Declare the variables at the start of the program: DEF REAL _SETPOINT[3,3], _MEASPOINT[3,3], _RES, DEF INT _ALARM and DEF FRAME _REFRAME.
 help-cycle119-points = The points were measured one by one, for example with CYCLE977 or CYCLE997; _SETPOINT and _MEASPOINT contain them in the same order, X, Y and Z of each, in the active frame.
 help-cycle119-alarm = _ALARM is 0.

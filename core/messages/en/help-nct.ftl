@@ -18,7 +18,7 @@ help-g101-wrong-obstructed = There is an obstacle in the path: PATH OBSTRUCTED. 
 help-g101-wrong-incremental = With G91 active, the addresses are incremental, not positions.
 
 help-g102-measures-offset = The offset of the ball from the spindle axis, in both axes of the plane.
-help-g102-before-ring = The spindle is still on the axis of a bore of diameter D it has just bored; or #510 holds the M function that rotates it by 180° and the ball is within 10 mm of the middle of a ring gauge.
+help-g102-before-ring = The oriented spindle is on the axis of a bore larger than 20 mm that it just bored; or #510 holds the M function that turns it by 180°, and the ball is within 10 mm of a ring gauge's middle.
 help-g102-order-walls = Four walls in both axes; with an M function in #510, once more with the spindle rotated by 180°.
 help-g102-corrects-offset = #504 and #505, the radial offset in the 1st and 2nd axis of the plane.
 help-g102-wrong-moved = The bore was not made at the current spindle position, and the spindle is not rotated: the position error is stored as offset.

@@ -331,7 +331,7 @@ datum-chbit-15 = 无信号时尝试次数
     .v1 = 一次
 datum-chbit-16 = 从测量点退回
     .help = _CHBIT[2]=1 时有效。
-    .v0 = 与定位相同
+    .v0 = 以定位速度
     .v1 = 快速移动速度的 _SPEED[0]%
 datum-chbit-17 = 触碰次数
     .help = _FA 大于 1 mm 时有效。快速测量进给为 _SPEED[3]。
@@ -472,7 +472,7 @@ datum-jm-b-1 = 无信号时尝试次数
     .v0 = 五次
     .v1 = 一次
 datum-jm-b-2 = 从测量点退回
-    .v0 = 与定位相同
+    .v0 = 以定位速度
     .v1 = 快速移动
 datum-jm-b-3 = 触碰次数
     .v0 = 一次

@@ -18,7 +18,7 @@ help-g101-wrong-obstructed = 路径上有障碍物：PATH OBSTRUCTED。请手动
 help-g101-wrong-incremental = G91 有效时，各地址是增量而不是位置。
 
 help-g102-measures-offset = 测球相对主轴轴线在平面两个轴上的偏移。
-help-g102-before-ring = 主轴仍在其刚镗出的直径 D 孔的轴线上；或 #510 中有使主轴转 180° 的 M 功能，且测球在环规中间，偏离不超过 10 mm。
+help-g102-before-ring = 主轴已定向，位于其刚镗出的孔的轴线上，孔径大于 20 mm；或 #510 中有使主轴转 180° 的 M 功能，且测球在环规中间，偏离不超过 10 mm。
 help-g102-order-walls = 触碰两个轴的四个壁；#510 中有 M 功能时，主轴转 180° 后再触碰一遍。
 help-g102-corrects-offset = #504 和 #505：平面第 1 轴和第 2 轴的径向偏置。
 help-g102-wrong-moved = 孔不是在主轴现在的位置加工的，主轴又不旋转：孔位的误差被存为径向偏置。
