@@ -15,7 +15,7 @@ help-cycle971-before-parallel = 刀具轴平行于测头中心线。
 help-cycle971-before-over = 刀具可从当前位置先上下移动到测头顶面上方 _FA 处，再横向移到测头中间，途中没有障碍。
 help-cycle971-order-beside = 在侧面：先在另一轴移到测头中间，再到该面旁，下降到低于顶面 _TP[k,9] 或 _TPW[k,9] 处，触碰，退回。最后停在该深度。
 help-cycle971-order-on-top = 在顶面（_MA = 3、103、203）：移到中间上方，下降，触碰；比测头宽的刀具向起点一侧偏移“半径减 _ID”，在横坐标（3、103）或纵坐标（203），钻头不偏移。最后停在上方 _FA 处。
-help-cycle971-order-centre-first = _MA = 102 或 201 时，先在另一轴触碰两次，求出该轴的中间。
+help-cycle971-order-centre-first = _MA = 102 或 201 时，先在另一轴方向触碰两次，求出测头在该轴上的中心。
 help-cycle971-order-widest = 测半径时刀具再下降 _ID，以最大直径处触碰。
 help-cycle971-order-turning = 触碰一到三次，由 _CM[6] 和 _CM[7] 决定，_CBIT[12]=1 时由 _MFS[] 决定；以最后一次为准。主轴原来静止时，测量后再次停止。
 help-cycle971-order-all-sides = 各面均可触碰时：先触碰顶面，再触碰纵坐标两侧（得到其中间），在该中间触碰横坐标两侧，再在求出的横坐标中间触碰纵坐标两侧，最后再触碰顶面，停在其上方 _FA 处。
