@@ -1,6 +1,7 @@
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
 import { VitePWA } from "vite-plugin-pwa";
+import { ahead, inOne } from "./first";
 import { icons } from "./icons";
 import { manifest } from "./manifest";
 import { chunkOfWords, words } from "./words";
@@ -17,6 +18,7 @@ export default defineConfig({
   plugins: [
     words(here("../core/messages"), here("messages")),
     icons(here("public/icon.svg")),
+    ahead(),
     VitePWA({
       registerType: "prompt",
       injectRegister: null,
@@ -38,6 +40,6 @@ export default defineConfig({
     target: "es2022",
     assetsInlineLimit: 0, // a strict content policy allows no data: addresses
     modulePreload: { polyfill: false },
-    rollupOptions: { output: { manualChunks: chunkOfWords } },
+    rollupOptions: { output: { manualChunks: inOne(here("src/page/main.ts"), chunkOfWords) } },
   },
 });

@@ -4,6 +4,7 @@
 
 import init, * as wasm from "@pkg/core/core.js";
 import address from "@pkg/core/core_bg.wasm?url";
+import whole from "@pkg/program/program_bg.wasm?url";
 import type { Catalogue, FormRequest, FormView } from "../wire";
 import { call, compile } from "./module";
 import type { SceneData } from "./scene";
@@ -24,7 +25,9 @@ export interface Core extends FormCore {
 }
 
 export async function loadCore(): Promise<Core> {
-  await init({ module_or_path: await compile(address) });
+  const module = await compile(address);
+  void compile(whole).catch(() => undefined); // it comes while the form is made; whoever needs it hears of a problem
+  await init({ module_or_path: module });
   return {
     simulates: "coming",
     catalogue: () => JSON.parse(call("catalogue", () => wasm.catalogue())) as Catalogue,

@@ -11,8 +11,18 @@ export function call<T>(name: string, run: () => T): T {
   }
 }
 
+const coming = new Map<string, Promise<WebAssembly.Module>>();
+
+/** A module, which is fetched once; where that fails, whoever asks next tries again. */
+export function compile(address: string): Promise<WebAssembly.Module> {
+  const module = coming.get(address) ?? compiled(address);
+  coming.set(address, module);
+  module.catch(() => coming.delete(address));
+  return module;
+}
+
 /** Compiled while it comes, where the server says what it is. */
-export async function compile(address: string): Promise<WebAssembly.Module> {
+async function compiled(address: string): Promise<WebAssembly.Module> {
   const response = await fetch(address);
   const served = response.headers.get("Content-Type")?.startsWith("application/wasm");
   return served ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());

@@ -22,8 +22,11 @@ export interface EditorPlace {
   lay(text: string): void;
 }
 
-/** `laying`: the work on a program that the page already has; `ready` is called when the editor is there. */
-export function createEditorPlace(laying: Job, ready: () => void): EditorPlace {
+/**
+ * `laying`: the work on a program that the page already has; `calm`: the editor is not fetched before; `ready` is called
+ * when it is there.
+ */
+export function createEditorPlace(laying: Job, calm: Promise<void>, ready: () => void): EditorPlace {
   const box = el("div", { class: "editor" });
   let editor: Editor | null = null;
   let fetching = false;
@@ -57,7 +60,7 @@ export function createEditorPlace(laying: Job, ready: () => void): EditorPlace {
     fetch() {
       if (fetching) return;
       fetching = true;
-      void start();
+      void calm.then(start);
     },
     takes: text => editor?.takes(text) ?? false,
     lay(text) {

@@ -53,6 +53,11 @@ function guard<A extends unknown[], R>(store: () => Store, run: (...args: A) => 
 export async function startApp(core: Core, stored: Flat | null, returned: boolean): Promise<void> {
   const catalogue = core.catalogue();
   const modules = createModules(core, catalogue);
+  const calm = createCalm();
+  void calm.comes.then(() => {
+    void import("../styles/fonts.css").catch(console.error);
+    afterLoad(() => void watchForUpdate(store));
+  });
   const packed = packedWork();
   const place = packed ? "work" : firstPlace(stored);
   const first = patched(await startState(core, modules.full, catalogue, stored, packed), { page: { place } });
@@ -72,13 +77,12 @@ export async function startApp(core: Core, stored: Flat | null, returned: boolea
   const continuing = createTabs(store, !returned && !packed, work =>
     startState(core, modules.full, catalogue, work, null),
   );
-  const parts = { ...createParts(catalogue, store, modules, absent), continuing };
+  const parts = { ...createParts(catalogue, store, modules, calm.comes, absent), continuing };
   draw = createDraw(parts, keep);
   store.update({});
   for (const leaving of ["focusin", "pointerdown", "drop"]) addEventListener(leaving, store.finish, true);
-  await new Promise(requestAnimationFrame); // the form stands
-  void import("../styles/fonts.css").catch(console.error);
-  afterLoad(() => void watchForUpdate(store));
+  await painted(); // the form stands
+  setTimeout(calm.begin, PATIENCE);
   try {
     await modules.full();
     store.update({});
@@ -86,13 +90,38 @@ export async function startApp(core: Core, stored: Flat | null, returned: boolea
     absent(problem);
   }
   takeLaunch(store, parts.actions, parts.open);
+  await painted(); // what the call comes to stands
+  calm.begin();
 }
 
-/** All that a bench is made of; `absent`: the second module does not come. */
+const PATIENCE = 1500; // ms that editor, stage and types wait for the first result
+
+const painted = (): Promise<void> =>
+  new Promise(resolve => {
+    requestAnimationFrame(() => setTimeout(resolve));
+    setTimeout(resolve, 100); // a page in the background gets no animation frames
+  });
+
+/** The time when form and result stand, and everything else may come. */
+interface Calm {
+  readonly comes: Promise<void>;
+  begin(): void;
+}
+
+function createCalm(): Calm {
+  let begin = (): void => undefined;
+  const comes = new Promise<void>(resolve => {
+    begin = resolve;
+  });
+  return { comes, begin };
+}
+
+/** All that a bench is made of; `calm`: then the larger parts of it may come; `absent`: the second module does not. */
 function createParts(
   catalogue: Catalogue,
   store: Store,
   modules: Modules,
+  calm: Promise<void>,
   absent: (problem: unknown) => void,
 ): Omit<Parts, "continuing"> & { modules: Modules; pointing: Pointing } {
   const actions = guarded(
@@ -100,7 +129,7 @@ function createParts(
     store,
   );
   const work = createWork(store, modules);
-  const editor = createEditorPlace(work.laying, () => store.update({}));
+  const editor = createEditorPlace(work.laying, calm, () => store.update({}));
   const { opening } = work;
   const pointing = createPointing(store);
   const shows = guard(() => store, createShows(store, modules));
@@ -113,7 +142,7 @@ function createParts(
     editor,
     open: createOpen({ full: modules.full, store, actions, opening, editor }, absent),
     scanner: createScanner(() => modules.program?.module, store),
-    stage: createStage(store, pointing),
+    stage: createStage(store, pointing, calm),
     pointing,
     where: createWhere(store),
     goToField: createGoToField(catalogue, shows, store, actions),
@@ -221,7 +250,7 @@ function createDraw(parts: Parts & { modules: Modules; pointing: Pointing }, kee
       back?.();
       notice(state);
     };
-    const later = !follow && !back && !state.desk.held && isTyping(before, state);
+    const later = !before || (!follow && !back && !state.desk.held && isTyping(before, state)); // the first form too
     before = state;
     if (later) return rest;
     rest();

@@ -26,7 +26,8 @@ export interface Preview {
   readonly refused: Refusal[];
   /** From where it is seen. */
   readonly camera: Camera;
-  setScene(scene: SceneData, colours?: Colours): void;
+  /** `focus`: as `setFocus`, in one step with it. */
+  setScene(scene: SceneData, focus?: string | null): void;
   /** Entry `index` of the trace is done to `fraction` (0 … 1). */
   setStep(index: number, fraction: number): void;
   /** Scanned points, over whatever else is shown. */
@@ -132,9 +133,9 @@ function changes(
   show: Show,
 ): Pick<Preview, "setScene" | "setStep" | "setCloud" | "setColours" | "setDrawing" | "setSection" | "setFocus"> {
   return {
-    setScene(data, colours = show.content.colours) {
+    setScene(data, focus = show.content.focus) {
       const first = show.content.data === EMPTY;
-      show.change({ data, colours, step: lastStep(data) });
+      show.change({ data, step: lastStep(data), focus: explained(data, focus) });
       show.sight.turnTo(data.view.turning, first);
     },
     setStep(index, fraction) {
@@ -153,8 +154,12 @@ function changes(
     },
     setFocus(parameter) {
       const { data, focus } = show.content;
-      const explained = data.view.labels.some(({ field }) => field && field === parameter) ? parameter : null;
-      if (explained !== focus) show.change({ focus: explained });
+      const next = explained(data, parameter);
+      if (next !== focus) show.change({ focus: next });
     },
   };
 }
+
+/** The parameter, if the scene has its dimension. */
+const explained = ({ view }: SceneData, parameter: string | null): string | null =>
+  view.labels.some(({ field }) => field && field === parameter) ? parameter : null;

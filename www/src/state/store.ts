@@ -19,6 +19,9 @@ export interface Store {
 /** What may be drawn a moment later than what the user looks at. */
 export type Rest = () => void;
 
+/** ms between two keys of one that is held down: the next one would wait for the rest, which follows the last. */
+const HELD = 100;
+
 /**
  * `draw`: gives back what is to be drawn once the browser has painted the frame; `changed`: told of each change before
  * the task is over that made it.
@@ -28,20 +31,27 @@ export function createStore(first: State, draw: () => Rest | undefined, changed:
   let telling = false;
   let waiting = 0; // the frame asked for
   let rest: Rest | undefined;
+  let left = -HELD; // when a rest was left to be drawn last, as performance.now
   const finish = (): void => {
-    const left = rest;
+    const open = rest;
     rest = undefined;
-    left?.();
+    open?.();
   };
   const frame = (): void => {
     waiting = 0;
     rest = undefined; // this frame draws all of it anew
-    const left = draw();
-    rest = left;
-    if (!left) return;
+    const open = draw();
+    rest = open;
+    if (!open) return;
     const painted = (): void => {
-      if (rest === left && !waiting) finish();
+      if (rest === open && !waiting) finish();
     };
+    const before = left;
+    left = performance.now();
+    if (left - before < HELD) {
+      setTimeout(painted, HELD);
+      return;
+    }
     setTimeout(painted);
     requestAnimationFrame(painted);
   };

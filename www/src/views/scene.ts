@@ -95,6 +95,7 @@ export function createScene(
     );
     preview.onDraw(cube.draw);
     watchTaken(stage.box, [legend.root, errors.root, corner], preview.setTaken);
+    watchCovered(legend.root, preview.setCovered);
     tools.append(drawing);
     show(note, false);
   };
@@ -132,10 +133,10 @@ export function createScene(
     const drawn = points ? stage.drawn : 0;
     if (colours && (fresh || theme !== shown.theme || drawn !== shown.drawn)) {
       legend.draw(derived.trace, colours, thinned(drawn, scan));
-      preview.setCovered(legend.root.offsetWidth + legend.root.offsetLeft);
     }
     const other = data !== shown.data;
-    if (other) preview.setScene(data);
+    const focus = source === "form" ? inFocus(state) : null;
+    if (other) preview.setScene(data, focus);
     errors.draw(state, data.view);
     const { step } = derived;
     if (other || step !== shown.step) {
@@ -148,7 +149,7 @@ export function createScene(
     preview.setCentral(state.view.central);
     setAttribute(section, "aria-pressed", String(state.view.section));
     setAttribute(central, "aria-pressed", String(state.view.central));
-    preview.setFocus(source === "form" ? inFocus(state) : null);
+    preview.setFocus(focus);
     show(drawing, !!derived.trace?.drawing);
     setAttribute(drawing, "aria-pressed", String(state.view.diameters));
     shown = { trace: derived.trace, data, theme, step, drawn };
@@ -196,6 +197,11 @@ function tool(name: IconName, label: string, run: () => void): HTMLButtonElement
   const button = el("button", { type: "button", class: "stage-tool", "aria-label": label, title: label }, icon(name));
   on(button, "click", run);
   return button;
+}
+
+/** Tells how far this reaches from the left. To ask while drawing would lay out the page once more at each keystroke. */
+function watchCovered(legend: HTMLElement, tell: (width: number) => void): void {
+  new ResizeObserver(() => tell(legend.offsetWidth + legend.offsetLeft)).observe(legend);
 }
 
 /** Tells the preview what covers it, whenever that is another. */

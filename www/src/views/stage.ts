@@ -21,7 +21,8 @@ export interface Stage {
   colours(theme: Shown): Colours | null;
 }
 
-export function createStage(store: Store, pointing: Pointing): Stage {
+/** `calm`: the drawing is not fetched before. */
+export function createStage(store: Store, pointing: Pointing, calm: Promise<void>): Stage {
   const box = el("div", { class: "stage" });
   let preview: Preview | null = null;
   let failed = "";
@@ -72,7 +73,7 @@ export function createStage(store: Store, pointing: Pointing): Stage {
     fetch() {
       if (fetching) return;
       fetching = true;
-      void start();
+      void calm.then(start);
     },
     colours: theme => colours(theme),
   };
