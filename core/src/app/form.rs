@@ -326,7 +326,7 @@ fn view(
         chain: SIMULATES.then(|| form::chain(&fields, &inputs, control)).flatten(),
         fields,
         diagnostics: findings(&checked.diagnostics),
-        snippet_places: SIMULATES.then(|| places::in_snippet(&written.text, control)),
+        snippet_places: SIMULATES.then(|| places::in_snippet(&written)),
         snippet: written.text,
         snippet_findings: findings(&written.findings),
         preset: style,

@@ -15,7 +15,7 @@ pub const SIZE: f64 = 100.0;
 pub const BALL: f64 = 4.5;
 
 /// From where the work is seen, and how much of it.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Look {
     /// To the right on the paper; abscissa, ordinate, applicate; a unit vector.
     pub right: [f64; 3],
@@ -91,7 +91,7 @@ impl Look {
 }
 
 /// Parameters that the figures explain which every picture of a sort has.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Fields {
     /// The touched edges, in the order in which they are touched; the last one counts for the rest.
     pub edges: &'static [Name],
@@ -143,7 +143,7 @@ impl Fields {
 }
 
 /// What is carried out for a picture.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Staging {
     /// Values in place of those of the call; mm and degree.
     pub values: Vec<(Name, f64)>,

@@ -23,9 +23,15 @@ fn with_name(program: &Program, place: Span) -> Span {
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]
-    use super::super::calls::calls;
+    use super::super::calls::{calls, calls_on};
+    use super::super::write::{Written, snippet};
     use super::places;
+    use crate::catalogue::CYCLES;
+    use crate::catalogue::example::example;
+    use crate::control::data::FORMS;
+    use crate::control::{Control, delivery};
     use crate::dialect::Dialect;
+    use crate::entry::{Cycle, Style};
     use crate::syntax::read;
 
     /// What stands at the places of the last call.
@@ -62,5 +68,44 @@ mod tests {
             [element("_SETV[0]"), element("_SETV[1]"), element("_KNUM")],
             [Some("30"), Some("40"), Some("_KNUM=1")]
         );
+    }
+
+    /// A call is read at the places at which it was written. An omitted argument, and a variant of several selections,
+    /// is read at the whole call; an element with two indexes without its name.
+    fn agree(cycle: &'static Cycle, control: &Control, written: &Written) {
+        let program = read(control.dialect, written.text.as_bytes());
+        let sites = calls_on(&program, control.clone());
+        let site = sites.last().unwrap();
+        let mut found = places(&program, site);
+        found.retain(|_, place| *place != site.span);
+        let mut own = written.places.clone();
+        own.retain(|name, _| cycle.variant_param() != Some(*name) || found.contains_key(name));
+        for (name, place) in own.iter_mut().filter(|(name, _)| name.contains(',')) {
+            place.start = found.get(name).map_or(place.start, |found| found.start.max(place.start));
+        }
+        assert_eq!(own, found, "{}", written.text);
+    }
+
+    // oracle: peer (the reader)
+    #[test]
+    fn the_writer_tells_where_the_reader_finds_each_value() {
+        let label = |name: &str, _: &str| format!("Maß {name}");
+        let mut texts = 0;
+        for (cycle, variant) in CYCLES.iter().flat_map(|cycle| cycle.variants.iter().map(move |one| (*cycle, one))) {
+            let typed = example(cycle, variant);
+            for (style, forms) in [Style::Direct, Style::Indirect, Style::Operate]
+                .into_iter()
+                .flat_map(|style| [0.0, 1.0].map(|forms| (style, forms)))
+            {
+                let mut control = delivery(cycle.dialect);
+                control.set(FORMS, forms);
+                let written = snippet(cycle, &typed, &control, style, Some(&label));
+                if !written.text.is_empty() {
+                    agree(cycle, &control, &written);
+                    texts += 1;
+                }
+            }
+        }
+        assert!(texts > CYCLES.len());
     }
 }

@@ -16,6 +16,9 @@ use crate::picture::figures::{circle, frame, line, polygon};
 use crate::picture::{Picture, PictureShape, ShapeKind, View};
 use crate::run::call::perform;
 use crate::workpiece::{Boundary, Drawn, Shape, Solid, Tool, Workpiece, seen};
+use std::cell::RefCell;
+use std::collections::VecDeque;
+use std::rc::Rc;
 
 /// Entries of a trace after which nothing more is carried out, or looked at.
 const STEPS: usize = 1000;
@@ -52,31 +55,74 @@ const NEUTRAL: [(Name, f64); 14] = [
 /// What a macro corrects and allows.
 const CORRECTIONS: [Name; 7] = [address::S, address::T, address::M, address::H, address::U, address::V, address::W];
 
-/// The picture of a call; where the cycle stops at its values, that of the worked example.
-pub fn draw(inputs: &Inputs, staged: &Staged) -> Picture {
-    let all = performed(inputs, staged);
-    if all.iter().all(|one| one.complete) {
-        return drawn(&all, inputs, staged);
-    }
-    let example = worked(inputs);
-    drawn(&performed(&example, staged), &example, staged)
+/// Views that are kept: those of a call, and those of the worked example where the cycle stops at its values.
+const KEPT: usize = 2;
+
+thread_local! {
+    /// The views that were asked for last, the newest first.
+    static MADE: RefCell<VecDeque<Rc<Views>>> = const { RefCell::new(VecDeque::new()) };
 }
 
-fn performed(inputs: &Inputs, staged: &Staged) -> Vec<Performed> {
+/// The picture of a call; where the cycle stops at its values, that of the worked example.
+pub fn draw(inputs: &Inputs, staged: &Staged) -> Picture {
+    let views = Views::of(inputs, staged);
+    if views.complete {
+        return drawn(&views, inputs, staged);
+    }
+    let example = worked(inputs);
+    drawn(&Views::of(&example, staged), &example, staged)
+}
+
+/// A cycle at work, laid out on the paper.
+struct Views {
+    /// All that decides over them: they are made of this alone.
+    tasks: Vec<Task>,
+    laid: Laid,
+    complete: bool,
+}
+
+/// What is carried out for a picture: values that draw well, and how it is seen.
+#[derive(PartialEq)]
+struct Task {
+    inputs: Inputs,
+    staging: Staging,
+}
+
+impl Views {
+    /// The views of a call. They have few of its values, so that at most keystrokes they are those of the one before.
+    fn of(inputs: &Inputs, staged: &Staged) -> Rc<Views> {
+        let tasks = tasks(inputs, staged);
+        let known = |made: &VecDeque<Rc<Views>>| made.iter().find(|views| views.tasks == tasks).map(Rc::clone);
+        if let Some(known) = MADE.with_borrow(known) {
+            return known;
+        }
+        let all: Vec<Performed> = tasks.iter().map(Performed::of).collect();
+        let complete = all.iter().all(|one| one.complete);
+        let views = Rc::new(Views { tasks, laid: laid(&all, GAP), complete });
+        MADE.with_borrow_mut(|made| {
+            made.push_front(Rc::clone(&views));
+            made.truncate(KEPT);
+        });
+        views
+    }
+}
+
+fn tasks(inputs: &Inputs, staged: &Staged) -> Vec<Task> {
     let mut all = Vec::new();
     let mut next = Some((staged.stage)(inputs));
     while let Some(mut staging) = next {
         next = staging.then.take().map(|staging| *staging);
-        all.push(Performed::of(inputs, staging));
+        all.push(Task::of(inputs, staging));
     }
     all
 }
 
 /// All views of it, one beside the other, with their marks.
-fn drawn(all: &[Performed], inputs: &Inputs, staged: &Staged) -> Picture {
-    let Laid { mut shapes, seen, .. } = laid(all, GAP);
-    shapes.extend((staged.marks)(inputs, &seen));
-    let upright = all.iter().flat_map(|one| &one.staging.looks).next().is_some_and(|look| look.up[2] != 0.0);
+fn drawn(views: &Views, inputs: &Inputs, staged: &Staged) -> Picture {
+    let Laid { shapes, seen, .. } = &views.laid;
+    let mut shapes = shapes.clone();
+    shapes.extend((staged.marks)(inputs, seen));
+    let upright = views.tasks.iter().flat_map(|task| &task.staging.looks).next().is_some_and(|look| look.up[2] != 0.0);
     Picture { view: if upright { View::Section } else { View::Plane }, shapes }
 }
 
@@ -185,16 +231,25 @@ impl Done<'_> {
     }
 }
 
+impl Task {
+    /// With the values that draw well in place of those of the call.
+    fn of(inputs: &Inputs, staging: Staging) -> Task {
+        let mut inputs = inputs.clone();
+        let cycle = inputs.cycle;
+        let known = |name: &Name| cycle.param(name).is_some();
+        inputs.numbers.extend(NEUTRAL.into_iter().filter(|(name, _)| known(name)));
+        inputs.numbers.retain(|name, _| !CORRECTIONS.contains(name) && !staging.left_out.contains(name));
+        inputs.numbers.extend(staging.values.iter().copied());
+        inputs.texts.clear();
+        Task { inputs, staging }
+    }
+}
+
 impl Performed {
-    fn of(inputs: &Inputs, staging: Staging) -> Performed {
+    fn of(Task { inputs, staging }: &Task) -> Performed {
         let mut drawn = inputs.clone();
-        let known = |name: &Name| inputs.cycle.param(name).is_some();
-        drawn.numbers.extend(NEUTRAL.into_iter().filter(|(name, _)| known(name)));
-        drawn.numbers.retain(|name, _| !CORRECTIONS.contains(name) && !staging.left_out.contains(name));
-        drawn.numbers.extend(staging.values.iter().copied());
-        drawn.texts.clear();
-        drawn.plane = plane(inputs, &staging);
-        let mut setup = machine(inputs, &staging);
+        drawn.plane = plane(inputs, staging);
+        let mut setup = machine(inputs, staging);
         if staging.tool.is_some() {
             check::tool_in_use(&mut drawn, &setup.control);
         }
@@ -214,7 +269,11 @@ impl Performed {
         sim.trace_limit = STEPS;
         let complete = perform(&mut sim, &drawn).is_ok();
         let of = Done { setup: &setup, trace: &sim.trace, plane: drawn.plane, same: SAME };
-        Performed { complete, letters: inputs.plane.axes().map(|axis| AXES[axis]), ..of.seen(proposal, staging) }
+        Performed {
+            complete,
+            letters: inputs.plane.axes().map(|axis| AXES[axis]),
+            ..of.seen(proposal, staging.clone())
+        }
     }
 
     /// The call as it was carried out on a setup, to be seen from where its picture is, in the size of a picture.

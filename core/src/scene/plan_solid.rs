@@ -103,9 +103,12 @@ fn free(
     };
     let corners: Vec<V3> = surface.mesh.corners().iter().map(|corner| machine(*corner)).collect();
     let behind: Vec<bool> = corners.iter().map(|corner| cut.before(corner) < 0.0).collect();
-    let sides = surface.mesh.triangles().iter().flat_map(|[a, b, c]| [[a, b], [b, c], [c, a]]);
-    let sides = sides.map(|side| side.map(|corner| *corner as usize)).filter(|[a, b]| behind[*a] != behind[*b]);
-    let crossings = sides.filter_map(|side| crossing(side.map(|corner| corners[corner]), cut));
+    let cut_by = |triangle: &&[u32; 3]| {
+        let [a, b, c] = triangle.map(|corner| behind[corner as usize]);
+        a != b || b != c
+    };
+    let sides = surface.mesh.triangles().iter().filter(cut_by).flat_map(|[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let crossings = sides.filter_map(|side| crossing(side.map(|corner| corners[*corner as usize]), cut));
     let mut top: Vec<[f64; 2]> = crossings.map(&seen).collect();
     top.sort_by(|one, other| one[0].total_cmp(&other[0]));
     top.dedup_by(|one, other| distance(*one, *other) < 1e-6);

@@ -34,7 +34,7 @@ fn in_planes() -> impl Iterator<Item = (Inputs, &'static Staged)> {
 #[test]
 fn every_worked_example_is_carried_out_for_its_picture() {
     for (inputs, staged) in in_planes() {
-        for one in performed(&inputs, staged) {
+        for one in tasks(&inputs, staged).iter().map(Performed::of) {
             let told = format!("{} {} {:?}", inputs.cycle.name, inputs.variant, inputs.plane);
             assert!(one.complete && !one.touches.is_empty(), "{told}");
         }
@@ -45,7 +45,7 @@ fn every_worked_example_is_carried_out_for_its_picture() {
 #[test]
 fn a_touch_lies_on_an_edge_that_is_drawn() {
     for (inputs, staged) in staged() {
-        for one in performed(&inputs, staged) {
+        for one in tasks(&inputs, staged).iter().map(Performed::of) {
             for look in one.staging.looks.iter().filter(|look| look.up[2] == 0.0 && !look.flat) {
                 let (_, seen) = one.view(look);
                 for touch in &seen.touches {
@@ -66,5 +66,38 @@ fn a_circle_stays_a_circle() {
         let of = |kind| picture.shapes.iter().find(move |shape| shape.kind == kind).unwrap();
         assert_eq!(of(ShapeKind::Edge).circle, Some(([0.0; 2], SIZE / 2.0)));
         assert_eq!(of(ShapeKind::Material).opening, Some(([0.0; 2], SIZE / 2.0)));
+    }
+}
+
+fn with(inputs: &Inputs, name: Name, value: f64) -> Inputs {
+    let mut changed = inputs.clone();
+    changed.numbers.insert(name, value);
+    changed
+}
+
+// oracle: self (a picture that is made anew)
+#[test]
+fn a_kept_view_shows_what_a_new_one_shows() {
+    for (inputs, staged) in staged().filter(|(inputs, _)| inputs.variant == inputs.cycle.variants[0].number) {
+        for (name, value) in inputs.numbers.clone() {
+            let changed = with(&inputs, name, value * 1.25 + 1.0);
+            let kept = [&inputs, &changed, &inputs].map(|inputs| draw(inputs, staged));
+            MADE.take();
+            assert_eq!(kept[1], draw(&changed, staged), "{} {name}", inputs.cycle.name);
+            MADE.take();
+            assert_eq!(kept[2], draw(&inputs, staged), "{} {name}", inputs.cycle.name);
+        }
+    }
+}
+
+// oracle: hand: a picture is drawn with a target, limits and a memory of its own
+#[test]
+fn a_value_that_no_picture_shows_makes_nothing_anew() {
+    for (inputs, staged) in staged().filter(|(inputs, _)| inputs.cycle.name == "CYCLE977") {
+        let before = Views::of(&inputs, staged);
+        for name in [names::KNUM, names::TSA, names::TZL, names::EVNUM] {
+            assert!(Rc::ptr_eq(&before, &Views::of(&with(&inputs, name, 0.25), staged)), "{name}");
+        }
+        assert!(!Rc::ptr_eq(&before, &Views::of(&Inputs { plane: Plane::G18, ..inputs }, staged)));
     }
 }

@@ -1,12 +1,13 @@
 //! SINUMERIK: assignments and the call, with the arguments that its call style takes.
 
-use super::{Source, Written, assignments, is_expression, whole, word};
+use super::{Lines, Source, Written, is_expression, word};
 use crate::check::{Parsed, Target, newer, parse, target};
 use crate::diagnostic::Diagnostic;
 use crate::entry::{AUXILIARY, AUXILIARY_ARGS, Arg, ArgumentList, Param, Style, Typed, names};
 use crate::name::Name;
 use crate::own;
 use crate::program::values::opposite;
+use std::collections::BTreeMap;
 
 /// The call in this call style.
 pub(super) fn write(source: &Source, style: Style) -> Written {
@@ -29,8 +30,12 @@ pub(super) fn write(source: &Source, style: Style) -> Written {
         Some(list) => listed(source, list),
         None if style == Style::Direct && none => {
             let words = source.values.iter().filter(|(param, value)| param.name != value.as_str());
-            let words: Vec<String> = words.map(|(param, value)| word(param.name.as_str(), value)).collect();
-            whole(source, format!("{}{}\n", assignments(&words), source.cycle.name))
+            let words: Vec<_> = words.map(|(param, value)| assignment(param, value)).collect();
+            let mut text = Lines::default();
+            text.assignments(&words);
+            text.push(source.cycle.name);
+            text.line_end();
+            source.whole(text)
         }
         None => {
             let sentence = if none { own::WRITE_NO_LIST } else { own::WRITE_NO_LIST_VARIANT };
@@ -41,7 +46,11 @@ pub(super) fn write(source: &Source, style: Style) -> Written {
 
 /// No text, and why.
 fn nothing(finding: Diagnostic) -> Written {
-    Written { text: String::new(), said: Vec::new(), findings: vec![finding] }
+    Written { text: String::new(), places: BTreeMap::new(), said: Vec::new(), findings: vec![finding] }
+}
+
+fn assignment(param: &Param, value: &str) -> (Option<Name>, String) {
+    (Some(param.name), word(&param.name, value))
 }
 
 /// The variant where it is known at run time only, as written: selections cannot say it.
@@ -81,11 +90,11 @@ fn listed(source: &Source, list: &ArgumentList) -> Written {
         match list.style {
             // the datum holds it already, on whichever way it came there
             Style::Direct | Style::Indirect if param.name == text.as_str() => {}
-            Style::Direct => before.push(word(param.name.as_str(), text)),
+            Style::Direct => before.push(assignment(param, text)),
             Style::Indirect if is_auxiliary(param, text) => auxiliary.push(value),
             Style::Indirect => {
                 findings.push(beside(param, text));
-                before.push(word(param.name.as_str(), text));
+                before.push(assignment(param, text));
             }
             // what it is worth at the call only the run tells
             Style::Operate if is_expression(param, text) => {
@@ -99,15 +108,17 @@ fn listed(source: &Source, list: &ArgumentList) -> Written {
             }
         }
     }
-    let mut text = assignments(&before);
+    let mut text = Lines::default();
+    text.assignments(&before);
     if !auxiliary.is_empty() {
         let value = |name: &Name| {
-            auxiliary.iter().find(|(param, _)| param.name == *name).map_or(String::new(), |(_, text)| text.clone())
+            let given = auxiliary.iter().find(|(param, _)| param.name == *name);
+            (Some(*name), given.map_or(String::new(), |(_, text)| text.clone()))
         };
-        text.push_str(&call(AUXILIARY, AUXILIARY_ARGS.iter().map(value).collect()));
+        call(&mut text, AUXILIARY, &AUXILIARY_ARGS.iter().map(value).collect::<Vec<_>>());
     }
-    text.push_str(&call(list.name, arguments(source, list)));
-    Written { text, said, findings }
+    call(&mut text, list.name, &arguments(source, list));
+    Written { said, findings, ..source.whole(text) }
 }
 
 /// Whether the list says the value: as an argument, or the variant as selections.
@@ -131,16 +142,18 @@ fn beside(param: &Param, text: &str) -> Diagnostic {
     sentence.finding().text("name", param.name).text("value", text)
 }
 
-/// The arguments in order. An omitted one is 0: what is used and was not typed is as delivered or as on the machine.
-fn arguments(source: &Source, list: &ArgumentList) -> Vec<String> {
+/// The arguments in order, each with its parameter. An omitted one is 0: what is used and was not typed is as delivered
+/// or as on the machine.
+fn arguments(source: &Source, list: &ArgumentList) -> Vec<(Option<Name>, String)> {
     let mut selections = list.selections(source.inputs.variant).unwrap_or_default().into_iter();
+    let variant = source.cycle.variant_param();
     let written = |arg: &Arg| match arg {
-        Arg::Param(name) => parameter(source, name),
-        Arg::Down(name) => opposite(&parameter(source, name)),
-        Arg::Select(_) => selections.next().map_or(String::new(), |number| number.to_string()),
-        Arg::Is(number) => number.to_string(),
-        Arg::Variable(name) | Arg::Output(name) => (*name).to_owned(),
-        Arg::Open | Arg::Newer(_) => String::new(),
+        Arg::Param(name) => (Some(*name), parameter(source, name)),
+        Arg::Down(name) => (Some(*name), opposite(&parameter(source, name))),
+        Arg::Select(_) => (variant, selections.next().map_or(String::new(), |number| number.to_string())),
+        Arg::Is(number) => (None, number.to_string()),
+        Arg::Variable(name) | Arg::Output(name) => (None, (*name).to_owned()),
+        Arg::Open | Arg::Newer(_) => (None, String::new()),
     };
     list.args.iter().map(written).collect()
 }
@@ -157,10 +170,17 @@ fn parameter(source: &Source, name: &str) -> String {
         .map_or(String::new(), |number| number.to_string())
 }
 
-/// `NAME(1,,3)`; omitted arguments at the end are left out.
-fn call(name: &str, mut arguments: Vec<String>) -> String {
-    while arguments.last().is_some_and(String::is_empty) {
-        arguments.pop();
+/// `NAME(1,,3)`; omitted arguments at the end are left out, and have no place elsewhere.
+fn call(text: &mut Lines, name: &str, arguments: &[(Option<Name>, String)]) {
+    let said = arguments.iter().rposition(|(_, argument)| !argument.is_empty()).map_or(0, |last| last + 1);
+    text.push(name);
+    text.push("(");
+    for (index, (of, argument)) in arguments.iter().take(said).enumerate() {
+        if index > 0 {
+            text.push(",");
+        }
+        text.word(of.filter(|_| !argument.is_empty()), argument);
     }
-    format!("{name}({})\n", arguments.join(","))
+    text.push(")");
+    text.line_end();
 }

@@ -7,12 +7,13 @@ mod support;
 use crate::check;
 use crate::check::{Parsed, Text, expression, parse, parse_text};
 use crate::control::Control;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Span};
 use crate::dialect::Dialect;
 use crate::entry::{Cycle, Inputs, Kind, Param, ProbeUse, Style, Typed};
 use crate::name::Name;
 use crate::support::Support;
 use crate::syntax::Grammar;
+use std::collections::BTreeMap;
 
 /// Widest line of assignments, as in the programs of the manual.
 const WIDTH: usize = 78;
@@ -24,6 +25,9 @@ pub type Words<'a> = &'a dyn Fn(&str, &str) -> String;
 pub struct Written {
     /// Lines ended by LF; empty where the call cannot be written in this way.
     pub text: String,
+    /// Where in it each value stands, an assignment or an address with its name; the variant that selections make: the
+    /// first of them.
+    pub places: BTreeMap<Name, Span>,
     /// The parameters whose values are in it.
     pub said: Vec<Name>,
     /// What this call style cannot say.
@@ -70,31 +74,86 @@ pub fn snippet_of(
     };
     source.write(values.expressions);
     let mut written = match style {
-        Style::Direct if source.form => whole(&source, support::blocks(&source)),
-        Style::Direct if Grammar::of(cycle.dialect).by_address => whole(&source, addresses(&source)),
+        Style::Direct if source.form => source.whole(support::blocks(&source)),
+        Style::Direct if Grammar::of(cycle.dialect).by_address => source.whole(addresses(&source)),
         _ => list::write(&source, style),
     };
     if written.text.is_empty() {
         return written;
     }
     if source.form {
-        written.text.insert_str(0, &support::head(&source, style));
+        written.put_before(&support::head(&source, style));
     }
     if let Some(words) = words {
-        written.text.insert_str(0, &comments(&source, words));
+        written.put_before(&comments(&source, words));
     }
     written
 }
 
-/// A text that says everything.
-fn whole(source: &Source, text: String) -> Written {
-    Written { text, said: source.names(), findings: Vec::new() }
+impl Written {
+    fn put_before(&mut self, lines: &str) {
+        self.text.insert_str(0, lines);
+        let by = lines.len() as u32;
+        for place in self.places.values_mut() {
+            *place = Span { start: place.start + by, end: place.end + by };
+        }
+    }
+}
+
+/// A text as it is written, and where in it the values stand.
+#[derive(Default)]
+struct Lines {
+    text: String,
+    places: BTreeMap<Name, Span>,
+    /// Bytes in the line that is being written.
+    width: usize,
+}
+
+impl Lines {
+    fn push(&mut self, text: &str) {
+        self.text.push_str(text);
+        self.width += text.len();
+    }
+
+    /// A word, and the parameter whose value it is.
+    fn word(&mut self, of: Option<Name>, word: &str) {
+        let start = self.text.len() as u32;
+        self.push(word);
+        if let Some(name) = of {
+            self.places.entry(name).or_insert(Span { start, end: self.text.len() as u32 });
+        }
+    }
+
+    fn line_end(&mut self) {
+        self.text.push('\n');
+        self.width = 0;
+    }
+
+    /// Lines of assignments, each with the parameter that it gives a value.
+    fn assignments(&mut self, words: &[(Option<Name>, String)]) {
+        for (of, word) in words {
+            if self.width > 0 && self.width + 1 + word.len() > WIDTH {
+                self.line_end();
+            } else if self.width > 0 {
+                self.push(" ");
+            }
+            self.word(*of, word);
+        }
+        if self.width > 0 {
+            self.line_end();
+        }
+    }
 }
 
 impl Source<'_> {
     /// A value as it is written.
     fn value(&self, name: &str) -> Option<&str> {
         self.values.iter().find(|(param, _)| param.name == name).map(|(_, text)| text.as_str())
+    }
+
+    /// A text that says everything.
+    fn whole(&self, Lines { text, places, .. }: Lines) -> Written {
+        Written { text, places, said: self.names(), findings: Vec::new() }
     }
 
     /// The parameters whose values are written.
@@ -133,14 +192,14 @@ fn source<'a>(cycle: &'static Cycle, typed: &Typed, control: &'a Control) -> Sou
     Source { cycle, inputs, control, values, form: false, bits: Vec::new() }
 }
 
-fn addresses(source: &Source) -> String {
-    let mut text = source.cycle.name.to_owned();
+fn addresses(source: &Source) -> Lines {
+    let mut text = Lines::default();
+    text.push(source.cycle.name);
     for (param, value) in &source.values {
-        text.push(' ');
-        text.push_str(param.name.as_str());
-        text.push_str(value);
+        text.push(" ");
+        text.word(Some(param.name), &format!("{}{value}", param.name));
     }
-    text.push('\n');
+    text.line_end();
     text
 }
 
@@ -162,26 +221,6 @@ pub fn value(dialect: Dialect, param: &Param, typed: &str) -> Option<String> {
 /// One assignment.
 fn word(name: &str, value: &str) -> String {
     format!("{name}={value}")
-}
-
-/// Lines of assignments.
-fn assignments(words: &[String]) -> String {
-    let (mut text, mut width) = (String::new(), 0);
-    for word in words {
-        if width > 0 && width + 1 + word.len() > WIDTH {
-            text.push('\n');
-            width = 0;
-        } else if width > 0 {
-            text.push(' ');
-            width += 1;
-        }
-        text.push_str(word);
-        width += word.len();
-    }
-    if width > 0 {
-        text.push('\n');
-    }
-    text
 }
 
 /// `;_FA: measuring path`, NCT `(D: nominal diameter)`.

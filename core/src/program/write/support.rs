@@ -1,6 +1,6 @@
 //! The block that the support in the control's editor writes: what its form holds, in its order (B:12414-12423).
 
-use super::{Source, assignments, value, word};
+use super::{Lines, Source, value, word};
 use crate::control::Control;
 use crate::entry::names::{
     CORA, DLNUM, EVNUM, FA, ID, K, KNUM, MVAR, NMSP, PRNUM, SZA, SZO, TDIF, TENV, TLL, TMV, TNAME, TNUM, TSA, TUL, TZL,
@@ -9,7 +9,6 @@ use crate::entry::names::{
 use crate::entry::{Cycle, Style, Typed};
 use crate::name::Name;
 use crate::support::{MEAN_BIT, Mark, SPEEDS_BIT, Support, decimal};
-use std::ops::Range;
 
 const SPEEDS: Name = Name::new(SPEEDS_BIT);
 const MEAN: Name = Name::new(MEAN_BIT);
@@ -50,17 +49,27 @@ pub(super) fn source<'a>(
 }
 
 /// Assignments in two blocks and the call in one of its own.
-pub(super) fn blocks(source: &Source) -> String {
-    let values = source.values.iter().map(|(param, value)| (rank(&param.name), word(&param.name, value)));
-    let bits = source.bits.iter().map(|(name, on)| (rank(name), bit(name, *on)));
-    let words: Vec<(usize, String)> = values.chain(bits).collect();
-    let line = |ranks: Range<usize>| {
-        let words = ranks.flat_map(|rank| words.iter().filter(move |(own, _)| *own == rank));
-        let words: Vec<&str> = words.map(|(_, word)| word.as_str()).collect();
-        if words.is_empty() { String::new() } else { format!("{}\n", words.join(" ")) }
-    };
+pub(super) fn blocks(source: &Source) -> Lines {
+    let values =
+        source.values.iter().map(|(param, value)| (Some(param.name), word(&param.name, value), rank(&param.name)));
+    let bits = source.bits.iter().map(|(name, on)| (None, bit(name, *on), rank(name)));
+    let words: Vec<(Option<Name>, String, usize)> = values.chain(bits).collect();
+    let mut text = Lines::default();
     let [first, second] = [FIRST.len(), FIRST.len() + SECOND.len()];
-    format!("{}{}{}\n", line(0..first), line(first..second), source.cycle.name)
+    for ranks in [0..first, first..second] {
+        for (of, word, _) in ranks.flat_map(|rank| words.iter().filter(move |(_, _, own)| *own == rank)) {
+            if text.width > 0 {
+                text.push(" ");
+            }
+            text.word(*of, word);
+        }
+        if text.width > 0 {
+            text.line_end();
+        }
+    }
+    text.push(source.cycle.name);
+    text.line_end();
+    text
 }
 
 /// Place in the order, the second block behind the first.
@@ -78,9 +87,12 @@ fn bit(name: &str, on: bool) -> String {
 /// What stands before the call: the settings, and for a call with arguments the bits, which no argument takes.
 pub(super) fn head(source: &Source, style: Style) -> String {
     let mark = Mark::of(source.control).text();
-    let bits: Vec<String> = match style {
-        Style::Indirect => source.bits.iter().map(|(name, on)| bit(name, *on)).collect(),
-        Style::Direct | Style::Operate => Vec::new(),
-    };
-    format!("{mark}\n{}", assignments(&bits))
+    let mut text = Lines::default();
+    text.push(&mark);
+    text.line_end();
+    if style == Style::Indirect {
+        let bits: Vec<_> = source.bits.iter().map(|(name, on)| (None, bit(name, *on))).collect();
+        text.assignments(&bits);
+    }
+    text.text
 }

@@ -219,7 +219,7 @@ fn shown(element: Element) -> Option<(Inputs, Aim)> {
 /// What is seen of the worked measurement.
 fn sight(inputs: &Inputs) -> Sight {
     let Some(How::Staged(staged)) = inputs.cycle.picture.how() else { return flat(inputs) };
-    let all = performed(inputs, staged);
+    let all: Vec<Performed> = tasks(inputs, staged).iter().map(Performed::of).collect();
     let Some(done) = all.first() else { return Sight::default() };
     let mut sight = Sight::of(done.axes);
     let out = |touch: &Touch| (touch.ball - touch.at).try_normalize(1e-9).unwrap_or_else(V3::zeros);
