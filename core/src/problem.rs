@@ -18,12 +18,11 @@ pub const KEYS: &[&str] = &[
     "run-contour-approach", "run-offset-variable", "run-crash-stylus", "run-crash-body", "run-stylus", "run-endless",
     "run-repeated", "run-not-measured", "run-axis-name", "run-system-variable", "run-positioning", "run-axis-variable",
     "run-log", "run-scan-limit", "run-unread-value", "run-unread-way", "run-parameter", "run-no-edge", "run-far",
-    "run-no-value", "run-errors", "run-crash-tool",
+    "run-no-value", "run-errors", "run-crash-tool", "run-machine-value", "run-argument-unknown",
 ];
 
 /// Keys of what a run goes on without: named at its end.
-const PASSED_OVER: &[&str] =
-    &["run-unknown-word", "run-not-simulated", "run-subprogram", "run-machine-function", "run-log"];
+const PASSED_OVER: &[&str] = &["run-unknown-word", "run-not-simulated", "run-subprogram", "run-log"];
 
 /// What helps, for the problems that do not say it.
 const CURES: &[(&str, &str)] = &[
@@ -31,6 +30,7 @@ const CURES: &[(&str, &str)] = &[
     ("run-no-tool", "run-no-tool-hint"),
     ("run-no-edge", "run-no-edge-hint"),
     ("run-parameter", "run-parameter-hint"),
+    ("run-machine-value", "run-machine-value-hint"),
 ];
 
 /// Something wrong at a place.

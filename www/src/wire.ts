@@ -155,6 +155,8 @@ export type Beginning = {
   units: UnitFunction,
   /** User and machine data that differ. */
   data?: { [key in string]: Datum },
+  /** User data that definition files add: lines with `DEF`. */
+  definitions?: Array<string>,
 };
 
 /** A measuring call of a program. */
@@ -1014,6 +1016,16 @@ export type MachineRequest = {
 /** Sort of machine that a cycle is made for. */
 export type MachineSort = "milling" | "turning" | "any";
 
+/** A value that was assumed. */
+export type MachineValue = {
+  /** As the program names it: `$A_IN[1]`. */
+  name: string,
+  /** What it was taken for. */
+  value: Datum,
+  /** Line that asked for it first, from 1. */
+  line: number,
+};
+
 /** What is set once per machine. */
 export type MachineView = {
   /** Machine data by subject. */
@@ -1493,6 +1505,10 @@ export type RunRequest = {
   text: string,
   /** Machine; absent: the core's own as it is. */
   setup?: Machine,
+  /** Values for the parameters of the program itself, by name; absent: none. */
+  arguments?: { [key in string]: Datum },
+  /** Whether what is not there stops the run: a subprogram, a value that only the machine has; absent: no. */
+  strict?: boolean,
 };
 
 /** A result of a run. */
@@ -1533,6 +1549,8 @@ export type RunView = {
   finished: boolean,
   /** What it went on without. */
   passedOver: Array<PassedOver>,
+  /** Values that only the machine has and that were assumed. */
+  machineValues?: Array<MachineValue>,
   /** How it ended. */
   ending: Message,
   /** Of a program that came without a machine: what was assumed. */
@@ -1713,6 +1731,11 @@ export type Setup = {
    * `R10`, `MD18600`, `#500`; and `PW-FORMS`, 1 where `_MZ_MASK` decides forms and code.
    */
   data: { [key in string]: Datum },
+  /**
+   * User data that the definition files of the machine add (GUD4.DEF, UGUD.DEF …), as they are written there:
+   * `DEF NCK REAL LIMIT[2,3]=SET(1,2)`. Their values are in `data`, where they differ.
+   */
+  definitions?: Array<string>,
   /** The probe as it really is, not as the control believes. */
   probe: Probe,
   /** The tool probes of the machine as they really are, not as `_TP` and `_TPW` in `data` believe. */

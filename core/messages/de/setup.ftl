@@ -48,6 +48,7 @@ setup-active = { $path }: Unter den Werkzeugen fehlt { $name }.
 setup-frame = { $path }: Es gibt kein Frame „{ $name }“.
 setup-units = { $path }: „{ $name }“ ist keine G-Funktion für Maßeinheiten.
 setup-datum = { $path }: Die Variable „{ $name }“ gibt es nicht, oder sie hat einen anderen Typ.
+setup-definition = { $path }: keine Definition von Anwenderdaten: { $text }
 setup-shape = { $path }: Anzahl der Maße für { $shape }: { $count }; erwartet: { $wanted }.
 setup-surface = { $path }: { $shape }, Maße: { $count }; nur die Form „surface“ hat einen Eintrag „surface“, und sie hat keine Maße.
 setup-shape-hole = Bohrung

@@ -116,6 +116,10 @@ terminal-files-text = Part programs
 terminal-file-text = Part program
 terminal-control-text = Control: sinumerik (840D, 840Di, 810D) or nct; without it, recognised from the program
 terminal-setup-text = Setup file, see docs/setup.schema.json; without it, a machine that fits the program is assumed and reported
+terminal-with-text = Definition files (.DEF) and subprograms that belong to the program
+terminal-arg-text = Value for a parameter of the program itself, for example DEPTH=5
+terminal-strict-text = Stop at a subprogram or a machine value that is missing
+terminal-assumed-values = Machine values that were assumed: { $values }. Line numbers are in brackets.
 terminal-check-setup-text = Setup file of the machine, with its tools and data; without it, the default machine
 terminal-cycle-text = Name of the cycle, for example CYCLE977
 terminal-values-text = Values, for example _SETVAL=132

@@ -48,6 +48,7 @@ setup-active = { $path }: { $name } is not among the tools.
 setup-frame = { $path }: frame “{ $name }” does not exist.
 setup-units = { $path }: “{ $name }” is not a G function for units.
 setup-datum = { $path }: datum “{ $name }” does not exist, or has another type.
+setup-definition = { $path }: not a definition of user data: { $text }
 setup-shape = { $path }: number of sizes for { $shape }: { $count }; expected: { $wanted }.
 setup-surface = { $path }: { $shape }, sizes: { $count }; only the shape “surface” has a member “surface”, and it has no sizes.
 setup-shape-hole = Hole

@@ -112,6 +112,10 @@ terminal-files-text = 零件程序（可多个）
 terminal-file-text = 零件程序
 terminal-control-text = 控制系统：sinumerik（840D、840Di、810D）或 nct；省略时由程序识别
 terminal-setup-text = 机床配置文件，见 docs/setup.schema.json；省略时假定一台与程序相符的机床，并输出所作的假定
+terminal-with-text = 属于该程序的定义文件（.DEF）和子程序
+terminal-arg-text = 程序自身参数的值，例如 DEPTH=5
+terminal-strict-text = 缺少子程序或机床的值时停止
+terminal-assumed-values = 假定的机床值：{ $values }。括号中为行号。
 terminal-check-setup-text = 机床配置文件，包括刀具和数据；省略时用默认机床
 terminal-cycle-text = 循环名称，例如 CYCLE977
 terminal-values-text = 参数值，例如 _SETVAL=132

@@ -48,6 +48,7 @@ setup-active = { $path }：刀具中没有 { $name }。
 setup-frame = { $path }：没有坐标框架“{ $name }”。
 setup-units = { $path }：“{ $name }”不是单位制 G 功能。
 setup-datum = { $path }：没有数据“{ $name }”，或类型不符。
+setup-definition = { $path }：不是用户数据的定义：{ $text }
 setup-shape = { $path }：{ $shape }需要 { $wanted } 个尺寸，而不是 { $count } 个。
 setup-surface = { $path }：{ $shape }，{ $count } 个尺寸；只有形状“surface”带成员“surface”，并且没有尺寸。
 setup-shape-hole = 孔

@@ -7,6 +7,7 @@ use super::finding::{Finding, placed};
 use super::outcome::{Raised, alarms};
 use super::start::{Machine, start};
 use super::supply::{Needs, curable, lacking};
+use crate::control::Value;
 use crate::dialect::Dialect;
 use crate::entry::unit_name;
 use crate::machine::Stop;
@@ -15,13 +16,14 @@ use crate::machine::trace::Step;
 use crate::message::Message;
 use crate::run::called::Called;
 use crate::run::left::{CallAt, Left};
+use crate::run::of_machine::MachineValue;
 use crate::run::outcome::{Outcome, PassedOver};
 use crate::run::{Limits, Session};
 use crate::scene::Source;
 use crate::syntax;
 use crate::syntax::position::Positions;
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What is run.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -33,6 +35,10 @@ pub struct RunRequest {
     pub text: String,
     /// Machine; absent: the core's own as it is.
     pub setup: Option<Machine>,
+    /// Values for the parameters of the program itself, by name; absent: none.
+    pub arguments: Option<BTreeMap<String, Value>>,
+    /// Whether what is not there stops the run: a subprogram, a value that only the machine has; absent: no.
+    pub strict: Option<bool>,
 }
 
 /// What a program did.
@@ -60,6 +66,10 @@ pub struct RunView {
     pub finished: bool,
     /// What it went on without.
     pub passed_over: Vec<PassedOver>,
+    /// Values that only the machine has and that were assumed.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(test, ts(optional, as = "Option<Vec<MachineValue>>"))]
+    pub machine_values: Vec<MachineValue>,
     /// How it ended.
     pub ending: Message,
     /// Of a program that came without a machine: what was assumed.
@@ -160,7 +170,7 @@ impl OfCall {
 /// use probewright_core::dialect::Dialect;
 ///
 /// let text = "R1=20*2\nG0 X=R1\nM30\n".to_owned();
-/// let mut run = Run::new(RunRequest { control: Dialect::Sinumerik, text, setup: None })?;
+/// let mut run = Run::new(RunRequest { control: Dialect::Sinumerik, text, setup: None, arguments: None, strict: None })?;
 /// while !run.advance(100) {}
 /// let view = run.view();
 /// assert!(view.finished && view.alarms.is_empty());
@@ -181,7 +191,11 @@ impl Run {
     pub fn new(asked: RunRequest) -> Result<Run, Error> {
         let setup = start(asked.control, asked.setup)?.setup;
         let program = syntax::read(asked.control, asked.text.as_bytes());
-        Ok(Run { session: Session::new(program, &setup, Limits::default()), setup, source: asked.text.into_bytes() })
+        let limits = Limits { strict: asked.strict.unwrap_or_default(), ..Limits::default() };
+        let given = asked.arguments.unwrap_or_default().into_iter();
+        let arguments = given.map(|(name, value)| (name.to_ascii_uppercase(), value)).collect();
+        let session = Session::new(program, &setup, limits).with_arguments(arguments);
+        Ok(Run { session, setup, source: asked.text.into_bytes() })
     }
 
     /// Carries out about so many blocks; true: the run is over.
@@ -213,6 +227,7 @@ impl RunView {
             log: outcome.log().into_iter().map(str::to_owned).collect(),
             finished: outcome.finished(),
             passed_over: outcome.passed_over.clone(),
+            machine_values: outcome.machine_values.clone(),
             ending: outcome.ending(),
             assumed: None,
             trace: Source { setup, outcome, zones: Vec::new(), limits: Vec::new(), call: None },

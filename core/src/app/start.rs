@@ -47,6 +47,9 @@ pub struct Beginning {
     /// User and machine data that differ.
     #[cfg_attr(test, ts(optional, as = "Option<BTreeMap<String, Value>>"))]
     pub data: BTreeMap<String, Value>,
+    /// User data that definition files add: lines with `DEF`.
+    #[cfg_attr(test, ts(optional, as = "Option<Vec<String>>"))]
+    pub definitions: Vec<String>,
 }
 
 impl<'de> Deserialize<'de> for Machine {
@@ -119,6 +122,9 @@ pub(super) fn start(dialect: Dialect, machine: Option<Machine>) -> Result<Start,
     let mut setup = Setup::calibrated_in(dialect, own.plane.unwrap_or(Plane::G17), basic);
     if let Some(function) = own.units {
         super::choose_units(&mut setup.control, function)?;
+    }
+    if !own.definitions.is_empty() {
+        setup.control.definitions = setup_file::defined(&own.definitions)?;
     }
     if !own.data.is_empty() {
         for (name, value) in own.data {

@@ -2,7 +2,7 @@
 //!
 //! A control is copied at every keystroke and holds some hundred data as delivered; these are made once and shared.
 
-use super::{Control, Make, Units, Value, gud, nct_data};
+use super::{Control, Make, Units, Value, arrays, gud, machine_data, nct_data};
 use crate::dialect::Dialect;
 use serde::de::{Deserialize, Deserializer, Visitor};
 use std::collections::BTreeMap;
@@ -18,7 +18,15 @@ pub const FORMS: &str = "PW-FORMS";
 impl Control {
     /// Whether it has user data, an R parameter, a machine datum or a variable with this name for such a value.
     pub fn knows(&self, name: &str, value: &Value) -> bool {
-        (self.make().knows)(name, matches!(value, Value::Text(_)))
+        let text = matches!(value, Value::Text(_));
+        (self.make().knows)(name, text) && self.variable(name).is_none() || self.defines(name, text)
+    }
+
+    /// Whether a definition file adds a datum of this name with this index, which holds a text, or a number.
+    fn defines(&self, name: &str, text: bool) -> bool {
+        let Some((stem, index)) = arrays::split(name) else { return false };
+        let Some(datum) = self.definitions.find(stem) else { return false };
+        datum.text() == text && index.len() == datum.sizes.len() && arrays::place(&index, &datum.sizes).is_some()
     }
 }
 
@@ -28,7 +36,8 @@ pub(super) fn sinumerik(name: &str, text: bool) -> bool {
         return gud::named(name).is_some_and(|gud| gud.text() == text);
     }
     let machine = ["MD", "SD", "TOOLENV["].iter().any(|start| name.starts_with(start));
-    machine || !text && (name == FORMS || numbered(name, 'R', 1000))
+    let of_machine = machine_data::of_machine(name) && (!text || machine_data::is_text(name));
+    machine || of_machine || !text && (name == FORMS || numbered(name, 'R', 1000))
 }
 
 /// Whether an NCT control has a datum of this name that holds a text, or a number.

@@ -9,6 +9,7 @@ use super::{
 use crate::dialect::Dialect;
 use crate::geometry::{Degrees, Mcs};
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// Metres in a foot (feet/min on an inch machine, B:13498).
 const FOOT: f64 = 0.3048;
@@ -45,6 +46,7 @@ pub fn delivery_in(dialect: Dialect, units: Units) -> Control {
         edge: 0,
         location: 0,
         data: Data::delivered(dialect, units),
+        definitions: Arc::default(),
         spindle: Degrees(0.0),
         spindle_speed: 0.0,
         spindle_positions: true,

@@ -3,6 +3,7 @@
 pub mod arrays;
 mod calibration;
 pub mod data;
+pub mod definitions;
 pub mod delivery;
 pub mod environments;
 mod frame;
@@ -21,6 +22,7 @@ pub mod variables;
 
 pub use calibration::Calibration;
 pub use data::{Data, FORMS};
+pub use definitions::{Definition, Definitions};
 pub use delivery::{delivery, delivery_in, rebuilt};
 pub use environments::Environment;
 pub use frame::Frame;
@@ -39,6 +41,7 @@ use crate::dialect::Dialect;
 use crate::geometry::{Degrees, Mcs};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// Working plane.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -214,6 +217,8 @@ pub struct Control {
     /// User data: GUD arrays and scalars (`_WP[0,1]`, `_CHBIT[4]`, `_OVR[4]`, `_EV[9]`, `_KNUM`), R parameters (`R10`),
     /// machine data (`MD18600`), NCT variables (`#500`); indices written without blanks.
     pub data: Data,
+    /// User data that definition files add; shared, as a control is copied at every keystroke.
+    pub definitions: Arc<Definitions>,
     /// Position of the spindle, positive as M3 turns it.
     pub spindle: Degrees,
     /// Speed of the spindle, 1/min: positive with M3, negative with M4; 0: it stands.

@@ -9,6 +9,8 @@ use crate::diagnostic::{Diagnostic, Edit, Severity, Span};
 use crate::dialect::Dialect;
 use crate::message::Message;
 use crate::own::{self, Own};
+use crate::syntax::definitions;
+use crate::syntax::programs::programs;
 use crate::syntax::{DEPTH, LARGEST, Program, SyntaxError};
 
 /// What reading and checking found on a metric control as delivered, in the order of the text, the worst first.
@@ -29,8 +31,11 @@ pub fn findings_of(program: &Program, sites: &[CallSite], control: &Control) -> 
         Dialect::Nct => of_another_control(program),
     };
     let advice = advice(program, sites, control);
+    let defined = definitions::of_text(program, &programs(program));
+    // of a name that is an axis the rules for blocks tell
+    let defined = defined.findings().filter(|found| found.message.key != "run-axis-name");
     let calls = sites.iter().flat_map(|site| site.diagnostics.iter().cloned());
-    let mut found: Vec<Diagnostic> = syntax.chain(blocks).chain(calls).chain(advice).collect();
+    let mut found: Vec<Diagnostic> = syntax.chain(blocks).chain(defined).chain(calls).chain(advice).collect();
     found.sort_by_key(|finding| (start(finding), finding.severity));
     once(found)
 }

@@ -141,9 +141,27 @@ fn end(run: &mut Interpreter, found: &Words) -> Result<Option<End>, Problem> {
     Ok(end)
 }
 
-/// Tells that a function belongs to the machine.
+/// Keeps that a function belongs to the machine, each once.
 pub fn machine_function(run: &mut Interpreter, span: Span, word: String) {
-    run.tell(Severity::Note, &Problem::new("run-machine-function", span, word));
+    if run.functions.len() < MOST_FUNCTIONS && !run.functions.iter().any(|(known, _)| *known == word) {
+        run.functions.push((word.clone(), span));
+        run.pass_over(word, span);
+    }
+}
+
+/// Functions of the machine that are kept.
+const MOST_FUNCTIONS: usize = 100;
+/// Functions of the machine that are named.
+const NAMED: usize = 20;
+
+/// Tells the functions that belong to the machine: all together, at the first one.
+pub fn tell_functions(run: &mut Interpreter) {
+    let Some((_, place)) = run.functions.first() else { return };
+    let named = run.functions.iter().take(NAMED).map(|(word, _)| word.as_str());
+    let more = (run.functions.len() > NAMED).then_some("…");
+    let words = named.chain(more).collect::<Vec<_>>().join(", ");
+    let problem = Problem::new("run-machine-function", *place, words);
+    run.tell(Severity::Note, &problem);
 }
 
 /// Calls: operator texts, measuring cycles, subprograms of the same text.
@@ -167,7 +185,7 @@ fn carry_out(run: &mut Interpreter, at: usize, call: &Call, passes: u32) -> Resu
     } else if delivered(name) {
         // empty as delivered
     } else if run.programs.external.contains(name) {
-        subprogram::not_here(run, name, call.span);
+        subprogram::not_here(run, name, call.span)?;
     } else if beyond(name) {
         return Err(Problem::new("run-not-simulated", call.span, name).into());
     } else if known(name) || is_frame(name) {
@@ -175,7 +193,7 @@ fn carry_out(run: &mut Interpreter, at: usize, call: &Call, passes: u32) -> Resu
     } else if is_word(name) || machines(name) || run.programs.macros.contains(name) {
         run.tell(Severity::Warning, &Problem::new("run-not-simulated", call.span, name));
     } else {
-        subprogram::not_here(run, name, call.span);
+        subprogram::not_here(run, name, call.span)?;
     }
     Ok(None)
 }

@@ -4,7 +4,7 @@
 
 use super::{Interpreter, Limits, Outcome, Session, call, outcome::set};
 use crate::check::variants;
-use crate::control::{Edge, LATHE_PROBE, MachineSort, Plane, Tool};
+use crate::control::{Edge, LATHE_PROBE, MachineSort, Plane, Tool, Value};
 use crate::entry::{Cycle, Inputs, ProbeUse, Proposal, Typed};
 use crate::geometry::{Degrees, Mcs, Rpy, V3, rigid};
 use crate::machine::{Setup, Sim, Step, probe_data, probe_place};
@@ -41,9 +41,18 @@ pub fn run(program: &Program, limits: Limits) -> Assumed {
     run_on(program, start(program), limits)
 }
 
+/// Runs a program on a machine that fits it, with values for its own parameters.
+pub fn run_with(program: &Program, limits: Limits, arguments: BTreeMap<String, Value>) -> Assumed {
+    let setup = start(program);
+    carried_out(Session::new(program.clone(), &setup, limits).with_arguments(arguments), setup)
+}
+
 /// Runs a program on this machine with what it lacks.
-pub fn run_on(program: &Program, mut setup: Setup, limits: Limits) -> Assumed {
-    let mut session = Session::new(program.clone(), &setup, limits);
+pub fn run_on(program: &Program, setup: Setup, limits: Limits) -> Assumed {
+    carried_out(Session::new(program.clone(), &setup, limits), setup)
+}
+
+fn carried_out(mut session: Session, mut setup: Setup) -> Assumed {
     session.run.assumed = Some(Made::default());
     while !session.advance(usize::MAX) {}
     let made = session.run.assumed.take().unwrap_or_default();

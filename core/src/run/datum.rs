@@ -2,6 +2,8 @@
 
 use crate::control::{Frame, Value};
 
+pub use crate::control::definitions::Type;
+
 /// A value of an expression.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Datum {
@@ -93,39 +95,7 @@ impl From<bool> for Datum {
     }
 }
 
-/// Type of a variable.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Type {
-    Real,
-    /// Whole number of 32 bits.
-    Int,
-    Bool,
-    /// One character, by its code 0..255.
-    Char,
-    /// Text of at most this many characters.
-    Text(usize),
-    Axis,
-    Frame,
-}
-
-/// Longest text that can be declared, characters.
-pub const LONGEST: usize = 200;
-
 impl Type {
-    /// The type with this name; a `STRING` has the length behind it.
-    pub fn named(name: &str, length: Option<f64>) -> Option<Type> {
-        Some(match name {
-            "REAL" => Type::Real,
-            "INT" => Type::Int,
-            "BOOL" => Type::Bool,
-            "CHAR" => Type::Char,
-            "STRING" => Type::Text(length.map_or(LONGEST, |length| (length as usize).min(LONGEST))),
-            "AXIS" => Type::Axis,
-            "FRAME" => Type::Frame,
-            _ => return None,
-        })
-    }
-
     /// What a variable holds as long as nothing was written: 0, FALSE, an empty text, the first axis, no displacement.
     pub fn empty(self) -> Datum {
         match self {
@@ -172,6 +142,14 @@ pub fn single(text: &str) -> Option<u8> {
     let mut characters = text.chars();
     let code = u8::try_from(u32::from(characters.next()?)).ok()?;
     characters.next().is_none().then_some(code)
+}
+
+/// A text with another character at this place.
+pub fn replaced(text: &str, number: &str, character: &str) -> Option<String> {
+    let (from, old) = text.char_indices().nth(number.parse().ok()?)?;
+    let mut text = text.to_owned();
+    text.replace_range(from..from + old.len_utf8(), character);
+    Some(text)
 }
 
 #[cfg(test)]

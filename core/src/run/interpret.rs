@@ -1,9 +1,11 @@
 //! Runs a program block by block. A program that never ends is stopped by limits.
 
 use super::{
-    Halt, Level, Locals, Modal, Outcome, assumed::Made, called::Called, contour, contour::Contour, endless,
-    endless::Watch, motion, outcome::PassedOver, repeat, rules::Rules, statement, subprogram, unread, unread::Unread,
+    Halt, Level, Locals, Modal, Outcome, action, assumed::Made, called::Called, contour, contour::Contour, defined,
+    endless, endless::Watch, motion, of_machine, of_machine::Asked, outcome::PassedOver, own_parameters, repeat,
+    rules::Rules, statement, subprogram, unread, unread::Unread,
 };
+use crate::control::Value;
 use crate::diagnostic::{Diagnostic, Severity, Span};
 use crate::geometry::{Mcs, Wcs};
 use crate::machine::{Setup, Sim, Step, Stop};
@@ -26,11 +28,13 @@ pub struct Limits {
     pub trace: usize,
     /// How often one measuring call may be carried out where it is written.
     pub calls: usize,
+    /// Whether a subprogram that is not there, and a value that only the machine has, stop the run.
+    pub strict: bool,
 }
 
 impl Default for Limits {
     fn default() -> Limits {
-        Limits { steps: 100_000, depth: 11, trace: crate::machine::sim::TRACE_LIMIT, calls: 1_500 }
+        Limits { steps: 100_000, depth: 11, trace: crate::machine::sim::TRACE_LIMIT, calls: 1_500, strict: false }
     }
 }
 
@@ -84,6 +88,11 @@ pub struct Interpreter {
     pub passed: Vec<PassedOver>,
     /// The measuring calls so far.
     pub called: Vec<Called>,
+    /// M functions and the like that belong to the machine, each once with its first place.
+    pub functions: Vec<(String, Span)>,
+    /// Values of the machine that were assumed, and the arrays of which that was told.
+    pub asked: Asked,
+    pub arrays_asked: BTreeSet<String>,
 }
 
 /// Words passed over that are kept.
@@ -128,6 +137,16 @@ impl Session {
         Session { run: Interpreter::new(program, setup, limits), before: setup.clone(), share: 0.0, ended: None }
     }
 
+    /// With values for parameters of the program itself, by their names in upper case.
+    pub fn with_arguments(mut self, arguments: BTreeMap<String, Value>) -> Session {
+        self.ended = own_parameters::bind(&mut self.run, arguments).err().map(|problem| {
+            let halt = Halt::from(problem);
+            _ = self.run.tell_once(halt.diagnostic());
+            Err(halt)
+        });
+        self
+    }
+
     /// Carries out about this much work; true: the run is over.
     pub fn advance(&mut self, work: usize) -> bool {
         let until = self.run.work.saturating_add(work);
@@ -144,8 +163,11 @@ impl Session {
             Some(ended) => ended.err().map(|halt| halt.stop),
             None => Some(Stop::Fault(Message::new("run-cancelled"))),
         };
-        let Interpreter { sim, diagnostics, passed: passed_over, called, .. } = self.run;
-        Outcome { diagnostics, passed_over, called, ..Outcome::left_by(sim, &self.before, stop) }
+        let mut run = self.run;
+        action::tell_functions(&mut run);
+        let machine_values = of_machine::all(&run);
+        let Interpreter { sim, diagnostics, passed: passed_over, called, .. } = run;
+        Outcome { diagnostics, passed_over, called, machine_values, ..Outcome::left_by(sim, &self.before, stop) }
     }
 }
 
@@ -177,6 +199,7 @@ fn next_block(run: &mut Interpreter) -> Result<Option<()>, Halt> {
     let depth = run.levels.len();
     let place = (run.levels.last().map_or(0, |level| level.call), at);
     let next = told(run, |run| statement::block(run, at));
+    of_machine::tell(run);
     // Arcs close to the part take long, and so does any motion among many solids. In a loop they count as more blocks,
     // so that one without end is found soon; a long program drives each of them once.
     let effort = run.sim.effort() / EFFORT;
@@ -216,7 +239,7 @@ impl Interpreter {
         let (motion, feed_factor) = (Rules::of(program.dialect).motion, sim.control.data_factor());
         let programs = programs::programs(&program);
         let main = programs.units.first().map_or(0..0, |unit| unit.blocks.clone());
-        Interpreter {
+        let mut run = Interpreter {
             programmed: motion::standing(&sim),
             sim,
             modal: Modal { motion, absolute: true, feed_factor, ..Modal::default() },
@@ -243,8 +266,14 @@ impl Interpreter {
             seen: BTreeSet::new(),
             passed: Vec::new(),
             called: Vec::new(),
+            functions: Vec::new(),
+            asked: Asked::default(),
+            arrays_asked: BTreeSet::new(),
             program: Rc::new(program),
-        }
+        };
+        defined::add(&mut run);
+        own_parameters::begin(&mut run);
+        run
     }
 
     /// Part of the main program that lies before the block that comes next, or before the call that has not returned.

@@ -1,6 +1,6 @@
 //! Variables of a program: declared with `DEF`, or parameters of its `PROC`. Elements are in the order of `SET`.
 
-use super::{Datum, Interpreter, Type};
+use super::{Datum, Interpreter, Type, datum::replaced, defined};
 use crate::control::{arrays, variables};
 use crate::diagnostic::Span;
 use crate::problem::Problem;
@@ -71,10 +71,19 @@ pub fn home(run: &Interpreter, key: &str) -> Home {
     Home { keeper, key: key.to_owned() }
 }
 
-/// Whether a name without index is a variable of the program.
+/// Whether a name without index is a variable of the program, or a datum of a definition file.
 pub fn declared(run: &Interpreter, name: &str) -> bool {
     let level = run.levels.last();
-    level.is_some_and(|level| level.locals.contains_key(name)) || run.shared.contains_key(name)
+    let own = level.is_some_and(|level| level.locals.contains_key(name)) || run.shared.contains_key(name);
+    own || defined::find(run, name).is_some()
+}
+
+/// Sizes of an array of the program or of a definition file; none: it is another variable.
+pub fn sizes(run: &Interpreter, home: &Home) -> Option<Vec<usize>> {
+    match home.keeper {
+        Keeper::Control => defined::find(run, &home.key).map(|datum| datum.sizes.clone()),
+        _ => variable(run, home).map(|variable| variable.sizes.clone()),
+    }
 }
 
 /// The variable of a program at this place; none: it is one of the control.
@@ -147,7 +156,7 @@ pub fn write(run: &mut Interpreter, home: &Home, value: &Datum, place: Span) -> 
 }
 
 /// A value that its variable cannot hold.
-fn wrong(kind: Type, value: &Datum, place: Span, key: &str) -> Problem {
+pub fn wrong(kind: Type, value: &Datum, place: Span, key: &str) -> Problem {
     match (kind, value) {
         (Type::Text(length), Datum::Text(_)) => {
             Problem::new("run-text-long", place, key).number("limit", length as f64)
@@ -157,16 +166,8 @@ fn wrong(kind: Type, value: &Datum, place: Span, key: &str) -> Problem {
     }
 }
 
-/// A text with another character at this place.
-fn replaced(text: &str, number: &str, character: &str) -> Option<String> {
-    let (from, old) = text.char_indices().nth(number.parse().ok()?)?;
-    let mut text = text.to_owned();
-    text.replace_range(from..from + old.len_utf8(), character);
-    Some(text)
-}
-
 /// mm in the unit of a component of a frame; angles, factors and mirrors have none.
-fn component_factor(run: &Interpreter, part: &str) -> f64 {
+pub fn component_factor(run: &Interpreter, part: &str) -> f64 {
     match part {
         "TR" | "FI" => run.sim.control.data_factor(),
         _ => 1.0,

@@ -41,7 +41,7 @@ fn call(run: &mut Interpreter, at: usize, found: &Words) -> Result<Next, Problem
     let unit = name.as_ref().and_then(|name| run.programs.named(name));
     let Some(unit) = unit.cloned() else {
         let name = name.unwrap_or_else(|| format!("P{}", address.value.shown()));
-        subprogram::not_here(run, &name, address.span);
+        subprogram::not_here(run, &name, address.span)?;
         return Ok(Next::Block);
     };
     subprogram::enter(run, at, &Call::named(name.unwrap_or_default(), address.span), &unit, passes)

@@ -1,14 +1,14 @@
 //! Variables of a program: user data, tool and frame data, R parameters, local ones, and what the control tells.
 
 use super::{
-    Datum, Home, Interpreter, Keeper, action::machine_function, evaluate, expression::element, indices, locals,
-    macro_variables, stem, system, unread,
+    Datum, Home, Interpreter, Keeper, action::machine_function, defined, evaluate, expression::element, indices,
+    locals, macro_variables, of_machine, own_parameters, stem, system, unread,
 };
 use crate::catalogue::CYCLES;
 use crate::control::{Control, Frame, Value, arrays, gud, machine_data, rotary::is_angle};
 use crate::diagnostic::Span;
 use crate::problem::Problem;
-use crate::syntax::tree::{ExprId, WordKind};
+use crate::syntax::tree::{Expr, ExprId, WordKind};
 use std::collections::BTreeMap;
 
 /// Words that stand for themselves: axes, and the parts of a frame.
@@ -28,6 +28,10 @@ pub fn key(run: &Interpreter, place: Span, index: &[ExprId]) -> Result<String, P
     }
     let mut parts = Vec::new();
     for id in index {
+        if let Some(axis) = axis_of_machine(run, &name, *id) {
+            parts.push(axis);
+            continue;
+        }
         match element(run, *id, place)? {
             Datum::Number(value) if value.is_finite() => parts.push(format!("{}", value.trunc() as i64)),
             Datum::Word(word) => parts.push(word),
@@ -36,6 +40,15 @@ pub fn key(run: &Interpreter, place: Span, index: &[ExprId]) -> Result<String, P
     }
     let joined = parts.join(",");
     Ok(if name == "R" || name == "#" { format!("{name}{joined}") } else { format!("{name}[{joined}]") })
+}
+
+/// The axis in `$AA_IM[V]`, which only this machine has; none: the index is something that is known here.
+fn axis_of_machine(run: &Interpreter, name: &str, index: ExprId) -> Option<String> {
+    let Expr::Name { name: axis, index } = run.program.expr(index)? else { return None };
+    let axis = run.program.name(*axis);
+    let other = index.is_empty() && !locals::declared(run, &axis) && constant(&axis).is_none();
+    let named = known(&axis, Span::default()).is_err() && !axis.starts_with('$');
+    (other && named && !run.limits.strict && machine_data::of_axes(name)).then_some(axis)
 }
 
 pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem> {
@@ -53,6 +66,9 @@ pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem>
     }
     if key.starts_with('$') {
         return system::read(run, key, place);
+    }
+    if let Some(value) = defined::read(run, key, place) {
+        return value;
     }
     if let Some(value) = run.sim.control.data.get(key) {
         return Ok(Datum::from(value));
@@ -110,7 +126,9 @@ pub fn write(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Re
             filled.iter().take(count.unwrap_or(usize::MAX)).try_for_each(|element| write(run, element, value, place))
         }
         Datum::Frame(frame) => match locals::home(run, key) {
-            Home { keeper: Keeper::Control, key } => write_frame(run, &key, frame, place),
+            Home { keeper: Keeper::Control, key } if defined::find(run, &key).is_none() => {
+                write_frame(run, &key, frame, place)
+            }
             _ => write_one(run, key, value, place),
         },
         _ => write_one(run, key, value, place),
@@ -130,7 +148,13 @@ fn write_one(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Re
     if locals::write(run, &home, value, place)? {
         return Ok(());
     }
-    let key = home.key.as_str();
+    let key = &*home.key.clone();
+    if defined::write(run, key, value, place)? {
+        return Ok(());
+    }
+    if !key.starts_with('$') && known(key, place).is_err() && own_parameters::make(run, stem(key))? {
+        return write_one(run, key, value, place);
+    }
     let Some(stored) = value.value() else { return Err(Problem::new("run-not-a-number", place, key)) };
     if matches!(value, Datum::Text(text) if text.chars().count() > TEXT) {
         return Err(Problem::new("run-text-long", place, key).number("limit", TEXT as f64));
@@ -153,6 +177,8 @@ fn write_one(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Re
 fn write_variable(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Result<(), Problem> {
     if OUTPUTS.contains(&stem(key)) {
         machine_function(run, place, key.to_owned());
+    }
+    if system::simulated(run, key).is_none() && of_machine::write(run, key, value) {
         return Ok(());
     }
     let number = value.number().ok_or_else(|| Problem::new("run-not-a-number", place, key))?;
@@ -232,11 +258,12 @@ pub fn variable_factor(run: &Interpreter, key: &str) -> f64 {
 /// All elements from this one to the end of its array, of the program or of the control.
 fn elements(run: &Interpreter, first: &str, place: Span) -> Result<Vec<String>, Problem> {
     let home = locals::home(run, first);
+    let own = locals::sizes(run, &home).filter(|sizes| !sizes.is_empty());
     let elements = match home.keeper {
-        Keeper::Control => arrays::sizes(&home.key).map(|sizes| arrays::elements_from(&home.key, sizes)),
-        _ => locals::variable(run, &home)
-            .filter(|variable| !variable.sizes.is_empty())
-            .map(|variable| arrays::elements_from(first, &variable.sizes)),
+        Keeper::Control if own.is_none() => {
+            arrays::sizes(&home.key).map(|sizes| arrays::elements_from(&home.key, sizes))
+        }
+        _ => own.map(|sizes| arrays::elements_from(first, &sizes)),
     };
     elements.ok_or_else(|| Problem::new("run-index", place, first))
 }

@@ -1,6 +1,7 @@
 //! What came out of a run, put the way a page or a terminal shows it.
 
 use super::called::Called;
+use super::of_machine::MachineValue;
 use crate::control::{Control, Value, gud, nct_data};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::dialect::Dialect;
@@ -30,6 +31,8 @@ pub struct Outcome {
     pub diagnostics: Vec<Diagnostic>,
     /// What the run went on without, in its order.
     pub passed_over: Vec<PassedOver>,
+    /// Values that only the machine has and that were assumed, in the order of the text.
+    pub machine_values: Vec<MachineValue>,
     /// Line of the last block, from 1; none for a single call.
     pub line: Option<u32>,
     /// The measuring calls of a program, in their order; empty for a single call.
@@ -160,7 +163,20 @@ impl Outcome {
         let (before, line) = (before.control.clone(), sim.line.map(|line| line + 1));
         let Sim { control, position, trace, scans, .. } = sim;
         let (diagnostics, passed_over, called) = (Vec::new(), Vec::new(), Vec::new());
-        Outcome { before, control, position, trace, scans, stop, diagnostics, passed_over, line, called }
+        let machine_values = Vec::new();
+        Outcome {
+            before,
+            control,
+            position,
+            trace,
+            scans,
+            stop,
+            diagnostics,
+            passed_over,
+            machine_values,
+            line,
+            called,
+        }
     }
 }
 

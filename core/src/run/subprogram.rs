@@ -159,16 +159,17 @@ pub fn leave(run: &mut Interpreter) -> Next {
     Next::Jump(repeat::after(run, level.call))
 }
 
-struct Parameter {
-    name: Span,
-    kind: super::datum::Type,
+/// A parameter of a `PROC`.
+pub struct Parameter {
+    pub name: Span,
+    pub kind: super::datum::Type,
     by_reference: bool,
-    sizes: Box<[ExprId]>,
-    default: Option<ExprId>,
+    pub sizes: Box<[ExprId]>,
+    pub default: Option<ExprId>,
 }
 
 /// The parameters that a `PROC` declares; the first name is that of the program.
-fn parameters(run: &Interpreter, words: &[Word]) -> Result<Vec<Parameter>, Problem> {
+pub fn parameters(run: &Interpreter, words: &[Word]) -> Result<Vec<Parameter>, Problem> {
     let (mut found, mut declaring) = (Vec::new(), Declaring::default());
     let (mut by_reference, mut named) = (false, false);
     for word in words {
@@ -229,15 +230,19 @@ fn sized(run: &mut Interpreter, parameter: &Parameter, place: Option<&String>) -
     if !parameter.sizes.iter().any(|size| matches!(run.program.expr(*size), Some(Expr::Omitted))) {
         return declare::variable(run, parameter.name, parameter.kind, &parameter.sizes);
     }
-    let argument = place.and_then(|place| locals::variable(run, &locals::home(run, place)));
-    let sizes = argument.map_or(Vec::new(), |variable| variable.sizes.clone());
+    let sizes = place.and_then(|place| locals::sizes(run, &locals::home(run, place))).unwrap_or_default();
     Ok(Variable::new(parameter.kind, sizes, parameter.name))
 }
 
-/// A program is called that is not in the text: the run goes on without it, which is told at the first call.
-pub fn not_here(run: &mut Interpreter, name: &str, span: Span) {
+/// A program is called that is not there: the run goes on without it, which is told at the first call, or stops.
+pub fn not_here(run: &mut Interpreter, name: &str, span: Span) -> Result<(), Problem> {
     let name = bare(name);
-    if !run.passed.iter().any(|passed| passed.word == name) {
-        run.tell(Severity::Note, &Problem::new("run-subprogram", span, name));
+    let problem = Problem::new("run-subprogram", span, name);
+    if run.limits.strict {
+        return Err(problem);
     }
+    if !run.passed.iter().any(|passed| passed.word == name) {
+        run.tell(Severity::Note, &problem);
+    }
+    Ok(())
 }

@@ -1,6 +1,6 @@
 //! What the control tells about itself: `$P_…`, `$AA_…`, `$AC_…`.
 
-use super::{Datum, Interpreter, Motion, contour, indices, names, stem, tool as tools};
+use super::{Datum, Interpreter, Motion, contour, indices, names, of_machine, stem, tool as tools};
 use crate::control::frames::{CHANNEL_MASK, GLOBAL_MASK, joined};
 use crate::control::{AXES, Frame, Tool, UnitFunction, Units, Value, machine_data, variables::component};
 use crate::diagnostic::Span;
@@ -22,29 +22,37 @@ const LATCHED: [&str; 3] = ["$AA_MW[", "$AA_MB[", "$AA_MM["];
 /// Masks of basic frames. They count at once, unlike the frames.
 pub const MASKS: [&str; 2] = [CHANNEL_MASK, GLOBAL_MASK];
 
-/// `$…`: tool and frame data, and what the control tells about itself.
+/// `$…`: tool and frame data, what the control tells about itself, and what only the machine has.
 pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem> {
-    let control = &run.sim.control;
-    if let Some(other) = another_name(run, key) {
-        return read(run, &other, place);
+    let other = another_name(run, key);
+    let key = other.as_deref().unwrap_or(key);
+    if let Some(value) = simulated(run, key) {
+        return Ok(value);
     }
+    if LATCHED.iter().any(|stem| key.starts_with(stem)) {
+        return Err(Problem::new("run-not-measured", place, key));
+    }
+    let problem = || absent(run, key, place).unwrap_or_else(|| Problem::new("run-system-variable", place, key));
+    of_machine::read(run, key, place).ok_or_else(problem)
+}
+
+/// Value of what is simulated.
+pub fn simulated(run: &Interpreter, key: &str) -> Option<Datum> {
+    let control = &run.sim.control;
     if let Some(value) = control.variable(key) {
-        return Ok(Datum::Number(value / names::variable_factor(run, key)));
+        return Some(Datum::Number(value / names::variable_factor(run, key)));
     }
     if let Some(name) = tool_name(run, key) {
-        return Ok(Datum::Text(name.to_owned()));
+        return Some(Datum::Text(name.to_owned()));
     }
     if let Some(frame) = control.frame(key).or_else(|| together(run, key)) {
-        return Ok(Datum::Frame(Box::new(frame)));
+        return Some(Datum::Frame(Box::new(frame)));
     }
     if let Some(value) = run.measured.get(key) {
-        return Ok(Datum::Number(*value));
+        return Some(Datum::Number(*value));
     }
     let value = tool(run, key).or_else(|| position(run, key)).or_else(|| state(run, key)).or_else(|| total(run, key));
-    let latched = LATCHED.iter().any(|stem| key.starts_with(stem));
-    let unknown = if latched { "run-not-measured" } else { "run-system-variable" };
-    let problem = || absent(run, key, place).unwrap_or_else(|| Problem::new(unknown, place, key));
-    value.map(Datum::Number).ok_or_else(problem)
+    value.map(Datum::Number)
 }
 
 /// Data of a tool, or of an edge, that is not there: `$TC_DP6[5,1]`, `$TC_TP2[5]`.

@@ -2,13 +2,16 @@
 
 use super::{ActiveFile, EdgeFile, MachineFile, SetupFile, SolidFile, ToolFile, ToolProbeFile};
 use crate::SIMULATES;
-use crate::control::{Control, Edge, Frame, Limits, Tool, delivery_in};
+use crate::control::{Control, Definitions, Edge, Frame, Limits, Tool, delivery_in};
 use crate::geometry::Mcs;
 use crate::machine::Setup;
+use crate::message::printable;
 use crate::refused::{Path, Refused};
+use crate::syntax::definitions::definitions;
 use crate::workpiece::{ToolProbe, Turret, Workpiece, tool};
 use serde::{Serialize, Serializer};
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// The machine that a file describes: delivery values of the control, then what the file says.
 ///
@@ -33,6 +36,7 @@ pub fn setup(file: SetupFile) -> Result<Setup, Refused> {
         place_frame(&mut control, &name, frame)?;
     }
     control.environments.extend(file.environments);
+    control.definitions = defined(&file.definitions)?;
     for (name, value) in file.data {
         control.data.insert(name, value);
     }
@@ -50,6 +54,23 @@ pub fn setup(file: SetupFile) -> Result<Setup, Refused> {
     };
     setup.possible()?;
     Ok(setup)
+}
+
+/// What the lines of definition files add to a control.
+///
+/// # Errors
+/// A line that defines nothing.
+pub fn defined(lines: &[String]) -> Result<Arc<Definitions>, Refused> {
+    let path = Path::of(&["definitions"]);
+    let mut all = Definitions::default();
+    for (index, line) in lines.iter().enumerate() {
+        let found = definitions(line.as_bytes());
+        if !found.problems.is_empty() || found.definitions.is_empty() && !line.trim().is_empty() {
+            return Err(Refused::new("setup-definition", path.element(index)).text("text", printable(line)));
+        }
+        all.extend(found.definitions);
+    }
+    Ok(Arc::new(all))
 }
 
 /// What the elements of a list stand for.
@@ -124,6 +145,7 @@ impl From<&Setup> for SetupFile {
             tools: tools(setup),
             frames: frames(control),
             environments: control.environments.clone(),
+            definitions: control.definitions.lines.clone(),
             data: control.data.iter().map(|(name, value)| (name.clone(), value.clone())).collect(),
             probe: setup.probe,
             tool_probes: setup.tool_probes.iter().map(Into::into).collect(),

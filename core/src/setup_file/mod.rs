@@ -6,7 +6,7 @@
 mod convert;
 mod solid;
 
-pub use convert::setup;
+pub use convert::{defined, setup};
 pub use solid::{SolidFile, example};
 
 use crate::control::{Environment, Frame, Plane, Transverse, Units, Value, delivery};
@@ -57,6 +57,11 @@ pub struct SetupFile {
     /// `R10`, `MD18600`, `#500`; and `PW-FORMS`, 1 where `_MZ_MASK` decides forms and code.
     #[serde(default)]
     data: BTreeMap<String, Value>,
+    /// User data that the definition files of the machine add (GUD4.DEF, UGUD.DEF …), as they are written there:
+    /// `DEF NCK REAL LIMIT[2,3]=SET(1,2)`. Their values are in `data`, where they differ.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(test, ts(optional, as = "Option<Vec<String>>"))]
+    definitions: Vec<String>,
     /// The probe as it really is, not as the control believes.
     probe: Probe,
     /// The tool probes of the machine as they really are, not as `_TP` and `_TPW` in `data` believe.

@@ -49,8 +49,12 @@ pub(super) fn find(name: &[u8]) -> Option<Keyword> {
 /// Types and attributes of a declaration.
 pub(super) const TYPES: &[&[u8]] = &[
     b"REAL", b"INT", b"BOOL", b"STRING", b"FRAME", b"AXIS", b"CHAR", b"NCK", b"CHAN", b"VAR", b"SYNR", b"SYNW",
-    b"SYNRW", b"PHU", b"LLI", b"ULI", b"APR", b"APW", b"APRP", b"APWP", b"PRLOC",
+    b"SYNRW", b"PRLOC", b"INIPO", b"INIRE", b"INICF", b"DCM", b"DCI", b"DCU",
 ];
+/// Attributes of a declaration with a number behind them (Job planning, user data): physical unit, limits, protection
+/// levels of reading and writing.
+pub(super) const MEASURED: &[&[u8]] =
+    &[b"PHU", b"LLI", b"ULI", b"APR", b"APW", b"APRP", b"APWP", b"APRB", b"APWB", b"APX"];
 /// Addresses of several letters; any other name before `=` is a variable.
 pub(super) const ADDRESSES: &[&[u8]] = &[
     b"AP", b"RP", b"AR", b"CR", b"IR", b"JR", b"KR", b"SPOS", b"SPOSA", b"CHF", b"CHR", b"RND", b"RNDM", b"PW", b"SD",

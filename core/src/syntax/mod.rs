@@ -3,6 +3,7 @@
 pub(crate) mod arithmetic;
 mod block;
 mod bytes;
+pub mod definitions;
 mod expression;
 pub mod fold;
 mod grammar;

@@ -26,6 +26,8 @@ pub struct Programs {
     pub external: BTreeSet<String>,
     /// Names that a `DEFINE` gives to a piece of text.
     pub macros: BTreeSet<String>,
+    /// Blocks of the definition files in the text (`%_N_GUD4_DEF`), headers excluded: they are no programs.
+    pub definitions: Vec<Range<usize>>,
 }
 
 impl Programs {
@@ -52,7 +54,8 @@ pub fn programs(program: &Program) -> Programs {
     let mut empty = true;
     for (at, block) in program.blocks.iter().enumerate() {
         let header = header(program, block);
-        let procedure = declared(program, block, "PROC");
+        let defines = header.as_ref().map_or(current.defines(), |name| is_definition(name));
+        let procedure = declared(program, block, "PROC").filter(|_| !defines);
         let begins = header.is_some() || (procedure.is_some() && !empty);
         if begins {
             close(&mut found, &mut current, at, empty);
@@ -61,7 +64,7 @@ pub fn programs(program: &Program) -> Programs {
         }
         // a call finds a program by its file; only where the text does not tell that, by its PROC
         let of_procedure = procedure.as_ref().filter(|_| current.file.is_none());
-        if let Some(name) = header.as_ref().or(of_procedure) {
+        if let Some(name) = header.as_ref().or(of_procedure).filter(|_| !defines) {
             found.names.entry(bare(name).to_owned()).or_insert(found.units.len());
         }
         if procedure.is_some() {
@@ -72,15 +75,33 @@ pub fn programs(program: &Program) -> Programs {
         empty = header.is_some() || ((empty || begins) && says_nothing(program, block));
     }
     close(&mut found, &mut current, program.blocks.len(), false);
+    if found.units.is_empty() {
+        found.units.push(Unit { blocks: program.blocks.len()..program.blocks.len(), ..Unit::default() });
+    }
     found
 }
 
 /// Ends a program; a stretch of empty lines before the first header is none.
 fn close(found: &mut Programs, current: &mut Unit, end: usize, empty: bool) {
-    if !(found.units.is_empty() && found.names.is_empty() && empty) {
+    if current.defines() {
+        found.definitions.push(current.blocks.start..end);
+    } else if !(found.units.is_empty() && found.names.is_empty() && empty) {
         current.blocks.end = end;
         found.units.push(current.clone());
     }
+}
+
+impl Unit {
+    /// Whether it is no program, but a definition file.
+    fn defines(&self) -> bool {
+        self.file.as_deref().is_some_and(is_definition)
+    }
+}
+
+/// Whether the name of a file is that of definitions: `GUD4_DEF`, `GUD4.DEF`.
+pub fn is_definition(name: &str) -> bool {
+    let end = name.len().checked_sub(4).and_then(|at| name.get(at..));
+    end.is_some_and(|end| end.eq_ignore_ascii_case("_DEF") || end.eq_ignore_ascii_case(".DEF"))
 }
 
 /// Whether a block has no words, or on NCT the `%` of the tape alone.
@@ -144,6 +165,17 @@ mod tests {
         assert_eq!(ranges("PROC A\nG0\nPROC B(INT I)\nRET"), [(0, 2), (2, 4)]);
         assert_eq!(ranges("G0\n%_N_B_SPF\nM17"), [(0, 1), (2, 3)]);
         assert_eq!(ranges("").len(), 1);
+    }
+
+    // oracle: hand (a definition file holds no program, wherever it stands; a text without a program has an empty one)
+    #[test]
+    fn definition_files_are_no_programs() {
+        let text = "%_N_GUD4_DEF\nDEF NCK INT A\nPROC NO\nM17\n%_N_A_MPF\nG0\n%_N_UGUD_DEF\nM17\n%_N_B_SPF\nM17";
+        let found = programs(&read(Sinumerik, text.as_bytes()));
+        assert_eq!(ranges(text), [(5, 6), (9, 10)]);
+        assert_eq!(found.definitions, [1..4, 7..8]);
+        assert_eq!(found.names.keys().collect::<Vec<_>>(), ["A", "B"]);
+        assert_eq!(ranges("%_N_GUD4_DEF\nDEF NCK INT A"), [(2, 2)]);
     }
 
     // oracle: hand

@@ -1,8 +1,8 @@
 //! Words of the SINUMERIK language.
 
 use super::bytes::{in_name, is_letter, starts_name};
-use super::expression::expression;
-use super::keyword::{ADDRESSES, Keyword, MODES, TYPES, is_one_of};
+use super::expression::{Strength, expression};
+use super::keyword::{ADDRESSES, Keyword, MEASURED, MODES, TYPES, is_one_of};
 use super::language::BY_PATH;
 use super::reader::{Expect, Parsed, Reader};
 use super::sinumerik_expression::{constant, foreign_exponent, index, list, text};
@@ -258,6 +258,10 @@ fn keyword_word(reader: &mut Reader, start: usize, name: Span, kind: Keyword) ->
 
 /// A type, or a declared name with its sizes and first value.
 fn declaration(reader: &mut Reader, start: usize, name: Span) -> Parsed<()> {
+    if is_one_of(reader.text(name), MEASURED) && stands_before_a_number(reader) {
+        let value = expression(reader, STRONGEST)?.id;
+        return reader.word(start, WordKind::Keyword { name, value: Some(value) });
+    }
     let is_type = is_one_of(reader.text(name), TYPES);
     let (index, _) = index(reader)?;
     if is_type {
@@ -265,6 +269,22 @@ fn declaration(reader: &mut Reader, start: usize, name: Span) -> Parsed<()> {
     }
     let value = if assigns(reader) { Some(value(reader)?) } else { None };
     reader.word(start, WordKind::Declare { name, index, value })
+}
+
+/// No operator binds so tightly: what is read with it is one operand.
+const STRONGEST: Strength = Strength::MAX;
+
+/// Whether a number comes next, with or without a sign: `APR 7`, `LLI -10`. Else the word is a name.
+fn stands_before_a_number(reader: &mut Reader) -> bool {
+    let behind = reader.at;
+    reader.blanks();
+    let signed = usize::from(matches!(reader.byte(0), b'+' | b'-'));
+    let first = reader.byte(signed);
+    let number = reader.at > behind && (first.is_ascii_digit() || first == b'.' || first == b'\'');
+    if !number {
+        reader.at = behind;
+    }
+    number
 }
 
 /// The name after `PROC` or `EXTERN`; the opening bracket belongs to it.

@@ -7,6 +7,7 @@ mod contour_properties;
 mod flow;
 mod frames;
 mod motion;
+mod of_machine;
 mod polar;
 mod programs;
 mod properties;

@@ -134,7 +134,7 @@ fn what_is_not_simulated_is_told() {
         ("X=DC(5)", "run-function"),
         ("POS[X]=5", "run-positioning"),
         ("POSA[U1]=5", "run-not-simulated"),
-        ("R1=$AN_NOBODY", "run-system-variable"),
+        ("R1=$AN_NOBODY", "run-machine-value"),
     ] {
         let found = go(&format!("G0 Y1\n{text}"));
         let finding = &found.diagnostics[0];

@@ -162,7 +162,7 @@ fn the_name_of_the_file_counts() {
 // oracle: hand
 #[test]
 fn a_parameter_of_the_program_that_is_run_is_told_as_one() {
-    for use_it in ["R1=DEPTH", "DEPTH=5", "G0 Z=DEPTH"] {
+    for use_it in ["R1=DEPTH", "DEPTH=DEPTH+5", "G0 Z=DEPTH"] {
         let outcome = go(&format!("PROC BORE(INT N=3, REAL DEPTH)\n{use_it}\nM30"));
         let said = Words::english().text(&outcome.diagnostics[0].message);
         let wanted = "DEPTH is a parameter of PROC BORE and has no value here.";

@@ -262,3 +262,33 @@ fn what_is_assumed_fits_every_call() {
         assert_eq!(out(&output).matches("the part described by the values is at").count(), parts, "{}", out(&output));
     }
 }
+
+// oracle: hand: what is found in a file is told there, with its own lines; the value comes from the command line
+#[test]
+fn files_named_with_a_program_belong_to_it() {
+    let main = file("with_main.mpf", b"PROC MAIN(REAL DEPTH)\nG0 X=LIMIT+DEPTH\nDEEPER(2)\nM30\n");
+    let gud = file("WITH_GUD4.DEF", b"DEF NCK REAL LIMIT=10\nDEF NCK WRONG\nM17\n");
+    let sub = file("DEEPER.SPF", b"PROC DEEPER(REAL W)\nR1=W\nFROBNICATE\nM17\n");
+    let output = probewright(&["run", &main, "--arg", "depth=5", "--with", &gud, &sub]);
+    let text = out(&output);
+    assert!(text.contains(&format!("{gud}:2:9: error[PW329]")), "{text}");
+    assert!(text.contains(&format!("{sub}:3:1: note[PW310]")), "{text}");
+    assert!(text.contains("FROBNICATE") && text.contains("ran to its end"), "{text}");
+    let checked = out(&probewright(&["check", &main, "--with", &gud, &sub]));
+    assert!(checked.contains(&format!("{gud}:2:9: error[PW329]")), "{checked}");
+    let alone = probewright(&["run", &main, "--strict", "--arg", "DEPTH=5"]);
+    assert_eq!(alone.status.code(), Some(1));
+    assert!(out(&alone).contains("LIMIT"), "{}", out(&alone));
+    let wrong = probewright(&["run", &main, "--arg", "DEPTH"]);
+    assert_eq!(wrong.status.code(), Some(2));
+}
+
+// oracle: hand
+#[test]
+fn what_was_assumed_for_the_machine_ends_the_run() {
+    let path = file("inputs.mpf", b"R1=$A_IN[1]\nR2=$A_IN[2]\nM30\n");
+    let text = out(&probewright(&["run", &path]));
+    assert!(text.contains("\nMachine values that were assumed: $A_IN[1] = 0 (1), $A_IN[2] = 0 (2)."), "{text}");
+    let json: serde_json::Value = serde_json::from_str(&out(&probewright(&["run", &path, "--json"]))).unwrap();
+    assert_eq!(json["machineValues"][1], serde_json::json!({ "name": "$A_IN[2]", "value": 0.0, "line": 2 }));
+}

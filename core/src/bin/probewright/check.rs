@@ -2,6 +2,7 @@
 
 use crate::file;
 use crate::file::{Control, Problem};
+use crate::joined::Joined;
 use probewright_core::diagnostic::{Diagnostic, Severity};
 use probewright_core::message::Message;
 use probewright_core::syntax::position::Positions;
@@ -20,6 +21,8 @@ pub struct Arguments {
     control: Option<Control>,
     #[arg(long)]
     setup: Option<PathBuf>,
+    #[arg(long, value_name = "FILES", num_args = 1..)]
+    with: Vec<PathBuf>,
     #[arg(long)]
     json: bool,
 }
@@ -31,8 +34,8 @@ pub fn check(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<Ex
     let (mut errors, mut unread) = (0, false);
     let mut views = Vec::new();
     for path in &asked.files {
-        let source = match file::program(path) {
-            Ok(source) => source,
+        let joined = match Joined::read(path, &asked.with, asked.control) {
+            Ok(joined) => joined,
             Err(problem) => {
                 file::complain_about(&problem, words);
                 unread = true;
@@ -41,17 +44,19 @@ pub fn check(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<Ex
         };
         let found = match &machine {
             Some(setup) => {
-                let program = syntax::read(setup.control.dialect, &source);
+                let program = syntax::read(setup.control.dialect, &joined.text);
                 program::findings_on(&program, setup.control.clone())
             }
-            None => program::findings(&syntax::read(file::dialect(asked.control, &source), &source)),
+            None => program::findings(&syntax::read(joined.dialect, &joined.text)),
         };
         errors += found.iter().filter(|finding| finding.severity == Severity::Error).count();
-        if asked.json {
-            let name = path.display().to_string();
-            views.push(serde_json::json!({ "file": name, "diagnostics": app::findings(&found, &source) }));
-        } else {
-            print_all(path, &source, &found, words, out)?;
+        for (path, source, found) in joined.files(&found) {
+            if asked.json {
+                let name = path.display().to_string();
+                views.push(serde_json::json!({ "file": name, "diagnostics": app::findings(&found, source) }));
+            } else {
+                print_all(path, source, &found, words, out)?;
+            }
         }
     }
     if asked.json {

@@ -6,6 +6,7 @@ mod cycles;
 mod explain;
 mod file;
 mod help;
+mod joined;
 mod read;
 mod run;
 mod scan;

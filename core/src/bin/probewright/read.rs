@@ -2,6 +2,7 @@
 
 use crate::file;
 use crate::file::{Control, Problem};
+use crate::joined::Joined;
 use probewright_core::message::printable;
 use probewright_core::program::calls::calls;
 use probewright_core::words::Words;
@@ -18,19 +19,22 @@ pub struct Arguments {
     json: bool,
     #[arg(long)]
     control: Option<Control>,
+    #[arg(long, value_name = "FILES", num_args = 1..)]
+    with: Vec<PathBuf>,
 }
 
 /// Lists the measuring calls of a program.
 pub fn read(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
-    let source = file::program(&asked.file)?;
-    let program = syntax::read(file::dialect(asked.control, &source), &source);
+    let joined = Joined::read(&asked.file, &asked.with, asked.control)?;
+    let program = syntax::read(joined.dialect, &joined.text);
     if asked.json {
         file::print_json(json::document(&app::calls(&program)), words, out)?;
         return Ok(ExitCode::SUCCESS);
     }
     for call in calls(&program) {
-        let (first, last) = (call.first_line + 1, call.line + 1);
-        writeln!(out, "{}:{first}-{last}: {}", asked.file.display(), call.cycle.name)?;
+        let (path, last) = joined.line(call.line);
+        let (_, first) = joined.line(call.first_line);
+        writeln!(out, "{}:{}-{}: {}", path.display(), first + 1, last + 1, call.cycle.name)?;
         for (name, value) in &call.values {
             writeln!(out, "    {name}={}", printable(value))?;
         }

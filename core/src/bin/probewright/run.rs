@@ -2,21 +2,25 @@
 
 use crate::check::print_all;
 use crate::file::Problem;
+use crate::joined::Joined;
 use crate::{file, scan};
 use probewright_core::app::{RunAssumed, RunView};
 use probewright_core::catalogue::alarms;
+use probewright_core::control::Value;
 use probewright_core::diagnostic::{Diagnostic, Severity};
 use probewright_core::entry::{Unit, unit_behind};
 use probewright_core::machine::trace::Step;
 use probewright_core::message::{Message, printable};
 use probewright_core::run::assumed::Assumed;
 use probewright_core::run::left::CallAt;
+use probewright_core::run::of_machine;
 use probewright_core::run::outcome::Outcome;
-use probewright_core::run::{Limits, assumed};
+use probewright_core::run::{Limits, Session, assumed};
 use probewright_core::words::{Words, rounded};
-use probewright_core::{json, run, syntax};
+use probewright_core::{json, syntax};
+use std::collections::BTreeMap;
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// What is run, and where what comes out goes.
@@ -27,6 +31,12 @@ pub struct Arguments {
     setup: Option<PathBuf>,
     #[arg(long, conflicts_with = "setup")]
     control: Option<file::Control>,
+    #[arg(long, value_name = "FILES", num_args = 1..)]
+    with: Vec<PathBuf>,
+    #[arg(long, value_name = "VALUES")]
+    arg: Vec<String>,
+    #[arg(long)]
+    strict: bool,
     #[arg(long)]
     json: bool,
     #[arg(long, value_name = "FILE")]
@@ -37,22 +47,27 @@ pub struct Arguments {
 
 /// Runs a program; 1 when it has an error or did not reach its end.
 pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
-    let path = &arguments.file;
-    let source = file::program(path)?;
-    let Assumed { setup, outcome, told } = match &arguments.setup {
+    let joined = Joined::read(&arguments.file, &arguments.with, arguments.control)?;
+    let values = values(&arguments.arg)?;
+    let limits = Limits { strict: arguments.strict, ..Limits::default() };
+    let (joined, Assumed { setup, outcome, told }) = match &arguments.setup {
         Some(setup) => {
             let mut setup = file::setup(setup, arguments.json, words, out)?;
             arguments.scan.put_surface(&mut setup)?;
-            let program = syntax::read(setup.control.dialect, &source);
-            Assumed { outcome: run::run(&program, &setup, Limits::default()), setup, told: Vec::new() }
+            let joined = joined.of(setup.control.dialect);
+            let program = syntax::read(joined.dialect, &joined.text);
+            let mut session = Session::new(program, &setup, limits).with_arguments(values);
+            while !session.advance(usize::MAX) {}
+            (joined, Assumed { outcome: session.outcome(), setup, told: Vec::new() })
         }
         None => {
-            let program = syntax::read(file::dialect(arguments.control, &source), &source);
-            assumed::run(&program, Limits::default())
+            let program = syntax::read(joined.dialect, &joined.text);
+            let assumed = assumed::run_with(&program, limits, values);
+            (joined, assumed)
         }
     };
     if arguments.json {
-        let mut view = RunView::new(setup.clone(), outcome.clone(), &source);
+        let mut view = RunView::new(setup.clone(), outcome.clone(), &joined.text);
         if arguments.setup.is_none() {
             view.assumed = Some(RunAssumed { messages: told, setup });
         }
@@ -61,8 +76,10 @@ pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
         for assumption in &told {
             writeln!(out, "{}", words.text(assumption))?;
         }
-        print_all(path, &source, &outcome.diagnostics, words, out)?;
-        print_outcome(path, &outcome, words, out)?;
+        for (path, source, found) in joined.files(&outcome.diagnostics) {
+            print_all(path, source, &found, words, out)?;
+        }
+        print_outcome(&joined, &outcome, words, out)?;
     }
     if let Some(print) = &arguments.print {
         let lines = outcome.printed().into_iter();
@@ -73,14 +90,29 @@ pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
     Ok(if outcome.finished() && !outcome.diagnostics.iter().any(wrong) { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
+/// `DEPTH=5`, `NAME="A"`: values of parameters by their names in upper case.
+fn values(asked: &[String]) -> Result<BTreeMap<String, Value>, Problem> {
+    let one = |text: &String| {
+        let (name, value) = text.split_once('=').filter(|(name, _)| !name.trim().is_empty())?;
+        let value = value.trim();
+        let value = match value.parse::<f64>().ok().filter(|number| number.is_finite()) {
+            Some(number) => Value::Number(number),
+            None => Value::Text(value.trim_matches('"').to_owned()),
+        };
+        Some((name.trim().to_ascii_uppercase(), value))
+    };
+    let refused = |text: &String| file::wrong(Message::new("terminal-pair").text("text", printable(text)));
+    asked.iter().map(|text| one(text).ok_or_else(|| refused(text))).collect()
+}
+
 /// What came out, how the run ended last; why it ended early is among the findings.
-fn print_outcome(path: &Path, outcome: &Outcome, words: &Words, out: &mut dyn Write) -> std::io::Result<()> {
+fn print_outcome(joined: &Joined, outcome: &Outcome, words: &Words, out: &mut dyn Write) -> std::io::Result<()> {
     for (call, step) in outcome.by_call() {
         if let Step::Decision { message: decision } = step {
-            writeln!(out, "{}{}", place(path, call), words.text(decision))?;
+            writeln!(out, "{}{}", place(joined, call), words.text(decision))?;
         }
     }
-    print_results(path, outcome, words, out)?;
+    print_results(joined, outcome, words, out)?;
     for line in outcome.log() {
         writeln!(out, "{}: {}", words.key("terminal-log"), printable(line))?;
     }
@@ -90,19 +122,31 @@ fn print_outcome(path: &Path, outcome: &Outcome, words: &Words, out: &mut dyn Wr
     }
     for (alarm, call) in outcome.alarms().into_iter().zip(outcome.calls_of_alarms()) {
         let raised = words.text(&Message::new("terminal-raised").text("alarm", alarm.to_string()));
-        writeln!(out, "{}{raised}: {}", place(path, call), words.key(alarms::key(alarm)))?;
+        writeln!(out, "{}{raised}: {}", place(joined, call), words.key(alarms::key(alarm)))?;
+    }
+    let assumed = outcome.machine_values.iter().map(|one| {
+        let (_, line) = joined.line(one.line.saturating_sub(1));
+        format!("{} = {} ({})", one.name, of_machine::shown(&one.value), line + 1)
+    });
+    let assumed: Vec<String> = assumed.collect();
+    if !assumed.is_empty() {
+        let told = Message::new("terminal-assumed-values").text("values", assumed.join(", "));
+        writeln!(out, "{}", words.text(&told))?;
     }
     writeln!(out, "{}", words.text(&outcome.ending()))?;
     Ok(())
 }
 
 /// `part.mpf:12: CYCLE977: `, what was said there behind it.
-fn place(path: &Path, call: Option<CallAt>) -> String {
-    call.map_or(String::new(), |CallAt { line, cycle }| format!("{}:{}: {cycle}: ", path.display(), line + 1))
+fn place(joined: &Joined, call: Option<CallAt>) -> String {
+    call.map_or(String::new(), |CallAt { line, cycle }| {
+        let (path, line) = joined.line(line);
+        format!("{}:{}: {cycle}: ", path.display(), line + 1)
+    })
 }
 
 /// What each call measured: its results that have a unit.
-fn print_results(path: &Path, outcome: &Outcome, words: &Words, out: &mut dyn Write) -> std::io::Result<()> {
+fn print_results(joined: &Joined, outcome: &Outcome, words: &Words, out: &mut dyn Write) -> std::io::Result<()> {
     for left in outcome.left() {
         let measured = left.results.iter().filter(|(field, _)| field.unit != Unit::None);
         let lines = measured.map(|(field, value)| {
@@ -112,7 +156,8 @@ fn print_results(path: &Path, outcome: &Outcome, words: &Words, out: &mut dyn Wr
         });
         let lines: Vec<String> = lines.collect();
         if !lines.is_empty() {
-            writeln!(out, "{}:{}: {}", path.display(), left.call.line + 1, left.call.cycle)?;
+            let (path, line) = joined.line(left.call.line);
+            writeln!(out, "{}:{}: {}", path.display(), line + 1, left.call.cycle)?;
             writeln!(out, "{}", lines.join("\n"))?;
         }
     }

@@ -47,6 +47,39 @@ pub fn setting(name: &str) -> Option<&'static str> {
     settings.find(|datum| datum.identifier == identifier).map(|datum| datum.number)
 }
 
+/// Beginnings of names that only the machine has a value for: machine and setting data, inputs, outputs and data of
+/// the PLC, real values of axes and channel, states of the program.
+const OF_MACHINE: [&str; 18] = [
+    "$MN_", "$MC_", "$MA_", "$MM_", "$MNS_", "$MCS_", "$MAS_", "$SN_", "$SC_", "$SA_", "$A_", "$AN_", "$AC_", "$AA_",
+    "$VA_", "$VC_", "$VN_", "$P_",
+];
+
+/// Whether only the machine has a value for such a name; frames are those of the control.
+pub fn of_machine(name: &str) -> bool {
+    let stem = name.split('[').next().unwrap_or(name);
+    let frame = stem.starts_with("$P_") && (stem.ends_with("FR") || stem.ends_with("FRAME"));
+    !frame && OF_MACHINE.iter().any(|begin| stem.starts_with(begin) && stem.len() > begin.len())
+}
+
+/// Whether such a name has an axis as its index.
+pub fn of_axes(name: &str) -> bool {
+    ["$AA_", "$VA_", "$MA_", "$SA_"].iter().any(|begin| name.starts_with(begin))
+}
+
+/// Whether a text is the value of such a name.
+pub fn is_text(name: &str) -> bool {
+    ["NAME", "PATH"].iter().any(|part| name.contains(part)) || name == "$P_PROG"
+}
+
+/// The machine datum that a program calls by its identifier, as the setup has it: `$MC_AXCONF_MACHAX_USED[1]` is
+/// `MD20070[1]`.
+pub fn numbered(name: &str) -> Option<String> {
+    let begin = ["$MN_", "$MC_", "$MA_"].iter().find_map(|begin| name.strip_prefix(begin))?;
+    let (identifier, index) = begin.split_at(begin.find('[').unwrap_or(begin.len()));
+    let mut data = MACHINE_DATA.iter().filter(|datum| datum.number.starts_with("MD"));
+    data.find(|datum| datum.identifier == identifier).map(|datum| format!("{}{index}", datum.number))
+}
+
 impl MachineDatum {
     /// Names of its elements as the setup has them: `MD20050[0]`, or the plain number.
     pub fn names(&self) -> Vec<String> {
