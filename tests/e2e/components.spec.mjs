@@ -74,7 +74,7 @@ const SMALL = `(() => {
   const found = [];
   for (const node of document.querySelectorAll("figure :is(button, select, input, [role=slider], [role=tab])")) {
     const { width, height } = node.getBoundingClientRect();
-    if (node.checkVisibility() && (width < 24 || height < 24))
+    if (node.checkVisibility({ visibilityProperty: true }) && (width < 24 || height < 24))
       found.push(width + " × " + height + " " + node.outerHTML.slice(0, 90));
   }
   const rows = document.querySelectorAll("[data-component=button] button, [data-component=field] :is(.figure, select)");

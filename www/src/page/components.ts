@@ -9,13 +9,18 @@ import { render } from "lit-html";
 import { changes } from "../changes";
 import { loadCore } from "../core/core";
 import type { Actions } from "../desk/actions";
+import type { Derived } from "../desk/derive";
 import { el, setAttribute } from "../dom";
+import { createEditor } from "../editor/editor";
+import { editorWords } from "../editor/words";
 import { icon } from "../icons";
 import { speak } from "../language";
+import { basis, initial, turn, type ViewName } from "../preview/camera";
 import { PICTOGRAMS, pictogram } from "../start/pictogram";
 import { firstState, type Panel, patched, SHEETS } from "../state/state";
 import { createStore } from "../state/store";
 import { t } from "../texts";
+import { createCube } from "../views/cube";
 import { createChangeList } from "../views/difference";
 import { createExaggeration } from "../views/exaggerate";
 import { createField } from "../views/field";
@@ -23,7 +28,8 @@ import { gaugePicture } from "../views/gauge";
 import { createKeys } from "../views/keys";
 import { createMenu } from "../views/menu";
 import { listProblems } from "../views/problem";
-import type { BandKind, Diagnostic, Field } from "../wire";
+import { createWhole } from "../views/whole";
+import type { BandKind, Diagnostic, Field, RunAnswer, RunView } from "../wire";
 import { createRail } from "./rail";
 import { createSheetBar } from "./sheet";
 
@@ -189,6 +195,77 @@ function sliders(): States {
   });
 }
 
+const BLOCKS = "N10 G17 G54 ; zero\n_MVAR=1 _SETVAL=50\nCYCLE977\nM30\n";
+
+function editors(): States {
+  const call = { from: 2, to: 3, open: true };
+  const shown = {
+    program: {},
+    "call in the form": { marks: { calls: [call], step: null, hints: [{ line: 3, text: "Ø 50.030" }] } },
+    step: { marks: { calls: [{ ...call, open: false }], step: 3 } },
+    problem: { problems: [{ from: 32, to: 42, severity: "error" as const, message: "PW000" }] },
+    value: { values: { all: [{ field: "_SETVAL", from: 35, to: 37 }], lit: "_SETVAL" } },
+  };
+  return Object.entries(shown).map(([state, part]) => {
+    const box = el("div", { class: "editor" });
+    const editor = createEditor(box, editorWords(), { typed: () => BLOCKS, moved: () => undefined });
+    editor.set({ text: BLOCKS, ...part });
+    return [state, box];
+  });
+}
+
+function cubes(): States {
+  return (["iso", "top", "back"] satisfies ViewName[]).map(name => {
+    const camera = turn(initial(), name);
+    const cube = createCube({
+      setView: () => undefined,
+      turn: () => undefined,
+      basisOf: of => basis(of ? turn(camera, of) : camera),
+    });
+    cube.draw(camera);
+    return [name, cube.root];
+  });
+}
+
+/** A hole that is this much too large. */
+function measured(kind: BandKind, verdict: RunAnswer["verdict"], deviation: number, line: number): RunAnswer {
+  const words = { key: "notice-copied", args: {} };
+  const bands = [
+    { kind: "bad" as const, from: -0.04, to: -0.03 },
+    { kind: "good" as const, from: -0.03, to: 0.03 },
+    { kind: "bad" as const, from: 0.03, to: 0.04 },
+  ];
+  const needles = [{ label: "", value: deviation, kind }];
+  const figure = { name: "", label: words, heading: words, symbol: "Ø", actual: 50 + deviation, set: 50, unit: "mm" };
+  return {
+    from: line,
+    to: line,
+    line,
+    feature: { key: "panel-form", args: {} },
+    figures: [{ ...figure, deviation }],
+    corrected: [],
+    gauge: { unit: "mm", low: -0.04, high: 0.04, bands, marks: [], needles },
+    verdict,
+    verdict_words: { key: "panel-results", args: {} },
+    why: words,
+  };
+}
+
+function wholes(): States {
+  const rows = [
+    measured("good", "within", 0.01, 3),
+    measured("bad", "beyond", 0.05, 6),
+    { ...measured("bad", "alarm", 0, 9), figures: [] },
+  ];
+  return [rows.slice(0, 1), rows].map(answers => {
+    const whole = createWhole(store, actions, () => undefined);
+    const run = { answers, finished: true } as unknown as RunView;
+    const derived = { run, read: { calls: [] }, step: 3 } as unknown as Derived;
+    whole.draw(patched(store.state, { view: { source: "program" } }), derived);
+    return [`${answers.length} rows`, el("div", { class: "results-main" }, whole.root)]; // it is as wide as its panel
+  });
+}
+
 const theme = new URLSearchParams(location.search).get("theme");
 setAttribute(document.documentElement, "data-theme", theme ?? "light");
 const core = await loadCore();
@@ -206,6 +283,9 @@ document.body.append(
     component("segments", segments()),
     component("tabs", tabs()),
     component("table", tables()),
+    component("whole", wholes()),
+    component("editor", editors()),
+    component("cube", cubes()),
     component("slider", sliders()),
     component("sheet", sheets()),
     component("rail", rails()),
