@@ -40,7 +40,7 @@ alarm-61307 = Diese Messvariante ist unzulässig.
 alarm-61308 = Der Messweg muss größer als 0 sein.
     .cure = { "_FA" } größer als 0 eingeben, immer in mm.
 alarm-61309 = Der Typ des Messtasters ist unzulässig.
-    .cure = Werkstückmessung: Messtaster einwechseln; zulässig: Typ 710 oder 1x0, auf Drehmaschinen 5xy mit Schneidenlage 5 bis 8. Fräszyklen akzeptieren 5xy nur bei SD 42950 = 2: Schneidenlage 5 und 7 in G17, 6 und 8 in G19. Werkzeugmessung: { "_TP[k,8]" } oder { "_TPW[k,8]" } auf 0, 101, 201 oder 301 setzen.
+    .cure = Werkstückmessung: Messtaster einwechseln; zulässig: Typ 710 oder 1x0, auf Drehmaschinen 5xy mit Schneidenlage 5 bis 8. Fräszyklen akzeptieren 5xy nur bei SD 42950 = 2: Schneidenlage 5 oder 7 in G17, 6 oder 8 in G19. Werkzeugmessung: { "_TP[k,8]" } oder { "_TPW[k,8]" } auf 0, 101, 201 oder 301 setzen.
 alarm-61310 = Ein Maßstabsfaktor ist aktiv.
     .cause = Die gemessenen Längen würden mitskaliert.
     .cure = Skalierung vor dem Messen abwählen.

@@ -40,7 +40,7 @@ alarm-61307 = This measuring variant is not permitted.
 alarm-61308 = The measuring path must be greater than 0.
     .cure = Enter { "_FA" } greater than 0, always in mm.
 alarm-61309 = The probe type is not permitted.
-    .cure = Workpiece: change to the probe, type 710 or 1x0, on a turning machine 5xy with cutting edge position 5 to 8. Milling cycles accept 5xy with SD 42950 = 2: 5 and 7 in G17, 6 and 8 in G19. Tool probe: set { "_TP[k,8]" } or { "_TPW[k,8]" } to 0, 101, 201 or 301.
+    .cure = Workpiece: change to the probe, type 710 or 1x0, on a turning machine 5xy with cutting edge position 5 to 8. Milling cycles accept 5xy with SD 42950 = 2: cutting edge position 5 or 7 in G17, 6 or 8 in G19. Tool probe: set { "_TP[k,8]" } or { "_TPW[k,8]" } to 0, 101, 201 or 301.
 alarm-61310 = A scale factor is active.
     .cause = Measured lengths would also be scaled.
     .cure = Deselect the scaling before measuring.

@@ -18,7 +18,7 @@ help-cycle971-order-on-top = 在顶面（_MA = 3、103、203）：移到中间�
 help-cycle971-order-centre-first = _MA = 102 或 201 时，先在另一轴方向触碰两次，求出测头在该轴上的中心。
 help-cycle971-order-widest = 测半径时刀具再下降 _ID，以最大直径处触碰。
 help-cycle971-order-turning = 触碰一到三次，由 _CM[6] 和 _CM[7] 决定，_CBIT[12]=1 时由 _MFS[] 决定；以最后一次为准。主轴原来静止时，测量后再次停止。
-help-cycle971-order-all-sides = 各面均可触碰时：先触碰顶面，再触碰纵坐标两侧（得到其中间），在该中间触碰横坐标两侧，再在求出的横坐标中间触碰纵坐标两侧，最后再触碰顶面，停在其上方 _FA 处。
+help-cycle971-order-all-sides = 各面均可触碰时：先触碰顶面，再触碰纵坐标两侧（求出纵坐标中心），在该中心处触碰横坐标两侧，再在求出的横坐标中心处触碰纵坐标两侧，最后再触碰顶面，停在其上方 _FA 处。
 help-cycle971-wrong-depth = _TP[k,9]（相对工件：_TPW[k,9]）为 0：刀具在测头旁够不到测头；测半径时报警 61349。
 help-cycle971-wrong-unclear = 从刀具位置看不出要触碰哪一面：报警 61332。
 help-cycle971-wrong-edge = 刀刃没有转向测头：半径测得偏小，刀刃高度不同的刀具长度也偏小。

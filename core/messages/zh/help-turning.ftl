@@ -17,7 +17,7 @@ help-cycle994-measures-diameter = 由相对的两点测量车削件以工件零�
 help-cycle994-before-plus-side = 测球对着正侧的点，距离大于 _FA。
 help-cycle994-before-inside = 测球在孔内；_SZA 和 _SZO 描述孔内的障碍物，并包含测球半径。
 help-cycle994-before-either = 起点决定内外：比设定值靠外则测外径，绕过保护区 _SZA、_SZO（包含测球半径）；靠内则测内径。
-help-cycle994-before-calibrated = 测头已在此平面、各测量方向、以相同的进给校准；_CHBIT[7]=1 时只需存储的测球直径。
+help-cycle994-before-calibrated = 测头已在此平面内、沿各测量方向校准，且校准进给与测量进给相同；_CHBIT[7]=1 时只需存储的测球直径。
 help-cycle994-order-plus-first = 先触碰正侧的点，再触碰负侧的点；最后停在后者前 _FA 处。
 help-cycle994-order-round-inside = 在孔内沿保护区移动：到 _SZO，再到 _SZA，横过，返回（_MA=1 时先到 _SZA）。
 help-cycle994-order-round-outside = 测外径时退到 _SZO，移到 _SZA，横过，返回（_MA=1 时先到 _SZA）；测内径时直接穿过孔。
