@@ -125,7 +125,7 @@ alarm-61350 = Drehzahl oder Vorschub für das Messen mit drehender Spindel fehlt
 alarm-61351 = Länge oder Radius des aktiven Werkzeugs ist 0.
     .cure = Ungefähres Maß in den Werkzeugdaten eintragen.
 alarm-61346 = Der Abstand eines Messpunkts von der Startposition fehlt oder ist nicht größer als 0.
-    .cure = { "_SETV[0]" } und { "_SETV[1]" } ohne Vorzeichen eingeben; die Winkel bestimmen die Richtung.
+    .cure = { "_SETV[0]" } und { "_SETV[1]" } größer als 0 eingeben; die Winkel bestimmen die Richtung.
 alarm-61347 = Der Winkel zwischen den beiden Kanten ist 0.
     .cure = { "_INCA" } eingeben: von der Bezugskante zur zweiten Kante, im Uhrzeigersinn negativ.
 alarm-61364 = Der Abstand der Messpunkte ist nicht größer als 0.
@@ -248,7 +248,7 @@ alarm-62311 = Die Zeilenlänge wurde an { "_PROTFORM[1]" } angepasst.
     .cure = Nichts zu tun; { "_PROTFORM[1]" } und Spalten aufeinander abstimmen, um die Meldung zu vermeiden.
 
 message-new-log = Die Protokolldatei ist voll; das Protokoll geht in einer neuen Datei mit einer Nummer hinter dem Namen weiter.
-    .cure = Nichts zu tun. Für längere Dateien MD 11420 (LEN_PROTOCOL_FILE) vergrößern; nach neun weiteren Dateien ist ein neuer Name nötig.
+    .cure = Nichts zu tun. Für längere Dateien MD 11420 (LEN_PROTOCOL_FILE) vergrößern; nach neun weiteren Dateien einen neuen Namen eingeben.
 message-log-name = Das Protokoll und seine neun Folgedateien sind voll.
     .cure = Dateien auslesen, einen anderen Namen in { "_PROTNAME[1]" } eingeben und fortsetzen.
 message-result-screen = Die Steuerung zeigt das Messergebnis und wartet auf die Quittierung.

@@ -122,5 +122,5 @@ help-cycle998-corrects-axis = Mit _RA größer 0 stattdessen die NV dieser Runda
 help-cycle998-corrects-area = Weicht ein Winkel um mehr als _TSA (in °) vom Sollwinkel ab: Alarm 61303.
 help-cycle998-wrong-degrees = _TSA enthält noch einen Wert in mm aus einem anderen Zyklus; hier ist die Einheit °.
 help-cycle998-wrong-near = Die Punkte liegen dicht beieinander: 0.01 mm Grat auf 10 mm sind 0.06°.
-help-cycle998-wrong-limit = Das Werkstück ist um mehr als 45° gedreht: Das kann der Zyklus nicht messen; ein solches _STA1 löst Alarm 61331 aus.
+help-cycle998-wrong-limit = Das Werkstück ist um mehr als 45° gedreht: Das kann der Zyklus nicht messen; ein _STA1 über 45° löst Alarm 61331 aus.
 help-cycle998-wrong-path = Ein Punkt liegt in der Messachse mehr als zweimal _FA von der Startposition entfernt: Der Messtaster schaltet dort nicht, Alarm 61301.

@@ -190,7 +190,7 @@ nct-upper-tol-exeeded = Die Abweichung ist größer als die Obergrenze U: Weder 
     .cause = Ursache einer so großen Abweichung ist meist Werkzeugbruch, ein Span oder ein falsches Nennmaß, nicht Verschleiß.
     .cure = Werkzeug und Werkstück prüfen; weiter mit START.
 nct-tool-dia-offs-too-large = Mit dem korrigierten Speicher passt das Werkzeug nicht mehr zwischen die Wände.
-    .cause = Mit der Abweichung wird der doppelte Radius in Speicher T größer als das Nennmaß zwischen den Wänden.
+    .cause = Nach der Korrektur ist der doppelte Radius in Speicher T größer als das Nennmaß zwischen den Wänden.
     .cure = Kleineres Werkzeug verwenden; weiter mit START.
 
 # G65 P9920: der Werkzeugmesstaster.
@@ -251,5 +251,5 @@ nct-d-too-small = Das Werkzeug ist beim Absenken neben der Scheibe auf sie gesto
     .cause = D (oder der Speicher) ist kleiner als das Werkzeug, E zu klein oder die Scheibe seit dem Kalibrieren versetzt.
     .cure = D oder E korrigieren; wurde der Werkzeugmesstaster versetzt, neu kalibrieren.
 nct-incorrect-probing = Das Werkzeug hat die Scheibe nicht erreicht.
-    .cause = Z oder K reicht nicht, das Werkzeug ist kürzer oder dünner als angegeben, oder es steht neben der Scheibe.
+    .cause = Z oder K reicht nicht, das Werkzeug ist kürzer oder dünner als angegeben, oder es trifft die Scheibe nicht.
     .cure = Näher starten oder den Weg Z vergrößern; D, K (mindestens 2 mm) und Werkzeugposition prüfen.

@@ -23,10 +23,10 @@ advice-tool-digit-hint = Change to the probe, or enter it as type 710; the contr
 advice-tool-assignment = T{ $tool } is of type { $type }, the probe of a turning machine: this cycle accepts it only with SD 42950 = 2.
 advice-tool-assignment-hint = Set SD 42950 = 2 on a turning machine; on a milling machine, enter the probe as type 710.
 advice-tool-position = T{ $tool } of type { $type } has cutting edge position { $position }: a probe on a turning machine needs 5 to 8.
-advice-tool-position-hint = Change to the probe, or correct its position: 5 or 7 is perpendicular to G17, 6 or 8 to G19.
+advice-tool-position-hint = Change to the probe, or correct its cutting edge position: 5 or 7 is perpendicular to G17, 6 or 8 to G19.
 advice-tool-plane = T{ $tool } has cutting edge position { $position }, so it is not perpendicular to the plane in which this cycle measures.
 advice-tool-plane-hint = Measure in { $plane }, or use a probe perpendicular to the active plane: 5 and 7 for G17, 6 and 8 for G19.
-advice-length = T{ $tool } has no length along the tool axis: here L1 is in the ordinate, L2 abscissa, L3 applicate.
+advice-length = T{ $tool } has no length along the tool axis: here L1 is in the ordinate, L2 in the abscissa, L3 in the applicate.
 advice-length-hint = Enter the tool-axis length as L3 in a D number for this plane, unless the G18 assignment applies everywhere.
 advice-milled-diameter = DIAMON or DIAM90 is active, but this cycle ignores it: positions in X are radii.
 advice-milled-diameter-hint = Enter the positions as radii; program DIAMOF before the call and DIAMON or DIAM90 after it.
@@ -60,7 +60,7 @@ arrives-differing-hint = A change here would apply to all paths. Change the valu
 advice-level = The call is on program level { $level }; measuring cycles may be called on the first five levels only.
 advice-level-hint = Move the call to a program level nearer to the main program.
 
-advice-read-back = Read back by the control's support, this call changes: { $changes }.
+advice-read-back = When the control's measuring cycle support reads this call back, it changes: { $changes }.
 advice-read-back-hint = _MZ_MASK of the machine sets these values. Use them, or change the mask if the program is correct.
 advice-read-back-cure = Use the values of _MZ_MASK
 advice-mask = This call was written with other machine settings: { $changes }.

@@ -119,13 +119,13 @@ alarm-61344 = More than one tool is active.
 alarm-61345 = The D number in { "_KNUM" } is too large.
     .cure = Enter an existing D number; check how many digits the machine uses for D numbers.
 alarm-61349 = The depth for radius measurement at the tool probe is 0.
-    .cure = Enter the distance from tool probe upper edge to tool lower edge in { "_TP[k,9]" } or { "_TPW[k,9]" }.
+    .cure = Enter the distance from the upper edge of the probe to the lower edge of the tool in { "_TP[k,9]" } or { "_TPW[k,9]" }.
 alarm-61350 = Speed or feed for measuring with rotating spindle is not set.
-    .cure = Set { "_MFS[]" } in GUD6, or let the cycle calculate the values with { "_CBIT[12]" }=0.
+    .cure = Set { "_MFS[]" } in GUD6, or set { "_CBIT[12]" }=0: the cycle then calculates the values.
 alarm-61351 = Length or radius of the active tool is 0.
     .cure = Enter the approximate size in the tool data.
 alarm-61346 = The distance from the start position to a measuring point is missing or not greater than 0.
-    .cure = Enter { "_SETV[0]" } and { "_SETV[1]" } without a sign; the angles determine the direction.
+    .cure = Enter values greater than 0 in { "_SETV[0]" } and { "_SETV[1]" }; the angles determine the direction.
 alarm-61347 = The angle between the two edges is 0.
     .cure = Enter { "_INCA" }: from reference edge to second edge, clockwise negative.
 alarm-61364 = The distance between the measuring points is not greater than 0.
@@ -177,14 +177,14 @@ alarm-61416 = The size of the probe data does not match { "_CVAL[]" }.
     .cause = { "_CVAL[0]" } is the number of { "_TP[]" }, [1] of { "_WP[]" }, [2] of { "_KB[]" }, [3] of { "_TPW[]" }; at least one is wrong.
     .cure = Set { "_CVAL[]" } to the actual number of data fields.
 alarm-62303 = The difference exceeds the safe area.
-    .cause = With { "_CBIT[0]" }=1 and { "_CBIT[1]" }=1 the cycle stops with M0 before each of up to 4 repeats, then with alarm 61303.
+    .cause = With { "_CBIT[0]" }=1 and { "_CBIT[1]" }=1 the cycle stops: M0 before each of up to 4 repetitions, then alarm 61303.
     .cure = Check the setpoint and the part, or increase { "_TSA" }. NC START repeats the measurement.
 alarm-62304 = The part is oversize.
     .cause = The actual value is above the upper tolerance limit { "_TUL" }: tool worn, deflected or measured incorrectly.
-    .cure = Check part and tool; if { "_KNUM" } is not 0, the whole difference corrects the tool (rectangle: mean of both).
+    .cure = Check part and tool; if { "_KNUM" } is not 0, the whole difference is corrected (rectangle: mean of both).
 alarm-62305 = The part is undersize.
     .cause = The actual value is below the lower tolerance limit { "_TLL" }: tool worn, deflected or measured incorrectly.
-    .cure = Check part and tool; if { "_KNUM" } is not 0, the whole difference corrects the tool (rectangle: mean of both).
+    .cure = Check part and tool; if { "_KNUM" } is not 0, the whole difference is corrected (rectangle: mean of both).
 alarm-62306 = The dimensional difference exceeds { "_TDIF" }.
     .cause = Tool, clamping or setpoint may not match the program.
     .cure = This value is not corrected. Check clamping, setpoint and tool before continuing.
@@ -232,7 +232,7 @@ alarm-61411 = The frame cannot be calculated from these points.
 alarm-61413 = The setpoint for the ball diameter is not greater than 0.
     .cure = Enter the ball diameter in { "_SETVAL" }.
 alarm-61414 = The measured triangle and the setpoint triangle differ in shape.
-    .cause = Point distances differ too much: wrong setpoint or measurement, part moved between touches. No correction.
+    .cause = Wrong setpoint or measurement, or part moved between touches: distances differ too much. No correction.
     .cure = Check setpoints and clamping and measure again, or increase the limit { "_TNVL" } (CYCLE119: { "_RESLIM" }).
 alarm-62307 = A line of the log exceeds the permitted number of characters.
     .cure = Increase { "_PROTFORM[1]" }, or log fewer columns.
@@ -248,13 +248,13 @@ alarm-62311 = The line length was adapted to { "_PROTFORM[1]" }.
     .cure = No action is required; match { "_PROTFORM[1]" } and the columns to avoid the message.
 
 message-new-log = The log file is full; the log continues in a new file with a number after its name.
-    .cure = No action is required. MD 11420 (LEN_PROTOCOL_FILE) sets the file size. Nine files later, enter a new name.
+    .cure = No action is required. MD 11420 (LEN_PROTOCOL_FILE) sets the file size. After 9 more files, enter a new name.
 message-log-name = The log and its nine continuation files are full.
     .cure = Read out the files, enter another name in { "_PROTNAME[1]" }, and continue.
 message-result-screen = The measuring result is displayed and must be acknowledged.
     .cure = Read the result and press NC START. With { "_CHBIT[11]" }=0 the program continues automatically.
 message-inactive-offset = A zero offset was corrected that was not active during measuring.
-    .cure = Decide whether to activate it now; until then, positions refer to the old zero offset.
+    .cure = Decide whether to activate the corrected zero offset now; until it is active, positions refer to the old one.
 message-activate-offset = The cycle asks whether to activate the corrected zero offset.
     .cure = Choose yes to activate it; otherwise the old zero offset remains active.
 message-rotated = After the measurement the WCS is rotated about the tool axis.

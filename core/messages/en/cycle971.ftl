@@ -28,16 +28,16 @@ ma-length-ordinate = Length, wide tool offset in the ordinate (G17: Y)
 param-ma-measure-tool = Length or radius
 param-ma-measure-tool-help = Measured size and direction. For the length, a milling tool wider than the probe is offset by its radius minus _ID: its cutting edge is above the centre of the probe.
 param-id-calibrate = Offset of wide calibration tool
-param-id-calibrate-help = A tool wider than the probe is offset from its centre by the tool radius minus this value. Usually 0.
+param-id-calibrate-help = A tool wider than the probe is offset from the centre of the probe by the tool radius minus this value. Usually 0.
 param-id-length = Radius to deepest cutting point
-param-id-length-help = From the radius inwards to the deepest point of the cutting edge; a milling tool wider than the probe is offset by radius minus this value. 0 if the edge is deepest at its radius.
+param-id-length-help = Distance from the radius inwards to the deepest point of the cutting edge; a milling tool wider than the probe is offset by radius minus this value. 0 if deepest at the radius.
 param-id-radius = Tool end to largest diameter
 param-id-radius-help = Distance from the tool end up to its largest diameter; the tool moves down further by this value. 0 if the tool is widest at its end.
 param-fa-incremental = Measuring path with direction
 param-fa-incremental-help = Distance from the current position to the side to be touched; plus measures in plus direction, minus in minus direction. The tool travels at most twice this path. Always in mm.
 
 need-axis-tool-probe = The cycle requires the measuring axis.
-need-offset-edge = A milling tool is positioned with it; if omitted, the value of an earlier call applies. Plain edge or drill: enter 0.
+need-offset-edge = Determines the position of a milling tool; if omitted, the value of an earlier call applies. Plain edge or drill: enter 0.
 need-offset-wide = Applies to a tool wider than the probe.
 need-signed-path = The sign determines the measuring direction.
 
@@ -49,7 +49,7 @@ check-path-zero-hint = Enter _FA above 0, without a sign.
 check-path-sign = The measuring path is negative, which this variant does not permit.
 check-path-sign-hint = Enter _FA without a sign; only incremental calibration uses a sign, for the direction.
 check-path-direction-hint = Enter in _FA the distance to the probe, with minus for the minus direction.
-check-tool-probe-type = { $name } is not a permitted type of tool probe.
+check-tool-probe-type = { $name } does not contain a permitted type of tool probe.
 check-tool-probe-plane = The disc in { $name } cannot be touched in this plane.
 check-tool-probe-type-hint = 0 is a cube; 101 is a disc in XY for G17, 201 in ZX for G18, 301 in YZ for G19.
 check-tool-probe-depth = { $name } is 0: the tool would touch no lower than the upper edge of the probe.
@@ -77,11 +77,11 @@ check-cm-zero = { $name } is 0 or less: the cycle cannot calculate speed and fee
 check-cm-zero-hint = Set the limits: _CM[0] peripheral speed, [1] spindle speed, [3] accuracy, [4] maximum feed.
 check-cm-factor = { $name } is neither 0 nor at least 1.
 check-cm-factor-hint = Enter 0 to omit this touch, or at least 1: the feed is multiplied by this factor.
-check-cm-order = { $name } is not smaller than _CM[6], but each touch should be slower than the one before.
-check-cm-order-hint = Reduce feed factor 2, or set it to 0 for two touches.
+check-cm-order = { $name } is not smaller than _CM[6], but each touch should be slower than the previous one.
+check-cm-order-hint = Reduce feed factor 2, or set it to 0 to touch only twice.
 check-compensation-make = No compensation is applied: _MT_COMP=1 needs the probe make in { $name }.
 check-compensation-make-hint = Set _TP_CF to 1 (TT130) or 2 (TS27R), or use your own table with _MT_COMP=2.
-check-compensation-inside = The control subtracts an internal, undocumented table of this probe make; the simulation subtracts nothing.
+check-compensation-inside = The control applies an internal, undocumented table for this probe make; the simulation subtracts nothing.
 check-compensation-inside-hint = With _MT_COMP=2 your own table applies, in the simulation too: _MT_EC_R for a radius, _MT_EC_L for a length.
 check-compensation-table = Radii or peripheral speeds in { $name } are not in ascending order: the compensation may be wrong.
 check-compensation-table-hint = Enter the radii in [0,1] to [0,4] and the speeds in [1,0] to [5,0] in ascending order, or set _MT_COMP=0.

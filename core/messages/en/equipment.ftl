@@ -1,7 +1,7 @@
 # Tables of the machine: names of fields, and of the values of a choice (.v0, .v1, …).
 
 equip-gone = This entry no longer exists.
-equip-taken = { $name } exists already.
+equip-taken = { $name } already exists.
 equip-gone-hint = Open the table again.
 equip-taken-hint = Enter a number that is not in use.
 equip-hint = Enter a permitted value.
@@ -80,7 +80,7 @@ equip-d = D
 equip-tool-name = Tool name
 equip-type = Type
     .v120 = End mill
-    .v110 = Ball-nose mill
+    .v110 = Ball-nose end mill
     .v140 = Face mill
     .v200 = Twist drill
     .v240 = Tap
@@ -98,4 +98,4 @@ equip-radius = Radius
 equip-l1-wear = Wear L1
 equip-l2-wear = Wear L2
 equip-l3-wear = Wear L3
-equip-radius-wear = Wear radius
+equip-radius-wear = Radius wear

@@ -19,7 +19,7 @@ evaluate-repeat = Measured again because the difference is too large, repetition
 evaluate-halt = Programmed stop (M0): the operator continues with NC START.
 evaluate-activated = The corrected frame is active immediately.
 evaluate-not-activated = The corrected frame becomes active when the program calls it again (G54, G500 …).
-evaluate-distortion = The measured triangle differs from the setpoint triangle by { $distortion } mm; the frame is corrected below { $limit } mm.
+evaluate-distortion = The measured triangle differs from the setpoint triangle by { $distortion } mm; the frame is corrected only below { $limit } mm.
 evaluate-handed-back = The cycle raises no alarm: { $name } is set to { $alarm } and the program continues.
 evaluate-tool-safe-area = Difference { $difference } mm is not below the safe area, { $limit } mm: this value is not corrected.
 evaluate-tool-difference = Difference { $difference } mm is not below the permissible dimensional difference, { $limit } mm: this value is not corrected.
@@ -27,7 +27,7 @@ evaluate-tool-small = Difference { $difference } mm does not exceed the zero co
 evaluate-tool-geometry = Difference { $difference } mm and the previous wear go into the geometry; the wear is set to 0.
 evaluate-tool-wear = Difference { $difference } mm is corrected in the wear.
 evaluate-compensation-make = The table of this probe make (_TP_CF = { $make }) is internal to the control and not in any manual: it is not applied here. Your own table in _MT_EC_R and _MT_EC_L, with _MT_COMP = 2, is applied.
-evaluate-compensation = Table { $table } subtracts { $amount } mm from the measured value.
+evaluate-compensation = { $amount } mm from table { $table } is subtracted from the measured value.
 evaluate-screen = The control shows the measuring result screen until the cycle ends.
 evaluate-screen-stays = The control shows the measuring result screen until the next measuring cycle is called; the program continues.
 evaluate-screen-halt = The control shows the measuring result screen. Programmed stop (M0): the operator continues with NC START.
@@ -40,10 +40,10 @@ check-converts = { $bit } does not agree with the basic system of the machine (M
     }.
 check-converts-hint = If the data are already correct, set { $bit } to { $value } before the call.
 evaluate-erased = _CBIT[13]=1: _TP[], _TPW[], _WP[], _KB[], _EV[], _MV[] and the bit itself are now 0.
-evaluate-converted = { $bit } did not agree with the basic system of the machine: { $data } are converted { $value ->
+evaluate-converted = { $bit } did not agree with the basic system of the machine: { $data } have been converted { $value ->
         [1] from inch to mm
        *[other] from mm to inch
-    }, and the bit is { $value } now.
+    }, and the bit is now { $value }.
 
 # A measurement in one line: what was measured.
 answer-diameter = Diameter

@@ -21,7 +21,7 @@ help-cycle976-order-twice = The whole sequence twice, with a multi probe first w
 help-cycle976-order-no-approach = The cycle touches from the start position in direction _MD, over at most twice _FA, and moves back.
 help-cycle976-order-end-centre = End position: the start position at the centre.
 help-cycle976-order-end-found = End position: the centre that was measured.
-help-cycle976-order-end-surface = End position: the start position; with _MA=3, _FA before the surface.
+help-cycle976-order-end-surface = End position: the start position; with _MA=3, _FA from the surface.
 help-cycle976-corrects-ball = Also the active ball diameter _WP[k,0], which CYCLE979, and CYCLE997 at an angle, require; with _CBIT[15]=1 also the radius of the probe.
 help-cycle976-corrects-skew = Also the skew of the stylus, _WP[k,7] and _WP[k,8].
 help-cycle976-corrects-length = L1 in the geometry of the probe is corrected by the difference; _TSA does not monitor it.
@@ -35,11 +35,11 @@ help-cycle973-measures-groove-two = The trigger points of the probe in both dire
 help-cycle973-before-surface = The probe has cutting edge position 5 to 8 and is opposite the surface, further away than _FA.
 help-cycle973-before-groove = The probe has cutting edge position 7 or 8; the groove _CALNUM can be reached from the start position on a clear paraxial path.
 help-cycle973-before-centre = L1 and L2 of the probe refer to the centre of the ball, and the ball radius is entered in the tool data.
-help-cycle973-order-surface = Only the measuring axis _MA moves, in direction _MD; end position: _FA before the surface.
+help-cycle973-order-surface = Only the measuring axis _MA moves, in direction _MD; end position: _FA from the surface.
 help-cycle973-order-into-groove = Machine coordinates apply. The probe moves paraxially above the middle of the groove and into it.
 help-cycle973-order-one = The cycle touches in direction _MD of axis _MA; on the groove base only the minus direction is possible.
 help-cycle973-order-two = The cycle touches the wall in plus direction, crosses the groove and touches the wall in minus direction.
-help-cycle973-order-end-groove = End position: in the groove, _FA before the face touched last.
+help-cycle973-order-end-groove = End position: in the groove, _FA from the face touched last.
 help-cycle973-corrects-ball = Also the active ball diameter _WP[k,0].
 help-cycle973-corrects-skew = Also the skew in the measuring axis, _WP[k,7] or _WP[k,8].
 help-cycle973-wrong-groove-data = The groove data in _KB are diameters in X: they must be radii.

@@ -2,13 +2,13 @@
 
 help-stylus = The stylus is in the spindle, its length offset is active, and it touches nothing.
 help-guarded = The stylus was moved there with G101, so a collision on the path would have stopped it.
-help-steps = One touch has three steps: fast up to the signal, back at medium feed, forward again very slowly; the last step is used.
+help-steps = One touch has three steps: fast up to the signal, back at medium feed, forward again very slowly; the last step gives the result.
 help-position-lost = The last G101 did not reach its target: OUT OF POSITION.
-help-result = S corrects a work offset by measured minus nominal, T the tool register so that the next part is right; M only stores the deviation, plus: material left. Without S and T no correction.
-help-limits = A deviation above H is OUT OF TOLERANCE; a deviation above U is UPPER TOL EXEEDED and corrects nothing.
+help-result = S corrects a work offset by measured minus nominal, T the tool register so that the next part is correct; M only stores the deviation, plus: material left. Without S and T, no correction.
+help-limits = A deviation above H raises OUT OF TOLERANCE; a deviation above U raises UPPER TOL EXEEDED, and nothing is corrected.
 help-both-targets = S and T are both programmed: FORMAT ERROR. A deviation corrects only one of them.
-help-middle-tolerance = The nominal size is not the middle of the tolerance: H applies to both sides of it (20 +0.1/−0.3 is 19.9 with H0.2).
-help-one-system = Part of the calibration was made in inch, part in metric: calibrate everything in one system.
+help-middle-tolerance = The nominal size is not the middle of the tolerance: H applies on both sides of the nominal size (enter 20 +0.1/−0.3 as 19.9 with H0.2).
+help-one-system = Part of the calibration was done in inch, part in metric: calibrate everything in one system.
 
 help-g101-measures-nothing = Nothing: it moves the stylus to X, Y, Z and monitors every signal on the path.
 help-g101-before-free = The length offset of the stylus is active, and it touches nothing.
@@ -24,7 +24,7 @@ help-g102-corrects-offset = #504 and #505, the radial offset in the 1st and 2nd 
 help-g102-wrong-moved = The bore was not made at the current spindle position, and the spindle is not rotated: the position error is stored as offset.
 
 help-g103-measures-radius = The effective ball radius in both directions of both axes of the plane.
-help-g103-before-ring = G102 is done; the ball is in the middle of a ring gauge, within 10 mm, at depth.
+help-g103-before-ring = G102 is done; the ball is at depth, within 10 mm of the middle of a ring gauge.
 help-g103-order-centre = Four walls give the centre of the ring; from the centre, each wall is touched once more.
 help-g103-corrects-radius = #500 and #501 for plus and minus of the 1st axis, #502 and #503 for the 2nd axis.
 help-g103-wrong-size = D is only approximate: half of its error goes into every radius. Enter the exact size of the ring.
@@ -37,9 +37,9 @@ help-g104-wrong-coordinate = The coordinate refers to a work offset other than t
 
 help-g105-measures-surface = The position of a surface perpendicular to one axis of the plane.
 help-g105-before-side = The ball is on the free side of the surface: at depth, or, with the address of the tool axis, above it.
-help-g105-order-touch = With the address of the tool axis, the stylus moves to R before the surface and down; then it touches towards the nominal coordinate, at most Q past it.
+help-g105-order-touch = With the address of the tool axis, the stylus moves to R in front of the surface and down; then it touches towards the nominal coordinate, at most Q past it.
 help-g105-corrects-radius = T is a radius register and is corrected by the whole deviation.
-help-g105-wrong-far = The surface is more than Q behind its nominal coordinate: PROBE FAIL.
+help-g105-wrong-far = The surface is more than Q past its nominal coordinate: PROBE FAIL.
 
 help-g106-measures-surface = The height of a surface perpendicular to the tool axis.
 help-g106-before-above = The ball is above the touch point.
@@ -54,7 +54,7 @@ help-g107-corrects-offset = The work offset S, without S the active one, in both
 help-g107-wrong-turned = The part is clamped at an angle: the corner is corrected, its direction is not.
 
 help-g108-measures-corner = The intersection of the two walls of an external corner.
-help-g108-before-before = The ball is in front of the corner at depth, outside both walls. It is as far in front of the corner as it must touch behind it.
+help-g108-before-before = The ball is in front of the corner at depth, outside both walls. It touches as far past the corner as it is in front of the corner at the start.
 help-g108-order-walls = The stylus passes the corner, touches the wall perpendicular to the 1st axis and returns; then the same for the 2nd axis, each at most Q past its nominal coordinate.
 help-g108-corrects-offset = The work offset S, without S the active one, in both axes, by the deviation of the corner.
 help-g108-wrong-close = The start position is too near the corner: only its rounding or chamfer is touched.

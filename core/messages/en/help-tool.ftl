@@ -28,7 +28,7 @@ help-cycle971-wrong-direction = The spindle is stationary and _CM[5] is neither 
 
 help-cycle972-measures-side = The position of one side of the tool probe, with a calibration tool of cutting edge position 3.
 help-cycle972-measures-length = One length of a turning tool: L2 in the abscissa, L1 in the ordinate.
-help-cycle972-order-travel = In the other axis to the middle of the probe, then to the side, touch, back. End position: _FA before this side.
+help-cycle972-order-travel = In the other axis to the middle of the probe, then to the side, touch, back. End position: _FA from this side.
 help-cycle972-order-nose = The middle of the nose is at the middle of the probe; the cycle touches the side on which the tool starts.
 help-cycle972-order-tip = The cutting edge touches in the direction in which it points, according to its cutting edge position.
 
@@ -42,10 +42,10 @@ help-cycle982-before-outside = The tool is outside the probe in both axes of the
 help-cycle982-before-setting = For milling tools and drills SD 42950 is 2; for one length of a drill in G17 or G19 it can also be 0.
 help-cycle982-before-axial = A milling tool or drill is in axial position: its axis along the abscissa, the radius in the ordinate.
 help-cycle982-before-radial = A milling tool or drill is in radial position: its axis along the ordinate, the radius in the abscissa.
-help-cycle982-order-calibrate = In the other axis, the middle of the nose moves to the middle of the probe, then to the side, touch, back. End position: _FA before this side.
+help-cycle982-order-calibrate = In the other axis, the middle of the nose moves to the middle of the probe, then to the side, touch, back. End position: _FA from this side.
 help-cycle982-order-spindle = With a milling tool or drill, a stationary milling spindle is positioned to _STA1 first, unless _CHBIT[20]=1.
 help-cycle982-order-reversal = Each point is touched twice, the second time with the spindle rotated by 180° plus _CORA: the mean value of both cutting edges is used.
-help-cycle982-order-length = In the other axis to the middle of the probe, to the side, touch with the tip (a milling tool or drill across its axis with its side), back. End position: _FA before this side.
+help-cycle982-order-length = In the other axis to the middle of the probe, to the side, touch with the tip (a milling tool or drill across its axis with its side), back. End position: _FA from this side.
 help-cycle982-order-radius = The side of the cutter touches, in the axis of the radius.
 help-cycle982-order-both = The cutter touches the probe on the start side, moves around it and touches the opposite side. Without reversal a stationary spindle rotates by 180° before that: the same edge touches.
 help-cycle982-order-all = First in the abscissa, then in the ordinate, around the probe, a drill only along its axis; without reversal, a stationary spindle turns the edge to each side. End: the start position.

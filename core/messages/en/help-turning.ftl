@@ -6,7 +6,7 @@ help-turning-diameter = Diameters and radii are mixed up: with DIAMON, setpoint 
 help-cycle974-measures-point = The position of one point of a turned part: a diameter measured from one side, an end face, or a point in the 3rd axis.
 help-cycle974-before-opposite = The ball is opposite the point, further away than _FA; it measures from there towards _SETVAL.
 help-cycle974-before-chuck = The master spindle, which holds the part, can be positioned.
-help-cycle974-order-axis = The probe moves only in the measuring axis; end position: _FA before the surface.
+help-cycle974-order-axis = The probe moves only in the measuring axis; end position: _FA from the surface.
 help-cycle974-order-reversal = The spindle moves to _STA1 and the point is touched; the spindle rotates by 180° and the point is touched again. The mean value is used, so run-out cancels.
 help-cycle974-corrects-half = A length is corrected by the deviation along its axis: half of a diameter deviation.
 help-cycle974-corrects-one-axis = Only the measuring axis is corrected; with _CHBIT[19]=1, in G18, X instead of Y.
@@ -18,7 +18,7 @@ help-cycle994-before-plus-side = The ball is opposite the point on the plus side
 help-cycle994-before-inside = The ball is inside the bore; _SZA and _SZO describe the obstacle there, ball radius included.
 help-cycle994-before-either = The start position decides: further out than the setpoint measures outside, around the zone _SZA and _SZO, ball radius included; nearer measures inside.
 help-cycle994-before-calibrated = The probe is calibrated in this plane and in the measuring directions, at the same feed; with _CHBIT[7]=1 the stored ball diameter suffices.
-help-cycle994-order-plus-first = The cycle touches the point on the plus side first, then the point on the minus side; end position: _FA before the latter.
+help-cycle994-order-plus-first = The cycle touches the point on the plus side first, then the point on the minus side; end position: _FA from the latter.
 help-cycle994-order-round-inside = Inside the bore, the probe moves along the zone: to _SZO, along to _SZA, across and back (with _MA=1 to _SZA first).
 help-cycle994-order-round-outside = Outside, the probe moves out to _SZO, along to _SZA, across and back (with _MA=1 to _SZA first); inside, it moves straight through the bore.
 help-cycle994-corrects-half = A length is corrected by half of the diameter deviation.
