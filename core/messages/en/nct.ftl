@@ -17,7 +17,7 @@ param-g101-f-help = Feed of the stylus; without it, 1500 mm/min or 60 in/min.
 need-g101-target = Enter at least one axis.
 
 g102-title = Radial offset of the stylus
-g102-help = Calibrates the offset of the ball from the spindle axis: in a bore just machined by this spindle, or in a ring gauge if #510 holds the M function that rotates the spindle by 180°.
+g102-help = Calibrates the offset of the ball from the spindle axis: in a bore just bored with this spindle, or in a ring gauge if #510 holds the M function that rotates the spindle by 180°.
 g102-words = calibrate radial offset eccentricity runout stylus probe ring gauge spindle index
 g102-offset = Radial offset
 param-g102-d = Approximate diameter
