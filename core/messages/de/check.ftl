@@ -34,10 +34,10 @@ check-knum-no-system = Diese Maschine hat kein Systemframe $P_SETFR, das { $code
 check-knum-no-system-hint = Anderes Frame wählen oder Bit 0 in MD 28082 setzen.
 check-knum-is-tool-hint = Code einer Werkzeugkorrektur: Frame angeben oder, falls vorhanden, Messvariante mit Werkzeugkorrektur wählen.
 check-knum-is-zero-hint = Code einer NV: zulässige D-Nummer angeben oder, falls vorhanden, Messvariante mit NV-Korrektur wählen.
-check-knum-digit-4 = Die 4. Stelle von { $code } (bei fünfstelligen D-Nummern die 6.) ist unzulässig.
-check-knum-digit-5 = Die 5. Stelle von { $code } (bei fünfstelligen D-Nummern die 7.) ist unzulässig.
-check-knum-digit-6 = Die 6. Stelle von { $code } (bei fünfstelligen D-Nummern die 8.) ist unzulässig.
-check-knum-digit-7 = Die 7. Stelle von { $code } (bei fünfstelligen D-Nummern die 9.) oder eine höhere ist unzulässig.
+check-knum-digit-4 = Die 4. Stelle von rechts in { $code } (bei fünfstelligen D-Nummern die 6.) ist unzulässig.
+check-knum-digit-5 = Die 5. Stelle von rechts in { $code } (bei fünfstelligen D-Nummern die 7.) ist unzulässig.
+check-knum-digit-6 = Die 6. Stelle von rechts in { $code } (bei fünfstelligen D-Nummern die 8.) ist unzulässig.
+check-knum-digit-7 = Die 7. Stelle von rechts in { $code } (bei fünfstelligen D-Nummern die 9.) oder eine höhere ist unzulässig.
 check-knum-edge-none = { $code } bezeichnet keine D-Nummer.
 check-knum-edge-large = Die D-Nummer in { $code } ist größer als { $largest }, die größte D-Nummer dieser Steuerung.
 check-knum-seven-digits-hint = Von rechts: drei Stellen D-Nummer; 0 oder 1 Länge, 2 Radius; 1 invertiert; 1 bis 3 L1 bis L3, 4 Radius; 0 bis 3 Art der Korrektur.
@@ -45,7 +45,7 @@ check-knum-nine-digits-hint = Von rechts: fünf Stellen D-Nummer; 0 oder 1 Läng
 
 check-probe-number = Die Messtasternummer { $number } gibt es nicht.
 check-probe-number-hint = Nummer von 1 bis { $fields } wählen.
-check-probe-type = Die 3. Stelle der Messtasternummer darf nicht { $type } sein.
+check-probe-type = Die 3. Stelle der Messtasternummer von rechts darf nicht { $type } sein.
 check-probe-type-hint = 0 steht für einen Multitaster, 1 für einen Monotaster oder bidirektionalen Messtaster.
 check-cora-off = Der Korrekturwinkel wirkt nicht.
 check-cora-off-hint = _CBIT[8]=1 setzen oder für den Korrekturwinkel 0 eingeben.

@@ -73,7 +73,7 @@ help-cycle119-decides = Bei _COR=0 korrigiert der Zyklus nichts. Sonst korrigier
 help-cycle119-left = _RES; in _REFRAME das Frame, das, mit dem aktiven verkettet, die gemessenen Punkte auf ihre Sollpositionen bringt; in _ALARM 0 oder eine Alarmnummer.
 help-cycle119-frame-moved = Das Frame nach _COR, Verschiebung und Drehung: 1 bis 99 einstellbares Frame, 1000 letztes aktives Kanal-Basisframe, 1011 bis 1026 Kanal-Basisframe, 2000 Systemframe $P_SETFR, 9999 aktives Frame.
 help-cycle119-again = Das korrigierte Frame wirkt, wenn seine G-Funktion (G54 …) erneut programmiert wird, auch bei _COR=9999.
-help-cycle119-line = Drei Punkte liegen auf einer Geraden oder aufeinander: _ALARM ist 61411.
+help-cycle119-line = Die drei Punkte liegen auf einer Geraden, oder zwei von ihnen fallen zusammen: _ALARM ist 61411.
 help-cycle119-distorted = Die Dreiecke weichen um _RESLIM oder mehr voneinander ab: _ALARM ist 61414, nichts wird korrigiert.
 help-cycle119-order = Soll- und Messpunkte stehen in verschiedener Reihenfolge: Die Dreiecke passen nicht aufeinander.
 help-cycle119-mirrored = Das Frame spiegelt oder skaliert: _ALARM ist 61411.

@@ -7,7 +7,7 @@ cycle116-circle = Centre and radius from points
 cycle116-three = Three points
 cycle116-four = Four points
 cycle116-no-circle = The points are collinear or coincident: no circle can be calculated.
-cycle116-no-circle-hint = Choose points far apart on the circle, for example a third of the circumference each.
+cycle116-no-circle-hint = Choose points far apart on the circle, for example a third of the circumference apart.
 
 param-116-count = Number of points
 param-116-count-help = Three points determine the circle; with four, all are used, so one inaccurate point has less influence.

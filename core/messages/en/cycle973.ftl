@@ -15,7 +15,7 @@ cycle973-groove-two-skew-ball = Reference groove: 2 directions of one axis, skew
 
 calibrate-groove = Reference groove
 calibrate-groove-words = gauging block
-calibrate-one-short = Not specified: one direction, as 1
+calibrate-one-short = Not specified: one direction, same as 1
 calibrate-one-short-words = one 13
 calibrate-position = Skew (positional deviation)
 
@@ -35,6 +35,6 @@ check-groove-base-hint = Calibrate on the base with one direction and { "_MD" }=
 check-groove-empty = The groove data are not set: { $names } are 0.
 check-groove-empty-hint = Enter edges and base in _KB[] in GUD6, in machine coordinates and as radii.
 check-groove-edges = The edge in plus direction, { $plus }, is not greater than the edge in minus direction, { $minus }.
-check-groove-edges-hint = Swap both values, or enter the missing value.
+check-groove-edges-hint = Swap the two values, or enter the missing value.
 check-shank = A stylus with cutting edge position { $tip } points in the opposite direction: it would touch with its shank.
 check-shank-hint = Reverse { "_MD" }, or check cutting edge position and measuring axis.

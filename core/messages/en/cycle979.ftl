@@ -14,7 +14,7 @@ cycle979-shaft-zero = Shaft at an angle: correct a zero offset
 cycle979-groove-zero = Groove at an angle: correct a zero offset
 cycle979-web-zero = Web at an angle: correct a zero offset
 
-prnum-points = Points of a circle
+prnum-points = Points on the circle
 prnum-three = Three points
 prnum-four = Four points
 param-setval-width-angle = Setpoint width
@@ -24,15 +24,15 @@ param-sta1-width-help = Angle to the abscissa in which the width is measured; th
 param-id-lift = Lift over the web
 param-id-lift-help = Travel in the tool axis from measuring height to crossing height, with sign. If the length refers to the ball centre (_CBIT[14]=0), it must include the ball radius.
 param-prnum-with-points = Probe and number of points
-param-prnum-with-points-help = Three or four points of a circle, type of the probe, number of its data in _WP.
+param-prnum-with-points-help = Three or four points on the circle, type of the probe, number of its data in _WP.
 
 need-lift = The probe must cross the web.
 
 check-points-unused = The number of points applies to a hole or shaft only.
 check-points-unused-hint = Choose three points: 0 in the 4th digit of _PRNUM.
-check-path-centre = The measuring path starts on the far side of the centre: between the points, the probe would pass there.
+check-path-centre = The measuring path starts past the centre: between the points, the probe would move on the far side.
 check-path-centre-hint = Reduce _FA below { $free } mm.
 check-lift = The probe does not lift before it crosses the web.
-check-lift-hint = If the tool axis points up, enter a positive value.
+check-lift-hint = Enter a positive value; if the probe body is on the minus side of the applicate, a negative one.
 check-lift-ball = The lift is not larger than the ball radius, { $ball } mm, which it must include.
 check-lift-ball-hint = Add the ball radius, or set _CBIT[14]=1 if the probe length refers to the circumference of the ball.

@@ -78,7 +78,7 @@ param-sphere3-applicate-help = In the tool axis (G17: Z), in the workpiece coord
 param-tnvl = Distortion limit
 param-tnvl-help = Limit for the sum of the deviations of the three centres from their setpoint triangle. The zero offset is corrected only below it; otherwise alarm 61414 stops the program.
 param-fa-sphere = Measuring path
-param-fa-sphere-help = Distance from the start of the measuring block to the setpoint position, and as far past it. Also the height above the sphere when the probe crosses it. Always in mm.
+param-fa-sphere-help = Distance from the start of the measuring block to the setpoint position, and the same distance past it. Also the height above the sphere when the probe crosses it. Always in mm.
 param-tsa-sphere = Safe area: spheres
 param-tsa-sphere-help = A larger difference of a diameter or a centre, in any axis, stops the program with alarm 61303.
 

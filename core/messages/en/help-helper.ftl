@@ -57,7 +57,7 @@ help-cycle118-length = A number with its decimal places needs more than 12 chara
 
 help-cycle116-does = Calculates centre and radius of a circle from three or four points, for example from points measured one by one. Nothing moves.
 help-cycle116-variables = Declare both variables at the start of the program: DEF REAL _DATE[13] and DEF INT _ALM.
-help-cycle116-points = _DATE[0] is the number of points; abscissa and ordinate of each are in pairs in _DATE[1] to _DATE[8].
+help-cycle116-points = _DATE[0] is the number of points; _DATE[1] to _DATE[8] contain abscissa and ordinate of each point, in pairs.
 help-cycle116-circle = Three points determine the circle; with four, all are used.
 help-cycle116-left = Centre in _DATE[9] and _DATE[10], radius in _DATE[11], status in _DATE[12], alarm number in _ALM: both are 0 if a circle was calculated. No tool and no zero offset is corrected.
 help-cycle116-line = The points are collinear or coincident: _ALM is 61316.
@@ -68,12 +68,12 @@ help-cycle119-does = Calculates the position of a part in space from the setpoin
 help-cycle119-variables = Declare the variables at the start of the program: DEF REAL _SETPOINT[3,3], _MEASPOINT[3,3], _RES, DEF INT _ALARM and DEF FRAME _REFRAME.
 help-cycle119-points = The points were measured one by one, for example with CYCLE977 or CYCLE997; _SETPOINT and _MEASPOINT contain them in the same order, X, Y and Z of each, in the active frame.
 help-cycle119-alarm = _ALARM is 0.
-help-cycle119-frame = The frame between both triangles is calculated. _RES is their difference in shape, the sum of the deviations of the three points; below 0 there is no frame.
+help-cycle119-frame = The frame between the two triangles is calculated. _RES is their difference in shape, the sum of the deviations of the three points; below 0 there is no frame.
 help-cycle119-decides = With _COR=0, nothing is corrected. Otherwise a frame is corrected if _RES is below _RESLIM.
 help-cycle119-left = _RES, the frame _REFRAME, and in _ALARM 0 or the alarm number. Chained to the active frame, _REFRAME moves the measured points to their setpoints.
 help-cycle119-frame-moved = The frame in _COR, translation and rotation: 1 to 99 settable, 1000 last active channel basic, 1011 to 1026 channel basic frame, 2000 system frame $P_SETFR, 9999 active.
 help-cycle119-again = The corrected frame applies when its G function (G54 …) is programmed again, also with _COR=9999.
-help-cycle119-line = Three points are collinear or coincident: _ALARM is 61411.
+help-cycle119-line = The three points are collinear, or two of them coincide: _ALARM is 61411.
 help-cycle119-distorted = The triangles differ by _RESLIM or more: _ALARM is 61414, nothing is corrected.
 help-cycle119-order = The points are not in the same order in both sets: the triangles do not match.
 help-cycle119-mirrored = The frame contains mirroring or scaling: _ALARM is 61411.

@@ -23,4 +23,4 @@ help-cycle994-order-round-inside = Inside the bore, the probe moves along the zo
 help-cycle994-order-round-outside = Outside, the probe moves out to _SZO, along to _SZA, across and back (with _MA=1 to _SZA first); inside, it moves straight through the bore.
 help-cycle994-corrects-half = A length is corrected by half of the diameter deviation.
 help-cycle994-wrong-zone = The zone is that of an earlier call or leaves no room for the ball: the probe hits the part (alarm 61302), or there is no path (61334).
-help-cycle994-wrong-ball = With _CHBIT[7]=1 the stored ball diameter is used instead of both trigger points: it must be correct.
+help-cycle994-wrong-ball = With _CHBIT[7]=1 the stored ball diameter is used instead of the two trigger points: it must be correct.

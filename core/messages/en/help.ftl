@@ -16,9 +16,9 @@ help-probe-loaded = The probe is in the spindle (tool type 710 or 1x0) and its D
 help-probe-turning = On a turning machine with a third linear axis: type 5xy, length to the ball centre, SD 42950 is 2. Cutting edge position 5 or 7 measures in G17, 6 or 8 in G19. X as radius, also with DIAMON.
 help-wrong-tool = _TNUM, or the D number in _KNUM, is not that of the tool that cut this surface: a good tool gets a wrong offset.
 help-wrong-chip = A chip or burr on the surface falsifies the size: clean the surface, and set _TDIF so that such a value is not corrected.
-help-wrong-conditions = The probe data used here come from another feed or spindle position: the results have a constant error. Another plane: the same, with _CBIT[16]=1 an alarm.
+help-wrong-conditions = The probe was calibrated at another feed or spindle position: the results have a constant error. In another plane: the same error, or an alarm with _CBIT[16]=1.
 help-wrong-kept = A parameter not written by this call still has the value of an earlier call: a limit, a protection zone or an angle.
-help-order-block = One touch: to _FA before the setpoint position, then at the measuring feed for at most twice _FA, back after the signal. With _NMSP above 1 it is repeated and the mean value applies.
+help-order-block = One touch: to _FA before the setpoint position, then at the measuring feed for at most twice _FA, back after the signal. With _NMSP above 1 the touch is repeated and the mean value applies.
 help-ends-at-start = End position: the start position.
 help-wrong-reach = The surface is more than _FA behind its setpoint position: the probe does not switch, alarm 61301.
 help-wrong-in-the-way = There is an obstacle in the path: with _CHBIT[2]=1, a touch during positioning raises alarm 61302.

@@ -34,10 +34,10 @@ check-knum-no-system = 此机床没有 { $code } 所指的系统坐标框架 $P_
 check-knum-no-system-hint = 请选择其他坐标框架，或设置 MD 28082 的第 0 位。
 check-knum-is-tool-hint = 这是刀具补偿的代码。请输入坐标框架的代码，或选择带刀具补偿的测量方式（若有）。
 check-knum-is-zero-hint = 这是零点偏移的代码。请输入允许的 D 号，或选择带零点偏移的测量方式（若有）。
-check-knum-digit-4 = { $code } 的第 4 位（D 号为五位时第 6 位）取值不允许。
-check-knum-digit-5 = { $code } 的第 5 位（D 号为五位时第 7 位）取值不允许。
-check-knum-digit-6 = { $code } 的第 6 位（D 号为五位时第 8 位）取值不允许。
-check-knum-digit-7 = { $code } 的第 7 位（D 号为五位时第 9 位）或更高位的取值不允许。
+check-knum-digit-4 = { $code } 从右起第 4 位（D 号为五位时第 6 位）取值不允许。
+check-knum-digit-5 = { $code } 从右起第 5 位（D 号为五位时第 7 位）取值不允许。
+check-knum-digit-6 = { $code } 从右起第 6 位（D 号为五位时第 8 位）取值不允许。
+check-knum-digit-7 = { $code } 从右起第 7 位（D 号为五位时第 9 位）或更高位的取值不允许。
 check-knum-edge-none = { $code } 不含 D 号。
 check-knum-edge-large = { $code } 中的 D 号大于 { $largest }，即此控制系统的最大 D 号。
 check-knum-seven-digits-hint = 从右起：三位 D 号；0 或 1 为长度，2 为半径；1 表示取反；1 到 3 为 L1 到 L3，4 为半径；0 到 3 为补偿种类。
@@ -45,7 +45,7 @@ check-knum-nine-digits-hint = 从右起：五位 D 号；0 或 1 为长度，2 �
 
 check-probe-number = 没有测头号 { $number }。
 check-probe-number-hint = 请输入 1 到 { $fields } 的编号。
-check-probe-type = 测头号的第 3 位不能是 { $type }。
+check-probe-type = 测头号从右起第 3 位不能是 { $type }。
 check-probe-type-hint = 0 为多向测头，1 为单向或双向测头。
 check-cora-off = 补偿角不起作用。
 check-cora-off-hint = 请设 _CBIT[8]=1，或输入 0。

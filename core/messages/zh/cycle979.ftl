@@ -33,6 +33,6 @@ check-points-unused-hint = 请选三点：_PRNUM 的第 4 位为 0。
 check-path-centre = 测量行程从中心的另一侧开始：在各点之间测头会从那一侧经过。
 check-path-centre-hint = 请把 _FA 减小到小于 { $free } mm。
 check-lift = 测头越过凸台之前没有抬起。
-check-lift-hint = 刀具轴向上时请输入正值。
+check-lift-hint = 请输入正值；若测头本体位于垂直坐标的负侧，请输入负值。
 check-lift-ball = 抬高量不大于测球半径 { $ball } mm，而抬高量必须包含该半径。
 check-lift-ball-hint = 请加上测球半径；若测头长度算到测球圆周，则设 _CBIT[14]=1。

@@ -73,7 +73,7 @@ help-cycle119-decides = _COR=0 时不作补偿。否则在 _RES 小于 _RESLIM �
 help-cycle119-left = _RES；_REFRAME 中的坐标框架，与有效坐标框架级联后把测得的各点移到设定坐标；_ALARM 中为 0 或报警号。
 help-cycle119-frame-moved = _COR 指定的坐标框架，其平移和旋转：1 到 99 为可设定坐标框架，1000 为最后一个有效的通道基本坐标框架，1011 到 1026 为通道基本坐标框架，2000 为系统坐标框架 $P_SETFR，9999 为有效坐标框架。
 help-cycle119-again = 重新编程其 G 功能（G54 …）后，补偿后的坐标框架才生效，_COR=9999 时也是如此。
-help-cycle119-line = 三个点共线或重合：_ALARM 为 61411。
+help-cycle119-line = 三个点共线，或其中两点重合：_ALARM 为 61411。
 help-cycle119-distorted = 两个三角形相差不小于 _RESLIM：_ALARM 为 61414，不作补偿。
 help-cycle119-order = 两组点的顺序不同：两个三角形不相符。
 help-cycle119-mirrored = 坐标框架含镜像或比例：_ALARM 为 61411。
