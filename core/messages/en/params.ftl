@@ -173,7 +173,7 @@ need-axis = The cycle measures a groove or web in one axis.
 need-axis-surface = The surface is perpendicular to one axis.
 need-axis-differential = Differential measurement is possible only in the plane: axis 1 or 2.
 need-tool = A tool is corrected: enter its T number, its name or a tool environment.
-need-tool-otherwise = Tool specified otherwise: omit or enter 0; a T number from an earlier call would take precedence.
+need-tool-otherwise = Tool specified otherwise: enter 0 if an earlier call has set a T number, which would take precedence.
 need-tool-name = Instead of the T number, with tool management.
 need-additive = A setup or additive offset is corrected.
 need-environment = The tool is corrected according to a stored tool environment.
@@ -182,7 +182,7 @@ need-points = This is the angle between the points on the circle.
 need-circular = Between the points on the circle, the probe moves on an arc.
 need-memory = Can be omitted: without an earlier value the cycle uses neither a mean value memory nor an empirical value.
 need-memory-empirical = Can be omitted: without an earlier value the cycle uses no empirical value.
-need-own-speeds = The forms of the machine request feed and speed: _CBIT[12]=1 is written with them.
+need-own-speeds = The forms of the machine have fields for feed and speed, and also write _CBIT[12]=1.
 need-tolerance = Part of the tool offset; must be valid even if nothing is corrected. Omitted: earlier value, else default.
 
 result-set-size = Setpoint diameter or width
