@@ -48,7 +48,7 @@ check-probe-number-hint = Enter a number from 1 to { $fields }.
 check-probe-type = The 3rd digit from the right of the probe number cannot be { $type }.
 check-probe-type-hint = 0 is a multi probe, 1 is a mono or bidirectional probe.
 check-cora-off = The offset angle has no effect.
-check-cora-off-hint = Set _CBIT[8]=1, or enter 0.
+check-cora-off-hint = Set _CBIT[8]=1, or enter 0 for the offset angle.
 check-empirical-memory = Empirical value memory { $number } does not exist: the array has { $size } elements.
 check-mean-memory = Mean value memory { $number } does not exist: the array has { $size } elements.
 check-memory-hint = Enter a smaller number, or enlarge the array and increase { $array }.
@@ -76,7 +76,7 @@ check-zone-narrow = The protection zone, { $zone } mm, is not larger than the e
 check-zone-narrow-hint = Increase the protection zone above { $limit } mm, so that the ball fits beside the element.
 check-zone-ball = The probe ball, { $ball } mm, does not fit between element and protection zone.
 check-zone-shortens = The protection zone shortens the measuring path to { $free } mm.
-check-zone-shortens-hint = Change the protection zone to give more travel, or accept this as the maximum deviation of the part.
+check-zone-shortens-hint = Change the protection zone to allow more travel, or accept this as the maximum deviation of the part.
 check-differential-mono = Differential measurement rotates the spindle, but a mono probe measures in one direction only.
 check-differential-mono-hint = Use a multi probe, or a variant without differential measurement.
 check-differential-axis = Differential measurement is possible only in the plane.

@@ -1,7 +1,7 @@
 # CYCLE979: titles, search words, variants, words of its own parameters and checks.
 
 cycle979-title = Hole, shaft, groove, web at an angle
-cycle979-help = Measures a size and its centre at an angle to the axes: a hole, a shaft or a segment at three or four points on a circle; a groove or web along an oblique line.
+cycle979-help = Measures size and centre at an angle to the axes: a hole, a shaft or a segment at three or four points on a circle; a groove or web along an oblique line.
 cycle979-words = measure workpiece hole bore shaft boss groove slot web rib segment arc angle oblique inclined diameter width centre center three four points inside outside tool offset wear zero offset ZO probe probing datum work set
 cycle979-each-words = angle oblique segment arc
 

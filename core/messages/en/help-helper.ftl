@@ -3,7 +3,7 @@
 help-log-data = The user data of the machine define what is printed, and how. They keep their values from program to program: write only what differs.
 help-log-title = Only one title line is written: the second line still contains the title of an earlier log. Write spaces in quotation marks into _PROTVAL[1].
 help-log-column = A value is wider than its column: the control widens the column and outputs message 62309; the columns are no longer aligned.
-help-log-line = Columns times width exceed 200 characters: alarm 61371.
+help-log-line = Number of columns times column width exceeds 200 characters: alarm 61371.
 help-log-name = _PROTNAME[1] is the file name: letters, digits, underscores; two letters first, or a letter and an underscore. MPF is added automatically; the folder is that of the calling program.
 help-log-files = The log as a file. Text above the kilobytes of MD 11420 goes into up to nine more files, whose names end in an underscore and a digit.
 help-log-full = The tenth file is also full: the program stops and requests a new log name; it continues with NC START.
