@@ -87,5 +87,5 @@ check-corner-parallel = The line through P1 and P2 and the line through P3 and P
 check-corner-parallel-hint = Choose P1 and P2 on one edge, P3 and P4 on the other.
 check-corner-between = The corner lies between two points of one edge.
 check-corner-between-hint = Choose both points of each edge on the same side of the corner.
-check-corner-turned = P2 has a smaller abscissa than P1: the measured angle and a corrected offset are turned by a further 180°.
+check-corner-turned = P2 has a smaller abscissa than P1: the measured angle and a corrected offset are rotated by a further 180°.
 check-corner-turned-hint = If this is not intended, swap P1 and P2.

@@ -64,7 +64,7 @@ calibrate-at-angle = At an angle
 calibrate-at-angle-words = rotated
 
 param-setval-ring = Hole diameter
-param-setval-ring-help = Exact diameter of the calibration ring or hole; its error goes into every trigger point.
+param-setval-ring-help = Exact diameter of the calibration ring or hole; its error carries over to every trigger point.
 param-setval-surface = Position of the surface
 param-setval-surface-help = Exact position in the workpiece coordinate system, in the measuring axis.
 param-ma-calibrated = Calibrated axis

@@ -1,7 +1,7 @@
 # CYCLE982: titles, search words, variants, words of its own parameters, checks.
 
 cycle982-title = Turning: tool probe, turning and milling tools
-cycle982-help = Measures L1, L2 of turning tools, milling tools, drills, and R of milling tools at a paraxial tool probe, or calibrates a side with a known tool of cutting edge position 3.
+cycle982-help = Measures L1 and L2 of turning tools, milling tools and drills, and R of milling tools, at a paraxial tool probe, or calibrates a side with a known tool of cutting edge position 3.
 cycle982-words = measure tool setter tool setting preset lathe turning mill-turn driven tool live tool tool probe cube calibrate calibration length L1 L2 radius diameter insert nose tip cutting edge position drill end mill groove mill T-slot reversal incremental automatic wear geometry trigger point
 cycle982-each-words = lathe measure tool
 
@@ -37,26 +37,26 @@ cycle982-automatic = Measure automatically: all values; turning tool, milling to
 cycle982-automatic-reversal = Measure automatically: all values; milling tool or drill in axial position, with reversal
 cycle982-automatic-upper = Measure automatically: upper cutting edge; milling tool in axial position
 cycle982-automatic-upper-reversal = Measure automatically: upper cutting edge; milling tool in axial position, with reversal
-cycle982-automatic-opposite = Measure automatically: upper cutting edge, length against the approach; milling tool in axial position
-cycle982-automatic-opposite-reversal = Measure automatically: upper cutting edge, length against the approach; milling tool in axial position, with reversal
+cycle982-automatic-opposite = Measure automatically: upper cutting edge, length against the approach direction; milling tool in axial position
+cycle982-automatic-opposite-reversal = Measure automatically: upper cutting edge, length against the approach direction; milling tool in axial position, with reversal
 cycle982-automatic-radial = Measure automatically: all values; milling tool or drill in radial position
 cycle982-automatic-radial-reversal = Measure automatically: all values; milling tool or drill in radial position, with reversal
 cycle982-automatic-upper-radial = Measure automatically: upper cutting edge; milling tool in radial position
 cycle982-automatic-upper-radial-reversal = Measure automatically: upper cutting edge; milling tool in radial position, with reversal
-cycle982-automatic-opposite-radial = Measure automatically: upper cutting edge, length against the approach; milling tool in radial position
-cycle982-automatic-opposite-radial-reversal = Measure automatically: upper cutting edge, length against the approach; milling tool in radial position, with reversal
+cycle982-automatic-opposite-radial = Measure automatically: upper cutting edge, length against the approach direction; milling tool in radial position
+cycle982-automatic-opposite-radial-reversal = Measure automatically: upper cutting edge, length against the approach direction; milling tool in radial position, with reversal
 cycle982-automatic-workpiece = Measure automatically: all values; turning tool, milling tool or drill in axial position (WCS)
 cycle982-automatic-reversal-workpiece = Measure automatically: all values; milling tool or drill in axial position, with reversal (WCS)
 cycle982-automatic-upper-workpiece = Measure automatically: upper cutting edge; milling tool in axial position (WCS)
 cycle982-automatic-upper-reversal-workpiece = Measure automatically: upper cutting edge; milling tool in axial position, with reversal (WCS)
-cycle982-automatic-opposite-workpiece = Measure automatically: upper cutting edge, length against the approach; milling tool in axial position (WCS)
-cycle982-automatic-opposite-reversal-workpiece = Measure automatically: upper cutting edge, length against the approach; milling tool in axial position, with reversal (WCS)
+cycle982-automatic-opposite-workpiece = Measure automatically: upper cutting edge, length against the approach direction; milling tool in axial position (WCS)
+cycle982-automatic-opposite-reversal-workpiece = Measure automatically: upper cutting edge, length against the approach direction; milling tool in axial position, with reversal (WCS)
 cycle982-automatic-radial-workpiece = Measure automatically: all values; milling tool or drill in radial position (WCS)
 cycle982-automatic-radial-reversal-workpiece = Measure automatically: all values; milling tool or drill in radial position, with reversal (WCS)
 cycle982-automatic-upper-radial-workpiece = Measure automatically: upper cutting edge; milling tool in radial position (WCS)
 cycle982-automatic-upper-radial-reversal-workpiece = Measure automatically: upper cutting edge; milling tool in radial position, with reversal (WCS)
-cycle982-automatic-opposite-radial-workpiece = Measure automatically: upper cutting edge, length against the approach; milling tool in radial position (WCS)
-cycle982-automatic-opposite-radial-reversal-workpiece = Measure automatically: upper cutting edge, length against the approach; milling tool in radial position, with reversal (WCS)
+cycle982-automatic-opposite-radial-workpiece = Measure automatically: upper cutting edge, length against the approach direction; milling tool in radial position (WCS)
+cycle982-automatic-opposite-radial-reversal-workpiece = Measure automatically: upper cutting edge, length against the approach direction; milling tool in radial position, with reversal (WCS)
 cycle982-incremental-measure = Measure incrementally: length L1 or L2 of a turning tool, milling tool or drill in axial position
 cycle982-incremental-measure-reversal = Measure incrementally: length L1 or L2 of a milling tool or drill in axial position, with reversal
 cycle982-incremental-measure-radius = Measure incrementally: radius of a milling tool in axial position
@@ -102,7 +102,7 @@ ma-lathe-l2-radius = L2 and radius, touched in the abscissa (G18: Z)
 ma-lathe-l1-radius = L1 and radius, touched in the ordinate (G18: X)
 
 param-ma-lathe-measured = Measured size
-param-ma-lathe-measured-help = Size to be measured; also determines the axis of the touch. The radius is in the ordinate of an axial tool, in the abscissa of a radial tool. Start opposite the side to be touched.
+param-ma-lathe-measured-help = Size to be measured; also determines the axis of the touch. Radius of an axial tool: in the ordinate, of a radial tool: in the abscissa. Start opposite the side to be touched.
 param-md-incremental = Measuring direction
 param-md-incremental-help = Direction in which the tool moves from its current position to the probe.
 param-sta1-milling-spindle = Milling spindle starting angle

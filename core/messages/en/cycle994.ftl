@@ -10,7 +10,7 @@ cycle994-outside-inside = Outside around a zone, or inside without
 cycle994-outside-inside-words = turning lathe diameter shaft bore two points protection safety tool offset wear
 
 param-setval-two-diameter = Setpoint diameter
-param-setval-two-diameter-help = From the drawing. With DIAMON it is the diameter, with DIAMOF the radius; both points are symmetrical to the workpiece zero.
+param-setval-two-diameter-help = From the drawing. With DIAMON it is the diameter, with DIAMOF the radius; both points are symmetrical about the workpiece zero.
 param-setval-two-radius = Setpoint distance from zero
 param-setval-two-radius-help = Distance of each point from the workpiece zero, one in plus and one in minus direction.
 param-sza-turned = Protection zone in the abscissa

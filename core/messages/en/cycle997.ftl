@@ -56,7 +56,7 @@ spheres-twice = Repeat from the measured centre
 spheres-twice-words = repeat repetition twice
 
 param-setval-sphere = Setpoint diameter of the sphere
-param-setval-sphere-help = Exact diameter; with three spheres, of each. If it is not determined, half of its error goes into the height of the centre.
+param-setval-sphere-help = Exact diameter; with three spheres, of each. If it is not determined, half of its error carries over to the height of the centre.
 param-sphere1-abscissa = Sphere 1: setpoint, abscissa
 param-sphere1-abscissa-help = In the 1st axis of the plane (G17: X), in the workpiece coordinate system.
 param-sphere1-ordinate = Sphere 1: setpoint, ordinate
@@ -92,7 +92,7 @@ check-spheres-overlap = The setpoint centres of spheres { $one } and { $other } 
 check-spheres-overlap-hint = Correct the setpoint centres: they must be more than { $size } mm apart.
 check-spheres-line = The three setpoint centres are collinear: the rotation of the part about this line cannot be calculated.
 check-spheres-line-hint = Correct the setpoint centres, or use spheres that form a triangle.
-check-spheres-close = Beside sphere { $one } a measuring block would start where the ball meets sphere { $other }.
+check-spheres-close = Beside sphere { $one } a measuring block would start where the ball touches sphere { $other }.
 check-spheres-close-hint = Reduce _FA, or measure at an angle so that the other sphere is not between the points.
 
 result-sphere1-set-diameter = Sphere 1: setpoint diameter

@@ -25,8 +25,8 @@ help-cycle976-order-end-surface = End position: the start position; with _MA=3, 
 help-cycle976-corrects-ball = Also the active ball diameter _WP[k,0], which CYCLE979, and CYCLE997 at an angle, require; with _CBIT[15]=1 also the radius of the probe.
 help-cycle976-corrects-skew = Also the skew of the stylus, _WP[k,7] and _WP[k,8].
 help-cycle976-corrects-length = L1 in the geometry of the probe is corrected by the difference; _TSA does not monitor it.
-help-cycle976-wrong-off-centre = The spindle is not at the centre: this error goes into every trigger point and into every position measured later.
-help-cycle976-wrong-diameter = _SETVAL is not the true diameter of the ring: half of the error goes into each trigger point.
+help-cycle976-wrong-off-centre = The spindle is not at the centre: this error carries over to every trigger point and to every position measured later.
+help-cycle976-wrong-diameter = _SETVAL is not the true diameter of the ring: half of the error carries over to each trigger point.
 help-cycle976-wrong-position = _SETVAL is not the actual position of the surface in the active coordinate system.
 
 help-cycle973-measures-surface = The trigger point of the probe in one direction of one axis, on a surface of the part at _SETVAL.

@@ -27,7 +27,7 @@ help-g103-measures-radius = The effective ball radius in both directions of both
 help-g103-before-ring = G102 is done; the ball is at depth, within 10 mm of the middle of a ring gauge.
 help-g103-order-centre = Four walls give the centre of the ring; from the centre, each wall is touched once more.
 help-g103-corrects-radius = #500 and #501 for plus and minus of the 1st axis, #502 and #503 for the 2nd axis.
-help-g103-wrong-size = D is only approximate: half of its error goes into every radius. Enter the exact size of the ring.
+help-g103-wrong-size = D is only approximate: half of its error carries over to every radius. Enter the exact size of the ring.
 
 help-g104-measures-length = The length of the stylus, on a surface whose coordinate in the tool axis is known.
 help-g104-before-above = The ball is above the surface; the length register contains the length to within 5 mm.

@@ -1,6 +1,6 @@
 # Help pages of the cycles at a tool probe.
 
-help-tool-in-use = The tool and its D number are active; plane and G40 are programmed. Its lengths are in the tool data, exact for calibration, otherwise approximate.
+help-tool-in-use = The tool and its D number are active; plane and G40 are programmed. The tool lengths are in the tool data: exact for calibration, otherwise approximate.
 help-tool-not-turned = No coordinate rotation is active; the sides of the probe are parallel to the axes.
 help-tool-parallel = The sides of the probe are parallel to the machine axes.
 help-tool-chip = A chip or coolant on cutting edge or probe: the probe switches too early, the result is wrong.
@@ -12,17 +12,17 @@ help-cycle971-before-still = The spindle is stationary, with the cutting edge po
 help-cycle971-before-rotating = The cycle calculates speed and feed from _CM[], or uses those in _MFS[] with _CBIT[12]=1. A rotating spindle keeps its direction, a stationary spindle uses that of _CM[5].
 help-cycle971-before-clear = The tool is clear of the probe on the side to be touched: above it with _MA = 3, 103, 203, otherwise beside it.
 help-cycle971-before-parallel = The tool axis is parallel to the centre line of the probe.
-help-cycle971-before-over = From its position the tool can move up or down to _FA above the top of the probe, and then across to its middle.
-help-cycle971-order-beside = Beside the probe: first to its middle in the other axis, then to the side, down by _TP[k,9] or _TPW[k,9] below the top, touch, back. End position: at depth.
-help-cycle971-order-on-top = On top (_MA = 3, 103, 203): above the middle, down, touch; end _FA above. Tools wider than the probe are offset to the start by radius − _ID: abscissa (3, 103), ordinate (203); drills never.
+help-cycle971-before-over = From its position the tool can move up or down to _FA above the top of the probe, and then across to the middle of the probe.
+help-cycle971-order-beside = Beside the probe: first to its middle in the other axis, then to the side, down to _TP[k,9] or _TPW[k,9] below the top, touch, back. End position: at this depth.
+help-cycle971-order-on-top = On top (_MA = 3, 103, 203): over the middle, down, touch; end _FA above. Tools wider than the probe: offset towards the start by radius − _ID, abscissa (3, 103), ordinate (203); not drills.
 help-cycle971-order-centre-first = With _MA = 102 or 201, two touches first determine the middle in the other axis.
 help-cycle971-order-widest = For a radius, the tool moves lower by _ID, so that its largest diameter touches.
 help-cycle971-order-turning = The tool touches one to three times, as specified by _CM[6] and _CM[7], or _MFS[] with _CBIT[12]=1; the last touch is used. If the spindle was stationary before, it stops again.
-help-cycle971-order-all-sides = If all sides are permitted: top, both ordinate sides (give its middle), both abscissa sides there, both ordinate sides at the abscissa middle found, top again. End _FA above it.
+help-cycle971-order-all-sides = If all sides are permitted: top, both ordinate sides (giving the middle), both abscissa sides there, both ordinate sides at the abscissa middle found, top again. End _FA above it.
 help-cycle971-wrong-depth = _TP[k,9] (workpiece-related: _TPW[k,9]) is 0: beside the probe, the tool does not reach down to it; when a radius is measured, alarm 61349.
 help-cycle971-wrong-unclear = The tool position does not show which side to touch: alarm 61332.
 help-cycle971-wrong-edge = The cutting edge does not point at the probe: the measured radius is too small, as is the length of a tool with cutting edges of different height.
-help-cycle971-wrong-master = The size of the calibration tool is not exact: its error goes into every tool measured later.
+help-cycle971-wrong-master = The size of the calibration tool is not exact: its error carries over to every tool measured later.
 help-cycle971-wrong-no-data = Length or radius of the tool is 0: alarm 61351.
 help-cycle971-wrong-direction = The spindle is stationary and _CM[5] is neither 3 nor 4: alarm 61366.
 
@@ -49,14 +49,14 @@ help-cycle982-order-length = In the other axis to the middle of the probe, to th
 help-cycle982-order-radius = The side of the cutter touches, in the axis of the radius.
 help-cycle982-order-both = The cutter touches the probe on the start side, moves around it and touches the opposite side. Without reversal a stationary spindle rotates by 180° before that: the same edge touches.
 help-cycle982-order-all = First in the abscissa, then in the ordinate, around the probe, a drill only along its axis; without reversal, a stationary spindle turns the edge to each side. End: the start position.
-help-cycle982-order-upper-behind = The tool moves around the probe on the side away from the start, touches the length from there, and both sides: first what lies in the abscissa. End position: the start position.
-help-cycle982-order-upper-across = The tool crosses the probe first, touches the length back towards the start, and both sides: first what lies in the abscissa. End position: the start position.
+help-cycle982-order-upper-behind = The tool moves around the probe on the side away from the start, touches it there for the length, and touches both sides; the abscissa is measured first. End position: the start position.
+help-cycle982-order-upper-across = The tool first crosses the probe, touches it back towards the start for the length, and touches both sides; the abscissa is measured first. End position: the start position.
 help-cycle982-corrects-geometry = The active tool: the value is written to the geometry and the wear is reset to 0, whatever its previous value.
-help-cycle982-wrong-axis = The radius is not in _MA: alarm 61325.
+help-cycle982-wrong-axis = The radius is not in the axis _MA: alarm 61325.
 help-cycle982-wrong-drill-radius = The tool is a drill, whose radius the cycle does not measure: alarm 61314.
 help-cycle982-wrong-fast = The milling spindle rotates fast while the tool touches: cutting edge and probe are damaged. Reduce the speed.
 help-cycle982-wrong-wrong-side = The start position is on the wrong side, or between two sides of the probe: alarm 61332.
-help-cycle982-wrong-nose = Nose radius or lengths of the calibration tool are wrong: their error goes into every tool measured later.
+help-cycle982-wrong-nose = Nose radius or lengths of the calibration tool are wrong: their error carries over to every tool measured later.
 
 help-tool-probe-known = For calibration, the trigger points in _TP (workpiece-related: _TPW) contain the approximate positions of the probe sides; for measuring a tool, the probe is calibrated.
 help-tool-block = One touch: to _FA before the side, from there over at most twice _FA, back after the signal. If _NMSP is above 1, the touch is repeated and the mean value is used.

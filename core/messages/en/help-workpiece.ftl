@@ -54,7 +54,7 @@ help-cycle977-corrects-one-axis = Only _MA is corrected.
 help-cycle977-wrong-depth = The ball is too high: it touches a chamfer or nothing.
 help-cycle977-wrong-infeed = _ID has the wrong sign or is too short: the ball passes over the element. Too long: it hits the bottom, alarm 61302.
 help-cycle977-wrong-zone = The protection zone leaves no room for the ball: alarm 61334.
-help-cycle977-wrong-start = The start position is not the setpoint centre: its error goes into the zero offset.
+help-cycle977-wrong-start = The start position is not the setpoint centre: its error carries over to the zero offset.
 
 help-cycle978-measures-point = The position of one point on a surface perpendicular to axis _MA.
 help-cycle978-before-opposite = The ball is opposite the point, further from the surface than _FA; the side on which it is positioned determines the direction.

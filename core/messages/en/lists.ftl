@@ -1,9 +1,9 @@
 # Calls with arguments in brackets: what is wrong with an argument, and what a list of newer controls says.
 
 list-text-wanted = { $param } needs a text, but { $value } is a number.
-list-text-wanted-hint = Write it in quotation marks.
+list-text-wanted-hint = Write the value in quotation marks.
 list-number-wanted = { $param } needs a number, but “{ $value }” is a text.
-list-number-wanted-hint = Write it without quotation marks.
+list-number-wanted-hint = Write the value without quotation marks.
 list-text-unquoted = { $param }: { $value } has no quotation marks, and the program declares no such variable.
 list-text-unquoted-hint = If this is the name itself, write it in quotation marks.
 list-arguments-many = Too many arguments for { $name }: { $most } permitted, { $count } in this call.

@@ -124,7 +124,7 @@ terminal-check-setup-text = Setup file of the machine, with its tools and data; 
 terminal-cycle-text = Name of the cycle, for example CYCLE977
 terminal-values-text = Values, for example _SETVAL=132
 terminal-comments-text = Write a comment line for each parameter
-terminal-style-text = Call style: direct (assignments, then the call; default), indirect (CYCLE_PARA and a parameterizing call), operate (argument list of newer controls)
+terminal-style-text = Call style: direct (assignments, then the call; default), indirect (CYCLE_PARA and a parameterising call), operate (argument list of newer controls)
 terminal-print-text = File for the printout: what addresses V and W of NCT macros print
 terminal-surface-text = Surface instead of the one in the setup file, of the same size: a PNG picture (white is highest), dome, waves, saddle or step; an STL file keeps its size
 terminal-scan-nc-text = File for the output of digitizing: the NC program

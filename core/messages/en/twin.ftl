@@ -3,7 +3,7 @@ twin-middle = If a tolerance is given, the setpoint is the middle of the toleran
 twin-no-zero = The corrected zero offset has no counterpart there: choose a zero offset.
 twin-at-once = On NCT the corrected zero offset applies immediately; on SINUMERIK it applies when programmed again, or immediately with { "_KNUM" }=9999.
 twin-names = The 5th and 6th zero offsets are G58 and G59 on NCT, G505 and G506 on SINUMERIK.
-twin-register = The NCT register is assumed to have the number of the tool; if yours differs, correct it.
+twin-register = The NCT register number is assumed to equal the tool number; if yours differs, correct it.
 twin-depth = The depth is a coordinate of the tool axis on NCT, and an infeed from the start position on SINUMERIK ({ "_ID" }). It is calculated for start position { $axis }{ $height }.
 twin-corner = SINUMERIK: edges may be rotated, and a corrected zero offset is rotated with the reference edge; { "_STA1" } and { "_INCA" }, or the four points, determine the corner. NCT: the walls are parallel to the axes; the start position determines the corner.
 twin-ball = SINUMERIK stores trigger points of the probe, NCT the effective ball radii { "#500" } to { "#503" }.

@@ -18,16 +18,16 @@ convert-others = { $cycle } in line { $line } uses values of this call and would
 convert-others-hint = Convert that call too, or write its values before it.
 convert-argument = Argument { $value } of this call would be lost: no other call style has a place for it.
 convert-argument-hint = Write the number instead of { $value } in the call, then convert the call.
-convert-expression = The call is unchanged: { $value }, assigned to { $name }, may have another value at the place of the new text.
+convert-expression = The call is unchanged: { $value }, assigned to { $name }, may have a different value at the position of the new text.
 convert-expression-hint = Write { $name }={ $value } directly before the call, with nothing in between that changes it.
 
 revise-taken = The new variant does not use { $names }: removed from the call.
 revise-kept = { $name }={ $value } remains in the program, although the new variant does not use it: it is an expression.
 revise-shared = { $names } remain in the program, although the new variant does not use them: a later call reads them.
 variable-before = { $name } cannot be changed: no line of the program assigns it before the call.
-variable-several = { $name } cannot be changed: it comes from several places (lines { $lines }), depending on the path through the program.
+variable-several = { $name } cannot be changed: it is assigned in several places (lines { $lines }), depending on the path through the program.
 variable-unclear = { $name } cannot be changed: a call, a loop or an index determines its value.
 variable-calculated = { $name } cannot be changed: it is calculated in line { $lines }.
 variable-number = { $name } can be changed once a number is entered.
-variable-unsolved = { $name } cannot be changed: the expression does not give its value for this number.
+variable-unsolved = { $name } cannot be changed: no value for it follows from the expression and the entered number.
 variable-same = { $name } already has this value.
