@@ -1,9 +1,9 @@
 # Help pages of the cycles at a tool probe.
 
-help-tool-in-use = The tool and its D number are active; plane and G40 are programmed. The tool lengths are in the tool data: exact for calibration, otherwise approximate.
+help-tool-in-use = The tool and its D number are active; the plane and G40 are programmed. The tool lengths are in the tool data: exact for calibration, otherwise approximate.
 help-tool-not-turned = No coordinate rotation is active; the sides of the probe are parallel to the axes.
 help-tool-parallel = The sides of the probe are parallel to the machine axes.
-help-tool-chip = A chip or coolant on cutting edge or probe: the probe switches too early, the result is wrong.
+help-tool-chip = A chip or coolant on the cutting edge or the probe: the probe switches too early, the result is wrong.
 
 help-cycle971-measures-side = The position of one side of the tool probe, with a tool of known length and radius.
 help-cycle971-measures-sides = The positions of all sides of the tool probe specified in _TP[k,7] (workpiece-related: _TPW[k,7]), with a tool of known length and radius.
