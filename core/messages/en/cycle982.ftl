@@ -102,7 +102,7 @@ ma-lathe-l2-radius = L2 and radius, touched in the abscissa (G18: Z)
 ma-lathe-l1-radius = L1 and radius, touched in the ordinate (G18: X)
 
 param-ma-lathe-measured = Measured size
-param-ma-lathe-measured-help = Size to be measured; also determines the axis of the touch. The radius of an axial tool is in the ordinate, that of a radial tool in the abscissa. Start opposite the side to be touched.
+param-ma-lathe-measured-help = Size to be measured; also determines the touch axis. The radius of an axial tool is in the ordinate, that of a radial tool in the abscissa. Start opposite the side to be touched.
 param-md-incremental = Measuring direction
 param-md-incremental-help = Direction in which the tool moves from its current position to the probe.
 param-sta1-milling-spindle = Milling spindle starting angle
