@@ -5,7 +5,7 @@ ma-lathe-ordinate = Ordinate (G18: X)
 ma-lathe-applicate = Applicate (G18: Y), if available
 
 param-fa-lathe = Measuring path
-param-fa-lathe-help = Distance from the start of the measuring block to the setpoint position, and as far past it; the end position is as far from the surface. Always in mm, in X as a radius.
+param-fa-lathe-help = Distance from the start of the measuring block to the setpoint position, and the same past it; the end position is as far from the surface. Always in mm, in X as a radius.
 
 check-lathe-probe = A tool of type { $type } is active, but this cycle needs the probe of a turning machine.
 check-lathe-probe-hint = Program the probe with its D number before the call; it needs type 5xy and cutting edge position 5 to 8.
