@@ -73,8 +73,8 @@ describe("the limits of the tolerances", () => {
     await context.close();
   });
 
-  // oracle: hand (the hole of the first example is 0.03 mm too large, its upper tolerance is 0.03 mm); manual B:1310-1394
-  // (with 0.04 the control compares with the middle of the tolerances, 0.005 mm above the setpoint)
+  // oracle: hand (the hole of the first example is 0.03 mm too large, its upper tolerance is 0.03 mm); manual
+  // B:1310-1394 (with 0.04 the control compares with the middle of the tolerances, 0.005 mm above the setpoint)
   test("have the deviation that was measured between them", async () => {
     const { context, page, problems } = await open(chrome.browser);
     await page.locator(".field").first().waitFor();

@@ -223,7 +223,8 @@ export async function outside(browser, row, verdict) {
     const [all, floor] = [page[part], empty[part]];
     const cells = list => [50, 95, 100].map(one => percent(list, one).toFixed(0));
     const [value, least] = [percent(all, share), percent(floor, share)];
-    row(name, [...cells(all), `<= ${goal}`, verdict(value, goal + 0.001), over(value, least)]); // up to the goal and with it
+    const reached = verdict(value, goal + 0.001); // up to the goal and with it
+    row(name, [...cells(all), `<= ${goal}`, reached, over(value, least)]);
     row("  the same with an empty page", cells(floor));
   };
   const once = (name, value, floor, goal) =>

@@ -1,5 +1,5 @@
-// Nothing is changed behind the user's back: drawn sequences of what a user does in form, program, history and tasks, and
-// after each step what must always hold. PROBEWRIGHT_SEED=7 draws others, PROBEWRIGHT_CASES=20 more of them.
+// Nothing is changed behind the user's back: drawn sequences of what a user does in form, program, history and tasks,
+// and after each step what must always hold. PROBEWRIGHT_SEED=7 draws others, PROBEWRIGHT_CASES=20 more of them.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";

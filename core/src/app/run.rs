@@ -170,7 +170,8 @@ impl OfCall {
 /// use probewright_core::dialect::Dialect;
 ///
 /// let text = "R1=20*2\nG0 X=R1\nM30\n".to_owned();
-/// let mut run = Run::new(RunRequest { control: Dialect::Sinumerik, text, setup: None, arguments: None, strict: None })?;
+/// let control = Dialect::Sinumerik;
+/// let mut run = Run::new(RunRequest { control, text, setup: None, arguments: None, strict: None })?;
 /// while !run.advance(100) {}
 /// let view = run.view();
 /// assert!(view.finished && view.alarms.is_empty());

@@ -1,5 +1,5 @@
-//! User data that definition files add to the control (MGUD, UGUD, SGUD, GUD4 to GUD9): names, types, sizes, first values.
-//! Their values are with all others in [`super::Control::data`], as far as one was given or written.
+//! User data that definition files add to the control (MGUD, UGUD, SGUD, GUD4 to GUD9): names, types, sizes, first
+//! values. Their values are with all others in [`super::Control::data`], as far as one was given or written.
 
 use super::Value;
 use std::collections::BTreeMap;

@@ -1,5 +1,5 @@
-//! Values that only the machine has: machine and setting data, inputs and outputs, what its axes and channel tell. Those
-//! that are not simulated are data of the setup; one that is not given there is assumed, and the run tells which.
+//! Values that only the machine has: machine and setting data, inputs and outputs, what its axes and channel tell.
+//! Those that are not simulated are data of the setup; one that is not given there is assumed, and the run tells which.
 
 use super::{Datum, Interpreter, stem};
 use crate::control::definitions::LONGEST;

@@ -69,7 +69,8 @@ fn data_of_a_definition_file_hold_what_their_type_allows() {
 // oracle: hand: a subprogram sees the datum, changes it, gets it by reference; one of its own hides it
 #[test]
 fn all_programs_see_the_data_of_a_definition_file() {
-    let text = "%_N_UGUD_DEF\nDEF CHAN REAL COUNT=1\nDEF CHAN REAL ROW[3]=SET(1,2,3)\n%_N_MAIN_MPF\nSUB\nBY(COUNT,ROW)\n\
+    let text = "%_N_UGUD_DEF\nDEF CHAN REAL COUNT=1\nDEF CHAN REAL ROW[3]=SET(1,2,3)\n%_N_MAIN_MPF\nSUB\n\
+        BY(COUNT,ROW)\n\
         R1=COUNT R2=ROW[2]\nHIDES\nR3=COUNT\nM30\n%_N_SUB_SPF\nCOUNT=COUNT+1\nM17\n\
         %_N_BY_SPF\nPROC BY(VAR REAL ONE, VAR REAL ALL[])\nONE=ONE*10\nALL[2]=9\nM17\n\
         %_N_HIDES_SPF\nDEF REAL COUNT\nCOUNT=500\nM17\n";
@@ -176,7 +177,8 @@ fn parameters_of_the_program_itself_can_be_given() {
 #[test]
 fn any_text_is_a_definition_file() {
     let piece = prop_oneof![
-        3 => "DEF (NCK|CHAN) (REAL|INT|BOOL|CHAR|AXIS|FRAME|STRING\\[[0-9]{1,3}\\]) [A-D]{1,2}(\\[[0-9]{1,4}\\])?(=.{0,12})?\n",
+        3 => "DEF (NCK|CHAN) (REAL|INT|BOOL|CHAR|AXIS|FRAME|STRING\\[[0-9]{1,3}\\]) \
+            [A-D]{1,2}(\\[[0-9]{1,4}\\])?(=.{0,12})?\n",
         1 => "(DEF|REDEF|LLI|APR|PHU|SET\\(|REP\\(|[\"\\[\\],=%-]|[0-9]{1,9}|[A-Z]{1,3}|\n| ){1,12}",
         1 => "\\PC{0,20}\n",
     ];

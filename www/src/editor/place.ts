@@ -23,8 +23,8 @@ export interface EditorPlace {
 }
 
 /**
- * `laying`: the work on a program that the page already has; `calm`: the editor is not fetched before; `ready` is called
- * when it is there.
+ * `laying`: the work on a program that the page already has; `calm`: the editor is not fetched before; `ready` is
+ * called when it is there.
  */
 export function createEditorPlace(laying: Job, calm: Promise<void>, ready: () => void): EditorPlace {
   const box = el("div", { class: "editor" });

@@ -199,7 +199,7 @@ function tool(name: IconName, label: string, run: () => void): HTMLButtonElement
   return button;
 }
 
-/** Tells how far this reaches from the left. To ask while drawing would lay out the page once more at each keystroke. */
+/** Tells how far this reaches from the left. To ask while drawing would lay out the page at each keystroke. */
 function watchCovered(legend: HTMLElement, tell: (width: number) => void): void {
   new ResizeObserver(() => tell(legend.offsetWidth + legend.offsetLeft)).observe(legend);
 }
