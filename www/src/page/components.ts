@@ -195,7 +195,7 @@ function sliders(): States {
   });
 }
 
-const BLOCKS = "N10 G17 G54 ; zero\n_MVAR=1 _SETVAL=50\nCYCLE977\nM30\n";
+const BLOCKS = "N10 G17 G54 ; zero\nR1=1 R2=50\nMEASURE\nM30\n";
 
 function editors(): States {
   const call = { from: 2, to: 3, open: true };
@@ -203,8 +203,8 @@ function editors(): States {
     program: {},
     "call in the form": { marks: { calls: [call], step: null, hints: [{ line: 3, text: "Ø 50.030" }] } },
     step: { marks: { calls: [{ ...call, open: false }], step: 3 } },
-    problem: { problems: [{ from: 32, to: 42, severity: "error" as const, message: "PW000" }] },
-    value: { values: { all: [{ field: "_SETVAL", from: 35, to: 37 }], lit: "_SETVAL" } },
+    problem: { problems: [{ from: 24, to: 29, severity: "error" as const, message: "PW000" }] },
+    value: { values: { all: [{ field: "R2", from: 27, to: 29 }], lit: "R2" } },
   };
   return Object.entries(shown).map(([state, part]) => {
     const box = el("div", { class: "editor" });
