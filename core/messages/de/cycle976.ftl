@@ -96,7 +96,7 @@ check-calibration-mirror-hint = Spiegelung vor dem Aufruf abwählen; beim Messen
 check-calibration-band = Der Zyklus speichert keinen Triggerpunkt: Die Differenz müsste größer als _TZL und höchstens gleich _TSA sein.
 check-calibration-band-hint = _TZL kleiner als _TSA wählen; 0 speichert jeden neuen Wert.
 check-skew-lost = Der Zyklus ermittelt die Lageabweichung, speichert sie aber nicht.
-check-skew-lost-hint = Für die Lageabweichung „ermitteln“ wählen, wenn spätere Messungen sie verrechnen sollen.
+check-skew-lost-hint = Wenn spätere Messungen die Lageabweichung verrechnen sollen, die 5. Stelle von _MVAR von rechts auf 1 setzen.
 check-applicate-plus = Der Messtaster müsste die Fläche entgegen der Zustellrichtung der Werkzeugachse antasten.
 check-applicate-plus-hint = Andere Richtung wählen (1, Minus, wenn die Werkzeugachse nach oben zeigt), falls der Taststift nicht von unten antasten kann.
 

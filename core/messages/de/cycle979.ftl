@@ -30,7 +30,7 @@ need-lift = Der Messtaster muss den Steg überfahren.
 
 check-points-unused = Die Anzahl der Punkte gilt nur für Bohrung und Welle.
 check-points-unused-hint = Drei Punkte wählen: 0 in der 4. Stelle von _PRNUM.
-check-path-centre = Der Messweg beginnt auf der anderen Seite des Mittelpunkts: Von Punkt zu Punkt würde der Messtaster dort vorbeifahren.
+check-path-centre = Der Messweg beginnt hinter dem Mittelpunkt: Von Punkt zu Punkt würde der Messtaster auf der Gegenseite fahren.
 check-path-centre-hint = _FA kleiner als { $free } mm wählen.
 check-lift = Der Messtaster hebt vor dem Überfahren des Stegs nicht ab.
 check-lift-hint = Positiven Wert eingeben; liegt das Messtastergehäuse auf der Minus-Seite der Applikate, negativen.

@@ -8,9 +8,9 @@ evaluate-whole = Differenz { $difference } mm liegt in der Toleranz, aber auße
 evaluate-mean = Differenz { $difference } mm ergibt Mittelwert { $mean } mm außerhalb des Nullkorrekturbereichs: { $follows }.
 # Was aus den vier davor folgt.
 evaluate-corrects-whole = Die ganze Differenz wird korrigiert
-evaluate-corrects-both = Das Mittel beider Differenzen wird korrigiert
+evaluate-corrects-both = Korrigiert wird um das Mittel beider Differenzen
 evaluate-corrects-zero = Das Mittel beider Differenzen ist 0, nichts wird korrigiert
-evaluate-corrects-mean = Der Mittelwert wird korrigiert
+evaluate-corrects-mean = Korrigiert wird um den Mittelwert
 evaluate-corrects-nothing = Wegen _KNUM=0 wird nichts korrigiert
 evaluate-restarts = Der Mittelwert beginnt neu: { $name } wird 0.
 evaluate-small = Differenz { $difference } mm ergibt Mittelwert { $mean } mm im Nullkorrekturbereich: Nichts wird korrigiert.

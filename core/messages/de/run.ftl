@@ -3,7 +3,7 @@
 run-unknown-word = „{ $word }“ ist nicht bekannt.
 run-unknown-variable = Es gibt keine Variable „{ $word }“.
 run-not-measured = „{ $word }“ hat noch keinen Wert: Vorher hat in keinem Messsatz der Messtaster geschaltet.
-run-offset-variable = „{ $word }“ ist eine Werkzeugkorrektur. Welcher Teil gemeint ist, hängt von der Steuerung ab: Sie wird nicht simuliert.
+run-offset-variable = „{ $word }“ ist eine Werkzeugkorrektur und wird nicht simuliert: Welcher Teil welches Speichers gemeint ist, bestimmt die Steuerung.
 run-no-simulation = Dieser Aufruf von „{ $word }“ wird nicht simuliert: Der Lauf hält hier an.
 run-not-simulated = „{ $word }“ ist bekannt, wird aber nicht simuliert.
 run-index = Der Index von „{ $word }“ liegt außerhalb des Feldes.

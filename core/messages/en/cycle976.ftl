@@ -96,7 +96,7 @@ check-calibration-mirror-hint = Deselect mirroring before the call; it is permit
 check-calibration-band = No new trigger point can be stored: it would have to differ by more than _TZL and by at most _TSA.
 check-calibration-band-hint = Reduce _TZL below _TSA; 0 stores every new value.
 check-skew-lost = The cycle determines the skew but does not store it.
-check-skew-lost-hint = If later measurements need the skew, choose “Determine”.
+check-skew-lost-hint = If later measurements need the skew, set the 5th digit of _MVAR from the right to 1.
 check-applicate-plus = The probe would have to touch against the infeed direction of the tool axis.
 check-applicate-plus-hint = Choose the other direction (1, minus, if the tool axis points up), unless the stylus can touch from below.
 

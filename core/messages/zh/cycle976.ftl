@@ -96,7 +96,7 @@ check-calibration-mirror-hint = 请在调用前取消镜像；测量时允许镜
 check-calibration-band = 不会存储任何新触发点：偏差须大于 _TZL 且不大于 _TSA。
 check-calibration-band-hint = 请把 _TZL 减小到小于 _TSA；0 存储每个新值。
 check-skew-lost = 循环求出位置偏差，但不存储。
-check-skew-lost-hint = 若以后的测量要用位置偏差，请选“求出”。
+check-skew-lost-hint = 若以后的测量要用位置偏差，请把 _MVAR 从右起第 5 位设为 1。
 check-applicate-plus = 测头须逆着刀具轴的进刀方向触碰。
 check-applicate-plus-hint = 除非测针能从下方触碰，否则请选另一个方向（刀具轴向上时为 1，即负）。
 

@@ -139,7 +139,7 @@ fn replace_double(all: &mut [Rc<Value>], value: &Rc<Value>) {
 
 /// A part of the map; equal parts are mostly the same one.
 #[derive(Clone, Debug)]
-#[expect(clippy::large_enum_variant, reason = "most parts hold values, and each is behind an `Rc` already")]
+#[allow(clippy::large_enum_variant)] // most parts hold values, and each is behind an `Rc` already
 enum Node {
     Held([Option<Held>; WIDTH]),
     Parts([Part; WIDTH]),
