@@ -7,8 +7,8 @@ use crate::geometry::{Extent, V3};
 /// In which paths are shown whole around parts: share of their size, and at least so many mm.
 const ROOM: f64 = 0.4;
 const LEAST_ROOM: f64 = 50.0;
-/// A coordinate system is shown whole while that makes what is there seem smaller by no more than this factor.
-const SMALLER: f64 = 1.3;
+/// Distance of a coordinate system that is shown whole, share of the size of what is there.
+const NEAR: f64 = 1.4;
 /// Room around coordinate systems where there is nothing else, mm.
 const ALONE: f64 = 20.0;
 
@@ -42,11 +42,9 @@ pub fn around(solids: &Extent, ways: &Extent, frames: &[Frame]) -> Extent {
         let seen = Extent::of(zeros());
         return if is_some(&seen) { seen } else { Extent::of([V3::zeros()]) }.wider(ALONE);
     }
-    let most = SMALLER * size(&seen);
     for zero in zeros() {
-        let with = seen.with(&Extent::of([zero]));
-        if size(&with) <= most {
-            seen = with;
+        if (zero - (seen.low + seen.high) / 2.0).norm() < NEAR * size(&seen) {
+            seen = seen.with(&Extent::of([zero]));
         }
     }
     seen

@@ -165,16 +165,6 @@ fn coordinate_systems_alone_are_seen_whole() {
     near(fit::around(&nothing, &nothing, &[]).high.into(), [20.0; 3]);
 }
 
-// oracle: hand (a cube of 10 mm: its diagonal is 17.3, with the near origin 19.6, with the far one 66.7)
-#[test]
-fn a_coordinate_system_is_seen_whole_where_the_part_stays_large() {
-    let frame = |at| Frame { name: String::new(), at, axes: UNITS, moved: None };
-    let part = Extent::of([V3::zeros(), V3::new(10.0, 10.0, 10.0)]);
-    let seen = fit::around(&part, &Extent::default(), &[frame([60.0, 0.0, 30.0]), frame([0.0, 0.0, 13.5])]);
-    near(seen.low.into(), [0.0; 3]);
-    near(seen.high.into(), [10.0, 10.0, 13.5]);
-}
-
 // oracle: hand
 #[test]
 fn the_probe_is_on_its_motion_and_stays_where_the_last_motion_ended() {
