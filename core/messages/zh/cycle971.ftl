@@ -61,11 +61,11 @@ check-tool-type-drill = 钻头（类型 { $type }）没有可测的半径。
 check-tool-length-zero = 当前刀具的长度 L1 为 0。
 check-tool-radius-zero = 当前刀具的半径为 0。
 check-tool-zero-hint = 请在刀具数据中输入近似尺寸，校准刀具则输入精确尺寸。
-check-offset-missing = 刀具直径 { $tool } mm 大于测头的 { $edge } mm：_ID 决定其位置。
+check-offset-missing = 刀具直径 { $tool } mm 大于测头宽度 { $edge } mm：_ID 决定其位置。
 check-offset-missing-hint = 若刀具的最外点应位于测头中心上方，请把 _ID 设为 0。
 check-offset-large = _ID 大于刀具半径 { $radius } mm：刀具会偏移到另一侧。
 check-offset-large-hint = 请在 _ID 中输入从半径向内的距离，不得大于半径。
-check-offset-abscissa = 刀具直径 { $tool } mm 大于测头的 { $edge } mm：循环使刀具沿横坐标偏移。
+check-offset-abscissa = 刀具直径 { $tool } mm 大于测头宽度 { $edge } mm：循环使刀具沿横坐标偏移。
 check-offset-abscissa-hint = 请把 _MA 设为 103 或 203，以指明偏移的轴。
 check-mfs-missing = { $name } 不大于 0：缺少某次触碰的转速或进给。
 check-mfs-missing-hint = 请设置 _MFS[0]、[2]、[4] 的转速和 _MFS[1]、[3]、[5] 的进给，或用 _CBIT[12]=0 让循环计算。

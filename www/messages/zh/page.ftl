@@ -683,7 +683,7 @@ whole-alarm-name = 报警
 whole-why-name = 原因
 
 # 开始页面
-start-place = 开始
+start-place = 首页
 start-title = 您要测量什么？
 start-lead = 先选择被测要素，再选择补偿目标。Probewright 生成调用，并显示机床的动作。
 start-corrects = 补偿什么？
