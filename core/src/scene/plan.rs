@@ -241,7 +241,7 @@ impl Task {
         inputs.numbers.retain(|name, _| !CORRECTIONS.contains(name) && !staging.left_out.contains(name));
         inputs.numbers.extend(staging.values.iter().copied());
         inputs.texts.clear();
-        Task { inputs, staging }
+        Task { inputs, staging: Staging { scale: 1.0, ..staging } } // the values are those of the picture already
     }
 }
 

@@ -101,3 +101,12 @@ fn a_value_that_no_picture_shows_makes_nothing_anew() {
         assert!(!Rc::ptr_eq(&before, &Views::of(&Inputs { plane: Plane::G18, ..inputs }, staged)));
     }
 }
+
+// oracle: hand: a bore of any size has one size on paper
+#[test]
+fn a_size_that_is_drawn_as_one_makes_nothing_anew() {
+    for (inputs, staged) in staged().filter(|(inputs, _)| inputs.cycle.name == "G103") {
+        let [one, other] = [30.0, 31.0].map(|size| Views::of(&with(&inputs, address::D, size), staged));
+        assert!(Rc::ptr_eq(&one, &other));
+    }
+}

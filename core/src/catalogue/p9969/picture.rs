@@ -13,6 +13,10 @@ const SPACES: f64 = 3.0;
 const DEEPEST: f64 = -18.0;
 /// Shortest and longest part of a drawn step, mm.
 const STEP: [f64; 2] = [6.0, 16.0];
+/// Differences of drawn sides and of drawn steps that can be seen, mm: less makes no other picture.
+const SEEN: [f64; 2] = [4.0, 1.0];
+/// Feed, mm/min: no picture shows it.
+const FEED: f64 = 120.0;
 /// Ball radius, mm.
 const BALL: f64 = 3.0;
 
@@ -28,13 +32,17 @@ fn across(inputs: &Inputs) -> usize {
 /// Sides of the drawn rectangle along the axes of the plane, mm.
 fn sides(inputs: &Inputs) -> [f64; 2] {
     let ends = [0, 1].map(|index| given(inputs, index).unwrap_or(0.0).abs().max(1e-6));
-    ends.map(|end| (end / ends[0].max(ends[1]) * SIDES[0]).max(SIDES[1]))
+    ends.map(|end| rounded(end / ends[0].max(ends[1]) * SIDES[0], SEEN[0]).max(SIDES[1]))
 }
 
 /// Drawn distance of the points and way up before the next one, mm.
 fn step(inputs: &Inputs) -> [f64; 2] {
     let sizes = [address::R, address::Q].map(|name| inputs.given(name).unwrap_or(1.0).abs().max(1e-9));
-    sizes.map(|size| (size / sizes[0].max(sizes[1]) * STEP[1]).max(STEP[0]))
+    sizes.map(|size| rounded(size / sizes[0].max(sizes[1]) * STEP[1], SEEN[1]).max(STEP[0]))
+}
+
+fn rounded(length: f64, to: f64) -> f64 {
+    (length / to).round() * to
 }
 
 /// The scan of a rectangle that begins at the zero.
@@ -52,6 +60,7 @@ pub fn stage(inputs: &Inputs) -> Staging {
         .with(letter(across), sides[across] / SPACES)
         .with(address::R, raster)
         .with(address::Q, retract)
+        .with(address::F, FEED)
         .beside(true, Look { flat: true, balls: false, called: false, ..beside })
 }
 
