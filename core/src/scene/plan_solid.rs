@@ -9,6 +9,9 @@ use crate::workpiece::{Column, Form, FreeSurface, Material, Solid};
 /// Material around an opening, in sizes of it.
 const AROUND: Material = Material { beside: [1.3, 0.0], below: [1.25, 0.0] };
 
+/// Points of a cut surface nearer to each other than this, mm, are one: no bend between them can be seen.
+const APART: f64 = 1.0;
+
 /// A solid on the paper.
 pub struct Outline {
     /// All of it, the opening left out where it is seen.
@@ -111,7 +114,7 @@ fn free(
     let crossings = sides.filter_map(|side| crossing(side.map(|corner| corners[*corner as usize]), cut));
     let mut top: Vec<[f64; 2]> = crossings.map(&seen).collect();
     top.sort_by(|one, other| one[0].total_cmp(&other[0]));
-    top.dedup_by(|one, other| distance(*one, *other) < 1e-6);
+    top.dedup_by(|one, other| distance(*one, *other) < APART);
     let bottom = seen(machine(V3::new(low[0], low[1], 2.0 * low[2] - high[2])))[1];
     let mut body = top.clone();
     body.extend(top.last().map(|end| [end[0], bottom]));
