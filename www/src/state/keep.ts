@@ -18,7 +18,7 @@ const STORE = "probewright-1";
 const INLINE = 20_000; // characters of a program, or of an edit of a longer one, that are written with every change
 const REST = 200; // ms without a change, after which the database gets a longer program
 
-const COPY = ""; // of no visit: work that a tab began with and left
+const COPY = ""; // of no visit: what a tab began with and left
 const EARLIER = 1; // ms: a page has kept it that did not tell when it was changed
 
 /** A program in the database: under which key, and what was edited since. */
@@ -123,8 +123,9 @@ function write(state: State, flat: Flat): Saved {
  * Later work than that of this tab, with what it chose since. If this tab wrote it, it began with a copy and has work of
  * its own now: what lies there is not that any more.
  */
-function left(newest: Stored | null, state: State): Stored {
-  return { ...newest, ...preferences(state), by: newest?.by === visit ? COPY : (newest?.by ?? COPY) };
+function left(newest: Stored | null, state: State): Flat & Pick<Stored, "by"> {
+  const by = newest?.by === visit ? COPY : newest?.by;
+  return { ...newest, ...preferences(state), by };
 }
 
 /** Keeps what has changed, at once. The browser may keep nothing here (private window) or no more. */
