@@ -120,8 +120,8 @@ function write(state: State, flat: Flat): Saved {
 }
 
 /**
- * Later work than that of this tab, with what it chose since. If this tab wrote it, it began with a copy and has work of
- * its own now: what lies there is not that any more.
+ * Later work than that of this tab, with what it chose since. If this tab wrote it, it began with a copy and has work
+ * of its own now: what lies there is not that any more.
  */
 function left(newest: Stored | null, state: State): Flat & Pick<Stored, "by"> {
   const by = newest?.by === visit ? COPY : newest?.by;
