@@ -158,14 +158,22 @@ fn calls(way: &Way, word: &str) -> bool {
 
 /// Type of a tool that this cycle uses: a probe where it measures a part, else what cuts.
 fn kind(cycle: Option<&Cycle>, control: &Control) -> i64 {
-    let turns =
-        control.all_as_turning_tools() || cycle.is_some_and(|cycle| cycle.purpose.machine == MachineSort::Turning);
-    match (cycle.is_some_and(|cycle| cycle.purpose.probe == ProbeUse::Workpiece), turns) {
+    let probes = cycle.is_some_and(|cycle| cycle.purpose.probe == ProbeUse::Workpiece);
+    match (probes, turns(cycle, control)) {
         (true, true) => LATHE_PROBE,
         (true, false) => PROBE,
-        (false, true) => TURNING_TOOL,
-        (false, false) => MILL,
+        (false, _) => cutting(cycle, control),
     }
+}
+
+/// Type of a tool that cuts.
+fn cutting(cycle: Option<&Cycle>, control: &Control) -> i64 {
+    if turns(cycle, control) { TURNING_TOOL } else { MILL }
+}
+
+/// Whether tools are turning tools there.
+fn turns(cycle: Option<&Cycle>, control: &Control) -> bool {
+    control.all_as_turning_tools() || cycle.is_some_and(|cycle| cycle.purpose.machine == MachineSort::Turning)
 }
 
 /// The tool that a call corrects, where the alarm says that it is not there.
@@ -174,14 +182,12 @@ pub(super) fn corrected(code: Code, cycle: &Cycle, values: &Typed, control: &Con
         return None;
     }
     let value = |name: &str| values.get(name).map(|text| text.trim().trim_matches('"').to_owned()).unwrap_or_default();
-    let number = value(names::TNUM.as_str()).parse().unwrap_or(0);
-    let name = value(names::TNAME.as_str());
+    let tool: i64 = value(names::TNUM.as_str()).parse().unwrap_or(0);
+    let name = if tool > 0 { String::new() } else { value(names::TNAME.as_str()) };
     let target = value(names::KNUM.as_str()).parse().unwrap_or(0);
     let edge = knum::tool(target, knum::five_digit_edges(control)).ok().flatten().map_or(1, |target| target.edge);
-    let turns = control.all_as_turning_tools() || cycle.purpose.machine == MachineSort::Turning;
-    let new = NewTool { tool: number, name, edge: edge.max(1), kind: if turns { TURNING_TOOL } else { MILL } };
-    (new.tool > 0 || !new.name.is_empty())
-        .then(|| NewTool { name: if new.tool > 0 { String::new() } else { new.name.clone() }, ..new })
+    let named = tool > 0 || !name.is_empty();
+    named.then(|| NewTool { tool, name, edge: edge.max(1), kind: cutting(Some(cycle), control) })
 }
 
 impl Setup {
@@ -229,9 +235,7 @@ impl Setup {
             self.tool_probes = made.tool_probes;
         }
     }
-}
 
-impl Setup {
     /// The core's own machine becomes the one that fits a program, and keeps the data that were typed.
     pub(super) fn become_of(&mut self, program: &Program) {
         let Control { dialect, plane, basic_units, .. } = self.control;

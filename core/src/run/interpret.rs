@@ -117,9 +117,7 @@ pub enum Next {
 
 /// Runs a program from its first block to its end.
 pub fn run(program: &Program, setup: &Setup, limits: Limits) -> Outcome {
-    let mut session = Session::new(program.clone(), setup, limits);
-    while !session.advance(usize::MAX) {}
-    session.outcome()
+    Session::new(program.clone(), setup, limits).complete()
 }
 
 /// A run that can be halted between two blocks and goes on later.
@@ -145,6 +143,12 @@ impl Session {
             Err(halt)
         });
         self
+    }
+
+    /// Carries out all that is left.
+    pub fn complete(mut self) -> Outcome {
+        while !self.advance(usize::MAX) {}
+        self.outcome()
     }
 
     /// Carries out about this much work; true: the run is over.

@@ -55,7 +55,8 @@ impl Joined {
                 self.text.extend(header(path).into_bytes());
             }
         }
-        let line = self.text.iter().filter(|byte| **byte == b'\n').count() as u32;
+        let (from, before) = self.parts.last().map_or((0, 0), |part| (part.start, part.line));
+        let line = before + self.text.iter().skip(from).filter(|byte| **byte == b'\n').count() as u32;
         self.parts.push(Part { path: path.to_owned(), start: self.text.len(), line, source: source.clone() });
         self.text.extend(source);
     }
@@ -68,15 +69,18 @@ impl Joined {
 
     /// The files that something was found in, the program in any case, each with what was found there.
     pub fn files(&self, found: &[Diagnostic]) -> Vec<(&Path, &[u8], Vec<Diagnostic>)> {
-        let place = |one: &Diagnostic| {
+        let mut all: Vec<_> = self.parts.iter().map(|part| (&*part.path, &*part.source, Vec::new())).collect();
+        for one in found {
             let start = one.span.unwrap_or_default().start as usize;
-            self.parts.iter().rposition(|part| part.start <= start).unwrap_or(0)
-        };
-        let all = self.parts.iter().enumerate().map(|(at, part)| {
-            let own = found.iter().filter(|one| place(one) == at).map(|one| moved(one.clone(), part.start as u32));
-            (&*part.path, &*part.source, own.collect::<Vec<_>>())
-        });
-        all.enumerate().filter(|(at, (.., found))| *at == 0 || !found.is_empty()).map(|(_, one)| one).collect()
+            let behind = self.parts.partition_point(|part| part.start <= start);
+            let at = behind.saturating_sub(1); // parts stand in the order of the text
+            if let (Some(part), Some((.., own))) = (self.parts.get(at), all.get_mut(at)) {
+                own.push(moved(one.clone(), part.start as u32));
+            }
+        }
+        let mut first = true;
+        all.retain(|(.., found)| std::mem::take(&mut first) || !found.is_empty());
+        all
     }
 }
 

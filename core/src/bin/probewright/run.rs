@@ -56,9 +56,8 @@ pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
             arguments.scan.put_surface(&mut setup)?;
             let joined = joined.of(setup.control.dialect);
             let program = syntax::read(joined.dialect, &joined.text);
-            let mut session = Session::new(program, &setup, limits).with_arguments(values);
-            while !session.advance(usize::MAX) {}
-            (joined, Assumed { outcome: session.outcome(), setup, told: Vec::new() })
+            let outcome = Session::new(program, &setup, limits).with_arguments(values).complete();
+            (joined, Assumed { outcome, setup, told: Vec::new() })
         }
         None => {
             let program = syntax::read(joined.dialect, &joined.text);
