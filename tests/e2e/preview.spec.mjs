@@ -115,23 +115,32 @@ for (const [setup, backend] of Object.entries(expected)) {
 describe("3D view after a loss", () => {
   // oracle: hand (the next way of drawing shows the same part)
   test("a lost WebGL2 context is replaced by SVG", async () => {
-    await replaced("webgl2", "svg", () => {
-      document.querySelector("canvas").getContext("webgl2").getExtension("WEBGL_lose_context").loseContext();
-    });
+    await replaced("webgl2", "svg", { elsewhere: true });
   });
 
   test("a lost WebGPU device is replaced by WebGL2", async () => {
-    await replaced("webgpu", "webgl2", () => {
-      for (const device of window.devices) device.destroy();
-    });
+    await replaced("webgpu", "webgl2", { elsewhere: true });
   });
 
-  async function replaced(from, to, lose) {
+  // oracle: hand (the same picture, drawn by the page itself, and lost there)
+  test("where no other thread has WebGL2, the page draws itself", async () => {
+    const before = () => {
+      OffscreenCanvas.prototype.getContext = new Proxy(OffscreenCanvas.prototype.getContext, {
+        apply: (plain, self, [kind, ...more]) => (kind === "2d" ? plain.call(self, kind, ...more) : null),
+      });
+    };
+    await replaced("webgl2", "svg", { elsewhere: false, before });
+  });
+
+  // `elsewhere`: it is drawn by another thread, and the page gets no context of the canvas.
+  async function replaced(from, to, { elsewhere, before }) {
     const browser = await launch(from);
     try {
-      const page = await show(browser);
+      const page = await show(browser, before);
       assert.equal(await page.evaluate(() => window.preview.backend), from);
-      await page.evaluate(lose);
+      atLeast(await shot(page), topFace, 15_000, "upper face before");
+      assert.equal(await page.evaluate(isElsewhere), elsewhere);
+      await page.evaluate(() => new BroadcastChannel("lose").postMessage(""));
       await page.waitForFunction(name => window.preview.backend === name, to);
       atLeast(await shot(page), topFace, 15_000, "upper face");
     } finally {
@@ -140,15 +149,17 @@ describe("3D view after a loss", () => {
   }
 });
 
-async function show(browser) {
+// `before`: what else is done on every thread before anything is drawn.
+async function show(browser, before = () => undefined) {
   const page = await browser.newPage({ viewport: size });
   await page.addInitScript(watch);
+  await page.addInitScript({ content: `onEveryThread(${keep}, ${before})` });
   await page.goto(`${site.url}preview-test.html`);
   await page.waitForFunction(() => window.preview);
   return page;
 }
 
-// Counts animation frames and keeps WebGPU devices, before the page runs.
+// Counts animation frames of the page, and does something on each thread before its own code runs.
 function watch() {
   const ask = window.requestAnimationFrame.bind(window);
   window.frames_asked = 0;
@@ -156,20 +167,60 @@ function watch() {
     window.frames_asked += 1;
     return ask(callback);
   };
-  window.devices = [];
-  if (typeof GPUAdapter === "undefined") return;
-  const request = GPUAdapter.prototype.requestDevice;
-  GPUAdapter.prototype.requestDevice = async function (...options) {
-    const device = await request.apply(this, options);
-    window.devices.push(device);
-    return device;
+  window.onEveryThread = (...all) => {
+    const code = all.map(one => `(${one})();`).join("");
+    new Function(code)();
+    const made = text => URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
+    globalThis.Worker = class extends Worker {
+      constructor(address, options) {
+        super(made(`import "${made(code)}"; import "${new URL(address, location.href)}";`), options);
+      }
+    };
   };
+}
+
+// Keeps devices and contexts, and loses them when it is told to.
+function keep() {
+  const lose = [];
+  const contexts = (type, wanted) => {
+    const plain = type?.prototype.getContext;
+    if (!plain) return;
+    type.prototype.getContext = function (...args) {
+      const context = plain.apply(this, args);
+      if (context && args[0] === wanted) lose.push(() => context.getExtension("WEBGL_lose_context").loseContext());
+      return context;
+    };
+  };
+  contexts(globalThis.HTMLCanvasElement, "webgl2");
+  contexts(globalThis.OffscreenCanvas, "webgl2");
+  if (typeof GPUAdapter !== "undefined") {
+    const request = GPUAdapter.prototype.requestDevice;
+    GPUAdapter.prototype.requestDevice = async function (...options) {
+      const device = await request.apply(this, options);
+      lose.push(() => device.destroy());
+      return device;
+    };
+  }
+  new BroadcastChannel("lose").onmessage = () => {
+    for (const one of lose) one();
+  };
+}
+
+// A canvas that another thread has gives nobody a context.
+function isElsewhere() {
+  try {
+    document.querySelector("canvas").getContext("2d");
+    return false;
+  } catch {
+    return true;
+  }
 }
 
 async function shot(page) {
   await page.evaluate(
     () => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 150)))),
   );
+  await page.waitForFunction(() => !window.preview.drawing);
   return PNG.sync.read(await page.screenshot());
 }
 

@@ -2,10 +2,12 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use web_sys::HtmlCanvasElement;
-use wgpu::{Adapter, Device, Queue, Surface, SurfaceConfiguration};
+use js_sys::Object;
+use wasm_bindgen::JsCast;
+use web_sys::{EventTarget, HtmlCanvasElement, OffscreenCanvas};
+use wgpu::{Adapter, Device, Queue, Surface, SurfaceConfiguration, SurfaceTarget};
 
-/// Sent to the window when a device is lost; whoever draws asks its own renderer then.
+/// Sent to the window or the worker when a device is lost; whoever draws asks its own renderer then.
 pub const LOST_EVENT: &str = "probewright-preview-lost";
 
 /// What was lost and why; empty while all is well.
@@ -28,11 +30,11 @@ impl Fault {
 }
 
 fn announce() {
-    let (Some(window), Ok(event)) = (web_sys::window(), web_sys::Event::new(LOST_EVENT)) else {
+    let (Ok(scope), Ok(event)) = (js_sys::global().dyn_into::<EventTarget>(), web_sys::Event::new(LOST_EVENT)) else {
         return;
     };
     // A listener that throws is the page's own matter.
-    let _ = window.dispatch_event(&event);
+    let _ = scope.dispatch_event(&event);
 }
 
 /// A canvas that can be drawn on.
@@ -52,10 +54,10 @@ pub struct Gpu {
 }
 
 /// Opens the device for a canvas; the reason if the browser has none that works here.
-pub async fn open(canvas: HtmlCanvasElement) -> Result<Gpu, String> {
-    let (width, height) = (canvas.width().max(1), canvas.height().max(1));
+pub async fn open(canvas: Object) -> Result<Gpu, String> {
+    let (target, width, height) = surface_target(canvas)?;
     let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
-    let surface = instance.create_surface(wgpu::SurfaceTarget::Canvas(canvas)).map_err(|error| error.to_string())?;
+    let surface = instance.create_surface(target).map_err(|error| error.to_string())?;
     let adapter = instance
         .request_adapter(&wgpu::RequestAdapterOptions { compatible_surface: Some(&surface), ..Default::default() })
         .await
@@ -66,6 +68,19 @@ pub async fn open(canvas: HtmlCanvasElement) -> Result<Gpu, String> {
     let config = configuration(&surface, &adapter, width, height)?;
     surface.configure(&device, &config);
     Ok(Gpu { device, queue, surface, config, samples: samples(&adapter), fault })
+}
+
+/// A canvas of the page, or one that belongs to a worker; its size.
+fn surface_target(canvas: Object) -> Result<(SurfaceTarget<'static>, u32, u32), String> {
+    let canvas = match canvas.dyn_into::<HtmlCanvasElement>() {
+        Ok(canvas) => {
+            let (width, height) = (canvas.width().max(1), canvas.height().max(1));
+            return Ok((SurfaceTarget::Canvas(canvas), width, height));
+        }
+        Err(other) => other.dyn_into::<OffscreenCanvas>().map_err(|_| "no canvas")?,
+    };
+    let (width, height) = (canvas.width().max(1), canvas.height().max(1));
+    Ok((SurfaceTarget::OffscreenCanvas(canvas), width, height))
 }
 
 /// Without a graphics card the same cores draw that the page runs on: four samples would take them from it. Lines are

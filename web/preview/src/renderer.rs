@@ -4,8 +4,8 @@ use std::ops::Range;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use js_sys::Object;
 use wasm_bindgen::prelude::wasm_bindgen;
-use web_sys::HtmlCanvasElement;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{BindGroup, Buffer, CurrentSurfaceTexture, RenderPass};
 
@@ -35,11 +35,11 @@ pub struct Renderer {
 
 #[wasm_bindgen(wasm_bindgen_futures = js_sys::futures)]
 impl Renderer {
-    /// Opens the canvas.
+    /// Opens a canvas of the page or of a worker.
     ///
     /// # Errors
     /// The browser offers no working adapter.
-    pub async fn create(canvas: HtmlCanvasElement) -> Result<Renderer, String> {
+    pub async fn create(canvas: Object) -> Result<Renderer, String> {
         let gpu = gpu::open(canvas).await?;
         let uniforms = gpu.device.create_buffer_init(&BufferInitDescriptor {
             label: None,

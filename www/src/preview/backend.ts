@@ -3,7 +3,8 @@ import type { Vec3 } from "../wire";
 import type { Camera, Viewport } from "./camera";
 import type { Scene } from "./scene";
 
-export type BackendName = "webgpu" | "webgl2" | "svg";
+export type GpuName = "webgpu" | "webgl2";
+export type BackendName = GpuName | "svg";
 
 /** One picture. `time`: entries of the trace done; the fraction is that of the current one. */
 export interface Frame {
@@ -39,11 +40,15 @@ export interface Hooks {
   again(): void;
   /** So many points of the cloud are drawn. */
   thinned(drawn: number): void;
+  /** A picture that was under way is on the screen. */
+  drawn(): void;
 }
 
 export interface Backend {
   name: BackendName;
   element: HTMLElement | SVGElement;
+  /** A picture is under way: another one would only wait. */
+  readonly busy: boolean;
   setScene(scene: Scene, ratio: number): void;
   setCloud(cloud: Cloud | null): void;
   /** Throws when it cannot draw any more. */

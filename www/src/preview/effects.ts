@@ -1,10 +1,8 @@
 // Whether a device has the time for all effects: a graphics card has, a processor lights the corners of the surfaces
 // only and draws the ground as lines. It is measured at the first frames, and again where the view has another size.
-import type { Hooks } from "./backend";
-import type { PointRenderer } from "./points";
+import type { Renderer, Told } from "./renderer";
 
 export interface Effects {
-  readonly all: boolean;
   /** After a frame of so many pixels: looks how long the device needs for it, while that is not known. */
   follow(pixels: number): void;
   end(): void;
@@ -13,7 +11,10 @@ export interface Effects {
 const SLOW = 30; // ms until the page hears of a frame, two frames of the page included
 const LOOKS = 3; // frames of which the quickest counts: others may have held one up
 
-export function createEffects(renderer: PointRenderer, { again }: Pick<Hooks, "again">): Effects {
+export function createEffects(
+  renderer: Pick<Renderer, "watch" | "is_drawn">,
+  { again, effects }: Pick<Told, "again" | "effects">,
+): Effects {
   let all = true;
   let measured = 0; // pixels of the frames that were measured
   let looks = 0;
@@ -23,7 +24,10 @@ export function createEffects(renderer: PointRenderer, { again }: Pick<Hooks, "a
     quickest = Math.min(quickest, took);
     looks += 1;
     const sure = quickest < SLOW || looks >= LOOKS;
-    if (sure) all = quickest < SLOW;
+    if (sure) {
+      all = quickest < SLOW;
+      effects(all);
+    }
     if (!sure || !all) again();
     if (sure) looks = LOOKS;
   };
@@ -35,9 +39,6 @@ export function createEffects(renderer: PointRenderer, { again }: Pick<Hooks, "a
     });
   };
   return {
-    get all() {
-      return all;
-    },
     follow(pixels) {
       if (pixels > 1.2 * measured && all) {
         measured = pixels;

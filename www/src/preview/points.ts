@@ -2,18 +2,10 @@
 // processor draws, a million would hold the page for seconds, at each turn of the view. The first frame has few, each
 // further one twice as many for as long as they come quickly, and half as many where they do not. So they also reach
 // the device in pieces.
-import type { Cloud, Hooks } from "./backend";
-
-/** The exports of web/preview that are used here. */
-export interface PointRenderer {
-  reserve_cloud(points: number): void;
-  add_points(points: Float32Array): void;
-  watch(): void;
-  is_drawn(): boolean;
-}
+import type { Cloud } from "./backend";
+import type { Renderer, Told } from "./renderer";
 
 export interface Points {
-  readonly cloud: Cloud | null;
   set(cloud: Cloud | null): void;
   /** Before a frame: brings what of it is missing on the device. How many points are to be drawn. */
   bring(): number;
@@ -34,7 +26,10 @@ export function howMany(drawn: number, all: number, took: number): number {
   return took > SLOW ? Math.min(all, Math.max(FEWEST, Math.floor(drawn / 2))) : drawn;
 }
 
-export function createPoints(renderer: PointRenderer, { again, thinned }: Pick<Hooks, "again" | "thinned">): Points {
+export function createPoints(
+  renderer: Pick<Renderer, "reserve_cloud" | "add_points" | "watch" | "is_drawn">,
+  { again, thinned }: Pick<Told, "again" | "thinned">,
+): Points {
   let cloud: Cloud | null = null;
   let there = 0; // points on the device
   let drawn = 0;
@@ -64,9 +59,6 @@ export function createPoints(renderer: PointRenderer, { again, thinned }: Pick<H
     before = null;
   };
   return {
-    get cloud() {
-      return cloud;
-    },
     set(next) {
       end();
       cloud = next;

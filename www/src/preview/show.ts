@@ -40,13 +40,19 @@ export async function createShow(stage: HTMLElement, options: ShowOptions): Prom
   const letters = overlay(stage);
   let taken: readonly Rect[] = [];
   let drawn: (camera: Camera) => void = () => undefined;
+  let missed = false; // what was to be drawn while a picture was under way
   const painter = createPainter(() => {
+    missed = ways.backend.busy;
+    if (missed) return;
     draw(show, letters, taken);
     drawn(show.sight.camera);
   });
   const ways = await openWays(stage, {
     replaced: adopt,
     again: painter.soon,
+    drawn() {
+      if (missed) painter.now();
+    },
     thinned(drawn) {
       stage.dataset.drawn = String(drawn);
       options.onThinned?.(drawn);

@@ -27,6 +27,7 @@ export function openSvg(host: HTMLElement, { thinned }: Pick<Hooks, "thinned">):
   return {
     name: "svg",
     element,
+    busy: false,
     setScene(next) {
       scene = next;
     },

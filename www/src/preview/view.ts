@@ -41,6 +41,8 @@ export interface Preview {
   basisOf(name: ViewName | null): Basis;
   /** Whether the camera is on its way. */
   readonly turning: boolean;
+  /** Whether a picture is under way that is not yet on the screen. */
+  readonly drawing: boolean;
   /** Told whenever it was drawn. */
   onDraw(callback: (camera: Camera) => void): void;
   fit(): void;
@@ -105,6 +107,9 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
     setCentral: sight.project,
     get turning() {
       return sight.turning;
+    },
+    get drawing() {
+      return show.ways.backend.busy;
     },
     onDraw: show.onDraw,
     setTaken: show.setTaken,

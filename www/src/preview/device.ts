@@ -1,0 +1,84 @@
+// A graphics device and its canvas: takes what the renderer wants and draws it, on the page's own thread or on another.
+
+import { dotSize, type GpuName } from "./backend";
+import { createEffects } from "./effects";
+import { createPoints } from "./points";
+import { PROBE_SIZE, prove } from "./proof";
+import type { Canvas, Device, Renderer, Told } from "./renderer";
+
+interface Module {
+  default(): Promise<unknown>;
+  Renderer: { create(canvas: Canvas): Promise<Renderer> };
+}
+
+/** This browser, or this thread of it, has no such device. */
+export class Unavailable extends Error {}
+
+const LOST_EVENT = "probewright-preview-lost";
+const DOT = 39; // place of the size of a point among the uniforms
+
+const load: Record<GpuName, () => Promise<Module>> = {
+  webgpu: () => import("@pkg/preview-webgpu/preview.js") as Promise<Module>,
+  webgl2: () => import("@pkg/preview-webgl/preview.js") as Promise<Module>,
+};
+
+/** Cheap questions before anything is fetched. */
+export async function available(name: GpuName, scratch: () => Canvas): Promise<void> {
+  if (name === "webgl2") {
+    if (!scratch().getContext("webgl2")) throw new Unavailable("no WebGL2 context");
+    return;
+  }
+  const gpu = (navigator as { gpu?: { requestAdapter(): Promise<unknown> } }).gpu;
+  if (!gpu) throw new Unavailable("no navigator.gpu");
+  if (!(await gpu.requestAdapter())) throw new Unavailable("no WebGPU adapter");
+}
+
+/** Rejects with the reason when it cannot draw on this canvas. */
+export async function openDevice(name: GpuName, canvas: Canvas, told: Told): Promise<Device> {
+  const module = await load[name]();
+  await module.default();
+  canvas.width = canvas.height = PROBE_SIZE;
+  const renderer = await module.Renderer.create(canvas);
+  await prove(renderer, canvas);
+  return device(canvas, renderer, told);
+}
+
+function device(canvas: Canvas, renderer: Renderer, told: Told): Device {
+  const points = createPoints(renderer, told);
+  const effects = createEffects(renderer, told);
+  let cloud = false;
+  let size: readonly [number, number] = [0, 0];
+  const stop = new AbortController();
+  canvas.addEventListener("webglcontextlost", () => told.lost("WebGL context lost"), { signal: stop.signal });
+  globalThis.addEventListener(LOST_EVENT, () => told.lost(), { signal: stop.signal });
+  return {
+    setScene({ vertices, corners, ends, lines, background, sky }) {
+      renderer.set_background(...background);
+      renderer.set_scene(vertices, corners, ends, lines);
+      if (sky) renderer.set_sky(sky.columns, sky.cells);
+    },
+    setCloud(next) {
+      cloud = next !== null;
+      points.set(next);
+    },
+    draw({ size: [width, height], ratio, uniforms, all, cut, faded }) {
+      if (size[0] !== width || size[1] !== height) {
+        [canvas.width, canvas.height] = size = [width, height];
+        renderer.resize(width, height);
+      }
+      const count = points.bring();
+      uniforms[DOT] = dotSize(count) * ratio;
+      renderer.set_light(all, cut);
+      renderer.set_view(uniforms);
+      renderer.render(count, faded);
+      if (cloud) points.follow();
+      else effects.follow(width * height);
+    },
+    end() {
+      stop.abort();
+      points.end();
+      effects.end();
+      renderer.free();
+    },
+  };
+}

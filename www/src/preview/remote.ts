@@ -1,0 +1,34 @@
+// A graphics device on another thread, as if it was on this one.
+import type { GpuName } from "./backend";
+import { Unavailable } from "./device";
+import type { Device, Told } from "./renderer";
+import type { Ask, Reply } from "./worker";
+
+/** Rejects with the reason when it cannot draw on this canvas, with `Unavailable` when no other thread can. */
+export async function openRemote(name: GpuName, canvas: HTMLCanvasElement, told: Told): Promise<Device> {
+  const offscreen = canvas.transferControlToOffscreen();
+  const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
+  const ask = (one: Ask, transfer: Transferable[] = []): void => worker.postMessage(one, transfer);
+  try {
+    await new Promise<void>((resolve, reject) => {
+      const hear = (reply: Reply): void => {
+        if ("opened" in reply) resolve();
+        else if ("tell" in reply) (told[reply.tell] as (about: unknown) => void)(reply.about);
+        else reject(reply.unavailable ? new Unavailable(reply.refused) : new Error(reply.refused));
+      };
+      worker.onmessage = ({ data }: MessageEvent<Reply>) => hear(data);
+      worker.onerror = ({ message }) => reject(new Unavailable(message));
+      ask({ open: name, canvas: offscreen }, [offscreen]);
+    });
+  } catch (reason) {
+    worker.terminate();
+    throw reason;
+  }
+  worker.onerror = ({ message }) => told.lost(message);
+  return {
+    setScene: scene => ask({ scene }, [scene.vertices.buffer, scene.lines.buffer]),
+    setCloud: cloud => ask({ cloud }),
+    draw: seen => ask({ seen }, [seen.uniforms.buffer]),
+    end: () => worker.terminate(),
+  };
+}
