@@ -17,6 +17,7 @@ pub mod of_control;
 mod own_words;
 pub mod places;
 pub mod revise;
+pub mod standard;
 pub mod tools;
 pub mod touched;
 pub mod user_programs;

@@ -1,6 +1,10 @@
 //! Words of the control: settings of a block, those without effect here, those behind which nothing can be simulated.
 
+use super::of_control::SWIVEL;
+use super::standard::{driven, is_standard, is_step};
+use crate::catalogue;
 use crate::control::Transverse;
+use crate::dialect::Dialect;
 use crate::syntax::language::is_word;
 
 /// Words that change nothing that is simulated: how the axes accelerate, blend and look ahead, how a corner is
@@ -50,7 +54,9 @@ pub fn beyond(name: &str) -> bool {
 
 /// Whether nothing is made of the arguments of a word, so that they may name axes and channels that are not here.
 pub fn ignores_arguments(name: &str) -> bool {
-    WITHOUT_EFFECT.contains(&name) || beyond(name) || is_word(name)
+    let left_out = is_standard(name) && name != SWIVEL && catalogue::find(Dialect::Sinumerik, name).is_none();
+    driven(name).is_none()
+        && (left_out || is_step(name) || WITHOUT_EFFECT.contains(&name) || beyond(name) || is_word(name))
 }
 
 /// What a word sets.

@@ -1,14 +1,15 @@
 //! What the words of a block do together: functions first, then tool, motion, calls, and the end.
 
 use super::{
-    Call, Datum, Halt, Interpreter, Next, Words, addresses, cycle, frame, gcode, listed, macro_call, motion,
-    of_control, repeat, subprogram, tool, unread,
+    Call, Datum, Halt, Interpreter, Next, Words, addresses, cycle, frame, gcode, listed, macro_call, motion, noted,
+    of_control, repeat, standard, subprogram, tool, unread,
 };
 use crate::diagnostic::{Severity, Span};
 use crate::geometry::Degrees;
 use crate::machine::{Machine, Step};
 use crate::problem::Problem;
-use crate::program::of_control::{SET_ALARM, STORE_ENVIRONMENT, SWIVEL, is_frame, machines};
+use crate::program::of_control::{SET_ALARM, STORE_ENVIRONMENT, SWIVEL, is_frame};
+use crate::program::standard::{driven, is_standard, is_step};
 use crate::program::user_programs::delivered;
 use crate::program::words::{beyond, known};
 use crate::syntax::language::is_word;
@@ -121,7 +122,7 @@ fn end(run: &mut Interpreter, found: &Words) -> Result<Option<End>, Problem> {
         let other = address.extension.filter(|spindle| *spindle > 1);
         let word = other.map_or_else(|| format!("M{number}"), |spindle| format!("M{spindle}={number}"));
         match number as i64 {
-            _ if other.is_some() => machine_function(run, address.span, word),
+            _ if other.is_some() => machine_function(run, address.span, &word),
             0 | 1 => run.sim.note(Step::Message { text: word }),
             2 | 30 if grammar.ends_run => end = Some(End::Program),
             2 | 30 | 17 => end = Some(End::Level),
@@ -135,37 +136,19 @@ fn end(run: &mut Interpreter, found: &Words) -> Result<Option<End>, Problem> {
             5 => run.sim.spin(0.0),
             6..=9 => {}
             silent if run.rules().silent.contains(&silent) => {}
-            _ => machine_function(run, address.span, word),
+            _ => machine_function(run, address.span, &word),
         }
     }
     Ok(end)
 }
 
-/// Keeps that a function belongs to the machine, each once.
-pub fn machine_function(run: &mut Interpreter, span: Span, word: String) {
-    if run.functions.len() < MOST_FUNCTIONS && !run.functions.iter().any(|(known, _)| *known == word) {
-        run.functions.push((word.clone(), span));
-        run.pass_over(word, span);
-    }
+/// Keeps that a function belongs to the machine.
+pub fn machine_function(run: &mut Interpreter, span: Span, word: &str) {
+    noted::without(run, "run-machine-function", span, word);
 }
 
-/// Functions of the machine that are kept.
-const MOST_FUNCTIONS: usize = 100;
-/// Functions of the machine that are named.
-const NAMED: usize = 20;
-
-/// Tells the functions that belong to the machine: all together, at the first one.
-pub fn tell_functions(run: &mut Interpreter) {
-    let Some((_, place)) = run.functions.first() else { return };
-    let named = run.functions.iter().take(NAMED).map(|(word, _)| word.as_str());
-    let more = (run.functions.len() > NAMED).then_some("…");
-    let words = named.chain(more).collect::<Vec<_>>().join(", ");
-    let problem = Problem::new("run-machine-function", *place, words);
-    run.tell(Severity::Note, &problem);
-}
-
-/// Calls: operator texts, measuring cycles, subprograms of the same text.
-fn carry_out(run: &mut Interpreter, at: usize, call: &Call, passes: u32) -> Result<Option<Next>, Halt> {
+/// Calls: operator texts, measuring cycles, subprograms of the same text, standard cycles.
+pub fn carry_out(run: &mut Interpreter, at: usize, call: &Call, passes: u32) -> Result<Option<Next>, Halt> {
     let name = call.name.as_str();
     if listed::call(run, call)? {
         return Ok(None);
@@ -182,6 +165,8 @@ fn carry_out(run: &mut Interpreter, at: usize, call: &Call, passes: u32) -> Resu
         cycle::data(run, cycle, call.span)?;
     } else if let Some(unit) = run.programs.named(name).cloned() {
         return Ok(Some(subprogram::enter(run, at, call, &unit, passes)?));
+    } else if let Some(standard) = driven(name).filter(|standard| standard::has_values(standard, call)) {
+        return standard::perform(run, at, standard, call);
     } else if delivered(name) {
         // empty as delivered
     } else if run.programs.external.contains(name) {
@@ -190,7 +175,11 @@ fn carry_out(run: &mut Interpreter, at: usize, call: &Call, passes: u32) -> Resu
         return Err(Problem::new("run-not-simulated", call.span, name).into());
     } else if known(name) || is_frame(name) {
         // done, or nothing to do
-    } else if is_word(name) || machines(name) || run.programs.macros.contains(name) {
+    } else if is_standard(name) {
+        noted::without(run, "run-standard", call.span, name);
+    } else if is_step(name) {
+        noted::without(run, "run-step", call.span, name);
+    } else if is_word(name) || run.programs.macros.contains(name) {
         run.tell(Severity::Warning, &Problem::new("run-not-simulated", call.span, name));
     } else {
         subprogram::not_here(run, name, call.span)?;

@@ -53,7 +53,7 @@ pub fn take(run: &mut Interpreter, address: &Address, path: &mut Path) -> Result
         // the last six tune a path or a spline, of which only the programmed points are passed
         "G" | "M" | "F" | "S" | "D" | "DL" | "SF" | "PW" | "SD" | "PL" | "FRC" | "FRCM" => drop(number(address)?),
         _ if rules.beside.contains(&name) => drop(number(address)?),
-        "H" => machine_function(run, address.span, format!("H{}", Datum::Number(number(address)?).shown())),
+        "H" => machine_function(run, address.span, &format!("H{}", Datum::Number(number(address)?).shown())),
         _ if path.stays => {}
         _ => return other(run, address, path),
     }

@@ -1,9 +1,9 @@
 //! Runs a program block by block. A program that never ends is stopped by limits.
 
 use super::{
-    Halt, Level, Locals, Modal, Outcome, action, assumed::Made, called::Called, contour, contour::Contour, defined,
-    endless, endless::Watch, motion, of_machine, of_machine::Asked, outcome::PassedOver, own_parameters, repeat,
-    rules::Rules, statement, subprogram, unread, unread::Unread,
+    Halt, Level, Locals, Modal, Outcome, assumed::Made, called::Called, contour, contour::Contour, defined, endless,
+    endless::Watch, motion, noted, noted::Noted, of_machine, of_machine::Asked, outcome::PassedOver, own_parameters,
+    repeat, rules::Rules, standard::Pattern, statement, subprogram, unread, unread::Unread,
 };
 use crate::control::Value;
 use crate::diagnostic::{Diagnostic, Severity, Span};
@@ -88,8 +88,10 @@ pub struct Interpreter {
     pub passed: Vec<PassedOver>,
     /// The measuring calls so far.
     pub called: Vec<Called>,
-    /// M functions and the like that belong to the machine, each once with its first place.
-    pub functions: Vec<(String, Span)>,
+    /// What is told as a list at the end: functions of the machine and the like.
+    pub noted: Noted,
+    /// Positions at which a modal program is still to be called.
+    pub pattern: Pattern,
     /// Values of the machine that were assumed, and the arrays of which that was told.
     pub asked: Asked,
     pub arrays_asked: BTreeSet<String>,
@@ -168,7 +170,7 @@ impl Session {
             None => Some(Stop::Fault(Message::new("run-cancelled"))),
         };
         let mut run = self.run;
-        action::tell_functions(&mut run);
+        noted::tell(&mut run);
         let machine_values = of_machine::all(&run);
         let Interpreter { sim, diagnostics, passed: passed_over, called, .. } = run;
         Outcome { diagnostics, passed_over, called, machine_values, ..Outcome::left_by(sim, &self.before, stop) }
@@ -270,7 +272,8 @@ impl Interpreter {
             seen: BTreeSet::new(),
             passed: Vec::new(),
             called: Vec::new(),
-            functions: Vec::new(),
+            noted: Noted::new(),
+            pattern: Pattern::default(),
             asked: Asked::default(),
             arrays_asked: BTreeSet::new(),
             program: Rc::new(program),

@@ -176,7 +176,7 @@ fn write_one(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Re
 /// Tool and frame data, and setting data; recorded in mm like those that a cycle writes.
 fn write_variable(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Result<(), Problem> {
     if OUTPUTS.contains(&stem(key)) {
-        machine_function(run, place, key.to_owned());
+        machine_function(run, place, key);
     }
     if system::simulated(run, key).is_none() && of_machine::write(run, key, value) {
         return Ok(());

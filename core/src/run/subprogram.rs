@@ -30,6 +30,8 @@ pub struct Level {
     pub variables: Variables,
     /// What is called after each block that moves (`MCALL`).
     pub modal: Option<Call>,
+    /// Whether the block of the call goes on where it was left: the modal program of a pattern of holes.
+    pub again: bool,
     /// What `SAVE` brings back at the end.
     pub saved: Option<Box<Saved>>,
 }
@@ -156,7 +158,7 @@ pub fn leave(run: &mut Interpreter) -> Next {
     if let (Variables::Caller, Some(caller)) = (level.variables, run.levels.last_mut()) {
         caller.locals = level.locals;
     }
-    Next::Jump(repeat::after(run, level.call))
+    Next::Jump(if level.again { level.call } else { repeat::after(run, level.call) })
 }
 
 /// A parameter of a `PROC`.

@@ -81,5 +81,5 @@ fn a_modal_call_follows_each_motion() {
     }
     let call = "EXTCALL(\"DRILLS\")\nM30\nPROC DRILLS\nR1=8\nM17";
     near(number(call, "R1"), 8.0, call);
-    assert_eq!(findings("MCALL CYCLE83(1)\nG0 X1\nX2"), ["run-not-simulated"]);
+    assert_eq!(findings("MCALL CYCLE83(1)\nG0 X1\nX2"), ["run-standard"]);
 }

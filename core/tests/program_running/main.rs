@@ -10,6 +10,7 @@ mod passed_over;
 mod random;
 #[path = "../running/mod.rs"]
 mod running;
+mod standard;
 mod values;
 
 use probewright_core::machine::Setup;

@@ -1,0 +1,45 @@
+//! What a run goes on without and what many blocks share: one note each, which lists the words.
+
+use super::Interpreter;
+use crate::diagnostic::{Severity, Span};
+use crate::problem::Problem;
+
+/// Words by the key of their note, each once with its first place.
+pub type Noted = Vec<(&'static str, Vec<(String, Span)>)>;
+
+/// Words of a note that are kept.
+const MOST: usize = 100;
+/// Words that a note names.
+const NAMED: usize = 20;
+
+/// Takes a word into the note with this key; true: it is new there.
+pub fn add(run: &mut Interpreter, key: &'static str, span: Span, word: &str) -> bool {
+    let at = run.noted.iter().position(|(known, _)| *known == key).unwrap_or_else(|| {
+        run.noted.push((key, Vec::new()));
+        run.noted.len() - 1
+    });
+    let Some((_, words)) = run.noted.get_mut(at) else { return false };
+    let new = words.len() < MOST && !words.iter().any(|(known, _)| known == word);
+    if new {
+        words.push((word.to_owned(), span));
+    }
+    new
+}
+
+/// Takes a word that the run goes on without.
+pub fn without(run: &mut Interpreter, key: &'static str, span: Span, word: &str) {
+    if add(run, key, span, word) {
+        run.pass_over(word.to_owned(), span);
+    }
+}
+
+/// Tells all notes, each at its first word.
+pub fn tell(run: &mut Interpreter) {
+    for (key, words) in std::mem::take(&mut run.noted) {
+        let Some((_, place)) = words.first() else { continue };
+        let named = words.iter().take(NAMED).map(|(word, _)| word.as_str());
+        let more = (words.len() > NAMED).then_some("…");
+        let listed = named.chain(more).collect::<Vec<_>>().join(", ");
+        run.tell(Severity::Note, &Problem::new(key, *place, listed));
+    }
+}
