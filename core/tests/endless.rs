@@ -144,7 +144,7 @@ fn leaning() -> Setup {
 #[test]
 fn circles_close_to_a_wall_count_as_several_blocks_in_a_loop() {
     let circle = "G2 X=IC(0) Y=IC(0) I-16.9 J0 F1000\n";
-    let limits = Limits { steps: 1_000, ..Limits::default() };
+    let limits = Limits { steps: Some(1_000), ..Limits::default() };
     let again = |text: &str| ran(&leaning(), Dialect::Sinumerik, text, limits);
     let outcome = again(&format!("A: R1=R1+1\n{circle}GOTOB A"));
     assert_eq!(key(&outcome), "run-steps");
@@ -173,4 +173,42 @@ fn what_turns_very_often_is_over_at_once() {
     assert_eq!(outcome.control.rotary[2].0, -1e30);
     let outcome = go_on(&setup, "G0 Z200\nG2 X0 Y0 I10 J0 TURN=1000000 F100\nM30");
     assert_eq!(key(&outcome), "run-range");
+}
+
+// oracle: hand: no count of blocks ends a program that ends by itself, in a loop or without one
+#[test]
+fn however_long_it_takes_a_program_comes_to_its_end() {
+    for (text, value) in [
+        ("R1=0\nWHILE R1<60000\nR1=R1+1\nENDWHILE\nM30".to_owned(), 60_000.0),
+        ("FOR R1=1 TO 150000\nR2=R2+1\nENDFOR\nR1=R2\nM30".to_owned(), 150_000.0),
+        (format!("{}M30", "R1=R1+1\n".repeat(250_000)), 250_000.0),
+    ] {
+        let outcome = ran(&machine(), Dialect::Sinumerik, &text, Limits::default());
+        assert_eq!((outcome.stop.as_ref(), outcome.control.number("R1")), (None, value));
+        assert_eq!(outcome.written().get("R1"), Some(&value));
+    }
+}
+
+// oracle: hand: what nobody watches ends soon in a loop that goes on, and not before the end of what has none
+#[test]
+fn what_nobody_watches_is_given_up_in_loops_only() {
+    let program = read(Dialect::Sinumerik, "G0 X1\nG0 X2\n".repeat(100_000).as_bytes());
+    let limits = Limits::unwatched(program.blocks.len());
+    assert_eq!(run(&program, &machine(), limits).stop, None);
+    let outcome = ran(&machine(), Dialect::Sinumerik, "A: R1=R1+1\nGOTOB A", Limits::unwatched(2));
+    assert_eq!(key(&outcome), "run-steps");
+}
+
+// oracle: hand: the first steps are recorded, which is told once; the others are driven all the same
+#[test]
+fn what_is_not_recorded_is_driven() {
+    let limits = Limits { own: 10, ..Limits::default() };
+    let text = "G90\nWHILE R1<100\nR1=R1+1\nG0 X=R1\nENDWHILE\nM30";
+    let outcome = ran(&machine(), Dialect::Sinumerik, text, limits);
+    assert_eq!((outcome.stop.as_ref(), outcome.trace.entries.len(), outcome.end().0[0]), (None, 10, 100.0));
+    let told = outcome.diagnostics.iter().filter(|found| found.message.key == "run-trace-full");
+    assert_eq!(told.count(), 1);
+    let silent = ran(&machine(), Dialect::Sinumerik, text, Limits { own: 0, ..limits });
+    assert_eq!((silent.diagnostics.len(), silent.trace.entries.len(), silent.end()), (0, 0, outcome.end()));
+    assert_eq!(silent.written().get("R1"), Some(&100.0));
 }

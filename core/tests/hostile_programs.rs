@@ -5,7 +5,6 @@
 use probewright_core::control::{Plane, Value};
 use probewright_core::dialect::Dialect;
 use probewright_core::geometry::Mcs;
-use probewright_core::machine::sim::TRACE_LIMIT;
 use probewright_core::machine::{Setup, Stop};
 use probewright_core::message::Arg;
 use probewright_core::run::{Limits, Outcome, run};
@@ -13,13 +12,19 @@ use probewright_core::syntax::position::Positions;
 use probewright_core::syntax::read;
 use probewright_core::workpiece::{Shape, Solid};
 
+/// Entries of a trace, fewer than a run may have.
+const TRACE: usize = 50_000;
+
 /// A calibrated probe 20 mm above the middle of a block of 100 mm.
 fn go(text: &str) -> Outcome {
+    limited(text, Limits { trace: TRACE, ..Limits::unwatched(text.lines().count()) })
+}
+
+fn limited(text: &str, limits: Limits) -> Outcome {
     let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
     setup.workpiece.solids.push(Solid::new(Shape::Block { size: [100.0; 3] }, Mcs::default()));
     setup.position = Mcs([0.0, 0.0, 20.0]);
-    let program = read(Dialect::Sinumerik, text.as_bytes());
-    run(&program, &setup, Limits::default())
+    run(&read(Dialect::Sinumerik, text.as_bytes()), &setup, limits)
 }
 
 /// Key of the message with which a run stopped; every text of it is short.
@@ -71,9 +76,32 @@ fn what_never_ends_or_grows_is_stopped() {
         let outcome = go(&program);
         let shown: String = program.chars().take(60).collect();
         assert_eq!(stopped(&outcome), key, "{shown}");
-        assert!(outcome.trace.entries.len() <= TRACE_LIMIT, "{shown}");
+        assert!(outcome.trace.entries.len() <= TRACE, "{shown}");
         assert!(outcome.control.data.iter().count() < 20_000, "{shown}");
     }
+}
+
+// oracle: hand: no count of blocks stops these, their memory does
+#[test]
+fn what_fills_the_memory_is_stopped() {
+    let arrays: String = (0..30).map(|i| format!("DEF REAL A{i}[10000]\n")).collect();
+    let parameters: Vec<String> = (0..30).map(|i| format!("REAL A{i}[10000]")).collect();
+    let called = format!("UP\nM30\n%_N_UP_SPF\nPROC UP({})\nM17", parameters.join(","));
+    let limits = Limits { data: 100_000, ..Limits::default() };
+    for text in [
+        arrays.clone(),
+        arrays.replace("DEF", "DEF NCK"),
+        called,
+        "A: R1=R1+1\n$TC_DP1[R1,1]=120\nGOTOB A".to_owned(),
+        "A: R1=R1+1\n$TC_DP1[1,R1]=120\nGOTOB A".to_owned(),
+        "A: R1=R1+1\n$A_DBD[R1]=1\nGOTOB A".to_owned(),
+    ] {
+        let outcome = limited(&text, limits);
+        assert_eq!(stopped(&outcome), "run-data", "{}", text.get(..60).unwrap_or(&text));
+    }
+    // variables that are made again and again take room once
+    let again = "%_N_MAIN_MPF\nUP P100\nM30\n%_N_UP_SPF\nDEF REAL A[5000]\nM17";
+    assert_eq!(limited(again, limits).stop, None);
 }
 
 // oracle: hand

@@ -50,7 +50,7 @@ fn written_anew(program: &Program, site: &CallSite, index: usize) {
 /// Running any bytes as a program of a mill of either control, or of a lathe, against a block of material does not
 /// panic, ends within the limits and drives to numbers.
 pub fn run(bytes: &[u8]) {
-    let limits = Limits { steps: 500, depth: 4, trace: 500, ..Limits::default() };
+    let limits = Limits { steps: Some(500), depth: 4, trace: 500, ..Limits::default() };
     for setup in machines() {
         let outcome = simulate(&parse(setup.control.dialect, bytes), &setup, limits);
         assert!(outcome.trace.entries.len() <= limits.trace);

@@ -108,7 +108,7 @@ async function running(page) {
         );
         const [x, y, z] = setup.position;
         const part = `SUPA G0 X${x} Y${y}\nSUPA G0 Z${z}\n${snippet}\n`;
-        const endless = { control, text: `LOOP\nR1=R1+1\n${part}ENDLOOP` };
+        const endless = { control, text: `LOOP\nR1=R1+1\n${part}ENDLOOP`, blocks: 100_000 };
         const workpiece = setup.workpiece.map(solid => ({
           ...solid,
           errors: { ...solid.errors, outOfRound: [0.02, 3] },
@@ -127,7 +127,7 @@ async function running(page) {
       const endless = ["LOOP\nR1=R1+1\nENDLOOP", "LOOP\nG0 X=IC(1)\nX=IC(-1)\nENDLOOP", "BACK: GOTOB BACK"];
       const stopped = endless.map(text => ({
         name: `never ends: ${text.replaceAll("\n", " ")}`,
-        ...run({ control: "sinumerik", text }),
+        ...run({ control: "sinumerik", text, blocks: 100_000 }),
       }));
       return {
         calls: calls.map(({ thousand }) => thousand),

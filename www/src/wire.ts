@@ -1509,6 +1509,8 @@ export type RunRequest = {
   arguments?: { [key in string]: Datum },
   /** Whether what is not there stops the run: a subprogram, a value that only the machine has; absent: no. */
   strict?: boolean,
+  /** Work in blocks after which the run is given up; absent: never. */
+  blocks?: number,
 };
 
 /** A result of a run. */

@@ -115,7 +115,9 @@ terminal-setup-text = Datei mit der Maschineneinrichtung, siehe docs/setup.schem
 terminal-with-text = Definitionsdateien (.DEF) und Unterprogramme, die zum Programm gehören
 terminal-arg-text = Wert für einen Parameter des Programms selbst, z. B. DEPTH=5
 terminal-strict-text = Anhalten, wenn ein Unterprogramm oder ein Wert der Maschine fehlt
+terminal-max-blocks-text = Abbruch nach so vielen Sätzen; lange Sätze, Felder und Bewegungen in Schleifen zählen mehrfach
 terminal-assumed-values = Angenommene Werte der Maschine: { $values }. In Klammern die Zeilennummern.
+terminal-progress = { $share } %, { $blocks } Sätze
 terminal-check-setup-text = Datei mit der Maschineneinrichtung, mit Werkzeugen und Daten; ohne Angabe die Standardmaschine
 terminal-cycle-text = Name des Zyklus, zum Beispiel CYCLE977
 terminal-values-text = Werte, zum Beispiel _SETVAL=132

@@ -119,7 +119,9 @@ terminal-setup-text = Setup file, see docs/setup.schema.json; without it, a mach
 terminal-with-text = Definition files (.DEF) and subprograms that belong to the program
 terminal-arg-text = Value for a parameter of the program itself, for example DEPTH=5
 terminal-strict-text = Stop at a subprogram or a machine value that is missing
+terminal-max-blocks-text = Give up after this many blocks; long ones, arrays and motions in loops count several times
 terminal-assumed-values = Machine values that were assumed: { $values }. Line numbers are in brackets.
+terminal-progress = { $share } %, { $blocks } blocks
 terminal-check-setup-text = Setup file of the machine, with its tools and data; without it, the default machine
 terminal-cycle-text = Name of the cycle, for example CYCLE977
 terminal-values-text = Values, for example _SETVAL=132

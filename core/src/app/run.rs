@@ -39,6 +39,8 @@ pub struct RunRequest {
     pub arguments: Option<BTreeMap<String, Value>>,
     /// Whether what is not there stops the run: a subprogram, a value that only the machine has; absent: no.
     pub strict: Option<bool>,
+    /// Work in blocks after which the run is given up; absent: never.
+    pub blocks: Option<u32>,
 }
 
 /// What a program did.
@@ -171,7 +173,7 @@ impl OfCall {
 ///
 /// let text = "R1=20*2\nG0 X=R1\nM30\n".to_owned();
 /// let control = Dialect::Sinumerik;
-/// let mut run = Run::new(RunRequest { control, text, setup: None, arguments: None, strict: None })?;
+/// let mut run = Run::new(RunRequest { control, text, setup: None, arguments: None, strict: None, blocks: None })?;
 /// while !run.advance(100) {}
 /// let view = run.view();
 /// assert!(view.finished && view.alarms.is_empty());
@@ -192,7 +194,8 @@ impl Run {
     pub fn new(asked: RunRequest) -> Result<Run, Error> {
         let setup = start(asked.control, asked.setup)?.setup;
         let program = syntax::read(asked.control, asked.text.as_bytes());
-        let limits = Limits { strict: asked.strict.unwrap_or_default(), ..Limits::default() };
+        let steps = asked.blocks.map(u64::from);
+        let limits = Limits { steps, strict: asked.strict.unwrap_or_default(), ..Limits::default() };
         let given = asked.arguments.unwrap_or_default().into_iter();
         let arguments = given.map(|(name, value)| (name.to_ascii_uppercase(), value)).collect();
         let session = Session::new(program, &setup, limits).with_arguments(arguments);
@@ -201,7 +204,7 @@ impl Run {
 
     /// Carries out about so many blocks; true: the run is over.
     pub fn advance(&mut self, blocks: usize) -> bool {
-        self.session.advance(blocks)
+        self.session.advance(blocks as u64)
     }
 
     /// How much of the main program is done, 0 to 1.

@@ -190,6 +190,11 @@ pub(super) fn corrected(code: Code, cycle: &Cycle, values: &Typed, control: &Con
     named.then(|| NewTool { tool, name, edge: edge.max(1), kind: cutting(Some(cycle), control) })
 }
 
+/// A click asks, and waits.
+fn unwatched(program: &Program) -> Limits {
+    Limits { own: 0, ..Limits::unwatched(program.blocks.len()) }
+}
+
 impl Setup {
     /// The machine with a tool more, or with an edge more of a tool.
     pub(super) fn give_tool(&mut self, new: &NewTool) {
@@ -215,7 +220,7 @@ impl Setup {
 
     /// The machine with what a program uses: the tools that are not there, and with `parts` the parts of its calls.
     pub(super) fn give_all(&mut self, program: &Program, parts: bool) {
-        let made = assumed::run_on(program, self.clone(), Limits::default()).setup;
+        let made = assumed::run_on(program, self.clone(), unwatched(program)).setup;
         for (number, tool) in made.control.tools {
             let own = self.control.tools.entry(number).or_default();
             if own.edges.is_empty() {
@@ -241,8 +246,8 @@ impl Setup {
         let Control { dialect, plane, basic_units, .. } = self.control;
         let delivered = Setup::calibrated_in(dialect, plane, basic_units).control.data;
         let fits = match basic_units {
-            Units::Metric => assumed::run(program, Limits::default()).setup,
-            Units::Inch => assumed::run_on(program, self.clone(), Limits::default()).setup,
+            Units::Metric => assumed::run(program, unwatched(program)).setup,
+            Units::Inch => assumed::run_on(program, self.clone(), unwatched(program)).setup,
         };
         let own = std::mem::replace(self, fits).control.data;
         for (name, value) in own.iter().filter(|(name, value)| delivered.get(name) != Some(*value)) {

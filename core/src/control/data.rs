@@ -141,6 +141,11 @@ impl Data {
         self.written == other.written
     }
 
+    /// How many were written since the delivery.
+    pub fn written(&self) -> usize {
+        self.written.len()
+    }
+
     /// All data, in no order.
     pub fn iter(&self) -> impl Iterator<Item = (&String, &Value)> {
         let delivered = self.delivered.iter();

@@ -8,9 +8,6 @@ use crate::scan::{FORM_POINTS, FORM_POINTS_WITH_BODY, Sent};
 use crate::workpiece::{Boundary, Contact, Noise, Probe, Tool, ToolProbe, Touching, Workpiece, chuck};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Entries of a trace after which a run is given up: a thousand calls make up to 150,000.
-pub const TRACE_LIMIT: usize = 200_000;
-
 /// A control, a probe and a part, and what has happened so far.
 #[derive(Clone, Debug)]
 pub struct Sim {
@@ -24,8 +21,16 @@ pub struct Sim {
     pub scans: Vec<Sent>,
     /// Line of the program that is being carried out.
     pub line: Option<u32>,
-    /// Entries after which the run is given up.
+    /// Entries after which a call is given up, and so is the run.
     pub trace_limit: usize,
+    /// Of these those of the program itself, outside of calls; what it does beyond them is not recorded.
+    pub own_limit: usize,
+    /// Entries of the program itself so far.
+    own: usize,
+    /// Whether something of the program itself was not recorded.
+    pub unrecorded: bool,
+    /// Whether something had no room that has to be recorded.
+    refused: bool,
     /// Most points that a call may scan.
     pub point_limit: usize,
     /// Whether nothing is recorded.
@@ -75,7 +80,11 @@ impl Sim {
             trace: Trace::default(),
             scans: Vec::new(),
             line: None,
-            trace_limit: TRACE_LIMIT,
+            trace_limit: usize::MAX,
+            own_limit: usize::MAX,
+            own: 0,
+            unrecorded: false,
+            refused: false,
             point_limit: if setup.probe.body.is_some() { FORM_POINTS_WITH_BODY } else { FORM_POINTS },
             quiet: false,
             measuring: None,
@@ -182,10 +191,23 @@ impl Sim {
 
     /// Adds a step to the trace, with the present line.
     pub fn note(&mut self, step: Step) {
-        if !self.quiet && self.trace.entries.len() < self.trace_limit {
-            let in_use = self.in_use();
-            self.trace.entries.push(Entry { line: self.line, step, in_use });
+        if self.quiet {
+            return;
         }
+        let own = !self.in_cycle && step.may_be_left_out();
+        let full = self.trace.entries.len() >= self.trace_limit;
+        if own && (full || self.own >= self.own_limit) {
+            self.unrecorded = true;
+            self.trace.leave_out(step);
+            return;
+        }
+        if full {
+            self.refused = true;
+            return;
+        }
+        self.own += usize::from(own);
+        let in_use = self.in_use();
+        self.trace.record(Entry { line: self.line, step, in_use });
     }
 
     /// Where in the trace stands what is in use now.
@@ -207,12 +229,13 @@ impl Sim {
         self.part.distance(point)
     }
 
-    /// Refuses to go on where the trace is full.
+    /// Refuses to go on where the trace is full, unless what comes now need not be recorded.
     pub(crate) fn room(&self) -> Result<(), Stop> {
-        if self.trace.entries.len() < self.trace_limit {
-            return Ok(());
+        let full = self.trace.entries.len() >= self.trace_limit;
+        if self.refused || full && self.in_cycle {
+            return Err(Stop::Fault(Message::new("run-trace-limit").number("limit", self.trace_limit as f64)));
         }
-        Err(Stop::Fault(Message::new("run-trace-limit").number("limit", self.trace_limit as f64)))
+        Ok(())
     }
 
     /// Whether a motion may begin: the trace has room, the axes may take all its positions.

@@ -7,6 +7,7 @@ use crate::geometry::{Around, Degrees, Dir, Mcs};
 use crate::message::Message;
 use crate::workpiece::{Solid, Touching};
 use serde::{Serialize, Serializer};
+use std::collections::BTreeMap;
 
 /// Kind of a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -170,4 +171,38 @@ pub struct Trace {
     pub entries: Vec<Entry>,
     /// Whatever was in use, each once for each way in which it was.
     pub in_use: Vec<InUse>,
+    /// Data that the program wrote when the trace had no more room for it, with their last values.
+    pub later: BTreeMap<String, f64>,
+}
+
+impl Trace {
+    /// Adds an entry.
+    pub(super) fn record(&mut self, entry: Entry) {
+        if let (Step::Set { name, .. }, false) = (&entry.step, self.later.is_empty()) {
+            self.later.remove(name);
+        }
+        self.entries.push(entry);
+    }
+
+    /// Keeps of a step without room what it leaves.
+    pub(super) fn leave_out(&mut self, step: Step) {
+        if let Step::Set { name, after, .. } = step {
+            self.later.insert(name, after);
+        }
+    }
+}
+
+impl Step {
+    /// Whether a program may do this without a record of it: what a call decides, raises and logs is always told.
+    pub(super) fn may_be_left_out(&self) -> bool {
+        !matches!(
+            self,
+            Step::Decision { .. }
+                | Step::Alarm(_)
+                | Step::Log { .. }
+                | Step::Sent { .. }
+                | Step::CallBegin { .. }
+                | Step::CallEnd
+        )
+    }
 }

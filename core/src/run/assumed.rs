@@ -14,6 +14,7 @@ use crate::syntax::tree::Program;
 use crate::workpiece::{Solid, ToolProbe, Workpiece, tool::Tool as RealTool};
 use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
 
 /// Type of a 3D probe (B:4147).
 const PROBE: i64 = 710;
@@ -41,20 +42,25 @@ pub fn run(program: &Program, limits: Limits) -> Assumed {
     run_on(program, start(program), limits)
 }
 
-/// Runs a program on a machine that fits it, with values for its own parameters.
-pub fn run_with(program: &Program, limits: Limits, arguments: BTreeMap<String, Value>) -> Assumed {
+/// Runs a program on a machine that fits it, with values for its own parameters, telling how far it is.
+pub fn run_with(
+    program: &Rc<Program>,
+    limits: Limits,
+    arguments: BTreeMap<String, Value>,
+    told: &mut dyn FnMut(&Session),
+) -> Assumed {
     let setup = start(program);
-    carried_out(Session::new(program.clone(), &setup, limits).with_arguments(arguments), setup)
+    carried_out(Session::new(Rc::clone(program), &setup, limits).with_arguments(arguments), setup, told)
 }
 
 /// Runs a program on this machine with what it lacks.
 pub fn run_on(program: &Program, setup: Setup, limits: Limits) -> Assumed {
-    carried_out(Session::new(program.clone(), &setup, limits), setup)
+    carried_out(Session::new(Rc::new(program.clone()), &setup, limits), setup, &mut |_| {})
 }
 
-fn carried_out(mut session: Session, mut setup: Setup) -> Assumed {
+fn carried_out(mut session: Session, mut setup: Setup, told: &mut dyn FnMut(&Session)) -> Assumed {
     session.run.assumed = Some(Made::default());
-    while !session.advance(usize::MAX) {}
+    session.go_on(told);
     let made = session.run.assumed.take().unwrap_or_default();
     let mut outcome = session.outcome();
     let mut told = vec![machine(&setup)];

@@ -20,6 +20,13 @@ pub fn predict(cycle: &'static Cycle, inputs: &Inputs, setup: &Setup) -> Outcome
 
 /// Carries out a checked call; its begin, its end and the alarm that stops it are recorded.
 pub fn perform(sim: &mut Sim, inputs: &Inputs) -> Result<(), Stop> {
+    sim.in_cycle = true;
+    let outcome = within(sim, inputs);
+    sim.in_cycle = false;
+    outcome
+}
+
+fn within(sim: &mut Sim, inputs: &Inputs) -> Result<(), Stop> {
     sim.recode(inputs.recodes());
     sim.note(Step::CallBegin { cycle: inputs.cycle.name, variant: inputs.variant });
     upkeep::perform(sim, inputs.cycle);
@@ -28,9 +35,7 @@ pub fn perform(sim: &mut Sim, inputs: &Inputs) -> Result<(), Stop> {
     };
     let purpose = &inputs.cycle.purpose;
     sim.measuring = (purpose.probe == ProbeUse::Workpiece).then_some(purpose.machine);
-    sim.in_cycle = true;
     let outcome = (work.simulate)(sim, inputs);
-    sim.in_cycle = false;
     sim.measuring = None;
     sim.recode(false);
     let outcome = outcome.and_then(|()| numbers(sim));

@@ -1,6 +1,6 @@
 //! `DEF`: variables of a program with sizes and first values.
 
-use super::{Interpreter, Local, Type, Variable, expression, names};
+use super::{Interpreter, Local, Type, Variable, expression, limits, names};
 use crate::control::AXES;
 use crate::diagnostic::{Severity, Span};
 use crate::problem::Problem;
@@ -44,19 +44,21 @@ pub fn declare(run: &mut Interpreter, word: &Word, declaring: Declaring) -> Resu
     }
     let kind = declaring.kind.ok_or_else(|| Problem::new("run-type", name, &*key))?;
     let variable = variable(run, name, kind, sizes)?;
-    let locals = match run.levels.last_mut() {
-        Some(level) if !declaring.shared => &mut level.locals,
-        _ => &mut run.shared,
+    let (locals, elements) = match run.levels.last_mut() {
+        Some(level) if !declaring.shared => (&mut level.locals, &mut level.elements),
+        _ => (&mut run.shared, &mut run.shared_elements),
     };
     run.unread.remove(&key);
+    *elements += variable.values.len();
     let before = locals.insert(key.clone(), Local::Own(variable));
+    *elements -= before.as_ref().and_then(Local::own).map_or(0, |old| old.values.len());
     if matches!(before, Some(Local::Own(old)) if old.place != name) {
         run.tell(Severity::Error, &Problem::new("run-declared-twice", name, &*key));
     }
     first.map_or(Ok(()), |first| names::write(run, &key, &expression::evaluate(run, first)?, name))
 }
 
-/// A variable of these sizes; making it is work that counts.
+/// A variable of these sizes; making it is work that counts, and takes room.
 pub fn variable(run: &mut Interpreter, name: Span, kind: Type, sizes: &[ExprId]) -> Result<Variable, Problem> {
     let mut total = 1.0;
     let mut counts = Vec::new();
@@ -68,6 +70,7 @@ pub fn variable(run: &mut Interpreter, name: Span, kind: Type, sizes: &[ExprId])
         }
         counts.push(size as usize);
     }
-    run.work += total as usize / WRITTEN;
+    limits::elements(run, total as usize, name)?;
+    run.work += (total as usize / WRITTEN) as u64;
     Ok(Variable::new(kind, counts, name))
 }

@@ -1,9 +1,9 @@
-//! Runs a program block by block. A program that never ends is stopped by limits.
+//! Runs a program block by block.
 
 use super::{
-    Halt, Level, Locals, Modal, Outcome, assumed::Made, called::Called, contour, contour::Contour, defined, endless,
-    endless::Watch, motion, noted, noted::Noted, of_machine, of_machine::Asked, outcome::PassedOver, own_parameters,
-    repeat, rules::Rules, standard::Pattern, statement, subprogram, unread, unread::Unread,
+    Halt, Level, Limits, Locals, Modal, Outcome, assumed::Made, called::Called, contour, contour::Contour, defined,
+    endless, endless::Watch, limits, motion, noted, noted::Noted, of_machine, of_machine::Asked, outcome::PassedOver,
+    own_parameters, repeat, rules::Rules, standard::Pattern, statement, subprogram, unread, unread::Unread,
 };
 use crate::control::Value;
 use crate::diagnostic::{Diagnostic, Severity, Span};
@@ -16,27 +16,6 @@ use crate::syntax::{Program, links as flow, programs, programs::Programs};
 use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
-
-/// When a run is given up.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Limits {
-    /// Work in blocks; a long one, one that writes many elements, and in a loop one close to the part count as several.
-    pub steps: usize,
-    /// Levels of subprograms (a SINUMERIK has 12 with the main program).
-    pub depth: usize,
-    /// Entries of the trace.
-    pub trace: usize,
-    /// How often one measuring call may be carried out where it is written.
-    pub calls: usize,
-    /// Whether a subprogram that is not there, and a value that only the machine has, stop the run.
-    pub strict: bool,
-}
-
-impl Default for Limits {
-    fn default() -> Limits {
-        Limits { steps: 100_000, depth: 11, trace: crate::machine::sim::TRACE_LIMIT, calls: 1_500, strict: false }
-    }
-}
 
 /// A program on its way.
 pub struct Interpreter {
@@ -64,7 +43,13 @@ pub struct Interpreter {
     /// Skip levels that are switched on.
     pub skip: BTreeSet<u8>,
     /// Work so far, in blocks; see [`Limits::steps`].
-    pub work: usize,
+    pub work: u64,
+    /// Blocks that were carried out, each once.
+    pub blocks: usize,
+    /// Whether it was told that not all is recorded.
+    pub unrecorded: bool,
+    /// Elements of the variables that all programs see.
+    pub shared_elements: usize,
     /// The block that comes next.
     pub at: usize,
     /// Work at which the clocks of the control (`#3001` and `#3002` of NCT) stood at 0.
@@ -106,6 +91,9 @@ const BLOCK: u32 = 100;
 /// How much of what is looked at takes as long as a block; see [`Route::search`](crate::machine::route::Route::search).
 const EFFORT: usize = 20;
 
+/// Work between two tellings of how far a run is.
+const BETWEEN: u64 = 10_000;
+
 /// Where a run goes on after a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Next {
@@ -119,7 +107,7 @@ pub enum Next {
 
 /// Runs a program from its first block to its end.
 pub fn run(program: &Program, setup: &Setup, limits: Limits) -> Outcome {
-    Session::new(program.clone(), setup, limits).complete()
+    Session::new(Rc::new(program.clone()), setup, limits).complete()
 }
 
 /// A run that can be halted between two blocks and goes on later.
@@ -133,8 +121,8 @@ pub struct Session {
 
 impl Session {
     /// A run before its first block.
-    pub fn new(program: Program, setup: &Setup, limits: Limits) -> Session {
-        Session { run: Interpreter::new(program, setup, limits), before: setup.clone(), share: 0.0, ended: None }
+    pub fn new(program: impl Into<Rc<Program>>, setup: &Setup, limits: Limits) -> Session {
+        Session { run: Interpreter::new(program.into(), setup, limits), before: setup.clone(), share: 0.0, ended: None }
     }
 
     /// With values for parameters of the program itself, by their names in upper case.
@@ -148,13 +136,30 @@ impl Session {
     }
 
     /// Carries out all that is left.
-    pub fn complete(mut self) -> Outcome {
-        while !self.advance(usize::MAX) {}
+    pub fn complete(self) -> Outcome {
+        self.complete_told(&mut |_| {})
+    }
+
+    /// Carries out all that is left, telling from time to time how far it is.
+    pub fn complete_told(mut self, told: &mut dyn FnMut(&Session)) -> Outcome {
+        self.go_on(told);
         self.outcome()
     }
 
+    /// Carries out all that is left, and stands there.
+    pub(super) fn go_on(&mut self, told: &mut dyn FnMut(&Session)) {
+        while !self.advance(BETWEEN) {
+            told(self);
+        }
+    }
+
+    /// Blocks that were carried out so far.
+    pub fn blocks(&self) -> usize {
+        self.run.blocks
+    }
+
     /// Carries out about this much work; true: the run is over.
-    pub fn advance(&mut self, work: usize) -> bool {
+    pub fn advance(&mut self, work: u64) -> bool {
         let until = self.run.work.saturating_add(work);
         while self.ended.is_none() && self.run.work < until {
             self.ended = one_block(&mut self.run).transpose();
@@ -193,15 +198,13 @@ fn told<T>(run: &mut Interpreter, step: impl FnOnce(&mut Interpreter) -> Result<
 }
 
 fn next_block(run: &mut Interpreter) -> Result<Option<()>, Halt> {
-    let (limit, at) = (run.limits.steps, run.at);
+    let at = run.at;
     let span = run.program.blocks.get(at).map(|block| block.span);
-    if run.work >= limit {
-        return Err(Problem::at("run-steps", span.unwrap_or_default()).number("limit", limit as f64).into());
-    }
+    limits::room(run, span)?;
     let own = run.levels.last().is_some_and(|level| level.blocks.contains(&at));
     let (Some(span), true) = (span, own) else { return Ok(go_on(run, subprogram::leave)) };
     run.sim.line = Some(at as u32);
-    run.work += 1 + ((span.end - span.start) / BLOCK) as usize;
+    run.work += 1 + u64::from((span.end - span.start) / BLOCK);
     let depth = run.levels.len();
     let place = (run.levels.last().map_or(0, |level| level.call), at);
     let next = told(run, |run| statement::block(run, at));
@@ -210,11 +213,13 @@ fn next_block(run: &mut Interpreter) -> Result<Option<()>, Halt> {
     // so that one without end is found soon; a long program drives each of them once.
     let effort = run.sim.effort() / EFFORT;
     if effort > 0 && !run.heavy.insert(place) {
-        run.work += effort;
+        run.work += effort as u64;
     }
     if run.sim.stylus_touched() {
         run.tell(Severity::Warning, &Problem::new("run-stylus", span, ""));
     }
+    limits::data(run, span)?;
+    limits::tell(run, span);
     let next = next?;
     if let Next::Jump(to) = next {
         repeat::jumped(run, to);
@@ -238,9 +243,9 @@ fn go_on(run: &mut Interpreter, next: impl FnOnce(&mut Interpreter) -> Next) -> 
 }
 
 impl Interpreter {
-    fn new(program: Program, setup: &Setup, limits: Limits) -> Interpreter {
+    fn new(program: Rc<Program>, setup: &Setup, limits: Limits) -> Interpreter {
         let mut sim = Sim::new(setup);
-        sim.trace_limit = limits.trace;
+        (sim.trace_limit, sim.own_limit) = (limits.trace, limits.own);
         sim.point_limit = crate::scan::POINTS;
         let (motion, feed_factor) = (Rules::of(program.dialect).motion, sim.control.data_factor());
         let programs = programs::programs(&program);
@@ -261,6 +266,9 @@ impl Interpreter {
             limits,
             skip: setup.skip.clone(),
             work: 0,
+            blocks: 0,
+            unrecorded: false,
+            shared_elements: 0,
             clocks: [0.0; 2],
             clock_asked: Cell::new(false),
             endless: Watch::default(),
@@ -276,7 +284,7 @@ impl Interpreter {
             pattern: Pattern::default(),
             asked: Asked::default(),
             arrays_asked: BTreeSet::new(),
-            program: Rc::new(program),
+            program,
         };
         defined::add(&mut run);
         own_parameters::begin(&mut run);

@@ -21,6 +21,7 @@ mod halt;
 mod indexed;
 mod interpret;
 pub mod left;
+mod limits;
 mod listed;
 mod locals;
 mod macro_call;
@@ -48,7 +49,8 @@ mod tool;
 mod unread;
 
 pub use call::predict;
-pub use interpret::{Limits, Session, run};
+pub use interpret::{Session, run};
+pub use limits::Limits;
 pub use outcome::{Change, Outcome};
 
 use datum::{Datum, Type};

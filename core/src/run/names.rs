@@ -107,7 +107,7 @@ pub fn write(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Re
     match value {
         Datum::List(items) => {
             let elements = elements(run, key, place)?;
-            run.work += elements.len() / 10; // all of them were named
+            run.work += (elements.len() / 10) as u64; // all of them were named
             if items.len() > elements.len() {
                 return Err(Problem::new("run-index", place, key));
             }
@@ -235,7 +235,7 @@ fn constant(key: &str) -> Option<Datum> {
 fn write_frame(run: &mut Interpreter, key: &str, frame: &Frame, place: Span) -> Result<(), Problem> {
     let frames = |control: &Control| control.variables().filter(|(name, _)| name.starts_with("$P_")).collect();
     let before: BTreeMap<String, f64> = frames(&run.sim.control);
-    run.work += before.len() / 10;
+    run.work += (before.len() / 10) as u64;
     if !run.sim.control.set_frame(key, *frame) {
         return Err(Problem::new("run-read-only", place, key));
     }

@@ -145,7 +145,8 @@ impl Outcome {
 
     /// Results that the cycles wrote, by name, with their last values; tools and frames are in [`Outcome::changes`].
     pub fn written(&self) -> BTreeMap<&str, f64> {
-        self.told(|step| set(step).filter(|(name, _)| !name.starts_with('$'))).into_iter().collect()
+        let later = self.trace.later.iter().map(|(name, after)| (name.as_str(), *after));
+        self.told(set).into_iter().chain(later).filter(|(name, _)| !name.starts_with('$')).collect()
     }
 
     /// Position after, in the WCS that is active now.

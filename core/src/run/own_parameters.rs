@@ -55,6 +55,9 @@ pub fn make(run: &mut Interpreter, name: &str) -> Result<bool, Problem> {
     let all = if run.levels.len() == 1 { own(run)? } else { Vec::new() };
     let Some(parameter) = all.into_iter().find(|one| run.program.is(one.name, name)) else { return Ok(false) };
     let variable = declare::variable(run, parameter.name, parameter.kind, &parameter.sizes)?;
-    run.levels.first_mut().map(|main| main.locals.insert(name.to_owned(), Local::Own(variable)));
+    if let Some(main) = run.levels.first_mut() {
+        main.elements += variable.values.len();
+        main.locals.insert(name.to_owned(), Local::Own(variable));
+    }
     Ok(true)
 }

@@ -3,7 +3,7 @@
 
 use super::{
     Call, Datum, Interpreter, Local, Locals, Modal, Next, Variable, Words, declare, declare::Declaring, expression,
-    locals, names, repeat, repeat::Repetition,
+    limits, locals, names, repeat, repeat::Repetition,
 };
 use crate::control::{Frame, Plane, Units};
 use crate::diagnostic::{Severity, Span};
@@ -19,6 +19,8 @@ use std::rc::Rc;
 pub struct Level {
     /// Variables and parameters of the program.
     pub locals: Locals,
+    /// How many values they hold together.
+    pub elements: usize,
     pub blocks: Range<usize>,
     /// Block of the call.
     pub call: usize,
@@ -124,17 +126,19 @@ pub fn enter(run: &mut Interpreter, at: usize, call: &Call, unit: &Unit, passes:
         return Err(Problem::new("run-arguments", call.span, &*call.name));
     }
     let saved = words.iter().any(|word| program.is_call(word, &["SAVE"])).then(|| Box::new(save(run)));
-    let mut bound = Locals::new();
+    let (mut bound, mut elements) = (Locals::new(), 0);
     for (i, parameter) in parameters.iter().enumerate() {
         let local = bind(run, parameter, call, i)?;
         let name = run.program.name(parameter.name);
         if declare::is_axis(&name) {
             return Err(Problem::new("run-axis-name", parameter.name, name));
         }
+        elements += local.own().map_or(0, |variable| variable.values.len());
+        limits::elements(run, elements, call.span)?;
         bound.insert(name, local);
     }
     let blocks = unit.blocks.clone();
-    run.levels.push(Level { locals: bound, blocks, call: at, left: passes - 1, saved, ..Level::default() });
+    run.levels.push(Level { locals: bound, elements, blocks, call: at, left: passes - 1, saved, ..Level::default() });
     Ok(Next::Jump(unit.blocks.start))
 }
 

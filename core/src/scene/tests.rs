@@ -292,7 +292,7 @@ fn what_is_in_use_follows_the_tool_changes() {
         turns: false,
         recoded: false,
     };
-    let Trace { entries, in_use } = &mut source.outcome.trace;
+    let Trace { entries, in_use, .. } = &mut source.outcome.trace;
     *in_use = vec![probe.clone(), InUse { place: (3, 1), ..probe }];
     (entries[1].in_use, entries[2].in_use) = (1, 1);
     let scene = Scene::of(&source);

@@ -20,7 +20,7 @@ fn started(text: &str, limits: Limits, arguments: &[(&str, Value)]) -> Outcome {
     let program = read(Dialect::Sinumerik, text.as_bytes());
     let arguments = arguments.iter().map(|(name, value)| ((*name).to_owned(), value.clone())).collect();
     let mut session = Session::new(program, &setup(), limits).with_arguments(arguments);
-    while !session.advance(usize::MAX) {}
+    while !session.advance(u64::MAX) {}
     session.outcome()
 }
 

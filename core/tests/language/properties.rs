@@ -248,19 +248,19 @@ proptest! {
     #[test]
     fn any_words_end_within_the_limits(
         lines in prop::collection::vec(prop::collection::vec(prop::sample::select(WORDS.to_vec()), 1..3), 0..20),
-        pieces in 1_usize..40,
+        pieces in 1_u64..40,
     ) {
         let text: Vec<String> = lines.iter().map(|words| words.join(" ")).collect();
         let program = read(Dialect::Sinumerik, text.join("\n").as_bytes());
-        let limits = Limits { steps: 300, depth: 4, trace: 500, ..Limits::default() };
+        let limits = Limits { steps: Some(300), depth: 4, trace: 500, ..Limits::default() };
         let whole = run(&program, &setup(), limits);
         prop_assert!(whole.trace.entries.len() <= limits.trace);
         prop_assert!(whole.position.iter().all(|value| value.is_finite()));
         let mut session = Session::new(program, &setup(), limits);
-        let mut rounds = 0;
+        let mut rounds = 0_u64;
         while !session.advance(pieces) {
             rounds += 1;
-            prop_assert!(rounds <= limits.steps && (0.0..=1.0).contains(&session.share));
+            prop_assert!(rounds <= 300 && (0.0..=1.0).contains(&session.share));
         }
         prop_assert_eq!(session.outcome(), whole);
     }

@@ -283,6 +283,19 @@ fn files_named_with_a_program_belong_to_it() {
     assert_eq!(wrong.status.code(), Some(2));
 }
 
+// oracle: hand: a count that scripts give ends the run, none does not
+#[test]
+fn a_run_is_given_up_after_the_blocks_that_are_named() {
+    let path = file("counting.mpf", b"WHILE R1<120000\nR1=R1+1\nENDWHILE\nM30\n");
+    let limited = probewright(&["run", &path, "--max-blocks", "1000"]);
+    assert_eq!(limited.status.code(), Some(1));
+    assert!(out(&limited).contains("No end after 1000 blocks"), "{}", out(&limited));
+    let whole = probewright(&["run", &path]);
+    assert_eq!((whole.status.code(), &*whole.stderr), (Some(0), &b""[..]), "{}", out(&whole));
+    let wrong = probewright(&["run", &path, "--max-blocks", "many"]);
+    assert_eq!(wrong.status.code(), Some(2));
+}
+
 // oracle: hand
 #[test]
 fn what_was_assumed_for_the_machine_ends_the_run() {

@@ -199,8 +199,14 @@ fn a_hole_says_its_diameter_in_the_unit_of_the_call() {
 fn a_run_has_an_answer_for_the_call_that_stops_it() {
     let text = "G17 G54 G90\n_MVAR=1 _KNUM=0 _PRNUM=1 _SETVAL=50 _FA=2 _TSA=1 _TUL=0.1 _TLL=-0.1 _TMV=0.05 _TDIF=0.2 \
                 _TZL=0.01 _K=1 _EVNUM=0\nFOR R1=1 TO 3\nCYCLE977\nENDFOR\n_MVAR=99\nCYCLE977\nM30\n";
-    let asked =
-        RunRequest { control: Dialect::Sinumerik, text: text.to_owned(), setup: None, arguments: None, strict: None };
+    let asked = RunRequest {
+        control: Dialect::Sinumerik,
+        text: text.to_owned(),
+        setup: None,
+        arguments: None,
+        strict: None,
+        blocks: None,
+    };
     let mut run = crate::app::Run::new(asked).unwrap();
     while !run.advance(100) {}
     let view = run.view();

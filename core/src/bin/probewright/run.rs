@@ -3,6 +3,7 @@
 use crate::check::print_all;
 use crate::file::Problem;
 use crate::joined::Joined;
+use crate::progress::Progress;
 use crate::{file, scan};
 use probewright_core::app::{RunAssumed, RunView};
 use probewright_core::catalogue::alarms;
@@ -22,6 +23,7 @@ use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
+use std::rc::Rc;
 
 /// What is run, and where what comes out goes.
 #[derive(clap::Args)]
@@ -37,6 +39,8 @@ pub struct Arguments {
     arg: Vec<String>,
     #[arg(long)]
     strict: bool,
+    #[arg(long, value_name = "NUMBER")]
+    max_blocks: Option<u64>,
     #[arg(long)]
     json: bool,
     #[arg(long, value_name = "FILE")]
@@ -49,22 +53,27 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
     let joined = Joined::read(&arguments.file, &arguments.with, arguments.control)?;
     let values = values(&arguments.arg)?;
-    let limits = Limits { strict: arguments.strict, ..Limits::default() };
+    let recorded = if arguments.json { Limits::default().own } else { 0 };
+    let steps = arguments.max_blocks;
+    let limits = Limits { steps, own: recorded, strict: arguments.strict, ..Limits::default() };
+    let mut progress = Progress::new(words);
+    let mut told = |session: &Session| progress.tell(session);
     let (joined, Assumed { setup, outcome, told }) = match &arguments.setup {
         Some(setup) => {
             let mut setup = file::setup(setup, arguments.json, words, out)?;
             arguments.scan.put_surface(&mut setup)?;
             let joined = joined.of(setup.control.dialect);
             let program = syntax::read(joined.dialect, &joined.text);
-            let outcome = Session::new(program, &setup, limits).with_arguments(values).complete();
+            let outcome = Session::new(program, &setup, limits).with_arguments(values).complete_told(&mut told);
             (joined, Assumed { outcome, setup, told: Vec::new() })
         }
         None => {
-            let program = syntax::read(joined.dialect, &joined.text);
-            let assumed = assumed::run_with(&program, limits, values);
+            let program = Rc::new(syntax::read(joined.dialect, &joined.text));
+            let assumed = assumed::run_with(&program, limits, values, &mut told);
             (joined, assumed)
         }
     };
+    progress.end();
     if arguments.json {
         let mut view = RunView::new(setup.clone(), outcome.clone(), &joined.text);
         if arguments.setup.is_none() {

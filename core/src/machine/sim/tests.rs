@@ -102,10 +102,28 @@ fn other_tools_are_not_felt() {
 #[test]
 fn a_full_trace_ends_the_run() {
     let mut sim = sim();
-    sim.trace_limit = 1;
+    (sim.trace_limit, sim.in_cycle) = (1, true);
     assert!(sim.travel(Wcs([0.0, 0.0, 30.0]), MotionKind::Rapid, 0.0, false).is_ok());
     let stop = sim.travel(Wcs([0.0, 0.0, 20.0]), MotionKind::Rapid, 0.0, false);
     assert!(matches!(stop, Err(Stop::Fault(message)) if message.key == "run-trace-limit"));
+}
+
+// oracle: hand: what a program does by itself is done whether it is recorded or not; what it wrote last is known
+#[test]
+fn a_program_goes_on_without_a_record() {
+    let mut sim = sim();
+    sim.own_limit = 1;
+    for height in [30.0, 20.0, 25.0] {
+        assert!(sim.travel(Wcs([0.0, 0.0, height]), MotionKind::Rapid, 0.0, false).is_ok());
+    }
+    for after in [1.0, 2.0] {
+        sim.note(Step::Set { name: "R1".into(), before: 0.0, after });
+    }
+    assert_eq!((sim.position().0[2], sim.trace.entries.len(), sim.unrecorded), (25.0, 1, true));
+    assert_eq!(sim.trace.later.get("R1"), Some(&2.0));
+    sim.in_cycle = true;
+    sim.note(Step::Set { name: "R1".into(), before: 2.0, after: 3.0 });
+    assert_eq!((sim.trace.entries.len(), sim.trace.later.len()), (2, 0));
 }
 
 /// Turns the table C by 90 degree with the ball here: how it ended, and where the table stands then.

@@ -1,0 +1,91 @@
+//! When a run is given up: all that bounds it, in one place. A program without a loop ends by itself, one that comes
+//! back to what was before is told at once (`endless`); what goes on and on may do so, in bounded memory.
+
+use super::Interpreter;
+use crate::diagnostic::{Severity, Span};
+use crate::problem::Problem;
+
+/// Levels of subprograms: a SINUMERIK has 12 with the main program.
+const DEPTH: usize = 11;
+/// Entries of the trace, of less than 200 bytes each: a thousand calls make up to 150,000.
+const TRACE: usize = 400_000;
+/// Of these those of the program itself.
+const OWN: usize = 200_000;
+/// How often a measuring call is carried out: each takes milliseconds, and a thousand points are measured.
+const CALLS: usize = 1_500;
+/// Data that are written, of some hundred bytes each: R parameters, user data, tools, elements of arrays.
+const DATA: usize = 1_000_000;
+/// Blocks between two looks at how many data there are.
+const BETWEEN: usize = 4096;
+/// Work that nobody watches or can stop, in blocks, beyond that of the text from its beginning to its end.
+const UNWATCHED: u64 = 100_000;
+
+/// When a run is given up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Limits {
+    /// Work in blocks; a long one, one that writes many elements, and in a loop one close to the part count as several.
+    /// None: it goes on until somebody stops it.
+    pub steps: Option<u64>,
+    /// Levels of subprograms.
+    pub depth: usize,
+    /// Entries of the trace; a call that needs more ends the run.
+    pub trace: usize,
+    /// Of these those of the program itself: its motions outside of calls, what it writes and shows. What it does
+    /// beyond them is done, but not recorded.
+    pub own: usize,
+    /// How often one measuring call may be carried out where it is written.
+    pub calls: usize,
+    /// Data that the program may write.
+    pub data: usize,
+    /// Whether a subprogram that is not there, and a value that only the machine has, stop the run.
+    pub strict: bool,
+}
+
+impl Default for Limits {
+    fn default() -> Limits {
+        Limits { steps: None, depth: DEPTH, trace: TRACE, own: OWN, calls: CALLS, data: DATA, strict: false }
+    }
+}
+
+impl Limits {
+    /// For a run of a program with so many blocks that nobody watches: what does not jump comes to its end.
+    pub fn unwatched(blocks: usize) -> Limits {
+        Limits { steps: Some(UNWATCHED + blocks as u64), ..Limits::default() }
+    }
+}
+
+/// Whether one more block may be carried out.
+pub fn room(run: &Interpreter, place: Option<Span>) -> Result<(), Problem> {
+    let Some(limit) = run.limits.steps.filter(|limit| run.work >= *limit) else { return Ok(()) };
+    Err(Problem::at("run-steps", place.unwrap_or_default()).number("limit", limit as f64))
+}
+
+/// Whether what the program wrote has room; from time to time it is counted.
+pub fn data(run: &mut Interpreter, place: Span) -> Result<(), Problem> {
+    run.blocks = run.blocks.wrapping_add(1);
+    if !run.blocks.is_multiple_of(BETWEEN) {
+        return Ok(());
+    }
+    let control = &run.sim.control;
+    let edges: usize = control.tools.values().map(|tool| 1 + tool.edges.len()).sum();
+    let written = control.data.written() + edges + run.measured.len();
+    if written <= run.limits.data { Ok(()) } else { Err(full(run, place)) }
+}
+
+/// Whether so many more elements of variables have room.
+pub fn elements(run: &Interpreter, more: usize, place: Span) -> Result<(), Problem> {
+    let there: usize = run.levels.iter().map(|level| level.elements).sum();
+    if there + run.shared_elements + more <= run.limits.data { Ok(()) } else { Err(full(run, place)) }
+}
+
+/// Tells once that not all is recorded, where anything was to be.
+pub fn tell(run: &mut Interpreter, place: Span) {
+    if std::mem::take(&mut run.sim.unrecorded) && run.limits.own > 0 && !run.unrecorded {
+        run.unrecorded = true;
+        run.tell(Severity::Note, &Problem::at("run-trace-full", place).number("limit", run.limits.own as f64));
+    }
+}
+
+fn full(run: &Interpreter, place: Span) -> Problem {
+    Problem::at("run-data", place).number("limit", run.limits.data as f64)
+}
