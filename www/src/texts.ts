@@ -3,28 +3,26 @@
 // long and read by few, and come when one is opened. Nothing here knows which languages there are.
 
 import { first, help, later, whole } from "words:all";
-import { FluentBundle, FluentNumber, FluentResource } from "@fluent/bundle";
+import { FluentNumber } from "@fluent/bundle";
+import { createMessages, type Messages } from "./fluent";
 import type { Message } from "./wire";
 
 const FALLBACK = "en";
 let complete = false; // whether all of English is here
-const bundles = new Map<string, FluentBundle>([
-  [FALLBACK, add(new FluentBundle(FALLBACK, { useIsolating: false }), first)],
-]);
+const bundles = new Map<string, Messages>([[FALLBACK, made(FALLBACK, first)]]);
 const missing = new Set<string>();
 let order: string[] = [FALLBACK];
 const helped = new Set<string>(); // languages whose words of help are here
 
-function add(bundle: FluentBundle, words: string): FluentBundle {
-  for (const problem of bundle.addResource(new FluentResource(words))) console.error(`messages: ${problem.message}`);
-  return bundle;
+function made(language: string, words: string): Messages {
+  const messages = createMessages(language);
+  messages.add(words);
+  return messages;
 }
 
 /** The English words that the first form does without. */
 export async function laterWords(): Promise<void> {
-  const words = await later();
-  const made = bundles.get(FALLBACK);
-  if (made) add(made, words);
+  bundles.get(FALLBACK)?.add(await later());
   complete = true;
 }
 
@@ -40,8 +38,7 @@ export async function helpWords(): Promise<void> {
       .filter(one => !helped.has(one))
       .map(async one => {
         const words = await help[one]?.();
-        const made = bundles.get(one);
-        if (made && words !== undefined) add(made, words);
+        if (words !== undefined) bundles.get(one)?.add(words);
         helped.add(one);
       }),
   );
@@ -64,7 +61,7 @@ export function language(): string {
 
 async function fetchWords(language: string): Promise<void> {
   const words = bundles.has(language) ? undefined : await whole[language]?.();
-  if (words !== undefined) bundles.set(language, add(new FluentBundle(language, { useIsolating: false }), words));
+  if (words !== undefined) bundles.set(language, made(language, words));
 }
 
 /** Fetches the words of every language, but for the help pages. */
@@ -96,10 +93,9 @@ function argument(value: number | string): FluentNumber | string {
   return typeof value === "number" ? new Figure(value) : value;
 }
 
-function pattern(bundle: FluentBundle, key: string) {
+function pattern(messages: Messages, key: string) {
   const [id = key, attribute] = key.split(".");
-  const message = bundle.getMessage(id);
-  return attribute ? message?.attributes[attribute] : message?.value;
+  return messages.pattern(id, attribute);
 }
 
 type Args = Record<string, number | string>;
@@ -119,7 +115,7 @@ function find(key: string, args: Args, within: readonly string[] = order): strin
     if (!bundle || !found) continue;
     const problems: Error[] = [];
     const given = Object.fromEntries(Object.entries(args).map(([name, value]) => [name, argument(value)]));
-    const text = bundle.formatPattern(found, given, problems);
+    const text = bundle.format(found, given, problems);
     for (const problem of problems) note(`${key}: ${problem.message}`);
     if (args === NONE && problems.length === 0) fixed.set(place, text);
     return text;
