@@ -60,6 +60,7 @@ export async function startApp(core: Core, stored: Flat | null, returned: boolea
   });
   const packed = packedWork();
   const place = packed ? "work" : firstPlace(stored);
+  const example = !stored && !packed && place === "work"; // the first module knows all that is in it
   const first = patched(await startState(core, modules.full, catalogue, stored, packed), { page: { place } });
   let draw = (): Rest | undefined => undefined;
   const guardedly = <R>(run: () => R): (() => R | undefined) => guard(() => store, run);
@@ -84,13 +85,15 @@ export async function startApp(core: Core, stored: Flat | null, returned: boolea
   await painted(); // the form stands
   setTimeout(calm.begin, PATIENCE);
   try {
+    await (example ? modules.bring() : modules.full());
+    store.update({});
+    await painted(); // what the call comes to stands
     await modules.full();
     store.update({});
   } catch (problem) {
     absent(problem);
   }
   takeLaunch(store, parts.actions, parts.open);
-  await painted(); // what the call comes to stands
   calm.begin();
 }
 

@@ -10,7 +10,9 @@ export interface Modules {
   readonly forms: FormCore;
   readonly program: ProgramCore | null;
   readonly alarms: Promise<AlarmInfo[]>;
-  /** Fetches the second one, once; where that fails, whoever asks next tries again. */
+  /** Fetches the second one, once; where that fails, whoever asks next tries again. The catalogue stays as it is. */
+  bring(): Promise<ProgramCore>;
+  /** The same with its catalogue: to list all that it can takes as long as to measure. */
   full(): Promise<ProgramCore>;
   /** The form goes on alone. */
   goWithout(): void;
@@ -25,16 +27,20 @@ export function createModules(core: Core, catalogue: Catalogue): Modules {
   const coming = new Promise<ProgramCore>(resolve => {
     came = resolve;
   });
+  let listed = false;
   const fetched = async (): Promise<ProgramCore> => {
     const [part] = await Promise.all([
       import("../core/program").then(module => module.loadProgramCore()),
       laterWords(),
     ]);
     forms = program = part;
-    catalogue.cycles = part.catalogue().cycles;
-    came(part);
     return part;
   };
+  const bring = (): Promise<ProgramCore> =>
+    (fetching ??= fetched().catch((problem: unknown) => {
+      fetching = null;
+      throw problem;
+    }));
   return {
     get forms() {
       return forms;
@@ -43,11 +49,14 @@ export function createModules(core: Core, catalogue: Catalogue): Modules {
       return program;
     },
     alarms: coming.then(part => part.alarms()),
-    full: () =>
-      (fetching ??= fetched().catch((problem: unknown) => {
-        fetching = null;
-        throw problem;
-      })),
+    bring,
+    async full() {
+      const part = await bring();
+      if (!listed) catalogue.cycles = part.catalogue().cycles;
+      listed = true;
+      came(part);
+      return part;
+    },
     goWithout() {
       forms = { ...core, simulates: "no" };
     },

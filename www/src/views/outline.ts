@@ -60,6 +60,7 @@ export function createOutline(openCall: (index: number) => void): {
     space,
   );
   let names: Map<string, string> | null = null;
+  let cycles: Catalogue["cycles"] | null = null; // that they are of
   let shown: { state: State; derived: Derived } | null = null;
   let current = 0;
   let opened: number | null = null; // where the call begins that was scrolled to
@@ -139,7 +140,10 @@ export function createOutline(openCall: (index: number) => void): {
       const before = shown;
       const visible = state.panels.outline && derived.read.calls.length > 0;
       show(list, visible);
-      if (visible) names ??= variantNames(derived.catalogue); // what reads programs knows all cycles
+      if (visible && derived.catalogue.cycles !== cycles) {
+        names = variantNames(derived.catalogue);
+        cycles = derived.catalogue.cycles;
+      }
       const same =
         before?.derived.read === derived.read &&
         before.derived.states === derived.states &&
