@@ -141,6 +141,9 @@ sentences! {
     SYNTAX_DEPTH 100 Error "syntax-depth" "syntax-depth-hint";
     SYNTAX_COMMENT 100 Error "syntax-comment" "";
     SYNTAX_TOO_LARGE 100 Error "syntax-too-large" "syntax-too-large-hint";
+    SYNTAX_DEFINE 100 Error "syntax-define" "";
+    SYNTAX_MACRO_CIRCLE 100 Error "syntax-macro-circle" "syntax-macro-circle-hint";
+    SYNTAX_MACRO_LONG 100 Error "syntax-macro-long" "syntax-macro-long-hint";
     SYNTAX_EXPONENT 100 Error "syntax-exponent" "";
     SYNTAX_NO_EXPONENT 100 Error "syntax-no-exponent" "syntax-no-exponent-hint";
     BLOCK_TWICE 101 Error "block-twice" "block-twice-hint";
@@ -220,6 +223,7 @@ sentences! {
     WRITE_NEWER_ZERO 189 Error "write-newer-zero" "write-no-list-hint";
     WRITE_EXPRESSION_LOST 190 Error "write-expression-lost" "write-no-list-hint";
     CONVERT_ARGUMENT 190 Error "convert-argument" "convert-argument-hint";
+    CONVERT_MACRO 190 Error "convert-macro" "convert-macro-hint";
     WRITE_EXPRESSION 191 Note "write-expression" "";
     CONVERT_EXPRESSION 192 Error "convert-expression" "convert-expression-hint";
     REVISE_TAKEN 193 Note "revise-taken" "";

@@ -20,6 +20,8 @@ convert-argument = 此调用的参数 { $value } 会丢失：其他书写方式�
 convert-argument-hint = 请先在调用中把 { $value } 写成数字，然后再转换此调用。
 convert-expression = 调用保持不变：赋给 { $name } 的 { $value } 在新文本所在处的值可能不同。
 convert-expression-hint = 请把 { $name }={ $value } 直接写在调用前面，其间不要改变该值。
+convert-macro = 调用保持不变：某个宏包含的不止其一个值。
+convert-macro-hint = 请先把宏的文本写入程序。
 
 revise-taken = 新的测量方式不使用 { $names }：已从调用中删去。
 revise-kept = 新的测量方式不使用 { $name }，但 { $name }={ $value } 是表达式，仍留在程序中。

@@ -190,15 +190,15 @@ pub struct CuredAll {
 /// # Errors
 /// There is no such call.
 pub fn change(asked: ChangeRequest) -> Result<Changed, Error> {
-    let mut program = syntax::read(asked.control, asked.text.as_bytes());
     let control = start(asked.control, asked.setup)?.setup.control;
+    let mut program = syntax::read_on(asked.control, asked.text.as_bytes(), &control.definitions.macros);
     let done = revise(&program, asked.call, &asked.name, &asked.value, &control);
     let done = done.ok_or_else(|| unknown("document-call", &asked.call.to_string()))?;
     let replaced = done.replaced.as_ref().map(|found| Replaced::placed(found, &Positions::new(&program.source)));
     let mut steps = Vec::new();
     for step in &done.steps {
         steps.push(edits(step, &Positions::new(&program.source)));
-        program = syntax::read(asked.control, &apply(&program.source, step));
+        program = program.again(&apply(&program.source, step));
     }
     Ok(Changed {
         steps,
@@ -216,8 +216,8 @@ pub fn change(asked: ChangeRequest) -> Result<Changed, Error> {
 /// # Errors
 /// The machine has no such G function of units.
 pub fn convert(asked: ConvertRequest) -> Result<Converted, Error> {
-    let program = syntax::read(asked.control, asked.text.as_bytes());
     let control = start(asked.control, asked.setup)?.setup.control;
+    let program = syntax::read_on(asked.control, asked.text.as_bytes(), &control.definitions.macros);
     let done = match asked.call {
         Some(call) => converting::convert(&program, call, asked.style, &control),
         None => converting::convert_all(&program, asked.style, &control),
@@ -236,8 +236,8 @@ pub fn convert(asked: ConvertRequest) -> Result<Converted, Error> {
 /// # Errors
 /// The machine has no such G function of units.
 pub fn cure(asked: CureRequest) -> Result<CuredAll, Error> {
-    let program = syntax::read(asked.control, asked.text.as_bytes());
     let control = start(asked.control, asked.setup)?.setup.control;
+    let program = syntax::read_on(asked.control, asked.text.as_bytes(), &control.definitions.macros);
     let done = cure_all(&program, &asked.code, &asked.key, &control);
     let edits = edits(&done.edits, &Positions::new(&program.source));
     Ok(CuredAll { edits, gone: done.gone, left: done.left })

@@ -115,8 +115,9 @@ const MOST_FINDINGS: usize = 10_000;
 /// The machine has no such G function of units.
 pub fn read(asked: ReadRequest, told: &mut dyn FnMut(f64)) -> Result<ReadView, Error> {
     let [text, calls] = SHARES;
-    let program = syntax::read_told(asked.control, asked.text.as_bytes(), &mut |share| told(share * text));
     let control = start(asked.control, asked.setup)?.setup.control;
+    let macros = &control.definitions.macros;
+    let program = syntax::read_told(asked.control, asked.text.as_bytes(), macros, &mut |share| told(share * text));
     Ok(view(&program, control, &mut |share| told(text + share * (calls - text))))
 }
 

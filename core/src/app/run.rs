@@ -193,7 +193,7 @@ impl Run {
     /// The machine has no such G function of units.
     pub fn new(asked: RunRequest) -> Result<Run, Error> {
         let setup = start(asked.control, asked.setup)?.setup;
-        let program = syntax::read(asked.control, asked.text.as_bytes());
+        let program = syntax::read_on(asked.control, asked.text.as_bytes(), &setup.control.definitions.macros);
         let steps = asked.blocks.map(u64::from);
         let limits = Limits { steps, strict: asked.strict.unwrap_or_default(), ..Limits::default() };
         let given = asked.arguments.unwrap_or_default().into_iter();
@@ -248,7 +248,8 @@ impl RunView {
         if !codes.iter().any(|code| curable(*code)) && !problems.iter().any(|problem| lacking(problem)) {
             return self;
         }
-        let needs = Needs::of(&syntax::read(setup.control.dialect, source), setup);
+        let needs =
+            Needs::of(&syntax::read_on(setup.control.dialect, source, &setup.control.definitions.macros), setup);
         let offers: Vec<_> = problems.iter().map(|problem| needs.offers(problem)).collect();
         for (finding, offers) in self.diagnostics.iter_mut().zip(&offers) {
             finding.offers.clone_from(offers);

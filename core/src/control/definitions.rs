@@ -3,6 +3,7 @@
 
 use super::Value;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// Type of a variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -89,13 +90,18 @@ impl Definition {
     }
 }
 
+/// Texts that names stand for (`DEFINE NAME AS …`), by name in upper case.
+pub type Macros = BTreeMap<String, Vec<u8>>;
+
 /// All of them, and the lines that say so.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Definitions {
-    /// The lines with `DEF` and `REDEF`, as they are written, without block numbers.
+    /// The lines with `DEF`, `REDEF` and `DEFINE`, as they are written, without block numbers.
     pub lines: Vec<String>,
     /// By name in upper case.
     pub data: BTreeMap<String, Definition>,
+    /// The macros.
+    pub macros: Arc<Macros>,
 }
 
 impl Definitions {
@@ -108,6 +114,10 @@ impl Definitions {
     pub fn extend(&mut self, other: Definitions) {
         self.lines.extend(other.lines);
         self.data.extend(other.data);
+        if !other.macros.is_empty() {
+            let own = other.macros.iter().map(|(name, text)| (name.clone(), text.clone()));
+            Arc::make_mut(&mut self.macros).extend(own);
+        }
     }
 
     /// Whether there is none.

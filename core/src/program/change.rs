@@ -25,7 +25,9 @@ pub fn change(program: &Program, site: &CallSite, name: &str, value: &str) -> Ve
         return Vec::new();
     }
     if let Some(edits) = arguments::change(program, site, name, &value) {
-        return edits;
+        // what a macro says stays
+        let own = edits.iter().all(|edit| !program.is_of_macro(edit.span)) && !program.is_of_macro(site.span);
+        return if own { edits } else { Vec::new() };
     }
     if site.newer_list().is_some() {
         return Vec::new();
@@ -34,6 +36,9 @@ pub fn change(program: &Program, site: &CallSite, name: &str, value: &str) -> Ve
         return edits;
     }
     match site.own_place(name) {
+        Some(place) if program.is_of_macro(place) => {
+            add(program, site, name, &value).filter(|_| !value.is_empty()).into_iter().collect()
+        }
         Some(place) if program.text(around(program, place)) == value.as_bytes() => Vec::new(),
         Some(place) if arguments::is_auxiliary(program, place) && nothing(&value) => {
             let anew = add(program, site, name, &value).filter(|_| !value.is_empty());
@@ -64,6 +69,9 @@ fn elsewhere(program: &Program, site: &CallSite, name: &str, value: &str) -> Opt
         return None;
     }
     let whole = |place: Span| program.word_at(place).is_some_and(|word| word.span == place);
+    if origins.iter().any(|origin| program.is_of_macro(origin.place)) {
+        return Some(Vec::new());
+    }
     if origins.iter().filter(|origin| origin.argument).any(|origin| value.is_empty() || whole(origin.place)) {
         return Some(Vec::new()); // an argument is not taken away, and none is added
     }

@@ -12,7 +12,7 @@ use crate::diagnostic::Diagnostic;
 use crate::entry::{AUXILIARY_ARGS, Param, Style, Typed};
 use crate::name::Name;
 use crate::support::Mark;
-use crate::syntax::{Program, read};
+use crate::syntax::Program;
 use crate::{check, own};
 
 /// Edits that turn calls into another style, and what has to be said about it.
@@ -84,6 +84,9 @@ fn planned(
     control: &Control,
 ) -> Result<Plan, Vec<Diagnostic>> {
     let site = sites.get(index).ok_or_else(Vec::new)?;
+    if program.is_of_macro(site.span) || site.places.values().any(|place| program.is_of_macro(*place)) {
+        return Err(vec![own::CONVERT_MACRO.finding()]);
+    }
     let at_call = site.control_at(control);
     if let Some(finding) = foreign(program, site, &at_call) {
         return Err(vec![finding]);
@@ -106,7 +109,7 @@ fn together(program: &Program, sites: &[CallSite], mut plans: Vec<Plan>, control
     loop {
         let mut edits: Vec<Edit> = plans.iter().flat_map(|plan| plan.edits.iter().cloned()).collect();
         edits.sort_by_key(|edit| (edit.span.start, edit.span.end));
-        let after = calls_on(&read(program.dialect, &apply(&program.source, &edits)), control.clone());
+        let after = calls_on(&program.again(&apply(&program.source, &edits)), control.clone());
         let before = plans.len();
         plans.retain(|plan| {
             let pair = sites.get(plan.index).zip(after.get(plan.index));

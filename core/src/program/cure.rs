@@ -5,7 +5,7 @@ use super::change::{Edit, apply};
 use super::findings::findings_of;
 use crate::control::Control;
 use crate::diagnostic::{Diagnostic, Span};
-use crate::syntax::{Program, read};
+use crate::syntax::Program;
 
 /// Looks at the program that may be taken: a cure may need one for itself.
 const LOOKS: usize = 64;
@@ -37,7 +37,7 @@ pub fn cure_all(program: &Program, code: &str, key: &str, control: &Control) -> 
             break;
         }
         let next_text = apply(&text, &step);
-        let next = cures(&read(program.dialect, &next_text), code, key, control);
+        let next = cures(&program.again(&next_text), code, key, control);
         let gone = open.len().saturating_sub(next.len());
         if many > 1 && gone != many.min(open.len() - passed) {
             many = 1; // they touch each other: one by one

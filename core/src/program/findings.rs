@@ -10,6 +10,7 @@ use crate::dialect::Dialect;
 use crate::message::Message;
 use crate::own::{self, Own};
 use crate::syntax::definitions;
+use crate::syntax::macros::LONGEST;
 use crate::syntax::programs::programs;
 use crate::syntax::{DEPTH, LARGEST, Program, SyntaxError};
 
@@ -36,8 +37,18 @@ pub fn findings_of(program: &Program, sites: &[CallSite], control: &Control) -> 
     let defined = defined.findings().filter(|found| found.message.key != "run-axis-name");
     let calls = sites.iter().flat_map(|site| site.diagnostics.iter().cloned());
     let mut found: Vec<Diagnostic> = syntax.chain(blocks).chain(defined).chain(calls).chain(advice).collect();
+    for one in &mut found {
+        place(program, one);
+    }
     found.sort_by_key(|finding| (start(finding), finding.severity));
     once(found)
+}
+
+/// Places what lies in the text of a macro where that is named; nothing is cured there.
+fn place(program: &Program, found: &mut Diagnostic) {
+    let own = |span: &Span| program.placed(*span) == *span && !program.is_of_macro(*span);
+    found.cure = found.cure.take().filter(|cure| cure.edits.iter().all(|edit| own(&edit.span)));
+    found.span = found.span.map(|span| program.placed(span));
 }
 
 fn start(finding: &Diagnostic) -> u32 {
@@ -80,6 +91,7 @@ pub fn not_understood(program: &Program, error: &SyntaxError) -> Diagnostic {
 fn limit(sentence: &Own) -> Option<f64> {
     match sentence.cause {
         cause if cause == own::SYNTAX_DEPTH.cause => Some(f64::from(DEPTH)),
+        cause if cause == own::SYNTAX_MACRO_LONG.cause => Some(LONGEST as f64),
         cause if cause == own::SYNTAX_TOO_LARGE.cause => Some((f64::from(LARGEST) / f64::from(1 << 30)).round()),
         _ => None,
     }

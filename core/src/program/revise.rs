@@ -12,7 +12,7 @@ use crate::control::Control;
 use crate::diagnostic::Diagnostic;
 use crate::entry::{Param, Typed};
 use crate::name::Name;
-use crate::syntax::{Program, WordKind, read};
+use crate::syntax::{Program, WordKind};
 use crate::{check, own};
 
 /// What a new value of a call does to the program.
@@ -57,18 +57,18 @@ pub fn revise(program: &Program, index: usize, name: &str, value: &str, control:
     let mut revision = Revision { elsewhere: elsewhere(program, site, &edits), ..Revision::default() };
     let idle = idle(site, name, value, control);
     let mut text = apply(&program.source, &edits);
-    let mut after = calls_on(&read(program.dialect, &text), control.clone());
+    let mut after = calls_on(&program.again(&text), control.clone());
     revision.steps.push(edits);
     let stays = |site: &CallSite| site.expressions.contains_key(name);
     if !after.get(index).is_some_and(stays) {
         revision.replaced = replaced(program, (&sites, index), (name, value), control);
     }
     if !idle.is_empty() {
-        revision.take(&read(program.dialect, &text), (&after, index), idle, control);
+        revision.take(&program.again(&text), (&after, index), idle, control);
         for step in revision.steps.iter().skip(1) {
             text = apply(&text, step);
         }
-        after = calls_on(&read(program.dialect, &text), control.clone());
+        after = calls_on(&program.again(&text), control.clone());
     }
     revision.values = differing(program, &sites, &after);
     let others = sites.iter().zip(&after).enumerate().any(|(at, (one, other))| {
@@ -116,7 +116,7 @@ fn others_read(
     else {
         return Vec::new();
     };
-    let after = calls_on(&read(program.dialect, &apply(&program.source, &edits)), control.clone());
+    let after = calls_on(&program.again(&apply(&program.source, &edits)), control.clone());
     let others = sites.iter().zip(&after).enumerate().filter(|(at, _)| *at != index);
     let missed: Vec<_> = others.flat_map(|(_, (one, other))| compared(program, one, other)).collect();
     names.iter().copied().filter(|name| missed.iter().any(|one| one.param == name.as_str())).collect()
@@ -135,7 +135,7 @@ fn replaced(
     let mut variables = variables(program, site, name, value);
     for change in variables.iter_mut().filter_map(|variable| variable.change.as_mut().ok()) {
         let text = apply(&program.source, std::slice::from_ref(&change.edit));
-        change.values = differing(program, sites, &calls_on(&read(program.dialect, &text), control.clone()));
+        change.values = differing(program, sites, &calls_on(&program.again(&text), control.clone()));
     }
     Some(Replaced { text, worth, variables })
 }

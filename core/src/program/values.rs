@@ -99,7 +99,7 @@ pub(super) fn value(program: &Program, id: ExprId, known: Known) -> Value {
     let written = || program.written(place).trim().to_owned();
     match (program.expr(id), number) {
         (Some(Expr::Text(inside)), _) => {
-            Value { quoted: true, ..Value::at(typed_text(&program.written(*inside)), number, *inside) }
+            Value { quoted: true, ..Value::at(typed_text(&program.written(*inside)), number, program.placed(*inside)) }
         }
         (Some(expr), Some(_)) if literal(program, expr) => Value::at(written().replace(' ', ""), number, place),
         (Some(_), Some(worth)) => Value { expression: Some(written()), ..Value::at(shown(worth), number, place) },

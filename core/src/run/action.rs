@@ -179,7 +179,7 @@ pub fn carry_out(run: &mut Interpreter, at: usize, call: &Call, passes: u32) -> 
         noted::without(run, "run-standard", call.span, name);
     } else if is_step(name) {
         noted::without(run, "run-step", call.span, name);
-    } else if is_word(name) || run.programs.macros.contains(name) {
+    } else if is_word(name) {
         run.tell(Severity::Warning, &Problem::new("run-not-simulated", call.span, name));
     } else {
         subprogram::not_here(run, name, call.span)?;

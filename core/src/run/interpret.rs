@@ -308,7 +308,8 @@ impl Interpreter {
     }
 
     /// Keeps a finding; false: it was told before.
-    pub fn tell_once(&mut self, found: Diagnostic) -> bool {
+    pub fn tell_once(&mut self, mut found: Diagnostic) -> bool {
+        found.span = found.span.map(|span| self.program.placed(span));
         let new = self.seen.insert((found.span.unwrap_or_default().start, found.message.key.to_string()));
         self.diagnostics.extend(new.then_some(found));
         new

@@ -150,8 +150,8 @@ fn left_out(run: &mut Interpreter, words: &[Word]) -> bool {
         let (WordKind::Keyword { name, .. } | WordKind::Call { name, .. }) = &word.kind else { continue };
         let text = run.program.name(*name);
         match text.as_str() {
-            "PROC" | "EXTERN" | "ENDPROC" => return true,
-            "DEFINE" | "WHEN" | "WHENEVER" | "EVERY" | "FROM" | "REDEF" | "SETINT" => {}
+            "PROC" | "EXTERN" | "ENDPROC" | "DEFINE" => return true,
+            "WHEN" | "WHENEVER" | "EVERY" | "FROM" | "REDEF" | "SETINT" => {}
             "DO" if !loops => {}
             _ => continue,
         }

@@ -31,7 +31,7 @@ pub fn pass(run: &mut Interpreter, word: &Word, found: &mut Words) -> Result<(),
     // every word of a block has the same block about it: the first one asks
     let first = !std::mem::replace(&mut found.unread, true);
     run.pass_over(printable(&run.program.written(word.span)), word.span);
-    let text = run.program.name(word.span);
+    let text = run.program.said(word);
     let begins = |way: &str| {
         let rest = text.strip_prefix(way);
         rest.is_some_and(|rest| !rest.starts_with(|next: char| next.is_ascii_alphanumeric() || next == '_'))

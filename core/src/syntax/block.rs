@@ -1,10 +1,13 @@
 //! Lines: block number, skip level, words, comment.
 
+use super::macros;
 use super::reader::{Expect, Reader};
 use super::tree::{Block, Program, SyntaxError, WordKind};
+use crate::control::definitions::Macros;
 use crate::diagnostic::Span;
 use crate::dialect::Dialect;
 use crate::own;
+use std::sync::Arc;
 
 /// What some editors write before the text of a file.
 pub(super) const BYTE_ORDER_MARK: &[u8] = "\u{feff}".as_bytes();
@@ -20,15 +23,41 @@ pub const LARGEST: u32 = u32::MAX;
 
 /// Reads a program. Never fails: what is not understood is marked in the tree.
 pub fn read(dialect: Dialect, source: &[u8]) -> Program {
-    read_told(dialect, source, &mut |_| {})
+    read_on(dialect, source, &Arc::default())
 }
 
-/// Reads a program, telling from time to time which share of the text is read.
-pub fn read_told(dialect: Dialect, source: &[u8], told: &mut dyn FnMut(f64)) -> Program {
+/// Reads a program on a machine that has these macros.
+pub fn read_on(dialect: Dialect, source: &[u8], macros: &Arc<Macros>) -> Program {
+    read_told(dialect, source, macros, &mut |_| {})
+}
+
+impl Program {
+    /// Another text, read as this one was.
+    pub fn again(&self, text: &[u8]) -> Program {
+        read_on(self.dialect, text, &self.macros)
+    }
+}
+
+/// Reads a program on a machine with macros, telling from time to time which share of the text is read.
+pub fn read_told(dialect: Dialect, source: &[u8], macros: &Arc<Macros>, told: &mut dyn FnMut(f64)) -> Program {
+    let (first, own) = read_with(dialect, source, macros, told);
+    // definition files of the text count in the whole of it
+    let tree = own.map_or(first, |all| read_with(dialect, source, &all, told).0);
+    Program { macros: Arc::clone(macros), ..tree }
+}
+
+/// Reads a program, with all macros that count everywhere where some were found behind lines that may use them.
+fn read_with(
+    dialect: Dialect,
+    source: &[u8],
+    macros: &Arc<Macros>,
+    told: &mut dyn FnMut(f64),
+) -> (Program, Option<Arc<Macros>>) {
     let whole = source.get(..LARGEST as usize).unwrap_or(source);
     let end = whole.iter().position(|byte| *byte == END_OF_FILE).or_else(|| filled(whole));
     let readable = end.and_then(|end| whole.get(..end)).unwrap_or(whole);
     let mut reader = Reader::new(dialect, readable, source);
+    reader.macros.everywhere = Arc::clone(macros);
     while reader.at < readable.len() || reader.tree.blocks.is_empty() {
         let start = reader.at;
         let length = reader.source.get(start..).unwrap_or_default().iter().position(|byte| *byte == b'\n');
@@ -52,7 +81,8 @@ pub fn read_told(dialect: Dialect, source: &[u8], told: &mut dyn FnMut(f64)) -> 
         reader.tree.errors.push(SyntaxError { span, sentence: &own::SYNTAX_TOO_LARGE });
     }
     reader.tree.errors.extend(behind_end(whole, readable.len()));
-    reader.tree
+    let found = reader.macros.late.then_some(reader.macros.everywhere);
+    (reader.tree, found)
 }
 
 /// Where zeros begin with which a file is filled up to its end.
@@ -80,6 +110,20 @@ fn line(reader: &mut Reader) {
     let before = skip(reader);
     let number = number(reader);
     let skip = before.or_else(|| skip(reader));
+    reader.blanks();
+    if reader.grammar.macros {
+        macros::begins(reader);
+    }
+    let comment = match reader.grammar.macros && !macros::define(reader) {
+        true => macros::read(reader).unwrap_or_else(|| words(reader)),
+        false => words(reader),
+    };
+    let words = reader.first as u32..reader.tree.words.len() as u32;
+    reader.tree.blocks.push(Block { span, number, skip, words, comment });
+}
+
+/// Reads what is left of a line; its first comment comes back.
+pub(super) fn words(reader: &mut Reader) -> Option<Span> {
     let mut comment = None;
     reader.blanks();
     while !reader.done() {
@@ -89,8 +133,7 @@ fn line(reader: &mut Reader) {
         }
         reader.blanks();
     }
-    let words = reader.first as u32..reader.tree.words.len() as u32;
-    reader.tree.blocks.push(Block { span, number, skip, words, comment });
+    comment
 }
 
 fn word(reader: &mut Reader) {

@@ -11,6 +11,7 @@ use crate::diagnostic::{Diagnostic, Severity, Span};
 use crate::dialect::Dialect;
 use crate::problem::Problem;
 use std::collections::btree_map::Entry;
+use std::sync::Arc;
 
 /// What was read of a definition file.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -53,6 +54,8 @@ fn of_blocks<'a>(program: &'a Program, blocks: impl IntoIterator<Item = &'a Bloc
             found.define(program, rest);
         } else if program.is_keyword(first, &["REDEF"]) {
             found.redefine(program, rest);
+        } else if let Some((name, text)) = names_text(program, words) {
+            Arc::make_mut(&mut found.definitions.macros).insert(name, text);
         } else {
             continue;
         }
@@ -62,6 +65,18 @@ fn of_blocks<'a>(program: &'a Program, blocks: impl IntoIterator<Item = &'a Bloc
         found.definitions.lines.push(line.trim_end_matches('\0').to_owned());
     }
     found
+}
+
+/// The name and the text of `DEFINE NAME AS …`.
+fn names_text(program: &Program, words: &[Word]) -> Option<(String, Vec<u8>)> {
+    let [define, name, _, text] = words else { return None };
+    let WordKind::Constant(text) = text.kind else { return None };
+    match program.expr(text)? {
+        Expr::Text(text) if program.is_call(define, &["DEFINE"]) => {
+            Some((program.name(name.called()?), program.text(*text).to_owned()))
+        }
+        _ => None,
+    }
 }
 
 /// What the words before the names of a declaration say.

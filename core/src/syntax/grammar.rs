@@ -16,6 +16,8 @@ pub(crate) struct Grammar {
     pub(super) comment: u8,
     /// Whether `:10` is the number of a main block, not the name of a program.
     pub(super) main_blocks: bool,
+    /// Whether `DEFINE` names pieces of text.
+    pub(super) macros: bool,
     /// Words that begin, part and end control structures; `END` does everywhere.
     pub structures: &'static [&'static str],
     /// Whether programs have numbers (`O0110`), with which `M98` and `G65` call them and from which `M99` goes back.
@@ -34,6 +36,7 @@ static SINUMERIK: Grammar = Grammar {
     operand: sinumerik_expression::operand,
     comment: b';',
     main_blocks: true,
+    macros: true,
     structures: &["IF", "ELSE", "ENDIF", "WHILE", "ENDWHILE", "FOR", "ENDFOR", "LOOP", "ENDLOOP", "REPEAT", "UNTIL"],
     numbered: false,
     ends_run: false,
@@ -47,6 +50,7 @@ static NCT: Grammar = Grammar {
     operand: nct_expression::operand,
     comment: b'(',
     main_blocks: false,
+    macros: false,
     structures: &["IF", "WHILE", "DO"],
     numbered: true,
     ends_run: true,

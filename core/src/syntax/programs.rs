@@ -24,8 +24,6 @@ pub struct Programs {
     pub names: BTreeMap<String, usize>,
     /// Names that an `EXTERN` declares.
     pub external: BTreeSet<String>,
-    /// Names that a `DEFINE` gives to a piece of text.
-    pub macros: BTreeSet<String>,
     /// Blocks of the definition files in the text (`%_N_GUD4_DEF`), headers excluded: they are no programs.
     pub definitions: Vec<Range<usize>>,
 }
@@ -70,7 +68,6 @@ pub fn programs(program: &Program) -> Programs {
         if procedure.is_some() {
             current.signature = Some(at);
         }
-        found.macros.extend(defined(program, block));
         found.external.extend(declared(program, block, "EXTERN"));
         empty = header.is_some() || ((empty || begins) && says_nothing(program, block));
     }
@@ -127,13 +124,6 @@ fn declared(program: &Program, block: &Block, keyword: &str) -> Option<String> {
     let words = program.words_of(block);
     words.iter().find(|word| program.is_keyword(word, &[keyword]))?;
     words.iter().find_map(Word::declared).map(|name| program.name(name))
-}
-
-/// The name behind `DEFINE`.
-fn defined(program: &Program, block: &Block) -> Option<String> {
-    let mut calls = program.words_of(block).iter().map(Word::called);
-    calls.next()?.filter(|name| program.is(*name, "DEFINE"))?;
-    calls.next()?.map(|name| program.name(name))
 }
 
 /// What may stand behind the name of a program, in upper case: as the control names its files, and as a PC does.

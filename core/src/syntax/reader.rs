@@ -2,11 +2,14 @@
 
 use super::bytes::{in_name, is_blank};
 use super::grammar::Grammar;
+use super::grown::Replaced;
+use super::macros::Known;
 use super::tree::{Expr, ExprId, Program, SyntaxError, Word, WordKind};
 use crate::diagnostic::Span;
 use crate::dialect::Dialect;
 use crate::own;
 use crate::own::Own;
+use std::sync::Arc;
 
 /// Deepest nesting of brackets, and tallest expression; bounds every recursion over a tree.
 pub const DEPTH: u16 = 100;
@@ -52,6 +55,8 @@ pub(super) struct Reader<'a> {
     pub tree: Program,
     /// Elements of the lists being read; each list takes its own off the top.
     pub list: Vec<ExprId>,
+    /// Macros that count here.
+    pub macros: Known,
 }
 
 impl<'a> Reader<'a> {
@@ -74,8 +79,11 @@ impl<'a> Reader<'a> {
                 exprs: Vec::with_capacity(source.len() / 6),
                 places: Vec::new(),
                 errors: Vec::new(),
+                replaced: Replaced::default(),
+                macros: Arc::default(),
             },
             list: Vec::new(),
+            macros: Known::default(),
         }
     }
 

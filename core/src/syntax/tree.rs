@@ -1,11 +1,14 @@
 //! The tree: blocks of words with places in the source. Printing a tree is its source; a change is a splice.
 
 use super::fold::{self, NOTHING};
+use super::grown::Replaced;
 use super::programs::Unit;
+use crate::control::definitions::Macros;
 use crate::diagnostic::Span;
 use crate::dialect::Dialect;
 use crate::own::Own;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// Index into [`Program::exprs`].
 pub type ExprId = u32;
@@ -29,12 +32,19 @@ pub struct Program {
     pub places: Vec<(ExprId, Span)>,
     /// What was not understood.
     pub errors: Vec<SyntaxError>,
+    /// Lines in which macros are replaced.
+    pub replaced: Replaced,
+    /// Macros of the machine, with which it was read.
+    pub macros: Arc<Macros>,
 }
 
 impl Program {
     /// Bytes of a place; empty if it lies outside of the source.
     pub fn text(&self, span: Span) -> &[u8] {
-        self.source.get(span.start as usize..span.end as usize).unwrap_or_default()
+        match self.source.get(span.start as usize..span.end as usize) {
+            Some(text) => text,
+            None => self.replaced_text(span),
+        }
     }
 
     /// Whether this name stands at a place, without regard to case.
@@ -139,6 +149,7 @@ impl Program {
 
     /// Line (from 0) that holds a byte; the line end belongs to the line before it.
     pub fn line_of(&self, offset: u32) -> u32 {
+        let offset = self.placed(Span { start: offset, end: offset }).start;
         self.blocks.partition_point(|block| block.span.start <= offset).saturating_sub(1) as u32
     }
 }

@@ -44,7 +44,7 @@ pub fn check(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<Ex
         };
         let found = match &machine {
             Some(setup) => {
-                let program = syntax::read(setup.control.dialect, &joined.text);
+                let program = syntax::read_on(setup.control.dialect, &joined.text, &setup.control.definitions.macros);
                 program::findings_on(&program, setup.control.clone())
             }
             None => program::findings(&syntax::read(joined.dialect, &joined.text)),

@@ -63,7 +63,7 @@ pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
             let mut setup = file::setup(setup, arguments.json, words, out)?;
             arguments.scan.put_surface(&mut setup)?;
             let joined = joined.of(setup.control.dialect);
-            let program = syntax::read(joined.dialect, &joined.text);
+            let program = syntax::read_on(joined.dialect, &joined.text, &setup.control.definitions.macros);
             let outcome = Session::new(program, &setup, limits).with_arguments(values).complete_told(&mut told);
             (joined, Assumed { outcome, setup, told: Vec::new() })
         }

@@ -67,8 +67,7 @@ pub fn named_outside(program: &Program, programs: &Programs, words: &[Word], at:
     match &words.get(at)?.kind {
         WordKind::Call { name, args, .. } => {
             // behind such a word a variable holds the text that says what is called
-            let variable = before(words, at).is_some_and(|word| program.is_call(word, &BY_TEXT))
-                || programs.macros.contains(&program.name(*name));
+            let variable = before(words, at).is_some_and(|word| program.is_call(word, &BY_TEXT));
             (!variable).then_some(from_outside(program, *name, args).unwrap_or(*name))
         }
         WordKind::Constant(id) => match program.expr(*id)? {
