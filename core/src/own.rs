@@ -242,12 +242,13 @@ mod tests {
     }
 
     /// Errors without a hint in the table.
-    const NO_HINT: [&str; 9] = [
+    const NO_HINT: [&str; 10] = [
         "check-missing", // its hint is the reason why the variant needs the value
         // the sentence names what to write
         "syntax-operand", "syntax-equals", "syntax-bracket", "syntax-index", "syntax-text",
         "syntax-comma", // where it is part of a number, that number is the hint
-        "syntax-comment", "syntax-exponent", // where it is part of a number, that number is the hint
+        "syntax-comment", "syntax-define",
+        "syntax-exponent", // where it is part of a number, that number is the hint
     ];
 
     // oracle: hand (the rules for words: a finding says what is wrong, its hint what to do)

@@ -150,6 +150,7 @@ mod tests {
     use super::*;
     use crate::control::delivery;
     use crate::dialect::Dialect;
+    use crate::syntax::read;
 
     // oracle: hand (edits one after the other, and all of them at once)
     #[test]

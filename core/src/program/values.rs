@@ -103,6 +103,10 @@ pub(super) fn value(program: &Program, id: ExprId, known: Known) -> Value {
         }
         (Some(expr), Some(_)) if literal(program, expr) => Value::at(written().replace(' ', ""), number, place),
         (Some(_), Some(worth)) => Value { expression: Some(written()), ..Value::at(shown(worth), number, place) },
+        // what a macro says is a name as if it stood there
+        (Some(Expr::Name { name, index }), _) if index.is_empty() && program.placed(*name) != *name => {
+            Value::at(program.written(*name), number, place)
+        }
         _ => Value::at(written(), number, place),
     }
 }
