@@ -19,7 +19,7 @@ pub const KEYS: &[&str] = &[
     "run-repeated", "run-not-measured", "run-axis-name", "run-system-variable", "run-positioning", "run-axis-variable",
     "run-log", "run-scan-limit", "run-unread-value", "run-unread-way", "run-parameter", "run-no-edge", "run-far",
     "run-no-value", "run-errors", "run-crash-tool", "run-machine-value", "run-argument-unknown", "run-standard",
-    "run-step", "run-data", "run-trace-full",
+    "run-step", "run-data", "run-trace-full", "run-axes",
 ];
 
 /// Keys of what a run goes on without: named at its end.

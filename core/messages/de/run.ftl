@@ -37,6 +37,7 @@ run-no-value = Der Zyklus würde einen Wert schreiben, der keine Zahl ist: Einga
 run-alarm = Der Messzyklus hat mit einem Alarm angehalten.
 run-machine-function = Maschinenfunktionen, in der Simulation ohne Wirkung: { $word }.
 run-standard = Standardzyklen ohne simulierte Bewegung, übersprungen: { $word }.
+run-axes = Achsen, die nicht im Setup stehen, für diesen Lauf ergänzt: { $word }.
 run-step = Schritte von ShopMill oder ShopTurn, nicht simuliert und übersprungen: { $word }.
 run-radius-compensation = Simuliert ohne Werkzeugradiuskorrektur: Messung, Bewegung ohne Frames oder Kreisbogen außerhalb der Ebene.
 run-call = Der Aufruf „{ $word }“ wurde abgelehnt; siehe Meldungen zu seinen Parametern.

@@ -37,6 +37,7 @@ run-no-value = The cycle would write a value that is not a number: some of its i
 run-alarm = The measuring cycle stopped with an alarm.
 run-machine-function = Machine functions, ignored by the simulation: { $word }.
 run-standard = Standard cycles whose motion is not simulated, skipped: { $word }.
+run-axes = Axes that are not in the setup, added to the machine for this run: { $word }.
 run-step = Steps of ShopMill or ShopTurn, not simulated and skipped: { $word }.
 run-radius-compensation = Simulated without tool radius compensation: measurement, motion without frames, or arc outside the plane.
 run-call = The call “{ $word }” was rejected; see the problems of its parameters.

@@ -37,6 +37,7 @@ run-no-value = 循环将写入的值不是数字：有的输入值超出合理�
 run-alarm = 测量循环因报警停止。
 run-machine-function = 机床功能，模拟忽略：{ $word }。
 run-standard = 不模拟运动的标准循环，已跳过：{ $word }。
+run-axes = 设置中没有、为本次运行添加的轴：{ $word }。
 run-step = ShopMill 或 ShopTurn 工步，不模拟，已跳过：{ $word }。
 run-radius-compensation = 模拟时不带刀具半径补偿：测量、不带坐标框架的运动，或不在工作平面内的圆弧。
 run-call = 调用“{ $word }”被拒绝；见其参数处的问题。

@@ -1,6 +1,8 @@
 //! Addresses of a block: axes, arcs, feed, speed, spindle angle.
 
-use super::{Address, Coordinate, Datum, Interpreter, Path, action::machine_function, motion};
+use super::{
+    Address, Coordinate, Datum, Interpreter, Path, action::machine_function, motion, other_axes, path::Corner,
+};
 use crate::control::AXES;
 use crate::diagnostic::Severity;
 use crate::geometry::Degrees;
@@ -50,8 +52,14 @@ pub fn take(run: &mut Interpreter, address: &Address, path: &mut Path) -> Result
             run.sim.orient(stands + Degrees(number(address)?));
         }
         "T" => {} // number or name, see `tool`
-        // the last six tune a path or a spline, of which only the programmed points are passed
-        "G" | "M" | "F" | "S" | "D" | "DL" | "SF" | "PW" | "SD" | "PL" | "FRC" | "FRCM" => drop(number(address)?),
+        "RND" => path.corner = Some(Corner::Radius(number(address)?.abs() * factor)),
+        "CHF" => path.corner = Some(Corner::Chamfer(number(address)?.abs() * factor)),
+        "CHR" => path.corner = Some(Corner::Leg(number(address)?.abs() * factor)),
+        "RNDM" => run.modal.rounding = number(address)?.abs() * factor,
+        "FRC" => path.corner_feed = Some(number(address)?),
+        "FRCM" => run.modal.corner_feed = number(address)?,
+        // the last four tune a path or a spline, of which only the programmed points are passed
+        "G" | "M" | "F" | "S" | "D" | "DL" | "SF" | "PW" | "SD" | "PL" => drop(number(address)?),
         _ if rules.beside.contains(&name) => drop(number(address)?),
         "H" => machine_function(run, address.span, &format!("H{}", Datum::Number(number(address)?).shown())),
         _ if path.stays => {}
@@ -93,9 +101,13 @@ fn coordinate(address: &Address, factor: f64) -> Result<Coordinate, Problem> {
     Ok(Coordinate { value: number(address)? * factor, absolute })
 }
 
-/// A rotary axis of the machine, else something that is not simulated.
+/// A rotary axis of the machine, another axis, else something that is not simulated.
 fn other(run: &mut Interpreter, address: &Address, path: &mut Path) -> Result<(), Problem> {
-    let Some(axis) = run.sim.control.rotary_axis(&address.name) else {
+    let there = run.sim.control.rotary_axis(&address.name).filter(|_| address.extension.is_none());
+    let Some(axis) = there else {
+        if other_axes::take(run, address)? {
+            return Ok(());
+        }
         run.tell(Severity::Warning, &Problem::new("run-not-simulated", address.span, &*address.name));
         return Ok(());
     };

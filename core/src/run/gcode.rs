@@ -110,13 +110,14 @@ pub fn sinumerik(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
         153 => found.path.suppress = Suppress::All,
         500 => run.sim.control.activate(0),
         505..=599 => run.sim.control.activate(usize::from(code) - 500),
+        93 => run.modal.feed_type = FeedType::Inverse,
         95 => run.modal.feed_type = FeedType::Revolution,
-        97 | 971 => {
+        97 | 971..=973 => {
             run.modal.speed = motion::spindle_speed(run); // the spindle goes on turning as fast
-            run.modal.feed_type = FeedType::Revolution;
+            run.modal.feed_type = if code == 97 { FeedType::Revolution } else { FeedType::Minute };
         }
         96 | 962 => run.modal.feed_type = FeedType::Cutting,
-        961 | 972 | 973 => run.modal.feed_type = FeedType::Minute,
+        961 => run.modal.feed_type = FeedType::CuttingMinute,
         450 => run.modal.outside = Outside::Circle,
         451 => run.modal.outside = Outside::Meeting,
         62 | 140..=143 | 290 | 291 | 340 | 341 | 452 | 453 | 460..=462 | 601..=603 | 621 | 641..=645 => {}

@@ -1,6 +1,6 @@
 //! Addresses that are written like elements of an array: `SPOS[1]=AC(90)`, `S[1]=500`, `M[1]=3`, `AX[NAME]=5`.
 
-use super::{Address, Datum, Interpreter, Words, declare, evaluate, locals};
+use super::{Address, Datum, Interpreter, Words, declare, evaluate, locals, other_axes};
 use crate::diagnostic::Severity;
 use crate::problem::Problem;
 use crate::syntax::tree::{Expr, ExprId, Word, WordKind};
@@ -21,7 +21,8 @@ pub fn take(run: &mut Interpreter, word: &Word, found: &mut Words) -> Result<boo
     let (name, simulated) = match &*name {
         _ if alone => {
             let axis = axis_name(run, *index)?;
-            let there = declare::is_axis(&axis) || run.sim.control.rotary_axis(&axis).is_some();
+            let there =
+                declare::is_axis(&axis) || run.sim.control.rotary_axis(&axis).is_some() || other_axes::is_name(&axis);
             (axis, there)
         }
         "SPOS" | "SPOSA" | "S" | "M" => (name, evaluate(run, *index)?.number() == Some(1.0)),

@@ -20,6 +20,10 @@ pub struct Modal {
     pub speed_limit: Option<f64>,
     /// The pole of polar coordinates: abscissa and ordinate of the WCS, mm.
     pub pole: [f64; 2],
+    /// RNDM: radius of all corners between lines, mm; 0: none.
+    pub rounding: f64,
+    /// FRCM: feed of corners, as F is written; 0: that of the block.
+    pub corner_feed: f64,
     /// T that is waiting for M6.
     pub prepared: Option<i64>,
     /// D programmed after T and before M6.
@@ -52,16 +56,20 @@ pub enum Motion {
     Spline,
 }
 
-/// What F means: G94 a way a minute, G95 (and G96, G97) a way a revolution.
+/// What F means: G94 a way a minute, G95 (and G96, G97) a way a revolution, G93 blocks a minute.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum FeedType {
     /// mm or inch a minute.
     #[default]
     Minute,
+    /// Parts of the block a minute (G93): 1 by the time in which it is driven.
+    Inverse,
     /// mm or inch a revolution of the spindle.
     Revolution,
     /// mm or inch a revolution of a spindle with a constant cutting speed (G96), m or feet a minute.
     Cutting,
+    /// mm or inch a minute, beside a constant cutting speed (G961).
+    CuttingMinute,
 }
 
 /// Side on which the tool stands, in the order of the G functions.

@@ -2,7 +2,7 @@
 
 use super::{
     Address, Compensation, Coordinate, FeedType, Halt, Interpreter, Measure, Motion, Path, Suppress, addresses,
-    arcs::Arc, contour, polar,
+    arcs::Arc, contour, polar, rounded, rounded::Rounded,
 };
 use crate::control::{AXES, Transverse, Units};
 use crate::diagnostic::Severity;
@@ -32,8 +32,14 @@ pub fn go(run: &mut Interpreter, path: &Path) -> Result<(), Halt> {
         run.tell(Severity::Error, &Problem::new("run-no-feed", path.span, ""));
     }
     let outcome = match path.measure {
-        Some(measure) => uncompensated(run, path).and_then(|()| measured(run, path, measure, to, feed)),
-        None => driven(run, path, [from, to], feed),
+        Some(measure) => {
+            let feed = if inverse(run, path) { feed * Route::straight(Mcs(from), Mcs(to)).length() } else { feed };
+            uncompensated(run, path).and_then(|()| measured(run, path, measure, to, feed))
+        }
+        None => match rounded::corner(run, path, [from, to]) {
+            Some(corner) => return with_corner(run, path, [from, to], &corner, feed),
+            None => driven(run, path, [from, to], feed),
+        },
     };
     run.programmed = (nose(run), run.sim.control.to_workpiece(contour::stands(run)));
     outcome
@@ -63,6 +69,39 @@ fn driven(run: &mut Interpreter, path: &Path, [from, to]: [[f64; 3]; 2], feed: f
         Motion::Through => around(run, path, from, through(run, path, from, to))?,
         Motion::Clockwise | Motion::Counter => around(run, path, from, in_plane(run, path, from, to))?,
     };
+    let feed = if inverse(run, path) { feed * way.length() } else { feed };
+    along(run, path, way, feed)
+}
+
+/// Whether F tells the time of the block.
+fn inverse(run: &Interpreter, path: &Path) -> bool {
+    run.modal.feed_type == FeedType::Inverse && path.feed.is_none()
+}
+
+/// To where a corner begins, and along it; increments of the next block count from the corner itself.
+fn with_corner(
+    run: &mut Interpreter,
+    path: &Path,
+    [from, to]: [[f64; 3]; 2],
+    corner: &Rounded,
+    feed: f64,
+) -> Result<(), Halt> {
+    let [start, begin, end, at] = [from, corner.begin, corner.end, to].map(|end| machine(run, path.suppress, end));
+    let feed = if inverse(run, path) { feed * Route::straight(start, at).length() } else { feed };
+    along(run, path, Route::straight(start, begin), feed)?;
+    let seen = corner.around.and_then(|around| around.mapped(|point| machine(run, path.suppress, point)));
+    if seen.is_none() && corner.around.is_some() {
+        return Err(Problem::new("run-arc", path.span, "").into());
+    }
+    let own = path.corner_feed.or(Some(run.modal.corner_feed)).filter(|feed| *feed > 0.0);
+    let own = own.map(|own| in_minutes(run, own * run.sim.control.data_factor(), to));
+    along(run, path, Route { from: begin, to: end, around: seen }, own.unwrap_or(feed))?;
+    run.programmed = (nose(run), Wcs(to));
+    Ok(())
+}
+
+/// Along a way in the machine, with the tool on the path or beside it.
+fn along(run: &mut Interpreter, path: &Path, way: Route, feed: f64) -> Result<(), Halt> {
     let (kind, feed) = match run.modal.motion {
         Motion::Rapid => (MotionKind::Rapid, 0.0),
         _ => (MotionKind::Positioning, feed),
@@ -117,8 +156,16 @@ fn feed(run: &Interpreter, path: &Path, to: [f64; 3]) -> f64 {
         Some(own) => own * run.sim.control.data_factor(),
         None => run.modal.feed * run.modal.feed_factor,
     };
+    if inverse(run, path) {
+        return run.modal.feed; // a way only with the length of the block
+    }
+    in_minutes(run, feed, to)
+}
+
+/// A feed that is written like F, mm/min.
+fn in_minutes(run: &Interpreter, feed: f64, to: [f64; 3]) -> f64 {
     match run.modal.feed_type {
-        FeedType::Minute => feed,
+        FeedType::Minute | FeedType::CuttingMinute | FeedType::Inverse => feed,
         FeedType::Revolution => feed * run.modal.speed.abs(),
         FeedType::Cutting => feed * turns(run, to[0].abs()),
     }
@@ -127,8 +174,8 @@ fn feed(run: &Interpreter, path: &Path, to: [f64; 3]) -> f64 {
 /// Speed of the main spindle where the tool stands, revolutions a minute.
 pub fn spindle_speed(run: &Interpreter) -> f64 {
     match run.modal.feed_type {
-        FeedType::Minute | FeedType::Revolution => run.modal.speed,
-        FeedType::Cutting => turns(run, position(run, Suppress::Nothing)[0].abs()),
+        FeedType::Minute | FeedType::Revolution | FeedType::Inverse => run.modal.speed,
+        FeedType::Cutting | FeedType::CuttingMinute => turns(run, position(run, Suppress::Nothing)[0].abs()),
     }
 }
 
@@ -149,7 +196,7 @@ fn turns(run: &Interpreter, distance: f64) -> f64 {
 }
 
 /// Target of an axis that stands at `from`, mm; increments count from `base`.
-fn target(run: &Interpreter, from: f64, base: f64, written: Option<Coordinate>, axis: usize) -> f64 {
+pub fn target(run: &Interpreter, from: f64, base: f64, written: Option<Coordinate>, axis: usize) -> f64 {
     let Some(Coordinate { value, absolute }) = written else { return from };
     let absolute = absolute.unwrap_or(run.modal.absolute);
     let value = value * radius_of(run, axis, absolute);

@@ -48,7 +48,8 @@ fn axis_of_machine(run: &Interpreter, name: &str, index: ExprId) -> Option<Strin
     let axis = run.program.name(*axis);
     let other = index.is_empty() && !locals::declared(run, &axis) && constant(&axis).is_none();
     let named = known(&axis, Span::default()).is_err() && !axis.starts_with('$');
-    (other && named && !run.limits.strict && machine_data::of_axes(name)).then_some(axis)
+    let of_axes = machine_data::of_axes(name) || name == "$P_EP";
+    (other && named && !run.limits.strict && of_axes).then_some(axis)
 }
 
 pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem> {

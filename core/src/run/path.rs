@@ -59,6 +59,28 @@ pub struct Measure {
     pub goes_on: bool,
 }
 
+/// What stands between two lines instead of their corner, mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Corner {
+    /// RND, RNDM: an arc with this radius.
+    Radius(f64),
+    /// CHF: a chamfer of this length.
+    Chamfer(f64),
+    /// CHR: a chamfer that begins so far before the corner.
+    Leg(f64),
+}
+
+impl Corner {
+    /// How a block asks for it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Corner::Radius(_) => "RND",
+            Corner::Chamfer(_) => "CHF",
+            Corner::Leg(_) => "CHR",
+        }
+    }
+}
+
 /// Axis words of one block.
 #[derive(Clone, Debug, Default)]
 pub struct Path {
@@ -89,6 +111,10 @@ pub struct Path {
     pub dwell: bool,
     /// FB: feed of this block alone, as F is written.
     pub feed: Option<f64>,
+    /// RND, CHF, CHR: the corner behind the block.
+    pub corner: Option<Corner>,
+    /// FRC: feed of that corner, as F is written.
+    pub corner_feed: Option<f64>,
     /// Whether the axis words are no target of a motion.
     pub stays: bool,
     pub span: Span,

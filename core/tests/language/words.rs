@@ -48,7 +48,7 @@ fn addresses_may_be_written_with_an_index() {
     let outcome = clean("S[1]=500 M[1]=3\nSPOS[1]=AC(90)\nSPOSA[1]=IC(-30)");
     assert_eq!(outcome.control.spindle.0, 60.0);
     at("DEF AXIS WAY=(Y)\nG0 AX[WAY]=7\nAX[X]=IC(2)", [2.0, 7.0, 0.0]);
-    for told in ["SPOS[2]=45", "POS[U]=100", "DISC=50"] {
+    for told in ["SPOS[2]=45", "POS[SPINDLE]=100", "DISC=50"] {
         assert!(findings(told).iter().all(|key| key == "run-not-simulated"), "{told}");
         assert!(!findings(told).is_empty(), "{told}");
     }
@@ -127,8 +127,8 @@ fn what_is_not_simulated_is_told() {
         ("G5 X5", "run-unknown-word"),
         ("G331 Z-5 K1", "run-not-simulated"),
         ("WHEN $AA_IW[Z]>10 DO M8", "run-not-simulated"),
-        ("U5", "run-not-simulated"),
-        ("A90", "run-not-simulated"),
+        ("U5", "run-axes"),
+        ("A90", "run-axes"),
         ("M77", "run-machine-function"),
         ("L77", "run-subprogram"),
         ("X=DC(5)", "run-function"),
@@ -171,7 +171,7 @@ fn what_is_left_out_leaves_the_axes_where_they_belong() {
         ("G74 X1=0 C1=0", "run-not-simulated", 5.0),
         ("G25 X1\nG26 S3000", "run-not-simulated", 5.0),
         ("G331 Z-10 K1 S500\nG332 Z5 K1", "run-not-simulated", 5.0),
-        ("POS[U]=20 X7", "run-not-simulated", 7.0),
+        ("POS[U]=20 X7", "run-axes", 7.0),
         ("POS[X]=20", "run-positioning", 20.0),
         ("TRANS X1\nPOSA[X]=IC(20) F100\nWAITP(X)", "run-positioning", 26.0),
         ("G1 F100 X6 POS[X]=8 FA[X]=500", "run-positioning", 8.0),

@@ -62,6 +62,6 @@ fn endless_programs_are_stopped() {
 fn unknown_words_are_told() {
     let outcome = go("G0 X1 FROBNICATE\nG987\nQ5\nM77\nG0 Y2");
     let keys: Vec<_> = outcome.diagnostics.iter().map(|found| found.message.key.as_ref()).collect();
-    assert_eq!(keys, ["run-subprogram", "run-unknown-word", "run-not-simulated", "run-machine-function"]);
+    assert_eq!(keys, ["run-subprogram", "run-unknown-word", "run-axes", "run-machine-function"]);
     near(outcome.end().0, [1.0, 2.0, 500.0]);
 }

@@ -1,6 +1,7 @@
 //! Running part programs: end positions, frames, tools, flow, measuring calls; and no text makes the run panic or hang.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+mod corners;
 mod flow;
 mod frames;
 mod measuring;

@@ -81,11 +81,11 @@ fn no_way_is_gone_that_a_word_decides_which_could_not_be_read() {
 // oracle: hand (each sort of word that a run goes on without)
 #[test]
 fn what_is_passed_over_is_named_with_its_line() {
-    let text = "U5\nM77\nH3\nG331 Z-5 K1\nG987\nWHEN $AA_IW[Z]>10 DO M8\nL77\nNAME(1)\nCYCLE83(1)\nWRTPR(\"A\")\n\
+    let text = "TCARR=1\nM77\nH3\nG331 Z-5 K1\nG987\nWHEN $AA_IW[Z]>10 DO M8\nL77\nNAME(1)\nCYCLE83(1)\nWRTPR(\"A\")\n\
         $A_OUT[1]=1\nR1=1e1\nG0 X5\nL77\nM30";
     let outcome = go(text);
     let expected = [
-        ("U", 1),
+        ("TCARR", 1),
         ("M77", 2),
         ("H3", 3),
         ("G331", 4),

@@ -12,7 +12,7 @@ mod element;
 mod plane;
 
 pub use corner::Outside;
-pub use element::distance;
+pub use element::{Point, distance, left};
 
 use super::{Compensation, Halt, Interpreter};
 use crate::diagnostic::Span;
@@ -21,7 +21,7 @@ use crate::machine::{MotionKind, Route};
 use crate::problem::Problem;
 use corner::{Beside, Corner, corner};
 use drive::{Manner, Piece, Waiting, Way};
-use element::{Element, Point, Round};
+use element::{Element, Round};
 use plane::Plane;
 
 /// A contour that the tool follows.
