@@ -133,7 +133,7 @@ fn what_is_not_simulated_is_told() {
         ("L77", "run-subprogram"),
         ("X=DC(5)", "run-function"),
         ("POS[X]=5", "run-positioning"),
-        ("POSA[U1]=5", "run-not-simulated"),
+        ("POSA[U1]=5", "run-axes"),
         ("R1=$AN_NOBODY", "run-machine-value"),
     ] {
         let found = go(&format!("G0 Y1\n{text}"));
