@@ -5,6 +5,7 @@ import { shared } from "./browser.mjs";
 import { fromPageMenu, openProgram, startWithAll as start } from "./start.mjs";
 
 const chrome = shared("neither", { before, after });
+const device = shared("webgl2", { before, after });
 const paper = page => page.locator(".paper");
 
 /** The page with what is printed, which stays there. */
@@ -60,6 +61,35 @@ describe("a set-up sheet", () => {
     assert.ok((await paper(page).locator(".paper-stage path").count()) > 10);
     assert.ok((await paper(page).locator(".paper-picture .shape").count()) > 3);
     assert.equal(await paper(page).evaluate(node => getComputedStyle(node).color), "rgb(0, 0, 0)");
+    await context.close();
+  });
+});
+
+describe("a set-up sheet of a browser with WebGL2", () => {
+  // oracle: hand (the part is grey metal on paper that is white, in the dark too; the picture has three pixels for one)
+  test("shows what the stage shows, in light colours", async () => {
+    const { context, page, problems } = await start(device, { colorScheme: "dark" });
+    await page.locator('.stage [data-backend="webgl2"]').waitFor({ state: "attached" });
+    await printed(page, "Print set-up sheet");
+    const picture = paper(page).locator(".paper-stage img");
+    assert.equal(await picture.count(), 1);
+    const [width, corner, greys] = await picture.evaluate(image => {
+      const { naturalWidth: width, naturalHeight: height } = image;
+      const pen = new OffscreenCanvas(width, height).getContext("2d");
+      pen.drawImage(image, 0, 0);
+      const { data } = pen.getImageData(0, 0, width, height);
+      let greys = 0;
+      for (let i = 0; i < data.length; i += 4) {
+        const [least, most] = [Math.min(...data.slice(i, i + 3)), Math.max(...data.slice(i, i + 3))];
+        if (most - least < 30 && least > 40 && most < 215) greys += 1;
+      }
+      return [width, Math.min(...data.slice(0, 3)), greys / (width * height)];
+    });
+    assert.equal(width, 1320);
+    assert.ok(corner > 220, `${corner}`);
+    assert.ok(greys > 0.05 && greys < 0.6, `${greys}`);
+    assert.ok((await paper(page).locator(".paper-stage text").count()) > 3, "letters over it");
+    assert.deepEqual(problems, []);
     await context.close();
   });
 });

@@ -1,5 +1,5 @@
-// The messages of a language. Each is read when it is first wanted: a page shows a tenth of them, and to read them all
-// takes longer than to draw its form.
+// The messages of a language. Each is read when it is first wanted: a first visit shows a fifth of them, and to read
+// them all takes longer than to draw its form.
 import { FluentBundle, FluentResource } from "@fluent/bundle";
 
 type Pattern = Parameters<FluentBundle["formatPattern"]>[0];

@@ -145,7 +145,7 @@ export function createBench(parts: Parts): Bench {
       );
       document.body.append(difference.dialog, palette.dialog);
       return {
-        paper: pieces.createPaper(core, () => shown, stop.signal),
+        paper: pieces.createPaper(core, () => shown, stage, stop.signal),
         drawResults: pieces.createResults(
           results,
           layout.answer,

@@ -53,6 +53,8 @@ export interface Backend {
   setCloud(cloud: Cloud | null): void;
   /** Throws when it cannot draw any more. */
   draw(frame: Frame): void;
+  /** One to keep, of the scene that was set last; none where what is drawn keeps anyway. */
+  picture?(frame: Frame): Promise<Blob>;
   destroy(): void;
 }
 

@@ -4,7 +4,7 @@ import { dotSize, type GpuName } from "./backend";
 import { createEffects } from "./effects";
 import { createPoints } from "./points";
 import { PROBE_SIZE, prove } from "./proof";
-import type { Canvas, Device, Renderer, Told } from "./renderer";
+import type { Canvas, Device, Renderer, Seen, Told } from "./renderer";
 
 interface Module {
   default(): Promise<unknown>;
@@ -51,6 +51,17 @@ function device(canvas: Canvas, renderer: Renderer, told: Told): Device {
   const stop = new AbortController();
   canvas.addEventListener("webglcontextlost", () => told.lost("WebGL context lost"), { signal: stop.signal });
   globalThis.addEventListener(LOST_EVENT, () => told.lost(), { signal: stop.signal });
+  const paint = ({ size: [width, height], ratio, uniforms, all, cut, faded }: Seen): void => {
+    if (size[0] !== width || size[1] !== height) {
+      [canvas.width, canvas.height] = size = [width, height];
+      renderer.resize(width, height);
+    }
+    const count = points.bring();
+    uniforms[DOT] = dotSize(count) * ratio;
+    renderer.set_light(all, cut);
+    renderer.set_view(uniforms);
+    renderer.render(count, faded);
+  };
   return {
     setScene({ vertices, corners, ends, lines, background, sky }) {
       renderer.set_background(...background);
@@ -61,18 +72,14 @@ function device(canvas: Canvas, renderer: Renderer, told: Told): Device {
       cloud = next !== null;
       points.set(next);
     },
-    draw({ size: [width, height], ratio, uniforms, all, cut, faded }) {
-      if (size[0] !== width || size[1] !== height) {
-        [canvas.width, canvas.height] = size = [width, height];
-        renderer.resize(width, height);
-      }
-      const count = points.bring();
-      uniforms[DOT] = dotSize(count) * ratio;
-      renderer.set_light(all, cut);
-      renderer.set_view(uniforms);
-      renderer.render(count, faded);
+    draw(seen) {
+      paint(seen);
       if (cloud) points.follow();
-      else effects.follow(width * height);
+      else effects.follow(seen.size[0] * seen.size[1]);
+    },
+    async picture(seen) {
+      paint(seen);
+      return kept(canvas);
     },
     end() {
       stop.abort();
@@ -81,4 +88,12 @@ function device(canvas: Canvas, renderer: Renderer, told: Told): Device {
       renderer.free();
     },
   };
+}
+
+/** What is on it now; with the next frame it may be gone. */
+function kept(canvas: Canvas): Promise<Blob> {
+  if ("convertToBlob" in canvas) return canvas.convertToBlob();
+  return new Promise((resolve, reject) =>
+    canvas.toBlob(blob => (blob ? resolve(blob) : reject(new Error("no picture of the canvas")))),
+  );
 }

@@ -88,6 +88,12 @@ function backend(name: GpuName, canvas: HTMLCanvasElement, device: Device, doing
       if (remote) doing.under += 1;
       device.draw(seen(scene, frame, cloud, full));
     },
+    async picture(frame) {
+      if (!scene) throw new Error("nothing to draw");
+      if (!full) device.setScene(handed(scene, frame.ratio, true));
+      full = true;
+      return device.picture(seen(scene, frame, cloud, true)); // nobody waits for a frame: with all effects
+    },
     destroy() {
       canvas.remove();
       device.end();

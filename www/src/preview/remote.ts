@@ -8,11 +8,14 @@ import type { Ask, Reply } from "./worker";
 export async function openRemote(name: GpuName, canvas: HTMLCanvasElement, told: Told): Promise<Device> {
   const offscreen = canvas.transferControlToOffscreen();
   const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
+  let keep = (_: Blob): void => undefined; // whoever waits for a picture
+  let fail = (_: Error): void => undefined;
   const ask = (one: Ask, transfer: Transferable[] = []): void => worker.postMessage(one, transfer);
   try {
     await new Promise<void>((resolve, reject) => {
       const hear = (reply: Reply): void => {
         if ("opened" in reply) resolve();
+        else if ("kept" in reply) keep(reply.kept);
         else if ("tell" in reply) (told[reply.tell] as (about: unknown) => void)(reply.about);
         else reject(reply.unavailable ? new Unavailable(reply.refused) : new Error(reply.refused));
       };
@@ -29,6 +32,14 @@ export async function openRemote(name: GpuName, canvas: HTMLCanvasElement, told:
     setScene: scene => ask({ scene }, [scene.vertices.buffer, scene.lines.buffer]),
     setCloud: cloud => ask({ cloud }),
     draw: seen => ask({ seen }, [seen.uniforms.buffer]),
-    end: () => worker.terminate(),
+    picture: seen =>
+      new Promise((resolve, reject) => {
+        [keep, fail] = [resolve, reject];
+        ask({ keep: seen }, [seen.uniforms.buffer]);
+      }),
+    end() {
+      worker.terminate();
+      fail(new Error("the device is gone"));
+    },
   };
 }

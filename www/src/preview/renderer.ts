@@ -57,5 +57,7 @@ export interface Device {
   setCloud(cloud: Cloud | null): void;
   /** Throws when it cannot draw any more. */
   draw(seen: Seen): void;
+  /** One to keep. */
+  picture(seen: Seen): Promise<Blob>;
   end(): void;
 }

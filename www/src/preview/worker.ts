@@ -9,10 +9,12 @@ export type Ask =
   | { open: GpuName; canvas: OffscreenCanvas }
   | { scene: Handed }
   | { cloud: Cloud | null }
-  | { seen: Seen };
+  | { seen: Seen }
+  | { keep: Seen };
 export type Reply =
   | { opened: true }
   | { refused: string; unavailable: boolean }
+  | { kept: Blob }
   | { [K in keyof Told]: { tell: K; about: Parameters<Told[K]>[0] } }[keyof Told];
 
 const post = (reply: Reply): void => postMessage(reply);
@@ -50,7 +52,8 @@ addEventListener("message", ({ data }: MessageEvent<Ask>) => {
   try {
     if ("scene" in data) device.setScene(data.scene);
     else if ("cloud" in data) device.setCloud(data.cloud);
-    else void draw(device, data.seen).catch(lost);
+    else if ("seen" in data) void draw(device, data.seen).catch(lost);
+    else void device.picture(data.keep).then(kept => post({ kept }), lost);
   } catch (problem) {
     lost(problem);
   }

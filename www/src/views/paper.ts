@@ -6,6 +6,7 @@ import type { ProgramCore } from "../core/program";
 import type { SceneData } from "../core/scene";
 import { type Derived, findCycle } from "../desk/derive";
 import { el } from "../dom";
+import type { Still } from "../preview/still";
 import { programMachine, type State } from "../state/state";
 import { say, t } from "../texts";
 import type { Answer, CallView, CycleInfo, Field, FormView } from "../wire";
@@ -13,6 +14,7 @@ import { correctedText, figureText, mainFigures } from "./amounts";
 import { inOneLine, piecesOf } from "./code";
 import { createPicture } from "./picture";
 import { heading } from "./sheet";
+import type { Stage } from "./stage";
 
 export type Paper = "sheet" | "report";
 type Draw = typeof import("../preview/still");
@@ -59,7 +61,8 @@ function resultOf(answer: Answer): HTMLElement {
   return el("p", { class: "paper-result" }, el("strong", {}, text), " ", say(answer.why));
 }
 
-function pictures({ view, scene }: Printed, { drawStill }: Draw): HTMLElement {
+/** `fine`: the 3D view, where it is drawn already. */
+function pictures({ view, scene }: Printed, { drawStill }: Draw, fine: HTMLElement | null): HTMLElement {
   const row = el("div", { class: "paper-pictures" });
   if (view.picture?.shapes.length) {
     const box = el("div", { class: "paper-picture" });
@@ -67,13 +70,33 @@ function pictures({ view, scene }: Printed, { drawStill }: Draw): HTMLElement {
     createPicture(box, () => undefined, PICTURE)(view.picture, null, values);
     row.append(box);
   }
-  if (scene && view.outcome?.trace.entries.length) {
+  const still = stillOf({ view, scene });
+  if (fine) row.append(fine);
+  else if (still) {
     const box = el("div", { class: "paper-stage" });
-    const step = view.outcome.trace.entries.length - 1;
-    drawStill(box, { data: scene, step, cloud: null, drawing: false, camera: null, say }, VIEW);
+    drawStill(box, still, VIEW);
     row.append(box);
   }
   return row;
+}
+
+function stillOf({ view, scene }: Pick<Printed, "view" | "scene">): Still | null {
+  const entries = view.outcome?.trace.entries.length ?? 0;
+  return scene && entries ? { data: scene, step: entries - 1, cloud: null, drawing: false, camera: null, say } : null;
+}
+
+/** The 3D view as the stage draws it; none where it is drawn otherwise, or cannot be now. */
+async function fineOf(printed: Printed, { drawFine }: Draw, stage: Stage): Promise<HTMLElement | null> {
+  const [still, way] = [stillOf(printed), stage.preview?.backend];
+  if (!still || !way || way === "svg") return null;
+  const box = el("div", { class: "paper-stage" });
+  try {
+    await drawFine(box, still, VIEW, way);
+    return box;
+  } catch (problem) {
+    console.warn(problem);
+    return null;
+  }
 }
 
 const callText = (snippet: string, { control }: CycleInfo): string =>
@@ -81,7 +104,7 @@ const callText = (snippet: string, { control }: CycleInfo): string =>
     .map(({ text }) => text)
     .join("");
 
-function sheetOf(printed: Printed, head: HTMLElement, draw: Draw): HTMLElement {
+function sheetOf(printed: Printed, head: HTMLElement, draw: Draw, fine: HTMLElement | null): HTMLElement {
   const { cycle, view, line } = printed;
   const variant = cycle.variants.find(one => one.mvar === view.mvar);
   const code = variant && cycle.numbered ? `${cycle.cycle} · ${variant.mvar}` : cycle.cycle;
@@ -91,7 +114,7 @@ function sheetOf(printed: Printed, head: HTMLElement, draw: Draw): HTMLElement {
     { class: "paper-sheet" },
     head,
     el("h2", {}, t(variant?.key ?? `${cycle.key}-title`), " ", el("small", {}, `${code}${place}`)),
-    pictures(printed, draw),
+    pictures(printed, draw, fine),
     !!view.outcome?.answer && resultOf(view.outcome.answer),
     view.snippet !== "" && el("pre", {}, callText(view.snippet, cycle)),
     valuesOf(view),
@@ -150,10 +173,14 @@ function inForm({ cycle, view, opened }: Derived): Printed {
   return { cycle, view: form, scene: scene?.(1) ?? null, line: opened?.lastLine ?? null };
 }
 
-/** Prints a sheet of the call in the form, or the report of the program. */
+/**
+ * Prints a sheet of the call in the form, or the report of the program: without a graphics card the stage would draw
+ * hundreds of pictures for minutes, so those are simple ones.
+ */
 export function createPaper(
   core: () => ProgramCore | null,
   shown: () => { state: State; derived: Derived } | null,
+  stage: Stage,
   end: AbortSignal,
 ): (paper: Paper) => Promise<void> {
   const root = document.documentElement;
@@ -174,9 +201,13 @@ export function createPaper(
       paper === "sheet"
         ? [inForm(derived)]
         : calls.slice(0, MOST).flatMap(call => printedCall(all, state, derived, call) ?? []);
+    const [first] = printed;
+    const fine = paper === "sheet" && first ? await fineOf(first, draw, stage) : null;
     clear();
     const table = paper === "report" ? [tableOf(printed, head(), calls.length - printed.length)] : [];
-    document.body.append(el("div", { class: "paper" }, ...table, ...printed.map(one => sheetOf(one, head(), draw))));
+    document.body.append(
+      el("div", { class: "paper" }, ...table, ...printed.map(one => sheetOf(one, head(), draw, fine))),
+    );
     root.dataset.paper = paper;
     print();
   };
