@@ -1,6 +1,6 @@
-//! Standard cycles of the control, which drill, mill and turn: what a run makes of each. Arguments in the order of the
-//! SINUMERIK 840D Programming Guide Cycles (edition 11.06), where chapter 2 drills, 3 mills and 4 turns; what newer
-//! editions add stands behind them.
+//! Standard cycles of the control, which drill, mill and turn: what a run makes of each. The arguments and their order
+//! are from memory of the field: the guide of these cycles is not among the manuals of this project, so nobody has held
+//! them against it yet.
 
 /// A cycle whose motion is driven.
 #[derive(Debug, PartialEq, Eq)]

@@ -65,8 +65,7 @@ fn a_corner_is_its_arc_or_line_written_by_hand() {
     alike("G18 G1 F100 Z0 X0 DIAMON", "Z20 RND=5\nX40", "Z15\nG3 Z20 X10 CR=5\nG1 X40");
 }
 
-// oracle: manual (SINUMERIK 840D Programming Guide Fundamentals, chamfer and rounding: between lines and arcs of the
-// plane); what is not driven is told, and the corner stays
+// oracle: hand (what is not driven is told, and the corner stays)
 #[test]
 fn a_corner_that_is_not_driven_is_told() {
     for (text, word) in [("G1 X20 RND=5\nG2 X30 Y10 CR=10", "RND"), ("G1 X20 CHF=5\nIF R1==0\nY9\nENDIF", "CHF")] {

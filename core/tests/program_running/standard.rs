@@ -27,7 +27,7 @@ fn heights(call: &str) -> Vec<(MotionKind, f64)> {
     entries.collect()
 }
 
-// oracle: manual (SINUMERIK 840D Programming Guide Cycles, chapter 2: rapid traverse to the reference plane less the
+// oracle: hand, from memory of the field, not held against the guide (rapid traverse to the reference plane less the
 // safety clearance, feed to the depth, back to the retraction plane)
 #[test]
 fn a_hole_is_drilled_between_its_planes() {
