@@ -61,8 +61,8 @@ fn of_blocks<'a>(program: &'a Program, blocks: impl IntoIterator<Item = &'a Bloc
         }
         let end = words.last().map_or(first.span.end, |word| word.span.end);
         let line = program.written(Span { start: first.span.start, end });
-        // a file may be filled up with zeros; in the middle of one they would be none
-        found.definitions.lines.push(line.trim_end_matches('\0').to_owned());
+        // a file may be filled up with zeros, and blanks before them; in the middle of one they would be none
+        found.definitions.lines.push(line.trim_end_matches(['\0', ' ', '\t', '\r']).to_owned());
     }
     found
 }
