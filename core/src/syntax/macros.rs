@@ -200,7 +200,11 @@ fn replaced(reader: &mut Reader) -> Parsed<Line> {
         line.text.extend_from_slice(rest.get(behind..name.start).unwrap_or_default());
         line.pieces.push(Piece { end: line.text.len(), at: place(behind..name.start), replaced: false });
         behind = name.end;
-        work.replace(text, &mut line.text)?;
+        if let Err(sentence) = work.replace(text, &mut line.text) {
+            let left = work.left;
+            reader.macros.spent = most - left;
+            return Err(sentence);
+        }
         line.pieces.push(Piece { end: line.text.len(), at: place(name), replaced: true });
         if line.text.len() > LONGEST {
             return Err(&own::SYNTAX_MACRO_LONG);
