@@ -53,7 +53,11 @@ describe("the page on paper", () => {
       await page.locator('.file-name:text-is("part one.mpf")').waitFor({ state: "attached" });
       await page.waitForLoadState("networkidle");
       await page.emulateMedia({ media: "print" });
-      await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+      // the drawing is fetched once the page has time: who prints before has a sheet without it
+      await page.waitForFunction(() => {
+        dispatchEvent(new Event("beforeprint"));
+        return document.querySelector(".sheet-picture");
+      });
       const head = await page.locator(".sheet-head").innerText();
       assert.match(head, /part one\.mpf/);
       assert.match(head, /SINUMERIK/);

@@ -15,6 +15,7 @@ import type { Stage } from "./stage";
 const MOST_LINES = 2000; // some thirty sheets
 const SIZE = { width: 680, height: 340 }; // of the view, CSS pixels: as wide as a sheet between its margins
 const DOTS = 4096; // scanned points on paper
+const PATIENCE = 1000; // ms until the drawing is fetched, idle or not
 
 type Draw = typeof import("../preview/still");
 
@@ -74,7 +75,7 @@ function program(text: string): HTMLElement {
   );
 }
 
-/** `shown`: what the page shows now. The drawing is fetched once the page has nothing else to do. */
+/** `shown`: what the page shows now. The drawing is fetched once the page has nothing else to do, or soon. */
 export function createSheet(
   stage: Stage,
   shown: () => { state: State; derived: Derived } | null,
@@ -86,13 +87,12 @@ export function createSheet(
     for (const part of made) part.remove();
     made = [];
   };
-  const idle = globalThis.requestIdleCallback ?? setTimeout; // not in every browser
-  idle(
-    () =>
-      void import("../preview/still").then(module => {
-        draw = module;
-      }, console.warn),
-  );
+  const bring = (): void =>
+    void import("../preview/still").then(module => {
+      draw = module;
+    }, console.warn);
+  const idle = globalThis.requestIdleCallback ?? ((run: () => void) => setTimeout(run)); // not in every browser
+  idle(bring, { timeout: PATIENCE }); // a machine that draws by its processor is never idle
   addEventListener(
     "beforeprint",
     () => {
