@@ -195,7 +195,7 @@ impl Sim {
             return;
         }
         let own = !self.in_cycle && step.may_be_left_out();
-        let full = self.trace.entries.len() >= self.trace_limit;
+        let full = self.full();
         if own && (full || self.own >= self.own_limit) {
             self.unrecorded = true;
             self.trace.leave_out(step);
@@ -208,6 +208,11 @@ impl Sim {
         self.own += usize::from(own);
         let in_use = self.in_use();
         self.trace.record(Entry { line: self.line, step, in_use });
+    }
+
+    /// Whether the trace has no room.
+    fn full(&self) -> bool {
+        self.trace.entries.len() >= self.trace_limit
     }
 
     /// Where in the trace stands what is in use now.
@@ -231,8 +236,7 @@ impl Sim {
 
     /// Refuses to go on where the trace is full, unless what comes now need not be recorded.
     pub(crate) fn room(&self) -> Result<(), Stop> {
-        let full = self.trace.entries.len() >= self.trace_limit;
-        if self.refused || full && self.in_cycle {
+        if self.refused || self.full() && self.in_cycle {
             return Err(Stop::Fault(Message::new("run-trace-limit").number("limit", self.trace_limit as f64)));
         }
         Ok(())

@@ -91,7 +91,8 @@ pub fn number(address: &Address) -> Result<f64, Problem> {
     number.ok_or_else(|| Problem::new("run-not-a-number", address.span, &*address.name))
 }
 
-fn coordinate(address: &Address, factor: f64) -> Result<Coordinate, Problem> {
+/// Where an axis goes, absolute or by an increment.
+pub fn coordinate(address: &Address, factor: f64) -> Result<Coordinate, Problem> {
     let absolute = match address.mode.as_deref() {
         None => None,
         Some("AC") => Some(true),

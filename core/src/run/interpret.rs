@@ -44,7 +44,7 @@ pub struct Interpreter {
     pub skip: BTreeSet<u8>,
     /// Work so far, in blocks; see [`Limits::steps`].
     pub work: u64,
-    /// Blocks that were carried out, each once.
+    /// Blocks that were carried out.
     pub blocks: usize,
     /// Whether it was told that not all is recorded.
     pub unrecorded: bool,
@@ -205,6 +205,7 @@ fn next_block(run: &mut Interpreter) -> Result<Option<()>, Halt> {
     let (Some(span), true) = (span, own) else { return Ok(go_on(run, subprogram::leave)) };
     run.sim.line = Some(at as u32);
     run.work += 1 + u64::from((span.end - span.start) / BLOCK);
+    run.blocks = run.blocks.wrapping_add(1);
     let depth = run.levels.len();
     let place = (run.levels.last().map_or(0, |level| level.call), at);
     let next = told(run, |run| statement::block(run, at));

@@ -62,7 +62,6 @@ pub fn room(run: &Interpreter, place: Option<Span>) -> Result<(), Problem> {
 
 /// Whether what the program wrote has room; from time to time it is counted.
 pub fn data(run: &mut Interpreter, place: Span) -> Result<(), Problem> {
-    run.blocks = run.blocks.wrapping_add(1);
     if !run.blocks.is_multiple_of(BETWEEN) {
         return Ok(());
     }

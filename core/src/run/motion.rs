@@ -33,7 +33,7 @@ pub fn go(run: &mut Interpreter, path: &Path) -> Result<(), Halt> {
     }
     let outcome = match path.measure {
         Some(measure) => {
-            let feed = if inverse(run, path) { feed * Route::straight(Mcs(from), Mcs(to)).length() } else { feed };
+            let feed = timed(run, path, feed, &Route::straight(Mcs(from), Mcs(to)));
             uncompensated(run, path).and_then(|()| measured(run, path, measure, to, feed))
         }
         None => match rounded::corner(run, path, [from, to]) {
@@ -69,8 +69,13 @@ fn driven(run: &mut Interpreter, path: &Path, [from, to]: [[f64; 3]; 2], feed: f
         Motion::Through => around(run, path, from, through(run, path, from, to))?,
         Motion::Clockwise | Motion::Counter => around(run, path, from, in_plane(run, path, from, to))?,
     };
-    let feed = if inverse(run, path) { feed * way.length() } else { feed };
+    let feed = timed(run, path, feed, &way);
     along(run, path, way, feed)
+}
+
+/// The feed on a way, mm/min: where F tells the time of the block, the way in that time.
+fn timed(run: &Interpreter, path: &Path, feed: f64, way: &Route) -> f64 {
+    if inverse(run, path) { feed * way.length() } else { feed }
 }
 
 /// Whether F tells the time of the block.
@@ -87,7 +92,7 @@ fn with_corner(
     feed: f64,
 ) -> Result<(), Halt> {
     let [start, begin, end, at] = [from, corner.begin, corner.end, to].map(|end| machine(run, path.suppress, end));
-    let feed = if inverse(run, path) { feed * Route::straight(start, at).length() } else { feed };
+    let feed = timed(run, path, feed, &Route::straight(start, at));
     along(run, path, Route::straight(start, begin), feed)?;
     let seen = corner.around.and_then(|around| around.mapped(|point| machine(run, path.suppress, point)));
     if seen.is_none() && corner.around.is_some() {

@@ -2,8 +2,9 @@
 //! where the corner begins and then the corner; the next block goes on from there. What is too large for its lines is
 //! made smaller, as the control does.
 
+use super::addresses::{coordinate, number};
 use super::contour::{Point, distance, left};
-use super::{Address, Coordinate, Interpreter, Motion, Path, addresses::number, evaluate, motion, path::Corner};
+use super::{Address, Coordinate, Interpreter, Motion, Path, motion, path::Corner};
 use crate::diagnostic::Severity;
 use crate::geometry::{Around, Degrees, Dir};
 use crate::problem::Problem;
@@ -116,19 +117,10 @@ struct Line {
 fn line(run: &Interpreter, block: &Block) -> Option<Line> {
     let mut found = Line { axes: [None; 3], absolute: run.modal.absolute };
     for word in run.program.words_of(block) {
-        let (name, extension, mode, value) = match &word.kind {
-            WordKind::Address { name, extension, mode, value } => (name, extension, mode, value),
-            WordKind::Label(_) | WordKind::Header => continue,
-            _ => return None,
-        };
-        let address = Address {
-            name: run.program.name(*name),
-            extension: *extension,
-            mode: mode.map(|mode| run.program.name(mode)),
-            value: evaluate(run, *value).ok()?,
-            span: word.span,
-        };
-        take(run, &address, &mut found)?;
+        if matches!(word.kind, WordKind::Label(_) | WordKind::Header) {
+            continue;
+        }
+        take(run, &Address::of(run, word).ok()??, &mut found)?;
     }
     Some(found)
 }
@@ -143,14 +135,8 @@ fn take(run: &Interpreter, address: &Address, line: &mut Line) -> Option<()> {
         "F" | "S" | "M" | "H" | "RND" | "CHF" | "CHR" | "FRC" | "FRCM" | "RNDM" => {}
         axis => {
             let place = crate::control::AXES.iter().position(|known| *known == axis)?;
-            let absolute = match address.mode.as_deref() {
-                None => None,
-                Some("AC") => Some(true),
-                Some("IC") => Some(false),
-                Some(_) => return None,
-            };
-            let value = value * run.sim.control.active_factor();
-            *line.axes.get_mut(place).filter(|_| address.extension.is_none())? = Some(Coordinate { value, absolute });
+            let coordinate = coordinate(address, run.sim.control.active_factor()).ok()?;
+            *line.axes.get_mut(place).filter(|_| address.extension.is_none())? = Some(coordinate);
         }
     }
     Some(())

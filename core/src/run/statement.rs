@@ -53,6 +53,20 @@ pub struct Address {
     pub span: Span,
 }
 
+impl Address {
+    /// An address word with its value; none: the word is something else.
+    pub fn of(run: &Interpreter, word: &Word) -> Result<Option<Address>, Problem> {
+        let WordKind::Address { name, extension, mode, value } = &word.kind else { return Ok(None) };
+        Ok(Some(Address {
+            name: run.program.name(*name),
+            extension: *extension,
+            mode: mode.map(|mode| run.program.name(mode)),
+            value: evaluate(run, *value)?,
+            span: word.span,
+        }))
+    }
+}
+
 /// What a block asks for, collected.
 #[derive(Clone, Debug, Default)]
 pub struct Words {
@@ -173,16 +187,7 @@ fn word_of(run: &mut Interpreter, word: &Word, found: &mut Words) -> Result<bool
                 found.counter = value.number();
                 return Ok(true);
             }
-            let address = Address {
-                name: letters,
-                extension: *extension,
-                mode: mode.map(|mode| run.program.name(mode)),
-                value: evaluate(run, *value)?,
-                span: word.span,
-            };
-            if address.value != Datum::Vacant {
-                found.addresses.push(address);
-            }
+            found.addresses.extend(Address::of(run, word)?.filter(|address| address.value != Datum::Vacant));
         }
         WordKind::Assign { name, index, value, .. } => {
             let letters = run.program.name(*name);

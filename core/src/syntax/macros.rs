@@ -14,6 +14,8 @@ use crate::own::Own;
 use std::ops::Range;
 use std::sync::Arc;
 
+const DEFINE: &[u8] = b"DEFINE";
+
 /// Longest block in which macros are replaced, characters (the control takes 512).
 pub const LONGEST: usize = 2000;
 
@@ -88,7 +90,7 @@ fn first_word(text: &[u8]) -> &[u8] {
 
 /// Takes a definition; false: the line is none.
 pub(super) fn define(reader: &mut Reader) -> bool {
-    if !first_word(reader.rest()).eq_ignore_ascii_case(b"DEFINE") || !is_blank(reader.byte(DEFINE.len())) {
+    if !first_word(reader.rest()).eq_ignore_ascii_case(DEFINE) || !is_blank(reader.byte(DEFINE.len())) {
         return false;
     }
     let start = reader.at;
@@ -99,8 +101,6 @@ pub(super) fn define(reader: &mut Reader) -> bool {
     }
     true
 }
-
-const DEFINE: &str = "DEFINE";
 
 /// `DEFINE NAME AS …` as words: the first three as calls, the text as one constant.
 fn definition(reader: &mut Reader) -> Parsed<()> {
@@ -183,16 +183,22 @@ pub(super) fn read(reader: &mut Reader) -> Option<Option<Span>> {
     Some(grown::take(&mut reader.tree, tree, &line, comment))
 }
 
-/// What is left of the line, macros replaced.
+/// What is left of the line, macros replaced; what that takes counts, whether it can be done or not.
 fn replaced(reader: &mut Reader) -> Parsed<Line> {
-    let (from, rest) = (reader.at, reader.rest());
-    let place = |range: Range<usize>| Span { start: (from + range.start) as u32, end: (from + range.end) as u32 };
     let most = EFFORT[0].saturating_mul(reader.source.len()).saturating_add(EFFORT[1]);
     let mut work = Work { known: &reader.macros, left: most.saturating_sub(reader.macros.spent), open: Vec::new() };
+    let line = written_out(reader.at, reader.rest(), &mut work);
+    let left = work.left;
+    reader.macros.spent = most - left;
+    line
+}
+
+/// A text that begins here, macros replaced.
+fn written_out(from: usize, rest: &[u8], work: &mut Work) -> Parsed<Line> {
+    let place = |range: Range<usize>| Span { start: (from + range.start) as u32, end: (from + range.end) as u32 };
     let mut line = Line::default();
     let mut behind = 0;
-    let all: Vec<_> = names(rest).collect();
-    for name in all {
+    for name in names(rest) {
         let Some(text) = text_at(rest, &name) else { continue };
         if work.known.find(text).is_none() {
             continue;
@@ -200,11 +206,7 @@ fn replaced(reader: &mut Reader) -> Parsed<Line> {
         line.text.extend_from_slice(rest.get(behind..name.start).unwrap_or_default());
         line.pieces.push(Piece { end: line.text.len(), at: place(behind..name.start), replaced: false });
         behind = name.end;
-        if let Err(sentence) = work.replace(text, &mut line.text) {
-            let left = work.left;
-            reader.macros.spent = most - left;
-            return Err(sentence);
-        }
+        work.replace(text, &mut line.text)?;
         line.pieces.push(Piece { end: line.text.len(), at: place(name), replaced: true });
         if line.text.len() > LONGEST {
             return Err(&own::SYNTAX_MACRO_LONG);
@@ -213,8 +215,6 @@ fn replaced(reader: &mut Reader) -> Parsed<Line> {
     // a comment may be long, and is no part of what is replaced
     line.text.extend_from_slice(rest.get(behind..).unwrap_or_default());
     line.pieces.push(Piece { end: line.text.len(), at: place(behind..rest.len()), replaced: false });
-    let left = work.left;
-    reader.macros.spent = most - left;
     Ok(line)
 }
 

@@ -1,6 +1,6 @@
 //! Corners between lines: rounded and chamfered; feeds by time and by turns; axes that the setup does not name.
 
-use super::{clean, go, near, number};
+use super::{clean, go, near, number, only_note};
 use probewright_core::machine::trace::Step;
 use probewright_core::run::Outcome;
 use proptest::prelude::*;
@@ -98,11 +98,7 @@ fn axes_without_a_setup_are_taken_into_the_machine() {
     let text = "G0 V10 W=AC(5)\nG91 V2\nG90 W=IC(-1)\nA=DC(90)\nX1=7 B30\nPOS[U]=4\nR1=$AA_IM[V] R2=$P_EP[W]\n\
         R3=$AA_IW[A] R4=$AA_IM[X1] R5=$AA_IM[U]\nX9\nM30";
     let outcome = go(text);
-    assert_eq!(outcome.stop, None, "{:?}", outcome.diagnostics);
-    let [note] = &outcome.diagnostics[..] else {
-        panic!("{:?}", outcome.diagnostics);
-    };
-    assert_eq!((&*note.message.key, note.message.word("word")), ("run-axes", Some("V, W, A, X1, B, U")));
+    only_note(&outcome, "run-axes", "V, W, A, X1, B, U");
     let found = ["R1", "R2", "R3", "R4", "R5"].map(|name| outcome.control.number(name));
     assert_eq!(found, [12.0, 4.0, 90.0, 7.0, 4.0]);
     assert_eq!(outcome.passed_over, []);

@@ -32,6 +32,15 @@ fn near(a: [f64; 3], b: [f64; 3]) {
     }
 }
 
+/// The run reached its end, and all that is told is this list of words.
+fn only_note(outcome: &Outcome, key: &str, listed: &str) {
+    assert_eq!(outcome.stop, None, "{:?}", outcome.diagnostics);
+    let [note] = &outcome.diagnostics[..] else {
+        panic!("{:?}", outcome.diagnostics);
+    };
+    assert_eq!((&*note.message.key, note.message.word("word")), (key, Some(listed)));
+}
+
 fn number(text: &str, name: &str) -> f64 {
     clean(text).control.number(name)
 }

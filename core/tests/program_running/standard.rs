@@ -1,6 +1,6 @@
 //! Standard cycles in a run: holes, patterns of positions, and what is left out.
 
-use super::{clean, go, near, number};
+use super::{clean, go, near, number, only_note};
 use probewright_core::machine::trace::{MotionKind, Step};
 use probewright_core::run::Outcome;
 use proptest::prelude::*;
@@ -156,12 +156,8 @@ fn cycles_without_motion_here_are_one_note() {
     let text = "G17 G0 Z50\nCYCLE72(\"A:E\",NOTHING,,0)\nMCALL POCKET3(50,0,1,-5,40,30)\nX1\nX2\nMCALL\n\
         CYCLE95(\"PART\",1,0,0,0,1)\nCYCLE81(50)\nLONGHOLE(1,2,3,4,,3,1,2,3,4,5,6,7)\nCYCLE97()\nCYCLE72\nX9\nM30";
     let outcome = go(text);
-    assert_eq!(outcome.stop, None, "{:?}", outcome.diagnostics);
-    let [note] = &outcome.diagnostics[..] else {
-        panic!("{:?}", outcome.diagnostics);
-    };
     let listed = "CYCLE72, POCKET3, CYCLE95, CYCLE81, LONGHOLE, CYCLE97";
-    assert_eq!((&*note.message.key, note.message.word("word")), ("run-standard", Some(listed)));
+    only_note(&outcome, "run-standard", listed);
     assert_eq!(outcome.passed_over.len(), 6);
     near(outcome.end().0, [9.0, 0.0, 50.0]);
 }
@@ -172,12 +168,8 @@ fn steps_of_shopmill_are_one_note() {
     let text = "E_HEAD(,1,-10,10,100,100,1,,,,,,)\nE_MI_PL(\"MILL\",,NOTHING,1)\nE_PO_CIR(\"A\",\"\",2)\nG0 X9 Z50\n\
         E_PO_CIR(\"A\",\"\",3)\nE_END(0,1,0)\nM30";
     let outcome = go(text);
-    assert_eq!(outcome.stop, None, "{:?}", outcome.diagnostics);
-    let [note] = &outcome.diagnostics[..] else {
-        panic!("{:?}", outcome.diagnostics);
-    };
     let listed = "E_HEAD, E_MI_PL, E_PO_CIR, E_END";
-    assert_eq!((&*note.message.key, note.message.word("word")), ("run-step", Some(listed)));
+    only_note(&outcome, "run-step", listed);
     near(outcome.end().0, [9.0, 0.0, 50.0]);
     assert_eq!(number("F_OWN(5)\nM30\nPROC F_OWN(REAL A)\nR1=A\nM17", "R1"), 5.0);
 }
