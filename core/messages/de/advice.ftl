@@ -20,7 +20,7 @@ advice-tool = Das aktive Werkzeug T{ $tool } ist kein Werkstückmesstaster (Typ 
 advice-tool-hint = Messtaster vor dem Aufruf einwechseln oder Typ in der Werkzeugliste korrigieren (710, an der Drehmaschine 580).
 advice-tool-digit = T{ $tool } hat Typ { $type }: Die Aufrufbedingungen verlangen 1x0 oder 710, andere Handbuchstellen nennen 100 bis 199.
 advice-tool-digit-hint = Messtaster einwechseln oder als Typ 710 eintragen; den jetzigen Typ kann die Steuerung ablehnen.
-advice-tool-assignment = T{ $tool } hat Typ { $type }, ist also ein Messtaster für Drehmaschinen: Dieser Zyklus akzeptiert ihn nur bei SD 42950 = 2.
+advice-tool-assignment = T{ $tool } hat Typ { $type }: Dieser Zyklus akzeptiert einen Messtaster für Drehmaschinen (Typ 5xy) nur bei SD 42950 = 2.
 advice-tool-assignment-hint = An der Drehmaschine SD 42950 = 2 setzen; an der Fräsmaschine für den Messtaster Typ 710 eintragen.
 advice-tool-position = T{ $tool }, Typ { $type }, hat Schneidenlage { $position }: Messtaster an Drehmaschinen brauchen 5 bis 8.
 advice-tool-position-hint = Messtaster einwechseln oder seine Schneidenlage eintragen: 5 oder 7 steht senkrecht auf G17, 6 oder 8 auf G19.
@@ -33,7 +33,7 @@ advice-milled-diameter-hint = Positionen als Radien eingeben; DIAMOF vor dem Auf
 advice-spindle = Die Spindel dreht: Zwischen M3 oder M4 und diesem Aufruf wird sie nicht angehalten.
 advice-spindle-hint = Spindel mit M5 anhalten, bevor sich der Messtaster dem Werkstück nähert.
 advice-open = Der Zustand bei diesem Aufruf hängt von einem anderen Programm oder vom Programmablauf ab: { $words }.
-advice-open-hint = Sicherstellen, dass jedes aufrufende Programm die Werte so setzt, wie der Zyklus sie braucht, oder sie hier programmieren.
+advice-open-hint = Diesen Zustand vor dem Aufruf programmieren oder sicherstellen, dass jedes aufrufende Programm ihn setzt.
 advice-tool-none = Vor diesem Aufruf ist kein Werkzeug programmiert: Verwendet wird das Werkzeug in Spindel oder Revolver mit der aktiven D-Nummer.
 advice-tool-none-hint = T und D vor dem Aufruf programmieren.
 advice-radius = Mit DIAMOF ist der Sollwert { $value } ein Radius: Der Durchmesser ist { $diameter }.

@@ -30,7 +30,7 @@ check-variant-near-hint = Ähnliche Messvarianten: { $near }. Nicht jede Kombina
 
 check-knum-zero = { $code } bezeichnet keine Nullpunktverschiebung.
 check-knum-zero-hint = 1 bis 99: G54 und folgende; 1000, 1011 bis 1026, 1051 bis 1066: Basisframes; 2000: Systemframe; 9999: aktives Frame; 0: keines.
-check-knum-no-system = Diese Maschine hat kein Systemframe $P_SETFR, das { $code } bezeichnet.
+check-knum-no-system = { $code } bezeichnet das Systemframe $P_SETFR, das es an dieser Maschine nicht gibt.
 check-knum-no-system-hint = Anderes Frame wählen oder Bit 0 in MD 28082 setzen.
 check-knum-is-tool-hint = Code einer Werkzeugkorrektur: Frame angeben oder, falls vorhanden, Messvariante mit Werkzeugkorrektur wählen.
 check-knum-is-zero-hint = Code einer NV: zulässige D-Nummer angeben oder, falls vorhanden, Messvariante mit NV-Korrektur wählen.
@@ -45,7 +45,7 @@ check-knum-nine-digits-hint = Von rechts: fünf Stellen D-Nummer; 0 oder 1 Läng
 
 check-probe-number = Die Messtasternummer { $number } gibt es nicht.
 check-probe-number-hint = Nummer von 1 bis { $fields } wählen.
-check-probe-type = Die 3. Stelle der Messtasternummer von rechts darf nicht { $type } sein.
+check-probe-type = Die 3. Stelle von rechts in der Messtasternummer darf nicht { $type } sein.
 check-probe-type-hint = 0 steht für einen Multitaster, 1 für einen Monotaster oder bidirektionalen Messtaster.
 check-cora-off = Der Korrekturwinkel wirkt nicht.
 check-cora-off-hint = _CBIT[8]=1 setzen oder für den Korrekturwinkel 0 eingeben.
@@ -63,7 +63,7 @@ check-bands-hint = Reihenfolge vom kleinsten zum größten Wert einhalten: _TZL,
 check-rotation = Eine Koordinatendrehung ist aktiv.
 check-rotation-hint = Drehung vor dem Aufruf abwählen: Dieser Zyklus misst parallel zu den Maschinenachsen.
 check-infeed = Die Zustellung, { $infeed } mm, bringt den Messtaster nicht nach unten zum Messelement.
-check-infeed-hint = Negativen Wert eingeben; liegt das Messtastergehäuse auf der Minus-Seite der Applikate, positiven.
+check-infeed-hint = Negativen Wert eingeben; liegt das Messtastergehäuse auf der Minus-Seite der Applikate, einen positiven.
 
 check-ball = Die Messtasterkugel, { $ball } mm, passt nicht hinein.
 check-ball-hint = Eingegebenes Maß korrigieren oder Messtaster mit kleinerer Kugel verwenden.
@@ -106,7 +106,7 @@ check-angles-same = Bei diesem Fortschaltwinkel fallen Punkte zusammen: Es läss
 check-angles-same-hint = Bei drei Punkten höchstens 120° wählen, bei vier Punkten höchstens 90°, jedoch nicht 0.
 check-angles-wide = Bei { $points } Punkten ist ein Fortschaltwinkel über { $useful }° nicht sinnvoll.
 check-angles-wide-hint = Höchstens { $useful }° wählen.
-check-ball-unknown = Der Kugeldurchmesser dieses Messtasters ist nicht bekannt: Jedes Maß wäre um ihn falsch.
+check-ball-unknown = Der Kugeldurchmesser dieses Messtasters ist nicht bekannt: Jedes gemessene Maß wäre um diesen Betrag falsch.
 check-ball-unknown-hint = Messtaster in einer Bohrung kalibrieren und dabei den Kugeldurchmesser ermitteln.
 check-spread-circle = Die Punkte liegen zu dicht beieinander: Der Durchmesser ist { $diameter }-mal, der Mittelpunkt { $centre }-mal so unsicher wie ein Punkt.
 check-spread-centre = Die Punkte liegen zu dicht beieinander: Der Mittelpunkt ist { $centre }-mal so unsicher wie ein einzelner Punkt.

@@ -1,7 +1,7 @@
 # CYCLE961: Titel, Suchwörter, Varianten, Texte der eigenen Parameter und Prüfungen.
 
 cycle961-title = Ecke, innen oder außen
-cycle961-help = Ermittelt, wo sich zwei Kanten eines Werkstücks oder einer Tasche schneiden und wie die Bezugskante gedreht ist; auf Wunsch setzt er den Werkstücknullpunkt auf die Ecke.
+cycle961-help = Ermittelt, wo sich zwei Kanten eines Werkstücks oder einer Tasche schneiden und wie die Bezugskante gedreht ist; auf Wunsch setzt der Zyklus den Werkstücknullpunkt auf die Ecke.
 cycle961-words = messen vermessen antasten Werkstück Ecke Eckpunkt Innenecke Außenecke Kante Kanten einrichten ausrichten Nullpunkt setzen Bezugspunkt Rechteck Schraubstock Winkel Drehung drehen innen außen drei Punkte vier Punkte Nullpunktverschiebung NV NPV Frame G54 Taster Messtaster Kantentaster Bezug Anschlag
 
 cycle961-inside-rectangle = Innenecke eines Rechtecks, drei Punkte

@@ -17,7 +17,7 @@ reversal-with-words = Umschlag Spindel 180 Grad Rundlauf Schlag Exzentrizität g
 param-setval-turned-diameter = Solldurchmesser
 param-setval-turned-diameter-help = Aus der Zeichnung. Bei DIAMON der Durchmesser, bei DIAMOF der Radius.
 param-setval-turned-position = Sollposition
-param-setval-turned-position-help = Sollposition der Fläche im Werkstückkoordinatensystem, in der Messachse.
+param-setval-turned-position-help = Position der Fläche aus der Zeichnung, im WKS, in der Messachse.
 param-sta1-spindle = Spindelstellung
 param-sta1-spindle-help = Winkel, auf den die Spindel das Werkstück für die erste Antastung dreht; die zweite liegt 180° weiter.
 

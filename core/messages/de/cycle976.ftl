@@ -78,7 +78,7 @@ param-fa-length-help = Die Fläche muss innerhalb des doppelten Messwegs ab der 
 param-tsa-trigger = Vertrauensbereich der Triggerpunkte
 param-tsa-trigger-help = Weicht ein neuer Triggerpunkt um mehr als diesen Wert vom gespeicherten ab, hält Alarm 61303 das Programm an. Beim ersten Kalibrieren (gespeichert ist 0) muss der Wert größer als der Kugelradius sein.
 param-tzl-trigger = Nullkorrektur der Triggerpunkte
-param-tzl-trigger-help = Weicht ein neuer Triggerpunkt höchstens so weit vom gespeicherten ab, bleibt der gespeicherte erhalten; 0 speichert jeden neuen Wert.
+param-tzl-trigger-help = Weicht ein neuer Triggerpunkt höchstens um diesen Wert vom gespeicherten ab, bleibt der gespeicherte erhalten; 0 speichert jeden neuen Wert.
 
 need-axis-calibrated = Nur eine Achse wird kalibriert.
 need-axis-calibration-surface = Die Fläche steht senkrecht zu einer Achse.
@@ -96,7 +96,7 @@ check-calibration-mirror-hint = Spiegelung vor dem Aufruf abwählen; beim Messen
 check-calibration-band = Der Zyklus speichert keinen Triggerpunkt: Die Differenz müsste größer als _TZL und höchstens gleich _TSA sein.
 check-calibration-band-hint = _TZL kleiner als _TSA wählen; 0 speichert jeden neuen Wert.
 check-skew-lost = Der Zyklus ermittelt die Lageabweichung, speichert sie aber nicht.
-check-skew-lost-hint = Wenn spätere Messungen die Lageabweichung verrechnen sollen, die 5. Stelle von _MVAR von rechts auf 1 setzen.
+check-skew-lost-hint = Wenn spätere Messungen die Lageabweichung verrechnen sollen, in _MVAR die 5. Stelle von rechts auf 1 setzen.
 check-applicate-plus = Der Messtaster müsste die Fläche entgegen der Zustellrichtung der Werkzeugachse antasten.
 check-applicate-plus-hint = Andere Richtung wählen (1, Minus, wenn die Werkzeugachse nach oben zeigt), falls der Taststift nicht von unten antasten kann.
 

@@ -14,17 +14,17 @@ cycle979-shaft-zero = Welle unter Winkel, NV korrigieren
 cycle979-groove-zero = Nut unter Winkel, NV korrigieren
 cycle979-web-zero = Steg unter Winkel, NV korrigieren
 
-prnum-points = Punkte am Kreis
+prnum-points = Punkte auf dem Kreis
 prnum-three = drei Punkte
 prnum-four = vier Punkte
 param-setval-width-angle = Sollbreite
 param-setval-width-angle-help = Breite aus der Zeichnung, quer zur Nut oder zum Steg, unter dem Winkel _STA1.
 param-sta1-width = Richtung der Breite
-param-sta1-width-help = Winkel zur Abszisse, unter dem die Breite gemessen wird; der erste Punkt liegt auf dieser Seite der Mitte.
+param-sta1-width-help = Winkel zur Abszisse, unter dem die Breite gemessen wird; der erste Punkt liegt von der Mitte aus in dieser Richtung.
 param-id-lift = Abhebeweg über den Steg
 param-id-lift-help = Weg in der Werkzeugachse von der Messhöhe zur Höhe beim Überfahren, mit Vorzeichen. Bezieht sich die Messtasterlänge auf die Kugelmitte (_CBIT[14]=0), muss der Kugelradius darin enthalten sein.
 param-prnum-with-points = Messtaster und Anzahl der Punkte
-param-prnum-with-points-help = Drei oder vier Punkte am Kreis, Messtastertyp, Nummer der Messtasterdaten in _WP.
+param-prnum-with-points-help = Drei oder vier Punkte auf dem Kreis, Messtastertyp, Nummer der Messtasterdaten in _WP.
 
 need-lift = Der Messtaster muss den Steg überfahren.
 
@@ -33,6 +33,6 @@ check-points-unused-hint = Drei Punkte wählen: 0 in der 4. Stelle von _PRNUM.
 check-path-centre = Der Messweg beginnt hinter dem Mittelpunkt: Von Punkt zu Punkt würde der Messtaster auf der Gegenseite fahren.
 check-path-centre-hint = _FA kleiner als { $free } mm wählen.
 check-lift = Der Messtaster hebt vor dem Überfahren des Stegs nicht ab.
-check-lift-hint = Positiven Wert eingeben; liegt das Messtastergehäuse auf der Minus-Seite der Applikate, negativen.
+check-lift-hint = Positiven Wert eingeben; liegt das Messtastergehäuse auf der Minus-Seite der Applikate, einen negativen.
 check-lift-ball = Der Abhebeweg ist nicht größer als der Kugelradius, { $ball } mm, den er enthalten muss.
 check-lift-ball-hint = Kugelradius addieren oder _CBIT[14]=1 setzen, wenn sich die Messtasterlänge auf den Kugelumfang bezieht.

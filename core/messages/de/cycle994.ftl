@@ -21,7 +21,7 @@ param-szo-turned-applicate = Schutzzone in der Applikate
 param-szo-turned-applicate-help = Grenze der Schutzzone in der 3. Achse (G18: Y); auf ihr fährt die Kugelmitte um die Zone: Radius plus Kugelradius, mit _CHBIT[19]=1 wie X.
 
 need-zone-inside = Diese Messvariante umfährt eine Schutzzone.
-need-zone-outside = Außen nötig; innen hat diese Messvariante keine Schutzzone, das Feld bleibt dann leer.
+need-zone-outside = Außen nötig; innen hat diese Messvariante keine Schutzzone: Feld dann leer lassen.
 
 check-two-setpoint = Die beiden Punkte liegen bei plus und minus Sollwert: Bei { $set } mm ist kein Platz dazwischen.
 check-two-setpoint-hint = Durchmesser oder Radius als Zahl größer als 0 eingeben.

@@ -78,7 +78,7 @@ param-sphere3-applicate-help = In der Werkzeugachse (G17: Z), im WKS. Auf dieser
 param-tnvl = Grenzwert der Verzerrung
 param-tnvl-help = Grenzwert für die Summe der Abweichungen der drei Mittelpunkte vom Solldreieck. Nur darunter korrigiert der Zyklus die Nullpunktverschiebung; sonst hält Alarm 61414 das Programm an.
 param-fa-sphere = Messweg
-param-fa-sphere-help = Abstand vom Start eines Messsatzes zur Sollposition und ebenso weit darüber hinaus. Zugleich Höhe über der Kugel beim Überfahren. Immer in mm.
+param-fa-sphere-help = Abstand vom Start des Messsatzes zur Sollposition; ebenso weit fährt der Messtaster darüber hinaus. Zugleich Höhe über der Kugel beim Überfahren. Immer in mm.
 param-tsa-sphere = Vertrauensbereich der Kugeln
 param-tsa-sphere-help = Eine größere Differenz im Durchmesser oder in einer Achse des Mittelpunkts hält das Programm mit Alarm 61303 an.
 

@@ -24,16 +24,16 @@ evaluate-handed-back = Der Zyklus löst keinen Alarm aus: { $name } erhält die 
 evaluate-tool-safe-area = Differenz { $difference } mm erreicht oder überschreitet den Vertrauensbereich, { $limit } mm: Dieser Wert wird nicht korrigiert.
 evaluate-tool-difference = Differenz { $difference } mm erreicht oder überschreitet die zulässige Maßdifferenz, { $limit } mm: Dieser Wert wird nicht korrigiert.
 evaluate-tool-small = Differenz { $difference } mm liegt im Nullkorrekturbereich, { $limit } mm: Dieser Wert wird nicht korrigiert.
-evaluate-tool-geometry = Differenz { $difference } mm und bisheriger Verschleiß gehen in die Geometrie; der Verschleiß wird 0.
+evaluate-tool-geometry = Differenz { $difference } mm und bisheriger Verschleiß werden in die Geometrie eingerechnet; der Verschleiß wird 0.
 evaluate-tool-wear = Differenz { $difference } mm wird im Verschleiß korrigiert.
 evaluate-compensation-make = Die Korrekturtabelle dieses Messtasterherstellers (_TP_CF = { $make }) liegt in der Steuerung und steht in keinem Handbuch: Die Simulation subtrahiert nichts. Bei _MT_COMP = 2 gelten eigene Tabellen in _MT_EC_R und _MT_EC_L.
-evaluate-compensation = Korrekturtabelle { $table } subtrahiert { $amount } mm vom Messwert.
+evaluate-compensation = Vom Messwert werden { $amount } mm aus Korrekturtabelle { $table } subtrahiert.
 evaluate-screen = Die Steuerung zeigt das Messergebnisbild, bis der Zyklus endet.
 evaluate-screen-stays = Die Steuerung zeigt das Messergebnisbild bis zum Aufruf des nächsten Messzyklus; das Programm läuft weiter.
 evaluate-screen-halt = Die Steuerung zeigt das Messergebnisbild. Programmierter Halt (M0): Weiter mit NC START.
 # Was ein Aufruf mit Daten der Maschine tut, bevor er misst.
 check-erases = _CBIT[13]=1: Dieser Aufruf setzt zuerst _TP[], _TPW[], _WP[], _KB[], _EV[], _MV[] und das Bit selbst auf 0.
-check-erases-hint = _CBIT[13] vor dem Aufruf auf 0 setzen oder die Daten neu eintragen und neu kalibrieren.
+check-erases-hint = _CBIT[13] vor dem Aufruf auf 0 setzen oder die Daten danach neu eintragen und neu kalibrieren.
 check-converts = { $bit } passt nicht zum Grundsystem der Maschine (MD 10240): Dieser Aufruf rechnet zuerst { $value ->
         [1] von inch in mm
        *[other] von mm in inch
@@ -79,4 +79,4 @@ answer-why-within = Die Abweichung beträgt höchstens { $limit }{ $unit ->
         [inch]  inch
        *[mm]  mm
     }.
-answer-why-measured = Für diese Messung ist keine Grenze gesetzt.
+answer-why-measured = Für diese Messung ist kein Grenzwert festgelegt.

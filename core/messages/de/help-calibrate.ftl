@@ -21,7 +21,7 @@ help-cycle976-order-twice = Alles zweimal, beim Multitaster zuerst mit um 180° 
 help-cycle976-order-no-approach = Der Zyklus tastet von der Startposition aus in Richtung _MD an, über höchstens zweimal _FA, und fährt zurück.
 help-cycle976-order-end-centre = Endposition: die Startposition im Mittelpunkt.
 help-cycle976-order-end-found = Endposition: der ermittelte Mittelpunkt.
-help-cycle976-order-end-surface = Endposition: die Startposition; bei _MA=3 _FA vor der Fläche.
+help-cycle976-order-end-surface = Endposition: die Startposition, bei _MA=3 im Abstand _FA vor der Fläche.
 help-cycle976-corrects-ball = Auch der wirksame Kugeldurchmesser _WP[k,0], den CYCLE979 und, bei Messung unter Winkel, CYCLE997 brauchen; mit _CBIT[15]=1 auch der Radius des Messtasters.
 help-cycle976-corrects-skew = Auch die Lageabweichung des Taststifts, _WP[k,7] und _WP[k,8].
 help-cycle976-corrects-length = Der Zyklus korrigiert L1 in der Geometrie des Messtasters um die Differenz; _TSA überwacht sie nicht.
@@ -44,4 +44,4 @@ help-cycle973-corrects-ball = Auch der wirksame Kugeldurchmesser _WP[k,0].
 help-cycle973-corrects-skew = Auch die Lageabweichung in der Messachse, _WP[k,7] oder _WP[k,8].
 help-cycle973-wrong-groove-data = Die Nutdaten in _KB sind in X als Durchmesser eingetragen: Nötig sind Radien.
 help-cycle973-wrong-position = Die Schneidenlage des Messtasters ist nicht 7 oder 8: Alarm 61315.
-help-cycle973-wrong-shank = In dieser Richtung würde der Schaft statt der Kugel antasten.
+help-cycle973-wrong-shank = In dieser Richtung würde der Tastschaft statt der Kugel antasten.

@@ -18,10 +18,10 @@ help-g101-wrong-obstructed = Ein Hindernis liegt im Weg: PATH OBSTRUCTED. Messta
 help-g101-wrong-incremental = Bei aktivem G91 sind die Adressen Wege, keine Positionen.
 
 help-g102-measures-offset = Versatz der Messtasterkugel zur Spindelachse in beiden Achsen der Ebene.
-help-g102-before-ring = Die orientierte Spindel steht auf der Achse einer soeben ausgespindelten Bohrung über 20 mm; oder #510 enthält die M-Funktion, die sie um 180° dreht, und die Kugel ist auf 10 mm mitten im Ring.
+help-g102-before-ring = Die orientierte Spindel steht auf der Achse einer soeben ausgespindelten Bohrung über 20 mm; oder #510 enthält die M-Funktion, die sie um 180° dreht, und die Kugel ist auf 10 mm genau in der Ringmitte.
 help-g102-order-walls = Vier Wände in beiden Achsen; mit einer M-Funktion in #510 noch einmal mit um 180° gedrehter Spindel.
 help-g102-corrects-offset = #504 und #505, radialer Versatz in der 1. und 2. Achse der Ebene.
-help-g102-wrong-moved = Die Bohrung wurde nicht an dieser Spindelposition gefertigt, und es wird nicht mit Umschlag gemessen: Der Lagefehler der Bohrung geht in den Versatz ein.
+help-g102-wrong-moved = Die Spindel steht nicht mehr auf der Achse der Bohrung, und #510 ist 0 (kein Umschlag um 180°): Der Lagefehler der Bohrung geht in den Versatz ein.
 
 help-g103-measures-radius = Wirksamer Kugelradius in beiden Richtungen beider Achsen der Ebene.
 help-g103-before-ring = G102 ist ausgeführt; die Kugel ist auf Tiefe, auf 10 mm genau in der Mitte eines Kalibrierrings.
@@ -29,7 +29,7 @@ help-g103-order-centre = Vier Wände ergeben den Mittelpunkt des Rings; von dort
 help-g103-corrects-radius = #500 und #501 für Plus und Minus der 1. Achse, #502 und #503 für die 2. Achse.
 help-g103-wrong-size = D ist nur ungefähr angegeben: Der halbe Fehler geht in jeden Radius ein. Genaues Maß des Rings angeben.
 
-help-g104-measures-length = Länge des Messtasters an einer Fläche, deren Koordinate in der Werkzeugachse angegeben ist.
+help-g104-measures-length = Länge des Messtasters an einer Fläche, deren Koordinate in der Werkzeugachse bekannt ist.
 help-g104-before-above = Die Kugel ist über der Fläche; der Längenkorrekturspeicher enthält die Länge auf 5 mm genau.
 help-g104-order-down = Der Messtaster tastet abwärts an, höchstens bis 10 mm unter die angegebene Koordinate.
 help-g104-corrects-register = Längenkorrekturspeicher T: Danach zeigt die Steuerung dort, wo die Kugel antastet, die angegebene Koordinate an.
@@ -84,10 +84,10 @@ help-p9920-measures-both = Länge und Durchmesser eines Werkzeugs.
 help-p9920-before-reference = Der Referenzpunkt ist angefahren, und die Achse des Werkzeugmesstasters ist parallel zu Z.
 help-p9920-before-centre = Das Referenzwerkzeug mit genau bekanntem Durchmesser ist über dem Mittelpunkt der Scheibe.
 help-p9920-before-above = Das Werkzeug ist in Z über dem Werkzeugmesstaster, und dieser ist kalibriert.
-help-p9920-order-rim = Von +X, −X, +Y und −Y: um die halbe Summe beider Durchmesser plus E neben die Scheibe, um Z abwärts, zum Scheibenrand, wieder hoch.
+help-p9920-order-rim = In +X, −X, +Y und −Y: vom Mittelpunkt um die halbe Summe beider Durchmesser plus E nach außen, um Z abwärts, zum Scheibenrand, wieder hoch.
 help-p9920-order-face = Dann über dem Mittelpunkt abwärts auf die Scheibe und hoch zur Startposition.
-help-p9920-order-length = Um D/2 neben dem Mittelpunkt, höchstens um Z abwärts bis zur Antastung.
-help-p9920-order-diameter = Nach der Antastung um K hoch, in +X um die halbe Summe beider Durchmesser plus E nach außen, abwärts bis K unter die Antasthöhe, zum Scheibenrand.
+help-p9920-order-length = In +X bis D/2 vom Mittelpunkt, dann höchstens um Z abwärts bis zur Antastung.
+help-p9920-order-diameter = Nach der Antastung um K hoch, in +X bis zur halben Summe beider Durchmesser plus E vom Mittelpunkt, abwärts bis K unter die Antasthöhe, zum Scheibenrand.
 help-p9920-corrects-probe = #506, #507 und #508 erhalten die Position der Scheibe, #509 ihren Durchmesser, #513 die Länge des Referenzwerkzeugs.
 help-p9920-corrects-length = Länge im Speicher T, wie G43 sie verrechnet.
 help-p9920-corrects-radius = Radius im Speicher T.

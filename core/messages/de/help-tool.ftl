@@ -48,10 +48,10 @@ help-cycle982-order-reversal = Der Zyklus tastet jeden Punkt zweimal an, beim zw
 help-cycle982-order-length = In der anderen Achse zur Messtastermitte, vor die Seite, mit der Spitze antasten (Fräswerkzeug oder Bohrer quer zur Achse mit dem Umfang), zurück. Ende _FA vor der Seite.
 help-cycle982-order-radius = Das Fräswerkzeug tastet mit dem Umfang an, in der Achse des Radius.
 help-cycle982-order-both = Das Fräswerkzeug tastet mit dem Umfang die Seite an, auf der es startet, umfährt den Messtaster und tastet die Gegenseite an. Ohne Umschlag dreht die stehende Spindel dazu um 180°: Dieselbe Schneide tastet an.
-help-cycle982-order-all = Zuerst in der Abszisse, dann in der Ordinate, um den Messtaster herum, ein Bohrer nur längs; ohne Umschlag dreht die stehende Spindel die Schneide zu jeder Seite. Ende: Startposition.
-help-cycle982-order-upper-behind = Das Werkzeug umfährt den Messtaster auf der vom Start abgewandten Seite, tastet von dort die Länge an und beide Seiten: zuerst, was in der Abszisse liegt. Ende: Startposition.
-help-cycle982-order-upper-across = Das Werkzeug überquert zuerst den Messtaster, tastet die Länge zurück in Richtung Start an und beide Seiten: zuerst, was in der Abszisse liegt. Ende: Startposition.
-help-cycle982-corrects-geometry = Das aktive Werkzeug: Der Wert geht in die Geometrie, der Verschleiß wird 0, unabhängig vom vorherigen Wert.
+help-cycle982-order-all = Zuerst in der Abszisse, dann in der Ordinate, um den Messtaster herum, ein Bohrer nur längs; ohne Umschlag dreht die stehende Spindel dieselbe Schneide zu jeder Seite. Ende: Startposition.
+help-cycle982-order-upper-behind = Das Werkzeug umfährt den Messtaster auf der vom Start abgewandten Seite, tastet ihn dort für die Länge an und außerdem an beiden Seiten; zuerst misst der Zyklus in der Abszisse. Ende: Startposition.
+help-cycle982-order-upper-across = Das Werkzeug überquert zuerst den Messtaster, tastet ihn für die Länge zurück in Richtung Start an und außerdem an beiden Seiten; zuerst misst der Zyklus in der Abszisse. Ende: Startposition.
+help-cycle982-corrects-geometry = Das aktive Werkzeug: Der Zyklus trägt den Wert in die Geometrie ein und setzt den Verschleiß auf 0, unabhängig von dessen vorherigem Wert.
 help-cycle982-wrong-axis = Der Radius liegt nicht in der Achse _MA: Alarm 61325.
 help-cycle982-wrong-drill-radius = Das Werkzeug ist ein Bohrer; dessen Radius misst der Zyklus nicht: Alarm 61314.
 help-cycle982-wrong-fast = Die Frässpindel dreht beim Antasten zu schnell: Schneide und Messtaster nehmen Schaden. Drehzahl verringern.
@@ -59,7 +59,7 @@ help-cycle982-wrong-wrong-side = Die Startposition liegt auf der falschen Seite 
 help-cycle982-wrong-nose = Schneidenradius oder Längen des Kalibrierwerkzeugs sind falsch: Der Fehler geht in jedes später gemessene Werkzeug ein.
 
 help-tool-probe-known = Zum Kalibrieren geben die Triggerpunkte in _TP (werkstückbezogen: _TPW) die Lage der Messtasterseiten ungefähr an; zum Messen eines Werkzeugs ist der Messtaster kalibriert.
-help-tool-block = Eine Antastung: bis _FA vor die Seite, von dort höchstens zweimal _FA weit, nach dem Signal zurück. Ist _NMSP größer als 1, wiederholt der Zyklus die Antastung; es gilt der Mittelwert.
+help-tool-block = Eine Antastung: bis _FA vor die Seite, von dort höchstens zweimal _FA weit, nach dem Schaltsignal zurück. Ist _NMSP größer als 1, wiederholt der Zyklus die Antastung; es gilt der Mittelwert.
 help-tool-reach = Werkzeugdaten oder Messtasterdaten sind um mehr als _FA falsch: Der Messtaster schaltet nicht (Alarm 61301), oder das Werkzeug berührt ihn schon beim Anfahren (Alarm 61302).
 help-tool-trigger = Die Messtasterdaten: der Triggerpunkt in _TP (werkstückbezogen: _TPW), wenn er um mehr als _TZL vom gespeicherten abweicht. Über _TSA: Alarm 61303, nichts wird gespeichert.
 help-tool-data = Das aktive Werkzeug: Geometrie, der Verschleiß wird 0; mit _CHBIT[3]=1 nur der Verschleiß. Keine Korrektur bei einer Differenz bis _TZL oder ab _TDIF (Meldung 62306), ab _TSA Alarm 61303.

@@ -17,7 +17,7 @@ help-cycle961-order-toward-pocket = Jede Antastung ist vom anderen Punktepaar we
 help-cycle961-order-toward-part = Jede Antastung ist zu der Seite gerichtet, auf der das andere Punktepaar liegt.
 help-cycle961-order-along-axis = Jede Antastung liegt parallel zu einer Achse des aktiven Koordinatensystems, höchstens zweimal _FA lang; für ein kleineres _FA gilt der Mindestwert des Zyklus, 20 mm oder mehr.
 help-cycle961-order-end-p4 = Endposition: über P4, auf Starthöhe.
-help-cycle961-corrects-absolute = Mit _KNUM größer 0 diese NV, Grobverschiebung, absolut: Die Ecke wird zum Nullpunkt der Ebene, die Abszisse liegt auf der Bezugskante. Feinverschiebung gelöscht, Applikate bleibt.
+help-cycle961-corrects-absolute = Mit _KNUM größer 0 diese NV, Grobverschiebung, absolut: Die Ecke wird zum Nullpunkt der Ebene, die Abszisse liegt auf der Bezugskante. Feinverschiebung gelöscht, Applikate unverändert.
 help-cycle961-corrects-choice = Mit _SETV[4]=2 liegt der Nullpunkt um _SETV[2] neben der Ecke, mit 4 um _SETV[3], mit 3 um beide Werte.
 help-cycle961-wrong-angle = Die Kanten weichen um mehr als 10° von _STA1 und _INCA ab: Ein Punkt verfehlt seine Kante, Alarm 61301.
 help-cycle961-wrong-not-opposite = Die Startposition liegt nicht gegenüber der Ecke: Der Zyklus sucht P3 neben der Kante.

@@ -16,13 +16,13 @@ help-probe-loaded = Der Messtaster ist in der Spindel (Werkzeugtyp 710 oder 1x0)
 help-probe-turning = Auf einer Drehmaschine mit dritter Linearachse: Werkzeugtyp 5xy, Länge bis zur Kugelmitte, SD 42950 gleich 2. Schneidenlage 5 oder 7 misst in G17, 6 oder 8 in G19. Positionen in X sind Radien, auch mit DIAMON.
 help-wrong-tool = _TNUM oder die D-Nummer in _KNUM gehört nicht zum Werkzeug, das diese Fläche bearbeitet hat: Ein gutes Werkzeug wird falsch korrigiert.
 help-wrong-chip = Ein Span oder Grat auf der Fläche verfälscht das Maß: Fläche reinigen und _TDIF so wählen, dass ein solcher Wert nicht korrigiert wird.
-help-wrong-conditions = Die verwendeten Messtasterdaten stammen von anderem Vorschub oder anderer Spindelstellung: konstanter Fehler der Ergebnisse. Andere Ebene: ebenso, mit _CBIT[16]=1 ein Alarm.
+help-wrong-conditions = Der Messtaster ist mit anderem Vorschub oder anderer Spindelstellung kalibriert: Die Ergebnisse haben einen konstanten Fehler. In anderer Ebene: ebenso, mit _CBIT[16]=1 ein Alarm.
 help-wrong-kept = Ein Parameter, den dieser Aufruf nicht schreibt, hat noch den Wert eines früheren Aufrufs: Grenzwert, Schutzzone oder Winkel.
 help-order-block = Eine Antastung: bis _FA vor die Sollposition, von dort mit Messvorschub höchstens zweimal _FA weit, nach dem Schaltsignal zurück. Ist _NMSP größer als 1, wiederholt der Zyklus die Antastung; es gilt der Mittelwert.
 help-ends-at-start = Endposition: wieder die Startposition.
 help-wrong-reach = Die Fläche liegt mehr als _FA hinter ihrer Sollposition: Der Messtaster schaltet nicht, Alarm 61301.
 help-wrong-in-the-way = Ein Hindernis liegt im Weg: Mit _CHBIT[2]=1 löst eine Berührung beim Positionieren Alarm 61302 aus.
-help-corrects-tool = Ein Werkzeug (_TNUM, _TNAME oder _TENV): Verschleiß, mit _CHBIT[6]=1 Geometrie. _KNUM bestimmt Schneide, Länge oder Radius, oder eine Einrichte- oder Summenkorrektur. _KNUM=0: nichts.
+help-corrects-tool = Ein Werkzeug (_TNUM, _TNAME oder _TENV): Verschleiß, mit _CHBIT[6]=1 Geometrie. _KNUM bestimmt Schneide, Länge oder Radius oder stattdessen eine Einrichte- oder Summenkorrektur. _KNUM=0: nichts.
 help-corrects-chain = Differenz über _TSA: Alarm 61303, Programm hält an. Über _TDIF: Meldung 62306, keine Korrektur. Außerhalb _TUL, _TLL oder _TMV: ganze Differenz. Innerhalb _TMV: mit _K gewichteter Mittelwert, wenn größer als _TZL.
 help-corrects-zero = Die NV aus _KNUM, um Istwert minus Sollwert; ihre Drehung bleibt. Ziel: Feinverschiebung, falls vorhanden; mit _CHBIT[21]=1 oder _KNUM=2000 Grobverschiebung. _KNUM=0: keine Korrektur.
 help-corrects-zero-area = Differenz über _TSA: Alarm 61303, Programm hält an, keine Korrektur.

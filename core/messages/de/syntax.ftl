@@ -1,5 +1,5 @@
 # Was beim Lesen von Teileprogrammen unverständlich war.
-syntax-unknown = Dieser Text ist unbekannt.
+syntax-unknown = Dieser Text wird nicht erkannt.
 syntax-unknown-hint = Schreibweise korrigieren oder Text löschen.
 syntax-value = Hier fehlt ein Wert.
 syntax-value-hint = Wert eintragen oder Wort löschen.

@@ -65,7 +65,7 @@ check-tool-speed = { $name } ist 0 oder negativ: Der Zyklus kann das Werkzeug ni
 check-tool-speed-hint = _SPEED[0] in % des Eilgangs eintragen, mit Kollisionsüberwachung (_CHBIT[2]=1) _SPEED[1] und _SPEED[2] als Vorschub über 0.
 check-tool-probe-empty = Die Position des Werkzeugmesstasters ist nicht eingetragen (Wert 0): { $names }.
 check-tool-probe-empty-hint = Ungefähre Positionen der Messtasterseiten im Datenbaustein GUD6 eintragen; der Zyklus berechnet daraus seine Wege.
-check-tool-probe-sides = { $minus } ist nicht größer als { $plus }: Die in Minus-Richtung angetastete Seite liegt auf der Plus-Seite des Messtasters.
+check-tool-probe-sides = { $minus } ist nicht größer als { $plus }: Die in Minus-Richtung angetastete Seite muss auf der Plus-Seite des Messtasters liegen.
 check-tool-probe-sides-hint = Beide Werte tauschen oder den fehlenden eintragen.
 check-tool-probe-in-use = Als Werkzeug ist ein Werkstückmesstaster aktiv.
 check-tool-probe-in-use-hint = Vor dem Aufruf das zu messende Werkzeug oder das Kalibrierwerkzeug einwechseln.

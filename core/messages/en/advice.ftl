@@ -20,7 +20,7 @@ advice-tool = The active tool, T{ $tool }, is not a workpiece probe (type { $typ
 advice-tool-hint = Change to the probe before the call, or correct the type in the tool list (710, or 580 on a turning machine).
 advice-tool-digit = T{ $tool } is of type { $type }. The call conditions permit 1x0 and 710; elsewhere the manual permits 100 to 199.
 advice-tool-digit-hint = Change to the probe, or enter it as type 710; the control may reject the present type.
-advice-tool-assignment = T{ $tool } is of type { $type }, the probe of a turning machine: this cycle accepts it only with SD 42950 = 2.
+advice-tool-assignment = T{ $tool } is of type { $type }: this cycle accepts a probe of a turning machine (type 5xy) only with SD 42950 = 2.
 advice-tool-assignment-hint = Set SD 42950 = 2 on a turning machine; on a milling machine, enter the probe as type 710.
 advice-tool-position = T{ $tool } of type { $type } has cutting edge position { $position }: a probe on a turning machine needs 5 to 8.
 advice-tool-position-hint = Change to the probe, or correct its cutting edge position: 5 or 7 is perpendicular to G17, 6 or 8 to G19.

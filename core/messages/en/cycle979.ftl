@@ -20,7 +20,7 @@ prnum-four = Four points
 param-setval-width-angle = Setpoint width
 param-setval-width-angle-help = Width from the drawing, across the groove or web, in the direction of the starting angle _STA1.
 param-sta1-width = Direction of the width
-param-sta1-width-help = Angle to the abscissa in which the width is measured; the first point is on this side of the centre.
+param-sta1-width-help = Angle to the abscissa at which the width is measured; the first point lies in this direction from the centre.
 param-id-lift = Lift over the web
 param-id-lift-help = Travel in the tool axis from measuring height to crossing height, with sign. If the length refers to the ball centre (_CBIT[14]=0), it must include the ball radius.
 param-prnum-with-points = Probe and number of points

@@ -681,13 +681,13 @@ user-program-behind = After the measurement is complete
 
 # NCT
 datum-nct-500 = Ball radius, 1st axis +
-    .help = Effective, in direction + of the 1st axis of the plane: calibrated with G103.
+    .help = Effective radius in direction + of the 1st axis of the plane, calibrated with G103.
 datum-nct-501 = Ball radius, 1st axis −
-    .help = Effective, in direction −.
+    .help = Effective radius in direction −.
 datum-nct-502 = Ball radius, 2nd axis +
-    .help = Effective, in direction + of the 2nd axis of the plane.
+    .help = Effective radius in direction + of the 2nd axis of the plane.
 datum-nct-503 = Ball radius, 2nd axis −
-    .help = Effective, in direction −.
+    .help = Effective radius in direction −.
 datum-nct-504 = Radial offset, 1st axis
     .help = Ball centre minus spindle axis: calibrated with G102.
 datum-nct-505 = Radial offset, 2nd axis

@@ -33,7 +33,7 @@ evaluate-screen-stays = The control shows the measuring result screen until the 
 evaluate-screen-halt = The control shows the measuring result screen. Programmed stop (M0): the operator continues with NC START.
 # What a call does with data of the machine before it measures.
 check-erases = _CBIT[13]=1: this call first sets _TP[], _TPW[], _WP[], _KB[], _EV[], _MV[] and the bit itself to 0.
-check-erases-hint = Set _CBIT[13] to 0 before the call, or re-enter the data and recalibrate.
+check-erases-hint = Set _CBIT[13] to 0 before the call, or re-enter the data after it and recalibrate.
 check-converts = { $bit } does not agree with the basic system of the machine (MD 10240): this call first converts { $data } { $value ->
         [1] from inch to mm
        *[other] from mm to inch

@@ -19,7 +19,7 @@ help-cycle971-order-centre-first = With _MA = 102 or 201, two touches first dete
 help-cycle971-order-widest = For a radius, the tool moves lower by _ID, so that its largest diameter touches.
 help-cycle971-order-turning = The tool touches one to three times, as specified by _CM[6] and _CM[7], or _MFS[] with _CBIT[12]=1; the last touch is used. If the spindle was stationary before, it stops again.
 help-cycle971-order-all-sides = If all sides are permitted: top, both ordinate sides (giving the middle), both abscissa sides there, both ordinate sides at the abscissa middle found, top again. End _FA above it.
-help-cycle971-wrong-depth = _TP[k,9] (workpiece-related: _TPW[k,9]) is 0: beside the probe, the tool does not reach down to it; when a radius is measured, alarm 61349.
+help-cycle971-wrong-depth = _TP[k,9] (workpiece-related: _TPW[k,9]) is 0: beside the probe, the tool goes no lower than the upper edge of the probe; when a radius is measured, alarm 61349.
 help-cycle971-wrong-unclear = The tool position does not show which side to touch: alarm 61332.
 help-cycle971-wrong-edge = The cutting edge does not point at the probe: the measured radius is too small, as is the length of a tool with cutting edges of different height.
 help-cycle971-wrong-master = The size of the calibration tool is not exact: its error carries over to every tool measured later.

@@ -20,7 +20,7 @@ advice-tool = 当前刀具 T{ $tool } 不是工件测头（类型 { $type }）�
 advice-tool-hint = 请在调用前换上测头，或改正刀具表中的类型（710，车床为 580）。
 advice-tool-digit = T{ $tool } 的类型为 { $type }：调用条件只允许 1x0 和 710，手册另一处允许 100 到 199。
 advice-tool-digit-hint = 请换上测头，或把其类型设为 710；控制系统可能拒绝现在的类型。
-advice-tool-assignment = T{ $tool } 的类型为 { $type }，即车床测头：仅当 SD 42950 = 2 时，此循环才允许使用。
+advice-tool-assignment = T{ $tool } 的类型为 { $type }：仅当 SD 42950 = 2 时，此循环才允许使用车床测头（类型 5xy）。
 advice-tool-assignment-hint = 请在车床上设 SD 42950 = 2；在铣床上把测头的类型设为 710。
 advice-tool-position = T{ $tool }（类型 { $type }）的刀沿位置为 { $position }：车床测头的刀沿位置须为 5 到 8。
 advice-tool-position-hint = 请换上测头，或改正其刀沿位置：5 或 7 垂直于 G17，6 或 8 垂直于 G19。
@@ -40,8 +40,8 @@ advice-radius = DIAMOF 有效时设定值 { $value } 为半径：直径为 { $di
 advice-radius-hint = 若输入的是图纸上的直径，请在调用前编程 DIAMON。
 advice-calibration = 此程序在此调用之前不校准测头 { $number }：以 { $data } 中存储的数据为准。
 advice-calibration-hint = 请先在此机床上校准测头，或在此测量之前调用校准。
-advice-inherited = { $name }={ $value } 在第 { $line } 行为 { $cycle } 写入，单位与此处不同。
-advice-inherited-meaning = { $name }={ $value } 在第 { $line } 行为 { $cycle } 写入，在该处表示“{ $before }”，在此处表示“{ $now }”。
+advice-inherited = { $name }={ $value } 在第 { $line } 行写入，用于 { $cycle }，单位与此处不同。
+advice-inherited-meaning = { $name }={ $value } 在第 { $line } 行写入，用于 { $cycle }，在该处表示“{ $before }”，在此处表示“{ $now }”。
 advice-inherited-hint = 请为此调用写入 { $name }。
 advice-frame = 补偿后的 { $frame } 尚未生效：程序仍按原来的值继续。
 advice-frame-other = 已补偿 { $frame }，但程序在 { $other } 中继续，始终没有激活它。
@@ -55,16 +55,16 @@ arrives-lines = 写在第 { $lines } 行。
 arrives-hint = 在此修改会同时改变该处写入的值。
 arrives-shared-hint = 其他调用也使用此值：在此修改只为此调用写入新值。
 arrives-many-hint = 此值写在许多行中：请在那里修改。
-arrives-differing = 随到达此调用的路径而不同：{ $values }。
-arrives-differing-hint = 在此修改会对所有路径有效。请在写入该值的地方修改；括号中为行号。
+arrives-differing = 随到达此调用的执行路径而不同：{ $values }。
+arrives-differing-hint = 在此修改会对所有执行路径有效。请在写入该值的地方修改；括号中为行号。
 advice-level = 调用位于程序级 { $level }；测量循环只能在前五级调用。
 advice-level-hint = 请把调用移到更接近主程序的程序级。
 
 advice-read-back = 控制系统的测量循环支持功能读回此调用时会作如下改动：{ $changes }。
-advice-read-back-hint = 这些值由机床的 _MZ_MASK 规定。请采用；若程序正确，则修改 _MZ_MASK。
+advice-read-back-hint = 这些值由机床的 _MZ_MASK 规定。请采用这些值；若程序正确，则修改 _MZ_MASK。
 advice-read-back-cure = 采用 _MZ_MASK 给出的值
 advice-mask = 编写此调用时机床的设置不同：{ $changes }。
 advice-mask-hint = 控制系统一读回此调用，就会把这些改动写入程序。
-advice-mask-cure = 写入此机床的设置
-advice-tool-programming = 控制系统不能把此调用读回输入画面，编写之后有改变：{ $changes }。
+advice-mask-cure = 把此机床的设置写入程序
+advice-tool-programming = 控制系统不能把此调用读回输入画面。编写之后改变的内容：{ $changes }。
 advice-tool-programming-hint = 请用表单重新编写此调用，并检查刀具号和 D 号：它们现在的编程方式不同。

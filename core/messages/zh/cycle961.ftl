@@ -19,7 +19,7 @@ cycle961-outside-points-words = 工件 坐标 零点偏移 零偏
 
 param-sta1-reference = 基准边方向
 param-sta1-reference-help = 近似值，误差不超过 10°：从横坐标正方向到基准边的角度，顺时针为负。按机床坐标系计。
-param-inca-second-edge = 第二条边的夹角
+param-inca-second-edge = 与第二条边的夹角
 param-inca-second-edge-help = 近似值，误差不超过 10°：从基准边到第二条边的角度，顺时针为负。
 param-setv0-distance = 至 P2 距离
 param-setv0-distance-help = 从起点沿基准边到 P2 触碰处的距离，不带符号。P1 在其一半处。
@@ -80,7 +80,7 @@ check-corner-straight-hint = 请输入从基准边到第二条边的角度，例
 check-corner-rectangle = 矩形的边相交成 90°，不是 { $angle }°。
 check-corner-rectangle-hint = 请选四点的测量方式，或把 _INCA 改为 90 或 -90。
 check-corner-lift = 越过拐角的抬高量为 { $lift } mm：沿此方向，测头会碰到工件。
-check-corner-lift-hint = 请将符号反过来，或输入 0 绕过拐角。
+check-corner-lift-hint = 请改为相反的符号，或输入 0 绕过拐角。
 check-corner-same = 一条边上的两点重合：无法确定方向。
 check-corner-same-hint = 请在边允许的范围内选相距尽量远的点。
 check-corner-parallel = 通过 P1、P2 和通过 P3、P4 的直线不相交。

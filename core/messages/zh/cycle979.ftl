@@ -20,7 +20,7 @@ prnum-four = 四点
 param-setval-width-angle = 设定宽度
 param-setval-width-angle-help = 图纸上槽或凸台的宽度，沿起始角 _STA1 方向。
 param-sta1-width = 宽度方向
-param-sta1-width-help = 测量宽度的方向与横坐标的夹角；第一点在中心的这一侧。
+param-sta1-width-help = 测量宽度的方向与横坐标的夹角；从中心看，第一点就在此方向上。
 param-id-lift = 越过凸台抬高量
 param-id-lift-help = 沿刀具轴从测量高度到越过高度的行程，带符号。测头长度算到测球中心（_CBIT[14]=0）时，此值必须包含测球半径。
 param-prnum-with-points = 测头和点数

@@ -68,5 +68,5 @@ check-angle-paraxial = 在各点之间设定表面的位置相差 { $rise } mm�
 check-angle-paraxial-hint = 请把 _FA 加大到大于 { $needed } mm，或选沿角度移动的测量方式。
 check-rotary-axis = 通道轴 { $axis } 没有名称，或不是回转轴。
 check-rotary-across = 此回转轴不在所测角度的平面内旋转，因此不能补偿该角度。
-check-rotary-across-hint = 请输入在 _MA 两轴所在平面内旋转的回转轴，或输入 0 旋转坐标系。
-check-rotary-axis-hint = 请输入回转轴的通道轴号（MD 20080、MD 30300），或输入 0 旋转坐标系。
+check-rotary-across-hint = 请输入在 _MA 两轴所在平面内旋转的回转轴，或输入 0 以旋转坐标系。
+check-rotary-axis-hint = 请输入回转轴的通道轴号（MD 20080、MD 30300），或输入 0 以旋转坐标系。

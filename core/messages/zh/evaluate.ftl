@@ -28,13 +28,13 @@ evaluate-tool-small = 偏差 { $difference } mm 不大于零补偿区 { $limit 
 evaluate-tool-geometry = 偏差 { $difference } mm 和原磨损值一并计入几何值，磨损值清零。
 evaluate-tool-wear = 偏差 { $difference } mm 补偿到磨损值中。
 evaluate-compensation-make = 该型号测头（_TP_CF = { $make }）的补偿表在控制系统内部，手册中没有：模拟不作扣除。_MT_COMP = 2 时使用 _MT_EC_R 和 _MT_EC_L 中的用户自定义表。
-evaluate-compensation = 表 { $table } 从测量值中扣除 { $amount } mm。
+evaluate-compensation = 按表 { $table } 从测量值中扣除 { $amount } mm。
 evaluate-screen = 控制系统显示测量结果画面，直到循环结束。
 evaluate-screen-stays = 控制系统显示测量结果画面，直到调用下一个测量循环；程序继续。
 evaluate-screen-halt = 控制系统显示测量结果画面。编程停止（M0）：操作者按 NC START 继续。
 # 调用在测量之前对机床的数据所做的处理。
 check-erases = _CBIT[13]=1：此调用先将 _TP[]、_TPW[]、_WP[]、_KB[]、_EV[]、_MV[] 和该位本身设为 0。
-check-erases-hint = 请在调用前将 _CBIT[13] 设为 0，或重新输入数据并重新校准。
+check-erases-hint = 请在调用前将 _CBIT[13] 设为 0，或在调用后重新输入数据并重新校准。
 check-converts = { $bit } 与机床的基本单位制（MD 10240）不一致：此调用先将 { $data } { $value ->
         [1] 从 inch 换算为 mm
        *[other] 从 mm 换算为 inch

@@ -38,8 +38,8 @@ help-cycle106-alone = 程序中没有测量循环而要作记录；有测量循�
 help-cycle106-keeps = 需要时删除同名的旧文件，文件写满时打开下一个文件，达到 _PROTFORM[0] 行后另起一页（为 0 时不另起）。
 help-cycle106-number = PAR1 既不是 1 也不是 2：报警 61360。CYCLE105 的任务编号不同。
 
-help-cycle113-date = 把控制系统的日期读为文本。轴不移动。
-help-cycle113-time = 把控制系统的时间读为文本。轴不移动。
+help-cycle113-date = 以文本形式读出控制系统的日期。轴不移动。
+help-cycle113-time = 以文本形式读出控制系统的时间。轴不移动。
 help-cycle113-variable = 由一个变量接收文本：在程序开头声明 DEF STRING[10] PAR2，或在调用中写入自己的变量名。
 help-cycle113-year = 日期写为年、月、日，各两位数字，用斜线分开。
 help-cycle113-hour = 时间写为时、分、秒，各两位数字，用冒号分开。

@@ -14,7 +14,7 @@ help-cycle971-before-clear = 刀具在要触碰的一侧，与测头保持距离
 help-cycle971-before-parallel = 刀具轴平行于测头中心线。
 help-cycle971-before-over = 刀具可从当前位置先上下移动到测头顶面上方 _FA 处，再横向移到测头中间，途中没有障碍。
 help-cycle971-order-beside = 在侧面：先在另一轴移到测头中间，再到该面旁，下降到低于顶面 _TP[k,9] 或 _TPW[k,9] 处，触碰，退回。最后停在该深度。
-help-cycle971-order-on-top = 在顶面（_MA = 3、103、203）：移到中间上方，下降，触碰；比测头宽的刀具向起点一侧偏移“半径减 _ID”，在横坐标（3、103）或纵坐标（203），钻头不偏移。最后停在上方 _FA 处。
+help-cycle971-order-on-top = 在顶面（_MA = 3、103、203）：移到中间上方，下降，触碰；比测头宽的刀具沿横坐标（3、103）或纵坐标（203）向起点一侧偏移“半径减 _ID”，钻头不偏移。最后停在上方 _FA 处。
 help-cycle971-order-centre-first = _MA = 102 或 201 时，先在另一轴方向触碰两次，求出测头在该轴上的中心。
 help-cycle971-order-widest = 测半径时刀具再下降 _ID，以最大直径处触碰。
 help-cycle971-order-turning = 触碰一到三次，由 _CM[6] 和 _CM[7] 决定，_CBIT[12]=1 时由 _MFS[] 决定；以最后一次为准。主轴原来静止时，测量后再次停止。
@@ -37,7 +37,7 @@ help-cycle982-measures-one-length = 车刀、铣刀或钻头的一个长度：_M
 help-cycle982-measures-radius = 铣刀的半径；半径所在轴上的长度必须已知。
 help-cycle982-measures-both = 铣刀的半径以及同一轴上的长度。
 help-cycle982-measures-all = 车刀：两个长度，刀沿位置 5 到 8 时只有一个；铣刀：两个长度和半径（输入的半径为 0 时只测长度）；钻头：长度。
-help-cycle982-measures-upper = 铣刀在靠近刀柄的上刀刃处的长度和半径，例如切槽铣刀。
+help-cycle982-measures-upper = 铣刀（例如槽铣刀）在靠近刀柄的上刀刃处的长度和半径。
 help-cycle982-before-outside = 刀具在平面两个轴上都位于测头之外、要触碰的一侧；Y 轴对着测头中间。
 help-cycle982-before-setting = 测铣刀和钻头时 SD 42950 为 2；在 G17、G19 中测钻头的一个长度时也可为 0。
 help-cycle982-before-axial = 铣刀或钻头轴向安装：其轴沿横坐标，半径在纵坐标上。
@@ -66,4 +66,4 @@ help-tool-data = 当前刀具：写入几何值，磨损置 0；_CHBIT[3]=1 时�
 help-tool-in-front = 刀具已对着要触碰的面，距离不超过两倍 _FA。校准时不需要测头的数据；测量刀具时，此面必须已校准。
 help-tool-from-here = 从所在位置最多走两倍 _FA 触碰，退回起点；没有其他移动。
 help-tool-trigger-always = 测头数据：_TP（相对工件：_TPW）中的触发点，不论原值如何都存储。
-help-tool-unwatched = 没有极限监控结果：刀具若碰到测头以外的物体，错误的值也会被存储。
+help-tool-unwatched = 结果没有极限值监控：刀具若碰到测头以外的物体，错误的值也会被存储。

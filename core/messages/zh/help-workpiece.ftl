@@ -22,7 +22,7 @@ help-cycle961-corrects-choice = _SETV[4] 为 2 时零点从拐角移开 _SETV[2]
 help-cycle961-wrong-angle = 边与 _STA1、_INCA 相差超过 10°：某点碰不到边，报警 61301。
 help-cycle961-wrong-not-opposite = 起点没有对着拐角：循环在边以外寻找 P3。
 help-cycle961-wrong-swapped = P1 和 P2 颠倒：坐标系转 180°。
-help-cycle961-wrong-same-points = 一条边上的两点相同（报警 61367），或两条边平行（61368）。
+help-cycle961-wrong-same-points = 一条边上的两点重合（报警 61367），或两条边平行（61368）。
 
 help-cycle977-measures-hole = 孔的直径和中心。
 help-cycle977-measures-shaft = 轴（外圆）的直径和中心。

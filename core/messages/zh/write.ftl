@@ -26,9 +26,9 @@ convert-macro-hint = 请先把宏的文本写入程序。
 revise-taken = 新的测量方式不使用 { $names }：已从调用中删去。
 revise-kept = 新的测量方式不使用 { $name }，但 { $name }={ $value } 是表达式，仍留在程序中。
 revise-shared = 新的测量方式不使用 { $names }，但后面的调用要读取，仍留在程序中。
-variable-before = 无法更改 { $name }：调用之前没有程序行为其赋值。
-variable-several = 无法更改 { $name }：其值取决于程序路径，来自多处（第 { $lines } 行）。
-variable-unclear = 无法更改 { $name }：其内容由调用、循环或下标决定。
+variable-before = 无法更改 { $name }：调用之前没有给它赋值的程序行。
+variable-several = 无法更改 { $name }：其值取决于执行路径，来自多处（第 { $lines } 行）。
+variable-unclear = 无法更改 { $name }：其值由调用、程序循环或下标决定。
 variable-calculated = 无法更改 { $name }：它在第 { $lines } 行中计算得出。
 variable-number = 输入数字后可更改 { $name }。
 variable-unsolved = 无法更改 { $name }：由该表达式求不出此数字对应的值。

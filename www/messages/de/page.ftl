@@ -397,9 +397,9 @@ history-redo-none = Nichts wiederherzustellen
 step-open = { $file } öffnen
 step-insert = Aufruf einfügen
 step-convert = Aufruf umwandeln
-step-fix = Änderung anwenden
+step-fix = Änderung übernehmen
 step-assign = Variable ändern
-step-example = Beispiel laden
+step-example = Beispiel einsetzen
 step-set-load = Wertesatz laden
 step-program = Zeile { $line } ändern
 step-field = { $field } = { $value }
@@ -432,13 +432,13 @@ sets-delete-named = { $name } löschen
 sets-name-taken = Dieser Name ist leer oder bereits vergeben.
 
 continuing-title = Welche Arbeit fortsetzen?
-continuing-why = Probewright ist in einem weiteren Tab offen. Jeder Tab behält seine eigene Arbeit. Beim nächsten Besuch öffnet sich die zuletzt geänderte.
+continuing-why = Probewright ist in einem weiteren Tab offen. Jeder Tab behält seine eigene Arbeit. Beim nächsten Besuch öffnet sich die zuletzt geänderte Arbeit.
 continuing-copy = Kopie von { $name }, geändert { $when }
 continuing-anew = Mit dem Beispiel neu anfangen
 
 about-title = Über Probewright
 about-what = Ein Assistent für CNC-Messzyklen: Maske ausfüllen, Programmtext erhalten, dem Messtaster beim Messen eines Werkstücks mit Abweichungen zusehen und lesen, was die Steuerung tun würde.
-about-offline = Alles läuft in diesem Browser. Nach dem ersten Laden funktioniert es auch ohne Netz.
+about-offline = Alles läuft in diesem Browser. Nach dem ersten Laden funktioniert Probewright auch ohne Netz.
 about-prove-out = Eine Simulation ersetzt nicht das Einfahren an der Maschine. Jedes Programm dort mit verringertem Vorschub und der Hand am Override einfahren.
 about-marks = SINUMERIK ist eine eingetragene Marke der Siemens AG.
 about-independent = Probewright ist unabhängig von Siemens und von NCT; keine der beiden Firmen hat es geprüft oder freigegeben.
@@ -648,7 +648,7 @@ story-back = Zurück
 story-next = Weiter
 story-leave = Verlassen
 story-count = Beispiel, Schritt { $step } von { $of }
-story-part = Das Werkstück liegt um X { $x } und Y { $y } mm versetzt; die Zeichnung zeigt den Versatz 100-fach überhöht. Die Nullpunktverschiebung berücksichtigt das noch nicht.
+story-part = Das Werkstück liegt um X { $x } und Y { $y } mm versetzt; die Ansicht zeigt den Versatz 100-fach überhöht. Die Nullpunktverschiebung berücksichtigt das noch nicht.
 story-call = Die Maske enthält den Messaufruf. Jede Eingabe schreibt ihn neu, unter der Maske und im Programm.
 story-probe = Der Messtaster tastet die Bohrung an vier Punkten an, mit dem gleichen Vorschub wie an der Maschine.
 story-correct = Der Zyklus korrigiert { $corrected }: Die Nullpunktverschiebung stimmt dann mit der wirklichen Lage des Werkstücks überein.
