@@ -159,6 +159,14 @@ export type Beginning = {
   definitions?: Array<string>,
 };
 
+/** A file beside a program. */
+export type Beside = {
+  /** Name of the file, by which calls find it. */
+  name: string,
+  /** Its text. */
+  text: string,
+};
+
 /** A measuring call of a program. */
 export type CallView = {
   /** Control. */
@@ -288,6 +296,8 @@ export type ChangeRequest = {
   value: string,
   /** Machine on which the program starts; absent: the core's own as it is. */
   setup?: Machine,
+  /** Files beside it, of which definition files count; absent: none. */
+  with?: Array<Beside>,
 };
 
 /** What a new value does to a program. */
@@ -353,6 +363,8 @@ export type ConvertRequest = {
   style: Style,
   /** Machine on which the program starts; absent: the core's own as it is. */
   setup?: Machine,
+  /** Files beside it, of which definition files count; absent: none. */
+  with?: Array<Beside>,
 };
 
 /** Edits that write calls in another way. */
@@ -408,6 +420,8 @@ export type CureRequest = {
   key: string,
   /** Machine on which the program starts; absent: the core's own as it is. */
   setup?: Machine,
+  /** Files beside it, of which definition files count; absent: none. */
+  with?: Array<Beside>,
 };
 
 /** Edits that cure findings of a kind. */
@@ -520,6 +534,8 @@ export type Diagnostic = {
   cure?: Cure,
   /** Lines that the cure changes elsewhere than where the finding is told. */
   elsewhere?: Array<TouchedLine>,
+  /** Files that are wanted, by the names that calls have for them. */
+  wants?: Array<string>,
   /** What the machine lacks, each a fix. */
   offers?: Array<Offer>,
 };
@@ -627,6 +643,8 @@ export type EquipRequest = {
   change?: EquipmentChange,
   /** The program that it is for. */
   text?: string,
+  /** Files beside it; absent: none. */
+  with?: Array<Beside>,
   /** The call whose part it gets. */
   call?: FormRequest,
 };
@@ -663,7 +681,7 @@ export type EquipmentCell = {
 } | { "kind": "text" });
 
 /** What is done to a machine. */
-export type EquipmentChange = { "give": Supply } | { "set": CellText } | { "add": RowOf } | { "copy": RowOf } | { "remove": RowOf } | { "use": RowOf } | { "earlier": RowOf } | { "later": RowOf } | "measured";
+export type EquipmentChange = { "give": Supply } | { "set": CellText } | { "add": RowOf } | { "copy": RowOf } | { "remove": RowOf } | { "use": RowOf } | { "earlier": RowOf } | { "later": RowOf } | "measured" | { "define": string };
 
 /** A row of a table. */
 export type EquipmentRow = {
@@ -772,6 +790,16 @@ export type Figure = {
   deviation?: number,
   /** Unit at the call. */
   unit: string,
+};
+
+/** Where a file beside the program begins: places and lines of an answer go on there. */
+export type FileStart = {
+  /** Name of the file. */
+  name: string,
+  /** Its first character, UTF-16 units. */
+  from: number,
+  /** Its first line, from 1. */
+  line: number,
 };
 
 /** What a form is asked for. */
@@ -1312,6 +1340,26 @@ export type ProbeSliders = {
 /** The probe that a cycle uses. */
 export type ProbeUse = "workpiece" | "tool" | "none" | "log";
 
+/** A parameter of the `PROC` of a program that is run as main program. */
+export type ProgramParameter = {
+  /** Its name, in upper case. */
+  name: string,
+  /** Its type, as the control calls it. */
+  kind: string,
+  /** Whether it has a default. */
+  optional: boolean,
+};
+
+/** A program of a text that holds several. */
+export type ProgramPlace = {
+  /** As a call writes it. */
+  name: string,
+  /** Its first block, UTF-16 units. */
+  from: number,
+  /** Line of that block, from 1. */
+  line: number,
+};
+
 /** Where a cycle belongs. */
 export type Purpose = {
   /** Sort of machine. */
@@ -1358,6 +1406,8 @@ export type ReadRequest = {
   text: string,
   /** Machine on which it starts; absent: the core's own as it is. */
   setup?: Machine,
+  /** Files beside it: its subprograms, definition files; absent: none. */
+  with?: Array<Beside>,
 };
 
 /** A program. */
@@ -1366,6 +1416,12 @@ export type ReadView = {
   calls: Array<CallView>,
   /** What is wrong with it. */
   diagnostics: Array<Diagnostic>,
+  /** Where the files beside it begin. */
+  files?: Array<FileStart>,
+  /** Its programs, where the text holds several. */
+  programs?: Array<ProgramPlace>,
+  /** Parameters of its own `PROC`, which have no caller where it is run. */
+  parameters?: Array<ProgramParameter>,
 };
 
 /** Where positions count from, machine coordinates. */
@@ -1511,6 +1567,8 @@ export type RunRequest = {
   strict?: boolean,
   /** Work in blocks after which the run is given up; absent: never. */
   blocks?: number,
+  /** Files beside the program: its subprograms, definition files; absent: none. */
+  with?: Array<Beside>,
 };
 
 /** A result of a run. */
@@ -1553,6 +1611,8 @@ export type RunView = {
   passedOver: Array<PassedOver>,
   /** Values that only the machine has and that were assumed. */
   machineValues?: Array<MachineValue>,
+  /** Where the files beside the program begin. */
+  files?: Array<FileStart>,
   /** How it ended. */
   ending: Message,
   /** Of a program that came without a machine: what was assumed. */

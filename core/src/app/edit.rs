@@ -1,5 +1,6 @@
 //! Edits of a program: a value changed in a form, a call in another style.
 
+use super::beside::{Beside, Whole};
 use super::finding::{Edit, Finding, edits, placed};
 use super::start::{Machine, start};
 use super::{Error, unknown};
@@ -33,6 +34,8 @@ pub struct ChangeRequest {
     pub value: String,
     /// Machine on which the program starts; absent: the core's own as it is.
     pub setup: Option<Machine>,
+    /// Files beside it, of which definition files count; absent: none.
+    pub with: Option<Vec<Beside>>,
 }
 
 /// What a new value does to a program.
@@ -129,6 +132,8 @@ pub struct ConvertRequest {
     pub style: Style,
     /// Machine on which the program starts; absent: the core's own as it is.
     pub setup: Option<Machine>,
+    /// Files beside it, of which definition files count; absent: none.
+    pub with: Option<Vec<Beside>>,
 }
 
 /// Edits that write calls in another way.
@@ -159,6 +164,8 @@ pub struct CureRequest {
     pub key: String,
     /// Machine on which the program starts; absent: the core's own as it is.
     pub setup: Option<Machine>,
+    /// Files beside it, of which definition files count; absent: none.
+    pub with: Option<Vec<Beside>>,
 }
 
 /// Edits that cure findings of a kind.
@@ -181,7 +188,7 @@ pub struct CuredAll {
 ///
 /// let text = "_MVAR=1 _SETVAL=132 ; bore\nCYCLE977\nM30\n".to_owned();
 /// let (name, value) = ("_SETVAL".to_owned(), "40".to_owned());
-/// let done = change(ChangeRequest { control: Dialect::Sinumerik, text, call: 0, name, value, setup: None })?;
+/// let done = change(ChangeRequest { control: Dialect::Sinumerik, text, call: 0, name, value, setup: None, with: None })?;
 /// let edit = &done.steps[0][0];
 /// assert_eq!((edit.from, edit.to, edit.insert.as_str()), (16, 19, "40")); // nothing else changes
 /// # Ok::<(), probewright_core::app::Error>(())
@@ -190,8 +197,9 @@ pub struct CuredAll {
 /// # Errors
 /// There is no such call.
 pub fn change(asked: ChangeRequest) -> Result<Changed, Error> {
+    let whole = Whole::defined(asked.control, asked.text, asked.with);
     let control = start(asked.control, asked.setup)?.setup.control;
-    let mut program = syntax::read_on(asked.control, asked.text.as_bytes(), &control.definitions.macros);
+    let mut program = syntax::read_on(asked.control, whole.text(), &control.definitions.macros);
     let done = revise(&program, asked.call, &asked.name, &asked.value, &control);
     let done = done.ok_or_else(|| unknown("document-call", &asked.call.to_string()))?;
     let replaced = done.replaced.as_ref().map(|found| Replaced::placed(found, &Positions::new(&program.source)));
@@ -216,8 +224,9 @@ pub fn change(asked: ChangeRequest) -> Result<Changed, Error> {
 /// # Errors
 /// The machine has no such G function of units.
 pub fn convert(asked: ConvertRequest) -> Result<Converted, Error> {
+    let whole = Whole::defined(asked.control, asked.text, asked.with);
     let control = start(asked.control, asked.setup)?.setup.control;
-    let program = syntax::read_on(asked.control, asked.text.as_bytes(), &control.definitions.macros);
+    let program = syntax::read_on(asked.control, whole.text(), &control.definitions.macros);
     let done = match asked.call {
         Some(call) => converting::convert(&program, call, asked.style, &control),
         None => converting::convert_all(&program, asked.style, &control),
@@ -236,8 +245,9 @@ pub fn convert(asked: ConvertRequest) -> Result<Converted, Error> {
 /// # Errors
 /// The machine has no such G function of units.
 pub fn cure(asked: CureRequest) -> Result<CuredAll, Error> {
+    let whole = Whole::defined(asked.control, asked.text, asked.with);
     let control = start(asked.control, asked.setup)?.setup.control;
-    let program = syntax::read_on(asked.control, asked.text.as_bytes(), &control.definitions.macros);
+    let program = syntax::read_on(asked.control, whole.text(), &control.definitions.macros);
     let done = cure_all(&program, &asked.code, &asked.key, &control);
     let edits = edits(&done.edits, &Positions::new(&program.source));
     Ok(CuredAll { edits, gone: done.gone, left: done.left })

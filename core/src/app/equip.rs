@@ -1,6 +1,7 @@
 //! The machine that a user describes, as tables: shown, given what it lacks, and changed field by field.
 
 use super::Error;
+use super::beside::{Beside, Whole};
 use super::form::{FormRequest, form};
 use super::start::{Machine, Start, start};
 use super::supply::Supply;
@@ -9,7 +10,9 @@ use crate::form::equipment::{CAPS, Row, SHAPES, Table, add, copy, drop_row, put_
 use crate::form::machine::Refusal;
 use crate::machine::Setup;
 use crate::syntax;
+use crate::syntax::definitions::definitions;
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 
 /// Which machine is changed how.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -25,6 +28,8 @@ pub struct EquipRequest {
     #[serde(default)]
     #[cfg_attr(test, ts(optional, as = "Option<String>"))]
     pub text: String,
+    /// Files beside it; absent: none.
+    pub with: Option<Vec<Beside>>,
     /// The call whose part it gets.
     pub call: Option<FormRequest>,
 }
@@ -52,6 +57,8 @@ pub enum EquipmentChange {
     Later(RowOf),
     /// The part gets what a call measures.
     Measured,
+    /// It gets the user data of a definition file: its text.
+    Define(String),
 }
 
 /// A row, or the sort of a new one.
@@ -133,7 +140,7 @@ fn changed(
     described: bool,
     asked: EquipRequest,
 ) -> Result<Option<String>, Refusal> {
-    use EquipmentChange::{Add, Copy, Earlier, Give, Later, Measured, Remove, Set, Use};
+    use EquipmentChange::{Add, Copy, Define, Earlier, Give, Later, Measured, Remove, Set, Use};
     let mut next = setup.clone();
     let row = match change {
         Set(CellText { table, row, cell, text }) => Some(set(&mut next, table, &row, &cell, &text)?),
@@ -157,6 +164,10 @@ fn changed(
             measured(&mut next, asked.call);
             next.workpiece.solids.len().checked_sub(1).map(|last| last.to_string())
         }
+        Define(text) => {
+            Arc::make_mut(&mut next.control.definitions).add(definitions(text.as_bytes()).definitions);
+            None
+        }
     };
     next.possible().map_err(Refusal::of)?;
     *setup = next;
@@ -164,7 +175,8 @@ fn changed(
 }
 
 fn give(setup: &mut Setup, supply: &Supply, described: bool, asked: &EquipRequest) {
-    let program = || syntax::read(asked.control, asked.text.as_bytes());
+    let whole = Whole::new(asked.control, asked.text.clone(), asked.with.clone());
+    let program = || syntax::read(asked.control, whole.text());
     match supply {
         Supply::Tool(new) => setup.give_tool(new),
         Supply::Tools => setup.give_all(&program(), false),

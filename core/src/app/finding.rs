@@ -43,6 +43,10 @@ pub struct Finding {
     /// Lines that the cure changes elsewhere than where the finding is told.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub elsewhere: Option<Vec<TouchedLine>>,
+    /// Files that are wanted, by the names that calls have for them.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(test, ts(optional, as = "Option<Vec<String>>"))]
+    pub wants: Vec<String>,
     /// What the machine lacks, each a fix.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(test, ts(optional, as = "Option<Vec<Offer>>"))]
@@ -86,6 +90,7 @@ impl Finding {
             column: None,
             cure: None,
             elsewhere: None,
+            wants: wanted(&found.message),
             offers: Vec::new(),
         }
     }
@@ -103,6 +108,12 @@ impl Finding {
             ..Finding::of(found)
         }
     }
+}
+
+/// The names of programs that are not there.
+fn wanted(message: &Message) -> Vec<String> {
+    let names = message.word("word").filter(|_| message.key == "run-subprogram").unwrap_or_default();
+    names.split(", ").filter(|name| !name.is_empty() && *name != "…").map(str::to_owned).collect()
 }
 
 /// What is wrong with a program of this text.

@@ -3,6 +3,7 @@
 
 mod alarms;
 mod answer;
+mod beside;
 mod catalogue;
 mod changes;
 mod edit;
@@ -27,6 +28,7 @@ mod twin;
 pub use crate::refused::Refused as Error;
 pub use alarms::{AlarmInfo, alarm, alarms};
 pub use answer::{Answer, Band, BandKind, Correction, Figure, Gauge, Mark, Needle, Part, Verdict};
+pub use beside::{Beside, FileStart};
 pub use catalogue::{Catalogue, CycleInfo, ParameterInfo, Purpose, Values, VariantInfo, catalogue};
 pub use changes::Change;
 pub use edit::{
@@ -41,7 +43,7 @@ pub use help::{HelpRequest, HelpResult, HelpSection, HelpText, HelpView, help};
 pub use machine::{MachineField, MachineGroup, MachineProblem, MachineRequest, MachineView, machine};
 pub use outcome::{Measured, Outcome, Raised};
 pub use predict::{ErrorLimit, ErrorSliders, PartSliders, ProbeSliders};
-pub use program::{Arrival, CallView, ReadRequest, ReadView, calls, read};
+pub use program::{Arrival, CallView, ProgramParameter, ProgramPlace, ReadRequest, ReadView, calls, read};
 pub use run::{OfCall, Run, RunAlarm, RunAnswer, RunAssumed, RunDecision, RunRequest, RunResult, RunView};
 pub use scan::{Scan, ScanRequest, ScanView, SurfaceChoice, put_surface};
 pub use start::{Beginning, Machine, OwnMachine};

@@ -1,6 +1,7 @@
 //! The measuring calls of a program, and what is wrong with it.
 
 use super::Error;
+use super::beside::{Beside, FileStart, Whole};
 use super::finding::{Finding, placed};
 use super::places::{self, Places};
 use super::start::{Machine, start};
@@ -11,8 +12,9 @@ use crate::entry::{Style, Typed};
 use crate::name::Name;
 use crate::program::calls::{CallSite, calls_told};
 use crate::program::touched::cured_elsewhere;
-use crate::syntax::Program;
 use crate::syntax::position::Positions;
+use crate::syntax::programs::{Unit, bare, programs};
+use crate::syntax::{Program, Word, WordKind};
 use crate::{program, syntax};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -27,6 +29,8 @@ pub struct ReadRequest {
     pub text: String,
     /// Machine on which it starts; absent: the core's own as it is.
     pub setup: Option<Machine>,
+    /// Files beside it: its subprograms, definition files; absent: none.
+    pub with: Option<Vec<Beside>>,
 }
 
 /// A program.
@@ -37,6 +41,42 @@ pub struct ReadView {
     pub calls: Vec<CallView>,
     /// What is wrong with it.
     pub diagnostics: Vec<Finding>,
+    /// Where the files beside it begin.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(test, ts(optional, as = "Option<Vec<FileStart>>"))]
+    pub files: Vec<FileStart>,
+    /// Its programs, where the text holds several.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(test, ts(optional, as = "Option<Vec<ProgramPlace>>"))]
+    pub programs: Vec<ProgramPlace>,
+    /// Parameters of its own `PROC`, which have no caller where it is run.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(test, ts(optional, as = "Option<Vec<ProgramParameter>>"))]
+    pub parameters: Vec<ProgramParameter>,
+}
+
+/// A program of a text that holds several.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct ProgramPlace {
+    /// As a call writes it.
+    pub name: String,
+    /// Its first block, UTF-16 units.
+    pub from: u32,
+    /// Line of that block, from 1.
+    pub line: u32,
+}
+
+/// A parameter of the `PROC` of a program that is run as main program.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct ProgramParameter {
+    /// Its name, in upper case.
+    pub name: String,
+    /// Its type, as the control calls it.
+    pub kind: String,
+    /// Whether it has a default.
+    pub optional: bool,
 }
 
 /// A measuring call of a program.
@@ -105,7 +145,7 @@ const MOST_FINDINGS: usize = 10_000;
 /// use probewright_core::dialect::Dialect;
 ///
 /// let text = "_MVAR=1 _SETVAL=132\nCYCLE977\nM30\n".to_owned();
-/// let view = read(ReadRequest { control: Dialect::Sinumerik, text, setup: None }, &mut |_| {})?;
+/// let view = read(ReadRequest { control: Dialect::Sinumerik, text, setup: None, with: None }, &mut |_| {})?;
 /// let [call] = &view.calls[..] else { unreachable!() };
 /// assert_eq!((call.cycle, call.line, call.values["_SETVAL"].as_str()), ("CYCLE977", 1, "132"));
 /// # Ok::<(), probewright_core::app::Error>(())
@@ -115,18 +155,21 @@ const MOST_FINDINGS: usize = 10_000;
 /// The machine has no such G function of units.
 pub fn read(asked: ReadRequest, told: &mut dyn FnMut(f64)) -> Result<ReadView, Error> {
     let [text, calls] = SHARES;
+    let whole = Whole::new(asked.control, asked.text, asked.with);
     let control = start(asked.control, asked.setup)?.setup.control;
     let macros = &control.definitions.macros;
-    let program = syntax::read_told(asked.control, asked.text.as_bytes(), macros, &mut |share| told(share * text));
-    Ok(view(&program, control, &mut |share| told(text + share * (calls - text))))
+    let program = syntax::read_told(asked.control, whole.text(), macros, &mut |share| told(share * text));
+    Ok(view(&program, &whole, control, &mut |share| told(text + share * (calls - text))))
 }
 
 /// The measuring calls of a program on a metric control as delivered.
 pub fn calls(program: &Program) -> ReadView {
-    view(program, delivery(program.dialect), &mut |_| {})
+    let whole = Whole::new(program.dialect, String::new(), None);
+    view(program, &whole, delivery(program.dialect), &mut |_| {})
 }
 
-fn view(program: &Program, control: Control, told: &mut dyn FnMut(f64)) -> ReadView {
+/// Of the files beside it the calls are left out: each shows them where it is opened itself.
+fn view(program: &Program, whole: &Whole, control: Control, told: &mut dyn FnMut(f64)) -> ReadView {
     let positions = Positions::new(&program.source);
     let sites = calls_told(program, control.clone(), told);
     let mut found = program::findings_of(program, &sites, &control);
@@ -135,10 +178,50 @@ fn view(program: &Program, control: Control, told: &mut dyn FnMut(f64)) -> ReadV
         let elsewhere = Some(cured_elsewhere(program, &sites, one)).filter(|lines| !lines.is_empty());
         Finding { elsewhere, ..Finding::placed(one, &positions) }
     };
+    let own = sites.iter().filter(|site| whole.of_program(site.span.start));
     ReadView {
         diagnostics: found.iter().map(finding).collect(),
-        calls: sites.iter().map(|site| call(program, site, &positions)).collect(),
+        calls: own.map(|site| call(program, site, &positions)).collect(),
+        files: whole.files(&positions),
+        programs: places_of(program, whole, &positions),
+        parameters: parameters(program),
     }
+}
+
+/// The programs of the text itself, where it holds several that have a name.
+fn places_of(program: &Program, whole: &Whole, positions: &Positions) -> Vec<ProgramPlace> {
+    let all = programs(program);
+    let place = |unit: &Unit| {
+        let declared = || program.signature(unit).iter().find_map(Word::declared).map(|name| program.name(name));
+        let name = unit.file.as_deref().map(bare).map(str::to_owned).or_else(declared)?;
+        let start = program.blocks.get(unit.blocks.start).map(|block| block.span.start)?;
+        let (line, _) = positions.line_column(start);
+        whole.of_program(start).then(|| ProgramPlace { name, from: positions.utf16(start), line })
+    };
+    let found: Vec<_> = all.units.iter().filter_map(place).collect();
+    if found.len() > 1 { found } else { Vec::new() }
+}
+
+/// The parameters of the first program of the text that a single value can be given.
+fn parameters(program: &Program) -> Vec<ProgramParameter> {
+    let all = programs(program);
+    let words = all.units.first().map_or(&[][..], |main| program.signature(main));
+    let mut kind = String::new();
+    let mut found = Vec::new();
+    let mut named = false;
+    for word in words {
+        match &word.kind {
+            WordKind::Keyword { name, .. } => kind = program.name(*name),
+            WordKind::Declare { .. } if !named => named = true,
+            WordKind::Declare { name, index, value } if index.is_empty() => found.push(ProgramParameter {
+                name: program.name(*name),
+                kind: std::mem::take(&mut kind),
+                optional: value.is_some(),
+            }),
+            _ => {}
+        }
+    }
+    found
 }
 
 fn call(program: &Program, site: &CallSite, positions: &Positions) -> CallView {

@@ -2,6 +2,7 @@
 
 use super::Error;
 use super::answer::{Answer, answer};
+use super::beside::{Beside, FileStart, Whole};
 use super::changes::{Change, changes};
 use super::finding::{Finding, placed};
 use super::outcome::{Raised, alarms};
@@ -41,6 +42,8 @@ pub struct RunRequest {
     pub strict: Option<bool>,
     /// Work in blocks after which the run is given up; absent: never.
     pub blocks: Option<u32>,
+    /// Files beside the program: its subprograms, definition files; absent: none.
+    pub with: Option<Vec<Beside>>,
 }
 
 /// What a program did.
@@ -72,6 +75,10 @@ pub struct RunView {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(test, ts(optional, as = "Option<Vec<MachineValue>>"))]
     pub machine_values: Vec<MachineValue>,
+    /// Where the files beside the program begin.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(test, ts(optional, as = "Option<Vec<FileStart>>"))]
+    pub files: Vec<FileStart>,
     /// How it ended.
     pub ending: Message,
     /// Of a program that came without a machine: what was assumed.
@@ -173,7 +180,8 @@ impl OfCall {
 ///
 /// let text = "R1=20*2\nG0 X=R1\nM30\n".to_owned();
 /// let control = Dialect::Sinumerik;
-/// let mut run = Run::new(RunRequest { control, text, setup: None, arguments: None, strict: None, blocks: None })?;
+/// let asked = RunRequest { control, text, setup: None, arguments: None, strict: None, blocks: None, with: None };
+/// let mut run = Run::new(asked)?;
 /// while !run.advance(100) {}
 /// let view = run.view();
 /// assert!(view.finished && view.alarms.is_empty());
@@ -183,7 +191,7 @@ impl OfCall {
 pub struct Run {
     session: Session,
     setup: Setup,
-    source: Vec<u8>,
+    whole: Whole,
 }
 
 impl Run {
@@ -193,13 +201,14 @@ impl Run {
     /// The machine has no such G function of units.
     pub fn new(asked: RunRequest) -> Result<Run, Error> {
         let setup = start(asked.control, asked.setup)?.setup;
-        let program = syntax::read_on(asked.control, asked.text.as_bytes(), &setup.control.definitions.macros);
+        let whole = Whole::new(asked.control, asked.text, asked.with);
+        let program = syntax::read_on(asked.control, whole.text(), &setup.control.definitions.macros);
         let steps = asked.blocks.map(u64::from);
         let limits = Limits { steps, strict: asked.strict.unwrap_or_default(), ..Limits::default() };
         let given = asked.arguments.unwrap_or_default().into_iter();
         let arguments = given.map(|(name, value)| (name.to_ascii_uppercase(), value)).collect();
         let session = Session::new(program, &setup, limits).with_arguments(arguments);
-        Ok(Run { session, setup, source: asked.text.into_bytes() })
+        Ok(Run { session, setup, whole })
     }
 
     /// Carries out about so many blocks; true: the run is over.
@@ -214,7 +223,9 @@ impl Run {
 
     /// What it did so far.
     pub fn view(self) -> RunView {
-        RunView::new(self.setup, self.session.outcome(), &self.source).with_offers(&self.source)
+        let source = self.whole.text();
+        let view = RunView::new(self.setup, self.session.outcome(), source).with_offers(source);
+        RunView { files: self.whole.files(&Positions::new(source)), ..view }
     }
 }
 
@@ -232,6 +243,7 @@ impl RunView {
             finished: outcome.finished(),
             passed_over: outcome.passed_over.clone(),
             machine_values: outcome.machine_values.clone(),
+            files: Vec::new(),
             ending: outcome.ending(),
             assumed: None,
             trace: Source { setup, outcome, zones: Vec::new(), limits: Vec::new(), call: None },

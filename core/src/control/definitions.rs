@@ -120,6 +120,12 @@ impl Definitions {
         }
     }
 
+    /// Takes those of a file that may be there already: the same line is there once.
+    pub fn add(&mut self, mut other: Definitions) {
+        other.lines.retain(|line| !self.lines.contains(line));
+        self.extend(other);
+    }
+
     /// Whether there is none.
     pub fn is_empty(&self) -> bool {
         self.lines.is_empty()

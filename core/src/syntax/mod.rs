@@ -8,6 +8,7 @@ mod expression;
 pub mod fold;
 mod grammar;
 mod grown;
+pub mod joined;
 mod keyword;
 pub mod language;
 pub mod links;

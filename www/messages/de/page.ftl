@@ -414,7 +414,7 @@ refused-program-size = { $name } wurde nicht geöffnet: Die Datei hat { $size }�
 refused-setup-size = { $name } wurde nicht geöffnet: Die Datei hat { $size } MB, eine Maschineneinrichtung darf höchstens { $most } MB haben. Ihre Maschineneinrichtung ist unverändert.
 refused-no-program = { $name } wurde nicht geöffnet: { $why }. Ihr Programm ist unverändert.
 refused-unreadable = { $name } wurde nicht geöffnet: Der Browser kann die Datei nicht lesen. Vielleicht wurde sie inzwischen verschoben oder geändert.
-refused-folder = { $name } wurde nicht geöffnet: Das ist ein Ordner. Die Datei selbst hierher ziehen.
+refused-folder = { $name } wurde nicht geöffnet: Das ist ein Ordner ohne Dateien.
 refused-setup = { $name } ist keine Maschineneinrichtung und wurde nicht geöffnet: { $why } „Einrichtung exportieren“ schreibt eine zum Vergleich. Ihre Maschineneinrichtung ist unverändert.
 refused-place = Zeile { $line }, Spalte { $column }: { $text }
 refused-close = Schließen
@@ -859,3 +859,45 @@ equipment-shape = Element
 equipment-empty = Noch keine Werkzeuge. Das erste anlegen.
 equipment-no-toolprobes = Noch kein Werkzeugmesstaster.
 equipment-no-part = Noch kein Werkstück. Ein Element hinzufügen oder das, was der Aufruf misst.
+
+beside-title = Dateien zum Programm
+beside-add = Dateien hinzufügen
+beside-add-help = Dateien hinzufügen: Unterprogramme und Definitionsdateien (.DEF), die zum Programm gehören
+beside-shown = Wird angezeigt
+beside-show = { $name } anzeigen
+beside-remove = { $name } entfernen
+beside-define = Zur Maschine …
+beside-line = { $file }, Zeile { $line }
+beside-place = { $file }: { $place }
+notice-beside = Dateien hinzugefügt.
+notice-beside-removed = Datei entfernt.
+notice-defined = Definitionen in die Maschine übernommen.
+step-beside = Dateien zum Programm
+step-given = Programmparameter
+step-define = { $file } in die Maschine übernehmen
+step-machine-value = { $name }
+define-title = { $name } in „{ $machine }“ übernehmen?
+define-what = { $count ->
+    [one] Die Maschine erhält diese Definition. Sie gilt dann für jedes Programm.
+   *[other] Die Maschine erhält diese { $count } Definitionen. Sie gelten dann für jedes Programm.
+ }
+define-nothing = Die Maschine hat diese Definitionen schon, oder die Datei enthält keine.
+define-apply = In die Maschine übernehmen
+define-cancel = Abbrechen
+given-title = Programmlauf
+given-strict = Anhalten, wenn etwas fehlt
+given-assumed = { $count ->
+    [one] Ein Wert der Maschine wurde angenommen: { $values }.
+   *[other] { $count } Werte der Maschine wurden angenommen: { $values }.
+ }
+given-enter-values = Werte eingeben
+given-enter-value = Wert eingeben
+given-missing = Nicht vorhanden: { $names }.
+given-open-files = Dateien öffnen
+given-open = { $names } öffnen
+machine-values-title = Werte der Maschine
+machine-values-help = Programme lesen diese Werte, aber nur die Maschine kennt sie. Ein eingegebener Wert gilt für jeden Lauf; bei leerem Feld gilt wieder der angenommene Wert.
+machine-values-state = Herkunft
+machine-values-typed = eingegeben
+machine-values-assumed = angenommen
+machine-values-where = Gelesen in

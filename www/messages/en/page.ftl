@@ -414,7 +414,7 @@ refused-program-size = { $name } was not opened: it has { $size } MB, but a pro
 refused-setup-size = { $name } was not opened: it has { $size } MB, but a setup may have at most { $most } MB. Your setup is unchanged.
 refused-no-program = { $name } was not opened: { $why }. Your program is unchanged.
 refused-unreadable = { $name } was not opened: the browser cannot read it. The file may have been moved or changed.
-refused-folder = { $name } was not opened: it is a folder. Drop the file itself.
+refused-folder = { $name } was not opened: it is a folder without files.
 refused-setup = { $name } is not a setup and was not opened: { $why } “Export setup” writes one for comparison. Your setup is unchanged.
 refused-place = line { $line }, column { $column }: { $text }
 refused-close = Close
@@ -859,3 +859,45 @@ equipment-shape = Element
 equipment-empty = No tools yet. Add the first one.
 equipment-no-toolprobes = No tool probe yet.
 equipment-no-part = No part yet. Add an element, or what the open call measures.
+
+beside-title = Files with the program
+beside-add = Add files
+beside-add-help = Add files: subprograms and definition files (.DEF) that belong to the program
+beside-shown = Shown
+beside-show = Show { $name }
+beside-remove = Remove { $name }
+beside-define = Add to machine …
+beside-line = { $file }, line { $line }
+beside-place = { $file }: { $place }
+notice-beside = Files added.
+notice-beside-removed = File removed.
+notice-defined = Definitions added to the machine.
+step-beside = Files with the program
+step-given = Program parameters
+step-define = Add { $file } to the machine
+step-machine-value = { $name }
+define-title = Add { $name } to { $machine }?
+define-what = { $count ->
+    [one] The machine gets this definition. It then applies to every program.
+   *[other] The machine gets these { $count } definitions. They then apply to every program.
+ }
+define-nothing = The machine already has these definitions, or the file contains none.
+define-apply = Add to machine
+define-cancel = Cancel
+given-title = Run
+given-strict = Stop at anything missing
+given-assumed = { $count ->
+    [one] One value of the machine was assumed: { $values }.
+   *[other] { $count } values of the machine were assumed: { $values }.
+ }
+given-enter-values = Enter values
+given-enter-value = Enter value
+given-missing = Not here: { $names }.
+given-open-files = Open files
+given-open = Open { $names }
+machine-values-title = Values from the machine
+machine-values-help = Programs read these values, but only the machine has them. An entered value applies to every run; an empty field takes the assumed value again.
+machine-values-state = Source
+machine-values-typed = entered
+machine-values-assumed = assumed
+machine-values-where = Read in

@@ -80,15 +80,12 @@ export interface ProgramCore extends FormCore {
 }
 
 /** One answer a value, each for the text after the ones before it, but for what would replace an expression. */
-function changes({ control, text, setup, call: index, at, pending }: ChangeRequest): Changed[] {
+function changes({ control, text, setup, with: beside, call: index, at, pending }: ChangeRequest): Changed[] {
   let now = text;
   return asked(pending, { control, text, at }).map(one => {
     const { name, value } = one;
-    const changed = JSON.parse(
-      call("change", () =>
-        wasm.change(JSON.stringify({ control, text: now, call: index, name, value, ...(setup ? { setup } : {}) })),
-      ),
-    ) as Changed;
+    const asked = { control, text: now, call: index, name, value, setup, with: beside };
+    const changed = JSON.parse(call("change", () => wasm.change(JSON.stringify(asked)))) as Changed;
     if (!hasToReplace(one, changed)) now = changed.steps.reduce(splice, now);
     return changed;
   });

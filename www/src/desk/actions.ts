@@ -4,13 +4,14 @@ import type { ProgramCore } from "../core/program";
 import type { Encoding } from "../encoding";
 import { lineBreak, type Splice } from "../eol";
 import { speak } from "../language";
-import { fileOf, type ProgramFile } from "../state/files";
+import { type BesideFile, fileOf, openedNow, type ProgramFile } from "../state/files";
 import { stepped } from "../state/history";
 import { withMark } from "../state/saved";
 import {
   AT_END,
   asWritten,
   beginning,
+  besideOf,
   type Card,
   firstState,
   memoryKey,
@@ -49,9 +50,10 @@ import type {
   Style,
   TouchedLine,
 } from "../wire";
+import { sameName } from "./beside";
 import { opened } from "./calls";
 import { type Derived, findCycle } from "./derive";
-import { isCurrent, isRead, withEdits } from "./program";
+import { isOfNow, isRead, withEdits } from "./program";
 import { STEPS } from "./story";
 import {
   agreed,
@@ -64,6 +66,13 @@ import {
   typedShown,
   withoutReplacing,
 } from "./typing";
+
+/** A file that was read; `mark`: of what it holds, null: that is not known. */
+export interface Opened {
+  text: string;
+  file: ProgramFile;
+  mark: string | null;
+}
 
 export type Variant = CycleInfo["variants"][number];
 
@@ -87,7 +96,20 @@ export interface Actions {
   example(variant: Variant | undefined): void;
   editProgram(edits: Splice[]): void;
   /** `mark`: of what the file holds; null: that is not known. */
-  openProgram(text: string, file: ProgramFile, mark: string | null): void;
+  openProgram(text: string, file: ProgramFile, mark: string | null, beside?: readonly Opened[]): void;
+  /** Files that lie beside the program from now on; one of the same name takes the place of that one. */
+  putBeside(files: readonly Opened[]): void;
+  /** A file beside the program is shown and run; what was shown lies beside it. */
+  showFile(name: string): void;
+  removeFile(name: string): void;
+  /** The definitions of a file beside the program become part of the machine. */
+  define(name: string): void;
+  /** A value for a parameter of the program's own PROC, as typed. */
+  argument(name: string, value: string): void;
+  /** Whether what is not there stops the run. */
+  strict(on: boolean): void;
+  /** A value that only the machine has; null: it is assumed again. */
+  machineValue(name: string, value: number | string | null): void;
   /** The program is saved in another encoding from now on. */
   encoding(encoding: Encoding): void;
   /** The file that was opened then holds what has this mark. */
@@ -294,7 +316,7 @@ export function createActions(store: Store, catalogue: Catalogue, core: () => Pr
       actions.measure(cycle, chosen, given);
       store.update({ part: { errors: { ...NO_ERRORS, part: { ...NO_ERRORS.part, ...LIES_OFF } } } });
       const { control } = cycle;
-      const file: ProgramFile = { name: t(`program-file-${control}`), encoding: "utf-8", opened: Date.now() };
+      const file: ProgramFile = { name: t(`program-file-${control}`), encoding: "utf-8", opened: openedNow() };
       actions.openProgram(told(now()), file, null);
       store.update({ desk: { sought: { call: 0 } }, page: { notice: "" } });
       actions.story(1);
@@ -326,23 +348,118 @@ export function createActions(store: Store, catalogue: Catalogue, core: () => Pr
     },
     editProgram: edits =>
       store.update(state => patched(withEdits(state, edits), { desk: { follow: "text" }, page: { offer: false } })),
-    openProgram(text, file, mark) {
+    openProgram(text, file, mark, more = []) {
       const { control } = now().form;
-      const { texts: programs, files } = now().program;
+      const { texts: programs, files, beside } = now().program;
       const { pending } = now().desk;
-      replace(text ? "notice-opened" : "notice-opened-empty", withMark(now(), control, file.opened, mark), {
+      const others = withFiles(beside[control], more).filter(one => !sameName(one.name, file.name));
+      const marks = [...more, { file, mark }];
+      const marked = marks.reduce(
+        (state, one) => patched(state, withMark(state, control, one.file.opened, one.mark)),
+        now(),
+      );
+      replace(
+        text ? "notice-opened" : "notice-opened-empty",
+        { program: { saved: marked.program.saved } },
+        {
+          program: {
+            texts: { ...programs, [control]: text },
+            files: { ...files, [control]: file },
+            beside: { ...beside, [control]: others },
+            stoppedReading: null,
+            reading: null,
+            cursor: 0,
+            line: 1,
+          },
+          desk: { pending: pending.filter(one => one.control !== control), sought: null },
+          form: { open: null },
+          run: { done: null, stopped: null },
+          page: { refused: null },
+        },
+      );
+    },
+    putBeside(more) {
+      const { control } = now().form;
+      const { beside } = now().program;
+      const marked = more.reduce(
+        (state, { file, mark }) => patched(state, withMark(state, control, file.opened, mark)),
+        now(),
+      );
+      replace(
+        "notice-beside",
+        { program: { saved: marked.program.saved } },
+        besideAnew({
+          ...beside,
+          [control]: withFiles(beside[control], more),
+        }),
+      );
+    },
+    showFile(name) {
+      store.flush(); // what was typed last belongs to the file that is left
+      const state = now();
+      const { control } = state.form;
+      const { texts, files, beside } = state.program;
+      const all = beside[control] ?? [];
+      const wanted = all.find(one => sameName(one.name, name));
+      if (!wanted) return;
+      const { text, ...file } = wanted;
+      const left = programOf(state);
+      const others = all.flatMap(one => (one !== wanted ? [one] : left ? [{ ...fileOf(state), text: left }] : []));
+      store.update(besideAnew({ ...beside, [control]: others }), {
         program: {
-          texts: { ...programs, [control]: text },
+          texts: { ...texts, [control]: text },
           files: { ...files, [control]: file },
           reading: null,
           cursor: 0,
           line: 1,
         },
-        desk: { pending: pending.filter(one => one.control !== control), sought: null },
+        desk: { pending: state.desk.pending.filter(one => one.control !== control), sought: null },
         form: { open: null },
-        run: { done: null },
-        page: { refused: null },
+        run: { done: null, stopped: null },
+        page: { offer: false },
       });
+      store.flush(); // the editor has to hold it before the next key
+    },
+    removeFile(name) {
+      const { control } = now().form;
+      const { beside } = now().program;
+      const left = (beside[control] ?? []).filter(one => !sameName(one.name, name));
+      replace("notice-beside-removed", besideAnew({ ...beside, [control]: left }));
+    },
+    define(name) {
+      const state = now();
+      const { control } = state.form;
+      const file = state.program.beside[control]?.find(one => sameName(one.name, name));
+      const request = { control, ...programMachine(state), change: { define: file?.text ?? "" } };
+      const view = file && core()?.equip(request);
+      if (!view) return; // the module is still on its way
+      actions.equip(view.setup, { key: "step-define", args: { file: name } });
+      const left = (state.program.beside[control] ?? []).filter(one => one !== file);
+      replace("notice-defined", besideAnew({ ...state.program.beside, [control]: left }));
+    },
+    argument(name, value) {
+      const { control } = now().form;
+      const { given } = now().program;
+      const { [name]: _, ...others } = given[control] ?? {};
+      const values = value.trim() ? { ...others, [name]: value } : others;
+      store.update({
+        program: { given: { ...given, [control]: values } },
+        run: { stopped: null },
+        page: { offer: false },
+      });
+    },
+    strict: strict => store.update({ run: { strict, stopped: null } }),
+    machineValue(name, value) {
+      const setup = profile(now());
+      const own = ownMachine(now());
+      const { [name]: _, ...others } = (setup ? setup.data : own.data) ?? {};
+      const data = value === null ? others : { ...others, [name]: value };
+      const { control } = now().form;
+      const machine: Patch["machine"] = setup
+        ? used(now(), { ...setup, data })
+        : { own: { ...now().machine.own, [control]: { own: { ...own, data } } } };
+      const told: Message = { key: "step-machine-value", args: { name } };
+      store.update({ machine: { ...machine, told }, run: { stopped: null }, page: { offer: false } });
     },
     encoding: encoding =>
       store.update(state => ({
@@ -599,9 +716,21 @@ export function createActions(store: Store, catalogue: Catalogue, core: () => Pr
 function supplied(state: State, { supply }: Offer): EquipRequest {
   const { control } = state.form;
   const { done } = state.run;
-  const ran = done && supply !== "parts" && state.view.source === "program" && isCurrent(done, state);
+  const ran = done && supply !== "parts" && state.view.source === "program" && isOfNow(done, state);
   const { setup } = ran ? done : programMachine(state);
-  return { control, text: programOf(state), change: { give: supply }, ...(setup ? { setup } : {}) };
+  return { control, text: programOf(state), change: { give: supply }, ...besideOf(state), ...(setup ? { setup } : {}) };
+}
+
+/** The files beside the program with these. */
+function withFiles(before: readonly BesideFile[] = [], more: readonly Opened[]): BesideFile[] {
+  const added = more.map(({ text, file }) => ({ ...file, text }));
+  const isNew = ({ name }: BesideFile): boolean => !added.some(one => sameName(one.name, name));
+  return [...before.filter(isNew), ...added].sort((a, b) => a.name.localeCompare(b.name));
+}
+
+/** With other files beside the program: what was stopped may go on. */
+function besideAnew(beside: State["program"]["beside"]): Patch {
+  return { program: { beside, stoppedReading: null }, run: { stopped: null } };
 }
 
 /** The profile in use, changed. */

@@ -12,6 +12,7 @@ import type {
   Catalogue,
   CycleInfo,
   Diagnostic,
+  FileStart,
   FormView,
   OwnMachine,
   Plane,
@@ -46,6 +47,7 @@ export interface Derived {
   scene: ((times: number) => SceneData) | null; // what is to be seen of it, with errors so many times as large
   step: number; // of the trace, from 0; within it
   problems: Diagnostic[]; // of the program, by place
+  files: FileStart[]; // where those beside it begin in what was said last
 }
 
 function memo<A extends unknown[], R>(make: (...args: A) => R): (...args: A) => R {
@@ -61,6 +63,14 @@ export function findCycle(catalogue: Catalogue, control: string, cycle: string):
   return catalogue.cycles.find(one => one.control === control && one.cycle === cycle);
 }
 
+/** A cure that reaches into a file beside the program is none. */
+function curable({ files }: ReadView, one: Diagnostic): Diagnostic {
+  const end = files?.[0]?.from;
+  if (end === undefined || !one.cure?.edits.some(edit => edit.to >= end)) return one;
+  const { cure: _, elsewhere: __, ...rest } = one;
+  return rest;
+}
+
 function gather(read: ReadView): Diagnostic[] {
   const seen = new Set<string>();
   const all = [
@@ -72,12 +82,15 @@ function gather(read: ReadView): Diagnostic[] {
     ),
   ];
   return all
+    .map(one => curable(read, one))
     .filter(one => {
       const key = `${one.code} ${one.from} ${one.to} ${one.param ?? ""} ${one.message.key}`;
       return !seen.has(key) && seen.add(key);
     })
     .sort((a, b) => (a.from ?? 0) - (b.from ?? 0));
 }
+
+const NO_FILES: FileStart[] = [];
 
 const NOTHING_READ: ReadView = { calls: [], diagnostics: [] };
 
@@ -230,6 +243,7 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
       scene: shown ? () => shown.scene : state.view.source === "program" ? null : (view.scene ?? null),
       step: Math.max(0, Math.min(state.view.step, (trace?.entries.length ?? 0) - 1)),
       problems: all,
+      files: ran?.files ?? reading.files ?? NO_FILES,
     };
   };
 }

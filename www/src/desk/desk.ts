@@ -6,10 +6,10 @@
 
 import type { Answered, Aside } from "../core/aside";
 import type { AtOnce, ProgramCore } from "../core/program";
-import { patched, programMachine, programOf, type Reading, type State } from "../state/state";
+import { besideOf, patched, programMachine, programOf, type Reading, type State } from "../state/state";
 import type { Changed, Converted, CuredAll, ReadView } from "../wire";
 import { arrived } from "./calls";
-import { isCurrent, isRead } from "./program";
+import { isCurrent, isOfNow, isRead } from "./program";
 import { change, changed, conversion, converted, cured, curing } from "./typing";
 
 /** Of a program that is read between two keystrokes, in characters. */
@@ -33,7 +33,10 @@ export function standing(state: State): Standing {
   const { reading, stoppedReading } = state.program;
   if (!reading || !isRead(state)) {
     if (isLong(state) && isCurrent(stoppedReading, state)) return { is: "stopped" };
-    return { is: "unread", question: { ask: "read", control, text: programOf(state), ...programMachine(state) } };
+    return {
+      is: "unread",
+      question: { ask: "read", control, text: programOf(state), ...programMachine(state), ...besideOf(state) },
+    };
   }
   if (follow || sought) return { is: "looking", reading };
   const typed = change(state);
@@ -113,7 +116,7 @@ function atOnce(core: ProgramCore, question: AtOnce): Answer {
 
 /** What the worker has answered, if it is about the program as it is. */
 function taken(state: State, answer: Answered | null): State {
-  if (!answer || answer.question.ask === "run" || !isCurrent(answer.question, state)) return state;
+  if (!answer || answer.question.ask === "run" || !isOfNow(answer.question, state)) return state;
   const { question, json, problem } = answer;
   return json === undefined
     ? failed(state, question, problem ?? "")

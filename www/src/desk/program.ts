@@ -1,7 +1,7 @@
 // The program in the state: whether what was said is about it as it is now, and how it is edited.
 
 import { carried, type Splice, splice } from "../eol";
-import { patched, programMachine, programOf, type State } from "../state/state";
+import { besideOf, patched, programMachine, programOf, type State } from "../state/state";
 import type { Catalogue } from "../wire";
 
 /** Place of what was typed in the form while the call that it belongs to is still sought. */
@@ -11,10 +11,18 @@ export function isCurrent(about: { control: string; text: string } | null, state
   return about?.control === state.form.control && about.text === programOf(state);
 }
 
+/** Whether it is about the present program with the files that lie beside it now. */
+export function isOfNow(
+  about: { control: string; text: string; with?: readonly unknown[] | undefined } | null,
+  state: State,
+): boolean {
+  return isCurrent(about, state) && about?.with === besideOf(state).with;
+}
+
 /** Whether it is known what the program holds now, on the present machine. */
 export function isRead(state: State): boolean {
   const { reading } = state.program;
-  return isCurrent(reading, state) && reading?.setup === programMachine(state).setup;
+  return isOfNow(reading, state) && reading?.setup === programMachine(state).setup;
 }
 
 /** The state once it is known which sort of machine the program is for: that of its first call that tells. */

@@ -4,7 +4,16 @@ import { type Asks, asked, hasToAsk, hasToReplace, isWaiting, type Pending } fro
 import type { ChangeRequest, ConvertRequest } from "../core/program";
 import { difference } from "../difference";
 import { splice } from "../eol";
-import { AT_END, openCall, type Proposal, patched, programMachine, programOf, type State } from "../state/state";
+import {
+  AT_END,
+  besideOf,
+  openCall,
+  type Proposal,
+  patched,
+  programMachine,
+  programOf,
+  type State,
+} from "../state/state";
 import type { Changed, ComparedValue, Converted, CuredAll, CureRequest, Edit, Message, Replaced } from "../wire";
 import { isCurrent, SOUGHT, withEdits } from "./program";
 
@@ -49,7 +58,9 @@ export function change(state: State): ChangeRequest | null {
   const text = programOf(state);
   const first = pending.find(one => one.control === control && !isWaiting(one, text));
   const call = state.program.reading?.view.calls.findIndex(one => one.from === first?.at) ?? -1;
-  return first && call >= 0 ? { control, text, call, at: first.at, pending, ...programMachine(state) } : null;
+  return first && call >= 0
+    ? { control, text, call, at: first.at, pending, ...programMachine(state), ...besideOf(state) }
+    : null;
 }
 
 /**
@@ -123,7 +134,14 @@ export function conversion(state: State): ConvertRequest | null {
   if (!converting) return null;
   const call = state.program.reading?.view.calls.findIndex(one => one.from === converting.at) ?? -1;
   const wanted = converting.all ? {} : { call };
-  const asked = { control, text: programOf(state), style: converting.style, ...wanted, ...programMachine(state) };
+  const asked = {
+    control,
+    text: programOf(state),
+    style: converting.style,
+    ...wanted,
+    ...programMachine(state),
+    ...besideOf(state),
+  };
   return converting.all || call >= 0 ? asked : null;
 }
 
@@ -131,7 +149,16 @@ export function conversion(state: State): ConvertRequest | null {
 export function curing(state: State): CureRequest | null {
   const { control } = state.form;
   const { curing } = state.desk;
-  return curing && { control, text: programOf(state), code: curing.code, key: curing.key, ...programMachine(state) };
+  return (
+    curing && {
+      control,
+      text: programOf(state),
+      code: curing.code,
+      key: curing.key,
+      ...programMachine(state),
+      ...besideOf(state),
+    }
+  );
 }
 
 /** What was typed and waits until it was seen what it changes, about the program as it is. */

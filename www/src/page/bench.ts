@@ -14,6 +14,7 @@ import { behind } from "../views/behind";
 import { createCard } from "../views/card";
 import { createCoach } from "../views/coach";
 import { type Choices, createContinuing } from "../views/continuing";
+import { createDefine } from "../views/define";
 import { createForm } from "../views/form";
 import { createFound } from "../views/found";
 import { createHeader } from "../views/header";
@@ -80,7 +81,9 @@ export function createBench(parts: Parts): Bench {
   const scene = el("div", { class: "view-main" });
   panels.view.append(scene, sliders);
   const chain = el("div", { class: "chain" }); // of the form
-  const program = createProgram(panels.program, store, actions, open, parts.editor);
+  const define = createDefine(store, actions, core);
+  document.body.append(define.dialog);
+  const program = createProgram(panels.program, store, actions, open, parts.editor, name => define.open(name));
   const activities = createActivities(store, parts.work);
   const refusals = [createRefusal(store, "program"), createRefusal(store, "setup")] as const;
   const newer = createNewer(store);
@@ -154,6 +157,7 @@ export function createBench(parts: Parts): Bench {
           scanner,
           program.goTo,
           program.goToLine,
+          { pickFiles: program.pickFiles, machineValues: () => machineData.open("", true) },
         ),
         drawChain: pieces.createChain(chain, store, actions),
         drawDifference: difference.draw,

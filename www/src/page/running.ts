@@ -2,8 +2,9 @@
 
 import type { Answered, Aside } from "../core/aside";
 import type { Derived } from "../desk/derive";
-import { isCurrent } from "../desk/program";
-import { beginningIn, patched, profile, programMachine, programPlane, type State } from "../state/state";
+import { type Given, givenTo } from "../desk/given";
+import { isCurrent, isOfNow } from "../desk/program";
+import { beginningIn, patched, profile, programMachine, programPlane, type Ran, type State } from "../state/state";
 import type { RunView } from "../wire";
 
 /** Lets the program run on the opened machine, else on that of the form, while its motions are shown. */
@@ -14,22 +15,30 @@ export function askRun(runner: Aside, state: State, { view, program: text }: Der
   const opened = profile(state);
   const setup = opened ?? (view.setup ? beginningIn(view.setup, programPlane(state)) : programMachine(state).setup);
   const { errors: times } = state.view;
-  const known = isCurrent(ran, state) && ran?.setup === setup;
+  const { known: isKnown, ...given } = givenTo(state);
+  if (!isKnown) return; // what the program is given depends on what it holds
+  const known = !!ran && isOfNow(ran, state) && ran.setup === setup && isGiven(ran, given);
   const done = known && ran?.times === times;
   if (!done && !isCurrent(stoppedRun, state))
-    runner.want({ ask: "run", control, text, times, known, ...(setup ? { setup } : {}) });
+    runner.want({ ask: "run", control, text, times, known, ...(setup ? { setup } : {}), ...given });
 }
+
+const isGiven = (ran: Ran, given: Given): boolean => ran.arguments === given.arguments && ran.strict === given.strict;
 
 /** With what a run did, or why there is nothing. */
 export function withRun(answered: Answered | null, state: State): State {
-  if (answered?.question.ask !== "run" || !isCurrent(answered.question, state)) return state;
+  if (answered?.question.ask !== "run" || !isOfNow(answered.question, state)) return state;
   const {
-    question: { control, text, setup, times, known },
+    question: { control, text, setup, times, known, with: beside, arguments: values, strict },
     json,
     scene,
     problem,
   } = answered;
   if (json === undefined || !scene) return patched(state, { run: { stopped: { control, text, why: problem ?? "" } } });
   const view = known ? state.run.done?.view : (JSON.parse(json) as RunView);
-  return view ? patched(state, { run: { done: { control, text, setup, times, view, scene } } }) : state;
+  return view
+    ? patched(state, {
+        run: { done: { control, text, setup, times, view, scene, with: beside, arguments: values, strict } },
+      })
+    : state;
 }

@@ -15,6 +15,19 @@ export interface ProgramFile {
   opened?: number;
 }
 
+/** A file beside the program: a subprogram, a definition file, another program. */
+export interface BesideFile extends ProgramFile {
+  text: string;
+}
+
+let last = 0;
+
+/** Now, as the time when a file is opened: no two have the same. */
+export function openedNow(): number {
+  last = Math.max(Date.now(), last + 1);
+  return last;
+}
+
 /** Where the programs come from. */
 export type Files = Partial<Record<Dialect, ProgramFile>>;
 
@@ -64,7 +77,7 @@ export async function readProgram(
     if (typeof encoding !== "string") return { key: "refused-no-program", args: { name, ...encoding } };
     const text = await decode(bytes, encoding, within(pace, 0.5, 0.9));
     const mark = await markInPieces(text, encoding, within(pace, 0.9, 1));
-    return { text, file: { name, encoding, opened: Date.now() }, mark };
+    return { text, file: { name, encoding, opened: openedNow() }, mark };
   } catch (problem) {
     if (!(problem instanceof DOMException)) throw problem;
     return { key: "refused-unreadable", args: { name } };

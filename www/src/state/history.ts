@@ -94,6 +94,9 @@ function ofRest(step: Between): Told | null {
   const { before, after } = step;
   if (textsDiffer(step)) return named("step-program", { line: after.program.line });
   const encoding = after.program.files[after.form.control]?.encoding ?? "";
+  const told = after.machine.told !== before.machine.told;
+  if (!same(before.program.beside, after.program.beside)) return told ? ofMachine(step) : named("step-beside");
+  if (!same(before.program.given, after.program.given)) return { ...named("step-given"), subject: "given" };
   if (!same(before.program.files, after.program.files)) return named("step-encoding", { encoding });
   if (!same(before.part.errors, after.part.errors)) return { ...named("step-errors"), subject: "errors" };
   if (!same({ ...before.machine, told: null }, { ...after.machine, told: null })) return ofMachine(step);

@@ -11,12 +11,16 @@ import { difference } from "../difference";
 import type { Splice } from "../eol";
 import type { Dialect } from "../wire";
 import { layText, removeText, textAt, tidy } from "./depot";
+import type { BesideFile } from "./files";
 import type { State } from "./state";
 import { type Flat, kept, preferences } from "./stored";
 
 const STORE = "probewright-1";
 const INLINE = 20_000; // characters of a program, or of an edit of a longer one, that are written with every change
 const REST = 200; // ms without a change, after which the database gets a longer program
+
+/** Characters of a file beside the program that are written with every change. */
+const SMALL = 2000;
 
 const COPY = ""; // of no visit: what a tab began with and left
 const EARLIER = 1; // ms: a page has kept it that did not tell when it was changed
@@ -40,10 +44,14 @@ export interface Saved {
   layAfter?: number;
 }
 
+/** A file beside the program, of which a longer one lies in the database; it never changes, and is the same object. */
+type StoredBeside = Omit<BesideFile, "text"> & { text?: string; key?: string };
+
 const visit = Math.random().toString(36).slice(2);
 
 /** What the database holds; `own`: this visit has put it there, and nobody else takes it away. */
 const lying: Partial<Record<Dialect, { key: string; text: string; own: boolean }>> = {};
+const besides = new WeakMap<BesideFile, string>(); // under which keys they lie
 const said: Partial<Record<Dialect, Apart>> = {}; // where a long program is to be found, as it could be told last
 let last: Flat = {}; // as it was written
 
@@ -67,6 +75,42 @@ async function fetched({ key, edit }: Apart, control: Dialect): Promise<string |
   return edit ? text.slice(0, edit.from) + edit.insert + text.slice(edit.to) : text;
 }
 
+function besideIn({ beside }: Flat): StoredBeside[] {
+  const all = Object.values((beside ?? {}) as Record<string, unknown>);
+  return all.flatMap(files => (Array.isArray(files) ? (files as StoredBeside[]) : []));
+}
+
+/** Those that lie in the database, with their text. */
+async function fetchBeside(stored: Flat): Promise<void> {
+  for (const file of besideIn(stored)) {
+    const { key } = file;
+    if (!key) continue;
+    const text = await textAt(key);
+    delete file.key;
+    if (text === undefined) continue;
+    file.text = text;
+    besides.set(file as BesideFile, key);
+  }
+}
+
+const longBeside = (state: State): BesideFile[] =>
+  Object.values(state.program.beside)
+    .flat()
+    .filter(file => file.text.length > SMALL);
+
+function storedBeside(state: State): Record<string, StoredBeside[]> {
+  const one = ({ text, ...file }: BesideFile, key: string | undefined): StoredBeside =>
+    key ? { ...file, key } : { ...file, text };
+  const pairs = Object.entries(state.program.beside).map(([control, files]) => [
+    control,
+    files.flatMap(file => {
+      const key = besides.get(file);
+      return key || file.text.length <= SMALL ? [one(file, key)] : []; // until the database has it
+    }),
+  ]);
+  return Object.fromEntries(pairs) as Record<string, StoredBeside[]>;
+}
+
 /** `returned`: the tab has been here before. */
 export async function load(): Promise<{ stored: Flat | null; returned: boolean }> {
   try {
@@ -78,7 +122,12 @@ export async function load(): Promise<{ stored: Flat | null; returned: boolean }
       const text = await fetched(one, control);
       if (stored && text !== undefined) stored.programs = { ...stored.programs, [control]: text };
     }
-    const used = [newest(), read(localStorage)].flatMap(one => (one ? apartIn(one) : [])).map(([, { key }]) => key);
+    const all = [newest(), read(localStorage)].filter(one => one !== null);
+    const used = all.flatMap(one => [
+      ...apartIn(one).map(([, { key }]) => key),
+      ...besideIn(one).flatMap(({ key }) => key ?? []),
+    ]);
+    if (stored) await fetchBeside(stored);
     void tidy(used).catch(console.warn);
     return { stored, returned };
   } catch (problem) {
@@ -103,20 +152,27 @@ function asStored(state: State, flat: Flat, long: [Dialect, string][]): Stored {
   const controls = long.map(([control]) => control);
   const programs = Object.entries(state.program.texts).filter(([control]) => !controls.includes(control as Dialect));
   const apart = controls.flatMap(control => (said[control] ? [[control, said[control]]] : []));
-  return { ...flat, programs: Object.fromEntries(programs), apart: Object.fromEntries(apart), by: visit };
+  return {
+    ...flat,
+    beside: storedBeside(state),
+    programs: Object.fromEntries(programs),
+    apart: Object.fromEntries(apart),
+    by: visit,
+  };
 }
 
 function write(state: State, flat: Flat): Saved {
   const long = longPrograms(state);
   const all = long.map(([control, text]) => told(control, text)).every(Boolean);
-  const lies = long.every(([control, text]) => lying[control]?.own && lying[control].text === text);
+  const besideLies = longBeside(state).every(file => besides.has(file));
+  const lies = besideLies && long.every(([control, text]) => lying[control]?.own && lying[control].text === text);
   const json = JSON.stringify(asStored(state, flat, long));
   sessionStorage.setItem(STORE, json);
   const newest = read(localStorage);
   const later = Number(newest?.changed ?? 0) > state.page.changed;
   localStorage.setItem(STORE, later ? JSON.stringify(left(newest, state)) : json);
   last = flat;
-  return { kept: true, ...(lies ? {} : { layAfter: all ? REST : 0 }) };
+  return { kept: true, ...(lies ? {} : { layAfter: all && besideLies ? REST : 0 }) };
 }
 
 /**
@@ -144,6 +200,11 @@ export function save(state: State): Saved {
 /** Lays the long programs down in the database. false: it takes nothing. */
 export async function lay(now: () => State): Promise<boolean> {
   try {
+    for (const file of longBeside(now())) {
+      if (besides.has(file)) continue;
+      besides.set(file, await layText(file.text));
+      write(now(), kept(now()));
+    }
     for (const [control, text] of longPrograms(now())) {
       if (lying[control]?.own && lying[control].text === text) continue;
       const key = await layText(text);

@@ -7,6 +7,7 @@ interface Place extends FileSystemFileHandle {
 }
 interface Picker {
   showOpenFilePicker?(options: {
+    multiple: boolean;
     types: { description: string; accept: Record<string, string[]> }[];
   }): Promise<FileSystemFileHandle[]>;
 }
@@ -71,15 +72,16 @@ export async function writeBack(opened: number | undefined, bytes: Uint8Array<Ar
 }
 
 /** The files that are offered where a program is to be opened. */
-export const ENDINGS = [".mpf", ".spf", ".nc", ".txt", ".arc", ".prg"];
+export const ENDINGS = [".mpf", ".spf", ".nc", ".txt", ".arc", ".prg", ".def"];
 
-/** A file that the user picks to be opened; null: none; undefined: the browser has no such picker. */
-export async function pickPlace(description: string): Promise<FileSystemFileHandle | null | undefined> {
+/** Files that the user picks to be opened; null: none; undefined: the browser has no such picker. */
+export async function pickPlaces(description: string): Promise<FileSystemFileHandle[] | null | undefined> {
   const picker = globalThis as Picker;
   if (!picker.showOpenFilePicker) return undefined;
   try {
-    const [place] = await picker.showOpenFilePicker({ types: [{ description, accept: { "text/plain": ENDINGS } }] });
-    return place ?? null;
+    const types = [{ description, accept: { "text/plain": ENDINGS } }];
+    const places = await picker.showOpenFilePicker({ multiple: true, types });
+    return places.length ? places : null;
   } catch (problem) {
     return problem instanceof DOMException && problem.name === "AbortError" ? null : undefined;
   }

@@ -6,6 +6,7 @@ import type { SceneData } from "../core/scene";
 import type { Theme } from "../theme";
 import type {
   BasicSystem,
+  Beside,
   CallView,
   ComparedValue,
   CycleInfo,
@@ -17,12 +18,13 @@ import type {
   OwnMachine,
   Plane,
   ReadView,
+  RunRequest,
   RunView,
   Setup,
   Style,
   UnitFunction,
 } from "../wire";
-import type { Files, Refusal } from "./files";
+import type { BesideFile, Files, Refusal } from "./files";
 import type { Scanned } from "./scanned";
 
 export type Panel = "tasks" | "form" | "program" | "view" | "results" | "help";
@@ -32,13 +34,19 @@ export interface Reading {
   control: Dialect;
   text: string;
   setup?: Setup | OwnMachine;
+  with?: Beside[];
   view: ReadView;
 }
+/** Values for the parameters of the program itself. */
+export type Arguments = NonNullable<RunRequest["arguments"]>;
 export interface Ran {
   control: Dialect;
   text: string;
   setup?: Setup | OwnMachine;
   times?: number; // how many times as large the errors of the part are drawn
+  with?: Beside[];
+  arguments?: Arguments;
+  strict?: boolean;
   view: RunView;
   scene: SceneData;
 }
@@ -135,6 +143,8 @@ export interface ProgramState {
   texts: Partial<Record<Dialect, string>>;
   usual: Partial<Record<Dialect, Plane>>; // the usual plane of the sort of machine that each is for
   files: Files;
+  beside: Partial<Record<Dialect, BesideFile[]>>; // by name without regard to case, each once
+  given: Partial<Record<Dialect, Record<string, string>>>; // values of the parameters of its PROC, as typed
   saved: Record<string, string>; // marks of what the files hold (saved.ts)
   cursor: number;
   line: number; // of the cursor, from 1
@@ -181,6 +191,7 @@ export interface ViewState {
 export interface RunState {
   done: Ran | null;
   stopped: Stopped | null;
+  strict: boolean; // what is not there stops it
 }
 
 export interface ScanState {
@@ -324,6 +335,8 @@ export function firstState(): State {
       texts: {},
       usual: {},
       files: {},
+      beside: {},
+      given: {},
       saved: {},
       cursor: 0,
       line: 1,
@@ -352,7 +365,7 @@ export function firstState(): State {
       section: false,
       central: false,
     },
-    run: { done: null, stopped: null },
+    run: { done: null, stopped: null, strict: false },
     scan: { made: null, problem: "" },
     panels: {
       panel: "form",
@@ -423,6 +436,12 @@ export function workName({ form: { control, cycle }, program }: State): string {
 /** The program of the control that the form is for. */
 export function programOf(state: State): string {
   return state.program.texts[state.form.control] ?? "";
+}
+
+/** The files beside the program; none: there are none. */
+export function besideOf(state: State): { with?: BesideFile[] } {
+  const files = state.program.beside[state.form.control];
+  return files?.length ? { with: files } : {};
 }
 
 /** The machine of the form: for a call of the program that of the program. */

@@ -4,7 +4,7 @@
 import type { Pending } from "../core/pending";
 import { ENCODINGS } from "../encoding";
 import type { Plane, Setup, Style, Transverse, UnitFunction } from "../wire";
-import type { ProgramFile } from "./files";
+import type { BesideFile, ProgramFile } from "./files";
 import { firstState, NO_ERRORS, type Patch, PLANES, patched, SHEETS, type State, UNITS } from "./state";
 
 /** A kept field: where it stands, and what of a stored value has the right shape; undefined: nothing, it stays. */
@@ -47,6 +47,8 @@ function numbers<T extends Record<string, number>>(value: unknown, shape: T): T 
 
 const isFile = (value: unknown): value is ProgramFile =>
   plainObject(value) && typeof value.name === "string" && ENCODINGS.some(one => one === value.encoding);
+const isBeside = (value: unknown): value is BesideFile =>
+  isFile(value) && typeof (value as { text?: unknown }).text === "string";
 const isPending = (value: unknown): value is Pending =>
   plainObject(value) &&
   ["control", "name", "value"].every(name => typeof value[name] === "string") &&
@@ -107,6 +109,13 @@ const FIELDS = {
     "files",
     all(value => (isFile(value) ? value : undefined)),
   ),
+  beside: field(
+    "program",
+    "beside",
+    all(value => (Array.isArray(value) ? value.filter(isBeside) : undefined)),
+  ),
+  given: field("program", "given", orNone(texts)),
+  strict: field("run", "strict"),
   saved: field("program", "saved", texts),
   sets: field("form", "sets", orNone(orNone(texts))),
   open: field("form", "open", value => (Number.isInteger(value) || value === null ? (value as number) : undefined)),
@@ -164,6 +173,8 @@ const WORK = [
   "remembered",
   "programs",
   "files",
+  "beside",
+  "given",
   "sets",
   "open",
   "around",
@@ -182,6 +193,8 @@ const IN_LINK = [
   "values",
   "programs",
   "files",
+  "beside",
+  "given",
   "open",
   "around",
   "errors",
@@ -229,6 +242,8 @@ export function work(state: State): Patch {
 const AUTHORED = [
   "programs",
   "files",
+  "beside",
+  "given",
   "sets",
   "pending",
   "errors",

@@ -1,13 +1,15 @@
 // What is wrong with form and program, each with the way to its place and its cure.
 
-import { html, render } from "lit-html";
+import { html, nothing, render } from "lit-html";
 import type { Actions } from "../desk/actions";
+import { lineIn } from "../desk/beside";
 import type { Derived } from "../desk/derive";
 import type { State } from "../state/state";
-import { say, t } from "../texts";
+import { listed, say, t } from "../texts";
 import type { Diagnostic, Offer } from "../wire";
 import { focusField } from "./field";
 import { shownProblems } from "./form";
+import type { Lacks } from "./given";
 import { offersOf, problem } from "./problem";
 
 const LISTED = 200; // problems; the others stand in the editor, and come here when these are fixed
@@ -34,6 +36,12 @@ function together({ fresh, problems }: Derived): Map<Diagnostic, number> {
   return new Map(several.map(kind => [kind[0] as Diagnostic, kind.length]));
 }
 
+function placeText({ files }: Derived, problem: Diagnostic): string {
+  const { file, line } = lineIn(files, problem.line ?? 0);
+  const place = t("problem-place", { line, column: problem.column ?? 1 });
+  return file === undefined ? place : t("beside-place", { file, place });
+}
+
 /**
  * Of the form and of the program. What both say stands once: with the place in the form, unless only the program mends
  * it.
@@ -51,7 +59,7 @@ export function located(state: State, derived: Derived, actions: Actions, goTo: 
   const alike = together(derived);
   const place = (problem: Diagnostic): Located => ({
     problem,
-    place: t("problem-place", { line: problem.line ?? 0, column: problem.column ?? 1 }),
+    place: placeText(derived, problem),
     go: () => goTo(problem.from ?? 0),
   });
   return [
@@ -82,13 +90,24 @@ export function createFindings(
   root: HTMLElement,
   actions: Actions,
   goTo: (offset: number) => void,
+  lacks: Lacks,
 ): (state: State, derived: Derived) => void {
+  /** What the finding says is lacking, and the way to give it. */
+  const given = ({ wants = [], message }: Diagnostic) => {
+    const word = String(message.args.word ?? "");
+    const way = (words: string, go: () => void) =>
+      html`<button type="button" class="cure" @click=${go}>${words}</button>`;
+    if (wants.length) return way(t("given-open", { names: listed(wants) }), lacks.pickFiles);
+    if (message.key === "run-machine-value") return way(t("given-enter-value"), lacks.machineValues);
+    if (message.key === "run-parameter") return way(t("given-enter-value"), () => lacks.parameter(word));
+    return nothing;
+  };
   const item = ({ problem: one, place, go, cure, all }: Located) => {
     const mend = (): void => {
       cure?.();
       root.focus(); // the button goes with its finding: the focus stays in the list
     };
-    const given = (offer: Offer): void => {
+    const gives = (offer: Offer): void => {
       actions.give(offer);
       root.focus();
     };
@@ -101,7 +120,7 @@ export function createFindings(
         </button
         ><button type="button" class="cure-all" ?hidden=${!all} @click=${all?.cure}>
           ${all ? t("problems-cure-all", { count: all.count }) : ""}
-        </button>${offersOf(one, given)}</span
+        </button>${offersOf(one, gives)}${given(one)}</span
       >`,
     );
   };

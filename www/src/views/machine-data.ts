@@ -13,13 +13,14 @@ import { optional, say, t } from "../texts";
 import type { BasicSystem, MachineField, MachineGroup, MachineRequest, MachineView } from "../wire";
 import { copyText } from "./copy";
 import { rangeText } from "./field";
+import { createMachineValues } from "./machine-values";
 
 /** A row of a group: the title of a field of data, or a datum. */
 type Row = { title: string; datum: null } | { title: null; datum: MachineField };
 
 export interface MachineData {
-  /** Shows the dialog, with what these words find. */
-  open(words?: string): void;
+  /** Shows the dialog, with what these words find; `ofMachine`: the values that a program reads from the machine. */
+  open(words?: string, ofMachine?: boolean): void;
 }
 
 const BASIC: BasicSystem[] = ["mm", "inch"];
@@ -119,6 +120,7 @@ export function createMachineData(store: Store, actions: Actions, core: () => Pr
   let typed: Record<string, string> = {}; // what was not taken
   const opened = new Set<string>();
 
+  const values = createMachineValues(store, actions, () => drawAll());
   const ask = (change: Partial<MachineRequest> = {}): MachineView | null => {
     const { state } = store;
     return core()?.machine({ control: state.form.control, ...machine(state), values: {}, ...change }) ?? null;
@@ -154,8 +156,10 @@ export function createMachineData(store: Store, actions: Actions, core: () => Pr
     if (basic.value !== view.basic) basic.value = view.basic;
     setText(count, t("machine-data-count", { changed: all.filter(differs).length, all: all.length }));
     if (opening) for (const group of shown) opened.add(group.label.key);
+    const own = values.rows(words);
     const empty = html`<p class="empty">${t(all.length === 0 ? "machine-data-nothing" : "machine-data-none")}</p>`;
-    render(shown.length ? repeat(shown, group => group.label.key, groupOf) : empty, list);
+    const groups = repeat(shown, group => group.label.key, groupOf);
+    render(html`${own}${shown.length ? groups : own === nothing ? empty : nothing}`, list);
     reset.disabled = all.every(field => !isChanged(field));
     assignments.disabled = view.assignments === "";
     definitions.disabled = view.definitions === "";
@@ -212,13 +216,16 @@ export function createMachineData(store: Store, actions: Actions, core: () => Pr
     take(ask({ values: Object.fromEntries(names.map(name => [name, ""])) }));
   });
   return {
-    open(words = "") {
+    open(words = "", ofMachine = false) {
       view = ask();
       if (!view) return; // the module is still on its way
       typed = {};
       if (words) search.value = words;
+      if (ofMachine) search.value = "";
+      values.begin();
       dialog.showModal();
       drawAll(true);
+      if (ofMachine) list.querySelector<HTMLElement>(".machine-values input")?.focus();
     },
   };
 }

@@ -3,24 +3,28 @@
 import { html, nothing, render, type TemplateResult } from "lit-html";
 import { guard } from "lit-html/directives/guard.js";
 import type { Actions } from "../desk/actions";
+import { lineIn } from "../desk/beside";
 import type { Derived } from "../desk/derive";
 import { el } from "../dom";
 import { fixed, plain, signed } from "../numbers";
 import type { State } from "../state/state";
 import type { Store } from "../state/store";
 import { listed, say, t } from "../texts";
-import type { OfCall, Outcome } from "../wire";
+import type { FileStart, OfCall, Outcome } from "../wire";
+import { createGiven, type Lacks } from "./given";
 import { missing } from "./missing";
 import { offersOf, problem } from "./problem";
 import { createWhole } from "./whole";
 
 // earlier: not written by this call
-type ShownResult = { name: string; label: string; value: number; unit: string; earlier?: number } & OfCall;
+/** A call, and the file beside the program in which it stands. */
+type OfPlace = OfCall & { file?: string };
+type ShownResult = { name: string; label: string; value: number; unit: string; earlier?: number } & OfPlace;
 export interface Shown {
   results: ShownResult[];
   changes: Outcome["changes"];
-  alarms: (Outcome["alarms"][number] & OfCall)[];
-  decisions: ({ message: Outcome["decisions"][number] } & OfCall)[];
+  alarms: (Outcome["alarms"][number] & OfPlace)[];
+  decisions: ({ message: Outcome["decisions"][number] } & OfPlace)[];
   log: string[];
 }
 
@@ -39,8 +43,14 @@ function figure(value: number, unit: string): string {
 }
 
 /** "CYCLE977, line 12"; empty for what belongs to no call of a program. */
-function callText({ cycle, line }: OfCall): string {
-  return cycle !== undefined && line !== undefined ? t("of-call", { cycle, line }) : "";
+function callText({ cycle, line, file }: OfPlace): string {
+  const text = cycle !== undefined && line !== undefined ? t("of-call", { cycle, line }) : "";
+  return text && file !== undefined ? t("beside-place", { file, place: text }) : text;
+}
+
+/** The call by the line of its file. */
+function placed<T extends OfCall>(files: readonly FileStart[] | undefined, one: T): T & OfPlace {
+  return one.line === undefined ? one : { ...one, ...lineIn(files, one.line) };
 }
 
 /** Of the form's call, or of the whole program while that is shown. */
@@ -48,8 +58,14 @@ export function shownOutcome(state: State, derived: Derived): Shown | null {
   const run = derived.run;
   if (state.view.source === "program") {
     if (!run) return null;
-    const results = run.results.map(one => ({ ...one, label: one.label ? say(one.label) : "", unit: one.unit ?? "" }));
-    return { ...run, results };
+    const { files } = run;
+    const results = run.results.map(one => ({
+      ...placed(files, one),
+      label: one.label ? say(one.label) : "",
+      unit: one.unit ?? "",
+    }));
+    const alarms = run.alarms.map(one => placed(files, one));
+    return { ...run, results, alarms, decisions: run.decisions.map(one => placed(files, one)) };
   }
   const outcome = derived.view.outcome;
   return outcome
@@ -118,7 +134,8 @@ const groupRow = (title: string): TemplateResult =>
 function byCall(results: ShownResult[]): (ShownResult | string)[] {
   const some = results.some(one => one.line !== undefined);
   return results.flatMap((one, index) => {
-    const first = some && (index === 0 || results[index - 1]?.line !== one.line);
+    const first =
+      some && (index === 0 || results[index - 1]?.line !== one.line || results[index - 1]?.file !== one.file);
     return first ? [callText(one) || t("of-program"), one] : [one];
   });
 }
@@ -168,12 +185,16 @@ export function createOutcome(
   store: Store,
   actions: Actions,
   goToLine: (line: number) => void,
+  lacks: Lacks,
 ): (state: State, derived: Derived) => void {
   const whole = createWhole(store, actions, goToLine);
   const root = el("div");
-  page.append(whole.root, root);
+  const [before, behind] = [el("div"), el("div", { class: "lacks" })];
+  page.append(before, whole.root, root, behind);
+  const given = createGiven(before, behind, actions, lacks);
   const shownNow = keptOutcome();
   return (state, derived) => {
+    given(state, derived);
     whole.draw(state, derived);
     const outcome = shownNow(state, derived);
     const counted = outcome && !derived.run ? assumptions(derived) : "";

@@ -1,6 +1,7 @@
 // The program: editor with the calls marked, its buttons, and where the form edits.
 
 import type { Actions } from "../desk/actions";
+import { lineIn, placeIn } from "../desk/beside";
 import type { Derived } from "../desk/derive";
 import { isCurrent } from "../desk/program";
 import { el, on, setAttribute, setText, show } from "../dom";
@@ -12,21 +13,23 @@ import { type IconName, icon } from "../icons";
 import { ariaKey } from "../keys";
 import { fileOf, saveFile } from "../state/files";
 import { markOf } from "../state/mark";
-import { ENDINGS, pickPlace, writeBack } from "../state/places";
+import { ENDINGS, pickPlaces, writeBack } from "../state/places";
 import { isUnsaved } from "../state/saved";
 import { inFocus, programOf, type State } from "../state/state";
 import type { Store } from "../state/store";
 import { say, t } from "../texts";
 import type { CallView } from "../wire";
 import { hintText } from "./amounts";
+import { createBeside } from "./beside";
 import { copyText } from "./copy";
 import { createOrigin } from "./origin";
 import { createOutline } from "./outline";
 
 /** A file from outside, and the bytes of the program in another encoding. */
 export interface Opening {
-  program(file: File): void;
-  place(place: FileSystemFileHandle): void;
+  programs(files: File[]): void;
+  beside(files: File[]): void;
+  places(places: FileSystemFileHandle[]): void;
   again(encoding: Encoding): void;
 }
 export interface ProgramView {
@@ -36,6 +39,8 @@ export interface ProgramView {
   goToLine(line: number): void;
   /** As the buttons do. */
   open(): void;
+  /** Files that are to lie beside the program. */
+  pickFiles(): void;
   save(): void;
   copy(): void;
 }
@@ -56,12 +61,14 @@ export function createProgram(
   actions: Actions,
   opening: Opening,
   place: EditorPlace,
+  define: (name: string) => void,
 ): ProgramView {
   const name = el("span", { class: "count" });
   const copy = tool("copy", "program-copy");
   const open = tool("open", "program-open", { id: "program-open", "aria-keyshortcuts": ariaKey("page", "open") });
   const file = el("input", {
     type: "file",
+    multiple: true,
     accept: [...ENDINGS, "text/plain"].join(),
     hidden: true,
     tabindex: "-1",
@@ -89,10 +96,11 @@ export function createProgram(
     });
   };
   const pick = async (): Promise<void> => {
-    const place = await pickPlace(t("program-editor"));
-    if (place) opening.place(place);
-    else if (place === undefined) file.click();
+    const places = await pickPlaces(t("program-editor"));
+    if (places) opening.places(places);
+    else if (places === undefined) file.click();
   };
+  const beside = createBeside(actions, opening.beside, define, offset => select({ offset }));
   const origin = createOrigin(actions, opening.again, offset => select({ offset }), save);
   const head = el(
     "header",
@@ -101,14 +109,14 @@ export function createProgram(
     origin.root,
     name,
     calls,
-    el("div", { class: "head-actions" }, open, file, download, copy),
+    el("div", { class: "head-actions" }, open, file, beside.button, download, copy),
   );
   const outline = createOutline(index => {
     actions.openCall(index);
     const call = last?.read.calls[index];
     if (call) select({ offset: call.from });
   });
-  root.append(head, origin.told, el("div", { class: "program-body" }, outline.root, waiting, place.box));
+  root.append(head, origin.told, beside.root, el("div", { class: "program-body" }, outline.root, waiting, place.box));
 
   let text = "";
   let last: Derived | null = null;
@@ -123,8 +131,8 @@ export function createProgram(
   on(open, "click", () => void pick());
   on(calls, "click", () => store.update(state => ({ panels: { outline: !state.panels.outline } })));
   on(file, "change", () => {
-    const chosen = file.files?.[0];
-    if (chosen) opening.program(chosen);
+    const chosen = [...(file.files ?? [])];
+    if (chosen.length) opening.programs(chosen);
     file.value = "";
   });
   on(download, "click", save);
@@ -155,8 +163,20 @@ export function createProgram(
     if ("line" in wanted) place.editor?.selectLine(wanted.line);
     else place.editor?.select(toEditor(text, wanted.offset));
   };
+  /** What lies in a file beside the program is shown there. */
+  const inFile = (wanted: { offset: number } | { line: number }): typeof wanted => {
+    const files = last?.files;
+    if ("offset" in wanted) {
+      const there = placeIn(files, wanted.offset);
+      if (there) actions.showFile(there.file);
+      return there ? { offset: there.from } : wanted;
+    }
+    const { file, line } = lineIn(files, wanted.line);
+    if (file !== undefined) actions.showFile(file);
+    return { line };
+  };
   const goTo = (wanted: { offset: number } | { line: number }): void => {
-    target = wanted;
+    target = inFile(wanted);
     store.update({});
     actions.panel("program");
   };
@@ -173,7 +193,8 @@ export function createProgram(
   /** Calls, step and problems. Until the program is read again the editor moves the old ones along by itself. */
   const marked = (state: State, derived: Derived): Pick<Shown, "marks" | "problems" | "values"> => {
     if (!derived.fresh) return {};
-    const step = state.view.source === "program" ? (derived.trace?.entries[derived.step]?.line ?? null) : null;
+    const step =
+      state.view.source === "program" ? ofProgram(derived, derived.trace?.entries[derived.step]?.line) : null;
     const next: LineMarks = {
       step,
       hints: hints(state, derived),
@@ -216,14 +237,21 @@ export function createProgram(
       show(place.box, laid || !place.editor);
       if (laid && target !== null) select(target);
       drawCalls(state, derived);
+      beside.draw(state, derived);
       origin.draw(fileOf(state), text, isUnsaved(state));
     },
     goTo: offset => goTo({ offset }),
     goToLine: line => goTo({ line }),
     open: () => void pick(),
+    pickFiles: beside.pick,
     save,
     copy: () => void copyText(text, store, "notice-copied"),
   };
+}
+
+/** A line of the program itself; null: of a file beside it. */
+function ofProgram({ files }: Derived, line: number | undefined): number | null {
+  return line === undefined || lineIn(files, line).file !== undefined ? null : line;
 }
 
 /** The values of the open call, where the editor has them. */
@@ -242,7 +270,9 @@ function valueAt(call: CallView | null, place: number): string | null {
 function hints({ view }: State, { run, opened, view: { outcome } }: Derived): { line: number; text: string }[] {
   if (view.source === "program") {
     const last = new Map(
-      (run?.answers ?? []).flatMap(one => (one.line === undefined ? [] : [[one.line, one] as const])),
+      (run?.answers ?? []).flatMap(one =>
+        one.line === undefined || lineIn(run?.files, one.line).file !== undefined ? [] : [[one.line, one] as const],
+      ),
     );
     return [...last].map(([line, answer]) => ({ line, text: hintText(answer) }));
   }
@@ -255,7 +285,7 @@ function marks(derived: Derived, cure: Actions["cure"]) {
   const text = derived.program;
   const length = toEditor(text, text.length);
   return derived.problems
-    .filter(one => one.from !== undefined)
+    .filter(one => one.from !== undefined && !placeIn(derived.files, one.from))
     .slice(0, MARKED)
     .map(one => {
       const from = Math.min(toEditor(text, one.from ?? 0), length);

@@ -12,6 +12,7 @@ import type { Store } from "../state/store";
 import { t } from "../texts";
 import { createAnswer } from "./answer";
 import { createFindings, located } from "./findings";
+import { type Lacks, parameterId } from "./given";
 import { createMotions } from "./motions";
 import { createOutcome, shownOutcome } from "./outcome";
 import { createScan } from "./scan";
@@ -44,6 +45,7 @@ export function createResults(
   scanner: Scanner,
   goTo: (offset: number) => void,
   goToLine: (line: number) => void,
+  given: Pick<Lacks, "pickFiles" | "machineValues">,
 ): Draw {
   const bar = el("div", { role: "tablist", class: "tabs", "aria-label": t("panel-results") });
   const answer = createAnswer();
@@ -74,9 +76,17 @@ export function createResults(
     tabs.get(next)?.button.focus();
   });
   const page = (name: ResultTab): HTMLElement => tabs.get(name)?.page ?? root;
+  const lacks: Lacks = {
+    ...given,
+    parameter(name) {
+      store.update({ panels: { tab: "outcome" } });
+      store.flush();
+      document.getElementById(parameterId(name))?.focus();
+    },
+  };
   const draws: Draw[] = [
-    createOutcome(page("outcome"), store, actions, goToLine),
-    createFindings(page("problems"), actions, goTo),
+    createOutcome(page("outcome"), store, actions, goToLine, lacks),
+    createFindings(page("problems"), actions, goTo, lacks),
     createMotions(page("motions"), store),
     createLog(page("log")),
     createScan(page("scan"), store, scanner),

@@ -8,6 +8,7 @@ import { SPEEDS, type State } from "../state/state";
 import type { Store } from "../state/store";
 import { t } from "../texts";
 import type { Trace } from "../wire";
+import { lineText } from "./given";
 import { describe } from "./steps";
 import { clockText, createTrack } from "./track";
 
@@ -109,7 +110,7 @@ export function createTimeline(
     setText(what, words ?? t("motions-none"));
     setAttribute(scrub, "aria-valuetext", words ?? null);
     line = state.view.source === "program" ? (entry?.line ?? null) : (derived.opened?.lastLine ?? null);
-    setText(place, line === null ? "" : t("motions-line", { line }));
+    setText(place, line === null ? "" : lineText(derived.files, line));
     place.hidden = line === null;
     if (state.view.playing !== runs) play.replaceChildren(icon(state.view.playing ? "pause" : "play"));
     runs = state.view.playing;

@@ -4,6 +4,7 @@
 import { html, render, svg, type TemplateResult } from "lit-html";
 import { repeat } from "lit-html/directives/repeat.js";
 import type { Actions } from "../desk/actions";
+import { lineIn } from "../desk/beside";
 import type { Derived } from "../desk/derive";
 import { el, on, setAttribute, setText, show } from "../dom";
 import { icon, iconPart } from "../icons";
@@ -12,7 +13,7 @@ import { fileOf, saveFile } from "../state/files";
 import type { State } from "../state/state";
 import type { Store } from "../state/store";
 import { language, listed, say, t } from "../texts";
-import type { RunView } from "../wire";
+import type { FileStart, RunView } from "../wire";
 import { amount, correctedText, mainFigures } from "./amounts";
 import { VERDICT_ICONS } from "./answer";
 import { csv } from "./csv";
@@ -93,7 +94,7 @@ function bar({ gauge }: Row): TemplateResult | string {
 
 const lines = (texts: string[]): TemplateResult[] => texts.map(text => html`<span>${text}</span>`);
 
-function cells(row: Row, index: number): Record<Column, unknown> {
+function cells(row: Row, index: number, files: readonly FileStart[] | undefined): Record<Column, unknown> {
   const main = mainFigures(row);
   const off = main.map(one => (one.deviation === undefined ? "–" : amount(one.deviation, one.unit, true)));
   const size = (value: number | undefined, unit: string): string =>
@@ -101,7 +102,7 @@ function cells(row: Row, index: number): Record<Column, unknown> {
   return {
     number: index + 1,
     feature: say(row.feature),
-    line: row.line ?? "–",
+    line: row.line === undefined ? "–" : shortLine(files, row.line),
     nominal: lines(main.map(one => size(one.set, one.unit))),
     actual: lines(main.length ? main.map(one => `${one.symbol} ${size(one.actual, one.unit)}`.trim()) : ["–"]),
     limits: bar(row),
@@ -111,6 +112,12 @@ function cells(row: Row, index: number): Record<Column, unknown> {
     >`,
     corrects: correctedText(row) || t("bar-nothing"),
   };
+}
+
+/** A line as narrow as it can be told: `L105.SPF:3`. */
+function shortLine(files: readonly FileStart[] | undefined, of: number): string {
+  const { file, line } = lineIn(files, of);
+  return file === undefined ? String(line) : `${file}:${line}`;
 }
 
 /** Of one selection: the call in which the step is. */
@@ -183,7 +190,7 @@ export function createWhole(
         ({ index, place }) => {
           const row = all[index];
           if (!row) return "";
-          const of = cells(row, index);
+          const of = cells(row, index, run?.files);
           return html`<div role="row" class=${place === current ? "whole-row current" : "whole-row"}
             id=${`whole-${index}`} data-place=${place} data-verdict=${row.verdict}
             aria-rowindex=${place + 2} aria-selected=${String(index === selected)}
@@ -215,7 +222,7 @@ export function createWhole(
     if (!row) return;
     store.update({ view: { step: row.to, playing: false } });
     const at = row.line;
-    if (at === undefined) return;
+    if (at === undefined || lineIn(run?.files, at).file !== undefined) return;
     line = at; // it comes back from the editor
     const call = calls.find(one => one.line <= at && at <= one.lastLine);
     if (call) actions.cursor(call.from, at);

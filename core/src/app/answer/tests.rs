@@ -206,6 +206,7 @@ fn a_run_has_an_answer_for_the_call_that_stops_it() {
         arguments: None,
         strict: None,
         blocks: None,
+        with: None,
     };
     let mut run = crate::app::Run::new(asked).unwrap();
     while !run.advance(100) {}

@@ -4,7 +4,7 @@
 use crate::file::{self, Problem};
 use probewright_core::diagnostic::{Diagnostic, Edit, Span};
 use probewright_core::dialect::Dialect;
-use probewright_core::syntax;
+use probewright_core::syntax::joined;
 use std::path::{Path, PathBuf};
 
 /// A file in the text.
@@ -27,38 +27,31 @@ pub struct Joined {
 }
 
 impl Joined {
-    /// Reads a program and the files with it. A file without a header gets one with its name.
+    /// Reads a program and the files with it.
     pub fn read(path: &Path, with: &[PathBuf], control: Option<file::Control>) -> Result<Joined, Problem> {
         let source = file::program(path)?;
         let dialect = file::dialect(control, &source);
-        let mut joined = Joined { text: Vec::new(), dialect, parts: Vec::new() };
-        joined.add(path, source, false);
+        let mut sources = vec![(path.to_owned(), source.clone())];
+        let mut joined = joined::Joined::new(dialect, source);
         for path in with {
-            joined.add(path, file::program(path)?, true);
+            let source = file::program(path)?;
+            let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+            joined.add(&name, &source);
+            sources.push((path.clone(), source));
         }
-        Ok(joined)
+        let (mut line, mut from) = (0, 0);
+        let parts = sources.into_iter().zip(joined.starts.clone()).map(|((path, source), start)| {
+            let before = joined.text.get(from..start).unwrap_or_default();
+            line += before.iter().filter(|byte| **byte == b'\n').count() as u32;
+            from = start;
+            Part { path, start, line, source }
+        });
+        Ok(Joined { parts: parts.collect(), text: joined.text.clone(), dialect })
     }
 
     /// In this language.
     pub fn of(self, dialect: Dialect) -> Joined {
         Joined { dialect, ..self }
-    }
-
-    fn add(&mut self, path: &Path, source: Vec<u8>, named: bool) {
-        if named {
-            // nothing counts behind an end of file, and what follows is in a line of its own
-            let last = self.parts.last().map_or(0, |part| part.start);
-            let end = syntax::read(self.dialect, self.text.get(last..).unwrap_or_default()).end as usize;
-            self.text.truncate(last + end);
-            self.text.push(b'\n');
-            if self.dialect == Dialect::Sinumerik && !source.trim_ascii_start().starts_with(b"%") {
-                self.text.extend(header(path).into_bytes());
-            }
-        }
-        let (from, before) = self.parts.last().map_or((0, 0), |part| (part.start, part.line));
-        let line = before + self.text.iter().skip(from).filter(|byte| **byte == b'\n').count() as u32;
-        self.parts.push(Part { path: path.to_owned(), start: self.text.len(), line, source: source.clone() });
-        self.text.extend(source);
     }
 
     /// The file that holds a line of the text (from 0), and the line in it.
@@ -94,19 +87,4 @@ fn moved(mut found: Diagnostic, start: u32) -> Diagnostic {
         Some(cure)
     });
     found
-}
-
-/// `SUB.SPF` is `%_N_SUB_SPF`, `GUD4.DEF` is `%_N_GUD4_DEF`.
-fn header(path: &Path) -> String {
-    let name = path.file_stem().map_or_else(String::new, |name| name.to_string_lossy().to_ascii_uppercase());
-    let name: String = name.chars().map(|one| if one.is_ascii_alphanumeric() { one } else { '_' }).collect();
-    let name = name.strip_prefix("_N_").unwrap_or(&name);
-    let ending = path.extension().map_or_else(String::new, |ending| ending.to_string_lossy().to_ascii_uppercase());
-    let bare = ["_SPF", "_MPF", "_DEF"].iter().any(|ending| name.ends_with(ending));
-    match (bare, ending.as_str()) {
-        (true, _) => format!("%_N_{name}\n"),
-        (false, "DEF") => format!("%_N_{name}_DEF\n"),
-        (false, "MPF") => format!("%_N_{name}_MPF\n"),
-        (false, _) => format!("%_N_{name}_SPF\n"),
-    }
 }

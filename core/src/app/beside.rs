@@ -1,0 +1,74 @@
+//! Files beside a program, as the control has them in one program memory: subprograms, definition files.
+
+use crate::dialect::Dialect;
+use crate::syntax::joined::Joined;
+use crate::syntax::position::Positions;
+use crate::syntax::programs::is_definition;
+use serde::{Deserialize, Serialize};
+
+/// A file beside a program.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct Beside {
+    /// Name of the file, by which calls find it.
+    pub name: String,
+    /// Its text.
+    pub text: String,
+}
+
+/// Where a file beside the program begins: places and lines of an answer go on there.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct FileStart {
+    /// Name of the file.
+    pub name: String,
+    /// Its first character, UTF-16 units.
+    pub from: u32,
+    /// Its first line, from 1.
+    pub line: u32,
+}
+
+/// A program with what lies beside it.
+pub(super) struct Whole {
+    joined: Joined,
+    names: Vec<String>,
+}
+
+impl Whole {
+    /// With all files.
+    pub fn new(dialect: Dialect, text: String, with: Option<Vec<Beside>>) -> Whole {
+        let mut whole = Whole { joined: Joined::new(dialect, text.into_bytes()), names: Vec::new() };
+        for Beside { name, text } in with.unwrap_or_default() {
+            whole.joined.add(&name, text.as_bytes());
+            whole.names.push(name);
+        }
+        whole
+    }
+
+    /// With the definition files alone: what is written anew stands in the program itself.
+    pub fn defined(dialect: Dialect, text: String, with: Option<Vec<Beside>>) -> Whole {
+        let with = with.map(|with| with.into_iter().filter(|one| is_definition(&one.name)).collect());
+        Whole::new(dialect, text, with)
+    }
+
+    /// All of it.
+    pub fn text(&self) -> &[u8] {
+        &self.joined.text
+    }
+
+    /// Where each file begins, by the places of this text.
+    pub fn files(&self, positions: &Positions) -> Vec<FileStart> {
+        let starts = self.joined.starts.iter().skip(1).zip(&self.names);
+        let start = |(start, name): (&usize, &String)| FileStart {
+            name: name.clone(),
+            from: positions.utf16(*start as u32),
+            line: positions.line_column(*start as u32).0,
+        };
+        starts.map(start).collect()
+    }
+
+    /// Whether this byte belongs to the program itself.
+    pub fn of_program(&self, place: u32) -> bool {
+        self.joined.starts.get(1).is_none_or(|start| (place as usize) < *start)
+    }
+}
