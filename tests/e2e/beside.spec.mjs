@@ -204,6 +204,24 @@ describe("a run is given", () => {
     await context.close();
   });
 
+  // oracle: hand (each line as it is in its own file)
+  test("files, and what came out is told by their names and lines", async () => {
+    const { context, page, problems } = await start(chrome);
+    const measuring = "PROC SUB(REAL A)\nM77\n_MVAR=1 _SETVAL=132 _PRNUM=1 _FA=2 _TSA=1 _KNUM=0\nCYCLE977\nL105\nM17\n";
+    await openAll(page, file("part.mpf", "G17 G54 T1 D1 M5\nSUB(3)\nM30\n"), file("SUB.SPF", measuring));
+    await run(page);
+    await page.locator('.ended:has-text("M77 (SUB.SPF:2)")').waitFor();
+    await page.locator('.whole-row:has-text("SUB.SPF:4")').waitFor();
+    const download = page.waitForEvent("download");
+    await page.locator('.whole-top button:has-text("CSV")').click();
+    const table = await readFile(await (await download).path(), "utf8");
+    assert.match(table, /^1,SUB\.SPF:4,CYCLE977,/m);
+    await page.getByLabel("Stop at anything missing").check();
+    await page.locator('.ended:has-text("stopped in SUB.SPF, line 5")').waitFor();
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
   // oracle: hand
   test("the wish to stop at what is missing", async () => {
     const { context, page } = await start(chrome);

@@ -83,6 +83,8 @@ run-ended = Das Programm ist bis zum Ende gelaufen.
 run-ended-without = Das Programm ist bis zum Ende gelaufen, aber ohne: { $words }. Die Zeilennummern stehen in Klammern.
 run-ended-early = Das Programm hat in Zeile { $line } angehalten.
 run-ended-early-without = Das Programm hat in Zeile { $line } angehalten; davor übergangen: { $words }. Die Zeilennummern stehen in Klammern.
+run-ended-in-file = Das Programm hat in { $file }, Zeile { $line }, angehalten.
+run-ended-in-file-without = Das Programm hat in { $file }, Zeile { $line }, angehalten; davor übergangen: { $words }. Die Zeilennummern stehen in Klammern.
 
 assumed-machine = Keine Maschine angegeben. Angenommen ist { $sort } mit Vorbesetzungen, metrisch, in { $plane }, alle Nullpunktverschiebungen 0, mit idealem, kalibriertem Messtaster. Startposition: X{ $x } Y{ $y } Z{ $z }.
 assumed-milling = eine Fräsmaschine mit SINUMERIK-Steuerung

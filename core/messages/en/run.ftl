@@ -83,6 +83,8 @@ run-ended = The program ran to its end.
 run-ended-without = The program ran to its end, but without: { $words }. Line numbers are in brackets.
 run-ended-early = The program stopped in line { $line }.
 run-ended-early-without = The program stopped in line { $line }; skipped before that: { $words }. Line numbers are in brackets.
+run-ended-in-file = The program stopped in { $file }, line { $line }.
+run-ended-in-file-without = The program stopped in { $file }, line { $line }; skipped before that: { $words }. Line numbers are in brackets.
 
 assumed-machine = No machine was specified. Assumed: { $sort } with default data, metric, in { $plane }, all zero offsets 0, with an ideal, calibrated probe, starting at X{ $x } Y{ $y } Z{ $z }.
 assumed-milling = a milling machine with a SINUMERIK control

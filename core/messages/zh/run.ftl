@@ -83,6 +83,8 @@ run-ended = 程序已运行到结尾。
 run-ended-without = 程序已运行到结尾，但跳过了：{ $words }。括号中为行号。
 run-ended-early = 程序在第 { $line } 行停止。
 run-ended-early-without = 程序在第 { $line } 行停止；此前跳过了：{ $words }。括号中为行号。
+run-ended-in-file = 程序在 { $file } 第 { $line } 行停止。
+run-ended-in-file-without = 程序在 { $file } 第 { $line } 行停止；此前跳过了：{ $words }。括号中为行号。
 
 assumed-machine = 未给出机床。假定为{ $sort }，数据为默认值，公制，平面 { $plane }，所有零点偏移为 0，测头理想且已校准。起点 X{ $x } Y{ $y } Z{ $z }。
 assumed-milling = 带 SINUMERIK 数控系统的铣床

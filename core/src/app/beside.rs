@@ -67,6 +67,12 @@ impl Whole {
         starts.map(start).collect()
     }
 
+    /// The file beside the program that holds a line of the text, from 1, and the line in it; none: the program itself.
+    pub fn line(files: &[FileStart], line: u32) -> (Option<String>, u32) {
+        let start = files.iter().rfind(|start| start.line <= line);
+        start.map_or((None, line), |start| (Some(start.name.clone()), line - start.line + 1))
+    }
+
     /// Whether this byte belongs to the program itself.
     pub fn of_program(&self, place: u32) -> bool {
         self.joined.starts.get(1).is_none_or(|start| (place as usize) < *start)

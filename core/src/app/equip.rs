@@ -176,7 +176,8 @@ fn changed(
 
 fn give(setup: &mut Setup, supply: &Supply, described: bool, asked: &EquipRequest) {
     let whole = Whole::new(asked.control, asked.text.clone(), asked.with.clone());
-    let program = || syntax::read(asked.control, whole.text());
+    let definitions = Arc::clone(&setup.control.definitions);
+    let program = || syntax::read_on(asked.control, whole.text(), &definitions.macros);
     match supply {
         Supply::Tool(new) => setup.give_tool(new),
         Supply::Tools => setup.give_all(&program(), false),

@@ -224,8 +224,11 @@ impl Run {
     /// What it did so far.
     pub fn view(self) -> RunView {
         let source = self.whole.text();
-        let view = RunView::new(self.setup, self.session.outcome(), source).with_offers(source);
-        RunView { files: self.whole.files(&Positions::new(source)), ..view }
+        let files = self.whole.files(&Positions::new(source));
+        let outcome = self.session.outcome();
+        let ending = outcome.ending(|line| Whole::line(&files, line));
+        let view = RunView::new(self.setup, outcome, source).with_offers(source);
+        RunView { files, ending, ..view }
     }
 }
 
@@ -244,7 +247,7 @@ impl RunView {
             passed_over: outcome.passed_over.clone(),
             machine_values: outcome.machine_values.clone(),
             files: Vec::new(),
-            ending: outcome.ending(),
+            ending: outcome.ending(|line| (None, line)),
             assumed: None,
             trace: Source { setup, outcome, zones: Vec::new(), limits: Vec::new(), call: None },
         }

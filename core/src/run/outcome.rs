@@ -8,7 +8,7 @@ use crate::dialect::Dialect;
 use crate::entry::{Cycle, ResultField};
 use crate::geometry::{Mcs, TOLERANCE, Wcs};
 use crate::machine::{Setup, Sim, Step, Stop, Trace};
-use crate::message::{Arg, Message};
+use crate::message::{Arg, Message, printable};
 use crate::scan::Sent;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -69,20 +69,30 @@ impl Outcome {
         self.stop.is_none()
     }
 
-    /// How the run ended: at its end or before, and what it went on without.
-    pub fn ending(&self) -> Message {
-        let named = self.passed_over.iter().take(NAMED);
-        let mut words: Vec<String> = named.map(|one| format!("{} ({})", one.word, one.line)).collect();
+    /// How the run ended: at its end or before, and what it went on without. `place`: the file that holds a line of
+    /// the text (from 1) where that is not the program itself, and the line in it.
+    pub fn ending(&self, place: impl Fn(u32) -> (Option<String>, u32)) -> Message {
+        let named = self.passed_over.iter().take(NAMED).map(|one| match place(one.line) {
+            (Some(file), line) => format!("{} ({}:{line})", one.word, printable(&file)),
+            (None, line) => format!("{} ({line})", one.word),
+        });
+        let mut words: Vec<String> = named.collect();
         if self.passed_over.len() > NAMED {
             words.push("…".to_owned());
         }
-        let key = match (self.finished(), words.is_empty()) {
-            (true, true) => "run-ended",
-            (true, false) => "run-ended-without",
-            (false, true) => "run-ended-early",
-            (false, false) => "run-ended-early-without",
+        let (file, line) = self.line.map_or((None, 0), place);
+        let key = match (self.finished(), words.is_empty(), &file) {
+            (true, true, _) => "run-ended",
+            (true, false, _) => "run-ended-without",
+            (false, true, None) => "run-ended-early",
+            (false, false, None) => "run-ended-early-without",
+            (false, true, Some(_)) => "run-ended-in-file",
+            (false, false, Some(_)) => "run-ended-in-file-without",
         };
-        let mut message = Message::new(key).number("line", f64::from(self.line.unwrap_or(0)));
+        let mut message = Message::new(key).number("line", f64::from(line));
+        if let Some(file) = file {
+            message = message.text("file", file);
+        }
         // each of them is short already, and each is to be named
         message.args.push(("words", Arg::Text(words.join(", "))));
         message

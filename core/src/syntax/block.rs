@@ -54,8 +54,7 @@ fn read_with(
     told: &mut dyn FnMut(f64),
 ) -> (Program, Option<Arc<Macros>>) {
     let whole = source.get(..LARGEST as usize).unwrap_or(source);
-    let end = whole.iter().position(|byte| *byte == END_OF_FILE).or_else(|| filled(whole));
-    let readable = end.and_then(|end| whole.get(..end)).unwrap_or(whole);
+    let readable = before_end(whole);
     let mut reader = Reader::new(dialect, readable, source);
     reader.macros.everywhere = Arc::clone(macros);
     while reader.at < readable.len() || reader.tree.blocks.is_empty() {
@@ -76,13 +75,19 @@ fn read_with(
             told(reader.at as f64 / readable.len() as f64);
         }
     }
-    if whole.len() < source.len() && end.is_none() {
+    if whole.len() < source.len() && readable.len() == whole.len() {
         let span = Span { start: LARGEST - 1, end: LARGEST };
         reader.tree.errors.push(SyntaxError { span, sentence: &own::SYNTAX_TOO_LARGE });
     }
     reader.tree.errors.extend(behind_end(whole, readable.len()));
     let found = reader.macros.late.then_some(reader.macros.everywhere);
     (reader.tree, found)
+}
+
+/// What counts of a file.
+pub(super) fn before_end(whole: &[u8]) -> &[u8] {
+    let end = whole.iter().position(|byte| *byte == END_OF_FILE).or_else(|| filled(whole));
+    end.and_then(|end| whole.get(..end)).unwrap_or(whole)
 }
 
 /// Where zeros begin with which a file is filled up to its end.

@@ -1,6 +1,6 @@
 //! A program and the files that belong to it: one text, as the control has one program memory.
 
-use super::read;
+use super::block::before_end;
 use crate::dialect::Dialect;
 
 /// A program with the files behind it.
@@ -23,7 +23,7 @@ impl Joined {
     pub fn add(&mut self, name: &str, source: &[u8]) {
         // nothing counts behind an end of file, and what follows is in a line of its own
         let last = self.starts.last().copied().unwrap_or(0);
-        let end = read(self.dialect, self.text.get(last..).unwrap_or_default()).end as usize;
+        let end = before_end(self.text.get(last..).unwrap_or_default()).len();
         self.text.truncate(last + end);
         self.text.push(b'\n');
         if self.dialect == Dialect::Sinumerik && !source.trim_ascii_start().starts_with(b"%") {

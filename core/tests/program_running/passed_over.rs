@@ -100,13 +100,13 @@ fn what_is_passed_over_is_named_with_its_line() {
     ];
     assert_eq!(passed(&outcome), expected);
     assert!(outcome.finished());
-    let said = Words::english().text(&outcome.ending());
+    let said = Words::english().text(&outcome.ending(|line| (None, line)));
     for (word, line) in expected {
         assert!(said.contains(&format!("{word} ({line})")), "{said}");
     }
     let clean = go("G0 X5\nM30");
-    assert_eq!(&*clean.ending().key, "run-ended");
-    assert_eq!(&*go("R1=1/0").ending().key, "run-ended-early");
+    assert_eq!(&*clean.ending(|line| (None, line)).key, "run-ended");
+    assert_eq!(&*go("R1=1/0").ending(|line| (None, line)).key, "run-ended-early");
 }
 
 // oracle: hand (the spelling of a call tells nothing about what is called)

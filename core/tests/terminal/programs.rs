@@ -273,7 +273,9 @@ fn files_named_with_a_program_belong_to_it() {
     let text = out(&output);
     assert!(text.contains(&format!("{gud}:2:9: error[PW329]")), "{text}");
     assert!(text.contains(&format!("{sub}:3:1: note[PW310]")), "{text}");
-    assert!(text.contains("FROBNICATE") && text.contains("ran to its end"), "{text}");
+    assert!(text.contains(&format!("FROBNICATE ({sub}:3)")) && text.contains("ran to its end"), "{text}");
+    let strict = out(&probewright(&["run", &main, "--strict", "--arg", "depth=5", "--with", &gud, &sub]));
+    assert!(strict.contains(&format!("stopped in {sub}, line 3.")), "{strict}");
     let checked = out(&probewright(&["check", &main, "--with", &gud, &sub]));
     assert!(checked.contains(&format!("{gud}:2:9: error[PW329]")), "{checked}");
     let alone = probewright(&["run", &main, "--strict", "--arg", "DEPTH=5"]);

@@ -40,6 +40,12 @@ export function lineIn(files: readonly FileStart[] | undefined, line: number): {
   return start ? { file: start.name, line: line - start.line + 1 } : { line };
 }
 
+/** A line as narrow as it can be told: `L105.SPF:3`. */
+export function shortLine(files: readonly FileStart[] | undefined, of: number): string {
+  const { file, line } = lineIn(files, of);
+  return file === undefined ? String(line) : `${file}:${line}`;
+}
+
 /** The same for a place in the text; null: in the program itself. */
 export function placeIn(files: readonly FileStart[] | undefined, from: number): { file: string; from: number } | null {
   const start = files?.findLast(one => one.from <= from);

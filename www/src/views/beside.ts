@@ -68,11 +68,9 @@ export function createBeside(
       type="button"
       class="quiet beside-name"
       aria-current=${one.shown ? "true" : nothing}
-      title=${one.shown ? t("beside-shown") : t("beside-show", { name: one.name })}
+      title=${t(one.shown ? "beside-shown" : "beside-show", { name: one.name })}
       @click=${() => actions.showFile(one.name)}
-    >
-      ${one.name}
-    </button>
+    ><span>${one.name}</span></button>
     ${
       isDefinition(one.name) && !one.shown
         ? html`<button type="button" class="quiet beside-define" @click=${() => define(one.name)}>
@@ -99,7 +97,7 @@ export function createBeside(
   </li>`;
   const ofProgram = ({ name, at }: Entry): TemplateResult => html`<li class="beside-file beside-program">
     <button type="button" class="quiet beside-name" @click=${() => goTo(at?.from ?? 0)}>
-      ${name}<span class="count">${t("program-call-line", { line: at?.line ?? 1 })}</span>
+      <span>${name}</span><span class="count">${t("program-call-line", { line: at?.line ?? 1 })}</span>
     </button>
   </li>`;
 

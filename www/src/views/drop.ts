@@ -1,5 +1,5 @@
-// Files and folders dropped onto the page: a setup is JSON, everything else a program. Before the editor sees them: it would paste
-// them.
+// Files and folders dropped onto the page: a setup is JSON, everything else a program. Before the editor sees them: it
+// would paste them.
 
 const isSetup = (file: File): boolean => file.type === "application/json" || /\.json$/i.test(file.name);
 

@@ -1,10 +1,10 @@
 // The measurements of a whole program: a row each, by line or with the worst first. The row, its line in the program
 // and its step in the 3D view are one selection. Only the rows in sight exist.
 
-import { html, render, svg, type TemplateResult } from "lit-html";
+import { html, nothing, render, svg, type TemplateResult } from "lit-html";
 import { repeat } from "lit-html/directives/repeat.js";
 import type { Actions } from "../desk/actions";
-import { lineIn } from "../desk/beside";
+import { lineIn, shortLine } from "../desk/beside";
 import type { Derived } from "../desk/derive";
 import { el, on, setAttribute, setText, show } from "../dom";
 import { icon, iconPart } from "../icons";
@@ -114,12 +114,6 @@ function cells(row: Row, index: number, files: readonly FileStart[] | undefined)
   };
 }
 
-/** A line as narrow as it can be told: `L105.SPF:3`. */
-function shortLine(files: readonly FileStart[] | undefined, of: number): string {
-  const { file, line } = lineIn(files, of);
-  return file === undefined ? String(line) : `${file}:${line}`;
-}
-
 /** Of one selection: the call in which the step is. */
 function indexAt(rows: Row[], step: number): number {
   return rows.findLastIndex(one => one.from <= step);
@@ -195,7 +189,12 @@ export function createWhole(
             id=${`whole-${index}`} data-place=${place} data-verdict=${row.verdict}
             aria-rowindex=${place + 2} aria-selected=${String(index === selected)}
             .style=${`top: ${place * tall}px`}
-            >${COLUMNS.map(one => html`<span role="gridcell" class=${`cell cell-${one}`}>${of[one]}</span>`)}</div>`;
+            >${COLUMNS.map(
+              one =>
+                html`<span role="gridcell" class=${`cell cell-${one}`} title=${one === "line" ? of[one] : nothing}
+                  >${of[one]}</span
+                >`,
+            )}</div>`;
         },
       ),
       space,
@@ -238,7 +237,7 @@ export function createWhole(
   };
 
   on(worst, "click", () => sortBy("verdict", false));
-  on(save, "click", () => saveFile(csv(rows()), `${name}.csv`, "text/csv;charset=utf-8"));
+  on(save, "click", () => saveFile(csv(rows(), run?.files), `${name}.csv`, "text/csv;charset=utf-8"));
   on(head, "click", event => {
     const next = (event.target as Element).closest<HTMLElement>("[data-column]")?.dataset.column as Column | undefined;
     if (next) sortBy(next, next === column && !down);
@@ -280,7 +279,9 @@ export function createWhole(
     const last = rows()[rows().length - 1];
     if (!run || run.finished || !last || (last.verdict !== "alarm" && last.verdict !== "stopped")) return "";
     const { cycle = "", line: at = 0 } = last;
-    return t("whole-error", { cycle, line: at, feature: say(last.feature), why: say(last.why) });
+    const { file, line } = lineIn(run.files, at);
+    const told = { cycle, line, feature: say(last.feature), why: say(last.why) };
+    return file === undefined ? t("whole-error", told) : t("whole-error-in-file", { ...told, file });
   };
 
   /** The selection follows the step; the step follows the cursor where that comes to a call. */

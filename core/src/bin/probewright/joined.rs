@@ -60,6 +60,13 @@ impl Joined {
         part.map_or((Path::new(""), line), |part| (&*part.path, line - part.line))
     }
 
+    /// The name of the file behind the program that holds a line of the text (from 1), and the line in it; none: the
+    /// program itself.
+    pub fn within(&self, line: u32) -> (Option<String>, u32) {
+        let part = self.parts.iter().skip(1).rfind(|part| part.line < line);
+        part.map_or((None, line), |part| (Some(part.path.display().to_string()), line - part.line))
+    }
+
     /// The files that something was found in, the program in any case, each with what was found there.
     pub fn files(&self, found: &[Diagnostic]) -> Vec<(&Path, &[u8], Vec<Diagnostic>)> {
         let mut all: Vec<_> = self.parts.iter().map(|part| (&*part.path, &*part.source, Vec::new())).collect();

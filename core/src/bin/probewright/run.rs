@@ -133,15 +133,18 @@ fn print_outcome(joined: &Joined, outcome: &Outcome, words: &Words, out: &mut dy
         writeln!(out, "{}{raised}: {}", place(joined, call), words.key(alarms::key(alarm)))?;
     }
     let assumed = outcome.machine_values.iter().map(|one| {
-        let (_, line) = joined.line(one.line.saturating_sub(1));
-        format!("{} = {} ({})", one.name, of_machine::shown(&one.value), line + 1)
+        let at = match joined.within(one.line) {
+            (Some(file), line) => format!("{file}:{line}"),
+            (None, line) => line.to_string(),
+        };
+        format!("{} = {} ({at})", one.name, of_machine::shown(&one.value))
     });
     let assumed: Vec<String> = assumed.collect();
     if !assumed.is_empty() {
         let told = Message::new("terminal-assumed-values").text("values", assumed.join(", "));
         writeln!(out, "{}", words.text(&told))?;
     }
-    writeln!(out, "{}", words.text(&outcome.ending()))?;
+    writeln!(out, "{}", words.text(&outcome.ending(|line| joined.within(line))))?;
     Ok(())
 }
 
