@@ -15,7 +15,6 @@ const SUB = "PROC SUB(REAL A)\nR2=A*2\nM17\n";
 const DEF = "DEF NCK REAL LIMIT[3]=SET(1,7.5,2)\nM17\n";
 const file = (name, text) => ({ name, mimeType: "text/plain", buffer: Buffer.from(text) });
 const input = page => page.locator(".panel-program input[type=file]").first();
-const names = page => page.locator(".beside-name").allInnerTexts();
 const beside = (page, name) => page.locator(".beside-file").filter({ hasText: name });
 
 /** All motions of the program are shown, and the result of its run. */
@@ -24,11 +23,8 @@ async function run(page) {
   await page.locator(".panel-results [id=tab-outcome]").click();
   await page.locator(".ended").waitFor();
 }
-const ending = page => page.locator(".ended").innerText();
-const findings = async page => {
-  await page.locator("#tab-problems").click();
-  return page.locator("#page-problems .problem-text").allInnerTexts();
-};
+const ends = (page, how) => page.locator(".ended").getByText(how, { exact: true }).waitFor();
+const TO_ITS_END = "The program ran to its end.";
 
 async function openAll(page, ...files) {
   await input(page).setInputFiles(files);
@@ -59,13 +55,16 @@ describe("files with a program", () => {
     const { context, page, problems } = await start(chrome);
     const latin = Buffer.from("; \xe4\r\nPROC SUB(REAL A)\r\nR2=A*2\r\nM17\r\n", "latin1");
     await openAll(page, file("part.mpf", MAIN), { ...file("SUB.SPF", ""), buffer: latin }, file("GUD4.DEF", DEF));
-    await beside(page, "GUD4.DEF").waitFor();
-    assert.deepEqual(await names(page), ["GUD4.DEF", "part.mpf", "SUB.SPF"]);
+    await page.waitForFunction(() => {
+      const names = [...document.querySelectorAll(".beside-name")].map(one => one.textContent.trim());
+      return names.join() === "GUD4.DEF,part.mpf,SUB.SPF";
+    });
     assert.deepEqual((await saved(page)).bytes, Buffer.from(MAIN));
     await run(page);
-    assert.equal(await ending(page), "The program ran to its end.");
-    const said = await findings(page);
-    assert.ok(!said.some(one => /SUB|LIMIT/.test(one)), said.join("\n"));
+    await ends(page, TO_ITS_END);
+    await page.locator("#tab-problems").click();
+    const about = page.locator("#page-problems .problem-text").filter({ hasText: /SUB|LIMIT/ });
+    await about.waitFor({ state: "detached" });
     await beside(page, "SUB.SPF").locator(".beside-name").click();
     await page.locator('.cm-line:has-text("PROC SUB")').waitFor();
     const back = await saved(page);
@@ -111,7 +110,7 @@ describe("files with a program", () => {
     await beside(page, "sub.spf").waitFor();
     await page.getByRole("button", { name: "Open SUB" }).waitFor({ state: "detached" });
     await run(page);
-    assert.equal(await ending(page), "The program ran to its end.");
+    await ends(page, TO_ITS_END);
     await context.close();
   });
 
@@ -145,7 +144,7 @@ describe("files with a program", () => {
     await page.locator('.notice:has-text("Files added.")').waitFor();
     await page.getByRole("button", { name: "Add to machine" }).click();
     const dialog = page.locator("dialog.define[open]");
-    assert.match(await dialog.locator(".define-lines").innerText(), /^DEF NCK REAL LIMIT\[3\]=SET\(1,7\.5,2\)$/);
+    await dialog.locator(".define-lines").getByText("DEF NCK REAL LIMIT[3]=SET(1,7.5,2)", { exact: true }).waitFor();
     await page.addScriptTag({ path: axe });
     const { violations } = await page.evaluate(() => globalThis.axe.run("dialog.define"));
     assert.deepEqual(violations, []);
@@ -153,7 +152,7 @@ describe("files with a program", () => {
     await beside(page, "GUD4.DEF").waitFor({ state: "detached" });
     await keptWhen(page, state => state.setups?.sinumerik?.definitions?.length === 1);
     await run(page);
-    assert.equal(await ending(page), "The program ran to its end.");
+    await ends(page, TO_ITS_END);
     await page.locator(".top").getByRole("button", { name: "Undo" }).first().click();
     await beside(page, "GUD4.DEF").waitFor();
     await keptWhen(page, state => !state.setups?.sinumerik?.definitions?.length);
@@ -170,7 +169,7 @@ describe("a run is given", () => {
     const { context, page } = await start(chrome);
     await openAll(page, file("sub.spf", "PROC SUB(REAL DEPTH, INT COUNT=2)\nR1=DEPTH+COUNT\nM17\n"));
     await run(page);
-    assert.match(await ending(page), /stopped in line 2/);
+    await ends(page, "The program stopped in line 2.");
     await page.locator("#tab-problems").click();
     await page.locator("#page-problems").getByRole("button", { name: "Enter value" }).click();
     await focused(page, "#given-DEPTH");
@@ -187,7 +186,7 @@ describe("a run is given", () => {
     await openAll(page, file("part.mpf", "G17 G54\nIF $A_IN[3]==1\nR1=1\nENDIF\nM30\n"));
     await run(page);
     const assumed = page.locator('.lack[data-lack="values"]');
-    assert.match(await assumed.innerText(), /\$A_IN\[3\] = 0 \(line 2\)/);
+    await assumed.filter({ hasText: "$A_IN[3] = 0 (line 2)" }).waitFor();
     await assumed.getByRole("button", { name: "Enter values" }).click();
     const field = page.locator('[data-value="$A_IN[3]"] input');
     await focused(page, field);
