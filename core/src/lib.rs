@@ -113,7 +113,12 @@ pub mod workpiece;
 /// page's first module does not, and is so much smaller.
 pub const SIMULATES: bool = cfg!(feature = "simulation");
 
-/// A place in the manual, for tables that only a whole build shows: the page's first module carries none of them.
+/// What tables say that only a whole build shows or judges: the page's first module has something smaller instead.
+const fn whole<T: Copy>(value: T, otherwise: T) -> T {
+    if SIMULATES { value } else { otherwise }
+}
+
+/// A place in the manual, in a table of which only a whole build shows the places.
 const fn cited(source: &'static str) -> &'static str {
-    if SIMULATES { source } else { "" }
+    whole(source, "")
 }

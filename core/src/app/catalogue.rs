@@ -9,7 +9,7 @@ use crate::entry::{Aim, Cycle, Param, ProbeUse, ResultField, Style, Typed, Unit}
 use crate::manual::Cited;
 use crate::name::Name;
 use crate::workpiece::free::EXAMPLES;
-use crate::{check, entry};
+use crate::{SIMULATES, check, entry};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -123,10 +123,9 @@ pub struct ParameterInfo {
 
 /// Everything that can be measured.
 pub fn catalogue() -> Catalogue {
-    Catalogue {
-        cycles: CYCLES.iter().map(|cycle| entry(cycle)).collect(),
-        applicate: Plane::ALL.map(|plane| (plane, plane.axes()[2])).into(),
-    }
+    let mut applicate = BTreeMap::new(); // `from` would bring a sort of its own into the page's first module
+    applicate.extend(Plane::ALL.map(|plane| (plane, plane.axes()[2])));
+    Catalogue { cycles: CYCLES.iter().map(|cycle| entry(cycle)).collect(), applicate }
 }
 
 fn entry(cycle: &'static Cycle) -> CycleInfo {
@@ -139,8 +138,8 @@ fn entry(cycle: &'static Cycle) -> CycleInfo {
         numbered: cycle.variant_param().is_some(),
         variants: cycle.variants.iter().map(|one| variant(cycle, one)).collect(),
         parameters: cycle.params.iter().map(parameter).collect(),
-        results: cycle.results,
-        alarms: cycle.alarms(),
+        results: if SIMULATES { cycle.results } else { &[] },
+        alarms: if SIMULATES { cycle.alarms() } else { Vec::new() },
         example: worked(cycle),
         twins: !cycle.purpose.tasks.is_empty(),
         simulated: cycle.simulation.is_some(),

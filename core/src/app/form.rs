@@ -235,21 +235,23 @@ fn at_call(control: &mut Control, cycle: &Cycle, asked: &FormRequest) -> Result<
     Ok(())
 }
 
-/// The list of a newer control, where the call that the form shows is written in it.
+/// The list of a newer control, where the call that the form shows is written in it: only a whole build opens calls.
 fn newer_list(cycle: &Cycle, written: Option<Style>) -> Option<&'static ArgumentList> {
     let of_newer = |list: &&ArgumentList| list.style == Style::Operate;
-    cycle.lists.iter().find(of_newer).filter(|_| written == Some(Style::Operate))
+    cycle.lists.iter().find(of_newer).filter(|_| SIMULATES && written == Some(Style::Operate))
 }
 
 /// The values that were typed with a decimal comma, as a program has them: with a point.
 fn pointed(cycle: &Cycle, values: &Typed) -> Typed {
     let commas = |text: &str| text.matches(',').count();
-    let written = values.iter().filter_map(|(name, text)| {
+    let with_point = values.iter().filter_map(|(name, text)| {
         let param = cycle.param(name).filter(|param| commas(text) > 0 && !matches!(param.kind, Kind::Text(_)))?;
         let written = write::value(cycle.dialect, param, text).filter(|written| commas(written) < commas(text))?;
         Some((name.clone(), written))
     });
-    written.collect()
+    let mut pointed = Typed::new(); // `collect` would bring a sort of its own into the page's first module
+    pointed.extend(with_point);
+    pointed
 }
 
 /// What the values are worth that are expressions of what is known, and how these are written.

@@ -123,10 +123,10 @@ pub(super) fn start(dialect: Dialect, machine: Option<Machine>) -> Result<Start,
     if let Some(function) = own.units {
         super::choose_units(&mut setup.control, function)?;
     }
-    if !own.definitions.is_empty() {
+    if SIMULATES && !own.definitions.is_empty() {
         setup.control.definitions = setup_file::defined(&own.definitions)?;
     }
-    if !own.data.is_empty() {
+    if SIMULATES && !own.data.is_empty() {
         for (name, value) in own.data {
             setup.control.data.insert(name, value);
         }

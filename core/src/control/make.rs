@@ -2,6 +2,7 @@
 
 use super::units::UnitFunction::{self, G20, G21, G70, G71, G700, G710};
 use super::{Calibration, Control, Units, Value, calibration, data, delivery};
+use crate::SIMULATES;
 use crate::diagnostic::Code;
 use crate::dialect::Dialect;
 use std::collections::BTreeMap;
@@ -82,8 +83,8 @@ impl Make {
     /// The make whose programs are written in this language.
     pub fn of(dialect: Dialect) -> &'static Make {
         match dialect {
-            Dialect::Sinumerik => &SINUMERIK,
-            Dialect::Nct => &NCT,
+            Dialect::Nct if SIMULATES => &NCT,
+            _ => &SINUMERIK, // a build that does not simulate has no other
         }
     }
 

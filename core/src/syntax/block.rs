@@ -6,7 +6,7 @@ use super::tree::{Block, Program, SyntaxError, WordKind};
 use crate::control::definitions::Macros;
 use crate::diagnostic::Span;
 use crate::dialect::Dialect;
-use crate::own;
+use crate::{SIMULATES, own};
 use std::sync::Arc;
 
 /// What some editors write before the text of a file.
@@ -208,9 +208,10 @@ pub fn is_value(text: &str) -> bool {
     is_value_of(Dialect::Sinumerik, text) || is_value_of(Dialect::Nct, text)
 }
 
-/// Whether a text is one such value in this language.
+/// Whether a text is one such value in this language. A build that does not simulate reads no programs: it takes it for
+/// one until a whole build says.
 pub fn is_value_of(dialect: Dialect, text: &str) -> bool {
-    stands(dialect, if dialect == Dialect::Nct { "D" } else { "_X=" }, text)
+    !SIMULATES || stands(dialect, if dialect == Dialect::Nct { "D" } else { "_X=" }, text)
 }
 
 fn stands(dialect: Dialect, before: &str, text: &str) -> bool {

@@ -4,6 +4,7 @@ use super::expression::Strength;
 use super::reader::{Node, Parsed, Reader};
 use super::tree::{Operator, Program};
 use super::{nct, nct_expression, sinumerik, sinumerik_expression};
+use crate::SIMULATES;
 use crate::dialect::Dialect;
 
 /// What is peculiar to a language.
@@ -62,8 +63,8 @@ impl Grammar {
     /// Grammar of a language.
     pub fn of(dialect: Dialect) -> &'static Grammar {
         match dialect {
-            Dialect::Sinumerik => &SINUMERIK,
-            Dialect::Nct => &NCT,
+            Dialect::Nct if SIMULATES => &NCT,
+            _ => &SINUMERIK, // a build that does not simulate has no other
         }
     }
 }

@@ -60,6 +60,9 @@ export async function startState(
   const known = (): boolean => !!findCycle(catalogue, state.form.control, state.form.cycle);
   if (!known()) await full().catch(console.error); // the first module knows the cycle of the first visit alone
   if (!known()) state = patched(state, remember(state), pickFirst(catalogue));
+  const { data = {}, definitions = [] } = state.machine.own[state.form.control]?.own ?? {};
+  const given = Object.keys(data).length + definitions.length > 0;
+  if (given) await full().catch(console.error); // the first module has no data but those delivered
   const setup = profile(state);
   if (!setup || setupFits(await full(), state, setup)) return state;
   const { [state.form.control]: _, ...setups } = state.machine.setups;

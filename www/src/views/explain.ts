@@ -56,7 +56,8 @@ export function createExplain(): Explain {
       if (!field) return;
       setText(named, say(field.label));
       setText(code, field.name);
-      setText(told, `${say(field.help)} ${needText(field)} ${t("field-source", { source: field.source })}`);
+      const source = field.source && t("field-source", { source: field.source }); // the first module knows none
+      setText(told, `${say(field.help)} ${needText(field)} ${source}`.trimEnd());
     },
   };
 }

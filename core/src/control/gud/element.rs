@@ -1,6 +1,7 @@
 //! What one element of a datum means, or a row of them.
 
 use crate::range::Range;
+use crate::whole;
 
 /// Where the system of units of a length comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -107,19 +108,19 @@ impl Element {
     }
 
     pub(in crate::control) const fn between(self, min: f64, max: f64) -> Element {
-        Element { range: Range::closed(min, max), ..self }
+        whole(Element { range: Range::closed(min, max), ..self }, self)
     }
 
     pub(in crate::control) const fn positive(self) -> Element {
-        Element { range: Range::POSITIVE, ..self }
+        whole(Element { range: Range::POSITIVE, ..self }, self)
     }
 
     pub(super) const fn not_negative(self) -> Element {
-        Element { range: Range::NOT_NEGATIVE, ..self }
+        whole(Element { range: Range::NOT_NEGATIVE, ..self }, self)
     }
 
     pub(super) const fn choices(self, choices: &'static [i64]) -> Element {
-        Element { choices, ..self }
+        whole(Element { choices, ..self }, self)
     }
 
     pub(in crate::control) const fn switch(self) -> Element {
@@ -127,7 +128,7 @@ impl Element {
     }
 
     pub(super) const fn internal(self) -> Element {
-        Element { internal: true, ..self }
+        whole(Element { internal: true, ..self }, self)
     }
 
     pub(super) fn indices(&self) -> impl Iterator<Item = Index> {

@@ -5,6 +5,7 @@ mod table;
 pub use table::MACHINE_DATA;
 
 /// A machine datum.
+#[derive(Clone, Copy)]
 pub struct MachineDatum {
     /// `MD28082`, or `SD42950` of a setting datum.
     pub number: &'static str,

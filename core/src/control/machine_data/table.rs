@@ -1,12 +1,13 @@
 //! The table of machine data.
 
 use super::{CHANNEL_AXES, MachineDatum, TOOL_LENGTH_TYPE};
+use crate::{cited, whole};
 
 /// A datum of which the manual prints name and place.
 const fn named(number: &'static str, identifier: &'static str, source: &'static str) -> MachineDatum {
     MachineDatum {
         number,
-        identifier,
+        identifier: whole(identifier, ""),
         standard: ["", ""],
         cycles: "",
         jog: "",
@@ -17,7 +18,7 @@ const fn named(number: &'static str, identifier: &'static str, source: &'static 
         text: false,
         initial: &[],
         initial_names: &[],
-        source,
+        source: cited(source),
     }
 }
 
@@ -30,16 +31,17 @@ const fn printed(
     bounds: [&'static str; 2],
     source: &'static str,
 ) -> MachineDatum {
-    MachineDatum { standard, cycles, jog, bounds, effective: "POWER ON", ..named(number, identifier, source) }
+    let plain = named(number, identifier, source);
+    whole(MachineDatum { standard, cycles, jog, bounds, effective: "POWER ON", ..plain }, plain)
 }
 
 impl MachineDatum {
     const fn after_reset(self) -> MachineDatum {
-        MachineDatum { effective: "RESET", ..self }
+        whole(MachineDatum { effective: "RESET", ..self }, self)
     }
 
     const fn unit(self, unit: &'static str) -> MachineDatum {
-        MachineDatum { unit, ..self }
+        whole(MachineDatum { unit, ..self }, self)
     }
 
     const fn elements(self, elements: usize) -> MachineDatum {
