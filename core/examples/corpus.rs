@@ -1,136 +1,226 @@
-//! Reads, checks and runs every program below a folder and prints what came of it: `cargo xtask corpus FOLDER`. A look
-//! at programs that others wrote, which are no part of the tests.
+//! Reads, checks and runs every program below folders and prints what came of each: `cargo xtask corpus FOLDER…`. A
+//! look at programs that others wrote, which are no part of the tests. What is below a folder is one machine: each
+//! program is run with the definition files and the other programs there, on a machine that fits it.
 #![allow(missing_docs)]
 
-use probewright_core::control::{Edge, Plane, Tool, delivery};
-use probewright_core::diagnostic::{Code, Span};
+use probewright_core::control::{Value, delivery};
+use probewright_core::diagnostic::{Code, Diagnostic, Severity, Span};
 use probewright_core::dialect::Dialect;
 use probewright_core::encoding::recognise;
-use probewright_core::machine::{Setup, Stop};
+use probewright_core::machine::Stop;
+use probewright_core::message::Arg;
 use probewright_core::program::calls::calls;
 use probewright_core::program::findings_of;
-use probewright_core::run::{Limits, run};
+use probewright_core::run::outcome::Outcome;
+use probewright_core::run::{Limits, assumed};
+use probewright_core::syntax::joined::Joined;
 use probewright_core::syntax::{Program, read};
-use std::collections::{BTreeMap, BTreeSet};
+use probewright_core::words::Words;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-/// What came of all files.
+/// Rows of a table that are printed.
+const ROWS: usize = 25;
+/// Parameters of its own that a program is given values for.
+const PARAMETERS: usize = 40;
+
+/// A file that holds a program or definitions.
+struct File {
+    path: PathBuf,
+    source: Vec<u8>,
+}
+
+/// How often something came, and where it came first.
+#[derive(Default)]
+struct Row {
+    count: usize,
+    first: String,
+}
+
+/// What came of a folder.
 #[derive(Default)]
 struct Summary {
-    files: usize,
+    programs: usize,
+    definitions: usize,
     /// Files that hold no program, and why.
     passed_over: BTreeMap<&'static str, usize>,
     blocks: usize,
     calls: usize,
     /// Files whose blocks and what stands between them are not the file again.
     lost: Vec<PathBuf>,
-    /// How often each finding comes, and in how many files.
-    findings: BTreeMap<String, (usize, usize)>,
-    stops: BTreeMap<String, usize>,
+    whole: usize,
+    /// Of them, programs whose own parameters were given 0 or an empty text.
+    given: usize,
+    /// Why the others stopped.
+    stops: BTreeMap<String, Row>,
+    /// Errors that the check finds.
+    errors: BTreeMap<String, Row>,
     reading: Duration,
     running: Duration,
 }
 
 fn main() -> ExitCode {
-    let Some(folder) = std::env::args_os().nth(1) else {
-        eprintln!("error: which folder?");
-        return ExitCode::from(2);
-    };
-    let mut paths = Vec::new();
-    if let Err(error) = collect(Path::new(&folder), &mut paths) {
-        eprintln!("error: {}: {error}", Path::new(&folder).display());
-        return ExitCode::from(2);
-    }
-    paths.sort();
-    let mut summary = Summary::default();
-    for path in paths {
-        summary.take(&path);
-    }
-    summary.print();
-    ExitCode::from(u8::from(!summary.lost.is_empty()))
-}
-
-fn collect(folder: &Path, paths: &mut Vec<PathBuf>) -> std::io::Result<()> {
-    for entry in std::fs::read_dir(folder)? {
-        let path = entry?.path();
-        if path.is_dir() {
-            collect(&path, paths)?;
-        } else {
-            paths.push(path);
+    let words = Words::english();
+    let (mut failed, mut all) = (false, (0, 0));
+    for folder in std::env::args_os().skip(1) {
+        let folder = Path::new(&folder);
+        let mut summary = Summary::default();
+        let files = match summary.collect(folder) {
+            Ok(files) => files,
+            Err(error) => {
+                eprintln!("error: {}: {error}", folder.display());
+                return ExitCode::from(2);
+            }
+        };
+        for file in files.iter().filter(|file| !is_definition(&file.path)) {
+            summary.take(file, &files, &words);
         }
+        println!("{}", folder.display());
+        summary.print();
+        failed |= !summary.lost.is_empty();
+        all = (all.0 + summary.whole, all.1 + summary.programs);
     }
-    Ok(())
+    println!("in all: {} of {} programs run whole", all.0, all.1);
+    ExitCode::from(u8::from(failed))
 }
 
 impl Summary {
-    /// One file: read, checked, run.
-    fn take(&mut self, path: &Path) {
-        let Ok(bytes) = std::fs::read(path) else {
-            *self.passed_over.entry("not to be read").or_default() += 1;
-            return;
-        };
-        let source = match recognise(&bytes) {
-            Ok(encoding) => in_utf8(&encoding.to_string(), bytes),
-            Err(_) => {
-                *self.passed_over.entry("no program").or_default() += 1;
-                return;
+    /// The files below a folder, in the order of their names.
+    fn collect(&mut self, folder: &Path) -> std::io::Result<Vec<File>> {
+        let (mut folders, mut paths) = (vec![folder.to_owned()], Vec::new());
+        while let Some(folder) = folders.pop() {
+            for entry in std::fs::read_dir(folder)? {
+                let path = entry?.path();
+                if path.is_dir() { folders.push(path) } else { paths.push(path) }
             }
-        };
+        }
+        paths.sort();
+        let mut files = Vec::new();
+        for path in paths {
+            let source = std::fs::read(&path)?;
+            match recognise(&source) {
+                Ok(encoding) => files.push(File { path, source: in_utf8(&encoding.to_string(), source) }),
+                Err(_) => *self.passed_over.entry("no program").or_default() += 1,
+            }
+        }
+        self.definitions = files.iter().filter(|file| is_definition(&file.path)).count();
+        Ok(files)
+    }
+
+    /// One program: read, checked, run with the other files.
+    fn take(&mut self, file: &File, files: &[File], words: &Words) {
         let begin = Instant::now();
-        let program = read(Dialect::of(&source), &source);
-        let control = delivery(program.dialect);
-        let sites = calls(&program);
-        let mut codes: Vec<String> =
-            findings_of(&program, &sites, &control).iter().map(|found| name(found.code)).collect();
+        let program = read(Dialect::of(&file.source), &file.source);
+        self.programs += 1;
+        self.blocks += program.blocks.len();
+        self.calls += calls(&program).len();
+        if put_together(&program) != file.source {
+            self.lost.push(file.path.clone());
+        }
+        let alone = is(&file.path, "arc"); // an archive has its own definitions and programs
+        let beside = || files.iter().filter(|other| !alone && other.path != file.path && !is(&other.path, "arc"));
+        let defined = with(file, beside().filter(|other| is_definition(&other.path)));
+        let own = program.end.max(1);
+        let checked = findings_of(&defined, &calls(&defined), &delivery(defined.dialect));
+        for found in checked.iter().filter(|found| found.severity == Severity::Error && starts_before(found, own)) {
+            let line = found.span.map_or(0, |span| line_of(&defined, span.start));
+            let what = format!("{} {}", name(found.code), words.text(&found.message));
+            count(&mut self.errors, what, || format!("{}:{line}", file.path.display()));
+        }
         self.reading += begin.elapsed();
         let begin = Instant::now();
-        let outcome = run(&program, &machine(&program), Limits::default());
+        let (outcome, given) = run(&with(file, beside()));
         self.running += begin.elapsed();
-        codes.extend(outcome.diagnostics.iter().map(|found| name(found.code)));
-        self.files += 1;
-        self.blocks += program.blocks.len();
-        self.calls += sites.len();
-        if put_together(&program) != source {
-            self.lost.push(path.to_owned());
+        match &outcome.stop {
+            None => {
+                self.whole += 1;
+                self.given += usize::from(given);
+            }
+            Some(stop) => {
+                let line = outcome.line.unwrap_or(0);
+                let why = reason(stop, words);
+                count(&mut self.stops, why, || format!("{}, line {line} of all", file.path.display()));
+            }
         }
-        for code in codes.iter().collect::<BTreeSet<_>>() {
-            self.findings.entry(code.clone()).or_default().1 += 1;
-        }
-        for code in codes {
-            self.findings.entry(code).or_default().0 += 1;
-        }
-        *self.stops.entry(reason(outcome.stop.as_ref())).or_default() += 1;
     }
 
     fn print(&self) {
-        let exact = self.files - self.lost.len();
-        println!("{} files, {} blocks, {} calls of measuring cycles", self.files, self.blocks, self.calls);
+        let Summary { programs, definitions, blocks, calls, whole, given, .. } = self;
+        println!("  {programs} programs, {definitions} definition files, {blocks} blocks, {calls} measuring calls");
         for (why, count) in &self.passed_over {
-            println!("{count} passed over: {why}");
+            println!("  {count} passed over: {why}");
         }
-        println!("{exact} read back to the byte");
         for path in &self.lost {
-            println!("  not: {}", path.display());
+            println!("  not read back to the byte: {}", path.display());
         }
-        println!("findings: times, files");
-        for (code, (times, files)) in by_count(&self.findings) {
-            println!("{times:>8} {files:>6}  {code}");
-        }
-        println!("runs end by");
-        for (reason, count) in by_count(&self.stops) {
-            println!("{count:>8}         {reason}");
-        }
-        println!("{:.1?} to read and check, {:.1?} to run", self.reading, self.running);
+        println!("  {whole} of {programs} run whole, {given} of them with 0 for parameters of their own");
+        print_table("stopped", &self.stops);
+        print_table("errors of the check", &self.errors);
+        println!("  {:.1?} to read and check, {:.1?} to run", self.reading, self.running);
     }
 }
 
+/// Runs a program; one that needs values for its own parameters gets 0 or an empty text for them.
+fn run(program: &Program) -> (Outcome, bool) {
+    let mut values = BTreeMap::new();
+    loop {
+        let outcome = assumed::run_with(program, Limits::default(), values.clone()).outcome;
+        let Some(Stop::Fault(message)) = &outcome.stop else { return (outcome, !values.is_empty()) };
+        let asked = message.args.iter().find_map(|(name, arg)| match arg {
+            Arg::Text(text) if *name == "word" && message.key == "run-parameter" => Some(text.to_string()),
+            _ => None,
+        });
+        match asked.filter(|_| values.len() < PARAMETERS) {
+            Some(word) if !values.contains_key(&word) => _ = values.insert(word, Value::Number(0.0)),
+            _ => return (outcome, !values.is_empty()),
+        }
+    }
+}
+
+fn count(rows: &mut BTreeMap<String, Row>, what: String, place: impl FnOnce() -> String) {
+    let row = rows.entry(what).or_insert_with(|| Row { count: 0, first: place() });
+    row.count += 1;
+}
+
 /// The most frequent first.
-fn by_count<T: Ord + Copy>(counted: &BTreeMap<String, T>) -> Vec<(&String, T)> {
-    let mut all: Vec<(&String, T)> = counted.iter().map(|(name, count)| (name, *count)).collect();
-    all.sort_by_key(|one| std::cmp::Reverse(one.1));
-    all
+fn print_table(title: &str, rows: &BTreeMap<String, Row>) {
+    let mut all: Vec<_> = rows.iter().collect();
+    all.sort_by_key(|(_, row)| std::cmp::Reverse(row.count));
+    for (what, row) in all.iter().take(ROWS) {
+        println!("  {title} {:>5}  {what}  ({})", row.count, row.first);
+    }
+    if all.len() > ROWS {
+        println!("  {title}: {} more sorts", all.len() - ROWS);
+    }
+}
+
+/// A program with others behind it.
+fn with<'f>(file: &File, others: impl Iterator<Item = &'f File>) -> Program {
+    let mut joined = Joined::new(Dialect::of(&file.source), file.source.clone());
+    others.for_each(|other| joined.add(&name_of(&other.path), &other.source));
+    read(joined.dialect, &joined.text)
+}
+
+fn is_definition(path: &Path) -> bool {
+    is(path, "def")
+}
+
+fn is(path: &Path, ending: &str) -> bool {
+    path.extension().is_some_and(|own| own.eq_ignore_ascii_case(ending))
+}
+
+fn name_of(path: &Path) -> String {
+    path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
+}
+
+fn starts_before(found: &Diagnostic, end: u32) -> bool {
+    found.span.is_none_or(|span| span.start < end)
+}
+
+fn line_of(program: &Program, at: u32) -> usize {
+    program.blocks.partition_point(|block| block.span.start <= at)
 }
 
 /// The text in UTF-8; what is UTF-8 stays as it is.
@@ -156,17 +246,6 @@ fn put_together(program: &Program) -> Vec<u8> {
     text
 }
 
-/// A mill as delivered, its probe calibrated, with a milling cutter for every number by which a program calls a tool.
-fn machine(program: &Program) -> Setup {
-    let mut setup = Setup::calibrated(program.dialect, Plane::G17);
-    let edge = Edge { kind: 120, length: [80.0, 0.0, 0.0], radius: 5.0, ..Edge::default() };
-    for number in 1..=99 {
-        let edges = (1..=9).map(|number| (number, edge.clone())).collect();
-        setup.control.tools.entry(number).or_insert_with(|| Tool { name: format!("T{number}"), edges });
-    }
-    setup
-}
-
 fn name(code: Code) -> String {
     match code {
         Code::Alarm(number) => number.to_string(),
@@ -175,10 +254,9 @@ fn name(code: Code) -> String {
     }
 }
 
-fn reason(stop: Option<&Stop>) -> String {
+fn reason(stop: &Stop, words: &Words) -> String {
     match stop {
-        None => "the end of the program".to_owned(),
-        Some(Stop::Alarm(code)) => name(*code),
-        Some(Stop::Fault(message)) => message.key.to_string(),
+        Stop::Alarm(code) => format!("alarm {}", name(*code)),
+        Stop::Fault(message) => words.text(message),
     }
 }

@@ -19,7 +19,7 @@ pub const KEYS: &[&str] = &[
     "run-repeated", "run-not-measured", "run-axis-name", "run-system-variable", "run-positioning", "run-axis-variable",
     "run-log", "run-scan-limit", "run-unread-value", "run-unread-way", "run-parameter", "run-no-edge", "run-far",
     "run-no-value", "run-errors", "run-crash-tool", "run-machine-value", "run-argument-unknown", "run-standard",
-    "run-step", "run-data", "run-trace-full", "run-axes",
+    "run-step", "run-data", "run-trace-full", "run-axes", "run-waits",
 ];
 
 /// Keys of what a run goes on without: named at its end.
@@ -32,6 +32,7 @@ const CURES: &[(&str, &str)] = &[
     ("run-no-edge", "run-no-edge-hint"),
     ("run-parameter", "run-parameter-hint"),
     ("run-machine-value", "run-machine-value-hint"),
+    ("run-waits", "run-machine-value-hint"),
 ];
 
 /// Something wrong at a place.

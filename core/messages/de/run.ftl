@@ -75,6 +75,7 @@ run-no-edge-hint = Schneide in der Werkzeugliste der Maschine eintragen oder die
 run-parameter = { $word } ist ein Parameter von PROC { $program }; hier hat er keinen Wert.
 run-parameter-hint = Einen Wert angeben (Terminal: --arg), das aufrufende Programm laufen lassen oder dem Parameter eine Vorbesetzung geben.
 run-machine-value = „{ $word }“ ist ein Wert der Maschine und fehlt in der Maschineneinrichtung. Angenommen: { $value }.
+run-waits = Das Programm wartet hier auf „{ $word }“. Ab hier angenommen: { $value }.
 run-machine-value-hint = Den Wert in den Daten der Maschineneinrichtung eintragen.
 run-argument-unknown = Das Programm hat keinen Parameter „{ $word }“.
 run-unread-value = Der Wert von „{ $word }“ ist unbekannt: Zeile { $line } ist nicht lesbar.

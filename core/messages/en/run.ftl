@@ -75,6 +75,7 @@ run-no-edge-hint = Enter the cutting edge in the tool list of the machine, or co
 run-parameter = { $word } is a parameter of PROC { $program } and has no value here.
 run-parameter-hint = Give it a value (terminal: --arg), run a program that calls it, or define a default for it.
 run-machine-value = “{ $word }” is a value of the machine that the setup does not contain. Assumed: { $value }.
+run-waits = The program waits here for “{ $word }”. Assumed from here on: { $value }.
 run-machine-value-hint = Enter the value in the data of the setup.
 run-argument-unknown = “{ $word }” is not a parameter of the program.
 run-unread-value = The value of “{ $word }” is not known: line { $line } could not be read.

@@ -75,6 +75,7 @@ run-no-edge-hint = 请在机床的刀具表中输入该刀沿，或改正 D 号�
 run-parameter = { $word } 是 PROC { $program } 的参数；这里没有给它赋值。
 run-parameter-hint = 请给出它的值（终端中用 --arg），运行调用它的程序，或给参数一个默认值。
 run-machine-value = “{ $word }”是机床的值，机床配置中没有。假定为 { $value }。
+run-waits = 程序在此等待“{ $word }”。由此起假定：{ $value }。
 run-machine-value-hint = 请在机床配置的数据中输入该值。
 run-argument-unknown = 程序没有参数“{ $word }”。
 run-unread-value = “{ $word }”的值未知：第 { $line } 行无法读取。

@@ -4,7 +4,7 @@
 //! One state is kept, and after twice as many jumps back the present one instead of it (Brent): so states of any period
 //! are found, for one comparison a jump.
 
-use super::{Interpreter, Level, Locals, Modal};
+use super::{Interpreter, Level, Locals, Modal, of_machine};
 use crate::geometry::{Mcs, Wcs};
 use crate::machine::sim::state::State;
 use std::collections::BTreeMap;
@@ -42,8 +42,14 @@ pub fn again(run: &mut Interpreter) -> bool {
     if run.endless.jumps > run.endless.next {
         run.endless.next = 2 * run.endless.jumps;
         run.endless.kept = Some(Box::new(keep(run)));
+        of_machine::watch(run);
     }
     false
+}
+
+/// Begins anew: something decides otherwise from here.
+pub fn forget(run: &mut Interpreter) {
+    run.endless = Watch::default();
 }
 
 /// What differs most often is compared first.

@@ -176,6 +176,7 @@ impl Session {
         };
         let mut run = self.run;
         noted::tell(&mut run);
+        of_machine::settle(&mut run);
         let machine_values = of_machine::all(&run);
         let Interpreter { sim, diagnostics, passed: passed_over, called, .. } = run;
         Outcome { diagnostics, passed_over, called, machine_values, ..Outcome::left_by(sim, &self.before, stop) }
@@ -228,7 +229,10 @@ fn next_block(run: &mut Interpreter) -> Result<Option<()>, Halt> {
     run.sim.room().map_err(Halt::at(span))?; // a program that only computes never asks the machine
     let end = go_on(run, |_| next);
     if end.is_none() && run.at <= at && run.levels.len() == depth && endless::again(run) {
-        return Err(Problem::at("run-endless", span).number("line", (run.at + 1) as f64).into());
+        if !of_machine::turn(run, span) {
+            return Err(Problem::at("run-endless", span).number("line", (run.at + 1) as f64).into());
+        }
+        endless::forget(run);
     }
     Ok(end)
 }

@@ -7,7 +7,7 @@ use crate::control::{Value, machine_data};
 use crate::diagnostic::{Severity, Span};
 use crate::problem::Problem;
 use std::cell::RefCell;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A value that was assumed.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
@@ -23,12 +23,33 @@ pub struct MachineValue {
 
 /// Most of them that are kept.
 const MOST: usize = 1000;
+/// How often a run takes a value for another, so that a loop that waits for it is left.
+const MOST_TURNS: usize = 100;
 
 /// Those that were assumed so far, by name, with the place that asked first.
 #[derive(Debug, Default)]
 pub struct Asked {
     all: RefCell<BTreeMap<String, Span>>,
     told: usize,
+    /// Numbers that a loop asked for since its state was kept.
+    in_loop: RefCell<BTreeSet<String>>,
+    /// What is no longer taken for 0, or is again.
+    turned: BTreeMap<String, f64>,
+    turns: usize,
+    waiting: Option<Waiting>,
+}
+
+/// A loop that would never end with what is assumed: it waits for a value of the machine.
+#[derive(Debug)]
+struct Waiting {
+    /// Block that it jumps back to.
+    at: usize,
+    /// Its jump.
+    place: Span,
+    /// The value that is taken for another now.
+    name: String,
+    /// Others that it asks for and that were not tried.
+    untried: Vec<String>,
 }
 
 /// Value of a datum that is not simulated: what the setup gives or the program wrote, else 0 or an empty text. None:
@@ -49,7 +70,53 @@ pub fn read(run: &Interpreter, key: &str, place: Span) -> Option<Datum> {
     if all.len() < MOST && !all.contains_key(key) {
         all.insert(key.to_owned(), place);
     }
-    Some(Datum::from(&assumed(key)))
+    let value = assumed(key);
+    if all.contains_key(key) && matches!(value, Value::Number(_)) {
+        run.asked.in_loop.borrow_mut().insert(key.to_owned());
+    }
+    Some(run.asked.turned.get(key).map_or_else(|| Datum::from(&value), |turned| Datum::from(&Value::Number(*turned))))
+}
+
+/// A loop begins to be watched.
+pub fn watch(run: &Interpreter) {
+    run.asked.in_loop.borrow_mut().clear();
+}
+
+/// Takes one value that a loop asks for as 1 in place of 0, or the other way round, and each other one after it while
+/// the loop still repeats itself: a program that waits for an input of its machine goes on, as it does there. False:
+/// the loop waits for no value that was assumed.
+pub fn turn(run: &mut Interpreter, place: Span) -> bool {
+    let at = run.at;
+    let before = run.asked.waiting.take();
+    let mut untried: Vec<String> = match before {
+        Some(waiting) if waiting.at == at => {
+            other(&mut run.asked.turned, &waiting.name); // it was not this one
+            waiting.untried
+        }
+        before => {
+            run.asked.waiting = before;
+            settle(run);
+            run.asked.in_loop.borrow().iter().rev().cloned().collect()
+        }
+    };
+    run.asked.turns += 1;
+    let Some(name) = untried.pop().filter(|_| run.asked.turns <= MOST_TURNS) else { return false };
+    other(&mut run.asked.turned, &name);
+    run.asked.waiting = Some(Waiting { at, place, name, untried });
+    true
+}
+
+fn other(turned: &mut BTreeMap<String, f64>, name: &str) {
+    let value = turned.entry(name.to_owned()).or_default();
+    *value = if *value == 0.0 { 1.0 } else { 0.0 };
+}
+
+/// Tells for which value the last loop waited that the run left.
+pub fn settle(run: &mut Interpreter) {
+    if let Some(Waiting { place, name, .. }) = run.asked.waiting.take() {
+        let value = run.asked.turned.get(&name).copied().unwrap_or_default();
+        run.tell(Severity::Note, &Problem::new("run-waits", place, name).number("value", value));
+    }
 }
 
 /// What is assumed where nobody says it.

@@ -194,3 +194,34 @@ fn any_text_is_a_definition_file() {
     });
     outcome.unwrap();
 }
+
+// oracle: hand: a program that waits for an input of its machine goes on there once the input changes
+#[test]
+fn a_loop_that_waits_for_the_machine_is_left() {
+    for (text, waits) in [
+        ("WHILE $A_IN[10]==0\nG4 F0.2\nENDWHILE\nR1=7", 1),
+        ("WHILE ($A_IN[10]==0) OR ($A_IN[9]==1)\nG4 F0.2\nENDWHILE\nR1=7", 1),
+        ("BACK:\nIF $A_DBB[4]<>1 GOTOB BACK\nR1=7", 1),
+        ("REPEAT\nG4 F1\nUNTIL $A_IN[1]\nREPEAT\nG4 F1\nUNTIL NOT $A_IN[1]\nR1=7", 2),
+        ("LOOP\nR2=R2+1\nIF $A_IN[1] GOTOF OUT\nR2=0\nENDLOOP\nOUT: R1=7", 1),
+    ] {
+        let outcome = started(&format!("{text}\nM30\n"), Limits::default(), &[]);
+        assert_eq!((&outcome.stop, outcome.control.number("R1")), (&None, 7.0), "{text}");
+        let told = outcome.diagnostics.iter().filter(|found| found.message.key == "run-waits").count();
+        assert_eq!(told, waits, "{text}");
+    }
+}
+
+// oracle: hand
+#[test]
+fn a_loop_that_waits_for_nothing_of_the_machine_never_ends() {
+    for text in [
+        "R1=$A_IN[1]\nLOOP\nG4 F1\nENDLOOP",
+        "LOOP\nR1=$A_IN[1]\nENDLOOP",
+        "WHILE $A_IN[1]<5\nG4 F1\nENDWHILE",
+        "LOOP\nWHILE $A_IN[1]==0\nENDWHILE\nWHILE $A_IN[1]==1\nENDWHILE\nENDLOOP",
+    ] {
+        assert_eq!(key(&started(&format!("{text}\nM30\n"), Limits::default(), &[])), Some("run-endless"), "{text}");
+    }
+    assert_eq!(key(&strict("WHILE $A_IN[10]==0\nENDWHILE\nM30\n")), Some("run-system-variable"));
+}
