@@ -19,6 +19,7 @@ use probewright_core::words::Words;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::rc::Rc;
 use std::time::{Duration, Instant};
 
 /// Rows of a table that are printed.
@@ -131,7 +132,7 @@ impl Summary {
         }
         self.reading += begin.elapsed();
         let begin = Instant::now();
-        let (outcome, given) = run(&with(file, beside()));
+        let (outcome, given) = run(&Rc::new(with(file, beside())));
         self.running += begin.elapsed();
         match &outcome.stop {
             None => {
@@ -163,10 +164,10 @@ impl Summary {
 }
 
 /// Runs a program; one that needs values for its own parameters gets 0 or an empty text for them.
-fn run(program: &Program) -> (Outcome, bool) {
+fn run(program: &Rc<Program>) -> (Outcome, bool) {
     let mut values = BTreeMap::new();
     loop {
-        let outcome = assumed::run_with(program, Limits::default(), values.clone()).outcome;
+        let outcome = assumed::run_with(program, Limits::default(), values.clone(), &mut |_| {}).outcome;
         let Some(Stop::Fault(message)) = &outcome.stop else { return (outcome, !values.is_empty()) };
         let asked = message.args.iter().find_map(|(name, arg)| match arg {
             Arg::Text(text) if *name == "word" && message.key == "run-parameter" => Some(text.to_string()),
