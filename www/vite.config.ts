@@ -16,7 +16,7 @@ export default defineConfig({
   // After the first load everything comes from the browser's store: shop networks are closed. A new version waits until
   // the user wants it (`src/page/update.ts`); only a first visit is served from the store at once.
   plugins: [
-    words(here("../core/messages"), here("messages")),
+    words(here("../core/messages"), here("messages"), here("../core/src/catalogue/mod.rs")),
     icons(here("public/icon.svg")),
     ahead(),
     VitePWA({

@@ -6,19 +6,32 @@ import type { Plugin } from "vite";
 
 const FALLBACK = "en"; // comes with the page, in two parts; another language comes whole when it is chosen
 
-// What is asked for only when the form stands: cures, search words and results of the core, and all that measuring,
-// running, alarms and machine data say. The page's own words stand from the start.
+// What is asked for only when the form stands: cures, search words and results of the core, all that measuring,
+// running, alarms and machine data say, and the words of other cycles than that of the first visit. The page's own
+// words stand from the start.
 const LATER_WORDS = /^([a-z0-9-]+-(help|hint|words)|result-[a-z0-9-]+) =/;
-const LATER_FILES = /^(advice|alarms|changes|datum|equipment|evaluate|lists|run|setup|syntax|twin)\.ftl$/;
+const LATER_FILES =
+  "advice alarms changes datum digitizing equipment evaluate lathe lists logging nct run setup syntax tool-probe twin"
+    .split(" ")
+    .map(name => `${name}.ftl`);
+const OF_CYCLE = /^cycle\d+\.ftl$/;
 const TERMINAL = "report.ftl"; // never shown in the page
 
 type Part = "first" | "later" | "help";
 
-/** Where a message of the core belongs; help pages are long and read by few. */
-function partOf(file: string, message: string): Part | null {
+/** The file of the cycle that the page's first module knows, as the catalogue names it. */
+function firstCycle(catalogue: string): string {
+  const name = /^const FIRST: .*&(cycle\d+)::/m.exec(readFileSync(catalogue, "utf8"))?.[1];
+  if (!name) throw new Error(`${catalogue} names no cycle of the first visit`);
+  return `${name}.ftl`;
+}
+
+/** Where a message of the core belongs; help pages are long and read by few. `first`: the file of the first cycle. */
+function partOf(file: string, message: string, first: string): Part | null {
   if (file === TERMINAL) return null;
   if (message.startsWith("help-")) return "help";
-  return LATER_FILES.test(file) || LATER_WORDS.test(message) ? "later" : "first";
+  const later = LATER_FILES.includes(file) || (OF_CYCLE.test(file) && file !== first) || LATER_WORDS.test(message);
+  return later ? "later" : "first";
 }
 
 /** Messages of a text, each with its attributes. */
@@ -26,7 +39,8 @@ function messages(text: string): string[] {
   return text.split(/\n(?=[a-z#]|$)/).filter(message => /^[a-z]/.test(message));
 }
 
-export function words(core: string, page: string): Plugin {
+export function words(core: string, page: string, catalogue: string): Plugin {
+  const first = firstCycle(catalogue);
   const languages = readdirSync(core);
   const others = languages.filter(one => one !== FALLBACK);
   const files = (folder: string): string[] => readdirSync(folder).filter(name => name.endsWith(".ftl"));
@@ -39,7 +53,7 @@ export function words(core: string, page: string): Plugin {
           return part !== null && wanted.includes(part);
         }),
       );
-    return [...said(core, partOf), ...said(page, () => "first")].join("\n");
+    return [...said(core, (file, message) => partOf(file, message, first)), ...said(page, () => "first")].join("\n");
   }
 
   const fetched = (of: string[], part: string): string =>

@@ -70,3 +70,10 @@ export function createJob(changed: () => void): Job {
 
 /** A job that was stopped. */
 class Ended extends Error {}
+
+/** When what is drawn now is on the screen. */
+export const painted = (): Promise<void> =>
+  new Promise(resolve => {
+    requestAnimationFrame(() => setTimeout(resolve));
+    setTimeout(resolve, 100); // a page in the background gets no animation frames
+  });

@@ -9,7 +9,7 @@ import { createDesk, isSettled } from "../desk/desk";
 import { lastKnown, meant, type Seen } from "../desk/meaning";
 import { suited } from "../desk/program";
 import { createEditorPlace } from "../editor/place";
-import { createJob } from "../pace";
+import { createJob, painted } from "../pace";
 import { createScanner } from "../scan/scanner";
 import { save } from "../state/keep";
 import { machine, NOBODY, patched, type State } from "../state/state";
@@ -98,12 +98,6 @@ export async function startApp(core: Core, stored: Flat | null, returned: boolea
 }
 
 const PATIENCE = 1500; // ms that editor, stage and types wait for the first result
-
-const painted = (): Promise<void> =>
-  new Promise(resolve => {
-    requestAnimationFrame(() => setTimeout(resolve));
-    setTimeout(resolve, 100); // a page in the background gets no animation frames
-  });
 
 /** The time when form and result stand, and everything else may come. */
 interface Calm {

@@ -1,5 +1,7 @@
 // Fetches the pieces of the screen that come behind the first form.
 
+import { painted } from "../pace";
+
 type Later = typeof import("./later");
 let later: Later | null = null;
 let coming: Promise<Later> | null = null;
@@ -11,7 +13,7 @@ let coming: Promise<Later> | null = null;
 export function behind<T>(make: (pieces: Later) => T, made: () => void, stop: AbortSignal): () => T | null {
   let piece = later && make(later);
   if (!later) {
-    coming ??= import("./later");
+    coming ??= painted().then(() => import("./later"));
     coming.then(pieces => {
       later = pieces;
       if (stop.aborted) return;
