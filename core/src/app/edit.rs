@@ -188,7 +188,8 @@ pub struct CuredAll {
 ///
 /// let text = "_MVAR=1 _SETVAL=132 ; bore\nCYCLE977\nM30\n".to_owned();
 /// let (name, value) = ("_SETVAL".to_owned(), "40".to_owned());
-/// let done = change(ChangeRequest { control: Dialect::Sinumerik, text, call: 0, name, value, setup: None, with: None })?;
+/// let control = Dialect::Sinumerik;
+/// let done = change(ChangeRequest { control, text, call: 0, name, value, setup: None, with: None })?;
 /// let edit = &done.steps[0][0];
 /// assert_eq!((edit.from, edit.to, edit.insert.as_str()), (16, 19, "40")); // nothing else changes
 /// # Ok::<(), probewright_core::app::Error>(())
