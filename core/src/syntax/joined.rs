@@ -3,6 +3,8 @@
 use super::block::before_end;
 use crate::dialect::Dialect;
 
+const MARK: &[u8] = b"\xef\xbb\xbf";
+
 /// A program with the files behind it.
 pub struct Joined {
     /// All of it.
@@ -26,10 +28,14 @@ impl Joined {
         let end = before_end(self.text.get(last..).unwrap_or_default()).len();
         self.text.truncate(last + end);
         self.text.push(b'\n');
+        // inside the text a mark of UTF-8 would be a character; blanks in its place leave every place as it was
+        let marked = source.strip_prefix(MARK);
+        let (blanks, source) = marked.map_or((&b""[..], source), |source| (&b"   "[..], source));
         if self.dialect == Dialect::Sinumerik && !source.trim_ascii_start().starts_with(b"%") {
             self.text.extend(header(name).into_bytes());
         }
         self.starts.push(self.text.len());
+        self.text.extend(blanks);
         self.text.extend(source);
     }
 }
@@ -53,6 +59,20 @@ fn header(file: &str) -> String {
 mod tests {
     #![allow(clippy::indexing_slicing)]
     use super::*;
+
+    // oracle: hand (three bytes of a mark, three blanks; the first line counts, be it a header or not)
+    #[test]
+    fn a_mark_at_the_begin_of_a_file_is_none_in_the_middle_of_a_text() {
+        for (first, name) in [("DEF NCK REAL A=5\n", "GUD4.DEF"), ("%_N_GUD4_DEF\nDEF NCK REAL A=5\n", "any.txt")] {
+            let mut joined = Joined::new(Dialect::Sinumerik, b"R1=A\nM30\n".to_vec());
+            joined.add(name, format!("\u{feff}{first}M17\n").as_bytes());
+            assert_eq!(&joined.text[joined.starts[1]..], format!("   {first}M17\n").as_bytes());
+            let program = crate::syntax::read(joined.dialect, &joined.text);
+            assert!(program.errors.is_empty(), "{:?}", program.errors);
+            let found = crate::syntax::definitions::definitions(&joined.text).definitions;
+            assert_eq!(found.lines, ["DEF NCK REAL A=5"], "{first}");
+        }
+    }
 
     // oracle: self (what a header of a program or definition file has to say: core/src/syntax/programs.rs)
     #[test]
