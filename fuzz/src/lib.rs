@@ -17,15 +17,55 @@ const STYLES: [Style; 3] = [Style::Direct, Style::Indirect, Style::Operate];
 /// Calls of a program that are written otherwise: each of them reads the whole program again.
 const CONVERTED: usize = 4;
 
+/// How much is done with one input.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Extent {
+    /// All of it: for tests, which have few inputs.
+    All,
+    /// One control, one value of each call, one call written in one style, chosen by the bytes: of many inputs together
+    /// nothing is left out, and ten times as many are tried in the same time.
+    Drawn,
+}
+
+/// Chooses by the bytes of an input, the same again for the same bytes.
+struct Die {
+    extent: Extent,
+    state: u64,
+}
+
+impl Die {
+    /// FNV-1a over the bytes.
+    fn new(extent: Extent, bytes: &[u8]) -> Die {
+        let state = bytes
+            .iter()
+            .fold(0xcbf2_9ce4_8422_2325, |state: u64, byte| (state ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3));
+        Die { extent, state }
+    }
+
+    /// All of them, or one.
+    fn of<T>(&mut self, all: Vec<T>) -> Vec<T> {
+        if self.extent == Extent::All || all.is_empty() {
+            return all;
+        }
+        self.state = self.state.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(0x1405_7b7e_f767_814f);
+        let chosen = (self.state >> 33) as usize % all.len();
+        all.into_iter().skip(chosen).take(1).collect()
+    }
+}
+
 /// Reading any bytes as a program, finding the calls, changing each of their values, writing them otherwise and judging
 /// the whole does not panic; the source stays as it is, and every finding points into it.
-pub fn read(bytes: &[u8]) {
-    for dialect in DIALECTS {
+pub fn read(bytes: &[u8], extent: Extent) {
+    let mut die = Die::new(extent, bytes);
+    for dialect in die.of(DIALECTS.to_vec()) {
         let program = parse(dialect, bytes);
         assert_eq!(program.source, bytes);
         let sites = calls(&program);
-        for (index, site) in sites.iter().enumerate() {
-            written_anew(&program, site, index);
+        for site in &sites {
+            changed(&program, site, &mut die);
+        }
+        for index in die.of((0..sites.len().min(CONVERTED)).collect()) {
+            converted(&program, index, &mut die);
         }
         for finding in findings_of(&program, &sites, &delivery(dialect)) {
             let inside =
@@ -35,13 +75,16 @@ pub fn read(bytes: &[u8]) {
     }
 }
 
-fn written_anew(program: &Program, site: &CallSite, index: usize) {
+fn changed(program: &Program, site: &CallSite, die: &mut Die) {
     arrivals(program, site);
-    for param in site.cycle.params {
+    for param in die.of(site.cycle.params.iter().collect()) {
         let edits = change::change(program, site, &param.name, "1");
         change::apply(&program.source, &edits);
     }
-    for style in STYLES.into_iter().filter(|_| index < CONVERTED) {
+}
+
+fn converted(program: &Program, index: usize, die: &mut Die) {
+    for style in die.of(STYLES.to_vec()) {
         let written = convert::convert(program, index, style, &delivery(program.dialect));
         change::apply(&program.source, &written.edits);
     }
@@ -49,9 +92,9 @@ fn written_anew(program: &Program, site: &CallSite, index: usize) {
 
 /// Running any bytes as a program of a mill of either control, or of a lathe, against a block of material does not
 /// panic, ends within the limits and drives to numbers.
-pub fn run(bytes: &[u8]) {
+pub fn run(bytes: &[u8], extent: Extent) {
     let limits = Limits { steps: Some(500), depth: 4, trace: 500, ..Limits::default() };
-    for setup in machines() {
+    for setup in Die::new(extent, bytes).of(MACHINES.to_vec()).into_iter().map(|machine| machine()) {
         let outcome = simulate(&parse(setup.control.dialect, bytes), &setup, limits);
         assert!(outcome.trace.entries.len() <= limits.trace);
         assert!(numbers(&outcome), "a position that is no number");
@@ -71,18 +114,16 @@ fn numbers(outcome: &Outcome) -> bool {
 }
 
 /// A mill of each control and a lathe, with a calibrated probe and a tool that cuts.
-fn machines() -> [Setup; 3] {
-    let [mill, nct] = DIALECTS.map(|dialect| Setup::calibrated(dialect, Plane::G17));
-    let lathe = Setup::turning(Plane::G18);
-    [(mill, 120, 10.0), (nct, 120, 10.0), (lathe, 500, 0.8)].map(|(mut setup, kind, radius)| {
-        setup.workpiece.solids.push(block());
-        let edge = Edge { kind, tip: 3, length: [80.0, 0.0, 0.0], radius, ..Edge::default() };
-        let tool = Tool { name: "CUTTER".into(), edges: [(1, edge)].into() };
-        setup.control.tools.insert(20, tool);
-        setup
-    })
-}
+const MACHINES: [fn() -> Setup; 3] = [
+    || with_cutter(Setup::calibrated(Dialect::Sinumerik, Plane::G17), 120, 10.0),
+    || with_cutter(Setup::calibrated(Dialect::Nct, Plane::G17), 120, 10.0),
+    || with_cutter(Setup::turning(Plane::G18), 500, 0.8),
+];
 
-fn block() -> Solid {
-    Solid::new(Shape::Block { size: [100.0, 100.0, 50.0] }, Mcs::default())
+fn with_cutter(mut setup: Setup, kind: i64, radius: f64) -> Setup {
+    setup.workpiece.solids.push(Solid::new(Shape::Block { size: [100.0, 100.0, 50.0] }, Mcs::default()));
+    let edge = Edge { kind, tip: 3, length: [80.0, 0.0, 0.0], radius, ..Edge::default() };
+    let tool = Tool { name: "CUTTER".into(), edges: [(1, edge)].into() };
+    setup.control.tools.insert(20, tool);
+    setup
 }

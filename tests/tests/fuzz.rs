@@ -2,6 +2,7 @@
 //! `cargo xtask fuzz` does for long.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+use probewright_fuzz::Extent;
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
 use std::path::{Path, PathBuf};
@@ -36,8 +37,8 @@ fn the_programs_themselves_pass() {
     let seeds = seeds();
     assert!(seeds.len() > 6, "the seeds are found");
     for seed in seeds {
-        probewright_fuzz::read(&seed);
-        probewright_fuzz::run(&seed);
+        probewright_fuzz::read(&seed, Extent::All);
+        probewright_fuzz::run(&seed, Extent::All);
     }
 }
 
@@ -52,7 +53,7 @@ proptest! {
         0..6)), 1..6),
     ) {
         let program = changes.iter().fold(seed, |program, (at, length, bytes)| splice(&program, *at, *length, bytes));
-        probewright_fuzz::read(&program);
-        probewright_fuzz::run(&program);
+        probewright_fuzz::read(&program, Extent::All);
+        probewright_fuzz::run(&program, Extent::All);
     }
 }
