@@ -11,9 +11,9 @@ cycle116-no-circle-hint = 请在圆上选相距较远的点，例如每点相隔
 
 param-116-count = 点数
 param-116-count-help = 三点确定一个圆；四点时全部参与计算，个别不准的点影响较小。
-param-116-abscissa = 测点横坐标
+param-116-abscissa = 测量点横坐标
 param-116-abscissa-help = 该点在平面第 1 轴上的坐标。
-param-116-ordinate = 测点纵坐标
+param-116-ordinate = 测量点纵坐标
 param-116-ordinate-help = 该点在平面第 2 轴上的坐标。
 need-116-points = 求圆至少需要三点。
 need-116-fourth = 选择了四点。

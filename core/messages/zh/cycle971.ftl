@@ -76,7 +76,7 @@ check-cm-direction-hint = 请把 GUD6 中的 _CM[5] 设为 3（M3）或 4（M4�
 check-cm-zero = { $name } 不大于 0：循环无法计算测量的转速和进给。
 check-cm-zero-hint = 请设置极限：_CM[0] 圆周速度，[1] 主轴转速，[3] 精度，[4] 最大进给。
 check-cm-factor = { $name } 必须为 0 或不小于 1。
-check-cm-factor-hint = 输入 0 省去这次触碰，否则至少输入 1：进给乘以该系数。
+check-cm-factor-hint = 请输入不小于 1 的值（进给乘以该系数），或输入 0 省去这次触碰。
 check-cm-order = { $name } 不小于 _CM[6]，而每次触碰应比前一次慢。
 check-cm-order-hint = 请减小进给系数 2，或设为 0，只触碰两次。
 check-compensation-make = 不作补偿：_MT_COMP=1 时需要在 { $name } 中设置测头型号。

@@ -11,7 +11,7 @@ cycle994-outside-inside-words = 车削 车床 直径 轴 镗孔 两点 安全 �
 
 param-setval-two-diameter = 设定直径
 param-setval-two-diameter-help = 取自图纸。DIAMON 时为直径，DIAMOF 时为半径；两点对称于工件零点。
-param-setval-two-radius = 至零点设定距离
+param-setval-two-radius = 到零点的设定距离
 param-setval-two-radius-help = 两点到工件零点的距离，一点在正方向，一点在负方向。
 param-sza-turned = 横坐标方向保护区
 param-sza-turned-help = 保护区在平面第 1 轴（G18：Z）的边界，从工件零点算起；测头沿边界绕行。按测球中心计：须加上测球半径；X 轴且 DIAMON 时为直径，须加上测球直径。

@@ -2,12 +2,12 @@
 
 help-stylus = 测针在主轴中，其长度补偿有效，且没有触碰任何物体。
 help-guarded = 测针用 G101 移到该处，途中若有碰撞便会停止。
-help-steps = 一次触碰分三步：快速接近至触发，以中等速度退回，再以很低的速度前进；以最后一步为准。
+help-steps = 一次触碰分三步：快速接近直到触发，以中等速度退回，再以很低的速度前进；以最后一步为准。
 help-position-lost = 上一次 G101 没有到达目标：OUT OF POSITION。
 help-result = 编程 S 时，工件偏置按测量值减公称值补偿；编程 T 时补偿刀具寄存器，使下一个工件合格；编程 M 时只存储偏差，有余量为正。S 和 T 都省略则不补偿。
-help-limits = 偏差大于 H 为 OUT OF TOLERANCE；大于 U 为 UPPER TOL EXEEDED，不作补偿。
+help-limits = 偏差大于 H 时显示 OUT OF TOLERANCE；大于 U 时显示 UPPER TOL EXEEDED，不作补偿。
 help-both-targets = 同时编程了 S 和 T：FORMAT ERROR。偏差只能补偿其中之一。
-help-middle-tolerance = 公称尺寸不是公差带中点：H 向两侧计算（20 +0.1/−0.3 写成 19.9 和 H0.2）。
+help-middle-tolerance = 公称尺寸不是公差带的中值：H 向两侧计算（20 +0.1/−0.3 写成 19.9 和 H0.2）。
 help-one-system = 校准一部分用英制、一部分用公制：全部应在同一单位制中进行。
 
 help-g101-measures-nothing = 不测量：把测针移到 X、Y、Z，并监控途中的每个信号。
@@ -69,7 +69,7 @@ help-g109-corrects-half = S 按中线的偏移补偿；T 为半径，按宽度�
 help-g109-wrong-width = 没有宽度或为 0：FORMAT ERROR。
 help-g109-wrong-room = 补偿后的刀具放不进槽：TOOL DIA OFFS TOO LARGE。
 
-help-g110-measures-bore = 内孔的直径和中心。
+help-g110-measures-bore = 孔的直径和中心。
 help-g110-measures-boss = 圆凸台的直径和中心。
 help-g110-before-inside = 测球在孔的公称中心，处于测量深度。
 help-g110-before-above = 测球在圆凸台公称中心的上方。

@@ -80,7 +80,7 @@ help-cycle979-order-end = 最后在测量高度，停在最后一点前 _FA 处�
 help-cycle979-corrects-half = 半径按直径或宽度偏差的一半补偿。
 help-cycle979-corrects-both = 补偿平面的两个轴；槽和凸台按中点沿该直线的偏移补偿。
 help-cycle979-wrong-arc = 在圆弧段之外沿圆弧移动时，测头撞到工件：报警 61302。
-help-cycle979-wrong-close = 各点太近：一点的微小误差会使中心大幅移动。_INCA 应取圆弧段允许的最大值。
+help-cycle979-wrong-close = 各点太近：一点的微小误差会使中心产生数倍的偏移。_INCA 应取圆弧段允许的最大值。
 help-cycle979-wrong-speed = _RF 为 0：报警 61365。
 help-cycle979-wrong-skewed = _STA1 直线与两壁不垂直：测得的宽度偏大。
 help-cycle979-wrong-lift = _ID 太短；长度算到测球中心（_CBIT[14]=0）时必须包含测球半径。
@@ -102,7 +102,7 @@ help-cycle997-order-end = 最后停在最后一个球上方的安全高度。
 help-cycle997-corrects-shift = 由 _KNUM 指定的零点偏移，三个轴：使球处于设定坐标；旋转不变。_KNUM=0 不补偿。
 help-cycle997-corrects-turn = _KNUM 大于 0 时补偿该零点偏移的粗偏移和旋转：使三个球处于设定位置。变形超过 _TNVL：报警 61414，不补偿。
 help-cycle997-corrects-area = 任何偏差超过 _TSA，程序都以报警 61303 停止。
-help-cycle997-wrong-holder = 球的支座位于测点处或进刀路径上。
+help-cycle997-wrong-holder = 球的支座位于测量点处或进刀路径上。
 help-cycle997-wrong-no-ball = 校准测头时没有求测球直径：没有存储值时报警 61341；存储值有误时，接近球的各位置都偏移。
 help-cycle997-wrong-line = 三个设定球心在一条直线上：报警 61411。
 

@@ -25,7 +25,7 @@ report-optional = 可选
 report-optional-when = { $condition } 时可选
 report-or = 或
 report-parameters = 参数
-report-raised = 引发：{ $cycles }。发现：{ $found }。出处：{ $source }。
+report-raised = 引发来源：{ $cycles }。发现：{ $found }。出处：{ $source }。
 report-required = 必需
 report-required-when = { $condition } 时必需
 report-results = 结果
@@ -81,7 +81,7 @@ terminal-log = 输出
 terminal-told-cause = 原因
 terminal-told-cure = 措施
 terminal-told-effect = 影响
-terminal-told-sources = 引发
+terminal-told-sources = 引发来源
 terminal-told-found = 发现方式
 terminal-told-source = 出处
 
@@ -115,9 +115,9 @@ terminal-setup-text = 机床配置文件，见 docs/setup.schema.json；省略�
 terminal-with-text = 属于该程序的定义文件（.DEF）和子程序
 terminal-arg-text = 程序自身参数的值，例如 DEPTH=5
 terminal-strict-text = 缺少子程序或机床的值时停止
-terminal-max-blocks-text = 运行这么多程序段后放弃；长程序段、数组以及循环中的运动按多段计
+terminal-max-blocks-text = 运行超过此程序段数时停止；长程序段、数组以及程序循环中的运动按多段计
 terminal-assumed-values = 假定的机床值：{ $values }。括号中为行号。
-terminal-progress = { $share } %，{ $blocks } 个程序段
+terminal-progress = { $share }%，{ $blocks } 个程序段
 terminal-check-setup-text = 机床配置文件，包括刀具和数据；省略时用默认机床
 terminal-cycle-text = 循环名称，例如 CYCLE977
 terminal-values-text = 参数值，例如 _SETVAL=132

@@ -39,7 +39,7 @@ param-fa-tool-help = 从测量程序段起点到预期触发点的距离；过�
 param-ma-lathe-length = 被测长度
 param-ma-lathe-length-help = 要测量的长度，也决定在哪个轴触碰。起点对着刀刃要触碰的那一面。
 param-ma-calibrate = 校准轴
-param-ma-calibrate-help = 触碰测头的轴。起点决定方向，垂直坐标则始终为负方向（增量接近方式除外）。
+param-ma-calibrate-help = 触碰测头所沿的轴。起点决定方向，垂直坐标则始终为负方向（增量接近方式除外）。
 
 result-trigger-minus-1 = 负方向触发点，第 1 几何轴
 result-trigger-minus-1-difference = 负方向触发点偏差，第 1 几何轴

@@ -15,21 +15,21 @@ convert-same = 调用已经是这种书写方式。
 convert-lost = 参数表中的 { $names } 略去：旧型控制系统没有对应的参数。
 convert-lost-hint = 请检查没有这些值时此调用能否正常工作。
 convert-others = 第 { $line } 行的 { $cycle } 使用此调用的值，转换后会得到不同的值。
-convert-others-hint = 请一并转换那个调用，或在它前面写出这些值。
+convert-others-hint = 请一并转换该调用，或在该调用之前写出这些值。
 convert-argument = 此调用的参数 { $value } 会丢失：其他书写方式没有对应的位置。
 convert-argument-hint = 请先在调用中把 { $value } 写成数字，然后再转换此调用。
 convert-expression = 调用保持不变：赋给 { $name } 的 { $value } 在新文本所在处的值可能不同。
 convert-expression-hint = 请把 { $name }={ $value } 直接写在调用前面，其间不要改变该值。
-convert-macro = 调用保持不变：某个宏包含的不止其一个值。
+convert-macro = 调用保持不变：一个宏同时包含此调用的多个值。
 convert-macro-hint = 请先把宏的文本写入程序。
 
 revise-taken = 新的测量方式不使用 { $names }：已从调用中删去。
 revise-kept = 新的测量方式不使用 { $name }，但 { $name }={ $value } 是表达式，仍留在程序中。
 revise-shared = 新的测量方式不使用 { $names }，但后面的调用要读取，仍留在程序中。
-variable-before = 无法更改 { $name }：调用之前没有给它赋值的程序行。
+variable-before = 无法更改 { $name }：调用之前没有为其赋值的程序行。
 variable-several = 无法更改 { $name }：其值取决于执行路径，来自多处（第 { $lines } 行）。
 variable-unclear = 无法更改 { $name }：其值由调用、程序循环或下标决定。
-variable-calculated = 无法更改 { $name }：它在第 { $lines } 行中计算得出。
+variable-calculated = 无法更改 { $name }：其值在第 { $lines } 行中计算得出。
 variable-number = 输入数字后可更改 { $name }。
 variable-unsolved = 无法更改 { $name }：由该表达式求不出此数字对应的值。
 variable-same = { $name } 已是此值。

@@ -110,7 +110,7 @@ fn an_error_of_a_setup_names_the_member_and_its_place() {
             "position",
             13,
             "2000000; permitted: -1000000 to 1000000",
-            "允许：-1000000 至 1000000",
+            "允许：-1000000 到 1000000",
         ),
         (
             r#""workpiece": [{"shape": "hole", "size": [10, 5], "at": [0, 0, 0], "errors": {"size": 1e6}}],"#,
