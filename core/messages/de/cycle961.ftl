@@ -74,7 +74,7 @@ result-corner-abscissa-machine = Eckpunkt, Abszisse, im MKS
 result-corner-ordinate-machine = Eckpunkt, Ordinate, im MKS
 
 check-corner-distance = Der Abstand { $param } ist { $distance } mm; er muss größer als 0 sein.
-check-corner-distance-hint = Ohne Vorzeichen eingeben; die Richtung bestimmen _STA1 und _INCA.
+check-corner-distance-hint = Abstand ohne Vorzeichen eingeben; die Richtung bestimmen _STA1 und _INCA.
 check-corner-straight = Die zweite Kante hat dieselbe Richtung wie die Bezugskante.
 check-corner-straight-hint = Winkel von der Bezugskante zur zweiten Kante eingeben, zum Beispiel 90 oder -90.
 check-corner-rectangle = Die Kanten eines Rechtecks stehen unter 90° zueinander, nicht unter { $angle }°.

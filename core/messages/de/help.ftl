@@ -23,13 +23,13 @@ help-ends-at-start = Endposition: wieder die Startposition.
 help-wrong-reach = Die Fläche liegt mehr als _FA hinter ihrer Sollposition: Der Messtaster schaltet nicht, Alarm 61301.
 help-wrong-in-the-way = Ein Hindernis liegt im Weg: Mit _CHBIT[2]=1 löst eine Berührung beim Positionieren Alarm 61302 aus.
 help-corrects-tool = Ein Werkzeug (_TNUM, _TNAME oder _TENV): Verschleiß, mit _CHBIT[6]=1 Geometrie. _KNUM bestimmt Schneide, Länge oder Radius oder stattdessen eine Einrichte- oder Summenkorrektur. _KNUM=0: nichts.
-help-corrects-chain = Differenz über _TSA: Alarm 61303, Programm hält an. Über _TDIF: Meldung 62306, keine Korrektur. Außerhalb _TUL, _TLL oder _TMV: ganze Differenz. Innerhalb _TMV: mit _K gewichteter Mittelwert, wenn größer als _TZL.
+help-corrects-chain = Differenz über _TSA: Alarm 61303, Programm hält an. Über _TDIF: Meldung 62306, keine Korrektur. Außerhalb von _TUL, _TLL oder _TMV: ganze Differenz. In _TMV: mit _K gewichteter Mittelwert, wenn größer als _TZL.
 help-corrects-zero = Die NV aus _KNUM, um Istwert minus Sollwert; ihre Drehung bleibt. Ziel: Feinverschiebung, falls vorhanden; mit _CHBIT[21]=1 oder _KNUM=2000 Grobverschiebung. _KNUM=0: keine Korrektur.
 help-corrects-zero-area = Differenz über _TSA: Alarm 61303, Programm hält an, keine Korrektur.
 help-corrects-when = Die Korrektur gilt, sobald die G-Funktion (G54 …) wieder programmiert wird; nur mit _KNUM=9999 gilt sie sofort.
 help-corrects-trigger = Die Messtasterdaten: Weicht ein Triggerpunkt um mehr als _TZL vom Wert in _WP ab, speichert der Zyklus ihn neu. Über _TSA: Alarm 61303, nichts wird gespeichert.
 help-wrong-first = Erste Kalibrierung: Die gespeicherten Werte sind 0, daher muss _TSA größer als der Kugelradius sein.
-help-wrong-later = Vorschub, Ebene, Spindelstellung oder, in Fräszyklen, _CBIT[14] sind bei späteren Messungen anders: Die gespeicherten Werte gelten dort nicht.
+help-wrong-later = Vorschub, Ebene, Spindelstellung oder, in Fräszyklen, _CBIT[14] ist bei späteren Messungen anders: Die gespeicherten Werte gelten dort nicht.
 help-calibrated = Der Messtaster ist in dieser Ebene und in den Richtungen dieser Messung kalibriert, mit demselben Vorschub.
 help-uncalibrated = Der Messtaster muss nicht kalibriert sein; er schaltet in allen Richtungen, die Spindel lässt sich positionieren, und die Messachse liegt in der Ebene.
 help-turned-over = Den ersten Punkt tastet der Zyklus mit um 180° gedrehter Spindel an, dann in der ursprünglichen Spindelstellung. Es gilt der Mittelwert: Die Lageabweichung hebt sich auf.

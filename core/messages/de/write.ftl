@@ -3,7 +3,7 @@
 write-no-list = { $cycle } lässt sich in dieser Schreibweise nicht aufrufen.
 write-no-list-variant = { $cycle }: Diese Messvariante oder dieses Korrekturziel lässt sich in dieser Schreibweise nicht aufrufen.
 write-variant-open = Die Argumente bestimmen die Messvariante, { $value } ist aber erst beim Programmlauf bekannt.
-write-no-list-hint = Als Zuweisungen und Aufruf schreiben.
+write-no-list-hint = Stattdessen Zuweisungen und Aufruf schreiben.
 write-zero = { $name }={ $value } wird als eigene Zuweisung geschrieben: Eine 0 in CYCLE_PARA lässt den vorherigen Wert bestehen.
 write-beside = { $name }={ $value } wird als eigene Zuweisung geschrieben: Der Aufruf hat kein Argument dafür.
 write-lost = { $name } entfällt: Die Argumentliste neuerer Steuerungen hat kein Argument dafür.
@@ -15,7 +15,7 @@ convert-same = Der Aufruf hat bereits diese Schreibweise.
 convert-lost = Beim Umwandeln entfallen: { $names }. Die ältere Steuerung hat keinen Parameter dafür.
 convert-lost-hint = Prüfen, ob der Aufruf ohne diese Werte auskommt.
 convert-others = { $cycle } in Zeile { $line } verwendet Werte dieses Aufrufs und erhielte andere Werte.
-convert-others-hint = Auch jenen Aufruf umwandeln oder dessen Werte davor schreiben.
+convert-others-hint = Auch den anderen Aufruf umwandeln oder dessen Werte davor schreiben.
 convert-argument = Das Argument { $value } dieses Aufrufs ginge verloren: Andere Schreibweisen haben keinen Platz dafür.
 convert-argument-hint = Im Aufruf die Zahl statt { $value } schreiben, dann den Aufruf umwandeln.
 convert-expression = Der Aufruf bleibt unverändert: { $value } für { $name } kann an der Stelle des neuen Textes einen anderen Wert ergeben.
@@ -25,7 +25,7 @@ convert-macro-hint = Zuerst den Text des Makros ins Programm schreiben.
 
 revise-taken = Von der neuen Messvariante nicht verwendet und aus dem Aufruf entfernt: { $names }.
 revise-kept = { $name }={ $value } bleibt im Programm, obwohl die neue Messvariante den Wert nicht verwendet: Er ist ein Ausdruck.
-revise-shared = { $names } bleiben im Programm, obwohl die neue Messvariante sie nicht verwendet: Ein späterer Aufruf liest sie.
+revise-shared = Von der neuen Messvariante nicht verwendet, für einen späteren Aufruf im Programm belassen: { $names }.
 variable-before = { $name } lässt sich nicht ändern: Keine Programmzeile vor dem Aufruf weist einen Wert zu.
 variable-several = { $name } lässt sich nicht ändern: Je nach Programmablauf wird der Wert in verschiedenen Zeilen geschrieben: { $lines }.
 variable-unclear = { $name } lässt sich nicht ändern: Ein Aufruf, eine Schleife oder ein Index bestimmt den Wert.

@@ -152,7 +152,7 @@ editor-close = Schließen
 editor-current-match = aktuelle Fundstelle
 editor-on-line = in Zeile
 editor-replaced = Fundstelle in Zeile $ ersetzt
-editor-replaced-all = $ Fundstellen ersetzt
+editor-replaced-all = Ersetzte Fundstellen: $
 editor-go-to-line = Gehe zu Zeile
 editor-go = Los
 editor-problems = Meldungen
@@ -321,7 +321,10 @@ column-unit = Einheit
 column-before = alt
 column-after = neu
 column-difference = Änderung
-problems-more = { $count } weitere, im Programm markiert. Sie erscheinen hier, sobald die aufgeführten behoben sind.
+problems-more = { $count ->
+    [one] Eine weitere Meldung, im Programm markiert. Sie erscheint hier, sobald die aufgeführten behoben sind.
+   *[other] { $count } weitere, im Programm markiert. Sie erscheinen hier, sobald die aufgeführten behoben sind.
+}
 problems-none = Keine Meldungen.
 problem-place = Zeile { $line }, Spalte { $column }
 log-save = Als Datei speichern
@@ -380,12 +383,18 @@ notice-set-loaded = Werte geladen.
 notice-set-deleted = Werte gelöscht.
 notice-undone = Rückgängig gemacht.
 notice-redone = Wiederhergestellt.
-print-lines = { $more } weitere Zeilen sind ausgelassen. Die gespeicherte Datei enthält alle { $all }.
+print-lines = { $more ->
+    [one] Eine weitere Zeile ist ausgelassen. Die gespeicherte Datei enthält alle { $all }.
+   *[other] { $more } weitere Zeilen sind ausgelassen. Die gespeicherte Datei enthält alle { $all }.
+}
 print-sheet = Einrichteblatt drucken
 print-report = Bericht drucken
 paper-report = Messbericht
 paper-line = Zeile { $line }
-paper-more = { $more } weitere Aufrufe sind ausgelassen.
+paper-more = { $more ->
+    [one] Ein weiterer Aufruf ist ausgelassen.
+   *[other] { $more } weitere Aufrufe sind ausgelassen.
+}
 undo = Rückgängig
 redo = Wiederherstellen
 history = Verlauf
@@ -532,7 +541,7 @@ found-measurement = Messungen ({ $count })
 found-parameter = Parameter ({ $count })
 found-result = Ergebnisse ({ $count })
 found-alarm = Alarme ({ $count })
-found-more = { $count } weitere. Ein zusätzliches Wort grenzt die Suche ein.
+found-more = Weitere Treffer: { $count }. Ein zusätzliches Wort grenzt die Suche ein.
 
 card-result = Ergebnis { $code }
 card-alarm = Alarm { $code }
@@ -631,7 +640,10 @@ notice-assigned = Variable geändert.
 notice-revised = Der Aufruf hat jetzt eine andere Messvariante.
 of-call = { $cycle }, Zeile { $line }
 of-program = Vom Programm gesetzt
-results-more = { $count } weitere Ergebnisse sind nicht aufgeführt.
+results-more = { $count ->
+    [one] Ein weiteres Ergebnis ist nicht aufgeführt.
+   *[other] { $count } weitere Ergebnisse sind nicht aufgeführt.
+}
 # The line that says what a call came to.
 bar-title = Ergebnis der Messung
 bar-corrects = Korrigiert
@@ -705,7 +717,7 @@ start-coming = Wird geladen …
 start-open-form = Maske öffnen
 start-others = Weitere Einstiege
 start-program = Programm öffnen
-start-drop = Programm hierher ziehen
+start-drop = Programm hierherziehen
 start-stays = Es bleibt auf diesem Rechner.
 start-open = Öffnen
 start-variants = Alle Messvarianten nach Nummer
@@ -745,7 +757,10 @@ difference-lines = { $count ->
     [one] Zeile { $lines }
    *[other] { $count } Aufrufe: Zeilen { $lines }
 }
-difference-more = { $count } weitere
+difference-more = { $count ->
+    [one] 1 weiterer Wert
+   *[other] { $count } weitere Werte
+}
 difference-scope = Welche Aufrufe
 difference-scope-one = Dieser Aufruf
 difference-scope-all = Alle { $count } Aufrufe
@@ -810,7 +825,10 @@ chain-title = Grenzen auf einer Skala
 chain-measured = Ist
 topic-statistics = Statistik
 topic-probe = Messtaster
-group-more = { $count } weitere
+group-more = { $count ->
+    [one] 1 weiteres Feld
+   *[other] { $count } weitere Felder
+}
 group-as-delivered = Vorbesetzung
 fields-all = Alle Felder
 
