@@ -1,4 +1,4 @@
-// Set-up sheets and the report of a program, as they come out of the printer: pages of the PDF, and their words.
+// Setup sheets and the report of a program, as they come out of the printer: pages of the PDF, and their words.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
