@@ -215,7 +215,7 @@ describe("a run is given", () => {
     await page.locator('.whole-top button:has-text("CSV")').click();
     const table = await readFile(await (await download).path(), "utf8");
     assert.match(table, /^1,SUB\.SPF:4,CYCLE977,/m);
-    await page.getByLabel("Stop at anything missing").check();
+    await page.getByLabel("Stop if anything is missing").check();
     await page.locator('.ended:has-text("stopped in SUB.SPF, line 5")').waitFor();
     assert.deepEqual(problems, []);
     await context.close();
@@ -227,9 +227,9 @@ describe("a run is given", () => {
     await openAll(page, file("part.mpf", "G17 G54\nR1=$A_IN[3]\nSUB(3)\nM30\n"));
     await run(page);
     await page.locator('.ended:has-text("ran to its end")').waitFor();
-    await page.getByLabel("Stop at anything missing").check();
+    await page.getByLabel("Stop if anything is missing").check();
     await page.locator('.ended:has-text("stopped in line 2")').waitFor();
-    await page.getByLabel("Stop at anything missing").uncheck();
+    await page.getByLabel("Stop if anything is missing").uncheck();
     await page.locator('.ended:has-text("ran to its end")').waitFor();
     await context.close();
   });

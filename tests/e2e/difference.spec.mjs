@@ -176,7 +176,7 @@ describe("fixes of several findings", () => {
     await openProgram(page, wrong);
     await page.locator("#tab-problems").click();
     await all(page).click();
-    await shownChange(page).locator('h2:has-text("Fix 40 findings")').waitFor();
+    await shownChange(page).locator('h2:has-text("Fix 40 problems")').waitFor();
     assert.equal(await changed(page).count(), 40);
     assert.deepEqual(await changed(page).first().locator("mark").allTextContents(), ["\u2212", "-"]);
     await press(page, "Cancel");
@@ -198,7 +198,7 @@ describe("fixes of several findings", () => {
     await openProgram(page, `${HEAD}${"X\u22125\nG0 X1\nG0 X1\nG0 X1\nG0 X1\nG0 X1\n".repeat(1000)}`);
     await page.locator("#tab-problems").click();
     await all(page).click();
-    await shownChange(page).locator('h2:has-text("Fix 1000 findings")').waitFor();
+    await shownChange(page).locator('h2:has-text("Fix 1000 problems")').waitFor();
     assert.equal(await changed(page).count(), 200);
     await press(page, "Show 800 more changes");
     assert.equal(await changed(page).count(), 400);

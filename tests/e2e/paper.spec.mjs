@@ -1,4 +1,4 @@
-// Set-up sheets and the report of a program, as they come out of the printer: pages of the PDF, and their words.
+// Setup sheets and the report of a program, as they come out of the printer: pages of the PDF, and their words.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
@@ -23,7 +23,7 @@ async function pages(page, format) {
   return pdf.toString("latin1").match(/\/Type\s*\/Page\b(?!s)/g).length;
 }
 
-describe("a set-up sheet", () => {
+describe("a setup sheet", () => {
   // oracle: hand (a call is a page, whatever is measured)
   test("is one page for each kind of element, on A4 and on Letter", async () => {
     const { context, page, problems } = await start(chrome);
@@ -35,7 +35,7 @@ describe("a set-up sheet", () => {
       await page.locator(".start-answer button.primary").click();
       await page.locator("#panel-form .field").first().waitFor();
       for (const format of ["A4", "Letter"]) {
-        await printed(page, "Print set-up sheet");
+        await printed(page, "Print setup sheet");
         assert.equal(await paper(page).locator(".paper-sheet").count(), 1);
         assert.equal(await pages(page, format), 1, `${element} ${format}`);
       }
@@ -49,7 +49,7 @@ describe("a set-up sheet", () => {
   // oracle: hand
   test("says file, date, call, values with unit and meaning, and the result, black on white in the dark", async () => {
     const { context, page } = await start(chrome, { colorScheme: "dark" });
-    await printed(page, "Print set-up sheet");
+    await printed(page, "Print setup sheet");
     await page.emulateMedia({ media: "print" });
     const text = await paper(page).innerText();
     assert.match(text, /program\.mpf/);
@@ -65,12 +65,12 @@ describe("a set-up sheet", () => {
   });
 });
 
-describe("a set-up sheet of a browser with WebGL2", () => {
+describe("a setup sheet of a browser with WebGL2", () => {
   // oracle: hand (the part is grey metal on paper that is white, in the dark too; the picture has three pixels for one)
   test("shows what the stage shows, in light colours", async () => {
     const { context, page, problems } = await start(device, { colorScheme: "dark" });
     await page.locator('.stage [data-backend="webgl2"]').waitFor({ state: "attached" });
-    await printed(page, "Print set-up sheet");
+    await printed(page, "Print setup sheet");
     const picture = paper(page).locator(".paper-stage img");
     assert.equal(await picture.count(), 1);
     const [width, corner, greys] = await picture.evaluate(image => {

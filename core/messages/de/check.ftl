@@ -47,12 +47,12 @@ check-probe-number = Die Messtasternummer { $number } gibt es nicht.
 check-probe-number-hint = Nummer von 1 bis { $fields } wählen.
 check-probe-type = Die 3. Stelle von rechts in der Messtasternummer darf nicht { $type } sein.
 check-probe-type-hint = 0 steht für einen Multitaster, 1 für einen Monotaster oder bidirektionalen Messtaster.
-check-cora-off = Der Korrekturwinkel wirkt nicht.
+check-cora-off = Der Korrekturwinkel wirkt nicht: _CBIT[8] ist 0.
 check-cora-off-hint = _CBIT[8]=1 setzen oder für den Korrekturwinkel 0 eingeben.
 check-empirical-memory = Den Erfahrungswertspeicher { $number } gibt es nicht; Anzahl der Erfahrungswerte im Feld: { $size }.
 check-mean-memory = Den Mittelwertspeicher { $number } gibt es nicht; Anzahl der Mittelwerte im Feld: { $size }.
 check-memory-hint = Kleinere Nummer wählen oder das Feld und { $array } vergrößern.
-check-mean-off = Der Mittelwert wird nicht von Werkstück zu Werkstück gespeichert.
+check-mean-off = Der Mittelwert wird nicht von Werkstück zu Werkstück gespeichert: _CHBIT[4] ist 0.
 check-mean-off-hint = _CHBIT[4]=1 setzen, wenn der Mittelwert gespeichert werden soll.
 check-tolerance-order = Die obere Toleranz, { $upper } mm, liegt unter der unteren, { $lower } mm.
 check-tolerance-order-hint = _TUL und _TLL vertauschen oder ihre Vorzeichen korrigieren.

@@ -29,7 +29,7 @@ check-variant-hint = Choose the variant from the list.
 check-variant-near-hint = Closest variants: { $near }. Not every combination of digits is a variant.
 
 check-knum-zero = { $code } is not the code of a zero offset.
-check-knum-zero-hint = 1 to 99: G54 onwards; 1000, 1011 to 1026, 1051 to 1066: basic; 2000: system; 9999: active frame; 0: none.
+check-knum-zero-hint = Permitted: 0 (none), 1 to 99 (G54 …), 1000, 1011 to 1026, 1051 to 1066 (basic), 2000 (system), 9999 (active).
 check-knum-no-system = This machine has no system frame $P_SETFR, which { $code } specifies.
 check-knum-no-system-hint = Choose another frame, or set bit 0 of MD 28082.
 check-knum-is-tool-hint = This is the code of a tool offset. Enter the code of a frame, or choose a variant with tool offset, if any.
@@ -40,19 +40,19 @@ check-knum-digit-6 = The 6th digit from the right of { $code } (8th with five-di
 check-knum-digit-7 = The 7th digit from the right of { $code } (9th with five-digit D numbers) or a higher one is not permitted.
 check-knum-edge-none = { $code } contains no D number.
 check-knum-edge-large = The D number in { $code } exceeds { $largest }, the maximum of this control.
-check-knum-seven-digits-hint = From the right: three digits D; 0 or 1 length, 2 radius; 1 inverts; 1 to 3 L1 to L3, 4 radius; 0 to 3 type.
-check-knum-nine-digits-hint = From the right: five digits D; 0 or 1 length, 2 radius; 1 inverts; 1 to 3 L1 to L3, 4 radius; 0 to 3 type.
+check-knum-seven-digits-hint = From the right: 3 digits D. 0, 1: length, 2: radius. 1: inverted. 1 to 3: L1 to L3, 4: radius. 0 to 3: type.
+check-knum-nine-digits-hint = From the right: 5 digits D. 0, 1: length, 2: radius. 1: inverted. 1 to 3: L1 to L3, 4: radius. 0 to 3: type.
 
 check-probe-number = Probe number { $number } does not exist.
 check-probe-number-hint = Enter a number from 1 to { $fields }.
 check-probe-type = The 3rd digit from the right of the probe number cannot be { $type }.
-check-probe-type-hint = 0 is a multi probe, 1 is a mono or bidirectional probe.
-check-cora-off = The offset angle has no effect.
+check-probe-type-hint = Enter 0 for a multi probe, or 1 for a mono or bidirectional probe.
+check-cora-off = The offset angle has no effect: _CBIT[8] is 0.
 check-cora-off-hint = Set _CBIT[8]=1, or enter 0 for the offset angle.
-check-empirical-memory = Empirical value memory { $number } does not exist: the array has { $size } elements.
-check-mean-memory = Mean value memory { $number } does not exist: the array has { $size } elements.
+check-empirical-memory = Empirical value memory { $number } does not exist: the size of the array is { $size }.
+check-mean-memory = Mean value memory { $number } does not exist: the size of the array is { $size }.
 check-memory-hint = Enter a smaller number, or enlarge the array and increase { $array }.
-check-mean-off = No mean value is stored from part to part.
+check-mean-off = No mean value is stored from part to part: _CHBIT[4] is 0.
 check-mean-off-hint = Set _CHBIT[4]=1 to store the mean value.
 check-tolerance-order = The upper tolerance, { $upper } mm, is below the lower tolerance, { $lower } mm.
 check-tolerance-order-hint = Swap _TUL and _TLL, or correct their signs.
@@ -94,7 +94,7 @@ check-knum-no-setup-hint = Correct length or radius instead, or set bit 4 of MD�
 
 check-knum-rotation = The global basic frame { $code } cannot store a rotation.
 check-knum-rotation-hint = Choose a settable frame or a channel basic frame.
-check-lathe-length = The probe is entered as a turning tool and its length refers to the circumference of the ball (_CBIT[14]=1).
+check-lathe-length = The length of a probe of type 5xy ends at the ball centre, but _CBIT[14]=1 means the ball circumference.
 check-lathe-length-hint = Set _CBIT[14]=0 and enter the length to the centre of the ball.
 check-mirror-datum = An axis is mirrored and MD 10610 is not 0: measuring cycles support mirroring only with MD 10610=0.
 check-mirror-datum-hint = Measure without mirroring, or set MD 10610=0.

@@ -51,12 +51,12 @@ check-path-sign-hint = Enter _FA without a sign; only incremental calibration us
 check-path-direction-hint = Enter in _FA the distance to the probe, with minus for the minus direction.
 check-tool-probe-type = { $name } does not contain a permitted type of tool probe.
 check-tool-probe-plane = The disc in { $name } cannot be touched in this plane.
-check-tool-probe-type-hint = 0 is a cube; 101 is a disc in XY for G17, 201 in ZX for G18, 301 in YZ for G19.
+check-tool-probe-type-hint = Enter 0 for a cube, 101 for a disc in XY (G17), 201 in ZX (G18) or 301 in YZ (G19).
 check-tool-probe-depth = { $name } is 0: the tool would touch no lower than the upper edge of the probe.
 check-tool-probe-depth-hint = Enter the distance from the upper edge of the probe to the lower edge of the tool.
 check-directions-code = { $name } = { $code } is not a permitted direction code.
 check-directions-applicate = { $name } = { $code } does not permit touching in minus direction of the tool axis.
-check-directions-hint = Hundreds Z, tens Y, ones X: 0 none, 1 minus, 2 plus, 3 both. The tool axis needs 1 or 3; the default is 133.
+check-directions-hint = Enter the digits for Z, Y, X: 0 none, 1 minus, 2 plus, 3 both; tool axis 1 or 3. The default is 133.
 check-tool-type-drill = A drill (type { $type }) has no radius that can be measured.
 check-tool-length-zero = Length L1 of the active tool is 0.
 check-tool-radius-zero = The radius of the active tool is 0.

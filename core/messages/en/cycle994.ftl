@@ -21,7 +21,7 @@ param-szo-turned-applicate = Protection zone in the applicate
 param-szo-turned-applicate-help = Border of the zone in the 3rd axis (G18: Y), along which the centre of the ball moves: a radius plus the ball radius, or as X with _CHBIT[19]=1.
 
 need-zone-inside = This variant moves around a protection zone.
-need-zone-outside = Required outside; inside, this variant has no zone: leave the field empty.
+need-zone-outside = Needed for a measurement outside; inside, this variant has no zone: leave the field empty.
 
 check-two-setpoint = The two points are at plus and minus the setpoint: { $set } mm leaves no room between them.
 check-two-setpoint-hint = Enter the diameter or radius as a value above 0.

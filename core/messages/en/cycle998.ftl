@@ -52,7 +52,7 @@ param-fa-paraxial-help = The surface must be within twice this distance from the
 param-tsa-angle = Safe area: angle
 param-tsa-angle-help = In degrees. A larger difference of the angle stops the program with alarm 61303. With travel along the angle, the probe also moves away from the surface by this angle.
 
-need-set-position = It determines the measuring direction and the first touch.
+need-set-position = The setpoint position determines the measuring direction and the first touch.
 need-axes-angle = The angle is in the plane of two axes.
 need-direction-paraxial = Without a setpoint position, the measuring direction must be specified.
 need-third-point = A plane needs a third point.

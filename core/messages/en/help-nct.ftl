@@ -18,14 +18,14 @@ help-g101-wrong-obstructed = There is an obstacle in the path: PATH OBSTRUCTED. 
 help-g101-wrong-incremental = With G91 active, the addresses are incremental, not positions.
 
 help-g102-measures-offset = The offset of the ball from the spindle axis, in both axes of the plane.
-help-g102-before-ring = The oriented spindle is on the axis of a bore larger than 20 mm that it just bored; or #510 holds the M function that turns it by 180°, and the ball is within 10 mm of a ring gauge's middle.
+help-g102-before-ring = The oriented spindle is on the axis of a bore above 20 mm that it has bored; or #510 contains the M function that rotates it by 180°, and the ball is within 10 mm of a ring gauge's middle.
 help-g102-order-walls = Four walls in both axes; with an M function in #510, once more with the spindle rotated by 180°.
 help-g102-corrects-offset = #504 and #505, the radial offset in the 1st and 2nd axis of the plane.
 help-g102-wrong-moved = The spindle is no longer on the axis of the bore, and #510 is 0 (no rotation by 180°): the position error is stored as offset.
 
 help-g103-measures-radius = The effective ball radius in both directions of both axes of the plane.
 help-g103-before-ring = G102 is done; the ball is at depth, within 10 mm of the middle of a ring gauge.
-help-g103-order-centre = Four walls give the centre of the ring; from the centre, each wall is touched once more.
+help-g103-order-centre = The probe touches four walls to find the centre of the ring; from the centre, it touches each wall once more.
 help-g103-corrects-radius = #500 and #501 for plus and minus of the 1st axis, #502 and #503 for the 2nd axis.
 help-g103-wrong-size = D is only approximate: half of its error carries over to every radius. Enter the exact size of the ring.
 

@@ -36,7 +36,7 @@ help-cycle982-measures-side = The position of one side of the tool probe, with a
 help-cycle982-measures-one-length = One length of a turning tool, milling tool or drill: L2 with _MA=1, L1 with _MA=2; of a drill with SD 42950 = 0 always L1.
 help-cycle982-measures-radius = The radius of a milling tool; the length in the axis of the radius must be known.
 help-cycle982-measures-both = The radius of a milling tool and the length along the same axis.
-help-cycle982-measures-all = Turning tool: both lengths, only one at cutting edge position 5 to 8; milling tool: both lengths and radius (lengths only if the radius is entered as 0); drill: its length.
+help-cycle982-measures-all = Turning tool: both lengths, only one at cutting edge position 5 to 8. Milling tool: both lengths and radius (lengths only if the radius is entered as 0). Drill: its length.
 help-cycle982-measures-upper = Lengths and radius of a milling tool at its upper cutting edge, towards the shank, as with a groove cutter.
 help-cycle982-before-outside = The tool is outside the probe in both axes of the plane, on the side to be touched; the Y axis is at the middle of the probe.
 help-cycle982-before-setting = For milling tools and drills SD 42950 is 2; for one length of a drill in G17 or G19 it can also be 0.
@@ -46,8 +46,8 @@ help-cycle982-order-calibrate = In the other axis, the middle of the nose moves 
 help-cycle982-order-spindle = With a milling tool or drill, a stationary milling spindle is positioned to _STA1 first, unless _CHBIT[20]=1.
 help-cycle982-order-reversal = Each point is touched twice, the second time with the spindle rotated by 180° plus _CORA: the mean value of both cutting edges is used.
 help-cycle982-order-length = In the other axis to the middle of the probe, to the side, touch with the tip (a milling tool or drill across its axis with its side), back. End position: _FA from this side.
-help-cycle982-order-radius = The side of the cutter touches, in the axis of the radius.
-help-cycle982-order-both = The cutter touches the probe on the start side, moves around it and touches the opposite side. Without reversal a stationary spindle rotates by 180° before that: the same edge touches.
+help-cycle982-order-radius = The side of the milling tool touches, in the axis of the radius.
+help-cycle982-order-both = The milling tool touches the probe on the start side, moves around it and touches the opposite side. Without reversal a stationary spindle first rotates by 180°: the same edge touches.
 help-cycle982-order-all = First in the abscissa, then in the ordinate, around the probe, a drill only along its axis; without reversal, a stationary spindle turns the same edge to each side. End: the start position.
 help-cycle982-order-upper-behind = The tool moves around the probe on the side away from the start, touches it there for the length, and touches both sides; the abscissa is measured first. End position: the start position.
 help-cycle982-order-upper-across = The tool first crosses the probe, touches it back towards the start for the length, and touches both sides; the abscissa is measured first. End position: the start position.

@@ -80,7 +80,7 @@ param-rf-help = At this feed the probe moves on an arc from point to point.
 param-knum = Correction target
 param-knum-help = What the result corrects; 0 corrects nothing.
 param-knum-tool = Tool offset to be corrected
-param-knum-tool-help = D number and the part of it to be corrected; 0: measuring only.
+param-knum-tool-help = D number and the length or radius to be corrected; 0: measuring only.
 param-knum-zero = Zero offset to be corrected
 param-knum-zero-help = Frame that the cycle corrects so that the element is at its setpoint position or angle; 0: measuring only.
 knum-edge = D number
@@ -149,7 +149,7 @@ param-evnum-help = Number n up to 9999 applies to both: _EV[n-1] and _MV[n-1]. A
 evnum-mean = Mean value memory, if different
 evnum-empirical = Empirical value memory
 param-k = Weighting factor
-param-k-help = The larger, the slower the mean value follows; 1 uses only the latest difference. Without a stored mean value (_EVNUM=0 or _CHBIT[4]=0), 1/_K of the difference applies up to _TMV.
+param-k-help = The larger the value, the slower the mean value follows; 1: latest difference only. Without stored mean values (_EVNUM=0 or _CHBIT[4]=0), 1/_K of the difference applies up to _TMV.
 param-tzl = Zero compensation area
 param-tzl-help = Mean values up to this limit are not corrected. Older manuals: zero offset area.
 param-tmv = Mean value range
@@ -162,7 +162,7 @@ param-tdif = Dimensional difference check
 param-tdif-help = Permissible dimensional difference. A larger difference is not corrected; the cycle outputs message 62306.
 
 need-always = The cycle requires it.
-need-default = Can be omitted: the value of an earlier call applies, otherwise the default.
+need-default = If omitted, the value of an earlier call applies, otherwise the default.
 need-element = The element has one size.
 need-rectangle = A rectangle has two lengths.
 need-infeed-zone = With a protection zone the probe starts above the element.
@@ -180,8 +180,8 @@ need-environment = The tool is corrected according to a stored tool environment.
 need-mono = A mono probe is oriented: enter the offset angle, even if it is 0.
 need-points = This is the angle between the points on the circle.
 need-circular = Between the points on the circle, the probe moves on an arc.
-need-memory = Can be omitted: without an earlier value the cycle uses neither a mean value memory nor an empirical value.
-need-memory-empirical = Can be omitted: without an earlier value the cycle uses no empirical value.
+need-memory = If omitted and without an earlier value, the cycle uses neither a mean value memory nor an empirical value.
+need-memory-empirical = If omitted and without an earlier value, the cycle uses no empirical value.
 need-own-speeds = The forms of the machine have fields for feed and speed, and also write _CBIT[12]=1.
 need-tolerance = Part of the tool offset; must be valid even if nothing is corrected. Omitted: earlier value, else default.
 

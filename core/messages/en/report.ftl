@@ -48,7 +48,7 @@ report-column-bounds = limits
 report-column-called = called
 report-column-cure = remedy
 report-column-cycles = cycles
-report-column-datum = datum
+report-column-datum = data item
 report-column-default = default
 report-column-effective = effective
 report-column-jog = JOG
@@ -68,14 +68,14 @@ report-column-when = when
 # The terminal program itself: what it says about a wrong use, and names of what it prints.
 
 terminal-error = error
-terminal-language = there is no language { $code }; there are { $known }
+terminal-language = there is no language { $code }; available: { $known }
 terminal-cycle = there is no cycle { $name }; “probewright cycles” lists them
 terminal-variant = { $cycle } has no variant { $number }
 terminal-parameter = { $cycle } has no parameter { $name }
-terminal-twice = { $name } is given twice
+terminal-twice = { $name } is specified twice
 terminal-pair = not NAME=VALUE: { $text }
 terminal-alarm = there is no alarm or message { $name }
-terminal-name = no cycle, datum, finding or alarm has this name: { $name }
+terminal-name = no cycle, data item, finding or alarm has this name: { $name }
 terminal-large = larger than { $most } MB
 terminal-text = not UTF-8 text
 terminal-surface = the setup has no free surface that could be replaced
@@ -98,7 +98,7 @@ terminal-arguments = Arguments
 terminal-options = Options
 terminal-probewright-about = Programming assistant for CNC measuring cycles
 terminal-cycles-about = List measuring cycles and macros
-terminal-explain-about = Explain a cycle, alarm, finding, parameter, result or datum of the machine, for example CYCLE977, 61303, PW135 or _SZA
+terminal-explain-about = Explain a cycle, alarm, finding, parameter, result or data item of the machine, for example CYCLE977, 61303, PW135 or _SZA
 terminal-alarms-about = Show meaning and remedy of an alarm; without a number, list all alarms
 terminal-check-about = Check part programs; exit status 1 if there is an error, 2 if a file cannot be read
 terminal-write-about = Write the program text of a call to standard output
@@ -119,9 +119,9 @@ terminal-setup-text = Setup file, see docs/setup.schema.json; without it, a mach
 terminal-with-text = Definition files (.DEF) and subprograms that belong to the program
 terminal-arg-text = Value for a parameter of the program itself, for example DEPTH=5
 terminal-strict-text = Stop at a subprogram or a machine value that is missing
-terminal-max-blocks-text = Give up after this many blocks; long ones, arrays and motions in loops count several times
+terminal-max-blocks-text = Stop after this number of blocks; long ones, arrays and motions in loops count several times
 terminal-assumed-values = Machine values that were assumed: { $values }. Line numbers are in brackets.
-terminal-progress = { $share } %, { $blocks } blocks
+terminal-progress = { $share }%, { $blocks } blocks
 terminal-check-setup-text = Setup file of the machine, with its tools and data; without it, the default machine
 terminal-cycle-text = Name of the cycle, for example CYCLE977
 terminal-values-text = Values, for example _SETVAL=132

@@ -1,5 +1,5 @@
 # The same task on the other control.
-twin-middle = If a tolerance is given, the setpoint is the middle of the tolerance band. A tool is corrected to this value.
+twin-middle = If a tolerance is specified, the setpoint is the middle of the tolerance band. A tool is corrected to this value.
 twin-no-zero = The corrected zero offset has no counterpart there: choose a zero offset.
 twin-at-once = On NCT the corrected zero offset applies immediately; on SINUMERIK it applies when programmed again, or immediately with { "_KNUM" }=9999.
 twin-names = The 5th and 6th zero offsets are G58 and G59 on NCT, G505 and G506 on SINUMERIK.

@@ -20,8 +20,8 @@ convert-argument = Argument { $value } of this call would be lost: no other call
 convert-argument-hint = Write the number instead of { $value } in the call, then convert the call.
 convert-expression = The call is unchanged: { $value }, assigned to { $name }, may have a different value at the position of the new text.
 convert-expression-hint = Write { $name }={ $value } directly before the call, with nothing in between that changes it.
-convert-macro = The call is unchanged: a macro says more than one of its values.
-convert-macro-hint = Write the text of the macro into the program first.
+convert-macro = The call is unchanged: a macro supplies more than one of its values.
+convert-macro-hint = Replace the macro with its text in the program first.
 
 revise-taken = The new variant does not use { $names }: removed from the call.
 revise-kept = { $name }={ $value } remains in the program, although the new variant does not use it: it is an expression.

@@ -47,12 +47,12 @@ check-probe-number = 没有测头号 { $number }。
 check-probe-number-hint = 请输入 1 到 { $fields } 的编号。
 check-probe-type = 测头号从右起第 3 位不能是 { $type }。
 check-probe-type-hint = 0 为多向测头，1 为单向或双向测头。
-check-cora-off = 补偿角不起作用。
+check-cora-off = 补偿角不起作用：_CBIT[8] 为 0。
 check-cora-off-hint = 请设 _CBIT[8]=1，或将补偿角设为 0。
 check-empirical-memory = 没有经验值存储器 { $number }：数组只有 { $size } 个元素。
 check-mean-memory = 没有平均值存储器 { $number }：数组只有 { $size } 个元素。
 check-memory-hint = 请输入较小的编号，或扩大数组并加大 { $array }。
-check-mean-off = 平均值不会从一个工件保存到下一个工件。
+check-mean-off = 平均值不会从一个工件保存到下一个工件：_CHBIT[4] 为 0。
 check-mean-off-hint = 要保存平均值，请设 _CHBIT[4]=1。
 check-tolerance-order = 公差上限 { $upper } mm 低于公差下限 { $lower } mm。
 check-tolerance-order-hint = 请交换 _TUL 和 _TLL，或改正它们的符号。

@@ -101,7 +101,7 @@ fn programs_of_another_memory_are_told_once() {
         assert!(told(here).is_empty(), "{here}");
     }
     let far = told("EXTCALL \"FAR.SPF\"\nEXTCALL(\"_N_FAR_SPF\")\nEXTCALL \"NEXT\"");
-    assert_eq!(far, ["Not here, so the effect is not known: FAR, NEXT. The run skips such calls."]);
+    assert_eq!(far, ["Not found, so the effect is not known: FAR, NEXT. The run skips such calls."]);
 }
 
 // oracle: hand

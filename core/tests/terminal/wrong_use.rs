@@ -32,7 +32,7 @@ fn wrong_use_is_told_in_the_language_asked() {
     }
     assert_eq!(
         err(&probewright(&["--lang", "xx", "cycles"])),
-        "error: there is no language xx; there are de, en, zh\n"
+        "error: there is no language xx; available: de, en, zh\n"
     );
 }
 

@@ -140,21 +140,21 @@ picture-section = Drawing of the measurement, section
 
 editor-find = Find
 editor-replace-with = Replace
-editor-next = next
-editor-previous = previous
-editor-all = all
-editor-match-case = match case
-editor-regexp = regexp
-editor-by-word = by word
-editor-replace = replace
-editor-replace-all = replace all
-editor-close = close
-editor-current-match = current match
+editor-next = Next
+editor-previous = Previous
+editor-all = All
+editor-match-case = Match case
+editor-regexp = Regular expression
+editor-by-word = Whole words
+editor-replace = Replace
+editor-replace-all = Replace all
+editor-close = Close
+editor-current-match = Current match
 editor-on-line = on line
-editor-replaced = replaced match on line $
-editor-replaced-all = replaced $ matches
+editor-replaced = Replaced match on line $
+editor-replaced-all = Replaced $ matches
 editor-go-to-line = Go to line
-editor-go = go
+editor-go = Go
 editor-problems = Problems
 editor-no-problems = No problems
 editor-deleted = Selection deleted
@@ -244,7 +244,7 @@ view-cube = View from
 view-section = Section
 view-central = Perspective
 view-errors = Errors shown
-view-errors-most = at most { $times }: beyond that, the part would be unrecognisable
+view-errors-most = at most { $times }: above that, the part would be unrecognisable
 view-nominal = dashed: nominal; labels and values are true
 view-diameters = Diameters
 view-diameters-help = Diameters as on a drawing: actual value, below it nominal value and deviation; at a touch point, the position read by the control. X as the control displays it. In mm.
@@ -380,12 +380,12 @@ notice-set-loaded = Values loaded.
 notice-set-deleted = Values deleted.
 notice-undone = Undone.
 notice-redone = Redone.
-print-lines = { $more } more lines are omitted. The saved file contains all { $all }.
-print-sheet = Print set-up sheet
+print-lines = Lines omitted: { $more }. The saved file contains all { $all }.
+print-sheet = Print setup sheet
 print-report = Print report
 paper-report = Measuring report
 paper-line = Line { $line }
-paper-more = { $more } more calls are omitted.
+paper-more = Calls omitted: { $more }.
 undo = Undo
 redo = Redo
 history = History
@@ -631,7 +631,7 @@ notice-assigned = Variable changed.
 notice-revised = The call now has another measuring variant.
 of-call = { $cycle }, line { $line }
 of-program = Set by the program
-results-more = { $count } more results are not listed.
+results-more = More results, not listed: { $count }.
 # The line that says what a call came to.
 bar-title = Result of the measurement
 bar-corrects = Corrects
@@ -706,7 +706,7 @@ start-open-form = Open form
 start-others = More ways to start
 start-program = Open a program
 start-drop = Drop a program here
-start-stays = It stays on this computer.
+start-stays = The program stays on this computer.
 start-open = Open
 start-variants = All variants by number
 start-recent = Recent
@@ -720,12 +720,12 @@ difference-convert-all = { $count ->
    *[other] Convert { $count } calls to “{ $way }”
 }
 difference-cure = { $count ->
-    [one] Fix one finding
-   *[other] Fix { $count } findings
+    [one] Fix one problem
+   *[other] Fix { $count } problems
 }
 difference-left = { $count ->
-    [one] One finding of this kind remains: its fix alone does not resolve it.
-   *[other] { $count } findings of this kind remain: their fixes alone do not resolve them.
+    [one] One problem of this kind remains: its fix alone does not resolve it.
+   *[other] { $count } problems of this kind remain: their fixes alone do not resolve them.
 }
 difference-typed = Change { $name } to { $value }
 difference-typed-several = Change { $count } values
@@ -879,26 +879,26 @@ step-define = Add { $file } to the machine
 step-machine-value = { $name }
 define-title = Add { $name } to { $machine }?
 define-what = { $count ->
-    [one] The machine gets this definition. It then applies to every program.
-   *[other] The machine gets these { $count } definitions. They then apply to every program.
+    [one] This definition is added to the machine. It then applies to every program.
+   *[other] These { $count } definitions are added to the machine. They then apply to every program.
  }
 define-nothing = The machine already has these definitions, or the file contains none.
 define-apply = Add to machine
 define-cancel = Cancel
 given-title = Run
-given-strict = Stop at anything missing
+given-strict = Stop if anything is missing
 given-assumed = { $count ->
     [one] One value of the machine was assumed: { $values }.
    *[other] { $count } values of the machine were assumed: { $values }.
  }
 given-enter-values = Enter values
 given-enter-value = Enter value
-given-missing = Not here: { $names }.
+given-missing = Not found: { $names }.
 given-open-files = Open files
 given-open = Open { $names }
 machine-values-title = Values from the machine
-machine-values-help = Programs read these values, but only the machine has them. An entered value applies to every run; an empty field takes the assumed value again.
+machine-values-help = Programs read these values, but only the machine has them. An entered value applies to every run; if the field is empty, the assumed value applies.
 machine-values-state = Source
 machine-values-typed = entered
 machine-values-assumed = assumed
-machine-values-where = Read in
+machine-values-where = Used in
