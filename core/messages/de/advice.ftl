@@ -52,7 +52,7 @@ advice-overwritten = { $name } kann beim Aufruf einen anderen Wert haben: Auch d
 advice-overwritten-hint = { $name } erst nach dem Unterprogrammaufruf schreiben.
 arrives = Geschrieben in Zeile { $lines }.
 arrives-lines = Geschrieben in den Zeilen { $lines }.
-arrives-hint = Eine Änderung hier ändert auch, was dort geschrieben ist.
+arrives-hint = Eine Änderung hier ändert den Wert auch dort, wo ihn das Programm schreibt.
 arrives-shared-hint = Andere Aufrufe verwenden den Wert ebenfalls: Eine Änderung hier wird nur für diesen Aufruf geschrieben.
 arrives-many-hint = Der Wert ist in vielen Zeilen geschrieben: dort ändern.
 arrives-differing = Hängt vom Programmablauf bis zu diesem Aufruf ab: { $values }.
@@ -62,7 +62,7 @@ advice-level-hint = Zyklus aus einem Programm aufrufen, das näher am Hauptprogr
 
 advice-read-back = Die Messzyklenunterstützung der Steuerung ändert diesen Aufruf beim Rückübersetzen: { $changes }.
 advice-read-back-hint = Die Werte folgen aus _MZ_MASK der Maschine. Jetzt übernehmen oder, wenn die Werte im Programm richtig sind, _MZ_MASK ändern.
-advice-read-back-cure = Werte nach _MZ_MASK übernehmen
+advice-read-back-cure = Werte aus _MZ_MASK übernehmen
 advice-mask = Dieser Aufruf wurde mit anderen Maschineneinstellungen geschrieben: { $changes }.
 advice-mask-hint = Sobald die Steuerung den Aufruf rückübersetzt, stehen die geänderten Werte im Programm.
 advice-mask-cure = Einstellungen dieser Maschine eintragen

@@ -29,7 +29,7 @@ check-variant-hint = Messvariante aus der Liste wählen.
 check-variant-near-hint = Ähnliche Messvarianten: { $near }. Nicht jede Kombination der Stellen ist zulässig.
 
 check-knum-zero = { $code } bezeichnet keine Nullpunktverschiebung.
-check-knum-zero-hint = 1 bis 99: G54 und folgende; 1000, 1011 bis 1026, 1051 bis 1066: Basisframes; 2000: Systemframe; 9999: aktives Frame; 0: keines.
+check-knum-zero-hint = Zulässig: 0 (keine), 1 bis 99 (G54 …), 1000, 1011 bis 1026, 1051 bis 1066 (Basis), 2000 (System), 9999 (aktives Frame).
 check-knum-no-system = { $code } bezeichnet das Systemframe $P_SETFR, das es an dieser Maschine nicht gibt.
 check-knum-no-system-hint = Anderes Frame wählen oder Bit 0 in MD 28082 setzen.
 check-knum-is-tool-hint = Code einer Werkzeugkorrektur: Frame angeben oder, falls vorhanden, Messvariante mit Werkzeugkorrektur wählen.
@@ -40,13 +40,13 @@ check-knum-digit-6 = Die 6. Stelle von rechts in { $code } (bei fünfstelligen D
 check-knum-digit-7 = Die 7. Stelle von rechts in { $code } (bei fünfstelligen D-Nummern die 9.) oder eine höhere hat einen unzulässigen Wert.
 check-knum-edge-none = { $code } bezeichnet keine D-Nummer.
 check-knum-edge-large = Die D-Nummer in { $code } ist größer als { $largest }, die größte D-Nummer dieser Steuerung.
-check-knum-seven-digits-hint = Von rechts: drei Stellen D-Nummer; 0 oder 1 Länge, 2 Radius; 1 invertiert; 1 bis 3 L1 bis L3, 4 Radius; 0 bis 3 Art der Korrektur.
-check-knum-nine-digits-hint = Von rechts: fünf Stellen D-Nummer; 0 oder 1 Länge, 2 Radius; 1 invertiert; 1 bis 3 L1 bis L3, 4 Radius; 0 bis 3 Art der Korrektur.
+check-knum-seven-digits-hint = Von rechts: 3 Stellen D-Nummer. 0, 1: Länge, 2: Radius. 1: invertiert. 1 bis 3: L1 bis L3, 4: Radius. 0 bis 3: Art der Korrektur.
+check-knum-nine-digits-hint = Von rechts: 5 Stellen D-Nummer. 0, 1: Länge, 2: Radius. 1: invertiert. 1 bis 3: L1 bis L3, 4: Radius. 0 bis 3: Art der Korrektur.
 
 check-probe-number = Die Messtasternummer { $number } gibt es nicht.
 check-probe-number-hint = Nummer von 1 bis { $fields } wählen.
 check-probe-type = Die 3. Stelle von rechts in der Messtasternummer darf nicht { $type } sein.
-check-probe-type-hint = 0 steht für einen Multitaster, 1 für einen Monotaster oder bidirektionalen Messtaster.
+check-probe-type-hint = 0 für einen Multitaster eingeben, 1 für einen Monotaster oder bidirektionalen Messtaster.
 check-cora-off = Der Korrekturwinkel wirkt nicht: _CBIT[8] ist 0.
 check-cora-off-hint = _CBIT[8]=1 setzen oder für den Korrekturwinkel 0 eingeben.
 check-empirical-memory = Den Erfahrungswertspeicher { $number } gibt es nicht; Anzahl der Erfahrungswerte im Feld: { $size }.
@@ -63,7 +63,7 @@ check-bands-hint = Reihenfolge vom kleinsten zum größten Wert einhalten: _TZL,
 check-rotation = Eine Koordinatendrehung ist aktiv.
 check-rotation-hint = Drehung vor dem Aufruf abwählen: Dieser Zyklus misst parallel zu den Maschinenachsen.
 check-infeed = Die Zustellung, { $infeed } mm, bringt den Messtaster nicht nach unten zum Messelement.
-check-infeed-hint = Negativen Wert eingeben; liegt das Messtastergehäuse auf der Minus-Seite der Applikate, einen positiven.
+check-infeed-hint = Negative Zustellung eingeben; liegt das Messtastergehäuse auf der Minus-Seite der Applikate, eine positive.
 
 check-ball = Die Messtasterkugel, { $ball } mm, passt nicht hinein.
 check-ball-hint = Eingegebenes Maß korrigieren oder Messtaster mit kleinerer Kugel verwenden.
@@ -76,7 +76,7 @@ check-zone-narrow = Die Schutzzone, { $zone } mm, ist nicht größer als das Me
 check-zone-narrow-hint = Schutzzone größer als { $limit } mm wählen, damit die Kugel neben das Messelement passt.
 check-zone-ball = Zwischen Messelement und Schutzzone ist kein Platz für die Messtasterkugel, { $ball } mm.
 check-zone-shortens = Die Schutzzone verkürzt den Messweg auf { $free } mm.
-check-zone-shortens-hint = Schutzzone so ändern, dass mehr Weg bleibt; sonst darf das Werkstück höchstens um diesen Weg abweichen.
+check-zone-shortens-hint = Schutzzone so ändern, dass mehr Weg bleibt; sonst darf das Werkstück höchstens um den verkürzten Messweg abweichen.
 check-differential-mono = Die Differenzmessung dreht die Spindel; ein Monotaster misst nur in einer Richtung.
 check-differential-mono-hint = Multitaster oder Messvariante ohne Differenzmessung verwenden.
 check-differential-axis = Differenzmessung ist nur in der Ebene möglich.
@@ -94,7 +94,7 @@ check-knum-no-setup-hint = Stattdessen Länge oder Radius korrigieren oder Bit 4
 
 check-knum-rotation = Das globale Basisframe { $code } kann keine Drehung aufnehmen.
 check-knum-rotation-hint = Einstellbares Frame oder Kanal-Basisframe wählen.
-check-lathe-length = Der Messtaster ist als Drehwerkzeug eingetragen, und seine Länge bezieht sich auf den Kugelumfang (_CBIT[14]=1).
+check-lathe-length = Die Länge eines Messtasters vom Typ 5xy endet an der Kugelmitte, _CBIT[14]=1 bedeutet aber Bezug auf den Kugelumfang.
 check-lathe-length-hint = _CBIT[14]=0 setzen und die Länge bis zur Kugelmitte eintragen.
 check-mirror-datum = Eine Achse ist gespiegelt, und MD 10610 ist nicht 0: Messzyklen unterstützen Spiegeln nur mit MD 10610=0.
 check-mirror-datum-hint = Ohne Spiegelung messen oder MD 10610=0 setzen.
@@ -103,9 +103,9 @@ check-multi-probe-hint = Multitaster verwenden: { "_PRNUM" } mit zwei Stellen.
 check-angles-sum = Startwinkel und alle Fortschaltwinkel ergeben ohne Vorzeichen zusammen { $sum }°, mehr als 360°.
 check-angles-sum-hint = Kleineren Fortschaltwinkel wählen oder einen Startwinkel näher bei 0, mit Vorzeichen.
 check-angles-same = Bei diesem Fortschaltwinkel fallen Punkte zusammen: Es lässt sich kein Kreis berechnen.
-check-angles-same-hint = Bei drei Punkten höchstens 120° wählen, bei vier Punkten höchstens 90°, jedoch nicht 0.
+check-angles-same-hint = Fortschaltwinkel bei drei Punkten bis 120°, bei vier Punkten bis 90° wählen, jedoch nicht 0.
 check-angles-wide = Bei { $points } Punkten ist ein Fortschaltwinkel über { $useful }° nicht sinnvoll.
-check-angles-wide-hint = Höchstens { $useful }° wählen.
+check-angles-wide-hint = Fortschaltwinkel von höchstens { $useful }° wählen.
 check-ball-unknown = Der Kugeldurchmesser dieses Messtasters ist nicht bekannt: Jedes gemessene Maß wäre um diesen Betrag falsch.
 check-ball-unknown-hint = Messtaster in einer Bohrung kalibrieren und dabei den Kugeldurchmesser ermitteln.
 check-spread-circle = Die Punkte liegen zu dicht beieinander: Der Durchmesser ist { $diameter }-mal, der Mittelpunkt { $centre }-mal so unsicher wie ein Punkt.

@@ -51,12 +51,12 @@ check-path-sign-hint = _FA ohne Vorzeichen eingeben; nur beim inkrementellen Kal
 check-path-direction-hint = In _FA den Abstand zum Messtaster eingeben, für die Minus-Richtung mit Minuszeichen.
 check-tool-probe-type = { $name } enthält keinen zulässigen Werkzeugmesstastertyp.
 check-tool-probe-plane = Die Scheibe in { $name } ist in dieser Ebene nicht antastbar.
-check-tool-probe-type-hint = 0 ist ein Würfel; 101 eine Scheibe in XY für G17, 201 in ZX für G18, 301 in YZ für G19.
+check-tool-probe-type-hint = 0 für einen Würfel eintragen, 101 für eine Scheibe in XY (G17), 201 in ZX (G18) oder 301 in YZ (G19).
 check-tool-probe-depth = { $name } ist 0: Das Werkzeug würde nicht tiefer als an der Messtasteroberkante antasten.
 check-tool-probe-depth-hint = Abstand von der Messtasteroberkante zur Werkzeugunterkante eintragen.
 check-directions-code = { $name } = { $code } ist kein zulässiger Richtungscode.
 check-directions-applicate = { $name } = { $code } gibt die Minus-Richtung der Werkzeugachse nicht frei.
-check-directions-hint = Hunderter Z, Zehner Y, Einer X: 0 keine, 1 minus, 2 plus, 3 beide. Die Werkzeugachse braucht 1 oder 3; Vorbesetzung: 133.
+check-directions-hint = Je eine Stelle für Z, Y, X eintragen: 0 keine, 1 minus, 2 plus, 3 beide; Werkzeugachse 1 oder 3. Vorbesetzung: 133.
 check-tool-type-drill = Ein Bohrer (Typ { $type }) hat keinen messbaren Radius.
 check-tool-length-zero = Die Länge L1 des aktiven Werkzeugs ist 0.
 check-tool-radius-zero = Der Radius des aktiven Werkzeugs ist 0.

@@ -35,6 +35,6 @@ check-groove-base-hint = Am Nutboden mit einer Richtung und { "_MD" }=1 kalibrie
 check-groove-empty = Die Kalibriernut ist nicht eingetragen (Wert 0): { $names }.
 check-groove-empty-hint = Kanten und Nutboden in _KB[] im Datenbaustein GUD6 eintragen, in Maschinenkoordinaten und als Radien.
 check-groove-edges = Die Kante in Plus-Richtung, { $plus }, ist nicht größer als die Kante in Minus-Richtung, { $minus }.
-check-groove-edges-hint = Beide Werte tauschen oder den fehlenden eintragen.
+check-groove-edges-hint = Werte beider Kanten tauschen oder den fehlenden eintragen.
 check-shank = Ein Taststift mit Schneidenlage { $tip } zeigt in die Gegenrichtung: Er würde mit dem Tastschaft antasten.
 check-shank-hint = Richtung { "_MD" } umkehren oder Schneidenlage und Messachse prüfen.

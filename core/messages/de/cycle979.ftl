@@ -33,6 +33,6 @@ check-points-unused-hint = Drei Punkte wählen: 0 in der 4. Stelle von _PRNUM.
 check-path-centre = Der Messweg beginnt hinter dem Mittelpunkt: Von Punkt zu Punkt würde der Messtaster auf der Gegenseite fahren.
 check-path-centre-hint = _FA kleiner als { $free } mm wählen.
 check-lift = Der Messtaster hebt vor dem Überfahren des Stegs nicht ab.
-check-lift-hint = Positiven Wert eingeben; liegt das Messtastergehäuse auf der Minus-Seite der Applikate, einen negativen.
+check-lift-hint = Positiven Abhebeweg eingeben; liegt das Messtastergehäuse auf der Minus-Seite der Applikate, einen negativen.
 check-lift-ball = Der Abhebeweg ist nicht größer als der Kugelradius, { $ball } mm, den er enthalten muss.
 check-lift-ball-hint = Kugelradius addieren oder _CBIT[14]=1 setzen, wenn sich die Messtasterlänge auf den Kugelumfang bezieht.

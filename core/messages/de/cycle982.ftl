@@ -143,4 +143,4 @@ check-spindle-turns-hint = Schneide zum Messtaster drehen, _CHBIT[20] auf 1 setz
 check-side-radius = Das Werkzeug tastet mit dem Umfang an, sein Radius ist aber 0: Die Länge ist nicht berechenbar.
 check-side-radius-hint = Radius in den Werkzeugdaten eintragen oder in Richtung der Werkzeugachse messen.
 check-radius-length = { $length } des Werkzeugs ist 0, aber der Radius wird aus dieser Länge berechnet.
-check-radius-length-hint = Diese Länge zuerst messen oder eintragen oder mit dem Radius messen (2 in der 4. Stelle, nicht inkrementell).
+check-radius-length-hint = Fehlende Werkzeuglänge zuerst messen oder eintragen oder mit dem Radius messen (2 in der 4. Stelle, nicht inkrementell).

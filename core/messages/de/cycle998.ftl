@@ -52,7 +52,7 @@ param-fa-paraxial-help = Die Fläche muss innerhalb des doppelten Messwegs ab de
 param-tsa-angle = Vertrauensbereich des Winkels
 param-tsa-angle-help = In Grad. Eine größere Differenz des Winkels hält das Programm mit Alarm 61303 an. Beim Positionieren unter dem Sollwinkel entfernt sich der Messtaster um diesen Winkel von der Fläche.
 
-need-set-position = Der Sollwert bestimmt die Messrichtung und die erste Antastung.
+need-set-position = Die Sollposition bestimmt die Messrichtung und die erste Antastung.
 need-axes-angle = Der Winkel liegt in der Ebene zweier Achsen.
 need-direction-paraxial = Ohne Sollposition ist die Messrichtung anzugeben.
 need-third-point = Eine Ebene braucht einen dritten Punkt.

@@ -4,7 +4,7 @@ help-log-data = Inhalt und Format des Protokolls stehen in Anwendervariablen der
 help-log-title = Nur eine Überschriftzeile ist geschrieben: Die zweite zeigt noch den Text eines früheren Protokolls. In _PROTVAL[1] Leerzeichen in Anführungszeichen schreiben.
 help-log-column = Ein Wert ist breiter als seine Spalte: Die Steuerung verbreitert die Spalte und gibt Meldung 62309 aus; die Werte stehen nicht mehr untereinander.
 help-log-line = Spaltenzahl mal Spaltenbreite ergibt mehr als 200 Zeichen: Alarm 61371.
-help-log-name = _PROTNAME[1] ist der Dateiname: Buchstaben, Ziffern, Unterstriche; am Anfang zwei Buchstaben oder Buchstabe und Unterstrich. MPF kommt automatisch dazu; Verzeichnis wie beim aufrufenden Programm.
+help-log-name = _PROTNAME[1] ist der Dateiname: Buchstaben, Ziffern, Unterstriche; am Anfang zwei Buchstaben oder Buchstabe und Unterstrich. Die Steuerung hängt MPF an. Verzeichnis wie beim aufrufenden Programm.
 help-log-files = Die Protokolldatei. Was über die Dateigröße in MD 11420 (KB) hinausgeht, steht in bis zu neun Folgedateien, deren Namen auf Unterstrich und Ziffer enden.
 help-log-full = Auch die zehnte Datei ist voll: Das Programm hält an und verlangt einen neuen Protokollnamen; mit NC START läuft es weiter.
 help-log-refused = Die Datei hat keinen Namen (Alarm 61354), ein anderes Programm benutzt sie (Alarm 61356) oder ihr Verzeichnis fehlt (Alarm 61353).
@@ -70,7 +70,7 @@ help-cycle119-points = Die Punkte sind einzeln gemessen, zum Beispiel mit CYCLE9
 help-cycle119-alarm = _ALARM ist 0.
 help-cycle119-frame = Der Zyklus berechnet das Frame zwischen beiden Dreiecken. _RES ist ihr Formunterschied, die Summe der Abweichungen der drei Punkte; unter 0 gibt es kein Frame.
 help-cycle119-decides = Bei _COR=0 korrigiert der Zyklus nichts. Sonst korrigiert er ein Frame, wenn _RES kleiner als _RESLIM ist.
-help-cycle119-left = _RES; in _REFRAME das Frame, das, mit dem aktiven verkettet, die gemessenen Punkte auf ihre Sollpositionen bringt; in _ALARM 0 oder eine Alarmnummer.
+help-cycle119-left = _RES, in _REFRAME ein Frame, in _ALARM 0 oder eine Alarmnummer. Mit dem aktiven Frame verkettet, bringt _REFRAME die gemessenen Punkte auf ihre Sollpositionen.
 help-cycle119-frame-moved = Das Frame nach _COR, Verschiebung und Drehung: 1 bis 99 einstellbares Frame, 1000 letztes aktives Kanal-Basisframe, 1011 bis 1026 Kanal-Basisframe, 2000 Systemframe $P_SETFR, 9999 aktives Frame.
 help-cycle119-again = Das korrigierte Frame wirkt, wenn seine G-Funktion (G54 …) erneut programmiert wird, auch bei _COR=9999.
 help-cycle119-line = Die drei Punkte liegen auf einer Geraden, oder zwei von ihnen fallen zusammen: _ALARM ist 61411.

@@ -36,7 +36,7 @@ help-cycle982-measures-side = Lage einer Seite des Werkzeugmesstasters der Drehm
 help-cycle982-measures-one-length = Eine Länge eines Drehwerkzeugs, Fräswerkzeugs oder Bohrers: L2 mit _MA=1, L1 mit _MA=2; eines Bohrers bei SD 42950 = 0 immer L1.
 help-cycle982-measures-radius = Radius eines Fräswerkzeugs; die Länge in der Achse des Radius muss bekannt sein.
 help-cycle982-measures-both = Radius eines Fräswerkzeugs und die Länge in derselben Achse.
-help-cycle982-measures-all = Drehwerkzeug: beide Längen, bei Schneidenlage 5 bis 8 eine; Fräswerkzeug: beide Längen und Radius (ist als Radius 0 eingetragen, nur die Längen); Bohrer: seine Länge.
+help-cycle982-measures-all = Drehwerkzeug: beide Längen, bei Schneidenlage 5 bis 8 nur eine. Fräswerkzeug: beide Längen und Radius (ist als Radius 0 eingetragen, nur die Längen). Bohrer: seine Länge.
 help-cycle982-measures-upper = Längen und Radius eines Fräswerkzeugs an der oberen Schneide, zum Schaft hin, zum Beispiel eines Scheibenfräsers.
 help-cycle982-before-outside = Das Werkzeug steht in beiden Achsen der Ebene außerhalb des Messtasters, auf der Seite, die es antasten soll; die Y-Achse steht auf der Messtastermitte.
 help-cycle982-before-setting = Für Fräswerkzeuge und Bohrer ist SD 42950 gleich 2; für eine Länge eines Bohrers in G17 oder G19 auch 0.

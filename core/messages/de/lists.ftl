@@ -13,7 +13,7 @@ list-selection-hint = Einen dieser Werte wählen: { $choices }.
 
 newer-open = { $param } = { $value }: Bedeutung in der Argumentliste neuerer Steuerungen unbekannt. Der Wert bleibt unverändert, wird aber weder geprüft noch simuliert.
 newer-target = { $value } steht in Argument 2, bei neueren Steuerungen die NV-Nummer; diese Messvariante korrigiert aber keine NV.
-newer-target-hint = Für eine NV die 3. Stelle von Argument 1 auf 1 setzen; Werkzeugkorrektur in Argument 3 (S_KNUM1); sonst Argument 2 leer lassen.
+newer-target-hint = NV: 3. Stelle von Argument 1 auf 1 setzen. Werkzeug: Argument 3 (S_KNUM1) verwenden. Sonst Argument 2 leer lassen.
 write-newer-tool = Neuere Steuerungen erwarten die Werkzeugkorrektur in Argument 3 (S_KNUM1, siehe Alarm 61328); Code unbekannt.
 write-newer-zero = Welcher NV { $value } in der Argumentliste neuerer Steuerungen entspricht, ist unbekannt; bekannt sind nur 1 bis 99 und 9999.
 write-newer = { $param } = { $value } bedeutet in der Argumentliste neuerer Steuerungen etwas anderes, oder die Bedeutung ist unbekannt.

@@ -20,8 +20,8 @@ convert-argument = Das Argument { $value } dieses Aufrufs ginge verloren: Andere
 convert-argument-hint = Im Aufruf die Zahl statt { $value } schreiben, dann den Aufruf umwandeln.
 convert-expression = Der Aufruf bleibt unverändert: { $value } für { $name } kann an der Stelle des neuen Textes einen anderen Wert ergeben.
 convert-expression-hint = { $name }={ $value } direkt vor den Aufruf schreiben; dazwischen darf nichts den Wert ändern.
-convert-macro = Der Aufruf bleibt unverändert: Ein Makro enthält mehr als einen seiner Werte.
-convert-macro-hint = Zuerst den Text des Makros ins Programm schreiben.
+convert-macro = Der Aufruf bleibt unverändert: Ein Makro liefert mehrere Werte des Aufrufs.
+convert-macro-hint = Zuerst im Programm das Makro durch seinen Text ersetzen.
 
 revise-taken = Von der neuen Messvariante nicht verwendet und aus dem Aufruf entfernt: { $names }.
 revise-kept = { $name }={ $value } bleibt im Programm, obwohl die neue Messvariante den Wert nicht verwendet: Er ist ein Ausdruck.
