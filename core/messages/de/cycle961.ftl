@@ -88,4 +88,4 @@ check-corner-parallel-hint = P1 und P2 auf eine Kante legen, P3 und P4 auf die a
 check-corner-between = Die Ecke liegt zwischen zwei Punkten einer Kante.
 check-corner-between-hint = Beide Punkte jeder Kante auf derselben Seite der Ecke wählen.
 check-corner-turned = P2 hat eine kleinere Abszisse als P1: Gemessener Winkel und korrigierte NV sind um weitere 180° gedreht.
-check-corner-turned-hint = P1 und P2 tauschen, falls diese Drehung nicht gewollt ist.
+check-corner-turned-hint = P1 und P2 tauschen, falls die Drehung um 180° nicht gewollt ist.

@@ -76,6 +76,6 @@ check-tip = Schneidenlage { $tip } ist hier unzulässig.
 check-tip-calibration-hint = Zum Kalibrieren ein Werkzeug mit Schneidenlage 3 verwenden; $TC_DP2 prüfen.
 check-tip-hint = Werkzeug mit Schneidenlage 1 bis 8 verwenden; $TC_DP2 prüfen.
 check-tip-axis = Ein Werkzeug mit Schneidenlage { $tip } hat in dieser Achse keine Schneide.
-check-tip-axis-hint = Schneidenlagen 5 und 7 nur in der Abszisse messen, 6 und 8 nur in der Ordinate.
+check-tip-axis-hint = Werkzeuge mit Schneidenlage 5 oder 7 nur in der Abszisse messen, mit 6 oder 8 nur in der Ordinate.
 check-tool-radius-negative = Radius und Verschleiß des aktiven Werkzeugs ergeben { $radius } mm. Das ist nicht möglich: Die Simulation rechnet mit Radius 0.
 check-tool-radius-negative-hint = Radius oder dessen Verschleiß in den Werkzeugdaten korrigieren.

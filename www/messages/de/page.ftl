@@ -90,7 +90,7 @@ tasks-coming = Weitere Zyklen werden geladen …
 tasks-absent = Die anderen Zyklen ließen sich nicht laden. Seite neu laden, um es erneut zu versuchen.
 tasks-none = Nichts gefunden für „{ $search }“. Anderes Wort oder die Nummer eines Zyklus oder Alarms eingeben.
 
-form-opened = Bearbeitet { $cycle } im Programm, Zeilen { $from } bis { $to }
+form-opened = Bearbeitet { $cycle } im Programm, Zeile { $from } bis { $to }
 explain-more = Mehr
 explain-less = Weniger
 
