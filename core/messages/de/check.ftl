@@ -40,8 +40,8 @@ check-knum-digit-6 = Die 6. Stelle von rechts in { $code } (bei fünfstelligen D
 check-knum-digit-7 = Die 7. Stelle von rechts in { $code } (bei fünfstelligen D-Nummern die 9.) oder eine höhere hat einen unzulässigen Wert.
 check-knum-edge-none = { $code } bezeichnet keine D-Nummer.
 check-knum-edge-large = Die D-Nummer in { $code } ist größer als { $largest }, die größte D-Nummer dieser Steuerung.
-check-knum-seven-digits-hint = Von rechts: 3 Stellen D-Nummer. 0, 1: Länge, 2: Radius. 1: invertiert. 1 bis 3: L1 bis L3, 4: Radius. 0 bis 3: Art der Korrektur.
-check-knum-nine-digits-hint = Von rechts: 5 Stellen D-Nummer. 0, 1: Länge, 2: Radius. 1: invertiert. 1 bis 3: L1 bis L3, 4: Radius. 0 bis 3: Art der Korrektur.
+check-knum-seven-digits-hint = Von rechts: 3 Stellen D-Nummer. 0 oder 1: Länge, 2: Radius. 1: invertiert. 1 bis 3: L1 bis L3, 4: Radius. 0 bis 3: Korrekturart.
+check-knum-nine-digits-hint = Von rechts: 5 Stellen D-Nummer. 0 oder 1: Länge, 2: Radius. 1: invertiert. 1 bis 3: L1 bis L3, 4: Radius. 0 bis 3: Korrekturart.
 
 check-probe-number = Die Messtasternummer { $number } gibt es nicht.
 check-probe-number-hint = Nummer von 1 bis { $fields } wählen.

@@ -56,7 +56,7 @@ check-tool-probe-depth = { $name } ist 0: Das Werkzeug würde nicht tiefer als a
 check-tool-probe-depth-hint = Abstand von der Messtasteroberkante zur Werkzeugunterkante eintragen.
 check-directions-code = { $name } = { $code } ist kein zulässiger Richtungscode.
 check-directions-applicate = { $name } = { $code } gibt die Minus-Richtung der Werkzeugachse nicht frei.
-check-directions-hint = Je eine Stelle für Z, Y, X eintragen: 0 keine, 1 minus, 2 plus, 3 beide; Werkzeugachse 1 oder 3. Vorbesetzung: 133.
+check-directions-hint = Hunderter (Z), Zehner (Y), Einer (X) eintragen: 0 keine, 1 minus, 2 plus, 3 beide; Werkzeugachse 1 oder 3. Vorbesetzung: 133.
 check-tool-type-drill = Ein Bohrer (Typ { $type }) hat keinen messbaren Radius.
 check-tool-length-zero = Die Länge L1 des aktiven Werkzeugs ist 0.
 check-tool-radius-zero = Der Radius des aktiven Werkzeugs ist 0.
