@@ -151,7 +151,6 @@ sentences! {
     G101_NO_TARGET 110 Warning "g101-no-target" "g101-no-target-hint";
     NCT_LIMITS 112 Warning "nct-limits" "nct-limits-hint";
     NCT_SAME_REGISTER 113 Warning "nct-same-register" "nct-same-register-hint";
-    LOG_FILE 115 Error "check-log-file" "check-log-file-hint";
     P9920_NO_DIAMETER 116 Error "p9920-no-diameter" "p9920-no-diameter-hint";
     P9920_TURNING_LENGTH 117 Warning "p9920-turning-length" "p9920-turning-length-hint";
     P9920_NO_CLEARANCE 118 Warning "p9920-no-clearance" "p9920-no-clearance-hint";

@@ -17,13 +17,13 @@ pub const KEYS: &[&str] = &[
     "run-contour-begin", "run-contour-end", "run-contour-plane", "run-contour-tool", "run-contour-narrow",
     "run-contour-approach", "run-offset-variable", "run-crash-stylus", "run-crash-body", "run-stylus", "run-endless",
     "run-repeated", "run-not-measured", "run-axis-name", "run-system-variable", "run-positioning", "run-axis-variable",
-    "run-log", "run-scan-limit", "run-unread-value", "run-unread-way", "run-parameter", "run-no-edge", "run-far",
+    "run-log-on", "run-scan-limit", "run-unread-value", "run-unread-way", "run-parameter", "run-no-edge", "run-far",
     "run-no-value", "run-errors", "run-crash-tool", "run-machine-value", "run-argument-unknown", "run-standard",
     "run-step", "run-data", "run-trace-full", "run-axes", "run-waits",
 ];
 
 /// Keys of what a run goes on without: named at its end.
-const PASSED_OVER: &[&str] = &["run-unknown-word", "run-not-simulated", "run-subprogram", "run-log"];
+const PASSED_OVER: &[&str] = &["run-unknown-word", "run-not-simulated", "run-subprogram"];
 
 /// What helps, for the problems that do not say it.
 const CURES: &[(&str, &str)] = &[
@@ -33,6 +33,7 @@ const CURES: &[(&str, &str)] = &[
     ("run-parameter", "run-parameter-hint"),
     ("run-machine-value", "run-machine-value-hint"),
     ("run-waits", "run-machine-value-hint"),
+    ("run-log-on", "run-log-on-hint"),
 ];
 
 /// Something wrong at a place.

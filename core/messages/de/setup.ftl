@@ -47,6 +47,7 @@ setup-cap = { $path }: Das Tastelement eines Werkzeugmesstasters muss ein Würfe
 setup-active = { $path }: Unter den Werkzeugen fehlt { $name }.
 setup-frame = { $path }: Es gibt kein Frame „{ $name }“.
 setup-units = { $path }: „{ $name }“ ist keine G-Funktion für Maßeinheiten.
+setup-clock = { $path }: „{ $text }“ ist kein Datum mit Uhrzeit, wie 2026-05-31T08:00:00.
 setup-datum = { $path }: Die Variable „{ $name }“ gibt es nicht, oder sie hat einen anderen Typ.
 setup-definition = { $path }: keine Definition von Anwenderdaten: { $text }
 setup-shape = { $path }: Anzahl der Maße für { $shape }: { $count }; erwartet: { $wanted }.

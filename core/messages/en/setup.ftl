@@ -47,6 +47,7 @@ setup-cap = { $path }: the cap of a tool probe must be a block, or a turned part
 setup-active = { $path }: { $name } is not among the tools.
 setup-frame = { $path }: frame “{ $name }” does not exist.
 setup-units = { $path }: “{ $name }” is not a G function for units.
+setup-clock = { $path }: “{ $text }” is not a date with time, as in 2026-05-31T08:00:00.
 setup-datum = { $path }: data item “{ $name }” does not exist, or has another type.
 setup-definition = { $path }: not a definition of user data: { $text }
 setup-shape = { $path }: number of sizes for { $shape }: { $count }; expected: { $wanted }.

@@ -47,6 +47,7 @@ setup-cap = { $path }：刀具测头的触碰体必须是长方体（block），
 setup-active = { $path }：刀具中没有 { $name }。
 setup-frame = { $path }：没有坐标框架“{ $name }”。
 setup-units = { $path }：“{ $name }”不是单位制 G 功能。
+setup-clock = { $path }：“{ $text }”不是日期和时间，例如 2026-05-31T08:00:00。
 setup-datum = { $path }：没有数据“{ $name }”，或类型不符。
 setup-definition = { $path }：不是用户数据的定义：{ $text }
 setup-shape = { $path }：{ $shape }需要 { $wanted } 个尺寸，而不是 { $count } 个。

@@ -24,6 +24,7 @@ mod story;
 mod supply;
 mod trace;
 mod twin;
+mod written;
 
 pub use crate::refused::Refused as Error;
 pub use alarms::{AlarmInfo, alarm, alarms};
@@ -51,6 +52,7 @@ pub use story::{Story, story};
 pub use supply::{NewTool, Offer, Supply};
 pub use trace::Trace;
 pub use twin::{Shared, TwinView};
+pub use written::WrittenFile;
 
 use crate::control::{Control, UnitFunction};
 use crate::dialect::Dialect;

@@ -4,6 +4,7 @@ use super::answer::{self, Answer};
 use super::changes::{Change, changes};
 use super::predict::ErrorLimit;
 use super::supply::Offer;
+use super::written::{WrittenFile, written};
 use crate::diagnostic::Code;
 use crate::entry::{Inputs, unit_name};
 use crate::machine::Stop;
@@ -27,8 +28,12 @@ pub struct Outcome {
     pub alarms: Vec<Raised>,
     /// Tool wear, zero offsets, memories, …
     pub changes: Vec<Change>,
-    /// Lines of the log, and blocks that were sent.
+    /// Lines of the print-out, and blocks that were sent.
     pub log: Vec<String>,
+    /// Files that it leaves on the control: the log of measurements.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(test, ts(optional, as = "Option<Vec<WrittenFile>>"))]
+    pub written: Vec<WrittenFile>,
     /// Everything that happened.
     pub trace: Source,
     /// Where asked for: up to which errors it comes to its end.
@@ -83,6 +88,7 @@ impl Outcome {
             alarms: alarms(outcome),
             changes: changes(outcome),
             log: outcome.log().into_iter().map(str::to_owned).collect(),
+            written: written(outcome),
             trace,
             limits,
         }

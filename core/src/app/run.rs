@@ -8,6 +8,7 @@ use super::finding::{Finding, placed};
 use super::outcome::{Raised, alarms};
 use super::start::{Machine, start};
 use super::supply::{Needs, curable, lacking};
+use super::written::{WrittenFile, written};
 use crate::control::Value;
 use crate::dialect::Dialect;
 use crate::entry::unit_name;
@@ -65,8 +66,12 @@ pub struct RunView {
     pub changes: Vec<Change>,
     /// The alarms in order.
     pub alarms: Vec<RunAlarm>,
-    /// Lines of the log, and blocks that were sent.
+    /// Lines of the print-out, and blocks that were sent.
     pub log: Vec<String>,
+    /// Files that it left on the control: the log of measurements.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(test, ts(optional, as = "Option<Vec<WrittenFile>>"))]
+    pub written: Vec<WrittenFile>,
     /// Whether it reached its end.
     pub finished: bool,
     /// What it went on without.
@@ -243,6 +248,7 @@ impl RunView {
             changes: changes(&outcome),
             alarms: raised(&outcome),
             log: outcome.log().into_iter().map(str::to_owned).collect(),
+            written: written(&outcome),
             finished: outcome.finished(),
             passed_over: outcome.passed_over.clone(),
             machine_values: outcome.machine_values.clone(),

@@ -26,6 +26,7 @@ pub static CYCLE100: Cycle = Cycle {
         logging::help::FORMAT,
         logging::help::FILE,
     ]),
+    simulation: Some(Simulation::new(logging::simulate::propose, logging::simulate::on)),
     source: "B:11172-11229",
     ..logging::PRINTS
 };

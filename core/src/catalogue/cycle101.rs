@@ -16,6 +16,7 @@ pub static CYCLE101: Cycle = Cycle {
         wrong(When::Always, "help-cycle101-missing", "B:11209;B:11233"),
     ]]),
     picture: Drawing::new(logging::closed),
+    simulation: Some(Simulation::new(logging::simulate::propose, logging::simulate::off)),
     source: "B:11231-11233",
     ..logging::LOG
 };

@@ -35,6 +35,7 @@ pub static CYCLE105: Cycle = Cycle {
         ],
         logging::help::FORMAT,
     ]),
+    simulation: Some(Simulation::new(logging::simulate::propose, logging::simulate::contents)),
     source: "B:11235-11242",
     ..logging::PRINTS
 };

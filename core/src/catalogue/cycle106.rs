@@ -35,6 +35,7 @@ pub static CYCLE106: Cycle = Cycle {
         logging::help::FORMAT,
         logging::help::FILE,
     ]),
+    simulation: Some(Simulation::new(logging::simulate::propose, logging::simulate::sequence)),
     source: "B:11244-11253",
     ..logging::PRINTS
 };

@@ -4,6 +4,7 @@ use super::logging;
 use super::logging::cells::cells;
 use super::logging::params::JOB;
 use crate::catalogue::prelude::*;
+use crate::control::Value;
 
 /// The cycle.
 pub static CYCLE113: Cycle = Cycle {
@@ -15,7 +16,7 @@ pub static CYCLE113: Cycle = Cycle {
     ],
     lists: &[ArgumentList::direct("CYCLE113", &[Arg::Param(JOB.name), Arg::Output("PAR2")], "B:11255")],
     params: &[Param { key: "113-job", example: "1", source: "B:11258-11259", ..JOB }],
-    results: &[integer("PAR2", "result-113-text", When::Always, "B:11260")],
+    results: &[integer(TEXT, "result-113-text", When::Always, "B:11260")],
     help: Help::new(&[&[
         measures(DATE, "help-cycle113-date", "B:11258"),
         measures(TIME, "help-cycle113-time", "B:11259"),
@@ -26,6 +27,7 @@ pub static CYCLE113: Cycle = Cycle {
         wrong(When::Always, "help-cycle113-short", "B:11260"),
     ]]),
     picture: Drawing::new(picture),
+    simulation: Some(Simulation::new(logging::simulate::propose, simulate)),
     source: "B:11255-11260",
     ..logging::LOG
 };
@@ -35,6 +37,21 @@ const TIME: When = When::Variant(&[2]);
 
 /// Characters of the variable (B:11260).
 const LENGTH: usize = 10;
+
+/// What is handed back.
+const TEXT: &str = "PAR2";
+
+/// Hands date or time back. A job that it does not know makes an empty text.
+fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
+    let now = machine.now();
+    let text = match inputs.given(JOB.name) {
+        Some(1.0) => now.date(),
+        Some(2.0) => now.time(),
+        _ => String::new(),
+    };
+    machine.control().data.insert(TEXT.to_owned(), Value::Text(text));
+    Ok(())
+}
 
 /// The variable with a text as the control would write it.
 fn picture(inputs: &Inputs) -> Picture {

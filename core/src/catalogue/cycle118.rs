@@ -3,7 +3,9 @@
 
 use super::logging;
 use super::logging::cells::{CELL, ROW, cells, left};
+use super::logging::line::rounded;
 use crate::catalogue::prelude::*;
+use crate::control::Value;
 
 /// The number.
 const NUMBER: Name = Name::new("PAR1");
@@ -17,6 +19,8 @@ const REGISTER: Name = Name::new("PAR5");
 const MANY: When = When::Above { param: COUNT, than: 1.0 };
 /// Most numbers of a call (A:15904).
 const MOST: f64 = 10.0;
+/// More of them.
+const TOO_MANY: Code = Code::Alarm(61362);
 
 /// The cycle.
 pub static CYCLE118: Cycle = Cycle {
@@ -30,7 +34,7 @@ pub static CYCLE118: Cycle = Cycle {
     )],
     params: PARAMS,
     results: &[
-        integer("PAR3", "result-118-text", When::Always, "B:11290"),
+        integer(TEXT, "result-118-text", When::Always, "B:11290"),
         integer("_TXT[0]", "result-118-field", MANY, "B:11280"),
         integer("_TXT[1]", "result-118-field", MANY, "B:11280"),
         integer("_TXT[2]", "result-118-field", When::Above { param: COUNT, than: 2.0 }, "B:11280"),
@@ -42,7 +46,7 @@ pub static CYCLE118: Cycle = Cycle {
         integer("_TXT[8]", "result-118-field", When::Above { param: COUNT, than: 8.0 }, "B:11280"),
         integer("_TXT[9]", "result-118-field", When::Above { param: COUNT, than: 9.0 }, "B:11280"),
     ],
-    alarms: &[&alarms([61362])], // A:15904
+    alarms: &[&[TOO_MANY]],
     help: Help::new(&[&[
         measures(When::Always, "help-cycle118-does", "B:11264-11266"),
         before(When::Always, "help-cycle118-variable", "B:11270-11272"),
@@ -54,6 +58,7 @@ pub static CYCLE118: Cycle = Cycle {
         wrong(When::Always, "help-cycle118-length", "B:11272"),
     ]]),
     picture: Drawing::new(picture),
+    simulation: Some(Simulation::new(logging::simulate::propose, simulate)),
     source: "B:11262-11320",
     ..logging::LOG
 };
@@ -76,7 +81,7 @@ const PARAMS: &[Param] = &[
     Param {
         kind: Kind::Integer,
         range: Range::closed(1.0, MOST),
-        alarm: Some(alarms([61362])[0]),
+        alarm: Some(TOO_MANY),
         needs: &[optional(When::Always, "need-118-count")],
         ..param(COUNT, "118-count", "B:11291;A:15904")
     },
@@ -87,6 +92,28 @@ const PARAMS: &[Param] = &[
         ..param(REGISTER, "118-register", "B:11292")
     },
 ];
+
+/// What is handed back.
+const TEXT: &str = "PAR3";
+
+/// Makes the texts; the last one is handed back too (B:11320).
+fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
+    let (count, decimals) = (inputs.number(COUNT), inputs.number(DECIMALS));
+    if count > MOST {
+        return Err(Stop::Alarm(TOO_MANY));
+    }
+    let control = machine.control();
+    let mut text = rounded(inputs.number(NUMBER), decimals);
+    if count > 1.0 {
+        let first = inputs.number(REGISTER);
+        for place in 0..count as usize {
+            text = rounded(control.number(&format!("R{}", first + place as f64)), decimals);
+            control.data.insert(format!("_TXT[{place}]"), Value::Text(text.clone()));
+        }
+    }
+    control.data.insert(TEXT.to_owned(), Value::Text(text));
+    Ok(())
+}
 
 /// Characters of the variable (B:11272).
 const LENGTH: usize = 12;

@@ -31,10 +31,21 @@ pub enum Sender {
     Jog,
 }
 
+/// The log goes on in another file.
+pub const NEW_LOG: &str = "New log file has been created";
+/// No file of the log has room.
+pub const LOG_NAME: &str = "Please specify new log name";
+
 /// All of them: the log, the cycles, JOG.
 pub static MESSAGES: &[OperatorMessage] = &[
-    shown("New log file has been created", "message-new-log", Sender::Program("CYCLE106"), "B:11194;A:12504"),
-    waiting(shown("Please specify new log name", "message-log-name", Sender::Program("CYCLE106"), "B:11198;A:12510")),
+    OperatorMessage {
+        found: Found::Run,
+        ..shown(NEW_LOG, "message-new-log", Sender::Program("CYCLE106"), "B:11194;A:12504")
+    },
+    OperatorMessage {
+        found: Found::Run,
+        ..waiting(shown(LOG_NAME, "message-log-name", Sender::Program("CYCLE106"), "B:11198;A:12510"))
+    },
     OperatorMessage {
         found: Found::Run,
         ..waiting(shown(

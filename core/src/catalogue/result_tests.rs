@@ -174,9 +174,9 @@ fn data_that_a_macro_sets_are_results_of_its_entry() {
     }
 }
 
-/// Bits and machine data that the steps common to all cycles look at: system of units, scale, erasing, result screen,
-/// frames.
-const EVERY: &[&str] = &["_CBIT[3]", "_CBIT[13]", "_CHBIT[10]", "_CHBIT[24]", "MD20050", "MD28082"];
+/// Bits and machine data that the steps common to all cycles look at: system of units, scale, log, erasing, result
+/// screen, frames.
+const EVERY: &[&str] = &["_CBIT[3]", "_CBIT[9]", "_CBIT[13]", "_CHBIT[10]", "_CHBIT[24]", "MD20050", "MD28082"];
 /// Switches of a cycle with the workpiece probe: of its measuring block and its calibration.
 const PROBE: &[&str] = &["_CBIT[8]", "_CBIT[14]", "_CBIT[16]"];
 /// Switches of a cycle with the workpiece probe on a milling machine.

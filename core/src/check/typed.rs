@@ -214,6 +214,8 @@ fn absent(param: &Param, level: Level, reason: &'static str, control: &Control, 
             diagnostics.push(match param.alarm {
                 // the macro itself refuses a missing address
                 Some(code @ Code::Nct(_)) => finding.under(code),
+                // a cycle of the log does without no text that it needs
+                Some(code) if matches!(param.kind, Kind::Text(_)) => finding.under(code),
                 _ => finding,
             });
         }

@@ -1,6 +1,8 @@
 //! The simulated machine: what a cycle may do on it, what it starts from, what it records.
 
 pub mod calibrated;
+pub mod clock;
+pub mod files;
 pub mod in_use;
 pub mod possible;
 pub mod route;
@@ -10,6 +12,8 @@ pub mod setup;
 pub mod sim;
 pub mod trace;
 
+pub use clock::Clock;
+pub use files::Files;
 pub use in_use::InUse;
 pub use route::Route;
 pub use setup::{PROBE_TOOL, Setup, ideal_probe, probe_data, probe_place};
@@ -81,6 +85,20 @@ pub trait Machine {
     fn point_limit(&self) -> usize;
     /// Takes what a scan sent to a computer, whole.
     fn send(&mut self, scan: Sent);
+    /// Files that the run leaves on the control.
+    fn files(&mut self) -> &mut Files;
+    /// Date and time of the control.
+    fn now(&self) -> Clock;
+    /// Makes an empty file, and records that.
+    fn create_file(&mut self, name: &str) {
+        self.files().create(name);
+        self.record(Step::File { name: name.to_owned(), text: None });
+    }
+    /// Adds a line to a file, and records it.
+    fn write_file(&mut self, name: &str, line: String) {
+        self.files().write(name, line.clone());
+        self.record(Step::File { name: name.to_owned(), text: Some(line) });
+    }
     /// Records something that is no motion: a result, a correction, a decision, an alarm that informs.
     fn record(&mut self, step: Step);
     /// Writes a datum as it stands on the control, and records it.

@@ -15,6 +15,9 @@ const COARSE: f64 = 3.0 / 180.0 * std::f64::consts::PI;
 /// How many stretches that are only held against boxes cost as much as one that is looked at.
 pub const LOOK: usize = 4;
 
+/// Speed of rapid traverse, mm/min: no datum of the control tells it.
+const RAPID: f64 = 10_000.0;
+
 /// From where to where, and how.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Route {
@@ -58,6 +61,11 @@ impl Route {
                 x.hypot(y).hypot(z)
             }
         }
+    }
+
+    /// How long a motion at this feed takes on it, s; 0: rapid traverse.
+    pub fn seconds(&self, feed: f64) -> f64 {
+        60.0 * self.length() / if feed > 0.0 { feed } else { RAPID }
     }
 
     /// What lies between two parts of it, 0 to 1, seen so far away.

@@ -6,6 +6,7 @@ use crate::control::tools::{AS_TURNING_TOOL, LATHE_PROBE};
 use crate::control::{Control, Edge, Make, Plane, Transverse, Units, delivery_in};
 use crate::dialect::Dialect;
 use crate::geometry::Mcs;
+use crate::machine::Clock;
 use crate::workpiece::{Probe, Tool, ToolProbe, Turret, Workpiece};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -29,6 +30,8 @@ pub struct Setup {
     pub turret: Turret,
     /// Where the point to which the tool length refers stands.
     pub position: Mcs,
+    /// Date and time of the control at the start.
+    pub clock: Clock,
     /// Skip levels 0 to 9 that are switched on at the panel: blocks with `/`, `/1` to `/9` are left out.
     pub skip: BTreeSet<u8>,
 }
@@ -84,6 +87,7 @@ impl Setup {
             real_tools: BTreeMap::new(),
             turret: Turret::default(),
             position: Mcs(position),
+            clock: Clock::default(),
             skip: BTreeSet::new(),
         }
     }

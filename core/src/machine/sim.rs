@@ -1,6 +1,6 @@
 //! The simulated machine: moves the probe among the solids and records what happens.
 
-use super::{Entry, InUse, Machine, MotionKind, Route, Setup, Step, Stop, Trace, route::LOOK};
+use super::{Clock, Entry, Files, InUse, Machine, MotionKind, Route, Setup, Step, Stop, Trace, route::LOOK};
 use crate::control::{Control, MachineSort};
 use crate::geometry::{Around, Degrees, FARTHEST, Mcs, Wcs};
 use crate::message::Message;
@@ -19,6 +19,12 @@ pub struct Sim {
     pub trace: Trace,
     /// What was scanned so far.
     pub scans: Vec<Sent>,
+    /// Files that the run leaves on the control.
+    pub files: Files,
+    /// Date and time of the control at the start.
+    pub clock: Clock,
+    /// How long the motions took so far, s.
+    pub seconds: f64,
     /// Line of the program that is being carried out.
     pub line: Option<u32>,
     /// Entries after which a call is given up, and so is the run.
@@ -79,6 +85,9 @@ impl Sim {
             position: setup.position,
             trace: Trace::default(),
             scans: Vec::new(),
+            files: Files::default(),
+            clock: setup.clock,
+            seconds: 0.0,
             line: None,
             trace_limit: usize::MAX,
             own_limit: usize::MAX,
@@ -177,6 +186,7 @@ impl Sim {
 
     fn go(&mut self, way: &Route, kind: MotionKind, feed: f64) {
         self.position = way.to;
+        self.seconds += way.seconds(feed);
         self.note(Step::Motion { kind, from: way.from, to: way.to, around: way.around, feed });
     }
 
@@ -343,6 +353,14 @@ impl Machine for Sim {
 
     fn send(&mut self, scan: Sent) {
         self.scans.push(scan);
+    }
+
+    fn files(&mut self) -> &mut Files {
+        &mut self.files
+    }
+
+    fn now(&self) -> Clock {
+        self.clock.after(self.seconds)
     }
 
     fn spin(&mut self, speed: f64) {

@@ -129,6 +129,14 @@ pub enum Step {
         /// As it is written.
         text: String,
     },
+    /// A file of the control was made, or a line was written into it.
+    File {
+        /// `LOG_1.MPF`.
+        name: String,
+        /// The line; none: it is made, and empty.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        text: Option<String>,
+    },
     /// A block that was sent to a computer (digitizing).
     #[serde(rename = "log")]
     #[cfg_attr(test, ts(skip))]

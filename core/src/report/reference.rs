@@ -2,7 +2,7 @@
 
 use crate::catalogue::alarms;
 use crate::diagnostic::Code;
-use crate::entry::{Cycle, Kind, Level, Param, ProbeUse, ResultField, Unit, Variant, When};
+use crate::entry::{Cycle, Kind, Level, Param, ResultField, Unit, Variant, When};
 use crate::manual::Cited;
 use crate::message::Message;
 use crate::range::Range;
@@ -32,7 +32,6 @@ pub fn page(cycle: &'static Cycle, words: &Words) -> String {
 fn known(cycle: &Cycle) -> &'static str {
     match cycle.simulation {
         Some(_) => "report-known-simulated",
-        None if cycle.purpose.probe == ProbeUse::Log => "report-known-passed",
         None => "report-known-stops",
     }
 }

@@ -1,12 +1,15 @@
 //! One measuring call on the machine, with its begin, its end and the alarm that stops it; and what it would do.
 
 use super::{Outcome, outcome::set};
+use crate::catalogue::logging::simulate as logging;
 use crate::check::upkeep;
 use crate::diagnostic::Code;
 use crate::entry::{Cycle, Inputs, ProbeUse};
 use crate::machine::{Setup, Sim, Step, Stop};
 use crate::message::Message;
 
+/// A difference exceeds `_TSA`.
+const SAFE_AREA: Code = Code::Alarm(61303);
 /// Entries of a trace after which a call of a form is given up, asked at every keystroke; scans need a third of them.
 const STEPS: usize = 5000;
 
@@ -38,7 +41,7 @@ fn within(sim: &mut Sim, inputs: &Inputs) -> Result<(), Stop> {
     let outcome = (work.simulate)(sim, inputs);
     sim.measuring = None;
     sim.recode(false);
-    let outcome = outcome.and_then(|()| numbers(sim));
+    let outcome = logged(sim, inputs, outcome.and_then(|()| numbers(sim)));
     if let Err(Stop::Alarm(code)) = outcome {
         return alarm(sim, code);
     }
@@ -47,6 +50,15 @@ fn within(sim: &mut Sim, inputs: &Inputs) -> Result<(), Stop> {
         sim.note(Step::CallEnd);
     }
     outcome
+}
+
+/// The call's block of values in the log, where that is on. What exceeds the safe area is logged before it stops the
+/// program: else the mark that `_TSA` has there (B:11439) could never be seen.
+fn logged(sim: &mut Sim, inputs: &Inputs, outcome: Result<(), Stop>) -> Result<(), Stop> {
+    match outcome {
+        Ok(()) | Err(Stop::Alarm(SAFE_AREA)) => logging::measured(sim, inputs).and(outcome),
+        _ => outcome,
+    }
 }
 
 /// Whether the call has left numbers only.

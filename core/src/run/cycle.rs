@@ -2,10 +2,11 @@
 
 use super::called::{self, Called};
 use super::{Call, Halt, Interpreter, Words, call, contour, interpret, subprogram, unread};
+use crate::catalogue::logging;
 use crate::check::{Checked, upkeep};
 use crate::control::Value;
 use crate::diagnostic::{Code, Diagnostic, Severity, Span};
-use crate::entry::{Cycle, Inputs, Kind, ProbeUse, Typed};
+use crate::entry::{Cycle, Inputs, Kind, Typed};
 use crate::machine::Machine;
 use crate::problem::Problem;
 use crate::program::user_programs::{BEFORE, BEHIND, UserProgram};
@@ -66,13 +67,13 @@ pub fn addresses(run: &mut Interpreter, cycle: &'static Cycle, found: &Words) ->
     carry_out(run, cycle, check::check(cycle, &typed, &run.sim.control), found.path.span)
 }
 
-/// Whether a call is left out, which is told: logging is not simulated, and a run goes on without it.
-pub fn left_out(run: &mut Interpreter, cycle: &'static Cycle, span: Span) -> bool {
-    let log = cycle.purpose.probe == ProbeUse::Log && cycle.work().is_none();
-    if log {
-        run.tell(Severity::Warning, &Problem::new("run-log", span, cycle.name));
-    }
-    log
+/// Tells that the log is still on at the end, where the program switched it on: what measures later writes into it, and
+/// its file cannot be read out (B:11209, B:11233).
+pub fn log_stays_on(run: &mut Interpreter) {
+    let control = &run.sim.control;
+    let Some(called) = run.log_on.filter(|_| control.bit(logging::ON)) else { return };
+    let file = control.text(logging::names::FILE.as_str()).to_owned();
+    run.tell(Severity::Warning, &Problem::new("run-log-on", called, file));
 }
 
 /// Counts how often a call is carried out where it is written; a program that does so again and again may never end.
@@ -101,15 +102,16 @@ pub fn carry_out(run: &mut Interpreter, cycle: &'static Cycle, checked: Checked,
         }
     }
     if let Some(inputs) = &checked.inputs {
-        if left_out(run, cycle, span) {
-            return Ok(());
-        }
         contour::leave(run)?;
         count(run, span)?;
         around(run, &BEFORE, cycle, span)?;
         run.put_part(inputs);
         keep(run, inputs.clone());
+        let log = run.sim.control.bit(logging::ON);
         call::perform(&mut run.sim, inputs).map_err(Halt::at(span))?;
+        if !log && run.sim.control.bit(logging::ON) {
+            run.log_on = Some(span);
+        }
         return around(run, &BEHIND, cycle, span);
     }
     match code {

@@ -1,14 +1,15 @@
 //! Runs a program block by block.
 
 use super::{
-    Halt, Level, Limits, Locals, Modal, Outcome, assumed::Made, called::Called, contour, contour::Contour, defined,
-    endless, endless::Watch, limits, motion, noted, noted::Noted, of_machine, of_machine::Asked, outcome::PassedOver,
-    own_parameters, repeat, rules::Rules, standard::Pattern, statement, subprogram, unread, unread::Unread,
+    Halt, Level, Limits, Locals, Modal, Outcome, assumed::Made, called::Called, contour, contour::Contour, cycle,
+    defined, endless, endless::Watch, limits, motion, noted, noted::Noted, of_machine, of_machine::Asked,
+    outcome::PassedOver, own_parameters, repeat, rules::Rules, standard::Pattern, statement, subprogram, unread,
+    unread::Unread,
 };
 use crate::control::Value;
 use crate::diagnostic::{Diagnostic, Severity, Span};
 use crate::geometry::{Mcs, Wcs};
-use crate::machine::{Setup, Sim, Step, Stop};
+use crate::machine::{Files, Setup, Sim, Step, Stop};
 use crate::message::Message;
 use crate::problem::Problem;
 use crate::syntax::links::{Link, Links};
@@ -79,6 +80,8 @@ pub struct Interpreter {
     pub pattern: Pattern,
     /// Values of the machine that were assumed, and the arrays of which that was told.
     pub asked: Asked,
+    /// The call that switched the log on last.
+    pub log_on: Option<Span>,
     pub arrays_asked: BTreeSet<String>,
 }
 
@@ -177,6 +180,9 @@ impl Session {
         let mut run = self.run;
         noted::tell(&mut run);
         of_machine::settle(&mut run);
+        if stop.is_none() {
+            cycle::log_stays_on(&mut run);
+        }
         let machine_values = of_machine::all(&run);
         let Interpreter { sim, diagnostics, passed: passed_over, called, .. } = run;
         Outcome { diagnostics, passed_over, called, machine_values, ..Outcome::left_by(sim, &self.before, stop) }
@@ -254,6 +260,7 @@ impl Interpreter {
         sim.point_limit = crate::scan::POINTS;
         let (motion, feed_factor) = (Rules::of(program.dialect).motion, sim.control.data_factor());
         let programs = programs::programs(&program);
+        sim.files = Files::beside(programs.units.first().and_then(|unit| unit.file.as_deref()));
         let main = programs.units.first().map_or(0..0, |unit| unit.blocks.clone());
         let mut run = Interpreter {
             programmed: motion::standing(&sim),
@@ -288,6 +295,7 @@ impl Interpreter {
             noted: Noted::new(),
             pattern: Pattern::default(),
             asked: Asked::default(),
+            log_on: None,
             arrays_asked: BTreeSet::new(),
             program,
         };

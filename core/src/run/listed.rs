@@ -130,9 +130,6 @@ fn omitted(cycle: &Cycle, name: &str) -> Value {
 
 /// Carries out a helper cycle, which hands back what went wrong (B:2422-2448, B:8557-8584): values in, results out.
 fn helper(run: &mut Interpreter, cycle: &'static Cycle, list: &ArgumentList, call: &Call) -> Result<(), Halt> {
-    if cycle::left_out(run, cycle, call.span) {
-        return Ok(());
-    }
     let inputs = check::read(cycle, &taken(run, cycle, list, call)?, &run.sim.control, &mut Vec::new());
     call::perform(&mut run.sim, &inputs).map_err(Halt::at(call.span))?;
     Ok(hand_back(run, cycle, list, call)?)

@@ -24,6 +24,8 @@ pub mod left;
 mod limits;
 mod listed;
 mod locals;
+#[cfg(test)]
+mod log_tests;
 mod macro_call;
 mod macro_system;
 mod macro_variables;

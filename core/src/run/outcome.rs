@@ -7,7 +7,7 @@ use crate::diagnostic::{Code, Diagnostic};
 use crate::dialect::Dialect;
 use crate::entry::{Cycle, ResultField};
 use crate::geometry::{Mcs, TOLERANCE, Wcs};
-use crate::machine::{Setup, Sim, Step, Stop, Trace};
+use crate::machine::{Files, Setup, Sim, Step, Stop, Trace};
 use crate::message::{Arg, Message, printable};
 use crate::scan::Sent;
 use std::collections::{BTreeMap, BTreeSet};
@@ -25,6 +25,8 @@ pub struct Outcome {
     pub trace: Trace,
     /// What was scanned, whole: of a long scan the trace holds the beginning only.
     pub scans: Vec<Sent>,
+    /// Files that it left on the control.
+    pub files: Files,
     /// Why it ended early; none: to its end.
     pub stop: Option<Stop>,
     /// Problems found in the program while running; empty for a single call.
@@ -172,7 +174,7 @@ impl Outcome {
     /// What a machine leaves that began as the setup says.
     pub fn left_by(sim: Sim, before: &Setup, stop: Option<Stop>) -> Outcome {
         let (before, line) = (before.control.clone(), sim.line.map(|line| line + 1));
-        let Sim { control, position, trace, scans, .. } = sim;
+        let Sim { control, position, trace, scans, files, .. } = sim;
         let (diagnostics, passed_over, called) = (Vec::new(), Vec::new(), Vec::new());
         let machine_values = Vec::new();
         Outcome {
@@ -181,6 +183,7 @@ impl Outcome {
             position,
             trace,
             scans,
+            files,
             stop,
             diagnostics,
             passed_over,

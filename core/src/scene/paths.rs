@@ -1,13 +1,11 @@
 //! Motions as straight pieces, and where the probe stands.
 
 use super::tool::Tool;
-use crate::geometry::{Around, Mcs, V3};
-use crate::machine::{Entry, MotionKind, Step};
+use crate::geometry::V3;
+use crate::machine::{Entry, MotionKind, Route, Step};
 
 /// Most degrees of an arc that are one straight piece.
 const PIECE: f64 = 3.0;
-/// Pieces of an arc whose length is asked for.
-const PIECES: usize = 64;
 
 /// A straight piece of a motion, machine coordinates, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,23 +55,13 @@ pub fn stands(entries: &[Entry], tools: &[Tool]) -> Vec<[f64; 3]> {
     entries.iter().map(stand).collect()
 }
 
-/// Speed of rapid traverse, mm/min: no datum of the control tells it.
-const RAPID: f64 = 10_000.0;
-
 /// When each entry begins and the last one ends, s: motions take their time at their feed, all else takes none.
 pub fn begins(entries: &[Entry]) -> Vec<f64> {
     let mut at = 0.0;
     let mut begins = vec![at];
     for entry in entries {
         if let Step::Motion { from, to, around, feed, .. } = &entry.step {
-            let length = |a: Mcs, b: Mcs| (V3::from(b) - V3::from(a)).norm();
-            let places = |around: &Around<Mcs>| {
-                let place = |piece: usize| around.at(*from, *to, piece as f64 / PIECES as f64);
-                (0..PIECES).map(|piece| length(place(piece), place(piece + 1))).sum()
-            };
-            let way: f64 = around.as_ref().map_or_else(|| length(*from, *to), places);
-            let speed = if *feed > 0.0 { *feed } else { RAPID };
-            at += 60.0 * way / speed;
+            at += Route { from: *from, to: *to, around: *around }.seconds(*feed);
         }
         begins.push(at);
     }

@@ -4,7 +4,7 @@ use super::{ActiveFile, EdgeFile, MachineFile, SetupFile, SolidFile, ToolFile, T
 use crate::SIMULATES;
 use crate::control::{Control, Definitions, Edge, Frame, Limits, Tool, delivery_in};
 use crate::geometry::Mcs;
-use crate::machine::Setup;
+use crate::machine::{Clock, Setup};
 use crate::message::printable;
 use crate::refused::{Path, Refused};
 use crate::syntax::definitions::definitions;
@@ -50,6 +50,7 @@ pub fn setup(file: SetupFile) -> Result<Setup, Refused> {
         real_tools,
         turret: file.machine.turret,
         position: Mcs(file.position),
+        clock: clock(&file.clock)?,
         skip: file.skip,
     };
     setup.possible()?;
@@ -71,6 +72,15 @@ pub fn defined(lines: &[String]) -> Result<Arc<Definitions>, Refused> {
         all.extend(found.definitions);
     }
     Ok(Arc::new(all))
+}
+
+/// The moment that a text names; none: that of delivery.
+fn clock(text: &str) -> Result<Clock, Refused> {
+    if text.is_empty() {
+        return Ok(Clock::default());
+    }
+    let wrong = |_| Refused::new("setup-clock", Path::of(&["clock"])).text("text", printable(text));
+    text.parse().map_err(wrong)
 }
 
 /// What the elements of a list stand for.
@@ -151,6 +161,7 @@ impl From<&Setup> for SetupFile {
             tool_probes: setup.tool_probes.iter().map(Into::into).collect(),
             workpiece: setup.workpiece.solids.iter().map(Into::into).collect(),
             position: setup.position.0,
+            clock: if setup.clock == Clock::default() { String::new() } else { setup.clock.to_string() },
             skip: setup.skip.clone(),
         }
     }

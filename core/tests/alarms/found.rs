@@ -21,10 +21,8 @@ const NOWHERE: &[(&str, &[u32])] = &[
     ("a cycle that is not permitted is no entry", &[61312]),
     ("internal error of the cycles", &[61319, 61340, 61403, 61404]),
     ("the simulated machine has one spindle", &[61344]),
-    (
-        "logging is not simulated; a name that is missing the form asks for itself",
-        &[61352, 61353, 61354, 61355, 61356, 61357, 61358, 61359, 62311],
-    ),
+    ("the folder of the program is there, and its memory has room", &[61353, 61357]),
+    ("internal error of the log", &[61358, 61359]),
 ];
 
 /// Programs for what one odd value does not bring about: logs without contents, without titles or of data that cannot

@@ -16,6 +16,7 @@ mod cycle998;
 mod found;
 mod helpers;
 mod lathe;
+mod log;
 #[path = "../running/mill.rs"]
 mod mill;
 mod nct;
@@ -38,7 +39,13 @@ use table::{Case, Table};
 /// The cases of a cycle.
 fn table(name: &str) -> Table {
     match name {
+        "CYCLE100" => log::cycle100(),
+        "CYCLE101" => log::cycle101(),
+        "CYCLE105" => log::cycle105(),
+        "CYCLE106" => log::cycle106(),
+        "CYCLE113" => log::cycle113(),
         "CYCLE116" => helpers::cycle116(),
+        "CYCLE118" => log::cycle118(),
         "CYCLE119" => helpers::cycle119(),
         "CYCLE961" => cycle961::table(),
         "CYCLE971" => cycle971::table(),

@@ -59,9 +59,9 @@ const ROWS: &[Row] = &[
 
 /// Switches from which nothing comes here, and why.
 const SILENT: &[(&str, &str)] = &[
-    ("_CBIT[6]", "lines of the log, which is not written yet"),
+    ("_CBIT[6]", "lines of the log, which is off in these calls"),
     ("_CBIT[7]", "orientable tool carriers: the setup has none"),
-    ("_CBIT[11]", "header of the log, which is not written yet"),
+    ("_CBIT[11]", "header of the log, which is off in these calls"),
     ("_CHBIT[0]", "the input at which the probe is connected: the probe of the setup is always at the right one"),
     ("_CHBIT[1]", "the same of the tool probe"),
     ("_CHBIT[22]", "by how much the last touch of a turning tool is slower, no manual tells"),

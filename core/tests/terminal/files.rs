@@ -124,3 +124,34 @@ fn a_run_writes_what_is_printed_into_a_file() {
         ]
     );
 }
+
+// oracle: manual B:11192-11232 (the file and its name), hand (which files are written where, and that none is replaced)
+#[test]
+fn a_run_writes_its_logs_into_a_folder() {
+    let program = file(
+        "logging.mpf",
+        b"_PROTNAME[1]=\"LOG_1\" _CBIT[6]=1 _CBIT[11]=1 _PROTFORM[3]=1 _HEADLINE[0]=\"HEAD\"\n\
+          _PROTVAL[0]=\"T\" _PROTVAL[2]=\"R1,_TIME\" R1=1.5\nCYCLE100\nCYCLE106(2)\nCYCLE101\nM30\n",
+    );
+    let told = probewright(&["run", &program]);
+    assert!(told.status.success(), "{}{}", out(&told), err(&told));
+    assert!(out(&told).contains("LOG_1.MPF: 2 lines"), "{}", out(&told));
+    let folder = std::path::Path::new(&program).with_extension("logs");
+    drop(std::fs::remove_dir_all(&folder));
+    let asked = ["run", &program, "--log", folder.to_str().unwrap()];
+    let written = probewright(&asked);
+    assert!(written.status.success(), "{}{}", out(&written), err(&written));
+    let log = folder.join("LOG_1.MPF");
+    assert_eq!(std::fs::read_to_string(&log).unwrap(), "HEAD\n1.500       ; 00:00:00\n");
+    assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 1);
+    std::fs::write(&log, "of another part").unwrap();
+    let again = probewright(&asked);
+    assert_eq!(again.status.code(), Some(1));
+    assert!(err(&again).contains("LOG_1.MPF exists already"), "{}", err(&again));
+    assert_eq!(std::fs::read_to_string(&log).unwrap(), "of another part");
+    let text = out(&probewright(&["run", &program, "--json"]));
+    let view: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(view["written"][0]["name"], "LOG_1.MPF");
+    assert_eq!(view["written"][0]["lines"][1], "1.500       ; 00:00:00");
+    assert_eq!(view["written"][0]["at"].as_array().unwrap().len(), 2);
+}

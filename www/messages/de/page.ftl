@@ -291,6 +291,7 @@ step-set = { $name }: von { $before } auf { $after }
 step-call = { $cycle } beginnt, Messvariante { $variant }
 step-call-only = { $cycle } beginnt
 step-return = Der Zyklus endet
+step-file = Datei { $name } angelegt
 
 tab-outcome = Ergebnis
 tab-problems = Meldungen
@@ -328,6 +329,8 @@ problems-more = { $count ->
 problems-none = Keine Meldungen.
 problem-place = Zeile { $line }, Spalte { $column }
 log-save = Als Datei speichern
+log-save-file = { $name } speichern
+log-lines = { $shown } von { $count } Zeilen
 log-none = Nichts protokolliert.
 
 sliders-open = Abweichungen

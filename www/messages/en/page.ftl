@@ -291,6 +291,7 @@ step-set = { $name }: from { $before } to { $after }
 step-call = { $cycle } starts, variant { $variant }
 step-call-only = { $cycle } starts
 step-return = The cycle ends
+step-file = File { $name } created
 
 tab-outcome = Result
 tab-problems = Problems
@@ -325,6 +326,8 @@ problems-more = { $count } more, marked in the program; listed here once the pro
 problems-none = No problems found.
 problem-place = line { $line }, column { $column }
 log-save = Save as file
+log-save-file = Save { $name }
+log-lines = { $shown } of { $count } lines
 log-none = Nothing was logged.
 
 sliders-open = Errors

@@ -287,6 +287,7 @@ step-set = { $name }：由 { $before } 变为 { $after }
 step-call = { $cycle } 开始，测量方式 { $variant }
 step-call-only = { $cycle } 开始
 step-return = 循环结束
+step-file = 已创建文件 { $name }
 
 tab-outcome = 结果
 tab-problems = 问题
@@ -321,6 +322,8 @@ problems-more = 还有 { $count } 个，已在程序中标出；改正以上问�
 problems-none = 没有发现问题。
 problem-place = 第 { $line } 行，第 { $column } 列
 log-save = 保存为文件
+log-save-file = 保存 { $name }
+log-lines = { $shown } / { $count } 行
 log-none = 没有记录任何内容。
 
 sliders-open = 误差

@@ -10,7 +10,7 @@ import { fixed, plain, signed } from "../numbers";
 import type { State } from "../state/state";
 import type { Store } from "../state/store";
 import { listed, say, t } from "../texts";
-import type { FileStart, OfCall, Outcome } from "../wire";
+import type { FileStart, OfCall, Outcome, WrittenFile } from "../wire";
 import { createGiven, type Lacks } from "./given";
 import { missing } from "./missing";
 import { offersOf, problem } from "./problem";
@@ -26,6 +26,7 @@ export interface Shown {
   alarms: (Outcome["alarms"][number] & OfPlace)[];
   decisions: ({ message: Outcome["decisions"][number] } & OfPlace)[];
   log: string[];
+  written?: WrittenFile[];
 }
 
 const ROWS = 1000; // of results; a program may have a thousand calls

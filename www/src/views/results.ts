@@ -1,6 +1,6 @@
 // Result of a call: values, decisions, changes, alarms; beside them problems, motions and the log.
 
-import { html, render } from "lit-html";
+import { html, render, type TemplateResult } from "lit-html";
 import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
 import { el, on, setAttribute, setText, show } from "../dom";
@@ -10,6 +10,7 @@ import { saveFile } from "../state/files";
 import type { ResultTab, State } from "../state/state";
 import type { Store } from "../state/store";
 import { t } from "../texts";
+import type { WrittenFile } from "../wire";
 import { createAnswer } from "./answer";
 import { createFindings, located } from "./findings";
 import { type Lacks, parameterId } from "./given";
@@ -20,13 +21,32 @@ import { createScan } from "./scan";
 const TABS: ResultTab[] = ["outcome", "problems", "motions", "log", "scan"];
 type Draw = (state: State, derived: Derived) => void;
 
+/** A file of the control as it is at a step; below it what it will have later. */
+function fileAt({ name, lines, at }: WrittenFile, step: number): TemplateResult {
+  const shown = at.findIndex(entry => entry > step);
+  const count = shown < 0 ? lines.length : shown;
+  const text = lines.slice(0, count).join("\n");
+  return html`<section class="log-file" data-file=${name}>
+    <h3>${name} <span class="figure">${t("log-lines", { shown: count, count: lines.length })}</span></h3>
+    <pre class="log" tabindex="0" aria-label=${name} ?hidden=${count === 0}>${text}</pre>
+    <div class="actions">
+      <button type="button" @click=${() => saveFile(lines.map(line => `${line}\n`).join(""), name)}>
+        ${t("log-save-file", { name })}
+      </button>
+    </div>
+  </section>`;
+}
+
 function createLog(root: HTMLElement): Draw {
   return (state, derived) => {
-    const log = shownOutcome(state, derived)?.log ?? [];
+    if (state.panels.tab !== "log") return;
+    const outcome = shownOutcome(state, derived);
+    const [log, written] = [outcome?.log ?? [], outcome?.written ?? []];
     const none = log.length === 0;
     const text = log.join("\n");
     render(
-      html`<p class="empty" ?hidden=${!none}>${t("log-none")}</p>
+      html`<p class="empty" ?hidden=${!none || written.length > 0}>${t("log-none")}</p>
+        ${written.map(file => fileAt(file, derived.step))}
         <pre class="log" tabindex="0" aria-label=${t("tab-log")} ?hidden=${none}>${text}</pre>
         <div class="actions" ?hidden=${none}>
           <button type="button" @click=${() => saveFile(`${text}\n`, "print.txt")}>${t("log-save")}</button>

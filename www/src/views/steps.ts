@@ -35,6 +35,8 @@ export function describe(step: Step, cycles: CycleInfo[]): string {
     case "message":
     case "log":
       return step.text;
+    case "file":
+      return step.text === undefined ? t("step-file", { name: step.name }) : `${step.name}: ${step.text}`;
     case "call":
       return cycles.some(({ cycle, numbered }) => numbered && cycle === step.cycle)
         ? t("step-call", { cycle: step.cycle, variant: step.variant })

@@ -7,6 +7,7 @@ mod explain;
 mod file;
 mod help;
 mod joined;
+mod log;
 mod progress;
 mod read;
 mod run;

@@ -4,7 +4,7 @@ use crate::check::print_all;
 use crate::file::Problem;
 use crate::joined::Joined;
 use crate::progress::Progress;
-use crate::{file, scan};
+use crate::{file, log, scan};
 use probewright_core::app::{RunAssumed, RunView};
 use probewright_core::catalogue::alarms;
 use probewright_core::control::Value;
@@ -45,6 +45,8 @@ pub struct Arguments {
     json: bool,
     #[arg(long, value_name = "FILE")]
     print: Option<PathBuf>,
+    #[arg(long, value_name = "FOLDER")]
+    log: Option<PathBuf>,
     #[command(flatten)]
     scan: scan::Files,
 }
@@ -94,8 +96,17 @@ pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
         file::write(print, lines.map(|line| format!("{line}\n")))?;
     }
     arguments.scan.write(&outcome.scans)?;
+    let written = match (&arguments.log, arguments.json) {
+        (None, true) => true, // they are in the document
+        (Some(folder), true) => log::write(&outcome.files, Some(folder), words, &mut std::io::sink())?,
+        (folder, false) => log::write(&outcome.files, folder.as_deref(), words, out)?,
+    };
     let wrong = |found: &Diagnostic| found.severity == Severity::Error;
-    Ok(if outcome.finished() && !outcome.diagnostics.iter().any(wrong) { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    Ok(if written && outcome.finished() && !outcome.diagnostics.iter().any(wrong) {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::FAILURE
+    })
 }
 
 /// `DEPTH=5`, `NAME="A"`: values of parameters by their names in upper case.

@@ -1,13 +1,12 @@
 //! What the data of a log say together (A:15894-15948). A value that is known at run time only is not judged.
 
-use super::line::{Field, fields, widths};
+use super::keep::alarm_of;
+use super::line::{Columns, Field, fields};
 use super::names::{COLUMN, FILE, LINE, TITLES, VALUES};
 use super::params::LONGEST_LINE;
 use crate::catalogue::prelude::*;
 use crate::check::announced;
-
-/// Width of a column where the titles give none, characters (A:15945).
-const FIXED: usize = 12;
+use crate::machine::files::{self, Fault};
 
 /// All of them.
 pub fn checks(inputs: &Inputs, _: &Control, found: &mut Vec<Diagnostic>) {
@@ -19,24 +18,22 @@ pub fn checks(inputs: &Inputs, _: &Control, found: &mut Vec<Diagnostic>) {
         found.push(finding.hint_number("most", LONGEST_LINE));
     }
     empty(inputs, found);
-    let widths = columns(inputs, found);
+    let columns = columns(inputs, found);
     for name in VALUES.into_iter().filter(|name| inputs.uses(*name)) {
-        values(inputs, name, &widths, found);
+        values(inputs, name, &columns, found);
     }
 }
 
-/// Letters, digits and underscores; two letters first, or a letter and an underscore (B:11192).
+/// A name that a program can have, without another ending than that of a main program (B:11192).
 fn file(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     let name = inputs.text(FILE);
-    let known = |c: char| c.is_ascii_alphanumeric() || c == '_';
-    let starts = match name.as_bytes() {
-        [first, second, ..] => first.is_ascii_alphabetic() && (second.is_ascii_alphabetic() || *second == b'_'),
-        _ => false,
+    let fault = match files::named(name) {
+        Ok(file) if file.ends_with(".MPF") => return,
+        Ok(_) => Fault::Type,
+        Err(Fault::NoName) => return, // the form asks for it, a run is told so as of any value that is missing
+        Err(fault) => fault,
     };
-    let right = starts && name.chars().all(known);
-    if !name.is_empty() && !right {
-        found.push(own::LOG_FILE.finding().at(FILE));
-    }
+    found.push(refused(alarm_of(fault), "check-log-file", FILE));
 }
 
 /// Whether a program gives this text at run time.
@@ -54,43 +51,33 @@ fn empty(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Widths of the columns; empty where all of them are as wide as the number says.
-fn columns(inputs: &Inputs, found: &mut Vec<Diagnostic>) -> Vec<usize> {
-    if inputs.given(COLUMN) != Some(0.0) || open(TITLES[0], found) {
-        return Vec::new();
-    }
-    let title = inputs.text(TITLES[0]);
-    if title.is_empty() {
+/// Widths of the columns; all of them have the fixed one where the title is known at run time only.
+fn columns(inputs: &Inputs, found: &mut Vec<Diagnostic>) -> Columns {
+    let (width, title) = (inputs.number(COLUMN), inputs.text(TITLES[0]));
+    if inputs.given(COLUMN) == Some(0.0) && title.is_empty() && !open(TITLES[0], found) {
         found.push(announced(62308, "check-log-width", COLUMN));
-        return Vec::new();
     }
-    widths(title).collect()
+    Columns::new(width, title)
 }
 
 /// One line of values: what cannot be shown, what does not fit.
-fn values(inputs: &Inputs, name: Name, widths: &[usize], found: &mut Vec<Diagnostic>) {
+fn values(inputs: &Inputs, name: Name, columns: &Columns, found: &mut Vec<Diagnostic>) {
     let line = inputs.text(name);
     for field in fields(line) {
         if let Field::Unknown(word) = field {
             found.push(refused(61361, "check-log-unknown", name).text("word", word));
         }
     }
-    let fixed = match inputs.number(COLUMN) as usize {
-        0 => FIXED,
-        width => width,
-    };
-    let width = |column: usize| widths.get(column).copied().unwrap_or(fixed);
     let wide = fields(line).enumerate().find_map(|(column, field)| {
         let needed = field.width()?;
-        (needed > width(column)).then_some((column, needed))
+        (needed > columns.width(column)).then_some((column, needed))
     });
     if let Some((column, needed)) = wide {
         let finding = announced(62309, "check-log-narrow", name).number("column", column as f64 + 1.0);
-        found.push(finding.number("width", width(column) as f64).number("needed", needed as f64));
+        found.push(finding.number("width", columns.width(column) as f64).number("needed", needed as f64));
     }
-    let total: usize = (0..fields(line).count()).map(width).sum();
     if !line.is_empty() {
-        long(inputs, name, total as f64, found);
+        long(inputs, name, columns.total(line) as f64, found);
     }
 }
 

@@ -3,11 +3,16 @@
 
 pub mod cells;
 mod checks;
+mod contents;
 pub mod help;
-mod line;
+mod keep;
+pub mod line;
+mod marks;
 pub mod names;
 pub mod params;
 mod picture;
+pub mod simulate;
+mod state;
 #[cfg(test)]
 mod tests;
 
@@ -15,6 +20,7 @@ use crate::catalogue::prelude::*;
 use checks::checks;
 pub use picture::closed;
 use picture::picture;
+pub use state::ON;
 
 use super::common::CYCLE;
 
@@ -27,7 +33,13 @@ pub const LOG: Cycle = Cycle { purpose: PURPOSE, ..CYCLE };
 pub const PRINTS: Cycle = Cycle { settings: SETTINGS, checks, picture: Drawing::new(picture), ..LOG };
 
 /// Data of the machine that decide over the log: name and variant left out (B:11336), header of the user (B:11338).
-const SETTINGS: &[&str] = &["_CBIT[6]", OWN_HEADER];
+const SETTINGS: &[&str] = &[NAMELESS, OWN_HEADER, SIZE];
+
+/// Size of a file, KB (B:13064).
+const SIZE: &str = "MD11420";
+
+/// 1: a block of values does not name cycle and variant (B:11336).
+const NAMELESS: &str = "_CBIT[6]";
 
 /// 1: the header is that of the user (B:11338).
 pub const OWN_HEADER: &str = "_CBIT[11]";
@@ -36,3 +48,8 @@ pub const OWN_HEADER: &str = "_CBIT[11]";
 pub const CONTENT_ALARMS: &[Code] = &alarms([61361, 61363, 61370, 61371, 62307, 62308, 62309, 62310, 62311]);
 /// What CYCLE106 raises about the file and about its job (A:15894-15902).
 pub const FILE_ALARMS: &[Code] = &alarms([61352, 61353, 61354, 61355, 61356, 61357, 61358, 61359, 61360]);
+
+/// Ends the call with an alarm. It is none of a measuring cycle, whose number `_OVI[9]` would have.
+const fn refused(number: u32) -> Stop {
+    Stop::Alarm(Code::Alarm(number))
+}

@@ -26,6 +26,7 @@ pub const JOB: Param = Param { name: names::JOB, kind: Kind::Variant(&[]), needs
 /// Name of the log file; the form asks for it where there is one, as the delivered one is empty.
 pub const FILE: Param = Param {
     needs: &[required(When::Always, "need-log-file")],
+    alarm: Some(Code::Alarm(61354)),
     example: "LOG_1",
     ..text(32, names::FILE, "log-file", "B:11192;B:11346")
 };

@@ -42,6 +42,20 @@ fn what_the_machine_can_do_is_read_and_written() {
 
 // oracle: hand
 #[test]
+fn the_clock_is_read_and_written() {
+    let text = |clock: &str| format!(r#"{{"control": "sinumerik", {clock} "probe": {{"radius": 3, "length": 50}}}}"#);
+    let setup = setup_from_json(&text(r#""clock": "1998-11-15T10:05:30","#)).unwrap();
+    assert_eq!(setup.clock.date(), "98/11/15");
+    assert_eq!(setup_from_json(&document(&setup).to_string()).unwrap(), setup);
+    let without = setup_from_json(&text("")).unwrap();
+    assert_eq!(without.clock.to_string(), "2000-01-01T00:00:00");
+    assert!(document(&without).get("clock").is_none());
+    let wrong = setup_from_json(&text(r#""clock": "15.11.1998","#)).unwrap_err();
+    assert_eq!(Words::english().text(&wrong.message).split(':').next(), Some("clock"));
+}
+
+// oracle: hand
+#[test]
 fn a_slip_in_a_setup_is_told() {
     for (text, part) in [
         ("", "ends before the JSON is complete"),

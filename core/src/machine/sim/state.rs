@@ -18,6 +18,8 @@ pub struct State {
     watched: Option<f64>,
     touching: bool,
     skipped: Option<Wcs>,
+    /// Changes of files so far.
+    files: u64,
 }
 
 impl Sim {
@@ -32,6 +34,7 @@ impl Sim {
             watched: self.until_false_signal(),
             touching: self.touching,
             skipped: self.skipped,
+            files: self.files.changes(),
         }
     }
 
@@ -43,6 +46,7 @@ impl Sim {
             && self.touching == state.touching
             && self.turned == state.turned
             && self.skipped == state.skipped
+            && self.files.changes() == state.files
             && self.until_false_signal() == state.watched
             && self.control == state.control
             && self.real_tools == state.real_tools

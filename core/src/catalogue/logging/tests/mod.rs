@@ -2,6 +2,9 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+mod in_a_run;
+mod marked;
+
 use super::names::*;
 use crate::catalogue::cycle100::CYCLE100;
 use crate::catalogue::cycle105::CYCLE105;
@@ -10,17 +13,15 @@ use crate::catalogue::cycle113::CYCLE113;
 use crate::catalogue::cycle118::CYCLE118;
 use crate::catalogue::example::example;
 use crate::check::check;
-use crate::control::{Plane, delivery};
+use crate::control::delivery;
 use crate::diagnostic::Code;
 use crate::dialect::Dialect;
 use crate::entry::{Cycle, Style, Typed};
-use crate::machine::Setup;
 use crate::name::Name;
 use crate::own;
 use crate::program::calls::calls;
 use crate::program::change::{apply, change};
 use crate::program::write::snippet;
-use crate::run::{Limits, run};
 use crate::syntax::read;
 
 fn typed(cycle: &'static Cycle, changes: &[(Name, &str)]) -> Typed {
@@ -41,9 +42,11 @@ fn found(cycle: &'static Cycle, changes: &[(Name, &str)]) -> Vec<(Code, Option<N
 fn what_a_log_cannot_be_is_told() {
     let alarm = Code::Alarm;
     assert_eq!(found(&CYCLE100, &[]), []);
-    assert_eq!(found(&CYCLE100, &[(FILE, "")]), [(own::MISSING.code(), Some(FILE))]);
-    for name in ["1LOG", "L", "L1", "MY-LOG", "LOG.MPF"] {
-        assert_eq!(found(&CYCLE100, &[(FILE, name)]), [(Code::Own(115), Some(FILE))], "{name}");
+    assert_eq!(found(&CYCLE100, &[(FILE, "")]), [(alarm(61354), Some(FILE))]);
+    for (name, number) in
+        [("1LOG", 61352), ("L", 61352), ("L1", 61352), ("MY-LOG", 61352), ("LOG.MPF", 61355), ("LOG_SPF", 61355)]
+    {
+        assert_eq!(found(&CYCLE100, &[(FILE, name)]), [(alarm(number), Some(FILE))], "{name}");
     }
     let wide = "_OVR[0],_OVR[1],_OVR[2],_OVR[3],_OVR[4],_OVR[5],_OVR[6]";
     for (changes, expected) in [
@@ -138,20 +141,6 @@ fn one_number_or_several() {
     assert_eq!(values(0), [("PAR1", "31.83"), ("PAR2", "2")]);
     let several = [("PAR1", "0"), ("PAR2", "_DIGIT"), ("PAR4", "3"), ("PAR5", "11")];
     assert_eq!(values(1), several);
-}
-
-// oracle: hand (the log is left out of a run, and nothing else is)
-#[test]
-fn a_run_goes_on_without_the_log() {
-    let text = "_PROTNAME[1]=\"LOG_1\" _PROTVAL[2]=\"_OVR[4]\"\nCYCLE100\nDEF STRING[12] T\n\
-        CYCLE118(1.5,2,T)\nCYCLE101\nR1=5\nM30\n";
-    let program = read(Dialect::Sinumerik, text.as_bytes());
-    let setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
-    let outcome = run(&program, &setup, Limits::default());
-    assert_eq!(outcome.stop, None, "{:?}", outcome.diagnostics);
-    assert_eq!(outcome.control.number("R1"), 5.0);
-    let told: Vec<&str> = outcome.diagnostics.iter().map(|one| &*one.message.key).collect();
-    assert_eq!(told, ["run-log"; 3]);
 }
 
 // oracle: manual B:11258-11260 (eight characters in a variable of ten), B:11296-11308 (31.830988618 becomes 31.83)

@@ -1,0 +1,156 @@
+//! What CYCLE105 prints: the header (B:11451-11500), or a block of values (B:11371-11411).
+
+use super::line::{Columns, LONGEST, fields, printed};
+use super::names::{
+    COLUMN, FIRST_PAGE, HEAD_LINES, HEADLINES, LINE, MARK, PROGRAM, SEPARATOR, TITLES, VALUE_LINES, VALUES,
+};
+use super::{NAMELESS, OWN_HEADER, refused};
+use crate::control::Control;
+use crate::diagnostic::Code;
+use crate::machine::{Machine, Step, Stop};
+use crate::name::Name;
+use std::collections::BTreeSet;
+
+/// Where time and page begin in the first line of the header.
+const FIRST_LINE: usize = 24;
+/// What the control prints there (B:11483).
+const DATE_TIME_PAGE: [&str; 3] = ["Date: ", "Time: ", "Page: "];
+const PROGRAM_NAME: &str = "Program: ";
+/// Printed between the name of the cycle and the number of its variant (B:11523).
+const VARIANT: &str = "_MVAR";
+
+/// What a block of values is about.
+#[derive(Clone, Debug, Default)]
+pub struct Subject {
+    /// Name of the cycle and number of its variant; none: no cycle has measured.
+    pub call: Option<(String, i64)>,
+    /// Results that exceed a limit, `_OVR[4]`.
+    pub marked: BTreeSet<&'static str>,
+}
+
+fn text(control: &Control, name: Name) -> &str {
+    control.text(name.as_str())
+}
+
+fn number(control: &Control, name: Name) -> f64 {
+    control.number(name.as_str())
+}
+
+/// Number of the first page.
+pub fn first_page(control: &Control) -> i64 {
+    number(control, FIRST_PAGE) as i64
+}
+
+/// Lines of the header of this page.
+pub fn header(machine: &mut dyn Machine, page: i64) -> Vec<String> {
+    let now = machine.now();
+    let control = machine.control();
+    let count = number(control, HEAD_LINES).clamp(0.0, HEADLINES.len() as f64) as usize;
+    let own = HEADLINES.into_iter().take(count).map(|name| text(control, name).to_owned());
+    if control.bit(OWN_HEADER) {
+        return own.collect();
+    }
+    let [date, time, number_of] = DATE_TIME_PAGE;
+    let [date, time] = [format!("{date}{}", now.date()), format!("{time}{}", now.time())];
+    let first = format!("{date:<FIRST_LINE$}{time:<FIRST_LINE$}{number_of}{page}");
+    let program = format!("{PROGRAM_NAME}{}", text(control, PROGRAM));
+    let dashes = "-".repeat(number(control, LINE).clamp(1.0, LONGEST as f64) as usize);
+    let titles = TITLES.map(|name| text(control, name).to_owned());
+    let head = [first, String::new(), program, String::new()];
+    head.into_iter().chain(own).chain([dashes.clone()]).chain(titles).chain([dashes]).collect()
+}
+
+/// Refuses what cannot be printed, as CYCLE105 does at each call (A:15903-15948).
+fn judge(machine: &mut dyn Machine) -> Result<(), Stop> {
+    let control = machine.control();
+    if TITLES.iter().chain(&VALUES).all(|name| text(control, *name).is_empty()) {
+        return Err(refused(61370));
+    }
+    if number(control, VALUE_LINES) > VALUES.len() as f64 {
+        return Err(refused(61363));
+    }
+    if number(control, LINE) > LONGEST as f64 {
+        control.set(LINE.as_str(), LONGEST as f64);
+        announce(machine, 62310);
+    }
+    Ok(())
+}
+
+/// An alarm behind which the program goes on.
+fn announce(machine: &mut dyn Machine, number: u32) {
+    machine.record(Step::Alarm(Code::Alarm(number)));
+}
+
+/// Lines of a block of values.
+pub fn block(machine: &mut dyn Machine, subject: &Subject) -> Result<Vec<String>, Stop> {
+    judge(machine)?;
+    let time = machine.now().time();
+    let control = machine.control();
+    let titled = !text(control, TITLES[0]).is_empty();
+    let columns = Columns::new(number(control, COLUMN), text(control, TITLES[0]));
+    let variable = number(control, COLUMN) < 1.0;
+    let separator = text(control, SEPARATOR).to_owned();
+    let count = number(control, VALUE_LINES).max(0.0) as usize;
+    let specified: Vec<String> = VALUES.into_iter().take(count).map(|name| text(control, name).to_owned()).collect();
+    if variable && !titled {
+        announce(machine, 62308);
+    }
+    let mut lines = Vec::new();
+    if let Some((cycle, number)) = subject.call.as_ref().filter(|_| !machine.control().bit(NAMELESS)) {
+        lines.push(columns.line(&[cycle.clone(), VARIANT.to_owned(), number.to_string()], &separator));
+    }
+    for line in &specified {
+        lines.push(values(machine, line, &columns, &separator, subject, &time)?);
+    }
+    Ok(lines)
+}
+
+/// A line of values in their columns.
+fn values(
+    machine: &mut dyn Machine,
+    line: &str,
+    columns: &Columns,
+    separator: &str,
+    subject: &Subject,
+    time: &str,
+) -> Result<String, Stop> {
+    if line.is_empty() {
+        return Ok(String::new());
+    }
+    let total = columns.total(line);
+    if total > LONGEST {
+        return Err(refused(61371));
+    }
+    let control = machine.control();
+    let mark = text(control, MARK);
+    let shown = |field| {
+        let text = printed(field, control, time)?;
+        let marked =
+            matches!(field, super::line::Field::Number(name) if subject.marked.contains(&*name.to_ascii_uppercase()));
+        Some(if marked { text + mark } else { text })
+    };
+    let texts: Option<Vec<String>> = fields(line).map(shown).collect();
+    let Some(texts) = texts else { return Err(refused(61361)) };
+    if texts.iter().enumerate().any(|(column, text)| columns.narrow(column, text)) {
+        announce(machine, 62309);
+    }
+    let whole = columns.line(&texts, separator);
+    fit(machine, total, whole.chars().count())?;
+    Ok(whole)
+}
+
+/// Holds a line against `_PROTFORM[1]`: columns that are too many for it are reported (A:15944); where only a value that
+/// is wider than its column makes the line longer, the number is adapted (B:11437, A:15948).
+fn fit(machine: &mut dyn Machine, columns: usize, length: usize) -> Result<(), Stop> {
+    let most = number(machine.control(), LINE);
+    if length > LONGEST {
+        return Err(refused(61371));
+    }
+    if columns as f64 > most {
+        announce(machine, 62307);
+    } else if length as f64 > most {
+        machine.control().set(LINE.as_str(), length as f64);
+        announce(machine, 62311);
+    }
+    Ok(())
+}
