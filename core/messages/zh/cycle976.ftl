@@ -84,7 +84,7 @@ need-axis-calibrated = 只校准一个轴。
 need-axis-calibration-surface = 表面垂直于一个轴。
 need-axis-length = 长度沿刀具轴求出，须选 3。
 need-direction = 只校准一个方向。
-need-angle-calibration = 此测量方式成角度校准。
+need-angle-calibration = 此测量方式为成角度校准。
 
 check-positive-hint = 请输入大于 0 的值。
 check-reversal-spindle = 此测量方式要把测头转 180°，但主轴不能定位。

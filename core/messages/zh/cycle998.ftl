@@ -52,12 +52,12 @@ param-fa-paraxial-help = 每个点处，表面离测头位置不得超过此距�
 param-tsa-angle = 角度安全区
 param-tsa-angle-help = 单位为度。角度的偏差超过此值，程序以报警 61303 停止。沿角度移动时，测头也按此角度离开表面。
 
-need-set-position = 测量方向和第一次触碰由它决定。
+need-set-position = 测量方向和第一次触碰由设定位置决定。
 need-axes-angle = 角度位于两个轴的平面内。
 need-direction-paraxial = 没有设定位置，因此必须给出测量方向。
 need-third-point = 平面需要第三点。
 need-second-angle = 平面有两个角度。
-need-rotary = 请指定由哪个轴补偿角度；0：坐标系。
+need-rotary = 请指定由哪个轴补偿角度；输入 0 则旋转坐标系。
 
 check-angle-steep = 角度 { $param } 加安全区为 { $sum }°：不小于 90° 时测头无法沿其移动。
 check-angle-steep-hint = 请把 _TSA 减小到小于 { $limit }°。这里 _TSA 是角度，不是长度。
