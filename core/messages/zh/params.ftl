@@ -143,7 +143,7 @@ param-vms-help = 为 0 时由循环选择：测量行程不大于 1 mm 时 150�
 param-nmsp = 同一位置测量次数
 param-nmsp-help = 每个点的测量次数；取平均值。
 param-cora = 单向测头补偿角
-param-cora-help = 循环用此角度修正单向测头主轴的位置。只在 _CBIT[8]=1 时起作用。
+param-cora-help = 使用单向测头时，循环以此角度修正主轴的位置。只在 _CBIT[8]=1 时起作用。
 param-evnum = 平均值和经验值存储器
 param-evnum-help = 不超过 9999 的编号 n 对两者都有效：_EV[n-1] 和 _MV[n-1]。更大时，高四位为平均值，低四位为经验值。0：无。
 evnum-mean = 平均值存储器（与经验值不同号时）

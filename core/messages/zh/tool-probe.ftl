@@ -64,7 +64,7 @@ check-tool-limits-hint = 请按从小到大的顺序设定：_TZL、_TDIF、_TSA
 check-tool-speed = { $name } 为 0 或负值：循环无法定位刀具。
 check-tool-speed-hint = 请将 _SPEED[0] 设为快速移动的百分比；有碰撞监控（_CHBIT[2]=1）时，将 _SPEED[1]、_SPEED[2] 设为大于 0 的进给。
 check-tool-probe-empty = 刀具测头的位置未设定：{ $names } 为 0。
-check-tool-probe-empty-hint = 请在 GUD6 中输入其各面的近似位置；循环由此计算路径。
+check-tool-probe-empty-hint = 请在 GUD6 中输入刀具测头各面的近似位置；循环由此计算路径。
 check-tool-probe-sides = { $minus } 不大于 { $plus }：朝负方向触碰的面必须在测头的正侧。
 check-tool-probe-sides-hint = 请交换两个值，或输入缺少的一个。
 check-tool-probe-in-use = 当前刀具是工件测头。
