@@ -29,7 +29,7 @@ help-corrects-zero-area = 偏差超过 _TSA 时报警 61303：程序停止，不
 help-corrects-when = 重新编程零点偏移的 G 功能（G54 …）后，补偿才生效；只有 _KNUM=9999 时立即生效。
 help-corrects-trigger = 测头数据：触发点与 _WP 中的值相差大于 _TZL 时更新。超过 _TSA：报警 61303，不存储。
 help-wrong-first = 首次校准：存储值为 0，_TSA 必须大于测球半径。
-help-wrong-later = 以后测量时的进给、平面、主轴位置或（铣削测量循环中）_CBIT[14] 不同：存储的值不适用。
+help-wrong-later = 以后测量时的进给、平面、主轴位置或（铣削测量循环中）_CBIT[14] 与校准时不同：存储的值不适用。
 help-calibrated = 测头已在此平面内、沿此测量的各方向校准，且校准进给与测量进给相同。
 help-uncalibrated = 测头不必校准；它各方向都能触发，主轴可以定位，测量轴在平面内。
 help-turned-over = 第一点先以主轴转过 180° 触碰，再以原位置触碰。取平均值，因此位置偏差抵消。
