@@ -22,7 +22,7 @@ positioning-paraxial = 沿轴
 positioning-paraxial-words = 平行于轴 方向
 
 param-setval-point = P1 设定位置
-param-setval-point-help = P1 处表面在测量轴上的预期位置。起点所在的一侧决定测量方向。相差超过 _FA 则找不到表面。
+param-setval-point-help = P1 处表面在测量轴上的预期位置。起点所在的一侧决定测量方向。表面偏离此位置超过 _FA 时找不到表面。
 param-setval-point-applicate = P1 设定高度
 param-setval-point-applicate-help = P1 处表面的预期位置，在垂直坐标（G17：Z）上。
 param-ma-offset = 测量轴和偏移轴

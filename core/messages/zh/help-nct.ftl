@@ -25,7 +25,7 @@ help-g102-wrong-moved = 主轴已不在孔的轴线上，且 #510 为 0（不转
 
 help-g103-measures-radius = 平面两个轴正负方向的有效测球半径。
 help-g103-before-ring = 已执行 G102；测球在环规中间，偏离不超过 10 mm，处于测量深度。
-help-g103-order-centre = 触碰四个壁求出环规中心；从中心再把每个壁触碰一次。
+help-g103-order-centre = 触碰四个壁求出环规中心，再从中心触碰每个壁各一次。
 help-g103-corrects-radius = 第 1 轴正、负方向为 #500 和 #501，第 2 轴为 #502 和 #503。
 help-g103-wrong-size = D 只是近似值：误差的一半会计入各半径。请输入环规的精确尺寸。
 
