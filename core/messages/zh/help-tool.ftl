@@ -1,6 +1,6 @@
 # Help pages of the cycles at a tool probe.
 
-help-tool-in-use = 刀具已换上，其 D 号有效；已编程平面和 G40。其长度已输入刀具数据：校准时精确，否则近似。
+help-tool-in-use = 刀具已换上，其 D 号有效；已编程平面和 G40。刀具长度已输入刀具数据：校准时须精确，否则近似即可。
 help-tool-not-turned = 没有坐标旋转；测头各面平行于轴。
 help-tool-parallel = 测头各面平行于机床轴。
 help-tool-chip = 刀刃或测头上有切屑、冷却液：测头过早触发，结果不准。
