@@ -77,5 +77,5 @@ help-cycle119-line = 三个点共线，或其中两点重合：_ALARM 为 61411�
 help-cycle119-distorted = 两个三角形相差不小于 _RESLIM：_ALARM 为 61414，不作补偿。
 help-cycle119-order = 两组点的顺序不同：两个三角形不相符。
 help-cycle119-mirrored = 坐标框架含镜像或比例：_ALARM 为 61411。
-help-cycle119-absent = 没有该坐标框架：_ALARM 为 61321。_COR=1000，或 G500 有效时 _COR=9999，而没有通道基本坐标框架，则为 61412。
+help-cycle119-absent = 没有该坐标框架：_ALARM 为 61321。没有通道基本坐标框架，而 _COR=1000，或 G500 有效时 _COR=9999：_ALARM 为 61412。
 help-cycle119-unseen = 调用之后若不判断 _ALARM，程序就带着未补偿的坐标框架继续运行：报警不会使程序停止。
