@@ -10,7 +10,7 @@ check-no-value-hint = 请在调用之前为 { $name } 赋值，或在机床配�
 check-too-large = { $value } 超出任何机床的范围。
 check-too-large-hint = 请检查数字及其指数。
 check-not-whole = { $value } 不是整数。
-check-not-whole-hint = 请去掉小数。
+check-not-whole-hint = 请输入不带小数的值。
 check-text-long = 文本超过 { $most } 个字符。
 check-text-long-hint = 请把文本缩短到此长度。
 check-text-characters = 文本中含有引号或控制字符。
@@ -29,7 +29,7 @@ check-variant-hint = 请从列表中选择测量方式。
 check-variant-near-hint = 相近的测量方式：{ $near }。并非每种数位组合都有效。
 
 check-knum-zero = { $code } 不是零点偏移的代码。
-check-knum-zero-hint = 1 到 99：G54 及以后；1000、1011 到 1026、1051 到 1066：基本坐标框架；2000：系统坐标框架；9999：有效坐标框架；0：无。
+check-knum-zero-hint = 允许 0（无）、1 到 99（G54 等）、1000、1011 到 1026、1051 到 1066（基本）、2000（系统）、9999（有效坐标框架）。
 check-knum-no-system = 此机床没有 { $code } 所指的系统坐标框架 $P_SETFR。
 check-knum-no-system-hint = 请选择其他坐标框架，或设置 MD 28082 的第 0 位。
 check-knum-is-tool-hint = 这是刀具补偿的代码。请输入坐标框架的代码，或选择带刀具补偿的测量方式（若有）。
@@ -40,8 +40,8 @@ check-knum-digit-6 = { $code } 从右起第 6 位（D 号为五位时第 8 位�
 check-knum-digit-7 = { $code } 从右起第 7 位（D 号为五位时第 9 位）或更高位的取值不允许。
 check-knum-edge-none = { $code } 不含 D 号。
 check-knum-edge-large = { $code } 中的 D 号大于 { $largest }，即此控制系统的最大 D 号。
-check-knum-seven-digits-hint = 从右起：三位 D 号；0 或 1 为长度，2 为半径；1 表示取反；1 到 3 为 L1 到 L3，4 为半径；0 到 3 为补偿种类。
-check-knum-nine-digits-hint = 从右起：五位 D 号；0 或 1 为长度，2 为半径；1 表示取反；1 到 3 为 L1 到 L3，4 为半径；0 到 3 为补偿种类。
+check-knum-seven-digits-hint = 从右向左：三位 D 号；一位长度（0、1）或半径（2）；一位取反（1）；一位 L1 到 L3（1 到 3）或半径（4）；一位补偿种类（0 到 3）。
+check-knum-nine-digits-hint = 从右向左：五位 D 号；一位长度（0、1）或半径（2）；一位取反（1）；一位 L1 到 L3（1 到 3）或半径（4）；一位补偿种类（0 到 3）。
 
 check-probe-number = 没有测头号 { $number }。
 check-probe-number-hint = 请输入 1 到 { $fields } 的编号。
@@ -94,10 +94,10 @@ check-knum-no-setup-hint = 请改为补偿长度或半径，或设置 MD 18112 
 
 check-knum-rotation = 全局基本坐标框架 { $code } 不能存储旋转。
 check-knum-rotation-hint = 请选择可设定坐标框架或通道基本坐标框架。
-check-lathe-length = 测头按车刀输入，其长度算到测球的圆周（_CBIT[14]=1）。
+check-lathe-length = 5xy 类型测头的长度算到测球中心，而 _CBIT[14]=1 表示算到测球圆周。
 check-lathe-length-hint = 请设 _CBIT[14]=0，并输入到测球中心的长度。
 check-mirror-datum = 有轴被镜像，而 MD 10610 不为 0：测量循环只允许在 MD 10610=0 时镜像。
-check-mirror-datum-hint = 请不带镜像测量，或设 MD 10610=0。
+check-mirror-datum-hint = 请取消镜像后测量，或设 MD 10610=0。
 check-multi-probe = 此测量需要多向测头：单向测头只在一个方向触发。
 check-multi-probe-hint = 请使用多向测头：{ "_PRNUM" } 为两位数。
 check-angles-sum = 起始角与全部增量角不计符号之和为 { $sum }°，大于 360°。
@@ -110,10 +110,10 @@ check-ball-unknown = 此测头的测球直径未知：每个测得的尺寸都�
 check-ball-unknown-hint = 请在孔中校准测头，并求出测球直径。
 check-spread-circle = 各点靠得太近：直径的不确定度是单个测量点的 { $diameter } 倍，圆心的是 { $centre } 倍。
 check-spread-centre = 各点靠得太近：圆心的不确定度是单个测量点的 { $centre } 倍。
-check-spread-circle-hint = 请让各点分布在更长的圆弧上。
+check-spread-circle-hint = 请使各点分布在更长的圆弧上。
 check-spread-corner = 拐角的不确定度是单个测量点的 { $factor } 倍：各点离拐角太远或彼此太近，或者两边夹角太小。
-check-spread-corner-hint = 请让各点彼此远一些，并离拐角近一些。
+check-spread-corner-hint = 请加大各点之间的距离，并使各点靠近拐角。
 check-spread-angle = 各点靠得太近：方向在 { $length } mm 长度上的不确定度是单个测量点的 { $factor } 倍。
-check-spread-angle-hint = 请让两点相距不小于 { $needed } mm。
+check-spread-angle-hint = 请使两点相距不小于 { $needed } mm。
 check-spread-triangle = 三点几乎在一条直线上：离直线 { $length } mm 处，坐标框架的不确定度是单个测量点的 { $factor } 倍。
-check-spread-triangle-hint = 请让其中一点离另两点的连线远一些。
+check-spread-triangle-hint = 请使其中一点离另两点的连线更远。

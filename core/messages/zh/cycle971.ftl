@@ -68,7 +68,7 @@ check-offset-large-hint = 请在 _ID 中输入从半径向内的距离，不得�
 check-offset-abscissa = 刀具直径 { $tool } mm 大于测头宽度 { $edge } mm：循环使刀具沿横坐标偏移。
 check-offset-abscissa-hint = 请把 _MA 设为 103 或 203，以指明偏移的轴。
 check-mfs-missing = { $name } 不大于 0：缺少某次触碰的转速或进给。
-check-mfs-missing-hint = 请设置 _MFS[0]、[2]、[4] 的转速和 _MFS[1]、[3]、[5] 的进给，或用 _CBIT[12]=0 让循环计算。
+check-mfs-missing-hint = 请设置 _MFS[0]、[2]、[4] 的转速和 _MFS[1]、[3]、[5] 的进给，或设 _CBIT[12]=0，由循环计算。
 check-mfs-third = { $name } 不大于 0：省去第三次触碰（_MFS[4] 和 [5]）。
 check-mfs-third-hint = 请也设置第二次触碰的转速和进给，或把 _MFS[4] 设为 0。
 check-cm-direction = { $name } 没有指定旋转方向；若调用时主轴静止，则必须指定。

@@ -24,6 +24,6 @@ param-sta1-spindle-help = 第一次触碰时主轴把工件转到的角度；第
 need-angle-reversal = 带 180° 换向时循环要定位主轴。
 
 check-reversal-part = 带 180° 换向时循环要把工件转 180°，但主轴不能定位。
-check-reversal-part-hint = 请不用 180° 换向测量，或在主主轴可定位的机床上测量。
+check-reversal-part-hint = 请选不带 180° 换向的测量方式，或在主主轴可定位的机床上测量。
 
 result-compensation-radius = 补偿值，按半径

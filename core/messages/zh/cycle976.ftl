@@ -84,7 +84,7 @@ need-axis-calibrated = 只校准一个轴。
 need-axis-calibration-surface = 表面垂直于一个轴。
 need-axis-length = 长度沿刀具轴求出，须选 3。
 need-direction = 只校准一个方向。
-need-angle-calibration = 此测量方式成角度校准。
+need-angle-calibration = 此测量方式为成角度校准。
 
 check-positive-hint = 请输入大于 0 的值。
 check-reversal-spindle = 此测量方式要把测头转 180°，但主轴不能定位。
@@ -98,7 +98,7 @@ check-calibration-band-hint = 请把 _TZL 减小到小于 _TSA；0 存储每个�
 check-skew-lost = 循环求出位置偏差，但不存储。
 check-skew-lost-hint = 若以后的测量要用位置偏差，请把 _MVAR 从右起第 5 位设为 1。
 check-applicate-plus = 测头须逆着刀具轴的进刀方向触碰。
-check-applicate-plus-hint = 除非测针能从下方触碰，否则请选另一个方向（刀具轴向上时为 1，即负）。
+check-applicate-plus-hint = 请选另一个方向（刀具轴向上时为 1，即负方向）；测针能从下方触碰时不必更改。
 
 result-ball-diameter = 有效测球直径
 result-ball-difference = 测球直径偏差，新值减存储值

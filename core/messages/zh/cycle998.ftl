@@ -22,7 +22,7 @@ positioning-paraxial = 沿轴
 positioning-paraxial-words = 平行于轴 方向
 
 param-setval-point = P1 设定位置
-param-setval-point-help = P1 处表面在测量轴上的预期位置。起点所在的一侧决定测量方向。相差超过 _FA 则找不到表面。
+param-setval-point-help = P1 处表面在测量轴上的预期位置。起点所在的一侧决定测量方向。表面偏离此位置超过 _FA 时找不到表面。
 param-setval-point-applicate = P1 设定高度
 param-setval-point-applicate-help = P1 处表面的预期位置，在垂直坐标（G17：Z）上。
 param-ma-offset = 测量轴和偏移轴
@@ -42,9 +42,9 @@ param-setv0-points-help = 沿纵坐标（G17：Y）的正方向。
 param-sta1-edge = 设定角度
 param-sta1-edge-help = 表面与偏移轴正方向的设定夹角，逆时针为正。沿角度移动时必须接近实际角度。
 param-sta1-about-abscissa = 设定角度，绕横坐标
-param-sta1-about-abscissa-help = 从 P1 到 P3 的倾斜，表面升高为正。沿角度移动时测头也随此角度。
+param-sta1-about-abscissa-help = 从 P1 到 P3 的倾斜，表面升高为正。沿角度移动时测头也按此角度移动。
 param-inca-about-ordinate = 设定角度，绕纵坐标
-param-inca-about-ordinate-help = 从 P1 到 P2 的倾斜，表面下降为正。沿角度移动时测头也随此角度。
+param-inca-about-ordinate-help = 从 P1 到 P2 的倾斜，表面下降为正。沿角度移动时测头也按此角度移动。
 param-ra = 回转轴
 param-ra-help = 0：坐标系绕 _MA 未指定的轴旋转。否则为回转轴的通道轴号：角度偏差加到其零点偏移中，移动该轴即找正工件。
 param-fa-paraxial = 测量行程
@@ -52,12 +52,12 @@ param-fa-paraxial-help = 每个点处，表面离测头位置不得超过此距�
 param-tsa-angle = 角度安全区
 param-tsa-angle-help = 单位为度。角度的偏差超过此值，程序以报警 61303 停止。沿角度移动时，测头也按此角度离开表面。
 
-need-set-position = 测量方向和第一次触碰由它决定。
+need-set-position = 测量方向和第一次触碰由设定位置决定。
 need-axes-angle = 角度位于两个轴的平面内。
 need-direction-paraxial = 没有设定位置，因此必须给出测量方向。
 need-third-point = 平面需要第三点。
 need-second-angle = 平面有两个角度。
-need-rotary = 请指定由哪个轴补偿角度；0：坐标系。
+need-rotary = 请指定由哪个轴补偿角度；输入 0 则旋转坐标系。
 
 check-angle-steep = 角度 { $param } 加安全区为 { $sum }°：不小于 90° 时测头无法沿其移动。
 check-angle-steep-hint = 请把 _TSA 减小到小于 { $limit }°。这里 _TSA 是角度，不是长度。

@@ -5,7 +5,7 @@ evaluate-safe-area-angle = 偏差 { $difference }° 超出安全区：不作补�
 evaluate-difference = 偏差 { $difference } mm 超出允许尺寸差：不作补偿。
 evaluate-oversize = 偏差 { $difference } mm 超过公差上限：{ $follows }。
 evaluate-undersize = 偏差 { $difference } mm 低于公差下限：{ $follows }。
-evaluate-whole = 偏差 { $difference } mm 在公差内，但超出平均值的范围：{ $follows }。
+evaluate-whole = 偏差 { $difference } mm 在公差内，但超出平均值范围：{ $follows }。
 evaluate-mean = 由偏差 { $difference } mm 得到平均值 { $mean } mm，超出零补偿区：{ $follows }。
 # 以上四种情况的结果。
 evaluate-corrects-whole = 补偿全部偏差

@@ -13,7 +13,7 @@ help-log-block = 一个数值组：测量循环的名称及其 _MVAR（_CBIT[6]=
 help-log-chosen = _PROTVAL[2] 到 _PROTVAL[5] 指定各行的内容：_OVR 中的结果、R 参数、文本。另一个测量循环或测量方式有不同的结果。
 
 help-cycle100-does = 接通测量记录：从此调用到 CYCLE101，每个测量循环都加入一个数值组。轴不移动。
-help-cycle100-values = 每次测量调用之前，由 _PROTVAL[2] 到 _PROTVAL[5] 指定其各行的内容：另一个循环或测量方式有不同的结果。
+help-cycle100-values = 每次测量调用之前，请在 _PROTVAL[2] 到 _PROTVAL[5] 中指定各行的内容：另一个循环或测量方式有不同的结果。
 help-cycle100-begin = 删除同名文件并重新创建；CYCLE100 为此调用 CYCLE106。
 help-cycle100-each = 此后每次测量调用都自动写入其数值组；程序不必调用其他记录循环。
 help-cycle100-lost = 上一个工件的记录没有读出：该记录会被删除。请为每个工件使用单独的文件名。
@@ -30,13 +30,13 @@ help-cycle105-values = 不通过测量循环，把最多四行的数值组写入
 help-cycle105-open = 记录已接通：已调用 CYCLE100。测量循环自动写入，不需要 CYCLE105。
 help-cycle105-left-header = 记录文件中多一个记录头。
 help-cycle105-left-values = 记录文件中多一个数值组。
-help-cycle105-number = CYCLE106 的任务编号不同：其中 2 是数值组。手册的一个版本中这里的 0 和 1 顺序相反；请在控制系统上试一次。
+help-cycle105-number = CYCLE106 的任务编号与此不同：其中 2 是数值组。手册的一个版本中这里的 0 和 1 顺序相反；请在控制系统上试一次。
 
 help-cycle106-header = 把记录头写入记录，并管理其文件和页。轴不移动。
 help-cycle106-values = 把数值组写入记录，并管理其文件和页。轴不移动。
 help-cycle106-alone = 程序中没有测量循环而要作记录；有测量循环时，用 CYCLE100 和测量调用即可。
 help-cycle106-keeps = 需要时删除同名的旧文件，文件写满时打开下一个文件，达到 _PROTFORM[0] 行后另起一页（为 0 时不另起）。
-help-cycle106-number = PAR1 既不是 1 也不是 2：报警 61360。CYCLE105 的任务编号不同。
+help-cycle106-number = PAR1 既不是 1 也不是 2：报警 61360。CYCLE105 的任务编号与此不同。
 
 help-cycle113-date = 以文本形式读出控制系统的日期。轴不移动。
 help-cycle113-time = 以文本形式读出控制系统的时间。轴不移动。
@@ -71,11 +71,11 @@ help-cycle119-alarm = _ALARM 为 0。
 help-cycle119-frame = 计算两个三角形之间的坐标框架。两者形状的差别，即三个点的偏差之和，写入 _RES；小于 0 表示没有坐标框架。
 help-cycle119-decides = _COR=0 时不作补偿。否则在 _RES 小于 _RESLIM 时补偿一个坐标框架。
 help-cycle119-left = _RES；_REFRAME 中的坐标框架，与有效坐标框架级联后把测得的各点移到设定坐标；_ALARM 中为 0 或报警号。
-help-cycle119-frame-moved = _COR 指定的坐标框架，其平移和旋转：1 到 99 为可设定坐标框架，1000 为最后一个有效的通道基本坐标框架，1011 到 1026 为通道基本坐标框架，2000 为系统坐标框架 $P_SETFR，9999 为有效坐标框架。
+help-cycle119-frame-moved = _COR 指定的坐标框架的平移和旋转。1 到 99 为可设定坐标框架，1000 为最后一个有效的通道基本坐标框架，1011 到 1026 为通道基本坐标框架，2000 为系统坐标框架 $P_SETFR，9999 为有效坐标框架。
 help-cycle119-again = 重新编程其 G 功能（G54 …）后，补偿后的坐标框架才生效，_COR=9999 时也是如此。
 help-cycle119-line = 三个点共线，或其中两点重合：_ALARM 为 61411。
 help-cycle119-distorted = 两个三角形相差不小于 _RESLIM：_ALARM 为 61414，不作补偿。
 help-cycle119-order = 两组点的顺序不同：两个三角形不相符。
 help-cycle119-mirrored = 坐标框架含镜像或比例：_ALARM 为 61411。
-help-cycle119-absent = 没有该坐标框架：_ALARM 为 61321。_COR=1000，或 G500 有效时 _COR=9999，而没有通道基本坐标框架，则为 61412。
+help-cycle119-absent = 没有该坐标框架：_ALARM 为 61321。没有通道基本坐标框架，而 _COR=1000，或 G500 有效时 _COR=9999：_ALARM 为 61412。
 help-cycle119-unseen = 调用之后若不判断 _ALARM，程序就带着未补偿的坐标框架继续运行：报警不会使程序停止。

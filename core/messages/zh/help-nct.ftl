@@ -4,7 +4,7 @@ help-stylus = 测针在主轴中，其长度补偿有效，且没有触碰任何
 help-guarded = 测针用 G101 移到该处，途中若有碰撞便会停止。
 help-steps = 一次触碰分三步：快速接近直到触发，以中等速度退回，再以很低的速度前进；以最后一步为准。
 help-position-lost = 上一次 G101 没有到达目标：OUT OF POSITION。
-help-result = 编程 S 时，工件偏置按测量值减公称值补偿；编程 T 时补偿刀具寄存器，使下一个工件合格；编程 M 时只存储偏差，有余量为正。S 和 T 都省略则不补偿。
+help-result = 编程 S 时，工件偏置按测量值减公称值补偿；编程 T 时补偿刀具寄存器，使下一个工件合格；M 仅用于存储偏差，有余量为正。S 和 T 都省略则不补偿。
 help-limits = 偏差大于 H 时显示 OUT OF TOLERANCE；大于 U 时显示 UPPER TOL EXEEDED，不作补偿。
 help-both-targets = 同时编程了 S 和 T：FORMAT ERROR。偏差只能补偿其中之一。
 help-middle-tolerance = 公称尺寸不是公差带的中值：H 向两侧计算（20 +0.1/−0.3 写成 19.9 和 H0.2）。
@@ -25,37 +25,37 @@ help-g102-wrong-moved = 主轴已不在孔的轴线上，且 #510 为 0（不转
 
 help-g103-measures-radius = 平面两个轴正负方向的有效测球半径。
 help-g103-before-ring = 已执行 G102；测球在环规中间，偏离不超过 10 mm，处于测量深度。
-help-g103-order-centre = 触碰四个壁求出环规中心；从中心再把每个壁触碰一次。
+help-g103-order-centre = 触碰四个壁求出环规中心，再从中心触碰每个壁各一次。
 help-g103-corrects-radius = 第 1 轴正、负方向为 #500 和 #501，第 2 轴为 #502 和 #503。
 help-g103-wrong-size = D 只是近似值：误差的一半会计入各半径。请输入环规的精确尺寸。
 
 help-g104-measures-length = 测针的长度：触碰刀具轴坐标已知的表面。
 help-g104-before-above = 测球在表面上方；长度寄存器中的长度误差不超过 5 mm。
-help-g104-order-down = 向下触碰，最多到给定坐标下方 10 mm。
+help-g104-order-down = 向下触碰，最多到给定坐标下方 10 mm 处。
 help-g104-corrects-register = 长度寄存器 T：之后在测球触碰处控制系统显示给定坐标。
 help-g104-wrong-coordinate = 该坐标属于另一个工件偏置，而不是有效的工件偏置。
 
 help-g105-measures-surface = 垂直于平面一个轴的表面的位置。
 help-g105-before-side = 测球在表面无材料的一侧：在测量深度；编程了刀具轴地址时在其上方。
-help-g105-order-touch = 编程了刀具轴地址时，先移到表面前 R 处并下降；然后朝公称坐标触碰，最多超过 Q。
+help-g105-order-touch = 编程了刀具轴地址时，先移到表面前 R 处并下降；然后朝公称坐标触碰，越过该坐标的距离不大于 Q。
 help-g105-corrects-radius = T 是半径寄存器，按全部偏差补偿。
 help-g105-wrong-far = 表面位于公称坐标后方，且距离大于 Q：PROBE FAIL。
 
 help-g106-measures-surface = 垂直于刀具轴的表面的高度。
 help-g106-before-above = 测球在触碰点上方。
-help-g106-order-down = 向下触碰，最多到公称坐标下方 Q。
+help-g106-order-down = 向下触碰，最多到公称坐标下方 Q 处。
 help-g106-corrects-length = T 是长度寄存器，按全部偏差补偿。
-help-g106-wrong-low = 测球比公称坐标低 Q 或更多：NO MOVEMENT。
+help-g106-wrong-low = 测球已在公称坐标下方，距离不小于 Q：NO MOVEMENT。
 
 help-g107-measures-corner = 内拐角两个壁的交点。
 help-g107-before-inside = 测球在内拐角中，处于测量深度，不接触两壁；两壁平行于轴。
-help-g107-order-walls = 先触碰垂直于第 1 轴的壁，退回，再触碰垂直于第 2 轴的壁，各最多超过公称坐标 Q。
+help-g107-order-walls = 先触碰垂直于第 1 轴的壁，退回，再触碰垂直于第 2 轴的壁；越过公称坐标的距离不大于 Q。
 help-g107-corrects-offset = 工件偏置 S（省略 S 时为有效的工件偏置），两个轴：使拐角处于公称坐标。
 help-g107-wrong-turned = 工件装夹歪斜：只补偿拐角的位置，不补偿方向。
 
 help-g108-measures-corner = 外拐角两个壁的交点。
 help-g108-before-before = 测球在外拐角前，处于测量深度，在两个壁之外。起点在拐角前多远，就在拐角后多远处触碰。
-help-g108-order-walls = 越过拐角，触碰垂直于第 1 轴的壁并返回；第 2 轴同样，各最多超过公称坐标 Q。
+help-g108-order-walls = 越过拐角，触碰垂直于第 1 轴的壁并返回，第 2 轴同样；越过公称坐标的距离不大于 Q。
 help-g108-corrects-offset = 工件偏置 S（省略 S 时为有效的工件偏置），两个轴，按拐角的偏差补偿。
 help-g108-wrong-close = 起点离拐角太近：只碰到倒圆或倒角。
 
@@ -63,8 +63,8 @@ help-g109-measures-pocket = 槽在平面一个轴上的宽度和中线。
 help-g109-measures-web = 凸台在平面一个轴上的宽度和中线。
 help-g109-before-inside = 测球在槽的公称中线上，处于测量深度。
 help-g109-before-above = 测球在凸台公称中线的上方。
-help-g109-order-outwards = 向外触碰一壁，再触碰对面，各最多超过公称位置 Q。
-help-g109-order-inwards = 在每侧移到壁旁 R 处，下降，向内触碰，最多超过公称位置 Q。
+help-g109-order-outwards = 先向外触碰一壁，再触碰对面的壁；越过公称位置的距离不大于 Q。
+help-g109-order-inwards = 在每侧移到壁旁 R 处，下降，向内触碰；越过公称位置的距离不大于 Q。
 help-g109-corrects-half = S 按中线的偏移补偿；T 为半径，按宽度偏差的一半补偿。
 help-g109-wrong-width = 没有宽度或为 0：FORMAT ERROR。
 help-g109-wrong-room = 补偿后的刀具放不进槽：TOOL DIA OFFS TOO LARGE。
@@ -73,8 +73,8 @@ help-g110-measures-bore = 孔的直径和中心。
 help-g110-measures-boss = 圆凸台的直径和中心。
 help-g110-before-inside = 测球在孔的公称中心，处于测量深度。
 help-g110-before-above = 测球在圆凸台公称中心的上方。
-help-g110-order-outwards = 先第 1 轴的两壁，再第 2 轴的两壁，向外触碰，各最多超过公称位置 Q。
-help-g110-order-inwards = 先第 1 轴的两壁，再第 2 轴的两壁：每次移到壁旁 R 处，下降，向内触碰，最多超过公称位置 Q。
+help-g110-order-outwards = 先第 1 轴的两壁，再第 2 轴的两壁，向外触碰；越过公称位置的距离不大于 Q。
+help-g110-order-inwards = 先第 1 轴的两壁，再第 2 轴的两壁：每次移到壁旁 R 处，下降，向内触碰；越过公称位置的距离不大于 Q。
 help-g110-corrects-half = S 按中心在两个轴上的偏移补偿；T 为半径，按直径偏差的一半补偿。
 help-g110-wrong-room = 补偿后的刀具放不进孔：TOOL DIA OFFS TOO LARGE。
 

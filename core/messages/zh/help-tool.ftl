@@ -1,6 +1,6 @@
 # Help pages of the cycles at a tool probe.
 
-help-tool-in-use = 刀具已换上，其 D 号有效；已编程平面和 G40。其长度已输入刀具数据：校准时精确，否则近似。
+help-tool-in-use = 刀具已换上，其 D 号有效；已编程平面和 G40。刀具长度已输入刀具数据：校准时须精确，否则近似即可。
 help-tool-not-turned = 没有坐标旋转；测头各面平行于轴。
 help-tool-parallel = 测头各面平行于机床轴。
 help-tool-chip = 刀刃或测头上有切屑、冷却液：测头过早触发，结果不准。
@@ -46,7 +46,7 @@ help-cycle982-order-calibrate = 在另一轴刀尖圆弧中心移到测头中间
 help-cycle982-order-spindle = 测铣刀或钻头时，静止的铣削主轴先转到 _STA1，_CHBIT[20]=1 时不转。
 help-cycle982-order-reversal = 每点触碰两次，第二次主轴再转 180° 加 _CORA：取两个刀刃的平均值。
 help-cycle982-order-length = 在另一轴移到测头中间，再移到该面，以刀尖触碰（铣刀或钻头在垂直于其轴的方向以侧刃触碰），退回。最后停在该面前 _FA 处。
-help-cycle982-order-radius = 以铣刀侧刃触碰，在半径所在的轴上。
+help-cycle982-order-radius = 在半径所在的轴上，以铣刀侧刃触碰。
 help-cycle982-order-both = 铣刀侧刃先触碰起点一侧的面，再绕过测头触碰对面。不带 180° 换向时，静止的主轴为此转 180°，使同一刀刃触碰。
 help-cycle982-order-all = 先横坐标，后纵坐标，绕测头移动，钻头只沿其轴测；不带 180° 换向时，静止的主轴先转动，使同一刀刃朝向每个触碰面。最后停在起点。
 help-cycle982-order-upper-behind = 在背离起点的一侧绕过测头，在该侧测长度，并测两侧：先测横坐标上的值。最后停在起点。

@@ -16,7 +16,7 @@ help-probe-loaded = 测头在主轴中（刀具类型 710 或 1x0），其 D 号
 help-probe-turning = 在有第三直线轴的车床上，测头类型为 5xy，长度算到测球中心，SD 42950 为 2。刀沿位置 5 或 7 在 G17 中测量，6 或 8 在 G19 中测量。即使 DIAMON 有效，X 的位置也是半径。
 help-wrong-tool = _TNUM 或 _KNUM 中的 D 号不属于加工此表面的刀具：没有问题的刀具会得到错误的补偿。
 help-wrong-chip = 表面上的切屑或毛刺使尺寸失真：测量前请清洁表面，并设定 _TDIF，使这样的值不用于补偿。
-help-wrong-conditions = 所用测头数据在其他进给或主轴位置下校准：结果有固定的误差。平面不同时也是如此，_CBIT[16]=1 时报警。
+help-wrong-conditions = 校准测头时的进给或主轴位置与测量时不同：结果有固定的误差。平面不同时也是如此，_CBIT[16]=1 时报警。
 help-wrong-kept = 此调用没有写入的参数仍为以前调用的值：极限、保护区或角度。
 help-order-block = 一次触碰：移到设定位置前 _FA 处，从那里以测量进给最多走两倍 _FA，触发后退回。_NMSP 大于 1 时重复触碰，取平均值。
 help-ends-at-start = 最后停在起点。
@@ -29,9 +29,9 @@ help-corrects-zero-area = 偏差超过 _TSA 时报警 61303：程序停止，不
 help-corrects-when = 重新编程零点偏移的 G 功能（G54 …）后，补偿才生效；只有 _KNUM=9999 时立即生效。
 help-corrects-trigger = 测头数据：触发点与 _WP 中的值相差大于 _TZL 时更新。超过 _TSA：报警 61303，不存储。
 help-wrong-first = 首次校准：存储值为 0，_TSA 必须大于测球半径。
-help-wrong-later = 以后测量时的进给、平面、主轴位置或（铣削测量循环中）_CBIT[14] 不同：存储的值不适用。
+help-wrong-later = 以后测量时的进给、平面、主轴位置或（铣削测量循环中）_CBIT[14] 与校准时不同：存储的值不适用。
 help-calibrated = 测头已在此平面内、沿此测量的各方向校准，且校准进给与测量进给相同。
 help-uncalibrated = 测头不必校准；它各方向都能触发，主轴可以定位，测量轴在平面内。
-help-turned-over = 第一点先以主轴转过 180° 触碰，再以原位置触碰。取平均值，因此位置偏差抵消。
+help-turned-over = 第一点先在主轴转过 180° 时触碰，再在主轴原位置触碰。取平均值，因此位置偏差抵消。
 help-turned-over-stored = 位置偏差和此方向的触发点（其中含位置偏差）也存入 _WP，只对主轴当前的角度有效。
 help-no-spindle = 主轴不能定位：报警 61372。

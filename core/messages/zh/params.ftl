@@ -80,7 +80,7 @@ param-rf-help = 测头以此进给沿圆弧从一点移到下一点。
 param-knum = 补偿对象
 param-knum-help = 结果补偿什么；0：不作补偿。
 param-knum-tool = 要修改的刀具补偿
-param-knum-tool-help = D 号及其中要补偿的部分；0：只测量。
+param-knum-tool-help = D 号和要补偿的长度或半径；0：只测量。
 param-knum-zero = 要补偿的零点偏移
 param-knum-zero-help = 循环补偿的坐标框架，使被测要素处于设定位置或设定角度；0：只测量。
 knum-edge = D 号
@@ -143,9 +143,9 @@ param-vms-help = 为 0 时由循环选择：测量行程不大于 1 mm 时 150�
 param-nmsp = 同一位置测量次数
 param-nmsp-help = 每个点的测量次数；取平均值。
 param-cora = 单向测头补偿角
-param-cora-help = 循环用此角度修正单向测头主轴的位置。只在 _CBIT[8]=1 时起作用。
+param-cora-help = 使用单向测头时，循环以此角度修正主轴的位置。只在 _CBIT[8]=1 时起作用。
 param-evnum = 平均值和经验值存储器
-param-evnum-help = 9999 以内的编号 n 对两者都有效：_EV[n-1] 和 _MV[n-1]。更大时，高四位为平均值，低四位为经验值。0：无。
+param-evnum-help = 不超过 9999 的编号 n 对两者都有效：_EV[n-1] 和 _MV[n-1]。更大时，高四位为平均值，低四位为经验值。0：无。
 evnum-mean = 平均值存储器（与经验值不同号时）
 evnum-empirical = 经验值存储器
 param-k = 加权系数
@@ -162,7 +162,7 @@ param-tdif = 允许尺寸差
 param-tdif-help = 允许尺寸差。偏差超过此值时不作补偿，并输出信息 62306。
 
 need-always = 循环需要此值。
-need-default = 可以省略：沿用以前调用的值，否则按默认值。
+need-default = 省略时沿用以前调用的值；以前没有赋值时按默认值。
 need-element = 该被测要素只有一个尺寸。
 need-rectangle = 矩形有两个长度。
 need-infeed-zone = 有保护区时，测头从被测要素上方开始。
@@ -177,13 +177,13 @@ need-tool-otherwise = 刀具已另行指定：若以前的调用设过 T 号，�
 need-tool-name = 使用刀具管理时，代替 T 号。
 need-additive = 结果写入设定补偿或附加补偿。
 need-environment = 按存储的刀具环境补偿刀具。
-need-mono = 单向测头要定位：请输入补偿角，即使为 0。
+need-mono = 单向测头要定向：请输入补偿角，为 0 时也要输入。
 need-points = 这是圆周各点之间的角度。
 need-circular = 圆周各点之间测头沿圆弧移动。
-need-memory = 可以省略：以前没有赋值时，不用平均值存储器，也不用经验值。
-need-memory-empirical = 可以省略：以前没有赋值时，不用经验值。
-need-own-speeds = 此机床的输入画面要求输入进给和转速：随之写入 _CBIT[12]=1。
-need-tolerance = 属于刀具补偿，即使不作补偿也必须有效；省略时按以前的值，否则按默认值。
+need-memory = 省略且以前没有赋值时，不用平均值存储器，也不用经验值。
+need-memory-empirical = 省略且以前没有赋值时，不用经验值。
+need-own-speeds = 此机床的输入画面有进给和转速字段，并同时写入 _CBIT[12]=1。
+need-tolerance = 属于刀具补偿，即使不作补偿也必须有效；省略时沿用以前的值，没有则按默认值。
 
 result-set-size = 设定直径或宽度
 result-set-centre-abscissa = 设定中心，横坐标

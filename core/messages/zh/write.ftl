@@ -21,7 +21,7 @@ convert-argument-hint = 请先在调用中把 { $value } 写成数字，然后�
 convert-expression = 调用保持不变：赋给 { $name } 的 { $value } 在新文本所在处的值可能不同。
 convert-expression-hint = 请把 { $name }={ $value } 直接写在调用前面，其间不要改变该值。
 convert-macro = 调用保持不变：一个宏同时包含此调用的多个值。
-convert-macro-hint = 请先把宏的文本写入程序。
+convert-macro-hint = 请先在程序中用宏的文本代替该宏。
 
 revise-taken = 新的测量方式不使用 { $names }：已从调用中删去。
 revise-kept = 新的测量方式不使用 { $name }，但 { $name }={ $value } 是表达式，仍留在程序中。
