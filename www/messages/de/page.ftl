@@ -91,6 +91,7 @@ tasks-absent = Die anderen Zyklen ließen sich nicht laden. Seite neu laden, um 
 tasks-none = Nichts gefunden für „{ $search }“. Anderes Wort oder die Nummer eines Zyklus oder Alarms eingeben.
 
 form-opened = Bearbeitet { $cycle } im Programm, Zeile { $from } bis { $to }
+form-opened-line = Bearbeitet { $cycle } im Programm, Zeile { $line }
 explain-more = Mehr
 explain-less = Weniger
 

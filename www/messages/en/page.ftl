@@ -91,6 +91,7 @@ tasks-absent = The other cycles could not be loaded. Reload the page to try agai
 tasks-none = Nothing found for “{ $search }”. Try another word, or a cycle or alarm number.
 
 form-opened = Edits { $cycle } in the program, lines { $from } to { $to }
+form-opened-line = Edits { $cycle } in the program, line { $line }
 explain-more = More
 explain-less = Less
 

@@ -91,6 +91,7 @@ tasks-absent = 无法加载其他循环。请重新加载页面再试。
 tasks-none = 没有找到“{ $search }”。请换一个词，或输入循环号或报警号。
 
 form-opened = 正在编辑程序中的 { $cycle }，第 { $from } 到 { $to } 行
+form-opened-line = 正在编辑程序中的 { $cycle }，第 { $line } 行
 explain-more = 展开
 explain-less = 收起
 

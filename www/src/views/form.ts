@@ -8,7 +8,7 @@ import { meantBy } from "../keys";
 import { inFocus, type Reset, type State } from "../state/state";
 import type { Store } from "../state/store";
 import { optional, t } from "../texts";
-import type { Diagnostic } from "../wire";
+import type { CallView, Diagnostic } from "../wire";
 import { createAsks } from "./asks";
 import { createCode, piecesOf } from "./code";
 import { createExplain } from "./explain";
@@ -62,6 +62,10 @@ function pointedNotes({ form: { values } }: State, { fields }: Derived["view"]):
     return value ? [{ severity: "note", code: "", param, message: { key: "field-pointed", args: { value } } }] : [];
   });
 }
+
+/** Where in the program the call stands that the form edits. */
+const openedAt = (cycle: string, { line, lastLine }: CallView): string =>
+  line === lastLine ? t("form-opened-line", { cycle, line }) : t("form-opened", { cycle, from: line, to: lastLine });
 
 export function createForm(
   root: HTMLElement,
@@ -210,7 +214,7 @@ export function createForm(
     );
     show(opened, !!derived.opened);
     if (derived.opened)
-      setText(where, t("form-opened", { cycle: cycle.cycle, from: derived.opened.line, to: derived.opened.lastLine }));
+      setText(where, openedAt(cycle.cycle, derived.opened));
     const names = new Set(view.fields.map(field => field.name));
     const arrivals = derived.opened?.arrivals.filter(one => names.has(one.param ?? "")) ?? [];
     // what is said of how a value arrives there tells more than that it is not known
