@@ -12,7 +12,7 @@ use probewright_core::message::Arg;
 use probewright_core::program::calls::calls;
 use probewright_core::program::findings_of;
 use probewright_core::run::outcome::Outcome;
-use probewright_core::run::{Limits, assumed};
+use probewright_core::run::{Limits, Session, assumed};
 use probewright_core::syntax::joined::Joined;
 use probewright_core::syntax::{Program, read};
 use probewright_core::words::Words;
@@ -167,7 +167,8 @@ impl Summary {
 fn run(program: &Rc<Program>) -> (Outcome, bool) {
     let mut values = BTreeMap::new();
     loop {
-        let outcome = assumed::run_with(program, Limits::default(), values.clone(), &mut |_| {}).outcome;
+        let given = |session: Session| session.with_arguments(values.clone());
+        let outcome = assumed::run_with(program, Limits::default(), given, &mut |_| {}).outcome;
         let Some(Stop::Fault(message)) = &outcome.stop else { return (outcome, !values.is_empty()) };
         let asked = message.args.iter().find_map(|(name, arg)| match arg {
             Arg::Text(text) if *name == "word" && message.key == "run-parameter" => Some(text.to_string()),

@@ -207,7 +207,7 @@ impl Run {
     pub fn new(asked: RunRequest) -> Result<Run, Error> {
         let setup = start(asked.control, asked.setup)?.setup;
         let whole = Whole::new(asked.control, asked.text, asked.with);
-        let program = syntax::read_on(asked.control, whole.text(), &setup.control.definitions.macros);
+        let program = syntax::read_to_run(asked.control, whole.text(), &setup.control.definitions.macros);
         let steps = asked.blocks.map(u64::from);
         let limits = Limits { steps, strict: asked.strict.unwrap_or_default(), ..Limits::default() };
         let given = asked.arguments.unwrap_or_default().into_iter();

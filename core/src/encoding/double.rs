@@ -12,6 +12,11 @@ pub struct Counts {
 }
 
 impl Counts {
+    /// Whether a character is not complete.
+    pub fn is_open(self) -> bool {
+        self.open > 0
+    }
+
     /// A character that the end cuts is none.
     pub fn done(mut self) -> Counts {
         self.wrong += usize::from(self.open > 0);
@@ -114,6 +119,11 @@ pub struct ShiftJis {
 }
 
 impl ShiftJis {
+    /// Whether the next byte may belong to what has begun: a character, or a row of kana.
+    pub fn is_open(&self) -> bool {
+        self.pairs.is_open() || self.narrow > 0
+    }
+
     pub fn take(&mut self, byte: u8) {
         let counts = &mut self.pairs;
         if counts.open > 0 {

@@ -76,6 +76,13 @@ const BEGINNINGS: [(&str, &[&[u8]]); 5] = [
 /// Bytes at the begin that are kept to be compared.
 const HEAD: usize = 8;
 
+/// Bytes that are looked at together: where all of them are printable ASCII, no encoding has to be asked.
+const PIECE: usize = 256;
+
+fn is_printable(byte: u8) -> bool {
+    matches!(byte, b'\t'..=b'\r' | b' '..=b'~')
+}
+
 /// Tells the encoding of a whole file, whose bytes may come in pieces.
 #[derive(Default)]
 pub struct Recogniser {
@@ -97,13 +104,30 @@ impl Recogniser {
     pub fn take(&mut self, bytes: &[u8]) {
         let missing = HEAD.saturating_sub(self.head.len());
         self.head.extend(bytes.iter().take(missing));
-        for byte in bytes {
-            self.count(*byte);
-            self.units.take(*byte);
-            self.utf8.take(*byte);
-            self.gb18030.take(*byte);
-            self.shift_jis.take(*byte);
+        for piece in bytes.chunks(PIECE) {
+            if self.waiting == 0
+                && !self.in_character()
+                && piece.iter().fold(true, |all, byte| all & is_printable(*byte))
+            {
+                self.printable += piece.len();
+                self.units.take_text(piece);
+            } else {
+                piece.iter().for_each(|byte| self.take_byte(*byte));
+            }
         }
+    }
+
+    fn take_byte(&mut self, byte: u8) {
+        self.count(byte);
+        self.units.take(byte);
+        self.utf8.take(byte);
+        self.gb18030.take(byte);
+        self.shift_jis.take(byte);
+    }
+
+    /// Whether the next byte may belong to a character that has begun, or to a row of them.
+    fn in_character(&self) -> bool {
+        self.utf8.0.is_open() || self.gb18030.pairs.is_open() || self.shift_jis.is_open()
     }
 
     fn count(&mut self, byte: u8) {
@@ -117,7 +141,7 @@ impl Recogniser {
         }
         self.waiting = 0;
         match byte {
-            b'\t'..=b'\r' | b' '..=b'~' => self.printable += 1,
+            _ if is_printable(byte) => self.printable += 1,
             0x80.. => self.beyond += 1,
             _ => self.controls += 1,
         }

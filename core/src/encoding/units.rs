@@ -25,6 +25,17 @@ impl Units {
         }
     }
 
+    /// Takes bytes of which none is NUL: their units are characters of neither order.
+    pub fn take_text(&mut self, bytes: &[u8]) {
+        let [begin, rest @ ..] = bytes else { return };
+        if self.first.is_some() {
+            self.take(*begin);
+            return self.take_text(rest);
+        }
+        self.all += bytes.len() / 2;
+        self.first = bytes.last().filter(|_| bytes.len() % 2 == 1).copied();
+    }
+
     /// Whether it is text in this order, where a mark says so.
     pub fn marked(&self, order: usize) -> bool {
         self.controls[order] * 5 <= self.all

@@ -4,7 +4,7 @@
 
 use super::{Interpreter, Limits, Outcome, Session, call, outcome::set};
 use crate::check::variants;
-use crate::control::{Edge, LATHE_PROBE, MachineSort, Plane, Tool, Value};
+use crate::control::{Edge, LATHE_PROBE, MachineSort, Plane, Tool};
 use crate::entry::{Cycle, Inputs, ProbeUse, Proposal, Typed};
 use crate::geometry::{Degrees, Mcs, Rpy, V3, rigid};
 use crate::machine::{Setup, Sim, Step, probe_data, probe_place};
@@ -42,15 +42,15 @@ pub fn run(program: &Program, limits: Limits) -> Assumed {
     run_on(program, start(program), limits)
 }
 
-/// Runs a program on a machine that fits it, with values for its own parameters, telling how far it is.
+/// Runs a program on a machine that fits it, prepared with more than the program, telling how far it is.
 pub fn run_with(
     program: &Rc<Program>,
     limits: Limits,
-    arguments: BTreeMap<String, Value>,
+    prepare: impl FnOnce(Session) -> Session,
     told: &mut dyn FnMut(&Session),
 ) -> Assumed {
     let setup = start(program);
-    carried_out(Session::new(Rc::clone(program), &setup, limits).with_arguments(arguments), setup, told)
+    carried_out(prepare(Session::new(Rc::clone(program), &setup, limits)), setup, told)
 }
 
 /// Runs a program on this machine with what it lacks.

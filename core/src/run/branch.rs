@@ -140,7 +140,7 @@ pub fn target(run: &Interpreter, id: ExprId) -> Result<String, Problem> {
 
 /// Blocks of a label or a block number in the present program.
 pub fn places(run: &Interpreter, target: &str) -> Vec<usize> {
-    let blocks = run.targets.get(&canonical(target));
+    let blocks = run.targets().get(&canonical(target));
     let own = run.levels.last().map(|level| level.blocks.clone());
     let inside = |block: &&usize| own.as_ref().is_none_or(|own| own.contains(block));
     blocks.into_iter().flatten().filter(inside).copied().collect()

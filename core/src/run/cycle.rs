@@ -73,7 +73,7 @@ pub fn log_stays_on(run: &mut Interpreter) {
     let control = &run.sim.control;
     let Some(called) = run.log_on.filter(|_| control.bit(logging::ON)) else { return };
     let file = control.text(logging::names::FILE.as_str()).to_owned();
-    run.tell(Severity::Warning, &Problem::new("run-log-on", called, file));
+    run.keep(Problem::new("run-log-on", called, file).diagnostic(Severity::Warning));
 }
 
 /// Counts how often a call is carried out where it is written; a program that does so again and again may never end.
@@ -110,7 +110,7 @@ pub fn carry_out(run: &mut Interpreter, cycle: &'static Cycle, checked: Checked,
         let log = run.sim.control.bit(logging::ON);
         call::perform(&mut run.sim, inputs).map_err(Halt::at(span))?;
         if !log && run.sim.control.bit(logging::ON) {
-            run.log_on = Some(span);
+            run.log_on = Some(run.placed(span));
         }
         return around(run, &BEHIND, cycle, span);
     }
@@ -161,6 +161,6 @@ fn around(run: &mut Interpreter, program: &UserProgram, cycle: &Cycle, span: Spa
 /// The block with the label of the cycle, else the first one.
 fn start(run: &Interpreter, unit: &Unit, cycle: &Cycle) -> usize {
     let label = format!("_M{}", cycle.name.trim_start_matches("CYCLE"));
-    let mut inside = run.targets.get(&canonical(&label)).into_iter().flatten();
+    let mut inside = run.targets().get(&canonical(&label)).into_iter().flatten();
     inside.find(|block| unit.blocks.contains(block)).copied().unwrap_or(unit.blocks.start)
 }

@@ -3,8 +3,8 @@
 use super::{
     Halt, Level, Limits, Locals, Modal, Outcome, assumed::Made, called::Called, contour, contour::Contour, cycle,
     defined, endless, endless::Watch, limits, motion, noted, noted::Noted, of_machine, of_machine::Asked,
-    outcome::PassedOver, own_parameters, repeat, rules::Rules, standard::Pattern, statement, subprogram, unread,
-    unread::Unread,
+    outcome::PassedOver, own_parameters, pieces, pieces::Pieces, repeat, rules::Rules, standard::Pattern, statement,
+    subprogram, unread, unread::Unread,
 };
 use crate::control::Value;
 use crate::diagnostic::{Diagnostic, Severity, Span};
@@ -14,13 +14,15 @@ use crate::message::Message;
 use crate::problem::Problem;
 use crate::syntax::links::{Link, Links};
 use crate::syntax::{Program, links as flow, programs, programs::Programs};
-use std::cell::Cell;
+use std::cell::{Cell, OnceCell};
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 /// A program on its way.
 pub struct Interpreter {
     pub program: Rc<Program>,
+    /// Where in the text it is, and what comes behind it.
+    pub pieces: Pieces,
     pub sim: Sim,
     /// What stays.
     pub modal: Modal,
@@ -36,7 +38,7 @@ pub struct Interpreter {
     pub contour: Option<Contour>,
     /// Findings so far, each place and kind once.
     pub diagnostics: Vec<Diagnostic>,
-    pub targets: BTreeMap<String, Vec<usize>>,
+    targets: OnceCell<BTreeMap<String, Vec<usize>>>,
     pub links: Links,
     pub programs: Programs,
     /// When the run is given up.
@@ -80,7 +82,7 @@ pub struct Interpreter {
     pub pattern: Pattern,
     /// Values of the machine that were assumed, and the arrays of which that was told.
     pub asked: Asked,
-    /// The call that switched the log on last.
+    /// The call that switched the log on last, its place in the text.
     pub log_on: Option<Span>,
     pub arrays_asked: BTreeSet<String>,
 }
@@ -135,6 +137,12 @@ impl Session {
             _ = self.run.tell_once(halt.diagnostic());
             Err(halt)
         });
+        self
+    }
+
+    /// With a program that is the beginning of a text; what comes behind it is given when it is needed.
+    pub fn in_pieces(mut self, share: [f64; 2], more: pieces::More) -> Session {
+        (self.run.pieces.share, self.run.pieces.more) = (share, Some(more));
         self
     }
 
@@ -206,11 +214,14 @@ fn told<T>(run: &mut Interpreter, step: impl FnOnce(&mut Interpreter) -> Result<
 
 fn next_block(run: &mut Interpreter) -> Result<Option<()>, Halt> {
     let at = run.at;
+    let own = run.levels.last().is_some_and(|level| level.blocks.contains(&at));
+    if !own && pieces::next(run) {
+        return Ok(None);
+    }
     let span = run.program.blocks.get(at).map(|block| block.span);
     limits::room(run, span)?;
-    let own = run.levels.last().is_some_and(|level| level.blocks.contains(&at));
     let (Some(span), true) = (span, own) else { return Ok(go_on(run, subprogram::leave)) };
-    run.sim.line = Some(at as u32);
+    run.sim.line = Some(run.pieces.lines + at as u32);
     run.work += 1 + u64::from((span.end - span.start) / BLOCK);
     run.blocks = run.blocks.wrapping_add(1);
     let depth = run.levels.len();
@@ -263,6 +274,7 @@ impl Interpreter {
         sim.files = Files::beside(programs.units.first().and_then(|unit| unit.file.as_deref()));
         let main = programs.units.first().map_or(0..0, |unit| unit.blocks.clone());
         let mut run = Interpreter {
+            pieces: Pieces::default(),
             programmed: motion::standing(&sim),
             sim,
             modal: Modal { motion, absolute: true, feed_factor, ..Modal::default() },
@@ -272,7 +284,7 @@ impl Interpreter {
             measured: BTreeMap::new(),
             contour: None,
             diagnostics: Vec::new(),
-            targets: flow::targets(&program),
+            targets: OnceCell::new(),
             links: flow::links(&program, &programs),
             programs,
             limits,
@@ -308,7 +320,9 @@ impl Interpreter {
     fn reached(&self) -> f64 {
         let at = self.levels.get(1).map_or(self.at, |called| called.call);
         let main = self.levels.first().map_or(0..0, |main| main.blocks.clone());
-        (at.saturating_sub(main.start) as f64 / main.len().max(1) as f64).min(1.0)
+        let here = (at.saturating_sub(main.start) as f64 / main.len().max(1) as f64).min(1.0);
+        let [from, to] = self.pieces.share;
+        from + (to - from) * here
     }
 
     /// A finding that does not stop the run, told once. What the run passes over is named at its end too.
@@ -322,7 +336,17 @@ impl Interpreter {
 
     /// Keeps a finding; false: it was told before.
     pub fn tell_once(&mut self, mut found: Diagnostic) -> bool {
-        found.span = found.span.map(|span| self.program.placed(span));
+        found.span = found.span.map(|span| self.placed(span));
+        self.keep(found)
+    }
+
+    /// A place of the program at hand in the text that came.
+    pub fn placed(&self, span: Span) -> Span {
+        self.pieces.placed(self.program.placed(span))
+    }
+
+    /// Keeps a finding whose place is one of the text; false: it was told before.
+    pub fn keep(&mut self, found: Diagnostic) -> bool {
         let new = self.seen.insert((found.span.unwrap_or_default().start, found.message.key.to_string()));
         self.diagnostics.extend(new.then_some(found));
         new
@@ -330,7 +354,7 @@ impl Interpreter {
 
     /// Something of the program that is not carried out, each once.
     pub fn pass_over(&mut self, word: String, place: Span) {
-        let passed = PassedOver { word, line: self.program.line_of(place.start) + 1 };
+        let passed = PassedOver { word, line: self.pieces.lines + self.program.line_of(place.start) + 1 };
         if self.passed.len() < MOST_PASSED && !self.passed.contains(&passed) {
             self.passed.push(passed);
         }
@@ -339,6 +363,11 @@ impl Interpreter {
     /// Records that a datum was written.
     pub fn note_set(&mut self, name: &str, before: f64, after: f64) {
         self.sim.note(Step::Set { name: name.to_owned(), before, after });
+    }
+
+    /// The blocks that a jump may name; found when the first one does.
+    pub fn targets(&self) -> &BTreeMap<String, Vec<usize>> {
+        self.targets.get_or_init(|| flow::targets(&self.program))
     }
 
     /// What is linked to a block.

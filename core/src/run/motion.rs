@@ -20,7 +20,8 @@ pub fn go(run: &mut Interpreter, path: &Path) -> Result<(), Halt> {
         polar::set_pole(run, path, kind, from);
         return Ok(());
     }
-    let base = incremental_base(run, path.suppress, from);
+    let counts = |axis: &Option<Coordinate>| axis.is_some_and(|axis| !axis.absolute.unwrap_or(run.modal.absolute));
+    let base = if path.axes.iter().any(counts) { incremental_base(run, path.suppress, from) } else { from };
     let to = std::array::from_fn(|i| target(run, from[i], base[i], path.axes[i], i));
     let to = polar::target(run, path, from, to);
     let Some(to) = polar::along(run, path, from, to) else {
@@ -219,19 +220,19 @@ fn radius_of(run: &Interpreter, axis: usize, absolute: bool) -> f64 {
 }
 
 fn position(run: &Interpreter, suppress: Suppress) -> [f64; 3] {
-    let basic = run.sim.control.basic_chain();
+    let control = &run.sim.control;
     match suppress {
-        Suppress::Nothing => run.sim.control.to_workpiece(contour::stands(run)).0,
-        Suppress::Settable => basic.iter().fold(run.sim.position.0, |point, frame| frame.inward(point)),
+        Suppress::Nothing => control.to_workpiece(contour::stands(run)).0,
+        Suppress::Settable => control.basic_chain().iter().fold(run.sim.position.0, |point, frame| frame.inward(point)),
         Suppress::All => run.sim.position.0,
     }
 }
 
 fn machine(run: &Interpreter, suppress: Suppress, point: [f64; 3]) -> Mcs {
-    let basic = run.sim.control.basic_chain();
+    let control = &run.sim.control;
     match suppress {
-        Suppress::Nothing => run.sim.control.to_machine(Wcs(point)),
-        Suppress::Settable => Mcs(basic.iter().rev().fold(point, |point, frame| frame.outward(point))),
+        Suppress::Nothing => control.to_machine(Wcs(point)),
+        Suppress::Settable => Mcs(control.basic_chain().iter().rev().fold(point, |point, frame| frame.outward(point))),
         Suppress::All => Mcs(point),
     }
 }

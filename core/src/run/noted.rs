@@ -4,7 +4,7 @@ use super::Interpreter;
 use crate::diagnostic::{Severity, Span};
 use crate::problem::Problem;
 
-/// Words by the key of their note, each once with its first place.
+/// Words by the key of their note, each once with its first place in the text.
 pub type Noted = Vec<(&'static str, Vec<(String, Span)>)>;
 
 /// Words of a note that are kept.
@@ -14,6 +14,7 @@ const NAMED: usize = 20;
 
 /// Takes a word into the note with this key; true: it is new there.
 pub fn add(run: &mut Interpreter, key: &'static str, span: Span, word: &str) -> bool {
+    let span = run.placed(span);
     let at = run.noted.iter().position(|(known, _)| *known == key).unwrap_or_else(|| {
         run.noted.push((key, Vec::new()));
         run.noted.len() - 1
@@ -40,6 +41,6 @@ pub fn tell(run: &mut Interpreter) {
         let named = words.iter().take(NAMED).map(|(word, _)| word.as_str());
         let more = (words.len() > NAMED).then_some("…");
         let listed = named.chain(more).collect::<Vec<_>>().join(", ");
-        run.tell(Severity::Note, &Problem::new(key, *place, listed));
+        run.keep(Problem::new(key, *place, listed).diagnostic(Severity::Note));
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{
     Datum, Halt, Interpreter, Measure, Next, Path, action, branch, contour, declare, declare::Declaring, evaluate,
-    expression, indexed, locals, names, of_control, repeat, unread,
+    expression, indexed, locals, names, of_control, repeat, straight, unread,
 };
 use crate::diagnostic::{Severity, Span};
 use crate::problem::Problem;
@@ -96,6 +96,11 @@ pub struct Words {
 }
 
 impl Words {
+    /// Of a block of which no word was taken yet.
+    pub fn before(at: usize, span: Span) -> Words {
+        Words { at, path: Path { span, ..Path::default() }, ..Words::default() }
+    }
+
     /// Addresses with these letters, in order.
     pub fn of<'a>(&'a self, letters: &'a str) -> impl DoubleEndedIterator<Item = &'a Address> {
         self.addresses.iter().filter(move |address| address.name == letters)
@@ -115,6 +120,9 @@ pub fn block(run: &mut Interpreter, at: usize) -> Result<Next, Halt> {
         return Ok(Next::Block);
     }
     unread::tell(run, at);
+    if let Some(straight) = program.straight(block) {
+        return straight::block(run, at, block.span, &straight);
+    }
     if let Some((keyword, label)) = repetition(run, words) {
         repeat::alone(run, words)?;
         return Ok(repeat::begin(run, at, keyword, label, words)?);
@@ -122,7 +130,7 @@ pub fn block(run: &mut Interpreter, at: usize) -> Result<Next, Halt> {
     if contour::waits(run) && asks_for_position(run, block) {
         contour::finish(run)?;
     }
-    let mut found = Words { at, path: Path { span: block.span, ..Path::default() }, ..Words::default() };
+    let mut found = Words::before(at, block.span);
     for word in words {
         if !word_of(run, word, &mut found)? {
             return Ok(found.next.unwrap_or(Next::Block));
@@ -242,7 +250,7 @@ fn left_alone(run: &mut Interpreter, name: &str, span: Span) -> bool {
 
 /// Whether a variable of the program has the name of an address. X, Y and Z stay axes, whatever is declared; where the
 /// machine has a rotary axis of that name, it is told that the program means its variable.
-fn hidden(run: &mut Interpreter, name: &str, span: Span) -> bool {
+pub fn hidden(run: &mut Interpreter, name: &str, span: Span) -> bool {
     let variable = locals::declared(run, name) && !declare::is_axis(name);
     if variable && run.sim.control.rotary_axis(name).is_some() {
         run.tell(Severity::Warning, &Problem::new("run-axis-variable", span, name));

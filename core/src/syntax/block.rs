@@ -2,6 +2,7 @@
 
 use super::macros;
 use super::reader::{Expect, Reader};
+use super::straight::Straight;
 use super::tree::{Block, Program, SyntaxError, WordKind};
 use crate::control::definitions::Macros;
 use crate::diagnostic::Span;
@@ -40,9 +41,18 @@ impl Program {
 
 /// Reads a program on a machine with macros, telling from time to time which share of the text is read.
 pub fn read_told(dialect: Dialect, source: &[u8], macros: &Arc<Macros>, told: &mut dyn FnMut(f64)) -> Program {
-    let (first, own) = read_with(dialect, source, macros, told);
+    read_all(dialect, source, macros, false, told)
+}
+
+/// Reads a program that is only to be run: straight motions stay text, see [`Program::straight`].
+pub fn read_to_run(dialect: Dialect, source: &[u8], macros: &Arc<Macros>) -> Program {
+    read_all(dialect, source, macros, true, &mut |_| {})
+}
+
+fn read_all(dialect: Dialect, source: &[u8], macros: &Arc<Macros>, to_run: bool, told: &mut dyn FnMut(f64)) -> Program {
+    let (first, own) = read_with(dialect, source, macros, to_run, told);
     // definition files of the text count in the whole of it
-    let tree = own.map_or(first, |all| read_with(dialect, source, &all, told).0);
+    let tree = own.map_or(first, |all| read_with(dialect, source, &all, to_run, told).0);
     Program { macros: Arc::clone(macros), ..tree }
 }
 
@@ -51,12 +61,14 @@ fn read_with(
     dialect: Dialect,
     source: &[u8],
     macros: &Arc<Macros>,
+    to_run: bool,
     told: &mut dyn FnMut(f64),
 ) -> (Program, Option<Arc<Macros>>) {
     let whole = source.get(..LARGEST as usize).unwrap_or(source);
     let readable = before_end(whole);
     let mut reader = Reader::new(dialect, readable, source);
     reader.macros.everywhere = Arc::clone(macros);
+    reader.to_run = to_run;
     while reader.at < readable.len() || reader.tree.blocks.is_empty() {
         let start = reader.at;
         let length = reader.source.get(start..).unwrap_or_default().iter().position(|byte| *byte == b'\n');
@@ -115,6 +127,11 @@ fn line(reader: &mut Reader) {
     let before = skip(reader);
     let number = number(reader);
     let skip = before.or_else(|| skip(reader));
+    if skip.is_none() && is_straight(reader) {
+        let words = reader.first as u32..reader.first as u32;
+        reader.tree.blocks.push(Block { span, number, skip, words, comment: None, straight: true });
+        return;
+    }
     reader.blanks();
     if reader.grammar.macros {
         macros::begins(reader);
@@ -124,7 +141,13 @@ fn line(reader: &mut Reader) {
         false => words(reader),
     };
     let words = reader.first as u32..reader.tree.words.len() as u32;
-    reader.tree.blocks.push(Block { span, number, skip, words, comment });
+    reader.tree.blocks.push(Block { span, number, skip, words, comment, straight: false });
+}
+
+/// Whether the rest of a line is left as text. A macro could stand for a part of it, and the first line have a mark.
+fn is_straight(reader: &Reader) -> bool {
+    let plain = reader.to_run && reader.macros.concerns_nothing() && !reader.tree.blocks.is_empty();
+    plain && Straight::of(reader.rest(), 0).is_some()
 }
 
 /// Reads what is left of a line; its first comment comes back.

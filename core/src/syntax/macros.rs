@@ -49,6 +49,11 @@ impl Known {
     fn none(&self) -> bool {
         self.own.is_empty() && self.everywhere.is_empty()
     }
+
+    /// Whether the lines are those of a program, and none of their words can stand for something else.
+    pub fn concerns_nothing(&self) -> bool {
+        self.none() && !self.defining
+    }
 }
 
 /// A part of a line in which macros are replaced, with the place where it is written.

@@ -57,6 +57,8 @@ pub(super) struct Reader<'a> {
     pub list: Vec<ExprId>,
     /// Macros that count here.
     pub macros: Known,
+    /// Whether straight motions are left as text.
+    pub to_run: bool,
 }
 
 impl<'a> Reader<'a> {
@@ -84,6 +86,7 @@ impl<'a> Reader<'a> {
             },
             list: Vec::new(),
             macros: Known::default(),
+            to_run: false,
         }
     }
 

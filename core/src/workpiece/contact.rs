@@ -35,6 +35,11 @@ impl Boundary {
         Boundary { bodies: workpiece.solids.iter().map(Body::new).collect() }
     }
 
+    /// Whether there is nothing to touch.
+    pub fn is_nothing(&self) -> bool {
+        self.bodies.is_empty()
+    }
+
     /// First contact of a ball whose centre moves from `from` to `to`.
     pub fn first(&self, ball_radius: f64, from: Mcs, to: Mcs) -> Contact {
         let way = Path::new(V3::from(from), V3::from(to));

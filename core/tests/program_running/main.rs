@@ -4,6 +4,7 @@
 mod corners;
 mod flow;
 mod frames;
+mod large;
 mod measuring;
 mod motion;
 mod nct;

@@ -80,10 +80,29 @@ pub fn print_all(
     words: &Words,
     out: &mut dyn Write,
 ) -> std::io::Result<()> {
+    if found.is_empty() {
+        return Ok(());
+    }
     let positions = Positions::new(source);
+    print_placed(path, &|place| positions.line_column(place), found, words, out)
+}
+
+/// Findings of a file that are printed, by their places.
+pub fn printed(found: &[Diagnostic]) -> impl Iterator<Item = u32> {
+    found.iter().take(PRINTED).filter_map(|finding| Some(finding.span?.start))
+}
+
+/// Prints findings, with line and column of each place.
+pub fn print_placed(
+    path: &Path,
+    position: &dyn Fn(u32) -> (u32, u32),
+    found: &[Diagnostic],
+    words: &Words,
+    out: &mut dyn Write,
+) -> std::io::Result<()> {
     for finding in found.iter().take(PRINTED) {
         let place = finding.span.map_or(String::new(), |span| {
-            let (line, column) = positions.line_column(span.start);
+            let (line, column) = position(span.start);
             format!("{line}:{column}: ")
         });
         let text = one_line(finding, words);

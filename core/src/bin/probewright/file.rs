@@ -58,17 +58,23 @@ pub fn complain_about(problem: &Problem, words: &Words) {
     complain(&format!("{}: {text}", words.key("terminal-error")));
 }
 
-/// Largest file that is read, bytes: far above every part program, and a device like /dev/zero never ends.
+/// Largest file that is read, bytes; a device like /dev/zero never ends.
 const LARGEST: u64 = 100 << 20;
+/// Largest part program that is held, bytes: with straight motions alone it takes three times that.
+const LARGEST_PROGRAM: u64 = 1 << 30;
 
 /// Bytes of a file; the error names the file.
 pub fn bytes(path: &Path) -> Result<Vec<u8>, Problem> {
+    limited(path, LARGEST)
+}
+
+fn limited(path: &Path, largest: u64) -> Result<Vec<u8>, Problem> {
     let mut source = Vec::new();
     std::fs::File::open(path)
-        .and_then(|file| file.take(LARGEST + 1).read_to_end(&mut source))
+        .and_then(|file| file.take(largest + 1).read_to_end(&mut source))
         .map_err(|error| format!("{}: {error}", path.display()))?;
-    if source.len() as u64 > LARGEST {
-        return Err(wrong_file(path, Message::new("terminal-large").number("most", (LARGEST >> 20) as f64)));
+    if source.len() as u64 > largest {
+        return Err(wrong_file(path, Message::new("terminal-large").number("most", (largest >> 20) as f64)));
     }
     Ok(source)
 }
@@ -76,7 +82,8 @@ pub fn bytes(path: &Path) -> Result<Vec<u8>, Problem> {
 /// A part program in UTF-8, whatever it is written in; the error names the file and says what it is instead. A byte
 /// that stands for no character becomes the sign for that, except in UTF-8, where it stays.
 pub fn program(path: &Path) -> Result<Vec<u8>, Problem> {
-    let source = bytes(path)?;
+    let ends = std::fs::metadata(path).is_ok_and(|file| file.is_file());
+    let source = limited(path, if ends { LARGEST_PROGRAM } else { LARGEST })?;
     let encoding = recognise(&source).map_err(|what| wrong_file(path, Message::new(what)))?;
     Ok(match table(encoding) {
         None => source,

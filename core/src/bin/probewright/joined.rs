@@ -14,7 +14,8 @@ struct Part {
     start: usize,
     /// Its first line in the text, from 0.
     line: u32,
-    source: Vec<u8>,
+    /// What is in it; none: the text, which is this file alone.
+    source: Option<Vec<u8>>,
 }
 
 /// A program with the files named with it.
@@ -31,22 +32,32 @@ impl Joined {
     pub fn read(path: &Path, with: &[PathBuf], control: Option<file::Control>) -> Result<Joined, Problem> {
         let source = file::program(path)?;
         let dialect = file::dialect(control, &source);
-        let mut sources = vec![(path.to_owned(), source.clone())];
+        let mut sources = vec![(path.to_owned(), (!with.is_empty()).then(|| source.clone()))];
         let mut joined = joined::Joined::new(dialect, source);
         for path in with {
             let source = file::program(path)?;
             let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
             joined.add(&name, &source);
-            sources.push((path.clone(), source));
+            sources.push((path.clone(), Some(source)));
         }
         let (mut line, mut from) = (0, 0);
-        let parts = sources.into_iter().zip(joined.starts.clone()).map(|((path, source), start)| {
-            let before = joined.text.get(from..start).unwrap_or_default();
-            line += before.iter().filter(|byte| **byte == b'\n').count() as u32;
-            from = start;
-            Part { path, start, line, source }
-        });
-        Ok(Joined { parts: parts.collect(), text: joined.text.clone(), dialect })
+        let parts: Vec<Part> = sources
+            .into_iter()
+            .zip(joined.starts.clone())
+            .map(|((path, source), start)| {
+                let before = joined.text.get(from..start).unwrap_or_default();
+                line += before.iter().filter(|byte| **byte == b'\n').count() as u32;
+                from = start;
+                Part { path, start, line, source }
+            })
+            .collect();
+        Ok(Joined { parts, text: joined.text, dialect })
+    }
+
+    /// A program alone whose text is not held.
+    pub fn unheld(path: &Path, dialect: Dialect) -> Joined {
+        let program = Part { path: path.to_owned(), start: 0, line: 0, source: None };
+        Joined { text: Vec::new(), dialect, parts: vec![program] }
     }
 
     /// In this language.
@@ -68,8 +79,9 @@ impl Joined {
     }
 
     /// The files that something was found in, the program in any case, each with what was found there.
-    pub fn files(&self, found: &[Diagnostic]) -> Vec<(&Path, &[u8], Vec<Diagnostic>)> {
-        let mut all: Vec<_> = self.parts.iter().map(|part| (&*part.path, &*part.source, Vec::new())).collect();
+    pub fn files<'a>(&'a self, found: &[Diagnostic]) -> Vec<(&'a Path, &'a [u8], Vec<Diagnostic>)> {
+        let source = |part: &'a Part| part.source.as_deref().unwrap_or(&self.text);
+        let mut all: Vec<_> = self.parts.iter().map(|part| (&*part.path, source(part), Vec::new())).collect();
         for one in found {
             let start = one.span.unwrap_or_default().start as usize;
             let behind = self.parts.partition_point(|part| part.start <= start);

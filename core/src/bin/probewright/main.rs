@@ -12,6 +12,7 @@ mod progress;
 mod read;
 mod run;
 mod scan;
+mod stream;
 mod write;
 
 use clap::{Parser, Subcommand};

@@ -1,15 +1,18 @@
 //! `probewright run`.
 
-use crate::check::print_all;
+use crate::check::{print_all, print_placed, printed};
 use crate::file::Problem;
 use crate::joined::Joined;
 use crate::progress::Progress;
+use crate::stream::Stream;
 use crate::{file, log, scan};
 use probewright_core::app::{RunAssumed, RunView};
 use probewright_core::catalogue::alarms;
 use probewright_core::control::Value;
 use probewright_core::diagnostic::{Diagnostic, Severity};
 use probewright_core::entry::{Unit, unit_behind};
+use probewright_core::json;
+use probewright_core::machine::Setup;
 use probewright_core::machine::trace::Step;
 use probewright_core::message::{Message, printable};
 use probewright_core::run::assumed::Assumed;
@@ -17,13 +20,14 @@ use probewright_core::run::left::CallAt;
 use probewright_core::run::of_machine;
 use probewright_core::run::outcome::Outcome;
 use probewright_core::run::{Limits, Session, assumed};
+use probewright_core::syntax::{self, Program};
 use probewright_core::words::{Words, rounded};
-use probewright_core::{json, syntax};
 use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::rc::Rc;
+use std::sync::Arc;
 
 /// What is run, and where what comes out goes.
 #[derive(clap::Args)]
@@ -53,29 +57,25 @@ pub struct Arguments {
 
 /// Runs a program; 1 when it has an error or did not reach its end.
 pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
-    let joined = Joined::read(&arguments.file, &arguments.with, arguments.control)?;
+    let text = Text::of(arguments)?;
     let values = values(&arguments.arg)?;
     let recorded = if arguments.json { Limits::default().own } else { 0 };
     let steps = arguments.max_blocks;
     let limits = Limits { steps, own: recorded, strict: arguments.strict, ..Limits::default() };
+    let setup = setup(arguments, words, out)?;
+    let text = text.on(setup.as_ref(), arguments)?;
     let mut progress = Progress::new(words);
     let mut told = |session: &Session| progress.tell(session);
-    let (joined, Assumed { setup, outcome, told }) = match &arguments.setup {
+    let (program, prepare) = text.begin(setup.as_ref(), values)?;
+    let Assumed { setup, outcome, told } = match setup {
         Some(setup) => {
-            let mut setup = file::setup(setup, arguments.json, words, out)?;
-            arguments.scan.put_surface(&mut setup)?;
-            let joined = joined.of(setup.control.dialect);
-            let program = syntax::read_on(joined.dialect, &joined.text, &setup.control.definitions.macros);
-            let outcome = Session::new(program, &setup, limits).with_arguments(values).complete_told(&mut told);
-            (joined, Assumed { outcome, setup, told: Vec::new() })
+            let outcome = prepare(Session::new(program, &setup, limits)).complete_told(&mut told);
+            Assumed { outcome, setup, told: Vec::new() }
         }
-        None => {
-            let program = Rc::new(syntax::read(joined.dialect, &joined.text));
-            let assumed = assumed::run_with(&program, limits, values, &mut told);
-            (joined, assumed)
-        }
+        None => assumed::run_with(&program, limits, prepare, &mut told),
     };
     progress.end();
+    let joined = text.joined;
     if arguments.json {
         let mut view = RunView::new(setup.clone(), outcome.clone(), &joined.text);
         if arguments.setup.is_none() {
@@ -86,8 +86,15 @@ pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
         for assumption in &told {
             writeln!(out, "{}", words.text(assumption))?;
         }
-        for (path, source, found) in joined.files(&outcome.diagnostics) {
-            print_all(path, source, &found, words, out)?;
+        if let Some(stream) = &text.stream {
+            stream.end()?;
+            let positions = stream.positions(printed(&outcome.diagnostics))?;
+            let position = |place| positions.get(&place).copied().unwrap_or_default();
+            print_placed(&arguments.file, &position, &outcome.diagnostics, words, out)?;
+        } else {
+            for (path, source, found) in joined.files(&outcome.diagnostics) {
+                print_all(path, source, &found, words, out)?;
+            }
         }
         print_outcome(&joined, &outcome, words, out)?;
     }
@@ -108,6 +115,58 @@ pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
         ExitCode::FAILURE
     })
 }
+
+/// The machine that is named.
+fn setup(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<Option<Setup>, Problem> {
+    let Some(path) = &arguments.setup else { return Ok(None) };
+    let mut setup = file::setup(path, arguments.json, words, out)?;
+    arguments.scan.put_surface(&mut setup)?;
+    Ok(Some(setup))
+}
+
+/// A program, held whole or coming in pieces.
+struct Text {
+    joined: Joined,
+    stream: Option<Stream>,
+}
+
+impl Text {
+    fn of(arguments: &Arguments) -> Result<Text, Problem> {
+        let language = |source: &[u8]| file::dialect(arguments.control, source);
+        let alone = !arguments.json && arguments.with.is_empty();
+        match alone.then(|| Stream::of(&arguments.file, language)).flatten() {
+            Some(stream) => Ok(Text { joined: Joined::unheld(&arguments.file, stream.dialect), stream: Some(stream) }),
+            None => Text::whole(arguments),
+        }
+    }
+
+    fn whole(arguments: &Arguments) -> Result<Text, Problem> {
+        let joined = Joined::read(&arguments.file, &arguments.with, arguments.control)?;
+        Ok(Text { joined, stream: None })
+    }
+
+    /// On a machine, in its language; its macros may stand for words on every line.
+    fn on(self, setup: Option<&Setup>, arguments: &Arguments) -> Result<Text, Problem> {
+        let Some(control) = setup.map(|setup| &setup.control) else { return Ok(self) };
+        let suits = |stream: &Stream| stream.dialect == control.dialect && control.definitions.macros.is_empty();
+        let text = if self.stream.as_ref().is_none_or(suits) { self } else { Text::whole(arguments)? };
+        Ok(Text { joined: text.joined.of(control.dialect), ..text })
+    }
+
+    /// The program, or its beginning, and what a run of it is to have.
+    fn begin(&self, setup: Option<&Setup>, values: BTreeMap<String, Value>) -> Result<Begun, Problem> {
+        let Some(stream) = &self.stream else {
+            let macros = setup.map(|setup| Arc::clone(&setup.control.definitions.macros)).unwrap_or_default();
+            let program = syntax::read_to_run(self.joined.dialect, &self.joined.text, &macros);
+            return Ok((Rc::new(program), Box::new(|session| session.with_arguments(values))));
+        };
+        let (program, prepare) = stream.begin()?;
+        Ok((program, Box::new(|session| prepare(session).with_arguments(values))))
+    }
+}
+
+/// A program, and what a run of it is to have.
+type Begun = (Rc<Program>, Box<dyn FnOnce(Session) -> Session>);
 
 /// `DEPTH=5`, `NAME="A"`: values of parameters by their names in upper case.
 fn values(asked: &[String]) -> Result<BTreeMap<String, Value>, Problem> {

@@ -48,6 +48,9 @@ impl Sim {
 
     /// Where a motion is stopped by the part.
     pub(super) fn obstacle(&mut self, way: &Route) -> Option<Obstacle> {
+        if self.part.is_nothing() {
+            return None;
+        }
         let (feeler, ball) = (self.feeler(), self.ball());
         way.obstacle(&self.part, &feeler, ball, &mut self.effort)
     }
