@@ -13,6 +13,8 @@ mod program;
 mod scan;
 #[cfg(feature = "program")]
 mod scene;
+#[cfg(feature = "program")]
+mod steps;
 
 pub use catalogue::catalogue;
 pub use form::form;
@@ -24,6 +26,8 @@ pub use program::{
 pub use scan::Scan;
 #[cfg(feature = "program")]
 pub use scene::Scene;
+#[cfg(feature = "program")]
+pub use steps::Steps;
 
 use wasm_bindgen::prelude::wasm_bindgen;
 

@@ -1,6 +1,7 @@
 //! What programs need.
 
 use crate::scene::Scene;
+use crate::steps::Steps;
 use probewright_core::scene::Source;
 use probewright_core::{app, encoding, json};
 use wasm_bindgen::JsError;
@@ -82,6 +83,12 @@ impl Answer {
         std::mem::take(&mut self.view)
     }
 
+    /// The steps of a run; none of any other answer, which has them in its view.
+    #[must_use]
+    pub fn steps(&self) -> Option<Steps> {
+        self.seen.as_ref().filter(|seen| seen.apart).map(Steps::of)
+    }
+
     /// What is to be seen, where something was carried out, with the errors of the part so many times as large.
     #[must_use]
     pub fn scene(&self, times: f64) -> Option<Scene> {
@@ -126,16 +133,23 @@ impl Run {
         self.0.share()
     }
 
+    /// Its motions so far, to be seen while it goes on: a scene of nothing else.
+    #[must_use]
+    pub fn motions(&self) -> Scene {
+        self.0.motions().into()
+    }
+
     /// What it did, as a `RunView`. The run is gone afterwards.
     #[must_use]
     pub fn view(self) -> String {
         json::text(&self.0.view())
     }
 
-    /// The same, and what is to be seen of it.
+    /// The same without its steps, these apart, and what is to be seen of it.
     #[must_use]
     pub fn finish(self) -> Answer {
-        let view = self.0.view();
+        let mut view = self.0.view();
+        view.trace.apart = true;
         Answer { view: json::text(&view), seen: Some(view.trace) }
     }
 }

@@ -19,11 +19,17 @@ impl From<probewright_core::scene::Scene> for Scene {
 /// A view of that sort on so many numbers that begin there.
 macro_rules! view {
     ($sort:ident, $numbers:expr) => {
-        $sort::new_with_byte_offset_and_length(&memory(), $numbers.as_ptr() as usize as u32, $numbers.len() as u32)
+        $sort::new_with_byte_offset_and_length(
+            &$crate::scene::memory(),
+            $numbers.as_ptr() as usize as u32,
+            $numbers.len() as u32,
+        )
     };
 }
+pub(crate) use view;
 
-fn memory() -> JsValue {
+/// The memory of the module.
+pub fn memory() -> JsValue {
     wasm_bindgen::memory().unchecked_into::<js_sys::WebAssembly::Memory>().buffer()
 }
 

@@ -1,9 +1,9 @@
-//! `cargo xtask bench`: speed native and in Chromium, and sizes over the wire.
+//! `cargo xtask bench`: speed native and in Chromium, and sizes over the wire; with `--peers` beside other programs.
 
 use crate::steps::Steps;
 use crate::tools::{cargo, command, root, run};
 use crate::wasm::Make;
-use crate::{browser, dist, serve};
+use crate::{browser, dist, peers, serve};
 use anyhow::{Context, Result};
 use flate2::Compression;
 use flate2::write::GzEncoder;
@@ -11,8 +11,19 @@ use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
+/// Options of `cargo xtask bench`.
+#[derive(clap::Args)]
+pub struct Options {
+    /// Beside other programs that draw and run part programs, which are fetched into target/
+    #[arg(long)]
+    peers: bool,
+}
+
 /// Measures; nothing fails when a goal is missed, the table says so.
-pub fn bench() -> Result<()> {
+pub fn bench(options: &Options) -> Result<()> {
+    if options.peers {
+        return peers::bench();
+    }
     let mut steps = Steps::of(dist::STEPS + 2);
     dist::build(&mut steps, Make::Small)?;
     let browser = browser::browser()?;

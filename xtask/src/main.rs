@@ -8,6 +8,7 @@ mod dist;
 mod fuzz;
 mod package;
 mod page;
+mod peers;
 mod serve;
 mod steps;
 mod test;
@@ -33,7 +34,7 @@ enum Task {
     /// Build the folder dist/ that any static file server can serve
     Dist,
     /// Measure speed and size, native and in the browser
-    Bench,
+    Bench(bench::Options),
     /// Look for a program that breaks the reader or the interpreter
     Fuzz(fuzz::Options),
     /// Read, check and run the programs of a folder, and print what came of them
@@ -57,7 +58,7 @@ fn main() -> ExitCode {
         Task::Serve(options) => serve::serve(&options).map(|()| true),
         Task::Test(options) => test::test(&options),
         Task::Dist => dist::dist().map(|()| true),
-        Task::Bench => bench::bench().map(|()| true),
+        Task::Bench(options) => bench::bench(&options).map(|()| true),
         Task::Fuzz(options) => fuzz::fuzz(&options).map(|()| true),
         Task::Corpus(options) => corpus::corpus(&options).map(|()| true),
         Task::TestRunner { arguments } => browser::run_wasm_tests(&arguments),

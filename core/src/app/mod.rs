@@ -51,6 +51,7 @@ pub use start::{Beginning, Machine, OwnMachine};
 pub use story::{Story, story};
 pub use supply::{NewTool, Offer, Supply};
 pub use trace::Trace;
+pub use trace::columns::{Columns, columns, others};
 pub use twin::{Shared, TwinView};
 pub use written::WrittenFile;
 

@@ -84,7 +84,8 @@ pub(super) fn predict(work: &Work, inputs: &Inputs, start: Start, errors: &Error
     let zones = prepare(&mut setup, work, inputs, errors, described);
     let outcome = carried_out(inputs, &mut setup);
     let (limits, solids) = limits.unzip();
-    let source = Source { setup, outcome, zones, limits: solids.unwrap_or_default(), call: Some(inputs.clone()) };
+    let (limited, call) = (solids.unwrap_or_default(), Some(inputs.clone()));
+    let source = Source { setup, outcome, zones, limits: limited, call, apart: false };
     Outcome::new(inputs, source, limits)
 }
 

@@ -21,7 +21,7 @@ use crate::run::left::{CallAt, Left};
 use crate::run::of_machine::MachineValue;
 use crate::run::outcome::{Outcome, PassedOver};
 use crate::run::{Limits, Session};
-use crate::scene::Source;
+use crate::scene::{Scene, Source};
 use crate::syntax;
 use crate::syntax::position::Positions;
 use serde::{Deserialize, Serialize};
@@ -226,6 +226,11 @@ impl Run {
         self.session.share
     }
 
+    /// Its motions so far, to be seen while it goes on.
+    pub fn motions(&self) -> Scene {
+        Scene::of_motions(self.session.entries())
+    }
+
     /// What it did so far.
     pub fn view(self) -> RunView {
         let source = self.whole.text();
@@ -255,7 +260,7 @@ impl RunView {
             files: Vec::new(),
             ending: outcome.ending(|line| (None, line)),
             assumed: None,
-            trace: Source { setup, outcome, zones: Vec::new(), limits: Vec::new(), call: None },
+            trace: Source { setup, outcome, zones: Vec::new(), limits: Vec::new(), call: None, apart: false },
         }
     }
 

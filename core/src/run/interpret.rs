@@ -9,7 +9,7 @@ use super::{
 use crate::control::Value;
 use crate::diagnostic::{Diagnostic, Severity, Span};
 use crate::geometry::{Mcs, Wcs};
-use crate::machine::{Files, Setup, Sim, Step, Stop};
+use crate::machine::{Entry, Files, Setup, Sim, Step, Stop};
 use crate::message::Message;
 use crate::problem::Problem;
 use crate::syntax::links::{Link, Links};
@@ -144,6 +144,11 @@ impl Session {
     pub fn in_pieces(mut self, share: [f64; 2], more: pieces::More) -> Session {
         (self.run.pieces.share, self.run.pieces.more) = (share, Some(more));
         self
+    }
+
+    /// What happened so far.
+    pub fn entries(&self) -> &[Entry] {
+        &self.run.sim.trace.entries
     }
 
     /// Carries out all that is left.

@@ -276,6 +276,8 @@ pub struct Source {
     pub limits: Vec<Solid>,
     /// The call of the form that asked; none of a run.
     pub call: Option<Inputs>,
+    /// Its steps are handed over apart, in columns: as JSON it has none.
+    pub apart: bool,
 }
 
 /// Length of the normal at a touch: in radii of the ball at least, in sizes of the scene, in sizes of a solid at most.
@@ -292,9 +294,16 @@ impl Scene {
         Scene::made(source, source)
     }
 
+    /// The motions alone, of a run that goes on.
+    pub fn of_motions(entries: &[Entry]) -> Scene {
+        let mut scene = Scene { view: View { entries: entries.len(), ..View::default() }, ..Scene::default() };
+        scene.add_paths(entries, &paths::ways(entries));
+        scene
+    }
+
     /// What is to be seen of the first one, labelled with the values of the second one.
     fn made(source: &Source, told: &Source) -> Scene {
-        let Source { setup, outcome, zones, limits, call } = source;
+        let Source { setup, outcome, zones, limits, call, .. } = source;
         let entries = &outcome.trace.entries;
         let clamped = |solid: &Solid| setup.control.on_table(solid);
         let part: Vec<Solid> = setup.workpiece.solids.iter().map(clamped).collect();

@@ -44,7 +44,7 @@ fn happened(solids: Vec<Solid>, steps: Vec<Step>) -> Source {
     setup.workpiece.solids = solids;
     let mut outcome = Outcome::new(&setup);
     outcome.trace.entries = steps.into_iter().map(entry).collect();
-    Source { setup, outcome, zones: Vec::new(), limits: Vec::new(), call: None }
+    Source { setup, outcome, zones: Vec::new(), limits: Vec::new(), call: None, apart: false }
 }
 
 /// What a label says: keys, each with its arguments.

@@ -2,13 +2,12 @@
 //! instance a point would cost more than the point, most of all without a graphics card.
 
 use wgpu::{
-    BindGroup, BindGroupDescriptor, BindGroupEntry, BindGroupLayout, BindGroupLayoutDescriptor, BindGroupLayoutEntry,
-    BindingResource, BindingType, Device, Extent3d, Origin3d, Queue, ShaderStages, TexelCopyBufferLayout,
-    TexelCopyTextureInfo, Texture, TextureAspect, TextureDescriptor, TextureDimension, TextureFormat,
-    TextureSampleType, TextureUsages, TextureViewDimension,
+    BindGroup, BindGroupLayout, Device, Extent3d, Origin3d, Queue, TexelCopyBufferLayout, TexelCopyTextureInfo,
+    Texture, TextureAspect, TextureDescriptor, TextureDimension, TextureFormat, TextureUsages,
 };
 
 use crate::layout::{CLOUD_ROW, POINT_FLOATS};
+use crate::texel;
 
 const FLOATS_A_ROW: usize = CLOUD_ROW as usize * POINT_FLOATS;
 
@@ -19,23 +18,6 @@ pub struct Cloud {
     pub bind: BindGroup,
     /// Points that came, from the first on without a gap.
     pub there: u32,
-}
-
-/// What `shader.wgsl` expects in its second group.
-pub fn bind_layout(device: &Device) -> BindGroupLayout {
-    device.create_bind_group_layout(&BindGroupLayoutDescriptor {
-        label: None,
-        entries: &[BindGroupLayoutEntry {
-            binding: 0,
-            visibility: ShaderStages::VERTEX,
-            ty: BindingType::Texture {
-                sample_type: TextureSampleType::Float { filterable: false },
-                view_dimension: TextureViewDimension::D2,
-                multisampled: false,
-            },
-            count: None,
-        }],
-    })
 }
 
 /// Makes room for so many points; none for 0.
@@ -57,14 +39,7 @@ pub fn reserve(device: &Device, layout: &BindGroupLayout, points: u32) -> Result
         usage: TextureUsages::TEXTURE_BINDING | TextureUsages::COPY_DST,
         view_formats: &[],
     });
-    let bind = device.create_bind_group(&BindGroupDescriptor {
-        label: None,
-        layout,
-        entries: &[BindGroupEntry {
-            binding: 0,
-            resource: BindingResource::TextureView(&texture.create_view(&Default::default())),
-        }],
-    });
+    let bind = texel::bind(device, layout, &texture.create_view(&Default::default()));
     Ok(Some(Cloud { texture, bind, there: 0 }))
 }
 

@@ -7,10 +7,12 @@
 mod cloud;
 mod gpu;
 mod layout;
+mod path;
 mod pipelines;
 mod renderer;
 mod scene;
 mod sky;
 mod target;
+mod texel;
 
 pub use renderer::Renderer;

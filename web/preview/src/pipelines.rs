@@ -1,5 +1,5 @@
 //! The ways of drawing: the ground, solid parts, faded and clear ones, lines in sight, lines behind a part, clouds of
-//! points.
+//! points, the whole path.
 
 use wgpu::{BindGroupLayout, CompareFunction, PipelineLayout, RenderPipeline, ShaderModule};
 
@@ -15,6 +15,10 @@ pub struct Pipelines {
     pub lit: Lit,
     /// Points of a cloud.
     pub point: RenderPipeline,
+    /// The whole path.
+    pub path: RenderPipeline,
+    /// A picture that was made in several goes.
+    pub made: RenderPipeline,
     module: ShaderModule,
     plain: PipelineLayout,
 }
@@ -46,10 +50,11 @@ pub struct Light {
 pub struct Bindings {
     /// The uniform block, and the map over the ground.
     pub view: BindGroupLayout,
-    /// The texture that holds the points of a cloud.
-    pub cloud: BindGroupLayout,
+    /// A texture that is read pixel by pixel: the points of a cloud, or a picture.
+    pub texture: BindGroupLayout,
 }
 
+#[derive(Clone)]
 struct Way<'a> {
     vertex: &'a str,
     fragment: &'a str,
@@ -59,6 +64,8 @@ struct Way<'a> {
     writes_depth: bool,
     compare: CompareFunction,
     cull: Option<wgpu::Face>,
+    /// It is made of strips of lines, else of triangles.
+    strips: bool,
     /// Of the shader, by name.
     constants: &'a [(&'a str, f64)],
 }
@@ -75,16 +82,17 @@ pub fn build(gpu: &Gpu, bindings: &Bindings, light: Light) -> Pipelines {
         })
     };
     let plain = layout(&[Some(&bindings.view)]);
-    let with_cloud = layout(&[Some(&bindings.view), Some(&bindings.cloud)]);
+    let with_texture = layout(&[Some(&bindings.view), Some(&bindings.texture)]);
     let make = |way: &Way<'_>| pipeline(gpu, &module, way);
     let point = Way {
         vertex: "point_vertex",
         fragment: "point_fragment",
         buffer: None,
-        layout: &with_cloud,
+        layout: &with_texture,
         writes_depth: true,
         compare: CompareFunction::LessEqual,
         cull: None,
+        strips: false,
         constants: &[],
     };
     let ground = Way {
@@ -95,9 +103,33 @@ pub fn build(gpu: &Gpu, bindings: &Bindings, light: Light) -> Pipelines {
         writes_depth: false,
         compare: CompareFunction::LessEqual,
         cull: None,
+        strips: false,
         constants: &[],
     };
-    Pipelines { ground: make(&ground), lit: lit(gpu, &module, &plain, light), point: make(&point), module, plain }
+    let path = Way {
+        vertex: "path_vertex",
+        fragment: "path_fragment",
+        buffer: Some(layout::path()),
+        layout: &plain,
+        strips: true,
+        ..point.clone()
+    };
+    let made = Way {
+        vertex: "made_vertex",
+        fragment: "made_fragment",
+        writes_depth: false,
+        compare: CompareFunction::Always,
+        ..point.clone()
+    };
+    Pipelines {
+        ground: make(&ground),
+        lit: lit(gpu, &module, &plain, light),
+        path: make(&path),
+        made: make(&made),
+        point: make(&point),
+        module,
+        plain,
+    }
 }
 
 impl Pipelines {
@@ -117,6 +149,7 @@ fn lit(gpu: &Gpu, module: &ShaderModule, layout: &PipelineLayout, light: Light) 
         writes_depth,
         compare: CompareFunction::LessEqual,
         cull,
+        strips: false,
         constants: &constants,
     };
     let line = |fragment, compare| Way {
@@ -147,7 +180,7 @@ fn pipeline(gpu: &Gpu, module: &ShaderModule, way: &Way<'_>) -> RenderPipeline {
             compilation_options: options.clone(),
             buffers: &buffers,
         },
-        primitive: wgpu::PrimitiveState { cull_mode: way.cull, ..Default::default() },
+        primitive: primitive(way),
         depth_stencil: Some(depth(way)),
         multisample: wgpu::MultisampleState { count: gpu.samples, ..Default::default() },
         fragment: Some(wgpu::FragmentState {
@@ -164,6 +197,15 @@ fn pipeline(gpu: &Gpu, module: &ShaderModule, way: &Way<'_>) -> RenderPipeline {
         cache: None,
     };
     gpu.device.create_render_pipeline(&descriptor)
+}
+
+fn primitive(way: &Way<'_>) -> wgpu::PrimitiveState {
+    let plain = wgpu::PrimitiveState { cull_mode: way.cull, ..Default::default() };
+    if !way.strips {
+        return plain;
+    }
+    let strip_index_format = Some(wgpu::IndexFormat::Uint16);
+    wgpu::PrimitiveState { topology: wgpu::PrimitiveTopology::LineStrip, strip_index_format, ..plain }
 }
 
 fn depth(way: &Way<'_>) -> wgpu::DepthStencilState {

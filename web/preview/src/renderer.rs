@@ -7,15 +7,16 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use js_sys::Object;
 use wasm_bindgen::prelude::wasm_bindgen;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
-use wgpu::{BindGroup, Buffer, CurrentSurfaceTexture, RenderPass};
+use wgpu::{BindGroup, Buffer, CurrentSurfaceTexture, LoadOp, RenderPass, StoreOp, TextureView};
 
 use crate::cloud::Cloud;
 use crate::gpu::Gpu;
 use crate::layout::{SKY_FLOATS, UNIFORM_FLOATS};
+use crate::path::Path;
 use crate::pipelines::{Bindings, Light, Pipelines};
 use crate::scene::Scene;
 use crate::target::Target;
-use crate::{cloud, gpu, pipelines, scene, sky, target};
+use crate::{cloud, gpu, pipelines, scene, sky, target, texel};
 
 /// Draws on one canvas. Every failure is a text; after one the page takes the next way of drawing.
 #[wasm_bindgen]
@@ -29,6 +30,9 @@ pub struct Renderer {
     bind: BindGroup,
     scene: Scene,
     cloud: Option<Cloud>,
+    path: Path,
+    /// What `made` of the target is found by.
+    made: Option<BindGroup>,
     drawn: Arc<AtomicBool>,
     background: wgpu::Color,
 }
@@ -46,11 +50,13 @@ impl Renderer {
             contents: bytemuck::cast_slice(&[0.0_f32; UNIFORM_FLOATS]),
             usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
         });
-        let bindings = Bindings { view: sky::bind_layout(&gpu.device), cloud: cloud::bind_layout(&gpu.device) };
+        let bindings = Bindings { view: sky::bind_layout(&gpu.device), texture: texel::bind_layout(&gpu.device) };
         let bind = sky::bind(&gpu, &bindings.view, &uniforms, 1, &[0.0; SKY_FLOATS])?;
         let light = Light { all: true, cut: false };
+        let target = target::attach(&gpu);
         Ok(Renderer {
-            target: target::attach(&gpu),
+            made: made(&gpu, &bindings, &target),
+            target,
             pipelines: pipelines::build(&gpu, &bindings, light),
             light,
             bindings,
@@ -58,6 +64,7 @@ impl Renderer {
             bind,
             scene: Scene::default(),
             cloud: None,
+            path: Path::default(),
             drawn: Arc::default(),
             background: wgpu::Color::BLACK,
             gpu,
@@ -88,7 +95,7 @@ impl Renderer {
     /// # Errors
     /// More than the device holds.
     pub fn reserve_cloud(&mut self, points: u32) -> Result<(), String> {
-        self.cloud = cloud::reserve(&self.gpu.device, &self.bindings.cloud, points)?;
+        self.cloud = cloud::reserve(&self.gpu.device, &self.bindings.texture, points)?;
         Ok(())
     }
 
@@ -101,6 +108,19 @@ impl Renderer {
             Some(cloud) => cloud.add(&self.gpu.queue, points),
             None => Err("cloud: no room".into()),
         }
+    }
+
+    /// Takes the whole path away.
+    pub fn clear_path(&mut self) {
+        self.path = Path::default();
+    }
+
+    /// A further part of the whole path: its corners (`layout.rs`), and the indices of all its chunks.
+    ///
+    /// # Errors
+    /// No whole corners.
+    pub fn add_path(&mut self, vertices: &[u32], indices: &[u16]) -> Result<(), String> {
+        self.path.add(&self.gpu.device, vertices, indices)
     }
 
     /// Camera, time and probe position as the uniform block of `layout.rs`.
@@ -139,34 +159,51 @@ impl Renderer {
         let gpu = &self.gpu;
         gpu.surface.configure(&gpu.device, &gpu.config);
         self.target = target::attach(gpu);
+        self.made = made(gpu, &self.bindings, &self.target);
     }
 
-    /// Draws one frame with the first `points` of the cloud. `faded`: 1 if what stands and may fade does, 2 more if
-    /// what moves does.
+    /// Draws one frame with the first `points` of the cloud and these spans of the path (`path.rs`). `faded`: 1 if what
+    /// stands and may fade does, 2 more if what moves does.
     ///
     /// # Errors
     /// The device is lost.
-    pub fn render(&self, points: u32, faded: u32) -> Result<(), String> {
-        if let Some(reason) = self.gpu.fault.reason() {
-            return Err(reason);
-        }
-        let Some(frame) = self.frame()? else {
-            return Ok(());
-        };
-        let view = frame.texture.create_view(&Default::default());
-        let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
-        {
-            let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-                color_attachments: &[Some(self.colour_attachment(&view))],
-                depth_stencil_attachment: Some(self.depth_attachment()),
-                ..Default::default()
-            });
-            pass.set_bind_group(0, &self.bind, &[]);
-            self.draw(&mut pass, points, faded);
-        }
-        self.gpu.queue.submit([encoder.finish()]);
-        self.gpu.queue.present(frame);
-        self.gpu.fault.reason().map_or(Ok(()), Err)
+    pub fn render(&self, points: u32, faded: u32, spans: &[u32]) -> Result<(), String> {
+        self.present(Kept::Nothing, |pass| {
+            self.behind(pass, points, faded);
+            self.trail(pass, spans);
+            self.before(pass, faded);
+        })
+    }
+
+    /// Begins a picture that is made in several goes out of sight, with all but the path.
+    ///
+    /// # Errors
+    /// The device is lost.
+    pub fn begin(&self, points: u32, faded: u32) -> Result<(), String> {
+        self.aside(Kept::Nothing, |pass| self.behind(pass, points, faded))
+    }
+
+    /// Further spans of the path in that picture.
+    ///
+    /// # Errors
+    /// The device is lost.
+    pub fn go_on(&self, spans: &[u32]) -> Result<(), String> {
+        self.aside(Kept::Picture, |pass| self.trail(pass, spans))
+    }
+
+    /// That picture comes to the canvas, with what lies before the path.
+    ///
+    /// # Errors
+    /// The device is lost.
+    pub fn finish(&self, faded: u32) -> Result<(), String> {
+        self.present(Kept::Picture, |pass| {
+            if let Some(made) = &self.made {
+                pass.set_bind_group(1, made, &[]);
+                pass.set_pipeline(&self.pipelines.made);
+                pass.draw(0..3, 0..1);
+            }
+            self.before(pass, faded);
+        })
     }
 
     /// From now on [`Renderer::is_drawn`] speaks of all that was asked for up to here.
@@ -200,37 +237,76 @@ impl Renderer {
         }
     }
 
-    /// Several samples come together in the image of the canvas; a single one is drawn there at once.
-    fn colour_attachment<'a>(&'a self, frame: &'a wgpu::TextureView) -> wgpu::RenderPassColorAttachment<'a> {
-        let (view, resolve_target, store) = match &self.target.colour {
-            Some(colour) => (colour, Some(frame), wgpu::StoreOp::Discard),
-            None => (frame, None, wgpu::StoreOp::Store),
+    /// Makes the next image of the canvas. Several samples come together in it; a single one is drawn there at once.
+    fn present(&self, kept: Kept, make: impl FnOnce(&mut RenderPass<'_>)) -> Result<(), String> {
+        self.sound()?;
+        let Some(frame) = self.frame()? else {
+            return Ok(());
         };
-        wgpu::RenderPassColorAttachment {
-            view,
-            depth_slice: None,
-            resolve_target,
-            ops: wgpu::Operations { load: wgpu::LoadOp::Clear(self.background), store },
-        }
+        let image = frame.texture.create_view(&Default::default());
+        let (view, resolve_target) = match &self.target.colour {
+            Some(colour) => (colour, Some(&image)),
+            None => (&image, None),
+        };
+        self.submit((view, resolve_target), kept, StoreOp::Discard, make);
+        self.gpu.queue.present(frame);
+        self.sound()
     }
 
-    fn depth_attachment(&self) -> wgpu::RenderPassDepthStencilAttachment<'_> {
-        wgpu::RenderPassDepthStencilAttachment {
-            view: &self.target.depth,
-            depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(1.0), store: wgpu::StoreOp::Discard }),
-            stencil_ops: None,
+    /// Makes more of a picture that nobody sees yet.
+    fn aside(&self, kept: Kept, make: impl FnOnce(&mut RenderPass<'_>)) -> Result<(), String> {
+        self.sound()?;
+        if let Some(picture) = self.target.colour.as_ref().or(self.target.made.as_ref()) {
+            self.submit((picture, None), kept, StoreOp::Store, make);
         }
+        self.sound()
     }
 
-    /// The ground, solid parts, the cloud, lines behind them, lines before them, faded and clear parts.
-    fn draw(&self, pass: &mut RenderPass<'_>, points: u32, faded: u32) {
-        let scene = &self.scene;
-        let [solid, stands, moves, clear] = &scene.corners;
-        let fading = [(stands, faded & 1 != 0), (moves, faded & 2 != 0)];
+    fn submit(
+        &self,
+        (view, resolve_target): (&TextureView, Option<&TextureView>),
+        kept: Kept,
+        store: StoreOp,
+        make: impl FnOnce(&mut RenderPass<'_>),
+    ) {
+        let (colour, depth) = match kept {
+            Kept::Nothing => (LoadOp::Clear(self.background), LoadOp::Clear(1.0)),
+            Kept::Picture => (LoadOp::Load, LoadOp::Load),
+        };
+        let seen = if resolve_target.is_some() { store } else { StoreOp::Store };
+        let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
+        {
+            let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+                color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                    view,
+                    depth_slice: None,
+                    resolve_target,
+                    ops: wgpu::Operations { load: colour, store: seen },
+                })],
+                depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+                    view: &self.target.depth,
+                    depth_ops: Some(wgpu::Operations { load: depth, store }),
+                    stencil_ops: None,
+                }),
+                ..Default::default()
+            });
+            pass.set_bind_group(0, &self.bind, &[]);
+            make(&mut pass);
+        }
+        self.gpu.queue.submit([encoder.finish()]);
+    }
+
+    /// Tells of a device that was lost.
+    fn sound(&self) -> Result<(), String> {
+        self.gpu.fault.reason().map_or(Ok(()), Err)
+    }
+    /// What the path lies before: the ground, parts that do not fade, the cloud.
+    fn behind(&self, pass: &mut RenderPass<'_>, points: u32, faded: u32) {
+        let [solid, ..] = &self.scene.corners;
         pass.set_pipeline(&self.pipelines.ground);
         pass.draw(0..6, 0..1);
         self.draw_mesh(pass, &self.pipelines.lit.solid, solid);
-        for (corners, _) in fading.iter().filter(|(_, fades)| !fades) {
+        for (corners, _) in self.fading(faded).iter().filter(|(_, fades)| !fades) {
             self.draw_mesh(pass, &self.pipelines.lit.solid, corners);
         }
         if let Some(cloud) = &self.cloud {
@@ -238,6 +314,18 @@ impl Renderer {
             pass.set_pipeline(&self.pipelines.point);
             pass.draw(0..3 * points.min(cloud.there), 0..1);
         }
+    }
+
+    fn trail(&self, pass: &mut RenderPass<'_>, spans: &[u32]) {
+        if !spans.is_empty() {
+            pass.set_pipeline(&self.pipelines.path);
+            self.path.draw(pass, spans);
+        }
+    }
+
+    /// What lies before the path: lines behind the parts, lines before them, faded and clear parts.
+    fn before(&self, pass: &mut RenderPass<'_>, faded: u32) {
+        let scene = &self.scene;
         if let Some(lines) = &scene.lines {
             pass.set_vertex_buffer(0, lines.slice(..));
             pass.set_pipeline(&self.pipelines.lit.hidden);
@@ -245,10 +333,16 @@ impl Renderer {
             pass.set_pipeline(&self.pipelines.lit.line);
             pass.draw(0..6, 0..scene.through.end);
         }
-        for (corners, _) in fading.iter().filter(|(_, fades)| *fades) {
+        for (corners, _) in self.fading(faded).iter().filter(|(_, fades)| *fades) {
             self.draw_mesh(pass, &self.pipelines.lit.faded, corners);
         }
-        self.draw_mesh(pass, &self.pipelines.lit.clear, clear);
+        self.draw_mesh(pass, &self.pipelines.lit.clear, &scene.corners[3]);
+    }
+
+    /// What may fade, and whether it does.
+    fn fading(&self, faded: u32) -> [(&Range<u32>, bool); 2] {
+        let [_, stands, moves, _] = &self.scene.corners;
+        [(stands, faded & 1 != 0), (moves, faded & 2 != 0)]
     }
 
     fn draw_mesh(&self, pass: &mut RenderPass<'_>, pipeline: &wgpu::RenderPipeline, corners: &Range<u32>) {
@@ -263,4 +357,18 @@ impl Renderer {
         pass.set_index_buffer(indices.slice(..), wgpu::IndexFormat::Uint32);
         pass.draw_indexed(corners.clone(), 0, 0..1);
     }
+}
+
+/// What of the picture before is drawn over.
+#[derive(Clone, Copy)]
+enum Kept {
+    /// All begins anew.
+    Nothing,
+    /// Colours and depths stay, but for those of the canvas.
+    Picture,
+}
+
+/// Binds what is made in several goes, where the canvas does not take it at once.
+fn made(gpu: &Gpu, bindings: &Bindings, target: &Target) -> Option<BindGroup> {
+    target.made.as_ref().map(|picture| texel::bind(&gpu.device, &bindings.texture, picture))
 }

@@ -14,6 +14,9 @@ struct View {
     grid: vec4<f32>,   // colour of the grid
     plane: vec4<f32>,  // what is beyond it is cut away: normal, distance mm
     cut: vec4<f32>,    // colour of what is cut
+    path: vec4<f32>,   // place of the whole path, mm
+    kinds: array<vec4<f32>, 4>, // colours of its motions
+    behind: vec4<f32>, // colour behind everything
 }
 /// Each pixel is lit, by what stands around too; else the corners of the surfaces only. Constants of a pipeline: a
 /// processor that draws goes both ways wherever a number decides.
@@ -243,6 +246,42 @@ fn line_fragment(in: Stroke) -> @location(0) vec4<f32> {
 @fragment
 fn line_hidden_fragment(in: Stroke) -> @location(0) vec4<f32> {
     return vec4<f32>(inked(in), coverage(in) * in.style.y);
+}
+
+// The whole path: lines of one pixel. They hide each other and let nothing through, so that the order in which they are
+// drawn makes no difference.
+
+struct Trail {
+    @builtin(position) clip: vec4<f32>,
+    @location(0) colour: vec3<f32>,
+    @location(1) ahead: f32, // entries until the trace is there
+}
+
+@vertex
+fn path_vertex(@location(0) at: vec3<f32>, @location(1) done: u32) -> Trail {
+    let clip = view.matrix * vec4<f32>(at + view.path.xyz, 1.0);
+    let nearer = 0.5 * view.probe.w; // than the surface that it lies on, not than the lines around the step
+    let ahead = clamp(f32(done >> 2u) - view.screen.z, -1.0, 1.0);
+    return Trail(vec4<f32>(clip.xy, clip.z - nearer * clip.w, clip.w), view.kinds[done & 3u].rgb, ahead);
+}
+
+@fragment
+fn path_fragment(in: Trail) -> @location(0) vec4<f32> {
+    return vec4<f32>(mix(view.behind.rgb, in.colour, select(1.0, view.screen.w, in.ahead > 0.0)), 1.0);
+}
+
+// A picture that was made in several goes, brought to the canvas.
+
+@group(1) @binding(0) var made: texture_2d<f32>;
+
+@vertex
+fn made_vertex(@builtin(vertex_index) corner: u32) -> @builtin(position) vec4<f32> {
+    return vec4<f32>(select(-1.0, 3.0, corner == 1u), select(-1.0, 3.0, corner == 2u), 1.0, 1.0);
+}
+
+@fragment
+fn made_fragment(@builtin(position) at: vec4<f32>) -> @location(0) vec4<f32> {
+    return textureLoad(made, vec2<i32>(at.xy), 0);
 }
 
 // Points of a cloud: round, of constant size on the screen, cut out of a triangle around each.

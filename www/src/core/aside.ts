@@ -1,22 +1,28 @@
 // Long work beside the page, in a worker: one question at a time, of those that wait only the newest. An answer lies
 // ready until the next redraw takes it, so that nothing changes between two redraws.
 
-import type { Question } from "./program";
+import type { Question, Way } from "./program";
 import type { SceneData } from "./scene";
+import type { Columns } from "./steps";
 import type { Reply, Wait } from "./worker";
 
 export interface Answered {
   question: Question;
   json?: string;
   scene?: SceneData; // of a run
+  steps?: Columns; // the same
   problem?: string;
 }
-/** `since`: ms, as performance.now; `share`: how much is done, where that is told; `halted`: since when it waits. */
+/**
+ * `since`: ms, as performance.now; `share`: how much is done, where that is told; `halted`: since when it waits;
+ * `seen`: what is to be seen of it already.
+ */
 export interface Busy {
   question: Question;
   since: number;
   share?: number;
   halted?: number;
+  seen?: SceneData;
 }
 export interface Aside {
   /**
@@ -64,13 +70,16 @@ export function createAside(module: () => WebAssembly.Module | undefined, ready:
   };
   const start = (compiled: WebAssembly.Module): Worker => {
     const made = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
-    const finish = (reply: Exclude<Reply, { share: number }>): void => {
+    const finish = (reply: Exclude<Reply, Way>): void => {
       if ("problem" in reply) drop();
       if (running) end({ question: running.question, ...reply });
     };
     const hear = (reply: Reply): void => {
       if (!("share" in reply)) finish(reply);
-      else if (running) running = { ...running, share: reply.share };
+      else if (running) {
+        running = { ...running, ...reply };
+        if (reply.seen) ready();
+      }
     };
     made.onmessage = ({ data }: MessageEvent<Reply>) => hear(data);
     made.onerror = event => finish({ problem: event.message });

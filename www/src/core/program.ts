@@ -30,7 +30,8 @@ import type {
 import type { FormCore, Formed } from "./core";
 import { call, compile } from "./module";
 import { asked, hasToReplace, type Pending } from "./pending";
-import { NOTHING, type SceneData, takeScene } from "./scene";
+import { NOTHING, onlyPath, type SceneData, takeScene } from "./scene";
+import { type Columns, takeSteps } from "./steps";
 
 /**
  * All values of one call that were changed in the form: `pending` of `control` at `at`, the call being number `call`.
@@ -130,14 +131,29 @@ const SLICE = 40; // ms between two messages of others
 /** The last run, and what was asked for: to draw it with other errors it is not run again. */
 let ran: { asked: string; answer: wasm.Answer; json: string } | null = null;
 
-/** Runs a program. Before each slice `between` is told how much is done, and the run waits for it. */
-async function runOf(asked: string, between: (share: number) => Promise<void>): Promise<NonNullable<typeof ran>> {
+/** How far a run is: the share that is done, now and then its motions so far. */
+export interface Way {
+  share: number;
+  seen?: SceneData;
+}
+type Between = (way: Way) => Promise<void>;
+
+const FIRST_SEEN = 400; // ms of a run until its motions are shown
+const THEN = 4; // times as long until they are shown again, so that it takes the run no more than a part of its time
+
+/** Runs a program. Before each slice `between` is told how far it is, and the run waits for it. */
+async function runOf(asked: string, between: Between): Promise<NonNullable<typeof ran>> {
   if (ran?.asked === asked) return ran;
   ran?.answer.free();
   ran = null;
   const run = new wasm.Run(asked);
+  let worked = 0; // ms
+  let next = FIRST_SEEN;
   for (let over = false; !over; ) {
-    await between(run.share());
+    const seen = worked > next ? motionsIn(run) : undefined;
+    if (seen) next *= THEN;
+    await between({ share: run.share(), ...(seen && { seen }) });
+    worked += SLICE;
     const until = performance.now() + SLICE;
     while (!over && performance.now() < until) over = run.advance(PIECE);
   }
@@ -146,13 +162,22 @@ async function runOf(asked: string, between: (share: number) => Promise<void>): 
   return ran;
 }
 
-/** What a run came to, as JSON text (empty where that is known), and its scene. */
+/** The motions of a run that goes on, as soon as they are many. */
+function motionsIn(run: wasm.Run): SceneData | undefined {
+  const { path, view } = takeScene(run.motions());
+  return path ? onlyPath(path, view.entries) : undefined;
+}
+
+/** What a run came to, as JSON text and its steps (neither where that is known), and its scene. */
 export async function runInPieces(
   { ask: _, times, known, ...request }: RunQuestion & { ask: "run" },
-  between: (share: number) => Promise<void>,
-): Promise<{ json: string; scene: SceneData }> {
+  between: Between,
+): Promise<{ json: string; scene: SceneData; steps?: Columns }> {
   const { answer, json } = await runOf(JSON.stringify(request), between);
-  return { json: known ? "" : json, scene: sceneIn(answer, times) };
+  const scene = sceneIn(answer, times);
+  if (known) return { json: "", scene };
+  const steps = answer.steps();
+  return { json, scene, ...(steps && { steps: takeSteps(steps) }) };
 }
 
 function setupOf(text: string): Setup | { why: string } {

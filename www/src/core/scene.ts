@@ -2,6 +2,7 @@
 // memory, which the next call into it may move; so they can also cross from a worker.
 import type { Scene as SceneSource } from "@pkg/program/program.js";
 import type { SceneView, Vec3 } from "../wire";
+import { type Path, pathOf } from "./levels";
 
 export type {
   LineGroup,
@@ -36,7 +37,10 @@ export interface SceneData {
   touchSorts: Uint8Array;
   stands: Float64Array;
   begins: Float64Array;
+  path: Path | null; // of a long run, all of its motions for a device
 }
+
+const SHORT = 600; // entries, all of which are drawn around a step
 
 /** Takes it out of the module. */
 export function takeScene(source: SceneSource): SceneData {
@@ -53,14 +57,18 @@ export function takeScene(source: SceneSource): SceneData {
     touchSorts: source.touch_sorts().slice(),
     stands: source.stands().slice(),
     begins: source.begins().slice(),
+    path: null,
   };
   source.free();
+  if (data.view.entries > SHORT) data.path = pathOf(data);
   return data;
 }
 
 /** What of it can be handed over to another thread without a copy. */
-export function buffersOf({ view: _, ...arrays }: SceneData): ArrayBuffer[] {
-  return Object.values(arrays).map(array => array.buffer as ArrayBuffer);
+export function buffersOf({ view: _, path, ...arrays }: SceneData): ArrayBuffer[] {
+  const own = Object.values(arrays).filter(array => !Object.values(NOTHING).includes(array));
+  const all = [...own, ...(path?.parts ?? []).flatMap(part => Object.values(part) as Uint32Array[])];
+  return all.map(({ buffer }) => buffer as ArrayBuffer);
 }
 
 export const NOTHING: SceneData = {
@@ -100,7 +108,15 @@ export const NOTHING: SceneData = {
   touchSorts: new Uint8Array(),
   stands: new Float64Array(),
   begins: new Float64Array(1),
+  path: null,
 };
+
+/** A path and nothing else. */
+export function onlyPath(path: Path, entries: number): SceneData {
+  const whole = [path.low, path.high].map(corner => corner.map((at, i) => at + path.origin[i]!)) as [Vec3, Vec3];
+  const standings = NOTHING.view.standings.map(standing => ({ ...standing, whole }));
+  return { ...NOTHING, view: { ...NOTHING.view, entries, standings }, path };
+}
 
 /** Three numbers of an array. */
 export const vec = (array: Float64Array | Float32Array, first: number): Vec3 => [

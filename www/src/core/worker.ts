@@ -2,16 +2,23 @@
 // much of a long program is done. A run goes in pieces, so that it hears between them that it should wait.
 
 import { initSync } from "@pkg/program/program.js";
-import { answer, type Question, runInPieces } from "./program";
+import { answer, type Question, runInPieces, type Way } from "./program";
 import { buffersOf, type SceneData } from "./scene";
+import type { Columns } from "./steps";
 
-export type Reply = { json: string; scene?: SceneData } | { problem: string } | { share: number };
+export type Reply = { json: string; scene?: SceneData; steps?: Columns } | { problem: string } | Way;
 export interface Wait {
   wait: boolean;
 }
 
-const tell = (reply: Reply): void =>
-  postMessage(reply, { transfer: "scene" in reply && reply.scene ? buffersOf(reply.scene) : [] });
+const tell = (reply: Reply): void => postMessage(reply, { transfer: handed(reply) });
+
+function handed(reply: Reply): ArrayBuffer[] {
+  if ("share" in reply) return reply.seen ? buffersOf(reply.seen) : [];
+  if (!("json" in reply)) return [];
+  const steps = Object.values(reply.steps ?? {}).map(({ buffer }) => buffer as ArrayBuffer);
+  return [...(reply.scene ? buffersOf(reply.scene) : []), ...steps];
+}
 
 addEventListener("probewright-progress", event =>
   tell({ share: event instanceof CustomEvent ? Number(event.detail) : 0 }),
@@ -21,8 +28,8 @@ let waiting = false;
 let goOn = (): void => {};
 
 /** Lets messages in, and comes back once nobody wants the run to wait. */
-async function between(share: number): Promise<void> {
-  tell({ share });
+async function between(way: Way): Promise<void> {
+  tell(way);
   await new Promise(resolve => setTimeout(resolve));
   while (waiting)
     await new Promise<void>(resolve => {

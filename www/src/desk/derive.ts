@@ -4,6 +4,7 @@
 
 import type { FormCore, Formed } from "../core/core";
 import type { SceneData } from "../core/scene";
+import { type Course, courseOf } from "../core/steps";
 import { writtenAs } from "../numbers";
 import { type FormState, machine, type PartState, programOf, type State } from "../state/state";
 import { language, say } from "../texts";
@@ -43,7 +44,7 @@ export interface Derived {
   states: (Severity | null)[]; // the worst that is said about each call
   style: Style; // of the snippet
   run: RunView | null; // only while the program's motions are shown
-  trace: Trace | null;
+  trace: Course | null;
   scene: ((times: number) => SceneData) | null; // what is to be seen of it, with errors so many times as large
   step: number; // of the trace, from 0; within it
   problems: Diagnostic[]; // of the program, by place
@@ -224,8 +225,9 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
     const scanned =
       state.view.source === "scan" && state.scan.made?.request.cycle === cycle.cycle ? state.scan.made : null;
     const shown = scanned ?? (ran && state.run.done);
+    const objects = scanned ? still(scanned.view) : view.outcome?.trace;
     const trace =
-      (state.view.source === "program" ? ran?.trace : scanned ? still(scanned.view) : view.outcome?.trace) ?? null;
+      (state.view.source === "program" ? ran && state.run.done?.course : objects && courseOf(objects)) ?? null;
     return {
       catalogue,
       cycle,
@@ -241,7 +243,7 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
       run: ran,
       trace,
       scene: shown ? () => shown.scene : state.view.source === "program" ? null : (view.scene ?? null),
-      step: Math.max(0, Math.min(state.view.step, (trace?.entries.length ?? 0) - 1)),
+      step: Math.max(0, Math.min(state.view.step, (trace?.steps.length ?? 0) - 1)),
       problems: all,
       files: ran?.files ?? reading.files ?? NO_FILES,
     };

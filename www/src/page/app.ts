@@ -31,7 +31,7 @@ import { createModules, type Modules } from "./modules";
 import { createOpen } from "./open";
 import { keepPlaces } from "./places";
 import { createRecorder } from "./recorder";
-import { askRun, withRun } from "./running";
+import { askRun, withMotions, withRun } from "./running";
 import { createTabs } from "./tabs";
 import { createWhere, firstPlace } from "./where";
 
@@ -240,7 +240,7 @@ function createDraw(parts: Parts & { modules: Modules; pointing: Pointing }, kee
     seen = lastKnown(seen, { state, derived });
     askRun(runner, state, derived);
     const back = bench.language === language() ? null : remade();
-    const drawRest = bench.draw(state, derived);
+    const drawRest = bench.draw(state, withMotions(derived, runner, state));
     const rest = (): void => {
       drawRest();
       parts.pointing.draw(state);

@@ -1,6 +1,7 @@
 // The run of the program, while its motions are shown: asked aside, and its answer put into the state.
 
 import type { Answered, Aside } from "../core/aside";
+import { type Columns, courseOf, stepsOf } from "../core/steps";
 import type { Derived } from "../desk/derive";
 import { type Given, givenTo } from "../desk/given";
 import { isCurrent, isOfNow } from "../desk/program";
@@ -23,7 +24,19 @@ export function askRun(runner: Aside, state: State, { view, program: text }: Der
     runner.want({ ask: "run", control, text, times, known, ...(setup ? { setup } : {}), ...given });
 }
 
+/** With what is to be seen of a run that goes on. */
+export function withMotions(derived: Derived, runner: Aside, { view: { source } }: State): Derived {
+  const seen = source === "program" && !derived.run ? runner.busy()?.seen : undefined;
+  return seen ? { ...derived, scene: () => seen } : derived;
+}
+
 const isGiven = (ran: Ran, given: Given): boolean => ran.arguments === given.arguments && ran.strict === given.strict;
+
+function cameTo(view: RunView, steps: Columns | undefined): Pick<Ran, "view" | "course"> {
+  if (!steps) return { view, course: courseOf(view.trace) };
+  const { entries: _, ...trace } = view.trace;
+  return { view, course: { ...trace, steps: stepsOf(steps) } };
+}
 
 /** With what a run did, or why there is nothing. */
 export function withRun(answered: Answered | null, state: State): State {
@@ -32,13 +45,14 @@ export function withRun(answered: Answered | null, state: State): State {
     question: { control, text, setup, times, known, with: beside, arguments: values, strict },
     json,
     scene,
+    steps,
     problem,
   } = answered;
   if (json === undefined || !scene) return patched(state, { run: { stopped: { control, text, why: problem ?? "" } } });
-  const view = known ? state.run.done?.view : (JSON.parse(json) as RunView);
-  return view
-    ? patched(state, {
-        run: { done: { control, text, setup, times, view, scene, with: beside, arguments: values, strict } },
-      })
-    : state;
+  const came = known ? state.run.done : cameTo(JSON.parse(json) as RunView, steps);
+  if (!came) return state;
+  const { view, course } = came;
+  return patched(state, {
+    run: { done: { control, text, setup, times, view, course, scene, with: beside, arguments: values, strict } },
+  });
 }

@@ -40,6 +40,8 @@ export interface Hooks {
   again(): void;
   /** So many points of the cloud are drawn. */
   thinned(drawn: number): void;
+  /** So many motions of the whole path are drawn. */
+  trailed(drawn: number): void;
   /** A picture that was under way is on the screen. */
   drawn(): void;
 }

@@ -5,6 +5,7 @@ import { createEffects } from "./effects";
 import { createPoints } from "./points";
 import { PROBE_SIZE, prove } from "./proof";
 import type { Canvas, Device, Renderer, Seen, Told } from "./renderer";
+import { createTrail } from "./trail";
 
 interface Module {
   default(): Promise<unknown>;
@@ -45,25 +46,35 @@ export async function openDevice(name: GpuName, canvas: Canvas, told: Told): Pro
 
 function device(canvas: Canvas, renderer: Renderer, told: Told): Device {
   const points = createPoints(renderer, told);
-  const effects = createEffects(renderer, told);
+  const trail = createTrail(renderer, told);
+  let last: Seen | null = null; // on the canvas, and so many points with it
+  let count = 0;
+  const effects = createEffects(renderer, told, () => {
+    if (last) trail.follow(last, count);
+  });
   let cloud = false;
   let size: readonly [number, number] = [0, 0];
   const stop = new AbortController();
   canvas.addEventListener("webglcontextlost", () => told.lost("WebGL context lost"), { signal: stop.signal });
   globalThis.addEventListener(LOST_EVENT, () => told.lost(), { signal: stop.signal });
-  const paint = ({ size: [width, height], ratio, uniforms, all, cut, faded }: Seen): void => {
+  const paint = (seen: Seen, spans: (seen: Seen) => Uint32Array): void => {
+    const { ratio, uniforms, all, cut, faded } = seen;
+    const [width, height] = seen.size;
+    trail.stop();
     if (size[0] !== width || size[1] !== height) {
       [canvas.width, canvas.height] = size = [width, height];
       renderer.resize(width, height);
     }
-    const count = points.bring();
+    last = seen;
+    count = points.bring();
     uniforms[DOT] = dotSize(count) * ratio;
     renderer.set_light(all, cut);
     renderer.set_view(uniforms);
-    renderer.render(count, faded);
+    renderer.render(count, faded, spans(seen));
   };
   return {
     setScene({ vertices, corners, ends, lines, background, sky }) {
+      trail.stop();
       renderer.set_background(...background);
       renderer.set_scene(vertices, corners, ends, lines);
       if (sky) renderer.set_sky(sky.columns, sky.cells);
@@ -72,18 +83,20 @@ function device(canvas: Canvas, renderer: Renderer, told: Told): Device {
       cloud = next !== null;
       points.set(next);
     },
+    setPath: trail.set,
     draw(seen) {
-      paint(seen);
+      paint(seen, trail.moving);
       if (cloud) points.follow();
-      else effects.follow(seen.size[0] * seen.size[1]);
+      else if (!effects.follow(seen.size[0] * seen.size[1])) trail.follow(seen, count);
     },
     async picture(seen) {
-      paint(seen);
+      paint(seen, trail.whole);
       return kept(canvas);
     },
     end() {
       stop.abort();
       points.end();
+      trail.end();
       effects.end();
       renderer.free();
     },

@@ -3,17 +3,19 @@
 import type { Renderer, Told } from "./renderer";
 
 export interface Effects {
-  /** After a frame of so many pixels: looks how long the device needs for it, while that is not known. */
-  follow(pixels: number): void;
+  /** After a frame of so many pixels: looks how long the device needs for it. False: that is known. */
+  follow(pixels: number): boolean;
   end(): void;
 }
 
 const SLOW = 30; // ms until the page hears of a frame, two frames of the page included
 const LOOKS = 3; // frames of which the quickest counts: others may have held one up
 
+/** `settled`: it is known, and the frame that was drawn last stays. */
 export function createEffects(
   renderer: Pick<Renderer, "watch" | "is_drawn">,
   { again, effects }: Pick<Told, "again" | "effects">,
+  settled: () => void,
 ): Effects {
   let all = true;
   let measured = 0; // pixels of the frames that were measured
@@ -28,8 +30,9 @@ export function createEffects(
       all = quickest < SLOW;
       effects(all);
     }
-    if (!sure || !all) again();
     if (sure) looks = LOOKS;
+    if (!sure || !all) again();
+    else settled();
   };
   const look = (begun: number): void => {
     looking = requestAnimationFrame(() => {
@@ -45,9 +48,11 @@ export function createEffects(
         looks = 0;
         quickest = Infinity;
       }
-      if (looking || looks >= LOOKS) return;
+      if (looks >= LOOKS) return false;
+      if (looking) return true;
       renderer.watch();
       look(performance.now());
+      return true;
     },
     end() {
       cancelAnimationFrame(looking);

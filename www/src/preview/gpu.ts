@@ -1,6 +1,7 @@
 // WebGPU and WebGL2: the same drawing code in two builds, of which the browser loads the one that it can run. It draws
 // on a thread of its own, on that of the page only where the browser cannot do so elsewhere.
 
+import type { Path } from "../core/levels";
 import type { Vec3 } from "../wire";
 import type { Backend, Cloud, Frame, GpuName, Hooks } from "./backend";
 import { COMING } from "./backend";
@@ -9,6 +10,7 @@ import { parse } from "./colours";
 import { available, openDevice, Unavailable } from "./device";
 import { fadedFor } from "./fade";
 import { stands } from "./ground";
+import { trailColours } from "./ink";
 import { packLines, packVertices } from "./mesh";
 import { openRemote } from "./remote";
 import type { Device, Handed, Seen, Told } from "./renderer";
@@ -64,6 +66,7 @@ function backend(name: GpuName, canvas: HTMLCanvasElement, device: Device, doing
   let scene: Scene | null = null;
   let cloud: Cloud | null = null;
   let full = true; // what the device has is for all effects
+  let path: Path | null = null; // that the device has
   const hand = (next: Scene, ratio: number): void => {
     full = doing.all;
     device.setScene(handed(next, ratio, full));
@@ -77,6 +80,8 @@ function backend(name: GpuName, canvas: HTMLCanvasElement, device: Device, doing
     setScene(next, ratio) {
       scene = next;
       hand(next, ratio);
+      if (next.data.path !== path) device.setPath(next.data.path);
+      path = next.data.path;
     },
     setCloud(next) {
       cloud = next;
@@ -168,6 +173,10 @@ function uniforms(
     ...parse(colours.grid),
     ...beyond(scene, frame.camera),
     ...parse(colours.cut),
+    ...(scene.data.path ? sub(scene.data.path.origin, scene.origin) : [0, 0, 0]),
+    0,
+    ...trailColours(colours).flat(),
+    ...parse(colours.background),
   ]);
 }
 

@@ -75,6 +75,17 @@ export function wayStyles(colours: Colours): Style[] {
   ];
 }
 
+const PALE = 0.65; // of the whole path, so that the motions around the step stand out
+
+/** Colours of the whole path, by kind of motion. */
+export function trailColours(colours: Colours): Rgba[] {
+  const ground = parse(colours.background);
+  return wayStyles(colours).map(({ colour }) => mixed(ground, colour, PALE));
+}
+
+const mixed = (from: Rgba, to: Rgba, part: number): Rgba =>
+  from.map((value, i) => value + part * (to[i]! - value)) as Rgba;
+
 /** Styles of a touch by its sort: of its normal, and of the points drawn there, one over the other. */
 export function touchStyles(colours: Colours): { normal: Style; points: Style[] }[] {
   const later = { unseenBefore: true };

@@ -3,7 +3,7 @@
 import type { Canvas, Renderer } from "./renderer";
 
 export const PROBE_SIZE = 64;
-const NOTHING_MORE = new Array<number>(44).fill(0);
+const NOTHING_MORE = new Array<number>(68).fill(0);
 const TRIES = 3; // pictures until a device counts as blank
 
 /** Rejects with the pixels that are wrong. */
@@ -21,10 +21,10 @@ export async function prove(renderer: Renderer, canvas: Canvas): Promise<void> {
   // A device that is busy may be a frame late; one that draws nothing never does.
   for (let left = TRIES; ; left--) {
     try {
-      renderer.render(0, 0);
+      renderer.render(0, 0, new Uint32Array());
       look(canvas);
       await shown();
-      renderer.render(0, 0);
+      renderer.render(0, 0, new Uint32Array());
       return look(canvas);
     } catch (reason) {
       if (left === 1) throw reason;

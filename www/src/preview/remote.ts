@@ -31,6 +31,7 @@ export async function openRemote(name: GpuName, canvas: HTMLCanvasElement, told:
   return {
     setScene: scene => ask({ scene }, [scene.vertices.buffer, scene.lines.buffer]),
     setCloud: cloud => ask({ cloud }),
+    setPath: path => ask({ path }),
     draw: seen => ask({ seen }, [seen.uniforms.buffer]),
     picture: seen =>
       new Promise((resolve, reject) => {

@@ -1,4 +1,5 @@
 // What a graphics device takes and tells, on whatever thread it is.
+import type { Path } from "../core/levels";
 import type { Cloud } from "./backend";
 
 /** The exports of web/preview that are used here. */
@@ -9,7 +10,12 @@ export interface Renderer {
   set_light(all: boolean, cut: boolean): void;
   set_background(r: number, g: number, b: number): void;
   resize(width: number, height: number): void;
-  render(points: number, faded: number): void;
+  clear_path(): void;
+  add_path(vertices: Uint32Array, indices: Uint16Array): void;
+  render(points: number, faded: number, spans: Uint32Array): void;
+  begin(points: number, faded: number): void;
+  go_on(spans: Uint32Array): void;
+  finish(faded: number): void;
   reserve_cloud(points: number): void;
   add_points(points: Float32Array): void;
   watch(): void;
@@ -46,6 +52,8 @@ export interface Told {
   again(): void;
   /** So many points of the cloud are drawn. */
   thinned(drawn: number): void;
+  /** So many motions of the whole path are there, those that are out of sight among them. */
+  trailed(drawn: number): void;
   /** Whether it has the time for all effects. */
   effects(all: boolean): void;
   /** The last picture is on the screen, where it is not so at once. */
@@ -55,6 +63,7 @@ export interface Told {
 export interface Device {
   setScene(scene: Handed): void;
   setCloud(cloud: Cloud | null): void;
+  setPath(path: Path | null): void;
   /** Throws when it cannot draw any more. */
   draw(seen: Seen): void;
   /** One to keep. */

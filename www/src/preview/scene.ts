@@ -176,11 +176,17 @@ function boxOf(data: SceneData, { whole: [min, max] }: Standing, tool: Tool | un
   return points.reduce<Box>(include, { min, max });
 }
 
-function farthest(box: Box, lines: Line[], { view: { probe } }: SceneData): number {
+/** Of the box around the whole path. */
+function pathCorners({ path }: SceneData): Vec3[] {
+  return path ? boxCorners({ min: add(path.origin, path.low), max: add(path.origin, path.high) }) : [];
+}
+
+function farthest(box: Box, lines: Line[], data: SceneData): number {
   const origin = centre(box);
   const last = lines.reduce(
     (most, { from, to }) => Math.max(most, length(sub(from, origin)), length(sub(to, origin))),
     0,
   );
-  return Math.max(last, length(sub(box.max, origin))) + probe.length + 20 * probe.ball;
+  const path = pathCorners(data).reduce((most, corner) => Math.max(most, length(sub(corner, origin))), last);
+  return Math.max(path, length(sub(box.max, origin))) + data.view.probe.length + 20 * data.view.probe.ball;
 }

@@ -53,6 +53,9 @@ export async function createShow(stage: HTMLElement, options: ShowOptions): Prom
     drawn() {
       if (missed) painter.now();
     },
+    trailed(drawn) {
+      stage.dataset.motions = String(drawn);
+    },
     thinned(drawn) {
       stage.dataset.drawn = String(drawn);
       options.onThinned?.(drawn);

@@ -40,7 +40,7 @@ function letter(host: HTMLElement, scene: Scene, frame: Frame): void {
 /** Draws into `host` as SVG, at once; the colours are those that were taken. */
 export function drawStill(host: HTMLElement, still: Still, view: Viewport): Colours {
   const [scene, frame] = made(still, view, 1);
-  const backend = openSvg(host, { thinned: () => undefined });
+  const backend = openSvg(host, { thinned: () => undefined, trailed: () => undefined });
   backend.setScene(scene, 1);
   backend.setCloud(still.cloud);
   backend.draw(frame);
@@ -58,7 +58,7 @@ export async function drawFine(host: HTMLElement, still: Still, view: Viewport, 
   });
   const ignored = (): void => undefined;
   const unseen = el("div"); // holds its canvas
-  const opening = openGpu(way, unseen, { lost, again: ignored, thinned: ignored, drawn: ignored });
+  const opening = openGpu(way, unseen, { lost, again: ignored, thinned: ignored, trailed: ignored, drawn: ignored });
   try {
     const backend = await Promise.race([opening, failed]);
     backend.setScene(scene, FINE);

@@ -1,5 +1,7 @@
 // The 3D view without a GPU: the same scene and camera as SVG. Faces from the farthest to the nearest, then the lines,
 // which are fainter where they lie behind a face.
+
+import { LEVELS, levelFor, motionsIn, type Path } from "../core/levels";
 import { svg } from "../dom";
 import { type Drawn, drawInto } from "../draw";
 import type { Vec3 } from "../wire";
@@ -8,7 +10,7 @@ import { basis, type Projected, projector } from "./camera";
 import { css, parse, type Rgba } from "./colours";
 import { cover, type Depth, emptyDepth, hidden } from "./depth";
 import { fadedFor } from "./fade";
-import { Finish } from "./ink";
+import { Finish, trailColours } from "./ink";
 import { shader } from "./light";
 import { FINISH, type Line, type Mesh, MOVES, VERTEX_FLOATS } from "./mesh";
 import type { Scene } from "./scene";
@@ -19,7 +21,7 @@ const PIECE = 5; // CSS pixels between two looks at whether a line is hidden
 const PIECES = 400; // at most so many looks a line
 const SLACK = 0.004; // a line on a face is before it; share of the radius of the scene
 
-export function openSvg(host: HTMLElement, { thinned }: Pick<Hooks, "thinned">): Backend {
+export function openSvg(host: HTMLElement, { thinned, trailed }: Pick<Hooks, "thinned" | "trailed">): Backend {
   const element = svg("svg");
   host.prepend(element);
   let scene: Scene | null = null;
@@ -30,6 +32,7 @@ export function openSvg(host: HTMLElement, { thinned }: Pick<Hooks, "thinned">):
     busy: false,
     setScene(next) {
       scene = next;
+      if (next.data.path) trailed(trailOf(next.data.path).motions);
     },
     setCloud(next) {
       cloud = next;
@@ -66,6 +69,7 @@ function paint(element: SVGSVGElement, scene: Scene, cloud: Cloud | null, frame:
   drawInto(element, [
     ground,
     ...solid.map(polygon),
+    ...trail(scene, frame, depth),
     ...(cloud ? dots(cloud, scene, frame, depth) : []),
     ...lines,
     ...clear.map(polygon),
@@ -98,6 +102,40 @@ function dots(cloud: Cloud, scene: Scene, frame: Frame, depth: Depth): Drawn[] {
     found.push({ tag: "circle", attributes: { cx: round(at.x), cy: round(at.y), r, fill } });
   }
   return found;
+}
+
+const TRAIL = 4096; // motions of the whole path that are drawn at most
+
+/** The level of the whole path that is drawn, and how many motions it has. */
+function trailOf(path: Path): { chunks: [number, number][]; level: number; motions: number } {
+  const chunks = path.parts.flatMap(({ starts }, part) =>
+    Array.from({ length: starts.length - 1 }, (_, chunk): [number, number] => [part, chunk]),
+  );
+  const level = levelFor(path, chunks, TRAIL);
+  const motions = chunks.reduce((sum, [part, chunk]) => sum + path.parts[part]!.counts[chunk * LEVELS + level]!, 0);
+  return { chunks, level, motions };
+}
+
+/** What no face hides of the whole path: a stroke for each kind of motion, travelled or still to come. */
+function trail({ data: { path }, colours, radius }: Scene, frame: Frame, depth: Depth): Drawn[] {
+  if (!path) return [];
+  const project = projector(frame.camera, frame.view);
+  const strokes = new Map<string, string[]>();
+  const { chunks, level } = trailOf(path);
+  for (const [from, to, { kind, done }] of motionsIn(path, chunks, level)) {
+    const [a, b] = [project(add(path.origin, from)), project(add(path.origin, to))];
+    const middle = { ...a, x: (a.x + b.x) / 2, y: (a.y + b.y) / 2, near: (a.near + b.near) / 2 };
+    if (hidden(depth, middle, SLACK * radius)) continue;
+    const [red, green, blue] = trailColours(colours)[kind]!;
+    const colour = css([red, green, blue, done <= frame.time ? 1 : COMING]);
+    const found = strokes.get(colour) ?? [];
+    found.push(`M${round(a.x)} ${round(a.y)}L${round(b.x)} ${round(b.y)}`);
+    strokes.set(colour, found);
+  }
+  return [...strokes].map(([stroke, pieces]) => ({
+    tag: "path",
+    attributes: { d: pieces.join(""), stroke, "stroke-width": 1, fill: "none" },
+  }));
 }
 
 const round = (value: number) => Math.round(value * 100) / 100;

@@ -1,5 +1,6 @@
 // A graphics device on a thread of its own: the page goes on while it draws. First comes the canvas, then scenes,
 // clouds and pictures in the order in which they are asked for.
+import type { Path } from "../core/levels";
 import type { Cloud, GpuName } from "./backend";
 import { available, openDevice, Unavailable } from "./device";
 import { shown } from "./proof";
@@ -9,6 +10,7 @@ export type Ask =
   | { open: GpuName; canvas: OffscreenCanvas }
   | { scene: Handed }
   | { cloud: Cloud | null }
+  | { path: Path | null }
   | { seen: Seen }
   | { keep: Seen };
 export type Reply =
@@ -22,6 +24,7 @@ const told: Told = {
   lost: about => post({ tell: "lost", about }),
   again: () => post({ tell: "again", about: undefined }),
   thinned: about => post({ tell: "thinned", about }),
+  trailed: about => post({ tell: "trailed", about }),
   effects: about => post({ tell: "effects", about }),
   drawn: () => post({ tell: "drawn", about: undefined }),
 };
@@ -52,6 +55,7 @@ addEventListener("message", ({ data }: MessageEvent<Ask>) => {
   try {
     if ("scene" in data) device.setScene(data.scene);
     else if ("cloud" in data) device.setCloud(data.cloud);
+    else if ("path" in data) device.setPath(data.path);
     else if ("seen" in data) void draw(device, data.seen).catch(lost);
     else void device.picture(data.keep).then(kept => post({ kept }), lost);
   } catch (problem) {

@@ -3,6 +3,7 @@
 
 import type { Pending } from "../core/pending";
 import type { SceneData } from "../core/scene";
+import type { Course } from "../core/steps";
 import type { Theme } from "../theme";
 import type {
   BasicSystem,
@@ -47,7 +48,8 @@ export interface Ran {
   with?: Beside[];
   arguments?: Arguments;
   strict?: boolean;
-  view: RunView;
+  view: RunView; // but for its steps
+  course: Course;
   scene: SceneData;
 }
 /** A call to open as soon as the program is read: by its number, or the first that begins in a range. */

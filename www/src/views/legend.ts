@@ -1,10 +1,10 @@
 // What the colours and dashes of the 3D view mean: only what the shown motions have. What is drawn and meets nothing,
 // and how many points of a scan are left out.
 
+import { type Course, Sort } from "../core/steps";
 import { el, keyed, svg } from "../dom";
 import type { Colours } from "../preview/view";
 import { t } from "../texts";
-import type { Trace } from "../wire";
 
 type Kind =
   | "rapid"
@@ -30,13 +30,15 @@ const KINDS: Kind[] = [
   "crash",
 ];
 
-function present(trace: Trace | null): Kind[] {
-  const found = new Set<string>(
-    (trace?.entries ?? []).map(entry => (entry.step === "motion" ? entry.kind : entry.step)),
-  );
+/** What a step is drawn as, by its sort. */
+const DRAWN: (Kind | undefined)[] = ["rapid", "positioning", "measuring", "retract", "touch", "touch", "crash"];
+
+function present(trace: Course | null): Kind[] {
+  const sorts = new Set(trace?.steps.sorts);
+  const found = new Set([...sorts].map(sort => DRAWN[sort]));
   if (trace?.zones?.length) found.add("zone");
   if (trace?.limits?.length) found.add("limit");
-  const moves = trace?.entries.some(({ step }) => step === "motion"); // else no tool is drawn
+  const moves = [...sorts].some(sort => sort < Sort.touch); // else no tool is drawn
   if (moves && (!trace?.tools || trace.tools.some(({ ball, carrier }) => ball || carrier.length))) found.add("carrier");
   if (moves && (!trace?.tools || trace.tools.some(({ ball }) => ball))) found.add("swept");
   return KINDS.filter(kind => found.has(kind));
@@ -86,7 +88,7 @@ export interface Thinned {
 
 export function createLegend(): {
   root: HTMLElement;
-  draw(trace: Trace | null, colours: Colours, thinned: Thinned | null): void;
+  draw(trace: Course | null, colours: Colours, thinned: Thinned | null): void;
 } {
   const root = el("ul", { class: "legend", "aria-label": t("legend") });
   const item = (kind: Kind, colours: Colours): Item => ({

@@ -194,7 +194,7 @@ export function createProgram(
   const marked = (state: State, derived: Derived): Pick<Shown, "marks" | "problems" | "values"> => {
     if (!derived.fresh) return {};
     const step =
-      state.view.source === "program" ? ofProgram(derived, derived.trace?.entries[derived.step]?.line) : null;
+      state.view.source === "program" ? ofProgram(derived, derived.trace?.steps.at(derived.step)?.line) : null;
     const next: LineMarks = {
       step,
       hints: hints(state, derived),

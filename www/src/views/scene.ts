@@ -119,7 +119,7 @@ export function createScene(
     const points = source === "scan" && scan ? cloudOf(scan) : null;
     setText(
       empty,
-      derived.trace?.entries.length || source === "scan"
+      derived.trace?.steps.length || source === "scan"
         ? ""
         : source === "form"
           ? nothing(derived)
@@ -140,7 +140,7 @@ export function createScene(
     errors.draw(state, data.view);
     const { step } = derived;
     if (other || step !== shown.step) {
-      const runs = state.view.playing && derived.trace?.entries[step]?.step === "motion" && !still.matches;
+      const runs = state.view.playing && derived.trace?.steps.at(step)?.step === "motion" && !still.matches;
       move(preview, step, runs ? paceAt(data.begins, step, state.view.speed) : 0);
     }
     preview.setCloud(points);

@@ -43,7 +43,7 @@ function view(stage: Stage, state: State, derived: Derived, { drawStill }: Draw)
   const scan =
     state.view.source === "scan" && state.scan.made?.request.cycle === derived.cycle.cycle ? state.scan.made : null;
   const { trace, scene, step } = derived;
-  if (!trace || !scene || !(trace.entries.length || scan)) return null;
+  if (!trace || !scene || !(trace.steps.length || scan)) return null;
   const picture = el("div", { class: "sheet-picture" });
   const colours = drawStill(
     picture,

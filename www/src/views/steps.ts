@@ -1,13 +1,14 @@
 // A step of a trace in words.
 
+import type { Shown } from "../core/steps";
 import { fixed, plain } from "../numbers";
 import { say, t } from "../texts";
-import type { CycleInfo, Step, Vec3 } from "../wire";
+import type { CycleInfo, Vec3 } from "../wire";
 
 const at = (p: Vec3): string => `X ${fixed(p[0], 3)}  Y ${fixed(p[1], 3)}  Z ${fixed(p[2], 3)}`;
 
 /** The number of a variant is told where `cycles` has a cycle whose programs write one. */
-export function describe(step: Step, cycles: CycleInfo[]): string {
+export function describe(step: Shown, cycles: CycleInfo[]): string {
   switch (step.step) {
     case "motion":
       return t(`motion-${step.kind}`, { to: at(step.to), feed: plain(step.feed, 1) });

@@ -1,5 +1,6 @@
 // Stepping through the motions: first, back, play, on, last, a scrubber, and how fast it plays.
 
+import { NO_STEPS } from "../core/steps";
 import type { Derived } from "../desk/derive";
 import { el, on, setAttribute, setText } from "../dom";
 import { type IconName, icon } from "../icons";
@@ -7,7 +8,6 @@ import { plain } from "../numbers";
 import { SPEEDS, type State } from "../state/state";
 import type { Store } from "../state/store";
 import { t } from "../texts";
-import type { Trace } from "../wire";
 import { lineText } from "./given";
 import { describe } from "./steps";
 import { clockText, createTrack } from "./track";
@@ -15,7 +15,6 @@ import { clockText, createTrack } from "./track";
 const PACE_STILL = 130; // ms that a step takes in which nothing moves, so that it is seen
 const FRAME = 16; // ms; more often nothing is drawn
 const LATE = 1000; // ms; what comes later, as after a pause of the whole machine, is not made up for
-const NONE: Trace["entries"] = [];
 const still = matchMedia("(prefers-reduced-motion: reduce)");
 
 /** Milliseconds that a step takes at its real feed. `begins`: of each entry, s. */
@@ -95,12 +94,12 @@ export function createTimeline(
     el("div", { class: "step-row" }, what, time, place),
   );
   return (state, derived, begins) => {
-    const entries = derived.trace?.entries ?? NONE;
-    count = entries.length;
+    const steps = derived.trace?.steps ?? NO_STEPS;
+    count = steps.length;
     const { step } = derived;
     current = step;
-    const entry = entries[step];
-    const times = track.show(entries, begins);
+    const entry = steps.at(step);
+    const times = track.show(steps, begins);
     track.at(times.end(step));
     setText(time, times.total ? `${clockText(times.end(step) * times.total, times.total, 2)}` : "");
     setAttribute(scrub, "max", Math.max(0, count - 1));

@@ -1,12 +1,10 @@
 // The line of a trace in real time: where it measures, touches and begins a call, an axis in seconds, and where it is
 // now. Times are the core's.
 
+import { Sort, type Steps } from "../core/steps";
 import { el, keyed, on, setText } from "../dom";
 import { plain } from "../numbers";
 import { t } from "../texts";
-import type { Trace } from "../wire";
-
-type Entries = Trace["entries"];
 
 const MARKS = 300; // places of the line that are told apart
 const TICK = 70; // CSS pixels between two figures of the axis at least
@@ -45,14 +43,14 @@ export function timesOf(begins: Float64Array, count: number): Times {
   };
 }
 
-/** Bands of a colour, as a picture. */
-function picture(bands: readonly (readonly [number, number])[], colour: string): string {
-  const places = new Set(
-    bands.flatMap(([from, to]) => {
-      const [first, last] = [Math.floor(from * MARKS), Math.max(Math.floor(from * MARKS), Math.ceil(to * MARKS) - 1)];
-      return Array.from({ length: Math.min(last, MARKS) - first + 1 }, (_, i) => first + i);
-    }),
-  );
+/** Bands of a colour where steps of a sort are, as a picture. */
+function picture({ sorts }: Steps, times: Times, sort: number, colour: string): string {
+  const places = new Set<number>();
+  for (let step = sorts.indexOf(sort); step >= 0; step = sorts.indexOf(sort, step + 1)) {
+    const [from, to] = [times.during(step, 0), times.end(step)];
+    const [first, last] = [Math.floor(from * MARKS), Math.max(Math.floor(from * MARKS), Math.ceil(to * MARKS) - 1)];
+    for (let place = first; place <= Math.min(last, MARKS); place++) places.add(place);
+  }
   const stops = [...places]
     .sort((a, b) => a - b)
     .flatMap(place => {
@@ -62,10 +60,14 @@ function picture(bands: readonly (readonly [number, number])[], colour: string):
   return stops.length ? `linear-gradient(to right, ${stops.join(", ")})` : "none";
 }
 
-function bandsOf(entries: Entries, times: Times, wanted: (entry: Entries[number]) => boolean): [number, number][] {
-  return entries.flatMap((entry, step): [number, number][] =>
-    wanted(entry) ? [[times.during(step, 0), times.end(step)]] : [],
-  );
+/** When calls begin and end, as shares of the whole; none where they are too many. */
+function boundaries({ sorts }: Steps, times: Times): number[] {
+  const found: number[] = [];
+  for (const [step, sort] of sorts.entries()) {
+    if (sort === Sort.call || sort === Sort.return) found.push(times.during(step, 0));
+    if (found.length > CALLS) return [];
+  }
+  return found;
 }
 
 /** Round seconds of an axis with this much room, CSS pixels. */
@@ -86,7 +88,7 @@ export function clockText(seconds: number, total: number, digits = 1): string {
 export interface Track {
   root: HTMLElement;
   /** What is shown, and when. */
-  show(entries: Entries, begins: Float64Array): Times;
+  show(steps: Steps, begins: Float64Array): Times;
   /** Where it is now, as a share. */
   at(share: number): void;
 }
@@ -98,7 +100,7 @@ export function createTrack(scrub: HTMLElement, go: (step: number) => void): Tra
   const axis = el("div", { class: "track-axis" });
   const line = el("div", { class: "track-line", "aria-hidden": "true" }, measuring, touches, calls, axis, head);
   const root = el("div", { class: "track" }, line, scrub);
-  let shown: { entries: Entries; begins: Float64Array; times: Times } | null = null;
+  let shown: { steps: Steps; begins: Float64Array; times: Times } | null = null;
   let width = 0;
 
   const across = (node: HTMLElement, share: number): void => {
@@ -112,19 +114,15 @@ export function createTrack(scrub: HTMLElement, go: (step: number) => void): Tra
       setText(node, clockText(seconds, total));
     });
   };
-  const draw = (entries: Entries, times: Times): void => {
-    const isMeasuring = (one: Entries[number]): boolean => one.step === "motion" && one.kind === "measuring";
-    const isTouch = (one: Entries[number]): boolean => one.step === "touch" && one.by === undefined;
-    measuring.style.background = picture(bandsOf(entries, times, isMeasuring), "var(--measure)");
-    touches.style.background = picture(bandsOf(entries, times, isTouch), "var(--touch)");
-    const boundaries = bandsOf(entries, times, one => one.step === "call" || one.step === "return");
-    const few = boundaries.length <= CALLS ? boundaries : [];
+  const draw = (steps: Steps, times: Times): void => {
+    measuring.style.background = picture(steps, times, Sort.measuring, "var(--measure)");
+    touches.style.background = picture(steps, times, Sort.touch, "var(--touch)");
     keyed(
       calls,
-      few,
+      boundaries(steps, times),
       (_, index) => String(index),
       () => el("span", {}),
-      (node, [from]) => across(node, from),
+      across,
     );
     drawAxis();
   };
@@ -149,11 +147,11 @@ export function createTrack(scrub: HTMLElement, go: (step: number) => void): Tra
   }).observe(line);
   return {
     root,
-    show(entries, begins) {
-      if (shown?.entries === entries && shown.begins === begins) return shown.times;
-      const times = timesOf(begins, entries.length);
-      shown = { entries, begins, times };
-      draw(entries, times);
+    show(steps, begins) {
+      if (shown?.steps === steps && shown.begins === begins) return shown.times;
+      const times = timesOf(begins, steps.length);
+      shown = { steps, begins, times };
+      draw(steps, times);
       return times;
     },
     at: share => across(head, share),

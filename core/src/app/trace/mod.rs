@@ -1,5 +1,6 @@
 //! What happened in a run, with what is needed to draw it.
 
+pub mod columns;
 #[cfg(test)]
 mod tool_tests;
 #[cfg(test)]
@@ -80,12 +81,13 @@ impl Serialize for Source {
 
 impl Trace<'_> {
     fn of(source: &Source) -> Trace<'_> {
-        let Source { setup, outcome, zones, limits, .. } = source;
+        let Source { setup, outcome, zones, limits, apart, .. } = source;
+        let entries = if *apart { &[] } else { &outcome.trace.entries[..] };
         let (tools, in_use) = tools(setup, outcome);
         // a program may begin without a tool that tells
         let turning = outcome.before.turns() || outcome.control.turns();
         Trace {
-            entries: outcome.trace.entries.iter().map(Happened::of).collect(),
+            entries: entries.iter().map(Happened::of).collect(),
             ball: ball(setup),
             tools,
             in_use,

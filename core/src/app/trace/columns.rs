@@ -1,0 +1,61 @@
+//! The steps of a run in columns: a million of them would be a million objects of the page. Motions are figures, all
+//! other steps are told one by one to who asks for them.
+
+use super::Happened;
+use crate::machine::{Entry, MotionKind, Step};
+use crate::scene::Source;
+use crate::workpiece::Touching;
+use serde::Serialize;
+
+/// One number or three for each step, in order.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Columns {
+    /// What it is: [`sort_of`].
+    pub sorts: Vec<u8>,
+    /// Its line of the program from 1; 0: none.
+    pub lines: Vec<u32>,
+    /// Of a motion: mm/min, 0 rapid traverse.
+    pub feeds: Vec<f64>,
+    /// Of a motion: X Y Z of its real end.
+    pub ends: Vec<f64>,
+}
+
+/// The first number that is no motion: a touch of what measures.
+const TOUCH: u8 = 4;
+
+/// 0 rapid, 1 positioning, 2 measuring, 3 retract; 4 a touch of what measures, 5 another one, 6 a crash, 7 the begin of
+/// a call, 8 its end, 9 anything else.
+fn sort_of(step: &Step) -> u8 {
+    match step {
+        Step::Motion { kind: MotionKind::Rapid, .. } => 0,
+        Step::Motion { kind: MotionKind::Positioning, .. } => 1,
+        Step::Motion { kind: MotionKind::Measuring, .. } => 2,
+        Step::Motion { kind: MotionKind::Retract, .. } => 3,
+        Step::Touch { by, .. } if Touching::measures(by) => TOUCH,
+        Step::Touch { .. } => 5,
+        Step::Crash { .. } => 6,
+        Step::CallBegin { .. } => 7,
+        Step::CallEnd => 8,
+        _ => 9,
+    }
+}
+
+/// All steps of a run.
+pub fn columns(source: &Source) -> Columns {
+    let entries = &source.outcome.trace.entries;
+    let motion = |entry: &Entry| match &entry.step {
+        Step::Motion { to, feed, .. } => (*feed, to.0),
+        _ => (0.0, [0.0; 3]),
+    };
+    Columns {
+        sorts: entries.iter().map(|entry| sort_of(&entry.step)).collect(),
+        lines: entries.iter().map(|entry| entry.line.map_or(0, |line| line + 1)).collect(),
+        feeds: entries.iter().map(|entry| motion(entry).0).collect(),
+        ends: entries.iter().flat_map(|entry| motion(entry).1).collect(),
+    }
+}
+
+/// The steps that are no motions, in order.
+pub fn others(source: &Source) -> impl Iterator<Item = impl Serialize> {
+    source.outcome.trace.entries.iter().filter(|entry| sort_of(&entry.step) >= TOUCH).map(Happened::of)
+}
