@@ -1170,8 +1170,10 @@ export type Outcome = {
   alarms: Array<Raised>,
   /** Tool wear, zero offsets, memories, … */
   changes: Array<Change>,
-  /** Lines of the log, and blocks that were sent. */
+  /** Lines of the print-out, and blocks that were sent. */
   log: Array<string>,
+  /** Files that it leaves on the control: the log of measurements. */
+  written?: Array<WrittenFile>,
   /** Everything that happened. */
   trace: Source,
   /** Where asked for: up to which errors it comes to its end. */
@@ -1603,8 +1605,10 @@ export type RunView = {
   changes: Array<Change>,
   /** The alarms in order. */
   alarms: Array<RunAlarm>,
-  /** Lines of the log, and blocks that were sent. */
+  /** Lines of the print-out, and blocks that were sent. */
   log: Array<string>,
+  /** Files that it left on the control: the log of measurements. */
+  written?: Array<WrittenFile>,
   /** Whether it reached its end. */
   finished: boolean,
   /** What it went on without. */
@@ -1806,6 +1810,11 @@ export type Setup = {
   workpiece: Array<Solid>,
   /** Where the machine stands at the start: the point to which L1 refers, machine coordinates X Y Z. */
   position: [number, number, number],
+  /**
+   * Date and time of the control at the start, `2026-05-31T08:00:00`; motions take their time from then on. The log of
+   * measurements prints them. Default: 2000-01-01T00:00:00.
+   */
+  clock?: string,
   /** Skip levels 0 to 9 that are switched on at the panel: blocks with `/`, `/1` to `/9` are left out. */
   skip: Array<number>,
 };
@@ -1954,6 +1963,11 @@ export type Step = { "step": "motion",
 } | { "step": "log",
   /** As it is written. */
   text: string,
+} | { "step": "file",
+  /** `LOG_1.MPF`. */
+  name: string,
+  /** The line; none: it is made, and empty. */
+  text?: string,
 } | { "step": "call",
   /** Name. */
   cycle: string,
@@ -2172,3 +2186,13 @@ export type Verdict = "within" | "beyond" | "rework" | "scrap" | "alarm" | "stop
 
 /** From where the drawing is seen. */
 export type View = "plane" | "section";
+
+/** A file that a run left on the control: the log of measurements. */
+export type WrittenFile = {
+  /** As the control shows it: `LOG_1.MPF`. */
+  name: string,
+  /** Its lines. */
+  lines: Array<string>,
+  /** Index of the entry of the trace with which each line was written. */
+  at: Array<number>,
+};

@@ -13,6 +13,8 @@ use std::collections::BTreeSet;
 
 /// Where time and page begin in the first line of the header.
 const FIRST_LINE: usize = 24;
+/// Highest number of a page with which a log can begin.
+const LAST_PAGE: f64 = 1e9;
 /// What the control prints there (B:11483).
 const DATE_TIME_PAGE: [&str; 3] = ["Date: ", "Time: ", "Page: "];
 const PROGRAM_NAME: &str = "Program: ";
@@ -38,7 +40,7 @@ fn number(control: &Control, name: Name) -> f64 {
 
 /// Number of the first page.
 pub fn first_page(control: &Control) -> i64 {
-    number(control, FIRST_PAGE) as i64
+    number(control, FIRST_PAGE).clamp(0.0, LAST_PAGE) as i64
 }
 
 /// Lines of the header of this page.

@@ -37,7 +37,7 @@ pub fn write_values(machine: &mut dyn Machine, subject: &Subject) -> Result<(), 
     let mut state = current(machine)?;
     let lines = block(machine, subject)?;
     let page = machine.control().number(PAGE.as_str());
-    let beyond = page >= 1.0 && state.block && (state.lines + gap(&state) + lines.len()) as f64 > page;
+    let beyond = page >= 1.0 && state.block && state.lines.saturating_add(gap(&state) + lines.len()) as f64 > page;
     if beyond || state.page < first_page(machine.control()) {
         print_header(machine, &mut state);
     }
@@ -106,11 +106,12 @@ fn begun(machine: &mut dyn Machine, log: String) -> State {
 
 /// A header, with which a page begins.
 fn print_header(machine: &mut dyn Machine, state: &mut State) {
-    let lines = header(machine, state.page + 1);
+    let next = state.page.saturating_add(1);
+    let lines = header(machine, next);
     if needed(&lines) > room(machine, state) && !follow(machine, state) {
         return;
     }
-    state.page += 1;
+    state.page = next;
     state.lines = 0;
     state.block = false;
     write(machine, state, lines.into_iter());
@@ -137,7 +138,7 @@ fn write(machine: &mut dyn Machine, state: &mut State, lines: impl Iterator<Item
             return;
         }
         machine.write_file(&state.file(), line);
-        state.lines += 1;
+        state.lines = state.lines.saturating_add(1);
     }
 }
 
