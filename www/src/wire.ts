@@ -1811,8 +1811,8 @@ export type Setup = {
   /** Where the machine stands at the start: the point to which L1 refers, machine coordinates X Y Z. */
   position: [number, number, number],
   /**
-   * Date and time of the control at the start, `2026-05-31T08:00:00`; motions take their time from then on. The log of
-   * measurements prints them. Default: 2000-01-01T00:00:00.
+   * Date and time of the control at the start, `2026-05-31T08:00:00`; motions take their time from then on. The log
+   * of measurements prints them. Default: 2000-01-01T00:00:00.
    */
   clock?: string,
   /** Skip levels 0 to 9 that are switched on at the panel: blocks with `/`, `/1` to `/9` are left out. */

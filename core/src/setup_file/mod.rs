@@ -73,8 +73,8 @@ pub struct SetupFile {
     /// Where the machine stands at the start: the point to which L1 refers, machine coordinates X Y Z.
     #[serde(default)]
     position: [f64; 3],
-    /// Date and time of the control at the start, `2026-05-31T08:00:00`; motions take their time from then on. The log of
-    /// measurements prints them. Default: 2000-01-01T00:00:00.
+    /// Date and time of the control at the start, `2026-05-31T08:00:00`; motions take their time from then on. The log
+    /// of measurements prints them. Default: 2000-01-01T00:00:00.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     #[cfg_attr(test, ts(optional, as = "Option<String>"))]
     clock: String,

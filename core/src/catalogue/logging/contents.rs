@@ -141,8 +141,8 @@ fn values(
     Ok(whole)
 }
 
-/// Holds a line against `_PROTFORM[1]`: columns that are too many for it are reported (A:15944); where only a value that
-/// is wider than its column makes the line longer, the number is adapted (B:11437, A:15948).
+/// Holds a line against `_PROTFORM[1]`: columns that are too many for it are reported (A:15944); where only a value
+/// that is wider than its column makes the line longer, the number is adapted (B:11437, A:15948).
 fn fit(machine: &mut dyn Machine, columns: usize, length: usize) -> Result<(), Stop> {
     let most = number(machine.control(), LINE);
     if length > LONGEST {
