@@ -176,8 +176,10 @@ fn every_anchor_explains_a_parameter_of_its_entry_and_lies_within_the_scene() {
         let Some(source) = view.outcome.map(|outcome| outcome.trace) else { continue };
         let scene = Scene::of(&source);
         let cycle = source.call.as_ref().expect("a form asked").cycle;
-        let [low, high] = scene.view.standings[0].whole.map(V3::from);
-        let room = 0.25 * scene.view.size; // a dimension stands beside the part
+        let shown = scene.view.standings[0].whole.map(V3::from);
+        let zeros = scene.view.frames.iter().map(|frame| V3::from(frame.at));
+        let [low, high] = zeros.fold(shown, |[low, high], zero| [low.inf(&zero), high.sup(&zero)]);
+        let room = 0.25 * (high - low).norm(); // a dimension stands beside the part
         for group in scene.view.groups.iter().filter(|group| group.field.is_some()) {
             let field = group.field.unwrap();
             assert!(cycle.param(&field).is_some(), "{name} has no {field}");

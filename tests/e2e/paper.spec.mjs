@@ -1,4 +1,4 @@
-// Setup sheets and the report of a program, as they come out of the printer: pages of the PDF, and their words.
+// Set-up sheets and the report of a program, as they come out of the printer: pages of the PDF, and their words.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
@@ -23,28 +23,49 @@ async function pages(page, format) {
   return pdf.toString("latin1").match(/\/Type\s*\/Page\b(?!s)/g).length;
 }
 
+const ELEMENTS = ["hole", "corner", "angle", "sphere", "turned", "tool", "probe", "points"];
+const LANGUAGES = {
+  "en-GB": ["Print setup sheet", "Print report"],
+  "de-DE": ["Einrichteblatt drucken", "Bericht drucken"],
+  "zh-CN": ["打印调整卡", "打印报告"],
+};
+const FORMATS = ["A4", "Letter"];
+
+/** All that is laid out on paper, CSS pixels: what is drawn over the edge of its sheet is lost. */
+const sticksOut = node => {
+  const { left, right } = node.getBoundingClientRect();
+  return [...node.querySelectorAll("td, th, pre, p, h2, .paper-picture, .paper-stage")].filter(one => {
+    const box = one.getBoundingClientRect();
+    return box.left < left - 1 || box.right > right + 1;
+  }).length;
+};
+
 describe("a setup sheet", () => {
-  // oracle: hand (a call is a page, whatever is measured)
-  test("is one page for each kind of element, on A4 and on Letter", async () => {
-    const { context, page, problems } = await start(chrome);
-    for (const element of ["hole", "corner", "angle", "sphere", "turned", "tool", "probe", "points"]) {
-      await page.locator(".to-start").click();
-      const tile = page.locator(`.tile[data-element="${element}"]`);
-      if (!(await tile.count())) continue;
-      await tile.click();
-      await page.locator(".start-answer button.primary").click();
-      await page.locator("#panel-form .field").first().waitFor();
-      for (const format of ["A4", "Letter"]) {
-        await printed(page, "Print setup sheet");
-        assert.equal(await paper(page).locator(".paper-sheet").count(), 1);
-        assert.equal(await pages(page, format), 1, `${element} ${format}`);
+  // oracle: hand (a call is a page, whatever is measured; the page is 186 mm wide between its margins)
+  for (const [locale, [name]] of Object.entries(LANGUAGES))
+    test(`is one page for each kind of element, on A4 and on Letter, ${locale}`, async () => {
+      const { context, page, problems } = await start(chrome, { locale });
+      for (const element of ELEMENTS) {
+        await page.locator(".to-start").click();
+        await page.locator(`.tile[data-element="${element}"]`).click();
+        await page.locator(".start-answer button.primary").click();
+        await page.locator("#panel-form .field").first().waitFor();
+        for (const format of FORMATS) {
+          await printed(page, name); // what was printed is taken away again
+          assert.equal(await paper(page).locator(".paper-sheet").count(), 1);
+          assert.ok((await paper(page).locator(".paper-pictures > *").count()) > 0, `${element}: a picture`);
+          assert.equal(await pages(page, format), 1, `${element} ${format}`);
+        }
+        await printed(page, name);
+        await page.emulateMedia({ media: "print" });
+        assert.equal(await paper(page).evaluate(sticksOut), 0, element);
+        await page.emulateMedia({ media: null });
+        await page.evaluate(() => dispatchEvent(new Event("afterprint")));
+        assert.equal(await paper(page).count(), 0);
       }
-      await page.evaluate(() => dispatchEvent(new Event("afterprint")));
-      assert.equal(await paper(page).count(), 0);
-    }
-    assert.deepEqual(problems, []);
-    await context.close();
-  });
+      assert.deepEqual(problems, []);
+      await context.close();
+    });
 
   // oracle: hand
   test("says file, date, call, values with unit and meaning, and the result, black on white in the dark", async () => {
@@ -92,13 +113,24 @@ describe("a setup sheet of a browser with WebGL2", () => {
     assert.deepEqual(problems, []);
     await context.close();
   });
+
+  // oracle: hand (the same picture, though the stage was never in sight)
+  test("shows it where the stage was never in sight", async () => {
+    const { context, page, problems } = await start(device, { viewport: { width: 390, height: 844 } });
+    assert.equal(await page.locator(".stage [data-backend]").count(), 0);
+    await printed(page, "Print setup sheet");
+    assert.equal(await paper(page).locator(".paper-stage img").count(), 1);
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
 });
 
 describe("a report", () => {
+  const call = size => `_MVAR=1 _SETVAL=${size} _TNUM=20 _KNUM=2001 _TUL=0.05 _TLL=-0.05 _FA=2 _TSA=1\nCYCLE977\n`;
+
   // oracle: hand (a table, and behind it a page a call)
   test("has a table of the measurements and a page a call", async () => {
     const { context, page, problems } = await start(chrome);
-    const call = size => `_MVAR=1 _SETVAL=${size} _TNUM=20 _KNUM=2001 _TUL=0.05 _TLL=-0.05 _FA=2 _TSA=1\nCYCLE977\n`;
     await openProgram(page, `G17 G54\n${call(40)}${call(50)}${call(60)}M30\n`, "FLANGE.MPF");
     await page.locator(".call-row").nth(2).waitFor();
     await printed(page, "Print report");
@@ -109,12 +141,22 @@ describe("a report", () => {
       "CYCLE977 · 1 · Line 5",
       "CYCLE977 · 1 · Line 7",
     ]);
-    await page.emulateMedia({ media: null });
-    for (const format of ["A4", "Letter"]) {
-      await printed(page, "Print report");
-      assert.equal(await pages(page, format), 4, format);
-    }
     assert.deepEqual(problems, []);
     await context.close();
   });
+
+  // oracle: hand (a page a call behind that of the table)
+  for (const [locale, [, name]] of Object.entries(LANGUAGES))
+    test(`is a page a call on A4 and on Letter, ${locale}`, async () => {
+      const { context, page } = await start(chrome, { locale });
+      const text = `G17 G54\n${call(40)}${call(50)}M30\n`;
+      const file = { name: "FLANGE.MPF", mimeType: "text/plain", buffer: Buffer.from(text) };
+      await page.locator(".panel-program input[type=file]").setInputFiles(file);
+      await page.locator(".call-row").nth(1).waitFor();
+      for (const format of FORMATS) {
+        await printed(page, name);
+        assert.equal(await pages(page, format), 3, format);
+      }
+      await context.close();
+    });
 });

@@ -348,17 +348,29 @@ test("in central projection matrix and projection agree, and what is fitted is s
   near([Math.cos(camera.between(from, to, 0.5).yaw)], [1], 1e-9);
 });
 
-// oracle: hand (three words at one place, beside a box that is taken)
+// oracle: hand (three words at one place, beside a box that is taken; in a view that is too small none has room)
 test("words lie neither on each other nor on what is taken", () => {
   const taken = [{ left: 80, top: 80, right: 160, bottom: 120 }];
-  const words = [0, 1, 2].map(() => ({ width: 60, height: 14, spots: places.near({ x: 120, y: 100 }, 60, 14) }));
-  const boxes = [...taken, ...places.placed(words, taken).map(spot => places.around(spot, 56, 10))];
+  const words = [0, 1, 2].map(() => ({ width: 60, height: 14, spots: [{ x: 120, y: 100 }], reach: 90 }));
+  const placed = room => places.placed(words, room, { always: taken, rather: [] });
+  const boxes = [...taken, ...placed(view).map(spot => places.around(spot, 60, 14))];
   for (const [i, a] of boxes.entries())
-    for (const b of boxes.slice(0, i))
-      assert.ok(
-        a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top,
-        JSON.stringify([a, b]),
-      );
+    for (const b of boxes.slice(0, i)) assert.ok(!places.covers(a, b), JSON.stringify([a, b]));
+  assert.deepEqual(placed({ width: 60, height: 100 }), [null, null, null]);
+});
+
+// oracle: hand (out of the way if there is a way, else on it, never on what is always kept)
+test("what is rather kept free gives way to what is always kept free", () => {
+  const [all, half] = [
+    { left: 0, top: 0, right: 200, bottom: 100 },
+    { left: 0, top: 0, right: 100, bottom: 100 },
+  ];
+  const word = { width: 40, height: 14, spots: [{ x: 50, y: 50 }], reach: 90 };
+  const placed = (always, rather) => places.placed([word], { width: 200, height: 100 }, { always, rather });
+  assert.deepEqual(placed([], []), [{ x: 50, y: 50 }]);
+  assert.deepEqual(placed([], [all]), [{ x: 50, y: 50 }]);
+  assert.deepEqual(placed([half], [all]), [{ x: 122, y: 50 }]);
+  assert.deepEqual(placed([all], []), [null]);
 });
 
 // oracle: hand (measured in four directions: the half of the hole towards the viewer is cut away)

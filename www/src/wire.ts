@@ -1891,7 +1891,7 @@ export type Standing = {
   entry: number,
   /** Where each solid stands: those of the part, then what stays. */
   places: Array<Place>,
-  /** What is to be seen whole, without the tool: least and greatest coordinates. */
+  /** What is shown at first, without the tool: least and greatest coordinates. */
   whole: [[number, number, number], [number, number, number]],
   /** Of the ground: its height along the upright axis, and the spacing of its grid, mm. */
   ground: [number, number],

@@ -7,8 +7,10 @@ use crate::geometry::{Extent, V3};
 /// In which paths are shown whole around parts: share of their size, and at least so many mm.
 const ROOM: f64 = 0.4;
 const LEAST_ROOM: f64 = 50.0;
-/// Distance of a coordinate system that is shown whole, share of the size of what is there.
+/// Distance of a zero to which dimensions are drawn, share of the size of what is there.
 const NEAR: f64 = 1.4;
+/// How much larger what is shown at first may become by zeros, share of the size of what is there.
+const GROWTH: f64 = 1.35;
 /// Room around coordinate systems where there is nothing else, mm.
 const ALONE: f64 = 20.0;
 
@@ -28,26 +30,39 @@ pub fn ways(ways: &[Way], radius: f64) -> Extent {
     if is_some(&ends) { ends.wider(radius) } else { ends }
 }
 
-/// Parts, with paths and zeros near them: beside a way from far above a part would be small; without a part all.
-pub fn around(solids: &Extent, ways: &Extent, frames: &[Frame]) -> Extent {
-    let mut seen = if is_some(ways) && is_some(solids) {
+/// What there is to see, in two sizes.
+pub struct Seen {
+    /// Parts, with paths and zeros near them: dimensions may lie in it.
+    pub near: Extent,
+    /// The same, without zeros beside which the parts would be small: what is shown at first.
+    pub shown: Extent,
+}
+
+/// Beside a way from far above a part would be small, so of ways only what is near counts; without a part all.
+pub fn around(solids: &Extent, ways: &Extent, frames: &[Frame]) -> Seen {
+    let things = if is_some(ways) && is_some(solids) {
         let room = solids.wider(LEAST_ROOM.max(ROOM * size(solids)));
         let inside = |point: V3| point.sup(&room.low).inf(&room.high);
         solids.with(&Extent::of([ways.low, ways.high].map(inside)))
     } else {
         solids.with(ways)
     };
-    let zeros = || frames.iter().map(|frame| V3::from(frame.at));
-    if !is_some(&seen) {
-        let seen = Extent::of(zeros());
-        return if is_some(&seen) { seen } else { Extent::of([V3::zeros()]) }.wider(ALONE);
+    let zeros = || frames.iter().map(|frame| Extent::of([V3::from(frame.at)]));
+    if !is_some(&things) {
+        let all = zeros().fold(Extent::default(), |all, zero| all.with(&zero));
+        let alone = if is_some(&all) { all } else { Extent::of([V3::zeros()]) }.wider(ALONE);
+        return Seen { near: alone, shown: alone };
     }
-    for zero in zeros() {
-        if (zero - (seen.low + seen.high) / 2.0).norm() < NEAR * size(&seen) {
-            seen = seen.with(&Extent::of([zero]));
-        }
-    }
-    seen
+    let away = |seen: &Extent, zero: &Extent| (zero.low - (seen.low + seen.high) / 2.0).norm();
+    let near = zeros().fold(things, |seen, zero| {
+        let wider = seen.with(&zero);
+        if away(&seen, &zero) < NEAR * size(&seen) { wider } else { seen }
+    });
+    let shown = zeros().fold(things, |seen, zero| {
+        let wider = seen.with(&zero);
+        if size(&wider) < GROWTH * size(&things) { wider } else { seen }
+    });
+    Seen { near, shown }
 }
 
 /// Spacing of a grid for a length, mm: 1, 2 or 5 times a power of ten.

@@ -157,7 +157,7 @@ pub struct Standing {
     pub entry: usize,
     /// Where each solid stands: those of the part, then what stays.
     pub places: Vec<Place>,
-    /// What is to be seen whole, without the tool: least and greatest coordinates.
+    /// What is shown at first, without the tool: least and greatest coordinates.
     pub whole: [[f64; 3]; 2],
     /// Of the ground: its height along the upright axis, and the spacing of its grid, mm.
     pub ground: [f64; 2],
@@ -315,7 +315,7 @@ impl Scene {
         let ways = paths::ways(entries);
         scene.add_paths(entries, &ways);
         let ways = fit::ways(&ways, setup.probe.radius);
-        let smallest = scene.add_solids(&part, &probes, [zones, limits], entries, &ways);
+        let (smallest, near) = scene.add_solids(&part, &probes, [zones, limits], entries, &ways);
         let size = scene.view.size;
         let [radii, shown, own] = NORMAL;
         scene.view.normal = (radii * setup.probe.radius).max((shown * size).min(own * smallest));
@@ -332,7 +332,7 @@ impl Scene {
             scene.add_drawing(&turned::drawing(&told.setup, &told.outcome), edges);
         }
         if let (Some((inputs, staged)), Some(staging)) = (staged, staging) {
-            scene.add_anchors(anchors::anchors(source, inputs, staged, staging), turning, edges);
+            scene.add_anchors(anchors::anchors(source, inputs, staged, staging), near, turning, edges);
         }
         scene.view.labels.extend(labels::collisions(entries));
         scene.add_touches(told);
@@ -378,7 +378,8 @@ impl Scene {
         }
     }
 
-    /// Parts and tool probes, and how they stand from when on; gives the size of the smallest solid of the part, mm.
+    /// Parts and tool probes, and how they stand from when on; gives the size of the smallest solid of the part, mm, and
+    /// what is near all of them at the beginning.
     fn add_solids(
         &mut self,
         part: &[Solid],
@@ -386,7 +387,7 @@ impl Scene {
         [zones, limits]: [&[Solid]; 2],
         entries: &[Entry],
         ways: &Extent,
-    ) -> f64 {
+    ) -> (f64, Extent) {
         let mut own = Vec::new();
         for (place, solid) in part.iter().chain(probes).enumerate() {
             let figure = solid::figure(solid);
@@ -405,21 +406,24 @@ impl Scene {
             Step::Table { solids, .. } => Some((entry, solids.as_slice())),
             _ => None,
         });
+        let mut first_near = Extent::default();
         for (entry, part) in std::iter::once((0, part)).chain(turned) {
             let placed = part.iter().chain(probes).zip(&own);
             let solids = placed.fold(Extent::default(), |all, (solid, own)| all.with(&seen(own, &solid.place())));
-            let whole = fit::around(&solids, ways, &self.view.frames);
+            let fit::Seen { near, shown } = fit::around(&solids, ways, &self.view.frames);
             let standing = self.view.standings.len();
-            let below = if fit::is_some(&solids) { &solids } else { &whole };
+            let below = if fit::is_some(&solids) { &solids } else { &shown };
             self.add_lines(&fit::grid(below, self.view.turning), LineKind::Grid, None, Some(standing));
             let places = part.iter().map(|solid| place(&solid.place())).chain(stays.iter().copied()).collect();
             if standing == 0 {
-                self.view.size = fit::size(&whole);
+                self.view.size = fit::size(&shown);
+                first_near = near;
             }
             let ground = fit::ground(below, self.view.turning);
-            self.view.standings.push(Standing { entry, places, whole: corners(&whole), ground });
+            self.view.standings.push(Standing { entry, places, whole: corners(&shown), ground });
         }
-        own.iter().take(part.len()).map(|one| (one.high - one.low).max()).fold(f64::INFINITY, f64::min)
+        let smallest = own.iter().take(part.len()).map(|one| (one.high - one.low).max()).fold(f64::INFINITY, f64::min);
+        (smallest, first_near)
     }
 
     /// Whatever is in use, where something moves.
@@ -506,9 +510,8 @@ impl Scene {
     }
 
     /// Dimensions of the call; `edges`: parameters of the part itself, of which a turned one has its diameters.
-    fn add_anchors(&mut self, anchors: Vec<Anchor>, turning: bool, edges: &[Name]) {
-        let whole = self.view.standings[0].whole.map(V3::from);
-        for anchor in anchors.into_iter().filter_map(|anchor| anchor.within(whole)) {
+    fn add_anchors(&mut self, anchors: Vec<Anchor>, near: Extent, turning: bool, edges: &[Name]) {
+        for anchor in anchors.into_iter().filter_map(|anchor| anchor.within([near.low, near.high])) {
             let own = !turning && edges.contains(&anchor.field);
             let kind = if own { LineKind::Size } else { LineKind::Anchor };
             self.add_lines(&anchor.lines(turned::OVER * self.view.size), kind, None, None);

@@ -159,10 +159,23 @@ fn a_part_stands_as_the_last_rotary_axis_before_left_it() {
 fn coordinate_systems_alone_are_seen_whole() {
     let frame = |at| Frame { name: String::new(), at, axes: UNITS, moved: None };
     let nothing = Extent::default();
-    let seen = fit::around(&nothing, &nothing, &[frame([0.0; 3]), frame([300.0, -40.0, 5.0])]);
+    let seen = fit::around(&nothing, &nothing, &[frame([0.0; 3]), frame([300.0, -40.0, 5.0])]).shown;
     near(seen.low.into(), [-20.0, -60.0, -20.0]);
     near(seen.high.into(), [320.0, 20.0, 25.0]);
-    near(fit::around(&nothing, &nothing, &[]).high.into(), [20.0; 3]);
+    near(fit::around(&nothing, &nothing, &[]).shown.high.into(), [20.0; 3]);
+}
+
+// oracle: hand (a cube of 20 mm, 34.6 across: with a zero at 15 it is 40.6 across, with one at 40 it would be 57.4, and
+// one at 90 has no dimensions)
+#[test]
+fn a_zero_far_beside_a_part_makes_it_no_smaller() {
+    let cube = Extent::of([V3::repeat(-10.0), V3::repeat(10.0)]);
+    for (x, shown, beside) in [(15.0, 15.0, 15.0), (40.0, 10.0, 40.0), (90.0, 10.0, 10.0)] {
+        let zero = Frame { name: String::new(), at: [x, 0.0, 0.0], axes: UNITS, moved: None };
+        let seen = fit::around(&cube, &Extent::default(), &[zero]);
+        near(seen.shown.high.into(), [shown, 10.0, 10.0]);
+        near(seen.near.high.into(), [beside, 10.0, 10.0]);
+    }
 }
 
 // oracle: hand

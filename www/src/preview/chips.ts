@@ -4,7 +4,7 @@ import type { Frame } from "./backend";
 import { projector } from "./camera";
 import type { Colours } from "./colours";
 import type { Label } from "./labels";
-import { beside, type Spot, type Words } from "./places";
+import { beside, type Spot, type Written } from "./places";
 
 const HEIGHT = 22;
 const BADGE = 18; // width of the number
@@ -12,47 +12,55 @@ const PAD = 6;
 const LETTER = 7.3; // width of a letter of the fixed-width font
 const CORNER = 4;
 
-export interface Chip extends Words {
+interface Chip {
   at: Spot;
   label: Label & { number: number };
+  width: number;
   present: boolean; // the last one that was touched
 }
 
 const badgeOf = (number: number): number => Math.max(BADGE, 8 + LETTER * String(number).length);
 
-/** Chips that are there now, those farthest out first. */
-export function chipsOf(labels: readonly Label[], frame: Frame): Chip[] {
+/** Chips of the touches that are in sight, that of the last one first. */
+export function chipsOf(labels: readonly Label[], { colours }: { colours: Colours }, frame: Frame): Written[] {
   const project = projector(frame.camera, frame.view);
-  const shown = labels.filter((label): label is Chip["label"] => label.number !== undefined);
-  const places = shown.map(({ at }) => project(at));
-  const middle = (axis: "x" | "y"): number => places.reduce((sum, place) => sum + place[axis], 0) / places.length;
-  const last = Math.max(...shown.map(({ during }) => during?.[0] ?? 0));
-  return shown.map((label, i) => {
-    const at = places[i]!;
+  const { width, height } = frame.view;
+  const shown = labels
+    .filter((label): label is Chip["label"] => label.number !== undefined)
+    .map(label => ({ label, at: project(label.at) }))
+    .filter(({ at: { x, y } }) => x >= 0 && y >= 0 && x <= width && y <= height);
+  const middle = (axis: "x" | "y"): number => shown.reduce((sum, { at }) => sum + at[axis], 0) / shown.length;
+  const last = Math.max(...shown.map(({ label }) => label.during?.[0] ?? 0));
+  const chips = shown.map(({ label, at }): Chip => {
     const width = badgeOf(label.number) + 2 * PAD + LETTER * label.text.length;
-    const away = { x: at.x - middle("x") || 0.01, y: at.y - middle("y") || -1 };
-    const size = { left: -width / 2 - 4, right: width / 2 + 4, top: -HEIGHT / 2 - 4, bottom: HEIGHT / 2 + 4 };
-    return {
-      at,
-      label,
-      width,
-      height: HEIGHT,
-      present: label.during?.[0] === last,
-      spots: beside(at, away, frame.view, size),
-    };
+    return { at, label, width, present: label.during?.[0] === last };
   });
+  return chips
+    .sort((a, b) => Number(b.present) - Number(a.present))
+    .map(chip => ({
+      width: chip.width,
+      height: HEIGHT,
+      spots: beside(chip.at, { x: chip.at.x - middle("x") || 0.01, y: chip.at.y - middle("y") || -1 }),
+      reach: Infinity,
+      draw: spot => drawChip(chip, spot, colours),
+      line: spot => [lineTo(chip, spot, colours)],
+    }));
 }
 
-export function drawChip({ at, label, width, present }: Chip, { x, y }: Spot, colours: Colours): Drawn[] {
+const edgeOf = ({ present }: Chip, colours: Colours): string => (present ? colours.measuring : colours.chipEdge);
+
+function lineTo(chip: Chip, { x, y }: Spot, colours: Colours): Drawn {
+  const d = `M${chip.at.x} ${chip.at.y}L${x} ${y}`;
+  const width = chip.present ? 1.5 : 1;
+  return { tag: "path", attributes: { d, stroke: edgeOf(chip, colours), "stroke-width": width, fill: "none" } };
+}
+
+function drawChip(chip: Chip, { x, y }: Spot, colours: Colours): Drawn[] {
+  const { label, width, present } = chip;
   const [left, top] = [Math.round(x - width / 2) + 0.5, Math.round(y - HEIGHT / 2) + 0.5];
   const badge = badgeOf(label.number);
-  const edge = present ? colours.measuring : colours.chipEdge;
   const words = { "dominant-baseline": "central", "font-size": 12, "font-weight": 600 };
   return [
-    {
-      tag: "path",
-      attributes: { d: `M${at.x} ${at.y}L${x} ${y}`, stroke: edge, "stroke-width": present ? 1.5 : 1, fill: "none" },
-    },
     {
       tag: "rect",
       attributes: {
@@ -62,7 +70,7 @@ export function drawChip({ at, label, width, present }: Chip, { x, y }: Spot, co
         height: HEIGHT,
         rx: CORNER + 2,
         fill: colours.chip,
-        stroke: edge,
+        stroke: edgeOf(chip, colours),
         "stroke-width": present ? 2 : 1,
       },
     },

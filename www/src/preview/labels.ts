@@ -9,7 +9,8 @@ import { add, dot, sub, times } from "./vec";
 /**
  * `below`: under its point on the screen, `aside`: to the left of it as well; both clear of others. `raised`: so many
  * CSS pixels above. `beside`: it begins there instead of standing over it. `during`: entries of the trace between which
- * it is shown. `field`: parameter that it explains.
+ * it is shown. `field`: parameter that it explains. `zero`: the name of a coordinate system. `lit`: it stands out.
+ * `origin`: out of sight, this is not shown either.
  */
 export interface Label {
   at: Vec3;
@@ -19,6 +20,9 @@ export interface Label {
   aside?: boolean;
   raised?: number;
   beside?: boolean;
+  zero?: boolean;
+  lit?: boolean;
+  origin?: Vec3;
   during?: readonly [number, number];
   field?: string | undefined;
   number?: number | undefined; // of a touch
@@ -44,7 +48,7 @@ const colourOf: Record<LabelKind, "text" | "touch" | "crash"> = {
   anchor: "text",
 };
 const PLACES: Record<LabelKind, (upper: boolean) => Partial<Label>> = {
-  frame: () => ({ below: true, aside: true }),
+  frame: () => ({ below: true, aside: true, zero: true }),
   diameter: upper => ({ beside: true, raised: (upper ? UP : DOWN)[0] }),
   nominal: upper => ({ beside: true, raised: (upper ? UP : DOWN)[1] }),
   touched: () => ({ raised: ABOVE }),
@@ -89,11 +93,13 @@ function placed(
   say: Say,
   { focus }: Wanted,
 ): Label {
+  const lit = !!field && field === focus;
   return {
     at,
     text: text.map(say).filter(Boolean).join(", ") || (field ?? ""),
-    colour: field && field === focus ? colours.lit : colours[colourOf[kind]],
+    colour: lit ? colours.lit : colours[colourOf[kind]],
     ...PLACES[kind](upper),
+    lit,
     ...(from !== undefined && { during: [from, to] }),
     field,
     number,
@@ -110,7 +116,9 @@ function letters({ frames, axis }: SceneView, colours: Colours): Label[] {
   return frames
     .filter(({ moved }) => moved !== "before")
     .flatMap(({ at, axes: directions }) =>
-      axes.map(([text, colour], i): Label => ({ at: add(at, times(directions[i]!, LETTER * axis)), text, colour })),
+      axes.map(([text, colour], i): Label => {
+        return { at: add(at, times(directions[i]!, LETTER * axis)), origin: at, text, colour };
+      }),
     );
 }
 

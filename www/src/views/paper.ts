@@ -22,6 +22,7 @@ type Draw = typeof import("../preview/still");
 const MOST = 200; // calls in a report
 const VIEW = { width: 440, height: 300 }; // CSS pixels
 const PICTURE = { width: 220, height: 300 };
+const DEVICES = ["webgpu", "webgl2"] as const; // the best first
 
 /** A call as it is printed. */
 interface Printed {
@@ -85,18 +86,21 @@ function stillOf({ view, scene }: Pick<Printed, "view" | "scene">): Still | null
   return scene && entries ? { data: scene, step: entries - 1, cloud: null, drawing: false, camera: null, say } : null;
 }
 
-/** The 3D view as the stage draws it; none where it is drawn otherwise, or cannot be now. */
+/** The 3D view as the stage draws it, or would where it was never in sight; none where no device can do so now. */
 async function fineOf(printed: Printed, { drawFine }: Draw, stage: Stage): Promise<HTMLElement | null> {
-  const [still, way] = [stillOf(printed), stage.preview?.backend];
-  if (!still || !way || way === "svg") return null;
-  const box = el("div", { class: "paper-stage" });
-  try {
-    await drawFine(box, still, VIEW, way);
-    return box;
-  } catch (problem) {
-    console.warn(problem);
-    return null;
+  const still = stillOf(printed);
+  if (!still) return null;
+  for (const way of stage.preview ? [stage.preview.backend] : DEVICES) {
+    if (way === "svg") break;
+    const box = el("div", { class: "paper-stage" });
+    try {
+      await drawFine(box, still, VIEW, way);
+      return box;
+    } catch (problem) {
+      console.warn(problem);
+    }
   }
+  return null;
 }
 
 const callText = (snippet: string, { control }: CycleInfo): string =>
