@@ -19,7 +19,8 @@ pub const KEYS: &[&str] = &[
     "run-repeated", "run-not-measured", "run-axis-name", "run-system-variable", "run-positioning", "run-axis-variable",
     "run-log-on", "run-scan-limit", "run-unread-value", "run-unread-way", "run-parameter", "run-no-edge", "run-far",
     "run-no-value", "run-errors", "run-crash-tool", "run-machine-value", "run-argument-unknown", "run-standard",
-    "run-step", "run-data", "run-trace-full", "run-axes", "run-waits",
+    "run-step", "run-data", "run-trace-full", "run-axes", "run-waits", "run-passed", "run-synchronous",
+    "run-transformed", "run-restart",
 ];
 
 /// Keys of what a run goes on without: named at its end.
@@ -27,6 +28,7 @@ const PASSED_OVER: &[&str] = &["run-unknown-word", "run-not-simulated", "run-sub
 
 /// What helps, for the problems that do not say it.
 const CURES: &[(&str, &str)] = &[
+    ("run-unknown-variable", "run-unknown-variable-hint"),
     ("run-subprogram", "run-subprogram-hint"),
     ("run-no-tool", "run-no-tool-hint"),
     ("run-no-edge", "run-no-edge-hint"),

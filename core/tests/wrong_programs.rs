@@ -7,12 +7,14 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use probewright_core::control::Control;
-use probewright_core::diagnostic::{Code, Diagnostic};
+use probewright_core::diagnostic::{Code, Diagnostic, Severity};
 use probewright_core::dialect::Dialect;
 use probewright_core::json::setup_from_json;
+use probewright_core::machine::Stop;
 use probewright_core::program::change::apply;
 use probewright_core::program::findings_on;
 use probewright_core::report::findings::finding;
+use probewright_core::run::{Limits, assumed};
 use probewright_core::syntax::read;
 use probewright_core::words::Words;
 use std::path::{Path, PathBuf};
@@ -91,10 +93,7 @@ fn every_cure_mends_its_finding() {
             let after = findings(&apply(&source, edits));
             let count = |list: &[Diagnostic]| list.iter().filter(|one| same(one, finding)).count();
             assert!(count(&after) < count(&before), "{path:?} {finding:?} {after:?}");
-            let errors = |list: &[Diagnostic]| {
-                let error = probewright_core::diagnostic::Severity::Error;
-                list.iter().filter(|one| one.severity == error).count()
-            };
+            let errors = |list: &[Diagnostic]| list.iter().filter(|one| one.severity == Severity::Error).count();
             assert!(errors(&after) <= errors(&before), "{path:?} {finding:?} {after:?}");
             cured += 1;
         }
@@ -142,6 +141,26 @@ fn right_programs_give_no_finding() {
         let found = findings_on(&program, control.clone());
         assert!(found.is_empty(), "{path:?} {found:?}");
     }
+}
+
+// oracle: hand (`tests/right`: no word stops a run; a machine that is made for a program proves no measurement)
+#[test]
+fn no_word_of_a_right_program_stops_its_run() {
+    let mut stopped = Vec::new();
+    for path in programs_in(&folder().join("../right")) {
+        let program = read(Dialect::Sinumerik, &std::fs::read(&path).unwrap());
+        let outcome = assumed::run(&program, Limits::default()).outcome;
+        let wrong = |one: &&Diagnostic| one.severity == Severity::Error && matches!(one.code, Code::Own(_));
+        let error = outcome.diagnostics.iter().find(wrong).map(|one| one.message.clone());
+        let of_cycle = |stop: &Stop| match stop {
+            Stop::Alarm(_) => true,
+            Stop::Fault(message) => message.key == "run-no-simulation",
+        };
+        if !outcome.stop.as_ref().is_none_or(of_cycle) || outcome.stop.is_none() && error.is_some() {
+            stopped.push((path, outcome.stop, error));
+        }
+    }
+    assert_eq!(stopped, []);
 }
 
 // oracle: manual: its own programs (`tests/cases`) take their points far enough apart

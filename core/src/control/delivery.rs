@@ -39,6 +39,7 @@ pub fn delivery_in(dialect: Dialect, units: Units) -> Control {
         basic: BasicFrames::default(),
         active: Frame::default(),
         program_frame: Frame::default(),
+        plane_frame: Frame::default(),
         part_frame: Frame::default(),
         tools: BTreeMap::new(),
         environments: BTreeMap::new(),

@@ -1,5 +1,6 @@
 //! Coordinate systems: workpiece (WCS) ↔ machine (basic) by the chain frame of the swivel table · system frame ·
-//! NCU-global basic frames · channel basic frames · active settable frame · programmed frame. mm, degree.
+//! NCU-global basic frames · channel basic frames · active settable frame · plane of CYCLE800 · programmed frame. mm,
+//! degree.
 
 use super::{BasicFrames, Control, Frame, Value};
 use crate::geometry::{Dir, Mcs, Wcs};
@@ -23,9 +24,10 @@ pub enum Store {
     Settable(usize),
 }
 
-/// The frames between machine and WCS while they are out of effect: basic, and of the table, settable, programmed.
+/// The frames between machine and WCS while they are out of effect: basic, and of the table, settable, of the
+/// plane, programmed.
 #[derive(Clone, Debug)]
-pub struct InEffect(BasicFrames, [Frame; 3]);
+pub struct InEffect(BasicFrames, [Frame; 4]);
 
 impl Control {
     /// Frames in effect between machine and settable frame, outermost first: table, system, global, channel basic.
@@ -67,19 +69,19 @@ impl Control {
     }
 
     fn links(&self) -> impl DoubleEndedIterator<Item = &Frame> {
-        self.basic_links().chain([&self.active, &self.program_frame])
+        self.basic_links().chain([&self.active, &self.plane_frame, &self.program_frame])
     }
 
     /// Takes all frames out of effect, so that the WCS is that of the machine; see [`Control::put_frames`].
     pub fn take_frames(&mut self) -> InEffect {
-        let others = [&mut self.part_frame, &mut self.active, &mut self.program_frame];
+        let others = [&mut self.part_frame, &mut self.active, &mut self.plane_frame, &mut self.program_frame];
         InEffect(std::mem::take(&mut self.basic), others.map(std::mem::take))
     }
 
     /// Brings back into effect what [`Control::take_frames`] took out.
     pub fn put_frames(&mut self, InEffect(basic, others): InEffect) {
         self.basic = basic;
-        [self.part_frame, self.active, self.program_frame] = others;
+        [self.part_frame, self.active, self.plane_frame, self.program_frame] = others;
     }
 
     /// Whether a frame between machine and WCS turns.

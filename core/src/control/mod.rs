@@ -202,6 +202,8 @@ pub struct Control {
     pub active: Frame,
     /// Programmed frame (TRANS, ROT and their additive forms), innermost.
     pub program_frame: Frame,
+    /// Plane of CYCLE800, `$P_WPFRAME`, between settable and programmed frame.
+    pub plane_frame: Frame,
     /// Frame of a swivel table, `$P_PARTFRAME`, outermost: how the table has turned the part (CYCLE800).
     pub part_frame: Frame,
     /// Tools by T number.

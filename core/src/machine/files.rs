@@ -52,6 +52,13 @@ impl Files {
         self.all.entry(name.to_owned()).or_default().push(line);
     }
 
+    /// Deletes a file; false: it is not there.
+    pub fn delete(&mut self, name: &str) -> bool {
+        let there = self.all.remove(name).is_some();
+        self.changes += u64::from(there);
+        there
+    }
+
     /// The lines of a file; none: it is not there.
     pub fn lines(&self, name: &str) -> Option<&[String]> {
         self.all.get(name).map(Vec::as_slice)

@@ -10,6 +10,10 @@ use crate::dialect::Dialect;
 pub const STORE_ENVIRONMENT: &str = "TOOLENV";
 /// `SETAL(61000)`: raises an alarm.
 pub const SET_ALARM: &str = "SETAL";
+/// `EXECSTRING(TEXT)`: carries out the block that a text holds.
+pub const EXECUTE_TEXT: &str = "EXECSTRING";
+/// `GOTOS`: back to the first block.
+pub const RESTART: &str = "GOTOS";
 /// `CYCLE800(…)`: swivels.
 pub const SWIVEL: &str = "CYCLE800";
 
@@ -22,7 +26,8 @@ pub fn is_of_control(name: &str) -> bool {
         || ["MSG", STORE_ENVIRONMENT, SET_ALARM].contains(&name)
         || delivered(name)
         || words::known(name)
-        || words::beyond(name)
+        || words::transforms(name)
+        || [EXECUTE_TEXT, RESTART].contains(&name)
         || is_frame(name)
 }
 

@@ -1,6 +1,6 @@
 //! Words of the control: settings of a block, those without effect here, those behind which nothing can be simulated.
 
-use super::of_control::SWIVEL;
+use super::of_control::{EXECUTE_TEXT, SWIVEL};
 use super::standard::{driven, is_standard, is_step};
 use crate::catalogue;
 use crate::control::Transverse;
@@ -16,25 +16,36 @@ const WITHOUT_EFFECT: &[&str] = &[
     "STOPFIFO", "FIFOCTRL", "WALIMON", "WALIMOF", "RTLION", "RTLIOF", "COMPOF", "COMPON", "COMPCAD", "COMPCURV",
     "CPRECON", "CPRECOF", "UPATH", "SPATH", "FNORM", "CUTCONOF", "BNAT", "ENAT", "CORROF", "DRFOF", "DYNNORM",
     "DYNPOS", "DYNROUGH", "DYNSEMIFIN", "DYNFINISH", "CYCLE832", "ORIWKS", "ORIMKS", "ORIAXES", "ORIVECT", "ORIEULER",
-    "ORIRPY", "TRAFOOF", "TOROTOF", "PAROTOF", "TOFFOF", "TOWSTD", "FGROUP", "SPCON", "SPCOF", "WAITP", "WAITS", "GET",
-    "GETD", "RELEASE", "AXTOCHAN", "GROUP_BEGIN", "GROUP_END", "WORKPIECE",
+    "ORIRPY", "TRAFOOF", "SPLINEPATH", "TOROTOF", "PAROTOF", "TOFFOF", "TOWSTD", "FGROUP", "SPCON", "SPCOF", "WAITP",
+    "WAITS", "GET", "GETD", "RELEASE", "AXTOCHAN", "GROUP_BEGIN", "GROUP_END", "WORKPIECE",
 ];
 
-/// Words behind which nobody knows where the axes stand or in which coordinates they move: they stop the run.
-const BEYOND: &[&str] = &[
-    "TRANSMIT", "TRACYL", "TRAANG", "TRACON", "PRESETON", "PRESETONS", "ROTS", "AROTS", "TOFRAME", "TOROT", "PAROT",
-    "TOFFON", "GEOAX", "POLY", "SPLINEPATH", "EXECSTRING", "GOTOS",
+/// Words behind which nobody knows where the axes stand or in which coordinates they move, up to what ends that: other
+/// coordinates, other axes, another position, frames that are not simulated.
+const TRANSFORMATIONS: [&str; 11] =
+    ["TRANSMIT", "TRACYL", "TRACON", "GEOAX", "PRESETON", "PRESETONS", "ROTS", "AROTS", "TOFRAME", "TOROT", "PAROT"];
+
+/// Words whose arguments are values, some of which are handed back.
+const WITH_VALUES: [&str; 15] = [
+    "WRITE", "READ", "DELETE", "EXTOPEN", "EXTWRITE", "EXTCLOSE", "FILEDATE", "FILEINFO", "FILESIZE", "FILESTAT",
+    "FILETIME", "GETSELT", "GETEXET", "DELT", "TCA",
 ];
 
 /// Names with a value, perhaps of an axis (`ACC[X]=50`), that change nothing that is simulated: acceleration, blending,
 /// limits and overrides of speeds, the speed of a positioning axis, priorities.
 const VALUES_WITHOUT_EFFECT: &[&str] = &[
     "ADIS", "ADISPOS", "ACC", "ACCLIMA", "JERKLIM", "JERKLIMA", "VELOLIM", "VELOLIMA", "FGREF", "FL", "FA", "FP",
-    "OVR", "OVRA", "OVRRAP", "POLF",
+    "OVR", "OVRA", "OVRRAP", "POLF", "ACCLIM", "ATOL", "COUPFACT", "CTOL", "FLIM", "OTOL", "SCC", "SPN", "SPP",
+    "STOLF", "SVC",
 ];
 
-/// Names with a value that do something which is not simulated; the axes go on without it.
-const VALUES_TOLD: &[&str] = &["TCARR", "ID"];
+/// Names with a value that do something which is not simulated: tool carriers, actions, oscillation, travel to a fixed
+/// stop, measuring of one axis, grinding wheels, positions of joints, orientations; the axes go on without it.
+const VALUES_TOLD: &[&str] = &[
+    "TCARR", "ID", "IDS", "FXS", "FXST", "FXSW", "OS", "OST1", "OST2", "OSP1", "OSP2", "OST", "OSCTRL", "OSNSC", "OSE",
+    "OSB", "MEASA", "MEAWA", "MEAC", "POSP", "STAT", "TU", "SUG", "ST", "TOFF", "TOFFL", "TOFFR", "CUTMOD", "LEAD",
+    "TILT", "THETA", "NUT", "DITS", "DITE", "FZ", "GFRAME", "ALF", "DILF", "PRIO",
+];
 
 /// Whether a run goes on without `ADIS=0.5`, `ACC[X]=50`, and whether it tells that; none: it is another name.
 pub fn left_out(name: &str) -> Option<bool> {
@@ -47,16 +58,24 @@ pub fn known(name: &str) -> bool {
     WITHOUT_EFFECT.contains(&name) || setting(name).is_some()
 }
 
-/// Whether a word stops the run, as what comes behind it cannot be simulated.
-pub fn beyond(name: &str) -> bool {
-    BEYOND.contains(&name)
+/// Whether a word begins something behind which the axes are not those that are written.
+pub fn transforms(name: &str) -> bool {
+    TRANSFORMATIONS.contains(&name)
+}
+
+/// Whether a word has values as arguments, and hands back what it found in some of them.
+pub fn hands_back(name: &str) -> bool {
+    WITH_VALUES.contains(&name)
 }
 
 /// Whether nothing is made of the arguments of a word, so that they may name axes and channels that are not here.
 pub fn ignores_arguments(name: &str) -> bool {
     let left_out = is_standard(name) && name != SWIVEL && catalogue::find(Dialect::Sinumerik, name).is_none();
+    let word = WITHOUT_EFFECT.contains(&name) || is_word(name);
     driven(name).is_none()
-        && (left_out || is_step(name) || WITHOUT_EFFECT.contains(&name) || beyond(name) || is_word(name))
+        && name != EXECUTE_TEXT
+        && !hands_back(name)
+        && (left_out || is_step(name) || transforms(name) || word)
 }
 
 /// What a word sets.
@@ -83,7 +102,7 @@ pub fn setting(name: &str) -> Option<Setting> {
         "DIAMON" => Setting::Transverse(Transverse::Diameter),
         "DIAM90" => Setting::Transverse(Transverse::AbsoluteDiameter),
         "CIP" => Setting::Through,
-        "ASPLINE" | "BSPLINE" | "CSPLINE" => Setting::Spline,
+        "ASPLINE" | "BSPLINE" | "CSPLINE" | "POLY" => Setting::Spline,
         "KONT" | "KONTT" | "KONTC" => Setting::Approach,
         "BAUTO" | "BTAN" | "EAUTO" | "ETAN" => Setting::EndOfSpline,
         _ => return None,

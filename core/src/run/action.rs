@@ -1,17 +1,18 @@
 //! What the words of a block do together: functions first, then tool, motion, calls, and the end.
 
 use super::{
-    Call, Datum, Halt, Interpreter, Next, Words, addresses, cycle, frame, gcode, listed, macro_call, motion, noted,
-    of_control, repeat, standard, subprogram, tool, unread,
+    Call, Datum, Halt, Interpreter, Next, Words, addresses, cycle, files, frame, gcode, listed, macro_call, motion,
+    noted, of_control, of_string, repeat, restart, standard, subprogram, swivel, tool, tool_memory, transformed,
+    unread,
 };
-use crate::diagnostic::{Severity, Span};
+use crate::diagnostic::Span;
 use crate::geometry::Degrees;
 use crate::machine::{Machine, Step};
 use crate::problem::Problem;
-use crate::program::of_control::{SET_ALARM, STORE_ENVIRONMENT, SWIVEL, is_frame};
+use crate::program::of_control::{EXECUTE_TEXT, RESTART, SET_ALARM, STORE_ENVIRONMENT, SWIVEL, is_frame};
 use crate::program::standard::{driven, is_standard, is_step};
 use crate::program::user_programs::delivered;
-use crate::program::words::{beyond, known};
+use crate::program::words::{hands_back, known, transforms};
 use crate::syntax::language::is_word;
 use crate::{catalogue, entry};
 use std::rc::Rc;
@@ -37,6 +38,7 @@ pub fn perform(run: &mut Interpreter, mut found: Words) -> Result<Next, Halt> {
     }
     let subprogram = numbered && found.function("M", 98.0).is_some();
     gcode::apply(run, &mut found, |_| true)?;
+    transformed::apply(run, &mut found);
     if !found.path.stays {
         unread::placed(run, &found.addresses);
     }
@@ -150,7 +152,8 @@ pub fn machine_function(run: &mut Interpreter, span: Span, word: &str) {
 /// Calls: operator texts, measuring cycles, subprograms of the same text, standard cycles.
 pub fn carry_out(run: &mut Interpreter, at: usize, call: &Call, passes: u32) -> Result<Option<Next>, Halt> {
     let name = call.name.as_str();
-    if listed::call(run, call)? {
+    let answers = hands_back(name) && run.programs.named(name).is_none();
+    if listed::call(run, call)? || answers && (files::call(run, call)? || tool_memory::call(run, call)?) {
         return Ok(None);
     }
     if name == "MSG" {
@@ -160,7 +163,7 @@ pub fn carry_out(run: &mut Interpreter, at: usize, call: &Call, passes: u32) -> 
     } else if name == SET_ALARM {
         of_control::raise(run, call)?;
     } else if name == SWIVEL {
-        of_control::swivel(run, call)?;
+        swivel::swivel(run, call)?;
     } else if let Some(cycle) = catalogue::find(run.program.dialect, name) {
         cycle::data(run, cycle, call.span)?;
     } else if let Some(unit) = run.programs.named(name).cloned() {
@@ -171,16 +174,18 @@ pub fn carry_out(run: &mut Interpreter, at: usize, call: &Call, passes: u32) -> 
         // empty as delivered
     } else if run.programs.external.contains(name) {
         subprogram::not_here(run, name, call.span)?;
-    } else if beyond(name) {
-        return Err(Problem::new("run-not-simulated", call.span, name).into());
-    } else if known(name) || is_frame(name) {
+    } else if name == EXECUTE_TEXT {
+        return of_string::carry_out(run, at, call);
+    } else if name == RESTART {
+        return Ok(Some(restart::begin_again(run, at, call.span)));
+    } else if known(name) || is_frame(name) || transforms(name) {
         // done, or nothing to do
     } else if is_standard(name) {
         noted::without(run, "run-standard", call.span, name);
     } else if is_step(name) {
         noted::without(run, "run-step", call.span, name);
     } else if is_word(name) {
-        run.tell(Severity::Warning, &Problem::new("run-not-simulated", call.span, name));
+        noted::without(run, "run-passed", call.span, name);
     } else {
         subprogram::not_here(run, name, call.span)?;
     }

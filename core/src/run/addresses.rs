@@ -1,10 +1,9 @@
 //! Addresses of a block: axes, arcs, feed, speed, spindle angle.
 
 use super::{
-    Address, Coordinate, Datum, Interpreter, Path, action::machine_function, motion, other_axes, path::Corner,
+    Address, Coordinate, Datum, Interpreter, Path, action::machine_function, motion, noted, other_axes, path::Corner,
 };
 use crate::control::AXES;
-use crate::diagnostic::Severity;
 use crate::geometry::Degrees;
 use crate::machine::Machine;
 use crate::problem::Problem;
@@ -45,7 +44,8 @@ pub fn take(run: &mut Interpreter, address: &Address, path: &mut Path) -> Result
             }
         }
         "S" | "T" if address.extension.is_some_and(|spindle| spindle > 1) => {
-            run.tell(Severity::Warning, &Problem::new("run-not-simulated", address.span, name));
+            let word = address.extension.map_or_else(|| name.to_owned(), |number| format!("{name}{number}"));
+            noted::without(run, "run-passed", address.span, &word);
         }
         "SPOS" | "SPOSA" => {
             let stands = if address.mode.as_deref() == Some("IC") { run.sim.control.spindle } else { Degrees(0.0) };
@@ -59,7 +59,9 @@ pub fn take(run: &mut Interpreter, address: &Address, path: &mut Path) -> Result
         "FRC" => path.corner_feed = Some(number(address)?),
         "FRCM" => run.modal.corner_feed = number(address)?,
         // the last four tune a path or a spline, of which only the programmed points are passed
+        // those of smooth approach are told with it
         "G" | "M" | "F" | "S" | "D" | "DL" | "SF" | "PW" | "SD" | "PL" => drop(number(address)?),
+        "DISR" | "DISCL" | "FAD" => drop(number(address)?),
         _ if rules.beside.contains(&name) => drop(number(address)?),
         "H" => machine_function(run, address.span, &format!("H{}", Datum::Number(number(address)?).shown())),
         _ if path.stays => {}
@@ -109,7 +111,7 @@ fn other(run: &mut Interpreter, address: &Address, path: &mut Path) -> Result<()
         if other_axes::take(run, address)? {
             return Ok(());
         }
-        run.tell(Severity::Warning, &Problem::new("run-not-simulated", address.span, &*address.name));
+        noted::without(run, "run-passed", address.span, &address.name);
         return Ok(());
     };
     let written = Degrees(number(address)?);

@@ -5,12 +5,13 @@
 use super::{Interpreter, Limits, Outcome, Session, call, outcome::set};
 use crate::check::variants;
 use crate::control::{Edge, LATHE_PROBE, MachineSort, Plane, Tool};
+use crate::dialect::Dialect;
 use crate::entry::{Cycle, Inputs, ProbeUse, Proposal, Typed};
 use crate::geometry::{Degrees, Mcs, Rpy, V3, rigid};
 use crate::machine::{Setup, Sim, Step, probe_data, probe_place};
 use crate::message::Message;
 use crate::program::calls::calls;
-use crate::syntax::tree::Program;
+use crate::syntax::tree::{Program, Word, WordKind};
 use crate::workpiece::{Solid, ToolProbe, Workpiece, tool::Tool as RealTool};
 use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet};
@@ -83,8 +84,12 @@ fn carried_out(mut session: Session, mut setup: Setup, told: &mut dyn FnMut(&Ses
 /// The machine that the calls need, before its first block.
 fn start(program: &Program) -> Setup {
     let sites = calls(program);
-    let turning = sites.iter().any(|site| site.cycle.purpose.machine == MachineSort::Turning);
+    let measures_turned = sites.iter().any(|site| site.cycle.purpose.machine == MachineSort::Turning);
+    let turning = measures_turned || sites.is_empty() && turns(program);
     let mut setup = Setup::calibrated(program.dialect, if turning { Plane::G18 } else { Plane::G17 });
+    if turning {
+        setup.make_turning();
+    }
     for site in sites.iter().rev() {
         setup.suit(site.cycle, variants::chosen(site.cycle, &site.values, &setup.control).unwrap_or(0));
     }
@@ -96,6 +101,15 @@ fn start(program: &Program) -> Setup {
         (setup.control.tool, setup.control.edge) = probe_place(setup.control.make());
     }
     setup
+}
+
+/// Whether a program without measuring calls is one for a lathe: it has diameters or a constant cutting speed.
+fn turns(program: &Program) -> bool {
+    let cutting = |word: &Word| program.constant(word, "G") == Some(96.0);
+    let limit = |word: &Word| matches!(&word.kind, WordKind::Assign { name, .. } if program.is(*name, "LIMS"));
+    let diameters = |word: &Word| program.is_call(word, &["DIAMON", "DIAM90"]);
+    let sinumerik = program.dialect == Dialect::Sinumerik;
+    sinumerik && program.words.iter().any(|word| cutting(word) || limit(word) || diameters(word))
 }
 
 /// What is said of the machine as a whole.

@@ -7,11 +7,26 @@ use crate::geometry::Rpy;
 use crate::problem::Problem;
 use crate::program::of_control::is_frame;
 
+/// `G58 X10`: the translation of the programmed frame along the axes that are written; `G59 X0.1`: its fine part.
+fn shifted(run: &mut Interpreter, found: &Words) -> bool {
+    let shift = |code: f64| found.function("G", code).is_some();
+    let (coarse, fine) = (shift(58.0), shift(59.0));
+    let frame = &mut run.sim.control.program_frame;
+    for (axis, written) in found.path.axes.iter().enumerate() {
+        match written {
+            Some(written) if coarse => frame.coarse[axis] = written.value,
+            Some(written) if fine => frame.fine[axis] = written.value,
+            _ => {}
+        }
+    }
+    coarse || fine
+}
+
 /// Carries out the frame instruction of a block with its axis words; false: there is none.
 pub fn applied(run: &mut Interpreter, found: &Words) -> Result<bool, Problem> {
     let calls: Vec<&Call> = found.calls.iter().filter(|call| is_frame(&call.name)).collect();
     match calls[..] {
-        [] => Ok(false),
+        [] => Ok(!run.program.grammar().numbered && shifted(run, found)),
         [call] => apply(run, call, found).map(|()| true),
         [call, ..] => Err(Problem::new("run-alone", call.span, &*call.name)),
     }

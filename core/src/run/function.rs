@@ -1,6 +1,6 @@
 //! Functions of expressions: arithmetic, texts, frames. Angles in degree.
 
-use super::{Datum, Interpreter, expression::element, expression::list};
+use super::{Datum, Interpreter, asked_functions, expression::element, expression::list};
 use crate::control::{AXES, Frame, ROTARY, variables::set_component};
 use crate::diagnostic::Span;
 use crate::problem::Problem;
@@ -28,7 +28,7 @@ pub fn call(run: &Interpreter, place: Span, args: &[ExprId]) -> Result<Datum, Pr
     }
     let numbers: Vec<f64> = values.iter().filter_map(Datum::number).collect();
     if numbers.len() < values.len() {
-        return Err(refused());
+        return asked_functions::call(run, &name, &values, place).ok_or_else(refused);
     }
     let value = match numbers[..] {
         [number] if name == "NOT" => Some((run.rules().not)(number)),
@@ -37,7 +37,10 @@ pub fn call(run: &Interpreter, place: Span, args: &[ExprId]) -> Result<Datum, Pr
     match value {
         Some(value) if value.is_finite() => Ok(Datum::Number(value)),
         Some(_) => Err(refused()),
-        None => Err(Problem::new("run-unknown-word", place, name.as_str())),
+        None => {
+            let unknown = || Problem::new("run-unknown-word", place, name.as_str());
+            asked_functions::call(run, &name, &values, place).ok_or_else(unknown)
+        }
     }
 }
 

@@ -40,7 +40,6 @@ pub fn apply(run: &mut Interpreter, found: &mut Words, counts: fn(f64) -> bool) 
             match instead {
                 Instead::Stays => found.path.stays = true,
                 Instead::GoesOn => {}
-                Instead::Stops => return Err(problem),
             }
             run.tell(Severity::Warning, &problem);
             continue;
@@ -61,12 +60,10 @@ pub enum Instead {
     Stays,
     /// The block moves as without it: a smooth approach.
     GoesOn,
-    /// Nobody knows in which coordinates the axes move then.
-    Stops,
 }
 
 /// SINUMERIK: G25 and G26 limits, G33 to G35, G63, G331, G332 threads, G74 and G75 reference and fixed points, G147 to
-/// G348 smooth approach and retraction, G58 and G59 parts of the programmed frame.
+/// G348 smooth approach and retraction.
 pub fn instead(number: f64) -> Option<Instead> {
     if number.fract() != 0.0 {
         return None;
@@ -74,7 +71,6 @@ pub fn instead(number: f64) -> Option<Instead> {
     match number as i64 {
         25 | 26 | 33..=35 | 63 | 74 | 75 | 331 | 332 => Some(Instead::Stays),
         147 | 148 | 247 | 248 | 347 | 348 => Some(Instead::GoesOn),
-        58 | 59 => Some(Instead::Stops),
         _ => None,
     }
 }
@@ -104,6 +100,7 @@ fn one(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
 
 pub fn sinumerik(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
     match code {
+        58 | 59 => {} // see `frame`
         110 => found.path.pole = Some(Pole::Position),
         111 => found.path.pole = Some(Pole::Zero),
         112 => found.path.pole = Some(Pole::Before),

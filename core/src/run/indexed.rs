@@ -1,7 +1,7 @@
 //! Addresses that are written like elements of an array: `SPOS[1]=AC(90)`, `S[1]=500`, `M[1]=3`, `AX[NAME]=5`.
 
-use super::{Address, Datum, Interpreter, Words, declare, evaluate, locals, other_axes};
-use crate::diagnostic::Severity;
+use super::{Address, Datum, Interpreter, Words, declare, evaluate, locals, noted, other_axes};
+use crate::diagnostic::{Severity, Span};
 use crate::problem::Problem;
 use crate::syntax::tree::{Expr, ExprId, Word, WordKind};
 
@@ -26,11 +26,13 @@ pub fn take(run: &mut Interpreter, word: &Word, found: &mut Words) -> Result<boo
             (axis, there)
         }
         "SPOS" | "SPOSA" | "S" | "M" => (name, evaluate(run, *index)?.number() == Some(1.0)),
+        "G" => (name, false),
+        "PO" => return polynomial(run, *index, *value, span, found).map(|()| true),
         "AX" => (evaluate(run, *index)?.shown(), true),
         _ => return Ok(false),
     };
     if !simulated {
-        run.tell(Severity::Warning, &Problem::new("run-not-simulated", span, name));
+        noted::without(run, "run-passed", span, &name);
         return Ok(true);
     }
     let (mode, value) = meant(run, *value)?;
@@ -41,6 +43,18 @@ pub fn take(run: &mut Interpreter, word: &Word, found: &mut Words) -> Result<boo
     let list = if linear { &mut found.positioning } else { &mut found.addresses };
     list.push(Address { name, extension: None, mode, value, span });
     Ok(true)
+}
+
+/// `PO[X]=(10,1.5,0.2)`: where the polynomial of an axis ends, which is all that is simulated of it.
+fn polynomial(run: &Interpreter, index: ExprId, value: ExprId, span: Span, found: &mut Words) -> Result<(), Problem> {
+    let name = axis_name(run, index)?;
+    let end = match evaluate(run, value)? {
+        Datum::List(values) => values.into_iter().next().flatten(),
+        value => Some(value),
+    };
+    let end = end.ok_or_else(|| Problem::new("run-not-a-number", span, &*name))?;
+    found.addresses.push(Address { name, extension: None, mode: None, value: end, span });
+    Ok(())
 }
 
 /// The axis between the brackets; a name that is no variable is itself one, as `U` on a machine without it.

@@ -4,7 +4,7 @@ use super::{
     Halt, Level, Limits, Locals, Modal, Outcome, assumed::Made, called::Called, contour, contour::Contour, cycle,
     defined, endless, endless::Watch, limits, motion, noted, noted::Noted, of_machine, of_machine::Asked,
     outcome::PassedOver, own_parameters, pieces, pieces::Pieces, repeat, rules::Rules, standard::Pattern, statement,
-    subprogram, unread, unread::Unread,
+    subprogram, synchronous, synchronous::Actions, unread, unread::Unread,
 };
 use crate::control::Value;
 use crate::diagnostic::{Diagnostic, Severity, Span};
@@ -85,6 +85,8 @@ pub struct Interpreter {
     /// The call that switched the log on last, its place in the text.
     pub log_on: Option<Span>,
     pub arrays_asked: BTreeSet<String>,
+    /// Synchronised actions that did not act yet.
+    pub actions: Actions,
 }
 
 /// Words passed over that are kept.
@@ -251,7 +253,7 @@ fn next_block(run: &mut Interpreter) -> Result<Option<()>, Halt> {
     run.sim.room().map_err(Halt::at(span))?; // a program that only computes never asks the machine
     let end = go_on(run, |_| next);
     if end.is_none() && run.at <= at && run.levels.len() == depth && endless::again(run) {
-        if !of_machine::turn(run, span) {
+        if !of_machine::turn(run, span) && !synchronous::act(run) {
             return Err(Problem::at("run-endless", span).number("line", (run.at + 1) as f64).into());
         }
         endless::forget(run);
@@ -314,6 +316,7 @@ impl Interpreter {
             asked: Asked::default(),
             log_on: None,
             arrays_asked: BTreeSet::new(),
+            actions: Actions::new(),
             program,
         };
         defined::add(&mut run);

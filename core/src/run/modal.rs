@@ -1,6 +1,7 @@
 //! What stays active until it is programmed anew.
 
 use super::contour::Outside;
+use super::transformed::Axes;
 
 /// Modal functions of a program.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -34,6 +35,8 @@ pub struct Modal {
     pub outside: Outside,
     /// OFFN: what is left of the contour beside the radius, mm.
     pub allowance: f64,
+    /// Whether axis words move anything: not between TRANSMIT and TRAFOOF.
+    pub axes: Axes,
     /// NCT: register of the tool radius (D).
     pub radius: i64,
 }

@@ -2,7 +2,7 @@
 
 use super::{
     Datum, Home, Interpreter, Keeper, action::machine_function, defined, evaluate, expression::element, indices,
-    locals, macro_variables, of_machine, own_parameters, stem, system, unread,
+    locals, macro_variables, of_machine, own_parameters, stem, system, tool_memory, unread,
 };
 use crate::catalogue::CYCLES;
 use crate::control::{Control, Frame, Value, arrays, gud, machine_data, rotary::is_angle};
@@ -179,7 +179,11 @@ fn write_variable(run: &mut Interpreter, key: &str, value: &Datum, place: Span) 
     if OUTPUTS.contains(&stem(key)) {
         machine_function(run, place, key);
     }
-    if system::simulated(run, key).is_none() && of_machine::write(run, key, value) {
+    if tool_memory::write(run, key, value) {
+        return Ok(());
+    }
+    let kept = key.starts_with("$TC_") || system::simulated(run, key).is_some();
+    if !kept && of_machine::write(run, key, value) {
         return Ok(());
     }
     let number = value.number().ok_or_else(|| Problem::new("run-not-a-number", place, key))?;

@@ -2,6 +2,7 @@
 
 use super::Interpreter;
 use crate::diagnostic::{Severity, Span};
+use crate::message::{Arg, Message, printable};
 use crate::problem::Problem;
 
 /// Words by the key of their note, each once with its first place in the text.
@@ -22,7 +23,7 @@ pub fn add(run: &mut Interpreter, key: &'static str, span: Span, word: &str) -> 
     let Some((_, words)) = run.noted.get_mut(at) else { return false };
     let new = words.len() < MOST && !words.iter().any(|(known, _)| known == word);
     if new {
-        words.push((word.to_owned(), span));
+        words.push((printable(word), span));
     }
     new
 }
@@ -41,6 +42,8 @@ pub fn tell(run: &mut Interpreter) {
         let named = words.iter().take(NAMED).map(|(word, _)| word.as_str());
         let more = (words.len() > NAMED).then_some("…");
         let listed = named.chain(more).collect::<Vec<_>>().join(", ");
-        run.keep(Problem::new(key, *place, listed).diagnostic(Severity::Note));
+        // each of them is short already, and each is to be named
+        let message = Message { args: vec![("word", Arg::Text(listed))], ..Message::new(key) };
+        run.keep(Problem { span: *place, message }.diagnostic(Severity::Note));
     }
 }

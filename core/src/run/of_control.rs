@@ -1,14 +1,11 @@
-//! What the control itself answers: operator texts, alarms of the program, the tool environment, the swivel table.
+//! What the control itself answers: operator texts, alarms of the program, the tool environment.
 
-use super::{Call, Datum, Halt, Interpreter, contour, evaluate};
+use super::{Call, Datum, Halt, Interpreter, evaluate};
 use crate::catalogue::alarms;
-use crate::control::Frame;
 use crate::diagnostic::{Code, Span};
-use crate::geometry::rigid::{angles, rotation};
-use crate::geometry::{Degrees, V3};
 use crate::machine::Step;
 use crate::problem::Problem;
-use crate::program::of_control::{SET_ALARM, STORE_ENVIRONMENT, SWIVEL};
+use crate::program::of_control::{SET_ALARM, STORE_ENVIRONMENT};
 use crate::syntax::tree::{Expr, ExprId};
 use std::rc::Rc;
 
@@ -64,50 +61,4 @@ pub fn assigned(run: &mut Interpreter, value: ExprId) -> Result<Option<Datum>, P
     }
     let args = args.iter().map(|arg| evaluate(run, *arg).map(Some)).collect::<Result<Vec<_>, _>>()?;
     store_environment(run, &args, *name).map(Some)
-}
-
-/// Argument with the name of the swivel data set, and the name by which none is meant.
-const DATA_SET: usize = 1;
-const NO_DATA_SET: &str = "0";
-
-/// Arguments that shift or turn the plane: X0 Y0 Z0, three angles, X1 Y1 Z1.
-const OFFSETS: std::ops::Range<usize> = 4..13;
-
-/// CYCLE800 with offsets 0: the table turns the part until the working plane of the active frames lies across the tool,
-/// and the coordinate systems turn with it (B:7696-7786, B:7773-7782). The machine axes stay where they are. Data set,
-/// mode and direction choose between ways that end in the same plane.
-pub fn swivel(run: &mut Interpreter, call: &Call) -> Result<(), Halt> {
-    contour::finish(run)?;
-    if given_up(call) {
-        run.sim.control.part_frame = Frame::default();
-        return Ok(());
-    }
-    let (turns, table) = planned(run, call)?;
-    for (axis, to) in turns.into_iter().enumerate() {
-        if run.sim.control.rotary[axis] != to {
-            run.sim.turn_table(axis, to).map_err(Halt::at(call.span))?;
-        }
-    }
-    run.sim.control.part_frame = table;
-    Ok(())
-}
-
-/// Whether the call gives the plane up: without values, or with the data set "0". The table stays where it is.
-fn given_up(call: &Call) -> bool {
-    call.args.iter().all(Option::is_none) || call.arg(DATA_SET) == Some(&Datum::Text(NO_DATA_SET.into()))
-}
-
-/// Where the rotary axes go, and the frame that turns with the table.
-fn planned(run: &mut Interpreter, call: &Call) -> Result<([Degrees; 3], Frame), Problem> {
-    let shifted = OFFSETS.into_iter().any(|place| !matches!(call.arg(place), None | Some(Datum::Number(0.0))));
-    if shifted || call.args.len() < 4 {
-        return Err(Problem::new("run-swivel", call.span, SWIVEL));
-    }
-    let control = &mut run.sim.control;
-    control.part_frame = Frame::default();
-    let total = control.total_frame().ok_or_else(|| Problem::new("run-shear", call.span, SWIVEL))?;
-    let turn = rotation(total.rotation).inverse();
-    let centre = V3::from(control.rotary_centre);
-    let table = Frame { coarse: (centre - turn * centre).into(), rotation: angles(&turn), ..Frame::default() };
-    Ok((total.rotation.map(Degrees), table))
 }

@@ -23,6 +23,10 @@ pub struct MachineValue {
 
 /// Most of them that are kept.
 const MOST: usize = 1000;
+/// What a value is taken for at last: later or larger than anything that a program waits for.
+const LARGE: f64 = 1e6;
+/// Clocks: what a program writes into them runs on.
+const CLOCKS: [&str; 2] = ["$AC_TIMER[", "$AN_TIMER["];
 /// How often a run takes a value for another, so that a loop that waits for it is left.
 const MOST_TURNS: usize = 100;
 
@@ -48,6 +52,8 @@ struct Waiting {
     place: Span,
     /// The value that is taken for another now.
     name: String,
+    /// What it was taken for before.
+    before: f64,
     /// Others that it asks for and that were not tried.
     untried: Vec<String>,
 }
@@ -61,6 +67,13 @@ pub fn read(run: &Interpreter, key: &str, place: Span) -> Option<Datum> {
     let by_number = machine_data::numbered(key);
     let control = &run.sim.control;
     if let Some(value) = control.data.get(key).or_else(|| control.data.get(by_number.as_deref()?)) {
+        let runs = CLOCKS.iter().any(|clock| key.starts_with(clock)) && !matches!(value, Value::Number(..0.0));
+        if runs && !run.limits.strict {
+            run.asked.in_loop.borrow_mut().insert(key.to_owned());
+            if let Some(later) = run.asked.turned.get(key) {
+                return Some(Datum::Number(*later));
+            }
+        }
         return Some(Datum::from(value));
     }
     if run.limits.strict {
@@ -82,15 +95,20 @@ pub fn watch(run: &Interpreter) {
     run.asked.in_loop.borrow_mut().clear();
 }
 
-/// Takes one value that a loop asks for as 1 in place of 0, or the other way round, and each other one after it while
-/// the loop still repeats itself: a program that waits for an input of its machine goes on, as it does there. False:
+/// Takes one value that a loop asks for as 1 in place of 0, or the other way round, then as something large, and each
+/// other one after it while the loop still repeats itself: a program that waits for an input of its machine goes on, as it does there. False:
 /// the loop waits for no value that was assumed.
 pub fn turn(run: &mut Interpreter, place: Span) -> bool {
     let at = run.at;
     let before = run.asked.waiting.take();
     let mut untried: Vec<String> = match before {
+        Some(waiting) if waiting.at == at && grows(run, &waiting.name) => {
+            run.asked.turned.insert(waiting.name.clone(), LARGE);
+            run.asked.waiting = Some(waiting);
+            return true;
+        }
         Some(waiting) if waiting.at == at => {
-            other(&mut run.asked.turned, &waiting.name); // it was not this one
+            run.asked.turned.insert(waiting.name, waiting.before); // it was not this one
             waiting.untried
         }
         before => {
@@ -101,14 +119,16 @@ pub fn turn(run: &mut Interpreter, place: Span) -> bool {
     };
     run.asked.turns += 1;
     let Some(name) = untried.pop().filter(|_| run.asked.turns <= MOST_TURNS) else { return false };
-    other(&mut run.asked.turned, &name);
-    run.asked.waiting = Some(Waiting { at, place, name, untried });
+    let value = run.asked.turned.entry(name.clone()).or_default();
+    let before = std::mem::replace(value, if *value == 0.0 { 1.0 } else { 0.0 });
+    run.asked.waiting = Some(Waiting { at, place, name, before, untried });
     true
 }
 
-fn other(turned: &mut BTreeMap<String, f64>, name: &str) {
-    let value = turned.entry(name.to_owned()).or_default();
-    *value = if *value == 0.0 { 1.0 } else { 0.0 };
+/// Whether a value may be larger than it was taken for: an input or output is 0 or 1.
+fn grows(run: &Interpreter, name: &str) -> bool {
+    let bit = name.starts_with("$A_IN[") || name.starts_with("$A_OUT[");
+    !bit && run.asked.turned.get(name) != Some(&LARGE)
 }
 
 /// Tells for which value the last loop waited that the run left.
@@ -117,6 +137,19 @@ pub fn settle(run: &mut Interpreter) {
         let value = run.asked.turned.get(&name).copied().unwrap_or_default();
         run.tell(Severity::Note, &Problem::new("run-waits", place, name).number("value", value));
     }
+}
+
+/// Assumes 0 for what only the machine has and no name of its data tells: a function that it answers, an edge of a tool
+/// that the program does not make. None: nothing is to be assumed.
+pub fn assume(run: &Interpreter, name: String, place: Span) -> Option<Datum> {
+    if run.limits.strict {
+        return None;
+    }
+    let mut all = run.asked.all.borrow_mut();
+    if all.len() < MOST {
+        all.entry(name).or_insert(place);
+    }
+    Some(Datum::Number(0.0))
 }
 
 /// What is assumed where nobody says it.
@@ -137,6 +170,7 @@ pub fn write(run: &mut Interpreter, key: &str, value: &Datum) -> bool {
     let too_long = matches!(value, Datum::Text(text) if text.chars().count() > LONGEST);
     let Some(stored) = value.value().filter(|_| machine_data::of_machine(key) && !too_long) else { return false };
     let name = machine_data::numbered(key).unwrap_or_else(|| key.to_owned());
+    run.asked.turned.remove(&name);
     run.sim.control.data.insert(name, stored);
     true
 }

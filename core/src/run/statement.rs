@@ -2,7 +2,7 @@
 
 use super::{
     Datum, Halt, Interpreter, Measure, Next, Path, action, branch, contour, declare, declare::Declaring, evaluate,
-    expression, indexed, locals, names, of_control, repeat, straight, unread,
+    expression, indexed, locals, names, noted, of_control, repeat, straight, synchronous, tool_memory, unread,
 };
 use crate::diagnostic::{Severity, Span};
 use crate::problem::Problem;
@@ -116,7 +116,7 @@ pub fn block(run: &mut Interpreter, at: usize) -> Result<Next, Halt> {
     let program = Rc::clone(&run.program);
     let Some(block) = program.blocks.get(at) else { return Ok(Next::End) };
     let words = program.words_of(block);
-    if block.skip.is_some_and(|level| run.skip.contains(&level)) || left_out(run, words) {
+    if block.skip.is_some_and(|level| run.skip.contains(&level)) || left_out(run, at, words) {
         return Ok(Next::Block);
     }
     unread::tell(run, at);
@@ -131,8 +131,11 @@ pub fn block(run: &mut Interpreter, at: usize) -> Result<Next, Halt> {
         contour::finish(run)?;
     }
     let mut found = Words::before(at, block.span);
-    for word in words {
-        if !word_of(run, word, &mut found)? {
+    let mut rest = words.iter();
+    while let Some(word) = rest.next() {
+        // IF … GOTOF A ELSE GOTOF B: the other jump of the same block
+        let otherwise = |word: &Word| program.is_keyword(word, &["ELSE"]);
+        if !word_of(run, word, &mut found)? && (found.next.is_some() || !rest.any(otherwise)) {
             return Ok(found.next.unwrap_or(Next::Block));
         }
     }
@@ -166,7 +169,7 @@ fn repetition(run: &Interpreter, words: &[Word]) -> Option<(Span, ExprId)> {
 }
 
 /// Blocks of which nothing is carried out: declarations; and, which is told, synchronised actions and interrupts.
-fn left_out(run: &mut Interpreter, words: &[Word]) -> bool {
+fn left_out(run: &mut Interpreter, at: usize, words: &[Word]) -> bool {
     let loops = run.program.grammar().structures.contains(&"DO");
     for word in words {
         let (WordKind::Keyword { name, .. } | WordKind::Call { name, .. }) = &word.kind else { continue };
@@ -177,20 +180,20 @@ fn left_out(run: &mut Interpreter, words: &[Word]) -> bool {
             "DO" if !loops => {}
             _ => continue,
         }
-        run.tell(Severity::Warning, &Problem::new("run-not-simulated", word.span, text));
+        synchronous::keep(run, at, word.span, &text);
         return true;
     }
     false
 }
 
 /// Takes one word; false: the rest of the block is not carried out.
-fn word_of(run: &mut Interpreter, word: &Word, found: &mut Words) -> Result<bool, Problem> {
+pub(super) fn word_of(run: &mut Interpreter, word: &Word, found: &mut Words) -> Result<bool, Problem> {
     match &word.kind {
         WordKind::Address { name, extension, mode, value } => {
             let letters = run.program.name(*name);
             let variable = extension.map_or(letters.clone(), |number| format!("{letters}{number}"));
             if mode.is_none() && hidden(run, &variable, word.span) {
-                let value = evaluate(run, *value)?;
+                let value = right_side(run, *value)?;
                 names::write(run, &variable, &value, word.span)?;
                 found.counter = value.number();
                 return Ok(true);
@@ -206,10 +209,7 @@ fn word_of(run: &mut Interpreter, word: &Word, found: &mut Words) -> Result<bool
                 return Ok(true);
             }
             let key = names::key(run, *name, index)?;
-            let value = match of_control::assigned(run, *value)? {
-                Some(status) => status,
-                None => evaluate(run, *value)?,
-            };
+            let value = right_side(run, *value)?;
             assign(run, &key, value, word.span, found)?;
         }
         WordKind::Declare { .. } => declare::declare(run, word, found.declaring)?,
@@ -236,6 +236,14 @@ fn word_of(run: &mut Interpreter, word: &Word, found: &mut Words) -> Result<bool
     Ok(true)
 }
 
+/// The right side of an assignment, which may be a function that does something.
+fn right_side(run: &mut Interpreter, value: ExprId) -> Result<Datum, Problem> {
+    match of_control::assigned(run, value)?.or(tool_memory::assigned(run, value)?) {
+        Some(made) => Ok(made),
+        None => evaluate(run, value),
+    }
+}
+
 /// Whether a name with a value is one that the run goes on without; where it does something, that is told.
 fn left_alone(run: &mut Interpreter, name: &str, span: Span) -> bool {
     if locals::declared(run, name) {
@@ -243,7 +251,7 @@ fn left_alone(run: &mut Interpreter, name: &str, span: Span) -> bool {
     }
     let told = left_out_value(name);
     if told == Some(true) {
-        run.tell(Severity::Warning, &Problem::new("run-not-simulated", span, name));
+        noted::without(run, "run-passed", span, name);
     }
     told.is_some()
 }

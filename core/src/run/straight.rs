@@ -5,6 +5,7 @@
 
 use super::{
     Address, Coordinate, Datum, Halt, Interpreter, Motion, Next, Path, Words, action, locals, motion, names, statement,
+    transformed::Axes,
 };
 use crate::diagnostic::Span;
 use crate::syntax::{Straight, straight::Part};
@@ -33,8 +34,8 @@ pub fn address(part: &Part) -> Address {
     Address { name, extension: None, mode: None, value, span: part.span }
 }
 
-/// Whether nothing is concerned but the axes and the feed: the position is known, no program is called behind each
-/// motion, and G and F are no variables.
+/// Whether nothing is concerned but the axes and the feed: the position is known, the axes move as they are
+/// written, no program is called behind each motion, and G and F are no variables.
 fn moves_alone(run: &Interpreter, straight: &Straight) -> bool {
     let variable = |part: &Part| match part.letter {
         b'G' => locals::declared(run, "G"),
@@ -42,7 +43,7 @@ fn moves_alone(run: &Interpreter, straight: &Straight) -> bool {
         _ => false,
     };
     let calls = run.levels.last().is_some_and(|level| level.modal.is_some());
-    run.unread.is_empty() && !calls && !straight.parts().any(variable)
+    run.unread.is_empty() && !calls && run.modal.axes == Axes::Move && !straight.parts().any(variable)
 }
 
 fn drive(run: &mut Interpreter, span: Span, straight: &Straight) -> Result<(), Halt> {

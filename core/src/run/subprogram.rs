@@ -3,7 +3,7 @@
 
 use super::{
     Call, Datum, Interpreter, Local, Locals, Modal, Next, Variable, Words, declare, declare::Declaring, expression,
-    limits, locals, names, repeat, repeat::Repetition,
+    limits, locals, names, noted, repeat, repeat::Repetition,
 };
 use crate::control::{Frame, Plane, Units};
 use crate::diagnostic::{Severity, Span};
@@ -91,6 +91,11 @@ fn restore(run: &mut Interpreter, saved: Saved) {
 pub fn calls(run: &mut Interpreter, found: &Words) -> Result<Vec<Call>, Problem> {
     let [first, rest @ ..] = &found.calls[..] else { return Ok(Vec::new()) };
     match first.name.as_str() {
+        // a part of another program, from one label to another
+        CALL if rest.iter().any(|word| word.name == "BLOCK") => {
+            noted::without(run, "run-passed", first.span, "CALL … BLOCK");
+            Ok(Vec::new())
+        }
         CALL | FROM_OUTSIDE => Ok(vec![named_by_text(run, first, rest)?]),
         BY_PATH => Ok(rest.to_vec()),
         MODAL => {

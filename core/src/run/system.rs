@@ -1,6 +1,6 @@
 //! What the control tells about itself: `$P_…`, `$AA_…`, `$AC_…`.
 
-use super::{Datum, Interpreter, Motion, contour, indices, names, of_machine, stem, tool as tools};
+use super::{Datum, Interpreter, Motion, contour, indices, names, of_machine, stem, tool_memory};
 use crate::control::frames::{CHANNEL_MASK, GLOBAL_MASK, joined};
 use crate::control::{AXES, Frame, Tool, UnitFunction, Units, Value, machine_data, variables::component};
 use crate::diagnostic::Span;
@@ -32,8 +32,13 @@ pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem>
     if LATCHED.iter().any(|stem| key.starts_with(stem)) {
         return Err(Problem::new("run-not-measured", place, key));
     }
-    let problem = || absent(run, key, place).unwrap_or_else(|| Problem::new("run-system-variable", place, key));
-    of_machine::read(run, key, place).ok_or_else(problem)
+    if let Some(problem) = tool_memory::absent(run, key, place) {
+        return Err(problem);
+    }
+    if machine_data::of_edge(stem(key)) && run.assumed.is_some() {
+        return of_machine::assume(run, key.to_owned(), place).ok_or_else(|| Problem::new("run-no-tool", place, key));
+    }
+    of_machine::read(run, key, place).ok_or_else(|| Problem::new("run-system-variable", place, key))
 }
 
 /// Value of what is simulated.
@@ -53,21 +58,6 @@ pub fn simulated(run: &Interpreter, key: &str) -> Option<Datum> {
     }
     let value = tool(run, key).or_else(|| position(run, key)).or_else(|| state(run, key)).or_else(|| total(run, key));
     value.map(Datum::Number)
-}
-
-/// Data of a tool, or of an edge, that is not there: `$TC_DP6[5,1]`, `$TC_TP2[5]`.
-fn absent(run: &Interpreter, key: &str, place: Span) -> Option<Problem> {
-    let of_edge = key.starts_with("$TC_DP") || key.starts_with("$TC_SCP") || key.starts_with("$TC_ECP");
-    if !of_edge && !key.starts_with("$TC_TP") {
-        return None;
-    }
-    let index: Vec<i64> = indices(key).iter().filter_map(|one| one.parse().ok()).collect();
-    let (number, edge) = (*index.first()?, index.get(1).filter(|_| of_edge));
-    let Some(tool) = run.sim.control.tools.get(&number) else {
-        return Some(Problem::new("run-no-tool", place, number.to_string()));
-    };
-    let edge = edge.filter(|edge| !tool.edges.contains_key(edge))?;
-    Some(tools::no_edge(number, *edge, place))
 }
 
 /// Another name of a datum: `$P_AD[6]` of the active edge, `$VA_IM[X]` measured at the axis, here as commanded.

@@ -67,6 +67,13 @@ pub fn leave_axes(run: &mut Interpreter, found: &Words) {
     }
 }
 
+/// Nobody knows where any axis is behind a word.
+pub fn leave_all_axes(run: &mut Interpreter, place: Span) {
+    for axis in ["X", "Y", "Z"] {
+        run.unread.insert(axis.to_owned(), place);
+    }
+}
+
 /// Findings of reading by their blocks.
 pub type Errors = BTreeMap<usize, Vec<Diagnostic>>;
 

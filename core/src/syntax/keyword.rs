@@ -60,6 +60,8 @@ pub(super) const ADDRESSES: &[&[u8]] = &[
     b"AP", b"RP", b"AR", b"CR", b"IR", b"JR", b"KR", b"SPOS", b"SPOSA", b"CHF", b"CHR", b"RND", b"RNDM", b"PW", b"SD",
     b"PL", b"ANG", b"TURN", b"DL", b"FRC", b"FRCM", b"FAD", b"FB", b"FD", b"SF", b"DISR", b"DISCL", b"CT",
 ];
+/// Words that stand with the name of an axis and nothing else: `FINEA[X]`, how a motion ends.
+pub(super) const OF_AXIS: &[&[u8]] = &[b"FINEA", b"COARSEA", b"IPOENDA", b"DRIVEA", b"IPOBRKA", b"ADISPOSA"];
 /// Kinds of dimension that stand around a value: `X=IC(5)`.
 pub(super) const MODES: &[&[u8]] = &[b"AC", b"IC", b"DC", b"ACP", b"ACN", b"CAC", b"CIC", b"CDC", b"CACP", b"CACN"];
 

@@ -86,7 +86,10 @@ fn end_of(name: &str) -> Option<&'static str> {
 
 /// The word of a block that belongs to a control structure; an `IF` with a jump is none.
 pub fn structural(program: &Program, words: &[Word]) -> Option<&'static str> {
-    let jumps = words.iter().any(|word| program.is_keyword(word, &["GOTO", "GOTOF", "GOTOB", "GOTOC", "THEN"]));
+    let jump = |word: &Word| {
+        program.is_keyword(word, &["GOTO", "GOTOF", "GOTOB", "GOTOC", "THEN"]) || program.is_call(word, &["GOTOS"])
+    };
+    let jumps = words.iter().any(jump);
     words.iter().find_map(|word| {
         let WordKind::Keyword { name, value } = &word.kind else { return None };
         if program.is(*name, "END") {
@@ -94,7 +97,7 @@ pub fn structural(program: &Program, words: &[Word]) -> Option<&'static str> {
         }
         let found = program.grammar().structures.iter().find(|known| program.is(*name, known))?;
         let labelled = *found == "REPEAT" && value.is_some();
-        let jump = *found == "IF" && jumps;
+        let jump = ["IF", "ELSE"].contains(found) && jumps;
         (!jump && !labelled).then_some(*found)
     })
 }

@@ -2,8 +2,8 @@
 
 use super::bytes::{in_name, is_letter, starts_name};
 use super::expression::{Strength, expression};
-use super::keyword::{ADDRESSES, Keyword, MEASURED, MODES, TYPES, is_one_of};
-use super::language::BY_PATH;
+use super::keyword::{ADDRESSES, Keyword, MEASURED, MODES, OF_AXIS, TYPES, is_one_of};
+use super::language::{BY_PATH, CALL};
 use super::reader::{Expect, Parsed, Reader};
 use super::sinumerik_expression::{constant, foreign_exponent, index, list, text};
 use super::tree::{Expr, ExprId, WordKind};
@@ -130,7 +130,9 @@ fn named(reader: &mut Reader) -> Parsed<()> {
         return assign(reader, start, name, index);
     }
     if !index.is_empty() {
-        return Err(&own::SYNTAX_EQUALS);
+        let of_axis = is_one_of(text, OF_AXIS);
+        let called = WordKind::Call { name, args: index };
+        return if of_axis { reader.word(start, called) } else { Err(&own::SYNTAX_EQUALS) };
     }
     if text.len() == 1 && text != b"_" {
         return spaced(reader, start, name);
@@ -221,7 +223,27 @@ fn call(reader: &mut Reader, start: usize, name: Span) -> Parsed<()> {
     if !brackets && reader.text(name).eq_ignore_ascii_case(BY_PATH.as_bytes()) {
         folders(reader);
     }
+    if !brackets && reader.text(name).eq_ignore_ascii_case(CALL.as_bytes()) && joins(reader.rest()) {
+        reader.blanks();
+        let start = reader.at;
+        let path = expression(reader, 0)?.id;
+        reader.word(start, WordKind::Constant(path))?;
+    }
     Ok(())
+}
+
+/// Whether texts are joined before the comment of a block: `CALL FOLDER<<"_N_PART_SPF"`.
+fn joins(rest: &[u8]) -> bool {
+    let mut quoted = false;
+    for pair in rest.windows(2) {
+        match pair {
+            [b'"', _] => quoted = !quoted,
+            [b';', _] if !quoted => return false,
+            b"<<" if !quoted => return true,
+            _ => {}
+        }
+    }
+    false
 }
 
 /// Steps over the folders of a path, up to the name of the program: `PCALL /_N_WKS_DIR/_N_PART_WPD/HOLE(1)`.

@@ -8,6 +8,7 @@ mod flow;
 mod frames;
 mod motion;
 mod of_machine;
+mod of_shops;
 mod polar;
 mod programs;
 mod properties;

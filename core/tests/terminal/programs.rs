@@ -307,3 +307,28 @@ fn what_was_assumed_for_the_machine_ends_the_run() {
     let json: serde_json::Value = serde_json::from_str(&out(&probewright(&["run", &path, "--json"]))).unwrap();
     assert_eq!(json["machineValues"][1], serde_json::json!({ "name": "$A_IN[2]", "value": 0.0, "line": 2 }));
 }
+
+// oracle: hand: a folder has every program below it; what a program writes is shown, and saved where that is asked for
+#[test]
+fn a_folder_is_beside_a_program_and_takes_its_files() {
+    let main =
+        file("writes.mpf", b"DEF INT F\nG0 X=LIMIT\nDEEP\nWRITE(F,\"/_N_MPF_DIR/_N_LOG_MPF\",\"X \"<<R1)\nM30\n");
+    let folder = std::path::Path::new(&main).with_file_name("folder_beside");
+    let below = folder.join("below");
+    std::fs::create_dir_all(&below).unwrap();
+    std::fs::write(folder.join("UGUD.DEF"), "DEF NCK REAL LIMIT=10\nM17\n").unwrap();
+    std::fs::write(below.join("DEEP.SPF"), "R1=4\nM17\n").unwrap();
+    std::fs::write(folder.join("picture.png"), [0, 1, 2]).unwrap();
+    let beside = folder.to_string_lossy().into_owned();
+    let shown = probewright(&["run", &main, "--with", &beside]);
+    assert!(shown.status.success(), "{}{}", out(&shown), err(&shown));
+    assert!(out(&shown).contains("LOG.MPF: 1 line"), "{}", out(&shown));
+    let written = folder.with_file_name("folder_written");
+    _ = std::fs::remove_dir_all(&written);
+    let saved = probewright(&["run", &main, "--with", &beside, "--log", &written.to_string_lossy()]);
+    assert!(saved.status.success(), "{}{}", out(&saved), err(&saved));
+    assert_eq!(std::fs::read_to_string(written.join("LOG.MPF")).unwrap(), "X 4\n");
+    let json: serde_json::Value =
+        serde_json::from_str(&out(&probewright(&["run", &main, "--with", &beside, "--json"]))).unwrap();
+    assert_eq!(json["written"][0]["lines"], serde_json::json!(["X 4"]));
+}

@@ -18,6 +18,42 @@ struct Part {
     source: Option<Vec<u8>>,
 }
 
+/// The files that are named; of a folder every program and definition file below it, but the program itself.
+fn every(program: &Path, with: &[PathBuf]) -> Result<Vec<PathBuf>, Problem> {
+    let same = |path: &Path| path.canonicalize().ok().zip(program.canonicalize().ok()).is_some_and(|(a, b)| a == b);
+    let mut found = Vec::new();
+    for path in with {
+        if !path.is_dir() {
+            found.push(path.clone());
+            continue;
+        }
+        let (mut folders, mut files) = (vec![path.clone()], Vec::new());
+        while let Some(folder) = folders.pop() {
+            let wrong = |error: std::io::Error| format!("{}: {error}", folder.display());
+            for entry in std::fs::read_dir(&folder).map_err(wrong)? {
+                let entry = entry.map_err(wrong)?;
+                let kind = entry.file_type().map_err(wrong)?;
+                match kind {
+                    _ if kind.is_dir() => folders.push(entry.path()),
+                    _ if kind.is_file() => files.push(entry.path()),
+                    _ => {} // a link may lead back
+                }
+            }
+        }
+        files.retain(|path| is_program(path) && !same(path));
+        files.sort();
+        found.extend(files);
+    }
+    Ok(found)
+}
+
+/// Whether a file of a folder is one of the programs or definitions of a machine, by its ending.
+fn is_program(path: &Path) -> bool {
+    let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().to_ascii_lowercase());
+    let ending = name.rsplit(['.', '_']).next().filter(|ending| ending.len() < name.len());
+    ending.is_some_and(|ending| ["mpf", "spf", "def", "arc", "nc"].contains(&ending))
+}
+
 /// A program with the files named with it.
 pub struct Joined {
     /// All of it.
@@ -34,7 +70,7 @@ impl Joined {
         let dialect = file::dialect(control, &source);
         let mut sources = vec![(path.to_owned(), (!with.is_empty()).then(|| source.clone()))];
         let mut joined = joined::Joined::new(dialect, source);
-        for path in with {
+        for path in &every(path, with)? {
             let source = file::program(path)?;
             let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
             joined.add(&name, &source);

@@ -14,7 +14,7 @@ use probewright_core::entry::{Unit, unit_behind};
 use probewright_core::json;
 use probewright_core::machine::Setup;
 use probewright_core::machine::trace::Step;
-use probewright_core::message::{Message, printable};
+use probewright_core::message::{Arg, Message, printable};
 use probewright_core::run::assumed::Assumed;
 use probewright_core::run::left::CallAt;
 use probewright_core::run::of_machine;
@@ -211,7 +211,8 @@ fn print_outcome(joined: &Joined, outcome: &Outcome, words: &Words, out: &mut dy
     });
     let assumed: Vec<String> = assumed.collect();
     if !assumed.is_empty() {
-        let told = Message::new("terminal-assumed-values").text("values", assumed.join(", "));
+        let mut told = Message::new("terminal-assumed-values");
+        told.args.push(("values", Arg::Text(assumed.join(", "))));
         writeln!(out, "{}", words.text(&told))?;
     }
     writeln!(out, "{}", words.text(&outcome.ending(|line| joined.within(line))))?;

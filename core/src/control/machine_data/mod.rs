@@ -49,17 +49,24 @@ pub fn setting(name: &str) -> Option<&'static str> {
 }
 
 /// Beginnings of names that only the machine has a value for: machine and setting data, inputs, outputs and data of
-/// the PLC, real values of axes and channel, states of the program.
-const OF_MACHINE: [&str; 18] = [
+/// the PLC, real values of axes and channel, states of the program, data of tools and magazines.
+const OF_MACHINE: [&str; 19] = [
     "$MN_", "$MC_", "$MA_", "$MM_", "$MNS_", "$MCS_", "$MAS_", "$SN_", "$SC_", "$SA_", "$A_", "$AN_", "$AC_", "$AA_",
-    "$VA_", "$VC_", "$VN_", "$P_",
+    "$VA_", "$VC_", "$VN_", "$P_", "$TC_",
 ];
 
-/// Whether only the machine has a value for such a name; frames are those of the control.
+/// Whether only the machine has a value for such a name; frames and cutting edges are those of the
+/// control.
 pub fn of_machine(name: &str) -> bool {
     let stem = name.split('[').next().unwrap_or(name);
     let frame = stem.starts_with("$P_") && (stem.ends_with("FR") || stem.ends_with("FRAME"));
-    !frame && OF_MACHINE.iter().any(|begin| stem.starts_with(begin) && stem.len() > begin.len())
+    !frame && !of_edge(stem) && OF_MACHINE.iter().any(|begin| stem.starts_with(begin) && stem.len() > begin.len())
+}
+
+/// Whether a name is that of a datum of a cutting edge: `$TC_DP6`, `$TC_SCP13`.
+pub fn of_edge(stem: &str) -> bool {
+    let number = |begin: &&str| stem.strip_prefix(begin).is_some_and(|rest| rest.parse::<u32>().is_ok());
+    ["$TC_DP", "$TC_SCP", "$TC_ECP"].iter().any(|begin| number(&begin))
 }
 
 /// Whether such a name has an axis as its index.
@@ -69,7 +76,8 @@ pub fn of_axes(name: &str) -> bool {
 
 /// Whether a text is the value of such a name.
 pub fn is_text(name: &str) -> bool {
-    ["NAME", "PATH"].iter().any(|part| name.contains(part)) || name == "$P_PROG"
+    let named = name.contains("NAME") || name.contains("PATH") && !name.starts_with("$AC_");
+    named || ["$P_PROG", "$P_TOOLT", "$TC_TP2"].contains(&name)
 }
 
 /// The machine datum that a program calls by its identifier, as the setup has it: `$MC_AXCONF_MACHAX_USED[1]` is

@@ -93,6 +93,7 @@ impl Control {
             Kept::Channel(index) => self.basic.channel.get(&index).copied().unwrap_or_default(),
             Kept::Active => self.active,
             Kept::Program => self.program_frame,
+            Kept::Plane => self.plane_frame,
             Kept::Part => self.part_frame,
         }
     }
@@ -108,6 +109,7 @@ impl Control {
             Kept::Channel(index) => self.basic.channel.entry(index).or_default(),
             Kept::Active => &mut self.active,
             Kept::Program => &mut self.program_frame,
+            Kept::Plane => &mut self.plane_frame,
             Kept::Part => &mut self.part_frame,
         }
     }

@@ -20,6 +20,7 @@ pub(in crate::control) enum Kept {
     Channel(usize),
     Active,
     Program,
+    Plane,
     Part,
 }
 
@@ -85,6 +86,7 @@ fn kept(stem: &str, number: Option<&str>) -> Option<Kept> {
         ("$P_BFRAME", None) => Kept::Channel(0),
         ("$P_IFRAME", None) => Kept::Active,
         ("$P_PFRAME", None) => Kept::Program,
+        ("$P_WPFRAME", None) => Kept::Plane,
         ("$P_PARTFRAME", None) => Kept::Part,
         _ => return None,
     })

@@ -124,7 +124,7 @@ fn around(control: &Control, target: &Target) -> (Vec<Frame>, Frame, Vec<Frame>)
             after.push(frame);
         }
     }
-    after.push(control.program_frame);
+    after.extend([control.plane_frame, control.program_frame]);
     (before, control.stored_frame(target.store), after)
 }
 
