@@ -60,7 +60,7 @@ pub fn complain_about(problem: &Problem, words: &Words) {
 
 /// Largest file that is read, bytes; a device like /dev/zero never ends.
 const LARGEST: u64 = 100 << 20;
-/// Largest part program that is held, bytes: with straight motions alone it takes three times that.
+/// Largest part program that is held, bytes: with straight motions alone a run takes four times that.
 const LARGEST_PROGRAM: u64 = 1 << 30;
 
 /// Bytes of a file; the error names the file.

@@ -75,7 +75,7 @@ pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
         None => assumed::run_with(&program, limits, prepare, &mut told),
     };
     progress.end();
-    let joined = text.joined;
+    let joined = &text.joined;
     if arguments.json {
         let mut view = RunView::new(setup.clone(), outcome.clone(), &joined.text);
         if arguments.setup.is_none() {
@@ -86,17 +86,8 @@ pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
         for assumption in &told {
             writeln!(out, "{}", words.text(assumption))?;
         }
-        if let Some(stream) = &text.stream {
-            stream.end()?;
-            let positions = stream.positions(printed(&outcome.diagnostics))?;
-            let position = |place| positions.get(&place).copied().unwrap_or_default();
-            print_placed(&arguments.file, &position, &outcome.diagnostics, words, out)?;
-        } else {
-            for (path, source, found) in joined.files(&outcome.diagnostics) {
-                print_all(path, source, &found, words, out)?;
-            }
-        }
-        print_outcome(&joined, &outcome, words, out)?;
+        text.print(&outcome.diagnostics, words, out)?;
+        print_outcome(joined, &outcome, words, out)?;
     }
     if let Some(print) = &arguments.print {
         let lines = outcome.printed().into_iter();
@@ -162,6 +153,20 @@ impl Text {
         };
         let (program, prepare) = stream.begin()?;
         Ok((program, Box::new(|session| prepare(session).with_arguments(values))))
+    }
+
+    /// Prints what was found, in the file where it stands.
+    fn print(&self, found: &[Diagnostic], words: &Words, out: &mut dyn Write) -> Result<(), Problem> {
+        let Some(stream) = &self.stream else {
+            for (path, source, found) in self.joined.files(found) {
+                print_all(path, source, &found, words, out)?;
+            }
+            return Ok(());
+        };
+        stream.end()?;
+        let positions = stream.positions(printed(found))?;
+        let position = |place| positions.get(&place).copied().unwrap_or_default();
+        Ok(print_placed(&stream.path, &position, found, words, out)?)
     }
 }
 

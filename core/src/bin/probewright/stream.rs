@@ -25,7 +25,8 @@ const LONGEST: usize = 64 << 20;
 
 /// A program that is run in pieces.
 pub struct Stream {
-    path: PathBuf,
+    /// Its file.
+    pub path: PathBuf,
     size: f64,
     /// Language of the program.
     pub dialect: Dialect,

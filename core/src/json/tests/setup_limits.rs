@@ -80,7 +80,7 @@ fn what_cannot_be_is_refused_by_name() {
         ("/data", json!({ "_WP[99,0]": 1 }), "_WP[99,0]"),
         ("/data", json!({ "R1000": 1 }), "R1000"),
         ("/data", json!({ "_FA": "wide" }), "_FA"),
-        ("/data", json!({ "": 1 }), "datum"),
+        ("/data", json!({ "": 1 }), "data item"),
         ("/workpiece", json!(vec![solid; 51]), "51"),
         ("/workpiece/0/size", json!([0, 40]), "workpiece[0].size"),
         ("/workpiece/0/size", json!([132, -40]), "workpiece[0].size"),
