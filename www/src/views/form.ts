@@ -213,8 +213,7 @@ export function createForm(
       view.fields.find(field => field.name === state.form.focus),
     );
     show(opened, !!derived.opened);
-    if (derived.opened)
-      setText(where, openedAt(cycle.cycle, derived.opened));
+    if (derived.opened) setText(where, openedAt(cycle.cycle, derived.opened));
     const names = new Set(view.fields.map(field => field.name));
     const arrivals = derived.opened?.arrivals.filter(one => names.has(one.param ?? "")) ?? [];
     // what is said of how a value arrives there tells more than that it is not known
