@@ -5,11 +5,11 @@ cycle998-help = Misst, wie ein aufgespanntes Werkstück gedreht ist: einen Winke
 cycle998-words = messen vermessen antasten Werkstück Winkel ausrichten Ausrichtung Kante ausrichten Ebene ausrichten Grunddrehung Drehung drehen Lage Fläche Planfläche Ebene schräg geneigt Neigung schief verdreht aufgespannt Rundtisch Rundachse C-Achse Nullpunktverschiebung NV NPV Frame G54 zwei drei Punkte Taster Messtaster Schraubstock Messuhr ausuhren parallel Schräglage Nullpunkt
 cycle998-each-words = zwei Winkel
 
-cycle998-one = ein Winkel, Positionieren unter dem Sollwinkel
-cycle998-one-differential = ein Winkel, Differenzmessung
-cycle998-one-paraxial = ein Winkel, achsparallel positionieren
-cycle998-two = zwei Winkel, Positionieren unter den Sollwinkeln
-cycle998-two-paraxial = zwei Winkel, achsparallel positionieren
+cycle998-one = Winkelmessung, Positionieren unter dem Sollwinkel
+cycle998-one-differential = Winkelmessung als Differenzmessung
+cycle998-one-paraxial = Winkelmessung, achsparallel positionieren
+cycle998-two = Zweiwinkelmessung, Positionieren unter den Sollwinkeln
+cycle998-two-paraxial = Zweiwinkelmessung, achsparallel positionieren
 
 mvar-angles = Winkel
 angles-one = ein Winkel, aus zwei Punkten

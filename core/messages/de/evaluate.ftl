@@ -31,8 +31,8 @@ evaluate-compensation = Vom Messwert werden { $amount } mm aus Korrekturtabelle
 evaluate-screen = Die Steuerung zeigt das Messergebnisbild, bis der Zyklus endet.
 evaluate-screen-stays = Die Steuerung zeigt das Messergebnisbild bis zum Aufruf des nächsten Messzyklus; das Programm läuft weiter.
 evaluate-screen-halt = Die Steuerung zeigt das Messergebnisbild. Programmierter Halt (M0): Weiter mit NC START.
-evaluate-log-full = Das Protokoll { $file } und seine neun Folgedateien sind voll. Die Steuerung hält an und verlangt einen anderen Namen; dieser Block fehlt im Protokoll.
-evaluate-log-none = Es ist kein Protokoll geöffnet: nichts wird ausgegeben. CYCLE100 öffnet eines.
+evaluate-log-full = Das Protokoll { $file } und seine neun Folgedateien sind voll und nehmen nichts mehr auf. Die Steuerung hält an und verlangt einen neuen Namen in _PROTNAME[1].
+evaluate-log-none = Vor diesem Aufruf wurde kein Protokoll begonnen: CYCLE105 schreibt nichts. CYCLE100 beginnt ein Protokoll.
 # Was ein Aufruf mit Daten der Maschine tut, bevor er misst.
 check-erases = _CBIT[13]=1: Dieser Aufruf setzt zuerst _TP[], _TPW[], _WP[], _KB[], _EV[], _MV[] und das Bit selbst auf 0.
 check-erases-hint = _CBIT[13] vor dem Aufruf auf 0 setzen oder die Daten danach neu eintragen und neu kalibrieren.

@@ -31,8 +31,8 @@ evaluate-compensation = { $amount } mm from table { $table } is subtracted from
 evaluate-screen = The control shows the measuring result screen until the cycle ends.
 evaluate-screen-stays = The control shows the measuring result screen until the next measuring cycle is called; the program continues.
 evaluate-screen-halt = The control shows the measuring result screen. Programmed stop (M0): the operator continues with NC START.
-evaluate-log-full = The log { $file } and its nine continuation files are full. The control stops and requests another name; this block is not logged.
-evaluate-log-none = No log is open: nothing is printed. CYCLE100 opens one.
+evaluate-log-full = The log { $file } and its nine continuation files are full: nothing more is logged. The control stops and requests a new name in _PROTNAME[1].
+evaluate-log-none = No log was started before this call: CYCLE105 prints nothing. CYCLE100 starts a log.
 # What a call does with data of the machine before it measures.
 check-erases = _CBIT[13]=1: this call first sets _TP[], _TPW[], _WP[], _KB[], _EV[], _MV[] and the bit itself to 0.
 check-erases-hint = Set _CBIT[13] to 0 before the call, or re-enter the data after it and recalibrate.

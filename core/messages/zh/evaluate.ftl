@@ -32,8 +32,8 @@ evaluate-compensation = 按表 { $table } 从测量值中扣除 { $amount } mm�
 evaluate-screen = 控制系统显示测量结果画面，直到循环结束。
 evaluate-screen-stays = 控制系统显示测量结果画面，直到调用下一个测量循环；程序继续。
 evaluate-screen-halt = 控制系统显示测量结果画面。编程停止（M0）：操作者按 NC START 继续。
-evaluate-log-full = 测量记录 { $file } 及其九个后续文件已满。控制系统停止并要求新的名称；本数据块未写入记录。
-evaluate-log-none = 没有打开的测量记录：不输出任何内容。CYCLE100 可打开记录。
+evaluate-log-full = 测量记录 { $file } 及其九个后续文件都已写满，不再写入。控制系统停止，要求在 _PROTNAME[1] 中输入新的名称。
+evaluate-log-none = 此调用之前没有开始测量记录：CYCLE105 不写入任何内容。CYCLE100 可开始测量记录。
 # 调用在测量之前对机床的数据所做的处理。
 check-erases = _CBIT[13]=1：此调用先将 _TP[]、_TPW[]、_WP[]、_KB[]、_EV[]、_MV[] 和该位本身设为 0。
 check-erases-hint = 请在调用前将 _CBIT[13] 设为 0，或在调用后重新输入数据并重新校准。

@@ -135,7 +135,7 @@ fn a_run_writes_its_logs_into_a_folder() {
     );
     let told = probewright(&["run", &program]);
     assert!(told.status.success(), "{}{}", out(&told), err(&told));
-    assert!(out(&told).contains("LOG_1.MPF: 2 lines"), "{}", out(&told));
+    assert!(out(&told).contains("LOG_1.MPF, lines: 2"), "{}", out(&told));
     let folder = std::path::Path::new(&program).with_extension("logs");
     drop(std::fs::remove_dir_all(&folder));
     let asked = ["run", &program, "--log", folder.to_str().unwrap()];

@@ -331,7 +331,10 @@ problems-none = Keine Meldungen.
 problem-place = Zeile { $line }, Spalte { $column }
 log-save = Als Datei speichern
 log-save-file = { $name } speichern
-log-lines = { $shown } von { $count } Zeilen
+log-lines = { $count ->
+    [one] { $shown } von { $count } Zeile
+   *[other] { $shown } von { $count } Zeilen
+ }
 log-none = Nichts protokolliert.
 
 sliders-open = Abweichungen

@@ -328,7 +328,10 @@ problems-none = No problems found.
 problem-place = line { $line }, column { $column }
 log-save = Save as file
 log-save-file = Save { $name }
-log-lines = { $shown } of { $count } lines
+log-lines = { $count ->
+    [one] { $shown } of { $count } line
+   *[other] { $shown } of { $count } lines
+ }
 log-none = Nothing was logged.
 
 sliders-open = Errors
