@@ -4,9 +4,9 @@ cycle994-title = Drehteil: 2-Punkt-Messung
 cycle994-help = Misst den Durchmesser eines Drehteils außen oder innen an zwei gegenüberliegenden Punkten, plus und minus Sollwert um den Werkstücknullpunkt, und korrigiert ein Werkzeug.
 cycle994-words = messen Werkstück Antasten Vermessen Taster Drehen Drehmaschine Drehbank Drehteil Durchmesser Bohrung Welle Zapfen außen innen zwei 2 Punkte 2-Punkt gegenüber Schutzzone Sicherheitszone X Y Planachse Werkzeugkorrektur Verschleiß Außendurchmesser Innendurchmesser Messschraube
 
-cycle994-inside-zone = Innenmessung mit Umfahren der Schutzzone
+cycle994-inside-zone = Innenmessung mit Schutzzone
 cycle994-inside-zone-words = Drehen Drehmaschine Bohrung Durchmesser zwei Punkte Schutzzone Hindernis Zapfen Werkzeugkorrektur Verschleiß
-cycle994-outside-inside = Außenmessung mit Umfahren der Schutzzone oder Innenmessung ohne
+cycle994-outside-inside = Außenmessung mit Schutzzone oder Innenmessung ohne
 cycle994-outside-inside-words = Drehen Drehmaschine Durchmesser Welle Bohrung zwei Punkte Schutzzone Werkzeugkorrektur Verschleiß
 
 param-setval-two-diameter = Solldurchmesser
