@@ -15,7 +15,7 @@ mod declare;
 mod defined;
 mod endless;
 mod expression;
-pub mod files;
+mod files;
 mod frame;
 mod function;
 mod gcode;

@@ -67,7 +67,8 @@ pub fn assigned(run: &mut Interpreter, value: ExprId) -> Result<Option<Datum>, P
     let program = Rc::clone(&run.program);
     let Some(Expr::Call(name, args)) = program.expr(value) else { return Ok(None) };
     let makes = program.is(*name, "NEWT");
-    if !makes && !(program.is(*name, "GETT") && run.assumed.is_some()) {
+    let finds_or_makes = program.is(*name, "GETT") && run.assumed.is_some();
+    if !(makes || finds_or_makes) {
         return Ok(None);
     }
     let Some(Datum::Text(text)) = args.first().map(|arg| evaluate(run, *arg)).transpose()? else {

@@ -10,7 +10,8 @@ use serde::Serialize;
 /// One number or three for each step, in order.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Columns {
-    /// What it is: [`sort_of`].
+    /// What it is: 0 to 3 a rapid, positioning, measuring or retraction motion, 4 a touch of what measures, 5 another
+    /// one, 6 a crash, 7 the begin of a call, 8 its end, 9 anything else.
     pub sorts: Vec<u8>,
     /// Its line of the program from 1; 0: none.
     pub lines: Vec<u32>,
@@ -23,8 +24,7 @@ pub struct Columns {
 /// The first number that is no motion: a touch of what measures.
 const TOUCH: u8 = 4;
 
-/// 0 rapid, 1 positioning, 2 measuring, 3 retract; 4 a touch of what measures, 5 another one, 6 a crash, 7 the begin of
-/// a call, 8 its end, 9 anything else.
+/// See [`Columns::sorts`].
 fn sort_of(step: &Step) -> u8 {
     match step {
         Step::Motion { kind: MotionKind::Rapid, .. } => 0,
