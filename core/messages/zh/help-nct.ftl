@@ -69,7 +69,7 @@ help-g109-corrects-half = S 按中线的偏移补偿；T 为半径，按宽度�
 help-g109-wrong-width = 没有宽度或为 0：FORMAT ERROR。
 help-g109-wrong-room = 补偿后的刀具放不进槽：TOOL DIA OFFS TOO LARGE。
 
-help-g110-measures-bore = 孔的直径和中心。
+help-g110-measures-bore = 孔的直径及其中心。
 help-g110-measures-boss = 圆凸台的直径和中心。
 help-g110-before-inside = 测球在孔的公称中心，处于测量深度。
 help-g110-before-above = 测球在圆凸台公称中心的上方。

@@ -11,7 +11,7 @@ help-cycle974-order-reversal = 主轴转到 _STA1 触碰该点，再转 180° �
 help-cycle974-corrects-half = 长度按其所在轴上的偏差补偿；测直径时为直径偏差的一半。
 help-cycle974-corrects-one-axis = 只补偿测量轴；_CHBIT[19]=1 时，在 G18 中补偿 X 而不是 Y。
 help-cycle974-wrong-side = 起点在错误的一侧，或到表面的距离不大于 _FA。
-help-cycle974-wrong-run-out = 工件有跳动：结果取决于主轴位置。补偿刀具时请用带 180° 换向的测量方式。
+help-cycle974-wrong-run-out = 工件有跳动：结果取决于主轴位置。补偿刀具时请用带换向的测量方式。
 
 help-cycle994-measures-diameter = 由相对的两点测量车削件以工件零点为中心的直径。
 help-cycle994-before-plus-side = 测球对着正侧的点，距离大于 _FA。
