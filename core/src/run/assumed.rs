@@ -96,7 +96,7 @@ fn start(program: &Program) -> Setup {
     if turning {
         setup.position = Mcs([250.0, 0.0, 250.0]); // no program of a lathe moves along Y
     }
-    let first = sites.iter().find(|site| site.cycle.purpose.probe != ProbeUse::None);
+    let first = sites.iter().find(|site| site.cycle.purpose.probe.measures());
     if first.is_some_and(|site| site.cycle.purpose.probe == ProbeUse::Workpiece) {
         (setup.control.tool, setup.control.edge) = probe_place(setup.control.make());
     }

@@ -129,3 +129,16 @@ fn the_sample_of_the_manual_comes_out() {
     // how it looks: columns of twelve characters, a blank behind the separator
     assert_eq!(lines[11], "CYCLE978    , _MVAR      , 100");
 }
+
+// oracle: hand (the log measures nothing, so the probe is in the spindle for the first measurement)
+#[test]
+fn a_log_before_a_measurement_leaves_the_assumed_machine_as_it_is() {
+    let measured = "_MVAR=1 _SETVAL=30 _FA=2 _TSA=1 _PRNUM=1 _KNUM=0\nCYCLE977\nM30\n";
+    let logged = format!("_PROTNAME[0]=\"PART\" _PROTNAME[1]=\"LOG\"\nCYCLE100\n{measured}");
+    let [alone, behind] = [measured, &logged].map(|text| {
+        let ran = super::assumed::run(&read(Dialect::Sinumerik, text.as_bytes()), Limits::default());
+        (ran.setup.control.tool, ran.outcome.control.number("_OVR[4]"))
+    });
+    assert_eq!(alone, behind);
+    assert!(alone.1 > 0.0, "{alone:?}");
+}

@@ -4,7 +4,6 @@ use super::{asked, request};
 use crate::catalogue::example::{example, turned};
 use crate::control::Plane;
 use crate::dialect::Dialect;
-use crate::entry::ProbeUse;
 use crate::json::asked::*;
 use crate::json::*;
 use crate::machine::Setup;
@@ -85,7 +84,7 @@ fn reaches_its_end(cycle: &'static crate::entry::Cycle, variant: &crate::entry::
     assert!(alarms.iter().all(|alarm| alarm["stops"] == false), "{what}: {alarms:?}");
     let entries = view["outcome"]["trace"]["entries"].as_array().unwrap();
     let moves = entries.iter().any(|entry| entry["step"] == "motion");
-    assert_eq!(moves, cycle.purpose.probe != ProbeUse::None, "{what}");
+    assert_eq!(moves, cycle.purpose.probe.measures(), "{what}");
     assert!(setup_from_json(&view["setup"].to_string()).is_ok(), "{what}");
     let shapes = view["picture"]["shapes"].as_array().unwrap();
     assert!(!shapes.is_empty(), "{what}");
