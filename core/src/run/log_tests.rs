@@ -134,7 +134,7 @@ fn the_sample_of_the_manual_comes_out() {
 #[test]
 fn a_log_before_a_measurement_leaves_the_assumed_machine_as_it_is() {
     let measured = "_MVAR=1 _SETVAL=30 _FA=2 _TSA=1 _PRNUM=1 _KNUM=0\nCYCLE977\nM30\n";
-    let logged = format!("_PROTNAME[0]=\"PART\" _PROTNAME[1]=\"LOG\"\nCYCLE100\n{measured}");
+    let logged = format!("_PROTNAME[0]=\"PART\" _PROTNAME[1]=\"LOG\" _PROTVAL[2]=\"_OVR[4]\"\nCYCLE100\n{measured}");
     let [alone, behind] = [measured, &logged].map(|text| {
         let ran = super::assumed::run(&read(Dialect::Sinumerik, text.as_bytes()), Limits::default());
         (ran.setup.control.tool, ran.outcome.control.number("_OVR[4]"))
