@@ -246,7 +246,7 @@ fn unknown_words_and_programs_are_told() {
         ("G777", "run-unknown-word"),
         ("(A\nG0 X0", "syntax-comment"),
         ("M77", "run-machine-function"),
-        ("Q5", "run-not-simulated"),
+        ("Q5", "run-passed"),
         ("O1\nG65 P2 ,C1\nM30\nO2\nM99", "run-unknown-word"),
         ("HALLO", "syntax-unknown"),
         ("X1,5", "syntax-comma"),
