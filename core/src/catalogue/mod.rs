@@ -64,6 +64,13 @@ pub(crate) mod tool_probe;
 pub mod twin;
 mod twin_place;
 
+/// What a run has to know of the log: every measuring cycle writes into it at its end, while it is on.
+pub(crate) mod log {
+    pub use super::logging::ON;
+    pub use super::logging::names::FILE;
+    pub use super::logging::simulate::measured;
+}
+
 use crate::dialect::Dialect;
 use crate::entry::Cycle;
 

@@ -1,5 +1,5 @@
-//! Functions that ask the control: for variables, files, axes, tools. Those that only the machine can answer are data of
-//! it: what is assumed for them is told.
+//! Functions that ask the control: for variables, files, axes, tools. Those that only the machine can answer are data
+//! of it: what is assumed for them is told.
 
 use super::{Datum, Interpreter, files, locals, names, of_machine, other_axes, sprint, stem};
 use crate::control::machine_data;

@@ -1,7 +1,7 @@
 //! One measuring call on the machine, with its begin, its end and the alarm that stops it; and what it would do.
 
 use super::{Outcome, outcome::set};
-use crate::catalogue::logging::simulate as logging;
+use crate::catalogue::log;
 use crate::check::upkeep;
 use crate::diagnostic::Code;
 use crate::entry::{Cycle, Inputs, ProbeUse};
@@ -56,7 +56,7 @@ fn within(sim: &mut Sim, inputs: &Inputs) -> Result<(), Stop> {
 /// program: else the mark that `_TSA` has there (B:11439) could never be seen.
 fn logged(sim: &mut Sim, inputs: &Inputs, outcome: Result<(), Stop>) -> Result<(), Stop> {
     match outcome {
-        Ok(()) | Err(Stop::Alarm(SAFE_AREA)) => logging::measured(sim, inputs).and(outcome),
+        Ok(()) | Err(Stop::Alarm(SAFE_AREA)) => log::measured(sim, inputs).and(outcome),
         _ => outcome,
     }
 }

@@ -2,7 +2,7 @@
 
 use super::called::{self, Called};
 use super::{Call, Halt, Interpreter, Words, call, contour, interpret, subprogram, unread};
-use crate::catalogue::logging;
+use crate::catalogue::log;
 use crate::check::{Checked, upkeep};
 use crate::control::Value;
 use crate::diagnostic::{Code, Diagnostic, Severity, Span};
@@ -71,8 +71,8 @@ pub fn addresses(run: &mut Interpreter, cycle: &'static Cycle, found: &Words) ->
 /// its file cannot be read out (B:11209, B:11233).
 pub fn log_stays_on(run: &mut Interpreter) {
     let control = &run.sim.control;
-    let Some(called) = run.log_on.filter(|_| control.bit(logging::ON)) else { return };
-    let file = control.text(logging::names::FILE.as_str()).to_owned();
+    let Some(called) = run.log_on.filter(|_| control.bit(log::ON)) else { return };
+    let file = control.text(log::FILE.as_str()).to_owned();
     run.keep(Problem::new("run-log-on", called, file).diagnostic(Severity::Warning));
 }
 
@@ -107,9 +107,9 @@ pub fn carry_out(run: &mut Interpreter, cycle: &'static Cycle, checked: Checked,
         around(run, &BEFORE, cycle, span)?;
         run.put_part(inputs);
         keep(run, inputs.clone());
-        let log = run.sim.control.bit(logging::ON);
+        let logged = run.sim.control.bit(log::ON);
         call::perform(&mut run.sim, inputs).map_err(Halt::at(span))?;
-        if !log && run.sim.control.bit(logging::ON) {
+        if !logged && run.sim.control.bit(log::ON) {
             run.log_on = Some(run.placed(span));
         }
         return around(run, &BEHIND, cycle, span);

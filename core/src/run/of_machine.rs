@@ -96,8 +96,8 @@ pub fn watch(run: &Interpreter) {
 }
 
 /// Takes one value that a loop asks for as 1 in place of 0, or the other way round, then as something large, and each
-/// other one after it while the loop still repeats itself: a program that waits for an input of its machine goes on, as it does there. False:
-/// the loop waits for no value that was assumed.
+/// other one after it while the loop still repeats itself: a program that waits for an input of its machine goes on, as
+/// it does there. False: the loop waits for no value that was assumed.
 pub fn turn(run: &mut Interpreter, place: Span) -> bool {
     let at = run.at;
     let before = run.asked.waiting.take();

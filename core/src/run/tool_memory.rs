@@ -1,5 +1,5 @@
-//! Data of tools and magazines beside the cutting edges (`$TC_TP…`, `$TC_MOP…`, `$TC_MPP…`): what the setup gives or the
-//! program wrote, else assumed as for the machine; and calls of the tool management that hand back what is known.
+//! Data of tools and magazines beside the cutting edges (`$TC_TP…`, `$TC_MOP…`, `$TC_MPP…`): what the setup gives or
+//! the program wrote, else assumed as for the machine; and calls of the tool management that hand back what is known.
 
 use super::{Call, Datum, Interpreter, evaluate, files, indices, of_machine, stem, tool};
 use crate::control::{Tool, machine_data};

@@ -378,8 +378,8 @@ impl Scene {
         }
     }
 
-    /// Parts and tool probes, and how they stand from when on; gives the size of the smallest solid of the part, mm, and
-    /// what is near all of them at the beginning.
+    /// Parts and tool probes, and how they stand from when on; gives the size of the smallest solid of the part, mm,
+    /// and what is near all of them at the beginning.
     fn add_solids(
         &mut self,
         part: &[Solid],

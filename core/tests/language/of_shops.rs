@@ -16,7 +16,8 @@ fn a_program_writes_reads_and_deletes_files_of_the_run() {
         WRITE(F,\"/_N_MPF_DIR/_N_LOG_MPF\",\"ONE \"<<1.5)\nWRITE(F,\"LOG\",\"TWO\")\nWRITE(F,\"log.mpf\",\"THREE\")\n\
         R2=F R3=ISFILE(\"_N_LOG_MPF\")\nREAD(F,\"LOG\",2,2,L)\nMSG(L[0]<<L[1])\nREAD(F,\"LOG\",0,1,L)\nMSG(L[0])\n\
         READ(F,\"LOG\",3,2,L)\nR4=F\nREAD(F,\"LOG\",1,3,L)\nR5=F\nREAD(F,\"NOBODY\",1,1,L)\nR6=F\n\
-        WRITE(F,\"OLD\",\"X\")\nDELETE(F,\"OLD\")\nR7=F\nDELETE(F,\"OLD\")\nR8=F\nEXTWRITE(F,\"EXT:RESULT.TXT\",\"A\")\nM30";
+        WRITE(F,\"OLD\",\"X\")\nDELETE(F,\"OLD\")\nR7=F\nDELETE(F,\"OLD\")\nR8=F\n\
+        EXTWRITE(F,\"EXT:RESULT.TXT\",\"A\")\nM30";
     let outcome = clean(text);
     assert_eq!(files(&outcome), [("LOG.MPF", vec!["ONE 1.5", "TWO", "THREE"]), ("RESULT.TXT", vec!["A"])]);
     assert_eq!(messages(text), ["TWOTHREE", "THREE"]);
