@@ -66,7 +66,7 @@ pub fn of_machine(name: &str) -> bool {
 /// Whether a name is that of a datum of a cutting edge: `$TC_DP6`, `$TC_SCP13`.
 pub fn of_edge(stem: &str) -> bool {
     let number = |begin: &&str| stem.strip_prefix(begin).is_some_and(|rest| rest.parse::<u32>().is_ok());
-    ["$TC_DP", "$TC_SCP", "$TC_ECP"].iter().any(|begin| number(begin))
+    ["$TC_DP", "$TC_SCP", "$TC_ECP"].iter().any(number)
 }
 
 /// Whether such a name has an axis as its index.
