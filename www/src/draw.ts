@@ -11,11 +11,14 @@ export interface Drawn {
   children?: Drawn[];
 }
 
-/** The children of `parent` become these, each made from the one that stood in its place if it is of the same kind. */
+/**
+ * The children of `parent` become these, each made from the one that stood in its place if it is of the same kind and
+ * explains the same parameter: whoever lights a parameter has marked the element.
+ */
 export function drawInto(parent: Element, wanted: readonly Drawn[]): void {
   wanted.forEach((one, index) => {
     const there = parent.children[index];
-    const node = there?.tagName === one.tag ? there : svg(one.tag);
+    const node = there && continues(there, one) ? there : svg(one.tag);
     if (!there) parent.append(node);
     else if (there !== node) there.replaceWith(node);
     dress(node, one);
@@ -25,6 +28,9 @@ export function drawInto(parent: Element, wanted: readonly Drawn[]): void {
 
 /** As an element was drawn last: asking the document instead costs more than drawing. */
 const before = new WeakMap<Element, Attributes>();
+
+const continues = (there: Element, { tag, attributes }: Drawn): boolean =>
+  there.tagName === tag && before.get(there)?.["data-field"] === attributes["data-field"];
 
 function dress(node: Element, { attributes, text, children }: Drawn): void {
   const old = before.get(node) ?? {};
