@@ -3,6 +3,7 @@
 use crate::machine::trace::Step;
 use crate::run::Outcome;
 use serde::Serialize;
+use std::collections::BTreeMap;
 
 /// A file that a run left on the control: the log of measurements.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -18,26 +19,26 @@ pub struct WrittenFile {
 
 /// All files of a run, by name.
 pub(super) fn written(outcome: &Outcome) -> Vec<WrittenFile> {
-    let file = |(name, lines): (&str, &[String])| WrittenFile {
-        name: name.to_owned(),
-        lines: lines.to_vec(),
-        at: entries(outcome, name, lines.len()),
+    let entries = entries(outcome);
+    let file = |(name, lines): (&str, &[String])| {
+        let mut at = entries.get(name).cloned().unwrap_or_default();
+        at.resize(lines.len(), at.last().copied().unwrap_or_default());
+        WrittenFile { name: name.to_owned(), lines: lines.to_vec(), at }
     };
     outcome.files.iter().map(file).collect()
 }
 
-/// Entries that wrote the lines of a file since it was made last. What the trace has no room for belongs to the last.
-fn entries(outcome: &Outcome, name: &str, count: usize) -> Vec<usize> {
-    let mut at = Vec::new();
+/// Entries that wrote the lines of each file since it was made last. What the trace has no room for belongs to the last.
+fn entries(outcome: &Outcome) -> BTreeMap<&str, Vec<usize>> {
+    let mut all: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
     for (index, entry) in outcome.trace.entries.iter().enumerate() {
-        match &entry.step {
-            Step::File { name: of, text } if of == name => match text {
+        if let Step::File { name, text } = &entry.step {
+            let at = all.entry(name).or_default();
+            match text {
                 Some(_) => at.push(index),
                 None => at.clear(),
-            },
-            _ => {}
+            }
         }
     }
-    at.resize(count, at.last().copied().unwrap_or_default());
-    at
+    all
 }

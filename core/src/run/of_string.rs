@@ -1,10 +1,9 @@
 //! `EXECSTRING(TEXT)`: the block that a text holds, carried out in the place of the call.
 
-use super::{Address, Call, Datum, Halt, Interpreter, Next, Words, action, names, statement, straight};
+use super::{Call, Datum, Halt, Interpreter, Next, Words, action, statement};
 use crate::diagnostic::{Severity, Span};
 use crate::problem::Problem;
 use crate::program::of_control::EXECUTE_TEXT;
-use crate::syntax::read_on;
 use crate::syntax::tree::{Program, WordKind};
 use std::rc::Rc;
 
@@ -17,7 +16,7 @@ pub fn carry_out(run: &mut Interpreter, at: usize, call: &Call) -> Result<Option
         return Err(Problem::new("run-function", call.span, &*call.name).into());
     };
     run.work += READING;
-    let read = read_on(run.program.dialect, text.as_bytes(), &run.program.macros);
+    let read = run.program.again(text.as_bytes());
     if !is_plain(&read) {
         run.tell(Severity::Warning, &Problem::new("run-not-simulated", call.span, format!("{}: {text}", call.name)));
         return Ok(None);
@@ -40,17 +39,6 @@ fn is_plain(read: &Program) -> bool {
 /// The words of the text, whose places are that of the call.
 fn collected(run: &mut Interpreter, at: usize, span: Span, read: Program) -> Result<Words, Problem> {
     let mut found = Words::before(at, span);
-    if let Some(straight) = read.blocks.first().and_then(|block| read.straight(block)) {
-        for part in straight.parts() {
-            let address = Address { span, ..straight::address(part) };
-            if statement::hidden(run, &address.name, span) {
-                names::write(run, &address.name, &address.value, span)?;
-            } else {
-                found.addresses.push(address);
-            }
-        }
-        return Ok(found);
-    }
     let words = read.words.clone();
     let told = run.diagnostics.len();
     let own = std::mem::replace(&mut run.program, Rc::new(read));

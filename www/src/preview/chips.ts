@@ -29,7 +29,8 @@ export function chipsOf(labels: readonly Label[], { colours }: { colours: Colour
     .filter((label): label is Chip["label"] => label.number !== undefined)
     .map(label => ({ label, at: project(label.at) }))
     .filter(({ at: { x, y } }) => x >= 0 && y >= 0 && x <= width && y <= height);
-  const middle = (axis: "x" | "y"): number => shown.reduce((sum, { at }) => sum + at[axis], 0) / shown.length;
+  const mean = (axis: "x" | "y"): number => shown.reduce((sum, { at }) => sum + at[axis], 0) / shown.length;
+  const middle = { x: mean("x"), y: mean("y") };
   const last = Math.max(...shown.map(({ label }) => label.during?.[0] ?? 0));
   const chips = shown.map(({ label, at }): Chip => {
     const width = badgeOf(label.number) + 2 * PAD + LETTER * label.text.length;
@@ -40,7 +41,7 @@ export function chipsOf(labels: readonly Label[], { colours }: { colours: Colour
     .map(chip => ({
       width: chip.width,
       height: HEIGHT,
-      spots: beside(chip.at, { x: chip.at.x - middle("x") || 0.01, y: chip.at.y - middle("y") || -1 }),
+      spots: beside(chip.at, { x: chip.at.x - middle.x || 0.01, y: chip.at.y - middle.y || -1 }),
       reach: Infinity,
       draw: spot => drawChip(chip, spot, colours),
       line: spot => [lineTo(chip, spot, colours)],
