@@ -28,7 +28,8 @@ pub(super) fn written(outcome: &Outcome) -> Vec<WrittenFile> {
     outcome.files.iter().map(file).collect()
 }
 
-/// Entries that wrote the lines of each file since it was made last. What the trace has no room for belongs to the last.
+/// Entries that wrote the lines of each file since it was made last. What the trace has no room for belongs to the last
+/// one.
 fn entries(outcome: &Outcome) -> BTreeMap<&str, Vec<usize>> {
     let mut all: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
     for (index, entry) in outcome.trace.entries.iter().enumerate() {

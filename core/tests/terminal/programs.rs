@@ -322,7 +322,7 @@ fn a_folder_is_beside_a_program_and_takes_its_files() {
     let beside = folder.to_string_lossy().into_owned();
     let shown = probewright(&["run", &main, "--with", &beside]);
     assert!(shown.status.success(), "{}{}", out(&shown), err(&shown));
-    assert!(out(&shown).contains("LOG.MPF: 1 line"), "{}", out(&shown));
+    assert!(out(&shown).contains("File LOG.MPF, lines: 1"), "{}", out(&shown));
     let written = folder.with_file_name("folder_written");
     _ = std::fs::remove_dir_all(&written);
     let saved = probewright(&["run", &main, "--with", &beside, "--log", &written.to_string_lossy()]);
