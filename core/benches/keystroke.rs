@@ -1,6 +1,6 @@
 //! What happens at every keystroke: the request of the page as JSON text in, the answer as JSON text out.
 //! Percentiles count here, not the mean: a slow keystroke is felt. Runs without a harness of its own kind because
-//! the usual ones report no 99th percentile.
+//! the usual ones report no 99th percentile. Names as arguments measure these cycles alone.
 
 use probewright_core::catalogue::CYCLES;
 use probewright_core::catalogue::example::worked;
@@ -16,7 +16,8 @@ const PREDICT_GOAL: f64 = 5.0;
 
 fn main() {
     println!("{:<44} {:>9} {:>9} {:>9}  goal  99 % / goal", "ms", "50 %", "95 %", "99 %");
-    for cycle in CYCLES {
+    let named: Vec<String> = std::env::args().skip(1).filter(|argument| !argument.starts_with("--")).collect();
+    for cycle in CYCLES.iter().filter(|cycle| named.is_empty() || named.iter().any(|name| name == cycle.name)) {
         let control = cycle.dialect;
         let form = object!({ "control": control, "cycle": cycle.name, "values": worked(cycle) });
         measure(&format!("{} form, check, write", cycle.name), &form, FORM_GOAL);

@@ -155,6 +155,13 @@ impl Data {
             .chain(written.filter_map(|(name, value)| Some((name, value.as_ref()?))))
     }
 
+    /// Data that were written since the delivery to one of both, of the same make and system of units.
+    pub fn unlike<'a>(&'a self, other: &'a Data) -> impl Iterator<Item = (&'a String, &'a Value)> {
+        let written = self.written.iter().filter_map(|(name, value)| Some((name, value.as_ref()?)));
+        let there = other.written.keys().filter(|name| !self.written.contains_key(*name));
+        written.chain(there.filter_map(|name| Some((name, self.delivered.get(name)?))))
+    }
+
     /// Their names, in no order.
     pub fn keys(&self) -> impl Iterator<Item = &String> {
         self.iter().map(|(name, _)| name)

@@ -110,7 +110,8 @@ impl Outcome {
 
     /// Tools, frames, mean and calibrated values that differ now by more than contact resolves, ordered by name.
     pub fn changes(&self) -> Vec<Change> {
-        let [before, after] = [&self.before, &self.control].map(addressable);
+        let before = addressable(&self.before, &self.control);
+        let after = addressable(&self.control, &self.before);
         let names: BTreeSet<&String> = before.keys().chain(after.keys()).collect();
         // what does not exist on one side counts there as a control reads it: a frame has scale factors of 1
         let value = |side: &BTreeMap<String, f64>, control: &Control, name: &String| {
@@ -199,13 +200,19 @@ pub(super) fn set(step: &Step) -> Option<(&str, f64)> {
     if let Step::Set { name, after, .. } = step { Some((name, *after)) } else { None }
 }
 
-/// Every corrected quantity by the name a program would use for it, lengths in mm.
-fn addressable(control: &Control) -> BTreeMap<String, f64> {
-    let memories = control.data.iter().filter_map(|(name, value)| match value {
+/// Every corrected quantity by the name a program would use for it, lengths in mm; without what the other control has
+/// the same, as far as that is seen without comparing one by one.
+fn addressable(control: &Control, other: &Control) -> BTreeMap<String, f64> {
+    let memory = |(name, value): (&String, &Value)| match value {
         Value::Number(value) if remembered(name) => Some((name.clone(), value * control.basic_factor())),
         _ => None,
-    });
-    control.variables().chain(memories).collect()
+    };
+    let variables = control.variables_unlike(other);
+    if control.basic_units == other.basic_units {
+        variables.chain(control.data.unlike(&other.data).filter_map(memory)).collect()
+    } else {
+        variables.chain(control.data.iter().filter_map(memory)).collect()
+    }
 }
 
 /// User data in which later measurements find what this one left: empirical and mean values, calibration of probes.
@@ -234,6 +241,22 @@ mod tests {
         assert!(outcome.control.set_variable("$P_UIFR[7,X,TR]", 1.5));
         let change = Change { name: "$P_UIFR[7,X,TR]".into(), before: 0.0, after: 1.5 };
         assert_eq!(outcome.changes(), [change]);
+    }
+
+    // oracle: hand (whatever is written is told, and nothing else)
+    #[test]
+    fn each_variable_that_is_written_is_a_change() {
+        for dialect in [Dialect::Sinumerik, Dialect::Nct] {
+            let setup = Setup::calibrated(dialect, Plane::G17);
+            for (name, value) in setup.control.variables() {
+                let mut outcome = Outcome::new(&setup);
+                assert!(outcome.changes().is_empty());
+                assert!(outcome.control.set_variable(&name, value + 1.0));
+                let after = outcome.control.variable(&name).unwrap_or_default();
+                let change = Change { name, before: value, after };
+                assert_eq!(outcome.changes(), if after == value { vec![] } else { vec![change] });
+            }
+        }
     }
 
     // oracle: manual B:13357 (a trigger point), B:13366 (the shape of the probe is none), C:92-94 (#500 of NCT)

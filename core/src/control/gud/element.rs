@@ -59,6 +59,8 @@ pub enum Initial {
 pub struct Element {
     /// Indices as the manual prints them: `k,0` (any field, second index 0), `1..5,0`; empty for a single value.
     pub index: &'static str,
+    /// The same, read.
+    indices: [Option<Index>; DIMENSIONS],
     /// Value as delivered. Parameters of a call have theirs in the catalogue.
     pub initial: Initial,
     /// Unit.
@@ -73,6 +75,9 @@ pub struct Element {
     pub source: &'static str,
 }
 
+/// Most indices of an array.
+const DIMENSIONS: usize = 2;
+
 /// One index of an element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Index {
@@ -85,6 +90,7 @@ pub(super) enum Index {
 pub(in crate::control) const fn element(index: &'static str, source: &'static str) -> Element {
     Element {
         index,
+        indices: indices(index),
         initial: Initial::Number(0.0),
         unit: Unit::None,
         range: Range::ANY,
@@ -92,6 +98,40 @@ pub(in crate::control) const fn element(index: &'static str, source: &'static st
         internal: false,
         source: crate::cited(source),
     }
+}
+
+/// Indices as the manual prints them, read while this is compiled: data are looked up by them at every keystroke.
+const fn indices(printed: &str) -> [Option<Index>; DIMENSIONS] {
+    let text = printed.as_bytes();
+    let mut read = [None; DIMENSIONS];
+    let (mut dimension, mut at) = (0, 0);
+    while at < text.len() {
+        let (from, behind) = number(text, at);
+        let (to, end) = match (behind < text.len() && text[behind] == b'.', from) {
+            (true, Some(_)) => number(text, behind + "..".len()),
+            _ => (from, behind),
+        };
+        read[dimension] = match (from, to) {
+            (Some(from), Some(to)) => Some(Index::At(from, to)),
+            _ => Some(Index::Any),
+        };
+        dimension += 1;
+        at = end + ",".len();
+    }
+    read
+}
+
+/// The number from this place on, and where it ends; none: a letter, which stands for every number.
+const fn number(text: &[u8], mut at: usize) -> (Option<usize>, usize) {
+    if !text[at].is_ascii_digit() {
+        return (None, at + 1);
+    }
+    let mut number = 0;
+    while at < text.len() && text[at].is_ascii_digit() {
+        number = number * 10 + (text[at] - b'0') as usize;
+        at += 1;
+    }
+    (Some(number), at)
 }
 
 impl Element {
@@ -132,14 +172,7 @@ impl Element {
     }
 
     pub(super) fn indices(&self) -> impl Iterator<Item = Index> {
-        let parts = self.index.split(',').filter(|part| !part.is_empty());
-        parts.map(|part| {
-            let (from, to) = part.split_once("..").unwrap_or((part, part));
-            match (from.parse(), to.parse()) {
-                (Ok(from), Ok(to)) => Index::At(from, to),
-                _ => Index::Any,
-            }
-        })
+        self.indices.into_iter().flatten()
     }
 
     /// Whether it stands for the element at these indices.

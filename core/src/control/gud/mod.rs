@@ -16,6 +16,8 @@ use Kind::{Bool, Frame, Integer, Real, Text};
 use element::{ACTIVE, Index, M_MIN, MM, MM_MIN, SPEED};
 pub use element::{Element, Initial, System, Unit};
 pub(super) use element::{FEED, LENGTH, element};
+use std::collections::HashMap;
+use std::sync::OnceLock;
 
 /// Data block in which a datum is defined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -191,7 +193,8 @@ pub fn all() -> impl Iterator<Item = &'static Gud> {
 
 /// A datum by its name in upper case.
 pub fn find(name: &str) -> Option<&'static Gud> {
-    all().find(|gud| gud.name == name)
+    static BY_NAME: OnceLock<HashMap<&str, &Gud>> = OnceLock::new();
+    BY_NAME.get_or_init(|| all().map(|gud| (gud.name, gud)).collect()).get(name).copied()
 }
 
 /// A datum by its name with its index, which lies inside of the array: `_WP[0,1]`.

@@ -9,10 +9,11 @@ mod tests;
 pub use parts::{component, set_component};
 
 use super::rotary::ROTARY;
-use super::{Control, Edge, Frame, Store};
+use super::{Control, Edge, Frame, Store, Tool};
 use crate::dialect::Dialect;
 use parts::{edge_quantity, part_of, set_edge_quantity, set_part};
 use place::{Kept, PARTS, Place, REGISTERS, ROTARY_PARTS, whole_frame};
+use std::collections::BTreeMap;
 
 /// Axis letters by index.
 pub const AXES: [&str; 3] = ["X", "Y", "Z"];
@@ -41,9 +42,18 @@ impl Control {
 
     /// All stored tool and frame data by their names.
     pub fn variables(&self) -> impl Iterator<Item = (String, f64)> {
+        self.variables_but(None)
+    }
+
+    /// The same without frames and edges that are alike in the other control: of many, few differ after a measurement.
+    pub fn variables_unlike(&self, other: &Control) -> impl Iterator<Item = (String, f64)> {
+        self.variables_but(Some(other))
+    }
+
+    fn variables_but(&self, alike: Option<&Control>) -> impl Iterator<Item = (String, f64)> {
         let names = match self.dialect {
-            Dialect::Sinumerik => sinumerik_names(self),
-            Dialect::Nct => nct_names(self),
+            Dialect::Sinumerik => sinumerik_names(self, alike),
+            Dialect::Nct => nct_names(self, alike),
         };
         names.into_iter().filter_map(|name| self.variable(&name).map(|value| (name, value)))
     }
@@ -57,9 +67,13 @@ impl Control {
         }
     }
 
-    /// Tools and edges, each with what it holds.
-    fn edges(&self) -> impl Iterator<Item = (i64, i64, &Edge)> {
-        self.tools.iter().flat_map(|(tool, data)| data.edges.iter().map(move |(edge, data)| (*tool, *edge, data)))
+    /// Tools and edges, each with what it holds; without those that are alike in the other control.
+    fn edges<'a>(&'a self, alike: Option<&'a Control>) -> impl Iterator<Item = (i64, i64, &'a Edge)> {
+        let edges = |(tool, data): (&'a i64, &'a Tool)| data.edges.iter().map(move |(edge, data)| (*tool, *edge, data));
+        let differs = move |(tool, edge, data): &(i64, i64, &Edge)| {
+            alike.is_none_or(|other| other.edge_of(*tool, *edge) != Some(*data))
+        };
+        self.tools.iter().flat_map(edges).filter(differs)
     }
 
     /// Names of all parts of a frame; `number` with the comma behind it, where there is more than one.
@@ -115,27 +129,48 @@ impl Control {
     }
 }
 
-/// Names of all stored tool and frame data of SINUMERIK.
-fn sinumerik_names(control: &Control) -> Vec<String> {
+/// Frames of one store by their numbers.
+type Frames = BTreeMap<usize, Frame>;
+
+/// Their numbers; without those of frames that are alike in the other control.
+fn numbers<'a>(
+    control: &'a Control,
+    alike: Option<&'a Control>,
+    store: fn(&Control) -> &Frames,
+) -> impl Iterator<Item = usize> {
+    let differs =
+        move |(number, frame): &(&usize, &Frame)| alike.is_none_or(|other| store(other).get(number) != Some(*frame));
+    store(control).iter().filter(differs).map(|(number, _)| *number)
+}
+
+/// Names of all stored tool and frame data of SINUMERIK; without frames and edges that are alike in the other control.
+fn sinumerik_names(control: &Control, alike: Option<&Control>) -> Vec<String> {
     let mut names = Vec::new();
-    let stores =
-        [("$P_UIFR", &control.frames), ("$P_CHBFR", &control.stored.channel), ("$P_NCBFR", &control.stored.global)];
-    for (store, frames) in stores {
-        names.extend(frames.keys().flat_map(|number| control.frame_names(store, &format!("{number},"))));
+    let stores: [(&str, fn(&Control) -> &Frames); 3] = [
+        ("$P_UIFR", |control| &control.frames),
+        ("$P_CHBFR", |control| &control.stored.channel),
+        ("$P_NCBFR", |control| &control.stored.global),
+    ];
+    for (name, store) in stores {
+        let numbers = numbers(control, alike, store);
+        names.extend(numbers.flat_map(|number| control.frame_names(name, &format!("{number},"))));
     }
-    names.extend(control.frame_names("$P_SETFR", ""));
-    for (tool, edge, data) in control.edges() {
+    if alike.is_none_or(|other| other.stored.system != control.stored.system) {
+        names.extend(control.frame_names("$P_SETFR", ""));
+    }
+    for (tool, edge, data) in control.edges(alike) {
         edge_names(&mut names, tool, edge, data);
     }
     names
 }
 
-/// Names of all stored tool and frame data of NCT.
-fn nct_names(control: &Control) -> Vec<String> {
-    let offsets = control.frames.keys().filter(|number| **number <= 6);
-    let offsets = offsets.map(|number| control.make().settable_name(*number));
+/// Names of all stored tool and frame data of NCT; without frames and edges that are alike in the other control.
+fn nct_names(control: &Control, alike: Option<&Control>) -> Vec<String> {
+    let offsets = numbers(control, alike, |control| &control.frames).filter(|number| *number <= 6);
+    let offsets = offsets.map(|number| control.make().settable_name(number));
     let offsets = offsets.flat_map(|offset| AXES.map(|axis| format!("{offset} {axis}")));
-    let registers = control.edges().flat_map(|(_, edge, _)| REGISTERS.map(|(letters, _)| format!("{letters}{edge}")));
+    let registers =
+        control.edges(alike).flat_map(|(_, edge, _)| REGISTERS.map(|(letters, _)| format!("{letters}{edge}")));
     offsets.chain(registers).collect()
 }
 
