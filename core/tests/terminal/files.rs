@@ -149,6 +149,11 @@ fn a_run_writes_its_logs_into_a_folder() {
     assert_eq!(again.status.code(), Some(1));
     assert!(err(&again).contains("LOG_1.MPF exists already"), "{}", err(&again));
     assert_eq!(std::fs::read_to_string(&log).unwrap(), "of another part");
+    let two =
+        b"DEF INT F\nWRITE(F,\"/_N_MPF_DIR/_N_LOG_1_MPF\",\"A\")\nWRITE(F,\"/_N_MPF_DIR/_N_LOG_2_MPF\",\"B\")\nM30\n";
+    let both = probewright(&["run", &file("two_files.mpf", two), "--log", folder.to_str().unwrap()]);
+    assert!(err(&both).contains("LOG_1.MPF exists already") && !err(&both).contains("LOG_2"), "{}", err(&both));
+    assert!(out(&both).contains("LOG_2.MPF"), "{}", out(&both));
     let text = out(&probewright(&["run", &program, "--json"]));
     let view: serde_json::Value = serde_json::from_str(&text).unwrap();
     assert_eq!(view["written"][0]["name"], "LOG_1.MPF");

@@ -23,16 +23,15 @@ pub fn write(files: &Files, folder: Option<&Path>, words: &Words, out: &mut dyn 
             continue;
         };
         let path = within(folder, name);
-        let message = match create(&path, lines) {
-            Ok(()) => told("terminal-log-written"),
+        let said = |key| words.text(&told(key).text("path", path.display().to_string()));
+        match create(&path, lines) {
+            Ok(()) => writeln!(out, "{}", said("terminal-log-written"))?,
             Err(error) if error.kind() == ErrorKind::AlreadyExists => {
                 all = false;
-                told("terminal-log-exists")
+                file::complain(&said("terminal-log-exists"));
             }
             Err(error) => return Err(format!("{}: {error}", path.display()).into()),
-        };
-        let line = words.text(&message.text("path", path.display().to_string()));
-        if all { writeln!(out, "{line}")? } else { file::complain(&line) }
+        }
     }
     Ok(all)
 }
