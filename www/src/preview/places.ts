@@ -1,5 +1,5 @@
-// Where words stand, so that none lies on another: the first free one of the places that each would take, else the
-// nearest free place. Where there is none, they are left out.
+// Where words stand, so that none lies on another: the first free one of the places that each would take, else a free
+// place near the best of them. Where there is none, they are left out.
 import type { Drawn } from "../draw";
 import type { Viewport } from "./camera";
 
@@ -52,60 +52,103 @@ export function covers(a: Rect, b: Rect): boolean {
 export const isInside = ({ left, top, right, bottom }: Rect, { width, height }: Viewport): boolean =>
   left > -EXACT && top > -EXACT && right < width + EXACT && bottom < height + EXACT;
 
+/** What is taken, by squares of the view: of hundreds of touches few are where words would stand. */
+type Taken = Map<number, Rect[]>;
+
+const SQUARE = 32; // CSS pixels
+const ROW = 4096; // squares of a row at most
+const NONE: readonly Rect[] = [];
+const NEAR = 120; // what is farther from its place than that may stand on a touch instead
+
+/** Squares that have something of a rectangle and of the view: the first and the last, across and down. */
+function squaresOf({ left, top, right, bottom }: Rect, room: Viewport): [number, number, number, number] {
+  const square = (at: number, length: number): number => Math.floor(Math.min(Math.max(0, at), length) / SQUARE);
+  return [square(left, room.width), square(top, room.height), square(right, room.width), square(bottom, room.height)];
+}
+
+function take(taken: Taken, rect: Rect, room: Viewport): void {
+  const [left, top, right, bottom] = squaresOf(rect, room);
+  for (let y = top; y <= bottom; y++)
+    for (let x = left; x <= right; x++) {
+      const there = taken.get(y * ROW + x);
+      if (there) there.push(rect);
+      else taken.set(y * ROW + x, [rect]);
+    }
+}
+
+function takenBy(rects: readonly Rect[], room: Viewport): Taken {
+  const taken: Taken = new Map();
+  for (const rect of rects) take(taken, rect, room);
+  return taken;
+}
+
+function isFree(box: Rect, taken: Taken, room: Viewport): boolean {
+  const [left, top, right, bottom] = squaresOf(box, room);
+  for (let y = top; y <= bottom; y++)
+    for (let x = left; x <= right; x++)
+      for (const other of taken.get(y * ROW + x) ?? NONE) if (covers(box, other)) return false;
+  return true;
+}
+
 /** A spot for each, in turn; null where there is no room. */
 export function placed(wanted: readonly Words[], room: Viewport, { always, rather }: Kept): (Spot | null)[] {
-  const there = [...always];
+  const there = takenBy(always, room);
+  const kept = takenBy(rather, room);
+  const full: Words[] = []; // there was no room for these wherever: later there is none for what is as large
+  const isFull = ({ width, height }: Words): boolean => full.some(one => one.width <= width && one.height <= height);
   return wanted.map(words => {
-    const spot = spotOf(words, room, [...there, ...rather]) ?? spotOf(words, room, there);
-    if (spot) there.push(around(spot, words.width, words.height));
+    const spot = isFull(words)
+      ? null
+      : (spotOf(words, room, [there, kept], NEAR) ?? spotOf(words, room, [there], Infinity));
+    if (spot) take(there, around(spot, words.width, words.height), room);
+    else if (words.reach === Infinity) full.push(words);
     return spot;
   });
 }
 
-function spotOf(words: Words, room: Viewport, there: readonly Rect[]): Spot | null {
-  const { width, height, spots } = words;
+function spotOf(words: Words, room: Viewport, there: readonly Taken[], most: number): Spot | null {
+  const { width, height, spots, reach } = words;
   const free = (spot: Spot): boolean => {
     const box = around(spot, width, height);
-    return isInside(box, room) && !there.some(other => covers(box, other));
+    return isInside(box, room) && there.every(taken => isFree(box, taken, room));
   };
-  return spots.find(free) ?? nearest(words, room, there, free);
+  return spots.find(free) ?? nearest({ ...words, reach: Math.min(reach, most) }, room, free);
 }
 
-/** The free spot nearest to the best one: its coordinates are those of that one, or of edges of what is there. */
-function nearest(
-  { width, height, spots, reach }: Words,
-  room: Viewport,
-  there: readonly Rect[],
-  free: (spot: Spot) => boolean,
-): Spot | null {
+const STEP = 4; // CSS pixels from one spot that is tried to the next
+
+/** A free spot near the best one, on squares around it that grow: as many are tried as the view has at most. */
+function nearest({ width, height, spots, reach }: Words, room: Viewport, free: (spot: Spot) => boolean): Spot | null {
+  const inside = (at: number, half: number, length: number): number => Math.min(Math.max(at, half), length - half);
   const best = spots[0]!;
-  const [w, h] = [width / 2 + AIR, height / 2 + AIR];
-  const along = (at: number, half: number, length: number, edges: number[]): number[] =>
-    [Math.min(Math.max(at, half), length - half), ...edges]
-      .filter(one => one >= half && one <= length - half && Math.abs(one - at) <= reach)
-      .sort((one, other) => Math.abs(one - at) - Math.abs(other - at));
-  const xs = along(
-    best.x,
-    w,
-    room.width,
-    there.flatMap(({ left, right }) => [left - w, right + w]),
-  );
-  const ys = along(
-    best.y,
-    h,
-    room.height,
-    there.flatMap(({ top, bottom }) => [top - h, bottom + h]),
-  );
-  let found: Spot | null = null;
-  let least = reach;
-  for (const x of xs) {
-    for (const y of ys) {
-      const away = Math.sqrt((x - best.x) ** 2 + (y - best.y) ** 2);
-      if (away > least || (found && away === least)) break; // the others are farther
-      if (free({ x, y })) [found, least] = [{ x, y }, away];
-    }
-  }
-  return found;
+  const x = inside(best.x, width / 2 + AIR, room.width);
+  const y = inside(best.y, height / 2 + AIR, room.height);
+  const left = reach - Math.hypot(x - best.x, y - best.y);
+  const farthest = Math.min(left, Math.max(room.width, room.height));
+  for (let away = 0; away <= farthest; away += STEP)
+    for (let along = 0; along <= away; along += STEP)
+      for (const [across, down] of edges(along, away)) {
+        const spot = { x: x + across, y: y + down };
+        if (free(spot)) return spot;
+      }
+  return null;
+}
+
+/** Steps to the spots on the edges of a square of half the length `away` that are so far from the middle of an edge. */
+function edges(along: number, away: number): readonly (readonly [number, number])[] {
+  const up = [along, -away] as const;
+  return away === 0
+    ? [up]
+    : [
+        up,
+        [along, away],
+        [-along, -away],
+        [-along, away],
+        [away, along],
+        [-away, along],
+        [away, -along],
+        [-away, -along],
+      ];
 }
 
 /** Spots on rings around a place, those nearest to a direction first. */
