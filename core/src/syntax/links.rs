@@ -89,7 +89,6 @@ pub fn structural(program: &Program, words: &[Word]) -> Option<&'static str> {
     let jump = |word: &Word| {
         program.is_keyword(word, &["GOTO", "GOTOF", "GOTOB", "GOTOC", "THEN"]) || program.is_call(word, &["GOTOS"])
     };
-    let jumps = words.iter().any(jump);
     words.iter().find_map(|word| {
         let WordKind::Keyword { name, value } = &word.kind else { return None };
         if program.is(*name, "END") {
@@ -97,7 +96,7 @@ pub fn structural(program: &Program, words: &[Word]) -> Option<&'static str> {
         }
         let found = program.grammar().structures.iter().find(|known| program.is(*name, known))?;
         let labelled = *found == "REPEAT" && value.is_some();
-        let jump = ["IF", "ELSE"].contains(found) && jumps;
+        let jump = ["IF", "ELSE"].contains(found) && words.iter().any(jump);
         (!jump && !labelled).then_some(*found)
     })
 }

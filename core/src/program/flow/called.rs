@@ -17,6 +17,9 @@ pub enum Called {
 
 /// The program that the word at this place of a block calls; none: it calls nothing, or a cycle.
 pub fn called(program: &Program, programs: &Programs, words: &[Word], at: usize) -> Option<Called> {
+    if !matches!(words.get(at)?.kind, WordKind::Call { .. } | WordKind::Constant(_)) {
+        return None;
+    }
     // a block that declares something calls nothing
     let declares = |word: &Word| program.is_keyword(word, &["PROC", "EXTERN"]) || program.is_call(word, &["DEFINE"]);
     if words.first().is_some_and(declares) {

@@ -15,6 +15,8 @@ pub struct Branches<S> {
     pub open: Vec<Open<S>>,
     /// States with which a label or block number is jumped to.
     jumps: HashMap<String, S>,
+    /// A block number was among them.
+    numbered: bool,
     /// State of those who went back before the end.
     left: Option<S>,
     /// M2 and M30 go back to the caller.
@@ -38,7 +40,7 @@ pub struct Choice<S> {
 impl<S: Meet> Branches<S> {
     /// The one way at the beginning; `called`: of a subprogram, which M2 and M30 end like M17.
     pub fn new(state: S, called: bool) -> Self {
-        Self { called, state, dead: false, open: Vec::new(), jumps: HashMap::new(), left: None }
+        Self { called, state, dead: false, open: Vec::new(), jumps: HashMap::new(), numbered: false, left: None }
     }
 
     /// Whether ways may meet or part at a block; most blocks only move.
@@ -48,7 +50,8 @@ impl<S: Meet> Branches<S> {
             WordKind::Address { name, .. } => program.is(name, "M"),
             _ => false,
         };
-        block.skip.is_some() || !self.jumps.is_empty() || words.iter().any(parts)
+        let met = self.numbered && block.number.is_some() && !self.jumps.is_empty();
+        block.skip.is_some() || met || words.iter().any(parts)
     }
 
     /// Before a block: jumps arrive, branches end or begin.
@@ -116,6 +119,7 @@ impl<S: Meet> Branches<S> {
         for target in words.iter().filter_map(|word| target(program, word)) {
             goes = true;
             if let Some(name) = target.filter(|_| !self.dead && !back) {
+                self.numbered |= name.starts_with('N');
                 let known = self.jumps.remove(&name);
                 self.jumps.extend(both(known, Some(self.state.clone())).map(|state| (name, state)));
             }
