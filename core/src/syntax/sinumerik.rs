@@ -124,7 +124,8 @@ fn named(reader: &mut Reader) -> Parsed<()> {
     if assigns(reader) {
         let counts = reader.expect == Expect::Counter;
         reader.expect = if counts { Expect::Words } else { reader.expect };
-        if index.is_empty() && !counts && (text.len() == 1 && text != b"_" || is_one_of(text, ADDRESSES)) {
+        let letters = !text.starts_with(b"_") && (text.len() == 1 || is_one_of(text, ADDRESSES));
+        if index.is_empty() && !counts && letters {
             return address(reader, start, name, None);
         }
         return assign(reader, start, name, index);
