@@ -9,7 +9,7 @@ use super::{
 use crate::control::Value;
 use crate::diagnostic::{Diagnostic, Severity, Span};
 use crate::geometry::{Mcs, Wcs};
-use crate::machine::{Entry, Files, Setup, Sim, Step, Stop};
+use crate::machine::{Entries, Files, Setup, Sim, Step, Stop};
 use crate::message::Message;
 use crate::problem::Problem;
 use crate::syntax::links::{Link, Links};
@@ -175,7 +175,7 @@ impl Session {
     }
 
     /// What happened so far.
-    pub fn entries(&self) -> &[Entry] {
+    pub fn entries(&self) -> &Entries {
         &self.run.sim.trace.entries
     }
 
@@ -310,7 +310,7 @@ fn go_on(run: &mut Interpreter, next: impl FnOnce(&mut Interpreter) -> Next) -> 
 impl Interpreter {
     fn new(program: Rc<Program>, setup: &Setup, limits: Limits) -> Interpreter {
         let mut sim = Sim::new(setup);
-        (sim.trace_limit, sim.own_limit) = (limits.trace, limits.own);
+        (sim.trace_limit, sim.own_limit, sim.told_limit) = (limits.trace, limits.own, limits.told);
         sim.point_limit = crate::scan::POINTS;
         let (motion, feed_factor) = (Rules::of(program.dialect).motion, sim.control.data_factor());
         let programs = programs::programs(&program);

@@ -5,13 +5,12 @@ use crate::file::Problem;
 use crate::joined::Joined;
 use crate::progress::Progress;
 use crate::stream::Stream;
-use crate::{file, log, scan};
+use crate::{document, file, log, scan};
 use probewright_core::app::{RunAssumed, RunView};
 use probewright_core::catalogue::alarms;
 use probewright_core::control::Value;
 use probewright_core::diagnostic::{Diagnostic, Severity};
 use probewright_core::entry::{Unit, unit_behind};
-use probewright_core::json;
 use probewright_core::machine::Setup;
 use probewright_core::machine::trace::Step;
 use probewright_core::message::{Arg, Message, printable};
@@ -61,9 +60,8 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
     let text = Text::of(arguments)?;
     let given = Given { program: arguments.program.clone(), values: values(&arguments.arg)? };
-    let recorded = if arguments.json { Limits::default().own } else { 0 };
-    let steps = arguments.max_blocks;
-    let limits = Limits { steps, own: recorded, strict: arguments.strict, ..Limits::default() };
+    let limits = Limits { steps: arguments.max_blocks, strict: arguments.strict, ..Limits::default() };
+    let limits = if arguments.json { limits } else { limits.unrecorded() };
     let setup = setup(arguments, words, out)?;
     let mut text = text.on(setup.as_ref(), arguments)?;
     let mut progress = Progress::new(words);
@@ -75,19 +73,20 @@ pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
     progress.end();
     let Assumed { setup, outcome, told } = ran;
     let joined = &text.joined;
-    if arguments.json {
-        let mut view = RunView::new(setup.clone(), outcome.clone(), &joined.text);
+    let outcome = if arguments.json {
+        let mut view = RunView::new(setup.clone(), outcome, &joined.text);
         if arguments.setup.is_none() {
             view.assumed = Some(RunAssumed { messages: told, setup });
         }
-        file::print_json(json::document(&view), words, out)?;
+        document::print(view, words, out)?
     } else {
         for assumption in &told {
             writeln!(out, "{}", words.text(assumption))?;
         }
         text.print(&outcome.diagnostics, words, out)?;
         print_outcome(joined, &outcome, words, out)?;
-    }
+        outcome
+    };
     if let Some(print) = &arguments.print {
         let lines = outcome.printed().into_iter();
         file::write(print, lines.map(|line| format!("{line}\n")))?;
