@@ -1,5 +1,7 @@
 //! What must hold for any bytes whatever. A function panics when it does not.
 
+pub mod seeds;
+
 use probewright_core::control::{Edge, Plane, Tool, delivery};
 use probewright_core::dialect::Dialect;
 use probewright_core::entry::Style;
