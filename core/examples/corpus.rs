@@ -168,7 +168,7 @@ fn run(program: &Rc<Program>) -> (Outcome, bool) {
     let mut values = BTreeMap::new();
     loop {
         let given = |session: Session| session.with_arguments(values.clone());
-        let outcome = assumed::run_with(program, Limits::default(), given, &mut |_| {}).outcome;
+        let outcome = assumed::run_with(program, None, Limits::default(), given, &mut |_| {}).outcome;
         let Some(Stop::Fault(message)) = &outcome.stop else { return (outcome, !values.is_empty()) };
         let asked = message.args.iter().find_map(|(name, arg)| match arg {
             Arg::Text(text) if *name == "word" && message.key == "run-parameter" => Some(text.to_string()),

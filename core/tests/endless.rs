@@ -202,13 +202,15 @@ fn what_nobody_watches_is_given_up_in_loops_only() {
 // oracle: hand: the first steps are recorded, which is told once; the others are driven all the same
 #[test]
 fn what_is_not_recorded_is_driven() {
-    let limits = Limits { own: 10, ..Limits::default() };
+    let limits = Limits { own: 5, told: 10, ..Limits::default() };
     let text = "G90\nWHILE R1<100\nR1=R1+1\nG0 X=R1\nENDWHILE\nM30";
     let outcome = ran(&machine(), Dialect::Sinumerik, text, limits);
-    assert_eq!((outcome.stop.as_ref(), outcome.trace.entries.len(), outcome.end().0[0]), (None, 10, 100.0));
+    assert_eq!((outcome.stop.as_ref(), outcome.trace.entries.len(), outcome.end().0[0]), (None, 11, 100.0));
     let told = outcome.diagnostics.iter().filter(|found| found.message.key == "run-trace-full");
     assert_eq!(told.count(), 1);
-    let silent = ran(&machine(), Dialect::Sinumerik, text, Limits { own: 0, ..limits });
+    let few = ran(&machine(), Dialect::Sinumerik, text, Limits { own: 10, told: 5, ..limits });
+    assert_eq!((few.trace.entries.len(), few.end()), (10, outcome.end()));
+    let silent = ran(&machine(), Dialect::Sinumerik, text, limits.unrecorded());
     assert_eq!((silent.diagnostics.len(), silent.trace.entries.len(), silent.end()), (0, 0, outcome.end()));
     assert_eq!(silent.written().get("R1"), Some(&100.0));
 }

@@ -17,7 +17,7 @@ const TRACE: usize = 50_000;
 
 /// A calibrated probe 20 mm above the middle of a block of 100 mm.
 fn go(text: &str) -> Outcome {
-    limited(text, Limits { trace: TRACE, ..Limits::unwatched(text.lines().count()) })
+    limited(text, Limits { trace: TRACE, own: TRACE, ..Limits::unwatched(text.lines().count()) })
 }
 
 fn limited(text: &str, limits: Limits) -> Outcome {
@@ -76,7 +76,7 @@ fn what_never_ends_or_grows_is_stopped() {
         let outcome = go(&program);
         let shown: String = program.chars().take(60).collect();
         assert_eq!(stopped(&outcome), key, "{shown}");
-        assert!(outcome.trace.entries.len() <= TRACE, "{shown}");
+        assert!(outcome.trace.entries.len() <= 2 * TRACE, "{shown}");
         assert!(outcome.control.data.iter().count() < 20_000, "{shown}");
     }
 }

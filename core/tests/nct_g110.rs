@@ -87,7 +87,8 @@ fn out_of_tolerance_informs() {
 #[test]
 fn every_wall_is_touched_in_three_steps() {
     let outcome = go(EXAMPLE, &setup([0.1, 0.0, 0.1], 0.0));
-    let steps: Vec<&Step> = outcome.trace.entries.iter().map(|entry| &entry.step).collect();
+    let entries = outcome.trace.entries.to_vec();
+    let steps: Vec<&Step> = entries.iter().map(|entry| &entry.step).collect();
     let count = |kind: MotionKind| {
         steps.iter().filter(|step| matches!(step, Step::Motion { kind: other, .. } if *other == kind)).count()
     };

@@ -63,7 +63,8 @@ fn clean(setup: &Value, program: &str) -> Outcome {
 
 /// Start, end and feed of every measuring motion.
 fn probings(outcome: &Outcome) -> Vec<([f64; 3], [f64; 3], f64)> {
-    let steps = outcome.trace.entries.iter().map(|entry| &entry.step);
+    let entries = outcome.trace.entries.to_vec();
+    let steps = entries.iter().map(|entry| &entry.step);
     steps
         .filter_map(|step| match step {
             Step::Motion { kind: MotionKind::Measuring, from, to, feed, .. } => Some((from.0, to.0, *feed)),

@@ -1,5 +1,7 @@
 //! What must hold for any bytes whatever. A function panics when it does not.
 
+pub mod seeds;
+
 use probewright_core::control::{Edge, Plane, Tool, delivery};
 use probewright_core::dialect::Dialect;
 use probewright_core::entry::Style;
@@ -93,10 +95,10 @@ fn converted(program: &Program, index: usize, die: &mut Die) {
 /// Running any bytes as a program of a mill of either control, or of a lathe, against a block of material does not
 /// panic, ends within the limits and drives to numbers.
 pub fn run(bytes: &[u8], extent: Extent) {
-    let limits = Limits { steps: Some(500), depth: 4, trace: 500, ..Limits::default() };
+    let limits = Limits { steps: Some(500), depth: 4, trace: 250, own: 250, ..Limits::default() };
     for setup in Die::new(extent, bytes).of(MACHINES.to_vec()).into_iter().map(|machine| machine()) {
         let outcome = simulate(&parse(setup.control.dialect, bytes), &setup, limits);
-        assert!(outcome.trace.entries.len() <= limits.trace);
+        assert!(outcome.trace.entries.len() <= limits.trace + limits.own);
         assert!(numbers(&outcome), "a position that is no number");
     }
 }

@@ -99,6 +99,23 @@ describe("files with a program", () => {
     await rm(folder, { recursive: true });
   });
 
+  // oracle: hand: the second program has a parameter, the first has none
+  test("hold several programs in one text, of which one is chosen to run", async () => {
+    const { context, page } = await start(chrome);
+    const text = "%_N_ONE_MPF\nR1=1\nM30\n%_N_TWO_MPF\nPROC TWO(REAL DEPTH)\nR1=2+DEPTH\nM30\n";
+    await openAll(page, file("two.arc", text));
+    await run(page);
+    await ends(page, TO_ITS_END);
+    assert.equal(await page.locator("#given-DEPTH").count(), 0);
+    await page.locator("#run-program").selectOption("TWO");
+    await page.locator("#given-DEPTH").fill("3");
+    await page.locator("#given-DEPTH").press("Enter");
+    await ends(page, TO_ITS_END);
+    await page.locator(".panel-results").getByText("R1", { exact: true }).waitFor();
+    assert.match(await page.locator(".panel-results").textContent(), /R1\s*5\b/);
+    await context.close();
+  });
+
   // oracle: hand
   test("that are missing are wanted by name, and a click opens them", async () => {
     const { context, page } = await start(chrome);

@@ -2,26 +2,35 @@
 //! `cargo xtask fuzz` does for long.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use probewright_fuzz::Extent;
+use probewright_fuzz::{Extent, seeds};
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
 use std::path::{Path, PathBuf};
 
-/// Every file below a folder.
-fn files(folder: &Path) -> Vec<PathBuf> {
-    let entries = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
-    entries.flat_map(|path| if path.is_dir() { files(&path) } else { vec![path] }).collect()
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
 /// The programs that fuzzing starts from.
-fn seeds() -> Vec<Vec<u8>> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    ["tests/cases", "tests/right", "tests/wrong", "core/tests/programs"]
-        .iter()
-        .flat_map(|folder| files(&root.join(folder)))
-        .filter(|path| path.extension().is_none_or(|ending| ending != "json"))
-        .map(|path| std::fs::read(path).unwrap())
-        .collect()
+fn programs() -> Vec<Vec<u8>> {
+    seeds::programs(&root()).unwrap()
+}
+
+// oracle: self: what was joined is split; the file is made anew from the programs of the tests with PROBEWRIGHT_UPDATE=1
+#[test]
+fn the_seeds_are_pieces_of_programs() {
+    let file = root().join("fuzz/seeds");
+    if std::env::var_os("PROBEWRIGHT_UPDATE").is_some() {
+        std::fs::write(&file, seeds::joined(&programs())).unwrap();
+    }
+    let all = std::fs::read(&file).unwrap();
+    let pieces = seeds::split(&all);
+    assert!(pieces.len() > 100 && pieces.iter().all(|piece| piece.len() < 1000 && !piece.is_empty()));
+    assert_eq!(seeds::joined(&pieces), all);
+    for piece in pieces {
+        probewright_fuzz::read(&piece, Extent::Drawn);
+        probewright_fuzz::run(&piece, Extent::Drawn);
+    }
 }
 
 /// Puts bytes over a stretch of a program.
@@ -34,9 +43,9 @@ fn splice(program: &[u8], at: Index, length: usize, bytes: &[u8]) -> Vec<u8> {
 // oracle: self (the targets demand it)
 #[test]
 fn the_programs_themselves_pass() {
-    let seeds = seeds();
-    assert!(seeds.len() > 6, "the seeds are found");
-    for seed in seeds {
+    let programs = programs();
+    assert!(programs.len() > 100, "the programs are found");
+    for seed in programs {
         probewright_fuzz::read(&seed, Extent::All);
         probewright_fuzz::run(&seed, Extent::All);
     }
@@ -48,7 +57,7 @@ proptest! {
 
     #[test]
     fn changed_programs_pass(
-        seed in select(seeds()),
+        seed in select(programs()),
         changes in proptest::collection::vec((any::<Index>(), 0..12_usize, proptest::collection::vec(any::<u8>(),
         0..6)), 1..6),
     ) {

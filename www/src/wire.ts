@@ -1360,6 +1360,8 @@ export type ProgramPlace = {
   from: number,
   /** Line of that block, from 1. */
   line: number,
+  /** Parameters of its `PROC`. */
+  parameters?: Array<ProgramParameter>,
 };
 
 /** Where a cycle belongs. */
@@ -1563,6 +1565,8 @@ export type RunRequest = {
   text: string,
   /** Machine; absent: the core's own as it is. */
   setup?: Machine,
+  /** Which program of the text is run, by its name; absent: the first. */
+  program?: string,
   /** Values for the parameters of the program itself, by name; absent: none. */
   arguments?: { [key in string]: Datum },
   /** Whether what is not there stops the run: a subprogram, a value that only the machine has; absent: no. */

@@ -40,8 +40,11 @@ const COVERAGE: [&str; 7] = [
 const LONGEST: u32 = 5;
 const LARGEST: u32 = 512;
 
-/// Programs to start from.
-const SEEDS: [&str; 4] = ["tests/cases", "tests/right", "tests/wrong", "core/tests/programs"];
+/// Bytes of an input at most: what lines do together shows in a few of them.
+const LONGEST_INPUT: u32 = 512;
+/// Pieces of programs to start from, in one file, and the line between them (`fuzz/src/seeds.rs`).
+const SEEDS: &str = "fuzz/seeds";
+const BETWEEN: &str = "\n-- seed --\n";
 
 /// Looks for a program that breaks the target; fails when it finds one and keeps it in `fuzz/artifacts/`.
 pub fn fuzz(options: &Options) -> Result<()> {
@@ -53,16 +56,31 @@ pub fn fuzz(options: &Options) -> Result<()> {
     let artifacts = folder(&format!("fuzz/artifacts/{name}"))?;
     run(&mut build(name)?)?;
     let mut engine = command(&format!("fuzz/target/{}/release/{name}", host()?));
-    engine.arg(corpus).args(SEEDS);
+    engine.arg(corpus).arg(seeds()?);
     engine.args([
         format!("-artifact_prefix={}/", artifacts.display()),
         format!("-max_total_time={}", options.seconds),
+        format!("-max_len={LONGEST_INPUT}"),
         format!("-timeout={LONGEST}"),
         format!("-rss_limit_mb={LARGEST}"),
         "-dict=fuzz/words.dict".to_owned(),
         "-print_final_stats=1".to_owned(),
     ]);
     run(&mut engine)
+}
+
+/// A folder with the pieces to start from, a file each.
+fn seeds() -> Result<PathBuf> {
+    let folder = folder("fuzz/target/seeds")?;
+    let all = fs::read(root().join(SEEDS)).context(SEEDS)?;
+    let mut rest = &all[..];
+    for number in 0.. {
+        let end = rest.windows(BETWEEN.len()).position(|place| place == BETWEEN.as_bytes());
+        fs::write(folder.join(number.to_string()), &rest[..end.unwrap_or(rest.len())])?;
+        let Some(end) = end else { break };
+        rest = &rest[end + BETWEEN.len()..];
+    }
+    Ok(folder)
 }
 
 /// `--target` keeps the flags away from build scripts.

@@ -115,6 +115,7 @@ terminal-file-text = Teileprogramm
 terminal-control-text = Steuerung: sinumerik (840D, 840Di, 810D) oder nct; ohne Angabe am Programm erkannt
 terminal-setup-text = Datei mit der Maschineneinrichtung, siehe docs/setup.schema.json; ohne Angabe wird eine Maschine angenommen und gemeldet, die zum Programm passt
 terminal-with-text = Definitionsdateien (.DEF) und Unterprogramme, die zum Programm gehören, oder ein Ordner damit
+terminal-program-text = Programm des Textes, das läuft, mit seinem Namen; ohne Angabe das erste
 terminal-arg-text = Wert für einen Parameter des Programms selbst, zum Beispiel DEPTH=5
 terminal-strict-text = Anhalten, wenn ein Unterprogramm oder ein Wert der Maschine fehlt
 terminal-max-blocks-text = Abbruch nach so vielen Sätzen; lange Sätze, Felder und Bewegungen in Schleifen zählen mehrfach

@@ -84,6 +84,7 @@ run-machine-value = „{ $word }“ ist ein Wert der Maschine und fehlt in der M
 run-waits = Das Programm wartet hier auf „{ $word }“. Ab hier angenommen: { $value }.
 run-machine-value-hint = Den Wert in den Daten der Maschineneinrichtung eintragen.
 run-argument-unknown = Das Programm hat keinen Parameter „{ $word }“.
+run-program-unknown = Der Text enthält kein Programm „{ $word }“. Er enthält: { $names }.
 run-unread-value = Der Wert von „{ $word }“ ist unbekannt: Zeile { $line } wurde nicht vollständig ausgeführt.
 run-unread-way = „{ $word }“ ist nicht lesbar; davon hängt ab, welcher Satz folgt.
 run-ended = Das Programm ist bis zum Ende gelaufen.

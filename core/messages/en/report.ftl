@@ -119,6 +119,7 @@ terminal-file-text = Part program
 terminal-control-text = Control: sinumerik (840D, 840Di, 810D) or nct; without it, recognised from the program
 terminal-setup-text = Setup file, see docs/setup.schema.json; without it, a machine that fits the program is assumed and reported
 terminal-with-text = Definition files (.DEF) and subprograms that belong to the program, or a folder of them
+terminal-program-text = Program of the text to run, by its name; without it the first one
 terminal-arg-text = Value for a parameter of the program itself, for example DEPTH=5
 terminal-strict-text = Stop at a subprogram or a machine value that is missing
 terminal-max-blocks-text = Stop after this number of blocks; long ones, arrays and motions in loops count several times

@@ -115,6 +115,7 @@ terminal-file-text = 零件程序
 terminal-control-text = 控制系统：sinumerik（840D、840Di、810D）或 nct；省略时由程序识别
 terminal-setup-text = 机床配置文件，见 docs/setup.schema.json；省略时假定一台与程序相符的机床，并输出所作的假定
 terminal-with-text = 属于该程序的定义文件（.DEF）和子程序，或包含它们的文件夹
+terminal-program-text = 要运行的程序的名称；不指定时为文本中的第一个
 terminal-arg-text = 程序自身参数的值，例如 DEPTH=5
 terminal-strict-text = 缺少子程序或机床的值时停止
 terminal-max-blocks-text = 运行超过此程序段数时停止；长程序段、数组以及程序循环中的运动按多段计

@@ -50,8 +50,8 @@ pub use scan::{Scan, ScanRequest, ScanView, SurfaceChoice, put_surface};
 pub use start::{Beginning, Machine, OwnMachine};
 pub use story::{Story, story};
 pub use supply::{NewTool, Offer, Supply};
-pub use trace::Trace;
 pub use trace::columns::{Columns, columns, others};
+pub use trace::{Trace, happened};
 pub use twin::{Shared, TwinView};
 pub use written::WrittenFile;
 

@@ -65,6 +65,10 @@ pub struct ProgramPlace {
     pub from: u32,
     /// Line of that block, from 1.
     pub line: u32,
+    /// Parameters of its `PROC`.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(test, ts(optional, as = "Option<Vec<ProgramParameter>>"))]
+    pub parameters: Vec<ProgramParameter>,
 }
 
 /// A parameter of the `PROC` of a program that is run as main program.
@@ -184,7 +188,7 @@ fn view(program: &Program, whole: &Whole, control: Control, told: &mut dyn FnMut
         calls: own.map(|site| call(program, site, &positions)).collect(),
         files: whole.files(&positions),
         programs: places_of(program, whole, &positions),
-        parameters: parameters(program),
+        parameters: programs(program).units.first().map_or_else(Vec::new, |main| parameters(program, main)),
     }
 }
 
@@ -196,16 +200,16 @@ fn places_of(program: &Program, whole: &Whole, positions: &Positions) -> Vec<Pro
         let name = unit.file.as_deref().map(bare).map(str::to_owned).or_else(declared)?;
         let start = program.blocks.get(unit.blocks.start).map(|block| block.span.start)?;
         let (line, _) = positions.line_column(start);
-        whole.of_program(start).then(|| ProgramPlace { name, from: positions.utf16(start), line })
+        let place = || ProgramPlace { name, from: positions.utf16(start), line, parameters: parameters(program, unit) };
+        whole.of_program(start).then(place)
     };
     let found: Vec<_> = all.units.iter().filter_map(place).collect();
     if found.len() > 1 { found } else { Vec::new() }
 }
 
-/// The parameters of the first program of the text that a single value can be given.
-fn parameters(program: &Program) -> Vec<ProgramParameter> {
-    let all = programs(program);
-    let words = all.units.first().map_or(&[][..], |main| program.signature(main));
+/// The parameters of a program of the text that a single value can be given.
+fn parameters(program: &Program, unit: &Unit) -> Vec<ProgramParameter> {
+    let words = program.signature(unit);
     let mut kind = String::new();
     let mut found = Vec::new();
     let mut named = false;

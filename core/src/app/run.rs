@@ -37,6 +37,8 @@ pub struct RunRequest {
     pub text: String,
     /// Machine; absent: the core's own as it is.
     pub setup: Option<Machine>,
+    /// Which program of the text is run, by its name; absent: the first.
+    pub program: Option<String>,
     /// Values for the parameters of the program itself, by name; absent: none.
     pub arguments: Option<BTreeMap<String, Value>>,
     /// Whether what is not there stops the run: a subprogram, a value that only the machine has; absent: no.
@@ -185,7 +187,8 @@ impl OfCall {
 ///
 /// let text = "R1=20*2\nG0 X=R1\nM30\n".to_owned();
 /// let control = Dialect::Sinumerik;
-/// let asked = RunRequest { control, text, setup: None, arguments: None, strict: None, blocks: None, with: None };
+/// let (program, arguments, strict, blocks) = (None, None, None, None);
+/// let asked = RunRequest { control, text, setup: None, program, arguments, strict, blocks, with: None };
 /// let mut run = Run::new(asked)?;
 /// while !run.advance(100) {}
 /// let view = run.view();
@@ -212,8 +215,12 @@ impl Run {
         let limits = Limits { steps, strict: asked.strict.unwrap_or_default(), ..Limits::default() };
         let given = asked.arguments.unwrap_or_default().into_iter();
         let arguments = given.map(|(name, value)| (name.to_ascii_uppercase(), value)).collect();
-        let session = Session::new(program, &setup, limits).with_arguments(arguments);
-        Ok(Run { session, setup, whole })
+        let session = Session::new(program, &setup, limits);
+        let session = match &asked.program {
+            Some(name) => session.of_program(name),
+            None => session,
+        };
+        Ok(Run { session: session.with_arguments(arguments), setup, whole })
     }
 
     /// Carries out about so many blocks; true: the run is over.

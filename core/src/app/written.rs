@@ -32,11 +32,11 @@ pub(super) fn written(outcome: &Outcome) -> Vec<WrittenFile> {
 /// one.
 fn entries(outcome: &Outcome) -> BTreeMap<&str, Vec<usize>> {
     let mut all: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
-    for (index, entry) in outcome.trace.entries.iter().enumerate() {
-        if let Step::File { name, text } = &entry.step {
+    for other in outcome.trace.entries.others() {
+        if let Step::File { name, text } = other.step {
             let at = all.entry(name).or_default();
             match text {
-                Some(_) => at.push(index),
+                Some(_) => at.push(other.at),
                 None => at.clear(),
             }
         }

@@ -161,7 +161,8 @@ fn every_measuring_cycle_shows_its_result_screen_on_demand() {
 fn data_that_a_macro_sets_are_results_of_its_entry() {
     for (cycle, variant) in simulated(Dialect::Nct) {
         let (inputs, outcome) = carried_out(cycle, variant, |_| ());
-        let steps = outcome.trace.entries.iter().map(|entry| &entry.step);
+        let entries = outcome.trace.entries.to_vec();
+        let steps = entries.iter().map(|entry| &entry.step);
         let set: BTreeSet<&str> = steps
             .filter_map(|step| match step {
                 Step::Set { name, .. } if outcome.control.data.contains_key(name) => Some(name.as_str()),

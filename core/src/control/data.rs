@@ -2,7 +2,7 @@
 //!
 //! A control is copied at every keystroke and holds some hundred data as delivered; these are made once and shared.
 
-use super::{Control, Make, Units, Value, arrays, gud, machine_data, nct_data};
+use super::{Control, Make, TOOL_LENGTH_TYPE, Units, Value, arrays, gud, machine_data, nct_data};
 use crate::dialect::Dialect;
 use serde::de::{Deserialize, Deserializer, Visitor};
 use std::collections::BTreeMap;
@@ -89,12 +89,24 @@ thread_local! {
     pub static LOOKED_AT: RefCell<Option<BTreeSet<String>>> = const { RefCell::new(None) };
 }
 
+#[cfg(test)]
+fn look_at(name: &str) {
+    LOOKED_AT.with_borrow_mut(|names| names.as_mut().map(|names| names.insert(name.to_owned())));
+}
+
+/// A value as a number, 0 where it is none.
+fn number(value: Option<&Value>) -> f64 {
+    if let Some(Value::Number(number)) = value { *number } else { 0.0 }
+}
+
 /// Data by name; see [`super::Control::data`].
 #[derive(Clone, Debug)]
 pub struct Data {
     delivered: &'static BTreeMap<String, Value>,
     /// What differs; `None`: a delivered datum that is gone.
     written: BTreeMap<String, Option<Value>>,
+    /// SD 42950 as a number, 0 where it is none: every motion asks for it.
+    length_type: f64,
 }
 
 impl Data {
@@ -102,14 +114,22 @@ impl Data {
     pub fn delivered(dialect: Dialect, units: Units) -> Data {
         static MADE: [[OnceLock<BTreeMap<String, Value>>; 2]; 2] = [const { [const { OnceLock::new() }; 2] }; 2];
         let made = &MADE[dialect as usize][units as usize];
-        Data { delivered: made.get_or_init(|| (Make::of(dialect).delivered)(units)), written: BTreeMap::new() }
+        let delivered = made.get_or_init(|| (Make::of(dialect).delivered)(units));
+        Data { delivered, written: BTreeMap::new(), length_type: number(delivered.get(TOOL_LENGTH_TYPE)) }
     }
 
     /// A datum; `None` where it was never set.
     pub fn get(&self, name: &str) -> Option<&Value> {
         #[cfg(test)]
-        LOOKED_AT.with_borrow_mut(|names| names.as_mut().map(|names| names.insert(name.to_owned())));
+        look_at(name);
         self.written.get(name).map_or_else(|| self.delivered.get(name), Option::as_ref)
+    }
+
+    /// SD 42950, by which lengths of tools count.
+    pub fn length_type(&self) -> f64 {
+        #[cfg(test)]
+        look_at(TOOL_LENGTH_TYPE);
+        self.length_type
     }
 
     /// A datum that was written since the delivery.
@@ -125,6 +145,9 @@ impl Data {
     /// Writes a datum; gives the one of before.
     pub fn insert(&mut self, name: String, value: Value) -> Option<Value> {
         let before = self.get(&name).cloned();
+        if name == TOOL_LENGTH_TYPE {
+            self.length_type = number(Some(&value));
+        }
         self.written.insert(name, Some(value));
         before
     }
@@ -132,6 +155,9 @@ impl Data {
     /// Takes a datum away; gives it.
     pub fn remove(&mut self, name: &str) -> Option<Value> {
         let before = self.get(name).cloned();
+        if name == TOOL_LENGTH_TYPE {
+            self.length_type = 0.0;
+        }
         self.written.insert(name.to_owned(), None);
         before
     }
@@ -193,6 +219,11 @@ mod tests {
         let names: BTreeSet<_> = data.keys().map(String::as_str).collect();
         assert_eq!(names, BTreeSet::from(["#1002", "#1003", "#500", "#509", "#512", "P9143"]));
         assert_ne!(data, delivered);
+        assert_eq!(data.length_type(), 0.0);
+        data.insert(TOOL_LENGTH_TYPE.to_owned(), Value::Number(2.0));
+        assert_eq!(data.length_type(), 2.0);
+        data.remove(TOOL_LENGTH_TYPE);
+        assert_eq!(data.length_type(), 0.0);
         data.insert("#509".to_owned(), Value::Number(40.0));
         data.insert("#511".to_owned(), Value::Number(1500.0));
         data.remove("#500");

@@ -1,6 +1,6 @@
 //! Tools and registers: which edge is active, what it is long and how thick, wear included. mm.
 
-use super::{Control, Edge, TOOL_LENGTH_TYPE};
+use super::{Control, Edge};
 use crate::geometry::{Dir, Mcs};
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
@@ -77,7 +77,7 @@ impl Control {
 
     /// Whether the lengths of every tool count as those of a turning tool.
     pub fn all_as_turning_tools(&self) -> bool {
-        self.number(TOOL_LENGTH_TYPE) == AS_TURNING_TOOL
+        self.data.length_type() == AS_TURNING_TOOL
     }
 
     /// Whether it is a turning machine by its tools: a turning tool is in use, or every tool is as long as one.

@@ -2,6 +2,7 @@
 
 pub mod calibrated;
 pub mod clock;
+pub mod entries;
 pub mod files;
 pub mod in_use;
 pub mod possible;
@@ -13,6 +14,7 @@ pub mod sim;
 pub mod trace;
 
 pub use clock::Clock;
+pub use entries::Entries;
 pub use files::Files;
 pub use in_use::InUse;
 pub use route::Route;

@@ -27,12 +27,16 @@ pub struct Sim {
     pub seconds: f64,
     /// Line of the program that is being carried out.
     pub line: Option<u32>,
-    /// Entries after which a call is given up, and so is the run.
+    /// Entries after which a call is given up, and so is the run; motions of the program itself do not count.
     pub trace_limit: usize,
-    /// Of these those of the program itself, outside of calls; what it does beyond them is not recorded.
+    /// Motions of the program itself, outside of calls, that are recorded.
     pub own_limit: usize,
-    /// Entries of the program itself so far.
-    own: usize,
+    /// What the program itself writes and shows, that is recorded.
+    pub told_limit: usize,
+    /// Entries of the program itself so far: motions, and others.
+    own: [usize; 2],
+    /// Whether one of these limits is reached: from then on nothing of the program itself is recorded.
+    over: bool,
     /// Whether something of the program itself was not recorded.
     pub unrecorded: bool,
     /// Whether something had no room that has to be recorded.
@@ -91,7 +95,9 @@ impl Sim {
             line: None,
             trace_limit: usize::MAX,
             own_limit: usize::MAX,
-            own: 0,
+            told_limit: usize::MAX,
+            own: [0; 2],
+            over: false,
             unrecorded: false,
             refused: false,
             point_limit: if setup.probe.body.is_some() { FORM_POINTS_WITH_BODY } else { FORM_POINTS },
@@ -205,24 +211,39 @@ impl Sim {
             return;
         }
         let own = !self.in_cycle && step.may_be_left_out();
-        let full = self.full();
-        if own && (full || self.own >= self.own_limit) {
-            self.unrecorded = true;
-            self.trace.leave_out(step);
-            return;
+        let motion = own && matches!(step, Step::Motion { .. });
+        let full = self.full() && !motion;
+        if own {
+            let [count, limit] = if motion { [self.own[0], self.own_limit] } else { [self.own[1], self.told_limit] };
+            self.over |= full || count >= limit;
+            if self.over {
+                self.unrecorded = true;
+                self.trace.leave_out(step);
+                return;
+            }
+            self.own[usize::from(!motion)] += 1;
         }
         if full {
             self.refused = true;
             return;
         }
-        self.own += usize::from(own);
         let in_use = self.in_use();
         self.trace.record(Entry { line: self.line, step, in_use });
     }
 
+    /// Entries of the program itself so far.
+    pub fn recorded(&self) -> usize {
+        self.own.iter().sum()
+    }
+
+    /// Most entries that the trace may have now.
+    pub fn room_for(&self) -> usize {
+        self.trace_limit.saturating_add(self.own[0])
+    }
+
     /// Whether the trace has no room.
     fn full(&self) -> bool {
-        self.trace.entries.len() >= self.trace_limit
+        self.trace.entries.len() >= self.room_for()
     }
 
     /// Where in the trace stands what is in use now.

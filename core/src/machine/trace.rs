@@ -1,6 +1,6 @@
 //! What happened, in order, each with the program line that caused it. 3D view, timeline, tables and tests read this.
 
-use super::InUse;
+use super::{Entries, InUse};
 use crate::control::ROTARY;
 use crate::diagnostic::Code;
 use crate::geometry::{Around, Degrees, Dir, Mcs};
@@ -176,7 +176,7 @@ pub struct Entry {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Trace {
     /// In order.
-    pub entries: Vec<Entry>,
+    pub entries: Entries,
     /// Whatever was in use, each once for each way in which it was.
     pub in_use: Vec<InUse>,
     /// Data that the program wrote when the trace had no more room for it, with their last values.

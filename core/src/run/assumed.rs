@@ -10,7 +10,8 @@ use crate::entry::{Cycle, Inputs, ProbeUse, Proposal, Typed};
 use crate::geometry::{Degrees, Mcs, Rpy, V3, rigid};
 use crate::machine::{Setup, Sim, Step, probe_data, probe_place};
 use crate::message::Message;
-use crate::program::calls::calls;
+use crate::program::calls::{CallSite, calls};
+use crate::syntax::programs::programs;
 use crate::syntax::tree::{Program, Word, WordKind};
 use crate::workpiece::{Solid, ToolProbe, Workpiece, tool::Tool as RealTool};
 use std::collections::btree_map::Entry;
@@ -40,17 +41,19 @@ pub struct Assumed {
 
 /// Runs a program on a machine that fits it.
 pub fn run(program: &Program, limits: Limits) -> Assumed {
-    run_on(program, start(program), limits)
+    run_on(program, start(program, None), limits)
 }
 
-/// Runs a program on a machine that fits it, prepared with more than the program, telling how far it is.
+/// Runs a program on a machine that fits it, prepared with more than the program, telling how far it is. `main`: the
+/// program of the text that is run, where the preparation names one.
 pub fn run_with(
     program: &Rc<Program>,
+    main: Option<&str>,
     limits: Limits,
     prepare: impl FnOnce(Session) -> Session,
     told: &mut dyn FnMut(&Session),
 ) -> Assumed {
-    let setup = start(program);
+    let setup = start(program, main);
     carried_out(prepare(Session::new(Rc::clone(program), &setup, limits)), setup, told)
 }
 
@@ -81,8 +84,8 @@ fn carried_out(mut session: Session, mut setup: Setup, told: &mut dyn FnMut(&Ses
     Assumed { setup, outcome, told }
 }
 
-/// The machine that the calls need, before its first block.
-fn start(program: &Program) -> Setup {
+/// The machine that the calls need, before the first block of the program with this name, else of the first one.
+fn start(program: &Program, main: Option<&str>) -> Setup {
     let sites = calls(program);
     let measures_turned = sites.iter().any(|site| site.cycle.purpose.machine == MachineSort::Turning);
     let turning = measures_turned || sites.is_empty() && turns(program);
@@ -96,7 +99,10 @@ fn start(program: &Program) -> Setup {
     if turning {
         setup.position = Mcs([250.0, 0.0, 250.0]); // no program of a lathe moves along Y
     }
-    let first = sites.iter().find(|site| site.cycle.purpose.probe.measures());
+    let own = main.and_then(|name| programs(program).named(&name.to_uppercase()).cloned());
+    let within = |site: &&CallSite| own.as_ref().is_none_or(|own| own.blocks.contains(&(site.line as usize)));
+    let mut measuring = sites.iter().filter(|site| site.cycle.purpose.probe.measures());
+    let first = measuring.clone().find(within).or_else(|| measuring.next());
     if first.is_some_and(|site| site.cycle.purpose.probe == ProbeUse::Workpiece) {
         (setup.control.tool, setup.control.edge) = probe_place(setup.control.make());
     }
@@ -271,7 +277,7 @@ fn place(sim: &Sim, inputs: &Inputs, proposal: &Proposal) -> Option<(Stand, bool
 
 fn grade(mut sim: Sim, inputs: &Inputs) -> Grade {
     let ended = call::perform(&mut sim, inputs).is_ok();
-    let steps = || sim.trace.entries.iter().map(|entry| &entry.step);
+    let steps = || sim.trace.entries.others().map(|other| other.step);
     let alarms = steps().any(|step| matches!(step, Step::Alarm(_)));
     let difference =
         |key: &str| key.starts_with("result-") && key.contains("difference") && !key.contains("dimensional");

@@ -63,7 +63,7 @@ fn logged(sim: &mut Sim, inputs: &Inputs, outcome: Result<(), Stop>) -> Result<(
 
 /// Whether the call has left numbers only.
 fn numbers(sim: &Sim) -> Result<(), Stop> {
-    let steps = sim.trace.entries.iter().rev().map(|entry| &entry.step);
+    let steps = sim.trace.entries.others().rev().map(|other| other.step);
     let mut own = steps.take_while(|step| !matches!(step, Step::CallBegin { .. })).filter_map(set);
     match own.any(|(_, after)| !after.is_finite()) {
         true => Err(Stop::Fault(Message::new("run-no-value"))),

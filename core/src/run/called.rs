@@ -26,17 +26,18 @@ pub fn measures(cycle: &Cycle) -> bool {
 
 impl Called {
     /// What happened in it, and whether it came to its end.
-    pub fn entries<'a>(&self, outcome: &'a Outcome) -> (&'a [Entry], bool) {
-        let all = outcome.trace.entries.get(self.at..).unwrap_or_default();
+    pub fn entries(&self, outcome: &Outcome) -> (Vec<Entry>, bool) {
+        let mut own = Vec::new();
         let mut depth = 0_usize;
-        for (index, entry) in all.iter().enumerate() {
-            match entry.step {
-                Step::CallBegin { .. } => depth += 1,
-                Step::CallEnd if depth <= 1 => return (&all[..=index], true),
-                Step::CallEnd => depth -= 1,
+        for entry in outcome.trace.entries.behind(self.at) {
+            own.push(entry);
+            match own.last().map(|last| &last.step) {
+                Some(Step::CallBegin { .. }) => depth += 1,
+                Some(Step::CallEnd) if depth <= 1 => return (own, true),
+                Some(Step::CallEnd) => depth -= 1,
                 _ => {}
             }
         }
-        (all, false)
+        (own, false)
     }
 }

@@ -9,11 +9,12 @@ use super::{
 use crate::control::Value;
 use crate::diagnostic::{Diagnostic, Severity, Span};
 use crate::geometry::{Mcs, Wcs};
-use crate::machine::{Entry, Files, Setup, Sim, Step, Stop};
+use crate::machine::{Entries, Files, Setup, Sim, Step, Stop};
 use crate::message::Message;
 use crate::problem::Problem;
 use crate::syntax::links::{Link, Links};
-use crate::syntax::{Program, links as flow, programs, programs::Programs};
+use crate::syntax::programs::{Programs, Unit};
+use crate::syntax::{Program, links as flow, programs};
 use std::cell::{Cell, OnceCell};
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
@@ -41,6 +42,8 @@ pub struct Interpreter {
     targets: OnceCell<BTreeMap<String, Vec<usize>>>,
     pub links: Links,
     pub programs: Programs,
+    /// Place among them of the one that is run as main program.
+    main: usize,
     /// When the run is given up.
     pub limits: Limits,
     /// Skip levels that are switched on.
@@ -92,6 +95,9 @@ pub struct Interpreter {
 /// Words passed over that are kept.
 const MOST_PASSED: usize = 1000;
 
+/// Programs that are named where the one that is wanted is not there.
+const NAMED: usize = 20;
+
 /// Characters of a block that count as one block's work.
 const BLOCK: u32 = 100;
 
@@ -132,13 +138,33 @@ impl Session {
         Session { run: Interpreter::new(program.into(), setup, limits), before: setup.clone(), share: 0.0, ended: None }
     }
 
+    /// With the program of this name as main program, where the text holds several.
+    pub fn of_program(mut self, name: &str) -> Session {
+        match self.run.programs.place(&name.to_uppercase()) {
+            Some(place) => begin_main(&mut self.run, place),
+            None => {
+                let there: Vec<&str> = self.run.programs.names.keys().map(String::as_str).take(NAMED).collect();
+                let problem = Problem::new("run-program-unknown", Span::default(), name);
+                self.refuse(problem.text("names", there.join(", ")));
+            }
+        }
+        self
+    }
+
+    /// Ends the run before its first block.
+    fn refuse(&mut self, problem: Problem) {
+        let halt = Halt::from(problem);
+        _ = self.run.tell_once(halt.diagnostic());
+        self.ended = Some(Err(halt));
+    }
+
     /// With values for parameters of the program itself, by their names in upper case.
     pub fn with_arguments(mut self, arguments: BTreeMap<String, Value>) -> Session {
-        self.ended = own_parameters::bind(&mut self.run, arguments).err().map(|problem| {
-            let halt = Halt::from(problem);
-            _ = self.run.tell_once(halt.diagnostic());
-            Err(halt)
-        });
+        if self.ended.is_none()
+            && let Err(problem) = own_parameters::bind(&mut self.run, arguments)
+        {
+            self.refuse(problem);
+        }
         self
     }
 
@@ -149,7 +175,7 @@ impl Session {
     }
 
     /// What happened so far.
-    pub fn entries(&self) -> &[Entry] {
+    pub fn entries(&self) -> &Entries {
         &self.run.sim.trace.entries
     }
 
@@ -261,6 +287,16 @@ fn next_block(run: &mut Interpreter) -> Result<Option<()>, Halt> {
     Ok(end)
 }
 
+/// Stands before the first block of a program of the text, which is the main program.
+fn begin_main(run: &mut Interpreter, place: usize) {
+    run.main = place;
+    let main = run.main().cloned().unwrap_or_default();
+    run.sim.files = Files::beside(main.file.as_deref());
+    run.at = main.blocks.start;
+    run.levels = vec![Level { blocks: main.blocks, ..Level::default() }];
+    own_parameters::begin(run);
+}
+
 /// Takes the next block; some: there is none.
 fn go_on(run: &mut Interpreter, next: impl FnOnce(&mut Interpreter) -> Next) -> Option<()> {
     match next(run) {
@@ -274,19 +310,17 @@ fn go_on(run: &mut Interpreter, next: impl FnOnce(&mut Interpreter) -> Next) -> 
 impl Interpreter {
     fn new(program: Rc<Program>, setup: &Setup, limits: Limits) -> Interpreter {
         let mut sim = Sim::new(setup);
-        (sim.trace_limit, sim.own_limit) = (limits.trace, limits.own);
+        (sim.trace_limit, sim.own_limit, sim.told_limit) = (limits.trace, limits.own, limits.told);
         sim.point_limit = crate::scan::POINTS;
         let (motion, feed_factor) = (Rules::of(program.dialect).motion, sim.control.data_factor());
         let programs = programs::programs(&program);
-        sim.files = Files::beside(programs.units.first().and_then(|unit| unit.file.as_deref()));
-        let main = programs.units.first().map_or(0..0, |unit| unit.blocks.clone());
         let mut run = Interpreter {
             pieces: Pieces::default(),
             programmed: motion::standing(&sim),
             sim,
             modal: Modal { motion, absolute: true, feed_factor, ..Modal::default() },
-            at: main.start,
-            levels: vec![Level { blocks: main, ..Level::default() }],
+            at: 0,
+            levels: Vec::new(),
             shared: Locals::new(),
             measured: BTreeMap::new(),
             contour: None,
@@ -294,6 +328,7 @@ impl Interpreter {
             targets: OnceCell::new(),
             links: flow::links(&program, &programs),
             programs,
+            main: 0,
             limits,
             skip: setup.skip.clone(),
             work: 0,
@@ -320,8 +355,13 @@ impl Interpreter {
             program,
         };
         defined::add(&mut run);
-        own_parameters::begin(&mut run);
+        begin_main(&mut run, 0);
         run
+    }
+
+    /// The program that is run as main program.
+    pub fn main(&self) -> Option<&Unit> {
+        self.programs.units.get(self.main)
     }
 
     /// Part of the main program that lies before the block that comes next, or before the call that has not returned.

@@ -3,7 +3,8 @@
 use super::{Outcome, outcome::set};
 use crate::catalogue;
 use crate::entry::{Cycle, Inputs, ResultField};
-use crate::machine::{Entry, Step};
+use crate::machine::Step;
+use crate::machine::entries::Other;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What one call left.
@@ -25,10 +26,11 @@ pub struct CallAt {
 }
 
 impl Outcome {
-    /// Each step with the call of the program in which it happened; what a cycle calls belongs to the cycle.
+    /// Each step that is no motion with the call of the program in which it happened; what a cycle calls belongs to the
+    /// cycle.
     pub fn by_call(&self) -> impl Iterator<Item = (Option<CallAt>, &Step)> {
         let mut open: Vec<Option<CallAt>> = Vec::new();
-        self.trace.entries.iter().map(move |Entry { line, step, .. }| {
+        self.trace.entries.others().map(move |Other { line, step, .. }| {
             if let Step::CallBegin { cycle, .. } = step {
                 open.push(line.map(|line| CallAt { line, cycle }));
             }
@@ -54,20 +56,21 @@ impl Outcome {
 
     /// What the calls left, in the order of their lines; of a call that was carried out several times, the last.
     pub fn left(&self) -> Vec<Left> {
-        let entries = &self.trace.entries;
-        let begins = entries.iter().enumerate().filter_map(|(at, entry)| {
-            let Step::CallBegin { cycle, variant } = entry.step else { return None };
+        let mut others = self.trace.entries.others();
+        let begins = std::iter::from_fn(|| others.next().map(|other| (other, others.clone())));
+        let begins = begins.filter_map(|(other, behind)| {
+            let Step::CallBegin { cycle, variant } = *other.step else { return None };
             let cycle = catalogue::find(self.control.dialect, cycle)?;
-            let call = CallAt { line: entry.line?, cycle: cycle.name };
-            Some((call.line, one(call, &Inputs::new(cycle, variant), entries.get(at + 1..)?)))
+            let call = CallAt { line: other.line?, cycle: cycle.name };
+            Some((call.line, one(call, &Inputs::new(cycle, variant), behind)))
         });
         begins.collect::<BTreeMap<_, _>>().into_values().collect()
     }
 }
 
 /// What a call, of which only the variant is known, wrote before the next one began.
-fn one(call: CallAt, called: &Inputs, behind: &[Entry]) -> Left {
-    let own = behind.iter().map(|entry| &entry.step);
+fn one<'a>(call: CallAt, called: &Inputs, behind: impl Iterator<Item = Other<'a>>) -> Left {
+    let own = behind.map(|other| other.step);
     let own = own.take_while(|step| !matches!(step, Step::CallBegin { .. } | Step::CallEnd));
     let written: BTreeMap<&str, f64> = own.filter_map(set).collect();
     let fields = called.cycle.results.iter().filter(|field| field.when.holds(called));

@@ -7,10 +7,13 @@ use crate::problem::Problem;
 
 /// Levels of subprograms: a SINUMERIK has 12 with the main program.
 const DEPTH: usize = 11;
-/// Entries of the trace, of less than 200 bytes each: a thousand calls make up to 150,000.
+/// Entries of the trace, of less than 200 bytes each, beside the motions of the program itself: a thousand calls make
+/// up to 150,000.
 const TRACE: usize = 400_000;
-/// Of these those of the program itself.
-const OWN: usize = 200_000;
+/// Motions of the program itself, of 37 bytes each.
+const OWN: usize = 2_000_000;
+/// What the program itself writes and shows beside them.
+const TOLD: usize = 200_000;
 /// How often a measuring call is carried out: each takes milliseconds, and a thousand points are measured.
 const CALLS: usize = 1_500;
 /// Data that are written, of some hundred bytes each: R parameters, user data, tools, elements of arrays.
@@ -28,11 +31,12 @@ pub struct Limits {
     pub steps: Option<u64>,
     /// Levels of subprograms.
     pub depth: usize,
-    /// Entries of the trace; a call that needs more ends the run.
+    /// Entries of the trace beside the motions of the program itself; a call that needs more ends the run.
     pub trace: usize,
-    /// Of these those of the program itself: its motions outside of calls, what it writes and shows. What it does
-    /// beyond them is done, but not recorded.
+    /// Motions of the program itself, outside of calls. What it does behind them is done, but not recorded.
     pub own: usize,
+    /// What the program itself writes and shows; behind it nothing that it does by itself is recorded either.
+    pub told: usize,
     /// How often one measuring call may be carried out where it is written.
     pub calls: usize,
     /// Data that the program may write.
@@ -43,11 +47,25 @@ pub struct Limits {
 
 impl Default for Limits {
     fn default() -> Limits {
-        Limits { steps: None, depth: DEPTH, trace: TRACE, own: OWN, calls: CALLS, data: DATA, strict: false }
+        Limits {
+            steps: None,
+            depth: DEPTH,
+            trace: TRACE,
+            own: OWN,
+            told: TOLD,
+            calls: CALLS,
+            data: DATA,
+            strict: false,
+        }
     }
 }
 
 impl Limits {
+    /// Without a record of what the program does by itself: what calls do is recorded.
+    pub fn unrecorded(self) -> Limits {
+        Limits { own: 0, told: 0, ..self }
+    }
+
     /// For a run of a program with so many blocks that nobody watches: what does not jump comes to its end.
     pub fn unwatched(blocks: usize) -> Limits {
         Limits { steps: Some(UNWATCHED + blocks as u64), ..Limits::default() }
@@ -81,7 +99,7 @@ pub fn elements(run: &Interpreter, more: usize, place: Span) -> Result<(), Probl
 pub fn tell(run: &mut Interpreter, place: Span) {
     if std::mem::take(&mut run.sim.unrecorded) && run.limits.own > 0 && !run.unrecorded {
         run.unrecorded = true;
-        run.tell(Severity::Note, &Problem::at("run-trace-full", place).number("limit", run.limits.own as f64));
+        run.tell(Severity::Note, &Problem::at("run-trace-full", place).number("limit", run.sim.recorded() as f64));
     }
 }
 

@@ -59,6 +59,13 @@ pub enum Motion {
     Spline,
 }
 
+impl Motion {
+    /// Whether a block is driven on a straight line.
+    pub fn is_straight(self) -> bool {
+        matches!(self, Motion::Rapid | Motion::Line | Motion::Spline)
+    }
+}
+
 /// What F means: G94 a way a minute, G95 (and G96, G97) a way a revolution, G93 blocks a minute.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum FeedType {

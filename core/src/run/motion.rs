@@ -42,7 +42,12 @@ pub fn go(run: &mut Interpreter, path: &Path) -> Result<(), Halt> {
             None => driven(run, path, [from, to], feed),
         },
     };
-    run.programmed = (nose(run), run.sim.control.to_workpiece(contour::stands(run)));
+    let arrived = path.measure.is_none() && path.suppress == Suppress::Nothing && run.contour.is_none();
+    let end = match arrived && run.modal.motion.is_straight() && outcome.is_ok() {
+        true => Wcs(to),
+        false => run.sim.control.to_workpiece(contour::stands(run)),
+    };
+    run.programmed = (nose(run), end);
     outcome
 }
 
@@ -63,12 +68,15 @@ pub fn position_axis(run: &mut Interpreter, address: &Address) -> Result<(), Hal
 /// Straight, or round an axis, with the tool on the path or beside it.
 fn driven(run: &mut Interpreter, path: &Path, [from, to]: [[f64; 3]; 2], feed: f64) -> Result<(), Halt> {
     let way = match run.modal.motion {
-        Motion::Rapid | Motion::Line | Motion::Spline => {
-            let [from, to] = [from, to].map(|end| machine(run, path.suppress, end));
-            Route::straight(from, to)
+        motion if motion.is_straight() => {
+            let from = match path.suppress {
+                Suppress::Nothing => contour::stands(run),
+                _ => run.sim.position,
+            };
+            Route::straight(from, machine(run, path.suppress, to))
         }
         Motion::Through => around(run, path, from, through(run, path, from, to))?,
-        Motion::Clockwise | Motion::Counter => around(run, path, from, in_plane(run, path, from, to))?,
+        _ => around(run, path, from, in_plane(run, path, from, to))?,
     };
     let feed = timed(run, path, feed, &way);
     along(run, path, way, feed)

@@ -83,7 +83,7 @@ pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem>
 
 /// A parameter of the program itself that is run as main program: its default, as nothing calls it with a value.
 fn parameter(run: &Interpreter, key: &str, place: Span) -> Option<Result<Datum, Problem>> {
-    let main = run.programs.units.first().filter(|_| run.levels.len() == 1)?;
+    let main = run.main().filter(|_| run.levels.len() == 1)?;
     let mut declared = run.program.signature(main).iter().filter_map(|word| match &word.kind {
         WordKind::Declare { name, value, .. } => Some((*name, *value)),
         _ => None,

@@ -125,9 +125,9 @@ impl Outcome {
         changes.filter(|change| (change.before - change.after).abs() > TOLERANCE).collect()
     }
 
-    /// What each step tells, in order.
+    /// What each step that is no motion tells, in order.
     fn told<'a, T>(&'a self, tell: impl FnMut(&'a Step) -> Option<T>) -> Vec<T> {
-        self.trace.entries.iter().map(|entry| &entry.step).filter_map(tell).collect()
+        self.trace.entries.others().map(|other| other.step).filter_map(tell).collect()
     }
 
     /// Alarms and operator messages, in order; the one that stopped the run last.

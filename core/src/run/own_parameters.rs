@@ -11,7 +11,7 @@ use std::rc::Rc;
 /// The parameters of the main program.
 fn own(run: &Interpreter) -> Result<Vec<Parameter>, Problem> {
     let program = Rc::clone(&run.program);
-    let words = run.programs.units.first().map_or(&[][..], |main| program.signature(main));
+    let words = run.main().map_or(&[][..], |main| program.signature(main));
     if words.is_empty() { Ok(Vec::new()) } else { parameters(run, words) }
 }
 
@@ -35,7 +35,7 @@ pub fn bind(run: &mut Interpreter, mut given: BTreeMap<String, Value>) -> Result
             give(run, &parameter, &Datum::from(&value))?;
         }
     }
-    let main = run.programs.units.first().and_then(|main| run.program.signature(main).first());
+    let main = run.main().and_then(|main| run.program.signature(main).first());
     let place = main.map(|word| word.span).unwrap_or_default();
     given.into_keys().next().map_or(Ok(()), |name| Err(Problem::new("run-argument-unknown", place, name)))
 }

@@ -4,11 +4,11 @@
 
 use super::addresses::{coordinate, number};
 use super::contour::{Point, distance, left};
-use super::{Address, Coordinate, Interpreter, Motion, Path, motion, path::Corner, straight};
+use super::{Address, Coordinate, Interpreter, Motion, Path, motion, path::Corner, plain};
 use crate::diagnostic::Severity;
 use crate::geometry::{Around, Degrees, Dir};
 use crate::problem::Problem;
-use crate::syntax::Straight;
+use crate::syntax::Plain;
 use crate::syntax::tree::{Block, WordKind};
 use std::rc::Rc;
 
@@ -117,8 +117,8 @@ struct Line {
 /// A block as a line, perhaps without motion; none: it is something else.
 fn line(run: &Interpreter, block: &Block) -> Option<Line> {
     let mut found = Line { axes: [None; 3], absolute: run.modal.absolute };
-    for part in run.program.straight(block).iter().flat_map(Straight::parts) {
-        take(run, &straight::address(part), &mut found)?;
+    for part in run.program.plain(block).iter().flat_map(Plain::parts) {
+        take(run, &plain::address(part), &mut found)?;
     }
     for word in run.program.words_of(block) {
         if matches!(word.kind, WordKind::Label(_) | WordKind::Header) {

@@ -2,7 +2,7 @@
 
 use super::{
     Datum, Halt, Interpreter, Measure, Next, Path, action, branch, contour, declare, declare::Declaring, evaluate,
-    expression, indexed, locals, names, noted, of_control, repeat, straight, synchronous, tool_memory, unread,
+    expression, indexed, locals, names, noted, of_control, plain, repeat, synchronous, tool_memory, unread,
 };
 use crate::diagnostic::{Severity, Span};
 use crate::problem::Problem;
@@ -120,8 +120,8 @@ pub fn block(run: &mut Interpreter, at: usize) -> Result<Next, Halt> {
         return Ok(Next::Block);
     }
     unread::tell(run, at);
-    if let Some(straight) = program.straight(block) {
-        return straight::block(run, at, block.span, &straight);
+    if let Some(motion) = program.plain(block) {
+        return plain::block(run, at, block.span, &motion);
     }
     if let Some((keyword, label)) = repetition(run, words) {
         repeat::alone(run, words)?;
@@ -170,14 +170,14 @@ fn repetition(run: &Interpreter, words: &[Word]) -> Option<(Span, ExprId)> {
 
 /// Blocks of which nothing is carried out: declarations; and, which is told, synchronised actions and interrupts.
 fn left_out(run: &mut Interpreter, at: usize, words: &[Word]) -> bool {
-    let loops = run.program.grammar().structures.contains(&"DO");
+    let loops = || run.program.grammar().structures.contains(&"DO");
     for word in words {
         let (WordKind::Keyword { name, .. } | WordKind::Call { name, .. }) = &word.kind else { continue };
         let text = run.program.name(*name);
         match text.as_str() {
             "PROC" | "EXTERN" | "ENDPROC" | "DEFINE" => return true,
             "WHEN" | "WHENEVER" | "EVERY" | "FROM" | "REDEF" | "SETINT" => {}
-            "DO" if !loops => {}
+            "DO" if !loops() => {}
             _ => continue,
         }
         synchronous::keep(run, at, word.span, &text);

@@ -22,7 +22,7 @@ impl Scene {
         let solids = drawn.setup.workpiece.solids.iter_mut();
         solids.for_each(|solid| solid.errors = scaled(&solid.errors, times));
         drawn.limits.clear();
-        drawn.outcome.trace.entries = moved(source, times);
+        drawn.outcome.trace.entries = moved(source, times).into_iter().collect();
         let mut scene = Scene::made(&drawn, source);
         scene.view.exaggerated = Some(times);
         scene.add_nominal(source);
@@ -77,8 +77,8 @@ fn possible(solids: &[Solid], asked: f64) -> f64 {
 fn standings(source: &Source) -> Vec<(usize, Vec<Solid>)> {
     let control: &Control = &source.setup.control;
     let part = source.setup.workpiece.solids.iter().map(|solid| control.on_table(solid)).collect();
-    let turned = source.outcome.trace.entries.iter().enumerate().filter_map(|(index, entry)| match &entry.step {
-        Step::Table { solids, .. } => Some((index, solids.clone())),
+    let turned = source.outcome.trace.entries.others().filter_map(|other| match other.step {
+        Step::Table { solids, .. } => Some((other.at, solids.clone())),
         _ => None,
     });
     std::iter::once((0, part)).chain(turned).collect()
@@ -86,7 +86,7 @@ fn standings(source: &Source) -> Vec<(usize, Vec<Solid>)> {
 
 /// What happened, with touches and the ends of measuring motions on the part whose errors are so many times as large.
 fn moved(source: &Source, times: f64) -> Vec<Entry> {
-    let mut entries = source.outcome.trace.entries.clone();
+    let mut entries = source.outcome.trace.entries.to_vec();
     let mut stands = standings(source).into_iter();
     let boundary = |part: Vec<Solid>| {
         let solids = part.into_iter().map(|solid| Solid { errors: scaled(&solid.errors, times), ..solid });

@@ -1,7 +1,6 @@
 //! What is to be seen whole, and the grid below it.
 
 use super::frames::Frame;
-use super::paths::Way;
 use crate::geometry::{Extent, V3};
 
 /// In which paths are shown whole around parts: share of their size, and at least so many mm.
@@ -24,9 +23,10 @@ pub fn size(extent: &Extent) -> f64 {
     (extent.high - extent.low).norm()
 }
 
-/// All ways of a ball of this radius.
-pub fn ways(ways: &[Way], radius: f64) -> Extent {
-    let ends = Extent::of(ways.iter().flat_map(|way| way.ends.map(V3::from)));
+/// All ways of a ball of this radius, each as [`Scene::ways`](super::Scene::ways) has it.
+pub fn ways(ways: &[f64], radius: f64) -> Extent {
+    let ends = ways.chunks_exact(8).flat_map(|way| [V3::new(way[0], way[1], way[2]), V3::new(way[3], way[4], way[5])]);
+    let ends = Extent::of(ends);
     if is_some(&ends) { ends.wider(radius) } else { ends }
 }
 

@@ -3,7 +3,7 @@
 use super::frames::Frame;
 use crate::control::{Control, Transverse};
 use crate::geometry::{Dir, Mcs, V3};
-use crate::machine::{Entry, Step};
+use crate::machine::{Entries, Entry, Step};
 use crate::message::Message;
 use crate::name::Name;
 use crate::workpiece::Touching;
@@ -125,11 +125,11 @@ pub fn touched(at: [f64; 3], diameter: f64, [from, to]: [Option<usize>; 2]) -> L
 }
 
 /// Crashes, touches of stylus or body, and touches that end in an alarm, which is told then.
-pub fn collisions(entries: &[Entry]) -> Vec<Label> {
-    let found = entries.iter().enumerate().filter_map(|(entry, one)| {
-        let (point, by, text) = match &one.step {
+pub fn collisions(entries: &Entries) -> Vec<Label> {
+    let found = entries.others().filter_map(|one| {
+        let (point, by, text) = match one.step {
             Step::Crash { point, by, .. } => (point, by, Message::new("collision-crash")),
-            Step::Touch { point, by, .. } => match raised(&entries[entry + 1..]) {
+            Step::Touch { point, by, .. } => match raised(entries.behind(one.at + 1)) {
                 Some(alarm) => (point, by, Message::new("collision-alarm").text("code", alarm)),
                 None if by.measures() => return None,
                 None => (point, by, Message::new("collision-first")),
@@ -142,15 +142,14 @@ pub fn collisions(entries: &[Entry]) -> Vec<Label> {
             Touching::Body => "collision-body",
             Touching::Tool => "collision-tool",
         };
-        Some(Label { from: Some(entry), ..Label::new(Kind::Collision, point.0, text.text("what", what)) })
+        Some(Label { from: Some(one.at), ..Label::new(Kind::Collision, point.0, text.text("what", what)) })
     });
     found.collect()
 }
 
 /// Code of the alarm that comes before anything moves again.
-fn raised(later: &[Entry]) -> Option<String> {
-    let next =
-        later.iter().find(|one| matches!(one.step, Step::Alarm(_) | Step::Motion { .. } | Step::CallBegin { .. }))?;
+fn raised(mut later: impl Iterator<Item = Entry>) -> Option<String> {
+    let next = later.find(|one| matches!(one.step, Step::Alarm(_) | Step::Motion { .. } | Step::CallBegin { .. }))?;
     let Step::Alarm(code) = next.step else { return None };
     Some(code.to_string())
 }
@@ -169,11 +168,12 @@ const SAME: f64 = 1.0;
 
 /// The coordinate of each touched point along which was measured, mm in the workpiece coordinate system that was active
 /// first, and the direction; until the point is touched again or the next cycle begins.
-pub fn touches(control: &Control, entries: &[Entry]) -> Vec<Label> {
+pub fn touches(control: &Control, entries: &Entries) -> Vec<Label> {
     let mut found: Vec<Label> = Vec::new();
     let mut first = 0; // of the present call
-    for (index, entry) in entries.iter().enumerate() {
-        let label = match &entry.step {
+    for other in entries.others() {
+        let index = other.at;
+        let label = match other.step {
             Step::CallBegin { .. } => {
                 found[first..].iter_mut().filter(|label| label.to.is_none()).for_each(|label| label.to = Some(index));
                 first = found.len();

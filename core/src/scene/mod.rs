@@ -23,7 +23,7 @@ pub mod turned;
 
 use crate::entry::Inputs;
 use crate::geometry::{Extent, V3};
-use crate::machine::{Entry, Setup, Step};
+use crate::machine::{Entries, Setup, Step};
 use crate::name::Name;
 use crate::run::outcome::Outcome;
 use crate::workpiece::{Shape, Solid};
@@ -285,6 +285,8 @@ const NORMAL: [f64; 3] = [2.5, 0.07, 0.5];
 /// Length of the axes of a coordinate system, and of a stylus of which nothing is known at most; sizes of the scene.
 const AXIS: f64 = 0.14;
 const REACH: f64 = 0.3;
+/// Numbers of a straight piece of a motion.
+const WAY: usize = 8;
 /// Touches that are nearer to each other, mm, are at the same place.
 const SAME: f64 = 1.0;
 
@@ -295,9 +297,9 @@ impl Scene {
     }
 
     /// The motions alone, of a run that goes on.
-    pub fn of_motions(entries: &[Entry]) -> Scene {
+    pub fn of_motions(entries: &Entries) -> Scene {
         let mut scene = Scene { view: View { entries: entries.len(), ..View::default() }, ..Scene::default() };
-        scene.add_paths(entries, &paths::ways(entries));
+        scene.add_paths(entries);
         scene
     }
 
@@ -312,9 +314,8 @@ impl Scene {
         let mut scene =
             Scene { view: View { frames, turning, entries: entries.len(), ..View::default() }, ..Scene::default() };
         let probes: Vec<Solid> = setup.tool_probes.iter().map(|probe| probe.solid.clone()).collect();
-        let ways = paths::ways(entries);
-        scene.add_paths(entries, &ways);
-        let ways = fit::ways(&ways, setup.probe.radius);
+        scene.add_paths(entries);
+        let ways = fit::ways(&scene.ways, setup.probe.radius);
         let (smallest, near) = scene.add_solids(&part, &probes, [zones, limits], entries, &ways);
         let size = scene.view.size;
         let [radii, shown, own] = NORMAL;
@@ -353,27 +354,31 @@ impl Scene {
     /// What is to be seen of solids on which nothing happens; `radius`: of the ball, mm.
     pub fn still(solids: &[Solid], radius: f64) -> Scene {
         let mut scene = Scene::default();
-        scene.add_solids(solids, &[], [&[], &[]], &[], &Extent::default());
+        scene.add_solids(solids, &[], [&[], &[]], &Entries::default(), &Extent::default());
         scene.view.probe = Probe { ball: radius, length: radius, ..Probe::default() };
         scene
     }
 
-    fn add_paths(&mut self, entries: &[Entry], ways: &[Way]) {
-        for Way { entry, kind, ends, during } in ways {
+    fn add_paths(&mut self, entries: &Entries) {
+        let count = entries.len(); // most are straight
+        self.ways.reserve_exact(WAY * count);
+        self.way_entries.reserve_exact(count);
+        self.way_kinds.reserve_exact(count);
+        for Way { entry, kind, ends, during } in paths::ways(entries) {
             self.ways.extend(ends.as_flattened());
             self.ways.extend(during);
-            self.way_entries.push(*entry as u32);
-            self.way_kinds.push(*kind as u8); // in the order in which they are told there
+            self.way_entries.push(entry as u32);
+            self.way_kinds.push(kind as u8); // in the order in which they are told there
         }
-        for (entry, one) in entries.iter().enumerate() {
-            let (point, normal, sort) = match &one.step {
+        for other in entries.others() {
+            let (point, normal, sort) = match other.step {
                 Step::Touch { point, normal, by, .. } if by.measures() => (point, normal, 0),
                 Step::Touch { point, normal, .. } => (point, normal, 1),
                 Step::Crash { point, normal, .. } => (point, normal, 2),
                 _ => continue,
             };
             self.touches.extend(point.iter().chain(&normal.0));
-            self.touch_entries.push(entry as u32);
+            self.touch_entries.push(other.at as u32);
             self.touch_sorts.push(sort);
         }
     }
@@ -385,7 +390,7 @@ impl Scene {
         part: &[Solid],
         probes: &[Solid],
         [zones, limits]: [&[Solid]; 2],
-        entries: &[Entry],
+        entries: &Entries,
         ways: &Extent,
     ) -> (f64, Extent) {
         let mut own = Vec::new();
@@ -402,8 +407,8 @@ impl Scene {
             self.add_lines(&solid::figure(limit).edges, LineKind::Limit, Some(first + place), None);
         }
         let stays: Vec<Place> = probes.iter().chain(zones).chain(limits).map(|solid| place(&solid.place())).collect();
-        let turned = entries.iter().enumerate().filter_map(|(entry, one)| match &one.step {
-            Step::Table { solids, .. } => Some((entry, solids.as_slice())),
+        let turned = entries.others().filter_map(|other| match other.step {
+            Step::Table { solids, .. } => Some((other.at, solids.as_slice())),
             _ => None,
         });
         let mut first_near = Extent::default();

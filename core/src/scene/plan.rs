@@ -10,7 +10,8 @@ use crate::control::{AXES, Edge, MachineSort, Plane, Transverse};
 use crate::entry::stage::{Look, SIZE, Seen, Staging, Touched, add, distance, ring, unit};
 use crate::entry::{Inputs, Proposal, Staged, address, names};
 use crate::geometry::{Around, Mcs, V3};
-use crate::machine::{Entry, InUse, MotionKind, Setup, Sim, Step, Trace, probe_place};
+use crate::machine::entries::Other;
+use crate::machine::{InUse, MotionKind, Setup, Sim, Step, Trace, probe_place};
 use crate::name::Name;
 use crate::picture::figures::{circle, frame, line, polygon};
 use crate::picture::{Picture, PictureShape, ShapeKind, View};
@@ -211,7 +212,8 @@ struct Done<'a> {
 
 impl Done<'_> {
     fn seen(&self, proposal: Proposal, staging: Staging) -> Performed {
-        let steps: Vec<&Step> = self.trace.entries.iter().take(STEPS).map(|entry| &entry.step).collect();
+        let steps: Vec<Step> = self.trace.entries.iter().take(STEPS).map(|entry| entry.step).collect();
+        let steps: Vec<&Step> = steps.iter().collect();
         let to_ball = to_ball(&steps);
         let (ways, touches) = motions(&steps, to_ball, staging.all_ways, self.same);
         let (zero, axes) = system(&self.setup.control).unwrap_or(([0.0; 3], UNITS));
@@ -586,8 +588,8 @@ fn machine(inputs: &Inputs, staging: &Staging) -> Setup {
 
 /// The tool at the first touch, from the position of the machine on.
 fn before_touch(trace: &Trace) -> Vec<Drawn> {
-    let touches = |entry: &&Entry| matches!(entry.step, Step::Touch { .. });
-    let used = trace.entries.iter().find(touches).and_then(|entry| trace.in_use.get(entry.in_use));
+    let touches = |other: &Other| matches!(other.step, Step::Touch { .. });
+    let used = trace.entries.others().find(touches).and_then(|entry| trace.in_use.get(entry.in_use));
     let tool = used.and_then(|used| Some((used, used.tool.as_ref()?)));
     let pieces = |(used, tool): (&InUse, &Tool)| seen::tool(tool, V3::from(used.length), used.plane, None).0;
     tool.map(pieces).unwrap_or_default()

@@ -4,6 +4,7 @@
 use super::frames::{Frame, UNITS};
 use super::labels::{Kind, Label};
 use super::mesh::Mesh;
+use super::paths::Way;
 use super::solid::{CHORD, figure, turns};
 use super::tool::Tool;
 use super::turned::{Diameter, Drawing, Reading, Touched, dimensions};
@@ -12,7 +13,7 @@ use crate::control::Plane;
 use crate::dialect::Dialect;
 use crate::entry::names::{SETVAL, TSA};
 use crate::geometry::{Around, Degrees, Dir, Extent, Mcs, Rpy, V3};
-use crate::machine::{Entry, InUse, MotionKind, Setup, Step, Trace};
+use crate::machine::{Entries, Entry, InUse, MotionKind, Setup, Step, Trace};
 use crate::message::Message;
 use crate::run::outcome::Outcome;
 use crate::workpiece::{Drawn, PartErrors, Shape, Solid, Touching};
@@ -182,17 +183,17 @@ fn a_zero_far_beside_a_part_makes_it_no_smaller() {
 #[test]
 fn the_probe_is_on_its_motion_and_stays_where_the_last_motion_ended() {
     let steps = [motion([0.0; 3], [10.0, 0.0, 0.0]), Step::CallEnd, motion([10.0, 0.0, 0.0], [10.0, 8.0, 0.0])];
-    let entries: Vec<Entry> = steps.into_iter().map(entry).collect();
+    let entries: Entries = steps.into_iter().map(entry).collect();
     let stands = paths::stands(&entries, &[]);
     assert_eq!(stands, [[10.0, 0.0, 0.0], [10.0, 0.0, 0.0], [10.0, 8.0, 0.0]]);
     let ways = paths::ways(&entries);
     assert_eq!(
-        ways.iter().map(|way| (way.entry, way.ends)).collect::<Vec<_>>(),
+        ways.map(|way| (way.entry, way.ends)).collect::<Vec<_>>(),
         [(0, [[0.0; 3], [10.0, 0.0, 0.0]]), (2, [[10.0, 0.0, 0.0], [10.0, 8.0, 0.0]]),]
     );
-    let late: Vec<Entry> = [Step::CallEnd, motion([5.0, 0.0, 0.0], [0.0; 3])].into_iter().map(entry).collect();
+    let late: Entries = [Step::CallEnd, motion([5.0, 0.0, 0.0], [0.0; 3])].into_iter().map(entry).collect();
     assert_eq!(paths::stands(&late, &[])[0], [5.0, 0.0, 0.0], "before its first motion it stands where that begins");
-    assert!(paths::stands(&[], &[]).is_empty());
+    assert!(paths::stands(&Entries::default(), &[]).is_empty());
 }
 
 // oracle: hand (a half turn and up by 4 about the axis X10, then a turn about an axis along X)
@@ -205,9 +206,9 @@ fn an_arc_is_drawn_and_travelled_round_its_axis() {
     let half = Around { centre: Mcs([10.0, 0.0, 0.0]), axis: Dir::new([0.0, 0.0, 1.0]), degrees: Degrees(-180.0) };
     let turn = Around { centre: Mcs([20.0, 0.0, 0.0]), axis: Dir::new([1.0, 0.0, 0.0]), degrees: Degrees(360.0) };
     let up = [20.0, 0.0, 4.0];
-    let ways = paths::ways(&[arc([0.0; 3], up, half), arc(up, up, turn)]);
+    let ways: Vec<Way> = paths::ways(&[arc([0.0; 3], up, half), arc(up, up, turn)].into_iter().collect()).collect();
     let at = |entry: usize, part: f64| {
-        let done = |way: &&paths::Way| way.entry == entry && (way.during[1] - part).abs() < 1e-12;
+        let done = |way: &&Way| way.entry == entry && (way.during[1] - part).abs() < 1e-12;
         ways.iter().find(done).unwrap().ends[1]
     };
     near(at(0, 0.5), [10.0, 10.0, 2.0]);
@@ -284,6 +285,7 @@ fn another_length_in_effect_is_another_position() {
     entries[1].in_use = 1;
     entries[2].in_use = 1;
     let tools = [holding(Vec::new()), Tool { length: Dir::new([0.0, 0.0, 10.0]), ..holding(Vec::new()) }];
+    let entries = entries.into_iter().collect();
     assert_eq!(paths::stands(&entries, &tools), [[1.0, 0.0, 50.0], [1.0, 0.0, 40.0], [1.0, 0.0, 40.0]]);
 }
 
@@ -307,7 +309,9 @@ fn what_is_in_use_follows_the_tool_changes() {
     };
     let Trace { entries, in_use, .. } = &mut source.outcome.trace;
     *in_use = vec![probe.clone(), InUse { place: (3, 1), ..probe }];
-    (entries[1].in_use, entries[2].in_use) = (1, 1);
+    let mut all = entries.to_vec();
+    (all[1].in_use, all[2].in_use) = (1, 1);
+    *entries = all.into_iter().collect();
     let scene = Scene::of(&source);
     assert_eq!(scene.view.in_use, [[0, 0], [1, 1], [3, 0]]);
     assert_eq!(scene.view.tools.len(), 2);
@@ -379,7 +383,7 @@ fn what_must_not_touch_and_did_is_told() {
         Step::Alarm(crate::diagnostic::Code::Alarm(61302)),
         Step::Crash { point: Mcs([4.0, 5.0, 6.0]), normal: Dir::new([1.0, 0.0, 0.0]), by: Touching::Body },
     ];
-    let entries: Vec<Entry> = steps.into_iter().map(entry).collect();
+    let entries: Entries = steps.into_iter().map(entry).collect();
     let found = labels::collisions(&entries);
     let found: Vec<_> = found.iter().map(|one| (one.from, one.at, said(one))).collect();
     let told = |words: &str| words.to_owned();
@@ -486,7 +490,7 @@ fn motions_take_their_time_at_their_feed() {
         feed: 0.0,
     };
     let steps = [motion([0.0; 3], [50.0, 0.0, 0.0]), touch([50.0, 0.0, 0.0], Touching::Ball), rapid].map(entry);
-    let begins = paths::begins(&steps);
+    let begins = paths::begins(&steps.into_iter().collect());
     let wanted = [0.0, 30.0, 30.0, 30.6];
     assert!(begins.iter().zip(wanted).all(|(found, wanted)| (found - wanted).abs() < 1e-9), "{begins:?}");
 }
@@ -498,7 +502,7 @@ fn touches_are_numbered_in_their_call_and_shown_until_the_next_one() {
     let at = |x: f64| touch([x, 0.0, 5.0], Touching::Ball);
     let entries = [call(), at(1.0), at(1.2), at(9.0), call(), at(3.0)].map(entry);
     let setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
-    let found = labels::touches(&setup.control, &entries);
+    let found = labels::touches(&setup.control, &entries.into_iter().collect());
     let told: Vec<_> = found.iter().map(|label| (label.number, label.from, label.to)).collect();
     let wanted = [(1, 1, Some(2)), (2, 2, Some(4)), (3, 3, Some(4)), (1, 5, None)];
     assert_eq!(told, wanted.map(|(number, from, to)| (Some(number), Some(from), to)));

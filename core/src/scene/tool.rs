@@ -52,19 +52,13 @@ pub fn tools(setup: &Setup, outcome: &Outcome) -> (Vec<Tool>, Vec<[usize; 2]>) {
         let used = lent.as_ref().unwrap_or(used);
         tool(setup, used, measuring.contains(&used.place))
     };
-    let mut from: Vec<[usize; 2]> = Vec::new();
-    for (index, entry) in trace.entries.iter().enumerate() {
-        if from.last().is_none_or(|[_, last]| *last != entry.in_use) {
-            from.push([index, entry.in_use]);
-        }
-    }
-    (trace.in_use.iter().map(view).collect(), from)
+    (trace.in_use.iter().map(view).collect(), trace.entries.in_use())
 }
 
 /// T and D at the calls of cycles with this probe: with what a part was measured was the probe, whatever its data say.
 fn called(outcome: &Outcome, probe: ProbeUse) -> BTreeSet<(i64, i64)> {
     let trace = &outcome.trace;
-    let calls = trace.entries.iter().filter(|entry| match entry.step {
+    let calls = trace.entries.others().filter(|entry| match entry.step {
         Step::CallBegin { cycle, .. } => {
             find(outcome.before.dialect, cycle).is_some_and(|cycle| cycle.purpose.probe == probe)
         }

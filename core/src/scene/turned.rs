@@ -109,8 +109,8 @@ fn diameters(solid: &Solid) -> Vec<Diameter> {
 fn touched(control: &Control, trace: &Trace) -> Vec<Touched> {
     let mut found = Vec::new();
     let mut of_tool = false;
-    for (index, entry) in trace.entries.iter().enumerate() {
-        match &entry.step {
+    for other in trace.entries.others() {
+        match other.step {
             Step::CallBegin { cycle, .. } => {
                 let cycle = find(control.dialect, cycle);
                 of_tool = cycle.is_some_and(|cycle| cycle.purpose.probe == ProbeUse::Tool);
@@ -121,7 +121,7 @@ fn touched(control: &Control, trace: &Trace) -> Vec<Touched> {
             {
                 let seen = V3::from(latched.0) + V3::from(point.0) - V3::from(ball.0);
                 let diameter = 2.0 * control.to_workpiece(Mcs(seen.into()))[TRANSVERSE].abs();
-                found.push(Touched { entry: index, diameter });
+                found.push(Touched { entry: other.at, diameter });
             }
             _ => {}
         }

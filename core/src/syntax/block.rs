@@ -1,8 +1,8 @@
 //! Lines: block number, skip level, words, comment.
 
 use super::macros;
+use super::plain::Plain;
 use super::reader::{Expect, Reader};
-use super::straight::Straight;
 use super::tree::{Block, Program, SyntaxError, WordKind};
 use crate::control::definitions::Macros;
 use crate::diagnostic::Span;
@@ -44,7 +44,7 @@ pub fn read_told(dialect: Dialect, source: &[u8], macros: &Arc<Macros>, told: &m
     read_all(dialect, source, macros, false, told)
 }
 
-/// Reads a program that is only to be run: straight motions stay text, see [`Program::straight`].
+/// Reads a program that is only to be run: plain motions stay text, see [`Program::plain`].
 pub fn read_to_run(dialect: Dialect, source: &[u8], macros: &Arc<Macros>) -> Program {
     read_all(dialect, source, macros, true, &mut |_| {})
 }
@@ -127,9 +127,9 @@ fn line(reader: &mut Reader) {
     let before = skip(reader);
     let number = number(reader);
     let skip = before.or_else(|| skip(reader));
-    if skip.is_none() && is_straight(reader) {
+    if skip.is_none() && is_plain(reader) {
         let words = reader.first as u32..reader.first as u32;
-        reader.tree.blocks.push(Block { span, number, skip, words, comment: None, straight: true });
+        reader.tree.blocks.push(Block { span, number, skip, words, comment: None, plain: true });
         return;
     }
     reader.blanks();
@@ -141,13 +141,13 @@ fn line(reader: &mut Reader) {
         false => words(reader),
     };
     let words = reader.first as u32..reader.tree.words.len() as u32;
-    reader.tree.blocks.push(Block { span, number, skip, words, comment, straight: false });
+    reader.tree.blocks.push(Block { span, number, skip, words, comment, plain: false });
 }
 
 /// Whether the rest of a line is left as text. A macro could stand for a part of it, and the first line have a mark.
-fn is_straight(reader: &Reader) -> bool {
-    let plain = reader.to_run && reader.macros.concerns_nothing() && !reader.tree.blocks.is_empty();
-    plain && Straight::of(reader.rest(), 0).is_some()
+fn is_plain(reader: &Reader) -> bool {
+    let alone = reader.to_run && reader.macros.concerns_nothing() && !reader.tree.blocks.is_empty();
+    alone && Plain::of(reader.rest(), 0).is_some()
 }
 
 /// Reads what is left of a line; its first comment comes back.

@@ -103,7 +103,7 @@ pub fn is_definition(name: &str) -> bool {
 
 /// Whether a block has no words, or on NCT the `%` of the tape alone.
 fn says_nothing(program: &Program, block: &Block) -> bool {
-    !block.straight && program.words_of(block).iter().all(|word| matches!(word.kind, WordKind::Header))
+    !block.plain && program.words_of(block).iter().all(|word| matches!(word.kind, WordKind::Header))
 }
 
 fn header(program: &Program, block: &Block) -> Option<String> {

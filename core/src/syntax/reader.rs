@@ -57,7 +57,7 @@ pub(super) struct Reader<'a> {
     pub list: Vec<ExprId>,
     /// Macros that count here.
     pub macros: Known,
-    /// Whether straight motions are left as text.
+    /// Whether plain motions are left as text.
     pub to_run: bool,
 }
 
@@ -76,9 +76,9 @@ impl<'a> Reader<'a> {
                 dialect,
                 source: whole.to_vec(),
                 end: source.len() as u32,
-                blocks: Vec::with_capacity(source.len() / 24),
-                words: Vec::with_capacity(source.len() / 6),
-                exprs: Vec::with_capacity(source.len() / 6),
+                blocks: Vec::with_capacity(source.len() / 32),
+                words: Vec::with_capacity(source.len() / 8),
+                exprs: Vec::with_capacity(source.len() / 8),
                 places: Vec::new(),
                 errors: Vec::new(),
                 replaced: Replaced::default(),

@@ -167,8 +167,8 @@ pub struct Block {
     pub words: Range<u32>,
     /// `; …` (NCT: `( … )`), delimiters included.
     pub comment: Option<Span>,
-    /// Whether it is a straight motion that was left as text, without words; see [`Program::straight`].
-    pub straight: bool,
+    /// Whether it is a motion that was left as text, without words; see [`Program::plain`].
+    pub plain: bool,
 }
 
 /// One word.

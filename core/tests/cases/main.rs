@@ -184,7 +184,8 @@ fn points(name: &str, what: &str, expected: &Value, found: &[[f64; 3]]) {
 
 /// Something about every measuring motion, from start, end and feed.
 fn probings<T>(outcome: &Outcome, tell: impl Fn([f64; 3], [f64; 3], f64) -> T) -> Vec<T> {
-    let steps = outcome.trace.entries.iter().map(|entry| &entry.step);
+    let entries = outcome.trace.entries.to_vec();
+    let steps = entries.iter().map(|entry| &entry.step);
     steps
         .filter_map(|step| match step {
             Step::Motion { kind: MotionKind::Measuring, from, to, feed, .. } => Some(tell(from.0, to.0, *feed)),
@@ -194,7 +195,8 @@ fn probings<T>(outcome: &Outcome, tell: impl Fn([f64; 3], [f64; 3], f64) -> T) -
 }
 
 fn touches(outcome: &Outcome) -> Vec<[f64; 3]> {
-    let steps = outcome.trace.entries.iter().map(|entry| &entry.step);
+    let entries = outcome.trace.entries.to_vec();
+    let steps = entries.iter().map(|entry| &entry.step);
     steps
         .filter_map(|step| match step {
             Step::Touch { latched, .. } => Some(latched.0),
@@ -204,7 +206,8 @@ fn touches(outcome: &Outcome) -> Vec<[f64; 3]> {
 }
 
 fn orientations(outcome: &Outcome) -> Vec<f64> {
-    let steps = outcome.trace.entries.iter().map(|entry| &entry.step);
+    let entries = outcome.trace.entries.to_vec();
+    let steps = entries.iter().map(|entry| &entry.step);
     steps
         .filter_map(|step| match step {
             Step::Orient { angle } => Some(angle.0),

@@ -121,7 +121,8 @@ fn what_a_decision_says_happens() {
         for (index, drawn) in some(cycle, variant.number, 3 * SCALES.len()).into_iter().enumerate() {
             let bits = 37 * index + variant.number as usize; // 37: no power of two, so that all bits change
             let Some((control, outcome)) = carried_out(&drawn, SCALES[index % SCALES.len()], bits) else { continue };
-            let steps: Vec<&Step> = outcome.trace.entries.iter().map(|entry| &entry.step).collect();
+            let entries = outcome.trace.entries.to_vec();
+            let steps: Vec<&Step> = entries.iter().map(|entry| &entry.step).collect();
             for (at, step) in steps.iter().enumerate() {
                 let Step::Decision { message } = step else { continue };
                 silent(message);

@@ -65,7 +65,7 @@ fn number(text: &str, name: &str) -> f64 {
 /// Texts of `MSG`, in order.
 fn messages(text: &str) -> Vec<String> {
     let outcome = clean(text);
-    let steps = outcome.trace.entries.into_iter().map(|entry| entry.step);
+    let steps = outcome.trace.entries.iter().map(|entry| entry.step);
     steps
         .filter_map(|step| match step {
             Step::Message { text } => Some(text),
@@ -81,7 +81,8 @@ fn end(text: &str) -> [f64; 3] {
 
 /// Feed of the last motion of a clean run, mm/min.
 fn feed(text: &str) -> f64 {
-    let entries = clean(text).trace.entries.into_iter().rev();
+    let outcome = clean(text);
+    let entries = outcome.trace.entries.iter().rev();
     let mut feeds = entries.filter_map(|entry| match entry.step {
         Step::Motion { feed, .. } => Some(feed),
         _ => None,

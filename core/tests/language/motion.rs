@@ -9,7 +9,8 @@ use probewright_core::machine::trace::{MotionKind, Step};
 
 /// Places that a clean run passes: a hundred on each motion, its end the last.
 fn points(text: &str) -> Vec<[f64; 3]> {
-    let steps = clean(text).trace.entries.into_iter();
+    let outcome = clean(text);
+    let steps = outcome.trace.entries.iter();
     steps
         .filter_map(|entry| match entry.step {
             Step::Motion { from, to, around, .. } => Some(Route { from, to, around }),

@@ -173,6 +173,30 @@ fn parameters_of_the_program_itself_can_be_given() {
     assert_eq!(number("PROC PART(REAL DEPTH, INT N=2)\nDEPTH=3 N=N+1\nR1=DEPTH+N\nM30", "R1"), 6.0);
 }
 
+/// A run of one program of a text.
+fn one_of(text: &str, name: &str, arguments: &[(&str, Value)]) -> Outcome {
+    let program = read(Dialect::Sinumerik, text.as_bytes());
+    let arguments = arguments.iter().map(|(name, value)| ((*name).to_owned(), value.clone())).collect();
+    Session::new(program, &setup(), Limits::default()).of_program(name).with_arguments(arguments).complete()
+}
+
+// oracle: hand: the second of two main programs calls the first; its parameters are its own
+#[test]
+fn a_program_of_a_text_is_run_that_is_named() {
+    let text =
+        "%_N_ONE_MPF\nPROC ONE(INT N=4)\nR1=R1+N\nM17\n%_N_TWO_MPF\nPROC TWO(REAL DEPTH)\nR1=DEPTH\nONE(1)\nM30\n";
+    let depth = [("DEPTH", Value::Number(2.5))];
+    for name in ["TWO", "two", "_N_TWO_MPF", "TWO.MPF"] {
+        let outcome = one_of(text, name, &depth);
+        assert_eq!((outcome.stop.as_ref(), outcome.control.number("R1")), (None, 3.5), "{name}");
+    }
+    let first = one_of(text, "ONE", &[]);
+    assert_eq!((first.stop.as_ref(), first.control.number("R1"), first.line), (None, 4.0, Some(4)));
+    let none = one_of(text, "THREE", &depth);
+    let [found] = &none.diagnostics[..] else { unreachable!("{:?}", none.diagnostics) };
+    assert_eq!((key(&none), found.message.word("names")), (Some("run-program-unknown"), Some("ONE, TWO")));
+}
+
 // oracle: self (what was read says the same again; nothing falls), hand (two ways to give the same lines)
 #[test]
 fn any_text_is_a_definition_file() {

@@ -39,7 +39,7 @@ fn an_arc_goes_round_the_pole() {
     let text = "G111 X10 Y0\nG0 AP=0 RP=10\nG3 AP=90 RP=10 F100";
     let outcome = clean(text);
     let Some(Step::Motion { from, to, around: Some(around), .. }) =
-        outcome.trace.entries.last().map(|entry| entry.step.clone())
+        outcome.trace.entries.last().map(|entry| entry.step)
     else {
         panic!("no arc");
     };

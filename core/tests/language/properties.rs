@@ -252,9 +252,9 @@ proptest! {
     ) {
         let text: Vec<String> = lines.iter().map(|words| words.join(" ")).collect();
         let program = read(Dialect::Sinumerik, text.join("\n").as_bytes());
-        let limits = Limits { steps: Some(300), depth: 4, trace: 500, ..Limits::default() };
+        let limits = Limits { steps: Some(300), depth: 4, trace: 250, own: 250, ..Limits::default() };
         let whole = run(&program, &setup(), limits);
-        prop_assert!(whole.trace.entries.len() <= limits.trace);
+        prop_assert!(whole.trace.entries.len() <= limits.trace + limits.own);
         prop_assert!(whole.position.iter().all(|value| value.is_finite()));
         let mut session = Session::new(program, &setup(), limits);
         let mut rounds = 0_u64;

@@ -111,8 +111,8 @@ fn a_program_with_a_bit_of_everything_runs() {
     let outcome = clean(include_str!("../programs/subprograms.mpf"));
     let numbers = ["R1", "R2"].map(|name| outcome.control.number(name));
     assert_eq!(numbers, [3.0, 6.0]);
-    let texts = outcome.trace.entries.iter().rev();
-    let mut texts = texts.filter_map(|entry| match &entry.step {
+    let texts = outcome.trace.entries.others().rev();
+    let mut texts = texts.filter_map(|entry| match entry.step {
         Step::Message { text } => Some(text.as_str()),
         _ => None,
     });

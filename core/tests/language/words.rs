@@ -32,7 +32,8 @@ fn tools_are_chosen_and_told() {
 #[test]
 fn the_spindle_is_turned() {
     let angles = |text: &str| {
-        let steps = clean(text).trace.entries.into_iter();
+        let outcome = clean(text);
+        let steps = outcome.trace.entries.iter();
         let angles = steps.filter_map(|entry| match entry.step {
             Step::Orient { angle } => Some(angle.0),
             _ => None,

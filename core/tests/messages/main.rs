@@ -197,5 +197,6 @@ fn what_is_written_beside_a_drawing_has_words() {
         assert_eq!(said(&labels::frames(&[at(moved)])[0]), wanted);
     }
     let crash = Step::Crash { point: Mcs([0.0; 3]), normal: Dir::default(), by: Touching::Stylus };
-    assert_eq!(said(&labels::collisions(&[TraceEntry { line: None, step: crash, in_use: 0 }])[0]), "Crash: stylus");
+    let entries = [TraceEntry { line: None, step: crash, in_use: 0 }].into_iter().collect();
+    assert_eq!(said(&labels::collisions(&entries)[0]), "Crash: stylus");
 }

@@ -27,8 +27,8 @@ fn the_test_of_a_probe_runs_as_printed() {
     let texts: Vec<_> = outcome
         .trace
         .entries
-        .iter()
-        .filter_map(|entry| match &entry.step {
+        .others()
+        .filter_map(|entry| match entry.step {
             Step::Message { text } => Some(text.as_str()),
             _ => None,
         })

@@ -58,7 +58,8 @@ fn arcs_end_at_their_end() {
     // oracle: hand: a quarter about X0 Y0 passes 45 degrees
     let outcome = clean("G0 X10 Y0\nG3 X0 Y10 I-10 J0 F100");
     near(outcome.end().0, [0.0, 10.0, 500.0]);
-    let [.., last] = &outcome.trace.entries[..] else {
+    let entries = outcome.trace.entries.to_vec();
+    let [.., last] = &entries[..] else {
         panic!("nothing moves");
     };
     let Step::Motion { from, to, around: Some(around), .. } = last.step else {

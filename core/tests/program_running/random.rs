@@ -34,17 +34,17 @@ proptest! {
         if nct {
             start.control = Setup::calibrated(dialect, Plane::G17).control;
         }
-        let limits = Limits { steps: Some(300), depth: 4, trace: 500, ..Limits::default() };
+        let limits = Limits { steps: Some(300), depth: 4, trace: 250, own: 250, ..Limits::default() };
         let outcome = run(&read(dialect, text.join("\n").as_bytes()), &start, limits);
-        prop_assert!(outcome.trace.entries.len() <= limits.trace);
+        prop_assert!(outcome.trace.entries.len() <= limits.trace + limits.own);
         prop_assert!(outcome.position.iter().all(|value| value.is_finite()));
     }
 
     #[test]
     fn any_bytes_end_without_panic(bytes in prop::collection::vec(any::<u8>(), 0..300), nct: bool) {
         let dialect = if nct { Dialect::Nct } else { Dialect::Sinumerik };
-        let limits = Limits { steps: Some(300), depth: 4, trace: 500, ..Limits::default() };
+        let limits = Limits { steps: Some(300), depth: 4, trace: 250, own: 250, ..Limits::default() };
         let outcome = run(&read(dialect, &bytes), &Setup::calibrated(dialect, Plane::G17), limits);
-        prop_assert!(outcome.trace.entries.len() <= limits.trace);
+        prop_assert!(outcome.trace.entries.len() <= limits.trace + limits.own);
     }
 }

@@ -332,3 +332,22 @@ fn a_folder_is_beside_a_program_and_takes_its_files() {
         serde_json::from_str(&out(&probewright(&["run", &main, "--with", &beside, "--json"]))).unwrap();
     assert_eq!(json["written"][0]["lines"], serde_json::json!(["X 4"]));
 }
+
+// oracle: hand
+#[test]
+fn one_program_of_an_archive_is_run() {
+    let path = file("two.arc", b"%_N_ONE_MPF\nR1=1\nM30\n%_N_TWO_MPF\nR1=2\nM30\n");
+    for (name, worth) in [("ONE", 1.0), ("two", 2.0)] {
+        let json = out(&probewright(&["run", &path, "--program", name, "--json"]));
+        let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+        let result = &json["results"][0];
+        assert_eq!((&result["name"], &result["value"]), (&"R1".into(), &worth.into()), "{name}");
+    }
+    let none = probewright(&["run", &path, "--program", "THREE"]);
+    assert_eq!(none.status.code(), Some(1));
+    assert!(
+        out(&none).contains("There is no program “THREE” in this text. Programs in it: ONE, TWO."),
+        "{}",
+        out(&none)
+    );
+}

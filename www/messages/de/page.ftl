@@ -911,6 +911,8 @@ define-nothing = Die Maschine hat diese Definitionen schon, oder die Datei enthÃ
 define-apply = In die Maschine Ã¼bernehmen
 define-cancel = Abbrechen
 given-title = Programmlauf
+given-program = Programm
+given-program-first = Erstes Programm des Textes
 given-strict = Anhalten, wenn etwas fehlt
 given-assumed = { $count ->
     [one] Ein Wert der Maschine wurde angenommen: { $values }.

@@ -893,6 +893,8 @@ define-nothing = The machine already has these definitions, or the file contains
 define-apply = Add to machine
 define-cancel = Cancel
 given-title = Run
+given-program = Program
+given-program-first = First program of the text
 given-strict = Stop if anything is missing
 given-assumed = { $count ->
     [one] One value of the machine was assumed: { $values }.

@@ -108,6 +108,8 @@ export interface Actions {
   argument(name: string, value: string): void;
   /** Whether what is not there stops the run. */
   strict(on: boolean): void;
+  /** Which program of a text that holds several is run; empty: the first. */
+  main(name: string): void;
   /** A value that only the machine has; null: it is assumed again. */
   machineValue(name: string, value: number | string | null): void;
   /** The program is saved in another encoding from now on. */
@@ -449,6 +451,7 @@ export function createActions(store: Store, catalogue: Catalogue, core: () => Pr
       });
     },
     strict: strict => store.update({ run: { strict, stopped: null } }),
+    main: main => store.update({ run: { main, stopped: null } }),
     machineValue(name, value) {
       const setup = profile(now());
       const own = ownMachine(now());

@@ -1,11 +1,23 @@
-// What a run is given beside program and machine: files, values of the program's own parameters, whether it is strict.
+// What a run is given beside program and machine: files, which program of the text it is, values of its parameters,
+// whether it is strict.
 
 import { parseNumber } from "../numbers";
 import { type Arguments, besideOf, type Ran, type State } from "../state/state";
-import type { ProgramParameter } from "../wire";
+import type { ProgramParameter, ProgramPlace, ReadView } from "../wire";
 import { isCurrent } from "./program";
 
-export type Given = Pick<Ran, "with" | "arguments" | "strict">;
+export type Given = Pick<Ran, "with" | "arguments" | "strict" | "program">;
+
+/** The program of a text that is to be run, where one is chosen that is in it. */
+export function chosenIn(view: ReadView | undefined, { run: { main } }: State): ProgramPlace | undefined {
+  return main === "" ? undefined : view?.programs?.find(({ name }) => name === main);
+}
+
+/** The parameters of the program that is run. */
+export function parametersIn(view: ReadView | undefined, state: State): readonly ProgramParameter[] | undefined {
+  const chosen = chosenIn(view, state);
+  return chosen ? chosen.parameters : view?.parameters;
+}
 
 /** As typed: a number, else a text, with or without quotation marks. */
 function worth(typed: string): number | string {
@@ -27,12 +39,14 @@ function argumentsOf(typed: Record<string, string>, parameters: readonly Program
 export function givenTo(state: State): Given & { known: boolean } {
   const { reading, given } = state.program;
   const typed = given[state.form.control];
-  const parameters = reading?.view.parameters;
+  const parameters = parametersIn(reading?.view, state);
+  const chosen = chosenIn(reading?.view, state);
   const values = typed && parameters ? argumentsOf(typed, parameters) : {};
   return {
-    known: !typed || isCurrent(reading, state),
+    known: (!typed && state.run.main === "") || isCurrent(reading, state),
     ...besideOf(state),
     ...(Object.keys(values).length ? { arguments: values } : {}),
     ...(state.run.strict ? { strict: true } : {}),
+    ...(chosen ? { program: chosen.name } : {}),
   };
 }

@@ -30,7 +30,8 @@ export function withMotions(derived: Derived, runner: Aside, { view: { source } 
   return seen ? { ...derived, scene: () => seen } : derived;
 }
 
-const isGiven = (ran: Ran, given: Given): boolean => ran.arguments === given.arguments && ran.strict === given.strict;
+const isGiven = (ran: Ran, given: Given): boolean =>
+  ran.arguments === given.arguments && ran.strict === given.strict && ran.program === given.program;
 
 function cameTo(view: RunView, steps: Columns | undefined): Pick<Ran, "view" | "course"> {
   if (!steps) return { view, course: courseOf(view.trace) };
@@ -42,7 +43,7 @@ function cameTo(view: RunView, steps: Columns | undefined): Pick<Ran, "view" | "
 export function withRun(answered: Answered | null, state: State): State {
   if (answered?.question.ask !== "run" || !isOfNow(answered.question, state)) return state;
   const {
-    question: { control, text, setup, times, known, with: beside, arguments: values, strict },
+    question: { control, text, setup, times, known, with: beside, arguments: values, strict, program },
     json,
     scene,
     steps,
@@ -53,6 +54,8 @@ export function withRun(answered: Answered | null, state: State): State {
   if (!came) return state;
   const { view, course } = came;
   return patched(state, {
-    run: { done: { control, text, setup, times, view, course, scene, with: beside, arguments: values, strict } },
+    run: {
+      done: { control, text, setup, times, view, course, scene, with: beside, arguments: values, strict, program },
+    },
   });
 }

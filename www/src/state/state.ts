@@ -48,6 +48,7 @@ export interface Ran {
   with?: Beside[];
   arguments?: Arguments;
   strict?: boolean;
+  program?: string;
   view: RunView; // but for its steps
   course: Course;
   scene: SceneData;
@@ -194,6 +195,7 @@ export interface RunState {
   done: Ran | null;
   stopped: Stopped | null;
   strict: boolean; // what is not there stops it
+  main: string; // name of the program that is run of a text that holds several; empty: the first
 }
 
 export interface ScanState {
@@ -367,7 +369,7 @@ export function firstState(): State {
       section: false,
       central: false,
     },
-    run: { done: null, stopped: null, strict: false },
+    run: { done: null, stopped: null, strict: false, main: "" },
     scan: { made: null, problem: "" },
     panels: {
       panel: "form",

@@ -1,5 +1,5 @@
-// What a run is given: values of the program's own parameters, and whether it stops at what is not there. Behind what
-// came out: what was assumed and what was passed over, each with the way to give it.
+// What a run is given: which program of the text, values of its own parameters, and whether it stops at what is not
+// there. Behind what came out: what was assumed and what was passed over, each with the way to give it.
 
 import { html, nothing, render, type TemplateResult } from "lit-html";
 import { live } from "lit-html/directives/live.js";
@@ -7,9 +7,10 @@ import { repeat } from "lit-html/directives/repeat.js";
 import type { Actions } from "../desk/actions";
 import { lineIn } from "../desk/beside";
 import type { Derived } from "../desk/derive";
+import { chosenIn, parametersIn } from "../desk/given";
 import type { State } from "../state/state";
 import { listed, t } from "../texts";
-import type { FileStart, MachineValue } from "../wire";
+import type { FileStart, MachineValue, ProgramPlace } from "../wire";
 
 /** The ways from what a run lacks to where it is given. */
 export interface Lacks {
@@ -54,6 +55,17 @@ export function createGiven(
       />
     </div>`;
   };
+  const choice = (programs: readonly ProgramPlace[], chosen: string): TemplateResult => {
+    const taken = ({ target }: Event): void => actions.main((target as HTMLSelectElement).value);
+    const option = (name: string, label: string): TemplateResult =>
+      html`<option value=${name} ?selected=${name === chosen}>${label}</option>`;
+    return html`<div class="given-field">
+      <label for="run-program">${t("given-program")}</label
+      ><select id="run-program" class="choice" .value=${live(chosen)} @change=${taken}>
+        ${option("", t("given-program-first"))}${programs.map(({ name }) => option(name, name))}
+      </select>
+    </div>`;
+  };
   const assumed = (all: readonly MachineValue[], files: readonly FileStart[] | undefined): TemplateResult => {
     const named = all
       .slice(0, ASSUMED)
@@ -71,12 +83,15 @@ export function createGiven(
   </div>`;
   return (state, derived) => {
     const whole = state.view.source === "program";
-    const parameters = derived.read.parameters ?? [];
+    const programs = derived.read.programs ?? [];
+    const parameters = parametersIn(derived.read, state) ?? [];
+    const chosen = chosenIn(derived.read, state)?.name ?? "";
     const strict = ({ target }: Event): void => actions.strict((target as HTMLInputElement).checked);
     render(
       whole
         ? html`<fieldset class="given">
             <legend class="visually-hidden">${t("given-title")}</legend>
+            ${programs.length ? choice(programs, chosen) : nothing}
             ${repeat(
               parameters,
               one => one.name,

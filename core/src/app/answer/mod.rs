@@ -90,6 +90,7 @@ pub(super) fn of_call(inputs: &Inputs, outcome: &run::Outcome) -> Option<Answer>
 /// What a call came to in a run.
 pub(super) fn answer(called: &Called, outcome: &run::Outcome) -> Answer {
     let (entries, ended) = called.entries(outcome);
+    let entries = &entries[..];
     let stop = outcome.stop.as_ref().filter(|_| !ended);
     let inputs = &called.inputs;
     let figures = figures::figures(called, entries);

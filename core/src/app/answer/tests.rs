@@ -203,6 +203,7 @@ fn a_run_has_an_answer_for_the_call_that_stops_it() {
         control: Dialect::Sinumerik,
         text: text.to_owned(),
         setup: None,
+        program: None,
         arguments: None,
         strict: None,
         blocks: None,

@@ -2,10 +2,11 @@
 //! other steps are told one by one to who asks for them.
 
 use super::Happened;
-use crate::machine::{Entry, MotionKind, Step};
+use crate::machine::{MotionKind, Step};
 use crate::scene::Source;
 use crate::workpiece::Touching;
 use serde::Serialize;
+use std::borrow::Cow;
 
 /// One number or three for each step, in order.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -21,9 +22,6 @@ pub struct Columns {
     pub ends: Vec<f64>,
 }
 
-/// The first number that is no motion: a touch of what measures.
-const TOUCH: u8 = 4;
-
 /// See [`Columns::sorts`].
 fn sort_of(step: &Step) -> u8 {
     match step {
@@ -31,7 +29,7 @@ fn sort_of(step: &Step) -> u8 {
         Step::Motion { kind: MotionKind::Positioning, .. } => 1,
         Step::Motion { kind: MotionKind::Measuring, .. } => 2,
         Step::Motion { kind: MotionKind::Retract, .. } => 3,
-        Step::Touch { by, .. } if Touching::measures(by) => TOUCH,
+        Step::Touch { by, .. } if Touching::measures(by) => 4,
         Step::Touch { .. } => 5,
         Step::Crash { .. } => 6,
         Step::CallBegin { .. } => 7,
@@ -43,19 +41,27 @@ fn sort_of(step: &Step) -> u8 {
 /// All steps of a run.
 pub fn columns(source: &Source) -> Columns {
     let entries = &source.outcome.trace.entries;
-    let motion = |entry: &Entry| match &entry.step {
-        Step::Motion { to, feed, .. } => (*feed, to.0),
-        _ => (0.0, [0.0; 3]),
+    let count = entries.len();
+    let mut all = Columns {
+        sorts: Vec::with_capacity(count),
+        lines: Vec::with_capacity(count),
+        feeds: Vec::with_capacity(count),
+        ends: Vec::with_capacity(3 * count),
     };
-    Columns {
-        sorts: entries.iter().map(|entry| sort_of(&entry.step)).collect(),
-        lines: entries.iter().map(|entry| entry.line.map_or(0, |line| line + 1)).collect(),
-        feeds: entries.iter().map(|entry| motion(entry).0).collect(),
-        ends: entries.iter().flat_map(|entry| motion(entry).1).collect(),
+    for entry in entries {
+        let (feed, end) = match &entry.step {
+            Step::Motion { to, feed, .. } => (*feed, to.0),
+            _ => (0.0, [0.0; 3]),
+        };
+        all.sorts.push(sort_of(&entry.step));
+        all.lines.push(entry.line.map_or(0, |line| line + 1));
+        all.feeds.push(feed);
+        all.ends.extend(end);
     }
+    all
 }
 
 /// The steps that are no motions, in order.
 pub fn others(source: &Source) -> impl Iterator<Item = impl Serialize> {
-    source.outcome.trace.entries.iter().filter(|entry| sort_of(&entry.step) >= TOUCH).map(Happened::of)
+    source.outcome.trace.entries.others().map(|other| Happened::new(Cow::Borrowed(other.step), other.line))
 }

@@ -8,13 +8,14 @@ mod turned_tests;
 
 use super::Raised;
 use crate::SIMULATES;
-use crate::machine::{Entry, Setup, Step};
+use crate::machine::{Entries, Setup, Step};
 use crate::scene::Source;
 use crate::scene::frames::{Frame, frames};
 use crate::scene::tool::{Tool, tools};
 use crate::scene::turned::{Drawing, drawing};
 use crate::workpiece::{ProbeBody, Solid};
 use serde::{Serialize, Serializer};
+use std::borrow::Cow;
 
 /// Everything that happened, with what is needed to draw it. Machine coordinates, mm.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -23,7 +24,7 @@ use serde::{Serialize, Serializer};
 pub struct Trace<'a> {
     /// In order, with lines of the program from 1.
     #[cfg_attr(test, ts(type = "Array<Step & { line?: number }>"))]
-    entries: Vec<Happened<'a>>,
+    entries: Told<'a>,
     /// The probe.
     ball: Ball,
     /// Whatever was in use.
@@ -51,7 +52,7 @@ pub struct Trace<'a> {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 struct Happened<'a> {
     #[serde(flatten)]
-    step: &'a Step,
+    step: Cow<'a, Step>,
     #[serde(flatten)]
     alarm: Option<Raised>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -82,12 +83,12 @@ impl Serialize for Source {
 impl Trace<'_> {
     fn of(source: &Source) -> Trace<'_> {
         let Source { setup, outcome, zones, limits, apart, .. } = source;
-        let entries = if *apart { &[] } else { &outcome.trace.entries[..] };
+        let entries = Told((!*apart).then_some(&outcome.trace.entries));
         let (tools, in_use) = tools(setup, outcome);
         // a program may begin without a tool that tells
         let turning = outcome.before.turns() || outcome.control.turns();
         Trace {
-            entries: entries.iter().map(Happened::of).collect(),
+            entries,
             ball: ball(setup),
             tools,
             in_use,
@@ -102,13 +103,28 @@ impl Trace<'_> {
     }
 }
 
-impl Happened<'_> {
-    fn of(entry: &Entry) -> Happened<'_> {
-        let alarm = match entry.step {
+/// The entries, each made as it is written; none: they are handed over apart.
+#[derive(Clone, Debug, PartialEq)]
+struct Told<'a>(Option<&'a Entries>);
+
+impl Serialize for Told<'_> {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        to.collect_seq(self.0.into_iter().flat_map(happened))
+    }
+}
+
+/// Each entry as it is told.
+pub fn happened(entries: &Entries) -> impl Iterator<Item = impl Serialize> {
+    entries.iter().map(|entry| Happened::new(Cow::Owned(entry.step), entry.line))
+}
+
+impl<'a> Happened<'a> {
+    fn new(step: Cow<'a, Step>, line: Option<u32>) -> Happened<'a> {
+        let alarm = match *step {
             Step::Alarm(code) => Some(Raised::alarm(code)),
             _ => None,
         };
-        Happened { step: &entry.step, alarm, line: entry.line.map(|line| line + 1) }
+        Happened { step, alarm, line: line.map(|line| line + 1) }
     }
 }
 

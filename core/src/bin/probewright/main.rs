@@ -3,6 +3,7 @@
 mod alarms;
 mod check;
 mod cycles;
+mod document;
 mod explain;
 mod file;
 mod help;

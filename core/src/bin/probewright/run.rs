@@ -5,13 +5,12 @@ use crate::file::Problem;
 use crate::joined::Joined;
 use crate::progress::Progress;
 use crate::stream::Stream;
-use crate::{file, log, scan};
+use crate::{document, file, log, scan};
 use probewright_core::app::{RunAssumed, RunView};
 use probewright_core::catalogue::alarms;
 use probewright_core::control::Value;
 use probewright_core::diagnostic::{Diagnostic, Severity};
 use probewright_core::entry::{Unit, unit_behind};
-use probewright_core::json;
 use probewright_core::machine::Setup;
 use probewright_core::machine::trace::Step;
 use probewright_core::message::{Arg, Message, printable};
@@ -39,6 +38,8 @@ pub struct Arguments {
     control: Option<file::Control>,
     #[arg(long, value_name = "FILES", num_args = 1..)]
     with: Vec<PathBuf>,
+    #[arg(long, value_name = "NAME")]
+    program: Option<String>,
     #[arg(long, value_name = "VALUES")]
     arg: Vec<String>,
     #[arg(long)]
@@ -58,37 +59,34 @@ pub struct Arguments {
 /// Runs a program; 1 when it has an error or did not reach its end.
 pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
     let text = Text::of(arguments)?;
-    let values = values(&arguments.arg)?;
-    let recorded = if arguments.json { Limits::default().own } else { 0 };
-    let steps = arguments.max_blocks;
-    let limits = Limits { steps, own: recorded, strict: arguments.strict, ..Limits::default() };
+    let given = Given { program: arguments.program.clone(), values: values(&arguments.arg)? };
+    let limits = Limits { steps: arguments.max_blocks, strict: arguments.strict, ..Limits::default() };
+    let limits = if arguments.json { limits } else { limits.unrecorded() };
     let setup = setup(arguments, words, out)?;
-    let text = text.on(setup.as_ref(), arguments)?;
+    let mut text = text.on(setup.as_ref(), arguments)?;
     let mut progress = Progress::new(words);
-    let mut told = |session: &Session| progress.tell(session);
-    let (program, prepare) = text.begin(setup.as_ref(), values)?;
-    let Assumed { setup, outcome, told } = match setup {
-        Some(setup) => {
-            let outcome = prepare(Session::new(program, &setup, limits)).complete_told(&mut told);
-            Assumed { outcome, setup, told: Vec::new() }
-        }
-        None => assumed::run_with(&program, limits, prepare, &mut told),
-    };
+    let mut ran = carried_out(&text, setup.as_ref(), &given, limits, &mut progress)?;
+    if !text.was_run()? {
+        text = Text::whole(arguments)?.on(setup.as_ref(), arguments)?;
+        ran = carried_out(&text, setup.as_ref(), &given, limits, &mut progress)?;
+    }
     progress.end();
+    let Assumed { setup, outcome, told } = ran;
     let joined = &text.joined;
-    if arguments.json {
-        let mut view = RunView::new(setup.clone(), outcome.clone(), &joined.text);
+    let outcome = if arguments.json {
+        let mut view = RunView::new(setup.clone(), outcome, &joined.text);
         if arguments.setup.is_none() {
             view.assumed = Some(RunAssumed { messages: told, setup });
         }
-        file::print_json(json::document(&view), words, out)?;
+        document::print(view, words, out)?
     } else {
         for assumption in &told {
             writeln!(out, "{}", words.text(assumption))?;
         }
         text.print(&outcome.diagnostics, words, out)?;
         print_outcome(joined, &outcome, words, out)?;
-    }
+        outcome
+    };
     if let Some(print) = &arguments.print {
         let lines = outcome.printed().into_iter();
         file::write(print, lines.map(|line| format!("{line}\n")))?;
@@ -107,12 +105,45 @@ pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
     })
 }
 
+/// Runs a text on the machine that is named, else on one that fits it.
+fn carried_out(
+    text: &Text,
+    setup: Option<&Setup>,
+    given: &Given,
+    limits: Limits,
+    progress: &mut Progress,
+) -> Result<Assumed, Problem> {
+    let mut told = |session: &Session| progress.tell(session);
+    let (program, prepare) = text.begin(setup, given.clone())?;
+    let main = given.program.as_deref();
+    let Some(setup) = setup else { return Ok(assumed::run_with(&program, main, limits, prepare, &mut told)) };
+    let outcome = prepare(Session::new(program, setup, limits)).complete_told(&mut told);
+    Ok(Assumed { outcome, setup: setup.clone(), told: Vec::new() })
+}
+
 /// The machine that is named.
 fn setup(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<Option<Setup>, Problem> {
     let Some(path) = &arguments.setup else { return Ok(None) };
     let mut setup = file::setup(path, arguments.json, words, out)?;
     arguments.scan.put_surface(&mut setup)?;
     Ok(Some(setup))
+}
+
+/// What a run is given beside the text: which program of it is run, and values of its parameters.
+#[derive(Clone)]
+struct Given {
+    program: Option<String>,
+    values: BTreeMap<String, Value>,
+}
+
+impl Given {
+    fn to(self, session: Session) -> Session {
+        let session = match &self.program {
+            Some(name) => session.of_program(name),
+            None => session,
+        };
+        session.with_arguments(self.values)
+    }
 }
 
 /// A program, held whole or coming in pieces.
@@ -124,7 +155,7 @@ struct Text {
 impl Text {
     fn of(arguments: &Arguments) -> Result<Text, Problem> {
         let language = |source: &[u8]| file::dialect(arguments.control, source);
-        let alone = !arguments.json && arguments.with.is_empty();
+        let alone = !arguments.json && arguments.with.is_empty() && arguments.program.is_none();
         match alone.then(|| Stream::of(&arguments.file, language)).flatten() {
             Some(stream) => Ok(Text { joined: Joined::unheld(&arguments.file, stream.dialect), stream: Some(stream) }),
             None => Text::whole(arguments),
@@ -145,14 +176,19 @@ impl Text {
     }
 
     /// The program, or its beginning, and what a run of it is to have.
-    fn begin(&self, setup: Option<&Setup>, values: BTreeMap<String, Value>) -> Result<Begun, Problem> {
+    fn begin(&self, setup: Option<&Setup>, given: Given) -> Result<Begun, Problem> {
         let Some(stream) = &self.stream else {
             let macros = setup.map(|setup| Arc::clone(&setup.control.definitions.macros)).unwrap_or_default();
             let program = syntax::read_to_run(self.joined.dialect, &self.joined.text, &macros);
-            return Ok((Rc::new(program), Box::new(|session| session.with_arguments(values))));
+            return Ok((Rc::new(program), Box::new(|session| given.to(session))));
         };
         let (program, prepare) = stream.begin()?;
-        Ok((program, Box::new(|session| prepare(session).with_arguments(values))))
+        Ok((program, Box::new(|session| given.to(prepare(session)))))
+    }
+
+    /// Whether what was run is all of it; else it has to be run whole.
+    fn was_run(&self) -> Result<bool, Problem> {
+        self.stream.as_ref().map_or(Ok(true), Stream::was_run)
     }
 
     /// Prints what was found, in the file where it stands.
@@ -163,7 +199,6 @@ impl Text {
             }
             return Ok(());
         };
-        stream.end()?;
         let positions = stream.positions(printed(found))?;
         let position = |place| positions.get(&place).copied().unwrap_or_default();
         Ok(print_placed(&stream.path, &position, found, words, out)?)

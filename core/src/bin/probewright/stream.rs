@@ -1,5 +1,6 @@
-//! A large program that need not be held whole: its file is read in pieces of whole lines, once to see whether it can
-//! be run so, and once to be run.
+//! A large program that need not be held whole: its file is read once, in pieces of whole lines, by a thread of its own
+//! while the pieces before are carried out. Where a later piece shows that lines need one another, what was done counts
+//! for nothing, and the program is held whole.
 
 use crate::file::Problem;
 use probewright_core::dialect::Dialect;
@@ -15,6 +16,7 @@ use std::io::{Error, ErrorKind, Read};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use std::sync::Arc;
+use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 
 /// A file up to this size is held whole, bytes.
 const HELD: u64 = 32 << 20;
@@ -22,6 +24,8 @@ const HELD: u64 = 32 << 20;
 const PIECE: u64 = 1 << 20;
 /// Most bytes of a piece that has no end of a line.
 const LONGEST: usize = 64 << 20;
+/// Pieces that are read before they are needed.
+const AHEAD: usize = 2;
 
 /// A program that is run in pieces.
 pub struct Stream {
@@ -30,32 +34,47 @@ pub struct Stream {
     size: f64,
     /// Language of the program.
     pub dialect: Dialect,
-    failed: Rc<RefCell<Option<Error>>>,
+    come: Rc<RefCell<Come>>,
+}
+
+/// What came of a file so far.
+#[derive(Default)]
+struct Come {
+    from: Option<Receiver<Result<Piece, Why>>>,
+    /// Why no more comes before its end.
+    why: Option<Why>,
+}
+
+/// Why a file does not come in pieces.
+enum Why {
+    /// Its lines need one another, or it is in another encoding.
+    Whole,
+    /// It cannot be read.
+    Failed(Error),
+}
+
+impl Come {
+    fn next(&mut self) -> Option<Piece> {
+        match self.from.as_ref()?.recv().ok()? {
+            Ok(piece) => Some(piece),
+            Err(why) => {
+                (self.why, self.from) = (Some(why), None);
+                None
+            }
+        }
+    }
 }
 
 impl Stream {
     /// A program in this language, else in that in which it is written; none: it is held whole, as it is small, or as
-    /// its lines need one another.
+    /// its first lines need others.
     pub fn of(path: &Path, language: impl FnOnce(&[u8]) -> Dialect) -> Option<Stream> {
         let size = std::fs::metadata(path).ok().filter(|file| file.is_file() && file.len() > HELD)?.len();
         let size = u32::try_from(size).ok()?; // places are
-        let mut texts = Texts::of(path).ok()?;
-        let first = texts.next()?.ok()?;
+        let first = Texts::of(path).ok()?.next()?.ok()?;
         let dialect = language(&first);
-        let mut recogniser = Recogniser::default();
-        recogniser.take(&first);
-        if !read(dialect, &first).begins_pieces() {
-            return None;
-        }
-        for text in texts {
-            let text = text.ok()?;
-            recogniser.take(&text);
-            if !read(dialect, &text).goes_on_in_pieces() {
-                return None;
-            }
-        }
-        let known = matches!(recogniser.finish(), Ok(Encoding::Utf8 | Encoding::Utf8Marked));
-        known.then(|| Stream { path: path.to_owned(), size: f64::from(size), dialect, failed: Rc::default() })
+        let begins = read(dialect, &first).begins_pieces();
+        begins.then(|| Stream { path: path.to_owned(), size: f64::from(size), dialect, come: Rc::default() })
     }
 
     /// The beginning of the program, and what gives a run of it the rest.
@@ -63,23 +82,26 @@ impl Stream {
         let named = |error: Error| format!("{}: {error}", self.path.display());
         let mut texts = Texts::of(&self.path).map_err(named)?;
         let first = texts.next().transpose().map_err(named)?.unwrap_or_default();
-        let (dialect, size, failed) = (self.dialect, self.size, Rc::clone(&self.failed));
-        let mut done = first.len() as f64;
+        let mut recogniser = Recogniser::default();
+        recogniser.take(&first);
+        let (dialect, size, done) = (self.dialect, self.size, first.len() as f64);
+        let (to, from) = sync_channel(AHEAD);
+        std::thread::spawn(move || read_on(Rest { dialect, size, done, texts, recogniser }, &to));
+        *self.come.borrow_mut() = Come { from: Some(from), why: None };
+        let come = Rc::clone(&self.come);
+        let more = move || come.borrow_mut().next();
         let share = [0.0, done / size];
-        let more = move || {
-            let text = texts.next()?.map_err(|error| *failed.borrow_mut() = Some(error)).ok()?;
-            let from = done;
-            done += text.len() as f64;
-            Some(Piece { program: read(dialect, &text), share: [from / size, done / size] })
-        };
         Ok((Rc::new(read(dialect, &first)), move |session: Session| session.in_pieces(share, Box::new(more))))
     }
 
-    /// Whether all of the file could be read.
-    pub fn end(&self) -> Result<(), Problem> {
-        match self.failed.borrow_mut().take() {
-            Some(error) => Err(format!("{}: {error}", self.path.display()).into()),
-            None => Ok(()),
+    /// Whether what was run is the program: what comes behind the end of the run is looked at too.
+    pub fn was_run(&self) -> Result<bool, Problem> {
+        let mut come = self.come.borrow_mut();
+        while come.next().is_some() {}
+        match come.why.take() {
+            None => Ok(true),
+            Some(Why::Whole) => Ok(false),
+            Some(Why::Failed(error)) => Err(format!("{}: {error}", self.path.display()).into()),
         }
     }
 
@@ -110,6 +132,39 @@ impl Stream {
 
 fn read(dialect: Dialect, text: &[u8]) -> Program {
     syntax::read_to_run(dialect, text, &Arc::default())
+}
+
+/// A file behind its first piece.
+struct Rest {
+    dialect: Dialect,
+    size: f64,
+    /// Bytes of the first piece.
+    done: f64,
+    texts: Texts,
+    /// It took the first piece.
+    recogniser: Recogniser,
+}
+
+/// Reads the pieces behind the first one, until there is none or nobody takes them any more.
+fn read_on(rest: Rest, to: &SyncSender<Result<Piece, Why>>) {
+    let Rest { dialect, size, mut done, texts, mut recogniser } = rest;
+    for text in texts {
+        let piece = text.map_err(Why::Failed).and_then(|text| {
+            recogniser.take(&text);
+            let from = done;
+            done += text.len() as f64;
+            let program = read(dialect, &text);
+            let goes_on = program.goes_on_in_pieces();
+            goes_on.then_some(Piece { program, share: [from / size, done / size] }).ok_or(Why::Whole)
+        });
+        let ends = piece.is_err();
+        if to.send(piece).is_err() || ends {
+            return;
+        }
+    }
+    if !matches!(recogniser.finish(), Ok(Encoding::Utf8 | Encoding::Utf8Marked)) {
+        drop(to.send(Err(Why::Whole)));
+    }
 }
 
 /// The lines of a file, some at a time.

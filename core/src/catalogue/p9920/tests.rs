@@ -107,7 +107,8 @@ fn the_reference_tool_goes_round_the_disk() {
     setup.tool_probes[0].solid.errors = PartErrors::default();
     let [z, d] = ["-8", "20"];
     let outcome = call(&P9920, &[("Z", z), ("D", d), ("T", "0")], &setup);
-    let steps = outcome.trace.entries.iter().map(|entry| &entry.step);
+    let entries = outcome.trace.entries.to_vec();
+    let steps = entries.iter().map(|entry| &entry.step);
     let begins: Vec<[f64; 3]> = steps
         .filter_map(|step| match step {
             Step::Motion { kind: MotionKind::Measuring, from, feed, .. } if *feed == 750.0 => Some(from.0),
@@ -169,7 +170,8 @@ fn the_feed_of_a_turning_tool_follows_its_speed() {
     let setup = with_tool(&probe, cutter(6.0, 90.0));
     let values = [("K", "4"), ("D", "12"), ("M", "13"), ("S", "2000")];
     let outcome = measured(&setup, &values);
-    let steps = outcome.trace.entries.iter().map(|entry| &entry.step);
+    let entries = outcome.trace.entries.to_vec();
+    let steps = entries.iter().map(|entry| &entry.step);
     let feeds: Vec<f64> = steps
         .filter_map(|step| match step {
             Step::Motion { kind: MotionKind::Measuring, feed, .. } => Some(*feed),

@@ -143,7 +143,8 @@ fn a_part_that_turns_may_meet_the_ball() {
     assert_eq!(outcome, crash);
     assert!((sim.part.distance(Mcs([0.0, -60.0, -10.0])) - 3.0).abs() < 1e-6);
     assert!((sim.control.rotary[2].0 - (53.0_f64 / 60.0).acos().to_degrees()).abs() < 1e-6);
-    let [.., table, last] = &sim.trace.entries[..] else {
+    let entries = sim.trace.entries.to_vec();
+    let [.., table, last] = &entries[..] else {
         panic!("{:?}", sim.trace);
     };
     assert!(matches!(table.step, Step::Table { to, .. } if to == sim.control.rotary[2]));
@@ -163,7 +164,8 @@ fn a_part_that_turns_may_meet_the_stylus() {
     let (sim, outcome) = turned([0.0, -60.0, -120.0]);
     let crash = Message::new("run-crash-stylus");
     assert_eq!(outcome, Err(Stop::Fault(crash)));
-    let [.., last] = &sim.trace.entries[..] else {
+    let entries = sim.trace.entries.to_vec();
+    let [.., last] = &entries[..] else {
         panic!("{:?}", sim.trace);
     };
     assert!(matches!(last.step, Step::Crash { point, .. } if (-100.0..=-70.0).contains(&point[2])));
@@ -186,7 +188,8 @@ fn a_stylus_that_touches_switches_the_probe() {
     let mut sim = under_a_plate(None);
     let latched = sim.probe(Wcs([60.0, 0.0, -20.0]), 150.0).unwrap().unwrap();
     assert!((latched[0] - 18.65).abs() < 1e-9, "{latched:?}");
-    let [.., touch, told] = &sim.trace.entries[..] else {
+    let entries = sim.trace.entries.to_vec();
+    let [.., touch, told] = &entries[..] else {
         panic!("{:?}", sim.trace);
     };
     let Step::Touch { by, normal, point, .. } = touch.step else {
@@ -236,7 +239,8 @@ fn a_body_gives_no_signal() {
     let mut measuring = under_a_plate(Some(body));
     assert_eq!(measuring.probe(Wcs(to), 150.0).map(|_| ()), crash());
     assert!((measuring.position[0] - 1.0).abs() < 1e-6);
-    let [.., last] = &measuring.trace.entries[..] else {
+    let entries = measuring.trace.entries.to_vec();
+    let [.., last] = &entries[..] else {
         panic!("{:?}", measuring.trace);
     };
     assert!(matches!(last.step, Step::Crash { by: Touching::Body, .. }));

@@ -113,7 +113,7 @@ pub fn all(run: &mut Interpreter, plane: &Plane, ways: &[Way]) -> Result<(), Hal
         one(run, plane, way).map_err(Halt::at(way.manner.span))?;
     }
     run.sim.trace.entries.extend(later);
-    run.sim.trace.entries.truncate(run.sim.trace_limit);
+    run.sim.trace.entries.truncate(run.sim.room_for());
     run.sim.line = line;
     Ok(())
 }

@@ -147,7 +147,8 @@ fn probings(values: &[(&'static str, f64)], data: &[(&str, f64)]) -> (Vec<f64>, 
         setup.control.set(*name, *value);
     }
     let sim = measured(&setup, &inputs);
-    let steps = sim.trace.entries.iter().map(|entry| &entry.step);
+    let entries = sim.trace.entries.to_vec();
+    let steps = entries.iter().map(|entry| &entry.step);
     let speeds = steps.clone().filter_map(|step| match step {
         Step::Spin { speed } => Some(*speed),
         _ => None,
@@ -267,7 +268,7 @@ fn the_table_takes_off_the_entry_below() {
     close(&sim, "_OVR[10]", 5.0);
     let (.., sim) = probings(&[], &[("_MT_COMP", 1.0), ("_TP_CF", 1.0)]);
     close(&sim, "_OVR[10]", 5.0);
-    let told = |entry: &crate::machine::trace::Entry| {
+    let told = |entry: crate::machine::trace::Entry| {
         matches!(&entry.step,
         Step::Decision { message } if message.key == "evaluate-compensation-make")
     };

@@ -31,7 +31,7 @@ fn only_what_lies_between_the_limits_is_stored() {
     close(mm(&sim.control, 0), 5.9, "the diameter differs by more");
     let kept = Message::new("evaluate-kept").number("limit", 0.06);
     let kept = kept.text("data", "_WP[0,2], _WP[0,1], _WP[0,4], _WP[0,3]");
-    let told = |entry: &Entry| entry.step == Step::Decision { message: kept.clone() };
+    let told = |entry: Entry| entry.step == Step::Decision { message: kept.clone() };
     assert!(sim.trace.entries.iter().any(told));
     let first = |area: f64| {
         ring(101, |setup, inputs| {
@@ -56,7 +56,7 @@ fn a_violated_safe_area_is_measured_again() {
     });
     assert_eq!(stopped(outcome), 61303);
     assert_eq!(alarms(&sim), [62303; 4]);
-    let touched = |entry: &&Entry| matches!(entry.step, Step::Touch { .. });
+    let touched = |entry: &Entry| matches!(entry.step, Step::Touch { .. });
     assert_eq!(sim.trace.entries.iter().filter(touched).count(), 5);
 }
 
@@ -87,8 +87,8 @@ fn every_result_of_the_entry_is_written_and_no_other() {
             let mut sim = Sim::new(&setup);
             assert_eq!(run(&mut sim, &inputs), Ok(()));
             let mut written: Vec<&str> = Vec::new();
-            for entry in &sim.trace.entries {
-                match &entry.step {
+            for entry in sim.trace.entries.others() {
+                match entry.step {
                     Step::Set { name, .. } if name.starts_with("_OV") => written.push(name),
                     _ => {}
                 }

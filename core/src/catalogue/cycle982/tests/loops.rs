@@ -164,7 +164,8 @@ fn mirrored_positions_count_in_this_cycle_alone() {
     assert!(plain.finished(), "{:?}", plain.alarms());
     let mirrored = in_ordinate("CYCLE982", 2, 1.0);
     let moved = |outcome: &Outcome| -> Vec<Step> {
-        let steps = outcome.trace.entries.iter().map(|entry| &entry.step);
+        let entries = outcome.trace.entries.to_vec();
+        let steps = entries.iter().map(|entry| &entry.step);
         let moved = |step: &&Step| matches!(step, Step::Motion { .. } | Step::Touch { .. });
         steps.filter(moved).cloned().collect()
     };

@@ -242,9 +242,9 @@ fn touched(sim: &Sim, variant: i64, plane: Plane) -> Result<(), TestCaseError> {
 
 /// Names of frame data that a run wrote.
 pub(super) fn written(sim: &Sim) -> Vec<&str> {
-    let steps = sim.trace.entries.iter();
+    let steps = sim.trace.entries.others();
     steps
-        .filter_map(|entry| match &entry.step {
+        .filter_map(|entry| match entry.step {
             Step::Set { name, .. } if name.starts_with('$') => Some(name.as_str()),
             _ => None,
         })
