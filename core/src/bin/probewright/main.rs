@@ -6,6 +6,7 @@ mod cycles;
 mod explain;
 mod file;
 mod help;
+mod jog;
 mod joined;
 mod log;
 mod progress;
@@ -51,6 +52,7 @@ enum Command {
     Write(write::Arguments),
     Read(read::Arguments),
     Run(run::Arguments),
+    Jog(jog::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -97,6 +99,7 @@ fn run_command(command: Command, words: &Words, out: &mut dyn Write) -> Result<E
         Command::Write(asked) => write::write(&asked, words, out),
         Command::Read(asked) => read::read(&asked, words, out),
         Command::Run(asked) => run::run(&asked, words, out),
+        Command::Jog(asked) => jog::jog(&asked, words, out),
     }
 }
 
