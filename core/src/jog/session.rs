@@ -370,7 +370,7 @@ impl Session {
             _ => {}
         }
         let touching = Touching::prepare(sim, false)?;
-        self.stylus = Some(touching.stylus.clone());
+        self.stylus = Some(touching.stylus);
         let [abscissa, ordinate, applicate] = touching.stylus.plane.axes();
         let (axis, sign) = match mask.task {
             Task::Element(element) | Task::Centres(element) => {

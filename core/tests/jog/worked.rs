@@ -329,6 +329,9 @@ fn calibrating_gives_what_was_worked_out() {
     (0..2).for_each(|axis| close(ring.centre[axis], number(&example["expected"]["centre"][axis]), "centre"));
 }
 
+/// A mask, its values, and which touches are its points.
+type Step = (&'static str, &'static [(&'static str, &'static str)], std::ops::Range<usize>);
+
 // oracle: hand (tests/data/jog_examples.json): each step presupposes the one before
 #[test]
 fn a_cascade_finds_the_part_whole() {
@@ -339,7 +342,7 @@ fn a_cascade_finds_the_part_whole() {
     control.activate(1);
     let stylus = Stylus::of(&control, 1, false);
     let told = example["touches"].as_array().unwrap();
-    let steps: [(&str, &[(&str, &str)], std::ops::Range<usize>); 5] = [
+    let steps: [Step; 5] = [
         ("align_plane", &[], 0..3),
         ("align_edge", &[("axis", "Y"), ("ref_axis", "X")], 3..5),
         ("set_edge", &[("axis", "X")], 5..6),

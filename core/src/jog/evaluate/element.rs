@@ -80,7 +80,7 @@ pub fn element(stylus: &Stylus, size: &Size, latched: [Wcs; 4], height: f64) -> 
     }
     let [abscissa, ordinate, _] = stylus.plane.axes();
     let face = |number: usize| {
-        let outward = if number % 2 == 0 { 1.0 } else { -1.0 };
+        let outward = if number.is_multiple_of(2) { 1.0 } else { -1.0 };
         let sign = if size.element.inside { outward } else { -outward };
         stylus.surface(&Touch { at: latched[number], axis: [abscissa, ordinate][number / 2], sign })
     };
