@@ -223,10 +223,7 @@ pub fn length(machine: &mut dyn Machine, offset: f64) -> Result<(), Stop> {
         probe.go(machine, 1, middle[1])?;
         probe.go(machine, 0, middle[0] + side * beside)?;
         let near = machine.control().number("E_MESS_D_L");
-        let feeds = feeds(machine, &probe, rotates);
-        let tip = probe.measure(machine, 2, -1.0, near, feeds)?;
-        machine.spin(0.0);
-        Ok((start, tip))
+        Ok((start, turning(machine, &probe, (2, -1.0), near, rotates)?))
     })?;
     back(machine, &probe, start)?;
     let stored = machine.control().active_length()[probe.axes[2]];
@@ -251,10 +248,7 @@ pub fn radius(machine: &mut dyn Machine, offset: f64) -> Result<(), Stop> {
         probe.go(machine, 1 - place, other)?;
         probe.go(machine, 2, evaluate::tip_height(probe.top(), probe.depth, offset))?;
         let near = machine.control().number("E_MESS_D_R");
-        let feeds = feeds(machine, &probe, true);
-        let at = probe.measure(machine, place, sign, near, feeds)?;
-        machine.spin(0.0);
-        Ok((start, at))
+        Ok((start, turning(machine, &probe, (place, sign), near, true)?))
     })?;
     back(machine, &probe, start)?;
     let stored = probe.radius;
@@ -273,21 +267,38 @@ fn back(machine: &mut dyn Machine, probe: &Probe, start: Wcs) -> Result<(), Stop
     })
 }
 
-/// Feeds of the first and the second touch, mm/min; a rotating spindle turns from now on (B:14262-14268).
-fn feeds(machine: &mut dyn Machine, probe: &Probe, rotates: bool) -> [f64; 2] {
+/// Touches twice, with the spindle standing or rotating; it stands again then.
+fn turning(
+    machine: &mut dyn Machine,
+    probe: &Probe,
+    (place, sign): (usize, f64),
+    near: f64,
+    rotates: bool,
+) -> Result<f64, Stop> {
+    let feeds = feeds(machine, probe, rotates)?;
+    let touched = probe.measure(machine, place, sign, near, feeds);
+    machine.spin(0.0);
+    touched
+}
+
+/// Feeds of the first and the second touch, mm/min; a rotating spindle turns from now on (B:14262-14268). Data that make
+/// no feed are 61350 (A:15892).
+fn feeds(machine: &mut dyn Machine, probe: &Probe, rotates: bool) -> Result<[f64; 2], Stop> {
+    if !rotates || probe.radius <= 0.0 {
+        return Ok([probe.feed; 2]);
+    }
     let control = machine.control();
     let datum = |name: &str| control.number(name);
-    if !rotates || probe.radius <= 0.0 {
-        return [probe.feed; 2];
-    }
     let peripheral = datum("E_MESS_MAX_V") * 1000.0;
     let speed = (peripheral / (TAU * probe.radius)).min(datum("E_MESS_MAX_S"));
-    let slow = (speed * datum("E_MESS_MIN_D")).min(datum("E_MESS_MAX_F"));
-    let fast =
-        (slow * datum("E_MESS_F_FAK1")).clamp(datum("E_MESS_MIN_F"), datum("E_MESS_MAX_F").max(datum("E_MESS_MIN_F")));
-    // against the sense of cutting, as the automatic cycle is set when delivered (B:13503)
-    machine.spin(-speed);
-    [fast, slow]
+    let most = datum("E_MESS_MAX_F");
+    let slow = (speed * datum("E_MESS_MIN_D")).min(most);
+    let fast = (slow * datum("E_MESS_F_FAK1")).max(datum("E_MESS_MIN_F")).min(most);
+    if slow <= 0.0 || fast <= 0.0 {
+        return Err(alarm(61350));
+    }
+    machine.spin(-speed); // M4, as the automatic cycle is set when delivered (B:13503)
+    Ok([fast, slow])
 }
 
 /// Adds a difference to a length or radius of the tool in the spindle: to the geometry, which takes the wear in, or
