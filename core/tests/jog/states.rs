@@ -254,6 +254,54 @@ fn a_mask_comes_back_with_its_last_values() {
     assert_eq!(session.values().word("zo"), "none");
 }
 
+/// Keys of the lines of the activation screen.
+fn lines(session: &Session) -> Vec<String> {
+    let activation = session.activation().unwrap();
+    activation.lines(&session.sim.control).iter().map(|line| line.key.to_string()).collect()
+}
+
+// oracle: manual B:3802-3806, B:3837-3846, B:3889-3901
+#[test]
+fn the_activation_screen_says_why_it_is_there() {
+    let mut session = activating();
+    assert_eq!(lines(&session), ["jog-line-inactive", "jog-line-start"]);
+    session.press(Input::Back).unwrap();
+    // turned about the applicate, and in an offset that is not active
+    session.press(Input::Field("spec_angle", "3")).unwrap();
+    for y in [20.0, 60.0] {
+        stand(&mut session, [-20.0, y, -5.0]);
+        start(&mut session);
+    }
+    session.press(Input::Calculate).unwrap();
+    assert_eq!(lines(&session), ["jog-line-inactive", "jog-line-turned", "jog-line-start"]);
+    assert_eq!(session.activation().unwrap().fields(), ["activate"]);
+    // a plane that leans, in the offset that is active
+    let mut setup = block();
+    setup.control.set("_JM_I[4]", 1.0);
+    setup.workpiece.solids[0].errors.tilt[0] = 2.0;
+    let mut session = Session::new(&setup);
+    open(&mut session, "align_plane", &[]);
+    for [x, y] in [[20.0, 20.0], [80.0, 20.0], [50.0, 60.0]] {
+        stand(&mut session, [x, y, 20.0]);
+        start(&mut session);
+    }
+    session.press(Input::Calculate).unwrap();
+    assert_eq!(lines(&session), ["jog-line-tilted", "jog-line-start"]);
+    // a rotary axis, which no offset turns
+    let session = blocked_table();
+    assert_eq!(lines(&session), ["jog-line-inactive", "jog-line-rotary", "jog-line-start"]);
+    assert_eq!(session.activation().unwrap().fields(), ["activate", "position_axis"]);
+    // an offset that is active and was only moved needs none (B:3796)
+    let mut setup = block();
+    setup.control.set("_JM_I[4]", 1.0);
+    let mut session = Session::new(&setup);
+    open(&mut session, "set_edge", &[("x0", "5")]);
+    stand(&mut session, [-20.0, 20.0, -5.0]);
+    start(&mut session);
+    assert!(session.activation().is_none());
+    assert_eq!(session.sim.control.active.coarse[0], -5.0);
+}
+
 // oracle: self: no two rows of one state and key stand behind one that always counts
 #[test]
 fn no_row_is_hidden_by_another() {

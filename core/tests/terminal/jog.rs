@@ -43,6 +43,24 @@ fn a_session_prints_points_results_and_offsets() {
     assert!(told.ends_with("Active: G54\nThe mask Set edge is open.\n"), "{told}");
 }
 
+// oracle: hand (docs/setup.example.json: a hole of 132.03 mm at X 180, Y 130, its upper face at Z 30)
+#[test]
+fn the_example_in_docs_sets_the_hole() {
+    let docs = format!("{}/../docs", env!("CARGO_MANIFEST_DIR"));
+    let output =
+        probewright(&["jog", &format!("{docs}/jog.example.jog"), "--setup", &format!("{docs}/setup.example.json")]);
+    let told = out(&output);
+    assert!(output.status.success(), "{told}{}", err(&output));
+    for text in [
+        "Measured diameter = 132.03 mm",
+        "$P_UIFR[1,X,TR]: 0 -> 180",
+        "$P_UIFR[1,Y,TR]: 0 -> 130",
+        "$P_UIFR[1,Z,TR]: 0 -> 30",
+    ] {
+        assert!(told.contains(text), "{text}: {told}");
+    }
+}
+
 // oracle: hand: the part that chance moved is found where it is, its angle in the plane to its tilt
 #[test]
 fn chance_puts_the_part_and_tells_where() {
