@@ -3,7 +3,8 @@
 //! PROBEWRIGHT_SEED=7 others.
 
 use super::near;
-use probewright_core::control::{Frame, Plane, Store};
+use nalgebra::{Matrix3, Rotation3};
+use probewright_core::control::{AXES, Frame, Plane, Store};
 use probewright_core::dialect::Dialect;
 use probewright_core::geometry::{Degrees, Mcs, Rpy, V3, rigid};
 use probewright_core::jog::{Input, Session, State};
@@ -15,6 +16,19 @@ const CASES: u64 = 3;
 
 fn environment(name: &str, otherwise: u64) -> u64 {
     std::env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(otherwise)
+}
+
+/// X Y Z of abscissa, ordinate and applicate.
+fn at(plane: Plane, place: [f64; 3]) -> [f64; 3] {
+    let mut at = [0.0; 3];
+    plane.axes().into_iter().zip(place).for_each(|(axis, value)| at[axis] = value);
+    at
+}
+
+/// How a part lies whose X Y Z are abscissa, ordinate and applicate.
+fn lies(plane: Plane) -> Rotation3<f64> {
+    let columns = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|unit| V3::from(at(plane, unit)));
+    Rotation3::from_matrix_unchecked(Matrix3::from_columns(&columns))
 }
 
 /// A number between minus and plus so much.
@@ -89,7 +103,7 @@ fn cases() -> Vec<Case> {
         ..case(mask, values)
     };
     vec![
-        Case { starts: at(&[0]), wanted: edge, ..case("set_edge", &[("x0", "12.5")]) },
+        Case { starts: at(&[0]), wanted: edge, ..case("set_edge", &[("x0", "12.5"), ("axis", "X")]) },
         Case { starts: at(&[3]), wanted: edge, ..case("set_edge", &[("x0", "12.5"), ("axis", "Y")]) },
         Case {
             starts: at(&[5]),
@@ -108,7 +122,11 @@ fn cases() -> Vec<Case> {
             turns: true,
             ..case("align_edge", &[("axis", "X"), ("ref_axis", "Y"), ("spec_angle", "-0.5")])
         },
-        Case { starts: at(&[0, 2]), wanted: edge, ..case("distance", &[("x0", "12.5"), ("direction_2", "-")]) },
+        Case {
+            starts: at(&[0, 2]),
+            wanted: edge,
+            ..case("distance", &[("x0", "12.5"), ("axis", "X"), ("direction_2", "-")])
+        },
         corners("corner_right", &[("x0", "3"), ("y0", "-2")], &[3, 4, 0]),
         corners("corner_any", &[("x0", "3"), ("y0", "-2")], &[3, 4, 0, 1]),
         element("pocket_rect", &[("l", "60"), ("w", "44"), ("x0", "3"), ("y0", "-2")], POCKET, -10.0, round),
@@ -171,21 +189,24 @@ const TARGETS: [(&str, f64); 5] = [("G54", 1.0), ("G54", 0.0), ("G505", 2.0), ("
 const RING: ([f64; 3], f64) = ([-600.0, -600.0, 0.0], 50.0);
 
 /// A machine whose frames turn, a probe with errors that was calibrated in JOG.
-fn machine(noise: &mut Noise, measuring: f64) -> Setup {
-    let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+fn machine(noise: &mut Noise, measuring: f64, plane: Plane) -> Setup {
+    let mut setup = Setup::calibrated(Dialect::Sinumerik, plane);
+    setup.control.set("_JM_I[3]", 17.0 + plane as usize as f64);
     setup.probe.skew = [spread(noise, 0.05), spread(noise, 0.05)];
     setup.probe.pre_travel.0 = 0.01 * noise.uniform();
     setup.probe.length += spread(noise, 0.3);
     setup.probe.stylus = Some(0.0); // planes lean, and a straight one would meet them above the ball
-    let (at, diameter) = RING;
-    setup.workpiece.solids.push(Solid::new(Shape::Hole { diameter, depth: 30.0 }, Mcs(at)));
+    let (place, diameter) = RING;
+    let mut ring = Solid::new(Shape::Hole { diameter, depth: 30.0 }, Mcs(at(plane, place)));
+    ring.rotation = rigid::angles(&lies(plane));
+    setup.workpiece.solids.push(ring);
     let mut session = Session::new(&setup);
     calibrate(&mut session);
     setup.control = session.sim.control;
     let mut frame = |turn: f64| {
         let mut three = |most: f64| -> [f64; 3] { std::array::from_fn(|_| spread(noise, most)) };
         let (coarse, fine, [turn, ..]) = (three(20.0), three(0.1), three(turn));
-        Frame { coarse, fine, rotation: Rpy([0.0, 0.0, turn]), ..Frame::default() }
+        Frame { coarse, fine, rotation: Rpy::about(plane.axes()[2], Degrees(turn)), ..Frame::default() }
     };
     let control = &mut setup.control;
     control.set("_JM_I[5]", 1.0);
@@ -208,7 +229,7 @@ fn calibrate(session: &mut Session) {
     ] {
         session.press(Input::Function(mask)).unwrap();
         session.press(Input::Field(name, &value.to_string())).unwrap();
-        session.sim.position = Mcs(at);
+        session.sim.position = Mcs(self::at(session.sim.control.plane, at));
         session.carry_out(Input::Start).unwrap();
         assert_eq!(session.state(), State::Mask, "{mask}: {:?}", session.stopped());
         session.press(Input::Back).unwrap();
@@ -233,9 +254,10 @@ fn measure(session: &mut Session, starts: &[Mcs], what: &str) {
 
 fn closed(case: &Case, seed: u64) {
     let (zo, measuring) = TARGETS[(seed % TARGETS.len() as u64) as usize];
-    let what = format!("{} {zo} {measuring} {seed}", case.mask);
+    let plane = Plane::ALL[(seed / TARGETS.len() as u64 % 3) as usize];
+    let what = format!("{} {plane:?} {zo} {measuring} {seed}", case.mask);
     let mut noise = Noise::new(seed);
-    let mut setup = machine(&mut noise, measuring);
+    let mut setup = machine(&mut noise, measuring, plane);
     if !case.turns {
         // a leaning wall is met elsewhere in another direction: the frame that is corrected is turned as the other
         let control = &mut setup.control;
@@ -243,21 +265,29 @@ fn closed(case: &Case, seed: u64) {
         control.frames.values_mut().for_each(|frame| frame.rotation = rotation);
         control.activate(measuring as usize);
     }
-    // the part lies about as the WCS in which it is measured, or as the one that is corrected
+    // every third WCS has its abscissa the other way round, and all of the part with it
+    let mirrored = seed % 3 == 0;
+    if mirrored {
+        let [abscissa, ..] = plane.axes();
+        setup.control.frames.values_mut().for_each(|frame| frame.mirror[abscissa] = true);
+        setup.control.activate(measuring as usize);
+    }
+    let seen = |[x, y, z]: [f64; 3]| V3::new(if mirrored { -x } else { x }, y, z);
+    // the part lies about as the WCS in which it is measured
     let wcs = setup.control.total_frame().unwrap();
-    let turn = rigid::rotation(wcs.rotation);
+    let turn = rigid::rotation(wcs.rotation) * lies(plane);
     let tilt = if case.mask == "align_plane" { 2.0 } else { 0.0 };
     let lean = rigid::rotation(Rpy([spread(&mut noise, tilt), spread(&mut noise, tilt), spread(&mut noise, 2.0)]));
     let origin = V3::new(spread(&mut noise, 50.0), spread(&mut noise, 50.0), spread(&mut noise, 5.0));
     let size = spread(&mut noise, 0.3);
     let solids = case.solids.iter().map(|(shape, at)| {
-        let mut solid = Solid::new(shape.clone(), (origin + turn * (lean * V3::from(*at))).into());
+        let mut solid = Solid::new(shape.clone(), (origin + turn * (lean * seen(*at))).into());
         solid.rotation = rigid::angles(&(turn * lean));
         solid.errors.size = size;
         solid
     });
     setup.workpiece.solids = solids.collect();
-    let starts: Vec<Mcs> = case.starts.iter().map(|at| (origin + turn * (lean * V3::from(*at))).into()).collect();
+    let starts: Vec<Mcs> = case.starts.iter().map(|at| (origin + turn * (lean * seen(*at))).into()).collect();
     let mut session = Session::new(&setup);
     session.press(Input::Function(case.mask)).unwrap();
     let again = case.mask.starts_with("holes") || case.mask.starts_with("spigots");
@@ -266,6 +296,9 @@ fn closed(case: &Case, seed: u64) {
         if name == "angle_offset" && case.mask.ends_with('2') {
             continue;
         }
+        // the axes of the cases are those of G17
+        let axis = ["axis", "ref_axis"].contains(&name).then(|| AXES.iter().position(|axis| *axis == value)).flatten();
+        let value = axis.map_or(value, |axis| AXES[plane.axes()[axis]]);
         session.press(Input::Field(name, value)).unwrap_or_else(|why| panic!("{what} {name}: {why:?}"));
     }
     let before = session.sim.control.clone();
@@ -298,7 +331,7 @@ fn measured_again_everything_has_its_set_position() {
 fn calibrating_finds_the_probe_as_it_is() {
     for seed in 0..4 {
         let mut noise = Noise::new(seed);
-        let mut setup = machine(&mut noise, 0.0);
+        let mut setup = machine(&mut noise, 0.0, Plane::ALL[seed as usize % 3]);
         let control = &setup.control;
         let of = |place: usize| control.number(&format!("_WP[0,{place}]"));
         let triggers = [(1, 2, 7), (3, 4, 8)].map(|(minus, plus, skew)| [of(minus) + of(skew), of(plus) + of(skew)]);
