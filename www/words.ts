@@ -10,10 +10,10 @@ const FALLBACK = "en"; // comes with the page, in two parts; another language co
 // running, alarms and machine data say, and the words of other cycles than that of the first visit. The page's own
 // words stand from the start.
 const LATER_WORDS = /^([a-z0-9-]+-(help|hint|words)|result-[a-z0-9-]+) =/;
-const LATER_FILES =
-  "advice alarms changes datum digitizing equipment evaluate lathe lists logging nct run setup syntax tool-probe twin"
-    .split(" ")
-    .map(name => `${name}.ftl`);
+const LATER_FILES = [
+  ..."advice alarms changes datum digitizing equipment evaluate jog".split(" "),
+  ..."lathe lists logging nct run setup syntax tool-probe twin".split(" "),
+].map(name => `${name}.ftl`);
 const OF_CYCLE = /^cycle\d+\.ftl$/;
 const TERMINAL = "report.ftl"; // never shown in the page
 

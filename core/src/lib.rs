@@ -83,6 +83,7 @@ pub mod entry;
 pub mod evaluate;
 pub mod form;
 pub mod geometry;
+pub mod jog;
 #[cfg(feature = "json")]
 pub mod json;
 pub mod machine;

@@ -24,22 +24,21 @@ pub struct Change {
 
 /// Tools, frames and memories before and after.
 pub(super) fn changes(outcome: &run::Outcome) -> Vec<Change> {
-    let basic = outcome.control.basic_units;
-    let change = |change: run::outcome::Change| {
-        let (factor, unit) = match is_angle(&change.name) {
+    let changes = outcome.changes().into_iter();
+    changes.map(|one| Change::of(&outcome.control, one.name, one.before, one.after)).collect()
+}
+
+impl Change {
+    /// What changed of a control, lengths given in mm.
+    pub(super) fn of(control: &Control, name: String, before: f64, after: f64) -> Change {
+        let basic = control.basic_units;
+        let (factor, unit) = match is_angle(&name) {
             true => (1.0, "deg"),
-            false if is_factor(&change.name) => (1.0, ""),
+            false if is_factor(&name) => (1.0, ""),
             false => (basic.factor(), basic.name()),
         };
-        Change {
-            label: label(&outcome.control, &change.name),
-            before: change.before / factor,
-            after: change.after / factor,
-            unit,
-            name: change.name,
-        }
-    };
-    outcome.changes().into_iter().map(change).collect()
+        Change { label: label(control, &name), before: before / factor, after: after / factor, unit, name }
+    }
 }
 
 /// Whether a name is a scale factor or a mirror of a frame.

@@ -12,6 +12,7 @@ mod equip;
 mod finding;
 mod form;
 mod help;
+mod jog;
 mod machine;
 mod outcome;
 mod places;
@@ -41,6 +42,7 @@ pub use equip::{CellText, EquipRequest, EquipView, EquipmentChange, EquipmentRow
 pub use finding::{Cure, Edit, Finding, findings};
 pub use form::{FormRequest, FormView, form};
 pub use help::{HelpRequest, HelpResult, HelpSection, HelpText, HelpView, help};
+pub use jog::{JogLine, JogPoint, JogResult, JogView, JogWrong, jog};
 pub use machine::{MachineField, MachineGroup, MachineProblem, MachineRequest, MachineView, machine};
 pub use outcome::{Measured, Outcome, Raised};
 pub use predict::{ErrorLimit, ErrorSliders, PartSliders, ProbeSliders};

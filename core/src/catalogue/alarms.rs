@@ -57,7 +57,7 @@ const JOG: &[&str] = &["E_MT_CAL", "E_MT_RAD", "E_MT_LEN"];
 /// All of them, SINUMERIK by number, then NCT.
 pub static ALARMS: &[Alarm] = &[
     alarm(61016, Run, NONE, "A:15840"),
-    alarm(61230, Nowhere, JOG, "A:15841"),
+    alarm(61230, Run, JOG, "A:15841"),
     alarm(61301, Run, NONE, "A:15842"),
     alarm(61302, Both, NONE, "A:15843"),
     alarm(61303, Both, NONE, "A:15844"),

@@ -55,19 +55,19 @@ pub static MESSAGES: &[OperatorMessage] = &[
             "B:12574;A:13773",
         ))
     },
-    jog(
+    raised(jog(
         "You have corrected in an inactive WO! / You have applied an offset in a non-active ZO!",
         "message-inactive-offset",
         "B:3837;B:3856;A:4457",
-    ),
-    jog("Activate this work offset? Yes", "message-activate-offset", "B:3838-3839"),
-    jog(
+    )),
+    raised(jog("Activate this work offset? Yes", "message-activate-offset", "B:3838-3839")),
+    raised(jog(
         "The work is rotated round the tool axis! Please note when traversing in work! / The WCS is about the ...",
         "message-rotated",
         "B:3840-3843;B:3860",
-    ),
-    waiting(jog("Please press NC start to activate!", "message-press-start", "B:3864;B:3901")),
-    jog("The new WCS has new orientation!", "message-new-orientation", "B:3895;A:4493"),
+    )),
+    raised(waiting(jog("Please press NC start to activate!", "message-press-start", "B:3864;B:3901"))),
+    raised(jog("The new WCS has new orientation!", "message-new-orientation", "B:3895;A:4493")),
     jog("Set probe perpendicular to plane?", "message-perpendicular", "B:3882"),
     jog("Alignment made by swivelling! Retract: Z", "message-aligned", "B:3882-3883"),
     jog("Measuring 4th measuring point exited", "message-fourth-exited", "B:3761-3762"),
@@ -80,6 +80,11 @@ const fn jog(text: &'static str, key: &'static str, source: &'static str) -> Ope
 
 const fn shown(text: &'static str, key: &'static str, sender: Sender, source: &'static str) -> OperatorMessage {
     OperatorMessage { text, key, waits: false, found: Found::Nowhere, sender, source }
+}
+
+/// One that the session of measuring in JOG shows.
+const fn raised(message: OperatorMessage) -> OperatorMessage {
+    OperatorMessage { found: Found::Run, ..message }
 }
 
 const fn waiting(message: OperatorMessage) -> OperatorMessage {

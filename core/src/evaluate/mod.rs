@@ -1,6 +1,7 @@
 //! From measured values to decisions and corrections. Knows the control's data, but no cycle.
 
 pub mod knum;
+pub mod level;
 pub mod mean;
 pub mod position;
 pub mod spread;

@@ -5,6 +5,7 @@
 mod explained;
 mod files;
 mod help;
+mod jog;
 mod programs;
 mod wrong_use;
 

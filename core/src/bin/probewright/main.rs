@@ -7,6 +7,7 @@ mod document;
 mod explain;
 mod file;
 mod help;
+mod jog;
 mod joined;
 mod log;
 mod progress;
@@ -52,6 +53,7 @@ enum Command {
     Write(write::Arguments),
     Read(read::Arguments),
     Run(run::Arguments),
+    Jog(jog::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -98,6 +100,7 @@ fn run_command(command: Command, words: &Words, out: &mut dyn Write) -> Result<E
         Command::Write(asked) => write::write(&asked, words, out),
         Command::Read(asked) => read::read(&asked, words, out),
         Command::Run(asked) => run::run(&asked, words, out),
+        Command::Jog(asked) => jog::jog(&asked, words, out),
     }
 }
 

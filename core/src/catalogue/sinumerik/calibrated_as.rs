@@ -5,35 +5,56 @@
 use crate::catalogue::common::MONO;
 use crate::catalogue::prelude::*;
 
+/// How a probe is used.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Used {
+    /// Number of its data field, from 1.
+    pub field: i64,
+    /// Whether it is a mono probe.
+    pub mono: bool,
+    /// Whether `_CBIT[14]` counts: the switch is of the milling cycles (B:13561, B:13650).
+    pub milling: bool,
+}
+
+impl Used {
+    /// As a call uses it.
+    fn by(inputs: &Inputs) -> Used {
+        Used {
+            field: inputs.integer(names::PRNUM) % 100,
+            mono: MONO.holds(inputs),
+            milling: inputs.cycle.purpose.machine != MachineSort::Turning,
+        }
+    }
+
+    /// The data in which is noted how it was calibrated, and the codes of its use.
+    pub fn noted(self, control: &Control) -> [(String, f64); 2] {
+        let plane = match control.plane {
+            Plane::G17 => 17.0,
+            Plane::G18 => 18.0,
+            Plane::G19 => 19.0,
+        };
+        let reference = if self.milling && control.bit("_CBIT[14]") { 2.0 } else { 1.0 };
+        let datum = |place: usize| format!("_WP[{},{place}]", self.field - 1);
+        [(datum(9), plane + if self.mono { 100.0 } else { 0.0 }), (datum(10), reference)]
+    }
+
+    /// Whether plane, type of probe or reference of the length differ from what was noted at calibration.
+    pub fn differs(self, control: &Control) -> bool {
+        let mut known = self.noted(control).into_iter().map(|(name, code)| (control.number(&name), code));
+        known.any(|(noted, code)| noted != 0.0 && noted != code)
+    }
+}
+
 /// Notes in the data field of the probe how a call calibrates it.
 pub fn note(machine: &mut dyn Machine, inputs: &Inputs) {
-    for (name, code) in fields(inputs).into_iter().zip(codes(machine.control(), inputs)) {
+    for (name, code) in Used::by(inputs).noted(machine.control()) {
         results::set(machine, &name, code);
     }
 }
 
-/// Whether plane, type of probe or reference of the length differ from what was noted at calibration.
+/// Whether a call uses the probe otherwise than it was calibrated, where that is watched (`_CBIT[16]`).
 pub fn differs(control: &Control, inputs: &Inputs) -> bool {
-    let noted = fields(inputs).map(|name| control.number(&name));
-    control.bit("_CBIT[16]")
-        && noted.into_iter().zip(codes(control, inputs)).any(|(noted, code)| noted != 0.0 && noted != code)
-}
-
-fn fields(inputs: &Inputs) -> [String; 2] {
-    let probe = inputs.integer(names::PRNUM) % 100 - 1;
-    [9, 10].map(|field| format!("_WP[{probe},{field}]"))
-}
-
-fn codes(control: &Control, inputs: &Inputs) -> [f64; 2] {
-    let plane = match control.plane {
-        Plane::G17 => 17.0,
-        Plane::G18 => 18.0,
-        Plane::G19 => 19.0,
-    };
-    // the switch is of the milling cycles (B:13561, B:13650)
-    let milling = inputs.cycle.purpose.machine != MachineSort::Turning;
-    let reference = if milling && control.bit("_CBIT[14]") { 2.0 } else { 1.0 };
-    [plane + if MONO.holds(inputs) { 100.0 } else { 0.0 }, reference]
+    control.bit("_CBIT[16]") && Used::by(inputs).differs(control)
 }
 
 #[cfg(test)]

@@ -7,6 +7,7 @@ mod positioning;
 mod prepare;
 mod ray;
 
+pub use prepare::follow;
 pub use ray::Ray;
 
 use crate::catalogue::prelude::*;

@@ -5,7 +5,7 @@
 mod tests;
 mod turn;
 
-pub use turn::{moved, placed, rotary, rotation, seen, seen_turn, turned};
+pub use turn::{levelled, moved, placed, rotary, rotation, seen, seen_turn, turned};
 
 use super::knum::ZeroCode;
 use super::{Write, knum};

@@ -131,7 +131,7 @@ fn a_table_stands_right_in_the_corrected_basic_frame_with_g500() {
     control.activate(1);
     let stood = control.rotary_to_machine(2, Degrees(5.0)).0;
     let target = target(&control, 1000).unwrap().unwrap();
-    let writes = rotary(&control, &target, 2, Degrees(0.25));
+    let writes = rotary(&control, &target, 2, Degrees(0.25), false);
     write_all(&mut control, &writes);
     control.activate(0);
     assert!((control.rotary_to_machine(2, Degrees(5.0)).0 - stood - 0.25).abs() < 1e-12);

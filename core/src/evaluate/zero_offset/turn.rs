@@ -2,8 +2,8 @@
 
 use super::{Measured, SAME, Store, Target, around, coarse, missing, part};
 use crate::control::{AXES, Control, Frame, ROTARY};
-use crate::evaluate::Write;
-use crate::geometry::{Degrees, Rpy, rigid};
+use crate::evaluate::{Write, level};
+use crate::geometry::{Degrees, Rpy, V3, rigid};
 use nalgebra::{IsometryMatrix3, Matrix3, Rotation3, Vector3};
 
 /// A direction of the present WCS as it is seen when the frame to be corrected is active as it is stored.
@@ -22,7 +22,25 @@ pub fn rotation(control: &Control, target: &Target, turn: &Rotation3<f64>) -> Rp
     let (_, old, after) = around(control, target);
     let inner = of(&[Frame { rotation: Rpy::default(), ..old }]) * of(&after);
     let outward = Rotation3::from_matrix_unchecked(inner * turn.matrix() * inner.transpose());
-    let angles = rigid::angles(&(rigid::rotation(old.rotation) * outward));
+    changed(&old, &(rigid::rotation(old.rotation) * outward))
+}
+
+/// Rotation of the frame to correct after which a surface with the normal `seen`, which [`seen`] gives, has the normal
+/// `wanted`: turned about abscissa and ordinate, about the applicate as the frame is ([`level`]).
+pub fn levelled(control: &Control, target: &Target, wanted: [f64; 3], seen: [f64; 3]) -> Rpy {
+    let (_, old, after) = around(control, target);
+    let inner = of(&[Frame { rotation: Rpy::default(), ..old }]) * of(&after);
+    let before = rigid::rotation(old.rotation);
+    let [.., applicate] = control.plane.axes();
+    let heading = rigid::rotation(Rpy::about(applicate, level::heading(control.plane, &before)));
+    let [wanted, seen]: [V3; 2] = [wanted, seen].map(|normal| inner * V3::from(normal));
+    let tilt = level::tilt(control.plane, &wanted, &(heading.inverse() * (before * seen)));
+    changed(&old, &(heading * rigid::rotation(tilt)))
+}
+
+/// Angles of a rotation; where one is that of the frame but for rounding, it is.
+fn changed(old: &Frame, rotation: &Rotation3<f64>) -> Rpy {
+    let angles = rigid::angles(rotation);
     Rpy(std::array::from_fn(|axis| {
         if (angles[axis] - old.rotation[axis]).abs() < SAME { old.rotation[axis] } else { angles[axis] }
     }))
@@ -45,8 +63,9 @@ pub fn placed(control: &Control, target: &Target, rotation: Rpy, measured: &Meas
 }
 
 /// What writes an angle to the translation of a rotary axis, in addition to what is in effect (B:7410-7411):
-/// into the fine part with MD18600 = 1, else into the coarse part (B:1990-2003).
-pub fn rotary(control: &Control, target: &Target, axis: usize, angle: Degrees) -> Vec<Write> {
+/// into the fine part with MD18600 = 1, else, and of a `whole` correction, into the coarse part, which takes the fine
+/// one in (B:1990-2003).
+pub fn rotary(control: &Control, target: &Target, axis: usize, angle: Degrees, whole: bool) -> Vec<Write> {
     let (_, stored, _) = around(control, target);
     let settable = (Store::Settable(control.settable), &control.active);
     let mut in_effect = control.basic_in_effect().chain([settable]);
@@ -59,7 +78,7 @@ pub fn rotary(control: &Control, target: &Target, axis: usize, angle: Degrees) -
     };
     let (coarse, fine) = (effective.rotary[axis], effective.rotary_fine[axis]);
     let angle = angle + given_up(control, target, axis);
-    if target.store != Store::System && control.number("MD18600") != 0.0 {
+    if !whole && target.store != Store::System && control.number("MD18600") != 0.0 {
         return rotary_part("FI", fine + angle, stored.rotary_fine);
     }
     let mut writes = rotary_part("TR", coarse + fine + angle, stored.rotary);

@@ -128,9 +128,12 @@ fn speeds(control: &Control, monitored: bool) -> Result<(f64, f64), u32> {
 /// only about it, give 270 degree (with `_CHBIT[14]` 90) of the spindle (B:13973-13987). What frames mirror is not
 /// turned: the data of the probe take the other direction there.
 fn follow_rotation(control: &Control, inputs: &Inputs) -> Option<Degrees> {
-    if turning(inputs) || !control.bit("_CHBIT[13]") || MONO.holds(inputs) {
-        return None;
-    }
+    let asked = control.bit("_CHBIT[13]") && !turning(inputs) && !MONO.holds(inputs);
+    if asked { follow(control) } else { None }
+}
+
+/// Position of a spindle that follows the rotation of the WCS about the applicate; none where it turns otherwise too.
+pub fn follow(control: &Control) -> Option<Degrees> {
     let [abscissa, _, applicate] = control.plane.axes();
     let mut along = [0.0; 3];
     along[applicate] = 1.0;

@@ -1,0 +1,267 @@
+//! A session of measuring in JOG, carried out from a script: what each line did.
+
+use super::changes::Change;
+use super::outcome::Raised;
+use crate::control::{AXES, Control, Value, gud};
+use crate::dialect::Dialect;
+use crate::geometry::Mcs;
+use crate::jog::chance::{self, Truth};
+use crate::jog::script::{Command, Line, Way, Wrong, read};
+use crate::jog::values::Values;
+use crate::jog::{Input, Point, Session, State};
+use crate::machine::{Machine, MotionKind, Setup, Step};
+use crate::message::Message;
+use crate::workpiece::Touching;
+use serde::Serialize;
+
+/// What a script did.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct JogView {
+    /// Its lines, as far as they were carried out.
+    pub lines: Vec<JogLine>,
+    /// How the part was put, where chance put it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub truth: Option<Truth>,
+    /// The machine, as the setup file has it, when all is done.
+    pub setup: Setup,
+}
+
+/// What a line did.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct JogLine {
+    /// Number, from 1.
+    pub line: u32,
+    /// As it is written.
+    pub text: String,
+    /// What is on the screen then.
+    pub state: State,
+    /// The mask that is open.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mask: Option<Message>,
+    /// Letters of abscissa and ordinate, in which centres count.
+    pub plane: [&'static str; 2],
+    /// Why it did nothing.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub refused: Option<Message>,
+    /// The alarm that it raised, or what was hit.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub raised: Option<Raised>,
+    /// What the user should know of a touch: the stylus touched instead of the ball.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub notes: Vec<Message>,
+    /// Position in the WCS then, mm.
+    pub position: [f64; 3],
+    /// Name of the zero offset that is active then.
+    pub offset: String,
+    /// Points that it stored.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub points: Vec<JogPoint>,
+    /// Results that it brought to the screen.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub results: Vec<JogResult>,
+    /// What it wrote.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub changes: Vec<Change>,
+    /// Lines of the activation screen, where it came up.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub screen: Vec<Message>,
+    /// Values of the mask, or of the activation screen.
+    pub values: Values,
+    /// Bits 0 to 7 of the PLC.
+    pub plc: [bool; 8],
+}
+
+/// A point that was stored.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct JogPoint {
+    /// `P1`.
+    pub name: String,
+    /// Position at switching in the WCS of the measurement, mm, where it is a touch.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub touch: Option<[f64; 3]>,
+    /// Centre in abscissa and ordinate, mm, where it is an element.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub centre: Option<[f64; 2]>,
+}
+
+/// A result.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct JogResult {
+    /// `meas_x0`.
+    pub name: &'static str,
+    /// As the mask shows it.
+    pub label: Message,
+    /// Value, mm or degree.
+    pub value: f64,
+    /// `mm` or `deg`.
+    pub unit: &'static str,
+}
+
+/// Why a script is not carried out.
+#[derive(Clone, Debug, PartialEq)]
+pub enum JogWrong {
+    /// A line cannot be read.
+    Line(Wrong),
+    /// The machine has no measuring in JOG.
+    Machine(Message),
+}
+
+/// Carries out a script on a machine; with a seed the part lies as chance puts it. It ends behind an alarm or a
+/// collision that the script does not acknowledge, and at a line that is refused.
+///
+/// # Errors
+/// A line that cannot be read, or a machine that does not measure in JOG.
+pub fn jog(script: &str, setup: &Setup, seed: Option<u64>) -> Result<JogView, JogWrong> {
+    let lines = read(script).map_err(JogWrong::Line)?;
+    if setup.control.dialect != Dialect::Sinumerik {
+        return Err(JogWrong::Machine(Message::new("jog-no-jog")));
+    }
+    let mut setup = setup.clone();
+    let truth = seed.map(|seed| chance::put(&mut setup, seed));
+    let mut session = Session::new(&setup);
+    let mut done = Vec::new();
+    for line in &lines {
+        let told = carry_out(&mut session, line);
+        let ends = told.refused.is_some();
+        done.push(told);
+        if ends {
+            break;
+        }
+    }
+    setup.control = session.sim.control.clone();
+    setup.position = session.sim.position;
+    Ok(JogView { lines: done, truth, setup })
+}
+
+fn carry_out(session: &mut Session, line: &Line) -> JogLine {
+    let before = session.sim.trace.entries.len();
+    let points = session.points().to_vec();
+    let shown = session.outcome().results.clone();
+    let screen = session.activation().is_some();
+    let stop = session.stopped().cloned();
+    let refused = act(session, &line.command).err();
+    let control = &session.sim.control;
+    let steps: Vec<Step> = session.sim.trace.entries.behind(before).map(|entry| entry.step).collect();
+    let activation = session.activation();
+    let [abscissa, ordinate, _] = control.plane.axes();
+    JogLine {
+        line: line.number,
+        text: line.text.clone(),
+        state: session.state(),
+        mask: session.mask().map(|mask| Message::new(format!("jog-mask-{}", mask.name.replace('_', "-")))),
+        plane: [abscissa, ordinate].map(|axis| AXES[axis]),
+        refused,
+        raised: session.stopped().filter(|now| stop.as_ref() != Some(now)).map(Raised::stop),
+        notes: steps.iter().filter_map(note).collect(),
+        position: session.sim.position().0,
+        offset: control.make().settable_name(control.settable),
+        points: stored(&points, session.points()),
+        results: if session.outcome().results == shown { Vec::new() } else { results(session) },
+        changes: steps.iter().filter_map(|step| changed(control, step)).collect(),
+        screen: activation.filter(|_| !screen).map_or(Vec::new(), |activation| activation.lines(control)),
+        values: activation.map_or(session.values(), |activation| &activation.values).clone(),
+        plc: session.plc(),
+    }
+}
+
+/// What a step tells the user beside results.
+fn note(step: &Step) -> Option<Message> {
+    match step {
+        Step::Decision { message } => Some(message.clone()),
+        Step::Crash { by: Touching::Body, .. } => Some(Message::new("run-crash-body")),
+        _ => None,
+    }
+}
+
+fn changed(control: &Control, step: &Step) -> Option<Change> {
+    let Step::Set { name, before, after } = step else { return None };
+    // user data stand in the unit of the machine, tools and frames in mm
+    let factor = if gud::named(name).is_some() { control.basic_factor() } else { 1.0 };
+    Some(Change::of(control, name.clone(), before * factor, after * factor)).filter(|_| before != after)
+}
+
+/// Points that are there now and were not before.
+fn stored(before: &[Option<Point>], now: &[Option<Point>]) -> Vec<JogPoint> {
+    let new = now.iter().enumerate().filter(|(number, _)| before.get(*number).copied().flatten().is_none());
+    new.filter_map(|(number, point)| {
+        let name = format!("P{}", number + 1);
+        Some(match point.as_ref()? {
+            Point::Touch(touch) => JogPoint { name, touch: Some(touch.at.0), centre: None },
+            Point::Element(found) => JogPoint { name, touch: None, centre: Some(found.centre) },
+        })
+    })
+    .collect()
+}
+
+fn results(session: &Session) -> Vec<JogResult> {
+    let results = session.outcome().results.iter();
+    let angle = |name: &str| ["alpha", "beta"].contains(&name);
+    results
+        .map(|(name, value)| JogResult {
+            name,
+            label: session.label("result", name),
+            value: *value,
+            unit: if angle(name) { "deg" } else { "mm" },
+        })
+        .collect()
+}
+
+/// Carries out a command; an error says why it does nothing.
+fn act(session: &mut Session, command: &Command) -> Result<(), Message> {
+    match command {
+        Command::Mask(name) => {
+            if matches!(session.state(), State::Mask | State::Ready) {
+                session.press(Input::Back)?;
+            }
+            session.press(Input::Function(name))
+        }
+        Command::Field(name, text) => session.press(Input::Field(name, text)),
+        Command::Move(axes, way) => travel(session, axes, *way),
+        Command::Start(false) => session.carry_out(Input::Start),
+        Command::Start(true) => {
+            session.press(Input::Start)?;
+            session.press(Input::Reset)
+        }
+        Command::Reset => session.press(Input::Reset),
+        Command::Reject(number) => session.press(Input::Point(*number)),
+        Command::Plc(number, set) => session.press(Input::Plc(*number, *set)),
+        Command::Calculate => session.press(Input::Calculate),
+        Command::Activate if session.state() != State::Activate => Err(Message::new("jog-nothing-to-activate")),
+        Command::Activate => session.carry_out(Input::Start),
+        Command::Back => session.press(Input::Back),
+        Command::Mode => session.press(Input::Mode),
+        Command::Tool(tool, edge) => session.take_tool(*tool, *edge),
+        Command::Set(name, value) => set(session, name, *value),
+    }
+}
+
+/// Moves the axes one after the other. Nobody watches: what is hit stops the machine, and is told.
+fn travel(session: &mut Session, axes: &[(usize, f64)], way: Way) -> Result<(), Message> {
+    session.by_hand(|sim, measuring| {
+        for (axis, value) in axes {
+            let to = match way {
+                Way::Machine => {
+                    let mut to = sim.position;
+                    to[*axis] = *value;
+                    to
+                }
+                _ => measuring.along(sim.position, *axis, *value, way == Way::By),
+            };
+            sim.travel_machine(Mcs(to.0), None, MotionKind::Rapid, 0.0, false)?;
+        }
+        Ok(())
+    })
+}
+
+/// Writes a datum of the control, or a value of a tool or a frame.
+fn set(session: &mut Session, name: &str, value: f64) -> Result<(), Message> {
+    let sim = &mut session.sim;
+    if sim.control.variable(name).is_some() {
+        sim.write_correction(name.to_owned(), value);
+    } else if sim.control.knows(name, &Value::Number(value)) {
+        sim.write(name, value);
+    } else {
+        return Err(Message::new("jog-no-datum").text("name", name));
+    }
+    Ok(())
+}

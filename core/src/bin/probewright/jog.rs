@@ -1,0 +1,155 @@
+//! `probewright jog`.
+
+use crate::file;
+use crate::file::Problem;
+use probewright_core::app::{self, JogLine, JogView, JogWrong};
+use probewright_core::control::{AXES, Control, delivery};
+use probewright_core::dialect::Dialect;
+use probewright_core::jog::mask::{Field, Mask};
+use probewright_core::jog::values::{Values, words as choices};
+use probewright_core::jog::{FUNCTIONS, State};
+use probewright_core::json;
+use probewright_core::message::Message;
+use probewright_core::words::{Words, rounded};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// What is carried out, on which machine.
+#[derive(clap::Args)]
+pub struct Arguments {
+    #[arg(required_unless_present = "masks")]
+    script: Option<PathBuf>,
+    #[arg(long, required_unless_present = "masks")]
+    setup: Option<PathBuf>,
+    #[arg(long, value_name = "RANDOM")]
+    random: Option<u64>,
+    #[arg(long)]
+    masks: bool,
+    #[arg(long)]
+    json: bool,
+}
+
+/// Carries out a script; 1 when a line is refused or an alarm is raised.
+pub fn jog(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
+    let (Some(script), Some(setup), false) = (&arguments.script, &arguments.setup, arguments.masks) else {
+        list(words, out)?;
+        return Ok(ExitCode::SUCCESS);
+    };
+    let setup = file::setup(setup, arguments.json, words, out)?;
+    let view = app::jog(&file::text(script)?, &setup, arguments.random).map_err(|wrong| told(script, wrong, words))?;
+    let failed = view.lines.iter().any(|line| line.refused.is_some() || line.raised.is_some());
+    if arguments.json {
+        file::print_json(json::document(&view), words, out)?;
+    } else {
+        print(script, &view, words, out)?;
+    }
+    Ok(if failed { ExitCode::FAILURE } else { ExitCode::SUCCESS })
+}
+
+/// Why a script is not carried out, with its line and what helps.
+fn told(script: &Path, wrong: JogWrong, words: &Words) -> Problem {
+    match wrong {
+        JogWrong::Machine(message) => file::wrong(message),
+        JogWrong::Line(wrong) => {
+            let (cause, cure) = (words.text(&wrong.message), words.text(&wrong.hint));
+            format!("{}:{}: {cause} {cure}", script.display(), wrong.line).into()
+        }
+    }
+}
+
+fn print(script: &Path, view: &JogView, words: &Words, out: &mut dyn Write) -> std::io::Result<()> {
+    for line in &view.lines {
+        for text in lines(line, words) {
+            writeln!(out, "{}:{}: {text}", script.display(), line.line)?;
+        }
+    }
+    if let Some(truth) = view.truth {
+        let ([x, y, z], [a, b, c]) = (truth.shift, truth.tilt.0);
+        let numbers = [("x", x), ("y", y), ("z", z), ("a", a), ("b", b), ("c", c), ("size", truth.size)];
+        let message = Message::new("jog-truth").text("seed", truth.seed.to_string());
+        let message = numbers.into_iter().fold(message, |message, (name, value)| message.number(name, value));
+        writeln!(out, "{}", words.text(&message))?;
+    }
+    if let Some(last) = view.lines.last() {
+        writeln!(out, "{}", words.text(&Message::new("jog-offset-active").text("offset", &last.offset)))?;
+        writeln!(out, "{}", words.text(&state(last, words)))?;
+    }
+    Ok(())
+}
+
+/// What is on the screen in the end.
+fn state(last: &JogLine, words: &Words) -> Message {
+    let key = match last.state {
+        State::Menu => "jog-state-menu",
+        State::Mask => "jog-state-mask",
+        State::Ready => "jog-state-ready",
+        State::Busy => "jog-state-busy",
+        State::Activate => "jog-state-activate",
+        State::Moving => "jog-state-moving",
+        State::Alarm => "jog-state-alarm",
+    };
+    Message::new(key).text("mask", last.mask.as_ref().map_or(String::new(), |mask| words.text(mask)))
+}
+
+/// What a line tells: points, results, what was written, what was raised or refused.
+fn lines(line: &JogLine, words: &Words) -> Vec<String> {
+    let mut told = Vec::new();
+    for point in &line.points {
+        let numbers: Vec<(&str, f64)> = match (point.touch, point.centre) {
+            (Some(touch), _) => AXES.into_iter().zip(touch).collect(),
+            (_, Some(centre)) => line.plane.iter().copied().zip(centre).collect(),
+            _ => Vec::new(),
+        };
+        let place: Vec<String> =
+            numbers.into_iter().map(|(axis, value)| format!("{axis} {}", rounded(value))).collect();
+        let message = Message::new("jog-point").text("point", &point.name).text("place", place.join(", "));
+        told.push(words.text(&message));
+    }
+    for result in &line.results {
+        let unit = if result.unit == "deg" { "°" } else { " mm" };
+        told.push(format!("{} = {}{unit}", words.text(&result.label), rounded(result.value)));
+    }
+    for change in &line.changes {
+        told.push(format!("{}: {} -> {}", change.name, rounded(change.before), rounded(change.after)));
+    }
+    told.extend(line.notes.iter().chain(&line.screen).map(|message| words.text(message)));
+    if let Some(raised) = &line.raised {
+        let code = Message::new("terminal-raised").text("alarm", &raised.code);
+        let code = if raised.code.is_empty() { String::new() } else { words.text(&code) + ": " };
+        let hint = raised.hint.as_ref().map_or(String::new(), |hint| format!(" {}", words.text(hint)));
+        told.push(format!("{code}{}{hint}", words.text(&raised.message)));
+    }
+    told.extend(line.refused.iter().map(|message| words.text(message)));
+    told
+}
+
+/// The masks, with their fields and what these take.
+fn list(words: &Words, out: &mut dyn Write) -> std::io::Result<()> {
+    let control = delivery(Dialect::Sinumerik);
+    for mask in FUNCTIONS.iter().flat_map(|function| function.masks) {
+        writeln!(out, "{:14} {}", mask.name, words.key(format!("jog-mask-{}", mask.name.replace('_', "-"))))?;
+        for field in mask.fields {
+            writeln!(out, "{:14} {}", "", words.text(&takes(mask, field, &control, words)))?;
+        }
+    }
+    Ok(())
+}
+
+/// A field, and what it takes.
+fn takes(mask: &Mask, field: &Field, control: &Control, words: &Words) -> Message {
+    let label = Message::new(format!("jog-field-{}", field.name.replace('_', "-")));
+    let axis = if field.name.starts_with('y') {
+        "Y"
+    } else if ["z0", "dz"].contains(&field.name) {
+        "Z"
+    } else {
+        "X"
+    };
+    let label = words.text(&label.text("axis", axis));
+    let message = |key: &'static str| Message::new(key).text("label", &label).text("name", field.name);
+    match choices(field, &Values::first(mask, control), control) {
+        Some(known) => message("jog-takes-one-of").text("words", known.join(", ")),
+        None => message("jog-takes"),
+    }
+}

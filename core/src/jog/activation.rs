@@ -1,0 +1,108 @@
+//! The activation screen: why it is shown, its fields, its lines (B:3776-3912).
+
+use super::offset;
+use super::values::{Value, Values};
+use crate::control::{Control, ROTARY, Store};
+use crate::geometry::Degrees;
+use crate::message::Message;
+
+/// Why a zero offset that was written has to be activated.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Reasons {
+    /// It was not active while measuring.
+    pub inactive: bool,
+    /// It turns the WCS about an axis of the plane.
+    pub tilts: bool,
+    /// It demands another position of a rotary axis: index A B C, and where it stands when the part is aligned.
+    pub rotary: Option<(usize, Degrees)>,
+}
+
+impl Reasons {
+    /// Whether the screen is shown.
+    pub fn any(self) -> bool {
+        self.inactive || self.tilts || self.rotary.is_some()
+    }
+}
+
+/// What is corrected, and what NC start will do.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Activation {
+    /// The zero offset that was written.
+    pub store: Store,
+    /// Why it is not active.
+    pub reasons: Reasons,
+    /// Whether the WCS was turned about the applicate.
+    pub turned: bool,
+    /// Values of the fields.
+    pub values: Values,
+}
+
+/// Field 1: whether the zero offset becomes active.
+pub const ACTIVATE: &str = "activate";
+/// Whether the rotary axis moves to the position that aligns the part.
+pub const POSITION: &str = "position_axis";
+/// What both take.
+pub const YES: [&str; 2] = ["yes", "no"];
+
+impl Activation {
+    /// As the screen comes up.
+    pub fn new(store: Store, reasons: Reasons, turned: bool) -> Activation {
+        let mut values = Values::default();
+        for name in fields(reasons) {
+            values.put(name, Value::Word(YES[0].to_owned()));
+        }
+        Activation { store, reasons, turned, values }
+    }
+
+    /// Names of its fields.
+    pub fn fields(&self) -> Vec<&'static str> {
+        fields(self.reasons)
+    }
+
+    /// Whether a field says yes.
+    pub fn says(&self, name: &str) -> bool {
+        self.values.word(name) == YES[0]
+    }
+
+    /// Chooses in a field.
+    ///
+    /// # Errors
+    /// There is no such field, or no such choice.
+    pub fn toggle(&mut self, name: &str, word: &str) -> Result<(), Message> {
+        let fields = self.fields();
+        let Some(field) = fields.iter().find(|field| field.eq_ignore_ascii_case(name)) else {
+            return Err(Message::new("jog-no-field").text("field", name).text("known", fields.join(", ")));
+        };
+        let Some(word) = YES.into_iter().find(|known| known.eq_ignore_ascii_case(word.trim())) else {
+            let wrong = Message::new("jog-wrong-word").text("field", *field).text("text", word);
+            return Err(wrong.text("known", YES.join(", ")));
+        };
+        self.values.put(field, Value::Word(word.to_owned()));
+        Ok(())
+    }
+
+    /// The lines of the screen, from above.
+    pub fn lines(&self, control: &Control) -> Vec<Message> {
+        let name = offset::name(control, self.store);
+        let mut lines = Vec::new();
+        if self.reasons.inactive {
+            lines.push(Message::new("jog-line-inactive").text("offset", &name));
+        }
+        if self.reasons.tilts {
+            lines.push(Message::new("jog-line-tilted"));
+        }
+        if self.turned {
+            lines.push(Message::new("jog-line-turned"));
+        }
+        if let Some((axis, _)) = self.reasons.rotary {
+            lines.push(Message::new("jog-line-rotary").text("axis", ROTARY[axis.min(2)]));
+        }
+        lines.push(Message::new("jog-line-start"));
+        lines
+    }
+}
+
+fn fields(reasons: Reasons) -> Vec<&'static str> {
+    let position = reasons.rotary.map(|_| POSITION);
+    std::iter::once(ACTIVATE).chain(position).collect()
+}

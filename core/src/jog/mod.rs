@@ -1,0 +1,26 @@
+//! Measuring in JOG: the masks of the functions as data, the touches, what they come to, what is written, and the way
+//! of working as a table of states (chapter 4 of the manual, B:2570-4083). SINUMERIK milling machines only (B:2576,
+//! B:2608).
+
+pub mod activation;
+mod calculate;
+mod calibrating;
+pub mod chance;
+pub mod evaluate;
+pub mod mask;
+pub mod masks;
+pub mod offset;
+pub mod script;
+pub mod session;
+pub mod settings;
+pub mod states;
+pub mod stylus;
+mod tools;
+pub mod touching;
+pub mod values;
+
+pub use calculate::{Outcome, Point, Unfit, calculate, corner_sides};
+pub use mask::{Function, Mask};
+pub use masks::FUNCTIONS;
+pub use session::{Input, Session};
+pub use states::State;

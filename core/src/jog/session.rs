@@ -1,0 +1,597 @@
+//! A session at the machine: what is pressed, what is measured, what is written. Whatever happens, nothing of it is
+//! lost: a refused input leaves everything as it was.
+
+use super::activation::{self, Activation, Reasons};
+use super::calculate::{self, Outcome, Point, Unfit};
+use super::evaluate::Size;
+use super::mask::{Kind, Mask, Task};
+use super::offset::{self, Correction};
+use super::settings;
+use super::states::{Does, Key, Row, State, When, row_of};
+use super::stylus::Stylus;
+use super::touching::Touching;
+use super::values::{Value, Values};
+use super::{calibrating, masks, tools};
+use crate::catalogue::alarms;
+use crate::control::{AXES, Control, MachineSort, Store};
+use crate::diagnostic::Code;
+use crate::geometry::{Degrees, Mcs};
+use crate::machine::{Machine, Setup, Sim, Step, Stop};
+use crate::message::Message;
+use std::collections::BTreeMap;
+
+/// What the user does.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Input<'a> {
+    /// Softkey of a function: the name of its mask.
+    Function(&'a str),
+    /// Enters a text into a field of the mask or of the activation screen.
+    Field(&'a str, &'a str),
+    /// NC start.
+    Start,
+    /// RESET.
+    Reset,
+    /// Softkey P1 to P4, from 1.
+    Point(usize),
+    /// Bit of the PLC that rejects a point, from 1, set or reset.
+    Plc(usize, bool),
+    /// Calculate.
+    Calculate,
+    /// `<<`.
+    Back,
+    /// Another mode.
+    Mode,
+}
+
+/// The axes as the user moves them: along those of the WCS that is active while measuring.
+#[derive(Clone, Debug)]
+pub struct Axes(Control);
+
+impl Axes {
+    /// Where an axis X Y Z stands at a coordinate, or so much further, mm.
+    pub fn along(&self, from: Mcs, axis: usize, value: f64, further: bool) -> Mcs {
+        let mut at = self.0.to_workpiece(from);
+        at[axis] = if further { at[axis] + value } else { value };
+        self.0.to_machine(at)
+    }
+}
+
+/// The machine and the screen.
+#[derive(Clone, Debug)]
+pub struct Session {
+    /// The machine, and all that happened on it.
+    pub sim: Sim,
+    state: State,
+    mask: Option<&'static Mask>,
+    values: Values,
+    /// Values of masks that were left.
+    last: BTreeMap<&'static str, Values>,
+    /// P1 to P4; those that were not stored are grey.
+    points: Vec<Option<Point>>,
+    /// The probe with which they were touched.
+    stylus: Option<Stylus>,
+    /// What was measured last in this mask.
+    outcome: Outcome,
+    /// The point that is being measured, and what it came to.
+    measured: Option<Point>,
+    activation: Option<Activation>,
+    /// The zero offset that was activated last, offered for the next measurement until the area is left.
+    offered: Option<usize>,
+    /// Bits of the PLC that reject points.
+    rejects: [bool; 4],
+    /// Why the machine stopped.
+    stopped: Option<Stop>,
+}
+
+impl Session {
+    /// A machine as set up, nothing open.
+    pub fn new(setup: &Setup) -> Session {
+        Session {
+            sim: Sim::new(setup),
+            state: State::Menu,
+            mask: None,
+            values: Values::default(),
+            last: BTreeMap::new(),
+            points: Vec::new(),
+            stylus: None,
+            outcome: Outcome::default(),
+            measured: None,
+            activation: None,
+            offered: None,
+            rejects: [false; 4],
+            stopped: None,
+        }
+    }
+
+    /// What is on the screen.
+    pub fn state(&self) -> State {
+        self.state
+    }
+
+    /// The mask that is open.
+    pub fn mask(&self) -> Option<&'static Mask> {
+        self.mask
+    }
+
+    /// Its values.
+    pub fn values(&self) -> &Values {
+        &self.values
+    }
+
+    /// P1 to P4 as they are stored.
+    pub fn points(&self) -> &[Option<Point>] {
+        &self.points
+    }
+
+    /// What was measured last in this mask.
+    pub fn outcome(&self) -> &Outcome {
+        &self.outcome
+    }
+
+    /// The activation screen.
+    pub fn activation(&self) -> Option<&Activation> {
+        self.activation.as_ref()
+    }
+
+    /// Why the machine stopped; none: nothing is pending.
+    pub fn stopped(&self) -> Option<&Stop> {
+        self.stopped.as_ref()
+    }
+
+    /// Bits of the PLC: 0 to 3, which reject, and 4 to 7, a point is stored and its softkey is on the screen
+    /// (B:2783-2817).
+    pub fn plc(&self) -> [bool; 8] {
+        let softkeys = matches!(self.state, State::Mask | State::Ready | State::Busy);
+        let several = self.mask.is_some_and(|mask| !mask.at_once());
+        std::array::from_fn(|bit| match bit {
+            0..4 => self.rejects[bit],
+            _ => softkeys && several && self.points.get(bit - 4).is_some_and(Option::is_some),
+        })
+    }
+
+    /// The settable frame that is active while measuring: the one activated last, else that of the set-up.
+    pub fn measuring(&self) -> usize {
+        self.offered.unwrap_or_else(|| settings::measuring(&self.sim.control))
+    }
+
+    /// Carries out an input, which a running measurement or activation follows to its end; see [`Session::press`].
+    ///
+    /// # Errors
+    /// Why it does nothing here.
+    pub fn carry_out(&mut self, input: Input) -> Result<(), Message> {
+        self.press(input)?;
+        if matches!(self.state, State::Busy | State::Moving) {
+            self.advance();
+        }
+        Ok(())
+    }
+
+    /// Carries out an input; a measurement or activation that it begins runs with [`Session::advance`].
+    ///
+    /// # Errors
+    /// Why it does nothing here.
+    pub fn press(&mut self, input: Input) -> Result<(), Message> {
+        let key = match input {
+            Input::Function(_) => Key::Function,
+            Input::Field(..) => Key::Field,
+            Input::Start => Key::Start,
+            Input::Reset => Key::Reset,
+            Input::Point(_) => Key::Point,
+            Input::Plc(number, set) => return self.plc_bit(number, set),
+            Input::Calculate => Key::Calculate,
+            Input::Back => Key::Back,
+            Input::Mode => Key::Mode,
+        };
+        let row = self.row(key)?;
+        self.act(row, input)
+    }
+
+    /// Lets the measurement or activation that runs come to its end.
+    pub fn advance(&mut self) {
+        let outcome = match self.state {
+            State::Busy => self.measure(),
+            State::Moving => self.activate(),
+            _ => return,
+        };
+        let key = if outcome.is_ok() { Key::Done } else { Key::Failed };
+        self.stopped = outcome.err();
+        if let Ok(row) = self.row(key)
+            && let Err(message) = self.act(row, Input::Start)
+        {
+            // what was touched makes no result: the control tells it as an alarm
+            self.stopped = Some(Stop::Fault(message));
+            self.state = State::Alarm;
+        }
+    }
+
+    /// The row that an input takes.
+    fn row(&self, key: Key) -> Result<&'static Row, Message> {
+        row_of(self.state, key, |when| self.holds(when)).ok_or_else(|| self.refusal(key))
+    }
+
+    fn holds(&self, when: When) -> bool {
+        let at_once = self.mask.is_some_and(Mask::at_once);
+        match when {
+            When::Always => true,
+            When::Measurable => {
+                let valid = self.mask.is_some_and(|mask| self.values.missing(mask).is_none());
+                valid && (at_once || self.points.iter().any(Option::is_none))
+            }
+            When::More => self.points.iter().filter(|point| point.is_none()).count() > 1,
+            When::Complete => at_once && !self.to_activate(),
+            When::Inactive => at_once && self.to_activate(),
+            When::ToActivate => self.to_activate(),
+        }
+    }
+
+    /// Why an input does nothing.
+    fn refusal(&self, key: Key) -> Message {
+        let wrong = self.mask.and_then(|mask| self.values.missing(mask));
+        match (key, self.state) {
+            (Key::Start, State::Mask) if wrong.is_some() => wrong.map_or(Message::new("jog-refused"), |(_, why)| why),
+            (Key::Start, State::Ready) => Message::new("jog-all-stored"),
+            (Key::Start, State::Menu) => Message::new("jog-no-mask"),
+            (Key::Mode, state) if state != State::Menu => Message::new("jog-mode"),
+            (Key::Function, State::Mask | State::Ready) => Message::new("jog-open"),
+            (_, State::Alarm) => Message::new("jog-pending"),
+            (Key::Calculate, State::Mask) if self.mask.is_some_and(Mask::at_once) => Message::new("jog-at-once"),
+            (Key::Calculate, State::Mask) => Message::new("jog-missing").text("points", self.grey()),
+            _ => Message::new("jog-refused"),
+        }
+    }
+
+    /// Names of the points that are missing: `P1, P3`.
+    fn grey(&self) -> String {
+        let missing = self.points.iter().enumerate().filter(|(_, point)| point.is_none());
+        missing.map(|(number, _)| format!("P{}", number + 1)).collect::<Vec<_>>().join(", ")
+    }
+
+    fn act(&mut self, row: &Row, input: Input) -> Result<(), Message> {
+        match row.does {
+            Does::Open => self.open(input)?,
+            Does::Change => {
+                if self.change(input)? {
+                    self.state = State::Mask;
+                    return Ok(());
+                }
+            }
+            Does::Measure => self.begin(),
+            Does::Store => self.store(),
+            Does::Write => self.write()?,
+            Does::Cancel => {
+                self.measured = None;
+                self.activation = None;
+            }
+            Does::Raise => self.activation = None,
+            Does::Acknowledge => self.stopped = None,
+            Does::Reject => self.reject(input)?,
+            Does::Leave => self.leave(),
+            Does::Toggle => self.toggle(input)?,
+            Does::Activate => {}
+            Does::Offer => self.offer(),
+            Does::Close => self.activation = None,
+            Does::Quit => self.offered = None,
+        }
+        self.state = if row.does == Does::Write { self.written(row) } else { row.to };
+        Ok(())
+    }
+
+    /// Behind a write, whether the screen is shown was known before it only for what would be written.
+    fn written(&self, row: &Row) -> State {
+        if self.activation.is_some() { State::Activate } else { row.to }
+    }
+
+    /// Opens a mask with its last values; what a datum presets, as it says; the zero offset that is active while
+    /// measuring, which G500 is none of.
+    fn open(&mut self, input: Input) -> Result<(), Message> {
+        let Input::Function(name) = input else { return Ok(()) };
+        let Some(mask) = masks::find(name) else {
+            let known = masks::all().map(|mask| mask.name).collect::<Vec<_>>().join(", ");
+            return Err(Message::new("jog-no-function").text("name", name).text("known", known));
+        };
+        let control = &self.sim.control;
+        let mut values = self.last.get(mask.name).cloned().unwrap_or_else(|| Values::first(mask, control));
+        for field in mask.fields {
+            if let Some(preset) = settings::preset(control, field.name) {
+                values.put(field.name, Value::Number(preset));
+            }
+            if matches!(field.kind, Kind::Offset { .. }) {
+                let measuring = Some(self.measuring()).filter(|number| *number > 0);
+                let name = measuring.map(|number| offset::name(control, Store::Settable(number)));
+                values.put(field.name, Value::Word(name.unwrap_or_else(|| offset::NONE.to_owned())));
+            }
+        }
+        self.values = values;
+        self.mask = Some(mask);
+        self.points = vec![None; mask.points];
+        self.outcome = Outcome::default();
+        Ok(())
+    }
+
+    /// Enters a value; whether all points are rejected by it.
+    fn change(&mut self, input: Input) -> Result<bool, Message> {
+        let (Input::Field(name, text), Some(mask)) = (input, self.mask) else { return Ok(false) };
+        let known = mask.fields.iter().filter(|field| self.values.shown(field));
+        let Some(field) = known.clone().find(|field| field.name.eq_ignore_ascii_case(name)) else {
+            let known = known.map(|field| field.name).collect::<Vec<_>>().join(", ");
+            return Err(Message::new("jog-no-field").text("field", name).text("known", known));
+        };
+        let before = self.values.clone();
+        self.values.enter(mask, field, text, &self.sim.control)?;
+        let rejects = field.touches && self.values != before && !mask.at_once();
+        if rejects {
+            self.points.fill(None);
+        }
+        Ok(rejects)
+    }
+
+    /// Plane and zero offset of the set-up become active (B:2748-2752).
+    fn begin(&mut self) {
+        let measuring = self.measuring();
+        let plane = settings::plane(&self.sim.control);
+        self.sim.with_length(|control| control.plane = plane);
+        self.sim.control.activate(measuring);
+        self.measured = None;
+        if self.mask.is_some_and(Mask::at_once) {
+            self.points.fill(None);
+        }
+    }
+
+    /// Number of the missing point that is measured next, from 0.
+    fn next(&self) -> usize {
+        self.points.iter().position(Option::is_none).unwrap_or_default()
+    }
+
+    /// Measures what NC start began.
+    fn measure(&mut self) -> Result<(), Stop> {
+        let Some(mask) = self.mask else { return Ok(()) };
+        let number = self.next();
+        self.sim.measuring = (!mask.task.of_tool()).then_some(MachineSort::Milling);
+        self.sim.in_cycle = true;
+        let outcome = self.point(mask, number);
+        self.sim.in_cycle = false;
+        self.sim.measuring = None;
+        self.measured = outcome?;
+        Ok(())
+    }
+
+    /// One point; none: the function stores what it found itself.
+    fn point(&mut self, mask: &Mask, number: usize) -> Result<Option<Point>, Stop> {
+        let (values, sim) = (&self.values, &mut self.sim);
+        match mask.task {
+            Task::Length => return calibrating::length(sim, values.number("z0")).map(|()| None),
+            Task::Ring => return calibrating::ring(sim, values.number("d")).map(|()| None),
+            Task::ToolProbe => {
+                let diameter = values.word("cal_kind") == "length_and_diameter";
+                return tools::calibrate(sim, diameter).map(|()| None);
+            }
+            Task::ToolLength => return tools::length(sim, values.number("v")).map(|()| None),
+            Task::ToolRadius => return tools::radius(sim, values.number("v")).map(|()| None),
+            _ => {}
+        }
+        let touching = Touching::prepare(sim, false)?;
+        self.stylus = Some(touching.stylus);
+        let [abscissa, ordinate, applicate] = touching.stylus.plane.axes();
+        let (axis, sign) = match mask.task {
+            Task::Element(element) | Task::Centres(element) => {
+                let of = |name: &str| values.number(name);
+                let size = Size {
+                    element,
+                    size: if element.round { [of("diameter"); 2] } else { [of("l"), of("w")] },
+                    angle: Degrees(of("contact_angle")),
+                    infeed: of("dz"),
+                };
+                return touching.element(sim, &size).map(|found| Some(Point::Element(found)));
+            }
+            Task::Corner => {
+                let side = calculate::corner_sides(values)[usize::from(number > 1)];
+                ([abscissa, ordinate][side.axis.min(1)], side.sign)
+            }
+            Task::Plane => (applicate, -1.0),
+            Task::Distance if number == 1 => (calculate::axis(values, "axis"), values.sign("direction_2")),
+            _ => (calculate::axis(values, "axis"), values.sign("direction")),
+        };
+        touching.along(sim, axis, sign).map(|touch| Some(Point::Touch(touch)))
+    }
+
+    /// Stores the point that was measured.
+    fn store(&mut self) {
+        let number = self.next();
+        if let (Some(point), Some(place)) = (self.measured.take(), self.points.get_mut(number)) {
+            *place = Some(point);
+        }
+    }
+
+    /// What all points come to, the one that was measured last among them.
+    fn calculated(&self) -> Result<Outcome, Message> {
+        let (Some(mask), Some(stylus)) = (self.mask, &self.stylus) else { return Ok(Outcome::default()) };
+        let points: Vec<Point> = self.points.iter().copied().chain([self.measured]).flatten().collect();
+        let told = |unfit| match unfit {
+            Unfit::Alarm(number) => Message::new(alarms::key(Code::Alarm(number))),
+            Unfit::Told(key) => Message::new(key),
+        };
+        calculate::calculate(&self.sim.control, mask, &self.values, stylus, &points).map_err(told)
+    }
+
+    /// The zero offset that the mask corrects; none: measuring only.
+    fn chosen(&self) -> Option<Store> {
+        let mask = self.mask?;
+        let field = mask.field("zo")?;
+        let Kind::Offset { turned } = field.kind else { return None };
+        offset::named(&self.sim.control, self.values.word("zo"), turned)
+    }
+
+    /// Whether what would be written has to be activated.
+    fn to_activate(&self) -> bool {
+        let Ok(outcome) = self.calculated() else { return false };
+        let (Some(store), Some(correction)) = (self.chosen(), outcome.correction) else { return false };
+        self.reasons(store, &correction).0.any()
+    }
+
+    /// Why a correction has to be activated, and whether it turns the WCS about the applicate.
+    fn reasons(&self, store: Store, correction: &Correction) -> (Reasons, bool) {
+        let control = &self.sim.control;
+        let mut after = control.clone();
+        for write in offset::writes(control, store, correction) {
+            after.set_variable(&write.name, write.value);
+        }
+        let (old, new) = (control.stored_frame(store), after.stored_frame(store));
+        let rotary = match correction {
+            Correction::Rotary(axis, angle) => Some((*axis, control.rotary[*axis] + *angle)),
+            _ => None,
+        };
+        let inactive = matches!(store, Store::Settable(number) if number != control.settable);
+        let tilts = offset::tilts(control, &old, &new);
+        (Reasons { inactive, tilts, rotary }, !tilts && old.rotation != new.rotation)
+    }
+
+    /// Shows the results, writes the zero offset; all points are grey again.
+    fn write(&mut self) -> Result<(), Message> {
+        let outcome = self.calculated()?;
+        if let (Some(store), Some(correction)) = (self.chosen(), &outcome.correction) {
+            let (reasons, turned) = self.reasons(store, correction);
+            self.correct(store, correction);
+            if reasons.any() {
+                self.activation = Some(Activation::new(store, reasons, turned));
+            } else {
+                let settable = self.sim.control.settable;
+                self.sim.control.activate(settable); // effective at once (B:3722)
+            }
+        }
+        self.outcome = outcome;
+        self.measured = None;
+        self.points.fill(None);
+        Ok(())
+    }
+
+    fn correct(&mut self, store: Store, correction: &Correction) {
+        for write in offset::writes(&self.sim.control, store, correction) {
+            self.sim.write_correction(write.name, write.value);
+        }
+    }
+
+    fn reject(&mut self, input: Input) -> Result<(), Message> {
+        let number = match input {
+            Input::Point(number) | Input::Plc(number, _) => number,
+            _ => 0,
+        };
+        let place = number.checked_sub(1).and_then(|place| self.points.get_mut(place));
+        match place {
+            Some(point) if point.is_some() => {
+                *point = None;
+                Ok(())
+            }
+            _ => Err(Message::new("jog-grey").text("point", format!("P{number}"))),
+        }
+    }
+
+    /// A bit of the PLC: set, it rejects a point that is stored while its softkey is on the screen (B:2797-2804).
+    fn plc_bit(&mut self, number: usize, set: bool) -> Result<(), Message> {
+        let place = number.checked_sub(1).filter(|place| *place < self.rejects.len());
+        let Some(place) = place else {
+            return Err(Message::new("jog-grey").text("point", format!("P{number}")));
+        };
+        self.rejects[place] = set;
+        let stored = self.points.get(place).is_some_and(Option::is_some);
+        if set
+            && stored
+            && let Ok(row) = self.row(Key::Point)
+        {
+            return self.act(row, Input::Plc(number, set));
+        }
+        Ok(())
+    }
+
+    /// Leaves the mask; its values stay for the next time.
+    fn leave(&mut self) {
+        if let Some(mask) = self.mask.take() {
+            self.last.insert(mask.name, std::mem::take(&mut self.values));
+        }
+        self.points.clear();
+        self.outcome = Outcome::default();
+        self.stopped = None;
+    }
+
+    fn toggle(&mut self, input: Input) -> Result<(), Message> {
+        let (Input::Field(name, word), Some(activation)) = (input, &mut self.activation) else { return Ok(()) };
+        activation.toggle(name, word)
+    }
+
+    /// Activates what was written: the zero offset, then the rotary axis where the part is aligned.
+    fn activate(&mut self) -> Result<(), Stop> {
+        let Some(activation) = self.activation.clone() else { return Ok(()) };
+        if activation.says(activation::ACTIVATE) {
+            let settable = match activation.store {
+                Store::Settable(number) => number,
+                _ => self.sim.control.settable,
+            };
+            self.sim.control.activate(settable);
+        }
+        match activation.reasons.rotary.filter(|_| activation.says(activation::POSITION)) {
+            Some((axis, to)) => self.sim.turn_table(axis, to),
+            None => Ok(()),
+        }
+    }
+
+    /// The zero offset that was activated is offered for the next measurement: to be active while measuring, and to be
+    /// corrected (B:3784).
+    fn offer(&mut self) {
+        let Some(activation) = self.activation.take() else { return };
+        if let (Store::Settable(number), true) = (activation.store, activation.says(activation::ACTIVATE)) {
+            self.offered = Some(number);
+            let name = offset::name(&self.sim.control, activation.store);
+            if self.mask.is_some_and(|mask| mask.field("zo").is_some()) {
+                self.values.put("zo", Value::Word(name));
+            }
+        }
+    }
+
+    /// The words of a field or result of the mask; the letters of the axes are those of the plane, of an edge that of
+    /// the measuring axis.
+    pub fn label(&self, kind: &str, name: &str) -> Message {
+        let [abscissa, ordinate, applicate] = settings::plane(&self.sim.control).axes();
+        let along = match self.mask.map(|mask| mask.task) {
+            Some(Task::Edge | Task::Distance) => calculate::axis(&self.values, "axis"),
+            _ => abscissa,
+        };
+        let axis = match name {
+            "y0" | "y1" | "w" | "meas_y0" | "meas_w" => ordinate,
+            "z0" | "dz" => applicate,
+            _ => along,
+        };
+        Message::new(format!("jog-{kind}-{}", name.replace('_', "-"))).text("axis", AXES[axis])
+    }
+
+    /// Lets the user move the machine: by the WCS of the measurement, or as he likes. What is hit stops it.
+    ///
+    /// # Errors
+    /// A measurement runs, or an alarm is pending.
+    pub fn by_hand(&mut self, go: impl FnOnce(&mut Sim, &Axes) -> Result<(), Stop>) -> Result<(), Message> {
+        if matches!(self.state, State::Busy | State::Moving) {
+            return Err(Message::new("jog-refused"));
+        }
+        let mut control = self.sim.control.clone();
+        control.activate(self.measuring());
+        self.stopped = match go(&mut self.sim, &Axes(control)) {
+            Ok(()) if self.state == State::Alarm => self.stopped.take(),
+            outcome => outcome.err(),
+        };
+        Ok(())
+    }
+
+    /// Records what the user did beside the mask: a tool is taken into the spindle.
+    ///
+    /// # Errors
+    /// There is no such tool or edge.
+    pub fn take_tool(&mut self, tool: i64, edge: i64) -> Result<(), Message> {
+        let there = tool == 0 || edge == 0 || self.sim.control.edge_of(tool, edge).is_some();
+        if !there || tool != 0 && !self.sim.control.tools.contains_key(&tool) {
+            let none = Message::new("jog-no-tool").number("tool", tool as f64);
+            return Err(none.number("edge", edge as f64));
+        }
+        let edge = if tool == 0 { 0 } else { edge };
+        self.sim.with_length(|control| (control.tool, control.edge, control.location) = (tool, edge, 0));
+        self.sim.note(Step::Tool { tool, edge });
+        Ok(())
+    }
+}

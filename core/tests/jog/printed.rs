@@ -1,0 +1,172 @@
+//! The 49 figures that the manuals print in examples and masks of the chapter.
+
+use super::{data, near, open};
+use probewright_core::control::{Frame, Plane};
+use probewright_core::dialect::Dialect;
+use probewright_core::geometry::{Degrees, Dir, Mcs, Rpy, V3, rigid};
+
+use probewright_core::jog::{Input, Session, State};
+use probewright_core::machine::{Machine, Setup};
+use probewright_core::workpiece::{Shape, Solid};
+use serde_json::Value;
+use std::collections::BTreeSet;
+
+fn figures() -> Vec<Value> {
+    let all: Value = serde_json::from_str(data!("jog_examples.json")).unwrap();
+    all["manual"].as_array().unwrap().clone()
+}
+
+fn figure(id: &str) -> f64 {
+    let figures = figures();
+    let found = figures.iter().find(|one| one["id"] == id).unwrap_or_else(|| panic!("{id}"));
+    found["value"].as_f64().unwrap()
+}
+
+/// As the control shows a value.
+fn shown(value: f64) -> String {
+    format!("{:.4}", value + 0.0)
+}
+
+/// Fields of masks whose value a sample prints.
+const FIELDS: [(&str, &str, &str); 26] = [
+    ("M-cal-z0", "cal_length", "z0"),
+    ("M-cal-d", "cal_radius", "d"),
+    ("M-pocket-l", "pocket_rect", "l"),
+    ("M-pocket-w", "pocket_rect", "w"),
+    ("M-rspigot-l", "spigot_rect", "l"),
+    ("M-rspigot-w", "spigot_rect", "w"),
+    ("M-rspigot-dz", "spigot_rect", "dz"),
+    ("M-hole-d", "hole_1", "diameter"),
+    ("M-hole-angle", "hole_1", "contact_angle"),
+    ("M-spigot-d", "spigot_1", "diameter"),
+    ("M-spigot-dz", "spigot_1", "dz"),
+    ("M-2h-d", "holes_2", "diameter"),
+    ("M-2s-d", "spigots_2", "diameter"),
+    ("M-2s-dz", "spigots_2", "dz"),
+    ("M-3h-d", "holes_3", "diameter"),
+    ("M-3s-d", "spigots_3", "diameter"),
+    ("M-3s-dz", "spigots_3", "dz"),
+    ("M-4h-d", "holes_4", "diameter"),
+    ("M-4s-d", "spigots_4", "diameter"),
+    ("M-4s-dz", "spigots_4", "dz"),
+    ("M-rej-b", "spigots_4", "diameter"),
+    ("M-rej-bz", "spigots_4", "dz"),
+    ("M-rej-a", "spigots_4", "diameter"),
+    ("M-rej-az", "spigots_4", "dz"),
+    ("M-tool-r", "tool_radius", "v"),
+    ("M-tool-l", "tool_length", "v"),
+];
+
+// oracle: manual (tests/data/jog_examples.json has the line of each figure)
+#[test]
+fn masks_take_and_show_what_the_samples_print() {
+    for (id, mask, field) in FIELDS {
+        let mut session = Session::new(&Setup::calibrated(Dialect::Sinumerik, Plane::G17));
+        open(&mut session, mask, &[(field, &shown(figure(id)))]);
+        assert_eq!(shown(session.values().number(field)), shown(figure(id)), "{id}");
+    }
+}
+
+/// Translations of the zero offset chosen, positions and the spindle, which a mask shows as they are.
+const STATES: [&str; 14] = [
+    "M-edge-x", "M-edge-y", "M-edge-z", "M-corner-x", "E1-px", "E1-py", "E1-pz", "E1-pa", "E1-pc", "E1-spindle",
+    "M-rej-c", "M-calc-x", "M-calc-y", "M-plane-a",
+];
+
+// oracle: manual (tests/data/jog_examples.json): what stands on the machine is what the mask shows
+#[test]
+fn the_machine_stands_as_the_samples_print() {
+    let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+    setup.control.frames.insert(1, Frame::translation(["M-edge-x", "M-edge-y", "M-edge-z"].map(figure)));
+    setup.control.spindle = Degrees(figure("E1-spindle"));
+    setup.control.rotary = ["E1-pa", "E1-pc", "E1-pc"].map(|id| Degrees(figure(id)));
+    setup.position = Mcs(["E1-px", "E1-py", "E1-pz"].map(figure));
+    let mut session = Session::new(&setup);
+    open(&mut session, "set_edge", &[("zo", "G54")]);
+    let control = &session.sim.control;
+    let g54 = control.frames[&1].origin();
+    assert_eq!(g54.map(shown), ["10.8180", "100.0000", "-105.0000"]);
+    assert_eq!(shown(figure("M-corner-x")), shown(g54[0]));
+    assert_eq!(session.sim.position().map(shown), ["1.3232", "61.6800", "-55.0000"]);
+    assert_eq!(
+        [control.rotary[0].0, control.rotary[2].0, control.spindle.0].map(shown),
+        ["11.0000", "0.0000", "11.0000"]
+    );
+    // the other samples: a rotary axis and the plane elsewhere
+    session.sim.control.rotary = [figure("M-plane-a"), 0.0, figure("M-rej-c")].map(Degrees);
+    session.sim.position = Mcs([figure("M-calc-x"), figure("M-calc-y"), 0.0]);
+    assert_eq!([0, 2].map(|axis| shown(session.sim.control.rotary[axis].0)), ["82.2209", "7.5140"]);
+    assert_eq!(session.sim.position().map(shown)[..2], ["-11.6210", "0.2190"]);
+}
+
+// oracle: manual B:3826-3846: four holes, measured in G500, the offset in G54
+#[test]
+fn example_1_comes_out_as_printed() {
+    let (at, alpha) = ([figure("E1-x0"), figure("E1-y0")], Degrees(figure("E1-alpha")));
+    let (sine, cosine) = alpha.sin_cos();
+    let hole = |x: f64, y: f64| [at[0] + x * cosine - y * sine, at[1] + x * sine + y * cosine];
+    let holes = [hole(-60.0, -50.0), hole(60.0, -50.0), hole(60.0, 50.0), hole(-60.0, 50.0)];
+    let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+    for [x, y] in holes {
+        let shape = Shape::Hole { diameter: 50.0, depth: 30.0 };
+        setup.workpiece.solids.push(Solid::new(shape, Mcs([x, y, 0.0])));
+    }
+    let mut session = Session::new(&setup);
+    open(&mut session, "holes_4", &[("zo", "G54"), ("diameter", "50"), ("angle_offset", "yes")]);
+    for [x, y] in holes {
+        session.sim.position = Mcs([x + 0.3, y - 0.2, -10.0]);
+        session.carry_out(Input::Start).unwrap();
+    }
+    assert_eq!(session.state(), State::Ready);
+    session.press(Input::Calculate).unwrap();
+    let results: Vec<String> = session.outcome().results.iter().map(|(_, value)| shown(*value)).collect();
+    assert_eq!(results, ["8.6263", "22.5557", "52.9536"]);
+    let rotation = session.sim.control.frames[&1].rotation;
+    let printed = ["E1-rx", "E1-ry", "E1-rz"].map(figure);
+    assert_eq!(rotation.map(shown), printed.map(shown));
+    // the screen says so, and NC start moves no axis (B:3866)
+    assert_eq!(session.state(), State::Activate);
+    let activation = session.activation().unwrap();
+    assert!(activation.reasons.inactive && !activation.reasons.tilts && activation.turned);
+    let stood = session.sim.position;
+    session.carry_out(Input::Start).unwrap();
+    assert_eq!((session.sim.position, session.sim.control.settable), (stood, 1));
+}
+
+// oracle: manual B:3880-3883: a plane, the offset in an inactive zero offset
+#[test]
+fn example_2_comes_out_as_printed() {
+    let printed = ["E2-rx", "E2-ry", "E2-rz"].map(figure);
+    let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+    let mut part = Solid::new(Shape::Block { size: [200.0, 200.0, 40.0] }, Mcs([0.0; 3]));
+    part.rotation = Rpy(printed);
+    setup.workpiece.solids.push(part);
+    setup.probe.stylus = Some(0.0); // the plane leans so far that a straight stylus would touch it
+    let mut session = Session::new(&setup);
+    open(&mut session, "align_plane", &[("zo", "G54")]);
+    for [x, y] in [[0.0, 0.0], [60.0, 5.0], [10.0, 45.0]] {
+        session.sim.position = Mcs([x, y, 40.0]);
+        session.carry_out(Input::Start).unwrap();
+    }
+    session.press(Input::Calculate).unwrap();
+    let rotation = session.sim.control.frames[&1].rotation;
+    assert_eq!(rotation.map(shown), printed.map(shown));
+    let results: Vec<String> = session.outcome().results.iter().map(|(_, value)| shown(*value)).collect();
+    assert_eq!(results, [shown(printed[0]), shown(printed[1])]);
+    assert!(session.activation().unwrap().reasons.tilts);
+    let normal: Dir<Mcs> = (rigid::rotation(Rpy(printed)) * V3::z()).into();
+    session.carry_out(Input::Start).unwrap();
+    let seen = session.sim.control.direction_to_workpiece(normal);
+    (0..3).for_each(|axis| near(seen[axis], f64::from(u8::from(axis == 2)), "normal in the new WCS"));
+}
+
+// oracle: self: no figure is left out
+#[test]
+fn every_figure_is_in_a_test() {
+    let examples = ["E1-alpha", "E1-x0", "E1-y0", "E1-rx", "E1-ry", "E1-rz", "E2-rx", "E2-ry", "E2-rz"];
+    let tested: BTreeSet<&str> = FIELDS.iter().map(|(id, ..)| *id).chain(STATES).chain(examples).collect();
+    let figures = figures();
+    let all: BTreeSet<&str> = figures.iter().map(|one| one["id"].as_str().unwrap()).collect();
+    assert_eq!(all, tested);
+    assert_eq!(all.len(), 49);
+}

@@ -1,0 +1,114 @@
+//! `probewright jog`.
+
+use super::{err, file, out, probewright};
+use std::process::Output;
+
+/// A block whose corner lies at X 0, Y 0, Z 0 of the machine; G54 is wrong.
+const SETUP: &str = r#"{
+  "control": "sinumerik",
+  "active": { "tool": 9, "edge": 1 },
+  "tools": { "9": { "name": "PROBE", "edges": { "1": { "type": 710, "length": [50, 0, 0], "radius": 3 } } } },
+  "frames": { "G54": { "coarse": [10, 20, 5], "fine": [0.1, 0, 0] } },
+  "probe": { "radius": 3, "length": 50 },
+  "workpiece": [{ "shape": "block", "size": [100, 80, 40], "at": [50, 40, 0] }],
+  "position": [0, 0, 300]
+}"#;
+
+const CORNER: &str = "; the corner, then the upper face\nmask corner_right\nzo = G54\n\
+    move X20 Y-25 Z-8\nstart\nmove X80\nstart\nmove X-30\nmove Y30\nstart\ncalculate\nactivate\n\
+    mask set_edge\naxis = Z\ndirection = -\nmove Z40\nmove X40 Y40\nstart\n";
+
+fn jog(name: &str, script: &str, more: &[&str]) -> (String, Output) {
+    let script = file(name, script.as_bytes());
+    let setup = file("jog.json", SETUP.as_bytes());
+    let output = probewright(&[&["jog", &script, "--setup", &setup], more].concat());
+    (script, output)
+}
+
+// oracle: hand (the block lies at the zero of the machine)
+#[test]
+fn a_session_prints_points_results_and_offsets() {
+    let (script, output) = jog("corner.jog", CORNER, &[]);
+    let told = out(&output);
+    assert!(output.status.success(), "{told}{}", err(&output));
+    let at = |line: u32, text: &str| assert!(told.contains(&format!("{script}:{line}: {text}\n")), "{text}: {told}");
+    at(5, "P1: X 20, Y -3, Z -8");
+    at(11, "Measured X0 = 0 mm");
+    at(11, "Angle α = 0°");
+    at(11, "$P_UIFR[1,X,TR]: 10 -> 0");
+    at(11, "$P_UIFR[1,X,FI]: 0.1 -> 0");
+    at(11, "G54 was corrected, but it is not active.");
+    at(18, "Measured Z0 = -5 mm"); // G54 is active from line 12 on
+    at(18, "$P_UIFR[1,Z,TR]: 5 -> 0");
+    assert!(told.ends_with("Active: G54\nThe mask Set edge is open.\n"), "{told}");
+}
+
+// oracle: hand (docs/setup.example.json: a hole of 132.03 mm at X 180, Y 130, its upper face at Z 30)
+#[test]
+fn the_example_in_docs_sets_the_hole() {
+    let docs = format!("{}/../docs", env!("CARGO_MANIFEST_DIR"));
+    let output =
+        probewright(&["jog", &format!("{docs}/jog.example.jog"), "--setup", &format!("{docs}/setup.example.json")]);
+    let told = out(&output);
+    assert!(output.status.success(), "{told}{}", err(&output));
+    for text in [
+        "Measured diameter = 132.03 mm",
+        "$P_UIFR[1,X,TR]: 0 -> 180",
+        "$P_UIFR[1,Y,TR]: 0 -> 130",
+        "$P_UIFR[1,Z,TR]: 0 -> 30",
+    ] {
+        assert!(told.contains(text), "{text}: {told}");
+    }
+}
+
+// oracle: hand: the part that chance moved is found where it is, its angle in the plane to its tilt
+#[test]
+fn chance_puts_the_part_and_tells_where() {
+    let (_, output) = jog("random.jog", CORNER, &["--random", "7", "--lang", "de"]);
+    let told = out(&output);
+    assert!(output.status.success(), "{told}{}", err(&output));
+    assert!(told.contains("Das Werkstück liegt nach Startwert 7: verschoben um X "), "{told}");
+    assert_eq!(told, out(&jog("random.jog", CORNER, &["--random", "7", "--lang", "de"]).1));
+    assert_ne!(told, out(&jog("random.jog", CORNER, &["--random", "8", "--lang", "de"]).1));
+}
+
+// oracle: hand
+#[test]
+fn wrong_lines_alarms_and_refused_keys_end_with_their_status() {
+    for (name, script, status, told) in [
+        ("wrong.jog", "mask set_edge\ngo\n", 2, ":2: There is no command “go”. Use one of: mask, move, "),
+        ("refused.jog", "mask set_edge\ncalculate\nstart\n", 1, ":2: This mask measures and calculates with NC start"),
+        ("alarm.jog", "mask set_edge\nmove X-200 Z-8\nstart\n", 1, ":3: alarm 61301: "),
+        ("crash.jog", "mask set_edge\nmove X20 Y20\nmove Z-8\njog Z+20\n", 1, ":3: The probe hit the part"),
+        ("menu.jog", "start\n", 1, ":1: No mask is open. Open one first, for example with “mask set_edge”."),
+        ("field.jog", "mask hole_1\ndiameter = -4\n", 1, ":2: diameter cannot be -4. Enter 0 or a value above 0."),
+    ] {
+        let (_, output) = jog(name, script, &[]);
+        let (out, err) = (out(&output), err(&output));
+        assert_eq!(output.status.code(), Some(status), "{name}: {out}{err}");
+        assert!((out + &err).contains(told), "{name}: {told}");
+    }
+}
+
+// oracle: hand
+#[test]
+fn a_session_as_json_has_each_line_and_the_machine() {
+    let (_, output) = jog("json.jog", CORNER, &["--json", "--random", "3"]);
+    let told: serde_json::Value = serde_json::from_str(&out(&output)).unwrap();
+    let lines = told["lines"].as_array().unwrap();
+    assert_eq!(lines.len(), 17);
+    assert_eq!((&lines[9]["line"], &lines[9]["state"]), (&11.into(), &"activate".into()));
+    assert_eq!(lines[9]["results"][2]["name"], "alpha");
+    assert_eq!(told["truth"]["seed"], 3);
+    assert_eq!(told["setup"]["active"]["frame"], "G54");
+}
+
+// oracle: hand
+#[test]
+fn masks_are_listed_with_what_their_fields_take() {
+    let told = out(&probewright(&["jog", "--masks"]));
+    assert!(told.contains("\nspigot_1       1 circular spigot\n"), "{told}");
+    assert!(told.contains("Infeed DZ (dz)\n"), "{told}");
+    assert!(told.contains("Corner (corner): outside, inside\n"), "{told}");
+    assert!(!told.contains("jog-"), "{told}");
+}
