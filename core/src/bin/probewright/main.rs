@@ -52,7 +52,7 @@ enum Command {
     Check(check::Arguments),
     Write(write::Arguments),
     Read(read::Arguments),
-    Run(run::Arguments),
+    Run(Box<run::Arguments>),
     Jog(jog::Arguments),
 }
 
