@@ -266,7 +266,7 @@ fn closed(case: &Case, seed: u64) {
         control.activate(measuring as usize);
     }
     // every third WCS has its abscissa the other way round, and all of the part with it
-    let mirrored = seed % 3 == 0;
+    let mirrored = seed.is_multiple_of(3);
     if mirrored {
         let [abscissa, ..] = plane.axes();
         setup.control.frames.values_mut().for_each(|frame| frame.mirror[abscissa] = true);

@@ -132,12 +132,11 @@ impl Control {
 /// Frames of one store by their numbers.
 type Frames = BTreeMap<usize, Frame>;
 
+/// Where a control has such frames.
+type Stored = fn(&Control) -> &Frames;
+
 /// Their numbers; without those of frames that are alike in the other control.
-fn numbers<'a>(
-    control: &'a Control,
-    alike: Option<&'a Control>,
-    store: fn(&Control) -> &Frames,
-) -> impl Iterator<Item = usize> {
+fn numbers<'a>(control: &'a Control, alike: Option<&'a Control>, store: Stored) -> impl Iterator<Item = usize> {
     let differs =
         move |(number, frame): &(&usize, &Frame)| alike.is_none_or(|other| store(other).get(number) != Some(*frame));
     store(control).iter().filter(differs).map(|(number, _)| *number)
@@ -146,7 +145,7 @@ fn numbers<'a>(
 /// Names of all stored tool and frame data of SINUMERIK; without frames and edges that are alike in the other control.
 fn sinumerik_names(control: &Control, alike: Option<&Control>) -> Vec<String> {
     let mut names = Vec::new();
-    let stores: [(&str, fn(&Control) -> &Frames); 3] = [
+    let stores: [(&str, Stored); 3] = [
         ("$P_UIFR", |control| &control.frames),
         ("$P_CHBFR", |control| &control.stored.channel),
         ("$P_NCBFR", |control| &control.stored.global),
