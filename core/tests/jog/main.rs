@@ -6,7 +6,6 @@
 mod alarms;
 mod hostile;
 mod loops;
-mod one_rule;
 mod printed;
 mod settings;
 mod states;
