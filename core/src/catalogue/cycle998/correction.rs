@@ -6,8 +6,8 @@ use super::params::ONE;
 use crate::catalogue::place::in_plane;
 use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::correct;
+use crate::evaluate::zero_offset;
 use crate::evaluate::zero_offset::Target;
-use crate::evaluate::{level, zero_offset};
 use crate::geometry::{Degrees, Rpy, V3, rigid};
 use nalgebra::Rotation3;
 
@@ -64,16 +64,12 @@ impl Correction {
             Some(target) => zero_offset::seen(control, target, actual.into()).into(),
             None => actual,
         };
-        let angles = level::tilt(control.plane, &wanted, &seen);
+        let turn = rigid::between(&wanted, &seen);
+        let angles = rigid::angles(&turn);
         for (index, axis) in control.plane.axes().into_iter().enumerate() {
             results::angle(machine, 21 + index, angles[axis]);
         }
-        if let Some(target) = self.target {
-            let control = machine.control();
-            let rotation = zero_offset::levelled(control, &target, wanted.into(), seen.into());
-            let writes = zero_offset::turned(control, &target, rotation);
-            correct::frame(machine, &target, &writes);
-        }
+        self.turn(machine, &turn);
     }
 
     /// Turns the frame, where there is one.
