@@ -23,6 +23,27 @@ const SIZES = [
 describe("little room", () => {
   const chrome = shared("neither", { before, after });
 
+  // oracle: hand (the answer is always in sight)
+  for (const [width, height] of [
+    [360, 640],
+    [390, 844],
+  ])
+    test(`what a call came to is in sight beside the 3D view of a phone, ${width} × ${height}`, async () => {
+      const { context, page } = await start(chrome, { viewport: { width, height } });
+      await choosePanel(page, "view");
+      await page.locator(".stage svg").first().waitFor();
+      const answer = page.locator(".answer-part b").first();
+      await answer.waitFor();
+      for (const place of [0, 120]) {
+        await page.evaluate(top => scrollTo({ top }), place);
+        await drawn(page);
+        const { y, height: high } = await answer.boundingBox();
+        const tabs = await page.locator(".panel-bar").boundingBox();
+        assert.ok(y > 0 && y + high <= tabs.y, `${y} to ${y + high}, tabs from ${tabs.y}`);
+      }
+      await context.close();
+    });
+
   for (const locale of ["en-GB", "de-DE", "zh-CN"]) {
     for (const [width, height] of SIZES) {
       // oracle: hand (WCAG 1.4.10)
