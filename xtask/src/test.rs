@@ -167,10 +167,16 @@ fn in_the_page(tally: &mut Tally, built: bool) -> Result<()> {
     tally.check("types of the page", page::types);
     let address = serve::in_background()?;
     let mut node = command("node");
-    node.args(["--test", "--test-reporter=spec", "--test-concurrency=1"]).args(specs()?);
+    node.args(["--test", "--test-reporter=spec"]).arg(format!("--test-concurrency={}", at_once())).args(specs()?);
     node.env("CHROME", browser.chrome).env("PROBEWRIGHT_URL", format!("http://{address}/"));
     tally.suite("the page in Chromium", &mut node);
     Ok(())
+}
+
+/// How many browsers run beside each other: a page takes a bit more than one core while it starts, then less. With more
+/// of them than two the software that draws for them makes all of them wait.
+fn at_once() -> usize {
+    std::thread::available_parallelism().map_or(1, |cores| cores.get().clamp(1, 2))
 }
 
 /// The browser tests, in order of their names.

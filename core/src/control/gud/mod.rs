@@ -16,7 +16,6 @@ use Kind::{Bool, Frame, Integer, Real, Text};
 use element::{ACTIVE, Index, M_MIN, MM, MM_MIN, SPEED};
 pub use element::{Element, Initial, System, Unit};
 pub(super) use element::{FEED, LENGTH, element};
-use std::collections::HashMap;
 use std::sync::OnceLock;
 
 /// Data block in which a datum is defined.
@@ -193,8 +192,13 @@ pub fn all() -> impl Iterator<Item = &'static Gud> {
 
 /// A datum by its name in upper case.
 pub fn find(name: &str) -> Option<&'static Gud> {
-    static BY_NAME: OnceLock<HashMap<&str, &Gud>> = OnceLock::new();
-    BY_NAME.get_or_init(|| all().map(|gud| (gud.name, gud)).collect()).get(name).copied()
+    static BY_NAME: OnceLock<Vec<&Gud>> = OnceLock::new();
+    let sorted = BY_NAME.get_or_init(|| {
+        let mut sorted: Vec<&Gud> = all().collect();
+        sorted.sort_unstable_by_key(|gud| gud.name);
+        sorted
+    });
+    sorted.binary_search_by_key(&name, |gud| gud.name).ok().map(|at| sorted[at])
 }
 
 /// A datum by its name with its index, which lies inside of the array: `_WP[0,1]`.
