@@ -68,13 +68,13 @@ describe("a number typed over an expression", () => {
     await openFirstCall(page, text);
     await worth(page, "_SETVAL", "= 50.02").waitFor();
     await type(page, "_SETVAL", "60");
-    await note(page, "_SETVAL").waitFor();
+    await note(page, "_SETVAL").getByRole("button", { name: "Change R2 to 60" }).waitFor(); // after the last key
     await page.keyboard.press("Escape");
     await note(page, "_SETVAL").waitFor({ state: "hidden" });
     assert.equal(await entry(page, "_SETVAL").inputValue(), "R2");
     await still(page, text);
     await type(page, "_SETVAL", "60");
-    await note(page, "_SETVAL").waitFor();
+    await note(page, "_SETVAL").getByRole("button", { name: "Change R2 to 60" }).waitFor(); // after the last key
     await page.keyboard.press("Enter");
     await page.waitForFunction(() => document.activeElement?.textContent.includes("Change R2 to 60"));
     await page.keyboard.press("Tab");
