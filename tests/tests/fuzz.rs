@@ -16,7 +16,7 @@ fn programs() -> Vec<Vec<u8>> {
     seeds::programs(&root()).unwrap()
 }
 
-// oracle: self: what was joined is split; the file is made anew from the programs of the tests with PROBEWRIGHT_UPDATE=1
+// oracle: self: what was joined is split; PROBEWRIGHT_UPDATE=1 makes the file anew from the programs of the tests
 #[test]
 fn the_seeds_are_pieces_of_programs() {
     let file = root().join("fuzz/seeds");

@@ -1,6 +1,6 @@
-//! The rule by which JOG makes a leaning plane level: a rotation of the frame about abscissa and ordinate, and about the
-//! applicate by 0 (B:3641-3645). The example prints it: X −6.1069, Y −14.3030, Z 0.0000 (B:3882). Of the two turns the
-//! frame carries out the one behind the other, in the order of its angles (RPY). DESIGN.md has the derivation.
+//! The rule by which JOG makes a leaning plane level: a rotation of the frame about abscissa and ordinate, and about
+//! the applicate by 0 (B:3641-3645). The example prints it: X −6.1069, Y −14.3030, Z 0.0000 (B:3882). Of the two turns
+//! the frame carries out the one behind the other, in the order of its angles (RPY). DESIGN.md has the derivation.
 
 use crate::control::Plane;
 use crate::geometry::{Degrees, Rpy, V3, rigid};

@@ -281,8 +281,8 @@ fn turning(
     touched
 }
 
-/// Feeds of the first and the second touch, mm/min; a rotating spindle turns from now on (B:14262-14268). Data that make
-/// no feed are 61350 (A:15892).
+/// Feeds of the first and the second touch, mm/min; a rotating spindle turns from now on (B:14262-14268). Data that
+/// make no feed are 61350 (A:15892).
 fn feeds(machine: &mut dyn Machine, probe: &Probe, rotates: bool) -> Result<[f64; 2], Stop> {
     if !rotates || probe.radius <= 0.0 {
         return Ok([probe.feed; 2]);

@@ -23,12 +23,13 @@ fn line() -> impl Strategy<Value = String> {
     let fields: Vec<&str> = masks::all().flat_map(|mask| mask.fields).map(|field| field.name).collect();
     let words = ["G54", "none", "X", "Y", "Z", "+", "-", "yes", "no", "rotation", "C", "inside", "3", "$P_SETFR"];
     let alone = ["start", "start", "start", "calculate", "activate", "<<", "reset", "mode", "start reset", "plc P1 on"];
+    let moves = ["move", "jog", "move machine"];
     prop_oneof![
         3 => prop::sample::select(names).prop_map(|name| format!("mask {name}")),
         3 => (prop::sample::select(fields.clone()), number()).prop_map(|(name, value)| format!("{name} = {value}")),
         3 => (prop::sample::select(fields), prop::sample::select(words.to_vec()))
             .prop_map(|(name, value)| format!("{name} = {value}")),
-        4 => (prop::sample::select(vec!["move", "jog", "move machine"]), prop::sample::select(vec!["X", "Y", "Z"]), number())
+        4 => (prop::sample::select(moves.to_vec()), prop::sample::select(vec!["X", "Y", "Z"]), number())
             .prop_map(|(word, axis, value)| format!("{word} {axis}{value}")),
         8 => prop::sample::select(alone.to_vec()).prop_map(str::to_owned),
         1 => (0..6_usize).prop_map(|number| format!("reject P{number}")),

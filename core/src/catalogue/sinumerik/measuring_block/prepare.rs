@@ -128,7 +128,7 @@ fn speeds(control: &Control, monitored: bool) -> Result<(f64, f64), u32> {
 /// only about it, give 270 degree (with `_CHBIT[14]` 90) of the spindle (B:13973-13987). What frames mirror is not
 /// turned: the data of the probe take the other direction there.
 fn follow_rotation(control: &Control, inputs: &Inputs) -> Option<Degrees> {
-    let asked = control.bit("_CHBIT[13]") && !turning(inputs) && !MONO.holds(inputs);
+    let asked = !turning(inputs) && control.bit("_CHBIT[13]") && !MONO.holds(inputs);
     if asked { follow(control) } else { None }
 }
 
