@@ -6,6 +6,7 @@ use crate::control::{AXES, Control, Value, gud};
 use crate::dialect::Dialect;
 use crate::geometry::Mcs;
 use crate::jog::chance::{self, Truth};
+use crate::jog::mask::key;
 use crate::jog::script::{Command, Line, Way, Wrong, read};
 use crate::jog::values::Values;
 use crate::jog::{Input, Point, Session, State};
@@ -148,7 +149,7 @@ fn carry_out(session: &mut Session, line: &Line) -> JogLine {
         line: line.number,
         text: line.text.clone(),
         state: session.state(),
-        mask: session.mask().map(|mask| Message::new(format!("jog-mask-{}", mask.name.replace('_', "-")))),
+        mask: session.mask().map(|mask| Message::new(key("mask", mask.name))),
         plane: [abscissa, ordinate].map(|axis| AXES[axis]),
         refused,
         raised: session.stopped().filter(|now| stop.as_ref() != Some(now)).map(Raised::stop),

@@ -161,6 +161,11 @@ pub enum Show {
     Angle(&'static str),
 }
 
+/// Key of the words for a mask, a field or a result: `jog-field-set-p1`.
+pub fn key(kind: &str, name: &str) -> String {
+    format!("jog-{kind}-{}", name.replace('_', "-"))
+}
+
 impl Mask {
     /// The field with this name.
     pub fn field(&self, name: &str) -> Option<&'static Field> {

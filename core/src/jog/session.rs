@@ -4,7 +4,7 @@
 use super::activation::{self, Activation, Reasons};
 use super::calculate::{self, Outcome, Point, Unfit};
 use super::evaluate::Size;
-use super::mask::{Kind, Mask, Task};
+use super::mask::{self, Kind, Mask, Task};
 use super::offset::{self, Correction};
 use super::settings;
 use super::states::{Does, Key, Row, State, When, row_of};
@@ -559,7 +559,7 @@ impl Session {
             "z0" | "dz" => applicate,
             _ => along,
         };
-        Message::new(format!("jog-{kind}-{}", name.replace('_', "-"))).text("axis", AXES[axis])
+        Message::new(mask::key(kind, name)).text("axis", AXES[axis])
     }
 
     /// Lets the user move the machine: by the WCS of the measurement, or as he likes. What is hit stops it.

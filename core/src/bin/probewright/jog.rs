@@ -5,7 +5,7 @@ use crate::file::Problem;
 use probewright_core::app::{self, JogLine, JogView, JogWrong};
 use probewright_core::control::{AXES, Control, delivery};
 use probewright_core::dialect::Dialect;
-use probewright_core::jog::mask::{Field, Mask};
+use probewright_core::jog::mask::{Field, Mask, key};
 use probewright_core::jog::values::{Values, words as choices};
 use probewright_core::jog::{FUNCTIONS, State};
 use probewright_core::json;
@@ -128,7 +128,7 @@ fn lines(line: &JogLine, words: &Words) -> Vec<String> {
 fn list(words: &Words, out: &mut dyn Write) -> std::io::Result<()> {
     let control = delivery(Dialect::Sinumerik);
     for mask in FUNCTIONS.iter().flat_map(|function| function.masks) {
-        writeln!(out, "{:14} {}", mask.name, words.key(format!("jog-mask-{}", mask.name.replace('_', "-"))))?;
+        writeln!(out, "{:14} {}", mask.name, words.key(key("mask", mask.name)))?;
         for field in mask.fields {
             writeln!(out, "{:14} {}", "", words.text(&takes(mask, field, &control, words)))?;
         }
@@ -138,7 +138,7 @@ fn list(words: &Words, out: &mut dyn Write) -> std::io::Result<()> {
 
 /// A field, and what it takes.
 fn takes(mask: &Mask, field: &Field, control: &Control, words: &Words) -> Message {
-    let label = Message::new(format!("jog-field-{}", field.name.replace('_', "-")));
+    let label = Message::new(key("field", field.name));
     let axis = if field.name.starts_with('y') {
         "Y"
     } else if ["z0", "dz"].contains(&field.name) {
