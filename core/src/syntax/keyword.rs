@@ -25,6 +25,9 @@ const LONGEST: usize = 8;
 
 /// The reserved word that this name is, without regard to case.
 pub(super) fn find(name: &[u8]) -> Option<Keyword> {
+    if matches!(name, [b'_' | b'$', ..]) {
+        return None; // as most data of the cycles begin, and no reserved word
+    }
     let mut upper = [0; LONGEST];
     let upper = upper.get_mut(..name.len())?;
     upper.copy_from_slice(name);
