@@ -12,9 +12,13 @@ use std::collections::BTreeSet;
 pub fn written(dialect: Dialect, text: &str) -> Option<String> {
     let text = text.trim();
     let pointed = pointed(text);
-    let all = [pointed.clone(), text.to_owned(), format!("[{pointed}]"), format!("[{text}]")];
     let brackets = Grammar::of(dialect).by_address;
-    all.into_iter().take(if brackets { 4 } else { 2 }).find(|text| is_value_of(dialect, text))
+    let stands = |text: &String| is_value_of(dialect, text);
+    let either = |all: &dyn Fn(&str) -> String| {
+        let typed = || Some(all(text)).filter(|_| pointed != text);
+        Some(all(&pointed)).filter(stands).or_else(|| typed().filter(stands))
+    };
+    either(&str::to_owned).or_else(|| brackets.then(|| either(&|text| format!("[{text}]")))?)
 }
 
 /// With each comma between two digits as a point, but for those between the arguments of a function or index.
