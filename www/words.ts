@@ -8,7 +8,7 @@ const FALLBACK = "en"; // comes with the page, in two parts; another language co
 
 // What is asked for only when the form stands: cures, search words and results of the core, all that measuring,
 // running, alarms and machine data say, and the words of other cycles than that of the first visit. The page's own
-// words stand from the start.
+// words stand from the start, but for those of such a file.
 const LATER_WORDS = /^([a-z0-9-]+-(help|hint|words)|result-[a-z0-9-]+) =/;
 const LATER_FILES = [
   ..."advice alarms changes datum digitizing equipment evaluate jog".split(" "),
@@ -53,7 +53,8 @@ export function words(core: string, page: string, catalogue: string): Plugin {
           return part !== null && wanted.includes(part);
         }),
       );
-    return [...said(core, (file, message) => partOf(file, message, first)), ...said(page, () => "first")].join("\n");
+    const ofPage = (file: string): Part => (LATER_FILES.includes(file) ? "later" : "first");
+    return [...said(core, (file, message) => partOf(file, message, first)), ...said(page, ofPage)].join("\n");
   }
 
   const fetched = (of: string[], part: string): string =>

@@ -191,6 +191,16 @@ pub fn story(request: &str) -> Result<String, JsError> {
     Ok(json::answer(request, app::story)?)
 }
 
+/// `PracticeRequest` → `PracticeView`, and what is to be seen since the mask was opened.
+///
+/// # Errors
+/// A request or a setup of the wrong shape, or a control that does not measure in JOG.
+#[wasm_bindgen]
+pub fn practise(request: &str) -> Result<Answer, JsError> {
+    let (view, seen) = app::practise(json::question(request)?)?;
+    Ok(Answer { view: json::text(&view), seen: Some(seen) })
+}
+
 /// Tells by its bytes, which come in pieces, whether a file is a part program and how it is encoded.
 #[wasm_bindgen]
 #[derive(Default)]

@@ -17,6 +17,7 @@ import Contrast from "lucide/dist/esm/icons/contrast.mjs";
 import Copy from "lucide/dist/esm/icons/copy.mjs";
 import Cpu from "lucide/dist/esm/icons/cpu.mjs";
 import Crosshair from "lucide/dist/esm/icons/crosshair.mjs";
+import Dices from "lucide/dist/esm/icons/dices.mjs";
 import Download from "lucide/dist/esm/icons/download.mjs";
 import Ellipsis from "lucide/dist/esm/icons/ellipsis.mjs";
 import Eye from "lucide/dist/esm/icons/eye.mjs";
@@ -25,6 +26,7 @@ import FolderOpen from "lucide/dist/esm/icons/folder-open.mjs";
 import Gauge from "lucide/dist/esm/icons/gauge.mjs";
 import House from "lucide/dist/esm/icons/house.mjs";
 import Info from "lucide/dist/esm/icons/info.mjs";
+import Joystick from "lucide/dist/esm/icons/joystick.mjs";
 import Keyboard from "lucide/dist/esm/icons/keyboard.mjs";
 import ListTree from "lucide/dist/esm/icons/list-tree.mjs";
 import Maximize from "lucide/dist/esm/icons/maximize.mjs";
@@ -65,6 +67,7 @@ const ICONS = {
   cut: Scissors,
   dark: Moon,
   delete: Trash,
+  dice: Dices,
   down: ChevronDown,
   download: Download,
   error: CircleX,
@@ -73,6 +76,7 @@ const ICONS = {
   fit: Maximize,
   gauge: Gauge,
   good: CircleCheck,
+  hand: Joystick,
   help: CircleHelp,
   history: History,
   home: House,

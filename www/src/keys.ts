@@ -58,6 +58,16 @@ export const KEYS = {
     "next-problem": ["F8"],
     problems: ["Ctrl+Shift+M"],
   },
+  // the axes where the machine is under the hand
+  jog: {
+    "x-minus": ["ArrowLeft"],
+    "x-plus": ["ArrowRight"],
+    "y-minus": ["ArrowDown"],
+    "y-plus": ["ArrowUp"],
+    "z-minus": ["PageDown"],
+    "z-plus": ["PageUp"],
+    start: ["Ctrl+Enter"],
+  },
   view: {
     turn: ["ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown"],
     shift: ["Shift+ArrowLeft", "Shift+ArrowRight", "Shift+ArrowUp", "Shift+ArrowDown"],

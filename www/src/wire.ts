@@ -213,6 +213,8 @@ export type Catalogue = {
   cycles: Array<CycleInfo>,
   /** Axis of the machine (X 0, Y 1, Z 2) about which the error `tilt` of the sliders turns a part, by plane. */
   applicate: Record<Plane, 0 | 1 | 2>,
+  /** Controls with which measuring in JOG can be practised. */
+  practises: Array<Dialect>,
 };
 
 /** A text for a field. */
@@ -965,6 +967,22 @@ export type HelpView = {
   alarms: Array<AlarmInfo>,
 };
 
+/** A point that was stored. */
+export type JogPoint = {
+  /** `P1`. */
+  name: string,
+  /** Position at switching in the WCS of the measurement, mm, where it is a touch. */
+  touch?: [number, number, number],
+  /** Centre in abscissa and ordinate, mm, where it is an element. */
+  centre?: [number, number],
+};
+
+/** What is on the screen. */
+export type JogState = "menu" | "mask" | "ready" | "busy" | "activate" | "moving" | "alarm";
+
+/** A value. */
+export type JogValue = number | string;
+
 /** What a label tells. */
 export type LabelKind = "frame" | "diameter" | "nominal" | "touched" | "touch" | "collision" | "size" | "anchor";
 
@@ -1288,6 +1306,225 @@ export type Place = {
 
 /** Working plane. */
 export type Plane = "G17" | "G18" | "G19";
+
+/** The activation screen. */
+export type PracticeActivation = {
+  /** Its lines. */
+  lines: Array<Message>,
+  /** Its fields. */
+  fields: Array<PracticeField>,
+};
+
+/** A softkey of the vertical bar. */
+export type PracticeArea = {
+  /** What it says. */
+  label: Message,
+  /** Its functions. */
+  functions: Array<PracticeFunction>,
+};
+
+/** A mask that can be opened. */
+export type PracticeChoice = {
+  /** Name in a script. */
+  name: string,
+  /** Title. */
+  label: Message,
+  /** The piece on which it can be practised. */
+  piece: PracticePiece,
+};
+
+/** How far a zero offset is from where it should be. */
+export type PracticeDeviation = {
+  /** Its name. */
+  offset: string,
+  /** Along the axes, mm, then about them, degree. */
+  figures: Array<PracticeFigure>,
+};
+
+/** A field of a mask or of the activation screen. */
+export type PracticeField = {
+  /** Name in a script. */
+  name: string,
+  /** What it is called. */
+  label: Message,
+  /** `mm` or `deg` of a number, else empty. */
+  unit: string,
+  /** What it holds. */
+  value: JogValue,
+  /** What can be chosen; none: it takes a number. */
+  choices: Array<PracticeWord>,
+  /** What is wrong with it. */
+  wrong?: Message,
+};
+
+/** A number. */
+export type PracticeFigure = {
+  /** Letter of its axis, or empty. */
+  axis: string,
+  /** mm or degree. */
+  value: number,
+  /** `mm` or `deg`. */
+  unit: string,
+};
+
+/** A function. */
+export type PracticeFunction = {
+  /** Name. */
+  name: string,
+  /** Its masks. */
+  masks: Array<PracticeChoice>,
+};
+
+/** Which keys do something. */
+export type PracticeKeys = {
+  /** NC start. */
+  start: boolean,
+  /** RESET. */
+  reset: boolean,
+  /** Calculate. */
+  calculate: boolean,
+  /** `<<`. */
+  back: boolean,
+  /** Another mode. */
+  mode: boolean,
+};
+
+/** The machine. */
+export type PracticeMachine = {
+  /** Position X Y Z in the WCS of the measurement, mm. */
+  wcs: [number, number, number],
+  /** Position X Y Z of the machine, mm. */
+  mcs: [number, number, number],
+  /** The zero offset that is active. */
+  active: string,
+  /** Letters of the axes of the plane in which is measured. */
+  axes: [string, string],
+  /** Planes in which can be measured. */
+  planes: Array<PracticeUse>,
+  /** Zero offsets that can be in use while measuring. */
+  offsets: Array<PracticeUse>,
+  /** Whether one is offered because it was activated: no other can be chosen until the area is left. */
+  offered: boolean,
+  /** What can be in the spindle. */
+  tools: Array<PracticeUse>,
+  /** Whether it is a probe. */
+  probe: boolean,
+};
+
+/** A mask with its values. */
+export type PracticeMask = {
+  /** Name in a script. */
+  name: string,
+  /** Title. */
+  label: Message,
+  /** Fields that are shown, in their order. */
+  fields: Array<PracticeField>,
+  /** Lines of the left part, in their order. */
+  shows: Array<PracticeShow>,
+};
+
+/** What lies on the table. */
+export type PracticePiece = "block" | "pocket" | "hole" | "holes" | "island" | "spigot" | "spigots" | "probe";
+
+/** A softkey P1 to P4. */
+export type PracticePoint = {
+  /** `P1`. */
+  name: string,
+  /** What is stored; absent: the softkey is grey. */
+  stored?: JogPoint,
+};
+
+/** A line that was not carried out. */
+export type PracticeRefusal = {
+  /** Its number, from 1. */
+  line: number,
+  /** Why. */
+  message: Message,
+  /** What helps. */
+  hint?: Message,
+};
+
+/** A session of measuring in JOG. */
+export type PracticeRequest = {
+  /** Control. */
+  control: Dialect,
+  /** Machine with its part; absent, and where it has no part or turns: one to practise on. */
+  setup?: Machine,
+  /** What lies on the table of the machine to practise on; absent: a block. */
+  piece?: PracticePiece,
+  /** What was done, a line a thing. */
+  script: string,
+  /** The part lies as chance puts it by this seed; absent: as `part` says. */
+  seed?: number,
+  /** How the part lies: displacement, size and tilt; absent: as in the setup. */
+  part?: PartSliders,
+};
+
+/** A line of the left part. */
+export type PracticeShow = {
+  /** What it is called. */
+  label: Message,
+  /** Name of a zero offset, where the line has one. */
+  offset?: string,
+  /** Numbers, each with the letter of its axis; of a result without one. */
+  figures: Array<PracticeFigure>,
+};
+
+/** Something that can be in use. */
+export type PracticeUse = {
+  /** Its name: `G54`; empty: an empty spindle. */
+  name: string,
+  /** The line of a script that brings it into use. */
+  line: string,
+  /** Whether it is. */
+  used: boolean,
+};
+
+/** What is on the screen and under the hand. */
+export type PracticeView = {
+  /** The functions as the softkeys have them. */
+  areas: Array<PracticeArea>,
+  /** What is on the screen. */
+  state: JogState,
+  /** The line at which it ended, as it did nothing. */
+  refused?: PracticeRefusal,
+  /** The alarm that is pending, or what was hit. */
+  raised?: Raised,
+  /** What the user should know of the last touch. */
+  notes: Array<Message>,
+  /** The mask that is open. */
+  mask?: PracticeMask,
+  /** The activation screen. */
+  activation?: PracticeActivation,
+  /** Keys that do something now. */
+  keys: PracticeKeys,
+  /** P1 to P4, where the mask has softkeys for them. */
+  points: Array<PracticePoint>,
+  /** Bits 0 to 7 of the PLC. */
+  plc: Array<boolean>,
+  /** The machine. */
+  machine: PracticeMachine,
+  /** The piece of the machine to practise on; absent: the machine is the user's. */
+  piece?: PracticePiece,
+  /** How the part lies. */
+  truth: Truth,
+  /** How far the zero offset that the mask wrote is from where it should be. */
+  deviation?: PracticeDeviation,
+  /** What the mask wrote last. */
+  changes: Array<Change>,
+  /** The machine as it was before all that, its part where it really lies. */
+  setup: Setup,
+  /** The first entry of the trace that belongs to the last line. */
+  from: number,
+};
+
+/** A choice. */
+export type PracticeWord = {
+  /** As a script has it. */
+  word: string,
+  /** What it is called; absent: as it is. */
+  label?: Message,
+};
 
 /** The probe as it is, not as the control believes. */
 export type Probe = {
@@ -2108,6 +2345,18 @@ export type Trace = {
 
 /** How the program gives positions of the transverse axis X of a lathe. */
 export type Transverse = "DIAMOF" | "DIAMON" | "DIAM90";
+
+/** How a part was put: what a measurement should find. */
+export type Truth = {
+  /** Seed that made it; 0: none did. */
+  seed: number,
+  /** Displacement X Y Z of the first solid, mm. */
+  shift: [number, number, number],
+  /** Rotation about the machine's X Y Z (RPY), degree. */
+  tilt: [number, number, number],
+  /** Added to every diameter, width and length, mm. */
+  size: number,
+};
 
 /** The disc of a turret, its axis parallel to that of the spindle. */
 export type Turret = {

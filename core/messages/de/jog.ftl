@@ -116,3 +116,27 @@ jog-offset-active = Aktiv: { $offset }
 jog-truth = Das Werkstück liegt nach Startwert { $seed }: verschoben um X { $x }, Y { $y }, Z { $z } mm; gedreht um X { $a }, Y { $b }, Z { $c }°; Übermaß { $size } mm.
 jog-takes = { $label } ({ $name })
 jog-takes-one-of = { $label } ({ $name }): { $words }
+
+jog-area-edge = Kante
+jog-area-corner = Ecke
+jog-area-hole = Tasche/Bohrung
+jog-area-spigot = Zapfen
+jog-area-plane = Ebene ausrichten
+jog-area-calibrate = Messtaster abgleichen
+jog-area-tool = Werkzeug messen
+
+jog-word-none = nur Messen
+jog-word-rotation = Koordinatendrehung
+jog-word-yes = Ja
+jog-word-no = Nein
+jog-word-outside = Außen
+jog-word-inside = Innen
+jog-word-length = nur Länge
+jog-word-length-and-diameter = Länge und Durchmesser
+
+jog-show-translation = Verschiebung
+jog-show-rotation = Drehung
+jog-show-turned = Rundachse
+jog-show-measuring = Beim Messen aktiv
+
+jog-crash-hint = Achse in Gegenrichtung freifahren, dann mit kleinerem Schrittmaß anfahren.

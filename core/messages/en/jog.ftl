@@ -116,3 +116,27 @@ jog-offset-active = Active: { $offset }
 jog-truth = The part was placed by seed { $seed }: moved by X { $x }, Y { $y }, Z { $z } mm; rotated by X { $a }, Y { $b }, Z { $c }°; oversize { $size } mm.
 jog-takes = { $label } ({ $name })
 jog-takes-one-of = { $label } ({ $name }): { $words }
+
+jog-area-edge = Edge
+jog-area-corner = Corner
+jog-area-hole = Pocket/hole
+jog-area-spigot = Spigot
+jog-area-plane = Align plane
+jog-area-calibrate = Calibrate probe
+jog-area-tool = Measure tool
+
+jog-word-none = Measuring only
+jog-word-rotation = Coordinate rotation
+jog-word-yes = Yes
+jog-word-no = No
+jog-word-outside = Outside
+jog-word-inside = Inside
+jog-word-length = Length only
+jog-word-length-and-diameter = Length and diameter
+
+jog-show-translation = Translation
+jog-show-rotation = Rotation
+jog-show-turned = Rotary axis
+jog-show-measuring = Active while measuring
+
+jog-crash-hint = Move the axis back in the opposite direction, then approach with a smaller increment.

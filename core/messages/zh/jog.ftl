@@ -116,3 +116,27 @@ jog-offset-active = 激活：{ $offset }
 jog-truth = 工件按种子 { $seed } 放置：移动 X { $x }、Y { $y }、Z { $z } mm；旋转 X { $a }、Y { $b }、Z { $c }°；偏大 { $size } mm。
 jog-takes = { $label }（{ $name }）
 jog-takes-one-of = { $label }（{ $name }）：{ $words }
+
+jog-area-edge = 棱边
+jog-area-corner = 拐角
+jog-area-hole = 凹槽/孔
+jog-area-spigot = 凸台
+jog-area-plane = 找正平面
+jog-area-calibrate = 校准测头
+jog-area-tool = 测量刀具
+
+jog-word-none = 仅测量
+jog-word-rotation = 坐标旋转
+jog-word-yes = 是
+jog-word-no = 否
+jog-word-outside = 外拐角
+jog-word-inside = 内拐角
+jog-word-length = 仅长度
+jog-word-length-and-diameter = 长度和直径
+
+jog-show-translation = 平移
+jog-show-rotation = 旋转
+jog-show-turned = 回转轴
+jog-show-measuring = 测量时生效的零点偏移
+
+jog-crash-hint = 请反方向移开该轴，再用较小的增量靠近。

@@ -9,7 +9,7 @@ use crate::entry::{Aim, Cycle, Param, ProbeUse, ResultField, Style, Typed, Unit}
 use crate::manual::Cited;
 use crate::name::Name;
 use crate::workpiece::free::EXAMPLES;
-use crate::{SIMULATES, check, entry};
+use crate::{SIMULATES, check, entry, jog};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -22,6 +22,8 @@ pub struct Catalogue {
     /// Axis of the machine (X 0, Y 1, Z 2) about which the error `tilt` of the sliders turns a part, by plane.
     #[cfg_attr(test, ts(type = "Record<Plane, 0 | 1 | 2>"))]
     pub applicate: BTreeMap<Plane, usize>,
+    /// Controls with which measuring in JOG can be practised.
+    pub practises: Vec<Dialect>,
 }
 
 /// A measuring cycle or macro.
@@ -125,7 +127,8 @@ pub struct ParameterInfo {
 pub fn catalogue() -> Catalogue {
     let mut applicate = BTreeMap::new(); // `from` would bring a sort of its own into the page's first module
     applicate.extend(Plane::ALL.map(|plane| (plane, plane.axes()[2])));
-    Catalogue { cycles: CYCLES.iter().map(|cycle| entry(cycle)).collect(), applicate }
+    let practises = [Dialect::Sinumerik, Dialect::Nct].into_iter().filter(|control| jog::measures(*control)).collect();
+    Catalogue { cycles: CYCLES.iter().map(|cycle| entry(cycle)).collect(), applicate, practises }
 }
 
 fn entry(cycle: &'static Cycle) -> CycleInfo {

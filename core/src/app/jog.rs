@@ -3,13 +3,12 @@
 use super::changes::Change;
 use super::outcome::Raised;
 use crate::control::{AXES, Control, Value, gud};
-use crate::dialect::Dialect;
 use crate::geometry::Mcs;
 use crate::jog::chance::{self, Truth};
 use crate::jog::mask::key;
 use crate::jog::script::{Command, Line, Way, Wrong, read};
 use crate::jog::values::Values;
-use crate::jog::{Input, Point, Session, State};
+use crate::jog::{Input, Point, Session, State, measures};
 use crate::machine::{Machine, MotionKind, Setup, Step};
 use crate::message::Message;
 use crate::workpiece::Touching;
@@ -74,6 +73,7 @@ pub struct JogLine {
 
 /// A point that was stored.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 pub struct JogPoint {
     /// `P1`.
     pub name: String,
@@ -114,7 +114,7 @@ pub enum JogWrong {
 /// A line that cannot be read, or a machine that does not measure in JOG.
 pub fn jog(script: &str, setup: &Setup, seed: Option<u64>) -> Result<JogView, JogWrong> {
     let lines = read(script).map_err(JogWrong::Line)?;
-    if setup.control.dialect != Dialect::Sinumerik {
+    if !measures(setup.control.dialect) {
         return Err(JogWrong::Machine(Message::new("jog-no-jog")));
     }
     let mut setup = setup.clone();
@@ -166,7 +166,7 @@ fn carry_out(session: &mut Session, line: &Line) -> JogLine {
 }
 
 /// What a step tells the user beside results.
-fn note(step: &Step) -> Option<Message> {
+pub(super) fn note(step: &Step) -> Option<Message> {
     match step {
         Step::Decision { message } => Some(message.clone()),
         Step::Crash { by: Touching::Body, .. } => Some(Message::new("run-crash-body")),
@@ -174,7 +174,7 @@ fn note(step: &Step) -> Option<Message> {
     }
 }
 
-fn changed(control: &Control, step: &Step) -> Option<Change> {
+pub(super) fn changed(control: &Control, step: &Step) -> Option<Change> {
     let Step::Set { name, before, after } = step else { return None };
     // user data stand in the unit of the machine, tools and frames in mm
     let factor = if gud::named(name).is_some() { control.basic_factor() } else { 1.0 };
@@ -182,7 +182,7 @@ fn changed(control: &Control, step: &Step) -> Option<Change> {
 }
 
 /// Points that are there now and were not before.
-fn stored(before: &[Option<Point>], now: &[Option<Point>]) -> Vec<JogPoint> {
+pub(super) fn stored(before: &[Option<Point>], now: &[Option<Point>]) -> Vec<JogPoint> {
     let new = now.iter().enumerate().filter(|(number, _)| before.get(*number).copied().flatten().is_none());
     new.filter_map(|(number, point)| {
         let name = format!("P{}", number + 1);
@@ -208,7 +208,7 @@ fn results(session: &Session) -> Vec<JogResult> {
 }
 
 /// Carries out a command; an error says why it does nothing.
-fn act(session: &mut Session, command: &Command) -> Result<(), Message> {
+pub(super) fn act(session: &mut Session, command: &Command) -> Result<(), Message> {
     match command {
         Command::Mask(name) => {
             if matches!(session.state(), State::Mask | State::Ready) {

@@ -31,6 +31,21 @@ pub enum Area {
     Tool,
 }
 
+impl Area {
+    /// Key of its words.
+    pub fn key(self) -> &'static str {
+        match self {
+            Area::Edge => "jog-area-edge",
+            Area::Corner => "jog-area-corner",
+            Area::Hole => "jog-area-hole",
+            Area::Spigot => "jog-area-spigot",
+            Area::Plane => "jog-area-plane",
+            Area::Calibrate => "jog-area-calibrate",
+            Area::Tool => "jog-area-tool",
+        }
+    }
+}
+
 /// A mask.
 #[derive(Debug)]
 pub struct Mask {

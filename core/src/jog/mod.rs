@@ -10,9 +10,11 @@ pub mod evaluate;
 pub mod mask;
 pub mod masks;
 pub mod offset;
+pub mod practice;
 pub mod script;
 pub mod session;
 pub mod settings;
+pub mod shadow;
 pub mod states;
 pub mod stylus;
 mod tools;
@@ -24,3 +26,10 @@ pub use mask::{Function, Mask};
 pub use masks::FUNCTIONS;
 pub use session::{Input, Session};
 pub use states::State;
+
+use crate::dialect::Dialect;
+
+/// Whether a control measures in JOG (B:2576).
+pub fn measures(dialect: Dialect) -> bool {
+    dialect == Dialect::Sinumerik
+}

@@ -204,6 +204,26 @@ impl Session {
         }
     }
 
+    /// Whether a key does something now.
+    pub fn takes(&self, key: Key) -> bool {
+        self.row(key).is_ok()
+    }
+
+    /// Whether a zero offset that was activated is offered for the next measurement.
+    pub fn offers(&self) -> bool {
+        self.offered.is_some()
+    }
+
+    /// Is where another session is that came the same way on another part: screen, activation and active zero offset.
+    pub(super) fn become_like(&mut self, other: &Session) {
+        self.state = other.state;
+        self.activation.clone_from(&other.activation);
+        self.offered = other.offered;
+        self.stopped = None;
+        self.values = other.values.clone();
+        self.sim.control.activate(other.sim.control.settable);
+    }
+
     /// The row that an input takes.
     fn row(&self, key: Key) -> Result<&'static Row, Message> {
         row_of(self.state, key, |when| self.holds(when)).ok_or_else(|| self.refusal(key))
@@ -414,7 +434,7 @@ impl Session {
     }
 
     /// The zero offset that the mask corrects; none: measuring only.
-    fn chosen(&self) -> Option<Store> {
+    pub fn chosen(&self) -> Option<Store> {
         let mask = self.mask?;
         let field = mask.field("zo")?;
         let Kind::Offset { turned } = field.kind else { return None };

@@ -74,6 +74,11 @@ pub fn measuring(control: &Control) -> usize {
     }
 }
 
+/// What `_JM_I[4]` is for a settable frame to be active while measuring.
+pub fn number(settable: usize) -> f64 {
+    if settable == 0 { AS_MACHINE_DATA } else { settable as f64 }
+}
+
 /// The preset of a field by a datum of the probe: diameter of the ring, height of the surface (B:2897-2900).
 pub fn preset(control: &Control, name: &str) -> Option<f64> {
     let datum = match name {

@@ -4,6 +4,7 @@
 /// What is on the screen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "JogState"))]
 pub enum State {
     /// The vertical bar of the functions.
     Menu,

@@ -13,6 +13,7 @@ pub const ROTATION: &str = "rotation";
 /// A value.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 #[serde(untagged)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "JogValue"))]
 pub enum Value {
     /// A number, mm or degree.
     Number(f64),

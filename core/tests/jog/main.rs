@@ -6,6 +6,7 @@
 mod alarms;
 mod hostile;
 mod loops;
+mod practice;
 mod printed;
 mod settings;
 mod states;

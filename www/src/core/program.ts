@@ -19,6 +19,8 @@ import type {
   HelpView,
   MachineRequest,
   MachineView,
+  PracticeRequest,
+  PracticeView,
   ReadRequest,
   ReadView,
   Recognised,
@@ -62,6 +64,11 @@ export type Question =
   | ({ ask: "cure" } & CureRequest)
   | ({ ask: "run" } & RunQuestion);
 
+/** What came of a session of measuring in JOG, and what is to be seen of it. */
+export interface Practised extends PracticeView {
+  scene: SceneData;
+}
+
 export interface ProgramCore extends FormCore {
   module: WebAssembly.Module; // for the workers
   read(request: ReadRequest): ReadView;
@@ -74,6 +81,7 @@ export interface ProgramCore extends FormCore {
   machine(request: MachineRequest): MachineView;
   equip(request: EquipRequest): EquipView;
   story(request: FormRequest): Story;
+  practise(request: PracticeRequest): Practised;
   /** Takes the bytes of a file in pieces. */
   recogniser(): { take(bytes: Uint8Array): void; finish(): Recognised };
   /** The setup of a file, with its defaults; or why it is none. */
@@ -116,6 +124,14 @@ function formed(request: FormRequest): Formed {
     scenes.set(times, made);
     return made;
   };
+  return { ...view, scene };
+}
+
+function practised(request: PracticeRequest): Practised {
+  const answer = call("practise", () => wasm.practise(JSON.stringify(request)));
+  const view = JSON.parse(answer.view()) as PracticeView;
+  const scene = sceneIn(answer, 1);
+  answer.free();
   return { ...view, scene };
 }
 
@@ -199,6 +215,7 @@ export async function loadProgramCore(): Promise<ProgramCore> {
   return {
     module,
     simulates: "yes",
+    practise: practised,
     setup: setupOf,
     change: changes,
     recogniser,

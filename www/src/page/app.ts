@@ -3,10 +3,11 @@
 import { type Aside, createAside } from "../core/aside";
 import type { Core } from "../core/core";
 import { Broken } from "../core/module";
-import { type Actions, createActions } from "../desk/actions";
+import { createActions } from "../desk/actions";
 import { createDerive } from "../desk/derive";
 import { createDesk, isSettled } from "../desk/desk";
 import { lastKnown, meant, type Seen } from "../desk/meaning";
+import { createPractice } from "../desk/practice";
 import { suited } from "../desk/program";
 import { createEditorPlace } from "../editor/place";
 import { createJob, painted } from "../pace";
@@ -134,6 +135,10 @@ function createParts(
     catalogue,
     store,
     actions,
+    practice: guarded(
+      createPractice(store, () => modules.program),
+      store,
+    ),
     modules,
     work,
     editor,
@@ -152,12 +157,12 @@ function afterLoad(run: () => void): void {
   else addEventListener("load", run, { once: true });
 }
 
-function guarded(plain: Actions, store: Store): Actions {
+function guarded<A extends object>(plain: A, store: Store): A {
   const actions = Object.entries(plain).map(([name, run]) => [
     name,
     guard(() => store, working(store, run as (...args: unknown[]) => unknown)),
   ]);
-  return Object.fromEntries(actions) as unknown as Actions;
+  return Object.fromEntries(actions) as unknown as A;
 }
 
 /** The work is changed now, if this changes it. */

@@ -3,6 +3,7 @@
 
 import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
+import type { Practice } from "../desk/practice";
 import { el, on, setText, show } from "../dom";
 import type { EditorPlace } from "../editor/place";
 import { icon } from "../icons";
@@ -34,6 +35,7 @@ import { commandsOf } from "./commands";
 import { createLayout } from "./layout";
 import type { Modules } from "./modules";
 import type { Open } from "./open";
+import { createPracticePlace } from "./practice";
 import { railButton } from "./rail";
 import { listenToKeys } from "./shortcuts";
 import { createStartPlace } from "./start";
@@ -45,6 +47,7 @@ export interface Parts {
   catalogue: Catalogue;
   store: Store;
   actions: Actions;
+  practice: Practice;
   open: Open;
   work: Work;
   editor: EditorPlace;
@@ -113,6 +116,7 @@ export function createBench(parts: Parts): Bench {
   const coach = createCoach(actions);
   layout.header.after(coach.root);
   const start = createStartPlace(layout, parts, program.open, stop.signal);
+  const practice = createPracticePlace(layout, parts, stop.signal);
   showKeys(stop.signal);
   let shown: { state: State; derived: Derived } | null = null;
   const setupFile = createSetupFile(open.setup);
@@ -125,6 +129,7 @@ export function createBench(parts: Parts): Bench {
     importSetup: () => setupFile.click(),
     exportSetup: () => exportSetup(store, shown?.derived.view.setup),
     paper: which => void later()?.paper(which),
+    practise: practice.go,
   });
   const later = behind(
     pieces => {
@@ -175,7 +180,7 @@ export function createBench(parts: Parts): Bench {
   on(machine, "click", () => later()?.equipment.open());
   layout.rail.querySelector('[data-panel-button="help"]')?.before(machine);
   const views = [
-    createHeader(layout.header, store, actions, setupFile, core, later, keys, program, stop.signal),
+    createHeader(layout.header, store, actions, setupFile, core, later, keys, program, practice.go, stop.signal),
     start.drawButton,
     coach.draw,
     createTasks(panels.tasks, store, actions, found),
@@ -202,6 +207,7 @@ export function createBench(parts: Parts): Bench {
       drawForm(state, derived);
       return () => {
         for (const view of views) view(state, derived);
+        practice.draw(state, derived);
         for (const part of [...Object.values(activities), ...refusals, newer]) part.draw(state);
         setText(layout.notice, state.page.notice ? t(state.page.notice) : "");
         show(layout.undo, !!state.page.notice && state.page.offer);

@@ -2,6 +2,7 @@
 
 import { type Actions, variantOf } from "../desk/actions";
 import { type Derived, findCycle } from "../desk/derive";
+import { practises } from "../desk/practice";
 import { KEYS } from "../keys";
 import { nameOf } from "../language";
 import type { State } from "../state/state";
@@ -24,6 +25,7 @@ export interface Does {
   importSetup(): void;
   exportSetup(): void;
   paper(which: Paper): void;
+  practise(): void;
 }
 
 const STYLES: Style[] = ["direct", "indirect", "operate"];
@@ -134,5 +136,8 @@ export function commandsOf(store: Store, actions: Actions, does: Does): (derived
     ...ofWork(actions, does, store.state),
     ...ofCall(store, actions, store.state, derived),
     ...ofView(store, actions, does, store.state),
+    ...(practises(store.state, derived.catalogue)
+      ? [{ id: "practise", title: t("practice-title"), run: does.practise }]
+      : []),
   ];
 }

@@ -83,7 +83,14 @@ export function createStartPlace(
     coming = true;
     const { createStart } = await import("../start/start");
     if (stop.aborted) return;
-    draw = createStart(root, actions, { toWork, openProgram, again, tell: way => void tell(way).catch(console.error) });
+    const practise = (): void => where.go("jog");
+    draw = createStart(root, actions, {
+      toWork,
+      openProgram,
+      again,
+      practise,
+      tell: way => void tell(way).catch(console.error),
+    });
     store.update({});
   };
   return {
@@ -92,7 +99,7 @@ export function createStartPlace(
       const here = store.state.page.place === "start";
       if (here && !coming) void fetch().catch(console.error);
       show(root, here);
-      show(main, !here);
+      show(main, store.state.page.place === "work");
       setAttribute(document.body, "data-place", store.state.page.place);
       note(state, derived);
       draw?.(state, derived);

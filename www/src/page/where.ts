@@ -1,18 +1,21 @@
 // Where on the page the reader is: at the start or at work. It is a place of the browser's history, so that Back leads
-// from the form to the start, and of the address: `#measure` is the work.
+// from the form to the start, and of the address: `#measure` is the work, `#jog` the machine to practise on.
 
 import type { PageState, State } from "../state/state";
 import type { Store } from "../state/store";
 import type { Flat } from "../state/stored";
 
 type Place = PageState["place"];
-const WORK = "#measure";
+const HASHES: Record<Place, string> = { start: "", work: "#measure", jog: "#jog" };
+
+/** The place that the address names. */
+const named = (): Place | undefined => (location.hash ? (location.hash === HASHES.jog ? "jog" : "work") : undefined);
 
 /** Where a visit begins: whoever has work kept, or comes by a link, is at it. */
 export function firstPlace(stored: Flat | null): Place {
   const { place } = (history.state ?? {}) as { place?: Place }; // of this place in the history, before a reload
   if (place) return place;
-  return location.hash || Number(stored?.changed ?? 0) > 0 ? "work" : "start";
+  return named() ?? (Number(stored?.changed ?? 0) > 0 ? "work" : "start");
 }
 
 export interface Where {
@@ -25,13 +28,13 @@ export function createWhere(store: Store): Where {
   const first = store.state.page.place;
   const arrived = (): void => {
     const { place } = (history.state ?? {}) as { place?: Place };
-    store.update({ page: { place: place ?? (location.hash ? "work" : first) } });
+    store.update({ page: { place: place ?? named() ?? first } });
   };
   addEventListener("popstate", arrived);
   const go = (place: Place): void => {
     if (store.state.page.place === place) return;
     const path = location.pathname + location.search;
-    history.pushState({ place }, "", place === "work" ? WORK : path);
+    history.pushState({ place }, "", HASHES[place] || path);
     store.update({ page: { place } });
     store.flush(); // the focus goes there
   };
@@ -43,7 +46,7 @@ export function createWhere(store: Store): Where {
       const opened = program.files !== files || (page.refused && page.refused !== refused);
       files = program.files;
       refused = page.refused;
-      if (opened && page.place === "start") go("work");
+      if (opened && page.place !== "work") go("work");
     },
   };
 }

@@ -24,6 +24,8 @@ export interface Leads {
   toWork(): void;
   /** A program is picked to be opened. */
   openProgram(): void;
+  /** The machine to practise on. */
+  practise(): void;
   /** The worked example is told of a way. */
   tell(way: Way): void;
 }
@@ -249,7 +251,18 @@ export function createStart(
     `;
   };
 
-  const side = (cycles: readonly CycleInfo[]): TemplateResult => html`
+  /** Measuring in JOG, where the control has it. */
+  const practice = (): TemplateResult => html`
+    <section class="start-card">
+      <h3>${t("practice-title")}</h3>
+      <p>${t("practice-lead")}</p>
+      <button type="button" class="start-practice" @click=${leads.practise}>
+        ${iconPart("hand")}${t("practice-start")}
+      </button>
+    </section>
+  `;
+
+  const side = (cycles: readonly CycleInfo[], practises: boolean): TemplateResult => html`
     <aside class="start-side" aria-label=${t("start-others")}>
       <section class="start-card">
         <h3>${t("start-program")}</h3>
@@ -259,6 +272,7 @@ export function createStart(
         </button>
       </section>
       ${example()}
+      ${practises ? practice() : nothing}
       ${recent.length ? lately(cycles) : nothing}
       <button
         type="button"
@@ -308,7 +322,7 @@ export function createStart(
           </div>
           ${answer(now, derived.simulates === "coming")}
         </div>
-        ${side(derived.catalogue.cycles)}
+        ${side(derived.catalogue.cycles, derived.catalogue.practises.includes(control))}
       `,
       root,
     );

@@ -2,6 +2,7 @@
 // so views and computations compare by identity.
 
 import type { Pending } from "../core/pending";
+import type { Practised } from "../core/program";
 import type { SceneData } from "../core/scene";
 import type { Course } from "../core/steps";
 import type { Theme } from "../theme";
@@ -17,7 +18,10 @@ import type {
   ErrorSliders,
   Message,
   OwnMachine,
+  PartSliders,
   Plane,
+  PracticePiece,
+  PracticeRefusal,
   ReadView,
   RunRequest,
   RunView,
@@ -203,6 +207,20 @@ export interface ScanState {
   problem: string; // why the last one could not be made
 }
 
+/** Practising to measure in JOG. */
+export interface JogState {
+  lines: readonly string[]; // what was done
+  seed: number | null; // by which chance put the part; none: it lies as `part` says
+  part: PartSliders;
+  piece: PracticePiece | null; // of the machine to practise on; none: the first
+  seen: Practised | null; // what came of the lines; none: nobody asked yet
+  setup: Setup | null; // the profile with which it was asked
+  refused: (PracticeRefusal & { field: string; text: string }) | null; // the line that did nothing last
+  revealed: boolean; // how the part lies is shown
+  step: number; // increment, µm; 0: as long as a key is held down
+  rapid: boolean;
+}
+
 /** What of the page is shown where. */
 export interface PanelState {
   panel: Panel;
@@ -232,7 +250,7 @@ export interface OtherWork {
 }
 
 export interface PageState {
-  place: "start" | "work"; // where the reader is
+  place: "start" | "work" | "jog"; // where the reader is
   changed: number; // ms, when the user last changed the work; 0: it is as the page begins
   others: readonly OtherWork[]; // which of them this tab continues is asked; none: nothing is
   theme: Theme;
@@ -279,6 +297,7 @@ export interface State {
   view: ViewState;
   run: RunState;
   scan: ScanState;
+  jog: JogState;
   panels: PanelState;
   page: PageState;
   history: History;
@@ -303,6 +322,9 @@ export const NO_ERRORS: ErrorSliders = {
   part: { dx: 0, dy: 0, dz: 0, size: 0, tilt: 0, taper: 0, outOfRound: 0 },
   probe: { skewX: 0, skewY: 0, radius: 0, preTravel: 0, repeatability: 0 },
 };
+
+/** A part as the setup has it. */
+export const AS_SET_UP: PartSliders = NO_ERRORS.part;
 
 /** Step of a trace that stands for its last: everything done, all touches to be seen. */
 export const AT_END = Number.MAX_SAFE_INTEGER;
@@ -371,6 +393,18 @@ export function firstState(): State {
     },
     run: { done: null, stopped: null, strict: false, main: "" },
     scan: { made: null, problem: "" },
+    jog: {
+      lines: [],
+      seed: null,
+      part: AS_SET_UP,
+      piece: null,
+      seen: null,
+      setup: null,
+      refused: null,
+      revealed: true,
+      step: 1000,
+      rapid: false,
+    },
     panels: {
       panel: "form",
       left: "form",

@@ -3,7 +3,8 @@
 import type { ProgramCore } from "../core/program";
 import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
-import { el, keyed, on, setAttribute, setText } from "../dom";
+import { practises } from "../desk/practice";
+import { el, keyed, on, setAttribute, setText, show } from "../dom";
 import { type IconName, icon } from "../icons";
 import { ariaKey } from "../keys";
 import { nameOf } from "../language";
@@ -109,6 +110,7 @@ export function createHeader(
   } | null,
   keys: HTMLDialogElement,
   files: FileActions,
+  practise: () => void,
   end: AbortSignal,
 ): (state: State, derived: Derived) => void {
   const about = createAbout();
@@ -130,6 +132,7 @@ export function createHeader(
   const keysOpen = entry("keys", "keys-title", () => keys.showModal());
   setAttribute(keysOpen, "title", t("keys-title"));
   setAttribute(keysOpen, "aria-keyshortcuts", ariaKey("page", "keys"));
+  const practice = entry("hand", "practice-title", practise);
   const openMachine = (): void => {
     menu.list.hidePopover(); // first: its button has the focus back when the machine's closes
     chip.list.showPopover();
@@ -142,6 +145,7 @@ export function createHeader(
       entry("help", "panel-help", () => goTo(actions, "help"), PHONE),
       entry("machine", "facts", openMachine, PHONE),
       data,
+      practice,
       entry("copy", "link-copy", () => void copyLink(store)),
       entry("print", "print-sheet", () => void later()?.paper("sheet")),
       entry("print", "print-report", () => void later()?.paper("report")),
@@ -200,6 +204,7 @@ export function createHeader(
     machine.draw(state);
     history.draw(state);
     program.draw(state);
+    show(practice, practises(state, derived.catalogue));
     setAttribute(data, "disabled", core() === null || !later());
     const { control } = derived.cycle;
     if (derived.view.setup || shown.setup?.control !== control) shown = derived.view;

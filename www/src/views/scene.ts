@@ -47,17 +47,18 @@ export function createScene(
     store.update({ view: { central: !store.state.view.central } }),
   );
   const timeline = el("div", { class: "timeline", role: "group", "aria-label": t("timeline-scrub") });
+  const holder = el(
+    "div",
+    { class: "stage-box" },
+    stage.box,
+    el("div", { class: "stage-cards" }, errors.root, legend.root),
+    corner,
+    empty,
+  );
   root.append(
     el("header", { class: "panel-head" }, el("h2", {}, t("view-title")), segments, tools),
     note,
-    el(
-      "div",
-      { class: "stage-box" },
-      stage.box,
-      el("div", { class: "stage-cards" }, errors.root, legend.root),
-      corner,
-      empty,
-    ),
+    holder,
     timeline,
   );
   const drawing = el(
@@ -100,7 +101,17 @@ export function createScene(
     show(note, false);
   };
 
+  let lent = false; // another place has the stage
   return (state, derived) => {
+    if (state.page.place === "jog") {
+      lent = true;
+      return;
+    }
+    if (lent) {
+      lent = false;
+      holder.prepend(stage.box);
+      shown = { ...shown, trace: null, data: { ...NOTHING }, theme: null, step: -1 };
+    }
     const scan = state.scan.made?.request.cycle === derived.cycle.cycle ? state.scan.made : null;
     const source = state.view.source === "scan" && !scan ? "form" : state.view.source;
     for (const one of buttons) {

@@ -1,0 +1,128 @@
+//! The machine to practise on, as a page shows it: what is on the screen, what is refused, how far what was written is
+//! from where the part lies.
+
+use super::near;
+use probewright_core::app::{PartSliders, PracticeRequest, PracticeView, practise};
+use probewright_core::dialect::Dialect;
+use probewright_core::geometry::Degrees;
+use probewright_core::jog::practice::{Piece, piece};
+use probewright_core::jog::{State, masks};
+
+fn asked(piece: Piece, script: &str) -> PracticeRequest {
+    let control = Dialect::Sinumerik;
+    PracticeRequest { control, setup: None, piece: Some(piece), script: script.to_owned(), seed: None, part: None }
+}
+
+fn seen(asked: PracticeRequest) -> PracticeView {
+    let (view, source) = practise(asked).unwrap();
+    assert!(!source.outcome.trace.entries.is_empty(), "the probe is to be seen");
+    assert!(view.from <= source.outcome.trace.entries.len());
+    view
+}
+
+/// The left face of the block.
+const EDGE: &str = "mask set_edge\nzo = G54\nmove Z-8\nstart\n";
+/// Its front and its left face.
+const CORNER: &str = "mask corner_right\nzo = G54\nmove Y-25\nmove X20\nmove Z-8\nstart\nmove X80\nstart\n\
+                      move X-25\nmove Y40\nstart\ncalculate\n";
+
+// oracle: hand: the face lies where the slider put it, and half the oversize further out
+#[test]
+fn a_face_is_found_where_it_was_put() {
+    let part = PartSliders { dx: 1.5, size: 0.4, ..PartSliders::default() };
+    let view = seen(PracticeRequest { part: Some(part), ..asked(Piece::Block, EDGE) });
+    assert_eq!((view.state, view.raised, view.refused), (State::Activate, None, None));
+    let change = view.changes.iter().find(|change| change.name == "$P_UIFR[1,X,TR]").unwrap();
+    near(change.after, 1.3, "G54");
+    let off = view.deviation.unwrap();
+    assert_eq!(off.offset, "G54");
+    assert_eq!(off.figures.iter().map(|one| (one.axis, one.unit)).collect::<Vec<_>>(), [("X", "mm"), ("Z", "deg")]);
+    off.figures.iter().for_each(|one| near(one.value, 0.0, one.axis));
+}
+
+// oracle: hand: an edge says nothing of the angle, a corner does; a part that leans is found to some hundredths
+#[test]
+fn what_is_left_of_the_angle_is_told() {
+    let turned = PartSliders { dx: -2.0, dy: 1.0, tilt: Degrees(2.0), ..PartSliders::default() };
+    let of = |script: &str| {
+        let view = seen(PracticeRequest { part: Some(turned), ..asked(Piece::Block, script) });
+        assert_eq!((view.raised, view.refused), (None, None), "{script}");
+        view.deviation.unwrap().figures.iter().map(|one| (one.axis, one.value)).collect::<Vec<_>>()
+    };
+    let edge = of(EDGE);
+    near(edge[1].1, -2.0, "the WCS is not turned, the part is");
+    for (axis, value) in of(CORNER) {
+        near(value, 0.0, axis);
+    }
+    for seed in 1..20 {
+        let view = seen(PracticeRequest { seed: Some(seed), ..asked(Piece::Block, CORNER) });
+        assert_eq!(view.truth.seed, u64::from(seed));
+        let found = view.deviation.unwrap().figures;
+        assert!(found.iter().all(|one| one.value.abs() < 0.1), "{seed}: {found:?}");
+    }
+}
+
+// oracle: hand: what calibrates wrongly makes every measurement wrong by as much
+#[test]
+fn a_wrong_calibration_shows() {
+    let wrong = "mask cal_radius\nd = 40.2\nmove Z-10\nstart\n";
+    let hole = format!("{wrong}mask hole_1\nzo = none\ndiameter = 40\nstart\n");
+    let view = seen(asked(Piece::Hole, &hole));
+    assert_eq!((view.raised, view.refused), (None, None));
+    near(view.mask.unwrap().shows[2].figures[0].value, 40.2, "diameter");
+    let edge = format!("{wrong}mask set_edge\nzo = G54\naxis = X\ndirection = +\nstart\n");
+    near(seen(asked(Piece::Hole, &edge)).deviation.unwrap().figures[0].value, 0.1, "the wall at X plus");
+}
+
+// oracle: manual: the table of masks
+#[test]
+fn each_mask_opens_on_its_piece() {
+    for mask in masks::all() {
+        let view = seen(asked(piece(mask), &format!("mask {}", mask.name)));
+        assert_eq!((view.state, view.refused), (State::Mask, None), "{}", mask.name);
+        let open = view.mask.unwrap();
+        assert_eq!((open.name, open.fields.is_empty()), (mask.name, false));
+        assert_eq!(view.points.len(), if mask.points == 1 { 0 } else { mask.points });
+        let listed = view.areas.iter().flat_map(|area| &area.functions).flat_map(|one| &one.masks);
+        assert_eq!(listed.filter(|one| one.name == mask.name && one.piece == piece(mask)).count(), 1);
+    }
+    let view = seen(asked(Piece::Block, ""));
+    assert_eq!(view.areas.iter().map(|area| area.functions.len()).sum::<usize>(), 18);
+    assert_eq!((view.state, view.mask), (State::Menu, None));
+}
+
+// oracle: hand
+#[test]
+fn what_does_nothing_leaves_everything_as_it_was() {
+    for (line, key) in [
+        ("x0 = far", "jog-wrong-number"),
+        ("diameter = 5", "jog-no-field"),
+        ("calculate", "jog-at-once"),
+        ("reject P1", "jog-grey"),
+        ("move X", "jog-script-move"),
+        ("fly", "jog-script-command"),
+    ] {
+        let view = seen(asked(Piece::Block, &format!("mask set_edge\nx0 = 5\n{line}\nx0 = 7\n")));
+        let refused = view.refused.unwrap();
+        assert_eq!((refused.line, refused.message.key.as_ref()), (3, key), "{line}");
+        let fields = view.mask.unwrap().fields;
+        let x0 = fields.iter().find(|field| field.name == "x0").unwrap();
+        assert_eq!(x0.value, probewright_core::jog::values::Value::Number(5.0));
+    }
+    let nct = PracticeRequest { control: Dialect::Nct, ..asked(Piece::Block, "") };
+    assert!(practise(nct).is_err());
+}
+
+// oracle: hand: the face lies at X 0, the ball has a radius of 3
+#[test]
+fn what_is_hit_stops_and_is_left_backwards() {
+    let crash = "mask set_edge\nmove Z-8\njog X+60\n";
+    let view = seen(asked(Piece::Block, crash));
+    let raised = view.raised.unwrap();
+    assert_eq!(raised.message.key, "run-crash");
+    assert_eq!(raised.hint.unwrap().key, "jog-crash-hint");
+    near(view.machine.mcs[0], -3.0, "X");
+    let view = seen(asked(Piece::Block, &format!("{crash}jog X-1\n")));
+    assert_eq!((view.raised, view.state), (None, State::Mask));
+    near(view.machine.mcs[0], -4.0, "X");
+}

@@ -1,0 +1,155 @@
+// The machine to practise measuring in JOG: an edge by mouse and by keyboard alone, every function in every language.
+import assert from "node:assert/strict";
+import { after, before, describe, test } from "node:test";
+import { open, shared } from "./browser.mjs";
+import { faults } from "./room.mjs";
+import { focused } from "./start.mjs";
+
+const chrome = shared("neither", { before, after });
+
+const field = (page, name) => page.locator(`#jog-${name}`);
+const axis = (page, key) => page.locator(`.jog-axis[data-axis="${key}"]`);
+const position = (page, letter) => page.locator(`[data-position="${letter}"]`);
+const step = (page, name) => page.locator(".jog-steps").getByRole("button", { name, exact: true });
+const start = page => page.locator(".jog-start");
+
+/** Tab until this has the focus. */
+async function tabTo(page, selector) {
+  for (let presses = 0; presses < 60; presses++) {
+    if (await page.locator(selector).evaluateAll(all => all.includes(document.activeElement))) return;
+    await page.keyboard.press("Tab");
+  }
+  assert.fail(`no way to ${selector}`);
+}
+
+/** Visible controls that are smaller than a finger needs. */
+const small = page =>
+  page.evaluate(() =>
+    [...document.querySelectorAll(".jog :is(button, select, summary, input:not([type=checkbox], [type=file]))")]
+      .filter(node => node.checkVisibility())
+      .filter(node => node.getBoundingClientRect().height < 24 || node.getBoundingClientRect().width < 24)
+      .map(node => node.outerHTML.slice(0, 80)),
+  );
+
+describe("an edge", () => {
+  // oracle: hand (the left face of the block is at X 0 of the machine, the slider puts it to X 1.5)
+  test("is set by mouse, rejected, hit and exported", async () => {
+    const { context, page, problems } = await open(chrome.browser, { path: "", serviceWorkers: "block" });
+    await page.locator(".start-practice").click();
+    await page.locator("[data-function=set_edge]").click();
+    await page.locator("#jog-part-dx ~ .figure").fill("1.5");
+    await page.keyboard.press("Enter");
+    await field(page, "zo").selectOption("G54");
+    await field(page, "x0").fill("far");
+    await page.keyboard.press("Enter");
+    await page.locator('[data-field="x0"] .jog-why').getByText("far").waitFor();
+    await field(page, "x0").fill("10");
+    await page.keyboard.press("Enter");
+    await step(page, "10000").click();
+    for (let presses = 0; presses < 4; presses++) await axis(page, "Z-").click();
+    await position(page, "Z").getByText("\u221210.000").waitFor();
+    for (let presses = 0; presses < 4; presses++) await axis(page, "X+").click();
+    await page.locator(".jog-raised").waitFor();
+    await axis(page, "X-").click();
+    await page.locator(".jog-raised").waitFor({ state: "detached" });
+    await start(page).click();
+    await page.locator(".jog-activation").waitFor();
+    await page.locator('.jog-deviation[data-near="true"]').waitFor();
+    assert.match(await page.locator(".jog-written").textContent(), /G54, X coarse\s*-20 → -8.5 mm/);
+    await start(page).click();
+    await page.locator(".jog-activation").waitFor({ state: "detached" });
+    assert.equal(await page.locator(".jog-positions thead th").nth(1).textContent(), "G54");
+    const [saved] = await Promise.all([
+      page.waitForEvent("download"),
+      page.getByRole("button", { name: "Save script" }).click(),
+    ]);
+    const script = (await (await saved.createReadStream()).toArray()).join("");
+    assert.match(script, /^; part x=1\.5 .*\n; piece block\nmask set_edge\nzo = G54\nx0 = 10\njog Z-40\n/);
+    await page.getByRole("button", { name: "Start again" }).click();
+    await page.locator("[data-function=set_edge]").waitFor();
+    await page
+      .locator(".jog > input[type=file]")
+      .setInputFiles({ name: "practice.jog", mimeType: "text/plain", buffer: Buffer.from(script) });
+    await page.locator('.jog-deviation[data-near="true"]').waitFor();
+    assert.equal(await page.locator(".jog-positions thead th").nth(1).textContent(), "G54");
+    await page.getByRole("button", { name: "To the program" }).click();
+    await page.locator("#panel-form .field").first().waitFor();
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: hand
+  test("is set by keyboard alone, on a part that chance has put", async () => {
+    const { context, page, problems } = await open(chrome.browser, { path: "#jog", serviceWorkers: "block" });
+    await page.locator("[data-function=set_edge]").waitFor();
+    await tabTo(page, ".jog-surprise");
+    await page.keyboard.press("Enter");
+    await page.locator(".jog-reveal").waitFor();
+    assert.equal(await page.locator(".jog-truth").count(), 0, "nobody has asked yet");
+    await page.locator("#jog").focus();
+    await tabTo(page, "[data-function=set_edge]");
+    await page.keyboard.press("Enter");
+    await focused(page, field(page, "zo"));
+    await page.keyboard.type("G54");
+    await tabTo(page, ".jog-steps button:nth-child(5)");
+    await page.keyboard.press("Enter");
+    await tabTo(page, ".jog-setup select");
+    for (let presses = 0; presses < 30; presses++) {
+      await page.keyboard.press("Shift+Tab");
+      if (await page.evaluate(() => document.activeElement?.matches(".jog-axis"))) break;
+    }
+    for (let presses = 0; presses < 4; presses++) await page.keyboard.press("PageDown");
+    await position(page, "Z").getByText("\u221210.000").waitFor();
+    await page.keyboard.press("Control+Enter");
+    await page.locator(".jog-activation").waitFor();
+    await page.keyboard.press("Control+Enter");
+    await page.locator(".jog-activation").waitFor({ state: "detached" });
+    await page.locator(".jog-deviation").waitFor();
+    await tabTo(page, ".jog-reveal");
+    await page.keyboard.press("Enter");
+    await page.locator(".jog-truth").waitFor();
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+});
+
+describe("every function", () => {
+  // oracle: hand (18 functions, B:2602-4083)
+  for (const [locale, width, height] of [
+    ["en-GB", 1280, 800],
+    ["de-DE", 768, 1024],
+    ["zh-CN", 390, 844],
+  ])
+    test(`has its mask and its room, ${locale}, ${width} × ${height}`, async () => {
+      const { context, page, problems } = await open(chrome.browser, {
+        path: "#jog",
+        locale,
+        viewport: { width, height },
+        serviceWorkers: "block",
+      });
+      await page.locator("[data-function]").first().waitFor();
+      assert.deepEqual([...(await faults(page)), ...(await small(page))], [], "the functions");
+      const names = await page.locator("[data-function]").evaluateAll(all => all.map(one => one.dataset.function));
+      assert.equal(names.length, 18);
+      for (const name of names) {
+        await page.locator(`[data-function="${name}"]`).click();
+        await page.locator(".jog-title h3").waitFor();
+        assert.ok(await page.locator(".jog-field").count(), name);
+        assert.deepEqual([...(await faults(page)), ...(await small(page))], [], name);
+        await page.locator(".jog-back").click();
+      }
+      assert.deepEqual(problems, []);
+      await context.close();
+    });
+});
+
+describe("a control without measuring in JOG", () => {
+  // oracle: hand (NCT has no such chapter)
+  test("offers no practice", async () => {
+    const { context, page } = await open(chrome.browser, { path: "", serviceWorkers: "block" });
+    await page.locator(".start-practice").waitFor();
+    await page.getByRole("button", { name: "NCT", exact: true }).click();
+    await page.locator(".start-practice").waitFor({ state: "detached" });
+    await context.close();
+  });
+});

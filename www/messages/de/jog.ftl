@@ -1,0 +1,53 @@
+# Messen in JOG üben: was die Seite neben den Masken der Steuerung sagt.
+
+practice-mask = Maske
+practice-hand = Maschine
+practice-part = Werkstück
+practice-undo = Rückgängig
+practice-restart = Von vorn
+practice-save = Skript speichern
+practice-open-script = Skript öffnen
+practice-save-machine = Maschine speichern
+practice-to-work = Zum Programm
+practice-functions = Funktion wählen
+practice-which = Bohrung oder Zapfen
+practice-back = Verlassen (<<)
+practice-points = Punkte
+practice-point-stored = { $point } ist gespeichert. Zum Verwerfen drücken.
+practice-point-grey = { $point } ist nicht gespeichert.
+practice-plc = PLC-Bits
+practice-plc-reject = Bit { $bit }: { $point } verwerfen
+practice-plc-on = Bit { $bit } = 1: { $point } gespeichert
+practice-plc-off = Bit { $bit } = 0: nicht gespeichert
+practice-keys = Tasten
+practice-nc-start = NC-Start
+practice-calculate = Berechnen
+practice-alarm = Alarm { $alarm }
+practice-activation = Aktivierung
+practice-written = Geschrieben
+practice-near = { $offset } passt zum Werkstück
+practice-off = { $offset } weicht vom Werkstück ab um
+practice-positions = Positionen
+practice-mcs = MKS
+practice-axes = Achstasten
+practice-axis-plus = { $axis } plus
+practice-axis-minus = { $axis } minus
+practice-increment = Schrittmaß
+practice-step = { $way } mm je Tastendruck
+practice-continuous = Kont.
+practice-continuous-help = Die Achse fährt, solange die Taste gedrückt ist.
+practice-rapid = Eilgang
+practice-move = Fahren auf
+practice-go = Fahren
+practice-spindle = Spindel
+practice-empty = Leer
+practice-offset = Nullpunkt
+practice-offered = Die aktivierte Nullpunktverschiebung gilt bis zum Wechsel der Betriebsart.
+practice-mode = Betriebsart wechseln
+practice-surprise = Zufällig auflegen
+practice-hidden = Das Werkstück ist verschoben, verdreht und mit Übermaß oder Untermaß (Startwert { $seed }).
+practice-reveal = Lage anzeigen
+practice-as-set-up = Wie im Setup
+practice-part-help = Eine neue Lage beginnt die Sitzung von vorn.
+practice-shift = Versatz
+practice-tilt = Drehung

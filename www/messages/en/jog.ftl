@@ -1,0 +1,53 @@
+# Practising measuring in JOG: what the page says beside the masks of the control.
+
+practice-mask = Mask
+practice-hand = Machine
+practice-part = Part
+practice-undo = Undo
+practice-restart = Start again
+practice-save = Save script
+practice-open-script = Open script
+practice-save-machine = Save machine
+practice-to-work = To the program
+practice-functions = Choose a function
+practice-which = Hole or spigot
+practice-back = Leave (<<)
+practice-points = Points
+practice-point-stored = { $point } is stored. Press to reject it.
+practice-point-grey = { $point } is not stored.
+practice-plc = PLC bits
+practice-plc-reject = Bit { $bit }: reject { $point }
+practice-plc-on = Bit { $bit } = 1: { $point } is stored
+practice-plc-off = Bit { $bit } = 0: not stored
+practice-keys = Keys
+practice-nc-start = NC start
+practice-calculate = Calculate
+practice-alarm = Alarm { $alarm }
+practice-activation = Activation
+practice-written = Written
+practice-near = { $offset } matches the part
+practice-off = { $offset } differs from the part by
+practice-positions = Positions
+practice-mcs = MCS
+practice-axes = Axis keys
+practice-axis-plus = { $axis } plus
+practice-axis-minus = { $axis } minus
+practice-increment = Increment
+practice-step = { $way } mm per press
+practice-continuous = Cont.
+practice-continuous-help = The axis moves as long as you hold the key.
+practice-rapid = Rapid
+practice-move = Move to
+practice-go = Move
+practice-spindle = Spindle
+practice-empty = Empty
+practice-offset = Zero offset
+practice-offered = The activated zero offset is used until you change the mode.
+practice-mode = Change mode
+practice-surprise = Surprise me
+practice-hidden = The part is shifted, rotated and oversize or undersize (seed { $seed }).
+practice-reveal = Show where it is
+practice-as-set-up = As in the setup
+practice-part-help = A new position starts the session again.
+practice-shift = Shift
+practice-tilt = Rotation

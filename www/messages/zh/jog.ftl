@@ -1,0 +1,53 @@
+# 练习 JOG 测量：页面在控制系统画面之外显示的文字。
+
+practice-mask = 输入画面
+practice-hand = 机床
+practice-part = 工件
+practice-undo = 撤销
+practice-restart = 重新开始
+practice-save = 保存脚本
+practice-open-script = 打开脚本
+practice-save-machine = 保存机床
+practice-to-work = 前往程序
+practice-functions = 选择功能
+practice-which = 孔或凸台
+practice-back = 退出 (<<)
+practice-points = 测量点
+practice-point-stored = { $point } 已存储。按下即可丢弃。
+practice-point-grey = { $point } 未存储。
+practice-plc = PLC 位
+practice-plc-reject = 位 { $bit }：丢弃 { $point }
+practice-plc-on = 位 { $bit } = 1：{ $point } 已存储
+practice-plc-off = 位 { $bit } = 0：未存储
+practice-keys = 按键
+practice-nc-start = NC 启动
+practice-calculate = 计算
+practice-alarm = 报警 { $alarm }
+practice-activation = 激活
+practice-written = 已写入
+practice-near = { $offset } 与工件一致
+practice-off = { $offset } 与工件相差
+practice-positions = 位置
+practice-mcs = 机床坐标系
+practice-axes = 轴按键
+practice-axis-plus = { $axis } 正向
+practice-axis-minus = { $axis } 负向
+practice-increment = 增量
+practice-step = 每按一次 { $way } mm
+practice-continuous = 连续
+practice-continuous-help = 按住按键期间，轴持续移动。
+practice-rapid = 快速
+practice-move = 移动到
+practice-go = 移动
+practice-spindle = 主轴
+practice-empty = 空
+practice-offset = 零点偏移
+practice-offered = 在切换运行方式之前，使用已激活的零点偏移。
+practice-mode = 切换运行方式
+practice-surprise = 随机放置
+practice-hidden = 工件已偏移、旋转，且尺寸偏大或偏小（种子 { $seed }）。
+practice-reveal = 显示实际位置
+practice-as-set-up = 与设置一致
+practice-part-help = 改变位置后，练习重新开始。
+practice-shift = 偏移
+practice-tilt = 旋转

@@ -1,0 +1,133 @@
+// Practising to measure in JOG: what is pressed is a line more of a script, which the core carries out anew each time.
+// A line that does nothing is told, and leaves everything as it was.
+
+import type { Practised, ProgramCore } from "../core/program";
+import { parseNumber, plain } from "../numbers";
+import { AS_SET_UP, type JogState, profile, type State } from "../state/state";
+import type { Store } from "../state/store";
+import type { PracticeChoice, PracticeRequest } from "../wire";
+
+export interface Practice {
+  /** Asks what is on the screen, unless that is known. */
+  begin(): void;
+  /** Carries out a line. `field`: where a refusal is told; none: beside the keys. */
+  press(line: string, field?: string): void;
+  /** Moves an axis by so many mm. */
+  jog(axis: string, by: number): void;
+  /** Opens a mask, on the piece for it. */
+  open(mask: PracticeChoice): void;
+  undo(): void;
+  /** The machine as it was before the first line. */
+  restart(): void;
+  /** The part lies otherwise; by a seed: as chance puts it. */
+  lay(part: JogState["part"] | number): void;
+  /** The lines of a script that somebody has kept. */
+  take(text: string): void;
+  change(change: Partial<JogState>): void;
+}
+
+/** Whether a control has it, as the core says. */
+export const practises = (state: State, catalogue: { practises: string[] }): boolean =>
+  catalogue.practises.includes(state.form.control);
+
+type Asked = Pick<JogState, "lines" | "seed" | "part" | "piece">;
+
+/** A line that moves one axis by a way. */
+const BY = /^jog ([XYZ])(-?[\d.]+)$/;
+/** What the first lines of a kept script say of the part. */
+const LAID = /^; part (seed=(?<seed>\d+)|x=(?<x>\S+) y=(?<y>\S+) z=(?<z>\S+) tilt=(?<tilt>\S+) size=(?<size>\S+))$/m;
+const PIECE = /^; piece (?<piece>[a-z]+)$/m;
+
+/** A script with what it begins with, as `probewright jog` reads it. */
+export function scriptOf({ lines, seed, part, seen }: JogState): string {
+  const { dx, dy, dz, tilt, size } = part;
+  const laid =
+    seed === null
+      ? `; part x=${plain(dx)} y=${plain(dy)} z=${plain(dz)} tilt=${plain(tilt)} size=${plain(size)}`
+      : `; part seed=${seed}`;
+  const piece = seen?.piece ? [`; piece ${seen.piece}`] : [];
+  return `${[laid, ...piece, ...lines].join("\n")}\n`;
+}
+
+export function createPractice(store: Store, core: () => ProgramCore | null): Practice {
+  const ask = (asked: Asked): Practised | null => {
+    const { state } = store;
+    const setup = profile(state);
+    const request: PracticeRequest = {
+      control: state.form.control,
+      ...(setup ? { setup } : {}),
+      ...(asked.piece ? { piece: asked.piece } : {}),
+      script: asked.lines.join("\n"),
+      ...(asked.seed === null ? { part: asked.part } : { seed: asked.seed }),
+    };
+    return core()?.practise(request) ?? null;
+  };
+  const set = (jog: Partial<JogState>): void => store.update({ jog });
+  /** With these lines, as far as they do something. */
+  const carryOut = (change: Partial<Asked>, field = ""): void => {
+    const { lines, seed, part, piece } = { ...store.state.jog, ...change };
+    const seen = ask({ lines, seed, part, piece });
+    if (!seen) return;
+    const { refused } = seen;
+    const last = refused ? (lines[refused.line - 1] ?? "") : "";
+    if (refused && lines.length === refused.line && change.lines && Object.keys(change).length === 1) {
+      set({ refused: { ...refused, field, text: last } });
+      return;
+    }
+    const done = refused ? lines.slice(0, refused.line - 1) : lines;
+    const told = refused ? { ...refused, field, text: last } : null;
+    set({ lines: done, seed, part, piece, seen, refused: told, setup: profile(store.state) ?? null });
+  };
+  const press = (line: string, field = ""): void => carryOut({ lines: [...store.state.jog.lines, line] }, field);
+  return {
+    begin() {
+      const { seen, setup } = store.state.jog;
+      if (!seen || setup !== (profile(store.state) ?? null)) carryOut({ piece: null });
+    },
+    press,
+    jog(axis, by) {
+      const { lines, seen } = store.state.jog;
+      const [, before, way] = BY.exec(lines.at(-1) ?? "") ?? [];
+      const goesOn = before === axis && !seen?.raised;
+      const sum = goesOn ? Number(way) + by : by;
+      const line = `jog ${axis}${plain(sum)}`;
+      carryOut({ lines: [...(goesOn ? lines.slice(0, -1) : lines), line] });
+    },
+    open({ name, piece }) {
+      const { seen, lines } = store.state.jog;
+      const here = !seen?.piece || seen.piece === piece;
+      carryOut(here ? { lines: [...lines, `mask ${name}`] } : { lines: [`mask ${name}`], piece });
+    },
+    undo: () => carryOut({ lines: store.state.jog.lines.slice(0, -1) }),
+    restart: () => carryOut({ lines: [], seed: store.state.jog.seed }),
+    lay(part) {
+      const mask = store.state.jog.seen?.mask;
+      const lines = mask ? [`mask ${mask.name}`] : [];
+      const lies = typeof part === "number" ? { seed: part, part: AS_SET_UP } : { seed: null, part };
+      carryOut({ lines, ...lies });
+      set({ revealed: typeof part !== "number" });
+    },
+    take(text) {
+      const laid: Record<string, string | undefined> = LAID.exec(text)?.groups ?? {};
+      const { seed, x, y, z, tilt, size } = laid;
+      const number = (value: string | undefined): number => parseNumber(value ?? "") ?? 0;
+      const part = {
+        ...AS_SET_UP,
+        dx: number(x),
+        dy: number(y),
+        dz: number(z),
+        tilt: number(tilt),
+        size: number(size),
+      };
+      const known = PIECE.exec(text)?.groups?.piece;
+      const pieces = store.state.jog.seen?.areas.flatMap(area => area.functions.flatMap(one => one.masks)) ?? [];
+      const piece = pieces.find(one => one.piece === known)?.piece ?? null;
+      const lines = text
+        .split(/\r\n?|\n/)
+        .map(line => line.replace(/[;#].*$/, "").trim())
+        .filter(line => line);
+      carryOut({ lines, seed: seed ? Number(seed) : null, part, piece });
+    },
+    change: set,
+  };
+}

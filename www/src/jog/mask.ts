@@ -1,0 +1,340 @@
+// The screen of the control: its functions, the mask with fields, softkeys and results, the activation screen, alarms.
+
+import { html, nothing, render, type TemplateResult } from "lit-html";
+import { live } from "lit-html/directives/live.js";
+import type { Practice } from "../desk/practice";
+import { iconPart } from "../icons";
+import { plain } from "../numbers";
+import type { JogState, State } from "../state/state";
+import { say, t } from "../texts";
+import type {
+  Message,
+  PracticeArea,
+  PracticeField,
+  PracticeMask,
+  PracticePoint,
+  PracticeShow,
+  PracticeView,
+} from "../wire";
+import { figureText } from "./figures";
+
+/** What NC start is in a script. */
+export const startLine = ({ state }: PracticeView): string => (state === "activate" ? "activate" : "start");
+
+export function createMask(root: HTMLElement, practice: Practice): (state: State) => void {
+  let open = "";
+  return ({ jog }) => {
+    if (!jog.seen) return;
+    const focused = root.contains(document.activeElement);
+    render(screen(jog, jog.seen, practice), root);
+    const now = jog.seen.mask?.name ?? "";
+    if (now !== open) root.scrollTop = 0;
+    if (focused && now !== open) first(root, jog.seen, open)?.focus();
+    else if (focused && !root.contains(document.activeElement)) root.querySelector<HTMLElement>(".jog-start")?.focus();
+    open = now;
+  };
+}
+
+/** What has the focus when a mask is opened, or was left. */
+function first(root: HTMLElement, { areas, mask }: PracticeView, left: string): HTMLElement | null {
+  if (mask) return root.querySelector(".jog-fields :is(select, input)");
+  const all = areas.flatMap(area => area.functions);
+  const before = all.find(one => one.masks.some(({ name }) => name === left));
+  return root.querySelector(`[data-function="${before?.name ?? all[0]?.name}"]`);
+}
+
+function screen(jog: JogState, seen: PracticeView, practice: Practice): TemplateResult {
+  return html`
+    ${seen.mask ? title(seen.mask, practice) : html`<h3>${t("practice-functions")}</h3>`}
+    ${seen.raised ? raised(seen, practice) : nothing}
+    ${seen.notes.map(note => html`<p class="jog-told jog-note">${iconPart("info")}<span>${say(note)}</span></p>`)}
+    ${jog.refused && !jog.refused.field ? refusal(jog.refused) : nothing}
+    ${seen.mask ? opened(jog, seen, seen.mask, practice) : menu(seen.areas, practice)}
+  `;
+}
+
+function title(mask: PracticeMask, practice: Practice): TemplateResult {
+  return html`
+    <div class="jog-title">
+      <button
+        type="button"
+        class="jog-back"
+        aria-label=${t("practice-back")}
+        title=${t("practice-back")}
+        @click=${() => practice.press("<<")}
+      >
+        &lt;&lt;
+      </button>
+      <h3>${say(mask.label)}</h3>
+    </div>
+  `;
+}
+
+function menu(areas: readonly PracticeArea[], practice: Practice): TemplateResult {
+  return html`
+    <div class="jog-areas">
+      ${areas.map(
+        ({ label, functions }) => html`
+          <div class="jog-area" role="group" aria-label=${say(label)}>
+            <h4>${say(label)}</h4>
+            ${functions.map(({ name, masks }) => {
+              const [first] = masks;
+              return html`
+                <button
+                  type="button"
+                  data-function=${name}
+                  @click=${() => first && practice.open(first)}
+                >
+                  ${masks.map(one => say(one.label)).join(" / ")}
+                </button>
+              `;
+            })}
+          </div>
+        `,
+      )}
+    </div>
+  `;
+}
+
+function opened(jog: JogState, seen: PracticeView, mask: PracticeMask, practice: Practice): TemplateResult {
+  const siblings = seen.areas
+    .flatMap(area => area.functions)
+    .find(one => one.masks.some(({ name }) => name === mask.name));
+  const others = siblings?.masks ?? [];
+  return html`
+    ${
+      others.length > 1
+        ? html`<div class="segments" role="group" aria-label=${t("practice-which")}>
+            ${others.map(
+              one => html`<button
+                type="button"
+                aria-pressed=${String(one.name === mask.name)}
+                @click=${() => one.name !== mask.name && practice.open(one)}
+              >
+                ${say(one.label)}
+              </button>`,
+            )}
+          </div>`
+        : nothing
+    }
+    ${seen.activation ? activation(jog, seen, practice) : fields(jog, mask.fields, practice)}
+    ${seen.points.length ? softkeys(seen, practice) : nothing}
+    ${keys(jog, seen, practice)}
+    ${results(mask.shows)} ${deviation(seen)} ${written(seen)}
+  `;
+}
+
+function fields(jog: JogState, all: readonly PracticeField[], practice: Practice): TemplateResult {
+  return html`<div class="jog-fields">${all.map(field => one(jog, field, practice))}</div>`;
+}
+
+/** A field with what it holds, and why the last entry was refused. */
+function one(jog: JogState, field: PracticeField, practice: Practice): TemplateResult {
+  const { name, label, unit, value, choices, wrong } = field;
+  const id = `jog-${name}`;
+  const words = say(label);
+  const refused = jog.refused?.field === name ? jog.refused : null;
+  const missing = jog.refused?.field === "start" ? wrong : undefined;
+  const why = refused ?? (missing && { message: missing });
+  const typed = refused ? refused.text.slice(refused.text.indexOf("=") + 1).trim() : null;
+  const enter = (event: Event): void =>
+    practice.press(`${name} = ${(event.target as HTMLInputElement | HTMLSelectElement).value}`, name);
+  const control = choices.length
+    ? html`<select id=${id} aria-describedby="${id}-why" @change=${enter}>
+        ${choices.map(
+          choice =>
+            html`<option value=${choice.word} .selected=${live(choice.word === value)}>
+              ${choice.label ? say(choice.label) : choice.word}
+            </option>`,
+        )}
+      </select>`
+    : html`<span class="jog-entry">
+        <input
+          id=${id}
+          class="figure"
+          type="text"
+          inputmode="decimal"
+          autocomplete="off"
+          .value=${live(typed ?? plain(Number(value)))}
+          aria-invalid=${why ? "true" : nothing}
+          aria-describedby="${id}-why"
+          @change=${enter}
+          @focus=${(event: Event) => (event.target as HTMLInputElement).select()}
+        />
+        <span class="unit">${t(`unit-${unit}`)}</span>
+      </span>`;
+  return html`
+    <div class="jog-field" data-field=${name}>
+      <label for=${id}>${words}</label>
+      ${control}
+      <p id="${id}-why" class="jog-why" role="status">${why ? html`${iconPart("error")}${told(why.message, words)}` : nothing}</p>
+    </div>
+  `;
+}
+
+/** A reason that names a field by the name that it has in a script, with its words. */
+function told(message: Message, words: string): string {
+  return say({ ...message, args: { ...message.args, ...("field" in message.args ? { field: words } : {}) } });
+}
+
+/** P1 to P4: black once stored; one that is black is rejected. Beside them the bits of the PLC. */
+function softkeys({ points, plc, machine }: PracticeView, practice: Practice): TemplateResult {
+  return html`
+    <div class="jog-points" role="group" aria-label=${t("practice-points")}>
+      ${points.map(
+        point => html`
+          <button
+            type="button"
+            class="jog-point"
+            data-stored=${String(!!point.stored)}
+            aria-label=${t(point.stored ? "practice-point-stored" : "practice-point-grey", { point: point.name })}
+            title=${placeOf(point, machine.axes) || t("practice-point-grey", { point: point.name })}
+            @click=${() => practice.press(`reject ${point.name}`)}
+          >
+            ${point.name}
+          </button>
+        `,
+      )}
+    </div>
+    <details class="jog-plc">
+      <summary>${t("practice-plc")}</summary>
+      <div>
+        ${points.map(
+          (point, place) => html`
+            <label>
+              <input
+                type="checkbox"
+                .checked=${live(plc[place] ?? false)}
+                @change=${() => practice.press(`plc ${point.name} ${plc[place] ? "off" : "on"}`)}
+              />
+              ${t("practice-plc-reject", { bit: place, point: point.name })}
+            </label>
+            <span class="jog-lamp" data-on=${String(!!plc[place + 4])}>
+              ${t(plc[place + 4] ? "practice-plc-on" : "practice-plc-off", { bit: place + 4, point: point.name })}
+            </span>
+          `,
+        )}
+      </div>
+    </details>
+  `;
+}
+
+function placeOf({ stored }: PracticePoint, axes: readonly string[]): string {
+  if (!stored) return "";
+  const [letters, numbers] = stored.touch ? [["X", "Y", "Z"], stored.touch] : [axes, stored.centre ?? []];
+  return numbers.map((value, place) => figureText({ axis: letters[place] ?? "", value, unit: "mm" })).join(", ");
+}
+
+function keys(jog: JogState, seen: PracticeView, practice: Practice): TemplateResult {
+  const { refused } = jog;
+  const { calculate } = seen.keys;
+  return html`
+    <div class="jog-keys" role="group" aria-label=${t("practice-keys")}>
+      <button
+        type="button"
+        class=${calculate ? "jog-start" : "jog-start primary"}
+        @click=${() => practice.press(startLine(seen), "start")}
+      >
+        ${iconPart("play")}${t("practice-nc-start")}
+      </button>
+      ${
+        seen.points.length
+          ? html`<button
+              type="button"
+              class=${calculate ? "jog-calculate primary" : "jog-calculate"}
+              @click=${() => practice.press("calculate")}
+            >
+              ${t("practice-calculate")}
+            </button>`
+          : nothing
+      }
+      <button type="button" class="jog-reset" @click=${() => practice.press("reset")}>RESET</button>
+    </div>
+    ${refused?.field === "start" ? refusal(refused) : nothing}
+  `;
+}
+
+function refusal({ message, hint }: NonNullable<JogState["refused"]>): TemplateResult {
+  return html`<p class="jog-told jog-refused" role="alert">
+    ${iconPart("alert")}<span>${say(message)} ${hint ? say(hint) : ""}</span>
+  </p>`;
+}
+
+/** An alarm, or what was hit, with what is to be done. */
+function raised({ raised: one, keys: { reset } }: PracticeView, practice: Practice): TemplateResult | typeof nothing {
+  if (!one) return nothing;
+  return html`
+    <div class="jog-told jog-raised" role="alert">
+      ${iconPart("error")}
+      <span>
+        ${one.code ? html`<strong>${t("practice-alarm", { alarm: one.code })}</strong>` : nothing}
+        ${say(one.message)} ${one.hint ? html`<br />${say(one.hint)}` : nothing}
+      </span>
+      ${reset ? html`<button type="button" @click=${() => practice.press("reset")}>RESET</button>` : nothing}
+    </div>
+  `;
+}
+
+function activation(jog: JogState, seen: PracticeView, practice: Practice): TemplateResult | typeof nothing {
+  const screen = seen.activation;
+  if (!screen) return nothing;
+  return html`
+    <div class="jog-activation">
+      <h4>${t("practice-activation")}</h4>
+      ${screen.lines.map(line => html`<p>${say(line)}</p>`)} ${fields(jog, screen.fields, practice)}
+    </div>
+  `;
+}
+
+function results(shows: readonly PracticeShow[]): TemplateResult {
+  return html`
+    <dl class="jog-results">
+      ${shows
+        .filter(({ offset, figures }) => offset || figures.length)
+        .map(
+          ({ label, offset, figures }) => html`
+          <div>
+            <dt>${say(label)}${offset ? html` <code>${offset}</code>` : nothing}</dt>
+            <dd>${figures.map(figure => html`<span class="figure">${figureText(figure)}</span>`)}</dd>
+          </div>
+        `,
+        )}
+    </dl>
+  `;
+}
+
+const WITHIN = { mm: 0.005, deg: 0.005 } as Record<string, number>;
+
+/** How far what was written is from where it should be. */
+function deviation({ deviation: found }: PracticeView): TemplateResult | typeof nothing {
+  if (!found) return nothing;
+  const near = found.figures.every(({ value, unit }) => Math.abs(value) < (WITHIN[unit] ?? 0));
+  return html`
+    <div class="jog-deviation" data-near=${String(near)} role="status">
+      ${iconPart(near ? "good" : "alert")}
+      <div>
+        <strong>${t(near ? "practice-near" : "practice-off", { offset: found.offset })}</strong>
+        <p>${found.figures.map(figure => html`<span class="figure">${figureText(figure, true)}</span>`)}</p>
+      </div>
+    </div>
+  `;
+}
+
+function written({ changes }: PracticeView): TemplateResult | typeof nothing {
+  if (!changes.length) return nothing;
+  return html`
+    <table class="jog-written">
+      <caption>${t("practice-written")}</caption>
+      <tbody>
+        ${changes.map(
+          ({ label, before, after, unit }) => html`
+            <tr>
+              <th scope="row">${say(label)}</th>
+              <td class="figure">${plain(before, 3)} → ${plain(after, 3)} ${unit ? t(`unit-${unit}`) : ""}</td>
+            </tr>
+          `,
+        )}
+      </tbody>
+    </table>
+  `;
+}

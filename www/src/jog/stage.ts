@@ -1,0 +1,93 @@
+// The stage while one practises: the part as it lies, the probe where it is; what NC start began is seen as it happens.
+
+import type { SceneData } from "../core/scene";
+import { el, on, setText, show } from "../dom";
+import { type IconName, icon } from "../icons";
+import type { Preview, ViewName } from "../preview/view";
+import type { State } from "../state/state";
+import { t } from "../texts";
+import { type Shown, shownTheme } from "../theme";
+import type { Stage } from "../views/stage";
+
+const still = matchMedia("(prefers-reduced-motion: reduce)");
+const LONGEST = 2.5; // s that a measurement is shown for
+
+export function createJogStage(root: HTMLElement, stage: Stage): (state: State) => void {
+  const note = el("p", { class: "empty over-stage", role: "status" }, t("view-loading"));
+  const corner = el("div", { class: "stage-corner" });
+  root.append(el("div", { class: "stage-box" }, corner, note));
+  let shown: { data: SceneData | null; theme: Shown | null } = { data: null, theme: null };
+  let dressed = false;
+  const dress = (preview: Preview): void => {
+    if (dressed) return;
+    dressed = true;
+    const view = (name: ViewName, of: IconName): HTMLElement =>
+      tool(of, t(`view-${name}`), () => preview.setView(name));
+    corner.append(
+      view("iso", "view"),
+      view("top", "solid"),
+      tool("fit", t("view-fit"), () => preview.fit()),
+    );
+  };
+  return ({ jog, page }) => {
+    const box = root.firstElementChild;
+    if (page.place !== "jog") {
+      shown = { data: null, theme: null };
+      return;
+    }
+    if (stage.box.parentElement !== box) box?.prepend(stage.box);
+    const { preview, failed } = stage;
+    if (failed) setText(note, t("view-failed", { problem: failed }));
+    show(note, !preview);
+    if (!preview) return stage.fetch();
+    dress(preview);
+    const theme = shownTheme(page.theme);
+    const colours = stage.colours(theme);
+    if (colours && theme !== shown.theme) preview.setColours(colours);
+    const data = jog.seen?.scene ?? null;
+    if (data && data !== shown.data) {
+      const fresh = shown.data === null;
+      preview.setCloud(null);
+      preview.setDrawing(false);
+      preview.setSection(false);
+      preview.setTaken([]);
+      preview.setCovered(0);
+      preview.setScene(data, null);
+      const last = data.view.entries - 1;
+      const measured = !fresh && jog.lines.at(-1) === "start" && !still.matches;
+      play(preview, data, measured ? Math.min(jog.seen?.from ?? last, last) : last);
+      if (fresh) preview.fit();
+    }
+    shown = { data, theme };
+  };
+}
+
+let playing = 0;
+
+/** From an entry to the last one, in real time, faster where that would take long. */
+function play(preview: Preview, { begins }: SceneData, from: number): void {
+  cancelAnimationFrame(playing);
+  const last = begins.length - 2;
+  const [first = 0, end = 0] = [begins[from], begins[last + 1]];
+  const speed = Math.max(1, (end - first) / LONGEST);
+  const start = performance.now();
+  const frame = (now: number): void => {
+    const at = first + (Math.max(0, now - start) / 1000) * speed;
+    if (at >= end || from >= last) {
+      preview.setStep(Math.max(0, last), 1);
+      return;
+    }
+    let step = from;
+    while (step < last && (begins[step + 1] ?? end) <= at) step++;
+    const [begin = 0, over = 0] = [begins[step], begins[step + 1]];
+    preview.setStep(step, over > begin ? (at - begin) / (over - begin) : 1);
+    playing = requestAnimationFrame(frame);
+  };
+  frame(start);
+}
+
+function tool(name: IconName, label: string, run: () => void): HTMLButtonElement {
+  const button = el("button", { type: "button", class: "stage-tool", "aria-label": label, title: label }, icon(name));
+  on(button, "click", run);
+  return button;
+}

@@ -1,0 +1,64 @@
+// The machine to practise on in the page: fetched when it is shown, and the ways to it.
+
+import type { Derived } from "../desk/derive";
+import { type Practice, practises } from "../desk/practice";
+import { el, on, setAttribute, show } from "../dom";
+import type { State } from "../state/state";
+import type { Store } from "../state/store";
+import { t } from "../texts";
+import type { Stage } from "../views/stage";
+import type { Layout } from "./layout";
+import type { Modules } from "./modules";
+import { railButton } from "./rail";
+import type { Where } from "./where";
+
+interface Needed {
+  store: Store;
+  practice: Practice;
+  stage: Stage;
+  where: Where;
+  modules: Pick<Modules, "program">;
+}
+
+/** `stop`: nobody wants it any more. */
+export function createPracticePlace(
+  { header, rail, panels }: Layout,
+  { store, practice, stage, where, modules }: Needed,
+  stop: AbortSignal,
+): { go(): void; draw(state: State, derived: Derived): void } {
+  const root = el("main", { class: "jog", id: "jog", tabindex: "-1", hidden: true });
+  header.after(root);
+  const go = (): void => {
+    where.go("jog");
+    root.focus();
+  };
+  const button = railButton(t("practice-rail"), "hand", { class: "rail-practice", title: t("practice-title") });
+  on(button, "click", go);
+  rail.querySelector('[data-panel-button="help"]')?.before(button);
+  const toWork = (): void => {
+    where.go("work");
+    panels[store.state.panels.panel].focus();
+  };
+  let draw: ((state: State) => void) | null = null;
+  let coming = false;
+  const fetch = async (): Promise<void> => {
+    coming = true;
+    const { createPlace } = await import("../jog/place");
+    if (stop.aborted) return;
+    draw = createPlace(root, practice, stage, { toWork }, stop);
+    store.update({});
+  };
+  return {
+    go,
+    draw(state, { catalogue }) {
+      const there = practises(state, catalogue);
+      show(button, there);
+      const here = state.page.place === "jog";
+      if (here && !there) return where.go("work");
+      show(root, here);
+      setAttribute(root, "aria-busy", here && !draw ? "true" : null);
+      if (here && modules.program && !coming) void fetch().catch(console.error);
+      draw?.(state);
+    },
+  };
+}
