@@ -126,7 +126,12 @@ export function createHand(root: HTMLElement, practice: Practice, stop: AbortSig
         ${used("jog-offset", t("practice-offset"), seen.machine.offsets, seen.machine.offered)}
         ${
           seen.machine.offered
-            ? html`<button type="button" ?disabled=${!seen.keys.mode} title=${t("practice-offered")} @click=${() => practice.press("mode")}>
+            ? html`<button
+                type="button"
+                ?disabled=${!seen.keys.mode}
+                title=${t("practice-offered")}
+                @click=${() => practice.press("mode")}
+              >
                 ${t("practice-mode")}
               </button>`
             : nothing

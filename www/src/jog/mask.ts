@@ -167,7 +167,9 @@ function one(jog: JogState, field: PracticeField, practice: Practice): TemplateR
     <div class="jog-field" data-field=${name}>
       <label for=${id}>${words}</label>
       ${control}
-      <p id="${id}-why" class="jog-why" role="status">${why ? html`${iconPart("error")}${told(why.message, words)}` : nothing}</p>
+      <p id="${id}-why" class="jog-why" role="status">
+        ${why ? html`${iconPart("error")}${told(why.message, words)}` : nothing}
+      </p>
     </div>
   `;
 }
