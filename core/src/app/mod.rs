@@ -18,6 +18,7 @@ mod outcome;
 mod places;
 mod predict;
 mod program;
+mod program_text;
 mod run;
 mod scan;
 mod start;
@@ -47,6 +48,7 @@ pub use machine::{MachineField, MachineGroup, MachineProblem, MachineRequest, Ma
 pub use outcome::{Measured, Outcome, Raised};
 pub use predict::{ErrorLimit, ErrorSliders, PartSliders, ProbeSliders};
 pub use program::{Arrival, CallView, ProgramParameter, ProgramPlace, ReadRequest, ReadView, calls, read};
+pub use program_text::ProgramText;
 pub use run::{OfCall, Run, RunAlarm, RunAnswer, RunAssumed, RunDecision, RunRequest, RunResult, RunView};
 pub use scan::{Scan, ScanRequest, ScanView, SurfaceChoice, put_surface};
 pub use start::{Beginning, Machine, OwnMachine};
